@@ -1,0 +1,789 @@
+/* hhpred.c - predicates for a handful of points in space; see hhpred.h.
+ *
+ * Order of the routines, here and in f77/hhpred.f:
+ *   exact numbers     split carry produc det3 limbsg exact
+ *   exact signs       filt3 filt5 scale hh_orient hh_insphere hh_flat
+ *                     hh_wider hh_range hh_pside hh_pball
+ *   Householder       house reflec hh_setup hh_bound hh_facet hh_side hh_opp
+ *                     hh_lcoord hh_wrap
+ */
+#include "hhpred.h"
+#include <math.h>
+
+/* An integer of at least 32 bits. */
+#if INT_MAX >= 2147483647
+typedef int whole;
+#else
+typedef long whole;
+#endif
+
+#define UNSURE 2
+
+/* BASE = 2^HH_BITS.  CARRY = 2^(DBL_MANT_DIG - HH_BITS) bounds carries.
+ * TINY is an absolute error no smaller than what underflow, gradual or to
+ * zero, does to a determinant of differences of at most 2.  SMALL: below it
+ * the Householder bounds are not used, as squares might underflow.  SHIFT =
+ * BASE^SKIP; exact numbers that are all below LOW are first multiplied by it,
+ * so that no limb's weight underflows. */
+#if DBL_MANT_DIG >= 53
+#define BASE 16777216.0
+#define CARRY 536870912.0
+#define TINY 9.3326361850321888e-302   /* 2^-1000 */
+#define SMALL 3.4395525670743494e-136  /* 2^-450  */
+#define SHIFT 4.149515568880993e180    /* 2^600   */
+#define SKIP 25
+#define LOW 1.6069380442589903e60      /* 2^200   */
+#else
+#define BASE 512.0
+#define CARRY 32768.0
+#define TINY 8.0779357e-28             /* 2^-90   */
+#define SMALL 9.0949470e-13            /* 2^-40   */
+#define SHIFT 9.2233720368547758e18    /* 2^63    */
+#define SKIP 7
+#define LOW 1048576.0                  /* 2^20    */
+#endif
+
+/* ---------------------------------------------------------------------
+ * Exact numbers.
+ *
+ * A number is an array of limbs, most significant first, each an integer
+ * kept in a double; limb i weighs BASE^-i times what limb 0 does.  Limbs of
+ * coordinates are balanced, |limb| <= BASE/2, so those of a difference are
+ * at most BASE and need no carry.  Every value formed stays below
+ * 2^DBL_MANT_DIG, so every operation is exact: in any rounding mode, with
+ * extended precision, contraction or reassociation.
+ * --------------------------------------------------------------------- */
+
+/* split - the n limbs of x, limb 0 of weight top = BASE^k, |x| <= top *
+ * BASE/2.  Returns 0, or UNSURE when n limbs do not hold x. */
+static int split(double x, double top, int n, double *limb)
+{
+    double unit = 1.0 / top, q;
+    int i = 0;
+
+    if (x != 0.0 && (x < 0.0 ? -x : x) < top * (0.5 / SHIFT))
+        for (x *= SHIFT; i < SKIP && i < n; i++) limb[i] = 0.0;
+    while (i < n && x != 0.0) {
+        q = x * unit;
+        limb[i] = (double)(whole)(q + (q < 0.0 ? -0.5 : 0.5));
+        x -= limb[i] * top;
+        top *= 1.0 / BASE;
+        unit *= BASE;
+        i++;
+    }
+    for (; i < n; i++) limb[i] = 0.0;
+    return x == 0.0 ? 0 : UNSURE;
+}
+
+/* carry - bring the limbs of r, below 2^DBL_MANT_DIG, back to little more
+ * than BASE/2, in two passes over all limbs side by side.  Limb 0 keeps what
+ * it gets. */
+static void carry(int n, double *r)
+{
+    double c;
+    int pass, i;
+
+    for (pass = 0; pass < 2; pass++)
+        for (i = 1; i < n; i++) {
+            /* to nearest: the offset makes every quotient positive */
+            c = (double)((whole)(r[i] / BASE + (CARRY + 0.5)) - (whole)CARRY);
+            r[i] -= c * BASE;
+            r[i - 1] += c;
+        }
+}
+
+/* produc - add (sign 1) or subtract (-1) a*b to r of na + nb limbs; limb 0
+ * of r weighs BASE times the product of the two limbs 0.
+ *
+ * With |limbs| of at most BASE, 31 products fit one limb of r.  A call
+ * leaves at most 10 rows uncarried, so three calls may share one carry. */
+static void produc(int na, const double *a, int nb, const double *b, int sign,
+                   double *r)
+{
+    double f;
+    int i, j;
+
+    for (i = 0; i < na; i++) {
+        if (i > 0 && i % 10 == 0) carry(na + nb, r);
+        f = sign * a[i];
+        for (j = 0; j < nb; j++) r[i + j + 1] += f * b[j];
+    }
+}
+
+/* zeros - r = 0. */
+static void zeros(int n, double *r)
+{
+    int i;
+
+    for (i = 0; i < n; i++) r[i] = 0.0;
+}
+
+/* minor2 - r = a[0] b[1] - b[0] a[1], 2n limbs, of rows a, b. */
+static void minor2(int n, const double *a, const double *b, double *r)
+{
+    zeros(2 * n, r);
+    produc(n, a, n, b + n, 1, r);
+    produc(n, b, n, a + n, -1, r);
+    carry(2 * n, r);
+}
+
+/* minor3 - r = a[2] m(b,c) - b[2] m(a,c) + c[2] m(a,b), 3n limbs, of rows a,
+ * b, c and their 2 by 2 minors m. */
+static void minor3(int n, const double *a, const double *b, const double *c,
+                   const double *mbc, const double *mac, const double *mab,
+                   double *r)
+{
+    zeros(3 * n, r);
+    produc(n, a + 2 * n, 2 * n, mbc, 1, r);
+    produc(n, b + 2 * n, 2 * n, mac, -1, r);
+    produc(n, c + 2 * n, 2 * n, mab, 1, r);
+    carry(3 * n, r);
+}
+
+/* square - r = |a|^2, 2n limbs. */
+static void square(int n, const double *a, double *r)
+{
+    int k;
+
+    zeros(2 * n, r);
+    for (k = 0; k < 3; k++) produc(n, a + k * n, n, a + k * n, 1, r);
+    carry(2 * n, r);
+}
+
+/* signof - the sign of r, by Horner's rule from the top: behind a partial
+ * sum of more than 64 units the rest cannot change the sign. */
+static int signof(int n, const double *r)
+{
+    double s = 0.0;
+    int i;
+
+    for (i = 0; i < n && s <= 64.0 && s >= -64.0; i++) s = s * BASE + r[i];
+    return s > 0.0 ? 1 : s < 0.0 ? -1 : 0;
+}
+
+/* limbsg - with n limbs, the sign of the determinant of the rows q_i - q_last
+ * for 4 points q, or of the rows (q_i - q_last, |q_i - q_last|^2) for 5;
+ * UNSURE when n limbs do not hold the points.  work: 50n doubles. */
+static int limbsg(int np, const double *q, double top, int n, double *work)
+{
+    double *row = work, *base = work + 12 * n;
+    double *m01 = work + 15 * n, *m02 = m01 + 2 * n, *m12 = m02 + 2 * n;
+    double *m03 = m12 + 2 * n, *m13 = m03 + 2 * n, *m23 = m13 + 2 * n;
+    double *lift = m23 + 2 * n, *det = lift + 2 * n, *sum = det + 3 * n;
+    const double *r1, *r2, *r3;
+    int rows = np - 1, i, k;
+
+    for (k = 0; k < 3; k++)
+        if (split(q[3 * rows + k], top, n, base + k * n)) return UNSURE;
+    for (i = 0; i < rows; i++)
+        for (k = 0; k < 3; k++)
+            if (split(q[3 * i + k], top, n, row + (3 * i + k) * n))
+                return UNSURE;
+    for (i = 0; i < rows; i++)
+        for (k = 0; k < 3 * n; k++) row[3 * n * i + k] -= base[k];
+
+    r1 = row + 3 * n;
+    r2 = row + 6 * n;
+    minor2(n, row, r1, m01);
+    minor2(n, row, r2, m02);
+    minor2(n, r1, r2, m12);
+    if (np == 4) {
+        minor3(n, row, r1, r2, m12, m02, m01, det);
+        return signof(3 * n, det);
+    }
+    r3 = row + 9 * n;
+    minor2(n, row, r3, m03);
+    minor2(n, r1, r3, m13);
+    minor2(n, r2, r3, m23);
+    zeros(5 * n, sum);
+    for (i = 0; i < 4; i++) {
+        if (i == 0) minor3(n, r1, r2, r3, m23, m13, m12, det);
+        if (i == 1) minor3(n, row, r2, r3, m23, m03, m02, det);
+        if (i == 2) minor3(n, row, r1, r3, m13, m03, m01, det);
+        if (i == 3) minor3(n, row, r1, r2, m12, m02, m01, det);
+        square(n, row + 3 * n * i, lift);
+        produc(2 * n, lift, 3 * n, det, i % 2 ? 1 : -1, sum);
+        carry(5 * n, sum);
+    }
+    return signof(5 * n, sum);
+}
+
+/* Scratch of three sizes: 3 limbs (70 bits) hold ordinary data. */
+static int limbs3(int np, const double *q, double top)
+{
+    double work[50 * 3];
+
+    return limbsg(np, q, top, 3, work);
+}
+
+#if HH_LIMBS > 10
+static int limbs10(int np, const double *q, double top)
+{
+    double work[50 * 10];
+
+    return limbsg(np, q, top, 10, work);
+}
+#endif
+
+static int limbsx(int np, const double *q, double top)
+{
+    double work[50 * HH_LIMBS];
+
+    return limbsg(np, q, top, HH_LIMBS, work);
+}
+
+/* weight - the weight BASE^k of limb 0 of numbers of at most most > 0, from
+ * a first guess. */
+static double weight(double most, double guess)
+{
+    double top = guess;
+
+    while (top * (0.5 * BASE) < most) top *= BASE;
+    while (top * 0.5 >= most) top /= BASE;
+    return top;
+}
+
+/* exact - limbsg with as many limbs as it takes; alters q. */
+static int exact(int np, double *q)
+{
+    double most = 0.0, top = 1.0;
+    int i, sign;
+
+    for (i = 0; i < 3 * np; i++) {
+        if (q[i] > most) most = q[i];
+        if (-q[i] > most) most = -q[i];
+    }
+    if (most == 0.0) return 0;
+    if (most < LOW) {
+        for (i = 0; i < 3 * np; i++) q[i] *= SHIFT;
+        most *= SHIFT;
+        top = SHIFT;
+    }
+    top = weight(most, top);
+    sign = limbs3(np, q, top);
+#if HH_LIMBS > 10
+    if (sign == UNSURE) sign = limbs10(np, q, top);
+#endif
+    if (sign == UNSURE) sign = limbsx(np, q, top);
+    return sign;
+}
+
+/* ---------------------------------------------------------------------
+ * Exact signs: a filter, then limbs.
+ *
+ * The filters take coordinates of absolute value at most 1, possibly with
+ * an absolute error where tiny ones underflowed.  A term of the orientation
+ * determinant is a product of 3 differences with at most 5 more roundings in
+ * it, one of the insphere determinant a product of 5 differences with at
+ * most 12: relative errors of at most 8 eps and 17 eps of the permanent in
+ * any rounding mode and any order of evaluation, doubled to cover the
+ * rounding of the permanent itself and of the bound.  Underflow, and
+ * coordinates that underflowed, add less than TINY.  With t >= 0 all
+ * coordinates are integer multiples of some unit and a permanent of at most
+ * t (2^(DBL_MANT_DIG-1) units) means that nothing was rounded at all.
+ * --------------------------------------------------------------------- */
+
+/* certain - the sign of det, certain beyond err or when exact. */
+static int certain(double det, double perm, double factor, double t)
+{
+    double err = factor * DBL_EPSILON * perm + TINY;
+
+    if (det > err) return 1;
+    if (det < -err) return -1;
+    if (perm <= t) return det > 0.0 ? 1 : det < 0.0 ? -1 : 0;
+    return UNSURE;
+}
+
+/* filt3 - the sign of det [b-a c-a d-a], or UNSURE. */
+static int filt3(const double *a, const double *b, const double *c,
+                 const double *d, double t)
+{
+    double bx = b[0] - a[0], by = b[1] - a[1], bz = b[2] - a[2];
+    double cx = c[0] - a[0], cy = c[1] - a[1], cz = c[2] - a[2];
+    double dx = d[0] - a[0], dy = d[1] - a[1], dz = d[2] - a[2];
+    double byz = by * cz, bzy = bz * cy, bzx = bz * cx, bxz = bx * cz;
+    double bxy = bx * cy, byx = by * cx;
+    double det = dx * (byz - bzy) + dy * (bzx - bxz) + dz * (bxy - byx);
+    double perm = fabs(dx) * (fabs(byz) + fabs(bzy)) +
+                  fabs(dy) * (fabs(bzx) + fabs(bxz)) +
+                  fabs(dz) * (fabs(bxy) + fabs(byx));
+
+    return certain(det, perm, 16.0, t);
+}
+
+/* filt5 - the sign of I = det of the rows (q - e, |q - e|^2), q = a, b, c, d,
+ * or UNSURE.  e is inside the ball of a, b, c, d iff I and the determinant
+ * of the rows a-d, b-d, c-d have the same sign. */
+static int filt5(const double *a, const double *b, const double *c,
+                 const double *d, const double *e, double t)
+{
+    double ax = a[0] - e[0], ay = a[1] - e[1], az = a[2] - e[2];
+    double bx = b[0] - e[0], by = b[1] - e[1], bz = b[2] - e[2];
+    double cx = c[0] - e[0], cy = c[1] - e[1], cz = c[2] - e[2];
+    double dx = d[0] - e[0], dy = d[1] - e[1], dz = d[2] - e[2];
+    double la = ax * ax + ay * ay + az * az, lb = bx * bx + by * by + bz * bz;
+    double lc = cx * cx + cy * cy + cz * cz, ld = dx * dx + dy * dy + dz * dz;
+    double ab1 = ax * by, ab2 = bx * ay, bc1 = bx * cy, bc2 = cx * by;
+    double cd1 = cx * dy, cd2 = dx * cy, da1 = dx * ay, da2 = ax * dy;
+    double ac1 = ax * cy, ac2 = cx * ay, bd1 = bx * dy, bd2 = dx * by;
+    double ab = ab1 - ab2, bc = bc1 - bc2, cd = cd1 - cd2, da = da1 - da2;
+    double ac = ac1 - ac2, bd = bd1 - bd2;
+    double det = lb * (az * cd + cz * da + dz * ac) -
+                 la * (bz * cd - cz * bd + dz * bc) +
+                 ld * (az * bc - bz * ac + cz * ab) -
+                 lc * (az * bd + bz * da + dz * ab);
+    double perm;
+
+    ab = fabs(ab1) + fabs(ab2);
+    bc = fabs(bc1) + fabs(bc2);
+    cd = fabs(cd1) + fabs(cd2);
+    da = fabs(da1) + fabs(da2);
+    ac = fabs(ac1) + fabs(ac2);
+    bd = fabs(bd1) + fabs(bd2);
+    az = fabs(az);
+    bz = fabs(bz);
+    cz = fabs(cz);
+    dz = fabs(dz);
+    perm = la * (bz * cd + cz * bd + dz * bc) +
+           lb * (az * cd + cz * da + dz * ac) +
+           lc * (az * bd + bz * da + dz * ab) +
+           ld * (az * bc + bz * ac + cz * ab);
+    return certain(det, perm, 32.0, t);
+}
+
+/* exact3 - the sign of det [b-a c-a d-a] by limbs. */
+static int exact3(const tess_real *a, const tess_real *b, const tess_real *c,
+                  const tess_real *d)
+{
+    double q[12];
+    int k, sign;
+
+    for (k = 0; k < 3; k++) {
+        q[k] = b[k];
+        q[3 + k] = c[k];
+        q[6 + k] = d[k];
+        q[9 + k] = a[k];
+    }
+    sign = exact(4, q);
+    return sign;
+}
+
+/* exact5 - the sign of filt5's determinant by limbs. */
+static int exact5(const tess_real *a, const tess_real *b, const tess_real *c,
+                  const tess_real *d, const tess_real *e)
+{
+    double q[15];
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        q[k] = a[k];
+        q[3 + k] = b[k];
+        q[6 + k] = c[k];
+        q[9 + k] = d[k];
+        q[12 + k] = e[k];
+    }
+    return exact(5, q);
+}
+
+/* scale - q = p times the power of two that makes most, the largest absolute
+ * value among several points, at most 1. */
+static void scale(double most, const tess_real *p, double *q)
+{
+    int e, k;
+
+    frexp(most, &e);
+    for (k = 0; k < 3; k++) q[k] = ldexp((double)p[k], -e);
+}
+
+/* larger - the larger of most and the absolute coordinates of p. */
+static double larger(double most, const tess_real *p)
+{
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        if (p[k] > most) most = p[k];
+        if (-p[k] > most) most = -p[k];
+    }
+    return most;
+}
+
+int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
+              const tess_real *d)
+{
+    double most = larger(larger(larger(larger(0.0, a), b), c), d);
+    double sa[3], sb[3], sc[3], sd[3];
+    int sign;
+
+    scale(most, a, sa);
+    scale(most, b, sb);
+    scale(most, c, sc);
+    scale(most, d, sd);
+    sign = filt3(sa, sb, sc, sd, -1.0);
+    return sign == UNSURE ? exact3(a, b, c, d) : sign;
+}
+
+int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
+                const tess_real *d, const tess_real *e)
+{
+    double most = larger(larger(larger(larger(larger(0.0, a), b), c), d), e);
+    double sa[3], sb[3], sc[3], sd[3], se[3];
+    int side, sign;
+
+    side = hh_orient(a, b, c, d);
+    if (side == 0 || side == UNSURE) return side;
+    scale(most, a, sa);
+    scale(most, b, sb);
+    scale(most, c, sc);
+    scale(most, d, sd);
+    scale(most, e, se);
+    sign = filt5(sa, sb, sc, sd, se, -1.0);
+    if (sign == UNSURE) sign = exact5(a, b, c, d, e);
+    return sign == UNSURE ? UNSURE : -side * sign;
+}
+
+/* hh_flat - the exact sign of the area of a, b, c projected along an axis 0,
+ * 1 or 2: of the orientation in the plane of the two other coordinates, in
+ * cyclic order.  a, b, c are collinear iff it is 0 along all three axes. */
+int hh_flat(int axis, const tess_real *a, const tess_real *b,
+            const tess_real *c)
+{
+    tess_real qa[3], qb[3], qc[3], top[3];
+    int i = axis == 2 ? 0 : axis + 1, k = axis == 0 ? 2 : axis - 1;
+    double left = ((double)b[i] - a[i]) * ((double)c[k] - a[k]);
+    double right = ((double)b[k] - a[k]) * ((double)c[i] - a[i]);
+    double perm = fabs(left) + fabs(right);
+
+    if (perm < 1.0 / TINY && left - right > 8.0 * DBL_EPSILON * perm + TINY)
+        return 1;
+    if (perm < 1.0 / TINY && right - left > 8.0 * DBL_EPSILON * perm + TINY)
+        return -1;
+    for (k = 0; k < 3; k++) {
+        qa[k] = top[k] = a[k];
+        qb[k] = b[k];
+        qc[k] = c[k];
+    }
+    qa[axis] = qb[axis] = qc[axis] = 0;
+    /* any height will do that needs no more limbs than the points */
+    top[axis] = (tess_real)larger(larger(larger(0.0, qa), qb), qc);
+    return hh_orient(qa, qb, qc, top);
+}
+
+/* widersg - with n limbs, the sign of q[0] + q[1] - q[2] - q[3]; UNSURE when
+ * they do not hold q.  work: 2n doubles. */
+static int widersg(const double *q, double top, int n, double *work)
+{
+    double *limb = work, *sum = work + n;
+    int i, k;
+
+    zeros(n, sum);
+    for (i = 0; i < 4; i++) {
+        if (split(q[i], top, n, limb)) return UNSURE;
+        for (k = 0; k < n; k++) sum[k] += i < 2 ? limb[k] : -limb[k];
+    }
+    return signof(n, sum);
+}
+
+/* hh_wider - the exact sign of (a-b) - (c-d), for a >= b and c >= d. */
+int hh_wider(double a, double b, double c, double d)
+{
+    double x = 0.25 * a - 0.25 * b, y = 0.25 * c - 0.25 * d;
+    double err = 4.0 * DBL_EPSILON * (x + y) + TINY;
+    double q[4], work[2 * HH_LIMBS], top = 1.0, most = 0.0;
+    int i, sign;
+
+    if (x - y > err) return 1;
+    if (y - x > err) return -1;
+    q[0] = a;
+    q[1] = d;
+    q[2] = b;
+    q[3] = c;
+    for (i = 0; i < 4; i++) most = fabs(q[i]) > most ? fabs(q[i]) : most;
+    if (most == 0.0) return 0;
+    if (most < LOW) {
+        for (i = 0; i < 4; i++) q[i] *= SHIFT;
+        most *= SHIFT;
+        top = SHIFT;
+    }
+    top = weight(most, top);
+    sign = widersg(q, top, 3, work);
+    return sign == UNSURE ? widersg(q, top, HH_LIMBS, work) : sign;
+}
+
+/* hh_range - 0 when HH_LIMBS limbs hold x beside coordinates of absolute
+ * value most > 0, else UNSURE. */
+int hh_range(double x, double most)
+{
+    double limb[HH_LIMBS];
+
+    if (most < LOW)
+        return split(x * SHIFT, weight(most * SHIFT, SHIFT), HH_LIMBS, limb);
+    return split(x, weight(most, 1.0), HH_LIMBS, limb);
+}
+
+/* hh_pside - hh_orient for the positions i, j, k, l of the set s. */
+int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
+{
+    int sign = filt3(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k, s->x + 3 * l,
+                     s->t3);
+
+    if (sign == UNSURE)
+        sign = exact3(s->p + 3 * s->order[i], s->p + 3 * s->order[j],
+                      s->p + 3 * s->order[k], s->p + 3 * s->order[l]);
+    return sign;
+}
+
+/* hh_pball - the sign, never 0, of the perturbed insphere determinant I of
+ * filt5 for the positions i, j, k, l, m of the set s: m is inside the ball
+ * of i, j, k, l iff I times hh_pside(i, j, k, l) is negative.
+ *
+ * The lifted height of point number i is lowered by e_i, e_0 >> e_1 >> ... >
+ * 0 (Figure 4 of the paper made precise: the point of least number is a
+ * vertex of all the tetrahedra of a cospherical set).  So if I = 0 the sign
+ * is that of the cofactor of the least e_i that has one: with the five
+ * positions numbered 0 to 4 as arguments, (-1)^k times the determinant of
+ * the other four in their order, of the first k in increasing order of the
+ * points' numbers for which it is not 0. */
+int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
+             tess_int m)
+{
+    tess_int v[5], rest[4];
+    int taken[5], sign, turn, least, n, r;
+
+    sign = filt5(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k, s->x + 3 * l,
+                 s->x + 3 * m, s->t5);
+    if (sign == UNSURE)
+        sign = exact5(s->p + 3 * s->order[i], s->p + 3 * s->order[j],
+                      s->p + 3 * s->order[k], s->p + 3 * s->order[l],
+                      s->p + 3 * s->order[m]);
+    v[0] = i;
+    v[1] = j;
+    v[2] = k;
+    v[3] = l;
+    v[4] = m;
+    for (n = 0; n < 5; n++) taken[n] = 0;
+    for (turn = 0; turn < 5 && sign == 0; turn++) {
+        least = -1;
+        for (n = 0; n < 5; n++)
+            if (!taken[n] &&
+                (least < 0 || s->order[v[n]] < s->order[v[least]]))
+                least = n;
+        taken[least] = 1;
+        for (n = r = 0; n < 5; n++)
+            if (n != least) rest[r++] = v[n];
+        /* the determinant of the rows a-d, b-d, c-d is minus hh_orient */
+        sign = hh_pside(s, rest[0], rest[1], rest[2], rest[3]);
+        if (least % 2 == 0) sign = -sign;
+    }
+    return sign;
+}
+
+/* ---------------------------------------------------------------------
+ * Householder transformations (Section 3).
+ *
+ * P = [p2-p1 p3-p1] = Q R, Q = Q1 Q2, Qi = I - b_i u_i u_i'; R upper
+ * triangular.  A reflector is kept as b and u with the scaling of u left as
+ * it comes, b = 2/u'u.
+ *
+ * Forward error of the side.  The computed (z-p1).v is the exact value for
+ * slightly perturbed points and Q (Section 3.1), but the normal of the
+ * perturbed facet is turned against the true one by at most the error of R's
+ * second column over |r22|: a multiple of s = |p3-p1| / |r22|, one over the
+ * sine of the facet's angle at p1.  So the error is at most E |w| with E =
+ * eps (A s + B).  Counting roundings gives A = 170, B = 90 with room for
+ * every rounding mode.
+ *
+ * Forward error of L.  c - p1 = Q y; y2 has the error of r12/r22 and r22 in
+ * it, again s times a multiple of eps rho: dc = eps rho (700 s + 100).  In
+ * L = (w.w - 2 (c-p1).w) / (2 v.w) the numerator errs by at most |w| (eps
+ * (3 |w| + 5 rho) + 2 dc), the denominator by 2 E |w|; a quotient a/b with
+ * errors da, db errs by at most (da + |a/b| db) / (|b| - db), plus 4 eps |L|
+ * for the last roundings.
+ * --------------------------------------------------------------------- */
+
+typedef struct frame {
+    double u1[3], b1, u2[2], b2; /* the reflectors; u2 acts on rows 2, 3 */
+    double r11, r12, r22;
+} frame;
+
+/* house - the reflectors and R of [a b].  A zero column leaves zeros. */
+static void house(const double *a, const double *b, frame *h)
+{
+    double norm, t, q1, q2;
+
+    norm = sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
+    h->r11 = a[0] > 0.0 ? -norm : norm;
+    h->u1[0] = a[0] - h->r11;
+    h->u1[1] = a[1];
+    h->u1[2] = a[2];
+    t = norm * (norm + fabs(a[0]));
+    h->b1 = t > 0.0 ? 1.0 / t : 0.0;
+
+    t = h->b1 * (h->u1[0] * b[0] + h->u1[1] * b[1] + h->u1[2] * b[2]);
+    h->r12 = b[0] - t * h->u1[0];
+    q1 = b[1] - t * h->u1[1];
+    q2 = b[2] - t * h->u1[2];
+    norm = sqrt(q1 * q1 + q2 * q2);
+    h->r22 = q1 > 0.0 ? -norm : norm;
+    h->u2[0] = q1 - h->r22;
+    h->u2[1] = q2;
+    t = norm * (norm + fabs(q1));
+    h->b2 = t > 0.0 ? 1.0 / t : 0.0;
+}
+
+/* reflec - z = Q1 Q2 (y1, y2, y3). */
+static void reflec(const frame *h, double y1, double y2, double y3, double *z)
+{
+    double t = h->b2 * (h->u2[0] * y2 + h->u2[1] * y3);
+
+    y2 -= t * h->u2[0];
+    y3 -= t * h->u2[1];
+    t = h->b1 * (h->u1[0] * y1 + h->u1[1] * y2 + h->u1[2] * y3);
+    z[0] = y1 - t * h->u1[0];
+    z[1] = y2 - t * h->u1[1];
+    z[2] = y3 - t * h->u1[2];
+}
+
+/* hh_setup - hh_facet for points of absolute value at most 1, in double and
+ * without the test for collinear points; f as there, but E and dc are
+ * DBL_MAX and the rest is finite when the facet is too thin or too small for
+ * the bounds to hold.  s is bounded by 1 + |r12/r22|. */
+void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
+{
+    double a[3], b[3], ratio, y1, y2;
+    frame h;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        a[k] = p2[k] - p1[k];
+        b[k] = p3[k] - p1[k];
+        f[6 + k] = p1[k];
+    }
+    house(a, b, &h);
+    /* det [p2-p1 p3-p1 v] = r11 r22 det Q, det Q = 1 */
+    reflec(&h, 0.0, 0.0, (h.r11 < 0.0) == (h.r22 < 0.0) ? 1.0 : -1.0, f);
+    if (fabs(h.r11) > SMALL && fabs(h.r22) > SMALL) {
+        ratio = h.r12 / h.r22;
+        y1 = 0.5 * h.r11;
+        y2 = 0.5 * (h.r22 + ratio * (h.r12 - h.r11));
+        reflec(&h, y1, y2, 0.0, f + 3);
+        f[11] = sqrt(y1 * y1 + y2 * y2);
+        ratio = 1.0 + fabs(ratio);
+        f[9] = DBL_EPSILON * (170.0 * ratio + 90.0);
+        f[10] = DBL_EPSILON * f[11] * (700.0 * ratio + 100.0);
+    } else {
+        f[3] = f[4] = f[5] = f[11] = 0.0;
+        f[9] = f[10] = DBL_MAX;
+    }
+}
+
+/* hh_bound - the side of z and its L-coordinate with a bound.  Returns 1 when
+ * z is certainly on the positive side: then *l is L and *dl its greatest
+ * error; -1 when it is certainly on the negative side; 0 when neither is
+ * certain.  |w|_1 stands for |w| in the bounds: it does not underflow. */
+int hh_bound(const double *f, const double *z, double *l, double *dl)
+{
+    double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
+    double size = fabs(w0) + fabs(w1) + fabs(w2), err, side, gap;
+
+    if (size > SMALL && f[9] < 1.0) {
+        side = f[0] * w0 + f[1] * w1 + f[2] * w2;
+        err = f[9] * size;
+        gap = side - err;
+        if (gap > SMALL) {
+            *l = (w0 * w0 + w1 * w1 + w2 * w2 -
+                  2.0 * (f[3] * w0 + f[4] * w1 + f[5] * w2)) / (2.0 * side);
+            *dl = size * (DBL_EPSILON * (3.0 * size + 5.0 * f[11]) + f[10] +
+                          fabs(*l) * f[9]) / gap +
+                  4.0 * DBL_EPSILON * fabs(*l);
+            return 1;
+        }
+        if (-side > err) return -1;
+    }
+    return 0;
+}
+
+int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
+             double *f)
+{
+    double most = larger(larger(larger(0.0, p1), p2), p3), q1[3], q2[3], q3[3];
+    int e, k, line = 1;
+
+    frexp(most, &e);
+    scale(most, p1, q1);
+    scale(most, p2, q2);
+    scale(most, p3, q3);
+    hh_setup(q1, q2, q3, f);
+    for (k = 0; k < 3; k++) {
+        f[3 + k] = ldexp(f[3 + k], e);
+        f[6 + k] = p1[k];
+    }
+    f[11] = ldexp(f[11], e);
+    if (f[9] < 1.0) {
+        f[10] = ldexp(f[10], e);
+        return 0;
+    }
+    for (k = 0; k < 3; k++)
+        if (hh_flat(k, p1, p2, p3) != 0) line = 0;
+    if (line)
+        for (k = 0; k < 12; k++)
+            if (k < 6 || k == 11) f[k] = 0.0;
+    return line;
+}
+
+double hh_side(const double *f, const tess_real *z)
+{
+    return f[0] * (z[0] - f[6]) + f[1] * (z[1] - f[7]) + f[2] * (z[2] - f[8]);
+}
+
+int hh_opp(const double *f, const tess_real *z1, const tess_real *z2)
+{
+    double side1 = hh_side(f, z1), side2 = hh_side(f, z2);
+
+    return (side1 > 0.0 && side2 > 0.0) || (side1 < 0.0 && side2 < 0.0);
+}
+
+double hh_lcoord(const double *f, const tess_real *z)
+{
+    double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
+    double side = f[0] * w0 + f[1] * w1 + f[2] * w2;
+    double power = w0 * (w0 - 2.0 * f[3]) + w1 * (w1 - 2.0 * f[4]) +
+                   w2 * (w2 - 2.0 * f[5]);
+
+    if (side != 0.0) return power / (2.0 * side);
+    return power >= 0.0 ? DBL_MAX : -DBL_MAX;
+}
+
+int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
+            const tess_real *z, double *c)
+{
+    double most = larger(larger(larger(larger(0.0, p1), p2), p3), z);
+    double q1[3], q2[3], q3[3], qz[3], a[3], b[3], g[3], v[3], wg, wv, turn;
+    frame h;
+    int k;
+
+    *c = 0.0;
+    for (k = 0; k < 3; k++)
+        if (hh_flat(k, p1, p2, p3) != 0) break;
+    if (k == 3) return 1;
+    scale(most, p1, q1);
+    scale(most, p2, q2);
+    scale(most, p3, q3);
+    scale(most, z, qz);
+    for (k = 0; k < 3; k++) {
+        a[k] = q2[k] - q1[k];
+        b[k] = q3[k] - q1[k];
+    }
+    house(a, b, &h);
+    /* p3 - p1 has the component r22 along Q e2 */
+    turn = h.r22 < 0.0 ? -1.0 : 1.0;
+    reflec(&h, 0.0, turn, 0.0, g);
+    reflec(&h, 0.0, 0.0, h.r11 < 0.0 ? -turn : turn, v);
+    wg = wv = 0.0;
+    for (k = 0; k < 3; k++) {
+        wg += (qz[k] - q1[k]) * g[k];
+        wv += (qz[k] - q1[k]) * v[k];
+    }
+    if (wv == 0.0) return 2;
+    *c = -wg / wv;
+    return 0;
+}

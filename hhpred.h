@@ -1,0 +1,164 @@
+/* hhpred.h - predicates for a handful of points in space.
+ *
+ * Part of tess, Delaunay tetrahedralization after C. Hazlewood,
+ * "Facet-Based Tetrahedralization Software" (1995), Section 3.
+ *
+ * Two kinds of routine:
+ *   - Householder floating point: hh_facet, hh_side, hh_opp, hh_lcoord,
+ *     hh_wrap.  Fast, backward stable, and rounded.  f[9..11] hold what is
+ *     needed to bound the error (see hh_facet).
+ *   - exact signs: hh_orient, hh_insphere.  Right for all finite doubles, in
+ *     every rounding mode, with extended precision, contraction or
+ *     reassociation.
+ *
+ * No routine allocates, reads, writes, keeps state between calls or stops
+ * the program; all may be called from any number of threads.
+ *
+ * A point is an array of 3 coordinates.  No argument but f, c is altered.
+ */
+#ifndef HHPRED_H
+#define HHPRED_H
+
+#include <float.h>
+#include <limits.h>
+
+/* The integer of all index arrays.  4*maxtet + 3 must not exceed its largest
+ * value.  TESS_INT chooses another one (short, on a very small machine). */
+#ifdef TESS_INT
+typedef TESS_INT tess_int;
+#elif INT_MAX >= 2147483647
+typedef int tess_int;
+#else
+typedef long tess_int;
+#endif
+
+/* The coordinates; all arithmetic is in double. */
+#ifdef TESS_FLOAT
+typedef float tess_real;
+#else
+typedef double tess_real;
+#endif
+
+/* Exact numbers are arrays of at most HH_LIMBS limbs of HH_BITS bits each.
+ * The default holds every finite double beside every other.  With fewer,
+ * hh_orient and hh_insphere return 2 when they do not suffice, and tess
+ * returns TESS_RANGE.  Scratch on the stack, in doubles: about 54 a limb;
+ * 38 KB for 88 limbs, in routines entered only when 3, then 10 limbs do
+ * not suffice. */
+#if DBL_MANT_DIG >= 53
+#define HH_BITS 24
+#else
+#define HH_BITS 9
+#endif
+#ifndef HH_LIMBS
+#if DBL_MANT_DIG >= 53
+#define HH_LIMBS 88
+#else
+#define HH_LIMBS 32
+#endif
+#endif
+
+#define HH_FACET_LEN 12
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* hh_facet - Householder set-up of the facet p1, p2, p3 (Section 3.1, 3.2).
+ *
+ *   p1, p2, p3  (in)   the vertices, any finite coordinates.
+ *   f           (out)  HH_FACET_LEN doubles:
+ *       f[0..2]   v, the unit normal, turned so that
+ *                 det [p2-p1 p3-p1 v] > 0
+ *       f[3..5]   c - p1, c the circumcentre of the facet
+ *       f[6..8]   p1
+ *       f[9]      E:   the side of z is certain if |v.w| > E |w|,
+ *                 w = z - p1
+ *       f[10]     dc:  bound of the error of c - p1
+ *       f[11]     rho: |c - p1|
+ *
+ *   returns 0, or 1 when the points are exactly collinear: then v, c - p1 and
+ *   rho are zero, E and dc are DBL_MAX, so that nothing is certain.
+ *
+ *   With g = |v.w| - E |w|, L the L-coordinate and rho, dc as above, the
+ *   computed L is wrong by at most
+ *       dL = |w| (eps (3 |w| + 5 rho) + dc + |L| E) / g + 4 eps |L|,
+ *   eps = DBL_EPSILON; derived in hhpred.c.  These bounds hold as long as
+ *   |w| and the facet's edges stay between about 2^-450 and 2^450.
+ */
+int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
+             double *f);
+
+/* hh_side - the signed distance (z - p1).v of z from the facet's plane:
+ * positive where p1, p2, p3 are seen counter-clockwise (Section 3.1). */
+double hh_side(const double *f, const tess_real *z);
+
+/* hh_opp - the paper's opp test (Section 3.1): 1 when z1 and z2 are on the
+ * same side of the facet's plane, by the computed signs, else 0 (0 too when
+ * one of them is computed to lie in the plane). */
+int hh_opp(const double *f, const tess_real *z1, const tess_real *z2);
+
+/* hh_lcoord - the L-coordinate of z (Section 3.2): the centre of the ball
+ * through p1, p2, p3, z is c + L v.  For z computed to lie in the plane:
+ * DBL_MAX when it is outside the facet's circle or on it, else -DBL_MAX. */
+double hh_lcoord(const double *f, const tess_real *z);
+
+/* hh_wrap - the gift-wrapping primitive about the edge p1 p2 of the facet
+ * p1, p2, p3 (Section 3): *c = -(w.g) / (w.v), w = z - p1, v the facet's unit
+ * normal, g the unit normal of the edge in the facet's plane, towards p3.
+ * Of points on the positive side, the one of least c is wrapped first.
+ *
+ *   returns 0; 1 when p1, p2, p3 are exactly collinear; 2 when z is computed
+ *   to lie in the plane; *c is then 0.
+ */
+int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
+            const tess_real *z, double *c);
+
+/* hh_orient - the exact sign of det [b-a c-a d-a]: 1, 0 or -1; 1 when d is on
+ * the side of a, b, c from which they are seen counter-clockwise.  2 when
+ * HH_LIMBS limbs do not suffice (never, with the default). */
+int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
+              const tess_real *d);
+
+/* hh_insphere - exact: 1 when e is inside the ball of a, b, c, d, whatever
+ * their orientation, -1 when it is outside, 0 on the sphere or when a, b, c,
+ * d are coplanar.  2 when HH_LIMBS limbs do not suffice (never, with the
+ * default). */
+int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
+                const tess_real *d, const tess_real *e);
+
+/* ---- for tess: predicates on an indexed set of points ---- */
+
+/* hh_set - the points as tess keeps them.  Position i is place i in the
+ * sorted order; duplicates are gone.
+ *   x      3 doubles a position: the coordinates times one power of two, of
+ *          absolute value at most 1; what underflows is absorbed by the
+ *          filters' absolute terms
+ *   p      the caller's coordinates, which the exact arithmetic takes
+ *   order  position -> index in p
+ *   t3,t5  orientations and inspheres whose permanent is at most this are
+ *          computed without rounding (all coordinates are small multiples of
+ *          one power of two); -1 when that is not known */
+typedef struct hh_set {
+    const double *x;
+    const tess_real *p;
+    const tess_int *order;
+    double t3, t5;
+} hh_set;
+
+/* Details in hhpred.c. */
+void hh_setup(const double *p1, const double *p2, const double *p3, double *f);
+int hh_bound(const double *f, const double *z, double *l, double *dl);
+int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l);
+int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
+             tess_int m);
+int hh_flat(int axis, const tess_real *a, const tess_real *b,
+            const tess_real *c);
+int hh_wider(double a, double b, double c, double d);
+int hh_range(double x, double most);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

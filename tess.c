@@ -1,0 +1,1597 @@
+/* tess.c - Delaunay tetrahedralization of points in space; see tess.h.
+ *
+ * The algorithm (Section 2 of the paper): a pool of open facets, each the
+ * facet of one known tetrahedron; take one, find the apex of the unknown
+ * tetrahedron on its other side, store it, put its new facets into the pool,
+ * take out those that were there; no tetrahedron is ever deleted.
+ *
+ * Order of the work.  Points are sorted (kd order); a point's place in that
+ * order is its position, and positions stand for points in all internal
+ * arrays.  Facets are taken star by star: all open facets at one vertex, then
+ * those of the next one.  A vertex whose star is complete can never again be
+ * an apex, so it leaves all lists, and the pool stays small.  The order is a
+ * function of the points, tet and adj alone, so that an unfinished result is
+ * its own state:
+ *   star   s = the first vertex of the last tetrahedron, if it has an open
+ *          facet; else the vertex of least position that has one
+ *   facet  of the open facets at s the one of the latest tetrahedron, and in
+ *          it of least k
+ *
+ * Decisions.  All that decides what tet and adj hold is exact: comparisons
+ * of the caller's coordinates, or predicates of hhpred.  Floating point here
+ * chooses where to look, with margins that cover its rounding.
+ *
+ * Order of the routines, here and in f77/tess.f:
+ *   sorting     before partit kdsort twins
+ *   tree        bound leafof boxes
+ *   pool        sorted find remove insert
+ *   lists       gather region count nearest
+ *   apex        contained consider scan search apex
+ *   star        join cancel ... star
+ *   entries     tess_size tess tess_resume
+ */
+#include "tess.h"
+#include <math.h>
+
+#define NONE (-1)
+#define DONE (-2) /* in link: the star is complete */
+#define NEW (-3)  /* in link: in no tetrahedron yet */
+
+/* Points in a leaf of the tree, at most. */
+#define LEAF 24
+/* Points that share one list of candidates. */
+#define GROUP 4
+/* A box narrower than this has no list: its unit might overflow. */
+#define NARROW (DBL_MIN * 1e8)
+/* Single precision misses a list's box by less, in its units. */
+#define SLACK 1e-6f
+/* Where a list keeps what has left it. */
+#define FAR 1e10f
+#define TESS_INT_MOST \
+    ((((tess_int)1 << (sizeof(tess_int) * CHAR_BIT - 2)) - 1) * 2 + 1)
+/* Capacity of a list.  Lists only say where to look first. */
+#ifndef TESS_LIST
+#define TESS_LIST 512
+#endif
+/* Depth of the tree plus one, at most. */
+#define DEPTH 64
+/* Hull planes that are remembered. */
+#define PLANES 4
+/* Integers of an entry of the pool, and of an edge of the link. */
+#define ENTRY 4
+#define EDGE 6
+/* Pool and edges, at least. */
+#define LEAST 512
+
+/* A list of the uncompleted points in a box, in single precision: offsets
+ * from the box's centre in units of its half width. */
+typedef struct list {
+    tess_int first, last; /* made for positions first ... last-1 */
+    int n;
+    double lo[3], hi[3], margin, centre[3], unit;
+    float x[TESS_LIST], y[TESS_LIST], z[TESS_LIST], r[TESS_LIST];
+    tess_int id[TESS_LIST];
+} list;
+
+/* A search for the apex of one facet. */
+typedef struct quest {
+    tess_int v[3];            /* its vertices; the open side is positive */
+    double f[HH_FACET_LEN];   /* its Householder set-up */
+    tess_int best;            /* the best point yet, exactly, or NONE */
+    int sure;                 /* its L-coordinate is bounded by l, dl */
+    double l, dl;
+    int ball;                 /* there is a ball to prune with: centre c, */
+    double c[3];              /* relative to f[6..8], wrong by at most dc */
+    double dc, size;          /* and |c|_1 */
+} quest;
+
+typedef struct mesh {
+    hh_set set;
+    double *x;                /* set.x */
+    tess_int *order;          /* set.order */
+    tess_int np;              /* distinct points */
+    tess_int maxtet, ntet;
+    tess_int *tet, *adj;
+    tess_int leaves;          /* a power of two; node i has the children */
+    tess_int *alive;          /* 2i, 2i+1, leaf j is node leaves + j.  Leaf: */
+    double *box;              /* uncompleted points; else: children alive */
+    tess_int *rep;
+    tess_int *head;           /* first of the pool's facets that a vertex  */
+    tess_int *link;           /* owns; first open edge of the link from it */
+    tess_int *pool, room;     /* pool and edges, and their length */
+    tess_int m, nopen;        /* entries of the pool, and those in use */
+    tess_int nedge;           /* edges, dead ones included */
+    tess_int low;             /* no vertex of a smaller position owns facets */
+    tess_int plane[PLANES][3];
+    int nplane, nextplane;
+    list block, group;
+} mesh;
+
+/* ---- sorting ---- */
+
+/* before - does point i come before the point of coordinates q and number
+ * number, along an axis?  Ties go to the next axes, then to the number. */
+static int before(const mesh *m, tess_int i, int axis, const double *q,
+                  tess_int number)
+{
+    const double *p = m->x + 3 * i;
+    int k;
+
+    if (p[axis] != q[axis]) return p[axis] < q[axis];
+    k = axis == 2 ? 0 : axis + 1;
+    if (p[k] != q[k]) return p[k] < q[k];
+    k = k == 2 ? 0 : k + 1;
+    if (p[k] != q[k]) return p[k] < q[k];
+    return m->order[i] < number;
+}
+
+static void swap(mesh *m, tess_int i, tess_int j)
+{
+    double *p = m->x + 3 * i, *q = m->x + 3 * j, t;
+    tess_int o = m->order[i];
+
+    m->order[i] = m->order[j];
+    m->order[j] = o;
+    t = p[0], p[0] = q[0], q[0] = t;
+    t = p[1], p[1] = q[1], q[1] = t;
+    t = p[2], p[2] = q[2], q[2] = t;
+}
+
+/* partit - bring the points lo ... hi-1 into an order in which those before
+ * mid precede the one at mid along an axis, and the others do not: selection
+ * by partitioning about the median of three points picked by chance, the
+ * same chance everywhere. */
+static void partit(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
+{
+    tess_int i, j, a[3], t, step, number;
+    double q[3];
+    long chance = 1;
+    int k;
+
+    while (hi - lo > 1) {
+        step = (hi - lo) / 1024;
+        for (k = 0; k < 3; k++) {
+            chance = chance * 137 % 30269 + 1;
+            if (step > 0)
+                a[k] = lo + step * (tess_int)(chance % 1024) +
+                       (tess_int)(chance % step);
+            else
+                a[k] = lo + (tess_int)(chance % (hi - lo));
+        }
+        if (before(m, a[1], axis, m->x + 3 * a[0], m->order[a[0]]))
+            t = a[0], a[0] = a[1], a[1] = t;
+        if (before(m, a[2], axis, m->x + 3 * a[1], m->order[a[1]]))
+            a[1] = before(m, a[2], axis, m->x + 3 * a[0], m->order[a[0]])
+                       ? a[0] : a[2];
+        for (k = 0; k < 3; k++) q[k] = m->x[3 * a[1] + k];
+        number = m->order[a[1]];
+
+        i = lo;
+        j = hi - 1;
+        while (i <= j) {
+            while (i <= j && before(m, i, axis, q, number)) i++;
+            while (i <= j && !before(m, j, axis, q, number)) j--;
+            if (i < j) swap(m, i++, j--);
+        }
+        /* lo ... i-1 precede the pivot, i ... hi-1 do not */
+        if (mid < i)
+            hi = i;
+        else if (i > lo)
+            lo = i;
+        else {
+            /* the pivot is the first of all: put it there */
+            for (j = lo; m->order[j] != number; j++)
+                ;
+            swap(m, lo, j);
+            if (mid == lo) return;
+            lo++;
+        }
+    }
+}
+
+/* twin - note that the points at i and j coincide, if they do. */
+static void twin(mesh *m, tess_int i, tess_int j)
+{
+    const double *p = m->x + 3 * i, *q = m->x + 3 * j;
+    tess_int a, b;
+
+    if (p[0] != q[0] || p[1] != q[1] || p[2] != q[2]) return;
+    a = m->order[i];
+    b = m->order[j];
+    if (a > b)
+        m->rep[a] = b;
+    else
+        m->rep[b] = a;
+}
+
+/* cut - partit across the widest extent.  Duplicates that the cut parts all
+ * coincide with the point at mid; each set of duplicates is in the end
+ * linked from every member but the first to a smaller number. */
+static void cut(mesh *m, tess_int lo, tess_int hi, tess_int mid)
+{
+    double least[3], most[3], x;
+    tess_int i;
+    int k, axis = 0;
+
+    for (k = 0; k < 3; k++) least[k] = most[k] = m->x[3 * lo + k];
+    for (i = lo + 1; i < hi; i++)
+        for (k = 0; k < 3; k++) {
+            x = m->x[3 * i + k];
+            if (x < least[k]) least[k] = x;
+            if (x > most[k]) most[k] = x;
+        }
+    for (k = 1; k < 3; k++)
+        if (hh_wider(most[k], least[k], most[axis], least[axis]) > 0) axis = k;
+    partit(m, lo, hi, mid, axis);
+    for (i = lo; i < mid; i++) twin(m, i, mid);
+}
+
+/* bound - the first position of leaf j; leaf j ends before bound(j + 1). */
+static tess_int bound(const mesh *m, tess_int j)
+{
+    tess_int more = m->np % m->leaves;
+
+    return j * (m->np / m->leaves) + (j < more ? j : more);
+}
+
+/* leafof - the leaf that holds position i. */
+static tess_int leafof(const mesh *m, tess_int i)
+{
+    tess_int size = m->np / m->leaves, more = m->np % m->leaves;
+
+    if (i < more * (size + 1)) return i / (size + 1);
+    return more + (i - more * (size + 1)) / size;
+}
+
+/* span - the positions first ... last-1 below a node of the tree. */
+static void span(const mesh *m, tess_int node, tess_int *first, tess_int *last)
+{
+    tess_int left = node, right = node;
+
+    while (left < m->leaves) {
+        left = 2 * left;
+        right = 2 * right + 1;
+    }
+    *first = bound(m, left - m->leaves);
+    *last = bound(m, right - m->leaves + 1);
+}
+
+/* leafsort - order the points of a leaf in groups of GROUP. */
+static void leafsort(mesh *m, tess_int first, tess_int last)
+{
+    tess_int half, lo, hi, i, j;
+
+    half = first + (last - first + 2 * GROUP - 1) / (2 * GROUP) * GROUP;
+    if (half < last) cut(m, first, last, half);
+    for (lo = first; lo < last; lo += GROUP) {
+        hi = lo < half && half < last ? half : last;
+        if (lo + GROUP < hi) cut(m, lo, hi, lo + GROUP);
+        hi = lo + GROUP < hi ? lo + GROUP : hi;
+        for (i = lo + 1; i < hi; i++)
+            for (j = i; j > lo && before(m, j, 0, m->x + 3 * (j - 1),
+                                         m->order[j - 1]); j--)
+                swap(m, j - 1, j);
+        for (i = lo + 1; i < hi; i++) twin(m, i - 1, i);
+    }
+}
+
+/* kdsort - order the points: every node of the tree is cut in two across its
+ * widest extent, down to the leaves. */
+static void kdsort(mesh *m)
+{
+    tess_int node = 1, first, mid, last;
+
+    while (node > 0) {
+        span(m, node, &first, &last);
+        if (node < m->leaves) {
+            span(m, 2 * node, &first, &mid);
+            cut(m, first, last, mid);
+            node = 2 * node;
+        } else {
+            leafsort(m, first, last);
+            while (node % 2 == 1) node /= 2; /* 0 after the last leaf */
+            if (node > 0) node++;
+        }
+    }
+}
+
+/* boxes - the box of every node, from the leaves up. */
+static void boxes(mesh *m)
+{
+    tess_int node, i, first, last;
+    double *b, *l, *r, x;
+    int k;
+
+    for (node = 2 * m->leaves - 1; node > 0; node--) {
+        b = m->box + 6 * node;
+        if (node < m->leaves) {
+            l = b + 6 * node;
+            r = l + 6;
+            for (k = 0; k < 3; k++) {
+                b[k] = l[k] < r[k] ? l[k] : r[k];
+                b[3 + k] = l[3 + k] > r[3 + k] ? l[3 + k] : r[3 + k];
+            }
+            continue;
+        }
+        span(m, node, &first, &last);
+        for (k = 0; k < 3; k++) b[k] = b[3 + k] = m->x[3 * first + k];
+        for (i = first + 1; i < last; i++)
+            for (k = 0; k < 3; k++) {
+                x = m->x[3 * i + k];
+                if (x < b[k]) b[k] = x;
+                if (x > b[3 + k]) b[3 + k] = x;
+            }
+    }
+}
+
+/* ---- the pool of open facets: an open-addressing hash ----
+ *
+ * Entry e: pool[ENTRY*e] the facet's code 4t+k, or NONE; then the next and
+ * the previous entry in the list of the facets of the same owner, newest
+ * first, NONE at its ends; then the signature of the three vertices.  The
+ * owner is the vertex of least position; head[owner] is the first entry.
+ * Linear probing from signature mod m; removal shifts entries back. */
+
+/* facet - the vertices of facet code, positive towards its outside, turned
+ * so that the one of least position comes first. */
+static void facet(const mesh *m, tess_int code, tess_int *v)
+{
+    static const int out[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+    const tess_int *t = m->tet + (code - code % 4);
+    const int *k = out[code % 4];
+    tess_int a = t[k[0]], b = t[k[1]], c = t[k[2]];
+
+    if (a < b && a < c)
+        v[0] = a, v[1] = b, v[2] = c;
+    else if (b < c)
+        v[0] = b, v[1] = c, v[2] = a;
+    else
+        v[0] = c, v[1] = a, v[2] = b;
+}
+
+/* signat - the signature of a facet, below 2^31; v[0] is its least. */
+static tess_int signat(const tess_int *v)
+{
+    long b = v[1] < v[2] ? v[1] : v[2], c = v[1] < v[2] ? v[2] : v[1];
+    long h = v[0] % 8191L * 104729L + b % 8191L * 86243L + c % 8191L * 71233L;
+
+    return (tess_int)(sizeof(tess_int) < 4 ? h % 32749L : h);
+}
+
+/* find - the entry of the facet with the vertices v, or NONE. */
+static tess_int find(const mesh *m, const tess_int *v, tess_int sig)
+{
+    tess_int e = sig % m->m, w[3];
+    const tess_int *p;
+
+    for (;;) {
+        p = m->pool + ENTRY * e;
+        if (p[0] == NONE) return NONE;
+        if (p[3] == sig) {
+            facet(m, p[0], w);
+            if (w[0] == v[0] && ((w[1] == v[1] && w[2] == v[2]) ||
+                                 (w[1] == v[2] && w[2] == v[1])))
+                return e;
+        }
+        if (++e == m->m) e = 0;
+    }
+}
+
+/* putin - enter a facet that is not in the pool. */
+static void putin(mesh *m, tess_int code, tess_int owner, tess_int sig)
+{
+    tess_int e = sig % m->m;
+    tess_int *p;
+
+    while (m->pool[ENTRY * e] != NONE)
+        if (++e == m->m) e = 0;
+    p = m->pool + ENTRY * e;
+    p[0] = code;
+    p[1] = m->head[owner];
+    p[2] = NONE;
+    p[3] = sig;
+    if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = e;
+    m->head[owner] = e;
+    m->nopen++;
+    if (owner < m->low) m->low = owner;
+}
+
+/* takeout - remove entry e, of a facet of a given owner. */
+static void takeout(mesh *m, tess_int e, tess_int owner)
+{
+    tess_int *p = m->pool + ENTRY * e, *q;
+    tess_int hole = e, home, v[3];
+
+    if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = p[2];
+    if (p[2] != NONE)
+        m->pool[ENTRY * p[2] + 1] = p[1];
+    else
+        m->head[owner] = p[1];
+    m->nopen--;
+    for (;;) {
+        if (++e == m->m) e = 0;
+        q = m->pool + ENTRY * e;
+        if (q[0] == NONE) break;
+        home = q[3] % m->m;
+        /* e may fill the hole if its home is not behind the hole */
+        if (hole <= e ? home <= hole || home > e : home <= hole && home > e) {
+            p = m->pool + ENTRY * hole;
+            p[0] = q[0];
+            p[1] = q[1];
+            p[2] = q[2];
+            p[3] = q[3];
+            if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = hole;
+            if (p[2] != NONE)
+                m->pool[ENTRY * p[2] + 1] = hole;
+            else {
+                facet(m, p[0], v);
+                m->head[v[0]] = hole;
+            }
+            hole = e;
+        }
+    }
+    m->pool[ENTRY * hole] = NONE;
+}
+
+/* widen - make the pool's table about twice as long, or as long as it may
+ * be, and enter its facets again in their order.  The new table is laid over
+ * the old one, so the facets come from tet and adj: an open facet that is not
+ * an edge of the link. */
+static int widen(mesh *m, tess_int s, tess_int wanted)
+{
+    tess_int most = m->room / ENTRY, code, v[3], e;
+
+    if (most > (m->room - EDGE * (m->nedge + 2)) / ENTRY)
+        most = (m->room - EDGE * (m->nedge + 2)) / ENTRY;
+    most -= most / 4;
+    if (wanted > most) wanted = most;
+    if (wanted <= m->m) return TESS_POOL;
+    for (e = 0; e < wanted; e++) m->pool[ENTRY * e] = NONE;
+    for (e = 0; e < m->np; e++) m->head[e] = NONE;
+    m->m = wanted;
+    m->nopen = 0;
+    for (code = 0; code < 4 * m->ntet; code++)
+        if (m->adj[code] == TESS_OPEN) {
+            facet(m, code, v);
+            if (v[0] != s && v[1] != s && v[2] != s) {
+                if (m->nopen >= m->m - m->m / 8 - 1) return TESS_POOL;
+                putin(m, code, v[0], signat(v));
+            }
+        }
+    return 0;
+}
+
+/* ---- lists: where to look first ---- */
+
+/* disjoint - do two boxes have no common point? */
+static int disjoint(const double *alo, const double *ahi, const double *blo,
+                    const double *bhi)
+{
+    return ahi[0] < blo[0] || ahi[1] < blo[1] || ahi[2] < blo[2] ||
+           bhi[0] < alo[0] || bhi[1] < alo[1] || bhi[2] < alo[2];
+}
+
+/* append - add position i to a list; FAR away when its star is complete. */
+static void append(const mesh *m, list *l, tess_int i)
+{
+    const double *q = m->x + 3 * i;
+    float x = FAR, y = FAR, z = FAR;
+
+    if (m->link[i] != DONE) {
+        x = (float)((q[0] - l->centre[0]) * l->unit);
+        y = (float)((q[1] - l->centre[1]) * l->unit);
+        z = (float)((q[2] - l->centre[2]) * l->unit);
+    }
+    l->x[l->n] = x;
+    l->y[l->n] = y;
+    l->z[l->n] = z;
+    l->r[l->n] = x * x + y * y + z * z;
+    l->id[l->n++] = i;
+}
+
+/* harvest - fill a list with the uncompleted points of its box that are not
+ * in leaf own.  Returns 0 when they do not fit. */
+static int harvest(const mesh *m, list *l, tess_int own)
+{
+    tess_int stack[DEPTH], node, i, first, last;
+    const double *b;
+    int depth = 0;
+
+    stack[depth++] = 1;
+    while (depth > 0) {
+        node = stack[--depth];
+        b = m->box + 6 * node;
+        if (m->alive[node] == 0 || disjoint(l->lo, l->hi, b, b + 3) ||
+            node == m->leaves + own)
+            continue;
+        if (node < m->leaves) {
+            stack[depth++] = 2 * node;
+            stack[depth++] = 2 * node + 1;
+            continue;
+        }
+        span(m, node, &first, &last);
+        for (i = first; i < last; i++)
+            if (m->link[i] != DONE &&
+                !disjoint(l->lo, l->hi, m->x + 3 * i, m->x + 3 * i)) {
+                if (l->n == TESS_LIST) return 0;
+                append(m, l, i);
+            }
+    }
+    return 1;
+}
+
+/* block - make the list of the leaf of star s: its points, in order, then the
+ * uncompleted ones around it.  The margin of half a diagonal gives about 200
+ * points on uniform data; it shrinks until they fit. */
+static void block(mesh *m, tess_int s)
+{
+    tess_int leaf = leafof(m, s), i;
+    const double *b = m->box + 6 * (m->leaves + leaf);
+    double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half = 0.0;
+    double margin = 0.5 * sqrt(x * x + y * y + z * z);
+    list *l = &m->block;
+    int k, full = 1;
+
+    l->first = bound(m, leaf);
+    l->last = bound(m, leaf + 1);
+    m->group.first = m->group.last = NONE;
+    while (full) {
+        for (k = 0; k < 3; k++) {
+            l->lo[k] = b[k] - margin;
+            l->hi[k] = b[3 + k] + margin;
+            l->centre[k] = 0.5 * (l->lo[k] + l->hi[k]);
+            x = 0.5 * (l->hi[k] - l->lo[k]);
+            half = x > half || k == 0 ? x : half;
+        }
+        l->margin = margin;
+        l->unit = half > NARROW ? 1.0 / half : 0.0;
+        l->n = 0;
+        for (i = l->first; i < l->last; i++) append(m, l, i);
+        full = !harvest(m, l, leaf);
+        if (l->unit == 0.0 || (full && margin == 0.0)) {
+            l->n = 0; /* no list */
+            return;
+        }
+        margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
+    }
+}
+
+/* gather - make the lists for star s: the block of its leaf and, from it, the
+ * group of a few positions.  Both share centre and unit. */
+static void gather(mesh *m, tess_int s)
+{
+    list *l = &m->block, *g = &m->group;
+    float lo[3], hi[3], margin;
+    int i, j, k, n = 0, pick[TESS_LIST];
+
+    if (s < l->first || s >= l->last) block(m, s);
+    if (s >= g->first && s < g->last) return;
+    j = (int)(s - l->first) / GROUP * GROUP;
+    g->first = l->first + j;
+    g->last = g->first + GROUP < l->last ? g->first + GROUP : l->last;
+    g->n = 0;
+    if (l->n == 0) return;
+    lo[0] = hi[0] = l->x[s - l->first];
+    lo[1] = hi[1] = l->y[s - l->first];
+    lo[2] = hi[2] = l->z[s - l->first];
+    for (i = j; i < j + (int)(g->last - g->first); i++)
+        if (l->x[i] < FAR) {
+            lo[0] = l->x[i] < lo[0] ? l->x[i] : lo[0];
+            hi[0] = l->x[i] > hi[0] ? l->x[i] : hi[0];
+            lo[1] = l->y[i] < lo[1] ? l->y[i] : lo[1];
+            hi[1] = l->y[i] > hi[1] ? l->y[i] : hi[1];
+            lo[2] = l->z[i] < lo[2] ? l->z[i] : lo[2];
+            hi[2] = l->z[i] > hi[2] ? l->z[i] : hi[2];
+        }
+    margin = (float)(l->margin * l->unit);
+    for (k = 0; k < 3; k++) {
+        lo[k] -= margin;
+        hi[k] += margin;
+        g->centre[k] = l->centre[k];
+        /* the box that is certainly covered, for all rounding */
+        g->lo[k] = l->centre[k] + (lo[k] + SLACK) / l->unit;
+        g->hi[k] = l->centre[k] + (hi[k] - SLACK) / l->unit;
+        if (g->lo[k] < l->lo[k]) g->lo[k] = l->lo[k];
+        if (g->hi[k] > l->hi[k]) g->hi[k] = l->hi[k];
+    }
+    g->unit = l->unit;
+    for (i = 0; i < l->n; i++) {
+        pick[n] = i;
+        n += (l->x[i] >= lo[0]) & (l->x[i] <= hi[0]) & (l->y[i] >= lo[1]) &
+             (l->y[i] <= hi[1]) & (l->z[i] >= lo[2]) & (l->z[i] <= hi[2]);
+    }
+    for (i = 0; i < n; i++) {
+        j = pick[i];
+        g->x[i] = l->x[j];
+        g->y[i] = l->y[j];
+        g->z[i] = l->z[j];
+        g->r[i] = l->r[j];
+        g->id[i] = l->id[j];
+    }
+    g->n = n;
+}
+
+/* ---- the apex of a facet ---- */
+
+/* blur - how wrong the power |w|^2 - 2 c.w may be for |w|_1 <= size. */
+static double blur(const quest *f, double size)
+{
+    return size * (2.0 * f->dc + 8.0 * DBL_EPSILON * (size + 2.0 * f->size));
+}
+
+/* region - the least power |w|^2 - 2 c.w of a point of the box lo, hi with
+ * respect to the ball of a search, less its error: positive when no point of
+ * the box is in the ball or on it. */
+static double region(const quest *f, const double *lo, const double *hi)
+{
+    double sum = 0.0, size = 0.0, l, h, u;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        l = lo[k] - f->f[6 + k];
+        h = hi[k] - f->f[6 + k];
+        u = f->c[k] < l ? l : f->c[k] > h ? h : f->c[k];
+        sum += u * (u - 2.0 * f->c[k]);
+        size += fabs(l) > fabs(h) ? fabs(l) : fabs(h);
+    }
+    return sum - blur(f, size);
+}
+
+/* behind - is the box lo, hi certainly on the facet's negative side? */
+static int behind(const quest *f, const double *lo, const double *hi)
+{
+    double side = 0.0, size = 0.0, l, h;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        l = lo[k] - f->f[6 + k];
+        h = hi[k] - f->f[6 + k];
+        side += f->f[k] * (f->f[k] > 0.0 ? h : l);
+        size += fabs(l) > fabs(h) ? fabs(l) : fabs(h);
+    }
+    return f->f[9] < 1.0 && side < -f->f[9] * size;
+}
+
+/* contained - is that part of the ball that may have points, its part in the
+ * root's box, inside the box of a list? */
+static int contained(const mesh *m, const quest *f, const list *l)
+{
+    const double *root = m->box + 6;
+    double r = sqrt(f->c[0] * f->c[0] + f->c[1] * f->c[1] + f->c[2] * f->c[2]);
+    double lo[3], hi[3];
+    int k;
+
+    if (l->n == 0) return 0;
+    r = r * (1.0 + 1e-9) + f->dc;
+    for (k = 0; k < 3; k++)
+        if (f->c[k] - r < l->lo[k] - f->f[6 + k] ||
+            f->c[k] + r > l->hi[k] - f->f[6 + k])
+            break;
+    if (k == 3) return 1;
+    for (k = 0; k < 3; k++) {
+        lo[k] = root[k];
+        hi[k] = root[3 + k];
+    }
+    for (k = 0; k < 3; k++) {
+        if (root[k] < l->lo[k]) {
+            hi[k] = l->lo[k];
+            if (region(f, lo, hi) <= 0.0) return 0;
+            hi[k] = root[3 + k];
+        }
+        if (root[3 + k] > l->hi[k]) {
+            lo[k] = l->hi[k];
+            if (region(f, lo, hi) <= 0.0) return 0;
+            lo[k] = root[k];
+        }
+    }
+    return 1;
+}
+
+/* consider - take z as the best point of a search if it beats the one there
+ * is: on the open side, and with a smaller L-coordinate (Theorem 1); ties by
+ * the rule of hh_pball.  The Householder bounds decide where they can. */
+static void consider(const mesh *m, quest *f, tess_int z)
+{
+    const double *q = m->x + 3 * z;
+    double l = 0.0, dl = 0.0;
+    int side, k;
+
+    if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
+    if (f->ball && region(f, q, q) > 0.0) return;
+    side = hh_bound(f->f, q, &l, &dl);
+    if (side < 0) return;
+    if (side == 0 && hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z) <= 0)
+        return;
+    if (f->best != NONE &&
+        (side == 0 || !f->sure || l + dl >= f->l - f->dl)) {
+        if (side != 0 && f->sure && l - dl > f->l + f->dl) return;
+        /* the best point is on the positive side */
+        if (hh_pball(&m->set, f->v[0], f->v[1], f->v[2], f->best, z) > 0)
+            return;
+    }
+    f->best = z;
+    f->sure = side;
+    if (side == 0) return;
+    f->l = l;
+    f->dl = dl;
+    f->ball = 1;
+    f->size = 0.0;
+    for (k = 0; k < 3; k++) {
+        f->c[k] = f->f[3 + k] + l * f->f[k];
+        f->size += fabs(f->c[k]);
+    }
+    f->dc = f->f[10] + dl + fabs(l) * f->f[9] + 4.0 * DBL_EPSILON * f->size;
+}
+
+/* aim - the test of a list's points against a ball of centre c, relative to
+ * the base of a search: a point of the list can be in the ball only if
+ *     r - (d[0] x + d[1] y + d[2] z) < d[3].
+ * In the list's units, with g = base - centre, the power of u is
+ *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g;
+ * d[3] has room for the rounding of single precision, where |u_k| <= 1.
+ * Returns 0 when the ball is too large for that. */
+static int aim(const list *l, const quest *f, const double *c, float *d)
+{
+    double g, cu, k = 0.0, size = 0.0, far = 0.0;
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        g = (f->f[6 + i] - l->centre[i]) * l->unit;
+        cu = c[i] * l->unit;
+        k += g * (g + 2.0 * cu);
+        size += fabs(2.0 * (cu + g));
+        far += fabs(g);
+        d[i] = (float)(2.0 * (cu + g));
+    }
+    d[3] = (float)(FLT_EPSILON * (24.0 + 16.0 * size + 4.0 * fabs(k)) +
+                   2.0 * f->dc * l->unit * (3.0 + far) - k);
+    return size < 1e6;
+}
+
+/* count - how many points of a list pass aim's test. */
+static int count(const list *l, const float *d)
+{
+    float dx = d[0], dy = d[1], dz = d[2], most = d[3];
+    int i, n = 0;
+
+    for (i = 0; i < l->n; i++)
+        n += l->r[i] - (dx * l->x[i] + dy * l->y[i] + dz * l->z[i]) < most;
+    return n;
+}
+
+/* scan - finish a search by a list, if its ball lies in the list's box.  But
+ * for the four points on the ball, which are in the list, what passes the
+ * test is looked at exactly. */
+static int scan(const mesh *m, quest *f, const list *l)
+{
+    float d[4];
+    int i;
+
+    if (!contained(m, f, l) || !aim(l, f, f->c, d)) return 0;
+    if (count(l, d) > 4)
+        for (i = 0; i < l->n; i++)
+            if (l->r[i] - (d[0] * l->x[i] + d[1] * l->y[i] + d[2] * l->z[i]) <
+                d[3])
+                consider(m, f, l->id[i]);
+    return 1;
+}
+
+/* nearest - a first candidate: the point of the list on the positive side
+ * that has about the least L-coordinate. */
+static void nearest(const mesh *m, quest *f, const list *l)
+{
+    float d[4], v[4], power, side, bestpower = 0.0f, bestside = 1.0f;
+    int i, best = -1;
+
+    if (l->n == 0 || !aim(l, f, f->f + 3, d)) return;
+    v[3] = 0.0f;
+    for (i = 0; i < 3; i++) {
+        v[i] = (float)f->f[i];
+        v[3] += v[i] * (float)((f->f[6 + i] - l->centre[i]) * l->unit);
+    }
+    for (i = 0; i < l->n; i++) {
+        side = v[0] * l->x[i] + v[1] * l->y[i] + v[2] * l->z[i] - v[3];
+        if (side < 1e-5f || l->r[i] > 4.0f) continue;
+        power = l->r[i] - (d[0] * l->x[i] + d[1] * l->y[i] + d[2] * l->z[i]) -
+                d[3];
+        if (best < 0 || power * bestside < bestpower * side) {
+            best = i;
+            bestpower = power;
+            bestside = side;
+        }
+    }
+    if (best >= 0) consider(m, f, l->id[best]);
+}
+
+/* apart - the squared distance of a box from the centre of a search's ball,
+ * or of its facet. */
+static double apart(const quest *f, const double *b)
+{
+    const double *c = f->ball ? f->c : f->f + 3;
+    double sum = 0.0, u;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        u = f->f[6 + k] + c[k];
+        u = u < b[k] ? b[k] - u : u > b[3 + k] ? u - b[3 + k] : 0.0;
+        sum += u * u;
+    }
+    return sum;
+}
+
+/* search - finish a search by the tree, near boxes first. */
+static void search(const mesh *m, quest *f)
+{
+    tess_int stack[DEPTH], node, near, i, last;
+    const double *b;
+    int depth = 0;
+
+    stack[depth++] = 1;
+    while (depth > 0) {
+        node = stack[--depth];
+        b = m->box + 6 * node;
+        if (m->alive[node] == 0 || behind(f, b, b + 3) ||
+            (f->ball && region(f, b, b + 3) > 0.0))
+            continue;
+        if (node < m->leaves) {
+            near = 2 * node;
+            if (apart(f, m->box + 6 * near) > apart(f, m->box + 6 * near + 6))
+                near++;
+            stack[depth++] = near % 2 == 0 ? near + 1 : near - 1;
+            stack[depth++] = near;
+            continue;
+        }
+        span(m, node, &i, &last);
+        for (; i < last; i++)
+            if (m->link[i] != DONE) consider(m, f, i);
+    }
+}
+
+/* onhull - does the facet lie in a plane known to bound the hull? */
+static int onhull(const mesh *m, const quest *f)
+{
+    const tess_int *h;
+    int i, k;
+
+    for (i = 0; i < m->nplane; i++) {
+        h = m->plane[i];
+        for (k = 0; k < 3; k++)
+            if (hh_pside(&m->set, h[0], h[1], h[2], f->v[k]) != 0) break;
+        if (k == 3) return 1;
+    }
+    return 0;
+}
+
+/* prepare - begin the search for the apex of the facet v.  Its base is v[0],
+ * or if the angle there is small the vertex opposite to the longest edge. */
+static void prepare(const mesh *m, quest *f, const tess_int *v)
+{
+    const double *a = m->x + 3 * v[0], *b = m->x + 3 * v[1];
+    const double *c = m->x + 3 * v[2];
+    double ab = 0.0, bc = 0.0, ca = 0.0;
+    int k;
+
+    for (k = 0; k < 3; k++) f->v[k] = v[k];
+    f->best = NONE;
+    f->sure = f->ball = 0;
+    f->dc = 0.0;
+    hh_setup(a, b, c, f->f);
+    if (f->f[9] < 8000.0 * DBL_EPSILON) return;
+    for (k = 0; k < 3; k++) {
+        ab += (b[k] - a[k]) * (b[k] - a[k]);
+        bc += (c[k] - b[k]) * (c[k] - b[k]);
+        ca += (a[k] - c[k]) * (a[k] - c[k]);
+    }
+    if (ca > ab && ca > bc)
+        hh_setup(b, c, a, f->f);
+    else if (ab > bc)
+        hh_setup(c, a, b, f->f);
+}
+
+/* apex - the apex of the facet v on its positive side, or NONE.  guess: two
+ * positions to try first, or NONE. */
+static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
+{
+    quest f;
+    int k;
+
+    prepare(m, &f, v);
+    for (k = 0; k < 2; k++)
+        if (guess[k] != NONE) consider(m, &f, guess[k]);
+    if (!f.ball) nearest(m, &f, &m->group);
+    if (f.ball && (scan(m, &f, &m->group) || scan(m, &f, &m->block)))
+        return f.best;
+    if (f.best == NONE && onhull(m, &f)) return NONE;
+    search(m, &f);
+    if (f.best == NONE) {
+        for (k = 0; k < 3; k++) m->plane[m->nextplane][k] = v[k];
+        m->nextplane = (m->nextplane + 1) % PLANES;
+        if (m->nplane < PLANES) m->nplane++;
+    }
+    return f.best;
+}
+
+/* ---- the star of a vertex ----
+ *
+ * The open facets at s are the edges a -> b of its link: (s, a, b) is
+ * positive towards the unknown side.  They are a stack that grows down from
+ * the end of the pool, EDGE integers each: */
+#define CODE 0  /* the facet's code; START for the first facet; DEAD */
+#define FROM 1  /* a */
+#define TO 2    /* b */
+#define PREV 3  /* an edge that ends where this one begins, or NONE; and */
+#define AFTER 4 /* one that begins where it ends: they give the guesses  */
+#define CHAIN 5 /* the next edge from a, or NONE; link[a] is the first   */
+#define START (-2)
+#define DEAD (-3)
+
+static tess_int *edge(const mesh *m, tess_int e)
+{
+    return m->pool + (m->room - EDGE * (e + 1));
+}
+
+/* push - a new edge a -> b without neighbours, if there is room: its number,
+ * or NONE. */
+static tess_int push(mesh *m, tess_int code, tess_int a, tess_int b)
+{
+    tess_int *p;
+
+    if (ENTRY * m->m > m->room - EDGE * (m->nedge + 1)) return NONE;
+    p = edge(m, m->nedge);
+    p[CODE] = code;
+    p[FROM] = a;
+    p[TO] = b;
+    p[PREV] = p[AFTER] = NONE;
+    p[CHAIN] = m->link[a] >= 0 ? m->link[a] : NONE;
+    m->link[a] = m->nedge;
+    return m->nedge++;
+}
+
+/* join - let edge b follow edge a; either may be NONE. */
+static void join(mesh *m, tess_int a, tess_int b)
+{
+    if (a != NONE) edge(m, a)[AFTER] = b;
+    if (b != NONE) edge(m, b)[PREV] = a;
+}
+
+/* kill - take edge e out of the link. */
+static void kill(mesh *m, tess_int e)
+{
+    tess_int *p = edge(m, e), i = m->link[p[FROM]];
+
+    if (i == e)
+        m->link[p[FROM]] = p[CHAIN];
+    else {
+        while (edge(m, i)[CHAIN] != e) i = edge(m, i)[CHAIN];
+        edge(m, i)[CHAIN] = p[CHAIN];
+    }
+    p[CODE] = DEAD;
+    while (m->nedge > 0 && edge(m, m->nedge - 1)[CODE] == DEAD) m->nedge--;
+}
+
+/* between - the edge a -> b of the link, or NONE. */
+static tess_int between(const mesh *m, tess_int a, tess_int b)
+{
+    tess_int e = m->link[a];
+
+    if (e < 0) return NONE;
+    while (e != NONE && edge(m, e)[TO] != b) e = edge(m, e)[CHAIN];
+    return e;
+}
+
+/* meet - the facets of two codes are one. */
+static void meet(mesh *m, tess_int code, tess_int other)
+{
+    m->adj[code] = other / 4;
+    m->adj[other] = code / 4;
+}
+
+/* opposite - the new facet code, of the newest tetrahedron, opposite to s:
+ * close it if the pool has its other side, else put it there. */
+static void opposite(mesh *m, tess_int code)
+{
+    tess_int v[3], sig, e;
+
+    facet(m, code, v);
+    sig = signat(v);
+    e = find(m, v, sig);
+    if (e == NONE) {
+        m->adj[code] = TESS_OPEN;
+        putin(m, code, v[0], sig);
+    } else {
+        meet(m, code, m->pool[ENTRY * e]);
+        takeout(m, e, v[0]);
+    }
+}
+
+/* grow - store the tetrahedron of s, edge e = a -> b and the apex c: a -> c
+ * and c -> b take the place of e in the link, unless their other sides are
+ * there, which then go too. */
+static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
+{
+    tess_int *p = edge(m, e), a = p[FROM], b = p[TO], prev = p[PREV];
+    tess_int after = p[AFTER], code = p[CODE], t = m->ntet++, *v, f, g;
+
+    v = m->tet + 4 * t;
+    v[0] = s;
+    v[1] = a;
+    v[2] = b;
+    v[3] = c;
+    if (code == START)
+        m->adj[4 * t + 3] = TESS_NONE;
+    else
+        meet(m, code, 4 * t + 3);
+    if (m->link[c] == NEW) m->link[c] = NONE;
+    kill(m, e);
+    opposite(m, 4 * t);
+
+    /* a -> c; prev becomes the edge that ends at c */
+    f = between(m, c, a);
+    if (f == NONE) {
+        m->adj[4 * t + 2] = TESS_OPEN;
+        f = push(m, 4 * t + 2, a, c);
+        join(m, prev, f);
+        prev = f;
+    } else {
+        meet(m, 4 * t + 2, edge(m, f)[CODE]);
+        g = edge(m, f)[PREV];
+        if (f != prev) join(m, prev, edge(m, f)[AFTER]);
+        prev = g;
+        kill(m, f);
+    }
+    /* c -> b */
+    f = between(m, b, c);
+    if (f == NONE) {
+        m->adj[4 * t + 1] = TESS_OPEN;
+        f = push(m, 4 * t + 1, c, b);
+        join(m, prev, f);
+        join(m, f, after);
+    } else {
+        meet(m, 4 * t + 1, edge(m, f)[CODE]);
+        g = edge(m, f)[PREV];
+        join(m, prev, edge(m, f)[AFTER]);
+        if (f != after) join(m, g, after);
+        kill(m, f);
+    }
+}
+
+/* enlist - make an open facet at s, of the given code, an edge of the link;
+ * 0 if there is no room. */
+static int enlist(mesh *m, tess_int s, tess_int code)
+{
+    tess_int v[3];
+    int k;
+
+    facet(m, code, v);
+    k = v[0] == s ? 0 : v[1] == s ? 1 : 2;
+    return push(m, code, v[(k + 1) % 3], v[(k + 2) % 3]) != NONE;
+}
+
+/* follow - let every edge of the link be followed by one that begins where
+ * it ends and follows no other, if there is one. */
+static void follow(mesh *m)
+{
+    tess_int e, f;
+
+    for (e = 0; e < m->nedge; e++) {
+        f = m->link[edge(m, e)[TO]];
+        if (f < 0) continue;
+        while (f != NONE && edge(m, f)[PREV] != NONE) f = edge(m, f)[CHAIN];
+        join(m, e, f);
+    }
+}
+
+/* load - move the facets that s owns from the pool to the link, the oldest
+ * at the bottom of the stack; 0 if there is no room. */
+static int load(mesh *m, tess_int s)
+{
+    tess_int e = m->head[s];
+
+    if (e == NONE) return 1;
+    while (m->pool[ENTRY * e + 1] != NONE) e = m->pool[ENTRY * e + 1];
+    while (e != NONE) {
+        if (!enlist(m, s, m->pool[ENTRY * e])) return 0;
+        e = m->pool[ENTRY * e + 2];
+    }
+    while (m->head[s] != NONE) takeout(m, m->head[s], s);
+    follow(m);
+    return 1;
+}
+
+/* complete - the star of s is complete: s leaves the tree and the lists. */
+static void complete(mesh *m, tess_int s)
+{
+    tess_int node = m->leaves + leafof(m, s);
+    list *g = &m->group;
+    int i = (int)(s - m->block.first);
+
+    if (m->link[s] == DONE) return;
+    m->link[s] = DONE;
+    while (node > 0 && --m->alive[node] == 0) node /= 2;
+    if (s < m->block.first || s >= m->block.last) return;
+    m->block.x[i] = m->block.y[i] = m->block.z[i] = FAR;
+    m->block.r[i] = FAR * FAR;
+    if (s < g->first || s >= g->last) return;
+    for (i = 0; i < g->n; i++)
+        if (g->id[i] == s) {
+            g->x[i] = g->y[i] = g->z[i] = FAR;
+            g->r[i] = FAR * FAR;
+        }
+}
+
+/* star - complete the star of s, whose open facets are the edges of the
+ * link.  Returns 0, TESS_MORE or TESS_POOL. */
+static int star(mesh *m, tess_int s)
+{
+    tess_int *p, v[3], guess[2], e, c;
+
+    while (m->nedge > 0) {
+        e = m->nedge - 1;
+        p = edge(m, e);
+        v[0] = s;
+        v[1] = p[FROM];
+        v[2] = p[TO];
+        guess[0] = p[PREV] == NONE ? NONE : edge(m, p[PREV])[FROM];
+        guess[1] = p[AFTER] == NONE ? NONE : edge(m, p[AFTER])[TO];
+        gather(m, s);
+        c = apex(m, v, guess);
+        if (c == NONE) {
+            m->adj[p[CODE]] = TESS_NONE;
+            if (p[PREV] != NONE) edge(m, p[PREV])[AFTER] = NONE;
+            if (p[AFTER] != NONE) edge(m, p[AFTER])[PREV] = NONE;
+            kill(m, e);
+            continue;
+        }
+        if (m->ntet == m->maxtet) return TESS_MORE;
+        if (2 * m->nopen >= m->m && widen(m, s, 2 * m->m + 1) &&
+            m->nopen >= m->m - m->m / 8 - 1)
+            return TESS_POOL;
+        if (ENTRY * m->m > m->room - EDGE * (m->nedge + 2)) return TESS_POOL;
+        grow(m, s, e, c);
+    }
+    complete(m, s);
+    return 0;
+}
+
+/* stars - complete star after star, from s on if it has edges in the link. */
+static int stars(mesh *m, tess_int s)
+{
+    int code;
+
+    for (;;) {
+        if (m->nedge > 0) {
+            code = star(m, s);
+            if (code != 0) return code;
+        }
+        s = m->low;
+        while (s < m->np && m->head[s] == NONE) {
+            /* no open facet has a vertex of smaller position than low, so
+             * one that was met before and owns none is complete */
+            if (m->link[s] == NONE) complete(m, s);
+            s++;
+        }
+        m->low = s;
+        if (s == m->np) return 0;
+        if (!load(m, s)) return TESS_POOL;
+    }
+}
+
+/* ---- the first facet (Section 2): a facet of the hull by gift wrapping ---- */
+
+static const tess_real *point(const mesh *m, tess_int i)
+{
+    return m->set.p + 3 * m->order[i];
+}
+
+/* lesser - is point i lexicographically before point j? */
+static int lesser(const mesh *m, tess_int i, tess_int j)
+{
+    const tess_real *p = point(m, i), *q = point(m, j);
+
+    if (p[0] != q[0]) return p[0] < q[0];
+    if (p[1] != q[1]) return p[1] < q[1];
+    return p[2] < q[2];
+}
+
+/* edgeby - does point i come before point j when a plane that holds the z
+ * direction is wrapped about a, the lexicographically least point, and then,
+ * in that plane, a line?  The first of all ends an edge of the hull that no
+ * other point lies on. */
+static int edgeby(const mesh *m, tess_int a, tess_int i, tess_int j)
+{
+    const tess_real *o = point(m, a), *p = point(m, i), *q = point(m, j);
+    int above = p[0] == o[0] && p[1] == o[1], turn;
+
+    if (above || (q[0] == o[0] && q[1] == o[1])) {
+        if (above != (q[0] == o[0] && q[1] == o[1])) return !above;
+        return p[2] < q[2];
+    }
+    turn = hh_flat(2, o, q, p);
+    if (turn == 0)
+        turn = q[0] != o[0] ? -hh_flat(1, o, q, p) : hh_flat(0, o, q, p);
+    return turn != 0 ? turn < 0 : lesser(m, i, j);
+}
+
+/* onaline - are three points collinear? */
+static int onaline(const mesh *m, tess_int i, tess_int j, tess_int k)
+{
+    const tess_real *p = point(m, i), *q = point(m, j), *r = point(m, k);
+
+    return hh_flat(0, p, q, r) == 0 && hh_flat(1, p, q, r) == 0 &&
+           hh_flat(2, p, q, r) == 0;
+}
+
+/* first - the first facet v, in the hull, all points on its positive side.
+ * On a hull face of more than three points it is, by the rule of ties, the
+ * triangle on the edge v[0] v[1] of the face: of two points a, b of the face
+ * b is better iff I(v0, v1, a, w, b) o3(v0, v1, a, w) > 0 for any w off the
+ * face.  Returns 0 or the code of points without a tetrahedron. */
+static int first(const mesh *m, tess_int *v)
+{
+    tess_int i, w = NONE;
+    int side;
+
+    if (m->np < 2) return TESS_POINT;
+    v[0] = 0;
+    for (i = 1; i < m->np; i++)
+        if (lesser(m, i, v[0])) v[0] = i;
+    v[1] = v[0] == 0 ? 1 : 0;
+    for (i = 0; i < m->np; i++)
+        if (i != v[0] && i != v[1] && edgeby(m, v[0], i, v[1])) v[1] = i;
+    for (v[2] = 0; v[2] < m->np && onaline(m, v[0], v[1], v[2]); v[2]++)
+        ;
+    if (v[2] == m->np) return TESS_LINE;
+    for (i = 0; i < m->np; i++) {
+        side = hh_pside(&m->set, v[0], v[1], v[2], i);
+        if (side != 0) w = i;
+        if (side < 0) {
+            w = v[2];
+            v[2] = i;
+        }
+    }
+    if (w == NONE) return TESS_PLANE;
+    for (i = 0; i < m->np; i++)
+        if (i != v[2] && hh_pside(&m->set, v[0], v[1], v[2], i) == 0 &&
+            !onaline(m, v[0], v[1], i) &&
+            hh_pball(&m->set, v[0], v[1], v[2], w, i) < 0)
+            v[2] = i;
+    return 0;
+}
+
+/* begin - the first facet becomes an edge of the link of its vertex of least
+ * position, s. */
+static int begin(mesh *m, tess_int *s)
+{
+    tess_int v[3];
+    int code = first(m, v), k, i;
+
+    if (code != 0) return code;
+    k = v[0] < v[1] && v[0] < v[2] ? 0 : v[1] < v[2] ? 1 : 2;
+    *s = v[k];
+    for (i = 0; i < 3; i++) m->link[v[i]] = NONE;
+    return push(m, START, v[(k + 1) % 3], v[(k + 2) % 3]) == NONE ? TESS_POOL
+                                                                  : 0;
+}
+
+/* ---- preparation, and the way back ---- */
+
+/* leafcount - the leaves of the tree of n points: a power of two. */
+static tess_int leafcount(tess_int n)
+{
+    tess_int leaves = 1;
+
+    while (leaves < n / LEAF + (n % LEAF > 0)) leaves *= 2;
+    return leaves;
+}
+
+/* side - the least c with c^3 >= n. */
+static tess_int side(tess_int n)
+{
+    tess_int c = 1;
+
+    while ((double)c * (double)c * (double)c < (double)n) c++;
+    return c;
+}
+
+/* tablesize - entries of the pool to begin with: twice what uniform points
+ * need. */
+static tess_int tablesize(tess_int n)
+{
+    return 10 * side(n) * side(n) + 16;
+}
+
+/* finite3 - is every coordinate of point i finite? */
+static int finite3(const tess_real *p, tess_int i)
+{
+    int k, n = 0;
+
+    /* nested comparisons: the one form that also works where the compiler
+     * assumes that there are no NaNs */
+    for (k = 0; k < 3; k++)
+        if (p[3 * i + k] <= DBL_MAX)
+            if (p[3 * i + k] >= -DBL_MAX) n++;
+    return n == 3;
+}
+
+/* lengths - the least lengths of iw and rw, and what is recommended besides
+ * as pool: 60 n^(2/3), ten times what uniform points need, and 4 n.  Returns
+ * 0 if they exceed the largest tess_int. */
+static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
+{
+    double c = (double)side(n);
+
+    *liw = *lrw = *pool = 0;
+    /* leafcount(n) <= n/12 + 1 */
+    if (9.0 * (double)n + 60.0 * c * c + LEAST + 2.0 > (double)TESS_INT_MOST)
+        return 0;
+    *liw = 4 * n + 2 * leafcount(n) + LEAST;
+    *lrw = 3 * n + 12 * leafcount(n);
+    *pool = 60 * side(n) * side(n) + 4 * n;
+    return 1;
+}
+
+/* collect - the points that stand for themselves, in their order. */
+static void collect(mesh *m, tess_int n, const tess_real *p)
+{
+    tess_int i;
+    int k;
+
+    m->np = 0;
+    for (i = 0; i < n; i++)
+        if (m->rep[i] == i) {
+            for (k = 0; k < 3; k++) m->x[3 * m->np + k] = p[3 * i + k];
+            m->order[m->np++] = i;
+        }
+    m->leaves = leafcount(m->np);
+}
+
+/* inrange - can the exact arithmetic hold all coordinates?  Not if they need
+ * more than HH_LIMBS limbs, or if this build takes a subnormal one for 0. */
+static int inrange(const mesh *m, double most)
+{
+    double least = ldexp(most, (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG);
+    volatile double tiny = DBL_MIN;
+    tess_int i, n = 3 * m->np;
+    int e, flushed;
+
+    tiny *= 0.5;
+    flushed = tiny == 0.0;
+    for (i = 0; i < n; i++) {
+        if (flushed && frexp(m->x[i], &e) != 0.0 && m->x[i] == 0.0) return 0;
+        if (fabs(m->x[i]) < least && m->x[i] != 0.0 &&
+            hh_range(m->x[i], most) != 0)
+            return 0;
+    }
+    return 1;
+}
+
+/* times - all coordinates times f. */
+static void times(mesh *m, double f)
+{
+    tess_int i, n = 3 * m->np;
+
+    if (f == 1.0) return;
+    for (i = 0; i < n; i++) m->x[i] *= f;
+}
+
+/* units - how many equal units, the fewest a power of two, make 1 such that
+ * all scaled coordinates are whole multiples; 0 for more than 2^30. */
+static double units(const mesh *m)
+{
+    tess_int i, n = 3 * m->np;
+    double u = 1.0;
+
+    for (i = 0; i < n; i++)
+        while (m->x[i] * u != (double)(long)(m->x[i] * u)) {
+            if (u > 5e8) return 0.0;
+            u *= 2.0;
+        }
+    return u;
+}
+
+/* scaled - bring the sorted coordinates to an absolute value of at most 1 by
+ * a power of two, in two steps where one might overflow, and find whether
+ * they are small whole multiples of one unit.  Returns 0 or TESS_RANGE. */
+static int scaled(mesh *m)
+{
+    double most = 0.0, u;
+    tess_int i, n = 3 * m->np;
+    int e;
+
+    m->set.t3 = m->set.t5 = -1.0;
+    for (i = 0; i < n; i++) most = fabs(m->x[i]) > most ? fabs(m->x[i]) : most;
+    if (most == 0.0) return 0;
+    if (!inrange(m, most)) return TESS_RANGE;
+    frexp(most, &e);
+    times(m, ldexp(1.0, -(e / 2)));
+    times(m, ldexp(1.0, -(e - e / 2)));
+    u = units(m);
+    if (u > 0.0) {
+        /* up to 2^(DBL_MANT_DIG - 1) units of the determinant's degree */
+        m->set.t3 = ldexp(1.0, DBL_MANT_DIG - 1) / u / u / u;
+        m->set.t5 = m->set.t3 / u / u;
+    }
+    return 0;
+}
+
+/* sorted - sort the points, drop the duplicates, build
+ * the tree.  Returns 0, TESS_POINT or TESS_RANGE. */
+static int sorted(mesh *m, tess_int n, const tess_real *p)
+{
+    tess_int i;
+    int code;
+
+    for (i = 0; i < n; i++) m->rep[i] = i;
+    collect(m, n, p);
+    if (n == 0) return TESS_POINT;
+    kdsort(m);
+    for (i = 0; i < n; i++) m->rep[i] = m->rep[m->rep[i]];
+    for (i = 0; i < n && m->rep[i] == i; i++)
+        ;
+    if (i < n) {
+        /* the cuts may have parted duplicates: once more without them */
+        collect(m, n, p);
+        kdsort(m);
+    }
+    code = scaled(m);
+    if (code != 0) return code;
+    boxes(m);
+    for (i = 0; i < m->np; i++) {
+        m->head[i] = NONE;
+        m->link[i] = NEW;
+    }
+    for (i = 1; i < 2 * m->leaves; i++)
+        m->alive[i] = i < m->leaves ? 2 : bound(m, i - m->leaves + 1) -
+                                              bound(m, i - m->leaves);
+    return 0;
+}
+
+/* restore - take up an unfinished result: tet to positions; what is complete
+ * leaves the tree; the open facets at s, the first vertex of the last
+ * tetrahedron, become edges of its link in the order of their tetrahedra, the
+ * others enter the pool.  Returns 0, -5, or TESS_POOL. */
+static int restore(mesh *m, tess_int n, tess_int *s)
+{
+    tess_int i, t, v[3], size, *place = m->head;
+    int k, code;
+
+    for (i = 0; i < n; i++) place[i] = NONE;
+    for (i = 0; i < m->np; i++) place[m->order[i]] = i;
+    for (i = 0; i < 4 * m->ntet; i++)
+        if (place[m->tet[i]] == NONE) return -5;
+    for (i = 0; i < 4 * m->ntet; i++) {
+        m->tet[i] = place[m->tet[i]];
+        m->link[m->tet[i]] = DONE;
+    }
+    for (i = 0; i < 4 * m->ntet; i++)
+        if (m->adj[i] == TESS_OPEN) {
+            facet(m, i, v);
+            for (k = 0; k < 3; k++) m->link[v[k]] = NONE;
+        }
+    for (i = 0; i < m->np; i++)
+        if (m->link[i] == DONE) {
+            m->link[i] = NONE;
+            complete(m, i);
+        }
+    *s = m->tet[4 * (m->ntet - 1)];
+    for (t = 0; t < m->ntet; t++)
+        for (k = 3; k >= 0; k--)
+            if (m->adj[4 * t + k] == TESS_OPEN) {
+                facet(m, 4 * t + k, v);
+                if ((v[0] == *s || v[1] == *s || v[2] == *s) &&
+                    !enlist(m, *s, 4 * t + k))
+                    return TESS_POOL;
+            }
+    follow(m);
+    m->low = m->np;
+    code = TESS_POOL;
+    for (size = tablesize(m->np); code != 0; size = 2 * m->m + 1) {
+        i = m->m;
+        code = widen(m, *s, size);
+        if (code != 0 && m->m == i) return code;
+    }
+    return 0;
+}
+
+/* run - tess and tess_resume, of arguments that are right but for p and the
+ * indices in tet. */
+static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
+               tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,
+               double *rw)
+{
+    mesh m;
+    tess_int i, s = NONE, leaves = leafcount(n);
+    int code;
+
+    m.set.x = m.x = rw;
+    m.set.p = p;
+    m.box = rw + 3 * n;
+    m.rep = iw;
+    m.set.order = m.order = iw + n;
+    m.head = iw + 2 * n;
+    m.link = iw + 3 * n;
+    m.alive = iw + 4 * n;
+    m.pool = m.alive + 2 * leaves;
+    m.room = liw - 4 * n - 2 * leaves;
+    m.maxtet = maxtet;
+    m.ntet = *ntet;
+    m.tet = tet;
+    m.adj = adj;
+    m.m = m.nopen = m.nedge = m.low = 0;
+    m.nplane = m.nextplane = 0;
+    m.block.first = m.block.last = m.group.first = m.group.last = NONE;
+
+    code = sorted(&m, n, p);
+    if (code == 0 && m.ntet > 0)
+        code = restore(&m, n, &s);
+    else if (code == 0) {
+        code = begin(&m, &s);
+        if (code == 0) code = widen(&m, s, tablesize(m.np));
+    }
+    if (code == 0) code = stars(&m, s);
+    if (code == -5) return code;
+    for (i = 0; i < 4 * m.ntet; i++) tet[i] = m.order[tet[i]];
+    *ntet = m.ntet;
+    return code;
+}
+
+/* wrong - the code of a bad argument common to tess and tess_resume, or 0;
+ * *which is then the point that is not finite, or 0. */
+static int wrong(tess_int n, const tess_real *p, tess_int maxtet, tess_int liw,
+                 tess_int lrw, tess_int *which)
+{
+    tess_int i, leastiw, leastrw, pool;
+
+    *which = 0;
+    if (n < 0 || !lengths(n, &leastiw, &leastrw, &pool)) return -1;
+    for (i = 0; i < n; i++)
+        if (!finite3(p, i)) {
+            *which = i;
+            return -2;
+        }
+    if (maxtet < 0 || maxtet > (TESS_INT_MOST - 3) / 4) return -3;
+    if (liw < leastiw) return -7;
+    if (lrw < leastrw) return -9;
+    return 0;
+}
+
+int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
+{
+    tess_int pool;
+
+    *liw = *lrw = 0;
+    if (n < 0 || !lengths(n, liw, lrw, &pool)) return -1;
+    if (maxtet < 0 || maxtet > (TESS_INT_MOST - 3) / 4) {
+        *liw = *lrw = 0;
+        return -2;
+    }
+    *liw += pool;
+    return 0;
+}
+
+int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
+         tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,
+         tess_int lrw, double *rw)
+{
+    int code = wrong(n, p, maxtet, liw, lrw, ntet);
+
+    if (code != 0) return code;
+    return run(n, p, maxtet, ntet, tet, adj, liw, iw, rw);
+}
+
+int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
+                tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,
+                tess_int *iw, tess_int lrw, double *rw)
+{
+    tess_int i, which;
+    int code = wrong(n, p, maxtet, liw, lrw, &which);
+
+    if (code != 0 && code > -4) return code;
+    if (*ntet < 0 || *ntet > maxtet) return -4;
+    for (i = 0; i < 4 * *ntet; i++)
+        if (tet[i] < 0 || tet[i] >= n) return -5;
+    for (i = 0; i < 4 * *ntet; i++)
+        if (adj[i] < TESS_OPEN || adj[i] >= *ntet) return -6;
+    if (code != 0) return code;
+    return run(n, p, maxtet, ntet, tet, adj, liw, iw, rw);
+}

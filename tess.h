@@ -1,0 +1,179 @@
+/* tess.h - Delaunay tetrahedralization of points in space.
+ *
+ * After C. Hazlewood, "Facet-Based Tetrahedralization Software" (1995).
+ *
+ * Memory: nothing but the caller's arrays and a bounded stack (about 60 KB at
+ * the default capacities; see TESS_LIST below and HH_LIMBS in hhpred.h).
+ *
+ *   tet, adj   4*maxtet tess_int each; a uniform cloud of n points has about
+ *              6.8 n tetrahedra
+ *   iw, rw     the lengths that tess_size gives
+ *
+ * No routine allocates, reads, writes, keeps state between calls or stops
+ * the program; all may be called from any number of threads at once.
+ *
+ * Arrays, the same in all routines:
+ *   p      point i has the coordinates p[3*i], p[3*i+1], p[3*i+2]: any finite
+ *          values, in any units.  Never altered.
+ *   tet    tetrahedron t has the vertices tet[4*t] ... tet[4*t+3], indices
+ *          of points, positively oriented: det [b-a c-a d-a] > 0.
+ *   adj    adj[4*t+k] is the tetrahedron across the facet opposite to
+ *          tet[4*t+k]; TESS_NONE on the hull; TESS_OPEN for a facet still
+ *          open, which only an unfinished result has.
+ *
+ * tet and adj are a function of the points and their order alone: the same
+ * on every machine, with every compiler, in C and in Fortran.
+ */
+#ifndef TESS_H
+#define TESS_H
+
+#include "hhpred.h"
+
+#define TESS_NONE (-1)
+#define TESS_OPEN (-2)
+
+/* Codes.  -k says that the k-th argument is bad. */
+#define TESS_OK 0     /* done                                              */
+#define TESS_MORE 1   /* tet and adj are full: tess_resume with longer ones */
+#define TESS_POOL 2   /* the facet pool is full: the same, with a longer iw */
+#define TESS_PLANE 3  /* all points in one plane: no tetrahedron           */
+#define TESS_LINE 4   /* all points on one line                            */
+#define TESS_POINT 5  /* at most one distinct point                        */
+#define TESS_RANGE 6  /* the coordinates need more limbs than HH_LIMBS     */
+/* Faults that tess_check finds. */
+#define TESS_BAD_INDEX 10  /* a vertex out of range, or twice in one       */
+#define TESS_BAD_TWIN 11   /* a vertex that is a duplicate of another one  */
+#define TESS_BAD_SIGN 12   /* flat or negatively oriented                  */
+#define TESS_BAD_OPEN 13   /* an open facet: the result is unfinished      */
+#define TESS_BAD_ADJ 14    /* neighbour out of range, or not mutual        */
+#define TESS_BAD_BALL 15   /* the neighbour's apex is inside the ball      */
+#define TESS_BAD_HULL 16   /* boundary not closed, or not convex           */
+#define TESS_BAD_COVER 17  /* the hull is covered more than once           */
+#define TESS_BAD_POINT 18  /* a point is in no tetrahedron                 */
+#define TESS_BAD_EULER 19  /* Euler's relation V - E + F - T = 1 fails     */
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* tess_size - recommended lengths of the workspace of tess.
+ *
+ *   n       (in)   number of points
+ *   maxtet  (in)   tetrahedra that tet and adj have room for
+ *   liw     (out)  length of iw, tess_ints
+ *   lrw     (out)  length of rw, doubles
+ *
+ * The pool of open facets that liw includes suffices for all inputs but
+ * those whose number of tetrahedra is quadratic in n.
+ *
+ * returns 0; -1 or -2 for an n or maxtet that is negative or so large that a
+ * length, or 4*maxtet + 3, would exceed the largest tess_int: the lengths
+ * are then 0.
+ */
+int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
+
+/* tess - the Delaunay tetrahedralization of n points.
+ *
+ *   n       (in)   number of points, >= 0
+ *   p       (in)   3*n coordinates
+ *   maxtet  (in)   tetrahedra that tet and adj have room for, >= 0
+ *   ntet    (out)  number of tetrahedra; for a NaN or infinity in p (code
+ *                  -2) the index of the first point that has one
+ *   tet     (out)  4*maxtet; the first 4*ntet are set
+ *   adj     (out)  4*maxtet; the first 4*ntet are set
+ *   liw     (in)   length of iw; what exceeds the minimum becomes pool
+ *   iw      (out)  workspace.  On return, for each code >= 0 but TESS_RANGE,
+ *                  iw[i] is the point that stands for point i: i itself, or
+ *                  for a duplicate the least index with the same coordinates
+ *                  (-0.0 equals 0.0)
+ *   lrw     (in)   length of rw
+ *   rw      (out)  workspace
+ *
+ * returns TESS_OK, TESS_MORE or TESS_POOL (what tet and adj hold is right;
+ * go on with tess_resume), TESS_PLANE, TESS_LINE, TESS_POINT or TESS_RANGE
+ * (ntet = 0), or -k: n < 0 -1; NaN or infinity in p -2; maxtet negative or
+ * too large for tess_int -3; liw, lrw below the minimum -7, -9.  After -k
+ * nothing is written but ntet.
+ *
+ * Cospherical points: the triangulation is the pulling triangulation in the
+ * order of the indices; no tetrahedron is flat.
+ * Cost: about linear in n for points that fill a volume; O(n^2) at worst for
+ * a linear number of tetrahedra.  Section 2 of the paper.
+ */
+int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
+         tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,
+         tess_int lrw, double *rw);
+
+/* tess_resume - go on from an unfinished result.
+ *
+ * The arguments of tess, but ntet, tet, adj are (in, out): the points and
+ * the first *ntet tetrahedra that tess or tess_resume left, copied into
+ * larger arrays if need be.  iw and rw need hold nothing.  Gives the very
+ * arrays that one call with enough room would have given.  With *ntet = 0 it
+ * is tess; on a finished result it returns TESS_OK and changes nothing but
+ * iw, rw.
+ *
+ * returns what tess returns, and -4 for a bad *ntet, -5 and -6 for indices in
+ * tet and adj that are out of range; after -k *ntet is unchanged.
+ */
+int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
+                tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,
+                tess_int *iw, tess_int lrw, double *rw);
+
+/* tess_locate - the tetrahedron that holds a point.
+ *
+ *   p, ntet, tet, adj  (in)  a result of tess with ntet >= 1
+ *   q    (in)      the point: 3 coordinates
+ *   t    (in,out)  On entry the tetrahedron where the walk starts, or
+ *                  TESS_NONE for anywhere.  On return the one that holds q
+ *   w    (out)     4 barycentric weights of q in it; they sum to one:
+ *                  sum of w[k] * value[tet[4*t+k]] interpolates linearly
+ *
+ * returns 0 when q is inside or on the boundary; 1 when it is outside the
+ * hull: t is then a hull tetrahedron on that side and w its weights, some
+ * negative.  An open facet counts as hull.  -2 for ntet < 1, -5 for a NaN or
+ * infinity in q, -6 for a t that is out of range.
+ */
+int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
+                const tess_int *adj, const tess_real *q, tess_int *t,
+                double *w);
+
+/* tess_hull - the boundary triangles.
+ *
+ *   ntet, tet, adj  (in)  a result of tess
+ *   maxfac  (in)   triangles that fac has room for
+ *   nfac    (out)  number of triangles
+ *   fac     (out)  3*maxfac: triangle i has the vertices fac[3*i], fac[3*i+1],
+ *                  fac[3*i+2], seen counter-clockwise from outside, in the
+ *                  order of the tetrahedra and their facets
+ *
+ * returns 0; TESS_MORE when fac is too small: nfac is then the number needed
+ * and the first maxfac triangles are set; -1 for ntet < 0, -4 for maxfac < 0.
+ */
+int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
+              tess_int maxfac, tess_int *nfac, tess_int *fac);
+
+/* tess_check - an exact proof that tet and adj are a Delaunay
+ * tetrahedralization of p.
+ *
+ *   n, p, ntet, tet, adj  (in)  points and result
+ *   liw     (in)   length of iw, at least 2*n
+ *   iw      (out)  workspace
+ *   bad     (out)  the tetrahedron at fault, or the point (TESS_BAD_POINT),
+ *                  or TESS_NONE
+ *
+ * returns 0 when proven, or the first fault TESS_BAD_... found.  Any valid
+ * triangulation of cospherical points passes.  ntet = 0 passes when all
+ * points lie in one plane.  -1 for n < 0, -2 for a NaN or infinity in p, -3
+ * for ntet < 0, -6 for liw < 2*n.
+ * Cost: O(ntet + n log n).
+ */
+int tess_check(tess_int n, const tess_real *p, tess_int ntet,
+               const tess_int *tet, const tess_int *adj, tess_int liw,
+               tess_int *iw, tess_int *bad);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

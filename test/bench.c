@@ -1,0 +1,96 @@
+/* bench.c - bench FAMILY N [REPEATS] [SEED]: the time and memory of tess.
+ *
+ * Prints one line:
+ *   tess FAMILY n ntet seconds ns/tet workspace-bytes/point
+ *   total-bytes/point code
+ * seconds is the least CPU time of REPEATS (3) calls; workspace is iw and rw,
+ * total adds tet and adj as allocated, not the points.  The arrays start at
+ * what a cloud of points needs and are doubled, outside of the time measured,
+ * as often as tess asks for more.
+ */
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+#include "points.h"
+#include "../tess.h"
+
+/* Bounds 28 n by the largest tess_int of 32 bits. */
+#define MOST 70000000L
+
+static void *take(double count, size_t size)
+{
+    void *space = malloc((size_t)(count * (double)size) + 1);
+
+    if (!space) {
+        fprintf(stderr, "bench: out of memory\n");
+        exit(1);
+    }
+    return space;
+}
+
+int main(int argc, char **argv)
+{
+    double *p, *rw, seconds, least, work, total;
+    tess_int *tet, *adj, *iw, n, maxtet, ntet, liw, lrw, pool;
+    unsigned long seed;
+    long asked, repeats, run;
+    clock_t start;
+    int code;
+
+    asked = argc > 2 ? atol(argv[2]) : 0;
+    if (asked < 1 || asked > MOST) {
+        fprintf(stderr, "usage: bench FAMILY N [REPEATS] [SEED]\n");
+        return 2;
+    }
+    repeats = argc > 3 ? atol(argv[3]) : 3;
+    seed = argc > 4 ? strtoul(argv[4], 0, 10) : 1;
+    p = (double *)take((double)asked * 3, sizeof *p);
+    n = (tess_int)points_make(argv[1], asked, seed, p);
+    if (n == 0) {
+        fprintf(stderr, "bench: no points %s %s\n", argv[1], argv[2]);
+        free(p);
+        return 2;
+    }
+
+    maxtet = 7 * n + 64;
+    pool = 0;
+    run = 0;
+    least = 0;
+    do {
+        if (tess_size(n, maxtet, &liw, &lrw) != 0) {
+            fprintf(stderr, "bench: too many tetrahedra\n");
+            return 1;
+        }
+        liw += pool;
+        tet = (tess_int *)take(4 * (double)maxtet, sizeof *tet);
+        adj = (tess_int *)take(4 * (double)maxtet, sizeof *adj);
+        iw = (tess_int *)take((double)liw, sizeof *iw);
+        rw = (double *)take((double)lrw, sizeof *rw);
+        do {
+            start = clock();
+            code = tess(n, p, maxtet, &ntet, tet, adj, liw, iw, lrw, rw);
+            seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+            if (code == TESS_MORE || code == TESS_POOL)
+                break;
+            if (run == 0 || seconds < least)
+                least = seconds;
+        } while (++run < repeats);
+        work = (double)liw * (double)sizeof *iw
+            + (double)lrw * (double)sizeof *rw;
+        total = work + 8 * (double)maxtet * (double)sizeof *tet;
+        if (code == TESS_MORE)
+            maxtet *= 2;
+        if (code == TESS_POOL)
+            pool += liw;
+        free(tet);
+        free(adj);
+        free(iw);
+        free(rw);
+    } while (code == TESS_MORE || code == TESS_POOL);
+
+    printf("tess %s %ld %ld %.4f %.1f %.1f %.1f %d\n", argv[1], (long)n,
+           (long)ntet, least, ntet > 0 ? 1e9 * least / (double)ntet : 0.0,
+           work / (double)n, total / (double)n, code);
+    free(p);
+    return code != TESS_OK;
+}

@@ -1,0 +1,434 @@
+/* brute.c - tess against the definition, on small sets full of ties.
+ *
+ *     brute [sets [seed]]      sets of each kind, default 1000
+ *     brute -one kind seed     one set, in full
+ *
+ * Of all the quadruples of distinct points, those with no fifth point in
+ * their ball, after the lifted heights are lowered by e_0 >> e_1 >> ... in
+ * the order of the indices (ex_perturbed of exact.c, which knows no rule for
+ * ties), are the Delaunay tetrahedralization.  Compared: the set of
+ * tetrahedra, their orientation, adj, the representatives of duplicates, the
+ * codes for flat sets, and tess_check's verdict.  A failing set prints how to
+ * see it again.
+ */
+#include "../tess.h"
+#include "exact.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define MOST 12
+#define MAXTET 400
+#define LENGTH 20000
+#ifdef TESS_FLOAT
+#define REAL_STEP FLT_EPSILON
+#else
+#define REAL_STEP DBL_EPSILON
+#endif
+
+static int n;
+static double p[MOST][3];
+
+/* What tess is expected to give. */
+static int twin[MOST];            /* the point that stands for each */
+static int expected;              /* the code */
+static int count;                 /* tetrahedra */
+static char is_tet[MOST][MOST][MOST][MOST]; /* indices increasing */
+
+static tess_int ntet, tet[4 * MAXTET], adj[4 * MAXTET], iw[LENGTH];
+static double rw[LENGTH];
+static tess_real point[3 * MOST];
+
+/* The code for the distinct points d[0..m-1]. */
+static int flatness(const int *d, int m)
+{
+    int i, j, k;
+
+    if (m < 2) return TESS_POINT;
+    for (i = 2; i < m; i++)
+        if (!ex_collinear(p[d[0]], p[d[1]], p[d[i]])) break;
+    if (i >= m) return TESS_LINE;
+    for (j = 2; j < m; j++)
+        for (k = 2; k < m; k++)
+            if (ex_orient(p[d[0]], p[d[1]], p[d[j]], p[d[k]]) != 0)
+                return TESS_OK;
+    return TESS_PLANE;
+}
+
+static void define(void)
+{
+    static char side[MOST][MOST][MOST][MOST];
+    const double *q[5];
+    int d[MOST], v[5], index[5], m = 0, i, j, k, l, s, in;
+    char *t;
+
+    memset(is_tet, 0, sizeof is_tet);
+    for (i = 0; i < n; i++) {
+        for (j = 0; j < i; j++)
+            if (p[i][0] == p[j][0] && p[i][1] == p[j][1] && p[i][2] == p[j][2])
+                break;
+        twin[i] = j;
+        if (j == i) d[m++] = i;
+    }
+    count = 0;
+    expected = flatness(d, m);
+    if (expected != TESS_OK) return;
+    for (i = 0; i < m; i++)
+        for (j = i + 1; j < m; j++)
+            for (k = j + 1; k < m; k++)
+                for (l = k + 1; l < m; l++) {
+                    s = ex_orient(p[d[i]], p[d[j]], p[d[k]], p[d[l]]);
+                    side[d[i]][d[j]][d[k]][d[l]] = (char)s;
+                    is_tet[d[i]][d[j]][d[k]][d[l]] = s != 0;
+                }
+    /* every five points: which of them is inside the ball of the others */
+    for (v[0] = 0; v[0] < m; v[0]++)
+    for (v[1] = v[0] + 1; v[1] < m; v[1]++)
+    for (v[2] = v[1] + 1; v[2] < m; v[2]++)
+    for (v[3] = v[2] + 1; v[3] < m; v[3]++)
+    for (v[4] = v[3] + 1; v[4] < m; v[4]++) {
+        for (i = 0; i < 5; i++) {
+            index[i] = d[v[i]];
+            q[i] = p[index[i]];
+        }
+        s = ex_perturbed(q, index);
+        for (i = 0; i < 5; i++) {
+            int w[4];
+
+            for (j = k = 0; j < 5; j++)
+                if (j != i) w[k++] = index[j];
+            /* to the last place by 4 - i exchanges; the determinant and that
+             * of the rows a-d, b-d, c-d (minus ex_orient) agree when inside */
+            in = -s * side[w[0]][w[1]][w[2]][w[3]];
+            if (i % 2) in = -in;
+            t = &is_tet[w[0]][w[1]][w[2]][w[3]];
+            if (in > 0) *t = 0;
+        }
+    }
+    for (i = 0; i < m; i++)
+        for (j = i + 1; j < m; j++)
+            for (k = j + 1; k < m; k++)
+                for (l = k + 1; l < m; l++)
+                    count += is_tet[d[i]][d[j]][d[k]][d[l]];
+}
+
+static int has(tess_int t, tess_int v)
+{
+    int k;
+
+    for (k = 0; k < 4; k++)
+        if (tet[4 * t + k] == v) return 1;
+    return 0;
+}
+
+/* What is wrong with tess's result, or NULL. */
+static const char *compare(int code)
+{
+    tess_int t, u, v[4], x, bad, across;
+    int i, k;
+
+    if (code != expected) return "the code";
+    for (i = 0; i < n; i++)
+        if (iw[i] != twin[i]) return "iw";
+    if (ntet != count) return "the number of tetrahedra";
+    for (t = 0; t < ntet; t++) {
+        for (k = 0; k < 4; k++) {
+            v[k] = tet[4 * t + k];
+            if (v[k] < 0 || v[k] >= n) return "a vertex out of range";
+        }
+        if (ex_orient(p[v[0]], p[v[1]], p[v[2]], p[v[3]]) != 1)
+            return "an orientation";
+        for (i = 1; i < 4; i++)
+            for (k = i; k > 0 && v[k - 1] > v[k]; k--) {
+                x = v[k];
+                v[k] = v[k - 1];
+                v[k - 1] = x;
+            }
+        if (!is_tet[v[0]][v[1]][v[2]][v[3]]) return "the tetrahedra";
+        /* a second time it is no more expected */
+        is_tet[v[0]][v[1]][v[2]][v[3]] = 0;
+        for (k = 0; k < 4; k++) {
+            across = TESS_NONE;
+            for (u = 0; u < ntet; u++)
+                if (u != t && has(u, tet[4 * t + (k + 1) % 4]) &&
+                    has(u, tet[4 * t + (k + 2) % 4]) &&
+                    has(u, tet[4 * t + (k + 3) % 4]))
+                    across = u;
+            if (adj[4 * t + k] != across) return "adj";
+        }
+    }
+    if (tess_check((tess_int)n, point, ntet, tet, adj, (tess_int)(2 * n), iw,
+                   &bad) != 0)
+        return "tess_check";
+    return NULL;
+}
+
+/* ---- kinds of sets ---- */
+
+static void set(int i, double x, double y, double z)
+{
+    p[i][0] = x;
+    p[i][1] = y;
+    p[i][2] = z;
+}
+
+static void shuffle(void)
+{
+    int i, j, k;
+    double x;
+
+    for (i = n - 1; i > 0; i--) {
+        j = rnd_below(i + 1);
+        for (k = 0; k < 3; k++) {
+            x = p[i][k];
+            p[i][k] = p[j][k];
+            p[j][k] = x;
+        }
+    }
+}
+
+/* n points of the integer lattice {0 .. size-1}^3 */
+static void lattice(int size)
+{
+    int i;
+
+    for (i = 0; i < n; i++)
+        set(i, rnd_below(size), rnd_below(size), rnd_below(size));
+}
+
+/* n of the integer points with x^2 + y^2 + z^2 = square */
+static void sphere(int square)
+{
+    int i, x, y, z;
+
+    for (i = 0; i < n; i++) {
+        do {
+            x = rnd_below(11) - 5;
+            y = rnd_below(11) - 5;
+            z = rnd_below(11) - 5;
+        } while (x * x + y * y + z * z != square);
+        set(i, x, y, z);
+    }
+}
+
+static const char *const kinds[] = {
+    "points of {0,1}^3", "points of {0,1,2}^3", "cube and inner points",
+    "octahedron and more", "integer sphere 9", "integer sphere 26",
+    "plane grid and one point", "two or three layers", "two circles",
+    "random", "random with duplicates", "lattice moved by a last place",
+    "plane sets", "lines and points", "body-centred lattice",
+    "tenths of a lattice, far away", "zeros of both signs", "two lines",
+    "cocircular in a hull face"
+};
+#define KINDS ((int)(sizeof kinds / sizeof kinds[0]))
+
+static void make(int kind)
+{
+    static const int circle[12][2] = {
+        { 5, 0 }, { 4, 3 }, { 3, 4 }, { 0, 5 }, { -3, 4 }, { -4, 3 },
+        { -5, 0 }, { -4, -3 }, { -3, -4 }, { 0, -5 }, { 3, -4 }, { 4, -3 }
+    };
+    int i, j, k, a, b;
+    double x;
+
+    n = 4 + rnd_below(6);
+    switch (kind) {
+    case 0:
+        lattice(2);
+        break;
+    case 1:
+        lattice(3);
+        break;
+    case 2:
+        for (i = 0; i < 8; i++)
+            set(i, 2 * (i & 1), 2 * (i >> 1 & 1), 2 * (i >> 2));
+        n = 8 + rnd_below(2);
+        set(8, rnd_below(3), rnd_below(3), 1);
+        shuffle();
+        break;
+    case 3:
+        n = 10;
+        lattice(5);
+        for (i = 0; i < n; i++)
+            for (k = 0; k < 3; k++) p[i][k] -= 2;
+        for (i = 0; i < 6; i++)
+            set(i, i == 0 ? 1 : -(i == 1), i == 2 ? 1 : -(i == 3),
+                i == 4 ? 1 : -(i == 5));
+        n = 6 + rnd_below(5);
+        shuffle();
+        break;
+    case 4:
+        sphere(9);
+        break;
+    case 5:
+        n = 8 + rnd_below(3);
+        sphere(26);
+        break;
+    case 6:
+        n = 10;
+        for (i = 0; i < 9; i++) set(i, i / 3, i % 3, 1);
+        set(9, rnd_below(4), rnd_below(4), rnd_below(2) * 2);
+        shuffle();
+        n = 10 - rnd_below(4);
+        break;
+    case 7:
+        n = 11;
+        a = 2 + rnd_below(2);
+        for (i = 0; i < n; i++)
+            set(i, i % 2, i / 2 % 2, i / 4);
+        for (i = 0; i < n; i++) p[i][rnd_below(3)] *= a - 1;
+        shuffle();
+        break;
+    case 8:
+        n = 10;
+        for (i = 0; i < n; i++) {
+            j = rnd_below(12);
+            set(i, circle[j][0], circle[j][1], i % 2 * 5);
+        }
+        break;
+    case 9:
+    case 10:
+        n = 6 + rnd_below(5);
+        for (i = 0; i < n; i++)
+            set(i, rnd_unit(), rnd_unit(), rnd_unit());
+        if (kind == 10)
+            for (i = 0; i < 3; i++) {
+                a = rnd_below(n);
+                b = rnd_below(n);
+                for (k = 0; k < 3; k++) p[a][k] = p[b][k];
+            }
+        break;
+    case 11:
+        lattice(3);
+        for (i = 0; i < n; i++)
+            for (k = 0; k < 3; k++)
+                p[i][k] += 1.0 + (rnd_below(3) - 1) * REAL_STEP;
+        break;
+    case 12:
+        /* the points of a plane x + a y + b z = 0, or off it by one */
+        a = rnd_below(3);
+        b = rnd_below(3);
+        for (i = 0; i < n; i++) {
+            j = rnd_below(4);
+            k = rnd_below(4);
+            set(i, -a * j - b * k, j, k);
+        }
+        if (rnd_below(3) == 0) p[rnd_below(n)][0] += 1.0;
+        break;
+    case 13:
+        n = rnd_below(5);
+        a = rnd_below(3);
+        for (i = 0; i < n; i++) {
+            j = rnd_below(3);
+            set(i, 1.0 + a * j, 3 * j, 2.0 - j);
+        }
+        if (n > 0 && rnd_below(3) == 0) p[rnd_below(n)][2] += 1.0;
+        break;
+    case 14:
+        lattice(2);
+        for (i = 0; i < n; i++) {
+            x = 0.5 * rnd_below(2);
+            for (k = 0; k < 3; k++) p[i][k] += x;
+        }
+        break;
+    case 15:
+        lattice(4);
+        x = 1000.0 * rnd_below(2);
+        for (i = 0; i < n; i++)
+            for (k = 0; k < 3; k++) p[i][k] = x + 0.1 * p[i][k];
+        break;
+    case 16:
+        for (i = 0; i < n; i++)
+            for (k = 0; k < 3; k++) {
+                j = rnd_below(4);
+                p[i][k] = j == 0 ? 0.0 : j == 1 ? -0.0 : j == 2 ? 1.0 : -1.0;
+            }
+        break;
+    case 17:
+        for (i = 0; i < n; i++) {
+            if (i % 2) set(i, i, 0, 0);
+            else set(i, 0, i, 1);
+        }
+        shuffle();
+        break;
+    default:
+        /* the circle as a face, other points on one side of it */
+        n = 9;
+        b = rnd_below(12);
+        for (i = 0; i < n; i++) {
+            j = (b + i) % 12;
+            if (i < 6) set(i, circle[j][0], circle[j][1], 0);
+            else set(i, rnd_below(3) - 1, rnd_below(3) - 1, 1 + rnd_below(2));
+        }
+        shuffle();
+        n -= rnd_below(3);
+        break;
+    }
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3; k++) {
+            point[3 * i + k] = (tess_real)p[i][k];
+            p[i][k] = (double)point[3 * i + k];
+        }
+}
+
+/* Whether the set of that kind and seed passes. */
+static int run(int kind, unsigned long seed, int full)
+{
+    const char *fault;
+    tess_int liw, lrw, t;
+    int code, i;
+
+    rnd_seed(seed);
+    make(kind);
+    define();
+    if (full) {
+        printf("%d points, code %d, %d tetrahedra:\n", n, expected, count);
+        for (i = 0; i < n; i++)
+            printf("%.17g %.17g %.17g\n", p[i][0], p[i][1], p[i][2]);
+    }
+    if (tess_size((tess_int)n, MAXTET, &liw, &lrw) != 0 || liw > LENGTH ||
+        lrw > LENGTH)
+        fault = "tess_size";
+    else {
+        code = tess((tess_int)n, point, MAXTET, &ntet, tet, adj, liw, iw, lrw,
+                    rw);
+        fault = compare(code);
+        if (full || fault)
+            printf("code %d, %ld tetrahedra\n", code, (long)ntet);
+    }
+    if (full)
+        for (t = 0; t < ntet; t++)
+            printf("%d: %d %d %d %d\n", (int)t, (int)tet[4 * t],
+                   (int)tet[4 * t + 1], (int)tet[4 * t + 2],
+                   (int)tet[4 * t + 3]);
+    if (fault)
+        printf("%s differs: brute -one %d %lu (%s)\n", fault, kind, seed,
+               kinds[kind]);
+    return fault == NULL;
+}
+
+int main(int argc, char **argv)
+{
+    long sets = 1000, i, faults, solid;
+    unsigned long seed = 1;
+    int kind;
+
+    if (argc > 3 && strcmp(argv[1], "-one") == 0)
+        return !run(atoi(argv[2]), (unsigned long)atol(argv[3]), 1);
+    if (argc > 1) sets = atol(argv[1]);
+    if (argc > 2) seed = (unsigned long)atol(argv[2]);
+    for (kind = 0; kind < KINDS; kind++) {
+        faults = solid = 0;
+        for (i = 0; i < sets && faults < 5; i++) {
+            faults += !run(kind, seed + (unsigned long)i, 0);
+            solid += expected == TESS_OK;
+        }
+        printf("        of %ld sets %ld with tetrahedra\n", i, solid);
+        /* a kind must not be all flat, but for lines and points */
+        if (sets >= 100 && kind != 13) faults += solid < i / 10;
+        test_result(kinds[kind], faults);
+    }
+    return test_end("brute");
+}

@@ -1,0 +1,447 @@
+/* exact.c - exact integer arithmetic for the tests; see exact.h. */
+#include "exact.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#define DIGIT 16
+#define MASK 65535UL
+
+static void overflow(void)
+{
+    fprintf(stderr, "exact.c: a number is longer than EX_DIGITS\n");
+    exit(2);
+}
+
+void ex_copy(ex_num *r, const ex_num *a)
+{
+    int i;
+
+    r->sign = a->sign;
+    r->len = a->len;
+    for (i = 0; i < a->len; i++) r->d[i] = a->d[i];
+}
+
+void ex_int(ex_num *r, long v)
+{
+    unsigned long m = v < 0 ? 0UL - (unsigned long)v : (unsigned long)v;
+
+    r->sign = v < 0 ? -1 : v > 0;
+    for (r->len = 0; m; m >>= DIGIT) r->d[r->len++] = m & MASK;
+}
+
+static void trim(ex_num *r)
+{
+    while (r->len > 0 && r->d[r->len - 1] == 0) r->len--;
+    if (r->len == 0) r->sign = 0;
+}
+
+/* compare magnitudes */
+static int order(const ex_num *a, const ex_num *b)
+{
+    int i;
+
+    if (a->len != b->len) return a->len < b->len ? -1 : 1;
+    for (i = a->len - 1; i >= 0; i--)
+        if (a->d[i] != b->d[i]) return a->d[i] < b->d[i] ? -1 : 1;
+    return 0;
+}
+
+/* |r| = |a| + |b| */
+static void plus(ex_num *r, const ex_num *a, const ex_num *b)
+{
+    const ex_num *t;
+    unsigned long c = 0;
+    int i, n;
+
+    if (a->len < b->len) { t = a; a = b; b = t; }
+    n = a->len;
+    for (i = 0; i < n; i++) {
+        c += a->d[i] + (i < b->len ? b->d[i] : 0);
+        r->d[i] = c & MASK;
+        c >>= DIGIT;
+    }
+    if (c) {
+        if (n == EX_DIGITS) overflow();
+        r->d[n++] = c;
+    }
+    r->len = n;
+}
+
+/* |r| = |a| - |b|, |a| >= |b| */
+static void minus(ex_num *r, const ex_num *a, const ex_num *b)
+{
+    unsigned long c = 0, t;
+    int i, n = a->len;
+
+    for (i = 0; i < n; i++) {
+        t = (i < b->len ? b->d[i] : 0) + c;
+        c = a->d[i] < t;
+        r->d[i] = (a->d[i] + (c << DIGIT)) - t;
+    }
+    r->len = n;
+    trim(r);
+}
+
+/* r = a + s |b| with the sign s of the second summand given */
+static void sum(ex_num *r, const ex_num *a, const ex_num *b, int s)
+{
+    int t = a->sign, o;
+
+    if (s == 0) {
+        if (r != a) ex_copy(r, a);
+    } else if (t == 0) {
+        if (r != b) ex_copy(r, b);
+        r->sign = s;
+    } else if (s == t) {
+        plus(r, a, b);
+        r->sign = s;
+    } else {
+        o = order(a, b);
+        r->sign = o < 0 ? s : t;
+        if (o < 0) minus(r, b, a);
+        else minus(r, a, b);
+    }
+}
+
+void ex_add(ex_num *r, const ex_num *a, const ex_num *b)
+{
+    sum(r, a, b, b->sign);
+}
+
+void ex_sub(ex_num *r, const ex_num *a, const ex_num *b)
+{
+    sum(r, a, b, -b->sign);
+}
+
+void ex_mul(ex_num *r, const ex_num *a, const ex_num *b)
+{
+    unsigned long c, x;
+    int i, j, m = a->len, n = b->len;
+
+    if (m + n > EX_DIGITS) overflow();
+    r->sign = a->sign * b->sign;
+    r->len = r->sign ? m + n : 0;
+    for (i = 0; i < r->len; i++) r->d[i] = 0;
+    if (r->sign == 0) return;
+    for (i = 0; i < m; i++) {
+        x = a->d[i];
+        if (x == 0) continue;
+        c = 0;
+        for (j = 0; j < n; j++) {
+            c += r->d[i + j] + x * b->d[j];
+            r->d[i + j] = c & MASK;
+            c >>= DIGIT;
+        }
+        r->d[i + n] = c;
+    }
+    trim(r);
+}
+
+void ex_shift(ex_num *r, int bits)
+{
+    unsigned long c = 0, x;
+    int i, whole = bits / DIGIT, part = bits % DIGIT;
+
+    if (r->sign == 0) return;
+    if (r->len + whole + 1 > EX_DIGITS) overflow();
+    for (i = r->len - 1; i >= 0; i--) r->d[i + whole] = r->d[i];
+    for (i = 0; i < whole; i++) r->d[i] = 0;
+    r->len += whole;
+    if (part == 0) return;
+    for (i = whole; i < r->len; i++) {
+        x = r->d[i] << part;
+        r->d[i] = (x & MASK) | c;
+        c = x >> DIGIT;
+    }
+    if (c) r->d[r->len++] = c;
+}
+
+int ex_bits(const ex_num *a)
+{
+    unsigned long x;
+    int n;
+
+    if (a->len == 0) return 0;
+    n = (a->len - 1) * DIGIT;
+    for (x = a->d[a->len - 1]; x; x >>= 1) n++;
+    return n;
+}
+
+int ex_cmp(const ex_num *a, const ex_num *b)
+{
+    if (a->sign != b->sign) return a->sign < b->sign ? -1 : 1;
+    return a->sign * order(a, b);
+}
+
+/* The digits of |x| as an integer times 2^*e: frexp, the products by 2^16
+ * and the differences are exact in any rounding mode. */
+static void digits(ex_num *r, double x, int *e)
+{
+    double m = frexp(fabs(x), e);
+    unsigned long part[8];
+    int i, n = 0;
+
+    while (m > 0.0) {
+        m *= 65536.0;
+        part[n] = (unsigned long)m;
+        m -= (double)part[n++];
+        *e -= DIGIT;
+    }
+    for (i = 0; i < n; i++) r->d[i] = part[n - 1 - i];
+    r->len = n;
+    r->sign = x < 0.0 ? -1 : x > 0.0;
+}
+
+int ex_low(double x, int low)
+{
+    ex_num m;
+    unsigned long d;
+    int e;
+
+    if (x == 0.0) return low;
+    digits(&m, x, &e);
+    for (d = m.d[0]; (d & 1) == 0; d >>= 1) e++;
+    return e < low ? e : low;
+}
+
+void ex_real(ex_num *r, double x, int low)
+{
+    unsigned long c = 0;
+    int e, i, down;
+
+    digits(r, x, &e);
+    if (r->sign == 0) return;
+    if (e >= low) {
+        ex_shift(r, e - low);
+        return;
+    }
+    /* the lowest digit ends in that many zeros */
+    down = low - e;
+    if (down >= DIGIT || (r->d[0] & ((1UL << down) - 1)) != 0) {
+        fprintf(stderr, "exact.c: not a multiple of the unit\n");
+        exit(2);
+    }
+    for (i = r->len - 1; i >= 0; i--) {
+        c = (c << DIGIT) | r->d[i];
+        r->d[i] = c >> down;
+        c &= (1UL << down) - 1;
+    }
+    trim(r);
+}
+
+long double ex_value(const ex_num *a, int *e)
+{
+    long double m = 0.0L;
+    int i, n = a->len - 9;
+
+    if (n < 0) n = 0;
+    /* nine digits hold more bits than any long double in use but one; the
+     * rest is below its last place */
+    for (i = n; i < a->len; i++) m = m / 65536.0L + (long double)a->d[i];
+    *e = (a->len - 1) * DIGIT;
+    if (m == 0.0L) return m;
+    while (m >= 1.0L) { m *= 0.5L; ++*e; }
+    return a->sign < 0 ? -m : m;
+}
+
+void ex_dot(ex_num *r, const ex_num *a, const ex_num *b)
+{
+    static ex_num t;
+    int k;
+
+    ex_mul(r, &a[0], &b[0]);
+    for (k = 1; k < 3; k++) {
+        ex_mul(&t, &a[k], &b[k]);
+        ex_add(r, r, &t);
+    }
+}
+
+void ex_cross(ex_num *r, const ex_num *a, const ex_num *b)
+{
+    static ex_num t;
+    int k, i, j;
+
+    for (k = 0; k < 3; k++) {
+        i = (k + 1) % 3;
+        j = (k + 2) % 3;
+        ex_mul(&r[k], &a[i], &b[j]);
+        ex_mul(&t, &a[j], &b[i]);
+        ex_sub(&r[k], &r[k], &t);
+    }
+}
+
+/* d = a - b, three components, in units of 2^low */
+static void difference(ex_num *d, int low, const double *a, const double *b)
+{
+    static ex_num t;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        ex_real(&d[k], a[k], low);
+        ex_real(&t, b[k], low);
+        ex_sub(&d[k], &d[k], &t);
+    }
+}
+
+static int lowest(int low, const double *a)
+{
+    return ex_low(a[0], ex_low(a[1], ex_low(a[2], low)));
+}
+
+void ex_volume(ex_num *r, int low, const double *a, const double *b,
+               const double *c, const double *d)
+{
+    static ex_num u[3], v[3], w[3], n[3];
+
+    difference(u, low, b, a);
+    difference(v, low, c, a);
+    difference(w, low, d, a);
+    ex_cross(n, u, v);
+    ex_dot(r, n, w);
+}
+
+int ex_orient(const double *a, const double *b, const double *c,
+              const double *d)
+{
+    static ex_num r;
+    int low = lowest(EX_NO_LOW, a);
+
+    low = lowest(lowest(lowest(low, b), c), d);
+    if (low == EX_NO_LOW) return 0;
+    ex_volume(&r, low, a, b, c, d);
+    return r.sign;
+}
+
+/* With e as the origin, and q the lifted heights |.|^2 of the other four, the
+ * determinant of the rows (x, y, z, q) expanded by its last column.  It is
+ * positive for e inside when det [b-a c-a d-a] is negative: take the origin
+ * inside (1,0,0), (0,1,0), (0,0,1), (-1,-1,-1). */
+int ex_insphere(const double *a, const double *b, const double *c,
+                const double *d, const double *e)
+{
+    static ex_num v[4][3], n[3], q, m, t, s;
+    const double *p[4];
+    int low = lowest(EX_NO_LOW, e), k, o;
+
+    p[0] = a;
+    p[1] = b;
+    p[2] = c;
+    p[3] = d;
+    o = ex_orient(a, b, c, d);
+    if (o == 0) return 0;
+    for (k = 0; k < 4; k++) low = lowest(low, p[k]);
+    for (k = 0; k < 4; k++) difference(v[k], low, p[k], e);
+    ex_int(&s, 0L);
+    for (k = 0; k < 4; k++) {
+        /* the other three rows, in order */
+        int i = k == 0 ? 1 : 0, j = k <= 1 ? 2 : 1, l = k == 3 ? 2 : 3;
+        ex_cross(n, v[i], v[j]);
+        ex_dot(&m, n, v[l]);
+        ex_dot(&q, v[k], v[k]);
+        ex_mul(&t, &q, &m);
+        if (k % 2 == 0) ex_sub(&s, &s, &t);
+        else ex_add(&s, &s, &t);
+    }
+    return -o * s.sign;
+}
+
+int ex_perturbed(const double *const *p, const int *index)
+{
+    static ex_num vol[5], v[3], h, e, t, s;
+    const double *q[4];
+    int low = EX_NO_LOW, apart = 0, rank, i, j, k;
+
+    for (k = 0; k < 5; k++) low = lowest(low, p[k]);
+    if (low == EX_NO_LOW) return 0;
+    for (k = 0; k < 5; k++) {
+        for (i = j = 0; i < 5; i++)
+            if (i != k) q[j++] = p[i];
+        ex_volume(&vol[k], low, q[0], q[1], q[2], q[3]);
+        if (ex_bits(&vol[k]) > apart) apart = ex_bits(&vol[k]);
+    }
+    apart += 3;
+    /* det of the rows (x, y, z, h, 1) by the column h: the cofactor of h_k is
+     * (-1)^k times the volume of the others */
+    ex_int(&s, 0L);
+    for (k = 0; k < 5; k++) {
+        for (i = rank = 0; i < 5; i++) rank += index[i] < index[k];
+        difference(v, low, p[k], p[4]);
+        ex_dot(&h, v, v);
+        ex_shift(&h, 5 * apart);
+        ex_int(&e, 1L);
+        ex_shift(&e, (4 - rank) * apart);
+        ex_sub(&h, &h, &e);
+        ex_mul(&t, &h, &vol[k]);
+        if (k % 2 == 0) ex_add(&s, &s, &t);
+        else ex_sub(&s, &s, &t);
+    }
+    return s.sign;
+}
+
+int ex_collinear(const double *a, const double *b, const double *c)
+{
+    static ex_num u[3], v[3], n[3];
+    int low = lowest(lowest(lowest(EX_NO_LOW, a), b), c);
+
+    if (low == EX_NO_LOW) return 1;
+    difference(u, low, b, a);
+    difference(v, low, c, a);
+    ex_cross(n, u, v);
+    return n[0].sign == 0 && n[1].sign == 0 && n[2].sign == 0;
+}
+
+/* Marsaglia's multiply-with-carry, two of 16 bits side by side. */
+static unsigned long rnd_z = 362436069UL, rnd_w = 521288629UL;
+
+void rnd_seed(unsigned long seed)
+{
+    int i;
+
+    rnd_z = (362436069UL + 7UL * seed) & 0xffffffffUL;
+    rnd_w = (521288629UL ^ (seed * 2654435761UL)) & 0xffffffffUL;
+    if (rnd_z == 0) rnd_z = 1;
+    if (rnd_w == 0) rnd_w = 1;
+    for (i = 0; i < 16; i++) rnd_bits();
+}
+
+unsigned long rnd_bits(void)
+{
+    rnd_z = (36969UL * (rnd_z & MASK) + (rnd_z >> 16)) & 0xffffffffUL;
+    rnd_w = (18000UL * (rnd_w & MASK) + (rnd_w >> 16)) & 0xffffffffUL;
+    return ((rnd_z << 16) + (rnd_w & MASK)) & 0xffffffffUL;
+}
+
+double rnd_unit(void)
+{
+    double hi = (double)(rnd_bits() >> 5);
+
+    return (hi * 67108864.0 + (double)(rnd_bits() >> 6)) /
+           9007199254740992.0;
+}
+
+int rnd_below(int n)
+{
+    return (int)(rnd_bits() % (unsigned long)n);
+}
+
+static long passed, failed;
+
+void test_result(const char *name, long faults)
+{
+    if (faults == 0) {
+        passed++;
+        printf("ok      %s\n", name);
+    } else {
+        failed++;
+        printf("FAILED  %s: %ld faults\n", name, faults);
+    }
+    fflush(stdout);
+}
+
+int test_end(const char *program)
+{
+    printf("%s: %ld passed, %ld failed\n", program, passed, failed);
+    return failed > 0;
+}

@@ -1,0 +1,79 @@
+/* exact.h - exact integer arithmetic, random numbers and the count of passed
+ * and failed tests.
+ *
+ * Numbers are a sign and a magnitude in base 2^16.  The arithmetic shares no
+ * method with hhpred.c (which keeps integers in doubles), so that a fault
+ * would have to be made twice to go unseen.
+ *
+ * A number of EX_DIGITS digits holds a determinant of degree 5 in
+ * differences of any two finite doubles: 5 * 2099 bits and a few.  What
+ * exceeds that stops the program.
+ */
+#ifndef EXACT_H
+#define EXACT_H
+
+#define EX_DIGITS 720
+
+typedef struct ex_num {
+    int sign;                   /* -1, 0, 1 */
+    int len;                    /* digits in use, the last one not 0 */
+    unsigned long d[EX_DIGITS]; /* least significant first */
+} ex_num;
+
+void ex_copy(ex_num *r, const ex_num *a);
+void ex_int(ex_num *r, long v);
+/* r may be a or b in the sum and the difference, not in the product. */
+void ex_add(ex_num *r, const ex_num *a, const ex_num *b);
+void ex_sub(ex_num *r, const ex_num *a, const ex_num *b);
+void ex_mul(ex_num *r, const ex_num *a, const ex_num *b);
+/* r times 2^bits, bits >= 0 */
+void ex_shift(ex_num *r, int bits);
+/* number of bits of the magnitude */
+int ex_bits(const ex_num *a);
+/* the sign of a - b */
+int ex_cmp(const ex_num *a, const ex_num *b);
+
+/* The exponent of the lowest bit of x, or low if that is less. */
+int ex_low(double x, int low);
+#define EX_NO_LOW 9999
+/* r = x / 2^low, an integer when low <= ex_low(x, low). */
+void ex_real(ex_num *r, double x, int low);
+/* a = m * 2^*e with 0.5 <= |m| < 1 rounded to a long double, or m = 0. */
+long double ex_value(const ex_num *a, int *e);
+
+/* r = a . b and r = a x b, three components each */
+void ex_dot(ex_num *r, const ex_num *a, const ex_num *b);
+void ex_cross(ex_num *r, const ex_num *a, const ex_num *b);
+
+/* det [b-a c-a d-a] in units of 2^(3 low) */
+void ex_volume(ex_num *r, int low, const double *a, const double *b,
+               const double *c, const double *d);
+
+/* The signs that hh_orient and hh_insphere promise. */
+int ex_orient(const double *a, const double *b, const double *c,
+              const double *d);
+int ex_insphere(const double *a, const double *b, const double *c,
+                const double *d, const double *e);
+/* The sign of the insphere determinant of the five points p (positive for
+ * p[4] inside the ball of the others when det [p0-p3 p1-p3 p2-p3] > 0) after
+ * the lifted height |p|^2 of point k is lowered by e_i, i = index[k], with
+ * e_0 >> e_1 >> ... > 0.  The e_i are put in as actual numbers, powers of two
+ * far enough apart: no rule for ties is made use of.  0 only when the five
+ * points are coplanar. */
+int ex_perturbed(const double *const *p, const int *index);
+/* 1 when a, b, c lie on one line */
+int ex_collinear(const double *a, const double *b, const double *c);
+
+/* Reproducible random numbers: rnd_bits gives 32 bits, rnd_unit a value in
+ * [0, 1) with 53 bits, rnd_below one of 0 ... n-1. */
+void rnd_seed(unsigned long seed);
+unsigned long rnd_bits(void);
+double rnd_unit(void);
+int rnd_below(int n);
+
+/* test_result - count and print one test of that name, passed if it had no
+ * fault.  test_end - print the counts; the exit code of the program. */
+void test_result(const char *name, long faults);
+int test_end(const char *program);
+
+#endif

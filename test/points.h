@@ -1,0 +1,68 @@
+/* points.h - families of test points.
+ *
+ * The same points on every machine with 53-bit doubles: random bits come from
+ * a counter that is hashed in 32-bit integer arithmetic, and what is done
+ * with them is exact, or rounded once to the same result with or without
+ * extended precision and fused multiply-add.  Families marked * are the
+ * exceptions: they call sqrt, sin or cos or add rounded products, and their
+ * last bits may differ from one machine or compiler to another.
+ *
+ *   uniform      unit cube
+ *   ball         unit ball
+ *   clusters     50 gaussian clusters, of deviation 2^-6, in the unit cube
+ *   decimal3     multiples of 1/1000, 0.1 point per unit volume, like atoms
+ *   twoscale     half in a cube of edge 1, half in one of edge 2^-10 inside it
+ *   aniso        uniform, z * 2^-10
+ *   planenoise   uniform, z * 2^-20
+ *   lattice      integer cubic lattice
+ *   lattice01    the same with 0.1 * i
+ *   latticeshuf  lattice in random order
+ *   jitlattice   lattice moved by up to 2^-33 (1.2e-10)
+ *   grid11eps    cubic grid in [0,1] (11^3 for n = 1331), one coordinate in
+ *                ten moved by 2^-52
+ *   bcc, fcc     body- and face-centred cubic lattice
+ *   spherenorm*  random directions divided by their length
+ *   spherejit*   the same with radii wrong by up to 1e-6
+ *   spherei      all integer points with x^2 + y^2 + z^2 = R^2, R integer, of
+ *                the R that has most of them but not more than n; any order
+ *   ellipsoid*   spherenorm times 1, 0.7, 0.4
+ *   spiral*      golden-angle spiral on the unit sphere
+ *   cylinder*    rings on a cylinder, about sqrt(n) of sqrt(n) points
+ *   cylinderrnd* random points on a cylinder
+ *   prism*       two regular polygons, one above the other
+ *   helix*       n points on 20 turns
+ *   moment       (t, t^2, t^3), t = 1 ... n over a power of two
+ *   twolines     half on each of two skew lines
+ *   planeone     integer grid in a plane and one point off it
+ *   planespread  random points in a plane and one point off it
+ *   paraboloid   integer grid lifted to z = x^2 + y^2
+ *   cubesurf     random points on the faces of a cube
+ *   rotcube*     cubesurf rotated about no axis in particular
+ *   duplicates   uniform, every point about three times, shuffled
+ *   pairs        uniform, in pairs 2^-43 (1.1e-13) apart in each
+ *                coordinate
+ *   farpoint     uniform, and one point at 1e9
+ *   offset       uniform + 1e8
+ *   tiny, huge   uniform times 2^-200, 2^200 (6e-61, 1.6e60)
+ *   wide         coordinates with random signs and exponents -1000 ... 1000
+ */
+#ifndef POINTS_H
+#define POINTS_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* points_make - fill p, of 3*n doubles, with at most n points of a family.
+ * Returns how many: a family of a fixed shape rounds n down (lattice to k^3,
+ * for instance).  0 for an unknown family, or an n too small for it. */
+long points_make(const char *family, long n, unsigned long seed, double *p);
+
+/* points_name - the name of family i = 0, 1, ...; 0 past the last one. */
+const char *points_name(int i);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
