@@ -54,7 +54,7 @@ typedef long whole;
  * extended precision, contraction or reassociation.
  * --------------------------------------------------------------------- */
 
-/* split - the n limbs of x, limb 0 of weight top = BASE^k, |x| <= top *
+/* split - the n limbs of x, limb 0 of weight top, a power of two, |x| <= top
  * BASE/2.  Returns 0, or UNSURE when n limbs do not hold x. */
 static int split(double x, double top, int n, double *limb)
 {
@@ -65,7 +65,10 @@ static int split(double x, double top, int n, double *limb)
         for (x *= SHIFT; i < SKIP && i < n; i++) limb[i] = 0.0;
     while (i < n && x != 0.0) {
         q = x * unit;
-        limb[i] = (double)(whole)(q + (q < 0.0 ? -0.5 : 0.5));
+        /* to nearest, without a sum that might round: x stays exact */
+        limb[i] = (double)(whole)q;
+        if (q - limb[i] > 0.5) limb[i] += 1.0;
+        if (q - limb[i] < -0.5) limb[i] -= 1.0;
         x -= limb[i] * top;
         top *= 1.0 / BASE;
         unit *= BASE;
@@ -232,21 +235,20 @@ static int limbsx(int np, const double *q, double top)
     return limbsg(np, q, top, HH_LIMBS, work);
 }
 
-/* weight - the weight BASE^k of limb 0 of numbers of at most most > 0, from
- * a first guess. */
-static double weight(double most, double guess)
+/* weight - the weight of limb 0 of numbers of at most most > 0: most fills
+ * it. */
+static double weight(double most)
 {
-    double top = guess;
+    int e;
 
-    while (top * (0.5 * BASE) < most) top *= BASE;
-    while (top * 0.5 >= most) top /= BASE;
-    return top;
+    frexp(most, &e);
+    return ldexp(1.0, e + 1 - HH_BITS);
 }
 
 /* exact - limbsg with as many limbs as it takes; alters q. */
 static int exact(int np, double *q)
 {
-    double most = 0.0, top = 1.0;
+    double most = 0.0, top;
     int i, sign;
 
     for (i = 0; i < 3 * np; i++) {
@@ -257,9 +259,8 @@ static int exact(int np, double *q)
     if (most < LOW) {
         for (i = 0; i < 3 * np; i++) q[i] *= SHIFT;
         most *= SHIFT;
-        top = SHIFT;
     }
-    top = weight(most, top);
+    top = weight(most);
     sign = limbs3(np, q, top);
 #if HH_LIMBS > 10
     if (sign == UNSURE) sign = limbs10(np, q, top);
@@ -488,7 +489,7 @@ int hh_wider(double a, double b, double c, double d)
 {
     double x = 0.25 * a - 0.25 * b, y = 0.25 * c - 0.25 * d;
     double err = 4.0 * DBL_EPSILON * (x + y) + TINY;
-    double q[4], work[2 * HH_LIMBS], top = 1.0, most = 0.0;
+    double q[4], work[2 * HH_LIMBS], top, most = 0.0;
     int i, sign;
 
     if (x - y > err) return 1;
@@ -502,9 +503,8 @@ int hh_wider(double a, double b, double c, double d)
     if (most < LOW) {
         for (i = 0; i < 4; i++) q[i] *= SHIFT;
         most *= SHIFT;
-        top = SHIFT;
     }
-    top = weight(most, top);
+    top = weight(most);
     sign = widersg(q, top, 3, work);
     return sign == UNSURE ? widersg(q, top, HH_LIMBS, work) : sign;
 }
@@ -516,8 +516,8 @@ int hh_range(double x, double most)
     double limb[HH_LIMBS];
 
     if (most < LOW)
-        return split(x * SHIFT, weight(most * SHIFT, SHIFT), HH_LIMBS, limb);
-    return split(x, weight(most, 1.0), HH_LIMBS, limb);
+        return split(x * SHIFT, weight(most * SHIFT), HH_LIMBS, limb);
+    return split(x, weight(most), HH_LIMBS, limb);
 }
 
 /* hh_pside - hh_orient for the positions i, j, k, l of the set s. */

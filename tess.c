@@ -41,6 +41,7 @@
 #define LEAF 24
 /* Points that share one list of candidates. */
 #define GROUP 4
+#define MARGIN 0.65
 /* A box narrower than this has no list: its unit might overflow. */
 #define NARROW (DBL_MIN * 1e8)
 /* Single precision misses a list's box by less, in its units. */
@@ -528,7 +529,7 @@ static void block(mesh *m, tess_int s)
     tess_int leaf = leafof(m, s), i;
     const double *b = m->box + 6 * (m->leaves + leaf);
     double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half = 0.0;
-    double margin = 0.5 * sqrt(x * x + y * y + z * z);
+    double margin = MARGIN * sqrt(x * x + y * y + z * z);
     list *l = &m->block;
     int k, full = 1;
 
@@ -652,37 +653,41 @@ static int behind(const quest *f, const double *lo, const double *hi)
     return f->f[9] < 1.0 && side < -f->f[9] * size;
 }
 
-/* contained - is that part of the ball that may have points, its part in the
+/* outside - is there no point of the ball in that part of the root's box in
+ * which coordinate k is between lo and hi? */
+static int outside(const mesh *m, const quest *f, int k, double lo, double hi)
+{
+    const double *root = m->box + 6;
+    double from[3], to[3];
+    int i;
+
+    if (lo >= hi) return 1;
+    for (i = 0; i < 3; i++) {
+        from[i] = root[i];
+        to[i] = root[3 + i];
+    }
+    from[k] = lo;
+    to[k] = hi;
+    return region(f, from, to) > 0.0;
+}
+
+/* contained - is the part of the ball that may have points, its part in the
  * root's box, inside the box of a list? */
 static int contained(const mesh *m, const quest *f, const list *l)
 {
     const double *root = m->box + 6;
     double r = sqrt(f->c[0] * f->c[0] + f->c[1] * f->c[1] + f->c[2] * f->c[2]);
-    double lo[3], hi[3];
     int k;
 
     if (l->n == 0) return 0;
     r = r * (1.0 + 1e-9) + f->dc;
-    for (k = 0; k < 3; k++)
-        if (f->c[k] - r < l->lo[k] - f->f[6 + k] ||
-            f->c[k] + r > l->hi[k] - f->f[6 + k])
-            break;
-    if (k == 3) return 1;
     for (k = 0; k < 3; k++) {
-        lo[k] = root[k];
-        hi[k] = root[3 + k];
-    }
-    for (k = 0; k < 3; k++) {
-        if (root[k] < l->lo[k]) {
-            hi[k] = l->lo[k];
-            if (region(f, lo, hi) <= 0.0) return 0;
-            hi[k] = root[3 + k];
-        }
-        if (root[3 + k] > l->hi[k]) {
-            lo[k] = l->hi[k];
-            if (region(f, lo, hi) <= 0.0) return 0;
-            lo[k] = root[k];
-        }
+        if (f->c[k] - r < l->lo[k] - f->f[6 + k] &&
+            !outside(m, f, k, root[k], l->lo[k]))
+            return 0;
+        if (f->c[k] + r > l->hi[k] - f->f[6 + k] &&
+            !outside(m, f, k, l->hi[k], root[3 + k]))
+            return 0;
     }
     return 1;
 }
@@ -898,7 +903,8 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     prepare(m, &f, v);
     for (k = 0; k < 2; k++)
         if (guess[k] != NONE) consider(m, &f, guess[k]);
-    if (!f.ball) nearest(m, &f, &m->group);
+    if (f.ball && scan(m, &f, &m->group)) return f.best;
+    nearest(m, &f, &m->group);
     if (f.ball && (scan(m, &f, &m->group) || scan(m, &f, &m->block)))
         return f.best;
     if (f.best == NONE && onhull(m, &f)) return NONE;

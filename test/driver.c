@@ -608,9 +608,9 @@ int main(int argc, char **argv)
         (long)n, 2.1e-6 * (double)n);
     begin = clock();
     code = tess(n, p, maxtet, &ntet, tet, adj, liw, iw, lrw, rw);
-    if (code == TESS_POOL && liw < fit(MAXIW)) {
+    while (code == TESS_POOL && liw < fit(MAXIW)) {
         say("more room for open facets ...");
-        liw = fit(MAXIW);
+        liw = liw < fit(MAXIW) / 2 ? 2 * liw : fit(MAXIW);
         code = tess_resume(n, p, maxtet, &ntet, tet, adj, liw, iw, lrw, rw);
     }
     seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
