@@ -58,11 +58,15 @@ typedef long whole;
  * BASE/2.  Returns 0, or UNSURE when n limbs do not hold x. */
 static int split(double x, double top, int n, double *limb)
 {
-    double unit = 1.0 / top, q;
+    double unit, q;
     int i = 0;
 
-    if (x != 0.0 && (x < 0.0 ? -x : x) < top * (0.5 / SHIFT))
+    if (x != 0.0 && fabs(x) < top * (0.5 / SHIFT))
         for (x *= SHIFT; i < SKIP && i < n; i++) limb[i] = 0.0;
+    /* a limb 0 rounded up may weigh more than the largest double */
+    x /= BASE;
+    top /= BASE;
+    unit = 1.0 / top;
     while (i < n && x != 0.0) {
         q = x * unit;
         /* to nearest, without a sum that might round: x stays exact */
@@ -99,15 +103,21 @@ static void carry(int n, double *r)
  * of r weighs BASE times the product of the two limbs 0.
  *
  * With |limbs| of at most BASE, 31 products fit one limb of r.  A call
- * leaves at most 10 rows uncarried, so three calls may share one carry. */
+ * leaves at most 10 rows uncarried, so three calls may share one carry.
+ * Numbers of many limbs are mostly zeros, whose rows are left out. */
 static void produc(int na, const double *a, int nb, const double *b, int sign,
                    double *r)
 {
     double f;
-    int i, j;
+    int i, j, rows = 0;
 
     for (i = 0; i < na; i++) {
-        if (i > 0 && i % 10 == 0) carry(na + nb, r);
+        if (a[i] == 0.0) continue;
+        if (rows == 10) {
+            carry(na + nb, r);
+            rows = 0;
+        }
+        rows++;
         f = sign * a[i];
         for (j = 0; j < nb; j++) r[i + j + 1] += f * b[j];
     }
@@ -616,7 +626,7 @@ static void house(const double *a, const double *b, frame *h)
     h->u1[1] = a[1];
     h->u1[2] = a[2];
     t = norm * (norm + fabs(a[0]));
-    h->b1 = t > 0.0 ? 1.0 / t : 0.0;
+    h->b1 = t > DBL_MIN ? 1.0 / t : 0.0;
 
     t = h->b1 * (h->u1[0] * b[0] + h->u1[1] * b[1] + h->u1[2] * b[2]);
     h->r12 = b[0] - t * h->u1[0];
@@ -627,7 +637,7 @@ static void house(const double *a, const double *b, frame *h)
     h->u2[0] = q1 - h->r22;
     h->u2[1] = q2;
     t = norm * (norm + fabs(q1));
-    h->b2 = t > 0.0 ? 1.0 / t : 0.0;
+    h->b2 = t > DBL_MIN ? 1.0 / t : 0.0;
 }
 
 /* reflec - z = Q1 Q2 (y1, y2, y3). */
@@ -677,29 +687,30 @@ void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
 }
 
 /* hh_bound - the side of z and its L-coordinate with a bound.  Returns 1 when
- * z is certainly on the positive side: then *l is L and *dl its greatest
- * error; -1 when it is certainly on the negative side; 0 when neither is
- * certain.  |w|_1 stands for |w| in the bounds: it does not underflow. */
+ * z is certainly on the positive side, and not too near to the plane: then *l
+ * is L and *dl its greatest error; -1 when it is certainly on the negative
+ * side; 0 when neither is certain.
+ *
+ * |w|_1 stands for |w| in the bounds: it does not underflow.  A side of more
+ * than twice its error leaves a gap of at least half of it, which spares a
+ * division. */
 int hh_bound(const double *f, const double *z, double *l, double *dl)
 {
     double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
-    double size = fabs(w0) + fabs(w1) + fabs(w2), err, side, gap;
+    double size = fabs(w0) + fabs(w1) + fabs(w2);
+    double side = f[0] * w0 + f[1] * w1 + f[2] * w2, err = f[9] * size, half;
 
-    if (size > SMALL && f[9] < 1.0) {
-        side = f[0] * w0 + f[1] * w1 + f[2] * w2;
-        err = f[9] * size;
-        gap = side - err;
-        if (gap > SMALL) {
-            *l = (w0 * w0 + w1 * w1 + w2 * w2 -
-                  2.0 * (f[3] * w0 + f[4] * w1 + f[5] * w2)) / (2.0 * side);
-            *dl = size * (DBL_EPSILON * (3.0 * size + 5.0 * f[11]) + f[10] +
-                          fabs(*l) * f[9]) / gap +
-                  4.0 * DBL_EPSILON * fabs(*l);
-            return 1;
-        }
-        if (-side > err) return -1;
+    if (size < SMALL || f[9] >= 1.0) return 0;
+    if (side > 2.0 * err && side > SMALL) {
+        half = 0.5 / side;
+        *l = (w0 * (w0 - 2.0 * f[3]) + w1 * (w1 - 2.0 * f[4]) +
+              w2 * (w2 - 2.0 * f[5])) * half;
+        *dl = size * (DBL_EPSILON * (3.0 * size + 5.0 * f[11]) + f[10] +
+                      fabs(*l) * f[9]) * (4.0 * half) +
+              4.0 * DBL_EPSILON * fabs(*l);
+        return 1;
     }
-    return 0;
+    return -side > err ? -1 : 0;
 }
 
 int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
@@ -718,15 +729,15 @@ int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
         f[6 + k] = p1[k];
     }
     f[11] = ldexp(f[11], e);
-    if (f[9] < 1.0) {
-        f[10] = ldexp(f[10], e);
-        return 0;
-    }
+    if (f[10] < DBL_MAX) f[10] = ldexp(f[10], e);
+    if (f[9] < 1.0) return 0;
     for (k = 0; k < 3; k++)
         if (hh_flat(k, p1, p2, p3) != 0) line = 0;
-    if (line)
-        for (k = 0; k < 12; k++)
-            if (k < 6 || k == 11) f[k] = 0.0;
+    if (line) {
+        for (k = 0; k < 6; k++) f[k] = 0.0;
+        f[9] = f[10] = DBL_MAX;
+        f[11] = 0.0;
+    }
     return line;
 }
 

@@ -84,7 +84,8 @@ extern "C" {
  *   computed L is wrong by at most
  *       dL = |w| (eps (3 |w| + 5 rho) + dc + |L| E) / g + 4 eps |L|,
  *   eps = DBL_EPSILON; derived in hhpred.c.  These bounds hold as long as
- *   |w| and the facet's edges stay between about 2^-450 and 2^450.
+ *   |w| and the facet's edges stay between about 2^-450 and 2^450; a
+ *   circumcentre beyond DBL_MAX is infinite.
  */
 int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
              double *f);

@@ -14,8 +14,8 @@
  * its own state:
  *   star   s = the first vertex of the last tetrahedron, if it has an open
  *          facet; else the vertex of least position that has one
- *   facet  of the open facets at s the one of the latest tetrahedron, and in
- *          it of least k
+ *   facet  of the open facets at s the one of the earliest tetrahedron, and
+ *          in it of greatest k
  *
  * Decisions.  All that decides what tet and adj hold is exact: comparisons
  * of the caller's coordinates, or predicates of hhpred.  Floating point here
@@ -33,15 +33,53 @@
 #include "tess.h"
 #include <math.h>
 
+/* Counts for the benchmark: what happens how often, in a build of its own. */
+#ifdef TESS_COUNT
+extern double tess_count[];
+#define COUNT(which, n) (tess_count[which] += (double)(n))
+#else
+#define COUNT(which, n)
+#endif
+#define N_FACET 0  /* searches for an apex                  */
+#define N_GROUP 1  /* ended in a group's list,              */
+#define N_BLOCK 2  /* in a block's                          */
+#define N_TREE 3   /* in the tree                           */
+#define N_NODE 4   /* nodes of the tree looked at           */
+#define N_POINT 5  /* candidates looked at one by one       */
+#define N_EXACT 6  /* comparisons left to the exact predicates */
+#define N_LIST 7   /* points of lists tested                */
+#define N_POOL 8   /* largest number of facets in the pool  */
+#define N_HULL 9   /* searches that found nothing           */
+
 #define NONE (-1)
 #define DONE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
 
-/* Points in a leaf of the tree, at most. */
-#define LEAF 24
+/* Points in a leaf of the tree, at most; a block of the lists is a leaf. */
+#define LEAF 48
 /* Points that share one list of candidates. */
-#define GROUP 4
-#define MARGIN 0.65
+#define GROUP 8
+/* A block's list reaches REACH times the side of a cube with one point of the
+ * leaf from its box, a group's NEAR times as far.  On uniform points that is
+ * about 200 and 90 points; 89 % of the searches end in the group's list, 9 %
+ * in the block's. */
+#define REACH 2.75
+#define NEAR 0.7
+/* Capacity of a list.  Lists only say where to look first. */
+#ifndef TESS_LIST
+#define TESS_LIST 512
+#endif
+/* Depth of the tree plus one, at most. */
+#define DEPTH 64
+/* Hull planes that are remembered. */
+#define PLANES 4
+/* Integers of an entry of the pool, and of an edge of the link. */
+#define ENTRY 4
+#define EDGE 6
+/* Pool and edges, at least. */
+#define LEAST 512
+/* Pool that is recommended beyond 4 n in any case, up to 8 n. */
+#define MUCH 320000L
 /* A box narrower than this has no list: its unit might overflow. */
 #define NARROW (DBL_MIN * 1e8)
 /* Single precision misses a list's box by less, in its units. */
@@ -63,6 +101,8 @@
 #define EDGE 6
 /* Pool and edges, at least. */
 #define LEAST 512
+/* Pool that is recommended beyond 4 n in any case, up to 8 n. */
+#define MUCH 320000L
 
 /* A list of the uncompleted points in a box, in single precision: offsets
  * from the box's centre in units of its half width. */
@@ -93,6 +133,7 @@ typedef struct mesh {
     tess_int np;              /* distinct points */
     tess_int maxtet, ntet;
     tess_int *tet, *adj;
+    double reach;             /* a block's margin, in its diagonals */
     tess_int leaves;          /* a power of two; node i has the children */
     tess_int *alive;          /* 2i, 2i+1, leaf j is node leaves + j.  Leaf: */
     double *box;              /* uncompleted points; else: children alive */
@@ -101,7 +142,7 @@ typedef struct mesh {
     tess_int *link;           /* owns; first open edge of the link from it */
     tess_int *pool, room;     /* pool and edges, and their length */
     tess_int m, nopen;        /* entries of the pool, and those in use */
-    tess_int nedge;           /* edges, dead ones included */
+    tess_int oldest, nedge;   /* edges of the link: oldest ... nedge-1 */
     tess_int low;             /* no vertex of a smaller position owns facets */
     tess_int plane[PLANES][3];
     int nplane, nextplane;
@@ -170,8 +211,14 @@ static void partit(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
         i = lo;
         j = hi - 1;
         while (i <= j) {
-            while (i <= j && before(m, i, axis, q, number)) i++;
-            while (i <= j && !before(m, j, axis, q, number)) j--;
+            while (i <= j && (m->x[3 * i + axis] < q[axis] ||
+                              (m->x[3 * i + axis] == q[axis] &&
+                               before(m, i, axis, q, number))))
+                i++;
+            while (i <= j && (m->x[3 * j + axis] > q[axis] ||
+                              (m->x[3 * j + axis] == q[axis] &&
+                               !before(m, j, axis, q, number))))
+                j--;
             if (i < j) swap(m, i++, j--);
         }
         /* lo ... i-1 precede the pivot, i ... hi-1 do not */
@@ -440,11 +487,10 @@ static void takeout(mesh *m, tess_int e, tess_int owner)
  * an edge of the link. */
 static int widen(mesh *m, tess_int s, tess_int wanted)
 {
-    tess_int most = m->room / ENTRY, code, v[3], e;
+    tess_int most = (m->room - m->room / 8) / ENTRY, code, v[3], e;
 
     if (most > (m->room - EDGE * (m->nedge + 2)) / ENTRY)
         most = (m->room - EDGE * (m->nedge + 2)) / ENTRY;
-    most -= most / 4;
     if (wanted > most) wanted = most;
     if (wanted <= m->m) return TESS_POOL;
     for (e = 0; e < wanted; e++) m->pool[ENTRY * e] = NONE;
@@ -522,14 +568,13 @@ static int harvest(const mesh *m, list *l, tess_int own)
 }
 
 /* block - make the list of the leaf of star s: its points, in order, then the
- * uncompleted ones around it.  The margin of half a diagonal gives about 200
- * points on uniform data; it shrinks until they fit. */
+ * uncompleted ones around it.  The margin shrinks until they fit. */
 static void block(mesh *m, tess_int s)
 {
     tess_int leaf = leafof(m, s), i;
     const double *b = m->box + 6 * (m->leaves + leaf);
     double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half = 0.0;
-    double margin = MARGIN * sqrt(x * x + y * y + z * z);
+    double margin = m->reach * sqrt(x * x + y * y + z * z);
     list *l = &m->block;
     int k, full = 1;
 
@@ -563,7 +608,7 @@ static void gather(mesh *m, tess_int s)
 {
     list *l = &m->block, *g = &m->group;
     float lo[3], hi[3], margin;
-    int i, j, k, n = 0, pick[TESS_LIST];
+    int i, j, k, n = 0, in[TESS_LIST], pick[TESS_LIST];
 
     if (s < l->first || s >= l->last) block(m, s);
     if (s >= g->first && s < g->last) return;
@@ -584,7 +629,7 @@ static void gather(mesh *m, tess_int s)
             lo[2] = l->z[i] < lo[2] ? l->z[i] : lo[2];
             hi[2] = l->z[i] > hi[2] ? l->z[i] : hi[2];
         }
-    margin = (float)(l->margin * l->unit);
+    margin = (float)(NEAR * l->margin * l->unit);
     for (k = 0; k < 3; k++) {
         lo[k] -= margin;
         hi[k] += margin;
@@ -596,10 +641,12 @@ static void gather(mesh *m, tess_int s)
         if (g->hi[k] > l->hi[k]) g->hi[k] = l->hi[k];
     }
     g->unit = l->unit;
+    for (i = 0; i < l->n; i++)
+        in[i] = (l->x[i] >= lo[0]) & (l->x[i] <= hi[0]) & (l->y[i] >= lo[1]) &
+                (l->y[i] <= hi[1]) & (l->z[i] >= lo[2]) & (l->z[i] <= hi[2]);
     for (i = 0; i < l->n; i++) {
         pick[n] = i;
-        n += (l->x[i] >= lo[0]) & (l->x[i] <= hi[0]) & (l->y[i] >= lo[1]) &
-             (l->y[i] <= hi[1]) & (l->z[i] >= lo[2]) & (l->z[i] <= hi[2]);
+        n += in[i];
     }
     for (i = 0; i < n; i++) {
         j = pick[i];
@@ -698,11 +745,17 @@ static int contained(const mesh *m, const quest *f, const list *l)
 static void consider(const mesh *m, quest *f, tess_int z)
 {
     const double *q = m->x + 3 * z;
+    double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8];
     double l = 0.0, dl = 0.0;
     int side, k;
 
+    COUNT(N_POINT, 1);
     if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
-    if (f->ball && region(f, q, q) > 0.0) return;
+    if (f->ball &&
+        w0 * (w0 - 2.0 * f->c[0]) + w1 * (w1 - 2.0 * f->c[1]) +
+        w2 * (w2 - 2.0 * f->c[2]) >
+            blur(f, fabs(w0) + fabs(w1) + fabs(w2)))
+        return;
     side = hh_bound(f->f, q, &l, &dl);
     if (side < 0) return;
     if (side == 0 && hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z) <= 0)
@@ -710,6 +763,7 @@ static void consider(const mesh *m, quest *f, tess_int z)
     if (f->best != NONE &&
         (side == 0 || !f->sure || l + dl >= f->l - f->dl)) {
         if (side != 0 && f->sure && l - dl > f->l + f->dl) return;
+        COUNT(N_EXACT, 1);
         /* the best point is on the positive side */
         if (hh_pball(&m->set, f->v[0], f->v[1], f->v[2], f->best, z) > 0)
             return;
@@ -753,31 +807,45 @@ static int aim(const list *l, const quest *f, const double *c, float *d)
     return size < 1e6;
 }
 
-/* count - how many points of a list pass aim's test. */
-static int count(const list *l, const float *d)
+/* scan - consider all points of a list that pass aim's test.  Of those the
+ * vertices of the facet and the best point, which are on the ball, are the
+ * first four. */
+static void scan(const mesh *m, quest *f, const list *l, const float *d)
 {
     float dx = d[0], dy = d[1], dz = d[2], most = d[3];
-    int i, n = 0;
+    int i, j, n = 0, in[TESS_LIST + 3];
 
-    for (i = 0; i < l->n; i++)
-        n += l->r[i] - (dx * l->x[i] + dy * l->y[i] + dz * l->z[i]) < most;
-    return n;
+    COUNT(N_LIST, l->n);
+    for (i = 0; i < l->n; i++) {
+        in[i] = l->r[i] - (dx * l->x[i] + dy * l->y[i] + dz * l->z[i]) < most;
+        n += in[i];
+    }
+    if (n <= 4) return;
+    in[i] = in[i + 1] = in[i + 2] = 0;
+    for (i = 0; i < l->n; i += 4)
+        if (in[i] | in[i + 1] | in[i + 2] | in[i + 3])
+            for (j = i; j < i + 4; j++)
+                if (in[j]) consider(m, f, l->id[j]);
 }
 
-/* scan - finish a search by a list, if its ball lies in the list's box.  But
- * for the four points on the ball, which are in the list, what passes the
- * test is looked at exactly. */
-static int scan(const mesh *m, quest *f, const list *l)
+/* inlists - finish a search that has a ball by the lists, which have common
+ * units.  A better point's ball has no more on the open side than the one
+ * before it (Lemma 3), and nothing on the other, so that one pass over a list
+ * is enough, if the last ball lies in its box. */
+static int inlists(const mesh *m, quest *f)
 {
     float d[4];
-    int i;
 
-    if (!contained(m, f, l) || !aim(l, f, f->c, d)) return 0;
-    if (count(l, d) > 4)
-        for (i = 0; i < l->n; i++)
-            if (l->r[i] - (d[0] * l->x[i] + d[1] * l->y[i] + d[2] * l->z[i]) <
-                d[3])
-                consider(m, f, l->id[i]);
+    if (!aim(&m->group, f, f->c, d)) return 0;
+    scan(m, f, &m->group, d);
+    if (contained(m, f, &m->group)) {
+        COUNT(N_GROUP, 1);
+        return 1;
+    }
+    if (!aim(&m->block, f, f->c, d)) return 0;
+    scan(m, f, &m->block, d);
+    if (!contained(m, f, &m->block)) return 0;
+    COUNT(N_BLOCK, 1);
     return 1;
 }
 
@@ -834,6 +902,7 @@ static void search(const mesh *m, quest *f)
     stack[depth++] = 1;
     while (depth > 0) {
         node = stack[--depth];
+        COUNT(N_NODE, 1);
         b = m->box + 6 * node;
         if (m->alive[node] == 0 || behind(f, b, b + 3) ||
             (f->ball && region(f, b, b + 3) > 0.0))
@@ -900,16 +969,17 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     quest f;
     int k;
 
+    COUNT(N_FACET, 1);
     prepare(m, &f, v);
     for (k = 0; k < 2; k++)
         if (guess[k] != NONE) consider(m, &f, guess[k]);
-    if (f.ball && scan(m, &f, &m->group)) return f.best;
-    nearest(m, &f, &m->group);
-    if (f.ball && (scan(m, &f, &m->group) || scan(m, &f, &m->block)))
-        return f.best;
+    if (!f.ball) nearest(m, &f, &m->group);
+    if (f.ball && inlists(m, &f)) return f.best;
     if (f.best == NONE && onhull(m, &f)) return NONE;
+    COUNT(N_TREE, 1);
     search(m, &f);
     if (f.best == NONE) {
+        COUNT(N_HULL, 1);
         for (k = 0; k < 3; k++) m->plane[m->nextplane][k] = v[k];
         m->nextplane = (m->nextplane + 1) % PLANES;
         if (m->nplane < PLANES) m->nplane++;
@@ -920,8 +990,9 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 /* ---- the star of a vertex ----
  *
  * The open facets at s are the edges a -> b of its link: (s, a, b) is
- * positive towards the unknown side.  They are a stack that grows down from
- * the end of the pool, EDGE integers each: */
+ * positive towards the unknown side.  They are a queue, which keeps the link's
+ * boundary short, and grow down from the end of the pool, EDGE integers each:
+ */
 #define CODE 0  /* the facet's code; START for the first facet; DEAD */
 #define FROM 1  /* a */
 #define TO 2    /* b */
@@ -934,6 +1005,24 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 static tess_int *edge(const mesh *m, tess_int e)
 {
     return m->pool + (m->room - EDGE * (e + 1));
+}
+
+/* renumber - number the edges from 0 on again. */
+static void renumber(mesh *m)
+{
+    tess_int shift = m->oldest, e, *p, *q;
+    int k;
+
+    for (e = shift; e < m->nedge; e++) {
+        p = edge(m, e);
+        q = edge(m, e - shift);
+        if (p[CODE] != DEAD && m->link[p[FROM]] == e)
+            m->link[p[FROM]] = e - shift;
+        for (k = 0; k < EDGE; k++)
+            q[k] = k >= PREV && p[k] != NONE ? p[k] - shift : p[k];
+    }
+    m->nedge -= shift;
+    m->oldest = 0;
 }
 
 /* push - a new edge a -> b without neighbours, if there is room: its number,
@@ -972,7 +1061,11 @@ static void kill(mesh *m, tess_int e)
         edge(m, i)[CHAIN] = p[CHAIN];
     }
     p[CODE] = DEAD;
-    while (m->nedge > 0 && edge(m, m->nedge - 1)[CODE] == DEAD) m->nedge--;
+    while (m->nedge > m->oldest && edge(m, m->nedge - 1)[CODE] == DEAD)
+        m->nedge--;
+    while (m->nedge > m->oldest && edge(m, m->oldest)[CODE] == DEAD)
+        m->oldest++;
+    if (m->nedge == m->oldest) m->nedge = m->oldest = 0;
 }
 
 /* between - the edge a -> b of the link, or NONE. */
@@ -1088,7 +1181,7 @@ static void follow(mesh *m)
 }
 
 /* load - move the facets that s owns from the pool to the link, the oldest
- * at the bottom of the stack; 0 if there is no room. */
+ * first; 0 if there is no room. */
 static int load(mesh *m, tess_int s)
 {
     tess_int e = m->head[s];
@@ -1118,11 +1211,11 @@ static void complete(mesh *m, tess_int s)
     m->block.x[i] = m->block.y[i] = m->block.z[i] = FAR;
     m->block.r[i] = FAR * FAR;
     if (s < g->first || s >= g->last) return;
-    for (i = 0; i < g->n; i++)
-        if (g->id[i] == s) {
-            g->x[i] = g->y[i] = g->z[i] = FAR;
-            g->r[i] = FAR * FAR;
-        }
+    for (i = 0; i < g->n && g->id[i] != s; i++)
+        ;
+    if (i == g->n) return;
+    g->x[i] = g->y[i] = g->z[i] = FAR;
+    g->r[i] = FAR * FAR;
 }
 
 /* star - complete the star of s, whose open facets are the edges of the
@@ -1132,7 +1225,7 @@ static int star(mesh *m, tess_int s)
     tess_int *p, v[3], guess[2], e, c;
 
     while (m->nedge > 0) {
-        e = m->nedge - 1;
+        e = m->oldest;
         p = edge(m, e);
         v[0] = s;
         v[1] = p[FROM];
@@ -1152,7 +1245,11 @@ static int star(mesh *m, tess_int s)
         if (2 * m->nopen >= m->m && widen(m, s, 2 * m->m + 1) &&
             m->nopen >= m->m - m->m / 8 - 1)
             return TESS_POOL;
-        if (ENTRY * m->m > m->room - EDGE * (m->nedge + 2)) return TESS_POOL;
+        if (ENTRY * m->m > m->room - EDGE * (m->nedge + 2)) {
+            if (m->oldest <= m->nedge / 2) return TESS_POOL;
+            renumber(m);
+            e = m->oldest;
+        }
         grow(m, s, e, c);
     }
     complete(m, s);
@@ -1320,19 +1417,22 @@ static int finite3(const tess_real *p, tess_int i)
 }
 
 /* lengths - the least lengths of iw and rw, and what is recommended besides
- * as pool: 60 n^(2/3), ten times what uniform points need, and 4 n.  Returns
- * 0 if they exceed the largest tess_int. */
+ * as pool.  Uniform points need 5 n^(2/3) facets; a star of all points 2 n,
+ * which takes 12 n integers, given up to MUCH.  Returns 0 if the lengths
+ * exceed the largest tess_int. */
 static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
 {
     double c = (double)side(n);
 
     *liw = *lrw = *pool = 0;
-    /* leafcount(n) <= n/12 + 1 */
+    /* leafcount(n) <= n/24 + 1, side(n)^2 <= n + 1 */
     if (9.0 * (double)n + 60.0 * c * c + LEAST + 2.0 > (double)TESS_INT_MOST)
         return 0;
     *liw = 4 * n + 2 * leafcount(n) + LEAST;
     *lrw = 3 * n + 12 * leafcount(n);
-    *pool = 60 * side(n) * side(n) + 4 * n;
+    *pool = 60 * side(n) * side(n);
+    if (*pool < MUCH) *pool = n < MUCH / 8 ? 8 * n : MUCH;
+    *pool += 4 * n;
     return 1;
 }
 
@@ -1442,6 +1542,9 @@ static int sorted(mesh *m, tess_int n, const tess_real *p)
     code = scaled(m);
     if (code != 0) return code;
     boxes(m);
+    /* the side of a cube with its share of the leaf's points */
+    m->reach = REACH / sqrt(3.0) *
+               pow((double)m->leaves / (double)m->np, 1.0 / 3.0);
     for (i = 0; i < m->np; i++) {
         m->head[i] = NONE;
         m->link[i] = NEW;
@@ -1523,7 +1626,7 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     m.ntet = *ntet;
     m.tet = tet;
     m.adj = adj;
-    m.m = m.nopen = m.nedge = m.low = 0;
+    m.m = m.nopen = m.nedge = m.oldest = m.low = 0;
     m.nplane = m.nextplane = 0;
     m.block.first = m.block.last = m.group.first = m.group.last = NONE;
 

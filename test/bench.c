@@ -14,6 +14,10 @@
 #include "points.h"
 #include "../tess.h"
 
+#ifdef TESS_COUNT
+double tess_count[16];
+#endif
+
 /* Bounds 28 n by the largest tess_int of 32 bits. */
 #define MOST 70000000L
 
@@ -36,6 +40,11 @@ int main(int argc, char **argv)
     long asked, repeats, run;
     clock_t start;
     int code;
+#ifdef TESS_COUNT
+    static const char *name[] = {"facets", "group", "block", "tree",
+        "nodes", "candidates", "exact", "listed", "pool", "hull"};
+    int i;
+#endif
 
     asked = argc > 2 ? atol(argv[2]) : 0;
     if (asked < 1 || asked > MOST) {
@@ -67,6 +76,10 @@ int main(int argc, char **argv)
         iw = (tess_int *)take((double)liw, sizeof *iw);
         rw = (double *)take((double)lrw, sizeof *rw);
         do {
+#ifdef TESS_COUNT
+            for (i = 0; i < 16; i++)
+                tess_count[i] = 0;
+#endif
             start = clock();
             code = tess(n, p, maxtet, &ntet, tet, adj, liw, iw, lrw, rw);
             seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
@@ -91,6 +104,11 @@ int main(int argc, char **argv)
     printf("tess %s %ld %ld %.4f %.1f %.1f %.1f %d\n", argv[1], (long)n,
            (long)ntet, least, ntet > 0 ? 1e9 * least / (double)ntet : 0.0,
            work / (double)n, total / (double)n, code);
+#ifdef TESS_COUNT
+    for (i = 0; i < 10; i++)
+        printf("%s %.4f ", name[i], tess_count[i] / (double)ntet);
+    printf("\n");
+#endif
     free(p);
     return code != TESS_OK;
 }
