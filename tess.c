@@ -52,6 +52,8 @@ extern double tess_count[];
 #define N_HULL 9   /* searches that found nothing           */
 
 #define NONE (-1)
+#define UNSURE 2  /* what hh_orient and hh_insphere answer out of range */
+#define LOST 99   /* what walk answers when it has none */
 #define DONE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
 
@@ -79,7 +81,7 @@ extern double tess_count[];
 /* Pool and edges, at least. */
 #define LEAST 512
 /* Pool that is recommended beyond 4 n in any case, up to 8 n. */
-#define MUCH 320000L
+#define MUCH 320000.0
 /* A box narrower than this has no list: its unit might overflow. */
 #define NARROW (DBL_MIN * 1e8)
 /* Single precision misses a list's box by less, in its units. */
@@ -102,7 +104,7 @@ extern double tess_count[];
 /* Pool and edges, at least. */
 #define LEAST 512
 /* Pool that is recommended beyond 4 n in any case, up to 8 n. */
-#define MUCH 320000L
+#define MUCH 320000.0
 
 /* A list of the uncompleted points in a box, in single precision: offsets
  * from the box's centre in units of its half width. */
@@ -739,24 +741,31 @@ static int contained(const mesh *m, const quest *f, const list *l)
     return 1;
 }
 
-/* consider - take z as the best point of a search if it beats the one there
- * is: on the open side, and with a smaller L-coordinate (Theorem 1); ties by
- * the rule of hh_pball.  The Householder bounds decide where they can. */
-static void consider(const mesh *m, quest *f, tess_int z)
+/* take - make z the best point of a search; its L-coordinate is l, wrong by
+ * at most dl, if sure. */
+static void take(quest *f, tess_int z, int sure, double l, double dl)
 {
-    const double *q = m->x + 3 * z;
-    double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8];
-    double l = 0.0, dl = 0.0;
-    int side, k;
+    f->best = z;
+    f->sure = sure;
+    if (!sure) return;
+    f->l = l;
+    f->dl = dl;
+    f->ball = 1;
+    f->c[0] = f->f[3] + l * f->f[0];
+    f->c[1] = f->f[4] + l * f->f[1];
+    f->c[2] = f->f[5] + l * f->f[2];
+    f->size = fabs(f->c[0]) + fabs(f->c[1]) + fabs(f->c[2]);
+    f->dc = f->f[10] + dl + fabs(l) * f->f[9] + 4.0 * DBL_EPSILON * f->size;
+}
 
-    COUNT(N_POINT, 1);
-    if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
-    if (f->ball &&
-        w0 * (w0 - 2.0 * f->c[0]) + w1 * (w1 - 2.0 * f->c[1]) +
-        w2 * (w2 - 2.0 * f->c[2]) >
-            blur(f, fabs(w0) + fabs(w1) + fabs(w2)))
-        return;
-    side = hh_bound(f->f, q, &l, &dl);
+/* compare - take z if it is on the open side and beats the best point there
+ * is: if its L-coordinate is smaller (Theorem 1); ties by the rule of
+ * hh_pball.  The Householder bounds decide where they can. */
+static void compare(const mesh *m, quest *f, tess_int z)
+{
+    double l = 0.0, dl = 0.0;
+    int side = hh_bound(f->f, m->x + 3 * z, &l, &dl);
+
     if (side < 0) return;
     if (side == 0 && hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z) <= 0)
         return;
@@ -768,18 +777,21 @@ static void consider(const mesh *m, quest *f, tess_int z)
         if (hh_pball(&m->set, f->v[0], f->v[1], f->v[2], f->best, z) > 0)
             return;
     }
-    f->best = z;
-    f->sure = side;
-    if (side == 0) return;
-    f->l = l;
-    f->dl = dl;
-    f->ball = 1;
-    f->size = 0.0;
-    for (k = 0; k < 3; k++) {
-        f->c[k] = f->f[3 + k] + l * f->f[k];
-        f->size += fabs(f->c[k]);
-    }
-    f->dc = f->f[10] + dl + fabs(l) * f->f[9] + 4.0 * DBL_EPSILON * f->size;
+    take(f, z, side, l, dl);
+}
+
+/* consider - compare z, if it is no vertex and not outside of the ball. */
+static void consider(const mesh *m, quest *f, tess_int z)
+{
+    const double *q = m->x + 3 * z;
+    double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8];
+
+    COUNT(N_POINT, 1);
+    if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
+    if (!f->ball || w0 * (w0 - 2.0 * f->c[0]) + w1 * (w1 - 2.0 * f->c[1]) +
+                            w2 * (w2 - 2.0 * f->c[2]) <=
+                        blur(f, fabs(w0) + fabs(w1) + fabs(w2)))
+        compare(m, f, z);
 }
 
 /* aim - the test of a list's points against a ball of centre c, relative to
@@ -1418,21 +1430,20 @@ static int finite3(const tess_real *p, tess_int i)
 
 /* lengths - the least lengths of iw and rw, and what is recommended besides
  * as pool.  Uniform points need 5 n^(2/3) facets; a star of all points 2 n,
- * which takes 12 n integers, given up to MUCH.  Returns 0 if the lengths
- * exceed the largest tess_int. */
+ * which takes 12 n integers, given up to MUCH.  Returns 0 if the least
+ * lengths exceed the largest tess_int. */
 static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
 {
-    double c = (double)side(n);
+    double c = (double)side(n), more = 60.0 * c * c, most = (double)TESS_INT_MOST;
 
     *liw = *lrw = *pool = 0;
-    /* leafcount(n) <= n/24 + 1, side(n)^2 <= n + 1 */
-    if (9.0 * (double)n + 60.0 * c * c + LEAST + 2.0 > (double)TESS_INT_MOST)
-        return 0;
+    /* 2 leafcount(n) <= n/12 + 2 */
+    if (n > (TESS_INT_MOST - LEAST) / 5) return 0;
     *liw = 4 * n + 2 * leafcount(n) + LEAST;
     *lrw = 3 * n + 12 * leafcount(n);
-    *pool = 60 * side(n) * side(n);
-    if (*pool < MUCH) *pool = n < MUCH / 8 ? 8 * n : MUCH;
-    *pool += 4 * n;
+    if (more < MUCH) more = 8.0 * (double)n < MUCH ? 8.0 * (double)n : MUCH;
+    more += 4.0 * (double)n;
+    *pool = (tess_int)(more < most - (double)*liw ? more : most - (double)*liw);
     return 1;
 }
 
@@ -1703,4 +1714,715 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
         if (adj[i] < TESS_OPEN || adj[i] >= *ntet) return -6;
     if (code != 0) return code;
     return run(n, p, maxtet, ntet, tet, adj, liw, iw, rw);
+}
+
+/* ---- common to the queries ----
+ *
+ * One device does much of the work: in the place of a point q, the point q*,
+ * q moved by an infinitesimal step into the interior of tetrahedron 0, of
+ * vertices v0 ... v3:
+ *     q* = q + e (v0 - q) + e^2 (v1 - q) + e^3 (v2 - q) + e^4 (v3 - q)
+ * for all small enough e > 0.  The orientation of a facet with a point is
+ * an affine function of the point, so the sign for q* is the first that is
+ * not 0 of the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0
+ * ... v3 are not in one plane: q* is on no facet, and is in the interior of
+ * exactly one tetrahedron if it is in the hull of a triangulation. */
+
+/* outfac - f = the vertices of facet k of the tetrahedron v, the one opposite
+ * to v[k], counter-clockwise from outside if v is positively oriented:
+ * (1,2,3) (0,3,2) (0,1,3) (0,2,1). */
+static void outfac(const tess_int *v, int k, tess_int *f)
+{
+    int i = k == 0 ? 1 : 0, j = k <= 1 ? 2 : 1, l = k == 3 ? 2 : 3;
+
+    f[0] = v[i];
+    f[1] = k % 2 == 0 ? v[j] : v[l];
+    f[2] = k % 2 == 0 ? v[l] : v[j];
+}
+
+/* slot - the first k with v[k] = x; 4 when there is none. */
+static int slot(const tess_int *v, tess_int x)
+{
+    int k = 0;
+
+    while (k < 4 && v[k] != x) k++;
+    return k;
+}
+
+/* beyond - 1 when q* is outside of the facet f, -1 when it is inside; UNSURE
+ * when the limbs do not suffice; 0 only when v, tetrahedron 0, is flat.  One
+ * orientation, unless q is exactly in the plane. */
+static int beyond(const tess_real *p, const tess_int *f, const tess_real *q,
+                  const tess_int *v)
+{
+    const tess_real *a = p + 3 * f[0], *b = p + 3 * f[1], *c = p + 3 * f[2];
+    int s = hh_orient(a, b, c, q), k;
+
+    for (k = 0; k < 4 && s == 0; k++) s = hh_orient(a, b, c, p + 3 * v[k]);
+    return s;
+}
+
+/* inbox - 1 when q is in the closed box of the tetrahedron v: exact, and much
+ * cheaper than orientations. */
+static int inbox(const tess_real *p, const tess_int *v, const tess_real *q)
+{
+    int i, k, low, high;
+
+    for (k = 0; k < 3; k++) {
+        low = high = 0;
+        for (i = 0; i < 4; i++) {
+            if (p[3 * v[i] + k] <= q[k]) low = 1;
+            if (p[3 * v[i] + k] >= q[k]) high = 1;
+        }
+        if (low == 0 || high == 0) return 0;
+    }
+    return 1;
+}
+
+/* ---- location ---- */
+
+/* reach - hi - lo is the largest difference of a and q in one coordinate, left
+ * unevaluated so that nothing is rounded. */
+static void reach(const tess_real *a, const tess_real *q, double *hi,
+                  double *lo)
+{
+    double h, l;
+    int k;
+
+    *hi = *lo = 0.0;
+    for (k = 0; k < 3; k++) {
+        h = a[k] > q[k] ? a[k] : q[k];
+        l = a[k] > q[k] ? q[k] : a[k];
+        if (hh_wider(h, l, *hi, *lo) > 0) {
+            *hi = h;
+            *lo = l;
+        }
+    }
+}
+
+/* sample - where the walk to q starts: of about ntet^(1/4) tetrahedra at equal
+ * steps, the first one whose first vertex is nearest to q in the maximum
+ * norm.  The comparisons are exact, so it is the same one everywhere. */
+static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
+                       const tess_real *q)
+{
+    tess_int many = 1, best = 0, i, t;
+    double hi, lo, h, l;
+
+    while (many * many < ntet / (many * many)) many++;
+    reach(p + 3 * tet[0], q, &hi, &lo);
+    for (i = 1; i < many; i++) {
+        t = (tess_int)(i * (ntet / many));
+        reach(p + 3 * tet[4 * t], q, &h, &l);
+        if (hh_wider(hi, lo, h, l) > 0) {
+            best = t;
+            hi = h;
+            lo = l;
+        }
+    }
+    return best;
+}
+
+/* walk - from *t across facets that q* is beyond, until there is none: then *t
+ * holds q* (returns 0); or to a facet of the hull that q is outside of
+ * (returns 1).  LOST when only open facets lead on, or after ntet steps;
+ * TESS_RANGE.
+ *
+ * In a result of tess the walk meets no tetrahedron twice.  Lift each point x
+ * to the height |x|^2, lowered as the tie rule says: the tetrahedra are the
+ * lower facets of a convex polytope, and where q* is beyond the facet from t
+ * to u, the plane of u is above that of t over q*.  So the height of the
+ * current plane over q* grows with every step.  (Among cospherical
+ * tetrahedra of another triangulation it may stay, and the walk go round.) */
+static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
+                const tess_int *adj, const tess_real *q, tess_int *t)
+{
+    tess_int f[3], last = TESS_NONE, next, steps, u;
+    int k, s, open;
+
+    for (steps = 0; steps < ntet; steps++) {
+        next = TESS_NONE;
+        open = 0;
+        for (k = 0; k < 4 && next == TESS_NONE; k++) {
+            u = adj[4 * *t + k];
+            if (u >= 0 && u == last) continue;
+            outfac(tet + 4 * *t, k, f);
+            s = beyond(p, f, q, tet);
+            if (s == UNSURE) return TESS_RANGE;
+            if (s < 0) continue;
+            if (u == TESS_NONE) return 1;
+            if (u == TESS_OPEN) open = 1;
+            if (u != TESS_OPEN) next = u;
+        }
+        if (next == TESS_NONE) return open == 1 ? LOST : 0;
+        last = *t;
+        *t = next;
+    }
+    return LOST;
+}
+
+/* holds - 1 when the closed tetrahedron v holds q, else 0; UNSURE. */
+static int holds(const tess_real *p, const tess_int *v, const tess_real *q)
+{
+    tess_int f[3];
+    int k, s;
+
+    if (!inbox(p, v, q)) return 0;
+    for (k = 0; k < 4; k++) {
+        outfac(v, k, f);
+        s = hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], q);
+        if (s == UNSURE) return UNSURE;
+        if (s > 0) return 0;
+    }
+    return 1;
+}
+
+/* sweep - *t = the first tetrahedron that holds q (returns 0), or if there is
+ * none the first one with a hull or open facet that q is outside of (returns
+ * 1); TESS_RANGE. */
+static int sweep(const tess_real *p, tess_int ntet, const tess_int *tet,
+                 const tess_int *adj, const tess_real *q, tess_int *t)
+{
+    tess_int f[3], i, found = TESS_NONE;
+    int k, s;
+
+    for (i = 0; i < ntet; i++) {
+        s = holds(p, tet + 4 * i, q);
+        if (s == UNSURE) return TESS_RANGE;
+        if (s == 1) {
+            *t = i;
+            return 0;
+        }
+        for (k = 0; k < 4 && found == TESS_NONE; k++) {
+            if (adj[4 * i + k] >= 0) continue;
+            outfac(tet + 4 * i, k, f);
+            s = hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], q);
+            if (s == UNSURE) return TESS_RANGE;
+            if (s > 0) found = i;
+        }
+    }
+    if (found != TESS_NONE) *t = found;
+    return 1;
+}
+
+/* elimin - Gaussian elimination with complete pivoting on the 3 by m matrix of
+ * the columns a[3*col[j]...]; col and row come out in the order of the
+ * pivots.  Returns their number, at most m - 1. */
+static int elimin(double *a, int m, int *col, int *row)
+{
+    double f, most;
+    int i, j, n, pi, pj;
+
+    for (i = 0; i < 3; i++) row[i] = i;
+    for (n = 0; n < m - 1; n++) {
+        most = 0.0;
+        pi = pj = n;
+        for (j = n; j < m; j++)
+            for (i = n; i < 3; i++) {
+                f = fabs(a[3 * col[j] + row[i]]);
+                if (f > most) {
+                    most = f;
+                    pi = i;
+                    pj = j;
+                }
+            }
+        if (most == 0.0) return n;
+        i = row[pi];
+        row[pi] = row[n];
+        row[n] = i;
+        j = col[pj];
+        col[pj] = col[n];
+        col[n] = j;
+        for (i = n + 1; i < 3; i++) {
+            f = a[3 * col[n] + row[i]] / a[3 * col[n] + row[n]];
+            for (j = n + 1; j < m; j++)
+                a[3 * col[j] + row[i]] -= f * a[3 * col[j] + row[n]];
+        }
+    }
+    return m - 1;
+}
+
+/* backsu - w of the columns col[0..n] from what elimin left, w[col[n]] = 1.
+ * No |w| exceeds 4, as a pivot is the largest number in its row. */
+static void backsu(const double *a, int n, const int *col, const int *row,
+                   double *w)
+{
+    double f;
+    int i, j;
+
+    w[col[n]] = 1.0;
+    for (j = n - 1; j >= 0; j--) {
+        f = 0.0;
+        for (i = j + 1; i <= n; i++) f -= a[3 * col[i] + row[j]] * w[col[i]];
+        w[col[j]] = f / a[3 * col[j] + row[j]];
+    }
+}
+
+/* unite - divide w by its sum; 1 when that is too small, else 0. */
+static int unite(double *w)
+{
+    double sum = w[0] + w[1] + w[2] + w[3];
+    int k;
+
+    if (fabs(sum) < DBL_EPSILON) return 1;
+    for (k = 0; k < 4; k++) w[k] /= sum;
+    return 0;
+}
+
+/* balanc - weights w of sum 1 for which the sum of w[k] times column k of r is
+ * as small as rounding lets it be, with columns of a set only (k is in it if
+ * its binary digit 2^k is 1).  A weight whose sign is not s[k] becomes 0,
+ * and *wrong 1.  Returns the size of the sum; DBL_MAX when the set gives no
+ * weights. */
+static double balanc(const double *r, const int *s, int set, double *w,
+                     int *wrong)
+{
+    double a[12], f, miss = 0.0;
+    int col[4], row[3], m = 0, rest = set, n, i, k;
+
+    *wrong = 1;
+    for (k = 0; k < 4; k++) {
+        w[k] = 0.0;
+        if (s[k] != 0 && rest % 2 == 1) col[m++] = k;
+        rest /= 2;
+    }
+    if (m == 0) return DBL_MAX;
+    for (i = 0; i < 12; i++) a[i] = r[i];
+    n = elimin(a, m, col, row);
+    backsu(a, n, col, row, w);
+    if (unite(w)) return DBL_MAX;
+    *wrong = 0;
+    for (k = 0; k < 4; k++)
+        if (w[k] * s[k] < 0.0) {
+            w[k] = 0.0;
+            *wrong = 1;
+        }
+    if (unite(w)) return DBL_MAX;
+    for (i = 0; i < 3; i++) {
+        f = 0.0;
+        for (k = 0; k < 4; k++) f += w[k] * r[3 * k + i];
+        if (fabs(f) > miss) miss = fabs(f);
+    }
+    return miss;
+}
+
+/* weigh - the barycentric weights w of q in the tetrahedron v: the sum of w[k]
+ * (p_k - q) vanishes.  Returns 0, or TESS_RANGE.
+ *
+ * Their signs are exact: a weight is 0 just when q is in the plane of its
+ * facet.  Elimination with complete pivoting is backward stable, so what w
+ * interpolates is right, to rounding, for a point within rounding of q,
+ * however thin v is; quotients of determinants lose that in slivers.  Where
+ * a computed sign is wrong, v is flat to rounding, and many weights balance
+ * equally well; then some that use fewer vertices have the right signs, and
+ * of all sets of vertices the one that balances best is taken.
+ *
+ * All is scaled by a power of two that makes the coordinates at most 1. */
+static int weigh(const tess_real *p, const tess_int *v, const tess_real *q,
+                 double *w)
+{
+    double r[12], x[4], most = 0.0, best, miss;
+    tess_int f[3];
+    int s[4], e, i, k, set, wrong;
+
+    for (k = 0; k < 4; k++) {
+        outfac(v, k, f);
+        s[k] = -hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], q);
+        w[k] = 0.0;
+        if (s[k] == -UNSURE) return TESS_RANGE;
+    }
+    for (i = 0; i < 3; i++) {
+        for (k = 0; k < 4; k++)
+            if (fabs(p[3 * v[k] + i]) > most) most = fabs(p[3 * v[k] + i]);
+        if (fabs(q[i]) > most) most = fabs(q[i]);
+    }
+    frexp(most, &e);
+    for (k = 0; k < 4; k++)
+        for (i = 0; i < 3; i++)
+            r[3 * k + i] = ldexp((double)p[3 * v[k] + i], -e) -
+                           ldexp((double)q[i], -e);
+    best = balanc(r, s, 15, w, &wrong);
+    for (set = 14; set > 0 && wrong > 0; set--) {
+        miss = balanc(r, s, set, x, &i);
+        if (miss < best) {
+            best = miss;
+            for (k = 0; k < 4; k++) w[k] = x[k];
+        }
+    }
+    return 0;
+}
+
+/* tess_locate - a walk (see walk), and where it fails a sweep over all
+ * tetrahedra.
+ *
+ * Located is not q but q*.  The hull is convex and q* is nearer to its inside,
+ * so q* is inside of it when q is inside or on its boundary, and then the
+ * answer depends on the points, tet and q alone.  For a q outside, the start
+ * decides which hull tetrahedron is found.  In an unfinished result open
+ * facets may stop the walk though some tetrahedron holds q; in a foreign
+ * triangulation it may go round: both are left to the sweep.
+ *
+ * Cost: proportional to the tetrahedra crossed, about ntet^(1/3) of them from
+ * anywhere, fewer from the sampled start, few from a start near q.  The
+ * sweep: ntet. */
+int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
+                const tess_int *adj, const tess_real *q, tess_int *t,
+                double *w)
+{
+    int code, range;
+
+    if (ntet < 1) return -2;
+    if (!finite3(q, 0)) return -5;
+    if (*t < TESS_NONE || *t >= ntet) return -6;
+    if (*t == TESS_NONE) *t = sample(p, ntet, tet, q);
+    code = walk(p, ntet, tet, adj, q, t);
+    if (code == LOST) code = sweep(p, ntet, tet, adj, q, t);
+    range = weigh(p, tet + 4 * *t, q, w);
+    return range != 0 ? range : code;
+}
+
+/* ---- the hull ---- */
+
+/* tess_hull - one pass over all facets. */
+int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
+              tess_int maxfac, tess_int *nfac, tess_int *fac)
+{
+    tess_int t;
+    int k;
+
+    *nfac = 0;
+    if (ntet < 0) return -1;
+    if (maxfac < 0) return -4;
+    for (t = 0; t < ntet; t++)
+        for (k = 0; k < 4; k++)
+            if (adj[4 * t + k] < 0) {
+                if (*nfac < maxfac) outfac(tet + 4 * t, k, fac + 3 * *nfac);
+                ++*nfac;
+            }
+    return *nfac > maxfac ? TESS_MORE : TESS_OK;
+}
+
+/* ---- the check ---- */
+
+/* preced - 1 when point a comes strictly before point b: by x, then y, z. */
+static int preced(const tess_real *a, const tess_real *b)
+{
+    int k = 0;
+
+    while (k < 2 && a[k] == b[k]) k++;
+    return a[k] < b[k];
+}
+
+/* merge - to[lo..hi-1] = the sorted runs from[lo..mid-1] and from[mid..hi-1],
+ * merged; of equal points those of the first run come first. */
+static void merge(const tess_real *p, tess_int lo, tess_int mid, tess_int hi,
+                  const tess_int *from, tess_int *to)
+{
+    tess_int i = lo, j = mid, k;
+
+    for (k = lo; k < hi; k++)
+        if (j == hi || (i < mid && !preced(p + 3 * from[j], p + 3 * from[i])))
+            to[k] = from[i++];
+        else
+            to[k] = from[j++];
+}
+
+/* sortpt - sort the points by their coordinates, equal ones by index:
+ * merging runs of 1, 2, 4, ... to and fro between the halves of iw.  Returns
+ * where in iw the order begins, 0 or n. */
+static tess_int sortpt(tess_int n, const tess_real *p, tess_int *iw)
+{
+    tess_int at = 0, run = 1, lo, mid, hi, i;
+
+    for (i = 0; i < n; i++) iw[i] = i;
+    while (run < n) {
+        for (lo = 0; lo < n; lo = hi) {
+            mid = run < n - lo ? lo + run : n;
+            hi = run < n - mid ? mid + run : n;
+            merge(p, lo, mid, hi, iw + at, iw + n - at);
+        }
+        at = n - at;
+        run = run < n - run ? 2 * run : n;
+    }
+    return at;
+}
+
+#define TWIN (-1)  /* marks of points: a duplicate of one of lower index */
+#define UNUSED 0   /* a point that stands for itself, in no tetrahedron */
+#define USED 1     /* and in one */
+
+/* marks - sort the points and mark each TWIN or UNUSED.  Returns where in
+ * iw the marks begin. */
+static tess_int marks(tess_int n, const tess_real *p, tess_int *iw)
+{
+    tess_int at = sortpt(n, p, iw), mark = n - at, i;
+
+    for (i = 0; i < n; i++)
+        if (i > 0 && !preced(p + 3 * iw[at + i - 1], p + 3 * iw[at + i]))
+            iw[mark + iw[at + i]] = TWIN;
+        else
+            iw[mark + iw[at + i]] = UNUSED;
+    return mark;
+}
+
+/* chkpla - that all points are in one plane: of point 0, b, the first point
+ * that differs from it, and c, the first one off their line.  Points before
+ * b and c are in it, so one pass is enough. */
+static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
+{
+    const tess_real *q, *b = p, *c = p;
+    tess_int i;
+    int rank = 0, s;
+
+    for (i = 1; i < n; i++) {
+        q = p + 3 * i;
+        s = 0;
+        if (rank == 0 && (preced(p, q) || preced(q, p))) {
+            b = q;
+            rank = 1;
+        } else if (rank == 1) {
+            if (hh_flat(0, p, b, q) != 0 || hh_flat(1, p, b, q) != 0 ||
+                hh_flat(2, p, b, q) != 0) {
+                c = q;
+                rank = 2;
+            }
+        } else if (rank == 2)
+            s = hh_orient(p, b, c, q);
+        if (s != 0) {
+            *bad = i;
+            return s == UNSURE ? TESS_RANGE : TESS_BAD_POINT;
+        }
+    }
+    return TESS_OK;
+}
+
+/* chkidx - that the vertices of tetrahedron t are four points, none a
+ * duplicate of one of lower index; they are marked as used. */
+static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
+{
+    int i, j;
+
+    for (i = 0; i < 4; i++) {
+        if (v[i] < 0 || v[i] >= n) return TESS_BAD_INDEX;
+        for (j = 0; j < i; j++)
+            if (v[i] == v[j]) return TESS_BAD_INDEX;
+    }
+    for (i = 0; i < 4; i++) {
+        if (mark[v[i]] == TWIN) return TESS_BAD_TWIN;
+        mark[v[i]] = USED;
+    }
+    return TESS_OK;
+}
+
+/* mate - the facet of tetrahedron u whose neighbour is t and whose vertices
+ * are those of facet k of t in opposite order, so that, both tetrahedra
+ * being positively oriented, their apexes are on opposite sides; 4 when
+ * there is none.  It is a symmetric relation, one facet to one. */
+static int mate(const tess_int *tet, const tess_int *adj, tess_int t, int k,
+                tess_int u)
+{
+    tess_int f[3], g[3];
+    int i, j;
+
+    outfac(tet + 4 * t, k, f);
+    for (j = 0; j < 4; j++)
+        if (adj[4 * u + j] == t) {
+            outfac(tet + 4 * u, j, g);
+            for (i = 0; i < 3; i++)
+                if (g[i] == f[0] && g[(i + 1) % 3] == f[2] &&
+                    g[(i + 2) % 3] == f[1])
+                    return j;
+        }
+    return 4;
+}
+
+/* chkfac - that each facet of tetrahedron t is on the boundary or matched, and
+ * the neighbour's apex not inside the ball of t: also a symmetric relation,
+ * so one side tests it. */
+static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
+                  const tess_int *adj, tess_int t)
+{
+    const tess_int *v = tet + 4 * t;
+    tess_int u;
+    int k, j, s;
+
+    for (k = 0; k < 4; k++) {
+        u = adj[4 * t + k];
+        if (u == TESS_NONE) continue;
+        if (u < 0 || u >= ntet) return TESS_BAD_ADJ;
+        j = mate(tet, adj, t, k, u);
+        if (j == 4) return TESS_BAD_ADJ;
+        if (u < t) continue;
+        s = hh_insphere(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2],
+                        p + 3 * v[3], p + 3 * tet[4 * u + j]);
+        if (s == UNSURE) return TESS_RANGE;
+        if (s > 0) return TESS_BAD_BALL;
+    }
+    return TESS_OK;
+}
+
+/* chktet - that tetrahedron t is positively oriented and no facet open. */
+static int chktet(const tess_real *p, const tess_int *tet,
+                  const tess_int *adj, tess_int t)
+{
+    const tess_int *v = tet + 4 * t;
+    int s;
+
+    s = hh_orient(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2], p + 3 * v[3]);
+    if (s == UNSURE) return TESS_RANGE;
+    if (s != 1) return TESS_BAD_SIGN;
+    return slot(adj + 4 * t, TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
+}
+
+/* chkedg - facet k of tetrahedron t is on the boundary.  Turn about its edge
+ * opposite to vertex c, through the tetrahedra, to the other boundary facet
+ * there, and test that its apex is not outside of the first.
+ *
+ * Facets are known to be matched in pairs, so a step takes (tetrahedron,
+ * facet in, facet out) one-to-one to the next such triple; the first triple
+ * is reached by no step, so none comes twice and the turn ends.  For the
+ * same reason all turns together take at most 6 ntet steps: each edge of
+ * each tetrahedron is passed once. */
+static int chkedg(const tess_real *p, const tess_int *tet,
+                  const tess_int *adj, tess_int t, int k, tess_int c)
+{
+    tess_int f[3], u, w = tet[4 * t + k];
+    int out = slot(tet + 4 * t, c), s;
+
+    outfac(tet + 4 * t, k, f);
+    while (adj[4 * t + out] != TESS_NONE) {
+        u = adj[4 * t + out];
+        out = slot(tet + 4 * u, w);
+        w = tet[4 * u + slot(adj + 4 * u, t)];
+        t = u;
+    }
+    s = hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], p + 3 * w);
+    if (s == UNSURE) return TESS_RANGE;
+    return s > 0 ? TESS_BAD_HULL : TESS_OK;
+}
+
+/* chkhul - the boundary facets of tetrahedron t: O is inside of each, and each
+ * is convex with its neighbours.  Of the two facets at an edge, which run
+ * along it in opposite directions, one tests it. */
+static int chkhul(const tess_real *p, const tess_int *tet,
+                  const tess_int *adj, tess_int t)
+{
+    tess_int f[3];
+    int k, i, s, code;
+
+    for (k = 0; k < 4; k++) {
+        if (adj[4 * t + k] != TESS_NONE) continue;
+        outfac(tet + 4 * t, k, f);
+        s = beyond(p, f, p + 3 * tet[0], tet);
+        if (s == UNSURE) return TESS_RANGE;
+        if (s > 0) return TESS_BAD_HULL;
+        for (i = 0; i < 3; i++)
+            if (f[i] < f[(i + 1) % 3]) {
+                code = chkedg(p, tet, adj, t, k, f[(i + 2) % 3]);
+                if (code != TESS_OK) return code;
+            }
+    }
+    return TESS_OK;
+}
+
+/* chkcov - that tetrahedron t, not 0, does not hold O. */
+static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
+{
+    const tess_real *q = p + 3 * tet[0];
+    tess_int f[3];
+    int k, s, inside = 0;
+
+    if (t == 0 || !inbox(p, tet + 4 * t, q)) return TESS_OK;
+    for (k = 0; k < 4; k++) {
+        outfac(tet + 4 * t, k, f);
+        s = beyond(p, f, q, tet);
+        if (s == UNSURE) return TESS_RANGE;
+        if (s < 0) inside++;
+    }
+    return inside == 4 ? TESS_BAD_COVER : TESS_OK;
+}
+
+/* tess_check - a proof by finitely many exact tests.
+ *
+ * Let O be q* for q = the first vertex of tetrahedron 0 (see "common to the
+ * queries"): a point in the interior of tetrahedron 0 and on no facet's
+ * plane.  Tested are:
+ *   1  each tetrahedron has four points as vertices, none a duplicate of a
+ *      point of lower index, and is positively oriented;
+ *   2  each facet is on the boundary, or matched with a facet of another
+ *      tetrahedron that has the same vertices and lies on the other side;
+ *   3  across a matched facet, the neighbour's apex is not inside the ball;
+ *   4  O is inside of each boundary facet;
+ *   5  at each edge of a boundary facet, the next boundary facet, found by
+ *      turning about the edge through the tetrahedra, has its apex not
+ *      outside of the first;
+ *   6  no tetrahedron but 0 holds O;
+ *   7  each point that is no duplicate is a vertex.
+ *
+ * a. For a point x on no facet let m(x) be the number of tetrahedra that hold
+ *    it.  By 1 and 2 it is the number of times that the boundary, oriented
+ *    outwards, winds about x: the sum of that number over the surfaces of
+ *    all tetrahedra, in which matched facets cancel.  The turns of 5 pair the
+ *    edges of boundary facets, which so form a closed surface S; two that
+ *    are adjacent run along their edge in opposite directions.
+ * b. By 4, projection from O takes the facets of S to triangles on the sphere
+ *    of directions, all of one orientation, adjacent ones on opposite sides
+ *    of their edge.  So S covers the sphere, with branching at vertices at
+ *    most, and the number of sheets is the winding number about O: m(O),
+ *    which is 1 by 6.  One sheet cannot branch: each ray from O meets S
+ *    once.  S bounds a body K, star-shaped about O; m is 1 in K, 0 outside.
+ * c. A plane through O that misses the vertices of S cuts K in a polygon
+ *    which is star-shaped about O and has by 5 no angle above pi: convex.
+ *    Such planes are dense, so K is convex.
+ * d. So the tetrahedra fill K once, facet matched to facet: any two meet in a
+ *    common face or not at all.  A triangulation of a convex body that has
+ *    3 is Delaunay (Delaunay's lemma).  By 7 it is one of all points, and K
+ *    is their hull.
+ *
+ * Conversely a Delaunay tetrahedralization passes: O is inside its hull.
+ *
+ * No test is idle.  For 6: join the 20 triangles of the great icosahedron to
+ * its centre.  These tetrahedra pass all other tests, and V - E + F - T = 1,
+ * though they cover the centre 7 times.  Euler's relation follows from the
+ * seven tests, so that TESS_BAD_EULER is never returned.
+ *
+ * Nothing is relied on before it is tested: indices before points are read,
+ * the matching of all facets before a turn.  TESS_RANGE when the limbs do
+ * not suffice for a test.
+ *
+ * Cost: O(n log n) for sorting; one orientation and two inspheres for each
+ * tetrahedron, and about three orientations for each boundary facet. */
+int tess_check(tess_int n, const tess_real *p, tess_int ntet,
+               const tess_int *tet, const tess_int *adj, tess_int liw,
+               tess_int *iw, tess_int *bad)
+{
+    tess_int t, i, mark;
+    int pass, code = TESS_OK;
+
+    *bad = TESS_NONE;
+    if (n < 0 || n > TESS_INT_MOST / 3) return -1;
+    for (i = 0; i < n; i++)
+        if (!finite3(p, i)) return -2;
+    if (ntet < 0 || ntet > (TESS_INT_MOST - 3) / 4) return -3;
+    if (liw < n || liw - n < n) return -6;
+    if (ntet == 0) return chkpla(n, p, bad);
+    mark = marks(n, p, iw);
+    for (pass = 0; pass < 5; pass++)
+        for (t = 0; t < ntet; t++) {
+            if (pass == 0) code = chkidx(n, tet + 4 * t, iw + mark);
+            if (pass == 1) code = chktet(p, tet, adj, t);
+            if (pass == 2) code = chkfac(p, ntet, tet, adj, t);
+            if (pass == 3) code = chkhul(p, tet, adj, t);
+            if (pass == 4) code = chkcov(p, tet, t);
+            if (code != TESS_OK) {
+                *bad = t;
+                return code;
+            }
+        }
+    for (i = 0; i < n; i++)
+        if (iw[mark + i] == UNUSED) {
+            *bad = i;
+            return TESS_BAD_POINT;
+        }
+    return TESS_OK;
 }

@@ -1,0 +1,222 @@
+#!/bin/sh
+# check.sh - all tests; run from the top directory.
+#
+# Takes CC and CFLAGS from the environment, builds into build/, and ends with
+# the line `N passed, N failed'.  The programs' full output is in
+# build/check.log.  What a machine lacks (compilers, sanitizers, Fortran) is
+# skipped, and said.
+CC=${CC:-cc}
+CFLAGS=${CFLAGS:--O2}
+LIBS=-lm
+PASSED=0
+FAILED=0
+LOG=build/check.log
+
+mkdir -p build
+: > $LOG
+
+pass() { PASSED=`expr $PASSED + 1`; echo "ok      $1"; }
+fail() { FAILED=`expr $FAILED + 1`; echo "FAILED  $1"; }
+skip() { echo "        skipped: $1"; }
+
+# one NAME COMMAND...: a test that is passed when the command succeeds.
+one() {
+    name=$1
+    shift
+    echo "== $name: $*" >> $LOG
+    if "$@" >> $LOG 2>&1; then pass "$name"; else fail "$name"; fi
+}
+
+# many NAME PROGRAM...: a program that counts its own tests and ends with
+# `program: N passed, N failed'.
+many() {
+    name=$1
+    shift
+    echo "== $name: $*" >> $LOG
+    "$@" > build/out.txt 2>&1
+    code=$?
+    cat build/out.txt >> $LOG
+    last=`tail -n 1 build/out.txt`
+    set -- `echo "$last" | sed -n 's/^[a-z_]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p'`
+    if [ $# -ne 2 ]; then
+        fail "$name: stopped with code $code"
+        return
+    fi
+    PASSED=`expr $PASSED + $1`
+    FAILED=`expr $FAILED + $2`
+    if [ "$2" -eq 0 ] && [ $code -eq 0 ]; then
+        echo "ok      $name: $1"
+    else
+        [ "$2" -eq 0 ] && FAILED=`expr $FAILED + 1`
+        echo "FAILED  $name: $2 of `expr $1 + $2`"
+        grep -v '^ok ' build/out.txt | grep -v '^        ' | head -n 30
+    fi
+}
+
+# build PROGRAM CC FLAGS FILES...: into build/PROGRAM
+build() {
+    out=$1
+    cc=$2
+    flags=$3
+    shift 3
+    echo "== $cc $flags -o build/$out $*" >> $LOG
+    $cc $flags -o build/$out "$@" $LIBS >> $LOG 2>&1
+}
+
+# have CC FLAGS: does this compiler take these flags, and its programs run?
+have() {
+    echo 'int main(void) { return 0; }' > build/have.c
+    $1 $2 -o build/have build/have.c $LIBS > /dev/null 2>&1 && build/have
+}
+
+# ---- the language: strict C89, no warnings; also as C++ ----
+
+STRICT="-std=c89 -pedantic-errors -Wall -Wextra -Wshadow -Wconversion -Werror"
+if have "$CC" "$STRICT"; then
+    for f in tess.c hhpred.c test/*.c; do
+        one "strict C89: $f" $CC $STRICT -O2 -I. -c -o build/strict.o $f
+    done
+    for d in -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long -DHH_LIMBS=3; do
+        one "strict C89: $d" \
+            $CC $STRICT -O2 $d -c -o build/strict.o tess.c
+        one "strict C89: hhpred.c $d" \
+            $CC $STRICT -O2 $d -c -o build/strict.o hhpred.c
+    done
+else
+    skip "strict C89: $CC does not take the flags"
+fi
+if have g++ "-x c++"; then
+    for f in tess.c hhpred.c; do
+        one "C++: $f" g++ -x c++ -Wall -Wextra -Werror -c -o build/strict.o $f
+    done
+else
+    skip "C++: no g++"
+fi
+
+# ---- the library asks for nothing but the C89 maths functions, and has no
+# data that could be shared between threads ----
+
+$CC $CFLAGS -c -o build/tess.o tess.c
+$CC $CFLAGS -c -o build/hhpred.o hhpred.c
+if nm build/tess.o > build/nm.txt 2> /dev/null; then
+    nm build/hhpred.o >> build/nm.txt
+    # what is asked for, but the library's own names and what compilers add
+    nm -u build/tess.o build/hhpred.o |
+        sed -n 's/^.* \([A-Za-z_0-9]*\)$/\1/p' | sort -u |
+        egrep -v '^_?(hh_|tess|sqrt|fabs|floor|ceil|frexp|ldexp|memset|memcpy|__stack_chk|_?GLOBAL_OFFSET)' \
+        > build/asked.txt
+    one "asks for nothing but maths" test ! -s build/asked.txt
+    cat build/asked.txt >> $LOG
+    grep ' [bBdDcCgGsS] ' build/nm.txt > build/data.txt
+    one "has no data but constants" test ! -s build/data.txt
+    cat build/data.txt >> $LOG
+else
+    skip "symbols: no nm"
+fi
+
+# ---- the tests proper ----
+
+$CC $CFLAGS -c -o build/exact.o test/exact.c
+$CC $CFLAGS -c -o build/points.o test/points.c
+TEST="build/exact.o build/points.o"
+HARD="tess.c hhpred.c"
+
+for t in t_pred brute t_tess; do
+    if build $t "$CC" "$CFLAGS" test/$t.c $HARD $TEST; then
+        many $t build/$t
+    else
+        fail "$t does not compile"
+    fi
+done
+
+# Few limbs: code 2 or TESS_RANGE where they do not suffice, nothing wrong.
+if build t_pred3 "$CC" "$CFLAGS -DHH_LIMBS=3" test/t_pred.c hhpred.c $TEST
+then
+    many "t_pred, 3 limbs" build/t_pred3
+else
+    fail "t_pred, 3 limbs, does not compile"
+fi
+if build brute3 "$CC" "$CFLAGS -DHH_LIMBS=3" test/brute.c $HARD $TEST; then
+    many "brute, 3 limbs" build/brute3 100
+else
+    fail "brute, 3 limbs, does not compile"
+fi
+
+# Coordinates of type float; indices of type short, long.
+if build t_predf "$CC" "$CFLAGS -DTESS_FLOAT" test/t_pred.c hhpred.c $TEST
+then
+    many "t_pred, float" build/t_predf
+else
+    fail "t_pred, float, does not compile"
+fi
+for d in -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long; do
+    if build brutef "$CC" "$CFLAGS $d" test/brute.c $HARD $TEST; then
+        many "brute $d" build/brutef 100
+    else
+        fail "brute $d does not compile"
+    fi
+done
+
+# Lists of other capacities only look elsewhere first.
+if build brutel "$CC" "$CFLAGS -DTESS_LIST=40" test/brute.c $HARD $TEST; then
+    many "brute -DTESS_LIST=40" build/brutel 100
+else
+    fail "brute -DTESS_LIST=40 does not compile"
+fi
+
+# All rounding modes, where C99's fenv.h is to be had.
+ROUND="-std=c99 -frounding-math -DTEST_ROUNDING"
+if build t_predr "$CC" "$ROUND -O2" test/t_pred.c test/exact.c hhpred.c; then
+    many "t_pred, all rounding modes" build/t_predr
+else
+    skip "t_pred in all rounding modes"
+fi
+
+# Sanitizers.
+SAN="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
+if have "$CC" "$SAN"; then
+    build brutes "$CC" "$SAN" test/brute.c $HARD test/exact.c
+    many "brute, sanitizers" build/brutes 20
+    build t_tesss "$CC" "$SAN" test/t_tess.c $HARD test/exact.c test/points.c
+    many "t_tess, sanitizers" build/t_tesss -quick
+else
+    skip "sanitizers"
+fi
+
+# ---- the same arrays from every build ----
+#
+# The points and exact.c are compiled once, so that libraries' and compilers'
+# roundings in making the points do not count.
+
+build sums "$CC" "$CFLAGS" test/t_tess.c $HARD $TEST
+build/sums -sums > build/sums.txt
+one "checksums of `wc -l < build/sums.txt` results" test -s build/sums.txt
+
+# same NAME CC FLAGS
+same() {
+    name="same result: $1"
+    if ! have "$2" "$3"; then
+        skip "$name"
+        return
+    fi
+    if ! build sums1 "$2" "$3" test/t_tess.c $HARD $TEST; then
+        fail "$name: does not compile"
+        return
+    fi
+    build/sums1 -sums > build/sums1.txt 2>> $LOG
+    one "$name" cmp build/sums.txt build/sums1.txt
+}
+
+same "$CC -O0" "$CC" "-O0"
+same "$CC -O2" "$CC" "-O2"
+same "$CC -Ofast -march=native" "$CC" "-Ofast -march=native"
+same "$CC -O3 -funroll-loops -ffp-contract=fast -march=native" "$CC" \
+    "-O3 -funroll-loops -ffp-contract=fast -march=native"
+same "$CC -mfpmath=387" "$CC" "-O2 -mfpmath=387"
+same "clang -O2" clang "-O2"
+same "clang -Ofast" clang "-Ofast"
+same "tcc" tcc ""
+same "g++ -x c++" g++ "-x c++ -O2"
+
+echo "$PASSED passed, $FAILED failed"
+test $FAILED -eq 0
