@@ -71,6 +71,9 @@ extern double tess_count[];
 #ifndef TESS_LIST
 #define TESS_LIST 512
 #endif
+#if TESS_LIST < LEAF
+#error TESS_LIST is less than the points of a leaf
+#endif
 /* Depth of the tree plus one, at most. */
 #define DEPTH 64
 /* Hull planes that are remembered. */
@@ -93,6 +96,9 @@ extern double tess_count[];
 /* Capacity of a list.  Lists only say where to look first. */
 #ifndef TESS_LIST
 #define TESS_LIST 512
+#endif
+#if TESS_LIST < LEAF
+#error TESS_LIST is less than the points of a leaf
 #endif
 /* Depth of the tree plus one, at most. */
 #define DEPTH 64
@@ -1434,14 +1440,16 @@ static int finite3(const tess_real *p, tess_int i)
  * lengths exceed the largest tess_int. */
 static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
 {
-    double c = (double)side(n), more = 60.0 * c * c, most = (double)TESS_INT_MOST;
+    double c = (double)side(n), more = 8.0 * (double)n;
+    double most = (double)TESS_INT_MOST;
 
     *liw = *lrw = *pool = 0;
     /* 2 leafcount(n) <= n/12 + 2 */
     if (n > (TESS_INT_MOST - LEAST) / 5) return 0;
     *liw = 4 * n + 2 * leafcount(n) + LEAST;
     *lrw = 3 * n + 12 * leafcount(n);
-    if (more < MUCH) more = 8.0 * (double)n < MUCH ? 8.0 * (double)n : MUCH;
+    if (more > MUCH) more = MUCH;
+    if (more < 60.0 * c * c) more = 60.0 * c * c;
     more += 4.0 * (double)n;
     *pool = (tess_int)(more < most - (double)*liw ? more : most - (double)*liw);
     return 1;
@@ -1536,6 +1544,7 @@ static int scaled(mesh *m)
 static int sorted(mesh *m, tess_int n, const tess_real *p)
 {
     tess_int i;
+    double x;
     int code;
 
     for (i = 0; i < n; i++) m->rep[i] = i;
@@ -1553,9 +1562,10 @@ static int sorted(mesh *m, tess_int n, const tess_real *p)
     code = scaled(m);
     if (code != 0) return code;
     boxes(m);
-    /* the side of a cube with its share of the leaf's points */
-    m->reach = REACH / sqrt(3.0) *
-               pow((double)m->leaves / (double)m->np, 1.0 / 3.0);
+    /* one over the cube root of the points in a leaf, 24 to 48 in large sets,
+     * by a step of Newton's method */
+    x = (double)m->np / (double)m->leaves;
+    m->reach = REACH / sqrt(3.0) * 3.0 / (2.0 * 3.2 + x / (3.2 * 3.2));
     for (i = 0; i < m->np; i++) {
         m->head[i] = NONE;
         m->link[i] = NEW;

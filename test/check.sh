@@ -11,6 +11,7 @@ LIBS=-lm
 PASSED=0
 FAILED=0
 LOG=build/check.log
+OUT=build/out.$$
 
 mkdir -p build
 : > $LOG
@@ -33,10 +34,10 @@ many() {
     name=$1
     shift
     echo "== $name: $*" >> $LOG
-    "$@" > build/out.txt 2>&1
+    "$@" > $OUT 2>&1
     code=$?
-    cat build/out.txt >> $LOG
-    last=`tail -n 1 build/out.txt`
+    cat $OUT >> $LOG
+    last=`tail -n 1 $OUT`
     set -- `echo "$last" | sed -n 's/^[a-z_]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p'`
     if [ $# -ne 2 ]; then
         fail "$name: stopped with code $code"
@@ -49,7 +50,7 @@ many() {
     else
         [ "$2" -eq 0 ] && FAILED=`expr $FAILED + 1`
         echo "FAILED  $name: $2 of `expr $1 + $2`"
-        grep -v '^ok ' build/out.txt | grep -v '^        ' | head -n 30
+        grep -v '^ok ' $OUT | grep -v '^        ' | head -n 30
     fi
 }
 

@@ -1259,7 +1259,7 @@ static void test_locate(void)
             }
         }
         for (m = 0; m < (quick ? 200 : 3000) && faults < 5; m++) {
-            int in = 1;
+            int want = -1; /* 0 inside, 1 outside, -1 not known */
 
             t = m % 2 ? TESS_NONE : (tess_int)rnd_below((int)r.ntet);
             i = (tess_int)rnd_below((int)n);
@@ -1271,36 +1271,34 @@ static void test_locate(void)
                     q[k] = lo[k] + (hi[k] - lo[k]) *
                            (1.5 * rnd_unit() - 0.25);
                 for (k = 0; k < 3; k++)
-                    if (q[k] < lo[k] || q[k] > hi[k]) in = 0;
-                if (in) in = -1;
+                    if (q[k] < lo[k] || q[k] > hi[k]) want = 1;
                 break;
             case 1:
                 /* a point of the set */
                 for (k = 0; k < 3; k++) q[k] = (double)r.p[3 * i + k];
+                want = 0;
                 break;
             case 2:
                 /* halfway between two of them, rounded */
                 for (k = 0; k < 3; k++)
                     q[k] = 0.5 * ((double)r.p[3 * i + k] +
                                   (double)r.p[3 * j + k]);
-                in = -1;
                 break;
             case 3:
                 /* far outside */
                 for (k = 0; k < 3; k++)
                     q[k] = lo[k] + (hi[k] - lo[k]) *
                            (k == m / 5 % 3 ? 1000.0 : rnd_unit());
-                in = 0;
+                want = 1;
                 break;
             default:
                 /* in the box's surface */
                 for (k = 0; k < 3; k++)
                     q[k] = k == m / 5 % 3 ? lo[k]
                          : lo[k] + (hi[k] - lo[k]) * rnd_unit();
-                in = -1;
                 break;
             }
-            locate(&r, q, t, in);
+            locate(&r, q, t, want);
         }
         /* bad arguments leave nothing but the code */
         t = TESS_NONE;

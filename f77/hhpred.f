@@ -1,0 +1,1213 @@
+C     hhpred.f - predicates for a handful of points in space.
+C
+C     Part of tess, Delaunay tetrahedralization after C. Hazlewood,
+C     "Facet-Based Tetrahedralization Software" (1995), Section 3.
+C
+C     Two kinds of routine:
+C       - Householder floating point: HHFACE, HHSIDE, HHOPP, HHLCOO,
+C         HHWRAP.  Fast, backward stable, and rounded.  F(10..12) hold
+C         what is needed to bound the error (see HHFACE).
+C       - exact signs: HHORIE, HHINSP.  Right for all finite doubles,
+C         in every rounding mode, with extended precision, contraction
+C         or reassociation.
+C
+C     No routine allocates, reads, writes, keeps state between calls or
+C     stops the program.  With local arrays on the stack (gfortran
+C     -frecursive, f2c -a) all may be called from any number of
+C     threads; without, from one at a time.
+C
+C     A point is an array of 3 coordinates.  No argument but F, C is
+C     altered by the routines that hh_ names below.
+C
+C     The twin of hhpred.c, routine by routine:
+C
+C       exact numbers
+C         frexp      HHFREX      signof     HHSIGN
+C         ldexp      HHLDEX      limbsg     HHLIMB
+C         split      HHSPLI      limbs3     HHLIM3
+C         carry      HHCARR      limbs10    HHLIMT
+C         produc     HHPROD      limbsx     HHLIMX
+C         zeros      HHZERO      weight     HHWEIG
+C         minor2     HHMIN2      exact      HHEXAC
+C         minor3     HHMIN3
+C         square     HHSQUA
+C       exact signs
+C         certain    HHCERT      hh_orient    HHORIE
+C         filt3      HHFIL3      hh_insphere  HHINSP
+C         filt5      HHFIL5      hh_flat      HHFLAT
+C         exact3     HHEXA3      widersg      HHWIDS
+C         exact5     HHEXA5      hh_wider     HHWIDE
+C         scale      HHSCAL      hh_range     HHRANG
+C         larger     HHLARG      hh_pside     HHPSID
+C                                hh_pball     HHPBAL
+C       Householder
+C         house      HHHOUS      hh_side      HHSIDE
+C         reflec     HHREFL      hh_opp       HHOPP
+C         hh_setup   HHSETU      hh_lcoord    HHLCOO
+C         hh_bound   HHBOUN      hh_wrap      HHWRAP
+C         hh_facet   HHFACE
+C
+C     Where C returns a code beside other results, the last argument
+C     has it; a function alters no argument.  Axes, positions and
+C     indices count from 1.  Where C passes pointers into one array, the
+C     array comes first here, then what the pointers point to: columns
+C     of an array of points, offsets of exact numbers (number A of the
+C     array W has the limbs W(A+1), W(A+2), ...).
+C
+C     Constants, the same in every routine that has them, for doubles
+C     of 53 bits and integers of at least 32:
+C       EPS     the spacing of the doubles above 1 (DBL_EPSILON)
+C       HUGE    the largest double (DBL_MAX)
+C       NORMAL  the least normal double (DBL_MIN)
+C       UNSURE  the code for "not decided"
+C       BITS    bits of a limb
+C       HHLIM   (HH_LIMBS) exact numbers are arrays of at most HHLIM
+C               limbs.  The default holds every finite double beside
+C               every other.  With fewer, 3 at least, HHORIE and HHINSP
+C               return 2 when they do not suffice.  Scratch, in
+C               doubles: about 41 a limb; 29 KB for 88 limbs, in
+C               routines entered only when 3, then 10 limbs do not
+C               suffice.  To choose another one change it in HHLIMX,
+C               HHEXAC, HHWIDE and HHRANG.
+C       BASE    2**BITS
+C       TINY    an absolute error no smaller than what underflow,
+C               gradual or to zero, does to a determinant of
+C               differences of at most 2
+C       SMALL   below it the Householder bounds are not used, as
+C               squares might underflow
+C       SHIFT   BASE**SKIP; exact numbers that are all below LOW are
+C               first multiplied by it, so that no limb's weight
+C               underflows
+
+C     ------------------------------------------------------------------
+C     Exact numbers.
+C
+C     A number is an array of limbs, most significant first, each an
+C     integer kept in a double; limb I weighs BASE**(1-I) times what
+C     limb 1 does.  Limbs of coordinates are balanced, |limb| <= BASE/2,
+C     so those of a difference are at most BASE and need no carry.
+C     Every value formed stays below 2**53, so every operation is exact:
+C     in any rounding mode, with extended precision, contraction or
+C     reassociation.
+C     ------------------------------------------------------------------
+
+C     HHFREX - for C's frexp, which Fortran 77 lacks: the integer E with
+C     2**(E-1) <= |X| < 2**E; 0 for X = 0.
+C
+C     Products with powers of two in the range of normal doubles are
+C     exact, unlike a logarithm.  Strides of 2**16, 2**4 and 2 reach
+C     ordinary magnitudes in a few steps; the bounds on E end the search
+C     should X be no number.
+      INTEGER FUNCTION HHFREX(X)
+      DOUBLE PRECISION X
+      DOUBLE PRECISION BACK, STEP, Y
+      INTEGER E, LOGTWO, PASS
+      E = 0
+      Y = ABS(X)
+      IF (Y .GT. 0.0D0) THEN
+        LOGTWO = 16
+        DO 30 PASS = 1, 3
+          STEP = DBLE(2**LOGTWO)
+          BACK = 1.0D0/STEP
+   10     IF (Y .GE. STEP .AND. E .LT. 2000) THEN
+            Y = Y*BACK
+            E = E + LOGTWO
+            GO TO 10
+          END IF
+   20     IF (Y .LT. 1.0D0 .AND. E .GT. -2000) THEN
+            Y = Y*STEP
+            E = E - LOGTWO
+            GO TO 20
+          END IF
+          LOGTWO = LOGTWO/4
+   30   CONTINUE
+        E = E + 1
+      END IF
+      HHFREX = E
+      END
+
+C     HHLDEX - for C's ldexp, which Fortran 77 lacks: factors F1, F2
+C     with F1 * F2 = 2**E, |E| <= 2000.  A number times F1, then times
+C     F2, is rounded at most once.
+C
+C     F2 is not 1 only where F1 alone might be no normal double; it is
+C     so far from 1 then that a product with F1 that underflows ends as
+C     zero anyway.  Squaring and multiplying powers of two is exact,
+C     unlike an exponential.
+      SUBROUTINE HHLDEX(E, F1, F2)
+      INTEGER E
+      DOUBLE PRECISION F1, F2
+      DOUBLE PRECISION POWER
+      INTEGER REST
+      F1 = 1.0D0
+      F2 = 1.0D0
+      REST = E
+      IF (E .GT. 1000) THEN
+        F2 = 2.0D0**1000
+        REST = E - 1000
+      ELSE IF (E .LT. -1000) THEN
+        F2 = 2.0D0**(-1000)
+        REST = E + 1000
+      END IF
+      POWER = 2.0D0
+      IF (REST .LT. 0) POWER = 0.5D0
+      REST = ABS(REST)
+   10 IF (MOD(REST, 2) .EQ. 1) F1 = F1*POWER
+      REST = REST/2
+      IF (REST .GT. 0) THEN
+        POWER = POWER*POWER
+        GO TO 10
+      END IF
+      END
+
+C     HHSPLI - the N limbs of X, limb 1 of weight TOP, a power of two,
+C     |X| <= TOP BASE/2.  INFO is 0, or UNSURE when N limbs do not hold
+C     X.
+      SUBROUTINE HHSPLI(W, X, TOP, N, LIMB, INFO)
+      INTEGER N, LIMB, INFO
+      DOUBLE PRECISION W(*), X, TOP
+      INTEGER UNSURE, SKIP
+      PARAMETER (UNSURE = 2, SKIP = 25)
+      DOUBLE PRECISION BASE, SHIFT
+      PARAMETER (BASE = 2.0D0**24, SHIFT = 2.0D0**600)
+      DOUBLE PRECISION NEAR, Q, REST, UNIT, WEIGHT
+      INTEGER FIRST, I, J
+      REST = X
+      WEIGHT = TOP
+      FIRST = 1
+      IF (ABS(REST) .GT. 0.0D0 .AND.
+     $    ABS(REST) .LT. WEIGHT*(0.5D0/SHIFT)) THEN
+        REST = REST*SHIFT
+        FIRST = MIN(SKIP, N) + 1
+        DO 10 I = 1, FIRST - 1
+          W(LIMB+I) = 0.0D0
+   10   CONTINUE
+      END IF
+C     a limb 1 rounded up may weigh more than the largest double
+      REST = REST/BASE
+      WEIGHT = WEIGHT/BASE
+      UNIT = 1.0D0/WEIGHT
+      DO 20 I = FIRST, N
+        IF (ABS(REST) .LE. 0.0D0) GO TO 30
+        Q = REST*UNIT
+C       to nearest, without a sum that might round: REST stays exact
+        NEAR = DBLE(INT(Q))
+        IF (Q - NEAR .GT. 0.5D0) NEAR = NEAR + 1.0D0
+        IF (Q - NEAR .LT. -0.5D0) NEAR = NEAR - 1.0D0
+        W(LIMB+I) = NEAR
+        REST = REST - NEAR*WEIGHT
+        WEIGHT = WEIGHT*(1.0D0/BASE)
+        UNIT = UNIT*BASE
+   20 CONTINUE
+   30 DO 40 J = I, N
+        W(LIMB+J) = 0.0D0
+   40 CONTINUE
+      INFO = UNSURE
+      IF (ABS(REST) .LE. 0.0D0) INFO = 0
+      END
+
+C     HHCARR - bring the limbs of R, below 2**53, back to little more
+C     than BASE/2, in two passes over all limbs side by side.  Limb 1
+C     keeps what it gets.
+      SUBROUTINE HHCARR(W, N, R)
+      INTEGER N, R
+      DOUBLE PRECISION W(*)
+      DOUBLE PRECISION BASE
+      PARAMETER (BASE = 2.0D0**24)
+      INTEGER CARRY
+      PARAMETER (CARRY = 2**29)
+      DOUBLE PRECISION C
+      INTEGER I, PASS
+      DO 20 PASS = 1, 2
+        DO 10 I = 2, N
+C         to nearest: the offset makes every quotient positive
+          C = DBLE(INT(W(R+I)/BASE + (CARRY + 0.5D0)) - CARRY)
+          W(R+I) = W(R+I) - C*BASE
+          W(R+I-1) = W(R+I-1) + C
+   10   CONTINUE
+   20 CONTINUE
+      END
+
+C     HHPROD - add (SGN 1) or subtract (-1) A*B to R of NA + NB limbs;
+C     limb 1 of R weighs BASE times the product of the two limbs 1.
+C
+C     With |limbs| of at most BASE, 31 products fit one limb of R.  A
+C     call leaves at most 10 rows uncarried, so three calls may share
+C     one carry.
+      SUBROUTINE HHPROD(W, NA, A, NB, B, SGN, R)
+      INTEGER NA, A, NB, B, SGN, R
+      DOUBLE PRECISION W(*)
+      DOUBLE PRECISION F
+      INTEGER I, J
+      DO 20 I = 1, NA
+        IF (I .GT. 1 .AND. MOD(I, 10) .EQ. 1) CALL HHCARR(W, NA + NB, R)
+        F = SGN*W(A+I)
+        DO 10 J = 1, NB
+          W(R+I+J) = W(R+I+J) + F*W(B+J)
+   10   CONTINUE
+   20 CONTINUE
+      END
+
+C     HHZERO - R = 0.
+      SUBROUTINE HHZERO(W, N, R)
+      INTEGER N, R
+      DOUBLE PRECISION W(*)
+      INTEGER I
+      DO 10 I = 1, N
+        W(R+I) = 0.0D0
+   10 CONTINUE
+      END
+
+C     HHMIN2 - R = A(1) B(2) - B(1) A(2), 2N limbs, of rows A, B.
+      SUBROUTINE HHMIN2(W, N, A, B, R)
+      INTEGER N, A, B, R
+      DOUBLE PRECISION W(*)
+      CALL HHZERO(W, 2*N, R)
+      CALL HHPROD(W, N, A, N, B + N, 1, R)
+      CALL HHPROD(W, N, B, N, A + N, -1, R)
+      CALL HHCARR(W, 2*N, R)
+      END
+
+C     HHMIN3 - R = A(3) M(B,C) - B(3) M(A,C) + C(3) M(A,B), 3N limbs, of
+C     rows A, B, C and their 2 by 2 minors M.
+      SUBROUTINE HHMIN3(W, N, A, B, C, MBC, MAC, MAB, R)
+      INTEGER N, A, B, C, MBC, MAC, MAB, R
+      DOUBLE PRECISION W(*)
+      CALL HHZERO(W, 3*N, R)
+      CALL HHPROD(W, N, A + 2*N, 2*N, MBC, 1, R)
+      CALL HHPROD(W, N, B + 2*N, 2*N, MAC, -1, R)
+      CALL HHPROD(W, N, C + 2*N, 2*N, MAB, 1, R)
+      CALL HHCARR(W, 3*N, R)
+      END
+
+C     HHSQUA - R = |A|**2, 2N limbs.
+      SUBROUTINE HHSQUA(W, N, A, R)
+      INTEGER N, A, R
+      DOUBLE PRECISION W(*)
+      INTEGER K
+      CALL HHZERO(W, 2*N, R)
+      DO 10 K = 0, 2
+        CALL HHPROD(W, N, A + K*N, N, A + K*N, 1, R)
+   10 CONTINUE
+      CALL HHCARR(W, 2*N, R)
+      END
+
+C     HHSIGN - the sign of R, by Horner's rule from the top: behind a
+C     partial sum of more than 64 units the rest cannot change the sign.
+      INTEGER FUNCTION HHSIGN(W, N, R)
+      INTEGER N, R
+      DOUBLE PRECISION W(*)
+      DOUBLE PRECISION BASE
+      PARAMETER (BASE = 2.0D0**24)
+      DOUBLE PRECISION S
+      INTEGER I
+      S = 0.0D0
+      DO 10 I = 1, N
+        IF (ABS(S) .GT. 64.0D0) GO TO 20
+        S = S*BASE + W(R+I)
+   10 CONTINUE
+   20 HHSIGN = 0
+      IF (S .GT. 0.0D0) HHSIGN = 1
+      IF (S .LT. 0.0D0) HHSIGN = -1
+      END
+
+C     HHLIMB - with N limbs, the sign of the determinant of the rows
+C     Q(I) - Q(NP) for NP = 4 points Q, or of the rows (Q(I) - Q(NP),
+C     |Q(I) - Q(NP)|**2) for 5; UNSURE when N limbs do not hold the
+C     points.  WORK: 37N doubles.
+      SUBROUTINE HHLIMB(NP, Q, TOP, N, WORK, SGN)
+      INTEGER NP, N, SGN
+      DOUBLE PRECISION Q(3,*), TOP, WORK(*)
+      INTEGER HHSIGN
+      INTEGER ROW0, ROW1, ROW2, ROW3, LAST, LIFT, DET, TOTAL
+      INTEGER M01, M02, M12, M03, M13, M23, I, J, K, ROWS
+      ROWS = NP - 1
+      ROW0 = 0
+      ROW1 = 3*N
+      ROW2 = 6*N
+      ROW3 = 9*N
+      LAST = 12*N
+      M01 = 15*N
+      M02 = 17*N
+      M12 = 19*N
+      M03 = 21*N
+      M13 = 23*N
+      M23 = 25*N
+      LIFT = 27*N
+      DET = 29*N
+      TOTAL = 32*N
+
+      DO 10 K = 1, 3
+        CALL HHSPLI(WORK, Q(K,NP), TOP, N, LAST + (K - 1)*N, SGN)
+        IF (SGN .NE. 0) RETURN
+   10 CONTINUE
+      DO 30 I = 1, ROWS
+        DO 20 K = 1, 3
+          CALL HHSPLI(WORK, Q(K,I), TOP, N, (3*I + K - 4)*N, SGN)
+          IF (SGN .NE. 0) RETURN
+   20   CONTINUE
+   30 CONTINUE
+      DO 50 I = 1, ROWS
+        DO 40 K = 1, 3*N
+          J = 3*N*(I - 1) + K
+          WORK(J) = WORK(J) - WORK(LAST+K)
+   40   CONTINUE
+   50 CONTINUE
+
+      CALL HHMIN2(WORK, N, ROW0, ROW1, M01)
+      CALL HHMIN2(WORK, N, ROW0, ROW2, M02)
+      CALL HHMIN2(WORK, N, ROW1, ROW2, M12)
+      IF (NP .EQ. 4) THEN
+        CALL HHMIN3(WORK, N, ROW0, ROW1, ROW2, M12, M02, M01, DET)
+        SGN = HHSIGN(WORK, 3*N, DET)
+        RETURN
+      END IF
+      CALL HHMIN2(WORK, N, ROW0, ROW3, M03)
+      CALL HHMIN2(WORK, N, ROW1, ROW3, M13)
+      CALL HHMIN2(WORK, N, ROW2, ROW3, M23)
+      CALL HHZERO(WORK, 5*N, TOTAL)
+      DO 60 I = 1, 4
+        IF (I .EQ. 1) CALL HHMIN3(WORK, N, ROW1, ROW2, ROW3,
+     $                            M23, M13, M12, DET)
+        IF (I .EQ. 2) CALL HHMIN3(WORK, N, ROW0, ROW2, ROW3,
+     $                            M23, M03, M02, DET)
+        IF (I .EQ. 3) CALL HHMIN3(WORK, N, ROW0, ROW1, ROW3,
+     $                            M13, M03, M01, DET)
+        IF (I .EQ. 4) CALL HHMIN3(WORK, N, ROW0, ROW1, ROW2,
+     $                            M12, M02, M01, DET)
+        CALL HHSQUA(WORK, N, 3*N*(I - 1), LIFT)
+        CALL HHPROD(WORK, 2*N, LIFT, 3*N, DET, 1 - 2*MOD(I, 2), TOTAL)
+        CALL HHCARR(WORK, 5*N, TOTAL)
+   60 CONTINUE
+      SGN = HHSIGN(WORK, 5*N, TOTAL)
+      END
+
+C     Scratch of three sizes: 3 limbs (70 bits) hold ordinary data.
+      SUBROUTINE HHLIM3(NP, Q, TOP, SGN)
+      INTEGER NP, SGN
+      DOUBLE PRECISION Q(3,*), TOP
+      DOUBLE PRECISION WORK(37*3)
+      CALL HHLIMB(NP, Q, TOP, 3, WORK, SGN)
+      END
+
+      SUBROUTINE HHLIMT(NP, Q, TOP, SGN)
+      INTEGER NP, SGN
+      DOUBLE PRECISION Q(3,*), TOP
+      DOUBLE PRECISION WORK(37*10)
+      CALL HHLIMB(NP, Q, TOP, 10, WORK, SGN)
+      END
+
+      SUBROUTINE HHLIMX(NP, Q, TOP, SGN)
+      INTEGER NP, SGN
+      DOUBLE PRECISION Q(3,*), TOP
+      INTEGER HHLIM
+      PARAMETER (HHLIM = 88)
+      DOUBLE PRECISION WORK(37*HHLIM)
+      CALL HHLIMB(NP, Q, TOP, HHLIM, WORK, SGN)
+      END
+
+C     HHWEIG - the weight of limb 1 of numbers of at most MOST > 0: MOST
+C     fills it.
+      DOUBLE PRECISION FUNCTION HHWEIG(MOST)
+      DOUBLE PRECISION MOST
+      INTEGER HHFREX
+      INTEGER BITS
+      PARAMETER (BITS = 24)
+      DOUBLE PRECISION F1, F2
+      CALL HHLDEX(HHFREX(MOST) + 1 - BITS, F1, F2)
+      HHWEIG = F1*F2
+      END
+
+C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
+      SUBROUTINE HHEXAC(NP, Q, SGN)
+      INTEGER NP, SGN
+      DOUBLE PRECISION Q(3,*)
+      DOUBLE PRECISION HHWEIG
+      INTEGER UNSURE, HHLIM
+      PARAMETER (UNSURE = 2, HHLIM = 88)
+      DOUBLE PRECISION SHIFT, LOW
+      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
+      DOUBLE PRECISION MOST, TOP
+      INTEGER I, K
+      SGN = 0
+      MOST = 0.0D0
+      DO 20 I = 1, NP
+        DO 10 K = 1, 3
+          MOST = MAX(MOST, ABS(Q(K,I)))
+   10   CONTINUE
+   20 CONTINUE
+      IF (MOST .LE. 0.0D0) RETURN
+      IF (MOST .LT. LOW) THEN
+        DO 40 I = 1, NP
+          DO 30 K = 1, 3
+            Q(K,I) = Q(K,I)*SHIFT
+   30     CONTINUE
+   40   CONTINUE
+        MOST = MOST*SHIFT
+      END IF
+      TOP = HHWEIG(MOST)
+      CALL HHLIM3(NP, Q, TOP, SGN)
+      IF (SGN .EQ. UNSURE .AND. HHLIM .GT. 10)
+     $  CALL HHLIMT(NP, Q, TOP, SGN)
+      IF (SGN .EQ. UNSURE) CALL HHLIMX(NP, Q, TOP, SGN)
+      END
+
+C     ------------------------------------------------------------------
+C     Exact signs: a filter, then limbs.
+C
+C     The filters take coordinates of absolute value at most 1, possibly
+C     with an absolute error where tiny ones underflowed.  A term of the
+C     orientation determinant is a product of 3 differences with at most
+C     5 more roundings in it, one of the insphere determinant a product
+C     of 5 differences with at most 12: relative errors of at most 8 EPS
+C     and 17 EPS of the permanent in any rounding mode and any order of
+C     evaluation, doubled to cover the rounding of the permanent itself
+C     and of the bound.  Underflow, and coordinates that underflowed,
+C     add less than TINY.  With T >= 0 all coordinates are integer
+C     multiples of some unit and a permanent of at most T (2**52 units)
+C     means that nothing was rounded at all.
+C     ------------------------------------------------------------------
+
+C     HHCERT - the sign of DET, certain beyond an error or when exact.
+      INTEGER FUNCTION HHCERT(DET, PERM, FACTOR, T)
+      DOUBLE PRECISION DET, PERM, FACTOR, T
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION EPS, TINY
+      PARAMETER (EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
+      DOUBLE PRECISION ERR
+      ERR = FACTOR*EPS*PERM + TINY
+      IF (DET .GT. ERR) THEN
+        HHCERT = 1
+      ELSE IF (DET .LT. -ERR) THEN
+        HHCERT = -1
+      ELSE IF (PERM .LE. T) THEN
+        HHCERT = 0
+        IF (DET .GT. 0.0D0) HHCERT = 1
+        IF (DET .LT. 0.0D0) HHCERT = -1
+      ELSE
+        HHCERT = UNSURE
+      END IF
+      END
+
+C     HHFIL3 - the sign of det [B-A C-A D-A], or UNSURE, of points A, B,
+C     C, D of X.
+      INTEGER FUNCTION HHFIL3(X, A, B, C, D, T)
+      INTEGER A, B, C, D
+      DOUBLE PRECISION X(3,*), T
+      INTEGER HHCERT
+      DOUBLE PRECISION BX, BY, BZ, CX, CY, CZ, DX, DY, DZ
+      DOUBLE PRECISION BYZ, BZY, BZX, BXZ, BXY, BYX, DET, PERM
+      BX = X(1,B) - X(1,A)
+      BY = X(2,B) - X(2,A)
+      BZ = X(3,B) - X(3,A)
+      CX = X(1,C) - X(1,A)
+      CY = X(2,C) - X(2,A)
+      CZ = X(3,C) - X(3,A)
+      DX = X(1,D) - X(1,A)
+      DY = X(2,D) - X(2,A)
+      DZ = X(3,D) - X(3,A)
+      BYZ = BY*CZ
+      BZY = BZ*CY
+      BZX = BZ*CX
+      BXZ = BX*CZ
+      BXY = BX*CY
+      BYX = BY*CX
+      DET = DX*(BYZ - BZY) + DY*(BZX - BXZ) + DZ*(BXY - BYX)
+      PERM = ABS(DX)*(ABS(BYZ) + ABS(BZY)) +
+     $       ABS(DY)*(ABS(BZX) + ABS(BXZ)) +
+     $       ABS(DZ)*(ABS(BXY) + ABS(BYX))
+      HHFIL3 = HHCERT(DET, PERM, 16.0D0, T)
+      END
+
+C     HHFIL5 - the sign of I = det of the rows (Q - E, |Q - E|**2), Q =
+C     A, B, C, D, or UNSURE, of points A, B, C, D, E of X.  E is inside
+C     the ball of A, B, C, D iff I and the determinant of the rows A-D,
+C     B-D, C-D have the same sign.
+      INTEGER FUNCTION HHFIL5(X, A, B, C, D, E, T)
+      INTEGER A, B, C, D, E
+      DOUBLE PRECISION X(3,*), T
+      INTEGER HHCERT
+      DOUBLE PRECISION AX, AY, AZ, BX, BY, BZ, CX, CY, CZ, DX, DY, DZ
+      DOUBLE PRECISION LA, LB, LC, LD, AB, BC, CD, DA, AC, BD
+      DOUBLE PRECISION AB1, BC1, CD1, DA1, AC1, BD1
+      DOUBLE PRECISION AB2, BC2, CD2, DA2, AC2, BD2, DET, PERM
+      AX = X(1,A) - X(1,E)
+      AY = X(2,A) - X(2,E)
+      AZ = X(3,A) - X(3,E)
+      BX = X(1,B) - X(1,E)
+      BY = X(2,B) - X(2,E)
+      BZ = X(3,B) - X(3,E)
+      CX = X(1,C) - X(1,E)
+      CY = X(2,C) - X(2,E)
+      CZ = X(3,C) - X(3,E)
+      DX = X(1,D) - X(1,E)
+      DY = X(2,D) - X(2,E)
+      DZ = X(3,D) - X(3,E)
+      LA = AX*AX + AY*AY + AZ*AZ
+      LB = BX*BX + BY*BY + BZ*BZ
+      LC = CX*CX + CY*CY + CZ*CZ
+      LD = DX*DX + DY*DY + DZ*DZ
+      AB1 = AX*BY
+      AB2 = BX*AY
+      BC1 = BX*CY
+      BC2 = CX*BY
+      CD1 = CX*DY
+      CD2 = DX*CY
+      DA1 = DX*AY
+      DA2 = AX*DY
+      AC1 = AX*CY
+      AC2 = CX*AY
+      BD1 = BX*DY
+      BD2 = DX*BY
+      AB = AB1 - AB2
+      BC = BC1 - BC2
+      CD = CD1 - CD2
+      DA = DA1 - DA2
+      AC = AC1 - AC2
+      BD = BD1 - BD2
+      DET = LB*(AZ*CD + CZ*DA + DZ*AC) - LA*(BZ*CD - CZ*BD + DZ*BC) +
+     $      LD*(AZ*BC - BZ*AC + CZ*AB) - LC*(AZ*BD + BZ*DA + DZ*AB)
+
+      AB = ABS(AB1) + ABS(AB2)
+      BC = ABS(BC1) + ABS(BC2)
+      CD = ABS(CD1) + ABS(CD2)
+      DA = ABS(DA1) + ABS(DA2)
+      AC = ABS(AC1) + ABS(AC2)
+      BD = ABS(BD1) + ABS(BD2)
+      AZ = ABS(AZ)
+      BZ = ABS(BZ)
+      CZ = ABS(CZ)
+      DZ = ABS(DZ)
+      PERM = LA*(BZ*CD + CZ*BD + DZ*BC) + LB*(AZ*CD + CZ*DA + DZ*AC) +
+     $       LC*(AZ*BD + BZ*DA + DZ*AB) + LD*(AZ*BC + BZ*AC + CZ*AB)
+      HHFIL5 = HHCERT(DET, PERM, 32.0D0, T)
+      END
+
+C     HHEXA3 - the sign of det [B-A C-A D-A] by limbs, of points A, B,
+C     C, D of P.
+      INTEGER FUNCTION HHEXA3(P, A, B, C, D)
+      INTEGER A, B, C, D
+      DOUBLE PRECISION P(3,*)
+      DOUBLE PRECISION Q(3,4)
+      INTEGER K, SGN
+      DO 10 K = 1, 3
+        Q(K,1) = P(K,B)
+        Q(K,2) = P(K,C)
+        Q(K,3) = P(K,D)
+        Q(K,4) = P(K,A)
+   10 CONTINUE
+      CALL HHEXAC(4, Q, SGN)
+      HHEXA3 = SGN
+      END
+
+C     HHEXA5 - the sign of HHFIL5's determinant by limbs, of points A,
+C     B, C, D, E of P.
+      INTEGER FUNCTION HHEXA5(P, A, B, C, D, E)
+      INTEGER A, B, C, D, E
+      DOUBLE PRECISION P(3,*)
+      DOUBLE PRECISION Q(3,5)
+      INTEGER K, SGN
+      DO 10 K = 1, 3
+        Q(K,1) = P(K,A)
+        Q(K,2) = P(K,B)
+        Q(K,3) = P(K,C)
+        Q(K,4) = P(K,D)
+        Q(K,5) = P(K,E)
+   10 CONTINUE
+      CALL HHEXAC(5, Q, SGN)
+      HHEXA5 = SGN
+      END
+
+C     HHSCAL - factors F1, F2: a coordinate times F1, then times F2, is
+C     the coordinate times the power of two that makes MOST, the largest
+C     absolute value among several points, at most 1.
+      SUBROUTINE HHSCAL(MOST, F1, F2)
+      DOUBLE PRECISION MOST, F1, F2
+      INTEGER HHFREX
+      CALL HHLDEX(-HHFREX(MOST), F1, F2)
+      END
+
+C     HHLARG - the larger of MOST and the absolute coordinates of P.
+      DOUBLE PRECISION FUNCTION HHLARG(MOST, P)
+      DOUBLE PRECISION MOST, P(3)
+      HHLARG = MAX(MOST, ABS(P(1)), ABS(P(2)), ABS(P(3)))
+      END
+
+C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
+C     is on the side of A, B, C from which they are seen
+C     counter-clockwise.  2 when HHLIM limbs do not suffice (never, with
+C     the default).
+      INTEGER FUNCTION HHORIE(A, B, C, D)
+      DOUBLE PRECISION A(3), B(3), C(3), D(3)
+      INTEGER HHEXA3, HHFIL3
+      DOUBLE PRECISION HHLARG
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION MOST, F1, F2, P(3,4), S(3,4)
+      INTEGER I, K, SGN
+      MOST = HHLARG(HHLARG(HHLARG(HHLARG(0.0D0, A), B), C), D)
+      CALL HHSCAL(MOST, F1, F2)
+      DO 20 K = 1, 3
+        P(K,1) = A(K)
+        P(K,2) = B(K)
+        P(K,3) = C(K)
+        P(K,4) = D(K)
+        DO 10 I = 1, 4
+          S(K,I) = (P(K,I)*F1)*F2
+   10   CONTINUE
+   20 CONTINUE
+      SGN = HHFIL3(S, 1, 2, 3, 4, -1.0D0)
+      IF (SGN .EQ. UNSURE) SGN = HHEXA3(P, 1, 2, 3, 4)
+      HHORIE = SGN
+      END
+
+C     HHINSP - exact: 1 when E is inside the ball of A, B, C, D,
+C     whatever their orientation, -1 when it is outside, 0 on the sphere
+C     or when A, B, C, D are coplanar.  2 when HHLIM limbs do not
+C     suffice (never, with the default).
+      INTEGER FUNCTION HHINSP(A, B, C, D, E)
+      DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
+      INTEGER HHEXA5, HHFIL5, HHORIE
+      DOUBLE PRECISION HHLARG
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION MOST, F1, F2, P(3,5), S(3,5)
+      INTEGER I, K, SGN, SIDE
+      SIDE = HHORIE(A, B, C, D)
+      HHINSP = SIDE
+      IF (SIDE .EQ. 0 .OR. SIDE .EQ. UNSURE) RETURN
+      MOST = HHLARG(HHLARG(HHLARG(0.0D0, A), B), C)
+      MOST = HHLARG(HHLARG(MOST, D), E)
+      CALL HHSCAL(MOST, F1, F2)
+      DO 20 K = 1, 3
+        P(K,1) = A(K)
+        P(K,2) = B(K)
+        P(K,3) = C(K)
+        P(K,4) = D(K)
+        P(K,5) = E(K)
+        DO 10 I = 1, 5
+          S(K,I) = (P(K,I)*F1)*F2
+   10   CONTINUE
+   20 CONTINUE
+      SGN = HHFIL5(S, 1, 2, 3, 4, 5, -1.0D0)
+      IF (SGN .EQ. UNSURE) SGN = HHEXA5(P, 1, 2, 3, 4, 5)
+      HHINSP = -SIDE*SGN
+      IF (SGN .EQ. UNSURE) HHINSP = UNSURE
+      END
+
+C     HHFLAT - the exact sign of the area of A, B, C projected along an
+C     AXIS 1, 2 or 3: of the orientation in the plane of the two other
+C     coordinates, in cyclic order.  A, B, C are collinear iff it is 0
+C     along all three axes.
+      INTEGER FUNCTION HHFLAT(AXIS, A, B, C)
+      INTEGER AXIS
+      DOUBLE PRECISION A(3), B(3), C(3)
+      INTEGER HHORIE
+      DOUBLE PRECISION HHLARG
+      DOUBLE PRECISION EPS, TINY
+      PARAMETER (EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
+      DOUBLE PRECISION LEFT, RIGHT, PERM
+      DOUBLE PRECISION QA(3), QB(3), QC(3), TOP(3)
+      INTEGER I, K
+      I = MOD(AXIS, 3) + 1
+      K = MOD(AXIS + 1, 3) + 1
+      LEFT = (B(I) - A(I))*(C(K) - A(K))
+      RIGHT = (B(K) - A(K))*(C(I) - A(I))
+      PERM = ABS(LEFT) + ABS(RIGHT)
+      IF (PERM .LT. 1.0D0/TINY) THEN
+        IF (LEFT - RIGHT .GT. 8.0D0*EPS*PERM + TINY) THEN
+          HHFLAT = 1
+          RETURN
+        ELSE IF (RIGHT - LEFT .GT. 8.0D0*EPS*PERM + TINY) THEN
+          HHFLAT = -1
+          RETURN
+        END IF
+      END IF
+      DO 10 K = 1, 3
+        QA(K) = A(K)
+        QB(K) = B(K)
+        QC(K) = C(K)
+        TOP(K) = A(K)
+   10 CONTINUE
+      QA(AXIS) = 0.0D0
+      QB(AXIS) = 0.0D0
+      QC(AXIS) = 0.0D0
+C     any height will do that needs no more limbs than the points
+      TOP(AXIS) = HHLARG(HHLARG(HHLARG(0.0D0, QA), QB), QC)
+      HHFLAT = HHORIE(QA, QB, QC, TOP)
+      END
+
+C     HHWIDS - with N limbs, the sign of Q(1) + Q(2) - Q(3) - Q(4);
+C     UNSURE when they do not hold Q.  WORK: 2N doubles.
+      SUBROUTINE HHWIDS(Q, TOP, N, WORK, SGN)
+      INTEGER N, SGN
+      DOUBLE PRECISION Q(4), TOP, WORK(*)
+      INTEGER HHSIGN
+      DOUBLE PRECISION F
+      INTEGER I, K
+      CALL HHZERO(WORK, N, N)
+      DO 20 I = 1, 4
+        CALL HHSPLI(WORK, Q(I), TOP, N, 0, SGN)
+        IF (SGN .NE. 0) RETURN
+        F = 1.0D0
+        IF (I .GT. 2) F = -1.0D0
+        DO 10 K = 1, N
+          WORK(N+K) = WORK(N+K) + F*WORK(K)
+   10   CONTINUE
+   20 CONTINUE
+      SGN = HHSIGN(WORK, N, N)
+      END
+
+C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
+      INTEGER FUNCTION HHWIDE(A, B, C, D)
+      DOUBLE PRECISION A, B, C, D
+      DOUBLE PRECISION HHWEIG
+      INTEGER UNSURE, HHLIM
+      PARAMETER (UNSURE = 2, HHLIM = 88)
+      DOUBLE PRECISION EPS, TINY, SHIFT, LOW
+      PARAMETER (EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
+      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
+      DOUBLE PRECISION X, Y, ERR, Q(4), WORK(2*HHLIM), TOP, MOST
+      INTEGER I, SGN
+      X = 0.25D0*A - 0.25D0*B
+      Y = 0.25D0*C - 0.25D0*D
+      ERR = 4.0D0*EPS*(X + Y) + TINY
+      IF (X - Y .GT. ERR) THEN
+        HHWIDE = 1
+        RETURN
+      ELSE IF (Y - X .GT. ERR) THEN
+        HHWIDE = -1
+        RETURN
+      END IF
+      Q(1) = A
+      Q(2) = D
+      Q(3) = B
+      Q(4) = C
+      HHWIDE = 0
+      MOST = MAX(ABS(A), ABS(B), ABS(C), ABS(D))
+      IF (MOST .LE. 0.0D0) RETURN
+      IF (MOST .LT. LOW) THEN
+        DO 10 I = 1, 4
+          Q(I) = Q(I)*SHIFT
+   10   CONTINUE
+        MOST = MOST*SHIFT
+      END IF
+      TOP = HHWEIG(MOST)
+      CALL HHWIDS(Q, TOP, 3, WORK, SGN)
+      IF (SGN .EQ. UNSURE) CALL HHWIDS(Q, TOP, HHLIM, WORK, SGN)
+      HHWIDE = SGN
+      END
+
+C     HHRANG - 0 when HHLIM limbs hold X beside coordinates of absolute
+C     value MOST > 0, else UNSURE.
+      INTEGER FUNCTION HHRANG(X, MOST)
+      DOUBLE PRECISION X, MOST
+      DOUBLE PRECISION HHWEIG
+      INTEGER HHLIM
+      PARAMETER (HHLIM = 88)
+      DOUBLE PRECISION SHIFT, LOW
+      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
+      DOUBLE PRECISION LIMB(HHLIM), TOP, Y
+      INTEGER INFO
+      Y = X
+      TOP = MOST
+      IF (MOST .LT. LOW) THEN
+        Y = Y*SHIFT
+        TOP = TOP*SHIFT
+      END IF
+      CALL HHSPLI(LIMB, Y, HHWEIG(TOP), HHLIM, 0, INFO)
+      HHRANG = INFO
+      END
+
+C     HHPSID - HHORIE for the positions I, J, K, L of a set of points as
+C     tess keeps them (hh_set in C).  Position I is place I in the
+C     sorted order; duplicates are gone.
+C       X       the coordinates times one power of two, of absolute
+C               value at most 1; what underflows is absorbed by the
+C               filters' absolute terms
+C       P       the caller's coordinates, which the exact arithmetic
+C               takes
+C       ORD     position -> index in P
+C       T3, T5  orientations and inspheres whose permanent is at most
+C               this are computed without rounding (all coordinates are
+C               small multiples of one power of two); -1 when that is
+C               not known
+      INTEGER FUNCTION HHPSID(X, P, ORD, T3, I, J, K, L)
+      DOUBLE PRECISION X(3,*), P(3,*), T3
+      INTEGER ORD(*), I, J, K, L
+      INTEGER HHEXA3, HHFIL3
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      INTEGER SGN
+      SGN = HHFIL3(X, I, J, K, L, T3)
+      IF (SGN .EQ. UNSURE)
+     $  SGN = HHEXA3(P, ORD(I), ORD(J), ORD(K), ORD(L))
+      HHPSID = SGN
+      END
+
+C     HHPBAL - the sign, never 0, of the perturbed insphere determinant
+C     of HHFIL5, here D, for the positions I, J, K, L, M of a set of
+C     points (see HHPSID): M is inside the ball of I, J, K, L iff D
+C     times HHPSID of I, J, K, L is negative.
+C
+C     The lifted height of point number i is lowered by e_i, e_1 >> e_2
+C     >> ... > 0 (Figure 4 of the paper made precise: the point of least
+C     number is a vertex of all the tetrahedra of a cospherical set).
+C     So if D = 0 the sign is that of the cofactor of the least e_i that
+C     has one: with the five positions numbered 1 to 5 as arguments,
+C     -(-1)**k times the determinant of the other four in their order,
+C     of the first k in increasing order of the points' numbers for
+C     which it is not 0.
+      INTEGER FUNCTION HHPBAL(X, P, ORD, T3, T5, I, J, K, L, M)
+      DOUBLE PRECISION X(3,*), P(3,*), T3, T5
+      INTEGER ORD(*), I, J, K, L, M
+      INTEGER HHEXA5, HHFIL5, HHPSID
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      LOGICAL TAKEN(5)
+      INTEGER V(5), REST(4), LEAST, N, R, SGN, TURN
+      SGN = HHFIL5(X, I, J, K, L, M, T5)
+      IF (SGN .EQ. UNSURE)
+     $  SGN = HHEXA5(P, ORD(I), ORD(J), ORD(K), ORD(L), ORD(M))
+      V(1) = I
+      V(2) = J
+      V(3) = K
+      V(4) = L
+      V(5) = M
+      DO 10 N = 1, 5
+        TAKEN(N) = .FALSE.
+   10 CONTINUE
+      DO 40 TURN = 1, 5
+        IF (SGN .NE. 0) GO TO 50
+        LEAST = 0
+        DO 20 N = 1, 5
+          IF (.NOT. TAKEN(N)) THEN
+            IF (LEAST .EQ. 0) THEN
+              LEAST = N
+            ELSE IF (ORD(V(N)) .LT. ORD(V(LEAST))) THEN
+              LEAST = N
+            END IF
+          END IF
+   20   CONTINUE
+        TAKEN(LEAST) = .TRUE.
+        R = 0
+        DO 30 N = 1, 5
+          IF (N .NE. LEAST) THEN
+            R = R + 1
+            REST(R) = V(N)
+          END IF
+   30   CONTINUE
+C       the determinant of the rows A-D, B-D, C-D is minus HHORIE
+        SGN = HHPSID(X, P, ORD, T3, REST(1), REST(2), REST(3), REST(4))
+        IF (MOD(LEAST, 2) .EQ. 1) SGN = -SGN
+   40 CONTINUE
+   50 HHPBAL = SGN
+      END
+
+C     ------------------------------------------------------------------
+C     Householder transformations (Section 3).
+C
+C     P = [P2-P1 P3-P1] = Q R, Q = Q1 Q2, Qi = I - b_i u_i u_i'; R upper
+C     triangular.  A reflector is kept as b and u with the scaling of u
+C     left as it comes, b = 2/u'u.
+C
+C     Forward error of the side.  The computed (Z-P1).V is the exact
+C     value for slightly perturbed points and Q (Section 3.1), but the
+C     normal of the perturbed facet is turned against the true one by at
+C     most the error of R's second column over |R22|: a multiple of s =
+C     |P3-P1| / |R22|, one over the sine of the facet's angle at P1.  So
+C     the error is at most E |W| with E = EPS (A s + B).  Counting
+C     roundings gives A = 170, B = 90 with room for every rounding mode.
+C
+C     Forward error of L.  C - P1 = Q y; y2 has the error of R12/R22 and
+C     R22 in it, again s times a multiple of EPS rho: dc = EPS rho (700
+C     s + 100).  In L = (W.W - 2 (C-P1).W) / (2 V.W) the numerator errs
+C     by at most |W| (EPS (3 |W| + 5 rho) + 2 dc), the denominator by 2
+C     E |W|; a quotient a/b with errors da, db errs by at most (da +
+C     |a/b| db) / (|b| - db), plus 4 EPS |L| for the last roundings.
+C
+C     A frame H holds the reflectors, u1 (1..3), b1 (4), u2 (5..6), b2
+C     (7), u2 acting on rows 2, 3; and R11 (8), R12 (9), R22 (10).
+C     ------------------------------------------------------------------
+
+C     HHHOUS - the reflectors and R of [A B].  A zero column leaves
+C     zeros.
+      SUBROUTINE HHHOUS(A, B, H)
+      DOUBLE PRECISION A(3), B(3), H(10)
+      DOUBLE PRECISION NORMAL
+      PARAMETER (NORMAL = 2.0D0**(-1022))
+      DOUBLE PRECISION NORM, T, Q1, Q2
+      NORM = SQRT(A(1)*A(1) + A(2)*A(2) + A(3)*A(3))
+      H(8) = NORM
+      IF (A(1) .GT. 0.0D0) H(8) = -NORM
+      H(1) = A(1) - H(8)
+      H(2) = A(2)
+      H(3) = A(3)
+      T = NORM*(NORM + ABS(A(1)))
+      H(4) = 0.0D0
+      IF (T .GT. NORMAL) H(4) = 1.0D0/T
+
+      T = H(4)*(H(1)*B(1) + H(2)*B(2) + H(3)*B(3))
+      H(9) = B(1) - T*H(1)
+      Q1 = B(2) - T*H(2)
+      Q2 = B(3) - T*H(3)
+      NORM = SQRT(Q1*Q1 + Q2*Q2)
+      H(10) = NORM
+      IF (Q1 .GT. 0.0D0) H(10) = -NORM
+      H(5) = Q1 - H(10)
+      H(6) = Q2
+      T = NORM*(NORM + ABS(Q1))
+      H(7) = 0.0D0
+      IF (T .GT. NORMAL) H(7) = 1.0D0/T
+      END
+
+C     HHREFL - Z = Q1 Q2 (Y1, Y2, Y3).
+      SUBROUTINE HHREFL(H, Y1, Y2, Y3, Z)
+      DOUBLE PRECISION H(10), Y1, Y2, Y3, Z(3)
+      DOUBLE PRECISION T, T2, T3
+      T = H(7)*(H(5)*Y2 + H(6)*Y3)
+      T2 = Y2 - T*H(5)
+      T3 = Y3 - T*H(6)
+      T = H(4)*(H(1)*Y1 + H(2)*T2 + H(3)*T3)
+      Z(1) = Y1 - T*H(1)
+      Z(2) = T2 - T*H(2)
+      Z(3) = T3 - T*H(3)
+      END
+
+C     HHSETU - HHFACE for points of absolute value at most 1, without
+C     the test for collinear points; F as there, but E and dc are HUGE
+C     and the rest is finite when the facet is too thin or too small for
+C     the bounds to hold.  s is bounded by 1 + |R12/R22|.
+      SUBROUTINE HHSETU(P1, P2, P3, F)
+      DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
+      DOUBLE PRECISION EPS, HUGE, SMALL
+      PARAMETER (EPS = 2.0D0**(-52), HUGE = 1.7976931348623157D308)
+      PARAMETER (SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION A(3), B(3), C(3), V(3), H(10)
+      DOUBLE PRECISION RATIO, TURN, Y1, Y2
+      INTEGER K
+      DO 10 K = 1, 3
+        A(K) = P2(K) - P1(K)
+        B(K) = P3(K) - P1(K)
+        F(6+K) = P1(K)
+   10 CONTINUE
+      CALL HHHOUS(A, B, H)
+C     det [P2-P1 P3-P1 V] = R11 R22 det Q, det Q = 1
+      TURN = 1.0D0
+      IF (H(8) .LT. 0.0D0) TURN = -TURN
+      IF (H(10) .LT. 0.0D0) TURN = -TURN
+      CALL HHREFL(H, 0.0D0, 0.0D0, TURN, V)
+      IF (ABS(H(8)) .GT. SMALL .AND. ABS(H(10)) .GT. SMALL) THEN
+        RATIO = H(9)/H(10)
+        Y1 = 0.5D0*H(8)
+        Y2 = 0.5D0*(H(10) + RATIO*(H(9) - H(8)))
+        CALL HHREFL(H, Y1, Y2, 0.0D0, C)
+        F(12) = SQRT(Y1*Y1 + Y2*Y2)
+        RATIO = 1.0D0 + ABS(RATIO)
+        F(10) = EPS*(170.0D0*RATIO + 90.0D0)
+        F(11) = EPS*F(12)*(700.0D0*RATIO + 100.0D0)
+      ELSE
+        C(1) = 0.0D0
+        C(2) = 0.0D0
+        C(3) = 0.0D0
+        F(10) = HUGE
+        F(11) = HUGE
+        F(12) = 0.0D0
+      END IF
+      DO 20 K = 1, 3
+        F(K) = V(K)
+        F(3+K) = C(K)
+   20 CONTINUE
+      END
+
+C     HHBOUN - the side of Z and its L-coordinate with a bound.  SIDE is
+C     1 when Z is certainly on the positive side, and not too near to
+C     the plane: then L is L and DL its greatest error; -1 when it is
+C     certainly on the negative side; 0 when neither is certain.
+C
+C     |W|_1 stands for |W| in the bounds: it does not underflow.  A side
+C     of more than twice its error leaves a gap of at least half of it,
+C     which spares a division.
+      SUBROUTINE HHBOUN(F, Z, L, DL, SIDE)
+      DOUBLE PRECISION F(12), Z(3), L, DL
+      INTEGER SIDE
+      DOUBLE PRECISION EPS, SMALL
+      PARAMETER (EPS = 2.0D0**(-52), SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION W1, W2, W3, SIZE, VW, ERR, HALF
+      W1 = Z(1) - F(7)
+      W2 = Z(2) - F(8)
+      W3 = Z(3) - F(9)
+      SIZE = ABS(W1) + ABS(W2) + ABS(W3)
+      VW = F(1)*W1 + F(2)*W2 + F(3)*W3
+      ERR = F(10)*SIZE
+      SIDE = 0
+      IF (SIZE .LT. SMALL .OR. F(10) .GE. 1.0D0) RETURN
+      IF (VW .GT. 2.0D0*ERR .AND. VW .GT. SMALL) THEN
+        HALF = 0.5D0/VW
+        L = (W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
+     $       W3*(W3 - 2.0D0*F(6)))*HALF
+        DL = SIZE*(EPS*(3.0D0*SIZE + 5.0D0*F(12)) + F(11) +
+     $             ABS(L)*F(10))*(4.0D0*HALF) + 4.0D0*EPS*ABS(L)
+        SIDE = 1
+      ELSE IF (-VW .GT. ERR) THEN
+        SIDE = -1
+      END IF
+      END
+
+C     HHFACE - Householder set-up of the facet P1, P2, P3 (Section 3.1,
+C     3.2).
+C
+C       P1, P2, P3  (in)   the vertices, any finite coordinates.
+C       F           (out)  12 doubles:
+C           F(1..3)   V, the unit normal, turned so that
+C                     det [P2-P1 P3-P1 V] > 0
+C           F(4..6)   C - P1, C the circumcentre of the facet
+C           F(7..9)   P1
+C           F(10)     E:   the side of Z is certain if |V.W| > E |W|,
+C                     W = Z - P1
+C           F(11)     dc:  bound of the error of C - P1
+C           F(12)     rho: |C - P1|
+C       INFO        (out)  0, or 1 when the points are exactly
+C                          collinear: then V, C - P1 and rho are zero, E
+C                          and dc are HUGE, so that nothing is certain.
+C
+C     With g = |V.W| - E |W|, L the L-coordinate and rho, dc as above,
+C     the computed L is wrong by at most
+C         dL = |W| (EPS (3 |W| + 5 rho) + dc + |L| E) / g + 4 EPS |L|,
+C     derived above.  These bounds hold as long as |W| and the facet's
+C     edges stay between about 2**(-450) and 2**450.
+      SUBROUTINE HHFACE(P1, P2, P3, F, INFO)
+      DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
+      INTEGER INFO
+      INTEGER HHFLAT, HHFREX
+      DOUBLE PRECISION HHLARG
+      DOUBLE PRECISION HUGE
+      PARAMETER (HUGE = 1.7976931348623157D308)
+      DOUBLE PRECISION MOST, Q1(3), Q2(3), Q3(3), F1, F2
+      INTEGER K
+      MOST = HHLARG(HHLARG(HHLARG(0.0D0, P1), P2), P3)
+      CALL HHSCAL(MOST, F1, F2)
+      DO 10 K = 1, 3
+        Q1(K) = (P1(K)*F1)*F2
+        Q2(K) = (P2(K)*F1)*F2
+        Q3(K) = (P3(K)*F1)*F2
+   10 CONTINUE
+      CALL HHSETU(Q1, Q2, Q3, F)
+      CALL HHLDEX(HHFREX(MOST), F1, F2)
+      DO 20 K = 1, 3
+        F(3+K) = (F(3+K)*F1)*F2
+        F(6+K) = P1(K)
+   20 CONTINUE
+      F(12) = (F(12)*F1)*F2
+      IF (F(11) .LT. HUGE) F(11) = (F(11)*F1)*F2
+      INFO = 0
+      IF (F(10) .LT. 1.0D0) RETURN
+      DO 30 K = 1, 3
+        IF (HHFLAT(K, P1, P2, P3) .NE. 0) RETURN
+   30 CONTINUE
+      INFO = 1
+      DO 40 K = 1, 6
+        F(K) = 0.0D0
+   40 CONTINUE
+      F(10) = HUGE
+      F(11) = HUGE
+      F(12) = 0.0D0
+      END
+
+C     HHSIDE - the signed distance (Z - P1).V of Z from the facet's
+C     plane: positive where P1, P2, P3 are seen counter-clockwise
+C     (Section 3.1).
+      DOUBLE PRECISION FUNCTION HHSIDE(F, Z)
+      DOUBLE PRECISION F(12), Z(3)
+      HHSIDE = F(1)*(Z(1) - F(7)) + F(2)*(Z(2) - F(8)) +
+     $         F(3)*(Z(3) - F(9))
+      END
+
+C     HHOPP - the paper's opp test (Section 3.1): 1 when Z1 and Z2 are
+C     on the same side of the facet's plane, by the computed signs, else
+C     0 (0 too when one of them is computed to lie in the plane).
+      INTEGER FUNCTION HHOPP(F, Z1, Z2)
+      DOUBLE PRECISION F(12), Z1(3), Z2(3)
+      DOUBLE PRECISION HHSIDE
+      DOUBLE PRECISION SIDE1, SIDE2
+      SIDE1 = HHSIDE(F, Z1)
+      SIDE2 = HHSIDE(F, Z2)
+      HHOPP = 0
+      IF (SIDE1 .GT. 0.0D0 .AND. SIDE2 .GT. 0.0D0) HHOPP = 1
+      IF (SIDE1 .LT. 0.0D0 .AND. SIDE2 .LT. 0.0D0) HHOPP = 1
+      END
+
+C     HHLCOO - the L-coordinate of Z (Section 3.2): the centre of the
+C     ball through P1, P2, P3, Z is C + L V.  For Z computed to lie in
+C     the plane: HUGE when it is outside the facet's circle or on it,
+C     else -HUGE.
+      DOUBLE PRECISION FUNCTION HHLCOO(F, Z)
+      DOUBLE PRECISION F(12), Z(3)
+      DOUBLE PRECISION HUGE
+      PARAMETER (HUGE = 1.7976931348623157D308)
+      DOUBLE PRECISION W1, W2, W3, SIDE, POWER
+      W1 = Z(1) - F(7)
+      W2 = Z(2) - F(8)
+      W3 = Z(3) - F(9)
+      SIDE = F(1)*W1 + F(2)*W2 + F(3)*W3
+      POWER = W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
+     $        W3*(W3 - 2.0D0*F(6))
+      IF (ABS(SIDE) .LE. 0.0D0) THEN
+        HHLCOO = -HUGE
+        IF (POWER .GE. 0.0D0) HHLCOO = HUGE
+      ELSE
+        HHLCOO = POWER/(2.0D0*SIDE)
+      END IF
+      END
+
+C     HHWRAP - the gift-wrapping primitive about the edge P1 P2 of the
+C     facet P1, P2, P3 (Section 3): C = -(W.G) / (W.V), W = Z - P1, V
+C     the facet's unit normal, G the unit normal of the edge in the
+C     facet's plane, towards P3.  Of points on the positive side, the
+C     one of least C is wrapped first.
+C
+C     INFO is 0; 1 when P1, P2, P3 are exactly collinear; 2 when Z is
+C     computed to lie in the plane; C is then 0.
+      SUBROUTINE HHWRAP(P1, P2, P3, Z, C, INFO)
+      DOUBLE PRECISION P1(3), P2(3), P3(3), Z(3), C
+      INTEGER INFO
+      INTEGER HHFLAT
+      DOUBLE PRECISION HHLARG
+      DOUBLE PRECISION MOST, Q1(3), Q2(3), Q3(3), QZ(3), A(3), B(3)
+      DOUBLE PRECISION G(3), V(3), H(10), F1, F2, WG, WV, TURN
+      INTEGER K
+      C = 0.0D0
+      INFO = 1
+      DO 10 K = 1, 3
+        IF (HHFLAT(K, P1, P2, P3) .NE. 0) GO TO 20
+   10 CONTINUE
+      RETURN
+   20 MOST = HHLARG(HHLARG(HHLARG(HHLARG(0.0D0, P1), P2), P3), Z)
+      CALL HHSCAL(MOST, F1, F2)
+      DO 30 K = 1, 3
+        Q1(K) = (P1(K)*F1)*F2
+        Q2(K) = (P2(K)*F1)*F2
+        Q3(K) = (P3(K)*F1)*F2
+        QZ(K) = (Z(K)*F1)*F2
+        A(K) = Q2(K) - Q1(K)
+        B(K) = Q3(K) - Q1(K)
+   30 CONTINUE
+      CALL HHHOUS(A, B, H)
+C     P3 - P1 has the component R22 along Q e2
+      TURN = 1.0D0
+      IF (H(10) .LT. 0.0D0) TURN = -1.0D0
+      CALL HHREFL(H, 0.0D0, TURN, 0.0D0, G)
+      IF (H(8) .LT. 0.0D0) TURN = -TURN
+      CALL HHREFL(H, 0.0D0, 0.0D0, TURN, V)
+      WG = 0.0D0
+      WV = 0.0D0
+      DO 40 K = 1, 3
+        WG = WG + (QZ(K) - Q1(K))*G(K)
+        WV = WV + (QZ(K) - Q1(K))*V(K)
+   40 CONTINUE
+      INFO = 2
+      IF (ABS(WV) .LE. 0.0D0) RETURN
+      C = (-WG)/WV
+      INFO = 0
+      END
