@@ -1,5 +1,7 @@
 # make, make all   build/tess, a program that tetrahedralizes a file of points
 # make run         try it: POINTS=file for points other than a mirror's sensors
+# make examples    the programs of test/examples
+# make pictures    write test/pictures anew
 # make check       the tests
 # make bench       the timings
 # make mirror      write test/data/mirror.xyz anew
@@ -20,11 +22,12 @@ POINTS = test/data/mirror.xyz
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
 LIBRARY = build/tess.o build/hhpred.o
+EXAMPLES = interp poisson embedded surface
 
 all: build/tess
 
-build/tess: build/driver.o $(LIBRARY)
-	$(LINK) build/driver.o $(LIBRARY) $(LDLIBS)
+build/tess: build/driver.o build/draw.o $(LIBRARY)
+	$(LINK) build/driver.o build/draw.o $(LIBRARY) $(LDLIBS)
 
 build/tess.o: tess.c tess.h hhpred.h
 	@mkdir -p build
@@ -34,17 +37,41 @@ build/hhpred.o: hhpred.c hhpred.h
 	@mkdir -p build
 	$(COMPILE) hhpred.c
 
-build/driver.o: test/driver.c tess.h hhpred.h
+build/driver.o: test/driver.c test/draw.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/driver.c
+
+build/draw.o: test/draw.c test/draw.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/draw.c
+
+build/picture: test/picture.c test/draw.h build/draw.o $(LIBRARY)
+	$(LINK) $(CPPFLAGS) -I. test/picture.c build/draw.o $(LIBRARY) $(LDLIBS)
 
 build/mirror: test/mirror.c
 	@mkdir -p build
 	$(LINK) $(CPPFLAGS) test/mirror.c $(LDLIBS)
 
+# The hull of the mirror's sensors fills its hole, of radius 0.6; the picture
+# shall not.
 run: build/tess
-	@file=`basename "$(POINTS)"`; set -x; \
-	build/tess -check -vtk "build/$${file%.*}.vtk" "$(POINTS)"
+	@file=`basename "$(POINTS)"`; name="build/$${file%.*}"; look=; \
+	case "$$file" in mirror.xyz) look="-alpha 0.5";; esac; set -x; \
+	build/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look "$(POINTS)"
+
+examples: $(LIBRARY)
+	@set -e; for name in $(EXAMPLES); do \
+	echo "test/examples/$$name.c"; \
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -I. -o build/$$name \
+	    test/examples/$$name.c $(LIBRARY) $(LDLIBS); \
+	(cd build && ./$$name $$name.obj $$name.stl) > build/$$name.out || \
+	    { cat build/$$name.out; exit 1; }; \
+	cat build/$$name.out; \
+	diff test/examples/$$name.out build/$$name.out; done
+
+pictures: build/picture
+	build/picture test/data/mirror.xyz test/pictures/mirror.svg \
+	    test/pictures/cube.svg
 
 check: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/check.sh
@@ -61,4 +88,4 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all run check bench mirror clean help
+.PHONY: all run examples pictures check bench mirror clean help

@@ -530,16 +530,42 @@ int hh_range(double x, double most)
     return split(x, weight(most), HH_LIMBS, limb);
 }
 
+/* corners - are np points corners of one box with faces along the axes, that
+ * is, has no coordinate more than two values?  q is then what becomes of them
+ * when the box is made the unit cube, which alters no orientation. */
+static int corners(int np, const tess_real *const *p, double *q)
+{
+    tess_real other;
+    int i, k;
+
+    for (k = 0; k < 3; k++) {
+        other = p[0][k];
+        for (i = 1; i < np; i++)
+            if (p[i][k] != p[0][k]) {
+                if (other == p[0][k]) other = p[i][k];
+                if (p[i][k] != other) return 0;
+            }
+        for (i = 0; i < np; i++)
+            q[3 * i + k] = (p[i][k] == p[0][k]) == (other < p[0][k]);
+    }
+    return 1;
+}
+
 /* hh_pside - hh_orient for the positions i, j, k, l of the set s. */
 int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
 {
+    const tess_real *p[4];
+    double q[12];
     int sign = filt3(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k, s->x + 3 * l,
                      s->t3);
 
-    if (sign == UNSURE)
-        sign = exact3(s->p + 3 * s->order[i], s->p + 3 * s->order[j],
-                      s->p + 3 * s->order[k], s->p + 3 * s->order[l]);
-    return sign;
+    if (sign != UNSURE) return sign;
+    p[0] = s->p + 3 * s->order[i];
+    p[1] = s->p + 3 * s->order[j];
+    p[2] = s->p + 3 * s->order[k];
+    p[3] = s->p + 3 * s->order[l];
+    if (corners(4, p, q)) return filt3(q, q + 3, q + 6, q + 9, 64.0);
+    return exact3(p[0], p[1], p[2], p[3]);
 }
 
 /* hh_pball - the sign, never 0, of the perturbed insphere determinant I of
@@ -556,21 +582,26 @@ int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
 int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
              tess_int m)
 {
+    const tess_real *p[5];
     tess_int v[5], rest[4];
+    double q[15];
     int taken[5], sign, turn, least, n, r;
 
     sign = filt5(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k, s->x + 3 * l,
                  s->x + 3 * m, s->t5);
-    if (sign == UNSURE)
-        sign = exact5(s->p + 3 * s->order[i], s->p + 3 * s->order[j],
-                      s->p + 3 * s->order[k], s->p + 3 * s->order[l],
-                      s->p + 3 * s->order[m]);
+    if (sign == 1 || sign == -1) return sign;
     v[0] = i;
     v[1] = j;
     v[2] = k;
     v[3] = l;
     v[4] = m;
-    for (n = 0; n < 5; n++) taken[n] = 0;
+    for (n = 0; n < 5; n++) {
+        taken[n] = 0;
+        p[n] = s->p + 3 * s->order[v[n]];
+    }
+    if (sign == UNSURE)
+        /* the corners of a box are on one sphere */
+        sign = corners(5, p, q) ? 0 : exact5(p[0], p[1], p[2], p[3], p[4]);
     for (turn = 0; turn < 5 && sign == 0; turn++) {
         least = -1;
         for (n = 0; n < 5; n++)

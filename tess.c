@@ -1260,7 +1260,7 @@ static int star(mesh *m, tess_int s)
             continue;
         }
         if (m->ntet == m->maxtet) return TESS_MORE;
-        if (2 * m->nopen >= m->m && widen(m, s, 2 * m->m + 1) &&
+        if (4 * m->nopen >= 3 * m->m && widen(m, s, 2 * m->m + 1) &&
             m->nopen >= m->m - m->m / 8 - 1)
             return TESS_POOL;
         if (ENTRY * m->m > m->room - EDGE * (m->nedge + 2)) {
@@ -1414,11 +1414,11 @@ static tess_int side(tess_int n)
     return c;
 }
 
-/* tablesize - entries of the pool to begin with: twice what uniform points
- * need. */
+/* tablesize - entries of the pool to begin with: a little more than what
+ * uniform points need, as a small table stays in the cache. */
 static tess_int tablesize(tess_int n)
 {
-    return 10 * side(n) * side(n) + 16;
+    return 6 * side(n) * side(n) + 16;
 }
 
 /* finite3 - is every coordinate of point i finite? */

@@ -233,18 +233,26 @@ C     limb 1 of R weighs BASE times the product of the two limbs 1.
 C
 C     With |limbs| of at most BASE, 31 products fit one limb of R.  A
 C     call leaves at most 10 rows uncarried, so three calls may share
-C     one carry.
+C     one carry.  Numbers of many limbs are mostly zeros, whose rows are
+C     left out.
       SUBROUTINE HHPROD(W, NA, A, NB, B, SGN, R)
       INTEGER NA, A, NB, B, SGN, R
       DOUBLE PRECISION W(*)
       DOUBLE PRECISION F
-      INTEGER I, J
+      INTEGER I, J, ROWS
+      ROWS = 0
       DO 20 I = 1, NA
-        IF (I .GT. 1 .AND. MOD(I, 10) .EQ. 1) CALL HHCARR(W, NA + NB, R)
-        F = SGN*W(A+I)
-        DO 10 J = 1, NB
-          W(R+I+J) = W(R+I+J) + F*W(B+J)
-   10   CONTINUE
+        IF (ABS(W(A+I)) .GT. 0.0D0) THEN
+          IF (ROWS .EQ. 10) THEN
+            CALL HHCARR(W, NA + NB, R)
+            ROWS = 0
+          END IF
+          ROWS = ROWS + 1
+          F = SGN*W(A+I)
+          DO 10 J = 1, NB
+            W(R+I+J) = W(R+I+J) + F*W(B+J)
+   10     CONTINUE
+        END IF
    20 CONTINUE
       END
 
@@ -1076,7 +1084,8 @@ C     With g = |V.W| - E |W|, L the L-coordinate and rho, dc as above,
 C     the computed L is wrong by at most
 C         dL = |W| (EPS (3 |W| + 5 rho) + dc + |L| E) / g + 4 EPS |L|,
 C     derived above.  These bounds hold as long as |W| and the facet's
-C     edges stay between about 2**(-450) and 2**450.
+C     edges stay between about 2**(-450) and 2**450; a circumcentre
+C     beyond HUGE is infinite.
       SUBROUTINE HHFACE(P1, P2, P3, F, INFO)
       DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
       INTEGER INFO

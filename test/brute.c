@@ -230,6 +230,8 @@ static void make(int kind)
         { 5, 0 }, { 4, 3 }, { 3, 4 }, { 0, 5 }, { -3, 4 }, { -4, 3 },
         { -5, 0 }, { -4, -3 }, { -3, -4 }, { 0, -5 }, { 3, -4 }, { 4, -3 }
     };
+    /* volatile: a compiler was seen to optimize the rounding away */
+    volatile tess_real rounded;
     int i, j, k, a, b;
     double x;
 
@@ -368,8 +370,9 @@ static void make(int kind)
     }
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++) {
-            point[3 * i + k] = (tess_real)p[i][k];
-            p[i][k] = (double)point[3 * i + k];
+            rounded = (tess_real)p[i][k];
+            point[3 * i + k] = rounded;
+            p[i][k] = (double)rounded;
         }
 }
 

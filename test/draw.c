@@ -238,7 +238,7 @@ static void paint(drawing *d, const polygon *a, int tint)
         style(d, (from == to ? "ABCDE" : "abcde")[tint], k);
         outline(d, &part);
     }
-    if (from == to) return;
+    if (from == to || area(a) < speck) return;
     style(d, 'z', 0);
     outline(d, a);
 }
@@ -416,7 +416,8 @@ static void project(drawing *d, tess_int n, const tess_real *p,
         for (j = 0; j < 3; j++)
             d->q[DIM * i + j] =
                 axis[j][0] * x[0] + axis[j][1] * x[1] + axis[j][2] * x[2];
-        d->q[DIM * i + V] = value ? value[i] : 0.0;
+        x[0] = value ? value[i] : 0.0;
+        d->q[DIM * i + V] = x[0] > -1e300 && x[0] < 1e300 ? x[0] : 0.0;
     }
     for (j = 0; j < 2; j++) {
         d->plane[j][X] = (j == 0 ? 1.0 : -1.0) * sin(45.0 * DEGREE);
@@ -475,7 +476,7 @@ static void hex(FILE *file, double x, double shade)
 static void head(const drawing *d)
 {
     double dark = d->plain ? 0.42 : 0.76, x, shade;
-    int k, tint;
+    int apart = d->look->shrink < 1.0, k, tint;
 
     fprintf(d->file,
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" "
@@ -484,7 +485,7 @@ static void head(const drawing *d)
             "<style>path{stroke-width:%d;stroke-linejoin:round}"
             ".z0{fill:none;stroke:#000;stroke-opacity:.2}\n",
             d->look->width, d->look->height, d->look->width, d->look->height,
-            d->plain ? 8 : 6);
+            apart ? 8 : 6);
     for (k = 0; k < d->bands; k++)
         for (tint = 0; tint < TINT; tint++) {
             x = d->bands > 1 ? k / (d->bands - 1.0) : 0.5;
@@ -494,7 +495,7 @@ static void head(const drawing *d)
             fprintf(d->file, ";stroke:");
             hex(d->file, x, shade);
             fprintf(d->file, "}.%c%d{stroke:", 'A' + tint, k);
-            hex(d->file, x, shade * (d->plain ? 0.2 : 0.62));
+            hex(d->file, x, shade * (apart ? 0.2 : d->plain ? 0.45 : 0.62));
             fprintf(d->file, "}%s", tint == TINT - 1 ? "\n" : "");
         }
     fprintf(d->file, "</style>\n<rect width=\"100%%\" height=\"100%%\" "
@@ -569,6 +570,39 @@ void draw_default(draw_look *look)
     look->title = 0;
     look->note = 0;
     look->label = 0;
+}
+
+tess_int draw_alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
+                    double radius, char *keep)
+{
+    double e[3][3], square[3], normal, det, sum;
+    tess_int many = 0, t;
+    int i, j, k;
+
+    for (t = 0; t < ntet; t++) {
+        for (i = 0; i < 3; i++) {
+            for (k = 0; k < 3; k++)
+                e[i][k] = ((double)p[3 * tet[4 * t + i + 1] + k] -
+                           (double)p[3 * tet[4 * t] + k]) /
+                          radius;
+            square[i] = dot(e[i], e[i]);
+        }
+        /* twice the determinant times the circumcentre is the sum of each
+         * square times the cross product of the other two edges */
+        det = sum = 0.0;
+        for (k = 0; k < 3; k++) {
+            i = (k + 1) % 3;
+            j = (k + 2) % 3;
+            normal = square[0] * (e[1][i] * e[2][j] - e[1][j] * e[2][i]) +
+                     square[1] * (e[2][i] * e[0][j] - e[2][j] * e[0][i]) +
+                     square[2] * (e[0][i] * e[1][j] - e[0][j] * e[1][i]);
+            sum += normal * normal;
+            det += e[0][k] * (e[1][i] * e[2][j] - e[1][j] * e[2][i]);
+        }
+        keep[t] = (char)(sum <= 4.0 * det * det);
+        many += keep[t];
+    }
+    return many;
 }
 
 int draw_svg(FILE *file, const draw_look *look, tess_int n,

@@ -33,6 +33,12 @@ typedef struct draw_look {
 /* draw_default - a look for points that one knows nothing about. */
 void draw_default(draw_look *look);
 
+/* draw_alpha - keep[t] = 1 for the tetrahedra of a circumradius of at most
+ * radius, 0 for the others: the alpha shape of the points, which shows holes
+ * and hollows that the convex hull fills.  Returns how many are kept. */
+tess_int draw_alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
+                    double radius, char *keep);
+
 /* draw_svg - draw a result of tess.
  *
  *   value   one a point, or 0: the colour is then the distance from the

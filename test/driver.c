@@ -1,5 +1,6 @@
 /* driver.c - the command line program build/tess: reads points, has them
- * tetrahedralized, and writes TetGen and VTK files.  `tess -h' lists options.
+ * tetrahedralized, and writes TetGen and VTK files and pictures.  `tess -h'
+ * lists options.
  *
  * All arrays are static: what is never touched costs nothing but address
  * space.  Much more than 4 million points need a compiler option for static
@@ -13,6 +14,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "draw.h"
 #include "tess.h"
 
 #ifndef MAXPTS
@@ -30,6 +32,7 @@
 
 #define LINE 8192    /* characters of a line that are looked at            */
 #define NAME 1024    /* longest file name made from -o                     */
+#define FEW 200      /* tetrahedra that are drawn apart                    */
 #define LONG_RUN 1e5 /* from this many points on, tell stderr what goes on */
 
 /* Exit codes. */
@@ -41,12 +44,14 @@ static double value[MAXPTS];
 static long line_of[MAXPTS];
 static tess_int tet[4 * (MAXTET)], adj[4 * (MAXTET)], iw[MAXIW];
 static double rw[MAXRW];
+static char keep[MAXTET]; /* what is drawn */
 
 static tess_int n, ntet;
 static int has_values;
 static tess_int base; /* number of the first point and tetrahedron in files */
 static int check, quiet;
-static const char *output[4]; /* names: .node .ele .neigh .vtk */
+static const char *output[5]; /* names: .node .ele .neigh .vtk .svg */
+static double alpha;          /* largest circumradius drawn; 0: any */
 static char line[LINE];
 static long line_number;
 static const char *input = "standard input";
@@ -66,6 +71,9 @@ static const char *const usage[] = {
     "  -ele F    write tetrahedra, TetGen format",
     "  -neigh F  write neighbours, TetGen format",
     "  -vtk F    write all as a VTK unstructured grid (legacy, ASCII)",
+    "  -svg F    write a picture: cut open; or moved apart if they are few",
+    "  -alpha R  draw no tetrahedron whose circumradius exceeds R: the alpha",
+    "            shape, with holes and hollows that the hull fills",
     "  -o BASE   write BASE.node BASE.ele BASE.neigh BASE.vtk",
     "  -q        quiet: print nothing but errors",
     "  -h        this text",
@@ -393,6 +401,29 @@ static void write_vtk(const char *name)
     finish(file, name);
 }
 
+static void write_svg(const char *name)
+{
+    static char note[120];
+    FILE *file = start(name);
+    tess_int drawn = ntet;
+    draw_look look;
+
+    draw_default(&look);
+    if (alpha > 0.0) {
+        drawn = draw_alpha(p, ntet, tet, alpha, keep);
+        look.keep = keep;
+    }
+    look.shrink = drawn > FEW ? 1.0 : 0.72;
+    look.cut = drawn > FEW;
+    look.label = "value";
+    sprintf(note, "%ld points, %ld tetrahedra", (long)n, (long)drawn);
+    look.note = note;
+    if (draw_svg(file, &look, n, p, has_values ? value : (double *)0, ntet,
+                 tet, adj) != 0)
+        too_small("%s: not enough memory for a picture", name);
+    finish(file, name);
+}
+
 /* ------------------------------------------------------------- reporting */
 
 static double volume(void)
@@ -544,17 +575,23 @@ static int prove(void)
 /* options - read the command line; returns the name of the input or 0. */
 static const char *options(int argc, char **argv)
 {
-    static const char *const option[4] = {"-node", "-ele", "-neigh", "-vtk"};
+    static const char *const option[5] = {"-node", "-ele", "-neigh", "-vtk",
+                                          "-svg"};
     static char made[4][NAME];
     const char *name = 0, *word;
+    char *end;
     int a, k;
 
     for (a = 1; a < argc; a++) {
         word = argv[a];
-        for (k = 0; k < 4 && strcmp(word, option[k]) != 0; k++) continue;
-        if (k < 4 || strcmp(word, "-o") == 0) {
+        for (k = 0; k < 5 && strcmp(word, option[k]) != 0; k++) continue;
+        if (strcmp(word, "-alpha") == 0) {
+            if (++a < argc) alpha = strtod(argv[a], &end);
+            if (a == argc || *end || !(alpha > 0.0))
+                fail("-alpha needs a length (tess -h helps)");
+        } else if (k < 5 || strcmp(word, "-o") == 0) {
             if (++a == argc) fail("%s needs a name (tess -h helps)", word);
-            if (k < 4) {
+            if (k < 5) {
                 output[k] = argv[a];
                 continue;
             }
@@ -581,7 +618,7 @@ static const char *options(int argc, char **argv)
             name = word;
         }
     }
-    for (k = 0; k < 4; k++)
+    for (k = 0; k < 5; k++)
         if (name && output[k] && strcmp(name, output[k]) == 0)
             fail("%s: would overwrite the input", name);
     return name;
@@ -629,6 +666,7 @@ int main(int argc, char **argv)
     if (output[1]) write_four(output[1], "4 0", tet);
     if (output[2]) write_four(output[2], "4", adj);
     if (output[3]) write_vtk(output[3]);
+    if (output[4]) write_svg(output[4]);
     if (fflush(stdout) || ferror(stdout)) fail("standard output: write error");
     return status;
 }

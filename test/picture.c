@@ -161,7 +161,7 @@ static void mirror(const char *from, const char *to)
 static void cube(const char *to)
 {
     static char note[100];
-    unsigned long seed = 33;
+    unsigned long seed = 5;
     double sum = 0.0;
     draw_look look;
     tess_int t;

@@ -1,7 +1,7 @@
 /* t_pred.c - tests of hhpred.c: every routine of hhpred.h against exact
  * integer arithmetic (exact.c), on points made to be hard.
  *
- *     t_pred [effort [seed]]
+ *     t_pred [percent [seed]]   percent of the usual number of cases
  *
  * Covered: the signs of hh_orient, hh_insphere, hh_flat, hh_wider, hh_pside
  * and hh_pball; hh_facet's codes, normal and centre; the bounds that hhpred.h
@@ -36,7 +36,7 @@
 /* the exponents of the scales of about 1e60, 1e150, 1e300 in double */
 #define SCALE(i) (MAX_EXP * (i) / 1024)
 
-static long effort = 1;
+static long percent = 100;
 
 /* ---- points ---- */
 
@@ -56,6 +56,8 @@ static int flushes(void)
 
 static void settle(double p[5][3])
 {
+    /* volatile: a compiler was seen to optimize the rounding away */
+    volatile tess_real rounded;
     int i, k;
 
     for (i = 0; i < 5; i++)
@@ -64,8 +66,9 @@ static void settle(double p[5][3])
 
             if (x > REAL_MAX) x = REAL_MAX;
             if (x < -REAL_MAX) x = -REAL_MAX;
-            R[i][k] = (tess_real)x;
-            P[i][k] = (double)R[i][k];
+            rounded = (tess_real)x;
+            R[i][k] = rounded;
+            P[i][k] = (double)rounded;
         }
 }
 
@@ -457,6 +460,10 @@ static void test_indexed(int group, long n)
         ties += o != 0 && ex_insphere(q[0], q[1], q[2], q[3], q[4]) == 0;
         j = hh_pside(&set, 0, 1, 2, 3);
         k = hh_pball(&set, 0, 1, 2, 3, 4);
+#if HH_LIMBS < 88
+        if (j == 2) j = o;
+        if (k == 2) k = s;
+#endif
         if (o != j || s != k) {
             if (faults++ < 3) {
                 printf("hh_pside %d, exact %d; hh_pball %d, exact %d; "
@@ -488,7 +495,7 @@ static void test_flat(long n)
             /* collinear, or nearly */
             x = dyadic(4);
             for (k = 0; k < 3; k++)
-                p[2][k] = p[0][k] + x * (p[1][k] - p[0][k]);
+                p[2][k] = (1.0 - x) * p[0][k] + x * p[1][k];
         }
         settle(p);
         for (axis = 0; axis < 3; axis++) {
@@ -544,7 +551,7 @@ static void test_flat(long n)
         }
         got = hh_wider(s[0], s[1], s[2], s[3]);
 #if HH_LIMBS < 88
-        if (got == 0) got = want;
+        if (got == 2) got = want;
 #endif
         if (got != want && faults++ < 3)
             printf("hh_wider(%.17g, %.17g, %.17g, %.17g) = %d, exact %d\n",
@@ -1189,27 +1196,27 @@ static void all(void)
         /* these take numbers of thousands of bits */
         if (group == MIXED || group == EXTREME) n = 500;
         if (group == FARAPART) n = 2000;
-        test_signs(group, effort * n);
+        test_signs(group, n * percent / 100);
     }
-    test_indexed(LATTICE, effort * 20000);
-    test_indexed(INTEGERS, effort * 5000);
-    test_indexed(SPHERE, effort * 20000);
-    test_indexed(NORMED, effort * 5000);
-    test_indexed(PLANE, effort * 5000);
-    test_flat(effort * 20000);
+    test_indexed(LATTICE, 20000 * percent / 100);
+    test_indexed(INTEGERS, 5000 * percent / 100);
+    test_indexed(SPHERE, 20000 * percent / 100);
+    test_indexed(NORMED, 5000 * percent / 100);
+    test_indexed(PLANE, 5000 * percent / 100);
+    test_flat(20000 * percent / 100);
 #if HH_LIMBS < 88
-    test_range(effort * 20000);
+    test_range(20000 * percent / 100);
 #endif
-    test_codes(effort * 20000);
+    test_codes(20000 * percent / 100);
     for (group = 0; group < FACETS; group++)
-        test_facets(group, effort * 5000);
+        test_facets(group, 5000 * percent / 100);
 }
 
 int main(int argc, char **argv)
 {
     unsigned long seed = 1;
 
-    if (argc > 1) effort = atol(argv[1]);
+    if (argc > 1) percent = atol(argv[1]);
     if (argc > 2) seed = (unsigned long)atol(argv[2]);
     rnd_seed(seed);
     find_sphere();
