@@ -3,7 +3,8 @@
  * Order of the routines, here and in f77/hhpred.f:
  *   exact numbers     split carry produc det3 limbsg exact
  *   exact signs       filt3 filt5 scale hh_orient hh_insphere hh_flat
- *                     hh_wider hh_range hh_pside hh_pball
+ *                     widersg hh_wider hh_range corners hh_pside tied
+ *                     perturb hh_pball hh_pbeat
  *   Householder       house reflec hh_setup hh_bound hh_facet hh_side hh_opp
  *                     hh_lcoord hh_wrap
  */
@@ -568,47 +569,31 @@ int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
     return exact3(p[0], p[1], p[2], p[3]);
 }
 
-/* hh_pball - the sign, never 0, of the perturbed insphere determinant I of
- * filt5 for the positions i, j, k, l, m of the set s: m is inside the ball
- * of i, j, k, l iff I times hh_pside(i, j, k, l) is negative.
+/* tied - the sign, never 0, of the perturbed insphere determinant I of filt5
+ * for five positions v of the set s with I = 0.
  *
  * The lifted height of point number i is lowered by e_i, e_0 >> e_1 >> ... >
  * 0 (Figure 4 of the paper made precise: the point of least number is a
- * vertex of all the tetrahedra of a cospherical set).  So if I = 0 the sign
- * is that of the cofactor of the least e_i that has one: with the five
- * positions numbered 0 to 4 as arguments, (-1)^k times the determinant of
- * the other four in their order, of the first k in increasing order of the
- * points' numbers for which it is not 0. */
-int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
-             tess_int m)
+ * vertex of all the tetrahedra of a cospherical set).  So the sign is that of
+ * the cofactor of the least e_i that has one: (-1)^k times the determinant of
+ * the other four positions in their order, for the first k, in increasing
+ * order of the points' numbers, for which it is not 0.  It is 1 for k = 3
+ * and -1 for k = 4 when v[3] and v[4] are known to be on the positive side of
+ * v[0], v[1], v[2]. */
+static int tied(const hh_set *s, const tess_int *v, int positive)
 {
-    const tess_real *p[5];
-    tess_int v[5], rest[4];
-    double q[15];
-    int taken[5], sign, turn, least, n, r;
+    tess_int number[5], rest[4];
+    int sign = 0, turn, least, n, r;
 
-    sign = filt5(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k, s->x + 3 * l,
-                 s->x + 3 * m, s->t5);
-    if (sign == 1 || sign == -1) return sign;
-    v[0] = i;
-    v[1] = j;
-    v[2] = k;
-    v[3] = l;
-    v[4] = m;
-    for (n = 0; n < 5; n++) {
-        taken[n] = 0;
-        p[n] = s->p + 3 * s->order[v[n]];
-    }
-    if (sign == UNSURE)
-        /* the corners of a box are on one sphere */
-        sign = corners(5, p, q) ? 0 : exact5(p[0], p[1], p[2], p[3], p[4]);
+    for (n = 0; n < 5; n++) number[n] = s->order[v[n]];
     for (turn = 0; turn < 5 && sign == 0; turn++) {
-        least = -1;
+        least = 0;
         for (n = 0; n < 5; n++)
-            if (!taken[n] &&
-                (least < 0 || s->order[v[n]] < s->order[v[least]]))
+            if (number[n] >= 0 &&
+                (number[least] < 0 || number[n] < number[least]))
                 least = n;
-        taken[least] = 1;
+        if (positive && least >= 3) return least == 3 ? 1 : -1;
+        number[least] = -1; /* done with */
         for (n = r = 0; n < 5; n++)
             if (n != least) rest[r++] = v[n];
         /* the determinant of the rows a-d, b-d, c-d is minus hh_orient */
@@ -616,6 +601,53 @@ int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
         if (least % 2 == 0) sign = -sign;
     }
     return sign;
+}
+
+/* perturb - the sign of I, perturbed as in tied where it is 0. */
+static int perturb(const hh_set *s, const tess_int *v, int positive)
+{
+    const tess_real *p[5];
+    double q[15];
+    int n, sign;
+
+    sign = filt5(s->x + 3 * v[0], s->x + 3 * v[1], s->x + 3 * v[2],
+                 s->x + 3 * v[3], s->x + 3 * v[4], s->t5);
+    if (sign == UNSURE) {
+        for (n = 0; n < 5; n++) p[n] = s->p + 3 * s->order[v[n]];
+        /* the corners of a box are on one sphere */
+        sign = corners(5, p, q) ? 0 : exact5(p[0], p[1], p[2], p[3], p[4]);
+    }
+    return sign == 0 ? tied(s, v, positive) : sign;
+}
+
+/* hh_pball - the sign, never 0, of the perturbed determinant I for the
+ * positions i, j, k, l, m of the set s: m is inside the ball of i, j, k, l
+ * iff I times hh_pside(i, j, k, l) is negative. */
+int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
+             tess_int m)
+{
+    tess_int v[5];
+
+    v[0] = i;
+    v[1] = j;
+    v[2] = k;
+    v[3] = l;
+    v[4] = m;
+    return perturb(s, v, 0);
+}
+
+/* hh_pbeat - does b beat a as the apex of the facet v, both on its positive
+ * side: 1, or 0. */
+int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b)
+{
+    tess_int w[5];
+
+    w[0] = v[0];
+    w[1] = v[1];
+    w[2] = v[2];
+    w[3] = a;
+    w[4] = b;
+    return perturb(s, w, 1) < 0;
 }
 
 /* ---------------------------------------------------------------------

@@ -153,6 +153,7 @@ int hh_bound(const double *f, const double *z, double *l, double *dl);
 int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l);
 int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
              tess_int m);
+int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b);
 int hh_flat(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c);
 int hh_wider(double a, double b, double c, double d);

@@ -779,9 +779,7 @@ static void compare(const mesh *m, quest *f, tess_int z)
         (side == 0 || !f->sure || l + dl >= f->l - f->dl)) {
         if (side != 0 && f->sure && l - dl > f->l + f->dl) return;
         COUNT(N_EXACT, 1);
-        /* the best point is on the positive side */
-        if (hh_pball(&m->set, f->v[0], f->v[1], f->v[2], f->best, z) > 0)
-            return;
+        if (!hh_pbeat(&m->set, f->v, f->best, z)) return;
     }
     take(f, z, side, l, dl);
 }
