@@ -461,14 +461,16 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
 {
     tess_real qa[3], qb[3], qc[3], top[3];
     int i = axis == 2 ? 0 : axis + 1, k = axis == 0 ? 2 : axis - 1;
-    double left = ((double)b[i] - a[i]) * ((double)c[k] - a[k]);
-    double right = ((double)b[k] - a[k]) * ((double)c[i] - a[i]);
-    double perm = fabs(left) + fabs(right);
+    double bi = (double)b[i] - a[i], ck = (double)c[k] - a[k];
+    double bk = (double)b[k] - a[k], ci = (double)c[i] - a[i];
+    double det = bi * ck - bk * ci;
+    double err = 8.0 * DBL_EPSILON * (fabs(bi * ck) + fabs(bk * ci));
 
-    if (perm < 1.0 / TINY && left - right > 8.0 * DBL_EPSILON * perm + TINY)
-        return 1;
-    if (perm < 1.0 / TINY && right - left > 8.0 * DBL_EPSILON * perm + TINY)
-        return -1;
+    /* as in filt3; below LOW, underflow does less than 1/SHIFT */
+    if (fabs(bi) < LOW && fabs(ck) < LOW && fabs(bk) < LOW && fabs(ci) < LOW) {
+        if (det > err + 1.0 / SHIFT) return 1;
+        if (det < -err - 1.0 / SHIFT) return -1;
+    }
     for (k = 0; k < 3; k++) {
         qa[k] = top[k] = a[k];
         qb[k] = b[k];

@@ -100,17 +100,16 @@ C     ordinary magnitudes in a few steps; the bounds on E end the search
 C     should X be no number.
       INTEGER FUNCTION HHFREX(X)
       DOUBLE PRECISION X
-      DOUBLE PRECISION BACK, STEP, Y
+      DOUBLE PRECISION STEP, Y
       INTEGER E, LOGTWO, PASS
       E = 0
       Y = ABS(X)
       IF (Y .GT. 0.0D0) THEN
+        STEP = 65536.0D0
         LOGTWO = 16
         DO 30 PASS = 1, 3
-          STEP = DBLE(2**LOGTWO)
-          BACK = 1.0D0/STEP
    10     IF (Y .GE. STEP .AND. E .LT. 2000) THEN
-            Y = Y*BACK
+            Y = Y/STEP
             E = E + LOGTWO
             GO TO 10
           END IF
@@ -119,6 +118,8 @@ C     should X be no number.
             E = E - LOGTWO
             GO TO 20
           END IF
+          STEP = 16.0D0
+          IF (PASS .EQ. 2) STEP = 2.0D0
           LOGTWO = LOGTWO/4
    30   CONTINUE
         E = E + 1
