@@ -150,6 +150,7 @@ typedef struct mesh {
     tess_int *link;           /* owns; first open edge of the link from it */
     tess_int *pool, room;     /* pool and edges, and their length */
     tess_int m, nopen;        /* entries of the pool, and those in use */
+    tess_int fresh;           /* from it on, facets 0 are not in the pool */
     tess_int oldest, nedge;   /* edges of the link: oldest ... nedge-1 */
     tess_int low;             /* no vertex of a smaller position owns facets */
     tess_int plane[PLANES][3];
@@ -505,7 +506,7 @@ static int widen(mesh *m, tess_int s, tess_int wanted)
     for (e = 0; e < m->np; e++) m->head[e] = NONE;
     m->m = wanted;
     m->nopen = 0;
-    for (code = 0; code < 4 * m->ntet; code++)
+    for (code = 0; code < 4 * m->fresh; code++)
         if (m->adj[code] == TESS_OPEN) {
             facet(m, code, v);
             if (v[0] != s && v[1] != s && v[2] != s) {
@@ -1101,21 +1102,23 @@ static void meet(mesh *m, tess_int code, tess_int other)
     m->adj[other] = code / 4;
 }
 
-/* opposite - the new facet code, of the newest tetrahedron, opposite to s:
- * close it if the pool has its other side, else put it there. */
-static void opposite(mesh *m, tess_int code)
+/* flush - enter the facets opposite to s of the tetrahedra from fresh on into
+ * the pool, or close them if it has their other sides.  They wait for each
+ * other so that the processor can fetch what several need from memory at
+ * once. */
+static void flush(mesh *m)
 {
-    tess_int v[3], sig, e;
+    tess_int v[3], e;
 
-    facet(m, code, v);
-    sig = signat(v);
-    e = find(m, v, sig);
-    if (e == NONE) {
-        m->adj[code] = TESS_OPEN;
-        putin(m, code, v[0], sig);
-    } else {
-        meet(m, code, m->pool[ENTRY * e]);
-        takeout(m, e, v[0]);
+    for (; m->fresh < m->ntet; m->fresh++) {
+        facet(m, 4 * m->fresh, v);
+        e = find(m, v, signat(v));
+        if (e == NONE)
+            putin(m, 4 * m->fresh, v[0], signat(v));
+        else {
+            meet(m, 4 * m->fresh, m->pool[ENTRY * e]);
+            takeout(m, e, v[0]);
+        }
     }
 }
 
@@ -1138,7 +1141,7 @@ static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
         meet(m, code, 4 * t + 3);
     if (m->link[c] == NEW) m->link[c] = NONE;
     kill(m, e);
-    opposite(m, 4 * t);
+    m->adj[4 * t] = TESS_OPEN; /* until flush */
 
     /* a -> c; prev becomes the edge that ends at c */
     f = between(m, c, a);
@@ -1234,6 +1237,27 @@ static void complete(mesh *m, tess_int s)
     g->r[i] = FAR * FAR;
 }
 
+/* room - make sure of room for another tetrahedron's facets in the pool and
+ * in the link of s. */
+static int room(mesh *m, tess_int s)
+{
+    if (4 * (m->nopen + m->ntet - m->fresh) >= 3 * m->m) {
+        flush(m);
+        if (4 * m->nopen >= 3 * m->m && widen(m, s, 2 * m->m + 1) &&
+            m->nopen >= m->m - m->m / 8 - 1)
+            return 0;
+    }
+    if (ENTRY * m->m > m->room - EDGE * (m->nedge + 2)) {
+        if (m->oldest > m->nedge / 2) {
+            renumber(m);
+            return 1;
+        }
+        flush(m);
+        return 0;
+    }
+    return 1;
+}
+
 /* star - complete the star of s, whose open facets are the edges of the
  * link.  Returns 0, TESS_MORE or TESS_POOL. */
 static int star(mesh *m, tess_int s)
@@ -1257,17 +1281,14 @@ static int star(mesh *m, tess_int s)
             kill(m, e);
             continue;
         }
-        if (m->ntet == m->maxtet) return TESS_MORE;
-        if (4 * m->nopen >= 3 * m->m && widen(m, s, 2 * m->m + 1) &&
-            m->nopen >= m->m - m->m / 8 - 1)
-            return TESS_POOL;
-        if (ENTRY * m->m > m->room - EDGE * (m->nedge + 2)) {
-            if (m->oldest <= m->nedge / 2) return TESS_POOL;
-            renumber(m);
-            e = m->oldest;
+        if (m->ntet == m->maxtet) {
+            flush(m);
+            return TESS_MORE;
         }
-        grow(m, s, e, c);
+        if (!room(m, s)) return TESS_POOL;
+        grow(m, s, m->oldest, c);
     }
+    flush(m);
     complete(m, s);
     return 0;
 }
@@ -1646,6 +1667,7 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     m.tet = tet;
     m.adj = adj;
     m.m = m.nopen = m.nedge = m.oldest = m.low = 0;
+    m.fresh = m.ntet;
     m.nplane = m.nextplane = 0;
     m.block.first = m.block.last = m.group.first = m.group.last = NONE;
 

@@ -143,14 +143,26 @@ static void put(double x, double y, double z)
     sensors = (tess_int)(sensors + 1);
 }
 
-/* room - all sensors, in a room of 8 by 6 by 3 metres. */
-static void room(void)
+/* somewhere - a random place in a box that begins at x = y = z = from. */
+static void somewhere(double from, double x, double y, double z, tess_real *q)
 {
+    q[0] = (tess_real)(from + x * random01());
+    q[1] = (tess_real)(from + y * random01());
+    q[2] = (tess_real)(from + z * random01());
+}
+
+/* room - all sensors, in a room of 8 by 6 metres, in the topmost height metres
+ * below its ceiling at 3 metres. */
+static void room(double height)
+{
+    tess_real q[3];
     int i;
 
     sensors = 0;
-    for (i = 0; i < SENSORS; i++)
-        put(8.0 * random01(), 6.0 * random01(), 3.0 * random01());
+    for (i = 0; i < SENSORS; i++) {
+        somewhere(0.0, 8.0, 6.0, height, q);
+        put((double)q[0], (double)q[1], 3.0 - (double)q[2]);
+    }
 }
 
 /* held - 1 when a tetrahedron holds q, by exact signs. */
@@ -185,9 +197,7 @@ static int attempt(const char *what, int expected)
 
     count[0] = count[1] = count[2] = 0;
     for (asked = 0; asked < 1000; asked++) {
-        q[0] = (tess_real)(10.0 * random01() - 1.0);
-        q[1] = (tess_real)(8.0 * random01() - 1.0);
-        q[2] = (tess_real)(5.0 * random01() - 1.0);
+        somewhere(-1.0, 10.0, 8.0, 5.0, q);
         how = ask(q, &value);
         count[how]++;
         if ((how == INSIDE) != held(q)) wrong = 1;
@@ -228,11 +238,11 @@ int main(void)
            (unsigned long)(sizeof iw + sizeof rw));
     printf("\n%-24s sensors  code tetrahedra  interpolated  nearest  nothing\n",
            "");
-    room();
+    room(3.0);
     bad |= attempt("a room", TESS_OK);
 
     infinite *= 16.0;
-    room();
+    room(3.0);
     place[3 * 7] = (tess_real)infinite;
     place[3 * 8 + 2] = (tess_real)infinite;
     bad |= attempt("two places are lost", TESS_OK);
@@ -253,8 +263,7 @@ int main(void)
         put(i / 8.0, i * i / 512.0, i * i / 512.0 * i / 64.0);
     bad |= attempt("a curve with many", TESS_MORE);
 
-    sensors = 0;
-    for (i = 0; i < SENSORS; i++) put(8.0 * random01(), 6.0 * random01(), 3.0);
+    room(0.0);
     bad |= attempt("all on the ceiling", TESS_PLANE);
 
     sensors = 0;

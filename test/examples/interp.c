@@ -41,7 +41,8 @@
 #define CURVE 11.0  /* radius of the front, a sphere     */
 #define THICK 0.30  /* thickness, m                      */
 #define GRID 0.06   /* step of the grid in x and y, m    */
-#define RIM 1.16    /* its largest radius, m             */
+#define LEAST 0.31  /* its radii: from the hole almost   */
+#define MOST 1.16   /* to the rim, m                     */
 #define DEPTHS 10   /* its levels between front and back */
 
 #define ROUNDING 1e-12 /* of numbers of about 10 */
@@ -179,7 +180,7 @@ int main(void)
                     q[0] = GRID * i;
                     q[1] = GRID * j;
                     r = q[0] * q[0] + q[1] * q[1];
-                    if (r < INNER * INNER || r > RIM * RIM) continue;
+                    if (r < LEAST * LEAST || r > MOST * MOST) continue;
                     z = CURVE + THICK * (k + 0.5) / DEPTHS;
                     q[2] = CURVE - sqrt(z * z - r);
 
