@@ -188,35 +188,40 @@ static void swap(mesh *m, tess_int i, tess_int j)
     t = p[2], p[2] = q[2], q[2] = t;
 }
 
+/* pivot - the place of a point that is near the one of rank mid of lo ... hi-1
+ * along an axis: the one of that rank in a sample, picked by chance, but by
+ * the same chance everywhere. */
+static tess_int pivot(const mesh *m, tess_int lo, tess_int hi, tess_int mid,
+                      int axis, long *chance)
+{
+    tess_int a[9], step = (hi - lo) / 1024, t;
+    int n = hi - lo > 200 ? 9 : 3, i, j;
+
+    for (i = 0; i < n; i++) {
+        *chance = *chance * 137 % 30269 + 1;
+        t = step > 0 ? lo + step * (tess_int)(*chance % 1024) +
+                           (tess_int)(*chance % step)
+                     : lo + (tess_int)(*chance % (hi - lo));
+        for (j = i; j > 0 && before(m, t, axis, m->x + 3 * a[j - 1],
+                                    m->order[a[j - 1]]); j--)
+            a[j] = a[j - 1];
+        a[j] = t;
+    }
+    return a[(mid - lo) / ((hi - lo) / n + 1)];
+}
+
 /* partit - bring the points lo ... hi-1 into an order in which those before
- * mid precede the one at mid along an axis, and the others do not: selection
- * by partitioning about the median of three points picked by chance, the
- * same chance everywhere. */
+ * mid precede the one at mid along an axis, and the others do not. */
 static void partit(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
 {
-    tess_int i, j, a[3], t, step, number;
+    tess_int i, j, number;
     double q[3];
     long chance = 1;
-    int k;
 
     while (hi - lo > 1) {
-        step = (hi - lo) / 1024;
-        for (k = 0; k < 3; k++) {
-            chance = chance * 137 % 30269 + 1;
-            if (step > 0)
-                a[k] = lo + step * (tess_int)(chance % 1024) +
-                       (tess_int)(chance % step);
-            else
-                a[k] = lo + (tess_int)(chance % (hi - lo));
-        }
-        if (before(m, a[1], axis, m->x + 3 * a[0], m->order[a[0]]))
-            t = a[0], a[0] = a[1], a[1] = t;
-        if (before(m, a[2], axis, m->x + 3 * a[1], m->order[a[1]]))
-            a[1] = before(m, a[2], axis, m->x + 3 * a[0], m->order[a[0]])
-                       ? a[0] : a[2];
-        for (k = 0; k < 3; k++) q[k] = m->x[3 * a[1] + k];
-        number = m->order[a[1]];
-
+        i = pivot(m, lo, hi, mid, axis, &chance);
+        for (j = 0; j < 3; j++) q[j] = m->x[3 * i + j];
+        number = m->order[i];
         i = lo;
         j = hi - 1;
         while (i <= j) {

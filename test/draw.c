@@ -490,7 +490,8 @@ static void head(const drawing *d)
         for (tint = 0; tint < TINT; tint++) {
             x = d->bands > 1 ? k / (d->bands - 1.0) : 0.5;
             shade = dark + (1.0 - dark) * tint / (TINT - 1.0);
-            fprintf(d->file, ".%c%d,.%c%d{fill:", 'A' + tint, k, 'a' + tint, k);
+            fprintf(d->file, ".%c%d,.%c%d{fill:", 'A' + tint, k, 'a' + tint,
+                    k);
             hex(d->file, x, shade);
             fprintf(d->file, ";stroke:");
             hex(d->file, x, shade);

@@ -182,7 +182,8 @@ static void cube(const char *to)
     for (t = 0; t < ntet; t++) sum += volume(t);
     printf("cube          %ld points, %ld tetrahedra, volume %.6f\n",
            (long)n, (long)ntet, sum);
-    if (fabs(sum - 1.0) > 1e-12) fail("this is not the volume of the cube", "");
+    if (fabs(sum - 1.0) > 1e-12)
+        fail("this is not the volume of the cube", "");
     draw_default(&look);
     look.width = 640;
     look.height = 640;

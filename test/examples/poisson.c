@@ -71,7 +71,8 @@ static void put(const double *q)
 
     if (n == MAXPTS) return;
     for (k = 0; k < 3; k++)
-        p[3 * n + k] = (tess_real)(floor(q[k] * 16777216.0 + 0.5) / 16777216.0);
+        p[3 * n + k] =
+            (tess_real)(floor(q[k] * 16777216.0 + 0.5) / 16777216.0);
     n++;
 }
 
