@@ -71,8 +71,8 @@ extern double tess_count[];
 #ifndef TESS_LIST
 #define TESS_LIST 512
 #endif
-#if TESS_LIST < LEAF
-#error TESS_LIST is less than the points of a leaf
+#if TESS_LIST < LEAF || TESS_LIST % 4 != 0
+#error TESS_LIST is less than the points of a leaf, or no multiple of 4
 #endif
 /* Depth of the tree plus one, at most. */
 #define DEPTH 64
@@ -97,8 +97,8 @@ extern double tess_count[];
 #ifndef TESS_LIST
 #define TESS_LIST 512
 #endif
-#if TESS_LIST < LEAF
-#error TESS_LIST is less than the points of a leaf
+#if TESS_LIST < LEAF || TESS_LIST % 4 != 0
+#error TESS_LIST is less than the points of a leaf, or no multiple of 4
 #endif
 /* Depth of the tree plus one, at most. */
 #define DEPTH 64
@@ -550,6 +550,19 @@ static void append(const mesh *m, list *l, tess_int i)
     l->id[l->n++] = i;
 }
 
+/* pad - fill up the last four of a list with points that are FAR away: loops
+ * over lists go by fours, which every compiler can make vectors of. */
+static void pad(list *l)
+{
+    int i = l->n;
+
+    while (i % 4 != 0) {
+        l->x[i] = l->y[i] = l->z[i] = FAR;
+        l->r[i] = FAR * FAR;
+        l->id[i++] = NONE;
+    }
+}
+
 /* harvest - fill a list with the uncompleted points of its box that are not
  * in leaf own.  Returns 0 when they do not fit. */
 static int harvest(const mesh *m, list *l, tess_int own)
@@ -614,6 +627,7 @@ static void block(mesh *m, tess_int s)
         }
         margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
     }
+    pad(l);
 }
 
 /* gather - make the lists for star s: the block of its leaf and, from it, the
@@ -622,7 +636,7 @@ static void gather(mesh *m, tess_int s)
 {
     list *l = &m->block, *g = &m->group;
     float lo[3], hi[3], margin;
-    int i, j, k, n = 0, in[TESS_LIST], pick[TESS_LIST];
+    int i, j, k, n = 0, in[TESS_LIST], pick[TESS_LIST + 1];
 
     if (s < l->first || s >= l->last) block(m, s);
     if (s >= g->first && s < g->last) return;
@@ -655,7 +669,7 @@ static void gather(mesh *m, tess_int s)
         if (g->hi[k] > l->hi[k]) g->hi[k] = l->hi[k];
     }
     g->unit = l->unit;
-    for (i = 0; i < l->n; i++)
+    for (i = 0; i < (l->n + 3) / 4 * 4; i++)
         in[i] = (l->x[i] >= lo[0]) & (l->x[i] <= hi[0]) & (l->y[i] >= lo[1]) &
                 (l->y[i] <= hi[1]) & (l->z[i] >= lo[2]) & (l->z[i] <= hi[2]);
     for (i = 0; i < l->n; i++) {
@@ -671,6 +685,7 @@ static void gather(mesh *m, tess_int s)
         g->id[i] = l->id[j];
     }
     g->n = n;
+    pad(g);
 }
 
 /* ---- the apex of a facet ---- */
@@ -835,16 +850,15 @@ static int aim(const list *l, const quest *f, const double *c, float *d)
 static void scan(const mesh *m, quest *f, const list *l, const float *d)
 {
     float dx = d[0], dy = d[1], dz = d[2], most = d[3];
-    int i, j, n = 0, in[TESS_LIST + 3];
+    int i, j, n = 0, length = (l->n + 3) / 4 * 4, in[TESS_LIST];
 
     COUNT(N_LIST, l->n);
-    for (i = 0; i < l->n; i++) {
+    for (i = 0; i < length; i++) {
         in[i] = l->r[i] - (dx * l->x[i] + dy * l->y[i] + dz * l->z[i]) < most;
         n += in[i];
     }
     if (n <= 4) return;
-    in[i] = in[i + 1] = in[i + 2] = 0;
-    for (i = 0; i < l->n; i += 4)
+    for (i = 0; i < length; i += 4)
         if (in[i] | in[i + 1] | in[i + 2] | in[i + 3])
             for (j = i; j < i + 4; j++)
                 if (in[j]) consider(m, f, l->id[j]);
