@@ -118,6 +118,7 @@ typedef struct list {
     tess_int first, last; /* made for positions first ... last-1 */
     int n;
     double lo[3], hi[3], margin, centre[3], unit;
+    double most[3];       /* bound of the coordinates in the list */
     float x[TESS_LIST], y[TESS_LIST], z[TESS_LIST], r[TESS_LIST];
     tess_int id[TESS_LIST];
 } list;
@@ -602,6 +603,7 @@ static void block(mesh *m, tess_int s)
     const double *b = m->box + 6 * (m->leaves + leaf);
     double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half = 0.0;
     double margin = m->reach * sqrt(x * x + y * y + z * z);
+    const double *root = m->box + 6;
     list *l = &m->block;
     int k, full = 1;
 
@@ -618,6 +620,14 @@ static void block(mesh *m, tess_int s)
         }
         l->margin = margin;
         l->unit = half > NARROW ? 1.0 / half : 0.0;
+        for (k = 0; k < 3; k++) {
+            /* the points are inside the root's box, too */
+            x = l->hi[k] < root[3 + k] ? l->hi[k] : root[3 + k];
+            y = l->lo[k] > root[k] ? l->lo[k] : root[k];
+            x -= l->centre[k];
+            y = l->centre[k] - y;
+            l->most[k] = (x > y ? x : y) * l->unit;
+        }
         l->n = 0;
         for (i = l->first; i < l->last; i++) append(m, l, i);
         full = !harvest(m, l, leaf);
@@ -662,6 +672,7 @@ static void gather(mesh *m, tess_int s)
         lo[k] -= margin;
         hi[k] += margin;
         g->centre[k] = l->centre[k];
+        g->most[k] = l->most[k];
         /* the box that is certainly covered, for all rounding */
         g->lo[k] = l->centre[k] + (lo[k] + SLACK) / l->unit;
         g->hi[k] = l->centre[k] + (hi[k] - SLACK) / l->unit;
@@ -824,24 +835,26 @@ static void consider(const mesh *m, quest *f, tess_int z)
  *     r - (d[0] x + d[1] y + d[2] z) < d[3].
  * In the list's units, with g = base - centre, the power of u is
  *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g;
- * d[3] has room for the rounding of single precision, where |u_k| <= 1.
- * Returns 0 when the ball is too large for that. */
+ * d[3] has room for the rounding of single precision.  Returns 0 when the ball
+ * is too large for that. */
 static int aim(const list *l, const quest *f, const double *c, float *d)
 {
-    double g, cu, k = 0.0, size = 0.0, far = 0.0;
+    double g, cu, k = 0.0, size = 0.0, sum = 0.0, far = 0.0;
     int i;
 
     for (i = 0; i < 3; i++) {
         g = (f->f[6 + i] - l->centre[i]) * l->unit;
         cu = c[i] * l->unit;
         k += g * (g + 2.0 * cu);
-        size += fabs(2.0 * (cu + g));
+        cu = 2.0 * (cu + g);
+        size += fabs(cu);
+        sum += fabs(cu) * l->most[i];
         far += fabs(g);
-        d[i] = (float)(2.0 * (cu + g));
+        d[i] = (float)cu;
     }
-    d[3] = (float)(FLT_EPSILON * (24.0 + 16.0 * size + 4.0 * fabs(k)) +
+    d[3] = (float)(FLT_EPSILON * (24.0 + 16.0 * sum + 4.0 * fabs(k)) +
                    2.0 * f->dc * l->unit * (3.0 + far) - k);
-    return size < 1e6;
+    return size < 1e9 && sum < 1e6;
 }
 
 /* scan - consider all points of a list that pass aim's test.  Of those the

@@ -32,14 +32,16 @@ C         minor2     HHMIN2      exact      HHEXAC
 C         minor3     HHMIN3
 C         square     HHSQUA
 C       exact signs
-C         certain    HHCERT      hh_orient    HHORIE
-C         filt3      HHFIL3      hh_insphere  HHINSP
-C         filt5      HHFIL5      hh_flat      HHFLAT
-C         exact3     HHEXA3      widersg      HHWIDS
-C         exact5     HHEXA5      hh_wider     HHWIDE
-C         scale      HHSCAL      hh_range     HHRANG
-C         larger     HHLARG      hh_pside     HHPSID
-C                                hh_pball     HHPBAL
+C         certain    HHCERT      widersg    HHWIDS
+C         filt3      HHFIL3      hh_wider   HHWIDE
+C         filt5      HHFIL5      hh_range   HHRANG
+C         exact3     HHEXA3      corners    HHCORN
+C         exact5     HHEXA5      hh_pside   HHPSID
+C         scale      HHSCAL      tied       HHTIED
+C         larger     HHLARG      perturb    HHPERT
+C         hh_orient  HHORIE      hh_pball   HHPBAL
+C         hh_insphere HHINSP     hh_pbeat   HHPBEA
+C         hh_flat    HHFLAT
 C       Householder
 C         house      HHHOUS      hh_side      HHSIDE
 C         reflec     HHREFL      hh_opp       HHOPP
@@ -714,24 +716,27 @@ C     along all three axes.
       DOUBLE PRECISION A(3), B(3), C(3)
       INTEGER HHORIE
       DOUBLE PRECISION HHLARG
-      DOUBLE PRECISION EPS, TINY
-      PARAMETER (EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
-      DOUBLE PRECISION LEFT, RIGHT, PERM
+      DOUBLE PRECISION EPS, SHIFT, LOW
+      PARAMETER (EPS = 2.0D0**(-52), SHIFT = 2.0D0**600)
+      PARAMETER (LOW = 2.0D0**200)
+      DOUBLE PRECISION BI, BK, CI, CK, DET, ERR
       DOUBLE PRECISION QA(3), QB(3), QC(3), TOP(3)
       INTEGER I, K
       I = MOD(AXIS, 3) + 1
       K = MOD(AXIS + 1, 3) + 1
-      LEFT = (B(I) - A(I))*(C(K) - A(K))
-      RIGHT = (B(K) - A(K))*(C(I) - A(I))
-      PERM = ABS(LEFT) + ABS(RIGHT)
-      IF (PERM .LT. 1.0D0/TINY) THEN
-        IF (LEFT - RIGHT .GT. 8.0D0*EPS*PERM + TINY) THEN
-          HHFLAT = 1
-          RETURN
-        ELSE IF (RIGHT - LEFT .GT. 8.0D0*EPS*PERM + TINY) THEN
-          HHFLAT = -1
-          RETURN
-        END IF
+      BI = B(I) - A(I)
+      CK = C(K) - A(K)
+      BK = B(K) - A(K)
+      CI = C(I) - A(I)
+      DET = BI*CK - BK*CI
+      ERR = 8.0D0*EPS*(ABS(BI*CK) + ABS(BK*CI))
+C     as in HHFIL3; below LOW, underflow does less than 1/SHIFT
+      IF (ABS(BI) .LT. LOW .AND. ABS(CK) .LT. LOW .AND.
+     $    ABS(BK) .LT. LOW .AND. ABS(CI) .LT. LOW) THEN
+        HHFLAT = 1
+        IF (DET .GT. ERR + 1.0D0/SHIFT) RETURN
+        HHFLAT = -1
+        IF (DET .LT. -ERR - 1.0D0/SHIFT) RETURN
       END IF
       DO 10 K = 1, 3
         QA(K) = A(K)
@@ -829,6 +834,32 @@ C     value MOST > 0, else UNSURE.
       HHRANG = INFO
       END
 
+C     HHCORN - are NP points P corners of one box with faces along the
+C     axes, that is, has no coordinate more than two values?  If so YES
+C     is 1, else 0.  Q is then what becomes of them when the box is made
+C     the unit cube, which alters no orientation.
+      SUBROUTINE HHCORN(NP, P, Q, YES)
+      INTEGER NP, YES
+      DOUBLE PRECISION P(3,*), Q(3,*)
+      DOUBLE PRECISION HIGH, LOW
+      INTEGER I, K
+      YES = 0
+      DO 30 K = 1, 3
+        HIGH = P(K,1)
+        LOW = P(K,1)
+        DO 10 I = 2, NP
+          HIGH = MAX(HIGH, P(K,I))
+          LOW = MIN(LOW, P(K,I))
+   10   CONTINUE
+        DO 20 I = 1, NP
+          IF (LOW .LT. P(K,I) .AND. P(K,I) .LT. HIGH) RETURN
+          Q(K,I) = 0.0D0
+          IF (LOW .LT. P(K,I)) Q(K,I) = 1.0D0
+   20   CONTINUE
+   30 CONTINUE
+      YES = 1
+      END
+
 C     HHPSID - HHORIE for the positions I, J, K, L of a set of points as
 C     tess keeps them (hh_set in C).  Position I is place I in the
 C     sorted order; duplicates are gone.
@@ -848,58 +879,59 @@ C               not known
       INTEGER HHEXA3, HHFIL3
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      INTEGER SGN
+      DOUBLE PRECISION Q(3,4), UNIT(3,4)
+      INTEGER AXIS, SGN, YES
       SGN = HHFIL3(X, I, J, K, L, T3)
-      IF (SGN .EQ. UNSURE)
-     $  SGN = HHEXA3(P, ORD(I), ORD(J), ORD(K), ORD(L))
       HHPSID = SGN
+      IF (SGN .NE. UNSURE) RETURN
+      DO 10 AXIS = 1, 3
+        Q(AXIS,1) = P(AXIS,ORD(I))
+        Q(AXIS,2) = P(AXIS,ORD(J))
+        Q(AXIS,3) = P(AXIS,ORD(K))
+        Q(AXIS,4) = P(AXIS,ORD(L))
+   10 CONTINUE
+      CALL HHCORN(4, Q, UNIT, YES)
+      IF (YES .EQ. 1) THEN
+        HHPSID = HHFIL3(UNIT, 1, 2, 3, 4, 64.0D0)
+      ELSE
+        HHPSID = HHEXA3(Q, 1, 2, 3, 4)
+      END IF
       END
 
-C     HHPBAL - the sign, never 0, of the perturbed insphere determinant
-C     of HHFIL5, here D, for the positions I, J, K, L, M of a set of
-C     points (see HHPSID): M is inside the ball of I, J, K, L iff D
-C     times HHPSID of I, J, K, L is negative.
+C     HHTIED - the sign, never 0, of the perturbed insphere determinant
+C     of HHFIL5, called D here, for five positions V of a set of points
+C     (see HHPSID) with D = 0.
 C
 C     The lifted height of point number i is lowered by e_i, e_1 >> e_2
 C     >> ... > 0 (Figure 4 of the paper made precise: the point of least
 C     number is a vertex of all the tetrahedra of a cospherical set).
-C     So if D = 0 the sign is that of the cofactor of the least e_i that
-C     has one: with the five positions numbered 1 to 5 as arguments,
-C     -(-1)**k times the determinant of the other four in their order,
-C     of the first k in increasing order of the points' numbers for
-C     which it is not 0.
-      INTEGER FUNCTION HHPBAL(X, P, ORD, T3, T5, I, J, K, L, M)
-      DOUBLE PRECISION X(3,*), P(3,*), T3, T5
-      INTEGER ORD(*), I, J, K, L, M
-      INTEGER HHEXA5, HHFIL5, HHPSID
-      INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
-      LOGICAL TAKEN(5)
-      INTEGER V(5), REST(4), LEAST, N, R, SGN, TURN
-      SGN = HHFIL5(X, I, J, K, L, M, T5)
-      IF (SGN .EQ. UNSURE)
-     $  SGN = HHEXA5(P, ORD(I), ORD(J), ORD(K), ORD(L), ORD(M))
-      V(1) = I
-      V(2) = J
-      V(3) = K
-      V(4) = L
-      V(5) = M
+C     So the sign is that of the cofactor of the least e_i that has one:
+C     -(-1)**k times the determinant of the other four positions in
+C     their order, for the first k, in increasing order of the points'
+C     numbers, for which it is not 0.  It is 1 for k = 4 and -1 for k =
+C     5 when V(4) and V(5) are known to be on the positive side of V(1),
+C     V(2), V(3): then POSITV is 1, else 0.
+      INTEGER FUNCTION HHTIED(X, P, ORD, T3, V, POSITV)
+      DOUBLE PRECISION X(3,*), P(3,*), T3
+      INTEGER ORD(*), V(5), POSITV
+      INTEGER HHPSID
+      INTEGER LEAST, N, NUMBER(5), R, REST(4), SGN, TURN
       DO 10 N = 1, 5
-        TAKEN(N) = .FALSE.
+        NUMBER(N) = ORD(V(N))
    10 CONTINUE
+      SGN = 0
       DO 40 TURN = 1, 5
-        IF (SGN .NE. 0) GO TO 50
-        LEAST = 0
+        LEAST = 1
         DO 20 N = 1, 5
-          IF (.NOT. TAKEN(N)) THEN
-            IF (LEAST .EQ. 0) THEN
-              LEAST = N
-            ELSE IF (ORD(V(N)) .LT. ORD(V(LEAST))) THEN
-              LEAST = N
-            END IF
-          END IF
+          IF (NUMBER(N) .GT. 0 .AND. (NUMBER(LEAST) .EQ. 0 .OR.
+     $        NUMBER(N) .LT. NUMBER(LEAST))) LEAST = N
    20   CONTINUE
-        TAKEN(LEAST) = .TRUE.
+        IF (POSITV .EQ. 1 .AND. LEAST .GE. 4) THEN
+          SGN = 9 - 2*LEAST
+          GO TO 50
+        END IF
+C       done with
+        NUMBER(LEAST) = 0
         R = 0
         DO 30 N = 1, 5
           IF (N .NE. LEAST) THEN
@@ -910,8 +942,67 @@ C     which it is not 0.
 C       the determinant of the rows A-D, B-D, C-D is minus HHORIE
         SGN = HHPSID(X, P, ORD, T3, REST(1), REST(2), REST(3), REST(4))
         IF (MOD(LEAST, 2) .EQ. 1) SGN = -SGN
+        IF (SGN .NE. 0) GO TO 50
    40 CONTINUE
-   50 HHPBAL = SGN
+   50 HHTIED = SGN
+      END
+
+C     HHPERT - the sign of D, perturbed as in HHTIED where it is 0.
+      INTEGER FUNCTION HHPERT(X, P, ORD, T3, T5, V, POSITV)
+      DOUBLE PRECISION X(3,*), P(3,*), T3, T5
+      INTEGER ORD(*), V(5), POSITV
+      INTEGER HHEXA5, HHFIL5, HHTIED
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION Q(3,5), UNIT(3,5)
+      INTEGER AXIS, N, SGN, YES
+      SGN = HHFIL5(X, V(1), V(2), V(3), V(4), V(5), T5)
+      IF (SGN .EQ. UNSURE) THEN
+        DO 20 N = 1, 5
+          DO 10 AXIS = 1, 3
+            Q(AXIS,N) = P(AXIS,ORD(V(N)))
+   10     CONTINUE
+   20   CONTINUE
+        CALL HHCORN(5, Q, UNIT, YES)
+C       the corners of a box are on one sphere
+        SGN = 0
+        IF (YES .EQ. 0) SGN = HHEXA5(Q, 1, 2, 3, 4, 5)
+      END IF
+      IF (SGN .EQ. 0) SGN = HHTIED(X, P, ORD, T3, V, POSITV)
+      HHPERT = SGN
+      END
+
+C     HHPBAL - the sign, never 0, of the perturbed determinant D for the
+C     positions I, J, K, L, M of a set of points (see HHPSID): M is
+C     inside the ball of I, J, K, L iff D times HHPSID of I, J, K, L is
+C     negative.
+      INTEGER FUNCTION HHPBAL(X, P, ORD, T3, T5, I, J, K, L, M)
+      DOUBLE PRECISION X(3,*), P(3,*), T3, T5
+      INTEGER ORD(*), I, J, K, L, M
+      INTEGER HHPERT
+      INTEGER V(5)
+      V(1) = I
+      V(2) = J
+      V(3) = K
+      V(4) = L
+      V(5) = M
+      HHPBAL = HHPERT(X, P, ORD, T3, T5, V, 0)
+      END
+
+C     HHPBEA - does B beat A as the apex of the facet V, both on its
+C     positive side: 1, or 0.
+      INTEGER FUNCTION HHPBEA(X, P, ORD, T3, T5, V, A, B)
+      DOUBLE PRECISION X(3,*), P(3,*), T3, T5
+      INTEGER ORD(*), V(3), A, B
+      INTEGER HHPERT
+      INTEGER W(5)
+      W(1) = V(1)
+      W(2) = V(2)
+      W(3) = V(3)
+      W(4) = A
+      W(5) = B
+      HHPBEA = 0
+      IF (HHPERT(X, P, ORD, T3, T5, W, 1) .LT. 0) HHPBEA = 1
       END
 
 C     ------------------------------------------------------------------

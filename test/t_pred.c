@@ -488,10 +488,12 @@ static void test_flat(long n)
     int group, axis, j, k, l, low, want, got;
 
     for (i = 0; i < n; i++) {
-        do group = rnd_below(CLASSES);
+        /* differences of extreme values may overflow, and be cut off at the
+         * largest number in some rounding modes */
+        do group = rnd_below(3) ? rnd_below(CLASSES) : EXTREME;
         while (group == SUBNORMAL && flushes());
         make(group, p);
-        if (rnd_below(4) == 0) {
+        if (rnd_below(3) == 0) {
             /* collinear, or nearly */
             x = dyadic(4);
             for (k = 0; k < 3; k++)

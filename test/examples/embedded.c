@@ -115,7 +115,7 @@ static int ask(const tess_real *q, double *value)
     }
 }
 
-/* ----------------------------------------------- the part that tries it out */
+/* ---------------------------------------------- the part that tries it out */
 
 static double random01(void)
 {
@@ -232,11 +232,13 @@ int main(void)
                (long)liw, (long)lrw);
         return 1;
     }
-    printf("static memory, bytes: sensors %lu, tetrahedra %lu, workspace %lu\n",
+    printf("static memory, bytes: sensors %lu, tetrahedra %lu, "
+           "workspace %lu\n",
            (unsigned long)(sizeof place + sizeof reading),
            (unsigned long)(sizeof tet + sizeof adj),
            (unsigned long)(sizeof iw + sizeof rw));
-    printf("\n%-24s sensors  code tetrahedra  interpolated  nearest  nothing\n",
+    printf("\n%-24s sensors  code tetrahedra  interpolated  nearest  "
+           "nothing\n",
            "");
     room(3.0);
     bad |= attempt("a room", TESS_OK);

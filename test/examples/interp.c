@@ -29,8 +29,8 @@
 #define LAYERS (2 * (FINEST) + 1)
 #define ANGLES (32 * (FINEST))
 
-/* Rules for lengths: 7 tetrahedra a point, and what tess_size says of the
- * workspace.  tess tells by a code if they do not suffice. */
+/* Rules for lengths: about 7 tetrahedra a point, and what tess_size says of
+ * the workspace.  tess tells by a code if they do not suffice. */
 #define MAXPTS (RINGS * LAYERS * ANGLES)
 #define MAXTET (8 * MAXPTS)
 #define MAXIW (20 * MAXPTS + 1000)
@@ -154,8 +154,8 @@ int main(void)
     int level, fine, code, i, j, k, m, bad = 0;
     long points;
 
-    printf("sensors  tetrahedra  grid points  largest error  mean square "
-           "error  order\n");
+    printf("sensors  tetrahedra  grid points  largest error  root mean square"
+           "  order\n");
     for (level = 0, fine = 1; level < LEVELS; level++, fine *= 2) {
         n = sensors(fine);
         code = tess_size(n, MAXTET, &liw, &lrw);
@@ -201,7 +201,7 @@ int main(void)
                     points++;
                 }
         sum = sqrt(sum / (double)points);
-        printf("%7ld  %10ld  %11ld  %11.4f C  %15.5f C", (long)n, (long)ntet,
+        printf("%7ld  %10ld  %11ld  %11.4f C  %14.5f C", (long)n, (long)ntet,
                points, most, sum);
         if (level > 0) {
             order = log(old / sum) / log(2.0);

@@ -292,7 +292,8 @@ static void range(double *least, double *most)
         triangle(f, q);
         for (i = 0; i < 3; i++) {
             for (k = 0; k < 3; k++) q[i][k] /= axis[k];
-            d = sqrt(q[i][0] * q[i][0] + q[i][1] * q[i][1] + q[i][2] * q[i][2]);
+            d = sqrt(q[i][0] * q[i][0] + q[i][1] * q[i][1] +
+                     q[i][2] * q[i][2]);
             if (d > *most) *most = d;
         }
         normal(q, c);
@@ -366,12 +367,12 @@ int main(int argc, char **argv)
            "it encloses the volume of the tetrahedra:     %s\n",
            bad & 1 ? "NO" : "yes", bad & 2 ? "NO" : "yes",
            bad & 4 ? "NO" : "yes");
-    if (argc <= 3)
-        printf("which is between those of the two ellipsoids: %s\n"
-               "its vertices are the points on the ellipsoid: %s\n",
-               bad & 8 ? "NO" : "yes", bad & 16 ? "NO" : "yes");
     if (argc > 2)
         printf("so does the STL file, read again:             %s\n",
                bad & 32 ? "NO" : "yes");
+    if (argc <= 3)
+        printf("it is between those of the two ellipsoids:    %s\n"
+               "its vertices are the points on the ellipsoid: %s\n",
+               bad & 8 ? "NO" : "yes", bad & 16 ? "NO" : "yes");
     return bad != 0;
 }
