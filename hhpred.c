@@ -25,7 +25,8 @@ typedef long whole;
  * zero, does to a determinant of differences of at most 2.  SMALL: below it
  * the Householder bounds are not used, as squares might underflow.  SHIFT =
  * BASE^SKIP; exact numbers that are all below LOW are first multiplied by it,
- * so that no limb's weight underflows. */
+ * so that no limb's weight underflows.  Coordinates between FEW = 2^-FEWEXP and
+ * 1/FEW are scaled by one multiplication. */
 #if DBL_MANT_DIG >= 53
 #define BASE 16777216.0
 #define CARRY 536870912.0
@@ -34,6 +35,8 @@ typedef long whole;
 #define SHIFT 4.149515568880993e180    /* 2^600   */
 #define SKIP 25
 #define LOW 1.6069380442589903e60      /* 2^200   */
+#define FEW 7.8886090522101181e-31     /* 2^-100  */
+#define FEWEXP 100
 #else
 #define BASE 512.0
 #define CARRY 32768.0
@@ -42,6 +45,8 @@ typedef long whole;
 #define SHIFT 9.2233720368547758e18    /* 2^63    */
 #define SKIP 7
 #define LOW 1048576.0                  /* 2^20    */
+#define FEW 9.5367431640625e-7         /* 2^-20   */
+#define FEWEXP 20
 #endif
 
 /* ---------------------------------------------------------------------
@@ -397,14 +402,20 @@ static int exact5(const tess_real *a, const tess_real *b, const tess_real *c,
     return exact(5, q);
 }
 
-/* scale - q = p times the power of two that makes most, the largest absolute
- * value among several points, at most 1. */
-static void scale(double most, const tess_real *p, double *q)
+/* scale - q = p 2^-e that makes most, the largest absolute value among several
+ * points, at most 1, and not tiny.  Returns e. */
+static int scale(double most, const tess_real *p, double *q)
 {
-    int e, k;
+    double f = most <= 1.0 ? 1.0 : FEW;
+    int e = most <= 1.0 ? 0 : FEWEXP, k;
 
-    frexp(most, &e);
-    for (k = 0; k < 3; k++) q[k] = ldexp((double)p[k], -e);
+    if (most >= FEW && most <= 1.0 / FEW)
+        for (k = 0; k < 3; k++) q[k] = f * p[k];
+    else {
+        frexp(most, &e);
+        for (k = 0; k < 3; k++) q[k] = ldexp((double)p[k], -e);
+    }
+    return e;
 }
 
 /* larger - the larger of most and the absolute coordinates of p. */
@@ -784,8 +795,7 @@ int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     double most = larger(larger(larger(0.0, p1), p2), p3), q1[3], q2[3], q3[3];
     int e, k, line = 1;
 
-    frexp(most, &e);
-    scale(most, p1, q1);
+    e = scale(most, p1, q1);
     scale(most, p2, q2);
     scale(most, p3, q3);
     hh_setup(q1, q2, q3, f);

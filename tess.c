@@ -2020,15 +2020,15 @@ static void backsu(const double *a, int n, const int *col, const int *row,
     }
 }
 
-/* unite - divide w by its sum; 1 when that is too small, else 0. */
-static int unite(double *w)
+/* unite - divide w by its sum, if that is not too small; returns the sum. */
+static double unite(double *w)
 {
     double sum = w[0] + w[1] + w[2] + w[3];
     int k;
 
-    if (fabs(sum) < DBL_EPSILON) return 1;
-    for (k = 0; k < 4; k++) w[k] /= sum;
-    return 0;
+    if (fabs(sum) >= DBL_EPSILON)
+        for (k = 0; k < 4; k++) w[k] /= sum;
+    return sum;
 }
 
 /* balanc - weights w of sum 1 for which the sum of w[k] times column k of r is
@@ -2052,14 +2052,14 @@ static double balanc(const double *r, const int *s, int set, double *w,
     for (i = 0; i < 12; i++) a[i] = r[i];
     n = elimin(a, m, col, row);
     backsu(a, n, col, row, w);
-    if (unite(w)) return DBL_MAX;
+    if (fabs(unite(w)) < DBL_EPSILON) return DBL_MAX;
     *wrong = 0;
     for (k = 0; k < 4; k++)
         if (w[k] * s[k] < 0.0) {
             w[k] = 0.0;
             *wrong = 1;
         }
-    if (unite(w)) return DBL_MAX;
+    if (unite(w) < DBL_EPSILON) return DBL_MAX;
     for (i = 0; i < 3; i++) {
         f = 0.0;
         for (k = 0; k < 4; k++) f += w[k] * r[3 * k + i];
@@ -2069,15 +2069,17 @@ static double balanc(const double *r, const int *s, int set, double *w,
 }
 
 /* weigh - the barycentric weights w of q in the tetrahedron v: the sum of w[k]
- * (p_k - q) vanishes.  Returns 0, or TESS_RANGE.
+ * (p_k - q) vanishes.  Returns 0, or TESS_RANGE: then w = 0.
  *
- * Their signs are exact: a weight is 0 just when q is in the plane of its
- * facet.  Elimination with complete pivoting is backward stable, so what w
- * interpolates is right, to rounding, for a point within rounding of q,
- * however thin v is; quotients of determinants lose that in slivers.  Where
- * a computed sign is wrong, v is flat to rounding, and many weights balance
- * equally well; then some that use fewer vertices have the right signs, and
- * of all sets of vertices the one that balances best is taken.
+ * By exact signs no weight has the wrong one, and it is 0 where q is in the
+ * plane of its facet.  Elimination with complete pivoting is backward
+ * stable: what w interpolates is right, to rounding, for a point within
+ * rounding of q, however thin v is; quotients of determinants lose that in
+ * slivers.  Where a computed sign is wrong, v is flat to rounding, and many
+ * weights balance equally well; then some that use fewer vertices have the
+ * right signs, and of all sets of vertices the one that balances best is
+ * taken.  (Outside of such a v the true weights are beyond 1e15; those taken
+ * are of a face.)
  *
  * All is scaled by a power of two that makes the coordinates at most 1. */
 static int weigh(const tess_real *p, const tess_int *v, const tess_real *q,
@@ -2087,10 +2089,10 @@ static int weigh(const tess_real *p, const tess_int *v, const tess_real *q,
     tess_int f[3];
     int s[4], e, i, k, set, wrong;
 
+    for (k = 0; k < 4; k++) w[k] = 0.0;
     for (k = 0; k < 4; k++) {
         outfac(v, k, f);
         s[k] = -hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], q);
-        w[k] = 0.0;
         if (s[k] == -UNSURE) return TESS_RANGE;
     }
     for (i = 0; i < 3; i++) {

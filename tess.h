@@ -50,7 +50,8 @@
 #define TESS_BAD_HULL 16   /* boundary not closed, or not convex           */
 #define TESS_BAD_COVER 17  /* the hull is covered more than once           */
 #define TESS_BAD_POINT 18  /* a point is in no tetrahedron                 */
-#define TESS_BAD_EULER 19  /* Euler's relation V - E + F - T = 1 fails     */
+#define TESS_BAD_EULER 19  /* V - E + F - T = 1 fails: follows from the
+                              other tests, so that it is never returned  */
 
 #ifdef __cplusplus
 extern "C" {
@@ -125,14 +126,21 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  *   p, ntet, tet, adj  (in)  a result of tess with ntet >= 1
  *   q    (in)      the point: 3 coordinates
  *   t    (in,out)  On entry the tetrahedron where the walk starts, or
- *                  TESS_NONE for anywhere.  On return the one that holds q
+ *                  TESS_NONE for anywhere; for q inside it alters the speed
+ *                  alone.  On return the one that holds q
  *   w    (out)     4 barycentric weights of q in it; they sum to one:
  *                  sum of w[k] * value[tet[4*t+k]] interpolates linearly
  *
  * returns 0 when q is inside or on the boundary; 1 when it is outside the
  * hull: t is then a hull tetrahedron on that side and w its weights, some
  * negative.  An open facet counts as hull.  -2 for ntet < 1, -5 for a NaN or
- * infinity in q, -6 for a t that is out of range.
+ * infinity in q, -6 for a t that is out of range; TESS_RANGE, w = 0, when a
+ * build's HH_LIMBS do not suffice.
+ *
+ * Inside, the weights are at least 0, and 0 just where q is in the plane of
+ * the vertex's opposite facet; they sum to 1, and sum of w[k] p_k is q, to
+ * rounding, in slivers too.
+ * Cost: a walk of about ntet^(1/3) / 2 steps from anywhere, a few from near.
  */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t,
@@ -162,10 +170,11 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
  *   bad     (out)  the tetrahedron at fault, or the point (TESS_BAD_POINT),
  *                  or TESS_NONE
  *
- * returns 0 when proven, or the first fault TESS_BAD_... found.  Any valid
- * triangulation of cospherical points passes.  ntet = 0 passes when all
- * points lie in one plane.  -1 for n < 0, -2 for a NaN or infinity in p, -3
- * for ntet < 0, -6 for liw < 2*n.
+ * returns 0 when proven, or the first fault TESS_BAD_... found; TESS_RANGE
+ * when a build's HH_LIMBS do not suffice.  Any valid triangulation of
+ * cospherical points passes.  ntet = 0 passes when all points lie in one
+ * plane, else it is TESS_BAD_POINT.  -1 for a bad n, -2 for a NaN or infinity
+ * in p, -3 for a bad ntet, -6 for liw < 2*n.
  * Cost: O(ntet + n log n).
  */
 int tess_check(tess_int n, const tess_real *p, tess_int ntet,

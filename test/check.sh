@@ -224,5 +224,18 @@ same "tcc" tcc ""
 SUMS="test/t_tess.c test/exact.c test/points.c"
 same "g++ -x c++ -O2" g++ "-x c++ -O2"
 
+# ---- the examples: their own checks, and their output as stored ----
+
+for name in interp poisson embedded surface; do
+    if build "$name" "$CC" "$CFLAGS -I." test/examples/$name.c tess.c hhpred.c; then
+        (cd build && ./$name $name.obj $name.stl) > build/$name.out 2>> $LOG
+        one "example: $name" test $? -eq 0
+        one "example: $name, its output" \
+            cmp test/examples/$name.out build/$name.out
+    else
+        fail "example: $name does not compile"
+    fi
+done
+
 echo "$PASSED passed, $FAILED failed"
 test $FAILED -eq 0

@@ -122,14 +122,16 @@ static void find_sphere(void)
 
 enum {
     RANDOM, LATTICE, INTEGERS, TENTHS, PLANE, SPHERE, NORMED, PAIRS, OFFSET,
-    SCALED, MIXED, SUBNORMAL, EXTREME, FARAPART, CLASSES
+    SCALED, MIXED, SUBNORMAL, EXTREME, FARAPART, INTEGER_PLANE,
+    INTEGER_SPHERE, CLASSES
 };
 static const char *const names[CLASSES] = {
     "random", "lattice {0..3}", "integers below 2^20", "tenths",
     "coplanar but for a last place", "cospherical but for a last place",
     "normalized onto a sphere", "pairs 1e-13 apart", "offset 1e8",
     "scales 1e+-60 1e+-150 1e+-300", "mixed exponents, all the range",
-    "subnormal", "extreme values", "a tiny cluster and a far point"
+    "subnormal", "extreme values", "a tiny cluster and a far point",
+    "integers, coplanar but for 1", "integers, cospherical but for 1"
 };
 
 /* the points of a class, before duplicates */
@@ -168,6 +170,27 @@ static void make(int group, double p[5][3])
         i = rnd_below(5);
         k = rnd_below(3);
         p[i][k] = nudge(p[i][k], rnd_below(3) - 1);
+        break;
+    case INTEGER_PLANE:
+        e = 1 << (10 + rnd_below(9));
+        for (i = 0; i < 3; i++)
+            for (k = 0; k < 3; k++) p[i][k] = rnd_below(e);
+        for (i = 3; i < 5; i++) {
+            s = rnd_below(5) - 2;
+            t = rnd_below(5) - 2;
+            for (k = 0; k < 3; k++)
+                p[i][k] = p[0][k] + s * (p[1][k] - p[0][k]) +
+                          t * (p[2][k] - p[0][k]);
+        }
+        p[rnd_below(5)][rnd_below(3)] += rnd_below(3) - 1;
+        break;
+    case INTEGER_SPHERE:
+        s = rnd_below(400) + 1;
+        for (i = 0; i < 5; i++) {
+            j = rnd_below(spheres);
+            for (k = 0; k < 3; k++) p[i][k] = s * sphere[j][k];
+        }
+        p[rnd_below(5)][rnd_below(3)] += rnd_below(3) - 1;
         break;
     case SPHERE:
         for (k = 0; k < 3; k++) v[k] = rnd_below(2) ? 0.0 : rnd_below(1000);
@@ -395,9 +418,9 @@ static void test_signs(int group, long n)
            "%ld\n", count[0], count[1], count[2], count[3], ball[0], ball[1],
            ball[2], ball[3]);
     /* the class must bring forth the signs that it is made for */
-    if (group == LATTICE || group == PLANE)
+    if (group == LATTICE || group == PLANE || group == INTEGER_PLANE)
         faults += count[0] < n / 20 || count[1] < n / 20 || count[2] < n / 20;
-    if (group == LATTICE || group == SPHERE)
+    if (group == LATTICE || group == SPHERE || group == INTEGER_SPHERE)
         faults += ball[0] < n / 20 || ball[1] < n / 20 || ball[2] < n / 20;
     /* integers of at most 20 bits and points of one scale suit 3 limbs */
     if (group == LATTICE || group == INTEGERS || group == TENTHS)
@@ -421,6 +444,7 @@ static void test_indexed(int group, long n)
     const double *q[5];
     tess_int order[5];
     int index[5], e, j, k, o, s;
+    char name[80];
     hh_set set;
 
     for (i = 0; i < n; i++) {
@@ -450,7 +474,8 @@ static void test_indexed(int group, long n)
         set.p = caller;
         set.order = order;
         set.t3 = set.t5 = -1.0;
-        if ((group == LATTICE || group == INTEGERS) && i % 2) {
+        if ((group == LATTICE || group == INTEGERS ||
+             group == INTEGER_PLANE || group == INTEGER_SPHERE) && i % 2) {
             /* the unit of the coordinates is 1, that of x is 2^-e */
             set.t3 = ldexp(1.0, DBL_MANT_DIG - 1 - 3 * e);
             set.t5 = ldexp(1.0, DBL_MANT_DIG - 1 - 5 * e);
@@ -473,9 +498,10 @@ static void test_indexed(int group, long n)
             }
         }
     }
-    printf("        ties %ld of %ld: %s\n", ties, n, names[group]);
+    printf("        ties %ld of %ld\n", ties, n);
     if (group == LATTICE || group == SPHERE) faults += ties < n / 20;
-    test_result("hh_pside, hh_pball", faults);
+    sprintf(name, "hh_pside, hh_pball: %s", names[group]);
+    test_result(name, faults);
 }
 
 /* hh_flat: the sign of the projected area; hh_wider: the sign of a difference
@@ -1202,6 +1228,8 @@ static void all(void)
     }
     test_indexed(LATTICE, 20000 * percent / 100);
     test_indexed(INTEGERS, 5000 * percent / 100);
+    test_indexed(INTEGER_PLANE, 20000 * percent / 100);
+    test_indexed(INTEGER_SPHERE, 20000 * percent / 100);
     test_indexed(SPHERE, 20000 * percent / 100);
     test_indexed(NORMED, 5000 * percent / 100);
     test_indexed(PLANE, 5000 * percent / 100);

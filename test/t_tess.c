@@ -1446,7 +1446,7 @@ static void test_faults(void)
         { 5, 0 }, { 4, 3 }, { 3, 4 }, { 0, 5 }, { -3, 4 }, { -4, 3 },
         { -5, 0 }, { -4, -3 }, { -3, -4 }, { 0, -5 }, { 3, -4 }, { 4, -3 }
     };
-    double p[14 * 3];
+    double p[15 * 3];
     tess_int tet[48], i;
     result r;
     int turn;
@@ -1529,6 +1529,70 @@ static void test_faults(void)
     }
     given(&r, "wound once", p, 14, tet, 12);
     expect(&r, 0, "a complex wound once");
+    /* the same twice around with a point in the middle of the axis, which is
+     * a vertex of all tetrahedra */
+    {
+        tess_int more[96];
+
+        for (i = 0; i < 48; i++) {
+            more[i] = tet[i] == 12 ? 14 : tet[i];
+            more[48 + i] = tet[i] == 13 ? 14 : tet[i];
+        }
+        for (i = 0; i < 12; i++) {
+            p[3 * i] = ring[(2 * i + i / 6) % 12][0];
+            p[3 * i + 1] = ring[(2 * i + i / 6) % 12][1];
+        }
+        for (i = 42; i < 45; i++) p[i] = 0.0;
+        given(&r, "wound twice about a point", p, 15, more, 24);
+        expect(&r, TESS_BAD_COVER, "wound twice about a point");
+        for (i = 0; i < 12; i++) {
+            p[3 * i] = ring[i][0];
+            p[3 * i + 1] = ring[i][1];
+        }
+        given(&r, "wound once about a point", p, 15, more, 24);
+        expect(&r, 0, "wound once about a point");
+    }
+    /* the great icosahedron: twelve vertices of an icosahedron, joined in
+     * threes that are not neighbours in it, and its centre */
+    {
+        static const double far = 1.6180339887498949;
+        static double q[39];
+        tess_int star[80], a, b, c, m = 0;
+
+        for (i = 0; i < 12; i++) {
+            q[3 * i + i / 4] = 0.0;
+            q[3 * i + (i / 4 + 1) % 3] = i % 2 ? 1.0 : -1.0;
+            q[3 * i + (i / 4 + 2) % 3] = i / 2 % 2 ? far : -far;
+        }
+        for (a = 0; a < 12; a++)
+            for (b = a + 1; b < 12; b++)
+                for (c = b + 1; c < 12; c++) {
+                    const double *x = q + 3 * a, *y = q + 3 * b;
+                    const double *z = q + 3 * c;
+                    double xy = x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+                    double yz = y[0] * z[0] + y[1] * z[1] + y[2] * z[2];
+                    double zx = z[0] * x[0] + z[1] * x[1] + z[2] * x[2];
+
+                    /* neighbours have far, opposite ones -3.6 */
+                    if (xy < -3.0 || yz < -3.0 || zx < -3.0 || xy > 0.0 ||
+                        yz > 0.0 || zx > 0.0 || m == 80)
+                        continue;
+                    /* positive as it is: the centre stays first */
+                    star[m] = 12;
+                    star[m + 1] = a;
+                    if (ex_orient(q + 36, x, y, z) > 0) {
+                        star[m + 2] = b;
+                        star[m + 3] = c;
+                    } else {
+                        star[m + 2] = c;
+                        star[m + 3] = b;
+                    }
+                    m += 4;
+                }
+        require(m == 80, "the test's own icosahedron");
+        given(&r, "great icosahedron", q, 13, star, m / 4);
+        expect(&r, TESS_BAD_COVER, "a great icosahedron");
+    }
     /* the whole twice over, on the same points */
     {
         tess_int twice[96];
