@@ -22,32 +22,24 @@ C
 C     The twin of hhpred.c, routine by routine:
 C
 C       exact numbers
-C         frexp      HHFREX      signof     HHSIGN
-C         ldexp      HHLDEX      limbsg     HHLIMB
-C         split      HHSPLI      limbs3     HHLIM3
-C         carry      HHCARR      limbs10    HHLIMT
-C         produc     HHPROD      limbsx     HHLIMX
-C         zeros      HHZERO      weight     HHWEIG
-C         minor2     HHMIN2      exact      HHEXAC
-C         minor3     HHMIN3
-C         square     HHSQUA
+C         frexp       HHFREX  minor2      HHMIN2  limbs10     HHLIMT
+C         ldexp       HHLDEX  minor3      HHMIN3  limbsx      HHLIMX
+C         split       HHSPLI  square      HHSQUA  weight      HHWEIG
+C         carry       HHCARR  signof      HHSIGN  exact       HHEXAC
+C         produc      HHPROD  limbsg      HHLIMB
+C         zeros       HHZERO  limbs3      HHLIM3
 C       exact signs
-C         certain    HHCERT      widersg    HHWIDS
-C         filt3      HHFIL3      hh_wider   HHWIDE
-C         filt5      HHFIL5      hh_range   HHRANG
-C         exact3     HHEXA3      corners    HHCORN
-C         exact5     HHEXA5      hh_pside   HHPSID
-C         scale      HHSCAL      tied       HHTIED
-C         larger     HHLARG      perturb    HHPERT
-C         hh_orient  HHORIE      hh_pball   HHPBAL
-C         hh_insphere HHINSP     hh_pbeat   HHPBEA
-C         hh_flat    HHFLAT
+C         certain     HHCERT  hh_orient   HHORIE  hh_pside    HHPSID
+C         filt3       HHFIL3  hh_insphere HHINSP  tied        HHTIED
+C         filt5       HHFIL5  hh_flat     HHFLAT  perturb     HHPERT
+C         exact3      HHEXA3  widersg     HHWIDS  hh_pball    HHPBAL
+C         exact5      HHEXA5  hh_wider    HHWIDE  hh_pbeat    HHPBEA
+C         scale       HHSCAL  hh_range    HHRANG
+C         larger      HHLARG  corners     HHCORN
 C       Householder
-C         house      HHHOUS      hh_side      HHSIDE
-C         reflec     HHREFL      hh_opp       HHOPP
-C         hh_setup   HHSETU      hh_lcoord    HHLCOO
-C         hh_bound   HHBOUN      hh_wrap      HHWRAP
-C         hh_facet   HHFACE
+C         house       HHHOUS  hh_bound    HHBOUN  hh_opp      HHOPP
+C         reflec      HHREFL  hh_facet    HHFACE  hh_lcoord   HHLCOO
+C         hh_setup    HHSETU  hh_side     HHSIDE  hh_wrap     HHWRAP
 C
 C     Where C returns a code beside other results, the last argument
 C     has it; a function alters no argument.  Axes, positions and
@@ -67,9 +59,8 @@ C       HHLIM   (HH_LIMBS) exact numbers are arrays of at most HHLIM
 C               limbs.  The default holds every finite double beside
 C               every other.  With fewer, 3 at least, HHORIE and HHINSP
 C               return 2 when they do not suffice.  Scratch, in
-C               doubles: about 41 a limb; 29 KB for 88 limbs, in
-C               routines entered only when 3, then 10 limbs do not
-C               suffice.  To choose another one change it in HHLIMX,
+C               doubles: 37 a limb; 26 KB for 88 limbs, in routines
+C               entered only when 3, then 10 limbs do not suffice.  To choose another one change it in HHLIMX,
 C               HHEXAC, HHWIDE and HHRANG.
 C       BASE    2**BITS
 C       TINY    an absolute error no smaller than what underflow,
@@ -80,6 +71,8 @@ C               squares might underflow
 C       SHIFT   BASE**SKIP; exact numbers that are all below LOW are
 C               first multiplied by it, so that no limb's weight
 C               underflows
+C       FEW     2**(-FEWEXP); coordinates between FEW and 1/FEW are
+C               scaled by one multiplication
 
 C     ------------------------------------------------------------------
 C     Exact numbers.
@@ -631,12 +624,27 @@ C     B, C, D, E of P.
       END
 
 C     HHSCAL - factors F1, F2: a coordinate times F1, then times F2, is
-C     the coordinate times the power of two that makes MOST, the largest
-C     absolute value among several points, at most 1.
-      SUBROUTINE HHSCAL(MOST, F1, F2)
+C     the coordinate times 2**(-E), that makes MOST, the largest
+C     absolute value among several points, at most 1, and not tiny.
+      SUBROUTINE HHSCAL(MOST, F1, F2, E)
       DOUBLE PRECISION MOST, F1, F2
+      INTEGER E
       INTEGER HHFREX
-      CALL HHLDEX(-HHFREX(MOST), F1, F2)
+      INTEGER FEWEXP
+      PARAMETER (FEWEXP = 100)
+      DOUBLE PRECISION FEW
+      PARAMETER (FEW = 2.0D0**(-FEWEXP))
+      IF (MOST .GE. FEW .AND. MOST .LE. 1.0D0/FEW) THEN
+        E = 0
+        F1 = 1.0D0
+        F2 = 1.0D0
+        IF (MOST .LE. 1.0D0) RETURN
+        E = FEWEXP
+        F1 = FEW
+      ELSE
+        E = HHFREX(MOST)
+        CALL HHLDEX(-E, F1, F2)
+      END IF
       END
 
 C     HHLARG - the larger of MOST and the absolute coordinates of P.
@@ -656,9 +664,9 @@ C     the default).
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
       DOUBLE PRECISION MOST, F1, F2, P(3,4), S(3,4)
-      INTEGER I, K, SGN
+      INTEGER EXPO, I, K, SGN
       MOST = HHLARG(HHLARG(HHLARG(HHLARG(0.0D0, A), B), C), D)
-      CALL HHSCAL(MOST, F1, F2)
+      CALL HHSCAL(MOST, F1, F2, EXPO)
       DO 20 K = 1, 3
         P(K,1) = A(K)
         P(K,2) = B(K)
@@ -684,13 +692,13 @@ C     suffice (never, with the default).
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
       DOUBLE PRECISION MOST, F1, F2, P(3,5), S(3,5)
-      INTEGER I, K, SGN, SIDE
+      INTEGER EXPO, I, K, SGN, SIDE
       SIDE = HHORIE(A, B, C, D)
       HHINSP = SIDE
       IF (SIDE .EQ. 0 .OR. SIDE .EQ. UNSURE) RETURN
       MOST = HHLARG(HHLARG(HHLARG(0.0D0, A), B), C)
       MOST = HHLARG(HHLARG(MOST, D), E)
-      CALL HHSCAL(MOST, F1, F2)
+      CALL HHSCAL(MOST, F1, F2, EXPO)
       DO 20 K = 1, 3
         P(K,1) = A(K)
         P(K,2) = B(K)
@@ -1181,21 +1189,21 @@ C     beyond HUGE is infinite.
       SUBROUTINE HHFACE(P1, P2, P3, F, INFO)
       DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
       INTEGER INFO
-      INTEGER HHFLAT, HHFREX
+      INTEGER HHFLAT
       DOUBLE PRECISION HHLARG
       DOUBLE PRECISION HUGE
       PARAMETER (HUGE = 1.7976931348623157D308)
       DOUBLE PRECISION MOST, Q1(3), Q2(3), Q3(3), F1, F2
-      INTEGER K
+      INTEGER E, K
       MOST = HHLARG(HHLARG(HHLARG(0.0D0, P1), P2), P3)
-      CALL HHSCAL(MOST, F1, F2)
+      CALL HHSCAL(MOST, F1, F2, E)
       DO 10 K = 1, 3
         Q1(K) = (P1(K)*F1)*F2
         Q2(K) = (P2(K)*F1)*F2
         Q3(K) = (P3(K)*F1)*F2
    10 CONTINUE
       CALL HHSETU(Q1, Q2, Q3, F)
-      CALL HHLDEX(HHFREX(MOST), F1, F2)
+      CALL HHLDEX(E, F1, F2)
       DO 20 K = 1, 3
         F(3+K) = (F(3+K)*F1)*F2
         F(6+K) = P1(K)
@@ -1277,7 +1285,7 @@ C     computed to lie in the plane; C is then 0.
       DOUBLE PRECISION HHLARG
       DOUBLE PRECISION MOST, Q1(3), Q2(3), Q3(3), QZ(3), A(3), B(3)
       DOUBLE PRECISION G(3), V(3), H(10), F1, F2, WG, WV, TURN
-      INTEGER K
+      INTEGER E, K
       C = 0.0D0
       INFO = 1
       DO 10 K = 1, 3
@@ -1285,7 +1293,7 @@ C     computed to lie in the plane; C is then 0.
    10 CONTINUE
       RETURN
    20 MOST = HHLARG(HHLARG(HHLARG(HHLARG(0.0D0, P1), P2), P3), Z)
-      CALL HHSCAL(MOST, F1, F2)
+      CALL HHSCAL(MOST, F1, F2, E)
       DO 30 K = 1, 3
         Q1(K) = (P1(K)*F1)*F2
         Q2(K) = (P2(K)*F1)*F2

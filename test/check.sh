@@ -226,14 +226,14 @@ same "g++ -x c++ -O2" g++ "-x c++ -O2"
 
 # ---- the examples: their own checks, and their output as stored ----
 
-for name in interp poisson embedded surface; do
-    if build "$name" "$CC" "$CFLAGS -I." test/examples/$name.c tess.c hhpred.c; then
-        (cd build && ./$name $name.obj $name.stl) > build/$name.out 2>> $LOG
-        one "example: $name" test $? -eq 0
-        one "example: $name, its output" \
-            cmp test/examples/$name.out build/$name.out
+for example in interp poisson embedded surface; do
+    if build "$example" "$CC" "$CFLAGS -I." test/examples/$example.c tess.c hhpred.c; then
+        (cd build && ./$example $example.obj $example.stl) > build/$example.out 2>> $LOG
+        one "example: $example" test $? -eq 0
+        one "example: $example, its output" \
+            cmp test/examples/$example.out build/$example.out
     else
-        fail "example: $name does not compile"
+        fail "example: $example does not compile"
     fi
 done
 
