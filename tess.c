@@ -37,8 +37,11 @@
 #ifdef TESS_COUNT
 extern double tess_count[];
 #define COUNT(which, n) (tess_count[which] += (double)(n))
+#define PEAK(which, n) \
+    if ((double)(n) > tess_count[which]) tess_count[which] = (double)(n)
 #else
 #define COUNT(which, n)
+#define PEAK(which, n)
 #endif
 #define N_FACET 0  /* searches for an apex                  */
 #define N_GROUP 1  /* ended in a group's list,              */
@@ -456,6 +459,7 @@ static void putin(mesh *m, tess_int code, tess_int owner, tess_int sig)
     if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = e;
     m->head[owner] = e;
     m->nopen++;
+    PEAK(N_POOL, m->nopen);
     if (owner < m->low) m->low = owner;
 }
 

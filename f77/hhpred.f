@@ -60,8 +60,9 @@ C               limbs.  The default holds every finite double beside
 C               every other.  With fewer, 3 at least, HHORIE and HHINSP
 C               return 2 when they do not suffice.  Scratch, in
 C               doubles: 37 a limb; 26 KB for 88 limbs, in routines
-C               entered only when 3, then 10 limbs do not suffice.  To choose another one change it in HHLIMX,
-C               HHEXAC, HHWIDE and HHRANG.
+C               entered only when 3, then 10 limbs do not suffice.  To
+C               choose another number change it in HHLIMX, HHEXAC,
+C               HHWIDE and HHRANG.
 C       BASE    2**BITS
 C       TINY    an absolute error no smaller than what underflow,
 C               gradual or to zero, does to a determinant of

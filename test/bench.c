@@ -105,8 +105,10 @@ int main(int argc, char **argv)
            (long)ntet, least, ntet > 0 ? 1e9 * least / (double)ntet : 0.0,
            work / (double)n, total / (double)n, code);
 #ifdef TESS_COUNT
+    printf("count %s %ld", argv[1], (long)n);
     for (i = 0; i < 10; i++)
-        printf("%s %.4f ", name[i], tess_count[i] / (double)ntet);
+        printf(" %s %.4f", name[i],
+            i == 8 ? tess_count[i] : tess_count[i] / (double)ntet);
     printf("\n");
 #endif
     free(p);

@@ -185,3 +185,50 @@ END {
         print head
     }
 }' build/bench.txt
+
+# What does not depend on the machine's mood: counts per tetrahedron.
+$CC $CFLAGS -DTESS_COUNT -o build/bench_count test/bench.c test/points.c \
+    tess.c hhpred.c -lm || exit 1
+echo
+echo "Counts, per tetrahedron: searches that end in a group's list, a block's,"
+echo "the tree; nodes of the tree; points of lists tested; candidates looked at"
+echo "one by one; exact comparisons; and the most facets in the pool"
+echo
+echo "| points | n | group | block | tree | nodes | listed | candidates |" \
+    "exact | pool |"
+echo "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
+for family in $FAMILIES; do
+    [ "$family" = spherenorm ] && continue
+    for size in $(sizes "$family"); do
+        $limit build/bench_count "$family" "$size" 1 "$SEED" |
+            awk '$1 == "count" {
+                for (i = 4; i < NF; i += 2) c[$i] = $(i + 1)
+                printf "| %s | %d | %.2f | %.2f | %.2f | %.1f | %.0f | %.1f", \
+                    $2, $3, c["group"], c["block"], c["tree"], c["nodes"], \
+                    c["listed"], c["candidates"]
+                printf " | %.2f | %d |\n", c["exact"], c["pool"] }'
+    done
+done
+
+# Location: queries in spatial order from the last answer, and from nowhere.
+$CC $CFLAGS -o build/bench_locate test/locate.c test/points.c tess.c hhpred.c \
+    -lm || exit 1
+locators=build/bench_locate
+case $programs in
+*cgal*)
+    $CXX -O3 -DNDEBUG -o build/bench_cgalloc test/peers/cgalloc.cpp \
+        build/bench_points.o -lmpfr -lgmp &&
+        locators="$locators build/bench_cgalloc"
+    ;;
+esac
+echo
+echo "Nanoseconds per located point, weights included (CGAL: without)"
+echo
+echo "| | points | n | share inside | in spatial order | from anywhere |"
+echo "| --- | --- | ---: | ---: | ---: | ---: |"
+for size in $(sizes uniform); do
+    for program in $locators; do
+        $program uniform "$size" |
+            awk '{ print "| " $1 " | " $2 " | " $3 " | " $4 " | " $5 " | " $6 " |" }'
+    done
+done
