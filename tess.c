@@ -22,13 +22,22 @@
  * chooses where to look, with margins that cover its rounding.
  *
  * Order of the routines, here and in f77/tess.f:
- *   sorting     before partit kdsort twins
- *   tree        bound leafof boxes
- *   pool        sorted find remove insert
- *   lists       gather region count nearest
- *   apex        contained consider scan search apex
- *   star        join cancel ... star
- *   entries     tess_size tess tess_resume
+ *   sorting      before swap pivot partit twin cut bound leafof span leafsort
+ *                kdsort boxes
+ *   pool         facet signat find putin takeout widen
+ *   lists        disjoint append pad harvest block gather
+ *   apex         blur region behind outside contained take compare consider
+ *                aim scan inlists nearest apart search onhull prepare apex
+ *   star         edge renumber push join kill between meet flush grow enlist
+ *                follow load complete room star stars
+ *   first facet  point lesser edgeby onaline first begin
+ *   preparation  leafcount side tablesize finite3 lengths collect inrange
+ *                times units scaled sorted restore run wrong
+ *   entries      tess_size tess tess_resume
+ *   location     outfac slot beyond inbox reach sample walk holds sweep elimin
+ *                backsu unite balanc weigh tess_locate
+ *   hull, check  tess_hull preced merge sortpt marks chkpla chkidx mate chkfac
+ *                chktet chkedg chkhul chkcov tess_check
  */
 #include "tess.h"
 #include <math.h>
