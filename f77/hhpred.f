@@ -123,38 +123,36 @@ C     should X be no number.
       HHFREX = E
       END
 
-C     HHLDEX - for C's ldexp, which Fortran 77 lacks: factors F1, F2
-C     with F1 * F2 = 2**E, |E| <= 2000.  A number times F1, then times
-C     F2, is rounded at most once.
+C     HHLDEX - for C's ldexp, which Fortran 77 lacks: X * 2**E, |E| <=
+C     2000, rounded at most once.
 C
-C     F2 is not 1 only where F1 alone might be no normal double; it is
-C     so far from 1 then that a product with F1 that underflows ends as
-C     zero anyway.  Squaring and multiplying powers of two is exact,
-C     unlike an exponential.
-      SUBROUTINE HHLDEX(E, F1, F2)
+C     Squaring and multiplying powers of two is exact, unlike an
+C     exponential.  A second factor is there only where the first alone
+C     might be no normal double; it is so far from 1 then that a product
+C     which underflows before it ends as zero anyway.  The branch keeps
+C     an optimizer from joining the two.
+      DOUBLE PRECISION FUNCTION HHLDEX(X, E)
+      DOUBLE PRECISION X
       INTEGER E
-      DOUBLE PRECISION F1, F2
-      DOUBLE PRECISION POWER
-      INTEGER REST
-      F1 = 1.0D0
-      F2 = 1.0D0
-      REST = E
-      IF (E .GT. 1000) THEN
-        F2 = 2.0D0**1000
-        REST = E - 1000
-      ELSE IF (E .LT. -1000) THEN
-        F2 = 2.0D0**(-1000)
-        REST = E + 1000
-      END IF
+      DOUBLE PRECISION FACTOR, POWER, Y
+      INTEGER FAR, REST
+      FAR = 0
+      IF (E .GT. 1000) FAR = 1000
+      IF (E .LT. -1000) FAR = -1000
+      FACTOR = 1.0D0
       POWER = 2.0D0
-      IF (REST .LT. 0) POWER = 0.5D0
-      REST = ABS(REST)
-   10 IF (MOD(REST, 2) .EQ. 1) F1 = F1*POWER
+      IF (E .LT. 0) POWER = 0.5D0
+      REST = ABS(E - FAR)
+   10 IF (MOD(REST, 2) .EQ. 1) FACTOR = FACTOR*POWER
       REST = REST/2
       IF (REST .GT. 0) THEN
         POWER = POWER*POWER
         GO TO 10
       END IF
+      Y = X*FACTOR
+      IF (FAR .GT. 0) Y = Y*2.0D0**1000
+      IF (FAR .LT. 0) Y = Y*2.0D0**(-1000)
+      HHLDEX = Y
       END
 
 C     HHSPLI - the N limbs of X, limb 1 of weight TOP, a power of two,
@@ -416,11 +414,10 @@ C     fills it.
       DOUBLE PRECISION FUNCTION HHWEIG(MOST)
       DOUBLE PRECISION MOST
       INTEGER HHFREX
+      DOUBLE PRECISION HHLDEX
       INTEGER BITS
       PARAMETER (BITS = 24)
-      DOUBLE PRECISION F1, F2
-      CALL HHLDEX(HHFREX(MOST) + 1 - BITS, F1, F2)
-      HHWEIG = F1*F2
+      HHWEIG = HHLDEX(1.0D0, HHFREX(MOST) + 1 - BITS)
       END
 
 C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
@@ -624,27 +621,38 @@ C     B, C, D, E of P.
       HHEXA5 = SGN
       END
 
-C     HHSCAL - factors F1, F2: a coordinate times F1, then times F2, is
-C     the coordinate times 2**(-E), that makes MOST, the largest
-C     absolute value among several points, at most 1, and not tiny.
-      SUBROUTINE HHSCAL(MOST, F1, F2, E)
-      DOUBLE PRECISION MOST, F1, F2
-      INTEGER E
+C     HHSCAL - Q = P 2**(-E) that makes MOST, the largest absolute value
+C     among the NP points P, at most 1, and not tiny.
+      SUBROUTINE HHSCAL(MOST, NP, P, Q, E)
+      INTEGER NP, E
+      DOUBLE PRECISION MOST, P(3,*), Q(3,*)
       INTEGER HHFREX
+      DOUBLE PRECISION HHLDEX
       INTEGER FEWEXP
       PARAMETER (FEWEXP = 100)
       DOUBLE PRECISION FEW
       PARAMETER (FEW = 2.0D0**(-FEWEXP))
+      DOUBLE PRECISION F
+      INTEGER I, K
       IF (MOST .GE. FEW .AND. MOST .LE. 1.0D0/FEW) THEN
-        E = 0
-        F1 = 1.0D0
-        F2 = 1.0D0
-        IF (MOST .LE. 1.0D0) RETURN
+        F = FEW
         E = FEWEXP
-        F1 = FEW
+        IF (MOST .LE. 1.0D0) THEN
+          F = 1.0D0
+          E = 0
+        END IF
+        DO 20 I = 1, NP
+          DO 10 K = 1, 3
+            Q(K,I) = F*P(K,I)
+   10     CONTINUE
+   20   CONTINUE
       ELSE
         E = HHFREX(MOST)
-        CALL HHLDEX(-E, F1, F2)
+        DO 40 I = 1, NP
+          DO 30 K = 1, 3
+            Q(K,I) = HHLDEX(P(K,I), -E)
+   30     CONTINUE
+   40   CONTINUE
       END IF
       END
 
@@ -664,19 +672,16 @@ C     the default).
       DOUBLE PRECISION HHLARG
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION MOST, F1, F2, P(3,4), S(3,4)
-      INTEGER EXPO, I, K, SGN
+      DOUBLE PRECISION MOST, P(3,4), S(3,4)
+      INTEGER E, K, SGN
       MOST = HHLARG(HHLARG(HHLARG(HHLARG(0.0D0, A), B), C), D)
-      CALL HHSCAL(MOST, F1, F2, EXPO)
-      DO 20 K = 1, 3
+      DO 10 K = 1, 3
         P(K,1) = A(K)
         P(K,2) = B(K)
         P(K,3) = C(K)
         P(K,4) = D(K)
-        DO 10 I = 1, 4
-          S(K,I) = (P(K,I)*F1)*F2
-   10   CONTINUE
-   20 CONTINUE
+   10 CONTINUE
+      CALL HHSCAL(MOST, 4, P, S, E)
       SGN = HHFIL3(S, 1, 2, 3, 4, -1.0D0)
       IF (SGN .EQ. UNSURE) SGN = HHEXA3(P, 1, 2, 3, 4)
       HHORIE = SGN
@@ -692,24 +697,21 @@ C     suffice (never, with the default).
       DOUBLE PRECISION HHLARG
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION MOST, F1, F2, P(3,5), S(3,5)
-      INTEGER EXPO, I, K, SGN, SIDE
+      DOUBLE PRECISION MOST, P(3,5), S(3,5)
+      INTEGER EXPO, K, SGN, SIDE
       SIDE = HHORIE(A, B, C, D)
       HHINSP = SIDE
       IF (SIDE .EQ. 0 .OR. SIDE .EQ. UNSURE) RETURN
       MOST = HHLARG(HHLARG(HHLARG(0.0D0, A), B), C)
       MOST = HHLARG(HHLARG(MOST, D), E)
-      CALL HHSCAL(MOST, F1, F2, EXPO)
-      DO 20 K = 1, 3
+      DO 10 K = 1, 3
         P(K,1) = A(K)
         P(K,2) = B(K)
         P(K,3) = C(K)
         P(K,4) = D(K)
         P(K,5) = E(K)
-        DO 10 I = 1, 5
-          S(K,I) = (P(K,I)*F1)*F2
-   10   CONTINUE
-   20 CONTINUE
+   10 CONTINUE
+      CALL HHSCAL(MOST, 5, P, S, EXPO)
       SGN = HHFIL5(S, 1, 2, 3, 4, 5, -1.0D0)
       IF (SGN .EQ. UNSURE) SGN = HHEXA5(P, 1, 2, 3, 4, 5)
       HHINSP = -SIDE*SGN
@@ -1191,35 +1193,39 @@ C     beyond HUGE is infinite.
       DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
       INTEGER INFO
       INTEGER HHFLAT
-      DOUBLE PRECISION HHLARG
+      DOUBLE PRECISION HHLARG, HHLDEX
       DOUBLE PRECISION HUGE
       PARAMETER (HUGE = 1.7976931348623157D308)
-      DOUBLE PRECISION MOST, Q1(3), Q2(3), Q3(3), F1, F2
+      DOUBLE PRECISION MOST, P(3,3), S(3,3), Q1(3), Q2(3), Q3(3)
       INTEGER E, K
       MOST = HHLARG(HHLARG(HHLARG(0.0D0, P1), P2), P3)
-      CALL HHSCAL(MOST, F1, F2, E)
       DO 10 K = 1, 3
-        Q1(K) = (P1(K)*F1)*F2
-        Q2(K) = (P2(K)*F1)*F2
-        Q3(K) = (P3(K)*F1)*F2
+        P(K,1) = P1(K)
+        P(K,2) = P2(K)
+        P(K,3) = P3(K)
    10 CONTINUE
-      CALL HHSETU(Q1, Q2, Q3, F)
-      CALL HHLDEX(E, F1, F2)
+      CALL HHSCAL(MOST, 3, P, S, E)
       DO 20 K = 1, 3
-        F(3+K) = (F(3+K)*F1)*F2
-        F(6+K) = P1(K)
+        Q1(K) = S(K,1)
+        Q2(K) = S(K,2)
+        Q3(K) = S(K,3)
    20 CONTINUE
-      F(12) = (F(12)*F1)*F2
-      IF (F(11) .LT. HUGE) F(11) = (F(11)*F1)*F2
+      CALL HHSETU(Q1, Q2, Q3, F)
+      DO 30 K = 1, 3
+        F(3+K) = HHLDEX(F(3+K), E)
+        F(6+K) = P1(K)
+   30 CONTINUE
+      F(12) = HHLDEX(F(12), E)
+      IF (F(11) .LT. HUGE) F(11) = HHLDEX(F(11), E)
       INFO = 0
       IF (F(10) .LT. 1.0D0) RETURN
-      DO 30 K = 1, 3
+      DO 40 K = 1, 3
         IF (HHFLAT(K, P1, P2, P3) .NE. 0) RETURN
-   30 CONTINUE
-      INFO = 1
-      DO 40 K = 1, 6
-        F(K) = 0.0D0
    40 CONTINUE
+      INFO = 1
+      DO 50 K = 1, 6
+        F(K) = 0.0D0
+   50 CONTINUE
       F(10) = HUGE
       F(11) = HUGE
       F(12) = 0.0D0
@@ -1284,8 +1290,8 @@ C     computed to lie in the plane; C is then 0.
       INTEGER INFO
       INTEGER HHFLAT
       DOUBLE PRECISION HHLARG
-      DOUBLE PRECISION MOST, Q1(3), Q2(3), Q3(3), QZ(3), A(3), B(3)
-      DOUBLE PRECISION G(3), V(3), H(10), F1, F2, WG, WV, TURN
+      DOUBLE PRECISION MOST, P(3,4), S(3,4), A(3), B(3), G(3), V(3)
+      DOUBLE PRECISION H(10), WG, WV, TURN
       INTEGER E, K
       C = 0.0D0
       INFO = 1
@@ -1294,15 +1300,17 @@ C     computed to lie in the plane; C is then 0.
    10 CONTINUE
       RETURN
    20 MOST = HHLARG(HHLARG(HHLARG(HHLARG(0.0D0, P1), P2), P3), Z)
-      CALL HHSCAL(MOST, F1, F2, E)
       DO 30 K = 1, 3
-        Q1(K) = (P1(K)*F1)*F2
-        Q2(K) = (P2(K)*F1)*F2
-        Q3(K) = (P3(K)*F1)*F2
-        QZ(K) = (Z(K)*F1)*F2
-        A(K) = Q2(K) - Q1(K)
-        B(K) = Q3(K) - Q1(K)
+        P(K,1) = P1(K)
+        P(K,2) = P2(K)
+        P(K,3) = P3(K)
+        P(K,4) = Z(K)
    30 CONTINUE
+      CALL HHSCAL(MOST, 4, P, S, E)
+      DO 40 K = 1, 3
+        A(K) = S(K,2) - S(K,1)
+        B(K) = S(K,3) - S(K,1)
+   40 CONTINUE
       CALL HHHOUS(A, B, H)
 C     P3 - P1 has the component R22 along Q e2
       TURN = 1.0D0
@@ -1312,10 +1320,10 @@ C     P3 - P1 has the component R22 along Q e2
       CALL HHREFL(H, 0.0D0, 0.0D0, TURN, V)
       WG = 0.0D0
       WV = 0.0D0
-      DO 40 K = 1, 3
-        WG = WG + (QZ(K) - Q1(K))*G(K)
-        WV = WV + (QZ(K) - Q1(K))*V(K)
-   40 CONTINUE
+      DO 50 K = 1, 3
+        WG = WG + (S(K,4) - S(K,1))*G(K)
+        WV = WV + (S(K,4) - S(K,1))*V(K)
+   50 CONTINUE
       INFO = 2
       IF (ABS(WV) .LE. 0.0D0) RETURN
       C = (-WG)/WV

@@ -1,6 +1,6 @@
 /* brute.c - tess against the definition, on small sets full of ties.
  *
- *     brute [sets [seed]]      sets of each kind, default 1000
+ *     brute [sets [seed]]      sets of each kind, default 800
  *     brute -one kind seed     one set, in full
  *
  * Of all the quadruples of distinct points, those with no fifth point in
@@ -220,6 +220,7 @@ static const char *const kinds[] = {
     "random", "random with duplicates", "lattice moved by a last place",
     "plane sets", "lines and points", "body-centred lattice",
     "tenths of a lattice, far away", "zeros of both signs", "two lines",
+    "large integer spheres", "large integers in a plane",
     "cocircular in a hull face"
 };
 #define KINDS ((int)(sizeof kinds / sizeof kinds[0]))
@@ -233,7 +234,7 @@ static void make(int kind)
     /* volatile: a compiler was seen to optimize the rounding away */
     volatile tess_real rounded;
     int i, j, k, a, b;
-    double x;
+    double x, u[3], v[3];
 
     n = 4 + rnd_below(6);
     switch (kind) {
@@ -355,6 +356,28 @@ static void make(int kind)
         }
         shuffle();
         break;
+    case 18:
+        /* as large as exact ties in double precision may be, and larger */
+        n = 7 + rnd_below(3);
+        sphere(26);
+        a = 1 + rnd_below(2000);
+        for (i = 0; i < n; i++)
+            for (k = 0; k < 3; k++) p[i][k] = a * (p[i][k] + 6.0);
+        break;
+    case 19:
+        n = 8;
+        for (k = 0; k < 3; k++) {
+            u[k] = rnd_below(1 << 18);
+            v[k] = rnd_below(1 << 18);
+        }
+        for (i = 0; i < n; i++) {
+            a = rnd_below(4);
+            b = rnd_below(4);
+            for (k = 0; k < 3; k++)
+                p[i][k] = a * u[k] + b * v[k];
+        }
+        p[rnd_below(n)][rnd_below(3)] += 1000.0;
+        break;
     default:
         /* the circle as a face, other points on one side of it */
         n = 9;
@@ -414,7 +437,7 @@ static int run(int kind, unsigned long seed, int full)
 
 int main(int argc, char **argv)
 {
-    long sets = 1000, i, faults, solid;
+    long sets = 800, i, faults, solid;
     unsigned long seed = 1;
     int kind;
 

@@ -34,7 +34,8 @@ many() {
     name=$1
     shift
     echo "== $name: $*" >> $LOG
-    "$@" > $OUT 2>&1
+    # a program that never ends fails too
+    (ulimit -t 300; exec "$@") > $OUT 2>&1
     code=$?
     cat $OUT >> $LOG
     last=`tail -n 1 $OUT`
@@ -135,7 +136,7 @@ done
 # Few limbs: code 2 or TESS_RANGE where they do not suffice, nothing wrong.
 if build t_pred3 "$CC" "-O1 -DHH_LIMBS=3" test/t_pred.c hhpred.c $TEST
 then
-    many "t_pred, 3 limbs" build/t_pred3
+    many "t_pred, 3 limbs" build/t_pred3 50
 else
     fail "t_pred, 3 limbs, does not compile"
 fi
@@ -144,11 +145,18 @@ if build brute3 "$CC" "-O1 -DHH_LIMBS=3" test/brute.c $HARD $TEST; then
 else
     fail "brute, 3 limbs, does not compile"
 fi
+for n in 3 6; do
+    if build t_tess3 "$CC" "-O1 -DHH_LIMBS=$n" test/t_tess.c $HARD $TEST; then
+        many "t_tess -range, $n limbs" build/t_tess3 -range
+    else
+        fail "t_tess, $n limbs, does not compile"
+    fi
+done
 
 # Coordinates of type float; indices of type short, long.
 if build t_predf "$CC" "-O1 -DTESS_FLOAT" test/t_pred.c hhpred.c $TEST
 then
-    many "t_pred, float" build/t_predf
+    many "t_pred, float" build/t_predf 50
 else
     fail "t_pred, float, does not compile"
 fi
@@ -237,5 +245,6 @@ for example in interp poisson embedded surface; do
     fi
 done
 
+rm -f $OUT
 echo "$PASSED passed, $FAILED failed"
 test $FAILED -eq 0

@@ -594,7 +594,7 @@ static void test_flat(long n)
  * hold a coordinate beside another one, no sign is 2. */
 static void test_range(long n)
 {
-    long faults = 0, held = 0, not = 0, i;
+    long faults = 0, held = 0, out = 0, i;
     double p[5][3], most;
     int j, k, fits, o, v;
 
@@ -613,14 +613,14 @@ static void test_range(long n)
         o = hh_orient(R[0], R[1], R[2], R[3]);
         v = hh_insphere(R[0], R[1], R[2], R[3], R[4]);
         if (fits) held++;
-        else not++;
+        else out++;
         if (fits && (o == 2 || v == 2) && faults++ < 3) {
             printf("in range, but hh_orient %d, hh_insphere %d\n", o, v);
             show(5);
         }
     }
-    printf("        in range %ld, out of it %ld\n", held, not);
-    faults += held < n / 20 || not < n / 20;
+    printf("        in range %ld, out of it %ld\n", held, out);
+    faults += held < n / 20 || out < n / 20;
     test_result("hh_range", faults);
 }
 #endif
@@ -1134,15 +1134,12 @@ static void test_codes(long n)
         settle(p);
         line = ex_collinear(P[0], P[1], P[2]);
         lines += line;
-        code = hh_facet(R[0], R[1], R[2], f);
         bad = 0;
-#if HH_LIMBS < 88
-        bad |= code == 1 && !line;
-#else
-        bad |= code != line;
+        code = hh_facet(R[0], R[1], R[2], f);
+        bad |= HH_LIMBS < 88 ? code == 1 && !line : code != line;
         code = hh_wrap(R[0], R[1], R[2], R[3], &c);
-        bad |= (code == 1) != line || (code != 0 && c != 0.0);
-#endif
+        bad |= HH_LIMBS < 88 ? code == 1 && !line : (code == 1) != line;
+        bad |= code != 0 && c != 0.0;
         /* the circumcentre may be out of the range of double, no NaN */
         for (k = 0; k < HH_FACET_LEN; k++)
             if (!(f[k] <= 0.0 || f[k] >= 0.0)) bad = 1;

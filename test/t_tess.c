@@ -4,6 +4,7 @@
  *     t_tess -quick             fewer and smaller ones, for slow builds
  *     t_tess -sums [n]          a checksum of each family's result, to compare
  *                               builds with each other
+ *     t_tess -range             TESS_RANGE, for builds with few limbs
  *     t_tess -one family n seed verify one set
  *
  * Covered:
@@ -985,6 +986,61 @@ static void test_hull(void)
     test_result("codes of tess_hull", faults);
 }
 
+/* Where hh_range says that the limbs hold all coordinates the result is
+ * right, else TESS_RANGE and nothing; with the default all are held. */
+static void test_range(void)
+{
+    const char *family;
+    result r;
+    tess_int j;
+    double most;
+    int i, k, held = 0, out = 0, fits;
+
+    for (i = 0; (family = points_name(i)) != NULL; i++)
+        for (k = 0; k < 2; k++) {
+            faults = 0;
+            current = NULL;
+            if (!points(&r, family, affordable(family, 200), 1)) continue;
+            current = &r;
+            if (k) {
+                /* a point 2^-60 from the origin, but not with few limbs */
+                r.p[3] = (tess_real)ldexp(1.0, -60);
+                r.p[4] = r.p[5] = 0;
+            }
+            most = 0.0;
+            for (j = 0; j < 3 * r.n; j++)
+                if (fabs((double)r.p[j]) > most) most = fabs((double)r.p[j]);
+            fits = 1;
+            for (j = 0; j < 3 * r.n; j++)
+                if (hh_range((double)r.p[j], most) != 0) fits = 0;
+            if (fits) {
+                held++;
+                solve(&r);
+                verify(&r);
+            } else {
+                out++;
+                room(&r, 100);
+                run(&r);
+                require(r.code == TESS_RANGE && r.ntet == 0,
+                        "no TESS_RANGE from tess");
+                require(untouched(r.tet, 400 * sizeof(tess_int)),
+                        "TESS_RANGE, and tet is written");
+                resume(&r);
+                require(r.code == TESS_RANGE && r.ntet == 0,
+                        "no TESS_RANGE from tess_resume");
+                require(overrun() == 0, "an array is overrun");
+            }
+            current = NULL;
+            release(0);
+            done(k ? "range, with a tiny point" : "range", family);
+        }
+    printf("        in range %d, out of it %d\n", held, out);
+    faults = 0;
+    require(HH_LIMBS < 88 ? held > 9 && out > 1 : out == 0,
+            "families in and out of range");
+    test_result("range", faults);
+}
+
 /* ---- workspace ---- */
 
 /* Is r a beginning of the whole: its tetrahedra, and adj but for facets that
@@ -1816,6 +1872,10 @@ int main(int argc, char **argv)
     if (argc > 1 && strcmp(argv[1], "-sums") == 0) {
         sums(argc > 2 ? atol(argv[2]) : 1000);
         return faults > 0;
+    }
+    if (argc > 1 && strcmp(argv[1], "-range") == 0) {
+        test_range();
+        return test_end("t_tess");
     }
     if (argc > 4 && strcmp(argv[1], "-one") == 0) {
         one_family(argv[2], atol(argv[3]), (unsigned long)atol(argv[4]));

@@ -1,0 +1,196 @@
+/* t_f77.c - the FORTRAN 77 half beside the C half: the same calls must give
+ * the same arrays and codes, entry for entry, but for the base: Fortran
+ * counts from 1, writes "none" as 0 and "open" as -1.
+ *
+ * Compiled with the C library and linked with f77/tess.f and f77/hhpred.f,
+ * whose names get an underscore from gfortran and f2c. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "points.h"
+#include "../tess.h"
+
+extern void tesswk_(int *n, int *maxtet, int *liw, int *lrw, int *info);
+extern void tess_(int *n, double *p, int *maxtet, int *ntet, int *tet,
+                  int *adj, int *liw, int *iw, int *lrw, double *rw,
+                  int *info);
+extern void tessre_(int *n, double *p, int *maxtet, int *ntet, int *tet,
+                    int *adj, int *liw, int *iw, int *lrw, double *rw,
+                    int *info);
+extern void tesslo_(double *p, int *ntet, int *tet, int *adj, double *q,
+                    int *t, double *w, int *info);
+extern void tesshu_(int *ntet, int *tet, int *adj, int *maxfac, int *nfac,
+                    int *fac, int *info);
+extern void tessch_(int *n, double *p, int *ntet, int *tet, int *adj, int *liw,
+                    int *iw, int *bad, int *info);
+extern int hhorie_(double *a, double *b, double *c, double *d);
+extern int hhinsp_(double *a, double *b, double *c, double *d, double *e);
+
+#define MOST 4000
+#define MAXTET 60000
+
+static double p[3 * MOST], rw[8 * MOST + 1000];
+static int tet[4 * MAXTET], adj[4 * MAXTET], iw[40 * MOST + 2000];
+static int ftet[4 * MAXTET], fadj[4 * MAXTET], fiw[40 * MOST + 2000];
+static int fac[3 * MAXTET], ffac[3 * MAXTET];
+static double frw[8 * MOST + 1000];
+static int passed, failed;
+
+static void tell(int good, const char *what, const char *family, int n)
+{
+    if (good)
+        passed++;
+    else {
+        failed++;
+        printf("FAILED  %s: %s %d\n", what, family, n);
+    }
+}
+
+/* Are ntet tetrahedra and their neighbours the same? */
+static int same(int ntet, int fntet)
+{
+    int i;
+
+    if (ntet != fntet) return 0;
+    for (i = 0; i < 4 * ntet; i++)
+        if (tet[i] + 1 != ftet[i] || adj[i] + 1 != fadj[i]) return 0;
+    return 1;
+}
+
+/* Location and hull of the result, and the check of it and of a wrong one. */
+static void queries(const char *family, int n, int ntet)
+{
+    double q[3], w[4], fw[4];
+    int i, k, t, ft, code, info, good = 1, nfac, fnfac, room, bad, fbad, save;
+    int length = 2 * n;
+
+    for (i = 0; i < 40 && good; i++) {
+        for (k = 0; k < 3; k++)
+            q[k] = 0.37 * p[3 * (i * 7 % n) + k] + 0.63 * p[3 * (i * 13 % n) + k];
+        t = i % 2 ? TESS_NONE : i * 11 % ntet;
+        ft = t + 1;
+        code = tess_locate(p, ntet, tet, adj, q, &t, w);
+        tesslo_(p, &ntet, ftet, fadj, q, &ft, fw, &info);
+        good = code == info && t + 1 == ft;
+        for (k = 0; k < 4; k++)
+            if (w[k] - fw[k] > 1e-12 || fw[k] - w[k] > 1e-12) good = 0;
+    }
+    tell(good, "location", family, n);
+    for (room = MAXTET; room >= 0; room -= MAXTET) {
+        code = tess_hull(ntet, tet, adj, room, &nfac, fac);
+        tesshu_(&ntet, ftet, fadj, &room, &fnfac, ffac, &info);
+        good = code == info && nfac == fnfac;
+        for (i = 0; i < 3 * nfac && code == 0 && good; i++)
+            good = fac[i] + 1 == ffac[i];
+        tell(good, "hull", family, n);
+    }
+    code = tess_check(n, p, ntet, tet, adj, length, iw, &bad);
+    tessch_(&n, p, &ntet, ftet, fadj, &length, fiw, &fbad, &info);
+    tell(code == 0 && info == 0 && fbad == 0, "check", family, n);
+    save = adj[5 % (4 * ntet)];
+    adj[5 % (4 * ntet)] = TESS_OPEN;
+    fadj[5 % (4 * ntet)] = TESS_OPEN + 1;
+    code = tess_check(n, p, ntet, tet, adj, length, iw, &bad);
+    tessch_(&n, p, &ntet, ftet, fadj, &length, fiw, &fbad, &info);
+    tell(code != 0 && code == info && fbad == bad + 1, "check of a fault",
+         family, n);
+    adj[5 % (4 * ntet)] = save;
+    fadj[5 % (4 * ntet)] = save + 1;
+}
+
+static void one(const char *family, int asked)
+{
+    int n = (int)points_make(family, asked, 1, p), liw, lrw, fliw, flrw, info;
+    int ntet, fntet, code, i, good, maxtet = MAXTET, part;
+
+    if (n == 0) return;
+    code = tess_size(n, maxtet, &liw, &lrw);
+    tesswk_(&n, &maxtet, &fliw, &flrw, &info);
+    tell(code == info && liw == fliw && lrw == flrw, "sizes", family, n);
+    code = tess(n, p, maxtet, &ntet, tet, adj, liw, iw, lrw, rw);
+    tess_(&n, p, &maxtet, &fntet, ftet, fadj, &liw, fiw, &lrw, frw, &info);
+    good = code == info && same(ntet, fntet);
+    for (i = 0; i < n && good && code >= 0; i++) good = iw[i] + 1 == fiw[i];
+    tell(good, "result", family, n);
+    if (!good || code != 0) return;
+    part = ntet / 2;
+    memset(ftet, 0, sizeof ftet);
+    tess_(&n, p, &part, &fntet, ftet, fadj, &liw, fiw, &lrw, frw, &info);
+    good = info == TESS_MORE && fntet == part;
+    memset(fiw, 77, sizeof fiw);
+    memset(frw, 77, sizeof frw);
+    tessre_(&n, p, &maxtet, &fntet, ftet, fadj, &liw, fiw, &lrw, frw, &info);
+    tell(good && info == 0 && same(ntet, fntet), "resumed", family, n);
+    queries(family, n, ntet);
+}
+
+/* The codes of points that span no space, and of bad arguments. */
+static void codes(void)
+{
+    int n = 5, maxtet = 100, liw = 20000, lrw = 2000, ntet, fntet, info, code, i;
+    int kind;
+    double zero = 0.0;
+
+    for (kind = 0; kind < 9; kind++) {
+        n = 5;
+        maxtet = 100;
+        liw = 20000;
+        lrw = 2000;
+        for (i = 0; i < 15; i++) p[i] = (double)(i * i % 7);
+        for (i = 0; i < 5; i++) {
+            if (kind == 1) p[3 * i + 2] = 1.0;
+            if (kind == 2) p[3 * i] = p[3 * i + 1] = p[3 * i + 2] = i;
+            if (kind == 3) p[3 * i] = p[3 * i + 1] = p[3 * i + 2] = 4.0;
+        }
+        if (kind == 4) p[7] = zero / zero;
+        if (kind == 5) n = -1;
+        if (kind == 6) maxtet = -1;
+        if (kind == 7) liw = 10;
+        if (kind == 8) lrw = 3;
+        code = tess(n, p, maxtet, &ntet, tet, adj, liw, iw, lrw, rw);
+        tess_(&n, p, &maxtet, &fntet, ftet, fadj, &liw, fiw, &lrw, frw, &info);
+        tell(code == info && (code == -2 ? ntet + 1 == fntet
+                                         : same(ntet, fntet)),
+             "codes", "kind", kind);
+    }
+}
+
+/* Exact signs of neighbouring points. */
+static void signs(const char *family)
+{
+    int n = (int)points_make(family, 600, 2, p), i, good = 1;
+    double *a;
+
+    for (i = 0; i + 40 < n; i++) {
+        a = p + 3 * i;
+        if (hh_orient(a, a + 3, a + 9, a + 60) !=
+                hhorie_(a, a + 3, a + 9, a + 60) ||
+            hh_insphere(a, a + 3, a + 9, a + 60, a + 120) !=
+                hhinsp_(a, a + 3, a + 9, a + 60, a + 120))
+            good = 0;
+    }
+    tell(good, "signs", family, n);
+}
+
+int main(void)
+{
+    static const char *const family[] = {
+        "uniform", "ball", "clusters", "decimal3", "twoscale", "aniso",
+        "planenoise", "lattice", "lattice01", "latticeshuf", "bcc", "fcc",
+        "spherei", "planeone", "planespread", "duplicates", "pairs",
+        "farpoint", "offset", "tiny", "huge", "cubesurf", "jitlattice",
+        "paraboloid", "twolines", "moment"
+    };
+    int i, count = (int)(sizeof family / sizeof *family);
+
+    for (i = 0; i < count; i++) {
+        one(family[i], 40);
+        one(family[i], i < count - 2 ? 600 : 120);
+        signs(family[i]);
+    }
+    one("uniform", MOST);
+    one("lattice", MOST);
+    codes();
+    printf("t_f77: %d passed, %d failed\n", passed, failed);
+    return failed != 0;
+}
