@@ -210,6 +210,7 @@ static tess_int pivot(const mesh *m, tess_int lo, tess_int hi, tess_int mid,
     tess_int a[9], step = (hi - lo) / 1024, t;
     int n = hi - lo > 200 ? 9 : 3, i, j;
 
+    a[0] = lo;
     for (i = 0; i < n; i++) {
         *chance = *chance * 137 % 30269 + 1;
         t = step > 0 ? lo + step * (tess_int)(*chance % 1024) +
