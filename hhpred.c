@@ -26,27 +26,30 @@ typedef long whole;
  * the Householder bounds are not used, as squares might underflow.  SHIFT =
  * BASE^SKIP; exact numbers that are all below LOW are first multiplied by it,
  * so that no limb's weight underflows.  Coordinates between FEW = 2^-FEWEXP and
- * 1/FEW are scaled by one multiplication. */
+ * 1/FEW are scaled by one multiplication.  SHIFT and FEW must be exact powers of
+ * two: products of integers are, where a decimal constant might be kept with
+ * more digits than a double has. */
+#define POWER5 (BASE * BASE * BASE * BASE * BASE)
 #if DBL_MANT_DIG >= 53
 #define BASE 16777216.0
 #define CARRY 536870912.0
 #define TINY 9.3326361850321888e-302   /* 2^-1000 */
 #define SMALL 3.4395525670743494e-136  /* 2^-450  */
-#define SHIFT 4.149515568880993e180    /* 2^600   */
+#define SHIFT (POWER5 * POWER5 * POWER5 * POWER5 * POWER5)
 #define SKIP 25
 #define LOW 1.6069380442589903e60      /* 2^200   */
-#define FEW 7.8886090522101181e-31     /* 2^-100  */
-#define FEWEXP 100
+#define FEW (1.0 / (BASE * BASE * BASE * BASE))
+#define FEWEXP 96
 #else
 #define BASE 512.0
 #define CARRY 32768.0
 #define TINY 8.0779357e-28             /* 2^-90   */
 #define SMALL 9.0949470e-13            /* 2^-40   */
-#define SHIFT 9.2233720368547758e18    /* 2^63    */
+#define SHIFT (POWER5 * BASE * BASE)
 #define SKIP 7
 #define LOW 1048576.0                  /* 2^20    */
-#define FEW 9.5367431640625e-7         /* 2^-20   */
-#define FEWEXP 20
+#define FEW (1.0 / (BASE * BASE))
+#define FEWEXP 18
 #endif
 
 /* ---------------------------------------------------------------------
@@ -182,7 +185,7 @@ static int signof(int n, const double *r)
 
 /* limbsg - with n limbs, the sign of the determinant of the rows q_i - q_last
  * for 4 points q, or of the rows (q_i - q_last, |q_i - q_last|^2) for 5;
- * UNSURE when n limbs do not hold the points.  work: 50n doubles. */
+ * UNSURE when n limbs do not hold the points.  work: 37n doubles. */
 static int limbsg(int np, const double *q, double top, int n, double *work)
 {
     double *row = work, *base = work + 12 * n;
@@ -230,7 +233,7 @@ static int limbsg(int np, const double *q, double top, int n, double *work)
 /* Scratch of three sizes: 3 limbs (70 bits) hold ordinary data. */
 static int limbs3(int np, const double *q, double top)
 {
-    double work[50 * 3];
+    double work[37 * 3];
 
     return limbsg(np, q, top, 3, work);
 }
@@ -238,7 +241,7 @@ static int limbs3(int np, const double *q, double top)
 #if HH_LIMBS > 10
 static int limbs10(int np, const double *q, double top)
 {
-    double work[50 * 10];
+    double work[37 * 10];
 
     return limbsg(np, q, top, 10, work);
 }
@@ -246,7 +249,7 @@ static int limbs10(int np, const double *q, double top)
 
 static int limbsx(int np, const double *q, double top)
 {
-    double work[50 * HH_LIMBS];
+    double work[37 * HH_LIMBS];
 
     return limbsg(np, q, top, HH_LIMBS, work);
 }

@@ -105,24 +105,6 @@ extern double tess_count[];
 #define FAR 1e10f
 #define TESS_INT_MOST \
     ((((tess_int)1 << (sizeof(tess_int) * CHAR_BIT - 2)) - 1) * 2 + 1)
-/* Capacity of a list.  Lists only say where to look first. */
-#ifndef TESS_LIST
-#define TESS_LIST 512
-#endif
-#if TESS_LIST < LEAF || TESS_LIST % 4 != 0
-#error TESS_LIST is less than the points of a leaf, or no multiple of 4
-#endif
-/* Depth of the tree plus one, at most. */
-#define DEPTH 64
-/* Hull planes that are remembered. */
-#define PLANES 4
-/* Integers of an entry of the pool, and of an edge of the link. */
-#define ENTRY 4
-#define EDGE 6
-/* Pool and edges, at least. */
-#define LEAST 512
-/* Pool that is recommended beyond 4 n in any case, up to 8 n. */
-#define MUCH 320000.0
 
 /* A list of the uncompleted points in a box, in single precision: offsets
  * from the box's centre in units of its half width. */

@@ -62,7 +62,7 @@ C               return 2 when they do not suffice.  Scratch, in
 C               doubles: 37 a limb; 26 KB for 88 limbs, in routines
 C               entered only when 3, then 10 limbs do not suffice.  To
 C               choose another number change it in HHLIMX, HHEXAC,
-C               HHWIDE and HHRANG.
+C               HHWIDE, HHRANG and TSINRA (tess.f).
 C       BASE    2**BITS
 C       TINY    an absolute error no smaller than what underflow,
 C               gradual or to zero, does to a determinant of
@@ -629,7 +629,7 @@ C     among the NP points P, at most 1, and not tiny.
       INTEGER HHFREX
       DOUBLE PRECISION HHLDEX
       INTEGER FEWEXP
-      PARAMETER (FEWEXP = 100)
+      PARAMETER (FEWEXP = 96)
       DOUBLE PRECISION FEW
       PARAMETER (FEW = 2.0D0**(-FEWEXP))
       DOUBLE PRECISION F

@@ -246,5 +246,52 @@ for example in interp poisson embedded surface; do
 done
 
 rm -f $OUT
+# ---- the FORTRAN 77 half: the same results as the C half ----
+
+# fortran NAME COMPILE...: compile both files, link, compare
+fortran() {
+    name=$1
+    shift
+    echo "== FORTRAN 77, $name" >> $LOG
+    rm -f build/ftess.o build/fhhpred.o
+    "$@" >> $LOG 2>&1
+    if $CC $CFLAGS -c -o build/t_f77.o test/t_f77.c >> $LOG 2>&1 &&
+        $LINKF -o build/t_f77 build/t_f77.o build/tess.o build/hhpred.o \
+            build/points.o build/ftess.o build/fhhpred.o -lm >> $LOG 2>&1
+    then
+        many "FORTRAN 77, $name" build/t_f77
+    else
+        fail "FORTRAN 77, $name: does not compile"
+    fi
+}
+gfort() {
+    gfortran -std=legacy -Wall -Wextra -Werror -frecursive $1 -c \
+        -o build/ftess.o f77/tess.f &&
+        gfortran -std=legacy -Wall -Wextra -Werror -frecursive $1 -c \
+            -o build/fhhpred.o f77/hhpred.f
+}
+viaf2c() {
+    mkdir -p build/f2c && f2c -A -a -dbuild/f2c f77/tess.f f77/hhpred.f &&
+        $CC -O2 -c -o build/ftess.o build/f2c/tess.c &&
+        $CC -O2 -c -o build/fhhpred.o build/f2c/hhpred.c
+}
+$CC $CFLAGS -c -o build/tess.o tess.c
+$CC $CFLAGS -c -o build/hhpred.o hhpred.c
+if command -v gfortran > /dev/null; then
+    LINKF=gfortran
+    fortran "gfortran -O0" gfort -O0
+    fortran "gfortran -O3" gfort -O3
+else
+    skip "the FORTRAN 77 half: no gfortran"
+fi
+if command -v f2c > /dev/null; then
+    LINKF=$CC
+    fortran "f2c" viaf2c
+else
+    skip "the FORTRAN 77 half through f2c: no f2c"
+fi
+one "FORTRAN 77: no line past column 72" \
+    sh -c '! grep -n "^.\{73\}" f77/tess.f f77/hhpred.f'
+
 echo "$PASSED passed, $FAILED failed"
 test $FAILED -eq 0

@@ -362,7 +362,7 @@ static void test_signs(int group, long n)
     long faults = 0, count[4] = { 0, 0, 0, 0 }, ball[4] = { 0, 0, 0, 0 };
     long i;
     double p[5][3];
-    int o, s, h, v, v2, a[4], k, m, t, parity, want;
+    int o, s, h, v, v2, a[4], k, m, t, parity, want, flat;
 
     for (i = 0; i < n; i++) {
         make(group, p);
@@ -392,6 +392,7 @@ static void test_signs(int group, long n)
         /* I, the determinant of the five points, changes sign when two are
          * exchanged, and in = -I orient */
         want = -s * h * ex_orient(P[0], P[1], P[2], P[4]);
+        flat = h == 0;
         count[o == 2 ? 3 : o + 1]++;
         ball[v == 2 ? 3 : v + 1]++;
         k = 0;
@@ -405,7 +406,7 @@ static void test_signs(int group, long n)
         if (k) t = parity * h;
 #endif
         if (o != h || t != parity * h || v != s || m != s ||
-            (h != 0 && v2 != want)) {
+            (!flat && v2 != want)) {
             if (faults++ < 3) {
                 printf("hh_orient %d, permuted %d, exact %d; hh_insphere %d, "
                        "permuted %d, exact %d, exchanged %d, exact %d:\n",

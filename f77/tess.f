@@ -1,0 +1,3613 @@
+C     tess.f - Delaunay tetrahedralization of points in space.
+C
+C     After C. Hazlewood, "Facet-Based Tetrahedralization Software"
+C     (1995).  The twin of tess.c, routine by routine; its predicates
+C     are those of hhpred.f.
+C
+C     No routine allocates, reads, writes, keeps state between calls or
+C     stops the program.  With local arrays on the stack (gfortran
+C     -frecursive, f2c -a) all may be called from any number of
+C     threads; without, from one at a time.
+C
+C     Arrays, the same in all routines:
+C       P      point I has the coordinates P(1..3,I): any finite values,
+C              in any units.  Never altered.
+C       TET    tetrahedron T has the vertices TET(1..4,T), numbers of
+C              points, positively oriented: det [B-A C-A D-A] > 0.
+C       ADJ    ADJ(K,T) is the tetrahedron across the facet opposite to
+C              TET(K,T); 0 on the hull; -1 for a facet still open, which
+C              only an unfinished result has.
+C
+C     TET and ADJ are a function of the points and their order alone:
+C     the same on every machine, with every compiler, in C and in
+C     Fortran.
+C
+C     The algorithm (Section 2 of the paper): a pool of open facets,
+C     each the facet of one known tetrahedron; take one, find the apex
+C     of the unknown tetrahedron on its other side, store it, put its
+C     new facets into the pool, take out those that were there; no
+C     tetrahedron is ever deleted.
+C
+C     Order of the work.  Points are sorted (kd order); a point's place
+C     in that order is its position, and positions stand for points in
+C     all internal arrays.  Facets are taken star by star: all open
+C     facets at one vertex, then those of the next one.  A vertex whose
+C     star is complete can never again be an apex, so it leaves all
+C     lists, and the pool stays small.  The order is a function of the
+C     points, TET and ADJ alone, so that an unfinished result is its own
+C     state:
+C       star   S = the first vertex of the last tetrahedron, if it has
+C              an open facet; else the vertex of least position that has
+C              one
+C       facet  of the open facets at S the one of the earliest
+C              tetrahedron, and in it of greatest K
+C
+C     Decisions.  All that decides what TET and ADJ hold is exact:
+C     comparisons of the caller's coordinates, or predicates of hhpred.
+C     Floating point here chooses where to look, with margins that cover
+C     its rounding.
+C
+C     Everything counts from 1; none is 0.  What tess.c keeps in its
+C     structures are arrays here, passed in one order:
+C       X      the sorted coordinates, X(1..3,position)
+C       ORD    position -> point
+C       BOX    the box of a node of the tree: least, then greatest
+C              coordinates.  Node I has the children 2I, 2I+1; leaf J is
+C              node CTL(LEAVES)+J-1
+C       ALIVE  leaf: uncompleted points; else: children alive
+C       REP    the point that stands for a point
+C       HEAD   first of the pool's facets that a vertex owns
+C       LINK   first open edge of the link from a vertex; DONE: its star
+C              is complete; NEW: in no tetrahedron yet
+C       POOL   pool and edges
+C     CTL, the mesh's integers:
+C       NP      distinct points
+C       NT      tetrahedra;  MAXT room for them
+C       LEAVES  of the tree, a power of two
+C       ROOM    length of POOL
+C       MPOOL   entries of the pool;  NOPEN those in use
+C       FRESH   from this tetrahedron on, facets 1 are not in the pool
+C       OLDEST, NEDGE  edges of the link: OLDEST ... NEDGE
+C       LOW     no vertex of a smaller position owns facets
+C       NPLANE  hull planes that are remembered;  NEXTPL the one to be
+C               replaced next;  PLANE0 the place before them
+C     RCTL, its doubles:
+C       T3, T5  see HHFIL3, HHFIL5
+C       RREACH  a block's margin, in its diagonals
+C     Lists of the uncompleted points in a box, in single precision:
+C     offsets from the box's centre in units of its half width.  List
+C     BLK is the block of a leaf, list GRP that of a few positions.
+C       LSX     of each point the offsets x, y, z and their square sum
+C       LSID    its position
+C       LSI     LFIRST, LLAST: made for positions LFIRST ... LLAST; LN
+C               points
+C       LSD     behind LLO, LHI, LMID, LMOST: the box, its centre, a
+C               bound of the coordinates in the list; LMARG margin;
+C               LUNIT one over the half width
+C     A search for the apex of a facet:
+C       V       its vertices; the open side is positive
+C       F       its Householder set-up (see HHFACE)
+C       IQ      QBEST: the best point yet, exactly, or 0; QSURE: its
+C               L-coordinate is bounded by QL, QDL; QBALL: there is a
+C               ball to prune with
+C       FQ      QL, QDL; behind QC the ball's centre, relative to
+C               F(7..9), wrong by at most QDC; QSIZE = |C|_1
+C
+C     Constants, the same in every routine that has them:
+C       TSLIST  capacity of a list, a multiple of 4, at least LEAF
+C       LEAF    points in a leaf of the tree, at most
+C       GROUP   points that share one list of candidates
+C       REACH, NEAR  a block's list reaches REACH times the side of a
+C               cube with one point of the leaf from its box, a group's
+C               NEAR times as far
+C       DEPTH   of the tree plus one, at most
+C       PLANES  hull planes that are remembered
+C       ENTRY, EDGE  integers of an entry of the pool, and of an edge
+C       LEAST   pool and edges, at least
+C       MUCH    pool that is recommended beyond 4 N in any case, up to
+C               8 N
+C       NARROW  a box narrower than this has no list: its unit might
+C               overflow
+C       SLACK   single precision misses a list's box by less
+C       FAR     where a list keeps what has left it
+C       INTMAX  the largest integer
+C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
+C       MORE, FULL, PLANAR, LINEAR, SINGLE, RANGE  the codes 1 to 6 of
+C               TESS
+
+C     ------------------------------------------------------------------
+C     Sorting.
+C     ------------------------------------------------------------------
+
+C     TSBEFO - does point I come before the point of coordinates Q and
+C     number NUMBER, along an axis: 1, or 0.  Ties go to the next axes,
+C     then to the number.
+      INTEGER FUNCTION TSBEFO(X, ORD, I, AXIS, Q, NUMBER)
+      DOUBLE PRECISION X(3,*), Q(3)
+      INTEGER ORD(*), I, AXIS, NUMBER
+      INTEGER K, PASS
+      TSBEFO = 1
+      K = AXIS
+      DO 10 PASS = 1, 3
+        IF (X(K,I) .LT. Q(K)) RETURN
+        IF (X(K,I) .GT. Q(K)) GO TO 20
+        K = MOD(K, 3) + 1
+   10 CONTINUE
+      IF (ORD(I) .LT. NUMBER) RETURN
+   20 TSBEFO = 0
+      END
+
+      SUBROUTINE TSSWAP(X, ORD, I, J)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), I, J
+      DOUBLE PRECISION T
+      INTEGER K, O
+      O = ORD(I)
+      ORD(I) = ORD(J)
+      ORD(J) = O
+      DO 10 K = 1, 3
+        T = X(K,I)
+        X(K,I) = X(K,J)
+        X(K,J) = T
+   10 CONTINUE
+      END
+
+C     TSPIVO - the place I of a point that is near the one of rank MID
+C     of LO ... HI along an axis: the one of that rank in a sample,
+C     picked by chance, but by the same chance everywhere.
+      SUBROUTINE TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), LO, HI, MID, AXIS, CHANCE, I
+      INTEGER TSBEFO
+      DOUBLE PRECISION Q(3)
+      INTEGER A(9), COUNT, J, K, N, S, STEP, T
+      COUNT = HI - LO + 1
+      STEP = COUNT/1024
+      N = 3
+      IF (COUNT .GT. 200) N = 9
+      A(1) = LO
+      DO 30 S = 1, N
+        CHANCE = MOD(CHANCE*137, 30269) + 1
+        IF (STEP .GT. 0) THEN
+          T = LO + STEP*MOD(CHANCE, 1024) + MOD(CHANCE, STEP)
+        ELSE
+          T = LO + MOD(CHANCE, COUNT)
+        END IF
+        J = S
+   10   IF (J .GT. 1) THEN
+          DO 20 K = 1, 3
+            Q(K) = X(K,A(J-1))
+   20     CONTINUE
+          IF (TSBEFO(X, ORD, T, AXIS, Q, ORD(A(J-1))) .EQ. 1) THEN
+            A(J) = A(J-1)
+            J = J - 1
+            GO TO 10
+          END IF
+        END IF
+        A(J) = T
+   30 CONTINUE
+      I = A((MID - LO)/(COUNT/N + 1) + 1)
+      END
+
+C     TSPART - bring the points FIRST ... LAST into an order in which
+C     those before MID precede the one at MID along an axis, and the
+C     others do not.
+      SUBROUTINE TSPART(X, ORD, FIRST, LAST, MID, AXIS)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), FIRST, LAST, MID, AXIS
+      INTEGER TSBEFO
+      DOUBLE PRECISION Q(3)
+      INTEGER CHANCE, HI, I, J, LO, NUMBER
+      CHANCE = 1
+      LO = FIRST
+      HI = LAST
+   10 IF (HI .LE. LO) RETURN
+      CALL TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
+      DO 20 J = 1, 3
+        Q(J) = X(J,I)
+   20 CONTINUE
+      NUMBER = ORD(I)
+      I = LO
+      J = HI
+   30 IF (I .LE. J) THEN
+        IF (X(AXIS,I) .LT. Q(AXIS)) THEN
+          I = I + 1
+          GO TO 30
+        ELSE IF (X(AXIS,I) .LE. Q(AXIS)) THEN
+          IF (TSBEFO(X, ORD, I, AXIS, Q, NUMBER) .EQ. 1) THEN
+            I = I + 1
+            GO TO 30
+          END IF
+        END IF
+      END IF
+   40 IF (I .LE. J) THEN
+        IF (X(AXIS,J) .GT. Q(AXIS)) THEN
+          J = J - 1
+          GO TO 40
+        ELSE IF (X(AXIS,J) .GE. Q(AXIS)) THEN
+          IF (TSBEFO(X, ORD, J, AXIS, Q, NUMBER) .EQ. 0) THEN
+            J = J - 1
+            GO TO 40
+          END IF
+        END IF
+      END IF
+      IF (I .LT. J) THEN
+        CALL TSSWAP(X, ORD, I, J)
+        I = I + 1
+        J = J - 1
+      END IF
+      IF (I .LE. J) GO TO 30
+C     LO ... I-1 precede the pivot, I ... HI do not
+      IF (MID .LT. I) THEN
+        HI = I - 1
+      ELSE IF (I .GT. LO) THEN
+        LO = I
+      ELSE
+C       the pivot is the first of all: put it there
+        J = LO
+   50   IF (ORD(J) .NE. NUMBER) THEN
+          J = J + 1
+          GO TO 50
+        END IF
+        CALL TSSWAP(X, ORD, LO, J)
+        IF (MID .EQ. LO) RETURN
+        LO = LO + 1
+      END IF
+      GO TO 10
+      END
+
+C     TSTWIN - note that the points at I and J coincide, if they do.
+      SUBROUTINE TSTWIN(X, ORD, REP, I, J)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), REP(*), I, J
+      INTEGER K
+      DO 10 K = 1, 3
+        IF (X(K,I) .LT. X(K,J) .OR. X(K,I) .GT. X(K,J)) RETURN
+   10 CONTINUE
+      REP(MAX(ORD(I), ORD(J))) = MIN(ORD(I), ORD(J))
+      END
+
+C     TSCUT - TSPART across the widest extent.  Duplicates that the cut
+C     parts all coincide with the point at MID; each set of duplicates
+C     is in the end linked from every member but the first to a smaller
+C     number.
+      SUBROUTINE TSCUT(X, ORD, REP, LO, HI, MID)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), REP(*), LO, HI, MID
+      INTEGER HHWIDE
+      DOUBLE PRECISION BOTTOM(3), TOP(3)
+      INTEGER AXIS, I, K
+      DO 10 K = 1, 3
+        BOTTOM(K) = X(K,LO)
+        TOP(K) = X(K,LO)
+   10 CONTINUE
+      DO 30 I = LO + 1, HI
+        DO 20 K = 1, 3
+          IF (X(K,I) .LT. BOTTOM(K)) BOTTOM(K) = X(K,I)
+          IF (X(K,I) .GT. TOP(K)) TOP(K) = X(K,I)
+   20   CONTINUE
+   30 CONTINUE
+      AXIS = 1
+      DO 40 K = 2, 3
+        IF (HHWIDE(TOP(K), BOTTOM(K), TOP(AXIS),
+     $      BOTTOM(AXIS)) .GT. 0) AXIS = K
+   40 CONTINUE
+      CALL TSPART(X, ORD, LO, HI, MID, AXIS)
+      DO 50 I = LO, MID - 1
+        CALL TSTWIN(X, ORD, REP, I, MID)
+   50 CONTINUE
+      END
+
+C     TSBOUN - the first position of leaf J; leaf J ends before that of
+C     J + 1.
+      INTEGER FUNCTION TSBOUN(CTL, J)
+      INTEGER CTL(*), J
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      TSBOUN = (J - 1)*(CTL(NP)/CTL(LEAVES)) + MIN(J - 1, MOD(CTL(NP),
+     $    CTL(LEAVES))) + 1
+      END
+
+C     TSLEAF - the leaf that holds position I.
+      INTEGER FUNCTION TSLEAF(CTL, I)
+      INTEGER CTL(*), I
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      INTEGER EXTRA, LENGTH
+      LENGTH = CTL(NP)/CTL(LEAVES)
+      EXTRA = MOD(CTL(NP), CTL(LEAVES))
+      IF (I .LE. EXTRA*(LENGTH + 1)) THEN
+        TSLEAF = (I - 1)/(LENGTH + 1) + 1
+      ELSE
+        TSLEAF = EXTRA + (I - 1 - EXTRA*(LENGTH + 1))/LENGTH + 1
+      END IF
+      END
+
+C     TSSPAN - the positions FIRST ... LAST below a node of the tree.
+      SUBROUTINE TSSPAN(CTL, NODE, FIRST, LAST)
+      INTEGER CTL(*), NODE, FIRST, LAST
+      INTEGER TSBOUN
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER LEFT, RIGHT
+      LEFT = NODE
+      RIGHT = NODE
+   10 IF (LEFT .LT. CTL(LEAVES)) THEN
+        LEFT = 2*LEFT
+        RIGHT = 2*RIGHT + 1
+        GO TO 10
+      END IF
+      FIRST = TSBOUN(CTL, LEFT - CTL(LEAVES) + 1)
+      LAST = TSBOUN(CTL, RIGHT - CTL(LEAVES) + 2) - 1
+      END
+
+C     TSLSOR - order the points of a leaf in groups of GROUP.
+      SUBROUTINE TSLSOR(X, ORD, REP, FIRST, LAST)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), REP(*), FIRST, LAST
+      INTEGER TSBEFO
+      INTEGER GROUP
+      PARAMETER (GROUP = 8)
+      DOUBLE PRECISION Q(3)
+      INTEGER HALF, HI, I, J, K, LO
+      HALF = FIRST + (LAST - FIRST + 2*GROUP)/(2*GROUP)*GROUP
+      IF (HALF .LE. LAST) CALL TSCUT(X, ORD, REP, FIRST, LAST, HALF)
+      DO 50 LO = FIRST, LAST, GROUP
+        HI = LAST
+        IF (LO .LT. HALF .AND. HALF .LE. LAST) HI = HALF - 1
+        IF (LO + GROUP .LE. HI) CALL TSCUT(X, ORD, REP, LO, HI, LO +
+     $      GROUP)
+        HI = MIN(LO + GROUP - 1, HI)
+        DO 30 I = LO + 1, HI
+          DO 20 J = I, LO + 1, -1
+            DO 10 K = 1, 3
+              Q(K) = X(K,J-1)
+   10       CONTINUE
+            IF (TSBEFO(X, ORD, J, 1, Q, ORD(J-1)) .EQ. 0) GO TO 30
+            CALL TSSWAP(X, ORD, J - 1, J)
+   20     CONTINUE
+   30   CONTINUE
+        DO 40 I = LO + 1, HI
+          CALL TSTWIN(X, ORD, REP, I - 1, I)
+   40   CONTINUE
+   50 CONTINUE
+      END
+
+C     TSKDSO - order the points: every node of the tree is cut in two
+C     across its widest extent, down to the leaves.
+      SUBROUTINE TSKDSO(X, ORD, REP, CTL)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), REP(*), CTL(*)
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER FIRST, LAST, MID, NODE
+      NODE = 1
+   10 IF (NODE .LT. CTL(LEAVES)) THEN
+        CALL TSSPAN(CTL, NODE, FIRST, LAST)
+        CALL TSSPAN(CTL, 2*NODE + 1, MID, LAST)
+        CALL TSCUT(X, ORD, REP, FIRST, LAST, MID)
+        NODE = 2*NODE
+      ELSE
+        CALL TSSPAN(CTL, NODE, FIRST, LAST)
+        CALL TSLSOR(X, ORD, REP, FIRST, LAST)
+C       0 after the last leaf
+   20   IF (MOD(NODE, 2) .EQ. 1) THEN
+          NODE = NODE/2
+          GO TO 20
+        END IF
+        IF (NODE .GT. 0) NODE = NODE + 1
+      END IF
+      IF (NODE .GT. 0) GO TO 10
+      END
+
+C     TSBOXE - the box of every node, from the leaves up.
+      SUBROUTINE TSBOXE(X, BOX, CTL)
+      DOUBLE PRECISION X(3,*), BOX(6,*)
+      INTEGER CTL(*)
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER FIRST, I, K, LAST, NODE
+      DO 50 NODE = 2*CTL(LEAVES) - 1, 1, -1
+        IF (NODE .LT. CTL(LEAVES)) THEN
+          DO 10 K = 1, 3
+            BOX(K,NODE) = MIN(BOX(K,2*NODE), BOX(K,2*NODE+1))
+            BOX(3+K,NODE) = MAX(BOX(3+K,2*NODE), BOX(3+K,2*NODE+1))
+   10     CONTINUE
+        ELSE
+          CALL TSSPAN(CTL, NODE, FIRST, LAST)
+          DO 20 K = 1, 3
+            BOX(K,NODE) = X(K,FIRST)
+            BOX(3+K,NODE) = X(K,FIRST)
+   20     CONTINUE
+          DO 40 I = FIRST + 1, LAST
+            DO 30 K = 1, 3
+              BOX(K,NODE) = MIN(BOX(K,NODE), X(K,I))
+              BOX(3+K,NODE) = MAX(BOX(3+K,NODE), X(K,I))
+   30       CONTINUE
+   40     CONTINUE
+        END IF
+   50 CONTINUE
+      END
+
+C     ------------------------------------------------------------------
+C     The pool of open facets: an open-addressing hash.
+C
+C     Entry E = 1, 2, ..., at POOL(ENTRY*(E-1)+1): the facet's code, or
+C     0; then the next and the previous entry in the list of the facets
+C     of the same owner, newest first, 0 at its ends; then the signature
+C     of the three vertices.  The owner is the vertex of least position;
+C     HEAD(owner) is the first entry.  Linear probing from signature mod
+C     MPOOL; removal shifts entries back.
+C
+C     The code of facet K of tetrahedron T is 4*(T-1)+K: its place in
+C     ADJ.
+C     ------------------------------------------------------------------
+
+C     TSFACE - the vertices of facet CODE, positive towards its outside,
+C     turned so that the one of least position comes first.
+      SUBROUTINE TSFACE(TET, CODE, V)
+      INTEGER TET(4,*), CODE, V(3)
+      INTEGER A, B, C, K, T, OUT(3,4)
+      DATA OUT /2, 3, 4, 1, 4, 3, 1, 2, 4, 1, 3, 2/
+      T = (CODE - 1)/4 + 1
+      K = CODE - 4*(T - 1)
+      A = TET(OUT(1,K),T)
+      B = TET(OUT(2,K),T)
+      C = TET(OUT(3,K),T)
+      IF (A .LT. B .AND. A .LT. C) THEN
+        V(1) = A
+        V(2) = B
+        V(3) = C
+      ELSE IF (B .LT. C) THEN
+        V(1) = B
+        V(2) = C
+        V(3) = A
+      ELSE
+        V(1) = C
+        V(2) = A
+        V(3) = B
+      END IF
+      END
+
+C     TSSIGN - the signature of a facet, below 2**31; V(1) is its least.
+      INTEGER FUNCTION TSSIGN(V)
+      INTEGER V(3)
+      INTEGER B, C
+      B = MIN(V(2), V(3)) - 1
+      C = MAX(V(2), V(3)) - 1
+      TSSIGN = MOD(V(1) - 1, 8191)*104729 + MOD(B, 8191)*86243 + MOD(C,
+     $             8191)*71233
+      END
+
+C     TSFIND - the entry of the facet with the vertices V, or 0.
+      INTEGER FUNCTION TSFIND(TET, POOL, CTL, V, SIG)
+      INTEGER TET(4,*), POOL(*), CTL(*), V(3), SIG
+      INTEGER MPOOL, ENTRY
+      PARAMETER (MPOOL = 6, ENTRY = 4)
+      INTEGER AT, CODE, E, W(3)
+      E = MOD(SIG, CTL(MPOOL)) + 1
+   10 AT = ENTRY*(E - 1)
+      TSFIND = 0
+      IF (POOL(AT+1) .EQ. 0) RETURN
+      IF (POOL(AT+4) .EQ. SIG) THEN
+        CODE = POOL(AT+1)
+        CALL TSFACE(TET, CODE, W)
+        TSFIND = E
+        IF (W(1) .EQ. V(1) .AND. ((W(2) .EQ. V(2) .AND.
+     $      W(3) .EQ. V(3)) .OR. (W(2) .EQ. V(3) .AND.
+     $      W(3) .EQ. V(2)))) RETURN
+      END IF
+      E = E + 1
+      IF (E .GT. CTL(MPOOL)) E = 1
+      GO TO 10
+      END
+
+C     TSPUTI - enter a facet that is not in the pool.
+      SUBROUTINE TSPUTI(HEAD, POOL, CTL, CODE, OWNER, SIG)
+      INTEGER HEAD(*), POOL(*), CTL(*), CODE, OWNER, SIG
+      INTEGER MPOOL, NOPEN, LOW, ENTRY
+      PARAMETER (MPOOL = 6, NOPEN = 7, LOW = 11, ENTRY = 4)
+      INTEGER AT, E
+      E = MOD(SIG, CTL(MPOOL)) + 1
+   10 AT = ENTRY*(E - 1)
+      IF (POOL(AT+1) .NE. 0) THEN
+        E = E + 1
+        IF (E .GT. CTL(MPOOL)) E = 1
+        GO TO 10
+      END IF
+      POOL(AT+1) = CODE
+      POOL(AT+2) = HEAD(OWNER)
+      POOL(AT+3) = 0
+      POOL(AT+4) = SIG
+      IF (HEAD(OWNER) .NE. 0) POOL(ENTRY*(HEAD(OWNER)-1)+3) = E
+      HEAD(OWNER) = E
+      CTL(NOPEN) = CTL(NOPEN) + 1
+      IF (OWNER .LT. CTL(LOW)) CTL(LOW) = OWNER
+      END
+
+C     TSTAKO - remove entry ENT, of a facet of a given owner.
+      SUBROUTINE TSTAKO(TET, HEAD, POOL, CTL, ENT, OWNER)
+      INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), ENT, OWNER
+      INTEGER MPOOL, NOPEN, ENTRY
+      PARAMETER (MPOOL = 6, NOPEN = 7, ENTRY = 4)
+      INTEGER AFTER, AT, BEFORE, E, FILL, HOLE, HOME, K, TO, V(3)
+      AT = ENTRY*(ENT - 1)
+      AFTER = POOL(AT+2)
+      BEFORE = POOL(AT+3)
+      IF (AFTER .NE. 0) POOL(ENTRY*(AFTER-1)+3) = BEFORE
+      IF (BEFORE .NE. 0) THEN
+        POOL(ENTRY*(BEFORE-1)+2) = AFTER
+      ELSE
+        HEAD(OWNER) = AFTER
+      END IF
+      CTL(NOPEN) = CTL(NOPEN) - 1
+      HOLE = ENT
+      E = ENT
+   10 E = E + 1
+      IF (E .GT. CTL(MPOOL)) E = 1
+      AT = ENTRY*(E - 1)
+      IF (POOL(AT+1) .NE. 0) THEN
+        HOME = MOD(POOL(AT+4), CTL(MPOOL)) + 1
+C       E may fill the hole if its home is not behind the hole
+        FILL = 0
+        IF (HOME .LE. HOLE) FILL = 1
+        IF (HOME .GT. E) FILL = FILL + 1
+        IF (HOLE .GT. E) FILL = FILL - 1
+        IF (FILL .GT. 0) THEN
+          TO = ENTRY*(HOLE - 1)
+          DO 20 K = 1, 4
+            POOL(TO+K) = POOL(AT+K)
+   20     CONTINUE
+          AFTER = POOL(TO+2)
+          BEFORE = POOL(TO+3)
+          IF (AFTER .NE. 0) POOL(ENTRY*(AFTER-1)+3) = HOLE
+          IF (BEFORE .NE. 0) THEN
+            POOL(ENTRY*(BEFORE-1)+2) = HOLE
+          ELSE
+            CALL TSFACE(TET, POOL(TO+1), V)
+            HEAD(V(1)) = HOLE
+          END IF
+          HOLE = E
+        END IF
+        GO TO 10
+      END IF
+      POOL(ENTRY*(HOLE-1)+1) = 0
+      END
+
+C     TSWIDE - make the pool's table about twice as long, or as long as
+C     it may be, and enter its facets again in their order.  The new
+C     table is laid over the old one, so the facets come from TET and
+C     ADJ: an open facet that is not an edge of the link.  INFO is 0, or
+C     FULL.
+      SUBROUTINE TSWIDE(TET, ADJ, HEAD, POOL, CTL, S, WANTED, INFO)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED
+      INTEGER INFO
+      INTEGER TSSIGN
+      INTEGER NP, ROOM, MPOOL, NOPEN, FRESH, NEDGE, OPEN, ENTRY, EDGE
+      INTEGER FULL
+      PARAMETER (NP = 1, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
+      PARAMETER (NEDGE = 10, OPEN = -1, ENTRY = 4, EDGE = 6, FULL = 2)
+      INTEGER CODE, E, LENGTH, V(3)
+      INFO = FULL
+      LENGTH = MIN(WANTED, (CTL(ROOM) - CTL(ROOM)/8)/ENTRY,
+     $             (CTL(ROOM) - EDGE*(CTL(NEDGE) + 2))/ENTRY)
+      IF (LENGTH .LE. CTL(MPOOL)) RETURN
+      DO 10 E = 1, LENGTH
+        POOL(ENTRY*(E-1)+1) = 0
+   10 CONTINUE
+      DO 20 E = 1, CTL(NP)
+        HEAD(E) = 0
+   20 CONTINUE
+      CTL(MPOOL) = LENGTH
+      CTL(NOPEN) = 0
+      DO 30 CODE = 1, 4*(CTL(FRESH) - 1)
+        IF (ADJ(CODE) .EQ. OPEN) THEN
+          CALL TSFACE(TET, CODE, V)
+          IF (V(1) .NE. S .AND. V(2) .NE. S .AND. V(3) .NE. S) THEN
+            IF (CTL(NOPEN) .GE. LENGTH - LENGTH/8 - 1) RETURN
+            CALL TSPUTI(HEAD, POOL, CTL, CODE, V(1), TSSIGN(V))
+          END IF
+        END IF
+   30 CONTINUE
+      INFO = 0
+      END
+
+C     ------------------------------------------------------------------
+C     Lists: where to look first.
+C     ------------------------------------------------------------------
+
+C     TSDISJ - has the box of a list no common point with that of a
+C     node: 1, or 0.
+      INTEGER FUNCTION TSDISJ(BOX, LSD, LIST, NODE)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2)
+      INTEGER LIST, NODE
+      INTEGER LLO, LHI
+      PARAMETER (LLO = 0, LHI = 3)
+      INTEGER K
+      TSDISJ = 1
+      DO 10 K = 1, 3
+        IF (LSD(LHI+K,LIST) .LT. BOX(K,NODE) .OR.
+     $      BOX(3+K,NODE) .LT. LSD(LLO+K,LIST)) RETURN
+   10 CONTINUE
+      TSDISJ = 0
+      END
+
+C     TSAWAY - is position I outside of the box of a list: 1, or 0.
+      INTEGER FUNCTION TSAWAY(X, LSD, LIST, I)
+      DOUBLE PRECISION X(3,*), LSD(14,2)
+      INTEGER LIST, I
+      INTEGER LLO, LHI
+      PARAMETER (LLO = 0, LHI = 3)
+      INTEGER K
+      TSAWAY = 1
+      DO 10 K = 1, 3
+        IF (LSD(LHI+K,LIST) .LT. X(K,I) .OR.
+     $      X(K,I) .LT. LSD(LLO+K,LIST)) RETURN
+   10 CONTINUE
+      TSAWAY = 0
+      END
+
+C     TSAPPE - add position I to a list; FAR away when its star is
+C     complete.
+      SUBROUTINE TSAPPE(X, LINK, LSX, LSID, LSI, LSD, LIST, I)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER LINK(*), LSID(TSLIST,2), LSI(3,2), LIST, I
+      INTEGER LN, LMID, LUNIT, DONE
+      PARAMETER (LN = 3, LMID = 6, LUNIT = 14, DONE = -1)
+      REAL FAR
+      PARAMETER (FAR = 1.0E10)
+      INTEGER K, N
+      N = LSI(LN,LIST) + 1
+      LSI(LN,LIST) = N
+      LSID(N,LIST) = I
+      DO 10 K = 1, 3
+        LSX(N,K,LIST) = FAR
+        IF (LINK(I) .NE. DONE) LSX(N,K,LIST) = REAL((X(K,I) -
+     $      LSD(LMID+K,LIST))*LSD(LUNIT,LIST))
+   10 CONTINUE
+      LSX(N,4,LIST) = LSX(N,1,LIST)*LSX(N,1,LIST) +
+     $    LSX(N,2,LIST)*LSX(N,2,LIST) + LSX(N,3,LIST)*LSX(N,3,LIST)
+      END
+
+C     TSPAD - fill up the last four of a list with points that are FAR
+C     away: loops over lists go by fours, which every compiler can make
+C     vectors of.
+      SUBROUTINE TSPAD(LSX, LSID, LSI, LIST)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      REAL LSX(TSLIST,4,2)
+      INTEGER LSID(TSLIST,2), LSI(3,2), LIST
+      INTEGER LN
+      PARAMETER (LN = 3)
+      REAL FAR
+      PARAMETER (FAR = 1.0E10)
+      INTEGER I
+      DO 10 I = LSI(LN,LIST) + 1, (LSI(LN,LIST) + 3)/4*4
+        LSX(I,1,LIST) = FAR
+        LSX(I,2,LIST) = FAR
+        LSX(I,3,LIST) = FAR
+        LSX(I,4,LIST) = FAR*FAR
+        LSID(I,LIST) = 0
+   10 CONTINUE
+      END
+
+C     TSHARV - fill a list with the uncompleted points of its box that
+C     are not in leaf OWN.  FIT is 1, or 0 when they do not fit.
+      SUBROUTINE TSHARV(X, BOX, ALIVE, LINK, CTL, LSX, LSID, LSI, LSD,
+     $                  LIST, OWN, FIT)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST,2), LSI(3,2), LIST
+      INTEGER OWN, FIT
+      INTEGER TSAWAY, TSDISJ
+      INTEGER LEAVES, LN, DONE, DEPTH
+      PARAMETER (LEAVES = 4, LN = 3, DONE = -1, DEPTH = 64)
+      INTEGER HEIGHT, FIRST, I, LAST, NODE, STACK(DEPTH)
+      FIT = 1
+      STACK(1) = 1
+      HEIGHT = 1
+   10 IF (HEIGHT .EQ. 0) RETURN
+      NODE = STACK(HEIGHT)
+      HEIGHT = HEIGHT - 1
+      IF (ALIVE(NODE) .EQ. 0) GO TO 10
+      IF (NODE .EQ. CTL(LEAVES) + OWN - 1) GO TO 10
+      IF (TSDISJ(BOX, LSD, LIST, NODE) .EQ. 1) GO TO 10
+      IF (NODE .LT. CTL(LEAVES)) THEN
+        STACK(HEIGHT+1) = 2*NODE
+        STACK(HEIGHT+2) = 2*NODE + 1
+        HEIGHT = HEIGHT + 2
+        GO TO 10
+      END IF
+      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      DO 20 I = FIRST, LAST
+        IF (LINK(I) .NE. DONE) THEN
+          IF (TSAWAY(X, LSD, LIST, I) .EQ. 0) THEN
+            IF (LSI(LN,LIST) .EQ. TSLIST) THEN
+              FIT = 0
+              RETURN
+            END IF
+            CALL TSAPPE(X, LINK, LSX, LSID, LSI, LSD, LIST, I)
+          END IF
+        END IF
+   20 CONTINUE
+      GO TO 10
+      END
+
+C     TSBLOC - make the list of the leaf of star S: its points, in
+C     order, then the uncompleted ones around it.  The margin shrinks
+C     until they fit.
+      SUBROUTINE TSBLOC(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $                  LSD, LIST, S)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST,2), LSI(3,2), LIST
+      INTEGER S
+      INTEGER TSBOUN, TSLEAF
+      INTEGER LEAVES, RREACH, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST
+      INTEGER LMARG, LUNIT
+      PARAMETER (LEAVES = 4, RREACH = 3, LFIRST = 1, LLAST = 2, LN = 3)
+      PARAMETER (LLO = 0, LHI = 3, LMID = 6, LMOST = 9, LMARG = 13)
+      PARAMETER (LUNIT = 14)
+      DOUBLE PRECISION NARROW
+      PARAMETER (NARROW = 1.0D8*2.0D0**(-1022))
+      DOUBLE PRECISION ABOVE, BELOW, HALF, MARGIN, SUM
+      INTEGER FIT, I, K, LEAFS, NODE
+      LEAFS = TSLEAF(CTL, S)
+      NODE = CTL(LEAVES) + LEAFS - 1
+      SUM = 0.0D0
+      DO 10 K = 1, 3
+        SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
+   10 CONTINUE
+      MARGIN = RCTL(RREACH)*SQRT(SUM)
+      LSI(LFIRST,LIST) = TSBOUN(CTL, LEAFS)
+      LSI(LLAST,LIST) = TSBOUN(CTL, LEAFS + 1) - 1
+   20 HALF = 0.0D0
+      DO 30 K = 1, 3
+        LSD(LLO+K,LIST) = BOX(K,NODE) - MARGIN
+        LSD(LHI+K,LIST) = BOX(3+K,NODE) + MARGIN
+        LSD(LMID+K,LIST) = 0.5D0*(LSD(LLO+K,LIST) + LSD(LHI+K,LIST))
+        HALF = MAX(HALF, 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST)))
+   30 CONTINUE
+      LSD(LMARG,LIST) = MARGIN
+      LSD(LUNIT,LIST) = 0.0D0
+      IF (HALF .GT. NARROW) LSD(LUNIT,LIST) = 1.0D0/HALF
+      DO 40 K = 1, 3
+C       the points are inside the root's box, too
+        ABOVE = MIN(LSD(LHI+K,LIST), BOX(3+K,1)) - LSD(LMID+K,LIST)
+        BELOW = LSD(LMID+K,LIST) - MAX(LSD(LLO+K,LIST), BOX(K,1))
+        LSD(LMOST+K,LIST) = MAX(ABOVE, BELOW)*LSD(LUNIT,LIST)
+   40 CONTINUE
+      LSI(LN,LIST) = 0
+      DO 50 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
+        CALL TSAPPE(X, LINK, LSX, LSID, LSI, LSD, LIST, I)
+   50 CONTINUE
+      CALL TSHARV(X, BOX, ALIVE, LINK, CTL, LSX, LSID, LSI, LSD, LIST,
+     $            LEAFS, FIT)
+      IF (LSD(LUNIT,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
+     $    MARGIN .LE. 0.0D0)) THEN
+C       no list
+        LSI(LN,LIST) = 0
+        RETURN
+      END IF
+      IF (FIT .EQ. 0) THEN
+        IF (MARGIN .GT. 1.0D-3*HALF) THEN
+          MARGIN = 0.7D0*MARGIN
+        ELSE
+          MARGIN = 0.0D0
+        END IF
+        GO TO 20
+      END IF
+      CALL TSPAD(LSX, LSID, LSI, LIST)
+      END
+
+C     TSGATH - make the lists for star S: the block of its leaf and,
+C     from it, the group of a few positions.  Both share centre and
+C     unit.
+      SUBROUTINE TSGATH(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $                  LSD, S)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST,2), LSI(3,2), S
+      INTEGER LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG, LUNIT
+      INTEGER BLK, GRP, GROUP
+      PARAMETER (LFIRST = 1, LLAST = 2, LN = 3, LLO = 0, LHI = 3)
+      PARAMETER (LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14, BLK = 1)
+      PARAMETER (GRP = 2, GROUP = 8)
+      DOUBLE PRECISION NEAR
+      PARAMETER (NEAR = 0.7D0)
+      REAL FAR, SLACK
+      PARAMETER (FAR = 1.0E10, SLACK = 1.0E-6)
+      REAL HI(3), LO(3), MARGIN
+      INTEGER FIRST, I, IN(TSLIST), J, K, LAST, N, PICK(TSLIST+1)
+      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK)) THEN
+        CALL TSBLOC(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $              LSD, BLK, S)
+        LSI(LFIRST,GRP) = 1
+        LSI(LLAST,GRP) = 0
+      END IF
+      IF (S .GE. LSI(LFIRST,GRP) .AND. S .LE. LSI(LLAST,GRP)) RETURN
+      FIRST = (S - LSI(LFIRST,BLK))/GROUP*GROUP + 1
+      LAST = MIN(FIRST + GROUP - 1, LSI(LLAST,BLK) -
+     $           LSI(LFIRST,BLK) + 1)
+      LSI(LFIRST,GRP) = LSI(LFIRST,BLK) + FIRST - 1
+      LSI(LLAST,GRP) = LSI(LFIRST,BLK) + LAST - 1
+      LSI(LN,GRP) = 0
+      IF (LSI(LN,BLK) .EQ. 0) RETURN
+      DO 10 K = 1, 3
+        LO(K) = LSX(S-LSI(LFIRST,BLK)+1,K,BLK)
+        HI(K) = LO(K)
+   10 CONTINUE
+      DO 30 I = FIRST, LAST
+        IF (LSX(I,1,BLK) .LT. FAR) THEN
+          DO 20 K = 1, 3
+            LO(K) = MIN(LO(K), LSX(I,K,BLK))
+            HI(K) = MAX(HI(K), LSX(I,K,BLK))
+   20     CONTINUE
+        END IF
+   30 CONTINUE
+      MARGIN = REAL(NEAR*LSD(LMARG,BLK)*LSD(LUNIT,BLK))
+      DO 40 K = 1, 3
+        LO(K) = LO(K) - MARGIN
+        HI(K) = HI(K) + MARGIN
+        LSD(LMID+K,GRP) = LSD(LMID+K,BLK)
+        LSD(LMOST+K,GRP) = LSD(LMOST+K,BLK)
+C       the box that is certainly covered, for all rounding
+        LSD(LLO+K,GRP) = LSD(LMID+K,BLK) + DBLE(LO(K) +
+     $      SLACK)/LSD(LUNIT,BLK)
+        LSD(LHI+K,GRP) = LSD(LMID+K,BLK) + DBLE(HI(K) -
+     $      SLACK)/LSD(LUNIT,BLK)
+        LSD(LLO+K,GRP) = MAX(LSD(LLO+K,GRP), LSD(LLO+K,BLK))
+        LSD(LHI+K,GRP) = MIN(LSD(LHI+K,GRP), LSD(LHI+K,BLK))
+   40 CONTINUE
+      LSD(LUNIT,GRP) = LSD(LUNIT,BLK)
+      DO 50 I = 1, (LSI(LN,BLK) + 3)/4*4
+        IN(I) = 0
+        IF (LSX(I,1,BLK) .GE. LO(1) .AND.
+     $      LSX(I,1,BLK) .LE. HI(1) .AND.
+     $      LSX(I,2,BLK) .GE. LO(2) .AND.
+     $      LSX(I,2,BLK) .LE. HI(2) .AND.
+     $      LSX(I,3,BLK) .GE. LO(3) .AND.
+     $      LSX(I,3,BLK) .LE. HI(3)) IN(I) = 1
+   50 CONTINUE
+      N = 0
+      DO 60 I = 1, LSI(LN,BLK)
+        PICK(N+1) = I
+        N = N + IN(I)
+   60 CONTINUE
+      DO 70 I = 1, N
+        J = PICK(I)
+        LSX(I,1,GRP) = LSX(J,1,BLK)
+        LSX(I,2,GRP) = LSX(J,2,BLK)
+        LSX(I,3,GRP) = LSX(J,3,BLK)
+        LSX(I,4,GRP) = LSX(J,4,BLK)
+        LSID(I,GRP) = LSID(J,BLK)
+   70 CONTINUE
+      LSI(LN,GRP) = N
+      CALL TSPAD(LSX, LSID, LSI, GRP)
+      END
+
+C     ------------------------------------------------------------------
+C     The apex of a facet.
+C     ------------------------------------------------------------------
+
+C     TSBLUR - how wrong the power |W|**2 - 2 C.W may be for |W|_1 <=
+C     LENGTH.
+      DOUBLE PRECISION FUNCTION TSBLUR(FQ, LENGTH)
+      DOUBLE PRECISION FQ(7), LENGTH
+      INTEGER QDC, QSIZE
+      PARAMETER (QDC = 6, QSIZE = 7)
+      DOUBLE PRECISION EPS
+      PARAMETER (EPS = 2.0D0**(-52))
+      TSBLUR = LENGTH*(2.0D0*FQ(QDC) + 8.0D0*EPS*(LENGTH +
+     $    2.0D0*FQ(QSIZE)))
+      END
+
+C     TSREGI - the least power |W|**2 - 2 C.W of a point of the
+C     box of a node with respect to the ball of a search, less its
+C     error: positive when no point of the box is in the ball or on it.
+      DOUBLE PRECISION FUNCTION TSREGI(F, FQ, BOX, NODE)
+      DOUBLE PRECISION F(12), FQ(7), BOX(6,*)
+      INTEGER NODE
+      DOUBLE PRECISION TSBLUR
+      INTEGER QC
+      PARAMETER (QC = 2)
+      DOUBLE PRECISION H, L, LENGTH, SUM, U
+      INTEGER K
+      SUM = 0.0D0
+      LENGTH = 0.0D0
+      DO 10 K = 1, 3
+        L = BOX(K,NODE) - F(6+K)
+        H = BOX(3+K,NODE) - F(6+K)
+        U = MAX(L, MIN(H, FQ(QC+K)))
+        SUM = SUM + U*(U - 2.0D0*FQ(QC+K))
+        LENGTH = LENGTH + MAX(ABS(L), ABS(H))
+   10 CONTINUE
+      TSREGI = SUM - TSBLUR(FQ, LENGTH)
+      END
+
+C     TSBEHI - is the box of a node certainly on the facet's negative
+C     side: 1, or 0.
+      INTEGER FUNCTION TSBEHI(F, BOX, NODE)
+      DOUBLE PRECISION F(12), BOX(6,*)
+      INTEGER NODE
+      DOUBLE PRECISION H, L, LENGTH, SIDE
+      INTEGER K
+      SIDE = 0.0D0
+      LENGTH = 0.0D0
+      DO 10 K = 1, 3
+        L = BOX(K,NODE) - F(6+K)
+        H = BOX(3+K,NODE) - F(6+K)
+        IF (F(K) .GT. 0.0D0) THEN
+          SIDE = SIDE + F(K)*H
+        ELSE
+          SIDE = SIDE + F(K)*L
+        END IF
+        LENGTH = LENGTH + MAX(ABS(L), ABS(H))
+   10 CONTINUE
+      TSBEHI = 0
+      IF (F(10) .GE. 1.0D0) RETURN
+      IF (SIDE .LT. -F(10)*LENGTH) TSBEHI = 1
+      END
+
+C     TSOUTS - is there no point of the ball in that part of the root's
+C     box in which coordinate K is between LO and HI: 1, or 0.
+      INTEGER FUNCTION TSOUTS(BOX, F, FQ, K, LO, HI)
+      DOUBLE PRECISION BOX(6,*), F(12), FQ(7), LO, HI
+      INTEGER K
+      DOUBLE PRECISION TSREGI
+      DOUBLE PRECISION PART(6,1)
+      INTEGER I
+      TSOUTS = 1
+      IF (LO .GE. HI) RETURN
+      DO 10 I = 1, 6
+        PART(I,1) = BOX(I,1)
+   10 CONTINUE
+      PART(K,1) = LO
+      PART(3+K,1) = HI
+      IF (TSREGI(F, FQ, PART, 1) .LE. 0.0D0) TSOUTS = 0
+      END
+
+C     TSCONT - is the part of the ball that may have points, its part in
+C     the root's box, inside the box of a list: 1, or 0.
+      INTEGER FUNCTION TSCONT(BOX, LSI, LSD, LIST, F, FQ)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(7)
+      INTEGER LSI(3,2), LIST
+      INTEGER TSOUTS
+      INTEGER LN, LLO, LHI, QC, QDC
+      PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
+      DOUBLE PRECISION R
+      INTEGER K
+      TSCONT = 0
+      IF (LSI(LN,LIST) .EQ. 0) RETURN
+      R = SQRT(FQ(QC+1)*FQ(QC+1) + FQ(QC+2)*FQ(QC+2) +
+     $         FQ(QC+3)*FQ(QC+3))
+      R = R*(1.0D0 + 1.0D-9) + FQ(QDC)
+      DO 10 K = 1, 3
+        IF (FQ(QC+K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) THEN
+          IF (TSOUTS(BOX, F, FQ, K, BOX(K,1),
+     $        LSD(LLO+K,LIST)) .EQ. 0) RETURN
+        END IF
+        IF (FQ(QC+K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) THEN
+          IF (TSOUTS(BOX, F, FQ, K, LSD(LHI+K,LIST),
+     $        BOX(3+K,1)) .EQ. 0) RETURN
+        END IF
+   10 CONTINUE
+      TSCONT = 1
+      END
+
+C     TSTAKE - make Z the best point of a search; its L-coordinate is L,
+C     wrong by at most DL, if SURE is 1.
+      SUBROUTINE TSTAKE(IQ, F, FQ, Z, SURE, L, DL)
+      DOUBLE PRECISION F(12), FQ(7), L, DL
+      INTEGER IQ(3), Z, SURE
+      INTEGER QBEST, QSURE, QBALL, QL, QDL, QC, QDC, QSIZE
+      PARAMETER (QBEST = 1, QSURE = 2, QBALL = 3, QL = 1, QDL = 2)
+      PARAMETER (QC = 2, QDC = 6, QSIZE = 7)
+      DOUBLE PRECISION EPS
+      PARAMETER (EPS = 2.0D0**(-52))
+      INTEGER K
+      IQ(QBEST) = Z
+      IQ(QSURE) = SURE
+      IF (SURE .EQ. 0) RETURN
+      FQ(QL) = L
+      FQ(QDL) = DL
+      IQ(QBALL) = 1
+      FQ(QSIZE) = 0.0D0
+      DO 10 K = 1, 3
+        FQ(QC+K) = F(3+K) + L*F(K)
+        FQ(QSIZE) = FQ(QSIZE) + ABS(FQ(QC+K))
+   10 CONTINUE
+      FQ(QDC) = F(11) + DL + ABS(L)*F(10) + 4.0D0*EPS*FQ(QSIZE)
+      END
+
+C     TSCOMP - take Z if it is on the open side and beats the best point
+C     there is: if its L-coordinate is smaller (Theorem 1); ties by the
+C     rule of HHPBAL.  The Householder bounds decide where they can.
+      SUBROUTINE TSCOMP(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(7)
+      INTEGER ORD(*), V(3), IQ(3), Z
+      INTEGER HHPBEA, HHPSID
+      INTEGER T3, T5, QBEST, QSURE, QL, QDL
+      PARAMETER (T3 = 1, T5 = 2, QBEST = 1, QSURE = 2, QL = 1, QDL = 2)
+      DOUBLE PRECISION DL, L, Q(3)
+      INTEGER SIDE
+      Q(1) = X(1,Z)
+      Q(2) = X(2,Z)
+      Q(3) = X(3,Z)
+      L = 0.0D0
+      DL = 0.0D0
+      CALL HHBOUN(F, Q, L, DL, SIDE)
+      IF (SIDE .LT. 0) RETURN
+      IF (SIDE .EQ. 0) THEN
+        IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
+     $      Z) .LE. 0) RETURN
+      END IF
+      IF (IQ(QBEST) .NE. 0) THEN
+        IF (SIDE .EQ. 0 .OR. IQ(QSURE) .EQ. 0 .OR. L +
+     $      DL .GE. FQ(QL) - FQ(QDL)) THEN
+          IF (SIDE .NE. 0 .AND. IQ(QSURE) .NE. 0 .AND. L -
+     $        DL .GT. FQ(QL) + FQ(QDL)) RETURN
+          IF (HHPBEA(X, P, ORD, RCTL(T3), RCTL(T5), V, IQ(QBEST),
+     $        Z) .EQ. 0) RETURN
+        END IF
+      END IF
+      CALL TSTAKE(IQ, F, FQ, Z, SIDE, L, DL)
+      END
+
+C     TSCONS - compare Z, if it is no vertex and not outside of the
+C     ball.
+      SUBROUTINE TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(7)
+      INTEGER ORD(*), V(3), IQ(3), Z
+      DOUBLE PRECISION TSBLUR
+      INTEGER QBEST, QBALL, QC
+      PARAMETER (QBEST = 1, QBALL = 3, QC = 2)
+      DOUBLE PRECISION POWER, W1, W2, W3
+      IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
+     $    Z .EQ. V(3)) RETURN
+      IF (IQ(QBALL) .EQ. 1) THEN
+        W1 = X(1,Z) - F(7)
+        W2 = X(2,Z) - F(8)
+        W3 = X(3,Z) - F(9)
+        POWER = W1*(W1 - 2.0D0*FQ(QC+1)) + W2*(W2 - 2.0D0*FQ(QC+2)) +
+     $      W3*(W3 - 2.0D0*FQ(QC+3))
+        IF (POWER .GT. TSBLUR(FQ, ABS(W1) + ABS(W2) + ABS(W3))) RETURN
+      END IF
+      CALL TSCOMP(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
+      END
+
+C     TSAIM - the test of a list's points against a ball of centre C,
+C     relative to the base of a search: a point of the list can be in
+C     the ball only if
+C         r - (D(1) x + D(2) y + D(3) z) < D(4).
+C     In the list's units, with g = base - centre, the power of u is
+C         |u-g|**2 - 2 c.(u-g) = |u|**2 - 2 (c+g).u + (g+2c).g;
+C     D(4) has room for the rounding of single precision.  OK is 1, or 0
+C     when the ball is too large for that.
+      SUBROUTINE TSAIM(LSD, LIST, F, FQ, C, D, OK)
+      DOUBLE PRECISION LSD(14,2), F(12), FQ(7), C(3)
+      REAL D(4)
+      INTEGER LIST, OK
+      INTEGER LMID, LMOST, LUNIT, QDC
+      PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, QDC = 6)
+      DOUBLE PRECISION FEPS
+      PARAMETER (FEPS = 2.0D0**(-23))
+      DOUBLE PRECISION CG(3), CU, DIST, G, LENGTH, REST, SUM
+      INTEGER K
+      REST = 0.0D0
+      LENGTH = 0.0D0
+      SUM = 0.0D0
+      DIST = 0.0D0
+      DO 10 K = 1, 3
+        G = (F(6+K) - LSD(LMID+K,LIST))*LSD(LUNIT,LIST)
+        CU = C(K)*LSD(LUNIT,LIST)
+        REST = REST + G*(G + 2.0D0*CU)
+        CG(K) = 2.0D0*(CU + G)
+        LENGTH = LENGTH + ABS(CG(K))
+        SUM = SUM + ABS(CG(K))*LSD(LMOST+K,LIST)
+        DIST = DIST + ABS(G)
+   10 CONTINUE
+      OK = 0
+      IF (LENGTH .LT. 1.0D9 .AND. SUM .LT. 1.0D6) THEN
+        D(1) = REAL(CG(1))
+        D(2) = REAL(CG(2))
+        D(3) = REAL(CG(3))
+        D(4) = REAL(FEPS*(24.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
+     $      2.0D0*FQ(QDC)*LSD(LUNIT,LIST)*(3.0D0 + DIST) - REST)
+        OK = 1
+      END IF
+      END
+
+C     TSSCAN - consider all points of a list that pass TSAIM's test.  Of
+C     those the vertices of the facet and the best point, which are on
+C     the ball, are the first four.
+      SUBROUTINE TSSCAN(X, P, ORD, RCTL, LSX, LSID, LSI, LIST, V, IQ,
+     $                  F, FQ, D)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(7)
+      REAL LSX(TSLIST,4,2), D(4)
+      INTEGER ORD(*), LSID(TSLIST,2), LSI(3,2), LIST, V(3), IQ(3)
+      INTEGER LN
+      PARAMETER (LN = 3)
+      INTEGER I, IN(TSLIST), J, LENGTH, N
+      N = 0
+      LENGTH = (LSI(LN,LIST) + 3)/4*4
+      DO 10 I = 1, LENGTH
+        IN(I) = 0
+        IF (LSX(I,4,LIST) - (D(1)*LSX(I,1,LIST) +
+     $      D(2)*LSX(I,2,LIST) +
+     $      D(3)*LSX(I,3,LIST)) .LT. D(4)) IN(I) = 1
+        N = N + IN(I)
+   10 CONTINUE
+      IF (N .LE. 4) RETURN
+      DO 30 I = 1, LENGTH, 4
+        IF (IN(I) + IN(I+1) + IN(I+2) + IN(I+3) .GT. 0) THEN
+          DO 20 J = I, I + 3
+            IF (IN(J) .EQ. 1) CALL TSCONS(X, P, ORD, RCTL, V, IQ, F,
+     $          FQ, LSID(J,LIST))
+   20     CONTINUE
+        END IF
+   30 CONTINUE
+      END
+
+C     TSINLI - finish a search that has a ball by the lists, which have
+C     common units: then OK is 1, else 0.  A better point's ball has no
+C     more on the open side than the one before it (Lemma 3), and
+C     nothing on the other, so that one pass over a list is enough, if
+C     the last ball lies in its box.
+      SUBROUTINE TSINLI(X, P, ORD, BOX, RCTL, LSX, LSID, LSI, LSD, V,
+     $                  IQ, F, FQ, OK)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      DOUBLE PRECISION F(12), FQ(7)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), LSID(TSLIST,2), LSI(3,2), V(3), IQ(3), OK
+      INTEGER TSCONT
+      INTEGER BLK, GRP, QC
+      PARAMETER (BLK = 1, GRP = 2, QC = 2)
+      DOUBLE PRECISION C(3)
+      REAL D(4)
+      INTEGER LIST
+      DO 10 LIST = GRP, BLK, BLK - GRP
+        C(1) = FQ(QC+1)
+        C(2) = FQ(QC+2)
+        C(3) = FQ(QC+3)
+        CALL TSAIM(LSD, LIST, F, FQ, C, D, OK)
+        IF (OK .EQ. 0) RETURN
+        CALL TSSCAN(X, P, ORD, RCTL, LSX, LSID, LSI, LIST, V, IQ, F,
+     $              FQ, D)
+        OK = TSCONT(BOX, LSI, LSD, LIST, F, FQ)
+        IF (OK .EQ. 1) RETURN
+   10 CONTINUE
+      END
+
+C     TSNEAR - a first candidate: the point of the list on the positive
+C     side that has about the least L-coordinate.
+      SUBROUTINE TSNEAR(X, P, ORD, RCTL, LSX, LSID, LSI, LSD, LIST, V,
+     $                  IQ, F, FQ)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), LSD(14,2), F(12), FQ(7)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), LSID(TSLIST,2), LSI(3,2), LIST, V(3), IQ(3)
+      INTEGER LN, LMID, LUNIT
+      PARAMETER (LN = 3, LMID = 6, LUNIT = 14)
+      DOUBLE PRECISION C(3)
+      REAL D(4), OFF, POWER, SIDE, TOPPOW, TOPSID, U(3)
+      INTEGER BEST, I, K, OK
+      IF (LSI(LN,LIST) .EQ. 0) RETURN
+      C(1) = F(4)
+      C(2) = F(5)
+      C(3) = F(6)
+      CALL TSAIM(LSD, LIST, F, FQ, C, D, OK)
+      IF (OK .EQ. 0) RETURN
+      OFF = 0.0
+      DO 10 K = 1, 3
+        U(K) = REAL(F(K))
+        OFF = OFF + U(K)*REAL((F(6+K) -
+     $      LSD(LMID+K,LIST))*LSD(LUNIT,LIST))
+   10 CONTINUE
+      BEST = 0
+      TOPPOW = 0.0
+      TOPSID = 1.0
+      DO 20 I = 1, LSI(LN,LIST)
+        SIDE = U(1)*LSX(I,1,LIST) + U(2)*LSX(I,2,LIST) +
+     $           U(3)*LSX(I,3,LIST) - OFF
+        IF (SIDE .GE. 1.0E-5 .AND. LSX(I,4,LIST) .LE. 4.0) THEN
+          POWER = LSX(I,4,LIST) - (D(1)*LSX(I,1,LIST) +
+     $                D(2)*LSX(I,2,LIST) + D(3)*LSX(I,3,LIST)) - D(4)
+          IF (BEST .EQ. 0 .OR. POWER*TOPSID .LT. TOPPOW*SIDE) THEN
+            BEST = I
+            TOPPOW = POWER
+            TOPSID = SIDE
+          END IF
+        END IF
+   20 CONTINUE
+      IF (BEST .GT. 0) CALL TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ,
+     $    LSID(BEST,LIST))
+      END
+
+C     TSAPAR - the squared distance of a box from the centre of a
+C     search's ball, or of its facet.
+      DOUBLE PRECISION FUNCTION TSAPAR(IQ, F, FQ, BOX, NODE)
+      DOUBLE PRECISION F(12), FQ(7), BOX(6,*)
+      INTEGER IQ(3), NODE
+      INTEGER QBALL, QC
+      PARAMETER (QBALL = 3, QC = 2)
+      DOUBLE PRECISION SUM, U
+      INTEGER K
+      SUM = 0.0D0
+      DO 10 K = 1, 3
+        U = F(6+K) + F(3+K)
+        IF (IQ(QBALL) .EQ. 1) U = F(6+K) + FQ(QC+K)
+        U = MAX(BOX(K,NODE) - U, U - BOX(3+K,NODE), 0.0D0)
+        SUM = SUM + U*U
+   10 CONTINUE
+      TSAPAR = SUM
+      END
+
+C     TSSEAR - finish a search by the tree, near boxes first.
+      SUBROUTINE TSSEAR(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, V, IQ,
+     $                  F, FQ)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(7)
+      INTEGER ORD(*), ALIVE(*), LINK(*), CTL(*), V(3), IQ(3)
+      INTEGER TSBEHI
+      DOUBLE PRECISION TSAPAR, TSREGI
+      INTEGER LEAVES, QBALL, DONE, DEPTH
+      PARAMETER (LEAVES = 4, QBALL = 3, DONE = -1, DEPTH = 64)
+      INTEGER FIRST, HEIGHT, I, LAST, NODE, OTHER, STACK(DEPTH), TURN
+      STACK(1) = 1
+      HEIGHT = 1
+   10 IF (HEIGHT .EQ. 0) RETURN
+      NODE = STACK(HEIGHT)
+      HEIGHT = HEIGHT - 1
+      IF (ALIVE(NODE) .EQ. 0) GO TO 10
+      IF (TSBEHI(F, BOX, NODE) .EQ. 1) GO TO 10
+      IF (IQ(QBALL) .EQ. 1) THEN
+        IF (TSREGI(F, FQ, BOX, NODE) .GT. 0.0D0) GO TO 10
+      END IF
+      IF (NODE .LT. CTL(LEAVES)) THEN
+        NODE = 2*NODE
+        OTHER = NODE + 1
+        IF (TSAPAR(IQ, F, FQ, BOX, NODE) .GT. TSAPAR(IQ, F, FQ, BOX,
+     $      OTHER)) THEN
+          TURN = NODE
+          NODE = OTHER
+          OTHER = TURN
+        END IF
+        STACK(HEIGHT+1) = OTHER
+        STACK(HEIGHT+2) = NODE
+        HEIGHT = HEIGHT + 2
+        GO TO 10
+      END IF
+      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      DO 20 I = FIRST, LAST
+        IF (LINK(I) .NE. DONE) CALL TSCONS(X, P, ORD, RCTL, V, IQ, F,
+     $      FQ, I)
+   20 CONTINUE
+      GO TO 10
+      END
+
+C     TSONHU - does the facet lie in a plane known to bound the hull: 1,
+C     or 0.
+      INTEGER FUNCTION TSONHU(X, P, ORD, CTL, RCTL, V)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), CTL(*), V(3)
+      INTEGER HHPSID
+      INTEGER NPLANE, PLANE0, T3
+      PARAMETER (NPLANE = 12, PLANE0 = 13, T3 = 1)
+      INTEGER AT, I, K
+      DO 20 I = 1, CTL(NPLANE)
+        AT = PLANE0 + 3*(I - 1)
+        DO 10 K = 1, 3
+          IF (HHPSID(X, P, ORD, RCTL(T3), CTL(AT+1), CTL(AT+2),
+     $        CTL(AT+3), V(K)) .NE. 0) GO TO 20
+   10   CONTINUE
+        TSONHU = 1
+        RETURN
+   20 CONTINUE
+      TSONHU = 0
+      END
+
+C     TSPREP - begin the search for the apex of the facet V.  Its base
+C     is V(1), or if the angle there is small the vertex opposite to the
+C     longest edge.
+      SUBROUTINE TSPREP(X, V, IQ, F, FQ)
+      DOUBLE PRECISION X(3,*), F(12), FQ(7)
+      INTEGER V(3), IQ(3)
+      INTEGER QBEST, QSURE, QBALL, QL, QDL, QC, QDC, QSIZE
+      PARAMETER (QBEST = 1, QSURE = 2, QBALL = 3, QL = 1, QDL = 2)
+      PARAMETER (QC = 2, QDC = 6, QSIZE = 7)
+      DOUBLE PRECISION EPS
+      PARAMETER (EPS = 2.0D0**(-52))
+      DOUBLE PRECISION A(3), AB, B(3), BC, C(3), CA
+      INTEGER K
+      DO 10 K = 1, 3
+        A(K) = X(K,V(1))
+        B(K) = X(K,V(2))
+        C(K) = X(K,V(3))
+        FQ(QC+K) = 0.0D0
+   10 CONTINUE
+      IQ(QBEST) = 0
+      IQ(QSURE) = 0
+      IQ(QBALL) = 0
+      FQ(QL) = 0.0D0
+      FQ(QDL) = 0.0D0
+      FQ(QDC) = 0.0D0
+      FQ(QSIZE) = 0.0D0
+      CALL HHSETU(A, B, C, F)
+      IF (F(10) .LT. 8000.0D0*EPS) RETURN
+      AB = 0.0D0
+      BC = 0.0D0
+      CA = 0.0D0
+      DO 20 K = 1, 3
+        AB = AB + (B(K) - A(K))*(B(K) - A(K))
+        BC = BC + (C(K) - B(K))*(C(K) - B(K))
+        CA = CA + (A(K) - C(K))*(A(K) - C(K))
+   20 CONTINUE
+      IF (CA .GT. AB .AND. CA .GT. BC) THEN
+        CALL HHSETU(B, C, A, F)
+      ELSE IF (AB .GT. BC) THEN
+        CALL HHSETU(C, A, B, F)
+      END IF
+      END
+
+C     TSAPEX - the apex Z of the facet V on its positive side, or 0.
+C     GUESS: two positions to try first, or 0.
+      SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, LSX,
+     $                  LSID, LSI, LSD, V, GUESS, Z)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), ALIVE(*), LINK(*), CTL(*), LSID(TSLIST,2)
+      INTEGER LSI(3,2), V(3), GUESS(2), Z
+      INTEGER TSONHU
+      INTEGER NPLANE, NEXTPL, PLANE0, GRP, QBEST, QBALL, PLANES
+      PARAMETER (NPLANE = 12, NEXTPL = 13, PLANE0 = 13, GRP = 2)
+      PARAMETER (QBEST = 1, QBALL = 3, PLANES = 4)
+      DOUBLE PRECISION F(12), FQ(7)
+      INTEGER AT, IQ(3), K, OK
+      CALL TSPREP(X, V, IQ, F, FQ)
+      DO 10 K = 1, 2
+        IF (GUESS(K) .NE. 0) CALL TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ,
+     $      GUESS(K))
+   10 CONTINUE
+      IF (IQ(QBALL) .EQ. 0) CALL TSNEAR(X, P, ORD, RCTL, LSX, LSID,
+     $    LSI, LSD, GRP, V, IQ, F, FQ)
+      OK = 0
+      IF (IQ(QBALL) .EQ. 1) CALL TSINLI(X, P, ORD, BOX, RCTL, LSX,
+     $    LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      Z = IQ(QBEST)
+      IF (OK .EQ. 1) RETURN
+      IF (Z .EQ. 0) THEN
+        IF (TSONHU(X, P, ORD, CTL, RCTL, V) .EQ. 1) RETURN
+      END IF
+      CALL TSSEAR(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, V, IQ, F, FQ)
+      Z = IQ(QBEST)
+      IF (Z .EQ. 0) THEN
+        AT = PLANE0 + 3*(CTL(NEXTPL) - 1)
+        DO 20 K = 1, 3
+          CTL(AT+K) = V(K)
+   20   CONTINUE
+        CTL(NEXTPL) = MOD(CTL(NEXTPL), PLANES) + 1
+        CTL(NPLANE) = MIN(CTL(NPLANE) + 1, PLANES)
+      END IF
+      END
+
+C     ------------------------------------------------------------------
+C     The star of a vertex.
+C
+C     The open facets at S are the edges A -> B of its link: (S, A, B)
+C     is positive towards the unknown side.  They are a queue, which
+C     keeps the link's boundary short, and grow down from the end of the
+C     pool, EDGE integers each:
+C       ECODE   the facet's code; START for the first facet; DEAD
+C       EFROM   A
+C       ETO     B
+C       EPREV   an edge that ends where this one begins, or 0; and
+C       EAFTER  one that begins where it ends: they give the guesses
+C       ECHAIN  the next edge from A, or 0; LINK(A) is the first
+C     ------------------------------------------------------------------
+
+C     TSEDGE - edge E is at POOL(TSEDGE(CTL,E)+1), ....
+      INTEGER FUNCTION TSEDGE(CTL, E)
+      INTEGER CTL(*), E
+      INTEGER ROOM, EDGE
+      PARAMETER (ROOM = 5, EDGE = 6)
+      TSEDGE = CTL(ROOM) - EDGE*E
+      END
+
+C     TSRENU - number the edges from 1 on again.
+      SUBROUTINE TSRENU(LINK, POOL, CTL)
+      INTEGER LINK(*), POOL(*), CTL(*)
+      INTEGER TSEDGE
+      INTEGER OLDEST, NEDGE, ECODE, EFROM, EPREV, DEAD, EDGE
+      PARAMETER (OLDEST = 9, NEDGE = 10, ECODE = 1, EFROM = 2)
+      PARAMETER (EPREV = 4, DEAD = -2, EDGE = 6)
+      INTEGER AT, E, K, SHIFT, TO
+      SHIFT = CTL(OLDEST) - 1
+      DO 30 E = CTL(OLDEST), CTL(NEDGE)
+        AT = TSEDGE(CTL, E)
+        TO = TSEDGE(CTL, E - SHIFT)
+        IF (POOL(AT+ECODE) .NE. DEAD) THEN
+          IF (LINK(POOL(AT+EFROM)) .EQ. E) LINK(POOL(AT+EFROM)) = E -
+     $        SHIFT
+        END IF
+        DO 10 K = 1, EDGE
+          POOL(TO+K) = POOL(AT+K)
+   10   CONTINUE
+        DO 20 K = EPREV, EDGE
+          IF (POOL(TO+K) .NE. 0) POOL(TO+K) = POOL(TO+K) - SHIFT
+   20   CONTINUE
+   30 CONTINUE
+      CTL(NEDGE) = CTL(NEDGE) - SHIFT
+      CTL(OLDEST) = 1
+      END
+
+C     TSPUSH - a new edge A -> B without neighbours, if there is room: E
+C     is its number, or 0.
+      SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
+      INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
+      INTEGER TSEDGE
+      INTEGER ROOM, MPOOL, NEDGE, ECODE, EFROM, ETO, EPREV, EAFTER
+      INTEGER ECHAIN, ENTRY, EDGE
+      PARAMETER (ROOM = 5, MPOOL = 6, NEDGE = 10, ECODE = 1, EFROM = 2)
+      PARAMETER (ETO = 3, EPREV = 4, EAFTER = 5, ECHAIN = 6, ENTRY = 4)
+      PARAMETER (EDGE = 6)
+      INTEGER AT
+      E = 0
+      IF (ENTRY*CTL(MPOOL) .GT. CTL(ROOM) - EDGE*(CTL(NEDGE) +
+     $    1)) RETURN
+      CTL(NEDGE) = CTL(NEDGE) + 1
+      E = CTL(NEDGE)
+      AT = TSEDGE(CTL, E)
+      POOL(AT+ECODE) = CODE
+      POOL(AT+EFROM) = A
+      POOL(AT+ETO) = B
+      POOL(AT+EPREV) = 0
+      POOL(AT+EAFTER) = 0
+      POOL(AT+ECHAIN) = MAX(LINK(A), 0)
+      LINK(A) = E
+      END
+
+C     TSJOIN - let edge B follow edge A; either may be 0.
+      SUBROUTINE TSJOIN(POOL, CTL, A, B)
+      INTEGER POOL(*), CTL(*), A, B
+      INTEGER TSEDGE
+      INTEGER EPREV, EAFTER
+      PARAMETER (EPREV = 4, EAFTER = 5)
+      IF (A .NE. 0) POOL(TSEDGE(CTL, A)+EAFTER) = B
+      IF (B .NE. 0) POOL(TSEDGE(CTL, B)+EPREV) = A
+      END
+
+C     TSKILL - take edge E out of the link.
+      SUBROUTINE TSKILL(LINK, POOL, CTL, E)
+      INTEGER LINK(*), POOL(*), CTL(*), E
+      INTEGER TSEDGE
+      INTEGER OLDEST, NEDGE, ECODE, EFROM, ECHAIN, DEAD
+      PARAMETER (OLDEST = 9, NEDGE = 10, ECODE = 1, EFROM = 2)
+      PARAMETER (ECHAIN = 6, DEAD = -2)
+      INTEGER AT, I, PAST
+      AT = TSEDGE(CTL, E)
+      I = LINK(POOL(AT+EFROM))
+      IF (I .EQ. E) THEN
+        LINK(POOL(AT+EFROM)) = POOL(AT+ECHAIN)
+      ELSE
+   10   PAST = TSEDGE(CTL, I) + ECHAIN
+        IF (POOL(PAST) .NE. E) THEN
+          I = POOL(PAST)
+          GO TO 10
+        END IF
+        POOL(PAST) = POOL(AT+ECHAIN)
+      END IF
+      POOL(AT+ECODE) = DEAD
+   20 IF (CTL(NEDGE) .GE. CTL(OLDEST)) THEN
+        IF (POOL(TSEDGE(CTL, CTL(NEDGE))+ECODE) .EQ. DEAD) THEN
+          CTL(NEDGE) = CTL(NEDGE) - 1
+          GO TO 20
+        END IF
+      END IF
+   30 IF (CTL(NEDGE) .GE. CTL(OLDEST)) THEN
+        IF (POOL(TSEDGE(CTL, CTL(OLDEST))+ECODE) .EQ. DEAD) THEN
+          CTL(OLDEST) = CTL(OLDEST) + 1
+          GO TO 30
+        END IF
+      END IF
+      IF (CTL(NEDGE) .LT. CTL(OLDEST)) THEN
+        CTL(NEDGE) = 0
+        CTL(OLDEST) = 1
+      END IF
+      END
+
+C     TSBETW - the edge A -> B of the link, or 0.
+      INTEGER FUNCTION TSBETW(LINK, POOL, CTL, A, B)
+      INTEGER LINK(*), POOL(*), CTL(*), A, B
+      INTEGER TSEDGE
+      INTEGER ETO, ECHAIN
+      PARAMETER (ETO = 3, ECHAIN = 6)
+      INTEGER AT, E
+      E = MAX(LINK(A), 0)
+   10 IF (E .NE. 0) THEN
+        AT = TSEDGE(CTL, E)
+        IF (POOL(AT+ETO) .NE. B) THEN
+          E = POOL(AT+ECHAIN)
+          GO TO 10
+        END IF
+      END IF
+      TSBETW = E
+      END
+
+C     TSMEET - the facets of two codes are one.
+      SUBROUTINE TSMEET(ADJ, CODE, OTHER)
+      INTEGER ADJ(*), CODE, OTHER
+      ADJ(CODE) = (OTHER - 1)/4 + 1
+      ADJ(OTHER) = (CODE - 1)/4 + 1
+      END
+
+C     TSFLUS - enter the facets opposite to S of the tetrahedra from
+C     FRESH on into the pool, or close them if it has their other sides.
+C     They wait for each other so that the processor can fetch what
+C     several need from memory at once.
+      SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
+      INTEGER TSFIND, TSSIGN
+      INTEGER NT, FRESH, ENTRY
+      PARAMETER (NT = 2, FRESH = 8, ENTRY = 4)
+      INTEGER CODE, E, SIG, T, V(3)
+      DO 10 T = CTL(FRESH), CTL(NT)
+        CODE = 4*(T - 1) + 1
+        CALL TSFACE(TET, CODE, V)
+        SIG = TSSIGN(V)
+        E = TSFIND(TET, POOL, CTL, V, SIG)
+        IF (E .EQ. 0) THEN
+          CALL TSPUTI(HEAD, POOL, CTL, CODE, V(1), SIG)
+        ELSE
+          CALL TSMEET(ADJ, CODE, POOL(ENTRY*(E-1)+1))
+          CALL TSTAKO(TET, HEAD, POOL, CTL, E, V(1))
+        END IF
+   10 CONTINUE
+      CTL(FRESH) = CTL(NT) + 1
+      END
+
+C     TSGROW - store the tetrahedron of S, edge E = A -> B and the apex
+C     C: A -> C and C -> B take the place of E in the link, unless their
+C     other sides are there, which then go too.
+      SUBROUTINE TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
+      INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
+      INTEGER TSBETW, TSEDGE
+      INTEGER NT, ECODE, EFROM, ETO, EPREV, EAFTER, OPEN, NEW, START
+      PARAMETER (NT = 2, ECODE = 1, EFROM = 2, ETO = 3, EPREV = 4)
+      PARAMETER (EAFTER = 5, OPEN = -1, NEW = -2, START = -1)
+      INTEGER A, AFTER, AT, B, CODE, F, G, H, PREV, T
+      AT = TSEDGE(CTL, E)
+      CODE = POOL(AT+ECODE)
+      A = POOL(AT+EFROM)
+      B = POOL(AT+ETO)
+      PREV = POOL(AT+EPREV)
+      AFTER = POOL(AT+EAFTER)
+      T = CTL(NT) + 1
+      CTL(NT) = T
+      TET(1,T) = S
+      TET(2,T) = A
+      TET(3,T) = B
+      TET(4,T) = C
+      IF (CODE .EQ. START) THEN
+        ADJ(4*T) = 0
+      ELSE
+        CALL TSMEET(ADJ, CODE, 4*T)
+      END IF
+      IF (LINK(C) .EQ. NEW) LINK(C) = 0
+      CALL TSKILL(LINK, POOL, CTL, E)
+C     until TSFLUS
+      ADJ(4*T-3) = OPEN
+
+C     A -> C; PREV becomes the edge that ends at C
+      F = TSBETW(LINK, POOL, CTL, C, A)
+      IF (F .EQ. 0) THEN
+        ADJ(4*T-1) = OPEN
+        CALL TSPUSH(LINK, POOL, CTL, 4*T - 1, A, C, F)
+        CALL TSJOIN(POOL, CTL, PREV, F)
+        PREV = F
+      ELSE
+        AT = TSEDGE(CTL, F)
+        CALL TSMEET(ADJ, 4*T - 1, POOL(AT+ECODE))
+        G = POOL(AT+EPREV)
+        H = POOL(AT+EAFTER)
+        IF (F .NE. PREV) CALL TSJOIN(POOL, CTL, PREV, H)
+        PREV = G
+        CALL TSKILL(LINK, POOL, CTL, F)
+      END IF
+C     C -> B
+      F = TSBETW(LINK, POOL, CTL, B, C)
+      IF (F .EQ. 0) THEN
+        ADJ(4*T-2) = OPEN
+        CALL TSPUSH(LINK, POOL, CTL, 4*T - 2, C, B, F)
+        CALL TSJOIN(POOL, CTL, PREV, F)
+        CALL TSJOIN(POOL, CTL, F, AFTER)
+      ELSE
+        AT = TSEDGE(CTL, F)
+        CALL TSMEET(ADJ, 4*T - 2, POOL(AT+ECODE))
+        G = POOL(AT+EPREV)
+        H = POOL(AT+EAFTER)
+        CALL TSJOIN(POOL, CTL, PREV, H)
+        IF (F .NE. AFTER) CALL TSJOIN(POOL, CTL, G, AFTER)
+        CALL TSKILL(LINK, POOL, CTL, F)
+      END IF
+      END
+
+C     TSENLI - make an open facet at S, of the given code, an edge of
+C     the link: E is its number, or 0 if there is no room.
+      SUBROUTINE TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
+      INTEGER TET(4,*), LINK(*), POOL(*), CTL(*), S, CODE, E
+      INTEGER K, V(3)
+      CALL TSFACE(TET, CODE, V)
+      K = 3
+      IF (V(2) .EQ. S) K = 2
+      IF (V(1) .EQ. S) K = 1
+      CALL TSPUSH(LINK, POOL, CTL, CODE, V(MOD(K, 3)+1), V(MOD(K+1,
+     $            3)+1), E)
+      END
+
+C     TSFOLL - let every edge of the link be followed by one that begins
+C     where it ends and follows no other, if there is one.
+      SUBROUTINE TSFOLL(LINK, POOL, CTL)
+      INTEGER LINK(*), POOL(*), CTL(*)
+      INTEGER TSEDGE
+      INTEGER NEDGE, ETO, EPREV, ECHAIN
+      PARAMETER (NEDGE = 10, ETO = 3, EPREV = 4, ECHAIN = 6)
+      INTEGER AT, E, F
+      DO 20 E = 1, CTL(NEDGE)
+        F = LINK(POOL(TSEDGE(CTL, E)+ETO))
+        IF (F .LT. 0) GO TO 20
+   10   IF (F .NE. 0) THEN
+          AT = TSEDGE(CTL, F)
+          IF (POOL(AT+EPREV) .NE. 0) THEN
+            F = POOL(AT+ECHAIN)
+            GO TO 10
+          END IF
+        END IF
+        CALL TSJOIN(POOL, CTL, E, F)
+   20 CONTINUE
+      END
+
+C     TSLOAD - move the facets that S owns from the pool to the link,
+C     the oldest first.  OK is 1, or 0 if there is no room.
+      SUBROUTINE TSLOAD(TET, HEAD, LINK, POOL, CTL, S, OK)
+      INTEGER TET(4,*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
+      INTEGER ENTRY
+      PARAMETER (ENTRY = 4)
+      INTEGER CODE, E, F
+      OK = 1
+      E = HEAD(S)
+      IF (E .EQ. 0) RETURN
+   10 IF (POOL(ENTRY*(E-1)+2) .NE. 0) THEN
+        E = POOL(ENTRY*(E-1)+2)
+        GO TO 10
+      END IF
+   20 IF (E .NE. 0) THEN
+        CODE = POOL(ENTRY*(E-1)+1)
+        CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, F)
+        IF (F .EQ. 0) THEN
+          OK = 0
+          RETURN
+        END IF
+        E = POOL(ENTRY*(E-1)+3)
+        GO TO 20
+      END IF
+   30 E = HEAD(S)
+      IF (E .NE. 0) THEN
+        CALL TSTAKO(TET, HEAD, POOL, CTL, E, S)
+        GO TO 30
+      END IF
+      CALL TSFOLL(LINK, POOL, CTL)
+      END
+
+C     TSCMPL - the star of S is complete: S leaves the tree and the
+C     lists.
+      SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSID, LSI, S)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST,2), LSI(3,2), S
+      INTEGER TSLEAF
+      INTEGER LEAVES, LFIRST, LLAST, LN, BLK, GRP, DONE
+      PARAMETER (LEAVES = 4, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1)
+      PARAMETER (GRP = 2, DONE = -1)
+      REAL FAR
+      PARAMETER (FAR = 1.0E10)
+      INTEGER I, LIST, NODE
+      IF (LINK(S) .EQ. DONE) RETURN
+      LINK(S) = DONE
+      NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
+   10 IF (NODE .GT. 0) THEN
+        ALIVE(NODE) = ALIVE(NODE) - 1
+        IF (ALIVE(NODE) .EQ. 0) THEN
+          NODE = NODE/2
+          GO TO 10
+        END IF
+      END IF
+      I = S - LSI(LFIRST,BLK) + 1
+      DO 40 LIST = BLK, GRP
+        IF (S .LT. LSI(LFIRST,LIST) .OR. S .GT. LSI(LLAST,LIST)) RETURN
+        IF (LIST .EQ. GRP) THEN
+          DO 20 I = 1, LSI(LN,GRP)
+            IF (LSID(I,GRP) .EQ. S) GO TO 30
+   20     CONTINUE
+          RETURN
+        END IF
+   30   LSX(I,1,LIST) = FAR
+        LSX(I,2,LIST) = FAR
+        LSX(I,3,LIST) = FAR
+        LSX(I,4,LIST) = FAR*FAR
+   40 CONTINUE
+      END
+
+C     TSROOM - make sure of room for another tetrahedron's facets in the
+C     pool and in the link of S.  OK is 1, or 0.
+      SUBROUTINE TSROOM(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
+      INTEGER NT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEDGE, ENTRY, EDGE
+      PARAMETER (NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
+      PARAMETER (OLDEST = 9, NEDGE = 10, ENTRY = 4, EDGE = 6)
+      INTEGER INFO
+      OK = 1
+      IF (4*(CTL(NOPEN) + CTL(NT) - CTL(FRESH) +
+     $    1) .GE. 3*CTL(MPOOL)) THEN
+        CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+        IF (4*CTL(NOPEN) .GE. 3*CTL(MPOOL)) THEN
+          CALL TSWIDE(TET, ADJ, HEAD, POOL, CTL, S, 2*CTL(MPOOL) + 1,
+     $                INFO)
+          IF (INFO .NE. 0 .AND. CTL(NOPEN) .GE. CTL(MPOOL) -
+     $        CTL(MPOOL)/8 - 1) OK = 0
+          IF (OK .EQ. 0) RETURN
+        END IF
+      END IF
+      IF (ENTRY*CTL(MPOOL) .GT. CTL(ROOM) - EDGE*(CTL(NEDGE) + 2)) THEN
+        IF (CTL(OLDEST) - 1 .GT. CTL(NEDGE)/2) THEN
+          CALL TSRENU(LINK, POOL, CTL)
+        ELSE
+          CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+          OK = 0
+        END IF
+      END IF
+      END
+
+C     TSSTAR - complete the star of S, whose open facets are the edges
+C     of the link.  INFO is 0, MORE or FULL.
+      SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
+     $                  POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
+      INTEGER POOL(*), CTL(*), LSID(TSLIST,2), LSI(3,2), S, INFO
+      INTEGER TSEDGE
+      INTEGER NT, MAXT, OLDEST, NEDGE, ECODE, EFROM, ETO, EPREV, EAFTER
+      INTEGER MORE, FULL
+      PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEDGE = 10, ECODE = 1)
+      PARAMETER (EFROM = 2, ETO = 3, EPREV = 4, EAFTER = 5, MORE = 1)
+      PARAMETER (FULL = 2)
+      INTEGER AFTER, AT, C, E, GUESS(2), OK, PREV, V(3)
+   10 IF (CTL(NEDGE) .GT. 0) THEN
+        E = CTL(OLDEST)
+        AT = TSEDGE(CTL, E)
+        V(1) = S
+        V(2) = POOL(AT+EFROM)
+        V(3) = POOL(AT+ETO)
+        PREV = POOL(AT+EPREV)
+        AFTER = POOL(AT+EAFTER)
+        GUESS(1) = 0
+        GUESS(2) = 0
+        IF (PREV .NE. 0) GUESS(1) = POOL(TSEDGE(CTL, PREV)+EFROM)
+        IF (AFTER .NE. 0) GUESS(2) = POOL(TSEDGE(CTL, AFTER)+ETO)
+        CALL TSGATH(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $              LSD, S)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID,
+     $              LSI, LSD, V, GUESS, C)
+        IF (C .EQ. 0) THEN
+          ADJ(POOL(AT+ECODE)) = 0
+          IF (PREV .NE. 0) POOL(TSEDGE(CTL, PREV)+EAFTER) = 0
+          IF (AFTER .NE. 0) POOL(TSEDGE(CTL, AFTER)+EPREV) = 0
+          CALL TSKILL(LINK, POOL, CTL, E)
+          GO TO 10
+        END IF
+        IF (CTL(NT) .EQ. CTL(MAXT)) THEN
+          CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+          INFO = MORE
+          RETURN
+        END IF
+        CALL TSROOM(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+        IF (OK .EQ. 0) THEN
+          INFO = FULL
+          RETURN
+        END IF
+        E = CTL(OLDEST)
+        CALL TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
+        GO TO 10
+      END IF
+      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+      CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSID, LSI, S)
+      INFO = 0
+      END
+
+C     TSSTRS - complete star after star, from S on if it has edges in
+C     the link.  INFO is 0, MORE or FULL.
+      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
+     $                  POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
+      INTEGER POOL(*), CTL(*), LSID(TSLIST,2), LSI(3,2), S, INFO
+      INTEGER NP, NEDGE, LOW, FULL
+      PARAMETER (NP = 1, NEDGE = 10, LOW = 11, FULL = 2)
+      INTEGER OK
+   10 IF (CTL(NEDGE) .GT. 0) THEN
+        CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
+     $              CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+        IF (INFO .NE. 0) RETURN
+      END IF
+      DO 20 S = CTL(LOW), CTL(NP)
+        IF (HEAD(S) .NE. 0) GO TO 30
+C       no open facet has a vertex of smaller position than LOW, so one
+C       that was met before and owns none is complete
+        IF (LINK(S) .EQ. 0) CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSID,
+     $      LSI, S)
+   20 CONTINUE
+      INFO = 0
+      RETURN
+   30 CTL(LOW) = S
+      CALL TSLOAD(TET, HEAD, LINK, POOL, CTL, S, OK)
+      INFO = FULL
+      IF (OK .EQ. 1) GO TO 10
+      END
+
+C     ------------------------------------------------------------------
+C     The first facet (Section 2): a facet of the hull by gift wrapping.
+C     ------------------------------------------------------------------
+
+C     TSLESS - is point I lexicographically before point J: 1, or 0.
+      INTEGER FUNCTION TSLESS(P, ORD, I, J)
+      DOUBLE PRECISION P(3,*)
+      INTEGER ORD(*), I, J
+      INTEGER K
+      TSLESS = 1
+      DO 10 K = 1, 3
+        IF (P(K,ORD(I)) .LT. P(K,ORD(J))) RETURN
+        IF (P(K,ORD(I)) .GT. P(K,ORD(J))) GO TO 20
+   10 CONTINUE
+   20 TSLESS = 0
+      END
+
+C     TSEDBY - does point I come before point J when a plane that holds
+C     the z direction is wrapped about A, the lexicographically least
+C     point, and then, in that plane, a line: 1, or 0.  The first of all
+C     ends an edge of the hull that no other point lies on.
+      INTEGER FUNCTION TSEDBY(P, ORD, A, I, J)
+      DOUBLE PRECISION P(3,*)
+      INTEGER ORD(*), A, I, J
+      INTEGER HHFLAT, TSLESS
+      DOUBLE PRECISION O(3), Q(3), Z(3)
+      INTEGER K, PABOVE, QABOVE, TURN
+      DO 10 K = 1, 3
+        O(K) = P(K,ORD(A))
+        Z(K) = P(K,ORD(I))
+        Q(K) = P(K,ORD(J))
+   10 CONTINUE
+      PABOVE = 1
+      QABOVE = 1
+      DO 20 K = 1, 2
+        IF (Z(K) .LT. O(K) .OR. Z(K) .GT. O(K)) PABOVE = 0
+        IF (Q(K) .LT. O(K) .OR. Q(K) .GT. O(K)) QABOVE = 0
+   20 CONTINUE
+      TSEDBY = 0
+      IF (PABOVE .NE. QABOVE) THEN
+        TSEDBY = QABOVE
+      ELSE IF (PABOVE .EQ. 1) THEN
+        IF (Z(3) .LT. Q(3)) TSEDBY = 1
+      ELSE
+        TURN = HHFLAT(3, O, Q, Z)
+        IF (TURN .EQ. 0) THEN
+          IF (Q(1) .LT. O(1) .OR. Q(1) .GT. O(1)) THEN
+            TURN = -HHFLAT(2, O, Q, Z)
+          ELSE
+            TURN = HHFLAT(1, O, Q, Z)
+          END IF
+        END IF
+        IF (TURN .LT. 0) TSEDBY = 1
+        IF (TURN .EQ. 0) TSEDBY = TSLESS(P, ORD, I, J)
+      END IF
+      END
+
+C     TSONAL - are three points collinear: 1, or 0.
+      INTEGER FUNCTION TSONAL(P, ORD, I, J, K)
+      DOUBLE PRECISION P(3,*)
+      INTEGER ORD(*), I, J, K
+      INTEGER HHFLAT
+      DOUBLE PRECISION A(3), B(3), C(3)
+      INTEGER AXIS
+      DO 10 AXIS = 1, 3
+        A(AXIS) = P(AXIS,ORD(I))
+        B(AXIS) = P(AXIS,ORD(J))
+        C(AXIS) = P(AXIS,ORD(K))
+   10 CONTINUE
+      TSONAL = 0
+      DO 20 AXIS = 1, 3
+        IF (HHFLAT(AXIS, A, B, C) .NE. 0) RETURN
+   20 CONTINUE
+      TSONAL = 1
+      END
+
+C     TSFIRS - the first facet V, in the hull, all points on its
+C     positive side.  On a hull face of more than three points it is, by
+C     the rule of ties, the triangle on the edge V(1) V(2) of the face:
+C     of two points A, B of the face B is better iff I(V1, V2, A, W, B)
+C     o3(V1, V2, A, W) > 0 for any W off the face.  INFO is 0, or the
+C     code of points without a tetrahedron.
+      SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), CTL(*), V(3), INFO
+      INTEGER HHPBAL, HHPSID, TSEDBY, TSLESS, TSONAL
+      INTEGER NP, T3, T5, PLANAR, LINEAR, SINGLE
+      PARAMETER (NP = 1, T3 = 1, T5 = 2, PLANAR = 3, LINEAR = 4)
+      PARAMETER (SINGLE = 5)
+      INTEGER I, SIDE, W
+      INFO = SINGLE
+      IF (CTL(NP) .LT. 2) RETURN
+      V(1) = 1
+      DO 10 I = 2, CTL(NP)
+        IF (TSLESS(P, ORD, I, V(1)) .EQ. 1) V(1) = I
+   10 CONTINUE
+      V(2) = 1
+      IF (V(1) .EQ. 1) V(2) = 2
+      DO 20 I = 1, CTL(NP)
+        IF (I .NE. V(1) .AND. I .NE. V(2)) THEN
+          IF (TSEDBY(P, ORD, V(1), I, V(2)) .EQ. 1) V(2) = I
+        END IF
+   20 CONTINUE
+      INFO = LINEAR
+      DO 30 I = 1, CTL(NP)
+        IF (TSONAL(P, ORD, V(1), V(2), I) .EQ. 0) GO TO 40
+   30 CONTINUE
+      RETURN
+   40 V(3) = I
+      W = 0
+      DO 50 I = 1, CTL(NP)
+        SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), I)
+        IF (SIDE .NE. 0) W = I
+        IF (SIDE .LT. 0) THEN
+          W = V(3)
+          V(3) = I
+        END IF
+   50 CONTINUE
+      INFO = PLANAR
+      IF (W .EQ. 0) RETURN
+      DO 60 I = 1, CTL(NP)
+        IF (I .NE. V(3)) THEN
+          IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
+     $        I) .EQ. 0) THEN
+            IF (TSONAL(P, ORD, V(1), V(2), I) .EQ. 0) THEN
+              IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V(1), V(2),
+     $            V(3), W, I) .LT. 0) V(3) = I
+            END IF
+          END IF
+        END IF
+   60 CONTINUE
+      INFO = 0
+      END
+
+C     TSBEGI - the first facet becomes an edge of the link of its vertex
+C     of least position, S.
+      SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
+      INTEGER START, FULL
+      PARAMETER (START = -1, FULL = 2)
+      INTEGER E, I, K, V(3)
+      CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
+      IF (INFO .NE. 0) RETURN
+      K = 3
+      IF (V(2) .LT. V(3)) K = 2
+      IF (V(1) .LT. V(2) .AND. V(1) .LT. V(3)) K = 1
+      S = V(K)
+      DO 10 I = 1, 3
+        LINK(V(I)) = 0
+   10 CONTINUE
+      CALL TSPUSH(LINK, POOL, CTL, START, V(MOD(K, 3)+1), V(MOD(K+1,
+     $            3)+1), E)
+      IF (E .EQ. 0) INFO = FULL
+      END
+
+C     ------------------------------------------------------------------
+C     Preparation, and the way back.
+C     ------------------------------------------------------------------
+
+C     TSLCOU - the leaves of the tree of N points: a power of two.
+      INTEGER FUNCTION TSLCOU(N)
+      INTEGER N
+      INTEGER LEAF
+      PARAMETER (LEAF = 48)
+      INTEGER LVS
+      LVS = 1
+   10 IF (LVS .LT. N/LEAF + MIN(MOD(N, LEAF), 1)) THEN
+        LVS = 2*LVS
+        GO TO 10
+      END IF
+      TSLCOU = LVS
+      END
+
+C     TSSIDE - the least C with C**3 >= N.
+      INTEGER FUNCTION TSSIDE(N)
+      INTEGER N
+      INTEGER C
+      C = 1
+   10 IF (DBLE(C)*DBLE(C)*DBLE(C) .LT. DBLE(N)) THEN
+        C = C + 1
+        GO TO 10
+      END IF
+      TSSIDE = C
+      END
+
+C     TSTABL - entries of the pool to begin with: a little more than
+C     what uniform points need, as a small table stays in the cache.
+      INTEGER FUNCTION TSTABL(N)
+      INTEGER N
+      INTEGER TSSIDE
+      TSTABL = 6*TSSIDE(N)**2 + 16
+      END
+
+C     TSFINI - is every coordinate of point I finite: 1, or 0.
+C
+C     Nested comparisons: the one form that also works where the
+C     compiler assumes that there are no NaNs.
+      INTEGER FUNCTION TSFINI(P, I)
+      DOUBLE PRECISION P(3,*)
+      INTEGER I
+      DOUBLE PRECISION HUGE
+      PARAMETER (HUGE = 1.7976931348623157D308)
+      INTEGER K, N
+      N = 0
+      DO 10 K = 1, 3
+        IF (P(K,I) .LE. HUGE) THEN
+          IF (P(K,I) .GE. -HUGE) N = N + 1
+        END IF
+   10 CONTINUE
+      TSFINI = 0
+      IF (N .EQ. 3) TSFINI = 1
+      END
+
+C     TSLENG - the least lengths of IW and RW, and what is recommended
+C     besides as pool.  Uniform points need 5 N**(2/3) facets; a star of
+C     all points 2 N, which takes 12 N integers, given up to MUCH.  OK
+C     is 1, or 0 if the least lengths exceed the largest integer.
+      SUBROUTINE TSLENG(N, LIW, LRW, ROOM, OK)
+      INTEGER N, LIW, LRW, ROOM, OK
+      INTEGER TSLCOU, TSSIDE
+      INTEGER LEAST, INTMAX
+      PARAMETER (LEAST = 512, INTMAX = 2147483647)
+      DOUBLE PRECISION MUCH
+      PARAMETER (MUCH = 320000.0D0)
+      DOUBLE PRECISION C, EXTRA
+      LIW = 0
+      LRW = 0
+      ROOM = 0
+      OK = 0
+C     2 TSLCOU(N) <= N/12 + 2
+      IF (N .GT. (INTMAX - LEAST)/5) RETURN
+      LIW = 4*N + 2*TSLCOU(N) + LEAST
+      LRW = 3*N + 12*TSLCOU(N)
+      C = DBLE(TSSIDE(N))
+      EXTRA = MAX(MIN(8.0D0*DBLE(N), MUCH), 60.0D0*C*C) + 4.0D0*DBLE(N)
+      ROOM = INT(MIN(EXTRA, DBLE(INTMAX) - DBLE(LIW)))
+      OK = 1
+      END
+
+C     TSCOLL - the points that stand for themselves, in their order.
+      SUBROUTINE TSCOLL(X, P, ORD, REP, CTL, N)
+      DOUBLE PRECISION X(3,*), P(3,*)
+      INTEGER ORD(*), REP(*), CTL(*), N
+      INTEGER TSLCOU
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      INTEGER I, J, K
+      J = 0
+      DO 20 I = 1, N
+        IF (REP(I) .EQ. I) THEN
+          J = J + 1
+          DO 10 K = 1, 3
+            X(K,J) = P(K,I)
+   10     CONTINUE
+          ORD(J) = I
+        END IF
+   20 CONTINUE
+      CTL(NP) = J
+      CTL(LEAVES) = TSLCOU(J)
+      END
+
+C     TSINRA - can the exact arithmetic hold all coordinates, of
+C     absolute value at most TOP: 1, or 0.  They may need more than
+C     HHLIM limbs.  (Where subnormal numbers are taken for zero, so are
+C     such coordinates: nothing in Fortran 77 can tell.)
+      INTEGER FUNCTION TSINRA(X, CTL, TOP)
+      DOUBLE PRECISION X(3,*), TOP
+      INTEGER CTL(*)
+      INTEGER HHRANG
+      DOUBLE PRECISION HHLDEX
+      INTEGER NP, HHLIM, BITS, DIGITS
+      PARAMETER (NP = 1, HHLIM = 88, BITS = 24, DIGITS = 53)
+      DOUBLE PRECISION BOTTOM
+      INTEGER I, K
+      BOTTOM = HHLDEX(TOP, (3 - HHLIM)*BITS + DIGITS)
+      TSINRA = 0
+      DO 20 I = 1, CTL(NP)
+        DO 10 K = 1, 3
+          IF (ABS(X(K,I)) .LT. BOTTOM .AND. ABS(X(K,I)) .GT. 0.0D0) THEN
+            IF (HHRANG(X(K,I), TOP) .NE. 0) RETURN
+          END IF
+   10   CONTINUE
+   20 CONTINUE
+      TSINRA = 1
+      END
+
+C     TSTIME - all coordinates times 2**E, a normal double.
+      SUBROUTINE TSTIME(X, CTL, E)
+      DOUBLE PRECISION X(3,*)
+      INTEGER CTL(*), E
+      DOUBLE PRECISION HHLDEX
+      INTEGER NP
+      PARAMETER (NP = 1)
+      DOUBLE PRECISION FACTOR
+      INTEGER I, K
+      IF (E .EQ. 0) RETURN
+      FACTOR = HHLDEX(1.0D0, E)
+      DO 20 I = 1, CTL(NP)
+        DO 10 K = 1, 3
+          X(K,I) = X(K,I)*FACTOR
+   10   CONTINUE
+   20 CONTINUE
+      END
+
+C     TSUNIT - how many equal units, the fewest a power of two, make 1
+C     such that all scaled coordinates are whole multiples; 0 for more
+C     than 2**30.
+      DOUBLE PRECISION FUNCTION TSUNIT(X, CTL)
+      DOUBLE PRECISION X(3,*)
+      INTEGER CTL(*)
+      INTEGER NP
+      PARAMETER (NP = 1)
+      DOUBLE PRECISION U
+      INTEGER I, K
+      TSUNIT = 0.0D0
+      U = 1.0D0
+      DO 30 I = 1, CTL(NP)
+        DO 20 K = 1, 3
+   10     IF (ABS(X(K,I)*U - DBLE(INT(X(K,I)*U))) .GT. 0.0D0) THEN
+            IF (U .GT. 5.0D8) RETURN
+            U = 2.0D0*U
+            GO TO 10
+          END IF
+   20   CONTINUE
+   30 CONTINUE
+      TSUNIT = U
+      END
+
+C     TSSCAL - bring the sorted coordinates to an absolute value of at
+C     most 1 by a power of two, in two steps where one might overflow,
+C     and find whether they are small whole multiples of one unit.  INFO
+C     is 0, or RANGE.
+      SUBROUTINE TSSCAL(X, CTL, RCTL, INFO)
+      DOUBLE PRECISION X(3,*), RCTL(*)
+      INTEGER CTL(*), INFO
+      INTEGER HHFREX, TSINRA
+      DOUBLE PRECISION TSUNIT
+      INTEGER NP, T3, T5, DIGITS, RANGE
+      PARAMETER (NP = 1, T3 = 1, T5 = 2, DIGITS = 53, RANGE = 6)
+      DOUBLE PRECISION TOP, U
+      INTEGER E, I, K
+      INFO = 0
+      RCTL(T3) = -1.0D0
+      RCTL(T5) = -1.0D0
+      TOP = 0.0D0
+      DO 20 I = 1, CTL(NP)
+        DO 10 K = 1, 3
+          TOP = MAX(TOP, ABS(X(K,I)))
+   10   CONTINUE
+   20 CONTINUE
+      IF (TOP .LE. 0.0D0) RETURN
+      INFO = RANGE
+      IF (TSINRA(X, CTL, TOP) .EQ. 0) RETURN
+      INFO = 0
+      E = HHFREX(TOP)
+      CALL TSTIME(X, CTL, -(E/2))
+      CALL TSTIME(X, CTL, -(E - E/2))
+      U = TSUNIT(X, CTL)
+      IF (U .GT. 0.0D0) THEN
+C       up to 2**52 units of the determinant's degree
+        RCTL(T3) = 2.0D0**(DIGITS-1)/U/U/U
+        RCTL(T5) = RCTL(T3)/U/U
+      END IF
+      END
+
+C     TSSORT - sort the points, drop the duplicates, build the tree.
+C     INFO is 0, SINGLE or RANGE.
+      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, HEAD, LINK, CTL,
+     $                  RCTL, N, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*)
+      INTEGER ORD(*), ALIVE(*), REP(*), HEAD(*), LINK(*), CTL(*), N
+      INTEGER INFO
+      INTEGER TSBOUN
+      INTEGER NP, LEAVES, RREACH, NEW, SINGLE
+      PARAMETER (NP = 1, LEAVES = 4, RREACH = 3, NEW = -2, SINGLE = 5)
+      DOUBLE PRECISION REACH
+      PARAMETER (REACH = 2.75D0)
+      DOUBLE PRECISION MEAN
+      INTEGER I
+      DO 10 I = 1, N
+        REP(I) = I
+   10 CONTINUE
+      CALL TSCOLL(X, P, ORD, REP, CTL, N)
+      INFO = SINGLE
+      IF (N .EQ. 0) RETURN
+      CALL TSKDSO(X, ORD, REP, CTL)
+      DO 20 I = 1, N
+        REP(I) = REP(REP(I))
+   20 CONTINUE
+      DO 30 I = 1, N
+        IF (REP(I) .NE. I) THEN
+C         the cuts may have parted duplicates: once more without them
+          CALL TSCOLL(X, P, ORD, REP, CTL, N)
+          CALL TSKDSO(X, ORD, REP, CTL)
+          GO TO 40
+        END IF
+   30 CONTINUE
+   40 CALL TSSCAL(X, CTL, RCTL, INFO)
+      IF (INFO .NE. 0) RETURN
+      CALL TSBOXE(X, BOX, CTL)
+C     one over the cube root of the points in a leaf, 24 to 48 in large
+C     sets, by a step of Newton's method
+      MEAN = DBLE(CTL(NP))/DBLE(CTL(LEAVES))
+      RCTL(RREACH) = REACH/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
+     $    MEAN/(3.2D0*3.2D0))
+      DO 50 I = 1, CTL(NP)
+        HEAD(I) = 0
+        LINK(I) = NEW
+   50 CONTINUE
+      DO 60 I = 1, CTL(LEAVES) - 1
+        ALIVE(I) = 2
+   60 CONTINUE
+      DO 70 I = 1, CTL(LEAVES)
+        ALIVE(CTL(LEAVES)+I-1) = TSBOUN(CTL, I + 1) - TSBOUN(CTL, I)
+   70 CONTINUE
+      END
+
+C     TSREST - take up an unfinished result: TET to positions; what is
+C     complete leaves the tree; the open facets at S, the first vertex
+C     of the last tetrahedron, become edges of its link in the order of
+C     their tetrahedra, the others enter the pool.  INFO is 0, -5, or
+C     FULL.
+C
+C     HEAD has the positions of the points at first.
+      SUBROUTINE TSREST(ORD, TET, ADJ, ALIVE, HEAD, LINK, POOL, CTL,
+     $                  LSX, LSID, LSI, N, S, INFO)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
+      INTEGER POOL(*), CTL(*), LSID(TSLIST,2), LSI(3,2), N, S, INFO
+      INTEGER TSTABL
+      INTEGER NP, NT, MPOOL, LOW, OPEN, DONE, FULL
+      PARAMETER (NP = 1, NT = 2, MPOOL = 6, LOW = 11, OPEN = -1)
+      PARAMETER (DONE = -1, FULL = 2)
+      INTEGER CODE, E, I, K, LENGTH, T, V(3)
+      INFO = -5
+      DO 10 I = 1, N
+        HEAD(I) = 0
+   10 CONTINUE
+      DO 20 I = 1, CTL(NP)
+        HEAD(ORD(I)) = I
+   20 CONTINUE
+      DO 40 T = 1, CTL(NT)
+        DO 30 K = 1, 4
+          IF (HEAD(TET(K,T)) .EQ. 0) RETURN
+   30   CONTINUE
+   40 CONTINUE
+      DO 60 T = 1, CTL(NT)
+        DO 50 K = 1, 4
+          TET(K,T) = HEAD(TET(K,T))
+          LINK(TET(K,T)) = DONE
+   50   CONTINUE
+   60 CONTINUE
+      DO 80 CODE = 1, 4*CTL(NT)
+        IF (ADJ(CODE) .EQ. OPEN) THEN
+          CALL TSFACE(TET, CODE, V)
+          DO 70 K = 1, 3
+            LINK(V(K)) = 0
+   70     CONTINUE
+        END IF
+   80 CONTINUE
+      DO 90 I = 1, CTL(NP)
+        IF (LINK(I) .EQ. DONE) THEN
+          LINK(I) = 0
+          CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSID, LSI, I)
+        END IF
+   90 CONTINUE
+      S = TET(1,CTL(NT))
+      INFO = FULL
+      DO 110 T = 1, CTL(NT)
+        DO 100 CODE = 4*T, 4*T - 3, -1
+          IF (ADJ(CODE) .EQ. OPEN) THEN
+            CALL TSFACE(TET, CODE, V)
+            IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) THEN
+              CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
+              IF (E .EQ. 0) RETURN
+            END IF
+          END IF
+  100   CONTINUE
+  110 CONTINUE
+      CALL TSFOLL(LINK, POOL, CTL)
+      CTL(LOW) = CTL(NP) + 1
+      LENGTH = TSTABL(CTL(NP))
+  120 I = CTL(MPOOL)
+      CALL TSWIDE(TET, ADJ, HEAD, POOL, CTL, S, LENGTH, INFO)
+      IF (INFO .EQ. 0 .OR. CTL(MPOOL) .EQ. I) RETURN
+      LENGTH = 2*CTL(MPOOL) + 1
+      GO TO 120
+      END
+
+C     TSRUN - TESS and TESSRE, of arguments that are right but for P and
+C     the indices in TET.
+      SUBROUTINE TSRUN(N, P, MAXTET, NTET, TET, ADJ, X, BOX, REP, ORD,
+     $                 HEAD, LINK, ALIVE, LENGTH, POOL, INFO)
+      DOUBLE PRECISION P(3,*), X(3,*), BOX(6,*)
+      INTEGER N, MAXTET, NTET, TET(4,*), ADJ(*), REP(*), ORD(*), HEAD(*)
+      INTEGER LINK(*), ALIVE(*), LENGTH, POOL(*), INFO
+      INTEGER TSTABL
+      INTEGER NP, NT, MAXT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEDGE
+      INTEGER LOW, NPLANE, NEXTPL, LFIRST, LLAST, LN, BLK, GRP, TSLIST
+      PARAMETER (NP = 1, NT = 2, MAXT = 3, ROOM = 5, MPOOL = 6)
+      PARAMETER (NOPEN = 7, FRESH = 8, OLDEST = 9, NEDGE = 10, LOW = 11)
+      PARAMETER (NPLANE = 12, NEXTPL = 13, LFIRST = 1, LLAST = 2)
+      PARAMETER (LN = 3, BLK = 1, GRP = 2, TSLIST = 512)
+      DOUBLE PRECISION LSD(14,2), RCTL(3)
+      REAL LSX(TSLIST,4,2)
+      INTEGER CTL(25), K, LSI(3,2), S, T, LSID(TSLIST,2)
+      CTL(ROOM) = LENGTH
+      CTL(MAXT) = MAXTET
+      CTL(NT) = NTET
+      CTL(FRESH) = NTET + 1
+      CTL(MPOOL) = 0
+      CTL(NOPEN) = 0
+      CTL(NEDGE) = 0
+      CTL(OLDEST) = 1
+      CTL(LOW) = 1
+      CTL(NPLANE) = 0
+      CTL(NEXTPL) = 1
+      DO 10 K = BLK, GRP
+        LSI(LFIRST,K) = 1
+        LSI(LLAST,K) = 0
+        LSI(LN,K) = 0
+   10 CONTINUE
+      S = 0
+      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, HEAD, LINK, CTL, RCTL, N,
+     $            INFO)
+      IF (INFO .EQ. 0) THEN
+        IF (CTL(NT) .GT. 0) THEN
+          CALL TSREST(ORD, TET, ADJ, ALIVE, HEAD, LINK, POOL, CTL, LSX,
+     $                LSID, LSI, N, S, INFO)
+        ELSE
+          CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
+          IF (INFO .EQ. 0) CALL TSWIDE(TET, ADJ, HEAD, POOL, CTL, S,
+     $        TSTABL(CTL(NP)), INFO)
+        END IF
+      END IF
+      IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE,
+     $    HEAD, LINK, POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+      IF (INFO .EQ. -5) RETURN
+      DO 30 T = 1, CTL(NT)
+        DO 20 K = 1, 4
+          TET(K,T) = ORD(TET(K,T))
+   20   CONTINUE
+   30 CONTINUE
+      NTET = CTL(NT)
+      END
+
+C     TSWRON - INFO is the code of a bad argument common to TESS and
+C     TESSRE, or 0; WHICH is the point that is not finite, or 0.
+      SUBROUTINE TSWRON(N, P, MAXTET, LIW, LRW, WHICH, INFO)
+      DOUBLE PRECISION P(3,*)
+      INTEGER N, MAXTET, LIW, LRW, WHICH, INFO
+      INTEGER TSFINI
+      INTEGER INTMAX
+      PARAMETER (INTMAX = 2147483647)
+      INTEGER I, LIWMIN, LRWMIN, OK, ROOM
+      WHICH = 0
+      INFO = -1
+      IF (N .LT. 0) RETURN
+      CALL TSLENG(N, LIWMIN, LRWMIN, ROOM, OK)
+      IF (OK .EQ. 0) RETURN
+      INFO = -2
+      DO 10 I = 1, N
+        IF (TSFINI(P, I) .EQ. 0) THEN
+          WHICH = I
+          RETURN
+        END IF
+   10 CONTINUE
+      INFO = 0
+      IF (LRW .LT. LRWMIN) INFO = -9
+      IF (LIW .LT. LIWMIN) INFO = -7
+      IF (MAXTET .LT. 0 .OR. MAXTET .GT. (INTMAX - 3)/4) INFO = -3
+      END
+
+C     TESSWK - recommended lengths of the workspace of TESS.
+C
+C       N       (in)   number of points
+C       MAXTET  (in)   tetrahedra that TET and ADJ have room for
+C       LIW     (out)  length of IW, integers
+C       LRW     (out)  length of RW, doubles
+C       INFO    (out)  0; -1 or -2 for an N or MAXTET that is negative
+C                      or so large that a length, or 4*MAXTET + 3, would
+C                      exceed the largest integer: the lengths are then
+C                      0
+C
+C     The pool of open facets that LIW includes suffices for all inputs
+C     but those whose number of tetrahedra is quadratic in N.
+      SUBROUTINE TESSWK(N, MAXTET, LIW, LRW, INFO)
+      INTEGER N, MAXTET, LIW, LRW, INFO
+      INTEGER INTMAX
+      PARAMETER (INTMAX = 2147483647)
+      INTEGER OK, ROOM
+      LIW = 0
+      LRW = 0
+      INFO = -1
+      IF (N .LT. 0) RETURN
+      CALL TSLENG(N, LIW, LRW, ROOM, OK)
+      IF (OK .EQ. 0) RETURN
+      IF (MAXTET .LT. 0 .OR. MAXTET .GT. (INTMAX - 3)/4) THEN
+        LIW = 0
+        LRW = 0
+        INFO = -2
+        RETURN
+      END IF
+      LIW = LIW + ROOM
+      INFO = 0
+      END
+
+C     TESS - the Delaunay tetrahedralization of N points.
+C
+C       N       (in)   number of points, >= 0
+C       P       (in)   3*N coordinates
+C       MAXTET  (in)   tetrahedra that TET and ADJ have room for, >= 0
+C       NTET    (out)  number of tetrahedra; for a NaN or infinity in P
+C                      (INFO = -2) the first point that has one
+C       TET     (out)  4*MAXTET; the first 4*NTET are set
+C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
+C       LIW     (in)   length of IW; what exceeds the minimum becomes
+C                      pool
+C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
+C                      IW(I) is the point that stands for point I: I
+C                      itself, or for a duplicate the least one with the
+C                      same coordinates (-0.0 equals 0.0)
+C       LRW     (in)   length of RW
+C       RW      (out)  workspace
+C       INFO    (out)  0 done; 1 (TET and ADJ are full) or 2 (the pool
+C                      is full): what TET and ADJ hold is right, go on
+C                      with TESSRE; 3 all points in one plane, 4 on one
+C                      line, 5 at most one distinct point, 6 coordinates
+C                      that need more limbs than HHLIM (NTET = 0); or
+C                      -k: N < 0 -1; NaN or infinity in P -2; MAXTET
+C                      negative or too large for the integers -3; LIW,
+C                      LRW below the minimum -7, -9.  After -k nothing
+C                      is written but NTET, INFO.
+C
+C     Cospherical points: the triangulation is the pulling triangulation
+C     in the order of the points' numbers; no tetrahedron is flat.
+C     Cost: about linear in N for points that fill a volume; O(N**2) at
+C     worst for a linear number of tetrahedra.  Section 2 of the paper.
+      SUBROUTINE TESS(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
+     $                INFO)
+      DOUBLE PRECISION P(3,*), RW(*)
+      INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW, INFO
+      INTEGER TSLCOU
+      INTEGER LVS
+      CALL TSWRON(N, P, MAXTET, LIW, LRW, NTET, INFO)
+      IF (INFO .NE. 0) RETURN
+      LVS = TSLCOU(N)
+      CALL TSRUN(N, P, MAXTET, NTET, TET, ADJ, RW, RW(3*N+1), IW,
+     $           IW(N+1), IW(2*N+1), IW(3*N+1), IW(4*N+1), LIW -
+     $           4*N - 2*LVS, IW(4*N+2*LVS+1), INFO)
+      END
+
+C     TESSRE - go on from an unfinished result.
+C
+C     The arguments of TESS, but NTET, TET, ADJ are (in, out): the
+C     points and the first NTET tetrahedra that TESS or TESSRE left,
+C     copied into larger arrays if need be.  IW and RW need hold
+C     nothing.  Gives the very arrays that one call with enough room
+C     would have given.  With NTET = 0 it is TESS; on a finished result
+C     INFO is 0 and nothing changes but IW, RW.
+C
+C     INFO is what TESS gives, and -4 for a bad NTET, -5 and -6 for
+C     indices in TET and ADJ that are out of range; after -k NTET is
+C     unchanged.
+      SUBROUTINE TESSRE(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
+     $                  INFO)
+      DOUBLE PRECISION P(3,*), RW(*)
+      INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW, INFO
+      INTEGER TSLCOU
+      INTEGER OPEN
+      PARAMETER (OPEN = -1)
+      INTEGER K, LVS, T, WHICH
+      CALL TSWRON(N, P, MAXTET, LIW, LRW, WHICH, INFO)
+      IF (INFO .NE. 0 .AND. INFO .GT. -4) RETURN
+      IF (NTET .LT. 0 .OR. NTET .GT. MAXTET) THEN
+        INFO = -4
+        RETURN
+      END IF
+      DO 20 T = 1, NTET
+        DO 10 K = 1, 4
+          IF (TET(K,T) .LT. 1 .OR. TET(K,T) .GT. N) THEN
+            INFO = -5
+            RETURN
+          END IF
+   10   CONTINUE
+   20 CONTINUE
+      DO 40 T = 1, NTET
+        DO 30 K = 1, 4
+          IF (ADJ(K,T) .LT. OPEN .OR. ADJ(K,T) .GT. NTET) THEN
+            INFO = -6
+            RETURN
+          END IF
+   30   CONTINUE
+   40 CONTINUE
+      IF (INFO .NE. 0) RETURN
+      LVS = TSLCOU(N)
+      CALL TSRUN(N, P, MAXTET, NTET, TET, ADJ, RW, RW(3*N+1), IW,
+     $           IW(N+1), IW(2*N+1), IW(3*N+1), IW(4*N+1), LIW -
+     $           4*N - 2*LVS, IW(4*N+2*LVS+1), INFO)
+      END
+C     ------------------------------------------------------------------
+C     Common to the queries.
+C
+C     One device does much of the work: in the place of a point Q, the
+C     point Q*, Q moved by an infinitesimal step into the interior of
+C     tetrahedron 1, of vertices V1 ... V4:
+C       Q* = Q + e (V1 - Q) + e**2 (V2 - Q) + e**3 (V3 - Q) +
+C            e**4 (V4 - Q)
+C     for all small enough e > 0.  The orientation of a facet with a
+C     point is an affine function of the point, so the sign for Q* is
+C     the first that is not 0 of the signs for Q, V1, V2, V3, V4.  One
+C     of them is not 0, since V1 ... V4 are not in one plane: Q* is on
+C     no facet, and is in the interior of exactly one tetrahedron if it
+C     is in the hull of a triangulation.
+C     ------------------------------------------------------------------
+
+C     TSOUTF - F = the vertices of facet K of tetrahedron T, the one
+C     opposite to vertex K, counter-clockwise from outside if T is
+C     positively oriented: (2,3,4) (1,4,3) (1,2,4) (1,3,2).
+      SUBROUTINE TSOUTF(TET, T, K, F)
+      INTEGER TET(4,*), T, K, F(3)
+      INTEGER I, J, L
+      I = 1
+      IF (K .EQ. 1) I = 2
+      J = 2
+      IF (K .LE. 2) J = 3
+      L = 4
+      IF (K .EQ. 4) L = 3
+      F(1) = TET(I,T)
+      IF (MOD(K, 2) .EQ. 1) THEN
+        F(2) = TET(J,T)
+        F(3) = TET(L,T)
+      ELSE
+        F(2) = TET(L,T)
+        F(3) = TET(J,T)
+      END IF
+      END
+
+C     TSSLOT - the first K with V(K,T) = X; 5 when there is none.
+      INTEGER FUNCTION TSSLOT(V, T, X)
+      INTEGER V(4,*), T, X
+      INTEGER K
+      DO 10 K = 1, 4
+        IF (V(K,T) .EQ. X) GO TO 20
+   10 CONTINUE
+   20 TSSLOT = K
+      END
+
+C     TSORIQ - HHORIE of the facet F and the point Q.
+      INTEGER FUNCTION TSORIQ(P, F, Q)
+      INTEGER F(3)
+      DOUBLE PRECISION P(3,*), Q(3)
+      INTEGER HHORIE
+      DOUBLE PRECISION A(3), B(3), C(3)
+      INTEGER K
+      DO 10 K = 1, 3
+        A(K) = P(K,F(1))
+        B(K) = P(K,F(2))
+        C(K) = P(K,F(3))
+   10 CONTINUE
+      TSORIQ = HHORIE(A, B, C, Q)
+      END
+
+C     TSORIP - HHORIE of the facet F and point I.
+      INTEGER FUNCTION TSORIP(P, F, I)
+      INTEGER F(3), I
+      DOUBLE PRECISION P(3,*)
+      INTEGER TSORIQ
+      DOUBLE PRECISION Q(3)
+      INTEGER K
+      DO 10 K = 1, 3
+        Q(K) = P(K,I)
+   10 CONTINUE
+      TSORIP = TSORIQ(P, F, Q)
+      END
+
+C     TSBEYO - 1 when Q* is outside of the facet F, -1 when it is
+C     inside; UNSURE when the limbs do not suffice; 0 only when
+C     tetrahedron 1 is flat.  One orientation, unless Q is exactly in
+C     the plane.
+      INTEGER FUNCTION TSBEYO(P, F, Q, TET)
+      INTEGER F(3), TET(4,*)
+      DOUBLE PRECISION P(3,*), Q(3)
+      INTEGER TSORIP, TSORIQ
+      INTEGER K, S
+      S = TSORIQ(P, F, Q)
+      DO 10 K = 1, 4
+        IF (S .EQ. 0) S = TSORIP(P, F, TET(K,1))
+   10 CONTINUE
+      TSBEYO = S
+      END
+
+C     TSINBO - 1 when Q is in the closed box of tetrahedron T, else 0:
+C     exact, and much cheaper than orientations.
+      INTEGER FUNCTION TSINBO(P, TET, T, Q)
+      INTEGER TET(4,*), T
+      DOUBLE PRECISION P(3,*), Q(3)
+      INTEGER I, K, LOW, HIGH
+      TSINBO = 0
+      DO 20 K = 1, 3
+        LOW = 0
+        HIGH = 0
+        DO 10 I = 1, 4
+          IF (P(K,TET(I,T)) .LE. Q(K)) LOW = 1
+          IF (P(K,TET(I,T)) .GE. Q(K)) HIGH = 1
+   10   CONTINUE
+        IF (LOW .EQ. 0 .OR. HIGH .EQ. 0) RETURN
+   20 CONTINUE
+      TSINBO = 1
+      END
+
+C     ------------------------------------------------------------------
+C     Location.
+C     ------------------------------------------------------------------
+
+C     TSREAC - HI - LO is the largest difference of point I and Q in one
+C     coordinate, left unevaluated so that nothing is rounded.
+      SUBROUTINE TSREAC(P, I, Q, HI, LO)
+      INTEGER I
+      DOUBLE PRECISION P(3,*), Q(3), HI, LO
+      INTEGER HHWIDE
+      DOUBLE PRECISION H, L
+      INTEGER K
+      HI = 0.0D0
+      LO = 0.0D0
+      DO 10 K = 1, 3
+        H = MAX(P(K,I), Q(K))
+        L = MIN(P(K,I), Q(K))
+        IF (HHWIDE(H, L, HI, LO) .GT. 0) THEN
+          HI = H
+          LO = L
+        END IF
+   10 CONTINUE
+      END
+
+C     TSSAMP - BEST is where the walk to Q starts: of about NTET**(1/4)
+C     tetrahedra at equal steps, the first one whose first vertex is
+C     nearest to Q in the maximum norm.  The comparisons are exact, so
+C     it is the same one everywhere.
+      SUBROUTINE TSSAMP(P, NTET, TET, Q, BEST)
+      INTEGER NTET, TET(4,*), BEST
+      DOUBLE PRECISION P(3,*), Q(3)
+      INTEGER HHWIDE
+      INTEGER MANY, I, T
+      DOUBLE PRECISION HI, LO, H, L
+      MANY = 1
+   10 IF (MANY*MANY .LT. NTET/(MANY*MANY)) THEN
+        MANY = MANY + 1
+        GO TO 10
+      END IF
+      BEST = 1
+      CALL TSREAC(P, TET(1,1), Q, HI, LO)
+      DO 20 I = 1, MANY - 1
+        T = I*(NTET/MANY) + 1
+        CALL TSREAC(P, TET(1,T), Q, H, L)
+        IF (HHWIDE(HI, LO, H, L) .GT. 0) THEN
+          BEST = T
+          HI = H
+          LO = L
+        END IF
+   20 CONTINUE
+      END
+
+C     TSWALK - from T across facets that Q* is beyond, until there is
+C     none: then T holds Q* (INFO 0); or to a facet of the hull that Q
+C     is outside of (INFO 1).  INFO is LOST when only open facets lead
+C     on, or after NTET steps; RANGE when the limbs do not suffice.
+C
+C     In a result of TESS the walk meets no tetrahedron twice.  Lift
+C     each point X to the height |X|**2, lowered as the tie rule says:
+C     the tetrahedra are the lower facets of a convex polytope, and
+C     where Q* is beyond the facet from T to U, the plane of U is above
+C     that of T over Q*.  So the height of the current plane over Q*
+C     grows with every step.  (Among cospherical tetrahedra of another
+C     triangulation it may stay, and the walk go round.)
+      SUBROUTINE TSWALK(P, NTET, TET, ADJ, Q, T, INFO)
+      INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
+      DOUBLE PRECISION P(3,*), Q(3)
+      INTEGER TSBEYO
+      INTEGER NONE, OPEN, UNSURE, LOST, RANGE
+      PARAMETER (NONE = 0, OPEN = -1, UNSURE = 2, LOST = 99, RANGE = 6)
+      INTEGER F(3), LAST, NEXT, STEPS, U, K, S, MET
+      LAST = NONE
+      DO 30 STEPS = 1, NTET
+        NEXT = NONE
+        MET = 0
+        DO 10 K = 1, 4
+          U = ADJ(K,T)
+          IF (U .GT. 0 .AND. U .EQ. LAST) GO TO 10
+          CALL TSOUTF(TET, T, K, F)
+          S = TSBEYO(P, F, Q, TET)
+          IF (S .EQ. UNSURE) THEN
+            INFO = RANGE
+            RETURN
+          END IF
+          IF (S .LT. 0) GO TO 10
+          IF (U .EQ. NONE) THEN
+            INFO = 1
+            RETURN
+          END IF
+          IF (U .EQ. OPEN) THEN
+            MET = 1
+          ELSE
+            NEXT = U
+            GO TO 20
+          END IF
+   10   CONTINUE
+   20   IF (NEXT .EQ. NONE) THEN
+          INFO = 0
+          IF (MET .EQ. 1) INFO = LOST
+          RETURN
+        END IF
+        LAST = T
+        T = NEXT
+   30 CONTINUE
+      INFO = LOST
+      END
+
+C     TSHOLD - S is 1 when the closed tetrahedron T holds Q, else 0;
+C     UNSURE when the limbs do not suffice.
+      SUBROUTINE TSHOLD(P, TET, T, Q, S)
+      INTEGER TET(4,*), T, S
+      DOUBLE PRECISION P(3,*), Q(3)
+      INTEGER TSINBO, TSORIQ
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      INTEGER F(3), K
+      S = 0
+      IF (TSINBO(P, TET, T, Q) .EQ. 0) RETURN
+      DO 10 K = 1, 4
+        CALL TSOUTF(TET, T, K, F)
+        S = TSORIQ(P, F, Q)
+        IF (S .EQ. UNSURE) RETURN
+        IF (S .GT. 0) GO TO 20
+   10 CONTINUE
+      S = 1
+      RETURN
+   20 S = 0
+      END
+
+C     TSSWEE - T = the first tetrahedron that holds Q (INFO 0), or if
+C     there is none the first one with a hull or open facet that Q is
+C     outside of (INFO 1); INFO is RANGE when the limbs do not suffice.
+      SUBROUTINE TSSWEE(P, NTET, TET, ADJ, Q, T, INFO)
+      INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
+      DOUBLE PRECISION P(3,*), Q(3)
+      INTEGER TSORIQ
+      INTEGER NONE, UNSURE, RANGE
+      PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6)
+      INTEGER F(3), I, FOUND, K, S, U
+      FOUND = NONE
+      INFO = RANGE
+      DO 20 I = 1, NTET
+        U = I
+        CALL TSHOLD(P, TET, U, Q, S)
+        IF (S .EQ. UNSURE) RETURN
+        IF (S .EQ. 1) THEN
+          T = U
+          INFO = 0
+          RETURN
+        END IF
+        DO 10 K = 1, 4
+          IF (FOUND .EQ. NONE .AND. ADJ(K,U) .LE. 0) THEN
+            CALL TSOUTF(TET, U, K, F)
+            S = TSORIQ(P, F, Q)
+            IF (S .EQ. UNSURE) RETURN
+            IF (S .GT. 0) FOUND = U
+          END IF
+   10   CONTINUE
+   20 CONTINUE
+      IF (FOUND .NE. NONE) T = FOUND
+      INFO = 1
+      END
+
+C     TSELIM - Gaussian elimination with complete pivoting on the 3 by M
+C     matrix of the columns COL(J) of A; COL and ROW come out in the
+C     order of the pivots.  N is their number, at most M - 1.
+      SUBROUTINE TSELIM(A, M, COL, ROW, N)
+      INTEGER M, COL(4), ROW(3), N
+      DOUBLE PRECISION A(3,4)
+      DOUBLE PRECISION F, MOST
+      INTEGER I, J, L, PI, PJ
+      DO 10 I = 1, 3
+        ROW(I) = I
+   10 CONTINUE
+      DO 60 L = 1, M - 1
+        MOST = 0.0D0
+        PI = L
+        PJ = L
+        DO 30 J = L, M
+          DO 20 I = L, 3
+            F = ABS(A(ROW(I),COL(J)))
+            IF (F .GT. MOST) THEN
+              MOST = F
+              PI = I
+              PJ = J
+            END IF
+   20     CONTINUE
+   30   CONTINUE
+        IF (MOST .LE. 0.0D0) GO TO 70
+        I = ROW(PI)
+        ROW(PI) = ROW(L)
+        ROW(L) = I
+        J = COL(PJ)
+        COL(PJ) = COL(L)
+        COL(L) = J
+        DO 50 I = L + 1, 3
+          F = A(ROW(I),COL(L))/A(ROW(L),COL(L))
+          DO 40 J = L + 1, M
+            A(ROW(I),COL(J)) = A(ROW(I),COL(J)) - F*A(ROW(L),COL(J))
+   40     CONTINUE
+   50   CONTINUE
+   60 CONTINUE
+   70 N = L - 1
+      END
+
+C     TSBACK - W of the columns COL(1) ... COL(N+1) from what TSELIM
+C     left, W(COL(N+1)) = 1.  No |W| exceeds 4, as a pivot is the
+C     largest number in its row.
+      SUBROUTINE TSBACK(A, N, COL, ROW, W)
+      INTEGER N, COL(4), ROW(3)
+      DOUBLE PRECISION A(3,4), W(4)
+      DOUBLE PRECISION F
+      INTEGER I, J
+      W(COL(N+1)) = 1.0D0
+      DO 20 J = N, 1, -1
+        F = 0.0D0
+        DO 10 I = J + 1, N + 1
+          F = F - A(ROW(J),COL(I))*W(COL(I))
+   10   CONTINUE
+        W(COL(J)) = F/A(ROW(J),COL(J))
+   20 CONTINUE
+      END
+
+C     TSUNTE - divide W by its SUM, if that is not too small.
+      SUBROUTINE TSUNTE(W, SUM)
+      DOUBLE PRECISION W(4), SUM
+      DOUBLE PRECISION EPS
+      PARAMETER (EPS = 2.0D0**(-52))
+      INTEGER K
+      SUM = W(1) + W(2) + W(3) + W(4)
+      IF (ABS(SUM) .LT. EPS) RETURN
+      DO 10 K = 1, 4
+        W(K) = W(K)/SUM
+   10 CONTINUE
+      END
+
+C     TSBALA - weights W of sum 1 for which the sum of W(K) times column
+C     K of R is as small as rounding lets it be, with columns of a set
+C     only (K is in it if its binary digit 2**(K-1) is 1).  A weight
+C     whose sign is not S(K) becomes 0, and WRONG 1.  MISS is the size
+C     of the sum; HUGE when the set gives no weights.
+      SUBROUTINE TSBALA(R, S, SET, W, WRONG, MISS)
+      INTEGER S(4), SET, WRONG
+      DOUBLE PRECISION R(3,4), W(4), MISS
+      DOUBLE PRECISION EPS, HUGE
+      PARAMETER (EPS = 2.0D0**(-52), HUGE = 1.7976931348623157D308)
+      DOUBLE PRECISION A(3,4), F, SUM
+      INTEGER COL(4), ROW(3), M, REST, N, I, K
+      MISS = HUGE
+      WRONG = 1
+      M = 0
+      REST = SET
+      DO 20 K = 1, 4
+        W(K) = 0.0D0
+        IF (S(K) .NE. 0 .AND. MOD(REST, 2) .EQ. 1) THEN
+          M = M + 1
+          COL(M) = K
+        END IF
+        REST = REST/2
+        DO 10 I = 1, 3
+          A(I,K) = R(I,K)
+   10   CONTINUE
+   20 CONTINUE
+      IF (M .EQ. 0) RETURN
+      CALL TSELIM(A, M, COL, ROW, N)
+      CALL TSBACK(A, N, COL, ROW, W)
+      CALL TSUNTE(W, SUM)
+      IF (ABS(SUM) .LT. EPS) RETURN
+      WRONG = 0
+      DO 30 K = 1, 4
+        IF (W(K)*S(K) .LT. 0.0D0) THEN
+          W(K) = 0.0D0
+          WRONG = 1
+        END IF
+   30 CONTINUE
+      CALL TSUNTE(W, SUM)
+      IF (SUM .LT. EPS) RETURN
+      MISS = 0.0D0
+      DO 50 I = 1, 3
+        F = 0.0D0
+        DO 40 K = 1, 4
+          F = F + W(K)*R(I,K)
+   40   CONTINUE
+        MISS = MAX(MISS, ABS(F))
+   50 CONTINUE
+      END
+
+C     TSWEIG - the barycentric weights W of Q in tetrahedron T: the sum
+C     of W(K) (vertex K - Q) vanishes.  INFO is 0, or RANGE: then W = 0.
+C
+C     By exact signs no weight has the wrong one, and it is 0 where Q is
+C     in the plane of its facet.  Elimination with complete pivoting is
+C     backward stable: what W interpolates is right, to rounding, for a
+C     point within rounding of Q, however thin T is; quotients of
+C     determinants lose that in slivers.  Where a computed sign is
+C     wrong, T is flat to rounding, and many weights balance equally
+C     well; then some that use fewer vertices have the right signs, and
+C     of all sets of vertices the one that balances best is taken.
+C     (Outside of such a T the true weights are beyond 1e15; those taken
+C     are of a face.)
+C
+C     All is scaled by a power of two that makes the coordinates at most
+C     1.
+      SUBROUTINE TSWEIG(P, TET, T, Q, W, INFO)
+      INTEGER TET(4,*), T, INFO
+      DOUBLE PRECISION P(3,*), Q(3), W(4)
+      INTEGER HHFREX, TSORIQ
+      DOUBLE PRECISION HHLDEX
+      INTEGER UNSURE, RANGE
+      PARAMETER (UNSURE = 2, RANGE = 6)
+      DOUBLE PRECISION R(3,4), X(4), MOST, BEST, MISS
+      INTEGER F(3), S(4), E, I, K, SET, WRONG
+      DO 10 K = 1, 4
+        W(K) = 0.0D0
+   10 CONTINUE
+      INFO = RANGE
+      DO 20 K = 1, 4
+        CALL TSOUTF(TET, T, K, F)
+        S(K) = -TSORIQ(P, F, Q)
+        IF (S(K) .EQ. -UNSURE) RETURN
+   20 CONTINUE
+      INFO = 0
+      MOST = 0.0D0
+      DO 40 I = 1, 3
+        DO 30 K = 1, 4
+          MOST = MAX(MOST, ABS(P(I,TET(K,T))))
+   30   CONTINUE
+        MOST = MAX(MOST, ABS(Q(I)))
+   40 CONTINUE
+      E = -HHFREX(MOST)
+      DO 60 K = 1, 4
+        DO 50 I = 1, 3
+          R(I,K) = HHLDEX(P(I,TET(K,T)), E) - HHLDEX(Q(I), E)
+   50   CONTINUE
+   60 CONTINUE
+      CALL TSBALA(R, S, 15, W, WRONG, BEST)
+      IF (WRONG .EQ. 0) RETURN
+      DO 80 SET = 14, 1, -1
+        CALL TSBALA(R, S, SET, X, WRONG, MISS)
+        IF (MISS .LT. BEST) THEN
+          BEST = MISS
+          DO 70 K = 1, 4
+            W(K) = X(K)
+   70     CONTINUE
+        END IF
+   80 CONTINUE
+      END
+
+C     TESSLO - the tetrahedron that holds a point.
+C
+C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
+C       Q    (in)      the point: 3 coordinates
+C       T    (in,out)  On entry the tetrahedron where the walk starts,
+C                      or 0 for anywhere.  On return the one that holds
+C                      Q
+C       W    (out)     4 barycentric weights of Q in it; they sum to
+C                      one: the sum of W(K) * VALUE(TET(K,T))
+C                      interpolates linearly
+C       INFO (out)     0 when Q is inside or on the boundary; 1 when it
+C                      is outside the hull: T is then a hull
+C                      tetrahedron on that side and W its weights, some
+C                      negative.  An open facet counts as hull.  -2 for
+C                      NTET < 1, -5 for a NaN or infinity in Q, -6 for
+C                      a T that is out of range
+C
+C     A walk (see TSWALK), and where it fails a sweep over all
+C     tetrahedra.
+C
+C     Located is not Q but Q*.  The hull is convex and Q* is nearer to
+C     its inside, so Q* is inside of it when Q is inside or on its
+C     boundary, and then the answer depends on the points, TET and Q
+C     alone.  For a Q outside, the start decides which hull tetrahedron
+C     is found.  In an unfinished result open facets may stop the walk
+C     though some tetrahedron holds Q; in a foreign triangulation it may
+C     go round: both are left to the sweep.
+C
+C     Cost: proportional to the tetrahedra crossed, about NTET**(1/3) of
+C     them from anywhere, fewer from the sampled start, few from a start
+C     near Q.  The sweep: NTET.
+      SUBROUTINE TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
+      INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
+      DOUBLE PRECISION P(3,*), Q(3), W(4)
+      INTEGER TSFINI
+      INTEGER NONE, LOST
+      PARAMETER (NONE = 0, LOST = 99)
+      DOUBLE PRECISION X(3,1)
+      INTEGER CODE, K
+      INFO = -2
+      IF (NTET .LT. 1) RETURN
+      DO 10 K = 1, 3
+        X(K,1) = Q(K)
+   10 CONTINUE
+      INFO = -5
+      IF (TSFINI(X, 1) .EQ. 0) RETURN
+      INFO = -6
+      IF (T .LT. NONE .OR. T .GT. NTET) RETURN
+      IF (T .EQ. NONE) CALL TSSAMP(P, NTET, TET, Q, T)
+      CALL TSWALK(P, NTET, TET, ADJ, Q, T, CODE)
+      IF (CODE .EQ. LOST) CALL TSSWEE(P, NTET, TET, ADJ, Q, T, CODE)
+      CALL TSWEIG(P, TET, T, Q, W, INFO)
+      IF (INFO .EQ. 0) INFO = CODE
+      END
+
+C     ------------------------------------------------------------------
+C     The hull.
+C     ------------------------------------------------------------------
+
+C     TESSHU - the boundary triangles.
+C
+C       NTET, TET, ADJ  (in)  a result of TESS
+C       MAXFAC  (in)   triangles that FAC has room for
+C       NFAC    (out)  number of triangles
+C       FAC     (out)  FAC(3,MAXFAC): triangle I has the vertices
+C                      FAC(1,I), FAC(2,I), FAC(3,I), seen
+C                      counter-clockwise from outside, in the order of
+C                      the tetrahedra and their facets
+C       INFO    (out)  0; 1 when FAC is too small: NFAC is then the
+C                      number needed and the first MAXFAC triangles are
+C                      set; -1 for NTET < 0, -4 for MAXFAC < 0
+C
+C     One pass over all facets.
+      SUBROUTINE TESSHU(NTET, TET, ADJ, MAXFAC, NFAC, FAC, INFO)
+      INTEGER NTET, TET(4,*), ADJ(4,*), MAXFAC, NFAC, FAC(3,*), INFO
+      INTEGER MORE
+      PARAMETER (MORE = 1)
+      INTEGER F(3), I, K, T
+      NFAC = 0
+      INFO = -1
+      IF (NTET .LT. 0) RETURN
+      INFO = -4
+      IF (MAXFAC .LT. 0) RETURN
+      DO 30 T = 1, NTET
+        DO 20 K = 1, 4
+          IF (ADJ(K,T) .GT. 0) GO TO 20
+          NFAC = NFAC + 1
+          IF (NFAC .GT. MAXFAC) GO TO 20
+          CALL TSOUTF(TET, T, K, F)
+          DO 10 I = 1, 3
+            FAC(I,NFAC) = F(I)
+   10     CONTINUE
+   20   CONTINUE
+   30 CONTINUE
+      INFO = 0
+      IF (NFAC .GT. MAXFAC) INFO = MORE
+      END
+
+C     ------------------------------------------------------------------
+C     The check.
+C
+C     Marks of points:
+C       TWIN    a duplicate of one of lower index
+C       UNUSED  a point that stands for itself, in no tetrahedron
+C       USED    and in one
+C     ------------------------------------------------------------------
+
+C     TSPREC - 1 when point A comes strictly before point B, else 0: by
+C     X, then Y, Z.
+      INTEGER FUNCTION TSPREC(P, A, B)
+      INTEGER A, B
+      DOUBLE PRECISION P(3,*)
+      INTEGER K
+      TSPREC = 0
+      DO 10 K = 1, 3
+        IF (P(K,A) .GT. P(K,B)) RETURN
+        IF (P(K,A) .LT. P(K,B)) THEN
+          TSPREC = 1
+          RETURN
+        END IF
+   10 CONTINUE
+      END
+
+C     TSMERG - places LO+1 ... HI of TO = the sorted runs in places LO+1
+C     ... MID and MID+1 ... HI of FROM, merged; of equal points those of
+C     the first run come first.  FROM and TO are offsets in IW.
+      SUBROUTINE TSMERG(P, IW, LO, MID, HI, FROM, TO)
+      INTEGER IW(*), LO, MID, HI, FROM, TO
+      DOUBLE PRECISION P(3,*)
+      INTEGER TSPREC
+      INTEGER I, J, K, SECOND
+      I = LO + 1
+      J = MID + 1
+      DO 10 K = LO + 1, HI
+        IF (J .GT. HI) THEN
+          SECOND = 0
+        ELSE IF (I .GT. MID) THEN
+          SECOND = 1
+        ELSE
+          SECOND = TSPREC(P, IW(FROM+J), IW(FROM+I))
+        END IF
+        IF (SECOND .EQ. 0) THEN
+          IW(TO+K) = IW(FROM+I)
+          I = I + 1
+        ELSE
+          IW(TO+K) = IW(FROM+J)
+          J = J + 1
+        END IF
+   10 CONTINUE
+      END
+
+C     TSSORP - sort the points by their coordinates, equal ones by
+C     index: merging runs of 1, 2, 4, ... to and fro between the halves
+C     of IW.  The order begins behind IW(AT); AT is 0 or N.
+      SUBROUTINE TSSORP(N, P, IW, AT)
+      INTEGER N, IW(*), AT
+      DOUBLE PRECISION P(3,*)
+      INTEGER RUN, LO, MID, HI, I
+      AT = 0
+      DO 10 I = 1, N
+        IW(I) = I
+   10 CONTINUE
+      RUN = 1
+   20 IF (RUN .LT. N) THEN
+        LO = 0
+   30   IF (LO .LT. N) THEN
+          MID = N
+          IF (RUN .LT. N - LO) MID = LO + RUN
+          HI = N
+          IF (RUN .LT. N - MID) HI = MID + RUN
+          CALL TSMERG(P, IW, LO, MID, HI, AT, N - AT)
+          LO = HI
+          GO TO 30
+        END IF
+        AT = N - AT
+        IF (RUN .LT. N - RUN) THEN
+          RUN = 2*RUN
+        ELSE
+          RUN = N
+        END IF
+        GO TO 20
+      END IF
+      END
+
+C     TSMARK - sort the points and mark each TWIN or UNUSED.  The marks
+C     begin behind IW(MARK).
+      SUBROUTINE TSMARK(N, P, IW, MARK)
+      INTEGER N, IW(*), MARK
+      DOUBLE PRECISION P(3,*)
+      INTEGER TSPREC
+      INTEGER TWIN, UNUSED
+      PARAMETER (TWIN = -1, UNUSED = 0)
+      INTEGER AT, I
+      CALL TSSORP(N, P, IW, AT)
+      MARK = N - AT
+      DO 10 I = 1, N
+        IW(MARK+IW(AT+I)) = UNUSED
+        IF (I .GT. 1) THEN
+          IF (TSPREC(P, IW(AT+I-1), IW(AT+I)) .EQ. 0)
+     $      IW(MARK+IW(AT+I)) = TWIN
+        END IF
+   10 CONTINUE
+      END
+
+C     TSCHKP - that all points are in one plane: of points F: point 1,
+C     the first point that differs from it, and the first one off their
+C     line.  Points before them are in it, so one pass is enough.
+      SUBROUTINE TSCHKP(N, P, BAD, INFO)
+      INTEGER N, BAD, INFO
+      DOUBLE PRECISION P(3,*)
+      INTEGER HHFLAT, TSORIP, TSPREC
+      INTEGER UNSURE, RANGE, BADPOI
+      PARAMETER (UNSURE = 2, RANGE = 6, BADPOI = 18)
+      DOUBLE PRECISION A(3), B(3), Q(3)
+      INTEGER F(3), I, K, RANK, S
+      F(1) = 1
+      F(2) = 1
+      F(3) = 1
+      RANK = 1
+      DO 30 I = 2, N
+        S = 0
+        IF (RANK .EQ. 1) THEN
+          RANK = 1 + TSPREC(P, 1, I) + TSPREC(P, I, 1)
+          F(2) = I
+        ELSE IF (RANK .EQ. 2) THEN
+          DO 10 K = 1, 3
+            A(K) = P(K,1)
+            B(K) = P(K,F(2))
+            Q(K) = P(K,I)
+   10     CONTINUE
+          DO 20 K = 1, 3
+            IF (RANK .EQ. 2) THEN
+              IF (HHFLAT(K, A, B, Q) .NE. 0) THEN
+                RANK = 3
+                F(3) = I
+              END IF
+            END IF
+   20     CONTINUE
+        ELSE
+          S = TSORIP(P, F, I)
+        END IF
+        IF (S .NE. 0) THEN
+          BAD = I
+          INFO = BADPOI
+          IF (S .EQ. UNSURE) INFO = RANGE
+          RETURN
+        END IF
+   30 CONTINUE
+      INFO = 0
+      END
+
+C     TSCHKI - that the vertices of tetrahedron T are four points, none
+C     a duplicate of one of lower index; they are marked as used.  The
+C     marks begin behind IW(MARK).
+      SUBROUTINE TSCHKI(N, TET, T, IW, MARK, INFO)
+      INTEGER N, TET(4,*), T, IW(*), MARK, INFO
+      INTEGER TWIN, USED, BADIDX, BADTWI
+      PARAMETER (TWIN = -1, USED = 1, BADIDX = 10, BADTWI = 11)
+      INTEGER I, J, V
+      INFO = BADIDX
+      DO 20 I = 1, 4
+        V = TET(I,T)
+        IF (V .LT. 1 .OR. V .GT. N) RETURN
+        DO 10 J = 1, I - 1
+          IF (V .EQ. TET(J,T)) RETURN
+   10   CONTINUE
+   20 CONTINUE
+      INFO = BADTWI
+      DO 30 I = 1, 4
+        V = TET(I,T)
+        IF (IW(MARK+V) .EQ. TWIN) RETURN
+        IW(MARK+V) = USED
+   30 CONTINUE
+      INFO = 0
+      END
+
+C     TSMATE - J is the facet of tetrahedron U whose neighbour is T and
+C     whose vertices are those of the facet F of T in opposite order, so
+C     that, both tetrahedra being positively oriented, their apexes are
+C     on opposite sides; 5 when there is none.  It is a symmetric
+C     relation, one facet to one.
+      SUBROUTINE TSMATE(TET, ADJ, T, F, U, J)
+      INTEGER TET(4,*), ADJ(4,*), T, F(3), U, J
+      INTEGER G(3), I
+      DO 20 J = 1, 4
+        IF (ADJ(J,U) .EQ. T) THEN
+          CALL TSOUTF(TET, U, J, G)
+          DO 10 I = 1, 3
+            IF (G(I) .EQ. F(1) .AND. G(MOD(I, 3) + 1) .EQ. F(3) .AND.
+     $          G(MOD(I + 1, 3) + 1) .EQ. F(2)) RETURN
+   10     CONTINUE
+        END IF
+   20 CONTINUE
+      J = 5
+      END
+
+C     TSCHKF - that each facet of tetrahedron T is on the boundary or
+C     matched, and the neighbour's apex not inside the ball of T: also a
+C     symmetric relation, so one side tests it.
+      SUBROUTINE TSCHKF(P, NTET, TET, ADJ, T, INFO)
+      INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
+      DOUBLE PRECISION P(3,*)
+      INTEGER HHINSP
+      INTEGER NONE, UNSURE, RANGE, BADADJ, BADBAL
+      PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6)
+      PARAMETER (BADADJ = 14, BADBAL = 15)
+      DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
+      INTEGER F(3), U, I, J, K, S
+      DO 10 I = 1, 3
+        A(I) = P(I,TET(1,T))
+        B(I) = P(I,TET(2,T))
+        C(I) = P(I,TET(3,T))
+        D(I) = P(I,TET(4,T))
+   10 CONTINUE
+      DO 30 K = 1, 4
+        U = ADJ(K,T)
+        IF (U .EQ. NONE) GO TO 30
+        INFO = BADADJ
+        IF (U .LT. 1 .OR. U .GT. NTET) RETURN
+        CALL TSOUTF(TET, T, K, F)
+        CALL TSMATE(TET, ADJ, T, F, U, J)
+        IF (J .EQ. 5) RETURN
+        IF (U .LT. T) GO TO 30
+        DO 20 I = 1, 3
+          E(I) = P(I,TET(J,U))
+   20   CONTINUE
+        S = HHINSP(A, B, C, D, E)
+        INFO = RANGE
+        IF (S .EQ. UNSURE) RETURN
+        INFO = BADBAL
+        IF (S .GT. 0) RETURN
+   30 CONTINUE
+      INFO = 0
+      END
+
+C     TSCHKT - that tetrahedron T is positively oriented and no facet
+C     open.
+      INTEGER FUNCTION TSCHKT(P, TET, ADJ, T)
+      INTEGER TET(4,*), ADJ(4,*), T
+      DOUBLE PRECISION P(3,*)
+      INTEGER TSORIP, TSSLOT
+      INTEGER OPEN, UNSURE, RANGE, BADSGN, BADOPN
+      PARAMETER (OPEN = -1, UNSURE = 2, RANGE = 6)
+      PARAMETER (BADSGN = 12, BADOPN = 13)
+      INTEGER F(3), K, S
+      DO 10 K = 1, 3
+        F(K) = TET(K,T)
+   10 CONTINUE
+      S = TSORIP(P, F, TET(4,T))
+      TSCHKT = 0
+      IF (TSSLOT(ADJ, T, OPEN) .LE. 4) TSCHKT = BADOPN
+      IF (S .NE. 1) TSCHKT = BADSGN
+      IF (S .EQ. UNSURE) TSCHKT = RANGE
+      END
+
+C     TSCHKE - F, facet K of tetrahedron T, is on the boundary.  Turn
+C     about its edge opposite to vertex C, through the tetrahedra, to
+C     the other boundary facet there, and test that its apex is not
+C     outside of the first.
+C
+C     Facets are known to be matched in pairs, so a step takes
+C     (tetrahedron, facet in, facet out) one-to-one to the next such
+C     triple; the first triple is reached by no step, so none comes
+C     twice and the turn ends.  For the same reason all turns together
+C     take at most 6 NTET steps: each edge of each tetrahedron is passed
+C     once.
+      SUBROUTINE TSCHKE(P, TET, ADJ, T, K, F, C, INFO)
+      INTEGER TET(4,*), ADJ(4,*), T, K, F(3), C, INFO
+      DOUBLE PRECISION P(3,*)
+      INTEGER TSORIP, TSSLOT
+      INTEGER NONE, UNSURE, RANGE, BADHUL
+      PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6, BADHUL = 16)
+      INTEGER AT, NEXT, OUT, S, W
+      AT = T
+      W = TET(K,T)
+      OUT = TSSLOT(TET, T, C)
+   10 IF (ADJ(OUT,AT) .NE. NONE) THEN
+        NEXT = ADJ(OUT,AT)
+        OUT = TSSLOT(TET, NEXT, W)
+        W = TET(TSSLOT(ADJ, NEXT, AT),NEXT)
+        AT = NEXT
+        GO TO 10
+      END IF
+      S = TSORIP(P, F, W)
+      INFO = 0
+      IF (S .GT. 0) INFO = BADHUL
+      IF (S .EQ. UNSURE) INFO = RANGE
+      END
+
+C     TSCHKH - the boundary facets of tetrahedron T: O is inside of
+C     each, and each is convex with its neighbours.  Of the two facets
+C     at an edge, which run along it in opposite directions, one tests
+C     it.
+      SUBROUTINE TSCHKH(P, TET, ADJ, T, INFO)
+      INTEGER TET(4,*), ADJ(4,*), T, INFO
+      DOUBLE PRECISION P(3,*)
+      INTEGER TSBEYO
+      INTEGER NONE, UNSURE, RANGE, BADHUL
+      PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6, BADHUL = 16)
+      DOUBLE PRECISION Q(3)
+      INTEGER F(3), C, I, K, S
+      DO 10 I = 1, 3
+        Q(I) = P(I,TET(1,1))
+   10 CONTINUE
+      DO 30 K = 1, 4
+        IF (ADJ(K,T) .NE. NONE) GO TO 30
+        CALL TSOUTF(TET, T, K, F)
+        S = TSBEYO(P, F, Q, TET)
+        INFO = RANGE
+        IF (S .EQ. UNSURE) RETURN
+        INFO = BADHUL
+        IF (S .GT. 0) RETURN
+        DO 20 I = 1, 3
+          IF (F(I) .LT. F(MOD(I, 3) + 1)) THEN
+            C = F(MOD(I + 1, 3) + 1)
+            CALL TSCHKE(P, TET, ADJ, T, K, F, C, INFO)
+            IF (INFO .NE. 0) RETURN
+          END IF
+   20   CONTINUE
+   30 CONTINUE
+      INFO = 0
+      END
+
+C     TSCHKC - that tetrahedron T, not 1, does not hold O.
+      SUBROUTINE TSCHKC(P, TET, T, INFO)
+      INTEGER TET(4,*), T, INFO
+      DOUBLE PRECISION P(3,*)
+      INTEGER TSBEYO, TSINBO
+      INTEGER UNSURE, RANGE, BADCOV
+      PARAMETER (UNSURE = 2, RANGE = 6, BADCOV = 17)
+      DOUBLE PRECISION Q(3)
+      INTEGER F(3), K, S, INSIDE
+      DO 10 K = 1, 3
+        Q(K) = P(K,TET(1,1))
+   10 CONTINUE
+      INFO = 0
+      IF (T .EQ. 1) RETURN
+      IF (TSINBO(P, TET, T, Q) .EQ. 0) RETURN
+      INSIDE = 0
+      DO 20 K = 1, 4
+        CALL TSOUTF(TET, T, K, F)
+        S = TSBEYO(P, F, Q, TET)
+        INFO = RANGE
+        IF (S .EQ. UNSURE) RETURN
+        IF (S .LT. 0) INSIDE = INSIDE + 1
+   20 CONTINUE
+      INFO = 0
+      IF (INSIDE .EQ. 4) INFO = BADCOV
+      END
+
+C     TESSCH - an exact proof that TET and ADJ are a Delaunay
+C     tetrahedralization of P, by finitely many exact tests.
+C
+C       N, P, NTET, TET, ADJ  (in)  points and result
+C       LIW   (in)   length of IW, at least 2 N
+C       IW    (out)  workspace
+C       BAD   (out)  the tetrahedron at fault, or the point (INFO 18),
+C                    or 0
+C       INFO  (out)  0 when proven, or the first fault found:
+C           10  a vertex out of range, or twice in one
+C           11  a vertex that is a duplicate of another one
+C           12  flat or negatively oriented
+C           13  an open facet: the result is unfinished
+C           14  neighbour out of range, or not mutual
+C           15  the neighbour's apex is inside the ball
+C           16  boundary not closed, or not convex
+C           17  the hull is covered more than once
+C           18  a point is in no tetrahedron
+C                    Any valid triangulation of cospherical points
+C                    passes.  NTET = 0 passes when all points lie in
+C                    one plane.  -1 for N < 0, -2 for a NaN or infinity
+C                    in P, -3 for NTET < 0, -6 for LIW < 2 N
+C
+C     Let O be Q* for Q = the first vertex of tetrahedron 1 (see "Common
+C     to the queries"): a point in the interior of tetrahedron 1 and on
+C     no facet's plane.  Tested are:
+C       1  each tetrahedron has four points as vertices, none a
+C          duplicate of a point of lower index, and is positively
+C          oriented;
+C       2  each facet is on the boundary, or matched with a facet of
+C          another tetrahedron that has the same vertices and lies on
+C          the other side;
+C       3  across a matched facet, the neighbour's apex is not inside
+C          the ball;
+C       4  O is inside of each boundary facet;
+C       5  at each edge of a boundary facet, the next boundary facet,
+C          found by turning about the edge through the tetrahedra, has
+C          its apex not outside of the first;
+C       6  no tetrahedron but 1 holds O;
+C       7  each point that is no duplicate is a vertex.
+C
+C     a. For a point X on no facet let m(X) be the number of tetrahedra
+C        that hold it.  By 1 and 2 it is the number of times that the
+C        boundary, oriented outwards, winds about X: the sum of that
+C        number over the surfaces of all tetrahedra, in which matched
+C        facets cancel.  The turns of 5 pair the edges of boundary
+C        facets, which so form a closed surface S; two that are adjacent
+C        run along their edge in opposite directions.
+C     b. By 4, projection from O takes the facets of S to triangles on
+C        the sphere of directions, all of one orientation, adjacent ones
+C        on opposite sides of their edge.  So S covers the sphere, with
+C        branching at vertices at most, and the number of sheets is the
+C        winding number about O: m(O), which is 1 by 6.  One sheet
+C        cannot branch: each ray from O meets S once.  S bounds a body
+C        K, star-shaped about O; m is 1 in K, 0 outside.
+C     c. A plane through O that misses the vertices of S cuts K in a
+C        polygon which is star-shaped about O and has by 5 no angle
+C        above pi: convex.  Such planes are dense, so K is convex.
+C     d. So the tetrahedra fill K once, facet matched to facet: any two
+C        meet in a common face or not at all.  A triangulation of a
+C        convex body that has 3 is Delaunay (Delaunay's lemma).  By 7 it
+C        is one of all points, and K is their hull.
+C
+C     Conversely a Delaunay tetrahedralization passes: O is inside its
+C     hull.
+C
+C     No test is idle.  For 6: join the 20 triangles of the great
+C     icosahedron to its centre.  These tetrahedra pass all other tests,
+C     and V - E + F - T = 1, though they cover the centre 7 times.
+C     Euler's relation follows from the seven tests.
+C
+C     Nothing is relied on before it is tested: indices before points
+C     are read, the matching of all facets before a turn.  INFO is 6
+C     when the limbs do not suffice for a test.
+C
+C     Cost: O(N log N) for sorting; one orientation and two inspheres
+C     for each tetrahedron, and about three orientations for each
+C     boundary facet.
+      SUBROUTINE TESSCH(N, P, NTET, TET, ADJ, LIW, IW, BAD, INFO)
+      INTEGER N, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), BAD, INFO
+      DOUBLE PRECISION P(3,*)
+      INTEGER TSCHKT, TSFINI
+      INTEGER NONE, UNUSED, LARGE, BADPOI
+      PARAMETER (NONE = 0, UNUSED = 0, LARGE = 2147483647, BADPOI = 18)
+      INTEGER I, MARK, PASS, T
+      BAD = NONE
+      INFO = -1
+      IF (N .LT. 0 .OR. N .GT. (LARGE - 1)/3) RETURN
+      INFO = -2
+      DO 10 I = 1, N
+        IF (TSFINI(P, I) .EQ. 0) RETURN
+   10 CONTINUE
+      INFO = -3
+      IF (NTET .LT. 0 .OR. NTET .GT. (LARGE - 3)/4) RETURN
+      INFO = -6
+      IF (LIW .LT. N .OR. LIW - N .LT. N) RETURN
+      IF (NTET .EQ. 0) THEN
+        CALL TSCHKP(N, P, BAD, INFO)
+        RETURN
+      END IF
+      CALL TSMARK(N, P, IW, MARK)
+      DO 30 PASS = 1, 5
+        DO 20 I = 1, NTET
+          T = I
+          IF (PASS .EQ. 1) CALL TSCHKI(N, TET, T, IW, MARK, INFO)
+          IF (PASS .EQ. 2) INFO = TSCHKT(P, TET, ADJ, T)
+          IF (PASS .EQ. 3) CALL TSCHKF(P, NTET, TET, ADJ, T, INFO)
+          IF (PASS .EQ. 4) CALL TSCHKH(P, TET, ADJ, T, INFO)
+          IF (PASS .EQ. 5) CALL TSCHKC(P, TET, T, INFO)
+          IF (INFO .NE. 0) THEN
+            BAD = T
+            RETURN
+          END IF
+   20   CONTINUE
+   30 CONTINUE
+      DO 40 I = 1, N
+        IF (IW(MARK+I) .EQ. UNUSED) THEN
+          BAD = I
+          INFO = BADPOI
+          RETURN
+        END IF
+   40 CONTINUE
+      END
