@@ -191,6 +191,6 @@ int main(void)
     one("uniform", MOST);
     one("lattice", MOST);
     codes();
-    printf("t_f77: %d passed, %d failed\n", passed, failed);
+    printf("fortran: %d passed, %d failed\n", passed, failed);
     return failed != 0;
 }
