@@ -642,6 +642,7 @@ static void gather(mesh *m, tess_int s)
 {
     list *l = &m->block, *g = &m->group;
     float lo[3], hi[3], margin;
+    double ulps;
     int i, j, k, n = 0, in[TESS_LIST], pick[TESS_LIST + 1];
 
     if (s < l->first || s >= l->last) block(m, s);
@@ -669,9 +670,11 @@ static void gather(mesh *m, tess_int s)
         hi[k] += margin;
         g->centre[k] = l->centre[k];
         g->most[k] = l->most[k];
-        /* the box that is certainly covered, for all rounding */
-        g->lo[k] = l->centre[k] + (lo[k] + SLACK) / l->unit;
-        g->hi[k] = l->centre[k] + (hi[k] - SLACK) / l->unit;
+        /* the box that is certainly covered, for all rounding: that of the
+         * list, and that of the centre in a narrow box far from the origin */
+        ulps = 4.0 * DBL_EPSILON * (fabs(l->centre[k]) + 1.0 / l->unit);
+        g->lo[k] = l->centre[k] + (lo[k] + SLACK) / l->unit + ulps;
+        g->hi[k] = l->centre[k] + (hi[k] - SLACK) / l->unit - ulps;
         if (g->lo[k] < l->lo[k]) g->lo[k] = l->lo[k];
         if (g->hi[k] > l->hi[k]) g->hi[k] = l->hi[k];
     }

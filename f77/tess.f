@@ -822,8 +822,8 @@ C     unit.
       PARAMETER (LFIRST = 1, LLAST = 2, LN = 3, LLO = 0, LHI = 3)
       PARAMETER (LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14, BLK = 1)
       PARAMETER (GRP = 2, GROUP = 8)
-      DOUBLE PRECISION NEAR
-      PARAMETER (NEAR = 0.7D0)
+      DOUBLE PRECISION NEAR, EPS, ULPS
+      PARAMETER (NEAR = 0.7D0, EPS = 2.0D0**(-52))
       REAL FAR, SLACK
       PARAMETER (FAR = 1.0E10, SLACK = 1.0E-6)
       REAL HI(3), LO(3), MARGIN
@@ -860,11 +860,15 @@ C     unit.
         HI(K) = HI(K) + MARGIN
         LSD(LMID+K,GRP) = LSD(LMID+K,BLK)
         LSD(LMOST+K,GRP) = LSD(LMOST+K,BLK)
-C       the box that is certainly covered, for all rounding
+C       the box that is certainly covered, for all rounding: that of
+C       the list, and that of the centre in a narrow box far from the
+C       origin
+        ULPS = 4.0D0*EPS*(ABS(LSD(LMID+K,BLK)) +
+     $         1.0D0/LSD(LUNIT,BLK))
         LSD(LLO+K,GRP) = LSD(LMID+K,BLK) + DBLE(LO(K) +
-     $      SLACK)/LSD(LUNIT,BLK)
+     $      SLACK)/LSD(LUNIT,BLK) + ULPS
         LSD(LHI+K,GRP) = LSD(LMID+K,BLK) + DBLE(HI(K) -
-     $      SLACK)/LSD(LUNIT,BLK)
+     $      SLACK)/LSD(LUNIT,BLK) - ULPS
         LSD(LLO+K,GRP) = MAX(LSD(LLO+K,GRP), LSD(LLO+K,BLK))
         LSD(LHI+K,GRP) = MIN(LSD(LHI+K,GRP), LSD(LHI+K,BLK))
    40 CONTINUE

@@ -250,6 +250,20 @@ static long grid11eps(long n, unsigned long *state, double *p)
     return n;
 }
 
+/* Places of a lattice of 17^3 points that are 2^-50 apart, four last places,
+ * beside (1,1,1), drawn at random; and the origin, so that nothing can be
+ * subtracted first. */
+static long lastplaces(long n, unsigned long *state, double *p)
+{
+    long i, k;
+
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3; k++)
+            p[3 * i + k] = i == 0 ? 0.0
+                : 1.0 + (double)below(state, 17) / 1125899906842624.0;
+    return n;
+}
+
 /* ---- surfaces ---- */
 
 /* A random direction in the first dim coordinates.  The integers are small
@@ -642,7 +656,8 @@ static const struct {
     { "decimal3", decimal3 }, { "twoscale", twoscale }, { "aniso", aniso },
     { "planenoise", planenoise }, { "lattice", lattice },
     { "lattice01", lattice01 }, { "latticeshuf", latticeshuf },
-    { "jitlattice", jitlattice }, { "grid11eps", grid11eps }, { "bcc", bcc },
+    { "jitlattice", jitlattice }, { "grid11eps", grid11eps },
+    { "lastplaces", lastplaces }, { "bcc", bcc },
     { "fcc", fcc }, { "spherenorm", spherenorm }, { "spherejit", spherejit },
     { "spherei", spherei }, { "ellipsoid", ellipsoid }, { "spiral", spiral },
     { "cylinder", cylinder }, { "cylinderrnd", cylinderrnd },

@@ -18,6 +18,7 @@
  *   lattice01    the same with 0.1 * i
  *   latticeshuf  lattice in random order
  *   jitlattice   lattice moved by up to 2^-33 (1.2e-10)
+ *   lastplaces   in a lattice of 2^-50 beside (1,1,1), and the origin
  *   grid11eps    cubic grid in [0,1] (11^3 for n = 1331), one coordinate in
  *                ten moved by 2^-52
  *   bcc, fcc     body- and face-centred cubic lattice

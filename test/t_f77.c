@@ -179,7 +179,7 @@ int main(void)
         "planenoise", "lattice", "lattice01", "latticeshuf", "bcc", "fcc",
         "spherei", "planeone", "planespread", "duplicates", "pairs",
         "farpoint", "offset", "tiny", "huge", "cubesurf", "jitlattice",
-        "paraboloid", "twolines", "moment"
+        "paraboloid", "lastplaces", "twolines", "moment"
     };
     int i, count = (int)(sizeof family / sizeof *family);
 
@@ -190,6 +190,7 @@ int main(void)
     }
     one("uniform", MOST);
     one("lattice", MOST);
+    one("lastplaces", 1500);
     codes();
     printf("fortran: %d passed, %d failed\n", passed, failed);
     return failed != 0;
