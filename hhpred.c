@@ -1,10 +1,11 @@
 /* hhpred.c - predicates for a handful of points in space; see hhpred.h.
  *
  * Order of the routines, here and in f77/hhpred.f:
- *   exact numbers     split carry produc det3 limbsg exact
- *   exact signs       filt3 filt5 scale hh_orient hh_insphere hh_flat
- *                     widersg hh_wider hh_range corners hh_pside tied
- *                     perturb hh_pball hh_pbeat
+ *   exact numbers     split carry produc zeros minor2 minor3 square signof
+ *                     limbsg limbs3 limbs10 limbsx weight exact
+ *   exact signs       certain filt3 filt5 exact3 exact5 scale larger hh_orient
+ *                     hh_insphere hh_flat widersg hh_wider hh_range corners
+ *                     hh_pside tied perturb hh_pball hh_pbeat
  *   Householder       house reflec hh_setup hh_bound hh_facet hh_side hh_opp
  *                     hh_lcoord hh_wrap
  */
@@ -376,7 +377,7 @@ static int exact3(const tess_real *a, const tess_real *b, const tess_real *c,
                   const tess_real *d)
 {
     double q[12];
-    int k, sign;
+    int k;
 
     for (k = 0; k < 3; k++) {
         q[k] = b[k];
@@ -384,8 +385,7 @@ static int exact3(const tess_real *a, const tess_real *b, const tess_real *c,
         q[6 + k] = d[k];
         q[9 + k] = a[k];
     }
-    sign = exact(4, q);
-    return sign;
+    return exact(4, q);
 }
 
 /* exact5 - the sign of filt5's determinant by limbs. */
