@@ -1589,8 +1589,8 @@ static int scaled(mesh *m)
     return 0;
 }
 
-/* sorted - sort the points, drop the duplicates, build
- * the tree.  Returns 0, TESS_POINT or TESS_RANGE. */
+/* sorted - sort the points, drop the duplicates, build the tree.  Returns 0 or
+ * TESS_RANGE. */
 static int sorted(mesh *m, tess_int n, const tess_real *p)
 {
     tess_int i;
@@ -1599,7 +1599,6 @@ static int sorted(mesh *m, tess_int n, const tess_real *p)
 
     for (i = 0; i < n; i++) m->rep[i] = i;
     collect(m, n, p);
-    if (n == 0) return TESS_POINT;
     kdsort(m);
     for (i = 0; i < n; i++) m->rep[i] = m->rep[m->rep[i]];
     for (i = 0; i < n && m->rep[i] == i; i++)
@@ -1683,6 +1682,7 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     tess_int i, s = NONE, leaves = leafcount(n);
     int code;
 
+    if (n == 0) return TESS_POINT;
     m.set.x = m.x = rw;
     m.set.p = p;
     m.box = rw + 3 * n;

@@ -352,25 +352,28 @@ C     TSLSOR - order the points of a leaf in groups of GROUP.
       INTEGER HALF, HI, I, J, K, LO
       HALF = FIRST + (LAST - FIRST + 2*GROUP)/(2*GROUP)*GROUP
       IF (HALF .LE. LAST) CALL TSCUT(X, ORD, REP, FIRST, LAST, HALF)
-      DO 50 LO = FIRST, LAST, GROUP
+      LO = FIRST
+   10 IF (LO .LE. LAST) THEN
         HI = LAST
         IF (LO .LT. HALF .AND. HALF .LE. LAST) HI = HALF - 1
         IF (LO + GROUP .LE. HI) CALL TSCUT(X, ORD, REP, LO, HI, LO +
      $      GROUP)
         HI = MIN(LO + GROUP - 1, HI)
-        DO 30 I = LO + 1, HI
-          DO 20 J = I, LO + 1, -1
-            DO 10 K = 1, 3
-              Q(K) = X(K,J-1)
-   10       CONTINUE
-            IF (TSBEFO(X, ORD, J, 1, Q, ORD(J-1)) .EQ. 0) GO TO 30
-            CALL TSSWAP(X, ORD, J - 1, J)
-   20     CONTINUE
-   30   CONTINUE
         DO 40 I = LO + 1, HI
-          CALL TSTWIN(X, ORD, REP, I - 1, I)
+          DO 30 J = I, LO + 1, -1
+            DO 20 K = 1, 3
+              Q(K) = X(K,J-1)
+   20       CONTINUE
+            IF (TSBEFO(X, ORD, J, 1, Q, ORD(J-1)) .EQ. 0) GO TO 40
+            CALL TSSWAP(X, ORD, J - 1, J)
+   30     CONTINUE
    40   CONTINUE
-   50 CONTINUE
+        DO 50 I = LO + 1, HI
+          CALL TSTWIN(X, ORD, REP, I - 1, I)
+   50   CONTINUE
+        LO = LO + GROUP
+        GO TO 10
+      END IF
       END
 
 C     TSKDSO - order the points: every node of the tree is cut in two
@@ -479,20 +482,20 @@ C     TSSIGN - the signature of a facet, below 2**31; V(1) is its least.
      $             8191)*71233
       END
 
-C     TSFIND - the entry of the facet with the vertices V, or 0.
-      INTEGER FUNCTION TSFIND(TET, POOL, CTL, V, SIG)
-      INTEGER TET(4,*), POOL(*), CTL(*), V(3), SIG
+C     TSFIND - the entry E of the facet with the vertices V, or 0.
+      SUBROUTINE TSFIND(TET, POOL, CTL, V, SIG, E)
+      INTEGER TET(4,*), POOL(*), CTL(*), V(3), SIG, E
       INTEGER MPOOL, ENTRY
       PARAMETER (MPOOL = 6, ENTRY = 4)
-      INTEGER AT, CODE, E, W(3)
+      INTEGER AT, W(3)
       E = MOD(SIG, CTL(MPOOL)) + 1
    10 AT = ENTRY*(E - 1)
-      TSFIND = 0
-      IF (POOL(AT+1) .EQ. 0) RETURN
+      IF (POOL(AT+1) .EQ. 0) THEN
+        E = 0
+        RETURN
+      END IF
       IF (POOL(AT+4) .EQ. SIG) THEN
-        CODE = POOL(AT+1)
-        CALL TSFACE(TET, CODE, W)
-        TSFIND = E
+        CALL TSFACE(TET, POOL(AT+1), W)
         IF (W(1) .EQ. V(1) .AND. ((W(2) .EQ. V(2) .AND.
      $      W(3) .EQ. V(3)) .OR. (W(2) .EQ. V(3) .AND.
      $      W(3) .EQ. V(2)))) RETURN
@@ -1270,7 +1273,7 @@ C     TSSEAR - finish a search by the tree, near boxes first.
       DOUBLE PRECISION TSAPAR, TSREGI
       INTEGER LEAVES, QBALL, DONE, DEPTH
       PARAMETER (LEAVES = 4, QBALL = 3, DONE = -1, DEPTH = 64)
-      INTEGER FIRST, HEIGHT, I, LAST, NODE, OTHER, STACK(DEPTH), TURN
+      INTEGER FIRST, HEIGHT, I, LAST, NODE, OTHER, STACK(DEPTH), TURN, Z
       STACK(1) = 1
       HEIGHT = 1
    10 IF (HEIGHT .EQ. 0) RETURN
@@ -1297,8 +1300,9 @@ C     TSSEAR - finish a search by the tree, near boxes first.
       END IF
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
       DO 20 I = FIRST, LAST
+        Z = I
         IF (LINK(I) .NE. DONE) CALL TSCONS(X, P, ORD, RCTL, V, IQ, F,
-     $      FQ, I)
+     $      FQ, Z)
    20 CONTINUE
       GO TO 10
       END
@@ -1566,7 +1570,7 @@ C     They wait for each other so that the processor can fetch what
 C     several need from memory at once.
       SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
-      INTEGER TSFIND, TSSIGN
+      INTEGER TSSIGN
       INTEGER NT, FRESH, ENTRY
       PARAMETER (NT = 2, FRESH = 8, ENTRY = 4)
       INTEGER CODE, E, SIG, T, V(3)
@@ -1574,7 +1578,7 @@ C     several need from memory at once.
         CODE = 4*(T - 1) + 1
         CALL TSFACE(TET, CODE, V)
         SIG = TSSIGN(V)
-        E = TSFIND(TET, POOL, CTL, V, SIG)
+        CALL TSFIND(TET, POOL, CTL, V, SIG, E)
         IF (E .EQ. 0) THEN
           CALL TSPUTI(HEAD, POOL, CTL, CODE, V(1), SIG)
         ELSE
@@ -2247,15 +2251,15 @@ C       up to 2**52 units of the determinant's degree
       END
 
 C     TSSORT - sort the points, drop the duplicates, build the tree.
-C     INFO is 0, SINGLE or RANGE.
+C     INFO is 0, or RANGE.
       SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, HEAD, LINK, CTL,
      $                  RCTL, N, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*)
       INTEGER ORD(*), ALIVE(*), REP(*), HEAD(*), LINK(*), CTL(*), N
       INTEGER INFO
       INTEGER TSBOUN
-      INTEGER NP, LEAVES, RREACH, NEW, SINGLE
-      PARAMETER (NP = 1, LEAVES = 4, RREACH = 3, NEW = -2, SINGLE = 5)
+      INTEGER NP, LEAVES, RREACH, NEW
+      PARAMETER (NP = 1, LEAVES = 4, RREACH = 3, NEW = -2)
       DOUBLE PRECISION REACH
       PARAMETER (REACH = 2.75D0)
       DOUBLE PRECISION MEAN
@@ -2264,8 +2268,6 @@ C     INFO is 0, SINGLE or RANGE.
         REP(I) = I
    10 CONTINUE
       CALL TSCOLL(X, P, ORD, REP, CTL, N)
-      INFO = SINGLE
-      IF (N .EQ. 0) RETURN
       CALL TSKDSO(X, ORD, REP, CTL)
       DO 20 I = 1, N
         REP(I) = REP(REP(I))
@@ -2352,7 +2354,8 @@ C     HEAD has the positions of the points at first.
       S = TET(1,CTL(NT))
       INFO = FULL
       DO 110 T = 1, CTL(NT)
-        DO 100 CODE = 4*T, 4*T - 3, -1
+        DO 100 K = 4, 1, -1
+          CODE = 4*(T - 1) + K
           IF (ADJ(CODE) .EQ. OPEN) THEN
             CALL TSFACE(TET, CODE, V)
             IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) THEN
@@ -2372,13 +2375,16 @@ C     HEAD has the positions of the points at first.
       GO TO 120
       END
 
-C     TSRUN - TESS and TESSRE, of arguments that are right but for P and
-C     the indices in TET.
-      SUBROUTINE TSRUN(N, P, MAXTET, NTET, TET, ADJ, X, BOX, REP, ORD,
-     $                 HEAD, LINK, ALIVE, LENGTH, POOL, INFO)
-      DOUBLE PRECISION P(3,*), X(3,*), BOX(6,*)
-      INTEGER N, MAXTET, NTET, TET(4,*), ADJ(*), REP(*), ORD(*), HEAD(*)
-      INTEGER LINK(*), ALIVE(*), LENGTH, POOL(*), INFO
+C     TSMESH - TSRUN, its workspace cut up into the arrays that the
+C     structure mesh has in C.
+C
+C     They are declared in their lengths: so no two of them share an
+C     element of RW or IW, and the standard lets them be altered.
+      SUBROUTINE TSMESH(N, P, MAXTET, NTET, TET, ADJ, LVS, X, BOX, REP,
+     $                  ORD, HEAD, LINK, ALIVE, LENGTH, POOL, INFO)
+      INTEGER N, MAXTET, NTET, TET(4,*), ADJ(*), LVS, REP(N), ORD(N)
+      INTEGER HEAD(N), LINK(N), ALIVE(2*LVS), LENGTH, POOL(LENGTH), INFO
+      DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
       INTEGER TSTABL
       INTEGER NP, NT, MAXT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEDGE
       INTEGER LOW, NPLANE, NEXTPL, LFIRST, LLAST, LN, BLK, GRP, TSLIST
@@ -2427,6 +2433,23 @@ C     the indices in TET.
    20   CONTINUE
    30 CONTINUE
       NTET = CTL(NT)
+      END
+
+C     TSRUN - TESS and TESSRE, of arguments that are right but for P and
+C     the indices in TET.
+      SUBROUTINE TSRUN(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, RW, INFO)
+      DOUBLE PRECISION P(3,*), RW(*)
+      INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), INFO
+      INTEGER TSLCOU
+      INTEGER SINGLE
+      PARAMETER (SINGLE = 5)
+      INTEGER LVS
+      INFO = SINGLE
+      IF (N .EQ. 0) RETURN
+      LVS = TSLCOU(N)
+      CALL TSMESH(N, P, MAXTET, NTET, TET, ADJ, LVS, RW, RW(3*N+1), IW,
+     $            IW(N+1), IW(2*N+1), IW(3*N+1), IW(4*N+1), LIW - 4*N -
+     $            2*LVS, IW(4*N+2*LVS+1), INFO)
       END
 
 C     TSWRON - INFO is the code of a bad argument common to TESS and
@@ -2525,14 +2548,9 @@ C     worst for a linear number of tetrahedra.  Section 2 of the paper.
      $                INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW, INFO
-      INTEGER TSLCOU
-      INTEGER LVS
       CALL TSWRON(N, P, MAXTET, LIW, LRW, NTET, INFO)
       IF (INFO .NE. 0) RETURN
-      LVS = TSLCOU(N)
-      CALL TSRUN(N, P, MAXTET, NTET, TET, ADJ, RW, RW(3*N+1), IW,
-     $           IW(N+1), IW(2*N+1), IW(3*N+1), IW(4*N+1), LIW -
-     $           4*N - 2*LVS, IW(4*N+2*LVS+1), INFO)
+      CALL TSRUN(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, RW, INFO)
       END
 
 C     TESSRE - go on from an unfinished result.
@@ -2551,10 +2569,9 @@ C     unchanged.
      $                  INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW, INFO
-      INTEGER TSLCOU
       INTEGER OPEN
       PARAMETER (OPEN = -1)
-      INTEGER K, LVS, T, WHICH
+      INTEGER K, T, WHICH
       CALL TSWRON(N, P, MAXTET, LIW, LRW, WHICH, INFO)
       IF (INFO .NE. 0 .AND. INFO .GT. -4) RETURN
       IF (NTET .LT. 0 .OR. NTET .GT. MAXTET) THEN
@@ -2578,10 +2595,7 @@ C     unchanged.
    30   CONTINUE
    40 CONTINUE
       IF (INFO .NE. 0) RETURN
-      LVS = TSLCOU(N)
-      CALL TSRUN(N, P, MAXTET, NTET, TET, ADJ, RW, RW(3*N+1), IW,
-     $           IW(N+1), IW(2*N+1), IW(3*N+1), IW(4*N+1), LIW -
-     $           4*N - 2*LVS, IW(4*N+2*LVS+1), INFO)
+      CALL TSRUN(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, RW, INFO)
       END
 C     ------------------------------------------------------------------
 C     Common to the queries.
