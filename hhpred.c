@@ -876,3 +876,59 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     *c = -wg / wv;
     return 0;
 }
+
+#ifdef TESS_FORTRAN
+
+/* ---- the entries for Fortran ---- */
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+void TESS_NAME(hhface, HHFACE)(const tess_real *p1, const tess_real *p2,
+                               const tess_real *p3, double *f, tess_int *info)
+{
+    *info = (tess_int)hh_facet(p1, p2, p3, f);
+}
+
+double TESS_NAME(hhside, HHSIDE)(const double *f, const tess_real *z)
+{
+    return hh_side(f, z);
+}
+
+tess_int TESS_NAME(hhopp, HHOPP)(const double *f, const tess_real *z1,
+                                 const tess_real *z2)
+{
+    return (tess_int)hh_opp(f, z1, z2);
+}
+
+double TESS_NAME(hhlcoo, HHLCOO)(const double *f, const tess_real *z)
+{
+    return hh_lcoord(f, z);
+}
+
+void TESS_NAME(hhwrap, HHWRAP)(const tess_real *p1, const tess_real *p2,
+                               const tess_real *p3, const tess_real *z,
+                               double *c, tess_int *info)
+{
+    *info = (tess_int)hh_wrap(p1, p2, p3, z, c);
+}
+
+tess_int TESS_NAME(hhorie, HHORIE)(const tess_real *a, const tess_real *b,
+                                   const tess_real *c, const tess_real *d)
+{
+    return (tess_int)hh_orient(a, b, c, d);
+}
+
+tess_int TESS_NAME(hhinsp, HHINSP)(const tess_real *a, const tess_real *b,
+                                   const tess_real *c, const tess_real *d,
+                                   const tess_real *e)
+{
+    return (tess_int)hh_insphere(a, b, c, d, e);
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -34,8 +34,9 @@
  *   preparation  leafcount side tablesize finite3 lengths collect inrange
  *                times units scaled sorted restore run wrong
  *   entries      tess_size tess tess_resume
- *   location     outfac slot beyond inbox reach sample walk holds sweep elimin
- *                backsu unite balanc weigh tess_locate
+ *   queries      coords four outfac slot beyond inbox
+ *   location     reach sample walk holds sweep elimin backsu unite balanc
+ *                weigh tess_locate
  *   hull, check  tess_hull preced merge sortpt marks chkpla chkidx mate chkfac
  *                chktet chkedg chkhul chkcov tess_check
  */
@@ -62,6 +63,16 @@ extern double tess_count[];
 #define N_LIST 7   /* points of lists tested                */
 #define N_POOL 8   /* largest number of facets in the pool  */
 #define N_HULL 9   /* searches that found nothing           */
+
+/* The caller's arrays hold numbers greater by ORIGIN than those used inside:
+ * Fortran counts from 1.  So do the queries. */
+#ifdef TESS_FORTRAN
+#define ORIGIN 1
+#else
+#define ORIGIN 0
+#endif
+#define NOTHING (TESS_NONE + ORIGIN)
+#define OPEN (TESS_OPEN + ORIGIN)
 
 #define NONE (-1)
 #define UNSURE 2  /* what hh_orient and hh_insphere answer out of range */
@@ -1637,9 +1648,10 @@ static int restore(mesh *m, tess_int n, tess_int *s)
     for (i = 0; i < n; i++) place[i] = NONE;
     for (i = 0; i < m->np; i++) place[m->order[i]] = i;
     for (i = 0; i < 4 * m->ntet; i++)
-        if (place[m->tet[i]] == NONE) return -5;
+        if (place[m->tet[i] - ORIGIN] == NONE) return -5;
     for (i = 0; i < 4 * m->ntet; i++) {
-        m->tet[i] = place[m->tet[i]];
+        m->adj[i] -= ORIGIN;
+        m->tet[i] = place[m->tet[i] - ORIGIN];
         m->link[m->tet[i]] = DONE;
     }
     for (i = 0; i < 4 * m->ntet; i++)
@@ -1703,15 +1715,23 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     m.block.first = m.block.last = m.group.first = m.group.last = NONE;
 
     code = sorted(&m, n, p);
-    if (code == 0 && m.ntet > 0)
+    if (code != 0) {
+        *ntet = 0;
+        return code;
+    }
+    if (m.ntet > 0) {
         code = restore(&m, n, &s);
-    else if (code == 0) {
+        if (code == -5) return code;
+    } else {
         code = begin(&m, &s);
         if (code == 0) code = widen(&m, s, tablesize(m.np));
     }
     if (code == 0) code = stars(&m, s);
-    if (code == -5) return code;
-    for (i = 0; i < 4 * m.ntet; i++) tet[i] = m.order[tet[i]];
+    for (i = 0; i < n; i++) m.rep[i] += ORIGIN;
+    for (i = 0; i < 4 * m.ntet; i++) {
+        tet[i] = m.order[tet[i]] + ORIGIN;
+        adj[i] += ORIGIN;
+    }
     *ntet = m.ntet;
     return code;
 }
@@ -1727,7 +1747,7 @@ static int wrong(tess_int n, const tess_real *p, tess_int maxtet, tess_int liw,
     if (n < 0 || !lengths(n, &leastiw, &leastrw, &pool)) return -1;
     for (i = 0; i < n; i++)
         if (!finite3(p, i)) {
-            *which = i;
+            *which = i + ORIGIN;
             return -2;
         }
     if (maxtet < 0 || maxtet > (TESS_INT_MOST - 3) / 4) return -3;
@@ -1770,9 +1790,9 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
     if (code != 0 && code > -4) return code;
     if (*ntet < 0 || *ntet > maxtet) return -4;
     for (i = 0; i < 4 * *ntet; i++)
-        if (tet[i] < 0 || tet[i] >= n) return -5;
+        if (tet[i] < ORIGIN || tet[i] >= n + ORIGIN) return -5;
     for (i = 0; i < 4 * *ntet; i++)
-        if (adj[i] < TESS_OPEN || adj[i] >= *ntet) return -6;
+        if (adj[i] < OPEN || adj[i] >= *ntet + ORIGIN) return -6;
     if (code != 0) return code;
     return run(n, p, maxtet, ntet, tet, adj, liw, iw, rw);
 }
@@ -1788,6 +1808,18 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * not 0 of the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0
  * ... v3 are not in one plane: q* is on no facet, and is in the interior of
  * exactly one tetrahedron if it is in the hull of a triangulation. */
+
+/* coords - the coordinates of point i. */
+static const tess_real *coords(const tess_real *p, tess_int i)
+{
+    return p + 3 * (i - ORIGIN);
+}
+
+/* four - the vertices of tetrahedron t, of tet, or its neighbours, of adj. */
+static const tess_int *four(const tess_int *a, tess_int t)
+{
+    return a + 4 * (t - ORIGIN);
+}
 
 /* outfac - f = the vertices of facet k of the tetrahedron v, the one opposite
  * to v[k], counter-clockwise from outside if v is positively oriented:
@@ -1816,10 +1848,12 @@ static int slot(const tess_int *v, tess_int x)
 static int beyond(const tess_real *p, const tess_int *f, const tess_real *q,
                   const tess_int *v)
 {
-    const tess_real *a = p + 3 * f[0], *b = p + 3 * f[1], *c = p + 3 * f[2];
+    const tess_real *a = coords(p, f[0]), *b = coords(p, f[1]);
+    const tess_real *c = coords(p, f[2]);
     int s = hh_orient(a, b, c, q), k;
 
-    for (k = 0; k < 4 && s == 0; k++) s = hh_orient(a, b, c, p + 3 * v[k]);
+    for (k = 0; k < 4 && s == 0; k++)
+        s = hh_orient(a, b, c, coords(p, v[k]));
     return s;
 }
 
@@ -1832,8 +1866,8 @@ static int inbox(const tess_real *p, const tess_int *v, const tess_real *q)
     for (k = 0; k < 3; k++) {
         low = high = 0;
         for (i = 0; i < 4; i++) {
-            if (p[3 * v[i] + k] <= q[k]) low = 1;
-            if (p[3 * v[i] + k] >= q[k]) high = 1;
+            if (coords(p, v[i])[k] <= q[k]) low = 1;
+            if (coords(p, v[i])[k] >= q[k]) high = 1;
         }
         if (low == 0 || high == 0) return 0;
     }
@@ -1867,14 +1901,14 @@ static void reach(const tess_real *a, const tess_real *q, double *hi,
 static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
                        const tess_real *q)
 {
-    tess_int many = 1, best = 0, i, t;
+    tess_int many = 1, best = ORIGIN, i, t;
     double hi, lo, h, l;
 
     while (many * many < ntet / (many * many)) many++;
-    reach(p + 3 * tet[0], q, &hi, &lo);
+    reach(coords(p, tet[0]), q, &hi, &lo);
     for (i = 1; i < many; i++) {
-        t = (tess_int)(i * (ntet / many));
-        reach(p + 3 * tet[4 * t], q, &h, &l);
+        t = (tess_int)(i * (ntet / many) + ORIGIN);
+        reach(coords(p, four(tet, t)[0]), q, &h, &l);
         if (hh_wider(hi, lo, h, l) > 0) {
             best = t;
             hi = h;
@@ -1898,24 +1932,24 @@ static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
 static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t)
 {
-    tess_int f[3], last = TESS_NONE, next, steps, u;
+    tess_int f[3], last = NOTHING, next, steps, u;
     int k, s, open;
 
     for (steps = 0; steps < ntet; steps++) {
-        next = TESS_NONE;
+        next = NOTHING;
         open = 0;
-        for (k = 0; k < 4 && next == TESS_NONE; k++) {
-            u = adj[4 * *t + k];
-            if (u >= 0 && u == last) continue;
-            outfac(tet + 4 * *t, k, f);
+        for (k = 0; k < 4 && next == NOTHING; k++) {
+            u = four(adj, *t)[k];
+            if (u > NOTHING && u == last) continue;
+            outfac(four(tet, *t), k, f);
             s = beyond(p, f, q, tet);
             if (s == UNSURE) return TESS_RANGE;
             if (s < 0) continue;
-            if (u == TESS_NONE) return 1;
-            if (u == TESS_OPEN) open = 1;
-            if (u != TESS_OPEN) next = u;
+            if (u == NOTHING) return 1;
+            if (u == OPEN) open = 1;
+            if (u != OPEN) next = u;
         }
-        if (next == TESS_NONE) return open == 1 ? LOST : 0;
+        if (next == NOTHING) return open == 1 ? LOST : 0;
         last = *t;
         *t = next;
     }
@@ -1931,7 +1965,7 @@ static int holds(const tess_real *p, const tess_int *v, const tess_real *q)
     if (!inbox(p, v, q)) return 0;
     for (k = 0; k < 4; k++) {
         outfac(v, k, f);
-        s = hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], q);
+        s = hh_orient(coords(p, f[0]), coords(p, f[1]), coords(p, f[2]), q);
         if (s == UNSURE) return UNSURE;
         if (s > 0) return 0;
     }
@@ -1944,25 +1978,26 @@ static int holds(const tess_real *p, const tess_int *v, const tess_real *q)
 static int sweep(const tess_real *p, tess_int ntet, const tess_int *tet,
                  const tess_int *adj, const tess_real *q, tess_int *t)
 {
-    tess_int f[3], i, found = TESS_NONE;
+    tess_int f[3], i, found = NOTHING;
     int k, s;
 
-    for (i = 0; i < ntet; i++) {
-        s = holds(p, tet + 4 * i, q);
+    for (i = ORIGIN; i < ntet + ORIGIN; i++) {
+        s = holds(p, four(tet, i), q);
         if (s == UNSURE) return TESS_RANGE;
         if (s == 1) {
             *t = i;
             return 0;
         }
-        for (k = 0; k < 4 && found == TESS_NONE; k++) {
-            if (adj[4 * i + k] >= 0) continue;
-            outfac(tet + 4 * i, k, f);
-            s = hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], q);
+        for (k = 0; k < 4 && found == NOTHING; k++) {
+            if (four(adj, i)[k] > NOTHING) continue;
+            outfac(four(tet, i), k, f);
+            s = hh_orient(coords(p, f[0]), coords(p, f[1]), coords(p, f[2]),
+                          q);
             if (s == UNSURE) return TESS_RANGE;
             if (s > 0) found = i;
         }
     }
-    if (found != TESS_NONE) *t = found;
+    if (found != NOTHING) *t = found;
     return 1;
 }
 
@@ -2091,18 +2126,20 @@ static int weigh(const tess_real *p, const tess_int *v, const tess_real *q,
     for (k = 0; k < 4; k++) w[k] = 0.0;
     for (k = 0; k < 4; k++) {
         outfac(v, k, f);
-        s[k] = -hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], q);
+        s[k] = -hh_orient(coords(p, f[0]), coords(p, f[1]), coords(p, f[2]),
+                          q);
         if (s[k] == -UNSURE) return TESS_RANGE;
     }
     for (i = 0; i < 3; i++) {
         for (k = 0; k < 4; k++)
-            if (fabs(p[3 * v[k] + i]) > most) most = fabs(p[3 * v[k] + i]);
+            if (fabs(coords(p, v[k])[i]) > most)
+                most = fabs(coords(p, v[k])[i]);
         if (fabs(q[i]) > most) most = fabs(q[i]);
     }
     frexp(most, &e);
     for (k = 0; k < 4; k++)
         for (i = 0; i < 3; i++)
-            r[3 * k + i] = ldexp((double)p[3 * v[k] + i], -e) -
+            r[3 * k + i] = ldexp((double)coords(p, v[k])[i], -e) -
                            ldexp((double)q[i], -e);
     best = balanc(r, s, 15, w, &wrong);
     for (set = 14; set > 0 && wrong > 0; set--) {
@@ -2136,11 +2173,11 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
 
     if (ntet < 1) return -2;
     if (!finite3(q, 0)) return -5;
-    if (*t < TESS_NONE || *t >= ntet) return -6;
-    if (*t == TESS_NONE) *t = sample(p, ntet, tet, q);
+    if (*t < NOTHING || *t >= ntet + ORIGIN) return -6;
+    if (*t == NOTHING) *t = sample(p, ntet, tet, q);
     code = walk(p, ntet, tet, adj, q, t);
     if (code == LOST) code = sweep(p, ntet, tet, adj, q, t);
-    range = weigh(p, tet + 4 * *t, q, w);
+    range = weigh(p, four(tet, *t), q, w);
     return range != 0 ? range : code;
 }
 
@@ -2156,10 +2193,10 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
     *nfac = 0;
     if (ntet < 0) return -1;
     if (maxfac < 0) return -4;
-    for (t = 0; t < ntet; t++)
+    for (t = ORIGIN; t < ntet + ORIGIN; t++)
         for (k = 0; k < 4; k++)
-            if (adj[4 * t + k] < 0) {
-                if (*nfac < maxfac) outfac(tet + 4 * t, k, fac + 3 * *nfac);
+            if (four(adj, t)[k] <= NOTHING) {
+                if (*nfac < maxfac) outfac(four(tet, t), k, fac + 3 * *nfac);
                 ++*nfac;
             }
     return *nfac > maxfac ? TESS_MORE : TESS_OK;
@@ -2252,7 +2289,7 @@ static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
         } else if (rank == 2)
             s = hh_orient(p, b, c, q);
         if (s != 0) {
-            *bad = i;
+            *bad = i + ORIGIN;
             return s == UNSURE ? TESS_RANGE : TESS_BAD_POINT;
         }
     }
@@ -2266,13 +2303,13 @@ static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
     int i, j;
 
     for (i = 0; i < 4; i++) {
-        if (v[i] < 0 || v[i] >= n) return TESS_BAD_INDEX;
+        if (v[i] < ORIGIN || v[i] >= n + ORIGIN) return TESS_BAD_INDEX;
         for (j = 0; j < i; j++)
             if (v[i] == v[j]) return TESS_BAD_INDEX;
     }
     for (i = 0; i < 4; i++) {
-        if (mark[v[i]] == TWIN) return TESS_BAD_TWIN;
-        mark[v[i]] = USED;
+        if (mark[v[i] - ORIGIN] == TWIN) return TESS_BAD_TWIN;
+        mark[v[i] - ORIGIN] = USED;
     }
     return TESS_OK;
 }
@@ -2287,10 +2324,10 @@ static int mate(const tess_int *tet, const tess_int *adj, tess_int t, int k,
     tess_int f[3], g[3];
     int i, j;
 
-    outfac(tet + 4 * t, k, f);
+    outfac(four(tet, t), k, f);
     for (j = 0; j < 4; j++)
-        if (adj[4 * u + j] == t) {
-            outfac(tet + 4 * u, j, g);
+        if (four(adj, u)[j] == t) {
+            outfac(four(tet, u), j, g);
             for (i = 0; i < 3; i++)
                 if (g[i] == f[0] && g[(i + 1) % 3] == f[2] &&
                     g[(i + 2) % 3] == f[1])
@@ -2305,19 +2342,19 @@ static int mate(const tess_int *tet, const tess_int *adj, tess_int t, int k,
 static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
                   const tess_int *adj, tess_int t)
 {
-    const tess_int *v = tet + 4 * t;
+    const tess_int *v = four(tet, t);
     tess_int u;
     int k, j, s;
 
     for (k = 0; k < 4; k++) {
-        u = adj[4 * t + k];
-        if (u == TESS_NONE) continue;
-        if (u < 0 || u >= ntet) return TESS_BAD_ADJ;
+        u = four(adj, t)[k];
+        if (u == NOTHING) continue;
+        if (u < ORIGIN || u >= ntet + ORIGIN) return TESS_BAD_ADJ;
         j = mate(tet, adj, t, k, u);
         if (j == 4) return TESS_BAD_ADJ;
         if (u < t) continue;
-        s = hh_insphere(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2],
-                        p + 3 * v[3], p + 3 * tet[4 * u + j]);
+        s = hh_insphere(coords(p, v[0]), coords(p, v[1]), coords(p, v[2]),
+                        coords(p, v[3]), coords(p, four(tet, u)[j]));
         if (s == UNSURE) return TESS_RANGE;
         if (s > 0) return TESS_BAD_BALL;
     }
@@ -2328,13 +2365,14 @@ static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
 static int chktet(const tess_real *p, const tess_int *tet,
                   const tess_int *adj, tess_int t)
 {
-    const tess_int *v = tet + 4 * t;
+    const tess_int *v = four(tet, t);
     int s;
 
-    s = hh_orient(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2], p + 3 * v[3]);
+    s = hh_orient(coords(p, v[0]), coords(p, v[1]), coords(p, v[2]),
+                  coords(p, v[3]));
     if (s == UNSURE) return TESS_RANGE;
     if (s != 1) return TESS_BAD_SIGN;
-    return slot(adj + 4 * t, TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
+    return slot(four(adj, t), OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
 }
 
 /* chkedg - facet k of tetrahedron t is on the boundary.  Turn about its edge
@@ -2349,17 +2387,18 @@ static int chktet(const tess_real *p, const tess_int *tet,
 static int chkedg(const tess_real *p, const tess_int *tet,
                   const tess_int *adj, tess_int t, int k, tess_int c)
 {
-    tess_int f[3], u, w = tet[4 * t + k];
-    int out = slot(tet + 4 * t, c), s;
+    tess_int f[3], u, w = four(tet, t)[k];
+    int out = slot(four(tet, t), c), s;
 
-    outfac(tet + 4 * t, k, f);
-    while (adj[4 * t + out] != TESS_NONE) {
-        u = adj[4 * t + out];
-        out = slot(tet + 4 * u, w);
-        w = tet[4 * u + slot(adj + 4 * u, t)];
+    outfac(four(tet, t), k, f);
+    while (four(adj, t)[out] != NOTHING) {
+        u = four(adj, t)[out];
+        out = slot(four(tet, u), w);
+        w = four(tet, u)[slot(four(adj, u), t)];
         t = u;
     }
-    s = hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], p + 3 * w);
+    s = hh_orient(coords(p, f[0]), coords(p, f[1]), coords(p, f[2]),
+                  coords(p, w));
     if (s == UNSURE) return TESS_RANGE;
     return s > 0 ? TESS_BAD_HULL : TESS_OK;
 }
@@ -2374,9 +2413,9 @@ static int chkhul(const tess_real *p, const tess_int *tet,
     int k, i, s, code;
 
     for (k = 0; k < 4; k++) {
-        if (adj[4 * t + k] != TESS_NONE) continue;
-        outfac(tet + 4 * t, k, f);
-        s = beyond(p, f, p + 3 * tet[0], tet);
+        if (four(adj, t)[k] != NOTHING) continue;
+        outfac(four(tet, t), k, f);
+        s = beyond(p, f, coords(p, tet[0]), tet);
         if (s == UNSURE) return TESS_RANGE;
         if (s > 0) return TESS_BAD_HULL;
         for (i = 0; i < 3; i++)
@@ -2391,13 +2430,13 @@ static int chkhul(const tess_real *p, const tess_int *tet,
 /* chkcov - that tetrahedron t, not 0, does not hold O. */
 static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
 {
-    const tess_real *q = p + 3 * tet[0];
+    const tess_real *q = coords(p, tet[0]);
     tess_int f[3];
     int k, s, inside = 0;
 
-    if (t == 0 || !inbox(p, tet + 4 * t, q)) return TESS_OK;
+    if (t == ORIGIN || !inbox(p, four(tet, t), q)) return TESS_OK;
     for (k = 0; k < 4; k++) {
-        outfac(tet + 4 * t, k, f);
+        outfac(four(tet, t), k, f);
         s = beyond(p, f, q, tet);
         if (s == UNSURE) return TESS_RANGE;
         if (s < 0) inside++;
@@ -2462,7 +2501,7 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
     tess_int t, i, mark;
     int pass, code = TESS_OK;
 
-    *bad = TESS_NONE;
+    *bad = NOTHING;
     if (n < 0 || n > TESS_INT_MOST / 3) return -1;
     for (i = 0; i < n; i++)
         if (!finite3(p, i)) return -2;
@@ -2471,8 +2510,8 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
     if (ntet == 0) return chkpla(n, p, bad);
     mark = marks(n, p, iw);
     for (pass = 0; pass < 5; pass++)
-        for (t = 0; t < ntet; t++) {
-            if (pass == 0) code = chkidx(n, tet + 4 * t, iw + mark);
+        for (t = ORIGIN; t < ntet + ORIGIN; t++) {
+            if (pass == 0) code = chkidx(n, four(tet, t), iw + mark);
             if (pass == 1) code = chktet(p, tet, adj, t);
             if (pass == 2) code = chkfac(p, ntet, tet, adj, t);
             if (pass == 3) code = chkhul(p, tet, adj, t);
@@ -2484,8 +2523,72 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
         }
     for (i = 0; i < n; i++)
         if (iw[mark + i] == UNUSED) {
-            *bad = i;
+            *bad = i + ORIGIN;
             return TESS_BAD_POINT;
         }
     return TESS_OK;
 }
+
+#ifdef TESS_FORTRAN
+
+/* ---- the entries for Fortran ---- */
+
+#undef tess
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+void TESS_NAME(tesswk, TESSWK)(const tess_int *n, const tess_int *maxtet,
+                               tess_int *liw, tess_int *lrw, tess_int *info)
+{
+    *info = (tess_int)tess_size(*n, *maxtet, liw, lrw);
+}
+
+void TESS_NAME(tess, TESS)(const tess_int *n, const tess_real *p,
+                           const tess_int *maxtet, tess_int *ntet,
+                           tess_int *tet, tess_int *adj, const tess_int *liw,
+                           tess_int *iw, const tess_int *lrw, double *rw,
+                           tess_int *info)
+{
+    *info = (tess_int)fttess(*n, p, *maxtet, ntet, tet, adj, *liw, iw, *lrw,
+                             rw);
+}
+
+void TESS_NAME(tessre, TESSRE)(const tess_int *n, const tess_real *p,
+                               const tess_int *maxtet, tess_int *ntet,
+                               tess_int *tet, tess_int *adj,
+                               const tess_int *liw, tess_int *iw,
+                               const tess_int *lrw, double *rw, tess_int *info)
+{
+    *info = (tess_int)tess_resume(*n, p, *maxtet, ntet, tet, adj, *liw, iw,
+                                  *lrw, rw);
+}
+
+void TESS_NAME(tesslo, TESSLO)(const tess_real *p, const tess_int *ntet,
+                               const tess_int *tet, const tess_int *adj,
+                               const tess_real *q, tess_int *t, double *w,
+                               tess_int *info)
+{
+    *info = (tess_int)tess_locate(p, *ntet, tet, adj, q, t, w);
+}
+
+void TESS_NAME(tesshu, TESSHU)(const tess_int *ntet, const tess_int *tet,
+                               const tess_int *adj, const tess_int *maxfac,
+                               tess_int *nfac, tess_int *fac, tess_int *info)
+{
+    *info = (tess_int)tess_hull(*ntet, tet, adj, *maxfac, nfac, fac);
+}
+
+void TESS_NAME(tessch, TESSCH)(const tess_int *n, const tess_real *p,
+                               const tess_int *ntet, const tess_int *tet,
+                               const tess_int *adj, const tess_int *liw,
+                               tess_int *iw, tess_int *bad, tess_int *info)
+{
+    *info = (tess_int)tess_check(*n, p, *ntet, tet, adj, *liw, iw, bad);
+}
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

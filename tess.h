@@ -29,6 +29,21 @@
 
 #include "hhpred.h"
 
+/* TESS_FORTRAN, for Fortran alone: tess.c and hhpred.c compiled with it offer
+ * TESS, TESSWK, HHFACE ... of f77/tess.f and f77/hhpred.f (see TESS_NAME in
+ * hhpred.h), so that no CALL changes: arguments by reference, all that is
+ * counted from 1, none 0, open -1, INFO last.  The functions declared here
+ * then count from 1, too, and have names of their own, which no decoration of
+ * TESS meets; a program may link tess.c compiled without it besides. */
+#ifdef TESS_FORTRAN
+#define tess fttess
+#define tess_size ftsize
+#define tess_resume ftresume
+#define tess_locate ftlocate
+#define tess_hull fthull
+#define tess_check ftcheck
+#endif
+
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)
 

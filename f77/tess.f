@@ -2414,19 +2414,21 @@ C     element of RW or IW, and the standard lets them be altered.
       S = 0
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, HEAD, LINK, CTL, RCTL, N,
      $            INFO)
-      IF (INFO .EQ. 0) THEN
-        IF (CTL(NT) .GT. 0) THEN
-          CALL TSREST(ORD, TET, ADJ, ALIVE, HEAD, LINK, POOL, CTL, LSX,
-     $                LSID, LSI, N, S, INFO)
-        ELSE
-          CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
-          IF (INFO .EQ. 0) CALL TSWIDE(TET, ADJ, HEAD, POOL, CTL, S,
-     $        TSTABL(CTL(NP)), INFO)
-        END IF
+      IF (INFO .NE. 0) THEN
+        NTET = 0
+        RETURN
+      END IF
+      IF (CTL(NT) .GT. 0) THEN
+        CALL TSREST(ORD, TET, ADJ, ALIVE, HEAD, LINK, POOL, CTL, LSX,
+     $              LSID, LSI, N, S, INFO)
+        IF (INFO .EQ. -5) RETURN
+      ELSE
+        CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
+        IF (INFO .EQ. 0) CALL TSWIDE(TET, ADJ, HEAD, POOL, CTL, S,
+     $      TSTABL(CTL(NP)), INFO)
       END IF
       IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE,
      $    HEAD, LINK, POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
-      IF (INFO .EQ. -5) RETURN
       DO 30 T = 1, CTL(NT)
         DO 20 K = 1, 4
           TET(K,T) = ORD(TET(K,T))

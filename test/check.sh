@@ -80,7 +80,7 @@ if have "$CC" "$STRICT"; then
     done
     # arithmetic on short is of type int: -Wconversion complains of each
     for d in -DTESS_FLOAT "-DTESS_INT=short -Wno-conversion" \
-        -DTESS_INT=long -DHH_LIMBS=3; do
+        -DTESS_INT=long -DHH_LIMBS=3 -DTESS_FORTRAN; do
         for f in tess.c hhpred.c; do
             one "strict C89: $f $d" $CC $STRICT -O1 $d -c -o build/strict.o $f
         done
@@ -281,7 +281,8 @@ one "FORTRAN 77: no line past column 72" \
 # that is not in Fortran 90; -fcheck=all stops at a subscript out of bounds.
 GFORT="gfortran -frecursive -pedantic -Wall -Wextra -Werror"
 
-# fortran NAME COMPILE...: compile both files, link, compare
+# fortran NAME COMPILE...: compile both files, link, compare.  OTHER is what of
+# the C half they are linked with, besides tess.o.
 fortran() {
     name=$1
     shift
@@ -289,7 +290,7 @@ fortran() {
     rm -f build/ftess.o build/fhhpred.o
     "$@" >> $LOG 2>&1
     if $CC $CFLAGS -c -o build/t_f77.o test/t_f77.c >> $LOG 2>&1 &&
-        $LINKF -o build/t_f77 build/t_f77.o build/tess.o build/hhpred.o \
+        $LINKF -o build/t_f77 build/t_f77.o build/tess.o $OTHER \
             build/points.o build/ftess.o build/fhhpred.o -lm >> $LOG 2>&1
     then
         many "FORTRAN 77, $name" build/t_f77
@@ -307,8 +308,17 @@ viaf2c() {
         $CC -O2 -c -o build/ftess.o build/f2c/tess.c &&
         $CC -O2 -c -o build/fhhpred.o build/f2c/hhpred.c
 }
+# The C half compiled for Fortran, beside itself.
+entries() {
+    $CC $CFLAGS -DTESS_FORTRAN -c -o build/ftess.o tess.c &&
+        $CC $CFLAGS -DTESS_FORTRAN -c -o build/fhhpred.o hhpred.c
+}
 $CC $CFLAGS -c -o build/tess.o tess.c
 $CC $CFLAGS -c -o build/hhpred.o hhpred.c
+LINKF=$CC
+OTHER=
+fortran "C with -DTESS_FORTRAN" entries
+OTHER=build/hhpred.o
 if command -v gfortran > /dev/null; then
     LINKF=gfortran
     fortran "gfortran -O0" gfort "-std=f95 -O0"
