@@ -1,0 +1,291 @@
+/* prove.c - proofs of the answers that parity.c writes; see prove.h. */
+#ifndef PROVE
+#define PROVE
+#endif
+#include "prove.h"
+#include "exact.h"
+#include <math.h>
+#include <stdio.h>
+
+static long faults, proofs;
+
+static void require(int holds, const char *what)
+{
+    proofs++;
+    if (holds) return;
+    faults++;
+    if (faults <= 20) fprintf(stderr, "prove: wrong: %s\n", what);
+}
+
+/* The vertex of triangle k of tetrahedron v at place i, seen from outside. */
+static tess_int corner(const tess_int *v, int k, int i)
+{
+    static const int out[4][3] = {
+        {1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}
+    };
+
+    return v[out[k][i]];
+}
+
+/* The code for the points that stand for themselves. */
+static int flatness(tess_int n, const double *p, const tess_int *iw)
+{
+    const double *b = NULL, *c = NULL;
+    tess_int i;
+
+    if (n == 0) return TESS_POINT;
+    for (i = 1; i < n; i++) {
+        const double *q = p + 3 * i;
+
+        if (iw[i] != i) continue;
+        if (b == NULL)
+            b = q;
+        else if (c == NULL && !ex_collinear(p, b, q))
+            c = q;
+    }
+    if (b == NULL) return TESS_POINT;
+    if (c == NULL) return TESS_LINE;
+    for (i = 0; i < n; i++)
+        if (ex_orient(p, b, c, p + 3 * i) != 0) return TESS_OK;
+    return TESS_PLANE;
+}
+
+/* Is point i inside the ball of tetrahedron v, the ties broken by the rule? */
+static int inside(const double *p, const tess_int *v, tess_int i)
+{
+    const double *q[5];
+    int index[5], k, s;
+
+    for (k = 0; k < 4; k++) index[k] = (int)v[k];
+    index[4] = (int)i;
+    for (k = 0; k < 5; k++) q[k] = p + 3 * index[k];
+    s = ex_insphere(q[0], q[1], q[2], q[3], q[4]);
+    /* for a positive tetrahedron a negative sign is inside */
+    return s != 0 ? s > 0 : ex_perturbed(q, index) < 0;
+}
+
+/* That across facet k of tetrahedron t there is the one with the same three
+ * vertices in the opposite order, its apex not inside the ball of t. */
+static void across(const double *p, tess_int ntet, const tess_int *tet,
+                   const tess_int *adj, tess_int t, int k)
+{
+    tess_int u = adj[4 * t + k];
+    int i, j;
+
+    if (u == TESS_NONE) return;
+    require(u >= 0 && u < ntet && u != t, "adj out of range");
+    if (u < 0 || u >= ntet) return;
+    for (j = 0; j < 4; j++)
+        if (adj[4 * u + j] == t) break;
+    require(j < 4, "adj is not mutual");
+    if (j == 4) return;
+    for (i = 0; i < 3; i++)
+        if (corner(tet + 4 * u, j, i) == corner(tet + 4 * t, k, 0)) break;
+    require(i < 3 &&
+            corner(tet + 4 * u, j, (i + 1) % 3) == corner(tet + 4 * t, k, 2) &&
+            corner(tet + 4 * u, j, (i + 2) % 3) == corner(tet + 4 * t, k, 1),
+            "neighbours do not share a facet");
+    require(!inside(p, tet + 4 * t, tet[4 * u + j]), "a neighbour's apex");
+}
+
+/* Facets that match, positive tetrahedra and empty balls make the one
+ * triangulation of the rule of ties, when the hull (prove_hull) is covered
+ * once.  For small sets no point may be in any ball, which excludes that it is
+ * covered more than once; for large ones there is tess_check's verdict. */
+void prove_result(tess_int n, const double *p, int code, tess_int ntet,
+                  const tess_int *tet, const tess_int *adj,
+                  const tess_int *iw)
+{
+    tess_int i, j, t;
+    int k;
+
+    for (i = 0; i < n; i++) {
+        for (j = 0; j < i; j++)
+            if (p[3 * i] == p[3 * j] && p[3 * i + 1] == p[3 * j + 1] &&
+                p[3 * i + 2] == p[3 * j + 2])
+                break;
+        require(iw[i] == j, "iw");
+    }
+    require(code == flatness(n, p, iw), "the code");
+    if (code != TESS_OK) {
+        require(ntet == 0, "tetrahedra of points that span no space");
+        return;
+    }
+    for (t = 0; t < ntet; t++) {
+        const tess_int *v = tet + 4 * t;
+
+        for (k = 0; k < 4; k++) {
+            require(v[k] >= 0 && v[k] < n && iw[v[k]] == v[k], "a vertex");
+            if (v[k] < 0 || v[k] >= n) return;
+        }
+        require(ex_orient(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2],
+                          p + 3 * v[3]) == 1, "an orientation");
+    }
+    for (t = 0; t < ntet; t++)
+        for (k = 0; k < 4; k++) across(p, ntet, tet, adj, t, k);
+    for (i = 0; i < n; i++) {
+        if (iw[i] != i) continue;
+        for (j = 0; j < 4 * ntet; j++)
+            if (tet[j] == i) break;
+        require(j < 4 * ntet, "a point without a tetrahedron");
+        if (ntet > 200) continue;
+        for (t = 0; t < ntet; t++)
+            if (tet[4 * t] != i && tet[4 * t + 1] != i &&
+                tet[4 * t + 2] != i && tet[4 * t + 3] != i)
+                require(!inside(p, tet + 4 * t, i), "a point in a ball");
+    }
+}
+
+void prove_hull(tess_int n, const double *p, tess_int ntet,
+                const tess_int *tet, const tess_int *adj, tess_int nfac,
+                const tess_int *fac)
+{
+    tess_int t, m = 0, i;
+    int j, k;
+
+    for (t = 0; t < ntet; t++)
+        for (k = 0; k < 4; k++) {
+            if (adj[4 * t + k] != TESS_NONE) continue;
+            for (j = 0; j < 3; j++)
+                require(m < nfac &&
+                        fac[3 * m + j] == corner(tet + 4 * t, k, j), "fac");
+            for (i = 0; i < n; i++)
+                require(ex_orient(p + 3 * fac[3 * m], p + 3 * fac[3 * m + 1],
+                                  p + 3 * fac[3 * m + 2], p + 3 * i) <= 0,
+                        "a point outside of the hull");
+            m++;
+        }
+    require(m == nfac, "nfac");
+}
+
+void prove_place(const double *p, const tess_int *tet, const tess_int *adj,
+                 const double *q, tess_int t, const double *w, int code)
+{
+    const tess_int *v = tet + 4 * t;
+    double miss, size = 0.0;
+    int k, i, s, out = 0;
+
+    for (k = 0; k < 4; k++) {
+        s = -ex_orient(p + 3 * corner(v, k, 0), p + 3 * corner(v, k, 1),
+                       p + 3 * corner(v, k, 2), q);
+        if (code == TESS_OK) require(s >= 0, "t does not hold q");
+        if (s < 0 && adj[4 * t + k] == TESS_NONE) out = 1;
+        require(w[k] * s >= 0.0 && (w[k] == 0.0 || s != 0),
+                "the sign of a weight");
+    }
+    require(code == out, "inside or outside");
+    require(fabs(w[0] + w[1] + w[2] + w[3] - 1.0) <=
+            1e-14 * (fabs(w[0]) + fabs(w[1]) + fabs(w[2]) + fabs(w[3])),
+            "the sum of the weights");
+    /* outside of a tetrahedron that is flat to rounding they are of a face */
+    if (code != TESS_OK) return;
+    for (i = 0; i < 3; i++)
+        for (k = 0; k < 4; k++)
+            if (fabs(p[3 * v[k] + i]) > size) size = fabs(p[3 * v[k] + i]);
+    for (i = 0; i < 3; i++) {
+        miss = -q[i];
+        for (k = 0; k < 4; k++) miss += w[k] * p[3 * v[k] + i];
+        require(fabs(miss) <= 1e-14 * size, "what the weights interpolate");
+    }
+}
+
+void prove_signs(const double *const *v, int orient, int insphere)
+{
+    require(orient == ex_orient(v[0], v[1], v[2], v[3]), "hh_orient");
+    require(insphere == ex_insphere(v[0], v[1], v[2], v[3], v[4]),
+            "hh_insphere");
+}
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* Are a and b the same but for rounding, beside numbers of this size? */
+static int about(double a, double b, double size)
+{
+    return fabs(a - b) <= 1e-9 * (size + fabs(a) + fabs(b));
+}
+
+/* The edges and the unit normal of a facet. */
+static void normal(const double *p1, const double *p2, const double *p3,
+                   double *a, double *b, double *v)
+{
+    double length;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        a[k] = p2[k] - p1[k];
+        b[k] = p3[k] - p1[k];
+    }
+    for (k = 0; k < 3; k++)
+        v[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+    length = sqrt(dot(v, v));
+    for (k = 0; k < 3; k++) v[k] /= length;
+}
+
+void prove_facet(const double *p1, const double *p2, const double *p3,
+                 int code, const double *f)
+{
+    double a[3], b[3], v[3];
+    int k, line = ex_collinear(p1, p2, p3);
+
+    require(code == line, "hh_facet's code");
+    if (line) {
+        for (k = 0; k < 6; k++) require(f[k] == 0.0, "hh_facet of a line");
+        return;
+    }
+    normal(p1, p2, p3, a, b, v);
+    for (k = 0; k < 3; k++) require(about(f[k], v[k], 1.0), "the normal");
+    /* the centre: in the plane, as far from p1 as from p2 and p3 */
+    require(about(dot(f + 3, v), 0.0, f[11]), "the centre");
+    require(about(2.0 * dot(f + 3, a), dot(a, a), 0.0), "the centre");
+    require(about(2.0 * dot(f + 3, b), dot(b, b), 0.0), "the centre");
+    require(about(f[11], sqrt(dot(f + 3, f + 3)), 0.0), "rho");
+}
+
+void prove_house(const double *p1, const double *p2, const double *p3,
+                 const double *z1, const double *z2, double side, double l,
+                 int opp, int code, double c)
+{
+    double a[3], b[3], g[3], v[3], w[3], x[3];
+    int k, s = ex_orient(p1, p2, p3, z1);
+
+    if (ex_collinear(p1, p2, p3)) {
+        require(side == 0.0 && opp == 0 && code == 1 && c == 0.0,
+                "hh_side, hh_opp, hh_wrap of a line");
+        return;
+    }
+    normal(p1, p2, p3, a, b, v);
+    for (k = 0; k < 3; k++) w[k] = z1[k] - p1[k];
+    require(about(side, dot(w, v), 1.0), "hh_side");
+    require(opp == (s * ex_orient(p1, p2, p3, z2) > 0), "hh_opp");
+    require(code == (s == 0 ? 2 : 0), "hh_wrap's code");
+    if (s == 0) {
+        /* inside the circle of p1, p2, p3 when inside any ball through them;
+         * take that of the point above p1 by 1 */
+        for (k = 0; k < 3; k++) x[k] = p1[k] + v[k];
+        require(l == (ex_insphere(p1, p2, p3, x, z1) > 0 ? -DBL_MAX : DBL_MAX),
+                "hh_lcoord in the plane");
+        return;
+    }
+    /* the centre c + l v is as far from p1 as from p2, p3, z1, and so on the
+     * axis: l is the one number with |c + l v|^2 = |c + l v - w|^2 */
+    for (k = 0; k < 3; k++)
+        x[k] = b[k] - dot(a, b) / dot(a, a) * a[k];
+    for (k = 0; k < 3; k++) g[k] = x[k] / sqrt(dot(x, x));
+    {
+        /* c = a/2 + m g with 2 c.b = b.b */
+        double m = (dot(b, b) - dot(a, b)) / (2.0 * dot(g, b));
+
+        for (k = 0; k < 3; k++) x[k] = 0.5 * a[k] + m * g[k] + l * v[k];
+    }
+    require(about(2.0 * dot(x, w), dot(w, w), fabs(dot(x, x))), "hh_lcoord");
+    require(about(c, -dot(w, g) / dot(w, v), 1.0), "hh_wrap");
+}
+
+int prove_end(void)
+{
+    fprintf(stderr, "prove: %ld passed, %ld failed\n", proofs - faults, faults);
+    return faults != 0;
+}
