@@ -1,7 +1,7 @@
 /* hhpred.c - predicates for a handful of points in space; see hhpred.h.
  *
  * Order of the routines, here and in f77/hhpred.f:
- *   exact numbers     split carry produc zeros minor2 minor3 square signof
+ *   exact numbers     nearest split carry zeros signof spread volume ball
  *                     limbsg limbs3 limbs10 limbsx weight exact
  *   exact signs       certain filt3 filt5 exact3 exact5 scale larger hh_orient
  *                     hh_insphere hh_flat widersg hh_wider hh_range corners
@@ -58,78 +58,68 @@ typedef long whole;
  *
  * A number is an array of limbs, most significant first, each an integer
  * kept in a double; limb i weighs BASE^-i times what limb 0 does.  Limbs of
- * coordinates are balanced, |limb| <= BASE/2, so those of a difference are
- * at most BASE and need no carry.  Every value formed stays below
- * 2^DBL_MANT_DIG, so every operation is exact: in any rounding mode, with
- * extended precision, contraction or reassociation.
+ * coordinates are balanced, |limb| <= BASE/2 and for limb 0 BASE/4, so those
+ * of a difference are at most BASE and need no carry.  Every value formed
+ * stays below 2^DBL_MANT_DIG, so every operation is exact: in any rounding
+ * mode, with extended precision, contraction or reassociation.
+ *
+ * Numbers that are worked on together lie side by side: limb i of number k of
+ * w is at w i + k.  Limb 0 of a product weighs BASE times the product of the
+ * two limbs 0.  31 products of limbs of at most BASE fit one limb: ROWS1 rows of
+ * 2 or 3 such products between two carries; ROWS2 rows of 3 or 4 where one
+ * factor or both have been carried to at most BASE/2.  (Limbs 0 are no
+ * exception: they are at most BASE/2 for a minor, 3/4 BASE for a 3 by 3
+ * determinant or a square, as the coordinates' are at most BASE/4.)
  * --------------------------------------------------------------------- */
 
-/* split - the n limbs of x, limb 0 of weight top, a power of two, |x| <= top
- * BASE/2.  Returns 0, or UNSURE when n limbs do not hold x. */
-static int split(double x, double top, int n, double *limb)
+#define ROWS1 10
+#define ROWS2 20
+
+/* nearest - q, |q| < CARRY, to a nearest integer or one as good: the offset
+ * makes it positive, and if that rounds no bit of q is lost, as the callers
+ * take the difference. */
+static double nearest(double q)
 {
-    double unit, q;
-    int i = 0;
+    return (double)((whole)(q + (CARRY + 0.5)) - (whole)CARRY);
+}
+
+/* split - the n limbs of x, step apart, limb 0 of weight top, a power of two,
+ * |x| <= top BASE/4.  Returns how many are in use, or n + 1 when n do not
+ * hold x. */
+static int split(double x, double top, int n, int step, double *limb)
+{
+    double unit, c;
+    int i = 0, used;
 
     if (x != 0.0 && fabs(x) < top * (0.5 / SHIFT))
-        for (x *= SHIFT; i < SKIP && i < n; i++) limb[i] = 0.0;
+        for (x *= SHIFT; i < SKIP && i < n; i++) limb[step * i] = 0.0;
     /* a limb 0 rounded up may weigh more than the largest double */
     x /= BASE;
     top /= BASE;
     unit = 1.0 / top;
-    while (i < n && x != 0.0) {
-        q = x * unit;
-        /* to nearest, without a sum that might round: x stays exact */
-        limb[i] = (double)(whole)q;
-        if (q - limb[i] > 0.5) limb[i] += 1.0;
-        if (q - limb[i] < -0.5) limb[i] -= 1.0;
-        x -= limb[i] * top;
+    for (; i < n && x != 0.0; i++) {
+        c = nearest(x * unit);
+        limb[step * i] = c;
+        x -= c * top;
         top *= 1.0 / BASE;
         unit *= BASE;
-        i++;
     }
-    for (; i < n; i++) limb[i] = 0.0;
-    return x == 0.0 ? 0 : UNSURE;
+    used = x == 0.0 ? i : n + 1;
+    for (; i < n; i++) limb[step * i] = 0.0;
+    return used;
 }
 
-/* carry - bring the limbs of r, below 2^DBL_MANT_DIG, back to little more
- * than BASE/2, in two passes over all limbs side by side.  Limb 0 keeps what
- * it gets. */
-static void carry(int n, double *r)
+/* carry - bring the limbs of w numbers, below 2^DBL_MANT_DIG, back to at most
+ * BASE/2, from the last one up.  Limb 0 keeps what it gets. */
+static void carry(int n, int w, double *r)
 {
     double c;
-    int pass, i;
+    int i;
 
-    for (pass = 0; pass < 2; pass++)
-        for (i = 1; i < n; i++) {
-            /* to nearest: the offset makes every quotient positive */
-            c = (double)((whole)(r[i] / BASE + (CARRY + 0.5)) - (whole)CARRY);
-            r[i] -= c * BASE;
-            r[i - 1] += c;
-        }
-}
-
-/* produc - add (sign 1) or subtract (-1) a*b to r of na + nb limbs; limb 0
- * of r weighs BASE times the product of the two limbs 0.
- *
- * With |limbs| of at most BASE, 31 products fit one limb of r.  A call
- * leaves at most 10 rows uncarried, so three calls may share one carry.
- * Numbers of many limbs are mostly zeros, whose rows are left out. */
-static void produc(int na, const double *a, int nb, const double *b, int sign,
-                   double *r)
-{
-    double f;
-    int i, j, rows = 0;
-
-    for (i = 0; i < na; i++) {
-        if (a[i] == 0.0) continue;
-        if (rows == 10) {
-            carry(na + nb, r);
-            rows = 0;
-        }
-        rows++;
-        f = sign * a[i];
-        for (j = 0; j < nb; j++) r[i + j + 1] += f * b[j];
+    for (i = w * n - 1; i >= w; i--) {
+        c = nearest(r[i] / BASE);
+        r[i] -= c * BASE;
+        r[i - w] += c;
     }
 }
 
@@ -141,100 +131,159 @@ static void zeros(int n, double *r)
     for (i = 0; i < n; i++) r[i] = 0.0;
 }
 
-/* minor2 - r = a[0] b[1] - b[0] a[1], 2n limbs, of rows a, b. */
-static void minor2(int n, const double *a, const double *b, double *r)
-{
-    zeros(2 * n, r);
-    produc(n, a, n, b + n, 1, r);
-    produc(n, b, n, a + n, -1, r);
-    carry(2 * n, r);
-}
-
-/* minor3 - r = a[2] m(b,c) - b[2] m(a,c) + c[2] m(a,b), 3n limbs, of rows a,
- * b, c and their 2 by 2 minors m. */
-static void minor3(int n, const double *a, const double *b, const double *c,
-                   const double *mbc, const double *mac, const double *mab,
-                   double *r)
-{
-    zeros(3 * n, r);
-    produc(n, a + 2 * n, 2 * n, mbc, 1, r);
-    produc(n, b + 2 * n, 2 * n, mac, -1, r);
-    produc(n, c + 2 * n, 2 * n, mab, 1, r);
-    carry(3 * n, r);
-}
-
-/* square - r = |a|^2, 2n limbs. */
-static void square(int n, const double *a, double *r)
-{
-    int k;
-
-    zeros(2 * n, r);
-    for (k = 0; k < 3; k++) produc(n, a + k * n, n, a + k * n, 1, r);
-    carry(2 * n, r);
-}
-
-/* signof - the sign of r, by Horner's rule from the top: behind a partial
- * sum of more than 64 units the rest cannot change the sign. */
+/* signof - the sign of r, by Horner's rule from the top: behind a partial sum
+ * of more than 2 CARRY units the rest, carried or not, cannot change the
+ * sign. */
 static int signof(int n, const double *r)
 {
     double s = 0.0;
     int i;
 
-    for (i = 0; i < n && s <= 64.0 && s >= -64.0; i++) s = s * BASE + r[i];
+    for (i = 0; i < n && s <= 2.0 * CARRY && s >= -2.0 * CARRY; i++)
+        s = s * BASE + r[i];
     return s > 0.0 ? 1 : s < 0.0 ? -1 : 0;
 }
 
-/* limbsg - with n limbs, the sign of the determinant of the rows q_i - q_last
- * for 4 points q, or of the rows (q_i - q_last, |q_i - q_last|^2) for 5;
- * UNSURE when n limbs do not hold the points.  work: 37n doubles. */
-static int limbsg(int np, const double *q, double top, int n, double *work)
+/* spread - the 3 np coordinates q of np points side by side; of all points
+ * but the last the differences from the last.  Returns how many limbs are in
+ * use, or n + 1. */
+static int spread(int np, const double *q, double top, int n, double *x)
 {
-    double *row = work, *base = work + 12 * n;
-    double *m01 = work + 15 * n, *m02 = m01 + 2 * n, *m12 = m02 + 2 * n;
-    double *m03 = m12 + 2 * n, *m13 = m03 + 2 * n, *m23 = m13 + 2 * n;
-    double *lift = m23 + 2 * n, *det = lift + 2 * n, *sum = det + 3 * n;
-    const double *r1, *r2, *r3;
-    int rows = np - 1, i, k;
+    const double *last;
+    int w = 3 * np, most = 0, i, k;
 
-    for (k = 0; k < 3; k++)
-        if (split(q[3 * rows + k], top, n, base + k * n)) return UNSURE;
-    for (i = 0; i < rows; i++)
-        for (k = 0; k < 3; k++)
-            if (split(q[3 * i + k], top, n, row + (3 * i + k) * n))
-                return UNSURE;
-    for (i = 0; i < rows; i++)
-        for (k = 0; k < 3 * n; k++) row[3 * n * i + k] -= base[k];
-
-    r1 = row + 3 * n;
-    r2 = row + 6 * n;
-    minor2(n, row, r1, m01);
-    minor2(n, row, r2, m02);
-    minor2(n, r1, r2, m12);
-    if (np == 4) {
-        minor3(n, row, r1, r2, m12, m02, m01, det);
-        return signof(3 * n, det);
+    for (k = 0; k < w && most <= n; k++) {
+        i = split(q[k], top, n, w, x + k);
+        if (i > most) most = i;
     }
-    r3 = row + 9 * n;
-    minor2(n, row, r3, m03);
-    minor2(n, r1, r3, m13);
-    minor2(n, r2, r3, m23);
-    zeros(5 * n, sum);
-    for (i = 0; i < 4; i++) {
-        if (i == 0) minor3(n, r1, r2, r3, m23, m13, m12, det);
-        if (i == 1) minor3(n, row, r2, r3, m23, m03, m02, det);
-        if (i == 2) minor3(n, row, r1, r3, m13, m03, m01, det);
-        if (i == 3) minor3(n, row, r1, r2, m12, m02, m01, det);
-        square(n, row + 3 * n * i, lift);
-        produc(2 * n, lift, 3 * n, det, i % 2 ? 1 : -1, sum);
-        carry(5 * n, sum);
+    for (i = 0; i < most && most <= n; i++, x += w)
+        for (k = 0, last = x + w - 3; k < w - 3; k++) x[k] -= last[k % 3];
+    return most;
+}
+
+/* volume - with n limbs, the sign of the determinant of the rows a-d, b-d,
+ * c-d, of points a, b, c, d; UNSURE when n limbs do not hold them.  work: 21n
+ * doubles. */
+static int volume(const double *q, double top, int n, double *work)
+{
+    double *x = work, *minor, *det, *r;
+    const double *s, *t;
+    double a, b, c, ta, tb, tc;
+    int used = spread(4, q, top, n, x), i, j, rows = 0;
+
+    if (used > n) return UNSURE;
+    n = used;
+    minor = x + 12 * n;
+    det = minor + 6 * n;
+    zeros(9 * n, minor);
+    /* ab, bc, ac: a[0] b[1] - b[0] a[1] and so on */
+    for (i = 0, s = x; i < n; i++, s += 12) {
+        a = s[0], b = s[3], c = s[6];
+        if (a == 0.0 && b == 0.0 && c == 0.0) continue;
+        if (rows++ % ROWS1 == ROWS1 - 1) carry(2 * n, 3, minor);
+        for (j = 0, t = x, r = minor + 3 * (i + 1); j < n;
+             j++, t += 12, r += 3) {
+            ta = t[1], tb = t[4], tc = t[7];
+            r[0] += a * tb - b * ta;
+            r[1] += b * tc - c * tb;
+            r[2] += a * tc - c * ta;
+        }
+    }
+    carry(2 * n, 3, minor);
+    rows = 0;
+    for (i = 0, s = x; i < n; i++, s += 12) {
+        a = s[2], b = s[5], c = s[8];
+        if (a == 0.0 && b == 0.0 && c == 0.0) continue;
+        if (rows++ % ROWS2 == ROWS2 - 1) carry(3 * n, 1, det);
+        for (j = 0, t = minor, r = det + i + 1; j < 2 * n; j++, t += 3, r++)
+            *r += a * t[1] - b * t[2] + c * t[0];
+    }
+    return signof(3 * n, det);
+}
+
+/* ball - with n limbs, the sign of the determinant of filt5; UNSURE when n
+ * limbs do not hold the points.  work: 44n doubles. */
+static int ball(const double *q, double top, int n, double *work)
+{
+    double *x = work, *minor, *det, *sum, *lift, *r;
+    const double *s, *t;
+    double a, b, c, d, ta, tb, tc, td;
+    int used = spread(5, q, top, n, x), i, j, k, rows = 0;
+
+    if (used > n) return UNSURE;
+    n = used;
+    minor = lift = x + 15 * n;
+    det = minor + 12 * n;
+    sum = det + 12 * n;
+    zeros(29 * n, minor);
+    /* ab, bc, cd, da, ac, bd */
+    for (i = 0, s = x; i < n; i++, s += 15) {
+        a = s[0], b = s[3], c = s[6], d = s[9];
+        if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
+        if (rows++ % ROWS1 == ROWS1 - 1) carry(2 * n, 6, minor);
+        for (j = 0, t = x, r = minor + 6 * (i + 1); j < n;
+             j++, t += 15, r += 6) {
+            ta = t[1], tb = t[4], tc = t[7], td = t[10];
+            r[0] += a * tb - b * ta;
+            r[1] += b * tc - c * tb;
+            r[2] += c * td - d * tc;
+            r[3] += d * ta - a * td;
+            r[4] += a * tc - c * ta;
+            r[5] += b * td - d * tb;
+        }
+    }
+    carry(2 * n, 6, minor);
+    /* the determinants without a, b, c, d */
+    rows = 0;
+    for (i = 0, s = x; i < n; i++, s += 15) {
+        a = s[2], b = s[5], c = s[8], d = s[11];
+        if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
+        if (rows++ % ROWS2 == ROWS2 - 1) carry(3 * n, 4, det);
+        for (j = 0, t = minor, r = det + 4 * (i + 1); j < 2 * n;
+             j++, t += 6, r += 4) {
+            r[0] += b * t[2] - c * t[5] + d * t[1];
+            r[1] += a * t[2] + c * t[3] + d * t[4];
+            r[2] += a * t[5] + b * t[3] + d * t[0];
+            r[3] += a * t[1] - b * t[4] + c * t[0];
+        }
+    }
+    carry(3 * n, 4, det);
+    /* the squares of the rows, in the place of the minors */
+    zeros(8 * n, lift);
+    rows = 0;
+    for (i = 0, s = x; i < n; i++, s += 15) {
+        if (rows++ % ROWS1 == ROWS1 - 1) carry(2 * n, 4, lift);
+        for (k = 0; k < 4; k++) {
+            a = s[3 * k], b = s[3 * k + 1], c = s[3 * k + 2];
+            if (a == 0.0 && b == 0.0 && c == 0.0) continue;
+            for (j = 0, t = x + 3 * k, r = lift + 4 * (i + 1) + k; j < n;
+                 j++, t += 15, r += 4)
+                *r += a * t[0] + b * t[1] + c * t[2];
+        }
+    }
+    carry(2 * n, 4, lift);
+    rows = 0;
+    for (i = 0, s = lift; i < 2 * n; i++, s += 4) {
+        a = s[0], b = s[1], c = s[2], d = s[3];
+        if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
+        if (rows++ % ROWS2 == ROWS2 - 1) carry(5 * n, 1, sum);
+        for (j = 0, t = det, r = sum + i + 1; j < 3 * n; j++, t += 4, r++)
+            *r += b * t[1] - a * t[0] + d * t[3] - c * t[2];
     }
     return signof(5 * n, sum);
 }
 
-/* Scratch of three sizes: 3 limbs (70 bits) hold ordinary data. */
+/* limbsg - volume for np = 4 points, ball for 5. */
+static int limbsg(int np, const double *q, double top, int n, double *work)
+{
+    return np == 4 ? volume(q, top, n, work) : ball(q, top, n, work);
+}
+
+/* Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the last one
+ * serves several lengths. */
 static int limbs3(int np, const double *q, double top)
 {
-    double work[37 * 3];
+    double work[44 * 3];
 
     return limbsg(np, q, top, 3, work);
 }
@@ -242,7 +291,7 @@ static int limbs3(int np, const double *q, double top)
 #if HH_LIMBS > 10
 static int limbs10(int np, const double *q, double top)
 {
-    double work[37 * 10];
+    double work[44 * 10];
 
     return limbsg(np, q, top, 10, work);
 }
@@ -250,9 +299,14 @@ static int limbs10(int np, const double *q, double top)
 
 static int limbsx(int np, const double *q, double top)
 {
-    double work[37 * HH_LIMBS];
+    double work[44 * HH_LIMBS];
+    int n = 10, sign;
 
-    return limbsg(np, q, top, HH_LIMBS, work);
+    do {
+        n = n < HH_LIMBS / 2 ? 2 * n : HH_LIMBS;
+        sign = limbsg(np, q, top, n, work);
+    } while (sign == UNSURE && n < HH_LIMBS);
+    return sign;
 }
 
 /* weight - the weight of limb 0 of numbers of at most most > 0: most fills
@@ -262,7 +316,7 @@ static double weight(double most)
     int e;
 
     frexp(most, &e);
-    return ldexp(1.0, e + 1 - HH_BITS);
+    return ldexp(1.0, e + 2 - HH_BITS);
 }
 
 /* exact - limbsg with as many limbs as it takes; alters q. */
@@ -505,7 +559,7 @@ static int widersg(const double *q, double top, int n, double *work)
 
     zeros(n, sum);
     for (i = 0; i < 4; i++) {
-        if (split(q[i], top, n, limb)) return UNSURE;
+        if (split(q[i], top, n, 1, limb) > n) return UNSURE;
         for (k = 0; k < n; k++) sum[k] += i < 2 ? limb[k] : -limb[k];
     }
     return signof(n, sum);
@@ -540,11 +594,10 @@ int hh_wider(double a, double b, double c, double d)
  * value most > 0, else UNSURE. */
 int hh_range(double x, double most)
 {
-    double limb[HH_LIMBS];
+    double limb[HH_LIMBS], f = most < LOW ? SHIFT : 1.0;
+    int used = split(x * f, weight(most * f), HH_LIMBS, 1, limb);
 
-    if (most < LOW)
-        return split(x * SHIFT, weight(most * SHIFT), HH_LIMBS, limb);
-    return split(x, weight(most), HH_LIMBS, limb);
+    return used > HH_LIMBS ? UNSURE : 0;
 }
 
 /* corners - are np points corners of one box with faces along the axes, that

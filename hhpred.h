@@ -50,7 +50,7 @@ typedef double tess_real;
 /* Exact numbers are arrays of at most HH_LIMBS limbs of HH_BITS bits each.
  * The default holds every finite double beside every other.  With fewer,
  * hh_orient and hh_insphere return 2 when they do not suffice, and tess
- * returns TESS_RANGE.  Scratch on the stack, in doubles: 37 a limb, 26
+ * returns TESS_RANGE.  Scratch on the stack, in doubles: 44 a limb, 31
  * KB for 88 limbs, in routines entered only when 3, then 10 limbs do
  * not suffice. */
 #if DBL_MANT_DIG >= 53

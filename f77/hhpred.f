@@ -22,11 +22,11 @@ C
 C     The twin of hhpred.c, routine by routine:
 C
 C       exact numbers
-C         frexp       HHFREX  minor2      HHMIN2  limbs10     HHLIMT
-C         ldexp       HHLDEX  minor3      HHMIN3  limbsx      HHLIMX
-C         split       HHSPLI  square      HHSQUA  weight      HHWEIG
-C         carry       HHCARR  signof      HHSIGN  exact       HHEXAC
-C         produc      HHPROD  limbsg      HHLIMB
+C         frexp       HHFREX  signof      HHSIGN  limbs10     HHLIMT
+C         ldexp       HHLDEX  spread      HHSPRE  limbsx      HHLIMX
+C         nearest     HHNEAR  volume      HHVOLU  weight      HHWEIG
+C         split       HHSPLI  ball        HHBALL  exact       HHEXAC
+C         carry       HHCARR  limbsg      HHLIMB
 C         zeros       HHZERO  limbs3      HHLIM3
 C       exact signs
 C         certain     HHCERT  hh_orient   HHORIE  hh_pside    HHPSID
@@ -45,8 +45,7 @@ C     Where C returns a code beside other results, the last argument
 C     has it; a function alters no argument.  Axes, positions and
 C     indices count from 1.  Where C passes pointers into one array, the
 C     array comes first here, then what the pointers point to: columns
-C     of an array of points, offsets of exact numbers (number A of the
-C     array W has the limbs W(A+1), W(A+2), ...).
+C     of an array of points.
 C
 C     Constants, the same in every routine that has them, for doubles
 C     of 53 bits and integers of at least 32:
@@ -59,11 +58,11 @@ C       HHLIM   (HH_LIMBS) exact numbers are arrays of at most HHLIM
 C               limbs.  The default holds every finite double beside
 C               every other.  With fewer, 3 at least, HHORIE and HHINSP
 C               return 2 when they do not suffice.  Scratch, in
-C               doubles: 37 a limb; 26 KB for 88 limbs, in routines
+C               doubles: 44 a limb; 31 KB for 88 limbs, in routines
 C               entered only when 3, then 10 limbs do not suffice.  To
 C               choose another number change it in HHLIMX, HHEXAC,
 C               HHWIDE, HHRANG and TSINRA (tess.f).
-C       BASE    2**BITS
+C       BASE    2**BITS;  CARRY = 2**(53-BITS) bounds carries
 C       TINY    an absolute error no smaller than what underflow,
 C               gradual or to zero, does to a determinant of
 C               differences of at most 2
@@ -80,11 +79,20 @@ C     Exact numbers.
 C
 C     A number is an array of limbs, most significant first, each an
 C     integer kept in a double; limb I weighs BASE**(1-I) times what
-C     limb 1 does.  Limbs of coordinates are balanced, |limb| <= BASE/2,
-C     so those of a difference are at most BASE and need no carry.
-C     Every value formed stays below 2**53, so every operation is exact:
-C     in any rounding mode, with extended precision, contraction or
-C     reassociation.
+C     limb 1 does.  Limbs of coordinates are balanced, |limb| <= BASE/2
+C     and for limb 1 BASE/4, so those of a difference are at most BASE
+C     and need no carry.  Every value formed stays below 2**53, so every
+C     operation is exact: in any rounding mode, with extended precision,
+C     contraction or reassociation.
+C
+C     Numbers that are worked on together lie side by side: limb I of
+C     number K of W is at W (I-1) + K.  Limb 1 of a product weighs BASE
+C     times the product of the two limbs 1.  31 products of limbs of at
+C     most BASE fit one limb: ROWS1 rows of 2 or 3 such products between
+C     two carries; ROWS2 rows of 3 or 4 where one factor or both have
+C     been carried to at most BASE/2.  (Limbs 1 are no exception: they
+C     are at most BASE/2 for a minor, 3/4 BASE for a 3 by 3 determinant
+C     or a square, as the coordinates' are at most BASE/4.)
 C     ------------------------------------------------------------------
 
 C     HHFREX - for C's frexp, which Fortran 77 lacks: the integer E with
@@ -155,258 +163,347 @@ C     an optimizer from joining the two.
       HHLDEX = Y
       END
 
-C     HHSPLI - the N limbs of X, limb 1 of weight TOP, a power of two,
-C     |X| <= TOP BASE/2.  INFO is 0, or UNSURE when N limbs do not hold
-C     X.
-      SUBROUTINE HHSPLI(W, X, TOP, N, LIMB, INFO)
-      INTEGER N, LIMB, INFO
-      DOUBLE PRECISION W(*), X, TOP
-      INTEGER UNSURE, SKIP
-      PARAMETER (UNSURE = 2, SKIP = 25)
+C     HHNEAR - Q, |Q| < CARRY, to a nearest integer or one as good: the
+C     offset makes it positive, and if that rounds no bit of Q is lost,
+C     as the callers take the difference.
+      DOUBLE PRECISION FUNCTION HHNEAR(Q)
+      DOUBLE PRECISION Q
+      INTEGER CARRY
+      PARAMETER (CARRY = 2**29)
+      HHNEAR = DBLE(INT(Q + (CARRY + 0.5D0)) - CARRY)
+      END
+
+C     HHSPLI - the N limbs of X, STEP apart, from W(FIRST) on, the first
+C     of weight TOP, a power of two, |X| <= TOP BASE/4.  USED is how
+C     many are in use, or N + 1 when N do not hold X.
+      SUBROUTINE HHSPLI(X, TOP, N, STEP, W, FIRST, USED)
+      INTEGER N, STEP, FIRST, USED
+      DOUBLE PRECISION X, TOP, W(*)
+      DOUBLE PRECISION HHNEAR
+      INTEGER SKIP
+      PARAMETER (SKIP = 25)
       DOUBLE PRECISION BASE, SHIFT
       PARAMETER (BASE = 2.0D0**24, SHIFT = 2.0D0**600)
-      DOUBLE PRECISION NEAR, Q, REST, UNIT, WEIGHT
-      INTEGER FIRST, I, J
+      DOUBLE PRECISION C, REST, UNIT, WEIGHT
+      INTEGER I, J
       REST = X
       WEIGHT = TOP
-      FIRST = 1
+      I = 1
       IF (ABS(REST) .GT. 0.0D0 .AND.
      $    ABS(REST) .LT. WEIGHT*(0.5D0/SHIFT)) THEN
         REST = REST*SHIFT
-        FIRST = MIN(SKIP, N) + 1
-        DO 10 I = 1, FIRST - 1
-          W(LIMB+I) = 0.0D0
+        I = MIN(SKIP, N) + 1
+        DO 10 J = 1, I - 1
+          W(FIRST+STEP*(J-1)) = 0.0D0
    10   CONTINUE
       END IF
 C     a limb 1 rounded up may weigh more than the largest double
       REST = REST/BASE
       WEIGHT = WEIGHT/BASE
       UNIT = 1.0D0/WEIGHT
-      DO 20 I = FIRST, N
-        IF (ABS(REST) .LE. 0.0D0) GO TO 30
-        Q = REST*UNIT
-C       to nearest, without a sum that might round: REST stays exact
-        NEAR = DBLE(INT(Q))
-        IF (Q - NEAR .GT. 0.5D0) NEAR = NEAR + 1.0D0
-        IF (Q - NEAR .LT. -0.5D0) NEAR = NEAR - 1.0D0
-        W(LIMB+I) = NEAR
-        REST = REST - NEAR*WEIGHT
+   20 IF (I .LE. N .AND. ABS(REST) .GT. 0.0D0) THEN
+        C = HHNEAR(REST*UNIT)
+        W(FIRST+STEP*(I-1)) = C
+        REST = REST - C*WEIGHT
         WEIGHT = WEIGHT*(1.0D0/BASE)
         UNIT = UNIT*BASE
-   20 CONTINUE
-   30 DO 40 J = I, N
-        W(LIMB+J) = 0.0D0
-   40 CONTINUE
-      INFO = UNSURE
-      IF (ABS(REST) .LE. 0.0D0) INFO = 0
+        I = I + 1
+        GO TO 20
+      END IF
+      USED = N + 1
+      IF (ABS(REST) .LE. 0.0D0) USED = I - 1
+      DO 30 J = I, N
+        W(FIRST+STEP*(J-1)) = 0.0D0
+   30 CONTINUE
       END
 
-C     HHCARR - bring the limbs of R, below 2**53, back to little more
-C     than BASE/2, in two passes over all limbs side by side.  Limb 1
-C     keeps what it gets.
-      SUBROUTINE HHCARR(W, N, R)
-      INTEGER N, R
-      DOUBLE PRECISION W(*)
+C     HHCARR - bring the limbs of W numbers, below 2**53, back to at
+C     most BASE/2, from the last one up.  Limb 1 keeps what it gets.
+      SUBROUTINE HHCARR(N, W, R)
+      INTEGER N, W
+      DOUBLE PRECISION R(*)
+      DOUBLE PRECISION HHNEAR
       DOUBLE PRECISION BASE
       PARAMETER (BASE = 2.0D0**24)
-      INTEGER CARRY
-      PARAMETER (CARRY = 2**29)
       DOUBLE PRECISION C
-      INTEGER I, PASS
-      DO 20 PASS = 1, 2
-        DO 10 I = 2, N
-C         to nearest: the offset makes every quotient positive
-          C = DBLE(INT(W(R+I)/BASE + (CARRY + 0.5D0)) - CARRY)
-          W(R+I) = W(R+I) - C*BASE
-          W(R+I-1) = W(R+I-1) + C
-   10   CONTINUE
-   20 CONTINUE
-      END
-
-C     HHPROD - add (SGN 1) or subtract (-1) A*B to R of NA + NB limbs;
-C     limb 1 of R weighs BASE times the product of the two limbs 1.
-C
-C     With |limbs| of at most BASE, 31 products fit one limb of R.  A
-C     call leaves at most 10 rows uncarried, so three calls may share
-C     one carry.  Numbers of many limbs are mostly zeros, whose rows are
-C     left out.
-      SUBROUTINE HHPROD(W, NA, A, NB, B, SGN, R)
-      INTEGER NA, A, NB, B, SGN, R
-      DOUBLE PRECISION W(*)
-      DOUBLE PRECISION F
-      INTEGER I, J, ROWS
-      ROWS = 0
-      DO 20 I = 1, NA
-        IF (ABS(W(A+I)) .GT. 0.0D0) THEN
-          IF (ROWS .EQ. 10) THEN
-            CALL HHCARR(W, NA + NB, R)
-            ROWS = 0
-          END IF
-          ROWS = ROWS + 1
-          F = SGN*W(A+I)
-          DO 10 J = 1, NB
-            W(R+I+J) = W(R+I+J) + F*W(B+J)
-   10     CONTINUE
-        END IF
-   20 CONTINUE
+      INTEGER I
+      DO 10 I = W*N, W + 1, -1
+        C = HHNEAR(R(I)/BASE)
+        R(I) = R(I) - C*BASE
+        R(I-W) = R(I-W) + C
+   10 CONTINUE
       END
 
 C     HHZERO - R = 0.
-      SUBROUTINE HHZERO(W, N, R)
-      INTEGER N, R
-      DOUBLE PRECISION W(*)
+      SUBROUTINE HHZERO(N, R)
+      INTEGER N
+      DOUBLE PRECISION R(*)
       INTEGER I
       DO 10 I = 1, N
-        W(R+I) = 0.0D0
+        R(I) = 0.0D0
    10 CONTINUE
-      END
-
-C     HHMIN2 - R = A(1) B(2) - B(1) A(2), 2N limbs, of rows A, B.
-      SUBROUTINE HHMIN2(W, N, A, B, R)
-      INTEGER N, A, B, R
-      DOUBLE PRECISION W(*)
-      CALL HHZERO(W, 2*N, R)
-      CALL HHPROD(W, N, A, N, B + N, 1, R)
-      CALL HHPROD(W, N, B, N, A + N, -1, R)
-      CALL HHCARR(W, 2*N, R)
-      END
-
-C     HHMIN3 - R = A(3) M(B,C) - B(3) M(A,C) + C(3) M(A,B), 3N limbs, of
-C     rows A, B, C and their 2 by 2 minors M.
-      SUBROUTINE HHMIN3(W, N, A, B, C, MBC, MAC, MAB, R)
-      INTEGER N, A, B, C, MBC, MAC, MAB, R
-      DOUBLE PRECISION W(*)
-      CALL HHZERO(W, 3*N, R)
-      CALL HHPROD(W, N, A + 2*N, 2*N, MBC, 1, R)
-      CALL HHPROD(W, N, B + 2*N, 2*N, MAC, -1, R)
-      CALL HHPROD(W, N, C + 2*N, 2*N, MAB, 1, R)
-      CALL HHCARR(W, 3*N, R)
-      END
-
-C     HHSQUA - R = |A|**2, 2N limbs.
-      SUBROUTINE HHSQUA(W, N, A, R)
-      INTEGER N, A, R
-      DOUBLE PRECISION W(*)
-      INTEGER K
-      CALL HHZERO(W, 2*N, R)
-      DO 10 K = 0, 2
-        CALL HHPROD(W, N, A + K*N, N, A + K*N, 1, R)
-   10 CONTINUE
-      CALL HHCARR(W, 2*N, R)
       END
 
 C     HHSIGN - the sign of R, by Horner's rule from the top: behind a
-C     partial sum of more than 64 units the rest cannot change the sign.
-      INTEGER FUNCTION HHSIGN(W, N, R)
-      INTEGER N, R
-      DOUBLE PRECISION W(*)
-      DOUBLE PRECISION BASE
-      PARAMETER (BASE = 2.0D0**24)
+C     partial sum of more than 2 CARRY units the rest, carried or not,
+C     cannot change the sign.
+      INTEGER FUNCTION HHSIGN(N, R)
+      INTEGER N
+      DOUBLE PRECISION R(*)
+      DOUBLE PRECISION BASE, CARRY
+      PARAMETER (BASE = 2.0D0**24, CARRY = 2.0D0**29)
       DOUBLE PRECISION S
       INTEGER I
       S = 0.0D0
       DO 10 I = 1, N
-        IF (ABS(S) .GT. 64.0D0) GO TO 20
-        S = S*BASE + W(R+I)
+        IF (ABS(S) .GT. 2.0D0*CARRY) GO TO 20
+        S = S*BASE + R(I)
    10 CONTINUE
    20 HHSIGN = 0
       IF (S .GT. 0.0D0) HHSIGN = 1
       IF (S .LT. 0.0D0) HHSIGN = -1
       END
 
-C     HHLIMB - with N limbs, the sign of the determinant of the rows
-C     Q(I) - Q(NP) for NP = 4 points Q, or of the rows (Q(I) - Q(NP),
-C     |Q(I) - Q(NP)|**2) for 5; UNSURE when N limbs do not hold the
-C     points.  WORK: 37N doubles.
-      SUBROUTINE HHLIMB(NP, Q, TOP, N, WORK, SGN)
-      INTEGER NP, N, SGN
-      DOUBLE PRECISION Q(3,*), TOP, WORK(*)
-      INTEGER HHSIGN
-      INTEGER ROW0, ROW1, ROW2, ROW3, LAST, LIFT, DET, TOTAL
-      INTEGER M01, M02, M12, M03, M13, M23, I, J, K, ROWS
-      ROWS = NP - 1
-      ROW0 = 0
-      ROW1 = 3*N
-      ROW2 = 6*N
-      ROW3 = 9*N
-      LAST = 12*N
-      M01 = 15*N
-      M02 = 17*N
-      M12 = 19*N
-      M03 = 21*N
-      M13 = 23*N
-      M23 = 25*N
-      LIFT = 27*N
-      DET = 29*N
-      TOTAL = 32*N
-
-      DO 10 K = 1, 3
-        CALL HHSPLI(WORK, Q(K,NP), TOP, N, LAST + (K - 1)*N, SGN)
-        IF (SGN .NE. 0) RETURN
-   10 CONTINUE
-      DO 30 I = 1, ROWS
-        DO 20 K = 1, 3
-          CALL HHSPLI(WORK, Q(K,I), TOP, N, (3*I + K - 4)*N, SGN)
-          IF (SGN .NE. 0) RETURN
-   20   CONTINUE
-   30 CONTINUE
-      DO 50 I = 1, ROWS
-        DO 40 K = 1, 3*N
-          J = 3*N*(I - 1) + K
-          WORK(J) = WORK(J) - WORK(LAST+K)
-   40   CONTINUE
-   50 CONTINUE
-
-      CALL HHMIN2(WORK, N, ROW0, ROW1, M01)
-      CALL HHMIN2(WORK, N, ROW0, ROW2, M02)
-      CALL HHMIN2(WORK, N, ROW1, ROW2, M12)
-      IF (NP .EQ. 4) THEN
-        CALL HHMIN3(WORK, N, ROW0, ROW1, ROW2, M12, M02, M01, DET)
-        SGN = HHSIGN(WORK, 3*N, DET)
-        RETURN
-      END IF
-      CALL HHMIN2(WORK, N, ROW0, ROW3, M03)
-      CALL HHMIN2(WORK, N, ROW1, ROW3, M13)
-      CALL HHMIN2(WORK, N, ROW2, ROW3, M23)
-      CALL HHZERO(WORK, 5*N, TOTAL)
-      DO 60 I = 1, 4
-        IF (I .EQ. 1) CALL HHMIN3(WORK, N, ROW1, ROW2, ROW3,
-     $                            M23, M13, M12, DET)
-        IF (I .EQ. 2) CALL HHMIN3(WORK, N, ROW0, ROW2, ROW3,
-     $                            M23, M03, M02, DET)
-        IF (I .EQ. 3) CALL HHMIN3(WORK, N, ROW0, ROW1, ROW3,
-     $                            M13, M03, M01, DET)
-        IF (I .EQ. 4) CALL HHMIN3(WORK, N, ROW0, ROW1, ROW2,
-     $                            M12, M02, M01, DET)
-        CALL HHSQUA(WORK, N, 3*N*(I - 1), LIFT)
-        CALL HHPROD(WORK, 2*N, LIFT, 3*N, DET, 1 - 2*MOD(I, 2), TOTAL)
-        CALL HHCARR(WORK, 5*N, TOTAL)
-   60 CONTINUE
-      SGN = HHSIGN(WORK, 5*N, TOTAL)
+C     HHSPRE - the coordinates Q of NP points side by side; of all
+C     points but the last the differences from the last.  USED is how
+C     many limbs are in use, or N + 1 when N do not hold them.
+      SUBROUTINE HHSPRE(NP, Q, TOP, N, X, USED)
+      INTEGER NP, N, USED
+      DOUBLE PRECISION Q(3,*), TOP, X(*)
+      INTEGER AT, I, J, K, LAST, W
+      W = 3*NP
+      USED = 0
+      DO 20 J = 1, NP
+        DO 10 K = 1, 3
+          CALL HHSPLI(Q(K,J), TOP, N, W, X, 3*(J - 1) + K, I)
+          USED = MAX(USED, I)
+          IF (USED .GT. N) RETURN
+   10   CONTINUE
+   20 CONTINUE
+      DO 40 I = 1, USED
+        LAST = W*I - 3
+        DO 30 AT = W*(I - 1), LAST - 3, 3
+          X(AT+1) = X(AT+1) - X(LAST+1)
+          X(AT+2) = X(AT+2) - X(LAST+2)
+          X(AT+3) = X(AT+3) - X(LAST+3)
+   30   CONTINUE
+   40 CONTINUE
       END
 
-C     Scratch of three sizes: 3 limbs (70 bits) hold ordinary data.
+C     HHVOLU - with NMAX limbs, the sign of the determinant of the rows
+C     A-D, B-D, C-D, of points A, B, C, D; UNSURE when NMAX limbs do not
+C     hold them.  Scratch: X 12, MINOR 6, DET 3 doubles a limb.
+      SUBROUTINE HHVOLU(Q, TOP, NMAX, X, MINOR, DET, SGN)
+      INTEGER NMAX, SGN
+      DOUBLE PRECISION Q(3,*), TOP, X(*), MINOR(*), DET(*)
+      INTEGER HHSIGN
+      INTEGER UNSURE, ROWS1, ROWS2
+      PARAMETER (UNSURE = 2, ROWS1 = 10, ROWS2 = 20)
+      DOUBLE PRECISION A, B, C, TA, TB, TC
+      INTEGER I, J, N, R, ROWS, S, T
+      CALL HHSPRE(4, Q, TOP, NMAX, X, N)
+      SGN = UNSURE
+      IF (N .GT. NMAX) RETURN
+      CALL HHZERO(6*N, MINOR)
+      CALL HHZERO(3*N, DET)
+C     AB, BC, AC: A(1) B(2) - B(1) A(2) and so on
+      ROWS = 0
+      DO 20 I = 1, N
+        S = 12*(I - 1)
+        A = X(S+1)
+        B = X(S+4)
+        C = X(S+7)
+        IF (MAX(ABS(A), ABS(B), ABS(C)) .LE. 0.0D0) GO TO 20
+        ROWS = ROWS + 1
+        IF (MOD(ROWS, ROWS1) .EQ. 0) CALL HHCARR(2*N, 3, MINOR)
+        R = 3*I
+        T = 0
+        DO 10 J = 1, N
+          TA = X(T+2)
+          TB = X(T+5)
+          TC = X(T+8)
+          MINOR(R+1) = MINOR(R+1) + (A*TB - B*TA)
+          MINOR(R+2) = MINOR(R+2) + (B*TC - C*TB)
+          MINOR(R+3) = MINOR(R+3) + (A*TC - C*TA)
+          R = R + 3
+          T = T + 12
+   10   CONTINUE
+   20 CONTINUE
+      CALL HHCARR(2*N, 3, MINOR)
+      ROWS = 0
+      DO 40 I = 1, N
+        S = 12*(I - 1)
+        A = X(S+3)
+        B = X(S+6)
+        C = X(S+9)
+        IF (MAX(ABS(A), ABS(B), ABS(C)) .LE. 0.0D0) GO TO 40
+        ROWS = ROWS + 1
+        IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(3*N, 1, DET)
+        T = 0
+        DO 30 J = 1, 2*N
+          DET(I+J) = DET(I+J) + (A*MINOR(T+2) - B*MINOR(T+3) +
+     $        C*MINOR(T+1))
+          T = T + 3
+   30   CONTINUE
+   40 CONTINUE
+      SGN = HHSIGN(3*N, DET)
+      END
+
+C     HHBALL - with NMAX limbs, the sign of the determinant of HHFIL5;
+C     UNSURE when NMAX limbs do not hold the points.  Scratch: X 15,
+C     MINOR and DET 12, TOTAL 5 doubles a limb.
+      SUBROUTINE HHBALL(Q, TOP, NMAX, X, MINOR, DET, TOTAL, SGN)
+      INTEGER NMAX, SGN
+      DOUBLE PRECISION Q(3,*), TOP, X(*), MINOR(*), DET(*), TOTAL(*)
+      INTEGER HHSIGN
+      INTEGER UNSURE, ROWS1, ROWS2
+      PARAMETER (UNSURE = 2, ROWS1 = 10, ROWS2 = 20)
+      DOUBLE PRECISION A, B, C, D, TA, TB, TC, TD
+      INTEGER I, J, K, N, R, ROWS, S, T
+      CALL HHSPRE(5, Q, TOP, NMAX, X, N)
+      SGN = UNSURE
+      IF (N .GT. NMAX) RETURN
+      CALL HHZERO(12*N, MINOR)
+      CALL HHZERO(12*N, DET)
+      CALL HHZERO(5*N, TOTAL)
+C     AB, BC, CD, DA, AC, BD
+      ROWS = 0
+      DO 20 I = 1, N
+        S = 15*(I - 1)
+        A = X(S+1)
+        B = X(S+4)
+        C = X(S+7)
+        D = X(S+10)
+        IF (MAX(ABS(A), ABS(B), ABS(C), ABS(D)) .LE. 0.0D0) GO TO 20
+        ROWS = ROWS + 1
+        IF (MOD(ROWS, ROWS1) .EQ. 0) CALL HHCARR(2*N, 6, MINOR)
+        R = 6*I
+        T = 0
+        DO 10 J = 1, N
+          TA = X(T+2)
+          TB = X(T+5)
+          TC = X(T+8)
+          TD = X(T+11)
+          MINOR(R+1) = MINOR(R+1) + (A*TB - B*TA)
+          MINOR(R+2) = MINOR(R+2) + (B*TC - C*TB)
+          MINOR(R+3) = MINOR(R+3) + (C*TD - D*TC)
+          MINOR(R+4) = MINOR(R+4) + (D*TA - A*TD)
+          MINOR(R+5) = MINOR(R+5) + (A*TC - C*TA)
+          MINOR(R+6) = MINOR(R+6) + (B*TD - D*TB)
+          R = R + 6
+          T = T + 15
+   10   CONTINUE
+   20 CONTINUE
+      CALL HHCARR(2*N, 6, MINOR)
+C     the determinants without A, B, C, D
+      ROWS = 0
+      DO 40 I = 1, N
+        S = 15*(I - 1)
+        A = X(S+3)
+        B = X(S+6)
+        C = X(S+9)
+        D = X(S+12)
+        IF (MAX(ABS(A), ABS(B), ABS(C), ABS(D)) .LE. 0.0D0) GO TO 40
+        ROWS = ROWS + 1
+        IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(3*N, 4, DET)
+        R = 4*I
+        T = 0
+        DO 30 J = 1, 2*N
+          DET(R+1) = DET(R+1) + (B*MINOR(T+3) - C*MINOR(T+6) +
+     $        D*MINOR(T+2))
+          DET(R+2) = DET(R+2) + (A*MINOR(T+3) + C*MINOR(T+4) +
+     $        D*MINOR(T+5))
+          DET(R+3) = DET(R+3) + (A*MINOR(T+6) + B*MINOR(T+4) +
+     $        D*MINOR(T+1))
+          DET(R+4) = DET(R+4) + (A*MINOR(T+2) - B*MINOR(T+5) +
+     $        C*MINOR(T+1))
+          R = R + 4
+          T = T + 6
+   30   CONTINUE
+   40 CONTINUE
+      CALL HHCARR(3*N, 4, DET)
+C     the squares of the rows, in the place of the minors
+      CALL HHZERO(8*N, MINOR)
+      ROWS = 0
+      DO 70 I = 1, N
+        ROWS = ROWS + 1
+        IF (MOD(ROWS, ROWS1) .EQ. 0) CALL HHCARR(2*N, 4, MINOR)
+        DO 60 K = 1, 4
+          S = 15*(I - 1) + 3*(K - 1)
+          A = X(S+1)
+          B = X(S+2)
+          C = X(S+3)
+          IF (MAX(ABS(A), ABS(B), ABS(C)) .LE. 0.0D0) GO TO 60
+          R = 4*I + K
+          T = 3*(K - 1)
+          DO 50 J = 1, N
+            MINOR(R) = MINOR(R) + (A*X(T+1) + B*X(T+2) + C*X(T+3))
+            R = R + 4
+            T = T + 15
+   50     CONTINUE
+   60   CONTINUE
+   70 CONTINUE
+      CALL HHCARR(2*N, 4, MINOR)
+      ROWS = 0
+      DO 90 I = 1, 2*N
+        S = 4*(I - 1)
+        A = MINOR(S+1)
+        B = MINOR(S+2)
+        C = MINOR(S+3)
+        D = MINOR(S+4)
+        IF (MAX(ABS(A), ABS(B), ABS(C), ABS(D)) .LE. 0.0D0) GO TO 90
+        ROWS = ROWS + 1
+        IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(5*N, 1, TOTAL)
+        T = 0
+        DO 80 J = 1, 3*N
+          TOTAL(I+J) = TOTAL(I+J) + (B*DET(T+2) - A*DET(T+1) +
+     $        D*DET(T+4) - C*DET(T+3))
+          T = T + 4
+   80   CONTINUE
+   90 CONTINUE
+      SGN = HHSIGN(5*N, TOTAL)
+      END
+
+C     HHLIMB - HHVOLU for NP = 4 points, HHBALL for 5.
+      SUBROUTINE HHLIMB(NP, Q, TOP, N, X, MINOR, DET, TOTAL, SGN)
+      INTEGER NP, N, SGN
+      DOUBLE PRECISION Q(3,*), TOP, X(*), MINOR(*), DET(*), TOTAL(*)
+      IF (NP .EQ. 4) THEN
+        CALL HHVOLU(Q, TOP, N, X, MINOR, DET, SGN)
+      ELSE
+        CALL HHBALL(Q, TOP, N, X, MINOR, DET, TOTAL, SGN)
+      END IF
+      END
+
+C     Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the
+C     last one serves several lengths.
       SUBROUTINE HHLIM3(NP, Q, TOP, SGN)
       INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), TOP
-      DOUBLE PRECISION WORK(37*3)
-      CALL HHLIMB(NP, Q, TOP, 3, WORK, SGN)
+      DOUBLE PRECISION X(15*3), MINOR(12*3), DET(12*3), TOTAL(5*3)
+      CALL HHLIMB(NP, Q, TOP, 3, X, MINOR, DET, TOTAL, SGN)
       END
 
       SUBROUTINE HHLIMT(NP, Q, TOP, SGN)
       INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), TOP
-      DOUBLE PRECISION WORK(37*10)
-      CALL HHLIMB(NP, Q, TOP, 10, WORK, SGN)
+      DOUBLE PRECISION X(15*10), MINOR(12*10), DET(12*10), TOTAL(5*10)
+      CALL HHLIMB(NP, Q, TOP, 10, X, MINOR, DET, TOTAL, SGN)
       END
 
       SUBROUTINE HHLIMX(NP, Q, TOP, SGN)
       INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), TOP
-      INTEGER HHLIM
-      PARAMETER (HHLIM = 88)
-      DOUBLE PRECISION WORK(37*HHLIM)
-      CALL HHLIMB(NP, Q, TOP, HHLIM, WORK, SGN)
+      INTEGER UNSURE, HHLIM
+      PARAMETER (UNSURE = 2, HHLIM = 88)
+      DOUBLE PRECISION X(15*HHLIM), MINOR(12*HHLIM), DET(12*HHLIM)
+      DOUBLE PRECISION TOTAL(5*HHLIM)
+      INTEGER N
+      N = 10
+   10 N = 2*N
+      IF (N .GT. HHLIM - 1) N = HHLIM
+      CALL HHLIMB(NP, Q, TOP, N, X, MINOR, DET, TOTAL, SGN)
+      IF (SGN .EQ. UNSURE .AND. N .LT. HHLIM) GO TO 10
       END
 
 C     HHWEIG - the weight of limb 1 of numbers of at most MOST > 0: MOST
@@ -417,7 +514,7 @@ C     fills it.
       DOUBLE PRECISION HHLDEX
       INTEGER BITS
       PARAMETER (BITS = 24)
-      HHWEIG = HHLDEX(1.0D0, HHFREX(MOST) + 1 - BITS)
+      HHWEIG = HHLDEX(1.0D0, HHFREX(MOST) + 2 - BITS)
       END
 
 C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
@@ -764,24 +861,27 @@ C     any height will do that needs no more limbs than the points
       END
 
 C     HHWIDS - with N limbs, the sign of Q(1) + Q(2) - Q(3) - Q(4);
-C     UNSURE when they do not hold Q.  WORK: 2N doubles.
-      SUBROUTINE HHWIDS(Q, TOP, N, WORK, SGN)
+C     UNSURE when they do not hold Q.  Scratch: LIMB, TOTAL.
+      SUBROUTINE HHWIDS(Q, TOP, N, LIMB, TOTAL, SGN)
       INTEGER N, SGN
-      DOUBLE PRECISION Q(4), TOP, WORK(*)
+      DOUBLE PRECISION Q(4), TOP, LIMB(*), TOTAL(*)
       INTEGER HHSIGN
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
       DOUBLE PRECISION F
-      INTEGER I, K
-      CALL HHZERO(WORK, N, N)
+      INTEGER I, K, USED
+      CALL HHZERO(N, TOTAL)
+      SGN = UNSURE
       DO 20 I = 1, 4
-        CALL HHSPLI(WORK, Q(I), TOP, N, 0, SGN)
-        IF (SGN .NE. 0) RETURN
+        CALL HHSPLI(Q(I), TOP, N, 1, LIMB, 1, USED)
+        IF (USED .GT. N) RETURN
         F = 1.0D0
         IF (I .GT. 2) F = -1.0D0
         DO 10 K = 1, N
-          WORK(N+K) = WORK(N+K) + F*WORK(K)
+          TOTAL(K) = TOTAL(K) + F*LIMB(K)
    10   CONTINUE
    20 CONTINUE
-      SGN = HHSIGN(WORK, N, N)
+      SGN = HHSIGN(N, TOTAL)
       END
 
 C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
@@ -793,7 +893,8 @@ C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
       DOUBLE PRECISION EPS, TINY, SHIFT, LOW
       PARAMETER (EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
       PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
-      DOUBLE PRECISION X, Y, ERR, Q(4), WORK(2*HHLIM), TOP, MOST
+      DOUBLE PRECISION X, Y, ERR, Q(4), TOP, MOST
+      DOUBLE PRECISION LIMB(HHLIM), TOTAL(HHLIM)
       INTEGER I, SGN
       X = 0.25D0*A - 0.25D0*B
       Y = 0.25D0*C - 0.25D0*D
@@ -819,8 +920,8 @@ C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
         MOST = MOST*SHIFT
       END IF
       TOP = HHWEIG(MOST)
-      CALL HHWIDS(Q, TOP, 3, WORK, SGN)
-      IF (SGN .EQ. UNSURE) CALL HHWIDS(Q, TOP, HHLIM, WORK, SGN)
+      CALL HHWIDS(Q, TOP, 3, LIMB, TOTAL, SGN)
+      IF (SGN .EQ. UNSURE) CALL HHWIDS(Q, TOP, HHLIM, LIMB, TOTAL, SGN)
       HHWIDE = SGN
       END
 
@@ -829,20 +930,17 @@ C     value MOST > 0, else UNSURE.
       INTEGER FUNCTION HHRANG(X, MOST)
       DOUBLE PRECISION X, MOST
       DOUBLE PRECISION HHWEIG
-      INTEGER HHLIM
-      PARAMETER (HHLIM = 88)
+      INTEGER UNSURE, HHLIM
+      PARAMETER (UNSURE = 2, HHLIM = 88)
       DOUBLE PRECISION SHIFT, LOW
       PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
-      DOUBLE PRECISION LIMB(HHLIM), TOP, Y
-      INTEGER INFO
-      Y = X
-      TOP = MOST
-      IF (MOST .LT. LOW) THEN
-        Y = Y*SHIFT
-        TOP = TOP*SHIFT
-      END IF
-      CALL HHSPLI(LIMB, Y, HHWEIG(TOP), HHLIM, 0, INFO)
-      HHRANG = INFO
+      DOUBLE PRECISION F, LIMB(HHLIM)
+      INTEGER USED
+      F = 1.0D0
+      IF (MOST .LT. LOW) F = SHIFT
+      CALL HHSPLI(X*F, HHWEIG(MOST*F), HHLIM, 1, LIMB, 1, USED)
+      HHRANG = 0
+      IF (USED .GT. HHLIM) HHRANG = UNSURE
       END
 
 C     HHCORN - are NP points P corners of one box with faces along the
