@@ -3,6 +3,14 @@
 
 #include <math.h>
 
+#ifdef PLAIN
+/* as the compiler likes it: for the timings */
+#define ra_add(a, b) ((a) + (b))
+#define ra_sub(a, b) ((a) - (b))
+#define ra_mul(a, b) ((a) * (b))
+#define ra_div(a, b) ((a) / (b))
+#define ra_root(a) sqrt(a)
+#else
 static int single;
 
 void ra_bits(int bits) { single = bits == 24; }
@@ -29,6 +37,7 @@ double ra_mul(double a, double b) { return ra_keep(a * b); }
 double ra_div(double a, double b) { return ra_keep(a / b); }
 
 double ra_root(double a) { return ra_keep(sqrt(a)); }
+#endif
 
 double ra_dot(const double *a, const double *b)
 {

@@ -9,7 +9,9 @@ C     extended precision, contraction or vectors.  The operations
 C     themselves are done in double precision or more: 53 bits are more
 C     than 2 * 24 + 1, so that a sum, difference, product, quotient or
 C     square root of REALs, rounded to double precision and then to
-C     REAL, is what REAL arithmetic gives.
+C     REAL, is what REAL arithmetic gives.  (Where double precision
+C     arithmetic is done with more than 53 bits, the 64-bit arithmetic
+C     is rounded twice; the 32-bit arithmetic never differs.)
 C
 C     The twin of round.c, routine by routine.
 

@@ -8,6 +8,11 @@
  * that a sum, difference, product, quotient or square root of floats, rounded
  * to double and then to float, is what float arithmetic gives.
  *
+ * (Where double arithmetic is done with more than 53 bits, the 64-bit
+ * arithmetic is rounded twice; the 32-bit arithmetic never differs.)
+ *
+ * Compiled with -DPLAIN it is ordinary arithmetic in double.
+ *
  * The twin of round.f, routine by routine.
  */
 #ifndef ROUND_H
