@@ -63,6 +63,7 @@ extern double tess_count[];
 #define N_LIST 7   /* points of lists tested                */
 #define N_POOL 8   /* largest number of facets in the pool  */
 #define N_HULL 9   /* searches that found nothing           */
+#define N_PROBE 10 /* entries looked at to find or put in   */
 
 /* The caller's arrays hold numbers greater by ORIGIN than those used inside:
  * Fortran counts from 1.  So do the queries. */
@@ -434,6 +435,7 @@ static tess_int find(const mesh *m, const tess_int *v, tess_int sig)
     const tess_int *p;
 
     for (;;) {
+        COUNT(N_PROBE, 1);
         p = m->pool + ENTRY * e;
         if (p[0] == NONE) return NONE;
         if (p[3] == sig) {
@@ -452,8 +454,11 @@ static void putin(mesh *m, tess_int code, tess_int owner, tess_int sig)
     tess_int e = sig % m->m;
     tess_int *p;
 
-    while (m->pool[ENTRY * e] != NONE)
+    COUNT(N_PROBE, 1);
+    while (m->pool[ENTRY * e] != NONE) {
+        COUNT(N_PROBE, 1);
         if (++e == m->m) e = 0;
+    }
     p = m->pool + ENTRY * e;
     p[0] = code;
     p[1] = m->head[owner];

@@ -9,7 +9,8 @@
  *
  * Without -check it prints two tables: one problem, as in the paper, and how
  * many of 1000 random problems each method gets wrong.  With -check it tests
- * what must hold whatever the machine.
+ * what must hold whatever the machine.  With -blas, in a build with -DCBLAS,
+ * it prints what Householder by BLAS calls in float does.
  *
  * The twin of acc.f, which prints the same tables.
  */
@@ -19,6 +20,9 @@
 #include "../../hhpred.h"
 #include "../exact.h"
 #include "round.h"
+#ifdef CBLAS
+#include "blas.h"
+#endif
 
 #define MANY 1000
 
@@ -45,6 +49,33 @@ static int house(double p[5][3])
     if (ra_lcoord(f, p[3], &l4) || ra_lcoord(f, p[4], &l5)) return DIVIDE;
     return ra_side(f, p[4]) > 0.0 ? signof(l4 - l5) : signof(l5 - l4);
 }
+
+#ifdef CBLAS
+/* The cases in 32 bits, those where BLAS makes no difference, and the powers
+ * at which it first gives 0, or divides by 0, for the problem. */
+static long cases, same;
+static int zeroat, divat;
+
+/* calls - the answer by L-coordinates with BLAS calls, in float. */
+static int calls(double p[5][3])
+{
+    float s[5][3], f[9], l;
+    int i, k;
+
+    for (i = 0; i < 5; i++)
+        for (k = 0; k < 3; k++) s[i][k] = (float)p[i][k];
+    if (bs_facet(s[0], s[1], s[2], f)) return DIVIDE;
+    if (bs_side(f, s[3]) == 0 || bs_side(f, s[4]) == 0) return DIVIDE;
+    l = bs_lcoord(f, s[3]) - bs_lcoord(f, s[4]);
+    return bs_side(f, s[4]) > 0 ? signof(l) : signof(-l);
+}
+
+static void compare(double p[5][3], int answer)
+{
+    cases++;
+    same += calls(p) == answer;
+}
+#endif
 
 /* dets - the answer by determinants, with the true orientation as a gift. */
 static int dets(double p[5][3])
@@ -199,6 +230,9 @@ static void approach(int bits, int print)
     for (j = 1; j <= POWERS1; j++) {
         shrink(bits, j, one[4], p);
         a[j] = ask(p);
+#ifdef CBLAS
+        if (bits == 24 && zeroat == 0 && calls(p) == 0) zeroat = -j;
+#endif
         if (house1 == 0 && a[j].house != a[j].right) house1 = -j;
         if (dets1 == 0 && a[j].dets != a[j].right) dets1 = -j;
         if (exact1 == 0 && a[j].exact != a[j].right) exact1 = -j;
@@ -216,6 +250,9 @@ static void approach(int bits, int print)
         for (j = 1; j <= POWERS1; j++) {
             shrink(bits, j, d, p);
             b = ask(p);
+#ifdef CBLAS
+            if (bits == 24) compare(p, b.house);
+#endif
             count(&c[j], &b);
         }
     }
@@ -286,6 +323,9 @@ static void move(int bits, int print)
     for (j = 0; j <= n; j++) {
         translate(bits, j, q, p);
         a[j] = ask(p);
+#ifdef CBLAS
+        if (bits == 24 && divat == 0 && calls(p) == DIVIDE) divat = j;
+#endif
         if (divide1 == 0 && a[j].house == DIVIDE) divide1 = j;
         if (dets1 == 0 && a[j].dets != a[j].right) dets1 = j;
         if (exact1 == 0 && a[j].exact != a[j].right) exact1 = j;
@@ -296,6 +336,9 @@ static void move(int bits, int print)
         for (j = 0, failed = 0; j <= n; j++) {
             translate(bits, j, q, p);
             b = ask(p);
+#ifdef CBLAS
+            if (bits == 24) compare(p, b.house);
+#endif
             if (j == 0) truth = b.right;
             count(&c[j], &b);
             c[j].changed += b.right != truth;
@@ -361,6 +404,16 @@ int main(int argc, char **argv)
 {
     int check = argc > 1 && strcmp(argv[1], "-check") == 0;
 
+#ifdef CBLAS
+    if (argc > 1 && strcmp(argv[1], "-blas") == 0) {
+        approach(24, 0);
+        move(24, 0);
+        printf("0 at 1E%+03d, zero divide at 1E%+03d; the same answer as "
+               "without BLAS\n    in %ld of %ld random problems\n", zeroat,
+               divat, same, cases);
+        return 0;
+    }
+#endif
     if (!check) printf(" 3. The test point approaches the origin\n");
     approach(24, !check);
     approach(53, !check);
