@@ -4,6 +4,7 @@
 # make pictures    write test/pictures anew
 # make check       the tests
 # make bench       the timings
+# make paper       the experiments of the paper: test/paper/results.txt
 # make mirror      write test/data/mirror.xyz anew
 # make clean       remove build/
 # make help        this list
@@ -79,6 +80,9 @@ check: all
 bench: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/bench.sh
 
+paper:
+	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
+
 mirror: build/mirror
 	build/mirror > test/data/mirror.xyz
 
@@ -88,4 +92,4 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all run examples pictures check bench mirror clean help
+.PHONY: all run examples pictures check bench paper mirror clean help

@@ -75,7 +75,7 @@ have() {
 
 STRICT="-std=c89 -pedantic-errors -Wall -Wextra -Wshadow -Wconversion -Werror"
 if have "$CC" "$STRICT"; then
-    for f in tess.c hhpred.c test/*.c; do
+    for f in tess.c hhpred.c test/*.c test/paper/*.c; do
         one "strict C89: $f" $CC $STRICT -O1 -I. -c -o build/strict.o $f
     done
     # arithmetic on short is of type int: -Wconversion complains of each
@@ -276,7 +276,7 @@ else
     skip "ftnchek: not installed"
 fi
 one "FORTRAN 77: no line past column 72" \
-    sh -c '! grep -n "^.\{73\}" f77/*.f test/*.f'
+    sh -c '! grep -n "^.\{73\}" f77/*.f test/*.f test/paper/*.f'
 
 # ---- the same results as the C half ----
 
@@ -393,6 +393,11 @@ if command -v f2c > /dev/null; then
 else
     skip "the FORTRAN 77 half through f2c: no f2c"
 fi
+
+# ---- the facts of the paper's Section 4 ----
+
+many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
+    sh test/paper/paper.sh -check
 
 echo "$PASSED passed, $FAILED failed"
 test $FAILED -eq 0

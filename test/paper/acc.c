@@ -278,7 +278,9 @@ static void approach(int bits, int print)
 
 /* ---- the points are moved away from the origin ---- */
 
-static void translate(int bits, int ten, double q[5][3], double p[5][3])
+/* translate - p is q moved along an axis by 10^ten, or not for 0. */
+static void translate(int bits, int axis, int ten, double q[5][3],
+                      double p[5][3])
 {
     double move = 1.0;
     int i;
@@ -287,7 +289,7 @@ static void translate(int bits, int ten, double q[5][3], double p[5][3])
     ra_bits(bits);
     memcpy(p, q, 15 * sizeof(double));
     if (ten > 0)
-        for (i = 0; i < 5; i++) p[i][2] = ra_add(q[i][2], move);
+        for (i = 0; i < 5; i++) p[i][axis] = ra_add(q[i][axis], move);
 }
 
 /* error - the decimal logarithm of the relative error of the determinant of
@@ -315,13 +317,14 @@ static void move(int bits, int print)
     int i, j, n = bits == 24 ? 9 : POWERS2, flat, truth = 0;
     int divide1 = 0, dets1 = 0, exact1 = 0, moved1 = 0, median = 0, near1;
     int failed;
-    long sum = 0, near = 0;
+    long sum = 0, near = 0, along[3];
 
     near1 = bits == 24 ? 8 : 16;
+    along[0] = along[1] = along[2] = 0;
     memset(c, 0, sizeof c);
     memcpy(q, one, sizeof q);
     for (j = 0; j <= n; j++) {
-        translate(bits, j, q, p);
+        translate(bits, 2, j, q, p);
         a[j] = ask(p);
 #ifdef CBLAS
         if (bits == 24 && divat == 0 && calls(p) == DIVIDE) divat = j;
@@ -334,7 +337,7 @@ static void move(int bits, int print)
     for (i = 0; i < MANY; i++) {
         make(0, q);
         for (j = 0, failed = 0; j <= n; j++) {
-            translate(bits, j, q, p);
+            translate(bits, 2, j, q, p);
             b = ask(p);
 #ifdef CBLAS
             if (bits == 24) compare(p, b.house);
@@ -353,9 +356,14 @@ static void move(int bits, int print)
             flat = ldexp(1.0, bits + 1) < pow(10.0, j);
             faults[5] += flat && (b.house != DIVIDE || b.right != 0);
         }
+        for (j = 0; j < 3; j++) {
+            translate(bits, j, n, q, p);
+            b = ask(p);
+            along[j] += b.house == DIVIDE;
+        }
         /* of less than 1, beside more than 2^bits */
         for (j = 0; j < 5; j++) q[j][2] *= 0.5;
-        translate(bits, near1, q, p);
+        translate(bits, 2, near1, q, p);
         b = ask(p);
         near += b.house == DIVIDE;
     }
@@ -396,8 +404,11 @@ static void move(int bits, int print)
     first("determinants: wrong, half the random ones", median, "-");
     first("exact: wrong, the problem", exact1, "-");
     first("the problem is another one, as rounded", moved1, "-");
-    printf("\n  Of the random problems with z halved, %4ld have a zero divide at"
-           " 1E+%02d.\n", near, near1);
+    printf("\n  Zero divides of the random problems, with z halved,"
+           "       at 1E+%02d: %4ld\n", near1, near);
+    for (i = 0; i < 3; i++)
+        printf("                                      moved along %c, "
+               "     at 1E+%02d: %4ld\n", "xyz"[i], n, along[i]);
 }
 
 int main(int argc, char **argv)

@@ -322,9 +322,9 @@ C     SHRINK - p5 is D times 10**(-TEN).
 C     ------------------------------------------------------------------
 C     The points are moved away from the origin.
 
-C     TRANSL - P is Q moved along z by 10**TEN, or not for 0.
-      SUBROUTINE TRANSL(BITS, TEN, Q, P)
-      INTEGER BITS, TEN
+C     TRANSL - P is Q moved along an axis by 10**TEN, or not for 0.
+      SUBROUTINE TRANSL(BITS, AXIS, TEN, Q, P)
+      INTEGER BITS, AXIS, TEN
       DOUBLE PRECISION Q(3,5), P(3,5)
       DOUBLE PRECISION RAADD
       DOUBLE PRECISION X
@@ -338,7 +338,7 @@ C     TRANSL - P is Q moved along z by 10**TEN, or not for 0.
         DO 20 K = 1, 3
           P(K,I) = Q(K,I)
    20   CONTINUE
-        IF (TEN .GT. 0) P(3,I) = RAADD(Q(3,I), X)
+        IF (TEN .GT. 0) P(AXIS,I) = RAADD(Q(AXIS,I), X)
    30 CONTINUE
       END
 
@@ -367,8 +367,14 @@ C     determinant.
       DOUBLE PRECISION P(3,5), Q(3,5), E(0:20)
       INTEGER C(8,0:20), A(5,0:20), B(5), I, J, N, TRUTH, FAILED
       INTEGER DIVID1, DETS1, EXACT1, MOVED1, MEDIAN, SUM, NEAR, NEAR1
+      INTEGER ALONG(3)
       CHARACTER*8 W1, W2, W3
+      CHARACTER*1 XYZ(3)
+      DATA XYZ /'x', 'y', 'z'/
       CALL ZEROC(C)
+      ALONG(1) = 0
+      ALONG(2) = 0
+      ALONG(3) = 0
       N = 17
       NEAR1 = 16
       IF (BITS .EQ. 24) N = 9
@@ -381,7 +387,7 @@ C     determinant.
       CALL ONE(Q)
       DO 10 J = 0, N
         E(J) = 0.0D0
-        CALL TRANSL(BITS, J, Q, P)
+        CALL TRANSL(BITS, 3, J, Q, P)
         CALL ASK(P, A(1,J))
         IF (DIVID1 .EQ. 0 .AND. A(1,J) .EQ. 2) DIVID1 = J
         IF (DETS1 .EQ. 0 .AND. A(2,J) .NE. A(5,J)) DETS1 = J
@@ -393,7 +399,7 @@ C     determinant.
         FAILED = 0
         TRUTH = 0
         DO 20 J = 0, N
-          CALL TRANSL(BITS, J, Q, P)
+          CALL TRANSL(BITS, 3, J, Q, P)
           CALL ASK(P, B)
           IF (J .EQ. 0) TRUTH = B(5)
           CALL COUNT(C, J, B)
@@ -404,10 +410,15 @@ C     determinant.
             FAILED = 1
           END IF
    20   CONTINUE
+        DO 25 J = 1, 3
+          CALL TRANSL(BITS, J, N, Q, P)
+          CALL ASK(P, B)
+          IF (B(1) .EQ. 2) ALONG(J) = ALONG(J) + 1
+   25   CONTINUE
         DO 30 J = 1, 5
           Q(3,J) = Q(3,J)*0.5D0
    30   CONTINUE
-        CALL TRANSL(BITS, NEAR1, Q, P)
+        CALL TRANSL(BITS, 3, NEAR1, Q, P)
         CALL ASK(P, B)
         IF (B(1) .EQ. 2) NEAR = NEAR + 1
    40 CONTINUE
@@ -461,7 +472,12 @@ C     determinant.
      $           EXACT1, '-')
       CALL FIRST('the problem is another one, as rounded        ',
      $           MOVED1, '-')
-      WRITE (*, 100) NEAR, NEAR1
-  100 FORMAT(/'  Of the random problems with z halved, ', I4,
-     $       ' have a zero divide at 1E+', I2.2, '.')
+      WRITE (*, 100) NEAR1, NEAR
+  100 FORMAT(/'  Zero divides of the random problems, with z halved,',
+     $       '       at 1E+', I2.2, ': ', I4)
+      DO 120 I = 1, 3
+        WRITE (*, 110) XYZ(I), N, ALONG(I)
+  110   FORMAT('                                      moved along ', A1,
+     $         ',      at 1E+', I2.2, ': ', I4)
+  120 CONTINUE
       END

@@ -425,10 +425,8 @@ int main(int argc, char **argv)
     for (group = 0; group < FACETS; group++) {
         for (i = 0; i < n; i++) {
             kind = group == RANDOM ? ANYWHERE : rnd_below(POINTS);
-#ifndef FORTRAN
             make(group, kind, 24, p);
             backward(24, p, &m24[group]);
-#endif
             make(group, kind, 53, p);
             backward(53, p, &m53[group]);
             forward(p, &fw[group]);

@@ -89,3 +89,14 @@ real OURS(lcoord)(const real *f, const real *z)
             (real)2.0 * BLAS(dot)(3, f + 3, 1, w, 1)) /
            ((real)2.0 * BLAS(dot)(3, f, 1, w, 1));
 }
+
+real OURS(calls)(const real *f, const real *z)
+{
+    real w[3];
+
+    w[0] = z[0];
+    BLAS(copy)(0, z, 1, w, 1);
+    BLAS(axpy)(0, (real)-1.0, f + 6, 1, w, 1);
+    return (BLAS(dot)(0, w, 1, w, 1) + BLAS(dot)(0, f + 3, 1, w, 1)) +
+           (BLAS(dot)(0, f, 1, w, 1) + w[0]);
+}

@@ -1,6 +1,6 @@
 C     blas.f - the Householder predicates of Section 3 with BLAS calls,
 C     as the paper tried them: the formulas of hhpred.f, every vector
-C     operation a call of level 1.  The BLAS is a library's, or level1.f.
+C     operation a call of level 1.  The BLAS is a library's or level1.f.
 C
 C     The twin of blas.c, in DOUBLE PRECISION.
 
@@ -85,4 +85,17 @@ C     BLLCOO - the L-coordinate of Z
       CALL BLMINU(Z, F(7), W)
       BLLCOO = (DDOT(3, W, 1, W, 1) - 2.0D0*DDOT(3, F(4), 1, W, 1))/
      $         (2.0D0*DDOT(3, F, 1, W, 1))
+      END
+
+C     BLCALL - the calls that BLLCOO makes, with vectors of length 0:
+C     what calling costs
+      DOUBLE PRECISION FUNCTION BLCALL(F, Z)
+      DOUBLE PRECISION F(9), Z(3)
+      DOUBLE PRECISION DDOT
+      DOUBLE PRECISION W(3)
+      W(1) = Z(1)
+      CALL DCOPY(0, Z, 1, W, 1)
+      CALL DAXPY(0, -1.0D0, F(7), 1, W, 1)
+      BLCALL = (DDOT(0, W, 1, W, 1) + DDOT(0, F(4), 1, W, 1)) +
+     $         (DDOT(0, F, 1, W, 1) + W(1))
       END

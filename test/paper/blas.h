@@ -19,4 +19,9 @@ float bs_side(const float *f, const float *z);
 double bl_lcoord(const double *f, const double *z);
 float bs_lcoord(const float *f, const float *z);
 
+/* The calls that bl_lcoord makes, with vectors of length 0: what calling
+ * costs. */
+double bl_calls(const double *f, const double *z);
+float bs_calls(const float *f, const float *z);
+
 #endif

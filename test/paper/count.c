@@ -116,9 +116,12 @@ static int check(void)
         moment[i] = run("moment", i == 0 ? 100 : 200);
         faults[0] += ball[i].code != 0 || ball[i].proven != 0;
         faults[0] += moment[i].code != 0 || moment[i].proven != 0;
-        faults[1] += ball[i].count[SEARCHES] > ball[i].ntet + ball[i].hull;
-        faults[1] += moment[i].count[SEARCHES] >
-                     moment[i].ntet + moment[i].hull;
+        /* the first facet is searched on one side, found by wrapping on the
+         * other */
+        faults[1] += ball[i].count[SEARCHES] !=
+                     ball[i].ntet + ball[i].hull - 1.0;
+        faults[1] += moment[i].count[SEARCHES] !=
+                     moment[i].ntet + moment[i].hull - 1.0;
         faults[2] += moment[i].ntet !=
                      (moment[i].n - 2.0) * (moment[i].n - 3.0) / 2.0;
     }

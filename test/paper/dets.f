@@ -1,8 +1,8 @@
 C     dets.f - the insphere determinant by minors: RAMINO and RADET of
 C     round.f in ordinary double precision, for the timings.
 
-C     DTMIN3 - the determinant of the columns I, J, K of the rows NA, NB,
-C     NC of R
+C     DTMIN3 - the determinant of the columns I, J, K of the rows NA,
+C     NB, NC of R
       DOUBLE PRECISION FUNCTION DTMIN3(R, NA, NB, NC, I, J, K)
       DOUBLE PRECISION R(4,4)
       INTEGER NA, NB, NC, I, J, K
@@ -43,8 +43,8 @@ C     no ones: by the last column
      $       R(2,4)*DTMIN3(R, 1, 3, 4, 1, 2, 3)
       END
 
-C     DTDET - the determinant whose first four rows have the minors M and
-C     whose fifth row is that of Z.
+C     DTDET - the determinant whose first four rows have the minors M
+C     and whose fifth row is that of Z.
       DOUBLE PRECISION FUNCTION DTDET(M, Z)
       DOUBLE PRECISION M(5), Z(3)
       DTDET = M(1)*Z(1) + M(2)*Z(2) + M(3)*Z(3) +

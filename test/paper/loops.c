@@ -6,45 +6,55 @@
 #include "round.h"
 
 void lp_house(const int *n, const double *p, const int *nz, const double *z,
-              double *sum)
+              double *v)
 {
-    double f[HH_FACET_LEN], s = 0.0;
+    double f[HH_FACET_LEN];
     int i, j = 0;
 
     hh_facet(p, p + 3, p + 6, f);
     for (i = 0; i < *n; i++) {
-        s += hh_lcoord(f, z + 3 * j);
+        v[j] = hh_lcoord(f, z + 3 * j);
         if (++j == *nz) j = 0;
     }
-    *sum = s;
 }
 
 void lp_dets(const int *n, const double *p, const int *nz, const double *z,
-             double *sum)
+             double *v)
 {
-    double m[RA_MINORS], s = 0.0;
+    double m[RA_MINORS];
     int i, j = 0;
 
     ra_minors(p, p + 3, p + 6, p + 9, m);
     for (i = 0; i < *n; i++) {
-        s += ra_det(m, z + 3 * j);
+        v[j] = ra_det(m, z + 3 * j);
         if (++j == *nz) j = 0;
     }
-    *sum = s;
 }
 
 #ifdef CBLAS
-void lp_blas(const int *n, const double *p, const int *nz, const double *z,
-             double *sum)
+void lp_calls(const int *n, const double *p, const int *nz, const double *z,
+              double *v)
 {
-    double f[9], s = 0.0;
+    double f[9];
     int i, j = 0;
 
     bl_facet(p, p + 3, p + 6, f);
     for (i = 0; i < *n; i++) {
-        s += bl_lcoord(f, z + 3 * j);
+        v[j] = bl_calls(f, z + 3 * j);
         if (++j == *nz) j = 0;
     }
-    *sum = s;
+}
+
+void lp_blas(const int *n, const double *p, const int *nz, const double *z,
+             double *v)
+{
+    double f[9];
+    int i, j = 0;
+
+    bl_facet(p, p + 3, p + 6, f);
+    for (i = 0; i < *n; i++) {
+        v[j] = bl_lcoord(f, z + 3 * j);
+        if (++j == *nz) j = 0;
+    }
 }
 #endif

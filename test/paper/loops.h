@@ -1,5 +1,7 @@
 /* loops.h - what the timings measure: set up once, then n evaluations at the
- * nz points z in turn, whose sum is returned so that none can be left out.
+ * nz points z in turn, whose values v are returned so that none can be left
+ * out.  (A sum would be a chain of additions that takes longer than what is
+ * measured.)
  *
  *   p  four points: the facet p1, p2, p3, and p4
  *
@@ -11,9 +13,11 @@
 #define LOOPS_H
 
 typedef void loop(const int *n, const double *p, const int *nz,
-                  const double *z, double *sum);
+                  const double *z, double *v);
 
-/* L-coordinates by hhpred, determinants by minors, L-coordinates by BLAS */
-extern loop lp_house, lp_dets, lp_blas, lphous_, lpdets_, lpblas_;
+/* L-coordinates by hhpred, determinants by minors, L-coordinates by BLAS, and
+ * the calls that these make */
+extern loop lp_house, lp_dets, lp_blas, lp_calls;
+extern loop lphous_, lpdets_, lpblas_, lpcall_;
 
 #endif

@@ -140,16 +140,15 @@ double ra_side(const double *f, const double *z)
 
 int ra_lcoord(const double *f, const double *z, double *l)
 {
-    double w[3], u[3], side = ra_side(f, z);
+    double w[3], side;
     int k;
 
     *l = 0.0;
+    for (k = 0; k < 3; k++) w[k] = ra_sub(z[k], f[6 + k]);
+    side = ra_dot(f, w);
     if (side == 0.0) return 1;
-    for (k = 0; k < 3; k++) {
-        w[k] = ra_sub(z[k], f[6 + k]);
-        u[k] = ra_sub(w[k], ra_mul(2.0, f[3 + k]));
-    }
-    *l = ra_div(ra_dot(w, u), ra_mul(2.0, side));
+    *l = ra_div(ra_sub(ra_dot(w, w), ra_mul(2.0, ra_dot(f + 3, w))),
+                ra_mul(2.0, side));
     return 0;
 }
 

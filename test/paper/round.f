@@ -205,28 +205,28 @@ C     RASIDE - the distance of Z from the facet's plane.
       RASIDE = RADOT(F, W)
       END
 
-C     RALCOO - the L-coordinate of Z; ZERO is 1 for a zero divide, else
-C     0.
+C     RALCOO - the L-coordinate of Z, by the paper's formula; ZERO is 1
+C     for a zero divide, else 0.
       SUBROUTINE RALCOO(F, Z, L, ZERO)
       DOUBLE PRECISION F(13), Z(3), L
       INTEGER ZERO
-      DOUBLE PRECISION RASUB, RAMUL, RADIV, RADOT, RASIDE
-      DOUBLE PRECISION W(3), U(3), SIDE
+      DOUBLE PRECISION RASUB, RAMUL, RADIV, RADOT
+      DOUBLE PRECISION W(3), SIDE
       INTEGER K
       L = 0.0D0
       ZERO = 1
-      SIDE = RASIDE(F, Z)
-      IF (ABS(SIDE) .LE. 0.0D0) RETURN
       DO 10 K = 1, 3
         W(K) = RASUB(Z(K), F(6+K))
-        U(K) = RASUB(W(K), RAMUL(2.0D0, F(3+K)))
    10 CONTINUE
-      L = RADIV(RADOT(W, U), RAMUL(2.0D0, SIDE))
+      SIDE = RADOT(F, W)
+      IF (ABS(SIDE) .LE. 0.0D0) RETURN
+      L = RADIV(RASUB(RADOT(W, W), RAMUL(2.0D0, RADOT(F(4), W))),
+     $          RAMUL(2.0D0, SIDE))
       ZERO = 0
       END
 
-C     RAMIN3 - the determinant of the columns I, J, K of the rows NA, NB,
-C     NC of R
+C     RAMIN3 - the determinant of the columns I, J, K of the rows NA,
+C     NB, NC of R
       DOUBLE PRECISION FUNCTION RAMIN3(R, NA, NB, NC, I, J, K)
       DOUBLE PRECISION R(4,4)
       INTEGER NA, NB, NC, I, J, K

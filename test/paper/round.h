@@ -39,7 +39,8 @@ double ra_dot(const double *a, const double *b);
 int ra_facet(const double *p1, const double *p2, const double *p3, double *f);
 /* The distance of z from the facet's plane. */
 double ra_side(const double *f, const double *z);
-/* The L-coordinate of z; 1 for a zero divide, else 0. */
+/* The L-coordinate of z, by the paper's formula; 1 for a zero divide, else
+ * 0. */
 int ra_lcoord(const double *f, const double *z, double *l);
 
 /* The minors of the rows (x, y, z, x^2+y^2+z^2, 1) of four points, set up

@@ -24,26 +24,31 @@
 #define RUNS 9
 #define POINTS 1000
 
+/* A loop's kind is what it computes; its tables, 1 or 2 or both. */
+enum { L, DETS, CALLS };
 static const struct {
     const char *name;
     loop *run;
-    int dets, blas;
+    int kind, tables;
 } loops[] = {
-    {"C", lp_house, 0, 0},
-    {"C-dets", lp_dets, 1, 0},
+    {"C", lp_house, L, 3},
+    {"C-dets", lp_dets, DETS, 2},
 #ifdef CBLAS
-    {"C-blas", lp_blas, 0, 1},
+    {"C-blas", lp_blas, L, 1},
+    {"C-calls", lp_calls, CALLS, 1},
 #endif
 #ifdef FORTRAN
-    {"F", lphous_, 0, 0},
-    {"F-dets", lpdets_, 1, 0},
-    {"F-blas", lpblas_, 0, 1},
+    {"F", lphous_, L, 3},
+    {"F-dets", lpdets_, DETS, 2},
+    {"F-blas", lpblas_, L, 1},
+    {"F-calls", lpcall_, CALLS, 1},
 #endif
 };
 #define LOOPS ((int)(sizeof loops / sizeof *loops))
 
 static double p[12], z[3 * POINTS];
 static const int nz = POINTS;
+static double v[POINTS];
 static volatile double sink;
 
 static double sym(void) { return 4.0 * rnd_unit() - 2.0; }
@@ -71,11 +76,10 @@ static void make(void)
 static double many(int i, int trials, long count)
 {
     clock_t start = clock();
-    double sum;
 
     while (count-- > 0) {
-        loops[i].run(&trials, p, &nz, z, &sum);
-        sink = sum;
+        loops[i].run(&trials, p, &nz, z, v);
+        sink = v[count % POINTS];
     }
     return (double)(clock() - start) / CLOCKS_PER_SEC;
 }
@@ -90,16 +94,17 @@ static void row(int table, int trials)
     for (i = 0; i < LOOPS; i++) {
         least[i] = 0.0;
         count[i] = 1;
+        if (!(table & loops[i].tables)) continue;
         while (many(i, trials, count[i]) < 0.005) count[i] *= 2;
     }
     for (run = 0; run < RUNS; run++)
         for (i = 0; i < LOOPS; i++) {
-            if (table == 1 ? loops[i].dets : loops[i].blas) continue;
+            if (!(table & loops[i].tables)) continue;
             t = many(i, trials, count[i]) / (double)count[i] / trials;
             if (run == 0 || t < least[i]) least[i] = t;
         }
     for (i = 0; i < LOOPS; i++)
-        if (!(table == 1 ? loops[i].dets : loops[i].blas))
+        if (table & loops[i].tables)
             printf("%d %d %s %.4e\n", table, trials, loops[i].name, least[i]);
 }
 
@@ -111,13 +116,14 @@ static int check(void)
     char name[80];
 
     for (i = 0; i < LOOPS; i++) {
+        if (loops[i].kind == CALLS) continue;
         faults = 0;
         rnd_seed(1);
         for (j = 0; j < POINTS; j++) {
             if (j % 100 == 0) make();
             q = z + 3 * j;
             loops[i].run(&one, p, &one, q, &x);
-            if (loops[i].dets) {
+            if (loops[i].kind == DETS) {
                 /* degree 5 in coordinates below 2: far above the roundings */
                 faults += fabs(x) > 1e-11 &&
                           (x > 0.0 ? 1 : -1) !=
