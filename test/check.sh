@@ -78,6 +78,11 @@ if have "$CC" "$STRICT"; then
     for f in tess.c hhpred.c test/*.c test/paper/*.c; do
         one "strict C89: $f" $CC $STRICT -O1 -I. -c -o build/strict.o $f
     done
+    for f in blas loops time acc backward round; do
+        one "strict C89: test/paper/$f.c, all of it" $CC $STRICT -O1 -I. \
+            -DCBLAS -DFORTRAN -DSINGLE -DPLAIN -c -o build/strict.o \
+            test/paper/$f.c
+    done
     # arithmetic on short is of type int: -Wconversion complains of each
     for d in -DTESS_FLOAT "-DTESS_INT=short -Wno-conversion" \
         -DTESS_INT=long -DHH_LIMBS=3 -DTESS_FORTRAN; do

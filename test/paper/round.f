@@ -6,8 +6,8 @@ C     32-bit arithmetic) or a DOUBLE PRECISION (53, its 64-bit
 C     arithmetic) by a routine of another file, store.f, before it is
 C     used.  So it is rounded there, on every machine: with or without
 C     extended precision, contraction or vectors.  The operations
-C     themselves are done in double precision or more: 53 bits are more
-C     than 2 * 24 + 1, so that a sum, difference, product, quotient or
+C     themselves are done in double precision or more: 53 bits are at
+C     least 2 * 24 + 2, so that a sum, difference, product, quotient or
 C     square root of REALs, rounded to double precision and then to
 C     REAL, is what REAL arithmetic gives.  (Where double precision
 C     arithmetic is done with more than 53 bits, the 64-bit arithmetic

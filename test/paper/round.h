@@ -4,7 +4,7 @@
  * paper's 32-bit arithmetic) or a volatile double (53, its 64-bit
  * arithmetic) before it is used.  So it is rounded there, on every machine:
  * with or without extended precision, contraction or vectors.  The operations
- * themselves are done in double or more: 53 bits are more than 2 * 24 + 1, so
+ * themselves are done in double or more: 53 bits are at least 2 * 24 + 2, so
  * that a sum, difference, product, quotient or square root of floats, rounded
  * to double and then to float, is what float arithmetic gives.
  *
