@@ -102,13 +102,14 @@ if [ "$BLAS" != no ]; then
         [ -f "$file" ] || continue
         at=$(cd "$(dirname "$file")" && pwd)
         for file in "$at/blas/$name" "$at"/openblas-*/"$name" "$at/$name"; do
-            [ -f "$file" ] || continue
-            # which of the two it is, its symbols say
-            if grep -q openblas_get_config "$file"; then
-                openblas=${openblas:-$file}
-            else
-                refblas=${refblas:-$file}
-            fi
+            grep -q cblas_ddot "$file" 2>/dev/null || continue
+            case $name in
+            libopenblas*) openblas=${openblas:-$file} ;;
+            *)
+                # under this name it may be OpenBLAS in disguise
+                grep -qi openblas "$file" || refblas=${refblas:-$file}
+                ;;
+            esac
         done
     done
 fi
@@ -350,10 +351,11 @@ machine          $(uname -sm)${machine:+, $machine}
 C                $compiler, $CFLAGS
 FORTRAN 77       $fortran
 reference BLAS   $(short "$refblas")
-OpenBLAS         $(short "$openblas"), one thread
+OpenBLAS         $(short "$openblas")${openblas:+, one thread}
 
 The paper's machines were a node of an nCUBE 2E for the times, and for the
-accuracy an Alpha under VMS.
+accuracy an Alpha under VMS.  The remarks under the tables are of the results that
+are kept in test/paper/results.txt; times of other machines may ask for others.
 
 
 1. BLAS timings
@@ -470,7 +472,7 @@ cat <<'EOF'
 last place of p1's coordinates, which are between 1 and 2 (2^-24; in 64 bits
 2^-53, at 1E-16), so that p5 - p1 is p4 - p1.  Determinants do not depend on the
 distance: the row of p4, the origin, is (0, 0, 0, 0, 1), the last minor is exactly
-0, and what is left shrinks with p5.  The exact sign is right everywhere.
+0, and what is left shrinks with p5, until it underflows.  The exact sign is right everywhere.
 
 4, Householder: the zero divide comes where all points have the same z.  The
 facet's normal is then (0, 0, 1) without a rounding error, and every distance from
@@ -542,6 +544,8 @@ probes       entries of the hash table of open facets looked at, to find one or 
              enter it
 open facets  the most there were at a time in that table
 growth       the exponent of n, from the row above
+
+In C; FORTRAN 77 gives the same arrays by the same searches, but has no counters.
 
 EOF
 $OUT/count
