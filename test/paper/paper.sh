@@ -472,16 +472,17 @@ cat <<'EOF'
 last place of p1's coordinates, which are between 1 and 2 (2^-24; in 64 bits
 2^-53, at 1E-16), so that p5 - p1 is p4 - p1.  Determinants do not depend on the
 distance: the row of p4, the origin, is (0, 0, 0, 0, 1), the last minor is exactly
-0, and what is left shrinks with p5, until it underflows.  The exact sign is right everywhere.
+0, and what is left shrinks with p5, until it underflows.  The exact sign is right
+everywhere.
 
 4, Householder: the zero divide comes where all points have the same z.  The
 facet's normal is then (0, 0, 1) without a rounding error, and every distance from
 its plane exactly 0.  In 64 bits that is at 1E+17, in the paper at 1E+16: doubles
 there are 2 apart, and the 1.75 of our p1 goes up to 1E+16 + 2, while all
-coordinates up to 1 go to 1E+16, as the problems with z halved show.  Moved along x
-or y, most problems of one plane have no zero divide: the normal comes out of
-reflectors that are rounded, and what is divided by is rounding error, not 0.
-The paper's, then, may well have been moved along z.
+coordinates up to 1 go to 1E+16, as the problems with z halved show.  Moved along
+x most problems of one plane have no zero divide, moved along y a third: the normal
+comes out of reflectors that are rounded, and what is divided by is rounding
+error, not 0.  The paper's, then, may well have been moved along z.
 
 4, determinants: our problem fails first at 1E+03 and 1E+09, the paper's at 1E+04
 and 1E+06.  The relative error (its mean logarithm is in the column "error")
@@ -542,7 +543,8 @@ evaluations  points tried in a search's ball, in lists or one by one, and nodes 
 L's          of these, points tried one by one, by an L-coordinate if need be
 probes       entries of the hash table of open facets looked at, to find one or to
              enter it
-open facets  the most there were at a time in that table
+open facets  the most there were at a time in that table; those of the star at
+             work are kept apart
 growth       the exponent of n, from the row above
 
 In C; FORTRAN 77 gives the same arrays by the same searches, but has no counters.
@@ -551,11 +553,11 @@ EOF
 $OUT/count
 cat <<'EOF'
 
-Uniform points in a ball: a constant number of evaluations and probes for each
-tetrahedron, so linear time, as Dwyer's analysis has it; tetrahedra come near to
+Uniform points in a ball: about as many evaluations and probes for a tetrahedron
+whatever n is, so linear time, as Dwyer's analysis has it; tetrahedra come near to
 24 pi^2 / 35 = 6.77 a point, their number in the infinite cloud, as the
-boundary's share falls.  Open facets become few
-beside the tetrahedra: they are the front between the finished stars and the rest.
+boundary's share falls.  Open facets become few beside the tetrahedra: they are
+the front between the finished stars and the rest.
 
 The moment curve has a quadratic number of tetrahedra, the most there can be but
 for a constant factor: O(n^2) space, as the paper says.  Work stays below its
