@@ -802,7 +802,7 @@ void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
     }
     house(a, b, &h);
     /* det [p2-p1 p3-p1 v] = r11 r22 det Q, det Q = 1 */
-    reflec(&h, 0.0, 0.0, (h.r11 < 0.0) == (h.r22 < 0.0) ? 1.0 : -1.0, f);
+    reflec(&h, 0.0, 0.0, (double)(1 - 2 * ((h.r11 < 0.0) != (h.r22 < 0.0))), f);
     if (fabs(h.r11) > SMALL && fabs(h.r22) > SMALL) {
         ratio = h.r12 / h.r22;
         y1 = 0.5 * h.r11;
