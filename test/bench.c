@@ -7,6 +7,9 @@
  * total adds tet and adj as allocated, not the points.  The arrays start at
  * what a cloud of points needs and are doubled, outside of the time measured,
  * as often as tess asks for more.
+ *
+ * Compiled with BENCH_F77 it calls the FORTRAN 77 half, and its line begins
+ * with f77.
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,6 +19,30 @@
 
 #ifdef TESS_COUNT
 double tess_count[16];
+#endif
+
+#ifdef BENCH_F77
+#define NAME "f77"
+extern void TESS_NAME(tess, TESS)(const tess_int *n, const double *p,
+                                  const tess_int *maxtet, tess_int *ntet,
+                                  tess_int *tet, tess_int *adj,
+                                  const tess_int *liw, tess_int *iw,
+                                  const tess_int *lrw, double *rw,
+                                  tess_int *info);
+
+static int run_tess(tess_int n, const double *p, tess_int maxtet,
+                    tess_int *ntet, tess_int *tet, tess_int *adj,
+                    tess_int liw, tess_int *iw, tess_int lrw, double *rw)
+{
+    tess_int info;
+
+    TESS_NAME(tess, TESS)(&n, p, &maxtet, ntet, tet, adj, &liw, iw, &lrw, rw,
+                          &info);
+    return (int)info;
+}
+#else
+#define NAME "tess"
+#define run_tess tess
 #endif
 
 /* Bounds 28 n by the largest tess_int of 32 bits. */
@@ -81,7 +108,7 @@ int main(int argc, char **argv)
                 tess_count[i] = 0;
 #endif
             start = clock();
-            code = tess(n, p, maxtet, &ntet, tet, adj, liw, iw, lrw, rw);
+            code = run_tess(n, p, maxtet, &ntet, tet, adj, liw, iw, lrw, rw);
             seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
             if (code == TESS_MORE || code == TESS_POOL)
                 break;
@@ -101,7 +128,7 @@ int main(int argc, char **argv)
         free(rw);
     } while (code == TESS_MORE || code == TESS_POOL);
 
-    printf("tess %s %ld %ld %.4f %.1f %.1f %.1f %d\n", argv[1], (long)n,
+    printf(NAME " %s %ld %ld %.4f %.1f %.1f %.1f %d\n", argv[1], (long)n,
            (long)ntet, least, ntet > 0 ? 1e9 * least / (double)ntet : 0.0,
            work / (double)n, total / (double)n, code);
 #ifdef TESS_COUNT

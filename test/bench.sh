@@ -1,5 +1,6 @@
 #!/bin/sh
-# bench.sh - the time and memory of tess beside CGAL, TetGen and Qhull.
+# bench.sh - the time and memory of tess beside CGAL, TetGen and Qhull, and of
+# its FORTRAN 77 half beside the C half.
 #
 # Everything is measured in one run on one machine, so that the ratios hold
 # where the nanoseconds do not.  Prints two tables in markdown; raw lines, as
@@ -9,23 +10,26 @@
 #   FAMILIES  families of points.h
 #   SIZES     numbers of points, for all families.  Without it 10^4 and 10^5,
 #             with BIG=1 10^6 too; but 2000 for moment, whose output is
-#             quadratic, and 10^4 for spherenorm
-#   PEERS     some of: cgal tetgen qhull
+#             quadratic, and spherei, and 10^4 for spherenorm
+#   PEERS     some of: f77 cgal tetgen qhull
 #   REPEATS   runs of which the fastest counts (3)
 #   SEED      of the random points (1)
 #   LIMIT     seconds before one program is given up (600)
 #   CC, CFLAGS, CXX  compilers, and options for tess (-O3); peers have -O3
+#   FC, FFLAGS       the same for the FORTRAN 77 half (gfortran, -O3)
 
 cd "$(dirname "$0")/.." || exit 1
 FAMILIES=${FAMILIES:-"uniform clusters decimal3 aniso lattice lattice01
-    spherenorm moment"}
-PEERS=${PEERS-"cgal tetgen qhull"}
+    spherei spherenorm moment"}
+PEERS=${PEERS-"f77 cgal tetgen qhull"}
 REPEATS=${REPEATS:-3}
 SEED=${SEED:-1}
 LIMIT=${LIMIT:-600}
 CC=${CC:-cc}
 CFLAGS=${CFLAGS:--O3}
 CXX=${CXX:-g++}
+FC=${FC:-gfortran}
+FFLAGS=${FFLAGS:--O3}
 mkdir -p build
 
 # shellcheck disable=SC2086
@@ -54,9 +58,25 @@ peer() {
     programs="$programs $2"
 }
 
+# The FORTRAN 77 half has names of its own, so that the C half, for tess_size
+# alone, may be linked, too.
+f77() {
+    # shellcheck disable=SC2086
+    if ! $FC $FFLAGS -frecursive -c -o build/bench_ftess.o f77/tess.f ||
+        ! $FC $FFLAGS -frecursive -c -o build/bench_fhhpred.o f77/hhpred.f ||
+        ! $CC -O3 -DBENCH_F77 -c -o build/bench_f77.o test/bench.c ||
+        ! $FC -o build/bench_f77 build/bench_f77.o build/bench_points.o \
+            build/bench_ftess.o build/bench_fhhpred.o tess.c hhpred.c -lm; then
+        echo "f77: does not build, skipped" >&2
+        return
+    fi
+    programs="$programs f77"
+}
+
 programs=tess
 for name in $PEERS; do
     case $name in
+    f77) f77 ;;
     cgal) peer CGAL cgal cgal.cpp CGAL/version.h "$CXX" "-lmpfr -lgmp" ;;
     tetgen) peer TetGen tetgen tetgen.cpp tetgen.h "$CXX" -ltet ;;
     qhull) peer Qhull qhull qhull.c libqhull_r/libqhull_r.h "$CC" \
@@ -71,6 +91,7 @@ sizes() {
     else
         case $1 in
         moment) echo 2000 ;;
+        spherei) echo 2000 ;;
         spherenorm) echo 10000 ;;
         *) echo 10000 100000 ${BIG:+1000000} ;;
         esac
@@ -114,6 +135,7 @@ echo "$(uname -sm), $($CC --version 2>/dev/null | head -n 1), $CFLAGS;" \
 awk -v programs="$programs" '
 BEGIN {
     shown["tess"] = "tess"
+    shown["f77"] = "FORTRAN"
     shown["cgal"] = "CGAL"
     shown["tetgen"] = "TetGen"
     shown["qhull"] = "Qhull"
@@ -137,6 +159,11 @@ BEGIN {
         points[key] = $4
     }
 }
+function ratio(a, b) {
+    if (good[a] && good[b] && time[b] > 0)
+        return sprintf(" %.2f |", time[a] / time[b])
+    return " |"
+}
 function value(at, list, form) {
     return good[at] ? sprintf(form, list[at]) : fault[at]
 }
@@ -146,6 +173,10 @@ END {
     line = "| --- | ---: | ---: |"
     for (k = 1; k <= many; k++) {
         head = head " " shown[program[k]] " |"
+        line = line " ---: |"
+    }
+    if (programs ~ /f77/) {
+        head = head " FORTRAN/tess |"
         line = line " ---: |"
     }
     if (programs ~ /cgal/) {
@@ -158,14 +189,8 @@ END {
         head = "| " family[key] " | " points[key] " | " tetrahedra[key] " |"
         for (k = 1; k <= many; k++)
             head = head " " value(key " " program[k], time, "%.0f") " |"
-        if (programs ~ /cgal/) {
-            ours = key " tess"
-            theirs = key " cgal"
-            if (good[ours] && good[theirs] && time[theirs] > 0)
-                head = head sprintf(" %.2f |", time[ours] / time[theirs])
-            else
-                head = head " |"
-        }
+        if (programs ~ /f77/) head = head ratio(key " f77", key " tess")
+        if (programs ~ /cgal/) head = head ratio(key " tess", key " cgal")
         print head
     }
     print "\nBytes per point, output included, points not\n"
