@@ -338,6 +338,24 @@ text() {
     fi
 }
 
+# threads NAME: link the half just compiled with a program of several threads.
+# Local arrays must be on the stack: -frecursive, f2c -a.
+OMP_NUM_THREADS=4
+export OMP_NUM_THREADS
+threads() {
+    [ -f build/threads.o ] || return
+    rm -f build/threads
+    $LINKF -fopenmp -o build/threads build/threads.o build/points.o \
+        build/ftess.o build/fhhpred.o $LIBS >> $LOG 2>&1
+    many "threads: $1" build/threads
+}
+rm -f build/threads.o
+if have "$CC" -fopenmp; then
+    $CC $CFLAGS -fopenmp -c -o build/threads.o test/threads.c
+else
+    skip "threads: no OpenMP"
+fi
+
 # parity.c and parity.f write the same text; parity.txt is what they wrote
 # when it was made, so that a machine without Fortran compares, too.  It is not
 # believed: the first program proves each answer by exact.c, and knows the
@@ -374,6 +392,7 @@ LINKF=$CC
 LIBF=
 OTHER=
 fortran "C with -DTESS_FORTRAN" entries
+threads "C with -DTESS_FORTRAN"
 OTHER=build/hhpred.o
 if command -v gfortran > /dev/null; then
     LINKF=gfortran
@@ -383,6 +402,7 @@ if command -v gfortran > /dev/null; then
     text "gfortran -fcheck=all"
     fortran "gfortran -O3" gfort -O3
     text "gfortran -O3"
+    threads "gfortran -O3"
     entries
     text "gfortran and C with -DTESS_FORTRAN"
 else
@@ -393,6 +413,7 @@ if command -v f2c > /dev/null; then
     LIBF=-lf2c
     fortran "f2c" viaf2c
     text "f2c"
+    threads "f2c"
     entries
     text "f2c and C with -DTESS_FORTRAN"
 else
