@@ -356,6 +356,23 @@ else
     skip "threads: no OpenMP"
 fi
 
+# The README's Fortran program and its command line, exactly as printed there.
+# Its input: a plane grid of 9 x 11 points, of which every one of the 160
+# triangles makes a tetrahedron with the point off the plane.
+mkdir -p build/ten
+[ -d build/ten/f77 ] || ln -s ../../f77 build/ten/f77
+sed -n '/^```fortran$/,/^```$/p' README.md | sed '/^```/d' > build/ten/ten.f
+sed -n 's/^    \(gfortran .*\)/\1/p' README.md > build/ten/compile
+awk 'BEGIN { for (i = 0; i < 99; i++) print i % 9, int(i / 9), 0
+    print 3, 4, 5 }' > build/ten/points
+# ten NAME: run build/ten/a.out
+ten() {
+    build/ten/a.out < build/ten/points > build/ten/out 2>> $LOG
+    set -- "$1" `cat build/ten/out`
+    one "the README's Fortran program, $1" test "$2 $3" = "0 160"
+    rm -f build/ten/a.out
+}
+
 # parity.c and parity.f write the same text; parity.txt is what they wrote
 # when it was made, so that a machine without Fortran compares, too.  It is not
 # believed: the first program proves each answer by exact.c, and knows the
@@ -405,6 +422,11 @@ if command -v gfortran > /dev/null; then
     threads "gfortran -O3"
     entries
     text "gfortran and C with -DTESS_FORTRAN"
+    (cd build/ten && sh -e compile) >> $LOG 2>&1
+    ten "as it says"
+    gfortran -o build/ten/a.out build/ten/ten.f build/ftess.o \
+        build/fhhpred.o -lm >> $LOG 2>&1
+    ten "C with -DTESS_FORTRAN"
 else
     skip "the FORTRAN 77 half: no gfortran"
 fi
