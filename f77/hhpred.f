@@ -19,27 +19,21 @@ C
 C     A point is an array of 3 coordinates.  No argument but F, C is
 C     altered by the routines that hh_ names below.
 C
-C     The twin of hhpred.c, routine by routine:
-C
-C       exact numbers
-C         frexp       HHFREX  signof      HHSIGN  limbs10     HHLIMT
-C         ldexp       HHLDEX  spread      HHSPRE  limbsx      HHLIMX
-C         nearest     HHNEAR  volume      HHVOLU  weight      HHWEIG
-C         split       HHSPLI  ball        HHBALL  exact       HHEXAC
-C         carry       HHCARR  limbsg      HHLIMB
-C         zeros       HHZERO  limbs3      HHLIM3
-C       exact signs
-C         certain     HHCERT  hh_orient   HHORIE  hh_pside    HHPSID
-C         filt3       HHFIL3  hh_insphere HHINSP  tied        HHTIED
-C         filt5       HHFIL5  hh_flat     HHFLAT  perturb     HHPERT
-C         exact3      HHEXA3  widersg     HHWIDS  hh_pball    HHPBAL
-C         exact5      HHEXA5  hh_wider    HHWIDE  hh_pbeat    HHPBEA
-C         scale       HHSCAL  hh_range    HHRANG
-C         larger      HHLARG  corners     HHCORN
-C       Householder
-C         house       HHHOUS  hh_bound    HHBOUN  hh_opp      HHOPP
-C         reflec      HHREFL  hh_facet    HHFACE  hh_lcoord   HHLCOO
-C         hh_setup    HHSETU  hh_side     HHSIDE  hh_wrap     HHWRAP
+C     The routines of hhpred.c, in its order, and their names here:
+C       exact numbers: frexp HHFREX, ldexp HHLDEX, nearest HHNEAR,
+C         split HHSPLI, carry HHCARR, zeros HHZERO, signof HHSIGN,
+C         spread HHSPRE, volume HHVOLU, ball HHBALL, limbsg HHLIMB,
+C         limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX, weight HHWEIG,
+C         exact HHEXAC
+C       exact signs: certain HHCERT, filt3 HHFIL3, filt5 HHFIL5,
+C         exact3 HHEXA3, exact5 HHEXA5, scale HHSCAL, larger HHLARG,
+C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
+C         widersg HHWIDS, hh_wider HHWIDE, hh_range HHRANG,
+C         corners HHCORN, hh_pside HHPSID, tied HHTIED,
+C         perturb HHPERT, hh_pball HHPBAL, hh_pbeat HHPBEA
+C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
+C         hh_bound HHBOUN, hh_facet HHFACE, hh_side HHSIDE,
+C         hh_opp HHOPP, hh_lcoord HHLCOO, hh_wrap HHWRAP
 C
 C     Where C returns a code beside other results, the last argument
 C     has it; a function alters no argument.  Axes, positions and

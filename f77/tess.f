@@ -47,6 +47,45 @@ C     comparisons of the caller's coordinates, or predicates of hhpred.
 C     Floating point here chooses where to look, with margins that cover
 C     its rounding.
 C
+C     The routines of tess.c, in its order, and their names here:
+C       sorting: before TSBEFO, swap TSSWAP, pivot TSPIVO,
+C         partit TSPART, twin TSTWIN, cut TSCUT, bound TSBOUN,
+C         leafof TSLEAF, span TSSPAN, leafsort TSLSOR, kdsort TSKDSO,
+C         boxes TSBOXE
+C       pool: facet TSFACE, signat TSSIGN, find TSFIND, putin TSPUTI,
+C         takeout TSTAKO, widen TSWIDE
+C       lists: disjoint TSDISJ, append TSAPPE, pad TSPAD,
+C         harvest TSHARV, block TSBLOC, gather TSGATH
+C       apex: blur TSBLUR, region TSREGI, behind TSBEHI,
+C         outside TSOUTS, contained TSCONT, take TSTAKE,
+C         compare TSCOMP, consider TSCONS, aim TSAIM, scan TSSCAN,
+C         inlists TSINLI, nearest TSNEAR, apart TSAPAR, search TSSEAR,
+C         onhull TSONHU, prepare TSPREP, apex TSAPEX
+C       star: edge TSEDGE, renumber TSRENU, push TSPUSH, join TSJOIN,
+C         kill TSKILL, between TSBETW, meet TSMEET, flush TSFLUS,
+C         grow TSGROW, enlist TSENLI, follow TSFOLL, load TSLOAD,
+C         complete TSCMPL, room TSROOM, star TSSTAR, stars TSSTRS
+C       first facet: lesser TSLESS, edgeby TSEDBY, onaline TSONAL,
+C         first TSFIRS, begin TSBEGI
+C       preparation: leafcount TSLCOU, side TSSIDE, tablesize TSTABL,
+C         finite3 TSFINI, lengths TSLENG, collect TSCOLL,
+C         inrange TSINRA, times TSTIME, units TSUNIT, scaled TSSCAL,
+C         sorted TSSORT, restore TSREST, run TSRUN, wrong TSWRON
+C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE
+C       queries: outfac TSOUTF, slot TSSLOT, beyond TSBEYO,
+C         inbox TSINBO
+C       location: reach TSREAC, sample TSSAMP, walk TSWALK,
+C         holds TSHOLD, sweep TSSWEE, elimin TSELIM, backsu TSBACK,
+C         unite TSUNTE, balanc TSBALA, weigh TSWEIG,
+C         tess_locate TESSLO
+C       hull, check: tess_hull TESSHU, preced TSPREC, merge TSMERG,
+C         sortpt TSSORP, marks TSMARK, chkpla TSCHKP, chkidx TSCHKI,
+C         mate TSMATE, chkfac TSCHKF, chktet TSCHKT, chkedg TSCHKE,
+C         chkhul TSCHKH, chkcov TSCHKC, tess_check TESSCH
+C     Only in C: point, coords, four.  Only here: TSAWAY (disjoint for a
+C     point), TSMESH (part of run), TSORIQ, TSORIP (hh_orient of points
+C     of P).
+C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here, passed in one order:
 C       X      the sorted coordinates, X(1..3,position)

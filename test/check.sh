@@ -283,6 +283,29 @@ fi
 one "FORTRAN 77: no line past column 72" \
     sh -c '! grep -n "^.\{73\}" f77/*.f test/*.f test/paper/*.f'
 
+# The table of both names in the header of each file: all routines of C, and
+# all of the file, in their order, but for those that only one half has.
+# twins NAME ONLY-IN-C ONLY-IN-FORTRAN
+twins() {
+    sed -n '/The routines of/,/^C$/p' f77/$1.f | sed '/Only in C/,$d' |
+        tr -cs 'a-zA-Z0-9_' '\012' |
+        awk '/^[A-Z][A-Z0-9]+$/ && last ~ /^[a-z_0-9]+$/ {
+            print last, $0 }
+            { last = $0 }' > build/names.txt
+    sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*[^;]$/\1/p' $1.c |
+        egrep -v "^($2)$" > build/cnames.txt
+    sed -n 's/^      [A-Z ]*\(FUNCTION\|SUBROUTINE\) \([A-Z0-9]*\).*/\2/p' \
+        f77/$1.f | egrep -v "^($3)$" > build/fnames.txt
+    awk '$1 !~ /^(frexp|ldexp)$/ { print $1 }' build/names.txt |
+        diff build/cnames.txt - > build/diff.txt &&
+        awk '{ print $2 }' build/names.txt | diff build/fnames.txt - \
+            > build/diff.txt
+    one "both names in the header of f77/$1.f" test $? -eq 0
+    cat build/diff.txt >> $LOG
+}
+twins tess "point|coords|four" "TSAWAY|TSMESH|TSORIQ|TSORIP"
+twins hhpred "-" "-"
+
 # ---- the same results as the C half ----
 
 # gfortran -std=f95 -pedantic knows of no extension of FORTRAN 77 that is not
