@@ -52,19 +52,23 @@ C       sorting: before TSBEFO, swap TSSWAP, pivot TSPIVO,
 C         partit TSPART, twin TSTWIN, cut TSCUT, bound TSBOUN,
 C         leafof TSLEAF, span TSSPAN, leafsort TSLSOR, kdsort TSKDSO,
 C         boxes TSBOXE
-C       pool: facet TSFACE, signat TSSIGN, find TSFIND, putin TSPUTI,
-C         takeout TSTAKO, widen TSWIDE
-C       lists: disjoint TSDISJ, append TSAPPE, pad TSPAD,
-C         harvest TSHARV, block TSBLOC, gather TSGATH
-C       apex: blur TSBLUR, region TSREGI, behind TSBEHI,
-C         outside TSOUTS, contained TSCONT, take TSTAKE,
-C         compare TSCOMP, consider TSCONS, aim TSAIM, scan TSSCAN,
-C         inlists TSINLI, nearest TSNEAR, apart TSAPAR, search TSSEAR,
+C       pool: facet TSFACE, owner TSOWNE, signat TSSIGN,
+C         same TSSAME, find TSFIND, putin TSPUTI, takeout TSTAKO,
+C         widen TSWIDE
+C       lists: disjoint TSDISJ, place TSPLAC, pad TSPAD,
+C         harvest TSHARV, block TSBLOC, pick TSPICK, gather TSGATH
+C       apex: blur TSBLUR, spread TSSPRE, away TSAWAY,
+C         outside TSOUTS, contained TSCONT, within TSWITH,
+C         take TSTAKE, compare TSCOMP, consider TSCONS, aim TSAIM,
+C         toward TSTOWA, filter TSFILT, every TSEVER,
+C         nearest TSNEAR, anypoint TSANYP, instar TSINST,
+C         inblock TSINBL, sift TSSIFT, search TSSEAR,
 C         onhull TSONHU, prepare TSPREP, apex TSAPEX
-C       star: edge TSEDGE, renumber TSRENU, push TSPUSH, join TSJOIN,
-C         kill TSKILL, between TSBETW, meet TSMEET, flush TSFLUS,
-C         grow TSGROW, enlist TSENLI, follow TSFOLL, load TSLOAD,
-C         complete TSCMPL, room TSROOM, star TSSTAR, stars TSSTRS
+C       star: nolink TSNOLI, renumber TSRENU, push TSPUSH,
+C         join TSJOIN, kill TSKILL, between TSBETW, meet TSMEET,
+C         flush TSFLUS, grow TSGROW, enlist TSENLI, follow TSFOLL,
+C         load TSLOAD, complete TSCMPL, room TSROOM, star TSSTAR,
+C         stars TSSTRS
 C       first facet: lesser TSLESS, edgeby TSEDBY, onaline TSONAL,
 C         first TSFIRS, begin TSBEGI
 C       preparation: leafcount TSLCOU, side TSSIDE, tablesize TSTABL,
@@ -82,7 +86,7 @@ C       hull, check: tess_hull TESSHU, preced TSPREC, merge TSMERG,
 C         sortpt TSSORP, marks TSMARK, chkpla TSCHKP, chkidx TSCHKI,
 C         mate TSMATE, chkfac TSCHKF, chktet TSCHKT, chkedg TSCHKE,
 C         chkhul TSCHKH, chkcov TSCHKC, tess_check TESSCH
-C     Only in C: point, coords, four.  Only here: TSAWAY (disjoint for a
+C     Only in C: point, coords, four.  Only here: TSPDIS (disjoint for a
 C     point), TSMESH (part of run), TSORIQ, TSORIP (hh_orient of points
 C     of P).
 C

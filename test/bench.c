@@ -68,7 +68,7 @@ int main(int argc, char **argv)
     clock_t start;
     int code;
 #ifdef TESS_COUNT
-    static const char *name[] = {"facets", "group", "block", "tree",
+    static const char *name[] = {"facets", "star", "block", "tree",
         "nodes", "candidates", "exact", "listed", "pool", "hull", "probes"};
     int i;
 #endif

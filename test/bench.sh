@@ -215,11 +215,11 @@ END {
 $CC $CFLAGS -DTESS_COUNT -o build/bench_count test/bench.c test/points.c \
     tess.c hhpred.c -lm || exit 1
 echo
-echo "Counts, per tetrahedron: searches that end in a group's list, a block's,"
+echo "Counts, per tetrahedron: searches that end in a star's list, a block's,"
 echo "the tree; nodes of the tree; points of lists tested; candidates looked at"
 echo "one by one; exact comparisons; and the most facets in the pool"
 echo
-echo "| points | n | group | block | tree | nodes | listed | candidates |" \
+echo "| points | n | star | block | tree | nodes | listed | candidates |" \
     "exact | pool |"
 echo "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
 for family in $FAMILIES; do
@@ -229,7 +229,7 @@ for family in $FAMILIES; do
             awk '$1 == "count" {
                 for (i = 4; i < NF; i += 2) c[$i] = $(i + 1)
                 printf "| %s | %d | %.2f | %.2f | %.2f | %.1f | %.0f | %.1f", \
-                    $2, $3, c["group"], c["block"], c["tree"], c["nodes"], \
+                    $2, $3, c["star"], c["block"], c["tree"], c["nodes"], \
                     c["listed"], c["candidates"]
                 printf " | %.2f | %d |\n", c["exact"], c["pool"] }'
     done

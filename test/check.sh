@@ -303,7 +303,7 @@ twins() {
     one "both names in the header of f77/$1.f" test $? -eq 0
     cat build/diff.txt >> $LOG
 }
-twins tess "point|coords|four" "TSAWAY|TSMESH|TSORIQ|TSORIP"
+twins tess "point|coords|four" "TSPDIS|TSMESH|TSORIQ|TSORIP"
 twins hhpred "-" "-"
 
 # ---- the same results as the C half ----
