@@ -353,7 +353,7 @@ static void badarg(void)
     for (i = 1; i <= 3; i++) {
         if (i == 1) p[19] = big * big;
         if (i == 2) p[19] = -(big * big);
-        if (i == 3) p[19] = big * big - big * big;
+        if (i == 3) p[19] = p[19] - p[19];
         code = tess(N, p, ROOM, &nt, tet, adj, LIW, iw, LRW, rw);
         tell("TESS infinite", code, -2, nt + 1);
         nt = 0;

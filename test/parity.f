@@ -396,7 +396,7 @@ C     BADARG - arguments that are bad.
       DO 10 I = 1, 3
         IF (I .EQ. 1) P(2,7) = BIG*BIG
         IF (I .EQ. 2) P(2,7) = -(BIG*BIG)
-        IF (I .EQ. 3) P(2,7) = BIG*BIG - BIG*BIG
+        IF (I .EQ. 3) P(2,7) = P(2,7) - P(2,7)
         CALL TESS(N, P, MAXTET, NT, TET, ADJ, LIW, IW, LRW, RW, INFO)
         CALL TELL('TESS infinite', INFO, -2, NT)
         NT = 0
