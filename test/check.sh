@@ -465,6 +465,48 @@ else
     skip "the FORTRAN 77 half through f2c: no f2c"
 fi
 
+# ---- the same results on other machines, simulated ----
+
+# cross COMPILER EMULATOR MACHINE
+cross() {
+    name="same result: $3"
+    if command -v $1 > /dev/null && command -v $2 > /dev/null; then
+        if build cross $1 "-O2 -static" test/parity.c $HARD; then
+            $2 build/cross > build/cross.txt 2>> $LOG
+            one "$name" cmp test/parity.txt build/cross.txt
+        else
+            fail "$name: does not compile"
+        fi
+    else
+        skip "$name: no $1 with $2"
+    fi
+}
+cross powerpc64-linux-gnu-gcc qemu-ppc64 "big-endian (PowerPC)"
+cross arm-linux-gnueabihf-gcc qemu-arm "32-bit ARM"
+cross i686-linux-gnu-gcc qemu-i386 "x87"
+cross m68k-linux-gnu-gcc qemu-m68k "big-endian with an 80-bit unit (68k)"
+
+# int of 16 bits and double of 24, in 16 kilobytes of memory
+name="same result: AVR"
+if command -v avr-gcc > /dev/null && command -v simavr > /dev/null; then
+    if build tiny "$CC" "-O2 -DTESS_FLOAT" test/tiny.c $HARD &&
+        build tiny.elf avr-gcc \
+            "-std=gnu89 -mmcu=atmega1284p -O2 -DTESS_LIST=64" test/tiny.c $HARD
+    then
+        build/tiny > build/tiny.txt
+        (ulimit -t 100; exec simavr -m atmega1284p -f 16000000 \
+            build/tiny.elf) 2>&1 |
+            sed -n 's/[^ -~]\[[0-9]*m//g; s/\.$//p' > build/avr.txt
+        # each line begins with the code 0
+        one "tiny: 4 sets" test `grep -c '^0 1 0' build/tiny.txt` -eq 4
+        one "$name" cmp build/tiny.txt build/avr.txt
+    else
+        fail "$name: does not compile"
+    fi
+else
+    skip "$name: no avr-gcc with simavr"
+fi
+
 # ---- the facts of the paper's Section 4 ----
 
 many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
