@@ -19,8 +19,8 @@
 #   FC, FFLAGS       the same for the FORTRAN 77 half (gfortran, -O3)
 
 cd "$(dirname "$0")/.." || exit 1
-FAMILIES=${FAMILIES:-"uniform clusters decimal3 aniso lattice lattice01
-    spherei spherenorm moment"}
+FAMILIES=${FAMILIES:-"uniform ball decimal3 twoscale clusters aniso planenoise
+    lattice lattice01 spherei spherenorm moment"}
 PEERS=${PEERS-"f77 cgal tetgen qhull"}
 REPEATS=${REPEATS:-3}
 SEED=${SEED:-1}
