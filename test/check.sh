@@ -445,6 +445,21 @@ if command -v gfortran > /dev/null; then
     threads "gfortran -O3"
     entries
     text "gfortran and C with -DTESS_FORTRAN"
+    # few limbs: the same codes 2 and 6 as from C
+    fewlimbs() {
+        for half in tess hhpred; do
+            sed 's/HHLIM = 88/HHLIM = 3/' f77/$half.f > build/few$half.f
+            $GFORT -O1 -c -o build/f$half.o build/few$half.f || return 1
+        done
+        $CC $CFLAGS -DHH_LIMBS=3 -c -o build/tess.o tess.c
+        $CC $CFLAGS -DHH_LIMBS=3 -c -o build/hhpred.o hhpred.c
+        $CC $CFLAGS -DHH_LIMBS=3 -c -o build/t_f77.o test/t_f77.c
+    }
+    fortran "gfortran, 3 limbs" fewlimbs
+    $CC $CFLAGS -c -o build/tess.o tess.c
+    $CC $CFLAGS -c -o build/hhpred.o hhpred.c
+    $CC $CFLAGS -c -o build/t_f77.o test/t_f77.c
+    entries
     (cd build/ten && sh -e compile) >> $LOG 2>&1
     ten "as it says"
     gfortran -o build/ten/a.out build/ten/ten.f build/ftess.o \
