@@ -1704,12 +1704,13 @@ static int inrange(const mesh *m, double most)
     return 1;
 }
 
-/* times - all coordinates times f. */
-static void times(mesh *m, double f)
+/* times - all coordinates times 2^e, a normal double. */
+static void times(mesh *m, int e)
 {
     tess_int i, n = 3 * m->np;
+    double f = ldexp(1.0, e);
 
-    if (f == 1.0) return;
+    if (e == 0) return;
     for (i = 0; i < n; i++) m->x[i] *= f;
 }
 
@@ -1742,8 +1743,8 @@ static int scaled(mesh *m)
     if (most == 0.0) return 0;
     if (!inrange(m, most)) return TESS_RANGE;
     frexp(most, &e);
-    times(m, ldexp(1.0, -(e / 2)));
-    times(m, ldexp(1.0, -(e - e / 2)));
+    times(m, -(e / 2));
+    times(m, -(e - e / 2));
     u = units(m);
     if (u > 0.0) {
         /* up to 2^(DBL_MANT_DIG - 1) units of the determinant's degree */
@@ -2421,7 +2422,7 @@ static tess_int marks(tess_int n, const tess_real *p, tess_int *iw)
 
 /* chkpla - that all points are in one plane: of point 0, b, the first point
  * that differs from it, and c, the first one off their line.  Points before
- * b and c are in it, so one pass is enough. */
+ * those are in it, so one pass is enough. */
 static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
 {
     const tess_real *q, *b = p, *c = p;

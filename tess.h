@@ -152,9 +152,10 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * infinity in q, -6 for a t that is out of range; TESS_RANGE, w = 0, when a
  * build's HH_LIMBS do not suffice.
  *
- * Inside, the weights are at least 0, and 0 just where q is in the plane of
- * the vertex's opposite facet; they sum to 1, and sum of w[k] p_k is q, to
- * rounding, in slivers too.
+ * Inside, the weights are at least 0, and 0 where q is in the plane of the
+ * vertex's opposite facet (else only in a tetrahedron that is flat to
+ * rounding); they sum to 1, and sum of w[k] p_k is q, to rounding, in slivers
+ * too.
  * Cost: a walk of about ntet^(1/3) / 2 steps from anywhere, a few from near.
  */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,

@@ -3241,8 +3241,8 @@ C
 C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
 C       Q    (in)      the point: 3 coordinates
 C       T    (in,out)  On entry the tetrahedron where the walk starts,
-C                      or 0 for anywhere.  On return the one that holds
-C                      Q
+C                      or 0 for anywhere; for Q inside it alters the
+C                      speed alone.  On return the one that holds Q
 C       W    (out)     4 barycentric weights of Q in it; they sum to
 C                      one: the sum of W(K) * VALUE(TET(K,T))
 C                      interpolates linearly
@@ -3251,7 +3251,13 @@ C                      is outside the hull: T is then a hull
 C                      tetrahedron on that side and W its weights, some
 C                      negative.  An open facet counts as hull.  -2 for
 C                      NTET < 1, -5 for a NaN or infinity in Q, -6 for
-C                      a T that is out of range
+C                      a T that is out of range; 6, W = 0, when a
+C                      build's HHLIM limbs do not suffice
+C
+C     Inside, the weights are at least 0, and 0 where Q is in the plane
+C     of the vertex's opposite facet (else only in a tetrahedron that is
+C     flat to rounding); they sum to 1, and the sum of W(K) times vertex
+C     K is Q, to rounding, in slivers too.
 C
 C     A walk (see TSWALK), and where it fails a sweep over all
 C     tetrahedra.
@@ -3440,9 +3446,10 @@ C     begin behind IW(MARK).
    10 CONTINUE
       END
 
-C     TSCHKP - that all points are in one plane: of points F: point 1,
-C     the first point that differs from it, and the first one off their
-C     line.  Points before them are in it, so one pass is enough.
+C     TSCHKP - that all points are in one plane: of the points F, which
+C     are point 1, the first point that differs from it, and the first
+C     one off their line.  Points before those are in it, so one pass is
+C     enough.
       SUBROUTINE TSCHKP(N, P, BAD, INFO)
       INTEGER N, BAD, INFO
       DOUBLE PRECISION P(3,*)
@@ -3704,10 +3711,11 @@ C           15  the neighbour's apex is inside the ball
 C           16  boundary not closed, or not convex
 C           17  the hull is covered more than once
 C           18  a point is in no tetrahedron
-C                    Any valid triangulation of cospherical points
-C                    passes.  NTET = 0 passes when all points lie in
-C                    one plane.  -1 for N < 0, -2 for a NaN or infinity
-C                    in P, -3 for NTET < 0, -6 for LIW < 2 N
+C                    6 when a build's HHLIM limbs do not suffice.  Any
+C                    valid triangulation of cospherical points passes.
+C                    NTET = 0 passes when all points lie in one plane,
+C                    else INFO is 18.  -1 for a bad N, -2 for a NaN or
+C                    infinity in P, -3 for a bad NTET, -6 for LIW < 2 N
 C
 C     Let O be Q* for Q = the first vertex of tetrahedron 1 (see "Common
 C     to the queries"): a point in the interior of tetrahedron 1 and on
