@@ -141,7 +141,7 @@ typedef struct list {
     int n;
     double margin, centre[3], unit;
     double lo[3], hi[3];  /* a block's box */
-    double most[3];       /* bound of a block's coordinates */
+    double most[3];       /* bound of the coordinates in the list */
     float x[TESS_LIST], y[TESS_LIST], z[TESS_LIST], r[TESS_LIST];
     tess_int id[TESS_LIST + LEAF];
 } list;
@@ -723,6 +723,7 @@ static void gather(mesh *m, tess_int s)
         if (l->hi[k] < root[3 + k] && margin > l->hi[k] - q[k])
             margin = l->hi[k] - q[k];
         g->centre[k] = q[k];
+        g->most[k] = 1.1;
     }
     if (l->n == 0 || margin * l->unit < NEAREST) return;
     g->margin = margin;

@@ -128,8 +128,8 @@ C       LSID    its position
 C       LSI     LFIRST, LLAST: made for positions LFIRST ... LLAST, or
 C               for the star of LFIRST; LN points
 C       LSD     behind LLO, LHI, LMID, LMOST: a block's box, the centre,
-C               a bound of a block's coordinates; LMARG margin; LUNIT
-C               one over the unit
+C               a bound of the coordinates in the list; LMARG margin;
+C               LUNIT one over the unit
 C     A search for the apex of a facet:
 C       V       its vertices; the open side is positive
 C       F       its Householder set-up (see HHFACE)
@@ -898,11 +898,11 @@ C     at most the distance from S to where the block may lack points.
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
       INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S
-      INTEGER RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID, LMARG, LUNIT
-      INTEGER BLK, STR, STRMIN, STRMAX
+      INTEGER RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG
+      INTEGER LUNIT, BLK, STR, STRMIN, STRMAX
       PARAMETER (RSHARE = 4, LFIRST = 1, LLAST = 2, LN = 3, LLO = 0)
-      PARAMETER (LHI = 3, LMID = 6, LMARG = 13, LUNIT = 14, BLK = 1)
-      PARAMETER (STR = 2, STRMIN = 24, STRMAX = 48)
+      PARAMETER (LHI = 3, LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14)
+      PARAMETER (BLK = 1, STR = 2, STRMIN = 24, STRMAX = 48)
       DOUBLE PRECISION NEARST
       PARAMETER (NEARST = 1.0D-4)
       REAL SLACK
@@ -925,6 +925,7 @@ C     at most the distance from S to where the block may lack points.
         IF (LSD(LHI+K,BLK) .LT. BOX(3+K,1)) MARGIN = MIN(MARGIN,
      $      LSD(LHI+K,BLK) - X(K,S))
         LSD(LMID+K,STR) = X(K,S)
+        LSD(LMOST+K,STR) = 1.1D0
    10 CONTINUE
       IF (LSI(LN,BLK) .EQ. 0) RETURN
       IF (MARGIN*LSD(LUNIT,BLK) .LT. NEARST) RETURN
