@@ -137,7 +137,7 @@ extern double tess_count[];
  * those nearer to its vertex than margin, as offsets from it in units of
  * margin. */
 typedef struct list {
-    tess_int first, last; /* made for positions first ... last-1 */
+    tess_int first, last; /* a block's leaf: positions first ... last-1 */
     int n;
     double margin, centre[3], unit;
     double lo[3], hi[3];  /* a block's box */
@@ -647,7 +647,6 @@ static void block(mesh *m, tess_int s)
 
     l->first = bound(m, leaf);
     l->last = bound(m, leaf + 1);
-    m->around.first = NONE;
     m->share = NEAR;
     while (full) {
         for (k = 0; k < 3; k++) {
@@ -713,8 +712,6 @@ static void gather(mesh *m, tess_int s)
     int i, k, n, in[TESS_LIST], which[TESS_LIST + 1];
 
     if (s < l->first || s >= l->last) block(m, s);
-    if (s == g->first) return;
-    g->first = s;
     g->n = 0;
     margin = m->share * l->margin;
     for (k = 0; k < 3; k++) {
@@ -1456,6 +1453,7 @@ static int star(mesh *m, tess_int s)
 {
     tess_int *p, v[3], guess[2], e, c;
 
+    gather(m, s);
     for (;;) {
         while (m->oldest >= m->newest && m->pool[m->oldest + CODE] == DEAD)
             m->oldest -= EDGE;
@@ -1467,7 +1465,6 @@ static int star(mesh *m, tess_int s)
         v[2] = p[TO];
         guess[0] = p[PREV] == NONE ? NONE : m->pool[p[PREV] + FROM];
         guess[1] = p[AFTER] == NONE ? NONE : m->pool[p[AFTER] + TO];
-        gather(m, s);
         c = apex(m, v, guess);
         if (c == NONE) {
             m->adj[p[CODE]] = TESS_NONE;
@@ -1868,7 +1865,7 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     nolink(&m);
     m.fresh = m.ntet;
     m.nplane = m.nextplane = m.ties = 0;
-    m.block.first = m.block.last = m.around.first = NONE;
+    m.block.first = m.block.last = NONE;
 
     code = sorted(&m, n, p);
     if (code != 0) {

@@ -1189,7 +1189,7 @@ C     the bounds to hold.  s is bounded by 1 + |R12/R22|.
       PARAMETER (SMALL = 2.0D0**(-450))
       DOUBLE PRECISION A(3), B(3), C(3), V(3), H(10)
       DOUBLE PRECISION RATIO, TURN, Y1, Y2
-      INTEGER K
+      INTEGER K, L
       DO 10 K = 1, 3
         A(K) = P2(K) - P1(K)
         B(K) = P3(K) - P1(K)
@@ -1197,9 +1197,11 @@ C     the bounds to hold.  s is bounded by 1 + |R12/R22|.
    10 CONTINUE
       CALL HHHOUS(A, B, H)
 C     det [P2-P1 P3-P1 V] = R11 R22 det Q, det Q = 1
-      TURN = 1.0D0
-      IF (H(8) .LT. 0.0D0) TURN = -TURN
-      IF (H(10) .LT. 0.0D0) TURN = -TURN
+      K = 1
+      IF (H(8) .LT. 0.0D0) K = 2
+      L = 1
+      IF (H(10) .LT. 0.0D0) L = 2
+      TURN = DBLE(1 - 2*ABS(K - L))
       CALL HHREFL(H, 0.0D0, 0.0D0, TURN, V)
       IF (ABS(H(8)) .GT. SMALL .AND. ABS(H(10)) .GT. SMALL) THEN
         RATIO = H(9)/H(10)

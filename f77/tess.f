@@ -125,8 +125,8 @@ C     units of its half width; list STR, a star's, those nearer to its
 C     vertex than LMARG, as offsets from it in units of LMARG.
 C       LSX     of each point the offsets x, y, z and their square sum
 C       LSID    its position
-C       LSI     LFIRST, LLAST: made for positions LFIRST ... LLAST, or
-C               for the star of LFIRST; LN points
+C       LSI     LFIRST, LLAST: a block's leaf, positions LFIRST ...
+C               LLAST; LN points
 C       LSD     behind LLO, LHI, LMID, LMOST: a block's box, the centre,
 C               a bound of the coordinates in the list; LMARG margin;
 C               LUNIT one over the unit
@@ -272,7 +272,7 @@ C     would be guessed wrong, which takes longer than a swap
       DO 30 J = LO, HI
         LESS = 0
         IF (X(AXIS,J) .LT. Q(AXIS)) LESS = 1
-        IF (X(AXIS,J) .LE. Q(AXIS) .AND. LESS .EQ. 0) THEN
+        IF (ABS(X(AXIS,J) - Q(AXIS)) .LE. 0.0D0) THEN
           AT = J
           LESS = TSBEFO(X, ORD, AT, AXIS, Q, NUMBER)
         END IF
@@ -687,13 +687,14 @@ C     TSPDIS - is position I outside of the box of a list: 1, or 0.
       INTEGER LIST, I
       INTEGER LLO, LHI
       PARAMETER (LLO = 0, LHI = 3)
+C     six conditions, not one, spare a branch for each
       TSPDIS = 0
-      IF (LSD(LHI+1,LIST) .LT. X(1,I) .OR.
-     $    LSD(LHI+2,LIST) .LT. X(2,I) .OR.
-     $    LSD(LHI+3,LIST) .LT. X(3,I) .OR.
-     $    X(1,I) .LT. LSD(LLO+1,LIST) .OR.
-     $    X(2,I) .LT. LSD(LLO+2,LIST) .OR.
-     $    X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
+      IF (LSD(LHI+1,LIST) .LT. X(1,I)) TSPDIS = 1
+      IF (LSD(LHI+2,LIST) .LT. X(2,I)) TSPDIS = 1
+      IF (LSD(LHI+3,LIST) .LT. X(3,I)) TSPDIS = 1
+      IF (X(1,I) .LT. LSD(LLO+1,LIST)) TSPDIS = 1
+      IF (X(2,I) .LT. LSD(LLO+2,LIST)) TSPDIS = 1
+      IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
       END
 
 C     TSPLAC - set point I of a list from its position; FAR away when
@@ -910,13 +911,9 @@ C     at most the distance from S to where the block may lack points.
       DOUBLE PRECISION MARGIN
       REAL A, B, C, MOST
       INTEGER I, IN(TSLIST), K, N, PLACE(TSLIST+1)
-      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK)) THEN
-        CALL TSBLOC(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $              LSD, BLK, S)
-        LSI(LFIRST,STR) = 0
-      END IF
-      IF (S .EQ. LSI(LFIRST,STR)) RETURN
-      LSI(LFIRST,STR) = S
+      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK))
+     $    CALL TSBLOC(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $    LSD, BLK, S)
       LSI(LN,STR) = 0
       MARGIN = RCTL(RSHARE)*LSD(LMARG,BLK)
       DO 10 K = 1, 3
@@ -1323,7 +1320,8 @@ C     where a side or the point is no good the height is more than FAR
      $           D(2)*LSX(J,2,LIST) + D(3)*LSX(J,3,LIST)) - D(4)
         HEIGHT = HEIGHT/MAX(SIDE, 1.0E-5)
         K = 0
-        IF (SIDE .LE. 1.0E-5 .OR. LSX(J,4,LIST) .GT. 4.0) K = 1
+        IF (SIDE .LE. 1.0E-5) K = 1
+        IF (LSX(J,4,LIST) .GT. 4.0) K = 1
         HEIGHT = HEIGHT + FAR*REAL(K)
         IF (HEIGHT .LT. LEAST) THEN
           LEAST = HEIGHT
@@ -1985,6 +1983,8 @@ C     of the link.  INFO is 0, MORE or FULL.
       PARAMETER (EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4, MORE = 1)
       PARAMETER (FULL = 2, DEAD = -2, EDGE = 6)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
+      CALL TSGATH(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
+     $            S)
    10 E = CTL(OLDEST)
       IF (E .GE. CTL(NEWEST)) THEN
         IF (POOL(E+ECODE) .EQ. DEAD) THEN
@@ -2000,8 +2000,6 @@ C     of the link.  INFO is 0, MORE or FULL.
         GUESS(2) = 0
         IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
         IF (AFTER .NE. 0) GUESS(2) = POOL(AFTER+ETO)
-        CALL TSGATH(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $              LSD, S)
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID,
      $              LSI, LSD, V, GUESS, C)
         IF (C .EQ. 0) THEN
@@ -2567,11 +2565,11 @@ C     element of RW or IW, and the standard lets them be altered.
       DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
       INTEGER TSTABL
       INTEGER NP, NT, MAXT, ROOM, MPOOL, NOPEN, FRESH, LOW, NPLANE
-      INTEGER NEXTPL, TIES, LFIRST, LLAST, LN, BLK, STR, TSLIST, TSIDS
+      INTEGER NEXTPL, TIES, LFIRST, LLAST, LN, BLK, TSLIST, TSIDS
       PARAMETER (NP = 1, NT = 2, MAXT = 3, ROOM = 5, MPOOL = 6)
       PARAMETER (NOPEN = 7, FRESH = 8, LOW = 11, NPLANE = 12)
       PARAMETER (NEXTPL = 13, TIES = 26, LFIRST = 1, LLAST = 2, LN = 3)
-      PARAMETER (BLK = 1, STR = 2, TSLIST = 512, TSIDS = TSLIST + 48)
+      PARAMETER (BLK = 1, TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION LSD(14,2), RCTL(4)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(26), K, LSI(3,2), S, T, LSID(TSIDS,2)
@@ -2589,7 +2587,6 @@ C     element of RW or IW, and the standard lets them be altered.
       LSI(LFIRST,BLK) = 1
       LSI(LLAST,BLK) = 0
       LSI(LN,BLK) = 0
-      LSI(LFIRST,STR) = 0
       S = 0
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, HEAD, LINK, CTL, RCTL, N,
      $            INFO)
