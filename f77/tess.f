@@ -152,8 +152,8 @@ C       BLKMIN, BLKMAX, STRMIN, STRMAX  from list to list they go wider
 C               or narrower as long as they have less or more points.
 C               On uniform points they have about 230 and 34, and 95 %
 C               of the searches end in the star's list, 3.5 % in the
-C               block's.  Without a star's list they take 12 % longer;
-C               with a fixed REACH, points in a flat box 8 %
+C               block's.  Without a star's list they take a third
+C               longer; with a fixed REACH, points in a flat box 3 %
 C       SAMPLE  a node is cut across the widest extent of about so many
 C               of its points: of all a million take 3 % longer
 C       DEPTH   of the tree plus one, at most
@@ -1383,7 +1383,7 @@ C     else 0.
         CALL TSPICK(IN, LSI(LN,STR), PLACE, N)
         MOST = FQ(QL) - 1.0D-4*LSD(LMARG,STR)
 C       the best of those inside the ball leaves none, as a rule; not
-C       among ties, which are on it (to know that saves 7 % on lattices)
+C       among ties, which are on it (to know that saves 6 % on lattices)
         Z = 0
         IF (CTL(TIES) .EQ. 0) CALL TSNEAR(LSX, LSID, LSD, STR, F, FQ,
      $      MOST, N, PLACE, Z)

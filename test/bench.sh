@@ -216,8 +216,8 @@ $CC $CFLAGS -DTESS_COUNT -o build/bench_count test/bench.c test/points.c \
     tess.c hhpred.c -lm || exit 1
 echo
 echo "Counts, per tetrahedron: searches that end in a star's list, a block's,"
-echo "the tree; nodes of the tree; points of lists tested; candidates looked at"
-echo "one by one; exact comparisons; and the most facets in the pool"
+echo "the tree; nodes of the tree; points of lists and leaves tested; candidates"
+echo "looked at one by one; exact comparisons; and the most facets in the pool"
 echo
 echo "| points | n | star | block | tree | nodes | listed | candidates |" \
     "exact | pool |"
