@@ -179,6 +179,11 @@ if build brutel "$CC" "-O1 -DTESS_LIST=48" test/brute.c $HARD $TEST; then
 else
     fail "brute -DTESS_LIST=48 does not compile"
 fi
+if build t_tessl "$CC" "-O1 -DTESS_LIST=48" test/t_tess.c $HARD $TEST; then
+    many "t_tess -DTESS_LIST=48" build/t_tessl -quick
+else
+    fail "t_tess -DTESS_LIST=48 does not compile"
+fi
 
 # All rounding modes, where C99's fenv.h is to be had.
 ROUND="-std=c99 -frounding-math -DTEST_ROUNDING"
