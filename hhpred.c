@@ -26,10 +26,10 @@ typedef long whole;
  * zero, does to a determinant of differences of at most 2.  SMALL: below it
  * the Householder bounds are not used, as squares might underflow.  SHIFT =
  * BASE^SKIP; exact numbers that are all below LOW are first multiplied by it,
- * so that no limb's weight underflows.  Coordinates between FEW = 2^-FEWEXP and
- * 1/FEW are scaled by one multiplication.  SHIFT and FEW must be exact powers of
- * two: products of integers are, where a decimal constant might be kept with
- * more digits than a double has. */
+ * so that no limb's weight underflows.  Coordinates between FEW = 2^-FEWEXP
+ * and 1/FEW are scaled by one multiplication.  SHIFT and FEW must be exact
+ * powers of two: products of integers are, where a decimal constant might be
+ * kept with more digits than a double has. */
 #define POWER5 (BASE * BASE * BASE * BASE * BASE)
 #if DBL_MANT_DIG >= 53
 #define BASE 16777216.0
@@ -65,9 +65,9 @@ typedef long whole;
  *
  * Numbers that are worked on together lie side by side: limb i of number k of
  * w is at w i + k.  Limb 0 of a product weighs BASE times the product of the
- * two limbs 0.  31 products of limbs of at most BASE fit one limb: ROWS1 rows of
- * 2 or 3 such products between two carries; ROWS2 rows of 3 or 4 where one
- * factor or both have been carried to at most BASE/2.  (Limbs 0 are no
+ * two limbs 0.  31 products of limbs of at most BASE fit one limb: ROWS1 rows
+ * of 2 or 3 such products between two carries; ROWS2 rows of 3 where one factor
+ * has been carried to at most BASE/2, or of 4 where both have.  (Limbs 0 are no
  * exception: they are at most BASE/2 for a minor, 3/4 BASE for a 3 by 3
  * determinant or a square, as the coordinates' are at most BASE/4.)
  * --------------------------------------------------------------------- */

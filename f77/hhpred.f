@@ -83,10 +83,11 @@ C     Numbers that are worked on together lie side by side: limb I of
 C     number K of W is at W (I-1) + K.  Limb 1 of a product weighs BASE
 C     times the product of the two limbs 1.  31 products of limbs of at
 C     most BASE fit one limb: ROWS1 rows of 2 or 3 such products between
-C     two carries; ROWS2 rows of 3 or 4 where one factor or both have
-C     been carried to at most BASE/2.  (Limbs 1 are no exception: they
-C     are at most BASE/2 for a minor, 3/4 BASE for a 3 by 3 determinant
-C     or a square, as the coordinates' are at most BASE/4.)
+C     two carries; ROWS2 rows of 3 where one factor has been carried to
+C     at most BASE/2, or of 4 where both have.  (Limbs 1 are no
+C     exception: they are at most BASE/2 for a minor, 3/4 BASE for a 3
+C     by 3 determinant or a square, as the coordinates' are at most
+C     BASE/4.)
 C     ------------------------------------------------------------------
 
 C     HHFREX - for C's frexp, which Fortran 77 lacks: the integer E with
