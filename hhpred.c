@@ -3,6 +3,7 @@
  * Order of the routines, here and in f77/hhpred.f:
  *   exact numbers     nearest split carry zeros signof spread volume ball
  *                     limbsg limbs3 limbs10 limbsx weight exact
+ *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       certain filt3 filt5 exact3 exact5 scale larger hh_orient
  *                     hh_insphere hh_flat widersg hh_wider hh_range corners
  *                     hh_pside tied perturb hh_pball hh_pbeat
@@ -22,9 +23,9 @@ typedef long whole;
 #define UNSURE 2
 
 /* BASE = 2^HH_BITS.  CARRY = 2^(DBL_MANT_DIG - HH_BITS) bounds carries.
+ * HALF = 2^h, 2h + 1 <= DBL_MANT_DIG.
  * TINY is an absolute error no smaller than what underflow, gradual or to
- * zero, does to a determinant of differences of at most 2.  SMALL: below it
- * the Householder bounds are not used, as squares might underflow.  SHIFT =
+ * zero, does to a determinant of differences of at most 2.  SHIFT =
  * BASE^SKIP; exact numbers that are all below LOW are first multiplied by it,
  * so that no limb's weight underflows.  Coordinates between FEW = 2^-FEWEXP
  * and 1/FEW are scaled by one multiplication.  SHIFT and FEW must be exact
@@ -34,8 +35,8 @@ typedef long whole;
 #if DBL_MANT_DIG >= 53
 #define BASE 16777216.0
 #define CARRY 536870912.0
+#define HALF 67108864.0
 #define TINY 9.3326361850321888e-302   /* 2^-1000 */
-#define SMALL 3.4395525670743494e-136  /* 2^-450  */
 #define SHIFT (POWER5 * POWER5 * POWER5 * POWER5 * POWER5)
 #define SKIP 25
 #define LOW 1.6069380442589903e60      /* 2^200   */
@@ -44,8 +45,8 @@ typedef long whole;
 #else
 #define BASE 512.0
 #define CARRY 32768.0
+#define HALF 2048.0
 #define TINY 8.0779357e-28             /* 2^-90   */
-#define SMALL 9.0949470e-13            /* 2^-40   */
 #define SHIFT (POWER5 * BASE * BASE)
 #define SKIP 7
 #define LOW 1048576.0                  /* 2^20    */
@@ -133,7 +134,9 @@ static void zeros(int n, double *r)
 
 /* signof - the sign of r, by Horner's rule from the top: behind a partial sum
  * of more than 2 CARRY units the rest, carried or not, cannot change the
- * sign. */
+ * sign.  (The last sum may pass 2^DBL_MANT_DIG, up to twice that, and be
+ * rounded; the rounding of a number that large does not change its sign,
+ * and ends the loop.) */
 static int signof(int n, const double *r)
 {
     double s = 0.0;
@@ -344,6 +347,92 @@ static int exact(int np, double *q)
 }
 
 /* ---------------------------------------------------------------------
+ * The arithmetic: what numbers are, and what becomes of them here.
+ * --------------------------------------------------------------------- */
+
+#ifdef TESS_FLOAT
+#define REAL_MIN FLT_MIN
+#else
+#define REAL_MIN DBL_MIN
+#endif
+
+/* hh_finite - how many of n points p, from the first on, have finite
+ * coordinates: n when all have.
+ *
+ * By their bits, as a compiler that was told that there are no NaNs may leave
+ * out any comparison that looks for them.  The least normal number, 2^e, has
+ * the exponent 1, and 2^(1-e) the greatest of a finite number, all ones but
+ * the last; neither has other bits.  So their bits together are those that
+ * an infinity or a NaN, and no finite number, has all of.  The bytes are
+ * looked at from the last one down, as the last one decides on most
+ * machines. */
+tess_int hh_finite(tess_int n, const tess_real *p)
+{
+    const tess_real least = (tess_real)REAL_MIN;
+    const tess_real most = (tess_real)(2 / least);
+    const unsigned char *a = (const unsigned char *)&least;
+    const unsigned char *b = (const unsigned char *)&most;
+    const unsigned char *c = (const unsigned char *)p;
+    const int size = (int)sizeof(tess_real);
+    unsigned char mask[sizeof(tess_real)];
+    tess_int i;
+    int k;
+
+    for (k = 0; k < size; k++) mask[k] = (unsigned char)(a[k] | b[k]);
+    for (i = 0; i < 3 * n; i++, c += size) {
+        k = size;
+        while (k > 0 && (c[k - 1] & mask[k - 1]) == mask[k - 1]) k--;
+        if (k == 0) return i / 3;
+    }
+    return n;
+}
+
+/* precise - does arithmetic keep all bits of a double?  An x87 unit may have
+ * been set to fewer.  (HALF + m)^2, m = 1 or 3, needs nearly all of them, and
+ * all the steps are exact where they are kept.  m is for compilers: what is
+ * known only at run time they cannot work out beforehand. */
+static int precise(int m)
+{
+    volatile double a = HALF + m;
+
+    return a * a - HALF * HALF - 2.0 * HALF * m == (double)(m * m);
+}
+
+/* hh_holds - 1 when the arithmetic is precise and takes no coordinate of n
+ * points p for 0 that is not: a processor may have been set to do that to
+ * subnormal numbers, which no comparison can find then.  But their bits do: a
+ * zero has none but the sign's.  (volatile: that a number was found to be 0
+ * must not lead a compiler to take its bits to be those of 0.0.) */
+int hh_holds(tess_int n, const tess_real *p)
+{
+    const tess_real plus = 1, minus = -1;
+    const unsigned char *a = (const unsigned char *)&plus;
+    const unsigned char *b = (const unsigned char *)&minus;
+    const unsigned char *c;
+    volatile tess_real value;
+    tess_int i;
+    int k;
+
+    if (!precise(n % 2 == 0 ? 1 : 3)) return 0;
+    for (i = 0; i < 3 * n; i++) {
+        value = p[i];
+        if (value != 0) continue;
+        c = (const unsigned char *)(p + i);
+        for (k = 0; k < (int)sizeof(tess_real); k++)
+            if (c[k] & ~(a[k] ^ b[k])) return 0;
+    }
+    return 1;
+}
+
+/* held - hh_holds for five points. */
+static int held(const tess_real *a, const tess_real *b, const tess_real *c,
+                const tess_real *d, const tess_real *e)
+{
+    return hh_holds(1, a) && hh_holds(1, b) && hh_holds(1, c) &&
+           hh_holds(1, d) && hh_holds(1, e);
+}
+
+/* ---------------------------------------------------------------------
  * Exact signs: a filter, then limbs.
  *
  * The filters take coordinates of absolute value at most 1, possibly with
@@ -353,9 +442,11 @@ static int exact(int np, double *q)
  * most 12: relative errors of at most 8 eps and 17 eps of the permanent in
  * any rounding mode and any order of evaluation, doubled to cover the
  * rounding of the permanent itself and of the bound.  Underflow, and
- * coordinates that underflowed, add less than TINY.  With t >= 0 all
- * coordinates are integer multiples of some unit and a permanent of at most
- * t (2^(DBL_MANT_DIG-1) units) means that nothing was rounded at all.
+ * coordinates that underflowed, add less than TINY: an error of DBL_MIN in
+ * each difference and product, times differences of at most 2 each.  With t
+ * >= 0 all coordinates are integer multiples of some unit, none of them an
+ * underflowed one, and a permanent of at most t (2^(DBL_MANT_DIG-1) units)
+ * means that nothing was rounded at all.
  * --------------------------------------------------------------------- */
 
 /* certain - the sign of det, certain beyond err or when exact. */
@@ -494,12 +585,17 @@ int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
     double sa[3], sb[3], sc[3], sd[3];
     int sign;
 
+    /* above FEW, what a coordinate is taken for matters less than TINY */
+    if (!precise(a[0] > d[0] ? 1 : 3) ||
+        (most < FEW && !held(a, b, c, d, d)))
+        return UNSURE;
     scale(most, a, sa);
     scale(most, b, sb);
     scale(most, c, sc);
     scale(most, d, sd);
     sign = filt3(sa, sb, sc, sd, -1.0);
-    return sign == UNSURE ? exact3(a, b, c, d) : sign;
+    if (sign == UNSURE && held(a, b, c, d, d)) sign = exact3(a, b, c, d);
+    return sign;
 }
 
 int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
@@ -511,13 +607,14 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
 
     side = hh_orient(a, b, c, d);
     if (side == 0 || side == UNSURE) return side;
+    if (most < FEW && !held(a, b, c, d, e)) return UNSURE;
     scale(most, a, sa);
     scale(most, b, sb);
     scale(most, c, sc);
     scale(most, d, sd);
     scale(most, e, se);
     sign = filt5(sa, sb, sc, sd, se, -1.0);
-    if (sign == UNSURE) sign = exact5(a, b, c, d, e);
+    if (sign == UNSURE && held(a, b, c, d, e)) sign = exact5(a, b, c, d, e);
     return sign == UNSURE ? UNSURE : -side * sign;
 }
 
@@ -735,11 +832,12 @@ int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b)
  * every rounding mode.
  *
  * Forward error of L.  c - p1 = Q y; y2 has the error of r12/r22 and r22 in
- * it, again s times a multiple of eps rho: dc = eps rho (700 s + 100).  In
- * L = (w.w - 2 (c-p1).w) / (2 v.w) the numerator errs by at most |w| (eps
- * (3 |w| + 5 rho) + 2 dc), the denominator by 2 E |w|; a quotient a/b with
- * errors da, db errs by at most (da + |a/b| db) / (|b| - db), plus 4 eps |L|
- * for the last roundings.
+ * it, again s times a multiple of eps rho: dc = eps rho (700 s + 100); the
+ * terms of second order are within that as long as E <= HH_LOOSE.  In L =
+ * (w.w - 2 (c-p1).w) / (2 v.w) the numerator errs by at most |w| (eps (6 |w| +
+ * 10 rho) + 2 dc), the denominator by 2 E |w|; a quotient a/b with errors da,
+ * db errs by at most (da + |a/b| db) / (|b| - db), here with |b| - db = 2 g,
+ * which halves the numerator's terms; plus 4 eps |L| for the last roundings.
  * --------------------------------------------------------------------- */
 
 typedef struct frame {
@@ -803,7 +901,7 @@ void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
     house(a, b, &h);
     /* det [p2-p1 p3-p1 v] = r11 r22 det Q, det Q = 1 */
     reflec(&h, 0.0, 0.0, (double)(1 - 2 * ((h.r11 < 0.0) != (h.r22 < 0.0))), f);
-    if (fabs(h.r11) > SMALL && fabs(h.r22) > SMALL) {
+    if (fabs(h.r11) > HH_SMALL && fabs(h.r22) > HH_SMALL) {
         ratio = h.r12 / h.r22;
         y1 = 0.5 * h.r11;
         y2 = 0.5 * (h.r22 + ratio * (h.r12 - h.r11));
@@ -832,8 +930,8 @@ int hh_bound(const double *f, const double *z, double *l, double *dl)
     double size = fabs(w0) + fabs(w1) + fabs(w2);
     double side = f[0] * w0 + f[1] * w1 + f[2] * w2, err = f[9] * size, half;
 
-    if (size < SMALL || f[9] >= 1.0) return 0;
-    if (side > 2.0 * err && side > SMALL) {
+    if (size < HH_SMALL || f[9] > HH_LOOSE) return 0;
+    if (side > 2.0 * err && side > HH_SMALL) {
         half = 0.5 / side;
         *l = (w0 * (w0 - 2.0 * f[3]) + w1 * (w1 - 2.0 * f[4]) +
               w2 * (w2 - 2.0 * f[5])) * half;
@@ -861,7 +959,7 @@ int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     }
     f[11] = ldexp(f[11], e);
     if (f[10] < DBL_MAX) f[10] = ldexp(f[10], e);
-    if (f[9] < 1.0) return 0;
+    if (f[9] <= HH_LOOSE) return 0;
     for (k = 0; k < 3; k++)
         if (hh_flat(k, p1, p2, p3) != 0) line = 0;
     if (line) {

@@ -9,7 +9,9 @@
  *     needed to bound the error (see hh_facet).
  *   - exact signs: hh_orient, hh_insphere.  Right for all finite doubles, in
  *     every rounding mode, with extended precision, contraction or
- *     reassociation.
+ *     reassociation.  Where they cannot be right they say so: on a processor
+ *     set to take subnormal numbers for zero, for such a coordinate, and on
+ *     one set to round to fewer bits than a double has.
  *
  * No routine allocates, reads, writes, keeps state between calls or stops
  * the program; all may be called from any number of threads.
@@ -65,8 +67,21 @@ typedef double tess_real;
 #define HH_LIMBS 32
 #endif
 #endif
+#if HH_LIMBS < 3
+#error HH_LIMBS is less than 3
+#endif
 
 #define HH_FACET_LEN 12
+
+/* The bounds of hh_facet hold while E is at most this. */
+#define HH_LOOSE 0.5
+/* On coordinates of absolute value at most 1 they hold while |w| and the
+ * facet's sides are at least this: below it squares might underflow. */
+#if DBL_MANT_DIG >= 53
+#define HH_SMALL 3.4395525670743494e-136 /* 2^-450 */
+#else
+#define HH_SMALL 9.0949470e-13           /* 2^-40  */
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -92,8 +107,8 @@ extern "C" {
  *   computed L is wrong by at most
  *       dL = |w| (eps (3 |w| + 5 rho) + dc + |L| E) / g + 4 eps |L|,
  *   eps = DBL_EPSILON; derived in hhpred.c.  These bounds hold as long as
- *   |w| and the facet's edges stay between about 2^-450 and 2^450; a
- *   circumcentre beyond DBL_MAX is infinite.
+ *   E <= 1/2 (HH_LOOSE), and |w| and the facet's edges stay between about
+ *   2^-450 and 2^450; a circumcentre beyond DBL_MAX is infinite.
  */
 int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
              double *f);
@@ -125,14 +140,15 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
 
 /* hh_orient - the exact sign of det [b-a c-a d-a]: 1, 0 or -1; 1 when d is on
  * the side of a, b, c from which they are seen counter-clockwise.  2 when
- * HH_LIMBS limbs do not suffice (never, with the default). */
+ * HH_LIMBS limbs do not suffice (never, with the default), or the processor
+ * is set to take a coordinate for 0 that is not, or to round to fewer bits
+ * than a double has. */
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
               const tess_real *d);
 
 /* hh_insphere - exact: 1 when e is inside the ball of a, b, c, d, whatever
  * their orientation, -1 when it is outside, 0 on the sphere or when a, b, c,
- * d are coplanar.  2 when HH_LIMBS limbs do not suffice (never, with the
- * default). */
+ * d are coplanar.  2 as from hh_orient. */
 int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
                 const tess_real *d, const tess_real *e);
 
@@ -141,13 +157,14 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
 /* hh_set - the points as tess keeps them.  Position i is place i in the
  * sorted order; duplicates are gone.
  *   x      3 doubles a position: the coordinates times one power of two, of
- *          absolute value at most 1; what underflows is absorbed by the
- *          filters' absolute terms
+ *          absolute value at most 1.  What underflows, gradually or to 0, is
+ *          wrong by at most DBL_MIN: absolute terms of the bounds cover that
  *   p      the caller's coordinates, which the exact arithmetic takes
  *   order  position -> index in p
  *   t3,t5  orientations and inspheres whose permanent is at most this are
  *          computed without rounding (all coordinates are small multiples of
- *          one power of two); -1 when that is not known */
+ *          one power of two, and none underflowed); -1 when that is not
+ *          known */
 typedef struct hh_set {
     const double *x;
     const tess_real *p;
@@ -166,6 +183,8 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c);
 int hh_wider(double a, double b, double c, double d);
 int hh_range(double x, double most);
+tess_int hh_finite(tess_int n, const tess_real *p);
+int hh_holds(tess_int n, const tess_real *p);
 
 #ifdef __cplusplus
 }

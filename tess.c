@@ -32,13 +32,14 @@
  *   star         nolink renumber push join kill between meet flush grow enlist
  *                follow load complete room star stars
  *   first facet  point lesser edgeby onaline first begin
- *   preparation  leafcount side tablesize finite3 lengths collect inrange
- *                times units scaled sorted restore run wrong
+ *   results      coords four outfac slot mate
+ *   preparation  leafcount side tablesize upto lengths collect inrange times
+ *                units scaled sorted intact restore run wrong
  *   entries      tess_size tess tess_resume
- *   queries      coords four outfac slot beyond inbox
+ *   queries      beyond inbox
  *   location     reach sample walk holds sweep elimin backsu unite balanc
  *                weigh tess_locate
- *   hull, check  tess_hull preced merge sortpt marks chkpla chkidx mate chkfac
+ *   hull, check  tess_hull preced merge sortpt marks chkpla chkidx chkfac
  *                chktet chkedg chkhul chkcov tess_check
  */
 #include "tess.h"
@@ -119,16 +120,42 @@ extern double tess_count[];
 /* Pool and edges, at least. */
 #define LEAST 512
 /* Pool that is recommended beyond 4 n in any case, up to 8 n. */
-#define MUCH 320000.0
-/* A box narrower than this has no list: its unit might overflow. */
-#define NARROW (DBL_MIN * 1e8)
-/* Single precision misses a list's box by less, in its units. */
-#define SLACK 1e-6f
-/* A star's list does without points nearer than this, in a block's units: the
- * block does not tell them apart. */
+#define MUCH 320000L
+
+/* Constants that correctness rests on.  EPS bounds the relative error of an
+ * operation in every rounding mode, and of a sum of three in any order by
+ * 2 EPS; FEPS the same in single precision.
+ *
+ * FAINT: what underflow does to the power |w|^2 - 2 c.w of a point, or to its
+ * side.  A coordinate that underflowed when it was scaled is wrong by DBL_MIN,
+ * and so may be each product; |w| < 4, and as no ball is made with E >
+ * HH_LOOSE, |c| < 1/EPS (rho < 0.02/EPS as E > 170 EPS |r12/r22|, and |L| and
+ * its error are below 0.1/EPS as a side is more than 2 E |w|).
+ *
+ * NARROW: a box narrower than this has no list.  A list's coordinates are then
+ * right to far less than FEPS, and a star's margin is above HH_SMALL, so that
+ * no product in within underflows.
+ *
+ * NEAREST: a star's list does without points nearer than this, in a block's
+ * units: the block does not tell them apart.  SLACK: in them, a distance is
+ * wrong by less: 2 FEPS for each of two coordinates of at most 1 rounded
+ * twice, times sqrt(3), and as much for the square, its bound and the root;
+ * below 12 FEPS.  What is within margin + SLACK by this reckoning is within
+ * 1.1 margin, as SLACK is 0.04 NEAREST.
+ *
+ * FAR: where a list keeps what has left it.  No such point passes a filter:
+ * its r is at least FAR^2 = 1e20, and aim's limits leave |d.x| < 2e19, d[3] <
+ * 3e19 (as dc < 3 |c|).
+ *
+ * PAD: relative room for the few roundings of a bound. */
+#define EPS DBL_EPSILON
+#define FEPS FLT_EPSILON
+#define FAINT (DBL_MIN / EPS / EPS)
+#define NARROW (HH_SMALL * 1e5)
 #define NEAREST 1e-4
-/* Where a list keeps what has left it. */
+#define SLACK (32.0f * FEPS)
 #define FAR 1e10f
+#define PAD (64.0 * EPS)
 #define TESS_INT_MOST \
     ((((tess_int)1 << (sizeof(tess_int) * CHAR_BIT - 2)) - 1) * 2 + 1)
 
@@ -536,7 +563,8 @@ static void takeout(mesh *m, tess_int e, tess_int least)
 /* widen - make the pool's table about twice as long, or as long as it may
  * be, and enter its facets again in their order.  The new table is laid over
  * the old one, so the facets come from tet and adj: an open facet that is not
- * an edge of the link. */
+ * an edge of the link.  Returns 0, TESS_POOL, or -6 when two open facets have
+ * the same vertices, as only damaged arrays have. */
 static int widen(mesh *m, tess_int s, tess_int wanted)
 {
     tess_int most = (m->room - m->room / 8) / ENTRY, code, v[3], e, sig;
@@ -555,7 +583,9 @@ static int widen(mesh *m, tess_int s, tess_int wanted)
             if (v[0] != s && v[1] != s && v[2] != s) {
                 if (m->nopen >= m->m - m->m / 8 - 1) return TESS_POOL;
                 sig = signat(v);
-                putin(m, find(m, v, sig), code, owner(v), sig);
+                e = find(m, v, sig);
+                if (m->pool[ENTRY * e] != NONE) return -6;
+                putin(m, e, code, owner(v), sig);
             }
         }
     return 0;
@@ -729,9 +759,9 @@ static void gather(mesh *m, tess_int s)
     x = l->x[i];
     y = l->y[i];
     z = l->z[i];
-    /* none that is in reach is missed, for all rounding */
+    /* none nearer than margin is missed */
     most = (float)(margin * l->unit) + SLACK;
-    most *= most * (1.0f + SLACK);
+    most *= most;
     for (i = 0; i < (l->n + 3) / 4 * 4; i++)
         in[i] = (l->x[i] - x) * (l->x[i] - x) +
                     (l->y[i] - y) * (l->y[i] - y) +
@@ -749,10 +779,13 @@ static void gather(mesh *m, tess_int s)
 
 /* ---- the apex of a facet ---- */
 
-/* blur - how wrong the power |w|^2 - 2 c.w may be for |w|_1 <= size. */
+/* blur - how wrong the power |w|^2 - 2 c.w may be for |w|_1 <= size: c is
+ * wrong by dc; each w[k] (w[k] - 2 c[k]) is the result of at most 6 roundings,
+ * with w[k] itself twice and the sum's, each of at most EPS |w[k]| (|w[k]| + 2
+ * |c[k]|); size, and this, may come out too small by a few EPS. */
 static double blur(const quest *f, double size)
 {
-    return size * (2.0 * f->dc + 8.0 * DBL_EPSILON * (size + 2.0 * f->size));
+    return size * (2.0 * f->dc + 8.0 * EPS * (size + 2.0 * f->size)) + FAINT;
 }
 
 /* spread - the greatest |w|_1 in the box lo, hi. */
@@ -772,7 +805,9 @@ static double spread(const quest *f, const double *lo, const double *hi)
 /* away - has the box lo, hi certainly no candidate: no point that is in the
  * ball of a search, if there is one, or on it, or none on the positive side?
  * The least power |w|^2 - 2 c.w and the greatest side of its points count,
- * less their errors. */
+ * less their errors: blur; E |w|, which covers the rounding of the side, too.
+ * Both are taken at a point of the box's own doubles, so the same bounds hold
+ * as for a point. */
 static int away(const quest *f, const double *lo, const double *hi)
 {
     double power = 0.0, side = 0.0, size = 0.0, l, h, u, v;
@@ -792,7 +827,7 @@ static int away(const quest *f, const double *lo, const double *hi)
         size += l > h ? l : h;
     }
     return (f->ball && power > blur(f, size)) ||
-           (f->f[9] < 1.0 && side < -f->f[9] * size);
+           (f->f[9] <= HH_LOOSE && side < -f->f[9] * size - FAINT);
 }
 
 /* outside - is there no candidate in that part of the root's box in
@@ -814,7 +849,9 @@ static int outside(const mesh *m, const quest *f, int k, double lo, double hi)
 }
 
 /* contained - is the part of the ball that may have points, its part in the
- * root's box, inside the box of a list? */
+ * root's box, inside the box of a list?  The true ball has its centre within
+ * dc of c and passes through the base, as does the one about c: its radius is
+ * at most |c| + dc, so that along an axis it ends within |c| + 2 dc of c. */
 static int contained(const mesh *m, const quest *f, const list *l)
 {
     const double *root = m->box + 6;
@@ -822,7 +859,7 @@ static int contained(const mesh *m, const quest *f, const list *l)
     int k;
 
     if (l->n == 0) return 0;
-    r = r * (1.0 + 1e-9) + f->dc;
+    r = r * (1.0 + PAD) + 2.0 * f->dc;
     for (k = 0; k < 3; k++) {
         if (f->c[k] - r < l->lo[k] - f->f[6 + k] &&
             !outside(m, f, k, root[k], l->lo[k]))
@@ -835,25 +872,27 @@ static int contained(const mesh *m, const quest *f, const list *l)
 }
 
 /* within - the same for the margin of a star's list about the base: for a point
- * u of the ball, relative to the base,
- *     |u|^2 <= 2 c.u <= 2 a |u| + 2 b,
- * a being the length of c without a coordinate k and b the most that c[k] u[k]
- * is in the root's box. */
+ * u of the true ball, relative to the base,
+ *     |u|^2 <= 2 (c.u + dc |u|) <= 2 (a + dc) |u| + 2 b,
+ * a being the length of c without a coordinate k and b >= 0 the most that c[k]
+ * u[k] is in the root's box.  So |u| is less than margin if margin (margin - 2
+ * a - 2 dc) >= 2 b; the test has margin - 2 dc in the place of both.  PAD times
+ * margin is more than the roundings of a, b and the products take. */
 static int within(const mesh *m, const quest *f)
 {
     const double *root = m->box + 6;
-    double margin = m->around.margin * (1.0 - 1e-9) - 2.0 * f->dc, a, b, low;
-    double square = f->c[0] * f->c[0] + f->c[1] * f->c[1] + f->c[2] * f->c[2];
+    double margin = m->around.margin * (1.0 - PAD) - 2.0 * f->dc, a, b, low;
+    double xx = f->c[0] * f->c[0], yy = f->c[1] * f->c[1];
+    double zz = f->c[2] * f->c[2];
     int k;
 
     if (margin <= 0.0) return 0;
-    if (4.0 * square <= margin * margin) return 1;
+    if (4.0 * (xx + yy + zz) <= margin * margin) return 1;
     for (k = 0; k < 3; k++) {
         low = (root[k] - f->f[6 + k]) * f->c[k];
         b = (root[3 + k] - f->f[6 + k]) * f->c[k];
-        b = (b > low ? b : low) + (root[3 + k] - root[k]) * f->dc;
-        a = square - f->c[k] * f->c[k];
-        a = sqrt(a > 0.0 ? a : 0.0) + 1e-7 * f->size;
+        if (b < low) b = low;
+        a = sqrt(k == 0 ? yy + zz : k == 1 ? xx + zz : xx + yy);
         if (margin * (margin - 2.0 * a) >= 2.0 * b) return 1;
     }
     return 0;
@@ -877,7 +916,7 @@ static void take(quest *f, tess_int z, int sure, double l, double dl)
     f->c[1] = f->f[4] + l * f->f[1];
     f->c[2] = f->f[5] + l * f->f[2];
     f->size = fabs(f->c[0]) + fabs(f->c[1]) + fabs(f->c[2]);
-    f->dc = f->f[10] + fabs(l) * f->f[9] + 4.0 * DBL_EPSILON * f->size;
+    f->dc = f->f[10] + fabs(l) * f->f[9] + 4.0 * EPS * f->size;
 }
 
 /* compare - take z if it is on the open side and beats the best point there
@@ -918,32 +957,39 @@ static void consider(const mesh *m, quest *f, tess_int z)
  * the base of a search: a point of the list can be in the ball only if
  *     r - (d[0] x + d[1] y + d[2] z) < d[3].
  * In the list's units, with g = base - centre, the power of u is
- *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g;
- * d[3] has room for the rounding of single precision.  Returns 0 when the ball
- * is too large for that. */
+ *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g.
+ * d[3] has room for dc, and for all rounding:
+ *   single precision, where |u[i]| <= most[i] <= 1: |u|^2 <= 3 by at most 8
+ *   roundings, two of them of u itself and the last that of the difference; d.u
+ *   by at most 6 of each term; d[3] itself;
+ *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
+ *   with g, 6 roundings of (1 + |g|) a.
+ * Returns 0 when the ball is too large for that. */
 static int aim(const list *l, const quest *f, const double *c, float *d)
 {
-    double g, cu[3], k = 0.0, size = 0.0, sum = 0.0, off = 0.0;
+    double g, cu[3], k = 0.0, size = 0.0, sum = 0.0, off = 0.0, a = 0.0;
     int i;
 
     for (i = 0; i < 3; i++) {
         g = (f->f[6 + i] - l->centre[i]) * l->unit;
         cu[i] = c[i] * l->unit;
         k += g * (g + 2.0 * cu[i]);
+        a += fabs(g) + 2.0 * fabs(cu[i]);
         cu[i] = 2.0 * (cu[i] + g);
         size += fabs(cu[i]);
         sum += fabs(cu[i]) * l->most[i];
         off += fabs(g);
     }
-    if (size > 1e9 || sum > 1e6) return 0;
+    if (size > 1e9 || sum > 1e6 || off > 1e9) return 0;
     for (i = 0; i < 3; i++) d[i] = (float)cu[i];
-    d[3] = (float)(FLT_EPSILON * (24.0 + 16.0 * sum + 4.0 * fabs(k)) +
+    d[3] = (float)(FEPS * (32.0 + 16.0 * sum + 4.0 * fabs(k)) +
+                   8.0 * EPS * a * (1.0 + off) +
                    2.0 * f->dc * l->unit * (3.0 + off) - k);
     return 1;
 }
 
 /* toward - the same for the list of the star of the base, the list's centre,
- * whose points are less than 1.1 from it in the list's units. */
+ * whose points are less than 1.1 from it in the list's units: g = 0. */
 static int toward(const list *l, const quest *f, float *d)
 {
     double cu[3], size = 0.0;
@@ -955,7 +1001,7 @@ static int toward(const list *l, const quest *f, float *d)
     }
     if (size > 1e6) return 0;
     for (i = 0; i < 3; i++) d[i] = (float)cu[i];
-    d[3] = (float)(FLT_EPSILON * (8.0 + 8.0 * size) + 6.0 * f->dc * l->unit);
+    d[3] = (float)(FEPS * (16.0 + 12.0 * size) + 6.0 * f->dc * l->unit);
     return 1;
 }
 
@@ -1081,7 +1127,8 @@ static void sift(const mesh *m, quest *f, tess_int first, tess_int last,
                  const double *b)
 {
     double size = spread(f, b, b + 3), most = blur(f, size), w0, w1, w2;
-    double behind = f->f[9] < 1.0 ? -f->f[9] * size : -1.0 - size;
+    double behind = f->f[9] <= HH_LOOSE ? -f->f[9] * size - FAINT
+                                        : -1.0 - size;
     const double *q = m->x + 3 * first;
     tess_int i;
 
@@ -1157,7 +1204,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     f->sure = f->ball = 0;
     f->dc = f->size = f->c[0] = f->c[1] = f->c[2] = 0.0;
     hh_setup(a, b, c, f->f);
-    if (f->f[9] < 8000.0 * DBL_EPSILON) return;
+    if (f->f[9] < 8000.0 * EPS) return;
     for (k = 0; k < 3; k++) {
         ab += (b[k] - a[k]) * (b[k] - a[k]);
         bc += (c[k] - b[k]) * (c[k] - b[k]);
@@ -1467,7 +1514,7 @@ static int star(mesh *m, tess_int s)
         guess[1] = p[AFTER] == NONE ? NONE : m->pool[p[AFTER] + TO];
         c = apex(m, v, guess);
         if (c == NONE) {
-            m->adj[p[CODE]] = TESS_NONE;
+            if (p[CODE] != START) m->adj[p[CODE]] = TESS_NONE;
             if (p[PREV] != NONE) m->pool[p[PREV] + AFTER] = NONE;
             if (p[AFTER] != NONE) m->pool[p[AFTER] + PREV] = NONE;
             kill(m, e);
@@ -1509,7 +1556,7 @@ static int stars(mesh *m, tess_int s)
     }
 }
 
-/* ---- the first facet (Section 2): a facet of the hull by gift wrapping ---- */
+/* ---- the first facet (Section 2): of the hull, by gift wrapping ---- */
 
 static const tess_real *point(const mesh *m, tess_int i)
 {
@@ -1606,6 +1653,59 @@ static int begin(mesh *m, tess_int *s)
                                                                   : 0;
 }
 
+/* ---- results: the caller's arrays ---- */
+
+/* coords - the coordinates of point i. */
+static const tess_real *coords(const tess_real *p, tess_int i)
+{
+    return p + 3 * (i - ORIGIN);
+}
+
+/* four - the vertices of tetrahedron t, of tet, or its neighbours, of adj. */
+static const tess_int *four(const tess_int *a, tess_int t)
+{
+    return a + 4 * (t - ORIGIN);
+}
+
+/* outfac - f = the vertices of facet k of the tetrahedron v, the one opposite
+ * to v[k], counter-clockwise from outside if v is positively oriented:
+ * (1,2,3) (0,3,2) (0,1,3) (0,2,1). */
+static void outfac(const tess_int *v, int k, tess_int *f)
+{
+    int i = k == 0 ? 1 : 0, j = k <= 1 ? 2 : 1, l = k == 3 ? 2 : 3;
+
+    f[0] = v[i];
+    f[1] = k % 2 == 0 ? v[j] : v[l];
+    f[2] = k % 2 == 0 ? v[l] : v[j];
+}
+
+/* slot - the first k with v[k] = x; 4 when there is none. */
+static int slot(const tess_int *v, tess_int x)
+{
+    int k = 0;
+
+    while (k < 4 && v[k] != x) k++;
+    return k;
+}
+
+/* mate - the facet of tetrahedron u, of four different vertices, that has those
+ * of facet k of t in opposite order, so that, both tetrahedra being positively
+ * oriented, their apexes are on opposite sides; 4 when there is none. */
+static int mate(const tess_int *tet, tess_int t, int k, tess_int u)
+{
+    const tess_int *v = four(tet, u);
+    tess_int f[3], g[3];
+    int i, j = 0;
+
+    outfac(four(tet, t), k, f);
+    while (j < 3 && (v[j] == f[0] || v[j] == f[1] || v[j] == f[2])) j++;
+    outfac(v, j, g);
+    for (i = 0; i < 3; i++)
+        if (g[i] == f[0] && g[(i + 1) % 3] == f[2] && g[(i + 2) % 3] == f[1])
+            return j;
+    return 4;
+}
+
 /* ---- preparation, and the way back ---- */
 
 /* leafcount - the leaves of the tree of n points: a power of two. */
@@ -1633,17 +1733,10 @@ static tess_int tablesize(tess_int n)
     return 9 * side(n) * side(n) + 16;
 }
 
-/* finite3 - is every coordinate of point i finite? */
-static int finite3(const tess_real *p, tess_int i)
+/* upto - k a, or most if that is less; no product overflows. */
+static long upto(long k, long a, long most)
 {
-    int k, n = 0;
-
-    /* nested comparisons: the one form that also works where the compiler
-     * assumes that there are no NaNs */
-    for (k = 0; k < 3; k++)
-        if (p[3 * i + k] <= DBL_MAX)
-            if (p[3 * i + k] >= -DBL_MAX) n++;
-    return n == 3;
+    return a > most / k ? most : k * a;
 }
 
 /* lengths - the least lengths of iw and rw, and what is recommended besides
@@ -1652,18 +1745,19 @@ static int finite3(const tess_real *p, tess_int i)
  * lengths exceed the largest tess_int. */
 static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
 {
-    double c = (double)side(n), more = 8.0 * (double)n;
-    double most = (double)TESS_INT_MOST;
+    long most, hub, cloud;
 
     *liw = *lrw = *pool = 0;
-    /* 2 leafcount(n) <= n/12 + 2 */
+    /* 2 leafcount(n) < n/12 + 2 */
     if (n > (TESS_INT_MOST - LEAST) / 5) return 0;
     *liw = 4 * n + 2 * leafcount(n) + LEAST;
     *lrw = 3 * n + 12 * leafcount(n);
-    if (more > MUCH) more = MUCH;
-    if (more < 60.0 * c * c) more = 60.0 * c * c;
-    more += 4.0 * (double)n;
-    *pool = (tess_int)(more < most - (double)*liw ? more : most - (double)*liw);
+    most = (long)(TESS_INT_MOST - *liw);
+    hub = upto(8, (long)n, most < MUCH ? most : MUCH);
+    cloud = upto(60, (long)side(n) * (long)side(n), most);
+    if (cloud < hub) cloud = hub;
+    hub = upto(4, (long)n, most);
+    *pool = (tess_int)(hub > most - cloud ? most : hub + cloud);
     return 1;
 }
 
@@ -1682,23 +1776,17 @@ static void collect(mesh *m, tess_int n, const tess_real *p)
     m->leaves = leafcount(m->np);
 }
 
-/* inrange - can the exact arithmetic hold all coordinates?  Not if they need
- * more than HH_LIMBS limbs, or if this build takes a subnormal one for 0. */
+/* inrange - can HH_LIMBS limbs hold all coordinates, of absolute value at most
+ * most? */
 static int inrange(const mesh *m, double most)
 {
     double least = ldexp(most, (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG);
-    volatile double tiny = DBL_MIN;
     tess_int i, n = 3 * m->np;
-    int e, flushed;
 
-    tiny *= 0.5;
-    flushed = tiny == 0.0;
-    for (i = 0; i < n; i++) {
-        if (flushed && frexp(m->x[i], &e) != 0.0 && m->x[i] == 0.0) return 0;
+    for (i = 0; i < n; i++)
         if (fabs(m->x[i]) < least && m->x[i] != 0.0 &&
             hh_range(m->x[i], most) != 0)
             return 0;
-    }
     return 1;
 }
 
@@ -1729,21 +1817,26 @@ static double units(const mesh *m)
 
 /* scaled - bring the sorted coordinates to an absolute value of at most 1 by
  * a power of two, in two steps where one might overflow, and find whether
- * they are small whole multiples of one unit.  Returns 0 or TESS_RANGE. */
+ * they are small whole multiples of one unit: not if one underflows, as then
+ * it is not what it is a multiple of.  Returns 0 or TESS_RANGE. */
 static int scaled(mesh *m)
 {
-    double most = 0.0, u;
+    double most = 0.0, least = DBL_MAX, x, u = 0.0;
     tess_int i, n = 3 * m->np;
     int e;
 
     m->set.t3 = m->set.t5 = -1.0;
-    for (i = 0; i < n; i++) most = fabs(m->x[i]) > most ? fabs(m->x[i]) : most;
+    for (i = 0; i < n; i++) {
+        x = fabs(m->x[i]);
+        if (x > most) most = x;
+        if (x < least && x > 0.0) least = x;
+    }
     if (most == 0.0) return 0;
     if (!inrange(m, most)) return TESS_RANGE;
     frexp(most, &e);
     times(m, -(e / 2));
     times(m, -(e - e / 2));
-    u = units(m);
+    if (least >= ldexp(DBL_MIN, e)) u = units(m);
     if (u > 0.0) {
         /* up to 2^(DBL_MANT_DIG - 1) units of the determinant's degree */
         m->set.t3 = ldexp(1.0, DBL_MANT_DIG - 1) / u / u / u;
@@ -1788,19 +1881,47 @@ static int sorted(mesh *m, tess_int n, const tess_real *p)
     return 0;
 }
 
-/* restore - take up an unfinished result: tet to positions; what is complete
- * leaves the tree; the open facets at s, the first vertex of the last
- * tetrahedron, become edges of its link in the order of their tetrahedra, the
- * others enter the pool.  Returns 0, -5, or TESS_POOL. */
-static int restore(mesh *m, tess_int n, tess_int *s)
+/* intact - could the caller's arrays be an unfinished result, as far as one
+ * pass can tell?  Each tetrahedron has points for vertices that are no
+ * duplicates, and is positively oriented; each facet is on the hull, open, or
+ * matched with its neighbour's, and the neighbour's apex is not inside the
+ * ball.  Returns 0, -5 or -6; head is then the points' positions. */
+static int intact(mesh *m, tess_int n)
 {
-    tess_int i, t, v[3], size, *place = m->head;
-    int k, code;
+    tess_int i, t, u, *place = m->head, v[4];
+    int k, j;
 
     for (i = 0; i < n; i++) place[i] = NONE;
     for (i = 0; i < m->np; i++) place[m->order[i]] = i;
     for (i = 0; i < 4 * m->ntet; i++)
         if (place[m->tet[i] - ORIGIN] == NONE) return -5;
+    for (t = ORIGIN; t < m->ntet + ORIGIN; t++) {
+        for (k = 0; k < 4; k++) v[k] = place[four(m->tet, t)[k] - ORIGIN];
+        if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) <= 0) return -5;
+        for (k = 0; k < 4; k++) {
+            u = four(m->adj, t)[k];
+            if (u <= NOTHING) continue;
+            j = mate(m->tet, t, k, u);
+            if (j == 4 || four(m->adj, u)[j] != t) return -6;
+            if (u > t &&
+                hh_pball(&m->set, v[0], v[1], v[2], v[3],
+                         place[four(m->tet, u)[j] - ORIGIN]) < 0)
+                return -5;
+        }
+    }
+    return 0;
+}
+
+/* restore - take up an unfinished result that intact has passed: tet to
+ * positions; what is complete leaves the tree; the open facets at s, the first
+ * vertex of the last tetrahedron, become edges of its link in the order of
+ * their tetrahedra, the others enter the pool.  Returns 0, TESS_POOL, or -6 for
+ * two open facets with the same vertices. */
+static int restore(mesh *m, tess_int *s)
+{
+    tess_int i, t, v[3], size, *place = m->head;
+    int k, code;
+
     for (i = 0; i < 4 * m->ntet; i++) {
         m->adj[i] -= ORIGIN;
         m->tet[i] = place[m->tet[i] - ORIGIN];
@@ -1821,19 +1942,23 @@ static int restore(mesh *m, tess_int n, tess_int *s)
         for (k = 3; k >= 0; k--)
             if (m->adj[4 * t + k] == TESS_OPEN) {
                 facet(m, 4 * t + k, v);
-                if ((v[0] == *s || v[1] == *s || v[2] == *s) &&
-                    !enlist(m, *s, 4 * t + k))
-                    return TESS_POOL;
+                code = v[0] == *s ? 0 : v[1] == *s ? 1 : 2;
+                if (v[code] != *s) continue;
+                i = v[(code + 1) % 3];
+                if (between(m, i, v[(code + 2) % 3]) != NONE ||
+                    between(m, v[(code + 2) % 3], i) != NONE)
+                    return -6;
+                if (!enlist(m, *s, 4 * t + k)) return TESS_POOL;
             }
     follow(m);
     m->low = m->np;
     code = TESS_POOL;
-    for (size = tablesize(m->np); code != 0; size = 2 * m->m + 1) {
+    for (size = tablesize(m->np); code == TESS_POOL; size = 2 * m->m + 1) {
         i = m->m;
         code = widen(m, *s, size);
-        if (code != 0 && m->m == i) return code;
+        if (m->m == i) return code;
     }
-    return 0;
+    return code;
 }
 
 /* run - tess and tess_resume, of arguments that are right but for p and the
@@ -1847,6 +1972,10 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     int code;
 
     if (n == 0) return TESS_POINT;
+    if (!hh_holds(n, p)) {
+        *ntet = 0;
+        return TESS_RANGE;
+    }
     m.set.x = m.x = rw;
     m.set.p = p;
     m.box = rw + 3 * n;
@@ -1873,8 +2002,9 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
         return code;
     }
     if (m.ntet > 0) {
-        code = restore(&m, n, &s);
-        if (code == -5) return code;
+        code = intact(&m, n);
+        if (code != 0) return code;
+        code = restore(&m, &s);
     } else {
         code = begin(&m, &s);
         if (code == 0) code = widen(&m, s, tablesize(m.np));
@@ -1898,11 +2028,11 @@ static int wrong(tess_int n, const tess_real *p, tess_int maxtet, tess_int liw,
 
     *which = 0;
     if (n < 0 || !lengths(n, &leastiw, &leastrw, &pool)) return -1;
-    for (i = 0; i < n; i++)
-        if (!finite3(p, i)) {
-            *which = i + ORIGIN;
-            return -2;
-        }
+    i = hh_finite(n, p);
+    if (i < n) {
+        *which = i + ORIGIN;
+        return -2;
+    }
     if (maxtet < 0 || maxtet > (TESS_INT_MOST - 3) / 4) return -3;
     if (liw < leastiw) return -7;
     if (lrw < leastrw) return -9;
@@ -1961,39 +2091,6 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * not 0 of the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0
  * ... v3 are not in one plane: q* is on no facet, and is in the interior of
  * exactly one tetrahedron if it is in the hull of a triangulation. */
-
-/* coords - the coordinates of point i. */
-static const tess_real *coords(const tess_real *p, tess_int i)
-{
-    return p + 3 * (i - ORIGIN);
-}
-
-/* four - the vertices of tetrahedron t, of tet, or its neighbours, of adj. */
-static const tess_int *four(const tess_int *a, tess_int t)
-{
-    return a + 4 * (t - ORIGIN);
-}
-
-/* outfac - f = the vertices of facet k of the tetrahedron v, the one opposite
- * to v[k], counter-clockwise from outside if v is positively oriented:
- * (1,2,3) (0,3,2) (0,1,3) (0,2,1). */
-static void outfac(const tess_int *v, int k, tess_int *f)
-{
-    int i = k == 0 ? 1 : 0, j = k <= 1 ? 2 : 1, l = k == 3 ? 2 : 3;
-
-    f[0] = v[i];
-    f[1] = k % 2 == 0 ? v[j] : v[l];
-    f[2] = k % 2 == 0 ? v[l] : v[j];
-}
-
-/* slot - the first k with v[k] = x; 4 when there is none. */
-static int slot(const tess_int *v, tess_int x)
-{
-    int k = 0;
-
-    while (k < 4 && v[k] != x) k++;
-    return k;
-}
 
 /* beyond - 1 when q* is outside of the facet f, -1 when it is inside; UNSURE
  * when the limbs do not suffice; 0 only when v, tetrahedron 0, is flat.  One
@@ -2074,7 +2171,7 @@ static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
 /* walk - from *t across facets that q* is beyond, until there is none: then *t
  * holds q* (returns 0); or to a facet of the hull that q is outside of
  * (returns 1).  LOST when only open facets lead on, or after ntet steps;
- * TESS_RANGE.
+ * TESS_RANGE; -4 for a neighbour that is out of range.
  *
  * In a result of tess the walk meets no tetrahedron twice.  Lift each point x
  * to the height |x|^2, lowered as the tie rule says: the tetrahedra are the
@@ -2099,6 +2196,7 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
             if (s == UNSURE) return TESS_RANGE;
             if (s < 0) continue;
             if (u == NOTHING) return 1;
+            if (u < OPEN || u >= ntet + ORIGIN) return -4;
             if (u == OPEN) open = 1;
             if (u != OPEN) next = u;
         }
@@ -2325,10 +2423,11 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
     int code, range;
 
     if (ntet < 1) return -2;
-    if (!finite3(q, 0)) return -5;
+    if (hh_finite(1, q) < 1) return -5;
     if (*t < NOTHING || *t >= ntet + ORIGIN) return -6;
     if (*t == NOTHING) *t = sample(p, ntet, tet, q);
     code = walk(p, ntet, tet, adj, q, t);
+    if (code == -4) return code;
     if (code == LOST) code = sweep(p, ntet, tet, adj, q, t);
     range = weigh(p, four(tet, *t), q, w);
     return range != 0 ? range : code;
@@ -2467,28 +2566,6 @@ static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
     return TESS_OK;
 }
 
-/* mate - the facet of tetrahedron u whose neighbour is t and whose vertices
- * are those of facet k of t in opposite order, so that, both tetrahedra
- * being positively oriented, their apexes are on opposite sides; 4 when
- * there is none.  It is a symmetric relation, one facet to one. */
-static int mate(const tess_int *tet, const tess_int *adj, tess_int t, int k,
-                tess_int u)
-{
-    tess_int f[3], g[3];
-    int i, j;
-
-    outfac(four(tet, t), k, f);
-    for (j = 0; j < 4; j++)
-        if (four(adj, u)[j] == t) {
-            outfac(four(tet, u), j, g);
-            for (i = 0; i < 3; i++)
-                if (g[i] == f[0] && g[(i + 1) % 3] == f[2] &&
-                    g[(i + 2) % 3] == f[1])
-                    return j;
-        }
-    return 4;
-}
-
 /* chkfac - that each facet of tetrahedron t is on the boundary or matched, and
  * the neighbour's apex not inside the ball of t: also a symmetric relation,
  * so one side tests it. */
@@ -2503,8 +2580,8 @@ static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
         u = four(adj, t)[k];
         if (u == NOTHING) continue;
         if (u < ORIGIN || u >= ntet + ORIGIN) return TESS_BAD_ADJ;
-        j = mate(tet, adj, t, k, u);
-        if (j == 4) return TESS_BAD_ADJ;
+        j = mate(tet, t, k, u);
+        if (j == 4 || four(adj, u)[j] != t) return TESS_BAD_ADJ;
         if (u < t) continue;
         s = hh_insphere(coords(p, v[0]), coords(p, v[1]), coords(p, v[2]),
                         coords(p, v[3]), coords(p, four(tet, u)[j]));
@@ -2639,7 +2716,7 @@ static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
  * No test is idle.  For 6: join the 20 triangles of the great icosahedron to
  * its centre.  These tetrahedra pass all other tests, and V - E + F - T = 1,
  * though they cover the centre 7 times.  Euler's relation follows from the
- * seven tests, so that TESS_BAD_EULER is never returned.
+ * seven tests.
  *
  * Nothing is relied on before it is tested: indices before points are read,
  * the matching of all facets before a turn.  TESS_RANGE when the limbs do
@@ -2656,10 +2733,10 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
 
     *bad = NOTHING;
     if (n < 0 || n > TESS_INT_MOST / 3) return -1;
-    for (i = 0; i < n; i++)
-        if (!finite3(p, i)) return -2;
+    if (hh_finite(n, p) < n) return -2;
     if (ntet < 0 || ntet > (TESS_INT_MOST - 3) / 4) return -3;
     if (liw < n || liw - n < n) return -6;
+    if (!hh_holds(n, p)) return TESS_RANGE;
     if (ntet == 0) return chkpla(n, p, bad);
     mark = marks(n, p, iw);
     for (pass = 0; pass < 5; pass++)

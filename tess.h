@@ -54,7 +54,7 @@
 #define TESS_PLANE 3  /* all points in one plane: no tetrahedron           */
 #define TESS_LINE 4   /* all points on one line                            */
 #define TESS_POINT 5  /* at most one distinct point                        */
-#define TESS_RANGE 6  /* the coordinates need more limbs than HH_LIMBS     */
+#define TESS_RANGE 6  /* the arithmetic cannot hold the coordinates         */
 /* Faults that tess_check finds. */
 #define TESS_BAD_INDEX 10  /* a vertex out of range, or twice in one       */
 #define TESS_BAD_TWIN 11   /* a vertex that is a duplicate of another one  */
@@ -65,8 +65,6 @@
 #define TESS_BAD_HULL 16   /* boundary not closed, or not convex           */
 #define TESS_BAD_COVER 17  /* the hull is covered more than once           */
 #define TESS_BAD_POINT 18  /* a point is in no tetrahedron                 */
-#define TESS_BAD_EULER 19  /* V - E + F - T = 1 fails: follows from the
-                              other tests, so that it is never returned  */
 
 #ifdef __cplusplus
 extern "C" {
@@ -111,6 +109,11 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
  * too large for tess_int -3; liw, lrw below the minimum -7, -9.  After -k
  * nothing is written but ntet.
  *
+ * TESS_RANGE: the coordinates need more limbs than HH_LIMBS (never, with the
+ * default); one is subnormal, and the processor is set to take those for
+ * zero (programs linked with -Ofast do so); or it is set to round to fewer
+ * bits than a double has (an x87 unit at 24).
+ *
  * Cospherical points: the triangulation is the pulling triangulation in the
  * order of the indices; no tetrahedron is flat.
  * Cost: about linear in n for points that fill a volume; O(n^2) at worst for
@@ -129,8 +132,12 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
  * is tess; on a finished result it returns TESS_OK and changes nothing but
  * iw, rw.
  *
- * returns what tess returns, and -4 for a bad *ntet, -5 and -6 for indices in
- * tet and adj that are out of range; after -k *ntet is unchanged.
+ * returns what tess returns, and -4 for a bad *ntet, -5 and -6 for what tet
+ * and adj cannot hold: indices out of range; a tetrahedron that has a
+ * duplicate for a vertex, is not positively oriented, or has a neighbour's
+ * apex in its ball; neighbours that do not share a facet; a facet open on both
+ * sides.  After -k *ntet, tet and adj are unchanged.  Damage that one pass
+ * cannot find gives a wrong result, but in bounded time and within the arrays.
  */
 int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
                 tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,
@@ -148,14 +155,16 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  *
  * returns 0 when q is inside or on the boundary; 1 when it is outside the
  * hull: t is then a hull tetrahedron on that side and w its weights, some
- * negative.  An open facet counts as hull.  -2 for ntet < 1, -5 for a NaN or
- * infinity in q, -6 for a t that is out of range; TESS_RANGE, w = 0, when a
- * build's HH_LIMBS do not suffice.
+ * negative.  An open facet counts as hull.  -2 for ntet < 1, -4 for a
+ * neighbour that is out of range, -5 for a NaN or infinity in q, -6 for a t
+ * that is out of range; TESS_RANGE, w = 0, when the arithmetic cannot hold the
+ * coordinates (see tess).
  *
  * Inside, the weights are at least 0, and 0 where q is in the plane of the
  * vertex's opposite facet (else only in a tetrahedron that is flat to
  * rounding); they sum to 1, and sum of w[k] p_k is q, to rounding, in slivers
- * too.
+ * too.  Outside, the weights of a sliver may be as large as 1e14, and then
+ * their sum may miss 1 by a percent: they are right relative to the largest.
  * Cost: a walk of about ntet^(1/3) / 2 steps from anywhere, a few from near.
  */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
@@ -187,10 +196,10 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
  *                  or TESS_NONE
  *
  * returns 0 when proven, or the first fault TESS_BAD_... found; TESS_RANGE
- * when a build's HH_LIMBS do not suffice.  Any valid triangulation of
- * cospherical points passes.  ntet = 0 passes when all points lie in one
- * plane, else it is TESS_BAD_POINT.  -1 for a bad n, -2 for a NaN or infinity
- * in p, -3 for a bad ntet, -6 for liw < 2*n.
+ * when the arithmetic cannot hold the coordinates (see tess).  Any valid
+ * triangulation of cospherical points passes.  ntet = 0 passes when all points
+ * lie in one plane, else it is TESS_BAD_POINT.  -1 for a bad n, -2 for a NaN or
+ * infinity in p, -3 for a bad ntet, -6 for liw < 2*n.
  * Cost: O(ntet + n log n).
  */
 int tess_check(tess_int n, const tess_real *p, tess_int ntet,

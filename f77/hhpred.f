@@ -9,7 +9,10 @@ C         HHWRAP.  Fast, backward stable, and rounded.  F(10..12) hold
 C         what is needed to bound the error (see HHFACE).
 C       - exact signs: HHORIE, HHINSP.  Right for all finite doubles,
 C         in every rounding mode, with extended precision, contraction
-C         or reassociation.
+C         or reassociation.  Where they cannot be right they say so: on
+C         a processor set to take subnormal numbers for zero, for such a
+C         coordinate, and on one set to round to fewer bits than a
+C         double has.
 C
 C     No routine allocates, reads, writes, keeps state between calls or
 C     stops the program.  With local arrays on the stack (gfortran
@@ -25,6 +28,8 @@ C         split HHSPLI, carry HHCARR, zeros HHZERO, signof HHSIGN,
 C         spread HHSPRE, volume HHVOLU, ball HHBALL, limbsg HHLIMB,
 C         limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX, weight HHWEIG,
 C         exact HHEXAC
+C       the arithmetic: hh_finite HHFINI, precise HHPREC,
+C         hh_holds HHHOLD
 C       exact signs: certain HHCERT, filt3 HHFIL3, filt5 HHFIL5,
 C         exact3 HHEXA3, exact5 HHEXA5, scale HHSCAL, larger HHLARG,
 C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
@@ -34,6 +39,8 @@ C         perturb HHPERT, hh_pball HHPBAL, hh_pbeat HHPBEA
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
 C         hh_bound HHBOUN, hh_facet HHFACE, hh_side HHSIDE,
 C         hh_opp HHOPP, hh_lcoord HHLCOO, hh_wrap HHWRAP
+C     Only in C: held (hh_holds for points that are not in one array).
+C     Only here: HHKIND (part of hh_finite and hh_holds).
 C
 C     Where C returns a code beside other results, the last argument
 C     has it; a function alters no argument.  Axes, positions and
@@ -57,11 +64,14 @@ C               entered only when 3, then 10 limbs do not suffice.  To
 C               choose another number change it in HHLIMX, HHEXAC,
 C               HHWIDE, HHRANG and TSINRA (tess.f).
 C       BASE    2**BITS;  CARRY = 2**(53-BITS) bounds carries
+C       HALF    2**26: (HALF + 1)**2 needs 53 bits
 C       TINY    an absolute error no smaller than what underflow,
 C               gradual or to zero, does to a determinant of
 C               differences of at most 2
-C       SMALL   below it the Householder bounds are not used, as
-C               squares might underflow
+C       LOOSE   the bounds of HHFACE hold while E is at most this
+C       SMALL   on coordinates of absolute value at most 1 they hold
+C               while |W| and the facet's sides are at least this: below
+C               it squares might underflow
 C       SHIFT   BASE**SKIP; exact numbers that are all below LOW are
 C               first multiplied by it, so that no limb's weight
 C               underflows
@@ -241,7 +251,9 @@ C     HHZERO - R = 0.
 
 C     HHSIGN - the sign of R, by Horner's rule from the top: behind a
 C     partial sum of more than 2 CARRY units the rest, carried or not,
-C     cannot change the sign.
+C     cannot change the sign.  (The last sum may pass 2**53, up to twice
+C     that, and be rounded; the rounding of a number that large does not
+C     change its sign, and ends the loop.)
       INTEGER FUNCTION HHSIGN(N, R)
       INTEGER N
       DOUBLE PRECISION R(*)
@@ -547,6 +559,96 @@ C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
       END
 
 C     ------------------------------------------------------------------
+C     The arithmetic: what numbers are, and what becomes of them here.
+C     ------------------------------------------------------------------
+
+C     HHKIND - 2 for an infinity or a NaN, 1 for a subnormal number, 0
+C     for all others.
+C
+C     By their bits, seen as integers, as a compiler that was told that
+C     there are no NaNs may leave out any comparison that looks for
+C     them, and a processor may take subnormal numbers for zero.  The
+C     least normal number has the exponent 1 and no other bits: that
+C     tells which integer has the exponent, and where in it; 2**1023 has
+C     the greatest exponent of a finite number.  Where an integer is as
+C     long as a double the second one is that of the 0 behind it.
+      INTEGER FUNCTION HHKIND(X)
+      DOUBLE PRECISION X
+      DOUBLE PRECISION NORMAL
+      PARAMETER (NORMAL = 2.0D0**(-1022))
+      DOUBLE PRECISION A(2), LEAST(2), MINUS(2), MOST(2)
+      INTEGER I(4), ILEAST(4), IMINUS(4), IMOST(4), HIGH, SIZE
+      EQUIVALENCE (A(1), I(1)), (LEAST(1), ILEAST(1))
+      EQUIVALENCE (MINUS(1), IMINUS(1)), (MOST(1), IMOST(1))
+      A(1) = X
+      A(2) = 0.0D0
+      LEAST(1) = NORMAL
+      MINUS(1) = -NORMAL
+      MOST(1) = 2.0D0**1023
+      HIGH = 1
+      IF (ILEAST(1) .EQ. 0) HIGH = 2
+      SIZE = I(HIGH)
+C     without the sign
+      IF (SIZE .LT. 0) SIZE = SIZE - (IMINUS(HIGH) - ILEAST(HIGH))
+      HHKIND = 0
+      IF (SIZE .GE. IMOST(HIGH) + ILEAST(HIGH)) HHKIND = 2
+      IF (SIZE .LT. ILEAST(HIGH) .AND.
+     $    (SIZE .NE. 0 .OR. I(3-HIGH) .NE. 0)) HHKIND = 1
+      END
+
+C     HHFINI - how many of N points P, from the first on, have finite
+C     coordinates: N when all have.
+      INTEGER FUNCTION HHFINI(N, P)
+      INTEGER N
+      DOUBLE PRECISION P(3,*)
+      INTEGER HHKIND
+      INTEGER I, K
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
+          IF (HHKIND(P(K,I)) .EQ. 2) GO TO 30
+   10   CONTINUE
+   20 CONTINUE
+      I = N + 1
+   30 HHFINI = I - 1
+      END
+
+C     HHPREC - does arithmetic keep all bits of a double: 1, or 0.  An
+C     x87 unit may have been set to fewer.  (HALF + M)**2, M = 1 or 3,
+C     needs nearly all of them, and all the steps are exact where they
+C     are kept.  M is for compilers: what is known only at run time they
+C     cannot work out beforehand.
+      INTEGER FUNCTION HHPREC(M)
+      INTEGER M
+      DOUBLE PRECISION HALF
+      PARAMETER (HALF = 2.0D0**26)
+      DOUBLE PRECISION A
+      A = HALF + DBLE(M)
+      HHPREC = 0
+      IF (ABS(A*A - HALF*HALF - 2.0D0*HALF*DBLE(M) -
+     $    DBLE(M*M)) .LE. 0.0D0) HHPREC = 1
+      END
+
+C     HHHOLD - 1 when the arithmetic is precise and takes no coordinate
+C     of N points P for 0 that is not: a processor may have been set to
+C     do that to subnormal numbers.  Else 0.
+      INTEGER FUNCTION HHHOLD(N, P)
+      INTEGER N
+      DOUBLE PRECISION P(3,*)
+      INTEGER HHKIND, HHPREC
+      INTEGER I, K
+      HHHOLD = 0
+      IF (HHPREC(1 + 2*MOD(N, 2)) .EQ. 0) RETURN
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
+          IF (HHKIND(P(K,I)) .EQ. 1) THEN
+            IF (ABS(P(K,I)) .LE. 0.0D0) RETURN
+          END IF
+   10   CONTINUE
+   20 CONTINUE
+      HHHOLD = 1
+      END
+
+C     ------------------------------------------------------------------
 C     Exact signs: a filter, then limbs.
 C
 C     The filters take coordinates of absolute value at most 1, possibly
@@ -557,9 +659,11 @@ C     of 5 differences with at most 12: relative errors of at most 8 EPS
 C     and 17 EPS of the permanent in any rounding mode and any order of
 C     evaluation, doubled to cover the rounding of the permanent itself
 C     and of the bound.  Underflow, and coordinates that underflowed,
-C     add less than TINY.  With T >= 0 all coordinates are integer
-C     multiples of some unit and a permanent of at most T (2**52 units)
-C     means that nothing was rounded at all.
+C     add less than TINY: an error of NORMAL in each difference and
+C     product, times differences of at most 2 each.  With T >= 0 all
+C     coordinates are integer multiples of some unit, none of them an
+C     underflowed one, and a permanent of at most T (2**52 units) means
+C     that nothing was rounded at all.
 C     ------------------------------------------------------------------
 
 C     HHCERT - the sign of DET, certain beyond an error or when exact.
@@ -757,15 +861,21 @@ C     HHLARG - the larger of MOST and the absolute coordinates of P.
 C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
 C     is on the side of A, B, C from which they are seen
 C     counter-clockwise.  2 when HHLIM limbs do not suffice (never, with
-C     the default).
+C     the default), or the processor is set to take a coordinate for 0
+C     that is not, or to round to fewer bits than a double has.
       INTEGER FUNCTION HHORIE(A, B, C, D)
       DOUBLE PRECISION A(3), B(3), C(3), D(3)
-      INTEGER HHEXA3, HHFIL3
+      INTEGER HHEXA3, HHFIL3, HHHOLD, HHPREC
       DOUBLE PRECISION HHLARG
       INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION FEW
+      PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
       DOUBLE PRECISION MOST, P(3,4), S(3,4)
       INTEGER E, K, SGN
+      HHORIE = UNSURE
+      K = 1
+      IF (A(1) .GT. D(1)) K = 3
+      IF (HHPREC(K) .EQ. 0) RETURN
       MOST = HHLARG(HHLARG(HHLARG(HHLARG(0.0D0, A), B), C), D)
       DO 10 K = 1, 3
         P(K,1) = A(K)
@@ -773,22 +883,28 @@ C     the default).
         P(K,3) = C(K)
         P(K,4) = D(K)
    10 CONTINUE
+C     above FEW, what a coordinate is taken for matters less than TINY
+      IF (MOST .LT. FEW) THEN
+        IF (HHHOLD(4, P) .EQ. 0) RETURN
+      END IF
       CALL HHSCAL(MOST, 4, P, S, E)
       SGN = HHFIL3(S, 1, 2, 3, 4, -1.0D0)
-      IF (SGN .EQ. UNSURE) SGN = HHEXA3(P, 1, 2, 3, 4)
+      IF (SGN .EQ. UNSURE) THEN
+        IF (HHHOLD(4, P) .EQ. 1) SGN = HHEXA3(P, 1, 2, 3, 4)
+      END IF
       HHORIE = SGN
       END
 
 C     HHINSP - exact: 1 when E is inside the ball of A, B, C, D,
 C     whatever their orientation, -1 when it is outside, 0 on the sphere
-C     or when A, B, C, D are coplanar.  2 when HHLIM limbs do not
-C     suffice (never, with the default).
+C     or when A, B, C, D are coplanar.  2 as from HHORIE.
       INTEGER FUNCTION HHINSP(A, B, C, D, E)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
-      INTEGER HHEXA5, HHFIL5, HHORIE
+      INTEGER HHEXA5, HHFIL5, HHHOLD, HHORIE
       DOUBLE PRECISION HHLARG
       INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION FEW
+      PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
       DOUBLE PRECISION MOST, P(3,5), S(3,5)
       INTEGER EXPO, K, SGN, SIDE
       SIDE = HHORIE(A, B, C, D)
@@ -803,11 +919,16 @@ C     suffice (never, with the default).
         P(K,4) = D(K)
         P(K,5) = E(K)
    10 CONTINUE
+      HHINSP = UNSURE
+      IF (MOST .LT. FEW) THEN
+        IF (HHHOLD(5, P) .EQ. 0) RETURN
+      END IF
       CALL HHSCAL(MOST, 5, P, S, EXPO)
       SGN = HHFIL5(S, 1, 2, 3, 4, 5, -1.0D0)
-      IF (SGN .EQ. UNSURE) SGN = HHEXA5(P, 1, 2, 3, 4, 5)
-      HHINSP = -SIDE*SGN
-      IF (SGN .EQ. UNSURE) HHINSP = UNSURE
+      IF (SGN .EQ. UNSURE) THEN
+        IF (HHHOLD(5, P) .EQ. 1) SGN = HHEXA5(P, 1, 2, 3, 4, 5)
+      END IF
+      IF (SGN .NE. UNSURE) HHINSP = -SIDE*SGN
       END
 
 C     HHFLAT - the exact sign of the area of A, B, C projected along an
@@ -1126,10 +1247,12 @@ C     roundings gives A = 170, B = 90 with room for every rounding mode.
 C
 C     Forward error of L.  C - P1 = Q y; y2 has the error of R12/R22 and
 C     R22 in it, again s times a multiple of EPS rho: dc = EPS rho (700
-C     s + 100).  In L = (W.W - 2 (C-P1).W) / (2 V.W) the numerator errs
-C     by at most |W| (EPS (3 |W| + 5 rho) + 2 dc), the denominator by 2
+C     s + 100); the terms of second order are within that as long as E
+C     <= LOOSE.  In L = (W.W - 2 (C-P1).W) / (2 V.W) the numerator errs
+C     by at most |W| (EPS (6 |W| + 10 rho) + 2 dc), the denominator by 2
 C     E |W|; a quotient a/b with errors da, db errs by at most (da +
-C     |a/b| db) / (|b| - db), plus 4 EPS |L| for the last roundings.
+C     |a/b| db) / (|b| - db), here with |b| - db = 2 g, which halves the
+C     numerator's terms; plus 4 EPS |L| for the last roundings.
 C
 C     A frame H holds the reflectors, u1 (1..3), b1 (4), u2 (5..6), b2
 C     (7), u2 acting on rows 2, 3; and R11 (8), R12 (9), R22 (10).
@@ -1238,8 +1361,9 @@ C     which spares a division.
       SUBROUTINE HHBOUN(F, Z, L, DL, SIDE)
       DOUBLE PRECISION F(12), Z(3), L, DL
       INTEGER SIDE
-      DOUBLE PRECISION EPS, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION EPS, LOOSE, SMALL
+      PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
+      PARAMETER (SMALL = 2.0D0**(-450))
       DOUBLE PRECISION W1, W2, W3, SIZE, VW, ERR, HALF
       W1 = Z(1) - F(7)
       W2 = Z(2) - F(8)
@@ -1248,7 +1372,7 @@ C     which spares a division.
       VW = F(1)*W1 + F(2)*W2 + F(3)*W3
       ERR = F(10)*SIZE
       SIDE = 0
-      IF (SIZE .LT. SMALL .OR. F(10) .GE. 1.0D0) RETURN
+      IF (SIZE .LT. SMALL .OR. F(10) .GT. LOOSE) RETURN
       IF (VW .GT. 2.0D0*ERR .AND. VW .GT. SMALL) THEN
         HALF = 0.5D0/VW
         L = (W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
@@ -1281,16 +1405,16 @@ C
 C     With g = |V.W| - E |W|, L the L-coordinate and rho, dc as above,
 C     the computed L is wrong by at most
 C         dL = |W| (EPS (3 |W| + 5 rho) + dc + |L| E) / g + 4 EPS |L|,
-C     derived above.  These bounds hold as long as |W| and the facet's
-C     edges stay between about 2**(-450) and 2**450; a circumcentre
-C     beyond HUGE is infinite.
+C     derived above.  These bounds hold as long as E <= 1/2 (LOOSE), and
+C     |W| and the facet's edges stay between about 2**(-450) and 2**450;
+C     a circumcentre beyond HUGE is infinite.
       SUBROUTINE HHFACE(P1, P2, P3, F, INFO)
       DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
       INTEGER INFO
       INTEGER HHFLAT
       DOUBLE PRECISION HHLARG, HHLDEX
-      DOUBLE PRECISION HUGE
-      PARAMETER (HUGE = 1.7976931348623157D308)
+      DOUBLE PRECISION HUGE, LOOSE
+      PARAMETER (HUGE = 1.7976931348623157D308, LOOSE = 0.5D0)
       DOUBLE PRECISION MOST, P(3,3), S(3,3), Q1(3), Q2(3), Q3(3)
       INTEGER E, K
       MOST = HHLARG(HHLARG(HHLARG(0.0D0, P1), P2), P3)
@@ -1313,7 +1437,7 @@ C     beyond HUGE is infinite.
       F(12) = HHLDEX(F(12), E)
       IF (F(11) .LT. HUGE) F(11) = HHLDEX(F(11), E)
       INFO = 0
-      IF (F(10) .LT. 1.0D0) RETURN
+      IF (F(10) .LE. LOOSE) RETURN
       DO 40 K = 1, 3
         IF (HHFLAT(K, P1, P2, P3) .NE. 0) RETURN
    40 CONTINUE

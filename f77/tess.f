@@ -71,21 +71,22 @@ C         load TSLOAD, complete TSCMPL, room TSROOM, star TSSTAR,
 C         stars TSSTRS
 C       first facet: lesser TSLESS, edgeby TSEDBY, onaline TSONAL,
 C         first TSFIRS, begin TSBEGI
+C       results: outfac TSOUTF, slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, side TSSIDE, tablesize TSTABL,
-C         finite3 TSFINI, lengths TSLENG, collect TSCOLL,
+C         upto TSUPTO, lengths TSLENG, collect TSCOLL,
 C         inrange TSINRA, times TSTIME, units TSUNIT, scaled TSSCAL,
-C         sorted TSSORT, restore TSREST, run TSRUN, wrong TSWRON
+C         sorted TSSORT, intact TSINTA, restore TSREST, run TSRUN,
+C         wrong TSWRON
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE
-C       queries: outfac TSOUTF, slot TSSLOT, beyond TSBEYO,
-C         inbox TSINBO
+C       queries: beyond TSBEYO, inbox TSINBO
 C       location: reach TSREAC, sample TSSAMP, walk TSWALK,
 C         holds TSHOLD, sweep TSSWEE, elimin TSELIM, backsu TSBACK,
 C         unite TSUNTE, balanc TSBALA, weigh TSWEIG,
 C         tess_locate TESSLO
 C       hull, check: tess_hull TESSHU, preced TSPREC, merge TSMERG,
 C         sortpt TSSORP, marks TSMARK, chkpla TSCHKP, chkidx TSCHKI,
-C         mate TSMATE, chkfac TSCHKF, chktet TSCHKT, chkedg TSCHKE,
-C         chkhul TSCHKH, chkcov TSCHKC, tess_check TESSCH
+C         chkfac TSCHKF, chktet TSCHKT, chkedg TSCHKE, chkhul TSCHKH,
+C         chkcov TSCHKC, tess_check TESSCH
 C     Only in C: point, coords, four.  Only here: TSPDIS (disjoint for a
 C     point), TSMESH (part of run), TSORIQ, TSORIP (hh_orient of points
 C     of P).
@@ -162,16 +163,39 @@ C       ENTRY, EDGE  integers of an entry of the pool, and of an edge
 C       LEAST   pool and edges, at least
 C       MUCH    pool that is recommended beyond 4 N in any case, up to
 C               8 N
-C       NARROW  a box narrower than this has no list: its unit might
-C               overflow
-C       SLACK   single precision misses a list's box by less
-C       NEARST  a star's list does without points nearer than this, in
-C               a block's units: the block does not tell them apart
-C       FAR     where a list keeps what has left it
 C       INTMAX  the largest integer
 C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
 C       MORE, FULL, PLANAR, LINEAR, SINGLE, RANGE  the codes 1 to 6 of
 C               TESS
+C
+C     Constants that correctness rests on.  EPS bounds the relative
+C     error of an operation in every rounding mode, and of a sum of
+C     three in any order by 2 EPS; FEPS the same in single precision.
+C       LOOSE, SMALL  see hhpred.f
+C       FAINT   what underflow does to the power |W|**2 - 2 C.W of a
+C               point, or to its side.  A coordinate that underflowed
+C               when it was scaled is wrong by the least normal double,
+C               and so may be each product; |W| < 4, and as no ball is
+C               made with E > LOOSE, |C| < 1/EPS (rho < 0.02/EPS as E >
+C               170 EPS |R12/R22|, and |L| and its error are below
+C               0.1/EPS as a side is more than 2 E |W|)
+C       NARROW  a box narrower than this has no list.  A list's
+C               coordinates are then right to far less than FEPS, and a
+C               star's margin is above SMALL, so that no product in
+C               TSWITH underflows
+C       NEARST  a star's list does without points nearer than this, in
+C               a block's units: the block does not tell them apart
+C       SLACK   in them, a distance is wrong by less: 2 FEPS for each of
+C               two coordinates of at most 1 rounded twice, times
+C               sqrt(3), and as much for the square, its bound and the
+C               root; below 12 FEPS.  What is within margin + SLACK by
+C               this reckoning is within 1.1 margin, as SLACK is 0.04
+C               NEARST
+C       FAR     where a list keeps what has left it.  No such point
+C               passes a filter: its r is at least FAR**2 = 1E20, and
+C               TSAIM's limits leave |D.x| < 2E19, D(4) < 3E19 (as dc <
+C               3 |C|)
+C       PAD     relative room for the few roundings of a bound
 
 C     ------------------------------------------------------------------
 C     Sorting.
@@ -624,8 +648,9 @@ C       E may fill the hole if its home is not behind the hole
 C     TSWIDE - make the pool's table about twice as long, or as long as
 C     it may be, and enter its facets again in their order.  The new
 C     table is laid over the old one, so the facets come from TET and
-C     ADJ: an open facet that is not an edge of the link.  INFO is 0, or
-C     FULL.
+C     ADJ: an open facet that is not an edge of the link.  INFO is 0,
+C     FULL, or -6 when two open facets have the same vertices, as only
+C     damaged arrays have.
       SUBROUTINE TSWIDE(TET, ADJ, HEAD, POOL, CTL, S, WANTED, INFO)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED
       INTEGER INFO
@@ -654,6 +679,10 @@ C     FULL.
             IF (CTL(NOPEN) .GE. LENGTH - LENGTH/8 - 1) RETURN
             SIG = TSSIGN(V)
             CALL TSFIND(TET, POOL, CTL, V, SIG, E)
+            IF (POOL(ENTRY*(E-1)+1) .NE. 0) THEN
+              INFO = -6
+              RETURN
+            END IF
             CALL TSPUTI(HEAD, POOL, CTL, E, CODE, TSOWNE(V), SIG)
           END IF
         END IF
@@ -809,7 +838,7 @@ C     until they fit.
       PARAMETER (LMOST = 9, LMARG = 13, LUNIT = 14)
       PARAMETER (BLKMIN = TSLIST/8*3, BLKMAX = TSLIST/8*5)
       DOUBLE PRECISION NARROW, NEAR
-      PARAMETER (NARROW = 1.0D8*2.0D0**(-1022), NEAR = 0.85D0)
+      PARAMETER (NARROW = 1.0D5*2.0D0**(-450), NEAR = 0.85D0)
       DOUBLE PRECISION ABOVE, BELOW, HALF, MARGIN, SUM
       INTEGER FIT, I, K, LEAFS, N, NODE
       LEAFS = TSLEAF(CTL, S)
@@ -907,7 +936,7 @@ C     at most the distance from S to where the block may lack points.
       DOUBLE PRECISION NEARST
       PARAMETER (NEARST = 1.0D-4)
       REAL SLACK
-      PARAMETER (SLACK = 1.0E-6)
+      PARAMETER (SLACK = 32.0*2.0**(-23))
       DOUBLE PRECISION MARGIN
       REAL A, B, C, MOST
       INTEGER I, IN(TSLIST), K, N, PLACE(TSLIST+1)
@@ -932,9 +961,9 @@ C     at most the distance from S to where the block may lack points.
       A = LSX(I,1,BLK)
       B = LSX(I,2,BLK)
       C = LSX(I,3,BLK)
-C     none that is in reach is missed, for all rounding
+C     none nearer than margin is missed
       MOST = REAL(MARGIN*LSD(LUNIT,BLK)) + SLACK
-      MOST = MOST*MOST*(1.0 + SLACK)
+      MOST = MOST*MOST
       DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
         IN(I) = 0
         IF ((LSX(I,1,BLK) - A)*(LSX(I,1,BLK) - A) +
@@ -958,15 +987,18 @@ C     The apex of a facet.
 C     ------------------------------------------------------------------
 
 C     TSBLUR - how wrong the power |W|**2 - 2 C.W may be for |W|_1 <=
-C     LENGTH.
+C     LENGTH: C is wrong by dc; each W(K) (W(K) - 2 C(K)) is the result
+C     of at most 6 roundings, with W(K) itself twice and the sum's, each
+C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|); LENGTH, and this, may
+C     come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSBLUR(FQ, LENGTH)
       DOUBLE PRECISION FQ(7), LENGTH
       INTEGER QDC, QSIZE
       PARAMETER (QDC = 6, QSIZE = 7)
-      DOUBLE PRECISION EPS
-      PARAMETER (EPS = 2.0D0**(-52))
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 2.0D0**(-918))
       TSBLUR = LENGTH*(2.0D0*FQ(QDC) + 8.0D0*EPS*(LENGTH +
-     $    2.0D0*FQ(QSIZE)))
+     $    2.0D0*FQ(QSIZE))) + FAINT
       END
 
 C     TSSPRE - the greatest |W|_1 in the box of a node.
@@ -984,13 +1016,18 @@ C     TSSPRE - the greatest |W|_1 in the box of a node.
 C     TSAWAY - has the box of a node certainly no candidate: no point
 C     that is in the ball of a search, if there is one, or on it, or
 C     none on the positive side: 1, or 0.  The least power |W|**2 - 2
-C     C.W and the greatest side of its points count, less their errors.
+C     C.W and the greatest side of its points count, less their errors:
+C     TSBLUR; E |W|, which covers the rounding of the side, too.  Both
+C     are taken at a point of the box's own doubles, so the same bounds
+C     hold as for a point.
       INTEGER FUNCTION TSAWAY(IQ, F, FQ, BOX, NODE)
       DOUBLE PRECISION F(12), FQ(7), BOX(6,*)
       INTEGER IQ(4), NODE
       DOUBLE PRECISION TSBLUR
       INTEGER QBALL, QC
       PARAMETER (QBALL = 3, QC = 2)
+      DOUBLE PRECISION FAINT, LOOSE
+      PARAMETER (FAINT = 2.0D0**(-918), LOOSE = 0.5D0)
       DOUBLE PRECISION H, L, LENGTH, POWER, SIDE, U
       INTEGER K
       POWER = 0.0D0
@@ -1008,8 +1045,8 @@ C     C.W and the greatest side of its points count, less their errors.
       IF (IQ(QBALL) .EQ. 1) THEN
         IF (POWER .GT. TSBLUR(FQ, LENGTH)) TSAWAY = 1
       END IF
-      IF (F(10) .LT. 1.0D0) THEN
-        IF (SIDE .LT. -F(10)*LENGTH) TSAWAY = 1
+      IF (F(10) .LE. LOOSE) THEN
+        IF (SIDE .LT. -F(10)*LENGTH - FAINT) TSAWAY = 1
       END IF
       END
 
@@ -1032,20 +1069,25 @@ C     which coordinate K is between LO and HI: 1, or 0.
       END
 
 C     TSCONT - is the part of the ball that may have points, its part in
-C     the root's box, inside the box of a list: 1, or 0.
+C     the root's box, inside the box of a list: 1, or 0.  The true ball
+C     has its centre within dc of C and passes through the base, as does
+C     the one about C: its radius is at most |C| + dc, so that along an
+C     axis it ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSCONT(BOX, LSI, LSD, LIST, IQ, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(7)
       INTEGER LSI(3,2), LIST, IQ(4)
       INTEGER TSOUTS
       INTEGER LN, LLO, LHI, QC, QDC
       PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
+      DOUBLE PRECISION PAD
+      PARAMETER (PAD = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION R
       INTEGER K
       TSCONT = 0
       IF (LSI(LN,LIST) .EQ. 0) RETURN
       R = SQRT(FQ(QC+1)*FQ(QC+1) + FQ(QC+2)*FQ(QC+2) +
      $         FQ(QC+3)*FQ(QC+3))
-      R = R*(1.0D0 + 1.0D-9) + FQ(QDC)
+      R = R*(1.0D0 + PAD) + 2.0D0*FQ(QDC)
       DO 10 K = 1, 3
         IF (FQ(QC+K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) THEN
           IF (TSOUTS(BOX, IQ, F, FQ, K, BOX(K,1),
@@ -1060,31 +1102,36 @@ C     the root's box, inside the box of a list: 1, or 0.
       END
 
 C     TSWITH - the same for the margin of a star's list about the base:
-C     for a point U of the ball, relative to the base,
-C         |U|**2 <= 2 C.U <= 2 A |U| + 2 B,
-C     A being the length of C without a coordinate K and B the most that
-C     C(K) U(K) is in the root's box.
+C     for a point U of the true ball, relative to the base,
+C         |U|**2 <= 2 (C.U + dc |U|) <= 2 (A + dc) |U| + 2 B,
+C     A being the length of C without a coordinate K and B >= 0 the most
+C     that C(K) U(K) is in the root's box.  So |U| is less than margin
+C     if margin (margin - 2 A - 2 dc) >= 2 B; the test has margin - 2 dc
+C     in the place of both.  PAD times margin is more than the roundings
+C     of A, B and the products take.
       INTEGER FUNCTION TSWITH(BOX, LSD, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(7)
-      INTEGER LMARG, STR, QC, QDC, QSIZE
-      PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6, QSIZE = 7)
-      DOUBLE PRECISION A, B, MARGIN, SQUARE
+      INTEGER LMARG, STR, QC, QDC
+      PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6)
+      DOUBLE PRECISION PAD
+      PARAMETER (PAD = 64.0D0*2.0D0**(-52))
+      DOUBLE PRECISION A, B, MARGIN, SQUARE(3)
       INTEGER K
       TSWITH = 0
-      MARGIN = LSD(LMARG,STR)*(1.0D0 - 1.0D-9) - 2.0D0*FQ(QDC)
-      SQUARE = FQ(QC+1)*FQ(QC+1) + FQ(QC+2)*FQ(QC+2) +
-     $         FQ(QC+3)*FQ(QC+3)
+      MARGIN = LSD(LMARG,STR)*(1.0D0 - PAD) - 2.0D0*FQ(QDC)
+      DO 10 K = 1, 3
+        SQUARE(K) = FQ(QC+K)*FQ(QC+K)
+   10 CONTINUE
       IF (MARGIN .LE. 0.0D0) RETURN
       TSWITH = 1
-      IF (4.0D0*SQUARE .LE. MARGIN*MARGIN) RETURN
-      DO 10 K = 1, 3
+      IF (4.0D0*(SQUARE(1) + SQUARE(2) + SQUARE(3)) .LE. MARGIN*MARGIN)
+     $    RETURN
+      DO 20 K = 1, 3
         B = MAX((BOX(3+K,1) - F(6+K))*FQ(QC+K),
      $      (BOX(K,1) - F(6+K))*FQ(QC+K))
-        B = B + (BOX(3+K,1) - BOX(K,1))*FQ(QDC)
-        A = MAX(SQUARE - FQ(QC+K)*FQ(QC+K), 0.0D0)
-        A = SQRT(A) + 1.0D-7*FQ(QSIZE)
+        A = SQRT(SQUARE(MOD(K, 3)+1) + SQUARE(MOD(K+1, 3)+1))
         IF (MARGIN*(MARGIN - 2.0D0*A) .GE. 2.0D0*B) RETURN
-   10 CONTINUE
+   20 CONTINUE
       TSWITH = 0
       END
 
@@ -1180,19 +1227,25 @@ C     relative to the base of a search: a point of the list can be in
 C     the ball only if
 C         r - (D(1) x + D(2) y + D(3) z) < D(4).
 C     In the list's units, with g = base - centre, the power of u is
-C         |u-g|**2 - 2 c.(u-g) = |u|**2 - 2 (c+g).u + (g+2c).g;
-C     D(4) has room for the rounding of single precision.  OK is 1, or 0
-C     when the ball is too large for that.
+C         |u-g|**2 - 2 c.(u-g) = |u|**2 - 2 (c+g).u + (g+2c).g.
+C     D(4) has room for dc, and for all rounding:
+C       single precision, where |u(K)| <= most(K) <= 1: |u|**2 <= 3 by
+C       at most 8 roundings, two of them of u itself and the last that
+C       of the difference; D.u by at most 6 of each term; D(4) itself;
+C       double precision, with a the sum of |g| + |2c|: g, c + g and the
+C       products with g, 6 roundings of (1 + |g|) a.
+C     OK is 1, or 0 when the ball is too large for that.
       SUBROUTINE TSAIM(LSD, LIST, F, FQ, C, D, OK)
       DOUBLE PRECISION LSD(14,2), F(12), FQ(7), C(3)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LMID, LMOST, LUNIT, QDC
       PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, QDC = 6)
-      DOUBLE PRECISION FEPS
-      PARAMETER (FEPS = 2.0D0**(-23))
-      DOUBLE PRECISION CG(3), CU, DIST, G, LENGTH, REST, SUM
+      DOUBLE PRECISION EPS, FEPS
+      PARAMETER (EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23))
+      DOUBLE PRECISION A, CG(3), CU, DIST, G, LENGTH, REST, SUM
       INTEGER K
+      A = 0.0D0
       REST = 0.0D0
       LENGTH = 0.0D0
       SUM = 0.0D0
@@ -1201,24 +1254,27 @@ C     when the ball is too large for that.
         G = (F(6+K) - LSD(LMID+K,LIST))*LSD(LUNIT,LIST)
         CU = C(K)*LSD(LUNIT,LIST)
         REST = REST + G*(G + 2.0D0*CU)
+        A = A + ABS(G) + 2.0D0*ABS(CU)
         CG(K) = 2.0D0*(CU + G)
         LENGTH = LENGTH + ABS(CG(K))
         SUM = SUM + ABS(CG(K))*LSD(LMOST+K,LIST)
         DIST = DIST + ABS(G)
    10 CONTINUE
       OK = 0
-      IF (LENGTH .GT. 1.0D9 .OR. SUM .GT. 1.0D6) RETURN
+      IF (LENGTH .GT. 1.0D9 .OR. SUM .GT. 1.0D6 .OR.
+     $    DIST .GT. 1.0D9) RETURN
       D(1) = REAL(CG(1))
       D(2) = REAL(CG(2))
       D(3) = REAL(CG(3))
-      D(4) = REAL(FEPS*(24.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
+      D(4) = REAL(FEPS*(32.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
+     $    8.0D0*EPS*A*(1.0D0 + DIST) +
      $    2.0D0*FQ(QDC)*LSD(LUNIT,LIST)*(3.0D0 + DIST) - REST)
       OK = 1
       END
 
 C     TSTOWA - the same for the list of the star of the base, the list's
 C     centre, whose points are less than 1.1 from it in the list's
-C     units.
+C     units: g = 0.
       SUBROUTINE TSTOWA(LSD, LIST, FQ, D, OK)
       DOUBLE PRECISION LSD(14,2), FQ(7)
       REAL D(4)
@@ -1239,7 +1295,7 @@ C     units.
       D(1) = REAL(CU(1))
       D(2) = REAL(CU(2))
       D(3) = REAL(CU(3))
-      D(4) = REAL(FEPS*(8.0D0 + 8.0D0*LENGTH) +
+      D(4) = REAL(FEPS*(16.0D0 + 12.0D0*LENGTH) +
      $    6.0D0*FQ(QDC)*LSD(LUNIT,LIST))
       OK = 1
       END
@@ -1448,12 +1504,14 @@ C     without a ball not on the negative side.
       DOUBLE PRECISION TSBLUR, TSSPRE
       INTEGER QBALL, QC, DONE
       PARAMETER (QBALL = 3, QC = 2, DONE = -1)
+      DOUBLE PRECISION FAINT, LOOSE
+      PARAMETER (FAINT = 2.0D0**(-918), LOOSE = 0.5D0)
       DOUBLE PRECISION BEHIND, LENGTH, MOST, W1, W2, W3
       INTEGER I, Z
       LENGTH = TSSPRE(F, BOX, NODE)
       MOST = TSBLUR(FQ, LENGTH)
       BEHIND = -1.0D0 - LENGTH
-      IF (F(10) .LT. 1.0D0) BEHIND = -F(10)*LENGTH
+      IF (F(10) .LE. LOOSE) BEHIND = -F(10)*LENGTH - FAINT
       DO 10 I = FIRST, LAST
         W1 = X(1,I) - F(7)
         W2 = X(2,I) - F(8)
@@ -1978,10 +2036,10 @@ C     of the link.  INFO is 0, MORE or FULL.
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
       INTEGER POOL(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S, INFO
       INTEGER NT, MAXT, OLDEST, NEWEST, ECODE, EFROM, ETO, EPREV
-      INTEGER EAFTER, MORE, FULL, DEAD, EDGE
+      INTEGER EAFTER, MORE, FULL, START, DEAD, EDGE
       PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, ECODE = 0)
       PARAMETER (EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4, MORE = 1)
-      PARAMETER (FULL = 2, DEAD = -2, EDGE = 6)
+      PARAMETER (FULL = 2, START = -1, DEAD = -2, EDGE = 6)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
       CALL TSGATH(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
      $            S)
@@ -2003,7 +2061,7 @@ C     of the link.  INFO is 0, MORE or FULL.
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID,
      $              LSI, LSD, V, GUESS, C)
         IF (C .EQ. 0) THEN
-          ADJ(POOL(E+ECODE)) = 0
+          IF (POOL(E+ECODE) .NE. START) ADJ(POOL(E+ECODE)) = 0
           IF (PREV .NE. 0) POOL(PREV+EAFTER) = 0
           IF (AFTER .NE. 0) POOL(AFTER+EPREV) = 0
           CALL TSKILL(LINK, POOL, E)
@@ -2219,6 +2277,63 @@ C     of least position, S.
       END
 
 C     ------------------------------------------------------------------
+C     Results: the caller's arrays.
+C     ------------------------------------------------------------------
+
+C     TSOUTF - F = the vertices of facet K of tetrahedron T, the one
+C     opposite to vertex K, counter-clockwise from outside if T is
+C     positively oriented: (2,3,4) (1,4,3) (1,2,4) (1,3,2).
+      SUBROUTINE TSOUTF(TET, T, K, F)
+      INTEGER TET(4,*), T, K, F(3)
+      INTEGER I, J, L
+      I = 1
+      IF (K .EQ. 1) I = 2
+      J = 2
+      IF (K .LE. 2) J = 3
+      L = 4
+      IF (K .EQ. 4) L = 3
+      F(1) = TET(I,T)
+      IF (MOD(K, 2) .EQ. 1) THEN
+        F(2) = TET(J,T)
+        F(3) = TET(L,T)
+      ELSE
+        F(2) = TET(L,T)
+        F(3) = TET(J,T)
+      END IF
+      END
+
+C     TSSLOT - the first K with V(K,T) = X; 5 when there is none.
+      INTEGER FUNCTION TSSLOT(V, T, X)
+      INTEGER V(4,*), T, X
+      INTEGER K
+      DO 10 K = 1, 4
+        IF (V(K,T) .EQ. X) GO TO 20
+   10 CONTINUE
+   20 TSSLOT = K
+      END
+
+C     TSMATE - J is the facet of tetrahedron U, of four different
+C     vertices, that has those of the facet F of another one in opposite
+C     order, so that, both tetrahedra being positively oriented, their
+C     apexes are on opposite sides; 5 when there is none.
+      SUBROUTINE TSMATE(TET, F, U, J)
+      INTEGER TET(4,*), F(3), U, J
+      INTEGER G(3), I
+      J = 1
+   10 IF (J .LT. 4 .AND. (TET(J,U) .EQ. F(1) .OR. TET(J,U) .EQ. F(2)
+     $    .OR. TET(J,U) .EQ. F(3))) THEN
+        J = J + 1
+        GO TO 10
+      END IF
+      CALL TSOUTF(TET, U, J, G)
+      DO 20 I = 1, 3
+        IF (G(I) .EQ. F(1) .AND. G(MOD(I, 3) + 1) .EQ. F(3) .AND.
+     $      G(MOD(I + 1, 3) + 1) .EQ. F(2)) RETURN
+   20 CONTINUE
+      J = 5
+      END
+
+C     ------------------------------------------------------------------
 C     Preparation, and the way back.
 C     ------------------------------------------------------------------
 
@@ -2256,24 +2371,11 @@ C     what uniform points need, as a small table stays in the cache.
       TSTABL = 9*TSSIDE(N)**2 + 16
       END
 
-C     TSFINI - is every coordinate of point I finite: 1, or 0.
-C
-C     Nested comparisons: the one form that also works where the
-C     compiler assumes that there are no NaNs.
-      INTEGER FUNCTION TSFINI(P, I)
-      DOUBLE PRECISION P(3,*)
-      INTEGER I
-      DOUBLE PRECISION HUGE
-      PARAMETER (HUGE = 1.7976931348623157D308)
-      INTEGER K, N
-      N = 0
-      DO 10 K = 1, 3
-        IF (P(K,I) .LE. HUGE) THEN
-          IF (P(K,I) .GE. -HUGE) N = N + 1
-        END IF
-   10 CONTINUE
-      TSFINI = 0
-      IF (N .EQ. 3) TSFINI = 1
+C     TSUPTO - K A, or MOST if that is less; no product overflows.
+      INTEGER FUNCTION TSUPTO(K, A, MOST)
+      INTEGER K, A, MOST
+      TSUPTO = MOST
+      IF (A .LE. MOST/K) TSUPTO = K*A
       END
 
 C     TSLENG - the least lengths of IW and RW, and what is recommended
@@ -2282,23 +2384,24 @@ C     all points 2 N, which takes 12 N integers, given up to MUCH.  OK
 C     is 1, or 0 if the least lengths exceed the largest integer.
       SUBROUTINE TSLENG(N, LIW, LRW, ROOM, OK)
       INTEGER N, LIW, LRW, ROOM, OK
-      INTEGER TSLCOU, TSSIDE
-      INTEGER LEAST, INTMAX
-      PARAMETER (LEAST = 512, INTMAX = 2147483647)
-      DOUBLE PRECISION MUCH
-      PARAMETER (MUCH = 320000.0D0)
-      DOUBLE PRECISION C, EXTRA
+      INTEGER TSLCOU, TSSIDE, TSUPTO
+      INTEGER LEAST, INTMAX, MUCH
+      PARAMETER (LEAST = 512, INTMAX = 2147483647, MUCH = 320000)
+      INTEGER CLOUD, HUB, MOST
       LIW = 0
       LRW = 0
       ROOM = 0
       OK = 0
-C     2 TSLCOU(N) <= N/12 + 2
+C     2 TSLCOU(N) < N/12 + 2
       IF (N .GT. (INTMAX - LEAST)/5) RETURN
       LIW = 4*N + 2*TSLCOU(N) + LEAST
       LRW = 3*N + 12*TSLCOU(N)
-      C = DBLE(TSSIDE(N))
-      EXTRA = MAX(MIN(8.0D0*DBLE(N), MUCH), 60.0D0*C*C) + 4.0D0*DBLE(N)
-      ROOM = INT(MIN(EXTRA, DBLE(INTMAX) - DBLE(LIW)))
+      MOST = INTMAX - LIW
+      HUB = TSUPTO(8, N, MIN(MOST, MUCH))
+      CLOUD = MAX(HUB, TSUPTO(60, TSSIDE(N)**2, MOST))
+      HUB = TSUPTO(4, N, MOST)
+      ROOM = MOST
+      IF (HUB .LE. MOST - CLOUD) ROOM = HUB + CLOUD
       OK = 1
       END
 
@@ -2324,10 +2427,8 @@ C     TSCOLL - the points that stand for themselves, in their order.
       CTL(LEAVES) = TSLCOU(J)
       END
 
-C     TSINRA - can the exact arithmetic hold all coordinates, of
-C     absolute value at most TOP: 1, or 0.  They may need more than
-C     HHLIM limbs.  (Where subnormal numbers are taken for zero, so are
-C     such coordinates: nothing in Fortran 77 can tell.)
+C     TSINRA - can HHLIM limbs hold all coordinates, of absolute value
+C     at most TOP: 1, or 0.
       INTEGER FUNCTION TSINRA(X, CTL, TOP)
       DOUBLE PRECISION X(3,*), TOP
       INTEGER CTL(*)
@@ -2393,24 +2494,31 @@ C     than 2**30.
 
 C     TSSCAL - bring the sorted coordinates to an absolute value of at
 C     most 1 by a power of two, in two steps where one might overflow,
-C     and find whether they are small whole multiples of one unit.  INFO
-C     is 0, or RANGE.
+C     and find whether they are small whole multiples of one unit: not
+C     if one underflows, as then it is not what it is a multiple of.
+C     INFO is 0, or RANGE.
       SUBROUTINE TSSCAL(X, CTL, RCTL, INFO)
       DOUBLE PRECISION X(3,*), RCTL(*)
       INTEGER CTL(*), INFO
       INTEGER HHFREX, TSINRA
-      DOUBLE PRECISION TSUNIT
+      DOUBLE PRECISION HHLDEX, TSUNIT
       INTEGER NP, T3, T5, DIGITS, RANGE
       PARAMETER (NP = 1, T3 = 1, T5 = 2, DIGITS = 53, RANGE = 6)
-      DOUBLE PRECISION TOP, U
+      DOUBLE PRECISION HUGE, NORMAL
+      PARAMETER (HUGE = 1.7976931348623157D308)
+      PARAMETER (NORMAL = 2.0D0**(-1022))
+      DOUBLE PRECISION BOTTOM, TOP, U
       INTEGER E, I, K
       INFO = 0
       RCTL(T3) = -1.0D0
       RCTL(T5) = -1.0D0
       TOP = 0.0D0
+      BOTTOM = HUGE
       DO 20 I = 1, CTL(NP)
         DO 10 K = 1, 3
-          TOP = MAX(TOP, ABS(X(K,I)))
+          U = ABS(X(K,I))
+          TOP = MAX(TOP, U)
+          IF (U .GT. 0.0D0) BOTTOM = MIN(BOTTOM, U)
    10   CONTINUE
    20 CONTINUE
       IF (TOP .LE. 0.0D0) RETURN
@@ -2420,7 +2528,8 @@ C     is 0, or RANGE.
       E = HHFREX(TOP)
       CALL TSTIME(X, CTL, -(E/2))
       CALL TSTIME(X, CTL, -(E - E/2))
-      U = TSUNIT(X, CTL)
+      U = 0.0D0
+      IF (BOTTOM .GE. HHLDEX(NORMAL, E)) U = TSUNIT(X, CTL)
       IF (U .GT. 0.0D0) THEN
 C       up to 2**52 units of the determinant's degree
         RCTL(T3) = 2.0D0**(DIGITS-1)/U/U/U
@@ -2478,25 +2587,19 @@ C     sets, by a step of Newton's method
    70 CONTINUE
       END
 
-C     TSREST - take up an unfinished result: TET to positions; what is
-C     complete leaves the tree; the open facets at S, the first vertex
-C     of the last tetrahedron, become edges of its link in the order of
-C     their tetrahedra, the others enter the pool.  INFO is 0, -5, or
-C     FULL.
-C
-C     HEAD has the positions of the points at first.
-      SUBROUTINE TSREST(ORD, TET, ADJ, ALIVE, HEAD, LINK, POOL, CTL,
-     $                  LSX, LSI, N, S, INFO)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
-      INTEGER POOL(*), CTL(*), LSI(3,2), N, S, INFO
-      INTEGER TSTABL
-      INTEGER NP, NT, MPOOL, LOW, OPEN, DONE, FULL
-      PARAMETER (NP = 1, NT = 2, MPOOL = 6, LOW = 11, OPEN = -1)
-      PARAMETER (DONE = -1, FULL = 2)
-      INTEGER CODE, E, I, K, LENGTH, T, V(3)
+C     TSINTA - could the caller's arrays be an unfinished result, as far
+C     as one pass can tell?  Each tetrahedron has points for vertices
+C     that are no duplicates, and is positively oriented; each facet is
+C     on the hull, open, or matched with its neighbour's, and the
+C     neighbour's apex is not inside the ball.  INFO is 0, -5 or -6;
+C     HEAD has then the points' positions.
+      SUBROUTINE TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), CTL(*), N, INFO
+      INTEGER HHPBAL, HHPSID
+      INTEGER NP, NT, T3, T5
+      PARAMETER (NP = 1, NT = 2, T3 = 1, T5 = 2)
+      INTEGER F(3), I, J, K, T, U, V(4)
       INFO = -5
       DO 10 I = 1, N
         HEAD(I) = 0
@@ -2509,6 +2612,52 @@ C     HEAD has the positions of the points at first.
           IF (HEAD(TET(K,T)) .EQ. 0) RETURN
    30   CONTINUE
    40 CONTINUE
+      DO 70 I = 1, CTL(NT)
+        T = I
+        DO 50 K = 1, 4
+          V(K) = HEAD(TET(K,T))
+   50   CONTINUE
+        IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
+     $      V(4)) .LE. 0) RETURN
+        DO 60 K = 1, 4
+          U = ADJ(4*(T-1)+K)
+          IF (U .GT. 0) THEN
+            J = K
+            CALL TSOUTF(TET, T, J, F)
+            CALL TSMATE(TET, F, U, J)
+            INFO = -6
+            IF (J .EQ. 5) RETURN
+            IF (ADJ(4*(U-1)+J) .NE. T) RETURN
+            INFO = -5
+            IF (U .GT. T) THEN
+              IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V(1), V(2),
+     $            V(3), V(4), HEAD(TET(J,U))) .LT. 0) RETURN
+            END IF
+          END IF
+   60   CONTINUE
+   70 CONTINUE
+      INFO = 0
+      END
+
+C     TSREST - take up an unfinished result that TSINTA has passed: TET
+C     to positions; what is complete leaves the tree; the open facets at
+C     S, the first vertex of the last tetrahedron, become edges of its
+C     link in the order of their tetrahedra, the others enter the pool.
+C     INFO is 0, FULL, or -6 for two open facets with the same vertices.
+C
+C     HEAD has the positions of the points at first.
+      SUBROUTINE TSREST(TET, ADJ, ALIVE, HEAD, LINK, POOL, CTL, LSX,
+     $                  LSI, S, INFO)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      REAL LSX(TSLIST,4,2)
+      INTEGER TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
+      INTEGER POOL(*), CTL(*), LSI(3,2), S, INFO
+      INTEGER TSBETW, TSTABL
+      INTEGER NP, NT, MPOOL, LOW, OPEN, DONE, FULL
+      PARAMETER (NP = 1, NT = 2, MPOOL = 6, LOW = 11, OPEN = -1)
+      PARAMETER (DONE = -1, FULL = 2)
+      INTEGER A, B, CODE, E, I, K, LENGTH, T, V(3)
       DO 60 T = 1, CTL(NT)
         DO 50 K = 1, 4
           TET(K,T) = HEAD(TET(K,T))
@@ -2530,13 +2679,21 @@ C     HEAD has the positions of the points at first.
         END IF
    90 CONTINUE
       S = TET(1,CTL(NT))
-      INFO = FULL
       DO 110 T = 1, CTL(NT)
         DO 100 K = 4, 1, -1
           CODE = 4*(T - 1) + K
           IF (ADJ(CODE) .EQ. OPEN) THEN
             CALL TSFACE(TET, CODE, V)
-            IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) THEN
+            I = 3
+            IF (V(2) .EQ. S) I = 2
+            IF (V(1) .EQ. S) I = 1
+            IF (V(I) .EQ. S) THEN
+              A = V(MOD(I, 3)+1)
+              B = V(MOD(I+1, 3)+1)
+              INFO = -6
+              IF (TSBETW(LINK, POOL, A, B) .NE. 0) RETURN
+              IF (TSBETW(LINK, POOL, B, A) .NE. 0) RETURN
+              INFO = FULL
               CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
               IF (E .EQ. 0) RETURN
             END IF
@@ -2548,7 +2705,7 @@ C     HEAD has the positions of the points at first.
       LENGTH = TSTABL(CTL(NP))
   120 I = CTL(MPOOL)
       CALL TSWIDE(TET, ADJ, HEAD, POOL, CTL, S, LENGTH, INFO)
-      IF (INFO .EQ. 0 .OR. CTL(MPOOL) .EQ. I) RETURN
+      IF (INFO .NE. FULL .OR. CTL(MPOOL) .EQ. I) RETURN
       LENGTH = 2*CTL(MPOOL) + 1
       GO TO 120
       END
@@ -2595,9 +2752,10 @@ C     element of RW or IW, and the standard lets them be altered.
         RETURN
       END IF
       IF (CTL(NT) .GT. 0) THEN
-        CALL TSREST(ORD, TET, ADJ, ALIVE, HEAD, LINK, POOL, CTL, LSX,
-     $              LSI, N, S, INFO)
-        IF (INFO .EQ. -5) RETURN
+        CALL TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
+        IF (INFO .NE. 0) RETURN
+        CALL TSREST(TET, ADJ, ALIVE, HEAD, LINK, POOL, CTL, LSX, LSI,
+     $              S, INFO)
       ELSE
         CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
         IF (INFO .EQ. 0) CALL TSWIDE(TET, ADJ, HEAD, POOL, CTL, S,
@@ -2618,12 +2776,17 @@ C     the indices in TET.
       SUBROUTINE TSRUN(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), INFO
-      INTEGER TSLCOU
-      INTEGER SINGLE
-      PARAMETER (SINGLE = 5)
+      INTEGER HHHOLD, TSLCOU
+      INTEGER SINGLE, RANGE
+      PARAMETER (SINGLE = 5, RANGE = 6)
       INTEGER LVS
       INFO = SINGLE
       IF (N .EQ. 0) RETURN
+      IF (HHHOLD(N, P) .EQ. 0) THEN
+        NTET = 0
+        INFO = RANGE
+        RETURN
+      END IF
       LVS = TSLCOU(N)
       CALL TSMESH(N, P, MAXTET, NTET, TET, ADJ, LVS, RW, RW(3*N+1), IW,
      $            IW(N+1), IW(2*N+1), IW(3*N+1), IW(4*N+1), LIW - 4*N -
@@ -2635,7 +2798,7 @@ C     TESSRE, or 0; WHICH is the point that is not finite, or 0.
       SUBROUTINE TSWRON(N, P, MAXTET, LIW, LRW, WHICH, INFO)
       DOUBLE PRECISION P(3,*)
       INTEGER N, MAXTET, LIW, LRW, WHICH, INFO
-      INTEGER TSFINI
+      INTEGER HHFINI
       INTEGER INTMAX
       PARAMETER (INTMAX = 2147483647)
       INTEGER I, LIWMIN, LRWMIN, OK, ROOM
@@ -2645,12 +2808,11 @@ C     TESSRE, or 0; WHICH is the point that is not finite, or 0.
       CALL TSLENG(N, LIWMIN, LRWMIN, ROOM, OK)
       IF (OK .EQ. 0) RETURN
       INFO = -2
-      DO 10 I = 1, N
-        IF (TSFINI(P, I) .EQ. 0) THEN
-          WHICH = I
-          RETURN
-        END IF
-   10 CONTINUE
+      I = HHFINI(N, P)
+      IF (I .LT. N) THEN
+        WHICH = I + 1
+        RETURN
+      END IF
       INFO = 0
       IF (LRW .LT. LRWMIN) INFO = -9
       IF (LIW .LT. LIWMIN) INFO = -7
@@ -2712,11 +2874,17 @@ C       INFO    (out)  0 done; 1 (TET and ADJ are full) or 2 (the pool
 C                      is full): what TET and ADJ hold is right, go on
 C                      with TESSRE; 3 all points in one plane, 4 on one
 C                      line, 5 at most one distinct point, 6 coordinates
-C                      that need more limbs than HHLIM (NTET = 0); or
+C                      that the arithmetic cannot hold (NTET = 0); or
 C                      -k: N < 0 -1; NaN or infinity in P -2; MAXTET
 C                      negative or too large for the integers -3; LIW,
 C                      LRW below the minimum -7, -9.  After -k nothing
 C                      is written but NTET, INFO.
+C
+C     INFO is 6 when the coordinates need more limbs than HHLIM (never,
+C     with the default); when one is subnormal, and the processor is set
+C     to take those for zero (programs linked with -Ofast do so); or
+C     when it is set to round to fewer bits than a double has (an x87
+C     unit at 24).
 C
 C     Cospherical points: the triangulation is the pulling triangulation
 C     in the order of the points' numbers; no tetrahedron is flat.
@@ -2740,9 +2908,13 @@ C     nothing.  Gives the very arrays that one call with enough room
 C     would have given.  With NTET = 0 it is TESS; on a finished result
 C     INFO is 0 and nothing changes but IW, RW.
 C
-C     INFO is what TESS gives, and -4 for a bad NTET, -5 and -6 for
-C     indices in TET and ADJ that are out of range; after -k NTET is
-C     unchanged.
+C     INFO is what TESS gives, and -4 for a bad NTET, -5 and -6 for what
+C     TET and ADJ cannot hold: indices out of range; a tetrahedron that
+C     has a duplicate for a vertex, is not positively oriented, or has a
+C     neighbour's apex in its ball; neighbours that do not share a
+C     facet; a facet open on both sides.  After -k NTET, TET and ADJ are
+C     unchanged.  Damage that one pass cannot find gives a wrong result,
+C     but in bounded time and within the arrays.
       SUBROUTINE TESSRE(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                  INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -2790,38 +2962,6 @@ C     of them is not 0, since V1 ... V4 are not in one plane: Q* is on
 C     no facet, and is in the interior of exactly one tetrahedron if it
 C     is in the hull of a triangulation.
 C     ------------------------------------------------------------------
-
-C     TSOUTF - F = the vertices of facet K of tetrahedron T, the one
-C     opposite to vertex K, counter-clockwise from outside if T is
-C     positively oriented: (2,3,4) (1,4,3) (1,2,4) (1,3,2).
-      SUBROUTINE TSOUTF(TET, T, K, F)
-      INTEGER TET(4,*), T, K, F(3)
-      INTEGER I, J, L
-      I = 1
-      IF (K .EQ. 1) I = 2
-      J = 2
-      IF (K .LE. 2) J = 3
-      L = 4
-      IF (K .EQ. 4) L = 3
-      F(1) = TET(I,T)
-      IF (MOD(K, 2) .EQ. 1) THEN
-        F(2) = TET(J,T)
-        F(3) = TET(L,T)
-      ELSE
-        F(2) = TET(L,T)
-        F(3) = TET(J,T)
-      END IF
-      END
-
-C     TSSLOT - the first K with V(K,T) = X; 5 when there is none.
-      INTEGER FUNCTION TSSLOT(V, T, X)
-      INTEGER V(4,*), T, X
-      INTEGER K
-      DO 10 K = 1, 4
-        IF (V(K,T) .EQ. X) GO TO 20
-   10 CONTINUE
-   20 TSSLOT = K
-      END
 
 C     TSORIQ - HHORIE of the facet F and the point Q.
       INTEGER FUNCTION TSORIQ(P, F, Q)
@@ -2941,7 +3081,8 @@ C     it is the same one everywhere.
 C     TSWALK - from T across facets that Q* is beyond, until there is
 C     none: then T holds Q* (INFO 0); or to a facet of the hull that Q
 C     is outside of (INFO 1).  INFO is LOST when only open facets lead
-C     on, or after NTET steps; RANGE when the limbs do not suffice.
+C     on, or after NTET steps; RANGE when the limbs do not suffice; -4
+C     for a neighbour that is out of range.
 C
 C     In a result of TESS the walk meets no tetrahedron twice.  Lift
 C     each point X to the height |X|**2, lowered as the tie rule says:
@@ -2973,6 +3114,10 @@ C     triangulation it may stay, and the walk go round.)
           IF (S .LT. 0) GO TO 10
           IF (U .EQ. NONE) THEN
             INFO = 1
+            RETURN
+          END IF
+          IF (U .LT. OPEN .OR. U .GT. NTET) THEN
+            INFO = -4
             RETURN
           END IF
           IF (U .EQ. OPEN) THEN
@@ -3248,14 +3393,17 @@ C       INFO (out)     0 when Q is inside or on the boundary; 1 when it
 C                      is outside the hull: T is then a hull
 C                      tetrahedron on that side and W its weights, some
 C                      negative.  An open facet counts as hull.  -2 for
-C                      NTET < 1, -5 for a NaN or infinity in Q, -6 for
-C                      a T that is out of range; 6, W = 0, when a
-C                      build's HHLIM limbs do not suffice
+C                      NTET < 1, -4 for a neighbour that is out of
+C                      range, -5 for a NaN or infinity in Q, -6 for a T
+C                      that is out of range; 6, W = 0, when the
+C                      arithmetic cannot hold the coordinates (see TESS)
 C
 C     Inside, the weights are at least 0, and 0 where Q is in the plane
 C     of the vertex's opposite facet (else only in a tetrahedron that is
 C     flat to rounding); they sum to 1, and the sum of W(K) times vertex
-C     K is Q, to rounding, in slivers too.
+C     K is Q, to rounding, in slivers too.  Outside, the weights of a
+C     sliver may be as large as 1E14, and then their sum may miss 1 by a
+C     percent: they are right relative to the largest.
 C
 C     A walk (see TSWALK), and where it fails a sweep over all
 C     tetrahedra.
@@ -3274,7 +3422,7 @@ C     near Q.  The sweep: NTET.
       SUBROUTINE TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
-      INTEGER TSFINI
+      INTEGER HHFINI
       INTEGER NONE, LOST
       PARAMETER (NONE = 0, LOST = 99)
       DOUBLE PRECISION X(3,1)
@@ -3285,11 +3433,13 @@ C     near Q.  The sweep: NTET.
         X(K,1) = Q(K)
    10 CONTINUE
       INFO = -5
-      IF (TSFINI(X, 1) .EQ. 0) RETURN
+      IF (HHFINI(1, X) .EQ. 0) RETURN
       INFO = -6
       IF (T .LT. NONE .OR. T .GT. NTET) RETURN
       IF (T .EQ. NONE) CALL TSSAMP(P, NTET, TET, Q, T)
       CALL TSWALK(P, NTET, TET, ADJ, Q, T, CODE)
+      INFO = CODE
+      IF (CODE .EQ. -4) RETURN
       IF (CODE .EQ. LOST) CALL TSSWEE(P, NTET, TET, ADJ, Q, T, CODE)
       CALL TSWEIG(P, TET, T, Q, W, INFO)
       IF (INFO .EQ. 0) INFO = CODE
@@ -3517,26 +3667,6 @@ C     marks begin behind IW(MARK).
       INFO = 0
       END
 
-C     TSMATE - J is the facet of tetrahedron U whose neighbour is T and
-C     whose vertices are those of the facet F of T in opposite order, so
-C     that, both tetrahedra being positively oriented, their apexes are
-C     on opposite sides; 5 when there is none.  It is a symmetric
-C     relation, one facet to one.
-      SUBROUTINE TSMATE(TET, ADJ, T, F, U, J)
-      INTEGER TET(4,*), ADJ(4,*), T, F(3), U, J
-      INTEGER G(3), I
-      DO 20 J = 1, 4
-        IF (ADJ(J,U) .EQ. T) THEN
-          CALL TSOUTF(TET, U, J, G)
-          DO 10 I = 1, 3
-            IF (G(I) .EQ. F(1) .AND. G(MOD(I, 3) + 1) .EQ. F(3) .AND.
-     $          G(MOD(I + 1, 3) + 1) .EQ. F(2)) RETURN
-   10     CONTINUE
-        END IF
-   20 CONTINUE
-      J = 5
-      END
-
 C     TSCHKF - that each facet of tetrahedron T is on the boundary or
 C     matched, and the neighbour's apex not inside the ball of T: also a
 C     symmetric relation, so one side tests it.
@@ -3561,8 +3691,9 @@ C     symmetric relation, so one side tests it.
         INFO = BADADJ
         IF (U .LT. 1 .OR. U .GT. NTET) RETURN
         CALL TSOUTF(TET, T, K, F)
-        CALL TSMATE(TET, ADJ, T, F, U, J)
+        CALL TSMATE(TET, F, U, J)
         IF (J .EQ. 5) RETURN
+        IF (ADJ(J,U) .NE. T) RETURN
         IF (U .LT. T) GO TO 30
         DO 20 I = 1, 3
           E(I) = P(I,TET(J,U))
@@ -3773,21 +3904,22 @@ C     boundary facet.
       SUBROUTINE TESSCH(N, P, NTET, TET, ADJ, LIW, IW, BAD, INFO)
       INTEGER N, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), BAD, INFO
       DOUBLE PRECISION P(3,*)
-      INTEGER TSCHKT, TSFINI
-      INTEGER NONE, UNUSED, LARGE, BADPOI
-      PARAMETER (NONE = 0, UNUSED = 0, LARGE = 2147483647, BADPOI = 18)
+      INTEGER HHFINI, HHHOLD, TSCHKT
+      INTEGER NONE, UNUSED, LARGE, RANGE, BADPOI
+      PARAMETER (NONE = 0, UNUSED = 0, LARGE = 2147483647, RANGE = 6)
+      PARAMETER (BADPOI = 18)
       INTEGER I, MARK, PASS, T
       BAD = NONE
       INFO = -1
       IF (N .LT. 0 .OR. N .GT. (LARGE - 1)/3) RETURN
       INFO = -2
-      DO 10 I = 1, N
-        IF (TSFINI(P, I) .EQ. 0) RETURN
-   10 CONTINUE
+      IF (HHFINI(N, P) .LT. N) RETURN
       INFO = -3
       IF (NTET .LT. 0 .OR. NTET .GT. (LARGE - 3)/4) RETURN
       INFO = -6
       IF (LIW .LT. N .OR. LIW - N .LT. N) RETURN
+      INFO = RANGE
+      IF (HHHOLD(N, P) .EQ. 0) RETURN
       IF (NTET .EQ. 0) THEN
         CALL TSCHKP(N, P, BAD, INFO)
         RETURN

@@ -309,7 +309,7 @@ twins() {
     cat build/diff.txt >> $LOG
 }
 twins tess "point|coords|four" "TSPDIS|TSMESH|TSORIQ|TSORIP"
-twins hhpred "-" "-"
+twins hhpred "held" "HHKIND"
 
 # ---- the same results as the C half ----
 

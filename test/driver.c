@@ -554,9 +554,6 @@ static int prove(void)
     case TESS_BAD_POINT:
         what = "the point is in no tetrahedron";
         break;
-    case TESS_BAD_EULER:
-        what = "Euler's relation fails";
-        break;
     default:
         what = "unexpected code";
     }
