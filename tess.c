@@ -22,22 +22,22 @@
  * chooses where to look, with margins that cover its rounding.
  *
  * Order of the routines, here and in f77/tess.f:
- *   sorting      before swap pivot partit twin cut bound leafof span leafsort
+ *   sorting      before swap pivot selectmid twin bisect leafstart leafof span leafsort
  *                kdsort boxes
- *   pool         facet owner signat same find putin takeout widen
- *   lists        disjoint place pad harvest block pick gather
- *   apex         blur spread away outside contained within take compare
- *                consider aim toward filter every nearest anypoint instar
- *                inblock sift search onhull prepare apex
- *   star         nolink renumber push join kill between meet flush grow enlist
- *                follow load complete room star stars
- *   first facet  point lesser edgeby onaline first begin
+ *   pool         facet owner hashkey same find insert erase rehash
+ *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
+ *   apex         powererr extent prunebox prunepart ballinbox ballinstar setbest challenge
+ *                consider ballcoef starcoef inball considerall likeliest anypoint instar
+ *                inblock scanleaf treesearch onhull prepare apex
+ *   star         clearlink renumber push join unlinkedge between glue flush grow enlist
+ *                follow load complete makeroom star stars
+ *   firstfacet facet  point lesser edgeby onaline firstfacet begin
  *   results      coords four outfac slot mate
- *   preparation  leafcount side tablesize upto lengths collect inrange times
+ *   preparation  leafcount cuberoot tablesize upto lengths collect inrange times
  *                units scaled sorted intact restore run wrong
  *   entries      tess_size tess tess_resume
- *   queries      beyond inbox
- *   location     reach sample walk holds sweep elimin backsu unite balanc
+ *   queries      qside inbox
+ *   location     distance sample walk holds sweep elimin backsu unite balanc
  *                weigh tess_locate
  *   hull, check  tess_hull preced merge sortpt marks chkpla chkidx chkfac
  *                chktet chkedg chkhul chkcov tess_check
@@ -265,9 +265,9 @@ static tess_int pivot(const mesh *m, tess_int lo, tess_int hi, tess_int mid,
     return a[(mid - lo) / ((hi - lo) / n + 1)];
 }
 
-/* partit - bring the points lo ... hi-1 into an order in which those before
+/* selectmid - bring the points lo ... hi-1 into an order in which those before
  * mid precede the one at mid along an axis, and the others do not. */
-static void partit(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
+static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
 {
     tess_int i, j, number;
     double q[3];
@@ -318,10 +318,10 @@ static void twin(mesh *m, tess_int i, tess_int j)
         m->rep[b] = a;
 }
 
-/* cut - partit across the widest extent.  Duplicates that the cut parts all
+/* bisect - partit across the widest extent.  Duplicates that the cut parts all
  * coincide with the point at mid; each set of duplicates is in the end
  * linked from every member but the first to a smaller number. */
-static void cut(mesh *m, tess_int lo, tess_int hi, tess_int mid)
+static void bisect(mesh *m, tess_int lo, tess_int hi, tess_int mid)
 {
     double least[3], most[3], x;
     tess_int i, step = (hi - lo) / SAMPLE + 1;
@@ -336,12 +336,13 @@ static void cut(mesh *m, tess_int lo, tess_int hi, tess_int mid)
         }
     for (k = 1; k < 3; k++)
         if (hh_wider(most[k], least[k], most[axis], least[axis]) > 0) axis = k;
-    partit(m, lo, hi, mid, axis);
+    selectmid(m, lo, hi, mid, axis);
     for (i = lo; i < mid; i++) twin(m, i, mid);
 }
 
-/* bound - the first position of leaf j; leaf j ends before bound(j + 1). */
-static tess_int bound(const mesh *m, tess_int j)
+/* leafstart - the first position of leaf j; leaf j ends before leafstart(j +
+ * 1). */
+static tess_int leafstart(const mesh *m, tess_int j)
 {
     tess_int more = m->np % m->leaves;
 
@@ -366,8 +367,8 @@ static void span(const mesh *m, tess_int node, tess_int *first, tess_int *last)
         left = 2 * left;
         right = 2 * right + 1;
     }
-    *first = bound(m, left - m->leaves);
-    *last = bound(m, right - m->leaves + 1);
+    *first = leafstart(m, left - m->leaves);
+    *last = leafstart(m, right - m->leaves + 1);
 }
 
 /* leafsort - order the points of a leaf in groups of GROUP. */
@@ -376,10 +377,10 @@ static void leafsort(mesh *m, tess_int first, tess_int last)
     tess_int half, lo, hi, i, j;
 
     half = first + (last - first + 2 * GROUP - 1) / (2 * GROUP) * GROUP;
-    if (half < last) cut(m, first, last, half);
+    if (half < last) bisect(m, first, last, half);
     for (lo = first; lo < last; lo += GROUP) {
         hi = lo < half && half < last ? half : last;
-        if (lo + GROUP < hi) cut(m, lo, hi, lo + GROUP);
+        if (lo + GROUP < hi) bisect(m, lo, hi, lo + GROUP);
         hi = lo + GROUP < hi ? lo + GROUP : hi;
         for (i = lo + 1; i < hi; i++)
             for (j = i; j > lo && before(m, j, 0, m->x + 3 * (j - 1),
@@ -399,7 +400,7 @@ static void kdsort(mesh *m)
         span(m, node, &first, &last);
         if (node < m->leaves) {
             span(m, 2 * node, &first, &mid);
-            cut(m, first, last, mid);
+            bisect(m, first, last, mid);
             node = 2 * node;
         } else {
             leafsort(m, first, last);
@@ -466,9 +467,9 @@ static tess_int owner(const tess_int *v)
     return least < v[2] ? least : v[2];
 }
 
-/* signat - the signature of a facet, below 2^31, whatever the order of its
+/* hashkey - the signature of a facet, below 2^31, whatever the order of its
  * vertices. */
-static tess_int signat(const tess_int *v)
+static tess_int hashkey(const tess_int *v)
 {
     long a = v[0] % 8192L, b = v[1] % 8192L, c = v[2] % 8192L;
     long h = (a + b + c) * 57571L + (a * b + b * c + c * a);
@@ -505,9 +506,9 @@ static tess_int find(const mesh *m, const tess_int *v, tess_int sig)
     }
 }
 
-/* putin - enter a facet that is not in the pool, owned by least, at the entry
+/* insert - enter a facet that is not in the pool, owned by least, at the entry
  * that find has named. */
-static void putin(mesh *m, tess_int e, tess_int code, tess_int least,
+static void insert(mesh *m, tess_int e, tess_int code, tess_int least,
                   tess_int sig)
 {
     tess_int *p = m->pool + ENTRY * e;
@@ -523,8 +524,8 @@ static void putin(mesh *m, tess_int e, tess_int code, tess_int least,
     if (least < m->low) m->low = least;
 }
 
-/* takeout - remove entry e, of a facet owned by least. */
-static void takeout(mesh *m, tess_int e, tess_int least)
+/* erase - remove entry e, of a facet owned by least. */
+static void erase(mesh *m, tess_int e, tess_int least)
 {
     tess_int *p = m->pool + ENTRY * e, *q;
     tess_int hole = e, home, v[3];
@@ -560,12 +561,12 @@ static void takeout(mesh *m, tess_int e, tess_int least)
     m->pool[ENTRY * hole] = NONE;
 }
 
-/* widen - make the pool's table about twice as long, or as long as it may
+/* rehash - make the pool's table about twice as long, or as long as it may
  * be, and enter its facets again in their order.  The new table is laid over
  * the old one, so the facets come from tet and adj: an open facet that is not
  * an edge of the link.  Returns 0, TESS_POOL, or -6 when two open facets have
  * the same vertices, as only damaged arrays have. */
-static int widen(mesh *m, tess_int s, tess_int wanted)
+static int rehash(mesh *m, tess_int s, tess_int wanted)
 {
     tess_int most = (m->room - m->room / 8) / ENTRY, code, v[3], e, sig;
 
@@ -582,10 +583,10 @@ static int widen(mesh *m, tess_int s, tess_int wanted)
             facet(m, code, v);
             if (v[0] != s && v[1] != s && v[2] != s) {
                 if (m->nopen >= m->m - m->m / 8 - 1) return TESS_POOL;
-                sig = signat(v);
+                sig = hashkey(v);
                 e = find(m, v, sig);
                 if (m->pool[ENTRY * e] != NONE) return -6;
-                putin(m, e, code, owner(v), sig);
+                insert(m, e, code, owner(v), sig);
             }
         }
     return 0;
@@ -601,9 +602,9 @@ static int disjoint(const double *alo, const double *ahi, const double *blo,
            (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
 }
 
-/* place - set point i of a list from its position; FAR away when its star is
+/* setpoint - set point i of a list from its position; FAR away when its star is
  * complete. */
-static void place(const mesh *m, list *l, int i)
+static void setpoint(const mesh *m, list *l, int i)
 {
     const double *q = m->x + 3 * l->id[i];
     float x = FAR, y = FAR, z = FAR;
@@ -619,9 +620,9 @@ static void place(const mesh *m, list *l, int i)
     l->r[i] = x * x + y * y + z * z;
 }
 
-/* pad - fill up the last four of a list with points that are FAR away: loops
- * over lists go by fours, which every compiler can make vectors of. */
-static void pad(list *l)
+/* padlist - fill up the last four of a list with points that are FAR away:
+ * loops over lists go by fours, which every compiler can make vectors of. */
+static void padlist(list *l)
 {
     int i = l->n;
 
@@ -632,9 +633,9 @@ static void pad(list *l)
     }
 }
 
-/* harvest - add the uncompleted points of its box that are not in leaf own to
+/* boxquery - add the uncompleted points of its box that are not in leaf own to
  * the positions of a list.  Returns 0 when they do not fit. */
-static int harvest(const mesh *m, list *l, tess_int own)
+static int boxquery(const mesh *m, list *l, tess_int own)
 {
     tess_int stack[DEPTH], node, i, first, last;
     const double *b;
@@ -663,9 +664,9 @@ static int harvest(const mesh *m, list *l, tess_int own)
     return 1;
 }
 
-/* block - make the list of the leaf of star s: its points, in order, then the
- * uncompleted ones around it.  The margin shrinks until they fit. */
-static void block(mesh *m, tess_int s)
+/* leaflist - make the list of the leaf of star s: its points, in order, then
+ * the uncompleted ones around it.  The margin shrinks until they fit. */
+static void leaflist(mesh *m, tess_int s)
 {
     tess_int leaf = leafof(m, s), i;
     const double *b = m->box + 6 * (m->leaves + leaf);
@@ -675,8 +676,8 @@ static void block(mesh *m, tess_int s)
     list *l = &m->block;
     int k, full = 1;
 
-    l->first = bound(m, leaf);
-    l->last = bound(m, leaf + 1);
+    l->first = leafstart(m, leaf);
+    l->last = leafstart(m, leaf + 1);
     m->share = NEAR;
     while (full) {
         for (k = 0; k < 3; k++) {
@@ -698,22 +699,22 @@ static void block(mesh *m, tess_int s)
         }
         l->n = 0;
         for (i = l->first; i < l->last; i++) l->id[l->n++] = i;
-        full = !harvest(m, l, leaf);
+        full = !boxquery(m, l, leaf);
         if (l->unit == 0.0 || (full && margin == 0.0)) {
             l->n = 0; /* no list */
             return;
         }
         margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
     }
-    for (k = 0; k < l->n; k++) place(m, l, k);
-    pad(l);
+    for (k = 0; k < l->n; k++) setpoint(m, l, k);
+    padlist(l);
     if (l->n < BLOCKMIN && m->reach < 8.0) m->reach *= 1.1;
     if (l->n > BLOCKMAX && m->reach > 0.05) m->reach *= 0.9;
 }
 
-/* pick - those of the places 0 ... n-1 that are marked by 1, the others by 0,
- * without a branch: no processor could guess it.  Returns their number. */
-static int pick(const int *in, int n, int *place)
+/* compress - those of the places 0 ... n-1 that are marked by 1, the others by
+ * 0, without a branch: no processor could guess it.  Returns their number. */
+static int compress(const int *in, int n, int *place)
 {
     int i, *next = place;
 
@@ -730,10 +731,10 @@ static int pick(const int *in, int n, int *place)
     return (int)(next - place);
 }
 
-/* gather - make the lists for star s: the block of its leaf and, from it, the
+/* starlist - make the lists for star s: the block of its leaf and, from it, the
  * points nearer to s than the star's margin, which is at most the distance
  * from s to where the block may lack points. */
-static void gather(mesh *m, tess_int s)
+static void starlist(mesh *m, tess_int s)
 {
     list *l = &m->block, *g = &m->around;
     const double *q = m->x + 3 * s, *root = m->box + 6;
@@ -741,7 +742,7 @@ static void gather(mesh *m, tess_int s)
     float x, y, z, most;
     int i, k, n, in[TESS_LIST], which[TESS_LIST + 1];
 
-    if (s < l->first || s >= l->last) block(m, s);
+    if (s < l->first || s >= l->last) leaflist(m, s);
     g->n = 0;
     margin = m->share * l->margin;
     for (k = 0; k < 3; k++) {
@@ -766,30 +767,30 @@ static void gather(mesh *m, tess_int s)
         in[i] = (l->x[i] - x) * (l->x[i] - x) +
                     (l->y[i] - y) * (l->y[i] - y) +
                     (l->z[i] - z) * (l->z[i] - z) <= most;
-    n = pick(in, l->n, which);
+    n = compress(in, l->n, which);
     for (i = 0; i < n; i++) {
         g->id[i] = l->id[which[i]];
-        place(m, g, i);
+        setpoint(m, g, i);
     }
     g->n = n;
-    pad(g);
+    padlist(g);
     if (n < STARMIN && m->share < 4.0) m->share *= 1.1;
     if (n > STARMAX) m->share *= 0.9;
 }
 
 /* ---- the apex of a facet ---- */
 
-/* blur - how wrong the power |w|^2 - 2 c.w may be for |w|_1 <= size: c is
+/* powererr - how wrong the power |w|^2 - 2 c.w may be for |w|_1 <= size: c is
  * wrong by dc; each w[k] (w[k] - 2 c[k]) is the result of at most 6 roundings,
  * with w[k] itself twice and the sum's, each of at most EPS |w[k]| (|w[k]| + 2
  * |c[k]|); size, and this, may come out too small by a few EPS. */
-static double blur(const quest *f, double size)
+static double powererr(const quest *f, double size)
 {
     return size * (2.0 * f->dc + 8.0 * EPS * (size + 2.0 * f->size)) + FAINT;
 }
 
-/* spread - the greatest |w|_1 in the box lo, hi. */
-static double spread(const quest *f, const double *lo, const double *hi)
+/* extent - the greatest |w|_1 in the box lo, hi. */
+static double extent(const quest *f, const double *lo, const double *hi)
 {
     double size = 0.0, l, h;
     int k;
@@ -802,13 +803,13 @@ static double spread(const quest *f, const double *lo, const double *hi)
     return size;
 }
 
-/* away - has the box lo, hi certainly no candidate: no point that is in the
+/* prunebox - has the box lo, hi certainly no candidate: no point that is in the
  * ball of a search, if there is one, or on it, or none on the positive side?
  * The least power |w|^2 - 2 c.w and the greatest side of its points count,
  * less their errors: blur; E |w|, which covers the rounding of the side, too.
  * Both are taken at a point of the box's own doubles, so the same bounds hold
  * as for a point. */
-static int away(const quest *f, const double *lo, const double *hi)
+static int prunebox(const quest *f, const double *lo, const double *hi)
 {
     double power = 0.0, side = 0.0, size = 0.0, l, h, u, v;
     int k;
@@ -826,13 +827,13 @@ static int away(const quest *f, const double *lo, const double *hi)
         h = fabs(h);
         size += l > h ? l : h;
     }
-    return (f->ball && power > blur(f, size)) ||
+    return (f->ball && power > powererr(f, size)) ||
            (f->f[9] <= HH_LOOSE && side < -f->f[9] * size - FAINT);
 }
 
-/* outside - is there no candidate in that part of the root's box in
+/* prunepart - is there no candidate in that part of the root's box in
  * which coordinate k is between lo and hi? */
-static int outside(const mesh *m, const quest *f, int k, double lo, double hi)
+static int prunepart(const mesh *m, const quest *f, int k, double lo, double hi)
 {
     const double *root = m->box + 6;
     double from[3], to[3];
@@ -845,14 +846,14 @@ static int outside(const mesh *m, const quest *f, int k, double lo, double hi)
     }
     from[k] = lo;
     to[k] = hi;
-    return away(f, from, to);
+    return prunebox(f, from, to);
 }
 
-/* contained - is the part of the ball that may have points, its part in the
+/* ballinbox - is the part of the ball that may have points, its part in the
  * root's box, inside the box of a list?  The true ball has its centre within
  * dc of c and passes through the base, as does the one about c: its radius is
  * at most |c| + dc, so that along an axis it ends within |c| + 2 dc of c. */
-static int contained(const mesh *m, const quest *f, const list *l)
+static int ballinbox(const mesh *m, const quest *f, const list *l)
 {
     const double *root = m->box + 6;
     double r = sqrt(f->c[0] * f->c[0] + f->c[1] * f->c[1] + f->c[2] * f->c[2]);
@@ -862,23 +863,23 @@ static int contained(const mesh *m, const quest *f, const list *l)
     r = r * (1.0 + PAD) + 2.0 * f->dc;
     for (k = 0; k < 3; k++) {
         if (f->c[k] - r < l->lo[k] - f->f[6 + k] &&
-            !outside(m, f, k, root[k], l->lo[k]))
+            !prunepart(m, f, k, root[k], l->lo[k]))
             return 0;
         if (f->c[k] + r > l->hi[k] - f->f[6 + k] &&
-            !outside(m, f, k, l->hi[k], root[3 + k]))
+            !prunepart(m, f, k, l->hi[k], root[3 + k]))
             return 0;
     }
     return 1;
 }
 
-/* within - the same for the margin of a star's list about the base: for a point
- * u of the true ball, relative to the base,
+/* ballinstar - the same for the margin of a star's list about the base: for a
+ * point u of the true ball, relative to the base,
  *     |u|^2 <= 2 (c.u + dc |u|) <= 2 (a + dc) |u| + 2 b,
  * a being the length of c without a coordinate k and b >= 0 the most that c[k]
  * u[k] is in the root's box.  So |u| is less than margin if margin (margin - 2
  * a - 2 dc) >= 2 b; the test has margin - 2 dc in the place of both.  PAD times
  * margin is more than the roundings of a, b and the products take. */
-static int within(const mesh *m, const quest *f)
+static int ballinstar(const mesh *m, const quest *f)
 {
     const double *root = m->box + 6;
     double margin = m->around.margin * (1.0 - PAD) - 2.0 * f->dc, a, b, low;
@@ -898,9 +899,9 @@ static int within(const mesh *m, const quest *f)
     return 0;
 }
 
-/* take - make z the best point of a search; its L-coordinate is l, wrong by
+/* setbest - make z the best point of a search; its L-coordinate is l, wrong by
  * at most dl, if sure. */
-static void take(quest *f, tess_int z, int sure, double l, double dl)
+static void setbest(quest *f, tess_int z, int sure, double l, double dl)
 {
     f->best = z;
     f->sure = sure;
@@ -919,10 +920,10 @@ static void take(quest *f, tess_int z, int sure, double l, double dl)
     f->dc = f->f[10] + fabs(l) * f->f[9] + 4.0 * EPS * f->size;
 }
 
-/* compare - take z if it is on the open side and beats the best point there
+/* challenge - take z if it is on the open side and beats the best point there
  * is: if its L-coordinate is smaller (Theorem 1); ties by the rule of
  * hh_pball.  The Householder bounds decide where they can. */
-static void compare(const mesh *m, quest *f, tess_int z)
+static void challenge(const mesh *m, quest *f, tess_int z)
 {
     double l = 0.0, dl = 0.0;
     int side = hh_bound(f->f, m->x + 3 * z, &l, &dl);
@@ -936,7 +937,7 @@ static void compare(const mesh *m, quest *f, tess_int z)
         COUNT(N_EXACT, 1);
         if (!hh_pbeat(&m->set, f->v, f->best, z)) return;
     }
-    take(f, z, side, l, dl);
+    setbest(f, z, side, l, dl);
 }
 
 /* consider - compare z, if it is no vertex and not outside of the ball. */
@@ -949,12 +950,12 @@ static void consider(const mesh *m, quest *f, tess_int z)
     if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
     if (!f->ball || w0 * (w0 - 2.0 * f->c[0]) + w1 * (w1 - 2.0 * f->c[1]) +
                             w2 * (w2 - 2.0 * f->c[2]) <=
-                        blur(f, fabs(w0) + fabs(w1) + fabs(w2)))
-        compare(m, f, z);
+                        powererr(f, fabs(w0) + fabs(w1) + fabs(w2)))
+        challenge(m, f, z);
 }
 
-/* aim - the test of a list's points against a ball of centre c, relative to
- * the base of a search: a point of the list can be in the ball only if
+/* ballcoef - the test of a list's points against a ball of centre c, relative
+ * to the base of a search: a point of the list can be in the ball only if
  *     r - (d[0] x + d[1] y + d[2] z) < d[3].
  * In the list's units, with g = base - centre, the power of u is
  *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g.
@@ -965,7 +966,7 @@ static void consider(const mesh *m, quest *f, tess_int z)
  *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
  *   with g, 6 roundings of (1 + |g|) a.
  * Returns 0 when the ball is too large for that. */
-static int aim(const list *l, const quest *f, const double *c, float *d)
+static int ballcoef(const list *l, const quest *f, const double *c, float *d)
 {
     double g, cu[3], k = 0.0, size = 0.0, sum = 0.0, off = 0.0, a = 0.0;
     int i;
@@ -988,9 +989,9 @@ static int aim(const list *l, const quest *f, const double *c, float *d)
     return 1;
 }
 
-/* toward - the same for the list of the star of the base, the list's centre,
+/* starcoef - the same for the list of the star of the base, the list's centre,
  * whose points are less than 1.1 from it in the list's units: g = 0. */
-static int toward(const list *l, const quest *f, float *d)
+static int starcoef(const list *l, const quest *f, float *d)
 {
     double cu[3], size = 0.0;
     int i;
@@ -1005,10 +1006,10 @@ static int toward(const list *l, const quest *f, float *d)
     return 1;
 }
 
-/* filter - which points of a list pass aim's test, and how many.  Of those the
+/* inball - which points of a list pass aim's test, and how many.  Of those the
  * vertices of the facet and the best point, which are on the ball, are the
  * first four. */
-static int filter(const list *l, const float *d, int *in)
+static int inball(const list *l, const float *d, int *in)
 {
     float dx = d[0], dy = d[1], dz = d[2], most = d[3];
     int i, n = 0, length = (l->n + 3) / 4 * 4;
@@ -1021,8 +1022,8 @@ static int filter(const list *l, const float *d, int *in)
     return n;
 }
 
-/* every - consider n points of a list. */
-static void every(const mesh *m, quest *f, const list *l, int n,
+/* considerall - consider n points of a list. */
+static void considerall(const mesh *m, quest *f, const list *l, int n,
                   const int *place)
 {
     int i;
@@ -1030,16 +1031,16 @@ static void every(const mesh *m, quest *f, const list *l, int n,
     for (i = 0; i < n; i++) consider(m, f, l->id[place[i]]);
 }
 
-/* nearest - that of n points of a list which has about the least L-coordinate
+/* likeliest - that of n points of a list which has about the least L-coordinate
  * of those on the positive side, if it is below most; or NONE. */
-static tess_int nearest(const quest *f, const list *l, double most, int n,
+static tess_int likeliest(const quest *f, const list *l, double most, int n,
                         const int *place)
 {
     float d[4], v[4], side, height, least = FAR;
     int i, j, best = -1;
 
     most *= 2.0 * l->unit;
-    if (most < -FAR || !aim(l, f, f->f + 3, d)) return NONE;
+    if (most < -FAR || !ballcoef(l, f, f->f + 3, d)) return NONE;
     if (most < FAR) least = (float)most;
     v[3] = 0.0f;
     for (i = 0; i < 3; i++) {
@@ -1069,7 +1070,7 @@ static void anypoint(const mesh *m, quest *f, const list *l)
     tess_int z;
 
     for (i = 0; i < l->n; i++) place[i] = i;
-    z = nearest(f, l, FAR / l->unit, l->n, place);
+    z = likeliest(f, l, FAR / l->unit, l->n, place);
     if (z != NONE) consider(m, f, z);
 }
 
@@ -1087,22 +1088,22 @@ static int instar(mesh *m, quest *f)
 
     if (f->turned || l->n == 0) return 0;
     if (!f->ball) anypoint(m, f, l);
-    if (!f->ball || !toward(l, f, d)) return 0;
-    if (filter(l, d, in) > 4) {
-        n = pick(in, l->n, place);
+    if (!f->ball || !starcoef(l, f, d)) return 0;
+    if (inball(l, d, in) > 4) {
+        n = compress(in, l->n, place);
         most = f->l - 1e-4 * l->margin;
         /* the best of those inside the ball leaves none, as a rule; not among
          * ties, which are on it (to know that saves 6 % on lattices) */
-        if (!m->ties) z = nearest(f, l, most, n, place);
+        if (!m->ties) z = likeliest(f, l, most, n, place);
         if (z != NONE) {
             consider(m, f, z);
-            if (!toward(l, f, d)) return 0;
-            n = filter(l, d, in) > 4 ? pick(in, l->n, place) : 0;
+            if (!starcoef(l, f, d)) return 0;
+            n = inball(l, d, in) > 4 ? compress(in, l->n, place) : 0;
         }
-        every(m, f, l, n, place);
+        considerall(m, f, l, n, place);
         m->ties = f->l > most;
     }
-    return within(m, f);
+    return ballinstar(m, f);
 }
 
 /* inblock - the same for the block's list. */
@@ -1114,19 +1115,19 @@ static int inblock(const mesh *m, quest *f)
 
     if (l->n == 0) return 0;
     if (!f->ball) anypoint(m, f, l);
-    if (!f->ball || !aim(l, f, f->c, d)) return 0;
-    if (filter(l, d, in) > 4)
-        every(m, f, l, pick(in, l->n, place), place);
-    return contained(m, f, l);
+    if (!f->ball || !ballcoef(l, f, f->c, d)) return 0;
+    if (inball(l, d, in) > 4)
+        considerall(m, f, l, compress(in, l->n, place), place);
+    return ballinbox(m, f, l);
 }
 
-/* sift - consider those uncompleted points of a leaf of box b, positions first
- * ... last-1, that are not outside of the ball, or without a ball not on the
- * negative side. */
-static void sift(const mesh *m, quest *f, tess_int first, tess_int last,
+/* scanleaf - consider those uncompleted points of a leaf of box b, positions
+ * first ... last-1, that are not outside of the ball, or without a ball not on
+ * the negative side. */
+static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
                  const double *b)
 {
-    double size = spread(f, b, b + 3), most = blur(f, size), w0, w1, w2;
+    double size = extent(f, b, b + 3), most = powererr(f, size), w0, w1, w2;
     double behind = f->f[9] <= HH_LOOSE ? -f->f[9] * size - FAINT
                                         : -1.0 - size;
     const double *q = m->x + 3 * first;
@@ -1142,14 +1143,14 @@ static void sift(const mesh *m, quest *f, tess_int first, tess_int last,
                     : w0 * f->f[0] + w1 * f->f[1] + w2 * f->f[2] >= behind) {
             if (m->link[i] == DONE) continue;
             consider(m, f, i);
-            most = blur(f, size);
+            most = powererr(f, size);
         }
     }
 }
 
-/* search - finish a search by the tree: the leaf of v[0] first, then its
+/* treesearch - finish a search by the tree: the leaf of v[0] first, then its
  * parent's other child, and so on up to the root. */
-static void search(const mesh *m, quest *f)
+static void treesearch(const mesh *m, quest *f)
 {
     tess_int stack[DEPTH], node = m->leaves + leafof(m, f->v[0]), i, last;
     const double *b;
@@ -1163,14 +1164,14 @@ static void search(const mesh *m, quest *f)
         node = stack[--depth];
         COUNT(N_NODE, 1);
         b = m->box + 6 * node;
-        if (m->alive[node] == 0 || away(f, b, b + 3)) continue;
+        if (m->alive[node] == 0 || prunebox(f, b, b + 3)) continue;
         if (node < m->leaves) {
             stack[depth++] = 2 * node;
             stack[depth++] = 2 * node + 1;
             continue;
         }
         span(m, node, &i, &last);
-        sift(m, f, i, last, b);
+        scanleaf(m, f, i, last, b);
     }
 }
 
@@ -1231,7 +1232,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     for (k = 0; k < 2; k++)
         if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
             guess[k] != f.best)
-            compare(m, &f, guess[k]);
+            challenge(m, &f, guess[k]);
     if (instar(m, &f)) {
         COUNT(N_STAR, 1);
         return f.best;
@@ -1242,7 +1243,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     }
     if (f.best == NONE && onhull(m, &f)) return NONE;
     COUNT(N_TREE, 1);
-    search(m, &f);
+    treesearch(m, &f);
     if (f.best == NONE) {
         COUNT(N_HULL, 1);
         for (k = 0; k < 3; k++) m->plane[m->nextplane][k] = v[k];
@@ -1268,8 +1269,8 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 #define START (-2)
 #define DEAD (-3)
 
-/* nolink - the link has no edges. */
-static void nolink(mesh *m)
+/* clearlink - the link has no edges. */
+static void clearlink(mesh *m)
 {
     m->newest = m->room;
     m->oldest = m->room - EDGE;
@@ -1315,8 +1316,8 @@ static void join(mesh *m, tess_int a, tess_int b)
     if (b != NONE) m->pool[b + PREV] = a;
 }
 
-/* kill - take edge e out of the link. */
-static void kill(mesh *m, tess_int e)
+/* unlinkedge - take edge e out of the link. */
+static void unlinkedge(mesh *m, tess_int e)
 {
     tess_int *p = m->pool + e, i = m->link[p[FROM]];
 
@@ -1339,8 +1340,8 @@ static tess_int between(const mesh *m, tess_int a, tess_int b)
     return e;
 }
 
-/* meet - the facets of two codes are one. */
-static void meet(mesh *m, tess_int code, tess_int other)
+/* glue - the facets of two codes are one. */
+static void glue(mesh *m, tess_int code, tess_int other)
 {
     m->adj[code] = other / 4;
     m->adj[other] = code / 4;
@@ -1356,13 +1357,13 @@ static void flush(mesh *m)
 
     for (; m->fresh < m->ntet; m->fresh++) {
         facet(m, 4 * m->fresh, v);
-        sig = signat(v);
+        sig = hashkey(v);
         e = find(m, v, sig);
         if (m->pool[ENTRY * e] == NONE)
-            putin(m, e, 4 * m->fresh, owner(v), sig);
+            insert(m, e, 4 * m->fresh, owner(v), sig);
         else {
-            meet(m, 4 * m->fresh, m->pool[ENTRY * e]);
-            takeout(m, e, owner(v));
+            glue(m, 4 * m->fresh, m->pool[ENTRY * e]);
+            erase(m, e, owner(v));
         }
     }
 }
@@ -1383,9 +1384,9 @@ static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
     if (code == START)
         m->adj[4 * t + 3] = TESS_NONE;
     else
-        meet(m, code, 4 * t + 3);
+        glue(m, code, 4 * t + 3);
     if (m->link[c] == NEW) m->link[c] = NONE;
-    kill(m, e);
+    unlinkedge(m, e);
     m->adj[4 * t] = TESS_OPEN; /* until flush */
 
     /* a -> c; prev becomes the edge that ends at c */
@@ -1396,11 +1397,11 @@ static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
         join(m, prev, f);
         prev = f;
     } else {
-        meet(m, 4 * t + 2, m->pool[f + CODE]);
+        glue(m, 4 * t + 2, m->pool[f + CODE]);
         g = m->pool[f + PREV];
         if (f != prev) join(m, prev, m->pool[f + AFTER]);
         prev = g;
-        kill(m, f);
+        unlinkedge(m, f);
     }
     /* c -> b */
     f = between(m, b, c);
@@ -1410,11 +1411,11 @@ static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
         join(m, prev, f);
         join(m, f, after);
     } else {
-        meet(m, 4 * t + 1, m->pool[f + CODE]);
+        glue(m, 4 * t + 1, m->pool[f + CODE]);
         g = m->pool[f + PREV];
         join(m, prev, m->pool[f + AFTER]);
         if (f != after) join(m, g, after);
-        kill(m, f);
+        unlinkedge(m, f);
     }
 }
 
@@ -1456,7 +1457,7 @@ static int load(mesh *m, tess_int s)
         if (!enlist(m, s, m->pool[ENTRY * e])) return 0;
         e = m->pool[ENTRY * e + 2];
     }
-    while (m->head[s] != NONE) takeout(m, m->head[s], s);
+    while (m->head[s] != NONE) erase(m, m->head[s], s);
     follow(m);
     return 1;
 }
@@ -1476,13 +1477,13 @@ static void complete(mesh *m, tess_int s)
     l->r[i] = FAR * FAR;
 }
 
-/* room - make sure of room for another tetrahedron's facets in the pool and
+/* makeroom - make sure of room for another tetrahedron's facets in the pool and
  * in the link of s. */
-static int room(mesh *m, tess_int s)
+static int makeroom(mesh *m, tess_int s)
 {
     if (4 * (m->nopen + m->ntet - m->fresh) >= 3 * m->m) {
         flush(m);
-        if (4 * m->nopen >= 3 * m->m && widen(m, s, 2 * m->m + 1) &&
+        if (4 * m->nopen >= 3 * m->m && rehash(m, s, 2 * m->m + 1) &&
             m->nopen >= m->m - m->m / 8 - 1)
             return 0;
     }
@@ -1500,7 +1501,7 @@ static int star(mesh *m, tess_int s)
 {
     tess_int *p, v[3], guess[2], e, c;
 
-    gather(m, s);
+    starlist(m, s);
     for (;;) {
         while (m->oldest >= m->newest && m->pool[m->oldest + CODE] == DEAD)
             m->oldest -= EDGE;
@@ -1517,17 +1518,17 @@ static int star(mesh *m, tess_int s)
             if (p[CODE] != START) m->adj[p[CODE]] = TESS_NONE;
             if (p[PREV] != NONE) m->pool[p[PREV] + AFTER] = NONE;
             if (p[AFTER] != NONE) m->pool[p[AFTER] + PREV] = NONE;
-            kill(m, e);
+            unlinkedge(m, e);
             continue;
         }
         if (m->ntet == m->maxtet) {
             flush(m);
             return TESS_MORE;
         }
-        if (!room(m, s)) return TESS_POOL;
+        if (!makeroom(m, s)) return TESS_POOL;
         grow(m, s, m->oldest, c);
     }
-    nolink(m);
+    clearlink(m);
     flush(m);
     complete(m, s);
     return 0;
@@ -1601,12 +1602,12 @@ static int onaline(const mesh *m, tess_int i, tess_int j, tess_int k)
            hh_flat(2, p, q, r) == 0;
 }
 
-/* first - the first facet v, in the hull, all points on its positive side.
+/* firstfacet - the first facet v, in the hull, all points on its positive side.
  * On a hull face of more than three points it is, by the rule of ties, the
  * triangle on the edge v[0] v[1] of the face: of two points a, b of the face
  * b is better iff I(v0, v1, a, w, b) o3(v0, v1, a, w) > 0 for any w off the
  * face.  Returns 0 or the code of points without a tetrahedron. */
-static int first(const mesh *m, tess_int *v)
+static int firstfacet(const mesh *m, tess_int *v)
 {
     tess_int i, w = NONE;
     int side;
@@ -1643,7 +1644,7 @@ static int first(const mesh *m, tess_int *v)
 static int begin(mesh *m, tess_int *s)
 {
     tess_int v[3];
-    int code = first(m, v), k, i;
+    int code = firstfacet(m, v), k, i;
 
     if (code != 0) return code;
     k = v[0] < v[1] && v[0] < v[2] ? 0 : v[1] < v[2] ? 1 : 2;
@@ -1717,8 +1718,8 @@ static tess_int leafcount(tess_int n)
     return leaves;
 }
 
-/* side - the least c with c^3 >= n. */
-static tess_int side(tess_int n)
+/* cuberoot - the least c with c^3 >= n. */
+static tess_int cuberoot(tess_int n)
 {
     tess_int c = 1;
 
@@ -1730,7 +1731,7 @@ static tess_int side(tess_int n)
  * uniform points need, as a small table stays in the cache. */
 static tess_int tablesize(tess_int n)
 {
-    return 9 * side(n) * side(n) + 16;
+    return 9 * cuberoot(n) * cuberoot(n) + 16;
 }
 
 /* upto - k a, or most if that is less; no product overflows. */
@@ -1754,7 +1755,7 @@ static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
     *lrw = 3 * n + 12 * leafcount(n);
     most = (long)(TESS_INT_MOST - *liw);
     hub = upto(8, (long)n, most < MUCH ? most : MUCH);
-    cloud = upto(60, (long)side(n) * (long)side(n), most);
+    cloud = upto(60, (long)cuberoot(n) * (long)cuberoot(n), most);
     if (cloud < hub) cloud = hub;
     hub = upto(4, (long)n, most);
     *pool = (tess_int)(hub > most - cloud ? most : hub + cloud);
@@ -1876,8 +1877,8 @@ static int sorted(mesh *m, tess_int n, const tess_real *p)
         m->link[i] = NEW;
     }
     for (i = 1; i < 2 * m->leaves; i++)
-        m->alive[i] = i < m->leaves ? 2 : bound(m, i - m->leaves + 1) -
-                                              bound(m, i - m->leaves);
+        m->alive[i] = i < m->leaves ? 2 : leafstart(m, i - m->leaves + 1) -
+                                              leafstart(m, i - m->leaves);
     return 0;
 }
 
@@ -1955,7 +1956,7 @@ static int restore(mesh *m, tess_int *s)
     code = TESS_POOL;
     for (size = tablesize(m->np); code == TESS_POOL; size = 2 * m->m + 1) {
         i = m->m;
-        code = widen(m, *s, size);
+        code = rehash(m, *s, size);
         if (m->m == i) return code;
     }
     return code;
@@ -1991,7 +1992,7 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     m.tet = tet;
     m.adj = adj;
     m.m = m.nopen = m.low = 0;
-    nolink(&m);
+    clearlink(&m);
     m.fresh = m.ntet;
     m.nplane = m.nextplane = m.ties = 0;
     m.block.first = m.block.last = NONE;
@@ -2007,7 +2008,7 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
         code = restore(&m, &s);
     } else {
         code = begin(&m, &s);
-        if (code == 0) code = widen(&m, s, tablesize(m.np));
+        if (code == 0) code = rehash(&m, s, tablesize(m.np));
     }
     if (code == 0) code = stars(&m, s);
     for (i = 0; i < n; i++) m.rep[i] += ORIGIN;
@@ -2092,10 +2093,10 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * ... v3 are not in one plane: q* is on no facet, and is in the interior of
  * exactly one tetrahedron if it is in the hull of a triangulation. */
 
-/* beyond - 1 when q* is outside of the facet f, -1 when it is inside; UNSURE
+/* qside - 1 when q* is outside of the facet f, -1 when it is inside; UNSURE
  * when the limbs do not suffice; 0 only when v, tetrahedron 0, is flat.  One
  * orientation, unless q is exactly in the plane. */
-static int beyond(const tess_real *p, const tess_int *f, const tess_real *q,
+static int qside(const tess_real *p, const tess_int *f, const tess_real *q,
                   const tess_int *v)
 {
     const tess_real *a = coords(p, f[0]), *b = coords(p, f[1]);
@@ -2126,9 +2127,9 @@ static int inbox(const tess_real *p, const tess_int *v, const tess_real *q)
 
 /* ---- location ---- */
 
-/* reach - hi - lo is the largest difference of a and q in one coordinate, left
- * unevaluated so that nothing is rounded. */
-static void reach(const tess_real *a, const tess_real *q, double *hi,
+/* distance - hi - lo is the largest difference of a and q in one coordinate,
+ * left unevaluated so that nothing is rounded. */
+static void distance(const tess_real *a, const tess_real *q, double *hi,
                   double *lo)
 {
     double h, l;
@@ -2155,10 +2156,10 @@ static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
     double hi, lo, h, l;
 
     while (many * many < ntet / (many * many)) many++;
-    reach(coords(p, tet[0]), q, &hi, &lo);
+    distance(coords(p, tet[0]), q, &hi, &lo);
     for (i = 1; i < many; i++) {
         t = (tess_int)(i * (ntet / many) + ORIGIN);
-        reach(coords(p, four(tet, t)[0]), q, &h, &l);
+        distance(coords(p, four(tet, t)[0]), q, &h, &l);
         if (hh_wider(hi, lo, h, l) > 0) {
             best = t;
             hi = h;
@@ -2192,7 +2193,7 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
             u = four(adj, *t)[k];
             if (u > NOTHING && u == last) continue;
             outfac(four(tet, *t), k, f);
-            s = beyond(p, f, q, tet);
+            s = qside(p, f, q, tet);
             if (s == UNSURE) return TESS_RANGE;
             if (s < 0) continue;
             if (u == NOTHING) return 1;
@@ -2645,7 +2646,7 @@ static int chkhul(const tess_real *p, const tess_int *tet,
     for (k = 0; k < 4; k++) {
         if (four(adj, t)[k] != NOTHING) continue;
         outfac(four(tet, t), k, f);
-        s = beyond(p, f, coords(p, tet[0]), tet);
+        s = qside(p, f, coords(p, tet[0]), tet);
         if (s == UNSURE) return TESS_RANGE;
         if (s > 0) return TESS_BAD_HULL;
         for (i = 0; i < 3; i++)
@@ -2667,7 +2668,7 @@ static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
     if (t == ORIGIN || !inbox(p, four(tet, t), q)) return TESS_OK;
     for (k = 0; k < 4; k++) {
         outfac(four(tet, t), k, f);
-        s = beyond(p, f, q, tet);
+        s = qside(p, f, q, tet);
         if (s == UNSURE) return TESS_RANGE;
         if (s < 0) inside++;
     }

@@ -49,37 +49,37 @@ C     its rounding.
 C
 C     The routines of tess.c, in its order, and their names here:
 C       sorting: before TSBEFO, swap TSSWAP, pivot TSPIVO,
-C         partit TSPART, twin TSTWIN, cut TSCUT, bound TSBOUN,
+C         selectmid TSSELE, twin TSTWIN, bisect TSBISE, leafstart TSLFST,
 C         leafof TSLEAF, span TSSPAN, leafsort TSLSOR, kdsort TSKDSO,
 C         boxes TSBOXE
-C       pool: facet TSFACE, owner TSOWNE, signat TSSIGN,
-C         same TSSAME, find TSFIND, putin TSPUTI, takeout TSTAKO,
-C         widen TSWIDE
-C       lists: disjoint TSDISJ, place TSPLAC, pad TSPAD,
-C         harvest TSHARV, block TSBLOC, pick TSPICK, gather TSGATH
-C       apex: blur TSBLUR, spread TSSPRE, away TSAWAY,
-C         outside TSOUTS, contained TSCONT, within TSWITH,
-C         take TSTAKE, compare TSCOMP, consider TSCONS, aim TSAIM,
-C         toward TSTOWA, filter TSFILT, every TSEVER,
-C         nearest TSNEAR, anypoint TSANYP, instar TSINST,
-C         inblock TSINBL, sift TSSIFT, search TSSEAR,
+C       pool: facet TSFACE, owner TSOWNE, hashkey TSHASH,
+C         same TSSAME, find TSFIND, insert TSINSE, erase TSERAS,
+C         rehash TSREHA
+C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
+C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR, starlist TSSTLI
+C       apex: powererr TSPOWE, extent TSEXTE, prunebox TSPRUN,
+C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
+C         setbest TSSETB, challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
+C         starcoef TSSTAC, inball TSINBA, considerall TSCALL,
+C         likeliest TSLIKE, anypoint TSANYP, instar TSINST,
+C         inblock TSINBL, scanleaf TSSCAN, treesearch TSTREE,
 C         onhull TSONHU, prepare TSPREP, apex TSAPEX
-C       star: nolink TSNOLI, renumber TSRENU, push TSPUSH,
-C         join TSJOIN, kill TSKILL, between TSBETW, meet TSMEET,
+C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
+C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
 C         flush TSFLUS, grow TSGROW, enlist TSENLI, follow TSFOLL,
-C         load TSLOAD, complete TSCMPL, room TSROOM, star TSSTAR,
+C         load TSLOAD, complete TSCMPL, makeroom TSMKRO, star TSSTAR,
 C         stars TSSTRS
 C       first facet: lesser TSLESS, edgeby TSEDBY, onaline TSONAL,
-C         first TSFIRS, begin TSBEGI
+C         firstfacet TSFIRS, begin TSBEGI
 C       results: outfac TSOUTF, slot TSSLOT, mate TSMATE
-C       preparation: leafcount TSLCOU, side TSSIDE, tablesize TSTABL,
+C       preparation: leafcount TSLCOU, cuberoot TSCUBE, tablesize TSTABL,
 C         upto TSUPTO, lengths TSLENG, collect TSCOLL,
 C         inrange TSINRA, times TSTIME, units TSUNIT, scaled TSSCAL,
 C         sorted TSSORT, intact TSINTA, restore TSREST, run TSRUN,
 C         wrong TSWRON
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE
-C       queries: beyond TSBEYO, inbox TSINBO
-C       location: reach TSREAC, sample TSSAMP, walk TSWALK,
+C       queries: qside TSQSID, inbox TSINBO
+C       location: distance TSDIST, sample TSSAMP, walk TSWALK,
 C         holds TSHOLD, sweep TSSWEE, elimin TSELIM, backsu TSBACK,
 C         unite TSUNTE, balanc TSBALA, weigh TSWEIG,
 C         tess_locate TESSLO
@@ -182,7 +182,7 @@ C               0.1/EPS as a side is more than 2 E |W|)
 C       NARROW  a box narrower than this has no list.  A list's
 C               coordinates are then right to far less than FEPS, and a
 C               star's margin is above SMALL, so that no product in
-C               TSWITH underflows
+C               TSBINS underflows
 C       NEARST  a star's list does without points nearer than this, in
 C               a block's units: the block does not tell them apart
 C       SLACK   in them, a distance is wrong by less: 2 FEPS for each of
@@ -193,7 +193,7 @@ C               this reckoning is within 1.1 margin, as SLACK is 0.04
 C               NEARST
 C       FAR     where a list keeps what has left it.  No such point
 C               passes a filter: its r is at least FAR**2 = 1E20, and
-C               TSAIM's limits leave |D.x| < 2E19, D(4) < 3E19 (as dc <
+C               TSBALC's limits leave |D.x| < 2E19, D(4) < 3E19 (as dc <
 C               3 |C|)
 C       PAD     relative room for the few roundings of a bound
 
@@ -272,10 +272,10 @@ C     picked by chance, but by the same chance everywhere.
       I = A((MID - LO)/(COUNT/N + 1) + 1)
       END
 
-C     TSPART - bring the points FIRST ... LAST into an order in which
+C     TSSELE - bring the points FIRST ... LAST into an order in which
 C     those before MID precede the one at MID along an axis, and the
 C     others do not.
-      SUBROUTINE TSPART(X, ORD, FIRST, LAST, MID, AXIS)
+      SUBROUTINE TSSELE(X, ORD, FIRST, LAST, MID, AXIS)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), FIRST, LAST, MID, AXIS
       INTEGER TSBEFO
@@ -333,11 +333,11 @@ C     TSTWIN - note that the points at I and J coincide, if they do.
       REP(MAX(ORD(I), ORD(J))) = MIN(ORD(I), ORD(J))
       END
 
-C     TSCUT - TSPART across the widest extent.  Duplicates that the cut
+C     TSBISE - TSSELE across the widest extent.  Duplicates that the cut
 C     parts all coincide with the point at MID; each set of duplicates
 C     is in the end linked from every member but the first to a smaller
 C     number.
-      SUBROUTINE TSCUT(X, ORD, REP, LO, HI, MID)
+      SUBROUTINE TSBISE(X, ORD, REP, LO, HI, MID)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), LO, HI, MID
       INTEGER HHWIDE
@@ -361,19 +361,19 @@ C     number.
         IF (HHWIDE(TOP(K), BOTTOM(K), TOP(AXIS),
      $      BOTTOM(AXIS)) .GT. 0) AXIS = K
    40 CONTINUE
-      CALL TSPART(X, ORD, LO, HI, MID, AXIS)
+      CALL TSSELE(X, ORD, LO, HI, MID, AXIS)
       DO 50 I = LO, MID - 1
         CALL TSTWIN(X, ORD, REP, I, MID)
    50 CONTINUE
       END
 
-C     TSBOUN - the first position of leaf J; leaf J ends before that of
+C     TSLFST - the first position of leaf J; leaf J ends before that of
 C     J + 1.
-      INTEGER FUNCTION TSBOUN(CTL, J)
+      INTEGER FUNCTION TSLFST(CTL, J)
       INTEGER CTL(*), J
       INTEGER NP, LEAVES
       PARAMETER (NP = 1, LEAVES = 4)
-      TSBOUN = (J - 1)*(CTL(NP)/CTL(LEAVES)) + MIN(J - 1, MOD(CTL(NP),
+      TSLFST = (J - 1)*(CTL(NP)/CTL(LEAVES)) + MIN(J - 1, MOD(CTL(NP),
      $    CTL(LEAVES))) + 1
       END
 
@@ -395,7 +395,7 @@ C     TSLEAF - the leaf that holds position I.
 C     TSSPAN - the positions FIRST ... LAST below a node of the tree.
       SUBROUTINE TSSPAN(CTL, NODE, FIRST, LAST)
       INTEGER CTL(*), NODE, FIRST, LAST
-      INTEGER TSBOUN
+      INTEGER TSLFST
       INTEGER LEAVES
       PARAMETER (LEAVES = 4)
       INTEGER LEFT, RIGHT
@@ -406,8 +406,8 @@ C     TSSPAN - the positions FIRST ... LAST below a node of the tree.
         RIGHT = 2*RIGHT + 1
         GO TO 10
       END IF
-      FIRST = TSBOUN(CTL, LEFT - CTL(LEAVES) + 1)
-      LAST = TSBOUN(CTL, RIGHT - CTL(LEAVES) + 2) - 1
+      FIRST = TSLFST(CTL, LEFT - CTL(LEAVES) + 1)
+      LAST = TSLFST(CTL, RIGHT - CTL(LEAVES) + 2) - 1
       END
 
 C     TSLSOR - order the points of a leaf in groups of GROUP.
@@ -420,12 +420,12 @@ C     TSLSOR - order the points of a leaf in groups of GROUP.
       DOUBLE PRECISION Q(3)
       INTEGER HALF, HI, I, J, K, LO
       HALF = FIRST + (LAST - FIRST + 2*GROUP)/(2*GROUP)*GROUP
-      IF (HALF .LE. LAST) CALL TSCUT(X, ORD, REP, FIRST, LAST, HALF)
+      IF (HALF .LE. LAST) CALL TSBISE(X, ORD, REP, FIRST, LAST, HALF)
       LO = FIRST
    10 IF (LO .LE. LAST) THEN
         HI = LAST
         IF (LO .LT. HALF .AND. HALF .LE. LAST) HI = HALF - 1
-        IF (LO + GROUP .LE. HI) CALL TSCUT(X, ORD, REP, LO, HI, LO +
+        IF (LO + GROUP .LE. HI) CALL TSBISE(X, ORD, REP, LO, HI, LO +
      $      GROUP)
         HI = MIN(LO + GROUP - 1, HI)
         DO 40 I = LO + 1, HI
@@ -457,7 +457,7 @@ C     across its widest extent, down to the leaves.
    10 IF (NODE .LT. CTL(LEAVES)) THEN
         CALL TSSPAN(CTL, NODE, FIRST, LAST)
         CALL TSSPAN(CTL, 2*NODE + 1, MID, LAST)
-        CALL TSCUT(X, ORD, REP, FIRST, LAST, MID)
+        CALL TSBISE(X, ORD, REP, FIRST, LAST, MID)
         NODE = 2*NODE
       ELSE
         CALL TSSPAN(CTL, NODE, FIRST, LAST)
@@ -533,15 +533,15 @@ C     TSOWNE - the vertex of least position.
       TSOWNE = MIN(V(1), V(2), V(3))
       END
 
-C     TSSIGN - the signature of a facet, below 2**31, whatever the order
+C     TSHASH - the signature of a facet, below 2**31, whatever the order
 C     of its vertices.
-      INTEGER FUNCTION TSSIGN(V)
+      INTEGER FUNCTION TSHASH(V)
       INTEGER V(3)
       INTEGER A, B, C
       A = MOD(V(1) - 1, 8192)
       B = MOD(V(2) - 1, 8192)
       C = MOD(V(3) - 1, 8192)
-      TSSIGN = (A + B + C)*57571 + (A*B + B*C + C*A)
+      TSHASH = (A + B + C)*57571 + (A*B + B*C + C*A)
       END
 
 C     TSSAME - are V and W, of one signature, the same facet: 1, or 0.
@@ -577,9 +577,9 @@ C     not in use, that it would get.
       GO TO 10
       END
 
-C     TSPUTI - enter a facet that is not in the pool, owned by LEAST, at
+C     TSINSE - enter a facet that is not in the pool, owned by LEAST, at
 C     the entry E that TSFIND has named.
-      SUBROUTINE TSPUTI(HEAD, POOL, CTL, E, CODE, LEAST, SIG)
+      SUBROUTINE TSINSE(HEAD, POOL, CTL, E, CODE, LEAST, SIG)
       INTEGER HEAD(*), POOL(*), CTL(*), E, CODE, LEAST, SIG
       INTEGER NOPEN, LOW, ENTRY
       PARAMETER (NOPEN = 7, LOW = 11, ENTRY = 4)
@@ -595,8 +595,8 @@ C     the entry E that TSFIND has named.
       IF (LEAST .LT. CTL(LOW)) CTL(LOW) = LEAST
       END
 
-C     TSTAKO - remove entry ENT, of a facet owned by LEAST.
-      SUBROUTINE TSTAKO(TET, HEAD, POOL, CTL, ENT, LEAST)
+C     TSERAS - remove entry ENT, of a facet owned by LEAST.
+      SUBROUTINE TSERAS(TET, HEAD, POOL, CTL, ENT, LEAST)
       INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), ENT, LEAST
       INTEGER TSOWNE
       INTEGER MPOOL, NOPEN, ENTRY
@@ -645,16 +645,16 @@ C       E may fill the hole if its home is not behind the hole
       POOL(ENTRY*(HOLE-1)+1) = 0
       END
 
-C     TSWIDE - make the pool's table about twice as long, or as long as
+C     TSREHA - make the pool's table about twice as long, or as long as
 C     it may be, and enter its facets again in their order.  The new
 C     table is laid over the old one, so the facets come from TET and
 C     ADJ: an open facet that is not an edge of the link.  INFO is 0,
 C     FULL, or -6 when two open facets have the same vertices, as only
 C     damaged arrays have.
-      SUBROUTINE TSWIDE(TET, ADJ, HEAD, POOL, CTL, S, WANTED, INFO)
+      SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, INFO)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED
       INTEGER INFO
-      INTEGER TSOWNE, TSSIGN
+      INTEGER TSOWNE, TSHASH
       INTEGER NP, ROOM, MPOOL, NOPEN, FRESH, NEWEST, OPEN, ENTRY, EDGE
       INTEGER FULL
       PARAMETER (NP = 1, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
@@ -677,13 +677,13 @@ C     damaged arrays have.
           CALL TSFACE(TET, CODE, V)
           IF (V(1) .NE. S .AND. V(2) .NE. S .AND. V(3) .NE. S) THEN
             IF (CTL(NOPEN) .GE. LENGTH - LENGTH/8 - 1) RETURN
-            SIG = TSSIGN(V)
+            SIG = TSHASH(V)
             CALL TSFIND(TET, POOL, CTL, V, SIG, E)
             IF (POOL(ENTRY*(E-1)+1) .NE. 0) THEN
               INFO = -6
               RETURN
             END IF
-            CALL TSPUTI(HEAD, POOL, CTL, E, CODE, TSOWNE(V), SIG)
+            CALL TSINSE(HEAD, POOL, CTL, E, CODE, TSOWNE(V), SIG)
           END IF
         END IF
    30 CONTINUE
@@ -726,9 +726,9 @@ C     six conditions, not one, spare a branch for each
       IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
       END
 
-C     TSPLAC - set point I of a list from its position; FAR away when
+C     TSSETP - set point I of a list from its position; FAR away when
 C     its star is complete.
-      SUBROUTINE TSPLAC(X, LINK, LSX, LSID, LSD, LIST, I)
+      SUBROUTINE TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), LSD(14,2)
@@ -755,10 +755,10 @@ C     its star is complete.
       LSX(I,4,LIST) = A*A + B*B + C*C
       END
 
-C     TSPAD - fill up the last four of a list with points that are FAR
+C     TSPADL - fill up the last four of a list with points that are FAR
 C     away: loops over lists go by fours, which every compiler can make
 C     vectors of.
-      SUBROUTINE TSPAD(LSX, LSID, LSI, LIST)
+      SUBROUTINE TSPADL(LSX, LSID, LSI, LIST)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       REAL LSX(TSLIST,4,2)
@@ -777,10 +777,10 @@ C     vectors of.
    10 CONTINUE
       END
 
-C     TSHARV - add the uncompleted points of its box that are not in
+C     TSBOXQ - add the uncompleted points of its box that are not in
 C     leaf OWN to the positions of a list.  FIT is 1, or 0 when they do
 C     not fit.
-      SUBROUTINE TSHARV(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
+      SUBROUTINE TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
      $                  OWN, FIT)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
@@ -819,10 +819,10 @@ C     not fit.
       FIT = 0
       END
 
-C     TSBLOC - make the list of the leaf of star S: its points, in
+C     TSLFLI - make the list of the leaf of star S: its points, in
 C     order, then the uncompleted ones around it.  The margin shrinks
 C     until they fit.
-      SUBROUTINE TSBLOC(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+      SUBROUTINE TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $                  LSD, LIST, S)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
@@ -830,7 +830,7 @@ C     until they fit.
       REAL LSX(TSLIST,4,2)
       INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), LIST
       INTEGER S
-      INTEGER TSBOUN, TSLEAF
+      INTEGER TSLFST, TSLEAF
       INTEGER LEAVES, RREACH, RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID
       INTEGER LMOST, LMARG, LUNIT, BLKMIN, BLKMAX
       PARAMETER (LEAVES = 4, RREACH = 3, RSHARE = 4, LFIRST = 1)
@@ -849,8 +849,8 @@ C     until they fit.
    10 CONTINUE
       MARGIN = RCTL(RREACH)*SQRT(SUM)
       RCTL(RSHARE) = NEAR
-      LSI(LFIRST,LIST) = TSBOUN(CTL, LEAFS)
-      LSI(LLAST,LIST) = TSBOUN(CTL, LEAFS + 1) - 1
+      LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
+      LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
    20 HALF = 0.0D0
       DO 30 K = 1, 3
         LSD(LLO+K,LIST) = BOX(K,NODE) - MARGIN
@@ -872,7 +872,7 @@ C       the points are inside the root's box, too
         LSI(LN,LIST) = LSI(LN,LIST) + 1
         LSID(LSI(LN,LIST),LIST) = I
    50 CONTINUE
-      CALL TSHARV(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
+      CALL TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
      $            LEAFS, FIT)
       IF (LSD(LUNIT,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
      $    MARGIN .LE. 0.0D0)) THEN
@@ -890,19 +890,19 @@ C       no list
       END IF
       N = LSI(LN,LIST)
       DO 60 I = 1, N
-        CALL TSPLAC(X, LINK, LSX, LSID, LSD, LIST, I)
+        CALL TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
    60 CONTINUE
-      CALL TSPAD(LSX, LSID, LSI, LIST)
+      CALL TSPADL(LSX, LSID, LSI, LIST)
       IF (N .LT. BLKMIN .AND. RCTL(RREACH) .LT. 8.0D0)
      $    RCTL(RREACH) = 1.1D0*RCTL(RREACH)
       IF (N .GT. BLKMAX .AND. RCTL(RREACH) .GT. 0.05D0)
      $    RCTL(RREACH) = 0.9D0*RCTL(RREACH)
       END
 
-C     TSPICK - those of the places 1 ... N that are marked by 1, the
+C     TSCMPR - those of the places 1 ... N that are marked by 1, the
 C     others by 0, without a branch: no processor could guess it.  COUNT
 C     is their number.
-      SUBROUTINE TSPICK(IN, N, PLACE, COUNT)
+      SUBROUTINE TSCMPR(IN, N, PLACE, COUNT)
       INTEGER IN(*), N, PLACE(*), COUNT
       INTEGER I
       COUNT = 0
@@ -918,10 +918,10 @@ C     is their number.
    10 CONTINUE
       END
 
-C     TSGATH - make the lists for star S: the block of its leaf and,
+C     TSSTLI - make the lists for star S: the block of its leaf and,
 C     from it, the points nearer to S than the star's margin, which is
 C     at most the distance from S to where the block may lack points.
-      SUBROUTINE TSGATH(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+      SUBROUTINE TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $                  LSD, S)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
@@ -941,7 +941,7 @@ C     at most the distance from S to where the block may lack points.
       REAL A, B, C, MOST
       INTEGER I, IN(TSLIST), K, N, PLACE(TSLIST+1)
       IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK))
-     $    CALL TSBLOC(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $    CALL TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $    LSD, BLK, S)
       LSI(LN,STR) = 0
       MARGIN = RCTL(RSHARE)*LSD(LMARG,BLK)
@@ -970,13 +970,13 @@ C     none nearer than margin is missed
      $      (LSX(I,2,BLK) - B)*(LSX(I,2,BLK) - B) +
      $      (LSX(I,3,BLK) - C)*(LSX(I,3,BLK) - C) .LE. MOST) IN(I) = 1
    20 CONTINUE
-      CALL TSPICK(IN, LSI(LN,BLK), PLACE, N)
+      CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
       DO 30 I = 1, N
         LSID(I,STR) = LSID(PLACE(I),BLK)
-        CALL TSPLAC(X, LINK, LSX, LSID, LSD, STR, I)
+        CALL TSSETP(X, LINK, LSX, LSID, LSD, STR, I)
    30 CONTINUE
       LSI(LN,STR) = N
-      CALL TSPAD(LSX, LSID, LSI, STR)
+      CALL TSPADL(LSX, LSID, LSI, STR)
       IF (N .LT. STRMIN .AND. RCTL(RSHARE) .LT. 4.0D0)
      $    RCTL(RSHARE) = 1.1D0*RCTL(RSHARE)
       IF (N .GT. STRMAX) RCTL(RSHARE) = 0.9D0*RCTL(RSHARE)
@@ -986,44 +986,44 @@ C     ------------------------------------------------------------------
 C     The apex of a facet.
 C     ------------------------------------------------------------------
 
-C     TSBLUR - how wrong the power |W|**2 - 2 C.W may be for |W|_1 <=
+C     TSPOWE - how wrong the power |W|**2 - 2 C.W may be for |W|_1 <=
 C     LENGTH: C is wrong by dc; each W(K) (W(K) - 2 C(K)) is the result
 C     of at most 6 roundings, with W(K) itself twice and the sum's, each
 C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|); LENGTH, and this, may
 C     come out too small by a few EPS.
-      DOUBLE PRECISION FUNCTION TSBLUR(FQ, LENGTH)
+      DOUBLE PRECISION FUNCTION TSPOWE(FQ, LENGTH)
       DOUBLE PRECISION FQ(7), LENGTH
       INTEGER QDC, QSIZE
       PARAMETER (QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 2.0D0**(-918))
-      TSBLUR = LENGTH*(2.0D0*FQ(QDC) + 8.0D0*EPS*(LENGTH +
+      TSPOWE = LENGTH*(2.0D0*FQ(QDC) + 8.0D0*EPS*(LENGTH +
      $    2.0D0*FQ(QSIZE))) + FAINT
       END
 
-C     TSSPRE - the greatest |W|_1 in the box of a node.
-      DOUBLE PRECISION FUNCTION TSSPRE(F, BOX, NODE)
+C     TSEXTE - the greatest |W|_1 in the box of a node.
+      DOUBLE PRECISION FUNCTION TSEXTE(F, BOX, NODE)
       DOUBLE PRECISION F(12), BOX(6,*)
       INTEGER NODE
       INTEGER K
-      TSSPRE = 0.0D0
+      TSEXTE = 0.0D0
       DO 10 K = 1, 3
-        TSSPRE = TSSPRE + MAX(ABS(BOX(K,NODE) - F(6+K)),
+        TSEXTE = TSEXTE + MAX(ABS(BOX(K,NODE) - F(6+K)),
      $           ABS(BOX(3+K,NODE) - F(6+K)))
    10 CONTINUE
       END
 
-C     TSAWAY - has the box of a node certainly no candidate: no point
+C     TSPRUN - has the box of a node certainly no candidate: no point
 C     that is in the ball of a search, if there is one, or on it, or
 C     none on the positive side: 1, or 0.  The least power |W|**2 - 2
 C     C.W and the greatest side of its points count, less their errors:
-C     TSBLUR; E |W|, which covers the rounding of the side, too.  Both
+C     TSPOWE; E |W|, which covers the rounding of the side, too.  Both
 C     are taken at a point of the box's own doubles, so the same bounds
 C     hold as for a point.
-      INTEGER FUNCTION TSAWAY(IQ, F, FQ, BOX, NODE)
+      INTEGER FUNCTION TSPRUN(IQ, F, FQ, BOX, NODE)
       DOUBLE PRECISION F(12), FQ(7), BOX(6,*)
       INTEGER IQ(4), NODE
-      DOUBLE PRECISION TSBLUR
+      DOUBLE PRECISION TSPOWE
       INTEGER QBALL, QC
       PARAMETER (QBALL = 3, QC = 2)
       DOUBLE PRECISION FAINT, LOOSE
@@ -1041,67 +1041,67 @@ C     hold as for a point.
         SIDE = SIDE + MAX(L*F(K), H*F(K))
         LENGTH = LENGTH + MAX(ABS(L), ABS(H))
    10 CONTINUE
-      TSAWAY = 0
+      TSPRUN = 0
       IF (IQ(QBALL) .EQ. 1) THEN
-        IF (POWER .GT. TSBLUR(FQ, LENGTH)) TSAWAY = 1
+        IF (POWER .GT. TSPOWE(FQ, LENGTH)) TSPRUN = 1
       END IF
       IF (F(10) .LE. LOOSE) THEN
-        IF (SIDE .LT. -F(10)*LENGTH - FAINT) TSAWAY = 1
+        IF (SIDE .LT. -F(10)*LENGTH - FAINT) TSPRUN = 1
       END IF
       END
 
-C     TSOUTS - is there no candidate in that part of the root's box in
+C     TSPRPA - is there no candidate in that part of the root's box in
 C     which coordinate K is between LO and HI: 1, or 0.
-      INTEGER FUNCTION TSOUTS(BOX, IQ, F, FQ, K, LO, HI)
+      INTEGER FUNCTION TSPRPA(BOX, IQ, F, FQ, K, LO, HI)
       DOUBLE PRECISION BOX(6,*), F(12), FQ(7), LO, HI
       INTEGER IQ(4), K
-      INTEGER TSAWAY
+      INTEGER TSPRUN
       DOUBLE PRECISION PART(6,1)
       INTEGER I
-      TSOUTS = 1
+      TSPRPA = 1
       IF (LO .GE. HI) RETURN
       DO 10 I = 1, 6
         PART(I,1) = BOX(I,1)
    10 CONTINUE
       PART(K,1) = LO
       PART(3+K,1) = HI
-      TSOUTS = TSAWAY(IQ, F, FQ, PART, 1)
+      TSPRPA = TSPRUN(IQ, F, FQ, PART, 1)
       END
 
-C     TSCONT - is the part of the ball that may have points, its part in
+C     TSBINB - is the part of the ball that may have points, its part in
 C     the root's box, inside the box of a list: 1, or 0.  The true ball
 C     has its centre within dc of C and passes through the base, as does
 C     the one about C: its radius is at most |C| + dc, so that along an
 C     axis it ends within |C| + 2 dc of C.
-      INTEGER FUNCTION TSCONT(BOX, LSI, LSD, LIST, IQ, F, FQ)
+      INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(7)
       INTEGER LSI(3,2), LIST, IQ(4)
-      INTEGER TSOUTS
+      INTEGER TSPRPA
       INTEGER LN, LLO, LHI, QC, QDC
       PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
       DOUBLE PRECISION PAD
       PARAMETER (PAD = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION R
       INTEGER K
-      TSCONT = 0
+      TSBINB = 0
       IF (LSI(LN,LIST) .EQ. 0) RETURN
       R = SQRT(FQ(QC+1)*FQ(QC+1) + FQ(QC+2)*FQ(QC+2) +
      $         FQ(QC+3)*FQ(QC+3))
       R = R*(1.0D0 + PAD) + 2.0D0*FQ(QDC)
       DO 10 K = 1, 3
         IF (FQ(QC+K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) THEN
-          IF (TSOUTS(BOX, IQ, F, FQ, K, BOX(K,1),
+          IF (TSPRPA(BOX, IQ, F, FQ, K, BOX(K,1),
      $        LSD(LLO+K,LIST)) .EQ. 0) RETURN
         END IF
         IF (FQ(QC+K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) THEN
-          IF (TSOUTS(BOX, IQ, F, FQ, K, LSD(LHI+K,LIST),
+          IF (TSPRPA(BOX, IQ, F, FQ, K, LSD(LHI+K,LIST),
      $        BOX(3+K,1)) .EQ. 0) RETURN
         END IF
    10 CONTINUE
-      TSCONT = 1
+      TSBINB = 1
       END
 
-C     TSWITH - the same for the margin of a star's list about the base:
+C     TSBINS - the same for the margin of a star's list about the base:
 C     for a point U of the true ball, relative to the base,
 C         |U|**2 <= 2 (C.U + dc |U|) <= 2 (A + dc) |U| + 2 B,
 C     A being the length of C without a coordinate K and B >= 0 the most
@@ -1109,7 +1109,7 @@ C     that C(K) U(K) is in the root's box.  So |U| is less than margin
 C     if margin (margin - 2 A - 2 dc) >= 2 B; the test has margin - 2 dc
 C     in the place of both.  PAD times margin is more than the roundings
 C     of A, B and the products take.
-      INTEGER FUNCTION TSWITH(BOX, LSD, F, FQ)
+      INTEGER FUNCTION TSBINS(BOX, LSD, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(7)
       INTEGER LMARG, STR, QC, QDC
       PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6)
@@ -1117,13 +1117,13 @@ C     of A, B and the products take.
       PARAMETER (PAD = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION A, B, MARGIN, SQUARE(3)
       INTEGER K
-      TSWITH = 0
+      TSBINS = 0
       MARGIN = LSD(LMARG,STR)*(1.0D0 - PAD) - 2.0D0*FQ(QDC)
       DO 10 K = 1, 3
         SQUARE(K) = FQ(QC+K)*FQ(QC+K)
    10 CONTINUE
       IF (MARGIN .LE. 0.0D0) RETURN
-      TSWITH = 1
+      TSBINS = 1
       IF (4.0D0*(SQUARE(1) + SQUARE(2) + SQUARE(3)) .LE. MARGIN*MARGIN)
      $    RETURN
       DO 20 K = 1, 3
@@ -1132,12 +1132,12 @@ C     of A, B and the products take.
         A = SQRT(SQUARE(MOD(K, 3)+1) + SQUARE(MOD(K+1, 3)+1))
         IF (MARGIN*(MARGIN - 2.0D0*A) .GE. 2.0D0*B) RETURN
    20 CONTINUE
-      TSWITH = 0
+      TSBINS = 0
       END
 
-C     TSTAKE - make Z the best point of a search; its L-coordinate is L,
+C     TSSETB - make Z the best point of a search; its L-coordinate is L,
 C     wrong by at most DL, if SURE is 1.
-      SUBROUTINE TSTAKE(IQ, F, FQ, Z, SURE, L, DL)
+      SUBROUTINE TSSETB(IQ, F, FQ, Z, SURE, L, DL)
       DOUBLE PRECISION F(12), FQ(7), L, DL
       INTEGER IQ(4), Z, SURE
       INTEGER QBEST, QSURE, QBALL, QL, QDL, QC, QDC, QSIZE
@@ -1166,10 +1166,10 @@ C     with it.
       FQ(QDC) = F(11) + ABS(LBALL)*F(10) + 4.0D0*EPS*FQ(QSIZE)
       END
 
-C     TSCOMP - take Z if it is on the open side and beats the best point
+C     TSCHAL - take Z if it is on the open side and beats the best point
 C     there is: if its L-coordinate is smaller (Theorem 1); ties by the
 C     rule of HHPBAL.  The Householder bounds decide where they can.
-      SUBROUTINE TSCOMP(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
+      SUBROUTINE TSCHAL(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(7)
       INTEGER ORD(*), V(3), IQ(4), Z
       INTEGER HHPBEA, HHPSID
@@ -1197,7 +1197,7 @@ C     rule of HHPBAL.  The Householder bounds decide where they can.
      $        Z) .EQ. 0) RETURN
         END IF
       END IF
-      CALL TSTAKE(IQ, F, FQ, Z, SIDE, L, DL)
+      CALL TSSETB(IQ, F, FQ, Z, SIDE, L, DL)
       END
 
 C     TSCONS - compare Z, if it is no vertex and not outside of the
@@ -1205,7 +1205,7 @@ C     ball.
       SUBROUTINE TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(7)
       INTEGER ORD(*), V(3), IQ(4), Z
-      DOUBLE PRECISION TSBLUR
+      DOUBLE PRECISION TSPOWE
       INTEGER QBEST, QBALL, QC
       PARAMETER (QBEST = 1, QBALL = 3, QC = 2)
       DOUBLE PRECISION POWER, W1, W2, W3
@@ -1217,12 +1217,12 @@ C     ball.
         W3 = X(3,Z) - F(9)
         POWER = W1*(W1 - 2.0D0*FQ(QC+1)) + W2*(W2 - 2.0D0*FQ(QC+2)) +
      $      W3*(W3 - 2.0D0*FQ(QC+3))
-        IF (POWER .GT. TSBLUR(FQ, ABS(W1) + ABS(W2) + ABS(W3))) RETURN
+        IF (POWER .GT. TSPOWE(FQ, ABS(W1) + ABS(W2) + ABS(W3))) RETURN
       END IF
-      CALL TSCOMP(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
+      CALL TSCHAL(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
       END
 
-C     TSAIM - the test of a list's points against a ball of centre C,
+C     TSBALC - the test of a list's points against a ball of centre C,
 C     relative to the base of a search: a point of the list can be in
 C     the ball only if
 C         r - (D(1) x + D(2) y + D(3) z) < D(4).
@@ -1235,7 +1235,7 @@ C       of the difference; D.u by at most 6 of each term; D(4) itself;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
-      SUBROUTINE TSAIM(LSD, LIST, F, FQ, C, D, OK)
+      SUBROUTINE TSBALC(LSD, LIST, F, FQ, C, D, OK)
       DOUBLE PRECISION LSD(14,2), F(12), FQ(7), C(3)
       REAL D(4)
       INTEGER LIST, OK
@@ -1272,10 +1272,10 @@ C     OK is 1, or 0 when the ball is too large for that.
       OK = 1
       END
 
-C     TSTOWA - the same for the list of the star of the base, the list's
+C     TSSTAC - the same for the list of the star of the base, the list's
 C     centre, whose points are less than 1.1 from it in the list's
 C     units: g = 0.
-      SUBROUTINE TSTOWA(LSD, LIST, FQ, D, OK)
+      SUBROUTINE TSSTAC(LSD, LIST, FQ, D, OK)
       DOUBLE PRECISION LSD(14,2), FQ(7)
       REAL D(4)
       INTEGER LIST, OK
@@ -1300,10 +1300,10 @@ C     units: g = 0.
       OK = 1
       END
 
-C     TSFILT - which points of a list pass TSAIM's test, and how many.
+C     TSINBA - which points of a list pass TSBALC's test, and how many.
 C     Of those the vertices of the facet and the best point, which are
 C     on the ball, are the first four.
-      SUBROUTINE TSFILT(LSX, LSI, LIST, D, IN, N)
+      SUBROUTINE TSINBA(LSX, LSI, LIST, D, IN, N)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
       REAL LSX(TSLIST,4,2), D(4)
@@ -1321,8 +1321,8 @@ C     on the ball, are the first four.
    10 CONTINUE
       END
 
-C     TSEVER - consider N points of a list.
-      SUBROUTINE TSEVER(X, P, ORD, RCTL, LSID, LIST, V, IQ, F, FQ, N,
+C     TSCALL - consider N points of a list.
+      SUBROUTINE TSCALL(X, P, ORD, RCTL, LSID, LIST, V, IQ, F, FQ, N,
      $                  PLACE)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
@@ -1335,10 +1335,10 @@ C     TSEVER - consider N points of a list.
    10 CONTINUE
       END
 
-C     TSNEAR - that point Z of N points of a list which has about the
+C     TSLIKE - that point Z of N points of a list which has about the
 C     least L-coordinate of those on the positive side, if it is below
 C     MOST; or 0.
-      SUBROUTINE TSNEAR(LSX, LSID, LSD, LIST, F, FQ, MOST, N, PLACE, Z)
+      SUBROUTINE TSLIKE(LSX, LSID, LSD, LIST, F, FQ, MOST, N, PLACE, Z)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION LSD(14,2), F(12), FQ(7), MOST
@@ -1357,7 +1357,7 @@ C     MOST; or 0.
       C(1) = F(4)
       C(2) = F(5)
       C(3) = F(6)
-      CALL TSAIM(LSD, LIST, F, FQ, C, D, OK)
+      CALL TSBALC(LSD, LIST, F, FQ, C, D, OK)
       IF (OK .EQ. 0) RETURN
       LEAST = FAR
       IF (UPPER .LT. DBLE(FAR)) LEAST = REAL(UPPER)
@@ -1402,7 +1402,7 @@ C     TSANYP - without a ball, consider a point of the list.
       DO 10 I = 1, LSI(LN,LIST)
         PLACE(I) = I
    10 CONTINUE
-      CALL TSNEAR(LSX, LSID, LSD, LIST, F, FQ, FAR/LSD(LUNIT,LIST),
+      CALL TSLIKE(LSX, LSID, LSD, LIST, F, FQ, FAR/LSD(LUNIT,LIST),
      $            LSI(LN,LIST), PLACE, Z)
       IF (Z .NE. 0) CALL TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
       END
@@ -1420,7 +1420,7 @@ C     else 0.
       DOUBLE PRECISION F(12), FQ(7)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(4), OK
-      INTEGER TSWITH
+      INTEGER TSBINS
       INTEGER TIES, LN, LMARG, STR, QBALL, QTURN, QL
       PARAMETER (TIES = 26, LN = 3, LMARG = 13, STR = 2, QBALL = 3)
       PARAMETER (QTURN = 4, QL = 1)
@@ -1432,33 +1432,33 @@ C     else 0.
       IF (IQ(QBALL) .EQ. 0) CALL TSANYP(X, P, ORD, RCTL, LSX, LSID,
      $    LSI, LSD, STR, V, IQ, F, FQ)
       IF (IQ(QBALL) .EQ. 0) RETURN
-      CALL TSTOWA(LSD, STR, FQ, D, OK)
+      CALL TSSTAC(LSD, STR, FQ, D, OK)
       IF (OK .EQ. 0) RETURN
-      CALL TSFILT(LSX, LSI, STR, D, IN, N)
+      CALL TSINBA(LSX, LSI, STR, D, IN, N)
       IF (N .GT. 4) THEN
-        CALL TSPICK(IN, LSI(LN,STR), PLACE, N)
+        CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
         MOST = FQ(QL) - 1.0D-4*LSD(LMARG,STR)
 C       the best of those inside the ball leaves none, as a rule; not
 C       among ties, which are on it (to know that saves 6 % on lattices)
         Z = 0
-        IF (CTL(TIES) .EQ. 0) CALL TSNEAR(LSX, LSID, LSD, STR, F, FQ,
+        IF (CTL(TIES) .EQ. 0) CALL TSLIKE(LSX, LSID, LSD, STR, F, FQ,
      $      MOST, N, PLACE, Z)
         IF (Z .NE. 0) THEN
           CALL TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
-          CALL TSTOWA(LSD, STR, FQ, D, OK)
+          CALL TSSTAC(LSD, STR, FQ, D, OK)
           IF (OK .EQ. 0) RETURN
-          CALL TSFILT(LSX, LSI, STR, D, IN, N)
+          CALL TSINBA(LSX, LSI, STR, D, IN, N)
           IF (N .GT. 4) THEN
-            CALL TSPICK(IN, LSI(LN,STR), PLACE, N)
+            CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
           ELSE
             N = 0
           END IF
         END IF
-        CALL TSEVER(X, P, ORD, RCTL, LSID, STR, V, IQ, F, FQ, N, PLACE)
+        CALL TSCALL(X, P, ORD, RCTL, LSID, STR, V, IQ, F, FQ, N, PLACE)
         CTL(TIES) = 0
         IF (FQ(QL) .GT. MOST) CTL(TIES) = 1
       END IF
-      OK = TSWITH(BOX, LSD, F, FQ)
+      OK = TSBINS(BOX, LSD, F, FQ)
       END
 
 C     TSINBL - the same for the block's list.
@@ -1470,7 +1470,7 @@ C     TSINBL - the same for the block's list.
       DOUBLE PRECISION F(12), FQ(7)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(4), OK
-      INTEGER TSCONT
+      INTEGER TSBINB
       INTEGER LN, BLK, QBALL, QC
       PARAMETER (LN = 3, BLK = 1, QBALL = 3, QC = 2)
       DOUBLE PRECISION C(3)
@@ -1484,32 +1484,32 @@ C     TSINBL - the same for the block's list.
       C(1) = FQ(QC+1)
       C(2) = FQ(QC+2)
       C(3) = FQ(QC+3)
-      CALL TSAIM(LSD, BLK, F, FQ, C, D, OK)
+      CALL TSBALC(LSD, BLK, F, FQ, C, D, OK)
       IF (OK .EQ. 0) RETURN
-      CALL TSFILT(LSX, LSI, BLK, D, IN, N)
+      CALL TSINBA(LSX, LSI, BLK, D, IN, N)
       IF (N .GT. 4) THEN
-        CALL TSPICK(IN, LSI(LN,BLK), PLACE, N)
-        CALL TSEVER(X, P, ORD, RCTL, LSID, BLK, V, IQ, F, FQ, N, PLACE)
+        CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
+        CALL TSCALL(X, P, ORD, RCTL, LSID, BLK, V, IQ, F, FQ, N, PLACE)
       END IF
-      OK = TSCONT(BOX, LSI, LSD, BLK, IQ, F, FQ)
+      OK = TSBINB(BOX, LSI, LSD, BLK, IQ, F, FQ)
       END
 
-C     TSSIFT - consider those uncompleted points of a leaf, a node of
+C     TSSCAN - consider those uncompleted points of a leaf, a node of
 C     the positions FIRST ... LAST, that are not outside of the ball, or
 C     without a ball not on the negative side.
-      SUBROUTINE TSSIFT(X, P, ORD, BOX, LINK, RCTL, V, IQ, F, FQ, FIRST,
+      SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, RCTL, V, IQ, F, FQ, FIRST,
      $                  LAST, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(7)
       INTEGER ORD(*), LINK(*), V(3), IQ(4), FIRST, LAST, NODE
-      DOUBLE PRECISION TSBLUR, TSSPRE
+      DOUBLE PRECISION TSPOWE, TSEXTE
       INTEGER QBALL, QC, DONE
       PARAMETER (QBALL = 3, QC = 2, DONE = -1)
       DOUBLE PRECISION FAINT, LOOSE
       PARAMETER (FAINT = 2.0D0**(-918), LOOSE = 0.5D0)
       DOUBLE PRECISION BEHIND, LENGTH, MOST, W1, W2, W3
       INTEGER I, Z
-      LENGTH = TSSPRE(F, BOX, NODE)
-      MOST = TSBLUR(FQ, LENGTH)
+      LENGTH = TSEXTE(F, BOX, NODE)
+      MOST = TSPOWE(FQ, LENGTH)
       BEHIND = -1.0D0 - LENGTH
       IF (F(10) .LE. LOOSE) BEHIND = -F(10)*LENGTH - FAINT
       DO 10 I = FIRST, LAST
@@ -1525,17 +1525,17 @@ C     without a ball not on the negative side.
         IF (LINK(I) .EQ. DONE) GO TO 10
         Z = I
         CALL TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
-        MOST = TSBLUR(FQ, LENGTH)
+        MOST = TSPOWE(FQ, LENGTH)
    10 CONTINUE
       END
 
-C     TSSEAR - finish a search by the tree: the leaf of V(1) first, then
+C     TSTREE - finish a search by the tree: the leaf of V(1) first, then
 C     its parent's other child, and so on up to the root.
-      SUBROUTINE TSSEAR(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, V, IQ,
+      SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, V, IQ,
      $                  F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(7)
       INTEGER ORD(*), ALIVE(*), LINK(*), CTL(*), V(3), IQ(4)
-      INTEGER TSAWAY, TSLEAF
+      INTEGER TSPRUN, TSLEAF
       INTEGER LEAVES, DEPTH
       PARAMETER (LEAVES = 4, DEPTH = 64)
       INTEGER FIRST, HEIGHT, I, LAST, N, NODE, STACK(DEPTH)
@@ -1560,7 +1560,7 @@ C     its parent's other child, and so on up to the root.
       NODE = STACK(HEIGHT)
       HEIGHT = HEIGHT - 1
       IF (ALIVE(NODE) .EQ. 0) GO TO 30
-      IF (TSAWAY(IQ, F, FQ, BOX, NODE) .EQ. 1) GO TO 30
+      IF (TSPRUN(IQ, F, FQ, BOX, NODE) .EQ. 1) GO TO 30
       IF (NODE .LT. CTL(LEAVES)) THEN
         STACK(HEIGHT+1) = 2*NODE
         STACK(HEIGHT+2) = 2*NODE + 1
@@ -1568,7 +1568,7 @@ C     its parent's other child, and so on up to the root.
         GO TO 30
       END IF
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
-      CALL TSSIFT(X, P, ORD, BOX, LINK, RCTL, V, IQ, F, FQ, FIRST,
+      CALL TSSCAN(X, P, ORD, BOX, LINK, RCTL, V, IQ, F, FQ, FIRST,
      $            LAST, NODE)
       GO TO 30
       END
@@ -1661,7 +1661,7 @@ C     GUESS: two positions to try first, or 0.
       DO 10 K = 1, 2
         G = GUESS(K)
         IF (G .NE. 0 .AND. G .NE. V(2) .AND. G .NE. V(3) .AND.
-     $      G .NE. IQ(QBEST)) CALL TSCOMP(X, P, ORD, RCTL, V, IQ, F,
+     $      G .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, RCTL, V, IQ, F,
      $      FQ, G)
    10 CONTINUE
       CALL TSINST(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD, V,
@@ -1673,7 +1673,7 @@ C     GUESS: two positions to try first, or 0.
       IF (Z .EQ. 0) THEN
         IF (TSONHU(X, P, ORD, CTL, RCTL, V) .EQ. 1) RETURN
       END IF
-      CALL TSSEAR(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, V, IQ, F, FQ)
+      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, V, IQ, F, FQ)
       Z = IQ(QBEST)
       IF (Z .EQ. 0) THEN
         AT = PLANE0 + 3*(CTL(NEXTPL) - 1)
@@ -1700,8 +1700,8 @@ C       EAFTER  one that begins where it ends: they give the guesses
 C       ECHAIN  the next edge from A, or 0; LINK(A) is the first
 C     ------------------------------------------------------------------
 
-C     TSNOLI - the link has no edges.
-      SUBROUTINE TSNOLI(CTL)
+C     TSCLRL - the link has no edges.
+      SUBROUTINE TSCLRL(CTL)
       INTEGER CTL(*)
       INTEGER ROOM, OLDEST, NEWEST, EDGE
       PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, EDGE = 6)
@@ -1766,8 +1766,8 @@ C     TSJOIN - let edge B follow edge A; either may be 0.
       IF (B .NE. 0) POOL(B+EPREV) = A
       END
 
-C     TSKILL - take edge E out of the link.
-      SUBROUTINE TSKILL(LINK, POOL, E)
+C     TSUNLI - take edge E out of the link.
+      SUBROUTINE TSUNLI(LINK, POOL, E)
       INTEGER LINK(*), POOL(*), E
       INTEGER ECODE, EFROM, ECHAIN, DEAD
       PARAMETER (ECODE = 0, EFROM = 1, ECHAIN = 5, DEAD = -2)
@@ -1801,8 +1801,8 @@ C     TSBETW - the edge A -> B of the link, or 0.
       TSBETW = E
       END
 
-C     TSMEET - the facets of two codes are one.
-      SUBROUTINE TSMEET(ADJ, CODE, OTHER)
+C     TSGLUE - the facets of two codes are one.
+      SUBROUTINE TSGLUE(ADJ, CODE, OTHER)
       INTEGER ADJ(*), CODE, OTHER
       ADJ(CODE) = (OTHER - 1)/4 + 1
       ADJ(OTHER) = (CODE - 1)/4 + 1
@@ -1814,21 +1814,21 @@ C     They wait for each other so that the processor can fetch what
 C     several need from memory at once.
       SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
-      INTEGER TSOWNE, TSSIGN
+      INTEGER TSOWNE, TSHASH
       INTEGER NT, FRESH, ENTRY
       PARAMETER (NT = 2, FRESH = 8, ENTRY = 4)
       INTEGER CODE, E, OTHER, SIG, T, V(3)
       DO 10 T = CTL(FRESH), CTL(NT)
         CODE = 4*(T - 1) + 1
         CALL TSFACE(TET, CODE, V)
-        SIG = TSSIGN(V)
+        SIG = TSHASH(V)
         CALL TSFIND(TET, POOL, CTL, V, SIG, E)
         OTHER = POOL(ENTRY*(E-1)+1)
         IF (OTHER .EQ. 0) THEN
-          CALL TSPUTI(HEAD, POOL, CTL, E, CODE, TSOWNE(V), SIG)
+          CALL TSINSE(HEAD, POOL, CTL, E, CODE, TSOWNE(V), SIG)
         ELSE
-          CALL TSMEET(ADJ, CODE, OTHER)
-          CALL TSTAKO(TET, HEAD, POOL, CTL, E, TSOWNE(V))
+          CALL TSGLUE(ADJ, CODE, OTHER)
+          CALL TSERAS(TET, HEAD, POOL, CTL, E, TSOWNE(V))
         END IF
    10 CONTINUE
       CTL(FRESH) = CTL(NT) + 1
@@ -1858,10 +1858,10 @@ C     other sides are there, which then go too.
       IF (CODE .EQ. START) THEN
         ADJ(4*T) = 0
       ELSE
-        CALL TSMEET(ADJ, CODE, 4*T)
+        CALL TSGLUE(ADJ, CODE, 4*T)
       END IF
       IF (LINK(C) .EQ. NEW) LINK(C) = 0
-      CALL TSKILL(LINK, POOL, E)
+      CALL TSUNLI(LINK, POOL, E)
 C     until TSFLUS
       ADJ(4*T-3) = OPEN
 
@@ -1873,12 +1873,12 @@ C     A -> C; PREV becomes the edge that ends at C
         CALL TSJOIN(POOL, PREV, F)
         PREV = F
       ELSE
-        CALL TSMEET(ADJ, 4*T - 1, POOL(F+ECODE))
+        CALL TSGLUE(ADJ, 4*T - 1, POOL(F+ECODE))
         G = POOL(F+EPREV)
         H = POOL(F+EAFTER)
         IF (F .NE. PREV) CALL TSJOIN(POOL, PREV, H)
         PREV = G
-        CALL TSKILL(LINK, POOL, F)
+        CALL TSUNLI(LINK, POOL, F)
       END IF
 C     C -> B
       F = TSBETW(LINK, POOL, B, C)
@@ -1888,12 +1888,12 @@ C     C -> B
         CALL TSJOIN(POOL, PREV, F)
         CALL TSJOIN(POOL, F, AFTER)
       ELSE
-        CALL TSMEET(ADJ, 4*T - 2, POOL(F+ECODE))
+        CALL TSGLUE(ADJ, 4*T - 2, POOL(F+ECODE))
         G = POOL(F+EPREV)
         H = POOL(F+EAFTER)
         CALL TSJOIN(POOL, PREV, H)
         IF (F .NE. AFTER) CALL TSJOIN(POOL, G, AFTER)
-        CALL TSKILL(LINK, POOL, F)
+        CALL TSUNLI(LINK, POOL, F)
       END IF
       END
 
@@ -1958,7 +1958,7 @@ C     the oldest first.  OK is 1, or 0 if there is no room.
       END IF
    30 E = HEAD(S)
       IF (E .NE. 0) THEN
-        CALL TSTAKO(TET, HEAD, POOL, CTL, E, S)
+        CALL TSERAS(TET, HEAD, POOL, CTL, E, S)
         GO TO 30
       END IF
       CALL TSFOLL(LINK, POOL, CTL)
@@ -1997,9 +1997,9 @@ C     block.
       LSX(I,4,BLK) = FAR*FAR
       END
 
-C     TSROOM - make sure of room for another tetrahedron's facets in the
+C     TSMKRO - make sure of room for another tetrahedron's facets in the
 C     pool and in the link of S.  OK is 1, or 0.
-      SUBROUTINE TSROOM(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+      SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
       INTEGER NT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEWEST, ENTRY, EDGE
       PARAMETER (NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
@@ -2010,7 +2010,7 @@ C     pool and in the link of S.  OK is 1, or 0.
      $    1) .GE. 3*CTL(MPOOL)) THEN
         CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
         IF (4*CTL(NOPEN) .GE. 3*CTL(MPOOL)) THEN
-          CALL TSWIDE(TET, ADJ, HEAD, POOL, CTL, S, 2*CTL(MPOOL) + 1,
+          CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, 2*CTL(MPOOL) + 1,
      $                INFO)
           IF (INFO .NE. 0 .AND. CTL(NOPEN) .GE. CTL(MPOOL) -
      $        CTL(MPOOL)/8 - 1) OK = 0
@@ -2041,7 +2041,7 @@ C     of the link.  INFO is 0, MORE or FULL.
       PARAMETER (EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4, MORE = 1)
       PARAMETER (FULL = 2, START = -1, DEAD = -2, EDGE = 6)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
-      CALL TSGATH(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
+      CALL TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
      $            S)
    10 E = CTL(OLDEST)
       IF (E .GE. CTL(NEWEST)) THEN
@@ -2064,7 +2064,7 @@ C     of the link.  INFO is 0, MORE or FULL.
           IF (POOL(E+ECODE) .NE. START) ADJ(POOL(E+ECODE)) = 0
           IF (PREV .NE. 0) POOL(PREV+EAFTER) = 0
           IF (AFTER .NE. 0) POOL(AFTER+EPREV) = 0
-          CALL TSKILL(LINK, POOL, E)
+          CALL TSUNLI(LINK, POOL, E)
           GO TO 10
         END IF
         IF (CTL(NT) .EQ. CTL(MAXT)) THEN
@@ -2072,7 +2072,7 @@ C     of the link.  INFO is 0, MORE or FULL.
           INFO = MORE
           RETURN
         END IF
-        CALL TSROOM(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+        CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
         IF (OK .EQ. 0) THEN
           INFO = FULL
           RETURN
@@ -2081,7 +2081,7 @@ C     of the link.  INFO is 0, MORE or FULL.
         CALL TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
         GO TO 10
       END IF
-      CALL TSNOLI(CTL)
+      CALL TSCLRL(CTL)
       CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
       INFO = 0
@@ -2351,8 +2351,8 @@ C     TSLCOU - the leaves of the tree of N points: a power of two.
       TSLCOU = LVS
       END
 
-C     TSSIDE - the least C with C**3 >= N.
-      INTEGER FUNCTION TSSIDE(N)
+C     TSCUBE - the least C with C**3 >= N.
+      INTEGER FUNCTION TSCUBE(N)
       INTEGER N
       INTEGER C
       C = 1
@@ -2360,15 +2360,15 @@ C     TSSIDE - the least C with C**3 >= N.
         C = C + 1
         GO TO 10
       END IF
-      TSSIDE = C
+      TSCUBE = C
       END
 
 C     TSTABL - entries of the pool to begin with: a little more than
 C     what uniform points need, as a small table stays in the cache.
       INTEGER FUNCTION TSTABL(N)
       INTEGER N
-      INTEGER TSSIDE
-      TSTABL = 9*TSSIDE(N)**2 + 16
+      INTEGER TSCUBE
+      TSTABL = 9*TSCUBE(N)**2 + 16
       END
 
 C     TSUPTO - K A, or MOST if that is less; no product overflows.
@@ -2384,7 +2384,7 @@ C     all points 2 N, which takes 12 N integers, given up to MUCH.  OK
 C     is 1, or 0 if the least lengths exceed the largest integer.
       SUBROUTINE TSLENG(N, LIW, LRW, ROOM, OK)
       INTEGER N, LIW, LRW, ROOM, OK
-      INTEGER TSLCOU, TSSIDE, TSUPTO
+      INTEGER TSLCOU, TSCUBE, TSUPTO
       INTEGER LEAST, INTMAX, MUCH
       PARAMETER (LEAST = 512, INTMAX = 2147483647, MUCH = 320000)
       INTEGER CLOUD, HUB, MOST
@@ -2398,7 +2398,7 @@ C     2 TSLCOU(N) < N/12 + 2
       LRW = 3*N + 12*TSLCOU(N)
       MOST = INTMAX - LIW
       HUB = TSUPTO(8, N, MIN(MOST, MUCH))
-      CLOUD = MAX(HUB, TSUPTO(60, TSSIDE(N)**2, MOST))
+      CLOUD = MAX(HUB, TSUPTO(60, TSCUBE(N)**2, MOST))
       HUB = TSUPTO(4, N, MOST)
       ROOM = MOST
       IF (HUB .LE. MOST - CLOUD) ROOM = HUB + CLOUD
@@ -2544,7 +2544,7 @@ C     INFO is 0, or RANGE.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*)
       INTEGER ORD(*), ALIVE(*), REP(*), HEAD(*), LINK(*), CTL(*), N
       INTEGER INFO
-      INTEGER TSBOUN
+      INTEGER TSLFST
       INTEGER NP, LEAVES, RREACH, NEW
       PARAMETER (NP = 1, LEAVES = 4, RREACH = 3, NEW = -2)
       DOUBLE PRECISION REACH
@@ -2583,7 +2583,7 @@ C     sets, by a step of Newton's method
         ALIVE(I) = 2
    60 CONTINUE
       DO 70 I = 1, CTL(LEAVES)
-        ALIVE(CTL(LEAVES)+I-1) = TSBOUN(CTL, I + 1) - TSBOUN(CTL, I)
+        ALIVE(CTL(LEAVES)+I-1) = TSLFST(CTL, I + 1) - TSLFST(CTL, I)
    70 CONTINUE
       END
 
@@ -2704,7 +2704,7 @@ C     HEAD has the positions of the points at first.
       CTL(LOW) = CTL(NP) + 1
       LENGTH = TSTABL(CTL(NP))
   120 I = CTL(MPOOL)
-      CALL TSWIDE(TET, ADJ, HEAD, POOL, CTL, S, LENGTH, INFO)
+      CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, LENGTH, INFO)
       IF (INFO .NE. FULL .OR. CTL(MPOOL) .EQ. I) RETURN
       LENGTH = 2*CTL(MPOOL) + 1
       GO TO 120
@@ -2736,7 +2736,7 @@ C     element of RW or IW, and the standard lets them be altered.
       CTL(FRESH) = NTET + 1
       CTL(MPOOL) = 0
       CTL(NOPEN) = 0
-      CALL TSNOLI(CTL)
+      CALL TSCLRL(CTL)
       CTL(LOW) = 1
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
@@ -2758,7 +2758,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $              S, INFO)
       ELSE
         CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
-        IF (INFO .EQ. 0) CALL TSWIDE(TET, ADJ, HEAD, POOL, CTL, S,
+        IF (INFO .EQ. 0) CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S,
      $      TSTABL(CTL(NP)), INFO)
       END IF
       IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE,
@@ -2991,11 +2991,11 @@ C     TSORIP - HHORIE of the facet F and point I.
       TSORIP = TSORIQ(P, F, Q)
       END
 
-C     TSBEYO - 1 when Q* is outside of the facet F, -1 when it is
+C     TSQSID - 1 when Q* is outside of the facet F, -1 when it is
 C     inside; UNSURE when the limbs do not suffice; 0 only when
 C     tetrahedron 1 is flat.  One orientation, unless Q is exactly in
 C     the plane.
-      INTEGER FUNCTION TSBEYO(P, F, Q, TET)
+      INTEGER FUNCTION TSQSID(P, F, Q, TET)
       INTEGER F(3), TET(4,*)
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER TSORIP, TSORIQ
@@ -3004,7 +3004,7 @@ C     the plane.
       DO 10 K = 1, 4
         IF (S .EQ. 0) S = TSORIP(P, F, TET(K,1))
    10 CONTINUE
-      TSBEYO = S
+      TSQSID = S
       END
 
 C     TSINBO - 1 when Q is in the closed box of tetrahedron T, else 0:
@@ -3030,9 +3030,9 @@ C     ------------------------------------------------------------------
 C     Location.
 C     ------------------------------------------------------------------
 
-C     TSREAC - HI - LO is the largest difference of point I and Q in one
+C     TSDIST - HI - LO is the largest difference of point I and Q in one
 C     coordinate, left unevaluated so that nothing is rounded.
-      SUBROUTINE TSREAC(P, I, Q, HI, LO)
+      SUBROUTINE TSDIST(P, I, Q, HI, LO)
       INTEGER I
       DOUBLE PRECISION P(3,*), Q(3), HI, LO
       INTEGER HHWIDE
@@ -3066,10 +3066,10 @@ C     it is the same one everywhere.
         GO TO 10
       END IF
       BEST = 1
-      CALL TSREAC(P, TET(1,1), Q, HI, LO)
+      CALL TSDIST(P, TET(1,1), Q, HI, LO)
       DO 20 I = 1, MANY - 1
         T = I*(NTET/MANY) + 1
-        CALL TSREAC(P, TET(1,T), Q, H, L)
+        CALL TSDIST(P, TET(1,T), Q, H, L)
         IF (HHWIDE(HI, LO, H, L) .GT. 0) THEN
           BEST = T
           HI = H
@@ -3094,7 +3094,7 @@ C     triangulation it may stay, and the walk go round.)
       SUBROUTINE TSWALK(P, NTET, TET, ADJ, Q, T, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER TSBEYO
+      INTEGER TSQSID
       INTEGER NONE, OPEN, UNSURE, LOST, RANGE
       PARAMETER (NONE = 0, OPEN = -1, UNSURE = 2, LOST = 99, RANGE = 6)
       INTEGER F(3), LAST, NEXT, STEPS, U, K, S, MET
@@ -3106,7 +3106,7 @@ C     triangulation it may stay, and the walk go round.)
           U = ADJ(K,T)
           IF (U .GT. 0 .AND. U .EQ. LAST) GO TO 10
           CALL TSOUTF(TET, T, K, F)
-          S = TSBEYO(P, F, Q, TET)
+          S = TSQSID(P, F, Q, TET)
           IF (S .EQ. UNSURE) THEN
             INFO = RANGE
             RETURN
@@ -3768,7 +3768,7 @@ C     it.
       SUBROUTINE TSCHKH(P, TET, ADJ, T, INFO)
       INTEGER TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
-      INTEGER TSBEYO
+      INTEGER TSQSID
       INTEGER NONE, UNSURE, RANGE, BADHUL
       PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6, BADHUL = 16)
       DOUBLE PRECISION Q(3)
@@ -3779,7 +3779,7 @@ C     it.
       DO 30 K = 1, 4
         IF (ADJ(K,T) .NE. NONE) GO TO 30
         CALL TSOUTF(TET, T, K, F)
-        S = TSBEYO(P, F, Q, TET)
+        S = TSQSID(P, F, Q, TET)
         INFO = RANGE
         IF (S .EQ. UNSURE) RETURN
         INFO = BADHUL
@@ -3799,7 +3799,7 @@ C     TSCHKC - that tetrahedron T, not 1, does not hold O.
       SUBROUTINE TSCHKC(P, TET, T, INFO)
       INTEGER TET(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
-      INTEGER TSBEYO, TSINBO
+      INTEGER TSQSID, TSINBO
       INTEGER UNSURE, RANGE, BADCOV
       PARAMETER (UNSURE = 2, RANGE = 6, BADCOV = 17)
       DOUBLE PRECISION Q(3)
@@ -3813,7 +3813,7 @@ C     TSCHKC - that tetrahedron T, not 1, does not hold O.
       INSIDE = 0
       DO 20 K = 1, 4
         CALL TSOUTF(TET, T, K, F)
-        S = TSBEYO(P, F, Q, TET)
+        S = TSQSID(P, F, Q, TET)
         INFO = RANGE
         IF (S .EQ. UNSURE) RETURN
         IF (S .LT. 0) INSIDE = INSIDE + 1
