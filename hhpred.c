@@ -5,8 +5,8 @@
  *                     limbsg limbs3 limbs10 limbsx weight exact
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       certain filt3 filt5 exact3 exact5 scale larger hh_orient
- *                     hh_insphere hh_flat widersg hh_wider hh_range corners
- *                     hh_pside tied perturb hh_pball hh_pbeat
+ *                     hh_insphere hh_flat hh_line widersg hh_wider hh_range
+ *                     corners hh_pside tied perturb hh_pball hh_pbeat
  *   Householder       house reflec hh_setup hh_bound hh_facet hh_side hh_opp
  *                     hh_lcoord hh_wrap
  */
@@ -647,6 +647,13 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
     return hh_orient(qa, qb, qc, top);
 }
 
+/* hh_line - are a, b, c exactly collinear? */
+int hh_line(const tess_real *a, const tess_real *b, const tess_real *c)
+{
+    return hh_flat(0, a, b, c) == 0 && hh_flat(1, a, b, c) == 0 &&
+           hh_flat(2, a, b, c) == 0;
+}
+
 /* widersg - with n limbs, the sign of q[0] + q[1] - q[2] - q[3]; UNSURE when
  * they do not hold q.  work: 2n doubles. */
 static int widersg(const double *q, double top, int n, double *work)
@@ -947,7 +954,7 @@ int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
              double *f)
 {
     double most = larger(larger(larger(0.0, p1), p2), p3), q1[3], q2[3], q3[3];
-    int e, k, line = 1;
+    int e, k;
 
     e = scale(most, p1, q1);
     scale(most, p2, q2);
@@ -959,15 +966,11 @@ int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     }
     f[11] = ldexp(f[11], e);
     if (f[10] < DBL_MAX) f[10] = ldexp(f[10], e);
-    if (f[9] <= HH_LOOSE) return 0;
-    for (k = 0; k < 3; k++)
-        if (hh_flat(k, p1, p2, p3) != 0) line = 0;
-    if (line) {
-        for (k = 0; k < 6; k++) f[k] = 0.0;
-        f[9] = f[10] = DBL_MAX;
-        f[11] = 0.0;
-    }
-    return line;
+    if (f[9] <= HH_LOOSE || !hh_line(p1, p2, p3)) return 0;
+    for (k = 0; k < 6; k++) f[k] = 0.0;
+    f[9] = f[10] = DBL_MAX;
+    f[11] = 0.0;
+    return 1;
 }
 
 double hh_side(const double *f, const tess_real *z)
@@ -1002,9 +1005,7 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     int k;
 
     *c = 0.0;
-    for (k = 0; k < 3; k++)
-        if (hh_flat(k, p1, p2, p3) != 0) break;
-    if (k == 3) return 1;
+    if (hh_line(p1, p2, p3)) return 1;
     scale(most, p1, q1);
     scale(most, p2, q2);
     scale(most, p3, q3);

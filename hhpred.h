@@ -181,6 +181,7 @@ int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
 int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b);
 int hh_flat(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c);
+int hh_line(const tess_real *a, const tess_real *b, const tess_real *c);
 int hh_wider(double a, double b, double c, double d);
 int hh_range(double x, double most);
 tess_int hh_finite(tess_int n, const tess_real *p);

@@ -22,25 +22,26 @@
  * chooses where to look, with margins that cover its rounding.
  *
  * Order of the routines, here and in f77/tess.f:
- *   sorting      before swap pivot selectmid twin bisect leafstart leafof span leafsort
- *                kdsort boxes
- *   pool         facet owner hashkey same find insert erase rehash
+ *   sorting      before swap pivot selectmid twin bisect leafstart leafof span
+ *                leafsort kdsort boxes
+ *   pool         outfac facet owner hashkey same find insert erase rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
- *   apex         powererr extent prunebox prunepart ballinbox ballinstar setbest challenge
- *                consider ballcoef starcoef inball considerall likeliest anypoint instar
- *                inblock scanleaf treesearch onhull prepare apex
- *   star         clearlink renumber push join unlinkedge between glue flush grow enlist
- *                follow load complete makeroom star stars
- *   firstfacet facet  point lesser edgeby onaline firstfacet begin
- *   results      coords four outfac slot mate
- *   preparation  leafcount cuberoot tablesize upto lengths collect inrange times
- *                units scaled sorted intact restore run wrong
+ *   apex         powererr extent prunebox prunepart ballinbox ballinstar
+ *                setbest challenge consider ballcoef starcoef inball
+ *                considerall likeliest anypoint instar inblock scanleaf
+ *                treesearch onhull prepare apex
+ *   star         clearlink renumber push join unlinkedge between glue flush
+ *                grow enlist follow load complete makeroom star stars
+ *   first facet  point preced edgeby firstfacet begin
+ *   results      coords four slot mate
+ *   preparation  leafcount cuberoot tablesize upto lengths collect inrange
+ *                times units scaled sorted intact restore run wrong
  *   entries      tess_size tess tess_resume
  *   queries      qside inbox
  *   location     distance sample walk holds sweep elimin backsu unite balanc
  *                weigh tess_locate
- *   hull, check  tess_hull preced merge sortpt marks chkpla chkidx chkfac
- *                chktet chkedg chkhul chkcov tess_check
+ *   hull, check  tess_hull merge sortpt marks chkpla chkidx chkfac chktet
+ *                chkedg chkhul chkcov tess_check
  */
 #include "tess.h"
 #include <math.h>
@@ -447,16 +448,21 @@ static void boxes(mesh *m)
  * owner is the vertex of least position; head[owner] is the first entry.
  * Linear probing from signature mod m; removal shifts entries back. */
 
+/* outfac - f = the vertices of facet k of the tetrahedron v, the one opposite
+ * to v[k], counter-clockwise from outside if v is positively oriented. */
+static void outfac(const tess_int *v, int k, tess_int *f)
+{
+    static const int out[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+    f[0] = v[out[k][0]];
+    f[1] = v[out[k][1]];
+    f[2] = v[out[k][2]];
+}
+
 /* facet - the vertices of facet code, positive towards its outside. */
 static void facet(const mesh *m, tess_int code, tess_int *v)
 {
-    static const int out[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-    const tess_int *t = m->tet + (code - code % 4);
-    const int *k = out[code % 4];
-
-    v[0] = t[k[0]];
-    v[1] = t[k[1]];
-    v[2] = t[k[2]];
+    outfac(m->tet + (code - code % 4), (int)(code % 4), v);
 }
 
 /* owner - the vertex of least position. */
@@ -563,9 +569,10 @@ static void erase(mesh *m, tess_int e, tess_int least)
 
 /* rehash - make the pool's table about twice as long, or as long as it may
  * be, and enter its facets again in their order.  The new table is laid over
- * the old one, so the facets come from tet and adj: an open facet that is not
- * an edge of the link.  Returns 0, TESS_POOL, or -6 when two open facets have
- * the same vertices, as only damaged arrays have. */
+ * the old one, so the facets come from tet and adj: those open facets 0 that
+ * are not edges of the link of s.  (The others, which have vertex 0, were
+ * closed with its star, or are edges of the link.)  Returns 0, TESS_POOL, or -6
+ * when two open facets have the same vertices, as only damaged arrays have. */
 static int rehash(mesh *m, tess_int s, tess_int wanted)
 {
     tess_int most = (m->room - m->room / 8) / ENTRY, code, v[3], e, sig;
@@ -578,7 +585,7 @@ static int rehash(mesh *m, tess_int s, tess_int wanted)
     for (e = 0; e < m->np; e++) m->head[e] = NONE;
     m->m = wanted;
     m->nopen = 0;
-    for (code = 0; code < 4 * m->fresh; code++)
+    for (code = 0; code < 4 * m->fresh; code += 4)
         if (m->adj[code] == TESS_OPEN) {
             facet(m, code, v);
             if (v[0] != s && v[1] != s && v[2] != s) {
@@ -1564,14 +1571,13 @@ static const tess_real *point(const mesh *m, tess_int i)
     return m->set.p + 3 * m->order[i];
 }
 
-/* lesser - is point i lexicographically before point j? */
-static int lesser(const mesh *m, tess_int i, tess_int j)
+/* preced - 1 when point a comes strictly before point b: by x, then y, z. */
+static int preced(const tess_real *a, const tess_real *b)
 {
-    const tess_real *p = point(m, i), *q = point(m, j);
+    int k = 0;
 
-    if (p[0] != q[0]) return p[0] < q[0];
-    if (p[1] != q[1]) return p[1] < q[1];
-    return p[2] < q[2];
+    while (k < 2 && a[k] == b[k]) k++;
+    return a[k] < b[k];
 }
 
 /* edgeby - does point i come before point j when a plane that holds the z
@@ -1590,16 +1596,7 @@ static int edgeby(const mesh *m, tess_int a, tess_int i, tess_int j)
     turn = hh_flat(2, o, q, p);
     if (turn == 0)
         turn = q[0] != o[0] ? -hh_flat(1, o, q, p) : hh_flat(0, o, q, p);
-    return turn != 0 ? turn < 0 : lesser(m, i, j);
-}
-
-/* onaline - are three points collinear? */
-static int onaline(const mesh *m, tess_int i, tess_int j, tess_int k)
-{
-    const tess_real *p = point(m, i), *q = point(m, j), *r = point(m, k);
-
-    return hh_flat(0, p, q, r) == 0 && hh_flat(1, p, q, r) == 0 &&
-           hh_flat(2, p, q, r) == 0;
+    return turn != 0 ? turn < 0 : preced(p, q);
 }
 
 /* firstfacet - the first facet v, in the hull, all points on its positive side.
@@ -1609,17 +1606,20 @@ static int onaline(const mesh *m, tess_int i, tess_int j, tess_int k)
  * face.  Returns 0 or the code of points without a tetrahedron. */
 static int firstfacet(const mesh *m, tess_int *v)
 {
+    const tess_real *p, *q;
     tess_int i, w = NONE;
     int side;
 
     if (m->np < 2) return TESS_POINT;
     v[0] = 0;
     for (i = 1; i < m->np; i++)
-        if (lesser(m, i, v[0])) v[0] = i;
+        if (preced(point(m, i), point(m, v[0]))) v[0] = i;
     v[1] = v[0] == 0 ? 1 : 0;
     for (i = 0; i < m->np; i++)
         if (i != v[0] && i != v[1] && edgeby(m, v[0], i, v[1])) v[1] = i;
-    for (v[2] = 0; v[2] < m->np && onaline(m, v[0], v[1], v[2]); v[2]++)
+    p = point(m, v[0]);
+    q = point(m, v[1]);
+    for (v[2] = 0; v[2] < m->np && hh_line(p, q, point(m, v[2])); v[2]++)
         ;
     if (v[2] == m->np) return TESS_LINE;
     for (i = 0; i < m->np; i++) {
@@ -1633,7 +1633,7 @@ static int firstfacet(const mesh *m, tess_int *v)
     if (w == NONE) return TESS_PLANE;
     for (i = 0; i < m->np; i++)
         if (i != v[2] && hh_pside(&m->set, v[0], v[1], v[2], i) == 0 &&
-            !onaline(m, v[0], v[1], i) &&
+            !hh_line(p, q, point(m, i)) &&
             hh_pball(&m->set, v[0], v[1], v[2], w, i) < 0)
             v[2] = i;
     return 0;
@@ -1666,18 +1666,6 @@ static const tess_real *coords(const tess_real *p, tess_int i)
 static const tess_int *four(const tess_int *a, tess_int t)
 {
     return a + 4 * (t - ORIGIN);
-}
-
-/* outfac - f = the vertices of facet k of the tetrahedron v, the one opposite
- * to v[k], counter-clockwise from outside if v is positively oriented:
- * (1,2,3) (0,3,2) (0,1,3) (0,2,1). */
-static void outfac(const tess_int *v, int k, tess_int *f)
-{
-    int i = k == 0 ? 1 : 0, j = k <= 1 ? 2 : 1, l = k == 3 ? 2 : 3;
-
-    f[0] = v[i];
-    f[1] = k % 2 == 0 ? v[j] : v[l];
-    f[2] = k % 2 == 0 ? v[l] : v[j];
 }
 
 /* slot - the first k with v[k] = x; 4 when there is none. */
@@ -1917,11 +1905,11 @@ static int intact(mesh *m, tess_int n)
  * positions; what is complete leaves the tree; the open facets at s, the first
  * vertex of the last tetrahedron, become edges of its link in the order of
  * their tetrahedra, the others enter the pool.  Returns 0, TESS_POOL, or -6 for
- * two open facets with the same vertices. */
+ * two open facets with the same vertices, or one of a star that was left. */
 static int restore(mesh *m, tess_int *s)
 {
-    tess_int i, t, v[3], size, *place = m->head;
-    int k, code;
+    tess_int i, t, v[3], a, b, size = 0, *place = m->head;
+    int k, j;
 
     for (i = 0; i < 4 * m->ntet; i++) {
         m->adj[i] -= ORIGIN;
@@ -1943,23 +1931,22 @@ static int restore(mesh *m, tess_int *s)
         for (k = 3; k >= 0; k--)
             if (m->adj[4 * t + k] == TESS_OPEN) {
                 facet(m, 4 * t + k, v);
-                code = v[0] == *s ? 0 : v[1] == *s ? 1 : 2;
-                if (v[code] != *s) continue;
-                i = v[(code + 1) % 3];
-                if (between(m, i, v[(code + 2) % 3]) != NONE ||
-                    between(m, v[(code + 2) % 3], i) != NONE)
+                j = v[0] == *s ? 0 : v[1] == *s ? 1 : 2;
+                if (v[j] != *s) {
+                    if (k > 0) return -6;
+                    size += 2;
+                    continue;
+                }
+                a = v[(j + 1) % 3];
+                b = v[(j + 2) % 3];
+                if (between(m, a, b) != NONE || between(m, b, a) != NONE)
                     return -6;
                 if (!enlist(m, *s, 4 * t + k)) return TESS_POOL;
             }
     follow(m);
     m->low = m->np;
-    code = TESS_POOL;
-    for (size = tablesize(m->np); code == TESS_POOL; size = 2 * m->m + 1) {
-        i = m->m;
-        code = rehash(m, *s, size);
-        if (m->m == i) return code;
-    }
-    return code;
+    if (size < tablesize(m->np)) size = tablesize(m->np);
+    return rehash(m, *s, size + 1);
 }
 
 /* run - tess and tess_resume, of arguments that are right but for p and the
@@ -2457,15 +2444,6 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* ---- the check ---- */
 
-/* preced - 1 when point a comes strictly before point b: by x, then y, z. */
-static int preced(const tess_real *a, const tess_real *b)
-{
-    int k = 0;
-
-    while (k < 2 && a[k] == b[k]) k++;
-    return a[k] < b[k];
-}
-
 /* merge - to[lo..hi-1] = the sorted runs from[lo..mid-1] and from[mid..hi-1],
  * merged; of equal points those of the first run come first. */
 static void merge(const tess_real *p, tess_int lo, tess_int mid, tess_int hi,
@@ -2534,8 +2512,7 @@ static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
             b = q;
             rank = 1;
         } else if (rank == 1) {
-            if (hh_flat(0, p, b, q) != 0 || hh_flat(1, p, b, q) != 0 ||
-                hh_flat(2, p, b, q) != 0) {
+            if (!hh_line(p, b, q)) {
                 c = q;
                 rank = 2;
             }

@@ -33,9 +33,10 @@ C         hh_holds HHHOLD
 C       exact signs: certain HHCERT, filt3 HHFIL3, filt5 HHFIL5,
 C         exact3 HHEXA3, exact5 HHEXA5, scale HHSCAL, larger HHLARG,
 C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
-C         widersg HHWIDS, hh_wider HHWIDE, hh_range HHRANG,
-C         corners HHCORN, hh_pside HHPSID, tied HHTIED,
-C         perturb HHPERT, hh_pball HHPBAL, hh_pbeat HHPBEA
+C         hh_line HHLINE, widersg HHWIDS, hh_wider HHWIDE,
+C         hh_range HHRANG, corners HHCORN, hh_pside HHPSID,
+C         tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
+C         hh_pbeat HHPBEA
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
 C         hh_bound HHBOUN, hh_facet HHFACE, hh_side HHSIDE,
 C         hh_opp HHOPP, hh_lcoord HHLCOO, hh_wrap HHWRAP
@@ -976,6 +977,18 @@ C     any height will do that needs no more limbs than the points
       HHFLAT = HHORIE(QA, QB, QC, TOP)
       END
 
+C     HHLINE - are A, B, C exactly collinear: 1, or 0.
+      INTEGER FUNCTION HHLINE(A, B, C)
+      DOUBLE PRECISION A(3), B(3), C(3)
+      INTEGER HHFLAT
+      INTEGER AXIS
+      HHLINE = 0
+      DO 10 AXIS = 1, 3
+        IF (HHFLAT(AXIS, A, B, C) .NE. 0) RETURN
+   10 CONTINUE
+      HHLINE = 1
+      END
+
 C     HHWIDS - with N limbs, the sign of Q(1) + Q(2) - Q(3) - Q(4);
 C     UNSURE when they do not hold Q.  Scratch: LIMB, TOTAL.
       SUBROUTINE HHWIDS(Q, TOP, N, LIMB, TOTAL, SGN)
@@ -1411,7 +1424,7 @@ C     a circumcentre beyond HUGE is infinite.
       SUBROUTINE HHFACE(P1, P2, P3, F, INFO)
       DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
       INTEGER INFO
-      INTEGER HHFLAT
+      INTEGER HHLINE
       DOUBLE PRECISION HHLARG, HHLDEX
       DOUBLE PRECISION HUGE, LOOSE
       PARAMETER (HUGE = 1.7976931348623157D308, LOOSE = 0.5D0)
@@ -1438,13 +1451,11 @@ C     a circumcentre beyond HUGE is infinite.
       IF (F(11) .LT. HUGE) F(11) = HHLDEX(F(11), E)
       INFO = 0
       IF (F(10) .LE. LOOSE) RETURN
-      DO 40 K = 1, 3
-        IF (HHFLAT(K, P1, P2, P3) .NE. 0) RETURN
-   40 CONTINUE
+      IF (HHLINE(P1, P2, P3) .EQ. 0) RETURN
       INFO = 1
-      DO 50 K = 1, 6
+      DO 40 K = 1, 6
         F(K) = 0.0D0
-   50 CONTINUE
+   40 CONTINUE
       F(10) = HUGE
       F(11) = HUGE
       F(12) = 0.0D0
@@ -1507,29 +1518,26 @@ C     computed to lie in the plane; C is then 0.
       SUBROUTINE HHWRAP(P1, P2, P3, Z, C, INFO)
       DOUBLE PRECISION P1(3), P2(3), P3(3), Z(3), C
       INTEGER INFO
-      INTEGER HHFLAT
+      INTEGER HHLINE
       DOUBLE PRECISION HHLARG
       DOUBLE PRECISION MOST, P(3,4), S(3,4), A(3), B(3), G(3), V(3)
       DOUBLE PRECISION H(10), WG, WV, TURN
       INTEGER E, K
       C = 0.0D0
       INFO = 1
+      IF (HHLINE(P1, P2, P3) .EQ. 1) RETURN
+      MOST = HHLARG(HHLARG(HHLARG(HHLARG(0.0D0, P1), P2), P3), Z)
       DO 10 K = 1, 3
-        IF (HHFLAT(K, P1, P2, P3) .NE. 0) GO TO 20
-   10 CONTINUE
-      RETURN
-   20 MOST = HHLARG(HHLARG(HHLARG(HHLARG(0.0D0, P1), P2), P3), Z)
-      DO 30 K = 1, 3
         P(K,1) = P1(K)
         P(K,2) = P2(K)
         P(K,3) = P3(K)
         P(K,4) = Z(K)
-   30 CONTINUE
+   10 CONTINUE
       CALL HHSCAL(MOST, 4, P, S, E)
-      DO 40 K = 1, 3
+      DO 20 K = 1, 3
         A(K) = S(K,2) - S(K,1)
         B(K) = S(K,3) - S(K,1)
-   40 CONTINUE
+   20 CONTINUE
       CALL HHHOUS(A, B, H)
 C     P3 - P1 has the component R22 along Q e2
       TURN = 1.0D0
@@ -1539,10 +1547,10 @@ C     P3 - P1 has the component R22 along Q e2
       CALL HHREFL(H, 0.0D0, 0.0D0, TURN, V)
       WG = 0.0D0
       WV = 0.0D0
-      DO 50 K = 1, 3
+      DO 30 K = 1, 3
         WG = WG + (S(K,4) - S(K,1))*G(K)
         WV = WV + (S(K,4) - S(K,1))*V(K)
-   50 CONTINUE
+   30 CONTINUE
       INFO = 2
       IF (ABS(WV) .LE. 0.0D0) RETURN
       C = (-WG)/WV

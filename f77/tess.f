@@ -49,47 +49,49 @@ C     its rounding.
 C
 C     The routines of tess.c, in its order, and their names here:
 C       sorting: before TSBEFO, swap TSSWAP, pivot TSPIVO,
-C         selectmid TSSELE, twin TSTWIN, bisect TSBISE, leafstart TSLFST,
-C         leafof TSLEAF, span TSSPAN, leafsort TSLSOR, kdsort TSKDSO,
-C         boxes TSBOXE
-C       pool: facet TSFACE, owner TSOWNE, hashkey TSHASH,
-C         same TSSAME, find TSFIND, insert TSINSE, erase TSERAS,
-C         rehash TSREHA
+C         selectmid TSSELE, twin TSTWIN, bisect TSBISE,
+C         leafstart TSLFST, leafof TSLEAF, span TSSPAN,
+C         leafsort TSLSOR, kdsort TSKDSO, boxes TSBOXE
+C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
+C         hashkey TSHASH, same TSSAME, find TSFIND, insert TSINSE,
+C         erase TSERAS, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
-C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR, starlist TSSTLI
+C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
+C         starlist TSSTLI
 C       apex: powererr TSPOWE, extent TSEXTE, prunebox TSPRUN,
 C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
-C         setbest TSSETB, challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
-C         starcoef TSSTAC, inball TSINBA, considerall TSCALL,
-C         likeliest TSLIKE, anypoint TSANYP, instar TSINST,
-C         inblock TSINBL, scanleaf TSSCAN, treesearch TSTREE,
-C         onhull TSONHU, prepare TSPREP, apex TSAPEX
+C         setbest TSSETB, challenge TSCHAL, consider TSCONS,
+C         ballcoef TSBALC, starcoef TSSTAC, inball TSINBA,
+C         considerall TSCALL, likeliest TSLIKE, anypoint TSANYP,
+C         instar TSINST, inblock TSINBL, scanleaf TSSCAN,
+C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
+C         apex TSAPEX
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
 C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
 C         flush TSFLUS, grow TSGROW, enlist TSENLI, follow TSFOLL,
 C         load TSLOAD, complete TSCMPL, makeroom TSMKRO, star TSSTAR,
 C         stars TSSTRS
-C       first facet: lesser TSLESS, edgeby TSEDBY, onaline TSONAL,
-C         firstfacet TSFIRS, begin TSBEGI
-C       results: outfac TSOUTF, slot TSSLOT, mate TSMATE
-C       preparation: leafcount TSLCOU, cuberoot TSCUBE, tablesize TSTABL,
-C         upto TSUPTO, lengths TSLENG, collect TSCOLL,
-C         inrange TSINRA, times TSTIME, units TSUNIT, scaled TSSCAL,
-C         sorted TSSORT, intact TSINTA, restore TSREST, run TSRUN,
-C         wrong TSWRON
+C       first facet: preced TSPREC, edgeby TSEDBY, firstfacet TSFIRS,
+C         begin TSBEGI
+C       results: slot TSSLOT, mate TSMATE
+C       preparation: leafcount TSLCOU, cuberoot TSCUBE,
+C         tablesize TSTABL, upto TSUPTO, lengths TSLENG,
+C         collect TSCOLL, inrange TSINRA, times TSTIME, units TSUNIT,
+C         scaled TSSCAL, sorted TSSORT, intact TSINTA, restore TSREST,
+C         run TSRUN, wrong TSWRON
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE
 C       queries: qside TSQSID, inbox TSINBO
 C       location: distance TSDIST, sample TSSAMP, walk TSWALK,
 C         holds TSHOLD, sweep TSSWEE, elimin TSELIM, backsu TSBACK,
 C         unite TSUNTE, balanc TSBALA, weigh TSWEIG,
 C         tess_locate TESSLO
-C       hull, check: tess_hull TESSHU, preced TSPREC, merge TSMERG,
-C         sortpt TSSORP, marks TSMARK, chkpla TSCHKP, chkidx TSCHKI,
-C         chkfac TSCHKF, chktet TSCHKT, chkedg TSCHKE, chkhul TSCHKH,
-C         chkcov TSCHKC, tess_check TESSCH
+C       hull, check: tess_hull TESSHU, merge TSMERG, sortpt TSSORP,
+C         marks TSMARK, chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF,
+C         chktet TSCHKT, chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
+C         tess_check TESSCH
 C     Only in C: point, coords, four.  Only here: TSPDIS (disjoint for a
-C     point), TSMESH (part of run), TSORIQ, TSORIP (hh_orient of points
-C     of P).
+C     point), TSLINE (hh_line of points of P), TSMESH (part of run),
+C     TSORIQ, TSORIP (hh_orient of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here, passed in one order:
@@ -515,16 +517,24 @@ C     The code of facet K of tetrahedron T is 4*(T-1)+K: its place in
 C     ADJ.
 C     ------------------------------------------------------------------
 
+C     TSOUTF - F = the vertices of facet K of tetrahedron T, the one
+C     opposite to vertex K, counter-clockwise from outside if T is
+C     positively oriented.
+      SUBROUTINE TSOUTF(TET, T, K, F)
+      INTEGER TET(4,*), T, K, F(3)
+      INTEGER OUT(3,4)
+      DATA OUT /2, 3, 4, 1, 4, 3, 1, 2, 4, 1, 3, 2/
+      F(1) = TET(OUT(1,K),T)
+      F(2) = TET(OUT(2,K),T)
+      F(3) = TET(OUT(3,K),T)
+      END
+
 C     TSFACE - the vertices of facet CODE, positive towards its outside.
       SUBROUTINE TSFACE(TET, CODE, V)
       INTEGER TET(4,*), CODE, V(3)
-      INTEGER K, T, OUT(3,4)
-      DATA OUT /2, 3, 4, 1, 4, 3, 1, 2, 4, 1, 3, 2/
+      INTEGER T
       T = (CODE - 1)/4 + 1
-      K = CODE - 4*(T - 1)
-      V(1) = TET(OUT(1,K),T)
-      V(2) = TET(OUT(2,K),T)
-      V(3) = TET(OUT(3,K),T)
+      CALL TSOUTF(TET, T, CODE - 4*(T - 1), V)
       END
 
 C     TSOWNE - the vertex of least position.
@@ -648,9 +658,10 @@ C       E may fill the hole if its home is not behind the hole
 C     TSREHA - make the pool's table about twice as long, or as long as
 C     it may be, and enter its facets again in their order.  The new
 C     table is laid over the old one, so the facets come from TET and
-C     ADJ: an open facet that is not an edge of the link.  INFO is 0,
-C     FULL, or -6 when two open facets have the same vertices, as only
-C     damaged arrays have.
+C     ADJ: those open facets 1 that are not edges of the link of S.
+C     (The others, which have vertex 1, were closed with its star, or
+C     are edges of the link.)  INFO is 0, FULL, or -6 when two open
+C     facets have the same vertices, as only damaged arrays have.
       SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, INFO)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED
       INTEGER INFO
@@ -672,7 +683,7 @@ C     damaged arrays have.
    20 CONTINUE
       CTL(MPOOL) = LENGTH
       CTL(NOPEN) = 0
-      DO 30 CODE = 1, 4*(CTL(FRESH) - 1)
+      DO 30 CODE = 1, 4*(CTL(FRESH) - 1), 4
         IF (ADJ(CODE) .EQ. OPEN) THEN
           CALL TSFACE(TET, CODE, V)
           IF (V(1) .NE. S .AND. V(2) .NE. S .AND. V(3) .NE. S) THEN
@@ -2124,17 +2135,20 @@ C     ------------------------------------------------------------------
 C     The first facet (Section 2): a facet of the hull by gift wrapping.
 C     ------------------------------------------------------------------
 
-C     TSLESS - is point I lexicographically before point J: 1, or 0.
-      INTEGER FUNCTION TSLESS(P, ORD, I, J)
+C     TSPREC - 1 when point A comes strictly before point B, else 0: by
+C     X, then Y, Z.
+      INTEGER FUNCTION TSPREC(P, A, B)
+      INTEGER A, B
       DOUBLE PRECISION P(3,*)
-      INTEGER ORD(*), I, J
       INTEGER K
-      TSLESS = 1
+      TSPREC = 0
       DO 10 K = 1, 3
-        IF (P(K,ORD(I)) .LT. P(K,ORD(J))) RETURN
-        IF (P(K,ORD(I)) .GT. P(K,ORD(J))) GO TO 20
+        IF (P(K,A) .GT. P(K,B)) RETURN
+        IF (P(K,A) .LT. P(K,B)) THEN
+          TSPREC = 1
+          RETURN
+        END IF
    10 CONTINUE
-   20 TSLESS = 0
       END
 
 C     TSEDBY - does point I come before point J when a plane that holds
@@ -2144,7 +2158,7 @@ C     ends an edge of the hull that no other point lies on.
       INTEGER FUNCTION TSEDBY(P, ORD, A, I, J)
       DOUBLE PRECISION P(3,*)
       INTEGER ORD(*), A, I, J
-      INTEGER HHFLAT, TSLESS
+      INTEGER HHFLAT, TSPREC
       DOUBLE PRECISION O(3), Q(3), Z(3)
       INTEGER K, PABOVE, QABOVE, TURN
       DO 10 K = 1, 3
@@ -2173,27 +2187,23 @@ C     ends an edge of the hull that no other point lies on.
           END IF
         END IF
         IF (TURN .LT. 0) TSEDBY = 1
-        IF (TURN .EQ. 0) TSEDBY = TSLESS(P, ORD, I, J)
+        IF (TURN .EQ. 0) TSEDBY = TSPREC(P, ORD(I), ORD(J))
       END IF
       END
 
-C     TSONAL - are three points collinear: 1, or 0.
-      INTEGER FUNCTION TSONAL(P, ORD, I, J, K)
+C     TSLINE - HHLINE of three points: 1, or 0.
+      INTEGER FUNCTION TSLINE(P, I, J, K)
       DOUBLE PRECISION P(3,*)
-      INTEGER ORD(*), I, J, K
-      INTEGER HHFLAT
+      INTEGER I, J, K
+      INTEGER HHLINE
       DOUBLE PRECISION A(3), B(3), C(3)
       INTEGER AXIS
       DO 10 AXIS = 1, 3
-        A(AXIS) = P(AXIS,ORD(I))
-        B(AXIS) = P(AXIS,ORD(J))
-        C(AXIS) = P(AXIS,ORD(K))
+        A(AXIS) = P(AXIS,I)
+        B(AXIS) = P(AXIS,J)
+        C(AXIS) = P(AXIS,K)
    10 CONTINUE
-      TSONAL = 0
-      DO 20 AXIS = 1, 3
-        IF (HHFLAT(AXIS, A, B, C) .NE. 0) RETURN
-   20 CONTINUE
-      TSONAL = 1
+      TSLINE = HHLINE(A, B, C)
       END
 
 C     TSFIRS - the first facet V, in the hull, all points on its
@@ -2205,7 +2215,7 @@ C     code of points without a tetrahedron.
       SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), INFO
-      INTEGER HHPBAL, HHPSID, TSEDBY, TSLESS, TSONAL
+      INTEGER HHPBAL, HHPSID, TSEDBY, TSLINE, TSPREC
       INTEGER NP, T3, T5, PLANAR, LINEAR, SINGLE
       PARAMETER (NP = 1, T3 = 1, T5 = 2, PLANAR = 3, LINEAR = 4)
       PARAMETER (SINGLE = 5)
@@ -2214,7 +2224,7 @@ C     code of points without a tetrahedron.
       IF (CTL(NP) .LT. 2) RETURN
       V(1) = 1
       DO 10 I = 2, CTL(NP)
-        IF (TSLESS(P, ORD, I, V(1)) .EQ. 1) V(1) = I
+        IF (TSPREC(P, ORD(I), ORD(V(1))) .EQ. 1) V(1) = I
    10 CONTINUE
       V(2) = 1
       IF (V(1) .EQ. 1) V(2) = 2
@@ -2225,7 +2235,7 @@ C     code of points without a tetrahedron.
    20 CONTINUE
       INFO = LINEAR
       DO 30 I = 1, CTL(NP)
-        IF (TSONAL(P, ORD, V(1), V(2), I) .EQ. 0) GO TO 40
+        IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) GO TO 40
    30 CONTINUE
       RETURN
    40 V(3) = I
@@ -2244,7 +2254,7 @@ C     code of points without a tetrahedron.
         IF (I .NE. V(3)) THEN
           IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
      $        I) .EQ. 0) THEN
-            IF (TSONAL(P, ORD, V(1), V(2), I) .EQ. 0) THEN
+            IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) THEN
               IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V(1), V(2),
      $            V(3), W, I) .LT. 0) V(3) = I
             END IF
@@ -2279,28 +2289,6 @@ C     of least position, S.
 C     ------------------------------------------------------------------
 C     Results: the caller's arrays.
 C     ------------------------------------------------------------------
-
-C     TSOUTF - F = the vertices of facet K of tetrahedron T, the one
-C     opposite to vertex K, counter-clockwise from outside if T is
-C     positively oriented: (2,3,4) (1,4,3) (1,2,4) (1,3,2).
-      SUBROUTINE TSOUTF(TET, T, K, F)
-      INTEGER TET(4,*), T, K, F(3)
-      INTEGER I, J, L
-      I = 1
-      IF (K .EQ. 1) I = 2
-      J = 2
-      IF (K .LE. 2) J = 3
-      L = 4
-      IF (K .EQ. 4) L = 3
-      F(1) = TET(I,T)
-      IF (MOD(K, 2) .EQ. 1) THEN
-        F(2) = TET(J,T)
-        F(3) = TET(L,T)
-      ELSE
-        F(2) = TET(L,T)
-        F(3) = TET(J,T)
-      END IF
-      END
 
 C     TSSLOT - the first K with V(K,T) = X; 5 when there is none.
       INTEGER FUNCTION TSSLOT(V, T, X)
@@ -2643,7 +2631,8 @@ C     TSREST - take up an unfinished result that TSINTA has passed: TET
 C     to positions; what is complete leaves the tree; the open facets at
 C     S, the first vertex of the last tetrahedron, become edges of its
 C     link in the order of their tetrahedra, the others enter the pool.
-C     INFO is 0, FULL, or -6 for two open facets with the same vertices.
+C     INFO is 0, FULL, or -6 for two open facets with the same vertices,
+C     or one of a star that was left.
 C
 C     HEAD has the positions of the points at first.
       SUBROUTINE TSREST(TET, ADJ, ALIVE, HEAD, LINK, POOL, CTL, LSX,
@@ -2654,9 +2643,9 @@ C     HEAD has the positions of the points at first.
       INTEGER TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
       INTEGER POOL(*), CTL(*), LSI(3,2), S, INFO
       INTEGER TSBETW, TSTABL
-      INTEGER NP, NT, MPOOL, LOW, OPEN, DONE, FULL
-      PARAMETER (NP = 1, NT = 2, MPOOL = 6, LOW = 11, OPEN = -1)
-      PARAMETER (DONE = -1, FULL = 2)
+      INTEGER NP, NT, LOW, OPEN, DONE, FULL
+      PARAMETER (NP = 1, NT = 2, LOW = 11, OPEN = -1, DONE = -1)
+      PARAMETER (FULL = 2)
       INTEGER A, B, CODE, E, I, K, LENGTH, T, V(3)
       DO 60 T = 1, CTL(NT)
         DO 50 K = 1, 4
@@ -2679,6 +2668,7 @@ C     HEAD has the positions of the points at first.
         END IF
    90 CONTINUE
       S = TET(1,CTL(NT))
+      LENGTH = 0
       DO 110 T = 1, CTL(NT)
         DO 100 K = 4, 1, -1
           CODE = 4*(T - 1) + K
@@ -2687,10 +2677,13 @@ C     HEAD has the positions of the points at first.
             I = 3
             IF (V(2) .EQ. S) I = 2
             IF (V(1) .EQ. S) I = 1
-            IF (V(I) .EQ. S) THEN
+            INFO = -6
+            IF (V(I) .NE. S) THEN
+              IF (K .GT. 1) RETURN
+              LENGTH = LENGTH + 2
+            ELSE
               A = V(MOD(I, 3)+1)
               B = V(MOD(I+1, 3)+1)
-              INFO = -6
               IF (TSBETW(LINK, POOL, A, B) .NE. 0) RETURN
               IF (TSBETW(LINK, POOL, B, A) .NE. 0) RETURN
               INFO = FULL
@@ -2702,12 +2695,8 @@ C     HEAD has the positions of the points at first.
   110 CONTINUE
       CALL TSFOLL(LINK, POOL, CTL)
       CTL(LOW) = CTL(NP) + 1
-      LENGTH = TSTABL(CTL(NP))
-  120 I = CTL(MPOOL)
+      LENGTH = MAX(LENGTH, TSTABL(CTL(NP))) + 1
       CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, LENGTH, INFO)
-      IF (INFO .NE. FULL .OR. CTL(MPOOL) .EQ. I) RETURN
-      LENGTH = 2*CTL(MPOOL) + 1
-      GO TO 120
       END
 
 C     TSMESH - TSRUN, its workspace cut up into the arrays that the
@@ -3497,22 +3486,6 @@ C       UNUSED  a point that stands for itself, in no tetrahedron
 C       USED    and in one
 C     ------------------------------------------------------------------
 
-C     TSPREC - 1 when point A comes strictly before point B, else 0: by
-C     X, then Y, Z.
-      INTEGER FUNCTION TSPREC(P, A, B)
-      INTEGER A, B
-      DOUBLE PRECISION P(3,*)
-      INTEGER K
-      TSPREC = 0
-      DO 10 K = 1, 3
-        IF (P(K,A) .GT. P(K,B)) RETURN
-        IF (P(K,A) .LT. P(K,B)) THEN
-          TSPREC = 1
-          RETURN
-        END IF
-   10 CONTINUE
-      END
-
 C     TSMERG - places LO+1 ... HI of TO = the sorted runs in places LO+1
 C     ... MID and MID+1 ... HI of FROM, merged; of equal points those of
 C     the first run come first.  FROM and TO are offsets in IW.
@@ -3601,34 +3574,22 @@ C     enough.
       SUBROUTINE TSCHKP(N, P, BAD, INFO)
       INTEGER N, BAD, INFO
       DOUBLE PRECISION P(3,*)
-      INTEGER HHFLAT, TSORIP, TSPREC
+      INTEGER TSLINE, TSORIP, TSPREC
       INTEGER UNSURE, RANGE, BADPOI
       PARAMETER (UNSURE = 2, RANGE = 6, BADPOI = 18)
-      DOUBLE PRECISION A(3), B(3), Q(3)
-      INTEGER F(3), I, K, RANK, S
+      INTEGER F(3), I, RANK, S
       F(1) = 1
       F(2) = 1
       F(3) = 1
       RANK = 1
-      DO 30 I = 2, N
+      DO 10 I = 2, N
         S = 0
         IF (RANK .EQ. 1) THEN
           RANK = 1 + TSPREC(P, 1, I) + TSPREC(P, I, 1)
           F(2) = I
         ELSE IF (RANK .EQ. 2) THEN
-          DO 10 K = 1, 3
-            A(K) = P(K,1)
-            B(K) = P(K,F(2))
-            Q(K) = P(K,I)
-   10     CONTINUE
-          DO 20 K = 1, 3
-            IF (RANK .EQ. 2) THEN
-              IF (HHFLAT(K, A, B, Q) .NE. 0) THEN
-                RANK = 3
-                F(3) = I
-              END IF
-            END IF
-   20     CONTINUE
+          RANK = 3 - TSLINE(P, 1, F(2), I)
+          F(3) = I
         ELSE
           S = TSORIP(P, F, I)
         END IF
@@ -3638,7 +3599,7 @@ C     enough.
           IF (S .EQ. UNSURE) INFO = RANGE
           RETURN
         END IF
-   30 CONTINUE
+   10 CONTINUE
       INFO = 0
       END
 
