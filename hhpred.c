@@ -6,7 +6,8 @@
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       certain filt3 filt5 exact3 exact5 scale larger hh_orient
  *                     hh_insphere hh_flat hh_line widersg hh_wider hh_range
- *                     corners hh_pside tied perturb hh_pball hh_pbeat
+ *                     corners hh_pside
+ *   the tie rule      tied perturb hh_pball hh_pbeat
  *   Householder       house reflec hh_setup hh_bound hh_facet hh_side hh_opp
  *                     hh_lcoord hh_wrap
  */
@@ -742,17 +743,25 @@ int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
     return exact3(p[0], p[1], p[2], p[3]);
 }
 
-/* tied - the sign, never 0, of the perturbed insphere determinant I of filt5
- * for five positions v of the set s with I = 0.
+/* ---------------------------------------------------------------------
+ * The tie rule (Figure 4 of the paper made precise).
  *
- * The lifted height of point number i is lowered by e_i, e_0 >> e_1 >> ... >
- * 0 (Figure 4 of the paper made precise: the point of least number is a
- * vertex of all the tetrahedra of a cospherical set).  So the sign is that of
- * the cofactor of the least e_i that has one: (-1)^k times the determinant of
- * the other four positions in their order, for the first k, in increasing
- * order of the points' numbers, for which it is not 0.  It is 1 for k = 3
- * and -1 for k = 4 when v[3] and v[4] are known to be on the positive side of
- * v[0], v[1], v[2]. */
+ * Each point x has the lifted height |x|^2; that of point number i is lowered
+ * by e_i, e_0 >> e_1 >> ... > 0, so that no five points are on one sphere and
+ * a tetrahedralization is the one whose lifted tetrahedra are the lower facets
+ * of a convex polytope.  The point of least number of a cospherical set is a
+ * vertex of all the set's tetrahedra, and no tetrahedron is flat.  Every
+ * decision here is of the same perturbed heights, whatever facet it is asked
+ * for: that is what makes them agree.
+ * --------------------------------------------------------------------- */
+
+/* tied - the sign, never 0, of the perturbed insphere determinant I of filt5
+ * for five positions v of the set s with I = 0: that of the cofactor of the
+ * greatest e_i that has one, (-1)^k times the determinant of the other four
+ * positions in their order, for the first k, in increasing order of the
+ * points' numbers, for which it is not 0.  It is 1 for k = 3 and -1 for k = 4
+ * when v[3] and v[4] are known to be on the positive side of v[0], v[1],
+ * v[2]. */
 static int tied(const hh_set *s, const tess_int *v, int positive)
 {
     tess_int number[5], rest[4];

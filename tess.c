@@ -21,22 +21,62 @@
  * of the caller's coordinates, or predicates of hhpred.  Floating point here
  * chooses where to look, with margins that cover its rounding.
  *
- * Order of the routines, here and in f77/tess.f:
+ * The arrays, by state (n points, np of them distinct, L leaves of the tree):
+ *                    while a call runs           when it has returned
+ *   tet              positions                   indices of points
+ *   adj              the same as outside: a tetrahedron, NONE or OPEN
+ *   iw   n   rep     the point of least index    the same
+ *                    that coincides
+ *        n   order   position -> index           nothing of use, as all the
+ *        n   head    position -> the pool's      rest
+ *                    first facet that it owns;
+ *                    in restore index -> position
+ *        n   link    position -> first edge of
+ *                    the link from it, or NONE,
+ *                    NEW, DONE
+ *        2 L alive   uncompleted points of a leaf, living children of a node
+ *        the rest    the arena, pool: entries of the hash table grow up from
+ *                    its beginning, m of them; edges of the link grow down
+ *                    from its end, newest the lowest
+ *   rw   3 n x       scaled coordinates by position
+ *        12 L box    box of each node of the tree
+ *
+ * The arena.  The table begins with tablesize entries; when three quarters are
+ * in use makeroom has rehash double it, up to 7/8 of the arena and to what the
+ * edges leave.  When it can grow no more it may fill up to 7/8, so find always
+ * meets an unused entry.  push takes no room of the table; makeroom sees to
+ * room for two edges, by moving them up when half of them are dead.  What is
+ * still short is TESS_POOL.
+ *
+ * An open facet is in one place at any moment: in the link, if it contains s,
+ * the vertex of the star; else, a facet 0, in the table, or, of a tetrahedron
+ * from fresh on, in none until flush.  Numbers of entries are good until the
+ * next erase or rehash, which update head and the owners' lists and nothing
+ * else; numbers of edges until the next renumber, which updates link and the
+ * edges alone: who calls makeroom reads oldest again.
+ *
+ * What rests on the tie rule (hhpred): that a facet's apex is one point for
+ * both its sides, so that the pool empties; firstfacet, on a hull face of more
+ * than three points; in hh_pbeat, that both candidates are on the positive
+ * side; in walk, that heights are lifted; intact.
+ *
+ * Order of the routines, here and in f77/tess.f, as things happen:
  *   sorting      before swap pivot selectmid twin bisect leafstart leafof span
  *                leafsort kdsort boxes
+ *   first facet  point preced edgeby firstfacet
+ *   star         clearlink renumber push join unlinkedge between glue flush
+ *                grow enlist follow load complete makeroom begin star stars
  *   pool         outfac facet owner hashkey same find insert erase rehash
- *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
  *   apex         powererr extent prunebox prunepart ballinbox ballinstar
- *                setbest challenge consider ballcoef starcoef inball
+ *                setbest challenge consider compress ballcoef starcoef inball
  *                considerall likeliest anypoint instar inblock scanleaf
  *                treesearch onhull prepare apex
- *   star         clearlink renumber push join unlinkedge between glue flush
- *                grow enlist follow load complete makeroom star stars
- *   first facet  point preced edgeby firstfacet begin
+ *   lists        disjoint setpoint padlist boxquery leaflist starlist
  *   results      coords four slot mate
  *   preparation  leafcount cuberoot tablesize upto lengths collect inrange
  *                times units scaled sorted intact restore run wrong
  *   entries      tess_size tess tess_resume
+ * and what needs no mesh under construction:
  *   queries      qside inbox
  *   location     distance sample walk holds sweep elimin backsu unite balanc
  *                weigh tess_locate
@@ -145,8 +185,8 @@ extern double tess_count[];
  * 1.1 margin, as SLACK is 0.04 NEAREST.
  *
  * FAR: where a list keeps what has left it.  No such point passes a filter:
- * its r is at least FAR^2 = 1e20, and aim's limits leave |d.x| < 2e19, d[3] <
- * 3e19 (as dc < 3 |c|).
+ * its r is at least FAR^2 = 1e20, and ballcoef's limits leave |d.x| < 2e19,
+ * d[3] < 3e19 (as dc < 3 |c|).
  *
  * PAD: relative room for the few roundings of a bound. */
 #define EPS DBL_EPSILON
@@ -319,8 +359,8 @@ static void twin(mesh *m, tess_int i, tess_int j)
         m->rep[b] = a;
 }
 
-/* bisect - partit across the widest extent.  Duplicates that the cut parts all
- * coincide with the point at mid; each set of duplicates is in the end
+/* bisect - selectmid across the widest extent.  Duplicates that the cut parts
+ * all coincide with the point at mid; each set of duplicates is in the end
  * linked from every member but the first to a smaller number. */
 static void bisect(mesh *m, tess_int lo, tess_int hi, tess_int mid)
 {
@@ -437,6 +477,412 @@ static void boxes(mesh *m)
                 if (x < b[k]) b[k] = x;
                 if (x > b[3 + k]) b[3 + k] = x;
             }
+    }
+}
+
+/* ---- the first facet (Section 2): of the hull, by gift wrapping ---- */
+
+static const tess_real *point(const mesh *m, tess_int i)
+{
+    return m->set.p + 3 * m->order[i];
+}
+
+/* preced - 1 when point a comes strictly before point b: by x, then y, z. */
+static int preced(const tess_real *a, const tess_real *b)
+{
+    int k = 0;
+
+    while (k < 2 && a[k] == b[k]) k++;
+    return a[k] < b[k];
+}
+
+/* edgeby - does point i come before point j when a plane that holds the z
+ * direction is wrapped about a, the lexicographically least point, and then,
+ * in that plane, a line?  The first of all ends an edge of the hull that no
+ * other point lies on. */
+static int edgeby(const mesh *m, tess_int a, tess_int i, tess_int j)
+{
+    const tess_real *o = point(m, a), *p = point(m, i), *q = point(m, j);
+    int above = p[0] == o[0] && p[1] == o[1], turn;
+
+    if (above || (q[0] == o[0] && q[1] == o[1])) {
+        if (above != (q[0] == o[0] && q[1] == o[1])) return !above;
+        return p[2] < q[2];
+    }
+    turn = hh_flat(2, o, q, p);
+    if (turn == 0)
+        turn = q[0] != o[0] ? -hh_flat(1, o, q, p) : hh_flat(0, o, q, p);
+    return turn != 0 ? turn < 0 : preced(p, q);
+}
+
+/* firstfacet - the first facet v, in the hull, all points on its positive side.
+ * On a hull face of more than three points it is, by the rule of ties, the
+ * triangle on the edge v[0] v[1] of the face: of two points a, b of the face
+ * b is better iff I(v0, v1, a, w, b) o3(v0, v1, a, w) > 0 for any w off the
+ * face.  Returns 0 or the code of points without a tetrahedron. */
+static int firstfacet(const mesh *m, tess_int *v)
+{
+    const tess_real *p, *q;
+    tess_int i, w = NONE;
+    int side;
+
+    if (m->np < 2) return TESS_POINT;
+    v[0] = 0;
+    for (i = 1; i < m->np; i++)
+        if (preced(point(m, i), point(m, v[0]))) v[0] = i;
+    v[1] = v[0] == 0 ? 1 : 0;
+    for (i = 0; i < m->np; i++)
+        if (i != v[0] && i != v[1] && edgeby(m, v[0], i, v[1])) v[1] = i;
+    p = point(m, v[0]);
+    q = point(m, v[1]);
+    for (v[2] = 0; v[2] < m->np && hh_line(p, q, point(m, v[2])); v[2]++)
+        ;
+    if (v[2] == m->np) return TESS_LINE;
+    for (i = 0; i < m->np; i++) {
+        side = hh_pside(&m->set, v[0], v[1], v[2], i);
+        if (side != 0) w = i;
+        if (side < 0) {
+            w = v[2];
+            v[2] = i;
+        }
+    }
+    if (w == NONE) return TESS_PLANE;
+    for (i = 0; i < m->np; i++)
+        if (i != v[2] && hh_pside(&m->set, v[0], v[1], v[2], i) == 0 &&
+            !hh_line(p, q, point(m, i)) &&
+            hh_pball(&m->set, v[0], v[1], v[2], w, i) < 0)
+            v[2] = i;
+    return 0;
+}
+
+/* ---- the star of a vertex ----
+ *
+ * The open facets at s are the edges a -> b of its link: (s, a, b) is
+ * positive towards the unknown side.  They are a queue, which keeps the link's
+ * boundary short, and grow down from the end of the pool: edge e is pool[e]
+ * and the EDGE - 1 integers behind it.
+ */
+#define CODE 0  /* the facet's code; START for the first facet; DEAD */
+#define FROM 1  /* a */
+#define TO 2    /* b */
+#define PREV 3  /* an edge that ends where this one begins, or NONE; and */
+#define AFTER 4 /* one that begins where it ends: they give the guesses  */
+#define CHAIN 5 /* the next edge from a, or NONE; link[a] is the first   */
+#define START (-2)
+#define DEAD (-3)
+
+/* What follows calls these, which stand behind it. */
+static void facet(const mesh *m, tess_int code, tess_int *v);
+static tess_int owner(const tess_int *v);
+static tess_int hashkey(const tess_int *v);
+static tess_int find(const mesh *m, const tess_int *v, tess_int sig);
+static void insert(mesh *m, tess_int e, tess_int code, tess_int least,
+                   tess_int sig);
+static void erase(mesh *m, tess_int e, tess_int least);
+static int rehash(mesh *m, tess_int s, tess_int wanted);
+static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess);
+static void starlist(mesh *m, tess_int s);
+
+/* clearlink - the link has no edges. */
+static void clearlink(mesh *m)
+{
+    m->newest = m->room;
+    m->oldest = m->room - EDGE;
+}
+
+/* renumber - move the edges up to the end of the pool again. */
+static void renumber(mesh *m)
+{
+    tess_int shift = m->room - EDGE - m->oldest, e, *p, *q;
+    int k;
+
+    for (e = m->oldest; e >= m->newest; e -= EDGE) {
+        p = m->pool + e;
+        q = p + shift;
+        if (p[CODE] != DEAD && m->link[p[FROM]] == e) m->link[p[FROM]] += shift;
+        for (k = 0; k < EDGE; k++)
+            q[k] = k >= PREV && p[k] != NONE ? p[k] + shift : p[k];
+    }
+    m->newest += shift;
+    m->oldest += shift;
+}
+
+/* push - a new edge a -> b without neighbours, if there is room: its number,
+ * or NONE. */
+static tess_int push(mesh *m, tess_int code, tess_int a, tess_int b)
+{
+    tess_int e = m->newest - EDGE, *p = m->pool + e;
+
+    if (e < ENTRY * m->m) return NONE;
+    p[CODE] = code;
+    p[FROM] = a;
+    p[TO] = b;
+    p[PREV] = p[AFTER] = NONE;
+    p[CHAIN] = m->link[a] >= 0 ? m->link[a] : NONE;
+    m->link[a] = m->newest = e;
+    return e;
+}
+
+/* join - let edge b follow edge a; either may be NONE. */
+static void join(mesh *m, tess_int a, tess_int b)
+{
+    if (a != NONE) m->pool[a + AFTER] = b;
+    if (b != NONE) m->pool[b + PREV] = a;
+}
+
+/* unlinkedge - take edge e out of the link. */
+static void unlinkedge(mesh *m, tess_int e)
+{
+    tess_int *p = m->pool + e, i = m->link[p[FROM]];
+
+    if (i == e)
+        m->link[p[FROM]] = p[CHAIN];
+    else {
+        while (m->pool[i + CHAIN] != e) i = m->pool[i + CHAIN];
+        m->pool[i + CHAIN] = p[CHAIN];
+    }
+    p[CODE] = DEAD;
+}
+
+/* between - the edge a -> b of the link, or NONE. */
+static tess_int between(const mesh *m, tess_int a, tess_int b)
+{
+    tess_int e = m->link[a];
+
+    if (e < 0) return NONE;
+    while (e != NONE && m->pool[e + TO] != b) e = m->pool[e + CHAIN];
+    return e;
+}
+
+/* glue - the facets of two codes are one. */
+static void glue(mesh *m, tess_int code, tess_int other)
+{
+    m->adj[code] = other / 4;
+    m->adj[other] = code / 4;
+}
+
+/* flush - enter the facets opposite to s of the tetrahedra from fresh on into
+ * the pool, or close them if it has their other sides.  They wait for each
+ * other so that the processor can fetch what several need from memory at
+ * once. */
+static void flush(mesh *m)
+{
+    tess_int v[3], e, sig;
+
+    for (; m->fresh < m->ntet; m->fresh++) {
+        facet(m, 4 * m->fresh, v);
+        sig = hashkey(v);
+        e = find(m, v, sig);
+        if (m->pool[ENTRY * e] == NONE)
+            insert(m, e, 4 * m->fresh, owner(v), sig);
+        else {
+            glue(m, 4 * m->fresh, m->pool[ENTRY * e]);
+            erase(m, e, owner(v));
+        }
+    }
+}
+
+/* grow - store the tetrahedron of s, edge e = a -> b and the apex c: a -> c
+ * and c -> b take the place of e in the link, unless their other sides are
+ * there, which then go too. */
+static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
+{
+    tess_int *p = m->pool + e, a = p[FROM], b = p[TO], prev = p[PREV];
+    tess_int after = p[AFTER], code = p[CODE], t = m->ntet++, *v, f, g;
+
+    v = m->tet + 4 * t;
+    v[0] = s;
+    v[1] = a;
+    v[2] = b;
+    v[3] = c;
+    if (code == START)
+        m->adj[4 * t + 3] = TESS_NONE;
+    else
+        glue(m, code, 4 * t + 3);
+    if (m->link[c] == NEW) m->link[c] = NONE;
+    unlinkedge(m, e);
+    m->adj[4 * t] = TESS_OPEN; /* until flush */
+
+    /* a -> c; prev becomes the edge that ends at c */
+    f = between(m, c, a);
+    if (f == NONE) {
+        m->adj[4 * t + 2] = TESS_OPEN;
+        f = push(m, 4 * t + 2, a, c);
+        join(m, prev, f);
+        prev = f;
+    } else {
+        glue(m, 4 * t + 2, m->pool[f + CODE]);
+        g = m->pool[f + PREV];
+        if (f != prev) join(m, prev, m->pool[f + AFTER]);
+        prev = g;
+        unlinkedge(m, f);
+    }
+    /* c -> b */
+    f = between(m, b, c);
+    if (f == NONE) {
+        m->adj[4 * t + 1] = TESS_OPEN;
+        f = push(m, 4 * t + 1, c, b);
+        join(m, prev, f);
+        join(m, f, after);
+    } else {
+        glue(m, 4 * t + 1, m->pool[f + CODE]);
+        g = m->pool[f + PREV];
+        join(m, prev, m->pool[f + AFTER]);
+        if (f != after) join(m, g, after);
+        unlinkedge(m, f);
+    }
+}
+
+/* enlist - make an open facet at s, of the given code, an edge of the link;
+ * 0 if there is no room. */
+static int enlist(mesh *m, tess_int s, tess_int code)
+{
+    tess_int v[3];
+    int k;
+
+    facet(m, code, v);
+    k = (v[1] == s) + 2 * (v[2] == s);
+    return push(m, code, v[(k + 1) % 3], v[(k + 2) % 3]) != NONE;
+}
+
+/* follow - let every edge of the link be followed by one that begins where
+ * it ends and follows no other, if there is one. */
+static void follow(mesh *m)
+{
+    tess_int e, f;
+
+    for (e = m->oldest; e >= m->newest; e -= EDGE) {
+        f = m->link[m->pool[e + TO]];
+        if (f < 0) continue;
+        while (f != NONE && m->pool[f + PREV] != NONE) f = m->pool[f + CHAIN];
+        join(m, e, f);
+    }
+}
+
+/* load - move the facets that s owns from the pool to the link, the oldest
+ * first; 0 if there is no room. */
+static int load(mesh *m, tess_int s)
+{
+    tess_int e = m->head[s];
+
+    if (e == NONE) return 1;
+    while (m->pool[ENTRY * e + 1] != NONE) e = m->pool[ENTRY * e + 1];
+    while (e != NONE) {
+        if (!enlist(m, s, m->pool[ENTRY * e])) return 0;
+        e = m->pool[ENTRY * e + 2];
+    }
+    while (m->head[s] != NONE) erase(m, m->head[s], s);
+    follow(m);
+    return 1;
+}
+
+/* complete - the star of s is complete: s leaves the tree and the block. */
+static void complete(mesh *m, tess_int s)
+{
+    tess_int node = m->leaves + leafof(m, s);
+    list *l = &m->block;
+    int i = (int)(s - l->first);
+
+    if (m->link[s] == DONE) return;
+    m->link[s] = DONE;
+    while (node > 0 && --m->alive[node] == 0) node /= 2;
+    if (s < l->first || s >= l->last || l->n == 0) return;
+    l->x[i] = l->y[i] = l->z[i] = FAR;
+    l->r[i] = FAR * FAR;
+}
+
+/* makeroom - make sure of room for another tetrahedron's facets in the pool and
+ * in the link of s. */
+static int makeroom(mesh *m, tess_int s)
+{
+    if (4 * (m->nopen + m->ntet - m->fresh) >= 3 * m->m) {
+        flush(m);
+        if (4 * m->nopen >= 3 * m->m && rehash(m, s, 2 * m->m + 1) &&
+            m->nopen >= m->m - m->m / 8 - 1)
+            return 0;
+    }
+    if (ENTRY * m->m > m->newest - 2 * EDGE &&
+        m->oldest < m->newest + (m->room - m->newest) / 2)
+        renumber(m);
+    if (ENTRY * m->m <= m->newest - 2 * EDGE) return 1;
+    flush(m);
+    return 0;
+}
+
+/* begin - the first facet becomes an edge of the link of its vertex of least
+ * position, s. */
+static int begin(mesh *m, tess_int *s)
+{
+    tess_int v[3];
+    int code = firstfacet(m, v), k, i;
+
+    if (code != 0) return code;
+    k = v[0] < v[1] && v[0] < v[2] ? 0 : v[1] < v[2] ? 1 : 2;
+    *s = v[k];
+    for (i = 0; i < 3; i++) m->link[v[i]] = NONE;
+    return push(m, START, v[(k + 1) % 3], v[(k + 2) % 3]) == NONE ? TESS_POOL
+                                                                  : 0;
+}
+
+/* star - complete the star of s, whose open facets are the edges of the
+ * link.  Returns 0, TESS_MORE or TESS_POOL. */
+static int star(mesh *m, tess_int s)
+{
+    tess_int *p, v[3], guess[2], e, c;
+
+    starlist(m, s);
+    for (;;) {
+        while (m->oldest >= m->newest && m->pool[m->oldest + CODE] == DEAD)
+            m->oldest -= EDGE;
+        if (m->oldest < m->newest) break;
+        e = m->oldest;
+        p = m->pool + e;
+        v[0] = s;
+        v[1] = p[FROM];
+        v[2] = p[TO];
+        guess[0] = p[PREV] == NONE ? NONE : m->pool[p[PREV] + FROM];
+        guess[1] = p[AFTER] == NONE ? NONE : m->pool[p[AFTER] + TO];
+        c = apex(m, v, guess);
+        if (c == NONE) {
+            if (p[CODE] != START) m->adj[p[CODE]] = TESS_NONE;
+            if (p[PREV] != NONE) m->pool[p[PREV] + AFTER] = NONE;
+            if (p[AFTER] != NONE) m->pool[p[AFTER] + PREV] = NONE;
+            unlinkedge(m, e);
+            continue;
+        }
+        if (m->ntet == m->maxtet) {
+            flush(m);
+            return TESS_MORE;
+        }
+        if (!makeroom(m, s)) return TESS_POOL;
+        grow(m, s, m->oldest, c);
+    }
+    clearlink(m);
+    flush(m);
+    complete(m, s);
+    return 0;
+}
+
+/* stars - complete star after star, from s on if it has edges in the link. */
+static int stars(mesh *m, tess_int s)
+{
+    int code;
+
+    for (;;) {
+        if (m->oldest >= m->newest) {
+            code = star(m, s);
+            if (code != 0) return code;
+        }
+        s = m->low;
+        while (s < m->np && m->head[s] == NONE) {
+            /* no open facet has a vertex of smaller position than low, so
+             * one that was met before and owns none is complete */
+            if (m->link[s] == NONE) complete(m, s);
+            s++;
+        }
+        m->low = s;
+        if (s == m->np) return 0;
+        if (!load(m, s)) return TESS_POOL;
     }
 }
 
@@ -599,192 +1045,6 @@ static int rehash(mesh *m, tess_int s, tess_int wanted)
     return 0;
 }
 
-/* ---- lists: where to look first ---- */
-
-/* disjoint - do two boxes have no common point? */
-static int disjoint(const double *alo, const double *ahi, const double *blo,
-                    const double *bhi)
-{
-    return (ahi[0] < blo[0]) | (ahi[1] < blo[1]) | (ahi[2] < blo[2]) |
-           (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
-}
-
-/* setpoint - set point i of a list from its position; FAR away when its star is
- * complete. */
-static void setpoint(const mesh *m, list *l, int i)
-{
-    const double *q = m->x + 3 * l->id[i];
-    float x = FAR, y = FAR, z = FAR;
-
-    if (m->link[l->id[i]] != DONE) {
-        x = (float)((q[0] - l->centre[0]) * l->unit);
-        y = (float)((q[1] - l->centre[1]) * l->unit);
-        z = (float)((q[2] - l->centre[2]) * l->unit);
-    }
-    l->x[i] = x;
-    l->y[i] = y;
-    l->z[i] = z;
-    l->r[i] = x * x + y * y + z * z;
-}
-
-/* padlist - fill up the last four of a list with points that are FAR away:
- * loops over lists go by fours, which every compiler can make vectors of. */
-static void padlist(list *l)
-{
-    int i = l->n;
-
-    while (i % 4 != 0) {
-        l->x[i] = l->y[i] = l->z[i] = FAR;
-        l->r[i] = FAR * FAR;
-        l->id[i++] = NONE;
-    }
-}
-
-/* boxquery - add the uncompleted points of its box that are not in leaf own to
- * the positions of a list.  Returns 0 when they do not fit. */
-static int boxquery(const mesh *m, list *l, tess_int own)
-{
-    tess_int stack[DEPTH], node, i, first, last;
-    const double *b;
-    int depth = 0;
-
-    stack[depth++] = 1;
-    while (depth > 0) {
-        node = stack[--depth];
-        b = m->box + 6 * node;
-        if (m->alive[node] == 0 || disjoint(l->lo, l->hi, b, b + 3) ||
-            node == m->leaves + own)
-            continue;
-        if (node < m->leaves) {
-            stack[depth++] = 2 * node;
-            stack[depth++] = 2 * node + 1;
-            continue;
-        }
-        span(m, node, &first, &last);
-        for (i = first; i < last; i++) {
-            l->id[l->n] = i;
-            l->n += (m->link[i] != DONE) &
-                    !disjoint(l->lo, l->hi, m->x + 3 * i, m->x + 3 * i);
-        }
-        if (l->n > TESS_LIST) return 0;
-    }
-    return 1;
-}
-
-/* leaflist - make the list of the leaf of star s: its points, in order, then
- * the uncompleted ones around it.  The margin shrinks until they fit. */
-static void leaflist(mesh *m, tess_int s)
-{
-    tess_int leaf = leafof(m, s), i;
-    const double *b = m->box + 6 * (m->leaves + leaf);
-    double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half = 0.0;
-    double margin = m->reach * sqrt(x * x + y * y + z * z);
-    const double *root = m->box + 6;
-    list *l = &m->block;
-    int k, full = 1;
-
-    l->first = leafstart(m, leaf);
-    l->last = leafstart(m, leaf + 1);
-    m->share = NEAR;
-    while (full) {
-        for (k = 0; k < 3; k++) {
-            l->lo[k] = b[k] - margin;
-            l->hi[k] = b[3 + k] + margin;
-            l->centre[k] = 0.5 * (l->lo[k] + l->hi[k]);
-            x = 0.5 * (l->hi[k] - l->lo[k]);
-            half = x > half || k == 0 ? x : half;
-        }
-        l->margin = margin;
-        l->unit = half > NARROW ? 1.0 / half : 0.0;
-        for (k = 0; k < 3; k++) {
-            /* the points are inside the root's box, too */
-            x = l->hi[k] < root[3 + k] ? l->hi[k] : root[3 + k];
-            y = l->lo[k] > root[k] ? l->lo[k] : root[k];
-            x -= l->centre[k];
-            y = l->centre[k] - y;
-            l->most[k] = (x > y ? x : y) * l->unit;
-        }
-        l->n = 0;
-        for (i = l->first; i < l->last; i++) l->id[l->n++] = i;
-        full = !boxquery(m, l, leaf);
-        if (l->unit == 0.0 || (full && margin == 0.0)) {
-            l->n = 0; /* no list */
-            return;
-        }
-        margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
-    }
-    for (k = 0; k < l->n; k++) setpoint(m, l, k);
-    padlist(l);
-    if (l->n < BLOCKMIN && m->reach < 8.0) m->reach *= 1.1;
-    if (l->n > BLOCKMAX && m->reach > 0.05) m->reach *= 0.9;
-}
-
-/* compress - those of the places 0 ... n-1 that are marked by 1, the others by
- * 0, without a branch: no processor could guess it.  Returns their number. */
-static int compress(const int *in, int n, int *place)
-{
-    int i, *next = place;
-
-    for (i = 0; i < n; i += 4) {
-        *next = i;
-        next += in[i];
-        *next = i + 1;
-        next += in[i + 1];
-        *next = i + 2;
-        next += in[i + 2];
-        *next = i + 3;
-        next += in[i + 3];
-    }
-    return (int)(next - place);
-}
-
-/* starlist - make the lists for star s: the block of its leaf and, from it, the
- * points nearer to s than the star's margin, which is at most the distance
- * from s to where the block may lack points. */
-static void starlist(mesh *m, tess_int s)
-{
-    list *l = &m->block, *g = &m->around;
-    const double *q = m->x + 3 * s, *root = m->box + 6;
-    double margin;
-    float x, y, z, most;
-    int i, k, n, in[TESS_LIST], which[TESS_LIST + 1];
-
-    if (s < l->first || s >= l->last) leaflist(m, s);
-    g->n = 0;
-    margin = m->share * l->margin;
-    for (k = 0; k < 3; k++) {
-        if (l->lo[k] > root[k] && margin > q[k] - l->lo[k])
-            margin = q[k] - l->lo[k];
-        if (l->hi[k] < root[3 + k] && margin > l->hi[k] - q[k])
-            margin = l->hi[k] - q[k];
-        g->centre[k] = q[k];
-        g->most[k] = 1.1;
-    }
-    if (l->n == 0 || margin * l->unit < NEAREST) return;
-    g->margin = margin;
-    g->unit = 1.0 / margin;
-    i = (int)(s - l->first);
-    x = l->x[i];
-    y = l->y[i];
-    z = l->z[i];
-    /* none nearer than margin is missed */
-    most = (float)(margin * l->unit) + SLACK;
-    most *= most;
-    for (i = 0; i < (l->n + 3) / 4 * 4; i++)
-        in[i] = (l->x[i] - x) * (l->x[i] - x) +
-                    (l->y[i] - y) * (l->y[i] - y) +
-                    (l->z[i] - z) * (l->z[i] - z) <= most;
-    n = compress(in, l->n, which);
-    for (i = 0; i < n; i++) {
-        g->id[i] = l->id[which[i]];
-        setpoint(m, g, i);
-    }
-    g->n = n;
-    padlist(g);
-    if (n < STARMIN && m->share < 4.0) m->share *= 1.1;
-    if (n > STARMAX) m->share *= 0.9;
-}
-
 /* ---- the apex of a facet ---- */
 
 /* powererr - how wrong the power |w|^2 - 2 c.w may be for |w|_1 <= size: c is
@@ -813,9 +1073,9 @@ static double extent(const quest *f, const double *lo, const double *hi)
 /* prunebox - has the box lo, hi certainly no candidate: no point that is in the
  * ball of a search, if there is one, or on it, or none on the positive side?
  * The least power |w|^2 - 2 c.w and the greatest side of its points count,
- * less their errors: blur; E |w|, which covers the rounding of the side, too.
- * Both are taken at a point of the box's own doubles, so the same bounds hold
- * as for a point. */
+ * less their errors: powererr; E |w|, which covers the rounding of the side,
+ * too.  Both are taken at a point of the box's own doubles, so the same bounds
+ * hold as for a point. */
 static int prunebox(const quest *f, const double *lo, const double *hi)
 {
     double power = 0.0, side = 0.0, size = 0.0, l, h, u, v;
@@ -961,6 +1221,25 @@ static void consider(const mesh *m, quest *f, tess_int z)
         challenge(m, f, z);
 }
 
+/* compress - those of the places 0 ... n-1 that are marked by 1, the others by
+ * 0, without a branch: no processor could guess it.  Returns their number. */
+static int compress(const int *in, int n, int *place)
+{
+    int i, *next = place;
+
+    for (i = 0; i < n; i += 4) {
+        *next = i;
+        next += in[i];
+        *next = i + 1;
+        next += in[i + 1];
+        *next = i + 2;
+        next += in[i + 2];
+        *next = i + 3;
+        next += in[i + 3];
+    }
+    return (int)(next - place);
+}
+
 /* ballcoef - the test of a list's points against a ball of centre c, relative
  * to the base of a search: a point of the list can be in the ball only if
  *     r - (d[0] x + d[1] y + d[2] z) < d[3].
@@ -1013,8 +1292,8 @@ static int starcoef(const list *l, const quest *f, float *d)
     return 1;
 }
 
-/* inball - which points of a list pass aim's test, and how many.  Of those the
- * vertices of the facet and the best point, which are on the ball, are the
+/* inball - which points of a list pass ballcoef's test, and how many.  Of those
+ * the vertices of the facet and the best point, which are on the ball, are the
  * first four. */
 static int inball(const list *l, const float *d, int *in)
 {
@@ -1260,398 +1539,171 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     return f.best;
 }
 
-/* ---- the star of a vertex ----
- *
- * The open facets at s are the edges a -> b of its link: (s, a, b) is
- * positive towards the unknown side.  They are a queue, which keeps the link's
- * boundary short, and grow down from the end of the pool: edge e is pool[e]
- * and the EDGE - 1 integers behind it.
- */
-#define CODE 0  /* the facet's code; START for the first facet; DEAD */
-#define FROM 1  /* a */
-#define TO 2    /* b */
-#define PREV 3  /* an edge that ends where this one begins, or NONE; and */
-#define AFTER 4 /* one that begins where it ends: they give the guesses  */
-#define CHAIN 5 /* the next edge from a, or NONE; link[a] is the first   */
-#define START (-2)
-#define DEAD (-3)
+/* ---- lists: where to look first ---- */
 
-/* clearlink - the link has no edges. */
-static void clearlink(mesh *m)
+/* disjoint - do two boxes have no common point? */
+static int disjoint(const double *alo, const double *ahi, const double *blo,
+                    const double *bhi)
 {
-    m->newest = m->room;
-    m->oldest = m->room - EDGE;
+    return (ahi[0] < blo[0]) | (ahi[1] < blo[1]) | (ahi[2] < blo[2]) |
+           (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
 }
 
-/* renumber - move the edges up to the end of the pool again. */
-static void renumber(mesh *m)
+/* setpoint - set point i of a list from its position; FAR away when its star is
+ * complete. */
+static void setpoint(const mesh *m, list *l, int i)
 {
-    tess_int shift = m->room - EDGE - m->oldest, e, *p, *q;
-    int k;
+    const double *q = m->x + 3 * l->id[i];
+    float x = FAR, y = FAR, z = FAR;
 
-    for (e = m->oldest; e >= m->newest; e -= EDGE) {
-        p = m->pool + e;
-        q = p + shift;
-        if (p[CODE] != DEAD && m->link[p[FROM]] == e) m->link[p[FROM]] += shift;
-        for (k = 0; k < EDGE; k++)
-            q[k] = k >= PREV && p[k] != NONE ? p[k] + shift : p[k];
+    if (m->link[l->id[i]] != DONE) {
+        x = (float)((q[0] - l->centre[0]) * l->unit);
+        y = (float)((q[1] - l->centre[1]) * l->unit);
+        z = (float)((q[2] - l->centre[2]) * l->unit);
     }
-    m->newest += shift;
-    m->oldest += shift;
+    l->x[i] = x;
+    l->y[i] = y;
+    l->z[i] = z;
+    l->r[i] = x * x + y * y + z * z;
 }
 
-/* push - a new edge a -> b without neighbours, if there is room: its number,
- * or NONE. */
-static tess_int push(mesh *m, tess_int code, tess_int a, tess_int b)
+/* padlist - fill up the last four of a list with points that are FAR away:
+ * loops over lists go by fours, which every compiler can make vectors of. */
+static void padlist(list *l)
 {
-    tess_int e = m->newest - EDGE, *p = m->pool + e;
+    int i = l->n;
 
-    if (e < ENTRY * m->m) return NONE;
-    p[CODE] = code;
-    p[FROM] = a;
-    p[TO] = b;
-    p[PREV] = p[AFTER] = NONE;
-    p[CHAIN] = m->link[a] >= 0 ? m->link[a] : NONE;
-    m->link[a] = m->newest = e;
-    return e;
-}
-
-/* join - let edge b follow edge a; either may be NONE. */
-static void join(mesh *m, tess_int a, tess_int b)
-{
-    if (a != NONE) m->pool[a + AFTER] = b;
-    if (b != NONE) m->pool[b + PREV] = a;
-}
-
-/* unlinkedge - take edge e out of the link. */
-static void unlinkedge(mesh *m, tess_int e)
-{
-    tess_int *p = m->pool + e, i = m->link[p[FROM]];
-
-    if (i == e)
-        m->link[p[FROM]] = p[CHAIN];
-    else {
-        while (m->pool[i + CHAIN] != e) i = m->pool[i + CHAIN];
-        m->pool[i + CHAIN] = p[CHAIN];
+    while (i % 4 != 0) {
+        l->x[i] = l->y[i] = l->z[i] = FAR;
+        l->r[i] = FAR * FAR;
+        l->id[i++] = NONE;
     }
-    p[CODE] = DEAD;
 }
 
-/* between - the edge a -> b of the link, or NONE. */
-static tess_int between(const mesh *m, tess_int a, tess_int b)
+/* boxquery - add the uncompleted points of its box that are not in leaf own to
+ * the positions of a list.  Returns 0 when they do not fit. */
+static int boxquery(const mesh *m, list *l, tess_int own)
 {
-    tess_int e = m->link[a];
+    tess_int stack[DEPTH], node, i, first, last;
+    const double *b;
+    int depth = 0;
 
-    if (e < 0) return NONE;
-    while (e != NONE && m->pool[e + TO] != b) e = m->pool[e + CHAIN];
-    return e;
-}
-
-/* glue - the facets of two codes are one. */
-static void glue(mesh *m, tess_int code, tess_int other)
-{
-    m->adj[code] = other / 4;
-    m->adj[other] = code / 4;
-}
-
-/* flush - enter the facets opposite to s of the tetrahedra from fresh on into
- * the pool, or close them if it has their other sides.  They wait for each
- * other so that the processor can fetch what several need from memory at
- * once. */
-static void flush(mesh *m)
-{
-    tess_int v[3], e, sig;
-
-    for (; m->fresh < m->ntet; m->fresh++) {
-        facet(m, 4 * m->fresh, v);
-        sig = hashkey(v);
-        e = find(m, v, sig);
-        if (m->pool[ENTRY * e] == NONE)
-            insert(m, e, 4 * m->fresh, owner(v), sig);
-        else {
-            glue(m, 4 * m->fresh, m->pool[ENTRY * e]);
-            erase(m, e, owner(v));
+    stack[depth++] = 1;
+    while (depth > 0) {
+        node = stack[--depth];
+        b = m->box + 6 * node;
+        if (m->alive[node] == 0 || disjoint(l->lo, l->hi, b, b + 3) ||
+            node == m->leaves + own)
+            continue;
+        if (node < m->leaves) {
+            stack[depth++] = 2 * node;
+            stack[depth++] = 2 * node + 1;
+            continue;
         }
+        span(m, node, &first, &last);
+        for (i = first; i < last; i++) {
+            l->id[l->n] = i;
+            l->n += (m->link[i] != DONE) &
+                    !disjoint(l->lo, l->hi, m->x + 3 * i, m->x + 3 * i);
+        }
+        if (l->n > TESS_LIST) return 0;
     }
-}
-
-/* grow - store the tetrahedron of s, edge e = a -> b and the apex c: a -> c
- * and c -> b take the place of e in the link, unless their other sides are
- * there, which then go too. */
-static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
-{
-    tess_int *p = m->pool + e, a = p[FROM], b = p[TO], prev = p[PREV];
-    tess_int after = p[AFTER], code = p[CODE], t = m->ntet++, *v, f, g;
-
-    v = m->tet + 4 * t;
-    v[0] = s;
-    v[1] = a;
-    v[2] = b;
-    v[3] = c;
-    if (code == START)
-        m->adj[4 * t + 3] = TESS_NONE;
-    else
-        glue(m, code, 4 * t + 3);
-    if (m->link[c] == NEW) m->link[c] = NONE;
-    unlinkedge(m, e);
-    m->adj[4 * t] = TESS_OPEN; /* until flush */
-
-    /* a -> c; prev becomes the edge that ends at c */
-    f = between(m, c, a);
-    if (f == NONE) {
-        m->adj[4 * t + 2] = TESS_OPEN;
-        f = push(m, 4 * t + 2, a, c);
-        join(m, prev, f);
-        prev = f;
-    } else {
-        glue(m, 4 * t + 2, m->pool[f + CODE]);
-        g = m->pool[f + PREV];
-        if (f != prev) join(m, prev, m->pool[f + AFTER]);
-        prev = g;
-        unlinkedge(m, f);
-    }
-    /* c -> b */
-    f = between(m, b, c);
-    if (f == NONE) {
-        m->adj[4 * t + 1] = TESS_OPEN;
-        f = push(m, 4 * t + 1, c, b);
-        join(m, prev, f);
-        join(m, f, after);
-    } else {
-        glue(m, 4 * t + 1, m->pool[f + CODE]);
-        g = m->pool[f + PREV];
-        join(m, prev, m->pool[f + AFTER]);
-        if (f != after) join(m, g, after);
-        unlinkedge(m, f);
-    }
-}
-
-/* enlist - make an open facet at s, of the given code, an edge of the link;
- * 0 if there is no room. */
-static int enlist(mesh *m, tess_int s, tess_int code)
-{
-    tess_int v[3];
-    int k;
-
-    facet(m, code, v);
-    k = (v[1] == s) + 2 * (v[2] == s);
-    return push(m, code, v[(k + 1) % 3], v[(k + 2) % 3]) != NONE;
-}
-
-/* follow - let every edge of the link be followed by one that begins where
- * it ends and follows no other, if there is one. */
-static void follow(mesh *m)
-{
-    tess_int e, f;
-
-    for (e = m->oldest; e >= m->newest; e -= EDGE) {
-        f = m->link[m->pool[e + TO]];
-        if (f < 0) continue;
-        while (f != NONE && m->pool[f + PREV] != NONE) f = m->pool[f + CHAIN];
-        join(m, e, f);
-    }
-}
-
-/* load - move the facets that s owns from the pool to the link, the oldest
- * first; 0 if there is no room. */
-static int load(mesh *m, tess_int s)
-{
-    tess_int e = m->head[s];
-
-    if (e == NONE) return 1;
-    while (m->pool[ENTRY * e + 1] != NONE) e = m->pool[ENTRY * e + 1];
-    while (e != NONE) {
-        if (!enlist(m, s, m->pool[ENTRY * e])) return 0;
-        e = m->pool[ENTRY * e + 2];
-    }
-    while (m->head[s] != NONE) erase(m, m->head[s], s);
-    follow(m);
     return 1;
 }
 
-/* complete - the star of s is complete: s leaves the tree and the block. */
-static void complete(mesh *m, tess_int s)
+/* leaflist - make the list of the leaf of star s: its points, in order, then
+ * the uncompleted ones around it.  The margin shrinks until they fit. */
+static void leaflist(mesh *m, tess_int s)
 {
-    tess_int node = m->leaves + leafof(m, s);
+    tess_int leaf = leafof(m, s), i;
+    const double *b = m->box + 6 * (m->leaves + leaf);
+    double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half = 0.0;
+    double margin = m->reach * sqrt(x * x + y * y + z * z);
+    const double *root = m->box + 6;
     list *l = &m->block;
-    int i = (int)(s - l->first);
+    int k, full = 1;
 
-    if (m->link[s] == DONE) return;
-    m->link[s] = DONE;
-    while (node > 0 && --m->alive[node] == 0) node /= 2;
-    if (s < l->first || s >= l->last || l->n == 0) return;
-    l->x[i] = l->y[i] = l->z[i] = FAR;
-    l->r[i] = FAR * FAR;
-}
-
-/* makeroom - make sure of room for another tetrahedron's facets in the pool and
- * in the link of s. */
-static int makeroom(mesh *m, tess_int s)
-{
-    if (4 * (m->nopen + m->ntet - m->fresh) >= 3 * m->m) {
-        flush(m);
-        if (4 * m->nopen >= 3 * m->m && rehash(m, s, 2 * m->m + 1) &&
-            m->nopen >= m->m - m->m / 8 - 1)
-            return 0;
-    }
-    if (ENTRY * m->m > m->newest - 2 * EDGE &&
-        m->oldest < m->newest + (m->room - m->newest) / 2)
-        renumber(m);
-    if (ENTRY * m->m <= m->newest - 2 * EDGE) return 1;
-    flush(m);
-    return 0;
-}
-
-/* star - complete the star of s, whose open facets are the edges of the
- * link.  Returns 0, TESS_MORE or TESS_POOL. */
-static int star(mesh *m, tess_int s)
-{
-    tess_int *p, v[3], guess[2], e, c;
-
-    starlist(m, s);
-    for (;;) {
-        while (m->oldest >= m->newest && m->pool[m->oldest + CODE] == DEAD)
-            m->oldest -= EDGE;
-        if (m->oldest < m->newest) break;
-        e = m->oldest;
-        p = m->pool + e;
-        v[0] = s;
-        v[1] = p[FROM];
-        v[2] = p[TO];
-        guess[0] = p[PREV] == NONE ? NONE : m->pool[p[PREV] + FROM];
-        guess[1] = p[AFTER] == NONE ? NONE : m->pool[p[AFTER] + TO];
-        c = apex(m, v, guess);
-        if (c == NONE) {
-            if (p[CODE] != START) m->adj[p[CODE]] = TESS_NONE;
-            if (p[PREV] != NONE) m->pool[p[PREV] + AFTER] = NONE;
-            if (p[AFTER] != NONE) m->pool[p[AFTER] + PREV] = NONE;
-            unlinkedge(m, e);
-            continue;
+    l->first = leafstart(m, leaf);
+    l->last = leafstart(m, leaf + 1);
+    m->share = NEAR;
+    while (full) {
+        for (k = 0; k < 3; k++) {
+            l->lo[k] = b[k] - margin;
+            l->hi[k] = b[3 + k] + margin;
+            l->centre[k] = 0.5 * (l->lo[k] + l->hi[k]);
+            x = 0.5 * (l->hi[k] - l->lo[k]);
+            half = x > half || k == 0 ? x : half;
         }
-        if (m->ntet == m->maxtet) {
-            flush(m);
-            return TESS_MORE;
+        l->margin = margin;
+        l->unit = half > NARROW ? 1.0 / half : 0.0;
+        for (k = 0; k < 3; k++) {
+            /* the points are inside the root's box, too */
+            x = l->hi[k] < root[3 + k] ? l->hi[k] : root[3 + k];
+            y = l->lo[k] > root[k] ? l->lo[k] : root[k];
+            x -= l->centre[k];
+            y = l->centre[k] - y;
+            l->most[k] = (x > y ? x : y) * l->unit;
         }
-        if (!makeroom(m, s)) return TESS_POOL;
-        grow(m, s, m->oldest, c);
-    }
-    clearlink(m);
-    flush(m);
-    complete(m, s);
-    return 0;
-}
-
-/* stars - complete star after star, from s on if it has edges in the link. */
-static int stars(mesh *m, tess_int s)
-{
-    int code;
-
-    for (;;) {
-        if (m->oldest >= m->newest) {
-            code = star(m, s);
-            if (code != 0) return code;
+        l->n = 0;
+        for (i = l->first; i < l->last; i++) l->id[l->n++] = i;
+        full = !boxquery(m, l, leaf);
+        if (l->unit == 0.0 || (full && margin == 0.0)) {
+            l->n = 0; /* no list */
+            return;
         }
-        s = m->low;
-        while (s < m->np && m->head[s] == NONE) {
-            /* no open facet has a vertex of smaller position than low, so
-             * one that was met before and owns none is complete */
-            if (m->link[s] == NONE) complete(m, s);
-            s++;
-        }
-        m->low = s;
-        if (s == m->np) return 0;
-        if (!load(m, s)) return TESS_POOL;
+        margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
     }
+    for (k = 0; k < l->n; k++) setpoint(m, l, k);
+    padlist(l);
+    if (l->n < BLOCKMIN && m->reach < 8.0) m->reach *= 1.1;
+    if (l->n > BLOCKMAX && m->reach > 0.05) m->reach *= 0.9;
 }
 
-/* ---- the first facet (Section 2): of the hull, by gift wrapping ---- */
-
-static const tess_real *point(const mesh *m, tess_int i)
+/* starlist - make the lists for star s: the block of its leaf and, from it, the
+ * points nearer to s than the star's margin, which is at most the distance
+ * from s to where the block may lack points. */
+static void starlist(mesh *m, tess_int s)
 {
-    return m->set.p + 3 * m->order[i];
-}
+    list *l = &m->block, *g = &m->around;
+    const double *q = m->x + 3 * s, *root = m->box + 6;
+    double margin;
+    float x, y, z, most;
+    int i, k, n, in[TESS_LIST], which[TESS_LIST + 1];
 
-/* preced - 1 when point a comes strictly before point b: by x, then y, z. */
-static int preced(const tess_real *a, const tess_real *b)
-{
-    int k = 0;
-
-    while (k < 2 && a[k] == b[k]) k++;
-    return a[k] < b[k];
-}
-
-/* edgeby - does point i come before point j when a plane that holds the z
- * direction is wrapped about a, the lexicographically least point, and then,
- * in that plane, a line?  The first of all ends an edge of the hull that no
- * other point lies on. */
-static int edgeby(const mesh *m, tess_int a, tess_int i, tess_int j)
-{
-    const tess_real *o = point(m, a), *p = point(m, i), *q = point(m, j);
-    int above = p[0] == o[0] && p[1] == o[1], turn;
-
-    if (above || (q[0] == o[0] && q[1] == o[1])) {
-        if (above != (q[0] == o[0] && q[1] == o[1])) return !above;
-        return p[2] < q[2];
+    if (s < l->first || s >= l->last) leaflist(m, s);
+    g->n = 0;
+    margin = m->share * l->margin;
+    for (k = 0; k < 3; k++) {
+        if (l->lo[k] > root[k] && margin > q[k] - l->lo[k])
+            margin = q[k] - l->lo[k];
+        if (l->hi[k] < root[3 + k] && margin > l->hi[k] - q[k])
+            margin = l->hi[k] - q[k];
+        g->centre[k] = q[k];
+        g->most[k] = 1.1;
     }
-    turn = hh_flat(2, o, q, p);
-    if (turn == 0)
-        turn = q[0] != o[0] ? -hh_flat(1, o, q, p) : hh_flat(0, o, q, p);
-    return turn != 0 ? turn < 0 : preced(p, q);
-}
-
-/* firstfacet - the first facet v, in the hull, all points on its positive side.
- * On a hull face of more than three points it is, by the rule of ties, the
- * triangle on the edge v[0] v[1] of the face: of two points a, b of the face
- * b is better iff I(v0, v1, a, w, b) o3(v0, v1, a, w) > 0 for any w off the
- * face.  Returns 0 or the code of points without a tetrahedron. */
-static int firstfacet(const mesh *m, tess_int *v)
-{
-    const tess_real *p, *q;
-    tess_int i, w = NONE;
-    int side;
-
-    if (m->np < 2) return TESS_POINT;
-    v[0] = 0;
-    for (i = 1; i < m->np; i++)
-        if (preced(point(m, i), point(m, v[0]))) v[0] = i;
-    v[1] = v[0] == 0 ? 1 : 0;
-    for (i = 0; i < m->np; i++)
-        if (i != v[0] && i != v[1] && edgeby(m, v[0], i, v[1])) v[1] = i;
-    p = point(m, v[0]);
-    q = point(m, v[1]);
-    for (v[2] = 0; v[2] < m->np && hh_line(p, q, point(m, v[2])); v[2]++)
-        ;
-    if (v[2] == m->np) return TESS_LINE;
-    for (i = 0; i < m->np; i++) {
-        side = hh_pside(&m->set, v[0], v[1], v[2], i);
-        if (side != 0) w = i;
-        if (side < 0) {
-            w = v[2];
-            v[2] = i;
-        }
+    if (l->n == 0 || margin * l->unit < NEAREST) return;
+    g->margin = margin;
+    g->unit = 1.0 / margin;
+    i = (int)(s - l->first);
+    x = l->x[i];
+    y = l->y[i];
+    z = l->z[i];
+    /* none nearer than margin is missed */
+    most = (float)(margin * l->unit) + SLACK;
+    most *= most;
+    for (i = 0; i < (l->n + 3) / 4 * 4; i++)
+        in[i] = (l->x[i] - x) * (l->x[i] - x) +
+                    (l->y[i] - y) * (l->y[i] - y) +
+                    (l->z[i] - z) * (l->z[i] - z) <= most;
+    n = compress(in, l->n, which);
+    for (i = 0; i < n; i++) {
+        g->id[i] = l->id[which[i]];
+        setpoint(m, g, i);
     }
-    if (w == NONE) return TESS_PLANE;
-    for (i = 0; i < m->np; i++)
-        if (i != v[2] && hh_pside(&m->set, v[0], v[1], v[2], i) == 0 &&
-            !hh_line(p, q, point(m, i)) &&
-            hh_pball(&m->set, v[0], v[1], v[2], w, i) < 0)
-            v[2] = i;
-    return 0;
-}
-
-/* begin - the first facet becomes an edge of the link of its vertex of least
- * position, s. */
-static int begin(mesh *m, tess_int *s)
-{
-    tess_int v[3];
-    int code = firstfacet(m, v), k, i;
-
-    if (code != 0) return code;
-    k = v[0] < v[1] && v[0] < v[2] ? 0 : v[1] < v[2] ? 1 : 2;
-    *s = v[k];
-    for (i = 0; i < 3; i++) m->link[v[i]] = NONE;
-    return push(m, START, v[(k + 1) % 3], v[(k + 2) % 3]) == NONE ? TESS_POOL
-                                                                  : 0;
+    g->n = n;
+    padlist(g);
+    if (n < STARMIN && m->share < 4.0) m->share *= 1.1;
+    if (n > STARMAX) m->share *= 0.9;
 }
 
 /* ---- results: the caller's arrays ---- */
@@ -2067,6 +2119,10 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
     if (code != 0) return code;
     return run(n, p, maxtet, ntet, tet, adj, liw, iw, rw);
 }
+
+/* =====================================================================
+ * What follows needs no mesh under construction, but results alone.
+ * ===================================================================== */
 
 /* ---- common to the queries ----
  *

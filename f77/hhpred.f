@@ -34,8 +34,8 @@ C       exact signs: certain HHCERT, filt3 HHFIL3, filt5 HHFIL5,
 C         exact3 HHEXA3, exact5 HHEXA5, scale HHSCAL, larger HHLARG,
 C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
 C         hh_line HHLINE, widersg HHWIDS, hh_wider HHWIDE,
-C         hh_range HHRANG, corners HHCORN, hh_pside HHPSID,
-C         tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
+C         hh_range HHRANG, corners HHCORN, hh_pside HHPSID
+C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
 C         hh_bound HHBOUN, hh_facet HHFACE, hh_side HHSIDE,
@@ -1136,19 +1136,27 @@ C               not known
       END IF
       END
 
+C     ------------------------------------------------------------------
+C     The tie rule (Figure 4 of the paper made precise).
+C
+C     Each point x has the lifted height |x|**2; that of point number i
+C     is lowered by e_i, e_1 >> e_2 >> ... > 0, so that no five points
+C     are on one sphere and a tetrahedralization is the one whose lifted
+C     tetrahedra are the lower facets of a convex polytope.  The point
+C     of least number of a cospherical set is a vertex of all the set's
+C     tetrahedra, and no tetrahedron is flat.  Every decision here is of
+C     the same perturbed heights, whatever facet it is asked for: that
+C     is what makes them agree.
+C     ------------------------------------------------------------------
+
 C     HHTIED - the sign, never 0, of the perturbed insphere determinant
 C     of HHFIL5, called D here, for five positions V of a set of points
-C     (see HHPSID) with D = 0.
-C
-C     The lifted height of point number i is lowered by e_i, e_1 >> e_2
-C     >> ... > 0 (Figure 4 of the paper made precise: the point of least
-C     number is a vertex of all the tetrahedra of a cospherical set).
-C     So the sign is that of the cofactor of the least e_i that has one:
-C     -(-1)**k times the determinant of the other four positions in
-C     their order, for the first k, in increasing order of the points'
-C     numbers, for which it is not 0.  It is 1 for k = 4 and -1 for k =
-C     5 when V(4) and V(5) are known to be on the positive side of V(1),
-C     V(2), V(3): then POSITV is 1, else 0.
+C     (see HHPSID) with D = 0: that of the cofactor of the greatest e_i
+C     that has one, -(-1)**k times the determinant of the other four
+C     positions in their order, for the first k, in increasing order of
+C     the points' numbers, for which it is not 0.  It is 1 for k = 4 and
+C     -1 for k = 5 when V(4) and V(5) are known to be on the positive
+C     side of V(1), V(2), V(3): then POSITV is 1, else 0.
       INTEGER FUNCTION HHTIED(X, P, ORD, T3, V, POSITV)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), V(5), POSITV

@@ -47,32 +47,77 @@ C     comparisons of the caller's coordinates, or predicates of hhpred.
 C     Floating point here chooses where to look, with margins that cover
 C     its rounding.
 C
-C     The routines of tess.c, in its order, and their names here:
+C     The arrays, by state (N points, NP of them distinct, L leaves of
+C     the tree):
+C                         while a call runs      when it has returned
+C       TET               positions              numbers of points
+C       ADJ               the same as outside: a tetrahedron, 0 or OPEN
+C       IW   N   REP      the least point that   the same
+C                         coincides
+C            N   ORD      position -> point      nothing of use, as all
+C            N   HEAD     position -> the pool's   the rest
+C                         first facet that it
+C                         owns; in TSREST point
+C                         -> position
+C            N   LINK     position -> first edge
+C                         of the link from it, or
+C                         0, NEW, DONE
+C            2 L ALIVE    uncompleted points of a leaf, living children
+C                         of a node
+C            the rest     the arena, POOL: entries of the hash table grow
+C                         up from its beginning, MPOOL of them; edges of
+C                         the link grow down from its end, NEWEST the
+C                         lowest
+C       RW   3 N X        scaled coordinates by position
+C            12 L BOX     box of each node of the tree
+C
+C     The arena.  The table begins with TSTABL entries; when three
+C     quarters are in use TSMKRO has TSREHA double it, up to 7/8 of the
+C     arena and to what the edges leave.  When it can grow no more it
+C     may fill up to 7/8, so TSFIND always meets an unused entry.
+C     TSPUSH takes no room of the table; TSMKRO sees to room for two
+C     edges, by moving them up when half of them are dead.  What is
+C     still short is code FULL.
+C
+C     An open facet is in one place at any moment: in the link, if it
+C     contains S, the vertex of the star; else, a facet 1, in the table,
+C     or, of a tetrahedron from FRESH on, in none until TSFLUS.  Numbers
+C     of entries are good until the next TSERAS or TSREHA, which update
+C     HEAD and the owners' lists and nothing else; numbers of edges
+C     until the next TSRENU, which updates LINK and the edges alone: who
+C     calls TSMKRO reads OLDEST again.
+C
+C     What rests on the tie rule (hhpred): that a facet's apex is one
+C     point for both its sides, so that the pool empties; TSFIRS, on a
+C     hull face of more than three points; in HHPBEA, that both
+C     candidates are on the positive side; in TSWALK, that heights are
+C     lifted; TSINTA.
+C
+C     The routines of tess.c, in its order, as things happen, and their
+C     names here:
 C       sorting: before TSBEFO, swap TSSWAP, pivot TSPIVO,
 C         selectmid TSSELE, twin TSTWIN, bisect TSBISE,
 C         leafstart TSLFST, leafof TSLEAF, span TSSPAN,
 C         leafsort TSLSOR, kdsort TSKDSO, boxes TSBOXE
-C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
-C         hashkey TSHASH, same TSSAME, find TSFIND, insert TSINSE,
-C         erase TSERAS, rehash TSREHA
-C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
-C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
-C         starlist TSSTLI
-C       apex: powererr TSPOWE, extent TSEXTE, prunebox TSPRUN,
-C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
-C         setbest TSSETB, challenge TSCHAL, consider TSCONS,
-C         ballcoef TSBALC, starcoef TSSTAC, inball TSINBA,
-C         considerall TSCALL, likeliest TSLIKE, anypoint TSANYP,
-C         instar TSINST, inblock TSINBL, scanleaf TSSCAN,
-C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
-C         apex TSAPEX
+C       first facet: preced TSPREC, edgeby TSEDBY, firstfacet TSFIRS
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
 C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
 C         flush TSFLUS, grow TSGROW, enlist TSENLI, follow TSFOLL,
-C         load TSLOAD, complete TSCMPL, makeroom TSMKRO, star TSSTAR,
-C         stars TSSTRS
-C       first facet: preced TSPREC, edgeby TSEDBY, firstfacet TSFIRS,
-C         begin TSBEGI
+C         load TSLOAD, complete TSCMPL, makeroom TSMKRO, begin TSBEGI,
+C         star TSSTAR, stars TSSTRS
+C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
+C         hashkey TSHASH, same TSSAME, find TSFIND, insert TSINSE,
+C         erase TSERAS, rehash TSREHA
+C       apex: powererr TSPOWE, extent TSEXTE, prunebox TSPRUN,
+C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
+C         setbest TSSETB, challenge TSCHAL, consider TSCONS,
+C         compress TSCMPR, ballcoef TSBALC, starcoef TSSTAC,
+C         inball TSINBA, considerall TSCALL, likeliest TSLIKE,
+C         anypoint TSANYP, instar TSINST, inblock TSINBL,
+C         scanleaf TSSCAN, treesearch TSTREE, onhull TSONHU,
+C         prepare TSPREP, apex TSAPEX
+C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
+C         boxquery TSBOXQ, leaflist TSLFLI, starlist TSSTLI
 C       results: slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, cuberoot TSCUBE,
 C         tablesize TSTABL, upto TSUPTO, lengths TSLENG,
@@ -80,6 +125,7 @@ C         collect TSCOLL, inrange TSINRA, times TSTIME, units TSUNIT,
 C         scaled TSSCAL, sorted TSSORT, intact TSINTA, restore TSREST,
 C         run TSRUN, wrong TSWRON
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE
+C     and what needs no mesh under construction:
 C       queries: qside TSQSID, inbox TSINBO
 C       location: distance TSDIST, sample TSSAMP, walk TSWALK,
 C         holds TSHOLD, sweep TSSWEE, elimin TSELIM, backsu TSBACK,
@@ -504,6 +550,596 @@ C     TSBOXE - the box of every node, from the leaves up.
       END
 
 C     ------------------------------------------------------------------
+C     The first facet (Section 2): a facet of the hull by gift wrapping.
+C     ------------------------------------------------------------------
+
+C     TSPREC - 1 when point A comes strictly before point B, else 0: by
+C     X, then Y, Z.
+      INTEGER FUNCTION TSPREC(P, A, B)
+      INTEGER A, B
+      DOUBLE PRECISION P(3,*)
+      INTEGER K
+      TSPREC = 0
+      DO 10 K = 1, 3
+        IF (P(K,A) .GT. P(K,B)) RETURN
+        IF (P(K,A) .LT. P(K,B)) THEN
+          TSPREC = 1
+          RETURN
+        END IF
+   10 CONTINUE
+      END
+
+C     TSEDBY - does point I come before point J when a plane that holds
+C     the z direction is wrapped about A, the lexicographically least
+C     point, and then, in that plane, a line: 1, or 0.  The first of all
+C     ends an edge of the hull that no other point lies on.
+      INTEGER FUNCTION TSEDBY(P, ORD, A, I, J)
+      DOUBLE PRECISION P(3,*)
+      INTEGER ORD(*), A, I, J
+      INTEGER HHFLAT, TSPREC
+      DOUBLE PRECISION O(3), Q(3), Z(3)
+      INTEGER K, PABOVE, QABOVE, TURN
+      DO 10 K = 1, 3
+        O(K) = P(K,ORD(A))
+        Z(K) = P(K,ORD(I))
+        Q(K) = P(K,ORD(J))
+   10 CONTINUE
+      PABOVE = 1
+      QABOVE = 1
+      DO 20 K = 1, 2
+        IF (Z(K) .LT. O(K) .OR. Z(K) .GT. O(K)) PABOVE = 0
+        IF (Q(K) .LT. O(K) .OR. Q(K) .GT. O(K)) QABOVE = 0
+   20 CONTINUE
+      TSEDBY = 0
+      IF (PABOVE .NE. QABOVE) THEN
+        TSEDBY = QABOVE
+      ELSE IF (PABOVE .EQ. 1) THEN
+        IF (Z(3) .LT. Q(3)) TSEDBY = 1
+      ELSE
+        TURN = HHFLAT(3, O, Q, Z)
+        IF (TURN .EQ. 0) THEN
+          IF (Q(1) .LT. O(1) .OR. Q(1) .GT. O(1)) THEN
+            TURN = -HHFLAT(2, O, Q, Z)
+          ELSE
+            TURN = HHFLAT(1, O, Q, Z)
+          END IF
+        END IF
+        IF (TURN .LT. 0) TSEDBY = 1
+        IF (TURN .EQ. 0) TSEDBY = TSPREC(P, ORD(I), ORD(J))
+      END IF
+      END
+
+C     TSLINE - HHLINE of three points: 1, or 0.
+      INTEGER FUNCTION TSLINE(P, I, J, K)
+      DOUBLE PRECISION P(3,*)
+      INTEGER I, J, K
+      INTEGER HHLINE
+      DOUBLE PRECISION A(3), B(3), C(3)
+      INTEGER AXIS
+      DO 10 AXIS = 1, 3
+        A(AXIS) = P(AXIS,I)
+        B(AXIS) = P(AXIS,J)
+        C(AXIS) = P(AXIS,K)
+   10 CONTINUE
+      TSLINE = HHLINE(A, B, C)
+      END
+
+C     TSFIRS - the first facet V, in the hull, all points on its
+C     positive side.  On a hull face of more than three points it is, by
+C     the rule of ties, the triangle on the edge V(1) V(2) of the face:
+C     of two points A, B of the face B is better iff I(V1, V2, A, W, B)
+C     o3(V1, V2, A, W) > 0 for any W off the face.  INFO is 0, or the
+C     code of points without a tetrahedron.
+      SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), CTL(*), V(3), INFO
+      INTEGER HHPBAL, HHPSID, TSEDBY, TSLINE, TSPREC
+      INTEGER NP, T3, T5, PLANAR, LINEAR, SINGLE
+      PARAMETER (NP = 1, T3 = 1, T5 = 2, PLANAR = 3, LINEAR = 4)
+      PARAMETER (SINGLE = 5)
+      INTEGER I, SIDE, W
+      INFO = SINGLE
+      IF (CTL(NP) .LT. 2) RETURN
+      V(1) = 1
+      DO 10 I = 2, CTL(NP)
+        IF (TSPREC(P, ORD(I), ORD(V(1))) .EQ. 1) V(1) = I
+   10 CONTINUE
+      V(2) = 1
+      IF (V(1) .EQ. 1) V(2) = 2
+      DO 20 I = 1, CTL(NP)
+        IF (I .NE. V(1) .AND. I .NE. V(2)) THEN
+          IF (TSEDBY(P, ORD, V(1), I, V(2)) .EQ. 1) V(2) = I
+        END IF
+   20 CONTINUE
+      INFO = LINEAR
+      DO 30 I = 1, CTL(NP)
+        IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) GO TO 40
+   30 CONTINUE
+      RETURN
+   40 V(3) = I
+      W = 0
+      DO 50 I = 1, CTL(NP)
+        SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), I)
+        IF (SIDE .NE. 0) W = I
+        IF (SIDE .LT. 0) THEN
+          W = V(3)
+          V(3) = I
+        END IF
+   50 CONTINUE
+      INFO = PLANAR
+      IF (W .EQ. 0) RETURN
+      DO 60 I = 1, CTL(NP)
+        IF (I .NE. V(3)) THEN
+          IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
+     $        I) .EQ. 0) THEN
+            IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) THEN
+              IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V(1), V(2),
+     $            V(3), W, I) .LT. 0) V(3) = I
+            END IF
+          END IF
+        END IF
+   60 CONTINUE
+      INFO = 0
+      END
+
+C     ------------------------------------------------------------------
+C     The star of a vertex.
+C
+C     The open facets at S are the edges A -> B of its link: (S, A, B)
+C     is positive towards the unknown side.  They are a queue, which
+C     keeps the link's boundary short, and grow down from the end of the
+C     pool: edge E is POOL(E) and the EDGE - 1 integers behind it.
+C       ECODE   the facet's code; START for the first facet; DEAD
+C       EFROM   A
+C       ETO     B
+C       EPREV   an edge that ends where this one begins, or 0; and
+C       EAFTER  one that begins where it ends: they give the guesses
+C       ECHAIN  the next edge from A, or 0; LINK(A) is the first
+C     ------------------------------------------------------------------
+
+C     TSCLRL - the link has no edges.
+      SUBROUTINE TSCLRL(CTL)
+      INTEGER CTL(*)
+      INTEGER ROOM, OLDEST, NEWEST, EDGE
+      PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, EDGE = 6)
+      CTL(NEWEST) = CTL(ROOM) + 1
+      CTL(OLDEST) = CTL(ROOM) + 1 - EDGE
+      END
+
+C     TSRENU - move the edges up to the end of the pool again.
+      SUBROUTINE TSRENU(LINK, POOL, CTL)
+      INTEGER LINK(*), POOL(*), CTL(*)
+      INTEGER ROOM, OLDEST, NEWEST, ECODE, EFROM, EPREV, DEAD, EDGE
+      PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, ECODE = 0)
+      PARAMETER (EFROM = 1, EPREV = 3, DEAD = -2, EDGE = 6)
+      INTEGER E, K, SHIFT, TO
+      SHIFT = CTL(ROOM) + 1 - EDGE - CTL(OLDEST)
+      DO 30 E = CTL(OLDEST), CTL(NEWEST), -EDGE
+        TO = E + SHIFT
+        IF (POOL(E+ECODE) .NE. DEAD) THEN
+          IF (LINK(POOL(E+EFROM)) .EQ. E) LINK(POOL(E+EFROM)) = TO
+        END IF
+        DO 10 K = 0, EDGE - 1
+          POOL(TO+K) = POOL(E+K)
+   10   CONTINUE
+        DO 20 K = EPREV, EDGE - 1
+          IF (POOL(TO+K) .NE. 0) POOL(TO+K) = POOL(TO+K) + SHIFT
+   20   CONTINUE
+   30 CONTINUE
+      CTL(NEWEST) = CTL(NEWEST) + SHIFT
+      CTL(OLDEST) = CTL(OLDEST) + SHIFT
+      END
+
+C     TSPUSH - a new edge A -> B without neighbours, if there is room: E
+C     is its number, or 0.
+      SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
+      INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
+      INTEGER MPOOL, NEWEST, ECODE, EFROM, ETO, EPREV, EAFTER, ECHAIN
+      INTEGER ENTRY, EDGE
+      PARAMETER (MPOOL = 6, NEWEST = 10, ECODE = 0, EFROM = 1, ETO = 2)
+      PARAMETER (EPREV = 3, EAFTER = 4, ECHAIN = 5, ENTRY = 4)
+      PARAMETER (EDGE = 6)
+      E = CTL(NEWEST) - EDGE
+      IF (E .LE. ENTRY*CTL(MPOOL)) THEN
+        E = 0
+        RETURN
+      END IF
+      POOL(E+ECODE) = CODE
+      POOL(E+EFROM) = A
+      POOL(E+ETO) = B
+      POOL(E+EPREV) = 0
+      POOL(E+EAFTER) = 0
+      POOL(E+ECHAIN) = MAX(LINK(A), 0)
+      LINK(A) = E
+      CTL(NEWEST) = E
+      END
+
+C     TSJOIN - let edge B follow edge A; either may be 0.
+      SUBROUTINE TSJOIN(POOL, A, B)
+      INTEGER POOL(*), A, B
+      INTEGER EPREV, EAFTER
+      PARAMETER (EPREV = 3, EAFTER = 4)
+      IF (A .NE. 0) POOL(A+EAFTER) = B
+      IF (B .NE. 0) POOL(B+EPREV) = A
+      END
+
+C     TSUNLI - take edge E out of the link.
+      SUBROUTINE TSUNLI(LINK, POOL, E)
+      INTEGER LINK(*), POOL(*), E
+      INTEGER ECODE, EFROM, ECHAIN, DEAD
+      PARAMETER (ECODE = 0, EFROM = 1, ECHAIN = 5, DEAD = -2)
+      INTEGER I
+      I = LINK(POOL(E+EFROM))
+      IF (I .EQ. E) THEN
+        LINK(POOL(E+EFROM)) = POOL(E+ECHAIN)
+      ELSE
+   10   IF (POOL(I+ECHAIN) .NE. E) THEN
+          I = POOL(I+ECHAIN)
+          GO TO 10
+        END IF
+        POOL(I+ECHAIN) = POOL(E+ECHAIN)
+      END IF
+      POOL(E+ECODE) = DEAD
+      END
+
+C     TSBETW - the edge A -> B of the link, or 0.
+      INTEGER FUNCTION TSBETW(LINK, POOL, A, B)
+      INTEGER LINK(*), POOL(*), A, B
+      INTEGER ETO, ECHAIN
+      PARAMETER (ETO = 2, ECHAIN = 5)
+      INTEGER E
+      E = MAX(LINK(A), 0)
+   10 IF (E .NE. 0) THEN
+        IF (POOL(E+ETO) .NE. B) THEN
+          E = POOL(E+ECHAIN)
+          GO TO 10
+        END IF
+      END IF
+      TSBETW = E
+      END
+
+C     TSGLUE - the facets of two codes are one.
+      SUBROUTINE TSGLUE(ADJ, CODE, OTHER)
+      INTEGER ADJ(*), CODE, OTHER
+      ADJ(CODE) = (OTHER - 1)/4 + 1
+      ADJ(OTHER) = (CODE - 1)/4 + 1
+      END
+
+C     TSFLUS - enter the facets opposite to S of the tetrahedra from
+C     FRESH on into the pool, or close them if it has their other sides.
+C     They wait for each other so that the processor can fetch what
+C     several need from memory at once.
+      SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
+      INTEGER TSOWNE, TSHASH
+      INTEGER NT, FRESH, ENTRY
+      PARAMETER (NT = 2, FRESH = 8, ENTRY = 4)
+      INTEGER CODE, E, OTHER, SIG, T, V(3)
+      DO 10 T = CTL(FRESH), CTL(NT)
+        CODE = 4*(T - 1) + 1
+        CALL TSFACE(TET, CODE, V)
+        SIG = TSHASH(V)
+        CALL TSFIND(TET, POOL, CTL, V, SIG, E)
+        OTHER = POOL(ENTRY*(E-1)+1)
+        IF (OTHER .EQ. 0) THEN
+          CALL TSINSE(HEAD, POOL, CTL, E, CODE, TSOWNE(V), SIG)
+        ELSE
+          CALL TSGLUE(ADJ, CODE, OTHER)
+          CALL TSERAS(TET, HEAD, POOL, CTL, E, TSOWNE(V))
+        END IF
+   10 CONTINUE
+      CTL(FRESH) = CTL(NT) + 1
+      END
+
+C     TSGROW - store the tetrahedron of S, edge E = A -> B and the apex
+C     C: A -> C and C -> B take the place of E in the link, unless their
+C     other sides are there, which then go too.
+      SUBROUTINE TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
+      INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
+      INTEGER TSBETW
+      INTEGER NT, ECODE, EFROM, ETO, EPREV, EAFTER, OPEN, NEW, START
+      PARAMETER (NT = 2, ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3)
+      PARAMETER (EAFTER = 4, OPEN = -1, NEW = -2, START = -1)
+      INTEGER A, AFTER, B, CODE, F, G, H, PREV, T
+      CODE = POOL(E+ECODE)
+      A = POOL(E+EFROM)
+      B = POOL(E+ETO)
+      PREV = POOL(E+EPREV)
+      AFTER = POOL(E+EAFTER)
+      T = CTL(NT) + 1
+      CTL(NT) = T
+      TET(1,T) = S
+      TET(2,T) = A
+      TET(3,T) = B
+      TET(4,T) = C
+      IF (CODE .EQ. START) THEN
+        ADJ(4*T) = 0
+      ELSE
+        CALL TSGLUE(ADJ, CODE, 4*T)
+      END IF
+      IF (LINK(C) .EQ. NEW) LINK(C) = 0
+      CALL TSUNLI(LINK, POOL, E)
+C     until TSFLUS
+      ADJ(4*T-3) = OPEN
+
+C     A -> C; PREV becomes the edge that ends at C
+      F = TSBETW(LINK, POOL, C, A)
+      IF (F .EQ. 0) THEN
+        ADJ(4*T-1) = OPEN
+        CALL TSPUSH(LINK, POOL, CTL, 4*T - 1, A, C, F)
+        CALL TSJOIN(POOL, PREV, F)
+        PREV = F
+      ELSE
+        CALL TSGLUE(ADJ, 4*T - 1, POOL(F+ECODE))
+        G = POOL(F+EPREV)
+        H = POOL(F+EAFTER)
+        IF (F .NE. PREV) CALL TSJOIN(POOL, PREV, H)
+        PREV = G
+        CALL TSUNLI(LINK, POOL, F)
+      END IF
+C     C -> B
+      F = TSBETW(LINK, POOL, B, C)
+      IF (F .EQ. 0) THEN
+        ADJ(4*T-2) = OPEN
+        CALL TSPUSH(LINK, POOL, CTL, 4*T - 2, C, B, F)
+        CALL TSJOIN(POOL, PREV, F)
+        CALL TSJOIN(POOL, F, AFTER)
+      ELSE
+        CALL TSGLUE(ADJ, 4*T - 2, POOL(F+ECODE))
+        G = POOL(F+EPREV)
+        H = POOL(F+EAFTER)
+        CALL TSJOIN(POOL, PREV, H)
+        IF (F .NE. AFTER) CALL TSJOIN(POOL, G, AFTER)
+        CALL TSUNLI(LINK, POOL, F)
+      END IF
+      END
+
+C     TSENLI - make an open facet at S, of the given code, an edge of
+C     the link: E is its number, or 0 if there is no room.
+      SUBROUTINE TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
+      INTEGER TET(4,*), LINK(*), POOL(*), CTL(*), S, CODE, E
+      INTEGER K, V(3)
+      CALL TSFACE(TET, CODE, V)
+      K = 3
+      IF (V(2) .EQ. S) K = 2
+      IF (V(1) .EQ. S) K = 1
+      CALL TSPUSH(LINK, POOL, CTL, CODE, V(MOD(K, 3)+1), V(MOD(K+1,
+     $            3)+1), E)
+      END
+
+C     TSFOLL - let every edge of the link be followed by one that begins
+C     where it ends and follows no other, if there is one.
+      SUBROUTINE TSFOLL(LINK, POOL, CTL)
+      INTEGER LINK(*), POOL(*), CTL(*)
+      INTEGER OLDEST, NEWEST, ETO, EPREV, ECHAIN, EDGE
+      PARAMETER (OLDEST = 9, NEWEST = 10, ETO = 2, EPREV = 3)
+      PARAMETER (ECHAIN = 5, EDGE = 6)
+      INTEGER AT, E, F
+      DO 20 E = CTL(OLDEST), CTL(NEWEST), -EDGE
+        F = LINK(POOL(E+ETO))
+        IF (F .LT. 0) GO TO 20
+   10   IF (F .NE. 0) THEN
+          IF (POOL(F+EPREV) .NE. 0) THEN
+            F = POOL(F+ECHAIN)
+            GO TO 10
+          END IF
+        END IF
+        AT = E
+        CALL TSJOIN(POOL, AT, F)
+   20 CONTINUE
+      END
+
+C     TSLOAD - move the facets that S owns from the pool to the link,
+C     the oldest first.  OK is 1, or 0 if there is no room.
+      SUBROUTINE TSLOAD(TET, HEAD, LINK, POOL, CTL, S, OK)
+      INTEGER TET(4,*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
+      INTEGER ENTRY
+      PARAMETER (ENTRY = 4)
+      INTEGER CODE, E, F
+      OK = 1
+      E = HEAD(S)
+      IF (E .EQ. 0) RETURN
+   10 IF (POOL(ENTRY*(E-1)+2) .NE. 0) THEN
+        E = POOL(ENTRY*(E-1)+2)
+        GO TO 10
+      END IF
+   20 IF (E .NE. 0) THEN
+        CODE = POOL(ENTRY*(E-1)+1)
+        CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, F)
+        IF (F .EQ. 0) THEN
+          OK = 0
+          RETURN
+        END IF
+        E = POOL(ENTRY*(E-1)+3)
+        GO TO 20
+      END IF
+   30 E = HEAD(S)
+      IF (E .NE. 0) THEN
+        CALL TSERAS(TET, HEAD, POOL, CTL, E, S)
+        GO TO 30
+      END IF
+      CALL TSFOLL(LINK, POOL, CTL)
+      END
+
+C     TSCMPL - the star of S is complete: S leaves the tree and the
+C     block.
+      SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(3,2), S
+      INTEGER TSLEAF
+      INTEGER LEAVES, LFIRST, LLAST, LN, BLK, DONE
+      PARAMETER (LEAVES = 4, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1)
+      PARAMETER (DONE = -1)
+      REAL FAR
+      PARAMETER (FAR = 1.0E10)
+      INTEGER I, NODE
+      IF (LINK(S) .EQ. DONE) RETURN
+      LINK(S) = DONE
+      NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
+   10 IF (NODE .GT. 0) THEN
+        ALIVE(NODE) = ALIVE(NODE) - 1
+        IF (ALIVE(NODE) .EQ. 0) THEN
+          NODE = NODE/2
+          GO TO 10
+        END IF
+      END IF
+      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK) .OR.
+     $    LSI(LN,BLK) .EQ. 0) RETURN
+      I = S - LSI(LFIRST,BLK) + 1
+      LSX(I,1,BLK) = FAR
+      LSX(I,2,BLK) = FAR
+      LSX(I,3,BLK) = FAR
+      LSX(I,4,BLK) = FAR*FAR
+      END
+
+C     TSMKRO - make sure of room for another tetrahedron's facets in the
+C     pool and in the link of S.  OK is 1, or 0.
+      SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
+      INTEGER NT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEWEST, ENTRY, EDGE
+      PARAMETER (NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
+      PARAMETER (OLDEST = 9, NEWEST = 10, ENTRY = 4, EDGE = 6)
+      INTEGER INFO
+      OK = 1
+      IF (4*(CTL(NOPEN) + CTL(NT) - CTL(FRESH) +
+     $    1) .GE. 3*CTL(MPOOL)) THEN
+        CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+        IF (4*CTL(NOPEN) .GE. 3*CTL(MPOOL)) THEN
+          CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, 2*CTL(MPOOL) + 1,
+     $                INFO)
+          IF (INFO .NE. 0 .AND. CTL(NOPEN) .GE. CTL(MPOOL) -
+     $        CTL(MPOOL)/8 - 1) OK = 0
+          IF (OK .EQ. 0) RETURN
+        END IF
+      END IF
+      IF (ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - 2*EDGE .AND.
+     $    CTL(OLDEST) .LT. CTL(NEWEST) + (CTL(ROOM) + 1 -
+     $    CTL(NEWEST))/2) CALL TSRENU(LINK, POOL, CTL)
+      IF (ENTRY*CTL(MPOOL) .LE. CTL(NEWEST) - 1 - 2*EDGE) RETURN
+      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+      OK = 0
+      END
+
+C     TSBEGI - the first facet becomes an edge of the link of its vertex
+C     of least position, S.
+      SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
+      INTEGER START, FULL
+      PARAMETER (START = -1, FULL = 2)
+      INTEGER E, I, K, V(3)
+      CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
+      IF (INFO .NE. 0) RETURN
+      K = 3
+      IF (V(2) .LT. V(3)) K = 2
+      IF (V(1) .LT. V(2) .AND. V(1) .LT. V(3)) K = 1
+      S = V(K)
+      DO 10 I = 1, 3
+        LINK(V(I)) = 0
+   10 CONTINUE
+      CALL TSPUSH(LINK, POOL, CTL, START, V(MOD(K, 3)+1), V(MOD(K+1,
+     $            3)+1), E)
+      IF (E .EQ. 0) INFO = FULL
+      END
+
+C     TSSTAR - complete the star of S, whose open facets are the edges
+C     of the link.  INFO is 0, MORE or FULL.
+      SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
+     $                  POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
+      INTEGER POOL(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S, INFO
+      INTEGER NT, MAXT, OLDEST, NEWEST, ECODE, EFROM, ETO, EPREV
+      INTEGER EAFTER, MORE, FULL, START, DEAD, EDGE
+      PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, ECODE = 0)
+      PARAMETER (EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4, MORE = 1)
+      PARAMETER (FULL = 2, START = -1, DEAD = -2, EDGE = 6)
+      INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
+      CALL TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
+     $            S)
+   10 E = CTL(OLDEST)
+      IF (E .GE. CTL(NEWEST)) THEN
+        IF (POOL(E+ECODE) .EQ. DEAD) THEN
+          CTL(OLDEST) = E - EDGE
+          GO TO 10
+        END IF
+        V(1) = S
+        V(2) = POOL(E+EFROM)
+        V(3) = POOL(E+ETO)
+        PREV = POOL(E+EPREV)
+        AFTER = POOL(E+EAFTER)
+        GUESS(1) = 0
+        GUESS(2) = 0
+        IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
+        IF (AFTER .NE. 0) GUESS(2) = POOL(AFTER+ETO)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID,
+     $              LSI, LSD, V, GUESS, C)
+        IF (C .EQ. 0) THEN
+          IF (POOL(E+ECODE) .NE. START) ADJ(POOL(E+ECODE)) = 0
+          IF (PREV .NE. 0) POOL(PREV+EAFTER) = 0
+          IF (AFTER .NE. 0) POOL(AFTER+EPREV) = 0
+          CALL TSUNLI(LINK, POOL, E)
+          GO TO 10
+        END IF
+        IF (CTL(NT) .EQ. CTL(MAXT)) THEN
+          CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+          INFO = MORE
+          RETURN
+        END IF
+        CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+        IF (OK .EQ. 0) THEN
+          INFO = FULL
+          RETURN
+        END IF
+        E = CTL(OLDEST)
+        CALL TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
+        GO TO 10
+      END IF
+      CALL TSCLRL(CTL)
+      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+      CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
+      INFO = 0
+      END
+
+C     TSSTRS - complete star after star, from S on if it has edges in
+C     the link.  INFO is 0, MORE or FULL.
+      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
+     $                  POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
+      INTEGER POOL(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S, INFO
+      INTEGER NP, OLDEST, NEWEST, LOW, FULL
+      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, FULL = 2)
+      INTEGER OK
+   10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
+        CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
+     $              CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+        IF (INFO .NE. 0) RETURN
+      END IF
+      DO 20 S = CTL(LOW), CTL(NP)
+        IF (HEAD(S) .NE. 0) GO TO 30
+C       no open facet has a vertex of smaller position than LOW, so one
+C       that was met before and owns none is complete
+        IF (LINK(S) .EQ. 0) CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI,
+     $      S)
+   20 CONTINUE
+      INFO = 0
+      RETURN
+   30 CTL(LOW) = S
+      CALL TSLOAD(TET, HEAD, LINK, POOL, CTL, S, OK)
+      INFO = FULL
+      IF (OK .EQ. 1) GO TO 10
+      END
+
+C     ------------------------------------------------------------------
 C     The pool of open facets: an open-addressing hash.
 C
 C     Entry E = 1, 2, ..., at POOL(ENTRY*(E-1)+1): the facet's code, or
@@ -699,298 +1335,6 @@ C     facets have the same vertices, as only damaged arrays have.
         END IF
    30 CONTINUE
       INFO = 0
-      END
-
-C     ------------------------------------------------------------------
-C     Lists: where to look first.
-C     ------------------------------------------------------------------
-
-C     TSDISJ - has the box of a list no common point with that of a
-C     node: 1, or 0.
-      INTEGER FUNCTION TSDISJ(BOX, LSD, LIST, NODE)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2)
-      INTEGER LIST, NODE
-      INTEGER LLO, LHI
-      PARAMETER (LLO = 0, LHI = 3)
-      INTEGER K
-      TSDISJ = 1
-      DO 10 K = 1, 3
-        IF (LSD(LHI+K,LIST) .LT. BOX(K,NODE) .OR.
-     $      BOX(3+K,NODE) .LT. LSD(LLO+K,LIST)) RETURN
-   10 CONTINUE
-      TSDISJ = 0
-      END
-
-C     TSPDIS - is position I outside of the box of a list: 1, or 0.
-      INTEGER FUNCTION TSPDIS(X, LSD, LIST, I)
-      DOUBLE PRECISION X(3,*), LSD(14,2)
-      INTEGER LIST, I
-      INTEGER LLO, LHI
-      PARAMETER (LLO = 0, LHI = 3)
-C     six conditions, not one, spare a branch for each
-      TSPDIS = 0
-      IF (LSD(LHI+1,LIST) .LT. X(1,I)) TSPDIS = 1
-      IF (LSD(LHI+2,LIST) .LT. X(2,I)) TSPDIS = 1
-      IF (LSD(LHI+3,LIST) .LT. X(3,I)) TSPDIS = 1
-      IF (X(1,I) .LT. LSD(LLO+1,LIST)) TSPDIS = 1
-      IF (X(2,I) .LT. LSD(LLO+2,LIST)) TSPDIS = 1
-      IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
-      END
-
-C     TSSETP - set point I of a list from its position; FAR away when
-C     its star is complete.
-      SUBROUTINE TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER LINK(*), LSID(TSIDS,2), LIST, I
-      INTEGER LMID, LUNIT, DONE
-      PARAMETER (LMID = 6, LUNIT = 14, DONE = -1)
-      REAL FAR
-      PARAMETER (FAR = 1.0E10)
-      REAL A, B, C
-      INTEGER Z
-      Z = LSID(I,LIST)
-      A = FAR
-      B = FAR
-      C = FAR
-      IF (LINK(Z) .NE. DONE) THEN
-        A = REAL((X(1,Z) - LSD(LMID+1,LIST))*LSD(LUNIT,LIST))
-        B = REAL((X(2,Z) - LSD(LMID+2,LIST))*LSD(LUNIT,LIST))
-        C = REAL((X(3,Z) - LSD(LMID+3,LIST))*LSD(LUNIT,LIST))
-      END IF
-      LSX(I,1,LIST) = A
-      LSX(I,2,LIST) = B
-      LSX(I,3,LIST) = C
-      LSX(I,4,LIST) = A*A + B*B + C*C
-      END
-
-C     TSPADL - fill up the last four of a list with points that are FAR
-C     away: loops over lists go by fours, which every compiler can make
-C     vectors of.
-      SUBROUTINE TSPADL(LSX, LSID, LSI, LIST)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      REAL LSX(TSLIST,4,2)
-      INTEGER LSID(TSIDS,2), LSI(3,2), LIST
-      INTEGER LN
-      PARAMETER (LN = 3)
-      REAL FAR
-      PARAMETER (FAR = 1.0E10)
-      INTEGER I
-      DO 10 I = LSI(LN,LIST) + 1, (LSI(LN,LIST) + 3)/4*4
-        LSX(I,1,LIST) = FAR
-        LSX(I,2,LIST) = FAR
-        LSX(I,3,LIST) = FAR
-        LSX(I,4,LIST) = FAR*FAR
-        LSID(I,LIST) = 0
-   10 CONTINUE
-      END
-
-C     TSBOXQ - add the uncompleted points of its box that are not in
-C     leaf OWN to the positions of a list.  FIT is 1, or 0 when they do
-C     not fit.
-      SUBROUTINE TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
-     $                  OWN, FIT)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(14,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), LIST
-      INTEGER OWN, FIT
-      INTEGER TSDISJ, TSPDIS
-      INTEGER LEAVES, LN, DONE, DEPTH
-      PARAMETER (LEAVES = 4, LN = 3, DONE = -1, DEPTH = 64)
-      INTEGER FIRST, HEIGHT, I, LAST, N, NODE, OUT, STACK(DEPTH)
-      FIT = 1
-      STACK(1) = 1
-      HEIGHT = 1
-   10 IF (HEIGHT .EQ. 0) RETURN
-      NODE = STACK(HEIGHT)
-      HEIGHT = HEIGHT - 1
-      IF (ALIVE(NODE) .EQ. 0) GO TO 10
-      IF (NODE .EQ. CTL(LEAVES) + OWN - 1) GO TO 10
-      IF (TSDISJ(BOX, LSD, LIST, NODE) .EQ. 1) GO TO 10
-      IF (NODE .LT. CTL(LEAVES)) THEN
-        STACK(HEIGHT+1) = 2*NODE
-        STACK(HEIGHT+2) = 2*NODE + 1
-        HEIGHT = HEIGHT + 2
-        GO TO 10
-      END IF
-      CALL TSSPAN(CTL, NODE, FIRST, LAST)
-      N = LSI(LN,LIST)
-      DO 20 I = FIRST, LAST
-        LSID(N+1,LIST) = I
-        OUT = TSPDIS(X, LSD, LIST, I)
-        IF (LINK(I) .EQ. DONE) OUT = 1
-        N = N + 1 - OUT
-   20 CONTINUE
-      LSI(LN,LIST) = N
-      IF (N .LE. TSLIST) GO TO 10
-      FIT = 0
-      END
-
-C     TSLFLI - make the list of the leaf of star S: its points, in
-C     order, then the uncompleted ones around it.  The margin shrinks
-C     until they fit.
-      SUBROUTINE TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $                  LSD, LIST, S)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), LIST
-      INTEGER S
-      INTEGER TSLFST, TSLEAF
-      INTEGER LEAVES, RREACH, RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID
-      INTEGER LMOST, LMARG, LUNIT, BLKMIN, BLKMAX
-      PARAMETER (LEAVES = 4, RREACH = 3, RSHARE = 4, LFIRST = 1)
-      PARAMETER (LLAST = 2, LN = 3, LLO = 0, LHI = 3, LMID = 6)
-      PARAMETER (LMOST = 9, LMARG = 13, LUNIT = 14)
-      PARAMETER (BLKMIN = TSLIST/8*3, BLKMAX = TSLIST/8*5)
-      DOUBLE PRECISION NARROW, NEAR
-      PARAMETER (NARROW = 1.0D5*2.0D0**(-450), NEAR = 0.85D0)
-      DOUBLE PRECISION ABOVE, BELOW, HALF, MARGIN, SUM
-      INTEGER FIT, I, K, LEAFS, N, NODE
-      LEAFS = TSLEAF(CTL, S)
-      NODE = CTL(LEAVES) + LEAFS - 1
-      SUM = 0.0D0
-      DO 10 K = 1, 3
-        SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
-   10 CONTINUE
-      MARGIN = RCTL(RREACH)*SQRT(SUM)
-      RCTL(RSHARE) = NEAR
-      LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
-      LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
-   20 HALF = 0.0D0
-      DO 30 K = 1, 3
-        LSD(LLO+K,LIST) = BOX(K,NODE) - MARGIN
-        LSD(LHI+K,LIST) = BOX(3+K,NODE) + MARGIN
-        LSD(LMID+K,LIST) = 0.5D0*(LSD(LLO+K,LIST) + LSD(LHI+K,LIST))
-        HALF = MAX(HALF, 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST)))
-   30 CONTINUE
-      LSD(LMARG,LIST) = MARGIN
-      LSD(LUNIT,LIST) = 0.0D0
-      IF (HALF .GT. NARROW) LSD(LUNIT,LIST) = 1.0D0/HALF
-      DO 40 K = 1, 3
-C       the points are inside the root's box, too
-        ABOVE = MIN(LSD(LHI+K,LIST), BOX(3+K,1)) - LSD(LMID+K,LIST)
-        BELOW = LSD(LMID+K,LIST) - MAX(LSD(LLO+K,LIST), BOX(K,1))
-        LSD(LMOST+K,LIST) = MAX(ABOVE, BELOW)*LSD(LUNIT,LIST)
-   40 CONTINUE
-      LSI(LN,LIST) = 0
-      DO 50 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
-        LSI(LN,LIST) = LSI(LN,LIST) + 1
-        LSID(LSI(LN,LIST),LIST) = I
-   50 CONTINUE
-      CALL TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
-     $            LEAFS, FIT)
-      IF (LSD(LUNIT,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
-     $    MARGIN .LE. 0.0D0)) THEN
-C       no list
-        LSI(LN,LIST) = 0
-        RETURN
-      END IF
-      IF (FIT .EQ. 0) THEN
-        IF (MARGIN .GT. 1.0D-3*HALF) THEN
-          MARGIN = 0.7D0*MARGIN
-        ELSE
-          MARGIN = 0.0D0
-        END IF
-        GO TO 20
-      END IF
-      N = LSI(LN,LIST)
-      DO 60 I = 1, N
-        CALL TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
-   60 CONTINUE
-      CALL TSPADL(LSX, LSID, LSI, LIST)
-      IF (N .LT. BLKMIN .AND. RCTL(RREACH) .LT. 8.0D0)
-     $    RCTL(RREACH) = 1.1D0*RCTL(RREACH)
-      IF (N .GT. BLKMAX .AND. RCTL(RREACH) .GT. 0.05D0)
-     $    RCTL(RREACH) = 0.9D0*RCTL(RREACH)
-      END
-
-C     TSCMPR - those of the places 1 ... N that are marked by 1, the
-C     others by 0, without a branch: no processor could guess it.  COUNT
-C     is their number.
-      SUBROUTINE TSCMPR(IN, N, PLACE, COUNT)
-      INTEGER IN(*), N, PLACE(*), COUNT
-      INTEGER I
-      COUNT = 0
-      DO 10 I = 1, N, 4
-        PLACE(COUNT+1) = I
-        COUNT = COUNT + IN(I)
-        PLACE(COUNT+1) = I + 1
-        COUNT = COUNT + IN(I+1)
-        PLACE(COUNT+1) = I + 2
-        COUNT = COUNT + IN(I+2)
-        PLACE(COUNT+1) = I + 3
-        COUNT = COUNT + IN(I+3)
-   10 CONTINUE
-      END
-
-C     TSSTLI - make the lists for star S: the block of its leaf and,
-C     from it, the points nearer to S than the star's margin, which is
-C     at most the distance from S to where the block may lack points.
-      SUBROUTINE TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $                  LSD, S)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S
-      INTEGER RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG
-      INTEGER LUNIT, BLK, STR, STRMIN, STRMAX
-      PARAMETER (RSHARE = 4, LFIRST = 1, LLAST = 2, LN = 3, LLO = 0)
-      PARAMETER (LHI = 3, LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14)
-      PARAMETER (BLK = 1, STR = 2, STRMIN = 24, STRMAX = 48)
-      DOUBLE PRECISION NEARST
-      PARAMETER (NEARST = 1.0D-4)
-      REAL SLACK
-      PARAMETER (SLACK = 32.0*2.0**(-23))
-      DOUBLE PRECISION MARGIN
-      REAL A, B, C, MOST
-      INTEGER I, IN(TSLIST), K, N, PLACE(TSLIST+1)
-      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK))
-     $    CALL TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $    LSD, BLK, S)
-      LSI(LN,STR) = 0
-      MARGIN = RCTL(RSHARE)*LSD(LMARG,BLK)
-      DO 10 K = 1, 3
-        IF (LSD(LLO+K,BLK) .GT. BOX(K,1)) MARGIN = MIN(MARGIN, X(K,S) -
-     $      LSD(LLO+K,BLK))
-        IF (LSD(LHI+K,BLK) .LT. BOX(3+K,1)) MARGIN = MIN(MARGIN,
-     $      LSD(LHI+K,BLK) - X(K,S))
-        LSD(LMID+K,STR) = X(K,S)
-        LSD(LMOST+K,STR) = 1.1D0
-   10 CONTINUE
-      IF (LSI(LN,BLK) .EQ. 0) RETURN
-      IF (MARGIN*LSD(LUNIT,BLK) .LT. NEARST) RETURN
-      LSD(LMARG,STR) = MARGIN
-      LSD(LUNIT,STR) = 1.0D0/MARGIN
-      I = S - LSI(LFIRST,BLK) + 1
-      A = LSX(I,1,BLK)
-      B = LSX(I,2,BLK)
-      C = LSX(I,3,BLK)
-C     none nearer than margin is missed
-      MOST = REAL(MARGIN*LSD(LUNIT,BLK)) + SLACK
-      MOST = MOST*MOST
-      DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
-        IN(I) = 0
-        IF ((LSX(I,1,BLK) - A)*(LSX(I,1,BLK) - A) +
-     $      (LSX(I,2,BLK) - B)*(LSX(I,2,BLK) - B) +
-     $      (LSX(I,3,BLK) - C)*(LSX(I,3,BLK) - C) .LE. MOST) IN(I) = 1
-   20 CONTINUE
-      CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
-      DO 30 I = 1, N
-        LSID(I,STR) = LSID(PLACE(I),BLK)
-        CALL TSSETP(X, LINK, LSX, LSID, LSD, STR, I)
-   30 CONTINUE
-      LSI(LN,STR) = N
-      CALL TSPADL(LSX, LSID, LSI, STR)
-      IF (N .LT. STRMIN .AND. RCTL(RSHARE) .LT. 4.0D0)
-     $    RCTL(RSHARE) = 1.1D0*RCTL(RSHARE)
-      IF (N .GT. STRMAX) RCTL(RSHARE) = 0.9D0*RCTL(RSHARE)
       END
 
 C     ------------------------------------------------------------------
@@ -1231,6 +1575,25 @@ C     ball.
         IF (POWER .GT. TSPOWE(FQ, ABS(W1) + ABS(W2) + ABS(W3))) RETURN
       END IF
       CALL TSCHAL(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
+      END
+
+C     TSCMPR - those of the places 1 ... N that are marked by 1, the
+C     others by 0, without a branch: no processor could guess it.  COUNT
+C     is their number.
+      SUBROUTINE TSCMPR(IN, N, PLACE, COUNT)
+      INTEGER IN(*), N, PLACE(*), COUNT
+      INTEGER I
+      COUNT = 0
+      DO 10 I = 1, N, 4
+        PLACE(COUNT+1) = I
+        COUNT = COUNT + IN(I)
+        PLACE(COUNT+1) = I + 1
+        COUNT = COUNT + IN(I+1)
+        PLACE(COUNT+1) = I + 2
+        COUNT = COUNT + IN(I+2)
+        PLACE(COUNT+1) = I + 3
+        COUNT = COUNT + IN(I+3)
+   10 CONTINUE
       END
 
 C     TSBALC - the test of a list's points against a ball of centre C,
@@ -1697,593 +2060,276 @@ C     GUESS: two positions to try first, or 0.
       END
 
 C     ------------------------------------------------------------------
-C     The star of a vertex.
-C
-C     The open facets at S are the edges A -> B of its link: (S, A, B)
-C     is positive towards the unknown side.  They are a queue, which
-C     keeps the link's boundary short, and grow down from the end of the
-C     pool: edge E is POOL(E) and the EDGE - 1 integers behind it.
-C       ECODE   the facet's code; START for the first facet; DEAD
-C       EFROM   A
-C       ETO     B
-C       EPREV   an edge that ends where this one begins, or 0; and
-C       EAFTER  one that begins where it ends: they give the guesses
-C       ECHAIN  the next edge from A, or 0; LINK(A) is the first
+C     Lists: where to look first.
 C     ------------------------------------------------------------------
 
-C     TSCLRL - the link has no edges.
-      SUBROUTINE TSCLRL(CTL)
-      INTEGER CTL(*)
-      INTEGER ROOM, OLDEST, NEWEST, EDGE
-      PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, EDGE = 6)
-      CTL(NEWEST) = CTL(ROOM) + 1
-      CTL(OLDEST) = CTL(ROOM) + 1 - EDGE
-      END
-
-C     TSRENU - move the edges up to the end of the pool again.
-      SUBROUTINE TSRENU(LINK, POOL, CTL)
-      INTEGER LINK(*), POOL(*), CTL(*)
-      INTEGER ROOM, OLDEST, NEWEST, ECODE, EFROM, EPREV, DEAD, EDGE
-      PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, ECODE = 0)
-      PARAMETER (EFROM = 1, EPREV = 3, DEAD = -2, EDGE = 6)
-      INTEGER E, K, SHIFT, TO
-      SHIFT = CTL(ROOM) + 1 - EDGE - CTL(OLDEST)
-      DO 30 E = CTL(OLDEST), CTL(NEWEST), -EDGE
-        TO = E + SHIFT
-        IF (POOL(E+ECODE) .NE. DEAD) THEN
-          IF (LINK(POOL(E+EFROM)) .EQ. E) LINK(POOL(E+EFROM)) = TO
-        END IF
-        DO 10 K = 0, EDGE - 1
-          POOL(TO+K) = POOL(E+K)
-   10   CONTINUE
-        DO 20 K = EPREV, EDGE - 1
-          IF (POOL(TO+K) .NE. 0) POOL(TO+K) = POOL(TO+K) + SHIFT
-   20   CONTINUE
-   30 CONTINUE
-      CTL(NEWEST) = CTL(NEWEST) + SHIFT
-      CTL(OLDEST) = CTL(OLDEST) + SHIFT
-      END
-
-C     TSPUSH - a new edge A -> B without neighbours, if there is room: E
-C     is its number, or 0.
-      SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
-      INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
-      INTEGER MPOOL, NEWEST, ECODE, EFROM, ETO, EPREV, EAFTER, ECHAIN
-      INTEGER ENTRY, EDGE
-      PARAMETER (MPOOL = 6, NEWEST = 10, ECODE = 0, EFROM = 1, ETO = 2)
-      PARAMETER (EPREV = 3, EAFTER = 4, ECHAIN = 5, ENTRY = 4)
-      PARAMETER (EDGE = 6)
-      E = CTL(NEWEST) - EDGE
-      IF (E .LE. ENTRY*CTL(MPOOL)) THEN
-        E = 0
-        RETURN
-      END IF
-      POOL(E+ECODE) = CODE
-      POOL(E+EFROM) = A
-      POOL(E+ETO) = B
-      POOL(E+EPREV) = 0
-      POOL(E+EAFTER) = 0
-      POOL(E+ECHAIN) = MAX(LINK(A), 0)
-      LINK(A) = E
-      CTL(NEWEST) = E
-      END
-
-C     TSJOIN - let edge B follow edge A; either may be 0.
-      SUBROUTINE TSJOIN(POOL, A, B)
-      INTEGER POOL(*), A, B
-      INTEGER EPREV, EAFTER
-      PARAMETER (EPREV = 3, EAFTER = 4)
-      IF (A .NE. 0) POOL(A+EAFTER) = B
-      IF (B .NE. 0) POOL(B+EPREV) = A
-      END
-
-C     TSUNLI - take edge E out of the link.
-      SUBROUTINE TSUNLI(LINK, POOL, E)
-      INTEGER LINK(*), POOL(*), E
-      INTEGER ECODE, EFROM, ECHAIN, DEAD
-      PARAMETER (ECODE = 0, EFROM = 1, ECHAIN = 5, DEAD = -2)
-      INTEGER I
-      I = LINK(POOL(E+EFROM))
-      IF (I .EQ. E) THEN
-        LINK(POOL(E+EFROM)) = POOL(E+ECHAIN)
-      ELSE
-   10   IF (POOL(I+ECHAIN) .NE. E) THEN
-          I = POOL(I+ECHAIN)
-          GO TO 10
-        END IF
-        POOL(I+ECHAIN) = POOL(E+ECHAIN)
-      END IF
-      POOL(E+ECODE) = DEAD
-      END
-
-C     TSBETW - the edge A -> B of the link, or 0.
-      INTEGER FUNCTION TSBETW(LINK, POOL, A, B)
-      INTEGER LINK(*), POOL(*), A, B
-      INTEGER ETO, ECHAIN
-      PARAMETER (ETO = 2, ECHAIN = 5)
-      INTEGER E
-      E = MAX(LINK(A), 0)
-   10 IF (E .NE. 0) THEN
-        IF (POOL(E+ETO) .NE. B) THEN
-          E = POOL(E+ECHAIN)
-          GO TO 10
-        END IF
-      END IF
-      TSBETW = E
-      END
-
-C     TSGLUE - the facets of two codes are one.
-      SUBROUTINE TSGLUE(ADJ, CODE, OTHER)
-      INTEGER ADJ(*), CODE, OTHER
-      ADJ(CODE) = (OTHER - 1)/4 + 1
-      ADJ(OTHER) = (CODE - 1)/4 + 1
-      END
-
-C     TSFLUS - enter the facets opposite to S of the tetrahedra from
-C     FRESH on into the pool, or close them if it has their other sides.
-C     They wait for each other so that the processor can fetch what
-C     several need from memory at once.
-      SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
-      INTEGER TSOWNE, TSHASH
-      INTEGER NT, FRESH, ENTRY
-      PARAMETER (NT = 2, FRESH = 8, ENTRY = 4)
-      INTEGER CODE, E, OTHER, SIG, T, V(3)
-      DO 10 T = CTL(FRESH), CTL(NT)
-        CODE = 4*(T - 1) + 1
-        CALL TSFACE(TET, CODE, V)
-        SIG = TSHASH(V)
-        CALL TSFIND(TET, POOL, CTL, V, SIG, E)
-        OTHER = POOL(ENTRY*(E-1)+1)
-        IF (OTHER .EQ. 0) THEN
-          CALL TSINSE(HEAD, POOL, CTL, E, CODE, TSOWNE(V), SIG)
-        ELSE
-          CALL TSGLUE(ADJ, CODE, OTHER)
-          CALL TSERAS(TET, HEAD, POOL, CTL, E, TSOWNE(V))
-        END IF
+C     TSDISJ - has the box of a list no common point with that of a
+C     node: 1, or 0.
+      INTEGER FUNCTION TSDISJ(BOX, LSD, LIST, NODE)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2)
+      INTEGER LIST, NODE
+      INTEGER LLO, LHI
+      PARAMETER (LLO = 0, LHI = 3)
+      INTEGER K
+      TSDISJ = 1
+      DO 10 K = 1, 3
+        IF (LSD(LHI+K,LIST) .LT. BOX(K,NODE) .OR.
+     $      BOX(3+K,NODE) .LT. LSD(LLO+K,LIST)) RETURN
    10 CONTINUE
-      CTL(FRESH) = CTL(NT) + 1
+      TSDISJ = 0
       END
 
-C     TSGROW - store the tetrahedron of S, edge E = A -> B and the apex
-C     C: A -> C and C -> B take the place of E in the link, unless their
-C     other sides are there, which then go too.
-      SUBROUTINE TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
-      INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
-      INTEGER TSBETW
-      INTEGER NT, ECODE, EFROM, ETO, EPREV, EAFTER, OPEN, NEW, START
-      PARAMETER (NT = 2, ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3)
-      PARAMETER (EAFTER = 4, OPEN = -1, NEW = -2, START = -1)
-      INTEGER A, AFTER, B, CODE, F, G, H, PREV, T
-      CODE = POOL(E+ECODE)
-      A = POOL(E+EFROM)
-      B = POOL(E+ETO)
-      PREV = POOL(E+EPREV)
-      AFTER = POOL(E+EAFTER)
-      T = CTL(NT) + 1
-      CTL(NT) = T
-      TET(1,T) = S
-      TET(2,T) = A
-      TET(3,T) = B
-      TET(4,T) = C
-      IF (CODE .EQ. START) THEN
-        ADJ(4*T) = 0
-      ELSE
-        CALL TSGLUE(ADJ, CODE, 4*T)
-      END IF
-      IF (LINK(C) .EQ. NEW) LINK(C) = 0
-      CALL TSUNLI(LINK, POOL, E)
-C     until TSFLUS
-      ADJ(4*T-3) = OPEN
-
-C     A -> C; PREV becomes the edge that ends at C
-      F = TSBETW(LINK, POOL, C, A)
-      IF (F .EQ. 0) THEN
-        ADJ(4*T-1) = OPEN
-        CALL TSPUSH(LINK, POOL, CTL, 4*T - 1, A, C, F)
-        CALL TSJOIN(POOL, PREV, F)
-        PREV = F
-      ELSE
-        CALL TSGLUE(ADJ, 4*T - 1, POOL(F+ECODE))
-        G = POOL(F+EPREV)
-        H = POOL(F+EAFTER)
-        IF (F .NE. PREV) CALL TSJOIN(POOL, PREV, H)
-        PREV = G
-        CALL TSUNLI(LINK, POOL, F)
-      END IF
-C     C -> B
-      F = TSBETW(LINK, POOL, B, C)
-      IF (F .EQ. 0) THEN
-        ADJ(4*T-2) = OPEN
-        CALL TSPUSH(LINK, POOL, CTL, 4*T - 2, C, B, F)
-        CALL TSJOIN(POOL, PREV, F)
-        CALL TSJOIN(POOL, F, AFTER)
-      ELSE
-        CALL TSGLUE(ADJ, 4*T - 2, POOL(F+ECODE))
-        G = POOL(F+EPREV)
-        H = POOL(F+EAFTER)
-        CALL TSJOIN(POOL, PREV, H)
-        IF (F .NE. AFTER) CALL TSJOIN(POOL, G, AFTER)
-        CALL TSUNLI(LINK, POOL, F)
-      END IF
+C     TSPDIS - is position I outside of the box of a list: 1, or 0.
+      INTEGER FUNCTION TSPDIS(X, LSD, LIST, I)
+      DOUBLE PRECISION X(3,*), LSD(14,2)
+      INTEGER LIST, I
+      INTEGER LLO, LHI
+      PARAMETER (LLO = 0, LHI = 3)
+C     six conditions, not one, spare a branch for each
+      TSPDIS = 0
+      IF (LSD(LHI+1,LIST) .LT. X(1,I)) TSPDIS = 1
+      IF (LSD(LHI+2,LIST) .LT. X(2,I)) TSPDIS = 1
+      IF (LSD(LHI+3,LIST) .LT. X(3,I)) TSPDIS = 1
+      IF (X(1,I) .LT. LSD(LLO+1,LIST)) TSPDIS = 1
+      IF (X(2,I) .LT. LSD(LLO+2,LIST)) TSPDIS = 1
+      IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
       END
 
-C     TSENLI - make an open facet at S, of the given code, an edge of
-C     the link: E is its number, or 0 if there is no room.
-      SUBROUTINE TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
-      INTEGER TET(4,*), LINK(*), POOL(*), CTL(*), S, CODE, E
-      INTEGER K, V(3)
-      CALL TSFACE(TET, CODE, V)
-      K = 3
-      IF (V(2) .EQ. S) K = 2
-      IF (V(1) .EQ. S) K = 1
-      CALL TSPUSH(LINK, POOL, CTL, CODE, V(MOD(K, 3)+1), V(MOD(K+1,
-     $            3)+1), E)
-      END
-
-C     TSFOLL - let every edge of the link be followed by one that begins
-C     where it ends and follows no other, if there is one.
-      SUBROUTINE TSFOLL(LINK, POOL, CTL)
-      INTEGER LINK(*), POOL(*), CTL(*)
-      INTEGER OLDEST, NEWEST, ETO, EPREV, ECHAIN, EDGE
-      PARAMETER (OLDEST = 9, NEWEST = 10, ETO = 2, EPREV = 3)
-      PARAMETER (ECHAIN = 5, EDGE = 6)
-      INTEGER AT, E, F
-      DO 20 E = CTL(OLDEST), CTL(NEWEST), -EDGE
-        F = LINK(POOL(E+ETO))
-        IF (F .LT. 0) GO TO 20
-   10   IF (F .NE. 0) THEN
-          IF (POOL(F+EPREV) .NE. 0) THEN
-            F = POOL(F+ECHAIN)
-            GO TO 10
-          END IF
-        END IF
-        AT = E
-        CALL TSJOIN(POOL, AT, F)
-   20 CONTINUE
-      END
-
-C     TSLOAD - move the facets that S owns from the pool to the link,
-C     the oldest first.  OK is 1, or 0 if there is no room.
-      SUBROUTINE TSLOAD(TET, HEAD, LINK, POOL, CTL, S, OK)
-      INTEGER TET(4,*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER ENTRY
-      PARAMETER (ENTRY = 4)
-      INTEGER CODE, E, F
-      OK = 1
-      E = HEAD(S)
-      IF (E .EQ. 0) RETURN
-   10 IF (POOL(ENTRY*(E-1)+2) .NE. 0) THEN
-        E = POOL(ENTRY*(E-1)+2)
-        GO TO 10
-      END IF
-   20 IF (E .NE. 0) THEN
-        CODE = POOL(ENTRY*(E-1)+1)
-        CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, F)
-        IF (F .EQ. 0) THEN
-          OK = 0
-          RETURN
-        END IF
-        E = POOL(ENTRY*(E-1)+3)
-        GO TO 20
-      END IF
-   30 E = HEAD(S)
-      IF (E .NE. 0) THEN
-        CALL TSERAS(TET, HEAD, POOL, CTL, E, S)
-        GO TO 30
-      END IF
-      CALL TSFOLL(LINK, POOL, CTL)
-      END
-
-C     TSCMPL - the star of S is complete: S leaves the tree and the
-C     block.
-      SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
+C     TSSETP - set point I of a list from its position; FAR away when
+C     its star is complete.
+      SUBROUTINE TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(3,2), S
-      INTEGER TSLEAF
-      INTEGER LEAVES, LFIRST, LLAST, LN, BLK, DONE
-      PARAMETER (LEAVES = 4, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1)
-      PARAMETER (DONE = -1)
+      INTEGER LINK(*), LSID(TSIDS,2), LIST, I
+      INTEGER LMID, LUNIT, DONE
+      PARAMETER (LMID = 6, LUNIT = 14, DONE = -1)
       REAL FAR
       PARAMETER (FAR = 1.0E10)
-      INTEGER I, NODE
-      IF (LINK(S) .EQ. DONE) RETURN
-      LINK(S) = DONE
-      NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
-   10 IF (NODE .GT. 0) THEN
-        ALIVE(NODE) = ALIVE(NODE) - 1
-        IF (ALIVE(NODE) .EQ. 0) THEN
-          NODE = NODE/2
-          GO TO 10
-        END IF
+      REAL A, B, C
+      INTEGER Z
+      Z = LSID(I,LIST)
+      A = FAR
+      B = FAR
+      C = FAR
+      IF (LINK(Z) .NE. DONE) THEN
+        A = REAL((X(1,Z) - LSD(LMID+1,LIST))*LSD(LUNIT,LIST))
+        B = REAL((X(2,Z) - LSD(LMID+2,LIST))*LSD(LUNIT,LIST))
+        C = REAL((X(3,Z) - LSD(LMID+3,LIST))*LSD(LUNIT,LIST))
       END IF
-      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK) .OR.
-     $    LSI(LN,BLK) .EQ. 0) RETURN
-      I = S - LSI(LFIRST,BLK) + 1
-      LSX(I,1,BLK) = FAR
-      LSX(I,2,BLK) = FAR
-      LSX(I,3,BLK) = FAR
-      LSX(I,4,BLK) = FAR*FAR
+      LSX(I,1,LIST) = A
+      LSX(I,2,LIST) = B
+      LSX(I,3,LIST) = C
+      LSX(I,4,LIST) = A*A + B*B + C*C
       END
 
-C     TSMKRO - make sure of room for another tetrahedron's facets in the
-C     pool and in the link of S.  OK is 1, or 0.
-      SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER NT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEWEST, ENTRY, EDGE
-      PARAMETER (NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
-      PARAMETER (OLDEST = 9, NEWEST = 10, ENTRY = 4, EDGE = 6)
-      INTEGER INFO
-      OK = 1
-      IF (4*(CTL(NOPEN) + CTL(NT) - CTL(FRESH) +
-     $    1) .GE. 3*CTL(MPOOL)) THEN
-        CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-        IF (4*CTL(NOPEN) .GE. 3*CTL(MPOOL)) THEN
-          CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, 2*CTL(MPOOL) + 1,
-     $                INFO)
-          IF (INFO .NE. 0 .AND. CTL(NOPEN) .GE. CTL(MPOOL) -
-     $        CTL(MPOOL)/8 - 1) OK = 0
-          IF (OK .EQ. 0) RETURN
-        END IF
-      END IF
-      IF (ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - 2*EDGE .AND.
-     $    CTL(OLDEST) .LT. CTL(NEWEST) + (CTL(ROOM) + 1 -
-     $    CTL(NEWEST))/2) CALL TSRENU(LINK, POOL, CTL)
-      IF (ENTRY*CTL(MPOOL) .LE. CTL(NEWEST) - 1 - 2*EDGE) RETURN
-      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      OK = 0
-      END
-
-C     TSSTAR - complete the star of S, whose open facets are the edges
-C     of the link.  INFO is 0, MORE or FULL.
-      SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
-     $                  POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+C     TSPADL - fill up the last four of a list with points that are FAR
+C     away: loops over lists go by fours, which every compiler can make
+C     vectors of.
+      SUBROUTINE TSPADL(LSX, LSID, LSI, LIST)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
-      INTEGER POOL(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S, INFO
-      INTEGER NT, MAXT, OLDEST, NEWEST, ECODE, EFROM, ETO, EPREV
-      INTEGER EAFTER, MORE, FULL, START, DEAD, EDGE
-      PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, ECODE = 0)
-      PARAMETER (EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4, MORE = 1)
-      PARAMETER (FULL = 2, START = -1, DEAD = -2, EDGE = 6)
-      INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
-      CALL TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
-     $            S)
-   10 E = CTL(OLDEST)
-      IF (E .GE. CTL(NEWEST)) THEN
-        IF (POOL(E+ECODE) .EQ. DEAD) THEN
-          CTL(OLDEST) = E - EDGE
-          GO TO 10
-        END IF
-        V(1) = S
-        V(2) = POOL(E+EFROM)
-        V(3) = POOL(E+ETO)
-        PREV = POOL(E+EPREV)
-        AFTER = POOL(E+EAFTER)
-        GUESS(1) = 0
-        GUESS(2) = 0
-        IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
-        IF (AFTER .NE. 0) GUESS(2) = POOL(AFTER+ETO)
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID,
-     $              LSI, LSD, V, GUESS, C)
-        IF (C .EQ. 0) THEN
-          IF (POOL(E+ECODE) .NE. START) ADJ(POOL(E+ECODE)) = 0
-          IF (PREV .NE. 0) POOL(PREV+EAFTER) = 0
-          IF (AFTER .NE. 0) POOL(AFTER+EPREV) = 0
-          CALL TSUNLI(LINK, POOL, E)
-          GO TO 10
-        END IF
-        IF (CTL(NT) .EQ. CTL(MAXT)) THEN
-          CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-          INFO = MORE
-          RETURN
-        END IF
-        CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
-        IF (OK .EQ. 0) THEN
-          INFO = FULL
-          RETURN
-        END IF
-        E = CTL(OLDEST)
-        CALL TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
+      INTEGER LSID(TSIDS,2), LSI(3,2), LIST
+      INTEGER LN
+      PARAMETER (LN = 3)
+      REAL FAR
+      PARAMETER (FAR = 1.0E10)
+      INTEGER I
+      DO 10 I = LSI(LN,LIST) + 1, (LSI(LN,LIST) + 3)/4*4
+        LSX(I,1,LIST) = FAR
+        LSX(I,2,LIST) = FAR
+        LSX(I,3,LIST) = FAR
+        LSX(I,4,LIST) = FAR*FAR
+        LSID(I,LIST) = 0
+   10 CONTINUE
+      END
+
+C     TSBOXQ - add the uncompleted points of its box that are not in
+C     leaf OWN to the positions of a list.  FIT is 1, or 0 when they do
+C     not fit.
+      SUBROUTINE TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
+     $                  OWN, FIT)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(14,2)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), LIST
+      INTEGER OWN, FIT
+      INTEGER TSDISJ, TSPDIS
+      INTEGER LEAVES, LN, DONE, DEPTH
+      PARAMETER (LEAVES = 4, LN = 3, DONE = -1, DEPTH = 64)
+      INTEGER FIRST, HEIGHT, I, LAST, N, NODE, OUT, STACK(DEPTH)
+      FIT = 1
+      STACK(1) = 1
+      HEIGHT = 1
+   10 IF (HEIGHT .EQ. 0) RETURN
+      NODE = STACK(HEIGHT)
+      HEIGHT = HEIGHT - 1
+      IF (ALIVE(NODE) .EQ. 0) GO TO 10
+      IF (NODE .EQ. CTL(LEAVES) + OWN - 1) GO TO 10
+      IF (TSDISJ(BOX, LSD, LIST, NODE) .EQ. 1) GO TO 10
+      IF (NODE .LT. CTL(LEAVES)) THEN
+        STACK(HEIGHT+1) = 2*NODE
+        STACK(HEIGHT+2) = 2*NODE + 1
+        HEIGHT = HEIGHT + 2
         GO TO 10
       END IF
-      CALL TSCLRL(CTL)
-      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
-      INFO = 0
+      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      N = LSI(LN,LIST)
+      DO 20 I = FIRST, LAST
+        LSID(N+1,LIST) = I
+        OUT = TSPDIS(X, LSD, LIST, I)
+        IF (LINK(I) .EQ. DONE) OUT = 1
+        N = N + 1 - OUT
+   20 CONTINUE
+      LSI(LN,LIST) = N
+      IF (N .LE. TSLIST) GO TO 10
+      FIT = 0
       END
 
-C     TSSTRS - complete star after star, from S on if it has edges in
-C     the link.  INFO is 0, MORE or FULL.
-      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
-     $                  POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+C     TSLFLI - make the list of the leaf of star S: its points, in
+C     order, then the uncompleted ones around it.  The margin shrinks
+C     until they fit.
+      SUBROUTINE TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $                  LSD, LIST, S)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
-      INTEGER POOL(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S, INFO
-      INTEGER NP, OLDEST, NEWEST, LOW, FULL
-      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, FULL = 2)
-      INTEGER OK
-   10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
-        CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
-     $              CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
-        IF (INFO .NE. 0) RETURN
-      END IF
-      DO 20 S = CTL(LOW), CTL(NP)
-        IF (HEAD(S) .NE. 0) GO TO 30
-C       no open facet has a vertex of smaller position than LOW, so one
-C       that was met before and owns none is complete
-        IF (LINK(S) .EQ. 0) CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI,
-     $      S)
-   20 CONTINUE
-      INFO = 0
-      RETURN
-   30 CTL(LOW) = S
-      CALL TSLOAD(TET, HEAD, LINK, POOL, CTL, S, OK)
-      INFO = FULL
-      IF (OK .EQ. 1) GO TO 10
-      END
-
-C     ------------------------------------------------------------------
-C     The first facet (Section 2): a facet of the hull by gift wrapping.
-C     ------------------------------------------------------------------
-
-C     TSPREC - 1 when point A comes strictly before point B, else 0: by
-C     X, then Y, Z.
-      INTEGER FUNCTION TSPREC(P, A, B)
-      INTEGER A, B
-      DOUBLE PRECISION P(3,*)
-      INTEGER K
-      TSPREC = 0
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), LIST
+      INTEGER S
+      INTEGER TSLFST, TSLEAF
+      INTEGER LEAVES, RREACH, RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID
+      INTEGER LMOST, LMARG, LUNIT, BLKMIN, BLKMAX
+      PARAMETER (LEAVES = 4, RREACH = 3, RSHARE = 4, LFIRST = 1)
+      PARAMETER (LLAST = 2, LN = 3, LLO = 0, LHI = 3, LMID = 6)
+      PARAMETER (LMOST = 9, LMARG = 13, LUNIT = 14)
+      PARAMETER (BLKMIN = TSLIST/8*3, BLKMAX = TSLIST/8*5)
+      DOUBLE PRECISION NARROW, NEAR
+      PARAMETER (NARROW = 1.0D5*2.0D0**(-450), NEAR = 0.85D0)
+      DOUBLE PRECISION ABOVE, BELOW, HALF, MARGIN, SUM
+      INTEGER FIT, I, K, LEAFS, N, NODE
+      LEAFS = TSLEAF(CTL, S)
+      NODE = CTL(LEAVES) + LEAFS - 1
+      SUM = 0.0D0
       DO 10 K = 1, 3
-        IF (P(K,A) .GT. P(K,B)) RETURN
-        IF (P(K,A) .LT. P(K,B)) THEN
-          TSPREC = 1
-          RETURN
-        END IF
+        SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
    10 CONTINUE
-      END
-
-C     TSEDBY - does point I come before point J when a plane that holds
-C     the z direction is wrapped about A, the lexicographically least
-C     point, and then, in that plane, a line: 1, or 0.  The first of all
-C     ends an edge of the hull that no other point lies on.
-      INTEGER FUNCTION TSEDBY(P, ORD, A, I, J)
-      DOUBLE PRECISION P(3,*)
-      INTEGER ORD(*), A, I, J
-      INTEGER HHFLAT, TSPREC
-      DOUBLE PRECISION O(3), Q(3), Z(3)
-      INTEGER K, PABOVE, QABOVE, TURN
-      DO 10 K = 1, 3
-        O(K) = P(K,ORD(A))
-        Z(K) = P(K,ORD(I))
-        Q(K) = P(K,ORD(J))
-   10 CONTINUE
-      PABOVE = 1
-      QABOVE = 1
-      DO 20 K = 1, 2
-        IF (Z(K) .LT. O(K) .OR. Z(K) .GT. O(K)) PABOVE = 0
-        IF (Q(K) .LT. O(K) .OR. Q(K) .GT. O(K)) QABOVE = 0
-   20 CONTINUE
-      TSEDBY = 0
-      IF (PABOVE .NE. QABOVE) THEN
-        TSEDBY = QABOVE
-      ELSE IF (PABOVE .EQ. 1) THEN
-        IF (Z(3) .LT. Q(3)) TSEDBY = 1
-      ELSE
-        TURN = HHFLAT(3, O, Q, Z)
-        IF (TURN .EQ. 0) THEN
-          IF (Q(1) .LT. O(1) .OR. Q(1) .GT. O(1)) THEN
-            TURN = -HHFLAT(2, O, Q, Z)
-          ELSE
-            TURN = HHFLAT(1, O, Q, Z)
-          END IF
-        END IF
-        IF (TURN .LT. 0) TSEDBY = 1
-        IF (TURN .EQ. 0) TSEDBY = TSPREC(P, ORD(I), ORD(J))
-      END IF
-      END
-
-C     TSLINE - HHLINE of three points: 1, or 0.
-      INTEGER FUNCTION TSLINE(P, I, J, K)
-      DOUBLE PRECISION P(3,*)
-      INTEGER I, J, K
-      INTEGER HHLINE
-      DOUBLE PRECISION A(3), B(3), C(3)
-      INTEGER AXIS
-      DO 10 AXIS = 1, 3
-        A(AXIS) = P(AXIS,I)
-        B(AXIS) = P(AXIS,J)
-        C(AXIS) = P(AXIS,K)
-   10 CONTINUE
-      TSLINE = HHLINE(A, B, C)
-      END
-
-C     TSFIRS - the first facet V, in the hull, all points on its
-C     positive side.  On a hull face of more than three points it is, by
-C     the rule of ties, the triangle on the edge V(1) V(2) of the face:
-C     of two points A, B of the face B is better iff I(V1, V2, A, W, B)
-C     o3(V1, V2, A, W) > 0 for any W off the face.  INFO is 0, or the
-C     code of points without a tetrahedron.
-      SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), INFO
-      INTEGER HHPBAL, HHPSID, TSEDBY, TSLINE, TSPREC
-      INTEGER NP, T3, T5, PLANAR, LINEAR, SINGLE
-      PARAMETER (NP = 1, T3 = 1, T5 = 2, PLANAR = 3, LINEAR = 4)
-      PARAMETER (SINGLE = 5)
-      INTEGER I, SIDE, W
-      INFO = SINGLE
-      IF (CTL(NP) .LT. 2) RETURN
-      V(1) = 1
-      DO 10 I = 2, CTL(NP)
-        IF (TSPREC(P, ORD(I), ORD(V(1))) .EQ. 1) V(1) = I
-   10 CONTINUE
-      V(2) = 1
-      IF (V(1) .EQ. 1) V(2) = 2
-      DO 20 I = 1, CTL(NP)
-        IF (I .NE. V(1) .AND. I .NE. V(2)) THEN
-          IF (TSEDBY(P, ORD, V(1), I, V(2)) .EQ. 1) V(2) = I
-        END IF
-   20 CONTINUE
-      INFO = LINEAR
-      DO 30 I = 1, CTL(NP)
-        IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) GO TO 40
+      MARGIN = RCTL(RREACH)*SQRT(SUM)
+      RCTL(RSHARE) = NEAR
+      LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
+      LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
+   20 HALF = 0.0D0
+      DO 30 K = 1, 3
+        LSD(LLO+K,LIST) = BOX(K,NODE) - MARGIN
+        LSD(LHI+K,LIST) = BOX(3+K,NODE) + MARGIN
+        LSD(LMID+K,LIST) = 0.5D0*(LSD(LLO+K,LIST) + LSD(LHI+K,LIST))
+        HALF = MAX(HALF, 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST)))
    30 CONTINUE
-      RETURN
-   40 V(3) = I
-      W = 0
-      DO 50 I = 1, CTL(NP)
-        SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), I)
-        IF (SIDE .NE. 0) W = I
-        IF (SIDE .LT. 0) THEN
-          W = V(3)
-          V(3) = I
-        END IF
+      LSD(LMARG,LIST) = MARGIN
+      LSD(LUNIT,LIST) = 0.0D0
+      IF (HALF .GT. NARROW) LSD(LUNIT,LIST) = 1.0D0/HALF
+      DO 40 K = 1, 3
+C       the points are inside the root's box, too
+        ABOVE = MIN(LSD(LHI+K,LIST), BOX(3+K,1)) - LSD(LMID+K,LIST)
+        BELOW = LSD(LMID+K,LIST) - MAX(LSD(LLO+K,LIST), BOX(K,1))
+        LSD(LMOST+K,LIST) = MAX(ABOVE, BELOW)*LSD(LUNIT,LIST)
+   40 CONTINUE
+      LSI(LN,LIST) = 0
+      DO 50 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
+        LSI(LN,LIST) = LSI(LN,LIST) + 1
+        LSID(LSI(LN,LIST),LIST) = I
    50 CONTINUE
-      INFO = PLANAR
-      IF (W .EQ. 0) RETURN
-      DO 60 I = 1, CTL(NP)
-        IF (I .NE. V(3)) THEN
-          IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
-     $        I) .EQ. 0) THEN
-            IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) THEN
-              IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V(1), V(2),
-     $            V(3), W, I) .LT. 0) V(3) = I
-            END IF
-          END IF
+      CALL TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
+     $            LEAFS, FIT)
+      IF (LSD(LUNIT,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
+     $    MARGIN .LE. 0.0D0)) THEN
+C       no list
+        LSI(LN,LIST) = 0
+        RETURN
+      END IF
+      IF (FIT .EQ. 0) THEN
+        IF (MARGIN .GT. 1.0D-3*HALF) THEN
+          MARGIN = 0.7D0*MARGIN
+        ELSE
+          MARGIN = 0.0D0
         END IF
+        GO TO 20
+      END IF
+      N = LSI(LN,LIST)
+      DO 60 I = 1, N
+        CALL TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
    60 CONTINUE
-      INFO = 0
+      CALL TSPADL(LSX, LSID, LSI, LIST)
+      IF (N .LT. BLKMIN .AND. RCTL(RREACH) .LT. 8.0D0)
+     $    RCTL(RREACH) = 1.1D0*RCTL(RREACH)
+      IF (N .GT. BLKMAX .AND. RCTL(RREACH) .GT. 0.05D0)
+     $    RCTL(RREACH) = 0.9D0*RCTL(RREACH)
       END
 
-C     TSBEGI - the first facet becomes an edge of the link of its vertex
-C     of least position, S.
-      SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
-      INTEGER START, FULL
-      PARAMETER (START = -1, FULL = 2)
-      INTEGER E, I, K, V(3)
-      CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
-      IF (INFO .NE. 0) RETURN
-      K = 3
-      IF (V(2) .LT. V(3)) K = 2
-      IF (V(1) .LT. V(2) .AND. V(1) .LT. V(3)) K = 1
-      S = V(K)
-      DO 10 I = 1, 3
-        LINK(V(I)) = 0
+C     TSSTLI - make the lists for star S: the block of its leaf and,
+C     from it, the points nearer to S than the star's margin, which is
+C     at most the distance from S to where the block may lack points.
+      SUBROUTINE TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $                  LSD, S)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S
+      INTEGER RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG
+      INTEGER LUNIT, BLK, STR, STRMIN, STRMAX
+      PARAMETER (RSHARE = 4, LFIRST = 1, LLAST = 2, LN = 3, LLO = 0)
+      PARAMETER (LHI = 3, LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14)
+      PARAMETER (BLK = 1, STR = 2, STRMIN = 24, STRMAX = 48)
+      DOUBLE PRECISION NEARST
+      PARAMETER (NEARST = 1.0D-4)
+      REAL SLACK
+      PARAMETER (SLACK = 32.0*2.0**(-23))
+      DOUBLE PRECISION MARGIN
+      REAL A, B, C, MOST
+      INTEGER I, IN(TSLIST), K, N, PLACE(TSLIST+1)
+      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK))
+     $    CALL TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $    LSD, BLK, S)
+      LSI(LN,STR) = 0
+      MARGIN = RCTL(RSHARE)*LSD(LMARG,BLK)
+      DO 10 K = 1, 3
+        IF (LSD(LLO+K,BLK) .GT. BOX(K,1)) MARGIN = MIN(MARGIN, X(K,S) -
+     $      LSD(LLO+K,BLK))
+        IF (LSD(LHI+K,BLK) .LT. BOX(3+K,1)) MARGIN = MIN(MARGIN,
+     $      LSD(LHI+K,BLK) - X(K,S))
+        LSD(LMID+K,STR) = X(K,S)
+        LSD(LMOST+K,STR) = 1.1D0
    10 CONTINUE
-      CALL TSPUSH(LINK, POOL, CTL, START, V(MOD(K, 3)+1), V(MOD(K+1,
-     $            3)+1), E)
-      IF (E .EQ. 0) INFO = FULL
+      IF (LSI(LN,BLK) .EQ. 0) RETURN
+      IF (MARGIN*LSD(LUNIT,BLK) .LT. NEARST) RETURN
+      LSD(LMARG,STR) = MARGIN
+      LSD(LUNIT,STR) = 1.0D0/MARGIN
+      I = S - LSI(LFIRST,BLK) + 1
+      A = LSX(I,1,BLK)
+      B = LSX(I,2,BLK)
+      C = LSX(I,3,BLK)
+C     none nearer than margin is missed
+      MOST = REAL(MARGIN*LSD(LUNIT,BLK)) + SLACK
+      MOST = MOST*MOST
+      DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
+        IN(I) = 0
+        IF ((LSX(I,1,BLK) - A)*(LSX(I,1,BLK) - A) +
+     $      (LSX(I,2,BLK) - B)*(LSX(I,2,BLK) - B) +
+     $      (LSX(I,3,BLK) - C)*(LSX(I,3,BLK) - C) .LE. MOST) IN(I) = 1
+   20 CONTINUE
+      CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
+      DO 30 I = 1, N
+        LSID(I,STR) = LSID(PLACE(I),BLK)
+        CALL TSSETP(X, LINK, LSX, LSID, LSD, STR, I)
+   30 CONTINUE
+      LSI(LN,STR) = N
+      CALL TSPADL(LSX, LSID, LSI, STR)
+      IF (N .LT. STRMIN .AND. RCTL(RSHARE) .LT. 4.0D0)
+     $    RCTL(RSHARE) = 1.1D0*RCTL(RSHARE)
+      IF (N .GT. STRMAX) RCTL(RSHARE) = 0.9D0*RCTL(RSHARE)
       END
 
 C     ------------------------------------------------------------------
@@ -2936,6 +2982,10 @@ C     but in bounded time and within the arrays.
       IF (INFO .NE. 0) RETURN
       CALL TSRUN(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, RW, INFO)
       END
+C     ==================================================================
+C     What follows needs no mesh under construction, but results alone.
+C     ==================================================================
+
 C     ------------------------------------------------------------------
 C     Common to the queries.
 C
