@@ -67,11 +67,11 @@
  *   star         clearlink renumber push join unlinkedge between glue flush
  *                grow enlist follow load complete makeroom begin star stars
  *   pool         outfac facet owner hashkey same find insert erase rehash
+ *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
  *   apex         powererr extent prunebox prunepart ballinbox ballinstar
- *                setbest challenge consider compress ballcoef starcoef inball
+ *                setbest challenge consider ballcoef starcoef inball
  *                considerall likeliest anypoint instar inblock scanleaf
  *                treesearch onhull prepare apex
- *   lists        disjoint setpoint padlist boxquery leaflist starlist
  *   results      coords four slot mate
  *   preparation  leafcount cuberoot tablesize upto lengths collect inrange
  *                times units scaled sorted intact restore run wrong
@@ -1045,6 +1045,192 @@ static int rehash(mesh *m, tess_int s, tess_int wanted)
     return 0;
 }
 
+/* ---- lists: where to look first ---- */
+
+/* disjoint - do two boxes have no common point? */
+static int disjoint(const double *alo, const double *ahi, const double *blo,
+                    const double *bhi)
+{
+    return (ahi[0] < blo[0]) | (ahi[1] < blo[1]) | (ahi[2] < blo[2]) |
+           (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
+}
+
+/* setpoint - set point i of a list from its position; FAR away when its star is
+ * complete. */
+static void setpoint(const mesh *m, list *l, int i)
+{
+    const double *q = m->x + 3 * l->id[i];
+    float x = FAR, y = FAR, z = FAR;
+
+    if (m->link[l->id[i]] != DONE) {
+        x = (float)((q[0] - l->centre[0]) * l->unit);
+        y = (float)((q[1] - l->centre[1]) * l->unit);
+        z = (float)((q[2] - l->centre[2]) * l->unit);
+    }
+    l->x[i] = x;
+    l->y[i] = y;
+    l->z[i] = z;
+    l->r[i] = x * x + y * y + z * z;
+}
+
+/* padlist - fill up the last four of a list with points that are FAR away:
+ * loops over lists go by fours, which every compiler can make vectors of. */
+static void padlist(list *l)
+{
+    int i = l->n;
+
+    while (i % 4 != 0) {
+        l->x[i] = l->y[i] = l->z[i] = FAR;
+        l->r[i] = FAR * FAR;
+        l->id[i++] = NONE;
+    }
+}
+
+/* boxquery - add the uncompleted points of its box that are not in leaf own to
+ * the positions of a list.  Returns 0 when they do not fit. */
+static int boxquery(const mesh *m, list *l, tess_int own)
+{
+    tess_int stack[DEPTH], node, i, first, last;
+    const double *b;
+    int depth = 0;
+
+    stack[depth++] = 1;
+    while (depth > 0) {
+        node = stack[--depth];
+        b = m->box + 6 * node;
+        if (m->alive[node] == 0 || disjoint(l->lo, l->hi, b, b + 3) ||
+            node == m->leaves + own)
+            continue;
+        if (node < m->leaves) {
+            stack[depth++] = 2 * node;
+            stack[depth++] = 2 * node + 1;
+            continue;
+        }
+        span(m, node, &first, &last);
+        for (i = first; i < last; i++) {
+            l->id[l->n] = i;
+            l->n += (m->link[i] != DONE) &
+                    !disjoint(l->lo, l->hi, m->x + 3 * i, m->x + 3 * i);
+        }
+        if (l->n > TESS_LIST) return 0;
+    }
+    return 1;
+}
+
+/* leaflist - make the list of the leaf of star s: its points, in order, then
+ * the uncompleted ones around it.  The margin shrinks until they fit. */
+static void leaflist(mesh *m, tess_int s)
+{
+    tess_int leaf = leafof(m, s), i;
+    const double *b = m->box + 6 * (m->leaves + leaf);
+    double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half = 0.0;
+    double margin = m->reach * sqrt(x * x + y * y + z * z);
+    const double *root = m->box + 6;
+    list *l = &m->block;
+    int k, full = 1;
+
+    l->first = leafstart(m, leaf);
+    l->last = leafstart(m, leaf + 1);
+    m->share = NEAR;
+    while (full) {
+        for (k = 0; k < 3; k++) {
+            l->lo[k] = b[k] - margin;
+            l->hi[k] = b[3 + k] + margin;
+            l->centre[k] = 0.5 * (l->lo[k] + l->hi[k]);
+            x = 0.5 * (l->hi[k] - l->lo[k]);
+            half = x > half || k == 0 ? x : half;
+        }
+        l->margin = margin;
+        l->unit = half > NARROW ? 1.0 / half : 0.0;
+        for (k = 0; k < 3; k++) {
+            /* the points are inside the root's box, too */
+            x = l->hi[k] < root[3 + k] ? l->hi[k] : root[3 + k];
+            y = l->lo[k] > root[k] ? l->lo[k] : root[k];
+            x -= l->centre[k];
+            y = l->centre[k] - y;
+            l->most[k] = (x > y ? x : y) * l->unit;
+        }
+        l->n = 0;
+        for (i = l->first; i < l->last; i++) l->id[l->n++] = i;
+        full = !boxquery(m, l, leaf);
+        if (l->unit == 0.0 || (full && margin == 0.0)) {
+            l->n = 0; /* no list */
+            return;
+        }
+        margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
+    }
+    for (k = 0; k < l->n; k++) setpoint(m, l, k);
+    padlist(l);
+    if (l->n < BLOCKMIN && m->reach < 8.0) m->reach *= 1.1;
+    if (l->n > BLOCKMAX && m->reach > 0.05) m->reach *= 0.9;
+}
+
+/* compress - those of the places 0 ... n-1 that are marked by 1, the others by
+ * 0, without a branch: no processor could guess it.  Returns their number. */
+static int compress(const int *in, int n, int *place)
+{
+    int i, *next = place;
+
+    for (i = 0; i < n; i += 4) {
+        *next = i;
+        next += in[i];
+        *next = i + 1;
+        next += in[i + 1];
+        *next = i + 2;
+        next += in[i + 2];
+        *next = i + 3;
+        next += in[i + 3];
+    }
+    return (int)(next - place);
+}
+
+/* starlist - make the lists for star s: the block of its leaf and, from it, the
+ * points nearer to s than the star's margin, which is at most the distance
+ * from s to where the block may lack points. */
+static void starlist(mesh *m, tess_int s)
+{
+    list *l = &m->block, *g = &m->around;
+    const double *q = m->x + 3 * s, *root = m->box + 6;
+    double margin;
+    float x, y, z, most;
+    int i, k, n, in[TESS_LIST], which[TESS_LIST + 1];
+
+    if (s < l->first || s >= l->last) leaflist(m, s);
+    g->n = 0;
+    margin = m->share * l->margin;
+    for (k = 0; k < 3; k++) {
+        if (l->lo[k] > root[k] && margin > q[k] - l->lo[k])
+            margin = q[k] - l->lo[k];
+        if (l->hi[k] < root[3 + k] && margin > l->hi[k] - q[k])
+            margin = l->hi[k] - q[k];
+        g->centre[k] = q[k];
+        g->most[k] = 1.1;
+    }
+    if (l->n == 0 || margin * l->unit < NEAREST) return;
+    g->margin = margin;
+    g->unit = 1.0 / margin;
+    i = (int)(s - l->first);
+    x = l->x[i];
+    y = l->y[i];
+    z = l->z[i];
+    /* none nearer than margin is missed */
+    most = (float)(margin * l->unit) + SLACK;
+    most *= most;
+    for (i = 0; i < (l->n + 3) / 4 * 4; i++)
+        in[i] = (l->x[i] - x) * (l->x[i] - x) +
+                    (l->y[i] - y) * (l->y[i] - y) +
+                    (l->z[i] - z) * (l->z[i] - z) <= most;
+    n = compress(in, l->n, which);
+    for (i = 0; i < n; i++) {
+        g->id[i] = l->id[which[i]];
+        setpoint(m, g, i);
+    }
+    g->n = n;
+    padlist(g);
+    if (n < STARMIN && m->share < 4.0) m->share *= 1.1;
+    if (n > STARMAX) m->share *= 0.9;
+}
+
 /* ---- the apex of a facet ---- */
 
 /* powererr - how wrong the power |w|^2 - 2 c.w may be for |w|_1 <= size: c is
@@ -1219,25 +1405,6 @@ static void consider(const mesh *m, quest *f, tess_int z)
                             w2 * (w2 - 2.0 * f->c[2]) <=
                         powererr(f, fabs(w0) + fabs(w1) + fabs(w2)))
         challenge(m, f, z);
-}
-
-/* compress - those of the places 0 ... n-1 that are marked by 1, the others by
- * 0, without a branch: no processor could guess it.  Returns their number. */
-static int compress(const int *in, int n, int *place)
-{
-    int i, *next = place;
-
-    for (i = 0; i < n; i += 4) {
-        *next = i;
-        next += in[i];
-        *next = i + 1;
-        next += in[i + 1];
-        *next = i + 2;
-        next += in[i + 2];
-        *next = i + 3;
-        next += in[i + 3];
-    }
-    return (int)(next - place);
 }
 
 /* ballcoef - the test of a list's points against a ball of centre c, relative
@@ -1537,173 +1704,6 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
         if (m->nplane < PLANES) m->nplane++;
     }
     return f.best;
-}
-
-/* ---- lists: where to look first ---- */
-
-/* disjoint - do two boxes have no common point? */
-static int disjoint(const double *alo, const double *ahi, const double *blo,
-                    const double *bhi)
-{
-    return (ahi[0] < blo[0]) | (ahi[1] < blo[1]) | (ahi[2] < blo[2]) |
-           (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
-}
-
-/* setpoint - set point i of a list from its position; FAR away when its star is
- * complete. */
-static void setpoint(const mesh *m, list *l, int i)
-{
-    const double *q = m->x + 3 * l->id[i];
-    float x = FAR, y = FAR, z = FAR;
-
-    if (m->link[l->id[i]] != DONE) {
-        x = (float)((q[0] - l->centre[0]) * l->unit);
-        y = (float)((q[1] - l->centre[1]) * l->unit);
-        z = (float)((q[2] - l->centre[2]) * l->unit);
-    }
-    l->x[i] = x;
-    l->y[i] = y;
-    l->z[i] = z;
-    l->r[i] = x * x + y * y + z * z;
-}
-
-/* padlist - fill up the last four of a list with points that are FAR away:
- * loops over lists go by fours, which every compiler can make vectors of. */
-static void padlist(list *l)
-{
-    int i = l->n;
-
-    while (i % 4 != 0) {
-        l->x[i] = l->y[i] = l->z[i] = FAR;
-        l->r[i] = FAR * FAR;
-        l->id[i++] = NONE;
-    }
-}
-
-/* boxquery - add the uncompleted points of its box that are not in leaf own to
- * the positions of a list.  Returns 0 when they do not fit. */
-static int boxquery(const mesh *m, list *l, tess_int own)
-{
-    tess_int stack[DEPTH], node, i, first, last;
-    const double *b;
-    int depth = 0;
-
-    stack[depth++] = 1;
-    while (depth > 0) {
-        node = stack[--depth];
-        b = m->box + 6 * node;
-        if (m->alive[node] == 0 || disjoint(l->lo, l->hi, b, b + 3) ||
-            node == m->leaves + own)
-            continue;
-        if (node < m->leaves) {
-            stack[depth++] = 2 * node;
-            stack[depth++] = 2 * node + 1;
-            continue;
-        }
-        span(m, node, &first, &last);
-        for (i = first; i < last; i++) {
-            l->id[l->n] = i;
-            l->n += (m->link[i] != DONE) &
-                    !disjoint(l->lo, l->hi, m->x + 3 * i, m->x + 3 * i);
-        }
-        if (l->n > TESS_LIST) return 0;
-    }
-    return 1;
-}
-
-/* leaflist - make the list of the leaf of star s: its points, in order, then
- * the uncompleted ones around it.  The margin shrinks until they fit. */
-static void leaflist(mesh *m, tess_int s)
-{
-    tess_int leaf = leafof(m, s), i;
-    const double *b = m->box + 6 * (m->leaves + leaf);
-    double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half = 0.0;
-    double margin = m->reach * sqrt(x * x + y * y + z * z);
-    const double *root = m->box + 6;
-    list *l = &m->block;
-    int k, full = 1;
-
-    l->first = leafstart(m, leaf);
-    l->last = leafstart(m, leaf + 1);
-    m->share = NEAR;
-    while (full) {
-        for (k = 0; k < 3; k++) {
-            l->lo[k] = b[k] - margin;
-            l->hi[k] = b[3 + k] + margin;
-            l->centre[k] = 0.5 * (l->lo[k] + l->hi[k]);
-            x = 0.5 * (l->hi[k] - l->lo[k]);
-            half = x > half || k == 0 ? x : half;
-        }
-        l->margin = margin;
-        l->unit = half > NARROW ? 1.0 / half : 0.0;
-        for (k = 0; k < 3; k++) {
-            /* the points are inside the root's box, too */
-            x = l->hi[k] < root[3 + k] ? l->hi[k] : root[3 + k];
-            y = l->lo[k] > root[k] ? l->lo[k] : root[k];
-            x -= l->centre[k];
-            y = l->centre[k] - y;
-            l->most[k] = (x > y ? x : y) * l->unit;
-        }
-        l->n = 0;
-        for (i = l->first; i < l->last; i++) l->id[l->n++] = i;
-        full = !boxquery(m, l, leaf);
-        if (l->unit == 0.0 || (full && margin == 0.0)) {
-            l->n = 0; /* no list */
-            return;
-        }
-        margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
-    }
-    for (k = 0; k < l->n; k++) setpoint(m, l, k);
-    padlist(l);
-    if (l->n < BLOCKMIN && m->reach < 8.0) m->reach *= 1.1;
-    if (l->n > BLOCKMAX && m->reach > 0.05) m->reach *= 0.9;
-}
-
-/* starlist - make the lists for star s: the block of its leaf and, from it, the
- * points nearer to s than the star's margin, which is at most the distance
- * from s to where the block may lack points. */
-static void starlist(mesh *m, tess_int s)
-{
-    list *l = &m->block, *g = &m->around;
-    const double *q = m->x + 3 * s, *root = m->box + 6;
-    double margin;
-    float x, y, z, most;
-    int i, k, n, in[TESS_LIST], which[TESS_LIST + 1];
-
-    if (s < l->first || s >= l->last) leaflist(m, s);
-    g->n = 0;
-    margin = m->share * l->margin;
-    for (k = 0; k < 3; k++) {
-        if (l->lo[k] > root[k] && margin > q[k] - l->lo[k])
-            margin = q[k] - l->lo[k];
-        if (l->hi[k] < root[3 + k] && margin > l->hi[k] - q[k])
-            margin = l->hi[k] - q[k];
-        g->centre[k] = q[k];
-        g->most[k] = 1.1;
-    }
-    if (l->n == 0 || margin * l->unit < NEAREST) return;
-    g->margin = margin;
-    g->unit = 1.0 / margin;
-    i = (int)(s - l->first);
-    x = l->x[i];
-    y = l->y[i];
-    z = l->z[i];
-    /* none nearer than margin is missed */
-    most = (float)(margin * l->unit) + SLACK;
-    most *= most;
-    for (i = 0; i < (l->n + 3) / 4 * 4; i++)
-        in[i] = (l->x[i] - x) * (l->x[i] - x) +
-                    (l->y[i] - y) * (l->y[i] - y) +
-                    (l->z[i] - z) * (l->z[i] - z) <= most;
-    n = compress(in, l->n, which);
-    for (i = 0; i < n; i++) {
-        g->id[i] = l->id[which[i]];
-        setpoint(m, g, i);
-    }
-    g->n = n;
-    padlist(g);
-    if (n < STARMIN && m->share < 4.0) m->share *= 1.1;
-    if (n > STARMAX) m->share *= 0.9;
 }
 
 /* ---- results: the caller's arrays ---- */

@@ -64,7 +64,7 @@ C                         of the link from it, or
 C                         0, NEW, DONE
 C            2 L ALIVE    uncompleted points of a leaf, living children
 C                         of a node
-C            the rest     the arena, POOL: entries of the hash table grow
+C            the rest     the arena, POOL: entries of the table grow
 C                         up from its beginning, MPOOL of them; edges of
 C                         the link grow down from its end, NEWEST the
 C                         lowest
@@ -108,16 +108,17 @@ C         star TSSTAR, stars TSSTRS
 C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
 C         hashkey TSHASH, same TSSAME, find TSFIND, insert TSINSE,
 C         erase TSERAS, rehash TSREHA
+C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
+C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
+C         starlist TSSTLI
 C       apex: powererr TSPOWE, extent TSEXTE, prunebox TSPRUN,
 C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
 C         setbest TSSETB, challenge TSCHAL, consider TSCONS,
-C         compress TSCMPR, ballcoef TSBALC, starcoef TSSTAC,
-C         inball TSINBA, considerall TSCALL, likeliest TSLIKE,
-C         anypoint TSANYP, instar TSINST, inblock TSINBL,
-C         scanleaf TSSCAN, treesearch TSTREE, onhull TSONHU,
-C         prepare TSPREP, apex TSAPEX
-C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
-C         boxquery TSBOXQ, leaflist TSLFLI, starlist TSSTLI
+C         ballcoef TSBALC, starcoef TSSTAC, inball TSINBA,
+C         considerall TSCALL, likeliest TSLIKE, anypoint TSANYP,
+C         instar TSINST, inblock TSINBL, scanleaf TSSCAN,
+C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
+C         apex TSAPEX
 C       results: slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, cuberoot TSCUBE,
 C         tablesize TSTABL, upto TSUPTO, lengths TSLENG,
@@ -1338,6 +1339,298 @@ C     facets have the same vertices, as only damaged arrays have.
       END
 
 C     ------------------------------------------------------------------
+C     Lists: where to look first.
+C     ------------------------------------------------------------------
+
+C     TSDISJ - has the box of a list no common point with that of a
+C     node: 1, or 0.
+      INTEGER FUNCTION TSDISJ(BOX, LSD, LIST, NODE)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2)
+      INTEGER LIST, NODE
+      INTEGER LLO, LHI
+      PARAMETER (LLO = 0, LHI = 3)
+      INTEGER K
+      TSDISJ = 1
+      DO 10 K = 1, 3
+        IF (LSD(LHI+K,LIST) .LT. BOX(K,NODE) .OR.
+     $      BOX(3+K,NODE) .LT. LSD(LLO+K,LIST)) RETURN
+   10 CONTINUE
+      TSDISJ = 0
+      END
+
+C     TSPDIS - is position I outside of the box of a list: 1, or 0.
+      INTEGER FUNCTION TSPDIS(X, LSD, LIST, I)
+      DOUBLE PRECISION X(3,*), LSD(14,2)
+      INTEGER LIST, I
+      INTEGER LLO, LHI
+      PARAMETER (LLO = 0, LHI = 3)
+C     six conditions, not one, spare a branch for each
+      TSPDIS = 0
+      IF (LSD(LHI+1,LIST) .LT. X(1,I)) TSPDIS = 1
+      IF (LSD(LHI+2,LIST) .LT. X(2,I)) TSPDIS = 1
+      IF (LSD(LHI+3,LIST) .LT. X(3,I)) TSPDIS = 1
+      IF (X(1,I) .LT. LSD(LLO+1,LIST)) TSPDIS = 1
+      IF (X(2,I) .LT. LSD(LLO+2,LIST)) TSPDIS = 1
+      IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
+      END
+
+C     TSSETP - set point I of a list from its position; FAR away when
+C     its star is complete.
+      SUBROUTINE TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER LINK(*), LSID(TSIDS,2), LIST, I
+      INTEGER LMID, LUNIT, DONE
+      PARAMETER (LMID = 6, LUNIT = 14, DONE = -1)
+      REAL FAR
+      PARAMETER (FAR = 1.0E10)
+      REAL A, B, C
+      INTEGER Z
+      Z = LSID(I,LIST)
+      A = FAR
+      B = FAR
+      C = FAR
+      IF (LINK(Z) .NE. DONE) THEN
+        A = REAL((X(1,Z) - LSD(LMID+1,LIST))*LSD(LUNIT,LIST))
+        B = REAL((X(2,Z) - LSD(LMID+2,LIST))*LSD(LUNIT,LIST))
+        C = REAL((X(3,Z) - LSD(LMID+3,LIST))*LSD(LUNIT,LIST))
+      END IF
+      LSX(I,1,LIST) = A
+      LSX(I,2,LIST) = B
+      LSX(I,3,LIST) = C
+      LSX(I,4,LIST) = A*A + B*B + C*C
+      END
+
+C     TSPADL - fill up the last four of a list with points that are FAR
+C     away: loops over lists go by fours, which every compiler can make
+C     vectors of.
+      SUBROUTINE TSPADL(LSX, LSID, LSI, LIST)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      REAL LSX(TSLIST,4,2)
+      INTEGER LSID(TSIDS,2), LSI(3,2), LIST
+      INTEGER LN
+      PARAMETER (LN = 3)
+      REAL FAR
+      PARAMETER (FAR = 1.0E10)
+      INTEGER I
+      DO 10 I = LSI(LN,LIST) + 1, (LSI(LN,LIST) + 3)/4*4
+        LSX(I,1,LIST) = FAR
+        LSX(I,2,LIST) = FAR
+        LSX(I,3,LIST) = FAR
+        LSX(I,4,LIST) = FAR*FAR
+        LSID(I,LIST) = 0
+   10 CONTINUE
+      END
+
+C     TSBOXQ - add the uncompleted points of its box that are not in
+C     leaf OWN to the positions of a list.  FIT is 1, or 0 when they do
+C     not fit.
+      SUBROUTINE TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
+     $                  OWN, FIT)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(14,2)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), LIST
+      INTEGER OWN, FIT
+      INTEGER TSDISJ, TSPDIS
+      INTEGER LEAVES, LN, DONE, DEPTH
+      PARAMETER (LEAVES = 4, LN = 3, DONE = -1, DEPTH = 64)
+      INTEGER FIRST, HEIGHT, I, LAST, N, NODE, OUT, STACK(DEPTH)
+      FIT = 1
+      STACK(1) = 1
+      HEIGHT = 1
+   10 IF (HEIGHT .EQ. 0) RETURN
+      NODE = STACK(HEIGHT)
+      HEIGHT = HEIGHT - 1
+      IF (ALIVE(NODE) .EQ. 0) GO TO 10
+      IF (NODE .EQ. CTL(LEAVES) + OWN - 1) GO TO 10
+      IF (TSDISJ(BOX, LSD, LIST, NODE) .EQ. 1) GO TO 10
+      IF (NODE .LT. CTL(LEAVES)) THEN
+        STACK(HEIGHT+1) = 2*NODE
+        STACK(HEIGHT+2) = 2*NODE + 1
+        HEIGHT = HEIGHT + 2
+        GO TO 10
+      END IF
+      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      N = LSI(LN,LIST)
+      DO 20 I = FIRST, LAST
+        LSID(N+1,LIST) = I
+        OUT = TSPDIS(X, LSD, LIST, I)
+        IF (LINK(I) .EQ. DONE) OUT = 1
+        N = N + 1 - OUT
+   20 CONTINUE
+      LSI(LN,LIST) = N
+      IF (N .LE. TSLIST) GO TO 10
+      FIT = 0
+      END
+
+C     TSLFLI - make the list of the leaf of star S: its points, in
+C     order, then the uncompleted ones around it.  The margin shrinks
+C     until they fit.
+      SUBROUTINE TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $                  LSD, LIST, S)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), LIST
+      INTEGER S
+      INTEGER TSLFST, TSLEAF
+      INTEGER LEAVES, RREACH, RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID
+      INTEGER LMOST, LMARG, LUNIT, BLKMIN, BLKMAX
+      PARAMETER (LEAVES = 4, RREACH = 3, RSHARE = 4, LFIRST = 1)
+      PARAMETER (LLAST = 2, LN = 3, LLO = 0, LHI = 3, LMID = 6)
+      PARAMETER (LMOST = 9, LMARG = 13, LUNIT = 14)
+      PARAMETER (BLKMIN = TSLIST/8*3, BLKMAX = TSLIST/8*5)
+      DOUBLE PRECISION NARROW, NEAR
+      PARAMETER (NARROW = 1.0D5*2.0D0**(-450), NEAR = 0.85D0)
+      DOUBLE PRECISION ABOVE, BELOW, HALF, MARGIN, SUM
+      INTEGER FIT, I, K, LEAFS, N, NODE
+      LEAFS = TSLEAF(CTL, S)
+      NODE = CTL(LEAVES) + LEAFS - 1
+      SUM = 0.0D0
+      DO 10 K = 1, 3
+        SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
+   10 CONTINUE
+      MARGIN = RCTL(RREACH)*SQRT(SUM)
+      RCTL(RSHARE) = NEAR
+      LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
+      LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
+   20 HALF = 0.0D0
+      DO 30 K = 1, 3
+        LSD(LLO+K,LIST) = BOX(K,NODE) - MARGIN
+        LSD(LHI+K,LIST) = BOX(3+K,NODE) + MARGIN
+        LSD(LMID+K,LIST) = 0.5D0*(LSD(LLO+K,LIST) + LSD(LHI+K,LIST))
+        HALF = MAX(HALF, 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST)))
+   30 CONTINUE
+      LSD(LMARG,LIST) = MARGIN
+      LSD(LUNIT,LIST) = 0.0D0
+      IF (HALF .GT. NARROW) LSD(LUNIT,LIST) = 1.0D0/HALF
+      DO 40 K = 1, 3
+C       the points are inside the root's box, too
+        ABOVE = MIN(LSD(LHI+K,LIST), BOX(3+K,1)) - LSD(LMID+K,LIST)
+        BELOW = LSD(LMID+K,LIST) - MAX(LSD(LLO+K,LIST), BOX(K,1))
+        LSD(LMOST+K,LIST) = MAX(ABOVE, BELOW)*LSD(LUNIT,LIST)
+   40 CONTINUE
+      LSI(LN,LIST) = 0
+      DO 50 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
+        LSI(LN,LIST) = LSI(LN,LIST) + 1
+        LSID(LSI(LN,LIST),LIST) = I
+   50 CONTINUE
+      CALL TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
+     $            LEAFS, FIT)
+      IF (LSD(LUNIT,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
+     $    MARGIN .LE. 0.0D0)) THEN
+C       no list
+        LSI(LN,LIST) = 0
+        RETURN
+      END IF
+      IF (FIT .EQ. 0) THEN
+        IF (MARGIN .GT. 1.0D-3*HALF) THEN
+          MARGIN = 0.7D0*MARGIN
+        ELSE
+          MARGIN = 0.0D0
+        END IF
+        GO TO 20
+      END IF
+      N = LSI(LN,LIST)
+      DO 60 I = 1, N
+        CALL TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
+   60 CONTINUE
+      CALL TSPADL(LSX, LSID, LSI, LIST)
+      IF (N .LT. BLKMIN .AND. RCTL(RREACH) .LT. 8.0D0)
+     $    RCTL(RREACH) = 1.1D0*RCTL(RREACH)
+      IF (N .GT. BLKMAX .AND. RCTL(RREACH) .GT. 0.05D0)
+     $    RCTL(RREACH) = 0.9D0*RCTL(RREACH)
+      END
+
+C     TSCMPR - those of the places 1 ... N that are marked by 1, the
+C     others by 0, without a branch: no processor could guess it.  COUNT
+C     is their number.
+      SUBROUTINE TSCMPR(IN, N, PLACE, COUNT)
+      INTEGER IN(*), N, PLACE(*), COUNT
+      INTEGER I
+      COUNT = 0
+      DO 10 I = 1, N, 4
+        PLACE(COUNT+1) = I
+        COUNT = COUNT + IN(I)
+        PLACE(COUNT+1) = I + 1
+        COUNT = COUNT + IN(I+1)
+        PLACE(COUNT+1) = I + 2
+        COUNT = COUNT + IN(I+2)
+        PLACE(COUNT+1) = I + 3
+        COUNT = COUNT + IN(I+3)
+   10 CONTINUE
+      END
+
+C     TSSTLI - make the lists for star S: the block of its leaf and,
+C     from it, the points nearer to S than the star's margin, which is
+C     at most the distance from S to where the block may lack points.
+      SUBROUTINE TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $                  LSD, S)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S
+      INTEGER RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG
+      INTEGER LUNIT, BLK, STR, STRMIN, STRMAX
+      PARAMETER (RSHARE = 4, LFIRST = 1, LLAST = 2, LN = 3, LLO = 0)
+      PARAMETER (LHI = 3, LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14)
+      PARAMETER (BLK = 1, STR = 2, STRMIN = 24, STRMAX = 48)
+      DOUBLE PRECISION NEARST
+      PARAMETER (NEARST = 1.0D-4)
+      REAL SLACK
+      PARAMETER (SLACK = 32.0*2.0**(-23))
+      DOUBLE PRECISION MARGIN
+      REAL A, B, C, MOST
+      INTEGER I, IN(TSLIST), K, N, PLACE(TSLIST+1)
+      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK))
+     $    CALL TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
+     $    LSD, BLK, S)
+      LSI(LN,STR) = 0
+      MARGIN = RCTL(RSHARE)*LSD(LMARG,BLK)
+      DO 10 K = 1, 3
+        IF (LSD(LLO+K,BLK) .GT. BOX(K,1)) MARGIN = MIN(MARGIN, X(K,S) -
+     $      LSD(LLO+K,BLK))
+        IF (LSD(LHI+K,BLK) .LT. BOX(3+K,1)) MARGIN = MIN(MARGIN,
+     $      LSD(LHI+K,BLK) - X(K,S))
+        LSD(LMID+K,STR) = X(K,S)
+        LSD(LMOST+K,STR) = 1.1D0
+   10 CONTINUE
+      IF (LSI(LN,BLK) .EQ. 0) RETURN
+      IF (MARGIN*LSD(LUNIT,BLK) .LT. NEARST) RETURN
+      LSD(LMARG,STR) = MARGIN
+      LSD(LUNIT,STR) = 1.0D0/MARGIN
+      I = S - LSI(LFIRST,BLK) + 1
+      A = LSX(I,1,BLK)
+      B = LSX(I,2,BLK)
+      C = LSX(I,3,BLK)
+C     none nearer than margin is missed
+      MOST = REAL(MARGIN*LSD(LUNIT,BLK)) + SLACK
+      MOST = MOST*MOST
+      DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
+        IN(I) = 0
+        IF ((LSX(I,1,BLK) - A)*(LSX(I,1,BLK) - A) +
+     $      (LSX(I,2,BLK) - B)*(LSX(I,2,BLK) - B) +
+     $      (LSX(I,3,BLK) - C)*(LSX(I,3,BLK) - C) .LE. MOST) IN(I) = 1
+   20 CONTINUE
+      CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
+      DO 30 I = 1, N
+        LSID(I,STR) = LSID(PLACE(I),BLK)
+        CALL TSSETP(X, LINK, LSX, LSID, LSD, STR, I)
+   30 CONTINUE
+      LSI(LN,STR) = N
+      CALL TSPADL(LSX, LSID, LSI, STR)
+      IF (N .LT. STRMIN .AND. RCTL(RSHARE) .LT. 4.0D0)
+     $    RCTL(RSHARE) = 1.1D0*RCTL(RSHARE)
+      IF (N .GT. STRMAX) RCTL(RSHARE) = 0.9D0*RCTL(RSHARE)
+      END
+
+C     ------------------------------------------------------------------
 C     The apex of a facet.
 C     ------------------------------------------------------------------
 
@@ -1575,25 +1868,6 @@ C     ball.
         IF (POWER .GT. TSPOWE(FQ, ABS(W1) + ABS(W2) + ABS(W3))) RETURN
       END IF
       CALL TSCHAL(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
-      END
-
-C     TSCMPR - those of the places 1 ... N that are marked by 1, the
-C     others by 0, without a branch: no processor could guess it.  COUNT
-C     is their number.
-      SUBROUTINE TSCMPR(IN, N, PLACE, COUNT)
-      INTEGER IN(*), N, PLACE(*), COUNT
-      INTEGER I
-      COUNT = 0
-      DO 10 I = 1, N, 4
-        PLACE(COUNT+1) = I
-        COUNT = COUNT + IN(I)
-        PLACE(COUNT+1) = I + 1
-        COUNT = COUNT + IN(I+1)
-        PLACE(COUNT+1) = I + 2
-        COUNT = COUNT + IN(I+2)
-        PLACE(COUNT+1) = I + 3
-        COUNT = COUNT + IN(I+3)
-   10 CONTINUE
       END
 
 C     TSBALC - the test of a list's points against a ball of centre C,
@@ -2057,279 +2331,6 @@ C     GUESS: two positions to try first, or 0.
         CTL(NEXTPL) = MOD(CTL(NEXTPL), PLANES) + 1
         CTL(NPLANE) = MIN(CTL(NPLANE) + 1, PLANES)
       END IF
-      END
-
-C     ------------------------------------------------------------------
-C     Lists: where to look first.
-C     ------------------------------------------------------------------
-
-C     TSDISJ - has the box of a list no common point with that of a
-C     node: 1, or 0.
-      INTEGER FUNCTION TSDISJ(BOX, LSD, LIST, NODE)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2)
-      INTEGER LIST, NODE
-      INTEGER LLO, LHI
-      PARAMETER (LLO = 0, LHI = 3)
-      INTEGER K
-      TSDISJ = 1
-      DO 10 K = 1, 3
-        IF (LSD(LHI+K,LIST) .LT. BOX(K,NODE) .OR.
-     $      BOX(3+K,NODE) .LT. LSD(LLO+K,LIST)) RETURN
-   10 CONTINUE
-      TSDISJ = 0
-      END
-
-C     TSPDIS - is position I outside of the box of a list: 1, or 0.
-      INTEGER FUNCTION TSPDIS(X, LSD, LIST, I)
-      DOUBLE PRECISION X(3,*), LSD(14,2)
-      INTEGER LIST, I
-      INTEGER LLO, LHI
-      PARAMETER (LLO = 0, LHI = 3)
-C     six conditions, not one, spare a branch for each
-      TSPDIS = 0
-      IF (LSD(LHI+1,LIST) .LT. X(1,I)) TSPDIS = 1
-      IF (LSD(LHI+2,LIST) .LT. X(2,I)) TSPDIS = 1
-      IF (LSD(LHI+3,LIST) .LT. X(3,I)) TSPDIS = 1
-      IF (X(1,I) .LT. LSD(LLO+1,LIST)) TSPDIS = 1
-      IF (X(2,I) .LT. LSD(LLO+2,LIST)) TSPDIS = 1
-      IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
-      END
-
-C     TSSETP - set point I of a list from its position; FAR away when
-C     its star is complete.
-      SUBROUTINE TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER LINK(*), LSID(TSIDS,2), LIST, I
-      INTEGER LMID, LUNIT, DONE
-      PARAMETER (LMID = 6, LUNIT = 14, DONE = -1)
-      REAL FAR
-      PARAMETER (FAR = 1.0E10)
-      REAL A, B, C
-      INTEGER Z
-      Z = LSID(I,LIST)
-      A = FAR
-      B = FAR
-      C = FAR
-      IF (LINK(Z) .NE. DONE) THEN
-        A = REAL((X(1,Z) - LSD(LMID+1,LIST))*LSD(LUNIT,LIST))
-        B = REAL((X(2,Z) - LSD(LMID+2,LIST))*LSD(LUNIT,LIST))
-        C = REAL((X(3,Z) - LSD(LMID+3,LIST))*LSD(LUNIT,LIST))
-      END IF
-      LSX(I,1,LIST) = A
-      LSX(I,2,LIST) = B
-      LSX(I,3,LIST) = C
-      LSX(I,4,LIST) = A*A + B*B + C*C
-      END
-
-C     TSPADL - fill up the last four of a list with points that are FAR
-C     away: loops over lists go by fours, which every compiler can make
-C     vectors of.
-      SUBROUTINE TSPADL(LSX, LSID, LSI, LIST)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      REAL LSX(TSLIST,4,2)
-      INTEGER LSID(TSIDS,2), LSI(3,2), LIST
-      INTEGER LN
-      PARAMETER (LN = 3)
-      REAL FAR
-      PARAMETER (FAR = 1.0E10)
-      INTEGER I
-      DO 10 I = LSI(LN,LIST) + 1, (LSI(LN,LIST) + 3)/4*4
-        LSX(I,1,LIST) = FAR
-        LSX(I,2,LIST) = FAR
-        LSX(I,3,LIST) = FAR
-        LSX(I,4,LIST) = FAR*FAR
-        LSID(I,LIST) = 0
-   10 CONTINUE
-      END
-
-C     TSBOXQ - add the uncompleted points of its box that are not in
-C     leaf OWN to the positions of a list.  FIT is 1, or 0 when they do
-C     not fit.
-      SUBROUTINE TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
-     $                  OWN, FIT)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(14,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), LIST
-      INTEGER OWN, FIT
-      INTEGER TSDISJ, TSPDIS
-      INTEGER LEAVES, LN, DONE, DEPTH
-      PARAMETER (LEAVES = 4, LN = 3, DONE = -1, DEPTH = 64)
-      INTEGER FIRST, HEIGHT, I, LAST, N, NODE, OUT, STACK(DEPTH)
-      FIT = 1
-      STACK(1) = 1
-      HEIGHT = 1
-   10 IF (HEIGHT .EQ. 0) RETURN
-      NODE = STACK(HEIGHT)
-      HEIGHT = HEIGHT - 1
-      IF (ALIVE(NODE) .EQ. 0) GO TO 10
-      IF (NODE .EQ. CTL(LEAVES) + OWN - 1) GO TO 10
-      IF (TSDISJ(BOX, LSD, LIST, NODE) .EQ. 1) GO TO 10
-      IF (NODE .LT. CTL(LEAVES)) THEN
-        STACK(HEIGHT+1) = 2*NODE
-        STACK(HEIGHT+2) = 2*NODE + 1
-        HEIGHT = HEIGHT + 2
-        GO TO 10
-      END IF
-      CALL TSSPAN(CTL, NODE, FIRST, LAST)
-      N = LSI(LN,LIST)
-      DO 20 I = FIRST, LAST
-        LSID(N+1,LIST) = I
-        OUT = TSPDIS(X, LSD, LIST, I)
-        IF (LINK(I) .EQ. DONE) OUT = 1
-        N = N + 1 - OUT
-   20 CONTINUE
-      LSI(LN,LIST) = N
-      IF (N .LE. TSLIST) GO TO 10
-      FIT = 0
-      END
-
-C     TSLFLI - make the list of the leaf of star S: its points, in
-C     order, then the uncompleted ones around it.  The margin shrinks
-C     until they fit.
-      SUBROUTINE TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $                  LSD, LIST, S)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), LIST
-      INTEGER S
-      INTEGER TSLFST, TSLEAF
-      INTEGER LEAVES, RREACH, RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID
-      INTEGER LMOST, LMARG, LUNIT, BLKMIN, BLKMAX
-      PARAMETER (LEAVES = 4, RREACH = 3, RSHARE = 4, LFIRST = 1)
-      PARAMETER (LLAST = 2, LN = 3, LLO = 0, LHI = 3, LMID = 6)
-      PARAMETER (LMOST = 9, LMARG = 13, LUNIT = 14)
-      PARAMETER (BLKMIN = TSLIST/8*3, BLKMAX = TSLIST/8*5)
-      DOUBLE PRECISION NARROW, NEAR
-      PARAMETER (NARROW = 1.0D5*2.0D0**(-450), NEAR = 0.85D0)
-      DOUBLE PRECISION ABOVE, BELOW, HALF, MARGIN, SUM
-      INTEGER FIT, I, K, LEAFS, N, NODE
-      LEAFS = TSLEAF(CTL, S)
-      NODE = CTL(LEAVES) + LEAFS - 1
-      SUM = 0.0D0
-      DO 10 K = 1, 3
-        SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
-   10 CONTINUE
-      MARGIN = RCTL(RREACH)*SQRT(SUM)
-      RCTL(RSHARE) = NEAR
-      LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
-      LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
-   20 HALF = 0.0D0
-      DO 30 K = 1, 3
-        LSD(LLO+K,LIST) = BOX(K,NODE) - MARGIN
-        LSD(LHI+K,LIST) = BOX(3+K,NODE) + MARGIN
-        LSD(LMID+K,LIST) = 0.5D0*(LSD(LLO+K,LIST) + LSD(LHI+K,LIST))
-        HALF = MAX(HALF, 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST)))
-   30 CONTINUE
-      LSD(LMARG,LIST) = MARGIN
-      LSD(LUNIT,LIST) = 0.0D0
-      IF (HALF .GT. NARROW) LSD(LUNIT,LIST) = 1.0D0/HALF
-      DO 40 K = 1, 3
-C       the points are inside the root's box, too
-        ABOVE = MIN(LSD(LHI+K,LIST), BOX(3+K,1)) - LSD(LMID+K,LIST)
-        BELOW = LSD(LMID+K,LIST) - MAX(LSD(LLO+K,LIST), BOX(K,1))
-        LSD(LMOST+K,LIST) = MAX(ABOVE, BELOW)*LSD(LUNIT,LIST)
-   40 CONTINUE
-      LSI(LN,LIST) = 0
-      DO 50 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
-        LSI(LN,LIST) = LSI(LN,LIST) + 1
-        LSID(LSI(LN,LIST),LIST) = I
-   50 CONTINUE
-      CALL TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
-     $            LEAFS, FIT)
-      IF (LSD(LUNIT,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
-     $    MARGIN .LE. 0.0D0)) THEN
-C       no list
-        LSI(LN,LIST) = 0
-        RETURN
-      END IF
-      IF (FIT .EQ. 0) THEN
-        IF (MARGIN .GT. 1.0D-3*HALF) THEN
-          MARGIN = 0.7D0*MARGIN
-        ELSE
-          MARGIN = 0.0D0
-        END IF
-        GO TO 20
-      END IF
-      N = LSI(LN,LIST)
-      DO 60 I = 1, N
-        CALL TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
-   60 CONTINUE
-      CALL TSPADL(LSX, LSID, LSI, LIST)
-      IF (N .LT. BLKMIN .AND. RCTL(RREACH) .LT. 8.0D0)
-     $    RCTL(RREACH) = 1.1D0*RCTL(RREACH)
-      IF (N .GT. BLKMAX .AND. RCTL(RREACH) .GT. 0.05D0)
-     $    RCTL(RREACH) = 0.9D0*RCTL(RREACH)
-      END
-
-C     TSSTLI - make the lists for star S: the block of its leaf and,
-C     from it, the points nearer to S than the star's margin, which is
-C     at most the distance from S to where the block may lack points.
-      SUBROUTINE TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $                  LSD, S)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S
-      INTEGER RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG
-      INTEGER LUNIT, BLK, STR, STRMIN, STRMAX
-      PARAMETER (RSHARE = 4, LFIRST = 1, LLAST = 2, LN = 3, LLO = 0)
-      PARAMETER (LHI = 3, LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14)
-      PARAMETER (BLK = 1, STR = 2, STRMIN = 24, STRMAX = 48)
-      DOUBLE PRECISION NEARST
-      PARAMETER (NEARST = 1.0D-4)
-      REAL SLACK
-      PARAMETER (SLACK = 32.0*2.0**(-23))
-      DOUBLE PRECISION MARGIN
-      REAL A, B, C, MOST
-      INTEGER I, IN(TSLIST), K, N, PLACE(TSLIST+1)
-      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK))
-     $    CALL TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
-     $    LSD, BLK, S)
-      LSI(LN,STR) = 0
-      MARGIN = RCTL(RSHARE)*LSD(LMARG,BLK)
-      DO 10 K = 1, 3
-        IF (LSD(LLO+K,BLK) .GT. BOX(K,1)) MARGIN = MIN(MARGIN, X(K,S) -
-     $      LSD(LLO+K,BLK))
-        IF (LSD(LHI+K,BLK) .LT. BOX(3+K,1)) MARGIN = MIN(MARGIN,
-     $      LSD(LHI+K,BLK) - X(K,S))
-        LSD(LMID+K,STR) = X(K,S)
-        LSD(LMOST+K,STR) = 1.1D0
-   10 CONTINUE
-      IF (LSI(LN,BLK) .EQ. 0) RETURN
-      IF (MARGIN*LSD(LUNIT,BLK) .LT. NEARST) RETURN
-      LSD(LMARG,STR) = MARGIN
-      LSD(LUNIT,STR) = 1.0D0/MARGIN
-      I = S - LSI(LFIRST,BLK) + 1
-      A = LSX(I,1,BLK)
-      B = LSX(I,2,BLK)
-      C = LSX(I,3,BLK)
-C     none nearer than margin is missed
-      MOST = REAL(MARGIN*LSD(LUNIT,BLK)) + SLACK
-      MOST = MOST*MOST
-      DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
-        IN(I) = 0
-        IF ((LSX(I,1,BLK) - A)*(LSX(I,1,BLK) - A) +
-     $      (LSX(I,2,BLK) - B)*(LSX(I,2,BLK) - B) +
-     $      (LSX(I,3,BLK) - C)*(LSX(I,3,BLK) - C) .LE. MOST) IN(I) = 1
-   20 CONTINUE
-      CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
-      DO 30 I = 1, N
-        LSID(I,STR) = LSID(PLACE(I),BLK)
-        CALL TSSETP(X, LINK, LSX, LSID, LSD, STR, I)
-   30 CONTINUE
-      LSI(LN,STR) = N
-      CALL TSPADL(LSX, LSID, LSI, STR)
-      IF (N .LT. STRMIN .AND. RCTL(RSHARE) .LT. 4.0D0)
-     $    RCTL(RSHARE) = 1.1D0*RCTL(RSHARE)
-      IF (N .GT. STRMAX) RCTL(RSHARE) = 0.9D0*RCTL(RSHARE)
       END
 
 C     ------------------------------------------------------------------
