@@ -2,14 +2,16 @@
  *
  * Order of the routines, here and in f77/hhpred.f:
  *   exact numbers     nearest split carry zeros signof spread volume ball
- *                     limbsg limbs3 limbs10 limbsx weight exact
+ *                     limbsg limbs3 limbs10 limbsx multiply centre leading
+ *                     weight exact
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       certain filt3 filt5 exact3 exact5 scale larger hh_orient
  *                     hh_insphere hh_flat hh_line widersg hh_wider hh_range
  *                     corners hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
- *   Householder       house reflec hh_setup hh_bound hh_facet hh_side hh_opp
- *                     hh_lcoord hh_wrap
+ *   balls by limbs    rows cut hh_centre form hh_trial hh_thin
+ *   Householder       house reflec hh_setup hh_bound hh_limits hh_facet hh_side
+ *                     hh_opp hh_lcoord hh_wrap
  */
 #include "hhpred.h"
 #include <math.h>
@@ -43,6 +45,7 @@ typedef long whole;
 #define LOW 1.6069380442589903e60      /* 2^200   */
 #define FEW (1.0 / (BASE * BASE * BASE * BASE))
 #define FEWEXP 96
+#define CENTRE 300
 #else
 #define BASE 512.0
 #define CARRY 32768.0
@@ -53,6 +56,7 @@ typedef long whole;
 #define LOW 1048576.0                  /* 2^20    */
 #define FEW (1.0 / (BASE * BASE))
 #define FEWEXP 18
+#define CENTRE 30
 #endif
 
 /* ---------------------------------------------------------------------
@@ -76,6 +80,8 @@ typedef long whole;
 
 #define ROWS1 10
 #define ROWS2 20
+/* Limbs that hold the value of a number to a double's precision. */
+#define LEADING (DBL_MANT_DIG / HH_BITS + 2)
 
 /* nearest - q, |q| < CARRY, to a nearest integer or one as good: the offset
  * makes it positive, and if that rounds no bit of q is lost, as the callers
@@ -311,6 +317,77 @@ static int limbsx(int np, const double *q, double top)
         sign = limbsg(np, q, top, n, work);
     } while (sign == UNSURE && n < HH_LIMBS);
     return sign;
+}
+
+/* multiply - r += sign x y, for x of n limbs and y of m, of numbers sx, sy
+ * and sr side by side. */
+static void multiply(double sign, int n, const double *x, int sx, int m,
+                     const double *y, int sy, double *r, int sr)
+{
+    double a;
+    int i, j;
+
+    for (i = 0; i < n; i++, x += sx) {
+        a = sign * *x;
+        if (a == 0.0) continue;
+        for (j = 0; j < m; j++) r[sr * (i + j + 1)] += a * y[sy * j];
+    }
+}
+
+/* centre - the centre of the ball of four points q of n limbs, seen from the
+ * last one: of the rows a, b, w of x, without the common limb weights,
+ *     C = |a|^2 (b x w) + |b|^2 (w x a) + |w|^2 (a x b)
+ * over twice D = a.(b x w).  At most HH_FEW limbs, so that no sum needs a
+ * carry before its end: 3 HH_FEW products of limbs of at most BASE, or 6 HH_FEW
+ * where both factors have been carried.  work: 39n doubles; C, 3 numbers of 4n
+ * limbs, is at the beginning of it, then D of 3n limbs. */
+static void centre(int n, const double *x, double *work)
+{
+    double *c = work, *d = c + 12 * n, *minor = d + 3 * n;
+    double *lift = minor + 18 * n;
+    int i, j, k, g, h;
+
+    zeros(39 * n, work);
+    for (i = 0; i < 3; i++) {
+        g = 3 * ((i + 1) % 3);
+        h = 3 * ((i + 2) % 3);
+        for (k = 0; k < 3; k++) {
+            j = (k + 1) % 3;
+            multiply(1.0, n, x + g + j, 12, n, x + h + 3 - j - k, 12,
+                     minor + 3 * i + k, 9);
+            multiply(-1.0, n, x + g + 3 - j - k, 12, n, x + h + j, 12,
+                     minor + 3 * i + k, 9);
+            multiply(1.0, n, x + 3 * i + k, 12, n, x + 3 * i + k, 12, lift + i,
+                     3);
+        }
+    }
+    carry(2 * n, 9, minor);
+    carry(2 * n, 3, lift);
+    for (k = 0; k < 3; k++) {
+        multiply(1.0, n, x + k, 12, 2 * n, minor + k, 9, d, 1);
+        for (i = 0; i < 3; i++)
+            multiply(1.0, 2 * n, lift + i, 3, 2 * n, minor + 3 * i + k, 9,
+                     c + k, 3);
+    }
+    carry(4 * n, 3, c);
+    carry(3 * n, 1, d);
+}
+
+/* leading - the value of a carried number, in the weight of its first limb
+ * that is not 0, *at.  Behind it comes at most half a unit and a little, so the
+ * value is at least nearly one half: the roundings, of at most 1/2 + 2^-23,
+ * count for less than 3 eps of it. */
+static double leading(int n, const double *r, int step, int *at)
+{
+    double sum = 0.0;
+    int i, last;
+
+    for (i = 0; i < n - 1 && r[step * i] == 0.0; i++)
+        ;
+    *at = i;
+    last = i + LEADING < n ? i + LEADING : n;
+    while (--last >= i) sum = sum / BASE + r[step * last];
+    return sum;
 }
 
 /* weight - the weight of limb 0 of numbers of at most most > 0: most fills
@@ -832,6 +909,223 @@ int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b)
     return perturb(s, w, 1) < 0;
 }
 
+/* rows - the limbs of the rows p - last of np <= 4 positions v of the set s, as
+ * spread's.  Returns how many, at most HH_FEW, or 0 when these do not hold
+ * them; limb 0 weighs *top for coordinates times *factor, 2^*e for those of
+ * s->x.  Twice the largest coordinate fits, too. */
+static int rows(const hh_set *s, int np, const tess_int *v, double *x,
+                double *top, double *factor, int *e)
+{
+    const tess_real *p;
+    double q[12], most = 0.0;
+    int i, k, n;
+
+    for (i = 0; i < np; i++) most = larger(most, s->p + 3 * s->order[v[i]]);
+    *factor = most < LOW ? SHIFT : 1.0;
+    for (i = 0; i < np; i++) {
+        p = s->p + 3 * s->order[v[i]];
+        for (k = 0; k < 3; k++) q[3 * i + k] = *factor * p[k];
+    }
+    *top = 2.0 * weight(*factor * most);
+    frexp(*top, e);
+    *e -= 1 + s->e + (most < LOW ? SKIP * HH_BITS : 0);
+    if (spread(np, q, *top, 3, x) <= 3) return 3;
+    n = spread(np, q, *top, HH_FEW, x);
+    return n <= HH_FEW ? n : 0;
+}
+
+/* cut - the HH_ROWS leading rows of three numbers c of m limbs, side by side,
+ * step doubles from row to row, and of one number d of nd limbs. */
+static void cut(int m, const double *c, int step, int nd, const double *d,
+                double *row)
+{
+    int first = 0, i, k;
+
+    while (first < m && c[step * first] == 0.0 && c[step * first + 1] == 0.0 &&
+           c[step * first + 2] == 0.0 && (first >= nd || d[first] == 0.0))
+        first++;
+    for (i = first; i < first + HH_ROWS; i++, row += 4) {
+        for (k = 0; k < 3; k++) row[k] = i < m ? c[step * i + k] : 0.0;
+        row[3] = i < nd ? d[i] : 0.0;
+    }
+}
+
+/* hh_centre - the centre c, relative to the position v[base] and scaled as s->x
+ * is, of the ball of the positions v[0..2] and z of the set s: wrong by at most
+ * 8 eps |c|, as C and D (see centre) are exact and their values, with the
+ * division, err by 7.  Returns 0 where that is not to be had: the four in one
+ * plane, too many limbs, or a centre that is too near or too far for squares.
+ * Else t is made ready for hh_trial. */
+int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
+              double *c, hh_ball *t)
+{
+    double x[12 * HH_FEW], work[39 * HH_FEW], d;
+    tess_int w[4];
+    int i, k, n, e, at, dat;
+
+    w[0] = v[(base + 1) % 3];
+    w[1] = v[(base + 2) % 3];
+    w[2] = z;
+    w[3] = v[base];
+    n = rows(s, 4, w, x, &t->top, &t->factor, &e);
+    if (n == 0) return 0;
+    centre(n, x, work);
+    d = 2.0 * leading(3 * n, work + 12 * n, 1, &dat);
+    if (d == 0.0) return 0;
+    for (k = 0; k < 3; k++) {
+        c[k] = leading(4 * n, work + k, 3, &at) / d;
+        if (c[k] == 0.0) continue;
+        at = e + (dat + 1 - at) * HH_BITS;
+        if (at > CENTRE) return 0;
+        c[k] = ldexp(c[k], at);
+    }
+    t->n = n;
+    t->most = t->top / t->factor;
+    t->most = t->most < DBL_MAX / BASE ? t->most * (BASE / 4.0) : DBL_MAX;
+    for (i = n - 1; i >= 0; i--)
+        for (k = 0; k < 9; k++)
+            if (x[12 * i + k] != 0.0) t->first = i;
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3; k++) t->base[3 * i + k] = x[12 * i + 9 + k];
+    cut(4 * n, work, 3, 3 * n, work + 12 * n, t->power);
+    cut(2 * n, work + 15 * n + 6, 9, 0, work, t->side);
+    return fabs(c[0]) + fabs(c[1]) + fabs(c[2]) > HH_SMALL;
+}
+
+/* form - the sign of row[3] l - row[0..2].u, of rows cut off from longer
+ * numbers, of u of n limbs, of which those before first are 0, and l of 2n,
+ * if any row[3] is not 0; or UNSURE.
+ *
+ * What is lost are products of limbs that weigh less than the last row of the
+ * sum: in the row behind it 3n products of at most (BASE/2 + 1) BASE and 2n of
+ * (BASE/2 + 1)^2, with all that follow less than CARRY units of the last row,
+ * for n <= 10.  So a partial sum of more than 2 CARRY decides, as in signof;
+ * no row of the sum has more than 30 products of at most BASE^2 / 2. */
+static int form(const double *row, int n, int first, const double *u,
+                const double *l)
+{
+    double sum[HH_ROWS + 1], s = 0.0;
+    int i, k;
+
+    zeros(HH_ROWS + 1, sum);
+    for (k = 0; k < HH_ROWS; k++, row += 4) {
+        for (i = first; i < n && k + i - first < HH_ROWS; i++)
+            sum[k + i - first + 1] -= row[0] * u[3 * i] +
+                                      row[1] * u[3 * i + 1] +
+                                      row[2] * u[3 * i + 2];
+        if (row[3] == 0.0) continue;
+        for (i = 2 * first; i < 2 * n && k + i - first < HH_ROWS; i++)
+            sum[k + i - first + 1] += row[3] * l[i];
+    }
+    for (i = 0; i <= HH_ROWS; i++) {
+        s = s * BASE + sum[i];
+        if (s > 2.0 * CARRY) return 1;
+        if (s < -2.0 * CARRY) return -1;
+    }
+    return UNSURE;
+}
+
+/* hh_trial - by a few leading limbs, in a tenth of the time of the exact signs:
+ * if *side is 0, *side = the side of the position z for the facet of hh_centre,
+ * or UNSURE; unless it is -1, *power = the sign of z's power in the ball, or
+ * UNSURE: -1 when z is inside.  For the latter the ball's fourth point is on
+ * the positive side, as D > 0 then. */
+void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
+              int *power)
+{
+    const tess_real *p = s->p + 3 * s->order[z];
+    double u[3 * HH_FEW], l[2 * HH_FEW], *x;
+    int n = t->n, i, j, k;
+
+    *power = UNSURE;
+    for (k = 0; k < 3; k++)
+        if (fabs((double)p[k]) > t->most ||
+            split(p[k] * t->factor, t->top, n, 3, u + k) > n)
+            break;
+    for (i = 0; i < 3 * n && k == 3; i++) {
+        u[i] -= t->base[i];
+        if (i < 3 * t->first && u[i] != 0.0) k = 0;
+    }
+    if (k < 3) {
+        if (*side == 0) *side = UNSURE;
+        return;
+    }
+    if (*side == 0) {
+        k = form(t->side, n, t->first, u, t->base);
+        *side = k == UNSURE ? UNSURE : -k;
+    }
+    if (*side < 0) return;
+    zeros(2 * n, l);
+    for (i = t->first; i < n; i++)
+        for (j = t->first, x = u + 3 * j; j < n; j++, x += 3)
+            l[i + j + 1] += u[3 * i] * x[0] + u[3 * i + 1] * x[1] +
+                            u[3 * i + 2] * x[2];
+    carry(2 * n, 1, l);
+    *power = form(t->power, n, t->first, u, l);
+}
+
+/* hh_thin - the set-up f of a facet v that is too thin for Householder's
+ * bounds, its normal by limbs, as good as that of any other; v[base] is
+ * opposite to the longest edge.  With the rows a and b from there n = a x b is
+ * exact but for 3 eps of each component, and, after division by its length, 10
+ * eps; so the side of z errs by less than 16 eps |w|.
+ *     c - p1 = n x (|b|^2 a - |a|^2 b) / (2 |n|^2)
+ * The vector in parentheses is |a| |b| |a-b| long, where |a| + |b| <= 2 |a-b|:
+ * nothing cancels, it errs by less than 20 eps of itself, c - p1 by less than
+ * 60 eps rho.  E and dc are those of the best facet in hh_setup, 260 eps and
+ * 800 eps rho, on which other bounds rest.  f is left as it is where numbers
+ * might underflow. */
+void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
+{
+    const double *p1 = s->x + 3 * v[base];
+    const double *p2 = s->x + 3 * v[(base + 1) % 3];
+    const double *p3 = s->x + 3 * v[(base + 2) % 3];
+    double x[9 * HH_FEW], minor[6 * HH_FEW], m[3], d[3], a, b, norm, top;
+    double factor, aa = 0.0, bb = 0.0;
+    tess_int w[3];
+    int i, j, k, n, e, at[3], least;
+
+    for (k = 0; k < 3; k++) w[k] = v[(base + 1 + k) % 3];
+    n = rows(s, 3, w, x, &top, &factor, &e);
+    if (n == 0) return;
+    zeros(6 * n, minor);
+    for (k = 0; k < 3; k++) {
+        i = (k + 1) % 3;
+        j = 3 - i - k;
+        multiply(1.0, n, x + i, 9, n, x + 3 + j, 9, minor + k, 3);
+        multiply(-1.0, n, x + j, 9, n, x + 3 + i, 9, minor + k, 3);
+    }
+    carry(2 * n, 3, minor);
+    for (k = 0; k < 3; k++) m[k] = leading(2 * n, minor + k, 3, at + k);
+    least = at[0] < at[1] ? at[0] : at[1];
+    least = at[2] < least ? at[2] : least;
+    for (k = 0; k < 3; k++) {
+        m[k] = ldexp(m[k], (least - at[k]) * HH_BITS);
+        a = p2[k] - p1[k];
+        b = p3[k] - p1[k];
+        aa += a * a;
+        bb += b * b;
+    }
+    norm = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
+    e = 2 * e + (1 - least) * HH_BITS;
+    if (e < -CENTRE || aa < HH_SMALL || bb < HH_SMALL) return;
+    for (k = 0; k < 3; k++) {
+        m[k] /= norm;
+        d[k] = bb * (p2[k] - p1[k]) - aa * (p3[k] - p1[k]);
+        f[6 + k] = p1[k];
+    }
+    norm = 2.0 * ldexp(norm, e);
+    for (k = 0; k < 3; k++) {
+        i = (k + 1) % 3;
+        j = 3 - i - k;
+        f[k] = m[k];
+        f[3 + k] = (m[i] * d[j] - m[j] * d[i]) / norm;
+    }
+    f[11] = sqrt(f[3] * f[3] + f[4] * f[4] + f[5] * f[5]);
+    f[9] = 260.0 * DBL_EPSILON;
+    f[10] = 800.0 * DBL_EPSILON * f[11];
+}
+
 /* ---------------------------------------------------------------------
  * Householder transformations (Section 3).
  *
@@ -957,6 +1251,41 @@ int hh_bound(const double *f, const double *z, double *l, double *dl)
         return 1;
     }
     return -side > err ? -1 : 0;
+}
+
+/* hh_limits - hh_bound, with limits of L instead: if z is on the positive side
+ * its L-coordinate is at least *lo and at most *hi, +-DBL_MAX where there is no
+ * limit.
+ *
+ * Where the side is not certain, L is a quotient of the power N = w.w - 2
+ * (c-p1).w and twice a side that, if positive at all, is at most side + err:
+ * a power that is certainly not 0 then limits L on the side of 0.  With p_k =
+ * w_k (w_k - 2 c_k), the error of w_k counts for eps (2 w_k^2 + 2 |c_k w_k|),
+ * the four roundings of p_k and of the sum for 4 eps (w_k^2 + 2 |c_k w_k|) in
+ * any rounding mode and order, that of c for 2 |w| dc: together less than
+ * size (eps (8 size + 12 rho) + 2 dc), size >= HH_SMALL, where underflow does
+ * less than that.  A side + 2 err in place of side + err has room for the last
+ * roundings: err is at least 260 eps size, and |side| at most size. */
+int hh_limits(const double *f, const double *z, double *lo, double *hi)
+{
+    double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
+    double size = fabs(w0) + fabs(w1) + fabs(w2), l, dl, most, power, err;
+    int side = hh_bound(f, z, &l, &dl);
+
+    *lo = -DBL_MAX;
+    *hi = DBL_MAX;
+    if (side > 0) {
+        *lo = l - dl;
+        *hi = l + dl;
+    }
+    if (side != 0 || size < HH_SMALL || f[9] > HH_LOOSE) return side;
+    most = 2.0 * (f[0] * w0 + f[1] * w1 + f[2] * w2 + 2.0 * f[9] * size);
+    power = w0 * (w0 - 2.0 * f[3]) + w1 * (w1 - 2.0 * f[4]) +
+            w2 * (w2 - 2.0 * f[5]);
+    err = size * (DBL_EPSILON * (8.0 * size + 12.0 * f[11]) + 2.0 * f[10]);
+    if (power > err) *lo = (power - err) / most;
+    if (power < -err) *hi = (power + err) / most;
+    return 0;
 }
 
 int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,

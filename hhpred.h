@@ -71,6 +71,15 @@ typedef double tess_real;
 #error HH_LIMBS is less than 3
 #endif
 
+/* The limbs of balls and thin facets; with more they are not made. */
+#if HH_LIMBS > 10
+#define HH_FEW 10
+#else
+#define HH_FEW HH_LIMBS
+#endif
+/* Leading rows of a ball's numbers that are kept. */
+#define HH_ROWS 8
+
 #define HH_FACET_LEN 12
 
 /* The bounds of hh_facet hold while E is at most this. */
@@ -160,6 +169,7 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
  *          absolute value at most 1.  What underflows, gradually or to 0, is
  *          wrong by at most DBL_MIN: absolute terms of the bounds cover that
  *   p      the caller's coordinates, which the exact arithmetic takes
+ *   e      x = p 2^-e
  *   order  position -> index in p
  *   t3,t5  orientations and inspheres whose permanent is at most this are
  *          computed without rounding (all coordinates are small multiples of
@@ -170,15 +180,34 @@ typedef struct hh_set {
     const tess_real *p;
     const tess_int *order;
     double t3, t5;
+    int e;
 } hh_set;
+
+/* hh_ball - a facet and the ball through it and a fourth point, by limbs: for a
+ * point z, u = z - base, the side is n.u and the power D |u|^2 - C.u.
+ *   n      limbs of u; those before first are 0 for the facet and the point
+ *   top    weight of limb 0 of coordinates times factor, which hold most
+ *   base   limbs of the base, three coordinates side by side
+ *   power  leading rows of C and D, side those of n and 0 */
+typedef struct hh_ball {
+    int n, first;
+    double top, factor, most;
+    double base[3 * HH_FEW], power[4 * HH_ROWS], side[4 * HH_ROWS];
+} hh_ball;
 
 /* Details in hhpred.c. */
 void hh_setup(const double *p1, const double *p2, const double *p3, double *f);
 int hh_bound(const double *f, const double *z, double *l, double *dl);
+int hh_limits(const double *f, const double *z, double *lo, double *hi);
 int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l);
 int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
              tess_int m);
 int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b);
+int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
+              double *c, hh_ball *t);
+void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
+              int *power);
+void hh_thin(const hh_set *s, const tess_int *v, int base, double *f);
 int hh_flat(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c);
 int hh_line(const tess_real *a, const tess_real *b, const tess_real *c);

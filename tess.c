@@ -69,9 +69,9 @@
  *   pool         outfac facet owner hashkey same find insert erase rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
  *   apex         powererr extent prunebox prunepart ballinbox ballinstar
- *                setbest challenge consider ballcoef starcoef inball
- *                considerall likeliest anypoint instar inblock scanleaf
- *                treesearch onhull prepare apex
+ *                narrow refine better proven challenge consider ballcoef
+ *                starcoef inball considerall likeliest anypoint instar inblock
+ *                scanleaf treesearch onhull prepare apex
  *   results      coords four slot mate
  *   preparation  leafcount cuberoot tablesize upto lengths collect inrange
  *                times units scaled sorted intact restore run wrong
@@ -107,6 +107,17 @@ extern double tess_count[];
 #define N_POOL 8   /* largest number of facets in the pool  */
 #define N_HULL 9   /* searches that found nothing           */
 #define N_PROBE 10 /* entries looked at to find or put in   */
+#define N_SIDE 11  /* sides left to the exact predicates    */
+#define N_BALL 12  /* balls found by limbs                  */
+#define N_TRIAL 13 /* comparisons tried by a few limbs      */
+
+/* In a build of its own a test hears of every certificate whether it holds. */
+#ifdef TESS_PROVE
+extern void tess_prove(int holds);
+#define PROVE(holds) tess_prove(holds)
+#else
+#define PROVE(holds)
+#endif
 
 /* The caller's arrays hold numbers greater by ORIGIN than those used inside:
  * Fortran counts from 1.  So do the queries. */
@@ -160,6 +171,12 @@ extern double tess_count[];
 #define EDGE 6
 /* Pool and edges, at least. */
 #define LEAST 512
+/* A facet with a greater E is set up by limbs. */
+#define THIN 1e-6
+/* The ball of the best point is found by limbs when its L-coordinate is known
+ * to less than WIDE circumradii, and after MANY exact comparisons. */
+#define WIDE 1e-4
+#define MANY 6
 /* Pool that is recommended beyond 4 n in any case, up to 8 n. */
 #define MUCH 320000L
 
@@ -169,9 +186,10 @@ extern double tess_count[];
  *
  * FAINT: what underflow does to the power |w|^2 - 2 c.w of a point, or to its
  * side.  A coordinate that underflowed when it was scaled is wrong by DBL_MIN,
- * and so may be each product; |w| < 4, and as no ball is made with E >
- * HH_LOOSE, |c| < 1/EPS (rho < 0.02/EPS as E > 170 EPS |r12/r22|, and |L| and
- * its error are below 0.1/EPS as a side is more than 2 E |w|).
+ * and so may be each product; |w| < 4, and |c| is at most 2 MUCHL: narrow gives
+ * no ball for an L-coordinate beyond MUCHL (nor may anything overflow there),
+ * a circumradius is below 0.02/EPS by hh_setup, and hh_thin's and hh_centre's
+ * are below MUCHL.
  *
  * NARROW: a box narrower than this has no list.  A list's coordinates are then
  * right to far less than FEPS, and a star's margin is above HH_SMALL, so that
@@ -191,7 +209,13 @@ extern double tess_count[];
  * PAD: relative room for the few roundings of a bound. */
 #define EPS DBL_EPSILON
 #define FEPS FLT_EPSILON
-#define FAINT (DBL_MIN / EPS / EPS)
+#if DBL_MANT_DIG >= 53
+#define MUCHL 1e100
+#define FAINT 1e-200
+#else
+#define MUCHL 1e15
+#define FAINT 1e-20
+#endif
 #define NARROW (HH_SMALL * 1e5)
 #define NEAREST 1e-4
 #define SLACK (32.0f * FEPS)
@@ -218,10 +242,12 @@ typedef struct list {
 typedef struct quest {
     tess_int v[3];            /* its vertices; the open side is positive */
     double f[HH_FACET_LEN];   /* its Householder set-up, */
-    int turned;               /* of which v[0] is not the base */
+    int base;                 /* of which v[base] is the base */
     tess_int best;            /* the best point yet, exactly, or NONE */
-    int sure;                 /* its L-coordinate is bounded by l, dl */
-    double l, dl;
+    double lo, hi;            /* its L-coordinate is between them */
+    int limbs;                /* its ball has been found by limbs: t */
+    hh_ball t;
+    int asked;                /* comparisons left to the exact predicates */
     int ball;                 /* there is a ball to prune with: centre c, */
     double c[3];              /* relative to f[6..8], wrong by at most dc */
     double dc, size;          /* and |c|_1 */
@@ -582,6 +608,9 @@ static void erase(mesh *m, tess_int e, tess_int least);
 static int rehash(mesh *m, tess_int s, tess_int wanted);
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess);
 static void starlist(mesh *m, tess_int s);
+#ifdef TESS_PROVE
+static int proven(const mesh *m, const tess_int *v, tess_int c);
+#endif
 
 /* clearlink - the link has no edges. */
 static void clearlink(mesh *m)
@@ -843,6 +872,7 @@ static int star(mesh *m, tess_int s)
         guess[0] = p[PREV] == NONE ? NONE : m->pool[p[PREV] + FROM];
         guess[1] = p[AFTER] == NONE ? NONE : m->pool[p[AFTER] + TO];
         c = apex(m, v, guess);
+        PROVE(proven(m, v, c));
         if (c == NONE) {
             if (p[CODE] != START) m->adj[p[CODE]] = TESS_NONE;
             if (p[PREV] != NONE) m->pool[p[PREV] + AFTER] = NONE;
@@ -1352,20 +1382,26 @@ static int ballinstar(const mesh *m, const quest *f)
     return 0;
 }
 
-/* setbest - make z the best point of a search; its L-coordinate is l, wrong by
- * at most dl, if sure. */
-static void setbest(quest *f, tess_int z, int sure, double l, double dl)
+#ifdef TESS_PROVE
+/* better - is z on the open side and better than the best point, exactly? */
+static int better(const mesh *m, const quest *f, tess_int z)
 {
-    f->best = z;
-    f->sure = sure;
-    if (!sure) return;
-    f->l = l;
-    f->dl = dl;
+    return z != f->v[0] && z != f->v[1] && z != f->v[2] && z != f->best &&
+           hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z) > 0 &&
+           (f->best == NONE || hh_pbeat(&m->set, f->v, f->best, z));
+}
+#endif
+
+/* narrow - the L-coordinate of the best point of a search is at most l. */
+static void narrow(quest *f, double l)
+{
+    f->hi = l;
+    if (f->limbs || l > MUCHL || l < -MUCHL) return;
     f->ball = 1;
-    /* what is better than z is, on the positive side, in the ball of any L
-     * above z's: so dl does not add to the ball's error.  It is large where
-     * balls are flat: points near a plane took 10 times as long with it. */
-    l += dl;
+    /* what is better than the best point is, on the positive side, in the ball
+     * of any L above its: so its error does not add to the ball's.  It is large
+     * where balls are flat: points near a plane took 10 times as long with
+     * it. */
     f->c[0] = f->f[3] + l * f->f[0];
     f->c[1] = f->f[4] + l * f->f[1];
     f->c[2] = f->f[5] + l * f->f[2];
@@ -1373,24 +1409,72 @@ static void setbest(quest *f, tess_int z, int sure, double l, double dl)
     f->dc = f->f[10] + fabs(l) * f->f[9] + 4.0 * EPS * f->size;
 }
 
+/* refine - find the ball of the best point by limbs.  The centre c errs by at
+ * most 8 eps |c|, so that its height over the facet's plane, c.v, is L but for
+ * the error of v, E |c|, that of c, and the roundings of three products and
+ * two sums, 5 eps |c|_1. */
+static void refine(const mesh *m, quest *f)
+{
+    double l, err;
+
+    COUNT(N_BALL, 1);
+    if (!hh_centre(&m->set, f->v, f->base, f->best, f->c, &f->t)) return;
+    f->limbs = f->ball = 1;
+    f->size = fabs(f->c[0]) + fabs(f->c[1]) + fabs(f->c[2]);
+    f->dc = 8.0 * EPS * f->size;
+    if (f->f[9] > HH_LOOSE) return;
+    l = f->f[0] * f->c[0] + f->f[1] * f->c[1] + f->f[2] * f->c[2];
+    err = (f->f[9] + 16.0 * EPS) * f->size;
+    if (l - err > f->lo) f->lo = l - err;
+    if (l + err < f->hi) f->hi = l + err;
+}
+
 /* challenge - take z if it is on the open side and beats the best point there
  * is: if its L-coordinate is smaller (Theorem 1); ties by the rule of
- * hh_pball.  The Householder bounds decide where they can. */
+ * hh_pball.  The Householder bounds decide where they can; what they leave open
+ * limits the better one by the other. */
 static void challenge(const mesh *m, quest *f, tess_int z)
 {
-    double l = 0.0, dl = 0.0;
-    int side = hh_bound(f->f, m->x + 3 * z, &l, &dl);
+    double lo, hi;
+    int side = hh_limits(f->f, m->x + 3 * z, &lo, &hi), sign = side;
+    int power = UNSURE;
 
-    if (side < 0) return;
-    if (side == 0 && hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z) <= 0)
+    if (side < 0 || (f->best != NONE && lo > f->hi)) {
+        PROVE(!better(m, f, z));
         return;
-    if (f->best != NONE &&
-        (side == 0 || !f->sure || l + dl >= f->l - f->dl)) {
-        if (side != 0 && f->sure && l - dl > f->l + f->dl) return;
-        COUNT(N_EXACT, 1);
-        if (!hh_pbeat(&m->set, f->v, f->best, z)) return;
     }
-    setbest(f, z, side, l, dl);
+    if (f->limbs && (side == 0 || hi >= f->lo)) {
+        COUNT(N_TRIAL, 1);
+        hh_trial(&m->set, &f->t, z, &sign, &power);
+        PROVE(sign == UNSURE ||
+              sign == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
+    }
+    if (sign == 0 || sign == UNSURE) {
+        COUNT(N_SIDE, 1);
+        sign = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
+    }
+    if (sign <= 0) return;
+    if (f->best != NONE && hi >= f->lo) {
+        f->asked++;
+        if (power == UNSURE) {
+            COUNT(N_EXACT, 1);
+            power = hh_pbeat(&m->set, f->v, f->best, z) ? -1 : 1;
+        }
+        PROVE((power < 0) == hh_pbeat(&m->set, f->v, f->best, z));
+        if (power > 0) {
+            if (hi < f->hi) narrow(f, hi);
+            if (f->asked >= MANY && !f->limbs) refine(m, f);
+            return;
+        }
+        if (hi > f->hi) hi = f->hi;
+    }
+    PROVE(better(m, f, z));
+    f->best = z;
+    f->lo = lo;
+    f->limbs = 0;
+    narrow(f, hi);
+    if (side == 0 || hi - lo > WIDE * f->f[11] || f->asked >= MANY)
+        refine(m, f);
 }
 
 /* consider - compare z, if it is no vertex and not outside of the ball. */
@@ -1405,6 +1489,9 @@ static void consider(const mesh *m, quest *f, tess_int z)
                             w2 * (w2 - 2.0 * f->c[2]) <=
                         powererr(f, fabs(w0) + fabs(w1) + fabs(w2)))
         challenge(m, f, z);
+    else {
+        PROVE(!better(m, f, z));
+    }
 }
 
 /* ballcoef - the test of a list's points against a ball of centre c, relative
@@ -1539,12 +1626,13 @@ static int instar(mesh *m, quest *f)
     tess_int z = NONE;
     int in[TESS_LIST], place[TESS_LIST + 1], n;
 
-    if (f->turned || l->n == 0) return 0;
+    if (f->base != 0 || l->n == 0) return 0;
     if (!f->ball) anypoint(m, f, l);
     if (!f->ball || !starcoef(l, f, d)) return 0;
     if (inball(l, d, in) > 4) {
         n = compress(in, l->n, place);
-        most = f->l - 1e-4 * l->margin;
+        most = (f->hi < FAR * l->margin ? f->hi : FAR * l->margin) -
+               1e-4 * l->margin;
         /* the best of those inside the ball leaves none, as a rule; not among
          * ties, which are on it (to know that saves 6 % on lattices) */
         if (!m->ties) z = likeliest(f, l, most, n, place);
@@ -1554,12 +1642,14 @@ static int instar(mesh *m, quest *f)
             n = inball(l, d, in) > 4 ? compress(in, l->n, place) : 0;
         }
         considerall(m, f, l, n, place);
-        m->ties = f->l > most;
+        m->ties = f->hi > most;
     }
     return ballinstar(m, f);
 }
 
-/* inblock - the same for the block's list. */
+/* inblock - the same for the block's list.  Where the ball has room elsewhere
+ * the tree is searched in any case, so the list only costs: on surfaces two of
+ * five points that were tested. */
 static int inblock(const mesh *m, quest *f)
 {
     const list *l = &m->block;
@@ -1568,10 +1658,10 @@ static int inblock(const mesh *m, quest *f)
 
     if (l->n == 0) return 0;
     if (!f->ball) anypoint(m, f, l);
-    if (!f->ball || !ballcoef(l, f, f->c, d)) return 0;
+    if (!f->ball || !ballinbox(m, f, l) || !ballcoef(l, f, f->c, d)) return 0;
     if (inball(l, d, in) > 4)
         considerall(m, f, l, compress(in, l->n, place), place);
-    return ballinbox(m, f, l);
+    return 1;
 }
 
 /* scanleaf - consider those uncompleted points of a leaf of box b, positions
@@ -1653,9 +1743,10 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     int k;
 
     for (k = 0; k < 3; k++) f->v[k] = v[k];
-    f->turned = 0;
+    f->base = f->asked = f->limbs = 0;
     f->best = NONE;
-    f->sure = f->ball = 0;
+    f->ball = 0;
+    f->hi = DBL_MAX;
     f->dc = f->size = f->c[0] = f->c[1] = f->c[2] = 0.0;
     hh_setup(a, b, c, f->f);
     if (f->f[9] < 8000.0 * EPS) return;
@@ -1664,14 +1755,31 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
         bc += (c[k] - b[k]) * (c[k] - b[k]);
         ca += (a[k] - c[k]) * (a[k] - c[k]);
     }
-    f->turned = 1;
-    if (ca > ab && ca > bc)
+    if (ca > ab && ca > bc) {
+        f->base = 1;
         hh_setup(b, c, a, f->f);
-    else if (ab > bc)
+    } else if (ab > bc) {
+        f->base = 2;
         hh_setup(c, a, b, f->f);
-    else
-        f->turned = 0;
+    }
+    if (f->f[9] > THIN) hh_thin(&m->set, v, f->base, f->f);
 }
+
+#ifdef TESS_PROVE
+/* proven - is c, or none, the apex of the facet v, against all points? */
+static int proven(const mesh *m, const tess_int *v, tess_int c)
+{
+    quest f;
+    tess_int z;
+    int k;
+
+    for (k = 0; k < 3; k++) f.v[k] = v[k];
+    f.best = c;
+    for (z = 0; z < m->np; z++)
+        if (better(m, &f, z)) return 0;
+    return 1;
+}
+#endif
 
 /* apex - the apex of the facet v on its positive side, or NONE.  guess: two
  * positions to try first, or NONE. */
@@ -1690,11 +1798,12 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
         COUNT(N_STAR, 1);
         return f.best;
     }
+    /* before the block's list: a tenth of the time on lattices */
+    if (f.best == NONE && onhull(m, &f)) return NONE;
     if (inblock(m, &f)) {
         COUNT(N_BLOCK, 1);
         return f.best;
     }
-    if (f.best == NONE && onhull(m, &f)) return NONE;
     COUNT(N_TREE, 1);
     treesearch(m, &f);
     if (f.best == NONE) {
@@ -1867,6 +1976,7 @@ static int scaled(mesh *m)
     int e;
 
     m->set.t3 = m->set.t5 = -1.0;
+    m->set.e = 0;
     for (i = 0; i < n; i++) {
         x = fabs(m->x[i]);
         if (x > most) most = x;
@@ -1875,6 +1985,7 @@ static int scaled(mesh *m)
     if (most == 0.0) return 0;
     if (!inrange(m, most)) return TESS_RANGE;
     frexp(most, &e);
+    m->set.e = e;
     times(m, -(e / 2));
     times(m, -(e - e / 2));
     if (least >= ldexp(DBL_MIN, e)) u = units(m);

@@ -26,8 +26,9 @@ C     The routines of hhpred.c, in its order, and their names here:
 C       exact numbers: frexp HHFREX, ldexp HHLDEX, nearest HHNEAR,
 C         split HHSPLI, carry HHCARR, zeros HHZERO, signof HHSIGN,
 C         spread HHSPRE, volume HHVOLU, ball HHBALL, limbsg HHLIMB,
-C         limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX, weight HHWEIG,
-C         exact HHEXAC
+C         limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX,
+C         multiply HHMULT, centre HHCNTR, leading HHLEAD,
+C         weight HHWEIG, exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
 C       exact signs: certain HHCERT, filt3 HHFIL3, filt5 HHFIL5,
@@ -37,9 +38,12 @@ C         hh_line HHLINE, widersg HHWIDS, hh_wider HHWIDE,
 C         hh_range HHRANG, corners HHCORN, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
+C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
+C         form HHFORM, hh_trial HHTRIA, hh_thin HHTHIN
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
-C         hh_bound HHBOUN, hh_facet HHFACE, hh_side HHSIDE,
-C         hh_opp HHOPP, hh_lcoord HHLCOO, hh_wrap HHWRAP
+C         hh_bound HHBOUN, hh_limits HHLIMI, hh_facet HHFACE,
+C         hh_side HHSIDE, hh_opp HHOPP, hh_lcoord HHLCOO,
+C         hh_wrap HHWRAP
 C     Only in C: held (hh_holds for points that are not in one array).
 C     Only here: HHKIND (part of hh_finite and hh_holds).
 C
@@ -78,6 +82,10 @@ C               first multiplied by it, so that no limb's weight
 C               underflows
 C       FEW     2**(-FEWEXP); coordinates between FEW and 1/FEW are
 C               scaled by one multiplication
+C       FAR     a ball's centre is at most about 2**FAR from its points
+C       HHFEW   (HH_FEW) the limbs of balls and thin facets; with more
+C               they are not made
+C       BROWS   (HH_ROWS) leading rows of a ball's numbers that are kept
 
 C     ------------------------------------------------------------------
 C     Exact numbers.
@@ -512,6 +520,95 @@ C     last one serves several lengths.
       IF (N .GT. HHLIM - 1) N = HHLIM
       CALL HHLIMB(NP, Q, TOP, N, X, MINOR, DET, TOTAL, SGN)
       IF (SGN .EQ. UNSURE .AND. N .LT. HHLIM) GO TO 10
+      END
+
+C     HHMULT - R = R + SGN X Y, for X of N limbs and Y of M.  The first
+C     limb of each, or of R the place before it, is at FX, FY, FR; there
+C     are SX, SY and SR numbers side by side.
+      SUBROUTINE HHMULT(SGN, N, X, FX, SX, M, Y, FY, SY, R, FR, SR)
+      INTEGER N, FX, SX, M, FY, SY, FR, SR
+      DOUBLE PRECISION SGN, X(*), Y(*), R(*)
+      DOUBLE PRECISION A
+      INTEGER I, J, TO
+      DO 20 I = 1, N
+        A = SGN*X(FX+SX*(I-1))
+        IF (ABS(A) .GT. 0.0D0) THEN
+          TO = FR + SR*(I - 1)
+          DO 10 J = 1, M
+            R(TO+SR*J) = R(TO+SR*J) + A*Y(FY+SY*(J-1))
+   10     CONTINUE
+        END IF
+   20 CONTINUE
+      END
+
+C     HHCNTR - the centre of the ball of four points of N limbs, seen
+C     from the last one: of the rows A, B, W of X, without the common
+C     limb weights,
+C         C = |A|**2 (B x W) + |B|**2 (W x A) + |W|**2 (A x B)
+C     over twice D = A.(B x W).  At most HHFEW limbs, so that no sum
+C     needs a carry before its end: 3 HHFEW products of limbs of at most
+C     BASE, or 6 HHFEW where both factors have been carried.  C has 3
+C     numbers of 4N limbs, D 3N limbs.  Scratch: MINOR 18, LIFT 6
+C     doubles a limb.
+      SUBROUTINE HHCNTR(N, X, C, D, MINOR, LIFT)
+      INTEGER N
+      DOUBLE PRECISION X(*), C(*), D(*), MINOR(*), LIFT(*)
+      INTEGER G, H, I, J, K, L
+      CALL HHZERO(12*N, C)
+      CALL HHZERO(3*N, D)
+      CALL HHZERO(18*N, MINOR)
+      CALL HHZERO(6*N, LIFT)
+      DO 20 I = 1, 3
+        G = 3*MOD(I, 3)
+        H = 3*MOD(I + 1, 3)
+        DO 10 K = 1, 3
+          J = MOD(K, 3) + 1
+          L = 6 - J - K
+          CALL HHMULT(1.0D0, N, X, G + J, 12, N, X, H + L, 12,
+     $                MINOR, 3*(I - 1) + K, 9)
+          CALL HHMULT(-1.0D0, N, X, G + L, 12, N, X, H + J, 12,
+     $                MINOR, 3*(I - 1) + K, 9)
+          CALL HHMULT(1.0D0, N, X, 3*(I - 1) + K, 12, N, X,
+     $                3*(I - 1) + K, 12, LIFT, I, 3)
+   10   CONTINUE
+   20 CONTINUE
+      CALL HHCARR(2*N, 9, MINOR)
+      CALL HHCARR(2*N, 3, LIFT)
+      DO 40 K = 1, 3
+        CALL HHMULT(1.0D0, N, X, K, 12, 2*N, MINOR, K, 9, D, 1, 1)
+        DO 30 I = 1, 3
+          CALL HHMULT(1.0D0, 2*N, LIFT, I, 3, 2*N, MINOR,
+     $                3*(I - 1) + K, 9, C, K, 3)
+   30   CONTINUE
+   40 CONTINUE
+      CALL HHCARR(4*N, 3, C)
+      CALL HHCARR(3*N, 1, D)
+      END
+
+C     HHLEAD - the value of a carried number of N limbs, STEP apart from
+C     R(FIRST) on, in the weight of its first limb that is not 0, limb
+C     AT.  Behind it comes at most half a unit and a little, so VALUE is
+C     at least nearly one half: the roundings, of at most 1/2 +
+C     2**(-23), count for less than 3 EPS of it.
+      SUBROUTINE HHLEAD(N, R, FIRST, STEP, VALUE, AT)
+      INTEGER N, FIRST, STEP, AT
+      DOUBLE PRECISION R(*), VALUE
+      INTEGER LEADS
+      PARAMETER (LEADS = 4)
+      DOUBLE PRECISION BASE
+      PARAMETER (BASE = 2.0D0**24)
+      INTEGER I
+      AT = 1
+   10 IF (AT .LT. N) THEN
+        IF (ABS(R(FIRST+STEP*(AT-1))) .LE. 0.0D0) THEN
+          AT = AT + 1
+          GO TO 10
+        END IF
+      END IF
+      VALUE = 0.0D0
+      DO 20 I = MIN(AT + LEADS - 1, N), AT, -1
+        VALUE = VALUE/BASE + R(FIRST+STEP*(I-1))
+   20 CONTINUE
       END
 
 C     HHWEIG - the weight of limb 1 of numbers of at most MOST > 0: MOST
@@ -1251,6 +1348,326 @@ C     positive side: 1, or 0.
       IF (HHPERT(X, P, ORD, T3, T5, W, 1) .LT. 0) HHPBEA = 1
       END
 
+C     HHROWS - the limbs X of the rows p - last of NP <= 4 positions V
+C     of a set (see HHPSID; X = P 2**(-SE) there), as HHSPRE's.  N is
+C     how many, at most HHFEW, or 0 when these do not hold them; limb 1
+C     weighs TOP for coordinates times FACTOR, 2**E for those of
+C     HHPSID's X.  Twice the largest coordinate fits, too.
+      SUBROUTINE HHROWS(P, ORD, SE, NP, V, X, TOP, FACTOR, E, N)
+      DOUBLE PRECISION P(3,*), X(*), TOP, FACTOR
+      INTEGER ORD(*), SE, NP, V(*), E, N
+      INTEGER HHFREX
+      DOUBLE PRECISION HHWEIG
+      INTEGER BITS, SKIP, HHFEW
+      PARAMETER (BITS = 24, SKIP = 25, HHFEW = 10)
+      DOUBLE PRECISION SHIFT, LOW
+      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
+      DOUBLE PRECISION MOST, Q(3,4)
+      INTEGER I, K
+      MOST = 0.0D0
+      DO 20 I = 1, NP
+        DO 10 K = 1, 3
+          Q(K,I) = P(K,ORD(V(I)))
+          MOST = MAX(MOST, ABS(Q(K,I)))
+   10   CONTINUE
+   20 CONTINUE
+      FACTOR = 1.0D0
+      E = -1 - SE
+      IF (MOST .LT. LOW) THEN
+        FACTOR = SHIFT
+        E = E - SKIP*BITS
+        MOST = MOST*SHIFT
+        DO 40 I = 1, NP
+          DO 30 K = 1, 3
+            Q(K,I) = Q(K,I)*SHIFT
+   30     CONTINUE
+   40   CONTINUE
+      END IF
+      TOP = 2.0D0*HHWEIG(MOST)
+      E = E + HHFREX(TOP)
+      CALL HHSPRE(NP, Q, TOP, 3, X, N)
+      IF (N .LE. 3) THEN
+        N = 3
+      ELSE
+        CALL HHSPRE(NP, Q, TOP, HHFEW, X, N)
+        IF (N .GT. HHFEW) N = 0
+      END IF
+      END
+
+C     HHCUT - the BROWS leading rows of three numbers C of M limbs, side
+C     by side from C(FC) on, STEP doubles from row to row, and of one
+C     number D of ND limbs: ROW, behind AT.
+      SUBROUTINE HHCUT(M, C, FC, STEP, ND, D, ROW, AT)
+      INTEGER M, FC, STEP, ND, AT
+      DOUBLE PRECISION C(*), D(*), ROW(*)
+      INTEGER BROWS
+      PARAMETER (BROWS = 8)
+      DOUBLE PRECISION SIZE
+      INTEGER FIRST, I, J, K
+      FIRST = 1
+   10 IF (FIRST .LE. M) THEN
+        J = FC + STEP*(FIRST - 1)
+        SIZE = ABS(C(J)) + ABS(C(J+1)) + ABS(C(J+2))
+        IF (FIRST .LE. ND) SIZE = SIZE + ABS(D(FIRST))
+        IF (SIZE .LE. 0.0D0) THEN
+          FIRST = FIRST + 1
+          GO TO 10
+        END IF
+      END IF
+      DO 30 I = 1, BROWS
+        J = FIRST + I - 1
+        DO 20 K = 1, 4
+          ROW(AT+4*(I-1)+K) = 0.0D0
+          IF (K .LE. 3 .AND. J .LE. M)
+     $        ROW(AT+4*(I-1)+K) = C(FC+STEP*(J-1)+K-1)
+   20   CONTINUE
+        IF (J .LE. ND) ROW(AT+4*I) = D(J)
+   30 CONTINUE
+      END
+
+C     HHCENT - the centre C, relative to the position V(BASE) and scaled
+C     as X is, of the ball of the positions V(1..3) and Z of a set (see
+C     HHPSID; X = P 2**(-SE) there): wrong by at most 8 EPS |C|, as C
+C     and D of HHCNTR are exact and their values, with the division, err
+C     by 7.  OK is 0 where that is not to be had: the four in one plane,
+C     too many limbs, or a centre that is too near or too far for
+C     squares.  Else it is 1, and a ball is made ready for HHTRIA.
+C
+C     A ball (hh_ball in C), a facet and the ball through it and a
+C     fourth point by limbs: for a point z, u = z - base, the side is
+C     n.u and the power D |u|**2 - C.u.  Behind T(AT):
+C       BN, BFIRST  limbs of u; those before BFIRST are 0 for the facet
+C               and the point
+C       BTOP    weight of limb 1 of coordinates times BFACT, which hold
+C               BMOST
+C       BBASE   behind it the limbs of the base, three coordinates side
+C               by side
+C       BPOWER  behind it leading rows of C and D; BSIDE: of n and 0
+      SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, AT, OK)
+      DOUBLE PRECISION P(3,*), C(3), T(*)
+      INTEGER ORD(*), SE, V(3), BASE, Z, AT, OK
+      DOUBLE PRECISION HHLDEX
+      INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE
+      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5)
+      PARAMETER (BBASE = 5, BPOWER = 35, BSIDE = 67)
+      INTEGER BITS, HHFEW, FAR
+      PARAMETER (BITS = 24, HHFEW = 10, FAR = 300)
+      DOUBLE PRECISION EPS, HUGE, RADIX, SMALL
+      PARAMETER (EPS = 2.0D0**(-52))
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      PARAMETER (RADIX = 2.0D0**24, SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION X(12*HHFEW), CC(12*HHFEW), D(3*HHFEW)
+      DOUBLE PRECISION MINOR(18*HHFEW), LIFT(6*HHFEW), VALUE
+      DOUBLE PRECISION FACTOR, TOP
+      INTEGER DAT, E, FIRST, I, K, LAT, N, W(4)
+      OK = 0
+      W(1) = V(MOD(BASE,3)+1)
+      W(2) = V(MOD(BASE+1,3)+1)
+      W(3) = Z
+      W(4) = V(BASE)
+      CALL HHROWS(P, ORD, SE, 4, W, X, TOP, FACTOR, E, N)
+      IF (N .EQ. 0) RETURN
+      CALL HHCNTR(N, X, CC, D, MINOR, LIFT)
+      CALL HHLEAD(3*N, D, 1, 1, VALUE, DAT)
+      IF (ABS(VALUE) .LE. 0.0D0) RETURN
+      DO 10 K = 1, 3
+        CALL HHLEAD(4*N, CC, K, 3, C(K), LAT)
+        C(K) = C(K)/(2.0D0*VALUE)
+        IF (ABS(C(K)) .GT. 0.0D0) THEN
+          LAT = E + (DAT + 1 - LAT)*BITS
+          IF (LAT .GT. FAR) RETURN
+          C(K) = HHLDEX(C(K), MAX(LAT, -2000))
+        END IF
+   10 CONTINUE
+      T(AT+BN) = DBLE(N)
+      T(AT+BTOP) = TOP
+      T(AT+BFACT) = FACTOR
+      T(AT+BMOST) = TOP/FACTOR
+      IF (T(AT+BMOST) .LT. HUGE/RADIX) THEN
+        T(AT+BMOST) = T(AT+BMOST)*(RADIX/4.0D0)
+      ELSE
+        T(AT+BMOST) = HUGE
+      END IF
+      FIRST = 1
+   20 DO 30 K = 1, 9
+        IF (ABS(X(12*(FIRST-1)+K)) .GT. 0.0D0) GO TO 40
+   30 CONTINUE
+      FIRST = FIRST + 1
+      IF (FIRST .LT. N) GO TO 20
+   40 T(AT+BFIRST) = DBLE(FIRST)
+      DO 60 I = 1, N
+        DO 50 K = 1, 3
+          T(AT+BBASE+3*(I-1)+K) = X(12*(I-1)+9+K)
+   50   CONTINUE
+   60 CONTINUE
+      CALL HHCUT(4*N, CC, 1, 3, 3*N, D, T, AT + BPOWER)
+      CALL HHCUT(2*N, MINOR, 7, 9, 0, D, T, AT + BSIDE)
+      IF (ABS(C(1)) + ABS(C(2)) + ABS(C(3)) .GT. SMALL) OK = 1
+      END
+
+C     HHFORM - the sign of ROW(4) L - ROW(1..3).U, of rows, behind AT,
+C     cut off from longer numbers, of U of N limbs, of which those
+C     before FIRST are 0, and L of 2N, if any ROW(4) is not 0; or
+C     UNSURE.
+C
+C     What is lost are products of limbs that weigh less than the last
+C     row of the sum: in the row behind it 3N products of at most
+C     (BASE/2 + 1) BASE and 2N of (BASE/2 + 1)**2, with all that follow
+C     less than CARRY units of the last row, for N <= 10.  So a partial
+C     sum of more than 2 CARRY decides, as in HHSIGN; no row of the sum
+C     has more than 30 products of at most BASE**2 / 2.
+      INTEGER FUNCTION HHFORM(ROW, AT, N, FIRST, U, L)
+      DOUBLE PRECISION ROW(*), U(*), L(*)
+      INTEGER AT, N, FIRST
+      INTEGER UNSURE, BROWS
+      PARAMETER (UNSURE = 2, BROWS = 8)
+      DOUBLE PRECISION BASE, CARRY
+      PARAMETER (BASE = 2.0D0**24, CARRY = 2.0D0**29)
+      DOUBLE PRECISION R1, R2, R3, R4, S, SUM(BROWS+1)
+      INTEGER I, K
+      CALL HHZERO(BROWS + 1, SUM)
+      DO 30 K = 1, BROWS
+        R1 = ROW(AT+4*K-3)
+        R2 = ROW(AT+4*K-2)
+        R3 = ROW(AT+4*K-1)
+        R4 = ROW(AT+4*K)
+        DO 10 I = FIRST, MIN(N, BROWS - K + FIRST)
+          SUM(K+I-FIRST+1) = SUM(K+I-FIRST+1) - (R1*U(3*I-2) +
+     $        R2*U(3*I-1) + R3*U(3*I))
+   10   CONTINUE
+        IF (ABS(R4) .GT. 0.0D0) THEN
+          DO 20 I = 2*FIRST - 1, MIN(2*N, BROWS - K + FIRST)
+            SUM(K+I-FIRST+1) = SUM(K+I-FIRST+1) + R4*L(I)
+   20     CONTINUE
+        END IF
+   30 CONTINUE
+      S = 0.0D0
+      HHFORM = UNSURE
+      DO 40 I = 1, BROWS + 1
+        S = S*BASE + SUM(I)
+        IF (S .GT. 2.0D0*CARRY) HHFORM = 1
+        IF (S .LT. -2.0D0*CARRY) HHFORM = -1
+        IF (HHFORM .NE. UNSURE) RETURN
+   40 CONTINUE
+      END
+
+C     HHTRIA - by a few leading limbs, in a tenth of the time of the
+C     exact signs, for the ball behind T(AT): if SIDE is 0, SIDE = the
+C     side of the position Z for the facet of HHCENT, or UNSURE; unless
+C     it is -1, POWER = the sign of Z's power in the ball, or UNSURE: -1
+C     when Z is inside.  For the latter the ball's fourth point is on
+C     the positive side, as D > 0 then.
+      SUBROUTINE HHTRIA(P, ORD, T, AT, Z, SIDE, POWER)
+      DOUBLE PRECISION P(3,*), T(*)
+      INTEGER ORD(*), AT, Z, SIDE, POWER
+      INTEGER HHFORM
+      INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE
+      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5)
+      PARAMETER (BBASE = 5, BPOWER = 35, BSIDE = 67)
+      INTEGER HHFEW, UNSURE
+      PARAMETER (HHFEW = 10, UNSURE = 2)
+      DOUBLE PRECISION L(2*HHFEW), Q, U(3*HHFEW)
+      INTEGER FIRST, I, J, K, N
+      N = INT(T(AT+BN))
+      FIRST = INT(T(AT+BFIRST))
+      POWER = UNSURE
+      DO 10 K = 1, 3
+        Q = P(K,ORD(Z))
+        IF (ABS(Q) .GT. T(AT+BMOST)) GO TO 50
+        CALL HHSPLI(Q*T(AT+BFACT), T(AT+BTOP), N, 3, U, K, I)
+        IF (I .GT. N) GO TO 50
+   10 CONTINUE
+      DO 20 I = 1, 3*N
+        U(I) = U(I) - T(AT+BBASE+I)
+        IF (I .LT. 3*FIRST - 2 .AND. ABS(U(I)) .GT. 0.0D0) GO TO 50
+   20 CONTINUE
+      CALL HHZERO(2*N, L)
+      IF (SIDE .EQ. 0) THEN
+        SIDE = HHFORM(T, AT + BSIDE, N, FIRST, U, L)
+        IF (SIDE .NE. UNSURE) SIDE = -SIDE
+      END IF
+      IF (SIDE .LT. 0) RETURN
+      DO 40 I = FIRST, N
+        DO 30 J = FIRST, N
+          L(I+J) = L(I+J) + (U(3*I-2)*U(3*J-2) + U(3*I-1)*U(3*J-1) +
+     $                       U(3*I)*U(3*J))
+   30   CONTINUE
+   40 CONTINUE
+      CALL HHCARR(2*N, 1, L)
+      POWER = HHFORM(T, AT + BPOWER, N, FIRST, U, L)
+      RETURN
+   50 IF (SIDE .EQ. 0) SIDE = UNSURE
+      END
+
+C     HHTHIN - the set-up F of a facet V that is too thin for
+C     Householder's bounds, its normal by limbs, as good as that of any
+C     other; V(BASE) is opposite to the longest edge.  With the rows A
+C     and B from there n = A x B is exact but for 3 EPS of each
+C     component, and, after division by its length, 10 EPS; so the side
+C     of Z errs by less than 16 EPS |W|.
+C         C - P1 = n x (|B|**2 A - |A|**2 B) / (2 |n|**2)
+C     The vector in parentheses is |A| |B| |A-B| long, where |A| + |B|
+C     <= 2 |A-B|: nothing cancels, it errs by less than 20 EPS of
+C     itself, C - P1 by less than 60 EPS rho.  E and dc are those of the
+C     best facet in HHSETU, 260 EPS and 800 EPS rho, on which other
+C     bounds rest.  F is left as it is where numbers might underflow.
+      SUBROUTINE HHTHIN(X, P, ORD, SE, V, BASE, F)
+      DOUBLE PRECISION X(3,*), P(3,*), F(12)
+      INTEGER ORD(*), SE, V(3), BASE
+      DOUBLE PRECISION HHLDEX
+      INTEGER BITS, HHFEW, FAR
+      PARAMETER (BITS = 24, HHFEW = 10, FAR = 300)
+      DOUBLE PRECISION EPS, SMALL
+      PARAMETER (EPS = 2.0D0**(-52), SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION R(9*HHFEW), MINOR(6*HHFEW), M(3), D(3), A(3)
+      DOUBLE PRECISION B(3)
+      DOUBLE PRECISION AA, BB, FACTOR, NORM, TOP
+      INTEGER AT(3), E, I, J, K, LEAST, N, W(3)
+      DO 10 K = 1, 3
+        W(K) = V(MOD(BASE+K-1,3)+1)
+   10 CONTINUE
+      CALL HHROWS(P, ORD, SE, 3, W, R, TOP, FACTOR, E, N)
+      IF (N .EQ. 0) RETURN
+      CALL HHZERO(6*N, MINOR)
+      DO 20 K = 1, 3
+        I = MOD(K, 3) + 1
+        J = 6 - I - K
+        CALL HHMULT(1.0D0, N, R, I, 9, N, R, 3 + J, 9, MINOR, K, 3)
+        CALL HHMULT(-1.0D0, N, R, J, 9, N, R, 3 + I, 9, MINOR, K, 3)
+   20 CONTINUE
+      CALL HHCARR(2*N, 3, MINOR)
+      AA = 0.0D0
+      BB = 0.0D0
+      DO 30 K = 1, 3
+        CALL HHLEAD(2*N, MINOR, K, 3, M(K), AT(K))
+        A(K) = X(K,W(1)) - X(K,W(3))
+        B(K) = X(K,W(2)) - X(K,W(3))
+        AA = AA + A(K)*A(K)
+        BB = BB + B(K)*B(K)
+   30 CONTINUE
+      LEAST = MIN(AT(1), AT(2), AT(3))
+      DO 40 K = 1, 3
+        M(K) = HHLDEX(M(K), (LEAST - AT(K))*BITS)
+   40 CONTINUE
+      NORM = SQRT(M(1)*M(1) + M(2)*M(2) + M(3)*M(3))
+      E = 2*E + (2 - LEAST)*BITS
+      IF (E .LT. -FAR .OR. AA .LT. SMALL .OR. BB .LT. SMALL) RETURN
+      DO 50 K = 1, 3
+        F(K) = M(K)/NORM
+        F(6+K) = X(K,W(3))
+        D(K) = BB*A(K) - AA*B(K)
+   50 CONTINUE
+      NORM = 2.0D0*HHLDEX(NORM, E)
+      DO 60 K = 1, 3
+        I = MOD(K, 3) + 1
+        J = 6 - I - K
+        F(3+K) = (F(I)*D(J) - F(J)*D(I))/NORM
+   60 CONTINUE
+      F(12) = SQRT(F(4)*F(4) + F(5)*F(5) + F(6)*F(6))
+      F(10) = 260.0D0*EPS
+      F(11) = 800.0D0*EPS*F(12)
+      END
+
 C     ------------------------------------------------------------------
 C     Householder transformations (Section 3).
 C
@@ -1404,6 +1821,51 @@ C     which spares a division.
       ELSE IF (-VW .GT. ERR) THEN
         SIDE = -1
       END IF
+      END
+
+C     HHLIMI - HHBOUN, with limits of L instead: if Z is on the positive
+C     side its L-coordinate is at least LO and at most HI, +-HUGE where
+C     there is no limit.
+C
+C     Where the side is not certain, L is a quotient of the power N =
+C     W.W - 2 (C-P1).W and twice a side that, if positive at all, is at
+C     most VW + ERR: a power that is certainly not 0 then limits L on
+C     the side of 0.  With p_k = w_k (w_k - 2 c_k), the error of w_k
+C     counts for EPS (2 w_k**2 + 2 |c_k w_k|), the four roundings of p_k
+C     and of the sum for 4 EPS (w_k**2 + 2 |c_k w_k|) in any rounding
+C     mode and order, that of c for 2 |W| dc: together less than SIZE
+C     (EPS (8 SIZE + 12 rho) + 2 dc), SIZE >= SMALL, where underflow
+C     does less than that.  A side VW + 2 ERR in place of VW + ERR has
+C     room for the last roundings: ERR is at least 260 EPS SIZE, and
+C     |VW| at most SIZE.
+      SUBROUTINE HHLIMI(F, Z, LO, HI, SIDE)
+      DOUBLE PRECISION F(12), Z(3), LO, HI
+      INTEGER SIDE
+      DOUBLE PRECISION EPS, HUGE, SMALL
+      PARAMETER (EPS = 2.0D0**(-52), SMALL = 2.0D0**(-450))
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION DL, ERR, L, MOST, POWER, SIZE, W1, W2, W3
+      L = 0.0D0
+      DL = 0.0D0
+      CALL HHBOUN(F, Z, L, DL, SIDE)
+      LO = -HUGE
+      HI = HUGE
+      IF (SIDE .GT. 0) THEN
+        LO = L - DL
+        HI = L + DL
+      END IF
+      IF (SIDE .NE. 0) RETURN
+      W1 = Z(1) - F(7)
+      W2 = Z(2) - F(8)
+      W3 = Z(3) - F(9)
+      SIZE = ABS(W1) + ABS(W2) + ABS(W3)
+      IF (SIZE .LT. SMALL .OR. F(10) .GE. 0.5D0) RETURN
+      MOST = 2.0D0*(F(1)*W1 + F(2)*W2 + F(3)*W3 + 2.0D0*F(10)*SIZE)
+      POWER = W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
+     $        W3*(W3 - 2.0D0*F(6))
+      ERR = SIZE*(EPS*(8.0D0*SIZE + 12.0D0*F(12)) + 2.0D0*F(11))
+      IF (POWER .GT. ERR) LO = (POWER - ERR)/MOST
+      IF (POWER .LT. -ERR) HI = (POWER + ERR)/MOST
       END
 
 C     HHFACE - Householder set-up of the facet P1, P2, P3 (Section 3.1,

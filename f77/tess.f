@@ -136,9 +136,9 @@ C       hull, check: tess_hull TESSHU, merge TSMERG, sortpt TSSORP,
 C         marks TSMARK, chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF,
 C         chktet TSCHKT, chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
 C         tess_check TESSCH
-C     Only in C: point, coords, four.  Only here: TSPDIS (disjoint for a
-C     point), TSLINE (hh_line of points of P), TSMESH (part of run),
-C     TSORIQ, TSORIP (hh_orient of points of P).
+C     Only in C: point, coords, four, better, proven.  Only here: TSPDIS
+C     (disjoint for a point), TSLINE (hh_line of points of P), TSMESH
+C     (part of run), TSORIQ, TSORIP (hh_orient of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here, passed in one order:
@@ -169,6 +169,7 @@ C     RCTL, its doubles:
 C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
 C       RSHARE  a star's margin, in its block's
+C       RSCALE  X = P 2**(-RSCALE)
 C     Lists of uncompleted points, in single precision.  List BLK, a
 C     block's, has those in a box, as offsets from the box's centre in
 C     units of its half width; list STR, a star's, those nearer to its
@@ -183,11 +184,14 @@ C               LUNIT one over the unit
 C     A search for the apex of a facet:
 C       V       its vertices; the open side is positive
 C       F       its Householder set-up (see HHFACE)
-C       IQ      QBEST: the best point yet, exactly, or 0; QSURE: its
-C               L-coordinate is bounded by QL, QDL; QBALL: there is a
-C               ball to prune with; QTURN: V(1) is not the base of F
-C       FQ      QL, QDL; behind QC the ball's centre, relative to
-C               F(7..9), wrong by at most QDC; QSIZE = |C|_1
+C       IQ      QBEST: the best point yet, exactly, or 0; QLIMBS: its
+C               ball has been found by limbs; QBALL: there is a ball to
+C               prune with; QBASE: V(QBASE) is the base of F; QASKED:
+C               comparisons left to the exact predicates
+C       FQ      the best point's L-coordinate is between QLO and QHI;
+C               behind QC the ball's centre, relative to F(7..9), wrong
+C               by at most QDC; QSIZE = |C|_1; behind QLIMB the ball by
+C               limbs (see HHCENT)
 C
 C     Constants, the same in every routine that has them:
 C       TSLIST  capacity of a list, a multiple of 4, at least LEAF
@@ -210,6 +214,10 @@ C       DEPTH   of the tree plus one, at most
 C       PLANES  hull planes that are remembered
 C       ENTRY, EDGE  integers of an entry of the pool, and of an edge
 C       LEAST   pool and edges, at least
+C       THIN    a facet with a greater E is set up by limbs
+C       WIDE, MANY  the ball of the best point is found by limbs when
+C               its L-coordinate is known to less than WIDE circumradii,
+C               and after MANY exact comparisons
 C       MUCH    pool that is recommended beyond 4 N in any case, up to
 C               8 N
 C       INTMAX  the largest integer
@@ -224,10 +232,11 @@ C       LOOSE, SMALL  see hhpred.f
 C       FAINT   what underflow does to the power |W|**2 - 2 C.W of a
 C               point, or to its side.  A coordinate that underflowed
 C               when it was scaled is wrong by the least normal double,
-C               and so may be each product; |W| < 4, and as no ball is
-C               made with E > LOOSE, |C| < 1/EPS (rho < 0.02/EPS as E >
-C               170 EPS |R12/R22|, and |L| and its error are below
-C               0.1/EPS as a side is more than 2 E |W|)
+C               and so may be each product; |W| < 4, and |C| is at most
+C               2 MUCHL: TSNARR gives no ball for an L-coordinate beyond
+C               MUCHL (nor may anything overflow there), a circumradius
+C               is below 0.02/EPS by HHSETU, and HHTHIN's and HHCENT's
+C               are below MUCHL
 C       NARROW  a box narrower than this has no list.  A list's
 C               coordinates are then right to far less than FEPS, and a
 C               star's margin is above SMALL, so that no product in
@@ -1640,11 +1649,11 @@ C     of at most 6 roundings, with W(K) itself twice and the sum's, each
 C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|); LENGTH, and this, may
 C     come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSPOWE(FQ, LENGTH)
-      DOUBLE PRECISION FQ(7), LENGTH
+      DOUBLE PRECISION FQ(106), LENGTH
       INTEGER QDC, QSIZE
       PARAMETER (QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 2.0D0**(-918))
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
       TSPOWE = LENGTH*(2.0D0*FQ(QDC) + 8.0D0*EPS*(LENGTH +
      $    2.0D0*FQ(QSIZE))) + FAINT
       END
@@ -1669,13 +1678,13 @@ C     TSPOWE; E |W|, which covers the rounding of the side, too.  Both
 C     are taken at a point of the box's own doubles, so the same bounds
 C     hold as for a point.
       INTEGER FUNCTION TSPRUN(IQ, F, FQ, BOX, NODE)
-      DOUBLE PRECISION F(12), FQ(7), BOX(6,*)
-      INTEGER IQ(4), NODE
+      DOUBLE PRECISION F(12), FQ(106), BOX(6,*)
+      INTEGER IQ(5), NODE
       DOUBLE PRECISION TSPOWE
       INTEGER QBALL, QC
       PARAMETER (QBALL = 3, QC = 2)
       DOUBLE PRECISION FAINT, LOOSE
-      PARAMETER (FAINT = 2.0D0**(-918), LOOSE = 0.5D0)
+      PARAMETER (FAINT = 1.0D-200, LOOSE = 0.5D0)
       DOUBLE PRECISION H, L, LENGTH, POWER, SIDE, U
       INTEGER K
       POWER = 0.0D0
@@ -1701,8 +1710,8 @@ C     hold as for a point.
 C     TSPRPA - is there no candidate in that part of the root's box in
 C     which coordinate K is between LO and HI: 1, or 0.
       INTEGER FUNCTION TSPRPA(BOX, IQ, F, FQ, K, LO, HI)
-      DOUBLE PRECISION BOX(6,*), F(12), FQ(7), LO, HI
-      INTEGER IQ(4), K
+      DOUBLE PRECISION BOX(6,*), F(12), FQ(106), LO, HI
+      INTEGER IQ(5), K
       INTEGER TSPRUN
       DOUBLE PRECISION PART(6,1)
       INTEGER I
@@ -1722,8 +1731,8 @@ C     has its centre within dc of C and passes through the base, as does
 C     the one about C: its radius is at most |C| + dc, so that along an
 C     axis it ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(7)
-      INTEGER LSI(3,2), LIST, IQ(4)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(106)
+      INTEGER LSI(3,2), LIST, IQ(5)
       INTEGER TSPRPA
       INTEGER LN, LLO, LHI, QC, QDC
       PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
@@ -1758,7 +1767,7 @@ C     if margin (margin - 2 A - 2 dc) >= 2 B; the test has margin - 2 dc
 C     in the place of both.  PAD times margin is more than the roundings
 C     of A, B and the products take.
       INTEGER FUNCTION TSBINS(BOX, LSD, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(7)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(106)
       INTEGER LMARG, STR, QC, QDC
       PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6)
       DOUBLE PRECISION PAD
@@ -1783,76 +1792,124 @@ C     of A, B and the products take.
       TSBINS = 0
       END
 
-C     TSSETB - make Z the best point of a search; its L-coordinate is L,
-C     wrong by at most DL, if SURE is 1.
-      SUBROUTINE TSSETB(IQ, F, FQ, Z, SURE, L, DL)
-      DOUBLE PRECISION F(12), FQ(7), L, DL
-      INTEGER IQ(4), Z, SURE
-      INTEGER QBEST, QSURE, QBALL, QL, QDL, QC, QDC, QSIZE
-      PARAMETER (QBEST = 1, QSURE = 2, QBALL = 3, QL = 1, QDL = 2)
+C     TSNARR - the L-coordinate of the best point of a search is at most
+C     L.
+      SUBROUTINE TSNARR(IQ, F, FQ, L)
+      DOUBLE PRECISION F(12), FQ(106), L
+      INTEGER IQ(5)
+      INTEGER QLIMBS, QBALL, QHI, QC, QDC, QSIZE
+      PARAMETER (QLIMBS = 2, QBALL = 3, QHI = 2)
       PARAMETER (QC = 2, QDC = 6, QSIZE = 7)
-      DOUBLE PRECISION EPS
-      PARAMETER (EPS = 2.0D0**(-52))
-      DOUBLE PRECISION LBALL
+      DOUBLE PRECISION EPS, MUCHL
+      PARAMETER (EPS = 2.0D0**(-52), MUCHL = 1.0D100)
       INTEGER K
-      IQ(QBEST) = Z
-      IQ(QSURE) = SURE
-      IF (SURE .EQ. 0) RETURN
-      FQ(QL) = L
-      FQ(QDL) = DL
+      FQ(QHI) = L
+      IF (IQ(QLIMBS) .EQ. 1 .OR. ABS(L) .GT. MUCHL) RETURN
       IQ(QBALL) = 1
-C     what is better than Z is, on the positive side, in the ball of any
-C     L above Z's: so DL does not add to the ball's error.  It is large
-C     where balls are flat: points near a plane took 10 times as long
-C     with it.
-      LBALL = L + DL
+C     what is better than the best point is, on the positive side, in
+C     the ball of any L above its: so its error does not add to the
+C     ball's. It is large where balls are flat: points near a plane took
+C     10 times as long with it.
       FQ(QSIZE) = 0.0D0
       DO 10 K = 1, 3
-        FQ(QC+K) = F(3+K) + LBALL*F(K)
+        FQ(QC+K) = F(3+K) + L*F(K)
         FQ(QSIZE) = FQ(QSIZE) + ABS(FQ(QC+K))
    10 CONTINUE
-      FQ(QDC) = F(11) + ABS(LBALL)*F(10) + 4.0D0*EPS*FQ(QSIZE)
+      FQ(QDC) = F(11) + ABS(L)*F(10) + 4.0D0*EPS*FQ(QSIZE)
+      END
+
+C     TSREFI - find the ball of the best point by limbs.  The centre C
+C     errs by at most 8 EPS |C|, so that its height over the facet's
+C     plane, C.V, is L but for the error of V, E |C|, that of C, and the
+C     roundings of three products and two sums, 5 EPS |C|_1.
+      SUBROUTINE TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
+      DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(106)
+      INTEGER ORD(*), V(3), IQ(5)
+      INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QLO, QHI, QC, QDC
+      INTEGER QSIZE, QLIMB
+      PARAMETER (RSCALE = 5, QBEST = 1, QLIMBS = 2, QBALL = 3)
+      PARAMETER (QBASE = 4, QLO = 1, QHI = 2, QC = 2, QDC = 6)
+      PARAMETER (QSIZE = 7, QLIMB = 7)
+      DOUBLE PRECISION EPS, LOOSE
+      PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
+      DOUBLE PRECISION C(3), ERR, L
+      INTEGER K, OK, SE
+      SE = INT(RCTL(RSCALE))
+      CALL HHCENT(P, ORD, SE, V, IQ(QBASE), IQ(QBEST), C, FQ, QLIMB, OK)
+      IF (OK .EQ. 0) RETURN
+      IQ(QLIMBS) = 1
+      IQ(QBALL) = 1
+      DO 10 K = 1, 3
+        FQ(QC+K) = C(K)
+   10 CONTINUE
+      FQ(QSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
+      FQ(QDC) = 8.0D0*EPS*FQ(QSIZE)
+      IF (F(10) .GT. LOOSE) RETURN
+      L = F(1)*C(1) + F(2)*C(2) + F(3)*C(3)
+      ERR = (F(10) + 16.0D0*EPS)*FQ(QSIZE)
+      FQ(QLO) = MAX(FQ(QLO), L - ERR)
+      FQ(QHI) = MIN(FQ(QHI), L + ERR)
       END
 
 C     TSCHAL - take Z if it is on the open side and beats the best point
 C     there is: if its L-coordinate is smaller (Theorem 1); ties by the
-C     rule of HHPBAL.  The Householder bounds decide where they can.
+C     rule of HHPBAL.  The Householder bounds decide where they can;
+C     what they leave open limits the better one by the other.
       SUBROUTINE TSCHAL(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(7)
-      INTEGER ORD(*), V(3), IQ(4), Z
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(106)
+      INTEGER ORD(*), V(3), IQ(5), Z
       INTEGER HHPBEA, HHPSID
-      INTEGER T3, T5, QBEST, QSURE, QL, QDL
-      PARAMETER (T3 = 1, T5 = 2, QBEST = 1, QSURE = 2, QL = 1, QDL = 2)
-      DOUBLE PRECISION DL, L, Q(3)
-      INTEGER SIDE
+      INTEGER T3, T5, QBEST, QLIMBS, QASKED, QLO, QHI, QLIMB, UNSURE
+      INTEGER MANY
+      PARAMETER (T3 = 1, T5 = 2, QBEST = 1, QLIMBS = 2, QASKED = 5)
+      PARAMETER (QLO = 1, QHI = 2, QLIMB = 7, UNSURE = 2, MANY = 6)
+      DOUBLE PRECISION WIDE
+      PARAMETER (WIDE = 1.0D-4)
+      DOUBLE PRECISION HI, LO, Q(3)
+      INTEGER OPEN, POWER, SGN, SIDE
       Q(1) = X(1,Z)
       Q(2) = X(2,Z)
       Q(3) = X(3,Z)
-      L = 0.0D0
-      DL = 0.0D0
-      CALL HHBOUN(F, Q, L, DL, SIDE)
+      CALL HHLIMI(F, Q, LO, HI, SIDE)
+      SGN = SIDE
+      POWER = UNSURE
       IF (SIDE .LT. 0) RETURN
-      IF (SIDE .EQ. 0) THEN
-        IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
-     $      Z) .LE. 0) RETURN
-      END IF
+      OPEN = 0
       IF (IQ(QBEST) .NE. 0) THEN
-        IF (SIDE .EQ. 0 .OR. IQ(QSURE) .EQ. 0 .OR. L +
-     $      DL .GE. FQ(QL) - FQ(QDL)) THEN
-          IF (SIDE .NE. 0 .AND. IQ(QSURE) .NE. 0 .AND. L -
-     $        DL .GT. FQ(QL) + FQ(QDL)) RETURN
-          IF (HHPBEA(X, P, ORD, RCTL(T3), RCTL(T5), V, IQ(QBEST),
-     $        Z) .EQ. 0) RETURN
-        END IF
+        IF (LO .GT. FQ(QHI)) RETURN
+        IF (HI .GE. FQ(QLO)) OPEN = 1
       END IF
-      CALL TSSETB(IQ, F, FQ, Z, SIDE, L, DL)
+      IF (IQ(QLIMBS) .EQ. 1 .AND. (SIDE .EQ. 0 .OR. OPEN .EQ. 1))
+     $    CALL HHTRIA(P, ORD, FQ, QLIMB, Z, SGN, POWER)
+      IF (SGN .EQ. 0 .OR. SGN .EQ. UNSURE) SGN = HHPSID(X, P, ORD,
+     $    RCTL(T3), V(1), V(2), V(3), Z)
+      IF (SGN .LE. 0) RETURN
+      IF (OPEN .EQ. 1) THEN
+        IQ(QASKED) = IQ(QASKED) + 1
+        IF (POWER .EQ. UNSURE) POWER = 1 - 2*HHPBEA(X, P, ORD,
+     $      RCTL(T3), RCTL(T5), V, IQ(QBEST), Z)
+        IF (POWER .GT. 0) THEN
+          IF (HI .LT. FQ(QHI)) CALL TSNARR(IQ, F, FQ, HI)
+          IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
+     $        CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
+          RETURN
+        END IF
+        HI = MIN(HI, FQ(QHI))
+      END IF
+      IQ(QBEST) = Z
+      FQ(QLO) = LO
+      IQ(QLIMBS) = 0
+      CALL TSNARR(IQ, F, FQ, HI)
+      IF (SIDE .EQ. 0 .OR. HI - LO .GT. WIDE*F(12) .OR.
+     $    IQ(QASKED) .GE. MANY)
+     $    CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
       END
 
 C     TSCONS - compare Z, if it is no vertex and not outside of the
 C     ball.
       SUBROUTINE TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(7)
-      INTEGER ORD(*), V(3), IQ(4), Z
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(106)
+      INTEGER ORD(*), V(3), IQ(5), Z
       DOUBLE PRECISION TSPOWE
       INTEGER QBEST, QBALL, QC
       PARAMETER (QBEST = 1, QBALL = 3, QC = 2)
@@ -1884,7 +1941,7 @@ C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
       SUBROUTINE TSBALC(LSD, LIST, F, FQ, C, D, OK)
-      DOUBLE PRECISION LSD(14,2), F(12), FQ(7), C(3)
+      DOUBLE PRECISION LSD(14,2), F(12), FQ(106), C(3)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LMID, LMOST, LUNIT, QDC
@@ -1924,7 +1981,7 @@ C     TSSTAC - the same for the list of the star of the base, the list's
 C     centre, whose points are less than 1.1 from it in the list's
 C     units: g = 0.
       SUBROUTINE TSSTAC(LSD, LIST, FQ, D, OK)
-      DOUBLE PRECISION LSD(14,2), FQ(7)
+      DOUBLE PRECISION LSD(14,2), FQ(106)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LUNIT, QC, QDC
@@ -1974,8 +2031,8 @@ C     TSCALL - consider N points of a list.
      $                  PLACE)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(7)
-      INTEGER ORD(*), LSID(TSIDS,2), LIST, V(3), IQ(4), N, PLACE(*)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(106)
+      INTEGER ORD(*), LSID(TSIDS,2), LIST, V(3), IQ(5), N, PLACE(*)
       INTEGER I, Z
       DO 10 I = 1, N
         Z = LSID(PLACE(I),LIST)
@@ -1989,7 +2046,7 @@ C     MOST; or 0.
       SUBROUTINE TSLIKE(LSX, LSID, LSD, LIST, F, FQ, MOST, N, PLACE, Z)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), F(12), FQ(7), MOST
+      DOUBLE PRECISION LSD(14,2), F(12), FQ(106), MOST
       REAL LSX(TSLIST,4,2)
       INTEGER LSID(TSIDS,2), LIST, N, PLACE(*), Z
       INTEGER LMID, LUNIT
@@ -2039,9 +2096,10 @@ C     TSANYP - without a ball, consider a point of the list.
      $                  IQ, F, FQ)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), LSD(14,2), F(12), FQ(7)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), LSD(14,2), F(12)
+      DOUBLE PRECISION FQ(106)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), LSID(TSIDS,2), LSI(3,2), LIST, V(3), IQ(4)
+      INTEGER ORD(*), LSID(TSIDS,2), LSI(3,2), LIST, V(3), IQ(5)
       INTEGER LN, LUNIT
       PARAMETER (LN = 3, LUNIT = 14)
       DOUBLE PRECISION FAR
@@ -2065,18 +2123,20 @@ C     else 0.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(7)
+      DOUBLE PRECISION F(12), FQ(106)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(4), OK
+      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(5), OK
       INTEGER TSBINS
-      INTEGER TIES, LN, LMARG, STR, QBALL, QTURN, QL
+      INTEGER TIES, LN, LMARG, STR, QBALL, QBASE, QHI
       PARAMETER (TIES = 26, LN = 3, LMARG = 13, STR = 2, QBALL = 3)
-      PARAMETER (QTURN = 4, QL = 1)
+      PARAMETER (QBASE = 4, QHI = 2)
+      DOUBLE PRECISION FAR
+      PARAMETER (FAR = 1.0D10)
       DOUBLE PRECISION MOST
       REAL D(4)
       INTEGER IN(TSLIST), N, PLACE(TSLIST+1), Z
       OK = 0
-      IF (IQ(QTURN) .EQ. 1 .OR. LSI(LN,STR) .EQ. 0) RETURN
+      IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0) RETURN
       IF (IQ(QBALL) .EQ. 0) CALL TSANYP(X, P, ORD, RCTL, LSX, LSID,
      $    LSI, LSD, STR, V, IQ, F, FQ)
       IF (IQ(QBALL) .EQ. 0) RETURN
@@ -2085,7 +2145,8 @@ C     else 0.
       CALL TSINBA(LSX, LSI, STR, D, IN, N)
       IF (N .GT. 4) THEN
         CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
-        MOST = FQ(QL) - 1.0D-4*LSD(LMARG,STR)
+        MOST = MIN(FQ(QHI), FAR*LSD(LMARG,STR)) -
+     $         1.0D-4*LSD(LMARG,STR)
 C       the best of those inside the ball leaves none, as a rule; not
 C       among ties, which are on it (to know that saves 6 % on lattices)
         Z = 0
@@ -2104,20 +2165,22 @@ C       among ties, which are on it (to know that saves 6 % on lattices)
         END IF
         CALL TSCALL(X, P, ORD, RCTL, LSID, STR, V, IQ, F, FQ, N, PLACE)
         CTL(TIES) = 0
-        IF (FQ(QL) .GT. MOST) CTL(TIES) = 1
+        IF (FQ(QHI) .GT. MOST) CTL(TIES) = 1
       END IF
       OK = TSBINS(BOX, LSD, F, FQ)
       END
 
-C     TSINBL - the same for the block's list.
+C     TSINBL - the same for the block's list.  Where the ball has room
+C     elsewhere the tree is searched in any case, so the list only
+C     costs: on surfaces two of five points that were tested.
       SUBROUTINE TSINBL(X, P, ORD, BOX, RCTL, LSX, LSID, LSI, LSD, V,
      $                  IQ, F, FQ, OK)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(7)
+      DOUBLE PRECISION F(12), FQ(106)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(4), OK
+      INTEGER ORD(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(5), OK
       INTEGER TSBINB
       INTEGER LN, BLK, QBALL, QC
       PARAMETER (LN = 3, BLK = 1, QBALL = 3, QC = 2)
@@ -2129,6 +2192,7 @@ C     TSINBL - the same for the block's list.
       IF (IQ(QBALL) .EQ. 0) CALL TSANYP(X, P, ORD, RCTL, LSX, LSID,
      $    LSI, LSD, BLK, V, IQ, F, FQ)
       IF (IQ(QBALL) .EQ. 0) RETURN
+      IF (TSBINB(BOX, LSI, LSD, BLK, IQ, F, FQ) .EQ. 0) RETURN
       C(1) = FQ(QC+1)
       C(2) = FQ(QC+2)
       C(3) = FQ(QC+3)
@@ -2139,7 +2203,6 @@ C     TSINBL - the same for the block's list.
         CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
         CALL TSCALL(X, P, ORD, RCTL, LSID, BLK, V, IQ, F, FQ, N, PLACE)
       END IF
-      OK = TSBINB(BOX, LSI, LSD, BLK, IQ, F, FQ)
       END
 
 C     TSSCAN - consider those uncompleted points of a leaf, a node of
@@ -2147,13 +2210,13 @@ C     the positions FIRST ... LAST, that are not outside of the ball, or
 C     without a ball not on the negative side.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, RCTL, V, IQ, F, FQ, FIRST,
      $                  LAST, NODE)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(7)
-      INTEGER ORD(*), LINK(*), V(3), IQ(4), FIRST, LAST, NODE
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(106)
+      INTEGER ORD(*), LINK(*), V(3), IQ(5), FIRST, LAST, NODE
       DOUBLE PRECISION TSPOWE, TSEXTE
       INTEGER QBALL, QC, DONE
       PARAMETER (QBALL = 3, QC = 2, DONE = -1)
       DOUBLE PRECISION FAINT, LOOSE
-      PARAMETER (FAINT = 2.0D0**(-918), LOOSE = 0.5D0)
+      PARAMETER (FAINT = 1.0D-200, LOOSE = 0.5D0)
       DOUBLE PRECISION BEHIND, LENGTH, MOST, W1, W2, W3
       INTEGER I, Z
       LENGTH = TSEXTE(F, BOX, NODE)
@@ -2181,8 +2244,8 @@ C     TSTREE - finish a search by the tree: the leaf of V(1) first, then
 C     its parent's other child, and so on up to the root.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, V, IQ,
      $                  F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(7)
-      INTEGER ORD(*), ALIVE(*), LINK(*), CTL(*), V(3), IQ(4)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(106)
+      INTEGER ORD(*), ALIVE(*), LINK(*), CTL(*), V(3), IQ(5)
       INTEGER TSPRUN, TSLEAF
       INTEGER LEAVES, DEPTH
       PARAMETER (LEAVES = 4, DEPTH = 64)
@@ -2245,16 +2308,19 @@ C     or 0.
 C     TSPREP - begin the search for the apex of the facet V.  Its base
 C     is V(1), or if the angle there is small the vertex opposite to the
 C     longest edge.
-      SUBROUTINE TSPREP(X, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), F(12), FQ(7)
-      INTEGER V(3), IQ(4)
-      INTEGER QBEST, QSURE, QBALL, QTURN, QL, QDL, QC, QDC, QSIZE
-      PARAMETER (QBEST = 1, QSURE = 2, QBALL = 3, QTURN = 4, QL = 1)
-      PARAMETER (QDL = 2, QC = 2, QDC = 6, QSIZE = 7)
-      DOUBLE PRECISION EPS
-      PARAMETER (EPS = 2.0D0**(-52))
+      SUBROUTINE TSPREP(X, P, ORD, RCTL, V, IQ, F, FQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(106)
+      INTEGER ORD(*), V(3), IQ(5)
+      INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QASKED, QLO, QHI
+      INTEGER QC, QDC, QSIZE
+      PARAMETER (RSCALE = 5, QBEST = 1, QLIMBS = 2, QBALL = 3)
+      PARAMETER (QBASE = 4, QASKED = 5, QLO = 1, QHI = 2, QC = 2)
+      PARAMETER (QDC = 6, QSIZE = 7)
+      DOUBLE PRECISION EPS, HUGE, THIN
+      PARAMETER (EPS = 2.0D0**(-52), THIN = 1.0D-6)
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION A(3), AB, B(3), BC, C(3), CA
-      INTEGER K
+      INTEGER K, SE
       DO 10 K = 1, 3
         A(K) = X(K,V(1))
         B(K) = X(K,V(2))
@@ -2262,11 +2328,12 @@ C     longest edge.
         FQ(QC+K) = 0.0D0
    10 CONTINUE
       IQ(QBEST) = 0
-      IQ(QSURE) = 0
+      IQ(QLIMBS) = 0
       IQ(QBALL) = 0
-      IQ(QTURN) = 0
-      FQ(QL) = 0.0D0
-      FQ(QDL) = 0.0D0
+      IQ(QBASE) = 1
+      IQ(QASKED) = 0
+      FQ(QLO) = -HUGE
+      FQ(QHI) = HUGE
       FQ(QDC) = 0.0D0
       FQ(QSIZE) = 0.0D0
       CALL HHSETU(A, B, C, F)
@@ -2279,14 +2346,15 @@ C     longest edge.
         BC = BC + (C(K) - B(K))*(C(K) - B(K))
         CA = CA + (A(K) - C(K))*(A(K) - C(K))
    20 CONTINUE
-      IQ(QTURN) = 1
       IF (CA .GT. AB .AND. CA .GT. BC) THEN
+        IQ(QBASE) = 2
         CALL HHSETU(B, C, A, F)
       ELSE IF (AB .GT. BC) THEN
+        IQ(QBASE) = 3
         CALL HHSETU(C, A, B, F)
-      ELSE
-        IQ(QTURN) = 0
       END IF
+      SE = INT(RCTL(RSCALE))
+      IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, SE, V, IQ(QBASE), F)
       END
 
 C     TSAPEX - the apex Z of the facet V on its positive side, or 0.
@@ -2303,9 +2371,9 @@ C     GUESS: two positions to try first, or 0.
       INTEGER NPLANE, NEXTPL, PLANE0, QBEST, PLANES
       PARAMETER (NPLANE = 12, NEXTPL = 13, PLANE0 = 13)
       PARAMETER (QBEST = 1, PLANES = 4)
-      DOUBLE PRECISION F(12), FQ(7)
-      INTEGER AT, G, IQ(4), K, OK
-      CALL TSPREP(X, V, IQ, F, FQ)
+      DOUBLE PRECISION F(12), FQ(106)
+      INTEGER AT, G, IQ(5), K, OK
+      CALL TSPREP(X, P, ORD, RCTL, V, IQ, F, FQ)
       DO 10 K = 1, 2
         G = GUESS(K)
         IF (G .NE. 0 .AND. G .NE. V(2) .AND. G .NE. V(3) .AND.
@@ -2314,13 +2382,16 @@ C     GUESS: two positions to try first, or 0.
    10 CONTINUE
       CALL TSINST(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD, V,
      $            IQ, F, FQ, OK)
-      IF (OK .EQ. 0) CALL TSINBL(X, P, ORD, BOX, RCTL, LSX, LSID, LSI,
-     $    LSD, V, IQ, F, FQ, OK)
       Z = IQ(QBEST)
       IF (OK .EQ. 1) RETURN
+C     before the block's list: a tenth of the time on lattices
       IF (Z .EQ. 0) THEN
         IF (TSONHU(X, P, ORD, CTL, RCTL, V) .EQ. 1) RETURN
       END IF
+      CALL TSINBL(X, P, ORD, BOX, RCTL, LSX, LSID, LSI, LSD, V, IQ, F,
+     $            FQ, OK)
+      Z = IQ(QBEST)
+      IF (OK .EQ. 1) RETURN
       CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, V, IQ, F, FQ)
       Z = IQ(QBEST)
       IF (Z .EQ. 0) THEN
@@ -2537,8 +2608,9 @@ C     INFO is 0, or RANGE.
       INTEGER CTL(*), INFO
       INTEGER HHFREX, TSINRA
       DOUBLE PRECISION HHLDEX, TSUNIT
-      INTEGER NP, T3, T5, DIGITS, RANGE
-      PARAMETER (NP = 1, T3 = 1, T5 = 2, DIGITS = 53, RANGE = 6)
+      INTEGER NP, T3, T5, RSCALE, DIGITS, RANGE
+      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, DIGITS = 53)
+      PARAMETER (RANGE = 6)
       DOUBLE PRECISION HUGE, NORMAL
       PARAMETER (HUGE = 1.7976931348623157D308)
       PARAMETER (NORMAL = 2.0D0**(-1022))
@@ -2547,6 +2619,7 @@ C     INFO is 0, or RANGE.
       INFO = 0
       RCTL(T3) = -1.0D0
       RCTL(T5) = -1.0D0
+      RCTL(RSCALE) = 0.0D0
       TOP = 0.0D0
       BOTTOM = HUGE
       DO 20 I = 1, CTL(NP)
@@ -2561,6 +2634,7 @@ C     INFO is 0, or RANGE.
       IF (TSINRA(X, CTL, TOP) .EQ. 0) RETURN
       INFO = 0
       E = HHFREX(TOP)
+      RCTL(RSCALE) = DBLE(E)
       CALL TSTIME(X, CTL, -(E/2))
       CALL TSTIME(X, CTL, -(E - E/2))
       U = 0.0D0
@@ -2763,7 +2837,7 @@ C     element of RW or IW, and the standard lets them be altered.
       PARAMETER (NOPEN = 7, FRESH = 8, LOW = 11, NPLANE = 12)
       PARAMETER (NEXTPL = 13, TIES = 26, LFIRST = 1, LLAST = 2, LN = 3)
       PARAMETER (BLK = 1, TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), RCTL(4)
+      DOUBLE PRECISION LSD(14,2), RCTL(5)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(26), K, LSI(3,2), S, T, LSID(TSIDS,2)
       CTL(ROOM) = LENGTH

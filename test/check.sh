@@ -308,7 +308,8 @@ twins() {
     one "both names in the header of f77/$1.f" test $? -eq 0
     cat build/diff.txt >> $LOG
 }
-twins tess "point|coords|four" "TSPDIS|TSLINE|TSMESH|TSORIQ|TSORIP"
+twins tess "point|coords|four|better|proven" \
+    "TSPDIS|TSLINE|TSMESH|TSORIQ|TSORIP"
 twins hhpred "held" "HHKIND"
 
 # ---- the same results as the C half ----

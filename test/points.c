@@ -294,17 +294,28 @@ static long spherenorm(long n, unsigned long *state, double *p)
     return n;
 }
 
-static long spherejit(long n, unsigned long *state, double *p)
+/* Directions times a radius that is wrong by up to jitter. */
+static long jitter(long n, unsigned long *state, double most, double *p)
 {
     double radius;
     long i;
 
     for (i = 0; i < n; i++) {
         direction(state, 3, p + 3 * i);
-        radius = 1 + product(1e-6, 2 * unit(state) - 1);
+        radius = 1 + product(most, 2 * unit(state) - 1);
         scale(1L, p + 3 * i, radius, radius, radius);
     }
     return n;
+}
+
+static long spherejit(long n, unsigned long *state, double *p)
+{
+    return jitter(n, state, 1e-6, p);
+}
+
+static long spherejit4(long n, unsigned long *state, double *p)
+{
+    return jitter(n, state, 1e-4, p);
 }
 
 static long ellipsoid(long n, unsigned long *state, double *p)
@@ -521,6 +532,319 @@ static long planespread(long n, unsigned long *state, double *p)
     return n;
 }
 
+/* ---- what people have: grids at any angle, globes, shells, flat and round
+ * boundaries ---- */
+
+/* Turn points by 0.7 about the z axis, then by 0.4 about the x axis. */
+static void turn(long n, double *p)
+{
+    double c = cos(0.7), s = sin(0.7), d = cos(0.4), t = sin(0.4), x, y, z;
+    long i;
+
+    for (i = 0; i < n; i++) {
+        x = product(c, p[3 * i]) - product(s, p[3 * i + 1]);
+        y = product(s, p[3 * i]) + product(c, p[3 * i + 1]);
+        z = p[3 * i + 2];
+        put(p + 3 * i, x, product(d, y) - product(t, z),
+            product(t, y) + product(d, z));
+    }
+}
+
+static void shift(long n, double *p, double x, double y, double z)
+{
+    long i;
+
+    for (i = 0; i < n; i++)
+        put(p + 3 * i, p[3 * i] + x, p[3 * i + 1] + y, p[3 * i + 2] + z);
+}
+
+static long gridrot(long n, unsigned long *state, double *p)
+{
+    n = lattice01(n, state, p);
+    turn(n, p);
+    return n;
+}
+
+/* A box mesh whose steps grow tenfold along every axis. */
+static long gradedrot(long n, unsigned long *state, double *p)
+{
+    double t;
+    long i, k;
+
+    n = lattice(n, state, p);
+    k = root(n, 3);
+    for (i = 0; i < 3 * n; i++) {
+        t = p[i] / (double)k;
+        p[i] = product(t, 0.2 + t);
+    }
+    turn(n, p);
+    return n;
+}
+
+/* r, theta, phi: k shells of k latitudes and k longitudes. */
+static long gridsph(long n, unsigned long *state, double *p)
+{
+    double r, theta, phi;
+    long i, k;
+
+    n = lattice(n, state, p);
+    k = root(n, 3);
+    for (i = 0; i < n; i++) {
+        r = 1 + p[3 * i] / (double)k;
+        theta = PI * (p[3 * i + 1] + 0.5) / (double)k;
+        phi = 2 * PI * p[3 * i + 2] / (double)k;
+        put(p + 3 * i, product(r, sin(theta) * cos(phi)),
+            product(r, sin(theta) * sin(phi)), product(r, cos(theta)));
+    }
+    turn(n, p);
+    return n;
+}
+
+/* r, theta, z */
+static long gridcyl(long n, unsigned long *state, double *p)
+{
+    double r, theta;
+    long i, k;
+
+    n = lattice(n, state, p);
+    k = root(n, 3);
+    for (i = 0; i < n; i++) {
+        r = 1 + p[3 * i] / (double)k;
+        theta = 2 * PI * p[3 * i + 1] / (double)k;
+        put(p + 3 * i, r * cos(theta), r * sin(theta),
+            3 * p[3 * i + 2] / (double)k);
+    }
+    turn(n, p);
+    return n;
+}
+
+/* k layers of the same random points of a square. */
+static long extruded(long n, unsigned long *state, double *p)
+{
+    long i, k, m;
+
+    k = root(n, 3);
+    m = k > 0 ? n / k : 0;
+    uniform(m, state, p);
+    for (i = k * m - 1; i >= 0; i--)
+        put(p + 3 * i, p[3 * (i % m)], p[3 * (i % m) + 1],
+            (double)(i / m) / (double)k);
+    turn(k * m, p);
+    return k * m;
+}
+
+static long globe(long n, unsigned long *state, double *p)
+{
+    spherenorm(n, state, p);
+    shift(n, p, 10.0, 20.0, 30.0);
+    return n;
+}
+
+/* A cap of 20 degrees, by rejection. */
+static long cap(long n, unsigned long *state, double *p)
+{
+    long i;
+
+    for (i = 0; i < n; i++)
+        do
+            direction(state, 3, p + 3 * i);
+        while (p[3 * i + 2] < 0.93969262);
+    turn(n, p);
+    return n;
+}
+
+/* Latitudes and longitudes, on five levels. */
+static long stations(long n, unsigned long *state, double *p)
+{
+    double r, theta, phi;
+    long i, k;
+
+    (void)state;
+    k = root(n / 10, 2);
+    for (i = 0; i < 10 * k * k; i++) {
+        r = 6371 + 50 * (double)(i % 5);
+        phi = PI * (double)(i / 5 % (2 * k)) / (double)k;
+        theta = PI * ((double)(i / 10 / k) + 0.5) / (double)k;
+        put(p + 3 * i, product(r, sin(theta) * cos(phi)),
+            product(r, sin(theta) * sin(phi)), product(r, cos(theta)));
+    }
+    return 10 * k * k;
+}
+
+static long spherefull(long n, unsigned long *state, double *p)
+{
+    spherenorm(n / 2, state, p);
+    ball(n - n / 2, state, p + 3 * (n / 2));
+    return n;
+}
+
+static long shells(long n, unsigned long *state, double *p)
+{
+    double r;
+    long i;
+
+    spherenorm(n, state, p);
+    for (i = 0; i < n; i++) {
+        r = 1 + 0.125 * (double)(i % 4);
+        scale(1L, p + 3 * i, r, r, r);
+    }
+    shift(n, p, 1.0, 2.0, 3.0);
+    return n;
+}
+
+/* A cube, and in it a void with a third of the points on its sphere. */
+static long cavity(long n, unsigned long *state, double *p)
+{
+    double *q;
+    long i;
+    int k;
+
+    spherenorm(n / 3, state, p);
+    scale(n / 3, p, 0.6, 0.6, 0.6);
+    for (i = n / 3; i < n; i++) {
+        q = p + 3 * i;
+        do
+            for (k = 0; k < 3; k++)
+                q[k] = 2 * unit(state) - 1;
+        while (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] < 0.36);
+    }
+    shift(n, p, 1.0, 2.0, 3.0);
+    return n;
+}
+
+/* Half on the faces of a rotated cube, half inside. */
+static long rotcubein(long n, unsigned long *state, double *p)
+{
+    cubesurf(n / 2, state, p);
+    uniform(n - n / 2, state, p + 3 * (n / 2));
+    turn(n, p);
+    return n;
+}
+
+/* A convex combination of the four vertices of a regular tetrahedron, the
+ * first weight 0 on faces; rotated. */
+static void tetrahedral(long n, int inside, unsigned long *state, double *p)
+{
+    double w[4], sum;
+    long i, face;
+    int k;
+
+    for (i = 0; i < n; i++) {
+        face = below(state, 4);
+        do {
+            sum = 0;
+            for (k = 0; k < 4; k++) {
+                w[k] = k == face ? 0.0 : unit(state);
+                if (k != (face + 1) % 4) sum += w[k];
+            }
+        } while (sum > 1);
+        w[(face + 1) % 4] = 1 - sum;
+        if (inside) {
+            /* from the face towards its opposite vertex */
+            sum = unit(state);
+            for (k = 0; k < 4; k++)
+                w[k] = product(w[k], sum);
+            w[face] = 1 - sum;
+        }
+        put(p + 3 * i, w[0] + w[1] - w[2] - w[3], w[0] - w[1] + w[2] - w[3],
+            w[0] - w[1] - w[2] + w[3]);
+    }
+    turn(n, p);
+}
+
+static long rottet(long n, unsigned long *state, double *p)
+{
+    tetrahedral(n, 0, state, p);
+    return n;
+}
+
+static long rottetin(long n, unsigned long *state, double *p)
+{
+    tetrahedral(n / 2, 0, state, p);
+    tetrahedral(n - n / 2, 1, state, p + 3 * (n / 2));
+    return n;
+}
+
+/* The grid on the surface of a cube of integer edge. */
+static long cubegrid(long n, unsigned long *state, double *p)
+{
+    long k = 1, i = 0, x, y, z;
+
+    (void)state;
+    while (6 * (k + 1) * (k + 1) + 2 <= n)
+        k++;
+    for (x = 0; x <= k; x++)
+        for (y = 0; y <= k; y++)
+            for (z = 0; z <= k; z++)
+                if ((x % k == 0 || y % k == 0 || z % k == 0) && i < n)
+                    put(p + 3 * i++, (double)x, (double)y, (double)z);
+    return i;
+}
+
+/* Near a tilted plane, but for less than rough. */
+static long tilted(long n, unsigned long *state, double rough, double *p)
+{
+    long i;
+
+    uniform(n, state, p);
+    for (i = 0; i < n; i++)
+        p[3 * i + 2] = product(0.3, p[3 * i]) + product(0.7, p[3 * i + 1])
+            + product(rough, p[3 * i + 2]);
+    return n;
+}
+
+static long tilted9(long n, unsigned long *state, double *p)
+{
+    return tilted(n, state, 1e-9, p);
+}
+
+static long tilted15(long n, unsigned long *state, double *p)
+{
+    return tilted(n, state, 1e-15, p);
+}
+
+/* Near a slanted line, but for up to three last places in each coordinate. */
+static long slanted(long n, unsigned long *state, double *p)
+{
+    const double ulp = 1.0 / 4503599627370496.0;
+    double t;
+    long i;
+    int k;
+
+    for (i = 0; i < n; i++) {
+        t = unit(state);
+        put(p + 3 * i, 1 + product(0.7, t), 1 + product(0.5, t),
+            1 + product(0.3, t));
+        for (k = 0; k < 3; k++)
+            p[3 * i + k] += ulp * (double)(below(state, 7) - 3);
+    }
+    return n;
+}
+
+static long cylinderrot(long n, unsigned long *state, double *p)
+{
+    n = cylinder(n, state, p);
+    turn(n, p);
+    return n;
+}
+
+/* Radii 1 and 0.3. */
+static long torus(long n, unsigned long *state, double *p)
+{
+    double a[3], b[3], r;
+    long i;
+
+    for (i = 0; i < n; i++) {
+        direction(state, 2, a);
+        direction(state, 2, b);
+        r = 1 + product(0.3, b[0]);
+        put(p + 3 * i, product(r, a[0]), product(r, a[1]),
+            product(0.3, b[1]));
+    }
+    turn(n, p);
+    return n;
+}
+
 /* ---- curves ---- */
 
 static long helix(long n, unsigned long *state, double *p)
@@ -667,7 +991,16 @@ static const struct {
     { "cubesurf", cubesurf }, { "rotcube", rotcube },
     { "duplicates", duplicates }, { "pairs", pairs },
     { "farpoint", farpoint }, { "offset", offset }, { "tiny", shrunk },
-    { "huge", grown }, { "wide", wide }
+    { "huge", grown }, { "wide", wide }, { "gridrot", gridrot },
+    { "gradedrot", gradedrot }, { "gridsph", gridsph },
+    { "gridcyl", gridcyl }, { "extruded", extruded }, { "globe", globe },
+    { "cap", cap }, { "stations", stations }, { "spherefull", spherefull },
+    { "shells", shells }, { "cavity", cavity }, { "spherejit4", spherejit4 },
+    { "rotcubein", rotcubein }, { "rottet", rottet },
+    { "rottetin", rottetin }, { "cubegrid", cubegrid },
+    { "tilted9", tilted9 }, { "tilted15", tilted15 },
+    { "slanted", slanted }, { "cylinderrot", cylinderrot },
+    { "torus", torus }
 };
 
 #define FAMILIES ((int)(sizeof family_table / sizeof family_table[0]))

@@ -46,6 +46,29 @@
  *   offset       uniform + 1e8
  *   tiny, huge   uniform times 2^-200, 2^200 (6e-61, 1.6e60)
  *   wide         coordinates with random signs and exponents -1000 ... 1000
+ * What people have; "turned" is by 0.7 about z, then by 0.4 about x.
+ *   gridrot*     lattice01 turned
+ *   gradedrot*   box mesh with steps that grow tenfold along each axis, turned
+ *   gridsph*     k radii (1 to 2) by k latitudes by k longitudes, turned
+ *   gridcyl*     k radii (1 to 2) by k angles by k heights, turned
+ *   extruded*    k layers of the same k^2 random points of a square, turned
+ *   globe*       spherenorm moved by (10, 20, 30)
+ *   cap*         a cap of 20 degrees of the unit sphere, turned
+ *   stations*    latitudes and longitudes on five levels, r = 6371 to 6571
+ *   spherefull*  half on the unit sphere, half inside
+ *   shells*      on four concentric spheres of radius 1 to 1.375
+ *   cavity*      in a cube of edge 2 with a spherical void of radius 0.6, a
+ *                third on the void's boundary
+ *   spherejit4*  spherejit with radii wrong by up to 1e-4
+ *   rotcubein*   half on the faces of a cube, half inside, turned
+ *   rottet*      random points on the faces of a regular tetrahedron, turned
+ *   rottetin*    half of them, half inside
+ *   cubegrid     the surface of an integer lattice
+ *   tilted9*     near the plane z = 0.3 x + 0.7 y, rough by 1e-9
+ *   tilted15*    the same, rough by 1e-15
+ *   slanted      near a line, but for up to 3 last places in each coordinate
+ *   cylinderrot* cylinder turned
+ *   torus*       random points on a torus of radii 1 and 0.3, turned
  */
 #ifndef POINTS_H
 #define POINTS_H

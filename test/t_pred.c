@@ -1025,20 +1025,32 @@ static void test_public(void)
 }
 
 /* What test_facets counts. */
-static long sides, decided, pairs, ordered;
+static long sides, decided, pairs, ordered, limited;
 
-/* hh_setup and hh_bound, as tess uses them, on the facet P[0..2] and the point
- * P[3]: the side, the L-coordinate, and its order against that of P[4], when
- * *last says that l[1], dl[1] hold it; what is known of P[3] takes its
- * place. */
+/* hh_setup, hh_bound and hh_limits, as tess uses them, on the facet P[0..2] and
+ * the point P[3]: the side, the L-coordinate and its limits, and its order
+ * against that of P[4], when *last says that l[1], dl[1] hold it; what is known
+ * of P[3] takes its place. */
 static void test_bound(double *l, double *dl, int *last)
 {
     static ex_num den;
-    double h[HH_FACET_LEN];
+    double h[HH_FACET_LEN], lo, hi;
     int bound;
 
     hh_setup(P[0], P[1], P[2], h);
     bound = hh_bound(h, P[3], &l[0], &dl[0]);
+    require(hh_limits(h, P[3], &lo, &hi) == bound, "side by hh_limits");
+    if (X.wn.sign > 0) {
+        ex_copy(&den, &X.wn);
+        ex_shift(&den, 1);
+        if (lo > -DBL_MAX)
+            require(beyond(lo, 1, 0.0, &X.power, &den, &X.nn, 1) <= 0,
+                    "lower limit of L");
+        if (hi < DBL_MAX)
+            require(beyond(hi, 1, 0.0, &X.power, &den, &X.nn, 1) >= 0,
+                    "upper limit of L");
+        limited += bound == 0 && (lo > -DBL_MAX || hi < DBL_MAX);
+    }
     sides++;
     decided += bound != 0;
     require(bound == 0 || bound == X.wn.sign, "side by hh_bound");
@@ -1075,7 +1087,7 @@ static void test_facets(int group, long n)
     char name[80];
 
     worst = 0.0;
-    sides = decided = pairs = ordered = 0;
+    sides = decided = pairs = ordered = limited = 0;
     for (i = 0; i < n; i++) {
         unit = make_facet(group, p);
         for (k = 0; k < 3; k++) p[4][k] = p[0][k] + unit * sym();
@@ -1096,8 +1108,9 @@ static void test_facets(int group, long n)
             for (k = 0; k < 3; k++) p[4][k] = p[3][k];
         }
     }
-    printf("        sides decided %ld of %ld, orders %ld of %ld, worst error "
-           "%.3g of its bound\n", decided, sides, ordered, pairs, worst);
+    printf("        sides decided %ld of %ld, orders %ld of %ld, else limits "
+           "%ld, worst error %.3g of its bound\n", decided, sides, ordered,
+           pairs, limited, worst);
     if (group == FACET_RANDOM)
         faults += decided < sides - sides / 1000 ||
                   ordered < pairs - pairs / 1000;
