@@ -5,7 +5,7 @@
  *                     limbsg limbs3 limbs10 limbsx multiply centre leading
  *                     weight exact
  *   the arithmetic    hh_finite precise hh_holds held
- *   exact signs       certain filt3 filt5 exact3 exact5 scale larger hh_orient
+ *   exact signs       certain filt3 filt5 opposite pack scale hh_orient
  *                     hh_insphere hh_flat hh_line widersg hh_wider hh_range
  *                     corners hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
@@ -502,12 +502,14 @@ int hh_holds(tess_int n, const tess_real *p)
     return 1;
 }
 
-/* held - hh_holds for five points. */
-static int held(const tess_real *a, const tess_real *b, const tess_real *c,
-                const tess_real *d, const tess_real *e)
+/* held - hh_holds for np points that are not in one array. */
+static int held(int np, const tess_real *const *p)
 {
-    return hh_holds(1, a) && hh_holds(1, b) && hh_holds(1, c) &&
-           hh_holds(1, d) && hh_holds(1, e);
+    int i;
+
+    for (i = 0; i < np; i++)
+        if (!hh_holds(1, p[i])) return 0;
+    return 1;
 }
 
 /* ---------------------------------------------------------------------
@@ -595,104 +597,84 @@ static int filt5(const double *a, const double *b, const double *c,
     return certain(det, perm, 32.0, t);
 }
 
-/* exact3 - the sign of det [b-a c-a d-a] by limbs. */
-static int exact3(const tess_real *a, const tess_real *b, const tess_real *c,
-                  const tess_real *d)
+/* opposite - minus a sign, if it is one. */
+static int opposite(int sign)
 {
-    double q[12];
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        q[k] = b[k];
-        q[3 + k] = c[k];
-        q[6 + k] = d[k];
-        q[9 + k] = a[k];
-    }
-    return exact(4, q);
+    return sign == UNSURE ? UNSURE : -sign;
 }
 
-/* exact5 - the sign of filt5's determinant by limbs. */
-static int exact5(const tess_real *a, const tess_real *b, const tess_real *c,
-                  const tess_real *d, const tess_real *e)
+/* pack - q = the coordinates of np points p.  Returns the largest absolute
+ * value. */
+static double pack(int np, const tess_real *const *p, double *q)
 {
-    double q[15];
-    int k;
+    double most = 0.0;
+    int i, k;
 
-    for (k = 0; k < 3; k++) {
-        q[k] = a[k];
-        q[3 + k] = b[k];
-        q[6 + k] = c[k];
-        q[9 + k] = d[k];
-        q[12 + k] = e[k];
-    }
-    return exact(5, q);
+    for (i = 0; i < np; i++)
+        for (k = 0; k < 3; k++) {
+            *q = p[i][k];
+            most = fabs(*q) > most ? fabs(*q) : most;
+            q++;
+        }
+    return most;
 }
 
-/* scale - q = p 2^-e that makes most, the largest absolute value among several
- * points, at most 1, and not tiny.  Returns e. */
-static int scale(double most, const tess_real *p, double *q)
+/* scale - s = q 2^-e, n coordinates, that makes most, the largest absolute
+ * value among them, at most 1, and not tiny.  Returns e. */
+static int scale(int n, double most, const double *q, double *s)
 {
     double f = most <= 1.0 ? 1.0 : FEW;
     int e = most <= 1.0 ? 0 : FEWEXP, k;
 
     if (most >= FEW && most <= 1.0 / FEW)
-        for (k = 0; k < 3; k++) q[k] = f * p[k];
+        for (k = 0; k < n; k++) s[k] = f * q[k];
     else {
         frexp(most, &e);
-        for (k = 0; k < 3; k++) q[k] = ldexp((double)p[k], -e);
+        for (k = 0; k < n; k++) s[k] = ldexp(q[k], -e);
     }
     return e;
-}
-
-/* larger - the larger of most and the absolute coordinates of p. */
-static double larger(double most, const tess_real *p)
-{
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        if (p[k] > most) most = p[k];
-        if (-p[k] > most) most = -p[k];
-    }
-    return most;
 }
 
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
               const tess_real *d)
 {
-    double most = larger(larger(larger(larger(0.0, a), b), c), d);
-    double sa[3], sb[3], sc[3], sd[3];
+    const tess_real *p[4];
+    double q[12], s[12], most;
     int sign;
 
+    p[0] = a;
+    p[1] = b;
+    p[2] = c;
+    p[3] = d;
+    most = pack(4, p, q);
     /* above FEW, what a coordinate is taken for matters less than TINY */
-    if (!precise(a[0] > d[0] ? 1 : 3) ||
-        (most < FEW && !held(a, b, c, d, d)))
+    if (!precise(q[0] > q[9] ? 1 : 3) || (most < FEW && !held(4, p)))
         return UNSURE;
-    scale(most, a, sa);
-    scale(most, b, sb);
-    scale(most, c, sc);
-    scale(most, d, sd);
-    sign = filt3(sa, sb, sc, sd, -1.0);
-    if (sign == UNSURE && held(a, b, c, d, d)) sign = exact3(a, b, c, d);
+    scale(12, most, q, s);
+    sign = filt3(s, s + 3, s + 6, s + 9, -1.0);
+    /* the determinant of the rows a-d, b-d, c-d is minus this one */
+    if (sign == UNSURE && held(4, p)) sign = opposite(exact(4, q));
     return sign;
 }
 
 int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
                 const tess_real *d, const tess_real *e)
 {
-    double most = larger(larger(larger(larger(larger(0.0, a), b), c), d), e);
-    double sa[3], sb[3], sc[3], sd[3], se[3];
-    int side, sign;
+    const tess_real *p[5];
+    double q[15], s[15], most;
+    int side = hh_orient(a, b, c, d), sign;
 
-    side = hh_orient(a, b, c, d);
     if (side == 0 || side == UNSURE) return side;
-    if (most < FEW && !held(a, b, c, d, e)) return UNSURE;
-    scale(most, a, sa);
-    scale(most, b, sb);
-    scale(most, c, sc);
-    scale(most, d, sd);
-    scale(most, e, se);
-    sign = filt5(sa, sb, sc, sd, se, -1.0);
-    if (sign == UNSURE && held(a, b, c, d, e)) sign = exact5(a, b, c, d, e);
+    p[0] = a;
+    p[1] = b;
+    p[2] = c;
+    p[3] = d;
+    p[4] = e;
+    most = pack(5, p, q);
+    if (most < FEW && !held(5, p)) return UNSURE;
+    scale(15, most, q, s);
+    sign = filt5(s, s + 3, s + 6, s + 9, s + 12, -1.0);
+    if (sign == UNSURE && held(5, p)) sign = exact(5, q);
     return sign == UNSURE ? UNSURE : -side * sign;
 }
 
@@ -703,6 +685,8 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c)
 {
     tess_real qa[3], qb[3], qc[3], top[3];
+    const tess_real *p[3];
+    double q[9];
     int i = axis == 2 ? 0 : axis + 1, k = axis == 0 ? 2 : axis - 1;
     double bi = (double)b[i] - a[i], ck = (double)c[k] - a[k];
     double bk = (double)b[k] - a[k], ci = (double)c[i] - a[i];
@@ -721,7 +705,10 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
     }
     qa[axis] = qb[axis] = qc[axis] = 0;
     /* any height will do that needs no more limbs than the points */
-    top[axis] = (tess_real)larger(larger(larger(0.0, qa), qb), qc);
+    p[0] = qa;
+    p[1] = qb;
+    p[2] = qc;
+    top[axis] = (tess_real)pack(3, p, q);
     return hh_orient(qa, qb, qc, top);
 }
 
@@ -817,7 +804,8 @@ int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
     p[2] = s->p + 3 * s->order[k];
     p[3] = s->p + 3 * s->order[l];
     if (corners(4, p, q)) return filt3(q, q + 3, q + 6, q + 9, 64.0);
-    return exact3(p[0], p[1], p[2], p[3]);
+    pack(4, p, q);
+    return opposite(exact(4, q));
 }
 
 /* ---------------------------------------------------------------------
@@ -874,7 +862,9 @@ static int perturb(const hh_set *s, const tess_int *v, int positive)
     if (sign == UNSURE) {
         for (n = 0; n < 5; n++) p[n] = s->p + 3 * s->order[v[n]];
         /* the corners of a box are on one sphere */
-        sign = corners(5, p, q) ? 0 : exact5(p[0], p[1], p[2], p[3], p[4]);
+        if (corners(5, p, q)) return tied(s, v, positive);
+        pack(5, p, q);
+        sign = exact(5, q);
     }
     return sign == 0 ? tied(s, v, positive) : sign;
 }
@@ -916,16 +906,14 @@ int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b)
 static int rows(const hh_set *s, int np, const tess_int *v, double *x,
                 double *top, double *factor, int *e)
 {
-    const tess_real *p;
-    double q[12], most = 0.0;
-    int i, k, n;
+    const tess_real *p[4];
+    double q[12], most;
+    int i, n;
 
-    for (i = 0; i < np; i++) most = larger(most, s->p + 3 * s->order[v[i]]);
+    for (i = 0; i < np; i++) p[i] = s->p + 3 * s->order[v[i]];
+    most = pack(np, p, q);
     *factor = most < LOW ? SHIFT : 1.0;
-    for (i = 0; i < np; i++) {
-        p = s->p + 3 * s->order[v[i]];
-        for (k = 0; k < 3; k++) q[3 * i + k] = *factor * p[k];
-    }
+    for (i = 0; i < 3 * np; i++) q[i] *= *factor;
     *top = 2.0 * weight(*factor * most);
     frexp(*top, e);
     *e -= 1 + s->e + (most < LOW ? SKIP * HH_BITS : 0);
@@ -1291,13 +1279,15 @@ int hh_limits(const double *f, const double *z, double *lo, double *hi)
 int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
              double *f)
 {
-    double most = larger(larger(larger(0.0, p1), p2), p3), q1[3], q2[3], q3[3];
+    const tess_real *p[3];
+    double q[9], s[9];
     int e, k;
 
-    e = scale(most, p1, q1);
-    scale(most, p2, q2);
-    scale(most, p3, q3);
-    hh_setup(q1, q2, q3, f);
+    p[0] = p1;
+    p[1] = p2;
+    p[2] = p3;
+    e = scale(9, pack(3, p, q), q, s);
+    hh_setup(s, s + 3, s + 6, f);
     for (k = 0; k < 3; k++) {
         f[3 + k] = ldexp(f[3 + k], e);
         f[6 + k] = p1[k];
@@ -1337,20 +1327,21 @@ double hh_lcoord(const double *f, const tess_real *z)
 int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
             const tess_real *z, double *c)
 {
-    double most = larger(larger(larger(larger(0.0, p1), p2), p3), z);
-    double q1[3], q2[3], q3[3], qz[3], a[3], b[3], g[3], v[3], wg, wv, turn;
+    const tess_real *p[4];
+    double q[12], s[12], a[3], b[3], g[3], v[3], wg, wv, turn;
     frame h;
     int k;
 
     *c = 0.0;
     if (hh_line(p1, p2, p3)) return 1;
-    scale(most, p1, q1);
-    scale(most, p2, q2);
-    scale(most, p3, q3);
-    scale(most, z, qz);
+    p[0] = p1;
+    p[1] = p2;
+    p[2] = p3;
+    p[3] = z;
+    scale(12, pack(4, p, q), q, s);
     for (k = 0; k < 3; k++) {
-        a[k] = q2[k] - q1[k];
-        b[k] = q3[k] - q1[k];
+        a[k] = s[3 + k] - s[k];
+        b[k] = s[6 + k] - s[k];
     }
     house(a, b, &h);
     /* p3 - p1 has the component r22 along Q e2 */
@@ -1359,8 +1350,8 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     reflec(&h, 0.0, 0.0, h.r11 < 0.0 ? -turn : turn, v);
     wg = wv = 0.0;
     for (k = 0; k < 3; k++) {
-        wg += (qz[k] - q1[k]) * g[k];
-        wv += (qz[k] - q1[k]) * v[k];
+        wg += (s[9 + k] - s[k]) * g[k];
+        wv += (s[9 + k] - s[k]) * v[k];
     }
     if (wv == 0.0) return 2;
     *c = -wg / wv;

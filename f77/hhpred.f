@@ -32,7 +32,7 @@ C         weight HHWEIG, exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
 C       exact signs: certain HHCERT, filt3 HHFIL3, filt5 HHFIL5,
-C         exact3 HHEXA3, exact5 HHEXA5, scale HHSCAL, larger HHLARG,
+C         opposite HHOPPO, pack HHPACK, scale HHSCAL,
 C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
 C         hh_line HHLINE, widersg HHWIDS, hh_wider HHWIDE,
 C         hh_range HHRANG, corners HHCORN, hh_pside HHPSID
@@ -880,39 +880,25 @@ C     B-D, C-D have the same sign.
       HHFIL5 = HHCERT(DET, PERM, 32.0D0, T)
       END
 
-C     HHEXA3 - the sign of det [B-A C-A D-A] by limbs, of points A, B,
-C     C, D of P.
-      INTEGER FUNCTION HHEXA3(P, A, B, C, D)
-      INTEGER A, B, C, D
-      DOUBLE PRECISION P(3,*)
-      DOUBLE PRECISION Q(3,4)
-      INTEGER K, SGN
-      DO 10 K = 1, 3
-        Q(K,1) = P(K,B)
-        Q(K,2) = P(K,C)
-        Q(K,3) = P(K,D)
-        Q(K,4) = P(K,A)
-   10 CONTINUE
-      CALL HHEXAC(4, Q, SGN)
-      HHEXA3 = SGN
+C     HHOPPO - minus a sign, if it is one.
+      INTEGER FUNCTION HHOPPO(SGN)
+      INTEGER SGN
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      HHOPPO = -SGN
+      IF (SGN .EQ. UNSURE) HHOPPO = UNSURE
       END
 
-C     HHEXA5 - the sign of HHFIL5's determinant by limbs, of points A,
-C     B, C, D, E of P.
-      INTEGER FUNCTION HHEXA5(P, A, B, C, D, E)
-      INTEGER A, B, C, D, E
-      DOUBLE PRECISION P(3,*)
-      DOUBLE PRECISION Q(3,5)
-      INTEGER K, SGN
-      DO 10 K = 1, 3
-        Q(K,1) = P(K,A)
-        Q(K,2) = P(K,B)
-        Q(K,3) = P(K,C)
-        Q(K,4) = P(K,D)
-        Q(K,5) = P(K,E)
+C     HHPACK - the largest absolute value of NP points Q.  (C's pack
+C     copies them into one array, too.)
+      DOUBLE PRECISION FUNCTION HHPACK(NP, Q)
+      INTEGER NP
+      DOUBLE PRECISION Q(3,*)
+      INTEGER I
+      HHPACK = 0.0D0
+      DO 10 I = 1, NP
+        HHPACK = MAX(HHPACK, ABS(Q(1,I)), ABS(Q(2,I)), ABS(Q(3,I)))
    10 CONTINUE
-      CALL HHEXAC(5, Q, SGN)
-      HHEXA5 = SGN
       END
 
 C     HHSCAL - Q = P 2**(-E) that makes MOST, the largest absolute value
@@ -950,12 +936,6 @@ C     among the NP points P, at most 1, and not tiny.
       END IF
       END
 
-C     HHLARG - the larger of MOST and the absolute coordinates of P.
-      DOUBLE PRECISION FUNCTION HHLARG(MOST, P)
-      DOUBLE PRECISION MOST, P(3)
-      HHLARG = MAX(MOST, ABS(P(1)), ABS(P(2)), ABS(P(3)))
-      END
-
 C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
 C     is on the side of A, B, C from which they are seen
 C     counter-clockwise.  2 when HHLIM limbs do not suffice (never, with
@@ -963,8 +943,8 @@ C     the default), or the processor is set to take a coordinate for 0
 C     that is not, or to round to fewer bits than a double has.
       INTEGER FUNCTION HHORIE(A, B, C, D)
       DOUBLE PRECISION A(3), B(3), C(3), D(3)
-      INTEGER HHEXA3, HHFIL3, HHHOLD, HHPREC
-      DOUBLE PRECISION HHLARG
+      INTEGER HHFIL3, HHHOLD, HHOPPO, HHPREC
+      DOUBLE PRECISION HHPACK
       INTEGER UNSURE
       DOUBLE PRECISION FEW
       PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
@@ -974,13 +954,13 @@ C     that is not, or to round to fewer bits than a double has.
       K = 1
       IF (A(1) .GT. D(1)) K = 3
       IF (HHPREC(K) .EQ. 0) RETURN
-      MOST = HHLARG(HHLARG(HHLARG(HHLARG(0.0D0, A), B), C), D)
       DO 10 K = 1, 3
         P(K,1) = A(K)
         P(K,2) = B(K)
         P(K,3) = C(K)
         P(K,4) = D(K)
    10 CONTINUE
+      MOST = HHPACK(4, P)
 C     above FEW, what a coordinate is taken for matters less than TINY
       IF (MOST .LT. FEW) THEN
         IF (HHHOLD(4, P) .EQ. 0) RETURN
@@ -988,7 +968,10 @@ C     above FEW, what a coordinate is taken for matters less than TINY
       CALL HHSCAL(MOST, 4, P, S, E)
       SGN = HHFIL3(S, 1, 2, 3, 4, -1.0D0)
       IF (SGN .EQ. UNSURE) THEN
-        IF (HHHOLD(4, P) .EQ. 1) SGN = HHEXA3(P, 1, 2, 3, 4)
+        IF (HHHOLD(4, P) .EQ. 0) RETURN
+C       the determinant of the rows A-D, B-D, C-D is minus this one
+        CALL HHEXAC(4, P, SGN)
+        SGN = HHOPPO(SGN)
       END IF
       HHORIE = SGN
       END
@@ -998,8 +981,8 @@ C     whatever their orientation, -1 when it is outside, 0 on the sphere
 C     or when A, B, C, D are coplanar.  2 as from HHORIE.
       INTEGER FUNCTION HHINSP(A, B, C, D, E)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
-      INTEGER HHEXA5, HHFIL5, HHHOLD, HHORIE
-      DOUBLE PRECISION HHLARG
+      INTEGER HHFIL5, HHHOLD, HHORIE
+      DOUBLE PRECISION HHPACK
       INTEGER UNSURE
       DOUBLE PRECISION FEW
       PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
@@ -1008,8 +991,6 @@ C     or when A, B, C, D are coplanar.  2 as from HHORIE.
       SIDE = HHORIE(A, B, C, D)
       HHINSP = SIDE
       IF (SIDE .EQ. 0 .OR. SIDE .EQ. UNSURE) RETURN
-      MOST = HHLARG(HHLARG(HHLARG(0.0D0, A), B), C)
-      MOST = HHLARG(HHLARG(MOST, D), E)
       DO 10 K = 1, 3
         P(K,1) = A(K)
         P(K,2) = B(K)
@@ -1017,6 +998,7 @@ C     or when A, B, C, D are coplanar.  2 as from HHORIE.
         P(K,4) = D(K)
         P(K,5) = E(K)
    10 CONTINUE
+      MOST = HHPACK(5, P)
       HHINSP = UNSURE
       IF (MOST .LT. FEW) THEN
         IF (HHHOLD(5, P) .EQ. 0) RETURN
@@ -1024,7 +1006,8 @@ C     or when A, B, C, D are coplanar.  2 as from HHORIE.
       CALL HHSCAL(MOST, 5, P, S, EXPO)
       SGN = HHFIL5(S, 1, 2, 3, 4, 5, -1.0D0)
       IF (SGN .EQ. UNSURE) THEN
-        IF (HHHOLD(5, P) .EQ. 1) SGN = HHEXA5(P, 1, 2, 3, 4, 5)
+        IF (HHHOLD(5, P) .EQ. 0) RETURN
+        CALL HHEXAC(5, P, SGN)
       END IF
       IF (SGN .NE. UNSURE) HHINSP = -SIDE*SGN
       END
@@ -1037,12 +1020,12 @@ C     along all three axes.
       INTEGER AXIS
       DOUBLE PRECISION A(3), B(3), C(3)
       INTEGER HHORIE
-      DOUBLE PRECISION HHLARG
+      DOUBLE PRECISION HHPACK
       DOUBLE PRECISION EPS, SHIFT, LOW
       PARAMETER (EPS = 2.0D0**(-52), SHIFT = 2.0D0**600)
       PARAMETER (LOW = 2.0D0**200)
       DOUBLE PRECISION BI, BK, CI, CK, DET, ERR
-      DOUBLE PRECISION QA(3), QB(3), QC(3), TOP(3)
+      DOUBLE PRECISION QA(3), QB(3), QC(3), P(3,3), TOP(3)
       INTEGER I, K
       I = MOD(AXIS, 3) + 1
       K = MOD(AXIS + 1, 3) + 1
@@ -1070,7 +1053,12 @@ C     as in HHFIL3; below LOW, underflow does less than 1/SHIFT
       QB(AXIS) = 0.0D0
       QC(AXIS) = 0.0D0
 C     any height will do that needs no more limbs than the points
-      TOP(AXIS) = HHLARG(HHLARG(HHLARG(0.0D0, QA), QB), QC)
+      DO 20 K = 1, 3
+        P(K,1) = QA(K)
+        P(K,2) = QB(K)
+        P(K,3) = QC(K)
+   20 CONTINUE
+      TOP(AXIS) = HHPACK(3, P)
       HHFLAT = HHORIE(QA, QB, QC, TOP)
       END
 
@@ -1211,7 +1199,7 @@ C               not known
       INTEGER FUNCTION HHPSID(X, P, ORD, T3, I, J, K, L)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), I, J, K, L
-      INTEGER HHEXA3, HHFIL3
+      INTEGER HHFIL3, HHOPPO
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
       DOUBLE PRECISION Q(3,4), UNIT(3,4)
@@ -1229,7 +1217,8 @@ C               not known
       IF (YES .EQ. 1) THEN
         HHPSID = HHFIL3(UNIT, 1, 2, 3, 4, 64.0D0)
       ELSE
-        HHPSID = HHEXA3(Q, 1, 2, 3, 4)
+        CALL HHEXAC(4, Q, SGN)
+        HHPSID = HHOPPO(SGN)
       END IF
       END
 
@@ -1294,7 +1283,7 @@ C     HHPERT - the sign of D, perturbed as in HHTIED where it is 0.
       INTEGER FUNCTION HHPERT(X, P, ORD, T3, T5, V, POSITV)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
       INTEGER ORD(*), V(5), POSITV
-      INTEGER HHEXA5, HHFIL5, HHTIED
+      INTEGER HHFIL5, HHTIED
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
       DOUBLE PRECISION Q(3,5), UNIT(3,5)
@@ -1309,7 +1298,7 @@ C     HHPERT - the sign of D, perturbed as in HHTIED where it is 0.
         CALL HHCORN(5, Q, UNIT, YES)
 C       the corners of a box are on one sphere
         SGN = 0
-        IF (YES .EQ. 0) SGN = HHEXA5(Q, 1, 2, 3, 4, 5)
+        IF (YES .EQ. 0) CALL HHEXAC(5, Q, SGN)
       END IF
       IF (SGN .EQ. 0) SGN = HHTIED(X, P, ORD, T3, V, POSITV)
       HHPERT = SGN
@@ -1357,20 +1346,19 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
       DOUBLE PRECISION P(3,*), X(*), TOP, FACTOR
       INTEGER ORD(*), SE, NP, V(*), E, N
       INTEGER HHFREX
-      DOUBLE PRECISION HHWEIG
+      DOUBLE PRECISION HHPACK, HHWEIG
       INTEGER BITS, SKIP, HHFEW
       PARAMETER (BITS = 24, SKIP = 25, HHFEW = 10)
       DOUBLE PRECISION SHIFT, LOW
       PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
       DOUBLE PRECISION MOST, Q(3,4)
       INTEGER I, K
-      MOST = 0.0D0
       DO 20 I = 1, NP
         DO 10 K = 1, 3
           Q(K,I) = P(K,ORD(V(I)))
-          MOST = MAX(MOST, ABS(Q(K,I)))
    10   CONTINUE
    20 CONTINUE
+      MOST = HHPACK(NP, Q)
       FACTOR = 1.0D0
       E = -1 - SE
       IF (MOST .LT. LOW) THEN
@@ -1895,17 +1883,17 @@ C     a circumcentre beyond HUGE is infinite.
       DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
       INTEGER INFO
       INTEGER HHLINE
-      DOUBLE PRECISION HHLARG, HHLDEX
+      DOUBLE PRECISION HHLDEX, HHPACK
       DOUBLE PRECISION HUGE, LOOSE
       PARAMETER (HUGE = 1.7976931348623157D308, LOOSE = 0.5D0)
       DOUBLE PRECISION MOST, P(3,3), S(3,3), Q1(3), Q2(3), Q3(3)
       INTEGER E, K
-      MOST = HHLARG(HHLARG(HHLARG(0.0D0, P1), P2), P3)
       DO 10 K = 1, 3
         P(K,1) = P1(K)
         P(K,2) = P2(K)
         P(K,3) = P3(K)
    10 CONTINUE
+      MOST = HHPACK(3, P)
       CALL HHSCAL(MOST, 3, P, S, E)
       DO 20 K = 1, 3
         Q1(K) = S(K,1)
@@ -1989,20 +1977,20 @@ C     computed to lie in the plane; C is then 0.
       DOUBLE PRECISION P1(3), P2(3), P3(3), Z(3), C
       INTEGER INFO
       INTEGER HHLINE
-      DOUBLE PRECISION HHLARG
+      DOUBLE PRECISION HHPACK
       DOUBLE PRECISION MOST, P(3,4), S(3,4), A(3), B(3), G(3), V(3)
       DOUBLE PRECISION H(10), WG, WV, TURN
       INTEGER E, K
       C = 0.0D0
       INFO = 1
       IF (HHLINE(P1, P2, P3) .EQ. 1) RETURN
-      MOST = HHLARG(HHLARG(HHLARG(HHLARG(0.0D0, P1), P2), P3), Z)
       DO 10 K = 1, 3
         P(K,1) = P1(K)
         P(K,2) = P2(K)
         P(K,3) = P3(K)
         P(K,4) = Z(K)
    10 CONTINUE
+      MOST = HHPACK(4, P)
       CALL HHSCAL(MOST, 4, P, S, E)
       DO 20 K = 1, 3
         A(K) = S(K,2) - S(K,1)
