@@ -1231,8 +1231,7 @@ int hh_bound(const double *f, const double *z, double *l, double *dl)
     if (size < HH_SMALL || f[9] > HH_LOOSE) return 0;
     if (side > 2.0 * err && side > HH_SMALL) {
         half = 0.5 / side;
-        *l = (w0 * (w0 - 2.0 * f[3]) + w1 * (w1 - 2.0 * f[4]) +
-              w2 * (w2 - 2.0 * f[5])) * half;
+        *l = HH_POWER(w0, w1, w2, f + 3) * half;
         *dl = size * (DBL_EPSILON * (3.0 * size + 5.0 * f[11]) + f[10] +
                       fabs(*l) * f[9]) * (4.0 * half) +
               4.0 * DBL_EPSILON * fabs(*l);
@@ -1268,8 +1267,7 @@ int hh_limits(const double *f, const double *z, double *lo, double *hi)
     }
     if (side != 0 || size < HH_SMALL || f[9] > HH_LOOSE) return side;
     most = 2.0 * (f[0] * w0 + f[1] * w1 + f[2] * w2 + 2.0 * f[9] * size);
-    power = w0 * (w0 - 2.0 * f[3]) + w1 * (w1 - 2.0 * f[4]) +
-            w2 * (w2 - 2.0 * f[5]);
+    power = HH_POWER(w0, w1, w2, f + 3);
     err = size * (DBL_EPSILON * (8.0 * size + 12.0 * f[11]) + 2.0 * f[10]);
     if (power > err) *lo = (power - err) / most;
     if (power < -err) *hi = (power + err) / most;
@@ -1317,8 +1315,7 @@ double hh_lcoord(const double *f, const tess_real *z)
 {
     double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
     double side = f[0] * w0 + f[1] * w1 + f[2] * w2;
-    double power = w0 * (w0 - 2.0 * f[3]) + w1 * (w1 - 2.0 * f[4]) +
-                   w2 * (w2 - 2.0 * f[5]);
+    double power = HH_POWER(w0, w1, w2, f + 3);
 
     if (side != 0.0) return power / (2.0 * side);
     return power >= 0.0 ? DBL_MAX : -DBL_MAX;

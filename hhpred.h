@@ -195,6 +195,11 @@ typedef struct hh_ball {
     double base[3 * HH_FEW], power[4 * HH_ROWS], side[4 * HH_ROWS];
 } hh_ball;
 
+/* The power |w|^2 - 2 c.w of a point w in the ball of centre c through 0. */
+#define HH_POWER(w0, w1, w2, c)                                        \
+    ((w0) * ((w0) - 2.0 * (c)[0]) + (w1) * ((w1) - 2.0 * (c)[1]) +     \
+     (w2) * ((w2) - 2.0 * (c)[2]))
+
 /* Details in hhpred.c. */
 void hh_setup(const double *p1, const double *p2, const double *p3, double *f);
 int hh_bound(const double *f, const double *z, double *l, double *dl);

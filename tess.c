@@ -1485,8 +1485,7 @@ static void consider(const mesh *m, quest *f, tess_int z)
 
     COUNT(N_POINT, 1);
     if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
-    if (!f->ball || w0 * (w0 - 2.0 * f->c[0]) + w1 * (w1 - 2.0 * f->c[1]) +
-                            w2 * (w2 - 2.0 * f->c[2]) <=
+    if (!f->ball || HH_POWER(w0, w1, w2, f->c) <=
                         powererr(f, fabs(w0) + fabs(w1) + fabs(w2)))
         challenge(m, f, z);
     else {
@@ -1681,8 +1680,7 @@ static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
         w0 = q[0] - f->f[6];
         w1 = q[1] - f->f[7];
         w2 = q[2] - f->f[8];
-        if (f->ball ? w0 * (w0 - 2.0 * f->c[0]) + w1 * (w1 - 2.0 * f->c[1]) +
-                              w2 * (w2 - 2.0 * f->c[2]) <= most
+        if (f->ball ? HH_POWER(w0, w1, w2, f->c) <= most
                     : w0 * f->f[0] + w1 * f->f[1] + w2 * f->f[2] >= behind) {
             if (m->link[i] == DONE) continue;
             consider(m, f, i);

@@ -44,7 +44,8 @@ C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
 C         hh_bound HHBOUN, hh_limits HHLIMI, hh_facet HHFACE,
 C         hh_side HHSIDE, hh_opp HHOPP, hh_lcoord HHLCOO,
 C         hh_wrap HHWRAP
-C     Only in C: held (hh_holds for points that are not in one array).
+C     Only in C: held (hh_holds for points that are not in one array),
+C     the macro HH_POWER, |W|**2 - 2 C.W, written out here.
 C     Only here: HHKIND (part of hh_finite and hh_holds).
 C
 C     Where C returns a code beside other results, the last argument
