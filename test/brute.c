@@ -3,23 +3,18 @@
  *     brute [sets [seed]]      sets of each kind, default 800
  *     brute -one kind seed     one set, in full
  *
- * Of all the quadruples of distinct points, those with no fifth point in
- * their ball, after the lifted heights are lowered by e_0 >> e_1 >> ... in
- * the order of the indices (ex_perturbed of exact.c, which knows no rule for
- * ties), are the Delaunay tetrahedralization.  Compared: the set of
- * tetrahedra, their orientation, adj, the representatives of duplicates, the
- * codes for flat sets, and tess_check's verdict.  A failing set prints how to
- * see it again.
+ * Compared with what define.h computes: the set of tetrahedra, their
+ * orientation, adj, the representatives of duplicates, the codes for flat sets;
+ * and tess_check's verdict.  A failing set prints how to see it again.
  */
-#include "../tess.h"
+#include "define.h"
 #include "exact.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST 12
+#define MOST DEF_MOST
 #define MAXTET 400
 #define LENGTH 20000
 #ifdef TESS_FLOAT
@@ -31,139 +26,11 @@
 static int n;
 static double p[MOST][3];
 
-/* What tess is expected to give. */
-static int twin[MOST];            /* the point that stands for each */
-static int expected;              /* the code */
-static int count;                 /* tetrahedra */
-static char is_tet[MOST][MOST][MOST][MOST]; /* indices increasing */
+static truth expected;
 
 static tess_int ntet, tet[4 * MAXTET], adj[4 * MAXTET], iw[LENGTH];
 static double rw[LENGTH];
 static tess_real point[3 * MOST];
-
-/* The code for the distinct points d[0..m-1]. */
-static int flatness(const int *d, int m)
-{
-    int i, j, k;
-
-    if (m < 2) return TESS_POINT;
-    for (i = 2; i < m; i++)
-        if (!ex_collinear(p[d[0]], p[d[1]], p[d[i]])) break;
-    if (i >= m) return TESS_LINE;
-    for (j = 2; j < m; j++)
-        for (k = 2; k < m; k++)
-            if (ex_orient(p[d[0]], p[d[1]], p[d[j]], p[d[k]]) != 0)
-                return TESS_OK;
-    return TESS_PLANE;
-}
-
-static void define(void)
-{
-    static char side[MOST][MOST][MOST][MOST];
-    const double *q[5];
-    int d[MOST], v[5], index[5], m = 0, i, j, k, l, s, in;
-    char *t;
-
-    memset(is_tet, 0, sizeof is_tet);
-    for (i = 0; i < n; i++) {
-        for (j = 0; j < i; j++)
-            if (p[i][0] == p[j][0] && p[i][1] == p[j][1] && p[i][2] == p[j][2])
-                break;
-        twin[i] = j;
-        if (j == i) d[m++] = i;
-    }
-    count = 0;
-    expected = flatness(d, m);
-    if (expected != TESS_OK) return;
-    for (i = 0; i < m; i++)
-        for (j = i + 1; j < m; j++)
-            for (k = j + 1; k < m; k++)
-                for (l = k + 1; l < m; l++) {
-                    s = ex_orient(p[d[i]], p[d[j]], p[d[k]], p[d[l]]);
-                    side[d[i]][d[j]][d[k]][d[l]] = (char)s;
-                    is_tet[d[i]][d[j]][d[k]][d[l]] = s != 0;
-                }
-    /* every five points: which of them is inside the ball of the others */
-    for (v[0] = 0; v[0] < m; v[0]++)
-    for (v[1] = v[0] + 1; v[1] < m; v[1]++)
-    for (v[2] = v[1] + 1; v[2] < m; v[2]++)
-    for (v[3] = v[2] + 1; v[3] < m; v[3]++)
-    for (v[4] = v[3] + 1; v[4] < m; v[4]++) {
-        for (i = 0; i < 5; i++) {
-            index[i] = d[v[i]];
-            q[i] = p[index[i]];
-        }
-        s = ex_perturbed(q, index);
-        for (i = 0; i < 5; i++) {
-            int w[4];
-
-            for (j = k = 0; j < 5; j++)
-                if (j != i) w[k++] = index[j];
-            /* to the last place by 4 - i exchanges; the determinant and that
-             * of the rows a-d, b-d, c-d (minus ex_orient) agree when inside */
-            in = -s * side[w[0]][w[1]][w[2]][w[3]];
-            if (i % 2) in = -in;
-            t = &is_tet[w[0]][w[1]][w[2]][w[3]];
-            if (in > 0) *t = 0;
-        }
-    }
-    for (i = 0; i < m; i++)
-        for (j = i + 1; j < m; j++)
-            for (k = j + 1; k < m; k++)
-                for (l = k + 1; l < m; l++)
-                    count += is_tet[d[i]][d[j]][d[k]][d[l]];
-}
-
-static int has(tess_int t, tess_int v)
-{
-    int k;
-
-    for (k = 0; k < 4; k++)
-        if (tet[4 * t + k] == v) return 1;
-    return 0;
-}
-
-/* What is wrong with tess's result, or NULL. */
-static const char *compare(int code)
-{
-    tess_int t, u, v[4], x, bad, across;
-    int i, k;
-
-    if (code != expected) return "the code";
-    for (i = 0; i < n; i++)
-        if (iw[i] != twin[i]) return "iw";
-    if (ntet != count) return "the number of tetrahedra";
-    for (t = 0; t < ntet; t++) {
-        for (k = 0; k < 4; k++) {
-            v[k] = tet[4 * t + k];
-            if (v[k] < 0 || v[k] >= n) return "a vertex out of range";
-        }
-        if (ex_orient(p[v[0]], p[v[1]], p[v[2]], p[v[3]]) != 1)
-            return "an orientation";
-        for (i = 1; i < 4; i++)
-            for (k = i; k > 0 && v[k - 1] > v[k]; k--) {
-                x = v[k];
-                v[k] = v[k - 1];
-                v[k - 1] = x;
-            }
-        if (!is_tet[v[0]][v[1]][v[2]][v[3]]) return "the tetrahedra";
-        /* a second time it is no more expected */
-        is_tet[v[0]][v[1]][v[2]][v[3]] = 0;
-        for (k = 0; k < 4; k++) {
-            across = TESS_NONE;
-            for (u = 0; u < ntet; u++)
-                if (u != t && has(u, tet[4 * t + (k + 1) % 4]) &&
-                    has(u, tet[4 * t + (k + 2) % 4]) &&
-                    has(u, tet[4 * t + (k + 3) % 4]))
-                    across = u;
-            if (adj[4 * t + k] != across) return "adj";
-        }
-    }
-    if (tess_check((tess_int)n, point, ntet, tet, adj, (tess_int)(2 * n), iw,
-                   &bad) != 0)
-        return "tess_check";
-    return NULL;
-}
 
 /* ---- kinds of sets ---- */
 
@@ -403,14 +270,15 @@ static void make(int kind)
 static int run(int kind, unsigned long seed, int full)
 {
     const char *fault;
-    tess_int liw, lrw, t;
+    tess_int liw, lrw, t, bad;
     int code, i;
 
     rnd_seed(seed);
     make(kind);
-    define();
+    define(&expected, n, p);
     if (full) {
-        printf("%d points, code %d, %d tetrahedra:\n", n, expected, count);
+        printf("%d points, code %d, %d tetrahedra:\n", n, expected.code,
+               expected.count);
         for (i = 0; i < n; i++)
             printf("%.17g %.17g %.17g\n", p[i][0], p[i][1], p[i][2]);
     }
@@ -420,7 +288,11 @@ static int run(int kind, unsigned long seed, int full)
     else {
         code = tess((tess_int)n, point, MAXTET, &ntet, tet, adj, liw, iw, lrw,
                     rw);
-        fault = compare(code);
+        fault = differs(&expected, p, code, ntet, tet, adj, iw);
+        if (fault == NULL &&
+            tess_check((tess_int)n, point, ntet, tet, adj, (tess_int)(2 * n),
+                       iw, &bad) != 0)
+            fault = "tess_check";
         if (full || fault)
             printf("code %d, %ld tetrahedra\n", code, (long)ntet);
     }
@@ -449,7 +321,7 @@ int main(int argc, char **argv)
         faults = solid = 0;
         for (i = 0; i < sets && faults < 5; i++) {
             faults += !run(kind, seed + (unsigned long)i, 0);
-            solid += expected == TESS_OK;
+            solid += expected.code == TESS_OK;
         }
         printf("        of %ld sets %ld with tetrahedra\n", i, solid);
         /* a kind must not be all flat, but for lines and points */

@@ -145,7 +145,7 @@ then
 else
     fail "t_pred, 3 limbs, does not compile"
 fi
-if build brute3 "$CC" "-O1 -DHH_LIMBS=3" test/brute.c $HARD $TEST; then
+if build brute3 "$CC" "-O1 -DHH_LIMBS=3" test/brute.c test/define.c $HARD $TEST; then
     many "brute, 3 limbs" build/brute3 100
 else
     fail "brute, 3 limbs, does not compile"
@@ -166,7 +166,7 @@ else
     fail "t_pred, float, does not compile"
 fi
 for d in -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long; do
-    if build brutef "$CC" "-O1 $d" test/brute.c $HARD $TEST; then
+    if build brutef "$CC" "-O1 $d" test/brute.c test/define.c $HARD $TEST; then
         many "brute $d" build/brutef 100
     else
         fail "brute $d does not compile"
@@ -174,7 +174,7 @@ for d in -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long; do
 done
 
 # Lists of other capacities only look elsewhere first.
-if build brutel "$CC" "-O1 -DTESS_LIST=48" test/brute.c $HARD $TEST; then
+if build brutel "$CC" "-O1 -DTESS_LIST=48" test/brute.c test/define.c $HARD $TEST; then
     many "brute -DTESS_LIST=48" build/brutel 100
 else
     fail "brute -DTESS_LIST=48 does not compile"
@@ -196,7 +196,7 @@ fi
 # Sanitizers.
 SAN="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 if have "$CC" "$SAN"; then
-    build brutes "$CC" "$SAN" test/brute.c $HARD test/exact.c
+    build brutes "$CC" "$SAN" test/brute.c test/define.c $HARD test/exact.c
     many "brute, sanitizers" build/brutes 50
     build t_tesss "$CC" "$SAN" test/t_tess.c $HARD test/exact.c test/points.c
     many "t_tess, sanitizers" build/t_tesss -quick

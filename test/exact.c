@@ -349,31 +349,43 @@ int ex_insphere(const double *a, const double *b, const double *c,
 
 int ex_perturbed(const double *const *p, const int *index)
 {
-    static ex_num vol[5], v[3], h, e, t, s;
+    static ex_num vol[5], v[3], h[5], e, t, s;
     const double *q[4];
-    int low = EX_NO_LOW, apart = 0, rank, i, j, k;
+    int low = EX_NO_LOW, apart = 0, most = 0, rank[5], first = 0, i, j, k;
 
     for (k = 0; k < 5; k++) low = lowest(low, p[k]);
     if (low == EX_NO_LOW) return 0;
+    /* det of the rows (x, y, z, h, 1) by the column h: the cofactor of h_k is
+     * (-1)^k times the volume of the others */
+    ex_int(&s, 0L);
     for (k = 0; k < 5; k++) {
         for (i = j = 0; i < 5; i++)
             if (i != k) q[j++] = p[i];
         ex_volume(&vol[k], low, q[0], q[1], q[2], q[3]);
         if (ex_bits(&vol[k]) > apart) apart = ex_bits(&vol[k]);
-    }
-    apart += 3;
-    /* det of the rows (x, y, z, h, 1) by the column h: the cofactor of h_k is
-     * (-1)^k times the volume of the others */
-    ex_int(&s, 0L);
-    for (k = 0; k < 5; k++) {
-        for (i = rank = 0; i < 5; i++) rank += index[i] < index[k];
+        for (i = rank[k] = 0; i < 5; i++) rank[k] += index[i] < index[k];
         difference(v, low, p[k], p[4]);
-        ex_dot(&h, v, v);
-        ex_shift(&h, 5 * apart);
+        ex_dot(&h[k], v, v);
+        if (ex_bits(&h[k]) > most) most = ex_bits(&h[k]);
+        ex_mul(&t, &h[k], &vol[k]);
+        if (k % 2 == 0) ex_add(&s, &s, &t);
+        else ex_sub(&s, &s, &t);
+    }
+    if (s.sign != 0) return s.sign;
+    apart += 3;
+    if (most + 7 * apart > DIGIT * (EX_DIGITS - 2)) {
+        for (k = 0; k < 5; k++)
+            if (vol[k].sign != 0 &&
+                (vol[first].sign == 0 || rank[k] < rank[first]))
+                first = k;
+        return first % 2 == 0 ? -vol[first].sign : vol[first].sign;
+    }
+    for (k = 0; k < 5; k++) {
+        ex_shift(&h[k], 5 * apart);
         ex_int(&e, 1L);
-        ex_shift(&e, (4 - rank) * apart);
-        ex_sub(&h, &h, &e);
-        ex_mul(&t, &h, &vol[k]);
+        ex_shift(&e, (4 - rank[k]) * apart);
+        ex_sub(&h[k], &h[k], &e);
+        ex_mul(&t, &h[k], &vol[k]);
         if (k % 2 == 0) ex_add(&s, &s, &t);
         else ex_sub(&s, &s, &t);
     }

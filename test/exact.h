@@ -58,8 +58,9 @@ int ex_insphere(const double *a, const double *b, const double *c,
  * p[4] inside the ball of the others when det [p0-p3 p1-p3 p2-p3] > 0) after
  * the lifted height |p|^2 of point k is lowered by e_i, i = index[k], with
  * e_0 >> e_1 >> ... > 0.  The e_i are put in as actual numbers, powers of two
- * far enough apart: no rule for ties is made use of.  0 only when the five
- * points are coplanar. */
+ * far enough apart: no rule for ties is made use of.  (Where the range of the
+ * coordinates makes those longer than EX_DIGITS, a tie has the sign of the sum's
+ * largest term.)  0 only when the five points are coplanar. */
 int ex_perturbed(const double *const *p, const int *index);
 /* 1 when a, b, c lie on one line */
 int ex_collinear(const double *a, const double *b, const double *c);

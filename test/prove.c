@@ -284,6 +284,11 @@ void prove_house(const double *p1, const double *p2, const double *p3,
     require(about(c, -dot(w, g) / dot(w, v), 1.0), "hh_wrap");
 }
 
+long prove_faults(void)
+{
+    return faults;
+}
+
 int prove_end(void)
 {
     fprintf(stderr, "prove: %ld passed, %ld failed\n", proofs - faults, faults);

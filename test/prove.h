@@ -31,6 +31,8 @@ void prove_facet(const double *p1, const double *p2, const double *p3,
 void prove_house(const double *p1, const double *p2, const double *p3,
                  const double *z1, const double *z2, double side, double l,
                  int opp, int code, double c);
+/* How many proofs have failed so far. */
+long prove_faults(void);
 int prove_end(void);
 
 #else
@@ -41,6 +43,7 @@ int prove_end(void);
 #define prove_signs(v, orient, insphere) ((void)0)
 #define prove_facet(p1, p2, p3, code, f) ((void)0)
 #define prove_house(p1, p2, p3, z1, z2, side, l, opp, code, c) ((void)0)
+#define prove_faults() 0L
 #define prove_end() 0
 
 #endif

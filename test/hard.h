@@ -1,0 +1,21 @@
+/* hard.h - sets of points that are hard to get right: coordinates of any
+ * exponent side by side, subnormals, ties, near-ties, duplicates.
+ *
+ * Reproducible: all is drawn from exact.c's rnd_*.  With TESS_FLOAT the
+ * exponents are those of float; the coordinates are finite tess_reals.
+ */
+#ifndef HARD_H
+#define HARD_H
+
+/* One coordinate. */
+double hard_value(void);
+/* x moved by some last places of its own, down to subnormals */
+double hard_nudge(double x, int places);
+/* Few points, at most 11; returns how many. */
+int hard_few(double (*p)[3]);
+/* 60 ... most points: clusters of very different sizes, some of them far from
+ * the origin in view of their size, boxes without width, or about as wide
+ * as squares and cubes of coordinates begin to underflow. */
+int hard_many(double (*p)[3], int most);
+
+#endif
