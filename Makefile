@@ -3,6 +3,7 @@
 # make examples    the programs of test/examples
 # make pictures    write test/pictures anew
 # make check       the tests
+# make torture     a hunt for faults: TIME=600, in seconds; SEED=1 for a known one
 # make bench       the timings
 # make paper       the experiments of the paper: test/paper/results.txt
 # make mirror      write test/data/mirror.xyz anew
@@ -19,6 +20,8 @@ CPPFLAGS =
 LDFLAGS =
 LDLIBS = -lm
 POINTS = test/data/mirror.xyz
+TIME = 600
+SEED =
 
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
@@ -77,6 +80,9 @@ pictures: build/picture
 check: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/check.sh
 
+torture:
+	CC="$(CC)" sh test/torture.sh $(TIME) $(SEED)
+
 bench: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/bench.sh
 
@@ -92,4 +98,4 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all run examples pictures check bench paper mirror clean help
+.PHONY: all run examples pictures check torture bench paper mirror clean help

@@ -204,6 +204,9 @@ else
     skip "sanitizers"
 fi
 
+# Hard sets in hard circumstances, with builds of its own: the hunt's start.
+many "torture" env CC="$CC" sh test/torture.sh -check
+
 # ---- the same arrays from every build ----
 #
 # The test itself and its points are compiled once, so that compilers'
