@@ -193,14 +193,17 @@ static void locate(tess_int ntet, tess_int *tet, const tess_int *adj)
     tess_real q[3];
     tess_int t = number(TESS_NONE, ntet), i;
     double w[4];
-    int k, code;
+    int k, code, bad = 0;
 
-    for (i = 0; i < 4 * ntet; i++)
+    for (i = 0; i < 4 * ntet; i++) {
         if (tet[i] < 0 || tet[i] >= n) tet[i] = 0;
+        if (adj[i] < TESS_OPEN || adj[i] >= ntet) bad = 1;
+    }
     for (k = 0; k < 3; k++) q[k] = (tess_real)(0.5 * (byte() % 12) - 0.5);
     code = tess_locate(point, ntet, tet, adj, q, &t, w);
     if (code >= 0 && (t < 0 || t >= ntet)) stop("tess_locate's t");
-    if (code != 0 && code != 1 && code != -6 && !(code == -2 && ntet == 0))
+    if (code != 0 && code != 1 && code != -6 && !(code == -2 && ntet == 0) &&
+        !(code == -4 && bad))
         stop("tess_locate's code");
 }
 

@@ -655,6 +655,7 @@ static void again(void)
         if (sound && rnd_below(3) == 0) steps(1 + rnd_below(3));
     }
     code = check(goodntet, goodtet, goodadj);
+    if (full && code != TESS_OK) printf("tess_check %d\n", code);
     need(code == TESS_OK || (code == TESS_RANGE && mayrange(NULL)),
          "tess_check");
 }

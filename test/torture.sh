@@ -25,7 +25,7 @@ SETS=0
 FAULTS=0
 PASSED=0
 FAILED=0
-BUILDS=16 # about, for the shares
+BUILDS=20 # about, for the shares
 
 mkdir -p $DIR
 LOG=$DIR/log
