@@ -51,16 +51,17 @@ static int exponent(void)
 
 double hard_nudge(double x, int places)
 {
-    int e;
+    int e, power = frexp(fabs(x), &e) == 0.5;
 
-    frexp(x, &e);
+    /* below a power of two the places are half as wide */
+    if (power && (x > 0.0) == (places < 0)) e--;
     if (x == 0.0 || e < LEAST_EXP + BITS) e = LEAST_EXP + BITS;
     return x + places * ldexp(1.0, e - BITS);
 }
 
 double hard_value(void)
 {
-    switch (rnd_below(14)) {
+    switch (rnd_below(15)) {
     case 0:
         return 0.0;
     case 1:
@@ -89,6 +90,8 @@ double hard_value(void)
         return sign() * ldexp(1.0 + rnd_unit(), exponent());
     case 12:
         return sign() * ldexp(draw(1, 9), exponent());
+    case 13: /* all binary digits one, or one and then zeros, but the last */
+        return sign() * hard_nudge(ldexp(1.0, exponent()), draw(-9, 3));
     default:
         return sign() * rnd_unit();
     }
@@ -134,7 +137,7 @@ static void linear(point *p, int from, int to, int size, int plane)
 static void shape(point *p, int from, int to, int size)
 {
     double v[8], r, scale[3];
-    int kind = rnd_below(16), m, i, k;
+    int kind = rnd_below(17), m, i, k;
     long square, s;
 
     for (i = from; i < to; i++)
@@ -226,6 +229,17 @@ static void shape(point *p, int from, int to, int size)
         for (i = from; i < to; i++)
             for (k = 0; k < 3; k++)
                 if (rnd_below(8)) p[i][k] = ldexp(p[i][k], LEAST_EXP);
+        break;
+    case 15: /* as limbs, of exact numbers that begin at the largest, end */
+        m = draw(-60, 0);
+        for (i = from; i < to; i++)
+            for (k = 0; k < 3; k++)
+                p[i][k] = rnd_below(4)
+                              ? sign() * hard_nudge(ldexp(1.0, m - HH_BITS *
+                                                          rnd_below(3)),
+                                                    draw(-7, 2))
+                              : rnd_below(2) ? ldexp(0.75, m + HH_BITS - 1)
+                                             : 0.0;
         break;
     default:
         for (i = from; i < to; i++)

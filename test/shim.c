@@ -1,4 +1,4 @@
-/* shim.c - the calls of tess.h by way of their Fortran names, so that a test
+/* shim.c - the calls of tess.h, and the exact signs, by way of their Fortran names, so that a test
  * in C can be linked with f77/tess.f and f77/hhpred.f, or with the C files
  * compiled with TESS_FORTRAN, in the place of tess.c and hhpred.c.
  *
@@ -25,6 +25,23 @@ extern void tesshu_(tess_int *ntet, tess_int *tet, tess_int *adj,
 extern void tessch_(tess_int *n, const tess_real *p, tess_int *ntet,
                     tess_int *tet, tess_int *adj, tess_int *liw, tess_int *iw,
                     tess_int *bad, tess_int *info);
+extern tess_int hhorie_(const tess_real *a, const tess_real *b,
+                        const tess_real *c, const tess_real *d);
+extern tess_int hhinsp_(const tess_real *a, const tess_real *b,
+                        const tess_real *c, const tess_real *d,
+                        const tess_real *e);
+
+int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
+              const tess_real *d)
+{
+    return (int)hhorie_(a, b, c, d);
+}
+
+int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
+                const tess_real *d, const tess_real *e)
+{
+    return (int)hhinsp_(a, b, c, d, e);
+}
 
 static void count(tess_int *a, tess_int n, tess_int by)
 {

@@ -22,7 +22,7 @@
  * differs is said with the seed that shows it again.
  */
 #ifdef __unix__
-#define _POSIX_C_SOURCE 199506L
+#define _XOPEN_SOURCE 500
 #endif
 #include "define.h"
 #include "exact.h"
@@ -40,6 +40,7 @@
 #include <time.h>
 #ifdef __unix__
 #include <signal.h>
+#include <sys/time.h>
 #include <unistd.h>
 #endif
 #ifdef TEST_ROUNDING
@@ -56,7 +57,7 @@
 #define MAXTET 20000
 #define LENGTH 80000
 #define GUARD 16    /* words beyond each end of an array */
-#define LIMIT 10    /* seconds that a call may take */
+#define LIMIT 20    /* seconds of the processor that a call may take */
 #define HUNG 77
 #ifdef TESS_FLOAT
 #define NORMAL FLT_MIN
@@ -187,10 +188,20 @@ static void stop(int sign)
     _exit(1);
 }
 
+/* Let a call that takes longer than that be stopped; 0: no longer. */
+static void limit(long seconds)
+{
+    struct itimerval time;
+
+    memset(&time, 0, sizeof time);
+    time.it_value.tv_sec = seconds;
+    setitimer(ITIMER_VIRTUAL, &time, NULL);
+}
+
 static void watch(void)
 {
     static const int caught[] = {
-        SIGALRM, SIGFPE,
+        SIGVTALRM, SIGFPE,
 #ifndef __SANITIZE_ADDRESS__
         SIGSEGV, SIGBUS
 #endif
@@ -210,17 +221,17 @@ static void watch(void)
         code = sigsetjmp(back, 1); \
         if (code == 0) { \
             calling = 1; \
-            alarm(LIMIT); \
+            limit(LIMIT); \
             enter(); \
             code = call; \
             leave(); \
-            alarm(0); \
+            limit(0); \
             calling = 0; \
         } else { \
             calling = 0; \
-            alarm(0); \
+            limit(0); \
             leave(); \
-            fault(code == SIGALRM ? "a call that does not end" \
+            fault(code == SIGVTALRM ? "a call that does not end" \
                                   : "a call that crashes"); \
             code = HUNG; \
         } \
@@ -676,6 +687,40 @@ static void copy(void)
     for (i = 0; i < 3 * n; i++) point[i] = (tess_real)p[i / 3][i % 3];
 }
 
+/* The exact signs of five points of p. */
+static void signs5(const int *v)
+{
+    static int orient, ball;
+    const double *c[5];
+    const tess_real *r[5];
+    int k, may;
+
+    for (k = 0; k < 5; k++) {
+        c[k] = p[v[k]];
+        r[k] = point + 3 * v[k];
+    }
+    CALL(orient, hh_orient(r[0], r[1], r[2], r[3]));
+    CALL(ball, hh_insphere(r[0], r[1], r[2], r[3], r[4]));
+    may = mayrange(NULL);
+    need(orient == ex_orient(c[0], c[1], c[2], c[3]) || (orient == 2 && may),
+         "hh_orient");
+    need(ball == ex_insphere(c[0], c[1], c[2], c[3], c[4]) ||
+         (ball == 2 && may), "hh_insphere");
+}
+
+static void predicates(void)
+{
+    int v[5], k, i;
+
+    if (n == 0) return;
+    for (i = 0; i < 3; i++) {
+        for (k = 0; k < 5; k++) v[k] = rnd_below(n);
+        anymode();
+        signs5(v);
+    }
+    now = normal;
+}
+
 /* All about a set of few points. */
 static void few(int every)
 {
@@ -687,6 +732,7 @@ static void few(int every)
     define(&expected, n, p);
     sound = 1;
     sets++;
+    predicates();
     now = normal;
     if (tess_size(n, MAXTET, &liw, &lrw) != 0) {
         fault("tess_size");
@@ -751,6 +797,21 @@ static unsigned long sum(void)
     return s;
 }
 
+/* Are exact proofs quick?  They are of few points, or of exponents that do not
+ * differ much. */
+static int quick(void)
+{
+    int i, e, least = 9999, most = -9999;
+
+    for (i = 0; i < 3 * n; i++) {
+        if (p[i / 3][i % 3] == 0.0) continue;
+        frexp(p[i / 3][i % 3], &e);
+        if (e < least) least = e;
+        if (e > most) most = e;
+    }
+    return n <= 100 || most - least < 200;
+}
+
 /* All about a set of many. */
 static void many(int sums)
 {
@@ -780,7 +841,7 @@ static void many(int sums)
         return;
     }
     /* what is flat is proven flat, too */
-    if (n <= 100 || ntet == 0) {
+    if (quick() || ntet == 0) {
         memcpy(oldtet, iw, sizeof *iw * (size_t)n);
         prove_result(n, p[0], code, ntet, goodtet, goodadj, oldtet);
         need(prove_faults() == was, "the result");
@@ -795,7 +856,7 @@ static void many(int sums)
     now = normal;
     if (sound) steps(1 + rnd_below((int)goodntet / 2 + 1));
     if (goodntet == 0) return;
-    if (n <= 100) {
+    if (quick()) {
         if (sound) hull();
         for (i = 0; i < 2 && sound; i++) location();
     }
@@ -853,7 +914,14 @@ static const struct fixed {
     { 8, { { 0, 0, 0 }, { S, 0, 0 }, { 0, S, 0 }, { S, S, 0 }, { 0, 0, S },
            { S, 0, S }, { 0, S, S }, { S, S, S } } },
     { 8, { { 0, 0, 0 }, { L, 0, 0 }, { 0, 1, 0 }, { L, 1, 0 }, { 0, 0, S },
-           { L, 0, S }, { 0, 1, S }, { L, 1, S } } }
+           { L, 0, S }, { 0, 1, S }, { L, 1, S } } },
+    /* a last place or some below 2^-47, which is half a limb here */
+    { 5, { { 7.1054273576010019e-15, 0, 0 },
+           { 0, 7.1054273576010003e-15, 2.9802322387695312e-08 },
+           { 7.1054273576009995e-15, 7.1054273576009963e-15, 0 },
+           { 4.4703483581542969e-08, 7.1054273576009995e-15,
+             7.1054273576010034e-15 },
+           { 7.1054273576009987e-15, 7.1054273576010003e-15, 0 } } }
 };
 
 static void fixedsets(void)
@@ -973,6 +1041,39 @@ static void sizes(void)
     test_result("tess_size", faults - old);
 }
 
+/* Signs of points whose coordinates are a few last places from a limb's half
+ * or from its end, the largest at the same place of its limb. */
+static void limbs(void)
+{
+    static const int v[5] = { 0, 1, 2, 3, 4 };
+    double half = ldexp(1.0, -HH_BITS * 2 + 1), x;
+    volatile tess_real rounded;
+    long old = faults, tries;
+    int i, k, e;
+
+    which = "limbs";
+    for (tries = 0; tries < 20000 && faults - old < 3; tries++) {
+        seed = (unsigned long)tries;
+        rnd_seed(seed);
+        sound = 1;
+        n = 5;
+        e = rnd_below(4) ? HH_BITS - 1 : rnd_below(3 * HH_BITS);
+        for (i = 0; i < 5; i++)
+            for (k = 0; k < 3; k++) {
+                x = rnd_below(2) ? hard_nudge(half, 1 - rnd_below(9)) : 0.0;
+                if (rnd_below(5) == 0) x = 0.25 * (2 + rnd_below(2)) * half *
+                                           ldexp(1.0, e);
+                rounded = (tess_real)x;
+                p[i][k] = (double)rounded;
+            }
+        copy();
+        anymode();
+        signs5(v);
+    }
+    now = normal;
+    test_result("signs about the ends of limbs", faults - old);
+}
+
 /* Arrays for tess_resume that no call has made. */
 static void arrays(void)
 {
@@ -1085,6 +1186,7 @@ int main(int argc, char **argv)
         fixedsets();
         nonfinite();
         sizes();
+        limbs();
         arrays();
     }
     which = "-one";
