@@ -2856,10 +2856,11 @@ static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
  *
  * Conversely a Delaunay tetrahedralization passes: O is inside its hull.
  *
- * No test is idle.  For 6: join the 20 triangles of the great icosahedron to
- * its centre.  These tetrahedra pass all other tests, and V - E + F - T = 1,
- * though they cover the centre 7 times.  Euler's relation follows from the
- * seven tests.
+ * No test is idle.  For 4: two tetrahedra apart; or the tetrahedra on an axis
+ * and the edges of a star of five points about it, O in a tip of the star.  For
+ * 6: join the 20 triangles of the great icosahedron to its centre.  These
+ * tetrahedra pass all other tests, and V - E + F - T = 1, though they cover the
+ * centre 7 times.  Euler's relation follows from the seven tests.
  *
  * Nothing is relied on before it is tested: indices before points are read,
  * the matching of all facets before a turn.  TESS_RANGE when the limbs do

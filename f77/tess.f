@@ -3975,7 +3975,9 @@ C
 C     Conversely a Delaunay tetrahedralization passes: O is inside its
 C     hull.
 C
-C     No test is idle.  For 6: join the 20 triangles of the great
+C     No test is idle.  For 4: two tetrahedra apart; or the tetrahedra
+C     on an axis and the edges of a star of five points about it, O in
+C     a tip of the star.  For 6: join the 20 triangles of the great
 C     icosahedron to its centre.  These tetrahedra pass all other tests,
 C     and V - E + F - T = 1, though they cover the centre 7 times.
 C     Euler's relation follows from the seven tests.

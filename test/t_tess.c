@@ -1666,6 +1666,45 @@ static void test_faults(void)
         require(i == TESS_BAD_COVER || i == TESS_BAD_HULL,
                 "all tetrahedra twice");
     }
+    /* what condition 4 of tess_check alone refuses: two tetrahedra apart, each
+     * a convex body; and five points of a circle, joined twice around the axis
+     * in a star, with O in one of its tips, which is covered once */
+    {
+        static const double apart[24] = {
+            0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1,
+            5, 0, 0, 6, 0, 0, 5, 1, 0, 5, 0, 1
+        };
+        static const tess_int both[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+        static const int tip[5] = { 0, 5, 10, 2, 7 };
+
+        given(&r, "two tetrahedra apart", apart, 8, both, 2);
+        current = &r;
+        expect(&r, TESS_BAD_HULL, "two tetrahedra apart");
+        for (i = 0; i < 5; i++) {
+            p[3 * i] = ring[tip[i]][0];
+            p[3 * i + 1] = ring[tip[i]][1];
+            p[3 * i + 2] = 0.0;
+            tet[4 * i] = i;
+            tet[4 * i + 1] = (i + 1) % 5;
+            tet[4 * i + 2] = 5;
+            tet[4 * i + 3] = 6;
+        }
+        for (i = 15; i < 21; i++) p[i] = 0.0;
+        p[17] = -5.0;
+        p[20] = 5.0;
+        given(&r, "a star", p, 7, tet, 5);
+        require(orient(&r, 0, 1, 5, 6) == 1, "the test's own star");
+        expect(&r, TESS_BAD_HULL, "a star, O in a tip");
+        /* with O in the middle, at a pole, it is covered twice */
+        for (i = 0; i < 5; i++) {
+            tet[4 * i] = 5;
+            tet[4 * i + 1] = 6;
+            tet[4 * i + 2] = i;
+            tet[4 * i + 3] = (i + 1) % 5;
+        }
+        given(&r, "a star", p, 7, tet, 5);
+        expect(&r, TESS_BAD_COVER, "a star, O in the middle");
+    }
     /* flat */
     given(&r, "flat", cube, 8, two, 1);
     require(orient(&r, 0, 1, 2, 3) == 0, "the test's own points");
