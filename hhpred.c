@@ -84,8 +84,7 @@ typedef long whole;
 #define LEADING (DBL_MANT_DIG / HH_BITS + 2)
 
 /* nearest - q, |q| < CARRY, to a nearest integer or one as good: the offset
- * makes it positive, and if that rounds no bit of q is lost, as the callers
- * take the difference. */
+ * makes it positive, which may round q up to a half. */
 static double nearest(double q)
 {
     return (double)((whole)(q + (CARRY + 0.5)) - (whole)CARRY);
@@ -93,7 +92,11 @@ static double nearest(double q)
 
 /* split - the n limbs of x, step apart, limb 0 of weight top, a power of two,
  * |x| <= top BASE/4.  Returns how many are in use, or n + 1 when n do not
- * hold x. */
+ * hold x.
+ *
+ * What is left of x after a limb has no bits below those of x, and is exact as
+ * long as it is no larger than x: so a limb is 0 for an x of less than half its
+ * weight, even if rounding would make that a half. */
 static int split(double x, double top, int n, int step, double *limb)
 {
     double unit, c;
@@ -106,7 +109,7 @@ static int split(double x, double top, int n, int step, double *limb)
     top /= BASE;
     unit = 1.0 / top;
     for (; i < n && x != 0.0; i++) {
-        c = nearest(x * unit);
+        c = fabs(x) < 0.5 * top ? 0.0 : nearest(x * unit);
         limb[step * i] = c;
         x -= c * top;
         top *= 1.0 / BASE;
@@ -910,7 +913,7 @@ static int rows(const hh_set *s, int np, const tess_int *v, double *x,
     double q[12], most;
     int i, n;
 
-    for (i = 0; i < np; i++) p[i] = s->p + 3 * s->order[v[i]];
+    for (i = 0; i < 4; i++) p[i] = s->p + 3 * s->order[v[i < np ? i : 0]];
     most = pack(np, p, q);
     *factor = most < LOW ? SHIFT : 1.0;
     for (i = 0; i < 3 * np; i++) q[i] *= *factor;

@@ -179,8 +179,7 @@ C     an optimizer from joining the two.
       END
 
 C     HHNEAR - Q, |Q| < CARRY, to a nearest integer or one as good: the
-C     offset makes it positive, and if that rounds no bit of Q is lost,
-C     as the callers take the difference.
+C     offset makes it positive, which may round Q up to a half.
       DOUBLE PRECISION FUNCTION HHNEAR(Q)
       DOUBLE PRECISION Q
       INTEGER CARRY
@@ -191,6 +190,11 @@ C     as the callers take the difference.
 C     HHSPLI - the N limbs of X, STEP apart, from W(FIRST) on, the first
 C     of weight TOP, a power of two, |X| <= TOP BASE/4.  USED is how
 C     many are in use, or N + 1 when N do not hold X.
+C
+C     What is left of X after a limb has no bits below those of X, and
+C     is exact as long as it is no larger than X: so a limb is 0 for an
+C     X of less than half its weight, even if rounding would make that a
+C     half.
       SUBROUTINE HHSPLI(X, TOP, N, STEP, W, FIRST, USED)
       INTEGER N, STEP, FIRST, USED
       DOUBLE PRECISION X, TOP, W(*)
@@ -217,7 +221,8 @@ C     a limb 1 rounded up may weigh more than the largest double
       WEIGHT = WEIGHT/BASE
       UNIT = 1.0D0/WEIGHT
    20 IF (I .LE. N .AND. ABS(REST) .GT. 0.0D0) THEN
-        C = HHNEAR(REST*UNIT)
+        C = 0.0D0
+        IF (ABS(REST) .GE. 0.5D0*WEIGHT) C = HHNEAR(REST*UNIT)
         W(FIRST+STEP*(I-1)) = C
         REST = REST - C*WEIGHT
         WEIGHT = WEIGHT*(1.0D0/BASE)
