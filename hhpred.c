@@ -483,7 +483,9 @@ static int precise(int m)
  * points p for 0 that is not: a processor may have been set to do that to
  * subnormal numbers, which no comparison can find then.  But their bits do: a
  * zero has none but the sign's.  (volatile: that a number was found to be 0
- * must not lead a compiler to take its bits to be those of 0.0.) */
+ * must not lead a compiler to take its bits to be those of 0.0.)  frexp is
+ * asked, too: with arithmetic in an x87 unit the mathematical library may do
+ * its own elsewhere, and take for 0 what the unit does not. */
 int hh_holds(tess_int n, const tess_real *p)
 {
     const tess_real plus = 1, minus = -1;
@@ -492,12 +494,16 @@ int hh_holds(tess_int n, const tess_real *p)
     const unsigned char *c;
     volatile tess_real value;
     tess_int i;
-    int k;
+    int k, e;
 
     if (!precise(n % 2 == 0 ? 1 : 3)) return 0;
     for (i = 0; i < 3 * n; i++) {
         value = p[i];
-        if (value != 0) continue;
+        if (fabs((double)value) >= DBL_MIN) continue;
+        if (value != 0) {
+            if (frexp((double)value, &e) == 0.0) return 0;
+            continue;
+        }
         c = (const unsigned char *)(p + i);
         for (k = 0; k < (int)sizeof(tess_real); k++)
             if (c[k] & ~(a[k] ^ b[k])) return 0;
