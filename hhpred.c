@@ -481,11 +481,12 @@ static int precise(int m)
 
 /* hh_holds - 1 when the arithmetic is precise and takes no coordinate of n
  * points p for 0 that is not: a processor may have been set to do that to
- * subnormal numbers, which no comparison can find then.  But their bits do: a
- * zero has none but the sign's.  (volatile: that a number was found to be 0
- * must not lead a compiler to take its bits to be those of 0.0.)  frexp is
- * asked, too: with arithmetic in an x87 unit the mathematical library may do
- * its own elsewhere, and take for 0 what the unit does not. */
+ * subnormal operands, which no comparison can find then, or to subnormal
+ * results.  The operand's bits tell: a zero has none but the sign's.
+ * (volatile: that a number was found to be 0 must not lead a compiler to take
+ * its bits to be those of 0.0.)  frexp is asked, too: with arithmetic in an x87
+ * unit the mathematical library may do its own elsewhere, and take for 0 what
+ * the unit does not. */
 int hh_holds(tess_int n, const tess_real *p)
 {
     const tess_real plus = 1, minus = -1;
@@ -493,6 +494,7 @@ int hh_holds(tess_int n, const tess_real *p)
     const unsigned char *b = (const unsigned char *)&minus;
     const unsigned char *c;
     volatile tess_real value;
+    volatile double twice;
     tess_int i;
     int k, e;
 
@@ -501,7 +503,8 @@ int hh_holds(tess_int n, const tess_real *p)
         value = p[i];
         if (fabs((double)value) >= DBL_MIN) continue;
         if (value != 0) {
-            if (frexp((double)value, &e) == 0.0) return 0;
+            twice = 2.0 * value;
+            if (twice == 0.0 || frexp((double)value, &e) == 0.0) return 0;
             continue;
         }
         c = (const unsigned char *)(p + i);

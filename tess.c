@@ -1986,7 +1986,7 @@ static int scaled(mesh *m)
     m->set.e = e;
     times(m, -(e / 2));
     times(m, -(e - e / 2));
-    if (least >= ldexp(DBL_MIN, e)) u = units(m);
+    if (ldexp(least, -e) >= DBL_MIN) u = units(m);
     if (u > 0.0) {
         /* up to 2^(DBL_MANT_DIG - 1) units of the determinant's degree */
         m->set.t3 = ldexp(1.0, DBL_MANT_DIG - 1) / u / u / u;

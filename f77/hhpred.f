@@ -734,18 +734,19 @@ C     cannot work out beforehand.
 
 C     HHHOLD - 1 when the arithmetic is precise and takes no coordinate
 C     of N points P for 0 that is not: a processor may have been set to
-C     do that to subnormal numbers.  Else 0.
+C     do that to subnormal operands, or to subnormal results.  Else 0.
       INTEGER FUNCTION HHHOLD(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
       INTEGER HHKIND, HHPREC
-      INTEGER I, K
+      INTEGER I, K, M
       HHHOLD = 0
-      IF (HHPREC(1 + 2*MOD(N, 2)) .EQ. 0) RETURN
+      M = 1 + 2*MOD(N, 2)
+      IF (HHPREC(M) .EQ. 0) RETURN
       DO 20 I = 1, N
         DO 10 K = 1, 3
           IF (HHKIND(P(K,I)) .EQ. 1) THEN
-            IF (ABS(P(K,I)) .LE. 0.0D0) RETURN
+            IF (ABS(P(K,I))*DBLE(M) .LE. 0.0D0) RETURN
           END IF
    10   CONTINUE
    20 CONTINUE

@@ -2638,7 +2638,7 @@ C     INFO is 0, or RANGE.
       CALL TSTIME(X, CTL, -(E/2))
       CALL TSTIME(X, CTL, -(E - E/2))
       U = 0.0D0
-      IF (BOTTOM .GE. HHLDEX(NORMAL, E)) U = TSUNIT(X, CTL)
+      IF (HHLDEX(BOTTOM, -E) .GE. NORMAL) U = TSUNIT(X, CTL)
       IF (U .GT. 0.0D0) THEN
 C       up to 2**52 units of the determinant's degree
         RCTL(T3) = 2.0D0**(DIGITS-1)/U/U/U
