@@ -113,10 +113,10 @@ extern double tess_count[];
 
 /* In a build of its own a test hears of every certificate whether it holds. */
 #ifdef TESS_PROVE
-extern void tess_prove(int holds);
-#define PROVE(holds) tess_prove(holds)
+extern void tess_prove(int fact);
+#define HOLDS(fact) tess_prove(fact)
 #else
-#define PROVE(holds)
+#define HOLDS(fact)
 #endif
 
 /* The caller's arrays hold numbers greater by ORIGIN than those used inside:
@@ -872,7 +872,7 @@ static int star(mesh *m, tess_int s)
         guess[0] = p[PREV] == NONE ? NONE : m->pool[p[PREV] + FROM];
         guess[1] = p[AFTER] == NONE ? NONE : m->pool[p[AFTER] + TO];
         c = apex(m, v, guess);
-        PROVE(proven(m, v, c));
+        HOLDS(proven(m, v, c));
         if (c == NONE) {
             if (p[CODE] != START) m->adj[p[CODE]] = TESS_NONE;
             if (p[PREV] != NONE) m->pool[p[PREV] + AFTER] = NONE;
@@ -1440,13 +1440,13 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     int power = UNSURE;
 
     if (side < 0 || (f->best != NONE && lo > f->hi)) {
-        PROVE(!better(m, f, z));
+        HOLDS(!better(m, f, z));
         return;
     }
     if (f->limbs && (side == 0 || hi >= f->lo)) {
         COUNT(N_TRIAL, 1);
         hh_trial(&m->set, &f->t, z, &sign, &power);
-        PROVE(sign == UNSURE ||
+        HOLDS(sign == UNSURE ||
               sign == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
     }
     if (sign == 0 || sign == UNSURE) {
@@ -1460,7 +1460,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
             COUNT(N_EXACT, 1);
             power = hh_pbeat(&m->set, f->v, f->best, z) ? -1 : 1;
         }
-        PROVE((power < 0) == hh_pbeat(&m->set, f->v, f->best, z));
+        HOLDS((power < 0) == hh_pbeat(&m->set, f->v, f->best, z));
         if (power > 0) {
             if (hi < f->hi) narrow(f, hi);
             if (f->asked >= MANY && !f->limbs) refine(m, f);
@@ -1468,7 +1468,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
         }
         if (hi > f->hi) hi = f->hi;
     }
-    PROVE(better(m, f, z));
+    HOLDS(better(m, f, z));
     f->best = z;
     f->lo = lo;
     f->limbs = 0;
@@ -1489,7 +1489,7 @@ static void consider(const mesh *m, quest *f, tess_int z)
                         powererr(f, fabs(w0) + fabs(w1) + fabs(w2)))
         challenge(m, f, z);
     else {
-        PROVE(!better(m, f, z));
+        HOLDS(!better(m, f, z));
     }
 }
 

@@ -505,6 +505,80 @@ static void test_indexed(int group, long n)
     test_result(name, faults);
 }
 
+/* hh_centre and hh_trial as tess calls them, on the ball of the first four
+ * points and the last one: the trial's signs are the exact ones, or UNSURE, and
+ * no power by the centre is beyond its error on the wrong side, that of a point
+ * on the ball never. */
+static void test_balls(int group, long n)
+{
+    static tess_real caller[15];
+    long faults = 0, made = 0, tried = 0, i;
+    double p[5][3], x[15], c[3], most, size, sum, power, err, w;
+    tess_int order[5], v[3];
+    int base, e, j, k, o, s, side, sign, z;
+    char name[80];
+    hh_set set;
+    hh_ball ball;
+
+    for (i = 0; i < n; i++) {
+        make(group, p);
+        settle(p);
+        o = ex_orient(P[0], P[1], P[2], P[3]);
+        most = 0.0;
+        for (j = 0; j < 15; j++) {
+            caller[j] = R[j / 3][j % 3];
+            if (fabs(P[j / 3][j % 3]) > most) most = fabs(P[j / 3][j % 3]);
+        }
+        if (most == 0.0 || o == 0) continue;
+        frexp(most, &e);
+        for (j = 0; j < 15; j++) x[j] = ldexp((double)caller[j], -e);
+        for (j = 0; j < 5; j++) order[j] = (tess_int)j;
+        set.x = x;
+        set.p = caller;
+        set.order = order;
+        set.t3 = set.t5 = -1.0;
+        set.e = e;
+        base = rnd_below(3);
+        v[0] = o > 0 ? 0 : 1;
+        v[1] = o > 0 ? 1 : 0;
+        v[2] = 2;
+        if (!hh_centre(&set, v, base, 3, c, &ball)) continue;
+        made++;
+        sum = fabs(c[0]) + fabs(c[1]) + fabs(c[2]);
+        for (z = 0; z < 5; z++) {
+            o = ex_orient(P[v[0]], P[v[1]], P[v[2]], P[z]);
+            s = ex_insphere(P[0], P[1], P[2], P[3], P[z]);
+            side = 0;
+            hh_trial(&set, &ball, (tess_int)z, &side, &sign);
+            if (z == 4) tried += sign != 2 || side == -1;
+            if ((side != 2 && side != o) || (sign != 2 && sign != -s) ||
+                (sign != 2 && sign == 0))
+                if (faults++ < 3) {
+                    printf("point %d: side %d, %d; inside %d, %d:\n", z, side,
+                           o, -sign, s);
+                    show(5);
+                }
+            power = size = 0.0;
+            for (k = 0; k < 3; k++) {
+                w = x[3 * z + k] - x[3 * v[base] + k];
+                power += w * (w - 2.0 * c[k]);
+                size += fabs(w);
+            }
+            if (size < ldexp(1.0, -SCALE(400))) continue;
+            err = size * DBL_EPSILON * (16.0 * sum + 8.0 * (size + 2.0 * sum));
+            if ((power > err && s != -1) || (power < -err && s != 1))
+                if (faults++ < 3) {
+                    printf("point %d: power %g, error %g; inside %d:\n", z,
+                           power, err, s);
+                    show(5);
+                }
+        }
+    }
+    printf("        balls %ld, trials decided %ld\n", made, tried);
+    sprintf(name, "balls by limbs: %s", names[group]);
+    test_result(name, faults);
+}
+
 /* hh_flat: the sign of the projected area; hh_wider: the sign of a difference
  * of differences; on all classes. */
 static void test_flat(long n)
@@ -1025,19 +1099,41 @@ static void test_public(void)
 }
 
 /* What test_facets counts. */
-static long sides, decided, pairs, ordered, limited;
+static long sides, decided, pairs, ordered, limited, thin;
 
-/* hh_setup, hh_bound and hh_limits, as tess uses them, on the facet P[0..2] and
- * the point P[3]: the side, the L-coordinate and its limits, and its order
+/* hh_setup, or with limbs hh_thin, hh_bound and hh_limits, as tess uses them, on
+ * the facet P[0..2] and the point P[3]: the side, the L-coordinate and its limits, and its order
  * against that of P[4], when *last says that l[1], dl[1] hold it; what is known
  * of P[3] takes its place. */
-static void test_bound(double *l, double *dl, int *last)
+static void test_bound(double *l, double *dl, int *last, int limbs)
 {
     static ex_num den;
-    double h[HH_FACET_LEN], lo, hi;
-    int bound;
+    static tess_int order[3] = { 0, 1, 2 };
+    double h[HH_FACET_LEN], x[9], lo, hi, longest = 0.0, edge, e[3];
+    int bound, base = 0, i, k;
+    hh_set set;
 
-    hh_setup(P[0], P[1], P[2], h);
+    if (limbs) {
+        /* the base opposite to the longest edge */
+        for (i = 0; i < 3; i++) {
+            for (k = 0; k < 3; k++) {
+                e[k] = P[(i + 1) % 3][k] - P[(i + 2) % 3][k];
+                x[3 * i + k] = P[i][k];
+            }
+            edge = length(e);
+            if (edge > longest) base = i;
+            if (edge > longest) longest = edge;
+        }
+        set.x = x;
+        set.p = R[0];
+        set.order = order;
+        set.t3 = set.t5 = -1.0;
+        set.e = 0;
+        hh_setup(P[base], P[(base + 1) % 3], P[(base + 2) % 3], h);
+        if (X.nn.sign != 0) hh_thin(&set, order, base, h);
+        thin += h[9] < 1e-10;
+    } else
+        hh_setup(P[0], P[1], P[2], h);
     bound = hh_bound(h, P[3], &l[0], &dl[0]);
     require(hh_limits(h, P[3], &lo, &hi) == bound, "side by hh_limits");
     if (X.wn.sign > 0) {
@@ -1079,7 +1175,7 @@ static void test_bound(double *l, double *dl, int *last)
 }
 
 /* All that hhpred.h and hhpred.c promise of facets of a class. */
-static void test_facets(int group, long n)
+static void test_facets(int group, int limbs, long n)
 {
     long faults = 0, i;
     double p[5][3], l[2], dl[2], unit;
@@ -1087,7 +1183,7 @@ static void test_facets(int group, long n)
     char name[80];
 
     worst = 0.0;
-    sides = decided = pairs = ordered = limited = 0;
+    sides = decided = pairs = ordered = limited = thin = 0;
     for (i = 0; i < n; i++) {
         unit = make_facet(group, p);
         for (k = 0; k < 3; k++) p[4][k] = p[0][k] + unit * sym();
@@ -1099,8 +1195,8 @@ static void test_facets(int group, long n)
             exact_facet(low_of(5));
             exact_point(P[3]);
             fault = NULL;
-            test_public();
-            test_bound(l, dl, &last);
+            if (!limbs) test_public();
+            test_bound(l, dl, &last, limbs);
             if (fault != NULL && faults++ < 3) {
                 printf("%s:\n", fault);
                 show(5);
@@ -1118,7 +1214,9 @@ static void test_facets(int group, long n)
     faults += decided < sides / 10 || ordered < pairs / 10 || pairs == 0;
     /* an error bound that no case comes near to would be idle */
     faults += worst < 1e-4;
-    sprintf(name, "facets: %s", facet_names[group]);
+    if (limbs) faults += thin < sides / 2;
+    sprintf(name, "facets%s: %s", limbs ? " by limbs" : "",
+            facet_names[group]);
     test_result(name, faults);
 }
 
@@ -1244,13 +1342,20 @@ static void all(void)
     test_indexed(SPHERE, 20000 * percent / 100);
     test_indexed(NORMED, 5000 * percent / 100);
     test_indexed(PLANE, 5000 * percent / 100);
+    for (group = 0; group < CLASSES; group++)
+        if (group != SUBNORMAL || !flushes())
+            test_balls(group, (group == MIXED || group == EXTREME ? 200
+                                                                  : 3000) *
+                                  percent / 100);
     test_flat(20000 * percent / 100);
 #if HH_LIMBS < 88
     test_range(20000 * percent / 100);
 #endif
     test_codes(20000 * percent / 100);
     for (group = 0; group < FACETS; group++)
-        test_facets(group, 5000 * percent / 100);
+        test_facets(group, 0, 5000 * percent / 100);
+    for (group = 0; group < FACETS; group++)
+        test_facets(group, 1, 2000 * percent / 100);
 }
 
 int main(int argc, char **argv)
