@@ -158,6 +158,24 @@ for n in 3 6; do
     fi
 done
 
+# What only a processor that takes subnormal numbers for zero brings about.
+if have "$CC" -Ofast && $CC -Ofast -o build/t_flush build/t_tess.o $HARD \
+    $TEST $LIBS >> $LOG 2>&1; then
+    many "t_tess, subnormal numbers flushed" build/t_flush -quick
+else
+    skip "t_tess, subnormal numbers flushed"
+fi
+
+# The margins of the search; tess.c is included in the test.
+for d in "" -DTESS_LIST=64 -DTESS_FLOAT; do
+    if build t_margin "$CC" "$CFLAGS $d" test/t_margin.c hhpred.c \
+        build/exact.o; then
+        many "t_margin $d" build/t_margin
+    else
+        fail "t_margin $d does not compile"
+    fi
+done
+
 # Coordinates of type float; indices of type short, long.
 if build t_predf "$CC" "-O1 -DTESS_FLOAT" test/t_pred.c hhpred.c $TEST
 then
@@ -191,6 +209,13 @@ if build t_predr "$CC" "$ROUND -O2" test/t_pred.c test/exact.c hhpred.c; then
     many "t_pred, all rounding modes" build/t_predr 10
 else
     skip "t_pred in all rounding modes"
+fi
+
+if build t_marginr "$CC" "$ROUND -O2 -I." test/t_margin.c test/exact.c \
+    hhpred.c; then
+    many "t_margin, all rounding modes" build/t_marginr 10
+else
+    skip "t_margin in all rounding modes"
 fi
 
 # Sanitizers.

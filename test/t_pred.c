@@ -980,6 +980,10 @@ static long facet_faults(const double *f, int code, int line)
 #endif
     }
     for (k = 0; k < 3; k++) faults += f[6 + k] != P[0][k];
+    /* too thin or too small for bounds: then nothing of the centre is left */
+    if (f[9] == DBL_MAX)
+        faults += f[3] != 0.0 || f[4] != 0.0 || f[5] != 0.0 ||
+                  f[10] != DBL_MAX || f[11] != 0.0;
     if (line && code == 1) {
         for (k = 0; k < 6; k++) faults += f[k] != 0.0;
         faults += f[11] != 0.0 || f[9] != DBL_MAX || f[10] != DBL_MAX;
@@ -1062,6 +1066,7 @@ static void test_public(void)
     ex_copy(&den, &X.wn);
     ex_shift(&den, 1);
     line = X.nn.sign == 0;
+    for (k = 0; k < HH_FACET_LEN; k++) f[k] = 7e77;
     code = hh_facet(R[0], R[1], R[2], f);
     require(facet_faults(f, code, line) == 0, "hh_facet");
     for (k = 0; k < 3; k++) w[k] = P[3][k] - P[0][k];

@@ -505,7 +505,7 @@ static int checked(const result *r)
     code = tess_check(r->n, r->p, r->ntet, r->tet, r->adj, 2 * r->n, iw,
                       &bad);
     if (code == 0) require(bad == TESS_NONE, "tess_check sets bad");
-    if (code > 0 && code != TESS_BAD_POINT)
+    if (code > 0 && code != TESS_BAD_POINT && r->ntet > 0)
         require(bad >= TESS_NONE && bad < r->ntet, "tess_check's bad");
     require(overrun() == 0, "tess_check overruns an array");
     release(keep);
@@ -769,6 +769,9 @@ static void test_bad_arguments(void)
     r.n = -1;
     bad_call(&r, 0, -1, 0, "tess with n < 0");
     bad_call(&r, 1, -1, good.ntet, "tess_resume with n < 0");
+    r.n = largest() / 5 + 1;
+    bad_call(&r, 0, -1, 0, "tess with n too large");
+    bad_call(&r, 1, -1, good.ntet, "tess_resume with n too large");
     r = good;
     r.maxtet = -1;
     bad_call(&r, 0, -3, 0, "tess with maxtet < 0");
@@ -1257,6 +1260,32 @@ static void verify_weights(const result *r, tess_int t, const double *q,
             "the weights do not sum to one");
 }
 
+/* Does one of the tetrahedra hold q, or its boundary? */
+static int held_by_one(const result *r, const double *q)
+{
+    const double *v[4], *u[4];
+    tess_int t;
+    int i, j, k;
+
+    for (t = 0; t < r->ntet; t++) {
+        for (k = 0; k < 4; k++) v[k] = at(r, r->tet[4 * t + k]);
+        for (i = 0; i < 3; i++) {
+            for (k = 0; k < 4; k++)
+                if (v[k][i] <= q[i]) break;
+            for (j = 0; j < 4; j++)
+                if (v[j][i] >= q[i]) break;
+            if (k == 4 || j == 4) break;
+        }
+        if (i < 3) continue;
+        for (k = 0; k < 4; k++) {
+            for (i = 0; i < 4; i++) u[i] = i == k ? q : v[i];
+            if (ex_orient(u[0], u[1], u[2], u[3]) < 0) break;
+        }
+        if (k == 4) return 1;
+    }
+    return 0;
+}
+
 static void locate(const result *r, const double *q, tess_int from,
                    int expected)
 {
@@ -1396,9 +1425,9 @@ static void test_locate(void)
         run(&r);
         current = &r;
         for (m = 0; m < 300; m++) {
-            for (k = 0; k < 3; k++) q[k] = rnd_unit();
+            for (k = 0; k < 3; k++) q[k] = (double)(float)rnd_unit();
             locate(&r, q, m % 2 ? TESS_NONE : (tess_int)rnd_below((int)i),
-                   -1);
+                   !held_by_one(&r, q));
         }
         release(1);
     }
@@ -1412,7 +1441,7 @@ static void test_locate(void)
 /* adj from tet, by sorting the facets. */
 static void link_up(result *r)
 {
-    tess_int *f = (tess_int *)malloc((size_t)(16 * r->ntet) * sizeof *f);
+    tess_int *f = (tess_int *)malloc((size_t)(16 * r->ntet + 1) * sizeof *f);
     tess_int i, v[3], x;
     int j, k;
 
@@ -1833,6 +1862,453 @@ static void test_mutations(void)
     }
 }
 
+/* ---- damage that tess_resume finds ---- */
+
+/* tess_resume refuses r, of ntet tetrahedra, with the code; tet and adj stay. */
+static void refused(const result *like, int code, const char *what)
+{
+    result r = *like;
+    size_t length = (size_t)(4 * r.maxtet) * sizeof(tess_int);
+    int keep = narrays;
+
+    r.iw = ints(r.liw);
+    r.rw = (double *)array((size_t)r.lrw * sizeof(double));
+    r.tet = ints(4 * r.maxtet);
+    r.adj = ints(4 * r.maxtet);
+    memcpy(r.tet, like->tet, length);
+    memcpy(r.adj, like->adj, length);
+    resume(&r);
+    require(r.code == code && r.ntet == like->ntet, what);
+    if (r.code != code) printf("    code %d instead of %d\n", r.code, code);
+    require(memcmp(r.tet, like->tet, length) == 0 &&
+            memcmp(r.adj, like->adj, length) == 0, "damage, and written");
+    require(overrun() == 0, "an array is overrun");
+    release(keep);
+}
+
+static void test_damage(void)
+{
+    static const char *const family[] = {
+        "uniform", "lattice", "duplicates", NULL
+    };
+    static const double five[15] = {
+        0, 0, 0, 8, 0, 0, 0, 8, 0, 2, 2, 1, 2, 2, -1
+    };
+    static const tess_int two[8] = { 0, 1, 2, 3, 0, 2, 1, 4 };
+    result whole, r;
+    tess_int i, j, u, held, stop_at;
+    int f, k;
+
+    for (f = 0; family[f] != NULL; f++) {
+        faults = 0;
+        current = NULL;
+        points(&whole, family[f], quick ? 16 : 40, 2);
+        solve(&whole);
+        /* unfinished in the middle, and whole: no pool, then none at a star */
+        for (stop_at = whole.ntet / 2; stop_at <= whole.ntet;
+             stop_at += whole.ntet - whole.ntet / 2) {
+            r = whole;
+            room(&r, stop_at);
+            run(&r);
+            current = &r;
+            require(r.code == (stop_at < whole.ntet ? TESS_MORE : TESS_OK),
+                    "a code");
+            for (i = 0; i < 4 * r.ntet && faults == 0; i++) {
+                u = r.adj[i];
+                /* another point, even a duplicate of the right one */
+                for (j = 0; j < r.n; j++)
+                    if (whole.iw[j] != j && whole.iw[j] == r.tet[i]) {
+                        held = r.tet[i];
+                        r.tet[i] = j;
+                        refused(&r, -5, "a duplicate for a vertex");
+                        r.tet[i] = held;
+                    }
+                /* turned inside out */
+                j = i - i % 4 + (i + 1) % 4;
+                held = r.tet[i];
+                r.tet[i] = r.tet[j];
+                r.tet[j] = held;
+                r.adj[i] = r.adj[j];
+                r.adj[j] = u;
+                /* one before it is first to see that they do not match */
+                for (k = 0, held = -5; k < 4; k++)
+                    if (r.adj[i - i % 4 + k] >= 0 &&
+                        r.adj[i - i % 4 + k] < i / 4)
+                        held = -6;
+                refused(&r, (int)held, "a tetrahedron turned inside out");
+                held = r.tet[j];
+                r.tet[j] = r.tet[i];
+                r.tet[i] = held;
+                r.adj[j] = r.adj[i];
+                r.adj[i] = u;
+                if (u < 0) continue;
+                /* one side only */
+                for (held = TESS_OPEN; held <= TESS_NONE; held++) {
+                    r.adj[i] = held;
+                    refused(&r, -6, "matched on one side alone");
+                }
+                /* any other neighbour */
+                for (held = 0; held < r.ntet; held += 7)
+                    if (held != u) {
+                        r.adj[i] = held;
+                        refused(&r, -6, "not its neighbour");
+                    }
+                /* open on both sides: in the pool, or in the link */
+                for (k = 0; k < 4; k++)
+                    if (r.adj[4 * u + k] == i / 4) break;
+                require(k < 4, "adj is not mutual");
+                r.adj[i] = r.adj[4 * u + k] = TESS_OPEN;
+                refused(&r, -6, "open on both sides");
+                r.adj[i] = u;
+                r.adj[4 * u + k] = i / 4;
+            }
+            resume(&r);
+            require(r.code == (stop_at < whole.ntet ? TESS_MORE : TESS_OK),
+                    "the test's own result");
+        }
+        current = NULL;
+        release(0);
+        done("damage", family[f]);
+    }
+    faults = 0;
+    given(&r, "five points, two tetrahedra", five, 5, two, 2);
+    current = &r;
+    refused(&r, -5, "a neighbour's apex in the ball");
+    current = NULL;
+    release(0);
+    test_result("damage: not Delaunay", faults);
+}
+
+/* The place of vertex v in tetrahedron t, or 4. */
+static int slot_of(const result *r, tess_int t, tess_int v)
+{
+    int k;
+
+    for (k = 0; k < 4; k++)
+        if (r->tet[4 * t + k] == v) break;
+    return k;
+}
+
+/* Ways in which a walk cannot arrive. */
+static void test_lost(void)
+{
+    /* triangles about a middle one, turned so that from each the walk goes on
+     * to the next, round and round; all joined to a point above.  The points
+     * are not Delaunay. */
+    static const double wheel[21] = {
+        1, 0, 0, -0.5, 0.875, 0, -0.5, -0.875, 0, 9.375, -3.5, 0, -1.75, 9.875,
+        0, -7.625, -6.375, 0, 0, 0, 5
+    };
+    static const double q[3] = { 0, 0, 1 };
+    tess_int tet[28], t, from, i;
+    tess_real z[3];
+    double w[4];
+    result r;
+    int k, code;
+
+    faults = 0;
+    tet[0] = 0;
+    tet[1] = 1;
+    tet[2] = 2;
+    for (i = 0; i < 3; i++) {
+        tess_int next = (i + 1) % 3, *a = tet + 4 * (1 + 2 * i), *b = a + 4;
+
+        a[0] = next;
+        a[1] = i;
+        a[2] = 3 + i;
+        b[0] = 3 + next;
+        b[1] = next;
+        b[2] = 3 + i;
+    }
+    for (i = 0; i < 7; i++) tet[4 * i + 3] = 6;
+    given(&r, "a wheel", wheel, 7, tet, 7);
+    current = &r;
+    for (i = 0; i < 28; i++)
+        require(r.tet[i] == tet[i], "the test's own wheel");
+    for (t = 0; t < 7; t++) locate(&r, q, t, 0);
+    for (k = 0; k < 3; k++) z[k] = (tess_real)q[k];
+    for (t = 1; t < 7; t++) {
+        from = t;
+        require(tess_locate(r.p, 7, r.tet, r.adj, z, &from, w) == 0 &&
+                from == 0, "a walk that goes round");
+    }
+    release(0);
+
+    /* neighbours out of range where the walk comes */
+    points(&r, "uniform", 100, 3);
+    solve(&r);
+    current = &r;
+    for (k = 0; k < 2; k++) {
+        r.tet = ints(4 * r.ntet);
+        r.adj = ints(4 * r.ntet);
+        run(&r);
+        for (i = 0; i < 4 * r.ntet; i++)
+            if (r.adj[i] != TESS_NONE)
+                r.adj[i] = k ? r.ntet : TESS_OPEN - 1;
+        for (i = 0; i < r.n; i++) {
+            for (code = 0; code < 3; code++) z[code] = r.p[3 * i + code];
+            for (t = 0; t < r.ntet; t += 17) {
+                if (slot_of(&r, t, i) < 4) continue;
+                from = t;
+                code = tess_locate(r.p, r.ntet, r.tet, r.adj, z, &from, w);
+                require(code == -4, "a neighbour out of range");
+            }
+        }
+    }
+    current = NULL;
+    release(0);
+    test_result("tess_locate where a walk cannot arrive", faults);
+}
+
+/* ---- where the arithmetic, or the limbs, do not suffice ---- */
+
+static int flushes(void)
+{
+    volatile double x = DBL_MIN;
+
+    x *= 0.5;
+    return x == 0.0;
+}
+
+/* A subnormal coordinate: TESS_RANGE where the processor takes it for zero,
+ * else the right result.  (It is made when compiled, and only copied.) */
+static void test_subnormal(void)
+{
+    static const tess_real sub[2] = {
+        sizeof(tess_real) < sizeof(double) ? (tess_real)(FLT_MIN / 4)
+                                           : (tess_real)(DBL_MIN / 4),
+        sizeof(tess_real) < sizeof(double) ? (tess_real)(-FLT_MIN / 4)
+                                           : (tess_real)(-DBL_MIN / 4)
+    };
+    static const double corner[12] = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 };
+    static const tess_int one[4] = { 0, 1, 2, 3 };
+    tess_real p[12], q[3];
+    double w[4];
+    tess_int t, iw[10], bad;
+    result r;
+    int i, k, off = flushes();
+
+    faults = 0;
+    for (i = 0; i < 30; i++) {
+        current = NULL;
+        points(&r, "uniform", 20, 3);
+        memcpy(r.p + 2 * i, sub + i % 2, sizeof *sub);
+        current = &r;
+        if (off) {
+            room(&r, 100);
+            run(&r);
+            require(r.code == TESS_RANGE && r.ntet == 0, "flushed");
+            require(untouched(r.tet, 400 * sizeof(tess_int)), "written");
+            resume(&r);
+            require(r.code == TESS_RANGE && r.ntet == 0, "flushed, resumed");
+        } else {
+            solve(&r);
+            verify(&r);
+        }
+        release(0);
+    }
+    current = NULL;
+    given(&r, "a corner", corner, 4, one, 1);
+    for (i = 0; i < 12; i++) {
+        /* any coordinate that is zero, of a point or of the place */
+        if (corner[i] != 0.0) continue;
+        memcpy(p, r.p, sizeof p);
+        for (k = 0; k < 3; k++) q[k] = 0;
+        memcpy(p + i, sub, sizeof *sub);
+        require(tess_check(4, p, 1, r.tet, r.adj, 8, iw, &bad) ==
+                (off ? TESS_RANGE : TESS_OK), "tess_check, subnormal");
+        /* all that matters is subnormal: 2 for each of the five places */
+        for (k = 0; k < 12; k++) {
+            p[k] = 0;
+            if (corner[k] != 0.0) memcpy(p + k, sub, sizeof *sub);
+        }
+        require(hh_orient(p, p + 3, p + 6, p + 9) == (off ? 2 : 1) &&
+                hh_insphere(p, p + 3, p + 6, p + 9, q) == (off ? 2 : 0),
+                "signs of subnormal points");
+        for (k = 3; k < 12; k += 4) {
+            p[k] = 1;
+            require(hh_orient(p, p + 3, p + 6, p + 9) ==
+                    (k == 11 || !off ? 1 : 2), "one still subnormal");
+        }
+        memcpy(q, sub, sizeof *sub);
+        memcpy(q + 1, sub, sizeof *sub);
+        memcpy(q + 2, sub, sizeof *sub);
+        require(hh_insphere(p, p + 3, p + 6, p + 9, q) == (off ? 2 : 1),
+                "a subnormal point in a ball");
+        t = 0;
+        for (k = 0; k < 4; k++) w[k] = 7.0;
+        k = tess_locate(p, 1, r.tet, r.adj, q, &t, w);
+        require(off ? k == TESS_RANGE && w[0] == 0.0 && w[1] == 0.0 &&
+                          w[2] == 0.0 && w[3] == 0.0
+                    : k == 0, "a subnormal place");
+    }
+    release(0);
+    printf("        subnormal numbers are %s\n", off ? "flushed" : "kept");
+    test_result("subnormal coordinates", faults);
+}
+
+/* tess_check of a complex that few limbs cannot decide on. */
+static void beyond_limbs(const double *p, tess_int n, const tess_int *tet,
+                         tess_int ntet, int code, const char *name)
+{
+    result r;
+    int found;
+
+    given(&r, name, p, n, tet, ntet);
+    current = &r;
+    found = checked(&r);
+    require(found == (HH_LIMBS < 88 ? TESS_RANGE : code), name);
+    current = NULL;
+    release(0);
+}
+
+static void test_limbs(void)
+{
+    static const tess_int one[4] = { 0, 1, 2, 3 };
+    static const tess_int across[8] = { 0, 1, 2, 3, 1, 2, 3, 4 };
+    static const tess_int beside[8] = { 0, 1, 2, 4, 0, 2, 3, 4 };
+    double corner[15] = { 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 0 };
+    double roof[15] = { 0, -0.5, 0, 2, 0, 0, 0, 0.5, 0, -2, 0, 0, 0, 0, 1 };
+    double tiny = ldexp(1.0, sizeof(tess_real) < sizeof(double) ? -120
+                                                                : -1010);
+    double w[4];
+    tess_real q[3];
+    tess_int t;
+    result r;
+    int i, code;
+
+    faults = 0;
+    for (i = -1; i <= 1; i += 2) {
+        corner[14] = i * tiny;
+        /* in the ball of the first four, or below their plane z = 0 */
+        beyond_limbs(corner, 5, across, 2,
+                     i > 0 ? TESS_BAD_BALL : TESS_BAD_HULL,
+                     "a point just inside or outside of a ball");
+        roof[11] = i * tiny;
+        beyond_limbs(roof, 5, beside, 2, i > 0 ? 0 : TESS_BAD_HULL,
+                     "an edge just convex or not");
+        given(&r, "a corner", corner, 4, one, 1);
+        current = &r;
+        q[0] = q[1] = (tess_real)0.25;
+        q[2] = (tess_real)(i * tiny);
+        t = 0;
+        for (code = 0; code < 4; code++) w[code] = 7.0;
+        code = tess_locate(r.p, 1, r.tet, r.adj, q, &t, w);
+        require(code == (HH_LIMBS < 88 ? TESS_RANGE : i < 0),
+                "a place just inside or outside");
+        require(HH_LIMBS >= 88 ||
+                (w[0] == 0.0 && w[1] == 0.0 && w[2] == 0.0 && w[3] == 0.0),
+                "TESS_RANGE, and weights");
+        current = NULL;
+        release(0);
+    }
+    corner[9] = corner[10] = 0.25;
+    corner[11] = tiny;
+    beyond_limbs(corner, 4, one, 1, 0, "a tetrahedron almost flat");
+    beyond_limbs(corner, 4, one, 0, TESS_BAD_POINT, "points almost flat");
+    test_result("what few limbs cannot decide", faults);
+}
+
+/* A cluster so narrow beside the rest that its block has no list. */
+static void test_narrow(void)
+{
+    static const int width[4] = { -420, -440, -460, -700 };
+    double p[3 * 130];
+    result r;
+    int i, j, e;
+
+    faults = 0;
+    if (sizeof(tess_real) < sizeof(double)) return;
+    for (j = 0; j < 4; j++) {
+        for (i = 0; i < 390; i++) {
+            e = i < 300 ? width[j] : 0;
+            p[i] = ldexp(rnd_unit() - (i < 330 ? 0.5 : 0.0), e);
+        }
+        given(&r, "a narrow cluster", p, 130, NULL, 0);
+        release(1);
+        solve(&r);
+        verify(&r);
+        current = NULL;
+        release(0);
+    }
+    test_result("a cluster too narrow for a list", faults);
+}
+
+/* Weights in tetrahedra that are flat to rounding. */
+static void test_slivers(void)
+{
+    result r;
+    double p[12], c[3], w[4], x[3], miss, sum, size;
+    const double *v[4], *u[4];
+    tess_real q[3];
+    tess_int t;
+    int set, m, i, k, j, s, e, code, held = 0, hits = 0;
+
+    faults = 0;
+    for (set = 0; set < 300; set++) {
+        e = set % 3 == 0 ? 0 : rnd_below(1800) - 900;
+        if (sizeof(tess_real) < sizeof(double)) e /= 10;
+        do {
+            c[0] = 2.0 * rnd_unit() - 0.5;
+            c[1] = 2.0 * rnd_unit() - 0.5;
+            c[2] = 1.0 - c[0] - c[1];
+        } while (c[2] < -0.5 || c[2] > 1.5);
+        for (i = 0; i < 9; i++) p[i] = ldexp(2.0 * rnd_unit() - 1.0, e);
+        for (k = 0; k < 3; k++)
+            p[9 + k] = c[0] * p[k] + c[1] * p[3 + k] + c[2] * p[6 + k];
+        given(&r, "a sliver", p, 4, NULL, 0);
+        release(1);
+        current = &r;
+        solve(&r);
+        require(r.code == TESS_OK || r.code == TESS_PLANE, "a code");
+        if (r.code != TESS_OK) {
+            release(0);
+            continue;
+        }
+        for (k = 0; k < 4; k++) v[k] = at(&r, r.tet[k]);
+        for (m = 0; m < 40; m++) {
+            for (i = 0, sum = 0.0; i < 4; i++) sum += w[i] = rnd_unit();
+            if (m % 4 == 0) w[m / 4 % 4] *= -1.0;
+            if (m % 4 == 1) w[m / 4 % 4] = w[(m / 4 + 1) % 4] = 0.0;
+            for (k = 0; k < 3; k++) {
+                volatile tess_real rounded =
+                    (tess_real)((w[0] * v[0][k] + w[1] * v[1][k] +
+                                 w[2] * v[2][k] + w[3] * v[3][k]) / sum);
+                q[k] = rounded;
+                x[k] = (double)q[k];
+            }
+            t = TESS_NONE;
+            code = tess_locate(r.p, 1, r.tet, r.adj, q, &t, w);
+            for (k = 0, held = 1; k < 4; k++) {
+                for (i = 0; i < 4; i++) u[i] = i == k ? x : v[i];
+                s = ex_orient(u[0], u[1], u[2], u[3]);
+                if (s < 0) held = 0;
+                require(w[k] * s >= 0.0 && (s != 0 || w[k] == 0.0),
+                        "the sign of a weight");
+            }
+            require(t == 0 && code == !held, "in a sliver or not");
+            hits += held;
+            sum = w[0] + w[1] + w[2] + w[3];
+            for (k = 0, size = 0.0; k < 4; k++) size += fabs(w[k]);
+            require(fabs(sum - 1.0) <= 1e-14 * size, "the weights' sum");
+            for (i = 0; i < 3 && held; i++) {
+                for (j = 0, size = 0.0; j < 4; j++)
+                    if (fabs(v[j][i]) > size) size = fabs(v[j][i]);
+                for (j = 0; j < 3; j++)
+                    for (k = 0; k < 4; k++)
+                        if (fabs(v[k][j]) > size) size = fabs(v[k][j]);
+                for (k = 0, miss = -x[i]; k < 4; k++) miss += w[k] * v[k][i];
+                require(fabs(miss) <= 1e-14 * size, "what they interpolate");
+            }
+        }
+        current = NULL;
+        release(0);
+    }
+    printf("        %d places inside\n", hits);
+    require(hits > 100, "places inside of slivers");
+    test_result("weights in slivers", faults);
+}
+
 static void test_check_arguments(void)
 {
     result r;
@@ -1847,6 +2323,12 @@ static void test_check_arguments(void)
     current = &r;
     require(tess_check(-1, r.p, r.ntet, r.tet, r.adj, 100, iw, &bad) == -1,
             "tess_check with n < 0");
+    require(tess_check(largest() / 3 + 1, r.p, r.ntet, r.tet, r.adj, 100, iw,
+                       &bad) == -1, "tess_check with n too large");
+    require(tess_check(r.n, r.p, (largest() - 3) / 4 + 1, r.tet, r.adj, 100,
+                       iw, &bad) == -3, "tess_check with ntet too large");
+    require(tess_check(r.n, r.p, r.ntet, r.tet, r.adj, r.n - 1, iw, &bad) ==
+            -6, "tess_check with liw < n");
     require(tess_check(r.n, r.p, -1, r.tet, r.adj, 100, iw, &bad) == -3,
             "tess_check with ntet < 0");
     require(tess_check(r.n, r.p, r.ntet, r.tet, r.adj, 79, iw, &bad) == -6,
@@ -1914,6 +2396,7 @@ int main(int argc, char **argv)
     }
     if (argc > 1 && strcmp(argv[1], "-range") == 0) {
         test_range();
+        test_limbs();
         return test_end("t_tess");
     }
     if (argc > 4 && strcmp(argv[1], "-one") == 0) {
@@ -1930,9 +2413,15 @@ int main(int argc, char **argv)
     test_families();
     test_workspace();
     test_resume();
+    test_damage();
     test_check_arguments();
     test_faults();
     test_mutations();
     test_locate();
+    test_lost();
+    test_slivers();
+    test_narrow();
+    test_limbs();
+    test_subnormal();
     return test_end("t_tess");
 }
