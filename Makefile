@@ -4,6 +4,8 @@
 # make pictures    write test/pictures anew
 # make check       the tests
 # make torture     a hunt for faults: TIME=600, in seconds; SEED=1 for a known one
+# make coverage   which lines of the library the tests run (gcov)
+# make mutation   which changes of it they notice: sh test/mutate.sh
 # make bench       the timings
 # make paper       the experiments of the paper: test/paper/results.txt
 # make mirror      write test/data/mirror.xyz anew
@@ -83,6 +85,12 @@ check: all
 torture:
 	CC="$(CC)" sh test/torture.sh $(TIME) $(SEED)
 
+coverage:
+	CC="$(CC)" sh test/coverage.sh
+
+mutation:
+	CC="$(CC)" sh test/mutate.sh
+
 bench: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/bench.sh
 
@@ -98,4 +106,5 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all run examples pictures check torture bench paper mirror clean help
+.PHONY: all run examples pictures check torture coverage mutation bench paper \
+    mirror clean help
