@@ -3,9 +3,9 @@
 # make examples    the programs of test/examples
 # make pictures    write test/pictures anew
 # make check       the tests
-# make torture     a hunt for faults: TIME=600, in seconds; SEED=1 for a known one
-# make coverage   which lines of the library the tests run (gcov)
-# make mutation   which changes of it they notice: sh test/mutate.sh
+# make torture     a hunt for faults: TIME=600 seconds, SEED=1
+# make coverage    which lines of the library the tests run (gcov)
+# make mutation    which changes of it they notice: sh test/mutate.sh
 # make bench       the timings
 # make paper       the experiments of the paper: test/paper/results.txt
 # make mirror      write test/data/mirror.xyz anew

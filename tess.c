@@ -1501,7 +1501,7 @@ static void consider(const mesh *m, quest *f, tess_int z)
  * d[3] has room for dc, and for all rounding:
  *   single precision, where |u[i]| <= most[i] <= 1: |u|^2 <= 3 by at most 8
  *   roundings, two of them of u itself and the last that of the difference; d.u
- *   by at most 6 of each term; d[3] itself;
+ *   by at most 6 of each term; d[3] itself; underflow is far below FEPS;
  *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
  *   with g, 6 roundings of (1 + |g|) a.
  * Returns 0 when the ball is too large for that. */

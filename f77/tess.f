@@ -1937,6 +1937,7 @@ C     D(4) has room for dc, and for all rounding:
 C       single precision, where |u(K)| <= most(K) <= 1: |u|**2 <= 3 by
 C       at most 8 roundings, two of them of u itself and the last that
 C       of the difference; D.u by at most 6 of each term; D(4) itself;
+C       underflow is far below FEPS;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.

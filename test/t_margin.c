@@ -8,13 +8,13 @@
  * routines are called by themselves here (tess.c is included), on points that
  * are near to one sphere or plane, of the most different sizes, far from the
  * base, or lost in underflow, and nothing that they say may be false:
- *   block     has all uncompleted points of its box; bounds of its coordinates
- *   gather    has all uncompleted points nearer to the star than its margin
- *   away      no candidate is in the box of a node that is left out
- *   toward, aim, filter   each candidate of a list passes, and the vertices
- *             of the facet and the best point, which are counted on
- *   within, contained     no candidate is elsewhere, if they say so
- *   search, apex          no candidate beats what they find
+ *   leaflist  has all uncompleted points of its box; bounds of its coordinates
+ *   starlist  has all uncompleted points nearer to the star than its margin
+ *   prunebox  no candidate is in the box of a node that is left out
+ *   starcoef, ballcoef, inball   each candidate of a list passes, and the
+ *             vertices of the facet and the best point, which are counted on
+ *   ballinstar, ballinbox        no candidate is elsewhere, if they say so
+ *   treesearch, apex             no candidate beats what they find
  * Candidates are the uncompleted points on the facet's positive side that are
  * in the ball of the best one or on it, by exact.c.  In all rounding modes
  * with -DTEST_ROUNDING and a C99 compiler.
@@ -42,7 +42,7 @@ static double rw[POOL];
 static mesh M;
 
 enum {
-    UNIFORM, BALL, PATCH, SCALES, LATTICE, FLAT, PLANE, WIDE, STRETCHED,
+    UNIFORM, BALL, PATCH, SCALES, LATTICE, FLAT, PLANE, ANYWHERE, STRETCHED,
     APART, LASTPLACES, MIXED_ONES, CLASSES
 };
 static const char *const names[CLASSES] = {
@@ -140,7 +140,7 @@ static void make(int kind, double (*p)[3], int first_one, int last_one)
             for (k = 0; k < 3; k++) p[i][k] = 0.0625 * (rnd_below(33) - 16);
             if (i % 16) p[i][axis] = 0.5;
             break;
-        case WIDE:
+        case ANYWHERE:
             for (k = 0; k < 3; k++)
                 p[i][k] = sym() * power(-rnd_below(bits % 2 ? 60 : 1000));
             break;
@@ -173,7 +173,7 @@ static int set_up(void)
 
     n = (tess_int)(12 + rnd_below(MOST - 12));
     if (rnd_below(2)) n = n / 3 + 6;
-    if (class == WIDE) n = n / 4 + 6;
+    if (class == APART) n = n / 4 + 6;
     for (i = 0; i < parts; i++)
         make(class == MIXED_ONES ? rnd_below(MIXED_ONES) : class, p,
              (int)n * i / parts, (int)n * (i + 1) / parts);
@@ -266,6 +266,12 @@ static void note(const list *l)
     for (i = 0; i < l->n; i++) listed[l->id[i]] = 1;
 }
 
+/* What a coordinate of a list may be: its bound, but for single precision. */
+static double bound(const list *l, int k)
+{
+    return l->most[k] * (1.0 + 4.0 * FEPS) + FLT_MIN;
+}
+
 static void check_lists(tess_int s)
 {
     const list *l = &M.block, *g = &M.around;
@@ -285,9 +291,9 @@ static void check_lists(tess_int s)
         }
         for (i = 0; i < l->n; i++)
             if (living(l->id[i]) &&
-                (fabs((double)l->x[i]) > l->most[0] * (1.0 + 4.0 * FEPS) ||
-                 fabs((double)l->y[i]) > l->most[1] * (1.0 + 4.0 * FEPS) ||
-                 fabs((double)l->z[i]) > l->most[2] * (1.0 + 4.0 * FEPS)))
+                (fabs((double)l->x[i]) > bound(l, 0) ||
+                 fabs((double)l->y[i]) > bound(l, 1) ||
+                 fabs((double)l->z[i]) > bound(l, 2)))
                 fail("a coordinate of the block is above its bound");
         for (k = 0; k < 3; k++)
             /* 1 but for the rounding of the box's centre */
@@ -313,7 +319,7 @@ static void check_lists(tess_int s)
 static void check_filter(const quest *f, const list *l, const float *d,
                          const char *what)
 {
-    int in[TESS_LIST], i, sum = 0, count = filter(l, d, in);
+    int in[TESS_LIST], i, sum = 0, count = inball(l, d, in);
 
     /* what has left the list, and what fills up its last four, never pass */
     for (i = 0; i < (l->n + 3) / 4 * 4; i++)
@@ -357,15 +363,15 @@ static void check_large(const quest *of)
         f.size += fabs(f.c[k]);
     }
     f.dc = ldexp(f.size, -50);
-    if (l->n > 0 && aim(l, &f, f.c, d)) {
-        filter(l, d, in);
+    if (l->n > 0 && ballcoef(l, &f, f.c, d)) {
+        inball(l, d, in);
         for (i = 0; i < (l->n + 3) / 4 * 4; i++)
             require(l->r[i] < FAR || !in[i], "aim: a large ball");
     }
-    if (g->n > 0 && toward(g, &f, d)) {
-        filter(g, d, in);
+    if (g->n > 0 && starcoef(g, &f, d)) {
+        inball(g, d, in);
         for (i = 0; i < (g->n + 3) / 4 * 4; i++)
-            require(g->r[i] < FAR || !in[i], "toward: a large ball");
+            require(g->r[i] < FAR || !in[i], "starcoef: a large ball");
     }
 }
 
@@ -383,13 +389,13 @@ static void check_spread(const quest *f)
         for (i = from; i < to; i++) {
             for (k = 0, size = 0.0; k < 3; k++)
                 size += fabs(M.x[3 * i + k] - f->f[6 + k]);
-            require(size <= spread(f, b, b + 3) * (1.0 + 8.0 * EPS),
+            require(size <= extent(f, b, b + 3) * (1.0 + 8.0 * EPS),
                     "spread: a point is farther");
         }
     }
 }
 
-/* What away says of the tree's boxes. */
+/* What prunebox says of the tree's boxes. */
 static void check_boxes(const quest *f)
 {
     tess_int node, i, from, to;
@@ -397,12 +403,12 @@ static void check_boxes(const quest *f)
     for (node = 1; node < 2 * M.leaves; node++) {
         const double *b = M.box + 6 * node;
 
-        if (!away(f, b, b + 3)) continue;
+        if (!prunebox(f, b, b + 3)) continue;
         if (f->ball) boxes_out++;
         else boxes_back++;
         span(&M, node, &from, &to);
         for (i = from; i < to; i++)
-            require(!candidate[i], "away: a candidate is in the box");
+            require(!candidate[i], "prunebox: a candidate is in the box");
     }
     /* boxes of single points and of pairs are the hardest */
     for (i = 0; i + 1 < M.np; i++) {
@@ -411,13 +417,13 @@ static void check_boxes(const quest *f)
         int k;
 
         if (candidate[i])
-            require(!away(f, x, x), "away: a candidate is the box");
+            require(!prunebox(f, x, x), "prunebox: a candidate is the box");
         for (k = 0; k < 3; k++) {
             lo[k] = x[k] < x[3 + k] ? x[k] : x[3 + k];
             hi[k] = x[k] < x[3 + k] ? x[3 + k] : x[k];
         }
         if (candidate[i] || candidate[i + 1])
-            require(!away(f, lo, hi), "away: a candidate is in the pair");
+            require(!prunebox(f, lo, hi), "prunebox: a candidate is in the pair");
     }
 }
 
@@ -428,20 +434,20 @@ static void check_ball(quest *f)
     balls++;
     truth(f->v, f->best);
     check_boxes(f);
-    if (M.around.n > 0 && !f->turned) {
-        if (toward(&M.around, f, d))
-            check_filter(f, &M.around, d, "toward: a candidate is left out");
-        if (within(&M, f)) {
+    if (M.around.n > 0 && f->base == 0) {
+        if (starcoef(&M.around, f, d))
+            check_filter(f, &M.around, d, "starcoef: a candidate is left out");
+        if (ballinstar(&M, f)) {
             inside_star++;
             require(!missed(&M.around), "within: a candidate is elsewhere");
         }
     }
     if (M.block.n > 0) {
-        if (aim(&M.block, f, f->c, d))
+        if (ballcoef(&M.block, f, f->c, d))
             check_filter(f, &M.block, d, "aim: a candidate is left out");
-        if (contained(&M, f, &M.block)) {
+        if (ballinbox(&M, f, &M.block)) {
             inside_block++;
-            require(!missed(&M.block), "contained: a candidate is elsewhere");
+            require(!missed(&M.block), "ballinbox: a candidate is elsewhere");
         }
     }
 }
@@ -494,16 +500,16 @@ static void check_facet(tess_int s)
     for (tries = 0; tries < 4; tries++) {
         z = some();
         if (!ahead[z] || z == f.best) continue;
-        compare(&M, &f, z);
+        challenge(&M, &f, z);
         if (f.best != NONE && f.ball) check_ball(&f);
         truth(v, NONE);
     }
     /* the same by routines that go to the end: from any start */
-    search(&M, &f);
+    treesearch(&M, &f);
     check_best(v, f.best, "search: a better point");
     if (f.best != NONE && f.ball) check_ball(&f);
     prepare(&M, &f, v);
-    search(&M, &f);
+    treesearch(&M, &f);
     check_best(v, f.best, "search without a ball: a better point");
     guess[0] = rnd_below(2) ? NONE : some();
     guess[1] = rnd_below(2) ? NONE : some();
@@ -520,7 +526,7 @@ static void round_of(void)
     for (stars_of = 0; stars_of < 4; stars_of++) {
         s = some();
         if (!living(s)) return;
-        gather(&M, s);
+        starlist(&M, s);
         check_lists(s);
         for (k = 0; k < 4 && faults < 20; k++) check_facet(s);
         complete(&M, s);
