@@ -484,7 +484,7 @@ static int precise(int m)
  * subnormal operands, which no comparison can find then, or to subnormal
  * results.  The operand's bits tell: a zero has none but the sign's.
  * (volatile: that a number was found to be 0 must not lead a compiler to take
- * its bits to be those of 0.0.)  frexp is asked, too: with arithmetic in an x87
+ * its bits to be those of 0.0.)  ldexp is asked, too: with arithmetic in an x87
  * unit the mathematical library may do its own elsewhere, and take for 0 what
  * the unit does not. */
 int hh_holds(tess_int n, const tess_real *p)
@@ -496,15 +496,15 @@ int hh_holds(tess_int n, const tess_real *p)
     volatile tess_real value;
     volatile double twice;
     tess_int i;
-    int k, e;
+    int k, e = n % 2 == 0 ? 1 : 3;
 
-    if (!precise(n % 2 == 0 ? 1 : 3)) return 0;
+    if (!precise(e)) return 0;
     for (i = 0; i < 3 * n; i++) {
         value = p[i];
         if (fabs((double)value) >= DBL_MIN) continue;
         if (value != 0) {
             twice = 2.0 * value;
-            if (twice == 0.0 || frexp((double)value, &e) == 0.0) return 0;
+            if (twice == 0.0 || ldexp((double)value, e) == 0.0) return 0;
             continue;
         }
         c = (const unsigned char *)(p + i);

@@ -666,8 +666,8 @@ C     ------------------------------------------------------------------
 C     The arithmetic: what numbers are, and what becomes of them here.
 C     ------------------------------------------------------------------
 
-C     HHKIND - 2 for an infinity or a NaN, 1 for a subnormal number, 0
-C     for all others.
+C     HHKIND - 2 for an infinity or a NaN, 1 for a subnormal number, -1
+C     for a zero, 0 for all others.
 C
 C     By their bits, seen as integers, as a compiler that was told that
 C     there are no NaNs may leave out any comparison that looks for
@@ -696,8 +696,8 @@ C     without the sign
       IF (SIZE .LT. 0) SIZE = SIZE - (IMINUS(HIGH) - ILEAST(HIGH))
       HHKIND = 0
       IF (SIZE .GE. IMOST(HIGH) + ILEAST(HIGH)) HHKIND = 2
-      IF (SIZE .LT. ILEAST(HIGH) .AND.
-     $    (SIZE .NE. 0 .OR. I(3-HIGH) .NE. 0)) HHKIND = 1
+      IF (SIZE .LT. ILEAST(HIGH)) HHKIND = 1
+      IF (SIZE .EQ. 0 .AND. I(3-HIGH) .EQ. 0) HHKIND = -1
       END
 
 C     HHFINI - how many of N points P, from the first on, have finite
@@ -746,7 +746,7 @@ C     do that to subnormal operands, or to subnormal results.  Else 0.
       DO 20 I = 1, N
         DO 10 K = 1, 3
           IF (HHKIND(P(K,I)) .EQ. 1) THEN
-            IF (ABS(P(K,I))*DBLE(M) .LE. 0.0D0) RETURN
+            IF (HHKIND(P(K,I)*DBLE(M)) .EQ. -1) RETURN
           END IF
    10   CONTINUE
    20 CONTINUE
