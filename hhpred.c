@@ -3,7 +3,7 @@
  * Order of the routines, here and in f77/hhpred.f:
  *   exact numbers     nearest split carry zeros signof spread volume ball
  *                     limbsg limbs3 limbs10 limbsx multiply centre leading
- *                     weight exact
+ *                     weight shift exact
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       certain filt3 filt5 opposite pack scale hh_orient
  *                     hh_insphere hh_flat hh_line widersg hh_wider hh_range
@@ -403,6 +403,16 @@ static double weight(double most)
     return ldexp(1.0, e + 2 - HH_BITS);
 }
 
+/* shift - n coordinates q times SHIFT.  One by one (volatile), in the arithmetic
+ * that hh_holds has tried: a compiler may have another one for vectors. */
+static void shift(int n, double *q)
+{
+    volatile double factor = SHIFT;
+    int i;
+
+    for (i = 0; i < n; i++) q[i] *= factor;
+}
+
 /* exact - limbsg with as many limbs as it takes; alters q. */
 static int exact(int np, double *q)
 {
@@ -415,7 +425,7 @@ static int exact(int np, double *q)
     }
     if (most == 0.0) return 0;
     if (most < LOW) {
-        for (i = 0; i < 3 * np; i++) q[i] *= SHIFT;
+        shift(3 * np, q);
         most *= SHIFT;
     }
     top = weight(most);
@@ -763,7 +773,7 @@ int hh_wider(double a, double b, double c, double d)
     for (i = 0; i < 4; i++) most = fabs(q[i]) > most ? fabs(q[i]) : most;
     if (most == 0.0) return 0;
     if (most < LOW) {
-        for (i = 0; i < 4; i++) q[i] *= SHIFT;
+        shift(4, q);
         most *= SHIFT;
     }
     top = weight(most);
@@ -925,7 +935,7 @@ static int rows(const hh_set *s, int np, const tess_int *v, double *x,
     for (i = 0; i < 4; i++) p[i] = s->p + 3 * s->order[v[i < np ? i : 0]];
     most = pack(np, p, q);
     *factor = most < LOW ? SHIFT : 1.0;
-    for (i = 0; i < 3 * np; i++) q[i] *= *factor;
+    if (most < LOW) shift(3 * np, q);
     *top = 2.0 * weight(*factor * most);
     frexp(*top, e);
     *e -= 1 + s->e + (most < LOW ? SKIP * HH_BITS : 0);
@@ -1040,7 +1050,8 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
     *power = UNSURE;
     for (k = 0; k < 3; k++)
         if (fabs((double)p[k]) > t->most ||
-            split(p[k] * t->factor, t->top, n, 3, u + k) > n)
+            split(t->factor == 1.0 ? p[k] : p[k] * t->factor, t->top, n, 3,
+                  u + k) > n)
             break;
     for (i = 0; i < 3 * n && k == 3; i++) {
         u[i] -= t->base[i];

@@ -1942,7 +1942,8 @@ static int inrange(const mesh *m, double most)
 static void times(mesh *m, int e)
 {
     tess_int i, n = 3 * m->np;
-    double f = ldexp(1.0, e);
+    /* volatile: not as vectors, see shift in hhpred.c */
+    volatile double f = ldexp(1.0, e);
 
     if (e == 0) return;
     for (i = 0; i < n; i++) m->x[i] *= f;

@@ -338,7 +338,7 @@ twins() {
 }
 twins tess "point|coords|four|better|proven" \
     "TSPDIS|TSLINE|TSMESH|TSORIQ|TSORIP"
-twins hhpred "held" "HHKIND"
+twins hhpred "held|shift" "HHKIND"
 
 # ---- the same results as the C half ----
 
