@@ -2,8 +2,8 @@
  *
  * Order of the routines, here and in f77/hhpred.f:
  *   exact numbers     nearest split carry zeros signof spread volume ball
- *                     limbsg limbs3 limbs10 limbsx multiply centre leading
- *                     weight shift exact
+ *                     limbsg limbs3 limbs10 limbsx centre leading weight
+ *                     shift exact
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       certain filt3 filt5 opposite pack scale hh_orient
  *                     hh_insphere hh_flat hh_line widersg hh_wider hh_range
@@ -322,58 +322,59 @@ static int limbsx(int np, const double *q, double top)
     return sign;
 }
 
-/* multiply - r += sign x y, for x of n limbs and y of m, of numbers sx, sy
- * and sr side by side. */
-static void multiply(double sign, int n, const double *x, int sx, int m,
-                     const double *y, int sy, double *r, int sr)
-{
-    double a;
-    int i, j;
-
-    for (i = 0; i < n; i++, x += sx) {
-        a = sign * *x;
-        if (a == 0.0) continue;
-        for (j = 0; j < m; j++) r[sr * (i + j + 1)] += a * y[sy * j];
-    }
-}
-
 /* centre - the centre of the ball of four points q of n limbs, seen from the
  * last one: of the rows a, b, w of x, without the common limb weights,
  *     C = |a|^2 (b x w) + |b|^2 (w x a) + |w|^2 (a x b)
- * over twice D = a.(b x w).  At most HH_FEW limbs, so that no sum needs a
- * carry before its end: 3 HH_FEW products of limbs of at most BASE, or 6 HH_FEW
- * where both factors have been carried.  work: 39n doubles; C, 3 numbers of 4n
- * limbs, is at the beginning of it, then D of 3n limbs. */
-static void centre(int n, const double *x, double *work)
+ * over twice D = a.(b x w).  At most 10 limbs, so that no sum needs a carry
+ * before its end: 3n products of limbs of at most BASE, or 6n where both
+ * factors have been carried.  work: 39n doubles; C, 3 numbers of 4n limbs, is
+ * at the beginning of it, then D of 3n limbs, and 9 numbers of 2n limbs, b x w,
+ * w x a, a x b.  Returns how many limbs are 0 in all rows. */
+static int centre(int n, const double *x, double *work)
 {
     double *c = work, *d = c + 12 * n, *minor = d + 3 * n;
-    double *lift = minor + 18 * n;
-    int i, j, k, g, h;
+    double *lift = minor + 18 * n, *l, *r;
+    const double *s, *t;
+    int first = 0, low, i, j, k;
 
     zeros(39 * n, work);
-    for (i = 0; i < 3; i++) {
-        g = 3 * ((i + 1) % 3);
-        h = 3 * ((i + 2) % 3);
-        for (k = 0; k < 3; k++) {
-            j = (k + 1) % 3;
-            multiply(1.0, n, x + g + j, 12, n, x + h + 3 - j - k, 12,
-                     minor + 3 * i + k, 9);
-            multiply(-1.0, n, x + g + 3 - j - k, 12, n, x + h + j, 12,
-                     minor + 3 * i + k, 9);
-            multiply(1.0, n, x + 3 * i + k, 12, n, x + 3 * i + k, 12, lift + i,
-                     3);
+    for (k = 0; first < n - 1 && k < 9; k++)
+        if (k == 8 && x[12 * first + k] == 0.0) {
+            first++;
+            k = -1;
+        } else if (x[12 * first + k] != 0.0)
+            break;
+    for (i = first, s = x + 12 * first; i < n; i++, s += 12)
+        for (j = first, t = x + 12 * first; j < n; j++, t += 12) {
+            r = minor + 9 * (i + j + 1);
+            l = lift + 3 * (i + j + 1);
+            r[0] += s[4] * t[8] - s[5] * t[7];
+            r[1] += s[5] * t[6] - s[3] * t[8];
+            r[2] += s[3] * t[7] - s[4] * t[6];
+            r[3] += s[7] * t[2] - s[8] * t[1];
+            r[4] += s[8] * t[0] - s[6] * t[2];
+            r[5] += s[6] * t[1] - s[7] * t[0];
+            r[6] += s[1] * t[5] - s[2] * t[4];
+            r[7] += s[2] * t[3] - s[0] * t[5];
+            r[8] += s[0] * t[4] - s[1] * t[3];
+            for (k = 0; k < 3; k++)
+                l[k] += s[3 * k] * t[3 * k] + s[3 * k + 1] * t[3 * k + 1] +
+                        s[3 * k + 2] * t[3 * k + 2];
         }
-    }
     carry(2 * n, 9, minor);
     carry(2 * n, 3, lift);
-    for (k = 0; k < 3; k++) {
-        multiply(1.0, n, x + k, 12, 2 * n, minor + k, 9, d, 1);
-        for (i = 0; i < 3; i++)
-            multiply(1.0, 2 * n, lift + i, 3, 2 * n, minor + 3 * i + k, 9,
-                     c + k, 3);
-    }
+    /* two carries reach two limbs up from the first product */
+    low = first > 0 ? 2 * first - 1 : 0;
+    for (i = first, s = x + 12 * first; i < n; i++, s += 12)
+        for (j = low, t = minor + 9 * low; j < 2 * n; j++, t += 9)
+            d[i + j + 1] += s[0] * t[0] + s[1] * t[1] + s[2] * t[2];
+    for (i = low, s = lift + 3 * low; i < 2 * n; i++, s += 3)
+        for (j = low, t = minor + 9 * low; j < 2 * n; j++, t += 9)
+            for (k = 0, r = c + 3 * (i + j + 1); k < 3; k++)
+                r[k] += s[0] * t[k] + s[1] * t[3 + k] + s[2] * t[6 + k];
     carry(4 * n, 3, c);
     carry(3 * n, 1, d);
+    return first;
 }
 
 /* leading - the value of a carried number, in the weight of its first limb
@@ -403,7 +404,7 @@ static double weight(double most)
     return ldexp(1.0, e + 2 - HH_BITS);
 }
 
-/* shift - n coordinates q times SHIFT.  One by one (volatile), in the arithmetic
+/* shift - n coordinates q times SHIFT, one by one (volatile), in the arithmetic
  * that hh_holds has tried: a compiler may have another one for vectors. */
 static void shift(int n, double *q)
 {
@@ -921,26 +922,26 @@ int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b)
     return perturb(s, w, 1) < 0;
 }
 
-/* rows - the limbs of the rows p - last of np <= 4 positions v of the set s, as
+/* rows - the limbs of the rows p - last of 4 positions v of the set s, as
  * spread's.  Returns how many, at most HH_FEW, or 0 when these do not hold
  * them; limb 0 weighs *top for coordinates times *factor, 2^*e for those of
  * s->x.  Twice the largest coordinate fits, too. */
-static int rows(const hh_set *s, int np, const tess_int *v, double *x,
-                double *top, double *factor, int *e)
+static int rows(const hh_set *s, const tess_int *v, double *x, double *top,
+                double *factor, int *e)
 {
     const tess_real *p[4];
     double q[12], most;
     int i, n;
 
-    for (i = 0; i < 4; i++) p[i] = s->p + 3 * s->order[v[i < np ? i : 0]];
-    most = pack(np, p, q);
+    for (i = 0; i < 4; i++) p[i] = s->p + 3 * s->order[v[i]];
+    most = pack(4, p, q);
     *factor = most < LOW ? SHIFT : 1.0;
-    if (most < LOW) shift(3 * np, q);
+    if (most < LOW) shift(12, q);
     *top = 2.0 * weight(*factor * most);
     frexp(*top, e);
     *e -= 1 + s->e + (most < LOW ? SKIP * HH_BITS : 0);
-    if (spread(np, q, *top, 3, x) <= 3) return 3;
-    n = spread(np, q, *top, HH_FEW, x);
+    if (spread(4, q, *top, 3, x) <= 3) return 3;
+    n = spread(4, q, *top, HH_FEW, x);
     return n <= HH_FEW ? n : 0;
 }
 
@@ -977,9 +978,9 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
     w[1] = v[(base + 2) % 3];
     w[2] = z;
     w[3] = v[base];
-    n = rows(s, 4, w, x, &t->top, &t->factor, &e);
+    n = rows(s, w, x, &t->top, &t->factor, &e);
     if (n == 0) return 0;
-    centre(n, x, work);
+    t->first = centre(n, x, work);
     d = 2.0 * leading(3 * n, work + 12 * n, 1, &dat);
     if (d == 0.0) return 0;
     for (k = 0; k < 3; k++) {
@@ -992,9 +993,6 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
     t->n = n;
     t->most = t->top / t->factor;
     t->most = t->most < DBL_MAX / BASE ? t->most * (BASE / 4.0) : DBL_MAX;
-    for (i = n - 1; i >= 0; i--)
-        for (k = 0; k < 9; k++)
-            if (x[12 * i + k] != 0.0) t->first = i;
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++) t->base[3 * i + k] = x[12 * i + 9 + k];
     cut(4 * n, work, 3, 3 * n, work + 12 * n, t->power);
@@ -1024,7 +1022,8 @@ static int form(const double *row, int n, int first, const double *u,
                                       row[1] * u[3 * i + 1] +
                                       row[2] * u[3 * i + 2];
         if (row[3] == 0.0) continue;
-        for (i = 2 * first; i < 2 * n && k + i - first < HH_ROWS; i++)
+        for (i = first > 0 ? 2 * first - 1 : 0;
+             i < 2 * n && k + i - first < HH_ROWS; i++)
             sum[k + i - first + 1] += row[3] * l[i];
     }
     for (i = 0; i <= HH_ROWS; i++) {
@@ -1091,23 +1090,18 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
     const double *p1 = s->x + 3 * v[base];
     const double *p2 = s->x + 3 * v[(base + 1) % 3];
     const double *p3 = s->x + 3 * v[(base + 2) % 3];
-    double x[9 * HH_FEW], minor[6 * HH_FEW], m[3], d[3], a, b, norm, top;
+    double x[12 * HH_FEW], work[39 * HH_FEW], m[3], d[3], a, b, norm, top;
     double factor, aa = 0.0, bb = 0.0;
-    tess_int w[3];
+    tess_int w[4];
     int i, j, k, n, e, at[3], least;
 
     for (k = 0; k < 3; k++) w[k] = v[(base + 1 + k) % 3];
-    n = rows(s, 3, w, x, &top, &factor, &e);
+    w[3] = w[2];
+    n = rows(s, w, x, &top, &factor, &e);
     if (n == 0) return;
-    zeros(6 * n, minor);
-    for (k = 0; k < 3; k++) {
-        i = (k + 1) % 3;
-        j = 3 - i - k;
-        multiply(1.0, n, x + i, 9, n, x + 3 + j, 9, minor + k, 3);
-        multiply(-1.0, n, x + j, 9, n, x + 3 + i, 9, minor + k, 3);
-    }
-    carry(2 * n, 3, minor);
-    for (k = 0; k < 3; k++) m[k] = leading(2 * n, minor + k, 3, at + k);
+    centre(n, x, work);
+    for (k = 0; k < 3; k++)
+        m[k] = leading(2 * n, work + 15 * n + 6 + k, 9, at + k);
     least = at[0] < at[1] ? at[0] : at[1];
     least = at[2] < least ? at[2] : least;
     for (k = 0; k < 3; k++) {

@@ -78,7 +78,7 @@ typedef double tess_real;
 #define HH_FEW HH_LIMBS
 #endif
 /* Leading rows of a ball's numbers that are kept. */
-#define HH_ROWS 8
+#define HH_ROWS 6
 
 #define HH_FACET_LEN 12
 

@@ -174,7 +174,8 @@ extern void tess_prove(int fact);
 /* A facet with a greater E is set up by limbs. */
 #define THIN 1e-6
 /* The ball of the best point is found by limbs when its L-coordinate is known
- * to less than WIDE circumradii, and after MANY exact comparisons. */
+ * to less than WIDE of it and the circumradius, and after MANY exact
+ * comparisons. */
 #define WIDE 1e-4
 #define MANY 6
 /* Pool that is recommended beyond 4 n in any case, up to 8 n. */
@@ -1473,7 +1474,8 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     f->lo = lo;
     f->limbs = 0;
     narrow(f, hi);
-    if (side == 0 || hi - lo > WIDE * f->f[11] || f->asked >= MANY)
+    if (side == 0 || f->asked >= MANY ||
+        hi - lo > WIDE * (f->f[11] + fabs(hi)))
         refine(m, f);
 }
 

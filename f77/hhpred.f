@@ -27,8 +27,7 @@ C       exact numbers: frexp HHFREX, ldexp HHLDEX, nearest HHNEAR,
 C         split HHSPLI, carry HHCARR, zeros HHZERO, signof HHSIGN,
 C         spread HHSPRE, volume HHVOLU, ball HHBALL, limbsg HHLIMB,
 C         limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX,
-C         multiply HHMULT, centre HHCNTR, leading HHLEAD,
-C         weight HHWEIG, exact HHEXAC
+C         centre HHCNTR, leading HHLEAD, weight HHWEIG, exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
 C       exact signs: certain HHCERT, filt3 HHFIL3, filt5 HHFIL5,
@@ -45,6 +44,7 @@ C         hh_bound HHBOUN, hh_limits HHLIMI, hh_facet HHFACE,
 C         hh_side HHSIDE, hh_opp HHOPP, hh_lcoord HHLCOO,
 C         hh_wrap HHWRAP
 C     Only in C: held (hh_holds for points that are not in one array),
+C     shift (written out here),
 C     the macro HH_POWER, |W|**2 - 2 C.W, written out here.
 C     Only here: HHKIND (part of hh_finite and hh_holds).
 C
@@ -528,65 +528,85 @@ C     last one serves several lengths.
       IF (SGN .EQ. UNSURE .AND. N .LT. HHLIM) GO TO 10
       END
 
-C     HHMULT - R = R + SGN X Y, for X of N limbs and Y of M.  The first
-C     limb of each, or of R the place before it, is at FX, FY, FR; there
-C     are SX, SY and SR numbers side by side.
-      SUBROUTINE HHMULT(SGN, N, X, FX, SX, M, Y, FY, SY, R, FR, SR)
-      INTEGER N, FX, SX, M, FY, SY, FR, SR
-      DOUBLE PRECISION SGN, X(*), Y(*), R(*)
-      DOUBLE PRECISION A
-      INTEGER I, J, TO
-      DO 20 I = 1, N
-        A = SGN*X(FX+SX*(I-1))
-        IF (ABS(A) .GT. 0.0D0) THEN
-          TO = FR + SR*(I - 1)
-          DO 10 J = 1, M
-            R(TO+SR*J) = R(TO+SR*J) + A*Y(FY+SY*(J-1))
-   10     CONTINUE
-        END IF
-   20 CONTINUE
-      END
-
 C     HHCNTR - the centre of the ball of four points of N limbs, seen
 C     from the last one: of the rows A, B, W of X, without the common
 C     limb weights,
 C         C = |A|**2 (B x W) + |B|**2 (W x A) + |W|**2 (A x B)
-C     over twice D = A.(B x W).  At most HHFEW limbs, so that no sum
-C     needs a carry before its end: 3 HHFEW products of limbs of at most
-C     BASE, or 6 HHFEW where both factors have been carried.  C has 3
-C     numbers of 4N limbs, D 3N limbs.  Scratch: MINOR 18, LIFT 6
-C     doubles a limb.
-      SUBROUTINE HHCNTR(N, X, C, D, MINOR, LIFT)
-      INTEGER N
+C     over twice D = A.(B x W).  At most 10 limbs, so that no sum needs
+C     a carry before its end: 3N products of limbs of at most BASE, or
+C     6N where both factors have been carried.  C has 3 numbers of 4N
+C     limbs, D 3N limbs, MINOR 9 numbers of 2N limbs, B x W, W x A, A x
+C     B.  FIRST is the first limb that is not 0 in all rows.  Scratch:
+C     LIFT 6 doubles a limb.
+      SUBROUTINE HHCNTR(N, X, C, D, MINOR, LIFT, FIRST)
+      INTEGER N, FIRST
       DOUBLE PRECISION X(*), C(*), D(*), MINOR(*), LIFT(*)
-      INTEGER G, H, I, J, K, L
+      DOUBLE PRECISION A1, A2, A3, B1, B2, B3, W1, W2, W3
+      INTEGER I, J, K, L, LEAST, M, R, S, T
       CALL HHZERO(12*N, C)
       CALL HHZERO(3*N, D)
       CALL HHZERO(18*N, MINOR)
       CALL HHZERO(6*N, LIFT)
-      DO 20 I = 1, 3
-        G = 3*MOD(I, 3)
-        H = 3*MOD(I + 1, 3)
-        DO 10 K = 1, 3
-          J = MOD(K, 3) + 1
-          L = 6 - J - K
-          CALL HHMULT(1.0D0, N, X, G + J, 12, N, X, H + L, 12,
-     $                MINOR, 3*(I - 1) + K, 9)
-          CALL HHMULT(-1.0D0, N, X, G + L, 12, N, X, H + J, 12,
-     $                MINOR, 3*(I - 1) + K, 9)
-          CALL HHMULT(1.0D0, N, X, 3*(I - 1) + K, 12, N, X,
-     $                3*(I - 1) + K, 12, LIFT, I, 3)
-   10   CONTINUE
+      FIRST = 1
+   10 DO 20 K = 12*FIRST - 11, 12*FIRST - 3
+        IF (ABS(X(K)) .GT. 0.0D0) GO TO 30
    20 CONTINUE
+      IF (FIRST .LT. N) THEN
+        FIRST = FIRST + 1
+        GO TO 10
+      END IF
+   30 DO 50 I = FIRST, N
+        S = 12*(I - 1)
+        A1 = X(S+1)
+        A2 = X(S+2)
+        A3 = X(S+3)
+        B1 = X(S+4)
+        B2 = X(S+5)
+        B3 = X(S+6)
+        W1 = X(S+7)
+        W2 = X(S+8)
+        W3 = X(S+9)
+        DO 40 J = FIRST, N
+          T = 12*(J - 1)
+          R = 9*(I + J - 1)
+          L = 3*(I + J - 1)
+          MINOR(R+1) = MINOR(R+1) + (B2*X(T+9) - B3*X(T+8))
+          MINOR(R+2) = MINOR(R+2) + (B3*X(T+7) - B1*X(T+9))
+          MINOR(R+3) = MINOR(R+3) + (B1*X(T+8) - B2*X(T+7))
+          MINOR(R+4) = MINOR(R+4) + (W2*X(T+3) - W3*X(T+2))
+          MINOR(R+5) = MINOR(R+5) + (W3*X(T+1) - W1*X(T+3))
+          MINOR(R+6) = MINOR(R+6) + (W1*X(T+2) - W2*X(T+1))
+          MINOR(R+7) = MINOR(R+7) + (A2*X(T+6) - A3*X(T+5))
+          MINOR(R+8) = MINOR(R+8) + (A3*X(T+4) - A1*X(T+6))
+          MINOR(R+9) = MINOR(R+9) + (A1*X(T+5) - A2*X(T+4))
+          LIFT(L+1) = LIFT(L+1) + (A1*X(T+1) + A2*X(T+2) + A3*X(T+3))
+          LIFT(L+2) = LIFT(L+2) + (B1*X(T+4) + B2*X(T+5) + B3*X(T+6))
+          LIFT(L+3) = LIFT(L+3) + (W1*X(T+7) + W2*X(T+8) + W3*X(T+9))
+   40   CONTINUE
+   50 CONTINUE
       CALL HHCARR(2*N, 9, MINOR)
       CALL HHCARR(2*N, 3, LIFT)
-      DO 40 K = 1, 3
-        CALL HHMULT(1.0D0, N, X, K, 12, 2*N, MINOR, K, 9, D, 1, 1)
-        DO 30 I = 1, 3
-          CALL HHMULT(1.0D0, 2*N, LIFT, I, 3, 2*N, MINOR,
-     $                3*(I - 1) + K, 9, C, K, 3)
-   30   CONTINUE
-   40 CONTINUE
+C     two carries reach two limbs up from the first product
+      LEAST = MAX(2*FIRST - 2, 1)
+      DO 70 I = FIRST, N
+        S = 12*(I - 1)
+        DO 60 J = LEAST, 2*N
+          T = 9*(J - 1)
+          D(I+J) = D(I+J) + (X(S+1)*MINOR(T+1) + X(S+2)*MINOR(T+2) +
+     $                       X(S+3)*MINOR(T+3))
+   60   CONTINUE
+   70 CONTINUE
+      DO 100 I = LEAST, 2*N
+        S = 3*(I - 1)
+        DO 90 J = LEAST, 2*N
+          T = 9*(J - 1)
+          M = 3*(I + J - 1)
+          DO 80 K = 1, 3
+            C(M+K) = C(M+K) + (LIFT(S+1)*MINOR(T+K) +
+     $          LIFT(S+2)*MINOR(T+3+K) + LIFT(S+3)*MINOR(T+6+K))
+   80     CONTINUE
+   90   CONTINUE
+  100 CONTINUE
       CALL HHCARR(4*N, 3, C)
       CALL HHCARR(3*N, 1, D)
       END
@@ -1344,14 +1364,14 @@ C     positive side: 1, or 0.
       IF (HHPERT(X, P, ORD, T3, T5, W, 1) .LT. 0) HHPBEA = 1
       END
 
-C     HHROWS - the limbs X of the rows p - last of NP <= 4 positions V
+C     HHROWS - the limbs X of the rows p - last of 4 positions V
 C     of a set (see HHPSID; X = P 2**(-SE) there), as HHSPRE's.  N is
 C     how many, at most HHFEW, or 0 when these do not hold them; limb 1
 C     weighs TOP for coordinates times FACTOR, 2**E for those of
 C     HHPSID's X.  Twice the largest coordinate fits, too.
-      SUBROUTINE HHROWS(P, ORD, SE, NP, V, X, TOP, FACTOR, E, N)
+      SUBROUTINE HHROWS(P, ORD, SE, V, X, TOP, FACTOR, E, N)
       DOUBLE PRECISION P(3,*), X(*), TOP, FACTOR
-      INTEGER ORD(*), SE, NP, V(*), E, N
+      INTEGER ORD(*), SE, V(4), E, N
       INTEGER HHFREX
       DOUBLE PRECISION HHPACK, HHWEIG
       INTEGER BITS, SKIP, HHFEW
@@ -1360,19 +1380,19 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
       PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
       DOUBLE PRECISION MOST, Q(3,4)
       INTEGER I, K
-      DO 20 I = 1, NP
+      DO 20 I = 1, 4
         DO 10 K = 1, 3
           Q(K,I) = P(K,ORD(V(I)))
    10   CONTINUE
    20 CONTINUE
-      MOST = HHPACK(NP, Q)
+      MOST = HHPACK(4, Q)
       FACTOR = 1.0D0
       E = -1 - SE
       IF (MOST .LT. LOW) THEN
         FACTOR = SHIFT
         E = E - SKIP*BITS
         MOST = MOST*SHIFT
-        DO 40 I = 1, NP
+        DO 40 I = 1, 4
           DO 30 K = 1, 3
             Q(K,I) = Q(K,I)*SHIFT
    30     CONTINUE
@@ -1380,11 +1400,11 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
       END IF
       TOP = 2.0D0*HHWEIG(MOST)
       E = E + HHFREX(TOP)
-      CALL HHSPRE(NP, Q, TOP, 3, X, N)
+      CALL HHSPRE(4, Q, TOP, 3, X, N)
       IF (N .LE. 3) THEN
         N = 3
       ELSE
-        CALL HHSPRE(NP, Q, TOP, HHFEW, X, N)
+        CALL HHSPRE(4, Q, TOP, HHFEW, X, N)
         IF (N .GT. HHFEW) N = 0
       END IF
       END
@@ -1396,7 +1416,7 @@ C     number D of ND limbs: ROW, behind AT.
       INTEGER M, FC, STEP, ND, AT
       DOUBLE PRECISION C(*), D(*), ROW(*)
       INTEGER BROWS
-      PARAMETER (BROWS = 8)
+      PARAMETER (BROWS = 6)
       DOUBLE PRECISION SIZE
       INTEGER FIRST, I, J, K
       FIRST = 1
@@ -1444,7 +1464,7 @@ C       BPOWER  behind it leading rows of C and D; BSIDE: of n and 0
       DOUBLE PRECISION HHLDEX
       INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE
       PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5)
-      PARAMETER (BBASE = 5, BPOWER = 35, BSIDE = 67)
+      PARAMETER (BBASE = 5, BPOWER = 35, BSIDE = 59)
       INTEGER BITS, HHFEW, FAR
       PARAMETER (BITS = 24, HHFEW = 10, FAR = 300)
       DOUBLE PRECISION EPS, HUGE, RADIX, SMALL
@@ -1460,9 +1480,9 @@ C       BPOWER  behind it leading rows of C and D; BSIDE: of n and 0
       W(2) = V(MOD(BASE+1,3)+1)
       W(3) = Z
       W(4) = V(BASE)
-      CALL HHROWS(P, ORD, SE, 4, W, X, TOP, FACTOR, E, N)
+      CALL HHROWS(P, ORD, SE, W, X, TOP, FACTOR, E, N)
       IF (N .EQ. 0) RETURN
-      CALL HHCNTR(N, X, CC, D, MINOR, LIFT)
+      CALL HHCNTR(N, X, CC, D, MINOR, LIFT, FIRST)
       CALL HHLEAD(3*N, D, 1, 1, VALUE, DAT)
       IF (ABS(VALUE) .LE. 0.0D0) RETURN
       DO 10 K = 1, 3
@@ -1483,18 +1503,12 @@ C       BPOWER  behind it leading rows of C and D; BSIDE: of n and 0
       ELSE
         T(AT+BMOST) = HUGE
       END IF
-      FIRST = 1
-   20 DO 30 K = 1, 9
-        IF (ABS(X(12*(FIRST-1)+K)) .GT. 0.0D0) GO TO 40
-   30 CONTINUE
-      FIRST = FIRST + 1
-      IF (FIRST .LT. N) GO TO 20
-   40 T(AT+BFIRST) = DBLE(FIRST)
-      DO 60 I = 1, N
-        DO 50 K = 1, 3
+      T(AT+BFIRST) = DBLE(FIRST)
+      DO 30 I = 1, N
+        DO 20 K = 1, 3
           T(AT+BBASE+3*(I-1)+K) = X(12*(I-1)+9+K)
-   50   CONTINUE
-   60 CONTINUE
+   20   CONTINUE
+   30 CONTINUE
       CALL HHCUT(4*N, CC, 1, 3, 3*N, D, T, AT + BPOWER)
       CALL HHCUT(2*N, MINOR, 7, 9, 0, D, T, AT + BSIDE)
       IF (ABS(C(1)) + ABS(C(2)) + ABS(C(3)) .GT. SMALL) OK = 1
@@ -1515,7 +1529,7 @@ C     has more than 30 products of at most BASE**2 / 2.
       DOUBLE PRECISION ROW(*), U(*), L(*)
       INTEGER AT, N, FIRST
       INTEGER UNSURE, BROWS
-      PARAMETER (UNSURE = 2, BROWS = 8)
+      PARAMETER (UNSURE = 2, BROWS = 6)
       DOUBLE PRECISION BASE, CARRY
       PARAMETER (BASE = 2.0D0**24, CARRY = 2.0D0**29)
       DOUBLE PRECISION R1, R2, R3, R4, S, SUM(BROWS+1)
@@ -1531,7 +1545,7 @@ C     has more than 30 products of at most BASE**2 / 2.
      $        R2*U(3*I-1) + R3*U(3*I))
    10   CONTINUE
         IF (ABS(R4) .GT. 0.0D0) THEN
-          DO 20 I = 2*FIRST - 1, MIN(2*N, BROWS - K + FIRST)
+          DO 20 I = MAX(2*FIRST - 2, 1), MIN(2*N, BROWS - K + FIRST)
             SUM(K+I-FIRST+1) = SUM(K+I-FIRST+1) + R4*L(I)
    20     CONTINUE
         END IF
@@ -1558,7 +1572,7 @@ C     the positive side, as D > 0 then.
       INTEGER HHFORM
       INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE
       PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5)
-      PARAMETER (BBASE = 5, BPOWER = 35, BSIDE = 67)
+      PARAMETER (BBASE = 5, BPOWER = 35, BSIDE = 59)
       INTEGER HHFEW, UNSURE
       PARAMETER (HHFEW = 10, UNSURE = 2)
       DOUBLE PRECISION L(2*HHFEW), Q, U(3*HHFEW)
@@ -1614,27 +1628,21 @@ C     bounds rest.  F is left as it is where numbers might underflow.
       PARAMETER (BITS = 24, HHFEW = 10, FAR = 300)
       DOUBLE PRECISION EPS, SMALL
       PARAMETER (EPS = 2.0D0**(-52), SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION R(9*HHFEW), MINOR(6*HHFEW), M(3), D(3), A(3)
-      DOUBLE PRECISION B(3)
-      DOUBLE PRECISION AA, BB, FACTOR, NORM, TOP
-      INTEGER AT(3), E, I, J, K, LEAST, N, W(3)
+      DOUBLE PRECISION R(12*HHFEW), CC(12*HHFEW), DD(3*HHFEW)
+      DOUBLE PRECISION MINOR(18*HHFEW), LIFT(6*HHFEW), M(3), D(3)
+      DOUBLE PRECISION A(3), B(3), AA, BB, FACTOR, NORM, TOP
+      INTEGER AT(3), E, I, J, K, LEAST, N, W(4)
       DO 10 K = 1, 3
         W(K) = V(MOD(BASE+K-1,3)+1)
    10 CONTINUE
-      CALL HHROWS(P, ORD, SE, 3, W, R, TOP, FACTOR, E, N)
+      W(4) = W(3)
+      CALL HHROWS(P, ORD, SE, W, R, TOP, FACTOR, E, N)
       IF (N .EQ. 0) RETURN
-      CALL HHZERO(6*N, MINOR)
-      DO 20 K = 1, 3
-        I = MOD(K, 3) + 1
-        J = 6 - I - K
-        CALL HHMULT(1.0D0, N, R, I, 9, N, R, 3 + J, 9, MINOR, K, 3)
-        CALL HHMULT(-1.0D0, N, R, J, 9, N, R, 3 + I, 9, MINOR, K, 3)
-   20 CONTINUE
-      CALL HHCARR(2*N, 3, MINOR)
+      CALL HHCNTR(N, R, CC, DD, MINOR, LIFT, I)
       AA = 0.0D0
       BB = 0.0D0
       DO 30 K = 1, 3
-        CALL HHLEAD(2*N, MINOR, K, 3, M(K), AT(K))
+        CALL HHLEAD(2*N, MINOR, 6 + K, 9, M(K), AT(K))
         A(K) = X(K,W(1)) - X(K,W(3))
         B(K) = X(K,W(2)) - X(K,W(3))
         AA = AA + A(K)*A(K)

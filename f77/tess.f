@@ -216,8 +216,8 @@ C       ENTRY, EDGE  integers of an entry of the pool, and of an edge
 C       LEAST   pool and edges, at least
 C       THIN    a facet with a greater E is set up by limbs
 C       WIDE, MANY  the ball of the best point is found by limbs when
-C               its L-coordinate is known to less than WIDE circumradii,
-C               and after MANY exact comparisons
+C               its L-coordinate is known to less than WIDE of it and
+C               the circumradius, and after MANY exact comparisons
 C       MUCH    pool that is recommended beyond 4 N in any case, up to
 C               8 N
 C       INTMAX  the largest integer
@@ -1649,7 +1649,7 @@ C     of at most 6 roundings, with W(K) itself twice and the sum's, each
 C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|); LENGTH, and this, may
 C     come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSPOWE(FQ, LENGTH)
-      DOUBLE PRECISION FQ(106), LENGTH
+      DOUBLE PRECISION FQ(90), LENGTH
       INTEGER QDC, QSIZE
       PARAMETER (QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT
@@ -1678,7 +1678,7 @@ C     TSPOWE; E |W|, which covers the rounding of the side, too.  Both
 C     are taken at a point of the box's own doubles, so the same bounds
 C     hold as for a point.
       INTEGER FUNCTION TSPRUN(IQ, F, FQ, BOX, NODE)
-      DOUBLE PRECISION F(12), FQ(106), BOX(6,*)
+      DOUBLE PRECISION F(12), FQ(90), BOX(6,*)
       INTEGER IQ(5), NODE
       DOUBLE PRECISION TSPOWE
       INTEGER QBALL, QC
@@ -1710,7 +1710,7 @@ C     hold as for a point.
 C     TSPRPA - is there no candidate in that part of the root's box in
 C     which coordinate K is between LO and HI: 1, or 0.
       INTEGER FUNCTION TSPRPA(BOX, IQ, F, FQ, K, LO, HI)
-      DOUBLE PRECISION BOX(6,*), F(12), FQ(106), LO, HI
+      DOUBLE PRECISION BOX(6,*), F(12), FQ(90), LO, HI
       INTEGER IQ(5), K
       INTEGER TSPRUN
       DOUBLE PRECISION PART(6,1)
@@ -1731,7 +1731,7 @@ C     has its centre within dc of C and passes through the base, as does
 C     the one about C: its radius is at most |C| + dc, so that along an
 C     axis it ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(106)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(90)
       INTEGER LSI(3,2), LIST, IQ(5)
       INTEGER TSPRPA
       INTEGER LN, LLO, LHI, QC, QDC
@@ -1767,7 +1767,7 @@ C     if margin (margin - 2 A - 2 dc) >= 2 B; the test has margin - 2 dc
 C     in the place of both.  PAD times margin is more than the roundings
 C     of A, B and the products take.
       INTEGER FUNCTION TSBINS(BOX, LSD, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(106)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(90)
       INTEGER LMARG, STR, QC, QDC
       PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6)
       DOUBLE PRECISION PAD
@@ -1795,7 +1795,7 @@ C     of A, B and the products take.
 C     TSNARR - the L-coordinate of the best point of a search is at most
 C     L.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
-      DOUBLE PRECISION F(12), FQ(106), L
+      DOUBLE PRECISION F(12), FQ(90), L
       INTEGER IQ(5)
       INTEGER QLIMBS, QBALL, QHI, QC, QDC, QSIZE
       PARAMETER (QLIMBS = 2, QBALL = 3, QHI = 2)
@@ -1823,7 +1823,7 @@ C     errs by at most 8 EPS |C|, so that its height over the facet's
 C     plane, C.V, is L but for the error of V, E |C|, that of C, and the
 C     roundings of three products and two sums, 5 EPS |C|_1.
       SUBROUTINE TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(106)
+      DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(90)
       INTEGER ORD(*), V(3), IQ(5)
       INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QLO, QHI, QC, QDC
       INTEGER QSIZE, QLIMB
@@ -1856,7 +1856,7 @@ C     there is: if its L-coordinate is smaller (Theorem 1); ties by the
 C     rule of HHPBAL.  The Householder bounds decide where they can;
 C     what they leave open limits the better one by the other.
       SUBROUTINE TSCHAL(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(106)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(90)
       INTEGER ORD(*), V(3), IQ(5), Z
       INTEGER HHPBEA, HHPSID
       INTEGER T3, T5, QBEST, QLIMBS, QASKED, QLO, QHI, QLIMB, UNSURE
@@ -1900,15 +1900,17 @@ C     what they leave open limits the better one by the other.
       FQ(QLO) = LO
       IQ(QLIMBS) = 0
       CALL TSNARR(IQ, F, FQ, HI)
-      IF (SIDE .EQ. 0 .OR. HI - LO .GT. WIDE*F(12) .OR.
-     $    IQ(QASKED) .GE. MANY)
-     $    CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
+      IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
+        CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
+      ELSE IF (HI - LO .GT. WIDE*(F(12) + ABS(HI))) THEN
+        CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
+      END IF
       END
 
 C     TSCONS - compare Z, if it is no vertex and not outside of the
 C     ball.
       SUBROUTINE TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(106)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(90)
       INTEGER ORD(*), V(3), IQ(5), Z
       DOUBLE PRECISION TSPOWE
       INTEGER QBEST, QBALL, QC
@@ -1942,7 +1944,7 @@ C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
       SUBROUTINE TSBALC(LSD, LIST, F, FQ, C, D, OK)
-      DOUBLE PRECISION LSD(14,2), F(12), FQ(106), C(3)
+      DOUBLE PRECISION LSD(14,2), F(12), FQ(90), C(3)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LMID, LMOST, LUNIT, QDC
@@ -1982,7 +1984,7 @@ C     TSSTAC - the same for the list of the star of the base, the list's
 C     centre, whose points are less than 1.1 from it in the list's
 C     units: g = 0.
       SUBROUTINE TSSTAC(LSD, LIST, FQ, D, OK)
-      DOUBLE PRECISION LSD(14,2), FQ(106)
+      DOUBLE PRECISION LSD(14,2), FQ(90)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LUNIT, QC, QDC
@@ -2032,7 +2034,7 @@ C     TSCALL - consider N points of a list.
      $                  PLACE)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(106)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(90)
       INTEGER ORD(*), LSID(TSIDS,2), LIST, V(3), IQ(5), N, PLACE(*)
       INTEGER I, Z
       DO 10 I = 1, N
@@ -2047,7 +2049,7 @@ C     MOST; or 0.
       SUBROUTINE TSLIKE(LSX, LSID, LSD, LIST, F, FQ, MOST, N, PLACE, Z)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), F(12), FQ(106), MOST
+      DOUBLE PRECISION LSD(14,2), F(12), FQ(90), MOST
       REAL LSX(TSLIST,4,2)
       INTEGER LSID(TSIDS,2), LIST, N, PLACE(*), Z
       INTEGER LMID, LUNIT
@@ -2098,7 +2100,7 @@ C     TSANYP - without a ball, consider a point of the list.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), LSD(14,2), F(12)
-      DOUBLE PRECISION FQ(106)
+      DOUBLE PRECISION FQ(90)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), LSID(TSIDS,2), LSI(3,2), LIST, V(3), IQ(5)
       INTEGER LN, LUNIT
@@ -2124,7 +2126,7 @@ C     else 0.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(106)
+      DOUBLE PRECISION F(12), FQ(90)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(5), OK
       INTEGER TSBINS
@@ -2179,7 +2181,7 @@ C     costs: on surfaces two of five points that were tested.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(106)
+      DOUBLE PRECISION F(12), FQ(90)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(5), OK
       INTEGER TSBINB
@@ -2211,7 +2213,7 @@ C     the positions FIRST ... LAST, that are not outside of the ball, or
 C     without a ball not on the negative side.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, RCTL, V, IQ, F, FQ, FIRST,
      $                  LAST, NODE)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(106)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(90)
       INTEGER ORD(*), LINK(*), V(3), IQ(5), FIRST, LAST, NODE
       DOUBLE PRECISION TSPOWE, TSEXTE
       INTEGER QBALL, QC, DONE
@@ -2245,7 +2247,7 @@ C     TSTREE - finish a search by the tree: the leaf of V(1) first, then
 C     its parent's other child, and so on up to the root.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, V, IQ,
      $                  F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(106)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(90)
       INTEGER ORD(*), ALIVE(*), LINK(*), CTL(*), V(3), IQ(5)
       INTEGER TSPRUN, TSLEAF
       INTEGER LEAVES, DEPTH
@@ -2310,7 +2312,7 @@ C     TSPREP - begin the search for the apex of the facet V.  Its base
 C     is V(1), or if the angle there is small the vertex opposite to the
 C     longest edge.
       SUBROUTINE TSPREP(X, P, ORD, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(106)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(90)
       INTEGER ORD(*), V(3), IQ(5)
       INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QASKED, QLO, QHI
       INTEGER QC, QDC, QSIZE
@@ -2372,7 +2374,7 @@ C     GUESS: two positions to try first, or 0.
       INTEGER NPLANE, NEXTPL, PLANE0, QBEST, PLANES
       PARAMETER (NPLANE = 12, NEXTPL = 13, PLANE0 = 13)
       PARAMETER (QBEST = 1, PLANES = 4)
-      DOUBLE PRECISION F(12), FQ(106)
+      DOUBLE PRECISION F(12), FQ(90)
       INTEGER AT, G, IQ(5), K, OK
       CALL TSPREP(X, P, ORD, RCTL, V, IQ, F, FQ)
       DO 10 K = 1, 2

@@ -513,7 +513,7 @@ static void test_balls(int group, long n)
 {
     static tess_real caller[15];
     long faults = 0, made = 0, tried = 0, i;
-    double p[5][3], x[15], c[3], most, size, sum, power, err, w;
+    double p[5][3], x[15], c[3], at[3], most, size, sum, power, err, w;
     tess_int order[5], v[3];
     int base, e, j, k, o, s, side, sign, z;
     char name[80];
@@ -522,6 +522,17 @@ static void test_balls(int group, long n)
 
     for (i = 0; i < n; i++) {
         make(group, p);
+        if (rnd_below(2)) {
+            /* small beside where they are: their leading limbs agree */
+            most = 0.0;
+            for (j = 0; j < 15; j++)
+                if (fabs(p[j / 3][j % 3]) > most) most = fabs(p[j / 3][j % 3]);
+            frexp(most, &e);
+            e = -e - rnd_below(45);
+            for (k = 0; k < 3; k++) at[k] = sym();
+            for (j = 0; j < 15; j++)
+                p[j / 3][j % 3] = at[j % 3] + ldexp(p[j / 3][j % 3], e);
+        }
         settle(p);
         o = ex_orient(P[0], P[1], P[2], P[3]);
         most = 0.0;
