@@ -620,6 +620,14 @@ static int filt5(const double *a, const double *b, const double *c,
     return certain(det, perm, 32.0, t);
 }
 
+/* When the largest coordinate is at least SAFE, what a subnormal one is taken
+ * for matters less than TINY: not if it is a subnormal float. */
+#if defined(TESS_FLOAT) && FLT_MIN_EXP > DBL_MIN_EXP
+#define SAFE DBL_MAX
+#else
+#define SAFE FEW
+#endif
+
 /* opposite - minus a sign, if it is one. */
 static int opposite(int sign)
 {
@@ -670,8 +678,7 @@ int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
     p[2] = c;
     p[3] = d;
     most = pack(4, p, q);
-    /* above FEW, what a coordinate is taken for matters less than TINY */
-    if (!precise(q[0] > q[9] ? 1 : 3) || (most < FEW && !held(4, p)))
+    if (!precise(q[0] > q[9] ? 1 : 3) || (most < SAFE && !held(4, p)))
         return UNSURE;
     scale(12, most, q, s);
     sign = filt3(s, s + 3, s + 6, s + 9, -1.0);
@@ -694,7 +701,7 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
     p[3] = d;
     p[4] = e;
     most = pack(5, p, q);
-    if (most < FEW && !held(5, p)) return UNSURE;
+    if (most < SAFE && !held(5, p)) return UNSURE;
     scale(15, most, q, s);
     sign = filt5(s, s + 3, s + 6, s + 9, s + 12, -1.0);
     if (sign == UNSURE && held(5, p)) sign = exact(5, q);

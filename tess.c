@@ -2303,19 +2303,20 @@ static void distance(const tess_real *a, const tess_real *q, double *hi,
 
 /* sample - where the walk to q starts: of about ntet^(1/4) tetrahedra at equal
  * steps, the first one whose first vertex is nearest to q in the maximum
- * norm.  The comparisons are exact, so it is the same one everywhere. */
+ * norm.  The comparisons are exact, so it is the same one everywhere; NOTHING
+ * where the arithmetic cannot hold a point. */
 static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
                        const tess_real *q)
 {
     tess_int many = 1, best = ORIGIN, i, t;
-    double hi, lo, h, l;
+    double hi = 0.0, lo = 0.0, h, l;
 
     while (many * many < ntet / (many * many)) many++;
-    distance(coords(p, tet[0]), q, &hi, &lo);
-    for (i = 1; i < many; i++) {
+    for (i = 0; i < many; i++) {
         t = (tess_int)(i * (ntet / many) + ORIGIN);
+        if (!hh_holds(1, coords(p, four(tet, t)[0]))) return NOTHING;
         distance(coords(p, four(tet, t)[0]), q, &h, &l);
-        if (hh_wider(hi, lo, h, l) > 0) {
+        if (i == 0 || hh_wider(hi, lo, h, l) > 0) {
             best = t;
             hi = h;
             lo = l;
@@ -2576,12 +2577,15 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t,
                 double *w)
 {
-    int code, range;
+    int code, range, k;
 
     if (ntet < 1) return -2;
     if (hh_finite(1, q) < 1) return -5;
     if (*t < NOTHING || *t >= ntet + ORIGIN) return -6;
+    for (k = 0; k < 4; k++) w[k] = 0.0;
+    if (!hh_holds(1, q)) return TESS_RANGE;
     if (*t == NOTHING) *t = sample(p, ntet, tet, q);
+    if (*t == NOTHING) return TESS_RANGE;
     code = walk(p, ntet, tet, adj, q, t);
     if (code == -4) return code;
     if (code == LOST) code = sweep(p, ntet, tet, adj, q, t);

@@ -3170,29 +3170,37 @@ C     coordinate, left unevaluated so that nothing is rounded.
 C     TSSAMP - BEST is where the walk to Q starts: of about NTET**(1/4)
 C     tetrahedra at equal steps, the first one whose first vertex is
 C     nearest to Q in the maximum norm.  The comparisons are exact, so
-C     it is the same one everywhere.
+C     it is the same one everywhere; 0 where the arithmetic cannot hold
+C     a point.
       SUBROUTINE TSSAMP(P, NTET, TET, Q, BEST)
       INTEGER NTET, TET(4,*), BEST
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER HHWIDE
-      INTEGER MANY, I, T
-      DOUBLE PRECISION HI, LO, H, L
+      INTEGER HHHOLD, HHWIDE
+      INTEGER MANY, I, K, T
+      DOUBLE PRECISION A(3,1), HI, LO, H, L
       MANY = 1
    10 IF (MANY*MANY .LT. NTET/(MANY*MANY)) THEN
         MANY = MANY + 1
         GO TO 10
       END IF
-      BEST = 1
-      CALL TSDIST(P, TET(1,1), Q, HI, LO)
-      DO 20 I = 1, MANY - 1
+      DO 30 I = 0, MANY - 1
         T = I*(NTET/MANY) + 1
+        DO 20 K = 1, 3
+          A(K,1) = P(K,TET(1,T))
+   20   CONTINUE
+        IF (HHHOLD(1, A) .EQ. 0) THEN
+          BEST = 0
+          RETURN
+        END IF
         CALL TSDIST(P, TET(1,T), Q, H, L)
-        IF (HHWIDE(HI, LO, H, L) .GT. 0) THEN
+        K = 1
+        IF (I .GT. 0) K = HHWIDE(HI, LO, H, L)
+        IF (K .GT. 0) THEN
           BEST = T
           HI = H
           LO = L
         END IF
-   20 CONTINUE
+   30 CONTINUE
       END
 
 C     TSWALK - from T across facets that Q* is beyond, until there is
@@ -3539,9 +3547,9 @@ C     near Q.  The sweep: NTET.
       SUBROUTINE TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
-      INTEGER HHFINI
-      INTEGER NONE, LOST
-      PARAMETER (NONE = 0, LOST = 99)
+      INTEGER HHFINI, HHHOLD
+      INTEGER NONE, LOST, RANGE
+      PARAMETER (NONE = 0, LOST = 99, RANGE = 6)
       DOUBLE PRECISION X(3,1)
       INTEGER CODE, K
       INFO = -2
@@ -3553,7 +3561,13 @@ C     near Q.  The sweep: NTET.
       IF (HHFINI(1, X) .EQ. 0) RETURN
       INFO = -6
       IF (T .LT. NONE .OR. T .GT. NTET) RETURN
+      DO 20 K = 1, 4
+        W(K) = 0.0D0
+   20 CONTINUE
+      INFO = RANGE
+      IF (HHHOLD(1, X) .EQ. 0) RETURN
       IF (T .EQ. NONE) CALL TSSAMP(P, NTET, TET, Q, T)
+      IF (T .EQ. NONE) RETURN
       CALL TSWALK(P, NTET, TET, ADJ, Q, T, CODE)
       INFO = CODE
       IF (CODE .EQ. -4) RETURN
