@@ -3183,6 +3183,8 @@ C     a point.
         MANY = MANY + 1
         GO TO 10
       END IF
+      HI = 0.0D0
+      LO = 0.0D0
       DO 30 I = 0, MANY - 1
         T = I*(NTET/MANY) + 1
         DO 20 K = 1, 3
