@@ -505,7 +505,7 @@ int hh_holds(tess_int n, const tess_real *p)
     const unsigned char *b = (const unsigned char *)&minus;
     const unsigned char *c;
     volatile tess_real value;
-    volatile double twice;
+    volatile double one = 1.0, once;
     tess_int i;
     int k, e = n % 2 == 0 ? 1 : 3;
 
@@ -514,8 +514,8 @@ int hh_holds(tess_int n, const tess_real *p)
         value = p[i];
         if (fabs((double)value) >= DBL_MIN) continue;
         if (value != 0) {
-            twice = 2.0 * value;
-            if (twice == 0.0 || ldexp((double)value, e) == 0.0) return 0;
+            once = one * value;
+            if (once == 0.0 || ldexp((double)value, e) == 0.0) return 0;
             continue;
         }
         c = (const unsigned char *)(p + i);

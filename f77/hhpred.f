@@ -766,7 +766,9 @@ C     do that to subnormal operands, or to subnormal results.  Else 0.
       DO 20 I = 1, N
         DO 10 K = 1, 3
           IF (HHKIND(P(K,I)) .EQ. 1) THEN
+C           one of the products is that by 1
             IF (HHKIND(P(K,I)*DBLE(M)) .EQ. -1) RETURN
+            IF (HHKIND(P(K,I)*DBLE(4 - M)) .EQ. -1) RETURN
           END IF
    10   CONTINUE
    20 CONTINUE
