@@ -74,7 +74,8 @@ double hard_value(void)
         return sign() * ldexp(1.0 + rnd_unit(),
                               draw(LEAST_EXP, LEAST_EXP + BITS));
     case 5:
-        return sign() * hard_nudge(NORMAL, draw(-3, 3));
+        return sign() * (rnd_below(2) ? hard_nudge(NORMAL, draw(-3, 3))
+                                      : NORMAL * (0.3 + 0.7 * rnd_unit()));
     case 6:
         return sign() * (rnd_below(2) ? LARGEST
                                       : LARGEST * (1.0 - 0.25 * rnd_unit()));

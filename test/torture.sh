@@ -95,7 +95,7 @@ hunt() {
     mv $DIR/torture $DIR/$file
     if [ -n "$CHECK" ]; then
         few=40
-        many=2
+        many=1
     else
         few="-time `expr $TIME / $BUILDS '*' 2 / 3 + 1` 1 $SEED"
         many="-time `expr $TIME / $BUILDS / 3 + 1` 1 $SEED"
@@ -107,7 +107,7 @@ hunt() {
     echo "        $DIR/$file"
     # with enough limbs all results are the same
     case "$1" in *limbs*|*float*) return;; esac
-    limited $DIR/$file $2 -sums `expr 6 + $TIME / 10` $SEED
+    limited $DIR/$file $2 -sums `expr 4 + $TIME / 10` $SEED
     if [ ! -f $DIR/sums.txt ]; then
         mv $DIR/out $DIR/sums.txt
     elif cmp $DIR/out $DIR/sums.txt >> $LOG 2>&1; then
