@@ -854,7 +854,7 @@ static void many(int sums)
         again();
     }
     now = normal;
-    if (sound) steps(1 + rnd_below((int)goodntet / 2 + 1));
+    if (sound) steps(1 + goodntet / 40 + rnd_below((int)goodntet / 2 + 1));
     if (goodntet == 0) return;
     if (quick()) {
         if (sound) hull();
