@@ -1426,6 +1426,11 @@ static void test_locate(void)
         current = &r;
         for (m = 0; m < 300; m++) {
             for (k = 0; k < 3; k++) q[k] = (double)(float)rnd_unit();
+            /* or a vertex, which is at the end of a tetrahedron's box */
+            if (m % 3 == 0) {
+                j = r.tet[rnd_below((int)(4 * i))];
+                for (k = 0; k < 3; k++) q[k] = (double)r.p[3 * j + k];
+            }
             locate(&r, q, m % 2 ? TESS_NONE : (tess_int)rnd_below((int)i),
                    !held_by_one(&r, q));
         }
@@ -1607,6 +1612,15 @@ static void test_faults(void)
     current = &r;
     require(orient(&r, 12, 13, 0, 1) == 1, "the test's own complex");
     expect(&r, TESS_BAD_COVER, "a complex wound twice");
+    /* the same with O at the other pole, the greatest in its coordinate */
+    for (i = 0; i < 12; i++) {
+        tet[4 * i] = 13;
+        tet[4 * i + 1] = 12;
+        tet[4 * i + 2] = (i + 1) % 12;
+        tet[4 * i + 3] = i;
+    }
+    given(&r, "wound twice", p, 14, tet, 12);
+    expect(&r, TESS_BAD_COVER, "a complex wound twice, from above");
     /* once around, in order, is right */
     for (i = 0; i < 12; i++) {
         p[3 * i] = ring[i][0];
