@@ -71,11 +71,16 @@ typedef double tess_real;
 #error HH_LIMBS is less than 3
 #endif
 
-/* The limbs of balls and thin facets; with more they are not made. */
-#if HH_LIMBS > 10
-#define HH_FEW 10
-#else
+/* The limbs of balls and thin facets, at most 10; with more they are not made.
+ * Scratch on the stack, in doubles: 51 a limb. */
+#if HH_LIMBS <= 6
 #define HH_FEW HH_LIMBS
+#elif DBL_MANT_DIG < 53
+#define HH_FEW 6
+#elif HH_LIMBS <= 10
+#define HH_FEW HH_LIMBS
+#else
+#define HH_FEW 10
 #endif
 /* Leading rows of a ball's numbers that are kept. */
 #define HH_ROWS 6
