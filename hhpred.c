@@ -678,7 +678,7 @@ int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
     p[2] = c;
     p[3] = d;
     most = pack(4, p, q);
-    if (!precise(q[0] > q[9] ? 1 : 3) || (most < SAFE && !held(4, p)))
+    if (!precise(a[0] > d[0] ? 1 : 3) || (most < SAFE && !held(4, p)))
         return UNSURE;
     scale(12, most, q, s);
     sign = filt3(s, s + 3, s + 6, s + 9, -1.0);

@@ -131,7 +131,9 @@ TEST="build/exact.o build/points.o"
 HARD="tess.c hhpred.c"
 
 for t in t_pred brute t_tess; do
-    if build $t "$CC" "$CFLAGS" test/$t.c $HARD $TEST; then
+    also=
+    [ $t = brute ] && also=test/define.c
+    if build $t "$CC" "$CFLAGS" test/$t.c $also $HARD $TEST; then
         many $t build/$t
     else
         fail "$t does not compile"
