@@ -198,9 +198,9 @@ extern void tess_prove(int fact);
  *
  * NEAREST: a star's list does without points nearer than this, in a block's
  * units: the block does not tell them apart.  SLACK: in them, a distance is
- * wrong by less: 2 FEPS for each of two coordinates of at most 1 rounded
+ * wrong by less: 2 FEPS for each of two coordinates of at most 2 rounded
  * twice, times sqrt(3), and as much for the square, its bound and the root;
- * below 12 FEPS.  What is within margin + SLACK by this reckoning is within
+ * below 24 FEPS.  What is within margin + SLACK by this reckoning is within
  * 1.1 margin, as SLACK is 0.04 NEAREST.
  *
  * FAR: where a list keeps what has left it.  No such point passes a filter:
@@ -1501,7 +1501,8 @@ static void consider(const mesh *m, quest *f, tess_int z)
  * In the list's units, with g = base - centre, the power of u is
  *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g.
  * d[3] has room for dc, and for all rounding:
- *   single precision, where |u[i]| <= most[i] <= 1: |u|^2 <= 3 by at most 8
+ *   single precision, where |u[i]| <= most[i] <= 2 (1, but for boxes a few last
+ *   places wide, whose centre is rounded by as much): |u|^2 <= 12 by at most 8
  *   roundings, two of them of u itself and the last that of the difference; d.u
  *   by at most 6 of each term; d[3] itself; underflow is far below FEPS;
  *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
@@ -1524,9 +1525,9 @@ static int ballcoef(const list *l, const quest *f, const double *c, float *d)
     }
     if (size > 1e9 || sum > 1e6 || off > 1e9) return 0;
     for (i = 0; i < 3; i++) d[i] = (float)cu[i];
-    d[3] = (float)(FEPS * (32.0 + 16.0 * sum + 4.0 * fabs(k)) +
+    d[3] = (float)(FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
                    8.0 * EPS * a * (1.0 + off) +
-                   2.0 * f->dc * l->unit * (3.0 + off) - k);
+                   2.0 * f->dc * l->unit * (4.0 + off) - k);
     return 1;
 }
 

@@ -244,9 +244,9 @@ C               TSBINS underflows
 C       NEARST  a star's list does without points nearer than this, in
 C               a block's units: the block does not tell them apart
 C       SLACK   in them, a distance is wrong by less: 2 FEPS for each of
-C               two coordinates of at most 1 rounded twice, times
+C               two coordinates of at most 2 rounded twice, times
 C               sqrt(3), and as much for the square, its bound and the
-C               root; below 12 FEPS.  What is within margin + SLACK by
+C               root; below 24 FEPS.  What is within margin + SLACK by
 C               this reckoning is within 1.1 margin, as SLACK is 0.04
 C               NEARST
 C       FAR     where a list keeps what has left it.  No such point
@@ -1936,9 +1936,10 @@ C         r - (D(1) x + D(2) y + D(3) z) < D(4).
 C     In the list's units, with g = base - centre, the power of u is
 C         |u-g|**2 - 2 c.(u-g) = |u|**2 - 2 (c+g).u + (g+2c).g.
 C     D(4) has room for dc, and for all rounding:
-C       single precision, where |u(K)| <= most(K) <= 1: |u|**2 <= 3 by
-C       at most 8 roundings, two of them of u itself and the last that
-C       of the difference; D.u by at most 6 of each term; D(4) itself;
+C       single precision, where |u(K)| <= most(K) <= 2 (1, but for boxes
+C       a few last places wide, whose centre is rounded by as much):
+C       |u|**2 <= 12 by at most 8 roundings, two of them of u itself and
+C       the last that of the difference; D.u by at most 6 of each term; D(4) itself;
 C       underflow is far below FEPS;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
@@ -1974,9 +1975,9 @@ C     OK is 1, or 0 when the ball is too large for that.
       D(1) = REAL(CG(1))
       D(2) = REAL(CG(2))
       D(3) = REAL(CG(3))
-      D(4) = REAL(FEPS*(32.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
+      D(4) = REAL(FEPS*(128.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
      $    8.0D0*EPS*A*(1.0D0 + DIST) +
-     $    2.0D0*FQ(QDC)*LSD(LUNIT,LIST)*(3.0D0 + DIST) - REST)
+     $    2.0D0*FQ(QDC)*LSD(LUNIT,LIST)*(4.0D0 + DIST) - REST)
       OK = 1
       END
 
