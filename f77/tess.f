@@ -1939,8 +1939,8 @@ C     D(4) has room for dc, and for all rounding:
 C       single precision, where |u(K)| <= most(K) <= 2 (1, but for boxes
 C       a few last places wide, whose centre is rounded by as much):
 C       |u|**2 <= 12 by at most 8 roundings, two of them of u itself and
-C       the last that of the difference; D.u by at most 6 of each term; D(4) itself;
-C       underflow is far below FEPS;
+C       the last that of the difference; D.u by at most 6 of each term;
+C       D(4) itself; underflow is far below FEPS;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
