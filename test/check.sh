@@ -327,7 +327,8 @@ twins() {
         awk '/^[A-Z][A-Z0-9]+$/ && last ~ /^[a-z_0-9]+$/ {
             print last, $0 }
             { last = $0 }' > build/names.txt
-    sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*[^;]$/\1/p' $1.c |
+    sed '/^.* What follows calls these/,/^$/d' $1.c |
+        sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*[^;]$/\1/p' |
         egrep -v "^($2)$" > build/cnames.txt
     sed -n 's/^      [A-Z ]*\(FUNCTION\|SUBROUTINE\) \([A-Z0-9]*\).*/\2/p' \
         f77/$1.f | egrep -v "^($3)$" > build/fnames.txt
