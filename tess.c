@@ -175,9 +175,11 @@ extern void tess_prove(int fact);
 #define THIN 1e-6
 /* The ball of the best point is found by limbs when its L-coordinate is known
  * to less than WIDE of it and the circumradius, and after MANY exact
- * comparisons. */
+ * comparisons; not of points in so few units (t5 of hh_set at least PLAIN) that
+ * doubles decide these, which takes less time. */
 #define WIDE 1e-4
 #define MANY 6
+#define PLAIN 16.0
 /* Pool that is recommended beyond 4 n in any case, up to 8 n. */
 #define MUCH 320000L
 
@@ -1456,7 +1458,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     }
     if (sign <= 0) return;
     if (f->best != NONE && hi >= f->lo) {
-        f->asked++;
+        f->asked += m->set.t5 < PLAIN;
         if (power == UNSURE) {
             COUNT(N_EXACT, 1);
             power = hh_pbeat(&m->set, f->v, f->best, z) ? -1 : 1;

@@ -216,9 +216,11 @@ C       PLANES  hull planes that are remembered
 C       ENTRY, EDGE  integers of an entry of the pool, and of an edge
 C       LEAST   pool and edges, at least
 C       THIN    a facet with a greater E is set up by limbs
-C       WIDE, MANY  the ball of the best point is found by limbs when
-C               its L-coordinate is known to less than WIDE of it and
-C               the circumradius, and after MANY exact comparisons
+C       WIDE, MANY, PLAIN  the ball of the best point is found by limbs
+C               when its L-coordinate is known to less than WIDE of it
+C               and the circumradius, and after MANY exact comparisons;
+C               not of points in so few units (T5 at least PLAIN) that
+C               doubles decide these, which takes less time
 C       MUCH    pool that is recommended beyond 4 N in any case, up to
 C               8 N
 C       INTMAX  the largest integer
@@ -1864,8 +1866,8 @@ C     what they leave open limits the better one by the other.
       INTEGER MANY
       PARAMETER (T3 = 1, T5 = 2, QBEST = 1, QLIMBS = 2, QASKED = 5)
       PARAMETER (QLO = 1, QHI = 2, QLIMB = 7, UNSURE = 2, MANY = 6)
-      DOUBLE PRECISION WIDE
-      PARAMETER (WIDE = 1.0D-4)
+      DOUBLE PRECISION PLAIN, WIDE
+      PARAMETER (PLAIN = 16.0D0, WIDE = 1.0D-4)
       DOUBLE PRECISION HI, LO, Q(3)
       INTEGER OPEN, POWER, SGN, SIDE
       Q(1) = X(1,Z)
@@ -1886,7 +1888,7 @@ C     what they leave open limits the better one by the other.
      $    RCTL(T3), V(1), V(2), V(3), Z)
       IF (SGN .LE. 0) RETURN
       IF (OPEN .EQ. 1) THEN
-        IQ(QASKED) = IQ(QASKED) + 1
+        IF (RCTL(T5) .LT. PLAIN) IQ(QASKED) = IQ(QASKED) + 1
         IF (POWER .EQ. UNSURE) POWER = 1 - 2*HHPBEA(X, P, ORD,
      $      RCTL(T3), RCTL(T5), V, IQ(QBEST), Z)
         IF (POWER .GT. 0) THEN
