@@ -1418,11 +1418,13 @@ static void narrow(quest *f, double l)
  * two sums, 5 eps |c|_1. */
 static void refine(const mesh *m, quest *f)
 {
-    double l, err;
+    double c[3], l, err;
+    int k;
 
     COUNT(N_BALL, 1);
-    if (!hh_centre(&m->set, f->v, f->base, f->best, f->c, &f->t)) return;
+    if (!hh_centre(&m->set, f->v, f->base, f->best, c, &f->t)) return;
     f->limbs = f->ball = 1;
+    for (k = 0; k < 3; k++) f->c[k] = c[k];
     f->size = fabs(f->c[0]) + fabs(f->c[1]) + fabs(f->c[2]);
     f->dc = 8.0 * EPS * f->size;
     if (f->f[9] > HH_LOOSE) return;
