@@ -953,7 +953,7 @@ static void fixedsets(void)
             for (k = 0; k < 3; k++) {
                 rounded = (tess_real)fixed[i].p[j][k];
                 p[j][k] = (double)rounded;
-                if (!(fabs(p[j][k]) <= DBL_MAX)) p[j][k] = 1e30;
+                if (!(fabs(p[j][k]) <= DBL_MAX)) p[j][k] = 1073741824.0;
             }
         rnd_seed(seed);
         few(1);
