@@ -196,7 +196,7 @@ extern void tess_prove(int fact);
  *
  * NARROW: a box narrower than this has no list.  A list's coordinates are then
  * right to far less than FEPS, and a star's margin is above HH_SMALL, so that
- * no product in within underflows.
+ * no product in ballinstar underflows.
  *
  * NEAREST: a star's list does without points nearer than this, in a block's
  * units: the block does not tell them apart.  SLACK: in them, a distance is
