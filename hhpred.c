@@ -954,8 +954,8 @@ static int rows(const hh_set *s, const tess_int *v, double *x, double *top,
 
 /* cut - the HH_ROWS leading rows of three numbers c of m limbs, side by side,
  * step doubles from row to row, and of one number d of nd limbs. */
-static void cut(int m, const double *c, int step, int nd, const double *d,
-                double *row)
+static int cut(int m, const double *c, int step, int nd, const double *d,
+               double *row)
 {
     int first = 0, i, k;
 
@@ -966,6 +966,7 @@ static void cut(int m, const double *c, int step, int nd, const double *d,
         for (k = 0; k < 3; k++) row[k] = i < m ? c[step * i + k] : 0.0;
         row[3] = i < nd ? d[i] : 0.0;
     }
+    return first;
 }
 
 /* hh_centre - the centre c, relative to the position v[base] and scaled as s->x
@@ -988,8 +989,18 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
     n = rows(s, w, x, &t->top, &t->factor, &e);
     if (n == 0) return 0;
     t->first = centre(n, x, work);
+    t->n = n;
+    t->e = e;
+    t->most = t->top / t->factor;
+    t->most = t->most < DBL_MAX / BASE ? t->most * (BASE / 4.0) : DBL_MAX;
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3; k++) t->base[3 * i + k] = x[12 * i + 9 + k];
+    cut(2 * n, work + 15 * n + 6, 9, 0, work, t->side);
+    if (z == v[base]) return 1;
+    at = cut(4 * n, work, 3, 3 * n, work + 12 * n, t->power);
     d = 2.0 * leading(3 * n, work + 12 * n, 1, &dat);
     if (d == 0.0) return 0;
+    t->d = ldexp(0.5 * d, (at - dat) * HH_BITS);
     for (k = 0; k < 3; k++) {
         c[k] = leading(4 * n, work + k, 3, &at) / d;
         if (c[k] == 0.0) continue;
@@ -997,29 +1008,21 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
         if (at > CENTRE) return 0;
         c[k] = ldexp(c[k], at);
     }
-    t->n = n;
-    t->most = t->top / t->factor;
-    t->most = t->most < DBL_MAX / BASE ? t->most * (BASE / 4.0) : DBL_MAX;
-    for (i = 0; i < n; i++)
-        for (k = 0; k < 3; k++) t->base[3 * i + k] = x[12 * i + 9 + k];
-    cut(4 * n, work, 3, 3 * n, work + 12 * n, t->power);
-    cut(2 * n, work + 15 * n + 6, 9, 0, work, t->side);
     return fabs(c[0]) + fabs(c[1]) + fabs(c[2]) > HH_SMALL;
 }
 
-/* form - the sign of row[3] l - row[0..2].u, of rows cut off from longer
- * numbers, of u of n limbs, of which those before first are 0, and l of 2n,
- * if any row[3] is not 0; or UNSURE.
+/* form - sum = row[3] l - row[0..2].u, of rows cut off from longer numbers, of
+ * u of n limbs, of which those before first are 0, and l of 2n, if any row[3] is
+ * not 0.
  *
  * What is lost are products of limbs that weigh less than the last row of the
  * sum: in the row behind it 3n products of at most (BASE/2 + 1) BASE and 2n of
  * (BASE/2 + 1)^2, with all that follow less than CARRY units of the last row,
- * for n <= 10.  So a partial sum of more than 2 CARRY decides, as in signof;
- * no row of the sum has more than 30 products of at most BASE^2 / 2. */
-static int form(const double *row, int n, int first, const double *u,
-                const double *l)
+ * for n <= 10.  No row of the sum has more than 30 products of at most BASE^2 /
+ * 2. */
+static void form(const double *row, int n, int first, const double *u,
+                 const double *l, double *sum)
 {
-    double sum[HH_ROWS + 1], s = 0.0;
     int i, k;
 
     zeros(HH_ROWS + 1, sum);
@@ -1033,12 +1036,54 @@ static int form(const double *row, int n, int first, const double *u,
              i < 2 * n && k + i - first < HH_ROWS; i++)
             sum[k + i - first + 1] += row[3] * l[i];
     }
+}
+
+/* sure - the sign of form's sum, or UNSURE: a partial sum of more than 2 CARRY
+ * decides, as in signof. */
+static int sure(const double *sum)
+{
+    double s = 0.0;
+    int i;
+
     for (i = 0; i <= HH_ROWS; i++) {
         s = s * BASE + sum[i];
         if (s > 2.0 * CARRY) return 1;
         if (s < -2.0 * CARRY) return -1;
     }
     return UNSURE;
+}
+
+/* offset - the limbs u of the position z, seen from the base of a ball; 0 where
+ * its limbs do not hold them. */
+static int offset(const hh_set *s, const hh_ball *t, tess_int z, double *u)
+{
+    const tess_real *p = s->p + 3 * s->order[z];
+    int i, k;
+
+    for (k = 0; k < 3; k++)
+        if (fabs((double)p[k]) > t->most ||
+            split(t->factor == 1.0 ? p[k] : p[k] * t->factor, t->top, t->n, 3,
+                  u + k) > t->n)
+            return 0;
+    for (i = 0; i < 3 * t->n; i++) {
+        u[i] -= t->base[i];
+        if (i < 3 * t->first && u[i] != 0.0) return 0;
+    }
+    return 1;
+}
+
+/* square - l = |u|^2, of n limbs. */
+static void square(int n, int first, const double *u, double *l)
+{
+    const double *x;
+    int i, j;
+
+    zeros(2 * n, l);
+    for (i = first; i < n; i++)
+        for (j = first, x = u + 3 * j; j < n; j++, x += 3)
+            l[i + j + 1] += u[3 * i] * x[0] + u[3 * i + 1] * x[1] +
+                            u[3 * i + 2] * x[2];
+    carry(2 * n, 1, l);
 }
 
 /* hh_trial - by a few leading limbs, in a tenth of the time of the exact signs:
@@ -1049,36 +1094,69 @@ static int form(const double *row, int n, int first, const double *u,
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power)
 {
-    const tess_real *p = s->p + 3 * s->order[z];
-    double u[3 * HH_FEW], l[2 * HH_FEW], *x;
-    int n = t->n, i, j, k;
+    double u[3 * HH_FEW], l[2 * HH_FEW], sum[HH_ROWS + 1];
 
     *power = UNSURE;
-    for (k = 0; k < 3; k++)
-        if (fabs((double)p[k]) > t->most ||
-            split(t->factor == 1.0 ? p[k] : p[k] * t->factor, t->top, n, 3,
-                  u + k) > n)
-            break;
-    for (i = 0; i < 3 * n && k == 3; i++) {
-        u[i] -= t->base[i];
-        if (i < 3 * t->first && u[i] != 0.0) k = 0;
-    }
-    if (k < 3) {
+    if (!offset(s, t, z, u)) {
         if (*side == 0) *side = UNSURE;
         return;
     }
     if (*side == 0) {
-        k = form(t->side, n, t->first, u, t->base);
-        *side = k == UNSURE ? UNSURE : -k;
+        form(t->side, t->n, t->first, u, u, sum);
+        *side = sure(sum);
+        if (*side != UNSURE) *side = -*side;
     }
     if (*side < 0) return;
-    zeros(2 * n, l);
-    for (i = t->first; i < n; i++)
-        for (j = t->first, x = u + 3 * j; j < n; j++, x += 3)
-            l[i + j + 1] += u[3 * i] * x[0] + u[3 * i + 1] * x[1] +
-                            u[3 * i + 2] * x[2];
-    carry(2 * n, 1, l);
-    *power = form(t->power, n, t->first, u, l);
+    square(t->n, t->first, u, l);
+    form(t->power, t->n, t->first, u, l, sum);
+    *power = sure(sum);
+}
+
+/* hh_unit - what hh_height divides by: the length of the normal of a ball's
+ * facet, if plane is 1, or D, as of the leading rows; c: the normal over it. */
+void hh_unit(hh_ball *t, int plane, double *c)
+{
+    double d = 0.0;
+    int k, at;
+
+    t->unit = t->d;
+    t->bits = 2 * t->e + (2 - t->first) * HH_BITS;
+    if (!plane) return;
+    t->bits = t->e + (1 - t->first) * HH_BITS;
+    for (k = 0; k < 3; k++) {
+        c[k] = leading(HH_ROWS, t->side + k, 4, &at);
+        c[k] = ldexp(c[k], -at * HH_BITS);
+        d += c[k] * c[k];
+    }
+    t->unit = sqrt(d);
+    for (k = 0; k < 3; k++) c[k] /= t->unit;
+}
+
+/* hh_height - the height of the position z above the plane of a ball's facet, if
+ * plane is 1, else its power in the ball, scaled as s->x is.  *err bounds its
+ * error: the leading limbs' value errs by 3 eps, what it is divided by by 3, the
+ * quotient by 1, and the last row of the sum by CARRY units.  *err is DBL_MAX
+ * where limbs do not hold it. */
+double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
+                 double *err)
+{
+    double u[3 * HH_FEW], l[2 * HH_FEW], sum[HH_ROWS + 1], h;
+    int i, at;
+
+    *err = DBL_MAX;
+    if (!offset(s, t, z, u)) return 0.0;
+    if (plane)
+        form(t->side, t->n, t->first, u, u, sum);
+    else {
+        square(t->n, t->first, u, l);
+        form(t->power, t->n, t->first, u, l, sum);
+    }
+    carry(HH_ROWS + 1, 1, sum);
+    h = leading(HH_ROWS + 1, sum, 1, &at);
+    h = ldexp(h / t->unit, t->bits - at * HH_BITS);
+    *err = 8.0 * DBL_EPSILON * fabs(h) +
+           2.0 * fabs(ldexp(CARRY / t->unit, t->bits - HH_ROWS * HH_BITS));
+    return plane ? -h : h;
 }
 
 /* hh_thin - the set-up f of a facet v that is too thin for Householder's
@@ -1264,23 +1342,44 @@ int hh_bound(const double *f, const double *z, double *l, double *dl)
     return -side > err ? -1 : 0;
 }
 
+/* hh_ratio - limits of the L-coordinate of z, whose side is between least >= 0
+ * and most: *lo and *hi are left as they are where there are none.
+ *
+ * L is a quotient of the power N = w.w - 2 (c-p1).w and twice the side.  With
+ * p_k = w_k (w_k - 2 c_k), the error of w_k counts for eps (2 w_k^2 + 2 |c_k
+ * w_k|), the four roundings of p_k and of the sum for 4 eps (w_k^2 + 2 |c_k
+ * w_k|) in any rounding mode and order, that of c for 2 |w| dc: together less
+ * than size (eps (8 size + 12 rho) + 2 dc), size >= HH_SMALL, where underflow
+ * does less than that, with room for the last roundings. */
+void hh_ratio(const double *f, const double *z, double least, double most,
+              double *lo, double *hi)
+{
+    double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
+    double size = fabs(w0) + fabs(w1) + fabs(w2);
+    double power = HH_POWER(w0, w1, w2, f + 3);
+    double err = size * (DBL_EPSILON * (8.0 * size + 12.0 * f[11]) +
+                         2.0 * f[10]);
+
+    if (power > err)
+        *lo = (power - err) / (2.0 * most);
+    else if (least > 0.0)
+        *lo = (power - err) / (2.0 * least);
+    if (power < -err)
+        *hi = (power + err) / (2.0 * most);
+    else if (least > 0.0)
+        *hi = (power + err) / (2.0 * least);
+}
+
 /* hh_limits - hh_bound, with limits of L instead: if z is on the positive side
  * its L-coordinate is at least *lo and at most *hi, +-DBL_MAX where there is no
- * limit.
- *
- * Where the side is not certain, L is a quotient of the power N = w.w - 2
- * (c-p1).w and twice a side that, if positive at all, is at most side + err:
- * a power that is certainly not 0 then limits L on the side of 0.  With p_k =
- * w_k (w_k - 2 c_k), the error of w_k counts for eps (2 w_k^2 + 2 |c_k w_k|),
- * the four roundings of p_k and of the sum for 4 eps (w_k^2 + 2 |c_k w_k|) in
- * any rounding mode and order, that of c for 2 |w| dc: together less than
- * size (eps (8 size + 12 rho) + 2 dc), size >= HH_SMALL, where underflow does
- * less than that.  A side + 2 err in place of side + err has room for the last
- * roundings: err is at least 260 eps size, and |side| at most size. */
+ * limit.  Where the side is not certain it is at most side + err, if positive
+ * at all: a power that is certainly not 0 then limits L on the side of 0.  A
+ * side + 2 err in the place of that has room for the last roundings: err is at
+ * least 260 eps size, and |side| at most size. */
 int hh_limits(const double *f, const double *z, double *lo, double *hi)
 {
     double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
-    double size = fabs(w0) + fabs(w1) + fabs(w2), l, dl, most, power, err;
+    double size = fabs(w0) + fabs(w1) + fabs(w2), l, dl;
     int side = hh_bound(f, z, &l, &dl);
 
     *lo = -DBL_MAX;
@@ -1289,13 +1388,10 @@ int hh_limits(const double *f, const double *z, double *lo, double *hi)
         *lo = l - dl;
         *hi = l + dl;
     }
-    if (side != 0 || size < HH_SMALL || f[9] > HH_LOOSE) return side;
-    most = 2.0 * (f[0] * w0 + f[1] * w1 + f[2] * w2 + 2.0 * f[9] * size);
-    power = HH_POWER(w0, w1, w2, f + 3);
-    err = size * (DBL_EPSILON * (8.0 * size + 12.0 * f[11]) + 2.0 * f[10]);
-    if (power > err) *lo = (power - err) / most;
-    if (power < -err) *hi = (power + err) / most;
-    return 0;
+    if (side == 0 && size >= HH_SMALL && f[9] <= HH_LOOSE)
+        hh_ratio(f, z, 0.0,
+                 f[0] * w0 + f[1] * w1 + f[2] * w2 + 2.0 * f[9] * size, lo, hi);
+    return side;
 }
 
 int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,

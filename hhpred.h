@@ -193,11 +193,14 @@ typedef struct hh_set {
  *   n      limbs of u; those before first are 0 for the facet and the point
  *   top    weight of limb 0 of coordinates times factor, which hold most
  *   base   limbs of the base, three coordinates side by side
- *   power  leading rows of C and D, side those of n and 0 */
+ *   power  leading rows of C and D, side those of n and 0
+ *   unit, exponent   of the power and of the side: see hh_height */
 typedef struct hh_ball {
     int n, first;
     double top, factor, most;
     double base[3 * HH_FEW], power[4 * HH_ROWS], side[4 * HH_ROWS];
+    double d, unit;
+    int e, bits;
 } hh_ball;
 
 /* The power |w|^2 - 2 c.w of a point w in the ball of centre c through 0. */
@@ -208,6 +211,8 @@ typedef struct hh_ball {
 /* Details in hhpred.c. */
 void hh_setup(const double *p1, const double *p2, const double *p3, double *f);
 int hh_bound(const double *f, const double *z, double *l, double *dl);
+void hh_ratio(const double *f, const double *z, double least, double most,
+              double *lo, double *hi);
 int hh_limits(const double *f, const double *z, double *lo, double *hi);
 int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l);
 int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
@@ -217,6 +222,9 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t);
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power);
+void hh_unit(hh_ball *t, int plane, double *c);
+double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
+                 double *err);
 void hh_thin(const hh_set *s, const tess_int *v, int base, double *f);
 int hh_flat(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c);

@@ -164,6 +164,16 @@ extern void tess_prove(int fact);
 #define SAMPLE 64
 /* Depth of the tree plus one, at most. */
 #define DEPTH 64
+/* Supports, at most; one is sought when a search leaves more than OPENED
+ * comparisons open and such are as many as the points. */
+#define SUPPORTS (TESS_LIST / 64)
+#define OPENED 24
+/* Points that such a search remembers. */
+#define SOME 32
+/* Marks of heights over a support. */
+#define GRAINS (DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L : 2048L)
+/* Added where a node has points above that. */
+#define ABOVE (GRAINS + 2)
 /* Hull planes that are remembered. */
 #define PLANES 4
 /* Integers of an entry of the pool, and of an edge of the link. */
@@ -254,7 +264,25 @@ typedef struct quest {
     int ball;                 /* there is a ball to prune with: centre c, */
     double c[3];              /* relative to f[6..8], wrong by at most dc */
     double dc, size;          /* and |c|_1 */
+    int nsome;                /* of the points, near no support, that are */
+    tess_int some[SOME];      /* left open, every stride-th one: opened of */
+    tess_int opened, stride;  /* them */
+    int near;                 /* the facet is near this support, or NONE: */
+    double h, dh, tilt[3], dtilt; /* G = height - h - tilt.w is 0 on it */
+    double elo, ehi;          /* the best point's e is between them */
+    int aimed;                /* hidden's test is made: */
+    double a, q, d[3], dd, bias, err;
 } quest;
+
+/* A support: a plane or a sphere that many points are near to. */
+typedef struct support {
+    hh_ball t;
+    int plane;
+    double sign;              /* of a height by limbs */
+    double at[3], c[3], size; /* seen from at: unit normal, or centre; |c|_1 */
+    double low, grain;        /* mark k: a height from low + (k - 1/2) grain */
+    tess_int *least;          /* to low + (k + 3/2) grain; least k of a node */
+} support;
 
 typedef struct mesh {
     hh_set set;
@@ -280,6 +308,10 @@ typedef struct mesh {
     list block, around;       /* lists of a leaf, and of a star in it */
     double share;             /* the star's margin in the block's */
     int ties;                 /* the last points on a ball were not in it */
+    support support[SUPPORTS];
+    int nsupport, most;       /* how many there are, and may be */
+    tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
+    double burden;            /* comparisons that searches left open */
 } mesh;
 
 /* ---- sorting ---- */
@@ -1399,6 +1431,7 @@ static int better(const mesh *m, const quest *f, tess_int z)
 static void narrow(quest *f, double l)
 {
     f->hi = l;
+    f->aimed = 0;
     if (f->limbs || l > MUCHL || l < -MUCHL) return;
     f->ball = 1;
     /* what is better than the best point is, on the positive side, in the ball
@@ -1434,21 +1467,445 @@ static void refine(const mesh *m, quest *f)
     if (l + err < f->hi) f->hi = l + err;
 }
 
+/* ---- supports ----
+ *
+ * Where many points are near one plane or sphere, the side or the power of each
+ * is noise for a facet of three of them, and no box of points is away from the
+ * ball.  A support is such a plane or sphere, through points; by limbs the
+ * heights of others over it (a sphere's: their powers) are right to some eps of
+ * themselves.  With h that of the base of a facet near to it, and tilt the
+ * vector in the facet's plane whose products with its edges are the differences
+ * of heights,
+ *     G(w) = height(w) - h - tilt.w
+ * is 0 at its vertices.  So on a plane it is g times the side of w, g being the
+ * height of the facet's normal v; on a sphere, whose centre's height over the
+ * facet's plane is l, it is the power of w in the ball of L = l: L(w) = l + e,
+ * e = G(w) / (2 side). */
+
+/* rough - the height of the position z over a support, in double precision: the
+ * centre errs by 8 eps |c|, the rest is 6 roundings. */
+static double rough(const mesh *m, const support *s, tess_int z, double *err)
+{
+    double h = 0.0, size = 0.0, u;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        u = m->x[3 * z + k] - s->at[k];
+        h += u * (s->plane ? s->c[k] : u - 2.0 * s->c[k]);
+        size += fabs(u);
+    }
+    *err = 32.0 * EPS * size * (s->plane ? 1.0 : size + s->size) + FAINT;
+    return h;
+}
+
+/* level - the height of the position z over support j, if it is near to it:
+ * by its mark, or else by limbs. */
+static int level(const mesh *m, int j, tess_int z, double *h, double *err)
+{
+    const support *s = m->support + j;
+    tess_int mark = m->mark[z] - 1;
+
+    if (mark >= 0 && mark % SUPPORTS == j) {
+        *h = s->low + s->grain * ((double)(mark / SUPPORTS) + 0.5);
+        *err = s->grain;
+        return 1;
+    }
+    *h = rough(m, s, z, err);
+    if (fabs(*h) > *err - s->low) return 0;
+    *h = s->sign * hh_height(&m->set, &s->t, z, s->plane, err);
+    return *err <= s->grain && fabs(*h) <= -s->low;
+}
+
+/* widest - of n positions z that which is the farthest from a, or from the line
+ * from a to b, or from the plane a, b, c; NONE: not given. */
+static tess_int widest(const mesh *m, const tess_int *z, int n, tess_int a,
+                       tess_int b, tess_int c, double *most)
+{
+    const double *p = m->x + 3 * a, *q;
+    double u[3], v[3], w[3], x[3], size;
+    tess_int best = a;
+    int i, k;
+
+    *most = 0.0;
+    for (i = 0; i < n; i++) {
+        for (k = 0; k < 3; k++) {
+            u[k] = m->x[3 * z[i] + k] - p[k];
+            v[k] = b == NONE ? 0.0 : m->x[3 * b + k] - p[k];
+            w[k] = c == NONE ? 0.0 : m->x[3 * c + k] - p[k];
+        }
+        for (k = 0, q = c == NONE ? u : w; k < 3; k++)
+            x[k] = b == NONE ? u[k]
+                             : v[(k + 1) % 3] * q[(k + 2) % 3] -
+                                   v[(k + 2) % 3] * q[(k + 1) % 3];
+        size = c != NONE ? fabs(x[0] * u[0] + x[1] * u[1] + x[2] * u[2])
+                         : x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
+        if (size > *most) {
+            *most = size;
+            best = z[i];
+        }
+    }
+    return best;
+}
+
+/* fit - set up a support for the points that a search left open: through the
+ * widest of them, for heights of at most 8 times those of three quarters. */
+static int fit(mesh *m, const quest *f, support *s)
+{
+    tess_int v[3], z, i;
+    double line, area, volume, h[SOME + 1], err, worst = 0.0, c;
+    int n = f->nsome, k, up = 0;
+
+    v[0] = f->v[0];
+    v[1] = widest(m, f->some, n, v[0], NONE, NONE, &line);
+    v[2] = widest(m, f->some, n, v[0], v[1], NONE, &area);
+    if (area < 1e-12 * line * line) return 0;
+    z = widest(m, f->some, n, v[0], v[1], v[2], &volume);
+    s->plane = volume < 1e-7 * sqrt(area) * line;
+    if (!hh_centre(&m->set, v, 0, s->plane ? v[0] : z, s->c, &s->t)) return 0;
+    hh_unit(&s->t, s->plane, s->c);
+    s->size = fabs(s->c[0]) + fabs(s->c[1]) + fabs(s->c[2]);
+    for (k = 0; k < 3; k++) s->at[k] = m->x[3 * v[0] + k];
+    for (i = 0; i < n; i++) {
+        c = fabs(hh_height(&m->set, &s->t, f->some[i], s->plane, &err));
+        if (err == DBL_MAX) c = DBL_MAX;
+        else if (err > worst) worst = err;
+        for (k = (int)i; k > 0 && h[k - 1] > c; k--) h[k] = h[k - 1];
+        h[k] = c;
+    }
+    c = h[3 * n / 4];
+    if (c > 1e-4 * (s->plane ? sqrt(line) : line)) return 0;
+    s->grain = 16.0 * c / GRAINS;
+    if (s->grain < 8.0 * worst) s->grain = 8.0 * worst;
+    s->low = -0.5 * s->grain * GRAINS;
+    s->sign = 1.0;
+    for (i = 0; i < m->np && s->plane; i += m->np / 256 + 1) {
+        c = rough(m, s, i, &err);
+        up += (c > err - s->low) - (c < s->low - err);
+    }
+    if (up >= 0) return 1;
+    s->sign = -1.0;
+    for (k = 0; k < 3; k++) s->c[k] = -s->c[k];
+    return 1;
+}
+
+/* discover - find a support for the points that a search left open, mark those
+ * near to it that are near to no other, and give each node the least height. */
+static void discover(mesh *m, const quest *f)
+{
+    support *s = m->support + m->nsupport;
+    tess_int node, i, last, mark;
+    double h, err, c;
+    int above;
+
+    if (m->nsupport == 0)
+        for (i = 0; i < m->np; i++) m->mark[i] = 0;
+    if (!fit(m, f, s)) return;
+    s->least = m->mark + m->np + 2 * m->leaves * m->nsupport;
+    for (node = 2 * m->leaves - 1; node > 0; node--) {
+        if (node < m->leaves) {
+            i = s->least[2 * node];
+            last = s->least[2 * node + 1];
+            above = i > GRAINS || last > GRAINS;
+            i -= i > GRAINS ? ABOVE : 0;
+            last -= last > GRAINS ? ABOVE : 0;
+            s->least[node] = (i < last ? i : last) + (above ? ABOVE : 0);
+            continue;
+        }
+        s->least[node] = GRAINS;
+        above = 0;
+        span(m, node, &i, &last);
+        for (; i < last; i++) {
+            if (m->link[i] == DONE) continue;
+            h = rough(m, s, i, &err);
+            if (fabs(h) <= err - s->low) {
+                c = s->sign * hh_height(&m->set, &s->t, i, s->plane, &h);
+                if (h < err) err = h, h = c;
+                else h = c;
+            }
+            c = (h - err - s->low) / s->grain;
+            mark = c < 0.0 ? -1 : c < GRAINS ? (tess_int)c : GRAINS;
+            if (mark < s->least[node]) s->least[node] = mark;
+            if (h + err > -s->low) above = 1;
+            if (mark >= 0 && mark < GRAINS && 8.0 * err <= s->grain &&
+                m->mark[i] == 0)
+                m->mark[i] = 1 + m->nsupport + SUPPORTS * mark;
+        }
+        if (above) s->least[node] += ABOVE;
+    }
+    m->nsupport++;
+}
+
+/* lean - find the support that the facet is near to, if there is one, and its
+ * tilt.  What that misses: products with the edges r0, r1, and what is not in
+ * the plane.  Of a vector in it whose products with unit vectors at an angle
+ * are r0, r1 the length is at most (|r0| + |r1|) / sine of the angle. */
+static void lean(const mesh *m, quest *f)
+{
+    const double *b = m->x + 3 * f->v[f->base], *p;
+    double a[2][3], h[3], err[3], n[2], t[2], ab = 0.0, det, size, r;
+    tess_int mark;
+    int i, k;
+
+    for (i = 0; i < 3 && f->near == NONE; i++) {
+        mark = m->mark[f->v[i]] - 1;
+        if (mark < 0) continue;
+        for (k = 0; k < 3; k++)
+            if (!level(m, (int)(mark % SUPPORTS), f->v[(f->base + k) % 3],
+                       h + k, err + k))
+                break;
+        if (k == 3) f->near = (int)(mark % SUPPORTS);
+    }
+    if (f->near == NONE) return;
+    for (i = 0; i < 2; i++) {
+        p = m->x + 3 * f->v[(f->base + 1 + i) % 3];
+        n[i] = 0.0;
+        for (k = 0; k < 3; k++) {
+            a[i][k] = p[k] - b[k];
+            n[i] += a[i][k] * a[i][k];
+        }
+        h[i + 1] -= h[0];
+    }
+    for (k = 0; k < 3; k++) ab += a[0][k] * a[1][k];
+    det = n[0] * n[1] - ab * ab;
+    if (det < 1e-10 * n[0] * n[1] || det < FAINT) {
+        f->near = NONE;
+        return;
+    }
+    t[0] = (h[1] * n[1] - h[2] * ab) / det;
+    t[1] = (h[2] * n[0] - h[1] * ab) / det;
+    size = 0.0;
+    for (k = 0; k < 3; k++) {
+        f->tilt[k] = t[0] * a[0][k] + t[1] * a[1][k];
+        size += fabs(t[0] * a[0][k]) + fabs(t[1] * a[1][k]);
+    }
+    f->h = h[0];
+    f->dh = err[0];
+    f->dtilt = 8.0 * EPS * size;
+    for (i = 0; i < 2; i++) {
+        r = h[i + 1];
+        for (k = 0; k < 3; k++) r -= f->tilt[k] * a[i][k];
+        f->dtilt += (fabs(r) + err[0] + err[i + 1] +
+                     16.0 * EPS * (fabs(h[i + 1]) + fabs(h[0]) +
+                                   size * sqrt(n[i]))) *
+                    sqrt(1.02 * n[1 - i] / det);
+    }
+}
+
+/* residual - limits of G for a point near to the facet's support. */
+static int residual(const mesh *m, const quest *f, tess_int z, double *lo,
+                    double *hi)
+{
+    const double *x = m->x + 3 * z;
+    double h, err, size = 0.0, u;
+    int k;
+
+    if (!level(m, f->near, z, &h, &err)) return 0;
+    err += f->dh + 16.0 * EPS * (fabs(h) + fabs(f->h)) + FAINT;
+    h -= f->h;
+    for (k = 0; k < 3; k++) {
+        u = x[k] - f->f[6 + k];
+        h -= f->tilt[k] * u;
+        size += fabs(u);
+        err += 16.0 * EPS * fabs(f->tilt[k] * u);
+    }
+    err += f->dtilt * size;
+    *lo = h - err;
+    *hi = h + err;
+    return 1;
+}
+
+/* sharpen - the side of the position z that hh_limits did not find negative,
+ * and limits of L, by a plane's support; of e, by a sphere's.  g errs by E and
+ * some roundings. */
+static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
+                   double *lo, double *hi, double *elo, double *ehi)
+{
+    const support *s = m->support + f->near;
+    const double *x = m->x + 3 * z;
+    double low, high, least, most, g = 0.0, dg, size = 0.0, u;
+    int k;
+
+    if (f->f[9] > 1e-3 || !residual(m, f, z, &low, &high)) return side;
+    if (s->plane) {
+        for (k = 0; k < 3; k++) g += s->c[k] * f->f[k];
+        if (fabs(g) < 0.5) return side;
+        if (g < 0.0) {
+            u = low;
+            low = -high;
+            high = -u;
+            g = -g;
+        }
+        if (high < 0.0) return -1;
+        dg = f->f[9] + 32.0 * EPS;
+        least = low / (g + dg) * (1.0 - PAD);
+        if (least > HH_SMALL) {
+            hh_ratio(f->f, x, least, high / (g - dg) * (1.0 + PAD), lo, hi);
+            side = 1;
+        }
+        return side;
+    }
+    for (k = 0; k < 3; k++) {
+        u = x[k] - f->f[6 + k];
+        g += f->f[k] * u;
+        size += fabs(u);
+    }
+    least = 2.0 * (g - f->f[9] * size);
+    most = 2.0 * (g + f->f[9] * size);
+    if (side <= 0 || least < HH_SMALL) return side;
+    *elo = low / (low > 0.0 ? most : least);
+    *ehi = high / (high > 0.0 ? least : most);
+    *elo -= PAD * fabs(*elo);
+    *ehi += PAD * fabs(*ehi);
+    return side;
+}
+
+/* sight - make hidden's test for the best point there is.  For a point better
+ * than it, of L-coordinate at most k, N - 2 k side <= 0 < side, N being the
+ * power in the ball of L = 0.  So there is none where
+ *     a (height - h) + q |w|^2 - d.w > 0:
+ *   plane    side = G / g: a = -2 k / g, q = 1, d = 2 c + a tilt, c the centre
+ *            of L = 0, if a > 0; a may be greater for g < 0, where G < 0 on the
+ *            positive side, and less for g > 0; without a ball a = 1, q = 0,
+ *            d = tilt for g < 0
+ *   sphere   k = l + e: N - 2 k side = G - 2 e side = height - h - (tilt + 2 e
+ *            v).w; of the height a share q is taken as |w|^2 + 2 o.w + h, o =
+ *            base - centre: a = 1 - q, d = tilt + 2 e v - 2 q o
+ * No test: a = -1. */
+static void sight(const mesh *m, quest *f)
+{
+    const support *s = m->support + f->near;
+    double g = 0.0, e = f->ehi, o[3], oo = 0.0, od = 0.0;
+    int k;
+
+    f->aimed = 1;
+    f->a = -1.0;
+    f->q = f->bias = 0.0;
+    if (f->f[9] > 1e-3) return;
+    if (s->plane) {
+        for (k = 0; k < 3; k++) g += s->c[k] * f->f[k];
+        if (fabs(g) < 0.5) return;
+        if (f->ball && f->hi < MUCHL && f->hi * g < 0.0) {
+            f->a = -2.0 * f->hi / g;
+            f->a += 4.0 * (f->f[9] + 32.0 * EPS) * (g < 0.0 ? f->a : -f->a);
+            f->q = 1.0;
+        } else if (g < 0.0 && !f->ball)
+            f->a = 1.0;
+        else
+            return;
+        f->dd = f->a * f->dtilt + 2.0 * f->q * f->f[10];
+        for (k = 0; k < 3; k++) {
+            f->d[k] = 2.0 * f->q * f->f[3 + k] + f->a * f->tilt[k];
+            f->dd += 16.0 * EPS * (2.0 * f->q * fabs(f->f[3 + k]) +
+                                   f->a * fabs(f->tilt[k]));
+        }
+        return;
+    }
+    for (k = 0; k < 3; k++) {
+        o[k] = f->f[6 + k] - s->at[k] - s->c[k];
+        g -= f->f[k] * o[k];
+        oo += fabs(o[k]) + fabs(s->c[k]) + fabs(s->at[k]);
+    }
+    if (f->hi > MUCHL) {
+        if (g >= 0.0) return;
+        od = 0.0;
+        for (k = 0; k < 3; k++) od += o[k] * o[k];
+        f->q = -g / (2.0 * od);
+        f->a = 0.0;
+        f->bias = f->q * (s->low + f->h - f->dh) * (1.0 + PAD) ;
+        f->dd = f->f[9] + 16.0 * EPS * (1.0 + f->q * oo);
+        for (k = 0; k < 3; k++) f->d[k] = f->f[k] - 2.0 * f->q * o[k];
+        return;
+    }
+    if (e == DBL_MAX)
+        e = f->hi - g + 32.0 * EPS * (fabs(f->hi) + oo) + f->f[9] * oo;
+    oo = 0.0;
+    f->dd = f->dtilt + 2.0 * fabs(e) * f->f[9];
+    for (k = 0; k < 3; k++) {
+        f->d[k] = f->tilt[k] + 2.0 * e * f->f[k];
+        oo += o[k] * o[k];
+        od += o[k] * f->d[k];
+    }
+    if (od > 0.0) f->q = od < 2.0 * oo ? od / (2.0 * oo) : 1.0;
+    f->a = 1.0 - f->q;
+    for (k = 0; k < 3; k++) {
+        f->dd += 16.0 * EPS * (fabs(f->tilt[k]) + 2.0 * fabs(e * f->f[k]) +
+                               f->q * (fabs(o[k]) + 2.0 * fabs(s->c[k]) +
+                                       fabs(s->at[k])));
+        f->d[k] -= 2.0 * f->q * o[k];
+    }
+}
+
+/* hidden - has a node no candidate, by the support?  The least height of its
+ * points and the least of q |w|^2 - d.w in its box count. */
+static double promise(const mesh *m, quest *f, tess_int node)
+{
+    const support *s = m->support + f->near;
+    const double *b = m->box + 6 * node;
+    tess_int mark = s->least[node];
+    int above = mark > GRAINS;
+    double least, sum, size = 0.0, l, h, u;
+    int k;
+
+    if (!f->aimed) sight(m, f);
+    if (above) mark -= ABOVE;
+    least = s->low + s->grain * ((double)mark - 0.5);
+    sum = f->a * (least - f->h) + f->bias;
+    for (k = 0; k < 3; k++) {
+        l = b[k] - f->f[6 + k];
+        h = b[3 + k] - f->f[6 + k];
+        u = f->q > 0.0 ? f->d[k] / (2.0 * f->q) : f->d[k] > 0.0 ? h : l;
+        u = u > l ? u : l;
+        u = u < h ? u : h;
+        sum += u * (f->q * u - f->d[k]);
+        l = fabs(l);
+        h = fabs(h);
+        size += l > h ? l : h;
+    }
+    f->err = f->a * f->dh +
+             16.0 * EPS * (f->a * (fabs(f->h) - s->low) +
+                           f->q * size * size) +
+             size * f->dd + FAINT;
+    if (f->a < 0.0 || (f->a > 0.0 && mark < 0) || (f->bias < 0.0 && above))
+        return -1.0;
+    return sum - f->err;
+}
+
+/* remember - z among the points that Householder left open, or one of two, of
+ * four ... of them. */
+static void remember(quest *f, tess_int z)
+{
+    int i;
+
+    if (f->opened++ % f->stride != 0) return;
+    if (f->nsome == SOME) {
+        f->nsome = SOME / 2;
+        f->stride *= 2;
+        for (i = 1; i < SOME / 2; i++) f->some[i] = f->some[2 * i];
+    }
+    f->some[f->nsome++] = z;
+}
+
 /* challenge - take z if it is on the open side and beats the best point there
  * is: if its L-coordinate is smaller (Theorem 1); ties by the rule of
  * hh_pball.  The Householder bounds decide where they can; what they leave open
  * limits the better one by the other. */
 static void challenge(const mesh *m, quest *f, tess_int z)
 {
-    double lo, hi;
-    int side = hh_limits(f->f, m->x + 3 * z, &lo, &hi), sign = side;
+    double lo, hi, elo = -DBL_MAX, ehi = DBL_MAX;
+    int side = hh_limits(f->f, m->x + 3 * z, &lo, &hi), sign, unsure;
     int power = UNSURE;
 
-    if (side < 0 || (f->best != NONE && lo > f->hi)) {
+    if (side >= 0 && f->near != NONE)
+        side = sharpen(m, f, z, side, &lo, &hi, &elo, &ehi);
+    if (side < 0 || (f->best != NONE && (lo > f->hi || elo > f->ehi))) {
         HOLDS(!better(m, f, z));
         return;
     }
-    if (f->limbs && (side == 0 || hi >= f->lo)) {
+    sign = side;
+    unsure = f->best != NONE && hi >= f->lo && ehi >= f->elo;
+    if ((side == 0 || unsure) && (m->nsupport == 0 || m->mark[z] == 0))
+        remember(f, z);
+    if (f->limbs && (side == 0 || unsure)) {
         COUNT(N_TRIAL, 1);
         hh_trial(&m->set, &f->t, z, &sign, &power);
         HOLDS(sign == UNSURE ||
@@ -1459,7 +1916,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
         sign = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
     }
     if (sign <= 0) return;
-    if (f->best != NONE && hi >= f->lo) {
+    if (unsure) {
         f->asked += m->set.t5 < PLAIN;
         if (power == UNSURE) {
             COUNT(N_EXACT, 1);
@@ -1468,14 +1925,21 @@ static void challenge(const mesh *m, quest *f, tess_int z)
         HOLDS((power < 0) == hh_pbeat(&m->set, f->v, f->best, z));
         if (power > 0) {
             if (hi < f->hi) narrow(f, hi);
+            if (ehi < f->ehi) {
+                f->ehi = ehi;
+                f->aimed = 0;
+            }
             if (f->asked >= MANY && !f->limbs) refine(m, f);
             return;
         }
         if (hi > f->hi) hi = f->hi;
+        if (ehi > f->ehi) ehi = f->ehi;
     }
     HOLDS(better(m, f, z));
     f->best = z;
     f->lo = lo;
+    f->elo = elo;
+    f->ehi = ehi;
     f->limbs = 0;
     narrow(f, hi);
     if (side == 0 || f->asked >= MANY ||
@@ -1670,6 +2134,42 @@ static int inblock(const mesh *m, quest *f)
     return 1;
 }
 
+/* nearleaf - the same by the support that the facet is near to, for its points;
+ * err is that of promise for the leaf, with room for a mark's. */
+static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
+                     tess_int last)
+{
+    const support *s = m->support + f->near;
+    const double *q;
+    double w0, w1, w2, err, sum;
+    tess_int i, mark;
+
+    COUNT(N_LIST, last - first);
+    err = f->err + f->a * s->grain;
+    for (i = first; i < last; i++) {
+        if (m->link[i] == DONE) continue;
+        mark = m->mark[i] - 1;
+        if (mark >= 0 && mark % SUPPORTS == f->near) {
+            q = m->x + 3 * i;
+            w0 = q[0] - f->f[6];
+            w1 = q[1] - f->f[7];
+            w2 = q[2] - f->f[8];
+            sum = f->a * (s->low + s->grain * (double)(mark / SUPPORTS) -
+                          f->h) + f->bias + w0 * (f->q * w0 - f->d[0]) +
+                  w1 * (f->q * w1 - f->d[1]) + w2 * (f->q * w2 - f->d[2]);
+            if (sum > err) {
+                HOLDS(!better(m, f, i));
+                continue;
+            }
+        }
+        consider(m, f, i);
+        if (!f->aimed) {
+            (void)promise(m, f, node);
+            err = f->a < 0.0 ? DBL_MAX : f->err + f->a * s->grain;
+        }
+    }
+}
+
 /* scanleaf - consider those uncompleted points of a leaf of box b, positions
  * first ... last-1, that are not outside of the ball, or without a ball not on
  * the negative side. */
@@ -1700,26 +2200,45 @@ static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
  * parent's other child, and so on up to the root. */
 static void treesearch(const mesh *m, quest *f)
 {
-    tess_int stack[DEPTH], node = m->leaves + leafof(m, f->v[0]), i, last;
+    tess_int stack[DEPTH], node = 1, i, last;
     const double *b;
-    int depth = 0, n;
+    int depth = 1, n;
 
-    for (i = node; i > 1; i /= 2) depth++;
-    n = depth;
-    stack[depth++] = node;
-    for (i = node; i > 1; i /= 2) stack[--n] = i % 2 == 0 ? i + 1 : i - 1;
+    stack[0] = 1;
+    if (f->near == NONE) {
+        node = m->leaves + leafof(m, f->v[0]);
+        for (i = node, depth = 0; i > 1; i /= 2) depth++;
+        n = depth;
+        stack[depth++] = node;
+        for (i = node; i > 1; i /= 2) stack[--n] = i % 2 == 0 ? i + 1 : i - 1;
+    }
     while (depth > 0) {
         node = stack[--depth];
         COUNT(N_NODE, 1);
         b = m->box + 6 * node;
         if (m->alive[node] == 0 || prunebox(f, b, b + 3)) continue;
+        if (f->near != NONE && promise(m, f, node) > 0.0) {
+#ifdef TESS_PROVE
+            for (i = last = node; i < m->leaves; last = 2 * last + 1) i *= 2;
+            i = leafstart(m, i - m->leaves);
+            last = leafstart(m, last - m->leaves + 1);
+            for (; i < last; i++)
+                HOLDS(m->link[i] == DONE || !better(m, f, i));
+#endif
+            continue;
+        }
         if (node < m->leaves) {
-            stack[depth++] = 2 * node;
-            stack[depth++] = 2 * node + 1;
+            n = f->near != NONE && m->support[f->near].least[2 * node] <
+                                       m->support[f->near].least[2 * node + 1];
+            stack[depth++] = 2 * node + n;
+            stack[depth++] = 2 * node + 1 - n;
             continue;
         }
         span(m, node, &i, &last);
-        scanleaf(m, f, i, last, b);
+        if (f->near != NONE && f->a >= 0.0)
+            nearleaf(m, f, node, i, last);
+        else
+            scanleaf(m, f, i, last, b);
     }
 }
 
@@ -1748,13 +2267,20 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     int k;
 
     for (k = 0; k < 3; k++) f->v[k] = v[k];
-    f->base = f->asked = f->limbs = 0;
+    f->base = f->asked = f->limbs = f->opened = f->nsome = f->aimed = 0;
+    f->stride = 1;
+    f->near = NONE;
+    f->elo = -DBL_MAX;
+    f->ehi = DBL_MAX;
     f->best = NONE;
     f->ball = 0;
     f->hi = DBL_MAX;
     f->dc = f->size = f->c[0] = f->c[1] = f->c[2] = 0.0;
     hh_setup(a, b, c, f->f);
-    if (f->f[9] < 8000.0 * EPS) return;
+    if (f->f[9] < 8000.0 * EPS) {
+        if (m->nsupport > 0) lean(m, f);
+        return;
+    }
     for (k = 0; k < 3; k++) {
         ab += (b[k] - a[k]) * (b[k] - a[k]);
         bc += (c[k] - b[k]) * (c[k] - b[k]);
@@ -1768,6 +2294,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
         hh_setup(c, a, b, f->f);
     }
     if (f->f[9] > THIN) hh_thin(&m->set, v, f->base, f->f);
+    if (m->nsupport > 0) lean(m, f);
 }
 
 #ifdef TESS_PROVE
@@ -1799,18 +2326,31 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
         if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
             guess[k] != f.best)
             challenge(m, &f, guess[k]);
+    if (f.near != NONE && !m->support[f.near].plane && (f.best == NONE || f.ehi < DBL_MAX))
+        ;
+    else
     if (instar(m, &f)) {
         COUNT(N_STAR, 1);
         return f.best;
     }
     /* before the block's list: a tenth of the time on lattices */
     if (f.best == NONE && onhull(m, &f)) return NONE;
+    if (f.near != NONE && !m->support[f.near].plane && (f.best == NONE || f.ehi < DBL_MAX))
+        ;
+    else
     if (inblock(m, &f)) {
         COUNT(N_BLOCK, 1);
         return f.best;
     }
     COUNT(N_TREE, 1);
     treesearch(m, &f);
+    if (f.opened > OPENED && m->nsupport < m->most) {
+        m->burden += (double)f.opened;
+        if (m->burden > (double)m->np) {
+            discover(m, &f);
+            m->burden = 0.0;
+        }
+    }
     if (f.best == NONE) {
         COUNT(N_HULL, 1);
         for (k = 0; k < 3; k++) m->plane[m->nextplane][k] = v[k];
@@ -1914,6 +2454,12 @@ static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
     hub = upto(4, (long)n, most);
     *pool = (tess_int)(hub > most - cloud ? most : hub + cloud);
     return 1;
+}
+
+/* extra - integers that supports take. */
+static tess_int extra(tess_int n)
+{
+    return n + 2 * SUPPORTS * leafcount(n);
 }
 
 /* collect - the points that stand for themselves, in their order. */
@@ -2125,7 +2671,7 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
                double *rw)
 {
     mesh m;
-    tess_int i, s = NONE, leaves = leafcount(n);
+    tess_int i, s = NONE, leaves = leafcount(n), wanted, pool;
     int code;
 
     if (n == 0) return TESS_POINT;
@@ -2143,6 +2689,15 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     m.alive = iw + 4 * n;
     m.pool = m.alive + 2 * leaves;
     m.room = liw - 4 * n - 2 * leaves;
+    (void)lengths(n, &i, &wanted, &pool);
+    m.most = 0;
+    if (liw - i >= pool + extra(n)) {
+        m.room -= extra(n);
+        m.mark = m.pool + m.room;
+        m.most = SUPPORTS;
+    }
+    m.nsupport = 0;
+    m.burden = 0.0;
     m.maxtet = maxtet;
     m.ntet = *ntet;
     m.tet = tet;
@@ -2207,6 +2762,7 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
         return -2;
     }
     *liw += pool;
+    if (extra(n) < TESS_INT_MOST - *liw) *liw += extra(n);
     return 0;
 }
 
