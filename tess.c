@@ -165,9 +165,10 @@ extern void tess_prove(int fact);
 /* Depth of the tree plus one, at most. */
 #define DEPTH 64
 /* Supports, at most; one is sought when a search leaves more than OPENED
- * comparisons open and such are as many as the points. */
-#define SUPPORTS (TESS_LIST / 64)
+ * comparisons open and these add up to BURDEN times the points. */
+#define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST / 64)
 #define OPENED 24
+#define BURDEN 1.0
 /* Points that such a search remembers. */
 #define SOME 32
 /* Marks of heights over a support. */
@@ -251,6 +252,12 @@ typedef struct list {
     tess_int id[TESS_LIST + LEAF];
 } list;
 
+/* aside's test for the points of a support. */
+typedef struct slab {
+    int turn;
+    double q, d[3], dd, bias;
+} slab;
+
 /* A search for the apex of one facet. */
 typedef struct quest {
     tess_int v[3];            /* its vertices; the open side is positive */
@@ -270,8 +277,10 @@ typedef struct quest {
     int near;                 /* the facet is near this support, or NONE: */
     double h, dh, tilt[3], dtilt; /* G = height - h - tilt.w is 0 on it */
     double elo, ehi;          /* the best point's e is between them */
-    int aimed;                /* hidden's test is made: */
+    int turn;                 /* changes with the ball and the best point */
+    int aimed;                /* sight's test was made at this turn: */
     double a, q, d[3], dd, bias, err;
+    slab slab[SUPPORTS];
 } quest;
 
 /* A support: a plane or a sphere that many points are near to. */
@@ -310,6 +319,7 @@ typedef struct mesh {
     int ties;                 /* the last points on a ball were not in it */
     support support[SUPPORTS];
     int nsupport, most;       /* how many there are, and may be */
+    tess_int *pure;           /* 0, or 1 + support of all points of a node */
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
     double burden;            /* comparisons that searches left open */
 } mesh;
@@ -1431,7 +1441,7 @@ static int better(const mesh *m, const quest *f, tess_int z)
 static void narrow(quest *f, double l)
 {
     f->hi = l;
-    f->aimed = 0;
+    f->turn++;
     if (f->limbs || l > MUCHL || l < -MUCHL) return;
     f->ball = 1;
     /* what is better than the best point is, on the positive side, in the ball
@@ -1457,6 +1467,7 @@ static void refine(const mesh *m, quest *f)
     COUNT(N_BALL, 1);
     if (!hh_centre(&m->set, f->v, f->base, f->best, c, &f->t)) return;
     f->limbs = f->ball = 1;
+    f->turn++;
     for (k = 0; k < 3; k++) f->c[k] = c[k];
     f->size = fabs(f->c[0]) + fabs(f->c[1]) + fabs(f->c[2]);
     f->dc = 8.0 * EPS * f->size;
@@ -1598,9 +1609,10 @@ static void discover(mesh *m, const quest *f)
     int above;
 
     if (m->nsupport == 0)
-        for (i = 0; i < m->np; i++) m->mark[i] = 0;
+        for (i = 0; i < m->np + 2 * m->leaves; i++) m->mark[i] = 0;
     if (!fit(m, f, s)) return;
-    s->least = m->mark + m->np + 2 * m->leaves * m->nsupport;
+    m->pure = m->mark + m->np;
+    s->least = m->pure + 2 * m->leaves * (m->nsupport + 1);
     for (node = 2 * m->leaves - 1; node > 0; node--) {
         if (node < m->leaves) {
             i = s->least[2 * node];
@@ -1633,6 +1645,10 @@ static void discover(mesh *m, const quest *f)
         if (above) s->least[node] += ABOVE;
     }
     m->nsupport++;
+    for (node = 1; node < 2 * m->leaves; node++)
+        if (m->pure[node] == 0 && s->least[node] >= 0 &&
+            s->least[node] <= GRAINS)
+            m->pure[node] = m->nsupport;
 }
 
 /* lean - find the support that the facet is near to, if there is one, and its
@@ -1777,7 +1793,7 @@ static void sight(const mesh *m, quest *f)
     double g = 0.0, e = f->ehi, o[3], oo = 0.0, od = 0.0;
     int k;
 
-    f->aimed = 1;
+    f->aimed = f->turn;
     f->a = -1.0;
     f->q = f->bias = 0.0;
     if (f->f[9] > 1e-3) return;
@@ -1835,32 +1851,41 @@ static void sight(const mesh *m, quest *f)
     }
 }
 
-/* hidden - has a node no candidate, by the support?  The least height of its
- * points and the least of q |w|^2 - d.w in its box count. */
-static double promise(const mesh *m, quest *f, tess_int node)
+/* lowest - the least of q |w|^2 - d.w in a box, and the greatest |w|_1. */
+static double lowest(const quest *f, const double *b, double q, const double *d,
+                     double *size)
 {
-    const support *s = m->support + f->near;
-    const double *b = m->box + 6 * node;
-    tess_int mark = s->least[node];
-    int above = mark > GRAINS;
-    double least, sum, size = 0.0, l, h, u;
+    double sum = 0.0, l, h, u;
     int k;
 
-    if (!f->aimed) sight(m, f);
-    if (above) mark -= ABOVE;
-    least = s->low + s->grain * ((double)mark - 0.5);
-    sum = f->a * (least - f->h) + f->bias;
+    *size = 0.0;
     for (k = 0; k < 3; k++) {
         l = b[k] - f->f[6 + k];
         h = b[3 + k] - f->f[6 + k];
-        u = f->q > 0.0 ? f->d[k] / (2.0 * f->q) : f->d[k] > 0.0 ? h : l;
+        u = q > 0.0 ? d[k] / (2.0 * q) : d[k] > 0.0 ? h : l;
         u = u > l ? u : l;
         u = u < h ? u : h;
-        sum += u * (f->q * u - f->d[k]);
+        sum += u * (q * u - d[k]);
         l = fabs(l);
         h = fabs(h);
-        size += l > h ? l : h;
+        *size += l > h ? l : h;
     }
+    return sum;
+}
+
+/* promise - the least that sight's test can be for the points of a node, less
+ * its error: if it is positive, the node has no candidate. */
+static double promise(const mesh *m, quest *f, tess_int node)
+{
+    const support *s = m->support + f->near;
+    tess_int mark = s->least[node];
+    int above = mark > GRAINS;
+    double sum, size;
+
+    if (f->aimed != f->turn) sight(m, f);
+    if (above) mark -= ABOVE;
+    sum = f->a * (s->low + s->grain * ((double)mark - 0.5) - f->h) + f->bias +
+          lowest(f, m->box + 6 * node, f->q, f->d, &size);
     f->err = f->a * f->dh +
              16.0 * EPS * (f->a * (fabs(f->h) - s->low) +
                            f->q * size * size) +
@@ -1868,6 +1893,63 @@ static double promise(const mesh *m, quest *f, tess_int node)
     if (f->a < 0.0 || (f->a > 0.0 && mark < 0) || (f->bias < 0.0 && above))
         return -1.0;
     return sum - f->err;
+}
+
+/* face - make aside's test for the present ball and support j, about which all
+ * heights are within +-low: with Lagrange's multiplier of the place nearest to
+ * the ball's centre
+ *   plane    |w|^2 - 2 c.w = |w|^2 - (2 c + t n).w + t n.w, n.w = n.(at - base)
+ *            + height, t = 2 (n.(at - base) - n.c)
+ *   sphere   |w|^2 - 2 c.w = (1 - t) |w|^2 - (2 c + 2 t o).w - t h + t height, t
+ *            = 1 - |c + o| / R, o = base - centre, h the height of the base */
+static void face(const mesh *m, const quest *f, int j, slab *t)
+{
+    const support *s = m->support + j;
+    double o[3], x = 0.0, y = 0.0, r = 0.0, size = 0.0, all = 0.0, g;
+    int k;
+
+    t->turn = f->turn;
+    for (k = 0; k < 3; k++) {
+        o[k] = f->f[6 + k] - s->at[k];
+        size += fabs(o[k]);
+        all += fabs(o[k]) + fabs(s->at[k]);
+        if (s->plane) {
+            x -= s->c[k] * o[k];
+            y += s->c[k] * f->c[k];
+        } else {
+            x += o[k] * (o[k] - 2.0 * s->c[k]);
+            o[k] -= s->c[k];
+            y += (f->c[k] + o[k]) * (f->c[k] + o[k]);
+            r += s->c[k] * s->c[k];
+        }
+    }
+    g = s->plane ? 2.0 * (x - y) : 1.0 - sqrt(y / r);
+    t->q = s->plane ? 1.0 : 1.0 - g;
+    t->bias = s->plane ? g * x : -g * x;
+    t->bias -= fabs(g) * (1.02 * -s->low + 40.0 * EPS * size *
+                          (s->plane ? 1.0 : size + s->size)) +
+               16.0 * EPS * fabs(t->bias);
+    t->dd = 2.0 * f->dc;
+    for (k = 0; k < 3; k++) {
+        t->d[k] = 2.0 * f->c[k] + (s->plane ? g * s->c[k] : 2.0 * g * o[k]);
+        t->dd += 16.0 * EPS * fabs(f->c[k]);
+    }
+    t->dd += 32.0 * EPS * fabs(g) * (s->plane ? 1.0 : all + s->size);
+}
+
+/* aside - is a node, all of whose points are near one support, outside of the
+ * ball? */
+static int aside(const mesh *m, quest *f, tess_int node)
+{
+    slab *t;
+    int j = (int)m->pure[node] - 1;
+    double size, sum;
+
+    if (j < 0 || !f->ball) return 0;
+    t = f->slab + j;
+    if (t->turn != f->turn) face(m, f, j, t);
+    sum = t->bias + lowest(f, m->box + 6 * node, t->q, t->d, &size);
+    return sum > 16.0 * EPS * t->q * size * size + size * t->dd + FAINT;
 }
 
 /* remember - z among the points that Householder left open, or one of two, of
@@ -1927,7 +2009,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
             if (hi < f->hi) narrow(f, hi);
             if (ehi < f->ehi) {
                 f->ehi = ehi;
-                f->aimed = 0;
+                f->turn++;
             }
             if (f->asked >= MANY && !f->limbs) refine(m, f);
             return;
@@ -2163,7 +2245,7 @@ static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
             }
         }
         consider(m, f, i);
-        if (!f->aimed) {
+        if (f->aimed != f->turn) {
             (void)promise(m, f, node);
             err = f->a < 0.0 ? DBL_MAX : f->err + f->a * s->grain;
         }
@@ -2227,6 +2309,16 @@ static void treesearch(const mesh *m, quest *f)
 #endif
             continue;
         }
+        if (m->nsupport > 0 && aside(m, f, node)) {
+#ifdef TESS_PROVE
+            for (i = last = node; i < m->leaves; last = 2 * last + 1) i *= 2;
+            i = leafstart(m, i - m->leaves);
+            last = leafstart(m, last - m->leaves + 1);
+            for (; i < last; i++)
+                HOLDS(m->link[i] == DONE || !better(m, f, i));
+#endif
+            continue;
+        }
         if (node < m->leaves) {
             n = f->near != NONE && m->support[f->near].least[2 * node] <
                                        m->support[f->near].least[2 * node + 1];
@@ -2239,6 +2331,7 @@ static void treesearch(const mesh *m, quest *f)
             nearleaf(m, f, node, i, last);
         else
             scanleaf(m, f, i, last, b);
+        if (m->nsupport == 0 || m->mark[i] == 0) remember(f, i);
     }
 }
 
@@ -2268,8 +2361,10 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
 
     for (k = 0; k < 3; k++) f->v[k] = v[k];
     f->base = f->asked = f->limbs = f->opened = f->nsome = f->aimed = 0;
+    f->turn = 1;
     f->stride = 1;
     f->near = NONE;
+    for (k = 0; k < m->nsupport; k++) f->slab[k].turn = 0;
     f->elo = -DBL_MAX;
     f->ehi = DBL_MAX;
     f->best = NONE;
@@ -2318,7 +2413,7 @@ static int proven(const mesh *m, const tess_int *v, tess_int c)
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 {
     quest f;
-    int k;
+    int k, lists;
 
     COUNT(N_FACET, 1);
     prepare(m, &f, v);
@@ -2326,19 +2421,16 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
         if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
             guess[k] != f.best)
             challenge(m, &f, guess[k]);
-    if (f.near != NONE && !m->support[f.near].plane && (f.best == NONE || f.ehi < DBL_MAX))
-        ;
-    else
-    if (instar(m, &f)) {
+    /* a ball that is a support's sphere but for rounding is in no list */
+    lists = f.near == NONE || m->support[f.near].plane ||
+            (f.best != NONE && f.ehi == DBL_MAX);
+    if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);
         return f.best;
     }
     /* before the block's list: a tenth of the time on lattices */
-    if (f.best == NONE && onhull(m, &f)) return NONE;
-    if (f.near != NONE && !m->support[f.near].plane && (f.best == NONE || f.ehi < DBL_MAX))
-        ;
-    else
-    if (inblock(m, &f)) {
+    if (lists && f.best == NONE && onhull(m, &f)) return NONE;
+    if (lists && inblock(m, &f)) {
         COUNT(N_BLOCK, 1);
         return f.best;
     }
@@ -2346,7 +2438,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     treesearch(m, &f);
     if (f.opened > OPENED && m->nsupport < m->most) {
         m->burden += (double)f.opened;
-        if (m->burden > (double)m->np) {
+        if (m->burden > BURDEN * (double)m->np) {
             discover(m, &f);
             m->burden = 0.0;
         }
@@ -2459,7 +2551,7 @@ static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
 /* extra - integers that supports take. */
 static tess_int extra(tess_int n)
 {
-    return n + 2 * SUPPORTS * leafcount(n);
+    return n + 2 * (SUPPORTS + 1) * leafcount(n);
 }
 
 /* collect - the points that stand for themselves, in their order. */
