@@ -110,6 +110,7 @@ extern double tess_count[];
 #define N_SIDE 11  /* sides left to the exact predicates    */
 #define N_BALL 12  /* balls found by limbs                  */
 #define N_TRIAL 13 /* comparisons tried by a few limbs      */
+#define N_LEAF 14  /* leaves whose points were tested       */
 
 /* In a build of its own a test hears of every certificate whether it holds. */
 #ifdef TESS_PROVE
@@ -252,6 +253,11 @@ typedef struct list {
     tess_int id[TESS_LIST + LEAF];
 } list;
 
+/* A test of promise. */
+typedef struct form {
+    double a, q, d[3], dd, bias, err;
+} form;
+
 /* aside's test for the points of a support. */
 typedef struct slab {
     int turn;
@@ -279,7 +285,8 @@ typedef struct quest {
     double elo, ehi;          /* the best point's e is between them */
     int turn;                 /* changes with the ball and the best point */
     int aimed;                /* sight's test was made at this turn: */
-    double a, q, d[3], dd, bias, err;
+    int forms;
+    form form[2];
     slab slab[SUPPORTS];
 } quest;
 
@@ -1775,80 +1782,87 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
     return side;
 }
 
-/* sight - make hidden's test for the best point there is.  For a point better
- * than it, of L-coordinate at most k, N - 2 k side <= 0 < side, N being the
- * power in the ball of L = 0.  So there is none where
- *     a (height - h) + q |w|^2 - d.w > 0:
- *   plane    side = G / g: a = -2 k / g, q = 1, d = 2 c + a tilt, c the centre
- *            of L = 0, if a > 0; a may be greater for g < 0, where G < 0 on the
- *            positive side, and less for g > 0; without a ball a = 1, q = 0,
- *            d = tilt for g < 0
+/* sight - make the tests of promise for the best point there is.  For a point
+ * better than it, of L-coordinate at most k, side > 0 and N - 2 k side <= 0, N
+ * being the power in the ball of L = 0.  So there is none where
+ *     a (height - h) + q |w|^2 - d.w + bias > 0:
+ *   plane    side = G / g.  Either a = 1 or -1, that g a < 0; q = 0, d = a tilt;
+ *            or a = -2 k / g, q = 1, d = 2 c + a tilt, c the centre of L = 0,
+ *            where for k > 0 a greater |a| is right too, for k < 0 a smaller one
  *   sphere   k = l + e: N - 2 k side = G - 2 e side = height - h - (tilt + 2 e
  *            v).w; of the height a share q is taken as |w|^2 + 2 o.w + h, o =
- *            base - centre: a = 1 - q, d = tilt + 2 e v - 2 q o
- * No test: a = -1. */
+ *            base - centre: a = 1 - q, d = tilt + 2 e v - 2 q o.  Without a best
+ *            point, side = v.w = (v - 2 q o).w + q (height - h - |w|^2), q =
+ *            v.o / (2 |o|^2), height <= -low: a = 0, d = v - 2 q o */
 static void sight(const mesh *m, quest *f)
 {
     const support *s = m->support + f->near;
-    double g = 0.0, e = f->ehi, o[3], oo = 0.0, od = 0.0;
+    form *t = f->form;
+    double g = 0.0, e = f->ehi, o[3], oo = 0.0, od = 0.0, size = 0.0;
     int k;
 
     f->aimed = f->turn;
-    f->a = -1.0;
-    f->q = f->bias = 0.0;
+    f->forms = 0;
     if (f->f[9] > 1e-3) return;
+    t->bias = 0.0;
     if (s->plane) {
         for (k = 0; k < 3; k++) g += s->c[k] * f->f[k];
         if (fabs(g) < 0.5) return;
-        if (f->ball && f->hi < MUCHL && f->hi * g < 0.0) {
-            f->a = -2.0 * f->hi / g;
-            f->a += 4.0 * (f->f[9] + 32.0 * EPS) * (g < 0.0 ? f->a : -f->a);
-            f->q = 1.0;
-        } else if (g < 0.0 && !f->ball)
-            f->a = 1.0;
-        else
-            return;
-        f->dd = f->a * f->dtilt + 2.0 * f->q * f->f[10];
+        t->a = g < 0.0 ? 1.0 : -1.0;
+        t->q = 0.0;
+        t->dd = f->dtilt;
         for (k = 0; k < 3; k++) {
-            f->d[k] = 2.0 * f->q * f->f[3 + k] + f->a * f->tilt[k];
-            f->dd += 16.0 * EPS * (2.0 * f->q * fabs(f->f[3 + k]) +
-                                   f->a * fabs(f->tilt[k]));
+            t->d[k] = t->a * f->tilt[k];
+            t->dd += 16.0 * EPS * fabs(f->tilt[k]);
+        }
+        f->forms = 1;
+        if (!f->ball || f->hi > MUCHL) return;
+        f->forms = 2;
+        t++;
+        t->bias = 0.0;
+        t->a = -2.0 * f->hi / g;
+        e = 4.0 * (f->f[9] + 32.0 * EPS) * t->a;
+        t->a += f->hi > 0.0 ? e : -e;
+        t->q = 1.0;
+        t->dd = fabs(t->a) * f->dtilt + 2.0 * f->f[10];
+        for (k = 0; k < 3; k++) {
+            t->d[k] = 2.0 * f->f[3 + k] + t->a * f->tilt[k];
+            t->dd += 16.0 * EPS * (2.0 * fabs(f->f[3 + k]) +
+                                   fabs(t->a * f->tilt[k]));
         }
         return;
     }
     for (k = 0; k < 3; k++) {
         o[k] = f->f[6 + k] - s->at[k] - s->c[k];
+        oo += o[k] * o[k];
         g -= f->f[k] * o[k];
-        oo += fabs(o[k]) + fabs(s->c[k]) + fabs(s->at[k]);
+        size += fabs(o[k]) + 2.0 * fabs(s->c[k]) + fabs(s->at[k]);
     }
-    if (f->hi > MUCHL) {
+    t->a = t->q = 0.0;
+    if (f->best == NONE) {
         if (g >= 0.0) return;
-        od = 0.0;
-        for (k = 0; k < 3; k++) od += o[k] * o[k];
-        f->q = -g / (2.0 * od);
-        f->a = 0.0;
-        f->bias = f->q * (s->low + f->h - f->dh) * (1.0 + PAD) ;
-        f->dd = f->f[9] + 16.0 * EPS * (1.0 + f->q * oo);
-        for (k = 0; k < 3; k++) f->d[k] = f->f[k] - 2.0 * f->q * o[k];
+        t->q = -0.5 * g / oo;
+        t->bias = t->q * (s->low + f->h - f->dh);
+        t->bias -= PAD * fabs(t->bias);
+        t->dd = f->f[9] + 16.0 * EPS * (1.0 + t->q * size);
+        for (k = 0; k < 3; k++) t->d[k] = f->f[k] - 2.0 * t->q * o[k];
+        f->forms = 1;
         return;
     }
+    if (f->hi > MUCHL) return;
     if (e == DBL_MAX)
-        e = f->hi - g + 32.0 * EPS * (fabs(f->hi) + oo) + f->f[9] * oo;
-    oo = 0.0;
-    f->dd = f->dtilt + 2.0 * fabs(e) * f->f[9];
+        e = f->hi - g + 32.0 * EPS * (fabs(f->hi) + size) + f->f[9] * size;
+    t->dd = f->dtilt + 2.0 * fabs(e) * f->f[9];
     for (k = 0; k < 3; k++) {
-        f->d[k] = f->tilt[k] + 2.0 * e * f->f[k];
-        oo += o[k] * o[k];
-        od += o[k] * f->d[k];
+        t->d[k] = f->tilt[k] + 2.0 * e * f->f[k];
+        od += o[k] * t->d[k];
+        t->dd += 16.0 * EPS * (fabs(f->tilt[k]) + 2.0 * fabs(e * f->f[k]));
     }
-    if (od > 0.0) f->q = od < 2.0 * oo ? od / (2.0 * oo) : 1.0;
-    f->a = 1.0 - f->q;
-    for (k = 0; k < 3; k++) {
-        f->dd += 16.0 * EPS * (fabs(f->tilt[k]) + 2.0 * fabs(e * f->f[k]) +
-                               f->q * (fabs(o[k]) + 2.0 * fabs(s->c[k]) +
-                                       fabs(s->at[k])));
-        f->d[k] -= 2.0 * f->q * o[k];
-    }
+    if (od > 0.0) t->q = od < 2.0 * oo ? od / (2.0 * oo) : 1.0;
+    t->a = 1.0 - t->q;
+    t->dd += 16.0 * EPS * t->q * size;
+    for (k = 0; k < 3; k++) t->d[k] -= 2.0 * t->q * o[k];
+    f->forms = 1;
 }
 
 /* lowest - the least of q |w|^2 - d.w in a box, and the greatest |w|_1. */
@@ -1873,26 +1887,30 @@ static double lowest(const quest *f, const double *b, double q, const double *d,
     return sum;
 }
 
-/* promise - the least that sight's test can be for the points of a node, less
- * its error: if it is positive, the node has no candidate. */
+/* promise - the least that a test of sight's can be for the points of a node,
+ * less its error: if it is positive, the node has no candidate. */
 static double promise(const mesh *m, quest *f, tess_int node)
 {
     const support *s = m->support + f->near;
     tess_int mark = s->least[node];
-    int above = mark > GRAINS;
-    double sum, size;
+    int above = mark > GRAINS, i;
+    double most = -1.0, sum, size, h;
+    form *t = f->form;
 
     if (f->aimed != f->turn) sight(m, f);
     if (above) mark -= ABOVE;
-    sum = f->a * (s->low + s->grain * ((double)mark - 0.5) - f->h) + f->bias +
-          lowest(f, m->box + 6 * node, f->q, f->d, &size);
-    f->err = f->a * f->dh +
-             16.0 * EPS * (f->a * (fabs(f->h) - s->low) +
-                           f->q * size * size) +
-             size * f->dd + FAINT;
-    if (f->a < 0.0 || (f->a > 0.0 && mark < 0) || (f->bias < 0.0 && above))
-        return -1.0;
-    return sum - f->err;
+    for (i = 0; i < f->forms; i++, t++) {
+        h = t->a < 0.0 ? -s->low : s->low + s->grain * ((double)mark - 0.5);
+        sum = t->a * (h - f->h) + t->bias +
+              lowest(f, m->box + 6 * node, t->q, t->d, &size);
+        t->err = fabs(t->a) * f->dh +
+                 16.0 * EPS * (fabs(t->a) * (fabs(f->h) - s->low) +
+                               t->q * size * size) +
+                 size * t->dd + FAINT;
+        if (t->a > 0.0 ? mark < 0 : above && t->a + t->bias < 0.0) continue;
+        if (sum - t->err > most) most = sum - t->err;
+    }
+    return most;
 }
 
 /* face - make aside's test for the present ball and support j, about which all
@@ -2216,42 +2234,6 @@ static int inblock(const mesh *m, quest *f)
     return 1;
 }
 
-/* nearleaf - the same by the support that the facet is near to, for its points;
- * err is that of promise for the leaf, with room for a mark's. */
-static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
-                     tess_int last)
-{
-    const support *s = m->support + f->near;
-    const double *q;
-    double w0, w1, w2, err, sum;
-    tess_int i, mark;
-
-    COUNT(N_LIST, last - first);
-    err = f->err + f->a * s->grain;
-    for (i = first; i < last; i++) {
-        if (m->link[i] == DONE) continue;
-        mark = m->mark[i] - 1;
-        if (mark >= 0 && mark % SUPPORTS == f->near) {
-            q = m->x + 3 * i;
-            w0 = q[0] - f->f[6];
-            w1 = q[1] - f->f[7];
-            w2 = q[2] - f->f[8];
-            sum = f->a * (s->low + s->grain * (double)(mark / SUPPORTS) -
-                          f->h) + f->bias + w0 * (f->q * w0 - f->d[0]) +
-                  w1 * (f->q * w1 - f->d[1]) + w2 * (f->q * w2 - f->d[2]);
-            if (sum > err) {
-                HOLDS(!better(m, f, i));
-                continue;
-            }
-        }
-        consider(m, f, i);
-        if (f->aimed != f->turn) {
-            (void)promise(m, f, node);
-            err = f->a < 0.0 ? DBL_MAX : f->err + f->a * s->grain;
-        }
-    }
-}
-
 /* scanleaf - consider those uncompleted points of a leaf of box b, positions
  * first ... last-1, that are not outside of the ball, or without a ball not on
  * the negative side. */
@@ -2264,6 +2246,7 @@ static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
     const double *q = m->x + 3 * first;
     tess_int i;
 
+    COUNT(N_LEAF, 1);
     COUNT(N_LIST, last - first);
     for (i = first; i < last; i++, q += 3) {
         w0 = q[0] - f->f[6];
@@ -2275,6 +2258,46 @@ static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
             consider(m, f, i);
             most = powererr(f, size);
         }
+    }
+}
+
+/* nearleaf - the same by sight's tests, for points of the support that the facet
+ * is near to; the errors are those of promise for the leaf, with room for a
+ * mark's. */
+static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
+                     tess_int last)
+{
+    const support *s = m->support + f->near;
+    const double *q;
+    const form *t;
+    double w0, w1, w2, h;
+    tess_int i, mark;
+    int k;
+
+    COUNT(N_LEAF, 1);
+    COUNT(N_LIST, last - first);
+    for (i = first; i < last; i++) {
+        if (m->link[i] == DONE) continue;
+        mark = m->mark[i] - 1;
+        if (mark >= 0 && mark % SUPPORTS == f->near) {
+            if (f->aimed != f->turn) (void)promise(m, f, node);
+            q = m->x + 3 * i;
+            w0 = q[0] - f->f[6];
+            w1 = q[1] - f->f[7];
+            w2 = q[2] - f->f[8];
+            h = s->low + s->grain * ((double)(mark / SUPPORTS) + 0.5) - f->h;
+            for (k = 0, t = f->form; k < f->forms; k++, t++)
+                if (t->a * h + t->bias + w0 * (t->q * w0 - t->d[0]) +
+                        w1 * (t->q * w1 - t->d[1]) +
+                        w2 * (t->q * w2 - t->d[2]) >
+                    t->err + fabs(t->a) * 2.0 * s->grain)
+                    break;
+            if (k < f->forms) {
+                HOLDS(!better(m, f, i));
+                continue;
+            }
+        }
+        consider(m, f, i);
     }
 }
 
@@ -2327,7 +2350,7 @@ static void treesearch(const mesh *m, quest *f)
             continue;
         }
         span(m, node, &i, &last);
-        if (f->near != NONE && f->a >= 0.0)
+        if (f->near != NONE && f->forms > 0)
             nearleaf(m, f, node, i, last);
         else
             scanleaf(m, f, i, last, b);
