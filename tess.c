@@ -279,7 +279,8 @@ typedef struct quest {
     double dc, size;          /* and |c|_1 */
     int nsome;                /* of the points, near no support, that are */
     tess_int some[SOME];      /* left open, every stride-th one: opened of */
-    tess_int opened, stride;  /* them */
+    tess_int opened, stride;  /* them; or, open = 0, points of leaves */
+    int open;
     int near;                 /* the facet is near this support, or NONE: */
     double h, dh, tilt[3], dtilt; /* G = height - h - tilt.w is 0 on it */
     double elo, ehi;          /* the best point's e is between them */
@@ -328,7 +329,7 @@ typedef struct mesh {
     int nsupport, most;       /* how many there are, and may be */
     tess_int *pure;           /* 0, or 1 + support of all points of a node */
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
-    double burden;            /* comparisons that searches left open */
+    double burden, patience;  /* comparisons left open, how many may be */
 } mesh;
 
 /* ---- sorting ---- */
@@ -659,6 +660,7 @@ static void insert(mesh *m, tess_int e, tess_int code, tess_int least,
 static void erase(mesh *m, tess_int e, tess_int least);
 static int rehash(mesh *m, tess_int s, tess_int wanted);
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess);
+static tess_int cuberoot(tess_int n);
 static void starlist(mesh *m, tess_int s);
 #ifdef TESS_PROVE
 static int proven(const mesh *m, const tess_int *v, tess_int c);
@@ -1612,6 +1614,7 @@ static void discover(mesh *m, const quest *f)
 {
     support *s = m->support + m->nsupport;
     tess_int node, i, last, mark;
+    tess_int members = 0;
     double h, err, c;
     int above;
 
@@ -1646,10 +1649,18 @@ static void discover(mesh *m, const quest *f)
             if (mark < s->least[node]) s->least[node] = mark;
             if (h + err > -s->low) above = 1;
             if (mark >= 0 && mark < GRAINS && 8.0 * err <= s->grain &&
-                m->mark[i] == 0)
+                m->mark[i] == 0) {
                 m->mark[i] = 1 + m->nsupport + SUPPORTS * mark;
+                members++;
+            }
         }
         if (above) s->least[node] += ABOVE;
+    }
+    if (members < 2 * cuberoot(m->np)) {
+        for (i = 0; i < m->np; i++)
+            if (m->mark[i] > 0 && (m->mark[i] - 1) % SUPPORTS == m->nsupport)
+                m->mark[i] = 0;
+        return;
     }
     m->nsupport++;
     for (node = 1; node < 2 * m->leaves; node++)
@@ -1971,12 +1982,18 @@ static int aside(const mesh *m, quest *f, tess_int node)
 }
 
 /* remember - z among the points that Householder left open, or one of two, of
- * four ... of them. */
-static void remember(quest *f, tess_int z)
+ * four ... of them; until there are such, instead, points of leaves where the
+ * search went. */
+static void remember(quest *f, tess_int z, int open)
 {
     int i;
 
-    if (f->opened++ % f->stride != 0) return;
+    if (f->opened == 0 || open > f->open) {
+        f->open = open;
+        f->opened = f->nsome = 0;
+        f->stride = 1;
+    }
+    if (open < f->open || f->opened++ % f->stride != 0) return;
     if (f->nsome == SOME) {
         f->nsome = SOME / 2;
         f->stride *= 2;
@@ -2004,7 +2021,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     sign = side;
     unsure = f->best != NONE && hi >= f->lo && ehi >= f->elo;
     if ((side == 0 || unsure) && (m->nsupport == 0 || m->mark[z] == 0))
-        remember(f, z);
+        remember(f, z, 1);
     if (f->limbs && (side == 0 || unsure)) {
         COUNT(N_TRIAL, 1);
         hh_trial(&m->set, &f->t, z, &sign, &power);
@@ -2354,7 +2371,8 @@ static void treesearch(const mesh *m, quest *f)
             nearleaf(m, f, node, i, last);
         else
             scanleaf(m, f, i, last, b);
-        if (m->nsupport == 0 || m->mark[i] == 0) remember(f, i);
+        if ((m->nsupport == 0 || m->mark[i] == 0) && m->link[i] != DONE)
+            remember(f, i, 0);
     }
 }
 
@@ -2383,9 +2401,9 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     int k;
 
     for (k = 0; k < 3; k++) f->v[k] = v[k];
-    f->base = f->asked = f->limbs = f->opened = f->nsome = f->aimed = 0;
+    f->base = f->asked = f->limbs = f->aimed = f->open = 0;
+    f->opened = 0;
     f->turn = 1;
-    f->stride = 1;
     f->near = NONE;
     for (k = 0; k < m->nsupport; k++) f->slab[k].turn = 0;
     f->elo = -DBL_MAX;
@@ -2461,9 +2479,10 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     treesearch(m, &f);
     if (f.opened > OPENED && m->nsupport < m->most) {
         m->burden += (double)f.opened;
-        if (m->burden > BURDEN * (double)m->np) {
+        if (m->burden > m->patience * (double)m->np) {
             discover(m, &f);
             m->burden = 0.0;
+            m->patience *= 1.5;
         }
     }
     if (f.best == NONE) {
@@ -2813,6 +2832,7 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     }
     m.nsupport = 0;
     m.burden = 0.0;
+    m.patience = BURDEN;
     m.maxtet = maxtet;
     m.ntet = *ntet;
     m.tet = tet;
