@@ -110,6 +110,7 @@ extern double tess_count[];
 #define N_SIDE 11  /* sides left to the exact predicates    */
 #define N_BALL 12  /* balls found by limbs                  */
 #define N_TRIAL 13 /* comparisons tried by a few limbs      */
+#define N_LEAF 14  /* leaves whose points were tested       */
 
 /* In a build of its own a test hears of every certificate whether it holds. */
 #ifdef TESS_PROVE
@@ -1682,6 +1683,7 @@ static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
     const double *q = m->x + 3 * first;
     tess_int i;
 
+    COUNT(N_LEAF, 1);
     COUNT(N_LIST, last - first);
     for (i = first; i < last; i++, q += 3) {
         w0 = q[0] - f->f[6];

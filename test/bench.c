@@ -69,8 +69,8 @@ int main(int argc, char **argv)
     int code;
 #ifdef TESS_COUNT
     static const char *name[] = {"facets", "star", "block", "tree",
-        "nodes", "candidates", "exact", "listed", "pool", "hull", "probes", "sides",
-        "balls", "trials"};
+        "nodes", "candidates", "exact", "listed", "pool", "hull", "probes",
+        "sides", "balls", "trials", "leaves"};
     int i;
 #endif
 
@@ -134,7 +134,7 @@ int main(int argc, char **argv)
            work / (double)n, total / (double)n, code);
 #ifdef TESS_COUNT
     printf("count %s %ld", argv[1], (long)n);
-    for (i = 0; i < 14; i++)
+    for (i = 0; i < 15; i++)
         printf(" %s %.4f", name[i],
             i == 8 ? tess_count[i] : tess_count[i] / (double)ntet);
     printf("\n");

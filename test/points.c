@@ -1,5 +1,6 @@
 /* points.c - families of test points; see points.h. */
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 #include "points.h"
 
@@ -80,6 +81,31 @@ static void scale(long n, double *p, double x, double y, double z)
 
     for (i = 0; i < n; i++)
         put(p + 3 * i, p[3 * i] * x, p[3 * i + 1] * y, p[3 * i + 2] * z);
+}
+
+static void shift(long n, double *p, double x, double y, double z)
+{
+    long i;
+
+    for (i = 0; i < n; i++)
+        put(p + 3 * i, p[3 * i] + x, p[3 * i + 1] + y, p[3 * i + 2] + z);
+}
+
+/* Turn points by 0.7 about the z axis, then by 0.4 about the x axis; and move
+ * them off the origin. */
+static void turn(long n, double *p)
+{
+    double c = cos(0.7), s = sin(0.7), d = cos(0.4), t = sin(0.4), x, y, z;
+    long i;
+
+    for (i = 0; i < n; i++) {
+        x = product(c, p[3 * i]) - product(s, p[3 * i + 1]);
+        y = product(s, p[3 * i]) + product(c, p[3 * i + 1]);
+        z = p[3 * i + 2];
+        put(p + 3 * i, x, product(d, y) - product(t, z),
+            product(t, y) + product(d, z));
+    }
+    shift(n, p, 1.0, 2.0, 3.0);
 }
 
 /* The largest k with k^power <= n, power 2 or 3. */
@@ -305,6 +331,7 @@ static long jitter(long n, unsigned long *state, double most, double *p)
         radius = 1 + product(most, 2 * unit(state) - 1);
         scale(1L, p + 3 * i, radius, radius, radius);
     }
+    shift(n, p, 1.0, 2.0, 3.0);
     return n;
 }
 
@@ -322,6 +349,7 @@ static long ellipsoid(long n, unsigned long *state, double *p)
 {
     spherenorm(n, state, p);
     scale(n, p, 1.0, 0.7, 0.4);
+    turn(n, p);
     return n;
 }
 
@@ -447,6 +475,7 @@ static long cylinderrnd(long n, unsigned long *state, double *p)
         direction(state, 2, p + 3 * i);
         p[3 * i + 2] = 6 * unit(state);
     }
+    turn(n, p);
     return n;
 }
 
@@ -494,6 +523,7 @@ static long rotcube(long n, unsigned long *state, double *p)
                 + product(turn[3 * k + 2] / 30, p[3 * i + 2]);
         put(p + 3 * i, q[0], q[1], q[2]);
     }
+    shift(n, p, 1.0, 2.0, 3.0);
     return n;
 }
 
@@ -534,29 +564,6 @@ static long planespread(long n, unsigned long *state, double *p)
 
 /* ---- what people have: grids at any angle, globes, shells, flat and round
  * boundaries ---- */
-
-/* Turn points by 0.7 about the z axis, then by 0.4 about the x axis. */
-static void turn(long n, double *p)
-{
-    double c = cos(0.7), s = sin(0.7), d = cos(0.4), t = sin(0.4), x, y, z;
-    long i;
-
-    for (i = 0; i < n; i++) {
-        x = product(c, p[3 * i]) - product(s, p[3 * i + 1]);
-        y = product(s, p[3 * i]) + product(c, p[3 * i + 1]);
-        z = p[3 * i + 2];
-        put(p + 3 * i, x, product(d, y) - product(t, z),
-            product(t, y) + product(d, z));
-    }
-}
-
-static void shift(long n, double *p, double x, double y, double z)
-{
-    long i;
-
-    for (i = 0; i < n; i++)
-        put(p + 3 * i, p[3 * i] + x, p[3 * i + 1] + y, p[3 * i + 2] + z);
-}
 
 static long gridrot(long n, unsigned long *state, double *p)
 {
@@ -668,6 +675,7 @@ static long stations(long n, unsigned long *state, double *p)
         put(p + 3 * i, product(r, sin(theta) * cos(phi)),
             product(r, sin(theta) * sin(phi)), product(r, cos(theta)));
     }
+    turn(10 * k * k, p);
     return 10 * k * k;
 }
 
@@ -675,6 +683,7 @@ static long spherefull(long n, unsigned long *state, double *p)
 {
     spherenorm(n / 2, state, p);
     ball(n - n / 2, state, p + 3 * (n / 2));
+    shift(n, p, 1.0, 2.0, 3.0);
     return n;
 }
 
@@ -790,6 +799,7 @@ static long tilted(long n, unsigned long *state, double rough, double *p)
     for (i = 0; i < n; i++)
         p[3 * i + 2] = product(0.3, p[3 * i]) + product(0.7, p[3 * i + 1])
             + product(rough, p[3 * i + 2]);
+    shift(n, p, 1.0, 2.0, 3.0);
     return n;
 }
 
@@ -842,6 +852,57 @@ static long torus(long n, unsigned long *state, double *p)
             product(0.3, b[1]));
     }
     turn(n, p);
+    return n;
+}
+
+/* A pillow one hundredth as thick as it is wide, bent and in folds: two sheets
+ * near each other. */
+static long sheets(long n, unsigned long *state, double *p)
+{
+    double x, y;
+    long i;
+
+    for (i = 0; i < n; i++) {
+        direction(state, 3, p + 3 * i);
+        x = p[3 * i];
+        y = 0.8 * p[3 * i + 1];
+        put(p + 3 * i, x, y, product(0.01, p[3 * i + 2])
+            + product(0.3, x * x) + product(0.1, sin(5 * y)));
+    }
+    turn(n, p);
+    return n;
+}
+
+/* A sphere of radius 1 in waves, with a tip that reaches to 1.5; every other
+ * point farther out by thickness. */
+static void wavy(long n, unsigned long *state, double thickness, double *p)
+{
+    double tip, r, *q;
+    long i;
+
+    for (i = 0; i < n; i++) {
+        q = p + 3 * i;
+        direction(state, 3, q);
+        tip = q[2] > 0 ? product(q[2], q[2]) : 0.0;
+        tip = product(tip, tip);
+        tip = product(tip, tip);
+        r = 1 + product(0.5, product(tip, tip))
+            + product(0.05, sin(6 * q[0]) * sin(7 * q[1]));
+        r += product(thickness, (double)(i % 2));
+        scale(1L, q, r, r, r);
+    }
+    turn(n, p);
+}
+
+static long bumps(long n, unsigned long *state, double *p)
+{
+    wavy(n, state, 0.0, p);
+    return n;
+}
+
+static long thinshell(long n, unsigned long *state, double *p)
+{
+    wavy(n, state, 0.01, p);
     return n;
 }
 
@@ -1000,7 +1061,8 @@ static const struct {
     { "rottetin", rottetin }, { "cubegrid", cubegrid },
     { "tilted9", tilted9 }, { "tilted15", tilted15 },
     { "slanted", slanted }, { "cylinderrot", cylinderrot },
-    { "torus", torus }
+    { "torus", torus }, { "sheets", sheets }, { "bumps", bumps },
+    { "thinshell", thinshell }
 };
 
 #define FAMILIES ((int)(sizeof family_table / sizeof family_table[0]))
@@ -1010,11 +1072,28 @@ const char *points_name(int i)
     return i >= 0 && i < FAMILIES ? family_table[i].name : 0;
 }
 
+/* The first n points of a file. */
+static long from_file(const char *name, long n, double *p)
+{
+    FILE *file = fopen(name, "r");
+    char line[400];
+    long i = 0;
+
+    if (!file) return 0;
+    while (i < n && fgets(line, sizeof line, file))
+        if (sscanf(line, "%lf %lf %lf", p + 3 * i, p + 3 * i + 1,
+                   p + 3 * i + 2) == 3)
+            i++;
+    fclose(file);
+    return i;
+}
+
 long points_make(const char *family, long n, unsigned long seed, double *p)
 {
     unsigned long state;
     int i;
 
+    if (strchr(family, '/')) return from_file(family, n, p);
     /* seeds that lie close together must not give shifted sequences */
     state = seed & MASK;
     state = (bits(&state) * 0x2c1b3c6dUL + seed) & MASK;

@@ -23,13 +23,13 @@
  *                ten moved by 2^-52
  *   bcc, fcc     body- and face-centred cubic lattice
  *   spherenorm*  random directions divided by their length
- *   spherejit*   the same with radii wrong by up to 1e-6
+ *   spherejit*   the same with radii wrong by up to 1e-6, moved
  *   spherei      all integer points with x^2 + y^2 + z^2 = R^2, R integer, of
  *                the R that has most of them but not more than n; any order
- *   ellipsoid*   spherenorm times 1, 0.7, 0.4
+ *   ellipsoid*   spherenorm times 1, 0.7, 0.4, turned
  *   spiral*      golden-angle spiral on the unit sphere
  *   cylinder*    rings on a cylinder, about sqrt(n) of sqrt(n) points
- *   cylinderrnd* random points on a cylinder
+ *   cylinderrnd* random points on a cylinder, turned
  *   prism*       two regular polygons, one above the other
  *   helix*       n points on 20 turns
  *   moment       (t, t^2, t^3), t = 1 ... n over a power of two
@@ -38,7 +38,7 @@
  *   planespread  random points in a plane and one point off it
  *   paraboloid   integer grid lifted to z = x^2 + y^2
  *   cubesurf     random points on the faces of a cube
- *   rotcube*     cubesurf rotated about no axis in particular
+ *   rotcube*     cubesurf rotated about no axis in particular, moved
  *   duplicates   uniform, every point about three times, shuffled
  *   pairs        uniform, in pairs 2^-43 (1.1e-13) apart in each
  *                coordinate
@@ -46,7 +46,8 @@
  *   offset       uniform + 1e8
  *   tiny, huge   uniform times 2^-200, 2^200 (6e-61, 1.6e60)
  *   wide         coordinates with random signs and exponents -1000 ... 1000
- * What people have; "turned" is by 0.7 about z, then by 0.4 about x.
+ * "moved" is by (1, 2, 3); "turned" is by 0.7 about z, then by 0.4 about x, and
+ * moved.  What people have:
  *   gridrot*     lattice01 turned
  *   gradedrot*   box mesh with steps that grow tenfold along each axis, turned
  *   gridsph*     k radii (1 to 2) by k latitudes by k longitudes, turned
@@ -54,21 +55,25 @@
  *   extruded*    k layers of the same k^2 random points of a square, turned
  *   globe*       spherenorm moved by (10, 20, 30)
  *   cap*         a cap of 20 degrees of the unit sphere, turned
- *   stations*    latitudes and longitudes on five levels, r = 6371 to 6571
- *   spherefull*  half on the unit sphere, half inside
- *   shells*      on four concentric spheres of radius 1 to 1.375
+ *   stations*    latitudes and longitudes on five levels, r = 6371 to 6571,
+ *                turned
+ *   spherefull*  half on the unit sphere, half inside, moved
+ *   shells*      on four concentric spheres of radius 1 to 1.375, moved
  *   cavity*      in a cube of edge 2 with a spherical void of radius 0.6, a
- *                third on the void's boundary
+ *                third on the void's boundary, moved
  *   spherejit4*  spherejit with radii wrong by up to 1e-4
  *   rotcubein*   half on the faces of a cube, half inside, turned
  *   rottet*      random points on the faces of a regular tetrahedron, turned
  *   rottetin*    half of them, half inside
  *   cubegrid     the surface of an integer lattice
- *   tilted9*     near the plane z = 0.3 x + 0.7 y, rough by 1e-9
+ *   tilted9*     near the plane z = 0.3 x + 0.7 y, rough by 1e-9, moved
  *   tilted15*    the same, rough by 1e-15
  *   slanted      near a line, but for up to 3 last places in each coordinate
  *   cylinderrot* cylinder turned
  *   torus*       random points on a torus of radii 1 and 0.3, turned
+ *   sheets*      a bent pillow, two sheets 0.02 apart or less, turned
+ *   bumps*       a closed surface, round in places and with a tip, turned
+ *   thinshell*   the same twice, the other 0.01 farther out
  */
 #ifndef POINTS_H
 #define POINTS_H
@@ -77,7 +82,9 @@
 extern "C" {
 #endif
 
-/* points_make - fill p, of 3*n doubles, with at most n points of a family.
+/* points_make - fill p, of 3*n doubles, with at most n points of a family, or,
+ * if it has a slash, of the file of that name: x y z and what follows them, one
+ * point a line; lines that do not begin so are left out.
  * Returns how many: a family of a fixed shape rounds n down (lattice to k^3,
  * for instance).  0 for an unknown family, or an n too small for it. */
 long points_make(const char *family, long n, unsigned long seed, double *p);
