@@ -6,7 +6,8 @@
 # make torture     a hunt for faults: TIME=600 seconds, SEED=1
 # make coverage    which lines of the library the tests run (gcov)
 # make mutation    which changes of it they notice: sh test/mutate.sh
-# make bench       the timings
+# make bench       the timings; FAMILY=globe of these points alone, SIZES=all of
+#                  large sets, too; test/bench.sh says more
 # make paper       the experiments of the paper: test/paper/results.txt
 # make mirror      write test/data/mirror.xyz anew
 # make clean       remove build/
@@ -92,7 +93,8 @@ mutation:
 	CC="$(CC)" sh test/mutate.sh
 
 bench: all
-	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/bench.sh
+	CC="$(CC)" CFLAGS="$(CFLAGS)" FAMILY="$(FAMILY)" SIZES="$(SIZES)" \
+	    SCANS="$(SCANS)" sh test/bench.sh
 
 paper:
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
