@@ -273,6 +273,22 @@ static void stretch(point *p, int from, int to, int k, int e)
     for (i = from; i < to; i++) p[i][k] = ldexp(p[i][k], e);
 }
 
+/* In random order. */
+static void mix(point *p, int n)
+{
+    double x;
+    int i, j, k;
+
+    for (i = n - 1; i > 0; i--) {
+        j = rnd_below(i + 1);
+        for (k = 0; k < 3; k++) {
+            x = p[i][k];
+            p[i][k] = p[j][k];
+            p[j][k] = x;
+        }
+    }
+}
+
 static void change(point *p, int n)
 {
     double x;
@@ -313,14 +329,7 @@ static void change(point *p, int n)
             p[i][k] = x;
         }
     }
-    for (i = n - 1; i > 0; i--) {
-        j = rnd_below(i + 1);
-        for (k = 0; k < 3; k++) {
-            x = p[i][k];
-            p[i][k] = p[j][k];
-            p[j][k] = x;
-        }
-    }
+    mix(p, n);
 }
 
 int hard_few(double (*p)[3])
@@ -367,5 +376,131 @@ int hard_many(double (*p)[3], int most)
     confine(p, n);
     change(p, n);
     confine(p, n);
+    return n;
+}
+
+/* ---- near planes and spheres ---- */
+
+/* Off by nothing, or by about 10^-16 ... 10^-8, of some points by more. */
+static double off(int noise)
+{
+    if (rnd_below(24) == 0) noise = draw(1, 16);
+    return noise == 0 ? 0.0 : (2.0 * rnd_unit() - 1.0) * pow(10.0, -noise);
+}
+
+/* Points about a plane or a sphere of size 1, through the origin or about it:
+ * on rings, rows or a grid of that size, at random, in a small part of it. */
+static void surface(point *p, int from, int to, int size, int noise)
+{
+    double x, y, r, part = rnd_below(4) ? 1.0 : 0.02;
+    int round = rnd_below(2), kind = rnd_below(4), i;
+
+    for (i = from; i < to; i++) {
+        x = kind > 1 ? 2.0 * rnd_unit() - 1.0
+                     : draw(-size, size) / (size + (round ? 0.5 : 0.0));
+        y = kind > 2 ? 2.0 * rnd_unit() - 1.0
+                     : draw(-size, size) / (double)size;
+        x *= part;
+        y *= part;
+        r = 1.0 + off(noise);
+        if (round) {
+            p[i][0] = r * sqrt(1.0 - x * x) * cos(3.14159265358979 * y);
+            p[i][1] = r * sqrt(1.0 - x * x) * sin(3.14159265358979 * y);
+            p[i][2] = r * x;
+        } else {
+            p[i][0] = x;
+            p[i][1] = y;
+            p[i][2] = r - 1.0;
+        }
+    }
+}
+
+/* Integer points of a plane or a sphere: exact ties. */
+static void whole(point *p, int from, int to, int size)
+{
+    static const int leg[][3] = {
+        {0, 0, 15}, {0, 9, 12}, {2, 5, 14}, {2, 10, 11}, {5, 10, 10},
+        {9, 12, 0}, {10, 2, 11}, {14, 5, 2}
+    };
+    int round = rnd_below(2), a = draw(-3, 3), b = draw(-3, 3), i, j, k;
+
+    for (i = from; i < to; i++) {
+        j = rnd_below((int)(sizeof leg / sizeof *leg));
+        for (k = 0; k < 3; k++)
+            p[i][k] = round ? sign() * leg[j][k] : draw(-size, size);
+        if (!round) p[i][2] = a * p[i][0] + b * p[i][1];
+    }
+}
+
+/* Points on others but for last places, alone, in rows between two of them, or
+ * in a cluster about one. */
+static void coincide(point *p, int n)
+{
+    int many = draw(1, n / 3 + 1), kind = rnd_below(3), i, j, l, k;
+    int centre = rnd_below(n), end = rnd_below(n);
+    double t;
+
+    while (many-- > 0) {
+        i = rnd_below(n);
+        j = kind == 0 ? rnd_below(n) : centre;
+        l = draw(0, 8);
+        t = l / 8.0;
+        for (k = 0; k < 3; k++) {
+            p[i][k] = kind == 1 ? p[j][k] + t * (p[end][k] - p[j][k]) : p[j][k];
+            p[i][k] = hard_nudge(p[i][k], kind == 2 ? draw(-5, 5)
+                                                    : draw(-1, 1));
+        }
+    }
+}
+
+int hard_near(double (*p)[3], int most)
+{
+    int n = draw(12, rnd_below(2) && most > 48 ? 48 : most);
+    int parts = draw(1, 3), noise = draw(0, 3), size = 2, part, from, to = 0;
+    int all = rnd_below(2), i, k, e, loose = n / draw(4, 20), exact = rnd_below(6) == 0;
+    double x[3], r;
+
+    while (size * size < n) size++;
+    noise = noise == 0 ? 0 : noise == 1 ? 16 : noise == 2 ? 12 : 8;
+    for (part = 0; part < parts; part++) {
+        from = to;
+        to = part == parts - 1 ? n - loose : from + (n - loose) / parts;
+        if (exact) {
+            whole(p, from, to, size);
+            for (k = 0; k < 3; k++) {
+                x[k] = draw(-size, size);
+                for (i = from; i < to; i++) p[i][k] += x[k];
+            }
+            continue;
+        }
+        if (!all) noise = rnd_below(4) ? draw(8, 16) : 0;
+        surface(p, from, to, size, noise);
+        rotate(p, from, to);
+        rotate(p, from, to);
+        /* faces of one body, concentric shells, or anywhere */
+        r = rnd_below(3) ? 1.0 : 0.1 + 2.0 * rnd_unit();
+        for (k = 0; k < 3; k++) {
+            x[k] = rnd_below(2) ? 0.0 : 2.0 * rnd_unit() - 1.0;
+            for (i = from; i < to; i++) p[i][k] = r * p[i][k] + x[k];
+        }
+    }
+    for (i = to; i < n; i++)
+        for (k = 0; k < 3; k++) p[i][k] = 4.0 * rnd_unit() - 2.0;
+    if (rnd_below(2)) {
+        r = pow(10.0, draw(-1, 7));
+        for (k = 0; k < 3; k++) {
+            x[k] = exact ? floor(r * rnd_unit()) : r * rnd_unit();
+            for (i = 0; i < n; i++) p[i][k] += x[k];
+        }
+    }
+    confine(p, n);
+    if (rnd_below(3) == 0) coincide(p, n);
+    if (rnd_below(3) == 0) {
+        e = sizeof(tess_real) < sizeof(double) ? draw(-100, 100)
+                                               : draw(-996, 970);
+        for (k = 0; k < 3; k++) stretch(p, 0, n, k, e);
+    }
+    confine(p, n);
+    mix(p, n);
     return n;
 }

@@ -17,5 +17,9 @@ int hard_few(double (*p)[3]);
  * the origin in view of their size, boxes without width, or about as wide
  * as squares and cubes of coordinates begin to underflow. */
 int hard_many(double (*p)[3], int most);
+/* 12 ... most points near one to three planes and spheres, off them by nothing
+ * or by 1e-16 to 1e-8, far from the origin or near to it, of any scale; some
+ * somewhere else, some on others but for last places, in rows or clusters. */
+int hard_near(double (*p)[3], int most);
 
 #endif

@@ -16,11 +16,13 @@
  *   ballinstar, ballinbox        no candidate is elsewhere, if they say so
  *   treesearch, apex             no candidate beats what they find
  * Candidates are the uncompleted points on the facet's positive side that are
- * in the ball of the best one or on it, by exact.c.  In all rounding modes
+ * in the ball of the best one or on it, by exact.c.  With -DTESS_PROVE tess.c's
+ * own certificates are heard, too (see certify.c).  In all rounding modes
  * with -DTEST_ROUNDING and a C99 compiler.
  */
 #include "../tess.c"
 #include "exact.h"
+#include "hard.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -28,6 +30,7 @@
 #ifdef TEST_ROUNDING
 #include <fenv.h>
 #endif
+
 #ifdef TESS_COUNT
 double tess_count[16];
 #endif
@@ -43,7 +46,7 @@ static mesh M;
 
 enum {
     UNIFORM, BALL, PATCH, SCALES, LATTICE, FLAT, PLANE, ANYWHERE, STRETCHED,
-    APART, LASTPLACES, MIXED_ONES, CLASSES
+    APART, LASTPLACES, MIXED_ONES, SURFACES, CLASSES
 };
 static const char *const names[CLASSES] = {
     "uniform", "near one sphere", "near one large sphere",
@@ -51,7 +54,8 @@ static const char *const names[CLASSES] = {
     "near a plane", "in a plane but for a few", "all exponents",
     "stretched along the axes", "a narrow cluster far away",
     "a lattice of last places",
-    "several kinds in one set"
+    "several kinds in one set",
+    "near planes and spheres"
 };
 
 static long faults;
@@ -69,6 +73,13 @@ static void require(int holds_good, const char *what)
 {
     if (!holds_good) fail(what);
 }
+
+#ifdef TESS_PROVE
+void tess_prove(int fact)
+{
+    require(fact, "a certificate");
+}
+#endif
 
 /* ---- points ---- */
 
@@ -174,7 +185,9 @@ static int set_up(void)
     n = (tess_int)(12 + rnd_below(MOST - 12));
     if (rnd_below(2)) n = n / 3 + 6;
     if (class == APART) n = n / 4 + 6;
-    for (i = 0; i < parts; i++)
+    if (class == SURFACES)
+        n = (tess_int)hard_near(p, MOST);
+    else for (i = 0; i < parts; i++)
         make(class == MIXED_ONES ? rnd_below(MIXED_ONES) : class, p,
              (int)n * i / parts, (int)n * (i + 1) / parts);
     if (sizeof(tess_real) < sizeof(double)) shift /= 8;

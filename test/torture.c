@@ -3,7 +3,7 @@
  *     torture [options] [sets [seed]]
  *         -time S     not that many sets but S seconds
  *         -one SEED   one set, in full
- *         -many       sets of 60 to 400 points; else up to 11
+ *         -many       sets of 12 to 400 points; else up to 11
  *         -sums       write a sum of each result alone, to compare builds
  *         -plain      in normal circumstances alone
  *         -x87        the library does its arithmetic in an x87 unit, whose
@@ -1162,7 +1162,9 @@ static void arrays(void)
 static void set(int large, int sums)
 {
     rnd_seed(seed);
-    n = large ? hard_many(p, rnd_below(3) ? 100 : MOST) : hard_few(p);
+    if (!large) n = hard_few(p);
+    else if (rnd_below(2)) n = hard_many(p, rnd_below(3) ? 100 : MOST);
+    else n = hard_near(p, rnd_below(3) ? 100 : MOST);
     if (full) list();
     if (large) many(sums);
     else few(0);
