@@ -457,7 +457,8 @@ int hard_near(double (*p)[3], int most)
 {
     int n = draw(12, rnd_below(2) && most > 48 ? 48 : most);
     int parts = draw(1, 3), noise = draw(0, 3), size = 2, part, from, to = 0;
-    int all = rnd_below(2), i, k, e, loose = n / draw(4, 20), exact = rnd_below(6) == 0;
+    int all = rnd_below(2), exact = rnd_below(6) == 0, loose = n / draw(4, 20);
+    int i, k, e;
     double x[3], r;
 
     while (size * size < n) size++;
