@@ -4,9 +4,11 @@
 # make pictures    write test/pictures anew
 # make check       the tests
 # make torture     a hunt for faults: TIME=600 seconds, SEED=1
+# make certify     the same for the bounds of the search alone: TIME, SEED
 # make coverage    which lines of the library the tests run (gcov)
 # make mutation    which changes of it they notice: sh test/mutate.sh
-# make bench       the timings
+# make bench       the timings; FAMILY=globe of these points alone, SIZES=all of
+#                  large sets, too; test/bench.sh says more
 # make paper       the experiments of the paper: test/paper/results.txt
 # make mirror      write test/data/mirror.xyz anew
 # make clean       remove build/
@@ -85,6 +87,9 @@ check: all
 torture:
 	CC="$(CC)" sh test/torture.sh $(TIME) $(SEED)
 
+certify:
+	CC="$(CC)" sh test/certify.sh $(TIME) $(SEED)
+
 coverage:
 	CC="$(CC)" sh test/coverage.sh
 
@@ -92,7 +97,8 @@ mutation:
 	CC="$(CC)" sh test/mutate.sh
 
 bench: all
-	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/bench.sh
+	CC="$(CC)" CFLAGS="$(CFLAGS)" FAMILY="$(FAMILY)" SIZES="$(SIZES)" \
+	    SCANS="$(SCANS)" sh test/bench.sh
 
 paper:
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
@@ -106,5 +112,5 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all run examples pictures check torture coverage mutation bench paper \
-    mirror clean help
+.PHONY: all run examples pictures check torture certify coverage mutation \
+    bench paper mirror clean help

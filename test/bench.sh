@@ -150,7 +150,7 @@ for name in $PEERS; do
     esac
 done
 
-# run TABLE FAMILY SIZE PROGRAM: one line of bench.txt.  What took 10 seconds is
+# run TABLE FAMILY SIZE PROGRAM: one line of bench.txt.  What took 4 seconds is
 # not run again; what was cut is taken for cut with more points, too.
 run() {
     case $past in
@@ -163,7 +163,7 @@ run() {
         case $? in 137 | 152) past="$past $4 cut " ;; esac
         line=$(awk -v p="$4" '$1 == p' build/bench.out)
         [ -z "$line" ] || past="$past$(echo "$line" |
-            awk '$5 >= 10 { print " " $1 " '"$3"' " }')"
+            awk '$5 >= 4 { print " " $1 " '"$3"' " }')"
         ;;
     esac
     if [ -z "$line" ]; then

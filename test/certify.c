@@ -6,11 +6,10 @@
  *     certify -one seed                   one set, in full; stops at a fault
  *
  * What tess decides without the exact predicates it decides by a bound: that a
- * point, a leaf or a part of the tree has nothing better, that a side or a
- * comparison has this sign.  tess.c compiled with TESS_PROVE tells tess_prove of
- * each such certificate whether the exact predicates say the same; of each apex,
- * too, against all points.  A bound that is too small shows here long before a
- * result is wrong.  In a random rounding mode for each set with -DTEST_ROUNDING
+ * point is no better, that a side or a comparison has this sign.  Compiled with
+ * TESS_PROVE it tells tess_prove of each such certificate whether the exact
+ * predicates say the same; of each apex, too, against all points.  A bound that
+ * is too small shows here long before a result is wrong.  In a random rounding mode for each set with -DTEST_ROUNDING
  * and a C99 compiler.  Two sets in three are finished by tess_resume, in steps.
  */
 #include "../tess.h"

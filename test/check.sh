@@ -170,7 +170,7 @@ fi
 
 # The margins of the search; tess.c is included in the test.
 for d in "" -DTESS_LIST=64 -DTESS_FLOAT; do
-    if build t_margin "$CC" "$CFLAGS $d" test/t_margin.c hhpred.c \
+    if build t_margin "$CC" "$CFLAGS $d" test/t_margin.c test/hard.c hhpred.c \
         build/exact.o; then
         many "t_margin $d" build/t_margin
     else
@@ -214,11 +214,14 @@ else
 fi
 
 if build t_marginr "$CC" "$ROUND -O2 -I." test/t_margin.c test/exact.c \
-    hhpred.c; then
+    test/hard.c hhpred.c; then
     many "t_margin, all rounding modes" build/t_marginr 10
 else
     skip "t_margin in all rounding modes"
 fi
+
+# The certificates of the search, with builds of its own.
+many "certify" env CC="$CC" sh test/certify.sh -check
 
 # Sanitizers.
 SAN="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"

@@ -398,7 +398,8 @@ static void surface(point *p, int from, int to, int size, int noise)
     for (i = from; i < to; i++) {
         x = kind > 1 ? 2.0 * rnd_unit() - 1.0
                      : draw(-size, size) / (size + (round ? 0.5 : 0.0));
-        y = kind > 2 ? 2.0 * rnd_unit() - 1.0 : (double)draw(-size, size) / size;
+        y = kind > 2 ? 2.0 * rnd_unit() - 1.0
+                     : draw(-size, size) / (double)size;
         x *= part;
         y *= part;
         r = 1.0 + off(noise);
@@ -418,8 +419,8 @@ static void surface(point *p, int from, int to, int size, int noise)
 static void whole(point *p, int from, int to, int size)
 {
     static const int leg[][3] = {
-        {0, 0, 15}, {0, 9, 12}, {2, 5, 14}, {2, 10, 11}, {5, 10, 10}, {9, 12, 0},
-        {10, 2, 11}, {14, 5, 2}
+        {0, 0, 15}, {0, 9, 12}, {2, 5, 14}, {2, 10, 11}, {5, 10, 10},
+        {9, 12, 0}, {10, 2, 11}, {14, 5, 2}
     };
     int round = rnd_below(2), a = draw(-3, 3), b = draw(-3, 3), i, j, k;
 
@@ -455,13 +456,13 @@ static void coincide(point *p, int n)
 int hard_near(double (*p)[3], int most)
 {
     int n = draw(12, rnd_below(2) && most > 48 ? 48 : most);
-    int parts = draw(1, 3), noise = draw(0, 3), all, from, to = 0, part, i, k, e;
-    int size = 2, loose = n / draw(4, 20), exact = rnd_below(6) == 0;
+    int parts = draw(1, 3), noise = draw(0, 3), size = 2, part, from, to = 0;
+    int all = rnd_below(2), exact = rnd_below(6) == 0, loose = n / draw(4, 20);
+    int i, k, e;
     double x[3], r;
 
     while (size * size < n) size++;
     noise = noise == 0 ? 0 : noise == 1 ? 16 : noise == 2 ? 12 : 8;
-    all = rnd_below(2);
     for (part = 0; part < parts; part++) {
         from = to;
         to = part == parts - 1 ? n - loose : from + (n - loose) / parts;

@@ -28,7 +28,7 @@ say() { echo "mutate.sh: $1" >&2; exit 2; }
 
 mkdir -p $DIR/new $DIR/counts
 TEST="brute t_pred t_margin t_tess parity"
-for f in exact points bench brute t_pred t_tess parity; do
+for f in exact hard points bench brute t_pred t_tess parity; do
     $CC -O2 -I. -c -o $DIR/$f.o test/$f.c || say "$f.c does not compile"
 done
 $CC -O2 -I. -o $DIR/mutant test/mutant.c || say "mutant.c does not compile"
@@ -45,7 +45,8 @@ compile() {
 links() {
     case $2 in
     t_pred) $CC -o $1/$2 $DIR/$2.o $1/hhpred.o $DIR/exact.o $DIR/points.o -lm;;
-    t_margin) $CC -O1 -o $1/$2 $1/test/t_margin.c $1/hhpred.o $DIR/exact.o -lm;;
+    t_margin) $CC -O1 -o $1/$2 $1/test/t_margin.c $1/hhpred.o $DIR/exact.o \
+        $DIR/hard.o -lm;;
     *) $CC -o $1/$2 $DIR/$2.o $1/tess.o $1/hhpred.o $DIR/exact.o \
         $DIR/points.o -lm;;
     esac
@@ -81,7 +82,7 @@ counts() {
 fresh() {
     mkdir -p $1/test
     cp tess.c tess.h hhpred.c hhpred.h $1
-    cp test/exact.h test/t_margin.c $1/test 2> /dev/null
+    cp test/exact.h test/hard.h test/t_margin.c $1/test 2> /dev/null
     rm -f $1/tess.o $1/hhpred.o
 }
 

@@ -3,7 +3,7 @@
  *     torture [options] [sets [seed]]
  *         -time S     not that many sets but S seconds
  *         -one SEED   one set, in full
- *         -many       sets of 60 to 400 points; else up to 11
+ *         -many       sets of 13 to 400 points; else up to 12
  *         -sums       write a sum of each result alone, to compare builds
  *         -plain      in normal circumstances alone
  *         -x87        the library does its arithmetic in an x87 unit, whose
@@ -1162,7 +1162,9 @@ static void arrays(void)
 static void set(int large, int sums)
 {
     rnd_seed(seed);
-    n = large ? hard_many(p, rnd_below(3) ? 100 : MOST) : hard_few(p);
+    if (!large) n = rnd_below(12) ? hard_few(p) : hard_near(p, DEF_MOST);
+    else if (rnd_below(2)) n = hard_many(p, rnd_below(3) ? 100 : MOST);
+    else do n = hard_near(p, rnd_below(3) ? 100 : MOST); while (n <= DEF_MOST);
     if (full) list();
     if (large) many(sums);
     else few(0);

@@ -1,6 +1,7 @@
 /* peer.h - what the bench programs of the peers share, C and C++: arguments,
  * points, clock, memory, and the line printed, which is that of ../bench.c
- * with "-" for the workspace, as they have none of their own.  Memory is the
+ * with "-" for the workspace, as they have none of their own.  Short calls are
+ * repeated as there, what stands between them not counted.  Memory is the
  * growth of the peak resident set during the first run, the output included,
  * the caller's points not. */
 #ifndef PEER_H
@@ -15,8 +16,8 @@
 struct peer {
     const char *family;
     double *p;
-    long n, ntet, repeats, run;
-    double least, memory;
+    long n, ntet, repeats, run, calls;
+    double least, memory, seconds;
     clock_t begin;
     int code;
 };
@@ -42,8 +43,8 @@ static void peer_open(struct peer *job, int argc, char **argv)
     job->repeats = argc > 3 ? atol(argv[3]) : 3;
     if (job->repeats < 1)
         job->repeats = 1;
-    job->ntet = job->run = 0;
-    job->least = job->memory = 0;
+    job->ntet = job->run = job->calls = 0;
+    job->least = job->memory = job->seconds = 0;
     job->code = 0;
     job->p = asked > 0 ? (double *)malloc((size_t)asked * 3 * sizeof(double))
                        : 0;
@@ -58,21 +59,26 @@ static void peer_open(struct peer *job, int argc, char **argv)
 
 static void peer_start(struct peer *job)
 {
-    if (job->run == 0)
+    if (job->run == 0 && job->calls == 0)
         job->memory = peer_memory();
     job->begin = clock();
 }
 
 static void peer_stop(struct peer *job, long ntet, int code)
 {
-    double seconds = (double)(clock() - job->begin) / CLOCKS_PER_SEC;
-
-    if (job->run == 0)
+    job->seconds += (double)(clock() - job->begin) / CLOCKS_PER_SEC;
+    if (job->run == 0 && job->calls == 0)
         job->memory = peer_memory() - job->memory;
-    if (job->run == 0 || seconds < job->least)
-        job->least = seconds;
     job->ntet = ntet;
     job->code = code;
+    job->calls++;
+    if (job->seconds < 0.2 && code == 0)
+        return;
+    job->seconds /= (double)job->calls;
+    if (job->run == 0 || job->seconds < job->least)
+        job->least = job->seconds;
+    job->seconds = 0;
+    job->calls = 0;
     job->run++;
 }
 
