@@ -1141,7 +1141,7 @@ double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
                  double *err)
 {
     double u[3 * HH_FEW], l[2 * HH_FEW], sum[HH_ROWS + 1], h;
-    int i, at;
+    int at;
 
     *err = DBL_MAX;
     if (!offset(s, t, z, u)) return 0.0;

@@ -170,10 +170,13 @@ extern void tess_prove(int fact);
 #define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST / 64)
 #define OPENED 24
 #define BURDEN 1.0
-/* Points that such a search remembers. */
+/* Points in which one is sought; points that such a search remembers. */
+#define ENOUGH 500
 #define SOME 32
 /* Marks of heights over a support. */
-#define GRAINS (DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L : 2048L)
+#define GRAINS                                                         \
+    ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
+                                                           : 2048L))
 /* Added where a node has points above that. */
 #define ABOVE (GRAINS + 2)
 /* Hull planes that are remembered. */
@@ -254,9 +257,10 @@ typedef struct list {
 } list;
 
 /* A test of promise. */
-typedef struct form {
+typedef struct bound {
     double a, q, d[3], dd, bias, err;
-} form;
+    int top;
+} bound;
 
 /* aside's test for the points of a support. */
 typedef struct slab {
@@ -286,8 +290,8 @@ typedef struct quest {
     double elo, ehi;          /* the best point's e is between them */
     int turn;                 /* changes with the ball and the best point */
     int aimed;                /* sight's test was made at this turn: */
-    int forms;
-    form form[2];
+    int bounds;
+    bound bound[2];
     slab slab[SUPPORTS];
 } quest;
 
@@ -1536,71 +1540,59 @@ static int level(const mesh *m, int j, tess_int z, double *h, double *err)
     return *err <= s->grain && fabs(*h) <= -s->low;
 }
 
-/* widest - of n positions z that which is the farthest from a, or from the line
- * from a to b, or from the plane a, b, c; NONE: not given. */
-static tess_int widest(const mesh *m, const tess_int *z, int n, tess_int a,
-                       tess_int b, tess_int c, double *most)
-{
-    const double *p = m->x + 3 * a, *q;
-    double u[3], v[3], w[3], x[3], size;
-    tess_int best = a;
-    int i, k;
-
-    *most = 0.0;
-    for (i = 0; i < n; i++) {
-        for (k = 0; k < 3; k++) {
-            u[k] = m->x[3 * z[i] + k] - p[k];
-            v[k] = b == NONE ? 0.0 : m->x[3 * b + k] - p[k];
-            w[k] = c == NONE ? 0.0 : m->x[3 * c + k] - p[k];
-        }
-        for (k = 0, q = c == NONE ? u : w; k < 3; k++)
-            x[k] = b == NONE ? u[k]
-                             : v[(k + 1) % 3] * q[(k + 2) % 3] -
-                                   v[(k + 2) % 3] * q[(k + 1) % 3];
-        size = c != NONE ? fabs(x[0] * u[0] + x[1] * u[1] + x[2] * u[2])
-                         : x[0] * x[0] + x[1] * x[1] + x[2] * x[2];
-        if (size > *most) {
-            *most = size;
-            best = z[i];
-        }
-    }
-    return best;
-}
-
-/* fit - set up a support for the points that a search left open: through the
- * widest of them, for heights of at most 8 times those of three quarters. */
+/* fit - set up a support through the widest of the points that a search left
+ * open, for heights of at most 8 times those of three quarters of them. */
 static int fit(mesh *m, const quest *f, support *s)
 {
-    tess_int v[3], z, i;
-    double line, area, volume, h[SOME + 1], err, worst = 0.0, c;
-    int n = f->nsome, k, up = 0;
+    tess_int v[4], i;
+    double u[3 * SOME], h[SOME], wide[3], most, x, err, worst = 0.0;
+    int n = f->nsome, far, k, j, up = 0;
 
     v[0] = f->v[0];
-    v[1] = widest(m, f->some, n, v[0], NONE, NONE, &line);
-    v[2] = widest(m, f->some, n, v[0], v[1], NONE, &area);
-    if (area < 1e-12 * line * line) return 0;
-    z = widest(m, f->some, n, v[0], v[1], v[2], &volume);
-    s->plane = volume < 1e-7 * sqrt(area) * line;
-    if (!hh_centre(&m->set, v, 0, s->plane ? v[0] : z, s->c, &s->t)) return 0;
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3; k++)
+            u[3 * i + k] = m->x[3 * f->some[i] + k] - m->x[3 * v[0] + k];
+    for (j = 0; j < 3; j++) { /* the farthest one, and what is left of all */
+        most = 0.0;
+        for (i = far = 0; i < n; i++) {
+            x = u[3 * i] * u[3 * i] + u[3 * i + 1] * u[3 * i + 1] +
+                u[3 * i + 2] * u[3 * i + 2];
+            if (x > most) {
+                most = x;
+                far = (int)i;
+            }
+        }
+        v[j + 1] = f->some[far];
+        wide[j] = sqrt(most);
+        if (j < 2 && wide[j] <= 1e-6 * wide[0] + HH_SMALL) return 0;
+        if (j == 2) break;
+        for (k = 0; k < 3; k++) h[k] = u[3 * far + k] / wide[j];
+        for (i = 0; i < n; i++) {
+            x = u[3 * i] * h[0] + u[3 * i + 1] * h[1] + u[3 * i + 2] * h[2];
+            for (k = 0; k < 3; k++) u[3 * i + k] -= x * h[k];
+        }
+    }
+    s->plane = wide[2] < 1e-7 * wide[0];
+    if (!hh_centre(&m->set, v, 0, s->plane ? v[0] : v[3], s->c, &s->t))
+        return 0;
     hh_unit(&s->t, s->plane, s->c);
     s->size = fabs(s->c[0]) + fabs(s->c[1]) + fabs(s->c[2]);
     for (k = 0; k < 3; k++) s->at[k] = m->x[3 * v[0] + k];
     for (i = 0; i < n; i++) {
-        c = fabs(hh_height(&m->set, &s->t, f->some[i], s->plane, &err));
-        if (err == DBL_MAX) c = DBL_MAX;
-        else if (err > worst) worst = err;
-        for (k = (int)i; k > 0 && h[k - 1] > c; k--) h[k] = h[k - 1];
-        h[k] = c;
+        x = fabs(hh_height(&m->set, &s->t, f->some[i], s->plane, &err));
+        if (err > worst) worst = err;
+        for (k = (int)i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
+        h[k] = x;
     }
-    c = h[3 * n / 4];
-    if (c > 1e-4 * (s->plane ? sqrt(line) : line)) return 0;
-    s->grain = 16.0 * c / GRAINS;
+    x = h[3 * n / 4];
+    s->grain = 16.0 * x / (double)GRAINS;
     if (s->grain < 8.0 * worst) s->grain = 8.0 * worst;
-    s->low = -0.5 * s->grain * GRAINS;
+    s->low = -0.5 * s->grain * (double)GRAINS;
+    if (-s->low > 1e-3 * wide[0] * (s->plane ? 1.0 : wide[0])) return 0;
     s->sign = 1.0;
     for (i = 0; i < m->np && s->plane; i += m->np / 256 + 1) {
-        c = rough(m, s, i, &err);
-        up += (c > err - s->low) - (c < s->low - err);
+        x = rough(m, s, i, &err);
+        up += (x > err - s->low) - (x < s->low - err);
     }
     if (up >= 0) return 1;
     s->sign = -1.0;
@@ -1615,7 +1607,7 @@ static void discover(mesh *m, const quest *f)
     support *s = m->support + m->nsupport;
     tess_int node, i, last, mark;
     tess_int members = 0;
-    double h, err, c;
+    double h, err, fine, c;
     int above;
 
     if (m->nsupport == 0)
@@ -1640,9 +1632,11 @@ static void discover(mesh *m, const quest *f)
             if (m->link[i] == DONE) continue;
             h = rough(m, s, i, &err);
             if (fabs(h) <= err - s->low) {
-                c = s->sign * hh_height(&m->set, &s->t, i, s->plane, &h);
-                if (h < err) err = h, h = c;
-                else h = c;
+                c = s->sign * hh_height(&m->set, &s->t, i, s->plane, &fine);
+                if (fine < err) {
+                    h = c;
+                    err = fine;
+                }
             }
             c = (h - err - s->low) / s->grain;
             mark = c < 0.0 ? -1 : c < GRAINS ? (tess_int)c : GRAINS;
@@ -1701,7 +1695,7 @@ static void lean(const mesh *m, quest *f)
     }
     for (k = 0; k < 3; k++) ab += a[0][k] * a[1][k];
     det = n[0] * n[1] - ab * ab;
-    if (det < 1e-10 * n[0] * n[1] || det < FAINT) {
+    if (det < 1e4 * EPS * n[0] * n[1] || det < FAINT) {
         f->near = NONE;
         return;
     }
@@ -1772,11 +1766,14 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
         if (high < 0.0) return -1;
         dg = f->f[9] + 32.0 * EPS;
         least = low / (g + dg) * (1.0 - PAD);
-        if (least > HH_SMALL) {
-            hh_ratio(f->f, x, least, high / (g - dg) * (1.0 + PAD), lo, hi);
-            side = 1;
-        }
-        return side;
+        if (least < HH_SMALL) return side;
+        low = -DBL_MAX;
+        most = high / (g - dg) * (1.0 + PAD);
+        high = DBL_MAX;
+        hh_ratio(f->f, x, least, most, &low, &high);
+        if (low > *lo) *lo = low;
+        if (high < *hi) *hi = high;
+        return 1;
     }
     for (k = 0; k < 3; k++) {
         u = x[k] - f->f[6 + k];
@@ -1808,32 +1805,35 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
 static void sight(const mesh *m, quest *f)
 {
     const support *s = m->support + f->near;
-    form *t = f->form;
+    bound *t = f->bound;
     double g = 0.0, e = f->ehi, o[3], oo = 0.0, od = 0.0, size = 0.0;
     int k;
 
     f->aimed = f->turn;
-    f->forms = 0;
+    f->bounds = 0;
     if (f->f[9] > 1e-3) return;
     t->bias = 0.0;
+    t->top = 0;
     if (s->plane) {
         for (k = 0; k < 3; k++) g += s->c[k] * f->f[k];
         if (fabs(g) < 0.5) return;
         t->a = g < 0.0 ? 1.0 : -1.0;
+        t->top = g > 0.0;
         t->q = 0.0;
         t->dd = f->dtilt;
         for (k = 0; k < 3; k++) {
             t->d[k] = t->a * f->tilt[k];
             t->dd += 16.0 * EPS * fabs(f->tilt[k]);
         }
-        f->forms = 1;
+        f->bounds = 1;
         if (!f->ball || f->hi > MUCHL) return;
-        f->forms = 2;
+        f->bounds = 2;
         t++;
         t->bias = 0.0;
         t->a = -2.0 * f->hi / g;
         e = 4.0 * (f->f[9] + 32.0 * EPS) * t->a;
         t->a += f->hi > 0.0 ? e : -e;
+        t->top = t->a < 0.0;
         t->q = 1.0;
         t->dd = fabs(t->a) * f->dtilt + 2.0 * f->f[10];
         for (k = 0; k < 3; k++) {
@@ -1854,10 +1854,10 @@ static void sight(const mesh *m, quest *f)
         if (g >= 0.0) return;
         t->q = -0.5 * g / oo;
         t->bias = t->q * (s->low + f->h - f->dh);
-        t->bias -= PAD * fabs(t->bias);
+        t->top = 1;
         t->dd = f->f[9] + 16.0 * EPS * (1.0 + t->q * size);
         for (k = 0; k < 3; k++) t->d[k] = f->f[k] - 2.0 * t->q * o[k];
-        f->forms = 1;
+        f->bounds = 1;
         return;
     }
     if (f->hi > MUCHL) return;
@@ -1873,7 +1873,7 @@ static void sight(const mesh *m, quest *f)
     t->a = 1.0 - t->q;
     t->dd += 16.0 * EPS * t->q * size;
     for (k = 0; k < 3; k++) t->d[k] -= 2.0 * t->q * o[k];
-    f->forms = 1;
+    f->bounds = 1;
 }
 
 /* lowest - the least of q |w|^2 - d.w in a box, and the greatest |w|_1. */
@@ -1906,19 +1906,19 @@ static double promise(const mesh *m, quest *f, tess_int node)
     tess_int mark = s->least[node];
     int above = mark > GRAINS, i;
     double most = -1.0, sum, size, h;
-    form *t = f->form;
+    bound *t = f->bound;
 
     if (f->aimed != f->turn) sight(m, f);
     if (above) mark -= ABOVE;
-    for (i = 0; i < f->forms; i++, t++) {
+    for (i = 0; i < f->bounds; i++, t++) {
         h = t->a < 0.0 ? -s->low : s->low + s->grain * ((double)mark - 0.5);
         sum = t->a * (h - f->h) + t->bias +
               lowest(f, m->box + 6 * node, t->q, t->d, &size);
         t->err = fabs(t->a) * f->dh +
-                 16.0 * EPS * (fabs(t->a) * (fabs(f->h) - s->low) +
+                 16.0 * EPS * ((fabs(t->a) + t->q) * (fabs(f->h) - s->low) +
                                t->q * size * size) +
                  size * t->dd + FAINT;
-        if (t->a > 0.0 ? mark < 0 : above && t->a + t->bias < 0.0) continue;
+        if ((t->a > 0.0 && mark < 0) || (t->top && above)) continue;
         if (sum - t->err > most) most = sum - t->err;
     }
     return most;
@@ -1978,7 +1978,7 @@ static int aside(const mesh *m, quest *f, tess_int node)
     t = f->slab + j;
     if (t->turn != f->turn) face(m, f, j, t);
     sum = t->bias + lowest(f, m->box + 6 * node, t->q, t->d, &size);
-    return sum > 16.0 * EPS * t->q * size * size + size * t->dd + FAINT;
+    return sum > 16.0 * EPS * (t->q + 1.0) * size * size + size * t->dd + FAINT;
 }
 
 /* remember - z among the points that Householder left open, or one of two, of
@@ -2286,7 +2286,7 @@ static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
 {
     const support *s = m->support + f->near;
     const double *q;
-    const form *t;
+    const bound *t;
     double w0, w1, w2, h;
     tess_int i, mark;
     int k;
@@ -2303,13 +2303,13 @@ static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
             w1 = q[1] - f->f[7];
             w2 = q[2] - f->f[8];
             h = s->low + s->grain * ((double)(mark / SUPPORTS) + 0.5) - f->h;
-            for (k = 0, t = f->form; k < f->forms; k++, t++)
+            for (k = 0, t = f->bound; k < f->bounds; k++, t++)
                 if (t->a * h + t->bias + w0 * (t->q * w0 - t->d[0]) +
                         w1 * (t->q * w1 - t->d[1]) +
                         w2 * (t->q * w2 - t->d[2]) >
-                    t->err + fabs(t->a) * 2.0 * s->grain)
+                    t->err + (fabs(t->a) + t->q) * 2.0 * s->grain)
                     break;
-            if (k < f->forms) {
+            if (k < f->bounds) {
                 HOLDS(!better(m, f, i));
                 continue;
             }
@@ -2317,6 +2317,21 @@ static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
         consider(m, f, i);
     }
 }
+
+#ifdef TESS_PROVE
+/* barren - has no point of a node anything better than the best point? */
+static int barren(const mesh *m, const quest *f, tess_int node)
+{
+    tess_int i, last = node;
+
+    for (; node < m->leaves; node *= 2) last = 2 * last + 1;
+    i = leafstart(m, node - m->leaves);
+    last = leafstart(m, last - m->leaves + 1);
+    for (; i < last; i++)
+        if (m->link[i] != DONE && better(m, f, i)) return 0;
+    return 1;
+}
+#endif
 
 /* treesearch - finish a search by the tree: the leaf of v[0] first, then its
  * parent's other child, and so on up to the root. */
@@ -2339,24 +2354,10 @@ static void treesearch(const mesh *m, quest *f)
         COUNT(N_NODE, 1);
         b = m->box + 6 * node;
         if (m->alive[node] == 0 || prunebox(f, b, b + 3)) continue;
-        if (f->near != NONE && promise(m, f, node) > 0.0) {
-#ifdef TESS_PROVE
-            for (i = last = node; i < m->leaves; last = 2 * last + 1) i *= 2;
-            i = leafstart(m, i - m->leaves);
-            last = leafstart(m, last - m->leaves + 1);
-            for (; i < last; i++)
-                HOLDS(m->link[i] == DONE || !better(m, f, i));
-#endif
-            continue;
-        }
-        if (m->nsupport > 0 && aside(m, f, node)) {
-#ifdef TESS_PROVE
-            for (i = last = node; i < m->leaves; last = 2 * last + 1) i *= 2;
-            i = leafstart(m, i - m->leaves);
-            last = leafstart(m, last - m->leaves + 1);
-            for (; i < last; i++)
-                HOLDS(m->link[i] == DONE || !better(m, f, i));
-#endif
+        if (m->nsupport > 0 &&
+            ((f->near != NONE && promise(m, f, node) > 0.0) ||
+             aside(m, f, node))) {
+            HOLDS(barren(m, f, node));
             continue;
         }
         if (node < m->leaves) {
@@ -2367,7 +2368,7 @@ static void treesearch(const mesh *m, quest *f)
             continue;
         }
         span(m, node, &i, &last);
-        if (f->near != NONE && f->forms > 0)
+        if (f->near != NONE && f->bounds > 0)
             nearleaf(m, f, node, i, last);
         else
             scanleaf(m, f, i, last, b);
@@ -2480,9 +2481,10 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     if (f.opened > OPENED && m->nsupport < m->most) {
         m->burden += (double)f.opened;
         if (m->burden > m->patience * (double)m->np) {
+            k = m->nsupport;
             discover(m, &f);
             m->burden = 0.0;
-            m->patience *= 1.5;
+            if (m->nsupport == k) m->patience *= 2.0;
         }
     }
     if (f.best == NONE) {
@@ -2590,10 +2592,10 @@ static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
     return 1;
 }
 
-/* extra - integers that supports take. */
+/* extra - integers that supports take, for as many points as may need them. */
 static tess_int extra(tess_int n)
 {
-    return n + 2 * (SUPPORTS + 1) * leafcount(n);
+    return n < ENOUGH ? 0 : n + 2 * (SUPPORTS + 1) * leafcount(n);
 }
 
 /* collect - the points that stand for themselves, in their order. */
@@ -2825,7 +2827,7 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     m.room = liw - 4 * n - 2 * leaves;
     (void)lengths(n, &i, &wanted, &pool);
     m.most = 0;
-    if (liw - i >= pool + extra(n)) {
+    if (extra(n) > 0 && liw - i - pool >= extra(n)) {
         m.room -= extra(n);
         m.mark = m.pool + m.room;
         m.most = SUPPORTS;
