@@ -132,6 +132,7 @@ extern void tess_prove(int fact);
 
 #define NONE (-1)
 #define UNSURE 2  /* what hh_orient and hh_insphere answer out of range */
+#define SURE 3    /* what sharpen answers for a better point */
 #define LOST 99   /* what walk answers when it has none */
 #define DONE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
@@ -287,7 +288,8 @@ typedef struct quest {
     int open;
     int near;                 /* the facet is near this support, or NONE: */
     double h, dh, tilt[3], dtilt; /* G = height - h - tilt.w is 0 on it */
-    double elo, ehi;          /* the best point's e is between them */
+    double elo, ehi;          /* the best point's e is between them, */
+    double low, high;         /* that of the point compared between these */
     int turn;                 /* changes with the ball and the best point */
     int aimed;                /* sight's test was made at this turn: */
     int bounds;
@@ -330,7 +332,7 @@ typedef struct mesh {
     double share;             /* the star's margin in the block's */
     int ties;                 /* the last points on a ball were not in it */
     support support[SUPPORTS];
-    int nsupport, most;       /* how many there are, and may be */
+    int nsupport, seek;       /* how many there are; look for more? */
     tess_int *pure;           /* 0, or 1 + support of all points of a node */
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
     double burden, patience;  /* comparisons left open, how many may be */
@@ -1657,6 +1659,7 @@ static void discover(mesh *m, const quest *f)
         return;
     }
     m->nsupport++;
+    m->seek = m->nsupport < SUPPORTS;
     for (node = 1; node < 2 * m->leaves; node++)
         if (m->pure[node] == 0 && s->least[node] >= 0 &&
             s->least[node] <= GRAINS)
@@ -1674,6 +1677,8 @@ static void lean(const mesh *m, quest *f)
     tess_int mark;
     int i, k;
 
+    f->aimed = 0;
+    for (k = 0; k < m->nsupport; k++) f->slab[k].turn = 0;
     for (i = 0; i < 3 && f->near == NONE; i++) {
         mark = m->mark[f->v[i]] - 1;
         if (mark < 0) continue;
@@ -1745,14 +1750,16 @@ static int residual(const mesh *m, const quest *f, tess_int z, double *lo,
 /* sharpen - the side of the position z that hh_limits did not find negative,
  * and limits of L, by a plane's support; of e, by a sphere's.  g errs by E and
  * some roundings. */
-static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
-                   double *lo, double *hi, double *elo, double *ehi)
+static int sharpen(const mesh *m, quest *f, tess_int z, int side, double *lo,
+                   double *hi)
 {
     const support *s = m->support + f->near;
     const double *x = m->x + 3 * z;
     double low, high, least, most, g = 0.0, dg, size = 0.0, u;
     int k;
 
+    f->low = -DBL_MAX;
+    f->high = DBL_MAX;
     if (f->f[9] > 1e-3 || !residual(m, f, z, &low, &high)) return side;
     if (s->plane) {
         for (k = 0; k < 3; k++) g += s->c[k] * f->f[k];
@@ -1783,10 +1790,12 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
     least = 2.0 * (g - f->f[9] * size);
     most = 2.0 * (g + f->f[9] * size);
     if (side <= 0 || least < HH_SMALL) return side;
-    *elo = low / (low > 0.0 ? most : least);
-    *ehi = high / (high > 0.0 ? least : most);
-    *elo -= PAD * fabs(*elo);
-    *ehi += PAD * fabs(*ehi);
+    f->low = low / (low > 0.0 ? most : least);
+    f->high = high / (high > 0.0 ? least : most);
+    f->low -= PAD * fabs(f->low);
+    f->high += PAD * fabs(f->high);
+    if (f->low > f->ehi) return -1;
+    if (f->high < f->elo) return SURE;
     return side;
 }
 
@@ -1984,10 +1993,11 @@ static int aside(const mesh *m, quest *f, tess_int node)
 /* remember - z among the points that Householder left open, or one of two, of
  * four ... of them; until there are such, instead, points of leaves where the
  * search went. */
-static void remember(quest *f, tess_int z, int open)
+static void remember(const mesh *m, quest *f, tess_int z, int open)
 {
     int i;
 
+    if (m->link[z] == DONE || (m->nsupport > 0 && m->mark[z] > 0)) return;
     if (f->opened == 0 || open > f->open) {
         f->open = open;
         f->opened = f->nsome = 0;
@@ -2008,20 +2018,19 @@ static void remember(quest *f, tess_int z, int open)
  * limits the better one by the other. */
 static void challenge(const mesh *m, quest *f, tess_int z)
 {
-    double lo, hi, elo = -DBL_MAX, ehi = DBL_MAX;
+    double lo, hi;
     int side = hh_limits(f->f, m->x + 3 * z, &lo, &hi), sign, unsure;
     int power = UNSURE;
 
-    if (side >= 0 && f->near != NONE)
-        side = sharpen(m, f, z, side, &lo, &hi, &elo, &ehi);
-    if (side < 0 || (f->best != NONE && (lo > f->hi || elo > f->ehi))) {
+    if (f->near != NONE && side >= 0)
+        side = sharpen(m, f, z, side, &lo, &hi);
+    if (side < 0 || (f->best != NONE && lo > f->hi)) {
         HOLDS(!better(m, f, z));
         return;
     }
     sign = side;
-    unsure = f->best != NONE && hi >= f->lo && ehi >= f->elo;
-    if ((side == 0 || unsure) && (m->nsupport == 0 || m->mark[z] == 0))
-        remember(f, z, 1);
+    unsure = side != SURE && f->best != NONE && hi >= f->lo;
+    if ((side == 0 || unsure) && m->seek) remember(m, f, z, 1);
     if (f->limbs && (side == 0 || unsure)) {
         COUNT(N_TRIAL, 1);
         hh_trial(&m->set, &f->t, z, &sign, &power);
@@ -2040,23 +2049,20 @@ static void challenge(const mesh *m, quest *f, tess_int z)
             power = hh_pbeat(&m->set, f->v, f->best, z) ? -1 : 1;
         }
         HOLDS((power < 0) == hh_pbeat(&m->set, f->v, f->best, z));
+        if (f->high > f->ehi) f->high = f->ehi;
         if (power > 0) {
+            f->ehi = f->high;
             if (hi < f->hi) narrow(f, hi);
-            if (ehi < f->ehi) {
-                f->ehi = ehi;
-                f->turn++;
-            }
             if (f->asked >= MANY && !f->limbs) refine(m, f);
             return;
         }
         if (hi > f->hi) hi = f->hi;
-        if (ehi > f->ehi) ehi = f->ehi;
     }
     HOLDS(better(m, f, z));
     f->best = z;
     f->lo = lo;
-    f->elo = elo;
-    f->ehi = ehi;
+    f->elo = f->low;
+    f->ehi = f->high;
     f->limbs = 0;
     narrow(f, hi);
     if (side == 0 || f->asked >= MANY ||
@@ -2372,8 +2378,7 @@ static void treesearch(const mesh *m, quest *f)
             nearleaf(m, f, node, i, last);
         else
             scanleaf(m, f, i, last, b);
-        if ((m->nsupport == 0 || m->mark[i] == 0) && m->link[i] != DONE)
-            remember(f, i, 0);
+        if (m->seek) remember(m, f, i, 0);
     }
 }
 
@@ -2402,13 +2407,12 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     int k;
 
     for (k = 0; k < 3; k++) f->v[k] = v[k];
-    f->base = f->asked = f->limbs = f->aimed = f->open = 0;
+    f->base = f->asked = f->limbs = 0;
     f->opened = 0;
     f->turn = 1;
     f->near = NONE;
-    for (k = 0; k < m->nsupport; k++) f->slab[k].turn = 0;
-    f->elo = -DBL_MAX;
-    f->ehi = DBL_MAX;
+    f->elo = f->low = -DBL_MAX;
+    f->ehi = f->high = DBL_MAX;
     f->best = NONE;
     f->ball = 0;
     f->hi = DBL_MAX;
@@ -2478,7 +2482,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     }
     COUNT(N_TREE, 1);
     treesearch(m, &f);
-    if (f.opened > OPENED && m->nsupport < m->most) {
+    if (f.opened > OPENED && m->seek) {
         m->burden += (double)f.opened;
         if (m->burden > m->patience * (double)m->np) {
             k = m->nsupport;
@@ -2826,11 +2830,11 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     m.pool = m.alive + 2 * leaves;
     m.room = liw - 4 * n - 2 * leaves;
     (void)lengths(n, &i, &wanted, &pool);
-    m.most = 0;
+    m.seek = 0;
     if (extra(n) > 0 && liw - i - pool >= extra(n)) {
         m.room -= extra(n);
         m.mark = m.pool + m.room;
-        m.most = SUPPORTS;
+        m.seek = 1;
     }
     m.nsupport = 0;
     m.burden = 0.0;
@@ -2850,6 +2854,8 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
         *ntet = 0;
         return code;
     }
+    /* doubles decide all where points are in few units */
+    if (m.set.t5 >= PLAIN) m.seek = 0;
     if (m.ntet > 0) {
         code = intact(&m, n);
         if (code != 0) return code;
