@@ -2250,7 +2250,6 @@ static int inblock(const mesh *m, quest *f)
     int in[TESS_LIST], place[TESS_LIST + 1];
 
     if (l->n == 0) return 0;
-    if (!f->ball) anypoint(m, f, l);
     if (!f->ball || !ballinbox(m, f, l) || !ballcoef(l, f, f->c, d)) return 0;
     if (inball(l, d, in) > 4)
         considerall(m, f, l, compress(in, l->n, place), place);
@@ -2391,7 +2390,9 @@ static int onhull(const mesh *m, const quest *f)
     for (i = 0; i < m->nplane; i++) {
         h = m->plane[i];
         for (k = 0; k < 3; k++)
-            if (hh_pside(&m->set, h[0], h[1], h[2], f->v[k]) != 0) break;
+            if (f->v[k] != h[0] && f->v[k] != h[1] && f->v[k] != h[2] &&
+                hh_pside(&m->set, h[0], h[1], h[2], f->v[k]) != 0)
+                break;
         if (k == 3) return 1;
     }
     return 0;
