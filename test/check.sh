@@ -124,13 +124,13 @@ fi
 
 # ---- the tests proper ----
 
-for t in exact points t_tess; do
+for t in exact points t_tess t_part; do
     $CC $CFLAGS -c -o build/$t.o test/$t.c
 done
 TEST="build/exact.o build/points.o"
 HARD="tess.c hhpred.c"
 
-for t in t_pred brute t_tess; do
+for t in t_pred brute t_tess t_part; do
     also=
     [ $t = brute ] && also=test/define.c
     if build $t "$CC" "$CFLAGS" test/$t.c $also $HARD $TEST; then
@@ -157,6 +157,11 @@ for n in 3 6; do
         many "t_tess -range, $n limbs" build/t_tess3 -range
     else
         fail "t_tess, $n limbs, does not compile"
+    fi
+    if build t_part3 "$CC" "-O1 -DHH_LIMBS=$n" test/t_part.c $HARD $TEST; then
+        many "t_part, $n limbs" build/t_part3 -quick
+    else
+        fail "t_part, $n limbs, does not compile"
     fi
 done
 
@@ -185,6 +190,13 @@ then
 else
     fail "t_pred, float, does not compile"
 fi
+for d in -DTESS_FLOAT -DTESS_INT=long; do
+    if build t_partf "$CC" "-O1 $d" test/t_part.c $HARD $TEST; then
+        many "t_part $d" build/t_partf -quick
+    else
+        fail "t_part $d does not compile"
+    fi
+done
 for d in -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long; do
     if build brutef "$CC" "-O1 $d" test/brute.c test/define.c $HARD $TEST; then
         many "brute $d" build/brutef 100
@@ -203,6 +215,11 @@ if build t_tessl "$CC" "-O1 -DTESS_LIST=48" test/t_tess.c $HARD $TEST; then
     many "t_tess -DTESS_LIST=48" build/t_tessl -quick
 else
     fail "t_tess -DTESS_LIST=48 does not compile"
+fi
+if build t_partl "$CC" "-O1 -DTESS_LIST=48" test/t_part.c $HARD $TEST; then
+    many "t_part -DTESS_LIST=48" build/t_partl -quick
+else
+    fail "t_part -DTESS_LIST=48 does not compile"
 fi
 
 # All rounding modes, where C99's fenv.h is to be had.
@@ -227,6 +244,8 @@ if have "$CC" "$SAN"; then
     many "brute, sanitizers" build/brutes 50
     build t_tesss "$CC" "$SAN" test/t_tess.c $HARD test/exact.c test/points.c
     many "t_tess, sanitizers" build/t_tesss -quick
+    build t_parts "$CC" "$SAN" test/t_part.c $HARD test/exact.c test/points.c
+    many "t_part, sanitizers" build/t_parts -quick
 else
     skip "sanitizers"
 fi
