@@ -54,8 +54,8 @@
  * still short is TESS_POOL.
  *
  * An open facet is in one place at any moment: in the link, if it contains s,
- * the vertex of the star; else in the table, or, of a tetrahedron from fresh on,
- * in none until flush; in none, too, if no star of its vertices is asked for.
+ * the vertex of the star; else in the table, or, of a tetrahedron from fresh
+ * on, in none until flush; in none if no star of its vertices is asked for.
  * Numbers of entries are good until the next erase or rehash, which update head
  * and the owners' lists and nothing else; numbers of edges until the next
  * renumber, which updates link and the edges alone: who calls makeroom reads
@@ -78,11 +78,11 @@
  *                narrow refine better proven challenge consider ballcoef
  *                starcoef inball considerall likeliest anypoint instar inblock
  *                scanleaf treesearch onhull prepare apex
- *   one star     within settle plant
+ *   one star     within exchange settle plant
  *   results      coords four slot mate
  *   preparation  leafcount cuberoot tablesize upto lengths collect inrange
  *                times units scaled revive sorted intact match claim restore
- *                layout meshed run wrong
+ *                layout meshed run wrong unfit
  *   entries      tess_size tess tess_resume tess_index opened tess_part
  * and what needs no mesh under construction:
  *   queries      qside inbox
@@ -1877,18 +1877,32 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
  * s (as q* of the queries, below), so it is on no plane of three points. */
 static int within(const mesh *m, const tess_int *r, const tess_int *w)
 {
-    tess_int f[3];
     int i, k, side;
 
     if (hh_pside(&m->set, w[0], w[1], w[2], w[3]) <= 0) return 0;
     for (k = 1; k < 4; k++) {
-        outfac(w, k, f);
         side = 0;
         for (i = 1; i < 4 && side == 0; i++)
-            side = hh_pside(&m->set, f[0], f[1], f[2], r[i]);
-        if (side > 0) return 0;
+            side = hh_pside(&m->set, w[0], w[k % 3 + 1], w[(k + 1) % 3 + 1],
+                            r[i]);
+        if (side < 0) return 0;
     }
     return 1;
+}
+
+/* exchange - put z in the place of v[k], if then v holds s*, or without r is
+ * not flat; 1 if so. */
+static int exchange(const mesh *m, const tess_int *r, tess_int *v, int k,
+                    tess_int z)
+{
+    tess_int old = v[k];
+
+    v[k] = z;
+    if (r == NULL ? hh_pside(&m->set, v[0], v[1], v[2], v[3]) != 0
+                  : within(m, r, v))
+        return 1;
+    v[k] = old;
+    return 0;
 }
 
 /* settle - v = a tetrahedron of the mesh at v[0] = s.
@@ -1906,51 +1920,47 @@ static int within(const mesh *m, const tess_int *r, const tess_int *w)
  * Vertices may be complete, so that no list has them: by the tree alone. */
 static void settle(mesh *m, tess_int s, tess_int *v)
 {
-    tess_int leaf = leafof(m, s), first = leafstart(m, leaf), i, old, z;
+    tess_int leaf = leafof(m, s), first = leafstart(m, leaf), i, z;
     tess_int size = leafstart(m, leaf + 1) - first, r[4], f[3], guess[2];
+    quest near;
     int j, k, same = 0;
 
     m->block.first = m->block.last = NONE;
     m->block.n = m->around.n = m->nplane = m->nextplane = 0;
-    for (k = 0; k < 4; k++) v[k] = m->known[k];
-    for (k = 0; k < 4; k++) {
-        old = v[k];
-        v[k] = s;
-        if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) != 0) break;
-        v[k] = old;
-    }
+    for (k = 0; k < 4; k++) v[k] = m->rep[m->known[k] - ORIGIN] - ORIGIN;
+    for (k = 0; !exchange(m, NULL, v, k, s); k++)
+        ;
     v[k] = v[0];
     v[0] = s;
     for (k = 1; k < 4; k++)
-        for (i = 1; i < size; i++) {
-            old = v[k];
-            v[k] = first + (s - first + i) % size;
-            if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) != 0) break;
-            v[k] = old;
-        }
+        for (i = 1; i < size; i++)
+            if (exchange(m, NULL, v, k, first + (s - first + i) % size)) break;
     if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) < 0) {
-        old = v[1];
+        z = v[1];
         v[1] = v[2];
-        v[2] = old;
+        v[2] = z;
     }
     for (k = 0; k < 4; k++) r[k] = v[k];
     guess[1] = NONE;
-    for (k = 1; same < 3; k = k % 3 + 1) {
-        outfac(v, k, f);
-        old = f[1];
-        f[1] = f[2];
-        f[2] = old;
-        guess[0] = v[k];
-        z = apex(m, f, guess);
+    for (k = 1; same < 6; k = k % 3 + 1) {
+        f[0] = s;
+        f[1] = v[k % 3 + 1];
+        f[2] = v[(k + 1) % 3 + 1];
+        guess[0] = z = v[k];
+        if (same >= 3)
+            z = apex(m, f, guess);
+        else {
+            prepare(m, &near, f);
+            challenge(m, &near, z);
+            scanleaf(m, &near, first, first + size,
+                     m->box + 6 * (m->leaves + leaf));
+            z = near.best;
+        }
         same++;
         if (z == v[k]) continue;
-        for (j = 1; j < 4; j++) {
-            old = v[j];
-            v[j] = z;
-            if (within(m, r, v)) break;
-            v[j] = old;
-        }
-        same = j == k;
+        for (j = 1; !exchange(m, r, v, j, z); j++)
+            ;
+        same = (j == k) + (same > 3 ? 3 : 0);
     }
 }
 
@@ -2387,7 +2397,8 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
 }
 
 /* wrong - the code of a bad argument common to tess and tess_resume, or 0;
- * *which is then the point that is not finite, or 0. */
+ * *which is then the point that is not finite, or 0.  Without p, points that
+ * are known to be finite. */
 static int wrong(tess_int n, const tess_real *p, tess_int maxtet, tess_int liw,
                  tess_int lrw, tess_int *which)
 {
@@ -2395,7 +2406,7 @@ static int wrong(tess_int n, const tess_real *p, tess_int maxtet, tess_int liw,
 
     *which = 0;
     if (n < 0 || !lengths(n, &leastiw, &leastrw, &pool)) return -1;
-    i = hh_finite(n, p);
+    i = p == NULL ? n : hh_finite(n, p);
     if (i < n) {
         *which = i + ORIGIN;
         return -2;
@@ -2404,6 +2415,23 @@ static int wrong(tess_int n, const tess_real *p, tess_int maxtet, tess_int liw,
     if (liw < leastiw) return -7;
     if (lrw < leastrw) return -9;
     return 0;
+}
+
+/* unfit - the same for what goes on from a result. */
+static int unfit(tess_int n, const tess_real *p, tess_int maxtet,
+                 tess_int ntet, const tess_int *tet, const tess_int *adj,
+                 tess_int liw, tess_int lrw)
+{
+    tess_int i;
+    int code = wrong(n, p, maxtet, liw, lrw, &i);
+
+    if (code != 0 && code > -4) return code;
+    if (ntet < 0 || ntet > maxtet) return -4;
+    for (i = 0; i < 4 * ntet; i++)
+        if (tet[i] < ORIGIN || tet[i] >= n + ORIGIN) return -5;
+    for (i = 0; i < 4 * ntet; i++)
+        if (adj[i] < OPEN || adj[i] >= ntet + ORIGIN) return -6;
+    return code;
 }
 
 int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
@@ -2434,59 +2462,43 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
                 tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,
                 tess_int *iw, tess_int lrw, double *rw)
 {
-    tess_int i, which;
-    int code = wrong(n, p, maxtet, liw, lrw, &which);
+    int code = unfit(n, p, maxtet, *ntet, tet, adj, liw, lrw);
 
-    if (code != 0 && code > -4) return code;
-    if (*ntet < 0 || *ntet > maxtet) return -4;
-    for (i = 0; i < 4 * *ntet; i++)
-        if (tet[i] < ORIGIN || tet[i] >= n + ORIGIN) return -5;
-    for (i = 0; i < 4 * *ntet; i++)
-        if (adj[i] < OPEN || adj[i] >= *ntet + ORIGIN) return -6;
     if (code != 0) return code;
     return run(n, p, maxtet, ntet, tet, adj, liw, iw, rw);
 }
 
-/* What an index keeps of the mesh in the box of no node, behind np. */
-#define FIRST3 1
-#define FIRST5 2
-#define SCALE 3
-#define FINEST 4
-#ifdef TESS_FLOAT
-#define NORMAL FLT_MIN
-#else
-#define NORMAL DBL_MIN
-#endif
-
+/* tess_index - the sorted points, their tree, and the first tetrahedron.  In
+ * places that are not used otherwise: np, in alive[0] and box[0], to know an
+ * index by; and what else the searches need in box[1] ... box[4]. */
 int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                tess_int lrw, double *rw)
 {
     static const tess_int guess[2] = {NONE, NONE};
     mesh m;
-    tess_int i;
-    int code = wrong(n, p, 0, TESS_INT_MOST, lrw, &i);
+    tess_int i, v[4];
+    int code = wrong(n, p, 0, TESS_INT_MOST, lrw, &i), k;
 
     if (code != 0 && code != -9) return code;
     if (liw < 2 * n + 2 * leafcount(n) + KEEP) return -3;
     if (code != 0) return -5;
     layout(&m, n, p, iw, rw);
-    m.np = 0;
+    m.np = m.set.e = 0;
     m.least = m.set.t3 = m.set.t5 = 0.0;
-    m.set.e = 0;
     code = TESS_POINT;
     if (n > 0) code = hh_holds(n, p) ? sorted(&m, n, p) : TESS_RANGE;
-    if (code == 0) code = firstfacet(&m, m.known);
+    m.link = m.order; /* no star is complete */
+    if (code == 0) code = firstfacet(&m, v);
+    m.known[0] = -code;
     if (code == 0) {
-        m.link = m.order; /* no star is complete */
-        m.known[3] = apex(&m, m.known, guess);
-    } else
-        m.known[0] = -code;
-    m.alive[0] = m.np;
-    m.box[0] = (double)m.np;
-    m.box[FIRST3] = m.set.t3;
-    m.box[FIRST5] = m.set.t5;
-    m.box[SCALE] = m.set.e;
-    m.box[FINEST] = m.least;
+        v[3] = apex(&m, v, guess);
+        for (k = 0; k < 4; k++) m.known[k] = m.order[v[k]] + ORIGIN;
+    }
+    m.box[0] = (double)(m.alive[0] = m.np);
+    m.box[1] = m.set.t3;
+    m.box[2] = m.set.t5;
+    m.box[3] = m.set.e;
+    m.box[4] = m.least;
     if (code == TESS_RANGE) return code;
     for (i = 0; i < m.np; i++) m.rep[m.order[i]] = i;
     for (i = 0; i < n; i++)
@@ -2501,15 +2513,17 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
 static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
                   const double *rw)
 {
+    double normal = sizeof(tess_real) < sizeof(double) ? FLT_MIN : DBL_MIN;
+
     layout(m, n, p, (tess_int *)iw, (double *)rw);
     m->np = m->alive[0];
     if (m->np < 0 || m->np > n || m->box[0] != (double)m->np) return -1;
-    if (m->known[0] < 0) return (int)-m->known[0];
+    if (m->known[0] < ORIGIN) return (int)-m->known[0];
     m->leaves = leafcount(m->np);
-    m->set.t3 = m->box[FIRST3];
-    m->set.t5 = m->box[FIRST5];
-    m->set.e = (int)m->box[SCALE];
-    return hh_holds(m->box[FINEST] < NORMAL ? n : 1, p) ? 0 : TESS_RANGE;
+    m->set.t3 = m->box[1];
+    m->set.t5 = m->box[2];
+    m->set.e = (int)m->box[3];
+    return hh_holds(m->box[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
 }
 
 int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
@@ -2517,18 +2531,9 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
               tess_int liw, tess_int *iw, tess_int lrw, const double *rw)
 {
     mesh m;
-    tess_int leastiw, leastrw, pool, i;
-    int code;
+    int code = unfit(n, NULL, maxtet, *ntet, tet, adj, liw, lrw);
 
-    if (n < 0 || !lengths(n, &leastiw, &leastrw, &pool)) return -1;
-    if (maxtet < 0 || maxtet > (TESS_INT_MOST - 3) / 4) return -4;
-    if (*ntet < 0 || *ntet > maxtet) return -5;
-    for (i = 0; i < 4 * *ntet; i++)
-        if (tet[i] < ORIGIN || tet[i] >= n + ORIGIN) return -6;
-    for (i = 0; i < 4 * *ntet; i++)
-        if (adj[i] < OPEN || adj[i] >= *ntet + ORIGIN) return -7;
-    if (liw < leastiw) return -8;
-    if (lrw < leastrw) return -10;
+    if (code != 0) return code < -1 ? code - 1 : code;
     code = opened(&m, n, p, iw, rw);
     if (code < 0) return -9;
     if (code > 0) {
@@ -2942,51 +2947,43 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
 {
     static const tess_int guess[2] = {NONE, NONE};
     mesh m;
-    tess_int u[4], f[3], first[4], c = 0, steps = 0, i;
-    int code, range, k, last = 4, s;
+    tess_int u[4], f[3], steps = 0;
+    int code, range, k, s, last = 4;
 
-    if (n < 0 || !lengths(n, &u[0], &u[1], &u[2])) return -1;
+    if (n < 0 || !lengths(n, u, u + 1, u + 2)) return -1;
     code = opened(&m, n, p, iw, rw);
     if (code != 0) return code < 0 ? -3 : code;
     if (hh_finite(1, q) < 1) return -5;
-    m.link = m.order; /* no star is complete */
-    if (v[0] != NOTHING) {
-        for (k = 0; k < 4; k++) {
-            if (v[k] < ORIGIN || v[k] >= n + ORIGIN) return -6;
-            u[k] = m.rep[v[k] - ORIGIN] - ORIGIN;
-            if (m.order[u[k]] != v[k] - ORIGIN) return -6;
-        }
-        if (hh_pside(&m.set, u[0], u[1], u[2], u[3]) <= 0) return -6;
+    for (k = 0; k < 4 && v[0] != NOTHING; k++) {
+        if (v[k] < ORIGIN || v[k] >= n + ORIGIN) return -6;
+        u[k] = m.rep[v[k] - ORIGIN] - ORIGIN;
+        if (m.order[u[k]] != v[k] - ORIGIN) return -6;
         steps = m.np;
     }
-    for (k = 0; k < 4; k++) {
-        w[k] = 0.0;
-        first[k] = m.order[m.known[k]] + ORIGIN;
-    }
+    if (steps > 0 && hh_pside(&m.set, u[0], u[1], u[2], u[3]) <= 0) return -6;
+    for (k = 0; k < 4; k++) w[k] = 0.0;
     if (!hh_holds(1, q)) return TESS_RANGE;
-    do {
+    m.link = m.order; /* no star is complete */
+    for (;;) {
         if (steps >= 0 && steps-- == 0) {
             settle(&m, nearby(&m, q), u);
             last = 4;
         }
         for (k = 0; k < 4; k++) v[k] = m.order[u[k]] + ORIGIN;
-        s = -1;
-        for (k = 0; k < 4; k++) {
+        for (k = 0, s = -1; k < 4; k++) {
             if (k == last) continue;
             outfac(v, k, f);
-            s = qside(p, f, q, first);
-            if (s == UNSURE) return TESS_RANGE;
+            s = qside(p, f, q, m.known);
             if (s > 0) break;
         }
-        code = k < 4;
+        if (s == UNSURE) return TESS_RANGE;
         if (k == 4) break;
         outfac(u, k, f);
-        c = apex(&m, f, guess);
-        if (c == NONE) break;
-        for (i = 0; i < 3; i++) u[i] = f[i];
-        u[3] = c;
-        last = 3;
-    } while (1);
+        u[3] = apex(&m, f, guess);
+        if (u[3] == NONE) break;
+        for (last = 0; last < 3; last++) u[last] = f[last];
+    }
+    code = k < 4;
     range = weigh(p, v, q, w);
     return range != 0 ? range : code;
 }
@@ -3317,31 +3314,30 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
 int tess_ball(const tess_real *p, const tess_int *v, double *c)
 {
     static const tess_int facet[3] = {0, 1, 2};
+    const tess_real *q;
     tess_int order[4];
     hh_set set;
     hh_ball t;
     double most = 0.0, size = 0.0, r = 0.0, x[3];
     int i, k;
 
-    for (i = 0; i < 4; i++)
-        if (v[i] < ORIGIN) return -2;
     for (i = 0; i < 4; i++) {
-        if (hh_finite(1, coords(p, v[i])) < 1) return -1;
+        if (v[i] < ORIGIN) return -2;
         order[i] = v[i] - ORIGIN;
     }
-    for (k = 0; k < 3; k++) c[k] = coords(p, v[0])[k];
     c[3] = DBL_MAX;
-    for (i = 0; i < 4; i++) {
-        if (!hh_holds(1, coords(p, v[i]))) return TESS_RANGE;
-        for (k = 0; k < 3; k++)
-            if (fabs(coords(p, v[i])[k]) > most)
-                most = fabs(coords(p, v[i])[k]);
+    for (i = 3; i >= 0; i--) {
+        q = coords(p, v[i]);
+        if (hh_finite(1, q) < 1) return -1;
+        if (!hh_holds(1, q)) return TESS_RANGE;
+        for (k = 0; k < 3; k++) {
+            c[k] = q[k];
+            if (fabs(c[k]) > most) most = fabs(c[k]);
+        }
     }
     frexp(most, &set.e);
-    set.x = NULL;
     set.p = p;
     set.order = order;
-    set.t3 = set.t5 = -1.0;
     if (most == 0.0 || !hh_centre(&set, facet, 0, 3, x, &t)) return TESS_OK;
     for (k = 0; k < 3; k++) {
         size += fabs(x[k]);
@@ -3352,8 +3348,8 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
     r = sqrt(r) + PAD * size + 4.0 * DBL_MIN;
     frexp(r + size, &k);
     if (k + set.e >= DBL_MAX_EXP) return TESS_OK;
-    c[3] = ldexp(r, set.e) + 4.0 * DBL_MIN;
     for (k = 0; k < 3; k++) c[k] = ldexp(x[k], set.e);
+    c[3] = ldexp(r, set.e) + 4.0 * DBL_MIN;
     return TESS_OK;
 }
 
