@@ -78,12 +78,12 @@
  *                narrow refine better proven challenge consider ballcoef
  *                starcoef inball considerall likeliest anypoint instar inblock
  *                scanleaf treesearch onhull prepare apex
- *   one star     within exchange settle plant
+ *   one star     exchange settle plant
  *   results      coords four slot mate
  *   preparation  leafcount cuberoot tablesize upto lengths collect inrange
  *                times units scaled revive sorted intact match claim restore
- *                layout meshed run wrong unfit
- *   entries      tess_size tess tess_resume tess_index opened tess_part
+ *                layout opened run wrong unfit
+ *   entries      tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
  *   queries      qside inbox
  *   location     distance sample walk holds sweep elimin backsu unite balanc
@@ -570,7 +570,7 @@ static int firstfacet(const mesh *m, tess_int *v)
 {
     const tess_real *p, *q;
     tess_int i, w = NONE;
-    int side, k;
+    int side;
 
     if (m->np < 2) return TESS_POINT;
     v[0] = 0;
@@ -598,7 +598,7 @@ static int firstfacet(const mesh *m, tess_int *v)
             !hh_line(p, q, point(m, i)) &&
             hh_pball(&m->set, v[0], v[1], v[2], w, i) < 0)
             v[2] = i;
-    for (k = 0; k < 2 && (v[0] > v[1] || v[0] > v[2]); k++) {
+    while (v[0] > v[1] || v[0] > v[2]) {
         w = v[0];
         v[0] = v[1];
         v[1] = v[2];
@@ -1872,37 +1872,25 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 
 /* ---- a star on its own ---- */
 
-/* within - is the tetrahedron w positively oriented, and the point s* in it?
- * s* is s = w[0] moved by an infinitesimal step into the tetrahedron r, r[0] =
- * s (as q* of the queries, below), so it is on no plane of three points. */
-static int within(const mesh *m, const tess_int *r, const tess_int *w)
-{
-    int i, k, side;
-
-    if (hh_pside(&m->set, w[0], w[1], w[2], w[3]) <= 0) return 0;
-    for (k = 1; k < 4; k++) {
-        side = 0;
-        for (i = 1; i < 4 && side == 0; i++)
-            side = hh_pside(&m->set, w[0], w[k % 3 + 1], w[(k + 1) % 3 + 1],
-                            r[i]);
-        if (side < 0) return 0;
-    }
-    return 1;
-}
-
-/* exchange - put z in the place of v[k], if then v holds s*, or without r is
- * not flat; 1 if so. */
+/* exchange - put z in the place of v[k]: if v is not flat then, or with r, if
+ * it is positively oriented and holds s*, which is s = v[0] = r[0] moved by an
+ * infinitesimal step into the tetrahedron r (as q* of the queries, below), so
+ * that it is on no plane of three points.  Returns 1 if so. */
 static int exchange(const mesh *m, const tess_int *r, tess_int *v, int k,
                     tess_int z)
 {
     tess_int old = v[k];
+    int i, j, side;
 
     v[k] = z;
-    if (r == NULL ? hh_pside(&m->set, v[0], v[1], v[2], v[3]) != 0
-                  : within(m, r, v))
-        return 1;
-    v[k] = old;
-    return 0;
+    side = hh_pside(&m->set, v[0], v[1], v[2], v[3]);
+    if (r == NULL && side < 0) side = 1;
+    for (j = 1; j < 4 && side > 0 && r != NULL; j++)
+        for (i = 1, side = 0; i < 4 && side == 0; i++)
+            side = hh_pside(&m->set, v[0], v[j % 3 + 1], v[(j + 1) % 3 + 1],
+                            r[i]);
+    if (side <= 0) v[k] = old;
+    return side > 0;
 }
 
 /* settle - v = a tetrahedron of the mesh at v[0] = s.
@@ -1969,11 +1957,9 @@ static void settle(mesh *m, tess_int s, tess_int *v)
 static int plant(mesh *m, tess_int s)
 {
     tess_int v[4];
-    int k;
 
     settle(m, s, v);
-    for (k = 0; k < 3; k++)
-        if (m->link[v[k]] == NEW) m->link[v[k]] = NONE;
+    m->link[s] = NONE;
     return makeroom(m, s) && push(m, START, v[1], v[2]) != NONE &&
            push(m, START, v[2], v[1]) != NONE;
 }
@@ -2253,10 +2239,7 @@ static tess_int claim(mesh *m, tess_int n, const tess_int *mine)
 
     for (i = 0; i < m->np; i++) m->head[i] = mine == NULL ? NONE : FOREIGN;
     for (i = 0; i < n && mine != NULL; i++)
-        if (mine[i] != 0) {
-            m->head[m->rep[i] - ORIGIN] = NONE;
-            own++;
-        }
+        if (mine[i] != 0) m->head[m->rep[i] - ORIGIN] = NONE, own++;
     return own;
 }
 
@@ -2327,72 +2310,81 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->known = m->alive + 2 * leafcount(n);
     m->nplane = m->nextplane = m->ties = 0;
     m->block.first = m->block.last = NONE;
-    m->block.n = m->around.n = 0;
+    m->np = m->block.n = m->around.n = 0;
 }
 
-/* meshed - the mesh, or a part of it: what tess, tess_resume and tess_part have
- * in common once the points are sorted. */
-static int meshed(mesh *m, tess_int n, const tess_int *mine, tess_int maxtet,
-                  tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw)
+/* opened - take up an index, to be read alone.  Returns 0, the code of points
+ * without a mesh, or -8 where there is no index. */
+static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
+                  const double *rw)
 {
-    tess_int i, s = NONE;
-    double x = (double)m->np / (double)m->leaves;
-    int code;
+    double normal = sizeof(tess_real) < sizeof(double) ? FLT_MIN : DBL_MIN;
 
-    m->head = m->known + KEEP;
-    m->link = m->head + n;
-    m->pool = m->link + n;
-    m->room = liw - 4 * n - 2 * leafcount(n) - KEEP;
-    m->maxtet = maxtet;
-    m->fresh = m->ntet = *ntet;
-    m->tet = tet;
-    m->adj = adj;
-    m->m = m->nopen = m->low = 0;
-    m->unmet = mine == NULL ? m->np : 0;
-    clearlink(m);
+    layout(m, n, p, (tess_int *)iw, (double *)rw);
+    m->np = m->alive[0];
+    if (m->np < 0 || m->np > n || m->box[0] != (double)m->np) return -8;
+    if (m->known[0] < ORIGIN) return (int)-m->known[0];
+    m->leaves = leafcount(m->np);
+    m->set.t3 = m->box[1];
+    m->set.t5 = m->box[2];
+    m->set.e = (int)m->box[3];
+    return hh_holds(m->box[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
+}
+
+/* run - tess and tess_resume, or with mine tess_part, of arguments that are
+ * right but for p and the indices in tet. */
+static int run(tess_int n, const tess_real *p, const tess_int *mine,
+               tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
+               tess_int liw, tess_int *iw, double *rw)
+{
+    mesh m;
+    tess_int i, s = NONE;
+    double x;
+    int code = TESS_POINT;
+
+    if (mine != NULL)
+        code = opened(&m, n, p, iw, rw);
+    else if (n > 0) {
+        layout(&m, n, p, iw, rw);
+        code = hh_holds(n, p) ? sorted(&m, n, p) : TESS_RANGE;
+    }
+    if (code > 0) *ntet = 0;
+    if (code != 0) return code;
+    m.head = m.known + KEEP;
+    m.link = m.head + n;
+    m.pool = m.link + n;
+    m.room = liw - 4 * n - 2 * leafcount(n) - KEEP;
+    m.maxtet = maxtet;
+    m.fresh = m.ntet = *ntet;
+    m.tet = tet;
+    m.adj = adj;
+    m.m = m.nopen = m.low = 0;
+    m.unmet = mine == NULL ? m.np : 0;
+    clearlink(&m);
     /* one over the cube root of the points in a leaf, 24 to 48 in large sets,
      * by a step of Newton's method */
-    m->reach = REACH / sqrt(3.0) * 3.0 / (2.0 * 3.2 + x / (3.2 * 3.2));
-    for (i = 0; i < m->np; i++) m->link[i] = NEW;
-    if (m->ntet > 0) {
-        code = intact(m, n);
+    x = (double)m.np / (double)m.leaves;
+    m.reach = REACH / sqrt(3.0) * 3.0 / (2.0 * 3.2 + x / (3.2 * 3.2));
+    for (i = 0; i < m.np; i++) m.link[i] = NEW;
+    if (m.ntet > 0) {
+        code = intact(&m, n);
         if (code != 0) return code;
-        code = restore(m, &s, n, mine);
+        code = restore(&m, &s, n, mine);
     } else {
-        i = claim(m, n, mine);
-        code = mine == NULL ? begin(m, &s) : 0;
-        if (code == 0) code = rehash(m, s, tablesize(i));
+        i = claim(&m, n, mine);
+        if (mine == NULL) code = begin(&m, &s);
+        if (code == 0) code = rehash(&m, s, tablesize(i));
     }
-    if (code == 0) code = stars(m, s);
-    for (i = 0; i < 4 * m->ntet; i++) {
-        tet[i] = m->order[tet[i]] + ORIGIN;
+    if (code == 0) code = stars(&m, s);
+    for (i = 0; i < n && mine == NULL; i++) m.rep[i] += ORIGIN;
+    if (mine != NULL) revive(&m);
+    for (i = 0; i < 4 * m.ntet; i++) {
+        tet[i] = m.order[tet[i]] + ORIGIN;
         if (adj[i] < TESS_OPEN) /* see match */
             adj[i] = code < 0 ? TESS_OPEN : TESS_OPEN - 1 - adj[i];
         adj[i] += ORIGIN;
     }
-    *ntet = m->ntet;
-    return code;
-}
-
-/* run - tess and tess_resume, of arguments that are right but for p and the
- * indices in tet. */
-static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
-               tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,
-               double *rw)
-{
-    mesh m;
-    tess_int i;
-    int code = TESS_RANGE;
-
-    if (n == 0) return TESS_POINT;
-    layout(&m, n, p, iw, rw);
-    if (hh_holds(n, p)) code = sorted(&m, n, p);
-    if (code != 0) {
-        *ntet = 0;
-        return code;
-    }
-    code = meshed(&m, n, NULL, maxtet, ntet, tet, adj, liw);
-    for (i = 0; i < n && code >= 0; i++) m.rep[i] += ORIGIN;
+    *ntet = m.ntet;
     return code;
 }
 
@@ -2455,7 +2447,7 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     int code = wrong(n, p, maxtet, liw, lrw, ntet);
 
     if (code != 0) return code;
-    return run(n, p, maxtet, ntet, tet, adj, liw, iw, rw);
+    return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, rw);
 }
 
 int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
@@ -2465,7 +2457,7 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
     int code = unfit(n, p, maxtet, *ntet, tet, adj, liw, lrw);
 
     if (code != 0) return code;
-    return run(n, p, maxtet, ntet, tet, adj, liw, iw, rw);
+    return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, rw);
 }
 
 /* tess_index - the sorted points, their tree, and the first tetrahedron.  In
@@ -2483,8 +2475,6 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     if (liw < 2 * n + 2 * leafcount(n) + KEEP) return -3;
     if (code != 0) return -5;
     layout(&m, n, p, iw, rw);
-    m.np = m.set.e = 0;
-    m.least = m.set.t3 = m.set.t5 = 0.0;
     code = TESS_POINT;
     if (n > 0) code = hh_holds(n, p) ? sorted(&m, n, p) : TESS_RANGE;
     m.link = m.order; /* no star is complete */
@@ -2493,12 +2483,12 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     if (code == 0) {
         v[3] = apex(&m, v, guess);
         for (k = 0; k < 4; k++) m.known[k] = m.order[v[k]] + ORIGIN;
+        m.box[1] = m.set.t3;
+        m.box[2] = m.set.t5;
+        m.box[3] = m.set.e;
+        m.box[4] = m.least;
     }
     m.box[0] = (double)(m.alive[0] = m.np);
-    m.box[1] = m.set.t3;
-    m.box[2] = m.set.t5;
-    m.box[3] = m.set.e;
-    m.box[4] = m.least;
     if (code == TESS_RANGE) return code;
     for (i = 0; i < m.np; i++) m.rep[m.order[i]] = i;
     for (i = 0; i < n; i++)
@@ -2508,41 +2498,15 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     return code;
 }
 
-/* opened - take up an index, to be read alone.  Returns 0, the code of points
- * without a mesh, or -1 where there is no index. */
-static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
-                  const double *rw)
-{
-    double normal = sizeof(tess_real) < sizeof(double) ? FLT_MIN : DBL_MIN;
-
-    layout(m, n, p, (tess_int *)iw, (double *)rw);
-    m->np = m->alive[0];
-    if (m->np < 0 || m->np > n || m->box[0] != (double)m->np) return -1;
-    if (m->known[0] < ORIGIN) return (int)-m->known[0];
-    m->leaves = leafcount(m->np);
-    m->set.t3 = m->box[1];
-    m->set.t5 = m->box[2];
-    m->set.e = (int)m->box[3];
-    return hh_holds(m->box[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
-}
-
 int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
               tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
               tess_int liw, tess_int *iw, tess_int lrw, const double *rw)
 {
-    mesh m;
     int code = unfit(n, NULL, maxtet, *ntet, tet, adj, liw, lrw);
 
-    if (code != 0) return code < -1 ? code - 1 : code;
-    code = opened(&m, n, p, iw, rw);
-    if (code < 0) return -9;
-    if (code > 0) {
-        *ntet = 0;
-        return code;
-    }
-    code = meshed(&m, n, mine, maxtet, ntet, tet, adj, liw);
-    revive(&m);
-    return code < 0 ? code - 1 : code;
+    if (code == 0)
+        code = run(n, p, mine, maxtet, ntet, tet, adj, liw, iw, (double *)rw);
+    return code < -1 ? code - 1 : code;
 }
 
 /* =====================================================================
@@ -2915,7 +2879,7 @@ static tess_int nearby(const mesh *m, const tess_real *q)
 {
     tess_int node = 1, best, i, last;
     const double *b;
-    double hi, lo, h, l;
+    double hi = 0.0, lo = 0.0, h, l;
     int k;
 
     while (node < m->leaves) {
@@ -2926,10 +2890,9 @@ static tess_int nearby(const mesh *m, const tess_real *q)
         node += ldexp((double)q[k], -m->set.e) >= b[6 + k];
     }
     span(m, node, &best, &last);
-    distance(point(m, best), q, &hi, &lo);
-    for (i = best + 1; i < last; i++) {
+    for (i = best; i < last; i++) {
         distance(point(m, i), q, &h, &l);
-        if (hh_wider(hi, lo, h, l) > 0) {
+        if (i == best || hh_wider(hi, lo, h, l) > 0) {
             best = i;
             hi = h;
             lo = l;
@@ -2948,7 +2911,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
     static const tess_int guess[2] = {NONE, NONE};
     mesh m;
     tess_int u[4], f[3], steps = 0;
-    int code, range, k, s, last = 4;
+    int code, k, s, last = 4;
 
     if (n < 0 || !lengths(n, u, u + 1, u + 2)) return -1;
     code = opened(&m, n, p, iw, rw);
@@ -2983,9 +2946,8 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
         if (u[3] == NONE) break;
         for (last = 0; last < 3; last++) u[last] = f[last];
     }
-    code = k < 4;
-    range = weigh(p, v, q, w);
-    return range != 0 ? range : code;
+    code = weigh(p, v, q, w);
+    return code != 0 ? code : k < 4;
 }
 
 /* ---- the hull ---- */
@@ -3321,12 +3283,10 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
     double most = 0.0, size = 0.0, r = 0.0, x[3];
     int i, k;
 
-    for (i = 0; i < 4; i++) {
-        if (v[i] < ORIGIN) return -2;
-        order[i] = v[i] - ORIGIN;
-    }
     c[3] = DBL_MAX;
     for (i = 3; i >= 0; i--) {
+        if (v[i] < ORIGIN) return -2;
+        order[i] = v[i] - ORIGIN;
         q = coords(p, v[i]);
         if (hh_finite(1, q) < 1) return -1;
         if (!hh_holds(1, q)) return TESS_RANGE;
