@@ -2320,6 +2320,7 @@ static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
 {
     double normal = sizeof(tess_real) < sizeof(double) ? FLT_MIN : DBL_MIN;
 
+    if (n == 0) return TESS_POINT;
     layout(m, n, p, (tess_int *)iw, (double *)rw);
     m->np = m->alive[0];
     if (m->np < 0 || m->np > n || m->box[0] != (double)m->np) return -8;
