@@ -1959,7 +1959,6 @@ static int plant(mesh *m, tess_int s)
     tess_int v[4];
 
     settle(m, s, v);
-    m->link[s] = NONE;
     return makeroom(m, s) && push(m, START, v[1], v[2]) != NONE &&
            push(m, START, v[2], v[1]) != NONE;
 }

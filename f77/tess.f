@@ -2627,7 +2627,6 @@ C     is 1, or 0 if there is no room.
       INTEGER E, V(4)
       CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, CTL, RCTL,
      $            LSX, LSID, LSI, LSD, S, V)
-      LINK(S) = 0
       CALL TSMKRO(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL, RCTL, S,
      $            OK)
       IF (OK .EQ. 0) RETURN

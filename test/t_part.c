@@ -732,13 +732,16 @@ static void test_balls(void)
         /* slivers, far off, in any unit */
         off = i % 3 == 0 ? 0.0 : ldexp(1.0, (int)(i % 31));
         thin = ldexp(1.0, -(int)(i % 47));
-        unit = (int)(i % 5 - 2) * (sizeof(tess_real) < 8 ? 15 : 150);
+        unit = (int)(i % 5 - 2) * (sizeof(tess_real) < 8 ? 40 : 450);
         for (k = 0; k < 12; k++) {
             a[k] = k % 3 == 2 && k > 2 && i % 2 ? a[2] : rnd_unit();
             if (k == 11) a[k] = a[2] + thin * rnd_unit();
         }
+        if (i % 7 == 0) /* about the origin */
+            for (k = 3; k < 12; k++)
+                a[k] = k % 3 == k / 3 - 1 ? a[k % 3] : -a[k % 3];
         for (k = 0; k < 12; k++) {
-            p[k] = (tess_real)ldexp(a[k] + off, unit);
+            p[k] = (tess_real)ldexp(a[k] + (i % 7 == 0 ? 0.0 : off), unit);
             a[k] = p[k];
         }
         code = tess_ball(p, v, c);
@@ -925,11 +928,12 @@ static void test_codes(void)
         iw = ints(liw);
         rw = (double *)array((size_t)lrw * sizeof *rw);
         mine = ints(4);
-        ntet = 0;
+        for (i = 0; i < 4; i++) mine[i] = 0;
+        ntet = n == 4;
         v[0] = TESS_NONE;
         require(tess_index(n, f, liw, iw, lrw, rw) == expected, "flat");
         require(tess_query(n, f, iw, rw, q, v, w) == expected, "flat query");
-        require(tess_part(n, f, mine, 0, &ntet, mine, mine, liw, iw, lrw,
+        require(tess_part(n, f, mine, 1, &ntet, mine, mine, liw, iw, lrw,
                           rw) == expected && ntet == 0, "flat part");
     }
     release(0);
