@@ -295,8 +295,10 @@ same "g++ -x c++ -O2" g++ "-x c++ -O2"
 
 # ---- the examples: their own checks, and their output as stored ----
 
-for example in interp poisson embedded surface; do
-    if build "$example" "$CC" "$CFLAGS -I." test/examples/$example.c tess.c hhpred.c; then
+for example in interp poisson embedded surface parts stream sensor; do
+    also=
+    [ $example = parts ] && also=-lpthread
+    if build "$example" "$CC" "$CFLAGS -I." test/examples/$example.c tess.c hhpred.c $also; then
         (cd build && ./$example $example.obj $example.stl) > build/$example.out 2>> $LOG
         one "example: $example" test $? -eq 0
         one "example: $example, its output" \
@@ -333,11 +335,14 @@ if command -v ftnchek > /dev/null; then
     $CHEK -array=no-dimensions -usage=no-arg-array-alias $F77 test/parity.f \
         > build/ftnchek.txt 2>&1
     one "ftnchek: parity.f" sh -c '! grep -i warning build/ftnchek.txt'
+    $CHEK -noextern -array=no-dimensions -usage=no-arg-array-alias \
+        test/examples/parts.f > build/ftnchek.txt 2>&1
+    one "ftnchek: parts.f" sh -c '! grep -i warning build/ftnchek.txt'
 else
     skip "ftnchek: not installed"
 fi
 one "FORTRAN 77: no line past column 72" \
-    sh -c '! grep -n "^.\{73\}" f77/*.f test/*.f test/paper/*.f'
+    sh -c '! grep -n "^.\{73\}" f77/*.f test/*.f test/*/*.f'
 
 # The table of both names in the header of each file: all routines of C, and
 # all of the file, in their order, but for those that only one half has.
@@ -522,6 +527,13 @@ if command -v gfortran > /dev/null; then
     $CC $CFLAGS -c -o build/hhpred.o hhpred.c
     $CC $CFLAGS -c -o build/t_f77.o test/t_f77.c
     entries
+    for omp in "" -fopenmp; do
+        rm -f build/partsf
+        gfortran -O2 -frecursive $omp -o build/partsf test/examples/parts.f \
+            $F77 >> $LOG 2>&1
+        build/partsf > build/partsf.out 2>> $LOG
+        one "example: parts.f $omp" cmp test/examples/parts.out build/partsf.out
+    done
     (cd build/ten && sh -e compile) >> $LOG 2>&1
     ten "as it says"
     gfortran -o build/ten/a.out build/ten/ten.f build/ftess.o \
@@ -579,6 +591,16 @@ if command -v avr-gcc > /dev/null && command -v simavr > /dev/null; then
         one "$name" cmp build/tiny.txt build/avr.txt
     else
         fail "$name: does not compile"
+    fi
+    if build sensor.elf avr-gcc \
+        "-std=gnu89 -mmcu=atmega1284p -O2 -DTESS_LIST=64 -I." \
+        test/examples/sensor.c $HARD; then
+        (ulimit -t 100; exec simavr -m atmega1284p -f 16000000 \
+            build/sensor.elf) 2>&1 |
+            sed -n 's/[^ -~]\[[0-9]*m//g; s/\.$//p' > build/avr.txt
+        one "example: sensor, AVR" cmp test/examples/sensor.out build/avr.txt
+    else
+        fail "example: sensor, AVR: does not compile"
     fi
 else
     skip "$name: no avr-gcc with simavr"

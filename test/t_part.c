@@ -4,11 +4,12 @@
  *     t_part -quick   fewer and smaller ones, for slow builds
  *
  * Covered:
- *   parts    of every family, as it is and turned: in ranges of the sorted order,
- *            slabs and random parts, 2 to 1,024 of them, each part is those
- *            tetrahedra of tess's mesh, all and each once, that have a vertex
- *            asked for, its adj is right, in arrays of exact length between
- *            guards; joined, all of them or some, tess_resume makes them the mesh
+ *   parts    of every family, as it is and turned: in ranges of the sorted
+ *            order, slabs and random parts, 2 to 1,024 of them, each part is
+ *            those tetrahedra of tess's mesh, all and each once, that have a
+ *            vertex asked for, its adj is right, in arrays of exact length
+ *            between guards; joined, all of them or some, tess_resume makes
+ *            them the mesh
  *   resume   a part stopped at every tetrahedron, or for want of pool
  *   queries  tess_query and tess_locate answer alike: on points, midpoints,
  *            edges, facets, anywhere, from near and from nowhere; outside
