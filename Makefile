@@ -30,7 +30,7 @@ SEED =
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
 LIBRARY = build/tess.o build/hhpred.o
-EXAMPLES = interp poisson embedded surface
+EXAMPLES = interp poisson embedded surface parts stream sensor
 
 all: build/tess
 
@@ -70,8 +70,9 @@ run: build/tess
 examples: $(LIBRARY)
 	@set -e; for name in $(EXAMPLES); do \
 	echo "test/examples/$$name.c"; \
+	also=; [ $$name != parts ] || also=-lpthread; \
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -I. -o build/$$name \
-	    test/examples/$$name.c $(LIBRARY) $(LDLIBS); \
+	    test/examples/$$name.c $(LIBRARY) $(LDLIBS) $$also; \
 	(cd build && ./$$name $$name.obj $$name.stl) > build/$$name.out || \
 	    { cat build/$$name.out; exit 1; }; \
 	cat build/$$name.out; \

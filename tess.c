@@ -25,16 +25,21 @@
  *                    while a call runs           when it has returned
  *   tet              positions                   indices of points
  *   adj              the same as outside: a tetrahedron, NONE or OPEN
- *   iw   n   rep     the point of least index    the same
- *                    that coincides
- *        n   order   position -> index           nothing of use, as all the
- *        n   head    position -> the pool's      rest
- *                    first facet that it owns;
- *                    in restore index -> position
+ *   iw   n   rep     the point of least index    the same; in an index the
+ *                    that coincides              points' positions
+ *        n   order   position -> index           in an index kept; nothing of
+ *        2 L alive   uncompleted points of a     use else, as all the rest;
+ *                    leaf, living children of    in alive[0] np
+ *                    a node
+ *        4   known   the first tetrahedron, for
+ *                    tess_part, tess_query
+ *        n   head    position -> the pool's
+ *                    first facet that it
+ *                    owns; in restore index ->
+ *                    position
  *        n   link    position -> first edge of
  *                    the link from it, or NONE,
  *                    NEW, DONE
- *        2 L alive   uncompleted points of a leaf, living children of a node
  *        the rest    the arena, pool: entries of the hash table grow up from
  *                    its beginning, m of them; edges of the link grow down
  *                    from its end, newest the lowest
@@ -49,11 +54,12 @@
  * still short is TESS_POOL.
  *
  * An open facet is in one place at any moment: in the link, if it contains s,
- * the vertex of the star; else, a facet 0, in the table, or, of a tetrahedron
- * from fresh on, in none until flush.  Numbers of entries are good until the
- * next erase or rehash, which update head and the owners' lists and nothing
- * else; numbers of edges until the next renumber, which updates link and the
- * edges alone: who calls makeroom reads oldest again.
+ * the vertex of the star; else in the table, or, of a tetrahedron from fresh
+ * on, in none until flush; in none if no star of its vertices is asked for.
+ * Numbers of entries are good until the next erase or rehash, which update head
+ * and the owners' lists and nothing else; numbers of edges until the next
+ * renumber, which updates link and the edges alone: who calls makeroom reads
+ * oldest again.
  *
  * What rests on the tie rule (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; firstfacet, on a hull face of more
@@ -72,19 +78,23 @@
  *                narrow refine better proven challenge consider ballcoef
  *                starcoef inball considerall likeliest anypoint instar inblock
  *                scanleaf treesearch onhull prepare apex
+ *   one star     exchange settle plant
  *   results      coords four slot mate
  *   preparation  leafcount cuberoot tablesize upto lengths collect inrange
- *                times units scaled sorted intact restore run wrong
- *   entries      tess_size tess tess_resume
+ *                times units scaled revive sorted intact match claim restore
+ *                layout opened run wrong unfit
+ *   entries      tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
  *   queries      qside inbox
  *   location     distance sample walk holds sweep elimin backsu unite balanc
- *                weigh tess_locate
+ *                weigh tess_locate nearby tess_query
  *   hull, check  tess_hull merge sortpt marks chkpla chkidx chkfac chktet
  *                chkedg chkhul chkcov tess_check
+ *   a ball       tess_ball
  */
 #include "tess.h"
 #include <math.h>
+#include <stddef.h>
 
 /* Counts for the benchmark: what happens how often, in a build of its own. */
 #ifdef TESS_COUNT
@@ -136,6 +146,7 @@ extern void tess_prove(int fact);
 #define LOST 99   /* what walk answers when it has none */
 #define DONE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
+#define FOREIGN (-2) /* in head: the star is not asked for */
 
 /* Points in a leaf of the tree, at most; a block of the lists is a leaf. */
 #define LEAF 48
@@ -185,7 +196,9 @@ extern void tess_prove(int fact);
 /* Integers of an entry of the pool, and of an edge of the link. */
 #define ENTRY 4
 #define EDGE 6
-/* Pool and edges, at least. */
+/* What an index keeps of iw besides places, order and tree; pool and edges,
+ * at least, and that. */
+#define KEEP 4
 #define LEAST 512
 /* A facet with a greater E is set up by limbs. */
 #define THIN 1e-6
@@ -319,6 +332,7 @@ typedef struct mesh {
     tess_int *alive;          /* 2i, 2i+1, leaf j is node leaves + j.  Leaf: */
     double *box;              /* uncompleted points; else: children alive */
     tess_int *rep;
+    tess_int *known;          /* a tetrahedron, or [0]: minus a code */
     tess_int *head;           /* first of the pool's facets that a vertex  */
     tess_int *link;           /* owns; first open edge of the link from it */
     tess_int *pool, room;     /* pool and edges, and their length */
@@ -326,11 +340,13 @@ typedef struct mesh {
     tess_int fresh;           /* from it on, facets 0 are not in the pool */
     tess_int oldest, newest;  /* edges of the link, the newest the lowest */
     tess_int low;             /* no vertex of a smaller position owns facets */
+    tess_int unmet;           /* nor is one before this NEW and asked for */
     tess_int plane[PLANES][3];
     int nplane, nextplane;
     list block, around;       /* lists of a leaf, and of a star in it */
     double share;             /* the star's margin in the block's */
     int ties;                 /* the last points on a ball were not in it */
+    double least;             /* coordinate of absolute value above 0, if any */
     support support[SUPPORTS];
     int nsupport, seek;       /* how many there are; look for more? */
     tess_int *pure;           /* 0, or 1 + support of all points of a node */
@@ -600,7 +616,8 @@ static int edgeby(const mesh *m, tess_int a, tess_int i, tess_int j)
     return turn != 0 ? turn < 0 : preced(p, q);
 }
 
-/* firstfacet - the first facet v, in the hull, all points on its positive side.
+/* firstfacet - the first facet v, in the hull, all points on its positive side,
+ * v[0] the least position.
  * On a hull face of more than three points it is, by the rule of ties, the
  * triangle on the edge v[0] v[1] of the face: of two points a, b of the face
  * b is better iff I(v0, v1, a, w, b) o3(v0, v1, a, w) > 0 for any w off the
@@ -637,6 +654,12 @@ static int firstfacet(const mesh *m, tess_int *v)
             !hh_line(p, q, point(m, i)) &&
             hh_pball(&m->set, v[0], v[1], v[2], w, i) < 0)
             v[2] = i;
+    while (v[0] > v[1] || v[0] > v[2]) {
+        w = v[0];
+        v[0] = v[1];
+        v[1] = v[2];
+        v[2] = w;
+    }
     return 0;
 }
 
@@ -658,7 +681,7 @@ static int firstfacet(const mesh *m, tess_int *v)
 
 /* What follows calls these, which stand behind it. */
 static void facet(const mesh *m, tess_int code, tess_int *v);
-static tess_int owner(const tess_int *v);
+static tess_int owner(const mesh *m, const tess_int *v);
 static tess_int hashkey(const tess_int *v);
 static tess_int find(const mesh *m, const tess_int *v, tess_int sig);
 static void insert(mesh *m, tess_int e, tess_int code, tess_int least,
@@ -668,6 +691,8 @@ static int rehash(mesh *m, tess_int s, tess_int wanted);
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess);
 static tess_int cuberoot(tess_int n);
 static void starlist(mesh *m, tess_int s);
+static int plant(mesh *m, tess_int s);
+static int match(mesh *m, tess_int code, tess_int other);
 #ifdef TESS_PROVE
 static int proven(const mesh *m, const tess_int *v, tess_int c);
 #endif
@@ -756,17 +781,19 @@ static void glue(mesh *m, tess_int code, tess_int other)
  * once. */
 static void flush(mesh *m)
 {
-    tess_int v[3], e, sig;
+    tess_int v[3], e, sig, least;
 
     for (; m->fresh < m->ntet; m->fresh++) {
         facet(m, 4 * m->fresh, v);
+        least = owner(m, v);
+        if (least == NONE) continue;
         sig = hashkey(v);
         e = find(m, v, sig);
         if (m->pool[ENTRY * e] == NONE)
-            insert(m, e, 4 * m->fresh, owner(v), sig);
+            insert(m, e, 4 * m->fresh, least, sig);
         else {
             glue(m, 4 * m->fresh, m->pool[ENTRY * e]);
-            erase(m, e, owner(v));
+            erase(m, e, least);
         }
     }
 }
@@ -784,9 +811,11 @@ static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
     v[1] = a;
     v[2] = b;
     v[3] = c;
-    if (code == START)
-        m->adj[4 * t + 3] = TESS_NONE;
-    else
+    if (code == START) {
+        f = between(m, b, a);
+        m->adj[4 * t + 3] = f == NONE ? TESS_NONE : TESS_OPEN;
+        if (f != NONE) m->pool[f + CODE] = 4 * t + 3;
+    } else
         glue(m, code, 4 * t + 3);
     if (m->link[c] == NEW) m->link[c] = NONE;
     unlinkedge(m, e);
@@ -842,7 +871,7 @@ static void follow(mesh *m)
 
     for (e = m->oldest; e >= m->newest; e -= EDGE) {
         f = m->link[m->pool[e + TO]];
-        if (f < 0) continue;
+        if (f < 0 || m->pool[e + CODE] == DEAD) continue;
         while (f != NONE && m->pool[f + PREV] != NONE) f = m->pool[f + CHAIN];
         join(m, e, f);
     }
@@ -903,14 +932,12 @@ static int makeroom(mesh *m, tess_int s)
 static int begin(mesh *m, tess_int *s)
 {
     tess_int v[3];
-    int code = firstfacet(m, v), k, i;
+    int code = firstfacet(m, v), i;
 
     if (code != 0) return code;
-    k = v[0] < v[1] && v[0] < v[2] ? 0 : v[1] < v[2] ? 1 : 2;
-    *s = v[k];
+    *s = v[0];
     for (i = 0; i < 3; i++) m->link[v[i]] = NONE;
-    return push(m, START, v[(k + 1) % 3], v[(k + 2) % 3]) == NONE ? TESS_POOL
-                                                                  : 0;
+    return push(m, START, v[1], v[2]) == NONE ? TESS_POOL : 0;
 }
 
 /* star - complete the star of s, whose open facets are the edges of the
@@ -953,7 +980,8 @@ static int star(mesh *m, tess_int s)
     return 0;
 }
 
-/* stars - complete star after star, from s on if it has edges in the link. */
+/* stars - complete star after star of those asked for, from s on if it has
+ * edges in the link: by and by what hangs together, then what else there is. */
 static int stars(mesh *m, tess_int s)
 {
     int code;
@@ -964,15 +992,22 @@ static int stars(mesh *m, tess_int s)
             if (code != 0) return code;
         }
         s = m->low;
-        while (s < m->np && m->head[s] == NONE) {
+        while (s < m->np && m->head[s] < 0) {
             /* no open facet has a vertex of smaller position than low, so
              * one that was met before and owns none is complete */
-            if (m->link[s] == NONE) complete(m, s);
+            if (m->link[s] == NONE && m->head[s] == NONE) complete(m, s);
             s++;
         }
         m->low = s;
+        if (s < m->np) {
+            if (!load(m, s)) return TESS_POOL;
+            continue;
+        }
+        s = m->unmet;
+        while (s < m->np && (m->link[s] != NEW || m->head[s] == FOREIGN)) s++;
+        m->unmet = s;
         if (s == m->np) return 0;
-        if (!load(m, s)) return TESS_POOL;
+        if (!plant(m, s)) return TESS_POOL;
     }
 }
 
@@ -981,7 +1016,8 @@ static int stars(mesh *m, tess_int s)
  * Entry e: pool[ENTRY*e] the facet's code 4t+k, or NONE; then the next and
  * the previous entry in the list of the facets of the same owner, newest
  * first, NONE at its ends; then the signature of the three vertices.  The
- * owner is the vertex of least position; head[owner] is the first entry.
+ * owner is the vertex of least position of those whose star is asked for;
+ * head[owner] is the first entry; a facet without an owner is left open.
  * Linear probing from signature mod m; removal shifts entries back. */
 
 /* outfac - f = the vertices of facet k of the tetrahedron v, the one opposite
@@ -1001,12 +1037,19 @@ static void facet(const mesh *m, tess_int code, tess_int *v)
     outfac(m->tet + (code - code % 4), (int)(code % 4), v);
 }
 
-/* owner - the vertex of least position. */
-static tess_int owner(const tess_int *v)
+/* owner - the vertex of least position of those whose star is asked for, or
+ * NONE. */
+static tess_int owner(const mesh *m, const tess_int *v)
 {
     tess_int least = v[0] < v[1] ? v[0] : v[1];
+    int k;
 
-    return least < v[2] ? least : v[2];
+    least = least < v[2] ? least : v[2];
+    if (m->head[least] != FOREIGN) return least;
+    least = m->np;
+    for (k = 0; k < 3; k++)
+        if (v[k] < least && m->head[v[k]] != FOREIGN) least = v[k];
+    return least < m->np ? least : NONE;
 }
 
 /* hashkey - the signature of a facet, below 2^31, whatever the order of its
@@ -1095,7 +1138,7 @@ static void erase(mesh *m, tess_int e, tess_int least)
                 m->pool[ENTRY * p[2] + 1] = hole;
             else {
                 facet(m, p[0], v);
-                m->head[owner(v)] = hole;
+                m->head[owner(m, v)] = hole;
             }
             hole = e;
         }
@@ -1105,33 +1148,40 @@ static void erase(mesh *m, tess_int e, tess_int least)
 
 /* rehash - make the pool's table about twice as long, or as long as it may
  * be, and enter its facets again in their order.  The new table is laid over
- * the old one, so the facets come from tet and adj: those open facets 0 that
- * are not edges of the link of s.  (The others, which have vertex 0, were
- * closed with its star, or are edges of the link.)  Returns 0, TESS_POOL, or -6
- * when two open facets have the same vertices, as only damaged arrays have. */
+ * the old one, so the facets come from tet and adj: those open ones that have
+ * an owner and not the vertex s.  (Those that do are edges of its link.)  In
+ * results that were joined a facet may be there twice: it is closed.  Returns
+ * 0, TESS_POOL, or what match finds. */
 static int rehash(mesh *m, tess_int s, tess_int wanted)
 {
-    tess_int most = (m->room - m->room / 8) / ENTRY, code, v[3], e, sig;
+    tess_int most = (m->room - m->room / 8) / ENTRY, code, v[3], e, sig, least;
+    int bad;
 
     if (most > (m->newest - 2 * EDGE) / ENTRY)
         most = (m->newest - 2 * EDGE) / ENTRY;
     if (wanted > most) wanted = most;
     if (wanted <= m->m) return TESS_POOL;
     for (e = 0; e < wanted; e++) m->pool[ENTRY * e] = NONE;
-    for (e = 0; e < m->np; e++) m->head[e] = NONE;
+    for (e = 0; e < m->np; e++)
+        if (m->head[e] != FOREIGN) m->head[e] = NONE;
     m->m = wanted;
     m->nopen = 0;
-    for (code = 0; code < 4 * m->fresh; code += 4)
-        if (m->adj[code] == TESS_OPEN) {
-            facet(m, code, v);
-            if (v[0] != s && v[1] != s && v[2] != s) {
-                if (m->nopen >= m->m - m->m / 8 - 1) return TESS_POOL;
-                sig = hashkey(v);
-                e = find(m, v, sig);
-                if (m->pool[ENTRY * e] != NONE) return -6;
-                insert(m, e, code, owner(v), sig);
-            }
+    for (code = 0; code < 4 * m->fresh; code++) {
+        if (m->adj[code] != TESS_OPEN) continue;
+        facet(m, code, v);
+        least = owner(m, v);
+        if (least == NONE || v[0] == s || v[1] == s || v[2] == s) continue;
+        if (m->nopen >= m->m - m->m / 8 - 1) return TESS_POOL;
+        sig = hashkey(v);
+        e = find(m, v, sig);
+        if (m->pool[ENTRY * e] == NONE)
+            insert(m, e, code, least, sig);
+        else {
+            bad = match(m, code, m->pool[ENTRY * e]);
+            if (bad != 0) return bad;
+            erase(m, e, least);
         }
+    }
     return 0;
 }
 
@@ -2501,6 +2551,99 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     return f.best;
 }
 
+/* ---- a star on its own ---- */
+
+/* exchange - put z in the place of v[k]: if v is not flat then, or with r, if
+ * it is positively oriented and holds s*, which is s = v[0] = r[0] moved by an
+ * infinitesimal step into the tetrahedron r (as q* of the queries, below), so
+ * that it is on no plane of three points.  Returns 1 if so. */
+static int exchange(const mesh *m, const tess_int *r, tess_int *v, int k,
+                    tess_int z)
+{
+    tess_int old = v[k];
+    int i, j, side;
+
+    v[k] = z;
+    side = hh_pside(&m->set, v[0], v[1], v[2], v[3]);
+    if (r == NULL && side < 0) side = 1;
+    for (j = 1; j < 4 && side > 0 && r != NULL; j++)
+        for (i = 1, side = 0; i < 4 && side == 0; i++)
+            side = hh_pside(&m->set, v[0], v[j % 3 + 1], v[(j + 1) % 3 + 1],
+                            r[i]);
+    if (side <= 0) v[k] = old;
+    return side > 0;
+}
+
+/* settle - v = a tetrahedron of the mesh at v[0] = s.
+ *
+ * Begin with any tetrahedron r at s, of near points as far as these are not
+ * in one plane, and s* in it.  While v holds s* and its ball is not empty, each
+ * point in the ball is on the inner side of one of the three facets at s, as
+ * what is outside of all three is beyond the ball's tangent plane at s; so the
+ * apex z of that facet on that side is not v's vertex there.  The five points
+ * have two triangulations; v is not in that whose lifted facets are the lower
+ * ones, so the one tetrahedron of this that holds s* is one with z for a vertex
+ * of v.  The height over s* falls with every such step; three searches without
+ * one end it.
+ *
+ * Vertices may be complete, so that no list has them: by the tree alone. */
+static void settle(mesh *m, tess_int s, tess_int *v)
+{
+    tess_int leaf = leafof(m, s), first = leafstart(m, leaf), i, z;
+    tess_int size = leafstart(m, leaf + 1) - first, r[4], f[3], guess[2];
+    quest near;
+    int j, k, same = 0;
+
+    m->block.first = m->block.last = NONE;
+    m->block.n = m->around.n = m->nplane = m->nextplane = 0;
+    for (k = 0; k < 4; k++) v[k] = m->rep[m->known[k] - ORIGIN] - ORIGIN;
+    for (k = 0; !exchange(m, NULL, v, k, s); k++)
+        ;
+    v[k] = v[0];
+    v[0] = s;
+    for (k = 1; k < 4; k++)
+        for (i = 1; i < size; i++)
+            if (exchange(m, NULL, v, k, first + (s - first + i) % size)) break;
+    if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) < 0) {
+        z = v[1];
+        v[1] = v[2];
+        v[2] = z;
+    }
+    for (k = 0; k < 4; k++) r[k] = v[k];
+    guess[1] = NONE;
+    for (k = 1; same < 6; k = k % 3 + 1) {
+        f[0] = s;
+        f[1] = v[k % 3 + 1];
+        f[2] = v[(k + 1) % 3 + 1];
+        guess[0] = z = v[k];
+        if (same >= 3)
+            z = apex(m, f, guess);
+        else {
+            prepare(m, &near, f);
+            challenge(m, &near, z);
+            scanleaf(m, &near, first, first + size,
+                     m->box + 6 * (m->leaves + leaf));
+            z = near.best;
+        }
+        same++;
+        if (z == v[k]) continue;
+        for (j = 1; !exchange(m, r, v, j, z); j++)
+            ;
+        same = (j == k) + (same > 3 ? 3 : 0);
+    }
+}
+
+/* plant - begin the star of s, in no tetrahedron yet: a facet of one becomes
+ * two edges of the link, the one towards it first.  0 if there is no room. */
+static int plant(mesh *m, tess_int s)
+{
+    tess_int v[4];
+
+    settle(m, s, v);
+    return makeroom(m, s) && push(m, START, v[1], v[2]) != NONE &&
+           push(m, START, v[2], v[1]) != NONE;
+}
+
 /* ---- results: the caller's arrays ---- */
 
 /* coords - the coordinates of point i. */
@@ -2675,6 +2818,7 @@ static int scaled(mesh *m)
         if (x > most) most = x;
         if (x < least && x > 0.0) least = x;
     }
+    m->least = least;
     if (most == 0.0) return 0;
     if (!inrange(m, most)) return TESS_RANGE;
     frexp(most, &e);
@@ -2690,12 +2834,21 @@ static int scaled(mesh *m)
     return 0;
 }
 
+/* revive - no point has left the tree. */
+static void revive(mesh *m)
+{
+    tess_int i;
+
+    for (i = 1; i < 2 * m->leaves; i++)
+        m->alive[i] = i < m->leaves ? 2 : leafstart(m, i - m->leaves + 1) -
+                                              leafstart(m, i - m->leaves);
+}
+
 /* sorted - sort the points, drop the duplicates, build the tree.  Returns 0 or
  * TESS_RANGE. */
 static int sorted(mesh *m, tess_int n, const tess_real *p)
 {
     tess_int i;
-    double x;
     int code;
 
     for (i = 0; i < n; i++) m->rep[i] = i;
@@ -2712,17 +2865,7 @@ static int sorted(mesh *m, tess_int n, const tess_real *p)
     code = scaled(m);
     if (code != 0) return code;
     boxes(m);
-    /* one over the cube root of the points in a leaf, 24 to 48 in large sets,
-     * by a step of Newton's method */
-    x = (double)m->np / (double)m->leaves;
-    m->reach = REACH / sqrt(3.0) * 3.0 / (2.0 * 3.2 + x / (3.2 * 3.2));
-    for (i = 0; i < m->np; i++) {
-        m->head[i] = NONE;
-        m->link[i] = NEW;
-    }
-    for (i = 1; i < 2 * m->leaves; i++)
-        m->alive[i] = i < m->leaves ? 2 : leafstart(m, i - m->leaves + 1) -
-                                              leafstart(m, i - m->leaves);
+    revive(m);
     return 0;
 }
 
@@ -2757,21 +2900,51 @@ static int intact(mesh *m, tess_int n)
     return 0;
 }
 
+/* match - the open facets of two codes have the same vertices: close them, if
+ * they are on different sides, and the apex of the one is not in the ball of
+ * the other.  Until all is known to be right it is no more than a note in adj.
+ * Returns 0, -5 or -6. */
+static int match(mesh *m, tess_int code, tess_int other)
+{
+    const tess_int *v = m->tet + (code - code % 4);
+
+    if (mate(m->tet, code / 4 + ORIGIN, (int)(code % 4), other / 4 + ORIGIN) !=
+        other % 4)
+        return -6;
+    if (hh_pball(&m->set, v[0], v[1], v[2], v[3], m->tet[other]) < 0) return -5;
+    m->adj[code] = TESS_OPEN - 1 - other / 4;
+    m->adj[other] = TESS_OPEN - 1 - code / 4;
+    return 0;
+}
+
+/* claim - whose stars are asked for: of the points i with mine[i] != 0, or
+ * without mine of all.  Returns their number. */
+static tess_int claim(mesh *m, tess_int n, const tess_int *mine)
+{
+    tess_int i, own = mine == NULL ? m->np : 0;
+
+    for (i = 0; i < m->np; i++) m->head[i] = mine == NULL ? NONE : FOREIGN;
+    for (i = 0; i < n && mine != NULL; i++)
+        if (mine[i] != 0) m->head[m->rep[i] - ORIGIN] = NONE, own++;
+    return own;
+}
+
 /* restore - take up an unfinished result that intact has passed: tet to
  * positions; what is complete leaves the tree; the open facets at s, the first
  * vertex of the last tetrahedron, become edges of its link in the order of
- * their tetrahedra, the others enter the pool.  Returns 0, TESS_POOL, or -6 for
- * two open facets with the same vertices, or one of a star that was left. */
-static int restore(mesh *m, tess_int *s)
+ * their tetrahedra, the others enter the pool.  Returns 0, TESS_POOL, or what
+ * match finds in facets that are there twice. */
+static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
 {
-    tess_int i, t, v[3], a, b, size = 0, *place = m->head;
-    int k, j;
+    tess_int i, t, v[3], a, b, e, size, *place = m->head;
+    int k, j, code;
 
     for (i = 0; i < 4 * m->ntet; i++) {
         m->adj[i] -= ORIGIN;
         m->tet[i] = place[m->tet[i] - ORIGIN];
         m->link[m->tet[i]] = DONE;
     }
+    size = tablesize(claim(m, n, mine));
     for (i = 0; i < 4 * m->ntet; i++)
         if (m->adj[i] == TESS_OPEN) {
             facet(m, i, v);
@@ -2783,92 +2956,128 @@ static int restore(mesh *m, tess_int *s)
             complete(m, i);
         }
     *s = m->tet[4 * (m->ntet - 1)];
+    if (m->head[*s] == FOREIGN) *s = NONE;
+    i = 0;
     for (t = 0; t < m->ntet; t++)
         for (k = 3; k >= 0; k--)
             if (m->adj[4 * t + k] == TESS_OPEN) {
                 facet(m, 4 * t + k, v);
                 j = v[0] == *s ? 0 : v[1] == *s ? 1 : 2;
                 if (v[j] != *s) {
-                    if (k > 0) return -6;
-                    size += 2;
+                    if (i < TESS_INT_MOST - 2) i += 2;
                     continue;
                 }
                 a = v[(j + 1) % 3];
                 b = v[(j + 2) % 3];
-                if (between(m, a, b) != NONE || between(m, b, a) != NONE)
-                    return -6;
-                if (!enlist(m, *s, 4 * t + k)) return TESS_POOL;
+                if (between(m, a, b) != NONE) return -6;
+                e = between(m, b, a);
+                if (e == NONE) {
+                    if (!enlist(m, *s, 4 * t + k)) return TESS_POOL;
+                    continue;
+                }
+                code = match(m, 4 * t + k, m->pool[e + CODE]);
+                if (code != 0) return code;
+                unlinkedge(m, e);
             }
     follow(m);
-    m->low = m->np;
-    if (size < tablesize(m->np)) size = tablesize(m->np);
-    return rehash(m, *s, size + 1);
+    return rehash(m, *s, (i > size ? i : size) + 1);
 }
 
-/* run - tess and tess_resume, of arguments that are right but for p and the
- * indices in tet. */
-static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
-               tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,
-               double *rw)
+/* layout - what of the workspace of n points an index keeps. */
+static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
+                   double *rw)
 {
-    mesh m;
-    tess_int i, s = NONE, leaves = leafcount(n), wanted, pool;
-    int code;
+    m->set.x = m->x = rw;
+    m->set.p = p;
+    m->box = rw + 3 * n;
+    m->rep = iw;
+    m->set.order = m->order = iw + n;
+    m->alive = iw + 2 * n;
+    m->known = m->alive + 2 * leafcount(n);
+    m->nplane = m->nextplane = m->ties = m->nsupport = m->seek = 0;
+    m->block.first = m->block.last = NONE;
+    m->np = m->block.n = m->around.n = 0;
+}
+
+/* opened - take up an index, to be read alone.  Returns 0, the code of points
+ * without a mesh, or -8 where there is no index. */
+static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
+                  const double *rw)
+{
+    double normal = sizeof(tess_real) < sizeof(double) ? FLT_MIN : DBL_MIN;
 
     if (n == 0) return TESS_POINT;
-    if (!hh_holds(n, p)) {
-        *ntet = 0;
-        return TESS_RANGE;
+    layout(m, n, p, (tess_int *)iw, (double *)rw);
+    m->np = m->alive[0];
+    if (m->np < 0 || m->np > n || m->box[0] != (double)m->np) return -8;
+    if (m->known[0] < ORIGIN) return (int)-m->known[0];
+    m->leaves = leafcount(m->np);
+    m->set.t3 = m->box[1];
+    m->set.t5 = m->box[2];
+    m->set.e = (int)m->box[3];
+    return hh_holds(m->box[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
+}
+
+/* run - tess and tess_resume, or with mine tess_part, of arguments that are
+ * right but for p and the indices in tet. */
+static int run(tess_int n, const tess_real *p, const tess_int *mine,
+               tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
+               tess_int liw, tess_int *iw, double *rw)
+{
+    mesh m;
+    tess_int i, s = NONE, least, pool;
+    double x;
+    int code = TESS_POINT;
+
+    if (mine != NULL)
+        code = opened(&m, n, p, iw, rw);
+    else if (n > 0) {
+        layout(&m, n, p, iw, rw);
+        code = hh_holds(n, p) ? sorted(&m, n, p) : TESS_RANGE;
     }
-    m.set.x = m.x = rw;
-    m.set.p = p;
-    m.box = rw + 3 * n;
-    m.rep = iw;
-    m.set.order = m.order = iw + n;
-    m.head = iw + 2 * n;
-    m.link = iw + 3 * n;
-    m.alive = iw + 4 * n;
-    m.pool = m.alive + 2 * leaves;
-    m.room = liw - 4 * n - 2 * leaves;
-    (void)lengths(n, &i, &wanted, &pool);
-    m.seek = 0;
+    if (code > 0) *ntet = 0;
+    if (code != 0) return code;
+    m.head = m.known + KEEP;
+    m.link = m.head + n;
+    m.pool = m.link + n;
+    m.room = liw - 4 * n - 2 * leafcount(n) - KEEP;
+    (void)lengths(n, &i, &least, &pool);
     if (extra(n) > 0 && liw - i - pool >= extra(n)) {
         m.room -= extra(n);
         m.mark = m.pool + m.room;
-        m.seek = 1;
+        m.burden = 0.0;
+        m.patience = BURDEN;
+        /* doubles decide all where points are in few units */
+        m.seek = m.set.t5 < PLAIN;
     }
-    m.nsupport = 0;
-    m.burden = 0.0;
-    m.patience = BURDEN;
     m.maxtet = maxtet;
-    m.ntet = *ntet;
+    m.fresh = m.ntet = *ntet;
     m.tet = tet;
     m.adj = adj;
     m.m = m.nopen = m.low = 0;
+    m.unmet = mine == NULL ? m.np : 0;
     clearlink(&m);
-    m.fresh = m.ntet;
-    m.nplane = m.nextplane = m.ties = 0;
-    m.block.first = m.block.last = NONE;
-
-    code = sorted(&m, n, p);
-    if (code != 0) {
-        *ntet = 0;
-        return code;
-    }
-    /* doubles decide all where points are in few units */
-    if (m.set.t5 >= PLAIN) m.seek = 0;
+    /* one over the cube root of the points in a leaf, 24 to 48 in large sets,
+     * by a step of Newton's method */
+    x = (double)m.np / (double)m.leaves;
+    m.reach = REACH / sqrt(3.0) * 3.0 / (2.0 * 3.2 + x / (3.2 * 3.2));
+    for (i = 0; i < m.np; i++) m.link[i] = NEW;
     if (m.ntet > 0) {
         code = intact(&m, n);
         if (code != 0) return code;
-        code = restore(&m, &s);
+        code = restore(&m, &s, n, mine);
     } else {
-        code = begin(&m, &s);
-        if (code == 0) code = rehash(&m, s, tablesize(m.np));
+        i = claim(&m, n, mine);
+        if (mine == NULL) code = begin(&m, &s);
+        if (code == 0) code = rehash(&m, s, tablesize(i));
     }
     if (code == 0) code = stars(&m, s);
-    for (i = 0; i < n; i++) m.rep[i] += ORIGIN;
+    for (i = 0; i < n && mine == NULL; i++) m.rep[i] += ORIGIN;
+    if (mine != NULL) revive(&m);
     for (i = 0; i < 4 * m.ntet; i++) {
         tet[i] = m.order[tet[i]] + ORIGIN;
+        if (adj[i] < TESS_OPEN) /* see match */
+            adj[i] = code < 0 ? TESS_OPEN : TESS_OPEN - 1 - adj[i];
         adj[i] += ORIGIN;
     }
     *ntet = m.ntet;
@@ -2876,7 +3085,8 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
 }
 
 /* wrong - the code of a bad argument common to tess and tess_resume, or 0;
- * *which is then the point that is not finite, or 0. */
+ * *which is then the point that is not finite, or 0.  Without p, points that
+ * are known to be finite. */
 static int wrong(tess_int n, const tess_real *p, tess_int maxtet, tess_int liw,
                  tess_int lrw, tess_int *which)
 {
@@ -2884,7 +3094,7 @@ static int wrong(tess_int n, const tess_real *p, tess_int maxtet, tess_int liw,
 
     *which = 0;
     if (n < 0 || !lengths(n, &leastiw, &leastrw, &pool)) return -1;
-    i = hh_finite(n, p);
+    i = p == NULL ? n : hh_finite(n, p);
     if (i < n) {
         *which = i + ORIGIN;
         return -2;
@@ -2893,6 +3103,23 @@ static int wrong(tess_int n, const tess_real *p, tess_int maxtet, tess_int liw,
     if (liw < leastiw) return -7;
     if (lrw < leastrw) return -9;
     return 0;
+}
+
+/* unfit - the same for what goes on from a result. */
+static int unfit(tess_int n, const tess_real *p, tess_int maxtet,
+                 tess_int ntet, const tess_int *tet, const tess_int *adj,
+                 tess_int liw, tess_int lrw)
+{
+    tess_int i;
+    int code = wrong(n, p, maxtet, liw, lrw, &i);
+
+    if (code != 0 && code > -4) return code;
+    if (ntet < 0 || ntet > maxtet) return -4;
+    for (i = 0; i < 4 * ntet; i++)
+        if (tet[i] < ORIGIN || tet[i] >= n + ORIGIN) return -5;
+    for (i = 0; i < 4 * ntet; i++)
+        if (adj[i] < OPEN || adj[i] >= ntet + ORIGIN) return -6;
+    return code;
 }
 
 int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
@@ -2917,24 +3144,66 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     int code = wrong(n, p, maxtet, liw, lrw, ntet);
 
     if (code != 0) return code;
-    return run(n, p, maxtet, ntet, tet, adj, liw, iw, rw);
+    return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, rw);
 }
 
 int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
                 tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,
                 tess_int *iw, tess_int lrw, double *rw)
 {
-    tess_int i, which;
-    int code = wrong(n, p, maxtet, liw, lrw, &which);
+    int code = unfit(n, p, maxtet, *ntet, tet, adj, liw, lrw);
 
-    if (code != 0 && code > -4) return code;
-    if (*ntet < 0 || *ntet > maxtet) return -4;
-    for (i = 0; i < 4 * *ntet; i++)
-        if (tet[i] < ORIGIN || tet[i] >= n + ORIGIN) return -5;
-    for (i = 0; i < 4 * *ntet; i++)
-        if (adj[i] < OPEN || adj[i] >= *ntet + ORIGIN) return -6;
     if (code != 0) return code;
-    return run(n, p, maxtet, ntet, tet, adj, liw, iw, rw);
+    return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, rw);
+}
+
+/* tess_index - the sorted points, their tree, and the first tetrahedron.  In
+ * places that are not used otherwise: np, in alive[0] and box[0], to know an
+ * index by; and what else the searches need in box[1] ... box[4]. */
+int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
+               tess_int lrw, double *rw)
+{
+    static const tess_int guess[2] = {NONE, NONE};
+    mesh m;
+    tess_int i, v[4];
+    int code = wrong(n, p, 0, TESS_INT_MOST, lrw, &i), k;
+
+    if (code != 0 && code != -9) return code;
+    if (liw < 2 * n + 2 * leafcount(n) + KEEP) return -3;
+    if (code != 0) return -5;
+    layout(&m, n, p, iw, rw);
+    code = TESS_POINT;
+    if (n > 0) code = hh_holds(n, p) ? sorted(&m, n, p) : TESS_RANGE;
+    m.link = m.order; /* no star is complete */
+    if (code == 0) code = firstfacet(&m, v);
+    m.known[0] = -code;
+    if (code == 0) {
+        v[3] = apex(&m, v, guess);
+        for (k = 0; k < 4; k++) m.known[k] = m.order[v[k]] + ORIGIN;
+        m.box[1] = m.set.t3;
+        m.box[2] = m.set.t5;
+        m.box[3] = m.set.e;
+        m.box[4] = m.least;
+    }
+    m.box[0] = (double)(m.alive[0] = m.np);
+    if (code == TESS_RANGE) return code;
+    for (i = 0; i < m.np; i++) m.rep[m.order[i]] = i;
+    for (i = 0; i < n; i++)
+        if (m.rep[i] >= m.np || m.order[m.rep[i]] != i)
+            m.rep[i] = m.rep[m.rep[i]]; /* a duplicate */
+    for (i = 0; i < n; i++) m.rep[i] += ORIGIN;
+    return code;
+}
+
+int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
+              tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
+              tess_int liw, tess_int *iw, tess_int lrw, const double *rw)
+{
+    int code = unfit(n, NULL, maxtet, *ntet, tet, adj, liw, lrw);
+
+    if (code == 0)
+        code = run(n, p, mine, maxtet, ntet, tet, adj, liw, iw, (double *)rw);
+    return code < -1 ? code - 1 : code;
 }
 
 /* =====================================================================
@@ -3298,6 +3567,86 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
     return range != 0 ? range : code;
 }
 
+/* ---- queries without a mesh ---- */
+
+/* nearby - a position near q: down the tree by the cuts, then the point of the
+ * leaf that is nearest in the maximum norm.  All comparisons are exact, but of
+ * a q far outside, so that it is the same one everywhere. */
+static tess_int nearby(const mesh *m, const tess_real *q)
+{
+    tess_int node = 1, best, i, last;
+    const double *b;
+    double hi = 0.0, lo = 0.0, h, l;
+    int k;
+
+    while (node < m->leaves) {
+        node = 2 * node;
+        b = m->box + 6 * node;
+        for (k = 0; k < 2 && b[3 + k] > b[6 + k]; k++)
+            ;
+        node += ldexp((double)q[k], -m->set.e) >= b[6 + k];
+    }
+    span(m, node, &best, &last);
+    for (i = best; i < last; i++) {
+        distance(point(m, i), q, &h, &l);
+        if (i == best || hh_wider(hi, lo, h, l) > 0) {
+            best = i;
+            hi = h;
+            lo = l;
+        }
+    }
+    return best;
+}
+
+/* tess_query - walk's walk, with q* moved into the same tetrahedron, so that
+ * the answer is tess_locate's; neighbours are found as they are needed.  From a
+ * v that is no tetrahedron of the mesh it might go round: after np steps it
+ * begins again from one that is. */
+int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
+               const double *rw, const tess_real *q, tess_int *v, double *w)
+{
+    static const tess_int guess[2] = {NONE, NONE};
+    mesh m;
+    tess_int u[4], f[3], steps = 0;
+    int code, k, s, last = 4;
+
+    if (n < 0 || !lengths(n, u, u + 1, u + 2)) return -1;
+    code = opened(&m, n, p, iw, rw);
+    if (code != 0) return code < 0 ? -3 : code;
+    if (hh_finite(1, q) < 1) return -5;
+    for (k = 0; k < 4 && v[0] != NOTHING; k++) {
+        if (v[k] < ORIGIN || v[k] >= n + ORIGIN) return -6;
+        u[k] = m.rep[v[k] - ORIGIN] - ORIGIN;
+        if (m.order[u[k]] != v[k] - ORIGIN) return -6;
+        steps = m.np;
+    }
+    if (steps > 0 && hh_pside(&m.set, u[0], u[1], u[2], u[3]) <= 0) return -6;
+    for (k = 0; k < 4; k++) w[k] = 0.0;
+    if (!hh_holds(1, q)) return TESS_RANGE;
+    m.link = m.order; /* no star is complete */
+    for (;;) {
+        if (steps >= 0 && steps-- == 0) {
+            settle(&m, nearby(&m, q), u);
+            last = 4;
+        }
+        for (k = 0; k < 4; k++) v[k] = m.order[u[k]] + ORIGIN;
+        for (k = 0, s = -1; k < 4; k++) {
+            if (k == last) continue;
+            outfac(v, k, f);
+            s = qside(p, f, q, m.known);
+            if (s > 0) break;
+        }
+        if (s == UNSURE) return TESS_RANGE;
+        if (k == 4) break;
+        outfac(u, k, f);
+        u[3] = apex(&m, f, guess);
+        if (u[3] == NONE) break;
+        for (last = 0; last < 3; last++) u[last] = f[last];
+    }
+    code = weigh(p, v, q, w);
+    return code != 0 ? code : k < 4;
+}
+
 /* ---- the hull ---- */
 
 /* tess_hull - one pass over all facets. */
@@ -3615,6 +3964,52 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
     return TESS_OK;
 }
 
+/* ---- a ball ---- */
+
+/* tess_ball - by limbs, of a set of the four points alone, scaled to at most 1.
+ * With size the sum of what is rounded, the centre errs by 8 eps of its length
+ * (see hh_centre), and that, the radius' own error of 12 eps, and the roundings
+ * of the sum, 1 eps of it, count in the radius: less than 32 eps size. */
+int tess_ball(const tess_real *p, const tess_int *v, double *c)
+{
+    static const tess_int facet[3] = {0, 1, 2};
+    const tess_real *q;
+    tess_int order[4];
+    hh_set set;
+    hh_ball t;
+    double most = 0.0, size = 0.0, r = 0.0, x[3];
+    int i, k;
+
+    c[3] = DBL_MAX;
+    for (i = 3; i >= 0; i--) {
+        if (v[i] < ORIGIN) return -2;
+        order[i] = v[i] - ORIGIN;
+        q = coords(p, v[i]);
+        if (hh_finite(1, q) < 1) return -1;
+        if (!hh_holds(1, q)) return TESS_RANGE;
+        for (k = 0; k < 3; k++) {
+            c[k] = q[k];
+            if (fabs(c[k]) > most) most = fabs(c[k]);
+        }
+    }
+    frexp(most, &set.e);
+    set.p = p;
+    set.order = order;
+    if (most == 0.0 || !hh_centre(&set, facet, 0, 3, x, &t)) return TESS_OK;
+    for (k = 0; k < 3; k++) {
+        size += fabs(x[k]);
+        r += x[k] * x[k];
+        x[k] += ldexp(c[k], -set.e);
+        size += fabs(x[k]);
+    }
+    r = sqrt(r) + PAD * size + 4.0 * DBL_MIN;
+    frexp(r + size, &k);
+    if (k + set.e >= DBL_MAX_EXP) return TESS_OK;
+    for (k = 0; k < 3; k++) c[k] = ldexp(x[k], set.e);
+    c[3] = ldexp(r, set.e) + 4.0 * DBL_MIN;
+    return TESS_OK;
+}
+
 #ifdef TESS_FORTRAN
 
 /* ---- the entries for Fortran ---- */
@@ -3671,6 +4066,38 @@ void TESS_NAME(tessch, TESSCH)(const tess_int *n, const tess_real *p,
                                tess_int *iw, tess_int *bad, tess_int *info)
 {
     *info = (tess_int)tess_check(*n, p, *ntet, tet, adj, *liw, iw, bad);
+}
+
+void TESS_NAME(tessix, TESSIX)(const tess_int *n, const tess_real *p,
+                               const tess_int *liw, tess_int *iw,
+                               const tess_int *lrw, double *rw, tess_int *info)
+{
+    *info = (tess_int)tess_index(*n, p, *liw, iw, *lrw, rw);
+}
+
+void TESS_NAME(tessqu, TESSQU)(const tess_int *n, const tess_real *p,
+                               const tess_int *iw, const double *rw,
+                               const tess_real *q, tess_int *v, double *w,
+                               tess_int *info)
+{
+    *info = (tess_int)tess_query(*n, p, iw, rw, q, v, w);
+}
+
+void TESS_NAME(tesspa, TESSPA)(const tess_int *n, const tess_real *p,
+                               const tess_int *mine, const tess_int *maxtet,
+                               tess_int *ntet, tess_int *tet, tess_int *adj,
+                               const tess_int *liw, tess_int *iw,
+                               const tess_int *lrw, const double *rw,
+                               tess_int *info)
+{
+    *info = (tess_int)tess_part(*n, p, mine, *maxtet, ntet, tet, adj, *liw, iw,
+                                *lrw, rw);
+}
+
+void TESS_NAME(tessba, TESSBA)(const tess_real *p, const tess_int *v,
+                               double *c, tess_int *info)
+{
+    *info = (tess_int)tess_ball(p, v, c);
 }
 
 #ifdef __cplusplus

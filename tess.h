@@ -42,6 +42,10 @@
 #define tess_locate ftlocate
 #define tess_hull fthull
 #define tess_check ftcheck
+#define tess_index ftindex
+#define tess_query ftquery
+#define tess_part ftpart
+#define tess_ball ftball
 #endif
 
 #define TESS_NONE (-1)
@@ -132,12 +136,19 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
  * is tess; on a finished result it returns TESS_OK and changes nothing but
  * iw, rw.
  *
+ * Tetrahedra of the mesh from several results may be put one behind the other,
+ * each once, in any order, their neighbours renumbered and those that are not
+ * there open: what is open on both sides is closed, and what is missing
+ * computed.  4 tess_ints of iw are taken for each facet that waits for its
+ * other side.
+ *
  * returns what tess returns, and -4 for a bad *ntet, -5 and -6 for what tet
  * and adj cannot hold: indices out of range; a tetrahedron that has a
  * duplicate for a vertex, is not positively oriented, or has a neighbour's
- * apex in its ball; neighbours that do not share a facet; a facet open on both
- * sides.  After -k *ntet, tet and adj are unchanged.  Damage that one pass
- * cannot find gives a wrong result, but in bounded time and within the arrays.
+ * apex in its ball; neighbours that do not share a facet; two tetrahedra on
+ * the same side of an open one.  After -k *ntet, tet and adj are unchanged.
+ * Damage that one pass cannot find gives a wrong result, but in bounded time
+ * and within the arrays.
  */
 int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
                 tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,
@@ -170,6 +181,93 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t,
                 double *w);
+
+/* tess_index - sort the points, for stars and queries without a mesh.
+ *
+ *   n       (in)   number of points, >= 0
+ *   p       (in)   3*n coordinates; tess_query and tess_part need them as they
+ *                  are now
+ *   liw     (in)   length of iw; what tess_size recommends suffices, but for
+ *                  tess_query alone 2*n + n/12 + 6 does, too
+ *   iw      (out)  the index, in its first 2*n + n/12 + 6 places; for each code
+ *                  >= 0 but TESS_RANGE iw[i] is the place of point i in the
+ *                  sorted order, or of the point that stands for it: 0 ...
+ *                  (from Fortran 1 ...).  Points of near places are near
+ *                  each other
+ *   lrw     (in)   length of rw, as tess_size says or 3*n + n/2 + 12
+ *   rw      (out)  the index, too
+ *
+ * returns TESS_OK; TESS_PLANE, TESS_LINE, TESS_POINT or TESS_RANGE: there is no
+ * mesh, and the calls below return that; -1 for a bad n, -2 for a NaN or
+ * infinity in p, -3 and -5 for liw and lrw that are too small.
+ * Cost: O(n log n), about a tenth of that of the mesh.
+ */
+int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
+               tess_int lrw, double *rw);
+
+/* tess_query - the mesh's tetrahedron that holds a point, without the mesh.
+ *
+ *   n, p, iw, rw  (in)  points and their index.  Threads may share them
+ *   q    (in)      the point: 3 coordinates
+ *   v    (in,out)  4 points.  On entry a former answer, where the walk
+ *                  starts, or v[0] = TESS_NONE for anywhere.  On return the
+ *                  vertices of the tetrahedron, positively oriented
+ *   w    (out)     4 barycentric weights of q: sum of w[k] * value[v[k]]
+ *
+ * The answer is that of tess_locate in the mesh that tess gives, but for the
+ * order of the vertices, and the tetrahedron found for q outside.
+ *
+ * returns 0 or 1 as tess_locate does; what tess_index returned, if not 0; -1
+ * for a bad n, -3 where iw and rw hold no index, -5 for a NaN or infinity in
+ * q, -6 for a v of no tetrahedron.  (What is one, but none of the mesh, may
+ * come back unchanged.)
+ * Cost: a search for each tetrahedron that is crossed, and from anywhere
+ * some 20 more.
+ */
+int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
+               const double *rw, const tess_real *q, tess_int *v, double *w);
+
+/* tess_part - all tetrahedra of the mesh that have one of certain vertices.
+ *
+ *   n, p    (in)      the points of the index
+ *   mine    (in)      n marks: asked for are the tetrahedra at each point i (or
+ *                     the one that stands for it) with mine[i] != 0
+ *   maxtet, ntet, tet, adj   as in tess_resume: *ntet = 0, or the beginning of
+ *                     the result
+ *   liw     (in)      length of iw, as in tess
+ *   iw      (in,out)  the index as it came from tess_index, or a copy, and
+ *                     behind it workspace.  On return iw is an index again
+ *   lrw     (in)      length of rw
+ *   rw      (in)      the rest of the index.  Threads may share it, each with
+ *                     an iw of its own
+ *
+ * Each tetrahedron comes once.  A facet without a vertex asked for stays
+ * TESS_OPEN.  Parts know nothing of each other and agree on everything, ties
+ * included: take from each the tetrahedra whose vertex of least index is
+ * asked for there, and if each point is asked for in one part, together they
+ * are the mesh (see tess_resume for how to join them).
+ *
+ * returns what tess_resume returns, but -4 for maxtet, -5, -6, -7 for *ntet,
+ * tet, adj, -8 and -10 for liw and lrw, -9 where iw and rw hold no index.
+ */
+int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
+              tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
+              tess_int liw, tess_int *iw, tess_int lrw, const double *rw);
+
+/* tess_ball - the ball of a tetrahedron.
+ *
+ *   p    (in)   the points
+ *   v    (in)   4 of them
+ *   c    (out)  the centre c[0] ... c[2], rounded, and the radius c[3], rounded
+ *               outwards, so that the ball holds the true one: a point outside
+ *               of it can do nothing to a tetrahedron of these vertices.
+ *               DBL_MAX where there is no ball, all points being in one
+ *               plane, or it cannot be computed: then all space
+ *
+ * returns 0, -1 for a NaN or infinity in the points, -2 for an index that is
+ * out of range; TESS_RANGE, the radius DBL_MAX (see tess).
+ */
+int tess_ball(const tess_real *p, const tess_int *v, double *c);
 
 /* tess_hull - the boundary triangles.
  *

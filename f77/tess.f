@@ -52,18 +52,21 @@ C     the tree):
 C                         while a call runs      when it has returned
 C       TET               positions              numbers of points
 C       ADJ               the same as outside: a tetrahedron, 0 or OPEN
-C       IW   N   REP      the least point that   the same
-C                         coincides
-C            N   ORD      position -> point      nothing of use, as all
-C            N   HEAD     position -> the pool's   the rest
+C       IW   N   REP      the least point that   the same; in an index
+C                         coincides              the points' positions
+C            N   ORD      position -> point      in an index kept;
+C            2 L ALIVE    uncompleted points of  nothing of use else, as
+C                         a leaf, living         all the rest; in the
+C                         children of a node     last of ALIVE NP
+C            4   KNOWN    the first tetrahedron,
+C                         for TESSPA, TESSQU
+C            N   HEAD     position -> the pool's
 C                         first facet that it
 C                         owns; in TSREST point
 C                         -> position
 C            N   LINK     position -> first edge
 C                         of the link from it, or
 C                         0, NEW, DONE
-C            2 L ALIVE    uncompleted points of a leaf, living children
-C                         of a node
 C            the rest     the arena, POOL: entries of the table grow
 C                         up from its beginning, MPOOL of them; edges of
 C                         the link grow down from its end, NEWEST the
@@ -80,12 +83,13 @@ C     edges, by moving them up when half of them are dead.  What is
 C     still short is code FULL.
 C
 C     An open facet is in one place at any moment: in the link, if it
-C     contains S, the vertex of the star; else, a facet 1, in the table,
-C     or, of a tetrahedron from FRESH on, in none until TSFLUS.  Numbers
-C     of entries are good until the next TSERAS or TSREHA, which update
-C     HEAD and the owners' lists and nothing else; numbers of edges
-C     until the next TSRENU, which updates LINK and the edges alone: who
-C     calls TSMKRO reads OLDEST again.
+C     contains S, the vertex of the star; else in the table, or, of a
+C     tetrahedron from FRESH on, in none until TSFLUS; in none, too, if
+C     no star of its vertices is asked for.  Numbers of entries are good
+C     until the next TSERAS or TSREHA, which update HEAD and the owners'
+C     lists and nothing else; numbers of edges until the next TSRENU,
+C     which updates LINK and the edges alone: who calls TSMKRO reads
+C     OLDEST again.
 C
 C     What rests on the tie rule (hhpred): that a facet's apex is one
 C     point for both its sides, so that the pool empties; TSFIRS, on a
@@ -120,26 +124,31 @@ C         considerall TSCALL, likeliest TSLIKE, anypoint TSANYP,
 C         instar TSINST, inblock TSINBL, scanleaf TSSCAN,
 C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
 C         apex TSAPEX
+C       one star: exchange TSEXCH, settle TSSETT, plant TSPLAN
 C       results: slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, cuberoot TSCUBE,
 C         tablesize TSTABL, upto TSUPTO, lengths TSLENG,
 C         collect TSCOLL, inrange TSINRA, times TSTIME, units TSUNIT,
-C         scaled TSSCAL, sorted TSSORT, intact TSINTA, restore TSREST,
-C         run TSRUN, wrong TSWRON
-C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE
+C         scaled TSSCAL, revive TSREVI, sorted TSSORT, intact TSINTA,
+C         match TSMTCH, claim TSCLAI, restore TSREST, opened TSOPEN,
+C         run TSRUN, wrong TSWRON, unfit TSUNFI
+C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
+C         tess_index TESSIX, tess_part TESSPA
 C     and what needs no mesh under construction:
 C       queries: qside TSQSID, inbox TSINBO
 C       location: distance TSDIST, sample TSSAMP, walk TSWALK,
 C         holds TSHOLD, sweep TSSWEE, elimin TSELIM, backsu TSBACK,
 C         unite TSUNTE, balanc TSBALA, weigh TSWEIG,
-C         tess_locate TESSLO
+C         tess_locate TESSLO, nearby TSNEAR, tess_query TESSQU
 C       hull, check: tess_hull TESSHU, merge TSMERG, sortpt TSSORP,
 C         marks TSMARK, chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF,
 C         chktet TSCHKT, chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
 C         tess_check TESSCH
-C     Only in C: point, coords, four, better, proven.  Only here: TSPDIS
-C     (disjoint for a point), TSLINE (hh_line of points of P), TSMESH
-C     (part of run), TSORIQ, TSORIP (hh_orient of points of P).
+C       a ball: tess_ball TESSBA
+C     Only in C: point, coords, four, better, proven, layout.  Only
+C     here: TSPDIS (disjoint for a point), TSLINE (hh_line of points of
+C     P), TSMESH, TSINDE, TSQUER (parts of run, tess_index, tess_query),
+C     TSORIQ, TSORIP (hh_orient of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here, passed in one order:
@@ -150,7 +159,9 @@ C              coordinates.  Node I has the children 2I, 2I+1; leaf J is
 C              node CTL(LEAVES)+J-1
 C       ALIVE  leaf: uncompleted points; else: children alive
 C       REP    the point that stands for a point
-C       HEAD   first of the pool's facets that a vertex owns
+C       KNOWN  a tetrahedron; in an index KNOWN(1) may be minus a code
+C       HEAD   first of the pool's facets that a vertex owns; FOREIN:
+C              its star is not asked for
 C       LINK   first open edge of the link from a vertex; DONE: its star
 C              is complete; NEW: in no tetrahedron yet
 C       POOL   pool and edges
@@ -166,11 +177,13 @@ C       LOW     no vertex of a smaller position owns facets
 C       NPLANE  hull planes that are remembered;  NEXTPL the one to be
 C               replaced next;  PLANE0 the place before them
 C       TIES    1: the last points on a ball were not in it
+C       UNMET   no vertex before it is NEW and asked for
 C     RCTL, its doubles:
 C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
 C       RSHARE  a star's margin, in its block's
 C       RSCALE  X = P 2**(-RSCALE)
+C       RLEAST  the least absolute value of a coordinate above 0
 C     Lists of uncompleted points, in single precision.  List BLK, a
 C     block's, has those in a box, as offsets from the box's centre in
 C     units of its half width; list STR, a star's, those nearer to its
@@ -638,11 +651,11 @@ C     TSLINE - HHLINE of three points: 1, or 0.
       END
 
 C     TSFIRS - the first facet V, in the hull, all points on its
-C     positive side.  On a hull face of more than three points it is, by
-C     the rule of ties, the triangle on the edge V(1) V(2) of the face:
-C     of two points A, B of the face B is better iff I(V1, V2, A, W, B)
-C     o3(V1, V2, A, W) > 0 for any W off the face.  INFO is 0, or the
-C     code of points without a tetrahedron.
+C     positive side, V(1) the least position.  On a hull face of more
+C     than three points it is, by the rule of ties, the triangle on an
+C     edge V1 V2 of the face: of two points A, B of the face B is better
+C     iff I(V1, V2, A, W, B) o3(V1, V2, A, W) > 0 for any W off the
+C     face.  INFO is 0, or the code of points without a tetrahedron.
       SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), INFO
@@ -692,6 +705,13 @@ C     code of points without a tetrahedron.
           END IF
         END IF
    60 CONTINUE
+   70 IF (V(1) .GT. MIN(V(2), V(3))) THEN
+        W = V(1)
+        V(1) = V(2)
+        V(2) = V(3)
+        V(3) = W
+        GO TO 70
+      END IF
       INFO = 0
       END
 
@@ -827,18 +847,20 @@ C     several need from memory at once.
       INTEGER TSOWNE, TSHASH
       INTEGER NT, FRESH, ENTRY
       PARAMETER (NT = 2, FRESH = 8, ENTRY = 4)
-      INTEGER CODE, E, OTHER, SIG, T, V(3)
+      INTEGER CODE, E, LEAST, OTHER, SIG, T, V(3)
       DO 10 T = CTL(FRESH), CTL(NT)
         CODE = 4*(T - 1) + 1
         CALL TSFACE(TET, CODE, V)
+        LEAST = TSOWNE(HEAD, V)
+        IF (LEAST .EQ. 0) GO TO 10
         SIG = TSHASH(V)
         CALL TSFIND(TET, POOL, CTL, V, SIG, E)
         OTHER = POOL(ENTRY*(E-1)+1)
         IF (OTHER .EQ. 0) THEN
-          CALL TSINSE(HEAD, POOL, CTL, E, CODE, TSOWNE(V), SIG)
+          CALL TSINSE(HEAD, POOL, CTL, E, CODE, LEAST, SIG)
         ELSE
           CALL TSGLUE(ADJ, CODE, OTHER)
-          CALL TSERAS(TET, HEAD, POOL, CTL, E, TSOWNE(V))
+          CALL TSERAS(TET, HEAD, POOL, CTL, E, LEAST)
         END IF
    10 CONTINUE
       CTL(FRESH) = CTL(NT) + 1
@@ -866,7 +888,12 @@ C     other sides are there, which then go too.
       TET(3,T) = B
       TET(4,T) = C
       IF (CODE .EQ. START) THEN
+        F = TSBETW(LINK, POOL, B, A)
         ADJ(4*T) = 0
+        IF (F .NE. 0) THEN
+          ADJ(4*T) = OPEN
+          POOL(F+ECODE) = 4*T
+        END IF
       ELSE
         CALL TSGLUE(ADJ, CODE, 4*T)
       END IF
@@ -924,13 +951,13 @@ C     TSFOLL - let every edge of the link be followed by one that begins
 C     where it ends and follows no other, if there is one.
       SUBROUTINE TSFOLL(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
-      INTEGER OLDEST, NEWEST, ETO, EPREV, ECHAIN, EDGE
-      PARAMETER (OLDEST = 9, NEWEST = 10, ETO = 2, EPREV = 3)
-      PARAMETER (ECHAIN = 5, EDGE = 6)
+      INTEGER OLDEST, NEWEST, ECODE, ETO, EPREV, ECHAIN, DEAD, EDGE
+      PARAMETER (OLDEST = 9, NEWEST = 10, ECODE = 0, ETO = 2, EPREV = 3)
+      PARAMETER (ECHAIN = 5, DEAD = -2, EDGE = 6)
       INTEGER AT, E, F
       DO 20 E = CTL(OLDEST), CTL(NEWEST), -EDGE
         F = LINK(POOL(E+ETO))
-        IF (F .LT. 0) GO TO 20
+        IF (F .LT. 0 .OR. POOL(E+ECODE) .EQ. DEAD) GO TO 20
    10   IF (F .NE. 0) THEN
           IF (POOL(F+EPREV) .NE. 0) THEN
             F = POOL(F+ECHAIN)
@@ -1009,8 +1036,11 @@ C     block.
 
 C     TSMKRO - make sure of room for another tetrahedron's facets in the
 C     pool and in the link of S.  OK is 1, or 0.
-      SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
+      SUBROUTINE TSMKRO(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL,
+     $                  RCTL, S, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*)
+      INTEGER CTL(*), S, OK
       INTEGER NT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEWEST, ENTRY, EDGE
       PARAMETER (NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
       PARAMETER (OLDEST = 9, NEWEST = 10, ENTRY = 4, EDGE = 6)
@@ -1020,8 +1050,8 @@ C     pool and in the link of S.  OK is 1, or 0.
      $    1) .GE. 3*CTL(MPOOL)) THEN
         CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
         IF (4*CTL(NOPEN) .GE. 3*CTL(MPOOL)) THEN
-          CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, 2*CTL(MPOOL) + 1,
-     $                INFO)
+          CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
+     $                2*CTL(MPOOL) + 1, INFO)
           IF (INFO .NE. 0 .AND. CTL(NOPEN) .GE. CTL(MPOOL) -
      $        CTL(MPOOL)/8 - 1) OK = 0
           IF (OK .EQ. 0) RETURN
@@ -1042,18 +1072,14 @@ C     of least position, S.
       INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
       INTEGER START, FULL
       PARAMETER (START = -1, FULL = 2)
-      INTEGER E, I, K, V(3)
+      INTEGER E, I, V(3)
       CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .NE. 0) RETURN
-      K = 3
-      IF (V(2) .LT. V(3)) K = 2
-      IF (V(1) .LT. V(2) .AND. V(1) .LT. V(3)) K = 1
-      S = V(K)
+      S = V(1)
       DO 10 I = 1, 3
         LINK(V(I)) = 0
    10 CONTINUE
-      CALL TSPUSH(LINK, POOL, CTL, START, V(MOD(K, 3)+1), V(MOD(K+1,
-     $            3)+1), E)
+      CALL TSPUSH(LINK, POOL, CTL, START, V(2), V(3), E)
       IF (E .EQ. 0) INFO = FULL
       END
 
@@ -1104,7 +1130,8 @@ C     of the link.  INFO is 0, MORE or FULL.
           INFO = MORE
           RETURN
         END IF
-        CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+        CALL TSMKRO(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL, RCTL,
+     $              S, OK)
         IF (OK .EQ. 0) THEN
           INFO = FULL
           RETURN
@@ -1119,18 +1146,22 @@ C     of the link.  INFO is 0, MORE or FULL.
       INFO = 0
       END
 
-C     TSSTRS - complete star after star, from S on if it has edges in
-C     the link.  INFO is 0, MORE or FULL.
-      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
-     $                  POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+C     TSSTRS - complete star after star of those asked for, from S on if
+C     it has edges in the link: by and by what hangs together, then what
+C     else there is.  INFO is 0, MORE or FULL.
+      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
+     $                  HEAD, LINK, POOL, CTL, RCTL, LSX, LSID, LSI,
+     $                  LSD, S, INFO)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
-      INTEGER POOL(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S, INFO
-      INTEGER NP, OLDEST, NEWEST, LOW, FULL
-      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, FULL = 2)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4)
+      INTEGER HEAD(*), LINK(*), POOL(*), CTL(*), LSID(TSIDS,2)
+      INTEGER LSI(3,2), S, INFO
+      INTEGER NP, OLDEST, NEWEST, LOW, UNMET, FOREIN, NEW, FULL
+      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, UNMET = 27)
+      PARAMETER (FOREIN = -1, NEW = -2, FULL = 2)
       INTEGER OK
    10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
         CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
@@ -1138,16 +1169,25 @@ C     the link.  INFO is 0, MORE or FULL.
         IF (INFO .NE. 0) RETURN
       END IF
       DO 20 S = CTL(LOW), CTL(NP)
-        IF (HEAD(S) .NE. 0) GO TO 30
+        IF (HEAD(S) .GT. 0) GO TO 30
 C       no open facet has a vertex of smaller position than LOW, so one
 C       that was met before and owns none is complete
-        IF (LINK(S) .EQ. 0) CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI,
-     $      S)
+        IF (LINK(S) .EQ. 0 .AND. HEAD(S) .EQ. 0) CALL TSCMPL(ALIVE,
+     $      LINK, CTL, LSX, LSI, S)
    20 CONTINUE
-      INFO = 0
-      RETURN
    30 CTL(LOW) = S
-      CALL TSLOAD(TET, HEAD, LINK, POOL, CTL, S, OK)
+      IF (S .LE. CTL(NP)) THEN
+        CALL TSLOAD(TET, HEAD, LINK, POOL, CTL, S, OK)
+      ELSE
+        DO 40 S = CTL(UNMET), CTL(NP)
+          IF (LINK(S) .EQ. NEW .AND. HEAD(S) .NE. FOREIN) GO TO 50
+   40   CONTINUE
+   50   CTL(UNMET) = S
+        INFO = 0
+        IF (S .GT. CTL(NP)) RETURN
+        CALL TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
+     $              LINK, POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, OK)
+      END IF
       INFO = FULL
       IF (OK .EQ. 1) GO TO 10
       END
@@ -1158,9 +1198,10 @@ C
 C     Entry E = 1, 2, ..., at POOL(ENTRY*(E-1)+1): the facet's code, or
 C     0; then the next and the previous entry in the list of the facets
 C     of the same owner, newest first, 0 at its ends; then the signature
-C     of the three vertices.  The owner is the vertex of least position;
-C     HEAD(owner) is the first entry.  Linear probing from signature mod
-C     MPOOL; removal shifts entries back.
+C     of the three vertices.  The owner is the vertex of least position
+C     of those whose star is asked for; HEAD(owner) is the first entry;
+C     a facet without an owner is left open.  Linear probing from
+C     signature mod MPOOL; removal shifts entries back.
 C
 C     The code of facet K of tetrahedron T is 4*(T-1)+K: its place in
 C     ADJ.
@@ -1186,10 +1227,22 @@ C     TSFACE - the vertices of facet CODE, positive towards its outside.
       CALL TSOUTF(TET, T, CODE - 4*(T - 1), V)
       END
 
-C     TSOWNE - the vertex of least position.
-      INTEGER FUNCTION TSOWNE(V)
-      INTEGER V(3)
-      TSOWNE = MIN(V(1), V(2), V(3))
+C     TSOWNE - the vertex of least position of those whose star is asked
+C     for, or 0.
+      INTEGER FUNCTION TSOWNE(HEAD, V)
+      INTEGER HEAD(*), V(3)
+      INTEGER FOREIN
+      PARAMETER (FOREIN = -1)
+      INTEGER K, LEAST
+      LEAST = MIN(V(1), V(2), V(3))
+      TSOWNE = LEAST
+      IF (HEAD(LEAST) .NE. FOREIN) RETURN
+      LEAST = 0
+      DO 10 K = 1, 3
+        IF (HEAD(V(K)) .NE. FOREIN .AND. (LEAST .EQ. 0 .OR.
+     $      V(K) .LT. LEAST)) LEAST = V(K)
+   10 CONTINUE
+      TSOWNE = LEAST
       END
 
 C     TSHASH - the signature of a facet, below 2**31, whatever the order
@@ -1295,7 +1348,7 @@ C       E may fill the hole if its home is not behind the hole
             POOL(ENTRY*(BEFORE-1)+2) = HOLE
           ELSE
             CALL TSFACE(TET, POOL(TO+1), V)
-            HEAD(TSOWNE(V)) = HOLE
+            HEAD(TSOWNE(HEAD, V)) = HOLE
           END IF
           HOLE = E
         END IF
@@ -1307,19 +1360,22 @@ C       E may fill the hole if its home is not behind the hole
 C     TSREHA - make the pool's table about twice as long, or as long as
 C     it may be, and enter its facets again in their order.  The new
 C     table is laid over the old one, so the facets come from TET and
-C     ADJ: those open facets 1 that are not edges of the link of S.
-C     (The others, which have vertex 1, were closed with its star, or
-C     are edges of the link.)  INFO is 0, FULL, or -6 when two open
-C     facets have the same vertices, as only damaged arrays have.
-      SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, INFO)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED
-      INTEGER INFO
+C     ADJ: those open ones that have an owner and not the vertex S.
+C     (Those that do are edges of its link.)  In results that were
+C     joined a facet may be there twice: it is closed.  INFO is 0, FULL,
+C     or what TSMTCH finds.
+      SUBROUTINE TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
+     $                  WANTED, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S
+      INTEGER WANTED, INFO
       INTEGER TSOWNE, TSHASH
-      INTEGER NP, ROOM, MPOOL, NOPEN, FRESH, NEWEST, OPEN, ENTRY, EDGE
-      INTEGER FULL
+      INTEGER NP, ROOM, MPOOL, NOPEN, FRESH, NEWEST, OPEN, FOREIN
+      INTEGER ENTRY, EDGE, FULL
       PARAMETER (NP = 1, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
-      PARAMETER (NEWEST = 10, OPEN = -1, ENTRY = 4, EDGE = 6, FULL = 2)
-      INTEGER CODE, E, LENGTH, SIG, V(3)
+      PARAMETER (NEWEST = 10, OPEN = -1, FOREIN = -1, ENTRY = 4)
+      PARAMETER (EDGE = 6, FULL = 2)
+      INTEGER CODE, E, FACET, LEAST, LENGTH, OTHER, SIG, V(3)
       INFO = FULL
       LENGTH = MIN(WANTED, (CTL(ROOM) - CTL(ROOM)/8)/ENTRY,
      $             (CTL(NEWEST) - 1 - 2*EDGE)/ENTRY)
@@ -1328,23 +1384,28 @@ C     facets have the same vertices, as only damaged arrays have.
         POOL(ENTRY*(E-1)+1) = 0
    10 CONTINUE
       DO 20 E = 1, CTL(NP)
-        HEAD(E) = 0
+        IF (HEAD(E) .NE. FOREIN) HEAD(E) = 0
    20 CONTINUE
       CTL(MPOOL) = LENGTH
       CTL(NOPEN) = 0
-      DO 30 CODE = 1, 4*(CTL(FRESH) - 1), 4
-        IF (ADJ(CODE) .EQ. OPEN) THEN
-          CALL TSFACE(TET, CODE, V)
-          IF (V(1) .NE. S .AND. V(2) .NE. S .AND. V(3) .NE. S) THEN
-            IF (CTL(NOPEN) .GE. LENGTH - LENGTH/8 - 1) RETURN
-            SIG = TSHASH(V)
-            CALL TSFIND(TET, POOL, CTL, V, SIG, E)
-            IF (POOL(ENTRY*(E-1)+1) .NE. 0) THEN
-              INFO = -6
-              RETURN
-            END IF
-            CALL TSINSE(HEAD, POOL, CTL, E, CODE, TSOWNE(V), SIG)
-          END IF
+      DO 30 CODE = 1, 4*(CTL(FRESH) - 1)
+        IF (ADJ(CODE) .NE. OPEN) GO TO 30
+        FACET = CODE
+        CALL TSFACE(TET, FACET, V)
+        LEAST = TSOWNE(HEAD, V)
+        IF (LEAST .EQ. 0 .OR. V(1) .EQ. S .OR. V(2) .EQ. S .OR.
+     $      V(3) .EQ. S) GO TO 30
+        IF (CTL(NOPEN) .GE. LENGTH - LENGTH/8 - 1) RETURN
+        SIG = TSHASH(V)
+        CALL TSFIND(TET, POOL, CTL, V, SIG, E)
+        OTHER = POOL(ENTRY*(E-1)+1)
+        IF (OTHER .EQ. 0) THEN
+          CALL TSINSE(HEAD, POOL, CTL, E, FACET, LEAST, SIG)
+        ELSE
+          CALL TSMTCH(X, P, ORD, TET, ADJ, RCTL, FACET, OTHER, INFO)
+          IF (INFO .NE. 0) RETURN
+          INFO = FULL
+          CALL TSERAS(TET, HEAD, POOL, CTL, E, LEAST)
         END IF
    30 CONTINUE
       INFO = 0
@@ -2412,6 +2473,169 @@ C     before the block's list: a tenth of the time on lattices
       END
 
 C     ------------------------------------------------------------------
+C     A star on its own.
+C     ------------------------------------------------------------------
+
+C     TSEXCH - put Z in the place of V(K): if V is not flat then, or
+C     with TRUE = 1, if it is positively oriented and holds S*, which is
+C     S = V(1) = R(1) moved by an infinitesimal step into the
+C     tetrahedron R (as Q* of the queries, below), so that it is on no
+C     plane of three points.  OK is 1 if so, else 0.
+      SUBROUTINE TSEXCH(X, P, ORD, RCTL, TRUE, R, V, K, Z, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), TRUE, R(4), V(4), K, Z, OK
+      INTEGER HHPSID
+      INTEGER T3
+      PARAMETER (T3 = 1)
+      INTEGER A, B, I, J, OLD, SIDE
+      OLD = V(K)
+      V(K) = Z
+      SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4))
+      IF (TRUE .EQ. 0) SIDE = ABS(SIDE)
+      DO 20 J = 1, 3
+        IF (SIDE .GT. 0 .AND. TRUE .EQ. 1) THEN
+          A = V(MOD(J,3)+2)
+          B = V(MOD(J+1,3)+2)
+          SIDE = 0
+          DO 10 I = 2, 4
+            IF (SIDE .EQ. 0) SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1),
+     $          A, B, R(I))
+   10     CONTINUE
+        END IF
+   20 CONTINUE
+      OK = 0
+      IF (SIDE .GT. 0) OK = 1
+      IF (OK .EQ. 0) V(K) = OLD
+      END
+
+C     TSSETT - V = a tetrahedron of the mesh at V(1) = S.
+C
+C     Begin with any tetrahedron R at S, of near points as far as these
+C     are not in one plane, and S* in it.  While V holds S* and its ball
+C     is not empty, each point in the ball is on the inner side of one
+C     of the three facets at S, as what is outside of all three is
+C     beyond the ball's tangent plane at S; so the apex Z of that facet
+C     on that side is not V's vertex there.  The five points have two
+C     triangulations; V is not in that whose lifted facets are the lower
+C     ones, so the one tetrahedron of this that holds S* is one with Z
+C     for a vertex of V.  The height over S* falls with every such step;
+C     three searches without one end it.  First among the points of the
+C     leaf alone: that halves the time.
+C
+C     Vertices may be complete, so that no list has them: by the tree
+C     alone.
+      SUBROUTINE TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, CTL,
+     $                  RCTL, LSX, LSID, LSI, LSD, S, V)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), CTL(*)
+      INTEGER LSID(TSIDS,2), LSI(3,2), S, V(4)
+      INTEGER HHPSID, TSLEAF, TSLFST
+      INTEGER LEAVES, NPLANE, NEXTPL, LFIRST, LLAST, LN, BLK, STR, QBEST
+      INTEGER T3
+      PARAMETER (LEAVES = 4, NPLANE = 12, NEXTPL = 13, LFIRST = 1)
+      PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, QBEST = 1, T3 = 1)
+      DOUBLE PRECISION F(12), FQ(90)
+      INTEGER FIRST, G(3), GUESS(2), I, IQ(5), J, K, LAST, LEAF, LENGTH
+      INTEGER NODE, OK, R(4), SAME, Z
+      LEAF = TSLEAF(CTL, S)
+      NODE = CTL(LEAVES) + LEAF - 1
+      FIRST = TSLFST(CTL, LEAF)
+      LENGTH = TSLFST(CTL, LEAF + 1) - FIRST
+      LAST = FIRST + LENGTH - 1
+      LSI(LFIRST,BLK) = 1
+      LSI(LLAST,BLK) = 0
+      LSI(LN,BLK) = 0
+      LSI(LN,STR) = 0
+      CTL(NPLANE) = 0
+      CTL(NEXTPL) = 1
+      DO 10 K = 1, 4
+        V(K) = REP(KNOWN(K))
+        R(K) = V(K)
+   10 CONTINUE
+      K = 0
+   20 K = K + 1
+      J = K
+      CALL TSEXCH(X, P, ORD, RCTL, 0, R, V, J, S, OK)
+      IF (OK .EQ. 0) GO TO 20
+      V(K) = V(1)
+      V(1) = S
+      DO 50 K = 2, 4
+        J = K
+        DO 30 I = 1, LENGTH - 1
+          Z = FIRST + MOD(S - FIRST + I, LENGTH)
+          CALL TSEXCH(X, P, ORD, RCTL, 0, R, V, J, Z, OK)
+          IF (OK .EQ. 1) GO TO 50
+   30   CONTINUE
+   50 CONTINUE
+      IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4)) .LT.
+     $    0) THEN
+        Z = V(2)
+        V(2) = V(3)
+        V(3) = Z
+      END IF
+      DO 60 K = 1, 4
+        R(K) = V(K)
+   60 CONTINUE
+      GUESS(2) = 0
+      SAME = 0
+      K = 1
+   70 G(1) = S
+      G(2) = V(MOD(K,3)+2)
+      G(3) = V(MOD(K+1,3)+2)
+      GUESS(1) = V(K+1)
+      IF (SAME .GE. 3) THEN
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID,
+     $              LSI, LSD, G, GUESS, Z)
+      ELSE
+        CALL TSPREP(X, P, ORD, RCTL, G, IQ, F, FQ)
+        CALL TSCHAL(X, P, ORD, RCTL, G, IQ, F, FQ, GUESS(1))
+        CALL TSSCAN(X, P, ORD, BOX, LINK, RCTL, G, IQ, F, FQ, FIRST,
+     $              LAST, NODE)
+        Z = IQ(QBEST)
+      END IF
+      SAME = SAME + 1
+      IF (Z .NE. V(K+1)) THEN
+        J = 1
+   80   J = J + 1
+        CALL TSEXCH(X, P, ORD, RCTL, 1, R, V, J, Z, OK)
+        IF (OK .EQ. 0) GO TO 80
+        SAME = 3*(SAME/4)
+        IF (J .EQ. K + 1) SAME = SAME + 1
+      END IF
+      K = MOD(K,3) + 1
+      IF (SAME .LT. 6) GO TO 70
+      END
+
+C     TSPLAN - begin the star of S, in no tetrahedron yet: a facet of
+C     one becomes two edges of the link, the one towards it first.  OK
+C     is 1, or 0 if there is no room.
+      SUBROUTINE TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
+     $                  HEAD, LINK, POOL, CTL, RCTL, LSX, LSID, LSI,
+     $                  LSD, S, OK)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4)
+      INTEGER HEAD(*), LINK(*), POOL(*), CTL(*), LSID(TSIDS,2)
+      INTEGER LSI(3,2), S, OK
+      INTEGER START
+      PARAMETER (START = -1)
+      INTEGER E, V(4)
+      CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, CTL, RCTL,
+     $            LSX, LSID, LSI, LSD, S, V)
+      CALL TSMKRO(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL, RCTL, S,
+     $            OK)
+      IF (OK .EQ. 0) RETURN
+      CALL TSPUSH(LINK, POOL, CTL, START, V(2), V(3), E)
+      IF (E .NE. 0) CALL TSPUSH(LINK, POOL, CTL, START, V(3), V(2), E)
+      IF (E .EQ. 0) OK = 0
+      END
+
+C     ------------------------------------------------------------------
 C     Results: the caller's arrays.
 C     ------------------------------------------------------------------
 
@@ -2615,9 +2839,9 @@ C     INFO is 0, or RANGE.
       INTEGER CTL(*), INFO
       INTEGER HHFREX, TSINRA
       DOUBLE PRECISION HHLDEX, TSUNIT
-      INTEGER NP, T3, T5, RSCALE, DIGITS, RANGE
-      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, DIGITS = 53)
-      PARAMETER (RANGE = 6)
+      INTEGER NP, T3, T5, RSCALE, RLEAST, DIGITS, RANGE
+      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 6)
+      PARAMETER (DIGITS = 53, RANGE = 6)
       DOUBLE PRECISION HUGE, NORMAL
       PARAMETER (HUGE = 1.7976931348623157D308)
       PARAMETER (NORMAL = 2.0D0**(-1022))
@@ -2636,6 +2860,7 @@ C     INFO is 0, or RANGE.
           IF (U .GT. 0.0D0) BOTTOM = MIN(BOTTOM, U)
    10   CONTINUE
    20 CONTINUE
+      RCTL(RLEAST) = BOTTOM
       IF (TOP .LE. 0.0D0) RETURN
       INFO = RANGE
       IF (TSINRA(X, CTL, TOP) .EQ. 0) RETURN
@@ -2653,19 +2878,26 @@ C       up to 2**52 units of the determinant's degree
       END IF
       END
 
+C     TSREVI - no point has left the tree.
+      SUBROUTINE TSREVI(ALIVE, CTL)
+      INTEGER ALIVE(*), CTL(*)
+      INTEGER TSLFST
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER I
+      DO 10 I = 1, CTL(LEAVES) - 1
+        ALIVE(I) = 2
+   10 CONTINUE
+      DO 20 I = 1, CTL(LEAVES)
+        ALIVE(CTL(LEAVES)+I-1) = TSLFST(CTL, I + 1) - TSLFST(CTL, I)
+   20 CONTINUE
+      END
+
 C     TSSORT - sort the points, drop the duplicates, build the tree.
 C     INFO is 0, or RANGE.
-      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, HEAD, LINK, CTL,
-     $                  RCTL, N, INFO)
+      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, N, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), HEAD(*), LINK(*), CTL(*), N
-      INTEGER INFO
-      INTEGER TSLFST
-      INTEGER NP, LEAVES, RREACH, NEW
-      PARAMETER (NP = 1, LEAVES = 4, RREACH = 3, NEW = -2)
-      DOUBLE PRECISION REACH
-      PARAMETER (REACH = 2.75D0)
-      DOUBLE PRECISION MEAN
+      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), N, INFO
       INTEGER I
       DO 10 I = 1, N
         REP(I) = I
@@ -2686,21 +2918,7 @@ C         the cuts may have parted duplicates: once more without them
    40 CALL TSSCAL(X, CTL, RCTL, INFO)
       IF (INFO .NE. 0) RETURN
       CALL TSBOXE(X, BOX, CTL)
-C     one over the cube root of the points in a leaf, 24 to 48 in large
-C     sets, by a step of Newton's method
-      MEAN = DBLE(CTL(NP))/DBLE(CTL(LEAVES))
-      RCTL(RREACH) = REACH/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
-     $    MEAN/(3.2D0*3.2D0))
-      DO 50 I = 1, CTL(NP)
-        HEAD(I) = 0
-        LINK(I) = NEW
-   50 CONTINUE
-      DO 60 I = 1, CTL(LEAVES) - 1
-        ALIVE(I) = 2
-   60 CONTINUE
-      DO 70 I = 1, CTL(LEAVES)
-        ALIVE(CTL(LEAVES)+I-1) = TSLFST(CTL, I + 1) - TSLFST(CTL, I)
-   70 CONTINUE
+      CALL TSREVI(ALIVE, CTL)
       END
 
 C     TSINTA - could the caller's arrays be an unfinished result, as far
@@ -2755,34 +2973,86 @@ C     HEAD has then the points' positions.
       INFO = 0
       END
 
+C     TSMTCH - the open facets of two codes have the same vertices:
+C     close them, if they are on different sides, and the apex of the
+C     one is not in the ball of the other.  Until all is known to be
+C     right it is no more than a note in ADJ.  INFO is 0, -5 or -6.
+      SUBROUTINE TSMTCH(X, P, ORD, TET, ADJ, RCTL, CODE, OTHER, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), CODE, OTHER, INFO
+      INTEGER HHPBAL
+      INTEGER OPEN, T3, T5
+      PARAMETER (OPEN = -1, T3 = 1, T5 = 2)
+      INTEGER F(3), J, K, T, U
+      T = (CODE - 1)/4 + 1
+      U = (OTHER - 1)/4 + 1
+      K = OTHER - 4*(U - 1)
+      CALL TSFACE(TET, CODE, F)
+      CALL TSMATE(TET, F, U, J)
+      INFO = -6
+      IF (J .NE. K) RETURN
+      INFO = -5
+      IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), TET(1,T), TET(2,T),
+     $    TET(3,T), TET(4,T), TET(K,U)) .LT. 0) RETURN
+      ADJ(CODE) = OPEN - U
+      ADJ(OTHER) = OPEN - T
+      INFO = 0
+      END
+
+C     TSCLAI - whose stars are asked for: with MASKED = 1 of the points
+C     I with MINE(I) not 0, else of all.  OWN is their number.
+      SUBROUTINE TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, OWN)
+      INTEGER REP(*), HEAD(*), CTL(*), N, MASKED, MINE(*), OWN
+      INTEGER NP, FOREIN
+      PARAMETER (NP = 1, FOREIN = -1)
+      INTEGER I
+      DO 10 I = 1, CTL(NP)
+        HEAD(I) = MASKED*FOREIN
+   10 CONTINUE
+      OWN = CTL(NP)
+      IF (MASKED .EQ. 0) RETURN
+      OWN = 0
+      DO 20 I = 1, N
+        IF (MINE(I) .NE. 0) THEN
+          HEAD(REP(I)) = 0
+          OWN = OWN + 1
+        END IF
+   20 CONTINUE
+      END
+
 C     TSREST - take up an unfinished result that TSINTA has passed: TET
 C     to positions; what is complete leaves the tree; the open facets at
 C     S, the first vertex of the last tetrahedron, become edges of its
 C     link in the order of their tetrahedra, the others enter the pool.
-C     INFO is 0, FULL, or -6 for two open facets with the same vertices,
-C     or one of a star that was left.
+C     INFO is 0, FULL, or what TSMTCH finds in facets that are there
+C     twice.
 C
 C     HEAD has the positions of the points at first.
-      SUBROUTINE TSREST(TET, ADJ, ALIVE, HEAD, LINK, POOL, CTL, LSX,
-     $                  LSI, S, INFO)
+      SUBROUTINE TSREST(X, P, ORD, TET, ADJ, ALIVE, REP, HEAD, LINK,
+     $                  POOL, CTL, RCTL, LSX, LSI, S, N, MASKED, MINE,
+     $                  INFO)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       REAL LSX(TSLIST,4,2)
-      INTEGER TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
-      INTEGER POOL(*), CTL(*), LSI(3,2), S, INFO
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*)
+      INTEGER LINK(*), POOL(*), CTL(*), LSI(3,2), S, N, MASKED, MINE(*)
+      INTEGER INFO
       INTEGER TSBETW, TSTABL
-      INTEGER NP, NT, LOW, OPEN, DONE, FULL
-      PARAMETER (NP = 1, NT = 2, LOW = 11, OPEN = -1, DONE = -1)
-      PARAMETER (FULL = 2)
-      INTEGER A, B, CODE, E, I, K, LENGTH, T, V(3)
+      INTEGER NP, NT, ECODE, OPEN, DONE, FOREIN, FULL, INTMAX
+      PARAMETER (NP = 1, NT = 2, ECODE = 0, OPEN = -1, DONE = -1)
+      PARAMETER (FOREIN = -1, FULL = 2, INTMAX = 2147483647)
+      INTEGER A, B, CODE, E, I, K, LENGTH, OWN, T, V(3)
       DO 60 T = 1, CTL(NT)
         DO 50 K = 1, 4
           TET(K,T) = HEAD(TET(K,T))
           LINK(TET(K,T)) = DONE
    50   CONTINUE
    60 CONTINUE
-      DO 80 CODE = 1, 4*CTL(NT)
-        IF (ADJ(CODE) .EQ. OPEN) THEN
+      CALL TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, OWN)
+      DO 80 I = 1, 4*CTL(NT)
+        IF (ADJ(I) .EQ. OPEN) THEN
+          CODE = I
           CALL TSFACE(TET, CODE, V)
           DO 70 K = 1, 3
             LINK(V(K)) = 0
@@ -2792,39 +3062,82 @@ C     HEAD has the positions of the points at first.
       DO 90 I = 1, CTL(NP)
         IF (LINK(I) .EQ. DONE) THEN
           LINK(I) = 0
-          CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, I)
+          E = I
+          CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, E)
         END IF
    90 CONTINUE
       S = TET(1,CTL(NT))
+      IF (HEAD(S) .EQ. FOREIN) S = 0
       LENGTH = 0
       DO 110 T = 1, CTL(NT)
         DO 100 K = 4, 1, -1
           CODE = 4*(T - 1) + K
-          IF (ADJ(CODE) .EQ. OPEN) THEN
-            CALL TSFACE(TET, CODE, V)
-            I = 3
-            IF (V(2) .EQ. S) I = 2
-            IF (V(1) .EQ. S) I = 1
-            INFO = -6
-            IF (V(I) .NE. S) THEN
-              IF (K .GT. 1) RETURN
-              LENGTH = LENGTH + 2
-            ELSE
-              A = V(MOD(I, 3)+1)
-              B = V(MOD(I+1, 3)+1)
-              IF (TSBETW(LINK, POOL, A, B) .NE. 0) RETURN
-              IF (TSBETW(LINK, POOL, B, A) .NE. 0) RETURN
-              INFO = FULL
-              CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
-              IF (E .EQ. 0) RETURN
-            END IF
+          IF (ADJ(CODE) .NE. OPEN) GO TO 100
+          CALL TSFACE(TET, CODE, V)
+          I = 3
+          IF (V(2) .EQ. S) I = 2
+          IF (V(1) .EQ. S) I = 1
+          IF (V(I) .NE. S) THEN
+            IF (LENGTH .LT. INTMAX - 2) LENGTH = LENGTH + 2
+            GO TO 100
+          END IF
+          A = V(MOD(I, 3)+1)
+          B = V(MOD(I+1, 3)+1)
+          INFO = -6
+          IF (TSBETW(LINK, POOL, A, B) .NE. 0) RETURN
+          E = TSBETW(LINK, POOL, B, A)
+          IF (E .EQ. 0) THEN
+            INFO = FULL
+            CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
+            IF (E .EQ. 0) RETURN
+          ELSE
+            CALL TSMTCH(X, P, ORD, TET, ADJ, RCTL, CODE,
+     $                  POOL(E+ECODE), INFO)
+            IF (INFO .NE. 0) RETURN
+            CALL TSUNLI(LINK, POOL, E)
           END IF
   100   CONTINUE
   110 CONTINUE
       CALL TSFOLL(LINK, POOL, CTL)
-      CTL(LOW) = CTL(NP) + 1
-      LENGTH = MAX(LENGTH, TSTABL(CTL(NP))) + 1
-      CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, LENGTH, INFO)
+      LENGTH = MAX(LENGTH, TSTABL(OWN)) + 1
+      CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S, LENGTH,
+     $            INFO)
+      END
+
+C     TSOPEN - take up an index, to be read alone.  INFO is 0, the code
+C     of points without a mesh, or -8 where there is no index.  ALIVE
+C     and BOX have 2*LVS places, the last ones for what an index keeps
+C     besides.
+      SUBROUTINE TSOPEN(N, P, LVS, BOX, ALIVE, KNOWN, CTL, RCTL, INFO)
+      INTEGER N, LVS, ALIVE(*), KNOWN(4), CTL(*), INFO
+      DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*)
+      INTEGER HHHOLD, TSLCOU
+      INTEGER NP, LEAVES, NPLANE, NEXTPL, TIES, T3, T5, RSCALE, RLEAST
+      INTEGER RANGE
+      PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
+      PARAMETER (TIES = 26, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 6)
+      PARAMETER (RANGE = 6)
+      DOUBLE PRECISION NORMAL
+      PARAMETER (NORMAL = 2.0D0**(-1022))
+      INTEGER ALL
+      CTL(NPLANE) = 0
+      CTL(NEXTPL) = 1
+      CTL(TIES) = 0
+      CTL(NP) = ALIVE(2*LVS)
+      INFO = -8
+      IF (CTL(NP) .LT. 0 .OR. CTL(NP) .GT. N) RETURN
+      IF (ABS(BOX(1,2*LVS) - DBLE(CTL(NP))) .GT. 0.0D0) RETURN
+      INFO = -KNOWN(1)
+      IF (INFO .GE. 0) RETURN
+      CTL(LEAVES) = TSLCOU(CTL(NP))
+      RCTL(T3) = BOX(2,2*LVS)
+      RCTL(T5) = BOX(3,2*LVS)
+      RCTL(RSCALE) = BOX(4,2*LVS)
+      RCTL(RLEAST) = BOX(5,2*LVS)
+      ALL = 1
+      IF (RCTL(RLEAST) .LT. NORMAL) ALL = N
+      INFO = 0
+      IF (HHHOLD(ALL, P) .EQ. 0) INFO = RANGE
       END
 
 C     TSMESH - TSRUN, its workspace cut up into the arrays that the
@@ -2832,89 +3145,126 @@ C     structure mesh has in C.
 C
 C     They are declared in their lengths: so no two of them share an
 C     element of RW or IW, and the standard lets them be altered.
-      SUBROUTINE TSMESH(N, P, MAXTET, NTET, TET, ADJ, LVS, X, BOX, REP,
-     $                  ORD, HEAD, LINK, ALIVE, LENGTH, POOL, INFO)
-      INTEGER N, MAXTET, NTET, TET(4,*), ADJ(*), LVS, REP(N), ORD(N)
-      INTEGER HEAD(N), LINK(N), ALIVE(2*LVS), LENGTH, POOL(LENGTH), INFO
+      SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
+     $                  X, BOX, REP, ORD, ALIVE, KNOWN, HEAD, LINK,
+     $                  LENGTH, POOL, INFO)
+      INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS
+      INTEGER REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4), HEAD(N), LINK(N)
+      INTEGER LENGTH, POOL(LENGTH), INFO
       DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
       INTEGER TSTABL
-      INTEGER NP, NT, MAXT, ROOM, MPOOL, NOPEN, FRESH, LOW, NPLANE
-      INTEGER NEXTPL, TIES, LFIRST, LLAST, LN, BLK, TSLIST, TSIDS
-      PARAMETER (NP = 1, NT = 2, MAXT = 3, ROOM = 5, MPOOL = 6)
-      PARAMETER (NOPEN = 7, FRESH = 8, LOW = 11, NPLANE = 12)
-      PARAMETER (NEXTPL = 13, TIES = 26, LFIRST = 1, LLAST = 2, LN = 3)
-      PARAMETER (BLK = 1, TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), RCTL(5)
+      INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW
+      INTEGER NPLANE, NEXTPL, TIES, UNMET, LFIRST, LLAST, LN, BLK, STR
+      INTEGER RREACH, OPEN, NEW, TSLIST, TSIDS
+      PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5)
+      PARAMETER (MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, NPLANE = 12)
+      PARAMETER (NEXTPL = 13, TIES = 26, UNMET = 27, LFIRST = 1)
+      PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, RREACH = 3)
+      PARAMETER (OPEN = -1, NEW = -2, TSLIST = 512)
+      PARAMETER (TSIDS = TSLIST + 48)
+      DOUBLE PRECISION REACH
+      PARAMETER (REACH = 2.75D0)
+      DOUBLE PRECISION LSD(14,2), MEAN, RCTL(6)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(26), K, LSI(3,2), S, T, LSID(TSIDS,2)
-      CTL(ROOM) = LENGTH
-      CTL(MAXT) = MAXTET
-      CTL(NT) = NTET
-      CTL(FRESH) = NTET + 1
-      CTL(MPOOL) = 0
-      CTL(NOPEN) = 0
-      CALL TSCLRL(CTL)
-      CTL(LOW) = 1
+      INTEGER CTL(27), I, K, LSI(3,2), OWN, S, T, LSID(TSIDS,2)
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
       CTL(TIES) = 0
       LSI(LFIRST,BLK) = 1
       LSI(LLAST,BLK) = 0
       LSI(LN,BLK) = 0
-      S = 0
-      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, HEAD, LINK, CTL, RCTL, N,
-     $            INFO)
-      IF (INFO .NE. 0) THEN
-        NTET = 0
-        RETURN
+      LSI(LN,STR) = 0
+      IF (MASKED .EQ. 1) THEN
+        CALL TSOPEN(N, P, LVS, BOX, ALIVE, KNOWN, CTL, RCTL, INFO)
+      ELSE
+        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, N, INFO)
       END IF
+      IF (INFO .GT. 0) NTET = 0
+      IF (INFO .NE. 0) RETURN
+      CTL(ROOM) = LENGTH
+      CTL(MAXT) = MAXTET
+      CTL(NT) = NTET
+      CTL(FRESH) = NTET + 1
+      CTL(MPOOL) = 0
+      CTL(NOPEN) = 0
+      CTL(LOW) = 1
+      CTL(UNMET) = 1
+      IF (MASKED .EQ. 0) CTL(UNMET) = CTL(NP) + 1
+      CALL TSCLRL(CTL)
+C     one over the cube root of the points in a leaf, 24 to 48 in large
+C     sets, by a step of Newton's method
+      MEAN = DBLE(CTL(NP))/DBLE(CTL(LEAVES))
+      RCTL(RREACH) = REACH/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
+     $    MEAN/(3.2D0*3.2D0))
+      DO 10 I = 1, CTL(NP)
+        LINK(I) = NEW
+   10 CONTINUE
+      S = 0
       IF (CTL(NT) .GT. 0) THEN
         CALL TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
         IF (INFO .NE. 0) RETURN
-        CALL TSREST(TET, ADJ, ALIVE, HEAD, LINK, POOL, CTL, LSX, LSI,
-     $              S, INFO)
+        CALL TSREST(X, P, ORD, TET, ADJ, ALIVE, REP, HEAD, LINK, POOL,
+     $              CTL, RCTL, LSX, LSI, S, N, MASKED, MINE, INFO)
       ELSE
-        CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
-        IF (INFO .EQ. 0) CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S,
-     $      TSTABL(CTL(NP)), INFO)
+        CALL TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, OWN)
+        IF (MASKED .EQ. 0) CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL,
+     $      S, INFO)
+        IF (INFO .EQ. 0) CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL,
+     $      CTL, RCTL, S, TSTABL(OWN), INFO)
       END IF
-      IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE,
-     $    HEAD, LINK, POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+      IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP,
+     $    KNOWN, HEAD, LINK, POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S,
+     $    INFO)
+      IF (MASKED .EQ. 1) CALL TSREVI(ALIVE, CTL)
       DO 30 T = 1, CTL(NT)
         DO 20 K = 1, 4
           TET(K,T) = ORD(TET(K,T))
    20   CONTINUE
    30 CONTINUE
+C     see TSMTCH
+      DO 40 I = 1, 4*CTL(NT)
+        IF (ADJ(I) .LT. OPEN .AND. INFO .LT. 0) ADJ(I) = OPEN
+        IF (ADJ(I) .LT. OPEN) ADJ(I) = OPEN - ADJ(I)
+   40 CONTINUE
       NTET = CTL(NT)
       END
 
-C     TSRUN - TESS and TESSRE, of arguments that are right but for P and
-C     the indices in TET.
-      SUBROUTINE TSRUN(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, RW, INFO)
+C     TSRUN - TESS and TESSRE, or with MASKED = 1 TESSPA, of arguments
+C     that are right but for P and the indices in TET.
+      SUBROUTINE TSRUN(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LIW,
+     $                 IW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
-      INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), INFO
+      INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW
+      INTEGER IW(*), INFO
       INTEGER HHHOLD, TSLCOU
-      INTEGER SINGLE, RANGE
-      PARAMETER (SINGLE = 5, RANGE = 6)
+      INTEGER SINGLE, RANGE, KEEP
+      PARAMETER (SINGLE = 5, RANGE = 6, KEEP = 4)
       INTEGER LVS
-      INFO = SINGLE
-      IF (N .EQ. 0) RETURN
-      IF (HHHOLD(N, P) .EQ. 0) THEN
+      IF (N .EQ. 0) THEN
         NTET = 0
-        INFO = RANGE
+        INFO = SINGLE
         RETURN
       END IF
+      IF (MASKED .EQ. 0) THEN
+        IF (HHHOLD(N, P) .EQ. 0) THEN
+          NTET = 0
+          INFO = RANGE
+          RETURN
+        END IF
+      END IF
       LVS = TSLCOU(N)
-      CALL TSMESH(N, P, MAXTET, NTET, TET, ADJ, LVS, RW, RW(3*N+1), IW,
-     $            IW(N+1), IW(2*N+1), IW(3*N+1), IW(4*N+1), LIW - 4*N -
-     $            2*LVS, IW(4*N+2*LVS+1), INFO)
+      CALL TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS, RW,
+     $            RW(3*N+1), IW, IW(N+1), IW(2*N+1), IW(2*N+2*LVS+1),
+     $            IW(2*N+2*LVS+KEEP+1), IW(3*N+2*LVS+KEEP+1), LIW -
+     $            4*N - 2*LVS - KEEP, IW(4*N+2*LVS+KEEP+1), INFO)
       END
 
 C     TSWRON - INFO is the code of a bad argument common to TESS and
-C     TESSRE, or 0; WHICH is the point that is not finite, or 0.
-      SUBROUTINE TSWRON(N, P, MAXTET, LIW, LRW, WHICH, INFO)
+C     TESSRE, or 0; WHICH is the point that is not finite, or 0.  With
+C     MASKED = 1 the points are known to be finite.
+      SUBROUTINE TSWRON(N, P, MASKED, MAXTET, LIW, LRW, WHICH, INFO)
       DOUBLE PRECISION P(3,*)
-      INTEGER N, MAXTET, LIW, LRW, WHICH, INFO
+      INTEGER N, MASKED, MAXTET, LIW, LRW, WHICH, INFO
       INTEGER HHFINI
       INTEGER INTMAX
       PARAMETER (INTMAX = 2147483647)
@@ -2925,7 +3275,8 @@ C     TESSRE, or 0; WHICH is the point that is not finite, or 0.
       CALL TSLENG(N, LIWMIN, LRWMIN, ROOM, OK)
       IF (OK .EQ. 0) RETURN
       INFO = -2
-      I = HHFINI(N, P)
+      I = N
+      IF (MASKED .EQ. 0) I = HHFINI(N, P)
       IF (I .LT. N) THEN
         WHICH = I + 1
         RETURN
@@ -2934,6 +3285,39 @@ C     TESSRE, or 0; WHICH is the point that is not finite, or 0.
       IF (LRW .LT. LRWMIN) INFO = -9
       IF (LIW .LT. LIWMIN) INFO = -7
       IF (MAXTET .LT. 0 .OR. MAXTET .GT. (INTMAX - 3)/4) INFO = -3
+      END
+
+C     TSUNFI - the same for what goes on from a result.
+      SUBROUTINE TSUNFI(N, P, MASKED, MAXTET, NTET, TET, ADJ, LIW, LRW,
+     $                  INFO)
+      DOUBLE PRECISION P(3,*)
+      INTEGER N, MASKED, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, LRW
+      INTEGER INFO
+      INTEGER OPEN
+      PARAMETER (OPEN = -1)
+      INTEGER K, T, WHICH
+      CALL TSWRON(N, P, MASKED, MAXTET, LIW, LRW, WHICH, INFO)
+      IF (INFO .NE. 0 .AND. INFO .GT. -4) RETURN
+      IF (NTET .LT. 0 .OR. NTET .GT. MAXTET) THEN
+        INFO = -4
+        RETURN
+      END IF
+      DO 20 T = 1, NTET
+        DO 10 K = 1, 4
+          IF (TET(K,T) .LT. 1 .OR. TET(K,T) .GT. N) THEN
+            INFO = -5
+            RETURN
+          END IF
+   10   CONTINUE
+   20 CONTINUE
+      DO 40 T = 1, NTET
+        DO 30 K = 1, 4
+          IF (ADJ(K,T) .LT. OPEN .OR. ADJ(K,T) .GT. NTET) THEN
+            INFO = -6
+            RETURN
+          END IF
+   30   CONTINUE
+   40 CONTINUE
       END
 
 C     TESSWK - recommended lengths of the workspace of TESS.
@@ -3011,9 +3395,12 @@ C     worst for a linear number of tetrahedra.  Section 2 of the paper.
      $                INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW, INFO
-      CALL TSWRON(N, P, MAXTET, LIW, LRW, NTET, INFO)
+      INTEGER ALL(1)
+      CALL TSWRON(N, P, 0, MAXTET, LIW, LRW, NTET, INFO)
       IF (INFO .NE. 0) RETURN
-      CALL TSRUN(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, RW, INFO)
+      ALL(1) = 1
+      CALL TSRUN(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW, RW,
+     $           INFO)
       END
 
 C     TESSRE - go on from an unfinished result.
@@ -3025,44 +3412,172 @@ C     nothing.  Gives the very arrays that one call with enough room
 C     would have given.  With NTET = 0 it is TESS; on a finished result
 C     INFO is 0 and nothing changes but IW, RW.
 C
+C     Tetrahedra of the mesh from several results may be put one behind
+C     the other, each once, in any order, their neighbours renumbered
+C     and those that are not there open: what is open on both sides is
+C     closed, and what is missing computed.  4 integers of IW are taken
+C     for each facet that waits for its other side.
+C
 C     INFO is what TESS gives, and -4 for a bad NTET, -5 and -6 for what
 C     TET and ADJ cannot hold: indices out of range; a tetrahedron that
 C     has a duplicate for a vertex, is not positively oriented, or has a
 C     neighbour's apex in its ball; neighbours that do not share a
-C     facet; a facet open on both sides.  After -k NTET, TET and ADJ are
-C     unchanged.  Damage that one pass cannot find gives a wrong result,
-C     but in bounded time and within the arrays.
+C     facet; two tetrahedra on the same side of an open one.  After -k
+C     NTET, TET and ADJ are unchanged.  Damage that one pass cannot find
+C     gives a wrong result, but in bounded time and within the arrays.
       SUBROUTINE TESSRE(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                  INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW, INFO
-      INTEGER OPEN
-      PARAMETER (OPEN = -1)
-      INTEGER K, T, WHICH
-      CALL TSWRON(N, P, MAXTET, LIW, LRW, WHICH, INFO)
-      IF (INFO .NE. 0 .AND. INFO .GT. -4) RETURN
-      IF (NTET .LT. 0 .OR. NTET .GT. MAXTET) THEN
-        INFO = -4
+      INTEGER ALL(1)
+      CALL TSUNFI(N, P, 0, MAXTET, NTET, TET, ADJ, LIW, LRW, INFO)
+      IF (INFO .NE. 0) RETURN
+      ALL(1) = 1
+      CALL TSRUN(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW, RW,
+     $           INFO)
+      END
+
+C     TESSIX - sort the points, for stars and queries without a mesh.
+C
+C       N       (in)   number of points, >= 0
+C       P       (in)   3*N coordinates; TESSQU and TESSPA need them as
+C                      they are now
+C       LIW     (in)   length of IW; what TESSWK recommends suffices,
+C                      but for TESSQU alone 2*N + N/12 + 6 does, too
+C       IW      (out)  the index, in its first 2*N + N/12 + 6 places;
+C                      for each INFO >= 0 but 6, IW(I) is the place of
+C                      point I in the sorted order, or of the point that
+C                      stands for it: 1, 2, ...  Points of near places
+C                      are near each other
+C       LRW     (in)   length of RW, as TESSWK says or 3*N + N/2 + 12
+C       RW      (out)  the index, too
+C       INFO    (out)  0; 3 to 6 as TESS gives: there is no mesh, and
+C                      the calls below give that; -1 for a bad N, -2 for
+C                      a NaN or infinity in P, -3 and -5 for LIW and LRW
+C                      that are too small
+C
+C     The sorted points, their tree, and the first tetrahedron.  In
+C     places that are not used otherwise: NP, in ALIVE and BOX, to know
+C     an index by; and what else the searches need (see TSOPEN).
+C     Cost: O(N log N), about a tenth of that of the mesh.
+      SUBROUTINE TESSIX(N, P, LIW, IW, LRW, RW, INFO)
+      DOUBLE PRECISION P(3,*), RW(*)
+      INTEGER N, LIW, IW(*), LRW, INFO
+      INTEGER HHHOLD, TSLCOU
+      INTEGER SINGLE, RANGE, KEEP, INTMAX
+      PARAMETER (SINGLE = 5, RANGE = 6, KEEP = 4, INTMAX = 2147483647)
+      INTEGER CODE, I, LVS
+      CALL TSWRON(N, P, 0, 0, INTMAX, LRW, I, INFO)
+      IF (INFO .NE. 0 .AND. INFO .NE. -9) RETURN
+      LVS = TSLCOU(N)
+      IF (INFO .EQ. -9) INFO = -5
+      IF (LIW .LT. 2*N + 2*LVS + KEEP) INFO = -3
+      IF (INFO .NE. 0) RETURN
+      CODE = 0
+      IF (N .EQ. 0) THEN
+        CODE = SINGLE
+      ELSE IF (HHHOLD(N, P) .EQ. 0) THEN
+        CODE = RANGE
+      END IF
+      IF (CODE .NE. 0) THEN
+        IW(2*N+2*LVS) = 0
+        IW(2*N+2*LVS+1) = -CODE
+        RW(3*N+6*(2*LVS-1)+1) = 0.0D0
+        INFO = CODE
         RETURN
       END IF
-      DO 20 T = 1, NTET
-        DO 10 K = 1, 4
-          IF (TET(K,T) .LT. 1 .OR. TET(K,T) .GT. N) THEN
-            INFO = -5
-            RETURN
-          END IF
+      CALL TSINDE(N, P, LVS, RW, RW(3*N+1), IW, IW(N+1), IW(2*N+1),
+     $            IW(2*N+2*LVS+1), INFO)
+      END
+
+C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
+      SUBROUTINE TSINDE(N, P, LVS, X, BOX, REP, ORD, ALIVE, KNOWN, INFO)
+      INTEGER N, LVS, REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4), INFO
+      DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
+      INTEGER NP, NPLANE, NEXTPL, TIES, LN, BLK, STR, T3, T5, RSCALE
+      INTEGER RLEAST, RANGE, TSLIST, TSIDS
+      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIES = 26, LN = 3)
+      PARAMETER (BLK = 1, STR = 2, T3 = 1, T5 = 2, RSCALE = 5)
+      PARAMETER (RLEAST = 6, RANGE = 6, TSLIST = 512)
+      PARAMETER (TSIDS = TSLIST + 48)
+      DOUBLE PRECISION LSD(14,2), RCTL(6)
+      REAL LSX(TSLIST,4,2)
+      INTEGER CTL(27), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
+      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, N, INFO)
+      IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
+      KNOWN(1) = -INFO
+      IF (INFO .EQ. 0) THEN
+        CTL(NPLANE) = 0
+        CTL(NEXTPL) = 1
+        CTL(TIES) = 0
+        LSI(LN,BLK) = 0
+        LSI(LN,STR) = 0
+        GUESS(1) = 0
+        GUESS(2) = 0
+C       ORD in the place of LINK: no star is complete
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, CTL, RCTL, LSX, LSID,
+     $              LSI, LSD, V, GUESS, Z)
+        DO 10 K = 1, 3
+          KNOWN(K) = ORD(V(K))
    10   CONTINUE
+        KNOWN(4) = ORD(Z)
+        BOX(2,2*LVS) = RCTL(T3)
+        BOX(3,2*LVS) = RCTL(T5)
+        BOX(4,2*LVS) = RCTL(RSCALE)
+        BOX(5,2*LVS) = RCTL(RLEAST)
+      END IF
+      ALIVE(2*LVS) = CTL(NP)
+      BOX(1,2*LVS) = DBLE(CTL(NP))
+      IF (INFO .EQ. RANGE) RETURN
+      DO 20 I = 1, CTL(NP)
+        REP(ORD(I)) = I
    20 CONTINUE
-      DO 40 T = 1, NTET
-        DO 30 K = 1, 4
-          IF (ADJ(K,T) .LT. OPEN .OR. ADJ(K,T) .GT. NTET) THEN
-            INFO = -6
-            RETURN
-          END IF
-   30   CONTINUE
-   40 CONTINUE
-      IF (INFO .NE. 0) RETURN
-      CALL TSRUN(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, RW, INFO)
+      DO 30 I = 1, N
+        K = REP(I)
+        IF (K .GT. CTL(NP)) THEN
+          REP(I) = REP(K)
+        ELSE IF (ORD(K) .NE. I) THEN
+C         a duplicate
+          REP(I) = REP(K)
+        END IF
+   30 CONTINUE
+      END
+
+C     TESSPA - all tetrahedra of the mesh that have one of certain
+C     vertices.
+C
+C       N, P    (in)      the points of the index
+C       MINE    (in)      N marks: asked for are the tetrahedra at each
+C                         point I (or the one that stands for it) with
+C                         MINE(I) not 0
+C       MAXTET, NTET, TET, ADJ   as in TESSRE: NTET = 0, or the
+C                         beginning of the result
+C       LIW     (in)      length of IW, as in TESS
+C       IW      (in,out)  the index as it came from TESSIX, or a copy,
+C                         and behind it workspace.  On return IW is an
+C                         index again
+C       LRW     (in)      length of RW
+C       RW      (in)      the rest of the index.  Threads may share it,
+C                         each with an IW of its own
+C       INFO    (out)     what TESSRE gives, but -4 for MAXTET, -5, -6,
+C                         -7 for NTET, TET, ADJ, -8 and -10 for LIW and
+C                         LRW, -9 where IW and RW hold no index
+C
+C     Each tetrahedron comes once.  A facet without a vertex asked for
+C     stays open.  Parts know nothing of each other and agree on
+C     everything, ties included: take from each the tetrahedra whose
+C     vertex of least number is asked for there, and if each point is
+C     asked for in one part, together they are the mesh (see TESSRE for
+C     how to join them).
+      SUBROUTINE TESSPA(N, P, MINE, MAXTET, NTET, TET, ADJ, LIW, IW,
+     $                  LRW, RW, INFO)
+      DOUBLE PRECISION P(3,*), RW(*)
+      INTEGER N, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*)
+      INTEGER LRW, INFO
+      CALL TSUNFI(N, P, 1, MAXTET, NTET, TET, ADJ, LIW, LRW, INFO)
+      IF (INFO .EQ. 0) CALL TSRUN(N, P, 1, MINE, MAXTET, NTET, TET, ADJ,
+     $    LIW, IW, RW, INFO)
+      IF (INFO .LT. -1) INFO = INFO - 1
       END
 C     ==================================================================
 C     What follows needs no mesh under construction, but results alone.
@@ -3583,6 +4098,173 @@ C     near Q.  The sweep: NTET.
       END
 
 C     ------------------------------------------------------------------
+C     Queries without a mesh.
+C     ------------------------------------------------------------------
+
+C     TSNEAR - BEST is a position near Q: down the tree by the cuts,
+C     then the point of the leaf that is nearest in the maximum norm.
+C     All comparisons are exact, but of a Q far outside, so that it is
+C     the same one everywhere.
+      SUBROUTINE TSNEAR(P, ORD, BOX, CTL, RCTL, Q, BEST)
+      DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*), Q(3)
+      INTEGER ORD(*), CTL(*), BEST
+      INTEGER HHWIDE
+      DOUBLE PRECISION HHLDEX
+      INTEGER LEAVES, RSCALE
+      PARAMETER (LEAVES = 4, RSCALE = 5)
+      DOUBLE PRECISION H, HI, L, LO
+      INTEGER FIRST, I, K, LAST, NODE, SE
+      SE = -INT(RCTL(RSCALE))
+      NODE = 1
+   10 IF (NODE .LT. CTL(LEAVES)) THEN
+        NODE = 2*NODE
+        K = 3
+        IF (BOX(5,NODE) .LE. BOX(2,NODE+1)) K = 2
+        IF (BOX(4,NODE) .LE. BOX(1,NODE+1)) K = 1
+        IF (HHLDEX(Q(K), SE) .GE. BOX(K,NODE+1)) NODE = NODE + 1
+        GO TO 10
+      END IF
+      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      HI = 0.0D0
+      LO = 0.0D0
+      DO 20 I = FIRST, LAST
+        CALL TSDIST(P, ORD(I), Q, H, L)
+        K = 1
+        IF (I .GT. FIRST) K = HHWIDE(HI, LO, H, L)
+        IF (K .GT. 0) THEN
+          BEST = I
+          HI = H
+          LO = L
+        END IF
+   20 CONTINUE
+      END
+
+C     TESSQU - the mesh's tetrahedron that holds a point, without the
+C     mesh.
+C
+C       N, P, IW, RW  (in)  points and their index.  Threads may share
+C                      them
+C       Q    (in)      the point: 3 coordinates
+C       V    (in,out)  4 points.  On entry a former answer, where the
+C                      walk starts, or V(1) = 0 for anywhere.  On return
+C                      the vertices of the tetrahedron, positively
+C                      oriented
+C       W    (out)     4 barycentric weights of Q: the sum of W(K) *
+C                      VALUE(V(K)) interpolates linearly
+C       INFO (out)     0 or 1 as TESSLO gives; what TESSIX gave, if not
+C                      0; -1 for a bad N, -3 where IW and RW hold no
+C                      index, -5 for a NaN or infinity in Q, -6 for a V
+C                      of no tetrahedron.  (What is one, but none of the
+C                      mesh, may come back unchanged.)
+C
+C     The answer is that of TESSLO in the mesh that TESS gives, but for
+C     the order of the vertices, and the tetrahedron found for Q
+C     outside.
+C
+C     TSWALK's walk, with Q* moved into the same tetrahedron, so that
+C     the answer is TESSLO's; neighbours are found as they are needed.
+C     From a V that is no tetrahedron of the mesh it might go round:
+C     after NP steps it begins again from one that is.
+C     Cost: a search for each tetrahedron that is crossed, and from
+C     anywhere some 20 more.
+      SUBROUTINE TESSQU(N, P, IW, RW, Q, V, W, INFO)
+      DOUBLE PRECISION P(3,*), RW(*), Q(3), W(4)
+      INTEGER N, IW(*), V(4,1), INFO
+      INTEGER TSLCOU
+      INTEGER SINGLE
+      PARAMETER (SINGLE = 5)
+      INTEGER LVS, LIW, LRW, OK, ROOM
+      INFO = -1
+      IF (N .LT. 0) RETURN
+      CALL TSLENG(N, LIW, LRW, ROOM, OK)
+      IF (OK .EQ. 0) RETURN
+      INFO = SINGLE
+      IF (N .EQ. 0) RETURN
+      LVS = TSLCOU(N)
+      CALL TSQUER(N, P, LVS, RW, RW(3*N+1), IW, IW(N+1), IW(2*N+1),
+     $            IW(2*N+2*LVS+1), Q, V, W, INFO)
+      END
+
+C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
+      SUBROUTINE TSQUER(N, P, LVS, X, BOX, REP, ORD, ALIVE, KNOWN, Q, V,
+     $                  W, INFO)
+      INTEGER N, LVS, REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4,1), V(4,1)
+      INTEGER INFO
+      DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS), Q(3), W(4)
+      INTEGER HHFINI, HHHOLD, HHPSID, TSQSID
+      INTEGER NP, LN, BLK, STR, T3, UNSURE, RANGE, TSLIST, TSIDS
+      PARAMETER (NP = 1, LN = 3, BLK = 1, STR = 2, T3 = 1, UNSURE = 2)
+      PARAMETER (RANGE = 6, TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION LSD(14,2), RCTL(6), Y(3,1)
+      REAL LSX(TSLIST,4,2)
+      INTEGER CODE, CTL(27), F(3), GUESS(2), I, K, LAST, LSI(3,2)
+      INTEGER LSID(TSIDS,2), S, STEPS, U(4,1)
+      CALL TSOPEN(N, P, LVS, BOX, ALIVE, KNOWN, CTL, RCTL, INFO)
+      IF (INFO .LT. 0) INFO = -3
+      IF (INFO .NE. 0) RETURN
+      LSI(LN,BLK) = 0
+      LSI(LN,STR) = 0
+      DO 10 K = 1, 3
+        Y(K,1) = Q(K)
+   10 CONTINUE
+      INFO = -5
+      IF (HHFINI(1, Y) .EQ. 0) RETURN
+      INFO = -6
+      STEPS = 0
+      IF (V(1,1) .NE. 0) THEN
+        DO 20 K = 1, 4
+          IF (V(K,1) .LT. 1 .OR. V(K,1) .GT. N) RETURN
+          U(K,1) = REP(V(K,1))
+          IF (ORD(U(K,1)) .NE. V(K,1)) RETURN
+   20   CONTINUE
+        IF (HHPSID(X, P, ORD, RCTL(T3), U(1,1), U(2,1), U(3,1),
+     $      U(4,1)) .LE. 0) RETURN
+        STEPS = CTL(NP)
+      END IF
+      DO 30 K = 1, 4
+        W(K) = 0.0D0
+   30 CONTINUE
+      INFO = RANGE
+      IF (HHHOLD(1, Y) .EQ. 0) RETURN
+      GUESS(1) = 0
+      GUESS(2) = 0
+      LAST = 5
+C     ORD in the place of LINK: no star is complete
+   40 IF (STEPS .EQ. 0) THEN
+        CALL TSNEAR(P, ORD, BOX, CTL, RCTL, Q, S)
+        CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, CTL, RCTL,
+     $              LSX, LSID, LSI, LSD, S, U)
+        LAST = 5
+      END IF
+      IF (STEPS .GE. 0) STEPS = STEPS - 1
+      DO 50 K = 1, 4
+        V(K,1) = ORD(U(K,1))
+   50 CONTINUE
+      CODE = 0
+      DO 60 I = 1, 4
+        IF (I .EQ. LAST) GO TO 60
+        K = I
+        CALL TSOUTF(V, 1, K, F)
+        S = TSQSID(P, F, Q, KNOWN)
+        IF (S .EQ. UNSURE) RETURN
+        IF (S .LE. 0) GO TO 60
+        CALL TSOUTF(U, 1, K, F)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, CTL, RCTL, LSX, LSID,
+     $              LSI, LSD, F, GUESS, S)
+        CODE = 1
+        IF (S .EQ. 0) GO TO 70
+        U(1,1) = F(1)
+        U(2,1) = F(2)
+        U(3,1) = F(3)
+        U(4,1) = S
+        LAST = 4
+        GO TO 40
+   60 CONTINUE
+   70 CALL TSWEIG(P, V, 1, Q, W, INFO)
+      IF (INFO .EQ. 0) INFO = CODE
+      END
+
+C     ------------------------------------------------------------------
 C     The hull.
 C     ------------------------------------------------------------------
 
@@ -4057,4 +4739,80 @@ C     boundary facet.
           RETURN
         END IF
    40 CONTINUE
+      END
+
+C     ------------------------------------------------------------------
+C     A ball.
+C     ------------------------------------------------------------------
+
+C     TESSBA - the ball of a tetrahedron.
+C
+C       P    (in)   the points
+C       V    (in)   4 of them
+C       C    (out)  the centre C(1) ... C(3), rounded, and the radius
+C                   C(4), rounded outwards, so that the ball holds the
+C                   true one: a point outside of it can do nothing to a
+C                   tetrahedron of these vertices.  The greatest double
+C                   where there is no ball, all points being in one
+C                   plane, or it cannot be computed: then all space
+C       INFO (out)  0, -1 for a NaN or infinity in the points, -2 for an
+C                   index that is out of range; 6, the radius the
+C                   greatest double (see TESS)
+C
+C     By limbs, of a set of the four points alone, scaled to at most 1.
+C     With LENGTH the sum of what is rounded, the centre errs by 8 eps
+C     of its length (see HHCENT), and that, the radius' own error of 12
+C     eps, and the roundings of the sum, 1 eps of it, count in the
+C     radius: less than 32 eps LENGTH.
+      SUBROUTINE TESSBA(P, V, C, INFO)
+      DOUBLE PRECISION P(3,*), C(4)
+      INTEGER V(4), INFO
+      INTEGER HHFINI, HHFREX, HHHOLD
+      DOUBLE PRECISION HHLDEX
+      INTEGER RANGE, EMAX
+      PARAMETER (RANGE = 6, EMAX = 1024)
+      DOUBLE PRECISION EPS, HUGE, NORMAL, PAD
+      PARAMETER (EPS = 2.0D0**(-52), NORMAL = 2.0D0**(-1022))
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023, PAD = 64.0D0*EPS)
+      DOUBLE PRECISION LENGTH, MOST, Q(3,1), R, T(83), X(3)
+      INTEGER E, F(3), I, K, OK
+      C(4) = HUGE
+      MOST = 0.0D0
+      DO 20 I = 4, 1, -1
+        INFO = -2
+        IF (V(I) .LT. 1) RETURN
+        DO 10 K = 1, 3
+          Q(K,1) = P(K,V(I))
+   10   CONTINUE
+        INFO = -1
+        IF (HHFINI(1, Q) .EQ. 0) RETURN
+        INFO = RANGE
+        IF (HHHOLD(1, Q) .EQ. 0) RETURN
+        DO 15 K = 1, 3
+          C(K) = Q(K,1)
+          MOST = MAX(MOST, ABS(C(K)))
+   15   CONTINUE
+   20 CONTINUE
+      INFO = 0
+      IF (MOST .LE. 0.0D0) RETURN
+      E = HHFREX(MOST)
+      DO 30 K = 1, 3
+        F(K) = K
+   30 CONTINUE
+      CALL HHCENT(P, V, E, F, 1, 4, X, T, 0, OK)
+      IF (OK .EQ. 0) RETURN
+      LENGTH = 0.0D0
+      R = 0.0D0
+      DO 40 K = 1, 3
+        LENGTH = LENGTH + ABS(X(K))
+        R = R + X(K)*X(K)
+        X(K) = X(K) + HHLDEX(C(K), -E)
+        LENGTH = LENGTH + ABS(X(K))
+   40 CONTINUE
+      R = SQRT(R) + PAD*LENGTH + 4.0D0*NORMAL
+      IF (HHFREX(R + LENGTH) + E .GE. EMAX) RETURN
+      DO 50 K = 1, 3
+        C(K) = HHLDEX(X(K), E)
+   50 CONTINUE
+      C(4) = HHLDEX(R, E) + 4.0D0*NORMAL
       END

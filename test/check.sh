@@ -124,13 +124,13 @@ fi
 
 # ---- the tests proper ----
 
-for t in exact points t_tess; do
+for t in exact points t_tess t_part; do
     $CC $CFLAGS -c -o build/$t.o test/$t.c
 done
 TEST="build/exact.o build/points.o"
 HARD="tess.c hhpred.c"
 
-for t in t_pred brute t_tess; do
+for t in t_pred brute t_tess t_part; do
     also=
     [ $t = brute ] && also=test/define.c
     if build $t "$CC" "$CFLAGS" test/$t.c $also $HARD $TEST; then
@@ -157,6 +157,11 @@ for n in 3 6; do
         many "t_tess -range, $n limbs" build/t_tess3 -range
     else
         fail "t_tess, $n limbs, does not compile"
+    fi
+    if build t_part3 "$CC" "-O1 -DHH_LIMBS=$n" test/t_part.c $HARD $TEST; then
+        many "t_part, $n limbs" build/t_part3 -quick
+    else
+        fail "t_part, $n limbs, does not compile"
     fi
 done
 
@@ -185,6 +190,13 @@ then
 else
     fail "t_pred, float, does not compile"
 fi
+for d in -DTESS_FLOAT -DTESS_INT=long; do
+    if build t_partf "$CC" "-O1 $d" test/t_part.c $HARD $TEST; then
+        many "t_part $d" build/t_partf -quick
+    else
+        fail "t_part $d does not compile"
+    fi
+done
 for d in -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long; do
     if build brutef "$CC" "-O1 $d" test/brute.c test/define.c $HARD $TEST; then
         many "brute $d" build/brutef 100
@@ -203,6 +215,11 @@ if build t_tessl "$CC" "-O1 -DTESS_LIST=48" test/t_tess.c $HARD $TEST; then
     many "t_tess -DTESS_LIST=48" build/t_tessl -quick
 else
     fail "t_tess -DTESS_LIST=48 does not compile"
+fi
+if build t_partl "$CC" "-O1 -DTESS_LIST=48" test/t_part.c $HARD $TEST; then
+    many "t_part -DTESS_LIST=48" build/t_partl -quick
+else
+    fail "t_part -DTESS_LIST=48 does not compile"
 fi
 
 # All rounding modes, where C99's fenv.h is to be had.
@@ -230,6 +247,8 @@ if have "$CC" "$SAN"; then
     many "brute, sanitizers" build/brutes 50
     build t_tesss "$CC" "$SAN" test/t_tess.c $HARD test/exact.c test/points.c
     many "t_tess, sanitizers" build/t_tesss -quick
+    build t_parts "$CC" "$SAN" test/t_part.c $HARD test/exact.c test/points.c
+    many "t_part, sanitizers" build/t_parts -quick
 else
     skip "sanitizers"
 fi
@@ -279,8 +298,10 @@ same "g++ -x c++ -O2" g++ "-x c++ -O2"
 
 # ---- the examples: their own checks, and their output as stored ----
 
-for example in interp poisson embedded surface; do
-    if build "$example" "$CC" "$CFLAGS -I." test/examples/$example.c tess.c hhpred.c; then
+for example in interp poisson embedded surface parts stream sensor; do
+    also=
+    [ $example = parts ] && also=-lpthread
+    if build "$example" "$CC" "$CFLAGS -I." test/examples/$example.c tess.c hhpred.c $also; then
         (cd build && ./$example $example.obj $example.stl) > build/$example.out 2>> $LOG
         one "example: $example" test $? -eq 0
         one "example: $example, its output" \
@@ -293,11 +314,12 @@ done
 rm -f $OUT
 # ---- the FORTRAN 77 half: ANSI X3.9-1978 and nothing more ----
 
-# TSRUN cuts its workspace up into arrays.  The standard allows to hand over
+# TSRUN, TESSIX and TESSQU cut their workspace up into arrays; a query hands
+# over one array twice, that nobody alters.  The standard allows to hand over
 # an array element for an array, and to alter the arrays, as they are declared
 # in their lengths and do not overlap; that they do not ftnchek cannot know.
-# So two of its warnings are off, and with them on it may complain of that one
-# call alone.
+# So two of its warnings are off, and with them on it may complain of those
+# calls alone.
 F77="f77/tess.f f77/hhpred.f"
 if command -v ftnchek > /dev/null; then
     CHEK="ftnchek -f77=all -declare -sixchar"
@@ -308,18 +330,22 @@ if command -v ftnchek > /dev/null; then
         `grep -c '^ 0 syntax errors detected' build/ftnchek.txt` -eq 2
     one "ftnchek: no warning" sh -c '! grep -i warning build/ftnchek.txt'
     $CHEK $F77 > build/ftnchek.txt 2>&1
-    grep -i warning build/ftnchek.txt | grep -v 'Subprogram TSMESH argument' \
+    egrep -i warning build/ftnchek.txt | egrep -v \
+        'Subprogram (TSMESH|TSINDE|TSQUER|TSAPEX|TSSETT|TSOPEN) argument' \
         > build/ftnwarn.txt
     one "ftnchek: warnings of the workspace alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
     $CHEK -array=no-dimensions -usage=no-arg-array-alias $F77 test/parity.f \
         > build/ftnchek.txt 2>&1
     one "ftnchek: parity.f" sh -c '! grep -i warning build/ftnchek.txt'
+    $CHEK -noextern -array=no-dimensions -usage=no-arg-array-alias \
+        test/examples/parts.f > build/ftnchek.txt 2>&1
+    one "ftnchek: parts.f" sh -c '! grep -i warning build/ftnchek.txt'
 else
     skip "ftnchek: not installed"
 fi
 one "FORTRAN 77: no line past column 72" \
-    sh -c '! grep -n "^.\{73\}" f77/*.f test/*.f test/paper/*.f'
+    sh -c '! grep -n "^.\{73\}" f77/*.f test/*.f test/*/*.f'
 
 # The table of both names in the header of each file: all routines of C, and
 # all of the file, in their order, but for those that only one half has.
@@ -342,8 +368,8 @@ twins() {
     one "both names in the header of f77/$1.f" test $? -eq 0
     cat build/diff.txt >> $LOG
 }
-twins tess "point|coords|four|better|proven" \
-    "TSPDIS|TSLINE|TSMESH|TSORIQ|TSORIP"
+twins tess "point|coords|four|better|proven|layout" \
+    "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP"
 twins hhpred "held|shift" "HHKIND"
 
 # ---- the same results as the C half ----
@@ -504,6 +530,13 @@ if command -v gfortran > /dev/null; then
     $CC $CFLAGS -c -o build/hhpred.o hhpred.c
     $CC $CFLAGS -c -o build/t_f77.o test/t_f77.c
     entries
+    for omp in "" -fopenmp; do
+        rm -f build/partsf
+        gfortran -O2 -frecursive $omp -o build/partsf test/examples/parts.f \
+            $F77 >> $LOG 2>&1
+        build/partsf > build/partsf.out 2>> $LOG
+        one "example: parts.f $omp" cmp test/examples/parts.out build/partsf.out
+    done
     (cd build/ten && sh -e compile) >> $LOG 2>&1
     ten "as it says"
     gfortran -o build/ten/a.out build/ten/ten.f build/ftess.o \
@@ -561,6 +594,16 @@ if command -v avr-gcc > /dev/null && command -v simavr > /dev/null; then
         one "$name" cmp build/tiny.txt build/avr.txt
     else
         fail "$name: does not compile"
+    fi
+    if build sensor.elf avr-gcc \
+        "-std=gnu89 -mmcu=atmega1284p -O2 -DTESS_LIST=64 -I." \
+        test/examples/sensor.c $HARD; then
+        (ulimit -t 100; exec simavr -m atmega1284p -f 16000000 \
+            build/sensor.elf) 2>&1 |
+            sed -n 's/[^ -~]\[[0-9]*m//g; s/\.$//p' > build/avr.txt
+        one "example: sensor, AVR" cmp test/examples/sensor.out build/avr.txt
+    else
+        fail "example: sensor, AVR: does not compile"
     fi
 else
     skip "$name: no avr-gcc with simavr"

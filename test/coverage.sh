@@ -35,10 +35,10 @@ measure() {
         for f in tess hhpred; do
             $CC -O0 --coverage $2 -c $f.c || say "$f.c does not compile"
         done
-        for f in exact points t_pred brute t_tess parity; do
+        for f in exact points t_pred brute t_tess t_part parity; do
             $CC -O2 $2 -I. -c $f.c || say "$f.c does not compile"
         done
-        for f in brute t_tess parity; do
+        for f in brute t_tess t_part parity; do
             $CC --coverage $3 -o $f $f.o tess.o hhpred.o exact.o points.o -lm
         done
         $CC --coverage $3 -o t_pred t_pred.o hhpred.o exact.o points.o -lm
@@ -47,6 +47,7 @@ measure() {
             ran t_pred 20
             ran brute 100
             ran t_tess
+            ran t_part -quick
             ran t_tess -one lastplaces 1500 1
             ran parity
             ;;
@@ -54,6 +55,7 @@ measure() {
             ran t_pred 10
             ran brute 50
             ran t_tess -range
+            ran t_part -quick
             ;;
         lists)
             ran brute 50

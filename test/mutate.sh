@@ -27,8 +27,8 @@ LIMIT=12
 say() { echo "mutate.sh: $1" >&2; exit 2; }
 
 mkdir -p $DIR/new $DIR/counts
-TEST="brute t_pred t_margin t_tess parity"
-for f in exact hard points bench brute t_pred t_tess parity; do
+TEST="brute t_pred t_margin t_tess t_part parity"
+for f in exact hard points bench brute t_pred t_tess t_part parity; do
     $CC -O2 -I. -c -o $DIR/$f.o test/$f.c || say "$f.c does not compile"
 done
 $CC -O2 -I. -o $DIR/mutant test/mutant.c || say "mutant.c does not compile"
@@ -59,7 +59,7 @@ passes() {
     brute) args=60;;
     t_pred) args=15;;
     t_margin) args=12;;
-    t_tess) args=-quick;;
+    t_tess | t_part) args=-quick;;
     *) args=;;
     esac
     links $1 $2 2> /dev/null || return 1

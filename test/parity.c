@@ -236,27 +236,36 @@ static void pieces(tess_int n, const double *p, tess_int ntet,
     two("different", differ(4 * ntet, tet, tet2), differ(4 * ntet, adj, adj2));
 }
 
+/* query - a point for a query: of the set, halfway or in the middle between
+ * some, or outside. */
+static void query(tess_int i, tess_int n, const double *p, double *q)
+{
+    double a, b, c, d;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        a = p[3 * (5 * i % n) + k];
+        b = p[3 * (7 * i % n) + k];
+        c = p[3 * (11 * i % n) + k];
+        d = p[3 * (13 * i % n) + k];
+        q[k] = a;
+        if (i % 4 == 1) q[k] = 0.5 * a + 0.5 * b;
+        if (i % 4 == 2) q[k] = (0.25 * a + 0.25 * b) + (0.25 * c + 0.25 * d);
+        if (i % 8 == 7) q[k] = 2.0 * a - b;
+    }
+}
+
 /* places - location of points of the set, of points halfway and in the middle
  * between them, and outside. */
 static void places(int kind, tess_int n, const double *p, tess_int ntet,
                    const tess_int *tet, const tess_int *adj)
 {
     tess_int where[6], t, i;
-    double a, b, c, d, q[3], w[4];
+    double q[3], w[4];
     int k, code;
 
     for (i = 1; i <= 16; i++) {
-        for (k = 0; k < 3; k++) {
-            a = p[3 * (5 * i % n) + k];
-            b = p[3 * (7 * i % n) + k];
-            c = p[3 * (11 * i % n) + k];
-            d = p[3 * (13 * i % n) + k];
-            q[k] = a;
-            if (i % 4 == 1) q[k] = 0.5 * a + 0.5 * b;
-            if (i % 4 == 2)
-                q[k] = (0.25 * a + 0.25 * b) + (0.25 * c + 0.25 * d);
-            if (i % 8 == 7) q[k] = 2.0 * a - b;
-        }
+        query(i, n, p, q);
         /* sums that are rounded, and weights in slivers, may differ */
         if (kind == 10 && i % 4 != 0) continue;
         t = TESS_NONE;
@@ -267,6 +276,65 @@ static void places(int kind, tess_int n, const double *p, tess_int ntet,
         where[1] = t + 1;
         for (k = 0; k < 4; k++) where[2 + k] = near(w[k]);
         line("TESSLO", kind == 9 ? 2 : 6, where);
+    }
+}
+
+/* tell - write a code beside the one that the interface promises. */
+static void tell(const char *label, tess_int code, tess_int wanted,
+                 tess_int also)
+{
+    two(label, code, also);
+    if (code != wanted) two("WRONG", code, wanted);
+}
+
+/* alone - stars and queries without the mesh. */
+static void alone(int kind, tess_int n, const double *p, tess_int want,
+                  tess_int ntet, const tess_int *tet, tess_int liw,
+                  tess_int *iw, tess_int lrw, double *rw)
+{
+    static tess_int tet2[4 * MAXTET], adj2[4 * MAXTET], mine[MOST];
+    static const tess_int none[4] = { -1, -1, -1, -1 };
+    tess_int a[8], v[4], i, nt = 0, asked = 0;
+    double c[4], q[3], w[4];
+    int code, k;
+
+    code = tess_index(n, p, liw, iw, lrw, rw);
+    tell("TESSIX", code, want, n);
+    many("places", n, iw);
+    for (i = 0; i < n; i++) mine[i] = (iw[i] + 1) % 3 == 0;
+    for (i = 0; i < ntet; i++)
+        asked += mine[tet[4 * i]] || mine[tet[4 * i + 1]] ||
+                 mine[tet[4 * i + 2]] || mine[tet[4 * i + 3]];
+    code = tess_part(n, p, mine, asked / 2, &nt, tet2, adj2, liw, iw, lrw, rw);
+    two("TESSPA, half", code, nt);
+    code = tess_part(n, p, mine, MAXTET, &nt, tet2, adj2, liw, iw, lrw, rw);
+    tell("TESSPA", nt, asked, code);
+    many("TET", 4 * nt, tet2);
+    many("ADJ", 4 * nt, adj2);
+    code = tess_resume(n, p, MAXTET, &nt, tet2, adj2, liw, iw, lrw, rw);
+    tell("TESSRE of it", nt, ntet, code);
+    many("TET", 4 * nt, tet2);
+    tess_index(n, p, liw, iw, lrw, rw);
+    v[0] = TESS_NONE;
+    for (i = 1; i <= 16 && n > 0; i++) {
+        if (kind == 10 && i % 4 != 0) continue;
+        query(i, n, p, q);
+        if (i < 9) v[0] = TESS_NONE;
+        code = tess_query(n, p, iw, rw, q, v, w);
+        if (want != 0) {
+            tell("TESSQU", code, want, i);
+            continue;
+        }
+        prove_place(p, v, none, q, 0, w, code);
+        many("TESSQU", 4, v);
+        a[0] = code;
+        for (k = 0; k < 4; k++) a[1 + k] = near(w[k]);
+        line("TESSQU", kind == 9 ? 1 : 5, a);
+    }
+    for (i = 0; i < ntet && i < 8 && kind != 10; i++) {
+        a[0] = tess_ball(p, tet + 4 * i, c);
+        for (k = 0; k < 4; k++) a[1 + k] = near(c[k]);
+        line("TESSBA", 5, a);
     }
 }
 
@@ -292,6 +360,7 @@ static void solve(int kind, tess_int n)
     two("TESS", code, ntet);
     many("stand for", n, iw);
     prove_result(n, p, code, ntet, tet, adj, iw);
+    alone(kind, n, p, code, ntet, tet, LENGTH, iw, lrw, rw);
     if (code != 0) return;
     if (ntet <= 50) {
         for (t = 0; t < ntet; t++) {
@@ -315,14 +384,6 @@ static void solve(int kind, tess_int n)
     places(kind, n, p, ntet, tet, adj);
 }
 
-/* tell - write a code beside the one that the interface promises. */
-static void tell(const char *label, tess_int code, tess_int wanted,
-                 tess_int also)
-{
-    two(label, code, also);
-    if (code != wanted) two("WRONG", code, wanted);
-}
-
 /* badarg - arguments that are bad. */
 static void badarg(void)
 {
@@ -331,7 +392,7 @@ static void badarg(void)
     static tess_int tet[4 * ROOM], adj[4 * ROOM], fac[3 * ROOM], iw[LIW];
     const tess_int intmax = 2147483647, large = 536870911;
     double q[3], w[4], save, big;
-    tess_int bad, i, j, k, nfac, nt, ntet, t;
+    tess_int bad, i, j, k, nfac, nt, ntet, t, v[4];
     int code;
 
     code = tess_size(-1, 5, &i, &j);
@@ -432,6 +493,47 @@ static void badarg(void)
     many("FAC", 15, fac);
     code = tess_hull(ntet, tet, adj, 0, &nfac, fac);
     tell("TESSHU none", code, 1, nfac);
+
+    code = tess_index(-1, p, LIW, iw, LRW, rw);
+    tell("TESSIX N < 0", code, -1, 0);
+    code = tess_index(N, p, 2 * N, iw, LRW, rw);
+    tell("TESSIX LIW", code, -3, 0);
+    code = tess_index(N, p, LIW, iw, 3 * N, rw);
+    tell("TESSIX LRW", code, -5, 0);
+    code = tess_index(N, p, LIW, iw, LRW, rw);
+    tell("TESSIX", code, 0, iw[3] + 1);
+    v[0] = TESS_NONE;
+    code = tess_query(-1, p, iw, rw, q, v, w);
+    tell("TESSQU N < 0", code, -1, 0);
+    q[1] = big * big;
+    code = tess_query(N, p, iw, rw, q, v, w);
+    tell("TESSQU infinite", code, -5, 0);
+    q[1] = 0.0;
+    for (i = 1; i <= 5; i++) {
+        for (k = 0; k < 4; k++) v[k] = tet[4 + k];
+        if (i == 1) v[0] = -2;
+        if (i == 2) v[3] = N;
+        if (i == 3) v[2] = v[1];
+        if (i == 4) v[0] = tet[5];
+        if (i == 4) v[1] = tet[4];
+        if (i == 5) v[1] = -1;
+        code = tess_query(N, p, iw, rw, q, v, w);
+        tell("TESSQU V", code, -6, i);
+    }
+    for (i = 1; i <= 6; i++) {
+        nt = i == 3 ? -1 : i == 2 || i == 4 ? ntet : 0;
+        j = tet[6];
+        if (i == 4) tet[6] = N;
+        code = tess_part(i == 1 ? -1 : N, p, tet, i == 2 ? ntet - 1 : ROOM,
+                         &nt, tet, adj, i == 5 ? 4 * N : LIW, iw,
+                         i == 6 ? 3 * N : LRW, rw);
+        tet[6] = j;
+        tell("TESSPA", code, i == 1 ? -1 : i < 4 ? -5 : i == 4 ? -6 :
+             i == 5 ? -8 : -10, i);
+    }
+    v[0] = -1;
+    code = tess_ball(p, v, w);
+    tell("TESSBA V", code, -2, 0);
 
     code = tess_check(-1, p, ntet, tet, adj, LIW, iw, &bad);
     tell("TESSCH N < 0", code, -1, bad + 1);

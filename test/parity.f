@@ -282,26 +282,37 @@ C     the least lengths
      $           ADJ, ADJ2))
       END
 
+C     QUERY - a point for a query: of the set, halfway or in the middle
+C     between some, or outside.
+      SUBROUTINE QUERY(I, N, P, Q)
+      INTEGER I, N
+      DOUBLE PRECISION P(3,*), Q(3)
+      DOUBLE PRECISION A, B, C, D
+      INTEGER K
+      DO 10 K = 1, 3
+        A = P(K,MOD(5*I, N)+1)
+        B = P(K,MOD(7*I, N)+1)
+        C = P(K,MOD(11*I, N)+1)
+        D = P(K,MOD(13*I, N)+1)
+        Q(K) = A
+        IF (MOD(I, 4) .EQ. 1) Q(K) = 0.5D0*A + 0.5D0*B
+        IF (MOD(I, 4) .EQ. 2) Q(K) = (0.25D0*A + 0.25D0*B) +
+     $      (0.25D0*C + 0.25D0*D)
+        IF (MOD(I, 8) .EQ. 7) Q(K) = 2.0D0*A - B
+   10 CONTINUE
+      END
+
 C     PLACES - location of points of the set, of points halfway and in
 C     the middle between them, and outside.
       SUBROUTINE PLACES(KIND, N, P, NTET, TET, ADJ)
       INTEGER KIND, N, NTET, TET(4,*), ADJ(4,*)
       DOUBLE PRECISION P(3,*)
       INTEGER NEAR
-      DOUBLE PRECISION A, B, C, D, Q(3), W(4)
-      INTEGER I, INFO, K, T, WHERE(8)
-      DO 30 I = 1, 16
-        DO 10 K = 1, 3
-          A = P(K,MOD(5*I, N)+1)
-          B = P(K,MOD(7*I, N)+1)
-          C = P(K,MOD(11*I, N)+1)
-          D = P(K,MOD(13*I, N)+1)
-          Q(K) = A
-          IF (MOD(I, 4) .EQ. 1) Q(K) = 0.5D0*A + 0.5D0*B
-          IF (MOD(I, 4) .EQ. 2) Q(K) = (0.25D0*A + 0.25D0*B) +
-     $        (0.25D0*C + 0.25D0*D)
-          IF (MOD(I, 8) .EQ. 7) Q(K) = 2.0D0*A - B
-   10   CONTINUE
+      DOUBLE PRECISION Q(3), W(4)
+      INTEGER I, INFO, J, K, T, WHERE(8)
+      DO 30 J = 1, 16
+        I = J
+        CALL QUERY(I, N, P, Q)
 C       sums that are rounded, and weights in slivers, may differ
         IF (KIND .EQ. 10 .AND. MOD(I, 4) .NE. 0) GO TO 30
         T = 0
@@ -315,6 +326,72 @@ C       sums that are rounded, and weights in slivers, may differ
         IF (KIND .EQ. 9) CALL WRLINE('TESSLO', 2, WHERE)
         IF (KIND .NE. 9) CALL WRLINE('TESSLO', 6, WHERE)
    30 CONTINUE
+      END
+
+C     ALONE - stars and queries without the mesh.
+      SUBROUTINE ALONE(KIND, N, P, WANT, NTET, TET, LIW, IW, LRW, RW)
+      INTEGER KIND, N, WANT, NTET, TET(4,*), LIW, IW(*), LRW
+      DOUBLE PRECISION P(3,*), RW(*)
+      INTEGER NEAR
+      INTEGER MOST, MAXTET
+      PARAMETER (MOST = 1000, MAXTET = 12000)
+      DOUBLE PRECISION C(4), Q(3), W(4)
+      INTEGER A(8), ADJ2(4,MAXTET), ASKED, I, INFO, J, K, MINE(MOST), NT
+      INTEGER TET2(4,MAXTET), V(4)
+      CALL TESSIX(N, P, LIW, IW, LRW, RW, INFO)
+      CALL TELL('TESSIX', INFO, WANT, N)
+      CALL WRMANY('places', N, IW)
+      DO 10 I = 1, N
+        MINE(I) = 0
+        IF (MOD(IW(I), 3) .EQ. 0) MINE(I) = 1
+   10 CONTINUE
+      ASKED = 0
+      DO 20 I = 1, NTET
+        IF (MINE(TET(1,I)) + MINE(TET(2,I)) + MINE(TET(3,I)) +
+     $      MINE(TET(4,I)) .GT. 0) ASKED = ASKED + 1
+   20 CONTINUE
+      NT = 0
+      CALL TESSPA(N, P, MINE, ASKED/2, NT, TET2, ADJ2, LIW, IW, LRW, RW,
+     $            INFO)
+      CALL WRTWO('TESSPA, half', INFO, NT)
+      CALL TESSPA(N, P, MINE, MAXTET, NT, TET2, ADJ2, LIW, IW, LRW, RW,
+     $            INFO)
+      CALL TELL('TESSPA', NT, ASKED, INFO)
+      CALL WRMANY('TET', 4*NT, TET2)
+      CALL WRMANY('ADJ', 4*NT, ADJ2)
+      CALL TESSRE(N, P, MAXTET, NT, TET2, ADJ2, LIW, IW, LRW, RW, INFO)
+      CALL TELL('TESSRE of it', NT, NTET, INFO)
+      CALL WRMANY('TET', 4*NT, TET2)
+      CALL TESSIX(N, P, LIW, IW, LRW, RW, INFO)
+      V(1) = 0
+      IF (N .EQ. 0) RETURN
+      DO 40 J = 1, 16
+        I = J
+        IF (KIND .EQ. 10 .AND. MOD(I, 4) .NE. 0) GO TO 40
+        CALL QUERY(I, N, P, Q)
+        IF (I .LT. 9) V(1) = 0
+        CALL TESSQU(N, P, IW, RW, Q, V, W, INFO)
+        IF (WANT .NE. 0) THEN
+          CALL TELL('TESSQU', INFO, WANT, I)
+          GO TO 40
+        END IF
+        CALL WRMANY('TESSQU', 4, V)
+        A(1) = INFO
+        DO 30 K = 1, 4
+          A(1+K) = NEAR(W(K))
+   30   CONTINUE
+        IF (KIND .EQ. 9) CALL WRLINE('TESSQU', 1, A)
+        IF (KIND .NE. 9) CALL WRLINE('TESSQU', 5, A)
+   40 CONTINUE
+      IF (KIND .EQ. 10) RETURN
+      DO 60 I = 1, MIN(NTET, 8)
+        CALL TESSBA(P, TET(1,I), C, INFO)
+        A(1) = INFO
+        DO 50 K = 1, 4
+          A(1+K) = NEAR(C(K))
+   50   CONTINUE
+        CALL WRLINE('TESSBA', 5, A)
+   60 CONTINUE
       END
 
 C     SOLVE - N points of a kind, tetrahedralized.
@@ -336,7 +413,9 @@ C     SOLVE - N points of a kind, tetrahedralized.
       CALL TESS(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
       CALL WRTWO('TESS', INFO, NTET)
       CALL WRMANY('stand for', N, IW)
-      IF (INFO .NE. 0) RETURN
+      K = INFO
+      CALL ALONE(KIND, N, P, K, NTET, TET, LENGTH, IW, LRW, RW)
+      IF (K .NE. 0) RETURN
       IF (NTET .LE. 50) THEN
         DO 20 T = 1, NTET
           DO 10 K = 1, 4
@@ -376,7 +455,9 @@ C     BADARG - arguments that are bad.
       PARAMETER (INTMAX = 2147483647, LARGE = 536870911)
       DOUBLE PRECISION BIG, P(3,N), Q(3), RW(LRW), SAVE, W(4)
       INTEGER ADJ(4,MAXTET), BAD, FAC(3,MAXTET), I, INFO, IW(LIW)
-      INTEGER J, K, NFAC, NT, NTET, T, TET(4,MAXTET)
+      INTEGER J, K, L, LEN1, LEN2, NFAC, NT, NTET, T, TET(4,MAXTET)
+      INTEGER V(4), WANT(6)
+      DATA WANT /-1, -5, -5, -6, -8, -10/
       CALL TESSWK(-1, 5, I, J, INFO)
       CALL TELL('TESSWK N < 0', INFO, -1, I + J)
       CALL TESSWK(INTMAX, 5, I, J, INFO)
@@ -480,6 +561,57 @@ C     BADARG - arguments that are bad.
       CALL WRMANY('FAC', 15, FAC)
       CALL TESSHU(NTET, TET, ADJ, 0, NFAC, FAC, INFO)
       CALL TELL('TESSHU none', INFO, 1, NFAC)
+
+      CALL TESSIX(-1, P, LIW, IW, LRW, RW, INFO)
+      CALL TELL('TESSIX N < 0', INFO, -1, 0)
+      CALL TESSIX(N, P, 2*N, IW, LRW, RW, INFO)
+      CALL TELL('TESSIX LIW', INFO, -3, 0)
+      CALL TESSIX(N, P, LIW, IW, 3*N, RW, INFO)
+      CALL TELL('TESSIX LRW', INFO, -5, 0)
+      CALL TESSIX(N, P, LIW, IW, LRW, RW, INFO)
+      CALL TELL('TESSIX', INFO, 0, IW(4))
+      V(1) = 0
+      CALL TESSQU(-1, P, IW, RW, Q, V, W, INFO)
+      CALL TELL('TESSQU N < 0', INFO, -1, 0)
+      Q(2) = BIG*BIG
+      CALL TESSQU(N, P, IW, RW, Q, V, W, INFO)
+      CALL TELL('TESSQU infinite', INFO, -5, 0)
+      Q(2) = 0.0D0
+      DO 60 I = 1, 5
+        DO 50 K = 1, 4
+          V(K) = TET(K,2)
+   50   CONTINUE
+        IF (I .EQ. 1) V(1) = -1
+        IF (I .EQ. 2) V(4) = N + 1
+        IF (I .EQ. 3) V(3) = V(2)
+        IF (I .EQ. 4) V(1) = TET(2,2)
+        IF (I .EQ. 4) V(2) = TET(1,2)
+        IF (I .EQ. 5) V(2) = 0
+        CALL TESSQU(N, P, IW, RW, Q, V, W, INFO)
+        CALL TELL('TESSQU V', INFO, -6, I)
+   60 CONTINUE
+      DO 70 I = 1, 6
+        NT = 0
+        IF (I .EQ. 3) NT = -1
+        IF (I .EQ. 2 .OR. I .EQ. 4) NT = NTET
+        K = N
+        IF (I .EQ. 1) K = -1
+        L = MAXTET
+        IF (I .EQ. 2) L = NTET - 1
+        LEN1 = LIW
+        IF (I .EQ. 5) LEN1 = 4*N
+        LEN2 = LRW
+        IF (I .EQ. 6) LEN2 = 3*N
+        J = TET(3,2)
+        IF (I .EQ. 4) TET(3,2) = N + 1
+        CALL TESSPA(K, P, FAC, L, NT, TET, ADJ, LEN1, IW, LEN2, RW,
+     $              INFO)
+        TET(3,2) = J
+        CALL TELL('TESSPA', INFO, WANT(I), I)
+   70 CONTINUE
+      V(1) = 0
+      CALL TESSBA(P, V, W, INFO)
+      CALL TELL('TESSBA V', INFO, -2, 0)
 
       CALL TESSCH(-1, P, NTET, TET, ADJ, LIW, IW, BAD, INFO)
       CALL TELL('TESSCH N < 0', INFO, -1, BAD)

@@ -196,20 +196,15 @@ static int set_up(void)
             rounded = (tess_real)ldexp(p[i][k], shift);
             point_of[3 * i + k] = rounded;
         }
-    M.set.x = M.x = rw;
-    M.set.p = point_of;
-    M.box = rw + 3 * n;
-    M.rep = iw;
-    M.set.order = M.order = iw + n;
-    M.head = iw + 2 * n;
-    M.link = iw + 3 * n;
-    M.alive = iw + 4 * n;
-    M.nplane = M.nextplane = M.ties = 0;
-    M.block.first = M.block.last = NONE;
+    layout(&M, n, point_of, iw, rw);
+    M.link = M.known + KEEP;
     if (sorted(&M, n, point_of) != 0) return 0;
-    for (i = 0; i < (int)M.np; i++)
+    M.reach = REACH / 5.4;
+    for (i = 0; i < (int)M.np; i++) {
+        M.link[i] = NEW;
         for (k = 0; k < 3; k++)
             P[i][k] = (double)point_of[3 * M.order[i] + k];
+    }
     return M.np > 5;
 }
 

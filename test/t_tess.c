@@ -1967,14 +1967,14 @@ static void test_damage(void)
                         r.adj[i] = held;
                         refused(&r, -6, "not its neighbour");
                     }
-                /* open on both sides: in the pool, or in the link */
+                /* open on both sides, in the pool or in the link: closed */
                 for (k = 0; k < 4; k++)
                     if (r.adj[4 * u + k] == i / 4) break;
                 require(k < 4, "adj is not mutual");
                 r.adj[i] = r.adj[4 * u + k] = TESS_OPEN;
-                refused(&r, -6, "open on both sides");
-                r.adj[i] = u;
-                r.adj[4 * u + k] = i / 4;
+                resume(&r);
+                require(r.adj[i] == u && r.adj[4 * u + k] == i / 4,
+                        "open on both sides, and not closed");
             }
             resume(&r);
             require(r.code == (stop_at < whole.ntet ? TESS_MORE : TESS_OK),
