@@ -12,6 +12,8 @@
 # make clean       remove build/
 # make help        this list
 #
+# make MAXPTS=10000000  build/tess for so many points; also with run
+#
 # To use the library copy tess.c tess.h hhpred.c hhpred.h; it needs no make.
 # After changing flags: make clean.  Example: make CC=clang CFLAGS=-O2
 .POSIX:
@@ -22,6 +24,7 @@ CPPFLAGS =
 LDFLAGS =
 LDLIBS = -lm
 POINTS = test/data/mirror.xyz
+MAXPTS = 1000000
 TIME = 600
 SEED =
 
@@ -32,8 +35,15 @@ EXAMPLES = interp poisson embedded surface
 
 all: build/tess
 
-build/tess: build/driver.o build/draw.o $(LIBRARY)
-	$(LINK) build/driver.o build/draw.o $(LIBRARY) $(LDLIBS)
+# Static arrays beyond 2 GB, or 4: sets model to what they need.  They come last,
+# lest what is behind them be out of the other files' reach.
+MODEL = model=; if [ $(MAXPTS) -gt 4000000 ]; then \
+	case `$(CC) -dumpmachine` in x86_64*) model=-mcmodel=large;; \
+	aarch64*) model="-mcmodel=large -fno-pie -no-pie";; esac; fi
+
+build/tess: build/driver.o build/read.o build/draw.o $(LIBRARY)
+	@$(MODEL); set -x; $(LINK) $$model build/read.o build/draw.o \
+	    $(LIBRARY) build/driver.o $(LDLIBS)
 
 build/tess.o: tess.c tess.h hhpred.h
 	@mkdir -p build
@@ -43,9 +53,20 @@ build/hhpred.o: hhpred.c hhpred.h
 	@mkdir -p build
 	$(COMPILE) hhpred.c
 
-build/driver.o: test/driver.c test/draw.h tess.h hhpred.h
+build/driver.o: test/driver.c test/driver.h test/draw.h tess.h hhpred.h \
+    build/maxpts
+	@$(MODEL); set -x; $(COMPILE) -DMAXPTS=$(MAXPTS)L $$model test/driver.c
+
+# touched when MAXPTS is another than last time
+build/maxpts: always
 	@mkdir -p build
-	$(COMPILE) test/driver.c
+	@echo $(MAXPTS) | cmp -s - $@ || echo $(MAXPTS) > $@
+
+always:
+
+build/read.o: test/read.c test/driver.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/read.c
 
 build/draw.o: test/draw.c test/draw.h tess.h hhpred.h
 	@mkdir -p build
@@ -61,8 +82,9 @@ build/mirror: test/mirror.c
 # The hull of the mirror's sensors fills its hole, of radius 0.6; the picture
 # shall not.
 run: build/tess
-	@file=`basename "$(POINTS)"`; name="build/$${file%.*}"; look=; \
-	case "$$file" in mirror.xyz) look="-alpha 0.5";; esac; set -x; \
+	@file=`basename "$(POINTS)"`; look=; \
+	case "$$file" in mirror.xyz) look="-alpha 0.5";; -) file=stdin;; esac; \
+	name="build/$$file"; set -x; \
 	build/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look "$(POINTS)"
 
 examples: $(LIBRARY)
@@ -106,5 +128,5 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all run examples pictures check torture coverage mutation bench paper \
+.PHONY: all always run examples pictures check torture coverage mutation bench paper \
     mirror clean help

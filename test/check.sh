@@ -287,6 +287,10 @@ for example in interp poisson embedded surface; do
     fi
 done
 
+# ---- the command line program ----
+
+many "the driver" env CC="$CC" sh test/driver.sh
+
 rm -f $OUT
 # ---- the FORTRAN 77 half: ANSI X3.9-1978 and nothing more ----
 
