@@ -34,6 +34,10 @@ typedef int tess_int;
 typedef long tess_int;
 #endif
 
+/* The largest. */
+#define TESS_INT_MOST \
+    ((((tess_int)1 << (sizeof(tess_int) * CHAR_BIT - 2)) - 1) * 2 + 1)
+
 /* The coordinates; all arithmetic is in double. */
 #ifdef TESS_FLOAT
 typedef float tess_real;

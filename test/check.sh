@@ -140,6 +140,19 @@ for t in t_pred brute t_tess; do
     fi
 done
 
+# Sizes, whatever the integer.
+for d in "" -DTESS_INT=short -DTESS_INT=long; do
+    if build t_size "$CC" "-O1 $d" test/t_size.c $HARD; then
+        many "t_size $d" build/t_size
+        [ "$d" = "" ] && build/t_size -table > build/sizes.txt
+    else
+        fail "t_size $d does not compile"
+    fi
+done
+one "the README's table of sizes" sh -c \
+    "grep '^| [0-9]* | [0-9]* | [0-9]* | [0-9]* | [0-9]* |' README.md |
+    cmp - build/sizes.txt"
+
 # Few limbs: code 2 or TESS_RANGE where they do not suffice, nothing wrong.
 if build t_pred3 "$CC" "-O1 -DHH_LIMBS=3" test/t_pred.c hhpred.c $TEST
 then
@@ -286,6 +299,18 @@ for example in interp poisson embedded surface; do
         fail "example: $example does not compile"
     fi
 done
+
+# The README's C program: its input a plane grid of 9 x 11 points, of which
+# every one of the 160 triangles makes a tetrahedron with the point off it.
+awk 'BEGIN { for (i = 0; i < 99; i++) print i % 9, int(i / 9), 0
+    print 3, 4, 5 }' > build/points.txt
+sed -n '/^```c$/,/^```$/p' README.md | sed '/^```/d' > build/readme.c
+if build readme "$CC" "$CFLAGS -I." build/readme.c $HARD; then
+    one "the README's C program" sh -c \
+        'test "`build/readme < build/points.txt`" = "code 0, 160 tetrahedra"'
+else
+    fail "the README's C program does not compile"
+fi
 
 # ---- the command line program ----
 

@@ -24,7 +24,7 @@
 #define MAXTET (7L * (MAXPTS) + 100000L)
 #endif
 #ifndef MAXIW
-#define MAXIW (24L * (MAXPTS) + 100000L)
+#define MAXIW (24L * (MAXPTS) + 100000L) /* TESS_POOL: more */
 #endif
 #ifndef MAXRW
 #define MAXRW (8L * (MAXPTS) + 100000L)

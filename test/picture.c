@@ -10,8 +10,8 @@
 
 #define MAXPTS 5000
 #define MAXTET (8 * (MAXPTS))
-#define MAXIW (24 * (MAXPTS))
-#define MAXRW (4 * (MAXPTS) + 100)
+#define MAXIW TESS_LIW(MAXPTS)
+#define MAXRW TESS_LRW(MAXPTS)
 
 /* The blank of mirror.c: radii of hole, rim and front; thickness, m. */
 #define INNER 0.60
