@@ -31,7 +31,7 @@ SEED =
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
 LIBRARY = build/tess.o build/hhpred.o
-EXAMPLES = interp poisson embedded surface
+EXAMPLES = interp poisson embedded surface derived
 
 all: build/tess
 

@@ -289,7 +289,7 @@ same "g++ -x c++ -O2" g++ "-x c++ -O2"
 
 # ---- the examples: their own checks, and their output as stored ----
 
-for example in interp poisson embedded surface; do
+for example in interp poisson embedded surface derived; do
     if build "$example" "$CC" "$CFLAGS -I." test/examples/$example.c tess.c hhpred.c; then
         (cd build && ./$example $example.obj $example.stl) > build/$example.out 2>> $LOG
         one "example: $example" test $? -eq 0
@@ -341,6 +341,11 @@ if command -v ftnchek > /dev/null; then
     $CHEK -array=no-dimensions -usage=no-arg-array-alias $F77 test/parity.f \
         > build/ftnchek.txt 2>&1
     one "ftnchek: parity.f" sh -c '! grep -i warning build/ftnchek.txt'
+    for f in test/examples/derived.f test/sizes.f; do
+        $CHEK -array=no-dimensions -usage=no-arg-array-alias -library \
+            $F77 $f > build/ftnchek.txt 2>&1
+        one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
+    done
 else
     skip "ftnchek: not installed"
 fi
@@ -462,6 +467,24 @@ ten() {
     rm -f build/ten/a.out
 }
 
+# FORTRAN programs that tell by their text whether all is well.
+# programs NAME FLAGS: with the half just compiled
+programs() {
+    for f in $F77PROGRAMS; do
+        rm -f build/program
+        gfortran $2 -o build/program $f build/ftess.o build/fhhpred.o $LIBS \
+            >> $LOG 2>&1
+        text=build/`basename $f .f`.txt
+        case $f in
+        test/examples/*)
+            build/program > $text
+            one "$f, $1" cmp `echo $f | sed 's/f$/out/'` $text;;
+        *) many "$f, $1" build/program;;
+        esac
+    done
+}
+F77PROGRAMS="test/examples/derived.f test/sizes.f"
+
 # parity.c and parity.f write the same text; parity.txt is what they wrote
 # when it was made, so that a machine without Fortran compares, too.  It is not
 # believed: the first program proves each answer by exact.c, and knows the
@@ -511,6 +534,7 @@ if command -v gfortran > /dev/null; then
     fortran "gfortran -O3" gfort -O3
     text "gfortran -O3"
     threads "gfortran -O3"
+    programs "gfortran -O3" "-std=legacy -O1 -fcheck=all"
     gfort -Ofast -march=native >> $LOG 2>&1
     text "gfortran -Ofast -march=native"
     entries
