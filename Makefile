@@ -8,6 +8,7 @@
 # make mutation    which changes of it they notice: sh test/mutate.sh
 # make bench       the timings
 # make paper       the experiments of the paper: test/paper/results.txt
+# make manual      write f77/README anew, from f77/tess.f and hhpred.f
 # make mirror      write test/data/mirror.xyz anew
 # make clean       remove build/
 # make help        this list
@@ -119,6 +120,9 @@ bench: all
 paper:
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
 
+manual:
+	sh test/manual.sh > f77/README
+
 mirror: build/mirror
 	build/mirror > test/data/mirror.xyz
 
@@ -129,4 +133,4 @@ help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
 .PHONY: all always run examples pictures check torture coverage mutation bench paper \
-    mirror clean help
+    manual mirror clean help

@@ -349,6 +349,8 @@ if command -v ftnchek > /dev/null; then
 else
     skip "ftnchek: not installed"
 fi
+one "f77/README is what the sources say" sh -c \
+    'sh test/manual.sh | cmp - f77/README'
 one "FORTRAN 77: no line past column 72" \
     sh -c '! grep -n "^.\{73\}" f77/*.f test/*.f test/paper/*.f'
 
@@ -485,6 +487,30 @@ programs() {
 }
 F77PROGRAMS="test/examples/derived.f test/sizes.f"
 
+# interface NAME FLAGS: the module for Fortran 90, and that with it wrong calls
+# do not compile; f77/README's program
+interface() {
+    (cd build && gfortran -std=f95 -pedantic -Wall -Wextra -Werror $2 -c \
+        -o module.o ../f77/tess.f90) >> $LOG 2>&1
+    module="-cpp -Ibuild -Jbuild $2"
+    if gfortran -std=f2018 -pedantic $module -o build/iface test/iface.f90 \
+        build/ftess.o build/fhhpred.o $LIBS >> $LOG 2>&1
+    then
+        many "interfaces, $1" build/iface
+    else
+        fail "interfaces, $1: do not compile"
+    fi
+    for wrong in 1 2 3 4; do
+        one "interfaces, $1: wrong call $wrong" sh -c "! gfortran $module \
+            -DWRONG=$wrong -c -o build/module.o test/iface.f90"
+    done
+    awk '/^      PROGRAM GRID/,/^      END$/' f77/README > build/grid.f
+    rm -f build/grid
+    gfortran $2 -o build/grid build/grid.f build/ftess.o build/fhhpred.o \
+        $LIBS >> $LOG 2>&1
+    one "f77/README's program, $1" test "`build/grid`" = " 14.5000"
+}
+
 # parity.c and parity.f write the same text; parity.txt is what they wrote
 # when it was made, so that a machine without Fortran compares, too.  It is not
 # believed: the first program proves each answer by exact.c, and knows the
@@ -535,10 +561,20 @@ if command -v gfortran > /dev/null; then
     text "gfortran -O3"
     threads "gfortran -O3"
     programs "gfortran -O3" "-std=legacy -O1 -fcheck=all"
+    interface "gfortran -O3"
     gfort -Ofast -march=native >> $LOG 2>&1
     text "gfortran -Ofast -march=native"
     entries
     text "gfortran and C with -DTESS_FORTRAN"
+    # integers of 8 bytes, in both halves
+    gfort -O2 -fdefault-integer-8 >> $LOG 2>&1
+    programs "INTEGER*8" "-std=legacy -fdefault-integer-8"
+    interface "INTEGER*8" -fdefault-integer-8
+    for half in tess hhpred; do
+        $CC $CFLAGS -DTESS_FORTRAN -DTESS_INT=long -c -o build/f$half.o $half.c
+    done
+    programs "INTEGER*8 and C" "-std=legacy -fdefault-integer-8"
+    interface "INTEGER*8 and C" -fdefault-integer-8
     # few limbs: the same codes 2 and 6 as from C
     fewlimbs() {
         for half in tess hhpred; do

@@ -605,7 +605,7 @@ C     WHOLE - the volume of the hull, from its facets.
    10       CONTINUE
    20    CONTINUE
          CALL CROSS(A(1,2), A(1,3), D)
-         WHOLE = WHOLE + DOT(A, D) / 6.0D0
+         WHOLE = WHOLE + DOT(A(1,1), D) / 6.0D0
    30 CONTINUE
       END
 
