@@ -42,7 +42,23 @@
 #define tess_locate ftlocate
 #define tess_hull fthull
 #define tess_check ftcheck
+#elif defined(TESS_LETTER)
+/* Other types have other names: see hhpred.h. */
+#define tess TESS_AS(t, tess)
+#define tess_size TESS_AS(t, size)
+#define tess_resume TESS_AS(t, resume)
+#define tess_locate TESS_AS(t, locate)
+#define tess_hull TESS_AS(t, hull)
+#define tess_check TESS_AS(t, check)
+#define tess_index TESS_AS(t, index)
+#define tess_query TESS_AS(t, query)
+#define tess_part TESS_AS(t, part)
+#define tess_ball TESS_AS(t, ball)
+#define tess_values TESS_AS(t, values)
 #endif
+
+/* 10000 * major + 100 * minor version; the README says what has changed. */
+#define TESS_VERSION 10100L
 
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)

@@ -122,6 +122,47 @@ else
     skip "symbols: no nm"
 fi
 
+# A caller compiled with other types is no link: none of the names is the same.
+# mismatch OPTIONS
+mismatch() {
+    for f in tess hhpred; do
+        $CC -O1 $1 -c -o build/other$f.o $f.c >> $LOG 2>&1
+    done
+    one "links with the same options: $1" \
+        $CC $1 -I. -o build/other build/readme.c build/othertess.o \
+        build/otherhhpred.o $LIBS
+    one "no link with other options: $1" \
+        sh -c "! $CC -I. -o build/other build/readme.c build/othertess.o \
+        build/otherhhpred.o $LIBS"
+    # (of a library of mixed files, either)
+    one "no link of mixed files: $1" sh -c "! $CC $1 -I. -o build/other \
+        build/readme.c build/othertess.o build/hhpred.o $LIBS"
+    nm build/othertess.o build/otherhhpred.o |
+        sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort > build/other.txt
+    one "no name is the same: $1" sh -c \
+        "test -s build/other.txt && ! comm -12 build/names.txt build/other.txt |
+        grep ."
+    one "unique in six characters: $1" sh -c \
+        "! cut -c1-6 build/other.txt | tr A-Z a-z | sort | uniq -d | grep ."
+}
+sed -n '/^```c$/,/^```$/p' README.md | sed '/^```/d;s/double p/tess_real p/' |
+    sed 's/scanf.* == 3/n < 1/' > build/readme.c
+if [ -s build/nm.txt ]; then
+    sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/names.txt
+    one "unique in six characters" sh -c \
+        "! cut -c1-6 build/names.txt | tr A-Z a-z | sort | uniq -d | grep ."
+    for o in -DTESS_INT=long -DTESS_INT=short -DTESS_FLOAT \
+        "-DTESS_FLOAT -DTESS_INT=short" "-DTESS_FLOAT -DTESS_INT=long" \
+        "-DTESS_INT=ptrdiff_t -include stddef.h"; do
+        mismatch "$o"
+    done
+    for f in tess hhpred; do
+        $CC -O1 -DHH_LIMBS=6 -c -o build/other$f.o $f.c >> $LOG 2>&1
+    done
+    one "no link of mixed files: -DHH_LIMBS=6" sh -c "! $CC -I. \
+        -o build/other build/readme.c build/othertess.o build/hhpred.o $LIBS"
+fi
+
 # ---- the tests proper ----
 
 for t in exact points t_tess; do
