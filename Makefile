@@ -32,7 +32,7 @@ SEED =
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
 LIBRARY = build/tess.o build/hhpred.o
-EXAMPLES = interp poisson embedded surface derived
+EXAMPLES = interp poisson embedded surface derived planar
 
 all: build/tess
 

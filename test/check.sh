@@ -330,7 +330,7 @@ same "g++ -x c++ -O2" g++ "-x c++ -O2"
 
 # ---- the examples: their own checks, and their output as stored ----
 
-for example in interp poisson embedded surface derived; do
+for example in interp poisson embedded surface derived planar; do
     if build "$example" "$CC" "$CFLAGS -I." test/examples/$example.c tess.c hhpred.c; then
         (cd build && ./$example $example.obj $example.stl) > build/$example.out 2>> $LOG
         one "example: $example" test $? -eq 0
