@@ -10,9 +10,12 @@
 # make bench       the timings; FAMILY=globe of these points alone, SIZES=all of
 #                  large sets, too; test/bench.sh says more
 # make paper       the experiments of the paper: test/paper/results.txt
+# make manual      write f77/README anew, from f77/tess.f and hhpred.f
 # make mirror      write test/data/mirror.xyz anew
 # make clean       remove build/
 # make help        this list
+#
+# make MAXPTS=10000000  build/tess for so many points; also with run
 #
 # To use the library copy tess.c tess.h hhpred.c hhpred.h; it needs no make.
 # After changing flags: make clean.  Example: make CC=clang CFLAGS=-O2
@@ -24,18 +27,26 @@ CPPFLAGS =
 LDFLAGS =
 LDLIBS = -lm
 POINTS = test/data/mirror.xyz
+MAXPTS = 1000000
 TIME = 600
 SEED =
 
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
 LIBRARY = build/tess.o build/hhpred.o
-EXAMPLES = interp poisson embedded surface parts stream sensor
+EXAMPLES = interp poisson embedded surface parts stream sensor derived planar
 
 all: build/tess
 
-build/tess: build/driver.o build/draw.o $(LIBRARY)
-	$(LINK) build/driver.o build/draw.o $(LIBRARY) $(LDLIBS)
+# Static arrays beyond 2 GB, or 4: sets model to what they need.  They come last,
+# lest what is behind them be out of the other files' reach.
+MODEL = model=; if [ $(MAXPTS) -gt 4000000 ]; then \
+	case `$(CC) -dumpmachine` in x86_64*) model=-mcmodel=large;; \
+	aarch64*) model="-mcmodel=large -fno-pie -no-pie";; esac; fi
+
+build/tess: build/driver.o build/read.o build/draw.o $(LIBRARY)
+	@$(MODEL); set -x; $(LINK) $$model build/read.o build/draw.o \
+	    $(LIBRARY) build/driver.o $(LDLIBS)
 
 build/tess.o: tess.c tess.h hhpred.h
 	@mkdir -p build
@@ -45,9 +56,20 @@ build/hhpred.o: hhpred.c hhpred.h
 	@mkdir -p build
 	$(COMPILE) hhpred.c
 
-build/driver.o: test/driver.c test/draw.h tess.h hhpred.h
+build/driver.o: test/driver.c test/driver.h test/draw.h tess.h hhpred.h \
+    build/maxpts
+	@$(MODEL); set -x; $(COMPILE) -DMAXPTS=$(MAXPTS)L $$model test/driver.c
+
+# touched when MAXPTS is another than last time
+build/maxpts: always
 	@mkdir -p build
-	$(COMPILE) test/driver.c
+	@echo $(MAXPTS) | cmp -s - $@ || echo $(MAXPTS) > $@
+
+always:
+
+build/read.o: test/read.c test/driver.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/read.c
 
 build/draw.o: test/draw.c test/draw.h tess.h hhpred.h
 	@mkdir -p build
@@ -63,8 +85,9 @@ build/mirror: test/mirror.c
 # The hull of the mirror's sensors fills its hole, of radius 0.6; the picture
 # shall not.
 run: build/tess
-	@file=`basename "$(POINTS)"`; name="build/$${file%.*}"; look=; \
-	case "$$file" in mirror.xyz) look="-alpha 0.5";; esac; set -x; \
+	@file=`basename "$(POINTS)"`; look=; \
+	case "$$file" in mirror.xyz) look="-alpha 0.5";; -) file=stdin;; esac; \
+	name="build/$$file"; set -x; \
 	build/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look "$(POINTS)"
 
 examples: $(LIBRARY)
@@ -104,6 +127,9 @@ bench: all
 paper:
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
 
+manual:
+	sh test/manual.sh > f77/README
+
 mirror: build/mirror
 	build/mirror > test/data/mirror.xyz
 
@@ -113,5 +139,5 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all run examples pictures check torture certify coverage mutation \
-    bench paper mirror clean help
+.PHONY: all always run examples pictures check torture certify coverage \
+    mutation bench paper manual mirror clean help

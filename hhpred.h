@@ -25,7 +25,8 @@
 #include <limits.h>
 
 /* The integer of all index arrays.  4*maxtet + 3 must not exceed its largest
- * value.  TESS_INT chooses another one (short, on a very small machine). */
+ * value.  TESS_INT chooses another one (short, on a very small machine), by a
+ * name of one word.  All files must be compiled with the same: see below. */
 #ifdef TESS_INT
 typedef TESS_INT tess_int;
 #elif INT_MAX >= 2147483647
@@ -34,11 +35,84 @@ typedef int tess_int;
 typedef long tess_int;
 #endif
 
+/* The largest. */
+#define TESS_INT_MOST \
+    ((((tess_int)1 << (sizeof(tess_int) * CHAR_BIT - 2)) - 1) * 2 + 1)
+
 /* The coordinates; all arithmetic is in double. */
 #ifdef TESS_FLOAT
 typedef float tess_real;
 #else
 typedef double tess_real;
+#endif
+
+/* A caller compiled with other types than the library would be given nonsense.
+ * So where they are not the default ones the external names change with them,
+ * and the linker says that tess, or tl_tess, is not there: with TESS_INT=long
+ * all are tl_..., hl_... in place of tess_..., hh_...; with short ts_, hs_;
+ * another type's, to_, ho_; with TESS_FLOAT tf_, hf_, and besides TESS_INT tm_,
+ * tg_, tq_.  Programs use the names of the manual all the same. */
+#ifdef TESS_INT
+#define TESS_IS_short 1
+#define TESS_IS_int 2
+#define TESS_IS_long 3
+#define TESS_IS_2(type) TESS_IS_##type
+#define TESS_IS_1(type) TESS_IS_2(type)
+#define TESS_IS TESS_IS_1(TESS_INT)
+#if TESS_IS == (INT_MAX >= 2147483647 ? 2 : 3)
+#define TESS_USUAL
+#endif
+#else
+#define TESS_USUAL
+#endif
+#ifdef TESS_USUAL
+#ifdef TESS_FLOAT
+#define TESS_LETTER f
+#endif
+#elif defined(TESS_FLOAT)
+#if TESS_IS == 1
+#define TESS_LETTER g
+#elif TESS_IS == 3
+#define TESS_LETTER m
+#else
+#define TESS_LETTER q
+#endif
+#elif TESS_IS == 1
+#define TESS_LETTER s
+#elif TESS_IS == 3
+#define TESS_LETTER l
+#else
+#define TESS_LETTER o
+#endif
+#ifdef TESS_LETTER
+#define TESS_AS_3(first, letter, name) first##letter##name
+#define TESS_AS_2(first, letter, name) TESS_AS_3(first, letter, name)
+#define TESS_AS(first, name) TESS_AS_2(first, TESS_LETTER, _##name)
+#define hh_facet TESS_AS(h, facet)
+#define hh_side TESS_AS(h, side)
+#define hh_opp TESS_AS(h, opp)
+#define hh_lcoord TESS_AS(h, lcoord)
+#define hh_wrap TESS_AS(h, wrap)
+#define hh_orient TESS_AS(h, orient)
+#define hh_insphere TESS_AS(h, insphere)
+#define hh_setup TESS_AS(h, setup)
+#define hh_bound TESS_AS(h, bound)
+#define hh_ratio TESS_AS(h, ratio)
+#define hh_limits TESS_AS(h, limits)
+#define hh_pside TESS_AS(h, pside)
+#define hh_pball TESS_AS(h, pball)
+#define hh_pbeat TESS_AS(h, pbeat)
+#define hh_centre TESS_AS(h, centre)
+#define hh_trial TESS_AS(h, trial)
+#define hh_unit TESS_AS(h, unit)
+#define hh_height TESS_AS(h, height)
+#define hh_thin TESS_AS(h, thin)
+#define hh_flat TESS_AS(h, flat)
+#define hh_line TESS_AS(h, line)
+#define hh_wider TESS_AS(h, wider)
+#define hh_range TESS_AS(h, range)
+#define hh_finite TESS_AS(h, finite)
+#define hh_holds TESS_AS(h, holds)
 #endif
 
 /* The name that the Fortran compiler gives to a routine; used when compiled
@@ -84,6 +158,26 @@ typedef double tess_real;
 #endif
 /* Leading rows of a ball's numbers that are kept. */
 #define HH_ROWS 6
+/* HH_FEW is the size of a ball, so the names change with it, too. */
+#if HH_FEW != 10
+#define HH_AS_2(name, few) name##few
+#define HH_AS_1(name, few) HH_AS_2(name, few)
+#undef hh_centre
+#undef hh_trial
+#undef hh_unit
+#undef hh_height
+#ifndef TESS_LETTER
+#define hh_centre HH_AS_1(hc, HH_FEW)
+#define hh_trial HH_AS_1(ht, HH_FEW)
+#define hh_unit HH_AS_1(hu, HH_FEW)
+#define hh_height HH_AS_1(hg, HH_FEW)
+#else
+#define hh_centre HH_AS_1(TESS_AS(h, ce), HH_FEW)
+#define hh_trial HH_AS_1(TESS_AS(h, tr), HH_FEW)
+#define hh_unit HH_AS_1(TESS_AS(h, un), HH_FEW)
+#define hh_height HH_AS_1(TESS_AS(h, he), HH_FEW)
+#endif
+#endif
 
 #define HH_FACET_LEN 12
 

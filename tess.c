@@ -253,8 +253,6 @@ extern void tess_prove(int fact);
 #define SLACK (32.0f * FEPS)
 #define FAR 1e10f
 #define PAD (64.0 * EPS)
-#define TESS_INT_MOST \
-    ((((tess_int)1 << (sizeof(tess_int) * CHAR_BIT - 2)) - 1) * 2 + 1)
 
 /* A list of uncompleted points, in single precision.  A block's has those in
  * a box, as offsets from the box's centre in units of its half width; a star's

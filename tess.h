@@ -6,8 +6,8 @@
  * the default capacities; see TESS_LIST below and HH_LIMBS in hhpred.h).
  *
  *   tet, adj   4*maxtet tess_int each; a uniform cloud of n points has about
- *              6.8 n tetrahedra
- *   iw, rw     the lengths that tess_size gives
+ *              6.8 n tetrahedra (more: see tess_size)
+ *   iw, rw     the lengths that tess_size gives, or TESS_LIW(n), TESS_LRW(n)
  *
  * No routine allocates, reads, writes, keeps state between calls or stops
  * the program; all may be called from any number of threads at once.
@@ -46,7 +46,23 @@
 #define tess_query ftquery
 #define tess_part ftpart
 #define tess_ball ftball
+#elif defined(TESS_LETTER)
+/* Other types have other names: see hhpred.h. */
+#define tess TESS_AS(t, tess)
+#define tess_size TESS_AS(t, size)
+#define tess_resume TESS_AS(t, resume)
+#define tess_locate TESS_AS(t, locate)
+#define tess_hull TESS_AS(t, hull)
+#define tess_check TESS_AS(t, check)
+#define tess_index TESS_AS(t, index)
+#define tess_query TESS_AS(t, query)
+#define tess_part TESS_AS(t, part)
+#define tess_ball TESS_AS(t, ball)
+#define tess_values TESS_AS(t, values)
 #endif
+
+/* 10000 * major + 100 * minor version; the README says what has changed. */
+#define TESS_VERSION 10100L
 
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)
@@ -70,6 +86,28 @@
 #define TESS_BAD_COVER 17  /* the hull is covered more than once           */
 #define TESS_BAD_POINT 18  /* a point is in no tetrahedron                 */
 
+/* TESS_LIW(n), TESS_LRW(n) - lengths of iw and rw for n points: constant
+ * expressions, for arrays; never less than what tess_size gives, and little
+ * more.  n: an integer of any type.  Fortran: see f77/README.
+ *
+ *   TESS_LIW   4 for the point, 1/12 for the tree, 4 and TESS_LP for the pool
+ *   TESS_LRW   TESS_LR for the point, 1/2 for the tree */
+#define TESS_LR 3
+#define TESS_LRW(n) (TESS_LR * (long)(n) + 6 * ((long)(n) / 12 + 2))
+#define TESS_LIW(n)                                                \
+    ((n) > TESS_INT_MOST / 9 || TESS_LI((long)(n)) > TESS_INT_MOST \
+         ? (long)TESS_INT_MOST                                     \
+         : TESS_LI((long)(n)))
+#define TESS_LI(n) (8 * (n) + (n) / 12 + 514 + TESS_LP(n))
+#define TESS_LP(n)             \
+    ((n) <= 8       ? 240      \
+     : (n) <= 27    ? 540      \
+     : (n) <= 64    ? 960      \
+     : (n) <= 125   ? 1500     \
+     : (n) <= 1000  ? 8 * (n) + 1204 \
+     : (n) <= 40000 ? 8 * (n)  \
+                    : 320000 + (n) / 3)
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -83,6 +121,13 @@ extern "C" {
  *
  * The pool of open facets that liw includes suffices for all inputs but
  * those whose number of tetrahedra is quadratic in n.
+ *
+ * maxtet: clouds have 6 to 6.8 n tetrahedra, lattices 5 to 6 n, points on or
+ * near a plane or a sphere 2 to 6 n: 8 n does.  Not for points on a tube or a
+ * torus, at random (10 to 15 n, more for more points), nor for those on a
+ * helix or two lines: up to n^2 / 2.  TESS_MORE then costs little: to resume
+ * takes as long as n tetrahedra of a cloud do, and a third of the time that
+ * those already there took.
  *
  * returns 0; -1 or -2 for an n or maxtet that is negative or so large that a
  * length, or 4*maxtet + 3, would exceed the largest tess_int: the lengths

@@ -122,6 +122,47 @@ else
     skip "symbols: no nm"
 fi
 
+# A caller compiled with other types is no link: none of the names is the same.
+# mismatch OPTIONS
+mismatch() {
+    for f in tess hhpred; do
+        $CC -O1 $1 -c -o build/other$f.o $f.c >> $LOG 2>&1
+    done
+    one "links with the same options: $1" \
+        $CC $1 -I. -o build/other build/readme.c build/othertess.o \
+        build/otherhhpred.o $LIBS
+    one "no link with other options: $1" \
+        sh -c "! $CC -I. -o build/other build/readme.c build/othertess.o \
+        build/otherhhpred.o $LIBS"
+    # (of a library of mixed files, either)
+    one "no link of mixed files: $1" sh -c "! $CC $1 -I. -o build/other \
+        build/readme.c build/othertess.o build/hhpred.o $LIBS"
+    nm build/othertess.o build/otherhhpred.o |
+        sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort > build/other.txt
+    one "no name is the same: $1" sh -c \
+        "test -s build/other.txt && ! comm -12 build/names.txt build/other.txt |
+        grep ."
+    one "unique in six characters: $1" sh -c \
+        "! cut -c1-6 build/other.txt | tr A-Z a-z | sort | uniq -d | grep ."
+}
+sed -n '/^```c$/,/^```$/p' README.md | sed '/^```/d;s/double p/tess_real p/' |
+    sed 's/scanf.* == 3/n < 1/' > build/readme.c
+if [ -s build/nm.txt ]; then
+    sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/names.txt
+    one "unique in six characters" sh -c \
+        "! cut -c1-6 build/names.txt | tr A-Z a-z | sort | uniq -d | grep ."
+    for o in -DTESS_INT=long -DTESS_INT=short -DTESS_FLOAT \
+        "-DTESS_FLOAT -DTESS_INT=short" "-DTESS_FLOAT -DTESS_INT=long" \
+        "-DTESS_INT=ptrdiff_t -include stddef.h"; do
+        mismatch "$o"
+    done
+    for f in tess hhpred; do
+        $CC -O1 -DHH_LIMBS=6 -c -o build/other$f.o $f.c >> $LOG 2>&1
+    done
+    one "no link of mixed files: -DHH_LIMBS=6" sh -c "! $CC -I. \
+        -o build/other build/readme.c build/othertess.o build/hhpred.o $LIBS"
+fi
+
 # ---- the tests proper ----
 
 for t in exact points t_tess t_part; do
@@ -139,6 +180,19 @@ for t in t_pred brute t_tess t_part; do
         fail "$t does not compile"
     fi
 done
+
+# Sizes, whatever the integer.
+for d in "" -DTESS_INT=short -DTESS_INT=long; do
+    if build t_size "$CC" "-O1 $d" test/t_size.c $HARD; then
+        many "t_size $d" build/t_size
+        [ "$d" = "" ] && build/t_size -table > build/sizes.txt
+    else
+        fail "t_size $d does not compile"
+    fi
+done
+one "the README's table of sizes" sh -c \
+    "grep '^| [0-9]* | [0-9]* | [0-9]* | [0-9]* | [0-9]* |' README.md |
+    cmp - build/sizes.txt"
 
 # Few limbs: code 2 or TESS_RANGE where they do not suffice, nothing wrong.
 if build t_pred3 "$CC" "-O1 -DHH_LIMBS=3" test/t_pred.c hhpred.c $TEST
@@ -298,7 +352,8 @@ same "g++ -x c++ -O2" g++ "-x c++ -O2"
 
 # ---- the examples: their own checks, and their output as stored ----
 
-for example in interp poisson embedded surface parts stream sensor; do
+for example in interp poisson embedded surface parts stream sensor derived \
+    planar; do
     also=
     [ $example = parts ] && also=-lpthread
     if build "$example" "$CC" "$CFLAGS -I." test/examples/$example.c tess.c hhpred.c $also; then
@@ -310,6 +365,22 @@ for example in interp poisson embedded surface parts stream sensor; do
         fail "example: $example does not compile"
     fi
 done
+
+# The README's C program: its input a plane grid of 9 x 11 points, of which
+# every one of the 160 triangles makes a tetrahedron with the point off it.
+awk 'BEGIN { for (i = 0; i < 99; i++) print i % 9, int(i / 9), 0
+    print 3, 4, 5 }' > build/points.txt
+sed -n '/^```c$/,/^```$/p' README.md | sed '/^```/d' > build/readme.c
+if build readme "$CC" "$CFLAGS -I." build/readme.c $HARD; then
+    one "the README's C program" sh -c \
+        'test "`build/readme < build/points.txt`" = "code 0, 160 tetrahedra"'
+else
+    fail "the README's C program does not compile"
+fi
+
+# ---- the command line program ----
+
+many "the driver" env CC="$CC" sh test/driver.sh
 
 rm -f $OUT
 # ---- the FORTRAN 77 half: ANSI X3.9-1978 and nothing more ----
@@ -341,9 +412,16 @@ if command -v ftnchek > /dev/null; then
     $CHEK -noextern -array=no-dimensions -usage=no-arg-array-alias \
         test/examples/parts.f > build/ftnchek.txt 2>&1
     one "ftnchek: parts.f" sh -c '! grep -i warning build/ftnchek.txt'
+    for f in test/examples/derived.f test/sizes.f; do
+        $CHEK -array=no-dimensions -usage=no-arg-array-alias -library \
+            $F77 $f > build/ftnchek.txt 2>&1
+        one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
+    done
 else
     skip "ftnchek: not installed"
 fi
+one "f77/README is what the sources say" sh -c \
+    'sh test/manual.sh | cmp - f77/README'
 one "FORTRAN 77: no line past column 72" \
     sh -c '! grep -n "^.\{73\}" f77/*.f test/*.f test/*/*.f'
 
@@ -462,6 +540,48 @@ ten() {
     rm -f build/ten/a.out
 }
 
+# FORTRAN programs that tell by their text whether all is well.
+# programs NAME FLAGS: with the half just compiled
+programs() {
+    for f in $F77PROGRAMS; do
+        rm -f build/program
+        gfortran $2 -o build/program $f build/ftess.o build/fhhpred.o $LIBS \
+            >> $LOG 2>&1
+        text=build/`basename $f .f`.txt
+        case $f in
+        test/examples/*)
+            build/program > $text
+            one "$f, $1" cmp `echo $f | sed 's/f$/out/'` $text;;
+        *) many "$f, $1" build/program;;
+        esac
+    done
+}
+F77PROGRAMS="test/examples/derived.f test/sizes.f"
+
+# interface NAME FLAGS: the module for Fortran 90, and that with it wrong calls
+# do not compile; f77/README's program
+interface() {
+    (cd build && gfortran -std=f95 -pedantic -Wall -Wextra -Werror $2 -c \
+        -o module.o ../f77/tess.f90) >> $LOG 2>&1
+    module="-cpp -Ibuild -Jbuild $2"
+    if gfortran -std=f2018 -pedantic $module -o build/iface test/iface.f90 \
+        build/ftess.o build/fhhpred.o $LIBS >> $LOG 2>&1
+    then
+        many "interfaces, $1" build/iface
+    else
+        fail "interfaces, $1: do not compile"
+    fi
+    for wrong in 1 2 3 4; do
+        one "interfaces, $1: wrong call $wrong" sh -c "! gfortran $module \
+            -DWRONG=$wrong -c -o build/module.o test/iface.f90"
+    done
+    awk '/^      PROGRAM GRID/,/^      END$/' f77/README > build/grid.f
+    rm -f build/grid
+    gfortran $2 -o build/grid build/grid.f build/ftess.o build/fhhpred.o \
+        $LIBS >> $LOG 2>&1
+    one "f77/README's program, $1" test "`build/grid`" = " 14.5000"
+}
+
 # parity.c and parity.f write the same text; parity.txt is what they wrote
 # when it was made, so that a machine without Fortran compares, too.  It is not
 # believed: the first program proves each answer by exact.c, and knows the
@@ -511,10 +631,21 @@ if command -v gfortran > /dev/null; then
     fortran "gfortran -O3" gfort -O3
     text "gfortran -O3"
     threads "gfortran -O3"
+    programs "gfortran -O3" "-std=legacy -O1 -fcheck=all"
+    interface "gfortran -O3"
     gfort -Ofast -march=native >> $LOG 2>&1
     text "gfortran -Ofast -march=native"
     entries
     text "gfortran and C with -DTESS_FORTRAN"
+    # integers of 8 bytes, in both halves
+    gfort -O2 -fdefault-integer-8 >> $LOG 2>&1
+    programs "INTEGER*8" "-std=legacy -fdefault-integer-8"
+    interface "INTEGER*8" -fdefault-integer-8
+    for half in tess hhpred; do
+        $CC $CFLAGS -DTESS_FORTRAN -DTESS_INT=long -c -o build/f$half.o $half.c
+    done
+    programs "INTEGER*8 and C" "-std=legacy -fdefault-integer-8"
+    interface "INTEGER*8 and C" -fdefault-integer-8
     # few limbs: the same codes 2 and 6 as from C
     fewlimbs() {
         for half in tess hhpred; do

@@ -3,8 +3,8 @@
  * lists options.
  *
  * All arrays are static: what is never touched costs nothing but address
- * space.  Much more than 4 million points need a compiler option for static
- * data beyond 2 GB, such as -mcmodel=large.
+ * space.  The Makefile's MAXPTS says for how many points, and adds what the
+ * compiler needs for static data beyond 2 GB.
  */
 #include <errno.h>
 #include <float.h>
@@ -15,7 +15,7 @@
 #include <time.h>
 
 #include "draw.h"
-#include "tess.h"
+#include "driver.h"
 
 #ifndef MAXPTS
 #define MAXPTS 1000000L
@@ -24,14 +24,15 @@
 #define MAXTET (7L * (MAXPTS) + 100000L)
 #endif
 #ifndef MAXIW
-#define MAXIW (24L * (MAXPTS) + 100000L)
+#define MAXIW (24L * (MAXPTS) + 100000L) /* TESS_POOL: more */
 #endif
 #ifndef MAXRW
 #define MAXRW (8L * (MAXPTS) + 100000L)
 #endif
+#ifndef MAXVAL
+#define MAXVAL (4L * (MAXPTS) + 100000L)
+#endif
 
-#define LINE 8192    /* characters of a line that are looked at            */
-#define NAME 1024    /* longest file name made from -o                     */
 #define FEW 200      /* tetrahedra that are drawn apart                    */
 #define LONG_RUN 1e5 /* from this many points on, tell stderr what goes on */
 
@@ -40,40 +41,48 @@
 #define BADUSE 2
 
 static tess_real p[3 * (MAXPTS)];
-static double value[MAXPTS];
+static double value[MAXVAL];
 static long line_of[MAXPTS];
 static tess_int tet[4 * (MAXTET)], adj[4 * (MAXTET)], iw[MAXIW];
 static double rw[MAXRW];
 static char keep[MAXTET]; /* what is drawn */
 
-static tess_int n, ntet;
-static int has_values;
-static tess_int base; /* number of the first point and tetrahedron in files */
-static int check, quiet;
+static points in;
+static tess_int ntet;
+static int check, quiet, binary;
 static const char *output[5]; /* names: .node .ele .neigh .vtk .svg */
 static double alpha;          /* largest circumradius drawn; 0: any */
-static char line[LINE];
-static long line_number;
-static const char *input = "standard input";
+static double view[2] = {-400.0, 0.0}; /* azimuth and elevation, if given */
+static time_t began;
 
 static const char *const usage[] = {
     "usage: tess [options] [points]",
     "",
     "Delaunay tetrahedralization of points in space.",
     "",
-    "points: lines `x y z' or `x y z value'; or, if the name ends in .node, a",
-    "TetGen file.  Separators are blanks, tabs, commas, semicolons; # starts a",
-    "comment; columns after the value are ignored.  No name, or -: standard",
-    "input.",
+    "points: a file of points, or - or nothing for standard input.  It may be",
+    "  lines     x y z and any values; blanks, tabs, commas or semicolons",
+    "            between them; a first line of names, of which x, y, z say which",
+    "            columns those are; a column of words is skipped.  # begins a",
+    "            comment; so do % ! and two slashes.  1.34D-01 is 1.34E-01; a",
+    "            decimal comma is an error",
+    "  a count   before such lines, or Qhull's dimension and number",
+    "  .xyz      of atoms: number, comment, lines `element x y z'",
+    "  .node     TetGen's; .off, .ply (ASCII), .obj: the points; PDB: the atoms",
+    "All further columns, attributes and markers are values, which go to the",
+    "output; the picture shows the first.",
     "",
     "  -check    prove the result, by exact arithmetic",
     "  -node F   write points, TetGen format",
     "  -ele F    write tetrahedra, TetGen format",
     "  -neigh F  write neighbours, TetGen format",
     "  -vtk F    write all as a VTK unstructured grid (legacy, ASCII)",
+    "  -binary   let that be binary: faster, half as long, exact",
     "  -svg F    write a picture: cut open; or moved apart if they are few",
     "  -alpha R  draw no tetrahedron whose circumradius exceeds R: the alpha",
     "            shape, with holes and hollows that the hull fills",
+    "  -view A E draw as seen from azimuth A, from x to y, and elevation E above",
+    "            that plane, both in degrees; if not given, -68 28",
     "  -o BASE   write BASE.node BASE.ele BASE.neigh BASE.vtk",
     "  -q        quiet: print nothing but errors",
     "  -h        this text",
@@ -94,8 +103,7 @@ static void complain(const char *format, va_list list)
     fprintf(stderr, "\n");
 }
 
-/* fail - the same, and leave: the usage, the input or an output is bad. */
-static void fail(const char *format, ...)
+void fail(const char *format, ...)
 {
     va_list list;
 
@@ -105,8 +113,7 @@ static void fail(const char *format, ...)
     exit(BADUSE);
 }
 
-/* too_small - the same: this build's arrays do not suffice. */
-static void too_small(const char *format, ...)
+void too_small(const char *format, ...)
 {
     va_list list;
 
@@ -116,18 +123,23 @@ static void too_small(const char *format, ...)
     exit(FAULT);
 }
 
-/* fail_line - the same, about the current line of the input. */
-static void fail_line(const char *what)
-{
-    fail("%s, line %ld: %s", input, line_number, what);
-}
-
-/* say - tell on stderr what a long run is doing. */
-static void say(const char *format, ...)
+void warn(const char *format, ...)
 {
     va_list list;
 
-    if (quiet || (double)n < LONG_RUN) return;
+    if (quiet) return;
+    va_start(list, format);
+    complain(format, list);
+    va_end(list);
+}
+
+void say(const char *format, ...)
+{
+    va_list list;
+
+    if (quiet ||
+        ((double)in.n < LONG_RUN && difftime(time((time_t *)0), began) < 1.0))
+        return;
     va_start(list, format);
     complain(format, list);
     va_end(list);
@@ -140,164 +152,11 @@ static tess_int fit(long x)
     return (tess_int)x;
 }
 
-/* --------------------------------------------------------------- reading */
-
-static int blank(int c)
-{
-    return c == ' ' || c == '\t' || c == '\f' || c == '\v';
-}
-
-static int comma(int c)
-{
-    return c == ',' || c == ';';
-}
-
-/* next_line - read the next line that holds something into line, without its
- * comment, without blanks that only repeat one, and without a number that the
- * end of the buffer would cut.  Ends of line: LF, CR LF, CR.  Returns 0 at
- * the end of the file. */
-static int next_line(FILE *file)
-{
-    int c, len, comment;
-
-    do {
-        len = comment = 0;
-        line_number++;
-        while ((c = getc(file)) != EOF && c != '\n' && c != '\r') {
-            if (c == '#') comment = 1;
-            if (comment || len == LINE) continue;
-            if (blank(c) && (len == 0 || blank(line[len - 1]))) continue;
-            /* strtod would take a NUL for the end of the line */
-            line[len++] = c ? (char)c : '?';
-            /* a byte order mark */
-            if (line_number == 1 && len == 3 &&
-                strncmp(line, "\357\273\277", 3) == 0)
-                len = 0;
-        }
-        if (c == '\r' && (c = getc(file)) != '\n' && c != EOF) {
-            ungetc(c, file);
-            c = '\n';
-        }
-        if (len == LINE) {
-            do len--;
-            while (len > 1 && !blank(line[len]) && !comma(line[len]));
-        }
-        line[len] = '\0';
-        if (len > 0) return 1;
-    } while (c != EOF);
-    if (ferror(file)) fail("%s: %s", input, strerror(errno));
-    return 0;
-}
-
-/* numbers - read up to most numbers from line; returns how many there are. */
-static int numbers(int most, double *x)
-{
-    const char *s = line;
-    char *end;
-    int k;
-
-    for (k = 0; k < most; k++) {
-        while (blank(*s)) s++;
-        if (!*s) break;
-        x[k] = strtod(s, &end);
-        if (end == s || (*end && !blank(*end) && !comma(*end)))
-            fail("%s, line %ld: column %d is not a number: %.30s", input,
-                 line_number, k + 1, s);
-        s = end;
-        while (blank(*s)) s++;
-        if (comma(*s)) s++;
-    }
-    return k;
-}
-
-static void put_point(const double *x, double v)
-{
-    int k;
-
-    if (n == fit(MAXPTS))
-        too_small("%s, line %ld: more than %ld points; rebuild with "
-                  "-DMAXPTS=... (make clean; make CPPFLAGS=-DMAXPTS=%ld)",
-                  input, line_number, (long)n, 4 * (long)n);
-    for (k = 0; k < 3; k++) p[3 * n + k] = (tess_real)x[k];
-    value[n] = v;
-    line_of[n] = line_number;
-    n++;
-    if ((double)n == LONG_RUN) say("reading %s ...", input);
-}
-
-static void read_xyz(FILE *file)
-{
-    double x[4];
-    int columns;
-
-    while (next_line(file)) {
-        columns = numbers(4, x);
-        if (columns < 3) fail_line("fewer than three numbers");
-        if (n == 0) has_values = columns == 4;
-        if (has_values != (columns == 4))
-            fail_line(has_values ? "no value, but the lines before have one"
-                                 : "a value, but the lines before have none");
-        put_point(x, has_values ? x[3] : 0.0);
-    }
-}
-
-static void read_node(FILE *file)
-{
-    double head[4], x[5];
-    int columns;
-
-    head[2] = 0.0;
-    if (!next_line(file)) fail("%s: empty", input);
-    columns = numbers(4, head);
-    if (columns < 2 || !(head[0] >= 0.0 && head[0] <= 2147483647.0) ||
-        !(head[2] >= 0.0))
-        fail_line("not the first line of a .node file");
-    if (head[1] != 3.0) fail_line("the points are not in three dimensions");
-    has_values = head[2] >= 1.0;
-    while ((double)n < head[0]) {
-        if (!next_line(file))
-            fail("%s: ends after %ld of %.0f points", input, (long)n, head[0]);
-        columns = numbers(has_values ? 5 : 4, x);
-        if (columns < (has_values ? 5 : 4))
-            fail_line(has_values ? "fewer than five numbers"
-                                 : "fewer than four numbers");
-        if (n == 0 && x[0] == 1.0) base = 1;
-        if (x[0] != (double)(n + base))
-            fail_line("points are not numbered one after the other from 0 "
-                      "or 1");
-        put_point(x + 1, has_values ? x[4] : 0.0);
-    }
-}
-
-static int ends_in(const char *name, const char *suffix)
-{
-    size_t a = strlen(name), b = strlen(suffix);
-
-    return a >= b && strcmp(name + a - b, suffix) == 0;
-}
-
-static void read_points(const char *name)
-{
-    FILE *file = stdin;
-
-    if (name && strcmp(name, "-") != 0) {
-        input = name;
-        file = fopen(name, "r");
-        if (!file) fail("%s: %s", name, strerror(errno));
-    } else if (!name && !quiet)
-        fprintf(stderr, "tess: reading points from standard input\n");
-    if (ends_in(input, ".node"))
-        read_node(file);
-    else
-        read_xyz(file);
-    if (file != stdin) fclose(file);
-}
-
 /* --------------------------------------------------------------- writing */
 
-static FILE *start(const char *name)
+static FILE *start(const char *name, const char *mode)
 {
-    FILE *file = fopen(name, "w");
+    FILE *file = fopen(name, mode);
 
     if (!file) fail("%s: %s", name, strerror(errno));
     say("writing %s ...", name);
@@ -339,14 +198,18 @@ static void put_coordinates(FILE *file, tess_int i, char after)
 
 static void write_node(const char *name)
 {
-    FILE *file = start(name);
+    FILE *file = start(name, "w");
+    const double *v = value;
     tess_int i;
+    int k;
 
-    fprintf(file, "%ld 3 %d 0\n", (long)n, has_values);
-    for (i = 0; i < n; i++) {
-        fprintf(file, "%ld ", (long)(i + base));
-        put_coordinates(file, i, has_values ? ' ' : '\n');
-        if (has_values) put_real(file, value[i], 0, '\n');
+    fprintf(file, "%ld 3 %d %d\n", (long)in.n, in.columns - in.marker,
+            in.marker);
+    for (i = 0; i < in.n; i++) {
+        fprintf(file, "%ld ", (long)(i + in.base));
+        put_coordinates(file, i, in.columns > 0 ? ' ' : '\n');
+        for (k = 1; k <= in.columns; k++)
+            put_real(file, *v++, 0, k < in.columns ? ' ' : '\n');
     }
     finish(file, name);
 }
@@ -354,49 +217,93 @@ static void write_node(const char *name)
 /* write_four - .ele or .neigh: four numbers a tetrahedron. */
 static void write_four(const char *name, const char *head, const tess_int *four)
 {
-    FILE *file = start(name);
+    FILE *file = start(name, "w");
     tess_int t;
     int k;
 
     fprintf(file, "%ld %s\n", (long)ntet, head);
     for (t = 0; t < ntet; t++) {
-        fprintf(file, "%ld", (long)(t + base));
+        fprintf(file, "%ld", (long)(t + in.base));
         for (k = 0; k < 4; k++)
             fprintf(file, " %ld", four[4 * t + k] < 0
                                       ? -1L
-                                      : (long)(four[4 * t + k] + base));
+                                      : (long)(four[4 * t + k] + in.base));
         fprintf(file, "\n");
     }
     finish(file, name);
 }
 
+/* put_bytes - the bytes of a number, the most significant first, as VTK's
+ * binary files have them. */
+static void put_bytes(FILE *file, const void *number, int size)
+{
+    static const int one = 1;
+    const char *byte = (const char *)number;
+    int little = *(const char *)&one, k;
+
+    for (k = 0; k < size; k++) putc(byte[little ? size - 1 - k : k], file);
+}
+
+static void put_double(FILE *file, double x, char after)
+{
+    if (binary)
+        put_bytes(file, &x, (int)sizeof x);
+    else
+        put_real(file, x, 0, after);
+}
+
+/* put_int - VTK's int has 4 bytes. */
+static void put_int(FILE *file, tess_int i, char after)
+{
+    unsigned long bits = (unsigned long)i;
+    int shift;
+
+    if (!binary)
+        fprintf(file, "%ld%c", (long)i, after);
+    else
+        for (shift = 24; shift >= 0; shift -= 8)
+            putc((int)(bits >> shift & 255), file);
+}
+
 static void write_vtk(const char *name)
 {
-    FILE *file = start(name);
+    FILE *file = start(name, binary ? "wb" : "w");
+    const char *end = binary ? "\n" : ""; /* of a block */
     tess_int i;
+    const char *c;
+    int k;
 
     fprintf(file,
             "# vtk DataFile Version 3.0\n"
             "Delaunay tetrahedralization\n"
-            "ASCII\n"
+            "%s\n"
             "DATASET UNSTRUCTURED_GRID\n"
             "POINTS %ld double\n",
-            (long)n);
-    for (i = 0; i < n; i++) put_coordinates(file, i, '\n');
-    fprintf(file, "CELLS %ld %.0f\n", (long)ntet, 5.0 * (double)ntet);
-    for (i = 0; i < ntet; i++)
-        fprintf(file, "4 %ld %ld %ld %ld\n", (long)tet[4 * i],
-                (long)tet[4 * i + 1], (long)tet[4 * i + 2],
-                (long)tet[4 * i + 3]);
-    fprintf(file, "CELL_TYPES %ld\n", (long)ntet);
-    for (i = 0; i < ntet; i++) fprintf(file, "10\n");
-    if (has_values) {
-        fprintf(file,
-                "POINT_DATA %ld\n"
-                "SCALARS value double 1\n"
-                "LOOKUP_TABLE default\n",
-                (long)n);
-        for (i = 0; i < n; i++) put_real(file, value[i], 0, '\n');
+            binary ? "BINARY" : "ASCII", (long)in.n);
+    for (i = 0; i < in.n; i++)
+        if (binary)
+            for (k = 0; k < 3; k++) put_double(file, (double)p[3 * i + k], 0);
+        else
+            put_coordinates(file, i, '\n');
+    fprintf(file, "%sCELLS %ld %.0f\n", end, (long)ntet,
+            5.0 * (double)ntet);
+    for (i = 0; i < ntet; i++) {
+        put_int(file, 4, ' ');
+        for (k = 0; k < 4; k++)
+            put_int(file, tet[4 * i + k], k < 3 ? ' ' : '\n');
+    }
+    fprintf(file, "%sCELL_TYPES %ld\n", end, (long)ntet);
+    for (i = 0; i < ntet; i++) put_int(file, 10, '\n');
+    fprintf(file, "%s", end);
+    if (in.columns > 0) fprintf(file, "POINT_DATA %ld\n", (long)in.n);
+    for (k = 0; k < in.columns; k++) {
+        fprintf(file, "SCALARS ");
+        for (c = in.name[k]; *c; c++)
+            putc(*c > ' ' && *c <= '~' && *c != '"' ? *c : '_', file);
+        fprintf(file, " double 1\nLOOKUP_TABLE default\n");
+        for (i = 0; i < in.n; i++)
+            put_double(file, value[(long)in.columns * i + k], '\n');
+        fprintf(file, "%s", end);
     }
     finish(file, name);
 }
@@ -404,22 +311,30 @@ static void write_vtk(const char *name)
 static void write_svg(const char *name)
 {
     static char note[120];
-    FILE *file = start(name);
-    tess_int drawn = ntet;
+    FILE *file = start(name, "w");
+    tess_int drawn = ntet, i;
     draw_look look;
 
     draw_default(&look);
+    if (view[0] >= -360.0) {
+        look.azimuth = view[0];
+        look.elevation = view[1];
+    }
     if (alpha > 0.0) {
         drawn = draw_alpha(p, ntet, tet, alpha, keep);
         look.keep = keep;
     }
     look.shrink = drawn > FEW ? 1.0 : 0.72;
     look.cut = drawn > FEW;
-    look.label = "value";
-    sprintf(note, "%ld points, %ld tetrahedra", (long)n, (long)drawn);
+    look.label = in.name[0];
+    sprintf(note, "%ld points, %ld tetrahedra%s", (long)in.n, (long)drawn,
+            in.columns > 0 ? "" : "; coloured by distance from the middle");
     look.note = note;
-    if (draw_svg(file, &look, n, p, has_values ? value : (double *)0, ntet,
-                 tet, adj) != 0)
+    /* the first value of each point, where the workspace was */
+    if (in.columns > 0)
+        for (i = 0; i < in.n; i++) rw[i] = value[(long)in.columns * i];
+    if (draw_svg(file, &look, in.n, p, in.columns > 0 ? rw : (double *)0,
+                 ntet, tet, adj) != 0)
         too_small("%s: not enough memory for a picture", name);
     finish(file, name);
 }
@@ -453,8 +368,11 @@ static void report(int code, tess_int duplicates, double seconds,
     double v = volume();
     const char *what = "";
 
-    printf("points        %ld%s\n", (long)n,
-           has_values ? ", each with a value" : "");
+    printf("points        %ld", (long)in.n);
+    if (in.columns > 0)
+        printf(", each with %d value%s", in.columns,
+               in.columns > 1 ? "s" : "");
+    printf("\n");
     printf("duplicates    %ld\n", (long)duplicates);
     for (i = 0; i < 4 * ntet; i++)
         if (adj[i] == TESS_NONE) hull++;
@@ -467,9 +385,8 @@ static void report(int code, tess_int duplicates, double seconds,
     printf("seconds       %.3f", seconds);
     if (ntet > 0 && seconds > 0.05)
         printf(", %.0f ns a tetrahedron", seconds / (double)ntet * 1e9);
-    printf("\nworkspace     %.0f bytes", bytes);
-    if (n > 0) printf(", %.1f a point", bytes / (double)n);
-    printf("\n");
+    printf("\nworkspace     %.0f bytes, %.1f a point\n", bytes,
+           bytes / (double)in.n);
     if (code == TESS_PLANE) what = "all points lie in one plane";
     if (code == TESS_LINE) what = "all points lie on one line";
     if (code == TESS_POINT) what = "at most one distinct point";
@@ -481,15 +398,13 @@ static void explain(int code, tess_int maxtet, tess_int liw)
 {
     switch (code) {
     case TESS_MORE:
-        too_small("more than %ld tetrahedra; rebuild with -DMAXTET=... "
-                  "(make clean; make CPPFLAGS=-DMAXTET=%ld)",
-                  (long)maxtet, 4 * (long)maxtet);
+        too_small("more than %ld tetrahedra; build for more: make MAXPTS=%ld",
+                  (long)maxtet, 4 * (long)fit(MAXPTS));
         break;
     case TESS_POOL:
         too_small("more open facets than %ld integers of workspace hold; "
-                  "rebuild with -DMAXIW=... (make clean; make "
-                  "CPPFLAGS=-DMAXIW=%ld)",
-                  (long)liw, 4 * (long)liw);
+                  "build for more: make MAXPTS=%ld",
+                  (long)liw, 4 * (long)fit(MAXPTS));
         break;
     case TESS_RANGE:
         too_small("the coordinates differ too much in magnitude for numbers "
@@ -498,13 +413,13 @@ static void explain(int code, tess_int maxtet, tess_int liw)
         break;
     case -7:
     case -9:
-        too_small("the workspace does not suffice for %ld points; rebuild "
-                  "with larger -DMAXIW=... -DMAXRW=...",
-                  (long)n);
+        too_small("the workspace does not suffice for %ld points; build for "
+                  "more: make MAXPTS=%ld",
+                  (long)in.n, 4 * (long)fit(MAXPTS));
         break;
     case -2:
         fail("%s, line %ld: point %ld has a coordinate that is not finite",
-             input, line_of[ntet], (long)(ntet + base));
+             in.input, line_of[ntet], (long)(ntet + in.base));
         break;
     default:
         too_small("unexpected code %d", code);
@@ -519,7 +434,7 @@ static int prove(void)
     const char *what;
 
     say("checking ...");
-    code = tess_check(n, p, ntet, tet, adj, fit(MAXIW), iw, &bad);
+    code = tess_check(in.n, p, ntet, tet, adj, fit(MAXIW), iw, &bad);
     switch (code) {
     case 0:
         if (!quiet)
@@ -562,7 +477,7 @@ static int prove(void)
     if (bad >= 0)
         fprintf(stderr, ", %s %ld",
                 code == TESS_BAD_POINT ? "point" : "tetrahedron",
-                (long)(bad + base));
+                (long)(bad + in.base));
     fprintf(stderr, ")\n");
     return FAULT;
 }
@@ -586,6 +501,14 @@ static const char *options(int argc, char **argv)
             if (++a < argc) alpha = strtod(argv[a], &end);
             if (a == argc || *end || !(alpha > 0.0))
                 fail("-alpha needs a length (tess -h helps)");
+        } else if (strcmp(word, "-view") == 0) {
+            for (k = 0; k < 2; k++) {
+                end = (char *)word;
+                if (++a < argc) view[k] = strtod(argv[a], &end);
+                if (a >= argc || *end || !(view[k] >= -360.0) ||
+                    !(view[k] <= 360.0))
+                    fail("-view needs two angles (tess -h helps)");
+            }
         } else if (k < 5 || strcmp(word, "-o") == 0) {
             if (++a == argc) fail("%s needs a name (tess -h helps)", word);
             if (k < 5) {
@@ -599,6 +522,8 @@ static const char *options(int argc, char **argv)
             }
         } else if (strcmp(word, "-check") == 0) {
             check = 1;
+        } else if (strcmp(word, "-binary") == 0) {
+            binary = 1;
         } else if (strcmp(word, "-q") == 0) {
             quiet = 1;
         } else if (strcmp(word, "-h") == 0) {
@@ -618,7 +543,53 @@ static const char *options(int argc, char **argv)
     for (k = 0; k < 5; k++)
         if (name && output[k] && strcmp(name, output[k]) == 0)
             fail("%s: would overwrite the input", name);
+    for (k = 1; k < 5; k++)
+        for (a = 0; a < k; a++)
+            if (output[a] && output[k] && strcmp(output[a], output[k]) == 0)
+                fail("%s: the name of two outputs", output[k]);
     return name;
+}
+
+/* tetrahedralize - call tess, and resume it, such that there is something to
+ * tell every second or so.  But to resume takes about as long as n tetrahedra
+ * of a cloud, and a third of what is there already: slices shall take four
+ * times that, lest the telling be the work. */
+static int tetrahedralize(tess_int maxtet, tess_int *liw, tess_int lrw)
+{
+    clock_t begin = clock(), last = begin;
+    tess_int room = in.n / 4 + 1000, before = 0;
+    double rate, slice, resume;
+    int code;
+
+    ntet = 0;
+    for (;;) {
+        if (room > maxtet || quiet) room = maxtet;
+        code = (ntet > 0 ? tess_resume : tess)(in.n, p, room, &ntet, tet, adj,
+                                               *liw, iw, lrw, rw);
+        if (code == TESS_POOL && *liw < fit(MAXIW)) {
+            say("more room for open facets ...");
+            *liw = *liw < fit(MAXIW) / 2 ? 2 * *liw : fit(MAXIW);
+            continue;
+        }
+        if (code != TESS_MORE || room == maxtet) return code;
+        slice = (double)(clock() - last) / CLOCKS_PER_SEC;
+        last = clock();
+        rate = (slice + 1e-9) / (double)(ntet - before);
+        resume = (rate < 1e-6 ? rate : 1e-6) *
+                 ((double)in.n + (double)ntet / 3.0);
+        slice = 4.0 * resume > 1.0 ? 4.0 * resume : 1.0;
+        if (difftime(time((time_t *)0), began) >= 1.0)
+            warn("%ld tetrahedra after %.1f s, of about %.0f if the points "
+                 "fill a volume",
+                 (long)ntet, (double)(last - begin) / CLOCKS_PER_SEC,
+                 6.8 * (double)in.n);
+        before = ntet;
+        slice = slice / rate < 2e9 ? slice / rate : 2e9;
+        if (slice > (double)(maxtet - room))
+            room = maxtet;
+        else
+            room += (tess_int)slice + 1;
+    }
 }
 
 int main(int argc, char **argv)
@@ -627,32 +598,34 @@ int main(int argc, char **argv)
     int code, status = 0;
     clock_t begin;
     double seconds;
+    const char *name = options(argc, argv);
 
-    read_points(options(argc, argv));
+    began = time((time_t *)0);
+    in.room = (long)fit(MAXPTS);
+    in.values = MAXVAL;
+    in.p = p;
+    in.value = value;
+    in.line = line_of;
+    read_points(name, &in);
 
-    while ((code = tess_size(n, maxtet, &liw, &lrw)) == -2 && maxtet > 0)
+    while ((code = tess_size(in.n, maxtet, &liw, &lrw)) == -2 && maxtet > 0)
         maxtet /= 2;
     if (code < 0)
         too_small("%ld points are too many for a tess_int of %d bytes; "
                   "rebuild with a larger -DTESS_INT=...",
-                  (long)n, (int)sizeof(tess_int));
+                  (long)in.n, (int)sizeof(tess_int));
     if (liw > fit(MAXIW)) liw = fit(MAXIW);
     if (lrw > fit(MAXRW)) lrw = fit(MAXRW);
     say("tetrahedralizing %ld points, about %.1f s if they fill a volume ...",
-        (long)n, 2.1e-6 * (double)n);
+        (long)in.n, 2.1e-6 * (double)in.n);
     begin = clock();
-    code = tess(n, p, maxtet, &ntet, tet, adj, liw, iw, lrw, rw);
-    while (code == TESS_POOL && liw < fit(MAXIW)) {
-        say("more room for open facets ...");
-        liw = liw < fit(MAXIW) / 2 ? 2 * liw : fit(MAXIW);
-        code = tess_resume(n, p, maxtet, &ntet, tet, adj, liw, iw, lrw, rw);
-    }
+    code = tetrahedralize(maxtet, &liw, lrw);
     seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
     if (code != TESS_OK && code != TESS_PLANE && code != TESS_LINE &&
         code != TESS_POINT)
         explain(code, maxtet, liw);
 
-    for (i = 0; i < n; i++)
+    for (i = 0; i < in.n; i++)
         if (iw[i] != i) duplicates++;
     if (!quiet)
         report(code, duplicates, seconds,

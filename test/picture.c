@@ -10,8 +10,8 @@
 
 #define MAXPTS 5000
 #define MAXTET (8 * (MAXPTS))
-#define MAXIW (24 * (MAXPTS))
-#define MAXRW (4 * (MAXPTS) + 100)
+#define MAXIW TESS_LIW(MAXPTS)
+#define MAXRW TESS_LRW(MAXPTS)
 
 /* The blank of mirror.c: radii of hole, rim and front; thickness, m. */
 #define INNER 0.60
@@ -160,7 +160,7 @@ static void mirror(const char *from, const char *to)
  * random along their edge, in their face or inside. */
 static void cube(const char *to)
 {
-    static char note[100];
+    static char note[120];
     unsigned long seed = 5;
     double sum = 0.0;
     draw_look look;
@@ -190,7 +190,9 @@ static void cube(const char *to)
     look.azimuth = -62.0;
     look.elevation = 24.0;
     look.shrink = 0.72;
-    sprintf(note, "%ld points of a cube, %ld tetrahedra, moved apart",
+    sprintf(note,
+            "%ld points of a cube, %ld tetrahedra, moved apart; coloured by "
+            "distance from the middle",
             (long)n, (long)ntet);
     look.note = note;
     save(&look, (const double *)0, to);

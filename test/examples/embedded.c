@@ -20,12 +20,10 @@
 #include "tess.h"
 
 #define SENSORS 64
-#define SIDE 4 /* cube root of SENSORS, rounded up */
 /* Spread over a volume, n points have up to 7 n tetrahedra. */
 #define TETS (7 * SENSORS)
-/* What tess_size recommends for so few; main compares. */
-#define LIW (8 * SENSORS + 60 * SIDE * SIDE + 520)
-#define LRW (4 * SENSORS + 12)
+#define LIW TESS_LIW(SENSORS)
+#define LRW TESS_LRW(SENSORS)
 
 /* How an answer was found. */
 #define INSIDE 0  /* interpolated between four sensors */

@@ -29,12 +29,12 @@
 #define LAYERS (2 * (FINEST) + 1)
 #define ANGLES (32 * (FINEST))
 
-/* Rules for lengths: about 7 tetrahedra a point, and what tess_size says of
- * the workspace.  tess tells by a code if they do not suffice. */
+/* 8 tetrahedra a point suffice for points that fill a volume.  tess tells by
+ * a code if they do not. */
 #define MAXPTS (RINGS * LAYERS * ANGLES)
 #define MAXTET (8 * MAXPTS)
-#define MAXIW (20 * MAXPTS + 1000)
-#define MAXRW (4 * MAXPTS + 1000)
+#define MAXIW TESS_LIW(MAXPTS)
+#define MAXRW TESS_LRW(MAXPTS)
 
 #define INNER 0.30  /* radius of the hole, m             */
 #define OUTER 1.20  /* radius of the rim, m              */

@@ -36,8 +36,8 @@
 
 #define MAXPTS 50000
 #define MAXTET (7 * MAXPTS)
-#define MAXIW (20 * MAXPTS + 1000)
-#define MAXRW (4 * MAXPTS + 1000)
+#define MAXIW TESS_LIW(MAXPTS)
+#define MAXRW TESS_LRW(MAXPTS)
 #define MAXFAC (MAXPTS)
 
 static tess_real p[3 * MAXPTS];

@@ -23,8 +23,8 @@
 
 #define MAXPTS 100000
 #define MAXTET (7 * MAXPTS)
-#define MAXIW (20 * MAXPTS + 2000)
-#define MAXRW (4 * MAXPTS + 1000)
+#define MAXIW TESS_LIW(MAXPTS)
+#define MAXRW TESS_LRW(MAXPTS)
 #define MAXFAC (2 * MAXPTS) /* Euler: a hull of V points has 2 V - 4 */
 
 #define OUTSIDE 1000 /* points on the ellipsoid */

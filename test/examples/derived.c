@@ -1,0 +1,643 @@
+/* derived.c - what can be had from tet and adj: recipes to copy.
+ *
+ *   cc -O2 -I. -o derived test/examples/derived.c tess.c hhpred.c -lm
+ *
+ * Each routine stands for itself: it needs p, tet and adj, the caller's arrays
+ * for its result, and what is named with it.  Open facets of an unfinished
+ * result count as hull.  Duplicates (iw[i] != i) are in no tetrahedron.
+ *
+ *   edges     each edge once, and a tetrahedron that has it   (turn)
+ *   faces     each facet once, and the tetrahedra on both sides
+ *   stars     for each point the tetrahedra that have it, in compressed rows
+ *   nearest   the point of p nearest to another one           (stars' rows)
+ *   measure   volume, circumcentre and circumradius of a tetrahedron
+ *             (minus, dot, cross, circle, centre)
+ *   dual      area of each edge's dual face and volume of each point's cell
+ *             in the Voronoi diagram                (turn, and measure's five)
+ *   gradient  of a field linear on each tetrahedron    (minus, dot, cross)
+ *
+ * The main program tests them: against brute force, and by identities that
+ * hold for any set of points.  derived.f is the same in FORTRAN 77.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "tess.h"
+
+/* ---- edges ---- */
+
+/* turn - about the edge a b, from tetrahedron *t across its facet opposite to
+ * its vertex number *out, which is neither a nor b.  On return *t is the
+ * neighbour, and *out where to go on; or *t < 0: the hull. */
+static void turn(const tess_int *tet, const tess_int *adj, tess_int a,
+                 tess_int b, tess_int *t, int *out)
+{
+    const tess_int *v = tet + 4 * *t;
+    tess_int stays;
+    int k = 0;
+
+    while (k == *out || v[k] == a || v[k] == b) k++;
+    stays = v[k];
+    *t = adj[4 * *t + *out];
+    if (*t < 0) return;
+    for (*out = 0; tet[4 * *t + *out] != stays; ++*out) continue;
+}
+
+/* The edges of a tetrahedron i j k l: i to j, and k to l counter-clockwise
+ * about it. */
+static const int around[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
+                                 {1, 2, 0, 3}, {1, 3, 2, 0}, {2, 3, 0, 1}};
+
+/* edges - each edge once: in the ring of tetrahedra about it the first one
+ * tells of it.
+ *
+ *   maxedg  (in)   edges that there is room for
+ *   nedge   (out)  number of edges
+ *   edge    (out)  2*maxedg: the two points of each
+ *   at      (out)  maxedg: a tetrahedron that has it
+ *
+ * returns 0, or TESS_MORE: nedge is then the number needed.  Workspace: none.
+ * A cloud of n points has about 7.8 n edges. */
+static int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
+                 tess_int maxedg, tess_int *nedge, tess_int *edge,
+                 tess_int *at)
+{
+    tess_int t, s, a, b;
+    int e, side, out;
+
+    *nedge = 0;
+    for (t = 0; t < ntet; t++)
+        for (e = 0; e < 6; e++) {
+            a = tet[4 * t + around[e][0]];
+            b = tet[4 * t + around[e][1]];
+            /* to one side, and where that ends at the hull to the other */
+            for (side = 2, s = -1; side < 4 && s < 0; side++) {
+                s = t;
+                out = around[e][side];
+                do turn(tet, adj, a, b, &s, &out);
+                while (s > t);
+            }
+            if (s >= 0 && s < t) continue;
+            if (*nedge < maxedg) {
+                edge[2 * *nedge] = a;
+                edge[2 * *nedge + 1] = b;
+                at[*nedge] = t;
+            }
+            ++*nedge;
+        }
+    return *nedge > maxedg ? TESS_MORE : 0;
+}
+
+/* ---- faces ---- */
+
+/* faces - each facet once, with the tetrahedra that have it.
+ *
+ *   maxfac  (in)   faces that there is room for; 4*ntet always suffice
+ *   nface   (out)  number of faces
+ *   face    (out)  3*maxfac: its vertices, counter-clockwise as seen from
+ *                  outside of the first tetrahedron
+ *   both    (out)  2*maxfac: the first tetrahedron and the other one, or
+ *                  TESS_NONE on the hull
+ *
+ * returns 0, or TESS_MORE: nface is then the number needed. */
+static int faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
+                 tess_int maxfac, tess_int *nface, tess_int *face,
+                 tess_int *both)
+{
+    static const int facet[4][3] = {
+        {1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+    tess_int t, u;
+    int i, k;
+
+    *nface = 0;
+    for (t = 0; t < ntet; t++)
+        for (k = 0; k < 4; k++) {
+            u = adj[4 * t + k];
+            if (u >= 0 && u < t) continue;
+            if (*nface < maxfac) {
+                for (i = 0; i < 3; i++)
+                    face[3 * *nface + i] = tet[4 * t + facet[k][i]];
+                both[2 * *nface] = t;
+                both[2 * *nface + 1] = u < 0 ? TESS_NONE : u;
+            }
+            ++*nface;
+        }
+    return *nface > maxfac ? TESS_MORE : 0;
+}
+
+/* ---- stars, nearest point ---- */
+
+/* stars - for each point the tetrahedra that have it.
+ *
+ *   first   (out)  n + 1: those of point i are list[first[i]] ...
+ *                  list[first[i+1] - 1], in ascending order; none for a
+ *                  duplicate
+ *   list    (out)  4*ntet */
+static void stars(tess_int n, tess_int ntet, const tess_int *tet,
+                  tess_int *first, tess_int *list)
+{
+    tess_int i;
+
+    for (i = 0; i <= n; i++) first[i] = 0;
+    for (i = 0; i < 4 * ntet; i++) first[tet[i]]++;
+    for (i = 1; i <= n; i++) first[i] += first[i - 1];
+    /* each row is filled from its end, and its end becomes its beginning */
+    for (i = 4 * ntet - 1; i >= 0; i--) list[--first[tet[i]]] = i / 4;
+}
+
+/* nearest - the point of p nearest to q: from v, a point of some tetrahedron,
+ * to ever nearer neighbours.  In a Delaunay tetrahedralization the point that
+ * has no nearer neighbour is the nearest.  A good v is a vertex of the
+ * tetrahedron that tess_locate finds, or the last answer. */
+static tess_int nearest(const tess_real *p, const tess_int *tet,
+                        const tess_int *first, const tess_int *list,
+                        const tess_real *q, tess_int v)
+{
+    double least = DBL_MAX, d, x;
+    tess_int from, i, near = v, w;
+    int j, k;
+
+    do {
+        from = near;
+        for (i = first[from]; i < first[from + 1]; i++)
+            for (k = 0; k < 4; k++) {
+                w = tet[4 * list[i] + k];
+                for (d = 0.0, j = 0; j < 3; j++) {
+                    x = (double)p[3 * w + j] - (double)q[j];
+                    d += x * x;
+                }
+                if (d >= least) continue;
+                least = d;
+                near = w;
+            }
+    } while (near != from);
+    return near;
+}
+
+/* ---- measures ---- */
+
+static void minus(const tess_real *a, const tess_real *b, double *c)
+{
+    int k;
+
+    for (k = 0; k < 3; k++) c[k] = (double)a[k] - (double)b[k];
+}
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double *a, const double *b, double *c)
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* circle - centre of the circle through 0, u, v. */
+static void circle(const double *u, const double *v, double *middle)
+{
+    double normal[3], x[3], size;
+    int k;
+
+    cross(u, v, normal);
+    size = 2.0 * dot(normal, normal);
+    for (k = 0; k < 3; k++)
+        x[k] = (dot(u, u) * v[k] - dot(v, v) * u[k]) / size;
+    cross(x, normal, middle);
+}
+
+/* centre - of the ball through 0, u, v, w.  Of four points that are in one
+ * plane but for rounding a ball's centre cannot be told; that of the circle
+ * through three of them will do. */
+static void centre(const double *u, const double *v, const double *w,
+                   double *c)
+{
+    double vw[3], wu[3], uv[3], det;
+    int k;
+
+    cross(v, w, vw);
+    cross(w, u, wu);
+    cross(u, v, uv);
+    det = dot(u, vw);
+    if (det <= 1e-13 * sqrt(dot(u, u) * dot(v, v) * dot(w, w))) {
+        circle(u, v, c);
+        return;
+    }
+    for (k = 0; k < 3; k++)
+        c[k] = (dot(u, u) * vw[k] + dot(v, v) * wu[k] + dot(w, w) * uv[k]) /
+               (2.0 * det);
+}
+
+/* measure - the tetrahedron whose vertices are v: its volume, and the centre
+ * and radius of its ball. */
+static void measure(const tess_real *p, const tess_int *v, double *volume,
+                    double *middle, double *radius)
+{
+    double e[3][3], c[3];
+    int k;
+
+    for (k = 0; k < 3; k++) minus(p + 3 * v[k + 1], p + 3 * v[0], e[k]);
+    cross(e[1], e[2], c);
+    *volume = dot(e[0], c) / 6.0;
+    centre(e[0], e[1], e[2], c);
+    for (k = 0; k < 3; k++) middle[k] = (double)p[3 * v[0] + k] + c[k];
+    *radius = sqrt(dot(c, c));
+}
+
+/* ---- the Voronoi diagram ---- */
+
+/* dual - for finite volumes: what lies between the cells of two points, and
+ * the cells.
+ *
+ *   nedge, edge, at  (in)   as edges gives them
+ *   area    (out)  nedge: of the face between the cells of the edge's points
+ *   cell    (out)  n: volumes
+ *   outer   (out)  n: 1 for a point on the hull, whose cell has no end.  Its
+ *                  volume is the part in its tetrahedra, and so are the areas
+ *                  of edges on the hull: pieces count as negative where a
+ *                  centre is beyond the hull, so that the volumes' sum is the
+ *                  hull's in any case.  All others are exact but for rounding
+ *
+ * A tetrahedron's piece of the face: from the edge's middle to the centres of
+ * the two facets at it, and from these to the tetrahedron's own.  A cell is
+ * made of pyramids from its point to its faces. */
+static void dual(tess_int n, const tess_real *p, const tess_int *tet,
+                 const tess_int *adj, tess_int nedge, const tess_int *edge,
+                 const tess_int *at, double *area, double *cell,
+                 tess_int *outer)
+{
+    double u[3], v[3], w[3], c[3], f[2][3], x[3], length;
+    tess_int i, a, b, t;
+    int e, k, side, out;
+
+    for (i = 0; i < n; i++) {
+        cell[i] = 0.0;
+        outer[i] = 0;
+    }
+    for (i = 0; i < nedge; i++) {
+        a = edge[2 * i];
+        b = edge[2 * i + 1];
+        minus(p + 3 * b, p + 3 * a, u);
+        length = sqrt(dot(u, u));
+        area[i] = 0.0;
+        for (side = 2, t = -1; side < 4 && t < 0; side++) {
+            t = at[i];
+            for (e = 0; tet[4 * t + around[e][0]] != a ||
+                        tet[4 * t + around[e][1]] != b;)
+                e++;
+            out = around[e][side];
+            /* the first tetrahedron was on the first side already */
+            if (side == 3) turn(tet, adj, a, b, &t, &out);
+            while (t >= 0) {
+                const tess_int *s = tet + 4 * t;
+
+                /* the edge from s[j] = a to b, or from b to a */
+                for (e = 0; (s[around[e][0]] != a || s[around[e][1]] != b) &&
+                            (s[around[e][0]] != b || s[around[e][1]] != a);)
+                    e++;
+                k = s[around[e][0]] == b;
+                minus(p + 3 * s[around[e][2 + k]], p + 3 * a, v);
+                minus(p + 3 * s[around[e][3 - k]], p + 3 * a, w);
+                circle(u, v, f[0]);
+                circle(u, w, f[1]);
+                centre(u, v, w, c);
+                for (k = 0; k < 3; k++) {
+                    f[0][k] -= f[1][k];
+                    c[k] -= u[k] / 2.0;
+                }
+                /* from a quadrangle's diagonals */
+                cross(f[0], c, x);
+                area[i] += dot(x, u) / (2.0 * length);
+                turn(tet, adj, a, b, &t, &out);
+                if (t == at[i]) break;
+            }
+        }
+        if (t < 0) outer[a] = outer[b] = 1;
+        cell[a] += area[i] * length / 6.0;
+        cell[b] += area[i] * length / 6.0;
+    }
+}
+
+/* ---- gradients ---- */
+
+/* gradient - of the field that has the given values at the points and is
+ * linear on the tetrahedron whose vertices are v. */
+static void gradient(const tess_real *p, const tess_int *v,
+                     const double *value, double *g)
+{
+    double e[3][3], c[3], det;
+    int i, k;
+
+    for (k = 0; k < 3; k++) {
+        minus(p + 3 * v[k + 1], p + 3 * v[0], e[k]);
+        g[k] = 0.0;
+    }
+    cross(e[1], e[2], c);
+    det = dot(e[0], c);
+    for (i = 0; i < 3; i++) {
+        cross(e[(i + 1) % 3], e[(i + 2) % 3], c);
+        for (k = 0; k < 3; k++)
+            g[k] += (value[v[i + 1]] - value[v[0]]) * c[k] / det;
+    }
+}
+
+/* ---- tests ---- */
+
+#define N 343
+#define MAXTET (12 * N)
+#define MAXEDG (2 * MAXTET)
+#define MAXFAC (4 * MAXTET)
+#define ROUNDING 1e-11 /* of coordinates of at most 1 */
+#define QUERIES 1000
+
+static tess_real p[3 * N];
+static tess_int tet[4 * MAXTET], adj[4 * MAXTET], iw[TESS_LIW(N)];
+static double rw[TESS_LRW(N)];
+static tess_int edge[2 * MAXEDG], at[MAXEDG], face[3 * MAXFAC];
+static tess_int both[2 * MAXFAC], hull[3 * MAXFAC];
+static tess_int first[N + 1], list[4 * MAXTET], outer[N];
+static double area[MAXEDG], cell[N], flux[3 * N], value[N];
+static char seen[N][N];
+static tess_int n, ntet, nedge, nface, nhull;
+static long seed = 1;
+
+/* random01 - a random number, 0 <= x < 1, of 26 bits. */
+static double random01(void)
+{
+    long high;
+
+    seed = (seed * 3877 + 29573) % 139968;
+    high = seed % 8192;
+    seed = (seed * 3877 + 29573) % 139968;
+    return ((double)high + (double)(seed % 8192) / 8192.0) / 8192.0;
+}
+
+/* make - points: at random in a cube; on a lattice of 7 a side; at random
+ * between two spheres. */
+static const char *make(int set)
+{
+    static const char *const name[3] = {"random", "lattice", "shell"};
+    double x[3], r;
+    tess_int i;
+    int k;
+
+    n = set == 1 ? 343 : 300;
+    for (i = 0; i < n; i++) {
+        do
+            for (k = 0; k < 3; k++) x[k] = 2.0 * random01() - 1.0;
+        while (set == 2 && !(dot(x, x) > 0.01 && dot(x, x) < 1.0));
+        r = set == 2 ? (0.8 + 0.2 * random01()) / sqrt(dot(x, x)) : 1.0;
+        for (k = 0; k < 3; k++) x[k] *= r;
+        if (set == 1) {
+            x[0] = (double)(i % 7) / 8.0;
+            x[1] = (double)(i / 7 % 7) / 8.0;
+            x[2] = (double)(i / 49) / 8.0;
+        }
+        for (k = 0; k < 3; k++) p[3 * i + k] = (tess_real)x[k];
+    }
+    return name[set];
+}
+
+/* Seven tests; each returns 1 when it fails. */
+
+static int test_edges(void)
+{
+    tess_int i, t, pairs = 0, a, b, used = 0;
+    int e, bad = 0;
+
+    for (a = 0; a < n; a++)
+        for (b = 0; b < n; b++) seen[a][b] = 0;
+    for (t = 0; t < ntet; t++)
+        for (e = 0; e < 6; e++) {
+            a = tet[4 * t + around[e][0]];
+            b = tet[4 * t + around[e][1]];
+            if (!seen[a][b]) pairs++;
+            seen[a][b] = seen[b][a] = 1;
+        }
+    bad |= pairs != nedge;
+    for (i = 0; i < nedge; i++) {
+        a = edge[2 * i];
+        b = edge[2 * i + 1];
+        if (seen[a][b] != 1) bad = 1; /* or told twice */
+        seen[a][b] = seen[b][a] = 2;
+        for (e = t = 0; e < 4; e++)
+            t += tet[4 * at[i] + e] == a || tet[4 * at[i] + e] == b;
+        if (t != 2) bad = 1;
+    }
+    /* Euler: a ball */
+    for (i = 0; i < n; i++) used += first[i + 1] > first[i];
+    return bad | (used - nedge + nface - ntet != 1);
+}
+
+static int has(tess_int t, tess_int i)
+{
+    const tess_int *v = tet + 4 * t;
+
+    return v[0] == i || v[1] == i || v[2] == i || v[3] == i;
+}
+
+static int test_faces(void)
+{
+    tess_int i, boundary = 0;
+    int k, bad = 0;
+
+    for (i = 0; i < nface; i++) {
+        for (k = 0; k < 3; k++)
+            if (!has(both[2 * i], face[3 * i + k]) ||
+                (both[2 * i + 1] >= 0 &&
+                 !has(both[2 * i + 1], face[3 * i + k])))
+                bad = 1;
+        if (both[2 * i] == both[2 * i + 1]) bad = 1;
+        boundary += both[2 * i + 1] < 0;
+    }
+    return bad || boundary != nhull || 2 * nface != 4 * ntet + nhull;
+}
+
+static int test_stars(void)
+{
+    tess_int i, j;
+    int bad = first[0] != 0 || first[n] != 4 * ntet;
+
+    for (i = 0; i < n; i++)
+        for (j = first[i]; j < first[i + 1]; j++)
+            if (!has(list[j], i) || (j > first[i] && list[j] <= list[j - 1]))
+                bad = 1;
+    return bad;
+}
+
+static double squared(const tess_real *q, tess_int i)
+{
+    double d[3];
+
+    minus(p + 3 * i, q, d);
+    return dot(d, d);
+}
+
+static int test_nearest(void)
+{
+    tess_real q[3];
+    tess_int i, v = 0;
+    int j, k, bad = 0;
+
+    for (j = 0; j < QUERIES; j++) {
+        for (k = 0; k < 3; k++) q[k] = (tess_real)(3.0 * random01() - 1.0);
+        v = nearest(p, tet, first, list, q, j % 2 ? v : tet[0]);
+        for (i = 0; i < n; i++)
+            if (squared(q, i) < (1.0 - 1e-14) * squared(q, v)) bad = 1;
+    }
+    return bad;
+}
+
+/* whole - the volume of the hull, from its facets. */
+static double whole(void)
+{
+    double a[3], b[3], c[3], d[3], sum = 0.0;
+    tess_int i;
+
+    for (i = 0; i < nhull; i++) {
+        minus(p + 3 * hull[3 * i], p, a);
+        minus(p + 3 * hull[3 * i + 1], p, b);
+        minus(p + 3 * hull[3 * i + 2], p, c);
+        cross(b, c, d);
+        sum += dot(a, d) / 6.0;
+    }
+    return sum;
+}
+
+/* The centre of a tetrahedron of size 1 and volume V is known to about
+ * eps / V^2 at worst: where that is too little nothing is asked. */
+static int test_measure(void)
+{
+    double volume, c[3], radius, d[3], sum = 0.0, far, slack;
+    tess_int t, i;
+    int k, bad = 0;
+
+    for (t = 0; t < ntet; t++) {
+        measure(p, tet + 4 * t, &volume, c, &radius);
+        if (!(volume > 0.0)) bad = 1;
+        sum += volume;
+        slack = 1e-15 * (1.0 + radius) / (volume * volume);
+        /* no point is in the ball, the vertices are on it */
+        for (i = 0; i < n; i++) {
+            for (k = 0; k < 3; k++) d[k] = (double)p[3 * i + k] - c[k];
+            far = sqrt(dot(d, d)) - radius;
+            if (far < -slack || (has(t, i) && far > slack)) bad = 1;
+        }
+    }
+    return bad || fabs(sum - whole()) > ROUNDING;
+}
+
+/* The cells fill the hull; the faces of a cell that has an end are closed: the
+ * sum of their normals times areas is 0; on the lattice, of spacing 1/8, a
+ * cell is a cube, and of the edges those along the axes alone have a face. */
+static int test_dual(int lattice)
+{
+    double sum = 0.0, e[3], length, want;
+    tess_int i, inner = 0;
+    int k, bad = 0;
+
+    for (i = 0; i < 3 * n; i++) flux[i] = 0.0;
+    for (i = 0; i < nedge; i++) {
+        minus(p + 3 * edge[2 * i + 1], p + 3 * edge[2 * i], e);
+        length = sqrt(dot(e, e));
+        for (k = 0; k < 3; k++) {
+            flux[3 * edge[2 * i] + k] += e[k] * area[i] / length;
+            flux[3 * edge[2 * i + 1] + k] -= e[k] * area[i] / length;
+        }
+        want = length > 0.13 ? 0.0 : 1.0 / 64.0;
+        if (lattice && !outer[edge[2 * i]] &&
+            fabs(area[i] - want) > ROUNDING)
+            bad = 1;
+        if (!outer[edge[2 * i]] && area[i] < -ROUNDING) bad = 1;
+    }
+    for (i = 0; i < n; i++) {
+        sum += cell[i];
+        if (outer[i]) continue;
+        inner++;
+        for (k = 0; k < 3; k++)
+            if (fabs(flux[3 * i + k]) > ROUNDING) bad = 1;
+        if (!(cell[i] > 0.0)) bad = 1;
+        if (lattice && fabs(cell[i] - 1.0 / 512.0) > ROUNDING) bad = 1;
+    }
+    for (i = 0; i < nhull; i++) bad |= !outer[hull[3 * i]];
+    return bad || (lattice && inner != 125) || fabs(sum - whole()) > ROUNDING;
+}
+
+/* A linear field's gradient comes out as it is. */
+static int test_gradient(void)
+{
+    static const double want[3] = {2.0, -3.0, 0.5};
+    double g[3], e[3], c[3], volume, radius;
+    tess_int t, i;
+    int k, bad = 0;
+
+    for (i = 0; i < n; i++)
+        value[i] = 7.0 + want[0] * (double)p[3 * i] +
+                   want[1] * (double)p[3 * i + 1] +
+                   want[2] * (double)p[3 * i + 2];
+    for (t = 0; t < ntet; t++) {
+        measure(p, tet + 4 * t, &volume, c, &radius);
+        gradient(p, tet + 4 * t, value, g);
+        for (k = 0; k < 3; k++)
+            if (fabs(g[k] - want[k]) > 1e-14 / volume) bad = 1;
+    }
+    /* any field: the gradient times an edge is the difference along it */
+    for (i = 0; i < n; i++) value[i] = random01();
+    for (t = 0; t < ntet; t++) {
+        measure(p, tet + 4 * t, &volume, c, &radius);
+        gradient(p, tet + 4 * t, value, g);
+        for (k = 1; k < 4; k++) {
+            minus(p + 3 * tet[4 * t + k], p + 3 * tet[4 * t], e);
+            if (fabs(dot(g, e) + value[tet[4 * t]] - value[tet[4 * t + k]]) >
+                1e-14 / volume)
+                bad = 1;
+        }
+    }
+    return bad;
+}
+
+int main(void)
+{
+    const char *name;
+    tess_int i, cells;
+    int set, code, bad = 0;
+
+    printf("set      points  tetrahedra  edges  faces  hull facets  inner "
+           "cells\n");
+    for (set = 0; set < 3; set++) {
+        name = make(set);
+        code = tess(n, p, MAXTET, &ntet, tet, adj, TESS_LIW(N), iw,
+                    TESS_LRW(N), rw);
+        if (code != TESS_OK ||
+            tess_hull(ntet, tet, adj, MAXFAC, &nhull, hull) != 0 ||
+            edges(ntet, tet, adj, MAXEDG, &nedge, edge, at) != 0 ||
+            faces(ntet, tet, adj, MAXFAC, &nface, face, both) != 0) {
+            printf("the arrays are too short: code %d\n", code);
+            return 1;
+        }
+        stars(n, ntet, tet, first, list);
+        dual(n, p, tet, adj, nedge, edge, at, area, cell, outer);
+        for (cells = n, i = 0; i < n; i++) cells -= outer[i];
+        printf("%-7s  %6ld  %10ld  %5ld  %5ld  %11ld  %11ld\n", name, (long)n,
+               (long)ntet, (long)nedge, (long)nface, (long)nhull,
+               (long)cells);
+        bad |= test_edges() | test_faces() << 1 | test_stars() << 2 |
+               test_nearest() << 3 | test_measure() << 4 |
+               test_dual(set == 1) << 5 | test_gradient() << 6;
+    }
+    printf("edges: those of brute force; Euler's formula:     %s\n"
+           "faces: each once, of both tetrahedra:             %s\n"
+           "stars: all tetrahedra of each point:              %s\n"
+           "nearest: as brute force:                          %s\n"
+           "measure: volumes fill the hull, balls are empty:  %s\n"
+           "dual: cells are closed and fill the hull:         %s\n"
+           "gradient: of linear fields, and along edges:      %s\n",
+           bad & 1 ? "NO" : "yes", bad & 2 ? "NO" : "yes",
+           bad & 4 ? "NO" : "yes", bad & 8 ? "NO" : "yes",
+           bad & 16 ? "NO" : "yes", bad & 32 ? "NO" : "yes",
+           bad & 64 ? "NO" : "yes");
+    return bad != 0;
+}
