@@ -210,7 +210,7 @@ extern void tess_prove(int fact);
 #define MANY 6
 #define PLAIN 16.0
 /* Pool that is recommended beyond 4 n in any case, up to 8 n. */
-#define MUCH 320000L
+#define MUCH 225000L
 
 /* Constants that correctness rests on.  EPS bounds the relative error of an
  * operation in every rounding mode, and of a sum of three in any order by

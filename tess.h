@@ -90,7 +90,8 @@
  * expressions, for arrays; never less than what tess_size gives, and little
  * more.  n: an integer of any type.  Fortran: see f77/README.
  *
- *   TESS_LIW   4 for the point, 1/12 for the tree, 4 and TESS_LP for the pool
+ *   TESS_LIW   4 for the point, 1/12 for the tree, 4 and TESS_LP for the pool,
+ *              TESS_LS for points that are near planes or spheres
  *   TESS_LRW   TESS_LR for the point, 1/2 for the tree */
 #define TESS_LR 3
 #define TESS_LRW(n) (TESS_LR * (long)(n) + 6 * ((long)(n) / 12 + 2))
@@ -98,15 +99,16 @@
     ((n) > TESS_INT_MOST / 9 || TESS_LI((long)(n)) > TESS_INT_MOST \
          ? (long)TESS_INT_MOST                                     \
          : TESS_LI((long)(n)))
-#define TESS_LI(n) (8 * (n) + (n) / 12 + 514 + TESS_LP(n))
+#define TESS_LI(n) (8 * (n) + (n) / 12 + 514 + TESS_LP(n) + TESS_LS(n))
+#define TESS_LS(n) ((n) < 500 ? 0 : (n) / 4 * 7 + 24)
 #define TESS_LP(n)             \
     ((n) <= 8       ? 240      \
      : (n) <= 27    ? 540      \
      : (n) <= 64    ? 960      \
      : (n) <= 125   ? 1500     \
      : (n) <= 1000  ? 8 * (n) + 1204 \
-     : (n) <= 40000 ? 8 * (n)  \
-                    : 320000 + (n) / 3)
+     : (n) <= 28125 ? 8 * (n)  \
+                    : 225000 + (n) / 5 * 2)
 
 #ifdef __cplusplus
 extern "C" {

@@ -2723,7 +2723,7 @@ C     is 1, or 0 if the least lengths exceed the largest integer.
       INTEGER N, LIW, LRW, ROOM, OK
       INTEGER TSLCOU, TSCUBE, TSUPTO
       INTEGER LEAST, INTMAX, MUCH
-      PARAMETER (LEAST = 512, INTMAX = 2147483647, MUCH = 320000)
+      PARAMETER (LEAST = 512, INTMAX = 2147483647, MUCH = 225000)
       INTEGER CLOUD, HUB, MOST
       LIW = 0
       LRW = 0

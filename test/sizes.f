@@ -7,8 +7,8 @@ C     TESSWK: for all N to 100000, and further apart to 100 million.
       STEP = 1
       N = 0
    10 CONTINUE
-      LIW = 17*N + 1800
-      IF (N .GE. 40000) LIW = 9*N + 322000
+      LIW = 19*N + 1800
+      IF (N .GE. 28000) LIW = 11*N + 226000
       LRW = 4*N + 12
       CALL TESSWK(N, 0, LIWREC, LRWREC, INFO)
       IF (INFO .EQ. 0 .AND. LIW .GE. LIWREC .AND. LRW .GE. LRWREC) THEN
