@@ -177,15 +177,16 @@ extern void tess_prove(int fact);
 #define SAMPLE 64
 /* Depth of the tree plus one, at most. */
 #define DEPTH 64
-/* Supports, at most; one is sought when a search leaves more than OPENED
- * comparisons open and these add up to BURDEN times the points. */
+/* Supports, at most.  One is sought when a search has more than OPENED points
+ * in its sample and these add up to BURDEN times all points; each time in vain
+ * doubles that. */
 #define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST / 64)
 #define OPENED 24
 #define BURDEN 1.0
-/* Points in which one is sought; points that such a search remembers. */
+/* Of fewer points none is sought; places of the sample. */
 #define ENOUGH 500
 #define SOME 32
-/* Marks of heights over a support. */
+/* Marks of heights over a support: a double holds them and their roundings. */
 #define GRAINS                                                         \
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
@@ -268,13 +269,15 @@ typedef struct list {
     tess_int id[TESS_LIST + LEAF];
 } list;
 
-/* A test of promise. */
+/* A test of sight's: a (height - h) + q |w|^2 - d.w + bias, of which each
+ * coordinate of w is wrong by dd times it, and all by err in the box of a node;
+ * top: it supposes that no height is above -low. */
 typedef struct bound {
     double a, q, d[3], dd, bias, err;
     int top;
 } bound;
 
-/* aside's test for the points of a support. */
+/* A test of face's, made at a turn of the search: q |w|^2 - d.w + bias. */
 typedef struct slab {
     int turn;
     double q, d[3], dd, bias;
@@ -293,29 +296,31 @@ typedef struct quest {
     int ball;                 /* there is a ball to prune with: centre c, */
     double c[3];              /* relative to f[6..8], wrong by at most dc */
     double dc, size;          /* and |c|_1 */
-    int nsome;                /* of the points, near no support, that are */
-    tess_int some[SOME];      /* left open, every stride-th one: opened of */
-    tess_int opened, stride;  /* them; or, open = 0, points of leaves */
-    int open;
+    int nsome, open;          /* sample of the points, near no support, that */
+    tess_int some[SOME];      /* were left open, or, open = 0, of leaves: */
+    tess_int opened, stride;  /* every stride-th one of so many */
     int near;                 /* the facet is near this support, or NONE: */
     double h, dh, tilt[3], dtilt; /* G = height - h - tilt.w is 0 on it */
     double elo, ehi;          /* the best point's e is between them, */
     double low, high;         /* that of the point compared between these */
     int turn;                 /* changes with the ball and the best point */
-    int aimed;                /* sight's test was made at this turn: */
-    int bounds;
+    int aimed, bounds;        /* sight's tests were made at this turn */
     bound bound[2];
     slab slab[SUPPORTS];
 } quest;
 
-/* A support: a plane or a sphere that many points are near to. */
+/* A support: a plane or a sphere that many points are near to.  Mark k, 0 ...
+ * GRAINS - 1, of one of them is a height between low + (k - 1/2) grain and
+ * low + (k + 3/2) grain, low < 0; least[node] is the least mark of a node's
+ * points, -1 if one is below low, GRAINS if all are above; plus ABOVE if one is
+ * above -low. */
 typedef struct support {
     hh_ball t;
     int plane;
     double sign;              /* of a height by limbs */
     double at[3], c[3], size; /* seen from at: unit normal, or centre; |c|_1 */
-    double low, grain;        /* mark k: a height from low + (k - 1/2) grain */
-    tess_int *least;          /* to low + (k + 3/2) grain; least k of a node */
+    double low, grain;
+    tess_int *least;
 } support;
 
 typedef struct mesh {
@@ -1553,8 +1558,12 @@ static void refine(const mesh *m, quest *f)
  *     G(w) = height(w) - h - tilt.w
  * is 0 at its vertices.  So on a plane it is g times the side of w, g being the
  * height of the facet's normal v; on a sphere, whose centre's height over the
- * facet's plane is l, it is the power of w in the ball of L = l: L(w) = l + e,
- * e = G(w) / (2 side). */
+ * facet's plane is l, it is the power of w in the ball of L = l, and L(w) = l +
+ * e, e = G(w) / (2 side).  Heights are noise, but known to 1e-7 of it: so they
+ * decide, point by point and node by node.
+ *
+ * Of points that are all near one support the box is thick where they are not:
+ * aside tests such a node by the plane or the sphere, for any facet. */
 
 /* rough - the height of the position z over a support, in double precision: the
  * centre errs by 8 eps |c|, the rest is 6 roundings. */
@@ -1573,7 +1582,8 @@ static double rough(const mesh *m, const support *s, tess_int z, double *err)
 }
 
 /* level - the height of the position z over support j, if it is near to it:
- * by its mark, or else by limbs. */
+ * by its mark, or else by limbs.  A mark is off by the roundings of discover,
+ * EPS GRAINS grains, and a quarter of one for twice the height's error. */
 static int level(const mesh *m, int j, tess_int z, double *h, double *err)
 {
     const support *s = m->support + j;
@@ -1650,13 +1660,12 @@ static int fit(mesh *m, const quest *f, support *s)
     return 1;
 }
 
-/* discover - find a support for the points that a search left open, mark those
- * near to it that are near to no other, and give each node the least height. */
+/* discover - find a support for the points that a search left open: mark those
+ * near to it that have no mark yet, and find the least height of each node. */
 static void discover(mesh *m, const quest *f)
 {
     support *s = m->support + m->nsupport;
-    tess_int node, i, last, mark;
-    tess_int members = 0;
+    tess_int node, i, last, mark, members = 0;
     double h, err, fine, c;
     int above;
 
@@ -1715,9 +1724,11 @@ static void discover(mesh *m, const quest *f)
 }
 
 /* lean - find the support that the facet is near to, if there is one, and its
- * tilt.  What that misses: products with the edges r0, r1, and what is not in
- * the plane.  Of a vector in it whose products with unit vectors at an angle
- * are r0, r1 the length is at most (|r0| + |r1|) / sine of the angle. */
+ * tilt.  dtilt: the tilt is out of the plane by the roundings of the edges; in
+ * it, its products with the edges miss the differences of heights by r0, r1,
+ * and a vector whose products with unit vectors at an angle are r0, r1 is no
+ * longer than (|r0| + |r1|) / sine of it.  det errs by less than 1/100, as no
+ * needle is let through. */
 static void lean(const mesh *m, quest *f)
 {
     const double *b = m->x + 3 * f->v[f->base], *p;
@@ -1851,14 +1862,17 @@ static int sharpen(const mesh *m, quest *f, tess_int z, int side, double *lo,
  * better than it, of L-coordinate at most k, side > 0 and N - 2 k side <= 0, N
  * being the power in the ball of L = 0.  So there is none where
  *     a (height - h) + q |w|^2 - d.w + bias > 0:
- *   plane    side = G / g.  Either a = 1 or -1, that g a < 0; q = 0, d = a tilt;
- *            or a = -2 k / g, q = 1, d = 2 c + a tilt, c the centre of L = 0,
- *            where for k > 0 a greater |a| is right too, for k < 0 a smaller one
+ *   plane    side = G / g.  Either a = 1 or -1, that g a < 0; q = 0, d = a
+ *            tilt: none is on the positive side.  Or a = -2 k / g, q = 1, d =
+ *            2 c + a tilt, c the centre of L = 0; as k may be greater, so may
+ *            |a| for k > 0, and smaller for k < 0
  *   sphere   k = l + e: N - 2 k side = G - 2 e side = height - h - (tilt + 2 e
  *            v).w; of the height a share q is taken as |w|^2 + 2 o.w + h, o =
- *            base - centre: a = 1 - q, d = tilt + 2 e v - 2 q o.  Without a best
- *            point, side = v.w = (v - 2 q o).w + q (height - h - |w|^2), q =
- *            v.o / (2 |o|^2), height <= -low: a = 0, d = v - 2 q o */
+ *            base - centre: a = 1 - q, d = tilt + 2 e v - 2 q o.  Without a
+ *            best point: side = v.w = (v - 2 q o).w + q (height - h - |w|^2),
+ *            q = v.o / (2 |o|^2), and height <= -low
+ * dd has room for the errors of c, l, o, tilt, v, and for 16 roundings of each
+ * term. */
 static void sight(const mesh *m, quest *f)
 {
     const support *s = m->support + f->near;
@@ -1986,8 +2000,9 @@ static double promise(const mesh *m, quest *f, tess_int node)
  * the ball's centre
  *   plane    |w|^2 - 2 c.w = |w|^2 - (2 c + t n).w + t n.w, n.w = n.(at - base)
  *            + height, t = 2 (n.(at - base) - n.c)
- *   sphere   |w|^2 - 2 c.w = (1 - t) |w|^2 - (2 c + 2 t o).w - t h + t height, t
- *            = 1 - |c + o| / R, o = base - centre, h the height of the base */
+ *   sphere   |w|^2 - 2 c.w = (1 - t) |w|^2 - (2 c + 2 t o).w - t h + t height,
+ *            t = 1 - |c + o| / R, o = base - centre, h the base's height
+ * Any t is right; so what it is wrong by does not count. */
 static void face(const mesh *m, const quest *f, int j, slab *t)
 {
     const support *s = m->support + j;
@@ -2331,9 +2346,9 @@ static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
     }
 }
 
-/* nearleaf - the same by sight's tests, for points of the support that the facet
- * is near to; the errors are those of promise for the leaf, with room for a
- * mark's. */
+/* nearleaf - the same by sight's tests, for points of the support that the
+ * facet is near to; the errors are those of promise for the leaf, with room for
+ * a mark's. */
 static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
                      tess_int last)
 {
