@@ -68,13 +68,15 @@
  *                grow enlist follow load complete makeroom begin star stars
  *   pool         outfac facet owner hashkey same find insert erase rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
- *   apex         powererr extent prunebox prunepart ballinbox ballinstar
- *                narrow refine better proven challenge consider ballcoef
- *                starcoef inball considerall likeliest anypoint instar inblock
- *                scanleaf treesearch onhull prepare apex
+ *   apex         powererr extent prunebox prunepart ballinbox ballinstar better
+ *                narrow refine rough level fit discover lean residual sharpen
+ *                sight lowest promise face aside remember challenge consider
+ *                ballcoef starcoef inball considerall likeliest anypoint instar
+ *                inblock scanleaf nearleaf barren treesearch onhull prepare
+ *                proven apex
  *   results      coords four slot mate
- *   preparation  leafcount cuberoot tablesize upto lengths collect inrange
- *                times units scaled sorted intact restore run wrong
+ *   preparation  leafcount cuberoot tablesize upto lengths extra collect
+ *                inrange times units scaled sorted intact restore run wrong
  *   entries      tess_size tess tess_resume
  * and what needs no mesh under construction:
  *   queries      qside inbox

@@ -342,7 +342,7 @@ twins() {
     one "both names in the header of f77/$1.f" test $? -eq 0
     cat build/diff.txt >> $LOG
 }
-twins tess "point|coords|four|better|proven" \
+twins tess "point|coords|four|better|proven|barren" \
     "TSPDIS|TSLINE|TSMESH|TSORIQ|TSORIP"
 twins hhpred "held|shift" "HHKIND"
 
