@@ -1012,8 +1012,8 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
 }
 
 /* form - sum = row[3] l - row[0..2].u, of rows cut off from longer numbers, of
- * u of n limbs, of which those before first are 0, and l of 2n, if any row[3] is
- * not 0.
+ * u of n limbs, of which those before first are 0, and l of 2n, if any row[3]
+ * is not 0.
  *
  * What is lost are products of limbs that weigh less than the last row of the
  * sum: in the row behind it 3n products of at most (BASE/2 + 1) BASE and 2n of
@@ -1112,8 +1112,9 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
     *power = sure(sum);
 }
 
-/* hh_unit - what hh_height divides by: the length of the normal of a ball's
- * facet, if plane is 1, or D, as of the leading rows; c: the normal over it. */
+/* hh_unit - what hh_height divides by: D, or, if plane is 1, the length of the
+ * normal of a ball's facet, both as of the leading rows; c: the normal over it,
+ * right to 12 eps. */
 void hh_unit(hh_ball *t, int plane, double *c)
 {
     double d = 0.0;
@@ -1132,11 +1133,11 @@ void hh_unit(hh_ball *t, int plane, double *c)
     for (k = 0; k < 3; k++) c[k] /= t->unit;
 }
 
-/* hh_height - the height of the position z above the plane of a ball's facet, if
- * plane is 1, else its power in the ball, scaled as s->x is.  *err bounds its
- * error: the leading limbs' value errs by 3 eps, what it is divided by by 3, the
- * quotient by 1, and the last row of the sum by CARRY units.  *err is DBL_MAX
- * where limbs do not hold it. */
+/* hh_height - the height of the position z above the plane of a ball's facet,
+ * if plane is 1, else its power in the ball, scaled as s->x is.  *err bounds its
+ * error: the leading limbs' value errs by 3 eps, what it is divided by by 3 (a
+ * normal by 5), the quotient by 1, and the last row of the sum by CARRY units.
+ * *err is DBL_MAX where limbs do not hold it. */
 double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
                  double *err)
 {
@@ -1154,7 +1155,7 @@ double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
     carry(HH_ROWS + 1, 1, sum);
     h = leading(HH_ROWS + 1, sum, 1, &at);
     h = ldexp(h / t->unit, t->bits - at * HH_BITS);
-    *err = 8.0 * DBL_EPSILON * fabs(h) +
+    *err = 16.0 * DBL_EPSILON * fabs(h) +
            2.0 * fabs(ldexp(CARRY / t->unit, t->bits - HH_ROWS * HH_BITS));
     return plane ? -h : h;
 }

@@ -194,7 +194,8 @@ typedef struct hh_set {
  *   top    weight of limb 0 of coordinates times factor, which hold most
  *   base   limbs of the base, three coordinates side by side
  *   power  leading rows of C and D, side those of n and 0
- *   unit, exponent   of the power and of the side: see hh_height */
+ *   d, e   D of the leading row's weight, exponent of limb 0's weight
+ *   unit, bits   what hh_height divides by: see hh_unit */
 typedef struct hh_ball {
     int n, first;
     double top, factor, most;

@@ -134,6 +134,7 @@ extern void tess_prove(int fact);
 
 #define NONE (-1)
 #define UNSURE 2  /* what hh_orient and hh_insphere answer out of range */
+#define SURE 3    /* what sharpen answers for a better point */
 #define LOST 99   /* what walk answers when it has none */
 #define DONE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
@@ -167,15 +168,16 @@ extern void tess_prove(int fact);
 #define SAMPLE 64
 /* Depth of the tree plus one, at most. */
 #define DEPTH 64
-/* Supports, at most; one is sought when a search leaves more than OPENED
- * comparisons open and these add up to BURDEN times the points. */
+/* Supports, at most.  One is sought when a search has more than OPENED points
+ * in its sample and these add up to BURDEN times all points; each time in vain
+ * doubles that. */
 #define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST / 64)
 #define OPENED 24
 #define BURDEN 1.0
-/* Points in which one is sought; points that such a search remembers. */
+/* Of fewer points none is sought; places of the sample. */
 #define ENOUGH 500
 #define SOME 32
-/* Marks of heights over a support. */
+/* Marks of heights over a support: a double holds them and their roundings. */
 #define GRAINS                                                         \
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
@@ -258,13 +260,15 @@ typedef struct list {
     tess_int id[TESS_LIST + LEAF];
 } list;
 
-/* A test of promise. */
+/* A test of sight's: a (height - h) + q |w|^2 - d.w + bias, of which each
+ * coordinate of w is wrong by dd times it, and all by err in the box of a node;
+ * top: it supposes that no height is above -low. */
 typedef struct bound {
     double a, q, d[3], dd, bias, err;
     int top;
 } bound;
 
-/* aside's test for the points of a support. */
+/* A test of face's, made at a turn of the search: q |w|^2 - d.w + bias. */
 typedef struct slab {
     int turn;
     double q, d[3], dd, bias;
@@ -283,28 +287,31 @@ typedef struct quest {
     int ball;                 /* there is a ball to prune with: centre c, */
     double c[3];              /* relative to f[6..8], wrong by at most dc */
     double dc, size;          /* and |c|_1 */
-    int nsome;                /* of the points, near no support, that are */
-    tess_int some[SOME];      /* left open, every stride-th one: opened of */
-    tess_int opened, stride;  /* them; or, open = 0, points of leaves */
-    int open;
+    int nsome, open;          /* sample of the points, near no support, that */
+    tess_int some[SOME];      /* were left open, or, open = 0, of leaves: */
+    tess_int opened, stride;  /* every stride-th one of so many */
     int near;                 /* the facet is near this support, or NONE: */
     double h, dh, tilt[3], dtilt; /* G = height - h - tilt.w is 0 on it */
-    double elo, ehi;          /* the best point's e is between them */
+    double elo, ehi;          /* the best point's e is between them, */
+    double low, high;         /* that of the point compared between these */
     int turn;                 /* changes with the ball and the best point */
-    int aimed;                /* sight's test was made at this turn: */
-    int bounds;
+    int aimed, bounds;        /* sight's tests were made at this turn */
     bound bound[2];
     slab slab[SUPPORTS];
 } quest;
 
-/* A support: a plane or a sphere that many points are near to. */
+/* A support: a plane or a sphere that many points are near to.  Mark k, 0 ...
+ * GRAINS - 1, of one of them is a height between low + (k - 1/2) grain and low +
+ * (k + 3/2) grain, low < 0; least[node] is the least mark of a node's points,
+ * -1 if one is below low, GRAINS if all are above; plus ABOVE if one is above
+ * -low. */
 typedef struct support {
     hh_ball t;
     int plane;
     double sign;              /* of a height by limbs */
     double at[3], c[3], size; /* seen from at: unit normal, or centre; |c|_1 */
-    double low, grain;        /* mark k: a height from low + (k - 1/2) grain */
-    tess_int *least;          /* to low + (k + 3/2) grain; least k of a node */
+    double low, grain;
+    tess_int *least;
 } support;
 
 typedef struct mesh {
@@ -332,7 +339,7 @@ typedef struct mesh {
     double share;             /* the star's margin in the block's */
     int ties;                 /* the last points on a ball were not in it */
     support support[SUPPORTS];
-    int nsupport, most;       /* how many there are, and may be */
+    int nsupport, seek;       /* how many there are; look for more? */
     tess_int *pure;           /* 0, or 1 + support of all points of a node */
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
     double burden, patience;  /* comparisons left open, how many may be */
@@ -1505,8 +1512,12 @@ static void refine(const mesh *m, quest *f)
  *     G(w) = height(w) - h - tilt.w
  * is 0 at its vertices.  So on a plane it is g times the side of w, g being the
  * height of the facet's normal v; on a sphere, whose centre's height over the
- * facet's plane is l, it is the power of w in the ball of L = l: L(w) = l + e,
- * e = G(w) / (2 side). */
+ * facet's plane is l, it is the power of w in the ball of L = l, and L(w) = l +
+ * e, e = G(w) / (2 side).  Heights are noise, but known to 1e-7 of it: so they
+ * decide, point by point and node by node.
+ *
+ * Of points that are all near one support the box is thick where they are not:
+ * aside tests such a node by the plane or the sphere, for any facet. */
 
 /* rough - the height of the position z over a support, in double precision: the
  * centre errs by 8 eps |c|, the rest is 6 roundings. */
@@ -1525,7 +1536,8 @@ static double rough(const mesh *m, const support *s, tess_int z, double *err)
 }
 
 /* level - the height of the position z over support j, if it is near to it:
- * by its mark, or else by limbs. */
+ * by its mark, or else by limbs.  A mark is off by the roundings of discover,
+ * EPS GRAINS grains, and a quarter of one for twice the height's error. */
 static int level(const mesh *m, int j, tess_int z, double *h, double *err)
 {
     const support *s = m->support + j;
@@ -1602,13 +1614,12 @@ static int fit(mesh *m, const quest *f, support *s)
     return 1;
 }
 
-/* discover - find a support for the points that a search left open, mark those
- * near to it that are near to no other, and give each node the least height. */
+/* discover - find a support for the points that a search left open: mark those
+ * near to it that have no mark yet, and find the least height of each node's. */
 static void discover(mesh *m, const quest *f)
 {
     support *s = m->support + m->nsupport;
-    tess_int node, i, last, mark;
-    tess_int members = 0;
+    tess_int node, i, last, mark, members = 0;
     double h, err, fine, c;
     int above;
 
@@ -1659,6 +1670,7 @@ static void discover(mesh *m, const quest *f)
         return;
     }
     m->nsupport++;
+    m->seek = m->nsupport < SUPPORTS;
     for (node = 1; node < 2 * m->leaves; node++)
         if (m->pure[node] == 0 && s->least[node] >= 0 &&
             s->least[node] <= GRAINS)
@@ -1666,9 +1678,11 @@ static void discover(mesh *m, const quest *f)
 }
 
 /* lean - find the support that the facet is near to, if there is one, and its
- * tilt.  What that misses: products with the edges r0, r1, and what is not in
- * the plane.  Of a vector in it whose products with unit vectors at an angle
- * are r0, r1 the length is at most (|r0| + |r1|) / sine of the angle. */
+ * tilt.  dtilt: the tilt is out of the plane by the roundings of the edges; in
+ * it, its products with the edges miss the differences of heights by r0, r1, and
+ * a vector whose products with unit vectors at an angle are r0, r1 is no longer
+ * than (|r0| + |r1|) / sine of it.  det errs by less than 1/100, where its sine
+ * is that of no needle. */
 static void lean(const mesh *m, quest *f)
 {
     const double *b = m->x + 3 * f->v[f->base], *p;
@@ -1676,6 +1690,8 @@ static void lean(const mesh *m, quest *f)
     tess_int mark;
     int i, k;
 
+    f->aimed = 0;
+    for (k = 0; k < m->nsupport; k++) f->slab[k].turn = 0;
     for (i = 0; i < 3 && f->near == NONE; i++) {
         mark = m->mark[f->v[i]] - 1;
         if (mark < 0) continue;
@@ -1747,14 +1763,16 @@ static int residual(const mesh *m, const quest *f, tess_int z, double *lo,
 /* sharpen - the side of the position z that hh_limits did not find negative,
  * and limits of L, by a plane's support; of e, by a sphere's.  g errs by E and
  * some roundings. */
-static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
-                   double *lo, double *hi, double *elo, double *ehi)
+static int sharpen(const mesh *m, quest *f, tess_int z, int side, double *lo,
+                   double *hi)
 {
     const support *s = m->support + f->near;
     const double *x = m->x + 3 * z;
     double low, high, least, most, g = 0.0, dg, size = 0.0, u;
     int k;
 
+    f->low = -DBL_MAX;
+    f->high = DBL_MAX;
     if (f->f[9] > 1e-3 || !residual(m, f, z, &low, &high)) return side;
     if (s->plane) {
         for (k = 0; k < 3; k++) g += s->c[k] * f->f[k];
@@ -1785,10 +1803,12 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
     least = 2.0 * (g - f->f[9] * size);
     most = 2.0 * (g + f->f[9] * size);
     if (side <= 0 || least < HH_SMALL) return side;
-    *elo = low / (low > 0.0 ? most : least);
-    *ehi = high / (high > 0.0 ? least : most);
-    *elo -= PAD * fabs(*elo);
-    *ehi += PAD * fabs(*ehi);
+    f->low = low / (low > 0.0 ? most : least);
+    f->high = high / (high > 0.0 ? least : most);
+    f->low -= PAD * fabs(f->low);
+    f->high += PAD * fabs(f->high);
+    if (f->low > f->ehi) return -1;
+    if (f->high < f->elo) return SURE;
     return side;
 }
 
@@ -1796,14 +1816,17 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
  * better than it, of L-coordinate at most k, side > 0 and N - 2 k side <= 0, N
  * being the power in the ball of L = 0.  So there is none where
  *     a (height - h) + q |w|^2 - d.w + bias > 0:
- *   plane    side = G / g.  Either a = 1 or -1, that g a < 0; q = 0, d = a tilt;
- *            or a = -2 k / g, q = 1, d = 2 c + a tilt, c the centre of L = 0,
- *            where for k > 0 a greater |a| is right too, for k < 0 a smaller one
+ *   plane    side = G / g.  Either a = 1 or -1, that g a < 0; q = 0, d = a
+ *            tilt: none is on the positive side.  Or a = -2 k / g, q = 1, d =
+ *            2 c + a tilt, c the centre of L = 0; as k may be greater, so may
+ *            |a| for k > 0, and smaller for k < 0
  *   sphere   k = l + e: N - 2 k side = G - 2 e side = height - h - (tilt + 2 e
  *            v).w; of the height a share q is taken as |w|^2 + 2 o.w + h, o =
- *            base - centre: a = 1 - q, d = tilt + 2 e v - 2 q o.  Without a best
- *            point, side = v.w = (v - 2 q o).w + q (height - h - |w|^2), q =
- *            v.o / (2 |o|^2), height <= -low: a = 0, d = v - 2 q o */
+ *            base - centre: a = 1 - q, d = tilt + 2 e v - 2 q o.  Without a
+ *            best point: side = v.w = (v - 2 q o).w + q (height - h - |w|^2),
+ *            q = v.o / (2 |o|^2), and height <= -low
+ * dd has room for the errors of c, l, o, tilt, v, and for 16 roundings of each
+ * term. */
 static void sight(const mesh *m, quest *f)
 {
     const support *s = m->support + f->near;
@@ -1931,8 +1954,9 @@ static double promise(const mesh *m, quest *f, tess_int node)
  * the ball's centre
  *   plane    |w|^2 - 2 c.w = |w|^2 - (2 c + t n).w + t n.w, n.w = n.(at - base)
  *            + height, t = 2 (n.(at - base) - n.c)
- *   sphere   |w|^2 - 2 c.w = (1 - t) |w|^2 - (2 c + 2 t o).w - t h + t height, t
- *            = 1 - |c + o| / R, o = base - centre, h the height of the base */
+ *   sphere   |w|^2 - 2 c.w = (1 - t) |w|^2 - (2 c + 2 t o).w - t h + t height,
+ *            t = 1 - |c + o| / R, o = base - centre, h the base's height
+ * Any t is right; so what it is wrong by does not count. */
 static void face(const mesh *m, const quest *f, int j, slab *t)
 {
     const support *s = m->support + j;
@@ -1986,10 +2010,11 @@ static int aside(const mesh *m, quest *f, tess_int node)
 /* remember - z among the points that Householder left open, or one of two, of
  * four ... of them; until there are such, instead, points of leaves where the
  * search went. */
-static void remember(quest *f, tess_int z, int open)
+static void remember(const mesh *m, quest *f, tess_int z, int open)
 {
     int i;
 
+    if (m->link[z] == DONE || (m->nsupport > 0 && m->mark[z] > 0)) return;
     if (f->opened == 0 || open > f->open) {
         f->open = open;
         f->opened = f->nsome = 0;
@@ -2010,20 +2035,19 @@ static void remember(quest *f, tess_int z, int open)
  * limits the better one by the other. */
 static void challenge(const mesh *m, quest *f, tess_int z)
 {
-    double lo, hi, elo = -DBL_MAX, ehi = DBL_MAX;
+    double lo, hi;
     int side = hh_limits(f->f, m->x + 3 * z, &lo, &hi), sign, unsure;
     int power = UNSURE;
 
-    if (side >= 0 && f->near != NONE)
-        side = sharpen(m, f, z, side, &lo, &hi, &elo, &ehi);
-    if (side < 0 || (f->best != NONE && (lo > f->hi || elo > f->ehi))) {
+    if (f->near != NONE && side >= 0)
+        side = sharpen(m, f, z, side, &lo, &hi);
+    if (side < 0 || (f->best != NONE && lo > f->hi)) {
         HOLDS(!better(m, f, z));
         return;
     }
     sign = side;
-    unsure = f->best != NONE && hi >= f->lo && ehi >= f->elo;
-    if ((side == 0 || unsure) && (m->nsupport == 0 || m->mark[z] == 0))
-        remember(f, z, 1);
+    unsure = side != SURE && f->best != NONE && hi >= f->lo;
+    if ((side == 0 || unsure) && m->seek) remember(m, f, z, 1);
     if (f->limbs && (side == 0 || unsure)) {
         COUNT(N_TRIAL, 1);
         hh_trial(&m->set, &f->t, z, &sign, &power);
@@ -2042,23 +2066,20 @@ static void challenge(const mesh *m, quest *f, tess_int z)
             power = hh_pbeat(&m->set, f->v, f->best, z) ? -1 : 1;
         }
         HOLDS((power < 0) == hh_pbeat(&m->set, f->v, f->best, z));
+        if (f->high > f->ehi) f->high = f->ehi;
         if (power > 0) {
+            f->ehi = f->high;
             if (hi < f->hi) narrow(f, hi);
-            if (ehi < f->ehi) {
-                f->ehi = ehi;
-                f->turn++;
-            }
             if (f->asked >= MANY && !f->limbs) refine(m, f);
             return;
         }
         if (hi > f->hi) hi = f->hi;
-        if (ehi > f->ehi) ehi = f->ehi;
     }
     HOLDS(better(m, f, z));
     f->best = z;
     f->lo = lo;
-    f->elo = elo;
-    f->ehi = ehi;
+    f->elo = f->low;
+    f->ehi = f->high;
     f->limbs = 0;
     narrow(f, hi);
     if (side == 0 || f->asked >= MANY ||
@@ -2246,7 +2267,6 @@ static int inblock(const mesh *m, quest *f)
     int in[TESS_LIST], place[TESS_LIST + 1];
 
     if (l->n == 0) return 0;
-    if (!f->ball) anypoint(m, f, l);
     if (!f->ball || !ballinbox(m, f, l) || !ballcoef(l, f, f->c, d)) return 0;
     if (inball(l, d, in) > 4)
         considerall(m, f, l, compress(in, l->n, place), place);
@@ -2280,9 +2300,9 @@ static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
     }
 }
 
-/* nearleaf - the same by sight's tests, for points of the support that the facet
- * is near to; the errors are those of promise for the leaf, with room for a
- * mark's. */
+/* nearleaf - the same by sight's tests, for points of the support that the
+ * facet is near to; the errors are those of promise for the leaf, with room for
+ * a mark's. */
 static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
                      tess_int last)
 {
@@ -2374,8 +2394,7 @@ static void treesearch(const mesh *m, quest *f)
             nearleaf(m, f, node, i, last);
         else
             scanleaf(m, f, i, last, b);
-        if ((m->nsupport == 0 || m->mark[i] == 0) && m->link[i] != DONE)
-            remember(f, i, 0);
+        if (m->seek) remember(m, f, i, 0);
     }
 }
 
@@ -2388,7 +2407,9 @@ static int onhull(const mesh *m, const quest *f)
     for (i = 0; i < m->nplane; i++) {
         h = m->plane[i];
         for (k = 0; k < 3; k++)
-            if (hh_pside(&m->set, h[0], h[1], h[2], f->v[k]) != 0) break;
+            if (f->v[k] != h[0] && f->v[k] != h[1] && f->v[k] != h[2] &&
+                hh_pside(&m->set, h[0], h[1], h[2], f->v[k]) != 0)
+                break;
         if (k == 3) return 1;
     }
     return 0;
@@ -2404,13 +2425,12 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     int k;
 
     for (k = 0; k < 3; k++) f->v[k] = v[k];
-    f->base = f->asked = f->limbs = f->aimed = f->open = 0;
+    f->base = f->asked = f->limbs = 0;
     f->opened = 0;
     f->turn = 1;
     f->near = NONE;
-    for (k = 0; k < m->nsupport; k++) f->slab[k].turn = 0;
-    f->elo = -DBL_MAX;
-    f->ehi = DBL_MAX;
+    f->elo = f->low = -DBL_MAX;
+    f->ehi = f->high = DBL_MAX;
     f->best = NONE;
     f->ball = 0;
     f->hi = DBL_MAX;
@@ -2480,7 +2500,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     }
     COUNT(N_TREE, 1);
     treesearch(m, &f);
-    if (f.opened > OPENED && m->nsupport < m->most) {
+    if (f.opened > OPENED && m->seek) {
         m->burden += (double)f.opened;
         if (m->burden > m->patience * (double)m->np) {
             k = m->nsupport;
@@ -2828,11 +2848,11 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     m.pool = m.alive + 2 * leaves;
     m.room = liw - 4 * n - 2 * leaves;
     (void)lengths(n, &i, &wanted, &pool);
-    m.most = 0;
+    m.seek = 0;
     if (extra(n) > 0 && liw - i - pool >= extra(n)) {
         m.room -= extra(n);
         m.mark = m.pool + m.room;
-        m.most = SUPPORTS;
+        m.seek = 1;
     }
     m.nsupport = 0;
     m.burden = 0.0;
@@ -2852,6 +2872,8 @@ static int run(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
         *ntet = 0;
         return code;
     }
+    /* doubles decide all where points are in few units */
+    if (m.set.t5 >= PLAIN) m.seek = 0;
     if (m.ntet > 0) {
         code = intact(&m, n);
         if (code != 0) return code;
