@@ -1462,8 +1462,9 @@ C               BMOST
 C       BBASE   behind it the limbs of the base, three coordinates side
 C               by side
 C       BPOWER  behind it leading rows of C and D; BSIDE: of n and 0
-C       BD, BE, BUNIT, BBITS  the value of D, in the weight of BPOWER's
-C               first row; the exponent of limb 1's weight; see HHUNIT
+C       BD, BE  D of the leading row's weight, exponent of limb 1's
+C               weight
+C       BUNIT, BBITS  what HHHEIG divides by: see HHUNIT
       SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, AT, OK)
       DOUBLE PRECISION P(3,*), C(3), T(*)
       INTEGER ORD(*), SE, V(3), BASE, Z, AT, OK
@@ -1656,9 +1657,9 @@ C     the positive side, as D > 0 then.
       POWER = HHSURE(SUM)
       END
 
-C     HHUNIT - what HHHEIG divides by: the length of the normal of a
-C     ball's facet, if PLANE is 1, or D, as of the leading rows; C: the
-C     normal over it.
+C     HHUNIT - what HHHEIG divides by: D, or, if PLANE is 1, the length
+C     of the normal of a ball's facet, both as of the leading rows; C:
+C     the normal over it, right to 12 EPS.
       SUBROUTINE HHUNIT(T, AT, PLANE, C)
       DOUBLE PRECISION T(*), C(3)
       INTEGER AT, PLANE
@@ -1687,9 +1688,9 @@ C     normal over it.
 C     HHHEIG - the height H of the position Z above the plane of a
 C     ball's facet, if PLANE is 1, else its power in the ball, scaled as
 C     HHPSID's X is.  ERR bounds its error: the leading limbs' value
-C     errs by 3 EPS, what it is divided by by 3, the quotient by 1, and
-C     the last row of the sum by CARRY units.  ERR is HUGE where limbs
-C     do not hold it.
+C     errs by 3 EPS, what it is divided by by 3 (a normal by 5), the
+C     quotient by 1, and the last row of the sum by CARRY units.  ERR is
+C     HUGE where limbs do not hold it.
       SUBROUTINE HHHEIG(P, ORD, T, AT, Z, PLANE, H, ERR)
       DOUBLE PRECISION P(3,*), T(*), H, ERR
       INTEGER ORD(*), AT, Z, PLANE
@@ -1721,7 +1722,7 @@ C     do not hold it.
       E = INT(T(AT+BBITS))
       H = HHLDEX(H/T(AT+BUNIT), MAX(E - (LAT - 1)*BITS, -2000))
       ERR = HHLDEX(CARRY/T(AT+BUNIT), MAX(E - BROWS*BITS, -2000))
-      ERR = 8.0D0*EPS*ABS(H) + 2.0D0*ABS(ERR)
+      ERR = 16.0D0*EPS*ABS(H) + 2.0D0*ABS(ERR)
       IF (PLANE .EQ. 1) H = -H
       END
 

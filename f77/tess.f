@@ -158,11 +158,11 @@ C       HEAD   first of the pool's facets that a vertex owns
 C       LINK   first open edge of the link from a vertex; DONE: its star
 C              is complete; NEW: in no tetrahedron yet
 C       POOL   pool and edges
-C       MARK   0, or J + SUPPS*K: position Z is near support J, its mark
-C              K.  Behind MARK(NP), by node, J if all points are near
-C              support J, or 0; behind MARK(NP+2*CTL(LEAVES)*J) the
-C              least K over support J, ABOVE greater where points are
-C              above all marks
+C       MARK   0, or J + SUPPS*K, of a position with mark K of support
+C              J; behind MARK(NP) 0, or the support J of all points of a
+C              node; behind MARK(NP+2*CTL(LEAVES)*J) the least mark of a
+C              node's points, -1 if one is below SLOW, GRAINS if all are
+C              above; plus ABOVE if one is above -SLOW
 C     CTL, the mesh's integers:
 C       NP      distinct points
 C       NT      tetrahedra;  MAXT room for them
@@ -180,18 +180,17 @@ C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
 C       RSHARE  a star's margin, in its block's
 C       RSCALE  X = P 2**(-RSCALE)
-C       RSUPP   supports that there are;  RMOST may be
-C       RBURDN  comparisons left open;  RPATIE how many may be, in
-C               points
-C     A support, a plane or a sphere that many points are near to, is
-C     behind RCTL(RSUP + LSUP*(J-1)):
-C               its ball (see HHCENT)
+C       RSUPP   supports that there are;  RSEEK is 1: look for more
+C       RBURDN  comparisons left open;  RPATIE how many may be, over NP
+C     A support J, a plane or a sphere that many points are near to, is
+C     behind RCTL(RSUP + LSUP*(J-1)).  Mark K, 0 ... GRAINS - 1, of one
+C     of them is a height between SLOW + (K - 1/2) SGRAIN and SLOW + (K
+C     + 3/2) SGRAIN, SLOW < 0.  Its ball (see HHCENT) is the first:
 C       SPLANE  1, or 0 for a sphere
 C       SSIGN   of a height by limbs
-C       SAT, SC, SSIZE  seen from what is behind SAT, behind SC the unit
+C       SAT, SC, SSIZE  seen from what is behind SAT: behind SC the unit
 C               normal, or the centre; |C|_1
-C       SLOW, SGRAIN  mark K: a height from SLOW + (K - 1/2) SGRAIN to
-C               SLOW + (K + 3/2) SGRAIN
+C       SLOW, SGRAIN  as above
 C     Lists of uncompleted points, in single precision.  List BLK, a
 C     block's, has those in a box, as offsets from the box's centre in
 C     units of its half width; list STR, a star's, those nearer to its
@@ -211,22 +210,26 @@ C               ball has been found by limbs; QBALL: there is a ball to
 C               prune with; QBASE: V(QBASE) is the base of F; QASKED:
 C               comparisons left to the exact predicates; QNEAR: the
 C               facet is near this support, or 0; QTURN changes with the
-C               ball and the best point; QAIMED: TSSIGH's tests were
-C               made at this turn, QTESTS of them, behind QTOP that a
-C               node with points above all marks fails them; behind
-C               QFACED the turns of TSFCE's; of the points, near no
-C               support, that are left open, behind QSOME every
-C               QSTRID-th one, QNSOME of QOPEND, or, QOPEN = 0, points
-C               of leaves
+C               ball and the best point; QAIMED, QTESTS: TSSIGH's tests
+C               were made at this turn; behind QTOP for each of them 1
+C               if it supposes that no height is above -SLOW; behind
+C               QFACED for each support the turn of TSFCE's; behind
+C               QSOME QNSOME of the points, near no support, that were
+C               left open, or, QOPEN = 0, of leaves: every QSTRID-th one
+C               of QOPEND
 C       FQ      the best point's L-coordinate is between QLO and QHI;
 C               behind QC the ball's centre, relative to F(7..9), wrong
 C               by at most QDC; QSIZE = |C|_1; behind QLIMB the ball by
 C               limbs (see HHCENT); G = height - QH - tilt.W is 0 on the
 C               facet, the tilt behind QTILT, QDH, QDTILT their errors;
-C               the best point's e is between QELO and QEHI; behind
-C               QTEST TSSIGH's tests, LTEST long, behind QSLAB TSFCE's
-C               for each support, LSLAB long: TQ, behind TD, TDD, TBIAS,
-C               TA, TERR: q, d, its error, the bias, a, the error
+C               the best point's e is between QELO and QEHI, that of the
+C               point compared between QLOW and QHIGH; behind QTEST
+C               TSSIGH's tests, LTEST long, behind QSLAB TSFCE's for
+C               each support, LSLAB long:
+C     A test of TSSIGH's is a (height - h) + q |W|**2 - d.W + bias, of
+C     which each coordinate of W is wrong by dd times it, and all by err
+C     in the box of a node; of TSFCE's q |W|**2 - d.W + bias:
+C       TQ, TDD, TBIAS, TA, TERR  q, dd, bias, a, err; behind TD: d
 C
 C     Constants, the same in every routine that has them:
 C       TSLIST  capacity of a list, a multiple of 4, at least LEAF
@@ -246,12 +249,14 @@ C               longer; with a fixed REACH, points in a flat box 3 %
 C       SAMPLE  a node is cut across the widest extent of about so many
 C               of its points: of all a million take 3 % longer
 C       DEPTH   of the tree plus one, at most
-C       SUPPS, OPENED, BURDEN  supports, at most; one is sought when a
-C               search leaves more than OPENED comparisons open and
-C               these add up to BURDEN times the points
-C       ENOUGH  points in which one is sought
-C       SOME    points that such a search remembers
-C       GRAINS  marks of heights over a support
+C       SUPPS   supports, at most
+C       OPENED, BURDEN  one is sought when a search has more than OPENED
+C               points in its sample and these add up to BURDEN times
+C               all points; each time in vain doubles that
+C       ENOUGH  of fewer points none is sought
+C       SOME    places of the sample
+C       GRAINS  marks of heights over a support: a double holds them and
+C               their roundings
 C       ABOVE   added where a node has points above that
 C       PLANES  hull planes that are remembered
 C       ENTRY, EDGE  integers of an entry of the pool, and of an edge
@@ -1695,7 +1700,7 @@ C     of at most 6 roundings, with W(K) itself twice and the sum's, each
 C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|); LENGTH, and this, may
 C     come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSPOWE(FQ, LENGTH)
-      DOUBLE PRECISION FQ(166), LENGTH
+      DOUBLE PRECISION FQ(168), LENGTH
       INTEGER QDC, QSIZE
       PARAMETER (QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT
@@ -1724,7 +1729,7 @@ C     TSPOWE; E |W|, which covers the rounding of the side, too.  Both
 C     are taken at a point of the box's own doubles, so the same bounds
 C     hold as for a point.
       INTEGER FUNCTION TSPRUN(IQ, F, FQ, BOX, NODE)
-      DOUBLE PRECISION F(12), FQ(166), BOX(6,*)
+      DOUBLE PRECISION F(12), FQ(168), BOX(6,*)
       INTEGER IQ(55), NODE
       DOUBLE PRECISION TSPOWE
       INTEGER QBALL, QC
@@ -1756,7 +1761,7 @@ C     hold as for a point.
 C     TSPRPA - is there no candidate in that part of the root's box in
 C     which coordinate K is between LO and HI: 1, or 0.
       INTEGER FUNCTION TSPRPA(BOX, IQ, F, FQ, K, LO, HI)
-      DOUBLE PRECISION BOX(6,*), F(12), FQ(166), LO, HI
+      DOUBLE PRECISION BOX(6,*), F(12), FQ(168), LO, HI
       INTEGER IQ(55), K
       INTEGER TSPRUN
       DOUBLE PRECISION PART(6,1)
@@ -1777,7 +1782,7 @@ C     has its centre within dc of C and passes through the base, as does
 C     the one about C: its radius is at most |C| + dc, so that along an
 C     axis it ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(166)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(168)
       INTEGER LSI(3,2), LIST, IQ(55)
       INTEGER TSPRPA
       INTEGER LN, LLO, LHI, QC, QDC
@@ -1813,7 +1818,7 @@ C     if margin (margin - 2 A - 2 dc) >= 2 B; the test has margin - 2 dc
 C     in the place of both.  PAD times margin is more than the roundings
 C     of A, B and the products take.
       INTEGER FUNCTION TSBINS(BOX, LSD, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(166)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(168)
       INTEGER LMARG, STR, QC, QDC
       PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6)
       DOUBLE PRECISION PAD
@@ -1841,7 +1846,7 @@ C     of A, B and the products take.
 C     TSNARR - the L-coordinate of the best point of a search is at most
 C     L.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
-      DOUBLE PRECISION F(12), FQ(166), L
+      DOUBLE PRECISION F(12), FQ(168), L
       INTEGER IQ(55)
       INTEGER QLIMBS, QBALL, QTURN, QHI, QC, QDC, QSIZE
       PARAMETER (QLIMBS = 2, QBALL = 3, QTURN = 7, QHI = 2)
@@ -1870,7 +1875,7 @@ C     errs by at most 8 EPS |C|, so that its height over the facet's
 C     plane, C.V, is L but for the error of V, E |C|, that of C, and the
 C     roundings of three products and two sums, 5 EPS |C|_1.
       SUBROUTINE TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(166)
+      DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(168)
       INTEGER ORD(*), V(3), IQ(55)
       INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QTURN, QLO, QHI, QC
       INTEGER QDC, QSIZE, QLIMB
@@ -1914,7 +1919,13 @@ C         G(w) = height(w) - h - tilt.w
 C     is 0 at its vertices.  So on a plane it is g times the side of w,
 C     g being the height of the facet's normal v; on a sphere, whose
 C     centre's height over the facet's plane is l, it is the power of w
-C     in the ball of L = l: L(w) = l + e, e = G(w) / (2 side).
+C     in the ball of L = l, and L(w) = l + e, e = G(w) / (2 side).
+C     Heights are noise, but known to 1E-7 of it: so they decide, point
+C     by point and node by node.
+C
+C     Of points that are all near one support the box is thick where
+C     they are not: TSASID tests such a node by the plane or the sphere,
+C     for any facet.
 C     ------------------------------------------------------------------
 
 C     TSROUG - the height H of the position Z over the support behind
@@ -1947,7 +1958,9 @@ C     rest is 6 roundings.
       END
 
 C     TSLEVE - the height H of the position Z over support J, if it is
-C     near to it: by its mark, or else by limbs.  OK is 1, or 0.
+C     near to it: by its mark, or else by limbs.  A mark is off by the
+C     roundings of TSDISC, EPS GRAINS grains, and a quarter of one for
+C     twice the height's error.  OK is 1, or 0.
       SUBROUTINE TSLEVE(X, P, ORD, MARK, RCTL, J, Z, H, ERR, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
       INTEGER ORD(*), MARK(*), J, Z, OK
@@ -2082,18 +2095,18 @@ C     the farthest one, and what is left of all
   120 CONTINUE
       END
 
-C     TSDISC - find a support for the points that a search left open,
-C     mark those near to it that are near to no other, and give each
-C     node the least height.
+C     TSDISC - find a support for the points that a search left open:
+C     mark those near to it that have no mark yet, and find the least
+C     height of each node's.
       SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55)
       INTEGER TSCUBE
-      INTEGER NP, LEAVES, RSUPP, RSUP, LSUP, SPLANE, SSIGN, SLOW
+      INTEGER NP, LEAVES, RSUPP, RSEEK, RSUP, LSUP, SPLANE, SSIGN, SLOW
       INTEGER SGRAIN, DONE, SUPPS, GRAINS, ABOVE
-      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RSUP = 9, LSUP = 98)
-      PARAMETER (SPLANE = 88, SSIGN = 89, SLOW = 97, SGRAIN = 98)
-      PARAMETER (DONE = -1, SUPPS = 8, GRAINS = 134217728)
+      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RSEEK = 7, RSUP = 9)
+      PARAMETER (LSUP = 98, SPLANE = 88, SSIGN = 89, SLOW = 97)
+      PARAMETER (SGRAIN = 98, DONE = -1, SUPPS = 8, GRAINS = 134217728)
       PARAMETER (ABOVE = GRAINS + 2)
       DOUBLE PRECISION C, ERR, FINE, GRAIN, H, LOW
       INTEGER AT, FIRST, I, J, K, LAST, LEAST, NEAR, NODE, OK, OVER
@@ -2158,6 +2171,7 @@ C     node the least height.
         RETURN
       END IF
       RCTL(RSUPP) = DBLE(J)
+      IF (J .EQ. SUPPS) RCTL(RSEEK) = 0.0D0
       DO 50 NODE = 1, 2*CTL(LEAVES) - 1
         IF (MARK(CTL(NP)+NODE) .EQ. 0 .AND. MARK(LEAST+NODE) .GE. 0
      $      .AND. MARK(LEAST+NODE) .LE. GRAINS) MARK(CTL(NP)+NODE) = J
@@ -2165,42 +2179,50 @@ C     node the least height.
       END
 
 C     TSLEAN - find the support that the facet is near to, if there is
-C     one, and its tilt.  What that misses: products with the edges r0,
-C     r1, and what is not in the plane.  Of a vector in it whose
-C     products with unit vectors at an angle are r0, r1 the length is at
-C     most (|r0| + |r1|) / sine of the angle.
+C     one, and its tilt.  Its error: the tilt is out of the plane by the
+C     roundings of the edges; in it, its products with the edges miss
+C     the differences of heights by r0, r1, and a vector whose products
+C     with unit vectors at an angle are r0, r1 is no longer than (|r0| +
+C     |r1|) / sine of it.  DET errs by less than 1/100, where its sine
+C     is that of no needle.
       SUBROUTINE TSLEAN(X, P, ORD, MARK, RCTL, V, IQ, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), FQ(166)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), FQ(168)
       INTEGER ORD(*), MARK(*), V(3), IQ(55)
-      INTEGER QBASE, QNEAR, QH, QDH, QTILT, QDTILT, SUPPS
-      PARAMETER (QBASE = 4, QNEAR = 6, QH = 95, QDH = 96, QTILT = 96)
+      INTEGER RSUPP, QBASE, QNEAR, QAIMED, QFACED, QH, QDH, QTILT
+      INTEGER QDTILT, SUPPS
+      PARAMETER (RSUPP = 6, QBASE = 4, QNEAR = 6, QAIMED = 8)
+      PARAMETER (QFACED = 11, QH = 95, QDH = 96, QTILT = 96)
       PARAMETER (QDTILT = 100, SUPPS = 8)
       DOUBLE PRECISION EPS, FAINT
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
       DOUBLE PRECISION A(3,2), AB, DET, ERR(3), H(3), N(2), R, SIZE
       DOUBLE PRECISION T(2)
       INTEGER B, I, J, K, OK, Z
-      DO 20 I = 1, 3
+      IQ(QAIMED) = 0
+      DO 10 K = 1, INT(RCTL(RSUPP))
+        IQ(QFACED+K) = 0
+   10 CONTINUE
+      DO 30 I = 1, 3
         J = MOD(MARK(V(I)) - 1, SUPPS) + 1
-        IF (MARK(V(I)) .EQ. 0) GO TO 20
-        DO 10 K = 1, 3
+        IF (MARK(V(I)) .EQ. 0) GO TO 30
+        DO 20 K = 1, 3
           Z = V(MOD(IQ(QBASE) + K - 2, 3)+1)
           CALL TSLEVE(X, P, ORD, MARK, RCTL, J, Z, H(K), ERR(K), OK)
-          IF (OK .EQ. 0) GO TO 20
-   10   CONTINUE
-        GO TO 30
-   20 CONTINUE
+          IF (OK .EQ. 0) GO TO 30
+   20   CONTINUE
+        GO TO 40
+   30 CONTINUE
       RETURN
-   30 B = V(IQ(QBASE))
-      DO 50 I = 1, 2
+   40 B = V(IQ(QBASE))
+      DO 60 I = 1, 2
         Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
         N(I) = 0.0D0
-        DO 40 K = 1, 3
+        DO 50 K = 1, 3
           A(K,I) = X(K,Z) - X(K,B)
           N(I) = N(I) + A(K,I)*A(K,I)
-   40   CONTINUE
+   50   CONTINUE
         H(I+1) = H(I+1) - H(1)
-   50 CONTINUE
+   60 CONTINUE
       AB = A(1,1)*A(1,2) + A(2,1)*A(2,2) + A(3,1)*A(3,2)
       DET = N(1)*N(2) - AB*AB
       IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
@@ -2208,28 +2230,28 @@ C     most (|r0| + |r1|) / sine of the angle.
       T(1) = (H(2)*N(2) - H(3)*AB)/DET
       T(2) = (H(3)*N(1) - H(2)*AB)/DET
       SIZE = 0.0D0
-      DO 60 K = 1, 3
+      DO 70 K = 1, 3
         FQ(QTILT+K) = T(1)*A(K,1) + T(2)*A(K,2)
         SIZE = SIZE + (ABS(T(1)*A(K,1)) + ABS(T(2)*A(K,2)))
-   60 CONTINUE
+   70 CONTINUE
       FQ(QH) = H(1)
       FQ(QDH) = ERR(1)
       FQ(QDTILT) = 8.0D0*EPS*SIZE
-      DO 80 I = 1, 2
+      DO 90 I = 1, 2
         R = H(I+1)
-        DO 70 K = 1, 3
+        DO 80 K = 1, 3
           R = R - FQ(QTILT+K)*A(K,I)
-   70   CONTINUE
+   80   CONTINUE
         FQ(QDTILT) = FQ(QDTILT) + (ABS(R) + ERR(1) + ERR(I+1) +
      $      16.0D0*EPS*(ABS(H(I+1)) + ABS(H(1)) +
      $      SIZE*SQRT(N(I))))*SQRT(1.02D0*N(3-I)/DET)
-   80 CONTINUE
+   90 CONTINUE
       END
 
 C     TSRESI - limits of G for a point near to the facet's support.  OK
 C     is 1, or 0.
       SUBROUTINE TSRESI(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, LO, HI, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(166), LO, HI
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168), LO, HI
       INTEGER ORD(*), MARK(*), IQ(55), Z, OK
       INTEGER QNEAR, QH, QDH, QTILT, QDTILT
       PARAMETER (QNEAR = 6, QH = 95, QDH = 96, QTILT = 96)
@@ -2258,18 +2280,22 @@ C     TSSHAR - the SIDE of the position Z that HHLIMI did not find
 C     negative, and limits of L, by a plane's support; of e, by a
 C     sphere's.  g errs by E and some roundings.
       SUBROUTINE TSSHAR(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, SIDE, LO,
-     $                  HI, ELO, EHI)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(166), LO, HI
-      DOUBLE PRECISION ELO, EHI
+     $                  HI)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168), LO, HI
       INTEGER ORD(*), MARK(*), IQ(55), Z, SIDE
-      INTEGER RSUP, LSUP, SPLANE, SC, QNEAR
+      INTEGER RSUP, LSUP, SPLANE, SC, QNEAR, QELO, QEHI, QLOW, QHIGH
+      INTEGER SURE
       PARAMETER (RSUP = 9, LSUP = 98, SPLANE = 88, SC = 92, QNEAR = 6)
+      PARAMETER (QELO = 101, QEHI = 102, QLOW = 103, QHIGH = 104)
+      PARAMETER (SURE = 3)
       DOUBLE PRECISION EPS, HUGE, PAD, SMALL
       PARAMETER (EPS = 2.0D0**(-52), PAD = 64.0D0*EPS)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
       PARAMETER (SMALL = 2.0D0**(-450))
       DOUBLE PRECISION DG, G, HIGH, LEAST, LOW, MOST, Q(3), SIZE, U
       INTEGER AT, K, OK
+      FQ(QLOW) = -HUGE
+      FQ(QHIGH) = HUGE
       IF (F(10) .GT. 1.0D-3) RETURN
       CALL TSRESI(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, LOW, HIGH, OK)
       IF (OK .EQ. 0) RETURN
@@ -2313,17 +2339,22 @@ C     sphere's.  g errs by E and some roundings.
       MOST = 2.0D0*(G + F(10)*SIZE)
       IF (SIDE .LE. 0 .OR. LEAST .LT. SMALL) RETURN
       IF (LOW .GT. 0.0D0) THEN
-        ELO = LOW/MOST
+        LOW = LOW/MOST
       ELSE
-        ELO = LOW/LEAST
+        LOW = LOW/LEAST
       END IF
       IF (HIGH .GT. 0.0D0) THEN
-        EHI = HIGH/LEAST
+        HIGH = HIGH/LEAST
       ELSE
-        EHI = HIGH/MOST
+        HIGH = HIGH/MOST
       END IF
-      ELO = ELO - PAD*ABS(ELO)
-      EHI = EHI + PAD*ABS(EHI)
+      FQ(QLOW) = LOW - PAD*ABS(LOW)
+      FQ(QHIGH) = HIGH + PAD*ABS(HIGH)
+      IF (FQ(QLOW) .GT. FQ(QEHI)) THEN
+        SIDE = -1
+      ELSE IF (FQ(QHIGH) .LT. FQ(QELO)) THEN
+        SIDE = SURE
+      END IF
       END
 
 C     TSSIGH - make the tests of promise for the best point there is.
@@ -2332,17 +2363,20 @@ C     and N - 2 k side <= 0, N being the power in the ball of L = 0.  So
 C     there is none where
 C         a (height - h) + q |w|**2 - d.w + bias > 0:
 C       plane    side = G / g.  Either a = 1 or -1, that g a < 0; q = 0,
-C                d = a tilt; or a = -2 k / g, q = 1, d = 2 c + a tilt, c
-C                the centre of L = 0, where for k > 0 a greater |a| is
-C                right too, for k < 0 a smaller one
+C                d = a tilt: none is on the positive side.  Or a = -2 k
+C                / g, q = 1, d = 2 c + a tilt, c the centre of L = 0; as
+C                k may be greater, so may |a| for k > 0, and smaller for
+C                k < 0
 C       sphere   k = l + e: N - 2 k side = G - 2 e side = height - h -
 C                (tilt + 2 e v).w; of the height a share q is taken as
 C                |w|**2 + 2 o.w + h, o = base - centre: a = 1 - q, d =
-C                tilt + 2 e v - 2 q o.  Without a best point, side = v.w
+C                tilt + 2 e v - 2 q o.  Without a best point: side = v.w
 C                = (v - 2 q o).w + q (height - h - |w|**2), q = v.o / (2
-C                |o|**2), height <= -low: a = 0, d = v - 2 q o
+C                |o|**2), and height <= -low
+C     dd has room for the errors of c, l, o, tilt, v, and for 16
+C     roundings of each term.
       SUBROUTINE TSSIGH(RCTL, IQ, F, FQ)
-      DOUBLE PRECISION RCTL(*), F(12), FQ(166)
+      DOUBLE PRECISION RCTL(*), F(12), FQ(168)
       INTEGER IQ(55)
       INTEGER RSUP, LSUP, SPLANE, SAT, SC, SLOW
       INTEGER QBEST, QBALL, QNEAR, QTURN, QAIMED, QTESTS, QTOP, QHI, QH
@@ -2352,7 +2386,7 @@ C                |o|**2), height <= -low: a = 0, d = v - 2 q o
       PARAMETER (SLOW = 97, QBEST = 1, QBALL = 3, QNEAR = 6, QTURN = 7)
       PARAMETER (QAIMED = 8, QTESTS = 9, QTOP = 9, QHI = 2, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QEHI = 102)
-      PARAMETER (QTEST = 102, TQ = 1, TD = 1, TDD = 5, TBIAS = 6)
+      PARAMETER (QTEST = 104, TQ = 1, TD = 1, TDD = 5, TBIAS = 6)
       PARAMETER (TA = 7, LTEST = 8)
       DOUBLE PRECISION EPS, HUGE, MUCHL
       PARAMETER (EPS = 2.0D0**(-52), MUCHL = 1.0D100)
@@ -2459,7 +2493,7 @@ C                |o|**2), height <= -low: a = 0, d = v - 2 q o
 C     TSLOWE - the LEAST of q |w|**2 - d.w in a node's box, of the test
 C     behind FQ(T), and the greatest |w|_1, SIZE.
       SUBROUTINE TSLOWE(BOX, F, FQ, T, NODE, LEAST, SIZE)
-      DOUBLE PRECISION BOX(6,*), F(12), FQ(166), LEAST, SIZE
+      DOUBLE PRECISION BOX(6,*), F(12), FQ(168), LEAST, SIZE
       INTEGER T, NODE
       INTEGER TQ, TD
       PARAMETER (TQ = 1, TD = 1)
@@ -2488,14 +2522,14 @@ C     TSPROM - the MOST that a test of TSSIGH's is at least for the
 C     points of a node, less its error: if it is positive, the node has
 C     no candidate.
       SUBROUTINE TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, MOST)
-      DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(166), MOST
+      DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(168), MOST
       INTEGER MARK(*), CTL(*), IQ(55), NODE
       INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN
       INTEGER QNEAR, QTURN, QAIMED, QTESTS, QTOP, QH, QDH, QTEST, TQ
       INTEGER TDD, TBIAS, TA, TERR, LTEST, GRAINS, ABOVE
       PARAMETER (NP = 1, LEAVES = 4, RSUP = 9, LSUP = 98, SLOW = 97)
       PARAMETER (SGRAIN = 98, QNEAR = 6, QTURN = 7, QAIMED = 8)
-      PARAMETER (QTESTS = 9, QTOP = 9, QH = 95, QDH = 96, QTEST = 102)
+      PARAMETER (QTESTS = 9, QTOP = 9, QH = 95, QDH = 96, QTEST = 104)
       PARAMETER (TQ = 1, TDD = 5, TBIAS = 6, TA = 7, TERR = 8)
       PARAMETER (LTEST = 8, GRAINS = 134217728, ABOVE = GRAINS + 2)
       DOUBLE PRECISION EPS, FAINT
@@ -2536,15 +2570,16 @@ C       plane    |w|**2 - 2 c.w = |w|**2 - (2 c + t n).w + t n.w, n.w =
 C                n.(at - base) + height, t = 2 (n.(at - base) - n.c)
 C       sphere   |w|**2 - 2 c.w = (1 - t) |w|**2 - (2 c + 2 t o).w - t h
 C                + t height, t = 1 - |c + o| / R, o = base - centre, h
-C                the height of the base
+C                the base's height
+C     Any t is right; so what it is wrong by does not count.
       SUBROUTINE TSFCE(RCTL, J, IQ, F, FQ)
-      DOUBLE PRECISION RCTL(*), F(12), FQ(166)
+      DOUBLE PRECISION RCTL(*), F(12), FQ(168)
       INTEGER J, IQ(55)
       INTEGER RSUP, LSUP, SPLANE, SAT, SC, SSIZE, SLOW
       INTEGER QTURN, QFACED, QC, QDC, QSLAB, TQ, TD, TDD, TBIAS, LSLAB
       PARAMETER (RSUP = 9, LSUP = 98, SPLANE = 88, SAT = 89, SC = 92)
       PARAMETER (SSIZE = 96, SLOW = 97, QTURN = 7, QFACED = 11, QC = 2)
-      PARAMETER (QDC = 6, QSLAB = 118, TQ = 1, TD = 1, TDD = 5)
+      PARAMETER (QDC = 6, QSLAB = 120, TQ = 1, TD = 1, TDD = 5)
       PARAMETER (TBIAS = 6, LSLAB = 6)
       DOUBLE PRECISION EPS
       PARAMETER (EPS = 2.0D0**(-52))
@@ -2602,11 +2637,11 @@ C                the height of the base
 C     TSASID - is a node, all of whose points are near one support,
 C     outside of the ball: OUT is 1, or 0.
       SUBROUTINE TSASID(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
-      DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(166)
+      DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(168)
       INTEGER MARK(*), CTL(*), IQ(55), NODE, OUT
       INTEGER NP, QBALL, QTURN, QFACED, QSLAB, TQ, TDD, TBIAS, LSLAB
       PARAMETER (NP = 1, QBALL = 3, QTURN = 7, QFACED = 11)
-      PARAMETER (QSLAB = 118, TQ = 1, TDD = 5, TBIAS = 6, LSLAB = 6)
+      PARAMETER (QSLAB = 120, TQ = 1, TDD = 5, TBIAS = 6, LSLAB = 6)
       DOUBLE PRECISION EPS, FAINT
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
       DOUBLE PRECISION SIZE, SUM
@@ -2625,12 +2660,16 @@ C     outside of the ball: OUT is 1, or 0.
 C     TSREME - Z among the points that Householder left open, or one of
 C     two, of four ... of them; until there are such, instead, points of
 C     leaves where the search went.
-      SUBROUTINE TSREME(IQ, Z, OPEN)
-      INTEGER IQ(55), Z, OPEN
-      INTEGER QOPEN, QOPEND, QSTRID, QNSOME, QSOME, SOME
-      PARAMETER (QOPEN = 20, QOPEND = 21, QSTRID = 22, QNSOME = 23)
-      PARAMETER (QSOME = 23, SOME = 32)
+      SUBROUTINE TSREME(MARK, RCTL, IQ, Z, OPEN)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER MARK(*), IQ(55), Z, OPEN
+      INTEGER RSUPP, QOPEN, QOPEND, QSTRID, QNSOME, QSOME, SOME
+      PARAMETER (RSUPP = 6, QOPEN = 20, QOPEND = 21, QSTRID = 22)
+      PARAMETER (QNSOME = 23, QSOME = 23, SOME = 32)
       INTEGER I
+      IF (RCTL(RSUPP) .GT. 0.0D0) THEN
+        IF (MARK(Z) .GT. 0) RETURN
+      END IF
       IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
         IQ(QOPEN) = OPEN
         IQ(QOPEND) = 0
@@ -2656,43 +2695,35 @@ C     there is: if its L-coordinate is smaller (Theorem 1); ties by the
 C     rule of HHPBAL.  The Householder bounds decide where they can;
 C     what they leave open limits the better one by the other.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(166)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168)
       INTEGER ORD(*), MARK(*), V(3), IQ(55), Z
       INTEGER HHPBEA, HHPSID
-      INTEGER T3, T5, RSUPP, QBEST, QLIMBS, QASKED, QNEAR, QTURN, QLO
-      INTEGER QHI, QLIMB, QELO, QEHI, UNSURE, MANY
-      PARAMETER (T3 = 1, T5 = 2, RSUPP = 6, QBEST = 1, QLIMBS = 2)
-      PARAMETER (QASKED = 5, QNEAR = 6, QTURN = 7, QLO = 1, QHI = 2)
-      PARAMETER (QLIMB = 7, QELO = 101, QEHI = 102, UNSURE = 2)
-      PARAMETER (MANY = 6)
-      DOUBLE PRECISION EPS, HUGE, PLAIN, WIDE
-      PARAMETER (EPS = 2.0D0**(-52), PLAIN = 16.0D0, WIDE = 1.0D-4)
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION EHI, ELO, HI, LO, Q(3)
-      INTEGER I, OPEN, POWER, SGN, SIDE
+      INTEGER T3, T5, RSEEK, QBEST, QLIMBS, QASKED, QNEAR, QLO, QHI
+      INTEGER QLIMB, QELO, QEHI, QLOW, QHIGH, UNSURE, SURE, MANY
+      PARAMETER (T3 = 1, T5 = 2, RSEEK = 7, QBEST = 1, QLIMBS = 2)
+      PARAMETER (QASKED = 5, QNEAR = 6, QLO = 1, QHI = 2, QLIMB = 7)
+      PARAMETER (QELO = 101, QEHI = 102, QLOW = 103, QHIGH = 104)
+      PARAMETER (UNSURE = 2, SURE = 3, MANY = 6)
+      DOUBLE PRECISION PLAIN, WIDE
+      PARAMETER (PLAIN = 16.0D0, WIDE = 1.0D-4)
+      DOUBLE PRECISION HI, LO, Q(3)
+      INTEGER OPEN, POWER, SGN, SIDE
       Q(1) = X(1,Z)
       Q(2) = X(2,Z)
       Q(3) = X(3,Z)
       CALL HHLIMI(F, Q, LO, HI, SIDE)
-      IF (SIDE .LT. 0) RETURN
-      ELO = -HUGE
-      EHI = HUGE
-      IF (IQ(QNEAR) .NE. 0) THEN
-        CALL TSSHAR(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, SIDE, LO, HI,
-     $              ELO, EHI)
-        IF (SIDE .LT. 0) RETURN
-      END IF
-      OPEN = 0
-      IF (IQ(QBEST) .NE. 0) THEN
-        IF (LO .GT. FQ(QHI) .OR. ELO .GT. FQ(QEHI)) RETURN
-        IF (HI .GE. FQ(QLO) .AND. EHI .GE. FQ(QELO)) OPEN = 1
-      END IF
+      IF (IQ(QNEAR) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, P, ORD,
+     $    MARK, RCTL, IQ, F, FQ, Z, SIDE, LO, HI)
       SGN = SIDE
       POWER = UNSURE
+      IF (SIDE .LT. 0) RETURN
+      OPEN = 0
+      IF (IQ(QBEST) .NE. 0) THEN
+        IF (LO .GT. FQ(QHI)) RETURN
+        IF (SIDE .NE. SURE .AND. HI .GE. FQ(QLO)) OPEN = 1
+      END IF
       IF (SIDE .EQ. 0 .OR. OPEN .EQ. 1) THEN
-        I = 0
-        IF (RCTL(RSUPP) .GT. 0.0D0) I = MARK(Z)
-        IF (I .EQ. 0) CALL TSREME(IQ, Z, 1)
+        IF (RCTL(RSEEK) .GT. 0.0D0) CALL TSREME(MARK, RCTL, IQ, Z, 1)
         IF (IQ(QLIMBS) .EQ. 1)
      $      CALL HHTRIA(P, ORD, FQ, QLIMB, Z, SGN, POWER)
       END IF
@@ -2703,23 +2734,20 @@ C     what they leave open limits the better one by the other.
         IF (RCTL(T5) .LT. PLAIN) IQ(QASKED) = IQ(QASKED) + 1
         IF (POWER .EQ. UNSURE) POWER = 1 - 2*HHPBEA(X, P, ORD,
      $      RCTL(T3), RCTL(T5), V, IQ(QBEST), Z)
+        FQ(QHIGH) = MIN(FQ(QHIGH), FQ(QEHI))
         IF (POWER .GT. 0) THEN
+          FQ(QEHI) = FQ(QHIGH)
           IF (HI .LT. FQ(QHI)) CALL TSNARR(IQ, F, FQ, HI)
-          IF (EHI .LT. FQ(QEHI)) THEN
-            FQ(QEHI) = EHI
-            IQ(QTURN) = IQ(QTURN) + 1
-          END IF
           IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
      $        CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
           RETURN
         END IF
         HI = MIN(HI, FQ(QHI))
-        EHI = MIN(EHI, FQ(QEHI))
       END IF
       IQ(QBEST) = Z
       FQ(QLO) = LO
-      FQ(QELO) = ELO
-      FQ(QEHI) = EHI
+      FQ(QELO) = FQ(QLOW)
+      FQ(QEHI) = FQ(QHIGH)
       IQ(QLIMBS) = 0
       CALL TSNARR(IQ, F, FQ, HI)
       IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
@@ -2732,7 +2760,7 @@ C     what they leave open limits the better one by the other.
 C     TSCONS - compare Z, if it is no vertex and not outside of the
 C     ball.
       SUBROUTINE TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(166)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168)
       INTEGER ORD(*), MARK(*), V(3), IQ(55), Z
       DOUBLE PRECISION TSPOWE
       INTEGER QBEST, QBALL, QC
@@ -2767,7 +2795,7 @@ C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
       SUBROUTINE TSBALC(LSD, LIST, F, FQ, C, D, OK)
-      DOUBLE PRECISION LSD(14,2), F(12), FQ(166), C(3)
+      DOUBLE PRECISION LSD(14,2), F(12), FQ(168), C(3)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LMID, LMOST, LUNIT, QDC
@@ -2807,7 +2835,7 @@ C     TSSTAC - the same for the list of the star of the base, the list's
 C     centre, whose points are less than 1.1 from it in the list's
 C     units: g = 0.
       SUBROUTINE TSSTAC(LSD, LIST, FQ, D, OK)
-      DOUBLE PRECISION LSD(14,2), FQ(166)
+      DOUBLE PRECISION LSD(14,2), FQ(168)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LUNIT, QC, QDC
@@ -2857,7 +2885,7 @@ C     TSCALL - consider N points of a list.
      $                  N, PLACE)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(166)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168)
       INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LIST, V(3), IQ(55), N
       INTEGER PLACE(*)
       INTEGER I, Z
@@ -2873,7 +2901,7 @@ C     MOST; or 0.
       SUBROUTINE TSLIKE(LSX, LSID, LSD, LIST, F, FQ, MOST, N, PLACE, Z)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), F(12), FQ(166), MOST
+      DOUBLE PRECISION LSD(14,2), F(12), FQ(168), MOST
       REAL LSX(TSLIST,4,2)
       INTEGER LSID(TSIDS,2), LIST, N, PLACE(*), Z
       INTEGER LMID, LUNIT
@@ -2924,7 +2952,7 @@ C     TSANYP - without a ball, consider a point of the list.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), LSD(14,2), F(12)
-      DOUBLE PRECISION FQ(166)
+      DOUBLE PRECISION FQ(168)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), LIST, V(3)
       INTEGER IQ(55)
@@ -2951,7 +2979,7 @@ C     else 0.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(166)
+      DOUBLE PRECISION F(12), FQ(168)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3)
       INTEGER IQ(55), OK
@@ -3008,7 +3036,7 @@ C     costs: on surfaces two of five points that were tested.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(166)
+      DOUBLE PRECISION F(12), FQ(168)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(55), OK
       INTEGER TSBINB
@@ -3019,8 +3047,6 @@ C     costs: on surfaces two of five points that were tested.
       INTEGER IN(TSLIST), N, PLACE(TSLIST+1)
       OK = 0
       IF (LSI(LN,BLK) .EQ. 0) RETURN
-      IF (IQ(QBALL) .EQ. 0) CALL TSANYP(X, P, ORD, MARK, RCTL, LSX,
-     $    LSID, LSI, LSD, BLK, V, IQ, F, FQ)
       IF (IQ(QBALL) .EQ. 0) RETURN
       IF (TSBINB(BOX, LSI, LSD, BLK, IQ, F, FQ) .EQ. 0) RETURN
       C(1) = FQ(QC+1)
@@ -3041,7 +3067,7 @@ C     the positions FIRST ... LAST, that are not outside of the ball, or
 C     without a ball not on the negative side.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
      $                  FIRST, LAST, NODE)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(166)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(168)
       INTEGER ORD(*), LINK(*), MARK(*), V(3), IQ(55), FIRST, LAST, NODE
       DOUBLE PRECISION TSPOWE, TSEXTE
       INTEGER QBALL, QC, DONE
@@ -3076,14 +3102,14 @@ C     that the facet is near to; the errors are those of TSPROM for the
 C     leaf, with room for a mark's.
       SUBROUTINE TSNEAR(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F,
      $                  FQ, FIRST, LAST, NODE)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(166)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(168)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55), FIRST
       INTEGER LAST, NODE
       INTEGER RSUP, LSUP, SLOW, SGRAIN, QNEAR, QTURN, QAIMED, QTESTS
       INTEGER QH, QTEST, TQ, TD, TBIAS, TA, TERR, LTEST, DONE, SUPPS
       PARAMETER (RSUP = 9, LSUP = 98, SLOW = 97, SGRAIN = 98, QNEAR = 6)
       PARAMETER (QTURN = 7, QAIMED = 8, QTESTS = 9, QH = 95)
-      PARAMETER (QTEST = 102, TQ = 1, TD = 1, TBIAS = 6, TA = 7)
+      PARAMETER (QTEST = 104, TQ = 1, TD = 1, TBIAS = 6, TA = 7)
       PARAMETER (TERR = 8, LTEST = 8, DONE = -1, SUPPS = 8)
       DOUBLE PRECISION GRAIN, H, Q, W1, W2, W3
       INTEGER AT, I, K, T, Z
@@ -3116,12 +3142,12 @@ C     TSTREE - finish a search by the tree: the leaf of V(1) first, then
 C     its parent's other child, and so on up to the root.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
      $                  IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(166)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(168)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55)
       INTEGER TSPRUN, TSLEAF
-      INTEGER NP, LEAVES, RSUPP, QNEAR, QTESTS, DONE, DEPTH
-      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, QNEAR = 6, QTESTS = 9)
-      PARAMETER (DONE = -1, DEPTH = 64)
+      INTEGER NP, LEAVES, RSUPP, RSEEK, QNEAR, QTESTS, DONE, DEPTH
+      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RSEEK = 7, QNEAR = 6)
+      PARAMETER (QTESTS = 9, DONE = -1, DEPTH = 64)
       DOUBLE PRECISION MOST
       INTEGER FIRST, HEIGHT, I, LAST, LEAST, N, NEAR, NODE, OUT
       INTEGER STACK(DEPTH), SUPPS
@@ -3181,10 +3207,8 @@ C     its parent's other child, and so on up to the root.
         CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
      $              FIRST, LAST, NODE)
       END IF
-      I = 0
-      IF (SUPPS .GT. 0) I = MARK(FIRST)
-      IF (I .EQ. 0 .AND. LINK(FIRST) .NE. DONE)
-     $    CALL TSREME(IQ, FIRST, 0)
+      IF (RCTL(RSEEK) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
+     $    CALL TSREME(MARK, RCTL, IQ, FIRST, 0)
       GO TO 30
       END
 
@@ -3200,8 +3224,11 @@ C     or 0.
       DO 20 I = 1, CTL(NPLANE)
         AT = PLANE0 + 3*(I - 1)
         DO 10 K = 1, 3
-          IF (HHPSID(X, P, ORD, RCTL(T3), CTL(AT+1), CTL(AT+2),
-     $        CTL(AT+3), V(K)) .NE. 0) GO TO 20
+          IF (V(K) .NE. CTL(AT+1) .AND. V(K) .NE. CTL(AT+2) .AND.
+     $        V(K) .NE. CTL(AT+3)) THEN
+            IF (HHPSID(X, P, ORD, RCTL(T3), CTL(AT+1), CTL(AT+2),
+     $          CTL(AT+3), V(K)) .NE. 0) GO TO 20
+          END IF
    10   CONTINUE
         TSONHU = 1
         RETURN
@@ -3213,16 +3240,16 @@ C     TSPREP - begin the search for the apex of the facet V.  Its base
 C     is V(1), or if the angle there is small the vertex opposite to the
 C     longest edge.
       SUBROUTINE TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(166)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168)
       INTEGER ORD(*), MARK(*), V(3), IQ(55)
       INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QNEAR
-      INTEGER QTURN, QAIMED, QFACED, QOPEN, QOPEND, QLO, QHI, QC, QDC
-      INTEGER QSIZE, QELO, QEHI
+      INTEGER QTURN, QOPEND, QLO, QHI, QC, QDC, QSIZE, QELO, QEHI, QLOW
+      INTEGER QHIGH
       PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2)
       PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QNEAR = 6, QTURN = 7)
-      PARAMETER (QAIMED = 8, QFACED = 11, QOPEN = 20, QOPEND = 21)
-      PARAMETER (QLO = 1, QHI = 2, QC = 2, QDC = 6, QSIZE = 7)
-      PARAMETER (QELO = 101, QEHI = 102)
+      PARAMETER (QOPEND = 21, QLO = 1, QHI = 2, QC = 2, QDC = 6)
+      PARAMETER (QSIZE = 7, QELO = 101, QEHI = 102, QLOW = 103)
+      PARAMETER (QHIGH = 104)
       DOUBLE PRECISION EPS, HUGE, THIN
       PARAMETER (EPS = 2.0D0**(-52), THIN = 1.0D-6)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
@@ -3241,28 +3268,25 @@ C     longest edge.
       IQ(QASKED) = 0
       IQ(QNEAR) = 0
       IQ(QTURN) = 1
-      IQ(QAIMED) = 0
-      IQ(QOPEN) = 0
       IQ(QOPEND) = 0
-      DO 20 K = 1, INT(RCTL(RSUPP))
-        IQ(QFACED+K) = 0
-   20 CONTINUE
       FQ(QELO) = -HUGE
       FQ(QEHI) = HUGE
+      FQ(QLOW) = -HUGE
+      FQ(QHIGH) = HUGE
       FQ(QLO) = -HUGE
       FQ(QHI) = HUGE
       FQ(QDC) = 0.0D0
       FQ(QSIZE) = 0.0D0
       CALL HHSETU(A, B, C, F)
-      IF (F(10) .LT. 8000.0D0*EPS) GO TO 40
+      IF (F(10) .LT. 8000.0D0*EPS) GO TO 30
       AB = 0.0D0
       BC = 0.0D0
       CA = 0.0D0
-      DO 30 K = 1, 3
+      DO 20 K = 1, 3
         AB = AB + (B(K) - A(K))*(B(K) - A(K))
         BC = BC + (C(K) - B(K))*(C(K) - B(K))
         CA = CA + (A(K) - C(K))*(A(K) - C(K))
-   30 CONTINUE
+   20 CONTINUE
       IF (CA .GT. AB .AND. CA .GT. BC) THEN
         IQ(QBASE) = 2
         CALL HHSETU(B, C, A, F)
@@ -3272,7 +3296,7 @@ C     longest edge.
       END IF
       SE = INT(RCTL(RSCALE))
       IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, SE, V, IQ(QBASE), F)
-   40 IF (RCTL(RSUPP) .GT. 0.0D0) CALL TSLEAN(X, P, ORD, MARK, RCTL, V,
+   30 IF (RCTL(RSUPP) .GT. 0.0D0) CALL TSLEAN(X, P, ORD, MARK, RCTL, V,
      $    IQ, FQ)
       END
 
@@ -3287,17 +3311,17 @@ C     GUESS: two positions to try first, or 0.
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(TSIDS,2)
       INTEGER LSI(3,2), V(3), GUESS(2), Z
       INTEGER TSONHU
-      INTEGER NP, NPLANE, NEXTPL, PLANE0, RSUPP, RMOST, RBURDN, RPATIE
+      INTEGER NP, NPLANE, NEXTPL, PLANE0, RSUPP, RSEEK, RBURDN, RPATIE
       INTEGER RSUP, LSUP, SPLANE, QBEST, QNEAR, QOPEND, QEHI, PLANES
       INTEGER OPENED
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, PLANE0 = 13)
-      PARAMETER (RSUPP = 6, RMOST = 7, RBURDN = 8, RPATIE = 9, RSUP = 9)
+      PARAMETER (RSUPP = 6, RSEEK = 7, RBURDN = 8, RPATIE = 9, RSUP = 9)
       PARAMETER (LSUP = 98, SPLANE = 88, QBEST = 1, QNEAR = 6)
       PARAMETER (QOPEND = 21, QEHI = 102, PLANES = 4, OPENED = 24)
       DOUBLE PRECISION EPS, HUGE
       PARAMETER (EPS = 2.0D0**(-52))
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION F(12), FQ(166)
+      DOUBLE PRECISION F(12), FQ(168)
       INTEGER AT, G, IQ(55), K, LISTS, OK
       CALL TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DO 10 K = 1, 2
@@ -3331,8 +3355,7 @@ C       before the block's list: a tenth of the time on lattices
       CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V, IQ,
      $            F, FQ)
       Z = IQ(QBEST)
-      IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RSUPP) .LT. RCTL(RMOST))
-     $    THEN
+      IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RSEEK) .GT. 0.0D0) THEN
         RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))
         IF (RCTL(RBURDN) .GT. RCTL(RPATIE)*DBLE(CTL(NP))) THEN
           K = INT(RCTL(RSUPP))
@@ -3793,16 +3816,16 @@ C     element of RW or IW, and the standard lets them be altered.
       DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
       INTEGER TSTABL
       INTEGER NP, NT, MAXT, ROOM, MPOOL, NOPEN, FRESH, LOW, NPLANE
-      INTEGER NEXTPL, TIES, RSUPP, RMOST, RBURDN, RPATIE, LFIRST, LLAST
-      INTEGER LN, BLK, SUPPS, LSUP, TSLIST, TSIDS
+      INTEGER NEXTPL, TIES, T5, RSUPP, RSEEK, RBURDN, RPATIE, LFIRST
+      INTEGER LLAST, LN, BLK, SUPPS, LSUP, TSLIST, TSIDS
       PARAMETER (NP = 1, NT = 2, MAXT = 3, ROOM = 5, MPOOL = 6)
       PARAMETER (NOPEN = 7, FRESH = 8, LOW = 11, NPLANE = 12)
-      PARAMETER (NEXTPL = 13, TIES = 26, RSUPP = 6, RMOST = 7)
+      PARAMETER (NEXTPL = 13, TIES = 26, T5 = 2, RSUPP = 6, RSEEK = 7)
       PARAMETER (RBURDN = 8, RPATIE = 9, LFIRST = 1, LLAST = 2, LN = 3)
       PARAMETER (BLK = 1, SUPPS = 8, LSUP = 98)
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION BURDEN
-      PARAMETER (BURDEN = 1.0D0)
+      DOUBLE PRECISION BURDEN, PLAIN
+      PARAMETER (BURDEN = 1.0D0, PLAIN = 16.0D0)
       DOUBLE PRECISION LSD(14,2), RCTL(9+LSUP*SUPPS)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(26), K, LSI(3,2), S, T, LSID(TSIDS,2)
@@ -3818,8 +3841,8 @@ C     element of RW or IW, and the standard lets them be altered.
       CTL(NEXTPL) = 1
       CTL(TIES) = 0
       RCTL(RSUPP) = 0.0D0
-      RCTL(RMOST) = 0.0D0
-      IF (SPACE .GT. 1) RCTL(RMOST) = DBLE(SUPPS)
+      RCTL(RSEEK) = 0.0D0
+      IF (SPACE .GT. 1) RCTL(RSEEK) = 1.0D0
       RCTL(RBURDN) = 0.0D0
       RCTL(RPATIE) = BURDEN
       LSI(LFIRST,BLK) = 1
@@ -3832,6 +3855,8 @@ C     element of RW or IW, and the standard lets them be altered.
         NTET = 0
         RETURN
       END IF
+C     doubles decide all where points are in few units
+      IF (RCTL(T5) .GE. PLAIN) RCTL(RSEEK) = 0.0D0
       IF (CTL(NT) .GT. 0) THEN
         CALL TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
         IF (INFO .NE. 0) RETURN
