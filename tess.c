@@ -31,7 +31,7 @@
  *        2 L alive   uncompleted points of a     use else, as all the rest;
  *                    leaf, living children of    in alive[0] np
  *                    a node
- *        4   known   the first tetrahedron, for
+ *        5   known   the first tetrahedron, for
  *                    tess_part, tess_query
  *        n   head    position -> the pool's
  *                    first facet that it
@@ -74,15 +74,17 @@
  *                grow enlist follow load complete makeroom begin star stars
  *   pool         outfac facet owner hashkey same find insert erase rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
- *   apex         powererr extent prunebox prunepart ballinbox ballinstar
- *                narrow refine better proven challenge consider ballcoef
- *                starcoef inball considerall likeliest anypoint instar inblock
- *                scanleaf treesearch onhull prepare apex
+ *   apex         powererr extent prunebox prunepart ballinbox ballinstar better
+ *                narrow refine rough level fit discover lean residual sharpen
+ *                sight lowest promise face aside remember challenge consider
+ *                ballcoef starcoef inball considerall likeliest anypoint instar
+ *                inblock scanleaf nearleaf barren treesearch onhull prepare
+ *                proven apex
  *   one star     exchange settle plant
  *   results      coords four slot mate
- *   preparation  leafcount cuberoot tablesize upto lengths collect inrange
- *                times units scaled revive sorted intact match claim restore
- *                layout opened run wrong unfit
+ *   preparation  leafcount cuberoot tablesize upto lengths extra collect
+ *                inrange times units scaled revive sorted intact match claim
+ *                restore layout opened run wrong unfit
  *   entries      tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
  *   queries      qside inbox
@@ -197,9 +199,9 @@ extern void tess_prove(int fact);
 /* Integers of an entry of the pool, and of an edge of the link. */
 #define ENTRY 4
 #define EDGE 6
-/* What an index keeps of iw besides places, order and tree; pool and edges,
- * at least, and that. */
-#define KEEP 4
+/* What an index keeps of iw besides places, order and tree, and an integer to
+ * spare for Fortran's MARK; pool and edges, at least, and that. */
+#define KEEP 5
 #define LEAST 512
 /* A facet with a greater E is set up by limbs. */
 #define THIN 1e-6

@@ -38,11 +38,13 @@ C         hh_range HHRANG, corners HHCORN, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
-C         form HHFORM, hh_trial HHTRIA, hh_thin HHTHIN
+C         form HHFORM, sure HHSURE, offset HHOFFS, square HHSQUA,
+C         hh_trial HHTRIA, hh_unit HHUNIT, hh_height HHHEIG,
+C         hh_thin HHTHIN
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
-C         hh_bound HHBOUN, hh_limits HHLIMI, hh_facet HHFACE,
-C         hh_side HHSIDE, hh_opp HHOPP, hh_lcoord HHLCOO,
-C         hh_wrap HHWRAP
+C         hh_bound HHBOUN, hh_ratio HHRATI, hh_limits HHLIMI,
+C         hh_facet HHFACE, hh_side HHSIDE, hh_opp HHOPP,
+C         hh_lcoord HHLCOO, hh_wrap HHWRAP
 C     Only in C: held (hh_holds for points that are not in one array),
 C     shift (written out here),
 C     the macro HH_POWER, |W|**2 - 2 C.W, written out here.
@@ -1413,14 +1415,14 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
 
 C     HHCUT - the BROWS leading rows of three numbers C of M limbs, side
 C     by side from C(FC) on, STEP doubles from row to row, and of one
-C     number D of ND limbs: ROW, behind AT.
-      SUBROUTINE HHCUT(M, C, FC, STEP, ND, D, ROW, AT)
-      INTEGER M, FC, STEP, ND, AT
+C     number D of ND limbs: ROW, behind AT.  FIRST is the first of them.
+      SUBROUTINE HHCUT(M, C, FC, STEP, ND, D, ROW, AT, FIRST)
+      INTEGER M, FC, STEP, ND, AT, FIRST
       DOUBLE PRECISION C(*), D(*), ROW(*)
       INTEGER BROWS
       PARAMETER (BROWS = 6)
       DOUBLE PRECISION SIZE
-      INTEGER FIRST, I, J, K
+      INTEGER I, J, K
       FIRST = 1
    10 IF (FIRST .LE. M) THEN
         J = FC + STEP*(FIRST - 1)
@@ -1460,13 +1462,17 @@ C               BMOST
 C       BBASE   behind it the limbs of the base, three coordinates side
 C               by side
 C       BPOWER  behind it leading rows of C and D; BSIDE: of n and 0
+C       BD, BE  D of the leading row's weight, exponent of limb 1's
+C               weight
+C       BUNIT, BBITS  what HHHEIG divides by: see HHUNIT
       SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, AT, OK)
       DOUBLE PRECISION P(3,*), C(3), T(*)
       INTEGER ORD(*), SE, V(3), BASE, Z, AT, OK
       DOUBLE PRECISION HHLDEX
       INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE
+      INTEGER BD, BE
       PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5)
-      PARAMETER (BBASE = 5, BPOWER = 35, BSIDE = 59)
+      PARAMETER (BBASE = 5, BPOWER = 35, BSIDE = 59, BD = 84, BE = 85)
       INTEGER BITS, HHFEW, FAR
       PARAMETER (BITS = 24, HHFEW = 10, FAR = 300)
       DOUBLE PRECISION EPS, HUGE, RADIX, SMALL
@@ -1485,18 +1491,9 @@ C       BPOWER  behind it leading rows of C and D; BSIDE: of n and 0
       CALL HHROWS(P, ORD, SE, W, X, TOP, FACTOR, E, N)
       IF (N .EQ. 0) RETURN
       CALL HHCNTR(N, X, CC, D, MINOR, LIFT, FIRST)
-      CALL HHLEAD(3*N, D, 1, 1, VALUE, DAT)
-      IF (ABS(VALUE) .LE. 0.0D0) RETURN
-      DO 10 K = 1, 3
-        CALL HHLEAD(4*N, CC, K, 3, C(K), LAT)
-        C(K) = C(K)/(2.0D0*VALUE)
-        IF (ABS(C(K)) .GT. 0.0D0) THEN
-          LAT = E + (DAT + 1 - LAT)*BITS
-          IF (LAT .GT. FAR) RETURN
-          C(K) = HHLDEX(C(K), MAX(LAT, -2000))
-        END IF
-   10 CONTINUE
+      T(AT+BFIRST) = DBLE(FIRST)
       T(AT+BN) = DBLE(N)
+      T(AT+BE) = DBLE(E)
       T(AT+BTOP) = TOP
       T(AT+BFACT) = FACTOR
       T(AT+BMOST) = TOP/FACTOR
@@ -1505,36 +1502,46 @@ C       BPOWER  behind it leading rows of C and D; BSIDE: of n and 0
       ELSE
         T(AT+BMOST) = HUGE
       END IF
-      T(AT+BFIRST) = DBLE(FIRST)
-      DO 30 I = 1, N
-        DO 20 K = 1, 3
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
           T(AT+BBASE+3*(I-1)+K) = X(12*(I-1)+9+K)
-   20   CONTINUE
+   10   CONTINUE
+   20 CONTINUE
+      CALL HHCUT(2*N, MINOR, 7, 9, 0, D, T, AT + BSIDE, LAT)
+      OK = 1
+      IF (Z .EQ. V(BASE)) RETURN
+      OK = 0
+      CALL HHCUT(4*N, CC, 1, 3, 3*N, D, T, AT + BPOWER, LAT)
+      CALL HHLEAD(3*N, D, 1, 1, VALUE, DAT)
+      IF (ABS(VALUE) .LE. 0.0D0) RETURN
+      T(AT+BD) = HHLDEX(VALUE, (LAT - DAT)*BITS)
+      DO 30 K = 1, 3
+        CALL HHLEAD(4*N, CC, K, 3, C(K), LAT)
+        C(K) = C(K)/(2.0D0*VALUE)
+        IF (ABS(C(K)) .GT. 0.0D0) THEN
+          LAT = E + (DAT + 1 - LAT)*BITS
+          IF (LAT .GT. FAR) RETURN
+          C(K) = HHLDEX(C(K), MAX(LAT, -2000))
+        END IF
    30 CONTINUE
-      CALL HHCUT(4*N, CC, 1, 3, 3*N, D, T, AT + BPOWER)
-      CALL HHCUT(2*N, MINOR, 7, 9, 0, D, T, AT + BSIDE)
       IF (ABS(C(1)) + ABS(C(2)) + ABS(C(3)) .GT. SMALL) OK = 1
       END
 
-C     HHFORM - the sign of ROW(4) L - ROW(1..3).U, of rows, behind AT,
-C     cut off from longer numbers, of U of N limbs, of which those
-C     before FIRST are 0, and L of 2N, if any ROW(4) is not 0; or
-C     UNSURE.
+C     HHFORM - SUM = ROW(4) L - ROW(1..3).U, of rows, behind AT, cut off
+C     from longer numbers, of U of N limbs, of which those before FIRST
+C     are 0, and L of 2N, if any ROW(4) is not 0.
 C
 C     What is lost are products of limbs that weigh less than the last
 C     row of the sum: in the row behind it 3N products of at most
 C     (BASE/2 + 1) BASE and 2N of (BASE/2 + 1)**2, with all that follow
-C     less than CARRY units of the last row, for N <= 10.  So a partial
-C     sum of more than 2 CARRY decides, as in HHSIGN; no row of the sum
-C     has more than 30 products of at most BASE**2 / 2.
-      INTEGER FUNCTION HHFORM(ROW, AT, N, FIRST, U, L)
-      DOUBLE PRECISION ROW(*), U(*), L(*)
+C     less than CARRY units of the last row, for N <= 10.  No row of the
+C     sum has more than 30 products of at most BASE**2 / 2.
+      SUBROUTINE HHFORM(ROW, AT, N, FIRST, U, L, SUM)
+      DOUBLE PRECISION ROW(*), U(*), L(*), SUM(*)
       INTEGER AT, N, FIRST
-      INTEGER UNSURE, BROWS
-      PARAMETER (UNSURE = 2, BROWS = 6)
-      DOUBLE PRECISION BASE, CARRY
-      PARAMETER (BASE = 2.0D0**24, CARRY = 2.0D0**29)
-      DOUBLE PRECISION R1, R2, R3, R4, S, SUM(BROWS+1)
+      INTEGER BROWS
+      PARAMETER (BROWS = 6)
+      DOUBLE PRECISION R1, R2, R3, R4
       INTEGER I, K
       CALL HHZERO(BROWS + 1, SUM)
       DO 30 K = 1, BROWS
@@ -1552,14 +1559,68 @@ C     has more than 30 products of at most BASE**2 / 2.
    20     CONTINUE
         END IF
    30 CONTINUE
+      END
+
+C     HHSURE - the sign of HHFORM's sum, or UNSURE: a partial sum of
+C     more than 2 CARRY decides, as in HHSIGN.
+      INTEGER FUNCTION HHSURE(SUM)
+      DOUBLE PRECISION SUM(*)
+      INTEGER UNSURE, BROWS
+      PARAMETER (UNSURE = 2, BROWS = 6)
+      DOUBLE PRECISION BASE, CARRY
+      PARAMETER (BASE = 2.0D0**24, CARRY = 2.0D0**29)
+      DOUBLE PRECISION S
+      INTEGER I
       S = 0.0D0
-      HHFORM = UNSURE
-      DO 40 I = 1, BROWS + 1
+      HHSURE = UNSURE
+      DO 10 I = 1, BROWS + 1
         S = S*BASE + SUM(I)
-        IF (S .GT. 2.0D0*CARRY) HHFORM = 1
-        IF (S .LT. -2.0D0*CARRY) HHFORM = -1
-        IF (HHFORM .NE. UNSURE) RETURN
-   40 CONTINUE
+        IF (S .GT. 2.0D0*CARRY) HHSURE = 1
+        IF (S .LT. -2.0D0*CARRY) HHSURE = -1
+        IF (HHSURE .NE. UNSURE) RETURN
+   10 CONTINUE
+      END
+
+C     HHOFFS - the limbs U of the position Z, seen from the base of the
+C     ball behind T(AT).  OK is 1, or 0 where its limbs do not hold
+C     them.
+      SUBROUTINE HHOFFS(P, ORD, T, AT, Z, U, OK)
+      DOUBLE PRECISION P(3,*), T(*), U(*)
+      INTEGER ORD(*), AT, Z, OK
+      INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE
+      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5)
+      PARAMETER (BBASE = 5)
+      DOUBLE PRECISION Q
+      INTEGER FIRST, I, K, N
+      N = INT(T(AT+BN))
+      FIRST = INT(T(AT+BFIRST))
+      OK = 0
+      DO 10 K = 1, 3
+        Q = P(K,ORD(Z))
+        IF (ABS(Q) .GT. T(AT+BMOST)) RETURN
+        CALL HHSPLI(Q*T(AT+BFACT), T(AT+BTOP), N, 3, U, K, I)
+        IF (I .GT. N) RETURN
+   10 CONTINUE
+      DO 20 I = 1, 3*N
+        U(I) = U(I) - T(AT+BBASE+I)
+        IF (I .LT. 3*FIRST - 2 .AND. ABS(U(I)) .GT. 0.0D0) RETURN
+   20 CONTINUE
+      OK = 1
+      END
+
+C     HHSQUA - L = |U|**2, of N limbs.
+      SUBROUTINE HHSQUA(N, FIRST, U, L)
+      INTEGER N, FIRST
+      DOUBLE PRECISION U(*), L(*)
+      INTEGER I, J
+      CALL HHZERO(2*N, L)
+      DO 20 I = FIRST, N
+        DO 10 J = FIRST, N
+          L(I+J) = L(I+J) + (U(3*I-2)*U(3*J-2) + U(3*I-1)*U(3*J-1) +
+     $                       U(3*I)*U(3*J))
+   10   CONTINUE
+   20 CONTINUE
+      CALL HHCARR(2*N, 1, L)
       END
 
 C     HHTRIA - by a few leading limbs, in a tenth of the time of the
@@ -1571,43 +1632,98 @@ C     the positive side, as D > 0 then.
       SUBROUTINE HHTRIA(P, ORD, T, AT, Z, SIDE, POWER)
       DOUBLE PRECISION P(3,*), T(*)
       INTEGER ORD(*), AT, Z, SIDE, POWER
-      INTEGER HHFORM
-      INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE
-      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5)
-      PARAMETER (BBASE = 5, BPOWER = 35, BSIDE = 59)
-      INTEGER HHFEW, UNSURE
-      PARAMETER (HHFEW = 10, UNSURE = 2)
-      DOUBLE PRECISION L(2*HHFEW), Q, U(3*HHFEW)
-      INTEGER FIRST, I, J, K, N
+      INTEGER HHSURE
+      INTEGER BN, BFIRST, BPOWER, BSIDE, BROWS, HHFEW, UNSURE
+      PARAMETER (BN = 1, BFIRST = 2, BPOWER = 35, BSIDE = 59)
+      PARAMETER (BROWS = 6, HHFEW = 10, UNSURE = 2)
+      DOUBLE PRECISION L(2*HHFEW), SUM(BROWS+1), U(3*HHFEW)
+      INTEGER FIRST, N, OK
+      POWER = UNSURE
+      CALL HHOFFS(P, ORD, T, AT, Z, U, OK)
+      IF (OK .EQ. 0) THEN
+        IF (SIDE .EQ. 0) SIDE = UNSURE
+        RETURN
+      END IF
       N = INT(T(AT+BN))
       FIRST = INT(T(AT+BFIRST))
-      POWER = UNSURE
-      DO 10 K = 1, 3
-        Q = P(K,ORD(Z))
-        IF (ABS(Q) .GT. T(AT+BMOST)) GO TO 50
-        CALL HHSPLI(Q*T(AT+BFACT), T(AT+BTOP), N, 3, U, K, I)
-        IF (I .GT. N) GO TO 50
-   10 CONTINUE
-      DO 20 I = 1, 3*N
-        U(I) = U(I) - T(AT+BBASE+I)
-        IF (I .LT. 3*FIRST - 2 .AND. ABS(U(I)) .GT. 0.0D0) GO TO 50
-   20 CONTINUE
-      CALL HHZERO(2*N, L)
       IF (SIDE .EQ. 0) THEN
-        SIDE = HHFORM(T, AT + BSIDE, N, FIRST, U, L)
+        CALL HHFORM(T, AT + BSIDE, N, FIRST, U, U, SUM)
+        SIDE = HHSURE(SUM)
         IF (SIDE .NE. UNSURE) SIDE = -SIDE
       END IF
       IF (SIDE .LT. 0) RETURN
-      DO 40 I = FIRST, N
-        DO 30 J = FIRST, N
-          L(I+J) = L(I+J) + (U(3*I-2)*U(3*J-2) + U(3*I-1)*U(3*J-1) +
-     $                       U(3*I)*U(3*J))
-   30   CONTINUE
-   40 CONTINUE
-      CALL HHCARR(2*N, 1, L)
-      POWER = HHFORM(T, AT + BPOWER, N, FIRST, U, L)
-      RETURN
-   50 IF (SIDE .EQ. 0) SIDE = UNSURE
+      CALL HHSQUA(N, FIRST, U, L)
+      CALL HHFORM(T, AT + BPOWER, N, FIRST, U, L, SUM)
+      POWER = HHSURE(SUM)
+      END
+
+C     HHUNIT - what HHHEIG divides by: D, or, if PLANE is 1, the length
+C     of the normal of a ball's facet, both as of the leading rows; C:
+C     the normal over it, right to 12 EPS.
+      SUBROUTINE HHUNIT(T, AT, PLANE, C)
+      DOUBLE PRECISION T(*), C(3)
+      INTEGER AT, PLANE
+      DOUBLE PRECISION HHLDEX
+      INTEGER BFIRST, BSIDE, BD, BE, BUNIT, BBITS, BITS, BROWS
+      PARAMETER (BFIRST = 2, BSIDE = 59, BD = 84, BE = 85, BUNIT = 86)
+      PARAMETER (BBITS = 87, BITS = 24, BROWS = 6)
+      DOUBLE PRECISION D
+      INTEGER K, LAT
+      T(AT+BUNIT) = T(AT+BD)
+      T(AT+BBITS) = 2.0D0*T(AT+BE) + (3.0D0 - T(AT+BFIRST))*BITS
+      IF (PLANE .EQ. 0) RETURN
+      T(AT+BBITS) = T(AT+BE) + (2.0D0 - T(AT+BFIRST))*BITS
+      D = 0.0D0
+      DO 10 K = 1, 3
+        CALL HHLEAD(BROWS, T, AT + BSIDE + K, 4, C(K), LAT)
+        C(K) = HHLDEX(C(K), (1 - LAT)*BITS)
+        D = D + C(K)*C(K)
+   10 CONTINUE
+      T(AT+BUNIT) = SQRT(D)
+      DO 20 K = 1, 3
+        C(K) = C(K)/T(AT+BUNIT)
+   20 CONTINUE
+      END
+
+C     HHHEIG - the height H of the position Z above the plane of a
+C     ball's facet, if PLANE is 1, else its power in the ball, scaled as
+C     HHPSID's X is.  ERR bounds its error: the leading limbs' value
+C     errs by 3 EPS, what it is divided by by 3 (a normal by 5), the
+C     quotient by 1, and the last row of the sum by CARRY units.  ERR is
+C     HUGE where limbs do not hold it.
+      SUBROUTINE HHHEIG(P, ORD, T, AT, Z, PLANE, H, ERR)
+      DOUBLE PRECISION P(3,*), T(*), H, ERR
+      INTEGER ORD(*), AT, Z, PLANE
+      DOUBLE PRECISION HHLDEX
+      INTEGER BN, BFIRST, BPOWER, BSIDE, BUNIT, BBITS
+      PARAMETER (BN = 1, BFIRST = 2, BPOWER = 35, BSIDE = 59)
+      PARAMETER (BUNIT = 86, BBITS = 87)
+      INTEGER BITS, BROWS, HHFEW
+      PARAMETER (BITS = 24, BROWS = 6, HHFEW = 10)
+      DOUBLE PRECISION CARRY, EPS, HUGE
+      PARAMETER (CARRY = 2.0D0**29, EPS = 2.0D0**(-52))
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION L(2*HHFEW), SUM(BROWS+1), U(3*HHFEW)
+      INTEGER E, FIRST, LAT, N, OK
+      H = 0.0D0
+      ERR = HUGE
+      CALL HHOFFS(P, ORD, T, AT, Z, U, OK)
+      IF (OK .EQ. 0) RETURN
+      N = INT(T(AT+BN))
+      FIRST = INT(T(AT+BFIRST))
+      IF (PLANE .EQ. 1) THEN
+        CALL HHFORM(T, AT + BSIDE, N, FIRST, U, U, SUM)
+      ELSE
+        CALL HHSQUA(N, FIRST, U, L)
+        CALL HHFORM(T, AT + BPOWER, N, FIRST, U, L, SUM)
+      END IF
+      CALL HHCARR(BROWS + 1, 1, SUM)
+      CALL HHLEAD(BROWS + 1, SUM, 1, 1, H, LAT)
+      E = INT(T(AT+BBITS))
+      H = HHLDEX(H/T(AT+BUNIT), MAX(E - (LAT - 1)*BITS, -2000))
+      ERR = HHLDEX(CARRY/T(AT+BUNIT), MAX(E - BROWS*BITS, -2000))
+      ERR = 16.0D0*EPS*ABS(H) + 2.0D0*ABS(ERR)
+      IF (PLANE .EQ. 1) H = -H
       END
 
 C     HHTHIN - the set-up F of a facet V that is too thin for
@@ -1828,28 +1944,56 @@ C     which spares a division.
       END IF
       END
 
+C     HHRATI - limits of the L-coordinate of Z, whose side is between
+C     LEAST >= 0 and MOST: LO and HI are left as they are where there
+C     are none.
+C
+C     L is a quotient of the power N = W.W - 2 (C-P1).W and twice the
+C     side.  With p_k = w_k (w_k - 2 c_k), the error of w_k counts for
+C     EPS (2 w_k**2 + 2 |c_k w_k|), the four roundings of p_k and of the
+C     sum for 4 EPS (w_k**2 + 2 |c_k w_k|) in any rounding mode and
+C     order, that of c for 2 |W| dc: together less than SIZE (EPS (8
+C     SIZE + 12 rho) + 2 dc), SIZE >= SMALL, where underflow does less
+C     than that, with room for the last roundings.
+      SUBROUTINE HHRATI(F, Z, LEAST, MOST, LO, HI)
+      DOUBLE PRECISION F(12), Z(3), LEAST, MOST, LO, HI
+      DOUBLE PRECISION EPS
+      PARAMETER (EPS = 2.0D0**(-52))
+      DOUBLE PRECISION ERR, POWER, SIZE, W1, W2, W3
+      W1 = Z(1) - F(7)
+      W2 = Z(2) - F(8)
+      W3 = Z(3) - F(9)
+      SIZE = ABS(W1) + ABS(W2) + ABS(W3)
+      POWER = W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
+     $        W3*(W3 - 2.0D0*F(6))
+      ERR = SIZE*(EPS*(8.0D0*SIZE + 12.0D0*F(12)) + 2.0D0*F(11))
+      IF (POWER .GT. ERR) THEN
+        LO = (POWER - ERR)/(2.0D0*MOST)
+      ELSE IF (LEAST .GT. 0.0D0) THEN
+        LO = (POWER - ERR)/(2.0D0*LEAST)
+      END IF
+      IF (POWER .LT. -ERR) THEN
+        HI = (POWER + ERR)/(2.0D0*MOST)
+      ELSE IF (LEAST .GT. 0.0D0) THEN
+        HI = (POWER + ERR)/(2.0D0*LEAST)
+      END IF
+      END
+
 C     HHLIMI - HHBOUN, with limits of L instead: if Z is on the positive
 C     side its L-coordinate is at least LO and at most HI, +-HUGE where
-C     there is no limit.
-C
-C     Where the side is not certain, L is a quotient of the power N =
-C     W.W - 2 (C-P1).W and twice a side that, if positive at all, is at
-C     most VW + ERR: a power that is certainly not 0 then limits L on
-C     the side of 0.  With p_k = w_k (w_k - 2 c_k), the error of w_k
-C     counts for EPS (2 w_k**2 + 2 |c_k w_k|), the four roundings of p_k
-C     and of the sum for 4 EPS (w_k**2 + 2 |c_k w_k|) in any rounding
-C     mode and order, that of c for 2 |W| dc: together less than SIZE
-C     (EPS (8 SIZE + 12 rho) + 2 dc), SIZE >= SMALL, where underflow
-C     does less than that.  A side VW + 2 ERR in place of VW + ERR has
-C     room for the last roundings: ERR is at least 260 EPS SIZE, and
+C     there is no limit.  Where the side is not certain it is at most VW
+C     + ERR, if positive at all: a power that is certainly not 0 then
+C     limits L on the side of 0.  A side VW + 2 ERR in the place of that
+C     has room for the last roundings: ERR is at least 260 EPS SIZE, and
 C     |VW| at most SIZE.
       SUBROUTINE HHLIMI(F, Z, LO, HI, SIDE)
       DOUBLE PRECISION F(12), Z(3), LO, HI
       INTEGER SIDE
-      DOUBLE PRECISION EPS, HUGE, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION EPS, HUGE, LOOSE, SMALL
+      PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
+      PARAMETER (SMALL = 2.0D0**(-450))
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION DL, ERR, L, MOST, POWER, SIZE, W1, W2, W3
+      DOUBLE PRECISION DL, L, MOST, SIZE, W1, W2, W3
       L = 0.0D0
       DL = 0.0D0
       CALL HHBOUN(F, Z, L, DL, SIDE)
@@ -1864,13 +2008,9 @@ C     |VW| at most SIZE.
       W2 = Z(2) - F(8)
       W3 = Z(3) - F(9)
       SIZE = ABS(W1) + ABS(W2) + ABS(W3)
-      IF (SIZE .LT. SMALL .OR. F(10) .GE. 0.5D0) RETURN
-      MOST = 2.0D0*(F(1)*W1 + F(2)*W2 + F(3)*W3 + 2.0D0*F(10)*SIZE)
-      POWER = W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
-     $        W3*(W3 - 2.0D0*F(6))
-      ERR = SIZE*(EPS*(8.0D0*SIZE + 12.0D0*F(12)) + 2.0D0*F(11))
-      IF (POWER .GT. ERR) LO = (POWER - ERR)/MOST
-      IF (POWER .LT. -ERR) HI = (POWER + ERR)/MOST
+      IF (SIZE .LT. SMALL .OR. F(10) .GT. LOOSE) RETURN
+      MOST = F(1)*W1 + F(2)*W2 + F(3)*W3 + 2.0D0*F(10)*SIZE
+      CALL HHRATI(F, Z, 0.0D0, MOST, LO, HI)
       END
 
 C     HHFACE - Householder set-up of the facet P1, P2, P3 (Section 3.1,

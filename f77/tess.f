@@ -117,21 +117,24 @@ C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
 C         starlist TSSTLI
 C       apex: powererr TSPOWE, extent TSEXTE, prunebox TSPRUN,
 C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
-C         narrow TSNARR, refine TSREFI, challenge TSCHAL,
-C         consider TSCONS,
-C         ballcoef TSBALC, starcoef TSSTAC, inball TSINBA,
-C         considerall TSCALL, likeliest TSLIKE, anypoint TSANYP,
-C         instar TSINST, inblock TSINBL, scanleaf TSSCAN,
+C         narrow TSNARR, refine TSREFI, rough TSROUG, level TSLEVE,
+C         fit TSFIT, discover TSDISC, lean TSLEAN, residual TSRESI,
+C         sharpen TSSHAR, sight TSSIGH, lowest TSLOWE,
+C         promise TSPROM, face TSFCE, aside TSASID, remember TSREME,
+C         challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
+C         starcoef TSSTAC, inball TSINBA, considerall TSCALL,
+C         likeliest TSLIKE, anypoint TSANYP, instar TSINST,
+C         inblock TSINBL, scanleaf TSSCAN, nearleaf TSNRLF,
 C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
 C         apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT, plant TSPLAN
 C       results: slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, cuberoot TSCUBE,
 C         tablesize TSTABL, upto TSUPTO, lengths TSLENG,
-C         collect TSCOLL, inrange TSINRA, times TSTIME, units TSUNIT,
-C         scaled TSSCAL, revive TSREVI, sorted TSSORT, intact TSINTA,
-C         match TSMTCH, claim TSCLAI, restore TSREST, opened TSOPEN,
-C         run TSRUN, wrong TSWRON, unfit TSUNFI
+C         extra TSEXTR, collect TSCOLL, inrange TSINRA, times TSTIME,
+C         units TSUNIT, scaled TSSCAL, revive TSREVI, sorted TSSORT,
+C         intact TSINTA, match TSMTCH, claim TSCLAI, restore TSREST,
+C         opened TSOPEN, run TSRUN, wrong TSWRON, unfit TSUNFI
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
 C     and what needs no mesh under construction:
@@ -145,10 +148,10 @@ C         marks TSMARK, chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF,
 C         chktet TSCHKT, chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
 C         tess_check TESSCH
 C       a ball: tess_ball TESSBA
-C     Only in C: point, coords, four, better, proven, layout.  Only
-C     here: TSPDIS (disjoint for a point), TSLINE (hh_line of points of
-C     P), TSMESH, TSINDE, TSQUER (parts of run, tess_index, tess_query),
-C     TSORIQ, TSORIP (hh_orient of points of P).
+C     Only in C: point, coords, four, better, proven, barren,
+C     layout.  Only here: TSPDIS (disjoint for a point), TSLINE (hh_line
+C     of points of P), TSMESH, TSINDE, TSQUER (parts of run, tess_index,
+C     tess_query), TSORIQ, TSORIP (hh_orient of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here, passed in one order:
@@ -165,6 +168,11 @@ C              its star is not asked for
 C       LINK   first open edge of the link from a vertex; DONE: its star
 C              is complete; NEW: in no tetrahedron yet
 C       POOL   pool and edges
+C       MARK   0, or J + SUPPS*K, of a position with mark K of support
+C              J; behind MARK(NP) 0, or the support J of all points of a
+C              node; behind MARK(NP+2*CTL(LEAVES)*J) the least mark of a
+C              node's points, -1 if one is below SLOW, GRAINS if all are
+C              above; plus ABOVE if one is above -SLOW
 C     CTL, the mesh's integers:
 C       NP      distinct points
 C       NT      tetrahedra;  MAXT room for them
@@ -183,7 +191,18 @@ C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
 C       RSHARE  a star's margin, in its block's
 C       RSCALE  X = P 2**(-RSCALE)
-C       RLEAST  the least absolute value of a coordinate above 0
+C       RSUPP   supports that there are;  RSEEK is 1: look for more
+C       RBURDN  comparisons left open;  RPATIE how many may be, over NP
+C     A support J, a plane or a sphere that many points are near to, is
+C     behind RCTL(RSUP + LSUP*(J-1)).  Mark K, 0 ... GRAINS - 1, of one
+C     of them is a height between SLOW + (K - 1/2) SGRAIN and SLOW + (K
+C     + 3/2) SGRAIN, SLOW < 0.  Its ball (see HHCENT) is the first:
+C       SPLANE  1, or 0 for a sphere
+C       SSIGN   of a height by limbs
+C       SAT, SC, SSIZE  seen from what is behind SAT: behind SC the unit
+C               normal, or the centre; |C|_1
+C       SLOW, SGRAIN  as above
+C       (10)    RLEAST, the least absolute value of a coordinate above 0
 C     Lists of uncompleted points, in single precision.  List BLK, a
 C     block's, has those in a box, as offsets from the box's centre in
 C     units of its half width; list STR, a star's, those nearer to its
@@ -201,11 +220,28 @@ C       F       its Householder set-up (see HHFACE)
 C       IQ      QBEST: the best point yet, exactly, or 0; QLIMBS: its
 C               ball has been found by limbs; QBALL: there is a ball to
 C               prune with; QBASE: V(QBASE) is the base of F; QASKED:
-C               comparisons left to the exact predicates
+C               comparisons left to the exact predicates; QNEAR: the
+C               facet is near this support, or 0; QTURN changes with the
+C               ball and the best point; QAIMED, QTESTS: TSSIGH's tests
+C               were made at this turn; behind QTOP for each of them 1
+C               if it supposes that no height is above -SLOW; behind
+C               QFACED for each support the turn of TSFCE's; behind
+C               QSOME QNSOME of the points, near no support, that were
+C               left open, or, QOPEN = 0, of leaves: every QSTRID-th one
+C               of QOPEND
 C       FQ      the best point's L-coordinate is between QLO and QHI;
 C               behind QC the ball's centre, relative to F(7..9), wrong
 C               by at most QDC; QSIZE = |C|_1; behind QLIMB the ball by
-C               limbs (see HHCENT)
+C               limbs (see HHCENT); G = height - QH - tilt.W is 0 on the
+C               facet, the tilt behind QTILT, QDH, QDTILT their errors;
+C               the best point's e is between QELO and QEHI, that of the
+C               point compared between QLOW and QHIGH; behind QTEST
+C               TSSIGH's tests, LTEST long, behind QSLAB TSFCE's for
+C               each support, LSLAB long:
+C     A test of TSSIGH's is a (height - h) + q |W|**2 - d.W + bias, of
+C     which each coordinate of W is wrong by dd times it, and all by err
+C     in the box of a node; of TSFCE's q |W|**2 - d.W + bias:
+C       TQ, TDD, TBIAS, TA, TERR  q, dd, bias, a, err; behind TD: d
 C
 C     Constants, the same in every routine that has them:
 C       TSLIST  capacity of a list, a multiple of 4, at least LEAF
@@ -225,6 +261,15 @@ C               longer; with a fixed REACH, points in a flat box 3 %
 C       SAMPLE  a node is cut across the widest extent of about so many
 C               of its points: of all a million take 3 % longer
 C       DEPTH   of the tree plus one, at most
+C       SUPPS   supports, at most
+C       OPENED, BURDEN  one is sought when a search has more than OPENED
+C               points in its sample and these add up to BURDEN times
+C               all points; each time in vain doubles that
+C       ENOUGH  of fewer points none is sought
+C       SOME    places of the sample
+C       GRAINS  marks of heights over a support: a double holds them and
+C               their roundings
+C       ABOVE   added where a node has points above that
 C       PLANES  hull planes that are remembered
 C       ENTRY, EDGE  integers of an entry of the pool, and of an edge
 C       LEAST   pool and edges, at least
@@ -1086,13 +1131,14 @@ C     of least position, S.
 C     TSSTAR - complete the star of S, whose open facets are the edges
 C     of the link.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
-     $                  POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+     $                  POOL, MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S,
+     $                  INFO)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
-      INTEGER POOL(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S, INFO
+      INTEGER POOL(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S, INFO
       INTEGER NT, MAXT, OLDEST, NEWEST, ECODE, EFROM, ETO, EPREV
       INTEGER EAFTER, MORE, FULL, START, DEAD, EDGE
       PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, ECODE = 0)
@@ -1116,8 +1162,8 @@ C     of the link.  INFO is 0, MORE or FULL.
         GUESS(2) = 0
         IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
         IF (AFTER .NE. 0) GUESS(2) = POOL(AFTER+ETO)
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID,
-     $              LSI, LSD, V, GUESS, C)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, LSX,
+     $              LSID, LSI, LSD, V, GUESS, C)
         IF (C .EQ. 0) THEN
           IF (POOL(E+ECODE) .NE. START) ADJ(POOL(E+ECODE)) = 0
           IF (PREV .NE. 0) POOL(PREV+EAFTER) = 0
@@ -1150,22 +1196,22 @@ C     TSSTRS - complete star after star of those asked for, from S on if
 C     it has edges in the link: by and by what hangs together, then what
 C     else there is.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, CTL, RCTL, LSX, LSID, LSI,
-     $                  LSD, S, INFO)
+     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID,
+     $                  LSI, LSD, S, INFO)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4)
-      INTEGER HEAD(*), LINK(*), POOL(*), CTL(*), LSID(TSIDS,2)
-      INTEGER LSI(3,2), S, INFO
+      INTEGER HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*)
+      INTEGER LSID(TSIDS,2), LSI(3,2), S, INFO
       INTEGER NP, OLDEST, NEWEST, LOW, UNMET, FOREIN, NEW, FULL
       PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, UNMET = 27)
       PARAMETER (FOREIN = -1, NEW = -2, FULL = 2)
       INTEGER OK
    10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
         CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
-     $              CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+     $              MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
         IF (INFO .NE. 0) RETURN
       END IF
       DO 20 S = CTL(LOW), CTL(NP)
@@ -1186,7 +1232,8 @@ C       that was met before and owns none is complete
         INFO = 0
         IF (S .GT. CTL(NP)) RETURN
         CALL TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
-     $              LINK, POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S, OK)
+     $              LINK, POOL, MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S,
+     $              OK)
       END IF
       INFO = FULL
       IF (OK .EQ. 1) GO TO 10
@@ -1713,7 +1760,7 @@ C     of at most 6 roundings, with W(K) itself twice and the sum's, each
 C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|); LENGTH, and this, may
 C     come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSPOWE(FQ, LENGTH)
-      DOUBLE PRECISION FQ(90), LENGTH
+      DOUBLE PRECISION FQ(168), LENGTH
       INTEGER QDC, QSIZE
       PARAMETER (QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT
@@ -1742,8 +1789,8 @@ C     TSPOWE; E |W|, which covers the rounding of the side, too.  Both
 C     are taken at a point of the box's own doubles, so the same bounds
 C     hold as for a point.
       INTEGER FUNCTION TSPRUN(IQ, F, FQ, BOX, NODE)
-      DOUBLE PRECISION F(12), FQ(90), BOX(6,*)
-      INTEGER IQ(5), NODE
+      DOUBLE PRECISION F(12), FQ(168), BOX(6,*)
+      INTEGER IQ(55), NODE
       DOUBLE PRECISION TSPOWE
       INTEGER QBALL, QC
       PARAMETER (QBALL = 3, QC = 2)
@@ -1774,8 +1821,8 @@ C     hold as for a point.
 C     TSPRPA - is there no candidate in that part of the root's box in
 C     which coordinate K is between LO and HI: 1, or 0.
       INTEGER FUNCTION TSPRPA(BOX, IQ, F, FQ, K, LO, HI)
-      DOUBLE PRECISION BOX(6,*), F(12), FQ(90), LO, HI
-      INTEGER IQ(5), K
+      DOUBLE PRECISION BOX(6,*), F(12), FQ(168), LO, HI
+      INTEGER IQ(55), K
       INTEGER TSPRUN
       DOUBLE PRECISION PART(6,1)
       INTEGER I
@@ -1795,8 +1842,8 @@ C     has its centre within dc of C and passes through the base, as does
 C     the one about C: its radius is at most |C| + dc, so that along an
 C     axis it ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(90)
-      INTEGER LSI(3,2), LIST, IQ(5)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(168)
+      INTEGER LSI(3,2), LIST, IQ(55)
       INTEGER TSPRPA
       INTEGER LN, LLO, LHI, QC, QDC
       PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
@@ -1831,7 +1878,7 @@ C     if margin (margin - 2 A - 2 dc) >= 2 B; the test has margin - 2 dc
 C     in the place of both.  PAD times margin is more than the roundings
 C     of A, B and the products take.
       INTEGER FUNCTION TSBINS(BOX, LSD, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(90)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(168)
       INTEGER LMARG, STR, QC, QDC
       PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6)
       DOUBLE PRECISION PAD
@@ -1859,15 +1906,16 @@ C     of A, B and the products take.
 C     TSNARR - the L-coordinate of the best point of a search is at most
 C     L.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
-      DOUBLE PRECISION F(12), FQ(90), L
-      INTEGER IQ(5)
-      INTEGER QLIMBS, QBALL, QHI, QC, QDC, QSIZE
-      PARAMETER (QLIMBS = 2, QBALL = 3, QHI = 2)
+      DOUBLE PRECISION F(12), FQ(168), L
+      INTEGER IQ(55)
+      INTEGER QLIMBS, QBALL, QTURN, QHI, QC, QDC, QSIZE
+      PARAMETER (QLIMBS = 2, QBALL = 3, QTURN = 7, QHI = 2)
       PARAMETER (QC = 2, QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, MUCHL
       PARAMETER (EPS = 2.0D0**(-52), MUCHL = 1.0D100)
       INTEGER K
       FQ(QHI) = L
+      IQ(QTURN) = IQ(QTURN) + 1
       IF (IQ(QLIMBS) .EQ. 1 .OR. ABS(L) .GT. MUCHL) RETURN
       IQ(QBALL) = 1
 C     what is better than the best point is, on the positive side, in
@@ -1887,13 +1935,13 @@ C     errs by at most 8 EPS |C|, so that its height over the facet's
 C     plane, C.V, is L but for the error of V, E |C|, that of C, and the
 C     roundings of three products and two sums, 5 EPS |C|_1.
       SUBROUTINE TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(90)
-      INTEGER ORD(*), V(3), IQ(5)
-      INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QLO, QHI, QC, QDC
-      INTEGER QSIZE, QLIMB
+      DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(168)
+      INTEGER ORD(*), V(3), IQ(55)
+      INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QTURN, QLO, QHI, QC
+      INTEGER QDC, QSIZE, QLIMB
       PARAMETER (RSCALE = 5, QBEST = 1, QLIMBS = 2, QBALL = 3)
-      PARAMETER (QBASE = 4, QLO = 1, QHI = 2, QC = 2, QDC = 6)
-      PARAMETER (QSIZE = 7, QLIMB = 7)
+      PARAMETER (QBASE = 4, QTURN = 7, QLO = 1, QHI = 2, QC = 2)
+      PARAMETER (QDC = 6, QSIZE = 7, QLIMB = 7)
       DOUBLE PRECISION EPS, LOOSE
       PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
       DOUBLE PRECISION C(3), ERR, L
@@ -1903,6 +1951,7 @@ C     roundings of three products and two sums, 5 EPS |C|_1.
       IF (OK .EQ. 0) RETURN
       IQ(QLIMBS) = 1
       IQ(QBALL) = 1
+      IQ(QTURN) = IQ(QTURN) + 1
       DO 10 K = 1, 3
         FQ(QC+K) = C(K)
    10 CONTINUE
@@ -1915,18 +1964,806 @@ C     roundings of three products and two sums, 5 EPS |C|_1.
       FQ(QHI) = MIN(FQ(QHI), L + ERR)
       END
 
+C     ------------------------------------------------------------------
+C     Supports.
+C
+C     Where many points are near one plane or sphere, the side or the
+C     power of each is noise for a facet of three of them, and no box of
+C     points is away from the ball.  A support is such a plane or
+C     sphere, through points; by limbs the heights of others over it (a
+C     sphere's: their powers) are right to some EPS of themselves.  With
+C     h that of the base of a facet near to it, and tilt the vector in
+C     the facet's plane whose products with its edges are the
+C     differences of heights,
+C         G(w) = height(w) - h - tilt.w
+C     is 0 at its vertices.  So on a plane it is g times the side of w,
+C     g being the height of the facet's normal v; on a sphere, whose
+C     centre's height over the facet's plane is l, it is the power of w
+C     in the ball of L = l, and L(w) = l + e, e = G(w) / (2 side).
+C     Heights are noise, but known to 1E-7 of it: so they decide, point
+C     by point and node by node.
+C
+C     Of points that are all near one support the box is thick where
+C     they are not: TSASID tests such a node by the plane or the sphere,
+C     for any facet.
+C     ------------------------------------------------------------------
+
+C     TSROUG - the height H of the position Z over the support behind
+C     RCTL(AT), in double precision: the centre errs by 8 EPS |c|, the
+C     rest is 6 roundings.
+      SUBROUTINE TSROUG(X, RCTL, AT, Z, H, ERR)
+      DOUBLE PRECISION X(3,*), RCTL(*), H, ERR
+      INTEGER AT, Z
+      INTEGER SPLANE, SAT, SC, SSIZE
+      PARAMETER (SPLANE = 88, SAT = 89, SC = 92, SSIZE = 96)
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      DOUBLE PRECISION SIZE, U
+      INTEGER K
+      H = 0.0D0
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        U = X(K,Z) - RCTL(AT+SAT+K)
+        IF (RCTL(AT+SPLANE) .GT. 0.0D0) THEN
+          H = H + U*RCTL(AT+SC+K)
+        ELSE
+          H = H + U*(U - 2.0D0*RCTL(AT+SC+K))
+        END IF
+        SIZE = SIZE + ABS(U)
+   10 CONTINUE
+      ERR = 32.0D0*EPS*SIZE
+      IF (RCTL(AT+SPLANE) .LE. 0.0D0) ERR = ERR*(SIZE +
+     $    RCTL(AT+SSIZE))
+      ERR = ERR + FAINT
+      END
+
+C     TSLEVE - the height H of the position Z over support J, if it is
+C     near to it: by its mark, or else by limbs.  A mark is off by the
+C     roundings of TSDISC, EPS GRAINS grains, and a quarter of one for
+C     twice the height's error.  OK is 1, or 0.
+      SUBROUTINE TSLEVE(X, P, ORD, MARK, RCTL, J, Z, H, ERR, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
+      INTEGER ORD(*), MARK(*), J, Z, OK
+      INTEGER RSUP, LSUP, SPLANE, SSIGN, SLOW, SGRAIN, SUPPS
+      PARAMETER (RSUP = 10, LSUP = 98, SPLANE = 88, SSIGN = 89)
+      PARAMETER (SLOW = 97, SGRAIN = 98, SUPPS = 8)
+      INTEGER AT, K, PLANE
+      AT = RSUP + LSUP*(J - 1)
+      K = MARK(Z) - 1
+      IF (K .GE. 0) THEN
+        IF (MOD(K, SUPPS) .EQ. J - 1) THEN
+          H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(K/SUPPS) + 0.5D0)
+          ERR = RCTL(AT+SGRAIN)
+          OK = 1
+          RETURN
+        END IF
+      END IF
+      OK = 0
+      CALL TSROUG(X, RCTL, AT, Z, H, ERR)
+      IF (ABS(H) .GT. ERR - RCTL(AT+SLOW)) RETURN
+      PLANE = INT(RCTL(AT+SPLANE))
+      CALL HHHEIG(P, ORD, RCTL, AT, Z, PLANE, H, ERR)
+      H = RCTL(AT+SSIGN)*H
+      IF (ERR .LE. RCTL(AT+SGRAIN) .AND.
+     $    ABS(H) .LE. -RCTL(AT+SLOW)) OK = 1
+      END
+
+C     TSFIT - set up a support, behind RCTL(AT), through the widest of
+C     the points that a search left open, for heights of at most 8 times
+C     those of three quarters of them.  OK is 1, or 0.
+      SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), CTL(*), V(3), IQ(55), AT, OK
+      INTEGER NP, RSCALE, SPLANE, SSIGN, SAT, SC, SSIZE, SLOW, SGRAIN
+      INTEGER QNSOME, QSOME, SOME, GRAINS
+      PARAMETER (NP = 1, RSCALE = 5, SPLANE = 88, SSIGN = 89, SAT = 89)
+      PARAMETER (SC = 92, SSIZE = 96, SLOW = 97, SGRAIN = 98)
+      PARAMETER (QNSOME = 23, QSOME = 23, SOME = 32)
+      PARAMETER (GRAINS = 134217728)
+      DOUBLE PRECISION SMALL
+      PARAMETER (SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION C(3), D, ERR, H(SOME), LOW, MOST, U(3,SOME)
+      DOUBLE PRECISION WIDE(3), WORST
+      INTEGER FAR, I, J, K, N, PLANE, SE, UP, W(3), Z
+      OK = 0
+      N = IQ(QNSOME)
+      W(1) = V(1)
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
+          U(K,I) = X(K,IQ(QSOME+I)) - X(K,W(1))
+   10   CONTINUE
+   20 CONTINUE
+C     the farthest one, and what is left of all
+      DO 70 J = 1, 3
+        MOST = 0.0D0
+        FAR = 1
+        DO 30 I = 1, N
+          D = U(1,I)*U(1,I) + U(2,I)*U(2,I) + U(3,I)*U(3,I)
+          IF (D .GT. MOST) THEN
+            MOST = D
+            FAR = I
+          END IF
+   30   CONTINUE
+        Z = IQ(QSOME+FAR)
+        WIDE(J) = SQRT(MOST)
+        IF (J .LT. 3) THEN
+          W(MOD(J,3)+1) = Z
+          IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
+          DO 40 K = 1, 3
+            H(K) = U(K,FAR)/WIDE(J)
+   40     CONTINUE
+          DO 60 I = 1, N
+            D = U(1,I)*H(1) + U(2,I)*H(2) + U(3,I)*H(3)
+            DO 50 K = 1, 3
+              U(K,I) = U(K,I) - D*H(K)
+   50       CONTINUE
+   60     CONTINUE
+        END IF
+   70 CONTINUE
+      PLANE = 0
+      IF (WIDE(3) .LT. 1.0D-7*WIDE(1)) THEN
+        PLANE = 1
+        Z = W(1)
+      END IF
+      SE = INT(RCTL(RSCALE))
+      CALL HHCENT(P, ORD, SE, W, 1, Z, C, RCTL, AT, OK)
+      IF (OK .EQ. 0) RETURN
+      OK = 0
+      CALL HHUNIT(RCTL, AT, PLANE, C)
+      RCTL(AT+SPLANE) = DBLE(PLANE)
+      RCTL(AT+SSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
+      DO 80 K = 1, 3
+        RCTL(AT+SC+K) = C(K)
+        RCTL(AT+SAT+K) = X(K,W(1))
+   80 CONTINUE
+      WORST = 0.0D0
+      DO 100 I = 1, N
+        CALL HHHEIG(P, ORD, RCTL, AT, IQ(QSOME+I), PLANE, D, ERR)
+        D = ABS(D)
+        WORST = MAX(WORST, ERR)
+        K = I
+   90   IF (K .GT. 1) THEN
+          IF (H(K-1) .GT. D) THEN
+            H(K) = H(K-1)
+            K = K - 1
+            GO TO 90
+          END IF
+        END IF
+        H(K) = D
+  100 CONTINUE
+      D = 16.0D0*H(3*N/4+1)/DBLE(GRAINS)
+      RCTL(AT+SGRAIN) = MAX(D, 8.0D0*WORST)
+      LOW = -0.5D0*RCTL(AT+SGRAIN)*DBLE(GRAINS)
+      RCTL(AT+SLOW) = LOW
+      MOST = 1.0D-3*WIDE(1)
+      IF (PLANE .EQ. 0) MOST = MOST*WIDE(1)
+      IF (-LOW .GT. MOST) RETURN
+      OK = 1
+      RCTL(AT+SSIGN) = 1.0D0
+      IF (PLANE .EQ. 0) RETURN
+      UP = 0
+      DO 110 I = 1, CTL(NP), CTL(NP)/256 + 1
+        Z = I
+        CALL TSROUG(X, RCTL, AT, Z, D, ERR)
+        IF (D .GT. ERR - LOW) UP = UP + 1
+        IF (D .LT. LOW - ERR) UP = UP - 1
+  110 CONTINUE
+      IF (UP .GE. 0) RETURN
+      RCTL(AT+SSIGN) = -1.0D0
+      DO 120 K = 1, 3
+        RCTL(AT+SC+K) = -RCTL(AT+SC+K)
+  120 CONTINUE
+      END
+
+C     TSDISC - find a support for the points that a search left open:
+C     mark those near to it that have no mark yet, and find the least
+C     height of each node's.
+      SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55)
+      INTEGER TSCUBE
+      INTEGER NP, LEAVES, RSUPP, RSEEK, RSUP, LSUP, SPLANE, SSIGN, SLOW
+      INTEGER SGRAIN, DONE, SUPPS, GRAINS, ABOVE
+      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RSEEK = 7, RSUP = 10)
+      PARAMETER (LSUP = 98, SPLANE = 88, SSIGN = 89, SLOW = 97)
+      PARAMETER (SGRAIN = 98, DONE = -1, SUPPS = 8, GRAINS = 134217728)
+      PARAMETER (ABOVE = GRAINS + 2)
+      DOUBLE PRECISION C, ERR, FINE, GRAIN, H, LOW
+      INTEGER AT, FIRST, I, J, K, LAST, LEAST, NEAR, NODE, OK, OVER
+      INTEGER PLANE, Z
+      J = INT(RCTL(RSUPP)) + 1
+      AT = RSUP + LSUP*(J - 1)
+      IF (J .EQ. 1) THEN
+        DO 10 I = 1, CTL(NP) + 2*CTL(LEAVES)
+          MARK(I) = 0
+   10   CONTINUE
+      END IF
+      CALL TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
+      IF (OK .EQ. 0) RETURN
+      PLANE = INT(RCTL(AT+SPLANE))
+      LOW = RCTL(AT+SLOW)
+      GRAIN = RCTL(AT+SGRAIN)
+      LEAST = CTL(NP) + 2*CTL(LEAVES)*J
+      NEAR = 0
+      DO 30 NODE = 2*CTL(LEAVES) - 1, 1, -1
+        OVER = 0
+        IF (NODE .LT. CTL(LEAVES)) THEN
+          FIRST = MARK(LEAST+2*NODE)
+          LAST = MARK(LEAST+2*NODE+1)
+          IF (FIRST .GT. GRAINS .OR. LAST .GT. GRAINS) OVER = ABOVE
+          IF (FIRST .GT. GRAINS) FIRST = FIRST - ABOVE
+          IF (LAST .GT. GRAINS) LAST = LAST - ABOVE
+          MARK(LEAST+NODE) = MIN(FIRST, LAST) + OVER
+          GO TO 30
+        END IF
+        MARK(LEAST+NODE) = GRAINS
+        CALL TSSPAN(CTL, NODE, FIRST, LAST)
+        DO 20 I = FIRST, LAST
+          IF (LINK(I) .EQ. DONE) GO TO 20
+          Z = I
+          CALL TSROUG(X, RCTL, AT, Z, H, ERR)
+          IF (ABS(H) .LE. ERR - LOW) THEN
+            CALL HHHEIG(P, ORD, RCTL, AT, Z, PLANE, C, FINE)
+            IF (FINE .LT. ERR) THEN
+              H = RCTL(AT+SSIGN)*C
+              ERR = FINE
+            END IF
+          END IF
+          C = (H - ERR - LOW)/GRAIN
+          K = GRAINS
+          IF (C .LT. DBLE(GRAINS)) K = INT(C)
+          IF (C .LT. 0.0D0) K = -1
+          MARK(LEAST+NODE) = MIN(MARK(LEAST+NODE), K)
+          IF (H + ERR .GT. -LOW) OVER = ABOVE
+          IF (K .GE. 0 .AND. K .LT. GRAINS .AND.
+     $        8.0D0*ERR .LE. GRAIN .AND. MARK(I) .EQ. 0) THEN
+            MARK(I) = J + SUPPS*K
+            NEAR = NEAR + 1
+          END IF
+   20   CONTINUE
+        MARK(LEAST+NODE) = MARK(LEAST+NODE) + OVER
+   30 CONTINUE
+      IF (NEAR .LT. 2*TSCUBE(CTL(NP))) THEN
+        DO 40 I = 1, CTL(NP)
+          IF (MARK(I) .GT. 0 .AND. MOD(MARK(I) - J, SUPPS) .EQ. 0)
+     $        MARK(I) = 0
+   40   CONTINUE
+        RETURN
+      END IF
+      RCTL(RSUPP) = DBLE(J)
+      IF (J .EQ. SUPPS) RCTL(RSEEK) = 0.0D0
+      DO 50 NODE = 1, 2*CTL(LEAVES) - 1
+        IF (MARK(CTL(NP)+NODE) .EQ. 0 .AND. MARK(LEAST+NODE) .GE. 0
+     $      .AND. MARK(LEAST+NODE) .LE. GRAINS) MARK(CTL(NP)+NODE) = J
+   50 CONTINUE
+      END
+
+C     TSLEAN - find the support that the facet is near to, if there is
+C     one, and its tilt.  Its error: the tilt is out of the plane by the
+C     roundings of the edges; in it, its products with the edges miss
+C     the differences of heights by r0, r1, and a vector whose products
+C     with unit vectors at an angle are r0, r1 is no longer than (|r0| +
+C     |r1|) / sine of it.  DET errs by less than 1/100, where its sine
+C     is that of no needle.
+      SUBROUTINE TSLEAN(X, P, ORD, MARK, RCTL, V, IQ, FQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), FQ(168)
+      INTEGER ORD(*), MARK(*), V(3), IQ(55)
+      INTEGER RSUPP, QBASE, QNEAR, QAIMED, QFACED, QH, QDH, QTILT
+      INTEGER QDTILT, SUPPS
+      PARAMETER (RSUPP = 6, QBASE = 4, QNEAR = 6, QAIMED = 8)
+      PARAMETER (QFACED = 11, QH = 95, QDH = 96, QTILT = 96)
+      PARAMETER (QDTILT = 100, SUPPS = 8)
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      DOUBLE PRECISION A(3,2), AB, DET, ERR(3), H(3), N(2), R, SIZE
+      DOUBLE PRECISION T(2)
+      INTEGER B, I, J, K, OK, Z
+      IQ(QAIMED) = 0
+      DO 10 K = 1, INT(RCTL(RSUPP))
+        IQ(QFACED+K) = 0
+   10 CONTINUE
+      DO 30 I = 1, 3
+        J = MOD(MARK(V(I)) - 1, SUPPS) + 1
+        IF (MARK(V(I)) .EQ. 0) GO TO 30
+        DO 20 K = 1, 3
+          Z = V(MOD(IQ(QBASE) + K - 2, 3)+1)
+          CALL TSLEVE(X, P, ORD, MARK, RCTL, J, Z, H(K), ERR(K), OK)
+          IF (OK .EQ. 0) GO TO 30
+   20   CONTINUE
+        GO TO 40
+   30 CONTINUE
+      RETURN
+   40 B = V(IQ(QBASE))
+      DO 60 I = 1, 2
+        Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
+        N(I) = 0.0D0
+        DO 50 K = 1, 3
+          A(K,I) = X(K,Z) - X(K,B)
+          N(I) = N(I) + A(K,I)*A(K,I)
+   50   CONTINUE
+        H(I+1) = H(I+1) - H(1)
+   60 CONTINUE
+      AB = A(1,1)*A(1,2) + A(2,1)*A(2,2) + A(3,1)*A(3,2)
+      DET = N(1)*N(2) - AB*AB
+      IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
+      IQ(QNEAR) = J
+      T(1) = (H(2)*N(2) - H(3)*AB)/DET
+      T(2) = (H(3)*N(1) - H(2)*AB)/DET
+      SIZE = 0.0D0
+      DO 70 K = 1, 3
+        FQ(QTILT+K) = T(1)*A(K,1) + T(2)*A(K,2)
+        SIZE = SIZE + (ABS(T(1)*A(K,1)) + ABS(T(2)*A(K,2)))
+   70 CONTINUE
+      FQ(QH) = H(1)
+      FQ(QDH) = ERR(1)
+      FQ(QDTILT) = 8.0D0*EPS*SIZE
+      DO 90 I = 1, 2
+        R = H(I+1)
+        DO 80 K = 1, 3
+          R = R - FQ(QTILT+K)*A(K,I)
+   80   CONTINUE
+        FQ(QDTILT) = FQ(QDTILT) + (ABS(R) + ERR(1) + ERR(I+1) +
+     $      16.0D0*EPS*(ABS(H(I+1)) + ABS(H(1)) +
+     $      SIZE*SQRT(N(I))))*SQRT(1.02D0*N(3-I)/DET)
+   90 CONTINUE
+      END
+
+C     TSRESI - limits of G for a point near to the facet's support.  OK
+C     is 1, or 0.
+      SUBROUTINE TSRESI(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, LO, HI, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168), LO, HI
+      INTEGER ORD(*), MARK(*), IQ(55), Z, OK
+      INTEGER QNEAR, QH, QDH, QTILT, QDTILT
+      PARAMETER (QNEAR = 6, QH = 95, QDH = 96, QTILT = 96)
+      PARAMETER (QDTILT = 100)
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      DOUBLE PRECISION ERR, H, SIZE, U
+      INTEGER K
+      CALL TSLEVE(X, P, ORD, MARK, RCTL, IQ(QNEAR), Z, H, ERR, OK)
+      IF (OK .EQ. 0) RETURN
+      ERR = ERR + (FQ(QDH) + 16.0D0*EPS*(ABS(H) + ABS(FQ(QH))) + FAINT)
+      H = H - FQ(QH)
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        U = X(K,Z) - F(6+K)
+        H = H - FQ(QTILT+K)*U
+        SIZE = SIZE + ABS(U)
+        ERR = ERR + 16.0D0*EPS*ABS(FQ(QTILT+K)*U)
+   10 CONTINUE
+      ERR = ERR + FQ(QDTILT)*SIZE
+      LO = H - ERR
+      HI = H + ERR
+      END
+
+C     TSSHAR - the SIDE of the position Z that HHLIMI did not find
+C     negative, and limits of L, by a plane's support; of e, by a
+C     sphere's.  g errs by E and some roundings.
+      SUBROUTINE TSSHAR(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, SIDE, LO,
+     $                  HI)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168), LO, HI
+      INTEGER ORD(*), MARK(*), IQ(55), Z, SIDE
+      INTEGER RSUP, LSUP, SPLANE, SC, QNEAR, QELO, QEHI, QLOW, QHIGH
+      INTEGER SURE
+      PARAMETER (RSUP = 10, LSUP = 98, SPLANE = 88, SC = 92, QNEAR = 6)
+      PARAMETER (QELO = 101, QEHI = 102, QLOW = 103, QHIGH = 104)
+      PARAMETER (SURE = 3)
+      DOUBLE PRECISION EPS, HUGE, PAD, SMALL
+      PARAMETER (EPS = 2.0D0**(-52), PAD = 64.0D0*EPS)
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      PARAMETER (SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION DG, G, HIGH, LEAST, LOW, MOST, Q(3), SIZE, U
+      INTEGER AT, K, OK
+      FQ(QLOW) = -HUGE
+      FQ(QHIGH) = HUGE
+      IF (F(10) .GT. 1.0D-3) RETURN
+      CALL TSRESI(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, LOW, HIGH, OK)
+      IF (OK .EQ. 0) RETURN
+      AT = RSUP + LSUP*(IQ(QNEAR) - 1)
+      G = 0.0D0
+      IF (RCTL(AT+SPLANE) .GT. 0.0D0) THEN
+        DO 10 K = 1, 3
+          G = G + RCTL(AT+SC+K)*F(K)
+          Q(K) = X(K,Z)
+   10   CONTINUE
+        IF (ABS(G) .LT. 0.5D0) RETURN
+        IF (G .LT. 0.0D0) THEN
+          U = LOW
+          LOW = -HIGH
+          HIGH = -U
+          G = -G
+        END IF
+        IF (HIGH .LT. 0.0D0) THEN
+          SIDE = -1
+          RETURN
+        END IF
+        DG = F(10) + 32.0D0*EPS
+        LEAST = LOW/(G + DG)*(1.0D0 - PAD)
+        IF (LEAST .LT. SMALL) RETURN
+        LOW = -HUGE
+        MOST = HIGH/(G - DG)*(1.0D0 + PAD)
+        HIGH = HUGE
+        CALL HHRATI(F, Q, LEAST, MOST, LOW, HIGH)
+        LO = MAX(LO, LOW)
+        HI = MIN(HI, HIGH)
+        SIDE = 1
+        RETURN
+      END IF
+      SIZE = 0.0D0
+      DO 20 K = 1, 3
+        U = X(K,Z) - F(6+K)
+        G = G + F(K)*U
+        SIZE = SIZE + ABS(U)
+   20 CONTINUE
+      LEAST = 2.0D0*(G - F(10)*SIZE)
+      MOST = 2.0D0*(G + F(10)*SIZE)
+      IF (SIDE .LE. 0 .OR. LEAST .LT. SMALL) RETURN
+      IF (LOW .GT. 0.0D0) THEN
+        LOW = LOW/MOST
+      ELSE
+        LOW = LOW/LEAST
+      END IF
+      IF (HIGH .GT. 0.0D0) THEN
+        HIGH = HIGH/LEAST
+      ELSE
+        HIGH = HIGH/MOST
+      END IF
+      FQ(QLOW) = LOW - PAD*ABS(LOW)
+      FQ(QHIGH) = HIGH + PAD*ABS(HIGH)
+      IF (FQ(QLOW) .GT. FQ(QEHI)) THEN
+        SIDE = -1
+      ELSE IF (FQ(QHIGH) .LT. FQ(QELO)) THEN
+        SIDE = SURE
+      END IF
+      END
+
+C     TSSIGH - make the tests of promise for the best point there is.
+C     For a point better than it, of L-coordinate at most k, side > 0
+C     and N - 2 k side <= 0, N being the power in the ball of L = 0.  So
+C     there is none where
+C         a (height - h) + q |w|**2 - d.w + bias > 0:
+C       plane    side = G / g.  Either a = 1 or -1, that g a < 0; q = 0,
+C                d = a tilt: none is on the positive side.  Or a = -2 k
+C                / g, q = 1, d = 2 c + a tilt, c the centre of L = 0; as
+C                k may be greater, so may |a| for k > 0, and smaller for
+C                k < 0
+C       sphere   k = l + e: N - 2 k side = G - 2 e side = height - h -
+C                (tilt + 2 e v).w; of the height a share q is taken as
+C                |w|**2 + 2 o.w + h, o = base - centre: a = 1 - q, d =
+C                tilt + 2 e v - 2 q o.  Without a best point: side = v.w
+C                = (v - 2 q o).w + q (height - h - |w|**2), q = v.o / (2
+C                |o|**2), and height <= -low
+C     dd has room for the errors of c, l, o, tilt, v, and for 16
+C     roundings of each term.
+      SUBROUTINE TSSIGH(RCTL, IQ, F, FQ)
+      DOUBLE PRECISION RCTL(*), F(12), FQ(168)
+      INTEGER IQ(55)
+      INTEGER RSUP, LSUP, SPLANE, SAT, SC, SLOW
+      INTEGER QBEST, QBALL, QNEAR, QTURN, QAIMED, QTESTS, QTOP, QHI, QH
+      INTEGER QDH, QTILT, QDTILT, QEHI, QTEST, TQ, TD, TDD, TBIAS, TA
+      INTEGER LTEST
+      PARAMETER (RSUP = 10, LSUP = 98, SPLANE = 88, SAT = 89, SC = 92)
+      PARAMETER (SLOW = 97, QBEST = 1, QBALL = 3, QNEAR = 6, QTURN = 7)
+      PARAMETER (QAIMED = 8, QTESTS = 9, QTOP = 9, QHI = 2, QH = 95)
+      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QEHI = 102)
+      PARAMETER (QTEST = 104, TQ = 1, TD = 1, TDD = 5, TBIAS = 6)
+      PARAMETER (TA = 7, LTEST = 8)
+      DOUBLE PRECISION EPS, HUGE, MUCHL
+      PARAMETER (EPS = 2.0D0**(-52), MUCHL = 1.0D100)
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION A, DD, E, G, O(3), OD, OO, Q, SIZE
+      INTEGER AT, K, T
+      AT = RSUP + LSUP*(IQ(QNEAR) - 1)
+      T = QTEST
+      IQ(QAIMED) = IQ(QTURN)
+      IQ(QTESTS) = 0
+      IF (F(10) .GT. 1.0D-3) RETURN
+      FQ(T+TBIAS) = 0.0D0
+      IQ(QTOP+1) = 0
+      G = 0.0D0
+      IF (RCTL(AT+SPLANE) .GT. 0.0D0) THEN
+        DO 10 K = 1, 3
+          G = G + RCTL(AT+SC+K)*F(K)
+   10   CONTINUE
+        IF (ABS(G) .LT. 0.5D0) RETURN
+        A = 1.0D0
+        IF (G .GT. 0.0D0) THEN
+          A = -1.0D0
+          IQ(QTOP+1) = 1
+        END IF
+        FQ(T+TA) = A
+        FQ(T+TQ) = 0.0D0
+        FQ(T+TDD) = FQ(QDTILT)
+        DO 20 K = 1, 3
+          FQ(T+TD+K) = A*FQ(QTILT+K)
+          FQ(T+TDD) = FQ(T+TDD) + 16.0D0*EPS*ABS(FQ(QTILT+K))
+   20   CONTINUE
+        IQ(QTESTS) = 1
+        IF (IQ(QBALL) .EQ. 0 .OR. FQ(QHI) .GT. MUCHL) RETURN
+        IQ(QTESTS) = 2
+        T = T + LTEST
+        FQ(T+TBIAS) = 0.0D0
+        A = -2.0D0*FQ(QHI)/G
+        E = 4.0D0*(F(10) + 32.0D0*EPS)*A
+        IF (FQ(QHI) .GT. 0.0D0) THEN
+          A = A + E
+        ELSE
+          A = A - E
+        END IF
+        FQ(T+TA) = A
+        IQ(QTOP+2) = 0
+        IF (A .LT. 0.0D0) IQ(QTOP+2) = 1
+        FQ(T+TQ) = 1.0D0
+        FQ(T+TDD) = ABS(A)*FQ(QDTILT) + 2.0D0*F(11)
+        DO 30 K = 1, 3
+          FQ(T+TD+K) = 2.0D0*F(3+K) + A*FQ(QTILT+K)
+          FQ(T+TDD) = FQ(T+TDD) + 16.0D0*EPS*(2.0D0*ABS(F(3+K)) +
+     $        ABS(A*FQ(QTILT+K)))
+   30   CONTINUE
+        RETURN
+      END IF
+      OO = 0.0D0
+      SIZE = 0.0D0
+      DO 40 K = 1, 3
+        O(K) = F(6+K) - RCTL(AT+SAT+K) - RCTL(AT+SC+K)
+        OO = OO + O(K)*O(K)
+        G = G - F(K)*O(K)
+        SIZE = SIZE + (ABS(O(K)) + 2.0D0*ABS(RCTL(AT+SC+K)) +
+     $      ABS(RCTL(AT+SAT+K)))
+   40 CONTINUE
+      Q = 0.0D0
+      IF (IQ(QBEST) .EQ. 0) THEN
+        IF (G .GE. 0.0D0) RETURN
+        Q = -0.5D0*G/OO
+        FQ(T+TA) = 0.0D0
+        FQ(T+TQ) = Q
+        FQ(T+TBIAS) = Q*(RCTL(AT+SLOW) + FQ(QH) - FQ(QDH))
+        IQ(QTOP+1) = 1
+        FQ(T+TDD) = F(10) + 16.0D0*EPS*(1.0D0 + Q*SIZE)
+        DO 50 K = 1, 3
+          FQ(T+TD+K) = F(K) - 2.0D0*Q*O(K)
+   50   CONTINUE
+        IQ(QTESTS) = 1
+        RETURN
+      END IF
+      IF (FQ(QHI) .GT. MUCHL) RETURN
+      E = FQ(QEHI)
+      IF (E .GE. HUGE) E = FQ(QHI) - G + 32.0D0*EPS*(ABS(FQ(QHI)) +
+     $    SIZE) + F(10)*SIZE
+      DD = FQ(QDTILT) + 2.0D0*ABS(E)*F(10)
+      OD = 0.0D0
+      DO 60 K = 1, 3
+        FQ(T+TD+K) = FQ(QTILT+K) + 2.0D0*E*F(K)
+        OD = OD + O(K)*FQ(T+TD+K)
+        DD = DD + 16.0D0*EPS*(ABS(FQ(QTILT+K)) + 2.0D0*ABS(E*F(K)))
+   60 CONTINUE
+      IF (OD .GT. 0.0D0) THEN
+        Q = 1.0D0
+        IF (OD .LT. 2.0D0*OO) Q = OD/(2.0D0*OO)
+      END IF
+      FQ(T+TA) = 1.0D0 - Q
+      FQ(T+TQ) = Q
+      FQ(T+TDD) = DD + 16.0D0*EPS*Q*SIZE
+      DO 70 K = 1, 3
+        FQ(T+TD+K) = FQ(T+TD+K) - 2.0D0*Q*O(K)
+   70 CONTINUE
+      IQ(QTESTS) = 1
+      END
+
+C     TSLOWE - the LEAST of q |w|**2 - d.w in a node's box, of the test
+C     behind FQ(T), and the greatest |w|_1, SIZE.
+      SUBROUTINE TSLOWE(BOX, F, FQ, T, NODE, LEAST, SIZE)
+      DOUBLE PRECISION BOX(6,*), F(12), FQ(168), LEAST, SIZE
+      INTEGER T, NODE
+      INTEGER TQ, TD
+      PARAMETER (TQ = 1, TD = 1)
+      DOUBLE PRECISION D, H, L, Q, U
+      INTEGER K
+      LEAST = 0.0D0
+      SIZE = 0.0D0
+      Q = FQ(T+TQ)
+      DO 10 K = 1, 3
+        L = BOX(K,NODE) - F(6+K)
+        H = BOX(3+K,NODE) - F(6+K)
+        D = FQ(T+TD+K)
+        IF (Q .GT. 0.0D0) THEN
+          U = D/(2.0D0*Q)
+        ELSE
+          U = L
+          IF (D .GT. 0.0D0) U = H
+        END IF
+        U = MIN(MAX(U, L), H)
+        LEAST = LEAST + U*(Q*U - D)
+        SIZE = SIZE + MAX(ABS(L), ABS(H))
+   10 CONTINUE
+      END
+
+C     TSPROM - the MOST that a test of TSSIGH's is at least for the
+C     points of a node, less its error: if it is positive, the node has
+C     no candidate.
+      SUBROUTINE TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, MOST)
+      DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(168), MOST
+      INTEGER MARK(*), CTL(*), IQ(55), NODE
+      INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN
+      INTEGER QNEAR, QTURN, QAIMED, QTESTS, QTOP, QH, QDH, QTEST, TQ
+      INTEGER TDD, TBIAS, TA, TERR, LTEST, GRAINS, ABOVE
+      PARAMETER (NP = 1, LEAVES = 4, RSUP = 10, LSUP = 98, SLOW = 97)
+      PARAMETER (SGRAIN = 98, QNEAR = 6, QTURN = 7, QAIMED = 8)
+      PARAMETER (QTESTS = 9, QTOP = 9, QH = 95, QDH = 96, QTEST = 104)
+      PARAMETER (TQ = 1, TDD = 5, TBIAS = 6, TA = 7, TERR = 8)
+      PARAMETER (LTEST = 8, GRAINS = 134217728, ABOVE = GRAINS + 2)
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      DOUBLE PRECISION A, H, LOW, Q, SIZE, SUM
+      INTEGER AT, I, K, OVER, T
+      IF (IQ(QAIMED) .NE. IQ(QTURN)) CALL TSSIGH(RCTL, IQ, F, FQ)
+      AT = RSUP + LSUP*(IQ(QNEAR) - 1)
+      LOW = RCTL(AT+SLOW)
+      K = MARK(CTL(NP)+2*CTL(LEAVES)*IQ(QNEAR)+NODE)
+      OVER = 0
+      IF (K .GT. GRAINS) THEN
+        OVER = 1
+        K = K - ABOVE
+      END IF
+      MOST = -1.0D0
+      DO 10 I = 1, IQ(QTESTS)
+        T = QTEST + LTEST*(I - 1)
+        A = FQ(T+TA)
+        Q = FQ(T+TQ)
+        H = -LOW
+        IF (A .GE. 0.0D0) H = LOW + RCTL(AT+SGRAIN)*(DBLE(K) - 0.5D0)
+        CALL TSLOWE(BOX, F, FQ, T, NODE, SUM, SIZE)
+        SUM = A*(H - FQ(QH)) + FQ(T+TBIAS) + SUM
+        FQ(T+TERR) = ABS(A)*FQ(QDH) + 16.0D0*EPS*((ABS(A) +
+     $      Q)*(ABS(FQ(QH)) - LOW) + Q*SIZE*SIZE) + SIZE*FQ(T+TDD) +
+     $      FAINT
+        IF (A .GT. 0.0D0 .AND. K .LT. 0) GO TO 10
+        IF (IQ(QTOP+I) .EQ. 1 .AND. OVER .EQ. 1) GO TO 10
+        MOST = MAX(MOST, SUM - FQ(T+TERR))
+   10 CONTINUE
+      END
+
+C     TSFCE - make TSASID's test for the present ball and support J,
+C     about which all heights are within +-low: with Lagrange's
+C     multiplier of the place nearest to the ball's centre
+C       plane    |w|**2 - 2 c.w = |w|**2 - (2 c + t n).w + t n.w, n.w =
+C                n.(at - base) + height, t = 2 (n.(at - base) - n.c)
+C       sphere   |w|**2 - 2 c.w = (1 - t) |w|**2 - (2 c + 2 t o).w - t h
+C                + t height, t = 1 - |c + o| / R, o = base - centre, h
+C                the base's height
+C     Any t is right; so what it is wrong by does not count.
+      SUBROUTINE TSFCE(RCTL, J, IQ, F, FQ)
+      DOUBLE PRECISION RCTL(*), F(12), FQ(168)
+      INTEGER J, IQ(55)
+      INTEGER RSUP, LSUP, SPLANE, SAT, SC, SSIZE, SLOW
+      INTEGER QTURN, QFACED, QC, QDC, QSLAB, TQ, TD, TDD, TBIAS, LSLAB
+      PARAMETER (RSUP = 10, LSUP = 98, SPLANE = 88, SAT = 89, SC = 92)
+      PARAMETER (SSIZE = 96, SLOW = 97, QTURN = 7, QFACED = 11, QC = 2)
+      PARAMETER (QDC = 6, QSLAB = 120, TQ = 1, TD = 1, TDD = 5)
+      PARAMETER (TBIAS = 6, LSLAB = 6)
+      DOUBLE PRECISION EPS
+      PARAMETER (EPS = 2.0D0**(-52))
+      DOUBLE PRECISION ALL, G, LENGTH, O(3), R, SIZE, XX, Y
+      INTEGER AT, K, PLANE, T
+      AT = RSUP + LSUP*(J - 1)
+      T = QSLAB + LSLAB*(J - 1)
+      PLANE = INT(RCTL(AT+SPLANE))
+      IQ(QFACED+J) = IQ(QTURN)
+      XX = 0.0D0
+      Y = 0.0D0
+      R = 0.0D0
+      SIZE = 0.0D0
+      ALL = 0.0D0
+      DO 10 K = 1, 3
+        O(K) = F(6+K) - RCTL(AT+SAT+K)
+        SIZE = SIZE + ABS(O(K))
+        ALL = ALL + (ABS(O(K)) + ABS(RCTL(AT+SAT+K)))
+        IF (PLANE .EQ. 1) THEN
+          XX = XX - RCTL(AT+SC+K)*O(K)
+          Y = Y + RCTL(AT+SC+K)*FQ(QC+K)
+        ELSE
+          XX = XX + O(K)*(O(K) - 2.0D0*RCTL(AT+SC+K))
+          O(K) = O(K) - RCTL(AT+SC+K)
+          Y = Y + (FQ(QC+K) + O(K))*(FQ(QC+K) + O(K))
+          R = R + RCTL(AT+SC+K)*RCTL(AT+SC+K)
+        END IF
+   10 CONTINUE
+      IF (PLANE .EQ. 1) THEN
+        G = 2.0D0*(XX - Y)
+        FQ(T+TQ) = 1.0D0
+        FQ(T+TBIAS) = G*XX
+        LENGTH = 1.0D0
+      ELSE
+        G = 1.0D0 - SQRT(Y/R)
+        FQ(T+TQ) = 1.0D0 - G
+        FQ(T+TBIAS) = -G*XX
+        LENGTH = SIZE + RCTL(AT+SSIZE)
+      END IF
+      FQ(T+TBIAS) = FQ(T+TBIAS) - (ABS(G)*(1.02D0*(-RCTL(AT+SLOW)) +
+     $    40.0D0*EPS*SIZE*LENGTH) + 16.0D0*EPS*ABS(FQ(T+TBIAS)))
+      FQ(T+TDD) = 2.0D0*FQ(QDC)
+      DO 20 K = 1, 3
+        IF (PLANE .EQ. 1) THEN
+          FQ(T+TD+K) = 2.0D0*FQ(QC+K) + G*RCTL(AT+SC+K)
+        ELSE
+          FQ(T+TD+K) = 2.0D0*FQ(QC+K) + 2.0D0*G*O(K)
+        END IF
+        FQ(T+TDD) = FQ(T+TDD) + 16.0D0*EPS*ABS(FQ(QC+K))
+   20 CONTINUE
+      IF (PLANE .EQ. 0) LENGTH = ALL + RCTL(AT+SSIZE)
+      FQ(T+TDD) = FQ(T+TDD) + 32.0D0*EPS*ABS(G)*LENGTH
+      END
+
+C     TSASID - is a node, all of whose points are near one support,
+C     outside of the ball: OUT is 1, or 0.
+      SUBROUTINE TSASID(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
+      DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(168)
+      INTEGER MARK(*), CTL(*), IQ(55), NODE, OUT
+      INTEGER NP, QBALL, QTURN, QFACED, QSLAB, TQ, TDD, TBIAS, LSLAB
+      PARAMETER (NP = 1, QBALL = 3, QTURN = 7, QFACED = 11)
+      PARAMETER (QSLAB = 120, TQ = 1, TDD = 5, TBIAS = 6, LSLAB = 6)
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      DOUBLE PRECISION SIZE, SUM
+      INTEGER J, T
+      OUT = 0
+      J = MARK(CTL(NP)+NODE)
+      IF (J .EQ. 0 .OR. IQ(QBALL) .EQ. 0) RETURN
+      IF (IQ(QFACED+J) .NE. IQ(QTURN)) CALL TSFCE(RCTL, J, IQ, F, FQ)
+      T = QSLAB + LSLAB*(J - 1)
+      CALL TSLOWE(BOX, F, FQ, T, NODE, SUM, SIZE)
+      SUM = FQ(T+TBIAS) + SUM
+      IF (SUM .GT. 16.0D0*EPS*(FQ(T+TQ) + 1.0D0)*SIZE*SIZE +
+     $    SIZE*FQ(T+TDD) + FAINT) OUT = 1
+      END
+
+C     TSREME - Z among the points that Householder left open, or one of
+C     two, of four ... of them; until there are such, instead, points of
+C     leaves where the search went.
+      SUBROUTINE TSREME(MARK, RCTL, IQ, Z, OPEN)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER MARK(*), IQ(55), Z, OPEN
+      INTEGER RSUPP, QOPEN, QOPEND, QSTRID, QNSOME, QSOME, SOME
+      PARAMETER (RSUPP = 6, QOPEN = 20, QOPEND = 21, QSTRID = 22)
+      PARAMETER (QNSOME = 23, QSOME = 23, SOME = 32)
+      INTEGER I
+      IF (RCTL(RSUPP) .GT. 0.0D0) THEN
+        IF (MARK(Z) .GT. 0) RETURN
+      END IF
+      IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
+        IQ(QOPEN) = OPEN
+        IQ(QOPEND) = 0
+        IQ(QNSOME) = 0
+        IQ(QSTRID) = 1
+      END IF
+      IF (OPEN .LT. IQ(QOPEN)) RETURN
+      IQ(QOPEND) = IQ(QOPEND) + 1
+      IF (MOD(IQ(QOPEND) - 1, IQ(QSTRID)) .NE. 0) RETURN
+      IF (IQ(QNSOME) .EQ. SOME) THEN
+        IQ(QNSOME) = SOME/2
+        IQ(QSTRID) = 2*IQ(QSTRID)
+        DO 10 I = 2, SOME/2
+          IQ(QSOME+I) = IQ(QSOME+2*I-1)
+   10   CONTINUE
+      END IF
+      IQ(QNSOME) = IQ(QNSOME) + 1
+      IQ(QSOME+IQ(QNSOME)) = Z
+      END
+
 C     TSCHAL - take Z if it is on the open side and beats the best point
 C     there is: if its L-coordinate is smaller (Theorem 1); ties by the
 C     rule of HHPBAL.  The Householder bounds decide where they can;
 C     what they leave open limits the better one by the other.
-      SUBROUTINE TSCHAL(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(90)
-      INTEGER ORD(*), V(3), IQ(5), Z
+      SUBROUTINE TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168)
+      INTEGER ORD(*), MARK(*), V(3), IQ(55), Z
       INTEGER HHPBEA, HHPSID
-      INTEGER T3, T5, QBEST, QLIMBS, QASKED, QLO, QHI, QLIMB, UNSURE
-      INTEGER MANY
-      PARAMETER (T3 = 1, T5 = 2, QBEST = 1, QLIMBS = 2, QASKED = 5)
-      PARAMETER (QLO = 1, QHI = 2, QLIMB = 7, UNSURE = 2, MANY = 6)
+      INTEGER T3, T5, RSEEK, QBEST, QLIMBS, QASKED, QNEAR, QLO, QHI
+      INTEGER QLIMB, QELO, QEHI, QLOW, QHIGH, UNSURE, SURE, MANY
+      PARAMETER (T3 = 1, T5 = 2, RSEEK = 7, QBEST = 1, QLIMBS = 2)
+      PARAMETER (QASKED = 5, QNEAR = 6, QLO = 1, QHI = 2, QLIMB = 7)
+      PARAMETER (QELO = 101, QEHI = 102, QLOW = 103, QHIGH = 104)
+      PARAMETER (UNSURE = 2, SURE = 3, MANY = 6)
       DOUBLE PRECISION PLAIN, WIDE
       PARAMETER (PLAIN = 16.0D0, WIDE = 1.0D-4)
       DOUBLE PRECISION HI, LO, Q(3)
@@ -1935,16 +2772,21 @@ C     what they leave open limits the better one by the other.
       Q(2) = X(2,Z)
       Q(3) = X(3,Z)
       CALL HHLIMI(F, Q, LO, HI, SIDE)
+      IF (IQ(QNEAR) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, P, ORD,
+     $    MARK, RCTL, IQ, F, FQ, Z, SIDE, LO, HI)
       SGN = SIDE
       POWER = UNSURE
       IF (SIDE .LT. 0) RETURN
       OPEN = 0
       IF (IQ(QBEST) .NE. 0) THEN
         IF (LO .GT. FQ(QHI)) RETURN
-        IF (HI .GE. FQ(QLO)) OPEN = 1
+        IF (SIDE .NE. SURE .AND. HI .GE. FQ(QLO)) OPEN = 1
       END IF
-      IF (IQ(QLIMBS) .EQ. 1 .AND. (SIDE .EQ. 0 .OR. OPEN .EQ. 1))
-     $    CALL HHTRIA(P, ORD, FQ, QLIMB, Z, SGN, POWER)
+      IF (SIDE .EQ. 0 .OR. OPEN .EQ. 1) THEN
+        IF (RCTL(RSEEK) .GT. 0.0D0) CALL TSREME(MARK, RCTL, IQ, Z, 1)
+        IF (IQ(QLIMBS) .EQ. 1)
+     $      CALL HHTRIA(P, ORD, FQ, QLIMB, Z, SGN, POWER)
+      END IF
       IF (SGN .EQ. 0 .OR. SGN .EQ. UNSURE) SGN = HHPSID(X, P, ORD,
      $    RCTL(T3), V(1), V(2), V(3), Z)
       IF (SGN .LE. 0) RETURN
@@ -1952,7 +2794,9 @@ C     what they leave open limits the better one by the other.
         IF (RCTL(T5) .LT. PLAIN) IQ(QASKED) = IQ(QASKED) + 1
         IF (POWER .EQ. UNSURE) POWER = 1 - 2*HHPBEA(X, P, ORD,
      $      RCTL(T3), RCTL(T5), V, IQ(QBEST), Z)
+        FQ(QHIGH) = MIN(FQ(QHIGH), FQ(QEHI))
         IF (POWER .GT. 0) THEN
+          FQ(QEHI) = FQ(QHIGH)
           IF (HI .LT. FQ(QHI)) CALL TSNARR(IQ, F, FQ, HI)
           IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
      $        CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
@@ -1962,6 +2806,8 @@ C     what they leave open limits the better one by the other.
       END IF
       IQ(QBEST) = Z
       FQ(QLO) = LO
+      FQ(QELO) = FQ(QLOW)
+      FQ(QEHI) = FQ(QHIGH)
       IQ(QLIMBS) = 0
       CALL TSNARR(IQ, F, FQ, HI)
       IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
@@ -1973,9 +2819,9 @@ C     what they leave open limits the better one by the other.
 
 C     TSCONS - compare Z, if it is no vertex and not outside of the
 C     ball.
-      SUBROUTINE TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(90)
-      INTEGER ORD(*), V(3), IQ(5), Z
+      SUBROUTINE TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168)
+      INTEGER ORD(*), MARK(*), V(3), IQ(55), Z
       DOUBLE PRECISION TSPOWE
       INTEGER QBEST, QBALL, QC
       PARAMETER (QBEST = 1, QBALL = 3, QC = 2)
@@ -1990,7 +2836,7 @@ C     ball.
      $      W3*(W3 - 2.0D0*FQ(QC+3))
         IF (POWER .GT. TSPOWE(FQ, ABS(W1) + ABS(W2) + ABS(W3))) RETURN
       END IF
-      CALL TSCHAL(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
+      CALL TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       END
 
 C     TSBALC - the test of a list's points against a ball of centre C,
@@ -2009,7 +2855,7 @@ C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
       SUBROUTINE TSBALC(LSD, LIST, F, FQ, C, D, OK)
-      DOUBLE PRECISION LSD(14,2), F(12), FQ(90), C(3)
+      DOUBLE PRECISION LSD(14,2), F(12), FQ(168), C(3)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LMID, LMOST, LUNIT, QDC
@@ -2049,7 +2895,7 @@ C     TSSTAC - the same for the list of the star of the base, the list's
 C     centre, whose points are less than 1.1 from it in the list's
 C     units: g = 0.
       SUBROUTINE TSSTAC(LSD, LIST, FQ, D, OK)
-      DOUBLE PRECISION LSD(14,2), FQ(90)
+      DOUBLE PRECISION LSD(14,2), FQ(168)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LUNIT, QC, QDC
@@ -2095,16 +2941,17 @@ C     on the ball, are the first four.
       END
 
 C     TSCALL - consider N points of a list.
-      SUBROUTINE TSCALL(X, P, ORD, RCTL, LSID, LIST, V, IQ, F, FQ, N,
-     $                  PLACE)
+      SUBROUTINE TSCALL(X, P, ORD, MARK, RCTL, LSID, LIST, V, IQ, F, FQ,
+     $                  N, PLACE)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(90)
-      INTEGER ORD(*), LSID(TSIDS,2), LIST, V(3), IQ(5), N, PLACE(*)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168)
+      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LIST, V(3), IQ(55), N
+      INTEGER PLACE(*)
       INTEGER I, Z
       DO 10 I = 1, N
         Z = LSID(PLACE(I),LIST)
-        CALL TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
+        CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
    10 CONTINUE
       END
 
@@ -2114,7 +2961,7 @@ C     MOST; or 0.
       SUBROUTINE TSLIKE(LSX, LSID, LSD, LIST, F, FQ, MOST, N, PLACE, Z)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), F(12), FQ(90), MOST
+      DOUBLE PRECISION LSD(14,2), F(12), FQ(168), MOST
       REAL LSX(TSLIST,4,2)
       INTEGER LSID(TSIDS,2), LIST, N, PLACE(*), Z
       INTEGER LMID, LUNIT
@@ -2160,14 +3007,15 @@ C     where a side or the point is no good the height is more than FAR
       END
 
 C     TSANYP - without a ball, consider a point of the list.
-      SUBROUTINE TSANYP(X, P, ORD, RCTL, LSX, LSID, LSI, LSD, LIST, V,
-     $                  IQ, F, FQ)
+      SUBROUTINE TSANYP(X, P, ORD, MARK, RCTL, LSX, LSID, LSI, LSD,
+     $                  LIST, V, IQ, F, FQ)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), LSD(14,2), F(12)
-      DOUBLE PRECISION FQ(90)
+      DOUBLE PRECISION FQ(168)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), LSID(TSIDS,2), LSI(3,2), LIST, V(3), IQ(5)
+      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), LIST, V(3)
+      INTEGER IQ(55)
       INTEGER LN, LUNIT
       PARAMETER (LN = 3, LUNIT = 14)
       DOUBLE PRECISION FAR
@@ -2178,7 +3026,7 @@ C     TSANYP - without a ball, consider a point of the list.
    10 CONTINUE
       CALL TSLIKE(LSX, LSID, LSD, LIST, F, FQ, FAR/LSD(LUNIT,LIST),
      $            LSI(LN,LIST), PLACE, Z)
-      IF (Z .NE. 0) CALL TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
+      IF (Z .NE. 0) CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       END
 
 C     TSINST - look for the apex in the star's list.  A better point's
@@ -2186,14 +3034,15 @@ C     ball has no more on the open side than the one before it (Lemma
 C     3), and nothing on the other, so that one pass over a list is
 C     enough, if the last ball has no points elsewhere: OK is 1 if so,
 C     else 0.
-      SUBROUTINE TSINST(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
-     $                  V, IQ, F, FQ, OK)
+      SUBROUTINE TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, LSX, LSID, LSI,
+     $                  LSD, V, IQ, F, FQ, OK)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(90)
+      DOUBLE PRECISION F(12), FQ(168)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(5), OK
+      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3)
+      INTEGER IQ(55), OK
       INTEGER TSBINS
       INTEGER TIES, LN, LMARG, STR, QBALL, QBASE, QHI
       PARAMETER (TIES = 26, LN = 3, LMARG = 13, STR = 2, QBALL = 3)
@@ -2205,8 +3054,8 @@ C     else 0.
       INTEGER IN(TSLIST), N, PLACE(TSLIST+1), Z
       OK = 0
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0) RETURN
-      IF (IQ(QBALL) .EQ. 0) CALL TSANYP(X, P, ORD, RCTL, LSX, LSID,
-     $    LSI, LSD, STR, V, IQ, F, FQ)
+      IF (IQ(QBALL) .EQ. 0) CALL TSANYP(X, P, ORD, MARK, RCTL, LSX,
+     $    LSID, LSI, LSD, STR, V, IQ, F, FQ)
       IF (IQ(QBALL) .EQ. 0) RETURN
       CALL TSSTAC(LSD, STR, FQ, D, OK)
       IF (OK .EQ. 0) RETURN
@@ -2221,7 +3070,7 @@ C       among ties, which are on it (to know that saves 6 % on lattices)
         IF (CTL(TIES) .EQ. 0) CALL TSLIKE(LSX, LSID, LSD, STR, F, FQ,
      $      MOST, N, PLACE, Z)
         IF (Z .NE. 0) THEN
-          CALL TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
+          CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
           CALL TSSTAC(LSD, STR, FQ, D, OK)
           IF (OK .EQ. 0) RETURN
           CALL TSINBA(LSX, LSI, STR, D, IN, N)
@@ -2231,7 +3080,8 @@ C       among ties, which are on it (to know that saves 6 % on lattices)
             N = 0
           END IF
         END IF
-        CALL TSCALL(X, P, ORD, RCTL, LSID, STR, V, IQ, F, FQ, N, PLACE)
+        CALL TSCALL(X, P, ORD, MARK, RCTL, LSID, STR, V, IQ, F, FQ, N,
+     $              PLACE)
         CTL(TIES) = 0
         IF (FQ(QHI) .GT. MOST) CTL(TIES) = 1
       END IF
@@ -2241,14 +3091,14 @@ C       among ties, which are on it (to know that saves 6 % on lattices)
 C     TSINBL - the same for the block's list.  Where the ball has room
 C     elsewhere the tree is searched in any case, so the list only
 C     costs: on surfaces two of five points that were tested.
-      SUBROUTINE TSINBL(X, P, ORD, BOX, RCTL, LSX, LSID, LSI, LSD, V,
-     $                  IQ, F, FQ, OK)
+      SUBROUTINE TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD,
+     $                  V, IQ, F, FQ, OK)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(90)
+      DOUBLE PRECISION F(12), FQ(168)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(5), OK
+      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(55), OK
       INTEGER TSBINB
       INTEGER LN, BLK, QBALL, QC
       PARAMETER (LN = 3, BLK = 1, QBALL = 3, QC = 2)
@@ -2257,8 +3107,6 @@ C     costs: on surfaces two of five points that were tested.
       INTEGER IN(TSLIST), N, PLACE(TSLIST+1)
       OK = 0
       IF (LSI(LN,BLK) .EQ. 0) RETURN
-      IF (IQ(QBALL) .EQ. 0) CALL TSANYP(X, P, ORD, RCTL, LSX, LSID,
-     $    LSI, LSD, BLK, V, IQ, F, FQ)
       IF (IQ(QBALL) .EQ. 0) RETURN
       IF (TSBINB(BOX, LSI, LSD, BLK, IQ, F, FQ) .EQ. 0) RETURN
       C(1) = FQ(QC+1)
@@ -2269,17 +3117,18 @@ C     costs: on surfaces two of five points that were tested.
       CALL TSINBA(LSX, LSI, BLK, D, IN, N)
       IF (N .GT. 4) THEN
         CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
-        CALL TSCALL(X, P, ORD, RCTL, LSID, BLK, V, IQ, F, FQ, N, PLACE)
+        CALL TSCALL(X, P, ORD, MARK, RCTL, LSID, BLK, V, IQ, F, FQ, N,
+     $              PLACE)
       END IF
       END
 
 C     TSSCAN - consider those uncompleted points of a leaf, a node of
 C     the positions FIRST ... LAST, that are not outside of the ball, or
 C     without a ball not on the negative side.
-      SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, RCTL, V, IQ, F, FQ, FIRST,
-     $                  LAST, NODE)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(90)
-      INTEGER ORD(*), LINK(*), V(3), IQ(5), FIRST, LAST, NODE
+      SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
+     $                  FIRST, LAST, NODE)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(168)
+      INTEGER ORD(*), LINK(*), MARK(*), V(3), IQ(55), FIRST, LAST, NODE
       DOUBLE PRECISION TSPOWE, TSEXTE
       INTEGER QBALL, QC, DONE
       PARAMETER (QBALL = 3, QC = 2, DONE = -1)
@@ -2303,52 +3152,124 @@ C     without a ball not on the negative side.
         END IF
         IF (LINK(I) .EQ. DONE) GO TO 10
         Z = I
-        CALL TSCONS(X, P, ORD, RCTL, V, IQ, F, FQ, Z)
+        CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
         MOST = TSPOWE(FQ, LENGTH)
    10 CONTINUE
       END
 
+C     TSNRLF - the same by TSSIGH's tests, for points of the support
+C     that the facet is near to; the errors are those of TSPROM for the
+C     leaf, with room for a mark's.
+      SUBROUTINE TSNRLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F,
+     $                  FQ, FIRST, LAST, NODE)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(168)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55), FIRST
+      INTEGER LAST, NODE
+      INTEGER RSUP, LSUP, SLOW, SGRAIN, QNEAR, QTURN, QAIMED, QTESTS
+      INTEGER QH, QTEST, TQ, TD, TBIAS, TA, TERR, LTEST, DONE, SUPPS
+      PARAMETER (RSUP = 10, LSUP = 98, SLOW = 97, SGRAIN = 98)
+      PARAMETER (QNEAR = 6)
+      PARAMETER (QTURN = 7, QAIMED = 8, QTESTS = 9, QH = 95)
+      PARAMETER (QTEST = 104, TQ = 1, TD = 1, TBIAS = 6, TA = 7)
+      PARAMETER (TERR = 8, LTEST = 8, DONE = -1, SUPPS = 8)
+      DOUBLE PRECISION GRAIN, H, Q, W1, W2, W3
+      INTEGER AT, I, K, T, Z
+      AT = RSUP + LSUP*(IQ(QNEAR) - 1)
+      GRAIN = RCTL(AT+SGRAIN)
+      DO 20 I = FIRST, LAST
+        IF (LINK(I) .EQ. DONE) GO TO 20
+        K = MARK(I) - 1
+        IF (K .GE. 0 .AND. MOD(K, SUPPS) .EQ. IQ(QNEAR) - 1) THEN
+          IF (IQ(QAIMED) .NE. IQ(QTURN)) CALL TSPROM(BOX, MARK, CTL,
+     $        RCTL, IQ, F, FQ, NODE, H)
+          W1 = X(1,I) - F(7)
+          W2 = X(2,I) - F(8)
+          W3 = X(3,I) - F(9)
+          H = RCTL(AT+SLOW) + GRAIN*(DBLE(K/SUPPS) + 0.5D0) - FQ(QH)
+          DO 10 T = QTEST, QTEST + LTEST*(IQ(QTESTS) - 1), LTEST
+            Q = FQ(T+TQ)
+            IF (FQ(T+TA)*H + FQ(T+TBIAS) + W1*(Q*W1 - FQ(T+TD+1)) +
+     $          W2*(Q*W2 - FQ(T+TD+2)) +
+     $          W3*(Q*W3 - FQ(T+TD+3)) .GT. FQ(T+TERR) +
+     $          (ABS(FQ(T+TA)) + Q)*2.0D0*GRAIN) GO TO 20
+   10     CONTINUE
+        END IF
+        Z = I
+        CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
+   20 CONTINUE
+      END
+
 C     TSTREE - finish a search by the tree: the leaf of V(1) first, then
 C     its parent's other child, and so on up to the root.
-      SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, V, IQ,
-     $                  F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(90)
-      INTEGER ORD(*), ALIVE(*), LINK(*), CTL(*), V(3), IQ(5)
+      SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
+     $                  IQ, F, FQ)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(168)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55)
       INTEGER TSPRUN, TSLEAF
-      INTEGER LEAVES, DEPTH
-      PARAMETER (LEAVES = 4, DEPTH = 64)
-      INTEGER FIRST, HEIGHT, I, LAST, N, NODE, STACK(DEPTH)
-      NODE = CTL(LEAVES) + TSLEAF(CTL, V(1)) - 1
+      INTEGER NP, LEAVES, RSUPP, RSEEK, QNEAR, QTESTS, DONE, DEPTH
+      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RSEEK = 7, QNEAR = 6)
+      PARAMETER (QTESTS = 9, DONE = -1, DEPTH = 64)
+      DOUBLE PRECISION MOST
+      INTEGER FIRST, HEIGHT, I, LAST, LEAST, N, NEAR, NODE, OUT
+      INTEGER STACK(DEPTH), SUPPS
+      SUPPS = INT(RCTL(RSUPP))
+      NEAR = IQ(QNEAR)
+      LEAST = CTL(NP) + 2*CTL(LEAVES)*NEAR
       HEIGHT = 1
-      I = NODE
-   10 IF (I .GT. 1) THEN
-        HEIGHT = HEIGHT + 1
-        I = I/2
-        GO TO 10
-      END IF
-      N = HEIGHT
-      STACK(N) = NODE
-      I = NODE
-   20 IF (I .GT. 1) THEN
-        N = N - 1
-        STACK(N) = I + 1 - 2*MOD(I, 2)
-        I = I/2
-        GO TO 20
+      STACK(1) = 1
+      IF (NEAR .EQ. 0) THEN
+        NODE = CTL(LEAVES) + TSLEAF(CTL, V(1)) - 1
+        I = NODE
+   10   IF (I .GT. 1) THEN
+          HEIGHT = HEIGHT + 1
+          I = I/2
+          GO TO 10
+        END IF
+        N = HEIGHT
+        STACK(N) = NODE
+        I = NODE
+   20   IF (I .GT. 1) THEN
+          N = N - 1
+          STACK(N) = I + 1 - 2*MOD(I, 2)
+          I = I/2
+          GO TO 20
+        END IF
       END IF
    30 IF (HEIGHT .EQ. 0) RETURN
       NODE = STACK(HEIGHT)
       HEIGHT = HEIGHT - 1
       IF (ALIVE(NODE) .EQ. 0) GO TO 30
       IF (TSPRUN(IQ, F, FQ, BOX, NODE) .EQ. 1) GO TO 30
+      IF (SUPPS .GT. 0) THEN
+        IF (NEAR .NE. 0) THEN
+          CALL TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, MOST)
+          IF (MOST .GT. 0.0D0) GO TO 30
+        END IF
+        CALL TSASID(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
+        IF (OUT .EQ. 1) GO TO 30
+      END IF
       IF (NODE .LT. CTL(LEAVES)) THEN
-        STACK(HEIGHT+1) = 2*NODE
-        STACK(HEIGHT+2) = 2*NODE + 1
+        N = 0
+        IF (NEAR .NE. 0) THEN
+          IF (MARK(LEAST+2*NODE) .LT. MARK(LEAST+2*NODE+1)) N = 1
+        END IF
+        STACK(HEIGHT+1) = 2*NODE + N
+        STACK(HEIGHT+2) = 2*NODE + 1 - N
         HEIGHT = HEIGHT + 2
         GO TO 30
       END IF
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
-      CALL TSSCAN(X, P, ORD, BOX, LINK, RCTL, V, IQ, F, FQ, FIRST,
-     $            LAST, NODE)
+      N = 0
+      IF (NEAR .NE. 0) N = IQ(QTESTS)
+      IF (N .GT. 0) THEN
+        CALL TSNRLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F, FQ,
+     $              FIRST, LAST, NODE)
+      ELSE
+        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
+     $              FIRST, LAST, NODE)
+      END IF
+      IF (RCTL(RSEEK) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
+     $    CALL TSREME(MARK, RCTL, IQ, FIRST, 0)
       GO TO 30
       END
 
@@ -2364,8 +3285,11 @@ C     or 0.
       DO 20 I = 1, CTL(NPLANE)
         AT = PLANE0 + 3*(I - 1)
         DO 10 K = 1, 3
-          IF (HHPSID(X, P, ORD, RCTL(T3), CTL(AT+1), CTL(AT+2),
-     $        CTL(AT+3), V(K)) .NE. 0) GO TO 20
+          IF (V(K) .NE. CTL(AT+1) .AND. V(K) .NE. CTL(AT+2) .AND.
+     $        V(K) .NE. CTL(AT+3)) THEN
+            IF (HHPSID(X, P, ORD, RCTL(T3), CTL(AT+1), CTL(AT+2),
+     $          CTL(AT+3), V(K)) .NE. 0) GO TO 20
+          END IF
    10   CONTINUE
         TSONHU = 1
         RETURN
@@ -2376,14 +3300,17 @@ C     or 0.
 C     TSPREP - begin the search for the apex of the facet V.  Its base
 C     is V(1), or if the angle there is small the vertex opposite to the
 C     longest edge.
-      SUBROUTINE TSPREP(X, P, ORD, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(90)
-      INTEGER ORD(*), V(3), IQ(5)
-      INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QASKED, QLO, QHI
-      INTEGER QC, QDC, QSIZE
-      PARAMETER (RSCALE = 5, QBEST = 1, QLIMBS = 2, QBALL = 3)
-      PARAMETER (QBASE = 4, QASKED = 5, QLO = 1, QHI = 2, QC = 2)
-      PARAMETER (QDC = 6, QSIZE = 7)
+      SUBROUTINE TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168)
+      INTEGER ORD(*), MARK(*), V(3), IQ(55)
+      INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QNEAR
+      INTEGER QTURN, QOPEND, QLO, QHI, QC, QDC, QSIZE, QELO, QEHI, QLOW
+      INTEGER QHIGH
+      PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2)
+      PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QNEAR = 6, QTURN = 7)
+      PARAMETER (QOPEND = 21, QLO = 1, QHI = 2, QC = 2, QDC = 6)
+      PARAMETER (QSIZE = 7, QELO = 101, QEHI = 102, QLOW = 103)
+      PARAMETER (QHIGH = 104)
       DOUBLE PRECISION EPS, HUGE, THIN
       PARAMETER (EPS = 2.0D0**(-52), THIN = 1.0D-6)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
@@ -2400,12 +3327,19 @@ C     longest edge.
       IQ(QBALL) = 0
       IQ(QBASE) = 1
       IQ(QASKED) = 0
+      IQ(QNEAR) = 0
+      IQ(QTURN) = 1
+      IQ(QOPEND) = 0
+      FQ(QELO) = -HUGE
+      FQ(QEHI) = HUGE
+      FQ(QLOW) = -HUGE
+      FQ(QHIGH) = HUGE
       FQ(QLO) = -HUGE
       FQ(QHI) = HUGE
       FQ(QDC) = 0.0D0
       FQ(QSIZE) = 0.0D0
       CALL HHSETU(A, B, C, F)
-      IF (F(10) .LT. 8000.0D0*EPS) RETURN
+      IF (F(10) .LT. 8000.0D0*EPS) GO TO 30
       AB = 0.0D0
       BC = 0.0D0
       CA = 0.0D0
@@ -2423,45 +3357,76 @@ C     longest edge.
       END IF
       SE = INT(RCTL(RSCALE))
       IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, SE, V, IQ(QBASE), F)
+   30 IF (RCTL(RSUPP) .GT. 0.0D0) CALL TSLEAN(X, P, ORD, MARK, RCTL, V,
+     $    IQ, FQ)
       END
 
 C     TSAPEX - the apex Z of the facet V on its positive side, or 0.
 C     GUESS: two positions to try first, or 0.
-      SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, LSX,
-     $                  LSID, LSI, LSD, V, GUESS, Z)
+      SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  LSX, LSID, LSI, LSD, V, GUESS, Z)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(TSIDS,2)
       INTEGER LSI(3,2), V(3), GUESS(2), Z
       INTEGER TSONHU
-      INTEGER NPLANE, NEXTPL, PLANE0, QBEST, PLANES
-      PARAMETER (NPLANE = 12, NEXTPL = 13, PLANE0 = 13)
-      PARAMETER (QBEST = 1, PLANES = 4)
-      DOUBLE PRECISION F(12), FQ(90)
-      INTEGER AT, G, IQ(5), K, OK
-      CALL TSPREP(X, P, ORD, RCTL, V, IQ, F, FQ)
+      INTEGER NP, NPLANE, NEXTPL, PLANE0, RSUPP, RSEEK, RBURDN, RPATIE
+      INTEGER RSUP, LSUP, SPLANE, QBEST, QNEAR, QOPEND, QEHI, PLANES
+      INTEGER OPENED
+      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, PLANE0 = 13)
+      PARAMETER (RSUPP = 6, RSEEK = 7, RBURDN = 8, RPATIE = 9)
+      PARAMETER (RSUP = 10)
+      PARAMETER (LSUP = 98, SPLANE = 88, QBEST = 1, QNEAR = 6)
+      PARAMETER (QOPEND = 21, QEHI = 102, PLANES = 4, OPENED = 24)
+      DOUBLE PRECISION EPS, HUGE
+      PARAMETER (EPS = 2.0D0**(-52))
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION F(12), FQ(168)
+      INTEGER AT, G, IQ(55), K, LISTS, OK
+      CALL TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DO 10 K = 1, 2
         G = GUESS(K)
         IF (G .NE. 0 .AND. G .NE. V(2) .AND. G .NE. V(3) .AND.
-     $      G .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, RCTL, V, IQ, F,
-     $      FQ, G)
+     $      G .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, MARK, RCTL, V, IQ,
+     $      F, FQ, G)
    10 CONTINUE
-      CALL TSINST(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD, V,
-     $            IQ, F, FQ, OK)
       Z = IQ(QBEST)
-      IF (OK .EQ. 1) RETURN
-C     before the block's list: a tenth of the time on lattices
-      IF (Z .EQ. 0) THEN
-        IF (TSONHU(X, P, ORD, CTL, RCTL, V) .EQ. 1) RETURN
+C     a ball that is a support's sphere but for rounding is in no list
+      LISTS = 1
+      IF (IQ(QNEAR) .NE. 0) THEN
+        AT = RSUP + LSUP*(IQ(QNEAR) - 1)
+        IF (RCTL(AT+SPLANE) .LE. 0.0D0 .AND. (Z .EQ. 0 .OR.
+     $      FQ(QEHI) .LT. HUGE)) LISTS = 0
       END IF
-      CALL TSINBL(X, P, ORD, BOX, RCTL, LSX, LSID, LSI, LSD, V, IQ, F,
-     $            FQ, OK)
+      IF (LISTS .EQ. 1) THEN
+        CALL TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, LSX, LSID, LSI,
+     $              LSD, V, IQ, F, FQ, OK)
+        Z = IQ(QBEST)
+        IF (OK .EQ. 1) RETURN
+C       before the block's list: a tenth of the time on lattices
+        IF (Z .EQ. 0) THEN
+          IF (TSONHU(X, P, ORD, CTL, RCTL, V) .EQ. 1) RETURN
+        END IF
+        CALL TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD, V,
+     $              IQ, F, FQ, OK)
+        Z = IQ(QBEST)
+        IF (OK .EQ. 1) RETURN
+      END IF
+      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V, IQ,
+     $            F, FQ)
       Z = IQ(QBEST)
-      IF (OK .EQ. 1) RETURN
-      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, V, IQ, F, FQ)
-      Z = IQ(QBEST)
+      IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RSEEK) .GT. 0.0D0) THEN
+        RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))
+        IF (RCTL(RBURDN) .GT. RCTL(RPATIE)*DBLE(CTL(NP))) THEN
+          K = INT(RCTL(RSUPP))
+          CALL TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ)
+          RCTL(RBURDN) = 0.0D0
+          IF (INT(RCTL(RSUPP)) .EQ. K)
+     $        RCTL(RPATIE) = 2.0D0*RCTL(RPATIE)
+        END IF
+      END IF
       IF (Z .EQ. 0) THEN
         AT = PLANE0 + 3*(CTL(NEXTPL) - 1)
         DO 20 K = 1, 3
@@ -2524,21 +3489,21 @@ C     leaf alone: that halves the time.
 C
 C     Vertices may be complete, so that no list has them: by the tree
 C     alone.
-      SUBROUTINE TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, CTL,
-     $                  RCTL, LSX, LSID, LSI, LSD, S, V)
+      SUBROUTINE TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
+     $                  CTL, RCTL, LSX, LSID, LSI, LSD, S, V)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), CTL(*)
-      INTEGER LSID(TSIDS,2), LSI(3,2), S, V(4)
+      INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*)
+      INTEGER CTL(*), LSID(TSIDS,2), LSI(3,2), S, V(4)
       INTEGER HHPSID, TSLEAF, TSLFST
       INTEGER LEAVES, NPLANE, NEXTPL, LFIRST, LLAST, LN, BLK, STR, QBEST
       INTEGER T3
       PARAMETER (LEAVES = 4, NPLANE = 12, NEXTPL = 13, LFIRST = 1)
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, QBEST = 1, T3 = 1)
-      DOUBLE PRECISION F(12), FQ(90)
-      INTEGER FIRST, G(3), GUESS(2), I, IQ(5), J, K, LAST, LEAF, LENGTH
+      DOUBLE PRECISION F(12), FQ(168)
+      INTEGER FIRST, G(3), GUESS(2), I, IQ(55), J, K, LAST, LEAF, LENGTH
       INTEGER NODE, OK, R(4), SAME, Z
       LEAF = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAF - 1
@@ -2587,13 +3552,13 @@ C     alone.
       G(3) = V(MOD(K+1,3)+2)
       GUESS(1) = V(K+1)
       IF (SAME .GE. 3) THEN
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID,
-     $              LSI, LSD, G, GUESS, Z)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, LSX,
+     $              LSID, LSI, LSD, G, GUESS, Z)
       ELSE
-        CALL TSPREP(X, P, ORD, RCTL, G, IQ, F, FQ)
-        CALL TSCHAL(X, P, ORD, RCTL, G, IQ, F, FQ, GUESS(1))
-        CALL TSSCAN(X, P, ORD, BOX, LINK, RCTL, G, IQ, F, FQ, FIRST,
-     $              LAST, NODE)
+        CALL TSPREP(X, P, ORD, MARK, RCTL, G, IQ, F, FQ)
+        CALL TSCHAL(X, P, ORD, MARK, RCTL, G, IQ, F, FQ, GUESS(1))
+        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, G, IQ, F, FQ,
+     $              FIRST, LAST, NODE)
         Z = IQ(QBEST)
       END IF
       SAME = SAME + 1
@@ -2613,20 +3578,20 @@ C     TSPLAN - begin the star of S, in no tetrahedron yet: a facet of
 C     one becomes two edges of the link, the one towards it first.  OK
 C     is 1, or 0 if there is no room.
       SUBROUTINE TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, CTL, RCTL, LSX, LSID, LSI,
-     $                  LSD, S, OK)
+     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID,
+     $                  LSI, LSD, S, OK)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4)
-      INTEGER HEAD(*), LINK(*), POOL(*), CTL(*), LSID(TSIDS,2)
-      INTEGER LSI(3,2), S, OK
+      INTEGER HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*)
+      INTEGER LSID(TSIDS,2), LSI(3,2), S, OK
       INTEGER START
       PARAMETER (START = -1)
       INTEGER E, V(4)
-      CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, CTL, RCTL,
-     $            LSX, LSID, LSI, LSD, S, V)
+      CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK, CTL,
+     $            RCTL, LSX, LSID, LSI, LSD, S, V)
       CALL TSMKRO(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL, RCTL, S,
      $            OK)
       IF (OK .EQ. 0) RETURN
@@ -2742,6 +3707,17 @@ C     2 TSLCOU(N) < N/12 + 2
       OK = 1
       END
 
+C     TSEXTR - integers that supports take, for as many points as may
+C     need them.
+      INTEGER FUNCTION TSEXTR(N)
+      INTEGER N
+      INTEGER TSLCOU
+      INTEGER ENOUGH, SUPPS
+      PARAMETER (ENOUGH = 500, SUPPS = 8)
+      TSEXTR = 0
+      IF (N .GE. ENOUGH) TSEXTR = N + 2*(SUPPS + 1)*TSLCOU(N)
+      END
+
 C     TSCOLL - the points that stand for themselves, in their order.
       SUBROUTINE TSCOLL(X, P, ORD, REP, CTL, N)
       DOUBLE PRECISION X(3,*), P(3,*)
@@ -2840,7 +3816,7 @@ C     INFO is 0, or RANGE.
       INTEGER HHFREX, TSINRA
       DOUBLE PRECISION HHLDEX, TSUNIT
       INTEGER NP, T3, T5, RSCALE, RLEAST, DIGITS, RANGE
-      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 6)
+      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 10)
       PARAMETER (DIGITS = 53, RANGE = 6)
       DOUBLE PRECISION HUGE, NORMAL
       PARAMETER (HUGE = 1.7976931348623157D308)
@@ -3113,16 +4089,18 @@ C     besides.
       DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*)
       INTEGER HHHOLD, TSLCOU
       INTEGER NP, LEAVES, NPLANE, NEXTPL, TIES, T3, T5, RSCALE, RLEAST
-      INTEGER RANGE
+      INTEGER RSUPP, RSEEK, RANGE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
-      PARAMETER (TIES = 26, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 6)
-      PARAMETER (RANGE = 6)
+      PARAMETER (TIES = 26, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 10)
+      PARAMETER (RSUPP = 6, RSEEK = 7, RANGE = 6)
       DOUBLE PRECISION NORMAL
       PARAMETER (NORMAL = 2.0D0**(-1022))
       INTEGER ALL
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
       CTL(TIES) = 0
+      RCTL(RSUPP) = 0.0D0
+      RCTL(RSEEK) = 0.0D0
       CTL(NP) = ALIVE(2*LVS)
       INFO = -8
       IF (CTL(NP) .LT. 0 .OR. CTL(NP) .GT. N) RETURN
@@ -3147,24 +4125,27 @@ C     They are declared in their lengths: so no two of them share an
 C     element of RW or IW, and the standard lets them be altered.
       SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
      $                  X, BOX, REP, ORD, ALIVE, KNOWN, HEAD, LINK,
-     $                  LENGTH, POOL, INFO)
+     $                  LENGTH, POOL, SPACE, MARK, INFO)
       INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS
       INTEGER REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4), HEAD(N), LINK(N)
-      INTEGER LENGTH, POOL(LENGTH), INFO
+      INTEGER LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), INFO
       DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
       INTEGER TSTABL
       INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW
       INTEGER NPLANE, NEXTPL, TIES, UNMET, LFIRST, LLAST, LN, BLK, STR
-      INTEGER RREACH, OPEN, NEW, TSLIST, TSIDS
+      INTEGER T5, RREACH, RSUPP, RSEEK, RBURDN, RPATIE, SUPPS, LSUP
+      INTEGER OPEN, NEW, TSLIST, TSIDS
       PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5)
       PARAMETER (MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, NPLANE = 12)
       PARAMETER (NEXTPL = 13, TIES = 26, UNMET = 27, LFIRST = 1)
-      PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, RREACH = 3)
+      PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, T5 = 2)
+      PARAMETER (RREACH = 3, RSUPP = 6, RSEEK = 7, RBURDN = 8)
+      PARAMETER (RPATIE = 9, SUPPS = 8, LSUP = 98)
       PARAMETER (OPEN = -1, NEW = -2, TSLIST = 512)
       PARAMETER (TSIDS = TSLIST + 48)
-      DOUBLE PRECISION REACH
-      PARAMETER (REACH = 2.75D0)
-      DOUBLE PRECISION LSD(14,2), MEAN, RCTL(6)
+      DOUBLE PRECISION REACH, BURDEN, PLAIN
+      PARAMETER (REACH = 2.75D0, BURDEN = 1.0D0, PLAIN = 16.0D0)
+      DOUBLE PRECISION LSD(14,2), MEAN, RCTL(10+LSUP*SUPPS)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(27), I, K, LSI(3,2), OWN, S, T, LSID(TSIDS,2)
       CTL(NPLANE) = 0
@@ -3199,6 +4180,12 @@ C     sets, by a step of Newton's method
       DO 10 I = 1, CTL(NP)
         LINK(I) = NEW
    10 CONTINUE
+      RCTL(RSUPP) = 0.0D0
+      RCTL(RBURDN) = 0.0D0
+      RCTL(RPATIE) = BURDEN
+C     doubles decide all where points are in few units
+      RCTL(RSEEK) = 0.0D0
+      IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN) RCTL(RSEEK) = 1.0D0
       S = 0
       IF (CTL(NT) .GT. 0) THEN
         CALL TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
@@ -3213,8 +4200,8 @@ C     sets, by a step of Newton's method
      $      CTL, RCTL, S, TSTABL(OWN), INFO)
       END IF
       IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP,
-     $    KNOWN, HEAD, LINK, POOL, CTL, RCTL, LSX, LSID, LSI, LSD, S,
-     $    INFO)
+     $    KNOWN, HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID, LSI, LSD,
+     $    S, INFO)
       IF (MASKED .EQ. 1) CALL TSREVI(ALIVE, CTL)
       DO 30 T = 1, CTL(NT)
         DO 20 K = 1, 4
@@ -3236,10 +4223,10 @@ C     that are right but for P and the indices in TET.
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW
       INTEGER IW(*), INFO
-      INTEGER HHHOLD, TSLCOU
+      INTEGER HHHOLD, TSEXTR, TSLCOU
       INTEGER SINGLE, RANGE, KEEP
-      PARAMETER (SINGLE = 5, RANGE = 6, KEEP = 4)
-      INTEGER LVS
+      PARAMETER (SINGLE = 5, RANGE = 6, KEEP = 5)
+      INTEGER AT, LENGTH, LVS, LIWMIN, LRWMIN, OK, ROOM, SPACE
       IF (N .EQ. 0) THEN
         NTET = 0
         INFO = SINGLE
@@ -3253,10 +4240,22 @@ C     that are right but for P and the indices in TET.
         END IF
       END IF
       LVS = TSLCOU(N)
+      LENGTH = LIW - 4*N - 2*LVS - KEEP
+      CALL TSLENG(N, LIWMIN, LRWMIN, ROOM, OK)
+      SPACE = TSEXTR(N)
+      AT = 4*N + 2*LVS + KEEP + LENGTH
+      IF (SPACE .GT. 0 .AND. LIW - LIWMIN - ROOM .GE. SPACE) THEN
+        LENGTH = LENGTH - SPACE
+        AT = AT - SPACE
+      ELSE
+C       the one behind KNOWN
+        SPACE = 1
+        AT = 2*N + 2*LVS + 4
+      END IF
       CALL TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS, RW,
      $            RW(3*N+1), IW, IW(N+1), IW(2*N+1), IW(2*N+2*LVS+1),
-     $            IW(2*N+2*LVS+KEEP+1), IW(3*N+2*LVS+KEEP+1), LIW -
-     $            4*N - 2*LVS - KEEP, IW(4*N+2*LVS+KEEP+1), INFO)
+     $            IW(2*N+2*LVS+KEEP+1), IW(3*N+2*LVS+KEEP+1), LENGTH,
+     $            IW(4*N+2*LVS+KEEP+1), SPACE, IW(AT+1), INFO)
       END
 
 C     TSWRON - INFO is the code of a bad argument common to TESS and
@@ -3335,9 +4334,10 @@ C     The pool of open facets that LIW includes suffices for all inputs
 C     but those whose number of tetrahedra is quadratic in N.
       SUBROUTINE TESSWK(N, MAXTET, LIW, LRW, INFO)
       INTEGER N, MAXTET, LIW, LRW, INFO
+      INTEGER TSEXTR
       INTEGER INTMAX
       PARAMETER (INTMAX = 2147483647)
-      INTEGER OK, ROOM
+      INTEGER MORE, OK, ROOM
       LIW = 0
       LRW = 0
       INFO = -1
@@ -3351,6 +4351,8 @@ C     but those whose number of tetrahedra is quadratic in N.
         RETURN
       END IF
       LIW = LIW + ROOM
+      MORE = TSEXTR(N)
+      IF (MORE .LT. INTMAX - LIW) LIW = LIW + MORE
       INFO = 0
       END
 
@@ -3465,7 +4467,7 @@ C     Cost: O(N log N), about a tenth of that of the mesh.
       INTEGER N, LIW, IW(*), LRW, INFO
       INTEGER HHHOLD, TSLCOU
       INTEGER SINGLE, RANGE, KEEP, INTMAX
-      PARAMETER (SINGLE = 5, RANGE = 6, KEEP = 4, INTMAX = 2147483647)
+      PARAMETER (SINGLE = 5, RANGE = 6, KEEP = 5, INTMAX = 2147483647)
       INTEGER CODE, I, LVS
       CALL TSWRON(N, P, 0, 0, INTMAX, LRW, I, INFO)
       IF (INFO .NE. 0 .AND. INFO .NE. -9) RETURN
@@ -3495,12 +4497,13 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
       INTEGER N, LVS, REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4), INFO
       DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
       INTEGER NP, NPLANE, NEXTPL, TIES, LN, BLK, STR, T3, T5, RSCALE
-      INTEGER RLEAST, RANGE, TSLIST, TSIDS
+      INTEGER RSUPP, RSEEK, RLEAST, RANGE, TSLIST, TSIDS
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIES = 26, LN = 3)
       PARAMETER (BLK = 1, STR = 2, T3 = 1, T5 = 2, RSCALE = 5)
-      PARAMETER (RLEAST = 6, RANGE = 6, TSLIST = 512)
+      PARAMETER (RSUPP = 6, RSEEK = 7, RLEAST = 10, RANGE = 6)
+      PARAMETER (TSLIST = 512)
       PARAMETER (TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), RCTL(6)
+      DOUBLE PRECISION LSD(14,2), RCTL(10)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(27), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, N, INFO)
@@ -3510,13 +4513,15 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
         CTL(NPLANE) = 0
         CTL(NEXTPL) = 1
         CTL(TIES) = 0
+        RCTL(RSUPP) = 0.0D0
+        RCTL(RSEEK) = 0.0D0
         LSI(LN,BLK) = 0
         LSI(LN,STR) = 0
         GUESS(1) = 0
         GUESS(2) = 0
 C       ORD in the place of LINK: no star is complete
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, CTL, RCTL, LSX, LSID,
-     $              LSI, LSD, V, GUESS, Z)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, LSX,
+     $              LSID, LSI, LSD, V, GUESS, Z)
         DO 10 K = 1, 3
           KNOWN(K) = ORD(V(K))
    10   CONTINUE
@@ -4195,7 +5200,7 @@ C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
       INTEGER NP, LN, BLK, STR, T3, UNSURE, RANGE, TSLIST, TSIDS
       PARAMETER (NP = 1, LN = 3, BLK = 1, STR = 2, T3 = 1, UNSURE = 2)
       PARAMETER (RANGE = 6, TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), RCTL(6), Y(3,1)
+      DOUBLE PRECISION LSD(14,2), RCTL(10), Y(3,1)
       REAL LSX(TSLIST,4,2)
       INTEGER CODE, CTL(27), F(3), GUESS(2), I, K, LAST, LSI(3,2)
       INTEGER LSID(TSIDS,2), S, STEPS, U(4,1)
@@ -4232,8 +5237,8 @@ C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
 C     ORD in the place of LINK: no star is complete
    40 IF (STEPS .EQ. 0) THEN
         CALL TSNEAR(P, ORD, BOX, CTL, RCTL, Q, S)
-        CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, CTL, RCTL,
-     $              LSX, LSID, LSI, LSD, S, U)
+        CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, ORD, CTL,
+     $              RCTL, LSX, LSID, LSI, LSD, S, U)
         LAST = 5
       END IF
       IF (STEPS .GE. 0) STEPS = STEPS - 1
@@ -4249,8 +5254,8 @@ C     ORD in the place of LINK: no star is complete
         IF (S .EQ. UNSURE) RETURN
         IF (S .LE. 0) GO TO 60
         CALL TSOUTF(U, 1, K, F)
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, CTL, RCTL, LSX, LSID,
-     $              LSI, LSD, F, GUESS, S)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, LSX,
+     $              LSID, LSI, LSD, F, GUESS, S)
         CODE = 1
         IF (S .EQ. 0) GO TO 70
         U(1,1) = F(1)

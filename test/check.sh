@@ -446,7 +446,7 @@ twins() {
     one "both names in the header of f77/$1.f" test $? -eq 0
     cat build/diff.txt >> $LOG
 }
-twins tess "point|coords|four|better|proven|layout" \
+twins tess "point|coords|four|better|proven|barren|layout" \
     "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP"
 twins hhpred "held|shift" "HHKIND"
 
