@@ -35,11 +35,13 @@ measure() {
         for f in tess hhpred; do
             $CC -O0 --coverage $2 -c $f.c || say "$f.c does not compile"
         done
-        for f in exact points t_pred brute t_tess t_part parity; do
+        for f in exact points define t_pred brute t_tess t_part parity; do
             $CC -O2 $2 -I. -c $f.c || say "$f.c does not compile"
         done
         for f in brute t_tess t_part parity; do
-            $CC --coverage $3 -o $f $f.o tess.o hhpred.o exact.o points.o -lm
+            also=; [ $f != brute ] || also=define.o
+            $CC --coverage $3 -o $f $f.o tess.o hhpred.o exact.o points.o \
+                $also -lm
         done
         $CC --coverage $3 -o t_pred t_pred.o hhpred.o exact.o points.o -lm
         case $1 in

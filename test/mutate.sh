@@ -28,7 +28,7 @@ say() { echo "mutate.sh: $1" >&2; exit 2; }
 
 mkdir -p $DIR/new $DIR/counts
 TEST="brute t_pred t_margin t_tess t_part parity"
-for f in exact hard points bench brute t_pred t_tess t_part parity; do
+for f in exact hard points define bench brute t_pred t_tess t_part parity; do
     $CC -O2 -I. -c -o $DIR/$f.o test/$f.c || say "$f.c does not compile"
 done
 $CC -O2 -I. -o $DIR/mutant test/mutant.c || say "mutant.c does not compile"
@@ -48,7 +48,7 @@ links() {
     t_margin) $CC -O1 -o $1/$2 $1/test/t_margin.c $1/hhpred.o $DIR/exact.o \
         $DIR/hard.o -lm;;
     *) $CC -o $1/$2 $DIR/$2.o $1/tess.o $1/hhpred.o $DIR/exact.o \
-        $DIR/points.o -lm;;
+        $DIR/points.o `[ $2 != brute ] || echo $DIR/define.o` -lm;;
     esac
 }
 

@@ -4,6 +4,7 @@
  *
  * Compiled with the C library and linked with f77/tess.f and f77/hhpred.f,
  * whose names get an underscore from gfortran and f2c. */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -23,6 +24,14 @@ extern void tesshu_(int *ntet, int *tet, int *adj, int *maxfac, int *nfac,
                     int *fac, int *info);
 extern void tessch_(int *n, double *p, int *ntet, int *tet, int *adj, int *liw,
                     int *iw, int *bad, int *info);
+extern void tessix_(int *n, double *p, int *liw, int *iw, int *lrw, double *rw,
+                    int *info);
+extern void tessqu_(int *n, double *p, int *iw, double *rw, double *q, int *v,
+                    double *w, int *info);
+extern void tesspa_(int *n, double *p, int *mine, int *maxtet, int *ntet,
+                    int *tet, int *adj, int *liw, int *iw, int *lrw,
+                    double *rw, int *info);
+extern void tessba_(double *p, int *v, double *c, int *info);
 extern int hhorie_(double *a, double *b, double *c, double *d);
 extern int hhinsp_(double *a, double *b, double *c, double *d, double *e);
 
@@ -99,6 +108,50 @@ static void queries(const char *family, int n, int ntet)
     fadj[5 % (4 * ntet)] = save + 1;
 }
 
+/* The same without the mesh: a part, queries, balls. */
+static void alone(const char *family, int n, int liw, int lrw)
+{
+    static int mine[MOST];
+    double q[3], w[4], fw[4];
+    int ntet = 0, fntet = 0, maxtet = MAXTET, i, k, v[4], fv[4], good, code;
+    int info;
+
+    code = tess_index(n, p, liw, iw, lrw, rw);
+    tessix_(&n, p, &liw, fiw, &lrw, frw, &info);
+    good = code == info;
+    for (i = 0; i < n; i++) {
+        if (iw[i] + 1 != fiw[i]) good = 0;
+        mine[i] = iw[i] >= n / 8 && iw[i] < n / 4;
+    }
+    tell(good, "index", family, n);
+    if (code != 0) return;
+    code = tess_part(n, p, mine, MAXTET, &ntet, tet, adj, liw, iw, lrw, rw);
+    tesspa_(&n, p, mine, &maxtet, &fntet, ftet, fadj, &liw, fiw, &lrw, frw,
+            &info);
+    tell(code == info && same(ntet, fntet) && ntet > 0, "part", family, n);
+    v[0] = TESS_NONE;
+    for (i = 0; i < 60 && good; i++) {
+        for (k = 0; k < 3; k++)
+            q[k] = 0.37 * p[3 * (i * 7 % n) + k] +
+                   0.63 * p[3 * (i * 13 % n) + k];
+        if (i % 3 == 0) v[0] = TESS_NONE;
+        for (k = 0; k < 4; k++) fv[k] = v[k] + 1;
+        code = tess_query(n, p, iw, rw, q, v, w);
+        tessqu_(&n, p, fiw, frw, q, fv, fw, &info);
+        good = code == info;
+        for (k = 0; k < 4 && good; k++)
+            if (v[k] + 1 != fv[k] || w[k] - fw[k] > 1e-12 ||
+                fw[k] - w[k] > 1e-12)
+                good = 0;
+        code = tess_ball(p, v, w);
+        tessba_(p, fv, fw, &info);
+        good = good && code == info;
+        for (k = 0; k < 4 && good; k++)
+            good = fabs(w[k] - fw[k]) <= 1e-14 * fabs(w[3]);
+    }
+    tell(good, "queries and balls", family, n);
+}
+
 static void one(const char *family, int asked)
 {
     int n = (int)points_make(family, asked, 1, p), liw, lrw, fliw, flrw, info;
@@ -124,6 +177,7 @@ static void one(const char *family, int asked)
     tessre_(&n, p, &maxtet, &fntet, ftet, fadj, &liw, fiw, &lrw, frw, &info);
     tell(good && info == 0 && same(ntet, fntet), "resumed", family, n);
     queries(family, n, ntet);
+    alone(family, n, liw, lrw);
 }
 
 /* The codes of points that span no space, and of bad arguments. */

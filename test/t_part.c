@@ -420,7 +420,7 @@ static void test_parts(void)
 
     for (f = 0; points_name(f) != NULL; f++)
         for (turned = 0; turned < 2; turned++) {
-            long n = affordable(points_name(f), quick ? 40 : 200);
+            long n = affordable(points_name(f), quick ? 40 : 150);
 
             faults = 0;
             sprintf(name, "parts: %s%s", points_name(f),
@@ -453,7 +453,7 @@ static void test_resume(void)
     static const char *const name[] = {
         "uniform", "lattice", "duplicates", "cubesurf", "planeone"
     };
-    tess_int *mine, *iw, *tet, *adj, *t2, *a2, i, ntet, got, step, liw;
+    tess_int *mine, *was, *iw, *tet, *adj, *t2, *a2, i, ntet, got, step, liw;
     whole m;
     size_t f, length;
     int code, kind, pools = 0;
@@ -491,14 +491,29 @@ static void test_resume(void)
                         memcmp(t2, tet, length) == 0 &&
                         memcmp(a2, adj, length) == 0,
                         "a part taken up again");
-                /* another mask: what is there, and its stars besides */
                 release(mark);
             }
             t2 = ints(4 * m.ntet);
             a2 = ints(4 * m.ntet);
+            /* stopped in a star, which another mask does not ask for */
+            got = 0;
+            was = copy(mine, m.n);
+            tess_part(m.n, m.p, mine, ntet / 2, &got, t2, a2, m.liw, iw,
+                      m.lrw, m.rw);
+            for (i = 0; i < m.n; i++) mine[i] = m.iw[i] % 7 == 3;
+            for (i = 0; i < 4 * got; i++) mine[t2[i]] = 0;
+            for (i = 0; i < m.n; i++) mine[i] = mine[m.rep[i]];
+            code = tess_part(m.n, m.p, mine, m.ntet, &got, t2, a2, m.liw, iw,
+                             m.lrw, m.rw);
+            require(code == TESS_OK, "another mask");
+            for (i = ntet / 2; i < got; i++)
+                require(mine[t2[4 * i]] || mine[t2[4 * i + 1]] ||
+                        mine[t2[4 * i + 2]] || mine[t2[4 * i + 3]],
+                        "a star of the former mask goes on");
+            linked(got, t2, a2);
             memcpy(t2, tet, length);
             memcpy(a2, adj, length);
-            for (i = 0; i < m.n; i++) mine[i] = !mine[i];
+            for (i = 0; i < m.n; i++) mine[i] = !was[i];
             got = ntet;
             code = tess_part(m.n, m.p, mine, m.ntet, &got, t2, a2, m.liw, iw,
                              m.lrw, m.rw);
@@ -625,7 +640,7 @@ static void test_queries(void)
                     hi[k] = m.p[3 * i + k] > hi[k] ? m.p[3 * i + k] : hi[k];
                 }
             }
-            for (i = 0; i < (quick ? 10 : 60); i++)
+            for (i = 0; i < (quick ? 10 : 40); i++)
                 for (kind = 1; kind <= 7; kind++) {
                     /* a point, or the mean of 2 ... 4 of a tetrahedron, or
                      * anywhere, half of it outside */
@@ -729,7 +744,7 @@ static void test_balls(void)
 
     faults = 0;
     now = "tess_ball";
-    for (i = 0; i < (quick ? 300 : 3000); i++) {
+    for (i = 0; i < (quick ? 300 : 2000); i++) {
         /* slivers, far off, in any unit */
         off = i % 3 == 0 ? 0.0 : ldexp(1.0, (int)(i % 31));
         thin = ldexp(1.0, -(int)(i % 47));
