@@ -1134,10 +1134,10 @@ void hh_unit(hh_ball *t, int plane, double *c)
 }
 
 /* hh_height - the height of the position z above the plane of a ball's facet,
- * if plane is 1, else its power in the ball, scaled as s->x is.  *err bounds its
- * error: the leading limbs' value errs by 3 eps, what it is divided by by 3 (a
- * normal by 5), the quotient by 1, and the last row of the sum by CARRY units.
- * *err is DBL_MAX where limbs do not hold it. */
+ * if plane is 1, else its power in the ball, scaled as s->x is.  *err bounds
+ * its error: the leading limbs' value errs by 3 eps, what it is divided by by 3
+ * (a normal by 5), the quotient by 1, and the last row of the sum by CARRY
+ * units.  *err is DBL_MAX where limbs do not hold it. */
 double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
                  double *err)
 {

@@ -301,10 +301,10 @@ typedef struct quest {
 } quest;
 
 /* A support: a plane or a sphere that many points are near to.  Mark k, 0 ...
- * GRAINS - 1, of one of them is a height between low + (k - 1/2) grain and low +
- * (k + 3/2) grain, low < 0; least[node] is the least mark of a node's points,
- * -1 if one is below low, GRAINS if all are above; plus ABOVE if one is above
- * -low. */
+ * GRAINS - 1, of one of them is a height between low + (k - 1/2) grain and
+ * low + (k + 3/2) grain, low < 0; least[node] is the least mark of a node's
+ * points, -1 if one is below low, GRAINS if all are above; plus ABOVE if one is
+ * above -low. */
 typedef struct support {
     hh_ball t;
     int plane;
@@ -1615,7 +1615,7 @@ static int fit(mesh *m, const quest *f, support *s)
 }
 
 /* discover - find a support for the points that a search left open: mark those
- * near to it that have no mark yet, and find the least height of each node's. */
+ * near to it that have no mark yet, and find the least height of each node. */
 static void discover(mesh *m, const quest *f)
 {
     support *s = m->support + m->nsupport;
@@ -1679,10 +1679,10 @@ static void discover(mesh *m, const quest *f)
 
 /* lean - find the support that the facet is near to, if there is one, and its
  * tilt.  dtilt: the tilt is out of the plane by the roundings of the edges; in
- * it, its products with the edges miss the differences of heights by r0, r1, and
- * a vector whose products with unit vectors at an angle are r0, r1 is no longer
- * than (|r0| + |r1|) / sine of it.  det errs by less than 1/100, where its sine
- * is that of no needle. */
+ * it, its products with the edges miss the differences of heights by r0, r1,
+ * and a vector whose products with unit vectors at an angle are r0, r1 is no
+ * longer than (|r0| + |r1|) / sine of it.  det errs by less than 1/100, as no
+ * needle is let through. */
 static void lean(const mesh *m, quest *f)
 {
     const double *b = m->x + 3 * f->v[f->base], *p;
