@@ -274,10 +274,10 @@ typedef struct list {
 /* A test of sight's: a (height - h) + q |w|^2 - d.w + bias, of which each
  * coordinate of w is wrong by dd times it, and all by err in the box of a node;
  * top: it supposes that no height is above -low. */
-typedef struct bound {
+typedef struct form {
     double a, q, d[3], dd, bias, err;
     int top;
-} bound;
+} form;
 
 /* A test of face's, made at a turn of the search: q |w|^2 - d.w + bias. */
 typedef struct slab {
@@ -306,9 +306,9 @@ typedef struct quest {
     double elo, ehi;          /* the best point's e is between them, */
     double low, high;         /* that of the point compared between these */
     int turn;                 /* changes with the ball and the best point */
-    int aimed, bounds;        /* sight's tests were made at this turn */
-    bound bound[2];
-    slab slab[SUPPORTS];
+    int aimed, ntests;        /* sight's tests were made at this turn */
+    form tests[2];
+    slab slabs[SUPPORTS];
 } quest;
 
 /* A support: a plane or a sphere that many points are near to.  Mark k, 0 ...
@@ -352,7 +352,7 @@ typedef struct mesh {
     double share;             /* the star's margin in the block's */
     int ties;                 /* the last points on a ball were not in it */
     double least;             /* coordinate of absolute value above 0, if any */
-    support support[SUPPORTS];
+    support supports[SUPPORTS];
     int nsupport, seek;       /* how many there are; look for more? */
     tess_int *pure;           /* 0, or 1 + support of all points of a node */
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
@@ -1588,7 +1588,7 @@ static double rough(const mesh *m, const support *s, tess_int z, double *err)
  * EPS GRAINS grains, and a quarter of one for twice the height's error. */
 static int level(const mesh *m, int j, tess_int z, double *h, double *err)
 {
-    const support *s = m->support + j;
+    const support *s = m->supports + j;
     tess_int mark = m->mark[z] - 1;
 
     if (mark >= 0 && mark % SUPPORTS == j) {
@@ -1666,7 +1666,7 @@ static int fit(mesh *m, const quest *f, support *s)
  * near to it that have no mark yet, and find the least height of each node. */
 static void discover(mesh *m, const quest *f)
 {
-    support *s = m->support + m->nsupport;
+    support *s = m->supports + m->nsupport;
     tess_int node, i, last, mark, members = 0;
     double h, err, fine, c;
     int above;
@@ -1739,7 +1739,7 @@ static void lean(const mesh *m, quest *f)
     int i, k;
 
     f->aimed = 0;
-    for (k = 0; k < m->nsupport; k++) f->slab[k].turn = 0;
+    for (k = 0; k < m->nsupport; k++) f->slabs[k].turn = 0;
     for (i = 0; i < 3 && f->near == NONE; i++) {
         mark = m->mark[f->v[i]] - 1;
         if (mark < 0) continue;
@@ -1814,7 +1814,7 @@ static int residual(const mesh *m, const quest *f, tess_int z, double *lo,
 static int sharpen(const mesh *m, quest *f, tess_int z, int side, double *lo,
                    double *hi)
 {
-    const support *s = m->support + f->near;
+    const support *s = m->supports + f->near;
     const double *x = m->x + 3 * z;
     double low, high, least, most, g = 0.0, dg, size = 0.0, u;
     int k;
@@ -1877,13 +1877,13 @@ static int sharpen(const mesh *m, quest *f, tess_int z, int side, double *lo,
  * term. */
 static void sight(const mesh *m, quest *f)
 {
-    const support *s = m->support + f->near;
-    bound *t = f->bound;
+    const support *s = m->supports + f->near;
+    form *t = f->tests;
     double g = 0.0, e = f->ehi, o[3], oo = 0.0, od = 0.0, size = 0.0;
     int k;
 
     f->aimed = f->turn;
-    f->bounds = 0;
+    f->ntests = 0;
     if (f->f[9] > 1e-3) return;
     t->bias = 0.0;
     t->top = 0;
@@ -1898,9 +1898,9 @@ static void sight(const mesh *m, quest *f)
             t->d[k] = t->a * f->tilt[k];
             t->dd += 16.0 * EPS * fabs(f->tilt[k]);
         }
-        f->bounds = 1;
+        f->ntests = 1;
         if (!f->ball || f->hi > MUCHL) return;
-        f->bounds = 2;
+        f->ntests = 2;
         t++;
         t->bias = 0.0;
         t->a = -2.0 * f->hi / g;
@@ -1930,7 +1930,7 @@ static void sight(const mesh *m, quest *f)
         t->top = 1;
         t->dd = f->f[9] + 16.0 * EPS * (1.0 + t->q * size);
         for (k = 0; k < 3; k++) t->d[k] = f->f[k] - 2.0 * t->q * o[k];
-        f->bounds = 1;
+        f->ntests = 1;
         return;
     }
     if (f->hi > MUCHL) return;
@@ -1946,7 +1946,7 @@ static void sight(const mesh *m, quest *f)
     t->a = 1.0 - t->q;
     t->dd += 16.0 * EPS * t->q * size;
     for (k = 0; k < 3; k++) t->d[k] -= 2.0 * t->q * o[k];
-    f->bounds = 1;
+    f->ntests = 1;
 }
 
 /* lowest - the least of q |w|^2 - d.w in a box, and the greatest |w|_1. */
@@ -1975,15 +1975,15 @@ static double lowest(const quest *f, const double *b, double q, const double *d,
  * less its error: if it is positive, the node has no candidate. */
 static double promise(const mesh *m, quest *f, tess_int node)
 {
-    const support *s = m->support + f->near;
+    const support *s = m->supports + f->near;
     tess_int mark = s->least[node];
     int above = mark > GRAINS, i;
     double most = -1.0, sum, size, h;
-    bound *t = f->bound;
+    form *t = f->tests;
 
     if (f->aimed != f->turn) sight(m, f);
     if (above) mark -= ABOVE;
-    for (i = 0; i < f->bounds; i++, t++) {
+    for (i = 0; i < f->ntests; i++, t++) {
         h = t->a < 0.0 ? -s->low : s->low + s->grain * ((double)mark - 0.5);
         sum = t->a * (h - f->h) + t->bias +
               lowest(f, m->box + 6 * node, t->q, t->d, &size);
@@ -2007,7 +2007,7 @@ static double promise(const mesh *m, quest *f, tess_int node)
  * Any t is right; so what it is wrong by does not count. */
 static void face(const mesh *m, const quest *f, int j, slab *t)
 {
-    const support *s = m->support + j;
+    const support *s = m->supports + j;
     double o[3], x = 0.0, y = 0.0, r = 0.0, size = 0.0, all = 0.0, g;
     int k;
 
@@ -2049,7 +2049,7 @@ static int aside(const mesh *m, quest *f, tess_int node)
     double size, sum;
 
     if (j < 0 || !f->ball) return 0;
-    t = f->slab + j;
+    t = f->slabs + j;
     if (t->turn != f->turn) face(m, f, j, t);
     sum = t->bias + lowest(f, m->box + 6 * node, t->q, t->d, &size);
     return sum > 16.0 * EPS * (t->q + 1.0) * size * size + size * t->dd + FAINT;
@@ -2354,9 +2354,9 @@ static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
 static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
                      tess_int last)
 {
-    const support *s = m->support + f->near;
+    const support *s = m->supports + f->near;
     const double *q;
-    const bound *t;
+    const form *t;
     double w0, w1, w2, h;
     tess_int i, mark;
     int k;
@@ -2373,13 +2373,13 @@ static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
             w1 = q[1] - f->f[7];
             w2 = q[2] - f->f[8];
             h = s->low + s->grain * ((double)(mark / SUPPORTS) + 0.5) - f->h;
-            for (k = 0, t = f->bound; k < f->bounds; k++, t++)
+            for (k = 0, t = f->tests; k < f->ntests; k++, t++)
                 if (t->a * h + t->bias + w0 * (t->q * w0 - t->d[0]) +
                         w1 * (t->q * w1 - t->d[1]) +
                         w2 * (t->q * w2 - t->d[2]) >
                     t->err + (fabs(t->a) + t->q) * 2.0 * s->grain)
                     break;
-            if (k < f->bounds) {
+            if (k < f->ntests) {
                 HOLDS(!better(m, f, i));
                 continue;
             }
@@ -2431,14 +2431,14 @@ static void treesearch(const mesh *m, quest *f)
             continue;
         }
         if (node < m->leaves) {
-            n = f->near != NONE && m->support[f->near].least[2 * node] <
-                                       m->support[f->near].least[2 * node + 1];
+            n = f->near != NONE && m->supports[f->near].least[2 * node] <
+                                       m->supports[f->near].least[2 * node + 1];
             stack[depth++] = 2 * node + n;
             stack[depth++] = 2 * node + 1 - n;
             continue;
         }
         span(m, node, &i, &last);
-        if (f->near != NONE && f->bounds > 0)
+        if (f->near != NONE && f->ntests > 0)
             nearleaf(m, f, node, i, last);
         else
             scanleaf(m, f, i, last, b);
@@ -2534,7 +2534,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
             guess[k] != f.best)
             challenge(m, &f, guess[k]);
     /* a ball that is a support's sphere but for rounding is in no list */
-    lists = f.near == NONE || m->support[f.near].plane ||
+    lists = f.near == NONE || m->supports[f.near].plane ||
             (f.best != NONE && f.ehi == DBL_MAX);
     if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);
