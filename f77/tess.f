@@ -4391,8 +4391,10 @@ C     unit at 24).
 C
 C     Cospherical points: the triangulation is the pulling triangulation
 C     in the order of the points' numbers; no tetrahedron is flat.
-C     Cost: about linear in N for points that fill a volume; O(N**2) at
-C     worst for a linear number of tetrahedra.  Section 2 of the paper.
+C     Cost: about linear in N for points that fill a volume or, but for
+C     rounding, lie near up to eight planes and spheres; N**1.5 for
+C     points on other smooth surfaces; O(N**2) at worst for a linear
+C     number of tetrahedra.  Section 2 of the paper.
       SUBROUTINE TESS(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                INFO)
       DOUBLE PRECISION P(3,*), RW(*)
