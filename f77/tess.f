@@ -3485,7 +3485,8 @@ C     triangulations; V is not in that whose lifted facets are the lower
 C     ones, so the one tetrahedron of this that holds S* is one with Z
 C     for a vertex of V.  The height over S* falls with every such step;
 C     three searches without one end it.  First among the points of the
-C     leaf alone: that halves the time.
+C     leaf alone: from anywhere a query takes three times as long
+C     without.
 C
 C     Vertices may be complete, so that no list has them: by the tree
 C     alone.

@@ -293,9 +293,6 @@ static void alone(int kind, tess_int n, const double *p, tess_int want,
                   tess_int *iw, tess_int lrw, double *rw)
 {
     static tess_int tet2[4 * MAXTET], adj2[4 * MAXTET], mine[MOST];
-#ifdef PROVE
-    static const tess_int none[4] = { -1, -1, -1, -1 };
-#endif
     tess_int a[8], v[4], i, nt = 0, asked = 0;
     double c[4], q[3], w[4];
     int code, k;
@@ -327,7 +324,8 @@ static void alone(int kind, tess_int n, const double *p, tess_int want,
             tell("TESSQU", code, want, i);
             continue;
         }
-        prove_place(p, v, none, q, 0, w, code);
+        for (k = 0; k < 4; k++) a[k] = TESS_NONE;
+        prove_place(p, v, a, q, 0, w, code);
         many("TESSQU", 4, v);
         a[0] = code;
         for (k = 0; k < 4; k++) a[1 + k] = near(w[k]);

@@ -912,16 +912,26 @@ static void test_codes(void)
                          rw);
         require(code == want && (ntet == i || k == 0), "part's code");
     }
-    /* two tetrahedra on one side of an open facet */
-    ntet = 2;
-    memcpy(tet, m.tet, 4 * sizeof *tet);
-    memcpy(tet + 4, m.tet, 4 * sizeof *tet);
-    for (i = 0; i < 8; i++) adj[i] = TESS_OPEN;
-    code = tess_resume(m.n, p, big, &ntet, tet, adj, m.liw, ints(m.liw),
-                       m.lrw, (double *)array((size_t)m.lrw * sizeof *rw));
-    require(code == -6 && ntet == 2, "resume -6");
-    for (i = 0; i < 8; i++)
-        require(adj[i] == TESS_OPEN && tet[i] == m.tet[i % 4], "it writes");
+    /* two tetrahedra on one side of an open facet: in the link of the last
+     * one's first vertex, and in the pool */
+    for (k = 2; k <= 3; k++) {
+        ntet = k;
+        for (i = 0; i < 12; i++) adj[i] = TESS_OPEN;
+        memcpy(tet, m.tet, 4 * sizeof *tet);
+        memcpy(tet + 4, m.tet, 4 * sizeof *tet);
+        for (i = 0; i < big; i++)
+            if (m.tet[4 * i] != tet[0] && m.tet[4 * i] != tet[1] &&
+                m.tet[4 * i] != tet[2] &&
+                m.tet[4 * i] != tet[3])
+                memcpy(tet + 8, m.tet + 4 * i, 4 * sizeof *tet);
+        code = tess_resume(m.n, p, big, &ntet, tet, adj, m.liw, ints(m.liw),
+                           m.lrw,
+                           (double *)array((size_t)m.lrw * sizeof *rw));
+        require(code == -6 && ntet == k, "resume -6");
+        for (i = 0; i < 4 * k; i++)
+            require(adj[i] == TESS_OPEN && (i > 7 || tet[i] == m.tet[i % 4]),
+                    "it writes");
+    }
     /* none asked for */
     for (i = 0; i < m.n; i++) mine[i] = 0;
     ntet = 0;
