@@ -2062,7 +2062,7 @@ static void remember(const mesh *m, quest *f, tess_int z, int open)
 {
     int i;
 
-    if (m->link[z] == DONE || (m->nsupport > 0 && m->mark[z] > 0)) return;
+    if (m->nsupport > 0 && m->mark[z] > 0) return;
     if (f->opened == 0 || open > f->open) {
         f->open = open;
         f->opened = f->nsome = 0;
@@ -2095,18 +2095,20 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     }
     sign = side;
     unsure = side != SURE && f->best != NONE && hi >= f->lo;
-    if ((side == 0 || unsure) && m->seek) remember(m, f, z, 1);
-    if (f->limbs && (side == 0 || unsure)) {
-        COUNT(N_TRIAL, 1);
-        hh_trial(&m->set, &f->t, z, &sign, &power);
-        HOLDS(sign == UNSURE ||
-              sign == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
+    if (side == 0 || unsure) {
+        if (m->seek) remember(m, f, z, 1);
+        if (f->limbs) {
+            COUNT(N_TRIAL, 1);
+            hh_trial(&m->set, &f->t, z, &sign, &power);
+            HOLDS(sign == UNSURE ||
+                  sign == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
+        }
+        if (sign == 0 || sign == UNSURE) {
+            COUNT(N_SIDE, 1);
+            sign = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
+        }
+        if (sign <= 0) return;
     }
-    if (sign == 0 || sign == UNSURE) {
-        COUNT(N_SIDE, 1);
-        sign = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
-    }
-    if (sign <= 0) return;
     if (unsure) {
         f->asked += m->set.t5 < PLAIN;
         if (power == UNSURE) {
@@ -2442,7 +2444,7 @@ static void treesearch(const mesh *m, quest *f)
             nearleaf(m, f, node, i, last);
         else
             scanleaf(m, f, i, last, b);
-        if (m->seek) remember(m, f, i, 0);
+        if (m->seek && m->link[i] != DONE) remember(m, f, i, 0);
     }
 }
 

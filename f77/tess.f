@@ -2786,10 +2786,10 @@ C     what they leave open limits the better one by the other.
         IF (RCTL(RSEEK) .GT. 0.0D0) CALL TSREME(MARK, RCTL, IQ, Z, 1)
         IF (IQ(QLIMBS) .EQ. 1)
      $      CALL HHTRIA(P, ORD, FQ, QLIMB, Z, SGN, POWER)
+        IF (SGN .EQ. 0 .OR. SGN .EQ. UNSURE) SGN = HHPSID(X, P, ORD,
+     $      RCTL(T3), V(1), V(2), V(3), Z)
+        IF (SGN .LE. 0) RETURN
       END IF
-      IF (SGN .EQ. 0 .OR. SGN .EQ. UNSURE) SGN = HHPSID(X, P, ORD,
-     $    RCTL(T3), V(1), V(2), V(3), Z)
-      IF (SGN .LE. 0) RETURN
       IF (OPEN .EQ. 1) THEN
         IF (RCTL(T5) .LT. PLAIN) IQ(QASKED) = IQ(QASKED) + 1
         IF (POWER .EQ. UNSURE) POWER = 1 - 2*HHPBEA(X, P, ORD,
