@@ -43,6 +43,8 @@
  *        the rest    the arena, pool: entries of the hash table grow up from
  *                    its beginning, m of them; edges of the link grow down
  *                    from its end, newest the lowest
+ *        extra mark  marks for supports, where that leaves the pool as long
+ *                    as tess_size says
  *   rw   3 n x       scaled coordinates by position
  *        12 L box    box of each node of the tree
  *

@@ -71,6 +71,8 @@ C            the rest     the arena, POOL: entries of the table grow
 C                         up from its beginning, MPOOL of them; edges of
 C                         the link grow down from its end, NEWEST the
 C                         lowest
+C            TSEXTR MARK  marks for supports, where that leaves the pool
+C                         as long as TESSWK says
 C       RW   3 N X        scaled coordinates by position
 C            12 L BOX     box of each node of the tree
 C
@@ -196,7 +198,7 @@ C       RBURDN  comparisons left open;  RPATIE how many may be, over NP
 C     A support J, a plane or a sphere that many points are near to, is
 C     behind RCTL(RSUP + LSUP*(J-1)).  Mark K, 0 ... GRAINS - 1, of one
 C     of them is a height between SLOW + (K - 1/2) SGRAIN and SLOW + (K
-C     + 3/2) SGRAIN, SLOW < 0.  Its ball (see HHCENT) is the first:
+C     + 3/2) SGRAIN, SLOW < 0.  It begins with a ball (see HHCENT):
 C       SPLANE  1, or 0 for a sphere
 C       SSIGN   of a height by limbs
 C       SAT, SC, SSIZE  seen from what is behind SAT: behind SC the unit
@@ -281,6 +283,7 @@ C               not of points in so few units (T5 at least PLAIN) that
 C               doubles decide these, which takes less time
 C       MUCH    pool that is recommended beyond 4 N in any case, up to
 C               8 N
+C       SURE    what TSSHAR answers for a better point
 C       INTMAX  the largest integer
 C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
 C       MORE, FULL, PLANAR, LINEAR, SINGLE, RANGE  the codes 1 to 6 of
@@ -2157,7 +2160,7 @@ C     the farthest one, and what is left of all
 
 C     TSDISC - find a support for the points that a search left open:
 C     mark those near to it that have no mark yet, and find the least
-C     height of each node's.
+C     height of each node.
       SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55)
@@ -2243,8 +2246,8 @@ C     one, and its tilt.  Its error: the tilt is out of the plane by the
 C     roundings of the edges; in it, its products with the edges miss
 C     the differences of heights by r0, r1, and a vector whose products
 C     with unit vectors at an angle are r0, r1 is no longer than (|r0| +
-C     |r1|) / sine of it.  DET errs by less than 1/100, where its sine
-C     is that of no needle.
+C     |r1|) / sine of it.  DET errs by less than 1/100, as no needle is
+C     let through.
       SUBROUTINE TSLEAN(X, P, ORD, MARK, RCTL, V, IQ, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), FQ(168)
       INTEGER ORD(*), MARK(*), V(3), IQ(55)
@@ -2417,7 +2420,7 @@ C     sphere's.  g errs by E and some roundings.
       END IF
       END
 
-C     TSSIGH - make the tests of promise for the best point there is.
+C     TSSIGH - make the tests of TSPROM for the best point there is.
 C     For a point better than it, of L-coordinate at most k, side > 0
 C     and N - 2 k side <= 0, N being the power in the ball of L = 0.  So
 C     there is none where
