@@ -8,6 +8,7 @@
 # make mutation    which changes of it they notice: sh test/mutate.sh
 # make bench       the timings
 # make paper       the experiments of the paper: test/paper/results.txt
+# make reach       other machines and compilers: the README's tables
 # make manual      write f77/README anew, from f77/tess.f and hhpred.f
 # make mirror      write test/data/mirror.xyz anew
 # make clean       remove build/
@@ -120,6 +121,9 @@ bench: all
 paper:
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
 
+reach:
+	CC="$(CC)" sh test/reach.sh
+
 manual:
 	sh test/manual.sh > f77/README
 
@@ -133,4 +137,4 @@ help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
 .PHONY: all always run examples pictures check torture coverage mutation bench paper \
-    manual mirror clean help
+    reach manual mirror clean help
