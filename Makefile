@@ -10,6 +10,7 @@
 # make bench       the timings; FAMILY=globe of these points alone, SIZES=all of
 #                  large sets, too; test/bench.sh says more
 # make paper       the experiments of the paper: test/paper/results.txt
+# make reach       other machines and compilers: the README's tables
 # make manual      write f77/README anew, from f77/tess.f and hhpred.f
 # make mirror      write test/data/mirror.xyz anew
 # make clean       remove build/
@@ -127,6 +128,9 @@ bench: all
 paper:
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
 
+reach:
+	CC="$(CC)" sh test/reach.sh
+
 manual:
 	sh test/manual.sh > f77/README
 
@@ -140,4 +144,4 @@ help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
 .PHONY: all always run examples pictures check torture certify coverage \
-    mutation bench paper manual mirror clean help
+    mutation bench paper reach manual mirror clean help

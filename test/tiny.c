@@ -3,11 +3,26 @@
  *
  * Writes the same with every compiler.  On an AVR, where int has 16 bits and
  * double 24, it writes to the first serial port and then sleeps with the
- * interrupts off, which ends simavr; see check.sh.
+ * interrupts off, which ends simavr; see check.sh.  On a Cortex-M cortex.c
+ * writes.  With -DPAINT on both the last line is the bytes of stack in use at
+ * most, what has been painted before and is no longer, with a set besides that
+ * takes all the limbs there are.
  */
 #include "../tess.h"
 
+#ifdef PAINT
 #ifdef __AVR__
+#define LOW __heap_start
+#else
+#define LOW bss_end
+#endif
+extern char LOW[];
+#define COLOUR 0x5a
+#endif
+
+#if defined(__arm__) && !defined(__linux__)
+void put(char c);
+#elif defined(__AVR__)
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>
@@ -29,8 +44,8 @@ static void put(char c)
 
 #define POINTS 24
 #define TETS 120
-#define LIW 1300 /* at least what tess_size recommends */
-#define LRW 100
+#define LIW TESS_LIW(POINTS)
+#define LRW TESS_LRW(POINTS)
 
 static tess_real p[3 * POINTS];
 static tess_int tet[4 * TETS], adj[4 * TETS], iw[LIW];
@@ -54,7 +69,7 @@ static void number(long n)
 }
 
 /* points - kind 0 general, 1 of a lattice with duplicates, 2 flat, 3 with
- * fractions. */
+ * fractions, 4 of magnitudes far apart. */
 static void points(int kind, unsigned long *state)
 {
     long r;
@@ -66,8 +81,12 @@ static void points(int kind, unsigned long *state)
         if (kind == 1) r %= 3;
         if (kind == 3) r %= 200;
         p[i] = (tess_real)r;
+        if (kind == 4) r = r % 64 + 1;
         if (kind == 2 && i % 3 == 2) p[i] *= (tess_real)(1.0 / 1048576.0);
         if (kind == 3) p[i] *= (tess_real)(1.0 / 8.0);
+        if (kind == 4)
+            for (r = i % 4 * (sizeof p[i] > 4 ? 300 : 25); r > 0; r--)
+                p[i] *= (tess_real)0.5;
     }
 }
 
@@ -77,6 +96,11 @@ int main(void)
     unsigned long state = 1;
     long sum;
     int kind, code;
+#ifdef PAINT
+    volatile char here, *c;
+
+    for (c = LOW; c < &here - 64; c++) *c = COLOUR;
+#endif
 
 #ifdef __AVR__
     UBRR0L = 0;
@@ -97,6 +121,13 @@ int main(void)
         number(tess_check(POINTS, p, ntet, tet, adj, LIW, iw, &bad));
         put('\n');
     }
+#ifdef PAINT
+    points(4, &state);
+    tess(POINTS, p, TETS, &ntet, tet, adj, LIW, iw, LRW, rw);
+    for (c = LOW; *c == COLOUR; c++) continue;
+    number((long)(&here - c));
+    put('\n');
+#endif
 #ifdef __AVR__
     cli();
     sleep_enable();
