@@ -196,6 +196,10 @@ extern void tess_prove(int fact);
                                                            : 2048L))
 /* Added where a node has points above that. */
 #define ABOVE (GRAINS + 2)
+/* With short lists, for small machines, the code for supports is left out. */
+#define SEEK(m) (TESS_LIST >= 128 && (m)->seek)
+#define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
+#define LEANING(f) (TESS_LIST >= 128 && (f)->near != NONE)
 /* Hull planes that are remembered. */
 #define PLANES 4
 /* Integers of an entry of the pool, and of an edge of the link. */
@@ -2089,7 +2093,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     int side = hh_limits(f->f, m->x + 3 * z, &lo, &hi), sign, unsure;
     int power = UNSURE;
 
-    if (f->near != NONE && side >= 0)
+    if (LEANING(f) && side >= 0)
         side = sharpen(m, f, z, side, &lo, &hi);
     if (side < 0 || (f->best != NONE && lo > f->hi)) {
         HOLDS(!better(m, f, z));
@@ -2098,7 +2102,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     sign = side;
     unsure = side != SURE && f->best != NONE && hi >= f->lo;
     if (side == 0 || unsure) {
-        if (m->seek) remember(m, f, z, 1);
+        if (SEEK(m)) remember(m, f, z, 1);
         if (f->limbs) {
             COUNT(N_TRIAL, 1);
             hh_trial(&m->set, &f->t, z, &sign, &power);
@@ -2416,7 +2420,7 @@ static void treesearch(const mesh *m, quest *f)
     int depth = 1, n;
 
     stack[0] = 1;
-    if (f->near == NONE) {
+    if (!LEANING(f)) {
         node = m->leaves + leafof(m, f->v[0]);
         for (i = node, depth = 0; i > 1; i /= 2) depth++;
         n = depth;
@@ -2428,25 +2432,25 @@ static void treesearch(const mesh *m, quest *f)
         COUNT(N_NODE, 1);
         b = m->box + 6 * node;
         if (m->alive[node] == 0 || prunebox(f, b, b + 3)) continue;
-        if (m->nsupport > 0 &&
-            ((f->near != NONE && promise(m, f, node) > 0.0) ||
+        if (SUPPORTED(m) &&
+            ((LEANING(f) && promise(m, f, node) > 0.0) ||
              aside(m, f, node))) {
             HOLDS(barren(m, f, node));
             continue;
         }
         if (node < m->leaves) {
-            n = f->near != NONE && m->supports[f->near].least[2 * node] <
+            n = LEANING(f) && m->supports[f->near].least[2 * node] <
                                        m->supports[f->near].least[2 * node + 1];
             stack[depth++] = 2 * node + n;
             stack[depth++] = 2 * node + 1 - n;
             continue;
         }
         span(m, node, &i, &last);
-        if (f->near != NONE && f->ntests > 0)
+        if (LEANING(f) && f->ntests > 0)
             nearleaf(m, f, node, i, last);
         else
             scanleaf(m, f, i, last, b);
-        if (m->seek && m->link[i] != DONE) remember(m, f, i, 0);
+        if (SEEK(m) && m->link[i] != DONE) remember(m, f, i, 0);
     }
 }
 
@@ -2489,7 +2493,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     f->dc = f->size = f->c[0] = f->c[1] = f->c[2] = 0.0;
     hh_setup(a, b, c, f->f);
     if (f->f[9] < 8000.0 * EPS) {
-        if (m->nsupport > 0) lean(m, f);
+        if (SUPPORTED(m)) lean(m, f);
         return;
     }
     for (k = 0; k < 3; k++) {
@@ -2505,7 +2509,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
         hh_setup(c, a, b, f->f);
     }
     if (f->f[9] > THIN) hh_thin(&m->set, v, f->base, f->f);
-    if (m->nsupport > 0) lean(m, f);
+    if (SUPPORTED(m)) lean(m, f);
 }
 
 #ifdef TESS_PROVE
@@ -2538,7 +2542,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
             guess[k] != f.best)
             challenge(m, &f, guess[k]);
     /* a ball that is a support's sphere but for rounding is in no list */
-    lists = f.near == NONE || m->supports[f.near].plane ||
+    lists = !LEANING(&f) || m->supports[f.near].plane ||
             (f.best != NONE && f.ehi == DBL_MAX);
     if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);
@@ -2552,7 +2556,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     }
     COUNT(N_TREE, 1);
     treesearch(m, &f);
-    if (f.opened > OPENED && m->seek) {
+    if (f.opened > OPENED && SEEK(m)) {
         m->burden += (double)f.opened;
         if (m->burden > m->patience * (double)m->np) {
             k = m->nsupport;
@@ -2763,7 +2767,7 @@ static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
 /* extra - integers that supports take, for as many points as may need them. */
 static tess_int extra(tess_int n)
 {
-    return n < ENOUGH ? 0 : n + 2 * (SUPPORTS + 1) * leafcount(n);
+    return TESS_LIST < 128 || n < ENOUGH ? 0 : n + 2 * (SUPPORTS + 1) * leafcount(n);
 }
 
 /* collect - the points that stand for themselves, in their order. */
