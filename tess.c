@@ -2767,7 +2767,8 @@ static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
 /* extra - integers that supports take, for as many points as may need them. */
 static tess_int extra(tess_int n)
 {
-    return TESS_LIST < 128 || n < ENOUGH ? 0 : n + 2 * (SUPPORTS + 1) * leafcount(n);
+    if (TESS_LIST < 128 || n < ENOUGH) return 0;
+    return n + 2 * (SUPPORTS + 1) * leafcount(n);
 }
 
 /* collect - the points that stand for themselves, in their order. */
