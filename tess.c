@@ -1648,6 +1648,7 @@ static int fit(mesh *m, const quest *f, support *s)
     for (k = 0; k < 3; k++) s->at[k] = m->x[3 * v[0] + k];
     for (i = 0; i < n; i++) {
         x = fabs(hh_height(&m->set, &s->t, f->some[i], s->plane, &err));
+        if (err > 1.0) return 0;
         if (err > worst) worst = err;
         for (k = (int)i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
         h[k] = x;

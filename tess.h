@@ -146,7 +146,8 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
  *                  -2) the index of the first point that has one
  *   tet     (out)  4*maxtet; the first 4*ntet are set
  *   adj     (out)  4*maxtet; the first 4*ntet are set
- *   liw     (in)   length of iw; what exceeds the minimum becomes pool
+ *   liw     (in)   length of iw; what exceeds the minimum becomes pool, and
+ *                  from what tess_size gives on, room for planes and spheres
  *   iw      (out)  workspace.  On return, for each code >= 0 but TESS_RANGE,
  *                  iw[i] is the point that stands for point i: i itself, or
  *                  for a duplicate the least index with the same coordinates

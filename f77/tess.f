@@ -2123,6 +2123,7 @@ C     the farthest one, and what is left of all
       DO 100 I = 1, N
         CALL HHHEIG(P, ORD, RCTL, AT, IQ(QSOME+I), PLANE, D, ERR)
         D = ABS(D)
+        IF (ERR .GT. 1.0D0) RETURN
         WORST = MAX(WORST, ERR)
         K = I
    90   IF (K .GT. 1) THEN
@@ -4370,7 +4371,8 @@ C                      (INFO = -2) the first point that has one
 C       TET     (out)  4*MAXTET; the first 4*NTET are set
 C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
 C       LIW     (in)   length of IW; what exceeds the minimum becomes
-C                      pool
+C                      pool, and from what TESSWK gives on, room for
+C                      planes and spheres
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
 C                      IW(I) is the point that stands for point I: I
 C                      itself, or for a duplicate the least one with the
