@@ -77,8 +77,8 @@
  *   pool         outfac facet owner hashkey same find insert erase rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
  *   apex         powererr extent prunebox prunepart ballinbox ballinstar better
- *                narrow refine rough level fit discover lean residual sharpen
- *                sight lowest promise face aside remember challenge consider
+ *                narrow refine rough level remember fit discover lean residual
+ *                sharpen sight lowest promise face aside challenge consider
  *                ballcoef starcoef inball considerall likeliest anypoint instar
  *                inblock scanleaf nearleaf barren treesearch onhull prepare
  *                proven apex
@@ -1608,6 +1608,28 @@ static int level(const mesh *m, int j, tess_int z, double *h, double *err)
     return *err <= s->grain && fabs(*h) <= -s->low;
 }
 
+/* remember - z among the points that Householder left open, or one of two, of
+ * four ... of them; until there are such, instead, points of leaves where the
+ * search went. */
+static void remember(const mesh *m, quest *f, tess_int z, int open)
+{
+    int i;
+
+    if (m->nsupport > 0 && m->mark[z] > 0) return;
+    if (f->opened == 0 || open > f->open) {
+        f->open = open;
+        f->opened = f->nsome = 0;
+        f->stride = 1;
+    }
+    if (open < f->open || f->opened++ % f->stride != 0) return;
+    if (f->nsome == SOME) {
+        f->nsome = SOME / 2;
+        f->stride *= 2;
+        for (i = 1; i < SOME / 2; i++) f->some[i] = f->some[2 * i];
+    }
+    f->some[f->nsome++] = z;
+}
+
 /* fit - set up a support through the widest of the points that a search left
  * open, for heights of at most 8 times those of three quarters of them. */
 static int fit(mesh *m, const quest *f, support *s)
@@ -1671,7 +1693,7 @@ static int fit(mesh *m, const quest *f, support *s)
 
 /* discover - find a support for the points that a search left open: mark those
  * near to it that have no mark yet, and find the least height of each node. */
-static void discover(mesh *m, const quest *f)
+static void discover(mesh *m, quest *f)
 {
     support *s = m->supports + m->nsupport;
     tess_int node, i, last, mark, members = 0;
@@ -1681,6 +1703,13 @@ static void discover(mesh *m, const quest *f)
     if (m->nsupport == 0)
         for (i = 0; i < m->np + 2 * m->leaves; i++) m->mark[i] = 0;
     if (!fit(m, f, s)) return;
+    /* a sample of all that is near, as that may be of a corner */
+    f->opened = 0;
+    for (i = 0; i < m->np; i += m->np / 1024 + 1)
+        if (m->link[i] != DONE &&
+            fabs(rough(m, s, i, &err)) <= err - 2.0 * s->low)
+            remember(m, f, i, 1);
+    if (f->opened > OPENED && !fit(m, f, s)) return;
     m->pure = m->mark + m->np;
     s->least = m->pure + 2 * m->leaves * (m->nsupport + 1);
     for (node = 2 * m->leaves - 1; node > 0; node--) {
@@ -2060,28 +2089,6 @@ static int aside(const mesh *m, quest *f, tess_int node)
     if (t->turn != f->turn) face(m, f, j, t);
     sum = t->bias + lowest(f, m->box + 6 * node, t->q, t->d, &size);
     return sum > 16.0 * EPS * (t->q + 1.0) * size * size + size * t->dd + FAINT;
-}
-
-/* remember - z among the points that Householder left open, or one of two, of
- * four ... of them; until there are such, instead, points of leaves where the
- * search went. */
-static void remember(const mesh *m, quest *f, tess_int z, int open)
-{
-    int i;
-
-    if (m->nsupport > 0 && m->mark[z] > 0) return;
-    if (f->opened == 0 || open > f->open) {
-        f->open = open;
-        f->opened = f->nsome = 0;
-        f->stride = 1;
-    }
-    if (open < f->open || f->opened++ % f->stride != 0) return;
-    if (f->nsome == SOME) {
-        f->nsome = SOME / 2;
-        f->stride *= 2;
-        for (i = 1; i < SOME / 2; i++) f->some[i] = f->some[2 * i];
-    }
-    f->some[f->nsome++] = z;
 }
 
 /* challenge - take z if it is on the open side and beats the best point there

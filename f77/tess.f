@@ -120,9 +120,9 @@ C         starlist TSSTLI
 C       apex: powererr TSPOWE, extent TSEXTE, prunebox TSPRUN,
 C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
 C         narrow TSNARR, refine TSREFI, rough TSROUG, level TSLEVE,
-C         fit TSFIT, discover TSDISC, lean TSLEAN, residual TSRESI,
-C         sharpen TSSHAR, sight TSSIGH, lowest TSLOWE,
-C         promise TSPROM, face TSFCE, aside TSASID, remember TSREME,
+C         remember TSREME, fit TSFIT, discover TSDISC, lean TSLEAN,
+C         residual TSRESI, sharpen TSSHAR, sight TSSIGH,
+C         lowest TSLOWE, promise TSPROM, face TSFCE, aside TSASID,
 C         challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
 C         starcoef TSSTAC, inball TSINBA, considerall TSCALL,
 C         likeliest TSLIKE, anypoint TSANYP, instar TSINST,
@@ -2051,6 +2051,39 @@ C     twice the height's error.  OK is 1, or 0.
      $    ABS(H) .LE. -RCTL(AT+SLOW)) OK = 1
       END
 
+C     TSREME - Z among the points that Householder left open, or one of
+C     two, of four ... of them; until there are such, instead, points of
+C     leaves where the search went.
+      SUBROUTINE TSREME(MARK, RCTL, IQ, Z, OPEN)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER MARK(*), IQ(55), Z, OPEN
+      INTEGER RSUPP, QOPEN, QOPEND, QSTRID, QNSOME, QSOME, SOME
+      PARAMETER (RSUPP = 6, QOPEN = 20, QOPEND = 21, QSTRID = 22)
+      PARAMETER (QNSOME = 23, QSOME = 23, SOME = 32)
+      INTEGER I
+      IF (RCTL(RSUPP) .GT. 0.0D0) THEN
+        IF (MARK(Z) .GT. 0) RETURN
+      END IF
+      IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
+        IQ(QOPEN) = OPEN
+        IQ(QOPEND) = 0
+        IQ(QNSOME) = 0
+        IQ(QSTRID) = 1
+      END IF
+      IF (OPEN .LT. IQ(QOPEN)) RETURN
+      IQ(QOPEND) = IQ(QOPEND) + 1
+      IF (MOD(IQ(QOPEND) - 1, IQ(QSTRID)) .NE. 0) RETURN
+      IF (IQ(QNSOME) .EQ. SOME) THEN
+        IQ(QNSOME) = SOME/2
+        IQ(QSTRID) = 2*IQ(QSTRID)
+        DO 10 I = 2, SOME/2
+          IQ(QSOME+I) = IQ(QSOME+2*I-1)
+   10   CONTINUE
+      END IF
+      IQ(QNSOME) = IQ(QNSOME) + 1
+      IQ(QSOME+IQ(QNSOME)) = Z
+      END
+
 C     TSFIT - set up a support, behind RCTL(AT), through the widest of
 C     the points that a search left open, for heights of at most 8 times
 C     those of three quarters of them.  OK is 1, or 0.
@@ -2167,11 +2200,11 @@ C     height of each node.
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55)
       INTEGER TSCUBE
       INTEGER NP, LEAVES, RSUPP, RSEEK, RSUP, LSUP, SPLANE, SSIGN, SLOW
-      INTEGER SGRAIN, DONE, SUPPS, GRAINS, ABOVE
+      INTEGER SGRAIN, DONE, SUPPS, GRAINS, ABOVE, OPENED, QOPEND
       PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RSEEK = 7, RSUP = 10)
       PARAMETER (LSUP = 98, SPLANE = 88, SSIGN = 89, SLOW = 97)
       PARAMETER (SGRAIN = 98, DONE = -1, SUPPS = 8, GRAINS = 134217728)
-      PARAMETER (ABOVE = GRAINS + 2)
+      PARAMETER (ABOVE = GRAINS + 2, OPENED = 24, QOPEND = 21)
       DOUBLE PRECISION C, ERR, FINE, GRAIN, H, LOW
       INTEGER AT, FIRST, I, J, K, LAST, LEAST, NEAR, NODE, OK, OVER
       INTEGER PLANE, Z
@@ -2184,6 +2217,19 @@ C     height of each node.
       END IF
       CALL TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
       IF (OK .EQ. 0) RETURN
+C     a sample of all that is near, as that may be of a corner
+      IQ(QOPEND) = 0
+      LOW = RCTL(AT+SLOW)
+      DO 15 I = 1, CTL(NP), CTL(NP)/1024 + 1
+        Z = I
+        CALL TSROUG(X, RCTL, AT, Z, H, ERR)
+        IF (LINK(I) .NE. DONE .AND. ABS(H) .LE. ERR - 2.0D0*LOW)
+     $      CALL TSREME(MARK, RCTL, IQ, Z, 1)
+   15 CONTINUE
+      IF (IQ(QOPEND) .GT. OPENED) THEN
+        CALL TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
+        IF (OK .EQ. 0) RETURN
+      END IF
       PLANE = INT(RCTL(AT+SPLANE))
       LOW = RCTL(AT+SLOW)
       GRAIN = RCTL(AT+SGRAIN)
@@ -2719,39 +2765,6 @@ C     outside of the ball: OUT is 1, or 0.
       SUM = FQ(T+TBIAS) + SUM
       IF (SUM .GT. 16.0D0*EPS*(FQ(T+TQ) + 1.0D0)*SIZE*SIZE +
      $    SIZE*FQ(T+TDD) + FAINT) OUT = 1
-      END
-
-C     TSREME - Z among the points that Householder left open, or one of
-C     two, of four ... of them; until there are such, instead, points of
-C     leaves where the search went.
-      SUBROUTINE TSREME(MARK, RCTL, IQ, Z, OPEN)
-      DOUBLE PRECISION RCTL(*)
-      INTEGER MARK(*), IQ(55), Z, OPEN
-      INTEGER RSUPP, QOPEN, QOPEND, QSTRID, QNSOME, QSOME, SOME
-      PARAMETER (RSUPP = 6, QOPEN = 20, QOPEND = 21, QSTRID = 22)
-      PARAMETER (QNSOME = 23, QSOME = 23, SOME = 32)
-      INTEGER I
-      IF (RCTL(RSUPP) .GT. 0.0D0) THEN
-        IF (MARK(Z) .GT. 0) RETURN
-      END IF
-      IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
-        IQ(QOPEN) = OPEN
-        IQ(QOPEND) = 0
-        IQ(QNSOME) = 0
-        IQ(QSTRID) = 1
-      END IF
-      IF (OPEN .LT. IQ(QOPEN)) RETURN
-      IQ(QOPEND) = IQ(QOPEND) + 1
-      IF (MOD(IQ(QOPEND) - 1, IQ(QSTRID)) .NE. 0) RETURN
-      IF (IQ(QNSOME) .EQ. SOME) THEN
-        IQ(QNSOME) = SOME/2
-        IQ(QSTRID) = 2*IQ(QSTRID)
-        DO 10 I = 2, SOME/2
-          IQ(QSOME+I) = IQ(QSOME+2*I-1)
-   10   CONTINUE
-      END IF
-      IQ(QNSOME) = IQ(QNSOME) + 1
-      IQ(QSOME+IQ(QNSOME)) = Z
       END
 
 C     TSCHAL - take Z if it is on the open side and beats the best point
