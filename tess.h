@@ -238,8 +238,8 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  *   p       (in)   3*n coordinates; tess_query and tess_part need them as they
  *                  are now
  *   liw     (in)   length of iw; what tess_size recommends suffices, but for
- *                  tess_query alone 2*n + n/12 + 6 does, too
- *   iw      (out)  the index, in its first 2*n + n/12 + 6 places; for each code
+ *                  tess_query alone 2*n + n/12 + 7 does, too
+ *   iw      (out)  the index, in its first 2*n + n/12 + 7 places; for each code
  *                  >= 0 but TESS_RANGE iw[i] is the place of point i in the
  *                  sorted order, or of the point that stands for it: 0 ...
  *                  (from Fortran 1 ...).  Points of near places are near

@@ -4466,8 +4466,8 @@ C       N       (in)   number of points, >= 0
 C       P       (in)   3*N coordinates; TESSQU and TESSPA need them as
 C                      they are now
 C       LIW     (in)   length of IW; what TESSWK recommends suffices,
-C                      but for TESSQU alone 2*N + N/12 + 6 does, too
-C       IW      (out)  the index, in its first 2*N + N/12 + 6 places;
+C                      but for TESSQU alone 2*N + N/12 + 7 does, too
+C       IW      (out)  the index, in its first 2*N + N/12 + 7 places;
 C                      for each INFO >= 0 but 6, IW(I) is the place of
 C                      point I in the sorted order, or of the point that
 C                      stands for it: 1, 2, ...  Points of near places

@@ -336,7 +336,8 @@ awk '{
         c["exact"] + c["sides"] + c["trials"], c["pool"]
 }' build/bench_counts.txt
 
-# Location: queries in spatial order from the last answer, and from nowhere.
+# Location: queries in spatial order from the last answer, and from nowhere; in
+# the mesh, and by tess_query without one.
 [ -z "$FAMILY" ] || exit 0
 # shellcheck disable=SC2086
 $CC $CFLAGS -o build/bench_locate test/locate.c test/points.c tess.c hhpred.c \

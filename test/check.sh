@@ -366,6 +366,26 @@ for example in interp poisson embedded surface parts stream sensor derived \
     fi
 done
 
+# ---- points spread over processes ----
+
+if command -v mpicc > /dev/null &&
+    mpirun --version 2> /dev/null | grep "Open MPI" > /dev/null; then
+    # (mpi.h itself has long long)
+    if build spread mpicc "$STRICT -Wno-long-long -O2 -I." test/mpi/spread.c \
+        test/points.c $HARD; then
+        for processes in 1 2 3 4; do
+            one "MPI: $processes processes" mpirun --oversubscribe \
+                --allow-run-as-root --timeout 300 -np $processes build/spread \
+                uniform 1000 clusters 1000 lattice 1000 latticeshuf 512 \
+                gradedrot 512 cubegrid 500
+        done
+    else
+        fail "MPI: spread.c does not compile"
+    fi
+else
+    skip "MPI: no Open MPI"
+fi
+
 # The README's C program: its input a plane grid of 9 x 11 points, of which
 # every one of the 160 triangles makes a tetrahedron with the point off it.
 awk 'BEGIN { for (i = 0; i < 99; i++) print i % 9, int(i / 9), 0

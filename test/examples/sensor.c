@@ -21,7 +21,7 @@
 #endif
 
 #define N 100
-#define LIW (2 * N + N / 12 + 6)
+#define LIW (2 * N + N / 12 + 7)
 #define LRW (3 * N + N / 2 + 12)
 
 static tess_real p[3 * N];

@@ -1,5 +1,5 @@
 /* cgalloc.cpp - cgalloc FAMILY N: CGAL's locate on the queries of
- * ../locate.c, hinted by the last cell and unhinted; the same line. */
+ * ../locate.c, hinted by the last cell and unhinted; a line of the same form. */
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Delaunay_triangulation_3.h>
 #include <vector>
