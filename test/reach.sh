@@ -1,6 +1,7 @@
 #!/bin/sh
-# reach.sh - on which machines and compilers tess gives the same arrays, and what
-# it takes on small ones; writes the tables between the lines `reach' of README.md.
+# reach.sh - on which machines and compilers tess gives the same arrays, and
+# what it takes on small ones; writes the tables between the lines `reach' of
+# README.md.
 #
 # Run from the top directory: make reach.  Toolchains are Debian's; the packages
 # are named in .ci/run and below.  One that is missing is a row that says so.
@@ -69,7 +70,7 @@ machines() {
     row "gcc -O2, x87 unit of x86-64" "" gcc -O2 -mfpmath=387
     while read -r name triple qemu flags; do
         SYSROOT=/usr/$triple
-            row "gcc $flags, $name" qemu-$qemu $triple-gcc $flags
+            row "gcc $flags, `echo $name | sed 's/,/, /g; s/_/ /g'`" qemu-$qemu $triple-gcc $flags
     done << END
 i686,x87_unit i686-linux-gnu i386 -O2
 68k,80-bit_unit,big-endian m68k-linux-gnu m68k -O2
