@@ -1598,7 +1598,8 @@ static int level(const mesh *m, int j, tess_int z, double *h, double *err)
     tess_int mark = m->mark[z] - 1;
 
     if (mark >= 0 && mark % SUPPORTS == j) {
-        *h = s->low + s->grain * ((double)(mark / SUPPORTS) + 0.5);
+        mark /= SUPPORTS;
+        *h = s->low + s->grain * ((double)mark + 0.5);
         *err = s->grain;
         return 1;
     }
@@ -1770,22 +1771,22 @@ static void discover(mesh *m, quest *f)
 static void lean(const mesh *m, quest *f)
 {
     const double *b = m->x + 3 * f->v[f->base], *p;
-    double a[2][3], h[3], err[3], n[2], t[2], ab = 0.0, det, size, r;
+    double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2], ab = 0.0, det, size, r;
     tess_int mark;
-    int i, k;
+    int i, k, near = NONE;
 
     f->aimed = 0;
     for (k = 0; k < m->nsupport; k++) f->slabs[k].turn = 0;
-    for (i = 0; i < 3 && f->near == NONE; i++) {
+    for (i = 0; i < 3 && near == NONE; i++) {
         mark = m->mark[f->v[i]] - 1;
         if (mark < 0) continue;
         for (k = 0; k < 3; k++)
             if (!level(m, (int)(mark % SUPPORTS), f->v[(f->base + k) % 3],
                        h + k, err + k))
                 break;
-        if (k == 3) f->near = (int)(mark % SUPPORTS);
+        if (k == 3) near = (int)(mark % SUPPORTS);
     }
-    if (f->near == NONE) return;
+    if (near == NONE) return;
     for (i = 0; i < 2; i++) {
         p = m->x + 3 * f->v[(f->base + 1 + i) % 3];
         n[i] = 0.0;
@@ -1797,10 +1798,8 @@ static void lean(const mesh *m, quest *f)
     }
     for (k = 0; k < 3; k++) ab += a[0][k] * a[1][k];
     det = n[0] * n[1] - ab * ab;
-    if (det < 1e4 * EPS * n[0] * n[1] || det < FAINT) {
-        f->near = NONE;
-        return;
-    }
+    if (det < 1e4 * EPS * n[0] * n[1] || det < FAINT) return;
+    f->near = near;
     t[0] = (h[1] * n[1] - h[2] * ab) / det;
     t[1] = (h[2] * n[0] - h[1] * ab) / det;
     size = 0.0;
@@ -2388,7 +2387,8 @@ static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
             w0 = q[0] - f->f[6];
             w1 = q[1] - f->f[7];
             w2 = q[2] - f->f[8];
-            h = s->low + s->grain * ((double)(mark / SUPPORTS) + 0.5) - f->h;
+            mark /= SUPPORTS;
+            h = s->low + s->grain * ((double)mark + 0.5) - f->h;
             for (k = 0, t = f->tests; k < f->ntests; k++, t++)
                 if (t->a * h + t->bias + w0 * (t->q * w0 - t->d[0]) +
                         w1 * (t->q * w1 - t->d[1]) +
