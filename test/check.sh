@@ -382,6 +382,20 @@ if command -v mpicc > /dev/null &&
     else
         fail "MPI: spread.c does not compile"
     fi
+    if ! command -v mpif77 > /dev/null; then
+        skip "MPI: no mpif77"
+    elif build spreadf mpif77 "-O2 -frecursive" test/mpi/spread.f f77/tess.f \
+        f77/hhpred.f; then
+        for processes in 1 2 3 4; do
+            one "MPI, FORTRAN 77: $processes processes" sh -c "mpirun \
+                --oversubscribe --allow-run-as-root --timeout 300 \
+                -np $processes build/spreadf > build/spreadf.txt
+                cat build/spreadf.txt
+                grep '^all are the mesh' build/spreadf.txt"
+        done
+    else
+        fail "MPI: spread.f does not compile"
+    fi
 else
     skip "MPI: no Open MPI"
 fi
