@@ -1771,7 +1771,8 @@ static void discover(mesh *m, quest *f)
 static void lean(const mesh *m, quest *f)
 {
     const double *b = m->x + 3 * f->v[f->base], *p;
-    double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2], ab = 0.0, det, size, r;
+    double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2], ab = 0.0;
+    double det, size, r;
     tess_int mark;
     int i, k, near = NONE;
 
