@@ -344,7 +344,7 @@ twins() {
 }
 twins tess "point|coords|four|better|proven" \
     "TSPDIS|TSLINE|TSMESH|TSORIQ|TSORIP"
-twins hhpred "held|shift" "HHKIND"
+twins hhpred "held|shift|least" "HHKIND"
 
 # ---- the same results as the C half ----
 
