@@ -1,9 +1,9 @@
 /* hhpred.c - predicates for a handful of points in space; see hhpred.h.
  *
  * Order of the routines, here and in f77/hhpred.f:
- *   exact numbers     nearest split carry zeros signof spread volume ball
- *                     limbsg limbs3 limbs10 limbsx centre leading weight
- *                     shift exact
+ *   exact numbers     nearest carry zeros shift split signof spread least
+ *                     volume ball limbsg limbs3 limbs10 limbsx centre leading
+ *                     weight exact
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       certain filt3 filt5 opposite pack scale hh_orient
  *                     hh_insphere hh_flat hh_line widersg hh_wider hh_range
@@ -80,6 +80,11 @@ typedef long whole;
 
 #define ROWS1 10
 #define ROWS2 20
+/* Leading rows of ball that are tried first: with 5 a third of the signs on a
+ * rotated grid came out, with 6 98 %, with 7 99 %.  BOUND is what the sum may
+ * err by then. */
+#define LEAD 6
+#define BOUND (32.0 * LEAD * BASE)
 /* Limbs that hold the value of a number to a double's precision. */
 #define LEADING (DBL_MANT_DIG / HH_BITS + 2)
 
@@ -90,50 +95,6 @@ static double nearest(double q)
     return (double)((whole)(q + (CARRY + 0.5)) - (whole)CARRY);
 }
 
-/* split - the n limbs of x, step apart, limb 0 of weight top, a power of two,
- * |x| <= top BASE/4.  Returns how many are in use, or n + 1 when n do not
- * hold x.
- *
- * What is left of x after a limb has no bits below those of x, and is exact as
- * long as it is no larger than x: so a limb is 0 for an x of less than half its
- * weight, even if rounding would make that a half. */
-static int split(double x, double top, int n, int step, double *limb)
-{
-    double unit, c;
-    int i = 0, used;
-
-    if (x != 0.0 && fabs(x) < top * (0.5 / SHIFT))
-        for (x *= SHIFT; i < SKIP && i < n; i++) limb[step * i] = 0.0;
-    /* a limb 0 rounded up may weigh more than the largest double */
-    x /= BASE;
-    top /= BASE;
-    unit = 1.0 / top;
-    for (; i < n && x != 0.0; i++) {
-        c = fabs(x) < 0.5 * top ? 0.0 : nearest(x * unit);
-        limb[step * i] = c;
-        x -= c * top;
-        top *= 1.0 / BASE;
-        unit *= BASE;
-    }
-    used = x == 0.0 ? i : n + 1;
-    for (; i < n; i++) limb[step * i] = 0.0;
-    return used;
-}
-
-/* carry - bring the limbs of w numbers, below 2^DBL_MANT_DIG, back to at most
- * BASE/2, from the last one up.  Limb 0 keeps what it gets. */
-static void carry(int n, int w, double *r)
-{
-    double c;
-    int i;
-
-    for (i = w * n - 1; i >= w; i--) {
-        c = nearest(r[i] / BASE);
-        r[i] -= c * BASE;
-        r[i - w] += c;
-    }
-}
-
 /* zeros - r = 0. */
 static void zeros(int n, double *r)
 {
@@ -142,19 +103,83 @@ static void zeros(int n, double *r)
     for (i = 0; i < n; i++) r[i] = 0.0;
 }
 
-/* signof - the sign of r, by Horner's rule from the top: behind a partial sum
- * of more than 2 CARRY units the rest, carried or not, cannot change the
- * sign.  (The last sum may pass 2^DBL_MANT_DIG, up to twice that, and be
- * rounded; the rounding of a number that large does not change its sign,
- * and ends the loop.) */
-static int signof(int n, const double *r)
+/* shift - n coordinates q times SHIFT, one by one (volatile), in the arithmetic
+ * that hh_holds has tried: a compiler may have another one for vectors. */
+static void shift(int n, double *q)
+{
+    volatile double factor = SHIFT;
+    int i;
+
+    for (i = 0; i < n; i++) q[i] *= factor;
+}
+
+/* split - the n limbs of w <= 15 numbers q side by side, limb 0 of weight top,
+ * a power of two, |q| <= top BASE/4.  Returns how many are in use, or n + 1
+ * when n do not hold them.
+ *
+ * What is left of a number after a limb has no bits below its own, and is exact
+ * as long as it is no larger than the number: so a limb is 0 for less than half
+ * its weight, even if rounding would make that a half.  A number whose first
+ * SKIP limbs are 0 is far behind top, and taken up after these. */
+static int split(int w, const double *q, double top, int n, double *limb)
+{
+    double far[15], rest[15], c;
+    int i = 0, k;
+
+    for (k = 0; k < w; k++) {
+        far[k] = q[k];
+        rest[k] = 0.0;
+    }
+    for (k = 0; i < n && k < w; i++, limb += w) {
+        for (k = 0; k < w && i % SKIP == 0; k++)
+            if (fabs(far[k]) < top * (0.5 / SHIFT))
+                shift(1, far + k);
+            else {
+                rest[k] = far[k] / top;
+                far[k] = 0.0;
+            }
+        for (k = 0; k < w; k++) {
+            c = nearest(rest[k]);
+            if (fabs(rest[k]) < 0.5) c = 0.0;
+            limb[k] = c;
+            rest[k] = (rest[k] - c) * BASE;
+        }
+        for (k = 0; k < w && rest[k] == 0.0 && far[k] == 0.0;) k++;
+    }
+    zeros(w * (n - i), limb);
+    return k < w ? n + 1 : i;
+}
+
+/* carry - bring the limbs of w numbers, below 2^DBL_MANT_DIG, back to at most
+ * BASE/2, from the last one up.  Limb 0 keeps what it gets. */
+static void carry(int n, int w, double *r)
+{
+    double c;
+    int i, k;
+
+    for (i = n - 1; i > 0; i--)
+        for (k = w * i; k < w * (i + 1); k++) {
+            c = nearest(r[k] / BASE);
+            r[k] -= c * BASE;
+            r[k - w] += c;
+        }
+}
+
+/* signof - the sign of r, by Horner's rule from the top; if r errs by up to
+ * err > 0 units of its last limb, UNSURE where that could change it.  Behind a
+ * partial sum of more than 2 CARRY + err units neither the rest, carried or
+ * not, nor err can change the sign.  (The last sum may pass 2^DBL_MANT_DIG,
+ * several times that, and be rounded; the rounding of a number that large does
+ * not change its sign, and ends the loop.) */
+static int signof(int n, double err, const double *r)
 {
     double s = 0.0;
     int i;
 
-    for (i = 0; i < n && s <= 2.0 * CARRY && s >= -2.0 * CARRY; i++)
+    for (i = 0; i < n && fabs(s) <= 2.0 * CARRY + err; i++)
         s = s * BASE + r[i];
-    return s > 0.0 ? 1 : s < 0.0 ? -1 : 0;
+    if (fabs(s) <= err) return err > 0.0 ? UNSURE : 0;
+    return s > 0.0 ? 1 : -1;
 }
 
 /* spread - the 3 np coordinates q of np points side by side; of all points
@@ -163,31 +188,32 @@ static int signof(int n, const double *r)
 static int spread(int np, const double *q, double top, int n, double *x)
 {
     const double *last;
-    int w = 3 * np, most = 0, i, k;
+    int w = 3 * np, used = split(w, q, top, n, x), i;
 
-    for (k = 0; k < w && most <= n; k++) {
-        i = split(q[k], top, n, w, x + k);
-        if (i > most) most = i;
-    }
-    for (i = 0; i < most && most <= n; i++, x += w)
-        for (k = 0, last = x + w - 3; k < w - 3; k++) x[k] -= last[k % 3];
-    return most;
+    for (i = 0; i < used && i < n; i++, x += 3)
+        for (last = x + w - 3; x < last; x += 3) {
+            x[0] -= last[0];
+            x[1] -= last[1];
+            x[2] -= last[2];
+        }
+    return used;
 }
 
-/* volume - with n limbs, the sign of the determinant of the rows a-d, b-d,
- * c-d, of points a, b, c, d; UNSURE when n limbs do not hold them.  work: 21n
- * doubles. */
-static int volume(const double *q, double top, int n, double *work)
+/* least - the smaller one of i and k. */
+static int least(int i, int k)
 {
-    double *x = work, *minor, *det, *r;
+    return i < k ? i : k;
+}
+
+/* volume - the sign of the determinant of the rows a-d, b-d, c-d, of n limbs,
+ * of points a, b, c, d.  x: the rows, as of spread, in 21n doubles. */
+static int volume(int n, double *x)
+{
+    double *minor = x + 12 * n, *det = minor + 6 * n, *r;
     const double *s, *t;
     double a, b, c, ta, tb, tc;
-    int used = spread(4, q, top, n, x), i, j, rows = 0;
+    int i, j, rows = 0;
 
-    if (used > n) return UNSURE;
-    n = used;
-    minor = x + 12 * n;
-    det = minor + 6 * n;
     zeros(9 * n, minor);
     /* ab, bc, ac: a[0] b[1] - b[0] a[1] and so on */
     for (i = 0, s = x; i < n; i++, s += 12) {
@@ -211,30 +237,39 @@ static int volume(const double *q, double top, int n, double *work)
         for (j = 0, t = minor, r = det + i + 1; j < 2 * n; j++, t += 3, r++)
             *r += a * t[1] - b * t[2] + c * t[0];
     }
-    return signof(3 * n, det);
+    return signof(3 * n, 0.0, det);
 }
 
-/* ball - with n limbs, the sign of the determinant of filt5; UNSURE when n
- * limbs do not hold the points.  work: 44n doubles. */
-static int ball(const double *q, double top, int n, double *work)
+/* ball - the sign of the determinant of filt5, of n limbs, from the first depth
+ * rows of all products; UNSURE when these do not tell.  x: the rows, as of
+ * spread, in 44n doubles.
+ *
+ * What is lost, in units of the last of K = depth <= 10 rows: in the row behind
+ * it a minor loses 2K products of limbs of at most BASE, so errs by 2K BASE;
+ * a square by 3K BASE.  A determinant loses 3K products of BASE^2 / 2, and gets
+ * the errors of three minors times a difference, of at most BASE/2: 1.5K BASE +
+ * 1.5 times 2K BASE.  The sum loses 4K products of at most 3/8 BASE^2, and gets
+ * four times the errors of a determinant times a square and of a square times a
+ * determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3) K BASE = 24K
+ * BASE.  What follows all these adds less than a tenth, so that BOUND is
+ * ample. */
+static int ball(int n, int depth, double *x)
 {
-    double *x = work, *minor, *det, *sum, *lift, *r;
+    int n2 = least(2 * n, depth), n3 = least(3 * n, depth);
+    int n5 = least(5 * n, depth), most, i, j, rows = 0;
+    double *minor = x + 15 * n, *lift = minor, *det = minor + 6 * n2;
+    double *sum = det + 4 * n3, *r;
     const double *s, *t;
     double a, b, c, d, ta, tb, tc, td;
-    int used = spread(5, q, top, n, x), i, j, k, rows = 0;
 
-    if (used > n) return UNSURE;
-    n = used;
-    minor = lift = x + 15 * n;
-    det = minor + 12 * n;
-    sum = det + 12 * n;
-    zeros(29 * n, minor);
+    zeros(6 * n2 + 4 * n3 + n5, minor);
     /* ab, bc, cd, da, ac, bd */
-    for (i = 0, s = x; i < n; i++, s += 15) {
+    for (i = 0, s = x; i < n && i < n2 - 1; i++, s += 15) {
         a = s[0], b = s[3], c = s[6], d = s[9];
         if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
-        if (rows++ % ROWS1 == ROWS1 - 1) carry(2 * n, 6, minor);
-        for (j = 0, t = x, r = minor + 6 * (i + 1); j < n;
+        if (rows++ % ROWS1 == ROWS1 - 1) carry(n2, 6, minor);
+        most = least(n, n2 - 1 - i);
+        for (j = 0, t = x, r = minor + 6 * (i + 1); j < most;
              j++, t += 15, r += 6) {
             ta = t[1], tb = t[4], tc = t[7], td = t[10];
             r[0] += a * tb - b * ta;
@@ -245,14 +280,15 @@ static int ball(const double *q, double top, int n, double *work)
             r[5] += b * td - d * tb;
         }
     }
-    carry(2 * n, 6, minor);
+    carry(n2, 6, minor);
     /* the determinants without a, b, c, d */
     rows = 0;
-    for (i = 0, s = x; i < n; i++, s += 15) {
+    for (i = 0, s = x; i < n && i < n3 - 1; i++, s += 15) {
         a = s[2], b = s[5], c = s[8], d = s[11];
         if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
-        if (rows++ % ROWS2 == ROWS2 - 1) carry(3 * n, 4, det);
-        for (j = 0, t = minor, r = det + 4 * (i + 1); j < 2 * n;
+        if (rows++ % ROWS2 == ROWS2 - 1) carry(n3, 4, det);
+        most = least(n2, n3 - 1 - i);
+        for (j = 0, t = minor, r = det + 4 * (i + 1); j < most;
              j++, t += 6, r += 4) {
             r[0] += b * t[2] - c * t[5] + d * t[1];
             r[1] += a * t[2] + c * t[3] + d * t[4];
@@ -260,36 +296,53 @@ static int ball(const double *q, double top, int n, double *work)
             r[3] += a * t[1] - b * t[4] + c * t[0];
         }
     }
-    carry(3 * n, 4, det);
-    /* the squares of the rows, in the place of the minors */
-    zeros(8 * n, lift);
+    carry(n3, 4, det);
+    /* the squares of the rows, in the place of the minors: two products of
+     * limbs i and j are taken at once */
+    zeros(4 * n2, lift);
     rows = 0;
-    for (i = 0, s = x; i < n; i++, s += 15) {
-        if (rows++ % ROWS1 == ROWS1 - 1) carry(2 * n, 4, lift);
-        for (k = 0; k < 4; k++) {
-            a = s[3 * k], b = s[3 * k + 1], c = s[3 * k + 2];
-            if (a == 0.0 && b == 0.0 && c == 0.0) continue;
-            for (j = 0, t = x + 3 * k, r = lift + 4 * (i + 1) + k; j < n;
-                 j++, t += 15, r += 4)
-                *r += a * t[0] + b * t[1] + c * t[2];
+    for (i = 0, s = x; i < n && i < n2 - 1; i++, s += 15) {
+        if (rows++ % (ROWS1 / 2) == ROWS1 / 2 - 1) carry(n2, 4, lift);
+        most = least(n, n2 - 1 - i);
+        for (j = i, t = s, r = lift + 4 * (2 * i + 1); j < most;
+             j++, t += 15, r += 4) {
+            a = j > i ? 2.0 : 1.0;
+            r[0] += a * (s[0] * t[0] + s[1] * t[1] + s[2] * t[2]);
+            r[1] += a * (s[3] * t[3] + s[4] * t[4] + s[5] * t[5]);
+            r[2] += a * (s[6] * t[6] + s[7] * t[7] + s[8] * t[8]);
+            r[3] += a * (s[9] * t[9] + s[10] * t[10] + s[11] * t[11]);
         }
     }
-    carry(2 * n, 4, lift);
+    carry(n2, 4, lift);
     rows = 0;
-    for (i = 0, s = lift; i < 2 * n; i++, s += 4) {
+    for (i = 0, s = lift; i < n2 && i < n5 - 1; i++, s += 4) {
         a = s[0], b = s[1], c = s[2], d = s[3];
         if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
-        if (rows++ % ROWS2 == ROWS2 - 1) carry(5 * n, 1, sum);
-        for (j = 0, t = det, r = sum + i + 1; j < 3 * n; j++, t += 4, r++)
+        if (rows++ % ROWS2 == ROWS2 - 1) carry(n5, 1, sum);
+        most = least(n3, n5 - 1 - i);
+        for (j = 0, t = det, r = sum + i + 1; j < most; j++, t += 4, r++)
             *r += b * t[1] - a * t[0] + d * t[3] - c * t[2];
     }
-    return signof(5 * n, sum);
+    return signof(n5, n5 < 5 * n ? BOUND : 0.0, sum);
 }
 
-/* limbsg - volume for np = 4 points, ball for 5. */
+/* limbsg - with n limbs, volume for np = 4 points q, ball for 5; UNSURE when n
+ * limbs do not hold the points.  work: 44n doubles.  Limbs 0 that are 0 in all
+ * rows are left out as long as the next ones may be limbs 0. */
 static int limbsg(int np, const double *q, double top, int n, double *work)
 {
-    return np == 4 ? volume(q, top, n, work) : ball(q, top, n, work);
+    int w = 3 * np, used = spread(np, q, top, n, work), sign = UNSURE, k;
+
+    if (used > n) return UNSURE;
+    for (; used > 1; used--, work += w) {
+        for (k = 0; k < w - 3 && work[k] == 0.0 &&
+                    fabs(work[w + k]) <= BASE / 4.0;)
+            k++;
+        if (k < w - 3) break;
+    }
+    if (np == 4) return volume(used, work);
+    if (5 * used > 2 * LEAD) sign = ball(used, LEAD, work);
+    return sign == UNSURE ? ball(used, 5 * used, work) : sign;
 }
 
 /* Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the last one
@@ -402,16 +455,6 @@ static double weight(double most)
 
     frexp(most, &e);
     return ldexp(1.0, e + 2 - HH_BITS);
-}
-
-/* shift - n coordinates q times SHIFT, one by one (volatile), in the arithmetic
- * that hh_holds has tried: a compiler may have another one for vectors. */
-static void shift(int n, double *q)
-{
-    volatile double factor = SHIFT;
-    int i;
-
-    for (i = 0; i < n; i++) q[i] *= factor;
 }
 
 /* exact - limbsg with as many limbs as it takes; alters q. */
@@ -754,14 +797,15 @@ int hh_line(const tess_real *a, const tess_real *b, const tess_real *c)
 static int widersg(const double *q, double top, int n, double *work)
 {
     double *limb = work, *sum = work + n;
-    int i, k;
+    int i, k, used;
 
     zeros(n, sum);
     for (i = 0; i < 4; i++) {
-        if (split(q[i], top, n, 1, limb) > n) return UNSURE;
-        for (k = 0; k < n; k++) sum[k] += i < 2 ? limb[k] : -limb[k];
+        used = split(1, q + i, top, n, limb);
+        if (used > n) return UNSURE;
+        for (k = 0; k < used; k++) sum[k] += i < 2 ? limb[k] : -limb[k];
     }
-    return signof(n, sum);
+    return signof(n, 0.0, sum);
 }
 
 /* hh_wider - the exact sign of (a-b) - (c-d), for a >= b and c >= d. */
@@ -794,8 +838,10 @@ int hh_wider(double a, double b, double c, double d)
 int hh_range(double x, double most)
 {
     double limb[HH_LIMBS], f = most < LOW ? SHIFT : 1.0;
-    int used = split(x * f, weight(most * f), HH_LIMBS, 1, limb);
+    int used;
 
+    x *= f;
+    used = split(1, &x, weight(most * f), HH_LIMBS, limb);
     return used > HH_LIMBS ? UNSURE : 0;
 }
 
@@ -1058,13 +1104,14 @@ static int sure(const double *sum)
 static int offset(const hh_set *s, const hh_ball *t, tess_int z, double *u)
 {
     const tess_real *p = s->p + 3 * s->order[z];
+    double q[3];
     int i, k;
 
-    for (k = 0; k < 3; k++)
-        if (fabs((double)p[k]) > t->most ||
-            split(t->factor == 1.0 ? p[k] : p[k] * t->factor, t->top, t->n, 3,
-                  u + k) > t->n)
-            return 0;
+    for (k = 0; k < 3; k++) {
+        if (fabs((double)p[k]) > t->most) return 0;
+        q[k] = t->factor == 1.0 ? p[k] : p[k] * t->factor;
+    }
+    if (split(3, q, t->top, t->n, u) > t->n) return 0;
     for (i = 0; i < 3 * t->n; i++) {
         u[i] -= t->base[i];
         if (i < 3 * t->first && u[i] != 0.0) return 0;

@@ -24,7 +24,7 @@ C     altered by the routines that hh_ names below.
 C
 C     The routines of hhpred.c, in its order, and their names here:
 C       exact numbers: frexp HHFREX, ldexp HHLDEX, nearest HHNEAR,
-C         split HHSPLI, carry HHCARR, zeros HHZERO, signof HHSIGN,
+C         zeros HHZERO, split HHSPLI, carry HHCARR, signof HHSIGN,
 C         spread HHSPRE, volume HHVOLU, ball HHBALL, limbsg HHLIMB,
 C         limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX,
 C         centre HHCNTR, leading HHLEAD, weight HHWEIG, exact HHEXAC
@@ -46,7 +46,7 @@ C         hh_bound HHBOUN, hh_ratio HHRATI, hh_limits HHLIMI,
 C         hh_facet HHFACE, hh_side HHSIDE, hh_opp HHOPP,
 C         hh_lcoord HHLCOO, hh_wrap HHWRAP
 C     Only in C: held (hh_holds for points that are not in one array),
-C     shift (written out here),
+C     shift (written out here), least (MIN here),
 C     the macro HH_POWER, |W|**2 - 2 C.W, written out here.
 C     Only here: HHKIND (part of hh_finite and hh_holds).
 C
@@ -189,54 +189,70 @@ C     offset makes it positive, which may round Q up to a half.
       HHNEAR = DBLE(INT(Q + (CARRY + 0.5D0)) - CARRY)
       END
 
-C     HHSPLI - the N limbs of X, STEP apart, from W(FIRST) on, the first
-C     of weight TOP, a power of two, |X| <= TOP BASE/4.  USED is how
-C     many are in use, or N + 1 when N do not hold X.
+C     HHZERO - R = 0.
+      SUBROUTINE HHZERO(N, R)
+      INTEGER N
+      DOUBLE PRECISION R(*)
+      INTEGER I
+      DO 10 I = 1, N
+        R(I) = 0.0D0
+   10 CONTINUE
+      END
+
+C     HHSPLI - the N limbs of W <= 15 numbers Q side by side, the first
+C     of weight TOP, a power of two, |Q| <= TOP BASE/4.  USED is how
+C     many are in use, or N + 1 when N do not hold them.
 C
-C     What is left of X after a limb has no bits below those of X, and
-C     is exact as long as it is no larger than X: so a limb is 0 for an
-C     X of less than half its weight, even if rounding would make that a
-C     half.
-      SUBROUTINE HHSPLI(X, TOP, N, STEP, W, FIRST, USED)
-      INTEGER N, STEP, FIRST, USED
-      DOUBLE PRECISION X, TOP, W(*)
+C     What is left of a number after a limb has no bits below its own,
+C     and is exact as long as it is no larger than the number: so a limb
+C     is 0 for less than half its weight, even if rounding would make
+C     that a half.  A number whose first SKIP limbs are 0 is far behind
+C     TOP, and taken up after these.
+      SUBROUTINE HHSPLI(W, Q, TOP, N, LIMB, USED)
+      INTEGER W, N, USED
+      DOUBLE PRECISION Q(*), TOP, LIMB(*)
       DOUBLE PRECISION HHNEAR
       INTEGER SKIP
       PARAMETER (SKIP = 25)
       DOUBLE PRECISION BASE, SHIFT
       PARAMETER (BASE = 2.0D0**24, SHIFT = 2.0D0**600)
-      DOUBLE PRECISION C, REST, UNIT, WEIGHT
-      INTEGER I, J
-      REST = X
-      WEIGHT = TOP
-      I = 1
-      IF (ABS(REST) .GT. 0.0D0 .AND.
-     $    ABS(REST) .LT. WEIGHT*(0.5D0/SHIFT)) THEN
-        REST = REST*SHIFT
-        I = MIN(SKIP, N) + 1
-        DO 10 J = 1, I - 1
-          W(FIRST+STEP*(J-1)) = 0.0D0
-   10   CONTINUE
+      DOUBLE PRECISION C, FAR(15), REST(15)
+      INTEGER AT, I, K
+      DO 10 K = 1, W
+        FAR(K) = Q(K)
+        REST(K) = 0.0D0
+   10 CONTINUE
+      AT = 0
+      I = 0
+   20 I = I + 1
+      IF (MOD(I - 1, SKIP) .EQ. 0) THEN
+        DO 30 K = 1, W
+          IF (ABS(FAR(K)) .LT. TOP*(0.5D0/SHIFT)) THEN
+            FAR(K) = FAR(K)*SHIFT
+          ELSE
+            REST(K) = FAR(K)/TOP
+            FAR(K) = 0.0D0
+          END IF
+   30   CONTINUE
       END IF
-C     a limb 1 rounded up may weigh more than the largest double
-      REST = REST/BASE
-      WEIGHT = WEIGHT/BASE
-      UNIT = 1.0D0/WEIGHT
-   20 IF (I .LE. N .AND. ABS(REST) .GT. 0.0D0) THEN
-        C = 0.0D0
-        IF (ABS(REST) .GE. 0.5D0*WEIGHT) C = HHNEAR(REST*UNIT)
-        W(FIRST+STEP*(I-1)) = C
-        REST = REST - C*WEIGHT
-        WEIGHT = WEIGHT*(1.0D0/BASE)
-        UNIT = UNIT*BASE
-        I = I + 1
-        GO TO 20
-      END IF
-      USED = N + 1
-      IF (ABS(REST) .LE. 0.0D0) USED = I - 1
-      DO 30 J = I, N
-        W(FIRST+STEP*(J-1)) = 0.0D0
-   30 CONTINUE
+      DO 40 K = 1, W
+        C = HHNEAR(REST(K))
+        IF (ABS(REST(K)) .LT. 0.5D0) C = 0.0D0
+        LIMB(AT+K) = C
+        REST(K) = (REST(K) - C)*BASE
+   40 CONTINUE
+      AT = AT + W
+      USED = I
+      DO 50 K = 1, W
+        IF (MAX(ABS(REST(K)), ABS(FAR(K))) .GT. 0.0D0) THEN
+          IF (I .LT. N) GO TO 20
+          USED = N + 1
+          RETURN
+        END IF
+   50 CONTINUE
+      DO 60 K = AT + 1, W*N
+        LIMB(K) = 0.0D0
+   60 CONTINUE
       END
 
 C     HHCARR - bring the limbs of W numbers, below 2**53, back to at
@@ -248,44 +264,43 @@ C     most BASE/2, from the last one up.  Limb 1 keeps what it gets.
       DOUBLE PRECISION BASE
       PARAMETER (BASE = 2.0D0**24)
       DOUBLE PRECISION C
-      INTEGER I
-      DO 10 I = W*N, W + 1, -1
-        C = HHNEAR(R(I)/BASE)
-        R(I) = R(I) - C*BASE
-        R(I-W) = R(I-W) + C
-   10 CONTINUE
+      INTEGER I, K
+      DO 20 I = N - 1, 1, -1
+        DO 10 K = W*I + 1, W*(I + 1)
+          C = HHNEAR(R(K)/BASE)
+          R(K) = R(K) - C*BASE
+          R(K-W) = R(K-W) + C
+   10   CONTINUE
+   20 CONTINUE
       END
 
-C     HHZERO - R = 0.
-      SUBROUTINE HHZERO(N, R)
+C     HHSIGN - the sign of R, by Horner's rule from the top; if R errs
+C     by up to ERR > 0 units of its last limb, UNSURE where that could
+C     change it.  Behind a partial sum of more than 2 CARRY + ERR units
+C     neither the rest, carried or not, nor ERR can change the sign.
+C     (The last sum may pass 2**53, several times that, and be rounded;
+C     the rounding of a number that large does not change its sign, and
+C     ends the loop.)
+      INTEGER FUNCTION HHSIGN(N, ERR, R)
       INTEGER N
-      DOUBLE PRECISION R(*)
-      INTEGER I
-      DO 10 I = 1, N
-        R(I) = 0.0D0
-   10 CONTINUE
-      END
-
-C     HHSIGN - the sign of R, by Horner's rule from the top: behind a
-C     partial sum of more than 2 CARRY units the rest, carried or not,
-C     cannot change the sign.  (The last sum may pass 2**53, up to twice
-C     that, and be rounded; the rounding of a number that large does not
-C     change its sign, and ends the loop.)
-      INTEGER FUNCTION HHSIGN(N, R)
-      INTEGER N
-      DOUBLE PRECISION R(*)
+      DOUBLE PRECISION ERR, R(*)
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
       DOUBLE PRECISION BASE, CARRY
       PARAMETER (BASE = 2.0D0**24, CARRY = 2.0D0**29)
       DOUBLE PRECISION S
       INTEGER I
       S = 0.0D0
       DO 10 I = 1, N
-        IF (ABS(S) .GT. 2.0D0*CARRY) GO TO 20
+        IF (ABS(S) .GT. 2.0D0*CARRY + ERR) GO TO 20
         S = S*BASE + R(I)
    10 CONTINUE
-   20 HHSIGN = 0
-      IF (S .GT. 0.0D0) HHSIGN = 1
+   20 HHSIGN = 1
       IF (S .LT. 0.0D0) HHSIGN = -1
+      IF (ABS(S) .LE. ERR) THEN
+        HHSIGN = 0
+        IF (ERR .GT. 0.0D0) HHSIGN = UNSURE
+      END IF
       END
 
 C     HHSPRE - the coordinates Q of NP points side by side; of all
@@ -294,40 +309,36 @@ C     many limbs are in use, or N + 1 when N do not hold them.
       SUBROUTINE HHSPRE(NP, Q, TOP, N, X, USED)
       INTEGER NP, N, USED
       DOUBLE PRECISION Q(3,*), TOP, X(*)
-      INTEGER AT, I, J, K, LAST, W
+      DOUBLE PRECISION Y(15)
+      INTEGER AT, I, LAST, W
       W = 3*NP
-      USED = 0
-      DO 20 J = 1, NP
-        DO 10 K = 1, 3
-          CALL HHSPLI(Q(K,J), TOP, N, W, X, 3*(J - 1) + K, I)
-          USED = MAX(USED, I)
-          IF (USED .GT. N) RETURN
-   10   CONTINUE
-   20 CONTINUE
-      DO 40 I = 1, USED
+      DO 10 I = 1, NP
+        Y(3*I-2) = Q(1,I)
+        Y(3*I-1) = Q(2,I)
+        Y(3*I) = Q(3,I)
+   10 CONTINUE
+      CALL HHSPLI(W, Y, TOP, N, X, USED)
+      DO 30 I = 1, MIN(USED, N)
         LAST = W*I - 3
-        DO 30 AT = W*(I - 1), LAST - 3, 3
+        DO 20 AT = W*(I - 1), LAST - 3, 3
           X(AT+1) = X(AT+1) - X(LAST+1)
           X(AT+2) = X(AT+2) - X(LAST+2)
           X(AT+3) = X(AT+3) - X(LAST+3)
-   30   CONTINUE
-   40 CONTINUE
+   20   CONTINUE
+   30 CONTINUE
       END
 
-C     HHVOLU - with NMAX limbs, the sign of the determinant of the rows
-C     A-D, B-D, C-D, of points A, B, C, D; UNSURE when NMAX limbs do not
-C     hold them.  Scratch: X 12, MINOR 6, DET 3 doubles a limb.
-      SUBROUTINE HHVOLU(Q, TOP, NMAX, X, MINOR, DET, SGN)
-      INTEGER NMAX, SGN
-      DOUBLE PRECISION Q(3,*), TOP, X(*), MINOR(*), DET(*)
+C     HHVOLU - the sign of the determinant of the rows A-D, B-D, C-D, of
+C     N limbs, of points A, B, C, D.  X: the rows, as of HHSPRE.
+C     Scratch: MINOR 6, DET 3 doubles a limb.
+      SUBROUTINE HHVOLU(N, X, MINOR, DET, SGN)
+      INTEGER N, SGN
+      DOUBLE PRECISION X(*), MINOR(*), DET(*)
       INTEGER HHSIGN
-      INTEGER UNSURE, ROWS1, ROWS2
-      PARAMETER (UNSURE = 2, ROWS1 = 10, ROWS2 = 20)
+      INTEGER ROWS1, ROWS2
+      PARAMETER (ROWS1 = 10, ROWS2 = 20)
       DOUBLE PRECISION A, B, C, TA, TB, TC
-      INTEGER I, J, N, R, ROWS, S, T
-      CALL HHSPRE(4, Q, TOP, NMAX, X, N)
-      SGN = UNSURE
-      IF (N .GT. NMAX) RETURN
+      INTEGER I, J, R, ROWS, S, T
       CALL HHZERO(6*N, MINOR)
       CALL HHZERO(3*N, DET)
 C     AB, BC, AC: A(1) B(2) - B(1) A(2) and so on
@@ -370,29 +381,43 @@ C     AB, BC, AC: A(1) B(2) - B(1) A(2) and so on
           T = T + 3
    30   CONTINUE
    40 CONTINUE
-      SGN = HHSIGN(3*N, DET)
+      SGN = HHSIGN(3*N, 0.0D0, DET)
       END
 
-C     HHBALL - with NMAX limbs, the sign of the determinant of HHFIL5;
-C     UNSURE when NMAX limbs do not hold the points.  Scratch: X 15,
-C     MINOR and DET 12, TOTAL 5 doubles a limb.
-      SUBROUTINE HHBALL(Q, TOP, NMAX, X, MINOR, DET, TOTAL, SGN)
-      INTEGER NMAX, SGN
-      DOUBLE PRECISION Q(3,*), TOP, X(*), MINOR(*), DET(*), TOTAL(*)
+C     HHBALL - the sign of the determinant of HHFIL5, of N limbs, from
+C     the first DEPTH rows of all products; UNSURE when these do not
+C     tell.  X: the rows, as of HHSPRE.  Scratch: MINOR and DET 12,
+C     TOTAL 5 doubles a limb.
+C
+C     What is lost, in units of the last of K = DEPTH <= 10 rows: in the
+C     row behind it a minor loses 2K products of limbs of at most BASE,
+C     so errs by 2K BASE; a square by 3K BASE.  A determinant loses 3K
+C     products of BASE**2/2, and gets the errors of three minors times a
+C     difference, of at most BASE/2: 1.5K BASE + 1.5 times 2K BASE.  The
+C     sum loses 4K products of at most 3/8 BASE**2, and gets four times
+C     the errors of a determinant times a square and of a square times a
+C     determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3)
+C     K BASE = 24K BASE.  What follows all these adds less than a tenth,
+C     so that BOUND is ample.
+      SUBROUTINE HHBALL(N, DEPTH, X, MINOR, DET, TOTAL, SGN)
+      INTEGER N, DEPTH, SGN
+      DOUBLE PRECISION X(*), MINOR(*), DET(*), TOTAL(*)
       INTEGER HHSIGN
-      INTEGER UNSURE, ROWS1, ROWS2
-      PARAMETER (UNSURE = 2, ROWS1 = 10, ROWS2 = 20)
-      DOUBLE PRECISION A, B, C, D, TA, TB, TC, TD
-      INTEGER I, J, K, N, R, ROWS, S, T
-      CALL HHSPRE(5, Q, TOP, NMAX, X, N)
-      SGN = UNSURE
-      IF (N .GT. NMAX) RETURN
-      CALL HHZERO(12*N, MINOR)
-      CALL HHZERO(12*N, DET)
-      CALL HHZERO(5*N, TOTAL)
+      INTEGER LEAD, ROWS1, ROWS2
+      PARAMETER (LEAD = 6, ROWS1 = 10, ROWS2 = 20)
+      DOUBLE PRECISION BASE, BOUND
+      PARAMETER (BASE = 2.0D0**24, BOUND = 32*LEAD*BASE)
+      DOUBLE PRECISION A, B, C, D, ERR, TA, TB, TC, TD
+      INTEGER I, J, N2, N3, N5, R, ROWS, S, T
+      N2 = MIN(2*N, DEPTH)
+      N3 = MIN(3*N, DEPTH)
+      N5 = MIN(5*N, DEPTH)
+      CALL HHZERO(6*N2, MINOR)
+      CALL HHZERO(4*N3, DET)
+      CALL HHZERO(N5, TOTAL)
 C     AB, BC, CD, DA, AC, BD
       ROWS = 0
-      DO 20 I = 1, N
+      DO 20 I = 1, MIN(N, N2 - 1)
         S = 15*(I - 1)
         A = X(S+1)
         B = X(S+4)
@@ -400,10 +425,10 @@ C     AB, BC, CD, DA, AC, BD
         D = X(S+10)
         IF (MAX(ABS(A), ABS(B), ABS(C), ABS(D)) .LE. 0.0D0) GO TO 20
         ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS1) .EQ. 0) CALL HHCARR(2*N, 6, MINOR)
+        IF (MOD(ROWS, ROWS1) .EQ. 0) CALL HHCARR(N2, 6, MINOR)
         R = 6*I
         T = 0
-        DO 10 J = 1, N
+        DO 10 J = 1, MIN(N, N2 - I)
           TA = X(T+2)
           TB = X(T+5)
           TC = X(T+8)
@@ -418,10 +443,10 @@ C     AB, BC, CD, DA, AC, BD
           T = T + 15
    10   CONTINUE
    20 CONTINUE
-      CALL HHCARR(2*N, 6, MINOR)
+      CALL HHCARR(N2, 6, MINOR)
 C     the determinants without A, B, C, D
       ROWS = 0
-      DO 40 I = 1, N
+      DO 40 I = 1, MIN(N, N3 - 1)
         S = 15*(I - 1)
         A = X(S+3)
         B = X(S+6)
@@ -429,10 +454,10 @@ C     the determinants without A, B, C, D
         D = X(S+12)
         IF (MAX(ABS(A), ABS(B), ABS(C), ABS(D)) .LE. 0.0D0) GO TO 40
         ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(3*N, 4, DET)
+        IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(N3, 4, DET)
         R = 4*I
         T = 0
-        DO 30 J = 1, 2*N
+        DO 30 J = 1, MIN(N2, N3 - I)
           DET(R+1) = DET(R+1) + (B*MINOR(T+3) - C*MINOR(T+6) +
      $        D*MINOR(T+2))
           DET(R+2) = DET(R+2) + (A*MINOR(T+3) + C*MINOR(T+4) +
@@ -445,58 +470,90 @@ C     the determinants without A, B, C, D
           T = T + 6
    30   CONTINUE
    40 CONTINUE
-      CALL HHCARR(3*N, 4, DET)
-C     the squares of the rows, in the place of the minors
-      CALL HHZERO(8*N, MINOR)
+      CALL HHCARR(N3, 4, DET)
+C     the squares of the rows, in the place of the minors: two products
+C     of limbs I and J are taken at once
+      CALL HHZERO(4*N2, MINOR)
       ROWS = 0
-      DO 70 I = 1, N
+      DO 60 I = 1, MIN(N, N2 - 1)
         ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS1) .EQ. 0) CALL HHCARR(2*N, 4, MINOR)
-        DO 60 K = 1, 4
-          S = 15*(I - 1) + 3*(K - 1)
-          A = X(S+1)
-          B = X(S+2)
-          C = X(S+3)
-          IF (MAX(ABS(A), ABS(B), ABS(C)) .LE. 0.0D0) GO TO 60
-          R = 4*I + K
-          T = 3*(K - 1)
-          DO 50 J = 1, N
-            MINOR(R) = MINOR(R) + (A*X(T+1) + B*X(T+2) + C*X(T+3))
-            R = R + 4
-            T = T + 15
-   50     CONTINUE
-   60   CONTINUE
-   70 CONTINUE
-      CALL HHCARR(2*N, 4, MINOR)
+        IF (MOD(ROWS, ROWS1/2) .EQ. 0) CALL HHCARR(N2, 4, MINOR)
+        S = 15*(I - 1)
+        T = S
+        R = 4*(2*I - 1)
+        DO 50 J = I, MIN(N, N2 - I)
+          A = 2.0D0
+          IF (J .EQ. I) A = 1.0D0
+          MINOR(R+1) = MINOR(R+1) + A*(X(S+1)*X(T+1) +
+     $        X(S+2)*X(T+2) + X(S+3)*X(T+3))
+          MINOR(R+2) = MINOR(R+2) + A*(X(S+4)*X(T+4) +
+     $        X(S+5)*X(T+5) + X(S+6)*X(T+6))
+          MINOR(R+3) = MINOR(R+3) + A*(X(S+7)*X(T+7) +
+     $        X(S+8)*X(T+8) + X(S+9)*X(T+9))
+          MINOR(R+4) = MINOR(R+4) + A*(X(S+10)*X(T+10) +
+     $        X(S+11)*X(T+11) + X(S+12)*X(T+12))
+          R = R + 4
+          T = T + 15
+   50   CONTINUE
+   60 CONTINUE
+      CALL HHCARR(N2, 4, MINOR)
       ROWS = 0
-      DO 90 I = 1, 2*N
+      DO 80 I = 1, MIN(N2, N5 - 1)
         S = 4*(I - 1)
         A = MINOR(S+1)
         B = MINOR(S+2)
         C = MINOR(S+3)
         D = MINOR(S+4)
-        IF (MAX(ABS(A), ABS(B), ABS(C), ABS(D)) .LE. 0.0D0) GO TO 90
+        IF (MAX(ABS(A), ABS(B), ABS(C), ABS(D)) .LE. 0.0D0) GO TO 80
         ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(5*N, 1, TOTAL)
+        IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(N5, 1, TOTAL)
         T = 0
-        DO 80 J = 1, 3*N
+        DO 70 J = 1, MIN(N3, N5 - I)
           TOTAL(I+J) = TOTAL(I+J) + (B*DET(T+2) - A*DET(T+1) +
      $        D*DET(T+4) - C*DET(T+3))
           T = T + 4
-   80   CONTINUE
-   90 CONTINUE
-      SGN = HHSIGN(5*N, TOTAL)
+   70   CONTINUE
+   80 CONTINUE
+      ERR = 0.0D0
+      IF (N5 .LT. 5*N) ERR = BOUND
+      SGN = HHSIGN(N5, ERR, TOTAL)
       END
 
-C     HHLIMB - HHVOLU for NP = 4 points, HHBALL for 5.
-      SUBROUTINE HHLIMB(NP, Q, TOP, N, X, MINOR, DET, TOTAL, SGN)
-      INTEGER NP, N, SGN
+C     HHLIMB - with NMAX limbs, HHVOLU for NP = 4 points Q, HHBALL for
+C     5; UNSURE when NMAX limbs do not hold the points.  Limbs 1 that
+C     are 0 in all rows are left out as long as the next ones may be
+C     limbs 1.  Scratch: X 15, MINOR and DET 12, TOTAL 5 doubles a limb.
+      SUBROUTINE HHLIMB(NP, Q, TOP, NMAX, X, MINOR, DET, TOTAL, SGN)
+      INTEGER NP, NMAX, SGN
       DOUBLE PRECISION Q(3,*), TOP, X(*), MINOR(*), DET(*), TOTAL(*)
-      IF (NP .EQ. 4) THEN
-        CALL HHVOLU(Q, TOP, N, X, MINOR, DET, SGN)
-      ELSE
-        CALL HHBALL(Q, TOP, N, X, MINOR, DET, TOTAL, SGN)
+      INTEGER LEAD, UNSURE
+      PARAMETER (LEAD = 6, UNSURE = 2)
+      DOUBLE PRECISION BASE
+      PARAMETER (BASE = 2.0D0**24)
+      INTEGER K, N, W
+      W = 3*NP
+      CALL HHSPRE(NP, Q, TOP, NMAX, X, N)
+      SGN = UNSURE
+      IF (N .GT. NMAX) RETURN
+   10 IF (N .GT. 1) THEN
+        DO 20 K = 1, W - 3
+          IF (ABS(X(K)) .GT. 0.0D0 .OR.
+     $        ABS(X(K+W)) .GT. BASE/4.0D0) GO TO 40
+   20   CONTINUE
+        N = N - 1
+        DO 30 K = 1, W*N
+          X(K) = X(K+W)
+   30   CONTINUE
+        GO TO 10
       END IF
+   40 IF (NP .EQ. 4) THEN
+        CALL HHVOLU(N, X, MINOR, DET, SGN)
+        RETURN
+      END IF
+      IF (5*N .GT. 2*LEAD)
+     $    CALL HHBALL(N, LEAD, X, MINOR, DET, TOTAL, SGN)
+      IF (SGN .EQ. UNSURE)
+     $    CALL HHBALL(N, 5*N, X, MINOR, DET, TOTAL, SGN)
       END
 
 C     Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the
@@ -1113,20 +1170,21 @@ C     UNSURE when they do not hold Q.  Scratch: LIMB, TOTAL.
       INTEGER HHSIGN
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION F
+      DOUBLE PRECISION F, Y(1)
       INTEGER I, K, USED
       CALL HHZERO(N, TOTAL)
       SGN = UNSURE
       DO 20 I = 1, 4
-        CALL HHSPLI(Q(I), TOP, N, 1, LIMB, 1, USED)
+        Y(1) = Q(I)
+        CALL HHSPLI(1, Y, TOP, N, LIMB, USED)
         IF (USED .GT. N) RETURN
         F = 1.0D0
         IF (I .GT. 2) F = -1.0D0
-        DO 10 K = 1, N
+        DO 10 K = 1, USED
           TOTAL(K) = TOTAL(K) + F*LIMB(K)
    10   CONTINUE
    20 CONTINUE
-      SGN = HHSIGN(N, TOTAL)
+      SGN = HHSIGN(N, 0.0D0, TOTAL)
       END
 
 C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
@@ -1179,11 +1237,12 @@ C     value MOST > 0, else UNSURE.
       PARAMETER (UNSURE = 2, HHLIM = 88)
       DOUBLE PRECISION SHIFT, LOW
       PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
-      DOUBLE PRECISION F, LIMB(HHLIM)
+      DOUBLE PRECISION F, LIMB(HHLIM), Q(1)
       INTEGER USED
       F = 1.0D0
       IF (MOST .LT. LOW) F = SHIFT
-      CALL HHSPLI(X*F, HHWEIG(MOST*F), HHLIM, 1, LIMB, 1, USED)
+      Q(1) = X*F
+      CALL HHSPLI(1, Q, HHWEIG(MOST*F), HHLIM, LIMB, USED)
       HHRANG = 0
       IF (USED .GT. HHLIM) HHRANG = UNSURE
       END
@@ -1590,17 +1649,18 @@ C     them.
       INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE
       PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5)
       PARAMETER (BBASE = 5)
-      DOUBLE PRECISION Q
+      DOUBLE PRECISION Q(3)
       INTEGER FIRST, I, K, N
       N = INT(T(AT+BN))
       FIRST = INT(T(AT+BFIRST))
       OK = 0
       DO 10 K = 1, 3
-        Q = P(K,ORD(Z))
-        IF (ABS(Q) .GT. T(AT+BMOST)) RETURN
-        CALL HHSPLI(Q*T(AT+BFACT), T(AT+BTOP), N, 3, U, K, I)
-        IF (I .GT. N) RETURN
+        Q(K) = P(K,ORD(Z))
+        IF (ABS(Q(K)) .GT. T(AT+BMOST)) RETURN
+        Q(K) = Q(K)*T(AT+BFACT)
    10 CONTINUE
+      CALL HHSPLI(3, Q, T(AT+BTOP), N, U, I)
+      IF (I .GT. N) RETURN
       DO 20 I = 1, 3*N
         U(I) = U(I) - T(AT+BBASE+I)
         IF (I .LT. 3*FIRST - 2 .AND. ABS(U(I)) .GT. 0.0D0) RETURN

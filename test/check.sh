@@ -482,7 +482,7 @@ twins() {
 }
 twins tess "point|coords|four|better|proven|barren|layout" \
     "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP"
-twins hhpred "held|shift" "HHKIND"
+twins hhpred "held|shift|least" "HHKIND"
 
 # ---- the same results as the C half ----
 

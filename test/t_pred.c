@@ -27,10 +27,12 @@
 #ifdef TESS_FLOAT
 #define REAL_EPS FLT_EPSILON
 #define REAL_MAX FLT_MAX
+#define MANT_DIG FLT_MANT_DIG
 #define MAX_EXP FLT_MAX_EXP
 #else
 #define REAL_EPS DBL_EPSILON
 #define REAL_MAX DBL_MAX
+#define MANT_DIG DBL_MANT_DIG
 #define MAX_EXP DBL_MAX_EXP
 #endif
 /* the exponents of the scales of about 1e60, 1e150, 1e300 in double */
@@ -123,7 +125,7 @@ static void find_sphere(void)
 enum {
     RANDOM, LATTICE, INTEGERS, TENTHS, PLANE, SPHERE, NORMED, PAIRS, OFFSET,
     SCALED, MIXED, SUBNORMAL, EXTREME, FARAPART, INTEGER_PLANE,
-    INTEGER_SPHERE, CLASSES
+    INTEGER_SPHERE, LIMBS, BOXES, CLASSES
 };
 static const char *const names[CLASSES] = {
     "random", "lattice {0..3}", "integers below 2^20", "tenths",
@@ -131,7 +133,8 @@ static const char *const names[CLASSES] = {
     "normalized onto a sphere", "pairs 1e-13 apart", "offset 1e8",
     "scales 1e+-60 1e+-150 1e+-300", "mixed exponents, all the range",
     "subnormal", "extreme values", "a tiny cluster and a far point",
-    "integers, coplanar but for 1", "integers, cospherical but for 1"
+    "integers, coplanar but for 1", "integers, cospherical but for 1",
+    "cospherical but for any bit", "corners of wide boxes but for a last place"
 };
 
 /* the points of a class, before duplicates */
@@ -191,6 +194,25 @@ static void make(int group, double p[5][3])
             for (k = 0; k < 3; k++) p[i][k] = s * sphere[j][k];
         }
         p[rnd_below(5)][rnd_below(3)] += rnd_below(3) - 1;
+        break;
+    case LIMBS:
+        /* full mantissas; the determinant may end in any row, or be 0 */
+        s = floor(ldexp(1.0 + rnd_unit(), MANT_DIG - 8));
+        for (i = 0; i < 5; i++) {
+            j = rnd_below(spheres);
+            for (k = 0; k < 3; k++) p[i][k] = s * sphere[j][k];
+        }
+        p[rnd_below(5)][rnd_below(3)] +=
+            ldexp(rnd_below(3) - 1, rnd_below(MANT_DIG - 2));
+        break;
+    case BOXES:
+        for (k = 0; k < 3; k++)
+            v[k] = ldexp(1.0 + rnd_unit(), rnd_below(MAX_EXP) - MAX_EXP / 2);
+        for (i = 0; i < 5; i++)
+            for (k = 0; k < 3; k++) p[i][k] = rnd_below(2) ? v[k] : -v[k];
+        i = rnd_below(5);
+        k = rnd_below(3);
+        p[i][k] = nudge(p[i][k], rnd_below(3) - 1);
         break;
     case SPHERE:
         for (k = 0; k < 3; k++) v[k] = rnd_below(2) ? 0.0 : rnd_below(1000);
@@ -421,7 +443,8 @@ static void test_signs(int group, long n)
     /* the class must bring forth the signs that it is made for */
     if (group == LATTICE || group == PLANE || group == INTEGER_PLANE)
         faults += count[0] < n / 20 || count[1] < n / 20 || count[2] < n / 20;
-    if (group == LATTICE || group == SPHERE || group == INTEGER_SPHERE)
+    if (group == LATTICE || group == SPHERE || group == INTEGER_SPHERE ||
+        group == LIMBS)
         faults += ball[0] < n / 20 || ball[1] < n / 20 || ball[2] < n / 20;
     /* integers of at most 20 bits and points of one scale suit 3 limbs */
     if (group == LATTICE || group == INTEGERS || group == TENTHS)
@@ -1347,7 +1370,7 @@ static void all(void)
             continue;
         }
         /* these take numbers of thousands of bits */
-        if (group == MIXED || group == EXTREME) n = 500;
+        if (group == MIXED || group == EXTREME || group == BOXES) n = 500;
         if (group == FARAPART) n = 2000;
         test_signs(group, n * percent / 100);
     }
@@ -1356,12 +1379,13 @@ static void all(void)
     test_indexed(INTEGER_PLANE, 20000 * percent / 100);
     test_indexed(INTEGER_SPHERE, 20000 * percent / 100);
     test_indexed(SPHERE, 20000 * percent / 100);
+    test_indexed(LIMBS, 20000 * percent / 100);
     test_indexed(NORMED, 5000 * percent / 100);
     test_indexed(PLANE, 5000 * percent / 100);
     for (group = 0; group < CLASSES; group++)
         if (group != SUBNORMAL || !flushes())
-            test_balls(group, (group == MIXED || group == EXTREME ? 200
-                                                                  : 3000) *
+            test_balls(group, (group == MIXED || group == EXTREME ||
+                               group == BOXES ? 200 : 3000) *
                                   percent / 100);
     test_flat(20000 * percent / 100);
 #if HH_LIMBS < 88
