@@ -5,8 +5,8 @@
 # Everything is measured in one run on one machine, the programs by turns, so
 # that the ratios hold where the nanoseconds do not.  Prints tables in
 # markdown: times and memory of clouds; times of the data that people have,
-# most of them near planes, spheres and other surfaces; counts; location.  Raw
-# lines, as bench.c describes them, go to standard error and to
+# most of them near planes, spheres and other surfaces; counts; location; parts.
+# Raw lines, as bench.c describes them, go to standard error and to
 # build/bench.txt, each after its table's name and the number asked for.
 #
 # From the environment:
@@ -362,4 +362,28 @@ for size in $sizes; do
         $program uniform "$size" |
             awk '{ print "| " $1 " | " $2 " | " $3 " | " $4 " | " $5 " | " $6 " |" }'
     done
+done
+
+# Parts, where there are POSIX threads by two of them, too.
+# shellcheck disable=SC2086
+$CC $CFLAGS -DTHREADS -o build/bench_parts test/parts.c test/points.c tess.c \
+    hhpred.c -lm -lpthread 2>/dev/null ||
+    $CC $CFLAGS -o build/bench_parts test/parts.c test/points.c tess.c \
+        hhpred.c -lm || exit 1
+echo
+echo "Parts: tetrahedra computed beside those of the mesh; CPU time of the"
+echo "index and all parts beside that of tess; how many times as fast as tess"
+echo "two threads are by the clock, and with their parts joined; bytes of the"
+echo "index a point"
+echo
+echo "| points | n | parts | tetrahedra | time | threads | joined | index |"
+echo "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
+sizes=100000
+[ "$SIZES" = all ] && sizes=1000000
+for size in $sizes; do
+    build/bench_parts uniform "$size" "$REPEATS" | awk '{
+        $1 = "|"
+        for (i = 2; i <= NF; i++) $i = ($i == "-" ? "" : $i " ") "|"
+        print
+    }'
 done
