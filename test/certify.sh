@@ -69,7 +69,7 @@ both() {
             $CC -O1 $4 -c -o $t/certify.o $t/test/certify.c
         $CC -O1 $4 -o $t/$1 $t/*.o $t/test/hard.c $t/test/exact.c -lm
         if [ -n "$CHECK" ]; then
-            tell $t/$1 100 $SEED
+            tell $t/$1 40 $SEED
         else
             tell $t/$1 -time `expr $TIME / $BUILDS + 1` 1 $SEED
         fi

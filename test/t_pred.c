@@ -1253,7 +1253,7 @@ static void test_facets(int group, int limbs, long n)
     faults += decided < sides / 10 || ordered < pairs / 10 || pairs == 0;
     /* an error bound that no case comes near to would be idle */
     faults += worst < 1e-4;
-    if (limbs) faults += thin < sides / 2;
+    if (limbs) faults += thin < sides / 4;
     sprintf(name, "facets%s: %s", limbs ? " by limbs" : "",
             facet_names[group]);
     test_result(name, faults);
