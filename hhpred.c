@@ -1119,8 +1119,8 @@ static int offset(const hh_set *s, const hh_ball *t, tess_int z, double *u)
     return 1;
 }
 
-/* square - l = |u|^2, of n limbs. */
-static void square(int n, int first, const double *u, double *l)
+/* squared - l = |u|^2, of n limbs. */
+static void squared(int n, int first, const double *u, double *l)
 {
     const double *x;
     int i, j;
@@ -1154,7 +1154,7 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
         if (*side != UNSURE) *side = -*side;
     }
     if (*side < 0) return;
-    square(t->n, t->first, u, l);
+    squared(t->n, t->first, u, l);
     form(t->power, t->n, t->first, u, l, sum);
     *power = sure(sum);
 }
@@ -1196,7 +1196,7 @@ double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
     if (plane)
         form(t->side, t->n, t->first, u, u, sum);
     else {
-        square(t->n, t->first, u, l);
+        squared(t->n, t->first, u, l);
         form(t->power, t->n, t->first, u, l, sum);
     }
     carry(HH_ROWS + 1, 1, sum);

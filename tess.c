@@ -189,7 +189,7 @@ extern void tess_prove(int fact);
 #define BURDEN 1.0
 /* Of fewer points none is sought; places of the sample. */
 #define ENOUGH 500
-#define SOME 32
+#define SOME (TESS_LIST < 128 ? 4 : 32)
 /* Marks of heights over a support: a double holds them and their roundings. */
 #define GRAINS                                                         \
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \

@@ -38,7 +38,7 @@ C         hh_range HHRANG, corners HHCORN, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
-C         form HHFORM, sure HHSURE, offset HHOFFS, square HHSQUA,
+C         form HHFORM, sure HHSURE, offset HHOFFS, squared HHSQUA,
 C         hh_trial HHTRIA, hh_unit HHUNIT, hh_height HHHEIG,
 C         hh_thin HHTHIN
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,

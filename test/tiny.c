@@ -43,7 +43,7 @@ static void put(char c)
 #endif
 
 #define POINTS 24
-#define TETS 120
+#define TETS 90
 #define LIW TESS_LIW(POINTS)
 #define LRW TESS_LRW(POINTS)
 
