@@ -187,7 +187,8 @@ extern void tess_prove(int fact);
 #define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST / 64)
 #define OPENED 24
 #define BURDEN 1.0
-/* Of fewer points none is sought; places of the sample. */
+/* Of fewer points none is sought; places of the sample (few, for the stack,
+ * where none is sought at all: see SEEK). */
 #define ENOUGH 500
 #define SOME (TESS_LIST < 128 ? 4 : 32)
 /* Marks of heights over a support: a double holds them and their roundings. */
@@ -2421,7 +2422,8 @@ static int barren(const mesh *m, const quest *f, tess_int node)
 #endif
 
 /* treesearch - finish a search by the tree: the leaf of v[0] first, then its
- * parent's other child, and so on up to the root. */
+ * parent's other child, and so on up to the root; near a support from the root
+ * down, the child of lesser height first, as the apex may be anywhere. */
 static void treesearch(const mesh *m, quest *f)
 {
     tess_int stack[DEPTH], node = 1, i, last;

@@ -3217,7 +3217,9 @@ C     leaf, with room for a mark's.
       END
 
 C     TSTREE - finish a search by the tree: the leaf of V(1) first, then
-C     its parent's other child, and so on up to the root.
+C     its parent's other child, and so on up to the root; near a support
+C     from the root down, the child of lesser height first, as the apex
+C     may be anywhere.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
      $                  IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(168)

@@ -33,9 +33,9 @@ ADJ(K,T) is the tetrahedron across the facet opposite to TET(K,T), 0 on the
 hull, -1 for a facet still open in an unfinished result. Counting is from 1.
 
 Lengths, for PARAMETER statements; they hold for every N and are never less than
-what TESSWK gives (beyond 40000 points LIW = 9*N + 322000 suffices):
+what TESSWK gives (beyond 28000 points LIW = 11*N + 226000 suffices):
 
-      PARAMETER (MAXTET = 8*N, LIW = 17*N + 1800, LRW = 4*N + 12)
+      PARAMETER (MAXTET = 8*N, LIW = 19*N + 1800, LRW = 4*N + 12)
 
 INFO, the last argument: 0 done; 1 TET and ADJ are full, and 2 the pool in IW is
 full: what they hold is right, and TESSRE goes on with longer arrays; 3, 4, 5
@@ -47,7 +47,7 @@ A complete program:
       PROGRAM GRID
       INTEGER N, MAXTET, LIW, LRW
       PARAMETER (N = 1000)
-      PARAMETER (MAXTET = 8*N, LIW = 17*N + 1800, LRW = 4*N + 12)
+      PARAMETER (MAXTET = 8*N, LIW = 19*N + 1800, LRW = 4*N + 12)
       DOUBLE PRECISION P(3,N), RW(LRW), VALUE(N), Q(3), W(4), V
       INTEGER TET(4,MAXTET), ADJ(4,MAXTET), IW(LIW)
       INTEGER NTET, INFO, I, K, T
