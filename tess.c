@@ -530,7 +530,7 @@ static void leafsort(mesh *m, tess_int first, tess_int last)
 {
     tess_int half, lo, hi, i, j;
 
-    half = first + (last - first + 2 * GROUP - 1) / (2 * GROUP) * GROUP;
+    half = first + ((last - first + GROUP - 1) / GROUP + 1) / 2 * GROUP;
     if (half < last) bisect(m, first, last, half);
     for (lo = first; lo < last; lo += GROUP) {
         hi = lo < half && half < last ? half : last;

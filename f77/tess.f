@@ -541,7 +541,7 @@ C     TSLSOR - order the points of a leaf in groups of GROUP.
       PARAMETER (GROUP = 8)
       DOUBLE PRECISION Q(3)
       INTEGER HALF, HI, I, J, K, LO
-      HALF = FIRST + (LAST - FIRST + 2*GROUP)/(2*GROUP)*GROUP
+      HALF = FIRST + ((LAST - FIRST + GROUP)/GROUP + 1)/2*GROUP
       IF (HALF .LE. LAST) CALL TSBISE(X, ORD, REP, FIRST, LAST, HALF)
       LO = FIRST
    10 IF (LO .LE. LAST) THEN
