@@ -737,20 +737,24 @@ cross arm-linux-gnueabihf-gcc qemu-arm "32-bit ARM"
 cross i686-linux-gnu-gcc qemu-i386 "x87"
 cross m68k-linux-gnu-gcc qemu-m68k "big-endian with an 80-bit unit (68k)"
 
-# int of 16 bits and double of 24, in 16 kilobytes of memory
+# int of 16 bits and double of 24, in 16 kilobytes of memory: once indices of 16
+# bits and -Os, once of 32 bits and -O2.  (A difference may be the simulator's:
+# simavr 1.6 takes an adiw or sbiw by 12 to 15, modulo 16, that is to be skipped
+# for two words.)
 name="same result: AVR"
 if command -v avr-gcc > /dev/null && command -v simavr > /dev/null; then
     if build tiny "$CC" "-O2 -DTESS_FLOAT" test/tiny.c $HARD &&
         build tiny.elf avr-gcc \
-            "-std=gnu89 -mmcu=atmega1284p -O2 -DTESS_LIST=64" test/tiny.c $HARD
+            "-std=gnu89 -mmcu=atmega1284p -Os -DTESS_INT=short -DTESS_LIST=64" \
+            test/tiny.c $HARD
     then
         build/tiny > build/tiny.txt
         (ulimit -t 100; exec simavr -m atmega1284p -f 16000000 \
             build/tiny.elf) 2>&1 |
             sed -n 's/[^ -~]\[[0-9]*m//g; s/\.$//p' > build/avr.txt
+        one "$name" cmp build/tiny.txt build/avr.txt
         # each line begins with the code 0
         one "tiny: 4 sets" test `grep -c '^0 1 0' build/tiny.txt` -eq 4
-        one "$name" cmp build/tiny.txt build/avr.txt
     else
         fail "$name: does not compile"
     fi
