@@ -114,11 +114,10 @@ bare() {
     esac
 }
 
-# small NAME MACHINE OPTIONS [LEVEL]: a row of the table of small machines
+# small NAME MACHINE OPTIONS: a row of the table of small machines
 small() {
     : > $B/bare.txt
-    level=${4:--Os}
-    bare $2 $B/bare.txt $level $3
+    bare $2 $B/bare.txt -Os $3
     same="the same"
     sed '$d' $B/bare.txt | cmp -s - $B/tiny.txt || { same="**another**"; BAD=1; }
     options="\`$3\`"
@@ -137,7 +136,7 @@ flash() {
     *) cc=$M0 size=arm-none-eabi-size;;
     esac
     for f in tess hhpred; do
-        $cc $level $2 -ffunction-sections -c -o $B/$f.o $f.c 2>> $B/log
+        $cc -Os $2 -ffunction-sections -c -o $B/$f.o $f.c 2>> $B/log
     done
     if [ $3 = all ]; then
         $size $B/tess.o $B/hhpred.o |
@@ -202,11 +201,10 @@ machine_table() {
         echo "| Cortex-M | not to be had | | | | | |"
     fi
     if have avr-gcc && have simavr; then
-        # (double is float, tess_int long; 3 limbs, of 9 bits here, do not do.
-        # With indices of type short avr-gcc 5.4 -Os sorts wrongly)
+        # (double is float, tess_int long; 3 limbs, of 9 bits here, do not do)
         small "AVR, ATmega1284P" avr "-DTESS_LIST=64 -DHH_LIMBS=6"
-        small "AVR, ATmega1284P, -O2" avr \
-            "-DTESS_INT=short -DTESS_LIST=64 -DHH_LIMBS=6" -O2
+        small "AVR, ATmega1284P" avr \
+            "-DTESS_INT=short -DTESS_LIST=64 -DHH_LIMBS=6"
     else
         echo "| AVR | not to be had | | | | | |"
     fi
