@@ -4,14 +4,17 @@
 # Takes CC and CFLAGS from the environment, builds into build/, and ends with
 # the line `N passed, N failed'.  The programs' full output is in
 # build/check.log.  What a machine lacks (compilers, sanitizers, Fortran) is
-# skipped, and said.
+# skipped, and said.  Where there are two processors two halves run at the same
+# time, the second one's output behind the first one's; PROCESSORS=1: in turn.
 CC=${CC:-cc}
 CFLAGS=${CFLAGS:--O2}
 LIBS=-lm
+HARD="tess.c hhpred.c"
 PASSED=0
 FAILED=0
 LOG=build/check.log
 OUT=build/out.$$
+PROCESSORS=${PROCESSORS:-`getconf _NPROCESSORS_ONLN 2> /dev/null`}
 
 mkdir -p build
 : > $LOG
@@ -70,6 +73,12 @@ have() {
     echo 'int main(void) { return 0; }' > build/have.c
     $1 $2 -o build/have build/have.c $LIBS > /dev/null 2>&1 && build/have
 }
+
+# ---- the first half: the library in C, on this machine ----
+#
+# Neither half needs what the other one builds.
+
+first_half() {
 
 # ---- the language: strict C89, no warnings; also as C++ ----
 
@@ -169,7 +178,6 @@ for t in exact points t_tess t_part; do
     $CC $CFLAGS -c -o build/$t.o test/$t.c
 done
 TEST="build/exact.o build/points.o"
-HARD="tess.c hhpred.c"
 
 for t in t_pred brute t_tess t_part; do
     also=
@@ -301,9 +309,6 @@ else
     skip "sanitizers"
 fi
 
-# Hard sets in hard circumstances, with builds of its own: the hunt's start.
-many "torture" env CC="$CC" sh test/torture.sh -check
-
 # ---- the same arrays from every build ----
 #
 # The test itself and its points are compiled once, so that compilers'
@@ -409,8 +414,15 @@ fi
 # ---- the command line program ----
 
 many "the driver" env CC="$CC" sh test/driver.sh
+}
 
-rm -f $OUT
+# ---- the second half: torture, FORTRAN 77, other machines, the paper ----
+
+second_half() {
+
+# Hard sets in hard circumstances, with builds of its own: the hunt's start.
+many "torture" env CC="$CC" sh test/torture.sh -check
+
 # ---- the FORTRAN 77 half: ANSI X3.9-1978 and nothing more ----
 
 # TSRUN, TESSIX and TESSQU cut their workspace up into arrays; a query hands
@@ -644,6 +656,7 @@ done
 $CC $CFLAGS -c -o build/tess.o tess.c
 $CC $CFLAGS -c -o build/hhpred.o hhpred.c
 $CC $CFLAGS -c -o build/t_f77.o test/t_f77.c
+$CC $CFLAGS -c -o build/points.o test/points.c
 LINKF=$CC
 LIBF=
 OTHER=
@@ -776,6 +789,39 @@ fi
 
 many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
     sh test/paper/paper.sh -check
+}
+
+# ---- both ----
+
+if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then
+    # links to the sources, and a build/ of its own
+    HALF=build/half
+    rm -rf $HALF
+    mkdir -p $HALF/build
+    for f in *; do
+        [ "$f" = build ] || ln -s "../../$f" $HALF
+    done
+    (
+        cd $HALF || exit
+        second_half
+        echo $PASSED $FAILED > build/counts
+    ) > $HALF/out 2>&1 &
+    trap "kill $! 2> /dev/null; exit 1" INT TERM
+    first_half
+    wait $!
+    cat $HALF/out
+    cat $HALF/$LOG >> $LOG
+    if read passed failed < $HALF/build/counts; then
+        PASSED=`expr $PASSED + $passed`
+        FAILED=`expr $FAILED + $failed`
+    else
+        fail "the second half: stopped"
+    fi
+else
+    first_half
+    second_half
+fi
+rm -f $OUT
 
 echo "$PASSED passed, $FAILED failed"
 test $FAILED -eq 0
