@@ -123,6 +123,7 @@ C         narrow TSNARR, refine TSREFI, rough TSROUG, level TSLEVE,
 C         remember TSREME, fit TSFIT, discover TSDISC, lean TSLEAN,
 C         residual TSRESI, sharpen TSSHAR, sight TSSIGH,
 C         lowest TSLOWE, promise TSPROM, face TSFCE, aside TSASID,
+C         normal TSNORM, flatten TSFLAT, offside TSOFFS,
 C         challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
 C         starcoef TSSTAC, inball TSINBA, considerall TSCALL,
 C         likeliest TSLIKE, anypoint TSANYP, instar TSINST,
@@ -174,7 +175,9 @@ C       MARK   0, or J + SUPPS*K, of a position with mark K of support
 C              J; behind MARK(NP) 0, or the support J of all points of a
 C              node; behind MARK(NP+2*CTL(LEAVES)*J) the least mark of a
 C              node's points, -1 if one is below SLOW, GRAINS if all are
-C              above; plus ABOVE if one is above -SLOW
+C              above; plus ABOVE if one is above -SLOW.  Behind
+C              MARK(CTL(SLAB0)), in the room of the last two supports,
+C              two integers of each node, its slab: see TSFLAT
 C     CTL, the mesh's integers:
 C       NP      distinct points
 C       NT      tetrahedra;  MAXT room for them
@@ -188,6 +191,7 @@ C       NPLANE  hull planes that are remembered;  NEXTPL the one to be
 C               replaced next;  PLANE0 the place before them
 C       TIES    1: the last points on a ball were not in it
 C       UNMET   no vertex before it is NEW and asked for
+C       SLAB0   the place before the slabs, or 0: there are none
 C     RCTL, its doubles:
 C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
@@ -195,6 +199,8 @@ C       RSHARE  a star's margin, in its block's
 C       RSCALE  X = P 2**(-RSCALE)
 C       RSUPP   supports that there are;  RSEEK is 1: look for more
 C       RBURDN  comparisons left open;  RPATIE how many may be, over NP
+C       RLEAST  the least absolute value of a coordinate above 0
+C       RSCAN   points of leaves tested, or -1: no more slabs
 C     A support J, a plane or a sphere that many points are near to, is
 C     behind RCTL(RSUP + LSUP*(J-1)).  Mark K, 0 ... GRAINS - 1, of one
 C     of them is a height between SLOW + (K - 1/2) SGRAIN and SLOW + (K
@@ -204,7 +210,6 @@ C       SSIGN   of a height by limbs
 C       SAT, SC, SSIZE  seen from what is behind SAT: behind SC the unit
 C               normal, or the centre; |C|_1
 C       SLOW, SGRAIN  as above
-C       (10)    RLEAST, the least absolute value of a coordinate above 0
 C     Lists of uncompleted points, in single precision.  List BLK, a
 C     block's, has those in a box, as offsets from the box's centre in
 C     units of its half width; list STR, a star's, those nearer to its
@@ -272,6 +277,12 @@ C       SOME    places of the sample
 C       GRAINS  marks of heights over a support: a double holds them and
 C               their roundings
 C       ABOVE   added where a node has points above that
+C       SCANS, SLIM  slabs are made when the points of leaves that were
+C               tested are SCANS times the points, for nodes whose slab
+C               is less than SLIM of the box: with 0.1 those between two
+C               sheets take 12 % longer, with 0.35 those on a torus 8 %
+C       HALFWY, PARTS  a slab's normal has components below HALFWY, and
+C               the box's width along it has PARTS parts
 C       PLANES  hull planes that are remembered
 C       ENTRY, EDGE  integers of an entry of the pool, and of an edge
 C       LEAST   pool and edges, at least
@@ -2028,7 +2039,7 @@ C     twice the height's error.  OK is 1, or 0.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
       INTEGER ORD(*), MARK(*), J, Z, OK
       INTEGER RSUP, LSUP, SPLANE, SSIGN, SLOW, SGRAIN, SUPPS
-      PARAMETER (RSUP = 10, LSUP = 98, SPLANE = 88, SSIGN = 89)
+      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, SSIGN = 89)
       PARAMETER (SLOW = 97, SGRAIN = 98, SUPPS = 8)
       INTEGER AT, K, PLANE
       AT = RSUP + LSUP*(J - 1)
@@ -2199,9 +2210,10 @@ C     height of each node.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55)
       INTEGER TSCUBE
-      INTEGER NP, LEAVES, RSUPP, RSEEK, RSUP, LSUP, SPLANE, SSIGN, SLOW
-      INTEGER SGRAIN, DONE, SUPPS, GRAINS, ABOVE, OPENED, QOPEND
-      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RSEEK = 7, RSUP = 10)
+      INTEGER NP, LEAVES, SLAB0, RSUPP, RSEEK, RSUP, LSUP, SPLANE, SSIGN
+      INTEGER SLOW, SGRAIN, DONE, SUPPS, GRAINS, ABOVE, OPENED, QOPEND
+      PARAMETER (NP = 1, LEAVES = 4, SLAB0 = 28, RSUPP = 6, RSEEK = 7)
+      PARAMETER (RSUP = 11)
       PARAMETER (LSUP = 98, SPLANE = 88, SSIGN = 89, SLOW = 97)
       PARAMETER (SGRAIN = 98, DONE = -1, SUPPS = 8, GRAINS = 134217728)
       PARAMETER (ABOVE = GRAINS + 2, OPENED = 24, QOPEND = 21)
@@ -2282,6 +2294,7 @@ C     a sample of all that is near, as that may be of a corner
       END IF
       RCTL(RSUPP) = DBLE(J)
       IF (J .EQ. SUPPS) RCTL(RSEEK) = 0.0D0
+      IF (J .EQ. SUPPS - 2 .AND. CTL(SLAB0) .NE. 0) RCTL(RSEEK) = 0.0D0
       DO 50 NODE = 1, 2*CTL(LEAVES) - 1
         IF (MARK(CTL(NP)+NODE) .EQ. 0 .AND. MARK(LEAST+NODE) .GE. 0
      $      .AND. MARK(LEAST+NODE) .LE. GRAINS) MARK(CTL(NP)+NODE) = J
@@ -2395,7 +2408,7 @@ C     sphere's.  g errs by E and some roundings.
       INTEGER ORD(*), MARK(*), IQ(55), Z, SIDE
       INTEGER RSUP, LSUP, SPLANE, SC, QNEAR, QELO, QEHI, QLOW, QHIGH
       INTEGER SURE
-      PARAMETER (RSUP = 10, LSUP = 98, SPLANE = 88, SC = 92, QNEAR = 6)
+      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, SC = 92, QNEAR = 6)
       PARAMETER (QELO = 101, QEHI = 102, QLOW = 103, QHIGH = 104)
       PARAMETER (SURE = 3)
       DOUBLE PRECISION EPS, HUGE, PAD, SMALL
@@ -2492,7 +2505,7 @@ C     roundings of each term.
       INTEGER QBEST, QBALL, QNEAR, QTURN, QAIMED, QTESTS, QTOP, QHI, QH
       INTEGER QDH, QTILT, QDTILT, QEHI, QTEST, TQ, TD, TDD, TBIAS, TA
       INTEGER LTEST
-      PARAMETER (RSUP = 10, LSUP = 98, SPLANE = 88, SAT = 89, SC = 92)
+      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, SAT = 89, SC = 92)
       PARAMETER (SLOW = 97, QBEST = 1, QBALL = 3, QNEAR = 6, QTURN = 7)
       PARAMETER (QAIMED = 8, QTESTS = 9, QTOP = 9, QHI = 2, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QEHI = 102)
@@ -2603,7 +2616,7 @@ C     roundings of each term.
 C     TSLOWE - the LEAST of q |w|**2 - d.w in a node's box, of the test
 C     behind FQ(T), and the greatest |w|_1, SIZE.
       SUBROUTINE TSLOWE(BOX, F, FQ, T, NODE, LEAST, SIZE)
-      DOUBLE PRECISION BOX(6,*), F(12), FQ(168), LEAST, SIZE
+      DOUBLE PRECISION BOX(6,*), F(12), FQ(*), LEAST, SIZE
       INTEGER T, NODE
       INTEGER TQ, TD
       PARAMETER (TQ = 1, TD = 1)
@@ -2637,7 +2650,7 @@ C     no candidate.
       INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN
       INTEGER QNEAR, QTURN, QAIMED, QTESTS, QTOP, QH, QDH, QTEST, TQ
       INTEGER TDD, TBIAS, TA, TERR, LTEST, GRAINS, ABOVE
-      PARAMETER (NP = 1, LEAVES = 4, RSUP = 10, LSUP = 98, SLOW = 97)
+      PARAMETER (NP = 1, LEAVES = 4, RSUP = 11, LSUP = 98, SLOW = 97)
       PARAMETER (SGRAIN = 98, QNEAR = 6, QTURN = 7, QAIMED = 8)
       PARAMETER (QTESTS = 9, QTOP = 9, QH = 95, QDH = 96, QTEST = 104)
       PARAMETER (TQ = 1, TDD = 5, TBIAS = 6, TA = 7, TERR = 8)
@@ -2687,7 +2700,7 @@ C     Any t is right; so what it is wrong by does not count.
       INTEGER J, IQ(55)
       INTEGER RSUP, LSUP, SPLANE, SAT, SC, SSIZE, SLOW
       INTEGER QTURN, QFACED, QC, QDC, QSLAB, TQ, TD, TDD, TBIAS, LSLAB
-      PARAMETER (RSUP = 10, LSUP = 98, SPLANE = 88, SAT = 89, SC = 92)
+      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, SAT = 89, SC = 92)
       PARAMETER (SSIZE = 96, SLOW = 97, QTURN = 7, QFACED = 11, QC = 2)
       PARAMETER (QDC = 6, QSLAB = 120, TQ = 1, TD = 1, TDD = 5)
       PARAMETER (TBIAS = 6, LSLAB = 6)
@@ -2765,6 +2778,189 @@ C     outside of the ball: OUT is 1, or 0.
       SUM = FQ(T+TBIAS) + SUM
       IF (SUM .GT. 16.0D0*EPS*(FQ(T+TQ) + 1.0D0)*SIZE*SIZE +
      $    SIZE*FQ(T+TDD) + FAINT) OUT = 1
+      END
+
+C     ------------------------------------------------------------------
+C     Slabs.
+C
+C     On a smooth surface a box sticks out of the surface by as much as
+C     it is wide, so that a ball which touches the surface meets many of
+C     them.  The slab between two parallel planes that holds a node's
+C     points is thinner, as the box's width is less than the radius of
+C     curvature, and the ball meets a few of them, however many there
+C     are.  Slabs are made for all nodes when searches turn out to be
+C     long, in the room of the last two supports.
+C     ------------------------------------------------------------------
+
+C     TSNORM - the normal N of the plane nearest to a sample of the
+C     points FIRST ... LAST of a node, scaled and rounded to integers of
+C     absolute value below HALFWY: the column of the adjugate of the
+C     matrix of second moments with the greatest diagonal.  OK is 1, or
+C     0 where there is none.
+      SUBROUTINE TSNORM(X, BOX, FIRST, LAST, NODE, N, OK)
+      DOUBLE PRECISION X(3,*), BOX(6,*), N(3)
+      INTEGER FIRST, LAST, NODE, OK
+      INTEGER SAMPLE, HALFWY
+      PARAMETER (SAMPLE = 64, HALFWY = 512)
+      DOUBLE PRECISION A(6), C(3), MANY, MOST, U(3), V
+      INTEGER I, J, K, L, STEP
+      OK = 0
+      STEP = (LAST - FIRST + 1)/SAMPLE + 1
+      MOST = 0.0D0
+      MANY = 0.0D0
+      DO 10 K = 1, 3
+        C(K) = 0.0D0
+        A(K) = 0.0D0
+        A(3+K) = 0.0D0
+        N(K) = 0.0D0
+   10 CONTINUE
+      DO 30 I = FIRST, LAST, STEP
+        MANY = MANY + 1.0D0
+        DO 20 K = 1, 3
+          C(K) = C(K) + (X(K,I) - BOX(K,NODE))
+   20   CONTINUE
+   30 CONTINUE
+      DO 60 I = FIRST, LAST, STEP
+        DO 40 K = 1, 3
+          U(K) = X(K,I) - BOX(K,NODE) - C(K)/MANY
+   40   CONTINUE
+        DO 50 K = 1, 3
+          A(K) = A(K) + U(K)*U(K)
+          A(3+K) = A(3+K) + U(MOD(K,3)+1)*U(MOD(K+1,3)+1)
+   50   CONTINUE
+   60 CONTINUE
+      DO 70 K = 1, 3
+        J = MOD(K, 3) + 1
+        L = MOD(K + 1, 3) + 1
+        V = A(J)*A(L) - A(3+K)*A(3+K)
+        IF (V .LE. MOST) GO TO 70
+        MOST = V
+        N(K) = V
+        N(J) = A(3+K)*A(3+J) - A(3+L)*A(L)
+        N(L) = A(3+K)*A(3+L) - A(3+J)*A(J)
+   70 CONTINUE
+      IF (MOST .LE. 0.0D0) RETURN
+      MOST = MAX(MOST, ABS(N(1)), ABS(N(2)), ABS(N(3)))
+      DO 80 K = 1, 3
+        V = N(K)/MOST*DBLE(HALFWY - 1) + 0.5D0
+        N(K) = DBLE(INT(V))
+        IF (N(K) .GT. V) N(K) = N(K) - 1.0D0
+   80 CONTINUE
+      OK = 1
+      END
+
+C     TSFLAT - make the slab of each node: a normal N, and between which
+C     of PARTS parts of the range of N.x in the box N.x is for its
+C     points, with a part to spare.  N.x, the ends of the range, and
+C     those that TSOFFS finds, with differences for x, err by at most 4,
+C     4 and 8 EPS |N|_1, |N|_1 < 1536, the range by twice that: together
+C     less than a part of 65536 EPS.
+      SUBROUTINE TSFLAT(X, BOX, MARK, CTL)
+      DOUBLE PRECISION X(3,*), BOX(6,*)
+      INTEGER MARK(*), CTL(*)
+      INTEGER NP, LEAVES, SLAB0, SUPPS, HALFWY
+      PARAMETER (NP = 1, LEAVES = 4, SLAB0 = 28, SUPPS = 8)
+      PARAMETER (HALFWY = 512)
+      DOUBLE PRECISION EPS, PARTS, SLIM
+      PARAMETER (EPS = 2.0D0**(-52), PARTS = 32767.0D0, SLIM = 0.2D0)
+      DOUBLE PRECISION HI, LEAST, LO, MOST, N(3), PART, V
+      INTEGER AT, FIRST, I, K, LAST, NODE, OK
+      CTL(SLAB0) = CTL(NP) + 2*CTL(LEAVES)*(SUPPS - 1)
+      DO 40 NODE = 1, 2*CTL(LEAVES) - 1
+        AT = CTL(SLAB0) + 2*NODE
+        MARK(AT) = 0
+        CALL TSSPAN(CTL, NODE, FIRST, LAST)
+        CALL TSNORM(X, BOX, FIRST, LAST, NODE, N, OK)
+        IF (OK .EQ. 0) GO TO 40
+        LO = 0.0D0
+        HI = 0.0D0
+        DO 10 K = 1, 3
+          LO = LO + MIN(N(K)*BOX(K,NODE), N(K)*BOX(3+K,NODE))
+          HI = HI + MAX(N(K)*BOX(K,NODE), N(K)*BOX(3+K,NODE))
+   10   CONTINUE
+        PART = (HI - LO)/PARTS
+        IF (PART .LT. 65536.0D0*EPS) GO TO 40
+        LEAST = HI
+        MOST = LO
+        DO 20 I = FIRST, LAST
+          V = N(1)*X(1,I) + N(2)*X(2,I) + N(3)*X(3,I)
+          LEAST = MIN(LEAST, V)
+          MOST = MAX(MOST, V)
+   20   CONTINUE
+        IF (MOST - LEAST .GT. SLIM*(HI - LO)) GO TO 40
+        LEAST = MAX(DBLE(INT((LEAST - LO)/PART)) - 1.0D0, 0.0D0)
+        MOST = MIN(DBLE(INT((MOST - LO)/PART)) + 2.0D0, PARTS)
+        DO 30 K = 1, 3
+          N(K) = N(K) + DBLE(HALFWY)
+   30   CONTINUE
+        MARK(AT) = INT((N(3)*1024.0D0 + N(2))*1024.0D0 + N(1))
+        MARK(AT+1) = INT(MOST*32768.0D0 + LEAST)
+   40 CONTINUE
+      END
+
+C     TSOFFS - has the part of a node's box that is in its slab
+C     certainly no candidate: OUT is 1, or 0.  With the normal N, EDGE
+C     the end of N.W in the slab next to the ball's centre C, and any T
+C     of the sign of N.C - EDGE
+C         |W|**2 - 2 C.W >= |W|**2 - (2 C - T N).W - T EDGE
+C     there, and so, without the square, for minus the side v.W.  Taken
+C     is the T that is best for the slab without the box.  The slab's
+C     end has a part to spare; all else errs by some EPS of the terms,
+C     and |EDGE| <= |N|_1 SIZE.
+      SUBROUTINE TSOFFS(BOX, MARK, CTL, IQ, F, FQ, NODE, OUT)
+      DOUBLE PRECISION BOX(6,*), F(12), FQ(168)
+      INTEGER MARK(*), CTL(*), IQ(55), NODE, OUT
+      INTEGER SLAB0, QBALL, QC, QDC, QSIZE, TQ, TD, HALFWY
+      PARAMETER (SLAB0 = 28, QBALL = 3, QC = 2, QDC = 6, QSIZE = 7)
+      PARAMETER (TQ = 1, TD = 1, HALFWY = 512)
+      DOUBLE PRECISION EPS, FAINT, LOOSE, PARTS
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0)
+      PARAMETER (PARTS = 32767.0D0)
+      DOUBLE PRECISION D, EDGE, ERR, H, HI, L, LO, N(3), N1, ND, NN
+      DOUBLE PRECISION PART, Q, SIZE, SUM, T, TEST(4)
+      INTEGER AT, CODE, K
+      OUT = 0
+      IF (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE) RETURN
+      AT = CTL(SLAB0) + 2*NODE
+      CODE = MARK(AT)
+      Q = DBLE(IQ(QBALL))
+      LO = 0.0D0
+      HI = 0.0D0
+      NN = 0.0D0
+      N1 = 0.0D0
+      ND = 0.0D0
+      DO 10 K = 1, 3
+        N(K) = DBLE(MOD(CODE, 1024) - HALFWY)
+        CODE = CODE/1024
+        D = F(K)
+        IF (IQ(QBALL) .EQ. 1) D = 2.0D0*FQ(QC+K)
+        TEST(TD+K) = D
+        L = N(K)*(BOX(K,NODE) - F(6+K))
+        H = N(K)*(BOX(3+K,NODE) - F(6+K))
+        LO = LO + MIN(L, H)
+        HI = HI + MAX(L, H)
+        NN = NN + N(K)*N(K)
+        N1 = N1 + ABS(N(K))
+        ND = ND + N(K)*D
+   10 CONTINUE
+      CODE = MARK(AT+1)
+      PART = (HI - LO)*(1.0D0/PARTS)
+      HI = LO + PART*DBLE(CODE/32768)
+      LO = LO + PART*DBLE(MOD(CODE, 32768))
+      EDGE = 0.5D0*ND
+      IF (ND .LT. 2.0D0*Q*LO) EDGE = LO
+      IF (ND .GT. 2.0D0*Q*HI) EDGE = HI
+      T = (ND - 2.0D0*Q*EDGE)/NN
+      TEST(TQ) = Q
+      DO 20 K = 1, 3
+        TEST(TD+K) = TEST(TD+K) - T*N(K)
+   20 CONTINUE
+      CALL TSLOWE(BOX, F, TEST, 0, NODE, SUM, SIZE)
+      ERR = F(10)
+      IF (IQ(QBALL) .EQ. 1) ERR = 2.0D0*FQ(QDC) + 32.0D0*EPS*(SIZE +
+     $    FQ(QSIZE))
+      ERR = ERR + 64.0D0*EPS*(1.0D0 - Q + ABS(T)*N1)
+      IF (SUM - T*EDGE .GT. SIZE*ERR + FAINT) OUT = 1
       END
 
 C     TSCHAL - take Z if it is on the open side and beats the best point
@@ -3184,7 +3380,7 @@ C     leaf, with room for a mark's.
       INTEGER LAST, NODE
       INTEGER RSUP, LSUP, SLOW, SGRAIN, QNEAR, QTURN, QAIMED, QTESTS
       INTEGER QH, QTEST, TQ, TD, TBIAS, TA, TERR, LTEST, DONE, SUPPS
-      PARAMETER (RSUP = 10, LSUP = 98, SLOW = 97, SGRAIN = 98)
+      PARAMETER (RSUP = 11, LSUP = 98, SLOW = 97, SGRAIN = 98)
       PARAMETER (QNEAR = 6)
       PARAMETER (QTURN = 7, QAIMED = 8, QTESTS = 9, QH = 95)
       PARAMETER (QTEST = 104, TQ = 1, TD = 1, TBIAS = 6, TA = 7)
@@ -3225,11 +3421,13 @@ C     may be anywhere.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(168)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55)
       INTEGER TSPRUN, TSLEAF
-      INTEGER NP, LEAVES, RSUPP, RSEEK, QNEAR, QTESTS, DONE, DEPTH
-      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RSEEK = 7, QNEAR = 6)
-      PARAMETER (QTESTS = 9, DONE = -1, DEPTH = 64)
+      INTEGER NP, LEAVES, SLAB0, RSUPP, RSEEK, RSCAN, QNEAR, QTESTS
+      INTEGER DONE, DEPTH
+      PARAMETER (NP = 1, LEAVES = 4, SLAB0 = 28, RSUPP = 6, RSEEK = 7)
+      PARAMETER (RSCAN = 11, QNEAR = 6, QTESTS = 9, DONE = -1)
+      PARAMETER (DEPTH = 64)
       DOUBLE PRECISION MOST
-      INTEGER FIRST, HEIGHT, I, LAST, LEAST, N, NEAR, NODE, OUT
+      INTEGER FIRST, FLAT, HEIGHT, I, LAST, LEAST, N, NEAR, NODE, OUT
       INTEGER STACK(DEPTH), SUPPS
       SUPPS = INT(RCTL(RSUPP))
       NEAR = IQ(QNEAR)
@@ -3258,7 +3456,15 @@ C     may be anywhere.
       NODE = STACK(HEIGHT)
       HEIGHT = HEIGHT - 1
       IF (ALIVE(NODE) .EQ. 0) GO TO 30
-      IF (TSPRUN(IQ, F, FQ, BOX, NODE) .EQ. 1) GO TO 30
+      FLAT = 0
+      IF (CTL(SLAB0) .NE. 0 .AND. NEAR .EQ. 0)
+     $    FLAT = MARK(CTL(SLAB0)+2*NODE)
+      IF (FLAT .GT. 0) THEN
+        CALL TSOFFS(BOX, MARK, CTL, IQ, F, FQ, NODE, OUT)
+      ELSE
+        OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
+      END IF
+      IF (OUT .EQ. 1) GO TO 30
       IF (SUPPS .GT. 0) THEN
         IF (NEAR .NE. 0) THEN
           CALL TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, MOST)
@@ -3278,6 +3484,8 @@ C     may be anywhere.
         GO TO 30
       END IF
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      IF (RCTL(RSCAN) .GE. 0.0D0)
+     $    RCTL(RSCAN) = RCTL(RSCAN) + DBLE(LAST - FIRST + 1)
       N = 0
       IF (NEAR .NE. 0) N = IQ(QTESTS)
       IF (N .GT. 0) THEN
@@ -3392,15 +3600,16 @@ C     GUESS: two positions to try first, or 0.
       INTEGER LSI(3,2), V(3), GUESS(2), Z
       INTEGER TSONHU
       INTEGER NP, NPLANE, NEXTPL, PLANE0, RSUPP, RSEEK, RBURDN, RPATIE
-      INTEGER RSUP, LSUP, SPLANE, QBEST, QNEAR, QOPEND, QEHI, PLANES
-      INTEGER OPENED
+      INTEGER RSCAN, RSUP, LSUP, SPLANE, QBEST, QNEAR, QOPEND, QEHI
+      INTEGER PLANES, OPENED, SUPPS
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, PLANE0 = 13)
       PARAMETER (RSUPP = 6, RSEEK = 7, RBURDN = 8, RPATIE = 9)
-      PARAMETER (RSUP = 10)
+      PARAMETER (RSCAN = 11, RSUP = 11)
       PARAMETER (LSUP = 98, SPLANE = 88, QBEST = 1, QNEAR = 6)
       PARAMETER (QOPEND = 21, QEHI = 102, PLANES = 4, OPENED = 24)
-      DOUBLE PRECISION EPS, HUGE
-      PARAMETER (EPS = 2.0D0**(-52))
+      PARAMETER (SUPPS = 8)
+      DOUBLE PRECISION EPS, HUGE, SCANS
+      PARAMETER (EPS = 2.0D0**(-52), SCANS = 100.0D0)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION F(12), FQ(168)
       INTEGER AT, G, IQ(55), K, LISTS, OK
@@ -3436,6 +3645,12 @@ C       before the block's list: a tenth of the time on lattices
       CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V, IQ,
      $            F, FQ)
       Z = IQ(QBEST)
+      IF (RCTL(RSCAN) .GT. SCANS*DBLE(CTL(NP))) THEN
+        RCTL(RSCAN) = -1.0D0
+        K = INT(RCTL(RSUPP))
+        IF (K .LE. SUPPS - 2) CALL TSFLAT(X, BOX, MARK, CTL)
+        IF (K .GE. SUPPS - 2) RCTL(RSEEK) = 0.0D0
+      END IF
       IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RSEEK) .GT. 0.0D0) THEN
         RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))
         IF (RCTL(RBURDN) .GT. RCTL(RPATIE)*DBLE(CTL(NP))) THEN
@@ -4109,18 +4324,21 @@ C     besides.
       DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*)
       INTEGER HHHOLD, TSLCOU
       INTEGER NP, LEAVES, NPLANE, NEXTPL, TIES, T3, T5, RSCALE, RLEAST
-      INTEGER RSUPP, RSEEK, RANGE
+      INTEGER SLAB0, RSUPP, RSEEK, RSCAN, RANGE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
       PARAMETER (TIES = 26, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 10)
-      PARAMETER (RSUPP = 6, RSEEK = 7, RANGE = 6)
+      PARAMETER (SLAB0 = 28, RSUPP = 6, RSEEK = 7, RSCAN = 11)
+      PARAMETER (RANGE = 6)
       DOUBLE PRECISION NORMAL
       PARAMETER (NORMAL = 2.0D0**(-1022))
       INTEGER ALL
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
       CTL(TIES) = 0
+      CTL(SLAB0) = 0
       RCTL(RSUPP) = 0.0D0
       RCTL(RSEEK) = 0.0D0
+      RCTL(RSCAN) = -1.0D0
       CTL(NP) = ALIVE(2*LVS)
       INFO = -8
       IF (CTL(NP) .LT. 0 .OR. CTL(NP) .GT. N) RETURN
@@ -4153,24 +4371,26 @@ C     element of RW or IW, and the standard lets them be altered.
       INTEGER TSTABL
       INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW
       INTEGER NPLANE, NEXTPL, TIES, UNMET, LFIRST, LLAST, LN, BLK, STR
-      INTEGER T5, RREACH, RSUPP, RSEEK, RBURDN, RPATIE, SUPPS, LSUP
-      INTEGER OPEN, NEW, TSLIST, TSIDS
+      INTEGER SLAB0, T5, RREACH, RSUPP, RSEEK, RBURDN, RPATIE, RSCAN
+      INTEGER SUPPS, LSUP, OPEN, NEW, TSLIST, TSIDS
       PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5)
       PARAMETER (MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, NPLANE = 12)
       PARAMETER (NEXTPL = 13, TIES = 26, UNMET = 27, LFIRST = 1)
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, T5 = 2)
       PARAMETER (RREACH = 3, RSUPP = 6, RSEEK = 7, RBURDN = 8)
-      PARAMETER (RPATIE = 9, SUPPS = 8, LSUP = 98)
+      PARAMETER (SLAB0 = 28, RPATIE = 9, RSCAN = 11, SUPPS = 8)
+      PARAMETER (LSUP = 98)
       PARAMETER (OPEN = -1, NEW = -2, TSLIST = 512)
       PARAMETER (TSIDS = TSLIST + 48)
       DOUBLE PRECISION REACH, BURDEN, PLAIN
       PARAMETER (REACH = 2.75D0, BURDEN = 1.0D0, PLAIN = 16.0D0)
-      DOUBLE PRECISION LSD(14,2), MEAN, RCTL(10+LSUP*SUPPS)
+      DOUBLE PRECISION LSD(14,2), MEAN, RCTL(11+LSUP*SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(27), I, K, LSI(3,2), OWN, S, T, LSID(TSIDS,2)
+      INTEGER CTL(28), I, K, LSI(3,2), OWN, S, T, LSID(TSIDS,2)
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
       CTL(TIES) = 0
+      CTL(SLAB0) = 0
       LSI(LFIRST,BLK) = 1
       LSI(LLAST,BLK) = 0
       LSI(LN,BLK) = 0
@@ -4203,6 +4423,8 @@ C     sets, by a step of Newton's method
       RCTL(RSUPP) = 0.0D0
       RCTL(RBURDN) = 0.0D0
       RCTL(RPATIE) = BURDEN
+      RCTL(RSCAN) = -1.0D0
+      IF (SPACE .GT. 1) RCTL(RSCAN) = 0.0D0
 C     doubles decide all where points are in few units
       RCTL(RSEEK) = 0.0D0
       IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN) RCTL(RSEEK) = 1.0D0
@@ -4520,15 +4742,15 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
       INTEGER N, LVS, REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4), INFO
       DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
       INTEGER NP, NPLANE, NEXTPL, TIES, LN, BLK, STR, T3, T5, RSCALE
-      INTEGER RSUPP, RSEEK, RLEAST, RANGE, TSLIST, TSIDS
+      INTEGER SLAB0, RSUPP, RSEEK, RSCAN, RLEAST, RANGE, TSLIST, TSIDS
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIES = 26, LN = 3)
       PARAMETER (BLK = 1, STR = 2, T3 = 1, T5 = 2, RSCALE = 5)
       PARAMETER (RSUPP = 6, RSEEK = 7, RLEAST = 10, RANGE = 6)
-      PARAMETER (TSLIST = 512)
+      PARAMETER (SLAB0 = 28, RSCAN = 11, TSLIST = 512)
       PARAMETER (TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), RCTL(10)
+      DOUBLE PRECISION LSD(14,2), RCTL(11)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(27), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
+      INTEGER CTL(28), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, N, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       KNOWN(1) = -INFO
@@ -4536,8 +4758,10 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
         CTL(NPLANE) = 0
         CTL(NEXTPL) = 1
         CTL(TIES) = 0
+        CTL(SLAB0) = 0
         RCTL(RSUPP) = 0.0D0
         RCTL(RSEEK) = 0.0D0
+        RCTL(RSCAN) = -1.0D0
         LSI(LN,BLK) = 0
         LSI(LN,STR) = 0
         GUESS(1) = 0
@@ -5223,9 +5447,9 @@ C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
       INTEGER NP, LN, BLK, STR, T3, UNSURE, RANGE, TSLIST, TSIDS
       PARAMETER (NP = 1, LN = 3, BLK = 1, STR = 2, T3 = 1, UNSURE = 2)
       PARAMETER (RANGE = 6, TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), RCTL(10), Y(3,1)
+      DOUBLE PRECISION LSD(14,2), RCTL(11), Y(3,1)
       REAL LSX(TSLIST,4,2)
-      INTEGER CODE, CTL(27), F(3), GUESS(2), I, K, LAST, LSI(3,2)
+      INTEGER CODE, CTL(28), F(3), GUESS(2), I, K, LAST, LSI(3,2)
       INTEGER LSID(TSIDS,2), S, STEPS, U(4,1)
       CALL TSOPEN(N, P, LVS, BOX, ALIVE, KNOWN, CTL, RCTL, INFO)
       IF (INFO .LT. 0) INFO = -3
