@@ -1,20 +1,22 @@
 /* hhpred.c - predicates for a handful of points in space; see hhpred.h.
  *
  * Order of the routines, here and in f77/hhpred.f:
- *   exact numbers     nearest carry zeros shift split signof spread least
- *                     volume ball limbsg limbs3 limbs10 limbsx centre leading
- *                     weight exact
+ *   exact numbers     nearest zeros shift split carry signof spread least
+ *                     volume ball leading region foot limbsg limbs3 limbs10
+ *                     limbsx centre weight exact
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       certain filt3 filt5 opposite pack scale hh_orient
- *                     hh_insphere hh_flat hh_line widersg hh_wider hh_range
- *                     corners hh_pside
+ *                     hh_insphere hh_flat hh_line closest hh_foot widersg
+ *                     hh_wider hh_range corners hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
- *   balls by limbs    rows cut hh_centre form hh_trial hh_thin
- *   Householder       house reflec hh_setup hh_bound hh_limits hh_facet hh_side
- *                     hh_opp hh_lcoord hh_wrap
+ *   balls by limbs    rows cut hh_centre form sure offset squared hh_trial
+ *                     hh_unit hh_height hh_thin
+ *   Householder       house reflec hh_setup hh_bound hh_ratio hh_limits
+ *                     hh_facet hh_side hh_opp hh_lcoord hh_wrap
  */
 #include "hhpred.h"
 #include <math.h>
+#include <stddef.h>
 
 /* An integer of at least 32 bits. */
 #if INT_MAX >= 2147483647
@@ -326,20 +328,137 @@ static int ball(int n, int depth, double *x)
     return signof(n5, n5 < 5 * n ? BOUND : 0.0, sum);
 }
 
-/* limbsg - with n limbs, volume for np = 4 points q, ball for 5; UNSURE when n
- * limbs do not hold the points.  work: 44n doubles.  Limbs 0 that are 0 in all
- * rows are left out as long as the next ones may be limbs 0. */
-static int limbsg(int np, const double *q, double top, int n, double *work)
+/* leading - the value of a carried number, in the weight of its first limb
+ * that is not 0, *at.  Behind it comes at most half a unit and a little, so the
+ * value is at least nearly one half: the roundings, of at most 1/2 + 2^-23,
+ * count for less than 3 eps of it. */
+static double leading(int n, const double *r, int step, int *at)
 {
-    int w = 3 * np, used = spread(np, q, top, n, work), sign = UNSURE, k;
+    double sum = 0.0;
+    int i, last;
+
+    for (i = 0; i < n - 1 && r[step * i] == 0.0; i++)
+        ;
+    *at = i;
+    last = i + LEADING < n ? i + LEADING : n;
+    while (--last >= i) sum = sum / BASE + r[step * last];
+    return sum;
+}
+
+/* region - the face of a triangle whose interior has the triangle's point
+ * nearest to q: the sum of 2^k for its vertices k.  Side i leads from vertex i
+ * to the next one; dot[3i+k] has the sign of the product of side i and q -
+ * vertex k, area[k] that of the weight of vertex k at the foot of the
+ * perpendicular from q. */
+static int region(const double *dot, const double *area)
+{
+    static const int one[3] = {1, 2, 4};
+    int i, j, k;
+
+    for (i = 0; i < 3; i++) {
+        k = (i + 2) % 3;
+        if (dot[4 * i] <= 0.0 && dot[3 * k + i] >= 0.0) return one[i];
+    }
+    for (i = 0; i < 3; i++) {
+        j = (i + 1) % 3;
+        k = (i + 2) % 3;
+        if (area[k] <= 0.0 && dot[4 * i] >= 0.0 && dot[3 * i + j] <= 0.0)
+            return one[i] + one[j];
+    }
+    return 7;
+}
+
+/* foot - region, and the weights w of the vertices in that point: each right
+ * to 16 eps of itself, by its leading limbs, or underflowed.  x: the rows b-a,
+ * c-a, q-a of a triangle a, b, c, of n limbs, as of spread, in 42n doubles.
+ * With sides s and offsets o = q - vertex
+ *     area[k] = (s_i.o_j) (s_k.o_i) - (s_i.o_i) (s_k.o_j), i, j, k cyclic. */
+static int foot(int n, double *x, double *w)
+{
+    double *dot = x + 12 * n, *area = dot + 18 * n, *r;
+    double side[9], off[9], value[12], sum = 0.0;
+    const double *s, *t;
+    int at[12], from[3], i, j, k, l, m, rest, rows = 0, top = 4 * n, set;
+
+    zeros(30 * n, dot);
+    for (i = 0, s = x; i < n; i++, s += 12) {
+        if (rows++ % ROWS1 == ROWS1 - 1) carry(2 * n, 9, dot);
+        for (k = 0; k < 3; k++) {
+            side[k] = s[k];
+            side[3 + k] = s[3 + k] - s[k];
+            side[6 + k] = -s[3 + k];
+        }
+        for (j = 0, t = x, r = dot + 9 * (i + 1); j < n; j++, t += 12) {
+            for (k = 0; k < 3; k++) {
+                off[k] = t[6 + k];
+                off[3 + k] = t[6 + k] - t[k];
+                off[6 + k] = t[6 + k] - t[3 + k];
+            }
+            for (k = 0; k < 9; k += 3)
+                for (l = 0; l < 9; l += 3)
+                    *r++ += side[k] * off[l] + side[k + 1] * off[l + 1] +
+                            side[k + 2] * off[l + 2];
+        }
+    }
+    carry(2 * n, 9, dot);
+    rows = 0;
+    for (i = 0, s = dot; i < 2 * n; i++, s += 9) {
+        if (rows++ % ROWS2 == ROWS2 - 1) carry(4 * n, 3, area);
+        for (j = 0, t = dot, r = area + 3 * (i + 1); j < 2 * n;
+             j++, t += 9, r += 3)
+            for (k = 0; k < 3; k++) {
+                l = (k + 1) % 3;
+                m = (k + 2) % 3;
+                r[m] += s[3 * k + l] * t[3 * m + k] -
+                        s[4 * k] * t[3 * m + l];
+            }
+    }
+    carry(4 * n, 3, area);
+    for (k = 0; k < 9; k++) value[k] = leading(2 * n, dot + k, 9, at + k);
+    for (k = 0; k < 3; k++)
+        value[9 + k] = leading(4 * n, area + k, 3, at + 9 + k);
+    rest = set = region(value, value + 9);
+    for (k = 0; k < 3; k++) {
+        from[k] = 9 + k;
+        w[k] = (double)(rest % 2);
+        rest /= 2;
+    }
+    if (set == 1 || set == 2 || set == 4) return set;
+    for (k = 0; k < 3; k++) {
+        l = (k + 1) % 3;
+        if (w[(k + 2) % 3] > 0.0) continue;
+        from[k] = 3 * k + l;
+        from[l] = 4 * k;
+        value[from[k]] = -value[from[k]];
+    }
+    for (k = 0; k < 3; k++)
+        if (w[k] > 0.0) top = least(top, at[from[k]]);
+    for (k = 0; k < 3; k++) {
+        if (w[k] > 0.0)
+            w[k] = ldexp(value[from[k]], (top - at[from[k]]) * HH_BITS);
+        sum += w[k];
+    }
+    for (k = 0; k < 3; k++) w[k] /= sum;
+    return set;
+}
+
+/* limbsg - with n limbs, volume for np = 4 points q, or minus foot if there is
+ * a w, ball for 5; UNSURE when n limbs do not hold the points.  work: 44n
+ * doubles.  Limbs 0 that are 0 in all rows are left out as long as the next
+ * ones may be limbs 0. */
+static int limbsg(int np, const double *q, double top, int n, double *work,
+                  double *w)
+{
+    int wide = 3 * np, used = spread(np, q, top, n, work), sign = UNSURE, k;
 
     if (used > n) return UNSURE;
-    for (; used > 1; used--, work += w) {
-        for (k = 0; k < w - 3 && work[k] == 0.0 &&
-                    fabs(work[w + k]) <= BASE / 4.0;)
+    for (; used > 1; used--, work += wide) {
+        for (k = 0; k < wide - 3 && work[k] == 0.0 &&
+                    fabs(work[wide + k]) <= BASE / 4.0;)
             k++;
-        if (k < w - 3) break;
+        if (k < wide - 3) break;
     }
+    if (np == 4 && w) return -foot(used, work, w);
     if (np == 4) return volume(used, work);
     if (5 * used > 2 * LEAD) sign = ball(used, LEAD, work);
     return sign == UNSURE ? ball(used, 5 * used, work) : sign;
@@ -347,30 +466,30 @@ static int limbsg(int np, const double *q, double top, int n, double *work)
 
 /* Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the last one
  * serves several lengths. */
-static int limbs3(int np, const double *q, double top)
+static int limbs3(int np, const double *q, double top, double *w)
 {
     double work[44 * 3];
 
-    return limbsg(np, q, top, 3, work);
+    return limbsg(np, q, top, 3, work, w);
 }
 
 #if HH_LIMBS > 10
-static int limbs10(int np, const double *q, double top)
+static int limbs10(int np, const double *q, double top, double *w)
 {
     double work[44 * 10];
 
-    return limbsg(np, q, top, 10, work);
+    return limbsg(np, q, top, 10, work, w);
 }
 #endif
 
-static int limbsx(int np, const double *q, double top)
+static int limbsx(int np, const double *q, double top, double *w)
 {
     double work[44 * HH_LIMBS];
     int n = 10, sign;
 
     do {
         n = n < HH_LIMBS / 2 ? 2 * n : HH_LIMBS;
-        sign = limbsg(np, q, top, n, work);
+        sign = limbsg(np, q, top, n, work, w);
     } while (sign == UNSURE && n < HH_LIMBS);
     return sign;
 }
@@ -430,23 +549,6 @@ static int centre(int n, const double *x, double *work)
     return first;
 }
 
-/* leading - the value of a carried number, in the weight of its first limb
- * that is not 0, *at.  Behind it comes at most half a unit and a little, so the
- * value is at least nearly one half: the roundings, of at most 1/2 + 2^-23,
- * count for less than 3 eps of it. */
-static double leading(int n, const double *r, int step, int *at)
-{
-    double sum = 0.0;
-    int i, last;
-
-    for (i = 0; i < n - 1 && r[step * i] == 0.0; i++)
-        ;
-    *at = i;
-    last = i + LEADING < n ? i + LEADING : n;
-    while (--last >= i) sum = sum / BASE + r[step * last];
-    return sum;
-}
-
 /* weight - the weight of limb 0 of numbers of at most most > 0: most fills
  * it. */
 static double weight(double most)
@@ -458,7 +560,7 @@ static double weight(double most)
 }
 
 /* exact - limbsg with as many limbs as it takes; alters q. */
-static int exact(int np, double *q)
+static int exact(int np, double *q, double *w)
 {
     double most = 0.0, top;
     int i, sign;
@@ -473,11 +575,11 @@ static int exact(int np, double *q)
         most *= SHIFT;
     }
     top = weight(most);
-    sign = limbs3(np, q, top);
+    sign = limbs3(np, q, top, w);
 #if HH_LIMBS > 10
-    if (sign == UNSURE) sign = limbs10(np, q, top);
+    if (sign == UNSURE) sign = limbs10(np, q, top, w);
 #endif
-    if (sign == UNSURE) sign = limbsx(np, q, top);
+    if (sign == UNSURE) sign = limbsx(np, q, top, w);
     return sign;
 }
 
@@ -726,7 +828,7 @@ int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
     scale(12, most, q, s);
     sign = filt3(s, s + 3, s + 6, s + 9, -1.0);
     /* the determinant of the rows a-d, b-d, c-d is minus this one */
-    if (sign == UNSURE && held(4, p)) sign = opposite(exact(4, q));
+    if (sign == UNSURE && held(4, p)) sign = opposite(exact(4, q, NULL));
     return sign;
 }
 
@@ -747,7 +849,7 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
     if (most < SAFE && !held(5, p)) return UNSURE;
     scale(15, most, q, s);
     sign = filt5(s, s + 3, s + 6, s + 9, s + 12, -1.0);
-    if (sign == UNSURE && held(5, p)) sign = exact(5, q);
+    if (sign == UNSURE && held(5, p)) sign = exact(5, q, NULL);
     return sign == UNSURE ? UNSURE : -side * sign;
 }
 
@@ -790,6 +892,73 @@ int hh_line(const tess_real *a, const tess_real *b, const tess_real *c)
 {
     return hh_flat(0, a, b, c) == 0 && hh_flat(1, a, b, c) == 0 &&
            hh_flat(2, a, b, c) == 0;
+}
+
+/* closest - region for s, the points b, c, q, a of the triangle a, b, c and q,
+ * scaled, or 0 where doubles do not tell all signs: of the sum of its terms'
+ * absolute values, as in filt3, a product of side and offset errs by less than
+ * 8 eps, an area by less than 32. */
+static int closest(const double *s)
+{
+    static const int vertex[4] = {3, 0, 1, 3};
+    double side[9], off[9], dot[9], most[9], area[3], sum, err;
+    int i, j, k;
+
+    for (i = 0; i < 3; i++)
+        for (k = 0; k < 3; k++) {
+            side[3 * i + k] = s[3 * vertex[i + 1] + k] - s[3 * vertex[i] + k];
+            off[3 * i + k] = s[6 + k] - s[3 * vertex[i] + k];
+        }
+    for (i = 0; i < 9; i++) {
+        dot[i] = most[i] = 0.0;
+        for (k = 0; k < 3; k++) {
+            sum = side[i - i % 3 + k] * off[3 * (i % 3) + k];
+            dot[i] += sum;
+            most[i] += fabs(sum);
+        }
+        if (i % 3 != (i / 3 + 2) % 3 &&
+            certain(dot[i], most[i], 16.0, -1.0) == UNSURE)
+            return 0;
+    }
+    for (i = 0; i < 3; i++) {
+        j = (i + 1) % 3;
+        k = (i + 2) % 3;
+        area[k] = dot[3 * i + j] * dot[3 * k + i] -
+                  dot[4 * i] * dot[3 * k + j];
+        err = most[3 * i + j] * most[3 * k + i] +
+              most[4 * i] * most[3 * k + j];
+        if (certain(area[k], err, 64.0, -1.0) == UNSURE) return 0;
+    }
+    return region(dot, area);
+}
+
+/* hh_foot - exact: the vertices of a triangle a, b, c that carry its point
+ * nearest to q, the sum of 1, 2, 4 for them, or 0 when the limbs do not hold it
+ * (see hh_orient).  w, if not NULL: their weights, none negative, right to
+ * rounding however thin the triangle is, 0 for a vertex that does not carry. */
+int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
+            const tess_real *q, double *w)
+{
+    const tess_real *p[4];
+    double x[12], s[12], any[3], most;
+    int set = 0;
+
+    p[0] = b;
+    p[1] = c;
+    p[2] = q;
+    p[3] = a;
+    most = pack(4, p, x);
+    if (!precise(a[0] > q[0] ? 1 : 3) || (most < SAFE && !held(4, p)))
+        return 0;
+    if (!w) {
+        scale(12, most, x, s);
+        set = closest(s);
+    }
+    if (set == 0 && held(4, p)) {
+        set = -exact(4, x, w ? w : any);
+        if (set == -UNSURE) set = 0;
+    }
+    return set;
 }
 
 /* widersg - with n limbs, the sign of q[0] + q[1] - q[2] - q[3]; UNSURE when
@@ -881,7 +1050,7 @@ int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
     p[3] = s->p + 3 * s->order[l];
     if (corners(4, p, q)) return filt3(q, q + 3, q + 6, q + 9, 64.0);
     pack(4, p, q);
-    return opposite(exact(4, q));
+    return opposite(exact(4, q, NULL));
 }
 
 /* ---------------------------------------------------------------------
@@ -940,7 +1109,7 @@ static int perturb(const hh_set *s, const tess_int *v, int positive)
         /* the corners of a box are on one sphere */
         if (corners(5, p, q)) return tied(s, v, positive);
         pack(5, p, q);
-        sign = exact(5, q);
+        sign = exact(5, q, NULL);
     }
     return sign == 0 ? tied(s, v, positive) : sign;
 }

@@ -46,6 +46,7 @@
 #define tess_query ftquery
 #define tess_part ftpart
 #define tess_ball ftball
+#define tess_values ftvalues
 #elif defined(TESS_LETTER)
 /* Other types have other names: see hhpred.h. */
 #define tess TESS_AS(t, tess)
@@ -62,7 +63,7 @@
 #endif
 
 /* 10000 * major + 100 * minor version; the README says what has changed. */
-#define TESS_VERSION 10100L
+#define TESS_VERSION 10200L
 
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)
@@ -169,8 +170,8 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
  * Cospherical points: the triangulation is the pulling triangulation in the
  * order of the indices; no tetrahedron is flat.
  * Cost: about linear in n for points that fill a volume or, but for rounding,
- * lie near up to eight planes and spheres; n^(3/2) for points on other smooth
- * surfaces; O(n^2) at worst for a linear number of tetrahedra.  Section 2 of
+ * lie near up to eight planes and spheres; somewhat more on other smooth
+ * surfaces, up to n^(3/2) on tubes and between two near sheets; O(n^2) at worst for a linear number of tetrahedra.  Section 2 of
  * the paper.
  */
 int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
@@ -215,22 +216,54 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  *                  sum of w[k] * value[tet[4*t+k]] interpolates linearly
  *
  * returns 0 when q is inside or on the boundary; 1 when it is outside the
- * hull: t is then a hull tetrahedron on that side and w its weights, some
- * negative.  An open facet counts as hull.  -2 for ntet < 1, -4 for a
- * neighbour that is out of range, -5 for a NaN or infinity in q, -6 for a t
- * that is out of range; TESS_RANGE, w = 0, when the arithmetic cannot hold the
- * coordinates (see tess).
+ * hull: w are then the weights of the hull's point nearest to q, none negative,
+ * and t is the tetrahedron of a facet of the hull that has it: what w gives is
+ * continuous in q.  -2 for ntet < 1, -4 for a neighbour that is out of range or
+ * does not match, -5 for a NaN or infinity in q, -6 for a t that is out of
+ * range; TESS_RANGE, w = 0, when the arithmetic cannot hold the coordinates
+ * (see tess).
  *
  * Inside, the weights are at least 0, and 0 where q is in the plane of the
  * vertex's opposite facet (else only in a tetrahedron that is flat to
  * rounding); they sum to 1, and sum of w[k] p_k is q, to rounding, in slivers
- * too.  Outside, the weights of a sliver may be as large as 1e14, and then
- * their sum may miss 1 by a percent: they are right relative to the largest.
- * Cost: a walk of about ntet^(1/3) / 2 steps from anywhere, a few from near.
+ * too.  Outside, it is decided exactly which vertices, one to three, carry the
+ * nearest point, and each weight is right to rounding.  To extrapolate instead,
+ * add gradient.(q - sum of w[k] p_k), the gradient that of t (README).  An open
+ * facet counts as hull; but an unfinished result is not convex: the point found
+ * is nearest among those of the facets about it, and another may be nearer.
+ * Cost: a walk of about ntet^(1/3) / 2 steps from anywhere, a few from near; a
+ * start that is far from q costs little more than none.  Outside, another walk
+ * over the facets of the hull.
  */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t,
                 double *w);
+
+/* tess_values - linear interpolation at many points.
+ *
+ *   p, ntet, tet, adj  (in)  a result of tess with ntet >= 1
+ *   nv     (in)      values a point, >= 0
+ *   value  (in)      value[nv*i+j] is value j of point i
+ *   nq     (in)      number of queries, >= 0
+ *   q      (in)      3*nq coordinates
+ *   t      (in,out)  nq: On entry tetrahedra where the walks start, each as in
+ *                    tess_locate, or TESS_NONE: then it is the answer before,
+ *                    if that is near.  On return the tetrahedra found: given
+ *                    back for other values at these points, they spare the
+ *                    search
+ *   out    (out)     out[nv*i+j] is value j at query i
+ *
+ * returns 0; 1 when a query was outside the hull: its values are those at the
+ * hull's nearest point (see tess_locate); -2 for ntet < 1, -5 for nv < 0, -7
+ * for a bad nq, -8 for a NaN or infinity in q, -9 for a t that is out of range:
+ * then nothing is written; -4 or TESS_RANGE as from tess_locate, with the
+ * queries before done.
+ * Cost: that of tess_locate, a few steps a query if the queries are in an order
+ * in which neighbours follow each other.
+ */
+int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
+                const tess_int *adj, tess_int nv, const double *value,
+                tess_int nq, const tess_real *q, tess_int *t, double *out);
 
 /* tess_index - sort the points, for stars and queries without a mesh.
  *
@@ -265,14 +298,15 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
  *   w    (out)     4 barycentric weights of q: sum of w[k] * value[v[k]]
  *
  * The answer is that of tess_locate in the mesh that tess gives, but for the
- * order of the vertices, and the tetrahedron found for q outside.
+ * order of the vertices, and, for q outside, which of the facets that have the
+ * hull's nearest point is found.
  *
  * returns 0 or 1 as tess_locate does; what tess_index returned, if not 0; -1
  * for a bad n, -3 where iw and rw hold no index, -5 for a NaN or infinity in
  * q, -6 for a v of no tetrahedron.  (What is one, but none of the mesh, may
  * come back unchanged.)
- * Cost: a search for each tetrahedron that is crossed, and from anywhere
- * some 20 more.
+ * Cost: a search for each tetrahedron that is crossed, from anywhere some 20
+ * more, and for q outside one for each that is turned about.
  */
 int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w);

@@ -25,16 +25,18 @@ C
 C     The routines of hhpred.c, in its order, and their names here:
 C       exact numbers: frexp HHFREX, ldexp HHLDEX, nearest HHNEAR,
 C         zeros HHZERO, split HHSPLI, carry HHCARR, signof HHSIGN,
-C         spread HHSPRE, volume HHVOLU, ball HHBALL, limbsg HHLIMB,
-C         limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX,
-C         centre HHCNTR, leading HHLEAD, weight HHWEIG, exact HHEXAC
+C         spread HHSPRE, volume HHVOLU, ball HHBALL, leading HHLEAD,
+C         region HHREGI, foot HHFT, limbsg HHLIMB, limbs3 HHLIM3,
+C         limbs10 HHLIMT, limbsx HHLIMX, centre HHCNTR, weight HHWEIG,
+C         exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
 C       exact signs: certain HHCERT, filt3 HHFIL3, filt5 HHFIL5,
 C         opposite HHOPPO, pack HHPACK, scale HHSCAL,
 C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
-C         hh_line HHLINE, widersg HHWIDS, hh_wider HHWIDE,
-C         hh_range HHRANG, corners HHCORN, hh_pside HHPSID
+C         hh_line HHLINE, closest HHCLOS, hh_foot HHFOOT,
+C         widersg HHWIDS, hh_wider HHWIDE, hh_range HHRANG,
+C         corners HHCORN, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
@@ -67,7 +69,7 @@ C       HHLIM   (HH_LIMBS) exact numbers are arrays of at most HHLIM
 C               limbs.  The default holds every finite double beside
 C               every other.  With fewer, 3 at least, HHORIE and HHINSP
 C               return 2 when they do not suffice.  Scratch, in
-C               doubles: 44 a limb; 31 KB for 88 limbs, in routines
+C               doubles: 50 a limb; 35 KB for 88 limbs, in routines
 C               entered only when 3, then 10 limbs do not suffice.  To
 C               choose another number change it in HHLIMX, HHEXAC,
 C               HHWIDE, HHRANG and TSINRA (tess.f).
@@ -519,34 +521,190 @@ C     of limbs I and J are taken at once
       SGN = HHSIGN(N5, ERR, TOTAL)
       END
 
-C     HHLIMB - with NMAX limbs, HHVOLU for NP = 4 points Q, HHBALL for
-C     5; UNSURE when NMAX limbs do not hold the points.  Limbs 1 that
-C     are 0 in all rows are left out as long as the next ones may be
-C     limbs 1.  Scratch: X 15, MINOR and DET 12, TOTAL 5 doubles a limb.
-      SUBROUTINE HHLIMB(NP, Q, TOP, NMAX, X, MINOR, DET, TOTAL, SGN)
-      INTEGER NP, NMAX, SGN
+C     HHLEAD - the value of a carried number of N limbs, STEP apart from
+C     R(FIRST) on, in the weight of its first limb that is not 0, limb
+C     AT.  Behind it comes at most half a unit and a little, so VALUE is
+C     at least nearly one half: the roundings, of at most 1/2 +
+C     2**(-23), count for less than 3 EPS of it.
+      SUBROUTINE HHLEAD(N, R, FIRST, STEP, VALUE, AT)
+      INTEGER N, FIRST, STEP, AT
+      DOUBLE PRECISION R(*), VALUE
+      INTEGER LEADS
+      PARAMETER (LEADS = 4)
+      DOUBLE PRECISION BASE
+      PARAMETER (BASE = 2.0D0**24)
+      INTEGER I
+      AT = 1
+   10 IF (AT .LT. N) THEN
+        IF (ABS(R(FIRST+STEP*(AT-1))) .LE. 0.0D0) THEN
+          AT = AT + 1
+          GO TO 10
+        END IF
+      END IF
+      VALUE = 0.0D0
+      DO 20 I = MIN(AT + LEADS - 1, N), AT, -1
+        VALUE = VALUE/BASE + R(FIRST+STEP*(I-1))
+   20 CONTINUE
+      END
+
+C     HHREGI - the face of a triangle whose interior has the triangle's
+C     point nearest to Q: the sum of 2**(K-1) for its vertices K.  Side
+C     I leads from vertex I to the next one; D(3*I-3+K) has the sign of
+C     the product of side I and Q - vertex K, D(9+K) that of the weight
+C     of vertex K at the foot of the perpendicular from Q.
+      INTEGER FUNCTION HHREGI(D)
+      DOUBLE PRECISION D(12)
+      INTEGER I, J, K
+      DO 10 I = 1, 3
+        K = MOD(I + 1, 3) + 1
+        HHREGI = 2**(I - 1)
+        IF (D(4*I-3) .LE. 0.0D0 .AND. D(3*K-3+I) .GE. 0.0D0) RETURN
+   10 CONTINUE
+      DO 20 I = 1, 3
+        J = MOD(I, 3) + 1
+        K = MOD(I + 1, 3) + 1
+        HHREGI = 2**(I - 1) + 2**(J - 1)
+        IF (D(9+K) .LE. 0.0D0 .AND. D(4*I-3) .GE. 0.0D0 .AND.
+     $      D(3*I-3+J) .LE. 0.0D0) RETURN
+   20 CONTINUE
+      HHREGI = 7
+      END
+
+C     HHFT - SET is HHREGI's, and W the weights of the vertices in that
+C     point: each right to 16 EPS of itself, by its leading limbs, or
+C     underflowed.  X: the rows B-A, C-A, Q-A of a triangle A, B, C, of
+C     N limbs, as of HHSPRE.  With sides S and offsets O = Q - vertex
+C         area K = (S(I).O(J)) (S(K).O(I)) - (S(I).O(I)) (S(K).O(J)),
+C     I, J, K cyclic.  Scratch: DOT 18, AREA 12 doubles a limb.
+      SUBROUTINE HHFT(N, X, DOT, AREA, W, SET)
+      INTEGER N, SET
+      DOUBLE PRECISION X(*), DOT(*), AREA(*), W(3)
+      INTEGER HHREGI
+      DOUBLE PRECISION HHLDEX
+      INTEGER BITS, ROWS1, ROWS2
+      PARAMETER (BITS = 24, ROWS1 = 10, ROWS2 = 20)
+      DOUBLE PRECISION OFF(9), SIDE(9), SUM, VALUE(12)
+      INTEGER AT(12), FROM(3), I, J, K, L, M, R, REST, ROWS, S, T, TOP
+      CALL HHZERO(18*N, DOT)
+      CALL HHZERO(12*N, AREA)
+      ROWS = 0
+      DO 60 I = 1, N
+        ROWS = ROWS + 1
+        IF (MOD(ROWS, ROWS1) .EQ. 0) CALL HHCARR(2*N, 9, DOT)
+        S = 12*(I - 1)
+        DO 10 K = 1, 3
+          SIDE(K) = X(S+K)
+          SIDE(3+K) = X(S+3+K) - X(S+K)
+          SIDE(6+K) = -X(S+3+K)
+   10   CONTINUE
+        R = 9*I
+        DO 50 J = 1, N
+          T = 12*(J - 1)
+          DO 20 K = 1, 3
+            OFF(K) = X(T+6+K)
+            OFF(3+K) = X(T+6+K) - X(T+K)
+            OFF(6+K) = X(T+6+K) - X(T+3+K)
+   20     CONTINUE
+          DO 40 K = 0, 6, 3
+            DO 30 L = 0, 6, 3
+              R = R + 1
+              DOT(R) = DOT(R) + (SIDE(K+1)*OFF(L+1) +
+     $            SIDE(K+2)*OFF(L+2) + SIDE(K+3)*OFF(L+3))
+   30       CONTINUE
+   40     CONTINUE
+   50   CONTINUE
+   60 CONTINUE
+      CALL HHCARR(2*N, 9, DOT)
+      ROWS = 0
+      DO 90 I = 1, 2*N
+        ROWS = ROWS + 1
+        IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(4*N, 3, AREA)
+        S = 9*(I - 1)
+        R = 3*I
+        DO 80 J = 1, 2*N
+          T = 9*(J - 1)
+          DO 70 K = 1, 3
+            L = MOD(K, 3) + 1
+            M = MOD(K + 1, 3) + 1
+            AREA(R+M) = AREA(R+M) + (DOT(S+3*K-3+L)*DOT(T+3*M-3+K) -
+     $          DOT(S+4*K-3)*DOT(T+3*M-3+L))
+   70     CONTINUE
+          R = R + 3
+   80   CONTINUE
+   90 CONTINUE
+      CALL HHCARR(4*N, 3, AREA)
+      DO 100 K = 1, 9
+        CALL HHLEAD(2*N, DOT, K, 9, VALUE(K), AT(K))
+  100 CONTINUE
+      DO 110 K = 1, 3
+        CALL HHLEAD(4*N, AREA, K, 3, VALUE(9+K), AT(9+K))
+  110 CONTINUE
+      SET = HHREGI(VALUE)
+      REST = SET
+      DO 120 K = 1, 3
+        FROM(K) = 9 + K
+        W(K) = DBLE(MOD(REST, 2))
+        REST = REST/2
+  120 CONTINUE
+      IF (SET .EQ. 1 .OR. SET .EQ. 2 .OR. SET .EQ. 4) RETURN
+      DO 130 K = 1, 3
+        L = MOD(K, 3) + 1
+        IF (W(MOD(K + 1, 3) + 1) .GT. 0.0D0) GO TO 130
+        FROM(K) = 3*K - 3 + L
+        FROM(L) = 4*K - 3
+        VALUE(FROM(K)) = -VALUE(FROM(K))
+  130 CONTINUE
+      TOP = 4*N
+      DO 140 K = 1, 3
+        IF (W(K) .GT. 0.0D0) TOP = MIN(TOP, AT(FROM(K)))
+  140 CONTINUE
+      SUM = 0.0D0
+      DO 150 K = 1, 3
+        IF (W(K) .GT. 0.0D0) W(K) = HHLDEX(VALUE(FROM(K)),
+     $      MAX((TOP - AT(FROM(K)))*BITS, -2000))
+        SUM = SUM + W(K)
+  150 CONTINUE
+      DO 160 K = 1, 3
+        W(K) = W(K)/SUM
+  160 CONTINUE
+      END
+
+C     HHLIMB - with NMAX limbs, HHVOLU for NP = 4 points Q, or minus
+C     HHFT's set if FOOT is 1 (else W is left alone), HHBALL for 5;
+C     UNSURE when NMAX limbs do not hold the points.  Limbs 1 that are 0
+C     in all rows are left out as long as the next ones may be limbs 1.
+C     Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a limb.
+      SUBROUTINE HHLIMB(NP, Q, TOP, NMAX, X, MINOR, DET, TOTAL, FOOT, W,
+     $                  SGN)
+      INTEGER NP, NMAX, FOOT, SGN
       DOUBLE PRECISION Q(3,*), TOP, X(*), MINOR(*), DET(*), TOTAL(*)
+      DOUBLE PRECISION W(3)
       INTEGER LEAD, UNSURE
       PARAMETER (LEAD = 6, UNSURE = 2)
       DOUBLE PRECISION BASE
       PARAMETER (BASE = 2.0D0**24)
-      INTEGER K, N, W
-      W = 3*NP
+      INTEGER K, N, WIDE
+      WIDE = 3*NP
       CALL HHSPRE(NP, Q, TOP, NMAX, X, N)
       SGN = UNSURE
       IF (N .GT. NMAX) RETURN
    10 IF (N .GT. 1) THEN
-        DO 20 K = 1, W - 3
+        DO 20 K = 1, WIDE - 3
           IF (ABS(X(K)) .GT. 0.0D0 .OR.
-     $        ABS(X(K+W)) .GT. BASE/4.0D0) GO TO 40
+     $        ABS(X(K+WIDE)) .GT. BASE/4.0D0) GO TO 40
    20   CONTINUE
         N = N - 1
-        DO 30 K = 1, W*N
-          X(K) = X(K+W)
+        DO 30 K = 1, WIDE*N
+          X(K) = X(K+WIDE)
    30   CONTINUE
         GO TO 10
       END IF
-   40 IF (NP .EQ. 4) THEN
+   40 IF (NP .EQ. 4 .AND. FOOT .EQ. 1) THEN
+        CALL HHFT(N, X, MINOR, DET, W, SGN)
+        SGN = -SGN
+        RETURN
+      END IF
+      IF (NP .EQ. 4) THEN
         CALL HHVOLU(N, X, MINOR, DET, SGN)
         RETURN
       END IF
@@ -558,32 +716,32 @@ C     limbs 1.  Scratch: X 15, MINOR and DET 12, TOTAL 5 doubles a limb.
 
 C     Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the
 C     last one serves several lengths.
-      SUBROUTINE HHLIM3(NP, Q, TOP, SGN)
-      INTEGER NP, SGN
-      DOUBLE PRECISION Q(3,*), TOP
-      DOUBLE PRECISION X(15*3), MINOR(12*3), DET(12*3), TOTAL(5*3)
-      CALL HHLIMB(NP, Q, TOP, 3, X, MINOR, DET, TOTAL, SGN)
+      SUBROUTINE HHLIM3(NP, Q, TOP, FOOT, W, SGN)
+      INTEGER NP, FOOT, SGN
+      DOUBLE PRECISION Q(3,*), TOP, W(3)
+      DOUBLE PRECISION X(15*3), MINOR(18*3), DET(12*3), TOTAL(5*3)
+      CALL HHLIMB(NP, Q, TOP, 3, X, MINOR, DET, TOTAL, FOOT, W, SGN)
       END
 
-      SUBROUTINE HHLIMT(NP, Q, TOP, SGN)
-      INTEGER NP, SGN
-      DOUBLE PRECISION Q(3,*), TOP
-      DOUBLE PRECISION X(15*10), MINOR(12*10), DET(12*10), TOTAL(5*10)
-      CALL HHLIMB(NP, Q, TOP, 10, X, MINOR, DET, TOTAL, SGN)
+      SUBROUTINE HHLIMT(NP, Q, TOP, FOOT, W, SGN)
+      INTEGER NP, FOOT, SGN
+      DOUBLE PRECISION Q(3,*), TOP, W(3)
+      DOUBLE PRECISION X(15*10), MINOR(18*10), DET(12*10), TOTAL(5*10)
+      CALL HHLIMB(NP, Q, TOP, 10, X, MINOR, DET, TOTAL, FOOT, W, SGN)
       END
 
-      SUBROUTINE HHLIMX(NP, Q, TOP, SGN)
-      INTEGER NP, SGN
-      DOUBLE PRECISION Q(3,*), TOP
+      SUBROUTINE HHLIMX(NP, Q, TOP, FOOT, W, SGN)
+      INTEGER NP, FOOT, SGN
+      DOUBLE PRECISION Q(3,*), TOP, W(3)
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
-      DOUBLE PRECISION X(15*HHLIM), MINOR(12*HHLIM), DET(12*HHLIM)
+      DOUBLE PRECISION X(15*HHLIM), MINOR(18*HHLIM), DET(12*HHLIM)
       DOUBLE PRECISION TOTAL(5*HHLIM)
       INTEGER N
       N = 10
    10 N = 2*N
       IF (N .GT. HHLIM - 1) N = HHLIM
-      CALL HHLIMB(NP, Q, TOP, N, X, MINOR, DET, TOTAL, SGN)
+      CALL HHLIMB(NP, Q, TOP, N, X, MINOR, DET, TOTAL, FOOT, W, SGN)
       IF (SGN .EQ. UNSURE .AND. N .LT. HHLIM) GO TO 10
       END
 
@@ -670,32 +828,6 @@ C     two carries reach two limbs up from the first product
       CALL HHCARR(3*N, 1, D)
       END
 
-C     HHLEAD - the value of a carried number of N limbs, STEP apart from
-C     R(FIRST) on, in the weight of its first limb that is not 0, limb
-C     AT.  Behind it comes at most half a unit and a little, so VALUE is
-C     at least nearly one half: the roundings, of at most 1/2 +
-C     2**(-23), count for less than 3 EPS of it.
-      SUBROUTINE HHLEAD(N, R, FIRST, STEP, VALUE, AT)
-      INTEGER N, FIRST, STEP, AT
-      DOUBLE PRECISION R(*), VALUE
-      INTEGER LEADS
-      PARAMETER (LEADS = 4)
-      DOUBLE PRECISION BASE
-      PARAMETER (BASE = 2.0D0**24)
-      INTEGER I
-      AT = 1
-   10 IF (AT .LT. N) THEN
-        IF (ABS(R(FIRST+STEP*(AT-1))) .LE. 0.0D0) THEN
-          AT = AT + 1
-          GO TO 10
-        END IF
-      END IF
-      VALUE = 0.0D0
-      DO 20 I = MIN(AT + LEADS - 1, N), AT, -1
-        VALUE = VALUE/BASE + R(FIRST+STEP*(I-1))
-   20 CONTINUE
-      END
-
 C     HHWEIG - the weight of limb 1 of numbers of at most MOST > 0: MOST
 C     fills it.
       DOUBLE PRECISION FUNCTION HHWEIG(MOST)
@@ -708,9 +840,9 @@ C     fills it.
       END
 
 C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
-      SUBROUTINE HHEXAC(NP, Q, SGN)
-      INTEGER NP, SGN
-      DOUBLE PRECISION Q(3,*)
+      SUBROUTINE HHEXAC(NP, Q, FOOT, W, SGN)
+      INTEGER NP, FOOT, SGN
+      DOUBLE PRECISION Q(3,*), W(3)
       DOUBLE PRECISION HHWEIG
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
@@ -735,10 +867,10 @@ C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
         MOST = MOST*SHIFT
       END IF
       TOP = HHWEIG(MOST)
-      CALL HHLIM3(NP, Q, TOP, SGN)
+      CALL HHLIM3(NP, Q, TOP, FOOT, W, SGN)
       IF (SGN .EQ. UNSURE .AND. HHLIM .GT. 10)
-     $  CALL HHLIMT(NP, Q, TOP, SGN)
-      IF (SGN .EQ. UNSURE) CALL HHLIMX(NP, Q, TOP, SGN)
+     $  CALL HHLIMT(NP, Q, TOP, FOOT, W, SGN)
+      IF (SGN .EQ. UNSURE) CALL HHLIMX(NP, Q, TOP, FOOT, W, SGN)
       END
 
 C     ------------------------------------------------------------------
@@ -1036,7 +1168,7 @@ C     that is not, or to round to fewer bits than a double has.
       INTEGER UNSURE
       DOUBLE PRECISION FEW
       PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
-      DOUBLE PRECISION MOST, P(3,4), S(3,4)
+      DOUBLE PRECISION ANY(3), MOST, P(3,4), S(3,4)
       INTEGER E, K, SGN
       HHORIE = UNSURE
       K = 1
@@ -1058,7 +1190,7 @@ C     above FEW, what a coordinate is taken for matters less than TINY
       IF (SGN .EQ. UNSURE) THEN
         IF (HHHOLD(4, P) .EQ. 0) RETURN
 C       the determinant of the rows A-D, B-D, C-D is minus this one
-        CALL HHEXAC(4, P, SGN)
+        CALL HHEXAC(4, P, 0, ANY, SGN)
         SGN = HHOPPO(SGN)
       END IF
       HHORIE = SGN
@@ -1074,7 +1206,7 @@ C     or when A, B, C, D are coplanar.  2 as from HHORIE.
       INTEGER UNSURE
       DOUBLE PRECISION FEW
       PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
-      DOUBLE PRECISION MOST, P(3,5), S(3,5)
+      DOUBLE PRECISION ANY(3), MOST, P(3,5), S(3,5)
       INTEGER EXPO, K, SGN, SIDE
       SIDE = HHORIE(A, B, C, D)
       HHINSP = SIDE
@@ -1095,7 +1227,7 @@ C     or when A, B, C, D are coplanar.  2 as from HHORIE.
       SGN = HHFIL5(S, 1, 2, 3, 4, 5, -1.0D0)
       IF (SGN .EQ. UNSURE) THEN
         IF (HHHOLD(5, P) .EQ. 0) RETURN
-        CALL HHEXAC(5, P, SGN)
+        CALL HHEXAC(5, P, 0, ANY, SGN)
       END IF
       IF (SGN .NE. UNSURE) HHINSP = -SIDE*SGN
       END
@@ -1160,6 +1292,90 @@ C     HHLINE - are A, B, C exactly collinear: 1, or 0.
         IF (HHFLAT(AXIS, A, B, C) .NE. 0) RETURN
    10 CONTINUE
       HHLINE = 1
+      END
+
+C     HHCLOS - HHREGI for S, the points B, C, Q, A of the triangle A, B,
+C     C and Q, scaled, or 0 where doubles do not tell all signs: of the
+C     sum of its terms' absolute values, as in HHFIL3, a product of side
+C     and offset errs by less than 8 EPS, an area by less than 32.
+      INTEGER FUNCTION HHCLOS(S)
+      DOUBLE PRECISION S(3,4)
+      INTEGER HHCERT, HHREGI
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION D(12), ERR, MOST(9), OFF(9), SIDE(9), SUM
+      INTEGER I, J, K, L, VERTEX(4)
+      DATA VERTEX /4, 1, 2, 4/
+      HHCLOS = 0
+      DO 20 I = 1, 3
+        DO 10 K = 1, 3
+          SIDE(3*I-3+K) = S(K,VERTEX(I+1)) - S(K,VERTEX(I))
+          OFF(3*I-3+K) = S(K,3) - S(K,VERTEX(I))
+   10   CONTINUE
+   20 CONTINUE
+      DO 40 I = 1, 9
+        J = (I - 1)/3
+        L = MOD(I - 1, 3)
+        D(I) = 0.0D0
+        MOST(I) = 0.0D0
+        DO 30 K = 1, 3
+          SUM = SIDE(3*J+K)*OFF(3*L+K)
+          D(I) = D(I) + SUM
+          MOST(I) = MOST(I) + ABS(SUM)
+   30   CONTINUE
+        IF (L .NE. MOD(J + 2, 3)) THEN
+          IF (HHCERT(D(I), MOST(I), 16.0D0, -1.0D0) .EQ. UNSURE) RETURN
+        END IF
+   40 CONTINUE
+      DO 50 I = 1, 3
+        J = MOD(I, 3) + 1
+        K = MOD(I + 1, 3) + 1
+        D(9+K) = D(3*I-3+J)*D(3*K-3+I) - D(4*I-3)*D(3*K-3+J)
+        ERR = MOST(3*I-3+J)*MOST(3*K-3+I) + MOST(4*I-3)*MOST(3*K-3+J)
+        IF (HHCERT(D(9+K), ERR, 64.0D0, -1.0D0) .EQ. UNSURE) RETURN
+   50 CONTINUE
+      HHCLOS = HHREGI(D)
+      END
+
+C     HHFOOT - exact: SET is the vertices of a triangle A, B, C that
+C     carry its point nearest to Q, the sum of 1, 2, 4 for them, or 0
+C     when the limbs do not hold it (see HHORIE).  W, if WANT is 1:
+C     their weights, none negative, right to rounding however thin the
+C     triangle is, 0 for a vertex that does not carry; else W is
+C     scratch.
+      SUBROUTINE HHFOOT(A, B, C, Q, WANT, W, SET)
+      DOUBLE PRECISION A(3), B(3), C(3), Q(3), W(3)
+      INTEGER WANT, SET
+      INTEGER HHCLOS, HHHOLD, HHPREC
+      DOUBLE PRECISION HHPACK
+      INTEGER UNSURE
+      DOUBLE PRECISION FEW
+      PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
+      DOUBLE PRECISION MOST, S(3,4), X(3,4)
+      INTEGER E, K
+      SET = 0
+      K = 1
+      IF (A(1) .GT. Q(1)) K = 3
+      IF (HHPREC(K) .EQ. 0) RETURN
+      DO 10 K = 1, 3
+        X(K,1) = B(K)
+        X(K,2) = C(K)
+        X(K,3) = Q(K)
+        X(K,4) = A(K)
+   10 CONTINUE
+      MOST = HHPACK(4, X)
+      IF (MOST .LT. FEW) THEN
+        IF (HHHOLD(4, X) .EQ. 0) RETURN
+      END IF
+      IF (WANT .EQ. 0) THEN
+        CALL HHSCAL(MOST, 4, X, S, E)
+        SET = HHCLOS(S)
+        IF (SET .NE. 0) RETURN
+      END IF
+      IF (HHHOLD(4, X) .EQ. 0) RETURN
+      CALL HHEXAC(4, X, 1, W, SET)
+      SET = -SET
+      IF (SET .EQ. -UNSURE) SET = 0
       END
 
 C     HHWIDS - with N limbs, the sign of Q(1) + Q(2) - Q(3) - Q(4);
@@ -1292,7 +1508,7 @@ C               not known
       INTEGER HHFIL3, HHOPPO
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION Q(3,4), UNIT(3,4)
+      DOUBLE PRECISION ANY(3), Q(3,4), UNIT(3,4)
       INTEGER AXIS, SGN, YES
       SGN = HHFIL3(X, I, J, K, L, T3)
       HHPSID = SGN
@@ -1307,7 +1523,7 @@ C               not known
       IF (YES .EQ. 1) THEN
         HHPSID = HHFIL3(UNIT, 1, 2, 3, 4, 64.0D0)
       ELSE
-        CALL HHEXAC(4, Q, SGN)
+        CALL HHEXAC(4, Q, 0, ANY, SGN)
         HHPSID = HHOPPO(SGN)
       END IF
       END
@@ -1376,7 +1592,7 @@ C     HHPERT - the sign of D, perturbed as in HHTIED where it is 0.
       INTEGER HHFIL5, HHTIED
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION Q(3,5), UNIT(3,5)
+      DOUBLE PRECISION ANY(3), Q(3,5), UNIT(3,5)
       INTEGER AXIS, N, SGN, YES
       SGN = HHFIL5(X, V(1), V(2), V(3), V(4), V(5), T5)
       IF (SGN .EQ. UNSURE) THEN
@@ -1388,7 +1604,7 @@ C     HHPERT - the sign of D, perturbed as in HHTIED where it is 0.
         CALL HHCORN(5, Q, UNIT, YES)
 C       the corners of a box are on one sphere
         SGN = 0
-        IF (YES .EQ. 0) CALL HHEXAC(5, Q, SGN)
+        IF (YES .EQ. 0) CALL HHEXAC(5, Q, 0, ANY, SGN)
       END IF
       IF (SGN .EQ. 0) SGN = HHTIED(X, P, ORD, T3, V, POSITV)
       HHPERT = SGN

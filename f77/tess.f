@@ -144,8 +144,10 @@ C     and what needs no mesh under construction:
 C       queries: qside TSQSID, inbox TSINBO
 C       location: distance TSDIST, sample TSSAMP, walk TSWALK,
 C         holds TSHOLD, sweep TSSWEE, elimin TSELIM, backsu TSBACK,
-C         unite TSUNTE, balanc TSBALA, weigh TSWEIG,
-C         tess_locate TESSLO, nearby TSNEAR, tess_query TESSQU
+C         unite TSUNTE, balanc TSBALA, weigh TSWEIG, hullstep TSHULL,
+C         place TSPLAC, turn TSTURN, nearhull TSNEAH,
+C         tess_locate TESSLO, tess_values TESSVA, nearby TSNEAR,
+C         tess_query TESSQU
 C       hull, check: tess_hull TESSHU, merge TSMERG, sortpt TSSORP,
 C         marks TSMARK, chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF,
 C         chktet TSCHKT, chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
@@ -154,7 +156,8 @@ C       a ball: tess_ball TESSBA
 C     Only in C: point, coords, four, better, proven, barren,
 C     layout.  Only here: TSPDIS (disjoint for a point), TSLINE (hh_line
 C     of points of P), TSMESH, TSINDE, TSQUER (parts of run, tess_index,
-C     tess_query), TSORIQ, TSORIP (hh_orient of points of P).
+C     tess_query), TSORIQ, TSORIP, TSFOOT (hh_orient and hh_foot of
+C     points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here, passed in one order:
@@ -249,6 +252,13 @@ C     A test of TSSIGH's is a (height - h) + q |W|**2 - d.W + bias, of
 C     which each coordinate of W is wrong by dd times it, and all by err
 C     in the box of a node; of TSFCE's q |W|**2 - d.W + bias:
 C       TQ, TDD, TBIAS, TA, TERR  q, dd, bias, a, err; behind TD: d
+C     A walk over the hull:
+C       H       H(1..3): the facet nearest to Q yet; behind HON the
+C               vertices of the edge that has its nearest point, or
+C               twice the vertex; of the facet met last, HFROM: the
+C               vertex to turn away from, and, about a vertex, HSTAY:
+C               the one that stays; HLEFT: facets that may yet be met
+C               about it, of HMOST
 C
 C     Constants, the same in every routine that has them:
 C       TSLIST  capacity of a list, a multiple of 4, at least LEAF
@@ -284,6 +294,10 @@ C               sheets take 12 % longer, with 0.35 those on a torus 8 %
 C       HALFWY, PARTS  a slab's normal has components below HALFWY, and
 C               the box's width along it has PARTS parts
 C       PLANES  hull planes that are remembered
+C       NEARBY  steps from a given start before a location looks for a
+C               better one: with 8, queries in order, a cell of 100,000
+C               points apart, take a quarter longer, with 32 those in no
+C               order 1.4 times as long
 C       ENTRY, EDGE  integers of an entry of the pool, and of an edge
 C       LEAST   pool and edges, at least
 C       THIN    a facet with a greater E is set up by limbs
@@ -3649,7 +3663,7 @@ C       before the block's list: a tenth of the time on lattices
         RCTL(RSCAN) = -1.0D0
         K = INT(RCTL(RSUPP))
         IF (K .LE. SUPPS - 2) CALL TSFLAT(X, BOX, MARK, CTL)
-        IF (K .GE. SUPPS - 2) RCTL(RSEEK) = 0.0D0
+        IF (K .EQ. SUPPS - 2) RCTL(RSEEK) = 0.0D0
       END IF
       IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RSEEK) .GT. 0.0D0) THEN
         RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))
@@ -4635,9 +4649,10 @@ C
 C     Cospherical points: the triangulation is the pulling triangulation
 C     in the order of the points' numbers; no tetrahedron is flat.
 C     Cost: about linear in N for points that fill a volume or, but for
-C     rounding, lie near up to eight planes and spheres; N**1.5 for
-C     points on other smooth surfaces; O(N**2) at worst for a linear
-C     number of tetrahedra.  Section 2 of the paper.
+C     rounding, lie near up to eight planes and spheres; somewhat more
+C     on other smooth surfaces, up to N**1.5 on tubes and between two
+C     near sheets; O(N**2) at worst for a linear number of tetrahedra.
+C     Section 2 of the paper.
       SUBROUTINE TESS(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -4879,6 +4894,20 @@ C     TSORIP - HHORIE of the facet F and point I.
       TSORIP = TSORIQ(P, F, Q)
       END
 
+C     TSFOOT - HHFOOT of the facet F and the point Q.
+      SUBROUTINE TSFOOT(P, F, Q, WANT, W, SET)
+      INTEGER F(*), WANT, SET
+      DOUBLE PRECISION P(3,*), Q(3), W(3)
+      DOUBLE PRECISION A(3), B(3), C(3)
+      INTEGER K
+      DO 10 K = 1, 3
+        A(K) = P(K,F(1))
+        B(K) = P(K,F(2))
+        C(K) = P(K,F(3))
+   10 CONTINUE
+      CALL HHFOOT(A, B, C, Q, WANT, W, SET)
+      END
+
 C     TSQSID - 1 when Q* is outside of the facet F, -1 when it is
 C     inside; UNSURE when the limbs do not suffice; 0 only when
 C     tetrahedron 1 is flat.  One orientation, unless Q is exactly in
@@ -4938,36 +4967,42 @@ C     coordinate, left unevaluated so that nothing is rounded.
    10 CONTINUE
       END
 
-C     TSSAMP - BEST is where the walk to Q starts: of about NTET**(1/4)
-C     tetrahedra at equal steps, the first one whose first vertex is
-C     nearest to Q in the maximum norm.  The comparisons are exact, so
-C     it is the same one everywhere; 0 where the arithmetic cannot hold
-C     a point.
-      SUBROUTINE TSSAMP(P, NTET, TET, Q, BEST)
-      INTEGER NTET, TET(4,*), BEST
+C     TSSAMP - BEST is where the walk to Q starts: of START, if it is
+C     one, and about NTET**(1/4) tetrahedra at equal steps, the first
+C     whose first vertex is nearest to Q in the maximum norm.  The
+C     comparisons are exact, so it is the same one everywhere; 0 where
+C     the arithmetic cannot hold a point.
+      SUBROUTINE TSSAMP(P, NTET, TET, Q, START, BEST)
+      INTEGER NTET, TET(4,*), START, BEST
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER HHHOLD, HHWIDE
-      INTEGER MANY, I, K, T
+      INTEGER NONE
+      PARAMETER (NONE = 0)
+      INTEGER MANY, FIRST, I, K, T
       DOUBLE PRECISION A(3,1), HI, LO, H, L
       MANY = 1
    10 IF (MANY*MANY .LT. NTET/(MANY*MANY)) THEN
         MANY = MANY + 1
         GO TO 10
       END IF
+      BEST = NONE
       HI = 0.0D0
       LO = 0.0D0
-      DO 30 I = 0, MANY - 1
-        T = I*(NTET/MANY) + 1
+      FIRST = 0
+      IF (START .NE. NONE) FIRST = -1
+      DO 30 I = FIRST, MANY - 1
+        T = START
+        IF (I .GE. 0) T = I*(NTET/MANY) + 1
         DO 20 K = 1, 3
           A(K,1) = P(K,TET(1,T))
    20   CONTINUE
         IF (HHHOLD(1, A) .EQ. 0) THEN
-          BEST = 0
+          BEST = NONE
           RETURN
         END IF
         CALL TSDIST(P, TET(1,T), Q, H, L)
         K = 1
-        IF (I .GT. 0) K = HHWIDE(HI, LO, H, L)
+        IF (BEST .NE. NONE) K = HHWIDE(HI, LO, H, L)
         IF (K .GT. 0) THEN
           BEST = T
           HI = H
@@ -4979,7 +5014,7 @@ C     a point.
 C     TSWALK - from T across facets that Q* is beyond, until there is
 C     none: then T holds Q* (INFO 0); or to a facet of the hull that Q
 C     is outside of (INFO 1).  INFO is LOST when only open facets lead
-C     on, or after NTET steps; RANGE when the limbs do not suffice; -4
+C     on, or after MOST steps; RANGE when the limbs do not suffice; -4
 C     for a neighbour that is out of range.
 C
 C     In a result of TESS the walk meets no tetrahedron twice.  Lift
@@ -4989,15 +5024,15 @@ C     where Q* is beyond the facet from T to U, the plane of U is above
 C     that of T over Q*.  So the height of the current plane over Q*
 C     grows with every step.  (Among cospherical tetrahedra of another
 C     triangulation it may stay, and the walk go round.)
-      SUBROUTINE TSWALK(P, NTET, TET, ADJ, Q, T, INFO)
-      INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
+      SUBROUTINE TSWALK(P, NTET, TET, ADJ, Q, MOST, T, INFO)
+      INTEGER NTET, TET(4,*), ADJ(4,*), MOST, T, INFO
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER TSQSID
       INTEGER NONE, OPEN, UNSURE, LOST, RANGE
       PARAMETER (NONE = 0, OPEN = -1, UNSURE = 2, LOST = 99, RANGE = 6)
       INTEGER F(3), LAST, NEXT, STEPS, U, K, S, MET
       LAST = NONE
-      DO 30 STEPS = 1, NTET
+      DO 30 STEPS = 1, MOST
         NEXT = NONE
         MET = 0
         DO 10 K = 1, 4
@@ -5277,6 +5312,168 @@ C     1.
    80 CONTINUE
       END
 
+C     TSHULL - towards the hull's point nearest to Q, from a facet that
+C     Q is outside of.  G: the facet met; H(1) is 0 at first.  STEP is 1
+C     if G is nearer than all before, else 0; plus 2 at the end: then
+C     H(1..3) is the facet, and W are its weights.  Before, the next
+C     facet to be met is the one on the other side of G's edge opposite
+C     to H(HFROM).  STEP is RANGE when the limbs do not suffice.
+C
+C     A facet's nearest point X is in the interior of one of its faces,
+C     an edge, a vertex or all of it.  The facets around that face are
+C     met; if X is nearest in each of them that Q is outside of, it is
+C     nearest in the hull.  For if a point of the hull is nearer there
+C     are such points Y as near to X as one likes.  Where the way from Q
+C     to Y enters the hull, nearer still, Q is outside of a facet; and
+C     this facet is at X if Y is near enough, as the way from Q to X
+C     meets the hull in X alone.  All this is exact, and each facet
+C     nearer than the one before, so it ends.  (In an unfinished result,
+C     which is not convex, it ends where no facet around is nearer.)
+      SUBROUTINE TSHULL(P, Q, G, H, W, STEP)
+      INTEGER G(3), H(10), STEP
+      DOUBLE PRECISION P(3,*), Q(3), W(3)
+      INTEGER TSORIQ
+      INTEGER HON, HFROM, HSTAY, HLEFT, HMOST, NONE, UNSURE, RANGE
+      PARAMETER (HON = 3, HFROM = 7, HSTAY = 8, HLEFT = 9, HMOST = 10)
+      PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6)
+      INTEGER ALIKE, CARRY, I, K, REST, SET, SHARED, SIDE
+      ALIKE = 1
+      SHARED = 0
+      STEP = RANGE
+      CALL TSFOOT(P, G, Q, 0, W, SET)
+      IF (SET .EQ. 0) RETURN
+      IF (H(1) .NE. NONE) THEN
+        SIDE = TSORIQ(P, G, Q)
+        IF (SIDE .EQ. UNSURE) RETURN
+        REST = SET
+        DO 20 I = 1, 3
+          CARRY = 0
+          IF (G(I) .EQ. H(HON+1) .OR. G(I) .EQ. H(HON+2)) CARRY = 1
+          IF (MOD(REST, 2) .NE. CARRY) ALIKE = 0
+          REST = REST/2
+          DO 10 K = 1, 3
+            IF (G(I) .EQ. H(K)) SHARED = SHARED + 1
+   10     CONTINUE
+   20   CONTINUE
+        IF (SIDE .LE. 0 .OR. ALIKE .EQ. 1) THEN
+C         an edge has one more facet, a vertex a circle of them
+          STEP = 0
+          IF (H(HON+1) .NE. H(HON+2) .OR. SHARED .EQ. 3 .OR.
+     $        H(HLEFT) .LT. 1) STEP = 2
+          H(HLEFT) = H(HLEFT) - 1
+          H(HFROM) = H(HSTAY)
+          DO 30 I = 1, 3
+            IF (G(I) .NE. H(HON+1) .AND. G(I) .NE. H(HFROM))
+     $        H(HSTAY) = G(I)
+   30     CONTINUE
+          IF (STEP .EQ. 0) RETURN
+          CALL TSFOOT(P, H, Q, 1, W, SET)
+          IF (SET .EQ. 0) STEP = RANGE
+          RETURN
+        END IF
+      END IF
+      H(HLEFT) = H(HMOST)
+      K = 0
+      REST = SET
+      DO 40 I = 1, 3
+        H(I) = G(I)
+        IF (MOD(REST, 2) .EQ. 1) THEN
+          K = K + 1
+          H(HON+K) = G(I)
+        ELSE
+          H(HSTAY) = H(HFROM)
+          H(HFROM) = G(I)
+        END IF
+        REST = REST/2
+   40 CONTINUE
+      IF (K .EQ. 1) H(HON+2) = H(HON+1)
+      STEP = 1
+      IF (K .LT. 3) RETURN
+      STEP = 3
+      CALL TSFOOT(P, G, Q, 1, W, SET)
+      IF (SET .EQ. 0) STEP = RANGE
+      END
+
+C     TSPLAC - the weights W of a tetrahedron T of V with the facet F,
+C     of weights X.
+      SUBROUTINE TSPLAC(V, T, F, X, W)
+      INTEGER V(4,*), T, F(*)
+      DOUBLE PRECISION X(3), W(4)
+      INTEGER I, K
+      DO 20 K = 1, 4
+        W(K) = 0.0D0
+        DO 10 I = 1, 3
+          IF (V(K,T) .EQ. F(I)) W(K) = X(I)
+   10   CONTINUE
+   20 CONTINUE
+      END
+
+C     TSTURN - from the facet K of tetrahedron T, of the hull, to the
+C     one on the other side of its edge opposite to the vertex Z.  OK is
+C     1, or 0 where neighbours are out of range or do not match.
+      SUBROUTINE TSTURN(NTET, TET, ADJ, T, K, Z, OK)
+      INTEGER NTET, TET(4,*), ADJ(4,*), T, K, Z, OK
+      INTEGER TSSLOT
+      INTEGER NONE, OPEN
+      PARAMETER (NONE = 0, OPEN = -1)
+      INTEGER F(3), I, STEPS, U, Y
+      OK = 0
+      Y = Z
+      DO 10 STEPS = 1, NTET
+        I = TSSLOT(TET, T, Y)
+        IF (I .EQ. 5) RETURN
+        U = ADJ(I,T)
+        IF (U .EQ. NONE .OR. U .EQ. OPEN) THEN
+          K = I
+          OK = 1
+          RETURN
+        END IF
+        IF (U .LT. 1 .OR. U .GT. NTET) RETURN
+        Y = TET(K,T)
+        CALL TSOUTF(TET, T, I, F)
+        CALL TSMATE(TET, F, U, K)
+        IF (K .EQ. 5) RETURN
+        T = U
+   10 CONTINUE
+      END
+
+C     TSNEAH - from tetrahedron T with a facet of the hull that Q is
+C     outside of to the one with the hull's point nearest to Q, and that
+C     point's weights W.  INFO is 1, RANGE or -4.
+      SUBROUTINE TSNEAH(P, NTET, TET, ADJ, Q, T, W, INFO)
+      INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
+      DOUBLE PRECISION P(3,*), Q(3), W(4)
+      INTEGER TSQSID
+      INTEGER HFROM, HMOST, NONE, RANGE
+      PARAMETER (HFROM = 7, HMOST = 10, NONE = 0, RANGE = 6)
+      DOUBLE PRECISION X(3)
+      INTEGER G(3), H(10), K, OK, STEP, U
+      U = T
+      H(1) = NONE
+      H(HFROM) = NONE
+      H(HMOST) = 4*NTET
+      DO 10 K = 1, 4
+        IF (ADJ(K,U) .GT. 0) GO TO 10
+        CALL TSOUTF(TET, U, K, G)
+        IF (TSQSID(P, G, Q, TET) .EQ. 1) GO TO 20
+   10 CONTINUE
+      INFO = -4
+      RETURN
+   20 CALL TSOUTF(TET, U, K, G)
+      CALL TSHULL(P, Q, G, H, X, STEP)
+      INFO = STEP
+      IF (STEP .EQ. RANGE) RETURN
+      IF (MOD(STEP, 2) .EQ. 1) T = U
+      IF (STEP .LT. 2) THEN
+        CALL TSTURN(NTET, TET, ADJ, U, K, H(HFROM), OK)
+        INFO = -4
+        IF (OK .EQ. 0) RETURN
+        GO TO 20
+      END IF
+      CALL TSPLAC(TET, T, H, X, W)
+      INFO = 1
+      END
+
 C     TESSLO - the tetrahedron that holds a point.
 C
 C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
@@ -5288,43 +5485,52 @@ C       W    (out)     4 barycentric weights of Q in it; they sum to
 C                      one: the sum of W(K) * VALUE(TET(K,T))
 C                      interpolates linearly
 C       INFO (out)     0 when Q is inside or on the boundary; 1 when it
-C                      is outside the hull: T is then a hull
-C                      tetrahedron on that side and W its weights, some
-C                      negative.  An open facet counts as hull.  -2 for
-C                      NTET < 1, -4 for a neighbour that is out of
-C                      range, -5 for a NaN or infinity in Q, -6 for a T
-C                      that is out of range; 6, W = 0, when the
-C                      arithmetic cannot hold the coordinates (see TESS)
+C                      is outside the hull: W are then the weights of
+C                      the hull's point nearest to Q, none negative, and
+C                      T is the tetrahedron of a facet of the hull that
+C                      has it: what W gives is continuous in Q.  -2 for
+C                      NTET < 1, -4 for a neighbour that is out of range
+C                      or does not match, -5 for a NaN or infinity in Q,
+C                      -6 for a T that is out of range; 6, W = 0, when
+C                      the arithmetic cannot hold the coordinates (see
+C                      TESS)
 C
 C     Inside, the weights are at least 0, and 0 where Q is in the plane
 C     of the vertex's opposite facet (else only in a tetrahedron that is
 C     flat to rounding); they sum to 1, and the sum of W(K) times vertex
-C     K is Q, to rounding, in slivers too.  Outside, the weights of a
-C     sliver may be as large as 1E14, and then their sum may miss 1 by a
-C     percent: they are right relative to the largest.
+C     K is Q, to rounding, in slivers too.  Outside, it is decided
+C     exactly which vertices, one to three, carry the nearest point, and
+C     each weight is right to rounding.  To extrapolate instead, add
+C     gradient.(Q - that sum), the gradient that of T (../README.md).
+C     An open facet counts as hull; but an unfinished result is not
+C     convex: the point found is nearest among those of the facets about
+C     it, and another may be nearer.
 C
 C     A walk (see TSWALK), and where it fails a sweep over all
-C     tetrahedra.
+C     tetrahedra; for a Q outside then a walk over the hull (see
+C     TSHULL).
 C
 C     Located is not Q but Q*.  The hull is convex and Q* is nearer to
 C     its inside, so Q* is inside of it when Q is inside or on its
 C     boundary, and then the answer depends on the points, TET and Q
-C     alone.  For a Q outside, the start decides which hull tetrahedron
-C     is found.  In an unfinished result open facets may stop the walk
-C     though some tetrahedron holds Q; in a foreign triangulation it may
-C     go round: both are left to the sweep.
+C     alone.  For a Q outside, the start decides which of the facets
+C     that have the hull's nearest point is found.  In an unfinished
+C     result open facets may stop the walk though some tetrahedron holds
+C     Q; in a foreign triangulation it may go round: both are left to
+C     the sweep.
 C
 C     Cost: proportional to the tetrahedra crossed, about NTET**(1/3) of
 C     them from anywhere, fewer from the sampled start, few from a start
-C     near Q.  The sweep: NTET.
+C     near Q: when these are more than NEARBY, the sample is asked, too.
+C     The sweep: NTET.
       SUBROUTINE TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
       INTEGER HHFINI, HHHOLD
-      INTEGER NONE, LOST, RANGE
-      PARAMETER (NONE = 0, LOST = 99, RANGE = 6)
+      INTEGER NEARBY, NONE, LOST, RANGE
+      PARAMETER (NEARBY = 12, NONE = 0, LOST = 99, RANGE = 6)
       DOUBLE PRECISION X(3,1)
-      INTEGER CODE, K
+      INTEGER CODE, K, START
       INFO = -2
       IF (NTET .LT. 1) RETURN
       DO 10 K = 1, 3
@@ -5339,14 +5545,95 @@ C     near Q.  The sweep: NTET.
    20 CONTINUE
       INFO = RANGE
       IF (HHHOLD(1, X) .EQ. 0) RETURN
-      IF (T .EQ. NONE) CALL TSSAMP(P, NTET, TET, Q, T)
-      IF (T .EQ. NONE) RETURN
-      CALL TSWALK(P, NTET, TET, ADJ, Q, T, CODE)
-      INFO = CODE
-      IF (CODE .EQ. -4) RETURN
+      CODE = LOST
+      IF (T .NE. NONE) CALL TSWALK(P, NTET, TET, ADJ, Q, NEARBY, T,
+     $    CODE)
+      IF (CODE .EQ. LOST) THEN
+        START = T
+        CALL TSSAMP(P, NTET, TET, Q, START, T)
+        IF (T .EQ. NONE) RETURN
+        CALL TSWALK(P, NTET, TET, ADJ, Q, NTET, T, CODE)
+      END IF
       IF (CODE .EQ. LOST) CALL TSSWEE(P, NTET, TET, ADJ, Q, T, CODE)
-      CALL TSWEIG(P, TET, T, Q, W, INFO)
-      IF (INFO .EQ. 0) INFO = CODE
+      INFO = CODE
+      IF (CODE .EQ. 0) CALL TSWEIG(P, TET, T, Q, W, INFO)
+      IF (CODE .EQ. 1) CALL TSNEAH(P, NTET, TET, ADJ, Q, T, W, INFO)
+      END
+
+C     TESSVA - linear interpolation at many points.
+C
+C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
+C       NV    (in)      values a point, >= 0
+C       VALUE (in)      VALUE(NV,*): VALUE(J,I) is value J of point I
+C       NQ    (in)      number of queries, >= 0
+C       Q     (in)      Q(3,NQ): their coordinates
+C       T     (in,out)  T(NQ): On entry tetrahedra where the walks
+C                       start, each as in TESSLO, or 0: then it is the
+C                       answer before, if that is near.  On return the
+C                       tetrahedra found: given back for other values at
+C                       these points, they spare the search
+C       OUT   (out)     OUT(NV,NQ): OUT(J,I) is value J at query I
+C       INFO  (out)     0; 1 when a query was outside the hull: its
+C                       values are those at the hull's nearest point
+C                       (see TESSLO); -2 for NTET < 1, -5 for NV < 0, -7
+C                       for a bad NQ, -8 for a NaN or infinity in Q, -9
+C                       for a T that is out of range: then nothing is
+C                       written; -4 or 6 as from TESSLO, with the
+C                       queries before done
+C
+C     VALUE and OUT are declared as vectors, since NV may be 0; each may
+C     have as many numbers as the largest integer.
+C
+C     From the last answer where there is no start: it is the nearest if
+C     the queries are in order, and if not, TESSLO sees that.
+C     Cost: that of TESSLO, a few steps a query if the queries are in an
+C     order in which neighbours follow each other.
+      SUBROUTINE TESSVA(P, NTET, TET, ADJ, NV, VALUE, NQ, Q, T, OUT,
+     $                  INFO)
+      INTEGER NTET, TET(4,*), ADJ(4,*), NV, NQ, T(*), INFO
+      DOUBLE PRECISION P(3,*), VALUE(*), Q(3,*), OUT(*)
+      INTEGER HHFINI
+      INTEGER INTMAX, NONE
+      PARAMETER (INTMAX = 2147483647, NONE = 0)
+      DOUBLE PRECISION W(4), X(3)
+      INTEGER AT, CODE, FROM, I, J, K, LAST
+      INFO = -2
+      IF (NTET .LT. 1) RETURN
+      INFO = -5
+      IF (NV .LT. 0) RETURN
+      INFO = -7
+      IF (NQ .LT. 0 .OR. NQ .GT. (INTMAX - 1)/3) RETURN
+      INFO = -8
+      IF (HHFINI(NQ, Q) .LT. NQ) RETURN
+      INFO = -9
+      DO 10 I = 1, NQ
+        IF (T(I) .LT. NONE .OR. T(I) .GT. NTET) RETURN
+   10 CONTINUE
+      INFO = 0
+      LAST = NONE
+      DO 60 I = 1, NQ
+        IF (T(I) .NE. NONE) LAST = T(I)
+        DO 20 K = 1, 3
+          X(K) = Q(K,I)
+   20   CONTINUE
+        CALL TESSLO(P, NTET, TET, ADJ, X, LAST, W, CODE)
+        IF (CODE .NE. 0 .AND. CODE .NE. 1) THEN
+          INFO = CODE
+          RETURN
+        END IF
+        T(I) = LAST
+        IF (CODE .EQ. 1) INFO = 1
+        AT = NV*(I - 1)
+        DO 30 J = 1, NV
+          OUT(AT+J) = 0.0D0
+   30   CONTINUE
+        DO 50 K = 1, 4
+          FROM = NV*(TET(K,LAST) - 1)
+          DO 40 J = 1, NV
+            OUT(AT+J) = OUT(AT+J) + W(K)*VALUE(FROM+J)
+   40     CONTINUE
+   50   CONTINUE
+   60 CONTINUE
       END
 
 C     ------------------------------------------------------------------
@@ -5410,15 +5697,16 @@ C                      of no tetrahedron.  (What is one, but none of the
 C                      mesh, may come back unchanged.)
 C
 C     The answer is that of TESSLO in the mesh that TESS gives, but for
-C     the order of the vertices, and the tetrahedron found for Q
-C     outside.
+C     the order of the vertices, and, for Q outside, which of the facets
+C     that have the hull's nearest point is found.
 C
-C     TSWALK's walk, with Q* moved into the same tetrahedron, so that
-C     the answer is TESSLO's; neighbours are found as they are needed.
-C     From a V that is no tetrahedron of the mesh it might go round:
-C     after NP steps it begins again from one that is.
-C     Cost: a search for each tetrahedron that is crossed, and from
-C     anywhere some 20 more.
+C     TSWALK's walk, with Q* moved into the same tetrahedron, and for a
+C     Q outside TSNEAH's, so that the answer is TESSLO's; neighbours are
+C     found as they are needed.  From a V that is no tetrahedron of the
+C     mesh it might go round: after NP steps it begins again from one
+C     that is.
+C     Cost: a search for each tetrahedron that is crossed, from anywhere
+C     some 20 more, and for Q outside one for each that is turned about.
       SUBROUTINE TESSQU(N, P, IW, RW, Q, V, W, INFO)
       DOUBLE PRECISION P(3,*), RW(*), Q(3), W(4)
       INTEGER N, IW(*), V(4,1), INFO
@@ -5443,14 +5731,16 @@ C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
       INTEGER N, LVS, REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4,1), V(4,1)
       INTEGER INFO
       DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS), Q(3), W(4)
-      INTEGER HHFINI, HHHOLD, HHPSID, TSQSID
+      INTEGER HHFINI, HHHOLD, HHPSID, TSQSID, TSSLOT
       INTEGER NP, LN, BLK, STR, T3, UNSURE, RANGE, TSLIST, TSIDS
       PARAMETER (NP = 1, LN = 3, BLK = 1, STR = 2, T3 = 1, UNSURE = 2)
       PARAMETER (RANGE = 6, TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), RCTL(11), Y(3,1)
+      INTEGER HFROM, HMOST, NONE
+      PARAMETER (HFROM = 7, HMOST = 10, NONE = 0)
+      DOUBLE PRECISION LSD(14,2), RCTL(11), XF(3), Y(3,1)
       REAL LSX(TSLIST,4,2)
-      INTEGER CODE, CTL(28), F(3), GUESS(2), I, K, LAST, LSI(3,2)
-      INTEGER LSID(TSIDS,2), S, STEPS, U(4,1)
+      INTEGER CTL(28), F(3), G(4,1), GUESS(2), H(10), I, J, K, LAST
+      INTEGER LSI(3,2), LSID(TSIDS,2), S, STEPS, U(4,1), Z
       CALL TSOPEN(N, P, LVS, BOX, ALIVE, KNOWN, CTL, RCTL, INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
@@ -5492,7 +5782,6 @@ C     ORD in the place of LINK: no star is complete
       DO 50 K = 1, 4
         V(K,1) = ORD(U(K,1))
    50 CONTINUE
-      CODE = 0
       DO 60 I = 1, 4
         IF (I .EQ. LAST) GO TO 60
         K = I
@@ -5503,7 +5792,6 @@ C     ORD in the place of LINK: no star is complete
         CALL TSOUTF(U, 1, K, F)
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, LSX,
      $              LSID, LSI, LSD, F, GUESS, S)
-        CODE = 1
         IF (S .EQ. 0) GO TO 70
         U(1,1) = F(1)
         U(2,1) = F(2)
@@ -5512,8 +5800,47 @@ C     ORD in the place of LINK: no star is complete
         LAST = 4
         GO TO 40
    60 CONTINUE
-   70 CALL TSWEIG(P, V, 1, Q, W, INFO)
-      IF (INFO .EQ. 0) INFO = CODE
+      CALL TSWEIG(P, V, 1, Q, W, INFO)
+      RETURN
+   70 H(1) = NONE
+      H(HFROM) = NONE
+      H(HMOST) = CTL(NP)
+      Z = NONE
+   80 DO 90 I = 1, 4
+        G(I,1) = ORD(U(I,1))
+   90 CONTINUE
+      IF (Z .EQ. NONE) THEN
+C       the facet K is of the hull
+        CALL TSOUTF(G, 1, K, F)
+        CALL TSHULL(P, Q, F, H, XF, S)
+        IF (S .EQ. RANGE) RETURN
+        IF (MOD(S, 2) .EQ. 1) THEN
+          DO 100 I = 1, 4
+            V(I,1) = G(I,1)
+  100     CONTINUE
+        END IF
+        IF (S .GE. 2) GO TO 120
+        Z = H(HFROM)
+      END IF
+C     TSTURN's turn
+      I = TSSLOT(G, 1, Z)
+      CALL TSOUTF(U, 1, I, F)
+      Z = G(K,1)
+      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, LSX,
+     $            LSID, LSI, LSD, F, GUESS, S)
+      IF (S .EQ. 0) THEN
+        K = I
+        Z = NONE
+        GO TO 80
+      END IF
+      DO 110 J = 1, 3
+        U(J,1) = F(J)
+  110 CONTINUE
+      U(4,1) = S
+      K = 4
+      GO TO 80
+  120 CALL TSPLAC(V, 1, H, XF, W)
+      INFO = 1
       END
 
 C     ------------------------------------------------------------------

@@ -37,6 +37,14 @@ module tess_interface
       integer, intent(out) :: info
     end subroutine tesslo
 
+    subroutine tessva(p, ntet, tet, adj, nv, value, nq, q, t, out, info)
+      integer, intent(in) :: ntet, tet(4, *), adj(4, *), nv, nq
+      double precision, intent(in) :: p(3, *), value(nv, *), q(3, *)
+      integer, intent(inout) :: t(*)
+      double precision, intent(inout) :: out(nv, *)
+      integer, intent(out) :: info
+    end subroutine tessva
+
     subroutine tesshu(ntet, tet, adj, maxfac, nfac, fac, info)
       integer, intent(in) :: ntet, tet(4, *), adj(4, *), maxfac
       integer, intent(out) :: nfac, info

@@ -487,7 +487,7 @@ twins() {
     cat build/diff.txt >> $LOG
 }
 twins tess "point|coords|four|better|proven|barren|layout" \
-    "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP"
+    "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
 twins hhpred "held|shift|least" "HHKIND"
 
 # ---- the same results as the C half ----

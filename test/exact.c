@@ -392,6 +392,86 @@ int ex_perturbed(const double *const *p, const int *index)
     return s.sign;
 }
 
+/* The foot x of the perpendicular from q on the affine hull of m points v, 1 to
+ * 3: 1 if its weights w are all positive; and way, q - x times some positive
+ * number. */
+static int foot(int m, const double *const *v, const double *q, double *w,
+                ex_num *way)
+{
+    static ex_num a[3], b[3], d[3], n[3], u[3], weight[3], whole, t, *r;
+    int low = lowest(EX_NO_LOW, q), e, f, k;
+
+    for (k = 0; k < m; k++) low = lowest(low, v[k]);
+    difference(d, low, q, v[0]);
+    if (m == 1) {
+        for (k = 0; k < 3; k++) ex_copy(&way[k], &d[k]);
+        w[0] = 1.0;
+        return 1;
+    }
+    difference(a, low, v[1], v[0]);
+    if (m == 2) {
+        ex_dot(&whole, a, a);
+        ex_dot(&weight[1], a, d);
+        ex_sub(&weight[0], &whole, &weight[1]);
+        for (k = 0; k < 3; k++) {
+            ex_mul(&way[k], &whole, &d[k]);
+            ex_mul(&t, &weight[1], &a[k]);
+            ex_sub(&way[k], &way[k], &t);
+        }
+    } else {
+        difference(b, low, v[2], v[0]);
+        ex_cross(n, a, b);
+        ex_dot(&whole, n, n);
+        ex_cross(u, d, b);
+        ex_dot(&weight[1], u, n);
+        ex_cross(u, a, d);
+        ex_dot(&weight[2], u, n);
+        ex_sub(&weight[0], &whole, &weight[1]);
+        ex_sub(&weight[0], &weight[0], &weight[2]);
+        ex_dot(&t, n, d);
+        for (k = 0; k < 3; k++) {
+            ex_copy(&way[k], &n[k]);
+            way[k].sign *= t.sign;
+            if (way[k].sign == 0) way[k].len = 0;
+        }
+    }
+    for (k = 0, r = weight; k < m; k++, r++) {
+        if (r->sign <= 0) return 0;
+        w[k] = (double)(ex_value(r, &e) / ex_value(&whole, &f));
+        w[k] = ldexp(w[k], e - f);
+    }
+    return 1;
+}
+
+int ex_nearest(int m, const double *const *v, const double *q, long n,
+               const double *p, double *w)
+{
+    static ex_num way[3], d[3], s;
+    const double *u[3];
+    double x[3];
+    long i;
+    int at[4], set, k, many;
+
+    for (k = 0; k < m; k++) w[k] = 0.0;
+    for (set = 1; set < 1 << m; set++) {
+        for (k = many = 0; k < m; k++)
+            if (set >> k & 1) at[many++] = k;
+        if (many > 3) continue;
+        for (k = 0; k < many; k++) u[k] = v[at[k]];
+        if (!foot(many, u, q, x, way)) continue;
+        for (i = 0; i < n; i++) {
+            difference(d, lowest(lowest(EX_NO_LOW, p + 3 * i), u[0]),
+                       p + 3 * i, u[0]);
+            ex_dot(&s, way, d);
+            if (s.sign > 0) break;
+        }
+        if (i < n) continue;
+        for (k = 0; k < many; k++) w[at[k]] = x[k];
+        return set;
+    }
+    return 0;
+}
+
 int ex_collinear(const double *a, const double *b, const double *c)
 {
     static ex_num u[3], v[3], n[3];

@@ -62,6 +62,15 @@ int ex_insphere(const double *a, const double *b, const double *c,
  * coordinates makes those longer than EX_DIGITS, a tie has the sign of the sum's
  * largest term.)  0 only when the five points are coplanar. */
 int ex_perturbed(const double *const *p, const int *index);
+/* The face of the triangle or tetrahedron v, of m = 3 or 4 vertices in general
+ * position, whose interior has the point nearest to q of the convex hull of n
+ * points p, those of v among them: the sum of 2^k for its vertices v[k], at
+ * most three of them, or 0 if there is none.  w: the m weights of that point.
+ * For each face the foot of the perpendicular on its plane or line is tried: if
+ * that is inside of the face, and no point is ahead of it on the way to q, it
+ * is the one. */
+int ex_nearest(int m, const double *const *v, const double *q, long n,
+               const double *p, double *w);
 /* 1 when a, b, c lie on one line */
 int ex_collinear(const double *a, const double *b, const double *c);
 

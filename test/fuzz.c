@@ -164,7 +164,8 @@ static void location(tess_int ntet, const tess_int *tet, const tess_int *adj)
     for (i = 0; i < ntet && !in; i++) in = holds(tet + 4 * i, q);
     sum = w[0] + w[1] + w[2] + w[3];
     if (code != !in || t < 0 || t >= ntet || (in && !holds(tet + 4 * t, q)) ||
-        (in && !(fabs(sum - 1.0) <= 1e-12))) {
+        (!in && !(w[0] >= 0.0 && w[1] >= 0.0 && w[2] >= 0.0 && w[3] >= 0.0)) ||
+        !(fabs(sum - 1.0) <= 1e-12)) {
         printf("query %.17g %.17g %.17g\n", q[0], q[1], q[2]);
         stop("location");
     }

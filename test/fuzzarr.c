@@ -188,6 +188,24 @@ static void hull(tess_int ntet, const tess_int *tet, const tess_int *adj)
     free(fac);
 }
 
+/* Is the neighbour of t across facet k there, with that facet of its own? */
+static int matched(const tess_int *tet, const tess_int *adj, tess_int ntet,
+                   tess_int t, int k)
+{
+    static const int out[4][3] = { {1,2,3}, {0,3,2}, {0,1,3}, {0,2,1} };
+    tess_int u = adj[4 * t + k];
+    int i, j;
+
+    if (u < 0 || u >= ntet) return u == TESS_NONE || u == TESS_OPEN;
+    for (j = 0; j < 4; j++)
+        for (i = 0; i < 3 && adj[4 * u + j] == t; i++)
+            if (tet[4 * t + out[k][0]] == tet[4 * u + out[j][i]] &&
+                tet[4 * t + out[k][1]] == tet[4 * u + out[j][(i + 2) % 3]] &&
+                tet[4 * t + out[k][2]] == tet[4 * u + out[j][(i + 1) % 3]])
+                return 1;
+    return 0;
+}
+
 static void locate(tess_int ntet, tess_int *tet, const tess_int *adj)
 {
     tess_real q[3];
@@ -197,10 +215,16 @@ static void locate(tess_int ntet, tess_int *tet, const tess_int *adj)
 
     for (i = 0; i < 4 * ntet; i++) {
         if (tet[i] < 0 || tet[i] >= n) tet[i] = 0;
-        if (adj[i] < TESS_OPEN || adj[i] >= ntet) bad = 1;
+        if (i % 4 == 3 && ex_orient(p[tet[i - 3]], p[tet[i - 2]],
+                                    p[tet[i - 1]], p[tet[i]]) <= 0)
+            bad = 1; /* flat, or its vertices not four */
     }
+    for (i = 0; i < 4 * ntet; i++)
+        if (!matched(tet, adj, ntet, i / 4, (int)(i % 4))) bad = 1;
     for (k = 0; k < 3; k++) q[k] = (tess_real)(0.5 * (byte() % 12) - 0.5);
     code = tess_locate(point, ntet, tet, adj, q, &t, w);
+    if (code == 1 && !(w[0] >= 0.0 && w[1] >= 0.0 && w[2] >= 0.0 &&
+                       w[3] >= 0.0)) stop("tess_locate's weights");
     if (code >= 0 && (t < 0 || t >= ntet)) stop("tess_locate's t");
     if (code != 0 && code != 1 && code != -6 && !(code == -2 && ntet == 0) &&
         !(code == -4 && bad))

@@ -6,10 +6,10 @@ program iface
   implicit none
   integer, parameter :: n = 16, liw = 17*n + 1800, lrw = 4*n + 12
   integer, parameter :: maxtet = 8*n
-  double precision :: p(3, n), rw(lrw), q(3), w(4), f(12), c
+  double precision :: p(3, n), rw(lrw), q(3), w(4), f(12), c, out(3, 2)
   integer :: tet(4, maxtet), adj(4, maxtet), iw(liw), fac(3, 4*maxtet)
   integer :: ntet, ntet2, info, i, k, t, nfac, bad, liw2, lrw2
-  integer :: passed, failed
+  integer :: passed, failed, where(2)
   real :: single(3, n)
 
   passed = 0
@@ -48,6 +48,13 @@ program iface
   do k = 1, 3
     call test(abs(sum(w*p(k, tet(:, t))) - q(k)) < 1d-15)
   end do
+  ! the points' coordinates for values: q, and the point nearest to one outside
+  where = 0
+  call tessva(p, ntet, tet, adj, 3, p, 2, &
+    reshape((/q, 0.25d0, -3d0, 1.5d0/), (/3, 2/)), where, out, info)
+  call test(info == 1 .and. all(where > 0))
+  call test(all(abs(out(:, 1) - q) < 1d-15))
+  call test(all(abs(out(:, 2) - (/0.25d0, 0d0, 1.5d0/)) < 1d-15))
 
   call hhface(p(:, 1), p(:, 2), p(:, 3), f, info)
   call test(info == 0)

@@ -18,6 +18,7 @@ a time may call.
     TESS     the tetrahedralization
     TESSRE   go on after a full array
     TESSLO   the tetrahedron that holds a point, and weights to interpolate
+    TESSVA   linear interpolation at many points
     TESSHU   the boundary triangles
     TESSCH   an exact proof of a result
     HHFACE, HHSIDE, HHOPP, HHLCOO, HHWRAP

@@ -271,7 +271,7 @@ static void places(int kind, tess_int n, const double *p, tess_int ntet,
         t = TESS_NONE;
         if (i > 8) t = 17 * i % ntet;
         code = tess_locate(p, ntet, tet, adj, q, &t, w);
-        prove_place(p, tet, adj, q, t, w, code);
+        prove_place(n, p, tet, adj, q, t, w, code);
         where[0] = code;
         where[1] = t + 1;
         for (k = 0; k < 4; k++) where[2 + k] = near(w[k]);
@@ -324,8 +324,7 @@ static void alone(int kind, tess_int n, const double *p, tess_int want,
             tell("TESSQU", code, want, i);
             continue;
         }
-        for (k = 0; k < 4; k++) a[k] = TESS_NONE;
-        prove_place(p, v, a, q, 0, w, code);
+        prove_place(n, p, v, NULL, q, 0, w, code);
         many("TESSQU", 4, v);
         a[0] = code;
         for (k = 0; k < 4; k++) a[1 + k] = near(w[k]);
@@ -335,6 +334,93 @@ static void alone(int kind, tess_int n, const double *p, tess_int want,
         a[0] = tess_ball(p, tet + 4 * i, c);
         for (k = 0; k < 4; k++) a[1 + k] = near(c[k]);
         line("TESSBA", 5, a);
+    }
+}
+
+/* beyond - queries outside, with the mesh and without: near, far, far away
+ * and above a point. */
+static void beyond(int kind, tess_int n, const double *p, tess_int ntet,
+                   const tess_int *tet, const tess_int *adj, tess_int liw,
+                   tess_int *iw, tess_int lrw, double *rw)
+{
+    tess_int a[8], v[4], i, t;
+    double c, d, q[3], w[4];
+    int k, code, code2;
+
+    tess_index(n, p, liw, iw, lrw, rw);
+    v[0] = TESS_NONE;
+    for (i = 1; i <= 12; i++) {
+        for (k = 0; k < 3; k++) {
+            c = p[3 * (5 * i % n) + k];
+            d = p[3 * (7 * i % n) + k];
+            if (i % 4 == 0) q[k] = 2.0 * c - d;
+            if (i % 4 == 1) q[k] = 1024.0 * (c - d);
+            if (i % 4 == 2) q[k] = 1099511627776.0 * (c - d);
+            /* differences of numbers that are wide apart are rounded */
+            if (kind == 10) q[k] = 2.0 * c;
+            if (i % 4 == 3) q[k] = k == i % 3 ? 1000.0 : c;
+        }
+        t = TESS_NONE;
+        if (i > 6) t = 17 * i % ntet;
+        code = tess_locate(p, ntet, tet, adj, q, &t, w);
+        prove_place(n, p, tet, adj, q, t, w, code);
+        a[0] = code;
+        a[1] = t + 1;
+        for (k = 0; k < 4; k++) a[2 + k] = near(w[k]);
+        line("TESSLO", kind == 9 && code == 0 ? 2 : 6, a);
+        if (i < 7) v[0] = TESS_NONE;
+        code2 = tess_query(n, p, iw, rw, q, v, w);
+        prove_place(n, p, v, NULL, q, 0, w, code2);
+        for (k = 0; k < 4; k++) {
+            a[k] = v[k] + 1;
+            a[4 + k] = near(w[k]);
+        }
+        line("TESSQU", kind == 9 && code == 0 ? 4 : 8, a);
+        if (code2 != code) two("WRONG", code2, code);
+    }
+}
+
+/* values - two values at places on a line that begins and ends outside: in
+ * order, from what was found, in another order. */
+static void values(tess_int n, const double *p, tess_int ntet,
+                   const tess_int *tet, const tess_int *adj)
+{
+    enum { NQ = 24 };
+    static double value[2 * MOST];
+    tess_int t[NQ], t2[NQ], a[2 * NQ], b[2 * NQ], i, j, m, rows;
+    double c, d, out[2 * NQ], q[3 * NQ];
+    int k, code;
+
+    for (i = 0; i < n; i++) {
+        value[2 * i] = (double)(i % 17);
+        value[2 * i + 1] = p[3 * i];
+    }
+    for (i = 0; i < NQ; i++) t[i] = TESS_NONE;
+    for (m = 0; m < 3; m++) {
+        for (i = 0; i < NQ; i++) {
+            j = m == 2 ? 7 * i % NQ : i;
+            t2[i] = m == 2 ? TESS_NONE : t[i];
+            for (k = 0; k < 3; k++) {
+                c = p[3 * (n / 3) + k];
+                d = p[3 * (n - 1) + k];
+                q[3 * i + k] = c + (double)(j - 4) * (d - c) / 16.0;
+            }
+        }
+        code = tess_values(p, ntet, tet, adj, 2, value, NQ, q, t2, out);
+        for (i = 0; i < NQ; i++) {
+            j = m == 2 ? 7 * i % NQ : i;
+            b[2 * j] = near(out[2 * i]) - 1;
+            b[2 * j + 1] = near(out[2 * i + 1]) - 1;
+        }
+        if (m == 0) {
+            /* less 1, as many counts from 1 */
+            many("TESSVA", 2 * NQ, b);
+            for (i = 0; i < 2 * NQ; i++) a[i] = b[i];
+            for (i = 0; i < NQ; i++) t[i] = t2[i];
+        }
+        two("TESSVA", code, chksum(NQ, t2));
+        rows = differ(2 * NQ, a, b);
+        if (rows > 0) two("WRONG", rows, 0);
     }
 }
 
@@ -382,6 +468,9 @@ static void solve(int kind, tess_int n)
     two("TESSCH", code, bad + 1);
     pieces(n, p, ntet, tet, adj, liw, iw, lrw, rw);
     places(kind, n, p, ntet, tet, adj);
+    beyond(kind, n, p, ntet, tet, adj, LENGTH, iw, lrw, rw);
+    /* sums that are rounded, and values in slivers, may differ */
+    if (kind != 9 && kind != 10) values(n, p, ntet, tet, adj);
 }
 
 /* badarg - arguments that are bad. */
@@ -391,8 +480,8 @@ static void badarg(void)
     static double p[3 * N], rw[LRW];
     static tess_int tet[4 * ROOM], adj[4 * ROOM], fac[3 * ROOM], iw[LIW];
     const tess_int intmax = 2147483647, large = 536870911;
-    double q[3], w[4], save, big;
-    tess_int bad, i, j, k, nfac, nt, ntet, t, v[4];
+    double q[3], w[4], save, big, several[6], out[4];
+    tess_int bad, i, j, k, nfac, nt, ntet, t, t2[2], v[4];
     int code;
 
     code = tess_size(-1, 5, &i, &j);
@@ -483,6 +572,26 @@ static void badarg(void)
     t = ntet;
     code = tess_locate(p, ntet, tet, adj, q, &t, w);
     tell("TESSLO T > NTET", code, -6, t + 1);
+
+    for (k = 0; k < 6; k++) several[k] = 0.25;
+    for (i = 1; i <= 7; i++) {
+        t2[0] = TESS_NONE;
+        t2[1] = i == 6 ? -2 : i == 7 ? ntet : TESS_NONE;
+        several[4] = i == 5 ? big * big : 0.25;
+        j = i == 3 ? -1 : i == 4 ? intmax : 2;
+        code = tess_values(p, i == 1 ? 0 : ntet, tet, adj, i == 2 ? -1 : 2,
+                           several, j, several, t2, out);
+        tell("TESSVA", code, i == 1 ? -2 : i == 2 ? -5 : i < 5 ? -7 :
+             i == 5 ? -8 : -9, t2[0] + 1);
+    }
+    code = tess_values(p, ntet, tet, adj, 0, several, 2, several, t2, out);
+    tell("TESSVA T > NTET", code, -9, t2[0] + 1);
+    t2[1] = TESS_NONE;
+    code = tess_values(p, ntet, tet, adj, 0, several, 0, several, t2, out);
+    tell("TESSVA NQ = 0", code, 0, t2[0] + 1);
+    code = tess_values(p, ntet, tet, adj, 0, several, 2, several, t2, out);
+    tell("TESSVA NV = 0", code, 0, t2[0] + 1);
+    two("TESSVA NV = 0", t2[1] + 1, 0);
 
     code = tess_hull(-1, tet, adj, ROOM, &nfac, fac);
     tell("TESSHU NTET", code, -1, nfac);

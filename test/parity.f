@@ -394,6 +394,105 @@ C     ALONE - stars and queries without the mesh.
    60 CONTINUE
       END
 
+C     BEYOND - queries outside, with the mesh and without: near, far,
+C     far away and above a point.
+      SUBROUTINE BEYOND(KIND, N, P, NTET, TET, ADJ, LIW, IW, LRW, RW)
+      INTEGER KIND, N, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW
+      DOUBLE PRECISION P(3,*), RW(*)
+      INTEGER NEAR
+      DOUBLE PRECISION C, D, Q(3), W(4)
+      INTEGER A(8), I, INFO, INFO2, J, K, T, V(4)
+      CALL TESSIX(N, P, LIW, IW, LRW, RW, INFO)
+      V(1) = 0
+      DO 40 J = 1, 12
+        I = J
+        DO 10 K = 1, 3
+          C = P(K,MOD(5*I, N)+1)
+          D = P(K,MOD(7*I, N)+1)
+          IF (MOD(I, 4) .EQ. 0) Q(K) = 2.0D0*C - D
+          IF (MOD(I, 4) .EQ. 1) Q(K) = 1024.0D0*(C - D)
+          IF (MOD(I, 4) .EQ. 2) Q(K) = 1099511627776.0D0*(C - D)
+C         differences of numbers that are wide apart are rounded
+          IF (KIND .EQ. 10) Q(K) = 2.0D0*C
+          IF (MOD(I, 4) .EQ. 3) Q(K) = C
+          IF (MOD(I, 4) .EQ. 3 .AND. K .EQ. MOD(I, 3) + 1)
+     $      Q(K) = 1000.0D0
+   10   CONTINUE
+        T = 0
+        IF (I .GT. 6) T = MOD(17*I, NTET) + 1
+        CALL TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
+        A(1) = INFO
+        A(2) = T
+        DO 20 K = 1, 4
+          A(2+K) = NEAR(W(K))
+   20   CONTINUE
+        K = 6
+        IF (KIND .EQ. 9 .AND. INFO .EQ. 0) K = 2
+        CALL WRLINE('TESSLO', K, A)
+        IF (I .LT. 7) V(1) = 0
+        CALL TESSQU(N, P, IW, RW, Q, V, W, INFO2)
+        DO 30 K = 1, 4
+          A(K) = V(K)
+          A(4+K) = NEAR(W(K))
+   30   CONTINUE
+        K = 8
+        IF (KIND .EQ. 9 .AND. INFO .EQ. 0) K = 4
+        CALL WRLINE('TESSQU', K, A)
+        IF (INFO2 .NE. INFO) CALL WRTWO('WRONG', INFO2, INFO)
+   40 CONTINUE
+      END
+
+C     VALUES - two values at places on a line that begins and ends
+C     outside: in order, from what was found, in another order.
+      SUBROUTINE VALUES(N, P, NTET, TET, ADJ)
+      INTEGER N, NTET, TET(4,*), ADJ(4,*)
+      DOUBLE PRECISION P(3,*)
+      INTEGER CHKSUM, DIFFER, NEAR
+      INTEGER MOST, NQ
+      PARAMETER (MOST = 1000, NQ = 24)
+      DOUBLE PRECISION C, D, OUT(2,NQ), Q(3,NQ), VALUE(2,MOST)
+      INTEGER A(2*NQ), B(2*NQ), I, INFO, J, K, M, ROWS, T(NQ), T2(NQ)
+      DO 10 I = 1, N
+        VALUE(1,I) = DBLE(MOD(I - 1, 17))
+        VALUE(2,I) = P(1,I)
+   10 CONTINUE
+      DO 20 I = 1, NQ
+        T(I) = 0
+   20 CONTINUE
+      DO 80 M = 1, 3
+        DO 40 I = 1, NQ
+          J = I - 1
+          IF (M .EQ. 3) J = MOD(7*J, NQ)
+          T2(I) = T(I)
+          IF (M .EQ. 3) T2(I) = 0
+          DO 30 K = 1, 3
+            C = P(K,N/3+1)
+            D = P(K,N)
+            Q(K,I) = C + DBLE(J - 4)*(D - C)/16.0D0
+   30     CONTINUE
+   40   CONTINUE
+        CALL TESSVA(P, NTET, TET, ADJ, 2, VALUE, NQ, Q, T2, OUT, INFO)
+        DO 50 I = 1, NQ
+          J = I - 1
+          IF (M .EQ. 3) J = MOD(7*J, NQ)
+          B(2*J+1) = NEAR(OUT(1,I))
+          B(2*J+2) = NEAR(OUT(2,I))
+   50   CONTINUE
+        IF (M .EQ. 1) THEN
+          CALL WRMANY('TESSVA', 2*NQ, B)
+          DO 60 I = 1, 2*NQ
+            A(I) = B(I)
+   60     CONTINUE
+          DO 70 I = 1, NQ
+            T(I) = T2(I)
+   70     CONTINUE
+        END IF
+        CALL WRTWO('TESSVA', INFO, CHKSUM(NQ, T2))
+        ROWS = DIFFER(2*NQ, A, B)
+        IF (ROWS .GT. 0) CALL WRTWO('WRONG', ROWS, 0)
+   80 CONTINUE
+      END
+
 C     SOLVE - N points of a kind, tetrahedralized.
       SUBROUTINE SOLVE(KIND, N)
       INTEGER KIND, N
@@ -435,6 +534,10 @@ C     SOLVE - N points of a kind, tetrahedralized.
       CALL WRTWO('TESSCH', INFO, BAD)
       CALL PIECES(N, P, NTET, TET, ADJ, LIW, IW, LRW, RW)
       CALL PLACES(KIND, N, P, NTET, TET, ADJ)
+      CALL BEYOND(KIND, N, P, NTET, TET, ADJ, LENGTH, IW, LRW, RW)
+C     sums that are rounded, and values in slivers, may differ
+      IF (KIND .NE. 9 .AND. KIND .NE. 10)
+     $  CALL VALUES(N, P, NTET, TET, ADJ)
       END
 
 C     TELL - write a code beside the one that the interface promises.
@@ -453,11 +556,13 @@ C     BADARG - arguments that are bad.
       INTEGER N, MAXTET, LIW, LRW, INTMAX, LARGE
       PARAMETER (N = 12, MAXTET = 200, LIW = 4000, LRW = 200)
       PARAMETER (INTMAX = 2147483647, LARGE = 536870911)
-      DOUBLE PRECISION BIG, P(3,N), Q(3), RW(LRW), SAVE, W(4)
+      DOUBLE PRECISION BIG, OUT(4), P(3,N), Q(3), RW(LRW), SAVE, W(4)
+      DOUBLE PRECISION SEV(3,2)
       INTEGER ADJ(4,MAXTET), BAD, FAC(3,MAXTET), I, INFO, IW(LIW)
       INTEGER J, K, L, LEN1, LEN2, NFAC, NT, NTET, T, TET(4,MAXTET)
-      INTEGER V(4), WANT(6)
+      INTEGER T2(2), V(4), WANT(6), WANTVA(7)
       DATA WANT /-1, -5, -5, -6, -8, -10/
+      DATA WANTVA /-2, -5, -7, -7, -8, -9, -9/
       CALL TESSWK(-1, 5, I, J, INFO)
       CALL TELL('TESSWK N < 0', INFO, -1, I + J)
       CALL TESSWK(INTMAX, 5, I, J, INFO)
@@ -552,6 +657,36 @@ C     BADARG - arguments that are bad.
       CALL TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       CALL TELL('TESSLO T > NTET', INFO, -6, T)
 
+      DO 50 K = 1, 3
+        SEV(K,1) = 0.25D0
+        SEV(K,2) = 0.25D0
+   50 CONTINUE
+      DO 60 I = 1, 7
+        T2(1) = 0
+        T2(2) = 0
+        IF (I .EQ. 6) T2(2) = -1
+        IF (I .EQ. 7) T2(2) = NTET + 1
+        SEV(2,2) = 0.25D0
+        IF (I .EQ. 5) SEV(2,2) = BIG*BIG
+        J = 2
+        IF (I .EQ. 3) J = -1
+        IF (I .EQ. 4) J = INTMAX
+        K = NTET
+        IF (I .EQ. 1) K = 0
+        L = 2
+        IF (I .EQ. 2) L = -1
+        CALL TESSVA(P, K, TET, ADJ, L, SEV, J, SEV, T2, OUT, INFO)
+        CALL TELL('TESSVA', INFO, WANTVA(I), T2(1))
+   60 CONTINUE
+      CALL TESSVA(P, NTET, TET, ADJ, 0, SEV, 2, SEV, T2, OUT, INFO)
+      CALL TELL('TESSVA T > NTET', INFO, -9, T2(1))
+      T2(2) = 0
+      CALL TESSVA(P, NTET, TET, ADJ, 0, SEV, 0, SEV, T2, OUT, INFO)
+      CALL TELL('TESSVA NQ = 0', INFO, 0, T2(1))
+      CALL TESSVA(P, NTET, TET, ADJ, 0, SEV, 2, SEV, T2, OUT, INFO)
+      CALL TELL('TESSVA NV = 0', INFO, 0, T2(1))
+      CALL WRTWO('TESSVA NV = 0', T2(2), 0)
+
       CALL TESSHU(-1, TET, ADJ, MAXTET, NFAC, FAC, INFO)
       CALL TELL('TESSHU NTET', INFO, -1, NFAC)
       CALL TESSHU(NTET, TET, ADJ, -1, NFAC, FAC, INFO)
@@ -577,10 +712,10 @@ C     BADARG - arguments that are bad.
       CALL TESSQU(N, P, IW, RW, Q, V, W, INFO)
       CALL TELL('TESSQU infinite', INFO, -5, 0)
       Q(2) = 0.0D0
-      DO 60 I = 1, 5
-        DO 50 K = 1, 4
+      DO 80 I = 1, 5
+        DO 70 K = 1, 4
           V(K) = TET(K,2)
-   50   CONTINUE
+   70   CONTINUE
         IF (I .EQ. 1) V(1) = -1
         IF (I .EQ. 2) V(4) = N + 1
         IF (I .EQ. 3) V(3) = V(2)
@@ -589,8 +724,8 @@ C     BADARG - arguments that are bad.
         IF (I .EQ. 5) V(2) = 0
         CALL TESSQU(N, P, IW, RW, Q, V, W, INFO)
         CALL TELL('TESSQU V', INFO, -6, I)
-   60 CONTINUE
-      DO 70 I = 1, 6
+   80 CONTINUE
+      DO 90 I = 1, 6
         NT = 0
         IF (I .EQ. 3) NT = -1
         IF (I .EQ. 2 .OR. I .EQ. 4) NT = NTET
@@ -608,7 +743,7 @@ C     BADARG - arguments that are bad.
      $              INFO)
         TET(3,2) = J
         CALL TELL('TESSPA', INFO, WANT(I), I)
-   70 CONTINUE
+   90 CONTINUE
       V(1) = 0
       CALL TESSBA(P, V, W, INFO)
       CALL TELL('TESSBA V', INFO, -2, 0)

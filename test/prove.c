@@ -158,27 +158,37 @@ void prove_hull(tess_int n, const double *p, tess_int ntet,
     require(m == nfac, "nfac");
 }
 
-void prove_place(const double *p, const tess_int *tet, const tess_int *adj,
-                 const double *q, tess_int t, const double *w, int code)
+void prove_place(tess_int n, const double *p, const tess_int *tet,
+                 const tess_int *adj, const double *q, tess_int t,
+                 const double *w, int code)
 {
     const tess_int *v = tet + 4 * t;
-    double miss, size = 0.0;
+    const double *c[4];
+    double miss, size = 0.0, x[4];
     int k, i, s, out = 0;
 
     for (k = 0; k < 4; k++) {
+        c[k] = p + 3 * v[k];
         s = -ex_orient(p + 3 * corner(v, k, 0), p + 3 * corner(v, k, 1),
                        p + 3 * corner(v, k, 2), q);
-        if (code == TESS_OK) require(s >= 0, "t does not hold q");
-        if (s < 0 && adj[4 * t + k] == TESS_NONE) out = 1;
+        if (s < 0 && w[k] == 0.0 && (!adj || adj[4 * t + k] == TESS_NONE))
+            out = 1;
+        if (code != TESS_OK) continue;
+        require(s >= 0, "t does not hold q");
         require(w[k] * s >= 0.0 && (w[k] == 0.0 || s != 0),
                 "the sign of a weight");
     }
     require(code == out, "inside or outside");
-    require(fabs(w[0] + w[1] + w[2] + w[3] - 1.0) <=
-            1e-14 * (fabs(w[0]) + fabs(w[1]) + fabs(w[2]) + fabs(w[3])),
+    require(fabs(w[0] + w[1] + w[2] + w[3] - 1.0) <= 1e-14,
             "the sum of the weights");
-    /* outside of a tetrahedron that is flat to rounding they are of a face */
-    if (code != TESS_OK) return;
+    if (code != TESS_OK) {
+        require(ex_nearest(4, c, q, (long)n, p, x) > 0,
+                "the hull's nearest point");
+        for (k = 0; k < 4; k++)
+            require(fabs(w[k] - x[k]) <= 32.0 * DBL_EPSILON * x[k],
+                    "the weights of the nearest point");
+        return;
+    }
     for (i = 0; i < 3; i++)
         for (k = 0; k < 4; k++)
             if (fabs(p[3 * v[k] + i]) > size) size = fabs(p[3 * v[k] + i]);

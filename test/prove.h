@@ -20,9 +20,10 @@ void prove_result(tess_int n, const double *p, int code, tess_int ntet,
 void prove_hull(tess_int n, const double *p, tess_int ntet,
                 const tess_int *tet, const tess_int *adj, tess_int nfac,
                 const tess_int *fac);
-/* What tess_locate gave. */
-void prove_place(const double *p, const tess_int *tet, const tess_int *adj,
-                 const double *q, tess_int t, const double *w, int code);
+/* What tess_locate gave; no adj: what tess_query gave. */
+void prove_place(tess_int n, const double *p, const tess_int *tet,
+                 const tess_int *adj, const double *q, tess_int t,
+                 const double *w, int code);
 /* What hh_orient and hh_insphere gave for v[0..3], v[0..4]. */
 void prove_signs(const double *const *v, int orient, int insphere);
 /* What hh_facet gave; then hh_side, hh_lcoord, hh_opp and hh_wrap. */
@@ -39,7 +40,7 @@ int prove_end(void);
 
 #define prove_result(n, p, code, ntet, tet, adj, iw) ((void)0)
 #define prove_hull(n, p, ntet, tet, adj, nfac, fac) ((void)0)
-#define prove_place(p, tet, adj, q, t, w, code) ((void)0)
+#define prove_place(n, p, tet, adj, q, t, w, code) ((void)0)
 #define prove_signs(v, orient, insphere) ((void)0)
 #define prove_facet(p1, p2, p3, code, f) ((void)0)
 #define prove_house(p1, p2, p3, z1, z2, side, l, opp, code, c) ((void)0)

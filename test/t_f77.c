@@ -20,6 +20,9 @@ extern void tessre_(int *n, double *p, int *maxtet, int *ntet, int *tet,
                     int *info);
 extern void tesslo_(double *p, int *ntet, int *tet, int *adj, double *q,
                     int *t, double *w, int *info);
+extern void tessva_(double *p, int *ntet, int *tet, int *adj, int *nv,
+                    double *value, int *nq, double *q, int *t, double *out,
+                    int *info);
 extern void tesshu_(int *ntet, int *tet, int *adj, int *maxfac, int *nfac,
                     int *fac, int *info);
 extern void tessch_(int *n, double *p, int *ntet, int *tet, int *adj, int *liw,
@@ -67,25 +70,49 @@ static int same(int ntet, int fntet)
     return 1;
 }
 
+/* A place for a query: between two points, or beyond one of them. */
+static void place(int i, int n, double *q)
+{
+    double f = i % 5 == 4 ? 1.5 + 1e6 * (i % 2) : 0.37;
+    int k;
+
+    for (k = 0; k < 3; k++)
+        q[k] = f * p[3 * (i * 7 % n) + k] + (1.0 - f) * p[3 * (i * 13 % n) + k];
+}
+
 /* Location and hull of the result, and the check of it and of a wrong one. */
 static void queries(const char *family, int n, int ntet)
 {
-    double q[3], w[4], fw[4];
+    static double value[2 * MOST], q[3 * 40], out[2 * 40], fout[2 * 40];
+    double w[4], fw[4];
+    int many[40], fmany[40], nv = 2, nq = 40;
     int i, k, t, ft, code, info, good = 1, nfac, fnfac, room, bad, fbad, save;
     int length = 2 * n;
 
-    for (i = 0; i < 40 && good; i++) {
-        for (k = 0; k < 3; k++)
-            q[k] = 0.37 * p[3 * (i * 7 % n) + k] + 0.63 * p[3 * (i * 13 % n) + k];
+    for (i = 0; i < 2 * n; i++) value[i] = (double)(i % 19);
+    for (i = 0; i < nq; i++) {
+        place(i, n, q + 3 * i);
+        many[i] = i % 3 ? TESS_NONE : i * 11 % ntet;
+        fmany[i] = many[i] + 1;
+    }
+    for (i = 0; i < nq && good; i++) {
         t = i % 2 ? TESS_NONE : i * 11 % ntet;
         ft = t + 1;
-        code = tess_locate(p, ntet, tet, adj, q, &t, w);
-        tesslo_(p, &ntet, ftet, fadj, q, &ft, fw, &info);
+        code = tess_locate(p, ntet, tet, adj, q + 3 * i, &t, w);
+        tesslo_(p, &ntet, ftet, fadj, q + 3 * i, &ft, fw, &info);
         good = code == info && t + 1 == ft;
         for (k = 0; k < 4; k++)
             if (w[k] - fw[k] > 1e-12 || fw[k] - w[k] > 1e-12) good = 0;
     }
     tell(good, "location", family, n);
+    code = tess_values(p, ntet, tet, adj, nv, value, nq, q, many, out);
+    tessva_(p, &ntet, ftet, fadj, &nv, value, &nq, q, fmany, fout, &info);
+    good = code == info;
+    for (i = 0; i < nq && good; i++)
+        good = many[i] + 1 == fmany[i] &&
+               fabs(out[2 * i] - fout[2 * i]) <= 1e-11 &&
+               fabs(out[2 * i + 1] - fout[2 * i + 1]) <= 1e-11;
+    tell(good, "values", family, n);
     for (room = MAXTET; room >= 0; room -= MAXTET) {
         code = tess_hull(ntet, tet, adj, room, &nfac, fac);
         tesshu_(&ntet, ftet, fadj, &room, &fnfac, ffac, &info);
@@ -131,9 +158,7 @@ static void alone(const char *family, int n, int liw, int lrw)
     tell(code == info && same(ntet, fntet) && ntet > 0, "part", family, n);
     v[0] = TESS_NONE;
     for (i = 0; i < 60 && good; i++) {
-        for (k = 0; k < 3; k++)
-            q[k] = 0.37 * p[3 * (i * 7 % n) + k] +
-                   0.63 * p[3 * (i * 13 % n) + k];
+        place(i, n, q);
         if (i % 3 == 0) v[0] = TESS_NONE;
         for (k = 0; k < 4; k++) fv[k] = v[k] + 1;
         code = tess_query(n, p, iw, rw, q, v, w);

@@ -4,11 +4,11 @@
  *     t_pred [percent [seed]]   percent of the usual number of cases
  *
  * Covered: the signs of hh_orient, hh_insphere, hh_flat, hh_wider, hh_pside
- * and hh_pball; hh_facet's codes, normal and centre; the bounds that hhpred.h
- * promises for hh_side, hh_lcoord and hh_bound, and the ones derived below
- * for hh_wrap; the certificates made of these bounds (a side, an order of two
- * L-coordinates) must never be wrong, and must decide nearly all random
- * points.  A failure prints the points in full.
+ * and hh_pball; hh_foot's face and weights; hh_facet's codes, normal and
+ * centre; the bounds that hhpred.h promises for hh_side, hh_lcoord and
+ * hh_bound, and the ones derived below for hh_wrap; the certificates made of
+ * these bounds (a side, an order of two L-coordinates) must never be wrong, and
+ * must decide nearly all random points.  A failure prints the points in full.
  *
  * Compiled with few limbs (-DHH_LIMBS=3, hhpred.c likewise), the signs may be
  * 2 where the limbs do not suffice, and must be where they cannot.
@@ -698,6 +698,138 @@ static void test_flat(long n)
     test_result("hh_flat, hh_wider", faults);
 }
 
+/* ---- the nearest point of a triangle ---- */
+
+enum { AS_IT_IS, OVER, ACROSS, THIN, RIGHT, KINDS };
+
+/* A triangle p[0..2] and q = p[3] in a special place. */
+static void make_foot(int kind, double p[5][3])
+{
+    double d[3], n[3], u[3], r, s, t;
+    int e, i, j, k, bits = 2 + rnd_below(5);
+
+    make(kind == AS_IT_IS || rnd_below(3) == 0 ? rnd_below(CLASSES) : LATTICE,
+         p);
+    if (kind == AS_IT_IS) return;
+    for (i = 0; i < 4; i++)
+        for (k = 0; k < 3; k++) p[i][k] = rnd_below(1 << bits);
+    if (kind == RIGHT) {
+        /* a right angle, legs along two axes */
+        j = rnd_below(3);
+        for (i = 1; i < 3; i++)
+            for (k = 0; k < 3; k++)
+                if (k != (j + i) % 3) p[i][k] = p[0][k];
+    }
+    i = rnd_below(3);
+    j = (i + 1 + rnd_below(2)) % 3;
+    if (kind == THIN) {
+        t = 0.125 * rnd_below(17) - 0.5;
+        s = ldexp(1.0, -rnd_below(MANT_DIG - 8));
+        for (k = 0; k < 3; k++) {
+            e = 3 - i - j;
+            p[e][k] = p[i][k] + t * (p[j][k] - p[i][k]) +
+                      s * (rnd_below(3) - 1);
+            p[3][k] = p[i][k] + t * (p[j][k] - p[i][k]) +
+                      ldexp(rnd_below(9) - 4, -rnd_below(8));
+        }
+    }
+    for (k = 0; k < 3; k++) {
+        d[k] = p[j][k] - p[i][k];
+        u[k] = p[3 - i - j][k] - p[i][k];
+        n[k] = rnd_below(9) - 4;
+    }
+    if (kind == OVER) {
+        /* over a vertex, a place on an edge, its line or the facet, or there */
+        t = 0.25 * (rnd_below(9) - 2);
+        r = rnd_below(3) ? 0.0 : 0.25;
+        s = ldexp(rnd_below(3) - 1, -bits);
+        for (k = 0; k < 3; k++)
+            p[3][k] = p[i][k] + t * d[k] + r * u[k] +
+                      s * (d[(k + 1) % 3] * u[(k + 2) % 3] -
+                           d[(k + 2) % 3] * u[(k + 1) % 3]);
+    }
+    if (kind == ACROSS) /* in the plane through a vertex across an edge */
+        for (k = 0; k < 3; k++)
+            p[3][k] = p[i][k] + d[(k + 1) % 3] * n[(k + 2) % 3] -
+                      d[(k + 2) % 3] * n[(k + 1) % 3];
+    if (rnd_below(4) == 0) {
+        i = rnd_below(4);
+        k = rnd_below(3);
+        p[i][k] = nudge(p[i][k], rnd_below(3) - 1);
+    }
+    if (rnd_below(3) == 0) {
+        e = rnd_below(2 * MAX_EXP - 60) - MAX_EXP + 30;
+        if (flushes() && e < 2 * MANT_DIG - MAX_EXP) e = 0;
+        for (i = 0; i < 4; i++)
+            for (k = 0; k < 3; k++) p[i][k] = ldexp(p[i][k], e);
+    }
+}
+
+/* hh_foot: the vertices and their weights. */
+static void test_foot(long n)
+{
+    static const char *const kinds[KINDS] = {
+        "any", "over an edge", "across an edge", "needles", "right angles"
+    };
+    char name[80];
+    double p[5][3], w[3], x[3], sum, most;
+    const double *v[3];
+    long faults, i, seen[8];
+    int kind, k, want, got, weighed, bad;
+
+    for (k = 0; k < 3; k++) v[k] = P[k];
+    for (kind = 0; kind < KINDS; kind++) {
+        faults = 0;
+        most = 0.0;
+        for (k = 0; k < 8; k++) seen[k] = 0;
+        for (i = 0; i < (kind == AS_IT_IS ? n / 4 : n); i++) {
+            make_foot(kind, p);
+            settle(p);
+            if (ex_collinear(P[0], P[1], P[2])) continue;
+            for (k = bad = 0; k < 12; k++)
+                bad |= P[k / 3][k % 3] != 0.0 &&
+                       fabs(P[k / 3][k % 3]) < DBL_MIN && flushes();
+            if (bad) continue;
+            want = ex_nearest(3, v, P[3], 3, P[0], x);
+            got = hh_foot(R[0], R[1], R[2], R[3], NULL);
+            for (k = 0; k < 3; k++) w[k] = 7.0;
+            weighed = hh_foot(R[0], R[1], R[2], R[3], w);
+#if HH_LIMBS < 88
+            if (got == 0 || weighed == 0) {
+                seen[0]++;
+                if (got == 0) got = want;
+                if (weighed == 0) continue;
+            }
+#endif
+            seen[want]++;
+            bad = want == 0 || got != want || weighed != want;
+            for (k = 0, sum = 0.0; k < 3; k++) {
+                if ((want >> k & 1) == 0 && w[k] != 0.0) bad = 1;
+                if (!(fabs(w[k] - x[k]) <= 18.0 * DBL_EPSILON * x[k] + DBL_MIN))
+                    bad = 1;
+                if (x[k] > DBL_MIN && fabs(w[k] / x[k] - 1.0) > most)
+                    most = fabs(w[k] / x[k] - 1.0);
+                if (!(w[k] >= 0.0)) bad = 1;
+                sum += w[k];
+            }
+            if (!(fabs(sum - 1.0) <= 4.0 * DBL_EPSILON)) bad = 1;
+            if (bad && faults++ < 3) {
+                printf("hh_foot %d, with weights %d, exact %d; weights %g %g "
+                       "%g, exact %g %g %g\n", got, weighed, want, w[0], w[1],
+                       w[2], x[0], x[1], x[2]);
+                show(4);
+            }
+        }
+        printf("        vertices %ld %ld %ld, edges %ld %ld %ld, inside %ld, "
+               "unsure %ld; error %.1f eps\n", seen[1], seen[2], seen[4],
+               seen[3], seen[6], seen[5], seen[7], seen[0],
+               most / DBL_EPSILON);
+        for (k = 1; k < 8; k++) faults += seen[k] < n / 1000;
+        sprintf(name, "hh_foot: %s", kinds[kind]);
+        test_result(name, faults);
+    }
+}
+
 #if HH_LIMBS < 88
 /* hh_range promises what the determinants need: when it says that the limbs
  * hold a coordinate beside another one, no sign is 2. */
@@ -705,7 +837,7 @@ static void test_range(long n)
 {
     long faults = 0, held = 0, out = 0, i;
     double p[5][3], most;
-    int j, k, fits, o, v;
+    int j, k, fits, o, v, f;
 
     for (i = 0; i < n; i++) {
         do make(rnd_below(CLASSES), p);
@@ -721,10 +853,12 @@ static void test_range(long n)
                 if (hh_range(P[j][k], most) != 0) fits = 0;
         o = hh_orient(R[0], R[1], R[2], R[3]);
         v = hh_insphere(R[0], R[1], R[2], R[3], R[4]);
+        f = hh_foot(R[0], R[1], R[2], R[3], NULL);
         if (fits) held++;
         else out++;
-        if (fits && (o == 2 || v == 2) && faults++ < 3) {
-            printf("in range, but hh_orient %d, hh_insphere %d\n", o, v);
+        if (fits && (o == 2 || v == 2 || f == 0) && faults++ < 3) {
+            printf("in range, but hh_orient %d, hh_insphere %d, hh_foot %d\n",
+                   o, v, f);
             show(5);
         }
     }
@@ -1388,6 +1522,7 @@ static void all(void)
                                group == BOXES ? 200 : 3000) *
                                   percent / 100);
     test_flat(20000 * percent / 100);
+    test_foot(10000 * percent / 100);
 #if HH_LIMBS < 88
     test_range(20000 * percent / 100);
 #endif

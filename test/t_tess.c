@@ -331,6 +331,16 @@ static void facet(const result *r, tess_int t, int k, tess_int *v)
     for (j = 0; j < 3; j++) v[j] = r->tet[4 * t + out[k][j]];
 }
 
+/* The place of vertex v in tetrahedron t, or 4. */
+static int slot_of(const result *r, tess_int t, tess_int v)
+{
+    int k;
+
+    for (k = 0; k < 4; k++)
+        if (r->tet[4 * t + k] == v) break;
+    return k;
+}
+
 /* Orientation, adjacency, and no neighbour's apex in the perturbed ball:
  * that is enough for the one triangulation of the tie rule, if the complex
  * covers the hull once. */
@@ -1286,65 +1296,271 @@ static int held_by_one(const result *r, const double *q)
     return 0;
 }
 
-static void locate(const result *r, const double *q, tess_int from,
-                   int expected)
+/* The points in doubles. */
+static const double *doubles(const result *r)
+{
+    static double all[3 * 600];
+    tess_int i;
+
+    if (r->n > 600) exit(2);
+    for (i = 0; i < 3 * r->n; i++) all[i] = (double)r->p[i];
+    return all;
+}
+
+/* Is q outside of a facet of t that is of the hull, or open, and has all
+ * vertices of the sum set of 2^k? */
+static int outside(const result *r, tess_int t, int set, const double *q)
+{
+    const double *p = doubles(r);
+    tess_int f[3];
+    int k;
+
+    for (k = 0; k < 4; k++) {
+        facet(r, t, k, f);
+        if (r->adj[4 * t + k] < 0 && (set >> k & 1) == 0 &&
+            ex_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], q) > 0)
+            return 1;
+    }
+    return 0;
+}
+
+/* In an unfinished result: that point is nearest in all facets of t that have
+ * its vertices, the sum set of 2^k, and that q is outside of.  (About a vertex
+ * or an edge there may be others that are joined to these nowhere else.) */
+static void verify_around(const result *r, tess_int t, int set, const double *q,
+                          const double *w)
+{
+    const double *p = doubles(r), *v[3];
+    double a[9], x[3];
+    tess_int f[3];
+    int j, k;
+
+    for (k = 0; k < 4; k++) {
+        if (r->adj[4 * t + k] >= 0 || (set >> k & 1)) continue;
+        facet(r, t, k, f);
+        for (j = 0; j < 3; j++) {
+            v[j] = a + 3 * j;
+            memcpy(a + 3 * j, p + 3 * f[j], 3 * sizeof *a);
+        }
+        if (ex_orient(v[0], v[1], v[2], q) <= 0) continue;
+        ex_nearest(3, v, q, 3, a, x);
+        for (j = 0; j < 3; j++)
+            require(fabs(w[slot_of(r, t, f[j])] - x[j]) <=
+                    32.0 * DBL_EPSILON * x[j], "the nearest point of a facet");
+    }
+}
+
+/* The weights of a place outside: those of the point nearest to q of the hull,
+ * or, where that is not known, of a facet that q is outside of. */
+static void verify_outside(const result *r, tess_int t, const double *q,
+                           const double *w, int unfinished)
+{
+    const double *p = doubles(r), *v[4];
+    double x[4], sum = 0.0;
+    int set = 0, k;
+
+    for (k = 0; k < 4; k++) {
+        v[k] = p + 3 * r->tet[4 * t + k];
+        require(w[k] >= 0.0, "outside, a weight is negative");
+        set += w[k] > 0.0 ? 1 << k : 0;
+        sum += w[k];
+    }
+    require(fabs(sum - 1.0) <= 4.0 * DBL_EPSILON,
+            "outside, the weights do not sum to one");
+    require(outside(r, t, set, q), "tess_locate: q is not outside of t's hull "
+            "facet");
+    if (unfinished) {
+        verify_around(r, t, set, q, w);
+        return;
+    }
+    require(ex_nearest(4, v, q, (long)r->n, p, x) == set && set > 0,
+            "the vertices of the hull's nearest point");
+    for (k = 0; k < 4; k++)
+        require(fabs(w[k] - x[k]) <= 32.0 * DBL_EPSILON * x[k],
+                "a weight of the hull's nearest point");
+}
+
+/* Locate q from there.  expected: 0 inside, 1 outside, -1 not known; the code
+ * is returned. */
+static int locate(const result *r, const double *q, tess_int from,
+                  int expected, int unfinished)
 {
     tess_real z[3];
     double w[4], x[3];
     const double *v[4], *u[4];
     tess_int t = from;
-    int code, i, k, side[4], outside = 0;
+    int code, i, k, side[4];
 
     for (k = 0; k < 3; k++) {
-        z[k] = (tess_real)q[k];
+        /* volatile: a compiler was seen to optimize the rounding away */
+        volatile tess_real rounded = (tess_real)q[k];
+
+        z[k] = rounded;
         x[k] = (double)z[k];
     }
     code = tess_locate(r->p, r->ntet, r->tet, r->adj, z, &t, w);
     if (t < 0 || t >= r->ntet || code < 0 || code > 1) {
         fail("tess_locate's t or code");
-        return;
+        return -1;
+    }
+    require(expected < 0 || code == expected, "tess_locate: in or out");
+    if (code == 1) {
+        verify_outside(r, t, x, w, unfinished);
+        return code;
     }
     for (k = 0; k < 4; k++) v[k] = at(r, r->tet[4 * t + k]);
     for (k = 0; k < 4; k++) {
         for (i = 0; i < 4; i++) u[i] = i == k ? x : v[i];
         side[k] = ex_orient(u[0], u[1], u[2], u[3]);
-        if (side[k] < 0 && r->adj[4 * t + k] < 0) outside = 1;
     }
-    if (code == 0)
-        require(side[0] >= 0 && side[1] >= 0 && side[2] >= 0 && side[3] >= 0,
-                "tess_locate: q is not in t");
-    else
-        require(outside, "tess_locate: q is not outside of t's hull facet");
-    require(expected < 0 || code == expected, "tess_locate: in or out");
+    require(side[0] >= 0 && side[1] >= 0 && side[2] >= 0 && side[3] >= 0,
+            "tess_locate: q is not in t");
     verify_weights(r, t, x, w, side);
+    from = t;
+    t = rnd_below(4) ? (tess_int)rnd_below((int)r->ntet) : TESS_NONE;
+    code = tess_locate(r->p, r->ntet, r->tet, r->adj, z, &t, w);
+    require(code == 0 && (unfinished || t == from),
+            "tess_locate from another start");
+    return code;
+}
+
+/* Turn the points by odd angles and move them off the origin. */
+static void turned(result *r)
+{
+    double size = 0.0, x, y, z;
+    tess_int i;
+
+    for (i = 0; i < 3 * r->n; i++)
+        if (fabs((double)r->p[i]) > size) size = fabs((double)r->p[i]);
+    for (i = 0; i < r->n; i++) {
+        x = r->p[3 * i];
+        y = 0.6 * x + 0.8 * r->p[3 * i + 1];
+        x = 0.8 * x - 0.6 * r->p[3 * i + 1];
+        z = r->p[3 * i + 2];
+        r->p[3 * i] = (tess_real)(x + 3.1 * size);
+        r->p[3 * i + 1] = (tess_real)(cos(0.4) * y - sin(0.4) * z + 1.7 * size);
+        r->p[3 * i + 2] = (tess_real)(sin(0.4) * y + cos(0.4) * z - 0.3 * size);
+    }
+}
+
+/* The hull's facets: 4 t + k for the one opposite to vertex k of t. */
+static tess_int *hull_of(const result *r, tess_int *many)
+{
+    tess_int *hull = ints(4 * r->ntet), i;
+
+    for (i = *many = 0; i < 4 * r->ntet; i++)
+        if (r->adj[i] < 0) hull[(*many)++] = i;
+    return hull;
+}
+
+#define OUTER 12
+
+/* q outside, or nearly so, beside the facet i of the hull, of points whose box
+ * has this size and middle. */
+static void beside(const result *r, tess_int i, int kind, double size,
+                   const double *middle, double *q)
+{
+    static const double far[4] = { 1e-12, 0.01, 1.0, 1e6 };
+    double a[3][3], n[3], w[3], length = 0.0, off;
+    tess_int v[3];
+    int j, k;
+
+    facet(r, i / 4, (int)(i % 4), v);
+    for (j = 0; j < 3; j++) memcpy(a[j], at(r, v[j]), sizeof a[j]);
+    for (k = 0; k < 3; k++) {
+        int l = (k + 1) % 3, m = (k + 2) % 3;
+
+        n[k] = (a[1][l] - a[0][l]) * (a[2][m] - a[0][m]) -
+               (a[1][m] - a[0][m]) * (a[2][l] - a[0][l]);
+        if (fabs(n[k]) > length) length = fabs(n[k]);
+    }
+    off = far[kind / 3] * size;
+    switch (kind % 3) {
+    case 0:
+        /* above a vertex, a place on an edge, or inside, by the normal: in
+         * coordinates of few bits exactly */
+        j = rnd_below(3);
+        w[0] = w[1] = w[2] = 0.0;
+        w[j] = 1.0;
+        if (rnd_below(3)) {
+            w[j] = 0.25 * (1 + rnd_below(3));
+            w[(j + 1) % 3] = 1.0 - w[j];
+        }
+        if (rnd_below(3) == 0)
+            for (k = 0; k < 3; k++) w[k] = k == j ? 0.5 : 0.25;
+        break;
+    case 1:
+        /* in its plane, as far away */
+        for (j = 0; j < 2; j++) w[j] = (rnd_unit() - 0.5) * 2.0 * off / size;
+        if (rnd_below(2)) w[0] = floor(4.0 * w[0]);
+        if (rnd_below(2)) w[1] = floor(4.0 * w[1]);
+        w[2] = 1.0 - w[0] - w[1];
+        off = 0.0;
+        break;
+    default:
+        /* beyond an edge or a vertex, away from the middle */
+        j = rnd_below(3);
+        w[0] = w[1] = w[2] = 0.0;
+        w[j] = rnd_below(2) ? 1.0 : rnd_unit();
+        w[(j + 1) % 3] = 1.0 - w[j];
+        length = size;
+        for (k = 0; k < 3; k++)
+            n[k] = w[0] * a[0][k] + w[1] * a[1][k] + w[2] * a[2][k] - middle[k];
+        break;
+    }
+    for (k = 0; k < 3; k++)
+        q[k] = w[0] * a[0][k] + w[1] * a[1][k] + w[2] * a[2][k] +
+               off * (n[k] / length);
 }
 
 static void test_locate(void)
 {
     static const char *const family[] = {
         "uniform", "lattice", "clusters", "cubesurf", "planespread", "bcc",
-        "spherenorm", "twolines", "aniso", "offset", "duplicates", NULL
+        "spherenorm", "twolines", "aniso", "offset", "duplicates",
+        "gridrot", "globe", "rotcube", "slanted", "rottet", "cubegrid", "prism",
+        "moment", "ellipsoid", NULL
     };
+    char name[80];
     result r;
-    double q[3], lo[3], hi[3], w[4];
-    tess_int i, j, t, n;
-    int f, k, m, code;
+    double q[3], lo[3], hi[3], middle[3], w[4], size;
+    tess_int i, j, t, n, *hull, many, out;
+    int f, k, m, code, turn;
 
-    for (f = 0; family[f] != NULL; f++) {
+    for (f = 0; family[f] != NULL; f++)
+    for (turn = 0; turn < 2; turn++) {
         faults = 0;
         current = NULL;
-        points(&r, family[f], affordable(family[f], 500), 6);
+        sprintf(name, "%s%s", family[f], turn ? ", turned" : "");
+        points(&r, family[f], affordable(family[f], quick ? 100 : 250), 6);
+        if (turn) turned(&r);
         solve(&r);
         current = &r;
+        if (r.code != TESS_OK) {
+            require(sizeof(tess_real) < sizeof(double), "a code");
+            release(0);
+            continue;
+        }
         n = r.n;
+        size = 0.0;
         for (k = 0; k < 3; k++) {
             lo[k] = hi[k] = (double)r.p[k];
             for (i = 0; i < n; i++) {
                 if (r.p[3 * i + k] < lo[k]) lo[k] = (double)r.p[3 * i + k];
                 if (r.p[3 * i + k] > hi[k]) hi[k] = (double)r.p[3 * i + k];
             }
+            if (hi[k] - lo[k] > size) size = hi[k] - lo[k];
+            middle[k] = 0.5 * (lo[k] + hi[k]);
         }
-        for (m = 0; m < (quick ? 200 : 3000) && faults < 5; m++) {
+        hull = hull_of(&r, &many);
+        out = 0;
+        for (m = 0; m < (quick ? 10 : 40) * OUTER && faults < 5; m++) {
+            t = rnd_below(2) ? TESS_NONE : (tess_int)rnd_below((int)r.ntet);
+            beside(&r, hull[rnd_below((int)many)], m % OUTER, size, middle, q);
+            out += locate(&r, q, t, -1, 0) == 1;
+        }
+        require(faults > 0 || 2 * out > m, "few places are outside");
+        for (m = 0; m < (quick ? 100 : 1000) && faults < 5; m++) {
             int want = -1; /* 0 inside, 1 outside, -1 not known */
 
             t = m % 2 ? TESS_NONE : (tess_int)rnd_below((int)r.ntet);
@@ -1384,7 +1600,7 @@ static void test_locate(void)
                          : lo[k] + (hi[k] - lo[k]) * rnd_unit();
                 break;
             }
-            locate(&r, q, t, want);
+            locate(&r, q, t, want, 0);
         }
         /* bad arguments leave nothing but the code */
         t = TESS_NONE;
@@ -1412,7 +1628,7 @@ static void test_locate(void)
         }
         current = NULL;
         release(0);
-        done("locate", family[f]);
+        done("locate", name);
     }
     /* an unfinished result: open facets count as hull */
     faults = 0;
@@ -1432,13 +1648,183 @@ static void test_locate(void)
                 for (k = 0; k < 3; k++) q[k] = (double)r.p[3 * j + k];
             }
             locate(&r, q, m % 2 ? TESS_NONE : (tess_int)rnd_below((int)i),
-                   !held_by_one(&r, q));
+                   !held_by_one(&r, q), 1);
         }
         release(1);
     }
     current = NULL;
     release(0);
     test_result("tess_locate in an unfinished result", faults);
+}
+
+/* ---- many places ---- */
+
+#define PLACES 60
+
+/* tess_values against tess_locate one by one. */
+static void one_values(const result *r, const tess_real *q, tess_int nv,
+                       const tess_int *start)
+{
+    int keep = narrays, code, k, c, outer = 0;
+    tess_int *t = ints(PLACES), *u = ints(PLACES), i, j;
+    double *value = (double *)array((size_t)(nv * r->n) * sizeof *value);
+    double *out = (double *)array((size_t)(nv * PLACES) * sizeof *out);
+    double *again = (double *)array((size_t)(nv * PLACES) * sizeof *out);
+    double w[4], sum, size;
+
+    for (i = 0; i < nv * r->n; i++) value[i] = 2.0 * rnd_unit() - 1.0;
+    memcpy(t, start, PLACES * sizeof *t);
+    code = tess_values(r->p, r->ntet, r->tet, r->adj, nv, value, PLACES, q, t,
+                       out);
+    require(code == 0 || code == 1, "tess_values' code");
+    memcpy(u, t, PLACES * sizeof *t);
+    /* given back */
+    require(tess_values(r->p, r->ntet, r->tet, r->adj, nv, value, PLACES, q, u,
+                        again) == code, "tess_values' code from its own t");
+    for (i = 0; i < PLACES; i++) {
+        tess_int s = i % 2 ? TESS_NONE : (tess_int)rnd_below((int)r->ntet);
+
+        c = tess_locate(r->p, r->ntet, r->tet, r->adj, q + 3 * i, &s, w);
+        if (c == 1) outer = 1;
+        if (c == 0) require(t[i] == s && u[i] == s, "tess_values' t");
+        for (k = 0; k < 4 && c == 1; k++)
+            require(w[k] == 0.0 ||
+                    (slot_of(r, t[i], r->tet[4 * s + k]) < 4 &&
+                     slot_of(r, u[i], r->tet[4 * s + k]) < 4),
+                    "tess_values' t outside");
+        for (j = 0; j < nv; j++) {
+            for (k = 0, sum = size = 0.0; k < 4; k++) {
+                double x = w[k] * value[nv * r->tet[4 * s + k] + j];
+
+                sum += x;
+                size += fabs(x);
+            }
+            require(fabs(out[nv * i + j] - sum) <= 16.0 * DBL_EPSILON * size &&
+                    fabs(again[nv * i + j] - sum) <= 16.0 * DBL_EPSILON * size,
+                    "tess_values' value");
+            require(c == 1 || out[nv * i + j] == again[nv * i + j],
+                    "tess_values from its own t");
+        }
+    }
+    require(code == outer, "tess_values' code");
+    require(overrun() == 0, "tess_values: an array is overrun");
+    release(keep);
+}
+
+static void values_code(const result *r, tess_int ntet, tess_int nv,
+                        tess_int nq, const tess_real *q, const tess_int *start,
+                        int want, const char *what)
+{
+    int keep = narrays;
+    tess_int *t = ints(PLACES);
+    double *value = (double *)array((size_t)(3 * r->n) * sizeof *value);
+    double *out = (double *)array((size_t)(3 * PLACES) * sizeof *out);
+
+    memset(value, 0, (size_t)(3 * r->n) * sizeof *value);
+    memcpy(t, start, PLACES * sizeof *t);
+    require(tess_values(r->p, ntet, r->tet, r->adj, nv, value, nq, q, t, out) ==
+            want, what);
+    require(memcmp(t, start, PLACES * sizeof *t) == 0 &&
+            untouched(out, 3 * PLACES * sizeof *out),
+            "tess_values: written all the same");
+    release(keep);
+}
+
+static void test_values(void)
+{
+    static const char *const family[] = {
+        "uniform", "cubesurf", "rotcube", "duplicates", "gridrot", "bcc", NULL
+    };
+    result r;
+    tess_real q[3 * PLACES], held;
+    tess_int start[PLACES], t[PLACES], i, u;
+    double out[PLACES];
+    int f, k, round, code;
+
+    for (f = 0; family[f] != NULL; f++) {
+        faults = 0;
+        points(&r, family[f], 300, 4);
+        if (f % 2) turned(&r);
+        solve(&r);
+        current = &r;
+        for (round = 0; round < 9; round++) {
+            for (i = 0; i < PLACES; i++) {
+                const tess_int *v = r.tet + 4 * rnd_below((int)r.ntet);
+
+                for (k = 0; k < 3; k++)
+                    q[3 * i + k] = (tess_real)
+                        (0.25 * r.p[3 * v[0] + k] + 0.25 * r.p[3 * v[1] + k] +
+                         0.25 * r.p[3 * v[2] + k] + 0.25 * r.p[3 * v[3] + k]);
+                /* in some rounds all are inside, or nearly so */
+                if (round % 3 && i % 4 == round % 4)
+                    q[3 * i] += (tess_real)(i % 8 ? 1e3 : -30.0);
+                start[i] = rnd_below(2 + round) == 0
+                         ? (tess_int)rnd_below((int)r.ntet) : TESS_NONE;
+            }
+            one_values(&r, q, round % 3 == 2 ? 3 : round / 3, start);
+        }
+        current = NULL;
+        release(0);
+        done("tess_values", family[f]);
+    }
+    faults = 0;
+    points(&r, "uniform", 100, 4);
+    solve(&r);
+    current = &r;
+    for (i = 0; i < PLACES; i++) {
+        memcpy(q + 3 * i, r.p + 3 * i, 3 * sizeof *q);
+        start[i] = i % 2 ? TESS_NONE : i;
+    }
+    values_code(&r, r.ntet, 1, 0, q, start, 0, "tess_values of none");
+    values_code(&r, 0, 1, PLACES, q, start, -2, "tess_values in nothing");
+    values_code(&r, -1, 1, PLACES, q, start, -2, "tess_values, ntet -1");
+    values_code(&r, r.ntet, -1, PLACES, q, start, -5, "tess_values, nv -1");
+    values_code(&r, r.ntet, 1, -1, q, start, -7, "tess_values, nq -1");
+    values_code(&r, r.ntet, 1, largest() / 3 + 1, q, start, -7,
+                "tess_values, nq too large");
+    for (i = 0; i < 3 * PLACES; i += 3 * PLACES / 2 - 1)
+        for (k = 0; k < 2; k++) {
+            held = q[i];
+            q[i] = (tess_real)(k ? infinity() : infinity() - infinity());
+            values_code(&r, r.ntet, 1, PLACES, q, start, -8,
+                        "tess_values of infinity or NaN");
+            q[i] = held;
+        }
+    for (i = 0; i < PLACES; i += PLACES - 1)
+        for (k = 0; k < 2; k++) {
+            u = start[i];
+            start[i] = k ? r.ntet : TESS_NONE - 1;
+            values_code(&r, r.ntet, 1, PLACES, q, start, -9,
+                        "tess_values from no tetrahedron");
+            start[i] = u;
+        }
+    /* the queries before the one that comes upon a neighbour out of range */
+    for (i = 0; i < 4 * r.ntet; i++)
+        if (r.adj[i] >= 0) r.adj[i] = r.ntet;
+    for (i = 0; i < PLACES; i++) {
+        t[i] = i < PLACES / 2 ? i : 0;
+        out[i] = 7.0;
+        for (k = 0; k < 3; k++)
+            q[3 * i + k] = (tess_real)(0.25 * r.p[3 * r.tet[4 * i] + k] +
+                                       0.25 * r.p[3 * r.tet[4 * i + 1] + k] +
+                                       0.25 * r.p[3 * r.tet[4 * i + 2] + k] +
+                                       0.25 * r.p[3 * r.tet[4 * i + 3] + k]);
+    }
+    {
+        double *ones = (double *)array((size_t)r.n * sizeof *ones);
+
+        for (i = 0; i < r.n; i++) ones[i] = 1.0;
+        code = tess_values(r.p, r.ntet, r.tet, r.adj, 1, ones, PLACES, q, t,
+                           out);
+    }
+    require(code == -4, "tess_values, a neighbour out of range");
+    for (i = 0; i < PLACES; i++)
+        require(i < PLACES / 2 ? t[i] == i && fabs(out[i] - 1.0) < 1e-14
+                               : t[i] == 0 && out[i] == 7.0,
+                "tess_values before and after -4");
+    current = NULL;
+    release(0);
+    test_result("bad arguments of tess_values", faults);
 }
 
 /* ---- check ---- */
@@ -1993,16 +2379,6 @@ static void test_damage(void)
     test_result("damage: not Delaunay", faults);
 }
 
-/* The place of vertex v in tetrahedron t, or 4. */
-static int slot_of(const result *r, tess_int t, tess_int v)
-{
-    int k;
-
-    for (k = 0; k < 4; k++)
-        if (r->tet[4 * t + k] == v) break;
-    return k;
-}
-
 /* Ways in which a walk cannot arrive. */
 static void test_lost(void)
 {
@@ -2014,7 +2390,12 @@ static void test_lost(void)
         0, -7.625, -6.375, 0, 0, 0, 5
     };
     static const double q[3] = { 0, 0, 1 };
-    tess_int tet[28], t, from, i;
+    static const double bent[15] = {
+        0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1
+    };
+    static const tess_int both[8] = { 0, 1, 2, 3, 1, 2, 3, 4 };
+    static const double beyond[3] = { 0.5625, 0.53125, -0.5 };
+    tess_int tet[32], adj[32], t, from, i;
     tess_real z[3];
     double w[4];
     result r;
@@ -2039,7 +2420,7 @@ static void test_lost(void)
     current = &r;
     for (i = 0; i < 28; i++)
         require(r.tet[i] == tet[i], "the test's own wheel");
-    for (t = 0; t < 7; t++) locate(&r, q, t, 0);
+    for (t = 0; t < 7; t++) locate(&r, q, t, 0, 0);
     for (k = 0; k < 3; k++) z[k] = (tess_real)q[k];
     for (t = 1; t < 7; t++) {
         from = t;
@@ -2071,6 +2452,34 @@ static void test_lost(void)
     }
     current = NULL;
     release(0);
+
+    /* outside, neighbours that are out of range or do not match, where the way
+     * to the nearest point turns about the edge 1 2 */
+    for (k = 0; k < 4; k++)
+        for (t = k < 3 ? TESS_NONE : 0; t < (k < 3 ? 2 : 1); t++) {
+            given(&r, "two", bent, 5, both, 2);
+            current = &r;
+            locate(&r, beyond, t, 1, 0);
+            /* (where the wrong neighbours are there is a right one) */
+            for (i = 0; i < 32; i++) {
+                tet[i] = r.tet[i / 4 == 4 ? i % 4 : 4 + i % 4];
+                adj[i] = r.adj[i / 4 == 4 ? i % 4 : 4 + i % 4];
+            }
+            for (i = 16; i < 24; i++)
+                if (adj[i] >= 0)
+                    adj[i] = k == 0 ? 2 : k == 1 ? TESS_OPEN - 1 : i / 4 - 4;
+            if (k == 3) {
+                /* a facet with another vertex */
+                memcpy(adj + 16, r.adj, 8 * sizeof *adj);
+                tet[20 + slot_of(&r, 1, 2)] = 0;
+            }
+            for (i = 0; i < 3; i++) z[i] = (tess_real)beyond[i];
+            from = t;
+            code = tess_locate(r.p, 2, tet + 16, adj + 16, z, &from, w);
+            require(code == -4, "outside, a neighbour out of range");
+            current = NULL;
+            release(0);
+        }
     test_result("tess_locate where a walk cannot arrive", faults);
 }
 
@@ -2149,6 +2558,23 @@ static void test_subnormal(void)
         memcpy(q + 2, sub, sizeof *sub);
         require(hh_insphere(p, p + 3, p + 6, p + 9, q) == (off ? 2 : 1),
                 "a subnormal point in a ball");
+        for (k = 0; k < 12; k++) {
+            p[k] = 0;
+            if (corner[k] != 0.0) memcpy(p + k, sub, sizeof *sub);
+        }
+        require(hh_foot(p + 3, p + 6, p + 9, p, NULL) == (off ? 0 : 7) &&
+                hh_foot(p + 3, p + 6, p + 9, p, w) == (off ? 0 : 7),
+                "what is nearest among subnormal points");
+        for (k = 0; k < 12; k++) p[k] = 0;
+        p[3] = p[7] = 1;
+        q[1] = 0;
+        q[2] = -1;
+        require(hh_foot(p, p + 3, p + 6, q, NULL) == (off ? 0 : 3) &&
+                hh_foot(p, p + 3, p + 6, q, w) == (off ? 0 : 3),
+                "a place that is nearly above a vertex");
+        memcpy(q + 1, sub, sizeof *sub);
+        memcpy(q + 2, sub, sizeof *sub);
+        p[11] = 1;
         t = 0;
         for (k = 0; k < 4; k++) w[k] = 7.0;
         k = tess_locate(p, 1, r.tet, r.adj, q, &t, w);
@@ -2216,6 +2642,28 @@ static void test_limbs(void)
         current = NULL;
         release(0);
     }
+    /* what is nearest is certain, but not its weights */
+    corner[0] = tiny;
+    for (i = 0; i < 3; i++) {
+        given(&r, "a corner", corner, 4, one, 1);
+        current = &r;
+        q[0] = (tess_real)(i == 0 ? 0.25 : i == 1 ? -1.0 : 0.5);
+        q[1] = (tess_real)(i == 0 ? 0.25 : i == 1 ? 0.5 : -0.5);
+        q[2] = (tess_real)-1.0;
+        t = 0;
+        for (code = 0; code < 4; code++) w[code] = 7.0;
+        code = tess_locate(r.p, 1, r.tet, r.adj, q, &t, w);
+        require(code == (HH_LIMBS < 88 ? TESS_RANGE : 1),
+                "a place outside of a corner");
+        for (code = 0; code < 4; code++)
+            require(fabs(w[code] - (HH_LIMBS < 88 ? 0.0 :
+                         i == 0 ? 0.25 + 0.25 * (code == 0) - 0.25 * (code == 3)
+                                : 0.5 * (code == 0) + 0.5 * (code == 3 - i)))
+                    <= 4.0 * DBL_EPSILON, "its weights");
+        current = NULL;
+        release(0);
+    }
+    corner[0] = 0.0;
     corner[9] = corner[10] = 0.25;
     corner[11] = tiny;
     beyond_limbs(corner, 4, one, 1, 0, "a tetrahedron almost flat");
@@ -2257,7 +2705,7 @@ static void test_slivers(void)
     const double *v[4], *u[4];
     tess_real q[3];
     tess_int t;
-    int set, m, i, k, j, s, e, code, held = 0, hits = 0;
+    int set, m, i, k, j, e, code, side[4], held = 0, hits = 0;
 
     faults = 0;
     for (set = 0; set < 300; set++) {
@@ -2296,17 +2744,21 @@ static void test_slivers(void)
             code = tess_locate(r.p, 1, r.tet, r.adj, q, &t, w);
             for (k = 0, held = 1; k < 4; k++) {
                 for (i = 0; i < 4; i++) u[i] = i == k ? x : v[i];
-                s = ex_orient(u[0], u[1], u[2], u[3]);
-                if (s < 0) held = 0;
-                require(w[k] * s >= 0.0 && (s != 0 || w[k] == 0.0),
-                        "the sign of a weight");
+                side[k] = ex_orient(u[0], u[1], u[2], u[3]);
+                if (side[k] < 0) held = 0;
             }
             require(t == 0 && code == !held, "in a sliver or not");
             hits += held;
+            if (!held) {
+                if (code == 1) verify_outside(&r, 0, x, w, 0);
+                continue;
+            }
+            for (k = 0; k < 4; k++)
+                require(w[k] >= 0.0 && (side[k] != 0 || w[k] == 0.0),
+                        "the sign of a weight");
             sum = w[0] + w[1] + w[2] + w[3];
-            for (k = 0, size = 0.0; k < 4; k++) size += fabs(w[k]);
-            require(fabs(sum - 1.0) <= 1e-14 * size, "the weights' sum");
-            for (i = 0; i < 3 && held; i++) {
+            require(fabs(sum - 1.0) <= 1e-14, "the weights' sum");
+            for (i = 0; i < 3; i++) {
                 for (j = 0, size = 0.0; j < 4; j++)
                     if (fabs(v[j][i]) > size) size = fabs(v[j][i]);
                 for (j = 0; j < 3; j++)
@@ -2433,6 +2885,7 @@ int main(int argc, char **argv)
     test_faults();
     test_mutations();
     test_locate();
+    test_values();
     test_lost();
     test_slivers();
     test_narrow();

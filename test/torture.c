@@ -262,6 +262,7 @@ INTS(iw, LENGTH);
 INTS(one, 1);
 REALS(rw, LENGTH);
 REALS(w, 4);
+REALS(values, 8);
 /* the verified result */
 static tess_int goodtet[4 * MAXTET], goodadj[4 * MAXTET], goodntet;
 static tess_int oldtet[4 * MAXTET], oldadj[4 * MAXTET];
@@ -535,11 +536,86 @@ static int locate(const double *q, tess_int start, tess_int *t)
     return code;
 }
 
+/* Outside: are the weights w those of the hull's nearest point?  Where they
+ * underflow they may be anything less. */
+static int nearest(tess_int t, const double *q)
+{
+    const tess_int *v = goodtet + 4 * t;
+    const double *c[4];
+    double x[4], sum = 0.0;
+    int k, set, visible = 0;
+
+    for (k = 0; k < 4; k++) c[k] = p[v[k]];
+    set = ex_nearest(4, c, q, (long)n, p[0], x);
+    if (set == 0) return 0;
+    for (k = 0; k < 4; k++) {
+        if (!(w[k] >= 0.0) || ((set >> k & 1) == 0 && w[k] != 0.0)) return 0;
+        if (!(fabs(w[k] - x[k]) <= 32.0 * DBL_EPSILON * x[k] + 4.0 * DBL_MIN))
+            return 0;
+        sum += w[k];
+        c[k] = q;
+        visible += goodadj[4 * t + k] == TESS_NONE && (set >> k & 1) == 0 &&
+                   ex_orient(c[0], c[1], c[2], c[3]) < 0;
+        c[k] = p[v[k]];
+    }
+    return visible > 0 && fabs(sum - 1.0) <= 4.0 * DBL_EPSILON;
+}
+
+/* tess_values of a few queries, against tess_locate one by one. */
+static void interpolation(void)
+{
+    static double value[2 * MOST];
+    double q[4][3], s[4];
+    tess_real x[12];
+    tess_int u, t[4], many = 1 + rnd_below(4), i;
+    int code, each, k, j, outer = 0;
+
+    for (i = 0; i < 2 * n; i++) value[i] = 2.0 * rnd_unit() - 1.0;
+    for (i = 0; i < many; i++) {
+        query(q[i]);
+        for (k = 0; k < 3; k++) x[3 * i + k] = (tess_real)q[i][k];
+    }
+    fence(fac, many);
+    for (i = 0; i < many; i++)
+        fac[i] = t[i] = rnd_below(2) ? TESS_NONE
+                                     : (tess_int)rnd_below((int)goodntet);
+    fencer(values, 2 * many);
+    anymode();
+    CALL(code, tess_values(point, goodntet, goodtet, goodadj, 2, value, many, x,
+                           fac, values));
+    need(intact(fac, many) && intactr(values, 2 * many),
+         "words beyond tess_values' arrays altered");
+    if (code == TESS_RANGE) {
+        for (i = 0; i < many && !mayrange(q[i]);) i++;
+        need(i < many, "tess_values' code");
+        return;
+    }
+    if (now.short_ == 2) return;
+    for (i = 0; i < many && sound; i++) {
+        each = locate(q[i], TESS_NONE, &u);
+        if (each == 99) return;
+        if (each == 1) outer = 1;
+        need(each == 1 || fac[i] == u, "tess_values' t");
+        for (j = 0; j < 2; j++) {
+            s[0] = s[1] = 0.0;
+            for (k = 0; k < 4; k++) {
+                s[2] = w[k] * value[2 * goodtet[4 * u + k] + j];
+                s[0] += s[2];
+                s[1] += fabs(s[2]);
+            }
+            need(fabs(values[2 * i + j] - s[0]) <=
+                 64.0 * DBL_EPSILON * s[1] + 16.0 * DBL_MIN,
+                 "tess_values' value");
+        }
+    }
+    need(code == outer, "tess_values' code");
+}
+
 static void location(void)
 {
     double q[3];
     tess_int t, u, start;
-    int code, in = 0, s[4], k;
+    int code, in = 0, s[4];
 
     query(q);
     start = rnd_below(2) ? TESS_NONE : (tess_int)rnd_below((int)goodntet);
@@ -552,14 +628,8 @@ static void location(void)
     if (in) {
         need(signs(goodtet + 4 * t, q, s), "tess_locate: another tetrahedron");
         need(weights(goodtet + 4 * t, q, s), "tess_locate's weights");
-    } else {
-        for (k = 0; k < 4; k++)
-            if (goodadj[4 * t + k] == TESS_NONE) break;
-        need(k < 4, "tess_locate: not a tetrahedron of the hull");
-        need(fabs(w[0] + w[1] + w[2] + w[3] - 1.0) <= 1e-12 *
-             (fabs(w[0]) + fabs(w[1]) + fabs(w[2]) + fabs(w[3])),
-             "tess_locate's weights outside");
-    }
+    } else
+        need(nearest(t, q), "tess_locate's weights outside");
     if (!sound) return;
     anymode();
     u = t;
@@ -568,8 +638,9 @@ static void location(void)
     need(code == !in, "tess_locate: inside or outside");
     need(!in || t == u, "tess_locate: another t than in normal circumstances");
     /* in 24 bits the weights are what they are */
-    if (in && now.short_ < 2)
-        need(weights(goodtet + 4 * t, q, s), "tess_locate's weights");
+    if (now.short_ == 2) return;
+    if (in) need(weights(goodtet + 4 * t, q, s), "tess_locate's weights");
+    else need(nearest(t, q), "tess_locate's weights outside");
 }
 
 /* One number of a proven result changed: no proof may go through. */
@@ -690,7 +761,8 @@ static void copy(void)
 /* The exact signs of five points of p. */
 static void signs5(const int *v)
 {
-    static int orient, ball;
+    static int orient, ball, foot;
+    double t[9], x[3];
     const double *c[5];
     const tess_real *r[5];
     int k, may;
@@ -701,7 +773,13 @@ static void signs5(const int *v)
     }
     CALL(orient, hh_orient(r[0], r[1], r[2], r[3]));
     CALL(ball, hh_insphere(r[0], r[1], r[2], r[3], r[4]));
+    CALL(foot, hh_foot(r[0], r[1], r[2], r[3], NULL));
     may = mayrange(NULL);
+    if (!ex_collinear(c[0], c[1], c[2])) {
+        for (k = 0; k < 9; k++) t[k] = c[k / 3][k % 3];
+        need(foot == ex_nearest(3, c, c[3], 3, t, x) || (foot == 0 && may),
+             "hh_foot");
+    }
     need(orient == ex_orient(c[0], c[1], c[2], c[3]) || (orient == 2 && may),
          "hh_orient");
     need(ball == ex_insphere(c[0], c[1], c[2], c[3], c[4]) ||
@@ -776,6 +854,7 @@ static void few(int every)
     }
     if (sound) hull();
     for (i = 0; i < 2 && sound; i++) location();
+    if (sound) interpolation();
     for (i = 0; i < 2 && sound; i++) damaged();
     for (i = 0; i < 4 && sound; i++) {
         now = normal;
@@ -859,6 +938,7 @@ static void many(int sums)
     if (quick()) {
         if (sound) hull();
         for (i = 0; i < 2 && sound; i++) location();
+        if (sound) interpolation();
     }
     for (i = 0; i < 3 && sound; i++) damaged();
     for (i = 0; i < 4 && sound; i++) {
