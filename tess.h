@@ -171,8 +171,8 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
  * order of the indices; no tetrahedron is flat.
  * Cost: about linear in n for points that fill a volume or, but for rounding,
  * lie near up to eight planes and spheres; somewhat more on other smooth
- * surfaces, up to n^(3/2) on tubes and between two near sheets; O(n^2) at worst for a linear number of tetrahedra.  Section 2 of
- * the paper.
+ * surfaces, up to n^(3/2) on tubes and between two near sheets; O(n^2) at worst
+ * for a linear number of tetrahedra.  Section 2 of the paper.
  */
 int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
          tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,

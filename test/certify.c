@@ -9,8 +9,9 @@
  * point is no better, that a side or a comparison has this sign.  Compiled with
  * TESS_PROVE it tells tess_prove of each such certificate whether the exact
  * predicates say the same; of each apex, too, against all points.  A bound that
- * is too small shows here long before a result is wrong.  In a random rounding mode for each set with -DTEST_ROUNDING
- * and a C99 compiler.  Two sets in three are finished by tess_resume, in steps.
+ * is too small shows here long before a result is wrong.  In a random rounding
+ * mode for each set with -DTEST_ROUNDING and a C99 compiler.  Two sets in three
+ * are finished by tess_resume, in steps.
  */
 #include "../tess.h"
 #include "exact.h"
