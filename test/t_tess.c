@@ -1461,7 +1461,8 @@ static void beside(const result *r, tess_int i, int kind, double size,
                    const double *middle, double *q)
 {
     static const double far[4] = { 1e-12, 0.01, 1.0, 1e6 };
-    double a[3][3], n[3], w[3], length = 0.0, off;
+    /* a needle's computed normal may be 0 */
+    double a[3][3], n[3], w[3], length = DBL_MIN, off;
     tess_int v[3];
     int j, k;
 
@@ -1521,7 +1522,7 @@ static void test_locate(void)
         "gridrot", "globe", "rotcube", "slanted", "rottet", "cubegrid", "prism",
         "moment", "ellipsoid", NULL
     };
-    char name[80];
+    char name[64];
     result r;
     double q[3], lo[3], hi[3], middle[3], w[4], size;
     tess_int i, j, t, n, *hull, many, out;
