@@ -554,16 +554,19 @@ C     the product of side I and Q - vertex K, D(9+K) that of the weight
 C     of vertex K at the foot of the perpendicular from Q.
       INTEGER FUNCTION HHREGI(D)
       DOUBLE PRECISION D(12)
-      INTEGER I, J, K
+      INTEGER I, J, K, ONE(3)
+      ONE(1) = 1
+      ONE(2) = 2
+      ONE(3) = 4
       DO 10 I = 1, 3
         K = MOD(I + 1, 3) + 1
-        HHREGI = 2**(I - 1)
+        HHREGI = ONE(I)
         IF (D(4*I-3) .LE. 0.0D0 .AND. D(3*K-3+I) .GE. 0.0D0) RETURN
    10 CONTINUE
       DO 20 I = 1, 3
         J = MOD(I, 3) + 1
         K = MOD(I + 1, 3) + 1
-        HHREGI = 2**(I - 1) + 2**(J - 1)
+        HHREGI = ONE(I) + ONE(J)
         IF (D(9+K) .LE. 0.0D0 .AND. D(4*I-3) .GE. 0.0D0 .AND.
      $      D(3*I-3+J) .LE. 0.0D0) RETURN
    20 CONTINUE
