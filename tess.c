@@ -207,9 +207,12 @@ extern void tess_prove(int fact);
  * points, for nodes whose slab is less than THIN_SLAB of the box: with 0.1
  * those between two sheets take 12 % longer, with 0.35 those on a torus 8 %.  A
  * slab's normal has components below HALFWAY, the box's width along it PARTS
- * parts. */
+ * parts.  Slabs are given up if less than WORTH of those asked tell that there
+ * is nothing: 0.29 on a torus, where they take a fifth longer, 0.41 between two
+ * sheets, where they take a quarter less. */
 #define SCANS 100.0
 #define THIN_SLAB 0.2
+#define WORTH 0.35
 #define HALFWAY 512
 #define PARTS 32767.0
 #define SLABS (TESS_LIST >= 128 && TESS_INT_MOST >= 2147483647L)
@@ -322,7 +325,7 @@ typedef struct quest {
     int ball;                 /* there is a ball to prune with: centre c, */
     double c[3];              /* relative to f[6..8], wrong by at most dc */
     double dc, size;          /* and |c|_1 */
-    double scanned;           /* points of leaves tested */
+    double scanned;           /* what is added to the mesh's */
     int nsome, open;          /* sample of the points, near no support, that */
     tess_int some[SOME];      /* were left open, or, open = 0, of leaves: */
     tess_int opened, stride;  /* every stride-th one of so many */
@@ -382,8 +385,9 @@ typedef struct mesh {
     tess_int *pure;           /* 0, or 1 + support of all points of a node */
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
     double burden, patience;  /* comparisons left open, how many may be */
-    double scanned;           /* points of leaves tested, or -1: enough */
-    tess_int *slab;           /* two integers a node: see flatten; or NULL */
+    tess_int *slab;           /* two integers a node: see flatten; or NULL: */
+    double scanned;           /* points of leaves tested, or < 0; with them, */
+                              /* how many told, less WORTH of those asked */
 } mesh;
 
 /* ---- sorting ---- */
@@ -2010,14 +2014,14 @@ static void sight(const mesh *m, quest *f)
 static double lowest(const quest *f, const double *b, double q, const double *d,
                      double *size)
 {
-    double sum = 0.0, l, h, u;
+    double sum = 0.0, half = q > 0.0 ? 0.5 / q : 0.0, l, h, u;
     int k;
 
     *size = 0.0;
     for (k = 0; k < 3; k++) {
         l = b[k] - f->f[6 + k];
         h = b[3 + k] - f->f[6 + k];
-        u = q > 0.0 ? d[k] / (2.0 * q) : d[k] > 0.0 ? h : l;
+        u = q > 0.0 ? d[k] * half : d[k] > 0.0 ? h : l;
         u = u > l ? u : l;
         u = u < h ? u : h;
         sum += u * (q * u - d[k]);
@@ -2598,7 +2602,9 @@ static void treesearch(const mesh *m, quest *f)
         b = m->box + 6 * node;
         if (m->alive[node] == 0) continue;
         if (FLAT(m, node) && !LEANING(f)) {
+            f->scanned -= WORTH;
             if (offside(m, f, node)) {
+                f->scanned += 1.0;
                 HOLDS(barren(m, f, node));
                 continue;
             }
@@ -2618,7 +2624,7 @@ static void treesearch(const mesh *m, quest *f)
             continue;
         }
         span(m, node, &i, &last);
-        f->scanned += (double)(last - i);
+        if (m->slab == NULL) f->scanned += (double)(last - i);
         if (LEANING(f) && f->ntests > 0)
             nearleaf(m, f, node, i, last);
         else
@@ -2730,13 +2736,18 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     }
     COUNT(N_TREE, 1);
     treesearch(m, &f);
-    if (SLABS && m->scanned >= 0.0) {
-        m->scanned += f.scanned;
-        if (m->scanned > SCANS * (double)m->np) {
-            m->scanned = -1.0;
-            if (m->nsupport <= SUPPORTS - 2) flatten(m);
-            if (m->nsupport == SUPPORTS - 2) m->seek = 0;
+    m->scanned += f.scanned;
+    if (SLABS && m->slab != NULL && m->scanned < -(double)m->leaves) {
+        m->slab = NULL;
+        m->scanned = -MUCHL;
+    }
+    if (SLABS && m->slab == NULL && m->scanned > SCANS * (double)m->np) {
+        m->scanned = -MUCHL;
+        if (m->nsupport <= SUPPORTS - 2) {
+            flatten(m);
+            m->scanned = 0.0;
         }
+        if (m->nsupport == SUPPORTS - 2) m->seek = 0;
     }
     if (f.opened > OPENED && SEEK(m)) {
         m->burden += (double)f.opened;
@@ -3203,7 +3214,7 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->known = m->alive + 2 * leafcount(n);
     m->nplane = m->nextplane = m->ties = m->nsupport = m->seek = 0;
     m->slab = NULL;
-    m->scanned = -1.0;
+    m->scanned = -MUCHL;
     m->block.first = m->block.last = NONE;
     m->np = m->block.n = m->around.n = 0;
 }
