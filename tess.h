@@ -2,7 +2,7 @@
  *
  * After C. Hazlewood, "Facet-Based Tetrahedralization Software" (1995).
  *
- * Memory: nothing but the caller's arrays and a bounded stack (about 60 KB at
+ * Memory: nothing but the caller's arrays and a bounded stack (about 70 KB at
  * the default capacities; see TESS_LIST below and HH_LIMBS in hhpred.h).
  *
  *   tet, adj   4*maxtet tess_int each; a uniform cloud of n points has about
