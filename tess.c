@@ -220,8 +220,8 @@ extern void tess_prove(int fact);
 /* Hull planes that are remembered. */
 #define PLANES 4
 /* Steps from a given start before a location looks for a better one: with 8,
- * queries in order, a cell of 100,000 points apart, take a quarter longer, with
- * 32 those in no order 1.4 times as long. */
+ * queries in order among 100,000 points take a quarter longer than with 16;
+ * with 32, those in no order 1.4 times as long as with 8. */
 #define NEARBY 12
 /* Integers of an entry of the pool, and of an edge of the link. */
 #define ENTRY 4
@@ -2215,7 +2215,8 @@ static void flatten(mesh *m)
  *     |w|^2 - 2 c.w >= |w|^2 - (2 c - t N).w - t edge
  * there, and so, without the square, for minus the side v.w.  Taken is the t
  * that is best for the slab without the box.  The slab's end has a part to
- * spare; all else errs by some eps of the terms, and |edge| <= |N|_1 size. */
+ * spare, or is the box's, and errs by 16 eps |N|_1 size; all else errs by some
+ * eps of the terms, and |edge| <= |N|_1 size. */
 static int offside(const mesh *m, const quest *f, tess_int node)
 {
     const double *b = m->box + 6 * node;
@@ -3778,7 +3779,7 @@ typedef struct stroll {
  * facet; and this facet is at x if y is near enough, as the way from q to x
  * meets the hull in x alone.  All this is exact, and each facet nearer than the
  * one before, so it ends.  (In an unfinished result, which is not convex, it
- * ends where no facet around is nearer.) */
+ * ends where no facet joined to these about the point is nearer.) */
 static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
                     stroll *s, double *w)
 {

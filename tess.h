@@ -230,7 +230,8 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * nearest point, and each weight is right to rounding.  To extrapolate instead,
  * add gradient.(q - sum of w[k] p_k), the gradient that of t (README).  An open
  * facet counts as hull; but an unfinished result is not convex: the point found
- * is nearest among those of the facets about it, and another may be nearer.
+ * is nearest among those of the facets that are joined about it, and another
+ * may be nearer.
  * Cost: a walk of about ntet^(1/3) / 2 steps from anywhere, a few from near; a
  * start that is far from q costs little more than none.  Outside, another walk
  * over the facets of the hull.

@@ -300,9 +300,9 @@ C       HALFWY, PARTS  a slab's normal has components below HALFWY, and
 C               the box's width along it has PARTS parts
 C       PLANES  hull planes that are remembered
 C       NEARBY  steps from a given start before a location looks for a
-C               better one: with 8, queries in order, a cell of 100,000
-C               points apart, take a quarter longer, with 32 those in no
-C               order 1.4 times as long
+C               better one: with 8, queries in order among 100,000
+C               points take a quarter longer than with 16; with 32,
+C               those in no order 1.4 times as long as with 8
 C       ENTRY, EDGE  integers of an entry of the pool, and of an edge
 C       LEAST   pool and edges, at least
 C       THIN    a facet with a greater E is set up by limbs
@@ -2926,8 +2926,9 @@ C     of the sign of N.C - EDGE
 C         |W|**2 - 2 C.W >= |W|**2 - (2 C - T N).W - T EDGE
 C     there, and so, without the square, for minus the side v.W.  Taken
 C     is the T that is best for the slab without the box.  The slab's
-C     end has a part to spare; all else errs by some EPS of the terms,
-C     and |EDGE| <= |N|_1 SIZE.
+C     end has a part to spare, or is the box's, and errs by 16 EPS |N|_1
+C     SIZE; all else errs by some EPS of the terms, and |EDGE| <= |N|_1
+C     SIZE.
       SUBROUTINE TSOFFS(BOX, MARK, CTL, IQ, F, FQ, NODE, OUT)
       DOUBLE PRECISION BOX(6,*), F(12), FQ(168)
       INTEGER MARK(*), CTL(*), IQ(55), NODE, OUT
@@ -5351,7 +5352,8 @@ C     to Y enters the hull, nearer still, Q is outside of a facet; and
 C     this facet is at X if Y is near enough, as the way from Q to X
 C     meets the hull in X alone.  All this is exact, and each facet
 C     nearer than the one before, so it ends.  (In an unfinished result,
-C     which is not convex, it ends where no facet around is nearer.)
+C     which is not convex, it ends where no facet joined to these about
+C     the point is nearer.)
       SUBROUTINE TSHULL(P, Q, G, H, W, STEP)
       INTEGER G(3), H(10), STEP
       DOUBLE PRECISION P(3,*), Q(3), W(3)
@@ -5526,8 +5528,8 @@ C     exactly which vertices, one to three, carry the nearest point, and
 C     each weight is right to rounding.  To extrapolate instead, add
 C     gradient.(Q - that sum), the gradient that of T (../README.md).
 C     An open facet counts as hull; but an unfinished result is not
-C     convex: the point found is nearest among those of the facets about
-C     it, and another may be nearer.
+C     convex: the point found is nearest among those of the facets that
+C     are joined about it, and another may be nearer.
 C
 C     A walk (see TSWALK), and where it fails a sweep over all
 C     tetrahedra; for a Q outside then a walk over the hull (see
