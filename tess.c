@@ -101,6 +101,7 @@
 #include "tess.h"
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
 
 /* Counts for the benchmark: what happens how often, in a build of its own. */
 #ifdef TESS_COUNT
@@ -217,6 +218,9 @@ extern void tess_prove(int fact);
 #define PARTS 32767.0
 #define SLABS (TESS_LIST >= 128 && TESS_INT_MOST >= 2147483647L)
 #define FLAT(m, node) (SLABS && (m)->slab != NULL && (m)->slab[2 * (node)] > 0)
+/* Points of a cell, at most, and cells. */
+#define CELL 12
+#define CELLS 8
 /* Hull planes that are remembered. */
 #define PLANES 4
 /* Steps from a given start before a location looks for a better one: with 8,
@@ -321,6 +325,7 @@ typedef struct quest {
     double lo, hi;            /* its L-coordinate is between them */
     int limbs;                /* its ball has been found by limbs: t */
     hh_ball t;
+    int tied;                 /* points met that are exactly on its ball */
     int asked;                /* comparisons left to the exact predicates */
     int ball;                 /* there is a ball to prune with: centre c, */
     double c[3];              /* relative to f[6..8], wrong by at most dc */
@@ -353,6 +358,12 @@ typedef struct support {
     tess_int *least;
 } support;
 
+/* The points exactly on one ball: see incell. */
+typedef struct cell {
+    int n;
+    tess_int id[CELL];
+} cell;
+
 typedef struct mesh {
     hh_set set;
     double *x;                /* set.x */
@@ -379,6 +390,8 @@ typedef struct mesh {
     list block, around;       /* lists of a leaf, and of a star in it */
     double share;             /* the star's margin in the block's */
     int ties;                 /* the last points on a ball were not in it */
+    cell cells[CELLS];        /* those met in this star, the last ones of */
+    int ncell, tied;          /* so many */
     double least;             /* coordinate of absolute value above 0, if any */
     support supports[SUPPORTS];
     int nsupport, seek;       /* how many there are; look for more? */
@@ -688,7 +701,7 @@ static int firstfacet(const mesh *m, tess_int *v)
     for (i = 0; i < m->np; i++)
         if (i != v[2] && hh_pside(&m->set, v[0], v[1], v[2], i) == 0 &&
             !hh_line(p, q, point(m, i)) &&
-            hh_pball(&m->set, v[0], v[1], v[2], w, i) < 0)
+            hh_pball(&m->set, v[0], v[1], v[2], w, i, 1) < 0)
             v[2] = i;
     while (v[0] > v[1] || v[0] > v[2]) {
         w = v[0];
@@ -983,6 +996,7 @@ static int star(mesh *m, tess_int s)
     tess_int *p, v[3], guess[2], e, c;
 
     starlist(m, s);
+    m->ncell = 0;
     for (;;) {
         while (m->oldest >= m->newest && m->pool[m->oldest + CODE] == DEAD)
             m->oldest -= EDGE;
@@ -1534,7 +1548,7 @@ static int better(const mesh *m, const quest *f, tess_int z)
 {
     return z != f->v[0] && z != f->v[1] && z != f->v[2] && z != f->best &&
            hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z) > 0 &&
-           (f->best == NONE || hh_pbeat(&m->set, f->v, f->best, z));
+           (f->best == NONE || hh_pbeat(&m->set, f->v, f->best, z, 0) < 0);
 }
 #endif
 
@@ -2287,11 +2301,12 @@ static void challenge(const mesh *m, quest *f, tess_int z)
         f->asked += m->set.t5 < PLAIN;
         if (power == UNSURE) {
             COUNT(N_EXACT, 1);
-            power = hh_pbeat(&m->set, f->v, f->best, z) ? -1 : 1;
+            power = hh_pbeat(&m->set, f->v, f->best, z, 0);
         }
-        HOLDS((power < 0) == hh_pbeat(&m->set, f->v, f->best, z));
+        HOLDS((power < 0) == (hh_pbeat(&m->set, f->v, f->best, z, 0) < 0));
         if (f->high > f->ehi) f->high = f->ehi;
         if (power > 0) {
+            f->tied += power == 2;
             f->ehi = f->high;
             if (hi < f->hi) narrow(f, hi);
             if (f->asked >= MANY && !f->limbs) refine(m, f);
@@ -2301,6 +2316,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     }
     HOLDS(better(m, f, z));
     f->best = z;
+    f->tied = power == -2 ? f->tied + 1 : 0;
     f->lo = lo;
     f->elo = f->low;
     f->ehi = f->high;
@@ -2448,6 +2464,74 @@ static void anypoint(const mesh *m, quest *f, const list *l)
     if (z != NONE) consider(m, f, z);
 }
 
+/* newcell - make a cell of the points on the ball of a search, if that is in the
+ * star's list and no point is inside. */
+static int newcell(mesh *m, const quest *f)
+{
+    cell *c = m->cells + m->ncell % CELLS;
+    const list *l = &m->around;
+    const tess_int *v = f->v;
+    float d[4];
+    int in[TESS_LIST], place[TESS_LIST + 1], n, i, j, side;
+    tess_int z;
+
+    if (!starcoef(l, f, d)) return 0;
+    n = inball(l, d, in);
+    if (n <= 4 || n > CELL || !ballinstar(m, f)) return 0;
+    n = compress(in, l->n, place);
+    c->n = 0;
+    for (i = 0; i < CELL; i++) c->id[i] = NONE;
+    for (i = 0; i < n; i++) {
+        z = l->id[place[i]];
+        side = 0;
+        if (z != v[0] && z != v[1] && z != v[2] && z != f->best)
+            side = hh_pball(&m->set, v[0], v[1], v[2], f->best, z, 0);
+        if (side < 0) return 0;
+        if (side > 0) continue;
+        for (j = c->n++; j > 0 && m->order[c->id[j - 1]] > m->order[z]; j--)
+            c->id[j] = c->id[j - 1];
+        c->id[j] = z;
+    }
+    if (c->n == 4) return 0;
+    m->ncell++;
+    return 1;
+}
+
+/* incell - the apex of the facet v, if it is in a cell, or NONE. */
+static tess_int incell(const mesh *m, const tess_int *v)
+{
+    const cell *c;
+    tess_int best = NONE, z;
+    int i, j, k, in, side;
+
+    for (k = 0; k < m->ncell && k < CELLS; k++) {
+        c = m->cells + k;
+        for (i = in = 0; i < CELL; i++)
+            in += (c->id[i] == v[1]) + (c->id[i] == v[2]);
+        if (in < 2) continue;
+        for (j = 0; j < 3 && v[j] != c->id[0]; j++)
+            ;
+        if (j == 3) {
+            if (hh_pside(&m->set, v[0], v[1], v[2], c->id[0]) > 0)
+                return c->id[0];
+            continue;
+        }
+        for (i = 1; i < c->n; i++) {
+            z = c->id[i];
+            if (z == v[0] || z == v[1] || z == v[2]) continue;
+            side = 1;
+            if (best != NONE)
+                side = hh_pside(&m->set, v[(j + 1) % 3], v[(j + 2) % 3], best,
+                                z);
+            if (side >= 0 && hh_pside(&m->set, v[0], v[1], v[2], z) > 0 &&
+                (side > 0 || hh_pbeat(&m->set, v, best, z, 1) < 0))
+                best = z;
+        }
+        if (best != NONE) return best;
+    }
+    return NONE;
+}
+
 /* instar - look for the apex in the star's list.  A better point's ball has
  * no more on the open side than the one before it (Lemma 3), and nothing on
  * the other, so that one pass over a list is enough, if the last ball has no
@@ -2475,8 +2559,14 @@ static int instar(mesh *m, quest *f)
             if (!starcoef(l, f, d)) return 0;
             n = inball(l, d, in) > 4 ? compress(in, l->n, place) : 0;
         }
+        if (m->tied && newcell(m, f)) {
+            f->best = incell(m, f->v);
+            return 1;
+        }
         considerall(m, f, l, n, place);
         m->ties = f->hi > most;
+        if (f->tied > 0 && !m->tied) (void)newcell(m, f);
+        m->tied = f->tied > 0;
     }
     return ballinstar(m, f);
 }
@@ -2661,7 +2751,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     int k;
 
     for (k = 0; k < 3; k++) f->v[k] = v[k];
-    f->base = f->asked = f->limbs = 0;
+    f->base = f->asked = f->limbs = f->tied = 0;
     f->opened = 0;
     f->scanned = 0.0;
     f->turn = 1;
@@ -2717,6 +2807,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     int k, lists;
 
     COUNT(N_FACET, 1);
+    if (m->ncell > 0 && (f.best = incell(m, v)) != NONE) return f.best;
     prepare(m, &f, v);
     for (k = 0; k < 2; k++)
         if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
@@ -2813,7 +2904,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
     int j, k, same = 0;
 
     m->block.first = m->block.last = NONE;
-    m->block.n = m->around.n = m->nplane = m->nextplane = 0;
+    m->block.n = m->around.n = m->nplane = m->nextplane = m->ncell = 0;
     for (k = 0; k < 4; k++) v[k] = m->rep[m->known[k] - ORIGIN] - ORIGIN;
     for (k = 0; !exchange(m, NULL, v, k, s); k++)
         ;
@@ -3112,7 +3203,7 @@ static int intact(mesh *m, tess_int n)
             if (j == 4 || four(m->adj, u)[j] != t) return -6;
             if (u > t &&
                 hh_pball(&m->set, v[0], v[1], v[2], v[3],
-                         place[four(m->tet, u)[j] - ORIGIN]) < 0)
+                         place[four(m->tet, u)[j] - ORIGIN], 1) < 0)
                 return -5;
         }
     }
@@ -3130,7 +3221,8 @@ static int match(mesh *m, tess_int code, tess_int other)
     if (mate(m->tet, code / 4 + ORIGIN, (int)(code % 4), other / 4 + ORIGIN) !=
         other % 4)
         return -6;
-    if (hh_pball(&m->set, v[0], v[1], v[2], v[3], m->tet[other]) < 0) return -5;
+    if (hh_pball(&m->set, v[0], v[1], v[2], v[3], m->tet[other], 1) <
+        0) return -5;
     m->adj[code] = TESS_OPEN - 1 - other / 4;
     m->adj[other] = TESS_OPEN - 1 - code / 4;
     return 0;
@@ -3214,6 +3306,7 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->alive = iw + 2 * n;
     m->known = m->alive + 2 * leafcount(n);
     m->nplane = m->nextplane = m->ties = m->nsupport = m->seek = 0;
+    m->ncell = m->tied = 0;
     m->slab = NULL;
     m->scanned = -MUCHL;
     m->block.first = m->block.last = NONE;
