@@ -1095,8 +1095,7 @@ static int tied(const hh_set *s, const tess_int *v, int positive)
     return sign;
 }
 
-/* perturb - the sign of I; where it is 0 twice that of tied, or without a rule
- * 0. */
+/* perturb - the sign of I; where it is 0, rule times that of tied. */
 static int perturb(const hh_set *s, const tess_int *v, int positive, int rule)
 {
     const tess_real *p[5];
@@ -1114,7 +1113,7 @@ static int perturb(const hh_set *s, const tess_int *v, int positive, int rule)
             sign = exact(5, q, NULL);
         }
     }
-    return sign != 0 || !rule ? sign : 2 * tied(s, v, positive);
+    return sign != 0 || !rule ? sign : rule * tied(s, v, positive);
 }
 
 /* hh_pball - the sign, never 0, of the perturbed determinant I for the
@@ -1147,7 +1146,7 @@ int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
     w[2] = v[2];
     w[3] = a;
     w[4] = b;
-    return tie ? 2 * tied(s, w, 1) : perturb(s, w, 1, 1);
+    return tie ? 2 * tied(s, w, 1) : perturb(s, w, 1, 2);
 }
 
 /* rows - the limbs of the rows p - last of 4 positions v of the set s, as

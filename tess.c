@@ -79,10 +79,10 @@
  *   apex         powererr extent prunebox prunepart ballinbox ballinstar better
  *                narrow refine rough level remember fit discover lean residual
  *                sharpen sight lowest promise face aside normal flatten
- *                offside challenge consider
- *                ballcoef starcoef inball considerall likeliest anypoint instar
- *                inblock scanleaf nearleaf barren treesearch onhull prepare
- *                proven apex
+ *                offside inlarge keeplarge cap challenge consider
+ *                ballcoef starcoef inball considerall likeliest anypoint
+ *                newcell incell instar inblock scanleaf nearleaf barren
+ *                treesearch onhull prepare proven apex
  *   one star     exchange settle plant
  *   results      coords four slot mate
  *   preparation  leafcount cuberoot tablesize upto lengths extra collect
@@ -101,7 +101,6 @@
 #include "tess.h"
 #include <math.h>
 #include <stddef.h>
-#include <stdlib.h>
 
 /* Counts for the benchmark: what happens how often, in a build of its own. */
 #ifdef TESS_COUNT
@@ -218,9 +217,10 @@ extern void tess_prove(int fact);
 #define PARTS 32767.0
 #define SLABS (TESS_LIST >= 128 && TESS_INT_MOST >= 2147483647L)
 #define FLAT(m, node) (SLABS && (m)->slab != NULL && (m)->slab[2 * (node)] > 0)
-/* Points of a cell, at most, and cells. */
+/* Points of a cell, at most, and cells; a large ball has more than LARGE. */
 #define CELL 12
-#define CELLS 8
+#define CELLS 4
+#define LARGE 24
 /* Hull planes that are remembered. */
 #define PLANES 4
 /* Steps from a given start before a location looks for a better one: with 8,
@@ -326,6 +326,7 @@ typedef struct quest {
     int limbs;                /* its ball has been found by limbs: t */
     hh_ball t;
     int tied;                 /* points met that are exactly on its ball */
+    int first, cap;           /* v[first] is the large ball's; a cap's ball */
     int asked;                /* comparisons left to the exact predicates */
     int ball;                 /* there is a ball to prune with: centre c, */
     double c[3];              /* relative to f[6..8], wrong by at most dc */
@@ -391,7 +392,9 @@ typedef struct mesh {
     double share;             /* the star's margin in the block's */
     int ties;                 /* the last points on a ball were not in it */
     cell cells[CELLS];        /* those met in this star, the last ones of */
-    int ncell, tied;          /* so many */
+    int ncell;                /* so many */
+    int tied;                 /* the last ties in a star's list were exact */
+    tess_int large[4], first; /* on the large ball, and its first, or NONE; */
     double least;             /* coordinate of absolute value above 0, if any */
     support supports[SUPPORTS];
     int nsupport, seek;       /* how many there are; look for more? */
@@ -1557,7 +1560,7 @@ static void narrow(quest *f, double l)
 {
     f->hi = l;
     f->turn++;
-    if (f->limbs || l > MUCHL || l < -MUCHL) return;
+    if (f->limbs || f->cap || l > MUCHL || l < -MUCHL) return;
     f->ball = 1;
     /* what is better than the best point is, on the positive side, in the ball
      * of any L above its: so its error does not add to the ball's.  It is large
@@ -2265,6 +2268,88 @@ static int offside(const mesh *m, const quest *f, tess_int node)
     return (f->ball || f->f[9] <= HH_LOOSE) && sum > size * err + FAINT;
 }
 
+/* ---- ties ----
+ *
+ * Let T be the points on the sphere of a ball that is empty, as that of any
+ * tetrahedron of the mesh.  By the tie rule heights are lowered, that of first,
+ * the point of T of least number, by far the most.  So
+ *   - among points of T the mesh is that of the facets of T's hull without
+ *     first, each joined to first;
+ *   - a tetrahedron with its vertices in T has first for one of them: it is the
+ *     least of any such tetrahedron that is known;
+ *   - for a facet of three points of T without first, which is in T's hull, no
+ *     point of T is on its open side but on first's: first is the apex, or none
+ *     of T;
+ *   - for a facet (first, a, b) with points of T on its open side the apex is
+ *     one of them, as the ball is empty.  Of two, c and z, z is better if it is
+ *     beyond the plane (a, b, c) seen from first, worse if on first's side, and
+ *     in that plane by the lesser e_i.
+ * A point of T whose star is complete is in no open facet, nor an apex.  If
+ * first's is, all tetrahedra of T are known: that of a new one's T is not.
+ *
+ * Cells: all uncompleted points of T, the least number first, of balls inside
+ * the star's list.  No more than these are asked for a facet of the star.
+ *
+ * The large ball has too many for that: four of them are kept.  All rivals of c
+ * are beyond the plane (a, b, c), or in it, seen from first, and on the sphere.
+ * That part of the sphere is in the smallest ball through a, b, c if first is
+ * outside of this: so this, the cap's, takes the place of the search's ball.
+ * It passes through a base a or b, but not through first. */
+
+/* inlarge - are the vertices of the facet v on the large ball, if there is one,
+ * or, for n = 1, is v[0]? */
+static int inlarge(const mesh *m, const tess_int *v, int n)
+{
+    const tess_int *q = m->large;
+    int k = 0;
+
+    if (m->first == NONE) return 0;
+    while (k < n && hh_pball(&m->set, q[0], q[1], q[2], q[3], v[k], 0) == 0)
+        k++;
+    return k == n;
+}
+
+/* keeplarge - the ball of a search in a star is the large one. */
+static void keeplarge(mesh *m, const quest *f)
+{
+    int k;
+
+    m->first = f->best;
+    for (k = 0; k < 4; k++) {
+        m->large[k] = k < 3 ? f->v[k] : f->best;
+        if (m->order[m->large[k]] < m->order[m->first]) m->first = m->large[k];
+    }
+}
+
+/* cap - let the best point's ball be the cap's, if it may.  For first, size, of
+ * |w|_1 and |c|_1 together, covers powererr. */
+static void cap(const mesh *m, quest *f)
+{
+    const double *x = m->x + 3 * m->first;
+    double g[HH_FACET_LEN], size = 0.0, w[3];
+    int k;
+
+    if (f->first == f->base || !inlarge(m, &f->best, 1)) return;
+    hh_setup(m->x + 3 * f->v[f->base],
+             m->x + 3 * f->v[3 - f->base - f->first], m->x + 3 * f->best, g);
+    if (g[9] > HH_LOOSE) return;
+    for (k = 0; k < 3; k++) {
+        w[k] = x[k] - g[6 + k];
+        size += fabs(w[k]) + fabs(g[3 + k]);
+    }
+    if (HH_POWER(w[0], w[1], w[2], g + 3) <=
+        size * (2.0 * g[10] + 16.0 * EPS * size) + FAINT)
+        return;
+    f->cap = f->ball = 1;
+    f->turn++;
+    f->dc = g[10];
+    f->size = 0.0;
+    for (k = 0; k < 3; k++) {
+        f->c[k] = g[3 + k];
+        f->size += fabs(f->c[k]);
+    }
+}
+
 /* challenge - take z if it is on the open side and beats the best point there
  * is: if its L-coordinate is smaller (Theorem 1); ties by the rule of
  * hh_pball.  The Householder bounds decide where they can; what they leave open
@@ -2309,7 +2394,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
             f->tied += power == 2;
             f->ehi = f->high;
             if (hi < f->hi) narrow(f, hi);
-            if (f->asked >= MANY && !f->limbs) refine(m, f);
+            if (f->asked >= MANY && !f->limbs && !f->cap) refine(m, f);
             return;
         }
         if (hi > f->hi) hi = f->hi;
@@ -2320,10 +2405,11 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     f->lo = lo;
     f->elo = f->low;
     f->ehi = f->high;
-    f->limbs = 0;
+    f->limbs = f->cap = 0;
     narrow(f, hi);
-    if (side == 0 || f->asked >= MANY ||
-        hi - lo > WIDE * (f->f[11] + fabs(hi)))
+    if (f->first != NONE) cap(m, f);
+    if (!f->cap && (side == 0 || f->asked >= MANY ||
+                    hi - lo > WIDE * (f->f[11] + fabs(hi))))
         refine(m, f);
 }
 
@@ -2464,72 +2550,63 @@ static void anypoint(const mesh *m, quest *f, const list *l)
     if (z != NONE) consider(m, f, z);
 }
 
-/* newcell - make a cell of the points on the ball of a search, if that is in the
- * star's list and no point is inside. */
-static int newcell(mesh *m, const quest *f)
+/* newcell - make a cell of the points exactly on the best point's ball, if all
+ * are in the star's list and none is inside; 0 if not, or if there are no ties.
+ * The centre of narrow's ball is off by up to hi - lo, too, which tells on the
+ * negative side. */
+static int newcell(mesh *m, quest *f)
 {
-    cell *c = m->cells + m->ncell % CELLS;
     const list *l = &m->around;
     const tess_int *v = f->v;
     float d[4];
     int in[TESS_LIST], place[TESS_LIST + 1], n, i, j, side;
+    double wide = f->limbs ? 0.0 : f->hi - f->lo;
     tess_int z;
+    cell c;
 
-    if (!starcoef(l, f, d)) return 0;
+    if (f->cap || wide > l->margin || fabs(f->hi) > MUCHL) return 0;
+    f->dc += wide;
+    if (!ballinstar(m, f) || !starcoef(l, f, d)) return 0;
     n = inball(l, d, in);
-    if (n <= 4 || n > CELL || !ballinstar(m, f)) return 0;
+    if (n <= 4 || n > CELL) return 0;
     n = compress(in, l->n, place);
-    c->n = 0;
-    for (i = 0; i < CELL; i++) c->id[i] = NONE;
-    for (i = 0; i < n; i++) {
+    for (i = 0; i < CELL; i++) c.id[i] = NONE;
+    for (i = c.n = 0; i < n; i++) {
         z = l->id[place[i]];
         side = 0;
         if (z != v[0] && z != v[1] && z != v[2] && z != f->best)
             side = hh_pball(&m->set, v[0], v[1], v[2], f->best, z, 0);
         if (side < 0) return 0;
         if (side > 0) continue;
-        for (j = c->n++; j > 0 && m->order[c->id[j - 1]] > m->order[z]; j--)
-            c->id[j] = c->id[j - 1];
-        c->id[j] = z;
+        for (j = c.n++; j > 0 && m->order[c.id[j - 1]] > m->order[z]; j--)
+            c.id[j] = c.id[j - 1];
+        c.id[j] = z;
     }
-    if (c->n == 4) return 0;
-    m->ncell++;
+    if (c.n == 4) return 0;
+    m->cells[m->ncell++ % CELLS] = c;
     return 1;
 }
 
-/* incell - the apex of the facet v, if it is in a cell, or NONE. */
+/* incell - the apex of the facet v, if it is in a cell, or NONE: see "ties". */
 static tess_int incell(const mesh *m, const tess_int *v)
 {
-    const cell *c;
+    const cell *c = m->cells;
     tess_int best = NONE, z;
-    int i, j, k, in, side;
+    int i, k, in;
 
-    for (k = 0; k < m->ncell && k < CELLS; k++) {
-        c = m->cells + k;
+    for (k = 0; k < m->ncell && k < CELLS && best == NONE; k++, c++) {
         for (i = in = 0; i < CELL; i++)
             in += (c->id[i] == v[1]) + (c->id[i] == v[2]);
-        if (in < 2) continue;
-        for (j = 0; j < 3 && v[j] != c->id[0]; j++)
-            ;
-        if (j == 3) {
-            if (hh_pside(&m->set, v[0], v[1], v[2], c->id[0]) > 0)
-                return c->id[0];
-            continue;
-        }
-        for (i = 1; i < c->n; i++) {
+        for (i = 0; i < c->n && in == 2; i++) {
             z = c->id[i];
             if (z == v[0] || z == v[1] || z == v[2]) continue;
-            side = 1;
-            if (best != NONE)
-                side = hh_pside(&m->set, v[(j + 1) % 3], v[(j + 2) % 3], best,
-                                z);
-            if (side >= 0 && hh_pside(&m->set, v[0], v[1], v[2], z) > 0 &&
-                (side > 0 || hh_pbeat(&m->set, v, best, z, 1) < 0))
+            if (hh_pside(&m->set, v[0], v[1], v[2], z) > 0 &&
+                (best == NONE || hh_pbeat(&m->set, v, best, z, 1) < 0))
                 best = z;
+            if (i == 0) break;
         }
-        if (best != NONE) return best;
     }
-    return NONE;
+    return best;
 }
 
 /* instar - look for the apex in the star's list.  A better point's ball has
@@ -2547,7 +2624,7 @@ static int instar(mesh *m, quest *f)
     if (f->base != 0 || l->n == 0) return 0;
     if (!f->ball) anypoint(m, f, l);
     if (!f->ball || !starcoef(l, f, d)) return 0;
-    if (inball(l, d, in) > 4) {
+    if (inball(l, d, in) > 4 - f->cap) {
         n = compress(in, l->n, place);
         most = (f->hi < FAR * l->margin ? f->hi : FAR * l->margin) -
                1e-4 * l->margin;
@@ -2557,7 +2634,7 @@ static int instar(mesh *m, quest *f)
         if (z != NONE) {
             consider(m, f, z);
             if (!starcoef(l, f, d)) return 0;
-            n = inball(l, d, in) > 4 ? compress(in, l->n, place) : 0;
+            n = inball(l, d, in) > 4 - f->cap ? compress(in, l->n, place) : 0;
         }
         if (m->tied && newcell(m, f)) {
             f->best = incell(m, f->v);
@@ -2582,7 +2659,7 @@ static int inblock(const mesh *m, quest *f)
 
     if (l->n == 0) return 0;
     if (!f->ball || !ballinbox(m, f, l) || !ballcoef(l, f, f->c, d)) return 0;
-    if (inball(l, d, in) > 4)
+    if (inball(l, d, in) > 4 - f->cap)
         considerall(m, f, l, compress(in, l->n, place), place);
     return 1;
 }
@@ -2751,7 +2828,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     int k;
 
     for (k = 0; k < 3; k++) f->v[k] = v[k];
-    f->base = f->asked = f->limbs = f->tied = 0;
+    f->base = f->asked = f->limbs = f->tied = f->cap = 0;
     f->opened = 0;
     f->scanned = 0.0;
     f->turn = 1;
@@ -2804,11 +2881,23 @@ static int proven(const mesh *m, const tess_int *v, tess_int c)
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 {
     quest f;
+    tess_int w[3];
     int k, lists;
 
     COUNT(N_FACET, 1);
     if (m->ncell > 0 && (f.best = incell(m, v)) != NONE) return f.best;
-    prepare(m, &f, v);
+    f.first = NONE;
+    for (k = 0; k < 3; k++) w[k] = v[k];
+    if (inlarge(m, v, 3)) {
+        /* its base is not first */
+        for (k = 0; k < 3 && v[0] == m->first; k++) w[k] = v[(k + 1) % 3];
+        for (k = 0; k < 3; k++)
+            if (w[k] == m->first) f.first = k;
+        if (f.first == NONE &&
+            hh_pside(&m->set, v[0], v[1], v[2], m->first) > 0)
+            return m->first;
+    }
+    prepare(m, &f, w);
     for (k = 0; k < 2; k++)
         if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
             guess[k] != f.best)
@@ -2816,6 +2905,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     /* a ball that is a support's sphere but for rounding is in no list */
     lists = !LEANING(&f) || m->supports[f.near].plane ||
             (f.best != NONE && f.ehi == DBL_MAX);
+    lists = lists && w[0] == v[0];
     if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);
         return f.best;
@@ -2828,6 +2918,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     }
     COUNT(N_TREE, 1);
     treesearch(m, &f);
+    if (f.tied > LARGE && m->block.first != NONE) keeplarge(m, &f);
     m->scanned += f.scanned;
     if (SLABS && m->slab != NULL && m->scanned < -(double)m->leaves) {
         m->slab = NULL;
@@ -2928,6 +3019,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
         if (same >= 3)
             z = apex(m, f, guess);
         else {
+            near.first = NONE;
             prepare(m, &near, f);
             challenge(m, &near, z);
             scanleaf(m, &near, first, first + size,
@@ -3307,6 +3399,7 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->known = m->alive + 2 * leafcount(n);
     m->nplane = m->nextplane = m->ties = m->nsupport = m->seek = 0;
     m->ncell = m->tied = 0;
+    m->first = NONE;
     m->slab = NULL;
     m->scanned = -MUCHL;
     m->block.first = m->block.last = NONE;
