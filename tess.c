@@ -323,10 +323,11 @@ typedef struct quest {
     int base;                 /* of which v[base] is the base */
     tess_int best;            /* the best point yet, exactly, or NONE */
     double lo, hi;            /* its L-coordinate is between them */
-    int limbs;                /* its ball has been found by limbs: t */
+    int limbs;                /* 1: its ball has been found by limbs: t; 2: */
+                              /* the ball is that of a cap */
     hh_ball t;
     int tied;                 /* points met that are exactly on its ball */
-    int first, cap;           /* v[first] is the large ball's; a cap's ball */
+    int first;                /* v[first] is the large ball's, or NONE */
     int asked;                /* comparisons left to the exact predicates */
     int ball;                 /* there is a ball to prune with: centre c, */
     double c[3];              /* relative to f[6..8], wrong by at most dc */
@@ -1560,7 +1561,7 @@ static void narrow(quest *f, double l)
 {
     f->hi = l;
     f->turn++;
-    if (f->limbs || f->cap || l > MUCHL || l < -MUCHL) return;
+    if (f->limbs || l > MUCHL || l < -MUCHL) return;
     f->ball = 1;
     /* what is better than the best point is, on the positive side, in the ball
      * of any L above its: so its error does not add to the ball's.  It is large
@@ -2340,7 +2341,8 @@ static void cap(const mesh *m, quest *f)
     if (HH_POWER(w[0], w[1], w[2], g + 3) <=
         size * (2.0 * g[10] + 16.0 * EPS * size) + FAINT)
         return;
-    f->cap = f->ball = 1;
+    f->limbs = 2;
+    f->ball = 1;
     f->turn++;
     f->dc = g[10];
     f->size = 0.0;
@@ -2370,7 +2372,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     unsure = side != SURE && f->best != NONE && hi >= f->lo;
     if (side == 0 || unsure) {
         if (SEEK(m)) remember(m, f, z, 1);
-        if (f->limbs) {
+        if (f->limbs == 1) {
             COUNT(N_TRIAL, 1);
             hh_trial(&m->set, &f->t, z, &sign, &power);
             HOLDS(sign == UNSURE ||
@@ -2394,7 +2396,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
             f->tied += power == 2;
             f->ehi = f->high;
             if (hi < f->hi) narrow(f, hi);
-            if (f->asked >= MANY && !f->limbs && !f->cap) refine(m, f);
+            if (f->asked >= MANY && !f->limbs) refine(m, f);
             return;
         }
         if (hi > f->hi) hi = f->hi;
@@ -2405,11 +2407,11 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     f->lo = lo;
     f->elo = f->low;
     f->ehi = f->high;
-    f->limbs = f->cap = 0;
+    f->limbs = 0;
     narrow(f, hi);
     if (f->first != NONE) cap(m, f);
-    if (!f->cap && (side == 0 || f->asked >= MANY ||
-                    hi - lo > WIDE * (f->f[11] + fabs(hi))))
+    if (!f->limbs && (side == 0 || f->asked >= MANY ||
+                      hi - lo > WIDE * (f->f[11] + fabs(hi))))
         refine(m, f);
 }
 
@@ -2564,7 +2566,7 @@ static int newcell(mesh *m, quest *f)
     tess_int z;
     cell c;
 
-    if (f->cap || wide > l->margin || fabs(f->hi) > MUCHL) return 0;
+    if (f->limbs == 2 || wide > l->margin || fabs(f->hi) > MUCHL) return 0;
     f->dc += wide;
     if (!ballinstar(m, f) || !starcoef(l, f, d)) return 0;
     n = inball(l, d, in);
@@ -2624,7 +2626,7 @@ static int instar(mesh *m, quest *f)
     if (f->base != 0 || l->n == 0) return 0;
     if (!f->ball) anypoint(m, f, l);
     if (!f->ball || !starcoef(l, f, d)) return 0;
-    if (inball(l, d, in) > 4 - f->cap) {
+    if (inball(l, d, in) > 4 - f->limbs / 2) {
         n = compress(in, l->n, place);
         most = (f->hi < FAR * l->margin ? f->hi : FAR * l->margin) -
                1e-4 * l->margin;
@@ -2634,7 +2636,8 @@ static int instar(mesh *m, quest *f)
         if (z != NONE) {
             consider(m, f, z);
             if (!starcoef(l, f, d)) return 0;
-            n = inball(l, d, in) > 4 - f->cap ? compress(in, l->n, place) : 0;
+            n = inball(l, d, in) > 4 - f->limbs / 2
+                    ? compress(in, l->n, place) : 0;
         }
         if (m->tied && newcell(m, f)) {
             f->best = incell(m, f->v);
@@ -2659,7 +2662,7 @@ static int inblock(const mesh *m, quest *f)
 
     if (l->n == 0) return 0;
     if (!f->ball || !ballinbox(m, f, l) || !ballcoef(l, f, f->c, d)) return 0;
-    if (inball(l, d, in) > 4 - f->cap)
+    if (inball(l, d, in) > 4 - f->limbs / 2)
         considerall(m, f, l, compress(in, l->n, place), place);
     return 1;
 }
@@ -2828,7 +2831,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     int k;
 
     for (k = 0; k < 3; k++) f->v[k] = v[k];
-    f->base = f->asked = f->limbs = f->tied = f->cap = 0;
+    f->base = f->asked = f->limbs = f->tied = 0;
     f->opened = 0;
     f->scanned = 0.0;
     f->turn = 1;
