@@ -161,12 +161,12 @@ extern void tess_prove(int fact);
 #define BLOCKMAX (TESS_LIST / 8 * 5)
 #define STARMIN 24
 #define STARMAX 48
-/* Capacity of a list.  Lists only say where to look first. */
+/* Capacity of a list (see tess.h).  Lists only say where to look first. */
 #ifndef TESS_LIST
 #define TESS_LIST 512
 #endif
-#if TESS_LIST < LEAF || TESS_LIST % 4 != 0
-#error TESS_LIST is less than the points of a leaf, or no multiple of 4
+#if TESS_LIST < LEAF || TESS_LIST > 4096 || TESS_LIST % 4 != 0
+#error TESS_LIST is not a multiple of 4 from 48 (LEAF) to 4096
 #endif
 /* A node is cut across the widest extent of about so many of its points: of all
  * a million take 3 % longer. */
@@ -176,7 +176,7 @@ extern void tess_prove(int fact);
 /* Supports, at most.  One is sought when a search has more than OPENED points
  * in its sample and these add up to BURDEN times all points; each time in vain
  * doubles that. */
-#define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST / 64)
+#define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST < 512 ? TESS_LIST / 64 : 8)
 #define OPENED 24
 #define BURDEN 1.0
 /* Of fewer points none is sought; places of the sample (few, for the stack,
