@@ -147,7 +147,7 @@ void say(const char *format, ...)
     va_list list;
 
     if (quiet ||
-        ((double)in.n < LONG_RUN && difftime(time((time_t *)0), began) < 1.0))
+        ((double)in.n < LONG_RUN && difftime(time((time_t *)0), began) < 2.0))
         return;
     va_start(list, format);
     complain(format, list);

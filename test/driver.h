@@ -39,7 +39,7 @@ void too_small(const char *format, ...);
 void warn(const char *format, ...);
 
 /* say - tell on stderr what a long run is doing: when there are many points,
- * or the program has run for a second. */
+ * or the program has run for a second or two. */
 void say(const char *format, ...);
 
 #endif
