@@ -116,14 +116,6 @@ typedef double tess_real;
 #define hh_holds TESS_AS(h, holds)
 #endif
 
-/* The name that the Fortran compiler gives to a routine; used when compiled
- * with TESS_FORTRAN, which adds HHFACE, HHSIDE, HHOPP, HHLCOO, HHWRAP, HHORIE,
- * HHINSP of f77/hhpred.f.  INTEGER is tess_int.  For compilers that add no
- * underscore -D"TESS_NAME(lower, upper)=lower", or =upper. */
-#ifndef TESS_NAME
-#define TESS_NAME(lower, upper) lower##_
-#endif
-
 /* Exact numbers are arrays of at most HH_LIMBS limbs of HH_BITS bits each.
  * The default holds every finite double beside every other.  With fewer,
  * hh_orient and hh_insphere return 2 when they do not suffice, and tess

@@ -29,25 +29,7 @@
 
 #include "hhpred.h"
 
-/* TESS_FORTRAN, for Fortran alone: tess.c and hhpred.c compiled with it offer
- * TESS, TESSWK, HHFACE ... of f77/tess.f and f77/hhpred.f (see TESS_NAME in
- * hhpred.h), so that no CALL changes: arguments by reference, all that is
- * counted from 1, none 0, open -1, INFO last.  The functions declared here
- * then count from 1, too, and have names of their own, which no decoration of
- * TESS meets; a program may link tess.c compiled without it besides. */
-#ifdef TESS_FORTRAN
-#define tess fttess
-#define tess_size ftsize
-#define tess_resume ftresume
-#define tess_locate ftlocate
-#define tess_hull fthull
-#define tess_check ftcheck
-#define tess_index ftindex
-#define tess_query ftquery
-#define tess_part ftpart
-#define tess_ball ftball
-#define tess_values ftvalues
-#elif defined(TESS_LETTER)
+#ifdef TESS_LETTER
 /* Other types have other names: see hhpred.h. */
 #define tess TESS_AS(t, tess)
 #define tess_size TESS_AS(t, size)
@@ -63,7 +45,7 @@
 #endif
 
 /* 10000 * major + 100 * minor version; the README says what has changed. */
-#define TESS_VERSION 10200L
+#define TESS_VERSION 20000L
 
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)
