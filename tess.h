@@ -209,11 +209,11 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * vertex's opposite facet (else only in a tetrahedron that is flat to
  * rounding); they sum to 1, and sum of w[k] p_k is q, to rounding, in slivers
  * too.  Outside, it is decided exactly which vertices, one to three, carry the
- * nearest point, and each weight is right to rounding.  To extrapolate instead,
- * add gradient.(q - sum of w[k] p_k), the gradient that of t (README).  An open
- * facet counts as hull; but an unfinished result is not convex: the point found
- * is nearest among those of the facets that are joined about it, and another
- * may be nearer.
+ * nearest point, and each weight is right to rounding.  Do not extrapolate by
+ * the gradient of t: tetrahedra at the hull are often slivers, whose gradients
+ * are far steeper than the field's.  An open facet counts as hull; but an
+ * unfinished result is not convex: the point found is nearest among those of
+ * the facets that are joined about it, and another may be nearer.
  * Cost: a walk of about ntet^(1/3) / 2 steps from anywhere, a few from near; a
  * start that is far from q costs little more than none.  Outside, another walk
  * over the facets of the hull.
@@ -241,6 +241,9 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  * for a bad nq, -8 for a NaN or infinity in q, -9 for a t that is out of range:
  * then nothing is written; -4 or TESS_RANGE as from tess_locate, with the
  * queries before done.
+ * To learn which queries are outside, ask one at a time: nq = 1, and t[i-1] for
+ * t[i] if there is no start.  Each call returns the code of its query; t, out
+ * and the time taken are those of one call for all.
  * Cost: that of tess_locate, a few steps a query if the queries are in an order
  * in which neighbours follow each other.
  */

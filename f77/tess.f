@@ -5525,11 +5525,12 @@ C     of the vertex's opposite facet (else only in a tetrahedron that is
 C     flat to rounding); they sum to 1, and the sum of W(K) times vertex
 C     K is Q, to rounding, in slivers too.  Outside, it is decided
 C     exactly which vertices, one to three, carry the nearest point, and
-C     each weight is right to rounding.  To extrapolate instead, add
-C     gradient.(Q - that sum), the gradient that of T (../README.md).
-C     An open facet counts as hull; but an unfinished result is not
-C     convex: the point found is nearest among those of the facets that
-C     are joined about it, and another may be nearer.
+C     each weight is right to rounding.  Do not extrapolate by the
+C     gradient of T: tetrahedra at the hull are often slivers, whose
+C     gradients are far steeper than the field's.  An open facet counts
+C     as hull; but an unfinished result is not convex: the point found
+C     is nearest among those of the facets that are joined about it, and
+C     another may be nearer.
 C
 C     A walk (see TSWALK), and where it fails a sweep over all
 C     tetrahedra; for a Q outside then a walk over the hull (see
@@ -5608,6 +5609,11 @@ C                       queries before done
 C
 C     VALUE and OUT are declared as vectors, since NV may be 0; each may
 C     have as many numbers as the largest integer.
+C
+C     To learn which queries are outside, ask one at a time: NQ = 1,
+C     with Q(1,I), T(I) and OUT(1,I), and T(I-1) for T(I) if there is no
+C     start.  Each call's INFO is that of its query; T, OUT and the time
+C     taken are those of one call for all.
 C
 C     From the last answer where there is no start: it is the nearest if
 C     the queries are in order, and if not, TESSLO sees that.
