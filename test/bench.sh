@@ -319,6 +319,28 @@ function times(which,   i, k, head) {
         print head
     }
 }
+# the rows that the README takes from here
+function few(   i, k, at, head, first) {
+    first = 1
+    for (i = 1; i <= rows; i++) {
+        key = order[i]
+        name = family[key]
+        sub(".*/", "", name)
+        if (!index(" uniform:100000 clusters:100000 lattice:97336 " \
+            "gridrot:27000 globe:30000 rotcube:30000 bumps:30000 " \
+            "mirror.xyz:3600 ", " " name ":" points[key] " ")) continue
+        if (first) {
+            print "\nThe rows of the README\n"
+            heading("| points | n | tetrahedra | tess | FORTRAN/tess |" \
+                " tess/CGAL |")
+            first = 0
+        }
+        at = key " tess"
+        print "| " name " | " points[key] " | " tetrahedra[key] " | " \
+            value(at, time, "%.0f") " |" ratio(key " f77", at) \
+            ratio(at, key " cgal")
+    }
+}
 function memory(which,   i, k, head) {
     heading("| points | n | tess, workspace alone |" programs(which))
     for (i = 1; i <= rows; i++) {
@@ -345,6 +367,7 @@ END {
             "\nsurfaces and curves, and of others that are hard\n"
         times("data")
     }
+    few()
 }' build/bench.txt
 
 # What does not depend on the machine's mood.
