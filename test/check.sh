@@ -74,6 +74,21 @@ have() {
     $1 $2 -o build/have build/have.c $LIBS > /dev/null 2>&1 && build/have
 }
 
+# readme LANGUAGE FILE: the program, and what is printed below it as commands,
+# into build/readme
+readme() {
+    mkdir -p build/readme
+    for f in tess.c tess.h hhpred.c hhpred.h f77 test; do
+        [ -e build/readme/$f ] || ln -s ../../$f build/readme
+    done
+    sed -n '/^```'$1'$/,/^```$/p' README.md | sed '/^```/d' > build/readme/$2
+    awk -v language=$1 '
+        $0 == "```" language { at = 1 }
+        at == 1 && $0 == "```" { at = 2; next }
+        at == 2 && /^    / { print }
+        at == 2 && /^[^ ]/ { exit }' README.md > build/readme/commands
+}
+
 # ---- the first half: the library in C, on this machine ----
 #
 # Neither half needs what the other one builds.
@@ -156,7 +171,7 @@ mismatch() {
         "! cut -c1-6 build/other.txt | tr A-Z a-z | sort | uniq -d | grep ."
 }
 sed -n '/^```c$/,/^```$/p' README.md | sed '/^```/d;s/double p/tess_real p/' |
-    sed 's/scanf.* == 3/n < 1/' > build/readme.c
+    sed 's/sscanf.* == 3/n < 1/' > build/readme.c
 if [ -s build/nm.txt ]; then
     sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/names.txt
     one "unique in six characters" sh -c \
@@ -400,17 +415,36 @@ else
     skip "MPI: no Open MPI"
 fi
 
-# The README's C program: its input a plane grid of 9 x 11 points, of which
-# every one of the 160 triangles makes a tetrahedron with the point off it.
-awk 'BEGIN { for (i = 0; i < 99; i++) print i % 9, int(i / 9), 0
-    print 3, 4, 5 }' > build/points.txt
-sed -n '/^```c$/,/^```$/p' README.md | sed '/^```/d' > build/readme.c
-if build readme "$CC" "$CFLAGS -I." build/readme.c $HARD; then
-    one "the README's C program" sh -c \
-        'test "`build/readme < build/points.txt`" = "code 0, 160 tetrahedra"'
+# The README's C program and its commands, exactly as printed there, on the data
+# that are there; what it says it prints is what the program build/tess proves.
+readme c first.c
+one "the README's C program: its commands" \
+    test `wc -l < build/readme/commands` -eq 2
+printed=`(cd build/readme && sh -e commands) 2>> $LOG`
+one "the README's C program: prints what is said" \
+    grep -F "It prints \`$printed\`" README.md
+if [ -x build/tess ]; then
+    count=`build/tess -check test/data/mirror.xyz | sed -n 's/^tetrahedra *//p'`
+    one "the README's C program: what build/tess proves" \
+        test "$printed" = "code 0, $count tetrahedra"
 else
-    fail "the README's C program does not compile"
+    skip "the README's C program: no build/tess to compare with"
 fi
+if command -v ${PYTHON:-python3} > /dev/null &&
+    $CC -O2 -shared -fPIC -o build/readme/libtess.so $HARD $LIBS 2>> $LOG; then
+    one "example: first.py" test "`cd build/readme &&
+        ${PYTHON:-python3} test/examples/first.py`" = "$printed"
+else
+    skip "example: first.py: no python3, or no -shared"
+fi
+
+# The README's times are rows of what make bench has written.
+sed -n '/^## How fast/,/^## Where/p' README.md | grep '^| [a-z].*[0-9]' |
+    grep -v '@FIG@' > build/times.txt
+while read -r row; do
+    one "the README's times: `echo "$row" | cut -d '|' -f 2,3`" \
+        grep -Fx "$row" test/results/bench.txt
+done < build/times.txt
 
 # ---- the command line program ----
 
@@ -564,21 +598,16 @@ else
     skip "threads: no OpenMP"
 fi
 
-# The README's Fortran program and its command line, exactly as printed there.
-# Its input: a plane grid of 9 x 11 points, of which every one of the 160
-# triangles makes a tetrahedron with the point off the plane.
-mkdir -p build/ten
-[ -d build/ten/f77 ] || ln -s ../../f77 build/ten/f77
-sed -n '/^```fortran$/,/^```$/p' README.md | sed '/^```/d' > build/ten/ten.f
-sed -n 's/^    \(gfortran .*\)/\1/p' README.md > build/ten/compile
-awk 'BEGIN { for (i = 0; i < 99; i++) print i % 9, int(i / 9), 0
-    print 3, 4, 5 }' > build/ten/points
-# ten NAME: run build/ten/a.out
-ten() {
-    build/ten/a.out < build/ten/points > build/ten/out 2>> $LOG
-    set -- "$1" `cat build/ten/out`
-    one "the README's Fortran program, $1" test "$2 $3" = "0 160"
-    rm -f build/ten/a.out
+# The README's FORTRAN program and its commands, exactly as printed there.
+fortran_readme() {
+    readme fortran first.f
+    one "the README's FORTRAN program: its commands" \
+        test `wc -l < build/readme/commands` -eq 2
+    set -- `(cd build/readme && sh -e commands) 2>> $LOG`
+    one "the README's FORTRAN program: prints what is said" \
+        grep -F "It prints \`$1 $2\`" README.md
+    one "the README's FORTRAN program: as the C program" \
+        grep -F "It prints \`code $1, $2 tetrahedra\`" README.md
 }
 
 # FORTRAN programs that tell by their text whether all is well.
@@ -710,11 +739,7 @@ if command -v gfortran > /dev/null; then
         build/partsf > build/partsf.out 2>> $LOG
         one "example: parts.f $omp" cmp test/examples/parts.out build/partsf.out
     done
-    (cd build/ten && sh -e compile) >> $LOG 2>&1
-    ten "as it says"
-    gfortran -o build/ten/a.out build/ten/ten.f build/ftess.o \
-        build/fhhpred.o -lm >> $LOG 2>&1
-    ten "C with -DTESS_FORTRAN"
+    fortran_readme
 else
     skip "the FORTRAN 77 half: no gfortran"
 fi

@@ -1735,11 +1735,13 @@ static void one_values(const result *r, const tess_real *q, tess_int nv,
                        const tess_int *start)
 {
     int keep = narrays, code, k, c, outer = 0;
-    tess_int *t = ints(PLACES), *u = ints(PLACES), i, j;
+    tess_int *t = ints(PLACES), *u = ints(PLACES), *one = ints(PLACES), i, j;
     double *value = (double *)array((size_t)(nv * r->n) * sizeof *value);
     double *out = (double *)array((size_t)(nv * PLACES) * sizeof *out);
     double *again = (double *)array((size_t)(nv * PLACES) * sizeof *out);
+    double *alone = (double *)array((size_t)(nv * PLACES) * sizeof *out);
     double w[4], sum, size;
+    int single[PLACES];
 
     for (i = 0; i < nv * r->n; i++) value[i] = 2.0 * rnd_unit() - 1.0;
     memcpy(t, start, PLACES * sizeof *t);
@@ -1750,11 +1752,22 @@ static void one_values(const result *r, const tess_real *q, tess_int nv,
     /* given back */
     require(tess_values(r->p, r->ntet, r->tet, r->adj, nv, value, PLACES, q, u,
                         again) == code, "tess_values' code from its own t");
+    /* one at a time */
+    memcpy(one, start, PLACES * sizeof *one);
+    for (i = 0; i < PLACES; i++) {
+        if (i > 0 && one[i] == TESS_NONE) one[i] = one[i - 1];
+        single[i] = tess_values(r->p, r->ntet, r->tet, r->adj, nv, value, 1,
+                                q + 3 * i, one + i, alone + nv * i);
+    }
+    require(memcmp(one, t, PLACES * sizeof *t) == 0 &&
+                memcmp(alone, out, (size_t)(nv * PLACES) * sizeof *out) == 0,
+            "tess_values' t or values one at a time");
     for (i = 0; i < PLACES; i++) {
         tess_int s = i % 2 ? TESS_NONE : (tess_int)rnd_below((int)r->ntet);
 
         c = tess_locate(r->p, r->ntet, r->tet, r->adj, q + 3 * i, &s, w);
         if (c == 1) outer = 1;
+        require(single[i] == c, "tess_values' code one at a time");
         if (c == 0) require(t[i] == s && u[i] == s, "tess_values' t");
         for (k = 0; k < 4 && c == 1; k++)
             require(w[k] == 0.0 ||
