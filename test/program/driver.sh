@@ -587,7 +587,7 @@ yes "make bench FAMILY=nosuch: the families" grep -w globe words > /dev/null
 (cd "$TOP" && make bench FAMILY=no/such CC="$CC" CFLAGS=-O0) > said 2> words
 yes "make bench FAMILY=no/such: an error" test $? -ne 0
 (cd "$TOP" && PEERS= REPEATS=1 SIZES="50 100" FAMILY=prism CFLAGS=-O0 \
-    sh test/bench.sh) > said 2> words
+    sh test/bench/bench.sh) > said 2> words
 yes "make bench: a family's rows" test `grep -c '^| prism | [0-9]* | [0-9]* |' \
     said` -eq 2
 yes "make bench: the load is said" grep '^Load average: [0-9.]* before, at most [0-9.]* ' \
