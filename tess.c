@@ -1601,7 +1601,9 @@ static void refine(const mesh *m, quest *f)
     int k;
 
     COUNT(N_BALL, 1);
-    if (!hh_centre(&m->set, f->v, f->base, f->best, c, &f->t)) return;
+    if (f->f[9] == DBL_MAX ||
+        !hh_centre(&m->set, f->v, f->base, f->best, c, &f->t))
+        return;
     f->limbs = f->ball = 1;
     f->turn++;
     for (k = 0; k < 3; k++) f->c[k] = c[k];

@@ -2043,10 +2043,12 @@ C     roundings of three products and two sums, 5 EPS |C|_1.
       PARAMETER (RSCALE = 5, QBEST = 1, QLIMBS = 2, QBALL = 3)
       PARAMETER (QBASE = 4, QTURN = 7, QLO = 1, QHI = 2, QC = 2)
       PARAMETER (QDC = 6, QSIZE = 7, QLIMB = 7)
-      DOUBLE PRECISION EPS, LOOSE
+      DOUBLE PRECISION EPS, HUGE, LOOSE
       PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION C(3), ERR, L
       INTEGER K, OK, SE
+      IF (F(10) .GE. HUGE) RETURN
       SE = INT(RCTL(RSCALE))
       CALL HHCENT(P, ORD, SE, V, IQ(QBASE), IQ(QBEST), C, FQ, QLIMB, OK)
       IF (OK .EQ. 0) RETURN
