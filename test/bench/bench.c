@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <time.h>
 #include "../points.h"
-#include "../../tess.h"
+#include "../fortran/f77.h"
 
 #ifdef TESS_COUNT
 double tess_count[16];
@@ -24,12 +24,6 @@ double tess_count[16];
 
 #ifdef BENCH_F77
 #define NAME "f77"
-extern void TESS_NAME(tess, TESS)(const tess_int *n, const double *p,
-                                  const tess_int *maxtet, tess_int *ntet,
-                                  tess_int *tet, tess_int *adj,
-                                  const tess_int *liw, tess_int *iw,
-                                  const tess_int *lrw, double *rw,
-                                  tess_int *info);
 
 static int run_tess(tess_int n, const double *p, tess_int maxtet,
                     tess_int *ntet, tess_int *tet, tess_int *adj,
@@ -37,8 +31,7 @@ static int run_tess(tess_int n, const double *p, tess_int maxtet,
 {
     tess_int info;
 
-    TESS_NAME(tess, TESS)(&n, p, &maxtet, ntet, tet, adj, &liw, iw, &lrw, rw,
-                          &info);
+    tess_(&n, p, &maxtet, ntet, tet, adj, &liw, iw, &lrw, rw, &info);
     return (int)info;
 }
 #else

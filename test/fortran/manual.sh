@@ -21,6 +21,10 @@ a time may call.
     TESSVA   linear interpolation at many points
     TESSHU   the boundary triangles
     TESSCH   an exact proof of a result
+    TESSIX   the sorted points and their tree
+    TESSQU   the tetrahedron that holds a point, without the mesh
+    TESSPA   a part of the mesh: the tetrahedra about some of the points
+    TESSBA   the ball of four points
     HHFACE, HHSIDE, HHOPP, HHLCOO, HHWRAP
              facets in Householder floating point
     HHORIE, HHINSP
@@ -83,8 +87,7 @@ tess.f and hhpred.f stay as they are.
 
 Integers of 8 bytes. gfortran -fdefault-integer-8 (ifort -i8) for all files
 alike makes every INTEGER here one of 8 bytes; nothing else changes. Limits stay
-those of 4 bytes: 4*MAXTET + 3 at most 2147483647. The C half, for the same callers:
-cc -DTESS_FORTRAN -DTESS_INT=long.
+those of 4 bytes: 4*MAXTET + 3 at most 2147483647.
 
 Warnings. With -std=f2018 gfortran calls labelled DO and EQUIVALENCE
 obsolescent, which they are; nothing is wrong. Compile these two files with
@@ -93,8 +96,8 @@ obsolescent, which they are; nothing is wrong. Compile these two files with
 Fewer limbs: HHLIM = 88 in both files, for coordinates of any magnitude; see
 HH_LIMBS in ../hhpred.h.
 
-The C half. ../tess.c and ../hhpred.c compiled with -DTESS_FORTRAN offer the
-same names with the same arguments; no CALL changes.
+C. A C program may call these entries, and a Fortran 2003 program the C half:
+../test/examples/fortran.c and fortran.f90.
 
 END
 for entry in TESSWK TESS TESSRE `sed -n 's/^C     \(TESS[A-Z]*\) - .*/\1/p' \

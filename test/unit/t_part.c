@@ -587,8 +587,9 @@ static int slot_of(const tess_int *v, tess_int i)
 /* tess_query of q from v, against tess_locate; 1 when q is inside. */
 static int query(const whole *m, const double *at, tess_int *v)
 {
-    static const tess_int none[4] = { -1, -1, -1, -1 };
-    static const tess_int alone[4] = { 0, 1, 2, 3 };
+    /* not const: shim.c counts them from 1, and back */
+    static tess_int none[4] = { -1, -1, -1, -1 };
+    static tess_int alone[4] = { 0, 1, 2, 3 };
     static const int facet[4][3] = { {1,2,3}, {0,3,2}, {0,1,3}, {0,2,1} };
     tess_int t = TESS_NONE, j;
     tess_real q[3], p[12];
@@ -993,12 +994,14 @@ static void test_codes(void)
         iw = ints(liw);
         rw = (double *)array((size_t)lrw * sizeof *rw);
         mine = ints(4);
-        for (i = 0; i < 4; i++) mine[i] = 0;
+        tet = ints(4);
+        adj = ints(4);
+        for (i = 0; i < 4; i++) mine[i] = tet[i] = adj[i] = 0;
         ntet = n == 4;
         v[0] = TESS_NONE;
         require(tess_index(n, f, liw, iw, lrw, rw) == expected, "flat");
         require(tess_query(n, f, iw, rw, q, v, w) == expected, "flat query");
-        require(tess_part(n, f, mine, 1, &ntet, mine, mine, liw, iw, lrw,
+        require(tess_part(n, f, mine, 1, &ntet, tet, adj, liw, iw, lrw,
                           rw) == expected && ntet == 0, "flat part");
     }
     release(0);
