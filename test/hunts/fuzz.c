@@ -1,4 +1,4 @@
-/* fuzz.c - bytes as points: tess beside the definition, for libFuzzer.
+/* fuzz.c - bytes as points: tess, verified, for libFuzzer.
  *
  *     clang -fsanitize=fuzzer,address,undefined ... test/hunts/fuzz.c
  *
@@ -7,7 +7,7 @@
  * one, so that a sanitizer sees an access outside of them.  Stops at the first
  * fault.
  */
-#include "../proof/define.h"
+#include "../proof/verify.h"
 #include "../proof/exact.h"
 #include "hard.h"
 
@@ -16,7 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The definition takes time n^5; 8 points have at most 20 tetrahedra. */
+/* 8 points have at most 20 tetrahedra. */
 #define MOST 8
 #define MAXTET 20
 
@@ -173,7 +173,6 @@ static void location(tess_int ntet, const tess_int *tet, const tess_int *adj)
 
 int LLVMFuzzerTestOneInput(const unsigned char *bytes, size_t size)
 {
-    static truth expected;
     tess_int liw, lrw, ntet, *tet, *adj, *iw, bad, least = 1;
     double *rw;
     const char *what;
@@ -192,14 +191,13 @@ int LLVMFuzzerTestOneInput(const unsigned char *bytes, size_t size)
             if (!(fabs(p[i][k]) <= DBL_MAX)) p[i][k] = 0.0;
             point[3 * i + k] = (tess_real)p[i][k];
         }
-    define(&expected, n, p);
     if (tess_size((tess_int)n, MAXTET, &liw, &lrw) != 0) stop("tess_size");
     tet = room(4 * MAXTET, sizeof *tet);
     adj = room(4 * MAXTET, sizeof *adj);
     iw = room(liw, sizeof *iw);
     rw = room(lrw, sizeof *rw);
     code = tess((tess_int)n, point, MAXTET, &ntet, tet, adj, liw, iw, lrw, rw);
-    what = differs(&expected, p, code, ntet, tet, adj, iw);
+    what = verify((tess_int)n, point, code, ntet, tet, adj, iw);
     if (what) stop(what);
     free(iw);
     iw = room(2 * (tess_int)n, sizeof *iw);

@@ -44,7 +44,7 @@ have() {
 # harness TAG DEFINITIONS: its objects, H says which; compiled once
 harness() {
     H=
-    for c in hunts/torture hunts/hard proof/define proof/exact proof/prove; do
+    for c in hunts/torture hunts/hard proof/verify proof/exact; do
         f=`basename $c`
         o=$DIR/$1-$f.o
         H="$H $o"
@@ -167,7 +167,7 @@ fuzz() {
     shift
     # truth and proofs take their time: they are left as they are
     harness h ""
-    M="$DIR/h-hard.o $DIR/h-define.o $DIR/h-exact.o"
+    M="$DIR/h-hard.o $DIR/h-verify.o $DIR/h-exact.o"
     if [ -z "$CHECK" ] && clang $SAN -fsanitize=fuzzer -o $DIR/$name \
         test/hunts/$name.c tess.c hhpred.c $M $LIBS >> $LOG 2>&1; then
         mkdir -p $DIR/$name.corpus
