@@ -8,10 +8,11 @@
 # make certify     the same for the bounds of the search alone: TIME, SEED
 # make coverage    which lines of the library the tests run (gcov)
 # make mutation    which changes of it they notice: sh test/hunts/mutate.sh
-# make bench       the timings; FAMILY=globe of these points alone, SIZES=all of
-#                  large sets, too; test/bench/bench.sh says more
+# make bench       the timings: test/results/bench.txt; FAMILY=globe of these
+#                  points alone, SIZES=all of large sets, too;
+#                  test/bench/bench.sh says more
 # make paper       the experiments of the paper: test/paper/results.txt
-# make reach       other machines and compilers: the README's tables
+# make reach       other machines and compilers: test/results/reach.txt
 # make manual      write f77/README anew, from f77/tess.f and hhpred.f
 # make mirror      write test/data/mirror.xyz anew
 # make clean       remove build/

@@ -206,7 +206,7 @@ symbols() {
     one "unique in six characters" sh -c \
         "! cut -c1-6 build/names.txt | tr A-Z a-z | sort | uniq -d | grep ."
     sed -n '/^```c$/,/^```$/p' README.md |
-        sed '/^```/d;s/double p/tess_real p/;s/scanf.* == 3/n < 1/' \
+        sed '/^```/d;s/double p/tess_real p/;s/sscanf.* == 3/n < 1/' \
             > build/caller.c
     mismatch -DTESS_INT=long
     [ -z "$ALL" ] && return
@@ -335,31 +335,63 @@ examples() {
             fail "example: $example does not compile"
         fi
     done
-    if ! command -v python3 > /dev/null; then
-        skip "example: python.py: no python3"
-    elif build libtess.so "$CC" "-O2 -shared -fPIC" $LIBRARY; then
-        one "example: python.py" sh -c "python3 test/examples/python.py \
-            build/libtess.so | cmp - test/examples/python.out"
-    else
-        skip "example: python.py: no -shared -fPIC"
-    fi
 }
 
-# The README's C program: its input a plane grid of 9 x 11 points, of which
-# every one of the 160 triangles makes a tetrahedron with the point off it.
+# The README's programs and their commands, exactly as printed there, on the data
+# that are there; what it says they print is what build/tess proves.
+# printed LANGUAGE FILE: the program, and what is printed below it as commands,
+# into build/readme; they are run, and what they print is in $PRINTED
+printed() {
+    mkdir -p build/readme
+    for f in tess.c tess.h hhpred.c hhpred.h f77 test; do
+        [ -e build/readme/$f ] || ln -s ../../$f build/readme
+    done
+    sed -n '/^```'$1'$/,/^```$/p' README.md | sed '/^```/d' > build/readme/$2
+    awk -v language=$1 '
+        $0 == "```" language { at = 1 }
+        at == 1 && $0 == "```" { at = 2; next }
+        at == 2 && /^    / { print }
+        at == 2 && /^[^ ]/ { exit }' README.md > build/readme/commands
+    one "the README's $2: its commands" \
+        test `wc -l < build/readme/commands` -eq 2
+    PRINTED=`(cd build/readme && sh -e commands) 2>> $LOG`
+    # (as words: FORTRAN begins a line with a blank)
+    file=$2
+    set -- $PRINTED
+    one "the README's $file: prints what is said" grep -F "It prints \`$*\`" \
+        README.md
+}
+
 readme() {
     one "the README's table of sizes" sh -c \
         "grep '^| [0-9]* | [0-9]* | [0-9]* | [0-9]* | [0-9]* |$' README.md > \
-        build/table.txt; build/units/usual/t_size -table | cmp - build/table.txt"
-    awk 'BEGIN { for (i = 0; i < 99; i++) print i % 9, int(i / 9), 0
-        print 3, 4, 5 }' > build/points.txt
-    sed -n '/^```c$/,/^```$/p' README.md | sed '/^```/d' > build/readme.c
-    if build readme "$CC" "$CFLAGS -I." build/readme.c $LIBRARY; then
-        one "the README's C program" sh -c \
-            'test "`build/readme < build/points.txt`" = "code 0, 160 tetrahedra"'
+        build/table.txt
+        build/units/usual/t_size -table | cmp - build/table.txt"
+    printed c first.c
+    if [ -x build/tess ]; then
+        count=`build/tess -check test/data/mirror.xyz |
+            sed -n 's/^tetrahedra *//p'`
+        one "the README's first.c: what build/tess proves" \
+            test "$PRINTED" = "code 0, $count tetrahedra"
     else
-        fail "the README's C program does not compile"
+        skip "the README's first.c: no build/tess to compare with"
     fi
+    if ! command -v ${PYTHON:-python3} > /dev/null; then
+        skip "example: first.py: no python3"
+    elif $CC -O2 -shared -fPIC -o build/readme/libtess.so $LIBRARY $LIBS \
+        2>> $LOG; then
+        one "example: first.py" test "`cd build/readme &&
+            ${PYTHON:-python3} test/examples/first.py`" = "$PRINTED"
+    else
+        skip "example: first.py: no -shared -fPIC"
+    fi
+    # the README's times are rows of what make bench has written
+    sed -n '/^## How fast/,/^## Where/p' README.md | grep '^| [a-z].*[0-9]' |
+        grep -v '@FIG@' > build/times.txt
+    while read -r row; do
+        one "the README's times: `echo "$row" | cut -d '|' -f 2,3`" \
+            grep -Fx "$row" test/results/bench.txt
+    done < build/times.txt
 }
 
 # ---- points spread over processes ----
@@ -629,23 +661,6 @@ interface() {
     one "f77/README's program, $1" test "`build/grid`" = " 14.5000"
 }
 
-# The README's Fortran program and its command line, exactly as printed there.
-# Its input: a plane grid of 9 x 11 points, of which every one of the 160
-# triangles makes a tetrahedron with the point off the plane.
-ten() {
-    mkdir -p build/ten
-    rm -f build/ten/a.out
-    [ -d build/ten/f77 ] || ln -s ../../f77 build/ten/f77
-    sed -n '/^```fortran$/,/^```$/p' README.md | sed '/^```/d' \
-        > build/ten/ten.f
-    sed -n 's/^    \(gfortran .*\)/\1/p' README.md > build/ten/compile
-    (cd build/ten && sh -e compile) >> $LOG 2>&1
-    awk 'BEGIN { for (i = 0; i < 99; i++) print i % 9, int(i / 9), 0
-        print 3, 4, 5 }' | build/ten/a.out > build/ten/out 2>> $LOG
-    set -- `cat build/ten/out`
-    one "the README's Fortran program" test "$1 $2" = "0 160"
-}
-
 # mixed: a C program that calls the FORTRAN half, and the reverse
 mixed() {
     one "example: fortran.c" sh -c "$CC -O2 -c -o build/mixed.o \
@@ -709,7 +724,10 @@ halves() {
         programs "gfortran -fcheck=all" "-std=legacy -O1 -fcheck=all"
         interface "gfortran -fcheck=all"
         mixed
-        ten
+        printed fortran first.f
+        set -- $PRINTED
+        one "the README's first.f: as the C program" \
+            grep -F "It prints \`code $1, $2 tetrahedra\`" README.md
     fi
     [ -z "$ALL" ] && return
     if command -v gfortran > /dev/null; then

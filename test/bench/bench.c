@@ -1,4 +1,5 @@
 /* bench.c - bench FAMILY N [REPEATS] [SEED]: the time and memory of tess.
+ *           bench -list: the names of the families.
  *
  * Prints one line:
  *   tess FAMILY n ntet seconds ns/tet workspace-bytes/point
@@ -14,6 +15,7 @@
  */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 #include "../points.h"
 #include "../fortran/f77.h"
@@ -70,6 +72,11 @@ int main(int argc, char **argv)
     int i;
 #endif
 
+    if (argc == 2 && strcmp(argv[1], "-list") == 0) {
+        for (asked = 0; points_name((int)asked); asked++)
+            printf("%s\n", points_name((int)asked));
+        return 0;
+    }
     asked = argc > 2 ? atol(argv[2]) : 0;
     if (asked < 1 || asked > MOST) {
         fprintf(stderr, "usage: bench FAMILY N [REPEATS] [SEED]\n");

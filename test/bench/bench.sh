@@ -6,8 +6,10 @@
 # that the ratios hold where the nanoseconds do not.  Prints tables in
 # markdown: times and memory of clouds; times of the data that people have,
 # most of them near planes, spheres and other surfaces; counts; location; parts.
-# Raw lines, as bench.c describes them, go to standard error and to
-# build/bench.txt, each after its table's name and the number asked for.
+# A run of all families that comes to its end writes them to
+# test/results/bench.txt, too; the README's figures are from there.  Raw lines,
+# as bench.c describes them, go to standard error and to build/bench.txt, each
+# after its table's name and the number asked for.
 #
 # From the environment:
 #   FAMILY    only these families of points.h, or files of points with a / in
@@ -82,6 +84,23 @@ for family in $SCANS; do
     rows="$rows
 data $family f77,cgal $(grep -c . "$family")"
 done
+# shellcheck disable=SC2086
+$CC $CFLAGS -o build/bench_tess test/bench/bench.c test/points.c tess.c \
+    hhpred.c -lm || exit 1
+for family in $FAMILY $SCANS; do
+    case $family in
+    */*) [ -r "$family" ] && continue
+        echo "bench: cannot read $family" >&2
+        exit 2 ;;
+    esac
+    build/bench_tess -list | grep -x -e "$family" >/dev/null && continue
+    echo "bench: no family $family; a file's name has a /, and these are" \
+        "families:" >&2
+    build/bench_tess -list | tr '\n' ' ' | fold -s -w 78 >&2
+    echo >&2
+    exit 2
+done
+
 if [ -n "$FAMILY" ]; then
     all=$rows
     rows=
@@ -94,9 +113,6 @@ ${row:-data $family f77,cgal $some}"
     done
 fi
 
-# shellcheck disable=SC2086
-$CC $CFLAGS -o build/bench_tess test/bench/bench.c test/points.c tess.c \
-    hhpred.c -lm || exit 1
 # shellcheck disable=SC2086
 $CC $CFLAGS -DTESS_COUNT -o build/bench_count test/bench/bench.c \
     test/points.c tess.c hhpred.c -lm || exit 1
@@ -151,6 +167,12 @@ for name in $PEERS; do
     esac
 done
 
+# The load average of the last minute: before, and at most in between, when
+# it is about 1 of this run's own.
+load() { uptime | sed 's/.*averages*: *//; s/[, ].*//'; }
+before=$(load)
+load >build/bench_load.txt
+
 # run TABLE FAMILY SIZE PROGRAM: one line of bench.txt.  What took 4 seconds is
 # not run again; what was cut is taken for cut with more points, too.
 run() {
@@ -188,6 +210,7 @@ echo "$rows" | while read -r table family peers sizes; do
     *) sizes=$SIZES ;;
     esac
     for size in $sizes; do
+        load >>build/bench_load.txt
         round=0
         while [ $round -lt "$REPEATS" ]; do
             for program in $programs; do
@@ -206,8 +229,18 @@ echo "$rows" | while read -r table family peers sizes; do
 done
 rm -f build/bench.out build/bench_probe.*
 
-echo "$(uname -sm), $($CC --version 2>/dev/null | head -n 1), $CFLAGS;" \
-    "the fastest of $REPEATS"
+rm -f build/bench_whole
+(
+echo "Written by: make bench${SIZES:+ SIZES=\"$SIZES\"}"
+echo "Machine: $(uname -sm), $(getconf _NPROCESSORS_ONLN 2>/dev/null)" \
+    "processors,$(sed -n 's/^model name[^:]*:/ /p' /proc/cpuinfo 2>/dev/null |
+        head -n 1 | tr -s ' ')"
+for compiler in "$CC" "$FC" "$CXX"; do
+    $compiler --version 2>/dev/null | head -n 1
+done
+echo "Options: $CFLAGS, FORTRAN $FFLAGS, peers -O3; the fastest of $REPEATS runs"
+echo "Load average: $before before, at most" \
+    "$(sort -n build/bench_load.txt | tail -n 1) while it ran (1 is its own)"
 awk -v limit="$LIMIT" '
 BEGIN {
     shown["tess"] = "tess"
@@ -287,6 +320,28 @@ function times(which,   i, k, head) {
         print head
     }
 }
+# the rows that the README takes from here
+function few(   i, k, at, head, first) {
+    first = 1
+    for (i = 1; i <= rows; i++) {
+        key = order[i]
+        name = family[key]
+        sub(".*/", "", name)
+        if (!index(" uniform:100000 clusters:100000 lattice:97336 " \
+            "gridrot:27000 globe:30000 rotcube:30000 bumps:30000 " \
+            "mirror.xyz:3600 ", " " name ":" points[key] " ")) continue
+        if (first) {
+            print "\nThe rows of the README\n"
+            heading("| points | n | tetrahedra | tess | FORTRAN/tess |" \
+                " tess/CGAL |")
+            first = 0
+        }
+        at = key " tess"
+        print "| " name " | " points[key] " | " tetrahedra[key] " | " \
+            value(at, time, "%.0f") " |" ratio(key " f77", at) \
+            ratio(at, key " cgal")
+    }
+}
 function memory(which,   i, k, head) {
     heading("| points | n | tess, workspace alone |" programs(which))
     for (i = 1; i <= rows; i++) {
@@ -313,6 +368,7 @@ END {
             "\nsurfaces and curves, and of others that are hard\n"
         times("data")
     }
+    few()
 }' build/bench.txt
 
 # What does not depend on the machine's mood.
@@ -388,3 +444,13 @@ for size in $sizes; do
         print
     }'
 done
+touch build/bench_whole
+) >build/bench.md || exit 1
+cat build/bench.md
+case $SIZES in
+"" | all)
+    if [ -f build/bench_whole ]; then
+        mkdir -p test/results
+        cp build/bench.md test/results/bench.txt
+    fi ;;
+esac

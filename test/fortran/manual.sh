@@ -10,8 +10,8 @@ both with your program:
 
     gfortran -O3 -frecursive mine.f tess.f hhpred.f
 
--frecursive (f2c: -a) keeps local arrays on the stack; without it one thread at
-a time may call.
+-frecursive (f2c: -a) keeps local arrays on the stack; without it only one
+thread at a time may call.
 
     entry    what it does
     TESSWK   recommended lengths of the workspace
@@ -21,18 +21,18 @@ a time may call.
     TESSVA   linear interpolation at many points
     TESSHU   the boundary triangles
     TESSCH   an exact proof of a result
-    TESSIX   the sorted points and their tree
-    TESSQU   the tetrahedron that holds a point, without the mesh
-    TESSPA   a part of the mesh: the tetrahedra about some of the points
-    TESSBA   the ball of four points
+    TESSIX   the points sorted, for stars and queries without a mesh
+    TESSQU   the tetrahedron that holds a point, without a mesh
+    TESSPA   all tetrahedra that have one of certain vertices
+    TESSBA   the ball of a tetrahedron
     HHFACE, HHSIDE, HHOPP, HHLCOO, HHWRAP
              facets in Householder floating point
     HHORIE, HHINSP
              exact signs: side of a plane, inside of a ball
 
 Arrays. All coordinates, weights and workspace RW are DOUBLE PRECISION; a REAL
-array handed over gives nonsense, and no FORTRAN 77 compiler need say so (see
-tess.f90 below). P(3,N): point I is P(1,I), P(2,I), P(3,I). TET(4,*):
+array gives nonsense, and a FORTRAN 77 compiler need not notice (see tess.f90
+below). P(3,N): point I is P(1,I), P(2,I), P(3,I). TET(4,*):
 tetrahedron T has the points TET(1,T) ... TET(4,T), positively oriented.
 ADJ(K,T) is the tetrahedron across the facet opposite to TET(K,T), 0 on the
 hull, -1 for a facet still open in an unfinished result. Counting is from 1.
@@ -42,10 +42,11 @@ what TESSWK gives (beyond 28000 points LIW = 11*N + 226000 suffices):
 
       PARAMETER (MAXTET = 8*N, LIW = 19*N + 1800, LRW = 4*N + 12)
 
-INFO, the last argument: 0 done; 1 TET and ADJ are full, and 2 the pool in IW is
-full: what they hold is right, and TESSRE goes on with longer arrays; 3, 4, 5
-all points are in one plane, on one line, coincide: there is no tetrahedron;
-6 the arithmetic cannot hold the coordinates; -k the k-th argument is bad.
+INFO, the last argument: 0 done; 1 TET and ADJ are full, 2 the pool in IW is
+full: what TET and ADJ hold is right, and TESSRE goes on with longer arrays;
+3, 4, 5 all points lie in one plane, on one line, in one place: there is no
+tetrahedron; 6 the arithmetic cannot hold the coordinates; -k the k-th argument
+is bad.
 
 A complete program:
 
@@ -85,15 +86,17 @@ Fortran 90 and later. tess.f90 has interfaces of all entries:
 With them the compiler finds arguments of wrong type, kind, rank or number.
 tess.f and hhpred.f stay as they are.
 
-Integers of 8 bytes. gfortran -fdefault-integer-8 (ifort -i8) for all files
-alike makes every INTEGER here one of 8 bytes; nothing else changes. Limits stay
-those of 4 bytes: 4*MAXTET + 3 at most 2147483647.
+Integers of 8 bytes. Compile all files with gfortran -fdefault-integer-8
+(ifort -i8), and every INTEGER here has 8 bytes; nothing else changes. Limits
+stay those of 4 bytes: 4*MAXTET + 3 is at most 2147483647. If the caller alone
+is compiled so, INFO and NTET may look right, but TET and ADJ hold numbers
+beyond 2**32, two indices in each; the other way round INFO is negative.
 
 Warnings. With -std=f2018 gfortran calls labelled DO and EQUIVALENCE
-obsolescent, which they are; nothing is wrong. Compile these two files with
--std=legacy, or without -std: then there are none. (-w silences all.)
+obsolescent, which they are; nothing is wrong. Without -std, or with
+-std=legacy, there are no warnings.
 
-Fewer limbs: HHLIM = 88 in both files, for coordinates of any magnitude; see
+Fewer limbs. HHLIM = 88 in both files holds coordinates of any magnitude; see
 HH_LIMBS in ../hhpred.h.
 
 C. A C program may call these entries, and a Fortran 2003 program the C half:

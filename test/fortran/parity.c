@@ -381,15 +381,16 @@ static void beyond(int kind, tess_int n, const double *p, tess_int ntet,
 }
 
 /* values - two values at places on a line that begins and ends outside: in
- * order, from what was found, in another order. */
+ * order, from what was found, in another order; one at a time. */
 static void values(tess_int n, const double *p, tess_int ntet,
                    const tess_int *tet, const tess_int *adj)
 {
     enum { NQ = 24 };
     static double value[2 * MOST];
     tess_int t[NQ], t2[NQ], a[2 * NQ], b[2 * NQ], i, j, m, rows;
-    double c, d, out[2 * NQ], q[3 * NQ];
-    int k, code;
+    tess_int last;
+    double c, d, out[2 * NQ], q[3 * NQ], pair[2], w[4];
+    int k, code, code2;
 
     for (i = 0; i < n; i++) {
         value[2 * i] = (double)(i % 17);
@@ -417,6 +418,17 @@ static void values(tess_int n, const double *p, tess_int ntet,
             many("TESSVA", 2 * NQ, b);
             for (i = 0; i < 2 * NQ; i++) a[i] = b[i];
             for (i = 0; i < NQ; i++) t[i] = t2[i];
+            /* one at a time: each with its code, and as before */
+            last = TESS_NONE;
+            for (i = 0; i < NQ; i++) {
+                code2 = tess_values(p, ntet, tet, adj, 2, value, 1, q + 3 * i,
+                                    &last, pair);
+                if (last != t[i] || pair[0] != out[2 * i] ||
+                    pair[1] != out[2 * i + 1] ||
+                    tess_locate(p, ntet, tet, adj, q + 3 * i, &last, w) !=
+                        code2 || last != t[i])
+                    two("WRONG", i + 1, code2);
+            }
         }
         two("TESSVA", code, chksum(NQ, t2));
         rows = differ(2 * NQ, a, b);

@@ -443,7 +443,8 @@ C         differences of numbers that are wide apart are rounded
       END
 
 C     VALUES - two values at places on a line that begins and ends
-C     outside: in order, from what was found, in another order.
+C     outside: in order, from what was found, in another order; one at
+C     a time.
       SUBROUTINE VALUES(N, P, NTET, TET, ADJ)
       INTEGER N, NTET, TET(4,*), ADJ(4,*)
       DOUBLE PRECISION P(3,*)
@@ -451,7 +452,9 @@ C     outside: in order, from what was found, in another order.
       INTEGER MOST, NQ
       PARAMETER (MOST = 1000, NQ = 24)
       DOUBLE PRECISION C, D, OUT(2,NQ), Q(3,NQ), VALUE(2,MOST)
+      DOUBLE PRECISION PAIR(2), W(4)
       INTEGER A(2*NQ), B(2*NQ), I, INFO, J, K, M, ROWS, T(NQ), T2(NQ)
+      INTEGER CODE, INFO2, LAST
       DO 10 I = 1, N
         VALUE(1,I) = DBLE(MOD(I - 1, 17))
         VALUE(2,I) = P(1,I)
@@ -486,6 +489,21 @@ C     outside: in order, from what was found, in another order.
           DO 70 I = 1, NQ
             T(I) = T2(I)
    70     CONTINUE
+C         one at a time: each with its code, and as before
+          DO 75 I = 1, NQ
+            T2(I) = 0
+            IF (I .GT. 1) T2(I) = T2(I-1)
+            CALL TESSVA(P, NTET, TET, ADJ, 2, VALUE, 1, Q(1,I), T2(I),
+     $                  PAIR, INFO2)
+            LAST = T2(I)
+            ROWS = 0
+            IF (LAST .NE. T(I)) ROWS = 1
+            IF (PAIR(1) .NE. OUT(1,I)) ROWS = 1
+            IF (PAIR(2) .NE. OUT(2,I)) ROWS = 1
+            CALL TESSLO(P, NTET, TET, ADJ, Q(1,I), LAST, W, CODE)
+            IF (CODE .NE. INFO2 .OR. LAST .NE. T(I)) ROWS = 1
+            IF (ROWS .GT. 0) CALL WRTWO('WRONG', I, INFO2)
+   75     CONTINUE
         END IF
         CALL WRTWO('TESSVA', INFO, CHKSUM(NQ, T2))
         ROWS = DIFFER(2*NQ, A, B)

@@ -1,7 +1,6 @@
 #!/bin/sh
 # reach.sh - on which machines and compilers tess gives the same arrays, and
-# what it takes on small ones; writes the tables between the lines `reach' of
-# README.md.
+# what it takes on small ones; writes test/results/reach.txt.
 #
 # Run from the top directory: make reach.  Toolchains are Debian's; the packages
 # are named in .ci/run and below.  One that is missing is a row that says so.
@@ -211,24 +210,35 @@ machine_table() {
     fi
 }
 
-# ram: bytes of all arrays, for 7 n tetrahedra
+# ram: bytes of all arrays, p too, for 7 n tetrahedra, and without a mesh
 ram() {
-    echo "| n | double, int | float, int | float, short | AVR: long | AVR: short |"
-    echo "| ---: | ---: | ---: | ---: | ---: | ---: |"
+    echo "| n | double, int | float, int | float, short | AVR: long | AVR: short | no mesh: float, short | no mesh, AVR: short |"
+    echo "| ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |"
     for n in 50 100 200 500 1000; do
         printf '| %d ' $n
         for o in "" -DTESS_FLOAT "-DTESS_FLOAT -DTESS_INT=short" \
-            "-DTESS_FLOAT -DRW=4" "-DTESS_FLOAT -DTESS_INT=short -DRW=4"; do
+            "-DTESS_FLOAT -DRW=4" "-DTESS_FLOAT -DTESS_INT=short -DRW=4" \
+            "-DTESS_FLOAT -DTESS_INT=short -DQUERY" \
+            "-DTESS_FLOAT -DTESS_INT=short -DRW=4 -DQUERY"; do
             cat > $B/ram.c << END
 #include <stdio.h>
 #include "tess.h"
 #ifndef RW
 #define RW sizeof(double)
 #endif
+#ifdef QUERY /* as in sensor.c: what tess_index and tess_query need */
+#define TETS 0
+#define LIW (2 * $n + $n / 12 + 7)
+#define LRW (3 * $n + $n / 2 + 12)
+#else
+#define TETS (7 * $n)
+#define LIW TESS_LIW($n)
+#define LRW TESS_LRW($n)
+#endif
 int main(void)
 {
     printf("| %ld ", (long)(3 * $n * sizeof(tess_real) +
-        (56 * $n + TESS_LIW($n)) * sizeof(tess_int) + TESS_LRW($n) * RW));
+        (8 * TETS + LIW) * sizeof(tess_int) + LRW * RW));
     return 0;
 }
 END
@@ -258,15 +268,17 @@ limbs() {
 }
 
 {
-    sed '/^<!-- reach/,$d' README.md
-    echo '<!-- reach: written by make reach -->'
+    echo "Written by: make reach"
+    echo "Machine: `uname -sm`; the others are simulated"
+    for c in gcc clang qemu-m68k qemu-system-arm arm-none-eabi-gcc avr-gcc; do
+        have $c && $c --version | head -n 1
+    done
+    echo
+    echo "The same arrays everywhere: checksums, by cksum, of what programs write"
     echo
     machines > $B/machines.md
     cat $B/machines.md
     cat << 'END'
-
-(Checksums by cksum of what they write. Machines other than x86-64 are simulated
-by qemu; the compilers are Debian's.)
 
 Small machines: flash with -Os, of the library alone, in bytes; the stack on the
 longest path of calls (gcc -fcallgraph-info), and what is painted and then no
@@ -280,8 +292,9 @@ END
 
 `tess_check` and whatever else is not called is left out by
 `-ffunction-sections` and the linker's `--gc-sections`: the first column of flash
-against the second. Memory for the arrays, bytes, with 7 n tetrahedra, static
-and no more than that:
+against the second. Memory for all arrays, in bytes: p, iw, rw, and tet and adj of
+7 n tetrahedra; or without a mesh, for tess_index and tess_query alone, as in
+test/examples/sensor.c:
 
 END
     ram
@@ -291,13 +304,11 @@ Limbs that suffice, by trial of 20 sets of 60 random points each:
 
 END
     limbs
-    echo
-    echo '<!-- end of reach -->'
-    sed '1,/^<!-- end of reach/d' README.md
-} > $B/README.md
-[ $BAD = 0 ] && ! grep -F '**another**' $B/README.md > /dev/null &&
-    cp $B/README.md README.md
+} > $B/reach.txt
+[ $BAD = 0 ] && ! grep -F '**another**' $B/reach.txt > /dev/null &&
+    mkdir -p test/results && cp $B/reach.txt test/results
 code=$?
-cat $B/README.md | sed -n '/^<!-- reach/,/^<!-- end of reach/p'
-[ $code = 0 ] || echo "reach: not the same everywhere; README.md is as it was"
+cat $B/reach.txt
+[ $code = 0 ] ||
+    echo "reach: not the same everywhere; test/results/reach.txt is as it was"
 exit $code

@@ -50,7 +50,7 @@ static char keep[MAXTET]; /* what is drawn */
 static points in;
 static tess_int ntet;
 static int check, quiet, binary;
-static const char *output[5]; /* names: .node .ele .neigh .vtk .svg */
+static const char *output[6]; /* names: .node .ele .neigh .vtk .svg .face */
 static double alpha;          /* largest circumradius drawn; 0: any */
 static double view[2] = {-400.0, 0.0}; /* azimuth and elevation, if given */
 static time_t began;
@@ -69,13 +69,22 @@ static const char *const usage[] = {
     "  a count   before such lines, or Qhull's dimension and number",
     "  .xyz      of atoms: number, comment, lines `element x y z'",
     "  .node     TetGen's; .off, .ply (ASCII), .obj: the points; PDB: the atoms",
+    "  .stl      ASCII STL: the triangles' corners",
     "All further columns, attributes and markers are values, which go to the",
     "output; the picture shows the first.",
+    "",
+    "  -cols X,Y,Z       the columns that are x, y, z, by number, from 1, or by",
+    "                    name: -cols 2,3,4, -cols lon,lat,depth",
+    "  -cols X,Y,Z,V...  and those that are values; without V all others are",
+    "  -skip     drop rows from which a number is missing: an empty cell, NA,",
+    "            N/A, NaN, null, none, - or --; how many is said",
     "",
     "  -check    prove the result, by exact arithmetic",
     "  -node F   write points, TetGen format",
     "  -ele F    write tetrahedra, TetGen format",
     "  -neigh F  write neighbours, TetGen format",
+    "  -face F   write the hull's triangles, seen counter-clockwise from outside:",
+    "            as OBJ if F ends in .obj, else in TetGen's .face format",
     "  -vtk F    write all as a VTK unstructured grid (legacy, ASCII)",
     "  -binary   let that be binary: faster, half as long, exact",
     "  -svg F    write a picture: cut open; or moved apart if they are few",
@@ -138,7 +147,7 @@ void say(const char *format, ...)
     va_list list;
 
     if (quiet ||
-        ((double)in.n < LONG_RUN && difftime(time((time_t *)0), began) < 1.0))
+        ((double)in.n < LONG_RUN && difftime(time((time_t *)0), began) < 2.0))
         return;
     va_start(list, format);
     complain(format, list);
@@ -229,6 +238,37 @@ static void write_four(const char *name, const char *head, const tess_int *four)
                                       ? -1L
                                       : (long)(four[4 * t + k] + in.base));
         fprintf(file, "\n");
+    }
+    finish(file, name);
+}
+
+/* write_face - the hull's triangles: TetGen's .face, whose points are those of
+ * .node; or OBJ, with the hull's points alone.  A hull of n points has 2 n - 4
+ * triangles at most, so that they and a number for each point fit into iw. */
+static void write_face(const char *name)
+{
+    static const char suffix[] = ".obj";
+    size_t length = strlen(name);
+    int obj = length >= 4 && strcmp(name + length - 4, suffix) == 0;
+    FILE *file = start(name, "w");
+    tess_int *place = iw, *fac = iw + in.n, nfac = 0, many = 0, i;
+
+    tess_hull(ntet, tet, adj, (fit(MAXIW) - in.n) / 3, &nfac, fac);
+    if (!obj) fprintf(file, "%ld 0\n", (long)nfac);
+    for (i = 0; i < in.n; i++) place[i] = obj ? 0 : i + in.base;
+    for (i = 0; obj && i < 3 * nfac; i++)
+        if (place[fac[i]] == 0) {
+            place[fac[i]] = ++many;
+            fprintf(file, "v ");
+            put_coordinates(file, fac[i], '\n');
+        }
+    for (i = 0; i < nfac; i++) {
+        if (obj)
+            fprintf(file, "f");
+        else
+            fprintf(file, "%ld", (long)(i + in.base));
+        fprintf(file, " %ld %ld %ld\n", (long)place[fac[3 * i]],
+                (long)place[fac[3 * i + 1]], (long)place[fac[3 * i + 2]]);
     }
     finish(file, name);
 }
@@ -418,7 +458,8 @@ static void explain(int code, tess_int maxtet, tess_int liw)
                   (long)in.n, 4 * (long)fit(MAXPTS));
         break;
     case -2:
-        fail("%s, line %ld: point %ld has a coordinate that is not finite",
+        fail("%s, line %ld: point %ld has a coordinate that is not finite "
+             "(-skip drops a NaN)",
              in.input, line_of[ntet], (long)(ntet + in.base));
         break;
     default:
@@ -487,16 +528,16 @@ static int prove(void)
 /* options - read the command line; returns the name of the input or 0. */
 static const char *options(int argc, char **argv)
 {
-    static const char *const option[5] = {"-node", "-ele", "-neigh", "-vtk",
-                                          "-svg"};
+    static const char *const option[6] = {"-node", "-ele", "-neigh",
+                                          "-vtk",  "-svg", "-face"};
     static char made[4][NAME];
     const char *name = 0, *word;
     char *end;
-    int a, k;
+    int a, k, commas = 0;
 
     for (a = 1; a < argc; a++) {
         word = argv[a];
-        for (k = 0; k < 5 && strcmp(word, option[k]) != 0; k++) continue;
+        for (k = 0; k < 6 && strcmp(word, option[k]) != 0; k++) continue;
         if (strcmp(word, "-alpha") == 0) {
             if (++a < argc) alpha = strtod(argv[a], &end);
             if (a == argc || *end || !(alpha > 0.0))
@@ -509,9 +550,15 @@ static const char *options(int argc, char **argv)
                     !(view[k] <= 360.0))
                     fail("-view needs two angles (tess -h helps)");
             }
-        } else if (k < 5 || strcmp(word, "-o") == 0) {
+        } else if (strcmp(word, "-cols") == 0) {
+            for (k = 0; a + 1 < argc && argv[a + 1][k]; k++)
+                commas += argv[a + 1][k] == ',';
+            if (++a == argc || commas < 2)
+                fail("-cols needs three columns, as 2,3,4 (tess -h helps)");
+            in.cols = argv[a];
+        } else if (k < 6 || strcmp(word, "-o") == 0) {
             if (++a == argc) fail("%s needs a name (tess -h helps)", word);
-            if (k < 5) {
+            if (k < 6) {
                 output[k] = argv[a];
                 continue;
             }
@@ -524,6 +571,8 @@ static const char *options(int argc, char **argv)
             check = 1;
         } else if (strcmp(word, "-binary") == 0) {
             binary = 1;
+        } else if (strcmp(word, "-skip") == 0) {
+            in.skip = 1;
         } else if (strcmp(word, "-q") == 0) {
             quiet = 1;
         } else if (strcmp(word, "-h") == 0) {
@@ -540,10 +589,10 @@ static const char *options(int argc, char **argv)
             name = word;
         }
     }
-    for (k = 0; k < 5; k++)
+    for (k = 0; k < 6; k++)
         if (name && output[k] && strcmp(name, output[k]) == 0)
             fail("%s: would overwrite the input", name);
-    for (k = 1; k < 5; k++)
+    for (k = 1; k < 6; k++)
         for (a = 0; a < k; a++)
             if (output[a] && output[k] && strcmp(output[a], output[k]) == 0)
                 fail("%s: the name of two outputs", output[k]);
@@ -637,6 +686,7 @@ int main(int argc, char **argv)
     if (output[2]) write_four(output[2], "4", adj);
     if (output[3]) write_vtk(output[3]);
     if (output[4]) write_svg(output[4]);
+    if (output[5]) write_face(output[5]);
     if (fflush(stdout) || ferror(stdout)) fail("standard output: write error");
     return status;
 }

@@ -20,6 +20,8 @@ typedef struct points {
     char name[COLUMNS][TITLE]; /* of the values */
     int marker;               /* 1: the last value is a .node file's marker */
     tess_int base;            /* number of the first point in files */
+    const char *cols; /* columns asked for, x, y, z first; 0: by the file */
+    int skip;         /* drop rows from which numbers are missing */
 } points;
 
 /* read_points - read the file into *a; leaves the program with a message when
@@ -37,7 +39,7 @@ void too_small(const char *format, ...);
 void warn(const char *format, ...);
 
 /* say - tell on stderr what a long run is doing: when there are many points,
- * or the program has run for a second. */
+ * or the program has run for a second or two. */
 void say(const char *format, ...);
 
 #endif

@@ -35,16 +35,29 @@ END
 awk 'NR == 1 { print "5 3 1 0" } NR > 1 { print $0, 10 * $1 }' none > one
 awk 'NR == 1 { print "5 3 2 0" } NR > 1 { print $0, 10 * $1, 0.5 + $1 }' \
     none > two
+awk 'NR == 1 { print "5 3 2 0" }
+    NR > 1 { print NR - 2, NR - 1, $2, $3, $4, 10 * $1 }' none > wrong
 awk 'NR == 1 { print "5 3 2 1" } NR > 1 { print $0, 10 * $1, 0.5 + $1, $1 % 2 }
     ' none > marked
 
+cat > corners << END
+6 3 0 0
+0 0 0 0
+1 1 0 0
+2 0 1.5 0
+3 0 0 0
+4 0 0 -2
+5 0.134 0.25 -0.5
+END
+
 # reads EXPECTED FILE [WORDS]: FILE (standard input when it is -) holds the
-# points of EXPECTED; standard error says WORDS, or nothing
+# points of EXPECTED; standard error says WORDS, or nothing.  OPTIONS are tess's.
+OPTIONS=
 reads() {
     cat > input
     [ "$2" = - ] || cp input "$2"
     rm -f out.node
-    $TESS -node out.node "$2" < input > said 2> words
+    $TESS $OPTIONS -node out.node "$2" < input > said 2> words
     if [ $? -ne 0 ] || ! cmp -s "$1" out.node; then
         fail "$2 ($3): `cat words`"
     elif [ -n "$3" ] && ! grep -e "$3" words > /dev/null; then
@@ -60,7 +73,7 @@ reads() {
 refuses() {
     cat > "$1"
     rm -f out.node
-    $TESS -node out.node "$1" > said 2> words
+    $TESS $OPTIONS -node out.node "$1" > said 2> words
     code=$?
     if [ $code -ne 2 ] || [ -f out.node ]; then
         fail "$1 ($2) is not refused: code $code"
@@ -163,6 +176,109 @@ printf '0,13,0,84,0,5\n1,13,0,84,0,5\n' > commas.csv
 $TESS commas.csv > said 2> words
 yes "commas alone: a warning" grep 'if commas are decimal' words > /dev/null
 
+# ---- x, y, z elsewhere: -cols; a first column that numbers ----
+
+reads wrong numbers.txt "column 1 is 1, 2, 3, ... and was taken for x" << END
+1 0 0 0 0
+2 1 0 0 10
+3 0 1.5 0 20
+4 0 0 -2 30
+5 0.134 0.25 -0.5 40
+END
+awk 'NR == 1 { print "5 3 2 0" } NR > 1 { print $0, NR - 1, 10 * $1 }' none \
+    > numbered
+OPTIONS="-cols 2,3,4"
+reads numbered chosen.txt < numbers.txt
+cat > ocean.csv << END
+time,Lat,lon,depth (m),temp,note
+1,0,0,0,0,a
+2,0,1,0,10,b
+3,1.5,0,0,20,c
+4,0,0,-2,30,d
+5,0.25,0.134,-0.5,40,e
+END
+OPTIONS="-cols 3,2,4"
+reads numbered columns.csv < ocean.csv
+OPTIONS="-cols lon,lat,depth"
+reads numbered names.csv < ocean.csv
+OPTIONS="-cols lon,lat,depth,temp"
+reads one values.csv < ocean.csv
+OPTIONS="-cols 3,lat,4,5"
+reads one both.csv < ocean.csv
+OPTIONS=
+reads one unnamed.csv "columns 1, 2, 3 (a, b, c); -cols chooses others" << END
+a,b,c,value
+0,0,0,0
+1,0,0,10
+0,1.5,0,20
+0,0,-2,30
+0.134,0.25,-0.5,40
+END
+# 1, 2, 3 that x is by name, or that has no values beside it, is none
+printf 'x,y,z,T\n1,0,0,1\n2,3,0,1\n3,0,1,1\n4,4,4,1\n' > x.csv
+$TESS x.csv > said 2> words
+yes "x by name is no number" test ! -s words
+OPTIONS="-cols lon,lat,height"
+refuses high.csv 'line 2: -cols: no column height among 6$' < ocean.csv
+OPTIONS="-cols lon,lat,depth"
+refuses nameless.txt 'no column lon .*no line of names' < numbers.txt
+OPTIONS="-cols 2,3,7"
+refuses seventh.csv 'no column 7 among 6' < ocean.csv
+OPTIONS="-cols 2,3,6"
+refuses words.csv 'column 6 is not a number: a' < ocean.csv
+OPTIONS="-cols 2,3,lat"
+refuses twice.csv 'column lat twice' < ocean.csv
+OPTIONS="-cols 2,3"
+refuses two.csv '-cols needs three columns' < ocean.csv
+OPTIONS="-cols 2,3,4"
+refuses cols.node '-cols is for lines of numbers, not for .node' < none
+OPTIONS=
+
+# ---- numbers that are missing: -skip ----
+
+cat > gaps.csv << END
+x,y,z,T (%),"wind, m/s"
+,9,9,9,9
+0,0,0,0,0.5
+9,9,9,,9
+1,0,0,10,1.5
+9,NA,9,9,9
+9,9,nan,9,9
+0,1.5,0,20,2.5
+9,9,9,-,9
+0,0,-2,30,3.5
+9,9,9,"",9
+0.134,0.25,-0.5,40,4.5
+9,9,9,9,
+9,9,9,9,N/A
+END
+refuses gaps1.csv 'line 4: .*-skip drops such lines' < gaps.csv
+OPTIONS=-skip
+reads two gaps2.csv "8 rows dropped .* the first in line 2" < gaps.csv
+tr , ';' < gaps.csv | reads two gaps.txt "8 rows dropped"
+sed 's/"wind, m.s"/u/' gaps.csv | tr , '\t' | reads two gaps.tsv "8 rows"
+sed 1d gaps.csv | reads two bare.csv "8 rows dropped .* line 1"
+sed '1d; s/,$/,NA/; s/^,/NA,/; s/,,/,NA,/; s/""/-/; s/,/ /g' gaps.csv |
+    reads two blanks.txt "8 rows dropped"
+reads two header.csv < header.csv
+(echo 13; sed '1d' gaps.csv) | reads two counted.csv "8 rows"
+reads none gaps.xyz "1 row dropped .* the first in line 5" << END
+6
+a comment
+C 0 0 0
+H 1 0 0
+H 0 - 0
+H 0 1.5 0
+O 0 0 -2
+Fe 0.134 0.25 -0.5
+END
+# a column without a number that is not asked for
+sed '/^9/d; /^,/d; 1s/$/,note/; 2,$s/$/,/' gaps.csv > hollow.csv
+refuses hollow1.csv 'drops all 5 rows; name the columns' < hollow.csv
+OPTIONS="-skip -cols 1,2,3,4"
+reads one hollow2.csv < hollow.csv
+OPTIONS=
+
 # ---- .xyz, counts, Qhull ----
 
 reads none atoms.xyz "column 1 (C) is not a number" << END
@@ -255,6 +371,24 @@ MODEL        2
 ATOM      1  N   LYS A   1       9.000   0.000   0.000  1.00  0.00           N
 ENDMDL
 END
+reads corners mesh.stl "column 1 (vertex)" << END
+solid made by hand
+ facet normal 0 0 1
+  outer loop
+   vertex 0 0 0
+   vertex 1 0 0
+   vertex 0 1.5 0
+  endloop
+ endfacet
+ facet normal 1 0 0
+  outer loop
+   vertex 0.0E+00 0 0
+   vertex 0 0 -2
+   vertex 0.134 0.25 -0.5
+  endloop
+ endfacet
+endsolid
+END
 for f in none one two marked; do
     reads $f $f.node < $f
 done
@@ -278,6 +412,15 @@ printf '2024-11 1 2 3\n2024-12 4 5\n' | refuses dates.txt 'line 2: 3 columns'
 printf '1 2 nan\n' | refuses nan.txt 'line 1: point 0 .*not finite'
 printf '1 2 3\n4 5 1D400\n' | refuses huge.txt 'line 2: point 1 .*not finite'
 printf '\377\3761\000 \000' | refuses wide.txt UTF-16
+gzip < none.node | refuses none.xyz.gz 'compressed by gzip'
+gzip < none.node | refuses none.node 'compressed by gzip'
+cp none none.node
+printf 'PK\003\004...' | refuses table.xlsx 'a zip archive'
+(printf '%-80s\002\000\000\000' solid; printf '%100s' '') |
+    refuses part.stl 'binary STL'
+(printf '%-80s\002\000\000\000' part; printf '%100s' '') |
+    refuses part.STL 'binary STL; save it as ASCII'
+printf '0\000' | refuses zero.dat 'is not text'
 $TESS -node none.node none.node > said 2> words
 yes "the input is not overwritten" test $? -eq 2
 $TESS -node x -ele x none.node > said 2> words
@@ -297,6 +440,43 @@ make run POINTS=- < build/driver/plain.csv) > said 2>&1
 yes "make run: names that do not collide" test -s ../x.csv.svg -a \
     -s ../x.xyz.svg -a -s ../stdin.svg
 rm -f ../x.csv.* ../x.xyz.* ../stdin.*
+
+# the hull, as OBJ and as TetGen's .face: of a cube with a point in its middle
+# twelve triangles on edges that are there in both directions, of the volume 1;
+# numbers in .face as in .node
+awk 'BEGIN { print 9, 3, 0, 0; print "1 .5 .5 .5"
+    for (i = 0; i < 8; i++) print i + 2, i % 2, int(i / 2) % 2, int(i / 4)
+    }' > cube.node
+$TESS -q -face cube.obj cube.node && $TESS -q -face cube.face -node c.node \
+    cube.node
+yes "-face: OBJ" awk '
+    $1 == "v" { p[++n] = $2 " " $3 " " $4 }
+    $1 == "f" {
+        for (k = 2; k <= 4; k++) edge[$k, $(k % 3 + 2)]++
+        split(p[$2] " " p[$3] " " p[$4], a, " ")
+        v += a[1] * (a[5] * a[9] - a[6] * a[8]) - a[2] * (a[4] * a[9] - \
+            a[6] * a[7]) + a[3] * (a[4] * a[8] - a[5] * a[7])
+        m++
+    }
+    END {
+        for (e in edge) {
+            split(e, a, SUBSEP)
+            if (edge[e] != 1 || edge[a[2], a[1]] != 1) m = 0
+        }
+        exit !(n == 8 && m == 12 && v == 6)
+    }' cube.obj
+yes "-face: TetGen's, the same triangles" awk '
+    FILENAME ~ /node/ { if (FNR > 1) p[$1] = $2 " " $3 " " $4; next }
+    FILENAME ~ /obj/ && $1 == "v" { q[++n] = $2 " " $3 " " $4 }
+    FILENAME ~ /obj/ && $1 == "f" { f[++m] = q[$2] q[$3] q[$4] }
+    FILENAME ~ /face/ && FNR == 1 { bad = $1 != 12 || $2 != 0 }
+    FILENAME ~ /face/ && FNR > 1 {
+        if (p[$2] p[$3] p[$4] != f[++i] || $1 != i) bad = 1
+    }
+    END { exit bad || i != 12 || m != 12 }' c.node cube.obj cube.face
+printf '0 0 0\n1 0 0\n0 1 0\n1 1 0\n' > flat
+$TESS -q -face flat.face flat
+yes "-face of points in a plane: none" test "`cat flat.face`" = "0 0"
 
 # VTK files, read by others: points, tetrahedra, values, in both forms
 cat > read.py << END
@@ -398,6 +578,20 @@ if awk '/^seconds/ { exit !($2 > 3) }' said; then
 else
     echo "        skipped: what it says after a second: too fast"
 fi
+
+# ---- make bench: a family that there is not, a small run ----
+
+(cd "$TOP" && make bench FAMILY=nosuch CC="$CC" CFLAGS=-O0) > said 2> words
+yes "make bench FAMILY=nosuch: an error" test $? -ne 0
+yes "make bench FAMILY=nosuch: the families" grep -w globe words > /dev/null
+(cd "$TOP" && make bench FAMILY=no/such CC="$CC" CFLAGS=-O0) > said 2> words
+yes "make bench FAMILY=no/such: an error" test $? -ne 0
+(cd "$TOP" && PEERS= REPEATS=1 SIZES="50 100" FAMILY=prism CFLAGS=-O0 \
+    sh test/bench/bench.sh) > said 2> words
+yes "make bench: a family's rows" test `grep -c '^| prism | [0-9]* | [0-9]* |' \
+    said` -eq 2
+yes "make bench: the load is said" grep '^Load average: [0-9.]* before, at most [0-9.]* ' \
+    said > /dev/null
 
 failed=`grep -c '^FAILED' results`
 echo "driver: `grep -c '^ok' results` passed, $failed failed"

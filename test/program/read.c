@@ -15,15 +15,20 @@
 #include <string.h>
 
 #define LINE 8192 /* most characters of a line */
+#define HEAD 512  /* characters by which a file that is no text is told */
 
 typedef struct field {
     char *text;
-    int number; /* is it one? */
+    int number; /* is it one?  With -skip a missing value counts as one */
+    int missing;
     double x;
 } field;
 
 static points *to;
 static FILE *file;
+static char head[HEAD]; /* the file's beginning */
+static int headed, taken;
+static int held = EOF; /* a character read and put back */
 static char line[LINE + 1];
 static long line_number;
 static field fields[COLUMNS];
@@ -34,14 +39,62 @@ static int titles;
 static long first_line; /* of the points */
 static int width;       /* columns of a line of points; and which they are: */
 static int part[COLUMNS];
+static long dropped, first_dropped; /* rows, by -skip; the first one's line */
+static int counting; /* is the first column 0, 1, 2, ... or 1, 2, 3, ...? */
+static double count_from;
 
-/* What a column is: 0, 1, 2 a coordinate, LABEL, or VALUE. */
+/* What a column is: 0, 1, 2 a coordinate, LABEL, UNUSED, or VALUE. */
 #define LABEL 3
-#define VALUE 4
+#define UNUSED 4
+#define VALUE 5
 
 static void fail_line(const char *what)
 {
     fail("%s, line %ld: %s", to->input, line_number, what);
+}
+
+/* ---------------------------------------------------------------- binary */
+
+static int ends_in(const char *name, const char *suffix)
+{
+    size_t a = strlen(name), b = strlen(suffix);
+
+    return a >= b && strcmp(name + a - b, suffix) == 0;
+}
+
+/* refuse_binary - read the file's head; leave if it is not text. */
+static void refuse_binary(void)
+{
+    static const char *const packed[][2] = {
+        {"\037\213", "compressed by gzip; unpack it first: gunzip -c"},
+        {"BZh", "compressed by bzip2; unpack it first: bunzip2 -c"},
+        {"\3757zXZ", "compressed by xz; unpack it first: xz -dc"},
+        {"PK\003\004", "a zip archive; unpack it first: unzip -p"}};
+    size_t k;
+
+    headed = (int)fread(head, 1, HEAD, file);
+    for (k = 0; k < sizeof packed / sizeof packed[0]; k++)
+        if ((size_t)headed > strlen(packed[k][0]) &&
+            memcmp(head, packed[k][0], strlen(packed[k][0])) == 0)
+            fail("%s: is %s ... | tess", to->input, packed[k][1]);
+    /* next_line knows UTF-16, read_ply its own binary form */
+    if (!memchr(head, 0, (size_t)headed) ||
+        memcmp(head, "\377\376", 2) == 0 ||
+        memcmp(head, "\376\377", 2) == 0 || memcmp(head, "ply", 3) == 0)
+        return;
+    if (ends_in(to->input, ".stl") || ends_in(to->input, ".STL"))
+        fail("%s: is binary STL; save it as ASCII STL, or OBJ or OFF",
+             to->input);
+    fail("%s: is not text (binary STL, perhaps, or an archive)", to->input);
+}
+
+static int next_char(void)
+{
+    int c = held;
+
+    held = EOF;
+    if (c != EOF) return c;
+    return taken < headed ? (unsigned char)head[taken++] : getc(file);
 }
 
 /* ---------------------------------------------------------------- fields */
@@ -78,7 +131,7 @@ static int next_line(void)
     do {
         len = 0;
         line_number++;
-        while ((c = getc(file)) != EOF && c != '\n' && c != '\r') {
+        while ((c = next_char()) != EOF && c != '\n' && c != '\r') {
             /* strtod would take a NUL for the end of the line */
             if (len < LINE) line[len++] = c ? (char)c : '?';
             /* a byte order mark */
@@ -90,8 +143,8 @@ static int next_line(void)
                  strncmp(line, "\376\377", 2) == 0))
                 fail("%s: is UTF-16; save it as UTF-8 or ASCII", to->input);
         }
-        if (c == '\r' && (c = getc(file)) != '\n' && c != EOF) {
-            ungetc(c, file);
+        if (c == '\r' && (c = next_char()) != '\n' && c != EOF) {
+            held = c;
             c = '\n';
         }
         line[len] = '\0';
@@ -100,8 +153,10 @@ static int next_line(void)
         if (len == LINE && i == len)
             fail("%s, line %ld: longer than %d characters", to->input,
                  line_number, LINE - 1);
-        while (i > 0 && blank(line[i - 1])) i--;
-        line[i] = '\0';
+        for (len = i; i > 0 && blank(line[i - 1]); i--) continue;
+        /* (tabs at the end: empty cells) */
+        while (len > i && (line[len - 1] != '\t' || !to->skip)) len--;
+        line[len] = '\0';
         if (i > 0) return 1;
     } while (c != EOF);
     if (ferror(file)) fail("%s: %s", to->input, strerror(errno));
@@ -164,13 +219,29 @@ static void refuse(void)
                   "either commas or something else between them");
 }
 
+/* missing - is the text what files have in place of a number that is not
+ * there? */
+static int missing(const char *text)
+{
+    static const char *const none[] = {"",    "-",    "--",   "na",
+                                       "n/a", "null", "none", "nan"};
+    size_t k, i;
+
+    for (k = 0; k < sizeof none / sizeof none[0]; k++) {
+        for (i = 0; text[i] && tolower((unsigned char)text[i]) == none[k][i];)
+            i++;
+        if (text[i] == none[k][i]) return 1;
+    }
+    return 0;
+}
+
 /* split - the line's fields.  What separates is a semicolon; or else a comma;
  * and blanks: behind a number always, behind a word if there is none of these
- * and no tab. */
+ * and no tab.  With -skip, which looks for empty cells, each tab separates. */
 static void split(void)
 {
     char *s, *end, mark = 0;
-    int quoted = 0;
+    int quoted = 0, open = 0; /* is the last character a separator? */
 
     doubtful = decimal_comma();
     for (s = line; *s; s++) {
@@ -181,15 +252,18 @@ static void split(void)
     }
     s = line;
     for (many = 0;; many++) {
-        while (blank(*s)) s++;
-        if (!*s) return;
+        while (blank(*s) && !(to->skip && *s == mark)) s++;
+        if (!*s &&
+            !(to->skip && open && many + 1 == (width > 0 ? width : titles)))
+            return;
         if (many == COLUMNS)
             fail("%s, line %ld: more than %d columns", to->input, line_number,
                  COLUMNS);
         quoted = *s == '"';
         s += quoted;
         fields[many].text = s;
-        fields[many].x = number(s, &end);
+        end = s;
+        fields[many].x = *s == mark ? 0.0 : number(s, &end);
         if (quoted) {
             while (blank(*end)) end++;
             fields[many].number = end > s && *end == '"';
@@ -209,12 +283,15 @@ static void split(void)
                 }
             s = end;
         }
-        while (blank(*s)) s++;
-        if (*s && *s == mark) s++;
+        while (blank(*s) && !(to->skip && *s == mark)) s++;
+        open = *s && *s == mark;
+        s += open;
         if (!quoted) {
             while (end > fields[many].text && blank(end[-1])) end--;
             *end = '\0';
         }
+        fields[many].missing = to->skip && missing(fields[many].text);
+        if (fields[many].missing) fields[many].number = 1;
     }
 }
 
@@ -223,8 +300,26 @@ static int numbers(void)
 {
     int k, sum = 0;
 
-    for (k = 0; k < many; k++) sum += fields[k].number;
+    for (k = 0; k < many; k++) sum += fields[k].number && !fields[k].missing;
     return sum;
+}
+
+/* lacking - is a number missing in a column that is asked for? */
+static int lacking(void)
+{
+    int k;
+
+    for (k = 0; k < many; k++)
+        if (fields[k].missing && (width != many || part[k] < LABEL ||
+                                  part[k] == VALUE))
+            return 1;
+    return 0;
+}
+
+/* drop - leave the line out, by -skip. */
+static void drop(void)
+{
+    if (dropped++ == 0) first_dropped = line_number;
 }
 
 /* count - is field k a whole number that may be one of points? */
@@ -287,17 +382,73 @@ static void header(void)
         sprintf(title[k], "%.*s", TITLE - 1, fields[k].text);
 }
 
+/* called - the column of that name, its unit left out; else the first one that
+ * differs in small and capital letters alone; many if there is none. */
+static int called(const char *name, size_t length)
+{
+    const char *c;
+    size_t i;
+    int k, fold;
+
+    for (fold = 0; fold < 2; fold++)
+        for (k = 0; k < titles; k++) {
+            c = title[k];
+            for (i = 0; i < length; i++)
+                if (c[i] != name[i] &&
+                    (!fold || tolower((unsigned char)c[i]) !=
+                                  tolower((unsigned char)name[i])))
+                    break;
+            if (i < length) continue;
+            while (blank(c[i])) i++;
+            if (!c[i] || c[i] == '(' || c[i] == '[') return k;
+        }
+    return many;
+}
+
+/* choose - the columns that -cols names: x, y, z, then values.  Returns how
+ * many. */
+static int choose(int *at)
+{
+    const char *s = to->cols;
+    size_t length;
+    int found = 0, k;
+
+    for (;;) {
+        length = strcspn(s, ",");
+        k = many;
+        if (strspn(s, "0123456789") < length)
+            k = called(s, length);
+        else if (length > 0 && length < 5 && *s != '0')
+            k = atoi(s) - 1;
+        if (k >= many)
+            fail("%s, line %ld: -cols: no column %.*s among %d%s", to->input,
+                 line_number, (int)length, s, many,
+                 titles > 0 ? "" : ", and no line of names before them");
+        if (!fields[k].number)
+            fail("%s, line %ld: -cols: column %d is not a number: %.30s",
+                 to->input, line_number, k + 1, fields[k].text);
+        if (part[k] != UNUSED || found == COLUMNS)
+            fail("-cols: column %.*s twice", (int)length, s);
+        part[k] = found < 3 ? found : VALUE;
+        at[found++] = k;
+        s += length;
+        if (!*s++) return found;
+    }
+}
+
 /* columns - what the columns of this line are, and with it of all others. */
 static void columns(void)
 {
-    int at[3], k, found = 0;
+    int at[COLUMNS], k, found = 0;
 
     width = many;
     first_line = line_number;
     to->columns = 0;
     if (titles != many) titles = 0;
     at[0] = at[1] = at[2] = -1;
-    for (k = 0; k < titles; k++) {
+    for (k = 0; k < many; k++) part[k] = UNUSED;
+    if (to->cols) found = choose(at);
+    for (k = 0; k < titles && !to->cols; k++) {
         int a = axis(title[k]);
 
         if (a < 0 || at[a] >= 0 || !fields[k].number) continue;
@@ -308,12 +459,10 @@ static void columns(void)
         for (k = found = 0; k < many && found < 3; k++)
             if (fields[k].number) at[found++] = k;
     if (found < 3) fail_line("fewer than three numbers");
+    for (k = 0; k < 3; k++) part[at[k]] = k;
     for (k = 0; k < many; k++) {
-        part[k] = k == at[0]   ? 0
-                  : k == at[1] ? 1
-                  : k == at[2] ? 2
-                  : fields[k].number ? VALUE
-                                     : LABEL;
+        if (!fields[k].number) part[k] = LABEL;
+        if (part[k] == UNUSED && found == 3) part[k] = VALUE;
         if (part[k] != VALUE) continue;
         if (titles > 0 && title[k][0])
             strcpy(to->name[to->columns], title[k]);
@@ -331,7 +480,9 @@ static int like(void)
 
     if (many != width) return 0;
     for (k = 0; k < many; k++)
-        if ((part[k] == LABEL) == fields[k].number) return 0;
+        if (part[k] != UNUSED && !fields[k].missing &&
+            (part[k] == LABEL) == fields[k].number)
+            return 0;
     return 1;
 }
 
@@ -345,11 +496,19 @@ static void row(void)
     if (many != width)
         fail("%s, line %ld: %d columns, but line %ld has %d", to->input,
              line_number, many, first_line, width);
+    if (part[0] != 0 ||
+        fields[0].x != count_from + (double)to->n + (double)dropped)
+        counting = 0;
+    if (lacking()) {
+        drop();
+        return;
+    }
     for (k = 0; k < many; k++) {
-        if (part[k] == LABEL) continue;
+        if (part[k] == LABEL || part[k] == UNUSED) continue;
         if (!fields[k].number)
-            fail("%s, line %ld: column %d is not a number: %.30s", to->input,
-                 line_number, k + 1, fields[k].text);
+            fail("%s, line %ld: column %d is not a number: %.30s%s",
+                 to->input, line_number, k + 1, fields[k].text,
+                 missing(fields[k].text) ? " (-skip drops such lines)" : "");
         if (part[k] < LABEL) x[part[k]] = fields[k].x;
     }
     put_point(x);
@@ -365,8 +524,10 @@ static void shape(void)
 
     refuse();
     columns();
+    count_from = fields[0].x;
+    counting = count(0) && count_from <= 1.0;
     for (k = 0; k < many; k++)
-        if (part[k] == LABEL)
+        if (part[k] == LABEL && !to->cols)
             warn("%s: column %d (%.20s) is not a number: skipped", to->input,
                  k + 1, fields[k].text);
     /* 0,13,0,84,0,5: to tell is beyond a program */
@@ -389,19 +550,27 @@ static void rows(double want, int perhaps, int rest)
     if (want == 0.0) fail("%s: no points", to->input);
     shape();
     for (;;) {
-        if (perhaps && to->n == 1 && !like()) {
+        if (perhaps && to->n + dropped == 1 && !like()) {
             perhaps = 0;
             to->n = 0;
+            dropped = 0;
             shape();
         }
         row();
-        if (want >= 0.0 && (double)to->n == want && !perhaps) break;
+        if (want >= 0.0 && (double)to->n + (double)dropped == want &&
+            !perhaps)
+            break;
         if (!next_line()) break;
         split();
-        if (perhaps && (double)to->n == want) {
+        if (perhaps && (double)to->n + (double)dropped == want) {
             /* not so, if all points are there already */
             perhaps = 0;
             if (!like()) break;
+            if (dropped > 0 && first_dropped == first_line) {
+                dropped--;
+                row();
+                break;
+            }
             for (i = 3; i < 3 * to->n; i++) to->p[i - 3] = to->p[i];
             for (k = 0; k < to->columns * (long)(to->n - 1); k++)
                 to->value[k] = to->value[k + to->columns];
@@ -411,9 +580,9 @@ static void rows(double want, int perhaps, int rest)
             break;
         }
     }
-    if (want >= 0.0 && (double)to->n < want)
-        fail("%s: ends after %ld of %.0f points", to->input, (long)to->n,
-             want);
+    if (want >= 0.0 && (double)to->n + (double)dropped < want)
+        fail("%s: ends after %ld of %.0f points", to->input,
+             (long)to->n + dropped, want);
     if (!rest && want >= 0.0 && next_line())
         warn("%s, line %ld: more than the %.0f points announced: the rest is "
              "not read",
@@ -431,7 +600,7 @@ static void read_text(void)
 {
     double want = -1.0, other;
     long first = line_number;
-    int perhaps = 0, at[3], k;
+    int perhaps = 0, named, words, at[3], k;
 
     if (many == 2 && count(0) && count(1) &&
         (fields[0].x == 3.0 || fields[1].x == 3.0)) {
@@ -456,17 +625,30 @@ static void read_text(void)
     while (numbers() < 3) {
         refuse();
         if (numbers() == many) fail_line("fewer than three numbers");
-        header();
+        for (k = words = 0; k < many; k++) words += !fields[k].number;
+        /* no names, but a row from which numbers are missing */
+        if (words == 0 || (titles == many && numbers() > 0 && lacking()))
+            drop();
+        else
+            header();
         need_line();
     }
     rows(want, perhaps, 0);
+    if (to->cols) return;
     /* a header says where x, y, z are; it might be misread */
     for (k = 0; k < width; k++)
-        if (part[k] < LABEL) at[part[k]] = k + 1;
-    if (titles > 0 && (at[0] > at[1] || at[1] > at[2] || at[2] - at[0] > 2 ||
-                       axis(title[at[0] - 1]) != 0))
-        warn("%s: x, y, z are the columns %d, %d, %d", to->input, at[0],
-             at[1], at[2]);
+        if (part[k] < LABEL) at[part[k]] = k;
+    named = titles > 0 && axis(title[at[0]]) == 0;
+    if (titles > 0 &&
+        (at[0] > at[1] || at[1] > at[2] || at[2] - at[0] > 2 || !named))
+        warn("%s: x, y, z are the columns %d, %d, %d (%s, %s, %s); -cols "
+             "chooses others",
+             to->input, at[0] + 1, at[1] + 1, at[2] + 1, title[at[0]],
+             title[at[1]], title[at[2]]);
+    if (counting && !named && to->columns > 0 && to->n >= 4)
+        warn("%s: column 1 is %.0f, %.0f, %.0f, ... and was taken for x; if "
+             "it numbers the points: -cols 2,3,4",
+             to->input, count_from, count_from + 1.0, count_from + 2.0);
 }
 
 /* read_off - OFF, COFF, NOFF: points, and faces that do not matter. */
@@ -509,14 +691,15 @@ static void read_ply(void)
     rows(want, 0, 1);
 }
 
-/* read_obj - Wavefront: the lines that begin with v. */
-static void read_obj(void)
+/* read_lines - those that begin with this word: v of Wavefront's, vertex of
+ * ASCII STL. */
+static void read_lines(const char *first)
 {
-    while (!word(0, "v")) need_line();
+    while (!word(0, first)) need_line();
     fields[0].number = 0;
     shape();
     do {
-        if (word(0, "v")) row();
+        if (word(0, first)) row();
         if (!next_line()) return;
         split();
     } while (1);
@@ -599,11 +782,12 @@ static void read_node(void)
     }
 }
 
-static int ends_in(const char *name, const char *suffix)
+/* fixed - leave if -cols is given for a format that has no choice. */
+static void fixed(const char *format)
 {
-    size_t a = strlen(name), b = strlen(suffix);
-
-    return a >= b && strcmp(name + a - b, suffix) == 0;
+    if (to->cols)
+        fail("%s: -cols is for lines of numbers, not for %s", to->input,
+             format);
 }
 
 /* pdb - does the line begin as those of a PDB file do? */
@@ -630,25 +814,40 @@ void read_points(const char *name, points *a)
         if (!file) fail("%s: %s", name, strerror(errno));
     } else if (!name)
         warn("reading points from standard input");
+    refuse_binary();
     if (!next_line()) fail("%s: empty", to->input);
-    if (ends_in(to->input, ".pdb") || ends_in(to->input, ".ent") || pdb())
+    if (ends_in(to->input, ".pdb") || ends_in(to->input, ".ent") || pdb()) {
+        fixed("PDB");
         read_pdb();
-    else {
+    } else {
         split();
-        if (ends_in(to->input, ".node"))
+        if (ends_in(to->input, ".node")) {
+            fixed(".node files");
             read_node();
-        else if (word(0, "ply"))
+        } else if (word(0, "ply"))
             read_ply();
         else if (ends_in(fields[0].text, "OFF"))
             read_off();
         else if (ends_in(to->input, ".obj") || word(0, "v") ||
-                 word(0, "mtllib") || word(0, "o"))
-            read_obj();
-        else if (strncmp(fields[0].text, "data_", 5) == 0)
+                 word(0, "mtllib") || word(0, "o")) {
+            fixed("OBJ");
+            read_lines("v");
+        } else if (word(0, "solid")) {
+            fixed("STL");
+            read_lines("vertex");
+        } else if (strncmp(fields[0].text, "data_", 5) == 0)
             fail_line("mmCIF is not read; save it as PDB or xyz");
         else
             read_text();
     }
+    if (to->n == 0 && dropped > 0)
+        fail("%s: no points: -skip drops all %ld rows; name the columns that "
+             "are wanted: -cols X,Y,Z,VALUE",
+             to->input, dropped);
     if (to->n == 0) fail("%s: no points", to->input);
+    if (dropped > 0)
+        warn("%s: %ld row%s dropped for a number that is missing, the first "
+             "in line %ld",
+             to->input, dropped, dropped > 1 ? "s" : "", first_dropped);
     if (file != stdin) fclose(file);
 }
