@@ -99,7 +99,7 @@ have() {
 
 # units NAME CC FLAGS TEST...: unit tests with the library, all compiled so;
 # each TEST is a program of test/unit and its arguments
-COMMON="test/points.c test/proof/*.c test/hunts/hard.c"
+COMMON="test/points.c test/proof/*.c test/hunts/hard.c test/unit/guard.c"
 units() {
     tag=$1
     compiler=$2
@@ -294,7 +294,7 @@ builds() {
     build/units/usual/t_tess -sums > build/sums.txt
     one "checksums of `wc -l < build/sums.txt` results" test -s build/sums.txt
     SUMS=build/units/usual/_t_tess.o
-    for f in test/points.c test/proof/*.c; do
+    for f in $COMMON; do
         SUMS="$SUMS build/units/usual/`basename $f .c`.o"
     done
     same "$CC -Ofast -march=native" "$CC" "-Ofast -march=native"
@@ -310,7 +310,7 @@ builds() {
     same "clang -Ofast" clang "-Ofast"
     same "tcc" tcc ""
     # as C++; the objects of C cannot be linked to it
-    SUMS="test/unit/t_tess.c test/points.c test/proof/*.c"
+    SUMS="test/unit/t_tess.c $COMMON"
     same "g++ -x c++ -O2" g++ "-x c++ -O2"
 }
 

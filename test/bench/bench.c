@@ -18,6 +18,7 @@
 #include <string.h>
 #include <time.h>
 #include "../points.h"
+#include "take.h"
 #include "../fortran/f77.h"
 
 #ifdef TESS_COUNT
@@ -45,17 +46,6 @@ static int run_tess(tess_int n, const double *p, tess_int maxtet,
 #define SHORT 0.2
 /* Bounds 28 n by the largest tess_int of 32 bits. */
 #define MOST 70000000L
-
-static void *take(double count, size_t size)
-{
-    void *space = malloc((size_t)(count * (double)size) + 1);
-
-    if (!space) {
-        fprintf(stderr, "bench: out of memory\n");
-        exit(1);
-    }
-    return space;
-}
 
 int main(int argc, char **argv)
 {

@@ -23,78 +23,12 @@
 #include "../proof/exact.h"
 #include "../proof/verify.h"
 #include "../points.h"
+#include "guard.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define GUARD 64
-#define FILL 0x5a
-
-/* ---- arrays of exact length between guards ---- */
-
-static struct {
-    unsigned char *base;
-    size_t length;
-} arrays[64];
-static int narrays;
-
-static void *array(size_t length)
-{
-    unsigned char *b = (unsigned char *)malloc(length + 2 * GUARD);
-    size_t i;
-
-    if (b == NULL || narrays == 64) {
-        fprintf(stderr, "t_tess: no memory\n");
-        exit(2);
-    }
-    for (i = 0; i < GUARD; i++)
-        b[i] = b[GUARD + length + i] = (unsigned char)(i * 37 + 11);
-    memset(b + GUARD, FILL, length);
-    arrays[narrays].base = b;
-    arrays[narrays++].length = length;
-    return b + GUARD;
-}
-
-static tess_int *ints(tess_int n)
-{
-    return (tess_int *)array((size_t)n * sizeof(tess_int));
-}
-
-/* The number of arrays whose guards were overwritten. */
-static int overrun(void)
-{
-    int a, bad = 0;
-    size_t i;
-
-    for (a = 0; a < narrays; a++) {
-        unsigned char *b = arrays[a].base;
-        size_t end = GUARD + arrays[a].length;
-
-        for (i = 0; i < GUARD; i++)
-            if (b[i] != (unsigned char)(i * 37 + 11) || b[end + i] != b[i]) {
-                bad++;
-                break;
-            }
-    }
-    return bad;
-}
-
-static int untouched(const void *a, size_t length)
-{
-    const unsigned char *b = (const unsigned char *)a;
-
-    while (length > 0)
-        if (b[--length] != FILL) return 0;
-    return 1;
-}
-
-/* Free the arrays made since there were keep of them. */
-static void release(int keep)
-{
-    while (narrays > keep) free(arrays[--narrays].base);
-}
 
 /* ---- results ---- */
 
