@@ -236,8 +236,8 @@ tests() {
         units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
             "t_tess -range"
         # lists of other capacities only look elsewhere first
-        units "-DTESS_LIST=48 -DTESS_INT=short" "$CC" \
-            "-O1 -DTESS_LIST=48 -DTESS_INT=short" "brute 100" t_size
+        units -DTESS_LIST=48 "$CC" "-O1 -DTESS_LIST=48" "brute 100"
+        units -DTESS_INT=short "$CC" "-O1 -DTESS_INT=short" "brute 100" t_size
         units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 10" "brute 100"
         return
     fi
