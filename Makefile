@@ -2,7 +2,8 @@
 # make run         try it: POINTS=file for points other than a mirror's sensors
 # make examples    the programs of test/examples
 # make pictures    write test/pictures anew
-# make check       the tests
+# make check       the tests, about two minutes on two processors
+# make check-all   more of each, all builds, machines and processes
 # make torture     a hunt for faults: TIME=600 seconds, SEED=1
 # make certify     the same for the bounds of the search alone: TIME, SEED
 # make coverage    which lines of the library the tests run (gcov)
@@ -36,8 +37,6 @@ SEED =
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
 LIBRARY = build/tess.o build/hhpred.o
-EXAMPLES = interp poisson embedded surface parts stream sensor derived planar
-
 all: build/tess
 
 # Static arrays beyond 2 GB, or 4: sets model to what they need.  They come last,
@@ -95,9 +94,10 @@ run: build/tess
 	build/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look "$(POINTS)"
 
 examples: $(LIBRARY)
-	@set -e; for name in $(EXAMPLES); do \
-	echo "test/examples/$$name.c"; \
-	also=; [ $$name != parts ] || also=-lpthread; \
+	@set -e; for name in test/examples/*.c; do \
+	echo "$$name"; \
+	name=`basename $$name .c`; \
+	also=; case $$name in parts) also=-lpthread;; fortran) continue;; esac; \
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -I. -o build/$$name \
 	    test/examples/$$name.c $(LIBRARY) $(LDLIBS) $$also; \
 	(cd build && ./$$name $$name.obj $$name.stl) > build/$$name.out || \
@@ -111,6 +111,9 @@ pictures: build/picture
 
 check: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/check.sh
+
+check-all: all
+	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/check.sh -all
 
 torture:
 	CC="$(CC)" sh test/hunts/torture.sh $(TIME) $(SEED)
@@ -146,5 +149,5 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all always run examples pictures check torture certify coverage \
+.PHONY: all always run examples pictures check check-all torture certify coverage \
     mutation bench paper reach manual mirror clean help

@@ -20,6 +20,7 @@
 #include <string.h>
 #include <time.h>
 #include "../points.h"
+#include "take.h"
 #include "../../tess.h"
 
 /* one part: what is its own, its index, its tetrahedra */
@@ -32,17 +33,6 @@ typedef struct part {
 static double *p, *rw, *rw2;
 static tess_int n, maxtet, liw, lrw, shortiw, shortrw;
 static part one, two;
-
-static void *take(double count, size_t size)
-{
-    void *space = malloc((size_t)(count * (double)size) + 1);
-
-    if (!space) {
-        fprintf(stderr, "parts: out of memory\n");
-        exit(1);
-    }
-    return space;
-}
 
 static void need(int good, const char *what)
 {
