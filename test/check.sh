@@ -74,21 +74,6 @@ have() {
     $1 $2 -o build/have build/have.c $LIBS > /dev/null 2>&1 && build/have
 }
 
-# readme LANGUAGE FILE: the program, and what is printed below it as commands,
-# into build/readme
-readme() {
-    mkdir -p build/readme
-    for f in tess.c tess.h hhpred.c hhpred.h f77 test; do
-        [ -e build/readme/$f ] || ln -s ../../$f build/readme
-    done
-    sed -n '/^```'$1'$/,/^```$/p' README.md | sed '/^```/d' > build/readme/$2
-    awk -v language=$1 '
-        $0 == "```" language { at = 1 }
-        at == 1 && $0 == "```" { at = 2; next }
-        at == 2 && /^    / { print }
-        at == 2 && /^[^ ]/ { exit }' README.md > build/readme/commands
-}
-
 # ---- the first half: the library in C, on this machine ----
 #
 # Neither half needs what the other one builds.
@@ -414,36 +399,9 @@ else
     skip "MPI: no Open MPI"
 fi
 
-# The README's C program and its commands, exactly as printed there, on the data
-# that are there; what it says it prints is what the program build/tess proves.
-readme c first.c
-one "the README's C program: its commands" \
-    test `wc -l < build/readme/commands` -eq 2
-printed=`(cd build/readme && sh -e commands) 2>> $LOG`
-one "the README's C program: prints what is said" \
-    grep -F "It prints \`$printed\`" README.md
-if [ -x build/tess ]; then
-    count=`build/tess -check test/data/mirror.xyz | sed -n 's/^tetrahedra *//p'`
-    one "the README's C program: what build/tess proves" \
-        test "$printed" = "code 0, $count tetrahedra"
-else
-    skip "the README's C program: no build/tess to compare with"
-fi
-if command -v ${PYTHON:-python3} > /dev/null &&
-    $CC -O2 -shared -fPIC -o build/readme/libtess.so $HARD $LIBS 2>> $LOG; then
-    one "example: first.py" test "`cd build/readme &&
-        ${PYTHON:-python3} test/examples/first.py`" = "$printed"
-else
-    skip "example: first.py: no python3, or no -shared"
-fi
+# ---- the README's programs ----
 
-# The README's times are rows of what make bench has written.
-sed -n '/^## How fast/,/^## Where/p' README.md | grep '^| [a-z].*[0-9]' |
-    grep -v '@FIG@' > build/times.txt
-while read -r row; do
-    one "the README's times: `echo "$row" | cut -d '|' -f 2,3`" \
-        grep -Fx "$row" test/results/bench.txt
-done < build/times.txt
+many "the README" sh test/program/readme.sh
 
 # ---- the command line program ----
 
@@ -597,18 +555,6 @@ else
     skip "threads: no OpenMP"
 fi
 
-# The README's FORTRAN program and its commands, exactly as printed there.
-fortran_readme() {
-    readme fortran first.f
-    one "the README's FORTRAN program: its commands" \
-        test `wc -l < build/readme/commands` -eq 2
-    set -- `(cd build/readme && sh -e commands) 2>> $LOG`
-    one "the README's FORTRAN program: prints what is said" \
-        grep -F "It prints \`$1 $2\`" README.md
-    one "the README's FORTRAN program: as the C program" \
-        grep -F "It prints \`code $1, $2 tetrahedra\`" README.md
-}
-
 # FORTRAN programs that tell by their text whether all is well.
 # programs NAME FLAGS: with the half just compiled
 programs() {
@@ -738,7 +684,6 @@ if command -v gfortran > /dev/null; then
         build/partsf > build/partsf.out 2>> $LOG
         one "example: parts.f $omp" cmp test/examples/parts.out build/partsf.out
     done
-    fortran_readme
 else
     skip "the FORTRAN 77 half: no gfortran"
 fi
