@@ -47,6 +47,12 @@
 /* 10000 * major + 100 * minor version; the README says what has changed. */
 #define TESS_VERSION 20000L
 
+/* TESS_LIST: when tess.c is compiled, the capacity of the two lists of points
+ * that a search looks at first: a multiple of 4, 48 to 4096, 512 if not given.
+ * It alters speed and stack, never the result: about 50 bytes of stack an entry.
+ * Below 128 the code for points near planes and spheres is left out; a small
+ * machine takes 48 or 64. */
+
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)
 

@@ -76,13 +76,12 @@ C                         as long as TESSWK says
 C       RW   3 N X        scaled coordinates by position
 C            12 L BOX     box of each node of the tree
 C
-C     The arena.  The table begins with TSTABL entries; when three
-C     quarters are in use TSMKRO has TSREHA double it, up to 7/8 of the
-C     arena and to what the edges leave.  When it can grow no more it
-C     may fill up to 7/8, so TSFIND always meets an unused entry.
-C     TSPUSH takes no room of the table; TSMKRO sees to room for two
-C     edges, by moving them up when half of them are dead.  What is
-C     still short is code FULL.
+C     The arena.  The table begins with TSTABL entries; TSMKRO has
+C     TSREHA double it when three quarters are in use, and give it its
+C     quota of the arena when table and edges meet.  It may fill up to
+C     7/8, so TSFIND always meets an unused entry.  TSPUSH takes no room
+C     of the table; TSMKRO sees to room for two edges.  What is still
+C     short is code FULL.
 C
 C     An open facet is in one place at any moment: in the link, if it
 C     contains S, the vertex of the star; else in the table, or, of a
@@ -90,8 +89,8 @@ C     tetrahedron from FRESH on, in none until TSFLUS; in none, too, if
 C     no star of its vertices is asked for.  Numbers of entries are good
 C     until the next TSERAS or TSREHA, which update HEAD and the owners'
 C     lists and nothing else; numbers of edges until the next TSRENU,
-C     which updates LINK and the edges alone: who calls TSMKRO reads
-C     OLDEST again.
+C     which updates LINK and the edges alone: callers of TSMKRO must
+C     reload OLDEST.
 C
 C     What rests on the tie rule (hhpred): that a facet's apex is one
 C     point for both its sides, so that the pool empties; TSFIRS, on a
@@ -109,11 +108,11 @@ C       first facet: preced TSPREC, edgeby TSEDBY, firstfacet TSFIRS
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
 C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
 C         flush TSFLUS, grow TSGROW, enlist TSENLI, follow TSFOLL,
-C         load TSLOAD, complete TSCMPL, makeroom TSMKRO, begin TSBEGI,
-C         star TSSTAR, stars TSSTRS
+C         gather TSGATH, load TSLOAD, complete TSCMPL,
+C         makeroom TSMKRO, begin TSBEGI, star TSSTAR, stars TSSTRS
 C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
 C         hashkey TSHASH, same TSSAME, find TSFIND, insert TSINSE,
-C         erase TSERAS, rehash TSREHA
+C         erase TSERAS, quota TSQUOT, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
 C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
 C         starlist TSSTLI
@@ -1047,27 +1046,82 @@ C     where it ends and follows no other, if there is one.
    20 CONTINUE
       END
 
+C     TSGATH - make all open facets at S edges of the link, in the order
+C     of their tetrahedra.  INFO is 0, FULL, or what TSMTCH finds in a
+C     facet that is there twice, as in results that were joined: it is
+C     closed.
+      SUBROUTINE TSGATH(X, P, ORD, TET, ADJ, LINK, POOL, CTL, RCTL, S,
+     $                  INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S
+      INTEGER INFO
+      INTEGER TSBETW
+      INTEGER NT, ECODE, OPEN, FULL
+      PARAMETER (NT = 2, ECODE = 0, OPEN = -1, FULL = 2)
+      INTEGER A, B, CODE, E, J, K, T, V(3)
+      DO 20 T = 1, CTL(NT)
+        DO 10 K = 4, 1, -1
+          CODE = 4*(T - 1) + K
+          IF (ADJ(CODE) .NE. OPEN) GO TO 10
+          CALL TSFACE(TET, CODE, V)
+          J = 3
+          IF (V(2) .EQ. S) J = 2
+          IF (V(1) .EQ. S) J = 1
+          IF (V(J) .NE. S) GO TO 10
+          A = V(MOD(J, 3)+1)
+          B = V(MOD(J+1, 3)+1)
+          INFO = -6
+          IF (TSBETW(LINK, POOL, A, B) .NE. 0) RETURN
+          E = TSBETW(LINK, POOL, B, A)
+          IF (E .EQ. 0) THEN
+            INFO = FULL
+            CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
+            IF (E .EQ. 0) RETURN
+          ELSE
+            CALL TSMTCH(X, P, ORD, TET, ADJ, RCTL, CODE,
+     $                  POOL(E+ECODE), INFO)
+            IF (INFO .NE. 0) RETURN
+            CALL TSUNLI(LINK, POOL, E)
+          END IF
+   10   CONTINUE
+   20 CONTINUE
+      CALL TSFOLL(LINK, POOL, CTL)
+      INFO = 0
+      END
+
 C     TSLOAD - move the facets that S owns from the pool to the link,
-C     the oldest first.  OK is 1, or 0 if there is no room.
-      SUBROUTINE TSLOAD(TET, HEAD, LINK, POOL, CTL, S, OK)
-      INTEGER TET(4,*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER ENTRY
-      PARAMETER (ENTRY = 4)
-      INTEGER CODE, E, F
+C     the oldest first.  OK is 1, or 0 if there is no room.  Where these
+C     do not fit beside the table, it gives them up first.
+      SUBROUTINE TSLOAD(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL,
+     $                  RCTL, S, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*)
+      INTEGER CTL(*), S, OK
+      INTEGER TSQUOT
+      INTEGER MPOOL, NOPEN, NEWEST, ENTRY, EDGE
+      PARAMETER (MPOOL = 6, NOPEN = 7, NEWEST = 10, ENTRY = 4, EDGE = 6)
+      INTEGER CODE, E, EDGES, F, INFO
       OK = 1
       E = HEAD(S)
       IF (E .EQ. 0) RETURN
+      EDGES = 1
    10 IF (POOL(ENTRY*(E-1)+2) .NE. 0) THEN
         E = POOL(ENTRY*(E-1)+2)
+        EDGES = EDGES + 1
         GO TO 10
+      END IF
+      IF (ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - EDGE*EDGES) THEN
+        CTL(NOPEN) = CTL(NOPEN) - EDGES
+        CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
+     $              TSQUOT(CTL, EDGES), INFO)
+        IF (INFO .EQ. 0) CALL TSGATH(X, P, ORD, TET, ADJ, LINK, POOL,
+     $      CTL, RCTL, S, INFO)
+        IF (INFO .NE. 0) OK = 0
+        RETURN
       END IF
    20 IF (E .NE. 0) THEN
         CODE = POOL(ENTRY*(E-1)+1)
         CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, F)
-        IF (F .EQ. 0) THEN
-          OK = 0
-          RETURN
-        END IF
         E = POOL(ENTRY*(E-1)+3)
         GO TO 20
       END IF
@@ -1113,34 +1167,37 @@ C     block.
       END
 
 C     TSMKRO - make sure of room for another tetrahedron's facets in the
-C     pool and in the link of S.  OK is 1, or 0.
+C     table and in the link of S: OK is 1, or 0 if there is none.
+C     Callers must reload OLDEST.  When three quarters of the table are
+C     in use, or the link meets it, the edges move up, if an eighth of
+C     their room is dead, and the table gets another length, if that
+C     differs by a sixteenth: so both are seldom.
       SUBROUTINE TSMKRO(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL,
      $                  RCTL, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*)
       INTEGER CTL(*), S, OK
+      INTEGER TSQUOT
       INTEGER NT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEWEST, ENTRY, EDGE
       PARAMETER (NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
       PARAMETER (OLDEST = 9, NEWEST = 10, ENTRY = 4, EDGE = 6)
-      INTEGER INFO
+      INTEGER CHANGE, INFO, MOST
+      CHANGE = CTL(MPOOL)/16
       OK = 1
-      IF (4*(CTL(NOPEN) + CTL(NT) - CTL(FRESH) +
-     $    1) .GE. 3*CTL(MPOOL)) THEN
-        CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-        IF (4*CTL(NOPEN) .GE. 3*CTL(MPOOL)) THEN
-          CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
-     $                2*CTL(MPOOL) + 1, INFO)
-          IF (INFO .NE. 0 .AND. CTL(NOPEN) .GE. CTL(MPOOL) -
-     $        CTL(MPOOL)/8 - 1) OK = 0
-          IF (OK .EQ. 0) RETURN
-        END IF
-      END IF
-      IF (ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - 2*EDGE .AND.
-     $    CTL(OLDEST) .LT. CTL(NEWEST) + (CTL(ROOM) + 1 -
-     $    CTL(NEWEST))/2) CALL TSRENU(LINK, POOL, CTL)
-      IF (ENTRY*CTL(MPOOL) .LE. CTL(NEWEST) - 1 - 2*EDGE) RETURN
+      IF (4*(CTL(NOPEN) + CTL(NT) - CTL(FRESH) + 1) .LT.
+     $    3*CTL(MPOOL) .AND. ENTRY*CTL(MPOOL) .LE.
+     $    CTL(NEWEST) - 1 - 2*EDGE) RETURN
       CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      OK = 0
+      IF (CTL(ROOM) + 1 - CTL(OLDEST) .GT.
+     $    (CTL(ROOM) + 1 - CTL(NEWEST))/8) CALL TSRENU(LINK, POOL, CTL)
+      MOST = MIN(TSQUOT(CTL, 2), 2*CTL(MPOOL) + 1)
+      IF ((4*CTL(NOPEN) .GE. 3*CTL(MPOOL) .AND.
+     $    MOST .GT. CTL(MPOOL) + CHANGE) .OR. (ENTRY*CTL(MPOOL) .GT.
+     $    CTL(NEWEST) - 1 - 2*EDGE .AND. MOST .LT. CTL(MPOOL) - CHANGE))
+     $    CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
+     $                MOST, INFO)
+      IF (CTL(NOPEN) .GE. CTL(MPOOL) - CTL(MPOOL)/8 - 1 .OR.
+     $    ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - 2*EDGE) OK = 0
       END
 
 C     TSBEGI - the first facet becomes an edge of the link of its vertex
@@ -1256,7 +1313,8 @@ C       that was met before and owns none is complete
    20 CONTINUE
    30 CTL(LOW) = S
       IF (S .LE. CTL(NP)) THEN
-        CALL TSLOAD(TET, HEAD, LINK, POOL, CTL, S, OK)
+        CALL TSLOAD(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL, RCTL,
+     $              S, OK)
       ELSE
         DO 40 S = CTL(UNMET), CTL(NP)
           IF (LINK(S) .EQ. NEW .AND. HEAD(S) .NE. FOREIN) GO TO 50
@@ -1437,29 +1495,39 @@ C       E may fill the hole if its home is not behind the hole
       POOL(ENTRY*(HOLE-1)+1) = 0
       END
 
-C     TSREHA - make the pool's table about twice as long, or as long as
-C     it may be, and enter its facets again in their order.  The new
-C     table is laid over the old one, so the facets come from TET and
-C     ADJ: those open ones that have an owner and not the vertex S.
-C     (Those that do are edges of its link.)  In results that were
-C     joined a facet may be there twice: it is closed.  INFO is 0, FULL,
-C     or what TSMTCH finds.
+C     TSQUOT - entries that the table may have: those it needs for its
+C     facets, an eighth of them unused, and half of what besides so many
+C     more edges is free.
+      INTEGER FUNCTION TSQUOT(CTL, EDGES)
+      INTEGER CTL(*), EDGES
+      INTEGER NOPEN, NEWEST, ENTRY, EDGE
+      PARAMETER (NOPEN = 7, NEWEST = 10, ENTRY = 4, EDGE = 6)
+      INTEGER MOST, NEED
+      MOST = (CTL(NEWEST) - 1 - EDGE*EDGES)/ENTRY
+      NEED = CTL(NOPEN) + CTL(NOPEN)/7 + 4
+      TSQUOT = MOST
+      IF (MOST .GE. NEED) TSQUOT = NEED + (MOST - NEED)/2
+      END
+
+C     TSREHA - give the pool's table another length, its quota at most,
+C     and enter its facets again in their order.  The new table is laid
+C     over the old one, so the facets come from TET and ADJ: those open
+C     ones that have an owner and not the vertex S.  (Those that do are
+C     edges of its link.)  In results that were joined a facet may be
+C     there twice: it is closed.  INFO is 0, FULL, or what TSMTCH finds.
       SUBROUTINE TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
      $                  WANTED, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S
       INTEGER WANTED, INFO
-      INTEGER TSOWNE, TSHASH
-      INTEGER NP, ROOM, MPOOL, NOPEN, FRESH, NEWEST, OPEN, FOREIN
-      INTEGER ENTRY, EDGE, FULL
-      PARAMETER (NP = 1, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
-      PARAMETER (NEWEST = 10, OPEN = -1, FOREIN = -1, ENTRY = 4)
-      PARAMETER (EDGE = 6, FULL = 2)
+      INTEGER TSOWNE, TSHASH, TSQUOT
+      INTEGER NP, MPOOL, NOPEN, FRESH, OPEN, FOREIN, ENTRY, FULL
+      PARAMETER (NP = 1, MPOOL = 6, NOPEN = 7, FRESH = 8, OPEN = -1)
+      PARAMETER (FOREIN = -1, ENTRY = 4, FULL = 2)
       INTEGER CODE, E, FACET, LEAST, LENGTH, OTHER, SIG, V(3)
       INFO = FULL
-      LENGTH = MIN(WANTED, (CTL(ROOM) - CTL(ROOM)/8)/ENTRY,
-     $             (CTL(NEWEST) - 1 - 2*EDGE)/ENTRY)
-      IF (LENGTH .LE. CTL(MPOOL)) RETURN
+      LENGTH = MIN(WANTED, TSQUOT(CTL, 2))
+      IF (LENGTH .LT. 1) RETURN
       DO 10 E = 1, LENGTH
         POOL(ENTRY*(E-1)+1) = 0
    10 CONTINUE
@@ -4284,11 +4352,11 @@ C     HEAD has the positions of the points at first.
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*)
       INTEGER LINK(*), POOL(*), CTL(*), LSI(3,2), S, N, MASKED, MINE(*)
       INTEGER INFO
-      INTEGER TSBETW, TSTABL
-      INTEGER NP, NT, ECODE, OPEN, DONE, FOREIN, FULL, INTMAX
-      PARAMETER (NP = 1, NT = 2, ECODE = 0, OPEN = -1, DONE = -1)
-      PARAMETER (FOREIN = -1, FULL = 2, INTMAX = 2147483647)
-      INTEGER A, B, CODE, E, I, K, LENGTH, OWN, T, V(3)
+      INTEGER TSTABL
+      INTEGER NP, NT, ROOM, NOPEN, OPEN, DONE, FOREIN, ENTRY
+      PARAMETER (NP = 1, NT = 2, ROOM = 5, NOPEN = 7, OPEN = -1)
+      PARAMETER (DONE = -1, FOREIN = -1, ENTRY = 4)
+      INTEGER CODE, E, I, K, LENGTH, OWN, T, V(3)
       DO 60 T = 1, CTL(NT)
         DO 50 K = 1, 4
           TET(K,T) = HEAD(TET(K,T))
@@ -4303,6 +4371,8 @@ C     HEAD has the positions of the points at first.
           DO 70 K = 1, 3
             LINK(V(K)) = 0
    70     CONTINUE
+          IF (CTL(NOPEN) .LT. CTL(ROOM)/ENTRY) CTL(NOPEN) = CTL(NOPEN) +
+     $        1
         END IF
    80 CONTINUE
       DO 90 I = 1, CTL(NP)
@@ -4314,38 +4384,9 @@ C     HEAD has the positions of the points at first.
    90 CONTINUE
       S = TET(1,CTL(NT))
       IF (HEAD(S) .EQ. FOREIN) S = 0
-      LENGTH = 0
-      DO 110 T = 1, CTL(NT)
-        DO 100 K = 4, 1, -1
-          CODE = 4*(T - 1) + K
-          IF (ADJ(CODE) .NE. OPEN) GO TO 100
-          CALL TSFACE(TET, CODE, V)
-          I = 3
-          IF (V(2) .EQ. S) I = 2
-          IF (V(1) .EQ. S) I = 1
-          IF (V(I) .NE. S) THEN
-            IF (LENGTH .LT. INTMAX - 2) LENGTH = LENGTH + 2
-            GO TO 100
-          END IF
-          A = V(MOD(I, 3)+1)
-          B = V(MOD(I+1, 3)+1)
-          INFO = -6
-          IF (TSBETW(LINK, POOL, A, B) .NE. 0) RETURN
-          E = TSBETW(LINK, POOL, B, A)
-          IF (E .EQ. 0) THEN
-            INFO = FULL
-            CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
-            IF (E .EQ. 0) RETURN
-          ELSE
-            CALL TSMTCH(X, P, ORD, TET, ADJ, RCTL, CODE,
-     $                  POOL(E+ECODE), INFO)
-            IF (INFO .NE. 0) RETURN
-            CALL TSUNLI(LINK, POOL, E)
-          END IF
-  100   CONTINUE
-  110 CONTINUE
-      CALL TSFOLL(LINK, POOL, CTL)
-      LENGTH = MAX(LENGTH, TSTABL(OWN)) + 1
+      CALL TSGATH(X, P, ORD, TET, ADJ, LINK, POOL, CTL, RCTL, S, INFO)
+      IF (INFO .NE. 0) RETURN
+      LENGTH = MAX(2*CTL(NOPEN), TSTABL(OWN)) + 1
       CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S, LENGTH,
      $            INFO)
       END

@@ -1230,6 +1230,74 @@ static void test_resume(void)
     test_result("resumed at some places, pools that grow", faults);
 }
 
+/* ---- the pool that tess_size recommends ---- */
+
+/* Points of one vertex, or few, with stars of almost all points: k hubs beside
+ * a flat sheet, a cone, a circle, a lattice, a bowl or a sphere; n points. */
+static void hubs(double *p, tess_int n, int shape, int k)
+{
+    double x, y, r;
+    tess_int i;
+
+    for (i = 0; i < n; i++, p += 3) {
+        do {
+            x = rnd_unit() - 0.5;
+            y = rnd_unit() - 0.5;
+            r = sqrt(x * x + y * y);
+        } while (r < 1e-3 || r > 0.5);
+        p[0] = x;
+        p[1] = y;
+        p[2] = 0.0;
+        if (shape == 1) p[2] = r;
+        if (shape == 2) p[0] /= r, p[1] /= r;
+        if (shape == 3) p[0] = rnd_below(40), p[1] = rnd_below(40);
+        if (shape == 4) p[2] = r * r;
+        if (shape == 5) p[2] = (i % 2 == 0 ? 1 : -1) * sqrt(0.25 - r * r);
+        if (i >= k) continue;
+        p[2] = shape == 5 ? 0.0 : (i % 2 == 0 ? 1e9 : -2e9) * (double)(i + 1);
+    }
+}
+
+static void test_pool(void)
+{
+    static const char *const shape[] = {"flat", "cone", "circle", "lattice",
+                                        "bowl", "sphere"};
+    double p[3 * 1500];
+    result r;
+    tess_int i, ntet;
+    int kind, try, keep;
+
+    for (kind = 0; kind < 6; kind++) {
+        faults = 0;
+        for (try = 0; try < (quick ? 6 : 40); try++) {
+            r.n = 60 + rnd_below(try % 4 == 3 ? 1440 : 400);
+            hubs(p, r.n, kind, 1 + rnd_below(4));
+            r.p = (tess_real *)array((size_t)(3 * r.n) * sizeof(tess_real));
+            for (i = 0; i < 3 * r.n; i++) r.p[i] = (tess_real)p[i];
+            r.family = shape[kind];
+            r.seed = (unsigned long)try;
+            current = &r;
+            keep = narrays;
+            room(&r, 20 * r.n);
+            run(&r);
+            require(r.code == TESS_OK, "a hub: not TESS_OK");
+            ntet = r.ntet;
+            r.ntet = 0;
+            grow(&r, keep, 1 + rnd_below((int)ntet), 0);
+            run(&r);
+            require(r.code == TESS_MORE || r.ntet == ntet, "a hub: no stop");
+            grow(&r, keep, ntet, 0);
+            resume(&r);
+            require(r.code == TESS_OK && r.ntet == ntet,
+                    "a hub, resumed: not TESS_OK");
+            require(overrun() == 0, "an array is overrun");
+            current = NULL;
+            release(0);
+        }
+        done("the pool suffices", shape[kind]);
+    }
+}
+
 /* ---- locate ---- */
 
 /* The weights against exact ratios of volumes.  A determinant of differences
@@ -2894,6 +2962,7 @@ int main(int argc, char **argv)
     test_families();
     test_workspace();
     test_resume();
+    test_pool();
     test_damage();
     test_check_arguments();
     test_faults();
