@@ -84,7 +84,8 @@ first_half() {
 
 STRICT="-std=c89 -pedantic-errors -Wall -Wextra -Wshadow -Wconversion -Werror"
 if have "$CC" "$STRICT"; then
-    for f in tess.c hhpred.c test/*.c test/paper/*.c; do
+    for f in tess.c hhpred.c test/*.c test/*/*.c; do
+        case $f in test/mpi/*) continue;; esac # mpi.h itself has long long
         one "strict C89: $f" $CC $STRICT -O1 -I. -c -o build/strict.o $f
     done
     for f in blas loops time acc backward round; do
@@ -174,15 +175,15 @@ fi
 
 # ---- the tests proper ----
 
-for t in exact points t_tess t_part; do
-    $CC $CFLAGS -c -o build/$t.o test/$t.c
+for f in test/proof/exact test/points test/unit/t_tess test/unit/t_part; do
+    $CC $CFLAGS -c -o build/`basename $f`.o $f.c
 done
 TEST="build/exact.o build/points.o"
 
 for t in t_pred brute t_tess t_part; do
     also=
-    [ $t = brute ] && also=test/define.c
-    if build $t "$CC" "$CFLAGS" test/$t.c $also $HARD $TEST; then
+    [ $t = brute ] && also=test/proof/define.c
+    if build $t "$CC" "$CFLAGS" test/unit/$t.c $also $HARD $TEST; then
         many $t build/$t
     else
         fail "$t does not compile"
@@ -191,7 +192,7 @@ done
 
 # Sizes, whatever the integer.
 for d in "" -DTESS_INT=short -DTESS_INT=long; do
-    if build t_size "$CC" "-O1 $d" test/t_size.c $HARD; then
+    if build t_size "$CC" "-O1 $d" test/unit/t_size.c $HARD; then
         many "t_size $d" build/t_size
         [ "$d" = "" ] && build/t_size -table > build/sizes.txt
     else
@@ -203,25 +204,25 @@ one "the README's table of sizes" sh -c \
     cmp - build/sizes.txt"
 
 # Few limbs: code 2 or TESS_RANGE where they do not suffice, nothing wrong.
-if build t_pred3 "$CC" "-O1 -DHH_LIMBS=3" test/t_pred.c hhpred.c $TEST
+if build t_pred3 "$CC" "-O1 -DHH_LIMBS=3" test/unit/t_pred.c hhpred.c $TEST
 then
     many "t_pred, 3 limbs" build/t_pred3 50
 else
     fail "t_pred, 3 limbs, does not compile"
 fi
-if build brute3 "$CC" "-O1 -DHH_LIMBS=3" test/brute.c test/define.c $HARD $TEST; then
+if build brute3 "$CC" "-O1 -DHH_LIMBS=3" test/unit/brute.c test/proof/define.c $HARD $TEST; then
     many "brute, 3 limbs" build/brute3 100
 else
     fail "brute, 3 limbs, does not compile"
 fi
 for n in 3 6; do
-    if build t_tess3 "$CC" "-O1 -DHH_LIMBS=$n" test/t_tess.c $HARD $TEST; then
+    if build t_tess3 "$CC" "-O1 -DHH_LIMBS=$n" test/unit/t_tess.c $HARD $TEST; then
         many "t_tess -range, $n limbs" build/t_tess3 -range
     else
         fail "t_tess, $n limbs, does not compile"
     fi
     [ $n = 3 ] || continue
-    if build t_part3 "$CC" "-O1 -DHH_LIMBS=$n" test/t_part.c $HARD $TEST; then
+    if build t_part3 "$CC" "-O1 -DHH_LIMBS=$n" test/unit/t_part.c $HARD $TEST; then
         many "t_part, $n limbs" build/t_part3 -quick
     else
         fail "t_part, $n limbs, does not compile"
@@ -238,7 +239,7 @@ fi
 
 # The margins of the search; tess.c is included in the test.
 for d in "" -DTESS_LIST=64 -DTESS_FLOAT; do
-    if build t_margin "$CC" "$CFLAGS $d" test/t_margin.c test/hard.c hhpred.c \
+    if build t_margin "$CC" "$CFLAGS $d" test/unit/t_margin.c test/hunts/hard.c hhpred.c \
         build/exact.o; then
         many "t_margin $d" build/t_margin
     else
@@ -247,19 +248,19 @@ for d in "" -DTESS_LIST=64 -DTESS_FLOAT; do
 done
 
 # Coordinates of type float; indices of type short, long.
-if build t_predf "$CC" "-O1 -DTESS_FLOAT" test/t_pred.c hhpred.c $TEST
+if build t_predf "$CC" "-O1 -DTESS_FLOAT" test/unit/t_pred.c hhpred.c $TEST
 then
     many "t_pred, float" build/t_predf 50
 else
     fail "t_pred, float, does not compile"
 fi
-if build t_partf "$CC" "-O1 -DTESS_FLOAT" test/t_part.c $HARD $TEST; then
+if build t_partf "$CC" "-O1 -DTESS_FLOAT" test/unit/t_part.c $HARD $TEST; then
     many "t_part -DTESS_FLOAT" build/t_partf -quick
 else
     fail "t_part -DTESS_FLOAT does not compile"
 fi
 for d in -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long; do
-    if build brutef "$CC" "-O1 $d" test/brute.c test/define.c $HARD $TEST; then
+    if build brutef "$CC" "-O1 $d" test/unit/brute.c test/proof/define.c $HARD $TEST; then
         many "brute $d" build/brutef 100
     else
         fail "brute $d does not compile"
@@ -267,12 +268,12 @@ for d in -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long; do
 done
 
 # Lists of other capacities only look elsewhere first.
-if build brutel "$CC" "-O1 -DTESS_LIST=48" test/brute.c test/define.c $HARD $TEST; then
+if build brutel "$CC" "-O1 -DTESS_LIST=48" test/unit/brute.c test/proof/define.c $HARD $TEST; then
     many "brute -DTESS_LIST=48" build/brutel 100
 else
     fail "brute -DTESS_LIST=48 does not compile"
 fi
-if build t_tessl "$CC" "-O1 -DTESS_LIST=48" test/t_tess.c $HARD $TEST; then
+if build t_tessl "$CC" "-O1 -DTESS_LIST=48" test/unit/t_tess.c $HARD $TEST; then
     many "t_tess -DTESS_LIST=48" build/t_tessl -quick
 else
     fail "t_tess -DTESS_LIST=48 does not compile"
@@ -280,30 +281,30 @@ fi
 
 # All rounding modes, where C99's fenv.h is to be had.
 ROUND="-std=c99 -frounding-math -DTEST_ROUNDING"
-if build t_predr "$CC" "$ROUND -O2" test/t_pred.c test/exact.c hhpred.c; then
+if build t_predr "$CC" "$ROUND -O2" test/unit/t_pred.c test/proof/exact.c hhpred.c; then
     many "t_pred, all rounding modes" build/t_predr 10
 else
     skip "t_pred in all rounding modes"
 fi
 
-if build t_marginr "$CC" "$ROUND -O2 -I." test/t_margin.c test/exact.c \
-    test/hard.c hhpred.c; then
+if build t_marginr "$CC" "$ROUND -O2 -I." test/unit/t_margin.c test/proof/exact.c \
+    test/hunts/hard.c hhpred.c; then
     many "t_margin, all rounding modes" build/t_marginr 10
 else
     skip "t_margin in all rounding modes"
 fi
 
 # The certificates of the search, with builds of its own.
-many "certify" env CC="$CC" sh test/certify.sh -check
+many "certify" env CC="$CC" sh test/hunts/certify.sh -check
 
 # Sanitizers.
 SAN="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 if have "$CC" "$SAN"; then
-    build brutes "$CC" "$SAN" test/brute.c test/define.c $HARD test/exact.c
+    build brutes "$CC" "$SAN" test/unit/brute.c test/proof/define.c $HARD test/proof/exact.c
     many "brute, sanitizers" build/brutes 50
-    build t_tesss "$CC" "$SAN" test/t_tess.c $HARD test/exact.c test/points.c
+    build t_tesss "$CC" "$SAN" test/unit/t_tess.c $HARD test/proof/exact.c test/points.c
     many "t_tess, sanitizers" build/t_tesss -quick
-    build t_parts "$CC" "$SAN" test/t_part.c $HARD test/exact.c test/points.c
+    build t_parts "$CC" "$SAN" test/unit/t_part.c $HARD test/proof/exact.c test/points.c
     many "t_part, sanitizers" build/t_parts -quick
 else
     skip "sanitizers"
@@ -346,7 +347,7 @@ same "clang -Ofast" clang "-Ofast"
 same "tcc" tcc ""
 
 # As C++; the objects of C cannot be linked to it.
-SUMS="test/t_tess.c test/exact.c test/points.c"
+SUMS="test/unit/t_tess.c test/proof/exact.c test/points.c"
 same "g++ -x c++ -O2" g++ "-x c++ -O2"
 
 # ---- the examples: their own checks, and their output as stored ----
@@ -405,7 +406,7 @@ many "the README" sh test/program/readme.sh
 
 # ---- the command line program ----
 
-many "the driver" env CC="$CC" sh test/driver.sh
+many "the driver" env CC="$CC" sh test/program/driver.sh
 }
 
 # ---- the second half: torture, FORTRAN 77, other machines, the paper ----
@@ -413,7 +414,7 @@ many "the driver" env CC="$CC" sh test/driver.sh
 second_half() {
 
 # Hard sets in hard circumstances, with builds of its own: the hunt's start.
-many "torture" env CC="$CC" sh test/torture.sh -check
+many "torture" env CC="$CC" sh test/hunts/torture.sh -check
 
 # ---- the FORTRAN 77 half: ANSI X3.9-1978 and nothing more ----
 
@@ -438,13 +439,13 @@ if command -v ftnchek > /dev/null; then
         > build/ftnwarn.txt
     one "ftnchek: warnings of the workspace alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
-    $CHEK -array=no-dimensions -usage=no-arg-array-alias $F77 test/parity.f \
+    $CHEK -array=no-dimensions -usage=no-arg-array-alias $F77 test/fortran/parity.f \
         > build/ftnchek.txt 2>&1
     one "ftnchek: parity.f" sh -c '! grep -i warning build/ftnchek.txt'
     $CHEK -noextern -array=no-dimensions -usage=no-arg-array-alias \
         test/examples/parts.f > build/ftnchek.txt 2>&1
     one "ftnchek: parts.f" sh -c '! grep -i warning build/ftnchek.txt'
-    for f in test/examples/derived.f test/sizes.f; do
+    for f in test/examples/derived.f test/fortran/sizes.f; do
         $CHEK -array=no-dimensions -usage=no-arg-array-alias -library \
             $F77 $f > build/ftnchek.txt 2>&1
         one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
@@ -453,9 +454,9 @@ else
     skip "ftnchek: not installed"
 fi
 one "f77/README is what the sources say" sh -c \
-    'sh test/manual.sh | cmp - f77/README'
+    'sh test/fortran/manual.sh | cmp - f77/README'
 one "FORTRAN 77: no line past column 72" \
-    sh -c '! grep -n "^.\{73\}" f77/*.f test/*.f test/*/*.f'
+    sh -c '! grep -n "^.\{73\}" f77/*.f test/*/*.f'
 
 # The table of both names in the header of each file: all routines of C, and
 # all of the file, in their order, but for those that only one half has.
@@ -490,11 +491,11 @@ GFORT="gfortran -frecursive -Wall -Wextra -Werror"
 gfort() {
     $GFORT -std=f95 -pedantic "$@" -c -o build/ftess.o f77/tess.f &&
         $GFORT -std=f95 -pedantic "$@" -c -o build/fhhpred.o f77/hhpred.f &&
-        $GFORT -std=legacy -O1 -fcheck=all -c -o build/fparity.o test/parity.f
+        $GFORT -std=legacy -O1 -fcheck=all -c -o build/fparity.o test/fortran/parity.f
 }
 viaf2c() {
     mkdir -p build/f2c &&
-        f2c -A -a -u -dbuild/f2c $F77 test/parity.f > build/f2c.txt 2>&1 &&
+        f2c -A -a -u -dbuild/f2c $F77 test/fortran/parity.f > build/f2c.txt 2>&1 &&
         ! grep -i warning build/f2c.txt &&
         $CC -O2 -c -o build/ftess.o build/f2c/tess.c &&
         $CC -O2 -c -o build/fhhpred.o build/f2c/hhpred.c &&
@@ -550,7 +551,7 @@ threads() {
 }
 rm -f build/threads.o
 if have "$CC" -fopenmp; then
-    $CC $CFLAGS -fopenmp -c -o build/threads.o test/threads.c
+    $CC $CFLAGS -fopenmp -c -o build/threads.o test/fortran/threads.c
 else
     skip "threads: no OpenMP"
 fi
@@ -571,7 +572,7 @@ programs() {
         esac
     done
 }
-F77PROGRAMS="test/examples/derived.f test/sizes.f"
+F77PROGRAMS="test/examples/derived.f test/fortran/sizes.f"
 
 # interface NAME FLAGS: the module for Fortran 90, and that with it wrong calls
 # do not compile; f77/README's program
@@ -579,7 +580,7 @@ interface() {
     (cd build && gfortran -std=f95 -pedantic -Wall -Wextra -Werror $2 -c \
         -o module.o ../f77/tess.f90) >> $LOG 2>&1
     module="-cpp -Ibuild -Jbuild $2"
-    if gfortran -std=f2018 -pedantic $module -o build/iface test/iface.f90 \
+    if gfortran -std=f2018 -pedantic $module -o build/iface test/fortran/iface.f90 \
         build/ftess.o build/fhhpred.o $LIBS >> $LOG 2>&1
     then
         many "interfaces, $1" build/iface
@@ -588,7 +589,7 @@ interface() {
     fi
     for wrong in 1 2 3 4; do
         one "interfaces, $1: wrong call $wrong" sh -c "! gfortran $module \
-            -DWRONG=$wrong -c -o build/module.o test/iface.f90"
+            -DWRONG=$wrong -c -o build/module.o test/fortran/iface.f90"
     done
     awk '/^      PROGRAM GRID/,/^      END$/' f77/README > build/grid.f
     rm -f build/grid
@@ -601,20 +602,20 @@ interface() {
 # when it was made, so that a machine without Fortran compares, too.  It is not
 # believed: the first program proves each answer by exact.c, and knows the
 # code of each bad argument and fault from the interface.  (When the library's
-# own figures change, as the lengths of the workspace: cp build/parity.txt test.)
-if build parity "$CC" "$CFLAGS -DPROVE" test/parity.c test/prove.c $HARD \
-    test/exact.c; then
+# own figures change, as the lengths of the workspace: cp build/parity.txt test/fortran.)
+if build parity "$CC" "$CFLAGS -DPROVE" test/fortran/parity.c test/proof/prove.c $HARD \
+    test/proof/exact.c; then
     build/parity > build/parity.txt 2> build/prove.txt
     cat build/prove.txt >> $LOG
     one "parity: proofs" grep '^prove: [0-9]* passed, 0 failed' build/prove.txt
     one "parity: no code but the promised one" \
         sh -c 'test -s build/parity.txt && ! grep WRONG build/parity.txt'
-    one "parity: the text as stored" cmp test/parity.txt build/parity.txt
+    one "parity: the text as stored" cmp test/fortran/parity.txt build/parity.txt
 else
     fail "parity.c does not compile"
 fi
 # (what makes infinities and NaNs must not be compiled with -Ofast)
-$CC $CFLAGS -c -o build/parity.o test/parity.c
+$CC $CFLAGS -c -o build/parity.o test/fortran/parity.c
 for c in "$CC -O0" "$CC -Ofast -march=native" "clang -Ofast" "tcc"; do
     set -- $c
     cc=$1
@@ -622,7 +623,7 @@ for c in "$CC -O0" "$CC -Ofast -march=native" "clang -Ofast" "tcc"; do
     if have $cc "$*"; then
         build parity1 $cc "$*" build/parity.o $HARD
         build/parity1 > build/parity1.txt
-        one "parity: $c" cmp test/parity.txt build/parity1.txt
+        one "parity: $c" cmp test/fortran/parity.txt build/parity1.txt
     else
         skip "parity: $c"
     fi
@@ -630,7 +631,7 @@ done
 
 $CC $CFLAGS -c -o build/tess.o tess.c
 $CC $CFLAGS -c -o build/hhpred.o hhpred.c
-$CC $CFLAGS -c -o build/t_f77.o test/t_f77.c
+$CC $CFLAGS -c -o build/t_f77.o test/fortran/t_f77.c
 $CC $CFLAGS -c -o build/points.o test/points.c
 LINKF=$CC
 LIBF=
@@ -670,12 +671,12 @@ if command -v gfortran > /dev/null; then
         done
         $CC $CFLAGS -DHH_LIMBS=3 -c -o build/tess.o tess.c
         $CC $CFLAGS -DHH_LIMBS=3 -c -o build/hhpred.o hhpred.c
-        $CC $CFLAGS -DHH_LIMBS=3 -c -o build/t_f77.o test/t_f77.c
+        $CC $CFLAGS -DHH_LIMBS=3 -c -o build/t_f77.o test/fortran/t_f77.c
     }
     fortran "gfortran, 3 limbs" fewlimbs
     $CC $CFLAGS -c -o build/tess.o tess.c
     $CC $CFLAGS -c -o build/hhpred.o hhpred.c
-    $CC $CFLAGS -c -o build/t_f77.o test/t_f77.c
+    $CC $CFLAGS -c -o build/t_f77.o test/fortran/t_f77.c
     entries
     for omp in "" -fopenmp; do
         rm -f build/partsf
@@ -705,9 +706,9 @@ fi
 cross() {
     name="same result: $3"
     if command -v $1 > /dev/null && command -v $2 > /dev/null; then
-        if build cross $1 "-O2 -static" test/parity.c $HARD; then
+        if build cross $1 "-O2 -static" test/fortran/parity.c $HARD; then
             $2 build/cross > build/cross.txt 2>> $LOG
-            one "$name" cmp test/parity.txt build/cross.txt
+            one "$name" cmp test/fortran/parity.txt build/cross.txt
         else
             fail "$name: does not compile"
         fi
@@ -726,10 +727,10 @@ cross m68k-linux-gnu-gcc qemu-m68k "big-endian with an 80-bit unit (68k)"
 # for two words.)
 name="same result: AVR"
 if command -v avr-gcc > /dev/null && command -v simavr > /dev/null; then
-    if build tiny "$CC" "-O2 -DTESS_FLOAT" test/tiny.c $HARD &&
+    if build tiny "$CC" "-O2 -DTESS_FLOAT" test/machines/tiny.c $HARD &&
         build tiny.elf avr-gcc \
             "-std=gnu89 -mmcu=atmega1284p -Os -DTESS_INT=short -DTESS_LIST=64" \
-            test/tiny.c $HARD
+            test/machines/tiny.c $HARD
     then
         build/tiny > build/tiny.txt
         (ulimit -t 100; exec simavr -m atmega1284p -f 16000000 \
