@@ -4652,7 +4652,9 @@ C                      exceed the largest integer.  The lengths are then
 C                      0
 C
 C     The pool of open facets that LIW includes suffices for all inputs
-C     but those whose number of tetrahedra is quadratic in N.
+C     but those whose number of tetrahedra is quadratic in N and, beyond
+C     28,000 points, some where one vertex is in almost all tetrahedra
+C     (a plane grid and one point).
       SUBROUTINE TESSWK(N, MAXTET, LIW, LRW, INFO)
       INTEGER N, MAXTET, LIW, LRW, INFO
       INTEGER TSEXTR
