@@ -35,7 +35,7 @@ SEED =
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
 LIBRARY = build/tess.o build/hhpred.o
-EXAMPLES = interp poisson embedded surface parts stream sensor derived planar
+EXAMPLES = interp poisson embedded surface parts stream sensor derived planar slopes
 
 all: build/tess
 

@@ -352,7 +352,7 @@ same "g++ -x c++ -O2" g++ "-x c++ -O2"
 # ---- the examples: their own checks, and their output as stored ----
 
 for example in interp poisson embedded surface parts stream sensor derived \
-    planar; do
+    planar slopes; do
     also=
     [ $example = parts ] && also=-lpthread
     if build "$example" "$CC" "$CFLAGS -I." test/examples/$example.c tess.c hhpred.c $also; then
@@ -452,7 +452,7 @@ if command -v ftnchek > /dev/null; then
     $CHEK -noextern -array=no-dimensions -usage=no-arg-array-alias \
         test/examples/parts.f > build/ftnchek.txt 2>&1
     one "ftnchek: parts.f" sh -c '! grep -i warning build/ftnchek.txt'
-    for f in test/examples/derived.f test/sizes.f; do
+    for f in test/examples/derived.f test/examples/slopes.f test/sizes.f; do
         $CHEK -array=no-dimensions -usage=no-arg-array-alias -library \
             $F77 $f > build/ftnchek.txt 2>&1
         one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
@@ -596,7 +596,7 @@ programs() {
         esac
     done
 }
-F77PROGRAMS="test/examples/derived.f test/sizes.f"
+F77PROGRAMS="test/examples/derived.f test/examples/slopes.f test/sizes.f"
 
 # interface NAME FLAGS: the module for Fortran 90, and that with it wrong calls
 # do not compile; f77/README's program
