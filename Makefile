@@ -35,7 +35,8 @@ SEED =
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
 LIBRARY = build/tess.o build/hhpred.o
-EXAMPLES = interp poisson embedded surface parts stream sensor derived planar slopes
+EXAMPLES = interp poisson embedded surface parts stream sensor derived planar \
+    slopes cells
 
 all: build/tess
 

@@ -352,7 +352,7 @@ same "g++ -x c++ -O2" g++ "-x c++ -O2"
 # ---- the examples: their own checks, and their output as stored ----
 
 for example in interp poisson embedded surface parts stream sensor derived \
-    planar slopes; do
+    planar slopes cells; do
     also=
     [ $example = parts ] && also=-lpthread
     if build "$example" "$CC" "$CFLAGS -I." test/examples/$example.c tess.c hhpred.c $also; then
