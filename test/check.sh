@@ -452,7 +452,8 @@ if command -v ftnchek > /dev/null; then
     $CHEK -noextern -array=no-dimensions -usage=no-arg-array-alias \
         test/examples/parts.f > build/ftnchek.txt 2>&1
     one "ftnchek: parts.f" sh -c '! grep -i warning build/ftnchek.txt'
-    for f in test/examples/derived.f test/examples/slopes.f test/sizes.f; do
+    for f in test/examples/derived.f test/examples/slopes.f test/examples/cells.f \
+        test/sizes.f; do
         $CHEK -array=no-dimensions -usage=no-arg-array-alias -library \
             $F77 $f > build/ftnchek.txt 2>&1
         one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
@@ -596,7 +597,8 @@ programs() {
         esac
     done
 }
-F77PROGRAMS="test/examples/derived.f test/examples/slopes.f test/sizes.f"
+F77PROGRAMS="test/examples/derived.f test/examples/slopes.f test/examples/cells.f
+    test/sizes.f"
 
 # interface NAME FLAGS: the module for Fortran 90, and that with it wrong calls
 # do not compile; f77/README's program

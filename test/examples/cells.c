@@ -103,22 +103,22 @@ static void meet(const double *a, const double *b, const double *c,
  *
  * returns 0; TESS_MORE when most is too small: nface is then a number that
  * suffices; 2 for a cell that has no end, or none that rounding can tell, and
- * there is no box; TESS_BAD_OPEN at an open facet.  A duplicate has no tetrahedra: its cell is that of iw[i], and
- * nface = 0, volume = 0 here.
+ * there is no box; TESS_BAD_OPEN at an open facet.  A duplicate has no
+ * tetrahedra: its cell is that of iw[i], and nface = 0, volume = 0 here.
  * Cost: some 10 microseconds in a cloud; O(m^2) for m neighbours.
  *
- * The box, or one that is made larger until nothing is left of its sides, is cut
- * by the plane midway to each neighbour, the nearest first.  A vertex is kept as the three
- * planes a, b, c that meet there, counter-clockwise seen from outside: its
- * neighbour along the edge of a and b has b before a.  So what is cut off is
- * known by the vertices' signs alone, and the rest stays a closed surface,
- * whatever rounding does; new vertices are on edges between old ones.  Vertices
- * that a plane passes within 1e-13 of their distance stay, so that a plane that
- * only touches the cell, as in a lattice, cuts nothing; at the end vertices
- * that agree to 1e-12 become one, and faces of fewer than three go.  A vertex is
- * known to rounding over the angles between its planes: where two points are
- * 1e-7 apart, others' faces end between them to 1e-9; what one cell loses by
- * that its neighbour gains. */
+ * The box, or one that is made larger until nothing is left of its sides, is
+ * cut by the plane midway to each neighbour, the nearest first.  A vertex is
+ * kept as the three planes a, b, c that meet there, counter-clockwise seen from
+ * outside: its neighbour along the edge of a and b has b before a.  So what is
+ * cut off is known by the vertices' signs alone, and the rest stays a closed
+ * surface, whatever rounding does; new vertices are on edges between old ones.
+ * Vertices that a plane passes within 1e-13 of their distance stay, so that a
+ * plane that only touches the cell, as in a lattice, cuts nothing; at the end
+ * vertices that agree to 1e-12 become one, and faces of fewer than three go.  A
+ * vertex is known to rounding over the angles between its planes: where two
+ * points are 1e-7 apart, others' faces end between them to 1e-9; what one cell
+ * loses by that its neighbour gains. */
 static int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
                 const tess_int *first, const tess_int *list, tess_int i,
                 const double *box, tess_int most, tess_int *nface,
@@ -563,8 +563,8 @@ static int outer(tess_int i)
 }
 
 /* All cells, with a box and without (on the turned lattice's sides there are
- * points that rounding has put inside by 1e-17); on the lattice cubes of 1/8, of six faces
- * and eight vertices; their volumes sum to the box's. */
+ * points that rounding has put inside by 1e-17); on the lattice cubes of 1/8,
+ * of six faces and eight vertices; their volumes sum to the box's. */
 static int test_cell(void)
 {
     static const double none[6] = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0};
@@ -672,8 +672,9 @@ static double shape(double radius, int voids, int *bad)
 
 /* Volumes by tetrahedra and triangles agree for every radius, and grow with it;
  * DBL_MAX gives the hull.  A lattice of cubes of edge 1/8 without 3^3 points
- * inside and 3 of an edge: of a cube that lacks a corner 5/6 remain, of one that
- * lacks two half.  Inside 8 lack one and 24 two, of 64; at the edge 2 and 2. */
+ * inside and 3 of an edge: of a cube that lacks a corner 5/6 remain, of one
+ * that lacks two half.  Inside 8 lack one and 24 two, of 64; at the edge 2 and
+ * 2. */
 static int test_alpha(void)
 {
     double v, w, last[2], r;
