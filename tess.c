@@ -48,20 +48,19 @@
  *   rw   3 n x       scaled coordinates by position
  *        12 L box    box of each node of the tree
  *
- * The arena.  The table begins with tablesize entries; when three quarters are
- * in use makeroom has rehash double it, up to 7/8 of the arena and to what the
- * edges leave.  When it can grow no more it may fill up to 7/8, so find always
- * meets an unused entry.  push takes no room of the table; makeroom sees to
- * room for two edges, by moving them up when half of them are dead.  What is
- * still short is TESS_POOL.
+ * The arena.  The table begins with tablesize entries; makeroom has rehash
+ * double it when three quarters are in use, and give it its quota of the arena
+ * when table and edges meet.  It may fill up to 7/8, so find always meets an
+ * unused entry.  push takes no room of the table; makeroom sees to room for two
+ * edges.  What is still short is TESS_POOL.
  *
  * An open facet is in one place at any moment: in the link, if it contains s,
  * the vertex of the star; else in the table, or, of a tetrahedron from fresh
  * on, in none until flush; in none if no star of its vertices is asked for.
  * Numbers of entries are good until the next erase or rehash, which update head
  * and the owners' lists and nothing else; numbers of edges until the next
- * renumber, which updates link and the edges alone: who calls makeroom reads
- * oldest again.
+ * renumber, which updates link and the edges alone: callers of makeroom must
+ * reload oldest.
  *
  * What rests on the tie rule (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; firstfacet, on a hull face of more
@@ -73,8 +72,9 @@
  *                leafsort kdsort boxes
  *   first facet  point preced edgeby firstfacet
  *   star         clearlink renumber push join unlinkedge between glue flush
- *                grow enlist follow load complete makeroom begin star stars
- *   pool         outfac facet owner hashkey same find insert erase rehash
+ *                grow enlist follow gather load complete makeroom begin star stars
+ *   pool         outfac facet owner hashkey same find insert erase quota
+ *                rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
  *   apex         powererr extent prunebox prunepart ballinbox ballinstar better
  *                narrow refine rough level remember fit discover lean residual
@@ -161,12 +161,12 @@ extern void tess_prove(int fact);
 #define BLOCKMAX (TESS_LIST / 8 * 5)
 #define STARMIN 24
 #define STARMAX 48
-/* Capacity of a list.  Lists only say where to look first. */
+/* Capacity of a list (see tess.h).  Lists only say where to look first. */
 #ifndef TESS_LIST
 #define TESS_LIST 512
 #endif
-#if TESS_LIST < LEAF || TESS_LIST % 4 != 0
-#error TESS_LIST is less than the points of a leaf, or no multiple of 4
+#if TESS_LIST < LEAF || TESS_LIST > 4096 || TESS_LIST % 4 != 0
+#error TESS_LIST is not a multiple of 4 from 48 (LEAF) to 4096
 #endif
 /* A node is cut across the widest extent of about so many of its points: of all
  * a million take 3 % longer. */
@@ -176,7 +176,7 @@ extern void tess_prove(int fact);
 /* Supports, at most.  One is sought when a search has more than OPENED points
  * in its sample and these add up to BURDEN times all points; each time in vain
  * doubles that. */
-#define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST / 64)
+#define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST < 512 ? TESS_LIST / 64 : 8)
 #define OPENED 24
 #define BURDEN 1.0
 /* Of fewer points none is sought; places of the sample (few, for the stack,
@@ -713,6 +713,7 @@ static tess_int find(const mesh *m, const tess_int *v, tess_int sig);
 static void insert(mesh *m, tess_int e, tess_int code, tess_int least,
                    tess_int sig);
 static void erase(mesh *m, tess_int e, tess_int least);
+static tess_int quota(const mesh *m, tess_int edges);
 static int rehash(mesh *m, tess_int s, tess_int wanted);
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess);
 static tess_int cuberoot(tess_int n);
@@ -903,18 +904,49 @@ static void follow(mesh *m)
     }
 }
 
+/* gather - make all open facets at s edges of the link, in the order of their
+ * tetrahedra.  Returns 0, TESS_POOL, or what match finds in a facet that is
+ * there twice, as in results that were joined: it is closed. */
+static int gather(mesh *m, tess_int s)
+{
+    tess_int v[3], t, e;
+    int k, j, code;
+
+    for (t = 0; t < m->ntet; t++)
+        for (k = 3; k >= 0; k--) {
+            if (m->adj[4 * t + k] != TESS_OPEN) continue;
+            facet(m, 4 * t + k, v);
+            j = v[0] == s ? 0 : v[1] == s ? 1 : 2;
+            if (v[j] != s) continue;
+            if (between(m, v[(j + 1) % 3], v[(j + 2) % 3]) != NONE) return -6;
+            e = between(m, v[(j + 2) % 3], v[(j + 1) % 3]);
+            if (e == NONE) {
+                if (!enlist(m, s, 4 * t + k)) return TESS_POOL;
+                continue;
+            }
+            code = match(m, 4 * t + k, m->pool[e + CODE]);
+            if (code != 0) return code;
+            unlinkedge(m, e);
+        }
+    follow(m);
+    return 0;
+}
+
 /* load - move the facets that s owns from the pool to the link, the oldest
- * first; 0 if there is no room. */
+ * first; 0 if there is no room.  Where these do not fit beside the table, it
+ * gives them up first. */
 static int load(mesh *m, tess_int s)
 {
-    tess_int e = m->head[s];
+    tess_int e = m->head[s], edges = 1;
 
     if (e == NONE) return 1;
-    while (m->pool[ENTRY * e + 1] != NONE) e = m->pool[ENTRY * e + 1];
-    while (e != NONE) {
-        if (!enlist(m, s, m->pool[ENTRY * e])) return 0;
-        e = m->pool[ENTRY * e + 2];
+    for (; m->pool[ENTRY * e + 1] != NONE; edges++) e = m->pool[ENTRY * e + 1];
+    if (ENTRY * m->m > m->newest - EDGE * edges) {
+        m->nopen -= edges;
+        return rehash(m, s, quota(m, edges)) == 0 && gather(m, s) == 0;
     }
+    for (; e != NONE; e = m->pool[ENTRY * e + 2])
+        (void)enlist(m, s, m->pool[ENTRY * e]);
     while (m->head[s] != NONE) erase(m, m->head[s], s);
     follow(m);
     return 1;
@@ -935,22 +967,27 @@ static void complete(mesh *m, tess_int s)
     l->r[i] = FAR * FAR;
 }
 
-/* makeroom - make sure of room for another tetrahedron's facets in the pool and
- * in the link of s. */
+/* makeroom - make sure of room for another tetrahedron's facets in the table and
+ * in the link of s; returns 0 if there is none.  Callers must reload oldest.
+ * When three quarters of the table are in use, or the link meets it, the edges
+ * move up, if an eighth of their room is dead, and the table gets another
+ * length, if that differs by a sixteenth: so both are seldom. */
 static int makeroom(mesh *m, tess_int s)
 {
-    if (4 * (m->nopen + m->ntet - m->fresh) >= 3 * m->m) {
-        flush(m);
-        if (4 * m->nopen >= 3 * m->m && rehash(m, s, 2 * m->m + 1) &&
-            m->nopen >= m->m - m->m / 8 - 1)
-            return 0;
-    }
-    if (ENTRY * m->m > m->newest - 2 * EDGE &&
-        m->oldest < m->newest + (m->room - m->newest) / 2)
-        renumber(m);
-    if (ENTRY * m->m <= m->newest - 2 * EDGE) return 1;
+    tess_int most, change = m->m / 16;
+
+    if (4 * (m->nopen + m->ntet - m->fresh) < 3 * m->m &&
+        ENTRY * m->m <= m->newest - 2 * EDGE)
+        return 1;
     flush(m);
-    return 0;
+    if (m->room - m->oldest > (m->room - m->newest) / 8) renumber(m);
+    most = quota(m, 2);
+    if (most > 2 * m->m + 1) most = 2 * m->m + 1;
+    if ((4 * m->nopen >= 3 * m->m && most > m->m + change) ||
+        (ENTRY * m->m > m->newest - 2 * EDGE && most < m->m - change))
+        (void)rehash(m, s, most);
+    return m->nopen < m->m - m->m / 8 - 1 &&
+           ENTRY * m->m <= m->newest - 2 * EDGE;
 }
 
 /* begin - the first facet becomes an edge of the link of its vertex of least
@@ -1172,21 +1209,29 @@ static void erase(mesh *m, tess_int e, tess_int least)
     m->pool[ENTRY * hole] = NONE;
 }
 
-/* rehash - make the pool's table about twice as long, or as long as it may
- * be, and enter its facets again in their order.  The new table is laid over
- * the old one, so the facets come from tet and adj: those open ones that have
- * an owner and not the vertex s.  (Those that do are edges of its link.)  In
- * results that were joined a facet may be there twice: it is closed.  Returns
- * 0, TESS_POOL, or what match finds. */
+/* quota - entries that the table may have: those it needs for its facets, an
+ * eighth of them unused, and half of what besides so many more edges is
+ * free. */
+static tess_int quota(const mesh *m, tess_int edges)
+{
+    tess_int most = (m->newest - EDGE * edges) / ENTRY;
+    tess_int need = m->nopen + m->nopen / 7 + 4;
+
+    return most < need ? most : need + (most - need) / 2;
+}
+
+/* rehash - give the pool's table another length, its quota at most, and enter
+ * its facets again in their order.  The new table is laid over the old one, so the facets come from
+ * tet and adj: those open ones that have an owner and not the vertex s.  (Those
+ * that do are edges of its link.)  In results that were joined a facet may be
+ * there twice: it is closed.  Returns 0, TESS_POOL, or what match finds. */
 static int rehash(mesh *m, tess_int s, tess_int wanted)
 {
-    tess_int most = (m->room - m->room / 8) / ENTRY, code, v[3], e, sig, least;
+    tess_int code, v[3], e, sig, least = quota(m, 2);
     int bad;
 
-    if (most > (m->newest - 2 * EDGE) / ENTRY)
-        most = (m->newest - 2 * EDGE) / ENTRY;
-    if (wanted > most) wanted = most;
-    if (wanted <= m->m) return TESS_POOL;
+    if (wanted > least) wanted = least;
+    if (wanted < 1) return TESS_POOL;
     for (e = 0; e < wanted; e++) m->pool[ENTRY * e] = NONE;
     for (e = 0; e < m->np; e++)
         if (m->head[e] != FOREIGN) m->head[e] = NONE;
@@ -3145,8 +3190,8 @@ static tess_int claim(mesh *m, tess_int n, const tess_int *mine)
  * match finds in facets that are there twice. */
 static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
 {
-    tess_int i, t, v[3], a, b, e, size, *place = m->head;
-    int k, j, code;
+    tess_int i, v[3], size, *place = m->head;
+    int k, code;
 
     for (i = 0; i < 4 * m->ntet; i++) {
         m->tet[i] = place[m->tet[i]];
@@ -3157,6 +3202,7 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
         if (m->adj[i] == TESS_OPEN) {
             facet(m, i, v);
             for (k = 0; k < 3; k++) m->link[v[k]] = NONE;
+            if (m->nopen < m->room / ENTRY) m->nopen++;
         }
     for (i = 0; i < m->np; i++)
         if (m->link[i] == DONE) {
@@ -3165,29 +3211,9 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
         }
     *s = m->tet[4 * (m->ntet - 1)];
     if (m->head[*s] == FOREIGN) *s = NONE;
-    i = 0;
-    for (t = 0; t < m->ntet; t++)
-        for (k = 3; k >= 0; k--)
-            if (m->adj[4 * t + k] == TESS_OPEN) {
-                facet(m, 4 * t + k, v);
-                j = v[0] == *s ? 0 : v[1] == *s ? 1 : 2;
-                if (v[j] != *s) {
-                    if (i < TESS_INT_MOST - 2) i += 2;
-                    continue;
-                }
-                a = v[(j + 1) % 3];
-                b = v[(j + 2) % 3];
-                if (between(m, a, b) != NONE) return -6;
-                e = between(m, b, a);
-                if (e == NONE) {
-                    if (!enlist(m, *s, 4 * t + k)) return TESS_POOL;
-                    continue;
-                }
-                code = match(m, 4 * t + k, m->pool[e + CODE]);
-                if (code != 0) return code;
-                unlinkedge(m, e);
-            }
-    follow(m);
+    code = gather(m, *s);
+    if (code != 0) return code;
+    i = 2 * m->nopen;
     return rehash(m, *s, (i > size ? i : size) + 1);
 }
 
