@@ -75,7 +75,8 @@ build/read.o: test/program/read.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/read.c
 
-build/draw.o: test/program/draw.c test/program/draw.h tess.h hhpred.h
+build/draw.o: test/program/draw.c test/program/draw.h \
+    test/examples/cells.c tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/draw.c
 

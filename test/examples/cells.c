@@ -9,11 +9,9 @@
  *   alpha     the part of the mesh whose tetrahedra have small balls, and its
  *             boundary
  *
- * The main program tests them.  cells.f is the same in FORTRAN 77.
+ * The main program tests them.  cells.f is the same in FORTRAN 77.  With
+ * CELLS_ALONE defined, cell and alpha alone, for build/tess.
  */
-#ifndef CELLS_C
-#define CELLS_C
-
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -283,6 +281,7 @@ again:
     return 0;
 }
 
+#ifndef CELLS_ALONE
 /* ---- clipped ---- */
 
 /* clipped - for finite volumes: the Voronoi cells of all points, clipped to a
@@ -340,6 +339,7 @@ static int clipped(tess_int n, const tess_real *p, const tess_int *tet,
     return *nrow > maxrow ? TESS_MORE : 0;
 }
 
+#endif
 /* ---- alpha ---- */
 
 /* alpha - the alpha shape: what is left of the hull when all tetrahedra whose
@@ -809,5 +809,4 @@ int main(void)
     }
     return bad != 0;
 }
-#endif
 #endif
