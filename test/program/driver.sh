@@ -545,7 +545,7 @@ for o in -O0 -O2; do
     $CC $o -I"$TOP" -o picture "$TOP"/test/program/picture.c \
         "$TOP"/test/program/draw.c \
         "$TOP"/tess.c "$TOP"/hhpred.c -lm
-    ./picture "$TOP"/test/data/mirror.xyz m$o.svg c$o.svg > said
+    ./picture "$TOP"/test/data/mirror.xyz m$o.svg s$o.svg c$o.svg > said
 done
 yes "pictures: the same bytes" sh -c 'cmp m-O0.svg m-O2.svg && cmp c-O0.svg c-O2.svg'
 
