@@ -103,7 +103,7 @@ static void meet(const double *a, const double *b, const double *c,
  * suffices; 2 for a cell that has no end, or none that rounding can tell, and
  * there is no box; TESS_BAD_OPEN at an open facet.  A duplicate has no
  * tetrahedra: its cell is that of iw[i], and nface = 0, volume = 0 here.
- * Cost: some 10 microseconds in a cloud; O(m^2) for m neighbours.
+ * Cost: some 25 microseconds in a cloud; O(m^2) for m neighbours.
  *
  * The box, or one that is made larger until nothing is left of its sides, is
  * cut by the plane midway to each neighbour, the nearest first.  A vertex is

@@ -145,7 +145,7 @@ C                      no box; 13 at an open facet
 C
 C     A duplicate has no tetrahedra: its cell is that of IW(I), and
 C     NFACE = 0, VOLUME = 0 here.
-C     Cost: some 10 microseconds in a cloud; O(M**2) for M neighbours.
+C     Cost: some 25 microseconds in a cloud; O(M**2) for M neighbours.
 C
 C     The box, or one that is made larger until nothing is left of its
 C     sides, is cut by the plane midway to each neighbour, the nearest

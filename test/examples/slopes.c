@@ -55,7 +55,7 @@ static void fit(const double *m, double add, const double *r, double *x)
  * returns 0; -1 for n < 1, -3 for ntet < 1, -7 for rounds < 0; TESS_BAD_INDEX
  * for a vertex that is out of range, TESS_BAD_OPEN for an unfinished mesh: g is
  * then not set.  Coordinates' differences: 1e-150 to 1e150.
- * Cost: each pass, of which there are rounds + 2, a fourth of the time of tess.
+ * Cost: each pass, of which there are rounds + 2, a fifth of the time of tess.
  *
  * First, by least squares, the one gradient that suits all edges best; then at
  * each point the one that suits its own edges,

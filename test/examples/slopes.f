@@ -92,7 +92,7 @@ C                      ROUNDS < 0; 10 for a vertex that is out of range,
 C                      13 for an unfinished mesh: G is then not set
 C
 C     Coordinates' differences: 1D-150 to 1D150.
-C     Cost: each pass, of which there are ROUNDS + 2, a fourth of the
+C     Cost: each pass, of which there are ROUNDS + 2, a fifth of the
 C     time of TESS.
 C
 C     First, by least squares, the one gradient that suits all edges
