@@ -1,7 +1,8 @@
 # make, make all   build/tess, a program that tetrahedralizes a file of points
 # make run         try it: POINTS=file for points other than a mirror's sensors
-# make examples    the programs of test/examples
+# make examples    the programs of test/examples; their times, too
 # make pictures    write test/pictures anew
+# make errors      a table: errors of interpolation, linear and by slopes
 # make check       the tests, about two minutes on two processors
 # make check-all   more of each, all builds, machines and processes
 # make torture     a hunt for faults: TIME=600 seconds, SEED=1
@@ -73,11 +74,13 @@ build/read.o: test/program/read.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/read.c
 
-build/draw.o: test/program/draw.c test/program/draw.h tess.h hhpred.h
+build/draw.o: test/program/draw.c test/program/draw.h \
+    test/examples/cells.c tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/draw.c
 
-build/picture: test/program/picture.c test/program/draw.h build/draw.o $(LIBRARY)
+build/picture: test/program/picture.c test/program/draw.h \
+    test/examples/slopes.c build/draw.o $(LIBRARY)
 	$(LINK) $(CPPFLAGS) -I. test/program/picture.c build/draw.o \
 	    $(LIBRARY) $(LDLIBS)
 
@@ -107,7 +110,11 @@ examples: $(LIBRARY)
 
 pictures: build/picture
 	build/picture test/data/mirror.xyz test/pictures/mirror.svg \
-	    test/pictures/cube.svg
+	    test/pictures/section.svg test/pictures/cube.svg
+
+errors: $(LIBRARY)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o build/slopes -I. test/examples/slopes.c $(LIBRARY) $(LDLIBS)
+	build/slopes table
 
 check: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/check.sh
@@ -149,5 +156,5 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all always run examples pictures check check-all torture certify coverage \
-    mutation bench paper reach manual mirror clean help
+.PHONY: all always run examples pictures errors check check-all torture certify \
+    coverage mutation bench paper reach manual mirror clean help
