@@ -77,9 +77,9 @@
  *   pool         outfac facet owner hashkey same find insert erase rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
  *   apex         dot powererr prunebox prunepart ballinbox ballinstar better
- *                narrow refine rough marked level remember fit discover lean
- *                sharpen sight lowest beyond promise normal flatten offside
- *                challenge consider
+ *                curved narrow refine rough marked level remember fit discover
+ *                lean sharpen sight lowest beyond promise normal flatten
+ *                offside challenge consider
  *                ballcoef starcoef inball considerall likeliest anypoint instar
  *                inblock scanleaf barren treesearch onhull prepare
  *                proven apex
@@ -201,7 +201,6 @@ extern void tess_prove(int fact);
 #define SEEK(m) (TESS_LIST >= 128 && (m)->seek)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
 #define LEANING(f) (TESS_LIST >= 128 && (f)->near != NONE)
-#define ROUND(m, f) (LEANING(f) && !(m)->supports[(f)->near].plane)
 /* Slabs are made when the points of leaves that were tested are SCANS times the
  * points, for nodes whose slab is less than THIN_SLAB of the box: with 0.1
  * those between two sheets take 12 % longer, with 0.35 those on a torus 8 %.  A
@@ -1513,6 +1512,12 @@ static int better(const mesh *m, const quest *f, tess_int z)
 }
 #endif
 
+/* curved - is the facet near a sphere? */
+static int curved(const mesh *m, const quest *f)
+{
+    return LEANING(f) && !m->supports[f->near].plane;
+}
+
 /* narrow - the L-coordinate of the best point of a search is at most l. */
 static void narrow(quest *f, double l)
 {
@@ -1539,7 +1544,7 @@ static void narrow(quest *f, double l)
 static void refine(const mesh *m, quest *f)
 {
     double c[3], l = 0.0, u, size = 0.0, err;
-    int k, round = ROUND(m, f);
+    int k, round = curved(m, f);
 
     COUNT(N_BALL, 1);
     if (!hh_centre(&m->set, f->v, f->base, f->best, c, &f->t)) return;
@@ -2567,7 +2572,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
             guess[k] != f.best)
             challenge(m, &f, guess[k]);
     /* a ball that is a support's sphere but for rounding is in no list */
-    lists = !ROUND(m, &f) ||
+    lists = !curved(m, &f) ||
             (f.best != NONE && !marked(m, f.near, f.best, &h));
     if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);
