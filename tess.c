@@ -302,8 +302,7 @@ typedef struct quest {
     double f[HH_FACET_LEN];   /* its Householder set-up, */
     int base;                 /* of which v[base] is the base */
     tess_int best;            /* the best point yet, exactly, or NONE */
-    double lo, hi;            /* its L-coordinate, near a sphere counted from */
-                              /* where G is the power, is between them */
+    double lo, hi;            /* its L-coordinate is between them */
     int limbs;                /* its ball has been found by limbs: t */
     hh_ball t;
     int asked;                /* comparisons left to the exact predicates */
@@ -1599,8 +1598,8 @@ static double rough(const mesh *m, const support *s, tess_int z, double *err)
 }
 
 /* marked - *h = the height of the position z over support j, to its grain, if
- * it has a mark of that.  A mark is off by the roundings of discover, EPS GRAINS
- * grains, and a quarter of one for twice the height's error. */
+ * it has a mark of that.  A mark is off by the roundings of discover, EPS
+ * GRAINS grains, and a quarter of one for twice the height's error. */
 static int marked(const mesh *m, int j, tess_int z, double *h)
 {
     const support *s = m->supports + j;
@@ -1793,9 +1792,9 @@ static void discover(mesh *m, quest *f)
  *
  * Near a sphere G is |w|^2 - 2 c.w, c = tilt / 2 - o, o = base - centre: the
  * power in the ball of centre c, which is on the facet's axis.  L is counted
- * from there: c takes the place of the circumcentre in the set-up.  o errs by
- * 8 eps of the centre and the roundings of two differences, less than 5 eps
- * size; c by that, half of dtilt and the rounding of a sum, eps |c|. */
+ * from there: c takes the place of the circumcentre in the set-up.  It errs by
+ * half of dtilt, 8 eps of the centre, and the roundings of three differences in
+ * any order, each of at most eps (|o| + 2 |at|): less than 8 eps size. */
 static void lean(const mesh *m, quest *f)
 {
     const double *b = m->x + 3 * f->v[f->base], *p;
@@ -1850,7 +1849,7 @@ static void lean(const mesh *m, quest *f)
     size = 0.0;
     for (k = 0; k < 3; k++) {
         r = f->f[6 + k] - s->at[k];
-        size += fabs(r) + 2.0 * fabs(s->c[k]);
+        size += fabs(r) + 2.0 * fabs(s->c[k]) + fabs(s->at[k]);
         f->f[3 + k] = 0.5 * f->tilt[k] - (r - s->c[k]);
     }
     f->f[10] = 0.6 * f->dtilt + 8.0 * EPS * size;

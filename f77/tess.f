@@ -117,17 +117,17 @@ C         erase TSERAS, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
 C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
 C         starlist TSSTLI
-C       apex: powererr TSPOWE, extent TSEXTE, prunebox TSPRUN,
+C       apex: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
 C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
-C         narrow TSNARR, refine TSREFI, rough TSROUG, level TSLEVE,
-C         remember TSREME, fit TSFIT, discover TSDISC, lean TSLEAN,
-C         residual TSRESI, sharpen TSSHAR, sight TSSIGH,
-C         lowest TSLOWE, promise TSPROM, face TSFCE, aside TSASID,
+C         curved TSCURV, narrow TSNARR, refine TSREFI, rough TSROUG,
+C         marked TSMRKD, level TSLEVE, remember TSREME, fit TSFIT,
+C         discover TSDISC, lean TSLEAN, sharpen TSSHAR, sight TSSIGH,
+C         lowest TSLOWE, beyond TSBEYO, promise TSPROM,
 C         normal TSNORM, flatten TSFLAT, offside TSOFFS,
 C         challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
 C         starcoef TSSTAC, inball TSINBA, considerall TSCALL,
 C         likeliest TSLIKE, anypoint TSANYP, instar TSINST,
-C         inblock TSINBL, scanleaf TSSCAN, nearleaf TSNRLF,
+C         inblock TSINBL, scanleaf TSSCAN,
 C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
 C         apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT, plant TSPLAN
@@ -175,10 +175,10 @@ C       LINK   first open edge of the link from a vertex; DONE: its star
 C              is complete; NEW: in no tetrahedron yet
 C       POOL   pool and edges
 C       MARK   0, or J + SUPPS*K, of a position with mark K of support
-C              J; behind MARK(NP) 0, or the support J of all points of a
-C              node; behind MARK(NP+2*CTL(LEAVES)*J) the least mark of a
-C              node's points, -1 if one is below SLOW, GRAINS if all are
-C              above; plus ABOVE if one is above -SLOW.  Behind
+C              J; behind MARK(NP+2*CTL(LEAVES)*(J-1)) 2 (K + 1) of each
+C              node, K the least mark of its points, -1 if one is below
+C              SLOW, GRAINS if all are above; plus 1 if one is above
+C              -SLOW.  Behind
 C              MARK(CTL(SLAB0)), in the room of the last two supports,
 C              two integers of each node, its slab: see TSFLAT
 C     CTL, the mesh's integers:
@@ -232,11 +232,8 @@ C       IQ      QBEST: the best point yet, exactly, or 0; QLIMBS: its
 C               ball has been found by limbs; QBALL: there is a ball to
 C               prune with; QBASE: V(QBASE) is the base of F; QASKED:
 C               comparisons left to the exact predicates; QNEAR: the
-C               facet is near this support, or 0; QTURN changes with the
-C               ball and the best point; QAIMED, QTESTS: TSSIGH's tests
-C               were made at this turn; behind QTOP for each of them 1
-C               if it supposes that no height is above -SLOW; behind
-C               QFACED for each support the turn of TSFCE's; behind
+C               facet is near this support, or 0; QAIMED: TSSIGH's test
+C               is for the best point there is; behind
 C               QSOME QNSOME of the points, near no support, that were
 C               left open, or, QOPEN = 0, of leaves: every QSTRID-th one
 C               of QOPEND
@@ -245,14 +242,11 @@ C               behind QC the ball's centre, relative to F(7..9), wrong
 C               by at most QDC; QSIZE = |C|_1; behind QLIMB the ball by
 C               limbs (see HHCENT); G = height - QH - tilt.W is 0 on the
 C               facet, the tilt behind QTILT, QDH, QDTILT their errors;
-C               the best point's e is between QELO and QEHI, that of the
-C               point compared between QLOW and QHIGH; behind QTEST
-C               TSSIGH's tests, LTEST long, behind QSLAB TSFCE's for
-C               each support, LSLAB long:
-C     A test of TSSIGH's is a (height - h) + q |W|**2 - d.W + bias, of
-C     which each coordinate of W is wrong by dd times it, and all by err
-C     in the box of a node; of TSFCE's q |W|**2 - d.W + bias:
-C       TQ, TDD, TBIAS, TA, TERR  q, dd, bias, a, err; behind TD: d
+C               QG: of a plane, the height of the facet's normal; behind
+C               QTEST TSSIGH's test:
+C     It is a (height - h) + q |W|**2 - d.W, of which each coordinate of
+C     W is wrong by dd times it, and all by err:
+C       TQ, TDD, TA, TERR  q, dd, a, err; behind TD: d
 C     A walk over the hull:
 C       H       H(1..3): the facet nearest to Q yet; behind HON the
 C               vertices of the edge that has its nearest point, or
@@ -283,11 +277,12 @@ C       SUPPS   supports, at most
 C       OPENED, BURDEN  one is sought when a search has more than OPENED
 C               points in its sample and these add up to BURDEN times
 C               all points; each time in vain doubles that
+C       FINER   one with grains FINER times smaller takes another's
+C               points
 C       ENOUGH  of fewer points none is sought
 C       SOME    places of the sample
 C       GRAINS  marks of heights over a support: a double holds them and
 C               their roundings
-C       ABOVE   added where a node has points above that
 C       SCANS, SLIM  slabs are made when the points of leaves that were
 C               tested are SCANS times the points, for nodes whose slab
 C               is less than SLIM of the box: with 0.1 those between two
@@ -313,7 +308,6 @@ C               not of points in so few units (T5 at least PLAIN) that
 C               doubles decide these, which takes less time
 C       MUCH    pool that is recommended beyond 4 N in any case, up to
 C               8 N
-C       SURE    what TSSHAR answers for a better point
 C       INTMAX  the largest integer
 C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
 C       MORE, FULL, PLANAR, LINEAR, SINGLE, RANGE  the codes 1 to 6 of
@@ -1789,7 +1783,7 @@ C     ------------------------------------------------------------------
 
 C     TSDOT - the product of two vectors.
       DOUBLE PRECISION FUNCTION TSDOT(A, B)
-      DOUBLE PRECISION A(3), B(3)
+      DOUBLE PRECISION A(*), B(*)
       TSDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
       END
 
@@ -2063,22 +2057,22 @@ C     rest is 6 roundings.
       END
 
 C     TSMRKD - the height H of the position Z over support J, to its
-C     grain, if it has a mark of that: 1, or 0.  A mark is off by the
-C     roundings of TSDISC, EPS GRAINS grains, and a quarter of one for
-C     twice the height's error.
-      INTEGER FUNCTION TSMRKD(MARK, RCTL, J, Z, H)
+C     grain, if it has a mark of that.  A mark is off by the roundings
+C     of TSDISC, EPS GRAINS grains, and a quarter of one for twice the
+C     height's error.  OK is 1, or 0.
+      SUBROUTINE TSMRKD(MARK, RCTL, J, Z, H, OK)
       DOUBLE PRECISION RCTL(*), H
-      INTEGER MARK(*), J, Z
+      INTEGER MARK(*), J, Z, OK
       INTEGER RSUP, LSUP, SLOW, SGRAIN, SUPPS
       PARAMETER (RSUP = 11, LSUP = 98, SLOW = 97, SGRAIN = 98)
       PARAMETER (SUPPS = 8)
       INTEGER AT, K
-      TSMRKD = 0
+      OK = 0
       AT = RSUP + LSUP*(J - 1)
       K = MARK(Z) - 1
       IF (K .LT. 0 .OR. MOD(K, SUPPS) .NE. J - 1) RETURN
       H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(K/SUPPS) + 0.5D0)
-      TSMRKD = 1
+      OK = 1
       END
 
 C     TSLEVE - the height H of the position Z over support J, if it is
@@ -2086,14 +2080,13 @@ C     near to it: by its mark, or else by limbs.  OK is 1, or 0.
       SUBROUTINE TSLEVE(X, P, ORD, MARK, RCTL, J, Z, H, ERR, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
       INTEGER ORD(*), MARK(*), J, Z, OK
-      INTEGER TSMRKD
       INTEGER RSUP, LSUP, SPLANE, SSIGN, SLOW, SGRAIN
       PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, SSIGN = 89)
       PARAMETER (SLOW = 97, SGRAIN = 98)
       INTEGER AT, PLANE
       AT = RSUP + LSUP*(J - 1)
       ERR = RCTL(AT+SGRAIN)
-      OK = TSMRKD(MARK, RCTL, J, Z, H)
+      CALL TSMRKD(MARK, RCTL, J, Z, H, OK)
       IF (OK .EQ. 1) RETURN
       CALL TSROUG(X, RCTL, AT, Z, H, ERR)
       IF (ABS(H) .GT. ERR - RCTL(AT+SLOW)) RETURN
@@ -2372,9 +2365,9 @@ C
 C     Near a sphere G is |W|**2 - 2 c.W, c = tilt / 2 - o, o = base -
 C     centre: the power in the ball of centre c, which is on the facet's
 C     axis.  L is counted from there: c takes the place of the
-C     circumcentre in the set-up.  o errs by 8 EPS of the centre and the
-C     roundings of two differences, less than 5 EPS SIZE; c by that,
-C     half of the tilt's error and the rounding of a sum, EPS |c|.
+C     circumcentre in the set-up.  It errs by half of the tilt's error,
+C     8 EPS of the centre, and the roundings of three differences in any
+C     order, each of at most EPS (|o| + 2 |at|): less than 8 EPS SIZE.
       SUBROUTINE TSLEAN(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(43)
@@ -2443,7 +2436,8 @@ C     half of the tilt's error and the rounding of a sum, EPS |c|.
       SIZE = 0.0D0
       DO 90 K = 1, 3
         R = F(6+K) - RCTL(AT+SAT+K)
-        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(RCTL(AT+SC+K)))
+        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(RCTL(AT+SC+K)) +
+     $      ABS(RCTL(AT+SAT+K)))
         F(3+K) = 0.5D0*FQ(QTILT+K) - (R - RCTL(AT+SC+K))
    90 CONTINUE
       F(11) = 0.6D0*FQ(QDTILT) + 8.0D0*EPS*SIZE
@@ -2591,7 +2585,7 @@ C     which is exact but for one.
 C     TSLOWE - the LEAST of q |W|**2 - d.W in the box LO, HI, of the
 C     test behind FQ(T), and the greatest |W|_1, SIZE.
       SUBROUTINE TSLOWE(LO, HI, F, FQ, T, LEAST, SIZE)
-      DOUBLE PRECISION LO(3), HI(3), F(12), FQ(*), LEAST, SIZE
+      DOUBLE PRECISION LO(*), HI(*), F(12), FQ(*), LEAST, SIZE
       INTEGER T
       INTEGER TQ, TD
       PARAMETER (TQ = 1, TD = 1)
@@ -2620,9 +2614,10 @@ C     test behind FQ(T), and the greatest |W|_1, SIZE.
 
 C     TSBEYO - returns 1 if TSSIGH's test proves that the box LO, HI
 C     holds no candidate whose height, less than DH away, counts as H;
-C     or 0.
-      INTEGER FUNCTION TSBEYO(LO, HI, F, FQ, H, DH)
-      DOUBLE PRECISION LO(3), HI(3), F(12), FQ(108), H, DH
+C     or 0: OUT.
+      SUBROUTINE TSBEYO(LO, HI, F, FQ, H, DH, OUT)
+      DOUBLE PRECISION LO(*), HI(*), F(12), FQ(108), H, DH
+      INTEGER OUT
       INTEGER QH, QTEST, TQ, TDD, TA, TERR
       PARAMETER (QH = 95, QTEST = 101, TQ = 1, TDD = 5, TA = 6)
       PARAMETER (TERR = 7)
@@ -2632,18 +2627,18 @@ C     or 0.
       CALL TSLOWE(LO, HI, F, FQ, QTEST, SUM, SIZE)
       A = FQ(QTEST+TA)
       SUM = A*(H - FQ(QH)) + SUM
-      TSBEYO = 0
+      OUT = 0
       IF (SUM .GT. FQ(QTEST+TERR) + ABS(A)*DH + SIZE*(FQ(QTEST+TDD) +
-     $    16.0D0*EPS*FQ(QTEST+TQ)*SIZE)) TSBEYO = 1
+     $    16.0D0*EPS*FQ(QTEST+TQ)*SIZE)) OUT = 1
       END
 
 C     TSPROM - returns 1 if a node has provably no candidate, by the
 C     heights of its points; a leaf by its box, too, which is all that
-C     counts where the heights tell nothing; or 0.
-      INTEGER FUNCTION TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE)
+C     counts where the heights tell nothing; or 0: OUT.
+      SUBROUTINE TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
       DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(108)
-      INTEGER MARK(*), CTL(*), IQ(43), NODE
-      INTEGER TSBEYO, TSPRUN
+      INTEGER MARK(*), CTL(*), IQ(43), NODE, OUT
+      INTEGER TSPRUN
       INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QNEAR, QAIMED
       INTEGER QTEST, TA, GRAINS
       PARAMETER (NP = 1, LEAVES = 4, RSUP = 11, LSUP = 98, SLOW = 97)
@@ -2662,11 +2657,11 @@ C     counts where the heights tell nothing; or 0.
         IF (CODE .LT. 2 .OR. CODE/2 .GT. GRAINS) TELLS = 0
         H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(CODE/2) - 1.5D0)
       END IF
-      TSPROM = 0
-      IF (TELLS .EQ. 1) TSPROM = TSBEYO(BOX(1,NODE), BOX(4,NODE), F, FQ,
-     $    H, 0.0D0)
-      IF (TSPROM .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)))
-     $    TSPROM = TSPRUN(IQ, F, FQ, BOX, NODE)
+      OUT = 0
+      IF (TELLS .EQ. 1) CALL TSBEYO(BOX(1,NODE), BOX(4,NODE), F, FQ,
+     $    H, 0.0D0, OUT)
+      IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)))
+     $    OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
       END
 
 C     ------------------------------------------------------------------
@@ -2921,11 +2916,11 @@ C     and not beyond it by its height over the facet's support.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(43), Z
       DOUBLE PRECISION TSPOWE
-      INTEGER TSBEYO, TSMRKD
       INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QNEAR, QAIMED, QC
       PARAMETER (RSUP = 11, LSUP = 98, SGRAIN = 98, QBEST = 1)
       PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QC = 2)
       DOUBLE PRECISION GRAIN, H, POWER, W1, W2, W3
+      INTEGER OK
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
      $    Z .EQ. V(3)) RETURN
       IF (IQ(QBALL) .EQ. 1) THEN
@@ -2937,10 +2932,12 @@ C     and not beyond it by its height over the facet's support.
         IF (POWER .GT. TSPOWE(FQ, ABS(W1) + ABS(W2) + ABS(W3))) RETURN
       END IF
       IF (IQ(QNEAR) .NE. 0) THEN
-        IF (TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H) .EQ. 1) THEN
+        CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
+        IF (OK .EQ. 1) THEN
           IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
           GRAIN = RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SGRAIN)
-          IF (TSBEYO(X(1,Z), X(1,Z), F, FQ, H, GRAIN) .EQ. 1) RETURN
+          CALL TSBEYO(X(1,Z), X(1,Z), F, FQ, H, GRAIN, OK)
+          IF (OK .EQ. 1) RETURN
         END IF
       END IF
       CALL TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
@@ -3285,7 +3282,7 @@ C     may be anywhere.
      $                  IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43)
-      INTEGER TSLEAF, TSPROM, TSPRUN
+      INTEGER TSLEAF, TSPRUN
       INTEGER NP, LEAVES, SLAB0, RSEEK, RSCAN, QNEAR, DONE, DEPTH
       PARAMETER (NP = 1, LEAVES = 4, SLAB0 = 28, RSEEK = 7)
       PARAMETER (RSCAN = 11, QNEAR = 6, DONE = -1)
@@ -3324,7 +3321,7 @@ C     may be anywhere.
       IF (CTL(SLAB0) .NE. 0 .AND. NEAR .EQ. 0)
      $    FLAT = MARK(CTL(SLAB0)+2*NODE)
       IF (NEAR .NE. 0) THEN
-        OUT = TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE)
+        CALL TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
       ELSE IF (FLAT .GT. 0) THEN
         CALL TSOFFS(BOX, MARK, CTL, IQ, F, FQ, NODE, OUT)
         RCTL(RSCAN) = RCTL(RSCAN) - WORTH + DBLE(OUT)
@@ -3443,7 +3440,7 @@ C     GUESS: two positions to try first, or 0.
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(TSIDS,2)
       INTEGER LSI(3,2), V(3), GUESS(2), Z
-      INTEGER TSCURV, TSMRKD, TSONHU
+      INTEGER TSCURV, TSONHU
       INTEGER NP, NPLANE, NEXTPL, PLANE0, RSUPP, RSEEK, RBURDN, RPATIE
       INTEGER RSCAN, QBEST, QNEAR, QOPEND
       INTEGER LEAVES, SLAB0, PLANES, OPENED, SUPPS
@@ -3468,8 +3465,9 @@ C     GUESS: two positions to try first, or 0.
 C     a ball that is a support's sphere but for rounding is in no list
       LISTS = 1
       IF (TSCURV(RCTL, IQ) .EQ. 1) THEN
-        LISTS = 0
-        IF (Z .NE. 0) LISTS = 1 - TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H)
+        OK = 1
+        IF (Z .NE. 0) CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
+        LISTS = 1 - OK
       END IF
       IF (LISTS .EQ. 1) THEN
         CALL TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, LSX, LSID, LSI,
