@@ -89,7 +89,7 @@
          ? (long)TESS_INT_MOST                                     \
          : TESS_LI((long)(n)))
 #define TESS_LI(n) (8 * (n) + (n) / 12 + 514 + TESS_LP(n) + TESS_LS(n))
-#define TESS_LS(n) ((n) < 500 ? 0 : (n) / 4 * 7 + 24)
+#define TESS_LS(n) ((n) < 500 ? 0 : (n) / 3 * 5 + 24)
 #define TESS_LP(n)             \
     ((n) <= 8       ? 240      \
      : (n) <= 27    ? 540      \

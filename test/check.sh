@@ -456,9 +456,10 @@ standard() {
     one "ftnchek: no warning" sh -c '! grep -i warning build/ftnchek.txt'
     $CHEK $F77 > build/ftnchek.txt 2>&1
     egrep -i warning build/ftnchek.txt | egrep -v \
-        'Subprogram (TSMESH|TSINDE|TSQUER|TSAPEX|TSSETT|TSOPEN) argument' \
+        'Subprogram (TSMESH|TSINDE|TSQUER|TSAPEX|TSSETT|TSOPEN) argument' |
+        egrep -v 'Subprogram (TSDOT|TSLOWE|TSBEYO) argument' \
         > build/ftnwarn.txt
-    one "ftnchek: warnings of the workspace alone" test ! -s build/ftnwarn.txt
+    one "ftnchek: warnings of parts of arrays alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
     for f in test/fortran/*.f test/examples/*.f; do
         case $f in
