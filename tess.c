@@ -2491,11 +2491,13 @@ static int newcell(mesh *m, quest *f)
     const tess_int *v = f->v;
     float d[4];
     int in[TESS_LIST], place[TESS_LIST + 1], n, i, j, side;
-    double wide = f->limbs ? 0.0 : f->hi - f->lo;
+    double wide;
     tess_int z;
     cell c;
 
-    if (f->limbs == 2 || wide > l->margin || fabs(f->hi) > MUCHL) return 0;
+    if (f->limbs == 2 || fabs(f->hi) > MUCHL) return 0;
+    wide = f->limbs ? 0.0 : f->hi - f->lo;
+    if (wide > l->margin) return 0;
     f->dc += wide;
     if (!ballinstar(m, f) || !starcoef(l, f, d)) return 0;
     n = inball(l, d, in);
