@@ -24,7 +24,7 @@
 #define FLAT 1e-6
 
 /* The hull is in the way where a Voronoi vertex is farther off than this many
- * times the farthest neighbour: that many roundings are in the weights. */
+ * times the farthest neighbour: roundings grow with the square of that. */
 #define FAR 1e4
 
 /* The facets of a tetrahedron, counter-clockwise as seen from outside. */
@@ -231,8 +231,8 @@ static tess_int beside(tess_int nlist, const tess_int *side,
  * other one by the distance; smooth but on the spheres of the tetrahedra.
  *
  * At a point its weight is 1.  Outside, both are those of the hull's nearest
- * point, linear on its facet; and linear in t where the hull is in the way, that is
- * for q nearer to it than about 1/FAR of the distance of its neighbours.
+ * point, linear on its facet; and linear in t where the hull is in the way, for
+ * q nearer to it than about 1/FAR of the distance of its neighbours.
  *
  * returns 0; 1 outside the hull; TESS_MORE, most being too small: nothing else
  * is lost; TESS_BAD_OPEN where a facet that is open, in an unfinished result,
