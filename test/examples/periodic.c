@@ -4,7 +4,7 @@
  *   cc -O2 -I. -o periodic test/examples/periodic.c tess.c hhpred.c -lm
  *
  *   periodic  tetrahedra and neighbours, with the copies of the box that they
- *             are in (copies, certified, facing)
+ *             are in (nearest, copies, certified, facing)
  *   unpack    the copy of the box from its number
  *
  * The main program tests it: facets are paired, Euler's formula holds, volumes
@@ -32,6 +32,14 @@ static void unpack(tess_int number, int *copy)
     copy[2] = (int)(rest % 32 - 16);
 }
 
+/* nearest - the multiple of unit. */
+static double nearest(double x, double unit)
+{
+    double many = floor(fabs(x) / unit + 0.5);
+
+    return (x < 0.0 ? -many : many) * unit;
+}
+
 /* copies - of all points that are less than margin from the box, ordered by
  * point, then by copy.  Points and lengths are rounded to multiples of a power
  * of two that is so large that the copies need no rounding. */
@@ -50,12 +58,12 @@ static int copies(tess_int n, const tess_real *p, const double *low,
     }
     frexp(size, &k);
     unit = ldexp(1.0, k - (sizeof *x > 4 ? DBL_MANT_DIG : FLT_MANT_DIG));
-    for (k = 0; k < 3; k++) side[k] = floor(length[k] / unit + 0.5) * unit;
+    for (k = 0; k < 3; k++) side[k] = nearest(length[k], unit);
     for (*ncop = i = 0; i < n; i++) {
         for (k = 0; k < 3; k++) {
             r[k] = (double)p[3 * i + k];
             if (!(r[k] >= low[k] && r[k] <= low[k] + length[k])) return -2;
-            r[k] = floor(r[k] / unit + 0.5) * unit;
+            r[k] = nearest(r[k], unit);
             size = (r[k] - low[k] + margin) / side[k];
             if (!(size < REACH + 1)) return PERIODIC_FEW;
             first[k] = -(int)floor(size);
