@@ -36,7 +36,8 @@ SEED =
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
 LIBRARY = build/tess.o build/hhpred.o
-EXAMPLES = interp poisson embedded surface parts stream sensor derived planar
+EXAMPLES = interp poisson embedded surface parts stream sensor derived planar \
+    natural periodic
 
 all: build/tess
 

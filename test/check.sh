@@ -195,10 +195,10 @@ for f in test/proof/exact test/points test/unit/t_tess test/unit/t_part; do
 done
 TEST="build/exact.o build/points.o"
 
-for t in t_pred brute t_tess t_part; do
+for t in t_pred brute t_tess t_part t_natural; do
     also=
     [ $t = brute ] && also=test/proof/define.c
-    if build $t "$CC" "$CFLAGS" test/unit/$t.c $also $HARD $TEST; then
+    if build $t "$CC" "$CFLAGS -I." test/unit/$t.c $also $HARD $TEST; then
         many $t build/$t
     else
         fail "$t does not compile"
@@ -368,7 +368,7 @@ same "g++ -x c++ -O2" g++ "-x c++ -O2"
 # ---- the examples: their own checks, and their output as stored ----
 
 for example in interp poisson embedded surface parts stream sensor derived \
-    planar; do
+    planar natural periodic; do
     also=
     [ $example = parts ] && also=-lpthread
     if build "$example" "$CC" "$CFLAGS -I." test/examples/$example.c tess.c hhpred.c $also; then
@@ -380,6 +380,21 @@ for example in interp poisson embedded surface parts stream sensor derived \
         fail "example: $example does not compile"
     fi
 done
+
+# ---- the recipes beside CGAL ----
+
+if echo '#include <CGAL/natural_neighbor_coordinates_3.h>' |
+    g++ -x c++ -E - > /dev/null 2>&1; then
+    if build recipes g++ "-O2 -frounding-math -I." \
+        test/bench/peers/recipes.cpp build/tess.o build/hhpred.o \
+        build/points.o -lmpfr -lgmp; then
+        many "recipes beside CGAL" build/recipes
+    else
+        fail "recipes beside CGAL: does not compile"
+    fi
+else
+    skip "recipes beside CGAL: not installed"
+fi
 
 # ---- points spread over processes ----
 
@@ -487,7 +502,8 @@ if command -v ftnchek > /dev/null; then
     $CHEK -noextern -array=no-dimensions -usage=no-arg-array-alias \
         test/examples/parts.f > build/ftnchek.txt 2>&1
     one "ftnchek: parts.f" sh -c '! grep -i warning build/ftnchek.txt'
-    for f in test/examples/derived.f test/fortran/sizes.f; do
+    for f in test/examples/derived.f test/examples/natural.f \
+        test/examples/periodic.f test/fortran/sizes.f; do
         $CHEK -array=no-dimensions -usage=no-arg-array-alias -library \
             $F77 $f > build/ftnchek.txt 2>&1
         one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
@@ -626,7 +642,8 @@ programs() {
         esac
     done
 }
-F77PROGRAMS="test/examples/derived.f test/fortran/sizes.f"
+F77PROGRAMS="test/examples/derived.f test/examples/natural.f
+    test/examples/periodic.f test/fortran/sizes.f"
 
 # interface NAME FLAGS: the module for Fortran 90, and that with it wrong calls
 # do not compile; f77/README's program
@@ -732,6 +749,13 @@ if command -v gfortran > /dev/null; then
     $CC $CFLAGS -c -o build/hhpred.o hhpred.c
     $CC $CFLAGS -c -o build/t_f77.o test/fortran/t_f77.c
     entries
+    # natural.f without its program
+    sed '1,/^      END$/d' test/examples/natural.f > build/natural.f
+    rm -f build/t_naturalf
+    $CC $CFLAGS -I. -DFORTRAN -c -o build/t_naturalf.o test/unit/t_natural.c &&
+        gfortran -O2 -o build/t_naturalf build/t_naturalf.o build/points.o \
+            build/natural.f $F77 tess.c hhpred.c $LIBS >> $LOG 2>&1
+    many "t_natural, FORTRAN 77" build/t_naturalf
     for omp in "" -fopenmp; do
         rm -f build/partsf
         gfortran -O2 -frecursive $omp -o build/partsf test/examples/parts.f \
