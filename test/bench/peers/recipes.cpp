@@ -119,10 +119,10 @@ int main()
 {
     natural("uniform", 1000);
     natural("uniform", 3000);
-    natural("ball", 1000);
+    natural("twoscale", 1000);
     periodic("uniform", 300);
     periodic("uniform", 1000);
-    periodic("clusters", 1000);
+    periodic("duplicates", 900);
     printf("recipes: %ld passed, %ld failed\n", passed, failed);
     return failed > 0;
 }
