@@ -86,7 +86,7 @@ static int copies(tess_int n, const tess_real *p, const double *low,
     return 0;
 }
 
-/* ball - of the tetrahedron v: tess_ball's where it is so flat that three digits
+/* ball - of the tetrahedron v: tess_ball's where that is so flat that 3 digits
  * of its centre are lost, else from its edges, which is ten times as fast. */
 static int ball(const tess_real *x, const tess_int *v, double *c)
 {
