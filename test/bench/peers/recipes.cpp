@@ -119,7 +119,6 @@ int main()
 {
     natural("uniform", 1000);
     natural("uniform", 3000);
-    natural("twoscale", 1000);
     periodic("uniform", 300);
     periodic("uniform", 1000);
     periodic("duplicates", 900);
