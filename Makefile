@@ -100,7 +100,8 @@ examples: $(LIBRARY)
 	@set -e; for name in test/examples/*.c; do \
 	echo "$$name"; \
 	name=`basename $$name .c`; \
-	also=; case $$name in parts) also=-lpthread;; fortran) continue;; esac; \
+	also=; case $$name in parts) also=-lpthread;; join|fortran) continue;; \
+	esac; \
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -I. -o build/$$name \
 	    test/examples/$$name.c $(LIBRARY) $(LDLIBS) $$also; \
 	(cd build && ./$$name $$name.obj $$name.stl) > build/$$name.out || \
