@@ -370,30 +370,16 @@ done
 if command -v mpicc > /dev/null &&
     mpirun --version 2> /dev/null | grep "Open MPI" > /dev/null; then
     # (mpi.h itself has long long)
-    if build spread mpicc "$STRICT -Wno-long-long -O2 -I." test/mpi/spread.c \
-        test/points.c $HARD; then
-        for processes in 1 2 3 4; do
-            one "MPI: $processes processes" mpirun --oversubscribe \
-                --allow-run-as-root --timeout 300 -np $processes build/spread \
-                uniform 1000 clusters 1000 lattice 1000 latticeshuf 512 \
-                gradedrot 512 cubegrid 500
-        done
+    mesh=
+    for f in mesh split halo stars output mail; do
+        mesh="$mesh test/mpi/$f.c"
+    done
+    # shellcheck disable=SC2086
+    if build mesh mpicc "$STRICT -Wno-long-long -O2" $mesh test/points.c $HARD &&
+        build same "$CC" "$STRICT -O2" test/mpi/same.c test/points.c $HARD; then
+        many "MPI" sh test/mpi/check.sh
     else
-        fail "MPI: spread.c does not compile"
-    fi
-    if ! command -v mpif77 > /dev/null; then
-        skip "MPI: no mpif77"
-    elif build spreadf mpif77 "-O2 -frecursive" test/mpi/spread.f f77/tess.f \
-        f77/hhpred.f; then
-        for processes in 1 2 3 4; do
-            one "MPI, FORTRAN 77: $processes processes" sh -c "mpirun \
-                --oversubscribe --allow-run-as-root --timeout 300 \
-                -np $processes build/spreadf > build/spreadf.txt
-                cat build/spreadf.txt
-                grep '^all are the mesh' build/spreadf.txt"
-        done
-    else
-        fail "MPI: spread.f does not compile"
+        fail "MPI: does not compile"
     fi
 else
     skip "MPI: no Open MPI"

@@ -5,6 +5,7 @@
  * more than LEAF points becomes two when it is met.
  */
 #include <float.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -168,18 +169,34 @@ static void boxes(box *all, box *hull)
     }
 }
 
+/* spacing - of the points in a node, be they in a volume, on a surface or on a
+ * line; less than its extent over 2.5 where there are 16. */
+static double spacing(const node *t)
+{
+    double n = t->last - t->first, a[3], least, line, area, volume;
+    int k;
+
+    for (k = 0; k < 3; k++) a[k] = t->hi[k] - t->lo[k];
+    line = a[0] > a[1] ? a[0] : a[1];
+    least = a[0] < a[1] ? a[0] : a[1];
+    if (a[2] > line) line = a[2];
+    if (a[2] < least) least = a[2];
+    area = line * (a[0] + a[1] + a[2] - line - least);
+    volume = pow(area * least / n, 1.0 / 3.0);
+    area = sqrt(area / n);
+    line /= n;
+    if (area > line) line = area;
+    return volume > line ? volume : line;
+}
+
 /* ask - the box of each leaf, widened, is asked of the processes whose boxes it
  * meets.  What meets none when it is as much wider as any leaf of it could be
  * has no leaf to be asked for. */
 static void ask(mail *m, int at, const box *all, const box *hull)
 {
-    int axis, child, count = tree[at].last - tree[at].first, r, i;
-    double size = extent(tree + at, &axis), root = 1.0;
-    box b;
+    int axis, child, r, i;
+    box b = widen(tree + at, WIDER / 2.5 * extent(tree + at, &axis));
 
-    for (child = count; child > LEAF / 2; child = (child + 1) / 2) continue;
-    while (root * root * root < child) root += 0.125;
-    b = widen(tree + at, WIDER * size / root);
     for (r = 0; r < ranks; r++)
         if (r != me && meet(b.lo, b.hi, hull[r].lo, hull[r].hi)) break;
     if (r == ranks) return;
@@ -189,6 +206,7 @@ static void ask(mail *m, int at, const box *all, const box *hull)
         ask(m, child + 1, all, hull);
         return;
     }
+    b = widen(tree + at, WIDER * spacing(tree + at));
     for (; r < ranks; r++)
         for (i = 0; i < BOXES && r != me; i++)
             if (meet(b.lo, b.hi, all[BOXES * r + i].lo, all[BOXES * r + i].hi)) {

@@ -1,4 +1,71 @@
-/* mesh.c - main */
+/* mesh.c - the mesh of points that no process holds whole, with MPI.
+ *
+ *   make mpi
+ *   mpirun -np 8 build/mesh -raw FILE -o PREFIX
+ *
+ * gives the tetrahedra that tess gives for the points of the file, each written
+ * by one process.  No process has an array of the length of all points (but
+ * process 0 with -family, which makes them), or of the processes times points.
+ *
+ *   split.c   Space is cut so that each process owns about as many points; they
+ *             are sent to their owners.  A few extreme points are known to all.
+ *   halo.c    The first guess: each process asks the others for the points near
+ *             its own, and is sent a coarse sample of all.
+ *   stars.c   It computes the tetrahedra at its own points, their stars, from
+ *             the points that it knows (tess_index, tess_part), which need not
+ *             be all it should know.  Then rounds, until all stars agree: of a
+ *             tetrahedron that has vertices of several processes they exchange
+ *             the hash.  What only one has, it sends; the others answer with
+ *             the links of their vertices in their stars.  All of them compute
+ *             the stars of these vertices again, from their links and what they
+ *             have learned, and go on to other own points as far as these
+ *             differ.
+ *   output.c  A tetrahedron belongs to the owner of its vertex of least index.
+ *             Neighbours in other processes are found by the facets' vertices.
+ *   mail.c    Messages and tables.
+ *
+ * Why it is right.  Ties are broken as if the lifted height of each point were
+ * lowered by an infinitesimal that depends on its index alone (hhpred.c), and
+ * each process keeps what it knows in the order of the indices in the whole; so
+ * in what follows no five points are on a sphere, and all sets of points are
+ * treated alike.
+ *
+ * 1. The star of v in the mesh of a set K is made by the lower facets at v of
+ *    the hull of the lifted K.  A lower edge v w of a set's hull is one in every
+ *    subset that has both ends.  So if K has all neighbours of v in the mesh of
+ *    a larger set, the star of v in K's mesh is that in the larger set's: the
+ *    cone over it is the hull of the rays to these neighbours.  (t_part tests
+ *    that.)  For the same reason the star of v in K and new points N is that in
+ *    v, the link of v in K, and N: repair has small sets.
+ *
+ * 2. There is progress while stars differ.  Let t be in the star of v, computed
+ *    from K, and not in that of w, another vertex of t, computed from L.  If L
+ *    has the vertices of t, some vertex of the link of w in L is inside the
+ *    ball of t: else the cone of w's star, which is the hull of the rays to the
+ *    link, would be above the plane of the lifted t, which touches it at t, and
+ *    t would be in it.  That vertex is not in K.  So either w's process learns
+ *    a vertex of t, or v's one of the link of w; the sets only grow, and end.
+ *
+ * 3. Stars that agree are the mesh.  Each tetrahedron is then in the stars of
+ *    all its vertices; so is each facet of the hull.  Each star fills a
+ *    neighbourhood of its vertex in the hull of some set: together the stars
+ *    are a compact space, triangulated, that is locally that of a convex body.
+ *    By Tietze's and Nakajima's theorem, for maps, each of its components is a
+ *    convex body triangulated; across each facet it is locally Delaunay, so it
+ *    is the Delaunay tetrahedralization of its vertices.  Each point is a
+ *    vertex of one component.  Let x be a point that all processes know, C a
+ *    component.  At each vertex v of the hull of C the star has all of K in its
+ *    cone, x too; so x is in the hull of C.  If it were no vertex of C, it would
+ *    be in a tetrahedron of C, so in its ball, but it was known where that
+ *    tetrahedron was found.  So all components contain x: there is one.
+ *
+ * With the links of 2 the processes learn what they need from whatever they know
+ * at first (-blind); a better guess spares rounds.  This is star splaying
+ * (R. Shewchuk, 2005) between processes instead of between points.  Hashes have
+ * 64 bits: for two of 10^9 tetrahedra to have the same has a probability of
+ * 10^-2, for that to hide a difference it must be two that differ.  It would
+ * not be silent: output finds that the facets do not fit.
+ */
 #define _XOPEN_SOURCE 500
 #include <float.h>
 #include <stdio.h>
@@ -93,7 +160,7 @@ static void make(cloud *c, const char *family, long n)
     sent_bytes[MOVE] = 0.0;
 }
 
-/* -2 and ...: as tess */
+/* check_finite - a NaN or infinity ends all. */
 static void check_finite(const cloud *c)
 {
     char text[80];
@@ -110,6 +177,7 @@ static void check_finite(const cloud *c)
         }
 }
 
+/* megabytes - the most memory that the process has had. */
 static double megabytes(void)
 {
     struct rusage u;
@@ -124,7 +192,7 @@ int main(int argc, char **argv)
     mesh m;
     table sent = {0, 0, NULL, NULL};
     point shared[SHARED], *foreign;
-    double figures[KINDS + 2], worst[3], base;
+    double sum[KINDS + 2], most[3], base;
     const char *prefix = NULL, *vtu = NULL, *family = NULL, *raw = NULL;
     const char *each = NULL;
     long asked = 0;
@@ -168,39 +236,32 @@ int main(int argc, char **argv)
         free(name);
     }
     check_finite(&c);
-    if (family) base = megabytes() - (double)c.n * sizeof(point) / 1048576;
     memset(&m, 0, sizeof m);
     start = clock();
     split(&c);
+    most[2] = (double)c.n;
     nshared = known_to_all(&c, shared, &code);
-    worst[2] = (double)c.n;
-    figures[KINDS] = 0.0;
     if (code == 0) {
         foreign = first_guess(&c, shared, nshared, blind, &n, &sent);
         stars(&m, &c, foreign, n, &sent);
         forget(&sent);
     }
-    figures[KINDS + 1] = 0.0;
-    if (code == 0) {
-        ntet = output(&m, prefix);
-    } else
-        ntet = output(&m, prefix);
-    figures[KINDS] = (double)(clock() - start) / CLOCKS_PER_SEC;
-    figures[KINDS + 1] = m.known;
-    for (i = 0; i < KINDS; i++) figures[i] = sent_bytes[i] / 1e6;
-    worst[0] = figures[KINDS];
-    worst[1] = megabytes() - base;
+    ntet = output(&m, prefix);
+    most[0] = sum[0] = (double)(m.finished - start) / CLOCKS_PER_SEC;
+    most[1] = megabytes() - base;
+    sum[1] = m.known;
+    for (i = 0; i < KINDS; i++) sum[2 + i] = sent_bytes[i] / 1e6;
     if (vtu) write_vtu(&m, vtu);
-    reduce(figures, KINDS + 2, MPI_DOUBLE, MPI_SUM);
-    reduce(worst, 3, MPI_DOUBLE, MPI_MAX);
+    reduce(sum, KINDS + 2, MPI_DOUBLE, MPI_SUM);
+    reduce(most, 3, MPI_DOUBLE, MPI_MAX);
     if (me == 0)
-        printf("points %.0f processes %d tetrahedra %.0f code %d rounds %d "
-               "known %.2f cpu %.2f worst %.2f memory %.1f most %.0f move %.1f "
-               "halo %.1f hashes %.1f points %.1f sides %.1f\n", (double)c.all,
-               ranks, (double)ntet, code, m.rounds, figures[KINDS + 1] / (double)c.all,
-               figures[KINDS], worst[0], worst[1], worst[2], figures[MOVE],
-               figures[HALO], figures[HASHES], figures[POINTS],
-               figures[SIDES]);
+        printf("mesh: processes %d points %.0f code %d tetrahedra %.0f rounds "
+               "%d known %.2f cpu %.3f most %.3f memory %.1f points %.0f "
+               "move %.2f halo %.2f hashes %.2f stars %.2f sides %.2f\n", ranks,
+               (double)c.all, code, (double)ntet, m.rounds,
+               c.all > 0 ? sum[1] / (double)c.all : 0.0, sum[0], most[0],
+               most[1], most[2], sum[2 + MOVE], sum[2 + HALO],
+               sum[2 + HASHES], sum[2 + POINTS], sum[2 + SIDES]);
     MPI_Finalize();
     return code;
 }

@@ -5,6 +5,7 @@
 #include <mpi.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <time.h>
 
 #include "../../tess.h"
 
@@ -118,7 +119,8 @@ typedef struct mesh {
     tess_int ntet;
     tess_int *tet, *adj;
     int rounds;
-    double known;        /* points known beyond the own ones */
+    double known;        /* points known beyond the own ones, at first */
+    clock_t finished;    /* when all but files was done */
 } mesh;
 
 /* stars - all tetrahedra of the mesh of all points that have an own one for a
@@ -130,7 +132,7 @@ void stars(mesh *m, cloud *c, point *foreign, num n, table *sent);
 /* output - number the tetrahedra, find the neighbours in other processes, and
  * write PREFIX.<rank>.tet and .adj if prefix is not NULL.  Returns how many
  * tetrahedra the mesh has. */
-num output(const mesh *m, const char *prefix);
+num output(mesh *m, const char *prefix);
 
 /* write_vtu - PREFIX.pvtu, and its pieces PREFIX.<rank>.vtu. */
 void write_vtu(const mesh *m, const char *prefix);

@@ -101,10 +101,10 @@ static void match(const mail *sides, mail *answers)
     forget(&waiting);
 }
 
-num output(const mesh *m, const char *prefix)
+num output(mesh *m, const char *prefix)
 {
     mail sides, answers;
-    FILE *file = prefix ? open_file(prefix, me, ".tet") : NULL;
+    FILE *file = NULL;
     MPI_Request request;
     side s;
     tess_int t, u, *becomes, n = 0;
@@ -124,13 +124,12 @@ num output(const mesh *m, const char *prefix)
     for (t = 0; t < m->ntet; t++)
         for (k = 0; k < 4 && m->tet[4 * t] != TESS_NONE; k++) {
             u = m->adj[4 * t + k];
+            if (u >= 0 && (becomes[t] < 0 || becomes[u] >= 0)) continue;
             r = m->owner[least_of(m, t, k, &s.hash)];
             /* a facet of the hull is counted here, where it is known to be one,
              * and counted off where it is found to be one */
-            if (u == TESS_NONE && r == me) hull++;
-            if (becomes[t] == TESS_NONE) continue;
-            if (u == TESS_NONE) hull--;
-            if (u == TESS_NONE || (u >= 0 && becomes[u] >= 0)) continue;
+            if (u == TESS_NONE) hull += (r == me) - (becomes[t] >= 0);
+            if (u == TESS_NONE || becomes[t] < 0) continue;
             s.number = base + becomes[t];
             put(&sides, r, &s);
         }
@@ -143,6 +142,8 @@ num output(const mesh *m, const char *prefix)
                                               answers.n[r]; from++)
             if (*from == TESS_NONE) hull--;
     if (total(hull) != 0) fail("the stars do not fit together");
+    m->finished = clock();
+    if (prefix) file = open_file(prefix, me, ".tet");
     for (t = 0; t < m->ntet && file; t++) {
         for (k = 0; k < 4 && becomes[t] >= 0; k++)
             v[k] = m->index[m->tet[4 * t + k]];

@@ -240,7 +240,7 @@ int known_to_all(const cloud *c, point *shared, int *code)
 {
     static const int codes[4] = {TESS_POINT, TESS_POINT, TESS_LINE, TESS_PLANE};
     candidate best[26];
-    double side, most[3];
+    double side[13], most[3];
     int j, k, n;
     num i;
 
@@ -254,18 +254,23 @@ int known_to_all(const cloud *c, point *shared, int *code)
     for (k = 0; k < 3; k++) if (most[k] == 0.0) most[k] = 1.0;
     memset(best, 0, sizeof best);
     for (j = 0; j < 26; j++) best[j].value = -DBL_MAX;
-    for (i = 0; i < c->n; i++)
-        for (j = 0, n = 0; n < 27; n++) {
-            if (n == 13) continue;
-            side = (n % 3 - 1) * (c->at[i].x[0] / most[0]) +
-                   (n / 3 % 3 - 1) * (c->at[i].x[1] / most[1]) +
-                   (n / 9 - 1) * (c->at[i].x[2] / most[2]);
-            if (side > best[j].value) {
-                best[j].value = side;
-                best[j].p = c->at[i];
-            }
-            j++;
+    for (i = 0; i < c->n; i++) {
+        side[0] = c->at[i].x[0] / most[0];
+        side[1] = c->at[i].x[1] / most[1];
+        side[4] = c->at[i].x[2] / most[2];
+        side[2] = side[0] + side[1];
+        side[3] = side[0] - side[1];
+        for (j = 0; j < 4; j++) {
+            side[5 + j] = side[j] + side[4];
+            side[9 + j] = side[j] - side[4];
         }
+        for (j = 0; j < 13; j++)
+            for (k = 0; k < 2; k++, side[j] = -side[j])
+                if (side[j] > best[2 * j + k].value) {
+                    best[2 * j + k].value = side[j];
+                    best[2 * j + k].p = c->at[i];
+                }
+    }
     elect(best, 26);
     for (n = 0; n < 26; n++) shared[4 + n] = best[n].p;
     *code = 0;

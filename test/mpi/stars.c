@@ -297,6 +297,7 @@ static num differ(mail *letters)
 static void reply(const mail *letters, mail *replies)
 {
     list around = {0, 0, NULL};
+    table told = {0, 0, NULL, NULL};
     tess_int v, w, j;
     point p;
     num i;
@@ -307,6 +308,7 @@ static void reply(const mail *letters, mail *replies)
             v = learn((point *)letters->at[r] + i);
             if (!is_own(v)) continue;
             mark_point(v);
+            if (given(&told, m->index[v], r)) continue;
             star(v, &around);
             for (j = 0; j < around.n; j++)
                 for (k = 0; k < 4; k++) {
@@ -318,6 +320,7 @@ static void reply(const mail *letters, mail *replies)
                 }
         }
     drop(&around);
+    forget(&told);
 }
 
 /* ---- stars computed again ---- */
