@@ -436,7 +436,7 @@ if command -v ftnchek > /dev/null; then
         > build/ftnchek.txt 2>&1
     one "ftnchek: parity.f" sh -c '! grep -i warning build/ftnchek.txt'
     $CHEK -noextern -array=no-dimensions -usage=no-arg-array-alias \
-        test/examples/parts.f > build/ftnchek.txt 2>&1
+        test/examples/parts.f test/examples/join.f > build/ftnchek.txt 2>&1
     one "ftnchek: parts.f" sh -c '! grep -i warning build/ftnchek.txt'
     for f in test/examples/derived.f test/sizes.f; do
         $CHEK -array=no-dimensions -usage=no-arg-array-alias -library \
@@ -691,6 +691,7 @@ if command -v gfortran > /dev/null; then
     for omp in "" -fopenmp; do
         rm -f build/partsf
         gfortran -O2 -frecursive $omp -o build/partsf test/examples/parts.f \
+            test/examples/join.f \
             $F77 >> $LOG 2>&1
         build/partsf > build/partsf.out 2>> $LOG
         one "example: parts.f $omp" cmp test/examples/parts.out build/partsf.out
