@@ -189,6 +189,12 @@ for t in t_pred brute t_tess t_part; do
     fi
 done
 
+if build t_join "$CC" "$CFLAGS -I." test/t_join.c $HARD build/points.o; then
+    many t_join build/t_join
+else
+    fail "t_join does not compile"
+fi
+
 # Sizes, whatever the integer.
 for d in "" -DTESS_INT=short -DTESS_INT=long; do
     if build t_size "$CC" "-O1 $d" test/t_size.c $HARD; then
