@@ -436,7 +436,7 @@ static void subset(const whole *m, int sparse)
     for (i = 0; i < 4 * ntet; i++) tet[i] = name[tet[i]];
     for (t = 0; t < ntet; t++) {
         j = number(m, tet + 4 * t);
-        require(j >= 0 && met[j], "a tetrahedron of a subset, none of the mesh");
+        require(j >= 0 && met[j], "a subset's tetrahedron, not the mesh's");
         if (j >= 0) met[j] = 0;
     }
 }

@@ -9,8 +9,8 @@
  *      least index is asked for there: each tetrahedron of the mesh is kept by
  *      one part.  append puts these behind those of the parts before; the
  *      threads may do it at the same time.
- *   4. join closes the facets that are open.  No geometry: both sides of a facet
- *      have the same vertices.
+ *   4. join closes the facets that are open.  No geometry: both sides of a
+ *      facet have the same vertices.
  *
  * The result is the set of tetrahedra that tess gives, in another order, and
  * passes tess_check.  If a part is missing, tess_resume computes it: leave out
@@ -92,8 +92,8 @@ static int facet(const tess_int *tet, tess_int i, tess_int *v)
     return side;
 }
 
-/* join - close the facets that are open on both sides.  What is open on one side
- * alone is then on the hull.
+/* join - close the facets that are open on both sides.  What is open on one
+ * side alone is then on the hull.
  *
  *   ntet, tet  (in)      all tetrahedra of the mesh, each once
  *   adj        (in,out)  neighbours; TESS_OPEN where they are sought

@@ -16,8 +16,8 @@
  * all, is known everywhere. */
 #define LEAF 32
 #define BOXES 64
-#define WIDER 3.0
-#define COARSE 8
+#define WIDER 2.5
+#define COARSE 32
 
 /* Points order[first] ... order[last-1]; its children are nodes child and
  * child + 1, 0 if it has none yet. */
@@ -29,6 +29,13 @@ typedef struct node {
 typedef struct box {
     double lo[3], hi[3];
 } box;
+
+/* A question: what is in a box?  Of points that are denser than the asker's,
+ * whose spacing is fine, a few do. */
+typedef struct question {
+    box b;
+    double fine;
+} question;
 
 static const cloud *own;
 static node *tree;
@@ -75,11 +82,12 @@ static int precedes(const double *a, const double *b, int k)
     return 0;
 }
 
-/* open - the children of a node; 0 for a leaf.  It is cut at the middle of 15 of
- * its points, which are distinct, so that no child is empty. */
+/* open_node - the children of a node; 0 for a leaf.  It is cut at the middle of
+ * 15 of its points, which are distinct, so that no child is empty. */
 static int open_node(int at)
 {
-    int first = tree[at].first, last = tree[at].last, some[15], i, j, k = 0, swap;
+    int first = tree[at].first, last = tree[at].last, some[15];
+    int i, j, k = 0, swap;
     const double *x;
 
     if (tree[at].child > 0) return tree[at].child;
@@ -144,7 +152,8 @@ static box *show(box *b, int at, int count)
     return show(show(b, child, count / 2), child + 1, count - count / 2);
 }
 
-/* boxes - those that all show, BOXES a process; and one about each process's. */
+/* boxes - those that all show, BOXES a process, and one about each process's.
+ */
 static void boxes(box *all, box *hull)
 {
     MPI_Request request;
@@ -196,6 +205,8 @@ static void ask(mail *m, int at, const box *all, const box *hull)
 {
     int axis, child, r, i;
     box b = widen(tree + at, WIDER / 2.5 * extent(tree + at, &axis));
+    const box *of;
+    question q;
 
     for (r = 0; r < ranks; r++)
         if (r != me && meet(b.lo, b.hi, hull[r].lo, hull[r].hi)) break;
@@ -206,13 +217,15 @@ static void ask(mail *m, int at, const box *all, const box *hull)
         ask(m, child + 1, all, hull);
         return;
     }
-    b = widen(tree + at, WIDER * spacing(tree + at));
-    for (; r < ranks; r++)
-        for (i = 0; i < BOXES && r != me; i++)
-            if (meet(b.lo, b.hi, all[BOXES * r + i].lo, all[BOXES * r + i].hi)) {
-                put(m, r, &b);
-                break;
-            }
+    q.fine = spacing(tree + at);
+    q.b = b = widen(tree + at, WIDER * q.fine);
+    for (; r < ranks; r++) {
+        for (i = 0; i < BOXES && r != me; i++) {
+            of = all + BOXES * r + i;
+            if (meet(b.lo, b.hi, of->lo, of->hi)) break;
+        }
+        if (i < BOXES && r != me) put(m, r, &q);
+    }
 }
 
 /* give - send own point i to process r, if that has not been done. */
@@ -221,29 +234,37 @@ static void give(mail *m, int i, int r, table *sent)
     if (!given(sent, own->at[i].index, r)) put(m, r, own->at + i);
 }
 
-static void answer(mail *m, int at, const box *b, int r, table *sent)
+static void answer(mail *m, int at, const question *q, int r, table *sent)
 {
-    int child, i;
+    int child, i, axis;
+    double *x;
 
-    if (!meet(b->lo, b->hi, tree[at].lo, tree[at].hi)) return;
-    child = open_node(at);
-    if (child > 0) {
-        answer(m, child, b, r, sent);
-        answer(m, child + 1, b, r, sent);
+    if (!meet(q->b.lo, q->b.hi, tree[at].lo, tree[at].hi)) return;
+    if (extent(tree + at, &axis) < q->fine) {
+        give(m, order[tree[at].first], r, sent);
+        give(m, order[tree[at].last - 1], r, sent);
         return;
     }
-    for (i = tree[at].first; i < tree[at].last; i++)
-        if (meet(b->lo, b->hi, own->at[order[i]].x, own->at[order[i]].x))
-            give(m, order[i], r, sent);
+    child = open_node(at);
+    if (child > 0) {
+        answer(m, child, q, r, sent);
+        answer(m, child + 1, q, r, sent);
+        return;
+    }
+    for (i = tree[at].first; i < tree[at].last; i++) {
+        x = own->at[order[i]].x;
+        if (meet(q->b.lo, q->b.hi, x, x)) give(m, order[i], r, sent);
+    }
 }
 
 /* guess - the questions, the answers, and a coarse sample. */
 static void guess(mail *m, table *sent)
 {
     box *all = (box *)grow(NULL, BOXES * (num)ranks, sizeof *all);
-    box *hull = (box *)grow(NULL, ranks, sizeof *hull), *b;
+    box *hull = (box *)grow(NULL, ranks, sizeof *hull);
+    const question *q;
     mail questions;
-    double i;
+    double i, step = (double)COARSE * ranks;
     int r;
 
     nodes = 1;
@@ -253,16 +274,16 @@ static void guess(mail *m, table *sent)
     for (r = 0; r < own->n; r++) order[r] = r;
     fill(0, 0, (int)own->n);
     boxes(all, hull);
-    mail_open(&questions, sizeof *b);
+    mail_open(&questions, sizeof *q);
     if (own->n > 0) ask(&questions, 0, all, hull);
     free(all);
     free(hull);
     exchange(&questions, HALO);
     for (r = 0; r < ranks; r++) {
-        b = (box *)questions.at[r];
-        for (; b < (box *)questions.at[r] + questions.n[r]; b++)
-            answer(m, 0, b, r, sent);
-        for (i = 0.5; r != me && i < (double)own->n; i += (double)COARSE * ranks)
+        q = (question *)questions.at[r];
+        for (i = 0.0; i < (double)questions.n[r]; i++)
+            answer(m, 0, q++, r, sent);
+        for (i = 0.5; r != me && i < (double)own->n; i += step)
             give(m, order[(int)i], r, sent);
     }
     mail_close(&questions);

@@ -35,12 +35,14 @@ void *grow(void *old, num count, size_t size)
 
 /* ---- messages ---- */
 
-static void nap(void)
+/* nap - sleep, each time twice as long, 20 microseconds to 2.5 milliseconds. */
+static void nap(int *times)
 {
     struct timespec t;
 
     t.tv_sec = 0;
-    t.tv_nsec = 100000;
+    t.tv_nsec = 20000L << *times;
+    if (*times < 7) ++*times;
     nanosleep(&t, NULL);
 }
 
@@ -81,8 +83,8 @@ void put(mail *m, int r, const void *item)
     memcpy(m->at[r] + (size_t)m->n[r]++ * m->size, item, m->size);
 }
 
-/* Nobody knows who will send to it: all have, when a barrier is passed that each
- * process enters when what it has sent has been taken.  (T. Hoefler et al.,
+/* Nobody knows who will send to it: all have, when a barrier is passed that
+ * each process enters when what it has sent has been taken.  (T. Hoefler et al.,
  * Scalable Communication Protocols for Dynamic Sparse Data Exchange, 2010.)
  * Messages of two exchanges have different tags, as a process that has passed
  * the barrier may be ahead of one that has not seen it.  Items are counted,
@@ -95,7 +97,7 @@ void exchange(mail *m, int kind)
     MPI_Message message;
     MPI_Status status;
     mail in;
-    int r, count, flag, open = 0, entered = 0, done = 0;
+    int r, count, flag, open = 0, entered = 0, done = 0, naps = 0;
 
     mail_open(&in, m->size);
     in.at[me] = m->at[me];
@@ -118,6 +120,7 @@ void exchange(mail *m, int kind)
         if (flag) {
             r = status.MPI_SOURCE;
             MPI_Get_count(&status, type, &count);
+            naps = 0;
             reserve(&in, r, count);
             in.n[r] = count;
             MPI_Mrecv(in.at[r], count, type, &message, &status);
@@ -129,7 +132,7 @@ void exchange(mail *m, int kind)
             MPI_Testall(open, request, &entered, MPI_STATUSES_IGNORE);
             if (entered) MPI_Ibarrier(MPI_COMM_WORLD, &barrier);
         }
-        if (!done) nap();
+        if (!done) nap(&naps);
     }
     free(request);
     MPI_Type_free(&type);
@@ -139,12 +142,12 @@ void exchange(mail *m, int kind)
 
 void wait_for(MPI_Request *request)
 {
-    int done = 0;
+    int done = 0, naps = 0;
 
     for (;;) {
         MPI_Test(request, &done, MPI_STATUS_IGNORE);
         if (done) return;
-        nap();
+        nap(&naps);
     }
 }
 
@@ -200,29 +203,34 @@ static num probe(const table *t, uint64_t key)
     return i;
 }
 
-int *find(table *t, uint64_t key)
+void expect(table *t, num n)
 {
     table old = *t;
     num i, j;
 
     /* A place that was asked for and left ABSENT is in use no more. */
-    if (4 * t->n >= 3 * t->size) {
-        t->n = 0;
-        for (i = 0; i < old.size; i++) t->n += old.value[i] != ABSENT;
-        for (t->size = 16; t->size < 2 * t->n + 2; t->size *= 2)
-            ;
-        t->key = (uint64_t *)grow(NULL, t->size, sizeof *t->key);
-        t->value = (int *)grow(NULL, t->size, sizeof *t->value);
-        for (i = 0; i < t->size; i++) t->value[i] = ABSENT;
-        for (i = 0; i < old.size; i++)
-            if (old.value[i] != ABSENT) {
-                j = probe(t, old.key[i]);
-                t->key[j] = old.key[i];
-                t->value[j] = old.value[i];
-            }
-        free(old.key);
-        free(old.value);
-    }
+    t->n = 0;
+    for (i = 0; i < old.size; i++) t->n += old.value[i] != ABSENT;
+    for (t->size = 16; t->size < 2 * (t->n + n) + 2; t->size *= 2)
+        ;
+    t->key = (uint64_t *)grow(NULL, t->size, sizeof *t->key);
+    t->value = (int *)grow(NULL, t->size, sizeof *t->value);
+    for (i = 0; i < t->size; i++) t->value[i] = ABSENT;
+    for (i = 0; i < old.size; i++)
+        if (old.value[i] != ABSENT) {
+            j = probe(t, old.key[i]);
+            t->key[j] = old.key[i];
+            t->value[j] = old.value[i];
+        }
+    free(old.key);
+    free(old.value);
+}
+
+int *find(table *t, uint64_t key)
+{
+    num i;
+
+    if (4 * t->n >= 3 * t->size) expect(t, 0);
     i = probe(t, key);
     if (t->value[i] == ABSENT) {
         t->key[i] = key;

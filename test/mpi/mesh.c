@@ -31,8 +31,8 @@
  * treated alike.
  *
  * 1. The star of v in the mesh of a set K is made by the lower facets at v of
- *    the hull of the lifted K.  A lower edge v w of a set's hull is one in every
- *    subset that has both ends.  So if K has all neighbours of v in the mesh of
+ *    the hull of the lifted K.  A lower edge v w of a set's hull is one in
+ *    every subset that has both ends.  So if K has all neighbours of v in the mesh of
  *    a larger set, the star of v in K's mesh is that in the larger set's: the
  *    cone over it is the hull of the rays to these neighbours.  (t_part tests
  *    that.)  For the same reason the star of v in K and new points N is that in
@@ -55,12 +55,12 @@
  *    is the Delaunay tetrahedralization of its vertices.  Each point is a
  *    vertex of one component.  Let x be a point that all processes know, C a
  *    component.  At each vertex v of the hull of C the star has all of K in its
- *    cone, x too; so x is in the hull of C.  If it were no vertex of C, it would
- *    be in a tetrahedron of C, so in its ball, but it was known where that
+ *    cone, x too; so x is in the hull of C.  If it were no vertex of C, it
+ *    would be in a tetrahedron of C, so in its ball, but it was known where that
  *    tetrahedron was found.  So all components contain x: there is one.
  *
- * With the links of 2 the processes learn what they need from whatever they know
- * at first (-blind); a better guess spares rounds.  This is star splaying
+ * With the links of 2 the processes learn what they need from whatever they
+ * know at first (-blind); a better guess spares rounds.  This is star splaying
  * (R. Shewchuk, 2005) between processes instead of between points.  Hashes have
  * 64 bits: for two of 10^9 tetrahedra to have the same has a probability of
  * 10^-2, for that to hide a difference it must be two that differ.  It would
@@ -80,15 +80,15 @@
 static const char usage[] =
     "usage: mesh INPUT [-o PREFIX] [-vtu PREFIX] [-blind]\n"
     "INPUT: -raw FILE      native doubles, three a point\n"
-    "       -each PREFIX   the same, in a file for each process: PREFIX.<rank>\n"
+    "       -each PREFIX   the same, a file for each process: PREFIX.<rank>\n"
     "       -family NAME N points of test/points.h, made by process 0\n"
     "-o     PREFIX.<rank>.tet: vertices, .adj: neighbours across the facets\n"
     "       opposite to them, -1 for none: native 64-bit integers\n"
     "-vtu   PREFIX.pvtu and its pieces, for ParaView\n"
     "-blind begin with a few extreme points of others (a test)\n";
 
-/* number_points - the process has the next n points: give them their indices, in
- * the order of the processes. */
+/* number_points - the process has the next n points, in the order of the
+ * processes: give them their indices. */
 static void number_points(cloud *c, num n, const double *x)
 {
     num i, base = 0;
@@ -256,7 +256,7 @@ int main(int argc, char **argv)
     reduce(most, 3, MPI_DOUBLE, MPI_MAX);
     if (me == 0)
         printf("mesh: processes %d points %.0f code %d tetrahedra %.0f rounds "
-               "%d known %.2f cpu %.3f most %.3f memory %.1f points %.0f "
+               "%d known %.2f cpu %.3f most %.3f memory %.1f owned %.0f "
                "move %.2f halo %.2f hashes %.2f stars %.2f sides %.2f\n", ranks,
                (double)c.all, code, (double)ntet, m.rounds,
                c.all > 0 ? sum[1] / (double)c.all : 0.0, sum[0], most[0],

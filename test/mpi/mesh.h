@@ -71,6 +71,9 @@ typedef struct table {
 int *find(table *t, uint64_t key);
 void forget(table *t);
 
+/* expect - make room for n more. */
+void expect(table *t, num n);
+
 uint64_t mix(uint64_t h);
 
 /* hash - of k indices, k <= 4, whatever their order. */
@@ -122,6 +125,11 @@ typedef struct mesh {
     double known;        /* points known beyond the own ones, at first */
     clock_t finished;    /* when all but files was done */
 } mesh;
+
+/* INNER - are the vertices of a tetrahedron all own ones? */
+#define INNER(m, v)                                               \
+    ((m)->owner[(v)[0]] == me && (m)->owner[(v)[1]] == me &&      \
+     (m)->owner[(v)[2]] == me && (m)->owner[(v)[3]] == me)
 
 /* stars - all tetrahedra of the mesh of all points that have an own one for a
  * vertex.  Frees c's points and what foreign points are given. */

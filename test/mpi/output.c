@@ -19,6 +19,7 @@ static int kept(const mesh *m, tess_int t)
     int k, least = 0;
 
     if (v[0] == TESS_NONE) return 0;
+    if (INNER(m, v)) return 1;
     for (k = 1; k < 4; k++)
         if (m->index[v[k]] < m->index[v[least]]) least = k;
     return m->owner[v[least]] == me;
@@ -115,7 +116,8 @@ num output(mesh *m, const char *prefix)
     for (t = 0; t < m->ntet; t++)
         becomes[t] = kept(m, t) ? n++ : TESS_NONE;
     mine = n;
-    MPI_Iexscan(&mine, &base, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD, &request);
+    MPI_Iexscan(&mine, &base, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD,
+                &request);
     wait_for(&request);
     if (me == 0) base = 0;
     all = total(mine);

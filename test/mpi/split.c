@@ -1,5 +1,5 @@
-/* split.c - who owns what: space is cut so that all processes have about as many
- * points; see mesh.c.
+/* split.c - who owns what: space is cut so that all processes have about as
+ * many points; see mesh.c.
  *
  * The processes lo ... hi-1 have the points of a part of space, those before
  * cut[mid] go to lo ... mid-1, mid = (lo + hi) / 2.  Before: along the cut's
@@ -55,8 +55,9 @@ int owner_of(const double *x)
     return lo;
 }
 
-/* divide - the cuts for processes lo ... hi-1, of n samples.  A cut goes between
- * two layers of a lattice, if there is such a place near the right one. */
+/* divide - the cuts for processes lo ... hi-1, of n samples.  A cut goes
+ * between two layers of a lattice, if there is such a place near the right one.
+ */
 static void divide(double *s, long n, int lo, int hi)
 {
     double least[3], most[3], *c = cuts[(lo + hi) / 2].x;
@@ -101,7 +102,8 @@ static void sample(const cloud *c)
     MPI_Request request;
 
     if (wanted < FEWEST * (num)ranks) wanted = FEWEST * (num)ranks;
-    n = c->n == 0 ? 0 : 3 + (int)((double)wanted / (double)c->all * (double)c->n);
+    n = c->n == 0 ? 0 : 3 + (int)((double)wanted / (double)c->all *
+                                  (double)c->n);
     own = (double *)grow(NULL, 3 * (num)n, sizeof *own);
     for (r = 0; r < n; r++) {
         h += UINT64_C(0x9e3779b97f4a7c15);
@@ -116,7 +118,8 @@ static void sample(const cloud *c)
     MPI_Igather(&n, 1, MPI_INT, count, 1, MPI_INT, 0, MPI_COMM_WORLD, &request);
     wait_for(&request);
     if (me == 0) {
-        for (r = begin[0] = 0; r < ranks; r++) begin[r + 1] = begin[r] + count[r];
+        for (r = begin[0] = 0; r < ranks; r++)
+            begin[r + 1] = begin[r] + count[r];
         s = (double *)grow(NULL, begin[ranks], sizeof *s);
     }
     MPI_Igatherv(own, n, MPI_DOUBLE, s, count, begin, MPI_DOUBLE, 0,
@@ -142,6 +145,7 @@ static void distinct(cloud *c)
     num i, n = 0;
     int *at, k;
 
+    expect(&seen, (c->n + 1) / 2);
     for (i = 0; i < c->n; i++) {
         for (k = 0, h = 0; k < 3; k++) {
             x = c->at[i].x[k] == 0.0 ? 0.0 : c->at[i].x[k]; /* of either sign */

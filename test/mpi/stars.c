@@ -19,8 +19,8 @@ typedef struct doubt {
 #define OURS 1
 #define THEIRS 2
 
-/* Marks of points: the star is computed again; the point is in the small set for
- * that.  And of tetrahedra: star has met it; it is in an old star. */
+/* Marks of points: the star is computed again; the point is in the small set
+ * for that.  And of tetrahedra: star has met it; it is in an old star. */
 #define MARKED 1
 #define NEAR 2
 #define SEEN 1
@@ -32,7 +32,8 @@ static tess_int maxtet;          /* of tetrahedra */
 static tess_int *first;          /* a tetrahedron of an own point */
 static char *mark;               /* of points */
 static char *taken;              /* of tetrahedra */
-static table place;              /* index -> known point */
+static tess_int sorted;          /* points known at first, by index */
+static table place;              /* of others: index -> known point */
 static table both;               /* hash and process -> OURS, THEIRS */
 static table *has_been_sent;
 static mail hashes;
@@ -84,8 +85,18 @@ static void points_room(tess_int n)
 /* learn - the number of a point that came, which may be new. */
 static tess_int learn(const point *p)
 {
-    int *at = find(&place, (uint64_t)p->index);
+    tess_int lo = 0, hi = sorted, mid;
+    int *at;
 
+    while (lo < hi) {
+        mid = lo + (hi - lo) / 2;
+        if (m->index[mid] < p->index)
+            lo = mid + 1;
+        else
+            hi = mid;
+    }
+    if (lo < sorted && m->index[lo] == p->index) return lo;
+    at = find(&place, (uint64_t)p->index);
     if (*at != ABSENT) return *at;
     *at = m->n;
     if (m->n == room) {
@@ -313,7 +324,8 @@ static void reply(const mail *letters, mail *replies)
             for (j = 0; j < around.n; j++)
                 for (k = 0; k < 4; k++) {
                     w = m->tet[4 * around.at[j] + k];
-                    if (m->owner[w] == r || given(has_been_sent, m->index[w], r))
+                    if (m->owner[w] == r ||
+                        given(has_been_sent, m->index[w], r))
                         continue;
                     p = the_point(w);
                     put(replies, r, &p);
@@ -529,15 +541,13 @@ void stars(mesh *result, cloud *c, point *foreign, num n, table *sent)
     taken = (char *)grow(NULL, maxtet, 1);
     memset(taken, 0, (size_t)maxtet);
     first = (tess_int *)grow(NULL, room, sizeof *first);
-    for (i = 0; i < m->n; i++) {
-        first[i] = TESS_NONE;
-        *find(&place, (uint64_t)m->index[i]) = (int)i;
-    }
+    for (i = 0; i < m->n; i++) first[i] = TESS_NONE;
+    sorted = m->n;
     mail_open(&hashes, sizeof(uint64_t));
     for (i = 0; i < m->ntet; i++) {
         for (k = 0; k < 4; k++)
             if (is_own(m->tet[4 * i + k])) first[m->tet[4 * i + k]] = i;
-        toggle(i);
+        if (!INNER(m, m->tet + 4 * i)) toggle(i);
     }
     for (m->rounds = 1;; m->rounds++) {
         mail_open(&letters, 4 * sizeof(point));
