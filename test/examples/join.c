@@ -1,6 +1,6 @@
 /* join.c - a mesh in parts, joined: copy this file beside the library.
  *
- * For meshes by several threads; parts.c and test/parts.c are whole programs.
+ * For meshes by several threads; parts.c and test/bench/parts.c are whole programs.
  *
  *   1. tess_index sorts the points.  rw is shared by all, iw copied for each.
  *   2. Each thread asks tess_part for the points of a range of places (iw[i]),
