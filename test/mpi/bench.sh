@@ -18,12 +18,13 @@ mkdir -p $dir test/results
         [ -n "$processes" ] || continue
         rm -f $dir/o.*
         build/same -write $dir/p.raw "$family" "$n" || exit 1
-        mpirun --oversubscribe --allow-run-as-root -np "$processes" build/mesh \
-            -raw $dir/p.raw -o $dir/o >$dir/out 2>$dir/err </dev/null &&
-            build/same $dir/o "$processes" $dir/p.raw >>$dir/out || {
+        if ! mpirun --oversubscribe --allow-run-as-root -np "$processes" \
+            build/mesh -raw $dir/p.raw -o $dir/o >$dir/out 2>$dir/err \
+            </dev/null || ! build/same $dir/o "$processes" $dir/p.raw \
+            >>$dir/out; then
             echo "| $family | $n | $processes | FAILED |"
             continue
-        }
+        fi
         awk -v family="$family" '
             { for (i = 2; i < NF; i += 2) f[$1 $i] = $(i + 1) }
             END {

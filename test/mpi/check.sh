@@ -63,7 +63,7 @@ awk 'BEGIN { for (i = 0; i < 900; i++)
 for processes in 1 2 3 5 8; do
     while read -r family n; do
         points "$family" "$n"
-        compare "$family" $processes 0
+        compare "$family" "$processes" 0
     done <<END
 uniform 4000
 clusters 4000
@@ -83,13 +83,13 @@ uniform 5
 lattice 8
 END
     points $dir/plane 1200
-    compare "all in a plane" $processes 3
+    compare "all in a plane" "$processes" 3
     points $dir/line 1200
-    compare "all on a line" $processes 4
+    compare "all on a line" "$processes" 4
     points $dir/equal 1200
-    compare "all equal" $processes 5
+    compare "all equal" "$processes" 5
     : >$dir/p.raw
-    compare "no points" $processes 5
+    compare "no points" "$processes" 5
 done
 
 # From a few extreme points alone: all else by agreement.
