@@ -231,7 +231,7 @@ SANITIZE="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 tests() {
     if [ -z "$ALL" ]; then
         units usual "$CC" "$CFLAGS" "t_pred 40" "t_margin 8" brute \
-            "t_tess -quick" "t_part -quick" t_size t_natural "t_join -quick"
+            "t_tess -quick" "t_part -quick" t_size t_natural t_join
         # few limbs: code 2 or TESS_RANGE where they do not suffice
         units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
             "t_tess -range"
