@@ -585,23 +585,21 @@ static int balanced(int np, const double *q)
 
     for (i = 0; i < np; i++, q += 3) {
         most = INT_MIN;
-        for (j = 0; j < np; j++) {
-            k = np * i + j;
-            a[k] = j < 3 ? frexp(q[j], e + k) : 1.0;
-            if (j < 3 && a[k] != 0.0 && e[k] > most) most = e[k];
+        for (j = 0, k = np * i; j < 3; j++, k++) {
+            a[k] = frexp(q[j], e + k);
+            if (a[k] != 0.0 && e[k] > most) most = e[k];
         }
         if (most == INT_MIN) most = 0;
-        e[k] = 0;
-        if (np == 5) {
-            for (j = 0, sum = 0.0; j < 3; j++) {
-                x = ldexp(q[j], -most);
-                sum += x * x;
-            }
-            a[k - 1] = sum;
-            e[k - 1] = 2 * most;
+        for (j = 0, sum = 0.0; j < 3; j++) {
+            x = ldexp(q[j], -most);
+            sum += x * x;
         }
-        at = most > 0 ? (np == 5 ? 2 : 1) * most : 0;
-        for (j = 0; j < np; j++) e[np * i + j] -= at;
+        a[k] = np == 5 ? sum : 1.0;
+        e[k] = np == 5 ? 2 * most : 0;
+        a[np * i + np - 1] = 1.0;
+        e[np * i + np - 1] = 0;
+        at = most > 0 ? (np - 3) * most : 0;
+        for (j = 0, k = np * i; j < np; j++, k++) e[k] -= at;
     }
     for (j = 0; j < np; j++) {
         most = INT_MIN;
@@ -1168,8 +1166,8 @@ static int tied(const hh_set *s, const tess_int *v, int positive)
     return sign;
 }
 
-/* perturb - the sign of I, perturbed as in tied where it is 0. */
-static int perturb(const hh_set *s, const tess_int *v, int positive)
+/* perturb - the sign of I; where it is 0, rule times that of tied. */
+static int perturb(const hh_set *s, const tess_int *v, int positive, int rule)
 {
     const tess_real *p[5];
     double q[15];
@@ -1180,22 +1178,27 @@ static int perturb(const hh_set *s, const tess_int *v, int positive)
     if (sign == UNSURE) {
         for (n = 0; n < 5; n++) p[n] = s->p + 3 * s->order[v[n]];
         /* the corners of a box are on one sphere */
-        if (corners(5, p, q)) return tied(s, v, positive);
-        if (apart(s->x + 3 * v[0], 5, p, q))
-            sign = filt5(q, q + 3, q + 6, q + 9, q + 12, -1.0);
+        sign = 0;
+        if (!corners(5, p, q)) {
+            if (apart(s->x + 3 * v[0], 5, p, q))
+                sign = filt5(q, q + 3, q + 6, q + 9, q + 12, -1.0);
+            else
+                sign = UNSURE;
+        }
         if (sign == UNSURE) {
             pack(5, p, q);
             sign = exact(5, q, NULL);
         }
     }
-    return sign == 0 ? tied(s, v, positive) : sign;
+    return sign != 0 || !rule ? sign : rule * tied(s, v, positive);
 }
 
 /* hh_pball - the sign, never 0, of the perturbed determinant I for the
  * positions i, j, k, l, m of the set s: m is inside the ball of i, j, k, l
- * iff I times hh_pside(i, j, k, l) is negative. */
+ * iff I times hh_pside(i, j, k, l) is negative.  Without a rule (rule = 0) the
+ * sign of I itself, 0 when the five are on one sphere. */
 int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
-             tess_int m)
+             tess_int m, int rule)
 {
     tess_int v[5];
 
@@ -1204,12 +1207,14 @@ int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
     v[2] = k;
     v[3] = l;
     v[4] = m;
-    return perturb(s, v, 0);
+    return perturb(s, v, 0, rule);
 }
 
-/* hh_pbeat - does b beat a as the apex of the facet v, both on its positive
- * side: 1, or 0. */
-int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b)
+/* hh_pbeat - negative if b beats a as the apex of the facet v, both on its
+ * positive side, else positive: 1 or -1, or 2 or -2 when the five are on one
+ * sphere: without a look at that if tie is 1. */
+int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
+             int tie)
 {
     tess_int w[5];
 
@@ -1218,7 +1223,7 @@ int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b)
     w[2] = v[2];
     w[3] = a;
     w[4] = b;
-    return perturb(s, w, 1) < 0;
+    return tie ? 2 * tied(s, w, 1) : perturb(s, w, 1, 2);
 }
 
 /* rows - the limbs of the rows p - last of 4 positions v of the set s, as

@@ -302,8 +302,9 @@ void hh_ratio(const double *f, const double *z, double least, double most,
 int hh_limits(const double *f, const double *z, double *lo, double *hi);
 int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l);
 int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
-             tess_int m);
-int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b);
+             tess_int m, int rule);
+int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
+             int tie);
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t);
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,

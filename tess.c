@@ -79,10 +79,10 @@
  *   apex         dot powererr prunebox prunepart ballinbox ballinstar better
  *                curved narrow refine rough marked level remember fit discover
  *                lean sharpen sight lowest beyond promise normal flatten
- *                offside challenge consider
- *                ballcoef starcoef inball considerall likeliest anypoint instar
- *                inblock scanleaf barren treesearch onhull prepare
- *                proven apex
+ *                offside inlarge keeplarge cap challenge consider
+ *                ballcoef starcoef inball considerall likeliest anypoint
+ *                newcell incell instar inblock scanleaf barren treesearch
+ *                onhull prepare proven apex
  *   one star     exchange settle plant
  *   results      coords four slot mate
  *   preparation  leafcount cuberoot tablesize upto lengths extra collect
@@ -205,6 +205,10 @@ extern void tess_prove(int fact);
 #define PARTS 32767.0
 #define SLABS (TESS_LIST >= 128 && TESS_INT_MOST >= 2147483647L)
 #define FLAT(m, node) (SLABS && (m)->slab != NULL && (m)->slab[2 * (node)] > 0)
+/* Points of a cell, at most, and cells; a large ball has more than LARGE. */
+#define CELL 12
+#define CELLS 4
+#define LARGE 24
 /* Hull planes that are remembered. */
 #define PLANES 4
 /* Steps from a given start before a location looks for a better one: with 8,
@@ -293,8 +297,11 @@ typedef struct quest {
     int base;                 /* of which v[base] is the base */
     tess_int best;            /* the best point yet, exactly, or NONE */
     double lo, hi;            /* its L-coordinate is between them */
-    int limbs;                /* its ball has been found by limbs: t */
+    int limbs;                /* 1: its ball has been found by limbs: t; 2: */
+                              /* the ball is that of a cap */
     hh_ball t;
+    int tied;                 /* points met that are exactly on its ball */
+    int first;                /* v[first] is the large ball's, or NONE */
     int asked;                /* comparisons left to the exact predicates */
     int ball;                 /* there is a ball to prune with: centre c, */
     double c[3];              /* relative to f[6..8], wrong by at most dc */
@@ -325,6 +332,12 @@ typedef struct support {
     tess_int *least;
 } support;
 
+/* The points exactly on one ball: see incell. */
+typedef struct cell {
+    int n;
+    tess_int id[CELL];
+} cell;
+
 typedef struct mesh {
     hh_set set;
     double *x;                /* set.x */
@@ -351,6 +364,10 @@ typedef struct mesh {
     list block, around;       /* lists of a leaf, and of a star in it */
     double share;             /* the star's margin in the block's */
     int ties;                 /* the last points on a ball were not in it */
+    cell cells[CELLS];        /* those met in this star, the last ones of */
+    int ncell;                /* so many */
+    int tied;                 /* the last ties in a star's list were exact */
+    tess_int large[4], first; /* on the large ball, and its first, or NONE; */
     double least;             /* coordinate of absolute value above 0, if any */
     support supports[SUPPORTS];
     int nsupport, seek;       /* how many there are; look for more? */
@@ -659,7 +676,7 @@ static int firstfacet(const mesh *m, tess_int *v)
     for (i = 0; i < m->np; i++)
         if (i != v[2] && hh_pside(&m->set, v[0], v[1], v[2], i) == 0 &&
             !hh_line(p, q, point(m, i)) &&
-            hh_pball(&m->set, v[0], v[1], v[2], w, i) < 0)
+            hh_pball(&m->set, v[0], v[1], v[2], w, i, 1) < 0)
             v[2] = i;
     while (v[0] > v[1] || v[0] > v[2]) {
         w = v[0];
@@ -991,6 +1008,7 @@ static int star(mesh *m, tess_int s)
     tess_int *p, v[3], guess[2], e, c;
 
     starlist(m, s);
+    m->ncell = 0;
     for (;;) {
         while (m->oldest >= m->newest && m->pool[m->oldest + CODE] == DEAD)
             m->oldest -= EDGE;
@@ -1542,7 +1560,7 @@ static int better(const mesh *m, const quest *f, tess_int z)
 {
     return z != f->v[0] && z != f->v[1] && z != f->v[2] && z != f->best &&
            hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z) > 0 &&
-           (f->best == NONE || hh_pbeat(&m->set, f->v, f->best, z));
+           (f->best == NONE || hh_pbeat(&m->set, f->v, f->best, z, 0) < 0);
 }
 #endif
 
@@ -2178,6 +2196,88 @@ static int offside(const mesh *m, const quest *f, tess_int node)
     return (f->ball || f->f[9] <= HH_LOOSE) && sum > size * err + FAINT;
 }
 
+/* ---- ties ----
+ *
+ * Let T be the points on the sphere of a ball that is empty, as that of any
+ * tetrahedron of the mesh.  By the tie rule heights are lowered, that of first,
+ * the point of T of least number, by far the most.  So
+ *   - among points of T the mesh is that of the facets of T's hull without
+ *     first, each joined to first;
+ *   - a tetrahedron with its vertices in T has first for one of them: it is the
+ *     least of any such tetrahedron that is known;
+ *   - for a facet of three points of T without first, which is in T's hull, no
+ *     point of T is on its open side but on first's: first is the apex, or none
+ *     of T;
+ *   - for a facet (first, a, b) with points of T on its open side the apex is
+ *     one of them, as the ball is empty.  Of two, c and z, z is better if it is
+ *     beyond the plane (a, b, c) seen from first, worse if on first's side, and
+ *     in that plane by the lesser e_i.
+ * A point of T whose star is complete is in no open facet, nor an apex.  If
+ * first's is, all tetrahedra of T are known: that of a new one's T is not.
+ *
+ * Cells: all uncompleted points of T, the least number first, of balls inside
+ * the star's list.  No more than these are asked for a facet of the star.
+ *
+ * The large ball has too many for that: four of them are kept.  All rivals of c
+ * are beyond the plane (a, b, c), or in it, seen from first, and on the sphere.
+ * That part of the sphere is in the smallest ball through a, b, c if first is
+ * outside of this: so this, the cap's, takes the place of the search's ball.
+ * It passes through a base a or b, but not through first. */
+
+/* inlarge - are the vertices of the facet v on the large ball, if there is one,
+ * or, for n = 1, is v[0]? */
+static int inlarge(const mesh *m, const tess_int *v, int n)
+{
+    const tess_int *q = m->large;
+    int k = 0;
+
+    if (m->first == NONE) return 0;
+    while (k < n && hh_pball(&m->set, q[0], q[1], q[2], q[3], v[k], 0) == 0)
+        k++;
+    return k == n;
+}
+
+/* keeplarge - the ball of a search in a star is the large one. */
+static void keeplarge(mesh *m, const quest *f)
+{
+    int k;
+
+    m->first = f->best;
+    for (k = 0; k < 4; k++) {
+        m->large[k] = k < 3 ? f->v[k] : f->best;
+        if (m->order[m->large[k]] < m->order[m->first]) m->first = m->large[k];
+    }
+}
+
+/* cap - let the best point's ball be the cap's, if it may.  For first, size, of
+ * |w|_1 and |c|_1 together, covers powererr. */
+static void cap(const mesh *m, quest *f)
+{
+    const double *x = m->x + 3 * m->first;
+    double g[HH_FACET_LEN], size = 0.0, w[3];
+    int k;
+
+    if (f->first == f->base || !inlarge(m, &f->best, 1)) return;
+    hh_setup(m->x + 3 * f->v[f->base],
+             m->x + 3 * f->v[3 - f->base - f->first], m->x + 3 * f->best, g);
+    if (g[9] > HH_LOOSE) return;
+    for (k = 0; k < 3; k++) {
+        w[k] = x[k] - g[6 + k];
+        size += fabs(w[k]) + fabs(g[3 + k]);
+    }
+    if (HH_POWER(w[0], w[1], w[2], g + 3) <=
+        size * (2.0 * g[10] + 16.0 * EPS * size) + FAINT)
+        return;
+    f->limbs = 2;
+    f->ball = 1;
+    f->dc = g[10];
+    f->size = 0.0;
+    for (k = 0; k < 3; k++) {
+        f->c[k] = g[3 + k];
+        f->size += fabs(f->c[k]);
+    }
+}
+
 /* challenge - take z if it is on the open side and beats the best point there
  * is: if its L-coordinate is smaller (Theorem 1); ties by the rule of
  * hh_pball.  The Householder bounds decide where they can; what they leave open
@@ -2198,7 +2298,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     unsure = f->best != NONE && hi >= f->lo;
     if (side == 0 || unsure) {
         if (SEEK(m)) remember(f, z, 1);
-        if (f->limbs) {
+        if (f->limbs == 1) {
             COUNT(N_TRIAL, 1);
             hh_trial(&m->set, &f->t, z, &sign, &power);
             HOLDS(sign == UNSURE ||
@@ -2214,10 +2314,11 @@ static void challenge(const mesh *m, quest *f, tess_int z)
         f->asked += m->set.t5 < PLAIN;
         if (power == UNSURE) {
             COUNT(N_EXACT, 1);
-            power = hh_pbeat(&m->set, f->v, f->best, z) ? -1 : 1;
+            power = hh_pbeat(&m->set, f->v, f->best, z, 0);
         }
-        HOLDS((power < 0) == hh_pbeat(&m->set, f->v, f->best, z));
+        HOLDS((power < 0) == (hh_pbeat(&m->set, f->v, f->best, z, 0) < 0));
         if (power > 0) {
+            f->tied += power == 2;
             if (hi < f->hi) narrow(f, hi);
             if (f->asked >= MANY && !f->limbs) refine(m, f);
             return;
@@ -2226,11 +2327,13 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     }
     HOLDS(better(m, f, z));
     f->best = z;
+    f->tied = power == -2 ? f->tied + 1 : 0;
     f->lo = lo;
     f->limbs = 0;
     narrow(f, hi);
-    if (side == 0 || f->asked >= MANY ||
-        hi - lo > WIDE * (f->f[11] + fabs(hi)))
+    if (f->first != NONE) cap(m, f);
+    if (!f->limbs && (side == 0 || f->asked >= MANY ||
+                      hi - lo > WIDE * (f->f[11] + fabs(hi))))
         refine(m, f);
 }
 
@@ -2378,6 +2481,67 @@ static void anypoint(const mesh *m, quest *f, const list *l)
     if (z != NONE) consider(m, f, z);
 }
 
+/* newcell - make a cell of the points exactly on the best point's ball, if all
+ * are in the star's list and none is inside; 0 if not, or if there are no ties.
+ * The centre of narrow's ball is off by up to hi - lo, too, which tells on the
+ * negative side. */
+static int newcell(mesh *m, quest *f)
+{
+    const list *l = &m->around;
+    const tess_int *v = f->v;
+    float d[4];
+    int in[TESS_LIST], place[TESS_LIST + 1], n, i, j, side;
+    double wide;
+    tess_int z;
+    cell c;
+
+    if (f->limbs == 2 || fabs(f->hi) > MUCHL) return 0;
+    wide = f->limbs ? 0.0 : f->hi - f->lo;
+    if (wide > l->margin) return 0;
+    f->dc += wide;
+    if (!ballinstar(m, f) || !starcoef(l, f, d)) return 0;
+    n = inball(l, d, in);
+    if (n <= 4 || n > CELL) return 0;
+    n = compress(in, l->n, place);
+    for (i = 0; i < CELL; i++) c.id[i] = NONE;
+    for (i = c.n = 0; i < n; i++) {
+        z = l->id[place[i]];
+        side = 0;
+        if (z != v[0] && z != v[1] && z != v[2] && z != f->best)
+            side = hh_pball(&m->set, v[0], v[1], v[2], f->best, z, 0);
+        if (side < 0) return 0;
+        if (side > 0) continue;
+        for (j = c.n++; j > 0 && m->order[c.id[j - 1]] > m->order[z]; j--)
+            c.id[j] = c.id[j - 1];
+        c.id[j] = z;
+    }
+    if (c.n == 4) return 0;
+    m->cells[m->ncell++ % CELLS] = c;
+    return 1;
+}
+
+/* incell - the apex of the facet v, if it is in a cell, or NONE: see "ties". */
+static tess_int incell(const mesh *m, const tess_int *v)
+{
+    const cell *c = m->cells;
+    tess_int best = NONE, z;
+    int i, k, in;
+
+    for (k = 0; k < m->ncell && k < CELLS && best == NONE; k++, c++) {
+        for (i = in = 0; i < CELL; i++)
+            in += (c->id[i] == v[1]) + (c->id[i] == v[2]);
+        for (i = 0; i < c->n && in == 2; i++) {
+            z = c->id[i];
+            if (z == v[0] || z == v[1] || z == v[2]) continue;
+            if (hh_pside(&m->set, v[0], v[1], v[2], z) > 0 &&
+                (best == NONE || hh_pbeat(&m->set, v, best, z, 1) < 0))
+                best = z;
+            if (i == 0) break;
+        }
+    }
+    return best;
+}
+
 /* instar - look for the apex in the star's list.  A better point's ball has
  * no more on the open side than the one before it (Lemma 3), and nothing on
  * the other, so that one pass over a list is enough, if the last ball has no
@@ -2393,7 +2557,7 @@ static int instar(mesh *m, quest *f)
     if (f->base != 0 || l->n == 0) return 0;
     if (!f->ball) anypoint(m, f, l);
     if (!f->ball || !starcoef(l, f, d)) return 0;
-    if (inball(l, d, in) > 4) {
+    if (inball(l, d, in) > 4 - f->limbs / 2) {
         n = compress(in, l->n, place);
         most = (f->hi < FAR * l->margin ? f->hi : FAR * l->margin) -
                1e-4 * l->margin;
@@ -2403,10 +2567,17 @@ static int instar(mesh *m, quest *f)
         if (z != NONE) {
             consider(m, f, z);
             if (!starcoef(l, f, d)) return 0;
-            n = inball(l, d, in) > 4 ? compress(in, l->n, place) : 0;
+            n = inball(l, d, in) > 4 - f->limbs / 2
+                    ? compress(in, l->n, place) : 0;
+        }
+        if (m->tied && newcell(m, f)) {
+            f->best = incell(m, f->v);
+            return 1;
         }
         considerall(m, f, l, n, place);
         m->ties = f->hi > most;
+        if (f->tied > 0 && !m->tied) (void)newcell(m, f);
+        m->tied = f->tied > 0;
     }
     return ballinstar(m, f);
 }
@@ -2422,7 +2593,7 @@ static int inblock(const mesh *m, quest *f)
 
     if (l->n == 0) return 0;
     if (!f->ball || !ballinbox(m, f, l) || !ballcoef(l, f, f->c, d)) return 0;
-    if (inball(l, d, in) > 4)
+    if (inball(l, d, in) > 4 - f->limbs / 2)
         considerall(m, f, l, compress(in, l->n, place), place);
     return 1;
 }
@@ -2548,7 +2719,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     int k;
 
     for (k = 0; k < 3; k++) f->v[k] = v[k];
-    f->base = f->asked = f->limbs = 0;
+    f->base = f->asked = f->limbs = f->tied = 0;
     f->opened = 0;
     f->scanned = 0.0;
     f->near = NONE;
@@ -2598,11 +2769,24 @@ static int proven(const mesh *m, const tess_int *v, tess_int c)
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 {
     quest f;
+    tess_int w[3];
     double h;
     int k, lists;
 
     COUNT(N_FACET, 1);
-    prepare(m, &f, v);
+    if (m->ncell > 0 && (f.best = incell(m, v)) != NONE) return f.best;
+    f.first = NONE;
+    for (k = 0; k < 3; k++) w[k] = v[k];
+    if (inlarge(m, v, 3)) {
+        /* its base is not first */
+        for (k = 0; k < 3 && v[0] == m->first; k++) w[k] = v[(k + 1) % 3];
+        for (k = 0; k < 3; k++)
+            if (w[k] == m->first) f.first = k;
+        if (f.first == NONE &&
+            hh_pside(&m->set, v[0], v[1], v[2], m->first) > 0)
+            return m->first;
+    }
+    prepare(m, &f, w);
     for (k = 0; k < 2; k++)
         if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
             guess[k] != f.best)
@@ -2610,6 +2794,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     /* a ball that is a support's sphere but for rounding is in no list */
     lists = !curved(m, &f) ||
             (f.best != NONE && !marked(m, f.near, f.best, &h));
+    lists = lists && w[0] == v[0];
     if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);
         return f.best;
@@ -2622,6 +2807,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     }
     COUNT(N_TREE, 1);
     treesearch(m, &f);
+    if (f.tied > LARGE && m->block.first != NONE) keeplarge(m, &f);
     m->scanned += f.scanned;
     if (SLABS && m->slab != NULL && m->scanned < -(double)m->leaves) {
         m->slab = NULL;
@@ -2698,7 +2884,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
     int j, k, same = 0;
 
     m->block.first = m->block.last = NONE;
-    m->block.n = m->around.n = m->nplane = m->nextplane = 0;
+    m->block.n = m->around.n = m->nplane = m->nextplane = m->ncell = 0;
     for (k = 0; k < 4; k++) v[k] = m->rep[m->known[k]];
     for (k = 0; !exchange(m, NULL, v, k, s); k++)
         ;
@@ -2722,6 +2908,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
         if (same >= 3)
             z = apex(m, f, guess);
         else {
+            near.first = NONE;
             prepare(m, &near, f);
             challenge(m, &near, z);
             scanleaf(m, &near, first, first + size,
@@ -2997,7 +3184,7 @@ static int intact(mesh *m, tess_int n)
             if (j == 4 || four(m->adj, u)[j] != t) return -6;
             if (u > t &&
                 hh_pball(&m->set, v[0], v[1], v[2], v[3],
-                         place[four(m->tet, u)[j]]) < 0)
+                         place[four(m->tet, u)[j]], 1) < 0)
                 return -5;
         }
     }
@@ -3015,7 +3202,8 @@ static int match(mesh *m, tess_int code, tess_int other)
     if (mate(m->tet, code / 4, (int)(code % 4), other / 4) !=
         other % 4)
         return -6;
-    if (hh_pball(&m->set, v[0], v[1], v[2], v[3], m->tet[other]) < 0) return -5;
+    if (hh_pball(&m->set, v[0], v[1], v[2], v[3], m->tet[other], 1) <
+        0) return -5;
     m->adj[code] = TESS_OPEN - 1 - other / 4;
     m->adj[other] = TESS_OPEN - 1 - code / 4;
     return 0;
@@ -3079,6 +3267,8 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->alive = iw + 2 * n;
     m->known = m->alive + 2 * leafcount(n);
     m->nplane = m->nextplane = m->ties = m->nsupport = m->seek = 0;
+    m->ncell = m->tied = 0;
+    m->first = NONE;
     m->slab = NULL;
     m->scanned = -MUCHL;
     m->block.first = m->block.last = NONE;

@@ -1700,10 +1700,10 @@ C       the determinant of the rows A-D, B-D, C-D is minus HHORIE
    50 HHTIED = SGN
       END
 
-C     HHPERT - the sign of D, perturbed as in HHTIED where it is 0.
-      INTEGER FUNCTION HHPERT(X, P, ORD, T3, T5, V, POSITV)
+C     HHPERT - the sign of D; where it is 0, RULE times that of HHTIED.
+      INTEGER FUNCTION HHPERT(X, P, ORD, T3, T5, V, POSITV, RULE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
-      INTEGER ORD(*), V(5), POSITV
+      INTEGER ORD(*), V(5), POSITV, RULE
       INTEGER HHFIL5, HHTIED
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
@@ -1727,17 +1727,19 @@ C       the corners of a box are on one sphere
           IF (SGN .EQ. UNSURE) CALL HHEXAC(5, Q, 0, ANY, SGN)
         END IF
       END IF
-      IF (SGN .EQ. 0) SGN = HHTIED(X, P, ORD, T3, V, POSITV)
+      IF (SGN .EQ. 0 .AND. RULE .GT. 0)
+     $    SGN = RULE*HHTIED(X, P, ORD, T3, V, POSITV)
       HHPERT = SGN
       END
 
 C     HHPBAL - the sign, never 0, of the perturbed determinant D for the
 C     positions I, J, K, L, M of a set of points (see HHPSID): M is
 C     inside the ball of I, J, K, L iff D times HHPSID of I, J, K, L is
-C     negative.
-      INTEGER FUNCTION HHPBAL(X, P, ORD, T3, T5, I, J, K, L, M)
+C     negative.  Without a rule (RULE = 0) the sign of D itself, 0 when
+C     the five are on one sphere.
+      INTEGER FUNCTION HHPBAL(X, P, ORD, T3, T5, I, J, K, L, M, RULE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
-      INTEGER ORD(*), I, J, K, L, M
+      INTEGER ORD(*), I, J, K, L, M, RULE
       INTEGER HHPERT
       INTEGER V(5)
       V(1) = I
@@ -1745,23 +1747,27 @@ C     negative.
       V(3) = K
       V(4) = L
       V(5) = M
-      HHPBAL = HHPERT(X, P, ORD, T3, T5, V, 0)
+      HHPBAL = HHPERT(X, P, ORD, T3, T5, V, 0, RULE)
       END
 
-C     HHPBEA - does B beat A as the apex of the facet V, both on its
-C     positive side: 1, or 0.
-      INTEGER FUNCTION HHPBEA(X, P, ORD, T3, T5, V, A, B)
+C     HHPBEA - negative if B beats A as the apex of the facet V, both on
+C     its positive side, else positive: 1 or -1, or 2 or -2 when the
+C     five are on one sphere: without a look at that if TIE is 1.
+      INTEGER FUNCTION HHPBEA(X, P, ORD, T3, T5, V, A, B, TIE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
-      INTEGER ORD(*), V(3), A, B
-      INTEGER HHPERT
+      INTEGER ORD(*), V(3), A, B, TIE
+      INTEGER HHPERT, HHTIED
       INTEGER W(5)
       W(1) = V(1)
       W(2) = V(2)
       W(3) = V(3)
       W(4) = A
       W(5) = B
-      HHPBEA = 0
-      IF (HHPERT(X, P, ORD, T3, T5, W, 1) .LT. 0) HHPBEA = 1
+      IF (TIE .EQ. 1) THEN
+        HHPBEA = 2*HHTIED(X, P, ORD, T3, W, 1)
+      ELSE
+        HHPBEA = HHPERT(X, P, ORD, T3, T5, W, 1, 2)
+      END IF
       END
 
 C     HHROWS - the limbs X of the rows p - last of 4 positions V

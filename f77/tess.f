@@ -123,10 +123,11 @@ C         marked TSMRKD, level TSLEVE, remember TSREME, fit TSFIT,
 C         discover TSDISC, lean TSLEAN, sharpen TSSHAR, sight TSSIGH,
 C         lowest TSLOWE, beyond TSBEYO, promise TSPROM,
 C         normal TSNORM, flatten TSFLAT, offside TSOFFS,
+C         inlarge TSINLA, keeplarge TSKEEP, cap TSCAP,
 C         challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
 C         starcoef TSSTAC, inball TSINBA, considerall TSCALL,
-C         likeliest TSLIKE, anypoint TSANYP, instar TSINST,
-C         inblock TSINBL, scanleaf TSSCAN,
+C         likeliest TSLIKE, anypoint TSANYP, newcell TSNEWC,
+C         incell TSINCE, instar TSINST, inblock TSINBL, scanleaf TSSCAN,
 C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
 C         apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT, plant TSPLAN
@@ -194,6 +195,10 @@ C               replaced next;  PLANE0 the place before them
 C       TIES    1: the last points on a ball were not in it
 C       UNMET   no vertex before it is NEW and asked for
 C       SLAB0   the place before the slabs, or 0: there are none
+C       TIED    1: the last ties in a star's list were exact
+C       NCELL   cells of this star: CELLS at most, the last ones, are
+C               kept, each how many points it has and these, CELL at
+C               most, the least number first;  CELL0 the place before
 C     RCTL, its doubles:
 C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
@@ -204,6 +209,10 @@ C       RBURDN  comparisons left open;  RPATIE how many may be, over NP
 C       RLEAST  the least absolute value of a coordinate above 0
 C       RSCAN   points of leaves tested, or below 0; with slabs, how
 C               many told, less WORTH of those asked
+C       RTIED   points that a search met exactly on its ball
+C       RSLOT   V(RSLOT) is the large ball's first, or 0
+C       RFIRST  the large ball's first, or 0;  behind RLARGE four
+C               points on it
 C     A support J, a plane or a sphere that many points are near to, is
 C     behind RCTL(RSUP + LSUP*(J-1)).  Mark K, 0 ... GRAINS - 1, of one
 C     of them is a height between SLOW + (K - 1/2) SGRAIN and SLOW + (K
@@ -227,15 +236,15 @@ C               LUNIT one over the unit
 C     A search for the apex of a facet:
 C       V       its vertices; the open side is positive
 C       F       its Householder set-up (see HHFACE)
-C       IQ      QBEST: the best point yet, exactly, or 0; QLIMBS: its
-C               ball has been found by limbs; QBALL: there is a ball to
-C               prune with; QBASE: V(QBASE) is the base of F; QASKED:
-C               comparisons left to the exact predicates; QNEAR: the
-C               facet is near this support, or 0; QAIMED: TSSIGH's test
-C               is for the best point there is; behind
-C               QSOME QNSOME of the points, near no support, that were
-C               left open, or, QOPEN = 0, of leaves: every QSTRID-th one
-C               of QOPEND
+C       IQ      QBEST: the best point yet, exactly, or 0; QLIMBS: 1: its
+C               ball has been found by limbs, 2: the ball is that of a
+C               cap; QBALL: there is a ball to prune with; QBASE:
+C               V(QBASE) is the base of F; QASKED: comparisons left to
+C               the exact predicates; QNEAR: the facet is near this
+C               support, or 0; QAIMED: TSSIGH's test is for the best
+C               point there is; behind QSOME QNSOME of the points,
+C               near no support, that were left open, or, QOPEN = 0, of
+C               leaves: every QSTRID-th one of QOPEND
 C       FQ      the best point's L-coordinate is between QLO and QHI;
 C               behind QC the ball's centre, relative to F(7..9), wrong
 C               by at most QDC; QSIZE = |C|_1; behind QLIMB the ball by
@@ -292,6 +301,8 @@ C               take a fifth longer, 0.41 between two sheets, where they
 C               take a quarter less
 C       HALFWY, PARTS  a slab's normal has components below HALFWY, and
 C               the box's width along it has PARTS parts
+C       CELL, CELLS  points of a cell, at most, and cells
+C       LARGE   a large ball has more ties
 C       PLANES  hull planes that are remembered
 C       NEARBY  steps from a given start before a location looks for a
 C               better one: with 8, queries in order among 100,000
@@ -771,7 +782,7 @@ C     face.  INFO is 0, or the code of points without a tetrahedron.
      $        I) .EQ. 0) THEN
             IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) THEN
               IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V(1), V(2),
-     $            V(3), W, I) .LT. 0) V(3) = I
+     $            V(3), W, I, 1) .LT. 0) V(3) = I
             END IF
           END IF
         END IF
@@ -1224,13 +1235,14 @@ C     of the link.  INFO is 0, MORE or FULL.
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
       INTEGER POOL(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S, INFO
       INTEGER NT, MAXT, OLDEST, NEWEST, ECODE, EFROM, ETO, EPREV
-      INTEGER EAFTER, MORE, FULL, START, DEAD, EDGE
+      INTEGER NCELL, EAFTER, MORE, FULL, START, DEAD, EDGE
       PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, ECODE = 0)
       PARAMETER (EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4, MORE = 1)
-      PARAMETER (FULL = 2, START = -1, DEAD = -2, EDGE = 6)
+      PARAMETER (NCELL = 30, FULL = 2, START = -1, DEAD = -2, EDGE = 6)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
       CALL TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
      $            S)
+      CTL(NCELL) = 0
    10 E = CTL(OLDEST)
       IF (E .GE. CTL(NEWEST)) THEN
         IF (POOL(E+ECODE) .EQ. DEAD) THEN
@@ -1997,7 +2009,7 @@ C     TSCURV - is the facet near a sphere: 1, or 0.
       DOUBLE PRECISION RCTL(*)
       INTEGER IQ(43)
       INTEGER RSUP, LSUP, SPLANE, QNEAR
-      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, QNEAR = 6)
+      PARAMETER (RSUP = 18, LSUP = 98, SPLANE = 88, QNEAR = 6)
       TSCURV = 0
       IF (IQ(QNEAR) .EQ. 0) RETURN
       IF (RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
@@ -2016,7 +2028,7 @@ C     L.
       INTEGER K
       FQ(QHI) = L
       IQ(QAIMED) = 0
-      IF (IQ(QLIMBS) .EQ. 1 .OR. ABS(L) .GT. MUCHL) RETURN
+      IF (IQ(QLIMBS) .NE. 0 .OR. ABS(L) .GT. MUCHL) RETURN
       IQ(QBALL) = 1
 C     what is better than the best point is, on the positive side, in
 C     the ball of any L above its: so its error does not add to the
@@ -2134,7 +2146,7 @@ C     height's error.  OK is 1, or 0.
       DOUBLE PRECISION RCTL(*), H
       INTEGER MARK(*), J, Z, OK
       INTEGER RSUP, LSUP, SLOW, SGRAIN, SUPPS
-      PARAMETER (RSUP = 11, LSUP = 98, SLOW = 97, SGRAIN = 98)
+      PARAMETER (RSUP = 18, LSUP = 98, SLOW = 97, SGRAIN = 98)
       PARAMETER (SUPPS = 8)
       INTEGER AT, K
       OK = 0
@@ -2151,7 +2163,7 @@ C     near to it: by its mark, or else by limbs.  OK is 1, or 0.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
       INTEGER ORD(*), MARK(*), J, Z, OK
       INTEGER RSUP, LSUP, SPLANE, SSIGN, SLOW, SGRAIN
-      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, SSIGN = 89)
+      PARAMETER (RSUP = 18, LSUP = 98, SPLANE = 88, SSIGN = 89)
       PARAMETER (SLOW = 97, SGRAIN = 98)
       INTEGER AT, PLANE
       AT = RSUP + LSUP*(J - 1)
@@ -2325,7 +2337,7 @@ C     that holds them all.
       INTEGER NP, LEAVES, SLAB0, RSUPP, RSEEK, RSUP, LSUP, SPLANE, SSIGN
       INTEGER SLOW, SGRAIN, DONE, SUPPS, GRAINS, OPENED, QNEAR, QOPEND
       PARAMETER (NP = 1, LEAVES = 4, SLAB0 = 28, RSUPP = 6, RSEEK = 7)
-      PARAMETER (RSUP = 11)
+      PARAMETER (RSUP = 18)
       PARAMETER (LSUP = 98, SPLANE = 88, SSIGN = 89, SLOW = 97)
       PARAMETER (SGRAIN = 98, DONE = -1, SUPPS = 8, GRAINS = 134217728)
       PARAMETER (OPENED = 24, QNEAR = 6, QOPEND = 9)
@@ -2444,7 +2456,7 @@ C     order, each of at most EPS (|o| + 2 |at|): less than 8 EPS SIZE.
       DOUBLE PRECISION TSDOT
       INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QNEAR, QAIMED
       INTEGER QH, QDH, QTILT, QDTILT, QG, SUPPS
-      PARAMETER (RSUPP = 6, RSUP = 11, LSUP = 98, SPLANE = 88, SAT = 89)
+      PARAMETER (RSUPP = 6, RSUP = 18, LSUP = 98, SPLANE = 88, SAT = 89)
       PARAMETER (SC = 92, QBASE = 4, QNEAR = 6, QAIMED = 7, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       PARAMETER (SUPPS = 8)
@@ -2525,7 +2537,7 @@ C     twice its error: PAD is more.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108), LO, HI
       INTEGER ORD(*), MARK(*), IQ(43), Z, SIDE
       INTEGER RSUP, LSUP, SPLANE, QNEAR, QH, QDH, QTILT, QDTILT, QG
-      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, QNEAR = 6, QH = 95)
+      PARAMETER (RSUP = 18, LSUP = 98, SPLANE = 88, QNEAR = 6, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, PAD = 64.0D0*EPS)
@@ -2601,7 +2613,7 @@ C     which is exact but for one.
       INTEGER IQ(43)
       INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QNEAR, QAIMED, QHI, QH
       INTEGER QDH, QTILT, QDTILT, QG, QTEST, TQ, TD, TDD, TA, TERR
-      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, SLOW = 97)
+      PARAMETER (RSUP = 18, LSUP = 98, SPLANE = 88, SLOW = 97)
       PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QHI = 2, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       PARAMETER (QTEST = 101, TQ = 1, TD = 1, TDD = 5, TA = 6, TERR = 7)
@@ -2711,7 +2723,7 @@ C     counts where the heights tell nothing; or 0: OUT.
       INTEGER TSPRUN
       INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QNEAR, QAIMED
       INTEGER QTEST, TA, GRAINS
-      PARAMETER (NP = 1, LEAVES = 4, RSUP = 11, LSUP = 98, SLOW = 97)
+      PARAMETER (NP = 1, LEAVES = 4, RSUP = 18, LSUP = 98, SLOW = 97)
       PARAMETER (SGRAIN = 98, QNEAR = 6, QAIMED = 7, QTEST = 101)
       PARAMETER (TA = 6, GRAINS = 134217728)
       DOUBLE PRECISION H
@@ -2918,6 +2930,124 @@ C     SIZE.
       IF (SUM - T*EDGE .GT. SIZE*ERR + FAINT) OUT = 1
       END
 
+C     ------------------------------------------------------------------
+C     Ties.
+C
+C     Let S be the points on the sphere of a ball that is empty, as that
+C     of any tetrahedron of the mesh.  By the tie rule heights are
+C     lowered, that of first, the point of S of least number, by far the
+C     most.  So
+C       - among points of S the mesh is that of the facets of S's hull
+C         without first, each joined to first;
+C       - a tetrahedron with its vertices in S has first for one of
+C         them: it is the least of any such tetrahedron that is known;
+C       - for a facet of three points of S without first, which is in
+C         S's hull, no point of S is on its open side but on first's:
+C         first is the apex, or none of S;
+C       - for a facet (first, a, b) with points of S on its open side
+C         the apex is one of them, as the ball is empty.  Of two, c and
+C         z, z is better if it is beyond the plane (a, b, c) seen from
+C         first, worse if on first's side, and in that plane by the
+C         lesser e_i.
+C     A point of S whose star is complete is in no open facet, nor an
+C     apex.  If first's is, all tetrahedra of S are known: that of a new
+C     one's S is not.
+C
+C     Cells: all uncompleted points of S, the least number first, of
+C     balls inside the star's list.  No more than these are asked for a
+C     facet of the star.
+C
+C     The large ball has too many for that: four of them are kept.  All
+C     rivals of c are beyond the plane (a, b, c), or in it, seen from
+C     first, and on the sphere.  That part of the sphere is in the
+C     smallest ball through a, b, c if first is outside of this: so
+C     this, the cap's, takes the place of the search's ball.  It passes
+C     through a base a or b, but not through first.
+C     ------------------------------------------------------------------
+
+C     TSINLA - are the vertices of the facet V on the large ball, if
+C     there is one, or, for N = 1, is V(1): 1, or 0.
+      INTEGER FUNCTION TSINLA(X, P, ORD, RCTL, V, N)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), V(*), N
+      INTEGER HHPBAL
+      INTEGER T3, T5, RFIRST, RLARGE
+      PARAMETER (T3 = 1, T5 = 2, RFIRST = 14, RLARGE = 14)
+      INTEGER G(4), K
+      TSINLA = 0
+      IF (RCTL(RFIRST) .LE. 0.0D0) RETURN
+      DO 10 K = 1, 4
+        G(K) = INT(RCTL(RLARGE+K))
+   10 CONTINUE
+      DO 20 K = 1, N
+        IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), G(1), G(2), G(3),
+     $      G(4), V(K), 0) .NE. 0) RETURN
+   20 CONTINUE
+      TSINLA = 1
+      END
+
+C     TSKEEP - the ball of a search in a star is the large one: the
+C     facet's vertices V and the best point BEST are on it.
+      SUBROUTINE TSKEEP(ORD, RCTL, V, BEST)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER ORD(*), V(3), BEST
+      INTEGER RFIRST, RLARGE
+      PARAMETER (RFIRST = 14, RLARGE = 14)
+      INTEGER FIRST, K
+      FIRST = BEST
+      DO 10 K = 1, 3
+        RCTL(RLARGE+K) = DBLE(V(K))
+        IF (ORD(V(K)) .LT. ORD(FIRST)) FIRST = V(K)
+   10 CONTINUE
+      RCTL(RLARGE+4) = DBLE(BEST)
+      RCTL(RFIRST) = DBLE(FIRST)
+      END
+
+C     TSCAP - let the best point's ball be the cap's, if it may.  For
+C     first, SIZE, of |W|_1 and |C|_1 together, covers TSPOWE.
+      SUBROUTINE TSCAP(X, P, ORD, RCTL, V, IQ, F, FQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
+      INTEGER ORD(*), V(3), IQ(43)
+      INTEGER TSINLA
+      INTEGER RSLOT, RFIRST, QBEST, QLIMBS, QBALL, QBASE, QC, QDC, QSIZE
+      PARAMETER (RSLOT = 13, RFIRST = 14, QBEST = 1, QLIMBS = 2)
+      PARAMETER (QBALL = 3, QBASE = 4, QC = 2, QDC = 6, QSIZE = 7)
+      DOUBLE PRECISION EPS, FAINT, LOOSE
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0)
+      DOUBLE PRECISION A(3), B(3), C(3), G(12), POWER, SIZE, W
+      INTEGER BEST(1), FIRST, I, J, K
+      I = INT(RCTL(RSLOT))
+      IF (I .EQ. IQ(QBASE)) RETURN
+      BEST(1) = IQ(QBEST)
+      IF (TSINLA(X, P, ORD, RCTL, BEST, 1) .EQ. 0) RETURN
+      J = 6 - IQ(QBASE) - I
+      DO 10 K = 1, 3
+        A(K) = F(6+K)
+        B(K) = X(K,V(J))
+        C(K) = X(K,BEST(1))
+   10 CONTINUE
+      CALL HHSETU(A, B, C, G)
+      IF (G(10) .GT. LOOSE) RETURN
+      FIRST = INT(RCTL(RFIRST))
+      POWER = 0.0D0
+      SIZE = 0.0D0
+      DO 20 K = 1, 3
+        W = X(K,FIRST) - A(K)
+        POWER = POWER + W*(W - 2.0D0*G(3+K))
+        SIZE = SIZE + ABS(W) + ABS(G(3+K))
+   20 CONTINUE
+      IF (POWER .LE. SIZE*(2.0D0*G(11) + 16.0D0*EPS*SIZE) + FAINT)
+     $    RETURN
+      IQ(QLIMBS) = 2
+      IQ(QBALL) = 1
+      FQ(QDC) = G(11)
+      FQ(QSIZE) = 0.0D0
+      DO 30 K = 1, 3
+        FQ(QC+K) = G(3+K)
+        FQ(QSIZE) = FQ(QSIZE) + ABS(G(3+K))
+   30 CONTINUE
+      END
+
 C     TSCHAL - take Z if it is on the open side and beats the best point
 C     there is: if its L-coordinate is smaller (Theorem 1); ties by the
 C     rule of HHPBAL.  The Householder bounds decide where they can;
@@ -2927,10 +3057,10 @@ C     what they leave open limits the better one by the other.
       INTEGER ORD(*), MARK(*), V(3), IQ(43), Z
       INTEGER HHPBEA, HHPSID
       INTEGER T3, T5, RSEEK, QBEST, QLIMBS, QASKED, QNEAR, QLO, QHI
-      INTEGER QLIMB, UNSURE, MANY
+      INTEGER QLIMB, RTIED, RSLOT, UNSURE, MANY
       PARAMETER (T3 = 1, T5 = 2, RSEEK = 7, QBEST = 1, QLIMBS = 2)
       PARAMETER (QASKED = 5, QNEAR = 6, QLO = 1, QHI = 2, QLIMB = 7)
-      PARAMETER (UNSURE = 2, MANY = 6)
+      PARAMETER (RTIED = 12, RSLOT = 13, UNSURE = 2, MANY = 6)
       DOUBLE PRECISION PLAIN, WIDE
       PARAMETER (PLAIN = 16.0D0, WIDE = 1.0D-4)
       DOUBLE PRECISION HI, LO, Q(3)
@@ -2959,8 +3089,9 @@ C     what they leave open limits the better one by the other.
       END IF
       IF (OPEN .EQ. 1) THEN
         IF (RCTL(T5) .LT. PLAIN) IQ(QASKED) = IQ(QASKED) + 1
-        IF (POWER .EQ. UNSURE) POWER = 1 - 2*HHPBEA(X, P, ORD,
-     $      RCTL(T3), RCTL(T5), V, IQ(QBEST), Z)
+        IF (POWER .EQ. UNSURE) POWER = HHPBEA(X, P, ORD, RCTL(T3),
+     $      RCTL(T5), V, IQ(QBEST), Z, 0)
+        IF (ABS(POWER) .EQ. 2) RCTL(RTIED) = RCTL(RTIED) + 1.0D0
         IF (POWER .GT. 0) THEN
           IF (HI .LT. FQ(QHI)) CALL TSNARR(IQ, F, FQ, HI)
           IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
@@ -2970,9 +3101,13 @@ C     what they leave open limits the better one by the other.
         HI = MIN(HI, FQ(QHI))
       END IF
       IQ(QBEST) = Z
+      IF (POWER .NE. -2) RCTL(RTIED) = 0.0D0
       FQ(QLO) = LO
       IQ(QLIMBS) = 0
       CALL TSNARR(IQ, F, FQ, HI)
+      IF (RCTL(RSLOT) .GT. 0.0D0)
+     $    CALL TSCAP(X, P, ORD, RCTL, V, IQ, F, FQ)
+      IF (IQ(QLIMBS) .NE. 0) RETURN
       IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
         CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
       ELSE IF (HI - LO .GT. WIDE*(F(12) + ABS(HI))) THEN
@@ -2987,7 +3122,7 @@ C     and not beyond it by its height over the facet's support.
       INTEGER ORD(*), MARK(*), V(3), IQ(43), Z
       DOUBLE PRECISION TSPOWE
       INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QNEAR, QAIMED, QC
-      PARAMETER (RSUP = 11, LSUP = 98, SGRAIN = 98, QBEST = 1)
+      PARAMETER (RSUP = 18, LSUP = 98, SGRAIN = 98, QBEST = 1)
       PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QC = 2)
       DOUBLE PRECISION GRAIN, H, POWER, W1, W2, W3
       INTEGER OK
@@ -3203,6 +3338,110 @@ C     TSANYP - without a ball, consider a point of the list.
       IF (Z .NE. 0) CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       END
 
+C     TSNEWC - make a cell of the points exactly on the best point's
+C     ball, if all are in the star's list and none is inside: OK is 1;
+C     0 if not, or if there are no ties.  The centre of TSNARR's ball is
+C     off by up to QHI - QLO, too, which tells on the negative side.
+      SUBROUTINE TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
+     $                  V, IQ, F, FQ, OK)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      DOUBLE PRECISION F(12), FQ(108)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(43), OK
+      INTEGER HHPBAL, TSBINS
+      INTEGER NCELL, CELL0, T3, T5, LN, LMARG, STR, QBEST, QLIMBS, QLO
+      INTEGER QHI, QDC, CELL, CELLS
+      PARAMETER (NCELL = 30, CELL0 = 30, T3 = 1, T5 = 2, LN = 3)
+      PARAMETER (LMARG = 13, STR = 2, QBEST = 1, QLIMBS = 2, QLO = 1)
+      PARAMETER (QHI = 2, QDC = 6, CELL = 12, CELLS = 4)
+      DOUBLE PRECISION MUCHL
+      PARAMETER (MUCHL = 1.0D100)
+      DOUBLE PRECISION WIDE
+      REAL D(4)
+      INTEGER AT, C(CELL), I, IN(TSLIST), J, M, N, PLACE(TSLIST+1), SIDE
+      INTEGER Z
+      OK = 0
+      IF (IQ(QLIMBS) .EQ. 2 .OR. ABS(FQ(QHI)) .GT. MUCHL) RETURN
+      WIDE = 0.0D0
+      IF (IQ(QLIMBS) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
+      IF (WIDE .GT. LSD(LMARG,STR)) RETURN
+      FQ(QDC) = FQ(QDC) + WIDE
+      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 0) RETURN
+      CALL TSSTAC(LSD, STR, FQ, D, OK)
+      IF (OK .EQ. 0) RETURN
+      OK = 0
+      CALL TSINBA(LSX, LSI, STR, D, IN, N)
+      IF (N .LE. 4 .OR. N .GT. CELL) RETURN
+      CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
+      DO 5 I = 1, CELL
+        C(I) = 0
+    5 CONTINUE
+      M = 0
+      DO 30 I = 1, N
+        Z = LSID(PLACE(I),STR)
+        SIDE = 0
+        IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
+     $      Z .NE. IQ(QBEST)) SIDE = HHPBAL(X, P, ORD, RCTL(T3),
+     $      RCTL(T5), V(1), V(2), V(3), IQ(QBEST), Z, 0)
+        IF (SIDE .LT. 0) RETURN
+        IF (SIDE .EQ. 0) THEN
+          DO 10 J = M, 1, -1
+            IF (ORD(C(J)) .LT. ORD(Z)) GO TO 20
+            C(J+1) = C(J)
+   10     CONTINUE
+   20     C(J+1) = Z
+          M = M + 1
+        END IF
+   30 CONTINUE
+      IF (M .EQ. 4) RETURN
+      AT = CELL0 + (CELL + 1)*MOD(CTL(NCELL), CELLS) + 1
+      CTL(NCELL) = CTL(NCELL) + 1
+      CTL(AT) = M
+      DO 40 I = 1, M
+        CTL(AT+I) = C(I)
+   40 CONTINUE
+      OK = 1
+      END
+
+C     TSINCE - the apex Z of the facet V, if it is in a cell, or 0: see
+C     "Ties".
+      SUBROUTINE TSINCE(X, P, ORD, CTL, RCTL, V, Z)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), CTL(*), V(3), Z
+      INTEGER HHPBEA, HHPSID
+      INTEGER NCELL, CELL0, T3, T5, CELL, CELLS
+      PARAMETER (NCELL = 30, CELL0 = 30, T3 = 1, T5 = 2, CELL = 12)
+      PARAMETER (CELLS = 4)
+      INTEGER AT, I, IN, J, K
+      Z = 0
+      DO 40 K = 1, MIN(CTL(NCELL), CELLS)
+        AT = CELL0 + (CELL + 1)*(K - 1) + 1
+        IN = 0
+        DO 10 I = 1, CTL(AT)
+          J = CTL(AT+I)
+          IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
+   10   CONTINUE
+        IF (IN .EQ. 2) THEN
+          DO 20 I = 1, CTL(AT)
+            J = CTL(AT+I)
+            IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
+              IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), J) .GT.
+     $            0) THEN
+                IN = -1
+                IF (Z .NE. 0) IN = HHPBEA(X, P, ORD, RCTL(T3),
+     $              RCTL(T5), V, Z, J, 1)
+                IF (IN .LT. 0) Z = J
+              END IF
+              IF (I .EQ. 1) GO TO 30
+            END IF
+   20     CONTINUE
+   30     IF (Z .NE. 0) RETURN
+        END IF
+   40 CONTINUE
+      END
+
 C     TSINST - look for the apex in the star's list.  A better point's
 C     ball has no more on the open side than the one before it (Lemma
 C     3), and nothing on the other, so that one pass over a list is
@@ -3218,9 +3457,11 @@ C     else 0.
       INTEGER ORD(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3)
       INTEGER IQ(43), OK
       INTEGER TSBINS
-      INTEGER TIES, LN, LMARG, STR, QBALL, QBASE, QHI
+      INTEGER TIES, TIED, RTIED, LN, LMARG, STR, QBEST, QLIMBS, QBALL
+      INTEGER QBASE, QHI
       PARAMETER (TIES = 26, LN = 3, LMARG = 13, STR = 2, QBALL = 3)
-      PARAMETER (QBASE = 4, QHI = 2)
+      PARAMETER (QBASE = 4, QHI = 2, TIED = 29, RTIED = 12, QBEST = 1)
+      PARAMETER (QLIMBS = 2)
       DOUBLE PRECISION FAR
       PARAMETER (FAR = 1.0D10)
       DOUBLE PRECISION MOST
@@ -3234,7 +3475,7 @@ C     else 0.
       CALL TSSTAC(LSD, STR, FQ, D, OK)
       IF (OK .EQ. 0) RETURN
       CALL TSINBA(LSX, LSI, STR, D, IN, N)
-      IF (N .GT. 4) THEN
+      IF (N .GT. 4 - IQ(QLIMBS)/2) THEN
         CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
         MOST = MIN(FQ(QHI), FAR*LSD(LMARG,STR)) -
      $         1.0D-4*LSD(LMARG,STR)
@@ -3248,16 +3489,29 @@ C       among ties, which are on it (to know that saves 6 % on lattices)
           CALL TSSTAC(LSD, STR, FQ, D, OK)
           IF (OK .EQ. 0) RETURN
           CALL TSINBA(LSX, LSI, STR, D, IN, N)
-          IF (N .GT. 4) THEN
+          IF (N .GT. 4 - IQ(QLIMBS)/2) THEN
             CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
           ELSE
             N = 0
+          END IF
+        END IF
+        IF (CTL(TIED) .EQ. 1) THEN
+          CALL TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD, V,
+     $                IQ, F, FQ, OK)
+          IF (OK .EQ. 1) THEN
+            CALL TSINCE(X, P, ORD, CTL, RCTL, V, IQ(QBEST))
+            RETURN
           END IF
         END IF
         CALL TSCALL(X, P, ORD, MARK, RCTL, LSID, STR, V, IQ, F, FQ, N,
      $              PLACE)
         CTL(TIES) = 0
         IF (FQ(QHI) .GT. MOST) CTL(TIES) = 1
+        IF (CTL(TIED) .EQ. 0 .AND. RCTL(RTIED) .GT. 0.0D0)
+     $      CALL TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
+     $      V, IQ, F, FQ, OK)
+        CTL(TIED) = 0
+        IF (RCTL(RTIED) .GT. 0.0D0) CTL(TIED) = 1
       END IF
       OK = TSBINS(BOX, LSD, F, FQ)
       END
@@ -3274,8 +3528,8 @@ C     costs: on surfaces two of five points that were tested.
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(43), OK
       INTEGER TSBINB
-      INTEGER LN, BLK, QBALL, QC
-      PARAMETER (LN = 3, BLK = 1, QBALL = 3, QC = 2)
+      INTEGER LN, BLK, QLIMBS, QBALL, QC
+      PARAMETER (LN = 3, BLK = 1, QLIMBS = 2, QBALL = 3, QC = 2)
       DOUBLE PRECISION C(3)
       REAL D(4)
       INTEGER IN(TSLIST), N, PLACE(TSLIST+1)
@@ -3289,7 +3543,7 @@ C     costs: on surfaces two of five points that were tested.
       CALL TSBALC(LSD, BLK, F, FQ, C, D, OK)
       IF (OK .EQ. 0) RETURN
       CALL TSINBA(LSX, LSI, BLK, D, IN, N)
-      IF (N .GT. 4) THEN
+      IF (N .GT. 4 - IQ(QLIMBS)/2) THEN
         CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
         CALL TSCALL(X, P, ORD, MARK, RCTL, LSID, BLK, V, IQ, F, FQ, N,
      $              PLACE)
@@ -3450,11 +3704,11 @@ C     longest edge.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(43)
       INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QNEAR
-      INTEGER QOPEND, QLO, QHI, QC, QDC, QSIZE
+      INTEGER RTIED, QOPEND, QLO, QHI, QC, QDC, QSIZE
       PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2)
       PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QNEAR = 6)
       PARAMETER (QOPEND = 9, QLO = 1, QHI = 2, QC = 2, QDC = 6)
-      PARAMETER (QSIZE = 7)
+      PARAMETER (QSIZE = 7, RTIED = 12)
       DOUBLE PRECISION EPS, HUGE, THIN
       PARAMETER (EPS = 2.0D0**(-52), THIN = 1.0D-6)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
@@ -3473,6 +3727,7 @@ C     longest edge.
       IQ(QASKED) = 0
       IQ(QNEAR) = 0
       IQ(QOPEND) = 0
+      RCTL(RTIED) = 0.0D0
       FQ(QLO) = -HUGE
       FQ(QHI) = HUGE
       FQ(QDC) = 0.0D0
@@ -3510,25 +3765,47 @@ C     GUESS: two positions to try first, or 0.
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(TSIDS,2)
       INTEGER LSI(3,2), V(3), GUESS(2), Z
-      INTEGER TSCURV, TSONHU
+      INTEGER HHPSID, TSCURV, TSINLA, TSONHU
       INTEGER NP, NPLANE, NEXTPL, PLANE0, RSUPP, RSEEK, RBURDN, RPATIE
       INTEGER RSCAN, QBEST, QNEAR, QOPEND
-      INTEGER LEAVES, SLAB0, PLANES, OPENED, SUPPS
+      INTEGER LEAVES, SLAB0, PLANES, OPENED, SUPPS, T3, NCELL, RTIED
+      INTEGER RSLOT, RFIRST, LLAST, BLK, LARGE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
       PARAMETER (PLANE0 = 13, SLAB0 = 28)
       PARAMETER (RSUPP = 6, RSEEK = 7, RBURDN = 8, RPATIE = 9)
       PARAMETER (RSCAN = 11, QBEST = 1, QNEAR = 6)
       PARAMETER (QOPEND = 9, PLANES = 4, OPENED = 24)
-      PARAMETER (SUPPS = 8)
+      PARAMETER (SUPPS = 8, T3 = 1, NCELL = 30, RTIED = 12, RSLOT = 13)
+      PARAMETER (RFIRST = 14, LLAST = 2, BLK = 1, LARGE = 24)
       DOUBLE PRECISION SCANS, MUCHL
       PARAMETER (SCANS = 100.0D0, MUCHL = 1.0D100)
       DOUBLE PRECISION F(12), FQ(108), H
-      INTEGER AT, G, IQ(43), K, LISTS, OK
-      CALL TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
+      INTEGER AT, G, IQ(43), K, LISTS, OK, W(3)
+      IF (CTL(NCELL) .GT. 0) THEN
+        CALL TSINCE(X, P, ORD, CTL, RCTL, V, Z)
+        IF (Z .NE. 0) RETURN
+      END IF
+      RCTL(RSLOT) = 0.0D0
+      W(1) = V(1)
+      W(2) = V(2)
+      W(3) = V(3)
+      IF (TSINLA(X, P, ORD, RCTL, V, 3) .EQ. 1) THEN
+        Z = INT(RCTL(RFIRST))
+        DO 5 K = 1, 3
+C         its base is not first
+          IF (V(1) .EQ. Z) W(K) = V(MOD(K,3)+1)
+          IF (W(K) .EQ. Z) RCTL(RSLOT) = DBLE(K)
+    5   CONTINUE
+        IF (RCTL(RSLOT) .LE. 0.0D0) THEN
+          IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z) .GT. 0)
+     $        RETURN
+        END IF
+      END IF
+      CALL TSPREP(X, P, ORD, MARK, RCTL, W, IQ, F, FQ)
       DO 10 K = 1, 2
         G = GUESS(K)
         IF (G .NE. 0 .AND. G .NE. V(2) .AND. G .NE. V(3) .AND.
-     $      G .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, MARK, RCTL, V, IQ,
+     $      G .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, MARK, RCTL, W, IQ,
      $      F, FQ, G)
    10 CONTINUE
       Z = IQ(QBEST)
@@ -3539,23 +3816,26 @@ C     a ball that is a support's sphere but for rounding is in no list
         IF (Z .NE. 0) CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
         LISTS = 1 - OK
       END IF
+      IF (W(1) .NE. V(1)) LISTS = 0
       IF (LISTS .EQ. 1) THEN
         CALL TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, LSX, LSID, LSI,
-     $              LSD, V, IQ, F, FQ, OK)
+     $              LSD, W, IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) RETURN
 C       before the block's list: a tenth of the time on lattices
         IF (Z .EQ. 0) THEN
           IF (TSONHU(X, P, ORD, CTL, RCTL, V) .EQ. 1) RETURN
         END IF
-        CALL TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD, V,
+        CALL TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD, W,
      $              IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) RETURN
       END IF
-      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V, IQ,
+      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, W, IQ,
      $            F, FQ)
       Z = IQ(QBEST)
+      IF (RCTL(RTIED) .GT. DBLE(LARGE) .AND. LSI(LLAST,BLK) .GT. 0)
+     $    CALL TSKEEP(ORD, RCTL, W, Z)
       IF (CTL(SLAB0) .NE. 0 .AND.
      $    RCTL(RSCAN) .LT. -DBLE(CTL(LEAVES))) THEN
         CTL(SLAB0) = 0
@@ -3575,7 +3855,7 @@ C       before the block's list: a tenth of the time on lattices
         RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))
         IF (RCTL(RBURDN) .GT. RCTL(RPATIE)*DBLE(CTL(NP))) THEN
           K = INT(RCTL(RSUPP))
-          CALL TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ)
+          CALL TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, W, IQ)
           RCTL(RBURDN) = 0.0D0
           IF (INT(RCTL(RSUPP)) .EQ. K)
      $        RCTL(RPATIE) = 2.0D0*RCTL(RPATIE)
@@ -3654,9 +3934,10 @@ C     alone.
       INTEGER CTL(*), LSID(TSIDS,2), LSI(3,2), S, V(4)
       INTEGER HHPSID, TSLEAF, TSLFST
       INTEGER LEAVES, NPLANE, NEXTPL, LFIRST, LLAST, LN, BLK, STR, QBEST
-      INTEGER T3
+      INTEGER T3, NCELL, RSLOT
       PARAMETER (LEAVES = 4, NPLANE = 12, NEXTPL = 13, LFIRST = 1)
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, QBEST = 1, T3 = 1)
+      PARAMETER (NCELL = 30, RSLOT = 13)
       DOUBLE PRECISION F(12), FQ(108)
       INTEGER FIRST, G(3), GUESS(2), I, IQ(43), J, K, LAST, LEAF, LENGTH
       INTEGER NODE, OK, R(4), SAME, Z
@@ -3670,6 +3951,7 @@ C     alone.
       LSI(LN,BLK) = 0
       LSI(LN,STR) = 0
       CTL(NPLANE) = 0
+      CTL(NCELL) = 0
       CTL(NEXTPL) = 1
       DO 10 K = 1, 4
         V(K) = REP(KNOWN(K))
@@ -3710,6 +3992,7 @@ C     alone.
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, LSX,
      $              LSID, LSI, LSD, G, GUESS, Z)
       ELSE
+        RCTL(RSLOT) = 0.0D0
         CALL TSPREP(X, P, ORD, MARK, RCTL, G, IQ, F, FQ)
         CALL TSCHAL(X, P, ORD, MARK, RCTL, G, IQ, F, FQ, GUESS(1))
         CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, G, IQ, F, FQ,
@@ -4096,7 +4379,7 @@ C     HEAD has then the points' positions.
             INFO = -5
             IF (U .GT. T) THEN
               IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V(1), V(2),
-     $            V(3), V(4), HEAD(TET(J,U))) .LT. 0) RETURN
+     $            V(3), V(4), HEAD(TET(J,U)), 1) .LT. 0) RETURN
             END IF
           END IF
    60   CONTINUE
@@ -4124,7 +4407,7 @@ C     right it is no more than a note in ADJ.  INFO is 0, -5 or -6.
       IF (J .NE. K) RETURN
       INFO = -5
       IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), TET(1,T), TET(2,T),
-     $    TET(3,T), TET(4,T), TET(K,U)) .LT. 0) RETURN
+     $    TET(3,T), TET(4,T), TET(K,U), 1) .LT. 0) RETURN
       ADJ(CODE) = OPEN - U
       ADJ(OTHER) = OPEN - T
       INFO = 0
@@ -4217,17 +4500,20 @@ C     besides.
       DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*)
       INTEGER HHHOLD, TSLCOU
       INTEGER NP, LEAVES, NPLANE, NEXTPL, TIES, T3, T5, RSCALE, RLEAST
-      INTEGER SLAB0, RSUPP, RSEEK, RSCAN, RANGE
+      INTEGER SLAB0, TIED, NCELL, RFIRST, RSUPP, RSEEK, RSCAN, RANGE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
       PARAMETER (TIES = 26, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 10)
       PARAMETER (SLAB0 = 28, RSUPP = 6, RSEEK = 7, RSCAN = 11)
-      PARAMETER (RANGE = 6)
+      PARAMETER (TIED = 29, NCELL = 30, RFIRST = 14, RANGE = 6)
       DOUBLE PRECISION NORMAL, MUCHL
       PARAMETER (NORMAL = 2.0D0**(-1022), MUCHL = 1.0D100)
       INTEGER ALL
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
       CTL(TIES) = 0
+      CTL(TIED) = 0
+      CTL(NCELL) = 0
+      RCTL(RFIRST) = 0.0D0
       CTL(SLAB0) = 0
       RCTL(RSUPP) = 0.0D0
       RCTL(RSEEK) = 0.0D0
@@ -4265,7 +4551,7 @@ C     element of RW or IW, and the standard lets them be altered.
       INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW
       INTEGER NPLANE, NEXTPL, TIES, UNMET, LFIRST, LLAST, LN, BLK, STR
       INTEGER SLAB0, T5, RREACH, RSUPP, RSEEK, RBURDN, RPATIE, RSCAN
-      INTEGER SUPPS, LSUP, OPEN, NEW, TSLIST, TSIDS
+      INTEGER SUPPS, LSUP, OPEN, NEW, TSLIST, TSIDS, TIED, NCELL, RFIRST
       PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5)
       PARAMETER (MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, NPLANE = 12)
       PARAMETER (NEXTPL = 13, TIES = 26, UNMET = 27, LFIRST = 1)
@@ -4274,16 +4560,20 @@ C     element of RW or IW, and the standard lets them be altered.
       PARAMETER (SLAB0 = 28, RPATIE = 9, RSCAN = 11, SUPPS = 8)
       PARAMETER (LSUP = 98)
       PARAMETER (OPEN = -1, NEW = -2, TSLIST = 512)
-      PARAMETER (TSIDS = TSLIST + 48)
+      PARAMETER (TSIDS = TSLIST + 48, TIED = 29, NCELL = 30)
+      PARAMETER (RFIRST = 14)
       DOUBLE PRECISION REACH, BURDEN, PLAIN, MUCHL
       PARAMETER (REACH = 2.75D0, BURDEN = 1.0D0, PLAIN = 16.0D0)
       PARAMETER (MUCHL = 1.0D100)
-      DOUBLE PRECISION LSD(14,2), MEAN, RCTL(11+LSUP*SUPPS)
+      DOUBLE PRECISION LSD(14,2), MEAN, RCTL(18+LSUP*SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(28), I, K, LSI(3,2), OWN, S, T, LSID(TSIDS,2)
+      INTEGER CTL(82), I, K, LSI(3,2), OWN, S, T, LSID(TSIDS,2)
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
       CTL(TIES) = 0
+      CTL(TIED) = 0
+      CTL(NCELL) = 0
+      RCTL(RFIRST) = 0.0D0
       CTL(SLAB0) = 0
       LSI(LFIRST,BLK) = 1
       LSI(LLAST,BLK) = 0
@@ -4642,17 +4932,19 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
       INTEGER N, LVS, REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4), INFO
       DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
       INTEGER NP, NPLANE, NEXTPL, TIES, LN, BLK, STR, T3, T5, RSCALE
+      INTEGER TIED, NCELL, RFIRST, LLAST
       INTEGER SLAB0, RSUPP, RSEEK, RSCAN, RLEAST, RANGE, TSLIST, TSIDS
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIES = 26, LN = 3)
       PARAMETER (BLK = 1, STR = 2, T3 = 1, T5 = 2, RSCALE = 5)
       PARAMETER (RSUPP = 6, RSEEK = 7, RLEAST = 10, RANGE = 6)
       PARAMETER (SLAB0 = 28, RSCAN = 11, TSLIST = 512)
-      PARAMETER (TSIDS = TSLIST + 48)
+      PARAMETER (TSIDS = TSLIST + 48, TIED = 29, NCELL = 30)
+      PARAMETER (RFIRST = 14, LLAST = 2)
       DOUBLE PRECISION MUCHL
       PARAMETER (MUCHL = 1.0D100)
-      DOUBLE PRECISION LSD(14,2), RCTL(11)
+      DOUBLE PRECISION LSD(14,2), RCTL(18)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(28), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
+      INTEGER CTL(82), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, N, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       KNOWN(1) = -INFO
@@ -4660,6 +4952,10 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
         CTL(NPLANE) = 0
         CTL(NEXTPL) = 1
         CTL(TIES) = 0
+        CTL(TIED) = 0
+        CTL(NCELL) = 0
+        RCTL(RFIRST) = 0.0D0
+        LSI(LLAST,BLK) = 0
         CTL(SLAB0) = 0
         RCTL(RSUPP) = 0.0D0
         RCTL(RSEEK) = 0.0D0
@@ -5630,15 +5926,16 @@ C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
       INTEGER NP, LN, BLK, STR, T3, UNSURE, RANGE, TSLIST, TSIDS
       PARAMETER (NP = 1, LN = 3, BLK = 1, STR = 2, T3 = 1, UNSURE = 2)
       PARAMETER (RANGE = 6, TSLIST = 512, TSIDS = TSLIST + 48)
-      INTEGER HFROM, HMOST, NONE
-      PARAMETER (HFROM = 7, HMOST = 10, NONE = 0)
-      DOUBLE PRECISION LSD(14,2), RCTL(11), XF(3), Y(3,1)
+      INTEGER LLAST, HFROM, HMOST, NONE
+      PARAMETER (LLAST = 2, HFROM = 7, HMOST = 10, NONE = 0)
+      DOUBLE PRECISION LSD(14,2), RCTL(18), XF(3), Y(3,1)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(28), F(3), G(4,1), GUESS(2), H(10), I, J, K, LAST
+      INTEGER CTL(82), F(3), G(4,1), GUESS(2), H(10), I, J, K, LAST
       INTEGER LSI(3,2), LSID(TSIDS,2), S, STEPS, U(4,1), Z
       CALL TSOPEN(N, P, LVS, BOX, ALIVE, KNOWN, CTL, RCTL, INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
+      LSI(LLAST,BLK) = 0
       LSI(LN,BLK) = 0
       LSI(LN,STR) = 0
       DO 10 K = 1, 3

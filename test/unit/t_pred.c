@@ -467,7 +467,8 @@ static void test_indexed(int group, long n)
     double p[5][3], x[15], most;
     const double *q[5];
     tess_int order[5];
-    int index[5], e, j, k, o, s;
+    static const tess_int facet[3] = { 0, 1, 2 };
+    int index[5], e, j, k, o, s, r, b;
     char name[80];
     hh_set set;
 
@@ -508,11 +509,25 @@ static void test_indexed(int group, long n)
         s = ex_perturbed(q, index);
         ties += o != 0 && ex_insphere(q[0], q[1], q[2], q[3], q[4]) == 0;
         j = hh_pside(&set, 0, 1, 2, 3);
-        k = hh_pball(&set, 0, 1, 2, 3, 4);
+        k = hh_pball(&set, 0, 1, 2, 3, 4, 1);
 #if HH_LIMBS < 88
         if (j == 2) j = o;
         if (k == 2) k = s;
 #endif
+        r = hh_pball(&set, 0, 1, 2, 3, 4, 0);
+        b = s;
+        if (o > 0 && hh_pside(&set, 0, 1, 2, 4) > 0)
+            b = hh_pbeat(&set, facet, 3, 4, 0);
+#if HH_LIMBS < 88
+        if (r == 2) r = s;
+        if (b == 2) b = s;
+#else
+        if (b != s && (b != 2 * s || r != 0)) faults++;
+        if (b == 2 * s && hh_pbeat(&set, facet, 3, 4, 1) != b) faults++;
+#endif
+        if (r != 0 ? r != s : o != 0 && ex_insphere(q[0], q[1], q[2], q[3],
+                                                    q[4]) != 0)
+            faults++;
         if (o != j || s != k) {
             if (faults++ < 3) {
                 printf("hh_pside %d, exact %d; hh_pball %d, exact %d; "
