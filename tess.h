@@ -49,7 +49,7 @@
 
 /* TESS_LIST: when tess.c is compiled, the capacity of the two lists of points
  * that a search looks at first: a multiple of 4, 48 to 4096, 512 if not given.
- * It alters speed and stack, never the result: 50 bytes of stack an entry.
+ * It alters speed and stack (about 50 bytes an entry), never the result.
  * Below 128 the code for points near planes and spheres is left out; a small
  * machine takes 48 or 64. */
 
