@@ -4827,9 +4827,11 @@ C     Cospherical points: the triangulation is the pulling triangulation
 C     in the order of the points' numbers; no tetrahedron is flat.
 C     Cost: about linear in N for points that fill a volume or, but for
 C     rounding, lie near up to eight planes and spheres; somewhat more
-C     on other smooth surfaces, up to N**1.5 on tubes and between two
-C     near sheets; O(N**2) at worst for a linear number of tetrahedra.
-C     Section 2 of the paper.
+C     between parallel sheets and on other smooth surfaces, up to
+C     N**1.5 on tubes and between curved sheets, nearly N**2 near planes
+C     that cross at a tiny angle; at worst, as with exponents hundreds
+C     apart, O(N**2) for a linear number of tetrahedra.  Section 2 of
+C     the paper.
       SUBROUTINE TESS(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                INFO)
       DOUBLE PRECISION P(3,*), RW(*)

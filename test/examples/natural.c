@@ -8,7 +8,7 @@
  *             (minus, dot)
  *
  * The main program compares weights in a lattice with their closed form.
- * natural.f is the same in FORTRAN 77; test/t_natural.c tests both.
+ * natural.f is the same in FORTRAN 77; test/unit/t_natural.c tests both.
  */
 #include <float.h>
 #include <math.h>

@@ -11,7 +11,7 @@ C               (MINUS, DOT)
 C
 C     The main program compares weights in a lattice with their closed
 C     form.  natural.c is the same in C, and both write the same text;
-C     test/t_natural.c tests both.
+C     test/unit/t_natural.c tests both.
 C
 C     Between two points of an integer lattice, and the gradient of
 C     |x|**2.
