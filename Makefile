@@ -15,6 +15,7 @@
 # make paper       the experiments of the paper: test/paper/results.txt
 # make reach       other machines and compilers: test/results/reach.txt
 # make manual      write f77/README anew, from f77/tess.f and hhpred.f
+# make mpi         build/mesh, for processes that share nothing: test/mpi/mesh.c
 # make mirror      write test/data/mirror.xyz anew
 # make clean       remove build/
 # make help        this list
@@ -100,7 +101,8 @@ examples: $(LIBRARY)
 	@set -e; for name in test/examples/*.c; do \
 	echo "$$name"; \
 	name=`basename $$name .c`; \
-	also=; case $$name in parts) also=-lpthread;; fortran) continue;; esac; \
+	also=; case $$name in parts) also=-lpthread;; join|fortran) continue;; \
+	esac; \
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -I. -o build/$$name \
 	    test/examples/$$name.c $(LIBRARY) $(LDLIBS) $$also; \
 	(cd build && ./$$name $$name.obj $$name.stl) > build/$$name.out || \
@@ -138,6 +140,18 @@ bench: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" FAMILY="$(FAMILY)" SIZES="$(SIZES)" \
 	    SCANS="$(SCANS)" sh test/bench/bench.sh
 
+MESH = test/mpi/mesh.c test/mpi/split.c test/mpi/halo.c test/mpi/stars.c \
+    test/mpi/output.c test/mpi/mail.c
+
+mpi: build/mesh build/same
+
+build/mesh: $(MESH) test/mpi/mesh.h test/points.c test/points.h $(LIBRARY)
+	OMPI_CC="$(CC)" mpicc $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@ $(MESH) \
+	    test/points.c $(LIBRARY) $(LDLIBS)
+
+build/same: test/mpi/same.c test/points.c test/points.h $(LIBRARY)
+	$(LINK) $(CPPFLAGS) test/mpi/same.c test/points.c $(LIBRARY) $(LDLIBS)
+
 paper:
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
 
@@ -157,4 +171,4 @@ help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
 .PHONY: all always run examples pictures errors check check-all torture certify \
-    coverage mutation bench paper reach manual mirror clean help
+    coverage mutation bench mpi paper reach manual mirror clean help

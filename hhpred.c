@@ -585,23 +585,21 @@ static int balanced(int np, const double *q)
 
     for (i = 0; i < np; i++, q += 3) {
         most = INT_MIN;
-        for (j = 0; j < np; j++) {
-            k = np * i + j;
-            a[k] = j < 3 ? frexp(q[j], e + k) : 1.0;
-            if (j < 3 && a[k] != 0.0 && e[k] > most) most = e[k];
+        for (j = 0, k = np * i; j < 3; j++, k++) {
+            a[k] = frexp(q[j], e + k);
+            if (a[k] != 0.0 && e[k] > most) most = e[k];
         }
         if (most == INT_MIN) most = 0;
-        e[k] = 0;
-        if (np == 5) {
-            for (j = 0, sum = 0.0; j < 3; j++) {
-                x = ldexp(q[j], -most);
-                sum += x * x;
-            }
-            a[k - 1] = sum;
-            e[k - 1] = 2 * most;
+        for (j = 0, sum = 0.0; j < 3; j++) {
+            x = ldexp(q[j], -most);
+            sum += x * x;
         }
-        at = most > 0 ? (np == 5 ? 2 : 1) * most : 0;
-        for (j = 0; j < np; j++) e[np * i + j] -= at;
+        a[k] = np == 5 ? sum : 1.0;
+        e[k] = np == 5 ? 2 * most : 0;
+        a[np * i + np - 1] = 1.0;
+        e[np * i + np - 1] = 0;
+        at = most > 0 ? (np - 3) * most : 0;
+        for (j = 0, k = np * i; j < np; j++, k++) e[k] -= at;
     }
     for (j = 0; j < np; j++) {
         most = INT_MIN;

@@ -2032,15 +2032,14 @@ static double lowest(const quest *f, const double *lo, const double *hi,
     return sum;
 }
 
-/* beyond - returns 1 if sight's test proves that the box lo, hi holds no
- * candidate whose height, less than dh away, counts as h. */
-static int beyond(const quest *f, const double *lo, const double *hi, double h,
-                  double dh)
+/* beyond - returns 1 if sight's test proves that there is no candidate where q
+ * |w|^2 - d.w is sum at least, |w|_1 size at most, and the height, less than dh
+ * away, counts as h. */
+static int beyond(const quest *f, double sum, double size, double h, double dh)
 {
-    double size, sum = f->a * (h - f->h) + lowest(f, lo, hi, f->q, f->d, &size);
-
-    return sum > f->err + fabs(f->a) * dh +
-                     size * (f->dd + 16.0 * EPS * f->q * size);
+    return sum + f->a * (h - f->h) >
+           f->err + fabs(f->a) * dh +
+               size * (f->dd + 16.0 * EPS * f->q * size);
 }
 
 /* promise - returns 1 if a node has provably no candidate, by the heights of
@@ -2051,13 +2050,14 @@ static int promise(const mesh *m, quest *f, tess_int node)
     const support *s = m->supports + f->near;
     const double *b = m->box + 6 * node;
     tess_int code = s->least[node];
-    double h = -s->low;
+    double h = -s->low, sum, size;
 
     if (!f->aimed) sight(m, f);
     if (f->a < 0.0 ? code % 2 == 1 : code < 2 || code / 2 > GRAINS)
         return prunebox(f, b, b + 3);
     if (f->a >= 0.0) h = s->low + s->grain * ((double)(code / 2) - 1.5);
-    return beyond(f, b, b + 3, h, 0.0) ||
+    sum = lowest(f, b, b + 3, f->q, f->d, &size);
+    return beyond(f, sum, size, h, 0.0) ||
            ((node >= m->leaves || f->limbs == 2) && prunebox(f, b, b + 3));
 }
 
@@ -2337,22 +2337,25 @@ static void challenge(const mesh *m, quest *f, tess_int z)
         refine(m, f);
 }
 
-/* consider - compare z, if it is no vertex, not outside of the ball, and not
- * beyond it by its height over the facet's support. */
+/* consider - compare z, if it is no vertex and not outside of the ball, by its
+ * height over the facet's support where that is known. */
 static void consider(const mesh *m, quest *f, tess_int z)
 {
     const double *q = m->x + 3 * z;
     double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8], h;
+    double size = fabs(w0) + fabs(w1) + fabs(w2);
     int out;
 
     COUNT(N_POINT, 1);
     if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
-    out = f->ball && HH_POWER(w0, w1, w2, f->c) >
-                         powererr(f, fabs(w0) + fabs(w1) + fabs(w2));
-    if (!out && LEANING(f) && marked(m, f->near, z, &h)) {
+    if (LEANING(f) && marked(m, f->near, z, &h)) {
         if (!f->aimed) sight(m, f);
-        out = beyond(f, q, q, h, m->supports[f->near].grain);
-    }
+        out = beyond(f, w0 * (f->q * w0 - f->d[0]) +
+                            w1 * (f->q * w1 - f->d[1]) +
+                            w2 * (f->q * w2 - f->d[2]),
+                     size, h, m->supports[f->near].grain);
+    } else
+        out = f->ball && HH_POWER(w0, w1, w2, f->c) > powererr(f, size);
     if (!out)
         challenge(m, f, z);
     else {
@@ -2600,29 +2603,31 @@ static int inblock(const mesh *m, quest *f)
 
 /* scanleaf - consider those uncompleted points of a leaf of box b, positions
  * first ... last-1, that are not outside of the ball, or without a ball not on
- * the negative side: found first, without a branch. */
+ * the negative side, for which that of L = MUCHL / 2 stands, with room for
+ * |w|^2: found first, without a branch. */
 static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
                      const double *b)
 {
-    double q = f->ball ? 1.0 : 0.0, d[3], size, most, w0, w1, w2;
+    double d[3], size = 0.0, most, w0, w1, w2;
     const double *x = m->x + 3 * first;
     tess_int place[LEAF], i;
-    int n = 0, k;
+    long n = 0, k;
 
     COUNT(N_LEAF, 1);
     COUNT(N_LIST, last - first);
-    for (k = 0; k < 3; k++) d[k] = f->ball ? 2.0 * f->c[k] : f->f[k];
-    (void)lowest(f, b, b + 3, q, d, &size);
-    most = f->ball ? powererr(f, size)
-                   : f->f[9] <= HH_LOOSE ? f->f[9] * size + FAINT : 1.0 + size;
+    for (k = 0; k < 3; k++) {
+        d[k] = f->ball ? 2.0 * f->c[k] : MUCHL * f->f[k];
+        size += fabs(b[k] - f->f[6 + k]) + fabs(b[3 + k] - f->f[6 + k]);
+    }
+    most = f->f[9] <= HH_LOOSE ? f->f[9] + 16.0 * EPS : 2.0;
+    most = f->ball ? powererr(f, size) : MUCHL * (size * most + FAINT);
     for (i = first; i < last; i++, x += 3) {
         w0 = x[0] - f->f[6];
         w1 = x[1] - f->f[7];
         w2 = x[2] - f->f[8];
         place[n] = i;
         n += (m->link[i] != DONE) &
-             (w0 * (q * w0 - d[0]) + w1 * (q * w1 - d[1]) +
-                  w2 * (q * w2 - d[2]) <= most);
+             (w0 * (w0 - d[0]) + w1 * (w1 - d[1]) + w2 * (w2 - d[2]) <= most);
     }
     for (k = 0; k < n; k++) consider(m, f, place[k]);
 }

@@ -49,7 +49,7 @@
 
 /* TESS_LIST: when tess.c is compiled, the capacity of the two lists of points
  * that a search looks at first: a multiple of 4, 48 to 4096, 512 if not given.
- * It alters speed and stack, never the result: about 50 bytes of stack an entry.
+ * It alters speed and stack (about 50 bytes an entry), never the result.
  * Below 128 the code for points near planes and spheres is left out; a small
  * machine takes 48 or 64. */
 
@@ -160,9 +160,11 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
  * Cospherical points: the triangulation is the pulling triangulation in the
  * order of the indices; no tetrahedron is flat.
  * Cost: about linear in n for points that fill a volume or, but for rounding,
- * lie near up to eight planes and spheres; somewhat more on other smooth
- * surfaces, up to n^(3/2) on tubes and between two near sheets; O(n^2) at worst
- * for a linear number of tetrahedra.  Section 2 of the paper.
+ * lie near up to eight planes and spheres; somewhat more between parallel
+ * sheets and on other smooth surfaces, up to n^(3/2) on tubes and between
+ * curved sheets, nearly n^2 near planes that cross at a tiny angle; at worst,
+ * as with exponents hundreds apart, O(n^2) for a linear number of tetrahedra.
+ * Section 2 of the paper.
  */
 int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
          tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,

@@ -2694,24 +2694,22 @@ C     test behind FQ(T), and the greatest |W|_1, SIZE.
    10 CONTINUE
       END
 
-C     TSBEYO - returns 1 if TSSIGH's test proves that the box LO, HI
-C     holds no candidate whose height, less than DH away, counts as H;
-C     or 0: OUT.
-      SUBROUTINE TSBEYO(LO, HI, F, FQ, H, DH, OUT)
-      DOUBLE PRECISION LO(*), HI(*), F(12), FQ(108), H, DH
+C     TSBEYO - returns 1 if TSSIGH's test proves that there is no
+C     candidate where q |W|**2 - d.W is SUM at least, |W|_1 SIZE at
+C     most, and the height, less than DH away, counts as H; or 0: OUT.
+      SUBROUTINE TSBEYO(FQ, SUM, SIZE, H, DH, OUT)
+      DOUBLE PRECISION FQ(108), SUM, SIZE, H, DH
       INTEGER OUT
       INTEGER QH, QTEST, TQ, TDD, TA, TERR
       PARAMETER (QH = 95, QTEST = 101, TQ = 1, TDD = 5, TA = 6)
       PARAMETER (TERR = 7)
       DOUBLE PRECISION EPS
       PARAMETER (EPS = 2.0D0**(-52))
-      DOUBLE PRECISION A, SIZE, SUM
-      CALL TSLOWE(LO, HI, F, FQ, QTEST, SUM, SIZE)
+      DOUBLE PRECISION A
       A = FQ(QTEST+TA)
-      SUM = A*(H - FQ(QH)) + SUM
       OUT = 0
-      IF (SUM .GT. FQ(QTEST+TERR) + ABS(A)*DH + SIZE*(FQ(QTEST+TDD) +
-     $    16.0D0*EPS*FQ(QTEST+TQ)*SIZE)) OUT = 1
+      IF (SUM + A*(H - FQ(QH)) .GT. FQ(QTEST+TERR) + ABS(A)*DH +
+     $    SIZE*(FQ(QTEST+TDD) + 16.0D0*EPS*FQ(QTEST+TQ)*SIZE)) OUT = 1
       END
 
 C     TSPROM - returns 1 if a node has provably no candidate, by the
@@ -2727,7 +2725,7 @@ C     nothing; or 0: OUT.
       PARAMETER (NP = 1, LEAVES = 4, RSUP = 18, LSUP = 98, SLOW = 97)
       PARAMETER (SGRAIN = 98, QNEAR = 6, QAIMED = 7, QTEST = 101)
       PARAMETER (QLIMBS = 2, TA = 6, GRAINS = 134217728)
-      DOUBLE PRECISION H
+      DOUBLE PRECISION H, SIZE, SUM
       INTEGER AT, CODE, TELLS
       IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
       AT = RSUP + LSUP*(IQ(QNEAR) - 1)
@@ -2741,8 +2739,10 @@ C     nothing; or 0: OUT.
         H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(CODE/2) - 1.5D0)
       END IF
       OUT = 0
-      IF (TELLS .EQ. 1) CALL TSBEYO(BOX(1,NODE), BOX(4,NODE), F, FQ,
-     $    H, 0.0D0, OUT)
+      IF (TELLS .EQ. 1) THEN
+        CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, FQ, QTEST, SUM, SIZE)
+        CALL TSBEYO(FQ, SUM, SIZE, H, 0.0D0, OUT)
+      END IF
       IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)
      $    .OR. IQ(QLIMBS) .EQ. 2))
      $    OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
@@ -3117,37 +3117,43 @@ C     what they leave open limits the better one by the other.
       END IF
       END
 
-C     TSCONS - compare Z, if it is no vertex, not outside of the ball,
-C     and not beyond it by its height over the facet's support.
+C     TSCONS - compare Z, if it is no vertex and not outside of the
+C     ball, by its height over the facet's support where that is known.
       SUBROUTINE TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(43), Z
       DOUBLE PRECISION TSPOWE
       INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QNEAR, QAIMED, QC
+      INTEGER QTEST, TQ, TD
       PARAMETER (RSUP = 18, LSUP = 98, SGRAIN = 98, QBEST = 1)
       PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QC = 2)
-      DOUBLE PRECISION GRAIN, H, POWER, W1, W2, W3
-      INTEGER OK
+      PARAMETER (QTEST = 101, TQ = 1, TD = 1)
+      DOUBLE PRECISION H, Q, SIZE, SUM, W1, W2, W3
+      INTEGER OK, OUT
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
      $    Z .EQ. V(3)) RETURN
-      IF (IQ(QBALL) .EQ. 1) THEN
-        W1 = X(1,Z) - F(7)
-        W2 = X(2,Z) - F(8)
-        W3 = X(3,Z) - F(9)
-        POWER = W1*(W1 - 2.0D0*FQ(QC+1)) + W2*(W2 - 2.0D0*FQ(QC+2)) +
+      W1 = X(1,Z) - F(7)
+      W2 = X(2,Z) - F(8)
+      W3 = X(3,Z) - F(9)
+      SIZE = ABS(W1) + ABS(W2) + ABS(W3)
+      OK = 0
+      IF (IQ(QNEAR) .NE. 0)
+     $    CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
+      OUT = 0
+      IF (OK .EQ. 1) THEN
+        IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
+        Q = FQ(QTEST+TQ)
+        SUM = W1*(Q*W1 - FQ(QTEST+TD+1)) + W2*(Q*W2 - FQ(QTEST+TD+2)) +
+     $      W3*(Q*W3 - FQ(QTEST+TD+3))
+        CALL TSBEYO(FQ, SUM, SIZE, H,
+     $              RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SGRAIN), OUT)
+      ELSE IF (IQ(QBALL) .EQ. 1) THEN
+        SUM = W1*(W1 - 2.0D0*FQ(QC+1)) + W2*(W2 - 2.0D0*FQ(QC+2)) +
      $      W3*(W3 - 2.0D0*FQ(QC+3))
-        IF (POWER .GT. TSPOWE(FQ, ABS(W1) + ABS(W2) + ABS(W3))) RETURN
+        IF (SUM .GT. TSPOWE(FQ, SIZE)) OUT = 1
       END IF
-      IF (IQ(QNEAR) .NE. 0) THEN
-        CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
-        IF (OK .EQ. 1) THEN
-          IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
-          GRAIN = RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SGRAIN)
-          CALL TSBEYO(X(1,Z), X(1,Z), F, FQ, H, GRAIN, OK)
-          IF (OK .EQ. 1) RETURN
-        END IF
-      END IF
-      CALL TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
+      IF (OUT .EQ. 0)
+     $    CALL TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       END
 
 C     TSBALC - the test of a list's points against a ball of centre C,
@@ -3554,43 +3560,41 @@ C     costs: on surfaces two of five points that were tested.
 
 C     TSSCAN - consider those uncompleted points of a leaf, a node of
 C     the positions FIRST ... LAST, that are not outside of the ball, or
-C     without a ball not on the negative side: found first.
+C     without a ball not on the negative side, for which that of L =
+C     MUCHL/2 stands, with room for |W|**2: found first.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
      $                  FIRST, LAST, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), LINK(*), MARK(*), V(3), IQ(43), FIRST, LAST, NODE
       DOUBLE PRECISION TSPOWE
-      INTEGER LEAF, QBALL, QC, TQ, TD, DONE
-      PARAMETER (LEAF = 48, QBALL = 3, QC = 2, TQ = 1, TD = 1)
-      PARAMETER (DONE = -1)
-      DOUBLE PRECISION FAINT, LOOSE
-      PARAMETER (FAINT = 1.0D-200, LOOSE = 0.5D0)
-      DOUBLE PRECISION D1, D2, D3, LENGTH, MOST, Q, TEST(4), W1, W2, W3
+      INTEGER LEAF, QBALL, QC, DONE
+      PARAMETER (LEAF = 48, QBALL = 3, QC = 2, DONE = -1)
+      DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0)
+      PARAMETER (MUCHL = 1.0D100)
+      DOUBLE PRECISION D(3), D1, D2, D3, MOST, SIZE, W1, W2, W3
       INTEGER I, K, N, PLACE(LEAF)
-      Q = DBLE(IQ(QBALL))
-      TEST(TQ) = Q
+      SIZE = 0.0D0
       DO 10 K = 1, 3
-        TEST(TD+K) = F(K)
-        IF (IQ(QBALL) .EQ. 1) TEST(TD+K) = 2.0D0*FQ(QC+K)
+        D(K) = MUCHL*F(K)
+        IF (IQ(QBALL) .EQ. 1) D(K) = 2.0D0*FQ(QC+K)
+        SIZE = SIZE + ABS(BOX(K,NODE) - F(6+K)) +
+     $      ABS(BOX(3+K,NODE) - F(6+K))
    10 CONTINUE
-      CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, TEST, 0, MOST, LENGTH)
-      IF (IQ(QBALL) .EQ. 1) THEN
-        MOST = TSPOWE(FQ, LENGTH)
-      ELSE IF (F(10) .LE. LOOSE) THEN
-        MOST = F(10)*LENGTH + FAINT
-      ELSE
-        MOST = 1.0D0 + LENGTH
-      END IF
-      D1 = TEST(TD+1)
-      D2 = TEST(TD+2)
-      D3 = TEST(TD+3)
+      MOST = 2.0D0
+      IF (F(10) .LE. LOOSE) MOST = F(10) + 16.0D0*EPS
+      MOST = MUCHL*(SIZE*MOST + FAINT)
+      IF (IQ(QBALL) .EQ. 1) MOST = TSPOWE(FQ, SIZE)
+      D1 = D(1)
+      D2 = D(2)
+      D3 = D(3)
       N = 0
       DO 20 I = FIRST, LAST
         W1 = X(1,I) - F(7)
         W2 = X(2,I) - F(8)
         W3 = X(3,I) - F(9)
-        IF (W1*(Q*W1 - D1) + W2*(Q*W2 - D2) + W3*(Q*W3 - D3) .LE. MOST
-     $      .AND. LINK(I) .NE. DONE) THEN
+        IF (W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3) .LE. MOST .AND.
+     $      LINK(I) .NE. DONE) THEN
           N = N + 1
           PLACE(N) = I
         END IF
@@ -4825,9 +4829,11 @@ C     Cospherical points: the triangulation is the pulling triangulation
 C     in the order of the points' numbers; no tetrahedron is flat.
 C     Cost: about linear in N for points that fill a volume or, but for
 C     rounding, lie near up to eight planes and spheres; somewhat more
-C     on other smooth surfaces, up to N**1.5 on tubes and between two
-C     near sheets; O(N**2) at worst for a linear number of tetrahedra.
-C     Section 2 of the paper.
+C     between parallel sheets and on other smooth surfaces, up to
+C     N**1.5 on tubes and between curved sheets, nearly N**2 near planes
+C     that cross at a tiny angle; at worst, as with exponents hundreds
+C     apart, O(N**2) for a linear number of tetrahedra.  Section 2 of
+C     the paper.
       SUBROUTINE TESS(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                INFO)
       DOUBLE PRECISION P(3,*), RW(*)

@@ -116,8 +116,8 @@ units() {
         # (t_margin includes tess.c)
         objects="$here/[!_]*.o"
         [ $program = t_margin ] && objects=`ls $here/[!_]*.o | grep -v /tess.o`
-        if $compiler $options -c -o $here/_$program.o test/unit/$program.c \
-            >> $LOG 2>&1 && $compiler $options -o $here/$program \
+        if $compiler $options -I. -c -o $here/_$program.o \
+            test/unit/$program.c >> $LOG 2>&1 && $compiler $options -o $here/$program \
             $here/_$program.o $objects $LIBS >> $LOG 2>&1; then
             many "$t, $tag" $here/$t
         else
@@ -231,7 +231,7 @@ SANITIZE="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 tests() {
     if [ -z "$ALL" ]; then
         units usual "$CC" "$CFLAGS" "t_pred 40" "t_margin 8" brute \
-            "t_tess -quick" "t_part -quick" t_size
+            "t_tess -quick" "t_part -quick" t_size t_natural t_join
         # few limbs: code 2 or TESS_RANGE where they do not suffice
         units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
             "t_tess -range"
@@ -241,12 +241,16 @@ tests() {
         units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 10" "brute 100"
         return
     fi
-    units usual "$CC" "$CFLAGS" t_pred t_margin brute t_tess t_part t_size
+    units usual "$CC" "$CFLAGS" t_pred t_margin brute t_tess t_part t_size \
+        t_natural t_join
     units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 50" "brute 100" \
         "t_tess -range" "t_part -quick"
     units -DHH_LIMBS=6 "$CC" "-O1 -DHH_LIMBS=6" "t_tess -range"
     units -DTESS_LIST=48 "$CC" "-O1 -DTESS_LIST=48" "brute 100" "t_tess -quick"
     units -DTESS_LIST=64 "$CC" "$CFLAGS -DTESS_LIST=64" t_margin
+    for list in 52 128 252 1024 4096; do
+        units -DTESS_LIST=$list "$CC" "-O1 -DTESS_LIST=$list" "brute 60"
+    done
     units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 50" "brute 100" \
         t_margin "t_part -quick"
     units -DTESS_INT=short "$CC" "-O1 -DTESS_INT=short" "brute 100" t_size
@@ -322,6 +326,7 @@ examples() {
         also=
         case $example in
         parts) also=-lpthread;;
+        join) continue;; # in parts.c
         fortran) continue;; # with the FORTRAN half
         esac
         if build "$example" "$CC" "$CFLAGS -I." $f build/tess.o \
@@ -394,6 +399,21 @@ readme() {
     done < build/times.txt
 }
 
+# ---- the recipes beside CGAL ----
+
+peers() {
+    if ! echo '#include <CGAL/natural_neighbor_coordinates_3.h>' |
+        g++ -x c++ -E - > /dev/null 2>&1; then
+        skip "recipes beside CGAL: not installed"
+    elif build recipes g++ "-O2 -frounding-math -I." \
+        test/bench/peers/recipes.cpp build/tess.o build/hhpred.o \
+        build/units/usual/points.o -lmpfr -lgmp; then
+        many "recipes beside CGAL" build/recipes
+    else
+        fail "recipes beside CGAL: does not compile"
+    fi
+}
+
 # ---- points spread over processes ----
 
 processes() {
@@ -403,30 +423,17 @@ processes() {
         return
     fi
     # (mpi.h itself has long long)
-    if build spread mpicc "$STRICT -Wno-long-long -O2 -I." test/mpi/spread.c \
+    mesh=
+    for f in mesh split halo stars output mail; do
+        mesh="$mesh test/mpi/$f.c"
+    done
+    # shellcheck disable=SC2086
+    if build mesh mpicc "$STRICT -Wno-long-long -O2" $mesh test/points.c \
+        $LIBRARY && build same "$CC" "$STRICT -O2" test/mpi/same.c \
         test/points.c $LIBRARY; then
-        for number in 1 2 3 4; do
-            one "MPI: $number processes" mpirun --oversubscribe \
-                --allow-run-as-root --timeout 300 -np $number build/spread \
-                uniform 1000 clusters 1000 lattice 1000 latticeshuf 512 \
-                gradedrot 512 cubegrid 500
-        done
+        many "MPI" sh test/mpi/check.sh
     else
-        fail "MPI: spread.c does not compile"
-    fi
-    if ! command -v mpif77 > /dev/null; then
-        skip "MPI: no mpif77"
-    elif build spreadf mpif77 "-O2 -frecursive" test/mpi/spread.f f77/tess.f \
-        f77/hhpred.f; then
-        for number in 1 2 3 4; do
-            one "MPI, FORTRAN 77: $number processes" sh -c "mpirun \
-                --oversubscribe --allow-run-as-root --timeout 300 \
-                -np $number build/spreadf > build/spreadf.txt
-                cat build/spreadf.txt
-                grep '^all are the mesh' build/spreadf.txt"
-        done
-    else
-        fail "MPI: spread.f does not compile"
+        fail "MPI: does not compile"
     fi
 }
 
@@ -464,7 +471,7 @@ standard() {
     for f in test/fortran/*.f test/examples/*.f; do
         case $f in
         */parity.f) $CHEKS $F77 $f;; # it calls all entries
-        */parts.f) $CHEKS -noextern $f;; # and OpenMP
+        */parts.f) $CHEKS -noextern $f test/examples/join.f;; # and OpenMP
         *) $CHEKS -library $F77 $f;;
         esac > build/ftnchek.txt 2>&1
         one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
@@ -626,6 +633,7 @@ threads() {
 programs() {
     for f in test/fortran/sizes.f test/examples/*.f; do
         rm -f build/program
+        case $f in */join.f | */parts.f) continue;; esac
         gfortran -frecursive $2 -o build/program $f build/ftess.o \
             build/fhhpred.o $LIBS >> $LOG 2>&1
         case $f in
@@ -751,7 +759,7 @@ halves() {
         for omp in "" -fopenmp; do
             rm -f build/partsf
             gfortran -O2 -frecursive $omp -o build/partsf \
-                test/examples/parts.f $F77 >> $LOG 2>&1
+                test/examples/parts.f test/examples/join.f $F77 >> $LOG 2>&1
             build/partsf > build/partsf.out 2>> $LOG
             one "example: parts.f $omp" cmp test/examples/parts.out \
                 build/partsf.out
@@ -833,6 +841,7 @@ first_half() {
     readme
     many "the driver" env CC="$CC" sh test/program/driver.sh
     [ -z "$ALL" ] && return
+    peers
     processes
     # the certificates of the search, with builds of their own
     many "certify" env CC="$CC" sh test/hunts/certify.sh -check

@@ -10,6 +10,9 @@
  *            vertex asked for, its adj is right, in arrays of exact length
  *            between guards; joined, all of them or some, tess_resume makes
  *            them the mesh
+ *   subsets  a star computed from random points among which are all its true
+ *            neighbours, in the order of the whole, is the star of the mesh,
+ *            ties too: what processes that share nothing rely on
  *   resume   a part stopped at every tetrahedron, or for want of pool
  *   queries  tess_query and tess_locate answer alike: on points, midpoints,
  *            edges, facets, anywhere, from near and from nowhere; outside
@@ -355,6 +358,55 @@ static void parts(const whole *m, int kind, tess_int many)
     drop(keep);
 }
 
+/* The stars of one point in sparse, from a set that has their neighbours and of
+ * the others as many. */
+static void subset(const whole *m, int sparse)
+{
+    tess_int *in = ints(m->n), *asked = ints(m->n), *name, *mine, *tet, *adj;
+    tess_int *met = ints(m->ntet), i, j, n = 0, t, ntet = 0, need = 0, liw, lrw;
+    tess_int *iw;
+    tess_real *p;
+    double *rw;
+    int code, k;
+
+    for (i = 0; i < m->n; i++)
+        asked[i] = m->rep[i] == i && rnd_below(sparse) == 0;
+    for (i = 0; i < m->n; i++)
+        in[i] = asked[i] || (m->rep[i] == i && rnd_below(sparse) == 0);
+    for (t = 0; t < m->ntet; t++) {
+        met[t] = 0;
+        for (k = 0; k < 4; k++) met[t] |= asked[m->set[4 * t + k]] != 0;
+        for (k = 0; k < 4 && met[t]; k++) in[m->set[4 * t + k]] = 1;
+        need += met[t];
+    }
+    if (need == 0) return;
+    name = ints(m->n);
+    mine = ints(m->n);
+    p = (tess_real *)array((size_t)(3 * m->n) * sizeof *p);
+    for (i = 0; i < m->n; i++) {
+        if (!in[i]) continue;
+        for (k = 0; k < 3; k++) p[3 * n + k] = m->p[3 * i + k];
+        mine[n] = asked[i];
+        name[n++] = i;
+    }
+    tess_size(n, need, &liw, &lrw);
+    liw += 16 * need;
+    iw = ints(liw);
+    rw = (double *)array((size_t)lrw * sizeof *rw);
+    tet = ints(4 * need);
+    adj = ints(4 * need);
+    code = tess_index(n, p, liw, iw, lrw, rw);
+    if (code == 0)
+        code = tess_part(n, p, mine, need, &ntet, tet, adj, liw, iw, lrw, rw);
+    require(code == 0 && ntet == need, "the number of tetrahedra of a subset");
+    for (i = 0; i < 4 * ntet; i++) tet[i] = name[tet[i]];
+    for (t = 0; t < ntet; t++) {
+        j = number(m, tet + 4 * t);
+        require(j >= 0 && met[j], "a subset's tetrahedron, not the mesh's");
+        if (j >= 0) met[j] = 0;
+    }
+}
+
 /* Fewer points where the result is quadratic in n, where exact numbers are
  * long, and where very many points are near one sphere or plane. */
 static long affordable(const char *name, long n)
@@ -398,6 +450,8 @@ static void test_parts(void)
                     int keep = narrays;
 
                     parts(&m, kind, many[i]);
+                    drop(keep);
+                    subset(&m, (int)many[i % 3]);
                     drop(keep);
                 }
             drop(0);
