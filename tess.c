@@ -72,7 +72,8 @@
  *                leafsort kdsort boxes
  *   first facet  point preced edgeby firstfacet
  *   star         clearlink renumber push join unlinkedge between glue flush
- *                grow enlist follow gather load complete makeroom begin star stars
+ *                grow enlist follow gather load complete makeroom begin star
+ *                stars
  *   pool         outfac facet owner hashkey same find insert erase quota
  *                rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
@@ -965,8 +966,8 @@ static void complete(mesh *m, tess_int s)
     l->r[i] = FAR * FAR;
 }
 
-/* makeroom - make sure of room for another tetrahedron's facets in the table and
- * in the link of s; returns 0 if there is none.  Callers must reload oldest.
+/* makeroom - make sure of room for another tetrahedron's facets in the table
+ * and in the link of s; returns 0 if there is none.  Callers must reload oldest.
  * When three quarters of the table are in use, or the link meets it, the edges
  * move up, if an eighth of their room is dead, and the table gets another
  * length, if that differs by a sixteenth: so both are seldom. */
@@ -1220,10 +1221,11 @@ static tess_int quota(const mesh *m, tess_int edges)
 }
 
 /* rehash - give the pool's table another length, its quota at most, and enter
- * its facets again in their order.  The new table is laid over the old one, so the facets come from
- * tet and adj: those open ones that have an owner and not the vertex s.  (Those
- * that do are edges of its link.)  In results that were joined a facet may be
- * there twice: it is closed.  Returns 0, TESS_POOL, or what match finds. */
+ * its facets again in their order.  The new table is laid over the old one, so
+ * the facets come from tet and adj: those open ones that have an owner and not
+ * the vertex s.  (Those that do are edges of its link.)  In results that were
+ * joined a facet may be there twice: it is closed.  Returns 0, TESS_POOL, or
+ * what match finds. */
 static int rehash(mesh *m, tess_int s, tess_int wanted)
 {
     tess_int code, v[3], e, sig, least = quota(m, 2);
