@@ -95,7 +95,7 @@
  *              TESS_LS for points that are near planes or spheres
  *   TESS_LRW   TESS_LR for the point, 1/2 for the tree */
 #define TESS_LR 3
-#define TESS_LRW(n) (TESS_LR * (long)(n) + 6 * ((long)(n) / 12 + 2))
+#define TESS_LRW(n) (TESS_LR * (long)(n) + 12 * ((long)(n) / 12 + 2))
 #define TESS_LIW(n)                                                \
     ((n) > TESS_INT_MOST / 9 || TESS_LI((long)(n)) > TESS_INT_MOST \
          ? (long)TESS_INT_MOST                                     \
