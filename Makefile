@@ -6,11 +6,12 @@
 # make torture     a hunt for faults: TIME=600 seconds, SEED=1
 # make certify     the same for the bounds of the search alone: TIME, SEED
 # make coverage    which lines of the library the tests run (gcov)
-# make mutation    which changes of it they notice: sh test/mutate.sh
-# make bench       the timings; FAMILY=globe of these points alone, SIZES=all of
-#                  large sets, too; test/bench.sh says more
+# make mutation    which changes of it they notice: sh test/hunts/mutate.sh
+# make bench       the timings: test/results/bench.txt; FAMILY=globe of these
+#                  points alone, SIZES=all of large sets, too;
+#                  test/bench/bench.sh says more
 # make paper       the experiments of the paper: test/paper/results.txt
-# make reach       other machines and compilers: the README's tables
+# make reach       other machines and compilers: test/results/reach.txt
 # make manual      write f77/README anew, from f77/tess.f and hhpred.f
 # make mirror      write test/data/mirror.xyz anew
 # make clean       remove build/
@@ -57,9 +58,10 @@ build/hhpred.o: hhpred.c hhpred.h
 	@mkdir -p build
 	$(COMPILE) hhpred.c
 
-build/driver.o: test/driver.c test/driver.h test/draw.h tess.h hhpred.h \
-    build/maxpts
-	@$(MODEL); set -x; $(COMPILE) -DMAXPTS=$(MAXPTS)L $$model test/driver.c
+build/driver.o: test/program/driver.c test/program/driver.h \
+    test/program/draw.h tess.h hhpred.h build/maxpts
+	@$(MODEL); set -x; $(COMPILE) -DMAXPTS=$(MAXPTS)L $$model \
+	    test/program/driver.c
 
 # touched when MAXPTS is another than last time
 build/maxpts: always
@@ -68,20 +70,21 @@ build/maxpts: always
 
 always:
 
-build/read.o: test/read.c test/driver.h tess.h hhpred.h
+build/read.o: test/program/read.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/read.c
+	$(COMPILE) test/program/read.c
 
-build/draw.o: test/draw.c test/draw.h tess.h hhpred.h
+build/draw.o: test/program/draw.c test/program/draw.h tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/draw.c
+	$(COMPILE) test/program/draw.c
 
-build/picture: test/picture.c test/draw.h build/draw.o $(LIBRARY)
-	$(LINK) $(CPPFLAGS) -I. test/picture.c build/draw.o $(LIBRARY) $(LDLIBS)
+build/picture: test/program/picture.c test/program/draw.h build/draw.o $(LIBRARY)
+	$(LINK) $(CPPFLAGS) -I. test/program/picture.c build/draw.o \
+	    $(LIBRARY) $(LDLIBS)
 
-build/mirror: test/mirror.c
+build/mirror: test/data/mirror.c
 	@mkdir -p build
-	$(LINK) $(CPPFLAGS) test/mirror.c $(LDLIBS)
+	$(LINK) $(CPPFLAGS) test/data/mirror.c $(LDLIBS)
 
 # The hull of the mirror's sensors fills its hole, of radius 0.6; the picture
 # shall not.
@@ -110,29 +113,29 @@ check: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/check.sh
 
 torture:
-	CC="$(CC)" sh test/torture.sh $(TIME) $(SEED)
+	CC="$(CC)" sh test/hunts/torture.sh $(TIME) $(SEED)
 
 certify:
-	CC="$(CC)" sh test/certify.sh $(TIME) $(SEED)
+	CC="$(CC)" sh test/hunts/certify.sh $(TIME) $(SEED)
 
 coverage:
-	CC="$(CC)" sh test/coverage.sh
+	CC="$(CC)" sh test/hunts/coverage.sh
 
 mutation:
-	CC="$(CC)" sh test/mutate.sh
+	CC="$(CC)" sh test/hunts/mutate.sh
 
 bench: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" FAMILY="$(FAMILY)" SIZES="$(SIZES)" \
-	    SCANS="$(SCANS)" sh test/bench.sh
+	    SCANS="$(SCANS)" sh test/bench/bench.sh
 
 paper:
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
 
 reach:
-	CC="$(CC)" sh test/reach.sh
+	CC="$(CC)" sh test/machines/reach.sh
 
 manual:
-	sh test/manual.sh > f77/README
+	sh test/fortran/manual.sh > f77/README
 
 mirror: build/mirror
 	build/mirror > test/data/mirror.xyz

@@ -9,14 +9,14 @@
  *     needed to bound the error (see hh_facet).
  *   - exact signs: hh_orient, hh_insphere.  Right for all finite doubles, in
  *     every rounding mode, with extended precision, contraction or
- *     reassociation.  Where they cannot be right they say so: on a processor
- *     set to take subnormal numbers for zero, for such a coordinate, and on
- *     one set to round to fewer bits than a double has.
+ *     reassociation.  Where they cannot be right they say so: for a subnormal
+ *     coordinate on a processor that flushes subnormal numbers to zero, and on
+ *     a processor that rounds to fewer bits than a double has.
  *
  * No routine allocates, reads, writes, keeps state between calls or stops
  * the program; all may be called from any number of threads.
  *
- * A point is an array of 3 coordinates.  No argument but f, c is altered.
+ * A point is an array of 3 coordinates.  No argument but f and c is altered.
  */
 #ifndef HHPRED_H
 #define HHPRED_H
@@ -25,8 +25,8 @@
 #include <limits.h>
 
 /* The integer of all index arrays.  4*maxtet + 3 must not exceed its largest
- * value.  TESS_INT chooses another one (short, on a very small machine), by a
- * name of one word.  All files must be compiled with the same: see below. */
+ * value.  TESS_INT, a type's name of one word, chooses another (short, on a
+ * very small machine).  Compile all files with the same: see below. */
 #ifdef TESS_INT
 typedef TESS_INT tess_int;
 #elif INT_MAX >= 2147483647
@@ -46,12 +46,12 @@ typedef float tess_real;
 typedef double tess_real;
 #endif
 
-/* A caller compiled with other types than the library would be given nonsense.
- * So where they are not the default ones the external names change with them,
- * and the linker says that tess, or tl_tess, is not there: with TESS_INT=long
- * all are tl_..., hl_... in place of tess_..., hh_...; with short ts_, hs_;
- * another type's, to_, ho_; with TESS_FLOAT tf_, hf_, and besides TESS_INT tm_,
- * tg_, tq_.  Programs use the names of the manual all the same. */
+/* A caller compiled with other types than the library would get nonsense.
+ * So types other than the default ones change the external names, and the
+ * linker finds tess, or tl_tess, undefined.  In place of tess_ and hh_ names
+ * begin with tl_ and hl_ for TESS_INT=long, ts_ and hs_ for short, to_ and
+ * ho_ for another type; tf_ and hf_ for TESS_FLOAT, and with TESS_INT
+ * besides tm_, tg_, tq_.  Programs use the names of the manual all the same. */
 #ifdef TESS_INT
 #define TESS_IS_short 1
 #define TESS_IS_int 2
@@ -116,20 +116,11 @@ typedef double tess_real;
 #define hh_holds TESS_AS(h, holds)
 #endif
 
-/* The name that the Fortran compiler gives to a routine; used when compiled
- * with TESS_FORTRAN, which adds HHFACE, HHSIDE, HHOPP, HHLCOO, HHWRAP, HHORIE,
- * HHINSP of f77/hhpred.f.  INTEGER is tess_int.  For compilers that add no
- * underscore -D"TESS_NAME(lower, upper)=lower", or =upper. */
-#ifndef TESS_NAME
-#define TESS_NAME(lower, upper) lower##_
-#endif
-
 /* Exact numbers are arrays of at most HH_LIMBS limbs of HH_BITS bits each.
- * The default holds every finite double beside every other.  With fewer,
- * hh_orient and hh_insphere return 2 when they do not suffice, and tess
- * returns TESS_RANGE.  Scratch on the stack, in doubles: 44 a limb, 31
- * KB for 88 limbs, in routines entered only when 3, then 10 limbs do
- * not suffice. */
+ * The default holds every finite double beside every other.  Where fewer do
+ * not suffice hh_orient and hh_insphere return 2, and tess returns
+ * TESS_RANGE.  Scratch on the stack: 44 doubles a limb, 31 KB for 88 limbs,
+ * in routines that are called only where 3, then 10 limbs do not suffice. */
 #if DBL_MANT_DIG >= 53
 #define HH_BITS 24
 #else
@@ -146,8 +137,8 @@ typedef double tess_real;
 #error HH_LIMBS is less than 3
 #endif
 
-/* The limbs of balls and thin facets, at most 10; with more they are not made.
- * Scratch on the stack, in doubles: 51 a limb. */
+/* The limbs of balls and thin facets, at most 10; what needs more is not
+ * made.  Scratch on the stack: 51 doubles a limb. */
 #if HH_LIMBS <= 6
 #define HH_FEW HH_LIMBS
 #elif DBL_MANT_DIG < 53
@@ -182,10 +173,10 @@ typedef double tess_real;
 
 #define HH_FACET_LEN 12
 
-/* The bounds of hh_facet hold while E is at most this. */
+/* The bounds of hh_facet hold if E is at most this. */
 #define HH_LOOSE 0.5
-/* On coordinates of absolute value at most 1 they hold while |w| and the
- * facet's sides are at least this: below it squares might underflow. */
+/* For coordinates of absolute value at most 1 they hold if |w| and the
+ * facet's edges are at least this: below it squares might underflow. */
 #if DBL_MANT_DIG >= 53
 #define HH_SMALL 3.4395525670743494e-136 /* 2^-450 */
 #else
@@ -210,7 +201,7 @@ extern "C" {
  *       f[11]     rho: |c - p1|
  *
  *   returns 0, or 1 when the points are exactly collinear: then v, c - p1 and
- *   rho are zero, E and dc are DBL_MAX, so that nothing is certain.
+ *   rho are zero, and E and dc are DBL_MAX, so that nothing is certain.
  *
  *   With g = |v.w| - E |w|, L the L-coordinate and rho, dc as above, the
  *   computed L is wrong by at most
@@ -247,11 +238,10 @@ double hh_lcoord(const double *f, const tess_real *z);
 int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
             const tess_real *z, double *c);
 
-/* hh_orient - the exact sign of det [b-a c-a d-a]: 1, 0 or -1; 1 when d is on
- * the side of a, b, c from which they are seen counter-clockwise.  2 when
+/* hh_orient - the exact sign of det [b-a c-a d-a]: 1, 0 or -1; 1 when d is
+ * on the side of a, b, c from which they are seen counter-clockwise.  2 when
  * HH_LIMBS limbs do not suffice (never, with the default), or the processor
- * is set to take a coordinate for 0 that is not, or to round to fewer bits
- * than a double has. */
+ * flushes a coordinate to zero, or rounds to fewer bits than a double has. */
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
               const tess_real *d);
 

@@ -24,7 +24,7 @@
  * The arrays, by state (n points, np of them distinct, L leaves of the tree):
  *                    while a call runs           when it has returned
  *   tet              positions                   indices of points
- *   adj              the same as outside: a tetrahedron, NONE or OPEN
+ *   adj              the same as outside: a tetrahedron, NONE or TESS_OPEN
  *   iw   n   rep     the point of least index    the same; in an index the
  *                    that coincides              points' positions
  *        n   order   position -> index           in an index kept; nothing of
@@ -49,20 +49,19 @@
  *        12 L box    box of each node of the tree
  *        the rest    cylinders, where it is as long as tess_size says
  *
- * The arena.  The table begins with tablesize entries; when three quarters are
- * in use makeroom has rehash double it, up to 7/8 of the arena and to what the
- * edges leave.  When it can grow no more it may fill up to 7/8, so find always
- * meets an unused entry.  push takes no room of the table; makeroom sees to
- * room for two edges, by moving them up when half of them are dead.  What is
- * still short is TESS_POOL.
+ * The arena.  The table begins with tablesize entries; makeroom has rehash
+ * double it when three quarters are in use, and give it its quota of the arena
+ * when table and edges meet.  It may fill up to 7/8, so find always meets an
+ * unused entry.  push takes no room of the table; makeroom sees to room for two
+ * edges.  What is still short is TESS_POOL.
  *
  * An open facet is in one place at any moment: in the link, if it contains s,
  * the vertex of the star; else in the table, or, of a tetrahedron from fresh
  * on, in none until flush; in none if no star of its vertices is asked for.
  * Numbers of entries are good until the next erase or rehash, which update head
  * and the owners' lists and nothing else; numbers of edges until the next
- * renumber, which updates link and the edges alone: who calls makeroom reads
- * oldest again.
+ * renumber, which updates link and the edges alone: callers of makeroom must
+ * reload oldest.
  *
  * What rests on the tie rule (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; firstfacet, on a hull face of more
@@ -74,8 +73,9 @@
  *                leafsort kdsort boxes
  *   first facet  point preced edgeby firstfacet
  *   star         clearlink renumber push join unlinkedge between glue flush
- *                grow enlist follow load complete makeroom begin star stars
- *   pool         outfac facet owner hashkey same find insert erase rehash
+ *                grow enlist follow gather load complete makeroom begin star stars
+ *   pool         outfac facet owner hashkey same find insert erase quota
+ *                rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
  *   apex         powererr extent prunebox prunepart ballinbox ballinstar better
  *                narrow refine rough level remember fit discover lean residual
@@ -137,16 +137,6 @@ extern void tess_prove(int fact);
 #define HOLDS(fact)
 #endif
 
-/* The caller's arrays hold numbers greater by ORIGIN than those used inside:
- * Fortran counts from 1.  So do the queries. */
-#ifdef TESS_FORTRAN
-#define ORIGIN 1
-#else
-#define ORIGIN 0
-#endif
-#define NOTHING (TESS_NONE + ORIGIN)
-#define OPEN (TESS_OPEN + ORIGIN)
-
 #define NONE (-1)
 #define UNSURE 2  /* what hh_orient and hh_insphere answer out of range */
 #define SURE 3    /* what sharpen answers for a better point */
@@ -172,12 +162,12 @@ extern void tess_prove(int fact);
 #define BLOCKMAX (TESS_LIST / 8 * 5)
 #define STARMIN 24
 #define STARMAX 48
-/* Capacity of a list.  Lists only say where to look first. */
+/* Capacity of a list (see tess.h).  Lists only say where to look first. */
 #ifndef TESS_LIST
 #define TESS_LIST 512
 #endif
-#if TESS_LIST < LEAF || TESS_LIST % 4 != 0
-#error TESS_LIST is less than the points of a leaf, or no multiple of 4
+#if TESS_LIST < LEAF || TESS_LIST > 4096 || TESS_LIST % 4 != 0
+#error TESS_LIST is not a multiple of 4 from 48 (LEAF) to 4096
 #endif
 /* A node is cut across the widest extent of about so many of its points: of all
  * a million take 3 % longer. */
@@ -187,7 +177,7 @@ extern void tess_prove(int fact);
 /* Supports, at most.  One is sought when a search has more than OPENED points
  * in its sample and these add up to BURDEN times all points; each time in vain
  * doubles that. */
-#define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST / 64)
+#define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST < 512 ? TESS_LIST / 64 : 8)
 #define OPENED 24
 #define BURDEN 1.0
 /* Of fewer points none is sought; places of the sample (few, for the stack,
@@ -715,6 +705,7 @@ static tess_int find(const mesh *m, const tess_int *v, tess_int sig);
 static void insert(mesh *m, tess_int e, tess_int code, tess_int least,
                    tess_int sig);
 static void erase(mesh *m, tess_int e, tess_int least);
+static tess_int quota(const mesh *m, tess_int edges);
 static int rehash(mesh *m, tess_int s, tess_int wanted);
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess);
 static tess_int cuberoot(tess_int n);
@@ -905,18 +896,49 @@ static void follow(mesh *m)
     }
 }
 
+/* gather - make all open facets at s edges of the link, in the order of their
+ * tetrahedra.  Returns 0, TESS_POOL, or what match finds in a facet that is
+ * there twice, as in results that were joined: it is closed. */
+static int gather(mesh *m, tess_int s)
+{
+    tess_int v[3], t, e;
+    int k, j, code;
+
+    for (t = 0; t < m->ntet; t++)
+        for (k = 3; k >= 0; k--) {
+            if (m->adj[4 * t + k] != TESS_OPEN) continue;
+            facet(m, 4 * t + k, v);
+            j = v[0] == s ? 0 : v[1] == s ? 1 : 2;
+            if (v[j] != s) continue;
+            if (between(m, v[(j + 1) % 3], v[(j + 2) % 3]) != NONE) return -6;
+            e = between(m, v[(j + 2) % 3], v[(j + 1) % 3]);
+            if (e == NONE) {
+                if (!enlist(m, s, 4 * t + k)) return TESS_POOL;
+                continue;
+            }
+            code = match(m, 4 * t + k, m->pool[e + CODE]);
+            if (code != 0) return code;
+            unlinkedge(m, e);
+        }
+    follow(m);
+    return 0;
+}
+
 /* load - move the facets that s owns from the pool to the link, the oldest
- * first; 0 if there is no room. */
+ * first; 0 if there is no room.  Where these do not fit beside the table, it
+ * gives them up first. */
 static int load(mesh *m, tess_int s)
 {
-    tess_int e = m->head[s];
+    tess_int e = m->head[s], edges = 1;
 
     if (e == NONE) return 1;
-    while (m->pool[ENTRY * e + 1] != NONE) e = m->pool[ENTRY * e + 1];
-    while (e != NONE) {
-        if (!enlist(m, s, m->pool[ENTRY * e])) return 0;
-        e = m->pool[ENTRY * e + 2];
+    for (; m->pool[ENTRY * e + 1] != NONE; edges++) e = m->pool[ENTRY * e + 1];
+    if (ENTRY * m->m > m->newest - EDGE * edges) {
+        m->nopen -= edges;
+        return rehash(m, s, quota(m, edges)) == 0 && gather(m, s) == 0;
     }
+    for (; e != NONE; e = m->pool[ENTRY * e + 2])
+        (void)enlist(m, s, m->pool[ENTRY * e]);
     while (m->head[s] != NONE) erase(m, m->head[s], s);
     follow(m);
     return 1;
@@ -937,22 +959,27 @@ static void complete(mesh *m, tess_int s)
     l->r[i] = FAR * FAR;
 }
 
-/* makeroom - make sure of room for another tetrahedron's facets in the pool and
- * in the link of s. */
+/* makeroom - make sure of room for another tetrahedron's facets in the table and
+ * in the link of s; returns 0 if there is none.  Callers must reload oldest.
+ * When three quarters of the table are in use, or the link meets it, the edges
+ * move up, if an eighth of their room is dead, and the table gets another
+ * length, if that differs by a sixteenth: so both are seldom. */
 static int makeroom(mesh *m, tess_int s)
 {
-    if (4 * (m->nopen + m->ntet - m->fresh) >= 3 * m->m) {
-        flush(m);
-        if (4 * m->nopen >= 3 * m->m && rehash(m, s, 2 * m->m + 1) &&
-            m->nopen >= m->m - m->m / 8 - 1)
-            return 0;
-    }
-    if (ENTRY * m->m > m->newest - 2 * EDGE &&
-        m->oldest < m->newest + (m->room - m->newest) / 2)
-        renumber(m);
-    if (ENTRY * m->m <= m->newest - 2 * EDGE) return 1;
+    tess_int most, change = m->m / 16;
+
+    if (4 * (m->nopen + m->ntet - m->fresh) < 3 * m->m &&
+        ENTRY * m->m <= m->newest - 2 * EDGE)
+        return 1;
     flush(m);
-    return 0;
+    if (m->room - m->oldest > (m->room - m->newest) / 8) renumber(m);
+    most = quota(m, 2);
+    if (most > 2 * m->m + 1) most = 2 * m->m + 1;
+    if ((4 * m->nopen >= 3 * m->m && most > m->m + change) ||
+        (ENTRY * m->m > m->newest - 2 * EDGE && most < m->m - change))
+        (void)rehash(m, s, most);
+    return m->nopen < m->m - m->m / 8 - 1 &&
+           ENTRY * m->m <= m->newest - 2 * EDGE;
 }
 
 /* begin - the first facet becomes an edge of the link of its vertex of least
@@ -1174,21 +1201,29 @@ static void erase(mesh *m, tess_int e, tess_int least)
     m->pool[ENTRY * hole] = NONE;
 }
 
-/* rehash - make the pool's table about twice as long, or as long as it may
- * be, and enter its facets again in their order.  The new table is laid over
- * the old one, so the facets come from tet and adj: those open ones that have
- * an owner and not the vertex s.  (Those that do are edges of its link.)  In
- * results that were joined a facet may be there twice: it is closed.  Returns
- * 0, TESS_POOL, or what match finds. */
+/* quota - entries that the table may have: those it needs for its facets, an
+ * eighth of them unused, and half of what besides so many more edges is
+ * free. */
+static tess_int quota(const mesh *m, tess_int edges)
+{
+    tess_int most = (m->newest - EDGE * edges) / ENTRY;
+    tess_int need = m->nopen + m->nopen / 7 + 4;
+
+    return most < need ? most : need + (most - need) / 2;
+}
+
+/* rehash - give the pool's table another length, its quota at most, and enter
+ * its facets again in their order.  The new table is laid over the old one, so the facets come from
+ * tet and adj: those open ones that have an owner and not the vertex s.  (Those
+ * that do are edges of its link.)  In results that were joined a facet may be
+ * there twice: it is closed.  Returns 0, TESS_POOL, or what match finds. */
 static int rehash(mesh *m, tess_int s, tess_int wanted)
 {
-    tess_int most = (m->room - m->room / 8) / ENTRY, code, v[3], e, sig, least;
+    tess_int code, v[3], e, sig, least = quota(m, 2);
     int bad;
 
-    if (most > (m->newest - 2 * EDGE) / ENTRY)
-        most = (m->newest - 2 * EDGE) / ENTRY;
-    if (wanted > most) wanted = most;
-    if (wanted <= m->m) return TESS_POOL;
+    if (wanted > least) wanted = least;
+    if (wanted < 1) return TESS_POOL;
     for (e = 0; e < wanted; e++) m->pool[ENTRY * e] = NONE;
     for (e = 0; e < m->np; e++)
         if (m->head[e] != FOREIGN) m->head[e] = NONE;
@@ -2838,7 +2873,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
 
     m->block.first = m->block.last = NONE;
     m->block.n = m->around.n = m->nplane = m->nextplane = 0;
-    for (k = 0; k < 4; k++) v[k] = m->rep[m->known[k] - ORIGIN] - ORIGIN;
+    for (k = 0; k < 4; k++) v[k] = m->rep[m->known[k]];
     for (k = 0; !exchange(m, NULL, v, k, s); k++)
         ;
     v[k] = v[0];
@@ -2891,13 +2926,13 @@ static int plant(mesh *m, tess_int s)
 /* coords - the coordinates of point i. */
 static const tess_real *coords(const tess_real *p, tess_int i)
 {
-    return p + 3 * (i - ORIGIN);
+    return p + 3 * i;
 }
 
 /* four - the vertices of tetrahedron t, of tet, or its neighbours, of adj. */
 static const tess_int *four(const tess_int *a, tess_int t)
 {
-    return a + 4 * (t - ORIGIN);
+    return a + 4 * t;
 }
 
 /* slot - the first k with v[k] = x; 4 when there is none. */
@@ -3132,18 +3167,18 @@ static int intact(mesh *m, tess_int n)
     for (i = 0; i < n; i++) place[i] = NONE;
     for (i = 0; i < m->np; i++) place[m->order[i]] = i;
     for (i = 0; i < 4 * m->ntet; i++)
-        if (place[m->tet[i] - ORIGIN] == NONE) return -5;
-    for (t = ORIGIN; t < m->ntet + ORIGIN; t++) {
-        for (k = 0; k < 4; k++) v[k] = place[four(m->tet, t)[k] - ORIGIN];
+        if (place[m->tet[i]] == NONE) return -5;
+    for (t = 0; t < m->ntet; t++) {
+        for (k = 0; k < 4; k++) v[k] = place[four(m->tet, t)[k]];
         if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) <= 0) return -5;
         for (k = 0; k < 4; k++) {
             u = four(m->adj, t)[k];
-            if (u <= NOTHING) continue;
+            if (u <= TESS_NONE) continue;
             j = mate(m->tet, t, k, u);
             if (j == 4 || four(m->adj, u)[j] != t) return -6;
             if (u > t &&
                 hh_pball(&m->set, v[0], v[1], v[2], v[3],
-                         place[four(m->tet, u)[j] - ORIGIN]) < 0)
+                         place[four(m->tet, u)[j]]) < 0)
                 return -5;
         }
     }
@@ -3158,7 +3193,7 @@ static int match(mesh *m, tess_int code, tess_int other)
 {
     const tess_int *v = m->tet + (code - code % 4);
 
-    if (mate(m->tet, code / 4 + ORIGIN, (int)(code % 4), other / 4 + ORIGIN) !=
+    if (mate(m->tet, code / 4, (int)(code % 4), other / 4) !=
         other % 4)
         return -6;
     if (hh_pball(&m->set, v[0], v[1], v[2], v[3], m->tet[other]) < 0) return -5;
@@ -3175,7 +3210,7 @@ static tess_int claim(mesh *m, tess_int n, const tess_int *mine)
 
     for (i = 0; i < m->np; i++) m->head[i] = mine == NULL ? NONE : FOREIGN;
     for (i = 0; i < n && mine != NULL; i++)
-        if (mine[i] != 0) m->head[m->rep[i] - ORIGIN] = NONE, own++;
+        if (mine[i] != 0) m->head[m->rep[i]] = NONE, own++;
     return own;
 }
 
@@ -3186,12 +3221,11 @@ static tess_int claim(mesh *m, tess_int n, const tess_int *mine)
  * match finds in facets that are there twice. */
 static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
 {
-    tess_int i, t, v[3], a, b, e, size, *place = m->head;
-    int k, j, code;
+    tess_int i, v[3], size, *place = m->head;
+    int k, code;
 
     for (i = 0; i < 4 * m->ntet; i++) {
-        m->adj[i] -= ORIGIN;
-        m->tet[i] = place[m->tet[i] - ORIGIN];
+        m->tet[i] = place[m->tet[i]];
         m->link[m->tet[i]] = DONE;
     }
     size = tablesize(claim(m, n, mine));
@@ -3199,6 +3233,7 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
         if (m->adj[i] == TESS_OPEN) {
             facet(m, i, v);
             for (k = 0; k < 3; k++) m->link[v[k]] = NONE;
+            if (m->nopen < m->room / ENTRY) m->nopen++;
         }
     for (i = 0; i < m->np; i++)
         if (m->link[i] == DONE) {
@@ -3207,29 +3242,9 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
         }
     *s = m->tet[4 * (m->ntet - 1)];
     if (m->head[*s] == FOREIGN) *s = NONE;
-    i = 0;
-    for (t = 0; t < m->ntet; t++)
-        for (k = 3; k >= 0; k--)
-            if (m->adj[4 * t + k] == TESS_OPEN) {
-                facet(m, 4 * t + k, v);
-                j = v[0] == *s ? 0 : v[1] == *s ? 1 : 2;
-                if (v[j] != *s) {
-                    if (i < TESS_INT_MOST - 2) i += 2;
-                    continue;
-                }
-                a = v[(j + 1) % 3];
-                b = v[(j + 2) % 3];
-                if (between(m, a, b) != NONE) return -6;
-                e = between(m, b, a);
-                if (e == NONE) {
-                    if (!enlist(m, *s, 4 * t + k)) return TESS_POOL;
-                    continue;
-                }
-                code = match(m, 4 * t + k, m->pool[e + CODE]);
-                if (code != 0) return code;
-                unlinkedge(m, e);
-            }
-    follow(m);
+    code = gather(m, *s);
+    if (code != 0) return code;
+    i = 2 * m->nopen;
     return rehash(m, *s, (i > size ? i : size) + 1);
 }
 
@@ -3262,7 +3277,7 @@ static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
     layout(m, n, p, (tess_int *)iw, (double *)rw);
     m->np = m->alive[0];
     if (m->np < 0 || m->np > n || m->box[0] != (double)m->np) return -8;
-    if (m->known[0] < ORIGIN) return (int)-m->known[0];
+    if (m->known[0] < 0) return (int)-m->known[0];
     m->leaves = leafcount(m->np);
     m->set.t3 = m->box[1];
     m->set.t5 = m->box[2];
@@ -3326,13 +3341,11 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
         if (code == 0) code = rehash(&m, s, tablesize(i));
     }
     if (code == 0) code = stars(&m, s);
-    for (i = 0; i < n && mine == NULL; i++) m.rep[i] += ORIGIN;
     if (mine != NULL) revive(&m);
     for (i = 0; i < 4 * m.ntet; i++) {
-        tet[i] = m.order[tet[i]] + ORIGIN;
+        tet[i] = m.order[tet[i]];
         if (adj[i] < TESS_OPEN) /* see match */
             adj[i] = code < 0 ? TESS_OPEN : TESS_OPEN - 1 - adj[i];
-        adj[i] += ORIGIN;
     }
     *ntet = m.ntet;
     return code;
@@ -3350,7 +3363,7 @@ static int wrong(tess_int n, const tess_real *p, tess_int maxtet, tess_int liw,
     if (n < 0 || !lengths(n, &leastiw, &leastrw, &pool)) return -1;
     i = p == NULL ? n : hh_finite(n, p);
     if (i < n) {
-        *which = i + ORIGIN;
+        *which = i;
         return -2;
     }
     if (maxtet < 0 || maxtet > (TESS_INT_MOST - 3) / 4) return -3;
@@ -3370,9 +3383,9 @@ static int unfit(tess_int n, const tess_real *p, tess_int maxtet,
     if (code != 0 && code > -4) return code;
     if (ntet < 0 || ntet > maxtet) return -4;
     for (i = 0; i < 4 * ntet; i++)
-        if (tet[i] < ORIGIN || tet[i] >= n + ORIGIN) return -5;
+        if (tet[i] < 0 || tet[i] >= n) return -5;
     for (i = 0; i < 4 * ntet; i++)
-        if (adj[i] < OPEN || adj[i] >= ntet + ORIGIN) return -6;
+        if (adj[i] < TESS_OPEN || adj[i] >= ntet) return -6;
     return code;
 }
 
@@ -3434,7 +3447,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     m.known[0] = -code;
     if (code == 0) {
         v[3] = apex(&m, v, guess);
-        for (k = 0; k < 4; k++) m.known[k] = m.order[v[k]] + ORIGIN;
+        for (k = 0; k < 4; k++) m.known[k] = m.order[v[k]];
         m.box[1] = m.set.t3;
         m.box[2] = m.set.t5;
         m.box[3] = m.set.e;
@@ -3446,7 +3459,6 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     for (i = 0; i < n; i++)
         if (m.rep[i] >= m.np || m.order[m.rep[i]] != i)
             m.rep[i] = m.rep[m.rep[i]]; /* a duplicate */
-    for (i = 0; i < n; i++) m.rep[i] += ORIGIN;
     return code;
 }
 
@@ -3534,19 +3546,19 @@ static void distance(const tess_real *a, const tess_real *q, double *hi,
 /* sample - where the walk to q starts: of t, if it is one, and about ntet^(1/4)
  * tetrahedra at equal steps, the first whose first vertex is nearest to q in
  * the maximum norm.  The comparisons are exact, so it is the same one
- * everywhere; NOTHING where the arithmetic cannot hold a point. */
+ * everywhere; TESS_NONE where the arithmetic cannot hold a point. */
 static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
                        const tess_real *q, tess_int t)
 {
-    tess_int many = 1, best = NOTHING, i;
+    tess_int many = 1, best = TESS_NONE, i;
     double hi = 0.0, lo = 0.0, h, l;
 
     while (many * many < ntet / (many * many)) many++;
-    for (i = t == NOTHING ? 0 : -1; i < many; i++) {
-        if (i >= 0) t = (tess_int)(i * (ntet / many) + ORIGIN);
-        if (!hh_holds(1, coords(p, four(tet, t)[0]))) return NOTHING;
+    for (i = t == TESS_NONE ? 0 : -1; i < many; i++) {
+        if (i >= 0) t = (tess_int)(i * (ntet / many));
+        if (!hh_holds(1, coords(p, four(tet, t)[0]))) return TESS_NONE;
         distance(coords(p, four(tet, t)[0]), q, &h, &l);
-        if (best == NOTHING || hh_wider(hi, lo, h, l) > 0) {
+        if (best == TESS_NONE || hh_wider(hi, lo, h, l) > 0) {
             best = t;
             hi = h;
             lo = l;
@@ -3570,25 +3582,25 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int most,
                 tess_int *t)
 {
-    tess_int f[3], last = NOTHING, next, steps, u;
+    tess_int f[3], last = TESS_NONE, next, steps, u;
     int k, s, open;
 
     for (steps = 0; steps < most; steps++) {
-        next = NOTHING;
+        next = TESS_NONE;
         open = 0;
-        for (k = 0; k < 4 && next == NOTHING; k++) {
+        for (k = 0; k < 4 && next == TESS_NONE; k++) {
             u = four(adj, *t)[k];
-            if (u > NOTHING && u == last) continue;
+            if (u > TESS_NONE && u == last) continue;
             outfac(four(tet, *t), k, f);
             s = qside(p, f, q, tet);
             if (s == UNSURE) return TESS_RANGE;
             if (s < 0) continue;
-            if (u == NOTHING) return 1;
-            if (u < OPEN || u >= ntet + ORIGIN) return -4;
-            if (u == OPEN) open = 1;
-            if (u != OPEN) next = u;
+            if (u == TESS_NONE) return 1;
+            if (u < TESS_OPEN || u >= ntet) return -4;
+            if (u == TESS_OPEN) open = 1;
+            if (u != TESS_OPEN) next = u;
         }
-        if (next == NOTHING) return open == 1 ? LOST : 0;
+        if (next == TESS_NONE) return open == 1 ? LOST : 0;
         last = *t;
         *t = next;
     }
@@ -3617,18 +3629,18 @@ static int holds(const tess_real *p, const tess_int *v, const tess_real *q)
 static int sweep(const tess_real *p, tess_int ntet, const tess_int *tet,
                  const tess_int *adj, const tess_real *q, tess_int *t)
 {
-    tess_int f[3], i, found = NOTHING;
+    tess_int f[3], i, found = TESS_NONE;
     int k, s;
 
-    for (i = ORIGIN; i < ntet + ORIGIN; i++) {
+    for (i = 0; i < ntet; i++) {
         s = holds(p, four(tet, i), q);
         if (s == UNSURE) return TESS_RANGE;
         if (s == 1) {
             *t = i;
             return 0;
         }
-        for (k = 0; k < 4 && found == NOTHING; k++) {
-            if (four(adj, i)[k] > NOTHING) continue;
+        for (k = 0; k < 4 && found == TESS_NONE; k++) {
+            if (four(adj, i)[k] > TESS_NONE) continue;
             outfac(four(tet, i), k, f);
             s = hh_orient(coords(p, f[0]), coords(p, f[1]), coords(p, f[2]),
                           q);
@@ -3636,7 +3648,7 @@ static int sweep(const tess_real *p, tess_int ntet, const tess_int *tet,
             if (s > 0) found = i;
         }
     }
-    if (found != NOTHING) *t = found;
+    if (found != TESS_NONE) *t = found;
     return 1;
 }
 
@@ -3800,7 +3812,7 @@ typedef struct stroll {
 } stroll;
 
 /* hullstep - towards the hull's point nearest to q, from a facet that q is
- * outside of.  g: the facet met; s->f[0] is NOTHING at first.  Returns 1 if g
+ * outside of.  g: the facet met; s->f[0] is TESS_NONE at first.  Returns 1 if g
  * is nearer than all before, else 0; plus 2 at the end: then s->f is the facet,
  * and w are its weights.  Before, the next facet to be met is the one on the
  * other side of g's edge opposite to s->from.  TESS_RANGE.
@@ -3823,7 +3835,7 @@ static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
     int alike = 1, shared = 0, carries;
 
     if (set == 0) return TESS_RANGE;
-    if (s->f[0] != NOTHING) {
+    if (s->f[0] != TESS_NONE) {
         side = hh_orient(a, b, c, q);
         if (side == UNSURE) return TESS_RANGE;
         for (i = 0; i < 3; i++) {
@@ -3886,11 +3898,11 @@ static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
         i = slot(four(tet, *t), z);
         if (i == 4) return 0;
         u = four(adj, *t)[i];
-        if (u == NOTHING || u == OPEN) {
+        if (u == TESS_NONE || u == TESS_OPEN) {
             *k = i;
             return 1;
         }
-        if (u < ORIGIN || u >= ntet + ORIGIN) return 0;
+        if (u < 0 || u >= ntet) return 0;
         z = four(tet, *t)[*k];
         *k = mate(tet, *t, i, u);
         if (*k == 4) return 0;
@@ -3911,10 +3923,10 @@ static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
     stroll s;
     int k, step = 0;
 
-    s.f[0] = s.from = NOTHING;
+    s.f[0] = s.from = TESS_NONE;
     s.most = 4 * ntet;
     for (k = 0; k < 4; k++) {
-        if (four(adj, u)[k] > NOTHING) continue;
+        if (four(adj, u)[k] > TESS_NONE) continue;
         outfac(four(tet, u), k, g);
         if (qside(p, g, q, tet) == 1) break;
     }
@@ -3952,13 +3964,13 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
 
     if (ntet < 1) return -2;
     if (hh_finite(1, q) < 1) return -5;
-    if (*t < NOTHING || *t >= ntet + ORIGIN) return -6;
+    if (*t < TESS_NONE || *t >= ntet) return -6;
     for (k = 0; k < 4; k++) w[k] = 0.0;
     if (!hh_holds(1, q)) return TESS_RANGE;
-    if (*t != NOTHING) code = walk(p, ntet, tet, adj, q, NEARBY, t);
+    if (*t != TESS_NONE) code = walk(p, ntet, tet, adj, q, NEARBY, t);
     if (code == LOST) {
         *t = sample(p, ntet, tet, q, *t);
-        if (*t == NOTHING) return TESS_RANGE;
+        if (*t == TESS_NONE) return TESS_RANGE;
         code = walk(p, ntet, tet, adj, q, ntet, t);
     }
     if (code == LOST) code = sweep(p, ntet, tet, adj, q, t);
@@ -3975,7 +3987,7 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
 {
     const double *v;
     double w[4];
-    tess_int i, j, last = NOTHING;
+    tess_int i, j, last = TESS_NONE;
     int code, k, outside = 0;
 
     if (ntet < 1) return -2;
@@ -3983,16 +3995,16 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
     if (nq < 0 || nq > TESS_INT_MOST / 3) return -7;
     if (hh_finite(nq, q) < nq) return -8;
     for (i = 0; i < nq; i++)
-        if (t[i] < NOTHING || t[i] >= ntet + ORIGIN) return -9;
+        if (t[i] < TESS_NONE || t[i] >= ntet) return -9;
     for (i = 0; i < nq; i++, out += nv) {
-        if (t[i] != NOTHING) last = t[i];
+        if (t[i] != TESS_NONE) last = t[i];
         code = tess_locate(p, ntet, tet, adj, q + 3 * i, &last, w);
         if (code != 0 && code != 1) return code;
         t[i] = last;
         if (code == 1) outside = 1;
         for (j = 0; j < nv; j++) out[j] = 0.0;
         for (k = 0; k < 4; k++) {
-            v = value + (size_t)nv * (size_t)(four(tet, last)[k] - ORIGIN);
+            v = value + (size_t)nv * (size_t)four(tet, last)[k];
             for (j = 0; j < nv; j++) out[j] += w[k] * v[j];
         }
     }
@@ -4048,10 +4060,10 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
     code = opened(&m, n, p, iw, rw);
     if (code != 0) return code < 0 ? -3 : code;
     if (hh_finite(1, q) < 1) return -5;
-    for (k = 0; k < 4 && v[0] != NOTHING; k++) {
-        if (v[k] < ORIGIN || v[k] >= n + ORIGIN) return -6;
-        u[k] = m.rep[v[k] - ORIGIN] - ORIGIN;
-        if (m.order[u[k]] != v[k] - ORIGIN) return -6;
+    for (k = 0; k < 4 && v[0] != TESS_NONE; k++) {
+        if (v[k] < 0 || v[k] >= n) return -6;
+        u[k] = m.rep[v[k]];
+        if (m.order[u[k]] != v[k]) return -6;
         steps = m.np;
     }
     if (steps > 0 && hh_pside(&m.set, u[0], u[1], u[2], u[3]) <= 0) return -6;
@@ -4063,7 +4075,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
             settle(&m, nearby(&m, q), u);
             last = 4;
         }
-        for (k = 0; k < 4; k++) v[k] = m.order[u[k]] + ORIGIN;
+        for (k = 0; k < 4; k++) v[k] = m.order[u[k]];
         for (k = 0, s = -1; k < 4; k++) {
             if (k == last) continue;
             outfac(v, k, f);
@@ -4079,11 +4091,11 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
         u[3] = a;
     }
     if (k == 4) return weigh(p, v, q, w);
-    h.f[0] = h.from = z = NOTHING;
+    h.f[0] = h.from = z = TESS_NONE;
     h.most = m.np;
     for (;;) {
-        for (i = 0; i < 4; i++) g[i] = m.order[u[i]] + ORIGIN;
-        if (z == NOTHING) {
+        for (i = 0; i < 4; i++) g[i] = m.order[u[i]];
+        if (z == TESS_NONE) {
             /* the facet k is of the hull */
             outfac(g, k, f);
             s = hullstep(p, q, f, &h, x);
@@ -4099,7 +4111,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
         a = apex(&m, f, guess);
         if (a == NONE) {
             k = i;
-            z = NOTHING;
+            z = TESS_NONE;
             continue;
         }
         for (j = 0; j < 3; j++) u[j] = f[j];
@@ -4122,9 +4134,9 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
     *nfac = 0;
     if (ntet < 0) return -1;
     if (maxfac < 0) return -4;
-    for (t = ORIGIN; t < ntet + ORIGIN; t++)
+    for (t = 0; t < ntet; t++)
         for (k = 0; k < 4; k++)
-            if (four(adj, t)[k] <= NOTHING) {
+            if (four(adj, t)[k] <= TESS_NONE) {
                 if (*nfac < maxfac) outfac(four(tet, t), k, fac + 3 * *nfac);
                 ++*nfac;
             }
@@ -4208,7 +4220,7 @@ static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
         } else if (rank == 2)
             s = hh_orient(p, b, c, q);
         if (s != 0) {
-            *bad = i + ORIGIN;
+            *bad = i;
             return s == UNSURE ? TESS_RANGE : TESS_BAD_POINT;
         }
     }
@@ -4222,13 +4234,13 @@ static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
     int i, j;
 
     for (i = 0; i < 4; i++) {
-        if (v[i] < ORIGIN || v[i] >= n + ORIGIN) return TESS_BAD_INDEX;
+        if (v[i] < 0 || v[i] >= n) return TESS_BAD_INDEX;
         for (j = 0; j < i; j++)
             if (v[i] == v[j]) return TESS_BAD_INDEX;
     }
     for (i = 0; i < 4; i++) {
-        if (mark[v[i] - ORIGIN] == TWIN) return TESS_BAD_TWIN;
-        mark[v[i] - ORIGIN] = USED;
+        if (mark[v[i]] == TWIN) return TESS_BAD_TWIN;
+        mark[v[i]] = USED;
     }
     return TESS_OK;
 }
@@ -4245,8 +4257,8 @@ static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
 
     for (k = 0; k < 4; k++) {
         u = four(adj, t)[k];
-        if (u == NOTHING) continue;
-        if (u < ORIGIN || u >= ntet + ORIGIN) return TESS_BAD_ADJ;
+        if (u == TESS_NONE) continue;
+        if (u < 0 || u >= ntet) return TESS_BAD_ADJ;
         j = mate(tet, t, k, u);
         if (j == 4 || four(adj, u)[j] != t) return TESS_BAD_ADJ;
         if (u < t) continue;
@@ -4269,7 +4281,7 @@ static int chktet(const tess_real *p, const tess_int *tet,
                   coords(p, v[3]));
     if (s == UNSURE) return TESS_RANGE;
     if (s != 1) return TESS_BAD_SIGN;
-    return slot(four(adj, t), OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
+    return slot(four(adj, t), TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
 }
 
 /* chkedg - facet k of tetrahedron t is on the boundary.  Turn about its edge
@@ -4288,7 +4300,7 @@ static int chkedg(const tess_real *p, const tess_int *tet,
     int out = slot(four(tet, t), c), s;
 
     outfac(four(tet, t), k, f);
-    while (four(adj, t)[out] != NOTHING) {
+    while (four(adj, t)[out] != TESS_NONE) {
         u = four(adj, t)[out];
         out = slot(four(tet, u), w);
         w = four(tet, u)[slot(four(adj, u), t)];
@@ -4310,7 +4322,7 @@ static int chkhul(const tess_real *p, const tess_int *tet,
     int k, i, s, code;
 
     for (k = 0; k < 4; k++) {
-        if (four(adj, t)[k] != NOTHING) continue;
+        if (four(adj, t)[k] != TESS_NONE) continue;
         outfac(four(tet, t), k, f);
         s = qside(p, f, coords(p, tet[0]), tet);
         if (s == UNSURE) return TESS_RANGE;
@@ -4331,7 +4343,7 @@ static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
     tess_int f[3];
     int k, s, inside = 0;
 
-    if (t == ORIGIN || !inbox(p, four(tet, t), q)) return TESS_OK;
+    if (t == 0 || !inbox(p, four(tet, t), q)) return TESS_OK;
     for (k = 0; k < 4; k++) {
         outfac(four(tet, t), k, f);
         s = qside(p, f, q, tet);
@@ -4399,7 +4411,7 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
     tess_int t, i, mark;
     int pass, code = TESS_OK;
 
-    *bad = NOTHING;
+    *bad = TESS_NONE;
     if (n < 0 || n > TESS_INT_MOST / 3) return -1;
     if (hh_finite(n, p) < n) return -2;
     if (ntet < 0 || ntet > (TESS_INT_MOST - 3) / 4) return -3;
@@ -4408,7 +4420,7 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
     if (ntet == 0) return chkpla(n, p, bad);
     mark = marks(n, p, iw);
     for (pass = 0; pass < 5; pass++)
-        for (t = ORIGIN; t < ntet + ORIGIN; t++) {
+        for (t = 0; t < ntet; t++) {
             if (pass == 0) code = chkidx(n, four(tet, t), iw + mark);
             if (pass == 1) code = chktet(p, tet, adj, t);
             if (pass == 2) code = chkfac(p, ntet, tet, adj, t);
@@ -4421,7 +4433,7 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
         }
     for (i = 0; i < n; i++)
         if (iw[mark + i] == UNUSED) {
-            *bad = i + ORIGIN;
+            *bad = i;
             return TESS_BAD_POINT;
         }
     return TESS_OK;
@@ -4445,8 +4457,8 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
 
     c[3] = DBL_MAX;
     for (i = 3; i >= 0; i--) {
-        if (v[i] < ORIGIN) return -2;
-        order[i] = v[i] - ORIGIN;
+        if (v[i] < 0) return -2;
+        order[i] = v[i];
         q = coords(p, v[i]);
         if (hh_finite(1, q) < 1) return -1;
         if (!hh_holds(1, q)) return TESS_RANGE;
@@ -4472,109 +4484,3 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
     c[3] = ldexp(r, set.e) + 4.0 * DBL_MIN;
     return TESS_OK;
 }
-
-#ifdef TESS_FORTRAN
-
-/* ---- the entries for Fortran ---- */
-
-#undef tess
-#ifdef __cplusplus
-extern "C" {
-#endif
-
-void TESS_NAME(tesswk, TESSWK)(const tess_int *n, const tess_int *maxtet,
-                               tess_int *liw, tess_int *lrw, tess_int *info)
-{
-    *info = (tess_int)tess_size(*n, *maxtet, liw, lrw);
-}
-
-void TESS_NAME(tess, TESS)(const tess_int *n, const tess_real *p,
-                           const tess_int *maxtet, tess_int *ntet,
-                           tess_int *tet, tess_int *adj, const tess_int *liw,
-                           tess_int *iw, const tess_int *lrw, double *rw,
-                           tess_int *info)
-{
-    *info = (tess_int)fttess(*n, p, *maxtet, ntet, tet, adj, *liw, iw, *lrw,
-                             rw);
-}
-
-void TESS_NAME(tessre, TESSRE)(const tess_int *n, const tess_real *p,
-                               const tess_int *maxtet, tess_int *ntet,
-                               tess_int *tet, tess_int *adj,
-                               const tess_int *liw, tess_int *iw,
-                               const tess_int *lrw, double *rw, tess_int *info)
-{
-    *info = (tess_int)tess_resume(*n, p, *maxtet, ntet, tet, adj, *liw, iw,
-                                  *lrw, rw);
-}
-
-void TESS_NAME(tesslo, TESSLO)(const tess_real *p, const tess_int *ntet,
-                               const tess_int *tet, const tess_int *adj,
-                               const tess_real *q, tess_int *t, double *w,
-                               tess_int *info)
-{
-    *info = (tess_int)tess_locate(p, *ntet, tet, adj, q, t, w);
-}
-
-void TESS_NAME(tessva, TESSVA)(const tess_real *p, const tess_int *ntet,
-                               const tess_int *tet, const tess_int *adj,
-                               const tess_int *nv, const double *value,
-                               const tess_int *nq, const tess_real *q,
-                               tess_int *t, double *out, tess_int *info)
-{
-    *info = (tess_int)tess_values(p, *ntet, tet, adj, *nv, value, *nq, q, t,
-                                  out);
-}
-
-void TESS_NAME(tesshu, TESSHU)(const tess_int *ntet, const tess_int *tet,
-                               const tess_int *adj, const tess_int *maxfac,
-                               tess_int *nfac, tess_int *fac, tess_int *info)
-{
-    *info = (tess_int)tess_hull(*ntet, tet, adj, *maxfac, nfac, fac);
-}
-
-void TESS_NAME(tessch, TESSCH)(const tess_int *n, const tess_real *p,
-                               const tess_int *ntet, const tess_int *tet,
-                               const tess_int *adj, const tess_int *liw,
-                               tess_int *iw, tess_int *bad, tess_int *info)
-{
-    *info = (tess_int)tess_check(*n, p, *ntet, tet, adj, *liw, iw, bad);
-}
-
-void TESS_NAME(tessix, TESSIX)(const tess_int *n, const tess_real *p,
-                               const tess_int *liw, tess_int *iw,
-                               const tess_int *lrw, double *rw, tess_int *info)
-{
-    *info = (tess_int)tess_index(*n, p, *liw, iw, *lrw, rw);
-}
-
-void TESS_NAME(tessqu, TESSQU)(const tess_int *n, const tess_real *p,
-                               const tess_int *iw, const double *rw,
-                               const tess_real *q, tess_int *v, double *w,
-                               tess_int *info)
-{
-    *info = (tess_int)tess_query(*n, p, iw, rw, q, v, w);
-}
-
-void TESS_NAME(tesspa, TESSPA)(const tess_int *n, const tess_real *p,
-                               const tess_int *mine, const tess_int *maxtet,
-                               tess_int *ntet, tess_int *tet, tess_int *adj,
-                               const tess_int *liw, tess_int *iw,
-                               const tess_int *lrw, const double *rw,
-                               tess_int *info)
-{
-    *info = (tess_int)tess_part(*n, p, mine, *maxtet, ntet, tet, adj, *liw, iw,
-                                *lrw, rw);
-}
-
-void TESS_NAME(tessba, TESSBA)(const tess_real *p, const tess_int *v,
-                               double *c, tess_int *info)
-{
-    *info = (tess_int)tess_ball(p, v, c);
-}
-
-#ifdef __cplusplus
-}
-#endif
-
-#endif

@@ -29,25 +29,7 @@
 
 #include "hhpred.h"
 
-/* TESS_FORTRAN, for Fortran alone: tess.c and hhpred.c compiled with it offer
- * TESS, TESSWK, HHFACE ... of f77/tess.f and f77/hhpred.f (see TESS_NAME in
- * hhpred.h), so that no CALL changes: arguments by reference, all that is
- * counted from 1, none 0, open -1, INFO last.  The functions declared here
- * then count from 1, too, and have names of their own, which no decoration of
- * TESS meets; a program may link tess.c compiled without it besides. */
-#ifdef TESS_FORTRAN
-#define tess fttess
-#define tess_size ftsize
-#define tess_resume ftresume
-#define tess_locate ftlocate
-#define tess_hull fthull
-#define tess_check ftcheck
-#define tess_index ftindex
-#define tess_query ftquery
-#define tess_part ftpart
-#define tess_ball ftball
-#define tess_values ftvalues
-#elif defined(TESS_LETTER)
+#ifdef TESS_LETTER
 /* Other types have other names: see hhpred.h. */
 #define tess TESS_AS(t, tess)
 #define tess_size TESS_AS(t, size)
@@ -63,7 +45,13 @@
 #endif
 
 /* 10000 * major + 100 * minor version; the README says what has changed. */
-#define TESS_VERSION 10200L
+#define TESS_VERSION 20000L
+
+/* TESS_LIST: when tess.c is compiled, the capacity of the two lists of points
+ * that a search looks at first: a multiple of 4, 48 to 4096, 512 if not given.
+ * It alters speed and stack, never the result: about 50 bytes of stack an entry.
+ * Below 128 the code for points near planes and spheres is left out; a small
+ * machine takes 48 or 64. */
 
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)
@@ -125,16 +113,16 @@ extern "C" {
  * The pool of open facets that liw includes suffices for all inputs but
  * those whose number of tetrahedra is quadratic in n.
  *
- * maxtet: clouds have 6 to 6.8 n tetrahedra, lattices 5 to 6 n, points on or
- * near a plane or a sphere 2 to 6 n: 8 n does.  Not for points on a tube or a
- * torus, at random (10 to 15 n, more for more points), nor for those on a
- * helix or two lines: up to n^2 / 2.  TESS_MORE then costs little: to resume
- * takes as long as n tetrahedra of a cloud do, and a third of the time that
- * those already there took.
+ * maxtet: 8 n is enough for clouds (6 to 6.8 n), lattices (5 to 6 n) and points
+ * near planes, spheres and closed surfaces (2 to 7.2 n).  It is not for random
+ * points on a tube or a torus (10 to 15 n, slowly growing with n), nor for a
+ * helix or two lines (up to n^2 / 2).  TESS_MORE costs little: to resume takes
+ * as long as n tetrahedra of a cloud, plus a third of the time that those
+ * already there took.
  *
- * returns 0; -1 or -2 for an n or maxtet that is negative or so large that a
- * length, or 4*maxtet + 3, would exceed the largest tess_int: the lengths
- * are then 0.
+ * returns 0; -1 for a bad n, -2 for a bad maxtet: negative, or so large that a
+ * length, or 4*maxtet + 3, would exceed the largest tess_int.  The lengths are
+ * then 0.
  */
 int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
 
@@ -147,8 +135,9 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
  *                  -2) the index of the first point that has one
  *   tet     (out)  4*maxtet; the first 4*ntet are set
  *   adj     (out)  4*maxtet; the first 4*ntet are set
- *   liw     (in)   length of iw; what exceeds the minimum becomes pool, and
- *                  from what tess_size gives on, room for planes and spheres
+ *   liw     (in)   length of iw.  What exceeds the minimum becomes pool; from
+ *                  the length that tess_size gives on, there is room for planes
+ *                  and spheres, too
  *   iw      (out)  workspace.  On return, for each code >= 0 but TESS_RANGE,
  *                  iw[i] is the point that stands for point i: i itself, or
  *                  for a duplicate the least index with the same coordinates
@@ -156,16 +145,16 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
  *   lrw     (in)   length of rw
  *   rw      (out)  workspace
  *
- * returns TESS_OK, TESS_MORE or TESS_POOL (what tet and adj hold is right;
- * go on with tess_resume), TESS_PLANE, TESS_LINE, TESS_POINT or TESS_RANGE
- * (ntet = 0), or -k: n < 0 -1; NaN or infinity in p -2; maxtet negative or
- * too large for tess_int -3; liw, lrw below the minimum -7, -9.  After -k
- * nothing is written but ntet.
+ * returns TESS_OK; TESS_MORE or TESS_POOL (what tet and adj hold is right: go
+ * on with tess_resume); TESS_PLANE, TESS_LINE, TESS_POINT or TESS_RANGE (ntet =
+ * 0); or -k: -1 for n < 0, -2 for a NaN or infinity in p, -3 for a maxtet that
+ * is negative or too large for tess_int, -7 and -9 for liw and lrw below the
+ * minimum.  After -k nothing is written but ntet.
  *
- * TESS_RANGE: the coordinates need more limbs than HH_LIMBS (never, with the
- * default); one is subnormal, and the processor is set to take those for
- * zero (programs linked with -Ofast do so); or it is set to round to fewer
- * bits than a double has (an x87 unit at 24).
+ * TESS_RANGE has three causes: the coordinates need more limbs than HH_LIMBS
+ * (impossible with the default); a coordinate is subnormal, and the processor
+ * flushes subnormal numbers to zero (as in programs linked with -Ofast); or the
+ * processor rounds to fewer bits than a double has (an x87 unit set to 24).
  *
  * Cospherical points: the triangulation is the pulling triangulation in the
  * order of the indices; no tetrahedron is flat.
@@ -180,26 +169,24 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
 
 /* tess_resume - go on from an unfinished result.
  *
- * The arguments of tess, but ntet, tet, adj are (in, out): the points and
- * the first *ntet tetrahedra that tess or tess_resume left, copied into
- * larger arrays if need be.  iw and rw need hold nothing.  Gives the very
- * arrays that one call with enough room would have given.  With *ntet = 0 it
- * is tess; on a finished result it returns TESS_OK and changes nothing but
- * iw, rw.
+ * The arguments are those of tess, but ntet, tet, adj are (in, out): the first
+ * *ntet tetrahedra that tess or tess_resume left of the same points, copied
+ * into longer arrays if need be.  What iw and rw hold does not matter.  The
+ * result is exactly that of one call with enough room.  With *ntet = 0 it is
+ * tess; on a finished result it returns TESS_OK and changes nothing but iw, rw.
  *
- * Tetrahedra of the mesh from several results may be put one behind the other,
- * each once, in any order, their neighbours renumbered and those that are not
- * there open: what is open on both sides is closed, and what is missing
- * computed.  4 tess_ints of iw are taken for each facet that waits for its
- * other side.
+ * Partial results of one mesh may be put one behind the other: each tetrahedron
+ * once, in any order, neighbours renumbered, and facets open whose neighbour is
+ * not there.  Facets that are open twice are then joined, and missing
+ * tetrahedra computed.  Each facet that waits for its other side takes 4
+ * tess_ints of iw.
  *
- * returns what tess returns, and -4 for a bad *ntet, -5 and -6 for what tet
- * and adj cannot hold: indices out of range; a tetrahedron that has a
- * duplicate for a vertex, is not positively oriented, or has a neighbour's
- * apex in its ball; neighbours that do not share a facet; two tetrahedra on
- * the same side of an open one.  After -k *ntet, tet and adj are unchanged.
- * Damage that one pass cannot find gives a wrong result, but in bounded time
- * and within the arrays.
+ * returns what tess returns; -4 for a bad *ntet; -5 and -6 for a fault in tet
+ * and adj: an index out of range; a tetrahedron that has a duplicate for a
+ * vertex, is not positively oriented, or has a neighbour's apex in its ball;
+ * neighbours that do not share a facet; two tetrahedra on the same side of an
+ * open facet.  After -k *ntet, tet and adj are unchanged.  Damage that one pass
+ * cannot find gives a wrong result, but in bounded time and within the arrays.
  */
 int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
                 tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,
@@ -209,32 +196,33 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  *
  *   p, ntet, tet, adj  (in)  a result of tess with ntet >= 1
  *   q    (in)      the point: 3 coordinates
- *   t    (in,out)  On entry the tetrahedron where the walk starts, or
- *                  TESS_NONE for anywhere; for q inside it alters the speed
- *                  alone.  On return the one that holds q
+ *   t    (in,out)  On entry the tetrahedron where the walk starts, or TESS_NONE
+ *                  for anywhere; for q inside, only the speed depends on it.
+ *                  On return the one that holds q
  *   w    (out)     4 barycentric weights of q in it; they sum to one:
  *                  sum of w[k] * value[tet[4*t+k]] interpolates linearly
  *
- * returns 0 when q is inside or on the boundary; 1 when it is outside the
- * hull: w are then the weights of the hull's point nearest to q, none negative,
- * and t is the tetrahedron of a facet of the hull that has it: what w gives is
- * continuous in q.  -2 for ntet < 1, -4 for a neighbour that is out of range or
- * does not match, -5 for a NaN or infinity in q, -6 for a t that is out of
- * range; TESS_RANGE, w = 0, when the arithmetic cannot hold the coordinates
- * (see tess).
+ * returns 0 when q is inside the hull or on it; 1 when it is outside: w then
+ * holds the weights of the point of the hull nearest to q, none negative, and t
+ * is the tetrahedron of a hull facet that has this point, so that the
+ * interpolant is continuous in q; -2 for ntet < 1, -4 for a neighbour that is
+ * out of range or does not match, -5 for a NaN or infinity in q, -6 for a t
+ * that is out of range; TESS_RANGE, w = 0, when the arithmetic cannot hold the
+ * coordinates (see tess).
  *
- * Inside, the weights are at least 0, and 0 where q is in the plane of the
- * vertex's opposite facet (else only in a tetrahedron that is flat to
- * rounding); they sum to 1, and sum of w[k] p_k is q, to rounding, in slivers
- * too.  Outside, it is decided exactly which vertices, one to three, carry the
- * nearest point, and each weight is right to rounding.  To extrapolate instead,
- * add gradient.(q - sum of w[k] p_k), the gradient that of t (README).  An open
- * facet counts as hull; but an unfinished result is not convex: the point found
- * is nearest among those of the facets that are joined about it, and another
- * may be nearer.
- * Cost: a walk of about ntet^(1/3) / 2 steps from anywhere, a few from near; a
- * start that is far from q costs little more than none.  Outside, another walk
- * over the facets of the hull.
+ * Inside, no weight is negative; a weight is 0 where q is in the plane of the
+ * facet opposite to its vertex, and otherwise only in a tetrahedron that is
+ * flat to rounding.  The weights sum to 1, and sum of w[k] p_k is q, to
+ * rounding, in slivers too.  Outside, the one to three vertices that carry the
+ * nearest point are decided exactly, and each weight is right to rounding.  Do
+ * not extrapolate by the gradient of t: tetrahedra at the hull are often
+ * slivers, whose gradients are far steeper than the field's.  An open facet
+ * counts as hull; but an unfinished result is not convex: the point found is
+ * the nearest one of the facets that are joined about it, and another may be
+ * nearer.
+ * Cost: a walk of about ntet^(1/3) / 2 steps from anywhere, a few from nearby;
+ * a distant start costs little more than none.  Outside, another walk over the
+ * facets of the hull.
  */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t,
@@ -247,20 +235,23 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  *   value  (in)      value[nv*i+j] is value j of point i
  *   nq     (in)      number of queries, >= 0
  *   q      (in)      3*nq coordinates
- *   t      (in,out)  nq: On entry tetrahedra where the walks start, each as in
- *                    tess_locate, or TESS_NONE: then it is the answer before,
- *                    if that is near.  On return the tetrahedra found: given
- *                    back for other values at these points, they spare the
- *                    search
+ *   t      (in,out)  nq: On entry the tetrahedra where the walks start, as in
+ *                    tess_locate; for TESS_NONE a walk starts from the answer
+ *                    before, if that is near.  On return the tetrahedra found:
+ *                    passed in again for other values at the same places, they
+ *                    save the search
  *   out    (out)     out[nv*i+j] is value j at query i
  *
- * returns 0; 1 when a query was outside the hull: its values are those at the
- * hull's nearest point (see tess_locate); -2 for ntet < 1, -5 for nv < 0, -7
- * for a bad nq, -8 for a NaN or infinity in q, -9 for a t that is out of range:
- * then nothing is written; -4 or TESS_RANGE as from tess_locate, with the
- * queries before done.
- * Cost: that of tess_locate, a few steps a query if the queries are in an order
- * in which neighbours follow each other.
+ * returns 0; 1 when a query is outside the hull: its values are those at the
+ * nearest point of the hull (see tess_locate); -2 for ntet < 1, -5 for nv < 0,
+ * -7 for a bad nq, -8 for a NaN or infinity in q, -9 for a t that is out of
+ * range: then nothing is written; -4 or TESS_RANGE as from tess_locate: then
+ * the queries before that one are done.
+ * To learn which queries are outside, ask one at a time: nq = 1, and t[i-1] for
+ * t[i] if there is no start.  Each call returns the code of its query; t, out
+ * and the time taken are those of one call for all.
+ * Cost: that of tess_locate: a few steps a query if successive queries are
+ * close to each other.
  */
 int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, tess_int nv, const double *value,
@@ -269,20 +260,19 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
 /* tess_index - sort the points, for stars and queries without a mesh.
  *
  *   n       (in)   number of points, >= 0
- *   p       (in)   3*n coordinates; tess_query and tess_part need them as they
- *                  are now
- *   liw     (in)   length of iw; what tess_size recommends suffices, but for
- *                  tess_query alone 2*n + n/12 + 7 does, too
- *   iw      (out)  the index, in its first 2*n + n/12 + 7 places; for each code
- *                  >= 0 but TESS_RANGE iw[i] is the place of point i in the
- *                  sorted order, or of the point that stands for it: 0 ...
- *                  (from Fortran 1 ...).  Points of near places are near
- *                  each other
- *   lrw     (in)   length of rw, as tess_size says or 3*n + n/2 + 12
+ *   p       (in)   3*n coordinates; tess_query and tess_part need them
+ *                  unchanged
+ *   liw     (in)   length of iw, as tess_size says; for tess_query alone 2*n +
+ *                  n/12 + 7 suffices
+ *   iw      (out)  the index, in its first 2*n + n/12 + 7 places.  For each
+ *                  code >= 0 but TESS_RANGE iw[i] is the place, from 0 on, of
+ *                  point i, or of the point that stands for it, in the sorted
+ *                  order.  Points whose places are close are close in space
+ *   lrw     (in)   length of rw, as tess_size says, or 3*n + n/2 + 12
  *   rw      (out)  the index, too
  *
  * returns TESS_OK; TESS_PLANE, TESS_LINE, TESS_POINT or TESS_RANGE: there is no
- * mesh, and the calls below return that; -1 for a bad n, -2 for a NaN or
+ * mesh, and the calls below return the same; -1 for a bad n, -2 for a NaN or
  * infinity in p, -3 and -5 for liw and lrw that are too small.
  * Cost: O(n log n), about a tenth of that of the mesh.
  */
@@ -298,16 +288,17 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
  *                  vertices of the tetrahedron, positively oriented
  *   w    (out)     4 barycentric weights of q: sum of w[k] * value[v[k]]
  *
- * The answer is that of tess_locate in the mesh that tess gives, but for the
- * order of the vertices, and, for q outside, which of the facets that have the
- * hull's nearest point is found.
+ * The answer is that of tess_locate in the mesh that tess gives.  Only the
+ * order of the vertices may differ and, for q outside, which of the hull facets
+ * that have the nearest point is found.
  *
- * returns 0 or 1 as tess_locate does; what tess_index returned, if not 0; -1
- * for a bad n, -3 where iw and rw hold no index, -5 for a NaN or infinity in
- * q, -6 for a v of no tetrahedron.  (What is one, but none of the mesh, may
- * come back unchanged.)
- * Cost: a search for each tetrahedron that is crossed, from anywhere some 20
- * more, and for q outside one for each that is turned about.
+ * returns 0 or 1 as tess_locate does; what tess_index returned, if that was not
+ * 0; -1 for a bad n, -3 where iw and rw hold no index, -5 for a NaN or infinity
+ * in q, -6 for a v that is no tetrahedron.  (A tetrahedron that is not in the
+ * mesh may come back unchanged.)
+ * Cost: a search for an apex for each tetrahedron that is crossed, and some 20
+ * more from anywhere; for q outside, one more for each that is passed on the
+ * way about an edge of the hull.
  */
 int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w);
@@ -315,22 +306,22 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
 /* tess_part - all tetrahedra of the mesh that have one of certain vertices.
  *
  *   n, p    (in)      the points of the index
- *   mine    (in)      n marks: asked for are the tetrahedra at each point i (or
- *                     the one that stands for it) with mine[i] != 0
+ *   mine    (in)      n marks: the tetrahedra wanted are those at each point i
+ *                     with mine[i] != 0, or at the point that stands for it
  *   maxtet, ntet, tet, adj   as in tess_resume: *ntet = 0, or the beginning of
  *                     the result
  *   liw     (in)      length of iw, as in tess
- *   iw      (in,out)  the index as it came from tess_index, or a copy, and
- *                     behind it workspace.  On return iw is an index again
+ *   iw      (in,out)  the index as tess_index left it, or a copy, and workspace
+ *                     behind it.  On return iw is an index again
  *   lrw     (in)      length of rw
  *   rw      (in)      the rest of the index.  Threads may share it, each with
  *                     an iw of its own
  *
- * Each tetrahedron comes once.  A facet without a vertex asked for stays
+ * Each tetrahedron comes once.  A facet without a marked vertex stays
  * TESS_OPEN.  Parts know nothing of each other and agree on everything, ties
- * included: take from each the tetrahedra whose vertex of least index is
- * asked for there, and if each point is asked for in one part, together they
- * are the mesh (see tess_resume for how to join them).
+ * included.  If each point is marked in exactly one part, and from each part
+ * those tetrahedra are taken whose vertex of least index is marked there, then
+ * together they are the mesh.  tess_resume joins them.
  *
  * returns what tess_resume returns, but -4 for maxtet, -5, -6, -7 for *ntet,
  * tet, adj, -8 and -10 for liw and lrw, -9 where iw and rw hold no index.
@@ -345,12 +336,12 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
  *   v    (in)   4 of them
  *   c    (out)  the centre c[0] ... c[2], rounded, and the radius c[3], rounded
  *               outwards, so that the ball holds the true one: a point outside
- *               of it can do nothing to a tetrahedron of these vertices.
- *               DBL_MAX where there is no ball, all points being in one
- *               plane, or it cannot be computed: then all space
+ *               it cannot alter a tetrahedron of these vertices.  The radius is
+ *               DBL_MAX, all of space, where the points are in one plane or the
+ *               ball cannot be computed
  *
- * returns 0, -1 for a NaN or infinity in the points, -2 for an index that is
- * out of range; TESS_RANGE, the radius DBL_MAX (see tess).
+ * returns 0; -1 for a NaN or infinity in the points, -2 for an index that is
+ * out of range; TESS_RANGE, with the radius DBL_MAX (see tess).
  */
 int tess_ball(const tess_real *p, const tess_int *v, double *c);
 

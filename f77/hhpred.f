@@ -1162,8 +1162,8 @@ C     among the NP points P, at most 1, and not tiny.
 C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
 C     is on the side of A, B, C from which they are seen
 C     counter-clockwise.  2 when HHLIM limbs do not suffice (never, with
-C     the default), or the processor is set to take a coordinate for 0
-C     that is not, or to round to fewer bits than a double has.
+C     the default), or the processor flushes a coordinate to zero, or
+C     rounds to fewer bits than a double has.
       INTEGER FUNCTION HHORIE(A, B, C, D)
       DOUBLE PRECISION A(3), B(3), C(3), D(3)
       INTEGER HHFIL3, HHHOLD, HHOPPO, HHPREC

@@ -76,13 +76,12 @@ C                         as long as TESSWK says
 C       RW   3 N X        scaled coordinates by position
 C            12 L BOX     box of each node of the tree
 C
-C     The arena.  The table begins with TSTABL entries; when three
-C     quarters are in use TSMKRO has TSREHA double it, up to 7/8 of the
-C     arena and to what the edges leave.  When it can grow no more it
-C     may fill up to 7/8, so TSFIND always meets an unused entry.
-C     TSPUSH takes no room of the table; TSMKRO sees to room for two
-C     edges, by moving them up when half of them are dead.  What is
-C     still short is code FULL.
+C     The arena.  The table begins with TSTABL entries; TSMKRO has
+C     TSREHA double it when three quarters are in use, and give it its
+C     quota of the arena when table and edges meet.  It may fill up to
+C     7/8, so TSFIND always meets an unused entry.  TSPUSH takes no room
+C     of the table; TSMKRO sees to room for two edges.  What is still
+C     short is code FULL.
 C
 C     An open facet is in one place at any moment: in the link, if it
 C     contains S, the vertex of the star; else in the table, or, of a
@@ -90,8 +89,8 @@ C     tetrahedron from FRESH on, in none until TSFLUS; in none, too, if
 C     no star of its vertices is asked for.  Numbers of entries are good
 C     until the next TSERAS or TSREHA, which update HEAD and the owners'
 C     lists and nothing else; numbers of edges until the next TSRENU,
-C     which updates LINK and the edges alone: who calls TSMKRO reads
-C     OLDEST again.
+C     which updates LINK and the edges alone: callers of TSMKRO must
+C     reload OLDEST.
 C
 C     What rests on the tie rule (hhpred): that a facet's apex is one
 C     point for both its sides, so that the pool empties; TSFIRS, on a
@@ -109,11 +108,11 @@ C       first facet: preced TSPREC, edgeby TSEDBY, firstfacet TSFIRS
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
 C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
 C         flush TSFLUS, grow TSGROW, enlist TSENLI, follow TSFOLL,
-C         load TSLOAD, complete TSCMPL, makeroom TSMKRO, begin TSBEGI,
-C         star TSSTAR, stars TSSTRS
+C         gather TSGATH, load TSLOAD, complete TSCMPL,
+C         makeroom TSMKRO, begin TSBEGI, star TSSTAR, stars TSSTRS
 C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
 C         hashkey TSHASH, same TSSAME, find TSFIND, insert TSINSE,
-C         erase TSERAS, rehash TSREHA
+C         erase TSERAS, quota TSQUOT, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
 C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
 C         starlist TSSTLI
@@ -1047,27 +1046,82 @@ C     where it ends and follows no other, if there is one.
    20 CONTINUE
       END
 
+C     TSGATH - make all open facets at S edges of the link, in the order
+C     of their tetrahedra.  INFO is 0, FULL, or what TSMTCH finds in a
+C     facet that is there twice, as in results that were joined: it is
+C     closed.
+      SUBROUTINE TSGATH(X, P, ORD, TET, ADJ, LINK, POOL, CTL, RCTL, S,
+     $                  INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S
+      INTEGER INFO
+      INTEGER TSBETW
+      INTEGER NT, ECODE, OPEN, FULL
+      PARAMETER (NT = 2, ECODE = 0, OPEN = -1, FULL = 2)
+      INTEGER A, B, CODE, E, J, K, T, V(3)
+      DO 20 T = 1, CTL(NT)
+        DO 10 K = 4, 1, -1
+          CODE = 4*(T - 1) + K
+          IF (ADJ(CODE) .NE. OPEN) GO TO 10
+          CALL TSFACE(TET, CODE, V)
+          J = 3
+          IF (V(2) .EQ. S) J = 2
+          IF (V(1) .EQ. S) J = 1
+          IF (V(J) .NE. S) GO TO 10
+          A = V(MOD(J, 3)+1)
+          B = V(MOD(J+1, 3)+1)
+          INFO = -6
+          IF (TSBETW(LINK, POOL, A, B) .NE. 0) RETURN
+          E = TSBETW(LINK, POOL, B, A)
+          IF (E .EQ. 0) THEN
+            INFO = FULL
+            CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
+            IF (E .EQ. 0) RETURN
+          ELSE
+            CALL TSMTCH(X, P, ORD, TET, ADJ, RCTL, CODE,
+     $                  POOL(E+ECODE), INFO)
+            IF (INFO .NE. 0) RETURN
+            CALL TSUNLI(LINK, POOL, E)
+          END IF
+   10   CONTINUE
+   20 CONTINUE
+      CALL TSFOLL(LINK, POOL, CTL)
+      INFO = 0
+      END
+
 C     TSLOAD - move the facets that S owns from the pool to the link,
-C     the oldest first.  OK is 1, or 0 if there is no room.
-      SUBROUTINE TSLOAD(TET, HEAD, LINK, POOL, CTL, S, OK)
-      INTEGER TET(4,*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER ENTRY
-      PARAMETER (ENTRY = 4)
-      INTEGER CODE, E, F
+C     the oldest first.  OK is 1, or 0 if there is no room.  Where these
+C     do not fit beside the table, it gives them up first.
+      SUBROUTINE TSLOAD(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL,
+     $                  RCTL, S, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*)
+      INTEGER CTL(*), S, OK
+      INTEGER TSQUOT
+      INTEGER MPOOL, NOPEN, NEWEST, ENTRY, EDGE
+      PARAMETER (MPOOL = 6, NOPEN = 7, NEWEST = 10, ENTRY = 4, EDGE = 6)
+      INTEGER CODE, E, EDGES, F, INFO
       OK = 1
       E = HEAD(S)
       IF (E .EQ. 0) RETURN
+      EDGES = 1
    10 IF (POOL(ENTRY*(E-1)+2) .NE. 0) THEN
         E = POOL(ENTRY*(E-1)+2)
+        EDGES = EDGES + 1
         GO TO 10
+      END IF
+      IF (ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - EDGE*EDGES) THEN
+        CTL(NOPEN) = CTL(NOPEN) - EDGES
+        CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
+     $              TSQUOT(CTL, EDGES), INFO)
+        IF (INFO .EQ. 0) CALL TSGATH(X, P, ORD, TET, ADJ, LINK, POOL,
+     $      CTL, RCTL, S, INFO)
+        IF (INFO .NE. 0) OK = 0
+        RETURN
       END IF
    20 IF (E .NE. 0) THEN
         CODE = POOL(ENTRY*(E-1)+1)
         CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, F)
-        IF (F .EQ. 0) THEN
-          OK = 0
-          RETURN
-        END IF
         E = POOL(ENTRY*(E-1)+3)
         GO TO 20
       END IF
@@ -1113,34 +1167,37 @@ C     block.
       END
 
 C     TSMKRO - make sure of room for another tetrahedron's facets in the
-C     pool and in the link of S.  OK is 1, or 0.
+C     table and in the link of S: OK is 1, or 0 if there is none.
+C     Callers must reload OLDEST.  When three quarters of the table are
+C     in use, or the link meets it, the edges move up, if an eighth of
+C     their room is dead, and the table gets another length, if that
+C     differs by a sixteenth: so both are seldom.
       SUBROUTINE TSMKRO(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL,
      $                  RCTL, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*)
       INTEGER CTL(*), S, OK
+      INTEGER TSQUOT
       INTEGER NT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEWEST, ENTRY, EDGE
       PARAMETER (NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
       PARAMETER (OLDEST = 9, NEWEST = 10, ENTRY = 4, EDGE = 6)
-      INTEGER INFO
+      INTEGER CHANGE, INFO, MOST
+      CHANGE = CTL(MPOOL)/16
       OK = 1
-      IF (4*(CTL(NOPEN) + CTL(NT) - CTL(FRESH) +
-     $    1) .GE. 3*CTL(MPOOL)) THEN
-        CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-        IF (4*CTL(NOPEN) .GE. 3*CTL(MPOOL)) THEN
-          CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
-     $                2*CTL(MPOOL) + 1, INFO)
-          IF (INFO .NE. 0 .AND. CTL(NOPEN) .GE. CTL(MPOOL) -
-     $        CTL(MPOOL)/8 - 1) OK = 0
-          IF (OK .EQ. 0) RETURN
-        END IF
-      END IF
-      IF (ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - 2*EDGE .AND.
-     $    CTL(OLDEST) .LT. CTL(NEWEST) + (CTL(ROOM) + 1 -
-     $    CTL(NEWEST))/2) CALL TSRENU(LINK, POOL, CTL)
-      IF (ENTRY*CTL(MPOOL) .LE. CTL(NEWEST) - 1 - 2*EDGE) RETURN
+      IF (4*(CTL(NOPEN) + CTL(NT) - CTL(FRESH) + 1) .LT.
+     $    3*CTL(MPOOL) .AND. ENTRY*CTL(MPOOL) .LE.
+     $    CTL(NEWEST) - 1 - 2*EDGE) RETURN
       CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      OK = 0
+      IF (CTL(ROOM) + 1 - CTL(OLDEST) .GT.
+     $    (CTL(ROOM) + 1 - CTL(NEWEST))/8) CALL TSRENU(LINK, POOL, CTL)
+      MOST = MIN(TSQUOT(CTL, 2), 2*CTL(MPOOL) + 1)
+      IF ((4*CTL(NOPEN) .GE. 3*CTL(MPOOL) .AND.
+     $    MOST .GT. CTL(MPOOL) + CHANGE) .OR. (ENTRY*CTL(MPOOL) .GT.
+     $    CTL(NEWEST) - 1 - 2*EDGE .AND. MOST .LT. CTL(MPOOL) - CHANGE))
+     $    CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
+     $                MOST, INFO)
+      IF (CTL(NOPEN) .GE. CTL(MPOOL) - CTL(MPOOL)/8 - 1 .OR.
+     $    ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - 2*EDGE) OK = 0
       END
 
 C     TSBEGI - the first facet becomes an edge of the link of its vertex
@@ -1256,7 +1313,8 @@ C       that was met before and owns none is complete
    20 CONTINUE
    30 CTL(LOW) = S
       IF (S .LE. CTL(NP)) THEN
-        CALL TSLOAD(TET, HEAD, LINK, POOL, CTL, S, OK)
+        CALL TSLOAD(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL, RCTL,
+     $              S, OK)
       ELSE
         DO 40 S = CTL(UNMET), CTL(NP)
           IF (LINK(S) .EQ. NEW .AND. HEAD(S) .NE. FOREIN) GO TO 50
@@ -1437,29 +1495,39 @@ C       E may fill the hole if its home is not behind the hole
       POOL(ENTRY*(HOLE-1)+1) = 0
       END
 
-C     TSREHA - make the pool's table about twice as long, or as long as
-C     it may be, and enter its facets again in their order.  The new
-C     table is laid over the old one, so the facets come from TET and
-C     ADJ: those open ones that have an owner and not the vertex S.
-C     (Those that do are edges of its link.)  In results that were
-C     joined a facet may be there twice: it is closed.  INFO is 0, FULL,
-C     or what TSMTCH finds.
+C     TSQUOT - entries that the table may have: those it needs for its
+C     facets, an eighth of them unused, and half of what besides so many
+C     more edges is free.
+      INTEGER FUNCTION TSQUOT(CTL, EDGES)
+      INTEGER CTL(*), EDGES
+      INTEGER NOPEN, NEWEST, ENTRY, EDGE
+      PARAMETER (NOPEN = 7, NEWEST = 10, ENTRY = 4, EDGE = 6)
+      INTEGER MOST, NEED
+      MOST = (CTL(NEWEST) - 1 - EDGE*EDGES)/ENTRY
+      NEED = CTL(NOPEN) + CTL(NOPEN)/7 + 4
+      TSQUOT = MOST
+      IF (MOST .GE. NEED) TSQUOT = NEED + (MOST - NEED)/2
+      END
+
+C     TSREHA - give the pool's table another length, its quota at most,
+C     and enter its facets again in their order.  The new table is laid
+C     over the old one, so the facets come from TET and ADJ: those open
+C     ones that have an owner and not the vertex S.  (Those that do are
+C     edges of its link.)  In results that were joined a facet may be
+C     there twice: it is closed.  INFO is 0, FULL, or what TSMTCH finds.
       SUBROUTINE TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
      $                  WANTED, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S
       INTEGER WANTED, INFO
-      INTEGER TSOWNE, TSHASH
-      INTEGER NP, ROOM, MPOOL, NOPEN, FRESH, NEWEST, OPEN, FOREIN
-      INTEGER ENTRY, EDGE, FULL
-      PARAMETER (NP = 1, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
-      PARAMETER (NEWEST = 10, OPEN = -1, FOREIN = -1, ENTRY = 4)
-      PARAMETER (EDGE = 6, FULL = 2)
+      INTEGER TSOWNE, TSHASH, TSQUOT
+      INTEGER NP, MPOOL, NOPEN, FRESH, OPEN, FOREIN, ENTRY, FULL
+      PARAMETER (NP = 1, MPOOL = 6, NOPEN = 7, FRESH = 8, OPEN = -1)
+      PARAMETER (FOREIN = -1, ENTRY = 4, FULL = 2)
       INTEGER CODE, E, FACET, LEAST, LENGTH, OTHER, SIG, V(3)
       INFO = FULL
-      LENGTH = MIN(WANTED, (CTL(ROOM) - CTL(ROOM)/8)/ENTRY,
-     $             (CTL(NEWEST) - 1 - 2*EDGE)/ENTRY)
-      IF (LENGTH .LE. CTL(MPOOL)) RETURN
+      LENGTH = MIN(WANTED, TSQUOT(CTL, 2))
+      IF (LENGTH .LT. 1) RETURN
       DO 10 E = 1, LENGTH
         POOL(ENTRY*(E-1)+1) = 0
    10 CONTINUE
@@ -4284,11 +4352,11 @@ C     HEAD has the positions of the points at first.
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*)
       INTEGER LINK(*), POOL(*), CTL(*), LSI(3,2), S, N, MASKED, MINE(*)
       INTEGER INFO
-      INTEGER TSBETW, TSTABL
-      INTEGER NP, NT, ECODE, OPEN, DONE, FOREIN, FULL, INTMAX
-      PARAMETER (NP = 1, NT = 2, ECODE = 0, OPEN = -1, DONE = -1)
-      PARAMETER (FOREIN = -1, FULL = 2, INTMAX = 2147483647)
-      INTEGER A, B, CODE, E, I, K, LENGTH, OWN, T, V(3)
+      INTEGER TSTABL
+      INTEGER NP, NT, ROOM, NOPEN, OPEN, DONE, FOREIN, ENTRY
+      PARAMETER (NP = 1, NT = 2, ROOM = 5, NOPEN = 7, OPEN = -1)
+      PARAMETER (DONE = -1, FOREIN = -1, ENTRY = 4)
+      INTEGER CODE, E, I, K, LENGTH, OWN, T, V(3)
       DO 60 T = 1, CTL(NT)
         DO 50 K = 1, 4
           TET(K,T) = HEAD(TET(K,T))
@@ -4303,6 +4371,8 @@ C     HEAD has the positions of the points at first.
           DO 70 K = 1, 3
             LINK(V(K)) = 0
    70     CONTINUE
+          IF (CTL(NOPEN) .LT. CTL(ROOM)/ENTRY) CTL(NOPEN) = CTL(NOPEN) +
+     $        1
         END IF
    80 CONTINUE
       DO 90 I = 1, CTL(NP)
@@ -4314,38 +4384,9 @@ C     HEAD has the positions of the points at first.
    90 CONTINUE
       S = TET(1,CTL(NT))
       IF (HEAD(S) .EQ. FOREIN) S = 0
-      LENGTH = 0
-      DO 110 T = 1, CTL(NT)
-        DO 100 K = 4, 1, -1
-          CODE = 4*(T - 1) + K
-          IF (ADJ(CODE) .NE. OPEN) GO TO 100
-          CALL TSFACE(TET, CODE, V)
-          I = 3
-          IF (V(2) .EQ. S) I = 2
-          IF (V(1) .EQ. S) I = 1
-          IF (V(I) .NE. S) THEN
-            IF (LENGTH .LT. INTMAX - 2) LENGTH = LENGTH + 2
-            GO TO 100
-          END IF
-          A = V(MOD(I, 3)+1)
-          B = V(MOD(I+1, 3)+1)
-          INFO = -6
-          IF (TSBETW(LINK, POOL, A, B) .NE. 0) RETURN
-          E = TSBETW(LINK, POOL, B, A)
-          IF (E .EQ. 0) THEN
-            INFO = FULL
-            CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
-            IF (E .EQ. 0) RETURN
-          ELSE
-            CALL TSMTCH(X, P, ORD, TET, ADJ, RCTL, CODE,
-     $                  POOL(E+ECODE), INFO)
-            IF (INFO .NE. 0) RETURN
-            CALL TSUNLI(LINK, POOL, E)
-          END IF
-  100   CONTINUE
-  110 CONTINUE
-      CALL TSFOLL(LINK, POOL, CTL)
-      LENGTH = MAX(LENGTH, TSTABL(OWN)) + 1
+      CALL TSGATH(X, P, ORD, TET, ADJ, LINK, POOL, CTL, RCTL, S, INFO)
+      IF (INFO .NE. 0) RETURN
+      LENGTH = MAX(2*CTL(NOPEN), TSTABL(OWN)) + 1
       CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S, LENGTH,
      $            INFO)
       END
@@ -4603,9 +4644,9 @@ C       N       (in)   number of points
 C       MAXTET  (in)   tetrahedra that TET and ADJ have room for
 C       LIW     (out)  length of IW, integers
 C       LRW     (out)  length of RW, doubles
-C       INFO    (out)  0; -1 or -2 for an N or MAXTET that is negative
+C       INFO    (out)  0; -1 for a bad N, -2 for a bad MAXTET: negative,
 C                      or so large that a length, or 4*MAXTET + 3, would
-C                      exceed the largest integer: the lengths are then
+C                      exceed the largest integer.  The lengths are then
 C                      0
 C
 C     The pool of open facets that LIW includes suffices for all inputs
@@ -4643,9 +4684,9 @@ C       NTET    (out)  number of tetrahedra; for a NaN or infinity in P
 C                      (INFO = -2) the first point that has one
 C       TET     (out)  4*MAXTET; the first 4*NTET are set
 C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
-C       LIW     (in)   length of IW; what exceeds the minimum becomes
-C                      pool, and from what TESSWK gives on, room for
-C                      planes and spheres
+C       LIW     (in)   length of IW.  What exceeds the minimum becomes
+C                      pool; from the length that TESSWK gives on, there
+C                      is room for planes and spheres, too
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
 C                      IW(I) is the point that stands for point I: I
 C                      itself, or for a duplicate the least one with the
@@ -4657,16 +4698,17 @@ C                      is full): what TET and ADJ hold is right, go on
 C                      with TESSRE; 3 all points in one plane, 4 on one
 C                      line, 5 at most one distinct point, 6 coordinates
 C                      that the arithmetic cannot hold (NTET = 0); or
-C                      -k: N < 0 -1; NaN or infinity in P -2; MAXTET
-C                      negative or too large for the integers -3; LIW,
-C                      LRW below the minimum -7, -9.  After -k nothing
-C                      is written but NTET, INFO.
+C                      -k: -1 for N < 0, -2 for a NaN or infinity in P,
+C                      -3 for a MAXTET that is negative or too large for
+C                      the integers, -7 and -9 for LIW and LRW below the
+C                      minimum.  After -k nothing is written but NTET,
+C                      INFO.
 C
-C     INFO is 6 when the coordinates need more limbs than HHLIM (never,
-C     with the default); when one is subnormal, and the processor is set
-C     to take those for zero (programs linked with -Ofast do so); or
-C     when it is set to round to fewer bits than a double has (an x87
-C     unit at 24).
+C     INFO is 6 when the coordinates need more limbs than HHLIM
+C     (impossible with the default); when one is subnormal, and the
+C     processor flushes subnormal numbers to zero (as in programs linked
+C     with -Ofast); or when the processor rounds to fewer bits than a
+C     double has (an x87 unit set to 24).
 C
 C     Cospherical points: the triangulation is the pulling triangulation
 C     in the order of the points' numbers; no tetrahedron is flat.
@@ -4689,24 +4731,24 @@ C     Section 2 of the paper.
 
 C     TESSRE - go on from an unfinished result.
 C
-C     The arguments of TESS, but NTET, TET, ADJ are (in, out): the
-C     points and the first NTET tetrahedra that TESS or TESSRE left,
-C     copied into larger arrays if need be.  IW and RW need hold
-C     nothing.  Gives the very arrays that one call with enough room
-C     would have given.  With NTET = 0 it is TESS; on a finished result
-C     INFO is 0 and nothing changes but IW, RW.
+C     The arguments are those of TESS, but NTET, TET, ADJ are (in, out):
+C     the first NTET tetrahedra that TESS or TESSRE left of the same
+C     points, copied into longer arrays if need be.  What IW and RW hold
+C     does not matter.  The result is exactly that of one call with
+C     enough room.  With NTET = 0 it is TESS; on a finished result INFO
+C     is 0 and nothing changes but IW, RW.
 C
-C     Tetrahedra of the mesh from several results may be put one behind
-C     the other, each once, in any order, their neighbours renumbered
-C     and those that are not there open: what is open on both sides is
-C     closed, and what is missing computed.  4 integers of IW are taken
-C     for each facet that waits for its other side.
+C     Partial results of one mesh may be put one behind the other: each
+C     tetrahedron once, in any order, neighbours renumbered, and facets
+C     open whose neighbour is not there.  Facets that are open twice are
+C     then joined, and missing tetrahedra computed.  Each facet that
+C     waits for its other side takes 4 integers of IW.
 C
-C     INFO is what TESS gives, and -4 for a bad NTET, -5 and -6 for what
-C     TET and ADJ cannot hold: indices out of range; a tetrahedron that
-C     has a duplicate for a vertex, is not positively oriented, or has a
+C     INFO is what TESS gives; -4 for a bad NTET; -5 and -6 for a fault
+C     in TET and ADJ: an index out of range; a tetrahedron that has a
+C     duplicate for a vertex, is not positively oriented, or has a
 C     neighbour's apex in its ball; neighbours that do not share a
-C     facet; two tetrahedra on the same side of an open one.  After -k
+C     facet; two tetrahedra on the same side of an open facet.  After -k
 C     NTET, TET and ADJ are unchanged.  Damage that one pass cannot find
 C     gives a wrong result, but in bounded time and within the arrays.
       SUBROUTINE TESSRE(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
@@ -4724,21 +4766,21 @@ C     gives a wrong result, but in bounded time and within the arrays.
 C     TESSIX - sort the points, for stars and queries without a mesh.
 C
 C       N       (in)   number of points, >= 0
-C       P       (in)   3*N coordinates; TESSQU and TESSPA need them as
-C                      they are now
-C       LIW     (in)   length of IW; what TESSWK recommends suffices,
-C                      but for TESSQU alone 2*N + N/12 + 7 does, too
-C       IW      (out)  the index, in its first 2*N + N/12 + 7 places;
-C                      for each INFO >= 0 but 6, IW(I) is the place of
-C                      point I in the sorted order, or of the point that
-C                      stands for it: 1, 2, ...  Points of near places
-C                      are near each other
-C       LRW     (in)   length of RW, as TESSWK says or 3*N + N/2 + 12
+C       P       (in)   3*N coordinates; TESSQU and TESSPA need them
+C                      unchanged
+C       LIW     (in)   length of IW, as TESSWK says; for TESSQU alone
+C                      2*N + N/12 + 7 suffices
+C       IW      (out)  the index, in its first 2*N + N/12 + 7 places.
+C                      For each INFO >= 0 but 6, IW(I) is the place,
+C                      from 1 on, of point I, or of the point that
+C                      stands for it, in the sorted order.  Points whose
+C                      places are close are close in space
+C       LRW     (in)   length of RW, as TESSWK says, or 3*N + N/2 + 12
 C       RW      (out)  the index, too
 C       INFO    (out)  0; 3 to 6 as TESS gives: there is no mesh, and
-C                      the calls below give that; -1 for a bad N, -2 for
-C                      a NaN or infinity in P, -3 and -5 for LIW and LRW
-C                      that are too small
+C                      the calls below give the same; -1 for a bad N, -2
+C                      for a NaN or infinity in P, -3 and -5 for LIW and
+C                      LRW that are too small
 C
 C     The sorted points, their tree, and the first tetrahedron.  In
 C     places that are not used otherwise: NP, in ALIVE and BOX, to know
@@ -4838,15 +4880,15 @@ C     TESSPA - all tetrahedra of the mesh that have one of certain
 C     vertices.
 C
 C       N, P    (in)      the points of the index
-C       MINE    (in)      N marks: asked for are the tetrahedra at each
-C                         point I (or the one that stands for it) with
-C                         MINE(I) not 0
+C       MINE    (in)      N marks: the tetrahedra wanted are those at
+C                         each point I with MINE(I) not 0, or at the
+C                         point that stands for it
 C       MAXTET, NTET, TET, ADJ   as in TESSRE: NTET = 0, or the
 C                         beginning of the result
 C       LIW     (in)      length of IW, as in TESS
-C       IW      (in,out)  the index as it came from TESSIX, or a copy,
-C                         and behind it workspace.  On return IW is an
-C                         index again
+C       IW      (in,out)  the index as TESSIX left it, or a copy, and
+C                         workspace behind it.  On return IW is an index
+C                         again
 C       LRW     (in)      length of RW
 C       RW      (in)      the rest of the index.  Threads may share it,
 C                         each with an IW of its own
@@ -4854,12 +4896,12 @@ C       INFO    (out)     what TESSRE gives, but -4 for MAXTET, -5, -6,
 C                         -7 for NTET, TET, ADJ, -8 and -10 for LIW and
 C                         LRW, -9 where IW and RW hold no index
 C
-C     Each tetrahedron comes once.  A facet without a vertex asked for
+C     Each tetrahedron comes once.  A facet without a marked vertex
 C     stays open.  Parts know nothing of each other and agree on
-C     everything, ties included: take from each the tetrahedra whose
-C     vertex of least number is asked for there, and if each point is
-C     asked for in one part, together they are the mesh (see TESSRE for
-C     how to join them).
+C     everything, ties included.  If each point is marked in exactly one
+C     part, and from each part those tetrahedra are taken whose vertex
+C     of least number is marked there, then together they are the mesh.
+C     TESSRE joins them.
       SUBROUTINE TESSPA(N, P, MINE, MAXTET, NTET, TET, ADJ, LIW, IW,
      $                  LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -5504,32 +5546,33 @@ C
 C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
 C       Q    (in)      the point: 3 coordinates
 C       T    (in,out)  On entry the tetrahedron where the walk starts,
-C                      or 0 for anywhere; for Q inside it alters the
-C                      speed alone.  On return the one that holds Q
+C                      or 0 for anywhere; for Q inside, only the speed
+C                      depends on it.  On return the one that holds Q
 C       W    (out)     4 barycentric weights of Q in it; they sum to
 C                      one: the sum of W(K) * VALUE(TET(K,T))
 C                      interpolates linearly
-C       INFO (out)     0 when Q is inside or on the boundary; 1 when it
-C                      is outside the hull: W are then the weights of
-C                      the hull's point nearest to Q, none negative, and
-C                      T is the tetrahedron of a facet of the hull that
-C                      has it: what W gives is continuous in Q.  -2 for
-C                      NTET < 1, -4 for a neighbour that is out of range
-C                      or does not match, -5 for a NaN or infinity in Q,
-C                      -6 for a T that is out of range; 6, W = 0, when
-C                      the arithmetic cannot hold the coordinates (see
-C                      TESS)
+C       INFO (out)     0 when Q is inside the hull or on it; 1 when it
+C                      is outside: W then holds the weights of the point
+C                      of the hull nearest to Q, none negative, and T is
+C                      the tetrahedron of a hull facet that has this
+C                      point, so that the interpolant is continuous in
+C                      Q; -2 for NTET < 1, -4 for a neighbour that is
+C                      out of range or does not match, -5 for a NaN or
+C                      infinity in Q, -6 for a T that is out of range;
+C                      6, W = 0, when the arithmetic cannot hold the
+C                      coordinates (see TESS)
 C
-C     Inside, the weights are at least 0, and 0 where Q is in the plane
-C     of the vertex's opposite facet (else only in a tetrahedron that is
-C     flat to rounding); they sum to 1, and the sum of W(K) times vertex
-C     K is Q, to rounding, in slivers too.  Outside, it is decided
-C     exactly which vertices, one to three, carry the nearest point, and
-C     each weight is right to rounding.  To extrapolate instead, add
-C     gradient.(Q - that sum), the gradient that of T (../README.md).
-C     An open facet counts as hull; but an unfinished result is not
-C     convex: the point found is nearest among those of the facets that
-C     are joined about it, and another may be nearer.
+C     Inside, no weight is negative; a weight is 0 where Q is in the
+C     plane of the facet opposite to its vertex, and otherwise only in a
+C     tetrahedron that is flat to rounding.  The weights sum to 1, and
+C     the sum of W(K) times vertex K is Q, to rounding, in slivers too.
+C     Outside, the one to three vertices that carry the nearest point
+C     are decided exactly, and each weight is right to rounding.  Do not
+C     extrapolate by the gradient of T: tetrahedra at the hull are often
+C     slivers, whose gradients are far steeper than the field's.  An
+C     open facet counts as hull; but an unfinished result is not convex:
+C     the point found is the nearest one of the facets that are joined
+C     about it, and another may be nearer.
 C
 C     A walk (see TSWALK), and where it fails a sweep over all
 C     tetrahedra; for a Q outside then a walk over the hull (see
@@ -5592,27 +5635,32 @@ C       NV    (in)      values a point, >= 0
 C       VALUE (in)      VALUE(NV,*): VALUE(J,I) is value J of point I
 C       NQ    (in)      number of queries, >= 0
 C       Q     (in)      Q(3,NQ): their coordinates
-C       T     (in,out)  T(NQ): On entry tetrahedra where the walks
-C                       start, each as in TESSLO, or 0: then it is the
-C                       answer before, if that is near.  On return the
-C                       tetrahedra found: given back for other values at
-C                       these points, they spare the search
+C       T     (in,out)  T(NQ): On entry the tetrahedra where the walks
+C                       start, as in TESSLO; for 0 a walk starts from
+C                       the answer before, if that is near.  On return
+C                       the tetrahedra found: passed in again for other
+C                       values at the same places, they save the search
 C       OUT   (out)     OUT(NV,NQ): OUT(J,I) is value J at query I
-C       INFO  (out)     0; 1 when a query was outside the hull: its
-C                       values are those at the hull's nearest point
-C                       (see TESSLO); -2 for NTET < 1, -5 for NV < 0, -7
-C                       for a bad NQ, -8 for a NaN or infinity in Q, -9
-C                       for a T that is out of range: then nothing is
-C                       written; -4 or 6 as from TESSLO, with the
-C                       queries before done
+C       INFO  (out)     0; 1 when a query is outside the hull: its
+C                       values are those at the nearest point of the
+C                       hull (see TESSLO); -2 for NTET < 1, -5 for NV <
+C                       0, -7 for a bad NQ, -8 for a NaN or infinity in
+C                       Q, -9 for a T that is out of range: then nothing
+C                       is written; -4 or 6 as from TESSLO: then the
+C                       queries before that one are done
 C
 C     VALUE and OUT are declared as vectors, since NV may be 0; each may
 C     have as many numbers as the largest integer.
 C
+C     To learn which queries are outside, ask one at a time: NQ = 1,
+C     with Q(1,I), T(I) and OUT(1,I), and T(I-1) for T(I) if there is no
+C     start.  Each call's INFO is that of its query; T, OUT and the time
+C     taken are those of one call for all.
+C
 C     From the last answer where there is no start: it is the nearest if
 C     the queries are in order, and if not, TESSLO sees that.
-C     Cost: that of TESSLO, a few steps a query if the queries are in an
-C     order in which neighbours follow each other.
+C     Cost: that of TESSLO: a few steps a query if successive queries
+C     are close to each other.
       SUBROUTINE TESSVA(P, NTET, TET, ADJ, NV, VALUE, NQ, Q, T, OUT,
      $                  INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), NV, NQ, T(*), INFO
@@ -5715,23 +5763,24 @@ C                      the vertices of the tetrahedron, positively
 C                      oriented
 C       W    (out)     4 barycentric weights of Q: the sum of W(K) *
 C                      VALUE(V(K)) interpolates linearly
-C       INFO (out)     0 or 1 as TESSLO gives; what TESSIX gave, if not
-C                      0; -1 for a bad N, -3 where IW and RW hold no
-C                      index, -5 for a NaN or infinity in Q, -6 for a V
-C                      of no tetrahedron.  (What is one, but none of the
-C                      mesh, may come back unchanged.)
+C       INFO (out)     0 or 1 as TESSLO gives; what TESSIX gave, if that
+C                      was not 0; -1 for a bad N, -3 where IW and RW
+C                      hold no index, -5 for a NaN or infinity in Q, -6
+C                      for a V that is no tetrahedron.  (A tetrahedron
+C                      that is not in the mesh may come back unchanged.)
 C
-C     The answer is that of TESSLO in the mesh that TESS gives, but for
-C     the order of the vertices, and, for Q outside, which of the facets
-C     that have the hull's nearest point is found.
+C     The answer is that of TESSLO in the mesh that TESS gives.  Only
+C     the order of the vertices may differ and, for Q outside, which of
+C     the hull facets that have the nearest point is found.
 C
 C     TSWALK's walk, with Q* moved into the same tetrahedron, and for a
 C     Q outside TSNEAH's, so that the answer is TESSLO's; neighbours are
 C     found as they are needed.  From a V that is no tetrahedron of the
 C     mesh it might go round: after NP steps it begins again from one
 C     that is.
-C     Cost: a search for each tetrahedron that is crossed, from anywhere
-C     some 20 more, and for Q outside one for each that is turned about.
+C     Cost: a search for an apex for each tetrahedron that is crossed,
+C     and some 20 more from anywhere; for Q outside, one more for each
+C     that is passed on the way about an edge of the hull.
       SUBROUTINE TESSQU(N, P, IW, RW, Q, V, W, INFO)
       DOUBLE PRECISION P(3,*), RW(*), Q(3), W(4)
       INTEGER N, IW(*), V(4,1), INFO
@@ -6355,12 +6404,12 @@ C       P    (in)   the points
 C       V    (in)   4 of them
 C       C    (out)  the centre C(1) ... C(3), rounded, and the radius
 C                   C(4), rounded outwards, so that the ball holds the
-C                   true one: a point outside of it can do nothing to a
-C                   tetrahedron of these vertices.  The greatest double
-C                   where there is no ball, all points being in one
-C                   plane, or it cannot be computed: then all space
-C       INFO (out)  0, -1 for a NaN or infinity in the points, -2 for an
-C                   index that is out of range; 6, the radius the
+C                   true one: a point outside it cannot alter a
+C                   tetrahedron of these vertices.  The radius is the
+C                   greatest double, all of space, where the points are
+C                   in one plane or the ball cannot be computed
+C       INFO (out)  0; -1 for a NaN or infinity in the points, -2 for an
+C                   index that is out of range; 6, with the radius the
 C                   greatest double (see TESS)
 C
 C     By limbs, of a set of the four points alone, scaled to at most 1.

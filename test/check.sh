@@ -74,6 +74,21 @@ have() {
     $1 $2 -o build/have build/have.c $LIBS > /dev/null 2>&1 && build/have
 }
 
+# readme LANGUAGE FILE: the program, and what is printed below it as commands,
+# into build/readme
+readme() {
+    mkdir -p build/readme
+    for f in tess.c tess.h hhpred.c hhpred.h f77 test; do
+        [ -e build/readme/$f ] || ln -s ../../$f build/readme
+    done
+    sed -n '/^```'$1'$/,/^```$/p' README.md | sed '/^```/d' > build/readme/$2
+    awk -v language=$1 '
+        $0 == "```" language { at = 1 }
+        at == 1 && $0 == "```" { at = 2; next }
+        at == 2 && /^    / { print }
+        at == 2 && /^[^ ]/ { exit }' README.md > build/readme/commands
+}
+
 # ---- the first half: the library in C, on this machine ----
 #
 # Neither half needs what the other one builds.
@@ -84,7 +99,8 @@ first_half() {
 
 STRICT="-std=c89 -pedantic-errors -Wall -Wextra -Wshadow -Wconversion -Werror"
 if have "$CC" "$STRICT"; then
-    for f in tess.c hhpred.c test/*.c test/paper/*.c; do
+    for f in tess.c hhpred.c test/*.c test/*/*.c; do
+        case $f in test/mpi/*) continue;; esac # mpi.h itself has long long
         one "strict C89: $f" $CC $STRICT -O1 -I. -c -o build/strict.o $f
     done
     for f in blas loops time acc backward round; do
@@ -155,7 +171,7 @@ mismatch() {
         "! cut -c1-6 build/other.txt | tr A-Z a-z | sort | uniq -d | grep ."
 }
 sed -n '/^```c$/,/^```$/p' README.md | sed '/^```/d;s/double p/tess_real p/' |
-    sed 's/scanf.* == 3/n < 1/' > build/readme.c
+    sed 's/sscanf.* == 3/n < 1/' > build/readme.c
 if [ -s build/nm.txt ]; then
     sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/names.txt
     one "unique in six characters" sh -c \
@@ -174,15 +190,15 @@ fi
 
 # ---- the tests proper ----
 
-for t in exact points t_tess t_part; do
-    $CC $CFLAGS -c -o build/$t.o test/$t.c
+for f in test/proof/exact test/points test/unit/t_tess test/unit/t_part; do
+    $CC $CFLAGS -c -o build/`basename $f`.o $f.c
 done
 TEST="build/exact.o build/points.o"
 
 for t in t_pred brute t_tess t_part; do
     also=
-    [ $t = brute ] && also=test/define.c
-    if build $t "$CC" "$CFLAGS" test/$t.c $also $HARD $TEST; then
+    [ $t = brute ] && also=test/proof/define.c
+    if build $t "$CC" "$CFLAGS" test/unit/$t.c $also $HARD $TEST; then
         many $t build/$t
     else
         fail "$t does not compile"
@@ -191,7 +207,7 @@ done
 
 # Sizes, whatever the integer.
 for d in "" -DTESS_INT=short -DTESS_INT=long; do
-    if build t_size "$CC" "-O1 $d" test/t_size.c $HARD; then
+    if build t_size "$CC" "-O1 $d" test/unit/t_size.c $HARD; then
         many "t_size $d" build/t_size
         [ "$d" = "" ] && build/t_size -table > build/sizes.txt
     else
@@ -203,25 +219,25 @@ one "the README's table of sizes" sh -c \
     cmp - build/sizes.txt"
 
 # Few limbs: code 2 or TESS_RANGE where they do not suffice, nothing wrong.
-if build t_pred3 "$CC" "-O1 -DHH_LIMBS=3" test/t_pred.c hhpred.c $TEST
+if build t_pred3 "$CC" "-O1 -DHH_LIMBS=3" test/unit/t_pred.c hhpred.c $TEST
 then
     many "t_pred, 3 limbs" build/t_pred3 50
 else
     fail "t_pred, 3 limbs, does not compile"
 fi
-if build brute3 "$CC" "-O1 -DHH_LIMBS=3" test/brute.c test/define.c $HARD $TEST; then
+if build brute3 "$CC" "-O1 -DHH_LIMBS=3" test/unit/brute.c test/proof/define.c $HARD $TEST; then
     many "brute, 3 limbs" build/brute3 100
 else
     fail "brute, 3 limbs, does not compile"
 fi
 for n in 3 6; do
-    if build t_tess3 "$CC" "-O1 -DHH_LIMBS=$n" test/t_tess.c $HARD $TEST; then
+    if build t_tess3 "$CC" "-O1 -DHH_LIMBS=$n" test/unit/t_tess.c $HARD $TEST; then
         many "t_tess -range, $n limbs" build/t_tess3 -range
     else
         fail "t_tess, $n limbs, does not compile"
     fi
     [ $n = 3 ] || continue
-    if build t_part3 "$CC" "-O1 -DHH_LIMBS=$n" test/t_part.c $HARD $TEST; then
+    if build t_part3 "$CC" "-O1 -DHH_LIMBS=$n" test/unit/t_part.c $HARD $TEST; then
         many "t_part, $n limbs" build/t_part3 -quick
     else
         fail "t_part, $n limbs, does not compile"
@@ -238,7 +254,7 @@ fi
 
 # The margins of the search; tess.c is included in the test.
 for d in "" -DTESS_LIST=64 -DTESS_FLOAT; do
-    if build t_margin "$CC" "$CFLAGS $d" test/t_margin.c test/hard.c hhpred.c \
+    if build t_margin "$CC" "$CFLAGS $d" test/unit/t_margin.c test/hunts/hard.c hhpred.c \
         build/exact.o; then
         many "t_margin $d" build/t_margin
     else
@@ -247,19 +263,19 @@ for d in "" -DTESS_LIST=64 -DTESS_FLOAT; do
 done
 
 # Coordinates of type float; indices of type short, long.
-if build t_predf "$CC" "-O1 -DTESS_FLOAT" test/t_pred.c hhpred.c $TEST
+if build t_predf "$CC" "-O1 -DTESS_FLOAT" test/unit/t_pred.c hhpred.c $TEST
 then
     many "t_pred, float" build/t_predf 50
 else
     fail "t_pred, float, does not compile"
 fi
-if build t_partf "$CC" "-O1 -DTESS_FLOAT" test/t_part.c $HARD $TEST; then
+if build t_partf "$CC" "-O1 -DTESS_FLOAT" test/unit/t_part.c $HARD $TEST; then
     many "t_part -DTESS_FLOAT" build/t_partf -quick
 else
     fail "t_part -DTESS_FLOAT does not compile"
 fi
 for d in -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long; do
-    if build brutef "$CC" "-O1 $d" test/brute.c test/define.c $HARD $TEST; then
+    if build brutef "$CC" "-O1 $d" test/unit/brute.c test/proof/define.c $HARD $TEST; then
         many "brute $d" build/brutef 100
     else
         fail "brute $d does not compile"
@@ -267,12 +283,12 @@ for d in -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long; do
 done
 
 # Lists of other capacities only look elsewhere first.
-if build brutel "$CC" "-O1 -DTESS_LIST=48" test/brute.c test/define.c $HARD $TEST; then
+if build brutel "$CC" "-O1 -DTESS_LIST=48" test/unit/brute.c test/proof/define.c $HARD $TEST; then
     many "brute -DTESS_LIST=48" build/brutel 100
 else
     fail "brute -DTESS_LIST=48 does not compile"
 fi
-if build t_tessl "$CC" "-O1 -DTESS_LIST=48" test/t_tess.c $HARD $TEST; then
+if build t_tessl "$CC" "-O1 -DTESS_LIST=48" test/unit/t_tess.c $HARD $TEST; then
     many "t_tess -DTESS_LIST=48" build/t_tessl -quick
 else
     fail "t_tess -DTESS_LIST=48 does not compile"
@@ -280,30 +296,30 @@ fi
 
 # All rounding modes, where C99's fenv.h is to be had.
 ROUND="-std=c99 -frounding-math -DTEST_ROUNDING"
-if build t_predr "$CC" "$ROUND -O2" test/t_pred.c test/exact.c hhpred.c; then
+if build t_predr "$CC" "$ROUND -O2" test/unit/t_pred.c test/proof/exact.c hhpred.c; then
     many "t_pred, all rounding modes" build/t_predr 10
 else
     skip "t_pred in all rounding modes"
 fi
 
-if build t_marginr "$CC" "$ROUND -O2 -I." test/t_margin.c test/exact.c \
-    test/hard.c hhpred.c; then
+if build t_marginr "$CC" "$ROUND -O2 -I." test/unit/t_margin.c test/proof/exact.c \
+    test/hunts/hard.c hhpred.c; then
     many "t_margin, all rounding modes" build/t_marginr 10
 else
     skip "t_margin in all rounding modes"
 fi
 
 # The certificates of the search, with builds of its own.
-many "certify" env CC="$CC" sh test/certify.sh -check
+many "certify" env CC="$CC" sh test/hunts/certify.sh -check
 
 # Sanitizers.
 SAN="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 if have "$CC" "$SAN"; then
-    build brutes "$CC" "$SAN" test/brute.c test/define.c $HARD test/exact.c
+    build brutes "$CC" "$SAN" test/unit/brute.c test/proof/define.c $HARD test/proof/exact.c
     many "brute, sanitizers" build/brutes 50
-    build t_tesss "$CC" "$SAN" test/t_tess.c $HARD test/exact.c test/points.c
+    build t_tesss "$CC" "$SAN" test/unit/t_tess.c $HARD test/proof/exact.c test/points.c
     many "t_tess, sanitizers" build/t_tesss -quick
-    build t_parts "$CC" "$SAN" test/t_part.c $HARD test/exact.c test/points.c
+    build t_parts "$CC" "$SAN" test/unit/t_part.c $HARD test/proof/exact.c test/points.c
     many "t_part, sanitizers" build/t_parts -quick
 else
     skip "sanitizers"
@@ -346,7 +362,7 @@ same "clang -Ofast" clang "-Ofast"
 same "tcc" tcc ""
 
 # As C++; the objects of C cannot be linked to it.
-SUMS="test/t_tess.c test/exact.c test/points.c"
+SUMS="test/unit/t_tess.c test/proof/exact.c test/points.c"
 same "g++ -x c++ -O2" g++ "-x c++ -O2"
 
 # ---- the examples: their own checks, and their output as stored ----
@@ -399,21 +415,40 @@ else
     skip "MPI: no Open MPI"
 fi
 
-# The README's C program: its input a plane grid of 9 x 11 points, of which
-# every one of the 160 triangles makes a tetrahedron with the point off it.
-awk 'BEGIN { for (i = 0; i < 99; i++) print i % 9, int(i / 9), 0
-    print 3, 4, 5 }' > build/points.txt
-sed -n '/^```c$/,/^```$/p' README.md | sed '/^```/d' > build/readme.c
-if build readme "$CC" "$CFLAGS -I." build/readme.c $HARD; then
-    one "the README's C program" sh -c \
-        'test "`build/readme < build/points.txt`" = "code 0, 160 tetrahedra"'
+# The README's C program and its commands, exactly as printed there, on the data
+# that are there; what it says it prints is what the program build/tess proves.
+readme c first.c
+one "the README's C program: its commands" \
+    test `wc -l < build/readme/commands` -eq 2
+printed=`(cd build/readme && sh -e commands) 2>> $LOG`
+one "the README's C program: prints what is said" \
+    grep -F "It prints \`$printed\`" README.md
+if [ -x build/tess ]; then
+    count=`build/tess -check test/data/mirror.xyz | sed -n 's/^tetrahedra *//p'`
+    one "the README's C program: what build/tess proves" \
+        test "$printed" = "code 0, $count tetrahedra"
 else
-    fail "the README's C program does not compile"
+    skip "the README's C program: no build/tess to compare with"
 fi
+if command -v ${PYTHON:-python3} > /dev/null &&
+    $CC -O2 -shared -fPIC -o build/readme/libtess.so $HARD $LIBS 2>> $LOG; then
+    one "example: first.py" test "`cd build/readme &&
+        ${PYTHON:-python3} test/examples/first.py`" = "$printed"
+else
+    skip "example: first.py: no python3, or no -shared"
+fi
+
+# The README's times are rows of what make bench has written.
+sed -n '/^## How fast/,/^## Where/p' README.md | grep '^| [a-z].*[0-9]' |
+    grep -v '@FIG@' > build/times.txt
+while read -r row; do
+    one "the README's times: `echo "$row" | cut -d '|' -f 2,3`" \
+        grep -Fx "$row" test/results/bench.txt
+done < build/times.txt
 
 # ---- the command line program ----
 
-many "the driver" env CC="$CC" sh test/driver.sh
+many "the driver" env CC="$CC" sh test/program/driver.sh
 }
 
 # ---- the second half: torture, FORTRAN 77, other machines, the paper ----
@@ -421,7 +456,7 @@ many "the driver" env CC="$CC" sh test/driver.sh
 second_half() {
 
 # Hard sets in hard circumstances, with builds of its own: the hunt's start.
-many "torture" env CC="$CC" sh test/torture.sh -check
+many "torture" env CC="$CC" sh test/hunts/torture.sh -check
 
 # ---- the FORTRAN 77 half: ANSI X3.9-1978 and nothing more ----
 
@@ -446,13 +481,13 @@ if command -v ftnchek > /dev/null; then
         > build/ftnwarn.txt
     one "ftnchek: warnings of the workspace alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
-    $CHEK -array=no-dimensions -usage=no-arg-array-alias $F77 test/parity.f \
+    $CHEK -array=no-dimensions -usage=no-arg-array-alias $F77 test/fortran/parity.f \
         > build/ftnchek.txt 2>&1
     one "ftnchek: parity.f" sh -c '! grep -i warning build/ftnchek.txt'
     $CHEK -noextern -array=no-dimensions -usage=no-arg-array-alias \
         test/examples/parts.f > build/ftnchek.txt 2>&1
     one "ftnchek: parts.f" sh -c '! grep -i warning build/ftnchek.txt'
-    for f in test/examples/derived.f test/sizes.f; do
+    for f in test/examples/derived.f test/fortran/sizes.f; do
         $CHEK -array=no-dimensions -usage=no-arg-array-alias -library \
             $F77 $f > build/ftnchek.txt 2>&1
         one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
@@ -461,9 +496,9 @@ else
     skip "ftnchek: not installed"
 fi
 one "f77/README is what the sources say" sh -c \
-    'sh test/manual.sh | cmp - f77/README'
+    'sh test/fortran/manual.sh | cmp - f77/README'
 one "FORTRAN 77: no line past column 72" \
-    sh -c '! grep -n "^.\{73\}" f77/*.f test/*.f test/*/*.f'
+    sh -c '! grep -n "^.\{73\}" f77/*.f test/*/*.f'
 
 # The table of both names in the header of each file: all routines of C, and
 # all of the file, in their order, but for those that only one half has.
@@ -498,11 +533,11 @@ GFORT="gfortran -frecursive -Wall -Wextra -Werror"
 gfort() {
     $GFORT -std=f95 -pedantic "$@" -c -o build/ftess.o f77/tess.f &&
         $GFORT -std=f95 -pedantic "$@" -c -o build/fhhpred.o f77/hhpred.f &&
-        $GFORT -std=legacy -O1 -fcheck=all -c -o build/fparity.o test/parity.f
+        $GFORT -std=legacy -O1 -fcheck=all -c -o build/fparity.o test/fortran/parity.f
 }
 viaf2c() {
     mkdir -p build/f2c &&
-        f2c -A -a -u -dbuild/f2c $F77 test/parity.f > build/f2c.txt 2>&1 &&
+        f2c -A -a -u -dbuild/f2c $F77 test/fortran/parity.f > build/f2c.txt 2>&1 &&
         ! grep -i warning build/f2c.txt &&
         $CC -O2 -c -o build/ftess.o build/f2c/tess.c &&
         $CC -O2 -c -o build/fhhpred.o build/f2c/hhpred.c &&
@@ -558,26 +593,21 @@ threads() {
 }
 rm -f build/threads.o
 if have "$CC" -fopenmp; then
-    $CC $CFLAGS -fopenmp -c -o build/threads.o test/threads.c
+    $CC $CFLAGS -fopenmp -c -o build/threads.o test/fortran/threads.c
 else
     skip "threads: no OpenMP"
 fi
 
-# The README's Fortran program and its command line, exactly as printed there.
-# Its input: a plane grid of 9 x 11 points, of which every one of the 160
-# triangles makes a tetrahedron with the point off the plane.
-mkdir -p build/ten
-[ -d build/ten/f77 ] || ln -s ../../f77 build/ten/f77
-sed -n '/^```fortran$/,/^```$/p' README.md | sed '/^```/d' > build/ten/ten.f
-sed -n 's/^    \(gfortran .*\)/\1/p' README.md > build/ten/compile
-awk 'BEGIN { for (i = 0; i < 99; i++) print i % 9, int(i / 9), 0
-    print 3, 4, 5 }' > build/ten/points
-# ten NAME: run build/ten/a.out
-ten() {
-    build/ten/a.out < build/ten/points > build/ten/out 2>> $LOG
-    set -- "$1" `cat build/ten/out`
-    one "the README's Fortran program, $1" test "$2 $3" = "0 160"
-    rm -f build/ten/a.out
+# The README's FORTRAN program and its commands, exactly as printed there.
+fortran_readme() {
+    readme fortran first.f
+    one "the README's FORTRAN program: its commands" \
+        test `wc -l < build/readme/commands` -eq 2
+    set -- `(cd build/readme && sh -e commands) 2>> $LOG`
+    one "the README's FORTRAN program: prints what is said" \
+        grep -F "It prints \`$1 $2\`" README.md
+    one "the README's FORTRAN program: as the C program" \
+        grep -F "It prints \`code $1, $2 tetrahedra\`" README.md
 }
 
 # FORTRAN programs that tell by their text whether all is well.
@@ -596,7 +626,7 @@ programs() {
         esac
     done
 }
-F77PROGRAMS="test/examples/derived.f test/sizes.f"
+F77PROGRAMS="test/examples/derived.f test/fortran/sizes.f"
 
 # interface NAME FLAGS: the module for Fortran 90, and that with it wrong calls
 # do not compile; f77/README's program
@@ -604,7 +634,7 @@ interface() {
     (cd build && gfortran -std=f95 -pedantic -Wall -Wextra -Werror $2 -c \
         -o module.o ../f77/tess.f90) >> $LOG 2>&1
     module="-cpp -Ibuild -Jbuild $2"
-    if gfortran -std=f2018 -pedantic $module -o build/iface test/iface.f90 \
+    if gfortran -std=f2018 -pedantic $module -o build/iface test/fortran/iface.f90 \
         build/ftess.o build/fhhpred.o $LIBS >> $LOG 2>&1
     then
         many "interfaces, $1" build/iface
@@ -613,7 +643,7 @@ interface() {
     fi
     for wrong in 1 2 3 4; do
         one "interfaces, $1: wrong call $wrong" sh -c "! gfortran $module \
-            -DWRONG=$wrong -c -o build/module.o test/iface.f90"
+            -DWRONG=$wrong -c -o build/module.o test/fortran/iface.f90"
     done
     awk '/^      PROGRAM GRID/,/^      END$/' f77/README > build/grid.f
     rm -f build/grid
@@ -626,20 +656,20 @@ interface() {
 # when it was made, so that a machine without Fortran compares, too.  It is not
 # believed: the first program proves each answer by exact.c, and knows the
 # code of each bad argument and fault from the interface.  (When the library's
-# own figures change, as the lengths of the workspace: cp build/parity.txt test.)
-if build parity "$CC" "$CFLAGS -DPROVE" test/parity.c test/prove.c $HARD \
-    test/exact.c; then
+# own figures change, as the lengths of the workspace: cp build/parity.txt test/fortran.)
+if build parity "$CC" "$CFLAGS -DPROVE" test/fortran/parity.c test/proof/prove.c $HARD \
+    test/proof/exact.c; then
     build/parity > build/parity.txt 2> build/prove.txt
     cat build/prove.txt >> $LOG
     one "parity: proofs" grep '^prove: [0-9]* passed, 0 failed' build/prove.txt
     one "parity: no code but the promised one" \
         sh -c 'test -s build/parity.txt && ! grep WRONG build/parity.txt'
-    one "parity: the text as stored" cmp test/parity.txt build/parity.txt
+    one "parity: the text as stored" cmp test/fortran/parity.txt build/parity.txt
 else
     fail "parity.c does not compile"
 fi
 # (what makes infinities and NaNs must not be compiled with -Ofast)
-$CC $CFLAGS -c -o build/parity.o test/parity.c
+$CC $CFLAGS -c -o build/parity.o test/fortran/parity.c
 for c in "$CC -O0" "$CC -Ofast -march=native" "clang -Ofast" "tcc"; do
     set -- $c
     cc=$1
@@ -647,7 +677,7 @@ for c in "$CC -O0" "$CC -Ofast -march=native" "clang -Ofast" "tcc"; do
     if have $cc "$*"; then
         build parity1 $cc "$*" build/parity.o $HARD
         build/parity1 > build/parity1.txt
-        one "parity: $c" cmp test/parity.txt build/parity1.txt
+        one "parity: $c" cmp test/fortran/parity.txt build/parity1.txt
     else
         skip "parity: $c"
     fi
@@ -655,7 +685,7 @@ done
 
 $CC $CFLAGS -c -o build/tess.o tess.c
 $CC $CFLAGS -c -o build/hhpred.o hhpred.c
-$CC $CFLAGS -c -o build/t_f77.o test/t_f77.c
+$CC $CFLAGS -c -o build/t_f77.o test/fortran/t_f77.c
 $CC $CFLAGS -c -o build/points.o test/points.c
 LINKF=$CC
 LIBF=
@@ -695,12 +725,12 @@ if command -v gfortran > /dev/null; then
         done
         $CC $CFLAGS -DHH_LIMBS=3 -c -o build/tess.o tess.c
         $CC $CFLAGS -DHH_LIMBS=3 -c -o build/hhpred.o hhpred.c
-        $CC $CFLAGS -DHH_LIMBS=3 -c -o build/t_f77.o test/t_f77.c
+        $CC $CFLAGS -DHH_LIMBS=3 -c -o build/t_f77.o test/fortran/t_f77.c
     }
     fortran "gfortran, 3 limbs" fewlimbs
     $CC $CFLAGS -c -o build/tess.o tess.c
     $CC $CFLAGS -c -o build/hhpred.o hhpred.c
-    $CC $CFLAGS -c -o build/t_f77.o test/t_f77.c
+    $CC $CFLAGS -c -o build/t_f77.o test/fortran/t_f77.c
     entries
     for omp in "" -fopenmp; do
         rm -f build/partsf
@@ -709,11 +739,7 @@ if command -v gfortran > /dev/null; then
         build/partsf > build/partsf.out 2>> $LOG
         one "example: parts.f $omp" cmp test/examples/parts.out build/partsf.out
     done
-    (cd build/ten && sh -e compile) >> $LOG 2>&1
-    ten "as it says"
-    gfortran -o build/ten/a.out build/ten/ten.f build/ftess.o \
-        build/fhhpred.o -lm >> $LOG 2>&1
-    ten "C with -DTESS_FORTRAN"
+    fortran_readme
 else
     skip "the FORTRAN 77 half: no gfortran"
 fi
@@ -735,9 +761,9 @@ fi
 cross() {
     name="same result: $3"
     if command -v $1 > /dev/null && command -v $2 > /dev/null; then
-        if build cross $1 "-O2 -static" test/parity.c $HARD; then
+        if build cross $1 "-O2 -static" test/fortran/parity.c $HARD; then
             $2 build/cross > build/cross.txt 2>> $LOG
-            one "$name" cmp test/parity.txt build/cross.txt
+            one "$name" cmp test/fortran/parity.txt build/cross.txt
         else
             fail "$name: does not compile"
         fi
@@ -756,10 +782,10 @@ cross m68k-linux-gnu-gcc qemu-m68k "big-endian with an 80-bit unit (68k)"
 # for two words.)
 name="same result: AVR"
 if command -v avr-gcc > /dev/null && command -v simavr > /dev/null; then
-    if build tiny "$CC" "-O2 -DTESS_FLOAT" test/tiny.c $HARD &&
+    if build tiny "$CC" "-O2 -DTESS_FLOAT" test/machines/tiny.c $HARD &&
         build tiny.elf avr-gcc \
             "-std=gnu89 -mmcu=atmega1284p -Os -DTESS_INT=short -DTESS_LIST=64" \
-            test/tiny.c $HARD
+            test/machines/tiny.c $HARD
     then
         build/tiny > build/tiny.txt
         (ulimit -t 100; exec simavr -m atmega1284p -f 16000000 \

@@ -10,8 +10,8 @@
  *
  * To save memory, compile all files with -DTESS_FLOAT (coordinates) and
  * -DTESS_INT=short (indices); to save stack, see TESS_LIST in tess.c and
- * HH_LIMBS in hhpred.h: -DTESS_LIST=64 -DHH_LIMBS=12 suffices for
- * coordinates of like size.
+ * HH_LIMBS in hhpred.h: -DTESS_LIST=64 -DHH_LIMBS=6.  Six limbs hold
+ * coordinates from 1e-12 to 1e6; for others there is TESS_RANGE.
  */
 #include <float.h>
 #include <math.h>

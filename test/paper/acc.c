@@ -19,7 +19,7 @@
 #include <stdio.h>
 #include <string.h>
 #include "../../hhpred.h"
-#include "../exact.h"
+#include "../proof/exact.h"
 #include "round.h"
 #ifdef CBLAS
 #include "blas.h"

@@ -27,7 +27,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../../hhpred.h"
-#include "../exact.h"
+#include "../proof/exact.h"
 #include "round.h"
 
 #ifdef FORTRAN

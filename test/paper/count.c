@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../exact.h"
+#include "../proof/exact.h"
 #include "../points.h"
 #include "../../tess.h"
 

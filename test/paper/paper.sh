@@ -118,7 +118,7 @@ export OPENBLAS_NUM_THREADS=1
 # ---- build ----
 
 for name in tess hhpred; do cobj $name "" $name.c; done
-cobj exact "" test/exact.c
+cobj exact "" test/proof/exact.c
 cobj points "" test/points.c
 for name in round acc backward; do cobj $name "" $HERE/$name.c; done
 cobj plain -DPLAIN $HERE/round.c
@@ -429,7 +429,7 @@ An insphere problem: is the test point p5 inside the ball of p1, p2, p3, p4?
 Householder: if its L-coordinate for the facet p1, p2, p3 is less than that of
 p4.  Determinants: by the minors of p1 ... p4, and their true orientation.
 Exact: hh_insphere, on the points as they are rounded; each of its answers is
-compared with that of test/exact.c, which shares no method with it.
+compared with that of test/proof/exact.c, which shares no method with it.
 
 32-bit arithmetic: each operation's result is stored to a volatile float (in
 FORTRAN 77 to a REAL, by a routine compiled apart) before it is used.  The

@@ -1,0 +1,135 @@
+#!/bin/sh
+# manual.sh - write f77/README, the manual of the FORTRAN entries, from what
+# stands before each of them in tess.f and hhpred.f.  `make manual' calls it.
+cat << 'END'
+tess in FORTRAN 77: the manual
+==============================
+
+tess.f and hhpred.f are ANSI X3.9-1978 FORTRAN and need nothing else. Compile
+both with your program:
+
+    gfortran -O3 -frecursive mine.f tess.f hhpred.f
+
+-frecursive (f2c: -a) keeps local arrays on the stack; without it only one
+thread at a time may call.
+
+    entry    what it does
+    TESSWK   recommended lengths of the workspace
+    TESS     the tetrahedralization
+    TESSRE   go on after a full array
+    TESSLO   the tetrahedron that holds a point, and weights to interpolate
+    TESSVA   linear interpolation at many points
+    TESSHU   the boundary triangles
+    TESSCH   an exact proof of a result
+    TESSIX   the points sorted, for stars and queries without a mesh
+    TESSQU   the tetrahedron that holds a point, without a mesh
+    TESSPA   all tetrahedra that have one of certain vertices
+    TESSBA   the ball of a tetrahedron
+    HHFACE, HHSIDE, HHOPP, HHLCOO, HHWRAP
+             facets in Householder floating point
+    HHORIE, HHINSP
+             exact signs: side of a plane, inside of a ball
+
+Arrays. All coordinates, weights and workspace RW are DOUBLE PRECISION; a REAL
+array gives nonsense, and a FORTRAN 77 compiler need not notice (see tess.f90
+below). P(3,N): point I is P(1,I), P(2,I), P(3,I). TET(4,*):
+tetrahedron T has the points TET(1,T) ... TET(4,T), positively oriented.
+ADJ(K,T) is the tetrahedron across the facet opposite to TET(K,T), 0 on the
+hull, -1 for a facet still open in an unfinished result. Counting is from 1.
+
+Lengths, for PARAMETER statements; they hold for every N and are never less than
+what TESSWK gives (beyond 28000 points LIW = 11*N + 226000 suffices):
+
+      PARAMETER (MAXTET = 8*N, LIW = 19*N + 1800, LRW = 4*N + 12)
+
+INFO, the last argument: 0 done; 1 TET and ADJ are full, 2 the pool in IW is
+full: what TET and ADJ hold is right, and TESSRE goes on with longer arrays;
+3, 4, 5 all points lie in one plane, on one line, in one place: there is no
+tetrahedron; 6 the arithmetic cannot hold the coordinates; -k the k-th argument
+is bad.
+
+A complete program:
+
+      PROGRAM GRID
+      INTEGER N, MAXTET, LIW, LRW
+      PARAMETER (N = 1000)
+      PARAMETER (MAXTET = 8*N, LIW = 19*N + 1800, LRW = 4*N + 12)
+      DOUBLE PRECISION P(3,N), RW(LRW), VALUE(N), Q(3), W(4), V
+      INTEGER TET(4,MAXTET), ADJ(4,MAXTET), IW(LIW)
+      INTEGER NTET, INFO, I, K, T
+C     a lattice, and at each of its points 1 + X + 2 Y + 3 Z
+      DO 10 I = 1, N
+         P(1,I) = MOD(I-1, 10)
+         P(2,I) = MOD((I-1)/10, 10)
+         P(3,I) = (I-1)/100
+         VALUE(I) = 1.0D0 + P(1,I) + 2.0D0*P(2,I) + 3.0D0*P(3,I)
+   10 CONTINUE
+      CALL TESS(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
+      IF (INFO .NE. 0) STOP 'TESS'
+      Q(1) = 4.25D0
+      Q(2) = 3.5D0
+      Q(3) = 0.75D0
+      T = 0
+      CALL TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
+      IF (INFO .NE. 0) STOP 'outside'
+      V = 0.0D0
+      DO 20 K = 1, 4
+         V = V + W(K)*VALUE(TET(K,T))
+   20 CONTINUE
+      WRITE (*, '(F8.4)') V
+      END
+
+Fortran 90 and later. tess.f90 has interfaces of all entries:
+
+    gfortran -c tess.f90        then, in each caller:    use tess_interface
+
+With them the compiler finds arguments of wrong type, kind, rank or number.
+tess.f and hhpred.f stay as they are.
+
+Integers of 8 bytes. Compile all files with gfortran -fdefault-integer-8
+(ifort -i8), and every INTEGER here has 8 bytes; nothing else changes. Limits
+stay those of 4 bytes: 4*MAXTET + 3 is at most 2147483647. If the caller alone
+is compiled so, INFO and NTET may look right, but TET and ADJ hold numbers
+beyond 2**32, two indices in each; the other way round INFO is negative.
+
+Warnings. With -std=f2018 gfortran calls labelled DO and EQUIVALENCE
+obsolescent, which they are; nothing is wrong. Without -std, or with
+-std=legacy, there are no warnings.
+
+Fewer limbs. HHLIM = 88 in both files holds coordinates of any magnitude; see
+HH_LIMBS in ../hhpred.h.
+
+END
+for entry in TESSWK TESS TESSRE `sed -n 's/^C     \(TESS[A-Z]*\) - .*/\1/p' \
+    f77/tess.f | grep -v 'TESS$\|TESSWK\|TESSRE'` HHFACE HHSIDE HHOPP HHLCOO \
+    HHWRAP HHORIE HHINSP; do
+    awk -v entry=$entry '
+        $1 == "C" && $2 == entry && $3 == "-" { text = 1; n = 0 }
+        text == 1 && /^C     (A walk|Let O be)/ { text = 2 }
+        text == 1 && /^C/ { line[n++] = substr($0, 7) }
+        text && !/^C/ { text = 3 }
+        text == 3 && /^     [^ ]/ { head = head "\n" $0; next }
+        text == 3 && /(SUBROUTINE|FUNCTION)/ {
+            head = $0
+            next
+        }
+        text == 3 {
+            # declarations, as far as they are of arguments
+            name = $0
+            sub(/^ *(INTEGER|DOUBLE PRECISION|REAL) /, "", name)
+            sub(/[^A-Z0-9].*/, "", name)
+            if ($0 ~ /^ *(INTEGER|DOUBLE PRECISION|REAL) / &&
+                head ~ "[ (,]" name "[,)]") {
+                types = types "\n" $0
+                next
+            }
+            text = 0
+            print substr("----------------------------------------" \
+                "----------------------------------------", 1, 76)
+            print head types "\n"
+            while (n > 0 && line[n-1] == "") n--
+            for (i = 0; i < n; i++) print line[i]
+            print ""
+            exit
+        }' f77/tess.f f77/hhpred.f
+done

@@ -1,0 +1,101 @@
+#!/bin/sh
+# certify.sh - certify.c, and t_margin.c, with builds of tess.c that prove its
+# certificates; run from the top directory.
+#
+#     sh test/hunts/certify.sh [SECONDS [SEED]]  each build for its share of
+#                                                the time
+#     sh test/hunts/certify.sh -check            a few sets each: for check.sh
+#
+# Every second build has thresholds of tess.c, LOW, set so that few points bring
+# about what else only many do.  The harness is compiled without optimizations
+# that alter arithmetic.  What the machine lacks is skipped, and said.
+LOW="LEAF=8 MANY=1 WIDE=0.0 THIN=1e-15 OPENED=2 BURDEN=0.02
+    ENOUGH=1 SCANS=0.1 SLENDER=1e9"
+CC=${CC:-cc}
+DIR=build/certify.d
+CHECK=
+TIME=${1:-600}
+[ "$TIME" = -check ] && CHECK=yes
+SEED=${2:-`date +%s`}
+[ -n "$CHECK" ] && SEED=1
+PASSED=0
+FAILED=0
+BUILDS=16 # about, for the shares
+
+rm -rf $DIR
+for tree in usual low; do
+    mkdir -p $DIR/$tree/test
+    cp tess.c tess.h hhpred.c hhpred.h $DIR/$tree
+    cp -r test/hunts test/proof test/unit $DIR/$tree/test
+done
+for name in $LOW; do
+    value=${name#*=}
+    name=${name%=*}
+    if ! grep "^#define $name " tess.c > /dev/null; then
+        echo "FAILED  tess.c has no $name"
+        FAILED=1
+    fi
+    sed "s/^#define $name .*/#define $name $value/" $DIR/low/tess.c > $DIR/c
+    mv $DIR/c $DIR/low/tess.c
+done
+
+# tell PROGRAM ARGUMENTS: run it, count its tests, show faults
+tell() {
+    "$@" > $DIR/out 2>&1
+    set -- $1 `sed -n \
+        's/^[a-z_]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' $DIR/out`
+    echo "$1: `sed -n 's/^ *\(.* sets, .* certificates\)$/\1/p' $DIR/out`"
+    [ "$3" = 0 ] || tail -n 20 $DIR/out
+    PASSED=`expr $PASSED + ${2:-0}`
+    FAILED=`expr $FAILED + ${3:-1}`
+}
+
+# both NAME CC FLAGS DEFINITIONS: the library so compiled, in both trees
+both() {
+    echo 'int main(void) { return 0; }' > $DIR/have.c
+    if ! $2 $3 -o $DIR/have $DIR/have.c > /dev/null 2>&1 || ! $DIR/have; then
+        echo "        skipped: $1"
+        return
+    fi
+    for tree in usual low; do
+        t=$DIR/$tree
+        rm -f $t/*.o
+        for f in tess hhpred; do
+            $2 $3 $4 -DTESS_PROVE -c -o $t/$f.o $t/$f.c
+        done
+        # C99's fenv.h where it is to be had
+        $CC -std=c99 -DTEST_ROUNDING -O1 $4 -c -o $t/certify.o \
+            $t/test/hunts/certify.c 2> /dev/null ||
+            $CC -O1 $4 -c -o $t/certify.o $t/test/hunts/certify.c
+        $CC -O1 $4 -o $t/$1 $t/*.o $t/test/hunts/hard.c \
+            $t/test/proof/exact.c -lm
+        if [ -n "$CHECK" ]; then
+            tell $t/$1 40 $SEED
+        else
+            tell $t/$1 -time `expr $TIME / $BUILDS + 1` 1 $SEED
+        fi
+    done
+}
+
+both O2 $CC -O2 ""
+both lists $CC -O1 -DTESS_LIST=48
+both x87 $CC "-O2 -mfpmath=387" ""
+both gcc_Ofast gcc "-Ofast -march=native" ""
+if [ -z "$CHECK" ]; then
+    both clang_Ofast clang -Ofast ""
+    both float $CC -O2 -DTESS_FLOAT
+    both limbs $CC -O2 -DHH_LIMBS=3
+fi
+for tree in usual low; do
+    t=$DIR/$tree
+    round="-std=c99 -frounding-math -DTEST_ROUNDING"
+    $CC $round -O2 -c -o $t/t_margin.o $t/test/unit/t_margin.c 2> /dev/null ||
+        round=
+    $CC $round -O2 -DTESS_PROVE -o $t/t_margin $t/test/unit/t_margin.c \
+        $t/test/hunts/hard.c $t/test/proof/exact.c $t/hhpred.c -lm
+    rounds=1
+    [ -n "$CHECK" ] || rounds=`expr $TIME / $BUILDS / 5 + 1`
+    tell $t/t_margin $rounds $SEED
+done
+echo "certify: $PASSED passed, $FAILED failed"
+test $FAILED -eq 0

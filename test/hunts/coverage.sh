@@ -1,0 +1,126 @@
+#!/bin/sh
+# coverage.sh - which lines and branches of the library the tests in C run, by
+# gcov; run from the top directory (make coverage).
+#
+#     sh test/hunts/coverage.sh [-branches]  also lists the branches never taken
+#
+# Takes CC and GCOV from the environment.  Prints a table, and every line that
+# no test has run.  Several builds count together: all limbs; few, as only
+# those answer that they do not suffice; lists as short as they may be; and a
+# program that sets the processor to take subnormal numbers for zero.
+CC=${CC:-cc}
+GCOV=${GCOV:-gcov}
+DIR=build/coverage
+
+say() { echo "coverage.sh: $1" >&2; exit 1; }
+
+command -v $GCOV > /dev/null || say "no $GCOV: nothing is measured"
+rm -rf $DIR
+mkdir -p $DIR
+echo 'int main(void) { return 0; }' > $DIR/have.c
+(cd $DIR && $CC --coverage -o have have.c && ./have) > /dev/null 2>&1 ||
+    say "$CC does not take --coverage: nothing is measured"
+
+# ran PROGRAM ARGS...: where gcov's files are
+ran() { ./"$@" > out.txt 2>&1 || say "$* fails"; }
+
+# measure NAME FLAGS LINK: the tests built with FLAGS and linked with LINK
+measure() {
+    mkdir -p $DIR/$1
+    cp *.[ch] $DIR/$1
+    mkdir -p $DIR/$1/test
+    cp -r test/points.[ch] test/fortran test/proof test/unit $DIR/$1/test
+    (
+        cd $DIR/$1
+        for f in tess hhpred; do
+            $CC -O0 --coverage $2 -c $f.c || say "$f.c does not compile"
+        done
+        for f in proof/exact points proof/define unit/t_pred unit/brute \
+            unit/t_tess unit/t_part fortran/parity; do
+            $CC -O2 $2 -c test/$f.c || say "$f.c does not compile"
+        done
+        for f in brute t_tess t_part parity; do
+            also=; [ $f != brute ] || also=define.o
+            $CC --coverage $3 -o $f $f.o tess.o hhpred.o exact.o points.o \
+                $also -lm
+        done
+        $CC --coverage $3 -o t_pred t_pred.o hhpred.o exact.o points.o -lm
+        case $1 in
+        all)
+            ran t_pred 20
+            ran brute 100
+            ran t_tess
+            ran t_part -quick
+            ran t_tess -one lastplaces 1500 1
+            ran parity
+            ;;
+        few)
+            ran t_pred 10
+            ran brute 50
+            ran t_tess -range
+            ran t_part -quick
+            ;;
+        lists)
+            ran brute 50
+            ran t_tess -quick
+            ;;
+        flush)
+            ran t_pred 5
+            ran t_tess -quick
+            ;;
+        esac
+        $GCOV -b -c tess.c hhpred.c > gcov.txt 2>&1 || say "$GCOV fails"
+    ) || exit 1
+    BUILDS="$BUILDS $1"
+}
+mkdir -p build
+cp tess.h hhpred.h tess.c $DIR
+BUILDS=
+measure all "" ""
+measure few -DHH_LIMBS=3 ""
+measure lists -DTESS_LIST=48 ""
+measure flush "" -Ofast
+
+# A line has run if it has in one of the builds.
+for f in tess hhpred; do
+    awk -v file=$f.c -v branches="$1" '
+        /^ *[-#=0-9*]+: *[0-9]+:/ {
+            split($0, part, ":")
+            at = part[2] + 0
+            count = part[1]
+            gsub(/ /, "", count)
+            if (count != "-") {
+                line[at] = 1
+                if (count !~ /^[#=]/) ran[at] = 1
+            }
+            text[at] = substr($0, index($0, ":") + 1)
+            if (at > last) last = at
+        }
+        /^branch / {
+            key = at "," $2
+            branch[key] = 1
+            if ($3 == "taken" && $4 + 0 > 0) taken[key] = 1
+            if ($2 > most[at]) most[at] = $2
+        }
+        END {
+            for (i = 1; i <= last; i++) {
+                if (!(i in line)) continue
+                lines++
+                if (i in ran) lran++
+                else missed[++n] = text[i]
+                for (k = 0; k <= most[i]; k++)
+                    if ((i "," k) in branch) {
+                        all++
+                        if ((i "," k) in taken) took++
+                        else never[++m] = "branch " k " of " text[i]
+                    }
+            }
+            printf "%-9s lines %4d of %4d  %5.1f %%", file, lran, lines,
+                100 * lran / lines
+            printf "   branches %4d of %4d  %5.1f %%\n", took, all,
+                100 * took / all
+            for (i = 1; i <= n; i++) print "    not run:" missed[i]
+            if (branches != "")
+                for (i = 1; i <= m; i++) print "    not taken: " never[i]
+        }' `for b in $BUILDS; do echo $DIR/$b/$f.c.gcov; done`
+done

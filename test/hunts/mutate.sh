@@ -1,0 +1,189 @@
+#!/bin/sh
+# mutate.sh - do the tests notice?  Breaks tess.c or hhpred.c in one place at a
+# time (mutant.c), and runs tests that take a few seconds.
+#
+#     sh test/hunts/mutate.sh [N [SEED [SKIP]]]
+#         N changes, 100, drawn by SEED, 1, without the first SKIP drawn
+#     sh test/hunts/mutate.sh -those LIST [TEST]
+#         changes of which LIST has a line each, FILE K: all tests, or TEST.
+#         The last one is kept in build/mutation/new
+#
+# A change that leaves the object code as it is, or does not compile, is left
+# out, and not counted in N nor in SKIP.  Caught is what fails a test, crashes,
+# or takes four times as long as the library does or more.  Of a change that
+# survives is said whether it alters what a search looks at (the counts of
+# TESS_COUNT): "elsewhere" if so, "survived" if those are the same, too.
+#
+# Run from the top directory; takes CC.  The last line is
+# `mutation: N changes, C caught, E look elsewhere, S survived'.
+set -f
+CC=${CC:-cc}
+DIR=build/mutation
+N=100
+SEED=1
+SKIP=0
+LIMIT=12
+
+say() { echo "mutate.sh: $1" >&2; exit 2; }
+
+mkdir -p $DIR/new $DIR/counts
+TEST="brute t_pred t_margin t_tess t_part parity"
+for f in proof/exact hunts/hard points proof/define bench/bench unit/brute \
+    unit/t_pred unit/t_tess unit/t_part fortran/parity; do
+    $CC -O2 -c -o $DIR/`basename $f`.o test/$f.c || say "$f.c does not compile"
+done
+$CC -O2 -o $DIR/mutant test/hunts/mutant.c || say "mutant.c does not compile"
+
+# compile TREE: the objects of the library in TREE, and t_margin, which
+# includes tess.c
+compile() {
+    for half in tess hhpred; do
+        [ -f $1/$half.o ] || $CC -O1 -c -o $1/$half.o $1/$half.c || return 1
+    done
+}
+
+# links TREE TEST: the test with the library in TREE
+links() {
+    case $2 in
+    t_pred) $CC -o $1/$2 $DIR/$2.o $1/hhpred.o $DIR/exact.o $DIR/points.o -lm;;
+    t_margin) $CC -O1 -o $1/$2 $1/test/unit/t_margin.c $1/hhpred.o \
+        $DIR/exact.o $DIR/hard.o -lm;;
+    *) $CC -o $1/$2 $DIR/$2.o $1/tess.o $1/hhpred.o $DIR/exact.o \
+        $DIR/points.o `[ $2 != brute ] || echo $DIR/define.o` -lm;;
+    esac
+}
+
+# passes TREE TEST: 0 if so.  A change may make a program run for ever, fill
+# memory, or print without end.
+passes() {
+    case $2 in
+    brute) args=60;;
+    t_pred) args=15;;
+    t_margin) args=12;;
+    t_tess | t_part) args=-quick;;
+    *) args=;;
+    esac
+    links $1 $2 2> /dev/null || return 1
+    (ulimit -t $LIMIT; ulimit -f 20000; ulimit -v 4000000 2> /dev/null
+        exec $1/$2 $args) > $1/out 2> /dev/null || return 1
+    [ $2 != parity ] || cmp -s $1/out test/fortran/parity.txt
+}
+
+# counts TREE: what the searches look at
+counts() {
+    $CC -O1 -DTESS_COUNT -o $1/count $DIR/bench.o $1/tess.c $1/hhpred.c \
+        $DIR/points.o -lm || return 1
+    for f in "uniform 20000" "lattice 4000" "aniso 5000" "planenoise 5000" \
+        "clusters 5000" "spherejit 2000" "planespread 2000" "cubesurf 3000"; do
+        (ulimit -t $LIMIT; exec $1/count $f 1)
+    done | grep '^count'
+}
+
+# fresh TREE: the library and what t_margin includes
+fresh() {
+    mkdir -p $1/test
+    cp tess.c tess.h hhpred.c hhpred.h $1
+    cp -r test/hunts test/proof test/unit $1/test
+    rm -f $1/tess.o $1/hhpred.o
+}
+
+OLD=$DIR/old
+fresh $OLD
+compile $OLD || say "the library does not compile"
+for t in $TEST; do
+    passes $OLD $t || say "$t fails without a change"
+done
+$CC -O2 -DTESS_COUNT -c -o $DIR/bench.o test/bench/bench.c
+counts $OLD > $DIR/counts.txt
+[ -s $DIR/counts.txt ] || say "no counts"
+
+NEW=$DIR/new
+# change FILE K: make it; 1 when it does not compile, 2 when that is the same
+change() {
+    fresh $NEW
+    $DIR/mutant $1 $2 > $NEW/$1 || return 1
+    for half in tess hhpred; do
+        [ $half.c = $1 ] || cp $OLD/$half.o $NEW
+    done
+    compile $NEW 2> /dev/null || return 1
+    cmp -s $NEW/${1%.c}.o $OLD/${1%.c}.o && return 2
+    return 0
+}
+
+# verdict FILE: which test catches it, or what survives
+verdict() {
+    for t in $TEST; do
+        [ $1 = hhpred.c ] || [ $t != t_pred ] || continue
+        [ $1 = tess.c ] || [ $t != t_margin ] || continue
+        if ! passes $NEW $t; then
+            echo "caught by $t"
+            return
+        fi
+    done
+    if counts $NEW 2> /dev/null | cmp -s - $DIR/counts.txt; then
+        echo survived
+    else
+        echo elsewhere
+    fi
+}
+
+if [ "$1" = -those ]; then
+    [ -z "$3" ] || TEST=$3
+    while read file place rest; do
+        change $file $place
+        case $? in
+        1) answer="does not compile";;
+        2) answer="the same object code";;
+        *) answer=`verdict $file`;;
+        esac
+        what=`$DIR/mutant $file | awk -v k=$place '$1 == k'`
+        set -- $what
+        printf '%s\n' "$file:$2 ($place) $answer: ${what#* * }"
+    done < $2
+    exit
+fi
+
+[ -z "$1" ] || N=$1
+[ -z "$2" ] || SEED=$2
+[ -z "$3" ] || SKIP=$3
+for f in tess.c hhpred.c; do
+    $DIR/mutant $f | sed "s/^/$f /"
+done > $DIR/all.txt
+total=`wc -l < $DIR/all.txt`
+$DIR/mutant -draw $total $SEED > $DIR/draw.txt
+
+done=0
+caught=0
+elsewhere=0
+survived=0
+same=0
+broken=0
+while [ $done -lt $N ] && read k; do
+    what=`sed -n ${k}p $DIR/all.txt`
+    set -- $what
+    file=$1
+    place=$2
+    line=$3
+    shift 3
+    change $file $place
+    case $? in
+    1) broken=`expr $broken + 1`; continue;;
+    2) same=`expr $same + 1`; continue;;
+    esac
+    if [ $SKIP -gt 0 ]; then
+        SKIP=`expr $SKIP - 1`
+        continue
+    fi
+    answer=`verdict $file`
+    done=`expr $done + 1`
+    case $answer in
+    caught*) caught=`expr $caught + 1`;;
+    elsewhere) elsewhere=`expr $elsewhere + 1`;;
+    *) survived=`expr $survived + 1`;;
+    esac
+    # (not *: the shell would put the names of files there)
+    printf '%s\n' "$file:$line ($place) $answer: ${what#* * * }"
+done < $DIR/draw.txt
+echo "        the same object code $same, does not compile $broken"
+echo "mutation: $done changes, $caught caught," \
+    "$elsewhere look elsewhere, $survived survived"

@@ -1,0 +1,252 @@
+#!/bin/sh
+# torture.sh - the hunt: torture.c with many builds of the library, and the
+# fuzzers; run from the top directory.
+#
+#     sh test/hunts/torture.sh [SECONDS [SEED]]  each build for its share of
+#                                                the time
+#     sh test/hunts/torture.sh -check            a few sets each: for check.sh
+#
+# The harness is compiled without optimizations that alter arithmetic, and so
+# is each program linked: -Ofast at linking would flush subnormals from the
+# start, which torture.c does itself around the calls.  What the machine lacks
+# is skipped, and said.  Ends with `torture: N sets, M faults', or with -check
+# `torture: N passed, M failed'.
+CC=${CC:-cc}
+LIBS=-lm
+DIR=build/torture.d
+CHECK=
+TIME=${1:-600}
+if [ "$TIME" = -check ]; then
+    CHECK=yes
+    TIME=0
+fi
+SEED=${2:-`date +%s`}
+[ -n "$CHECK" ] && SEED=1
+SETS=0
+FAULTS=0
+PASSED=0
+FAILED=0
+BUILDS=20 # about, for the shares
+
+mkdir -p $DIR
+LOG=$DIR/log
+: > $LOG
+rm -f $DIR/sums.txt
+
+skip() { echo "        skipped: $1"; }
+
+# have CC FLAGS: does this compiler take these flags, and its programs run?
+have() {
+    echo 'int main(void) { return 0; }' > $DIR/have.c
+    $1 $2 -o $DIR/have $DIR/have.c $LIBS > /dev/null 2>&1 && $DIR/have
+}
+
+# harness TAG DEFINITIONS: its objects, H says which; compiled once
+harness() {
+    H=
+    for c in hunts/torture hunts/hard proof/define proof/exact proof/prove; do
+        f=`basename $c`
+        o=$DIR/$1-$f.o
+        H="$H $o"
+        [ -f $o ] && [ -z "`find test tess.h hhpred.h -newer $o -name '*.[ch]'`" ] &&
+            continue
+        # C99's fenv.h where it is to be had
+        { [ $f = torture ] && $CC -std=c99 -DTEST_ROUNDING -O1 $2 -c -o $o \
+            test/$c.c; } >> $LOG 2>&1 ||
+            $CC -O1 $2 -c -o $o test/$c.c >> $LOG 2>&1
+    done
+}
+
+# tally NAME: of the output in $DIR/out count sets, faults, tests
+tally() {
+    sets=`sed -n 's/^ *\([0-9]*\) sets, .*/\1/p' $DIR/out | tail -n 1`
+    set -- "$1" "${sets:-0}" \
+        `sed -n 's/^[a-z]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' $DIR/out`
+    if [ $# -ne 4 ]; then
+        # it did not come to its end
+        set -- "$1" $2 0 1
+        echo "FAILED  $1: stopped with code $code"
+    fi
+    bad=`grep -c '^FAILED  .* (' $DIR/out`
+    [ $bad -eq 0 ] && bad=$4
+    echo "$1: $2 sets, $bad faults`sed -n 's/^ .* faults; /; /p' $DIR/out`"
+    egrep '^FAILED.* \(|^        [-0-9]' $DIR/out | grep -v ' sets, ' | head -n 40
+    SETS=`expr $SETS + $2`
+    FAULTS=`expr $FAULTS + $bad`
+    PASSED=`expr $PASSED + $3`
+    FAILED=`expr $FAILED + $4`
+}
+
+# limited COMMAND...: its output to $DIR/out, the code in $code; in no more
+# than the processor time that it may take
+limited() {
+    echo "== $*" >> $LOG
+    (ulimit -t `expr $TIME + 200`; exec "$@") > $DIR/out 2>&1
+    code=$?
+    cat $DIR/out >> $LOG
+}
+
+# hunt NAME OPTIONS: the harness $H linked with the library $L
+hunt() {
+    if ! $LINK -o $DIR/torture $H $L $LIBS >> $LOG 2>&1; then
+        skip "$1: does not link"
+        return
+    fi
+    # to see a fault again: the program of each build stays
+    file=torture-`echo "$1" | tr -cs 'a-zA-Z0-9=\n' _`
+    mv $DIR/torture $DIR/$file
+    if [ -n "$CHECK" ]; then
+        few=40
+        many=1
+    else
+        few="-time `expr $TIME / $BUILDS '*' 2 / 3 + 1` 1 $SEED"
+        many="-time `expr $TIME / $BUILDS / 3 + 1` 1 $SEED"
+    fi
+    limited $DIR/$file $2 $few
+    tally "$1"
+    limited $DIR/$file $2 -many $many
+    tally "$1, many points"
+    echo "        $DIR/$file"
+    # with enough limbs all results are the same
+    case "$1" in *limbs*|*float*) return;; esac
+    limited $DIR/$file $2 -sums `expr 4 + $TIME / 10` $SEED
+    if [ ! -f $DIR/sums.txt ]; then
+        mv $DIR/out $DIR/sums.txt
+    elif cmp $DIR/out $DIR/sums.txt >> $LOG 2>&1; then
+        PASSED=`expr $PASSED + 1`
+    else
+        FAILED=`expr $FAILED + 1`
+        FAULTS=`expr $FAULTS + 1`
+        echo "FAILED  $1: -sums differ: `diff $DIR/out $DIR/sums.txt | head -n 4`"
+    fi
+}
+
+# c NAME CC FLAGS DEFINITIONS OPTIONS: the C library
+c() {
+    if ! have $2 "$3"; then
+        skip "$1"
+        return
+    fi
+    L=
+    for f in tess hhpred; do
+        $2 $3 $4 -c -o $DIR/$f.o $f.c >> $LOG 2>&1 || { skip "$1: $f.c"; return; }
+        L="$L $DIR/$f.o"
+    done
+    LINK=$CC
+    harness "h`echo "$4" | tr -cd 'a-zA-Z0-9'`" "$4"
+    hunt "$1" "$5"
+}
+
+# f NAME COMPILE...: the Fortran half, by way of shim.c
+f() {
+    name=$1
+    shift
+    rm -f $DIR/tess.o $DIR/hhpred.o
+    "$@" >> $LOG 2>&1
+    $CC -O1 -c -o $DIR/shim.o test/fortran/shim.c >> $LOG 2>&1
+    L="$DIR/shim.o $DIR/tess.o $DIR/hhpred.o"
+    harness h ""
+    hunt "$name" ""
+}
+gfort() {
+    for f in tess hhpred; do
+        gfortran -frecursive "$@" -c -o $DIR/$f.o f77/$f.f || return
+    done
+}
+viaf2c() {
+    f2c -A -a -u -d$DIR f77/tess.f f77/hhpred.f
+    for f in tess hhpred; do $CC -O2 -c -o $DIR/$f.o $DIR/$f.c; done
+}
+entries() {
+    for f in tess hhpred; do
+        $CC -O2 -DTESS_FORTRAN -c -o $DIR/$f.o $f.c
+    done
+}
+
+SAN="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
+
+# fuzz NAME FILES...
+fuzz() {
+    name=$1
+    shift
+    # truth and proofs take their time: they are left as they are
+    harness h ""
+    M="$DIR/h-hard.o $DIR/h-define.o $DIR/h-exact.o"
+    if [ -z "$CHECK" ] && clang $SAN -fsanitize=fuzzer -o $DIR/$name \
+        test/hunts/$name.c tess.c hhpred.c $M $LIBS >> $LOG 2>&1; then
+        mkdir -p $DIR/$name.corpus
+        limited $DIR/$name -max_total_time=`expr $TIME / $BUILDS + 1` \
+            -timeout=20 -max_len=300 -seed=$SEED -print_final_stats=1 \
+            -artifact_prefix=$DIR/$name- $DIR/$name.corpus
+        runs=`sed -n 's/^Done \([0-9]*\) runs.*/\1/p' $DIR/out`
+        if [ $code -eq 0 ]; then
+            echo "$name, libFuzzer: ${runs:-0} sets, 0 faults"
+        else
+            FAULTS=`expr $FAULTS + 1`
+            echo "$name, libFuzzer: 1 fault"
+            egrep '^FAILED|^[-0-9.e]* [-0-9.e]* [-0-9.e]*$|^SUMMARY|^==.*ERROR|Test unit written' \
+                $DIR/out | head -n 20
+        fi
+        SETS=`expr $SETS + ${runs:-0}`
+        return
+    fi
+    [ -z "$CHECK" ] && skip "$name with libFuzzer"
+    if have "$CC" "$SAN" && $CC $SAN -DSTANDALONE -o $DIR/$name \
+        test/hunts/$name.c tess.c hhpred.c $M $LIBS >> $LOG 2>&1; then
+        sets=200
+        [ -z "$CHECK" ] && sets=`expr $TIME '*' 10`
+        [ $name = fuzzarr ] && sets=`expr $sets '*' 8`
+        limited $DIR/$name $sets $SEED
+        tally "$name, sanitizers"
+    else
+        skip "$name, sanitizers"
+    fi
+}
+
+[ -z "$CHECK" ] && echo "torture: $TIME s, seed $SEED"
+
+c "$CC -O2" $CC -O2 "" ""
+c "gcc -Ofast -march=native" gcc "-Ofast -march=native" "" ""
+c "clang -Ofast" clang -Ofast "" ""
+c "x87" $CC "-O2 -mfpmath=387" "" -x87
+c "short lists" $CC "-O1" -DTESS_LIST=48 ""
+c "3 limbs" $CC "-O1" -DHH_LIMBS=3 ""
+c "long" $CC "-O1" -DTESS_INT=long ""
+fuzz fuzz
+fuzz fuzzarr
+if command -v gfortran > /dev/null; then
+    LINK=gfortran
+    f "gfortran -Ofast" gfort -Ofast
+else
+    skip "gfortran"
+fi
+if [ -z "$CHECK" ]; then
+    c "clang -O2 -march=native" clang "-O2 -march=native" "" ""
+    # without vectors, which would be SSE's: what that unit flushes an x87 unit
+    # holds, and no test of one tells of the other
+    c "x87 -Ofast" $CC "-Ofast -mfpmath=387 -fno-tree-vectorize" "" -x87
+    c "6 limbs" $CC "-O2" -DHH_LIMBS=6 ""
+    c "10 limbs" $CC "-Ofast" -DHH_LIMBS=10 ""
+    c "float" $CC "-O2" -DTESS_FLOAT ""
+    c "float -Ofast" $CC "-Ofast -march=native" -DTESS_FLOAT ""
+    if command -v gfortran > /dev/null; then
+        LINK=gfortran
+        f "gfortran -O0" gfort -O0
+        f "gfortran -fcheck=all" gfort -O1 -fcheck=all
+    fi
+    LINK=$CC
+    f "C with -DTESS_FORTRAN" entries
+    if command -v f2c > /dev/null; then
+        f "f2c" viaf2c
+    else
+        skip "f2c"
+    fi
+fi
+
+if [ -n "$CHECK" ]; then
+    echo "torture: $PASSED passed, $FAILED failed"
+else
+    echo "torture: $SETS sets, $FAULTS faults"
+    [ $FAILED -eq 0 ] || FAULTS=1
+fi
+test $FAILED -eq 0 && test $FAULTS -eq 0

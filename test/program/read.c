@@ -1,0 +1,853 @@
+/* read.c - reads points from the files that people have: see `tess -h'.
+ *
+ * A line is split into fields, numbers and words.  The first line that has
+ * three numbers says what each column is: x, y, z; a value; or, where it has a
+ * word, a label, which is skipped.  All further lines must be like it: what is
+ * no point, or might be meant otherwise, is an error that names the line.
+ */
+#include "driver.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <float.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define LINE 8192 /* most characters of a line */
+#define HEAD 512  /* characters by which a file that is no text is told */
+
+typedef struct field {
+    char *text;
+    int number; /* is it one?  With -skip a missing value counts as one */
+    int missing;
+    double x;
+} field;
+
+static points *to;
+static FILE *file;
+static char head[HEAD]; /* the file's beginning */
+static int headed, taken;
+static int held = EOF; /* a character read and put back */
+static char line[LINE + 1];
+static long line_number;
+static field fields[COLUMNS];
+static int many;                   /* fields */
+static int doubtful;               /* is there a decimal comma in the line? */
+static char title[COLUMNS][TITLE]; /* of the columns, from a header */
+static int titles;
+static long first_line; /* of the points */
+static int width;       /* columns of a line of points; and which they are: */
+static int part[COLUMNS];
+static long dropped, first_dropped; /* rows, by -skip; the first one's line */
+static int counting; /* is the first column 0, 1, 2, ... or 1, 2, 3, ...? */
+static double count_from;
+
+/* What a column is: 0, 1, 2 a coordinate, LABEL, UNUSED, or VALUE. */
+#define LABEL 3
+#define UNUSED 4
+#define VALUE 5
+
+static void fail_line(const char *what)
+{
+    fail("%s, line %ld: %s", to->input, line_number, what);
+}
+
+/* ---------------------------------------------------------------- binary */
+
+static int ends_in(const char *name, const char *suffix)
+{
+    size_t a = strlen(name), b = strlen(suffix);
+
+    return a >= b && strcmp(name + a - b, suffix) == 0;
+}
+
+/* refuse_binary - read the file's head; leave if it is not text. */
+static void refuse_binary(void)
+{
+    static const char *const packed[][2] = {
+        {"\037\213", "compressed by gzip; unpack it first: gunzip -c"},
+        {"BZh", "compressed by bzip2; unpack it first: bunzip2 -c"},
+        {"\3757zXZ", "compressed by xz; unpack it first: xz -dc"},
+        {"PK\003\004", "a zip archive; unpack it first: unzip -p"}};
+    size_t k;
+
+    headed = (int)fread(head, 1, HEAD, file);
+    for (k = 0; k < sizeof packed / sizeof packed[0]; k++)
+        if ((size_t)headed > strlen(packed[k][0]) &&
+            memcmp(head, packed[k][0], strlen(packed[k][0])) == 0)
+            fail("%s: is %s ... | tess", to->input, packed[k][1]);
+    /* next_line knows UTF-16, read_ply its own binary form */
+    if (!memchr(head, 0, (size_t)headed) ||
+        memcmp(head, "\377\376", 2) == 0 ||
+        memcmp(head, "\376\377", 2) == 0 || memcmp(head, "ply", 3) == 0)
+        return;
+    if (ends_in(to->input, ".stl") || ends_in(to->input, ".STL"))
+        fail("%s: is binary STL; save it as ASCII STL, or OBJ or OFF",
+             to->input);
+    fail("%s: is not text (binary STL, perhaps, or an archive)", to->input);
+}
+
+static int next_char(void)
+{
+    int c = held;
+
+    held = EOF;
+    if (c != EOF) return c;
+    return taken < headed ? (unsigned char)head[taken++] : getc(file);
+}
+
+/* ---------------------------------------------------------------- fields */
+
+static int blank(int c)
+{
+    return c == ' ' || c == '\t' || c == '\f' || c == '\v';
+}
+
+static int digit(int c)
+{
+    return isdigit((unsigned char)c);
+}
+
+/* comment - does a comment begin at s?  # anywhere; % ! and two slashes where
+ * a line or, behind a number and a blank, a field does: in `T (%)' none. */
+static int comment(const char *s)
+{
+    const char *before = s;
+
+    if (*s == '#') return 1;
+    if (*s != '%' && *s != '!' && !(*s == '/' && s[1] == '/')) return 0;
+    while (before > line && blank(before[-1])) before--;
+    return before == line ||
+           (before < s && (digit(before[-1]) || before[-1] == '.'));
+}
+
+/* next_line - read the next line that holds something into line, without its
+ * comment.  Ends of line: LF, CR LF, CR.  Returns 0 at the end. */
+static int next_line(void)
+{
+    int c, len, quoted, i;
+
+    do {
+        len = 0;
+        line_number++;
+        while ((c = next_char()) != EOF && c != '\n' && c != '\r') {
+            /* strtod would take a NUL for the end of the line */
+            if (len < LINE) line[len++] = c ? (char)c : '?';
+            /* a byte order mark */
+            if (line_number == 1 && len == 3 &&
+                strncmp(line, "\357\273\277", 3) == 0)
+                len = 0;
+            if (line_number == 1 && len == 2 &&
+                (strncmp(line, "\377\376", 2) == 0 ||
+                 strncmp(line, "\376\377", 2) == 0))
+                fail("%s: is UTF-16; save it as UTF-8 or ASCII", to->input);
+        }
+        if (c == '\r' && (c = next_char()) != '\n' && c != EOF) {
+            held = c;
+            c = '\n';
+        }
+        line[len] = '\0';
+        for (i = quoted = 0; i < len && (quoted || !comment(line + i)); i++)
+            if (line[i] == '"') quoted = !quoted;
+        if (len == LINE && i == len)
+            fail("%s, line %ld: longer than %d characters", to->input,
+                 line_number, LINE - 1);
+        for (len = i; i > 0 && blank(line[i - 1]); i--) continue;
+        /* (tabs at the end: empty cells) */
+        while (len > i && (line[len - 1] != '\t' || !to->skip)) len--;
+        line[len] = '\0';
+        if (i > 0) return 1;
+    } while (c != EOF);
+    if (ferror(file)) fail("%s: %s", to->input, strerror(errno));
+    return 0;
+}
+
+/* number - the number at s, as C or Fortran writes it: 1.34D-01, and 1.34-101
+ * where three digits leave no room for the letter.  *end is s if there is
+ * none. */
+static double number(const char *s, char **end)
+{
+    double x = strtod(s, end);
+    const char *e = *end;
+    char text[80], *stop;
+    size_t mantissa = (size_t)(e - s), exponent;
+
+    if (mantissa == 0 || mantissa > 40 || !(digit(e[-1]) || e[-1] == '.'))
+        return x;
+    if (*e == 'd' || *e == 'D')
+        e++;
+    else if ((*e != '+' && *e != '-') || !memchr(s, '.', mantissa))
+        return x;
+    exponent = *e == '+' || *e == '-';
+    if (!digit(e[exponent])) return x;
+    while (digit(e[exponent]) && exponent < 20) exponent++;
+    sprintf(text, "%.*se%.*s", (int)mantissa, s, (int)exponent, e);
+    x = strtod(text, &stop);
+    *end = *stop ? (char *)s : (char *)e + exponent;
+    return x;
+}
+
+/* decimal_comma - may the line, not yet split, have one?  A comma between
+ * digits, in quotes, or where something else separates, too. */
+static int decimal_comma(void)
+{
+    const char *s;
+    int quoted = 0, glued = 0, spaced = 0, other = 0, point = 0, inside = 0;
+
+    for (s = line; *s; s++) {
+        if (*s == '"') quoted = !quoted;
+        if (*s == '.') point = 1;
+        if (*s == ';' || *s == '\t') other |= !quoted;
+        if (s == line) continue;
+        if (*s == ',' && digit(s[-1])) {
+            glued |= digit(s[1]);
+            inside |= quoted && digit(s[1]);
+            spaced |= blank(s[1]);
+        }
+        if (blank(*s) && !quoted && (digit(s[-1]) || s[-1] == '.'))
+            other |= s[1] != ',' && s[1] != ';' && !blank(s[1]);
+    }
+    return inside || (glued && (other || (spaced && !point)));
+}
+
+/* refuse - leave if the line may have a decimal comma. */
+static void refuse(void)
+{
+    if (doubtful)
+        fail_line("a decimal comma?  Numbers need points, and columns "
+                  "either commas or something else between them");
+}
+
+/* missing - is the text what files have in place of a number that is not
+ * there? */
+static int missing(const char *text)
+{
+    static const char *const none[] = {"",    "-",    "--",   "na",
+                                       "n/a", "null", "none", "nan"};
+    size_t k, i;
+
+    for (k = 0; k < sizeof none / sizeof none[0]; k++) {
+        for (i = 0; text[i] && tolower((unsigned char)text[i]) == none[k][i];)
+            i++;
+        if (text[i] == none[k][i]) return 1;
+    }
+    return 0;
+}
+
+/* split - the line's fields.  What separates is a semicolon; or else a comma;
+ * and blanks: behind a number always, behind a word if there is none of these
+ * and no tab.  With -skip, which looks for empty cells, each tab separates. */
+static void split(void)
+{
+    char *s, *end, mark = 0;
+    int quoted = 0, open = 0; /* is the last character a separator? */
+
+    doubtful = decimal_comma();
+    for (s = line; *s; s++) {
+        if (*s == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (*s == ';' || (*s == ',' && mark != ';') || (*s == '\t' && !mark))
+            mark = *s;
+    }
+    s = line;
+    for (many = 0;; many++) {
+        while (blank(*s) && !(to->skip && *s == mark)) s++;
+        if (!*s &&
+            !(to->skip && open && many + 1 == (width > 0 ? width : titles)))
+            return;
+        if (many == COLUMNS)
+            fail("%s, line %ld: more than %d columns", to->input, line_number,
+                 COLUMNS);
+        quoted = *s == '"';
+        s += quoted;
+        fields[many].text = s;
+        end = s;
+        fields[many].x = *s == mark ? 0.0 : number(s, &end);
+        if (quoted) {
+            while (blank(*end)) end++;
+            fields[many].number = end > s && *end == '"';
+            while (*s && *s != '"') s++;
+            end = s + (*s != '\0');
+            *s = '\0';
+            s = end;
+            while (*s && *s != mark && !blank(*s)) s++;
+            end = s;
+        } else {
+            fields[many].number =
+                end > s && (!*end || *end == mark || blank(*end));
+            if (!fields[many].number)
+                for (end = s; *end && *end != mark;) {
+                    if (blank(*end) && !mark) break;
+                    end++;
+                }
+            s = end;
+        }
+        while (blank(*s) && !(to->skip && *s == mark)) s++;
+        open = *s && *s == mark;
+        s += open;
+        if (!quoted) {
+            while (end > fields[many].text && blank(end[-1])) end--;
+            *end = '\0';
+        }
+        fields[many].missing = to->skip && missing(fields[many].text);
+        if (fields[many].missing) fields[many].number = 1;
+    }
+}
+
+/* numbers - how many of the fields are numbers. */
+static int numbers(void)
+{
+    int k, sum = 0;
+
+    for (k = 0; k < many; k++) sum += fields[k].number && !fields[k].missing;
+    return sum;
+}
+
+/* lacking - is a number missing in a column that is asked for? */
+static int lacking(void)
+{
+    int k;
+
+    for (k = 0; k < many; k++)
+        if (fields[k].missing && (width != many || part[k] < LABEL ||
+                                  part[k] == VALUE))
+            return 1;
+    return 0;
+}
+
+/* drop - leave the line out, by -skip. */
+static void drop(void)
+{
+    if (dropped++ == 0) first_dropped = line_number;
+}
+
+/* count - is field k a whole number that may be one of points? */
+static int count(int k)
+{
+    return fields[k].number && fields[k].x >= 0.0 && fields[k].x <= 1e15 &&
+           strspn(fields[k].text, "0123456789") == strlen(fields[k].text);
+}
+
+/* word - is field k this one? */
+static int word(int k, const char *text)
+{
+    return k < many && strcmp(fields[k].text, text) == 0;
+}
+
+/* ---------------------------------------------------------------- points */
+
+/* put_point - one more: its coordinates; its values are set by the caller. */
+static void put_point(const double *x)
+{
+    int k;
+
+    if (to->n == to->room ||
+        (double)to->columns * (double)(to->n + 1) > (double)to->values)
+        too_small("%s, line %ld: more than %ld points with %d values each; "
+                  "build for more: make MAXPTS=%ld",
+                  to->input, line_number, (long)to->n, to->columns,
+                  4 * to->room);
+    for (k = 0; k < 3; k++) to->p[3 * to->n + k] = (tess_real)x[k];
+    to->line[to->n] = line_number;
+    to->n++;
+    if (to->n == 100000 || to->n % 1000000 == 0)
+        say("reading %s: %ld points", to->input, (long)to->n);
+}
+
+/* axis - 0, 1, 2 for a column named x, y, z, else -1. */
+static int axis(const char *name)
+{
+    int c = tolower((unsigned char)name[0]);
+
+    if (strncmp(name, "Points:", 7) == 0 && name[7] >= '0' && name[7] < '3' &&
+        !name[8])
+        return name[7] - '0';
+    if (c < 'x' || c > 'z') return -1;
+    for (name++; blank(*name); name++) continue;
+    return *name && *name != '(' && *name != '[' ? -1 : c - 'x';
+}
+
+/* header - keep the line's fields as the names of columns, unless those kept
+ * name x, y, z, or these are their units. */
+static void header(void)
+{
+    int k, found = 0;
+
+    for (k = 0; k < titles; k++)
+        if (axis(title[k]) >= 0) found++;
+    if (found >= 3 || titles == many) return;
+    titles = many;
+    for (k = 0; k < many; k++)
+        sprintf(title[k], "%.*s", TITLE - 1, fields[k].text);
+}
+
+/* called - the column of that name, its unit left out; else the first one that
+ * differs in small and capital letters alone; many if there is none. */
+static int called(const char *name, size_t length)
+{
+    const char *c;
+    size_t i;
+    int k, fold;
+
+    for (fold = 0; fold < 2; fold++)
+        for (k = 0; k < titles; k++) {
+            c = title[k];
+            for (i = 0; i < length; i++)
+                if (c[i] != name[i] &&
+                    (!fold || tolower((unsigned char)c[i]) !=
+                                  tolower((unsigned char)name[i])))
+                    break;
+            if (i < length) continue;
+            while (blank(c[i])) i++;
+            if (!c[i] || c[i] == '(' || c[i] == '[') return k;
+        }
+    return many;
+}
+
+/* choose - the columns that -cols names: x, y, z, then values.  Returns how
+ * many. */
+static int choose(int *at)
+{
+    const char *s = to->cols;
+    size_t length;
+    int found = 0, k;
+
+    for (;;) {
+        length = strcspn(s, ",");
+        k = many;
+        if (strspn(s, "0123456789") < length)
+            k = called(s, length);
+        else if (length > 0 && length < 5 && *s != '0')
+            k = atoi(s) - 1;
+        if (k >= many)
+            fail("%s, line %ld: -cols: no column %.*s among %d%s", to->input,
+                 line_number, (int)length, s, many,
+                 titles > 0 ? "" : ", and no line of names before them");
+        if (!fields[k].number)
+            fail("%s, line %ld: -cols: column %d is not a number: %.30s",
+                 to->input, line_number, k + 1, fields[k].text);
+        if (part[k] != UNUSED || found == COLUMNS)
+            fail("-cols: column %.*s twice", (int)length, s);
+        part[k] = found < 3 ? found : VALUE;
+        at[found++] = k;
+        s += length;
+        if (!*s++) return found;
+    }
+}
+
+/* columns - what the columns of this line are, and with it of all others. */
+static void columns(void)
+{
+    int at[COLUMNS], k, found = 0;
+
+    width = many;
+    first_line = line_number;
+    to->columns = 0;
+    if (titles != many) titles = 0;
+    at[0] = at[1] = at[2] = -1;
+    for (k = 0; k < many; k++) part[k] = UNUSED;
+    if (to->cols) found = choose(at);
+    for (k = 0; k < titles && !to->cols; k++) {
+        int a = axis(title[k]);
+
+        if (a < 0 || at[a] >= 0 || !fields[k].number) continue;
+        at[a] = k;
+        found++;
+    }
+    if (found < 3)
+        for (k = found = 0; k < many && found < 3; k++)
+            if (fields[k].number) at[found++] = k;
+    if (found < 3) fail_line("fewer than three numbers");
+    for (k = 0; k < 3; k++) part[at[k]] = k;
+    for (k = 0; k < many; k++) {
+        if (!fields[k].number) part[k] = LABEL;
+        if (part[k] == UNUSED && found == 3) part[k] = VALUE;
+        if (part[k] != VALUE) continue;
+        if (titles > 0 && title[k][0])
+            strcpy(to->name[to->columns], title[k]);
+        else
+            sprintf(to->name[to->columns],
+                    to->columns > 0 ? "value%d" : "value", to->columns + 1);
+        to->columns++;
+    }
+}
+
+/* like - has the line the form of the first one? */
+static int like(void)
+{
+    int k;
+
+    if (many != width) return 0;
+    for (k = 0; k < many; k++)
+        if (part[k] != UNUSED && !fields[k].missing &&
+            (part[k] == LABEL) == fields[k].number)
+            return 0;
+    return 1;
+}
+
+/* row - the line, split, is a point. */
+static void row(void)
+{
+    double x[3], *v;
+    int k;
+
+    refuse();
+    if (many != width)
+        fail("%s, line %ld: %d columns, but line %ld has %d", to->input,
+             line_number, many, first_line, width);
+    if (part[0] != 0 ||
+        fields[0].x != count_from + (double)to->n + (double)dropped)
+        counting = 0;
+    if (lacking()) {
+        drop();
+        return;
+    }
+    for (k = 0; k < many; k++) {
+        if (part[k] == LABEL || part[k] == UNUSED) continue;
+        if (!fields[k].number)
+            fail("%s, line %ld: column %d is not a number: %.30s%s",
+                 to->input, line_number, k + 1, fields[k].text,
+                 missing(fields[k].text) ? " (-skip drops such lines)" : "");
+        if (part[k] < LABEL) x[part[k]] = fields[k].x;
+    }
+    put_point(x);
+    v = to->value + to->columns * (long)(to->n - 1);
+    for (k = 0; k < many; k++)
+        if (part[k] == VALUE) *v++ = fields[k].x;
+}
+
+/* shape - the first point's line: what it skips is said. */
+static void shape(void)
+{
+    int k;
+
+    refuse();
+    columns();
+    count_from = fields[0].x;
+    counting = count(0) && count_from <= 1.0;
+    for (k = 0; k < many; k++)
+        if (part[k] == LABEL && !to->cols)
+            warn("%s: column %d (%.20s) is not a number: skipped", to->input,
+                 k + 1, fields[k].text);
+    /* 0,13,0,84,0,5: to tell is beyond a program */
+    for (k = 0; k < many && count(k); k++) continue;
+    if (many >= 6 && many % 2 == 0 && k == many)
+        warn("%s: whole numbers in %d columns; if commas are decimal signs, "
+             "write points",
+             to->input, many);
+}
+
+/* rows - read the points from the current line, split, to the end; or want of
+ * them.  perhaps: the first line may be no point but a comment, and is if the
+ * others are of another form, or there is one too many.  rest: what follows
+ * is nothing that a word should be lost about. */
+static void rows(double want, int perhaps, int rest)
+{
+    tess_int i;
+    long k;
+
+    if (want == 0.0) fail("%s: no points", to->input);
+    shape();
+    for (;;) {
+        if (perhaps && to->n + dropped == 1 && !like()) {
+            perhaps = 0;
+            to->n = 0;
+            dropped = 0;
+            shape();
+        }
+        row();
+        if (want >= 0.0 && (double)to->n + (double)dropped == want &&
+            !perhaps)
+            break;
+        if (!next_line()) break;
+        split();
+        if (perhaps && (double)to->n + (double)dropped == want) {
+            /* not so, if all points are there already */
+            perhaps = 0;
+            if (!like()) break;
+            if (dropped > 0 && first_dropped == first_line) {
+                dropped--;
+                row();
+                break;
+            }
+            for (i = 3; i < 3 * to->n; i++) to->p[i - 3] = to->p[i];
+            for (k = 0; k < to->columns * (long)(to->n - 1); k++)
+                to->value[k] = to->value[k + to->columns];
+            for (i = 1; i < to->n; i++) to->line[i - 1] = to->line[i];
+            to->n--;
+            row();
+            break;
+        }
+    }
+    if (want >= 0.0 && (double)to->n + (double)dropped < want)
+        fail("%s: ends after %ld of %.0f points", to->input,
+             (long)to->n + dropped, want);
+    if (!rest && want >= 0.0 && next_line())
+        warn("%s, line %ld: more than the %.0f points announced: the rest is "
+             "not read",
+             to->input, line_number, want);
+}
+
+static void need_line(void)
+{
+    if (!next_line()) fail("%s: ends before the first point", to->input);
+    split();
+}
+
+/* read_text - lines of numbers; a header or a count before them, or both. */
+static void read_text(void)
+{
+    double want = -1.0, other;
+    long first = line_number;
+    int perhaps = 0, named, words, at[3], k;
+
+    if (many == 2 && count(0) && count(1) &&
+        (fields[0].x == 3.0 || fields[1].x == 3.0)) {
+        /* Qhull's dimension and number, in any order */
+        want = fields[fields[0].x == 3.0].x;
+        need_line();
+    } else if (count(0) && (many == 1 || (!fields[1].number &&
+                                          (numbers() < 3 ||
+                                           word(1, "rbox"))))) {
+        want = fields[0].x;
+        need_line();
+        if (line_number == first + 1 && numbers() >= 3)
+            perhaps = 1;
+        else if (line_number == first + 1) {
+            other = many == 1 && count(0) ? fields[0].x : -1.0;
+            need_line();
+            /* Qhull, unless it is a file of 3 atoms */
+            if (other >= 0.0 && fields[0].number)
+                want = want == 3.0 ? other : want;
+        }
+    }
+    while (numbers() < 3) {
+        refuse();
+        if (numbers() == many) fail_line("fewer than three numbers");
+        for (k = words = 0; k < many; k++) words += !fields[k].number;
+        /* no names, but a row from which numbers are missing */
+        if (words == 0 || (titles == many && numbers() > 0 && lacking()))
+            drop();
+        else
+            header();
+        need_line();
+    }
+    rows(want, perhaps, 0);
+    if (to->cols) return;
+    /* a header says where x, y, z are; it might be misread */
+    for (k = 0; k < width; k++)
+        if (part[k] < LABEL) at[part[k]] = k;
+    named = titles > 0 && axis(title[at[0]]) == 0;
+    if (titles > 0 &&
+        (at[0] > at[1] || at[1] > at[2] || at[2] - at[0] > 2 || !named))
+        warn("%s: x, y, z are the columns %d, %d, %d (%s, %s, %s); -cols "
+             "chooses others",
+             to->input, at[0] + 1, at[1] + 1, at[2] + 1, title[at[0]],
+             title[at[1]], title[at[2]]);
+    if (counting && !named && to->columns > 0 && to->n >= 4)
+        warn("%s: column 1 is %.0f, %.0f, %.0f, ... and was taken for x; if "
+             "it numbers the points: -cols 2,3,4",
+             to->input, count_from, count_from + 1.0, count_from + 2.0);
+}
+
+/* read_off - OFF, COFF, NOFF: points, and faces that do not matter. */
+static void read_off(void)
+{
+    double want;
+
+    if (word(0, "4OFF") || word(0, "nOFF") || word(1, "BINARY"))
+        fail_line("not an OFF file of points in space, in ASCII");
+    if (many == 1)
+        need_line();
+    else
+        fields[0] = fields[1];
+    if (!count(0)) fail_line("not the number of points");
+    want = fields[0].x;
+    need_line();
+    rows(want, 0, 1);
+}
+
+static void read_ply(void)
+{
+    double want = -1.0;
+
+    titles = 0;
+    for (need_line(); !word(0, "end_header"); need_line()) {
+        if (word(0, "format") && !word(1, "ascii"))
+            fail_line("this PLY file is binary; save it as ascii");
+        if (word(0, "element") && want < 0.0) {
+            if (!word(1, "vertex") || many != 3 || !count(2))
+                fail_line("points must be the first element of a PLY file");
+            want = fields[2].x;
+        } else if (word(0, "element")) {
+            while (!word(0, "end_header")) need_line();
+            break;
+        }
+        if (word(0, "property") && many == 3 && titles < COLUMNS)
+            sprintf(title[titles++], "%.*s", TITLE - 1, fields[2].text);
+    }
+    need_line();
+    rows(want, 0, 1);
+}
+
+/* read_lines - those that begin with this word: v of Wavefront's, vertex of
+ * ASCII STL. */
+static void read_lines(const char *first)
+{
+    while (!word(0, first)) need_line();
+    fields[0].number = 0;
+    shape();
+    do {
+        if (word(0, first)) row();
+        if (!next_line()) return;
+        split();
+    } while (1);
+}
+
+/* column - the number in columns from ... to, counted from 1, of a line with
+ * fixed columns; fallback if they are blank. */
+static double column(int from, int last, double fallback)
+{
+    char text[20], *end;
+    double x;
+
+    if ((int)strlen(line) < from) return fallback;
+    sprintf(text, "%.*s", last - from + 1, line + from - 1);
+    x = strtod(text, &end);
+    while (blank(*end)) end++;
+    if (*end) fail_line("not an atom of a PDB file");
+    return end[-1] && strspn(text, " ") < strlen(text) ? x : fallback;
+}
+
+/* read_pdb - atoms, with their temperature factors; of the first model. */
+static void read_pdb(void)
+{
+    double x[3];
+    int k;
+
+    to->columns = 1;
+    strcpy(to->name[0], "B");
+    do {
+        if (strncmp(line, "ENDMDL", 6) == 0) {
+            warn("%s, line %ld: the first model is read, no other",
+                 to->input, line_number);
+            return;
+        }
+        if (strncmp(line, "ATOM  ", 6) != 0 && strncmp(line, "HETATM", 6) != 0)
+            continue;
+        if (strlen(line) < 54) fail_line("not an atom of a PDB file");
+        for (k = 0; k < 3; k++)
+            x[k] = column(31 + 8 * k, 38 + 8 * k, 0.0);
+        put_point(x);
+        to->value[to->n - 1] = column(61, 66, 0.0);
+    } while (next_line());
+}
+
+/* read_node - TetGen: attributes and markers are values. */
+static void read_node(void)
+{
+    double want, x[3];
+    int attributes, k;
+
+    for (k = many; k < 4; k++) fields[k].x = 0.0;
+    if (many < 2 || numbers() < many || many > 4 || !count(0) ||
+        fields[2].x < 0.0 || fields[2].x > COLUMNS - 5.0)
+        fail_line("not the first line of a .node file");
+    if (fields[1].x != 3.0)
+        fail_line("the points are not in three dimensions");
+    want = fields[0].x;
+    attributes = (int)fields[2].x;
+    to->marker = fields[3].x != 0.0;
+    to->columns = attributes + to->marker;
+    for (k = 0; k < attributes; k++)
+        sprintf(to->name[k], k > 0 ? "value%d" : "value", k + 1);
+    if (to->marker) strcpy(to->name[attributes], "marker");
+    while ((double)to->n < want) {
+        if (!next_line())
+            fail("%s: ends after %ld of %.0f points", to->input, (long)to->n,
+                 want);
+        split();
+        if (numbers() < 4 + to->columns || numbers() < many)
+            fail("%s, line %ld: not %d numbers", to->input, line_number,
+                 4 + to->columns);
+        if (to->n == 0 && fields[0].x == 1.0) to->base = 1;
+        if (fields[0].x != (double)(to->n + to->base))
+            fail_line("points are not numbered one after the other from 0 "
+                      "or 1");
+        for (k = 0; k < 3; k++) x[k] = fields[k + 1].x;
+        put_point(x);
+        for (k = 0; k < to->columns; k++)
+            to->value[to->columns * (long)(to->n - 1) + k] = fields[k + 4].x;
+    }
+}
+
+/* fixed - leave if -cols is given for a format that has no choice. */
+static void fixed(const char *format)
+{
+    if (to->cols)
+        fail("%s: -cols is for lines of numbers, not for %s", to->input,
+             format);
+}
+
+/* pdb - does the line begin as those of a PDB file do? */
+static int pdb(void)
+{
+    static const char *const record[] = {
+        "HEADER", "OBSLTE", "TITLE ", "COMPND", "REMARK", "CRYST1",
+        "MODEL ", "ATOM  ", "HETATM", "AUTHOR"};
+    size_t k;
+
+    for (k = 0; k < sizeof record / sizeof record[0]; k++)
+        if (strncmp(line, record[k], 6) == 0) return 1;
+    return 0;
+}
+
+void read_points(const char *name, points *a)
+{
+    to = a;
+    to->input = "standard input";
+    file = stdin;
+    if (name && strcmp(name, "-") != 0) {
+        to->input = name;
+        file = fopen(name, "r");
+        if (!file) fail("%s: %s", name, strerror(errno));
+    } else if (!name)
+        warn("reading points from standard input");
+    refuse_binary();
+    if (!next_line()) fail("%s: empty", to->input);
+    if (ends_in(to->input, ".pdb") || ends_in(to->input, ".ent") || pdb()) {
+        fixed("PDB");
+        read_pdb();
+    } else {
+        split();
+        if (ends_in(to->input, ".node")) {
+            fixed(".node files");
+            read_node();
+        } else if (word(0, "ply"))
+            read_ply();
+        else if (ends_in(fields[0].text, "OFF"))
+            read_off();
+        else if (ends_in(to->input, ".obj") || word(0, "v") ||
+                 word(0, "mtllib") || word(0, "o")) {
+            fixed("OBJ");
+            read_lines("v");
+        } else if (word(0, "solid")) {
+            fixed("STL");
+            read_lines("vertex");
+        } else if (strncmp(fields[0].text, "data_", 5) == 0)
+            fail_line("mmCIF is not read; save it as PDB or xyz");
+        else
+            read_text();
+    }
+    if (to->n == 0 && dropped > 0)
+        fail("%s: no points: -skip drops all %ld rows; name the columns that "
+             "are wanted: -cols X,Y,Z,VALUE",
+             to->input, dropped);
+    if (to->n == 0) fail("%s: no points", to->input);
+    if (dropped > 0)
+        warn("%s: %ld row%s dropped for a number that is missing, the first "
+             "in line %ld",
+             to->input, dropped, dropped > 1 ? "s" : "", first_dropped);
+    if (file != stdin) fclose(file);
+}
