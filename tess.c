@@ -198,7 +198,7 @@ extern void tess_prove(int fact);
  * the points; not if less than half of the leaves' are below SLENDER of their
  * boxes. */
 #define SCANS 100.0
-#define SLENDER 0.25
+#define SLENDER 0.7
 #define ENCLOSED(m) (TESS_LIST >= 128 && (m)->cylinder != NULL)
 /* Hull planes that are remembered. */
 #define PLANES 4

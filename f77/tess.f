@@ -2893,18 +2893,18 @@ C     lengths, radii; of each of these numbers four in a row.
       TSGROU = TSGROU + NODE - LEVEL
       END
 
-C     TSENCL - make the cylinder of a node, C(J,.).  The axis is a
+C     TSENCL - make the cylinder of a node, CYL(J,.,AT).  The axis is a
 C     column, that of the greatest diagonal, of the matrix of second
 C     moments (a rod) or of its adjugate (a disc), whichever gives less
 C     volume; SLENDR is 1 if that is below SLIM of the box's, or 0.  Of
 C     the sum of |X(K)| the differences from the box's middle err by
 C     EPS, their products with the axis and what is left across it by
 C     less than 40, the centre by 10: together less than 64.
-      SUBROUTINE TSENCL(X, BOX, CTL, NODE, C, J, SLENDR)
-      DOUBLE PRECISION X(3,*), BOX(6,*), C(4,8)
-      INTEGER CTL(*), NODE, J, SLENDR
+      SUBROUTINE TSENCL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
+      INTEGER CTL(*), NODE, AT, J, SLENDR
       DOUBLE PRECISION EPS, FAINT, HUGE, SLIM, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, SLIM = 0.25D0)
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, SLIM = 0.7D0)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
       PARAMETER (SMALL = 2.0D0**(-450))
       DOUBLE PRECISION A(6), HI, LO, MANY, MID(3), MOST, PAD, RR, S
@@ -2979,11 +2979,11 @@ C     less than 40, the centre by 10: together less than 64.
         IF ((HI - LO)*RR .GE. VOLUME) GO TO 120
         VOLUME = (HI - LO)*RR
         DO 110 K = 1, 3
-          C(J,K) = MID(K) + 0.5D0*(LO + HI)*U(K)
-          C(J,3+K) = U(K)
+          CYL(J,K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
+          CYL(J,3+K,AT) = U(K)
   110   CONTINUE
-        C(J,7) = 0.5D0*(HI - LO) + PAD
-        C(J,8) = SQRT(RR) + PAD
+        CYL(J,7,AT) = 0.5D0*(HI - LO) + PAD
+        CYL(J,8,AT) = SQRT(RR) + PAD
   120 CONTINUE
       SLENDR = 0
       IF (3.2D0*VOLUME .LT. SLIM*(BOX(4,NODE) - BOX(1,NODE))*
@@ -3009,8 +3009,8 @@ C     slender.
    10 IF (LEVEL .GT. 0) THEN
         DO 30 NODE = LEVEL, 2*LEVEL - 1
           DO 20 I = 1, 4
-            CALL TSENCL(X, BOX, CTL, 4*NODE + I - 1,
-     $                  CYL(1,1,TSGROU(CTL, NODE)), I, SLENDR)
+            CALL TSENCL(X, BOX, CTL, 4*NODE + I - 1, CYL,
+     $                  TSGROU(CTL, NODE), I, SLENDR)
             SUM = SUM + SLENDR
    20     CONTINUE
    30   CONTINUE

@@ -477,7 +477,7 @@ if command -v ftnchek > /dev/null; then
     one "ftnchek: no warning" sh -c '! grep -i warning build/ftnchek.txt'
     $CHEK $F77 > build/ftnchek.txt 2>&1
     egrep -i warning build/ftnchek.txt | egrep -v \
-        'Subprogram (TSMESH|TSINDE|TSQUER|TSAPEX|TSSETT|TSOPEN) argument' \
+        'Subprogram (TSMESH|TSINDE|TSQUER|TSAPEX|TSSETT|TSOPEN|TSECLD|TSOUTS) argument' \
         > build/ftnwarn.txt
     one "ftnchek: warnings of the workspace alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
