@@ -1,8 +1,10 @@
 # make, make all   build/tess, a program that tetrahedralizes a file of points
 # make run         try it: POINTS=file for points other than a mirror's sensors
-# make examples    the programs of test/examples
+# make examples    the programs of test/examples; their times, too
 # make pictures    write test/pictures anew
-# make check       the tests
+# make errors      a table: errors of interpolation, linear and by slopes
+# make check       the tests, about two minutes on two processors
+# make check-all   more of each, all builds, machines and processes
 # make torture     a hunt for faults: TIME=600 seconds, SEED=1
 # make certify     the same for the bounds of the search alone: TIME, SEED
 # make coverage    which lines of the library the tests run (gcov)
@@ -13,6 +15,7 @@
 # make paper       the experiments of the paper: test/paper/results.txt
 # make reach       other machines and compilers: test/results/reach.txt
 # make manual      write f77/README anew, from f77/tess.f and hhpred.f
+# make mpi         build/mesh, for processes that share nothing: test/mpi/mesh.c
 # make mirror      write test/data/mirror.xyz anew
 # make clean       remove build/
 # make help        this list
@@ -36,8 +39,6 @@ SEED =
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
 LIBRARY = build/tess.o build/hhpred.o
-EXAMPLES = interp poisson embedded surface parts stream sensor derived planar
-
 all: build/tess
 
 # Static arrays beyond 2 GB, or 4: sets model to what they need.  They come last,
@@ -74,11 +75,13 @@ build/read.o: test/program/read.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/read.c
 
-build/draw.o: test/program/draw.c test/program/draw.h tess.h hhpred.h
+build/draw.o: test/program/draw.c test/program/draw.h \
+    test/examples/cells.c tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/draw.c
 
-build/picture: test/program/picture.c test/program/draw.h build/draw.o $(LIBRARY)
+build/picture: test/program/picture.c test/program/draw.h \
+    test/examples/slopes.c build/draw.o $(LIBRARY)
 	$(LINK) $(CPPFLAGS) -I. test/program/picture.c build/draw.o \
 	    $(LIBRARY) $(LDLIBS)
 
@@ -95,9 +98,11 @@ run: build/tess
 	build/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look "$(POINTS)"
 
 examples: $(LIBRARY)
-	@set -e; for name in $(EXAMPLES); do \
-	echo "test/examples/$$name.c"; \
-	also=; [ $$name != parts ] || also=-lpthread; \
+	@set -e; for name in test/examples/*.c; do \
+	echo "$$name"; \
+	name=`basename $$name .c`; \
+	also=; case $$name in parts) also=-lpthread;; join|fortran) continue;; \
+	esac; \
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -I. -o build/$$name \
 	    test/examples/$$name.c $(LIBRARY) $(LDLIBS) $$also; \
 	(cd build && ./$$name $$name.obj $$name.stl) > build/$$name.out || \
@@ -107,10 +112,17 @@ examples: $(LIBRARY)
 
 pictures: build/picture
 	build/picture test/data/mirror.xyz test/pictures/mirror.svg \
-	    test/pictures/cube.svg
+	    test/pictures/section.svg test/pictures/cube.svg
+
+errors: $(LIBRARY)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o build/slopes -I. test/examples/slopes.c $(LIBRARY) $(LDLIBS)
+	build/slopes table
 
 check: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/check.sh
+
+check-all: all
+	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/check.sh -all
 
 torture:
 	CC="$(CC)" sh test/hunts/torture.sh $(TIME) $(SEED)
@@ -127,6 +139,18 @@ mutation:
 bench: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" FAMILY="$(FAMILY)" SIZES="$(SIZES)" \
 	    SCANS="$(SCANS)" sh test/bench/bench.sh
+
+MESH = test/mpi/mesh.c test/mpi/split.c test/mpi/halo.c test/mpi/stars.c \
+    test/mpi/output.c test/mpi/mail.c
+
+mpi: build/mesh build/same
+
+build/mesh: $(MESH) test/mpi/mesh.h test/points.c test/points.h $(LIBRARY)
+	OMPI_CC="$(CC)" mpicc $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@ $(MESH) \
+	    test/points.c $(LIBRARY) $(LDLIBS)
+
+build/same: test/mpi/same.c test/points.c test/points.h $(LIBRARY)
+	$(LINK) $(CPPFLAGS) test/mpi/same.c test/points.c $(LIBRARY) $(LDLIBS)
 
 paper:
 	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/paper/paper.sh
@@ -146,5 +170,5 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all always run examples pictures check torture certify coverage \
-    mutation bench paper reach manual mirror clean help
+.PHONY: all always run examples pictures errors check check-all torture certify \
+    coverage mutation bench mpi paper reach manual mirror clean help

@@ -3,11 +3,11 @@
  * Order of the routines, here and in f77/hhpred.f:
  *   exact numbers     nearest zeros shift split carry signof spread least
  *                     volume ball leading region foot limbsg limbs3 limbs10
- *                     limbsx centre weight exact
+ *                     limbsx centre weight certain balanced exact
  *   the arithmetic    hh_finite precise hh_holds held
- *   exact signs       certain filt3 filt5 opposite pack scale hh_orient
+ *   exact signs       filt3 filt5 opposite pack scale hh_orient
  *                     hh_insphere hh_flat hh_line closest hh_foot widersg
- *                     hh_wider hh_range corners hh_pside
+ *                     hh_wider hh_range apart corners hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
  *   balls by limbs    rows cut hh_centre form sure offset squared hh_trial
  *                     hh_unit hh_height hh_thin
@@ -559,6 +559,73 @@ static double weight(double most)
     return ldexp(1.0, e + 2 - HH_BITS);
 }
 
+/* certain - the sign of det, certain beyond err or when exact. */
+static int certain(double det, double perm, double factor, double t)
+{
+    double err = factor * DBL_EPSILON * perm + TINY;
+
+    if (det > err) return 1;
+    if (det < -err) return -1;
+    if (perm <= t) return det > 0.0 ? 1 : det < 0.0 ? -1 : 0;
+    return UNSURE;
+}
+
+#if HH_LIMBS > 10
+/* balanced - the sign of volume's or ball's determinant, as that of rows (p, 1)
+ * or (p, |p|^2, 1), in double precision, whatever the exponents: rows, then
+ * columns are scaled by powers of two to at most 1.  UNSURE where that does not
+ * tell: a square has 5 roundings, a minor's term a product and at most 4 sums
+ * on each of 5 levels; in all 30 eps of the permanent, doubled as in filt3.
+ * det[set], the minor of the first rows and a set of columns, is by its last
+ * row. */
+static int balanced(int np, const double *q)
+{
+    double a[25], det[32], perm[32], x, sum;
+    int e[25], i, j, k, most, set, rest, bit, at;
+
+    for (i = 0; i < np; i++, q += 3) {
+        most = INT_MIN;
+        for (j = 0; j < np; j++) {
+            k = np * i + j;
+            a[k] = j < 3 ? frexp(q[j], e + k) : 1.0;
+            if (j < 3 && a[k] != 0.0 && e[k] > most) most = e[k];
+        }
+        if (most == INT_MIN) most = 0;
+        e[k] = 0;
+        if (np == 5) {
+            for (j = 0, sum = 0.0; j < 3; j++) {
+                x = ldexp(q[j], -most);
+                sum += x * x;
+            }
+            a[k - 1] = sum;
+            e[k - 1] = 2 * most;
+        }
+        at = most > 0 ? (np == 5 ? 2 : 1) * most : 0;
+        for (j = 0; j < np; j++) e[np * i + j] -= at;
+    }
+    for (j = 0; j < np; j++) {
+        most = INT_MIN;
+        for (k = j; k < np * np; k += np)
+            if (a[k] != 0.0 && e[k] > most) most = e[k];
+        for (k = j; k < np * np; k += np)
+            if (a[k] != 0.0) a[k] = ldexp(a[k], e[k] - most);
+    }
+    det[0] = perm[0] = 1.0;
+    for (set = 1; set < 1 << np; set++) {
+        for (rest = set, i = -1; rest > 0; rest &= rest - 1) i++;
+        det[set] = perm[set] = 0.0;
+        at = i;
+        for (j = 0, bit = 1; j < np; j++, bit *= 2) {
+            if (!(set & bit)) continue;
+            x = a[np * i + j];
+            det[set] += (at-- % 2 == 0 ? x : -x) * det[set - bit];
+            perm[set] += fabs(x) * perm[set - bit];
+        }
+    }
+    return certain(det[set - 1], perm[set - 1], 64.0, -1.0);
+}
+#endif
+
 /* exact - limbsg with as many limbs as it takes; alters q. */
 static int exact(int np, double *q, double *w)
 {
@@ -578,6 +645,7 @@ static int exact(int np, double *q, double *w)
     sign = limbs3(np, q, top, w);
 #if HH_LIMBS > 10
     if (sign == UNSURE) sign = limbs10(np, q, top, w);
+    if (sign == UNSURE && !w) sign = balanced(np, q);
 #endif
     if (sign == UNSURE) sign = limbsx(np, q, top, w);
     return sign;
@@ -696,17 +764,6 @@ static int held(int np, const tess_real *const *p)
  * underflowed one, and a permanent of at most t (2^(DBL_MANT_DIG-1) units)
  * means that nothing was rounded at all.
  * --------------------------------------------------------------------- */
-
-/* certain - the sign of det, certain beyond err or when exact. */
-static int certain(double det, double perm, double factor, double t)
-{
-    double err = factor * DBL_EPSILON * perm + TINY;
-
-    if (det > err) return 1;
-    if (det < -err) return -1;
-    if (perm <= t) return det > 0.0 ? 1 : det < 0.0 ? -1 : 0;
-    return UNSURE;
-}
 
 /* filt3 - the sign of det [b-a c-a d-a], or UNSURE. */
 static int filt3(const double *a, const double *b, const double *c,
@@ -1014,6 +1071,19 @@ int hh_range(double x, double most)
     return used > HH_LIMBS ? UNSURE : 0;
 }
 
+/* apart - q = the coordinates of np points p in units of their own, if x, the
+ * first of them, is so far below the set's that its units do not become them;
+ * returns 1 if so. */
+static int apart(const double *x, int np, const tess_real *const *p, double *q)
+{
+    double most;
+
+    if (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) > FEW) return 0;
+    most = pack(np, p, q);
+    scale(3 * np, most, q, q);
+    return most > 0.0;
+}
+
 /* corners - are np points corners of one box with faces along the axes, that
  * is, has no coordinate more than two values?  q is then what becomes of them
  * when the box is made the unit cube, which alters no orientation. */
@@ -1049,6 +1119,9 @@ int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
     p[2] = s->p + 3 * s->order[k];
     p[3] = s->p + 3 * s->order[l];
     if (corners(4, p, q)) return filt3(q, q + 3, q + 6, q + 9, 64.0);
+    if (apart(s->x + 3 * i, 4, p, q))
+        sign = filt3(q, q + 3, q + 6, q + 9, -1.0);
+    if (sign != UNSURE) return sign;
     pack(4, p, q);
     return opposite(exact(4, q, NULL));
 }
@@ -1108,8 +1181,12 @@ static int perturb(const hh_set *s, const tess_int *v, int positive)
         for (n = 0; n < 5; n++) p[n] = s->p + 3 * s->order[v[n]];
         /* the corners of a box are on one sphere */
         if (corners(5, p, q)) return tied(s, v, positive);
-        pack(5, p, q);
-        sign = exact(5, q, NULL);
+        if (apart(s->x + 3 * v[0], 5, p, q))
+            sign = filt5(q, q + 3, q + 6, q + 9, q + 12, -1.0);
+        if (sign == UNSURE) {
+            pack(5, p, q);
+            sign = exact(5, q, NULL);
+        }
     }
     return sign == 0 ? tied(s, v, positive) : sign;
 }

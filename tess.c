@@ -77,12 +77,12 @@
  *   pool         outfac facet owner hashkey same find insert erase quota
  *                rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
- *   apex         powererr extent prunebox prunepart ballinbox ballinstar better
- *                narrow refine rough level remember fit discover lean residual
- *                sharpen sight lowest promise face aside group enclose
+ *   apex         dot powererr prunebox prunepart ballinbox ballinstar better
+ *                curved narrow refine rough marked level remember fit discover
+ *                lean sharpen sight lowest beyond promise group enclose
  *                enclosed outside challenge consider
  *                ballcoef starcoef inball considerall likeliest anypoint instar
- *                inblock scanleaf nearleaf barren treesearch onhull prepare
+ *                inblock scanleaf barren treesearch onhull prepare
  *                proven apex
  *   one star     exchange settle plant
  *   results      coords four slot mate
@@ -139,7 +139,6 @@ extern void tess_prove(int fact);
 
 #define NONE (-1)
 #define UNSURE 2  /* what hh_orient and hh_insphere answer out of range */
-#define SURE 3    /* what sharpen answers for a better point */
 #define LOST 99   /* what walk answers when it has none */
 #define DONE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
@@ -176,10 +175,11 @@ extern void tess_prove(int fact);
 #define DEPTH 96
 /* Supports, at most.  One is sought when a search has more than OPENED points
  * in its sample and these add up to BURDEN times all points; each time in vain
- * doubles that. */
+ * doubles that.  One with grains FINER times smaller takes another's points. */
 #define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST < 512 ? TESS_LIST / 64 : 8)
 #define OPENED 24
 #define BURDEN 1.0
+#define FINER 100.0
 /* Of fewer points none is sought; places of the sample (few, for the stack,
  * where none is sought at all: see SEEK). */
 #define ENOUGH 500
@@ -188,8 +188,6 @@ extern void tess_prove(int fact);
 #define GRAINS                                                         \
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
-/* Added where a node has points above that. */
-#define ABOVE (GRAINS + 2)
 /* With short lists, for small machines, the code for supports is left out. */
 #define SEEK(m) (TESS_LIST >= 128 && (m)->seek)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
@@ -281,20 +279,6 @@ typedef struct list {
     tess_int id[TESS_LIST + LEAF];
 } list;
 
-/* A test of sight's: a (height - h) + q |w|^2 - d.w + bias, of which each
- * coordinate of w is wrong by dd times it, and all by err in the box of a node;
- * top: it supposes that no height is above -low. */
-typedef struct form {
-    double a, q, d[3], dd, bias, err;
-    int top;
-} form;
-
-/* A test of face's, made at a turn of the search: q |w|^2 - d.w + bias. */
-typedef struct slab {
-    int turn;
-    double q, d[3], dd, bias;
-} slab;
-
 /* A search for the apex of one facet. */
 typedef struct quest {
     tess_int v[3];            /* its vertices; the open side is positive */
@@ -314,19 +298,17 @@ typedef struct quest {
     tess_int opened, stride;  /* every stride-th one of so many */
     int near;                 /* the facet is near this support, or NONE: */
     double h, dh, tilt[3], dtilt; /* G = height - h - tilt.w is 0 on it */
-    double elo, ehi;          /* the best point's e is between them, */
-    double low, high;         /* that of the point compared between these */
-    int turn;                 /* changes with the ball and the best point */
-    int aimed, ntests;        /* sight's tests were made at this turn */
-    form tests[2];
-    slab slabs[SUPPORTS];
+    double g;                 /* a plane: the height of the facet's normal */
+    int aimed;                /* sight's test is for the best point there is: */
+    double a, q, d[3], dd;    /* a (height - h) + q |w|^2 - d.w, each w[k] */
+    double err;               /* wrong by dd w[k], and all by err */
 } quest;
 
 /* A support: a plane or a sphere that many points are near to.  Mark k, 0 ...
  * GRAINS - 1, of one of them is a height between low + (k - 1/2) grain and
- * low + (k + 3/2) grain, low < 0; least[node] is the least mark of a node's
- * points, -1 if one is below low, GRAINS if all are above; plus ABOVE if one is
- * above -low. */
+ * low + (k + 3/2) grain, low < 0; least[node] is 2 (k + 1), k the least mark of
+ * a node's points, -1 if one is below low, GRAINS if all are above; plus 1 if
+ * one is above -low. */
 typedef struct support {
     hh_ball t;
     int plane;
@@ -365,7 +347,6 @@ typedef struct mesh {
     double least;             /* coordinate of absolute value above 0, if any */
     support supports[SUPPORTS];
     int nsupport, seek;       /* how many there are; look for more? */
-    tess_int *pure;           /* 0, or 1 + support of all points of a node */
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
     double burden, patience;  /* comparisons left open, how many may be */
     double *cylinder;         /* see group; or NULL */
@@ -1436,6 +1417,12 @@ static void starlist(mesh *m, tess_int s)
 
 /* ---- the apex of a facet ---- */
 
+/* dot - the product of two vectors. */
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 /* powererr - how wrong the power |w|^2 - 2 c.w may be for |w|_1 <= size: c is
  * wrong by dc; each w[k] (w[k] - 2 c[k]) is the result of at most 6 roundings,
  * with w[k] itself twice and the sum's, each of at most EPS |w[k]| (|w[k]| + 2
@@ -1443,20 +1430,6 @@ static void starlist(mesh *m, tess_int s)
 static double powererr(const quest *f, double size)
 {
     return size * (2.0 * f->dc + 8.0 * EPS * (size + 2.0 * f->size)) + FAINT;
-}
-
-/* extent - the greatest |w|_1 in the box lo, hi. */
-static double extent(const quest *f, const double *lo, const double *hi)
-{
-    double size = 0.0, l, h;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        l = fabs(lo[k] - f->f[6 + k]);
-        h = fabs(hi[k] - f->f[6 + k]);
-        size += l > h ? l : h;
-    }
-    return size;
 }
 
 /* prunebox - has the box lo, hi certainly no candidate: no point that is in the
@@ -1565,11 +1538,17 @@ static int better(const mesh *m, const quest *f, tess_int z)
 }
 #endif
 
+/* curved - is the facet near a sphere? */
+static int curved(const mesh *m, const quest *f)
+{
+    return LEANING(f) && !m->supports[f->near].plane;
+}
+
 /* narrow - the L-coordinate of the best point of a search is at most l. */
 static void narrow(quest *f, double l)
 {
     f->hi = l;
-    f->turn++;
+    f->aimed = 0;
     if (f->limbs || l > MUCHL || l < -MUCHL) return;
     f->ball = 1;
     /* what is better than the best point is, on the positive side, in the ball
@@ -1586,22 +1565,30 @@ static void narrow(quest *f, double l)
 /* refine - find the ball of the best point by limbs.  The centre c errs by at
  * most 8 eps |c|, so that its height over the facet's plane, c.v, is L but for
  * the error of v, E |c|, that of c, and the roundings of three products and
- * two sums, 5 eps |c|_1. */
+ * two sums, 5 eps |c|_1.  Near a sphere L is counted from f[3..5], which are
+ * subtracted: u for c, with their error, and one rounding more. */
 static void refine(const mesh *m, quest *f)
 {
-    double c[3], l, err;
-    int k;
+    double c[3], l = 0.0, u, size = 0.0, err;
+    int k, round = curved(m, f);
 
     COUNT(N_BALL, 1);
-    if (!hh_centre(&m->set, f->v, f->base, f->best, c, &f->t)) return;
+    if (f->f[9] == DBL_MAX ||
+        !hh_centre(&m->set, f->v, f->base, f->best, c, &f->t))
+        return;
     f->limbs = f->ball = 1;
-    f->turn++;
-    for (k = 0; k < 3; k++) f->c[k] = c[k];
-    f->size = fabs(f->c[0]) + fabs(f->c[1]) + fabs(f->c[2]);
+    f->aimed = 0;
+    f->size = 0.0;
+    for (k = 0; k < 3; k++) {
+        f->c[k] = c[k];
+        f->size += fabs(c[k]);
+        u = c[k] - (round ? f->f[3 + k] : 0.0);
+        size += fabs(u);
+        l += f->f[k] * u;
+    }
     f->dc = 8.0 * EPS * f->size;
     if (f->f[9] > HH_LOOSE) return;
-    l = f->f[0] * f->c[0] + f->f[1] * f->c[1] + f->f[2] * f->c[2];
-    err = (f->f[9] + 16.0 * EPS) * f->size;
+    err = f->f[9] * size + 16.0 * EPS * f->size + (round ? f->f[10] : 0.0);
     if (l - err > f->lo) f->lo = l - err;
     if (l + err < f->hi) f->hi = l + err;
 }
@@ -1621,9 +1608,7 @@ static void refine(const mesh *m, quest *f)
  * facet's plane is l, it is the power of w in the ball of L = l, and L(w) = l +
  * e, e = G(w) / (2 side).  Heights are noise, but known to 1e-7 of it: so they
  * decide, point by point and node by node.
- *
- * Of points that are all near one support the box is thick where they are not:
- * aside tests such a node by the plane or the sphere, for any facet. */
+ */
 
 /* rough - the height of the position z over a support, in double precision: the
  * centre errs by 8 eps |c|, the rest is 6 roundings. */
@@ -1641,34 +1626,39 @@ static double rough(const mesh *m, const support *s, tess_int z, double *err)
     return h;
 }
 
-/* level - the height of the position z over support j, if it is near to it:
- * by its mark, or else by limbs.  A mark is off by the roundings of discover,
- * EPS GRAINS grains, and a quarter of one for twice the height's error. */
-static int level(const mesh *m, int j, tess_int z, double *h, double *err)
+/* marked - *h = the height of the position z over support j, to its grain, if
+ * it has a mark of that.  A mark is off by the roundings of discover, EPS
+ * GRAINS grains, and a quarter of one for twice the height's error. */
+static int marked(const mesh *m, int j, tess_int z, double *h)
 {
     const support *s = m->supports + j;
     tess_int mark = m->mark[z] - 1;
 
-    if (mark >= 0 && mark % SUPPORTS == j) {
-        mark /= SUPPORTS;
-        *h = s->low + s->grain * ((double)mark + 0.5);
-        *err = s->grain;
-        return 1;
-    }
+    *h = s->low + s->grain * ((double)(mark / SUPPORTS) + 0.5);
+    return mark >= 0 && mark % SUPPORTS == j;
+}
+
+/* level - the height of the position z over support j, if it is near to it:
+ * by its mark, or else by limbs. */
+static int level(const mesh *m, int j, tess_int z, double *h, double *err)
+{
+    const support *s = m->supports + j;
+
+    *err = s->grain;
+    if (marked(m, j, z, h)) return 1;
     *h = rough(m, s, z, err);
     if (fabs(*h) > *err - s->low) return 0;
     *h = s->sign * hh_height(&m->set, &s->t, z, s->plane, err);
     return *err <= s->grain && fabs(*h) <= -s->low;
 }
 
-/* remember - z among the points that Householder left open, or one of two, of
- * four ... of them; until there are such, instead, points of leaves where the
- * search went. */
-static void remember(const mesh *m, quest *f, tess_int z, int open)
+/* remember - z among the points that were left open, or one of two, of four ...
+ * of them; until there are such, instead, points of leaves where the search
+ * went.  Points with a mark, too: they may be on a finer support. */
+static void remember(quest *f, tess_int z, int open)
 {
     int i;
 
-    if (m->nsupport > 0 && m->mark[z] > 0) return;
     if (f->opened == 0 || open > f->open) {
         f->open = open;
         f->opened = f->nsome = 0;
@@ -1684,7 +1674,9 @@ static void remember(const mesh *m, quest *f, tess_int z, int open)
 }
 
 /* fit - set up a support through the widest of the points that a search left
- * open, for heights of at most 8 times those of three quarters of them. */
+ * open, for heights of at most 8 times those of three quarters of them; or of
+ * one quarter, if that is FINER times nearer: the points on one of several near
+ * sheets.  A plane where they are no sphere: sheets near each other are one. */
 static int fit(mesh *m, const quest *f, support *s)
 {
     tess_int v[4], i;
@@ -1715,24 +1707,26 @@ static int fit(mesh *m, const quest *f, support *s)
             for (k = 0; k < 3; k++) u[3 * i + k] -= x * h[k];
         }
     }
-    s->plane = wide[2] < 1e-7 * wide[0];
-    if (!hh_centre(&m->set, v, 0, s->plane ? v[0] : v[3], s->c, &s->t))
-        return 0;
-    hh_unit(&s->t, s->plane, s->c);
+    for (s->plane = wide[2] < 1e-7 * wide[0]; ; s->plane = 1) {
+        if (!hh_centre(&m->set, v, 0, s->plane ? v[0] : v[3], s->c, &s->t))
+            return 0;
+        hh_unit(&s->t, s->plane, s->c);
+        for (i = 0; i < n; i++) {
+            x = fabs(hh_height(&m->set, &s->t, f->some[i], s->plane, &err));
+            if (err > 1.0) return 0;
+            if (err > worst) worst = err;
+            for (k = (int)i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
+            h[k] = x;
+        }
+        x = h[n / 4] < h[3 * n / 4] / FINER ? h[n / 4] : h[3 * n / 4];
+        s->grain = 16.0 * x / (double)GRAINS;
+        if (s->grain < 8.0 * worst) s->grain = 8.0 * worst;
+        s->low = -0.5 * s->grain * (double)GRAINS;
+        if (-s->low <= 1e-3 * wide[0] * (s->plane ? 1.0 : wide[0])) break;
+        if (s->plane) return 0;
+    }
     s->size = fabs(s->c[0]) + fabs(s->c[1]) + fabs(s->c[2]);
     for (k = 0; k < 3; k++) s->at[k] = m->x[3 * v[0] + k];
-    for (i = 0; i < n; i++) {
-        x = fabs(hh_height(&m->set, &s->t, f->some[i], s->plane, &err));
-        if (err > 1.0) return 0;
-        if (err > worst) worst = err;
-        for (k = (int)i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
-        h[k] = x;
-    }
-    x = h[3 * n / 4];
-    s->grain = 16.0 * x / (double)GRAINS;
-    if (s->grain < 8.0 * worst) s->grain = 8.0 * worst;
-    s->low = -0.5 * s->grain * (double)GRAINS;
-    if (-s->low > 1e-3 * wide[0] * (s->plane ? 1.0 : wide[0])) return 0;
     s->sign = 1.0;
     for (i = 0; i < m->np && s->plane; i += m->np / 256 + 1) {
         x = rough(m, s, i, &err);
@@ -1745,37 +1739,39 @@ static int fit(mesh *m, const quest *f, support *s)
 }
 
 /* discover - find a support for the points that a search left open: mark those
- * near to it that have no mark yet, and find the least height of each node. */
+ * near to it that have no mark, or one of a support FINER times coarser, and
+ * find the least height of each node.  It is kept if it marks some points, or
+ * if the facet, near no other, and many points are near to it: facets between
+ * near sheets lean on a plane that holds them all. */
 static void discover(mesh *m, quest *f)
 {
     support *s = m->supports + m->nsupport;
-    tess_int node, i, last, mark, members = 0;
+    tess_int node, i, last, mark, old, least, members = 0, all = 0;
     double h, err, fine, c;
-    int above;
+    int above, across = f->near == NONE, k;
 
     if (m->nsupport == 0)
-        for (i = 0; i < m->np + 2 * m->leaves; i++) m->mark[i] = 0;
+        for (i = 0; i < m->np; i++) m->mark[i] = 0;
     if (!fit(m, f, s)) return;
     /* a sample of all that is near, as that may be of a corner */
     f->opened = 0;
     for (i = 0; i < m->np; i += m->np / 1024 + 1)
         if (m->link[i] != DONE &&
             fabs(rough(m, s, i, &err)) <= err - 2.0 * s->low)
-            remember(m, f, i, 1);
+            remember(f, i, 1);
     if (f->opened > OPENED && !fit(m, f, s)) return;
-    m->pure = m->mark + m->np;
-    s->least = m->pure + 2 * m->leaves * (m->nsupport + 1);
+    for (k = 0; k < 3 && across; k++)
+        across = level(m, m->nsupport, f->v[k], &h, &err);
+    s->least = m->mark + m->np + 2 * m->leaves * m->nsupport;
     for (node = 2 * m->leaves - 1; node > 0; node--) {
         if (node < m->leaves) {
             i = s->least[2 * node];
             last = s->least[2 * node + 1];
-            above = i > GRAINS || last > GRAINS;
-            i -= i > GRAINS ? ABOVE : 0;
-            last -= last > GRAINS ? ABOVE : 0;
-            s->least[node] = (i < last ? i : last) + (above ? ABOVE : 0);
+            above = i % 2 == 1 || last % 2 == 1;
+            s->least[node] = (i < last ? i : last) / 2 * 2 + above;
             continue;
         }
-        s->least[node] = GRAINS;
+        least = GRAINS;
         above = 0;
         span(m, node, &i, &last);
         for (; i < last; i++) {
@@ -1790,17 +1786,20 @@ static void discover(mesh *m, quest *f)
             }
             c = (h - err - s->low) / s->grain;
             mark = c < 0.0 ? -1 : c < GRAINS ? (tess_int)c : GRAINS;
-            if (mark < s->least[node]) s->least[node] = mark;
+            if (mark < least) least = mark;
             if (h + err > -s->low) above = 1;
-            if (mark >= 0 && mark < GRAINS && 8.0 * err <= s->grain &&
-                m->mark[i] == 0) {
+            old = m->mark[i] - 1;
+            if (mark < 0 || mark >= GRAINS || 8.0 * err > s->grain) continue;
+            all++;
+            if (old < 0 ||
+                m->supports[old % SUPPORTS].grain > FINER * s->grain) {
                 m->mark[i] = 1 + m->nsupport + SUPPORTS * mark;
                 members++;
             }
         }
-        if (above) s->least[node] += ABOVE;
+        s->least[node] = 2 * (least + 1) + above;
     }
-    if (members < 2 * cuberoot(m->np)) {
+    if (members < 2 * cuberoot(m->np) && (!across || all < m->np / 16)) {
         for (i = 0; i < m->np; i++)
             if (m->mark[i] > 0 && (m->mark[i] - 1) % SUPPORTS == m->nsupport)
                 m->mark[i] = 0;
@@ -1808,54 +1807,59 @@ static void discover(mesh *m, quest *f)
     }
     m->nsupport++;
     m->seek = m->nsupport < SUPPORTS;
-    for (node = 1; node < 2 * m->leaves; node++)
-        if (m->pure[node] == 0 && s->least[node] >= 0 &&
-            s->least[node] <= GRAINS)
-            m->pure[node] = m->nsupport;
 }
 
 /* lean - find the support that the facet is near to, if there is one, and its
- * tilt.  dtilt: the tilt is out of the plane by the roundings of the edges; in
- * it, its products with the edges miss the differences of heights by r0, r1,
- * and a vector whose products with unit vectors at an angle are r0, r1 is no
- * longer than (|r0| + |r1|) / sine of it.  det errs by less than 1/100, as no
- * needle is let through. */
+ * tilt: first those that have marked its vertices.  A needle, or a facet that
+ * stands on its plane, leans on none.
+ *
+ * dtilt: the tilt is out of the plane by the roundings of the edges; in it, its
+ * products with the edges miss the differences of heights by r0, r1, and a
+ * vector whose products with unit vectors at an angle are r0, r1 is no longer
+ * than (|r0| + |r1|) / sine of it.  det errs by less than 1/100, as no needle
+ * is let through.
+ *
+ * Near a sphere G is |w|^2 - 2 c.w, c = tilt / 2 - o, o = base - centre: the
+ * power in the ball of centre c, which is on the facet's axis.  L is counted
+ * from there: c takes the place of the circumcentre in the set-up.  It errs by
+ * half of dtilt, 8 eps of the centre, and the roundings of three differences in
+ * any order, each of at most eps (|o| + 2 |at|): less than 8 eps size. */
 static void lean(const mesh *m, quest *f)
 {
     const double *b = m->x + 3 * f->v[f->base], *p;
-    double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2], ab = 0.0;
-    double det, size, r;
+    const support *s;
+    double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2];
+    double ab, det, size = 0.0, r;
     tess_int mark;
     int i, k, near = NONE;
 
-    f->aimed = 0;
-    for (k = 0; k < m->nsupport; k++) f->slabs[k].turn = 0;
-    for (i = 0; i < 3 && near == NONE; i++) {
-        mark = m->mark[f->v[i]] - 1;
+    if (f->f[9] > 1e-3) return;
+    for (i = -3; i < m->nsupport; i++) {
+        mark = i < 0 ? m->mark[f->v[i + 3]] - 1 : (tess_int)i;
         if (mark < 0) continue;
+        near = (int)(mark % SUPPORTS);
         for (k = 0; k < 3; k++)
-            if (!level(m, (int)(mark % SUPPORTS), f->v[(f->base + k) % 3],
-                       h + k, err + k))
+            if (!level(m, near, f->v[(f->base + k) % 3], h + k, err + k))
                 break;
-        if (k == 3) near = (int)(mark % SUPPORTS);
+        if (k == 3) break;
     }
-    if (near == NONE) return;
+    if (i == m->nsupport) return;
+    s = m->supports + near;
+    f->g = dot(s->c, f->f);
+    if (s->plane && fabs(f->g) < 0.5) return;
     for (i = 0; i < 2; i++) {
         p = m->x + 3 * f->v[(f->base + 1 + i) % 3];
-        n[i] = 0.0;
-        for (k = 0; k < 3; k++) {
-            a[i][k] = p[k] - b[k];
-            n[i] += a[i][k] * a[i][k];
-        }
+        for (k = 0; k < 3; k++) a[i][k] = p[k] - b[k];
+        n[i] = dot(a[i], a[i]);
         h[i + 1] -= h[0];
     }
-    for (k = 0; k < 3; k++) ab += a[0][k] * a[1][k];
+    ab = dot(a[0], a[1]);
     det = n[0] * n[1] - ab * ab;
     if (det < 1e4 * EPS * n[0] * n[1] || det < FAINT) return;
     f->near = near;
+    f->aimed = 0;
     t[0] = (h[1] * n[1] - h[2] * ab) / det;
     t[1] = (h[2] * n[0] - h[1] * ab) / det;
-    size = 0.0;
     for (k = 0; k < 3; k++) {
         f->tilt[k] = t[0] * a[0][k] + t[1] * a[1][k];
         size += fabs(t[0] * a[0][k]) + fabs(t[1] * a[1][k]);
@@ -1864,190 +1868,133 @@ static void lean(const mesh *m, quest *f)
     f->dh = err[0];
     f->dtilt = 8.0 * EPS * size;
     for (i = 0; i < 2; i++) {
-        r = h[i + 1];
-        for (k = 0; k < 3; k++) r -= f->tilt[k] * a[i][k];
+        r = h[i + 1] - dot(f->tilt, a[i]);
         f->dtilt += (fabs(r) + err[0] + err[i + 1] +
                      16.0 * EPS * (fabs(h[i + 1]) + fabs(h[0]) +
                                    size * sqrt(n[i]))) *
                     sqrt(1.02 * n[1 - i] / det);
     }
+    if (s->plane) return;
+    size = 0.0;
+    for (k = 0; k < 3; k++) {
+        r = f->f[6 + k] - s->at[k];
+        size += fabs(r) + 2.0 * fabs(s->c[k]) + fabs(s->at[k]);
+        f->f[3 + k] = 0.5 * f->tilt[k] - (r - s->c[k]);
+    }
+    f->f[10] = 0.6 * f->dtilt + 8.0 * EPS * size;
+    f->f[11] = sqrt(dot(f->f + 3, f->f + 3));
 }
 
-/* residual - limits of G for a point near to the facet's support. */
-static int residual(const mesh *m, const quest *f, tess_int z, double *lo,
-                    double *hi)
+/* sharpen - the side of the position z that hh_limits did not find negative,
+ * and limits of L, by its height over the facet's support: that gives a plane's
+ * side of z, and a sphere's power.  A plane's g errs by E and some roundings.
+ * The quotients are of numbers right to 4 eps of themselves, as is what is left
+ * of a side of more than twice its error: PAD is more. */
+static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
+                   double *lo, double *hi)
 {
+    const support *s = m->supports + f->near;
     const double *x = m->x + 3 * z;
-    double h, err, size = 0.0, u;
+    double h, err, low, high, least, most, g = 0.0, size = 0.0, u;
     int k;
 
-    if (!level(m, f->near, z, &h, &err)) return 0;
+    if (!level(m, f->near, z, &h, &err)) return side;
     err += f->dh + 16.0 * EPS * (fabs(h) + fabs(f->h)) + FAINT;
     h -= f->h;
     for (k = 0; k < 3; k++) {
         u = x[k] - f->f[6 + k];
         h -= f->tilt[k] * u;
+        g += f->f[k] * u;
         size += fabs(u);
         err += 16.0 * EPS * fabs(f->tilt[k] * u);
     }
     err += f->dtilt * size;
-    *lo = h - err;
-    *hi = h + err;
-    return 1;
-}
-
-/* sharpen - the side of the position z that hh_limits did not find negative,
- * and limits of L, by a plane's support; of e, by a sphere's.  g errs by E and
- * some roundings. */
-static int sharpen(const mesh *m, quest *f, tess_int z, int side, double *lo,
-                   double *hi)
-{
-    const support *s = m->supports + f->near;
-    const double *x = m->x + 3 * z;
-    double low, high, least, most, g = 0.0, dg, size = 0.0, u;
-    int k;
-
-    f->low = -DBL_MAX;
-    f->high = DBL_MAX;
-    if (f->f[9] > 1e-3 || !residual(m, f, z, &low, &high)) return side;
     if (s->plane) {
-        for (k = 0; k < 3; k++) g += s->c[k] * f->f[k];
-        if (fabs(g) < 0.5) return side;
-        if (g < 0.0) {
-            u = low;
-            low = -high;
-            high = -u;
-            g = -g;
-        }
-        if (high < 0.0) return -1;
-        dg = f->f[9] + 32.0 * EPS;
-        least = low / (g + dg) * (1.0 - PAD);
+        if (f->g < 0.0) h = -h;
+        if (h + err < 0.0) return -1;
+        u = f->f[9] + 32.0 * EPS;
+        least = (h - err) / (fabs(f->g) + u) * (1.0 - PAD);
+        most = (h + err) / (fabs(f->g) - u) * (1.0 + PAD);
         if (least < HH_SMALL) return side;
         low = -DBL_MAX;
-        most = high / (g - dg) * (1.0 + PAD);
         high = DBL_MAX;
         hh_ratio(f->f, x, least, most, &low, &high);
-        if (low > *lo) *lo = low;
-        if (high < *hi) *hi = high;
-        return 1;
+        side = 1;
+    } else {
+        least = 2.0 * (g - f->f[9] * size);
+        most = 2.0 * (g + f->f[9] * size);
+        if (side <= 0 || least < HH_SMALL) return side;
+        low = (h - err) / (h > err ? most : least);
+        high = (h + err) / (h > -err ? least : most);
+        low -= PAD * fabs(low);
+        high += PAD * fabs(high);
     }
-    for (k = 0; k < 3; k++) {
-        u = x[k] - f->f[6 + k];
-        g += f->f[k] * u;
-        size += fabs(u);
-    }
-    least = 2.0 * (g - f->f[9] * size);
-    most = 2.0 * (g + f->f[9] * size);
-    if (side <= 0 || least < HH_SMALL) return side;
-    f->low = low / (low > 0.0 ? most : least);
-    f->high = high / (high > 0.0 ? least : most);
-    f->low -= PAD * fabs(f->low);
-    f->high += PAD * fabs(f->high);
-    if (f->low > f->ehi) return -1;
-    if (f->high < f->elo) return SURE;
+    if (low > *lo) *lo = low;
+    if (high < *hi) *hi = high;
     return side;
 }
 
-/* sight - make the tests of promise for the best point there is.  For a point
- * better than it, of L-coordinate at most k, side > 0 and N - 2 k side <= 0, N
- * being the power in the ball of L = 0.  So there is none where
- *     a (height - h) + q |w|^2 - d.w + bias > 0:
- *   plane    side = G / g.  Either a = 1 or -1, that g a < 0; q = 0, d = a
- *            tilt: none is on the positive side.  Or a = -2 k / g, q = 1, d =
- *            2 c + a tilt, c the centre of L = 0; as k may be greater, so may
- *            |a| for k > 0, and smaller for k < 0
- *   sphere   k = l + e: N - 2 k side = G - 2 e side = height - h - (tilt + 2 e
- *            v).w; of the height a share q is taken as |w|^2 + 2 o.w + h, o =
- *            base - centre: a = 1 - q, d = tilt + 2 e v - 2 q o.  Without a
- *            best point: side = v.w = (v - 2 q o).w + q (height - h - |w|^2),
- *            q = v.o / (2 |o|^2), and height <= -low
- * dd has room for the errors of c, l, o, tilt, v, and for 16 roundings of each
- * term. */
+/* sight - make beyond's test for the best point there is.  For a point better
+ * than it, of L-coordinate at most k, side > 0 and N - 2 k side <= 0, N being
+ * the power in the ball of L = 0, of centre c.  So there is none where
+ *     a (height - h) + q |w|^2 - d.w > 0:
+ *   plane    side = G / g: a = -2 k / g, q = 1, d = 2 c + a tilt; as k may be
+ *            greater, so may |a| for k > 0, and smaller for k < 0.  Without a
+ *            ball a = 1 or -1, that g a < 0, q = 0, d = a tilt: none is on the
+ *            positive side
+ *   sphere   N - 2 k side = G - 2 k side = height - h - (tilt + 2 k v).w; of
+ *            G a share q is taken as |w|^2 - 2 c.w: a = 1 - q, d = a tilt + 2 q
+ *            c + 2 k v.  Without a ball -side, less and plus q times G: a = -q,
+ *            d = a tilt + 2 q c + v.  Best is, but for a, the q for which the
+ *            least of q |w|^2 - d.w is greatest
+ * Any q is right, so what it errs by does not count.  dd has room for the
+ * errors of c, tilt and v, and for 16 roundings of each term; err for those of
+ * h, of a height of at most -low, and of a, which is exact but for one. */
 static void sight(const mesh *m, quest *f)
 {
     const support *s = m->supports + f->near;
-    form *t = f->tests;
-    double g = 0.0, e = f->ehi, o[3], oo = 0.0, od = 0.0, size = 0.0;
-    int k;
+    int ball = f->ball && f->hi <= MUCHL && f->hi >= -MUCHL, k;
+    double b = 0.0, sum = 0.0, u, v, w;
 
-    f->aimed = f->turn;
-    f->ntests = 0;
-    if (f->f[9] > 1e-3) return;
-    t->bias = 0.0;
-    t->top = 0;
+    f->aimed = 1;
     if (s->plane) {
-        for (k = 0; k < 3; k++) g += s->c[k] * f->f[k];
-        if (fabs(g) < 0.5) return;
-        t->a = g < 0.0 ? 1.0 : -1.0;
-        t->top = g > 0.0;
-        t->q = 0.0;
-        t->dd = f->dtilt;
-        for (k = 0; k < 3; k++) {
-            t->d[k] = t->a * f->tilt[k];
-            t->dd += 16.0 * EPS * fabs(f->tilt[k]);
-        }
-        f->ntests = 1;
-        if (!f->ball || f->hi > MUCHL) return;
-        f->ntests = 2;
-        t++;
-        t->bias = 0.0;
-        t->a = -2.0 * f->hi / g;
-        e = 4.0 * (f->f[9] + 32.0 * EPS) * t->a;
-        t->a += f->hi > 0.0 ? e : -e;
-        t->top = t->a < 0.0;
-        t->q = 1.0;
-        t->dd = fabs(t->a) * f->dtilt + 2.0 * f->f[10];
-        for (k = 0; k < 3; k++) {
-            t->d[k] = 2.0 * f->f[3 + k] + t->a * f->tilt[k];
-            t->dd += 16.0 * EPS * (2.0 * fabs(f->f[3 + k]) +
-                                   fabs(t->a * f->tilt[k]));
-        }
-        return;
+        f->q = ball ? 1.0 : 0.0;
+        f->a = ball ? -2.0 * f->hi / f->g : f->g < 0.0 ? 1.0 : -1.0;
+        u = 4.0 * (f->f[9] + 32.0 * EPS) * f->a;
+        if (ball) f->a += f->hi > 0.0 ? u : -u;
+    } else {
+        f->a = ball ? 1.0 : 0.0;
+        b = ball ? 2.0 * f->hi : 1.0;
+        for (k = 0; k < 3; k++)
+            sum -= f->f[3 + k] * (b * f->f[k] + f->a * f->tilt[k]);
+        f->q = sum > 0.0 ? 0.5 * sum / (f->f[11] * f->f[11]) : 0.0;
+        if (ball && f->q > 1.0) f->q = 1.0;
+        f->a -= f->q;
     }
+    f->dd = fabs(f->a) * f->dtilt + 2.0 * f->q * f->f[10] + fabs(b) * f->f[9];
     for (k = 0; k < 3; k++) {
-        o[k] = f->f[6 + k] - s->at[k] - s->c[k];
-        oo += o[k] * o[k];
-        g -= f->f[k] * o[k];
-        size += fabs(o[k]) + 2.0 * fabs(s->c[k]) + fabs(s->at[k]);
+        u = f->a * f->tilt[k];
+        v = 2.0 * f->q * f->f[3 + k];
+        w = b * f->f[k];
+        f->d[k] = u + v + w;
+        f->dd += 16.0 * EPS * (fabs(u) + fabs(v) + fabs(w));
     }
-    t->a = t->q = 0.0;
-    if (f->best == NONE) {
-        if (g >= 0.0) return;
-        t->q = -0.5 * g / oo;
-        t->bias = t->q * (s->low + f->h - f->dh);
-        t->top = 1;
-        t->dd = f->f[9] + 16.0 * EPS * (1.0 + t->q * size);
-        for (k = 0; k < 3; k++) t->d[k] = f->f[k] - 2.0 * t->q * o[k];
-        f->ntests = 1;
-        return;
-    }
-    if (f->hi > MUCHL) return;
-    if (e == DBL_MAX)
-        e = f->hi - g + 32.0 * EPS * (fabs(f->hi) + size) + f->f[9] * size;
-    t->dd = f->dtilt + 2.0 * fabs(e) * f->f[9];
-    for (k = 0; k < 3; k++) {
-        t->d[k] = f->tilt[k] + 2.0 * e * f->f[k];
-        od += o[k] * t->d[k];
-        t->dd += 16.0 * EPS * (fabs(f->tilt[k]) + 2.0 * fabs(e * f->f[k]));
-    }
-    if (od > 0.0) t->q = od < 2.0 * oo ? od / (2.0 * oo) : 1.0;
-    t->a = 1.0 - t->q;
-    t->dd += 16.0 * EPS * t->q * size;
-    for (k = 0; k < 3; k++) t->d[k] -= 2.0 * t->q * o[k];
-    f->ntests = 1;
+    f->err = fabs(f->a) * f->dh +
+             16.0 * EPS * (fabs(f->a) + f->q) * (fabs(f->h) - s->low) + FAINT;
 }
 
-/* lowest - the least of q |w|^2 - d.w in a box, and the greatest |w|_1. */
-static double lowest(const quest *f, const double *b, double q, const double *d,
-                     double *size)
+/* lowest - the least of q |w|^2 - d.w in the box lo, hi, and the greatest
+ * |w|_1. */
+static double lowest(const quest *f, const double *lo, const double *hi,
+                     double q, const double *d, double *size)
 {
     double sum = 0.0, half = q > 0.0 ? 0.5 / q : 0.0, l, h, u;
     int k;
 
     *size = 0.0;
     for (k = 0; k < 3; k++) {
-        l = b[k] - f->f[6 + k];
-        h = b[3 + k] - f->f[6 + k];
+        l = lo[k] - f->f[6 + k];
+        h = hi[k] - f->f[6 + k];
         u = q > 0.0 ? d[k] * half : d[k] > 0.0 ? h : l;
         u = u > l ? u : l;
         u = u < h ? u : h;
@@ -2059,88 +2006,33 @@ static double lowest(const quest *f, const double *b, double q, const double *d,
     return sum;
 }
 
-/* promise - the least that a test of sight's can be for the points of a node,
- * less its error: if it is positive, the node has no candidate. */
-static double promise(const mesh *m, quest *f, tess_int node)
+/* beyond - returns 1 if sight's test proves that the box lo, hi holds no
+ * candidate whose height, less than dh away, counts as h. */
+static int beyond(const quest *f, const double *lo, const double *hi, double h,
+                  double dh)
+{
+    double size, sum = f->a * (h - f->h) + lowest(f, lo, hi, f->q, f->d, &size);
+
+    return sum > f->err + fabs(f->a) * dh +
+                     size * (f->dd + 16.0 * EPS * f->q * size);
+}
+
+/* promise - returns 1 if a node has provably no candidate, by the heights of
+ * its points; a leaf by its box, too, which is all that counts where the
+ * heights tell nothing. */
+static int promise(const mesh *m, quest *f, tess_int node)
 {
     const support *s = m->supports + f->near;
-    tess_int mark = s->least[node];
-    int above = mark > GRAINS, i;
-    double most = -1.0, sum, size, h;
-    form *t = f->tests;
+    const double *b = m->box + 6 * node;
+    tess_int code = s->least[node];
+    double h = -s->low;
 
-    if (f->aimed != f->turn) sight(m, f);
-    if (above) mark -= ABOVE;
-    for (i = 0; i < f->ntests; i++, t++) {
-        h = t->a < 0.0 ? -s->low : s->low + s->grain * ((double)mark - 0.5);
-        sum = t->a * (h - f->h) + t->bias +
-              lowest(f, m->box + 6 * node, t->q, t->d, &size);
-        t->err = fabs(t->a) * f->dh +
-                 16.0 * EPS * ((fabs(t->a) + t->q) * (fabs(f->h) - s->low) +
-                               t->q * size * size) +
-                 size * t->dd + FAINT;
-        if ((t->a > 0.0 && mark < 0) || (t->top && above)) continue;
-        if (sum - t->err > most) most = sum - t->err;
-    }
-    return most;
-}
-
-/* face - make aside's test for the present ball and support j, about which all
- * heights are within +-low: with Lagrange's multiplier of the place nearest to
- * the ball's centre
- *   plane    |w|^2 - 2 c.w = |w|^2 - (2 c + t n).w + t n.w, n.w = n.(at - base)
- *            + height, t = 2 (n.(at - base) - n.c)
- *   sphere   |w|^2 - 2 c.w = (1 - t) |w|^2 - (2 c + 2 t o).w - t h + t height,
- *            t = 1 - |c + o| / R, o = base - centre, h the base's height
- * Any t is right; so what it is wrong by does not count. */
-static void face(const mesh *m, const quest *f, int j, slab *t)
-{
-    const support *s = m->supports + j;
-    double o[3], x = 0.0, y = 0.0, r = 0.0, size = 0.0, all = 0.0, g;
-    int k;
-
-    t->turn = f->turn;
-    for (k = 0; k < 3; k++) {
-        o[k] = f->f[6 + k] - s->at[k];
-        size += fabs(o[k]);
-        all += fabs(o[k]) + fabs(s->at[k]);
-        if (s->plane) {
-            x -= s->c[k] * o[k];
-            y += s->c[k] * f->c[k];
-        } else {
-            x += o[k] * (o[k] - 2.0 * s->c[k]);
-            o[k] -= s->c[k];
-            y += (f->c[k] + o[k]) * (f->c[k] + o[k]);
-            r += s->c[k] * s->c[k];
-        }
-    }
-    g = s->plane ? 2.0 * (x - y) : 1.0 - sqrt(y / r);
-    t->q = s->plane ? 1.0 : 1.0 - g;
-    t->bias = s->plane ? g * x : -g * x;
-    t->bias -= fabs(g) * (1.02 * -s->low + 40.0 * EPS * size *
-                          (s->plane ? 1.0 : size + s->size)) +
-               16.0 * EPS * fabs(t->bias);
-    t->dd = 2.0 * f->dc;
-    for (k = 0; k < 3; k++) {
-        t->d[k] = 2.0 * f->c[k] + (s->plane ? g * s->c[k] : 2.0 * g * o[k]);
-        t->dd += 16.0 * EPS * fabs(f->c[k]);
-    }
-    t->dd += 32.0 * EPS * fabs(g) * (s->plane ? 1.0 : all + s->size);
-}
-
-/* aside - is a node, all of whose points are near one support, outside of the
- * ball? */
-static int aside(const mesh *m, quest *f, tess_int node)
-{
-    slab *t;
-    int j = (int)m->pure[node] - 1;
-    double size, sum;
-
-    if (j < 0 || !f->ball) return 0;
-    t = f->slabs + j;
-    if (t->turn != f->turn) face(m, f, j, t);
-    sum = t->bias + lowest(f, m->box + 6 * node, t->q, t->d, &size);
-    return sum > 16.0 * EPS * (t->q + 1.0) * size * size + size * t->dd + FAINT;
+    if (!f->aimed) sight(m, f);
+    if (f->a < 0.0 ? code % 2 == 1 : code < 2 || code / 2 > GRAINS)
+        return prunebox(f, b, b + 3);
+    if (f->a >= 0.0) h = s->low + s->grain * ((double)(code / 2) - 1.5);
+    return beyond(f, b, b + 3, h, 0.0) ||
+           (node >= m->leaves && prunebox(f, b, b + 3));
 }
 
 /* ---- cylinders ----
@@ -2326,9 +2218,9 @@ static void challenge(const mesh *m, quest *f, tess_int z)
         return;
     }
     sign = side;
-    unsure = side != SURE && f->best != NONE && hi >= f->lo;
+    unsure = f->best != NONE && hi >= f->lo;
     if (side == 0 || unsure) {
-        if (SEEK(m)) remember(m, f, z, 1);
+        if (SEEK(m)) remember(f, z, 1);
         if (f->limbs) {
             COUNT(N_TRIAL, 1);
             hh_trial(&m->set, &f->t, z, &sign, &power);
@@ -2348,9 +2240,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
             power = hh_pbeat(&m->set, f->v, f->best, z) ? -1 : 1;
         }
         HOLDS((power < 0) == hh_pbeat(&m->set, f->v, f->best, z));
-        if (f->high > f->ehi) f->high = f->ehi;
         if (power > 0) {
-            f->ehi = f->high;
             if (hi < f->hi) narrow(f, hi);
             if (f->asked >= MANY && !f->limbs) refine(m, f);
             return;
@@ -2360,8 +2250,6 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     HOLDS(better(m, f, z));
     f->best = z;
     f->lo = lo;
-    f->elo = f->low;
-    f->ehi = f->high;
     f->limbs = 0;
     narrow(f, hi);
     if (side == 0 || f->asked >= MANY ||
@@ -2369,16 +2257,23 @@ static void challenge(const mesh *m, quest *f, tess_int z)
         refine(m, f);
 }
 
-/* consider - compare z, if it is no vertex and not outside of the ball. */
+/* consider - compare z, if it is no vertex, not outside of the ball, and not
+ * beyond it by its height over the facet's support. */
 static void consider(const mesh *m, quest *f, tess_int z)
 {
     const double *q = m->x + 3 * z;
-    double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8];
+    double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8], h;
+    int out;
 
     COUNT(N_POINT, 1);
     if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
-    if (!f->ball || HH_POWER(w0, w1, w2, f->c) <=
-                        powererr(f, fabs(w0) + fabs(w1) + fabs(w2)))
+    out = f->ball && HH_POWER(w0, w1, w2, f->c) >
+                         powererr(f, fabs(w0) + fabs(w1) + fabs(w2));
+    if (!out && LEANING(f) && marked(m, f->near, z, &h)) {
+        if (!f->aimed) sight(m, f);
+        out = beyond(f, q, q, h, m->supports[f->near].grain);
+    }
+    if (!out)
         challenge(m, f, z);
     else {
         HOLDS(!better(m, f, z));
@@ -2557,70 +2452,31 @@ static int inblock(const mesh *m, quest *f)
 
 /* scanleaf - consider those uncompleted points of a leaf of box b, positions
  * first ... last-1, that are not outside of the ball, or without a ball not on
- * the negative side. */
+ * the negative side: found first, without a branch. */
 static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
-                 const double *b)
+                     const double *b)
 {
-    double size = extent(f, b, b + 3), most = powererr(f, size), w0, w1, w2;
-    double behind = f->f[9] <= HH_LOOSE ? -f->f[9] * size - FAINT
-                                        : -1.0 - size;
-    const double *q = m->x + 3 * first;
-    tess_int i;
+    double q = f->ball ? 1.0 : 0.0, d[3], size, most, w0, w1, w2;
+    const double *x = m->x + 3 * first;
+    tess_int place[LEAF], i;
+    int n = 0, k;
 
     COUNT(N_LEAF, 1);
     COUNT(N_LIST, last - first);
-    for (i = first; i < last; i++, q += 3) {
-        w0 = q[0] - f->f[6];
-        w1 = q[1] - f->f[7];
-        w2 = q[2] - f->f[8];
-        if (f->ball ? HH_POWER(w0, w1, w2, f->c) <= most
-                    : w0 * f->f[0] + w1 * f->f[1] + w2 * f->f[2] >= behind) {
-            if (m->link[i] == DONE) continue;
-            consider(m, f, i);
-            most = powererr(f, size);
-        }
+    for (k = 0; k < 3; k++) d[k] = f->ball ? 2.0 * f->c[k] : f->f[k];
+    (void)lowest(f, b, b + 3, q, d, &size);
+    most = f->ball ? powererr(f, size)
+                   : f->f[9] <= HH_LOOSE ? f->f[9] * size + FAINT : 1.0 + size;
+    for (i = first; i < last; i++, x += 3) {
+        w0 = x[0] - f->f[6];
+        w1 = x[1] - f->f[7];
+        w2 = x[2] - f->f[8];
+        place[n] = i;
+        n += (m->link[i] != DONE) &
+             (w0 * (q * w0 - d[0]) + w1 * (q * w1 - d[1]) +
+                  w2 * (q * w2 - d[2]) <= most);
     }
-}
-
-/* nearleaf - the same by sight's tests, for points of the support that the
- * facet is near to; the errors are those of promise for the leaf, with room for
- * a mark's. */
-static void nearleaf(const mesh *m, quest *f, tess_int node, tess_int first,
-                     tess_int last)
-{
-    const support *s = m->supports + f->near;
-    const double *q;
-    const form *t;
-    double w0, w1, w2, h;
-    tess_int i, mark;
-    int k;
-
-    COUNT(N_LEAF, 1);
-    COUNT(N_LIST, last - first);
-    for (i = first; i < last; i++) {
-        if (m->link[i] == DONE) continue;
-        mark = m->mark[i] - 1;
-        if (mark >= 0 && mark % SUPPORTS == f->near) {
-            if (f->aimed != f->turn) (void)promise(m, f, node);
-            q = m->x + 3 * i;
-            w0 = q[0] - f->f[6];
-            w1 = q[1] - f->f[7];
-            w2 = q[2] - f->f[8];
-            mark /= SUPPORTS;
-            h = s->low + s->grain * ((double)mark + 0.5) - f->h;
-            for (k = 0, t = f->tests; k < f->ntests; k++, t++)
-                if (t->a * h + t->bias + w0 * (t->q * w0 - t->d[0]) +
-                        w1 * (t->q * w1 - t->d[1]) +
-                        w2 * (t->q * w2 - t->d[2]) >
-                    t->err + (fabs(t->a) + t->q) * 2.0 * s->grain)
-                    break;
-            if (k < f->ntests) {
-                HOLDS(!better(m, f, i));
-                continue;
-            }
-        }
-        consider(m, f, i);
-    }
+    for (k = 0; k < n; k++) consider(m, f, place[k]);
 }
 
 #ifdef TESS_PROVE
@@ -2680,13 +2536,13 @@ static void treesearch(const mesh *m, quest *f)
         }
         COUNT(N_NODE, 1);
         b = m->box + 6 * node;
-        if (prunebox(f, b, b + 3)) continue;
-        if (SUPPORTED(m) &&
-            ((LEANING(f) && promise(m, f, node) > 0.0) ||
-             aside(m, f, node))) {
-            HOLDS(barren(m, f, node));
+        if (LEANING(f)) {
+            if (promise(m, f, node)) {
+                HOLDS(barren(m, f, node));
+                continue;
+            }
+        } else if (prunebox(f, b, b + 3))
             continue;
-        }
         if (node < m->leaves) {
             n = LEANING(f) && m->supports[f->near].least[2 * node] <
                                        m->supports[f->near].least[2 * node + 1];
@@ -2696,11 +2552,8 @@ static void treesearch(const mesh *m, quest *f)
         }
         span(m, node, &i, &last);
         f->scanned += (double)(last - i);
-        if (LEANING(f) && f->ntests > 0)
-            nearleaf(m, f, node, i, last);
-        else
-            scanleaf(m, f, i, last, b);
-        if (SEEK(m) && m->link[i] != DONE) remember(m, f, i, 0);
+        scanleaf(m, f, i, last, b);
+        if (SEEK(m) && m->link[i] != DONE) remember(f, i, 0);
     }
 }
 
@@ -2734,10 +2587,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     f->base = f->asked = f->limbs = 0;
     f->opened = 0;
     f->scanned = 0.0;
-    f->turn = 1;
     f->near = NONE;
-    f->elo = f->low = -DBL_MAX;
-    f->ehi = f->high = DBL_MAX;
     f->best = NONE;
     f->ball = 0;
     f->hi = DBL_MAX;
@@ -2784,6 +2634,7 @@ static int proven(const mesh *m, const tess_int *v, tess_int c)
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 {
     quest f;
+    double h;
     int k, lists;
 
     COUNT(N_FACET, 1);
@@ -2793,8 +2644,8 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
             guess[k] != f.best)
             challenge(m, &f, guess[k]);
     /* a ball that is a support's sphere but for rounding is in no list */
-    lists = !LEANING(&f) || m->supports[f.near].plane ||
-            (f.best != NONE && f.ehi == DBL_MAX);
+    lists = !curved(m, &f) ||
+            (f.best != NONE && !marked(m, f.near, f.best, &h));
     if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);
         return f.best;
@@ -3021,7 +2872,7 @@ static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
 static tess_int extra(tess_int n)
 {
     if (TESS_LIST < 128 || n < ENOUGH) return 0;
-    return n + 2 * (SUPPORTS + 1) * leafcount(n);
+    return n + 2 * SUPPORTS * leafcount(n);
 }
 
 /* spare - doubles that cylinders take. */

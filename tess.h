@@ -92,7 +92,7 @@
          ? (long)TESS_INT_MOST                                     \
          : TESS_LI((long)(n)))
 #define TESS_LI(n) (8 * (n) + (n) / 12 + 514 + TESS_LP(n) + TESS_LS(n))
-#define TESS_LS(n) ((n) < 500 ? 0 : (n) / 4 * 7 + 24)
+#define TESS_LS(n) ((n) < 500 ? 0 : (n) / 3 * 5 + 24)
 #define TESS_LP(n)             \
     ((n) <= 8       ? 240      \
      : (n) <= 27    ? 540      \
@@ -113,15 +113,16 @@ extern "C" {
  *   liw     (out)  length of iw, tess_ints
  *   lrw     (out)  length of rw, doubles
  *
- * The pool of open facets that liw includes suffices for all inputs but
- * those whose number of tetrahedra is quadratic in n.
+ * The pool of open facets that liw includes suffices for all inputs but those
+ * whose number of tetrahedra is quadratic in n and, beyond 28,000 points, some
+ * where one vertex is in almost all tetrahedra (a plane grid and one point).
  *
  * maxtet: 8 n is enough for clouds (6 to 6.8 n), lattices (5 to 6 n) and points
- * near planes, spheres and closed surfaces (2 to 7.2 n).  It is not for random
- * points on a tube or a torus (10 to 15 n, slowly growing with n), nor for a
- * helix or two lines (up to n^2 / 2).  TESS_MORE costs little: to resume takes
- * as long as n tetrahedra of a cloud, plus a third of the time that those
- * already there took.
+ * near planes, spheres and most smooth surfaces (2 to 7.2 n).  It is not for
+ * random points on a tube or a torus (9 to 20 n for 1,000 to 60,000 points),
+ * nor for a helix or two lines (up to n^2 / 2).  TESS_MORE costs little: to
+ * resume takes as long as n tetrahedra of a cloud, plus a third of the time
+ * that those already there took.
  *
  * returns 0; -1 for a bad n, -2 for a bad maxtet: negative, or so large that a
  * length, or 4*maxtet + 3, would exceed the largest tess_int.  The lengths are

@@ -28,15 +28,15 @@ C         zeros HHZERO, split HHSPLI, carry HHCARR, signof HHSIGN,
 C         spread HHSPRE, volume HHVOLU, ball HHBALL, leading HHLEAD,
 C         region HHREGI, foot HHFT, limbsg HHLIMB, limbs3 HHLIM3,
 C         limbs10 HHLIMT, limbsx HHLIMX, centre HHCNTR, weight HHWEIG,
-C         exact HHEXAC
+C         certain HHCERT, balanced HHBALA, exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
-C       exact signs: certain HHCERT, filt3 HHFIL3, filt5 HHFIL5,
+C       exact signs: filt3 HHFIL3, filt5 HHFIL5,
 C         opposite HHOPPO, pack HHPACK, scale HHSCAL,
 C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
 C         hh_line HHLINE, closest HHCLOS, hh_foot HHFOOT,
 C         widersg HHWIDS, hh_wider HHWIDE, hh_range HHRANG,
-C         corners HHCORN, hh_pside HHPSID
+C         apart HHAPAR, corners HHCORN, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
@@ -842,10 +842,118 @@ C     fills it.
       HHWEIG = HHLDEX(1.0D0, HHFREX(MOST) + 2 - BITS)
       END
 
+C     HHCERT - the sign of DET, certain beyond an error or when exact.
+      INTEGER FUNCTION HHCERT(DET, PERM, FACTOR, T)
+      DOUBLE PRECISION DET, PERM, FACTOR, T
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION EPS, TINY
+      PARAMETER (EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
+      DOUBLE PRECISION ERR
+      ERR = FACTOR*EPS*PERM + TINY
+      IF (DET .GT. ERR) THEN
+        HHCERT = 1
+      ELSE IF (DET .LT. -ERR) THEN
+        HHCERT = -1
+      ELSE IF (PERM .LE. T) THEN
+        HHCERT = 0
+        IF (DET .GT. 0.0D0) HHCERT = 1
+        IF (DET .LT. 0.0D0) HHCERT = -1
+      ELSE
+        HHCERT = UNSURE
+      END IF
+      END
+
+C     HHBALA - the sign of HHVOLU's or HHBALL's determinant, as that of
+C     rows (p, 1) or (p, |p|**2, 1), in double precision, whatever the
+C     exponents: rows, then columns are scaled by powers of two to at
+C     most 1.  UNSURE where that does not tell: a square has 5
+C     roundings, a minor's term a product and at most 4 sums on each of
+C     5 levels; in all 30 eps of the permanent, doubled as in HHFIL3.
+C     DET(SET), the minor of the first rows and a set of columns (column
+C     J is in it if the binary digit 2**(J-1) of SET is 1), is by its
+C     last row.
+      INTEGER FUNCTION HHBALA(NP, Q)
+      INTEGER NP
+      DOUBLE PRECISION Q(3,*)
+      INTEGER HHCERT, HHFREX
+      DOUBLE PRECISION HHLDEX
+      INTEGER NONE
+      PARAMETER (NONE = -100000)
+      DOUBLE PRECISION A(5,5), DET(0:31), PERM(0:31), SUM, X
+      INTEGER AT, BIT, E(5,5), I, J, MOST, REST, SET
+      DO 40 I = 1, NP
+        MOST = NONE
+        DO 10 J = 1, 3
+          E(J,I) = 0
+          A(J,I) = Q(J,I)
+          IF (A(J,I) .LT. 0.0D0 .OR. A(J,I) .GT. 0.0D0) THEN
+            E(J,I) = HHFREX(A(J,I))
+            A(J,I) = HHLDEX(A(J,I), -E(J,I))
+            MOST = MAX(MOST, E(J,I))
+          END IF
+   10   CONTINUE
+        IF (MOST .EQ. NONE) MOST = 0
+        IF (NP .EQ. 5) THEN
+          SUM = 0.0D0
+          DO 20 J = 1, 3
+            X = HHLDEX(Q(J,I), -MOST)
+            SUM = SUM + X*X
+   20     CONTINUE
+          A(4,I) = SUM
+          E(4,I) = 2*MOST
+        END IF
+        A(NP,I) = 1.0D0
+        E(NP,I) = 0
+        AT = (NP - 3)*MAX(MOST, 0)
+        DO 30 J = 1, NP
+          E(J,I) = E(J,I) - AT
+   30   CONTINUE
+   40 CONTINUE
+      DO 70 J = 1, NP
+        MOST = NONE
+        DO 50 I = 1, NP
+          IF (A(J,I) .LT. 0.0D0 .OR. A(J,I) .GT. 0.0D0) MOST =
+     $        MAX(MOST, E(J,I))
+   50   CONTINUE
+        DO 60 I = 1, NP
+          IF (A(J,I) .LT. 0.0D0 .OR. A(J,I) .GT. 0.0D0) A(J,I) =
+     $        HHLDEX(A(J,I), E(J,I) - MOST)
+   60   CONTINUE
+   70 CONTINUE
+      DET(0) = 1.0D0
+      PERM(0) = 1.0D0
+      DO 100 SET = 1, 2**NP - 1
+        I = 0
+        REST = SET
+   80   IF (REST .GT. 0) THEN
+          I = I + MOD(REST, 2)
+          REST = REST/2
+          GO TO 80
+        END IF
+        DET(SET) = 0.0D0
+        PERM(SET) = 0.0D0
+        AT = I - 1
+        BIT = 1
+        DO 90 J = 1, NP
+          IF (MOD(SET/BIT, 2) .EQ. 1) THEN
+            X = A(J,I)
+            IF (MOD(AT, 2) .EQ. 1) X = -X
+            DET(SET) = DET(SET) + X*DET(SET-BIT)
+            PERM(SET) = PERM(SET) + ABS(X)*PERM(SET-BIT)
+            AT = AT - 1
+          END IF
+          BIT = 2*BIT
+   90   CONTINUE
+  100 CONTINUE
+      HHBALA = HHCERT(DET(2**NP-1), PERM(2**NP-1), 64.0D0, -1.0D0)
+      END
+
 C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
       SUBROUTINE HHEXAC(NP, Q, FOOT, W, SGN)
       INTEGER NP, FOOT, SGN
       DOUBLE PRECISION Q(3,*), W(3)
+      INTEGER HHBALA
       DOUBLE PRECISION HHWEIG
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
@@ -873,6 +981,8 @@ C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
       CALL HHLIM3(NP, Q, TOP, FOOT, W, SGN)
       IF (SGN .EQ. UNSURE .AND. HHLIM .GT. 10)
      $  CALL HHLIMT(NP, Q, TOP, FOOT, W, SGN)
+      IF (SGN .EQ. UNSURE .AND. FOOT .EQ. 0 .AND. HHLIM .GT. 10)
+     $  SGN = HHBALA(NP, Q)
       IF (SGN .EQ. UNSURE) CALL HHLIMX(NP, Q, TOP, FOOT, W, SGN)
       END
 
@@ -986,28 +1096,6 @@ C     coordinates are integer multiples of some unit, none of them an
 C     underflowed one, and a permanent of at most T (2**52 units) means
 C     that nothing was rounded at all.
 C     ------------------------------------------------------------------
-
-C     HHCERT - the sign of DET, certain beyond an error or when exact.
-      INTEGER FUNCTION HHCERT(DET, PERM, FACTOR, T)
-      DOUBLE PRECISION DET, PERM, FACTOR, T
-      INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION EPS, TINY
-      PARAMETER (EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
-      DOUBLE PRECISION ERR
-      ERR = FACTOR*EPS*PERM + TINY
-      IF (DET .GT. ERR) THEN
-        HHCERT = 1
-      ELSE IF (DET .LT. -ERR) THEN
-        HHCERT = -1
-      ELSE IF (PERM .LE. T) THEN
-        HHCERT = 0
-        IF (DET .GT. 0.0D0) HHCERT = 1
-        IF (DET .LT. 0.0D0) HHCERT = -1
-      ELSE
-        HHCERT = UNSURE
-      END IF
-      END
 
 C     HHFIL3 - the sign of det [B-A C-A D-A], or UNSURE, of points A, B,
 C     C, D of X.
@@ -1466,6 +1554,26 @@ C     value MOST > 0, else UNSURE.
       IF (USED .GT. HHLIM) HHRANG = UNSURE
       END
 
+C     HHAPAR - Q = the coordinates P of NP points in units of their own,
+C     if SIZE, the sum of |x|, |y|, |z| of the first of them as scaled,
+C     is so far below the set's that its units do not become them: then
+C     YES is 1, else 0.
+      SUBROUTINE HHAPAR(SIZE, NP, P, Q, YES)
+      INTEGER NP, YES
+      DOUBLE PRECISION SIZE, P(3,*), Q(3,*)
+      DOUBLE PRECISION HHPACK
+      DOUBLE PRECISION FEW
+      PARAMETER (FEW = 2.0D0**(-96))
+      DOUBLE PRECISION MOST
+      INTEGER E
+      YES = 0
+      IF (SIZE .GT. FEW) RETURN
+      MOST = HHPACK(NP, P)
+      IF (MOST .LE. 0.0D0) RETURN
+      CALL HHSCAL(MOST, NP, P, Q, E)
+      YES = 1
+      END
+
 C     HHCORN - are NP points P corners of one box with faces along the
 C     axes, that is, has no coordinate more than two values?  If so YES
 C     is 1, else 0.  Q is then what becomes of them when the box is made
@@ -1511,7 +1619,7 @@ C               not known
       INTEGER HHFIL3, HHOPPO
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION ANY(3), Q(3,4), UNIT(3,4)
+      DOUBLE PRECISION ANY(3), Q(3,4), SIZE, UNIT(3,4)
       INTEGER AXIS, SGN, YES
       SGN = HHFIL3(X, I, J, K, L, T3)
       HHPSID = SGN
@@ -1525,10 +1633,14 @@ C               not known
       CALL HHCORN(4, Q, UNIT, YES)
       IF (YES .EQ. 1) THEN
         HHPSID = HHFIL3(UNIT, 1, 2, 3, 4, 64.0D0)
-      ELSE
-        CALL HHEXAC(4, Q, 0, ANY, SGN)
-        HHPSID = HHOPPO(SGN)
+        RETURN
       END IF
+      SIZE = ABS(X(1,I)) + ABS(X(2,I)) + ABS(X(3,I))
+      CALL HHAPAR(SIZE, 4, Q, UNIT, YES)
+      IF (YES .EQ. 1) HHPSID = HHFIL3(UNIT, 1, 2, 3, 4, -1.0D0)
+      IF (HHPSID .NE. UNSURE) RETURN
+      CALL HHEXAC(4, Q, 0, ANY, SGN)
+      HHPSID = HHOPPO(SGN)
       END
 
 C     ------------------------------------------------------------------
@@ -1595,7 +1707,7 @@ C     HHPERT - the sign of D, perturbed as in HHTIED where it is 0.
       INTEGER HHFIL5, HHTIED
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION ANY(3), Q(3,5), UNIT(3,5)
+      DOUBLE PRECISION ANY(3), Q(3,5), SIZE, UNIT(3,5)
       INTEGER AXIS, N, SGN, YES
       SGN = HHFIL5(X, V(1), V(2), V(3), V(4), V(5), T5)
       IF (SGN .EQ. UNSURE) THEN
@@ -1606,8 +1718,14 @@ C     HHPERT - the sign of D, perturbed as in HHTIED where it is 0.
    20   CONTINUE
         CALL HHCORN(5, Q, UNIT, YES)
 C       the corners of a box are on one sphere
-        SGN = 0
-        IF (YES .EQ. 0) CALL HHEXAC(5, Q, 0, ANY, SGN)
+        IF (YES .EQ. 1) THEN
+          SGN = 0
+        ELSE
+          SIZE = ABS(X(1,V(1))) + ABS(X(2,V(1))) + ABS(X(3,V(1)))
+          CALL HHAPAR(SIZE, 5, Q, UNIT, YES)
+          IF (YES .EQ. 1) SGN = HHFIL5(UNIT, 1, 2, 3, 4, 5, -1.0D0)
+          IF (SGN .EQ. UNSURE) CALL HHEXAC(5, Q, 0, ANY, SGN)
+        END IF
       END IF
       IF (SGN .EQ. 0) SGN = HHTIED(X, P, ORD, T3, V, POSITV)
       HHPERT = SGN

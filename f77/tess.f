@@ -117,18 +117,18 @@ C         erase TSERAS, quota TSQUOT, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
 C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
 C         starlist TSSTLI
-C       apex: powererr TSPOWE, extent TSEXTE, prunebox TSPRUN,
+C       apex: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
 C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
-C         narrow TSNARR, refine TSREFI, rough TSROUG, level TSLEVE,
-C         remember TSREME, fit TSFIT, discover TSDISC, lean TSLEAN,
-C         residual TSRESI, sharpen TSSHAR, sight TSSIGH,
-C         lowest TSLOWE, promise TSPROM, face TSFCE, aside TSASID,
+C         curved TSCURV, narrow TSNARR, refine TSREFI, rough TSROUG,
+C         marked TSMRKD, level TSLEVE, remember TSREME, fit TSFIT,
+C         discover TSDISC, lean TSLEAN, sharpen TSSHAR, sight TSSIGH,
+C         lowest TSLOWE, beyond TSBEYO, promise TSPROM,
 C         group TSGROU, enclose TSENCL, enclosed TSECLD,
 C         outside TSOUTS,
 C         challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
 C         starcoef TSSTAC, inball TSINBA, considerall TSCALL,
 C         likeliest TSLIKE, anypoint TSANYP, instar TSINST,
-C         inblock TSINBL, scanleaf TSSCAN, nearleaf TSNRLF,
+C         inblock TSINBL, scanleaf TSSCAN,
 C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
 C         apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT, plant TSPLAN
@@ -177,10 +177,10 @@ C       LINK   first open edge of the link from a vertex; DONE: its star
 C              is complete; NEW: in no tetrahedron yet
 C       POOL   pool and edges
 C       MARK   0, or J + SUPPS*K, of a position with mark K of support
-C              J; behind MARK(NP) 0, or the support J of all points of a
-C              node; behind MARK(NP+2*CTL(LEAVES)*J) the least mark of a
-C              node's points, -1 if one is below SLOW, GRAINS if all are
-C              above; plus ABOVE if one is above -SLOW.
+C              J; behind MARK(NP+2*CTL(LEAVES)*(J-1)) 2 (K + 1) of each
+C              node, K the least mark of its points, -1 if one is below
+C              SLOW, GRAINS if all are above; plus 1 if one is above
+C              -SLOW.
 C     CTL, the mesh's integers:
 C       NP      distinct points
 C       NT      tetrahedra;  MAXT room for them
@@ -231,11 +231,8 @@ C       IQ      QBEST: the best point yet, exactly, or 0; QLIMBS: its
 C               ball has been found by limbs; QBALL: there is a ball to
 C               prune with; QBASE: V(QBASE) is the base of F; QASKED:
 C               comparisons left to the exact predicates; QNEAR: the
-C               facet is near this support, or 0; QTURN changes with the
-C               ball and the best point; QAIMED, QTESTS: TSSIGH's tests
-C               were made at this turn; behind QTOP for each of them 1
-C               if it supposes that no height is above -SLOW; behind
-C               QFACED for each support the turn of TSFCE's; behind
+C               facet is near this support, or 0; QAIMED: TSSIGH's test
+C               is for the best point there is; behind
 C               QSOME QNSOME of the points, near no support, that were
 C               left open, or, QOPEN = 0, of leaves: every QSTRID-th one
 C               of QOPEND
@@ -244,14 +241,11 @@ C               behind QC the ball's centre, relative to F(7..9), wrong
 C               by at most QDC; QSIZE = |C|_1; behind QLIMB the ball by
 C               limbs (see HHCENT); G = height - QH - tilt.W is 0 on the
 C               facet, the tilt behind QTILT, QDH, QDTILT their errors;
-C               the best point's e is between QELO and QEHI, that of the
-C               point compared between QLOW and QHIGH; behind QTEST
-C               TSSIGH's tests, LTEST long, behind QSLAB TSFCE's for
-C               each support, LSLAB long:
-C     A test of TSSIGH's is a (height - h) + q |W|**2 - d.W + bias, of
-C     which each coordinate of W is wrong by dd times it, and all by err
-C     in the box of a node; of TSFCE's q |W|**2 - d.W + bias:
-C       TQ, TDD, TBIAS, TA, TERR  q, dd, bias, a, err; behind TD: d
+C               QG: of a plane, the height of the facet's normal; behind
+C               QTEST TSSIGH's test:
+C     It is a (height - h) + q |W|**2 - d.W, of which each coordinate of
+C     W is wrong by dd times it, and all by err:
+C       TQ, TDD, TA, TERR  q, dd, a, err; behind TD: d
 C     A walk over the hull:
 C       H       H(1..3): the facet nearest to Q yet; behind HON the
 C               vertices of the edge that has its nearest point, or
@@ -282,11 +276,12 @@ C       SUPPS   supports, at most
 C       OPENED, BURDEN  one is sought when a search has more than OPENED
 C               points in its sample and these add up to BURDEN times
 C               all points; each time in vain doubles that
+C       FINER   one with grains FINER times smaller takes another's
+C               points
 C       ENOUGH  of fewer points none is sought
 C       SOME    places of the sample
 C       GRAINS  marks of heights over a support: a double holds them and
 C               their roundings
-C       ABOVE   added where a node has points above that
 C       SCANS, SLIM  cylinders are made when the points of leaves that
 C               were tested are SCANS times the points; not if less than
 C               half of the leaves' are below SLIM of their boxes
@@ -305,7 +300,6 @@ C               not of points in so few units (T5 at least PLAIN) that
 C               doubles decide these, which takes less time
 C       MUCH    pool that is recommended beyond 4 N in any case, up to
 C               8 N
-C       SURE    what TSSHAR answers for a better point
 C       INTMAX  the largest integer
 C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
 C       MORE, FULL, PLANAR, LINEAR, SINGLE, RANGE  the codes 1 to 6 of
@@ -1848,31 +1842,25 @@ C     ------------------------------------------------------------------
 C     The apex of a facet.
 C     ------------------------------------------------------------------
 
+C     TSDOT - the product of two vectors.
+      DOUBLE PRECISION FUNCTION TSDOT(A, B)
+      DOUBLE PRECISION A(*), B(*)
+      TSDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
+      END
+
 C     TSPOWE - how wrong the power |W|**2 - 2 C.W may be for |W|_1 <=
 C     LENGTH: C is wrong by dc; each W(K) (W(K) - 2 C(K)) is the result
 C     of at most 6 roundings, with W(K) itself twice and the sum's, each
 C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|); LENGTH, and this, may
 C     come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSPOWE(FQ, LENGTH)
-      DOUBLE PRECISION FQ(168), LENGTH
+      DOUBLE PRECISION FQ(108), LENGTH
       INTEGER QDC, QSIZE
       PARAMETER (QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
       TSPOWE = LENGTH*(2.0D0*FQ(QDC) + 8.0D0*EPS*(LENGTH +
      $    2.0D0*FQ(QSIZE))) + FAINT
-      END
-
-C     TSEXTE - the greatest |W|_1 in the box of a node.
-      DOUBLE PRECISION FUNCTION TSEXTE(F, BOX, NODE)
-      DOUBLE PRECISION F(12), BOX(6,*)
-      INTEGER NODE
-      INTEGER K
-      TSEXTE = 0.0D0
-      DO 10 K = 1, 3
-        TSEXTE = TSEXTE + MAX(ABS(BOX(K,NODE) - F(6+K)),
-     $           ABS(BOX(3+K,NODE) - F(6+K)))
-   10 CONTINUE
       END
 
 C     TSPRUN - has the box of a node certainly no candidate: no point
@@ -1883,8 +1871,8 @@ C     TSPOWE; E |W|, which covers the rounding of the side, too.  Both
 C     are taken at a point of the box's own doubles, so the same bounds
 C     hold as for a point.
       INTEGER FUNCTION TSPRUN(IQ, F, FQ, BOX, NODE)
-      DOUBLE PRECISION F(12), FQ(168), BOX(6,*)
-      INTEGER IQ(55), NODE
+      DOUBLE PRECISION F(12), FQ(108), BOX(6,*)
+      INTEGER IQ(43), NODE
       DOUBLE PRECISION TSPOWE
       INTEGER QBALL, QC
       PARAMETER (QBALL = 3, QC = 2)
@@ -1915,8 +1903,8 @@ C     hold as for a point.
 C     TSPRPA - is there no candidate in that part of the root's box in
 C     which coordinate K is between LO and HI: 1, or 0.
       INTEGER FUNCTION TSPRPA(BOX, IQ, F, FQ, K, LO, HI)
-      DOUBLE PRECISION BOX(6,*), F(12), FQ(168), LO, HI
-      INTEGER IQ(55), K
+      DOUBLE PRECISION BOX(6,*), F(12), FQ(108), LO, HI
+      INTEGER IQ(43), K
       INTEGER TSPRUN
       DOUBLE PRECISION PART(6,1)
       INTEGER I
@@ -1936,8 +1924,8 @@ C     has its centre within dc of C and passes through the base, as does
 C     the one about C: its radius is at most |C| + dc, so that along an
 C     axis it ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(168)
-      INTEGER LSI(3,2), LIST, IQ(55)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
+      INTEGER LSI(3,2), LIST, IQ(43)
       INTEGER TSPRPA
       INTEGER LN, LLO, LHI, QC, QDC
       PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
@@ -1972,7 +1960,7 @@ C     if margin (margin - 2 A - 2 dc) >= 2 B; the test has margin - 2 dc
 C     in the place of both.  PAD times margin is more than the roundings
 C     of A, B and the products take.
       INTEGER FUNCTION TSBINS(BOX, LSD, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(168)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
       INTEGER LMARG, STR, QC, QDC
       PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6)
       DOUBLE PRECISION PAD
@@ -1997,19 +1985,30 @@ C     of A, B and the products take.
       TSBINS = 0
       END
 
+C     TSCURV - is the facet near a sphere: 1, or 0.
+      INTEGER FUNCTION TSCURV(RCTL, IQ)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER IQ(43)
+      INTEGER RSUP, LSUP, SPLANE, QNEAR
+      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, QNEAR = 6)
+      TSCURV = 0
+      IF (IQ(QNEAR) .EQ. 0) RETURN
+      IF (RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
+      END
+
 C     TSNARR - the L-coordinate of the best point of a search is at most
 C     L.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
-      DOUBLE PRECISION F(12), FQ(168), L
-      INTEGER IQ(55)
-      INTEGER QLIMBS, QBALL, QTURN, QHI, QC, QDC, QSIZE
-      PARAMETER (QLIMBS = 2, QBALL = 3, QTURN = 7, QHI = 2)
+      DOUBLE PRECISION F(12), FQ(108), L
+      INTEGER IQ(43)
+      INTEGER QLIMBS, QBALL, QAIMED, QHI, QC, QDC, QSIZE
+      PARAMETER (QLIMBS = 2, QBALL = 3, QAIMED = 7, QHI = 2)
       PARAMETER (QC = 2, QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, MUCHL
       PARAMETER (EPS = 2.0D0**(-52), MUCHL = 1.0D100)
       INTEGER K
       FQ(QHI) = L
-      IQ(QTURN) = IQ(QTURN) + 1
+      IQ(QAIMED) = 0
       IF (IQ(QLIMBS) .EQ. 1 .OR. ABS(L) .GT. MUCHL) RETURN
       IQ(QBALL) = 1
 C     what is better than the best point is, on the positive side, in
@@ -2027,33 +2026,46 @@ C     10 times as long with it.
 C     TSREFI - find the ball of the best point by limbs.  The centre C
 C     errs by at most 8 EPS |C|, so that its height over the facet's
 C     plane, C.V, is L but for the error of V, E |C|, that of C, and the
-C     roundings of three products and two sums, 5 EPS |C|_1.
+C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
+C     sphere L is counted from F(4..6), which are subtracted: U for C,
+C     with their error, and one rounding more.
       SUBROUTINE TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(168)
-      INTEGER ORD(*), V(3), IQ(55)
-      INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QTURN, QLO, QHI, QC
+      DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(108)
+      INTEGER ORD(*), V(3), IQ(43)
+      INTEGER TSCURV
+      INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QAIMED, QLO, QHI, QC
       INTEGER QDC, QSIZE, QLIMB
       PARAMETER (RSCALE = 5, QBEST = 1, QLIMBS = 2, QBALL = 3)
-      PARAMETER (QBASE = 4, QTURN = 7, QLO = 1, QHI = 2, QC = 2)
+      PARAMETER (QBASE = 4, QAIMED = 7, QLO = 1, QHI = 2, QC = 2)
       PARAMETER (QDC = 6, QSIZE = 7, QLIMB = 7)
-      DOUBLE PRECISION EPS, LOOSE
+      DOUBLE PRECISION EPS, HUGE, LOOSE
       PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
-      DOUBLE PRECISION C(3), ERR, L
-      INTEGER K, OK, SE
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION C(3), ERR, L, SIZE, U
+      INTEGER K, OK, ROUND, SE
+      IF (F(10) .GE. HUGE) RETURN
       SE = INT(RCTL(RSCALE))
       CALL HHCENT(P, ORD, SE, V, IQ(QBASE), IQ(QBEST), C, FQ, QLIMB, OK)
       IF (OK .EQ. 0) RETURN
+      ROUND = TSCURV(RCTL, IQ)
       IQ(QLIMBS) = 1
       IQ(QBALL) = 1
-      IQ(QTURN) = IQ(QTURN) + 1
+      IQ(QAIMED) = 0
+      FQ(QSIZE) = 0.0D0
+      SIZE = 0.0D0
+      L = 0.0D0
       DO 10 K = 1, 3
         FQ(QC+K) = C(K)
+        FQ(QSIZE) = FQ(QSIZE) + ABS(C(K))
+        U = C(K)
+        IF (ROUND .EQ. 1) U = U - F(3+K)
+        SIZE = SIZE + ABS(U)
+        L = L + F(K)*U
    10 CONTINUE
-      FQ(QSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
       FQ(QDC) = 8.0D0*EPS*FQ(QSIZE)
       IF (F(10) .GT. LOOSE) RETURN
-      L = F(1)*C(1) + F(2)*C(2) + F(3)*C(3)
-      ERR = (F(10) + 16.0D0*EPS)*FQ(QSIZE)
+      ERR = F(10)*SIZE + 16.0D0*EPS*FQ(QSIZE)
+      IF (ROUND .EQ. 1) ERR = ERR + F(11)
       FQ(QLO) = MAX(FQ(QLO), L - ERR)
       FQ(QHI) = MIN(FQ(QHI), L + ERR)
       END
@@ -2076,10 +2088,6 @@ C     centre's height over the facet's plane is l, it is the power of w
 C     in the ball of L = l, and L(w) = l + e, e = G(w) / (2 side).
 C     Heights are noise, but known to 1E-7 of it: so they decide, point
 C     by point and node by node.
-C
-C     Of points that are all near one support the box is thick where
-C     they are not: TSASID tests such a node by the plane or the sphere,
-C     for any facet.
 C     ------------------------------------------------------------------
 
 C     TSROUG - the height H of the position Z over the support behind
@@ -2111,28 +2119,38 @@ C     rest is 6 roundings.
       ERR = ERR + FAINT
       END
 
+C     TSMRKD - the height H of the position Z over support J, to its
+C     grain, if it has a mark of that.  A mark is off by the roundings
+C     of TSDISC, EPS GRAINS grains, and a quarter of one for twice the
+C     height's error.  OK is 1, or 0.
+      SUBROUTINE TSMRKD(MARK, RCTL, J, Z, H, OK)
+      DOUBLE PRECISION RCTL(*), H
+      INTEGER MARK(*), J, Z, OK
+      INTEGER RSUP, LSUP, SLOW, SGRAIN, SUPPS
+      PARAMETER (RSUP = 11, LSUP = 98, SLOW = 97, SGRAIN = 98)
+      PARAMETER (SUPPS = 8)
+      INTEGER AT, K
+      OK = 0
+      AT = RSUP + LSUP*(J - 1)
+      K = MARK(Z) - 1
+      IF (K .LT. 0 .OR. MOD(K, SUPPS) .NE. J - 1) RETURN
+      H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(K/SUPPS) + 0.5D0)
+      OK = 1
+      END
+
 C     TSLEVE - the height H of the position Z over support J, if it is
-C     near to it: by its mark, or else by limbs.  A mark is off by the
-C     roundings of TSDISC, EPS GRAINS grains, and a quarter of one for
-C     twice the height's error.  OK is 1, or 0.
+C     near to it: by its mark, or else by limbs.  OK is 1, or 0.
       SUBROUTINE TSLEVE(X, P, ORD, MARK, RCTL, J, Z, H, ERR, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
       INTEGER ORD(*), MARK(*), J, Z, OK
-      INTEGER RSUP, LSUP, SPLANE, SSIGN, SLOW, SGRAIN, SUPPS
+      INTEGER RSUP, LSUP, SPLANE, SSIGN, SLOW, SGRAIN
       PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, SSIGN = 89)
-      PARAMETER (SLOW = 97, SGRAIN = 98, SUPPS = 8)
-      INTEGER AT, K, PLANE
+      PARAMETER (SLOW = 97, SGRAIN = 98)
+      INTEGER AT, PLANE
       AT = RSUP + LSUP*(J - 1)
-      K = MARK(Z) - 1
-      IF (K .GE. 0) THEN
-        IF (MOD(K, SUPPS) .EQ. J - 1) THEN
-          H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(K/SUPPS) + 0.5D0)
-          ERR = RCTL(AT+SGRAIN)
-          OK = 1
-          RETURN
-        END IF
-      END IF
-      OK = 0
+      ERR = RCTL(AT+SGRAIN)
+      CALL TSMRKD(MARK, RCTL, J, Z, H, OK)
+      IF (OK .EQ. 1) RETURN
       CALL TSROUG(X, RCTL, AT, Z, H, ERR)
       IF (ABS(H) .GT. ERR - RCTL(AT+SLOW)) RETURN
       PLANE = INT(RCTL(AT+SPLANE))
@@ -2142,19 +2160,16 @@ C     twice the height's error.  OK is 1, or 0.
      $    ABS(H) .LE. -RCTL(AT+SLOW)) OK = 1
       END
 
-C     TSREME - Z among the points that Householder left open, or one of
-C     two, of four ... of them; until there are such, instead, points of
-C     leaves where the search went.
-      SUBROUTINE TSREME(MARK, RCTL, IQ, Z, OPEN)
-      DOUBLE PRECISION RCTL(*)
-      INTEGER MARK(*), IQ(55), Z, OPEN
-      INTEGER RSUPP, QOPEN, QOPEND, QSTRID, QNSOME, QSOME, SOME
-      PARAMETER (RSUPP = 6, QOPEN = 20, QOPEND = 21, QSTRID = 22)
-      PARAMETER (QNSOME = 23, QSOME = 23, SOME = 32)
+C     TSREME - Z among the points that were left open, or one of two, of
+C     four ... of them; until there are such, instead, points of leaves
+C     where the search went.  Points with a mark, too: they may be on a
+C     finer support.
+      SUBROUTINE TSREME(IQ, Z, OPEN)
+      INTEGER IQ(43), Z, OPEN
+      INTEGER QOPEN, QOPEND, QSTRID, QNSOME, QSOME, SOME
+      PARAMETER (QOPEN = 8, QOPEND = 9, QSTRID = 10)
+      PARAMETER (QNSOME = 11, QSOME = 11, SOME = 32)
       INTEGER I
-      IF (RCTL(RSUPP) .GT. 0.0D0) THEN
-        IF (MARK(Z) .GT. 0) RETURN
-      END IF
       IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
         IQ(QOPEN) = OPEN
         IQ(QOPEND) = 0
@@ -2177,18 +2192,21 @@ C     leaves where the search went.
 
 C     TSFIT - set up a support, behind RCTL(AT), through the widest of
 C     the points that a search left open, for heights of at most 8 times
-C     those of three quarters of them.  OK is 1, or 0.
+C     those of three quarters of them; or of one quarter, if that is
+C     FINER times nearer: the points on one of several near sheets.  A
+C     plane where they are no sphere: sheets near each other are one.
+C     OK is 1, or 0.
       SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(55), AT, OK
+      INTEGER ORD(*), CTL(*), V(3), IQ(43), AT, OK
       INTEGER NP, RSCALE, SPLANE, SSIGN, SAT, SC, SSIZE, SLOW, SGRAIN
       INTEGER QNSOME, QSOME, SOME, GRAINS
       PARAMETER (NP = 1, RSCALE = 5, SPLANE = 88, SSIGN = 89, SAT = 89)
       PARAMETER (SC = 92, SSIZE = 96, SLOW = 97, SGRAIN = 98)
-      PARAMETER (QNSOME = 23, QSOME = 23, SOME = 32)
+      PARAMETER (QNSOME = 11, QSOME = 11, SOME = 32)
       PARAMETER (GRAINS = 134217728)
-      DOUBLE PRECISION SMALL
-      PARAMETER (SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION FINER, SMALL
+      PARAMETER (FINER = 100.0D0, SMALL = 2.0D0**(-450))
       DOUBLE PRECISION C(3), D, ERR, H(SOME), LOW, MOST, U(3,SOME)
       DOUBLE PRECISION WIDE(3), WORST
       INTEGER FAR, I, J, K, N, PLANE, SE, UP, W(3), Z
@@ -2228,22 +2246,14 @@ C     the farthest one, and what is left of all
         END IF
    70 CONTINUE
       PLANE = 0
-      IF (WIDE(3) .LT. 1.0D-7*WIDE(1)) THEN
-        PLANE = 1
-        Z = W(1)
-      END IF
+      IF (WIDE(3) .LT. 1.0D-7*WIDE(1)) PLANE = 1
       SE = INT(RCTL(RSCALE))
+      WORST = 0.0D0
+   80 IF (PLANE .EQ. 1) Z = W(1)
       CALL HHCENT(P, ORD, SE, W, 1, Z, C, RCTL, AT, OK)
       IF (OK .EQ. 0) RETURN
       OK = 0
       CALL HHUNIT(RCTL, AT, PLANE, C)
-      RCTL(AT+SPLANE) = DBLE(PLANE)
-      RCTL(AT+SSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
-      DO 80 K = 1, 3
-        RCTL(AT+SC+K) = C(K)
-        RCTL(AT+SAT+K) = X(K,W(1))
-   80 CONTINUE
-      WORST = 0.0D0
       DO 100 I = 1, N
         CALL HHHEIG(P, ORD, RCTL, AT, IQ(QSOME+I), PLANE, D, ERR)
         D = ABS(D)
@@ -2259,14 +2269,26 @@ C     the farthest one, and what is left of all
         END IF
         H(K) = D
   100 CONTINUE
-      D = 16.0D0*H(3*N/4+1)/DBLE(GRAINS)
+      D = H(3*N/4+1)
+      IF (H(N/4+1) .LT. D/FINER) D = H(N/4+1)
+      D = 16.0D0*D/DBLE(GRAINS)
       RCTL(AT+SGRAIN) = MAX(D, 8.0D0*WORST)
       LOW = -0.5D0*RCTL(AT+SGRAIN)*DBLE(GRAINS)
-      RCTL(AT+SLOW) = LOW
       MOST = 1.0D-3*WIDE(1)
       IF (PLANE .EQ. 0) MOST = MOST*WIDE(1)
-      IF (-LOW .GT. MOST) RETURN
+      IF (-LOW .GT. MOST) THEN
+        IF (PLANE .EQ. 1) RETURN
+        PLANE = 1
+        GO TO 80
+      END IF
       OK = 1
+      RCTL(AT+SLOW) = LOW
+      RCTL(AT+SPLANE) = DBLE(PLANE)
+      RCTL(AT+SSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
+      DO 105 K = 1, 3
+        RCTL(AT+SC+K) = C(K)
+        RCTL(AT+SAT+K) = X(K,W(1))
+  105 CONTINUE
       RCTL(AT+SSIGN) = 1.0D0
       IF (PLANE .EQ. 0) RETURN
       UP = 0
@@ -2284,26 +2306,31 @@ C     the farthest one, and what is left of all
       END
 
 C     TSDISC - find a support for the points that a search left open:
-C     mark those near to it that have no mark yet, and find the least
-C     height of each node.
+C     mark those near to it that have no mark, or one of a support FINER
+C     times coarser, and find the least height of each node.  It is kept
+C     if it marks some points, or if the facet, near no other, and many
+C     points are near to it: facets between near sheets lean on a plane
+C     that holds them all.
       SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43)
       INTEGER TSCUBE
       INTEGER NP, LEAVES, RSUPP, RSEEK, RSUP, LSUP, SPLANE, SSIGN
-      INTEGER SLOW, SGRAIN, DONE, SUPPS, GRAINS, ABOVE, OPENED, QOPEND
+      INTEGER SLOW, SGRAIN, DONE, SUPPS, GRAINS, OPENED, QNEAR, QOPEND
       PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RSEEK = 7)
       PARAMETER (RSUP = 11)
       PARAMETER (LSUP = 98, SPLANE = 88, SSIGN = 89, SLOW = 97)
       PARAMETER (SGRAIN = 98, DONE = -1, SUPPS = 8, GRAINS = 134217728)
-      PARAMETER (ABOVE = GRAINS + 2, OPENED = 24, QOPEND = 21)
+      PARAMETER (OPENED = 24, QNEAR = 6, QOPEND = 9)
+      DOUBLE PRECISION FINER
+      PARAMETER (FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, FINE, GRAIN, H, LOW
-      INTEGER AT, FIRST, I, J, K, LAST, LEAST, NEAR, NODE, OK, OVER
-      INTEGER PLANE, Z
+      INTEGER ACROSS, ALL, AT, FIRST, I, J, K, LAST, LEAST, NEAR, NODE
+      INTEGER OK, OLD, OVER, PLANE, Z
       J = INT(RCTL(RSUPP)) + 1
       AT = RSUP + LSUP*(J - 1)
       IF (J .EQ. 1) THEN
-        DO 10 I = 1, CTL(NP) + 2*CTL(LEAVES)
+        DO 10 I = 1, CTL(NP)
           MARK(I) = 0
    10   CONTINUE
       END IF
@@ -2316,26 +2343,31 @@ C     a sample of all that is near, as that may be of a corner
         Z = I
         CALL TSROUG(X, RCTL, AT, Z, H, ERR)
         IF (LINK(I) .NE. DONE .AND. ABS(H) .LE. ERR - 2.0D0*LOW)
-     $      CALL TSREME(MARK, RCTL, IQ, Z, 1)
+     $      CALL TSREME(IQ, Z, 1)
    15 CONTINUE
       IF (IQ(QOPEND) .GT. OPENED) THEN
         CALL TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
         IF (OK .EQ. 0) RETURN
       END IF
+      ACROSS = 0
+      IF (IQ(QNEAR) .EQ. 0) ACROSS = 1
+      DO 17 K = 1, 3
+        IF (ACROSS .EQ. 1) CALL TSLEVE(X, P, ORD, MARK, RCTL, J, V(K),
+     $      H, ERR, ACROSS)
+   17 CONTINUE
       PLANE = INT(RCTL(AT+SPLANE))
       LOW = RCTL(AT+SLOW)
       GRAIN = RCTL(AT+SGRAIN)
-      LEAST = CTL(NP) + 2*CTL(LEAVES)*J
+      LEAST = CTL(NP) + 2*CTL(LEAVES)*(J - 1)
       NEAR = 0
+      ALL = 0
       DO 30 NODE = 2*CTL(LEAVES) - 1, 1, -1
         OVER = 0
         IF (NODE .LT. CTL(LEAVES)) THEN
           FIRST = MARK(LEAST+2*NODE)
           LAST = MARK(LEAST+2*NODE+1)
-          IF (FIRST .GT. GRAINS .OR. LAST .GT. GRAINS) OVER = ABOVE
-          IF (FIRST .GT. GRAINS) FIRST = FIRST - ABOVE
-          IF (LAST .GT. GRAINS) LAST = LAST - ABOVE
-          MARK(LEAST+NODE) = MIN(FIRST, LAST) + OVER
+          OVER = MAX(MOD(FIRST, 2), MOD(LAST, 2))
+          MARK(LEAST+NODE) = MIN(FIRST, LAST)/2*2 + OVER
           GO TO 30
         END IF
         MARK(LEAST+NODE) = GRAINS
@@ -2356,16 +2388,21 @@ C     a sample of all that is near, as that may be of a corner
           IF (C .LT. DBLE(GRAINS)) K = INT(C)
           IF (C .LT. 0.0D0) K = -1
           MARK(LEAST+NODE) = MIN(MARK(LEAST+NODE), K)
-          IF (H + ERR .GT. -LOW) OVER = ABOVE
-          IF (K .GE. 0 .AND. K .LT. GRAINS .AND.
-     $        8.0D0*ERR .LE. GRAIN .AND. MARK(I) .EQ. 0) THEN
-            MARK(I) = J + SUPPS*K
-            NEAR = NEAR + 1
+          IF (H + ERR .GT. -LOW) OVER = 1
+          IF (K .LT. 0 .OR. K .GE. GRAINS .OR. 8.0D0*ERR .GT. GRAIN)
+     $        GO TO 20
+          ALL = ALL + 1
+          IF (MARK(I) .GT. 0) THEN
+            OLD = RSUP + LSUP*MOD(MARK(I) - 1, SUPPS)
+            IF (RCTL(OLD+SGRAIN) .LE. FINER*GRAIN) GO TO 20
           END IF
+          MARK(I) = J + SUPPS*K
+          NEAR = NEAR + 1
    20   CONTINUE
-        MARK(LEAST+NODE) = MARK(LEAST+NODE) + OVER
+        MARK(LEAST+NODE) = 2*(MARK(LEAST+NODE) + 1) + OVER
    30 CONTINUE
-      IF (NEAR .LT. 2*TSCUBE(CTL(NP))) THEN
+      IF (NEAR .LT. 2*TSCUBE(CTL(NP)) .AND. (ACROSS .EQ. 0 .OR.
+     $    ALL .LT. CTL(NP)/16)) THEN
         DO 40 I = 1, CTL(NP)
           IF (MARK(I) .GT. 0 .AND. MOD(MARK(I) - J, SUPPS) .EQ. 0)
      $        MARK(I) = 0
@@ -2374,39 +2411,47 @@ C     a sample of all that is near, as that may be of a corner
       END IF
       RCTL(RSUPP) = DBLE(J)
       IF (J .EQ. SUPPS) RCTL(RSEEK) = 0.0D0
-      DO 50 NODE = 1, 2*CTL(LEAVES) - 1
-        IF (MARK(CTL(NP)+NODE) .EQ. 0 .AND. MARK(LEAST+NODE) .GE. 0
-     $      .AND. MARK(LEAST+NODE) .LE. GRAINS) MARK(CTL(NP)+NODE) = J
-   50 CONTINUE
       END
 
 C     TSLEAN - find the support that the facet is near to, if there is
-C     one, and its tilt.  Its error: the tilt is out of the plane by the
-C     roundings of the edges; in it, its products with the edges miss
-C     the differences of heights by r0, r1, and a vector whose products
-C     with unit vectors at an angle are r0, r1 is no longer than (|r0| +
-C     |r1|) / sine of it.  DET errs by less than 1/100, as no needle is
-C     let through.
-      SUBROUTINE TSLEAN(X, P, ORD, MARK, RCTL, V, IQ, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), FQ(168)
-      INTEGER ORD(*), MARK(*), V(3), IQ(55)
-      INTEGER RSUPP, QBASE, QNEAR, QAIMED, QFACED, QH, QDH, QTILT
-      INTEGER QDTILT, SUPPS
-      PARAMETER (RSUPP = 6, QBASE = 4, QNEAR = 6, QAIMED = 8)
-      PARAMETER (QFACED = 11, QH = 95, QDH = 96, QTILT = 96)
-      PARAMETER (QDTILT = 100, SUPPS = 8)
+C     one, and its tilt: first those that have marked its vertices.  A
+C     needle, or a facet that stands on its plane, leans on none.
+C
+C     The tilt's error: the tilt is out of the plane by the roundings of
+C     the edges; in it, its products with the edges miss the differences
+C     of heights by r0, r1, and a vector whose products with unit
+C     vectors at an angle are r0, r1 is no longer than (|r0| + |r1|) /
+C     sine of it.  DET errs by less than 1/100, as no needle is let
+C     through.
+C
+C     Near a sphere G is |W|**2 - 2 c.W, c = tilt / 2 - o, o = base -
+C     centre: the power in the ball of centre c, which is on the facet's
+C     axis.  L is counted from there: c takes the place of the
+C     circumcentre in the set-up.  It errs by half of the tilt's error,
+C     8 EPS of the centre, and the roundings of three differences in any
+C     order, each of at most EPS (|o| + 2 |at|): less than 8 EPS SIZE.
+      SUBROUTINE TSLEAN(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
+      INTEGER ORD(*), MARK(*), V(3), IQ(43)
+      DOUBLE PRECISION TSDOT
+      INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QNEAR, QAIMED
+      INTEGER QH, QDH, QTILT, QDTILT, QG, SUPPS
+      PARAMETER (RSUPP = 6, RSUP = 11, LSUP = 98, SPLANE = 88, SAT = 89)
+      PARAMETER (SC = 92, QBASE = 4, QNEAR = 6, QAIMED = 7, QH = 95)
+      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
+      PARAMETER (SUPPS = 8)
       DOUBLE PRECISION EPS, FAINT
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
       DOUBLE PRECISION A(3,2), AB, DET, ERR(3), H(3), N(2), R, SIZE
       DOUBLE PRECISION T(2)
-      INTEGER B, I, J, K, OK, Z
-      IQ(QAIMED) = 0
-      DO 10 K = 1, INT(RCTL(RSUPP))
-        IQ(QFACED+K) = 0
-   10 CONTINUE
-      DO 30 I = 1, 3
-        J = MOD(MARK(V(I)) - 1, SUPPS) + 1
-        IF (MARK(V(I)) .EQ. 0) GO TO 30
+      INTEGER AT, B, I, J, K, OK, Z
+      IF (F(10) .GT. 1.0D-3) RETURN
+      DO 30 I = -2, INT(RCTL(RSUPP))
+        J = I
+        IF (I .LE. 0) THEN
+          IF (MARK(V(I+3)) .EQ. 0) GO TO 30
+          J = MOD(MARK(V(I+3)) - 1, SUPPS) + 1
+        END IF
         DO 20 K = 1, 3
           Z = V(MOD(IQ(QBASE) + K - 2, 3)+1)
           CALL TSLEVE(X, P, ORD, MARK, RCTL, J, Z, H(K), ERR(K), OK)
@@ -2415,20 +2460,24 @@ C     let through.
         GO TO 40
    30 CONTINUE
       RETURN
-   40 B = V(IQ(QBASE))
+   40 AT = RSUP + LSUP*(J - 1)
+      FQ(QG) = TSDOT(RCTL(AT+SC+1), F)
+      IF (RCTL(AT+SPLANE) .GT. 0.0D0 .AND. ABS(FQ(QG)) .LT. 0.5D0)
+     $    RETURN
+      B = V(IQ(QBASE))
       DO 60 I = 1, 2
         Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
-        N(I) = 0.0D0
         DO 50 K = 1, 3
           A(K,I) = X(K,Z) - X(K,B)
-          N(I) = N(I) + A(K,I)*A(K,I)
    50   CONTINUE
+        N(I) = TSDOT(A(1,I), A(1,I))
         H(I+1) = H(I+1) - H(1)
    60 CONTINUE
-      AB = A(1,1)*A(1,2) + A(2,1)*A(2,2) + A(3,1)*A(3,2)
+      AB = TSDOT(A(1,1), A(1,2))
       DET = N(1)*N(2) - AB*AB
       IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
       IQ(QNEAR) = J
+      IQ(QAIMED) = 0
       T(1) = (H(2)*N(2) - H(3)*AB)/DET
       T(2) = (H(3)*N(1) - H(2)*AB)/DET
       SIZE = 0.0D0
@@ -2439,264 +2488,167 @@ C     let through.
       FQ(QH) = H(1)
       FQ(QDH) = ERR(1)
       FQ(QDTILT) = 8.0D0*EPS*SIZE
-      DO 90 I = 1, 2
-        R = H(I+1)
-        DO 80 K = 1, 3
-          R = R - FQ(QTILT+K)*A(K,I)
-   80   CONTINUE
+      DO 80 I = 1, 2
+        R = H(I+1) - TSDOT(FQ(QTILT+1), A(1,I))
         FQ(QDTILT) = FQ(QDTILT) + (ABS(R) + ERR(1) + ERR(I+1) +
      $      16.0D0*EPS*(ABS(H(I+1)) + ABS(H(1)) +
      $      SIZE*SQRT(N(I))))*SQRT(1.02D0*N(3-I)/DET)
+   80 CONTINUE
+      IF (RCTL(AT+SPLANE) .GT. 0.0D0) RETURN
+      SIZE = 0.0D0
+      DO 90 K = 1, 3
+        R = F(6+K) - RCTL(AT+SAT+K)
+        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(RCTL(AT+SC+K)) +
+     $      ABS(RCTL(AT+SAT+K)))
+        F(3+K) = 0.5D0*FQ(QTILT+K) - (R - RCTL(AT+SC+K))
    90 CONTINUE
+      F(11) = 0.6D0*FQ(QDTILT) + 8.0D0*EPS*SIZE
+      F(12) = SQRT(TSDOT(F(4), F(4)))
       END
 
-C     TSRESI - limits of G for a point near to the facet's support.  OK
-C     is 1, or 0.
-      SUBROUTINE TSRESI(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, LO, HI, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168), LO, HI
-      INTEGER ORD(*), MARK(*), IQ(55), Z, OK
-      INTEGER QNEAR, QH, QDH, QTILT, QDTILT
-      PARAMETER (QNEAR = 6, QH = 95, QDH = 96, QTILT = 96)
-      PARAMETER (QDTILT = 100)
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
-      DOUBLE PRECISION ERR, H, SIZE, U
-      INTEGER K
+C     TSSHAR - the SIDE of the position Z that HHLIMI did not find
+C     negative, and limits of L, by its height over the facet's support:
+C     that gives a plane's side of Z, and a sphere's power.  A plane's g
+C     errs by E and some roundings.  The quotients are of numbers right
+C     to 4 EPS of themselves, as is what is left of a side of more than
+C     twice its error: PAD is more.
+      SUBROUTINE TSSHAR(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, SIDE, LO,
+     $                  HI)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108), LO, HI
+      INTEGER ORD(*), MARK(*), IQ(43), Z, SIDE
+      INTEGER RSUP, LSUP, SPLANE, QNEAR, QH, QDH, QTILT, QDTILT, QG
+      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, QNEAR = 6, QH = 95)
+      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
+      DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, PAD = 64.0D0*EPS)
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      PARAMETER (SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, Q(3), SIZE, U
+      INTEGER K, OK
       CALL TSLEVE(X, P, ORD, MARK, RCTL, IQ(QNEAR), Z, H, ERR, OK)
       IF (OK .EQ. 0) RETURN
       ERR = ERR + (FQ(QDH) + 16.0D0*EPS*(ABS(H) + ABS(FQ(QH))) + FAINT)
       H = H - FQ(QH)
+      G = 0.0D0
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        U = X(K,Z) - F(6+K)
+        Q(K) = X(K,Z)
+        U = Q(K) - F(6+K)
         H = H - FQ(QTILT+K)*U
+        G = G + F(K)*U
         SIZE = SIZE + ABS(U)
         ERR = ERR + 16.0D0*EPS*ABS(FQ(QTILT+K)*U)
    10 CONTINUE
       ERR = ERR + FQ(QDTILT)*SIZE
-      LO = H - ERR
-      HI = H + ERR
-      END
-
-C     TSSHAR - the SIDE of the position Z that HHLIMI did not find
-C     negative, and limits of L, by a plane's support; of e, by a
-C     sphere's.  g errs by E and some roundings.
-      SUBROUTINE TSSHAR(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, SIDE, LO,
-     $                  HI)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168), LO, HI
-      INTEGER ORD(*), MARK(*), IQ(55), Z, SIDE
-      INTEGER RSUP, LSUP, SPLANE, SC, QNEAR, QELO, QEHI, QLOW, QHIGH
-      INTEGER SURE
-      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, SC = 92, QNEAR = 6)
-      PARAMETER (QELO = 101, QEHI = 102, QLOW = 103, QHIGH = 104)
-      PARAMETER (SURE = 3)
-      DOUBLE PRECISION EPS, HUGE, PAD, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), PAD = 64.0D0*EPS)
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      PARAMETER (SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION DG, G, HIGH, LEAST, LOW, MOST, Q(3), SIZE, U
-      INTEGER AT, K, OK
-      FQ(QLOW) = -HUGE
-      FQ(QHIGH) = HUGE
-      IF (F(10) .GT. 1.0D-3) RETURN
-      CALL TSRESI(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, LOW, HIGH, OK)
-      IF (OK .EQ. 0) RETURN
-      AT = RSUP + LSUP*(IQ(QNEAR) - 1)
-      G = 0.0D0
-      IF (RCTL(AT+SPLANE) .GT. 0.0D0) THEN
-        DO 10 K = 1, 3
-          G = G + RCTL(AT+SC+K)*F(K)
-          Q(K) = X(K,Z)
-   10   CONTINUE
-        IF (ABS(G) .LT. 0.5D0) RETURN
-        IF (G .LT. 0.0D0) THEN
-          U = LOW
-          LOW = -HIGH
-          HIGH = -U
-          G = -G
-        END IF
-        IF (HIGH .LT. 0.0D0) THEN
+      IF (RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SPLANE) .GT. 0.0D0) THEN
+        IF (FQ(QG) .LT. 0.0D0) H = -H
+        IF (H + ERR .LT. 0.0D0) THEN
           SIDE = -1
           RETURN
         END IF
-        DG = F(10) + 32.0D0*EPS
-        LEAST = LOW/(G + DG)*(1.0D0 - PAD)
+        U = F(10) + 32.0D0*EPS
+        LEAST = (H - ERR)/(ABS(FQ(QG)) + U)*(1.0D0 - PAD)
+        MOST = (H + ERR)/(ABS(FQ(QG)) - U)*(1.0D0 + PAD)
         IF (LEAST .LT. SMALL) RETURN
         LOW = -HUGE
-        MOST = HIGH/(G - DG)*(1.0D0 + PAD)
         HIGH = HUGE
         CALL HHRATI(F, Q, LEAST, MOST, LOW, HIGH)
-        LO = MAX(LO, LOW)
-        HI = MIN(HI, HIGH)
         SIDE = 1
-        RETURN
-      END IF
-      SIZE = 0.0D0
-      DO 20 K = 1, 3
-        U = X(K,Z) - F(6+K)
-        G = G + F(K)*U
-        SIZE = SIZE + ABS(U)
-   20 CONTINUE
-      LEAST = 2.0D0*(G - F(10)*SIZE)
-      MOST = 2.0D0*(G + F(10)*SIZE)
-      IF (SIDE .LE. 0 .OR. LEAST .LT. SMALL) RETURN
-      IF (LOW .GT. 0.0D0) THEN
-        LOW = LOW/MOST
       ELSE
-        LOW = LOW/LEAST
+        LEAST = 2.0D0*(G - F(10)*SIZE)
+        MOST = 2.0D0*(G + F(10)*SIZE)
+        IF (SIDE .LE. 0 .OR. LEAST .LT. SMALL) RETURN
+        LOW = (H - ERR)/LEAST
+        IF (H .GT. ERR) LOW = (H - ERR)/MOST
+        HIGH = (H + ERR)/MOST
+        IF (H .GT. -ERR) HIGH = (H + ERR)/LEAST
+        LOW = LOW - PAD*ABS(LOW)
+        HIGH = HIGH + PAD*ABS(HIGH)
       END IF
-      IF (HIGH .GT. 0.0D0) THEN
-        HIGH = HIGH/LEAST
-      ELSE
-        HIGH = HIGH/MOST
-      END IF
-      FQ(QLOW) = LOW - PAD*ABS(LOW)
-      FQ(QHIGH) = HIGH + PAD*ABS(HIGH)
-      IF (FQ(QLOW) .GT. FQ(QEHI)) THEN
-        SIDE = -1
-      ELSE IF (FQ(QHIGH) .LT. FQ(QELO)) THEN
-        SIDE = SURE
-      END IF
+      LO = MAX(LO, LOW)
+      HI = MIN(HI, HIGH)
       END
 
-C     TSSIGH - make the tests of TSPROM for the best point there is.
-C     For a point better than it, of L-coordinate at most k, side > 0
-C     and N - 2 k side <= 0, N being the power in the ball of L = 0.  So
-C     there is none where
-C         a (height - h) + q |w|**2 - d.w + bias > 0:
-C       plane    side = G / g.  Either a = 1 or -1, that g a < 0; q = 0,
-C                d = a tilt: none is on the positive side.  Or a = -2 k
-C                / g, q = 1, d = 2 c + a tilt, c the centre of L = 0; as
+C     TSSIGH - make TSBEYO's test for the best point there is.  For a
+C     point better than it, of L-coordinate at most k, side > 0 and N -
+C     2 k side <= 0, N being the power in the ball of L = 0, of centre
+C     c.  So there is none where
+C         a (height - h) + q |W|**2 - d.W > 0:
+C       plane    side = G / g: a = -2 k / g, q = 1, d = 2 c + a tilt; as
 C                k may be greater, so may |a| for k > 0, and smaller for
-C                k < 0
-C       sphere   k = l + e: N - 2 k side = G - 2 e side = height - h -
-C                (tilt + 2 e v).w; of the height a share q is taken as
-C                |w|**2 + 2 o.w + h, o = base - centre: a = 1 - q, d =
-C                tilt + 2 e v - 2 q o.  Without a best point: side = v.w
-C                = (v - 2 q o).w + q (height - h - |w|**2), q = v.o / (2
-C                |o|**2), and height <= -low
-C     dd has room for the errors of c, l, o, tilt, v, and for 16
-C     roundings of each term.
+C                k < 0.  Without a ball a = 1 or -1, that g a < 0, q =
+C                0, d = a tilt: none is on the positive side
+C       sphere   N - 2 k side = G - 2 k side = height - h - (tilt + 2 k
+C                v).W; of G a share q is taken as |W|**2 - 2 c.W: a = 1
+C                - q, d = a tilt + 2 q c + 2 k v.  Without a ball -side,
+C                less and plus q times G: a = -q, d = a tilt + 2 q c +
+C                v.  Best is, but for a, the q for which the least of q
+C                |W|**2 - d.W is greatest
+C     Any q is right, so what it errs by does not count.  dd has room
+C     for the errors of c, tilt and v, and for 16 roundings of each
+C     term; err for those of h, of a height of at most -low, and of a,
+C     which is exact but for one.
       SUBROUTINE TSSIGH(RCTL, IQ, F, FQ)
-      DOUBLE PRECISION RCTL(*), F(12), FQ(168)
-      INTEGER IQ(55)
-      INTEGER RSUP, LSUP, SPLANE, SAT, SC, SLOW
-      INTEGER QBEST, QBALL, QNEAR, QTURN, QAIMED, QTESTS, QTOP, QHI, QH
-      INTEGER QDH, QTILT, QDTILT, QEHI, QTEST, TQ, TD, TDD, TBIAS, TA
-      INTEGER LTEST
-      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, SAT = 89, SC = 92)
-      PARAMETER (SLOW = 97, QBEST = 1, QBALL = 3, QNEAR = 6, QTURN = 7)
-      PARAMETER (QAIMED = 8, QTESTS = 9, QTOP = 9, QHI = 2, QH = 95)
-      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QEHI = 102)
-      PARAMETER (QTEST = 104, TQ = 1, TD = 1, TDD = 5, TBIAS = 6)
-      PARAMETER (TA = 7, LTEST = 8)
-      DOUBLE PRECISION EPS, HUGE, MUCHL
-      PARAMETER (EPS = 2.0D0**(-52), MUCHL = 1.0D100)
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION A, DD, E, G, O(3), OD, OO, Q, SIZE
-      INTEGER AT, K, T
+      DOUBLE PRECISION RCTL(*), F(12), FQ(108)
+      INTEGER IQ(43)
+      INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QNEAR, QAIMED, QHI, QH
+      INTEGER QDH, QTILT, QDTILT, QG, QTEST, TQ, TD, TDD, TA, TERR
+      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, SLOW = 97)
+      PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QHI = 2, QH = 95)
+      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
+      PARAMETER (QTEST = 101, TQ = 1, TD = 1, TDD = 5, TA = 6, TERR = 7)
+      DOUBLE PRECISION EPS, FAINT, MUCHL
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, MUCHL = 1.0D100)
+      DOUBLE PRECISION A, B, DD, Q, SUM, U, V, W
+      INTEGER AT, BALL, K
       AT = RSUP + LSUP*(IQ(QNEAR) - 1)
-      T = QTEST
-      IQ(QAIMED) = IQ(QTURN)
-      IQ(QTESTS) = 0
-      IF (F(10) .GT. 1.0D-3) RETURN
-      FQ(T+TBIAS) = 0.0D0
-      IQ(QTOP+1) = 0
-      G = 0.0D0
+      IQ(QAIMED) = 1
+      BALL = IQ(QBALL)
+      IF (ABS(FQ(QHI)) .GT. MUCHL) BALL = 0
+      B = 0.0D0
       IF (RCTL(AT+SPLANE) .GT. 0.0D0) THEN
+        Q = DBLE(BALL)
+        A = -1.0D0
+        IF (FQ(QG) .LT. 0.0D0) A = 1.0D0
+        IF (BALL .EQ. 1) THEN
+          A = -2.0D0*FQ(QHI)/FQ(QG)
+          U = 4.0D0*(F(10) + 32.0D0*EPS)*A
+          IF (FQ(QHI) .LE. 0.0D0) U = -U
+          A = A + U
+        END IF
+      ELSE
+        A = DBLE(BALL)
+        B = 1.0D0
+        IF (BALL .EQ. 1) B = 2.0D0*FQ(QHI)
+        SUM = 0.0D0
         DO 10 K = 1, 3
-          G = G + RCTL(AT+SC+K)*F(K)
+          SUM = SUM - F(3+K)*(B*F(K) + A*FQ(QTILT+K))
    10   CONTINUE
-        IF (ABS(G) .LT. 0.5D0) RETURN
-        A = 1.0D0
-        IF (G .GT. 0.0D0) THEN
-          A = -1.0D0
-          IQ(QTOP+1) = 1
-        END IF
-        FQ(T+TA) = A
-        FQ(T+TQ) = 0.0D0
-        FQ(T+TDD) = FQ(QDTILT)
-        DO 20 K = 1, 3
-          FQ(T+TD+K) = A*FQ(QTILT+K)
-          FQ(T+TDD) = FQ(T+TDD) + 16.0D0*EPS*ABS(FQ(QTILT+K))
-   20   CONTINUE
-        IQ(QTESTS) = 1
-        IF (IQ(QBALL) .EQ. 0 .OR. FQ(QHI) .GT. MUCHL) RETURN
-        IQ(QTESTS) = 2
-        T = T + LTEST
-        FQ(T+TBIAS) = 0.0D0
-        A = -2.0D0*FQ(QHI)/G
-        E = 4.0D0*(F(10) + 32.0D0*EPS)*A
-        IF (FQ(QHI) .GT. 0.0D0) THEN
-          A = A + E
-        ELSE
-          A = A - E
-        END IF
-        FQ(T+TA) = A
-        IQ(QTOP+2) = 0
-        IF (A .LT. 0.0D0) IQ(QTOP+2) = 1
-        FQ(T+TQ) = 1.0D0
-        FQ(T+TDD) = ABS(A)*FQ(QDTILT) + 2.0D0*F(11)
-        DO 30 K = 1, 3
-          FQ(T+TD+K) = 2.0D0*F(3+K) + A*FQ(QTILT+K)
-          FQ(T+TDD) = FQ(T+TDD) + 16.0D0*EPS*(2.0D0*ABS(F(3+K)) +
-     $        ABS(A*FQ(QTILT+K)))
-   30   CONTINUE
-        RETURN
+        Q = 0.0D0
+        IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(12)*F(12))
+        IF (BALL .EQ. 1) Q = MIN(Q, 1.0D0)
+        A = A - Q
       END IF
-      OO = 0.0D0
-      SIZE = 0.0D0
-      DO 40 K = 1, 3
-        O(K) = F(6+K) - RCTL(AT+SAT+K) - RCTL(AT+SC+K)
-        OO = OO + O(K)*O(K)
-        G = G - F(K)*O(K)
-        SIZE = SIZE + (ABS(O(K)) + 2.0D0*ABS(RCTL(AT+SC+K)) +
-     $      ABS(RCTL(AT+SAT+K)))
-   40 CONTINUE
-      Q = 0.0D0
-      IF (IQ(QBEST) .EQ. 0) THEN
-        IF (G .GE. 0.0D0) RETURN
-        Q = -0.5D0*G/OO
-        FQ(T+TA) = 0.0D0
-        FQ(T+TQ) = Q
-        FQ(T+TBIAS) = Q*(RCTL(AT+SLOW) + FQ(QH) - FQ(QDH))
-        IQ(QTOP+1) = 1
-        FQ(T+TDD) = F(10) + 16.0D0*EPS*(1.0D0 + Q*SIZE)
-        DO 50 K = 1, 3
-          FQ(T+TD+K) = F(K) - 2.0D0*Q*O(K)
-   50   CONTINUE
-        IQ(QTESTS) = 1
-        RETURN
-      END IF
-      IF (FQ(QHI) .GT. MUCHL) RETURN
-      E = FQ(QEHI)
-      IF (E .GE. HUGE) E = FQ(QHI) - G + 32.0D0*EPS*(ABS(FQ(QHI)) +
-     $    SIZE) + F(10)*SIZE
-      DD = FQ(QDTILT) + 2.0D0*ABS(E)*F(10)
-      OD = 0.0D0
-      DO 60 K = 1, 3
-        FQ(T+TD+K) = FQ(QTILT+K) + 2.0D0*E*F(K)
-        OD = OD + O(K)*FQ(T+TD+K)
-        DD = DD + 16.0D0*EPS*(ABS(FQ(QTILT+K)) + 2.0D0*ABS(E*F(K)))
-   60 CONTINUE
-      IF (OD .GT. 0.0D0) THEN
-        Q = 1.0D0
-        IF (OD .LT. 2.0D0*OO) Q = OD/(2.0D0*OO)
-      END IF
-      FQ(T+TA) = 1.0D0 - Q
-      FQ(T+TQ) = Q
-      FQ(T+TDD) = DD + 16.0D0*EPS*Q*SIZE
-      DO 70 K = 1, 3
-        FQ(T+TD+K) = FQ(T+TD+K) - 2.0D0*Q*O(K)
-   70 CONTINUE
-      IQ(QTESTS) = 1
+      DD = ABS(A)*FQ(QDTILT) + 2.0D0*Q*F(11) + ABS(B)*F(10)
+      DO 20 K = 1, 3
+        U = A*FQ(QTILT+K)
+        V = 2.0D0*Q*F(3+K)
+        W = B*F(K)
+        FQ(QTEST+TD+K) = U + V + W
+        DD = DD + 16.0D0*EPS*(ABS(U) + ABS(V) + ABS(W))
+   20 CONTINUE
+      FQ(QTEST+TQ) = Q
+      FQ(QTEST+TDD) = DD
+      FQ(QTEST+TA) = A
+      FQ(QTEST+TERR) = ABS(A)*FQ(QDH) + 16.0D0*EPS*(ABS(A) +
+     $    Q)*(ABS(FQ(QH)) - RCTL(AT+SLOW)) + FAINT
       END
 
-C     TSLOWE - the LEAST of q |w|**2 - d.w in a node's box, of the test
-C     behind FQ(T), and the greatest |w|_1, SIZE.
-      SUBROUTINE TSLOWE(BOX, F, FQ, T, NODE, LEAST, SIZE)
-      DOUBLE PRECISION BOX(6,*), F(12), FQ(*), LEAST, SIZE
-      INTEGER T, NODE
+C     TSLOWE - the LEAST of q |W|**2 - d.W in the box LO, HI, of the
+C     test behind FQ(T), and the greatest |W|_1, SIZE.
+      SUBROUTINE TSLOWE(LO, HI, F, FQ, T, LEAST, SIZE)
+      DOUBLE PRECISION LO(*), HI(*), F(12), FQ(*), LEAST, SIZE
+      INTEGER T
       INTEGER TQ, TD
       PARAMETER (TQ = 1, TD = 1)
       DOUBLE PRECISION D, H, HALF, L, Q, U
@@ -2707,8 +2659,8 @@ C     behind FQ(T), and the greatest |w|_1, SIZE.
       HALF = 0.0D0
       IF (Q .GT. 0.0D0) HALF = 0.5D0/Q
       DO 10 K = 1, 3
-        L = BOX(K,NODE) - F(6+K)
-        H = BOX(3+K,NODE) - F(6+K)
+        L = LO(K) - F(6+K)
+        H = HI(K) - F(6+K)
         D = FQ(T+TD+K)
         IF (Q .GT. 0.0D0) THEN
           U = D*HALF
@@ -2722,143 +2674,56 @@ C     behind FQ(T), and the greatest |w|_1, SIZE.
    10 CONTINUE
       END
 
-C     TSPROM - the MOST that a test of TSSIGH's is at least for the
-C     points of a node, less its error: if it is positive, the node has
-C     no candidate.
-      SUBROUTINE TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, MOST)
-      DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(168), MOST
-      INTEGER MARK(*), CTL(*), IQ(55), NODE
-      INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN
-      INTEGER QNEAR, QTURN, QAIMED, QTESTS, QTOP, QH, QDH, QTEST, TQ
-      INTEGER TDD, TBIAS, TA, TERR, LTEST, GRAINS, ABOVE
-      PARAMETER (NP = 1, LEAVES = 4, RSUP = 11, LSUP = 98, SLOW = 97)
-      PARAMETER (SGRAIN = 98, QNEAR = 6, QTURN = 7, QAIMED = 8)
-      PARAMETER (QTESTS = 9, QTOP = 9, QH = 95, QDH = 96, QTEST = 104)
-      PARAMETER (TQ = 1, TDD = 5, TBIAS = 6, TA = 7, TERR = 8)
-      PARAMETER (LTEST = 8, GRAINS = 134217728, ABOVE = GRAINS + 2)
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
-      DOUBLE PRECISION A, H, LOW, Q, SIZE, SUM
-      INTEGER AT, I, K, OVER, T
-      IF (IQ(QAIMED) .NE. IQ(QTURN)) CALL TSSIGH(RCTL, IQ, F, FQ)
-      AT = RSUP + LSUP*(IQ(QNEAR) - 1)
-      LOW = RCTL(AT+SLOW)
-      K = MARK(CTL(NP)+2*CTL(LEAVES)*IQ(QNEAR)+NODE)
-      OVER = 0
-      IF (K .GT. GRAINS) THEN
-        OVER = 1
-        K = K - ABOVE
-      END IF
-      MOST = -1.0D0
-      DO 10 I = 1, IQ(QTESTS)
-        T = QTEST + LTEST*(I - 1)
-        A = FQ(T+TA)
-        Q = FQ(T+TQ)
-        H = -LOW
-        IF (A .GE. 0.0D0) H = LOW + RCTL(AT+SGRAIN)*(DBLE(K) - 0.5D0)
-        CALL TSLOWE(BOX, F, FQ, T, NODE, SUM, SIZE)
-        SUM = A*(H - FQ(QH)) + FQ(T+TBIAS) + SUM
-        FQ(T+TERR) = ABS(A)*FQ(QDH) + 16.0D0*EPS*((ABS(A) +
-     $      Q)*(ABS(FQ(QH)) - LOW) + Q*SIZE*SIZE) + SIZE*FQ(T+TDD) +
-     $      FAINT
-        IF (A .GT. 0.0D0 .AND. K .LT. 0) GO TO 10
-        IF (IQ(QTOP+I) .EQ. 1 .AND. OVER .EQ. 1) GO TO 10
-        MOST = MAX(MOST, SUM - FQ(T+TERR))
-   10 CONTINUE
-      END
-
-C     TSFCE - make TSASID's test for the present ball and support J,
-C     about which all heights are within +-low: with Lagrange's
-C     multiplier of the place nearest to the ball's centre
-C       plane    |w|**2 - 2 c.w = |w|**2 - (2 c + t n).w + t n.w, n.w =
-C                n.(at - base) + height, t = 2 (n.(at - base) - n.c)
-C       sphere   |w|**2 - 2 c.w = (1 - t) |w|**2 - (2 c + 2 t o).w - t h
-C                + t height, t = 1 - |c + o| / R, o = base - centre, h
-C                the base's height
-C     Any t is right; so what it is wrong by does not count.
-      SUBROUTINE TSFCE(RCTL, J, IQ, F, FQ)
-      DOUBLE PRECISION RCTL(*), F(12), FQ(168)
-      INTEGER J, IQ(55)
-      INTEGER RSUP, LSUP, SPLANE, SAT, SC, SSIZE, SLOW
-      INTEGER QTURN, QFACED, QC, QDC, QSLAB, TQ, TD, TDD, TBIAS, LSLAB
-      PARAMETER (RSUP = 11, LSUP = 98, SPLANE = 88, SAT = 89, SC = 92)
-      PARAMETER (SSIZE = 96, SLOW = 97, QTURN = 7, QFACED = 11, QC = 2)
-      PARAMETER (QDC = 6, QSLAB = 120, TQ = 1, TD = 1, TDD = 5)
-      PARAMETER (TBIAS = 6, LSLAB = 6)
+C     TSBEYO - returns 1 if TSSIGH's test proves that the box LO, HI
+C     holds no candidate whose height, less than DH away, counts as H;
+C     or 0: OUT.
+      SUBROUTINE TSBEYO(LO, HI, F, FQ, H, DH, OUT)
+      DOUBLE PRECISION LO(*), HI(*), F(12), FQ(108), H, DH
+      INTEGER OUT
+      INTEGER QH, QTEST, TQ, TDD, TA, TERR
+      PARAMETER (QH = 95, QTEST = 101, TQ = 1, TDD = 5, TA = 6)
+      PARAMETER (TERR = 7)
       DOUBLE PRECISION EPS
       PARAMETER (EPS = 2.0D0**(-52))
-      DOUBLE PRECISION ALL, G, LENGTH, O(3), R, SIZE, XX, Y
-      INTEGER AT, K, PLANE, T
-      AT = RSUP + LSUP*(J - 1)
-      T = QSLAB + LSLAB*(J - 1)
-      PLANE = INT(RCTL(AT+SPLANE))
-      IQ(QFACED+J) = IQ(QTURN)
-      XX = 0.0D0
-      Y = 0.0D0
-      R = 0.0D0
-      SIZE = 0.0D0
-      ALL = 0.0D0
-      DO 10 K = 1, 3
-        O(K) = F(6+K) - RCTL(AT+SAT+K)
-        SIZE = SIZE + ABS(O(K))
-        ALL = ALL + (ABS(O(K)) + ABS(RCTL(AT+SAT+K)))
-        IF (PLANE .EQ. 1) THEN
-          XX = XX - RCTL(AT+SC+K)*O(K)
-          Y = Y + RCTL(AT+SC+K)*FQ(QC+K)
-        ELSE
-          XX = XX + O(K)*(O(K) - 2.0D0*RCTL(AT+SC+K))
-          O(K) = O(K) - RCTL(AT+SC+K)
-          Y = Y + (FQ(QC+K) + O(K))*(FQ(QC+K) + O(K))
-          R = R + RCTL(AT+SC+K)*RCTL(AT+SC+K)
-        END IF
-   10 CONTINUE
-      IF (PLANE .EQ. 1) THEN
-        G = 2.0D0*(XX - Y)
-        FQ(T+TQ) = 1.0D0
-        FQ(T+TBIAS) = G*XX
-        LENGTH = 1.0D0
-      ELSE
-        G = 1.0D0 - SQRT(Y/R)
-        FQ(T+TQ) = 1.0D0 - G
-        FQ(T+TBIAS) = -G*XX
-        LENGTH = SIZE + RCTL(AT+SSIZE)
-      END IF
-      FQ(T+TBIAS) = FQ(T+TBIAS) - (ABS(G)*(1.02D0*(-RCTL(AT+SLOW)) +
-     $    40.0D0*EPS*SIZE*LENGTH) + 16.0D0*EPS*ABS(FQ(T+TBIAS)))
-      FQ(T+TDD) = 2.0D0*FQ(QDC)
-      DO 20 K = 1, 3
-        IF (PLANE .EQ. 1) THEN
-          FQ(T+TD+K) = 2.0D0*FQ(QC+K) + G*RCTL(AT+SC+K)
-        ELSE
-          FQ(T+TD+K) = 2.0D0*FQ(QC+K) + 2.0D0*G*O(K)
-        END IF
-        FQ(T+TDD) = FQ(T+TDD) + 16.0D0*EPS*ABS(FQ(QC+K))
-   20 CONTINUE
-      IF (PLANE .EQ. 0) LENGTH = ALL + RCTL(AT+SSIZE)
-      FQ(T+TDD) = FQ(T+TDD) + 32.0D0*EPS*ABS(G)*LENGTH
+      DOUBLE PRECISION A, SIZE, SUM
+      CALL TSLOWE(LO, HI, F, FQ, QTEST, SUM, SIZE)
+      A = FQ(QTEST+TA)
+      SUM = A*(H - FQ(QH)) + SUM
+      OUT = 0
+      IF (SUM .GT. FQ(QTEST+TERR) + ABS(A)*DH + SIZE*(FQ(QTEST+TDD) +
+     $    16.0D0*EPS*FQ(QTEST+TQ)*SIZE)) OUT = 1
       END
 
-C     TSASID - is a node, all of whose points are near one support,
-C     outside of the ball: OUT is 1, or 0.
-      SUBROUTINE TSASID(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
-      DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(168)
-      INTEGER MARK(*), CTL(*), IQ(55), NODE, OUT
-      INTEGER NP, QBALL, QTURN, QFACED, QSLAB, TQ, TDD, TBIAS, LSLAB
-      PARAMETER (NP = 1, QBALL = 3, QTURN = 7, QFACED = 11)
-      PARAMETER (QSLAB = 120, TQ = 1, TDD = 5, TBIAS = 6, LSLAB = 6)
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
-      DOUBLE PRECISION SIZE, SUM
-      INTEGER J, T
+C     TSPROM - returns 1 if a node has provably no candidate, by the
+C     heights of its points; a leaf by its box, too, which is all that
+C     counts where the heights tell nothing; or 0: OUT.
+      SUBROUTINE TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
+      DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(108)
+      INTEGER MARK(*), CTL(*), IQ(43), NODE, OUT
+      INTEGER TSPRUN
+      INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QNEAR, QAIMED
+      INTEGER QTEST, TA, GRAINS
+      PARAMETER (NP = 1, LEAVES = 4, RSUP = 11, LSUP = 98, SLOW = 97)
+      PARAMETER (SGRAIN = 98, QNEAR = 6, QAIMED = 7, QTEST = 101)
+      PARAMETER (TA = 6, GRAINS = 134217728)
+      DOUBLE PRECISION H
+      INTEGER AT, CODE, TELLS
+      IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
+      AT = RSUP + LSUP*(IQ(QNEAR) - 1)
+      CODE = MARK(CTL(NP)+2*CTL(LEAVES)*(IQ(QNEAR)-1)+NODE)
+      TELLS = 1
+      IF (FQ(QTEST+TA) .LT. 0.0D0) THEN
+        IF (MOD(CODE, 2) .EQ. 1) TELLS = 0
+        H = -RCTL(AT+SLOW)
+      ELSE
+        IF (CODE .LT. 2 .OR. CODE/2 .GT. GRAINS) TELLS = 0
+        H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(CODE/2) - 1.5D0)
+      END IF
       OUT = 0
-      J = MARK(CTL(NP)+NODE)
-      IF (J .EQ. 0 .OR. IQ(QBALL) .EQ. 0) RETURN
-      IF (IQ(QFACED+J) .NE. IQ(QTURN)) CALL TSFCE(RCTL, J, IQ, F, FQ)
-      T = QSLAB + LSLAB*(J - 1)
-      CALL TSLOWE(BOX, F, FQ, T, NODE, SUM, SIZE)
-      SUM = FQ(T+TBIAS) + SUM
-      IF (SUM .GT. 16.0D0*EPS*(FQ(T+TQ) + 1.0D0)*SIZE*SIZE +
-     $    SIZE*FQ(T+TDD) + FAINT) OUT = 1
+      IF (TELLS .EQ. 1) CALL TSBEYO(BOX(1,NODE), BOX(4,NODE), F, FQ,
+     $    H, 0.0D0, OUT)
+      IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)))
+     $    OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
       END
 
 C     ------------------------------------------------------------------
@@ -3044,8 +2909,8 @@ C     9; and some for the sum.  RHO**2 errs by less than 64 EPS |G|**2,
 C     with room for the last two products; where these underflow, R >=
 C     SMALL makes the sum's error greater.
       SUBROUTINE TSOUTS(CYL, AT, IQ, F, FQ, PAST)
-      DOUBLE PRECISION CYL(4,8,*), F(12), FQ(168), PAST(4)
-      INTEGER AT, IQ(55)
+      DOUBLE PRECISION CYL(4,8,*), F(12), FQ(108), PAST(4)
+      INTEGER AT, IQ(43)
       INTEGER QBALL, QC, QDC, QSIZE
       PARAMETER (QBALL = 3, QC = 2, QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT
@@ -3089,15 +2954,14 @@ C     there is: if its L-coordinate is smaller (Theorem 1); ties by the
 C     rule of HHPBAL.  The Householder bounds decide where they can;
 C     what they leave open limits the better one by the other.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168)
-      INTEGER ORD(*), MARK(*), V(3), IQ(55), Z
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
+      INTEGER ORD(*), MARK(*), V(3), IQ(43), Z
       INTEGER HHPBEA, HHPSID
       INTEGER T3, T5, RSEEK, QBEST, QLIMBS, QASKED, QNEAR, QLO, QHI
-      INTEGER QLIMB, QELO, QEHI, QLOW, QHIGH, UNSURE, SURE, MANY
+      INTEGER QLIMB, UNSURE, MANY
       PARAMETER (T3 = 1, T5 = 2, RSEEK = 7, QBEST = 1, QLIMBS = 2)
       PARAMETER (QASKED = 5, QNEAR = 6, QLO = 1, QHI = 2, QLIMB = 7)
-      PARAMETER (QELO = 101, QEHI = 102, QLOW = 103, QHIGH = 104)
-      PARAMETER (UNSURE = 2, SURE = 3, MANY = 6)
+      PARAMETER (UNSURE = 2, MANY = 6)
       DOUBLE PRECISION PLAIN, WIDE
       PARAMETER (PLAIN = 16.0D0, WIDE = 1.0D-4)
       DOUBLE PRECISION HI, LO, Q(3)
@@ -3114,10 +2978,10 @@ C     what they leave open limits the better one by the other.
       OPEN = 0
       IF (IQ(QBEST) .NE. 0) THEN
         IF (LO .GT. FQ(QHI)) RETURN
-        IF (SIDE .NE. SURE .AND. HI .GE. FQ(QLO)) OPEN = 1
+        IF (HI .GE. FQ(QLO)) OPEN = 1
       END IF
       IF (SIDE .EQ. 0 .OR. OPEN .EQ. 1) THEN
-        IF (RCTL(RSEEK) .GT. 0.0D0) CALL TSREME(MARK, RCTL, IQ, Z, 1)
+        IF (RCTL(RSEEK) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
         IF (IQ(QLIMBS) .EQ. 1)
      $      CALL HHTRIA(P, ORD, FQ, QLIMB, Z, SGN, POWER)
         IF (SGN .EQ. 0 .OR. SGN .EQ. UNSURE) SGN = HHPSID(X, P, ORD,
@@ -3128,9 +2992,7 @@ C     what they leave open limits the better one by the other.
         IF (RCTL(T5) .LT. PLAIN) IQ(QASKED) = IQ(QASKED) + 1
         IF (POWER .EQ. UNSURE) POWER = 1 - 2*HHPBEA(X, P, ORD,
      $      RCTL(T3), RCTL(T5), V, IQ(QBEST), Z)
-        FQ(QHIGH) = MIN(FQ(QHIGH), FQ(QEHI))
         IF (POWER .GT. 0) THEN
-          FQ(QEHI) = FQ(QHIGH)
           IF (HI .LT. FQ(QHI)) CALL TSNARR(IQ, F, FQ, HI)
           IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
      $        CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
@@ -3140,8 +3002,6 @@ C     what they leave open limits the better one by the other.
       END IF
       IQ(QBEST) = Z
       FQ(QLO) = LO
-      FQ(QELO) = FQ(QLOW)
-      FQ(QEHI) = FQ(QHIGH)
       IQ(QLIMBS) = 0
       CALL TSNARR(IQ, F, FQ, HI)
       IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
@@ -3151,15 +3011,17 @@ C     what they leave open limits the better one by the other.
       END IF
       END
 
-C     TSCONS - compare Z, if it is no vertex and not outside of the
-C     ball.
+C     TSCONS - compare Z, if it is no vertex, not outside of the ball,
+C     and not beyond it by its height over the facet's support.
       SUBROUTINE TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168)
-      INTEGER ORD(*), MARK(*), V(3), IQ(55), Z
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
+      INTEGER ORD(*), MARK(*), V(3), IQ(43), Z
       DOUBLE PRECISION TSPOWE
-      INTEGER QBEST, QBALL, QC
-      PARAMETER (QBEST = 1, QBALL = 3, QC = 2)
-      DOUBLE PRECISION POWER, W1, W2, W3
+      INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QNEAR, QAIMED, QC
+      PARAMETER (RSUP = 11, LSUP = 98, SGRAIN = 98, QBEST = 1)
+      PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QC = 2)
+      DOUBLE PRECISION GRAIN, H, POWER, W1, W2, W3
+      INTEGER OK
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
      $    Z .EQ. V(3)) RETURN
       IF (IQ(QBALL) .EQ. 1) THEN
@@ -3169,6 +3031,15 @@ C     ball.
         POWER = W1*(W1 - 2.0D0*FQ(QC+1)) + W2*(W2 - 2.0D0*FQ(QC+2)) +
      $      W3*(W3 - 2.0D0*FQ(QC+3))
         IF (POWER .GT. TSPOWE(FQ, ABS(W1) + ABS(W2) + ABS(W3))) RETURN
+      END IF
+      IF (IQ(QNEAR) .NE. 0) THEN
+        CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
+        IF (OK .EQ. 1) THEN
+          IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
+          GRAIN = RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SGRAIN)
+          CALL TSBEYO(X(1,Z), X(1,Z), F, FQ, H, GRAIN, OK)
+          IF (OK .EQ. 1) RETURN
+        END IF
       END IF
       CALL TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       END
@@ -3189,7 +3060,7 @@ C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
       SUBROUTINE TSBALC(LSD, LIST, F, FQ, C, D, OK)
-      DOUBLE PRECISION LSD(14,2), F(12), FQ(168), C(3)
+      DOUBLE PRECISION LSD(14,2), F(12), FQ(108), C(3)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LMID, LMOST, LUNIT, QDC
@@ -3229,7 +3100,7 @@ C     TSSTAC - the same for the list of the star of the base, the list's
 C     centre, whose points are less than 1.1 from it in the list's
 C     units: g = 0.
       SUBROUTINE TSSTAC(LSD, LIST, FQ, D, OK)
-      DOUBLE PRECISION LSD(14,2), FQ(168)
+      DOUBLE PRECISION LSD(14,2), FQ(108)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LUNIT, QC, QDC
@@ -3279,8 +3150,8 @@ C     TSCALL - consider N points of a list.
      $                  N, PLACE)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168)
-      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LIST, V(3), IQ(55), N
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
+      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LIST, V(3), IQ(43), N
       INTEGER PLACE(*)
       INTEGER I, Z
       DO 10 I = 1, N
@@ -3295,7 +3166,7 @@ C     MOST; or 0.
       SUBROUTINE TSLIKE(LSX, LSID, LSD, LIST, F, FQ, MOST, N, PLACE, Z)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), F(12), FQ(168), MOST
+      DOUBLE PRECISION LSD(14,2), F(12), FQ(108), MOST
       REAL LSX(TSLIST,4,2)
       INTEGER LSID(TSIDS,2), LIST, N, PLACE(*), Z
       INTEGER LMID, LUNIT
@@ -3346,10 +3217,10 @@ C     TSANYP - without a ball, consider a point of the list.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), LSD(14,2), F(12)
-      DOUBLE PRECISION FQ(168)
+      DOUBLE PRECISION FQ(108)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), LIST, V(3)
-      INTEGER IQ(55)
+      INTEGER IQ(43)
       INTEGER LN, LUNIT
       PARAMETER (LN = 3, LUNIT = 14)
       DOUBLE PRECISION FAR
@@ -3373,10 +3244,10 @@ C     else 0.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(168)
+      DOUBLE PRECISION F(12), FQ(108)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3)
-      INTEGER IQ(55), OK
+      INTEGER IQ(43), OK
       INTEGER TSBINS
       INTEGER TIES, LN, LMARG, STR, QBALL, QBASE, QHI
       PARAMETER (TIES = 26, LN = 3, LMARG = 13, STR = 2, QBALL = 3)
@@ -3430,9 +3301,9 @@ C     costs: on surfaces two of five points that were tested.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(168)
+      DOUBLE PRECISION F(12), FQ(108)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(55), OK
+      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(43), OK
       INTEGER TSBINB
       INTEGER LN, BLK, QBALL, QC
       PARAMETER (LN = 3, BLK = 1, QBALL = 3, QC = 2)
@@ -3458,79 +3329,50 @@ C     costs: on surfaces two of five points that were tested.
 
 C     TSSCAN - consider those uncompleted points of a leaf, a node of
 C     the positions FIRST ... LAST, that are not outside of the ball, or
-C     without a ball not on the negative side.
+C     without a ball not on the negative side: found first.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
      $                  FIRST, LAST, NODE)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(168)
-      INTEGER ORD(*), LINK(*), MARK(*), V(3), IQ(55), FIRST, LAST, NODE
-      DOUBLE PRECISION TSPOWE, TSEXTE
-      INTEGER QBALL, QC, DONE
-      PARAMETER (QBALL = 3, QC = 2, DONE = -1)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
+      INTEGER ORD(*), LINK(*), MARK(*), V(3), IQ(43), FIRST, LAST, NODE
+      DOUBLE PRECISION TSPOWE
+      INTEGER LEAF, QBALL, QC, TQ, TD, DONE
+      PARAMETER (LEAF = 48, QBALL = 3, QC = 2, TQ = 1, TD = 1)
+      PARAMETER (DONE = -1)
       DOUBLE PRECISION FAINT, LOOSE
       PARAMETER (FAINT = 1.0D-200, LOOSE = 0.5D0)
-      DOUBLE PRECISION BEHIND, LENGTH, MOST, W1, W2, W3
-      INTEGER I, Z
-      LENGTH = TSEXTE(F, BOX, NODE)
-      MOST = TSPOWE(FQ, LENGTH)
-      BEHIND = -1.0D0 - LENGTH
-      IF (F(10) .LE. LOOSE) BEHIND = -F(10)*LENGTH - FAINT
-      DO 10 I = FIRST, LAST
+      DOUBLE PRECISION D1, D2, D3, LENGTH, MOST, Q, TEST(4), W1, W2, W3
+      INTEGER I, K, N, PLACE(LEAF)
+      Q = DBLE(IQ(QBALL))
+      TEST(TQ) = Q
+      DO 10 K = 1, 3
+        TEST(TD+K) = F(K)
+        IF (IQ(QBALL) .EQ. 1) TEST(TD+K) = 2.0D0*FQ(QC+K)
+   10 CONTINUE
+      CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, TEST, 0, MOST, LENGTH)
+      IF (IQ(QBALL) .EQ. 1) THEN
+        MOST = TSPOWE(FQ, LENGTH)
+      ELSE IF (F(10) .LE. LOOSE) THEN
+        MOST = F(10)*LENGTH + FAINT
+      ELSE
+        MOST = 1.0D0 + LENGTH
+      END IF
+      D1 = TEST(TD+1)
+      D2 = TEST(TD+2)
+      D3 = TEST(TD+3)
+      N = 0
+      DO 20 I = FIRST, LAST
         W1 = X(1,I) - F(7)
         W2 = X(2,I) - F(8)
         W3 = X(3,I) - F(9)
-        IF (IQ(QBALL) .EQ. 1) THEN
-          IF (W1*(W1 - 2.0D0*FQ(QC+1)) + W2*(W2 - 2.0D0*FQ(QC+2)) +
-     $        W3*(W3 - 2.0D0*FQ(QC+3)) .GT. MOST) GO TO 10
-        ELSE
-          IF (W1*F(1) + W2*F(2) + W3*F(3) .LT. BEHIND) GO TO 10
+        IF (W1*(Q*W1 - D1) + W2*(Q*W2 - D2) + W3*(Q*W3 - D3) .LE. MOST
+     $      .AND. LINK(I) .NE. DONE) THEN
+          N = N + 1
+          PLACE(N) = I
         END IF
-        IF (LINK(I) .EQ. DONE) GO TO 10
-        Z = I
-        CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
-        MOST = TSPOWE(FQ, LENGTH)
-   10 CONTINUE
-      END
-
-C     TSNRLF - the same by TSSIGH's tests, for points of the support
-C     that the facet is near to; the errors are those of TSPROM for the
-C     leaf, with room for a mark's.
-      SUBROUTINE TSNRLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F,
-     $                  FQ, FIRST, LAST, NODE)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(168)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55), FIRST
-      INTEGER LAST, NODE
-      INTEGER RSUP, LSUP, SLOW, SGRAIN, QNEAR, QTURN, QAIMED, QTESTS
-      INTEGER QH, QTEST, TQ, TD, TBIAS, TA, TERR, LTEST, DONE, SUPPS
-      PARAMETER (RSUP = 11, LSUP = 98, SLOW = 97, SGRAIN = 98)
-      PARAMETER (QNEAR = 6)
-      PARAMETER (QTURN = 7, QAIMED = 8, QTESTS = 9, QH = 95)
-      PARAMETER (QTEST = 104, TQ = 1, TD = 1, TBIAS = 6, TA = 7)
-      PARAMETER (TERR = 8, LTEST = 8, DONE = -1, SUPPS = 8)
-      DOUBLE PRECISION GRAIN, H, Q, W1, W2, W3
-      INTEGER AT, I, K, T, Z
-      AT = RSUP + LSUP*(IQ(QNEAR) - 1)
-      GRAIN = RCTL(AT+SGRAIN)
-      DO 20 I = FIRST, LAST
-        IF (LINK(I) .EQ. DONE) GO TO 20
-        K = MARK(I) - 1
-        IF (K .GE. 0 .AND. MOD(K, SUPPS) .EQ. IQ(QNEAR) - 1) THEN
-          IF (IQ(QAIMED) .NE. IQ(QTURN)) CALL TSPROM(BOX, MARK, CTL,
-     $        RCTL, IQ, F, FQ, NODE, H)
-          W1 = X(1,I) - F(7)
-          W2 = X(2,I) - F(8)
-          W3 = X(3,I) - F(9)
-          H = RCTL(AT+SLOW) + GRAIN*(DBLE(K/SUPPS) + 0.5D0) - FQ(QH)
-          DO 10 T = QTEST, QTEST + LTEST*(IQ(QTESTS) - 1), LTEST
-            Q = FQ(T+TQ)
-            IF (FQ(T+TA)*H + FQ(T+TBIAS) + W1*(Q*W1 - FQ(T+TD+1)) +
-     $          W2*(Q*W2 - FQ(T+TD+2)) +
-     $          W3*(Q*W3 - FQ(T+TD+3)) .GT. FQ(T+TERR) +
-     $          (ABS(FQ(T+TA)) + Q)*2.0D0*GRAIN) GO TO 20
-   10     CONTINUE
-        END IF
-        Z = I
-        CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
    20 CONTINUE
+      DO 30 K = 1, N
+        CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, PLACE(K))
+   30 CONTINUE
       END
 
 C     TSTREE - finish a search by the tree: the leaf of V(1) first, then
@@ -3541,24 +3383,20 @@ C     from the root down, the child of lesser height first, as the apex
 C     may be anywhere.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
      $                  IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(168)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(55)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43)
       INTEGER TSPRUN, TSLEAF, TSGROU
-      INTEGER NP, LEAVES, ROUND, RSUPP, RSEEK, RSCAN, QNEAR, QTESTS
-      INTEGER QBALL
-      INTEGER DONE, DEPTH
-      PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, RSUPP = 6, RSEEK = 7)
-      PARAMETER (RSCAN = 11, QNEAR = 6, QTESTS = 9, QBALL = 3)
-      PARAMETER (DONE = -1)
+      INTEGER NP, LEAVES, ROUND, RSEEK, RSCAN, QBALL, QNEAR, DONE, DEPTH
+      PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, RSEEK = 7)
+      PARAMETER (RSCAN = 11, QBALL = 3, QNEAR = 6, DONE = -1)
       PARAMETER (DEPTH = 96)
       DOUBLE PRECISION LOOSE
       PARAMETER (LOOSE = 0.5D0)
-      DOUBLE PRECISION MOST, PAST(4)
+      DOUBLE PRECISION PAST(4)
       INTEGER FIRST, FOURS, HEIGHT, I, LAST, LEAST, N, NEAR, NODE, OUT
-      INTEGER STACK(DEPTH), STEP, SUPPS
-      SUPPS = INT(RCTL(RSUPP))
+      INTEGER STACK(DEPTH), STEP
       NEAR = IQ(QNEAR)
-      LEAST = CTL(NP) + 2*CTL(LEAVES)*NEAR
+      LEAST = CTL(NP) + 2*CTL(LEAVES)*(NEAR - 1)
       HEIGHT = 1
       STACK(1) = 1
       FOURS = CTL(ROUND)
@@ -3608,16 +3446,12 @@ C     may be anywhere.
    40   CONTINUE
         GO TO 30
       END IF
-      OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
-      IF (OUT .EQ. 1) GO TO 30
-      IF (SUPPS .GT. 0) THEN
-        IF (NEAR .NE. 0) THEN
-          CALL TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, MOST)
-          IF (MOST .GT. 0.0D0) GO TO 30
-        END IF
-        CALL TSASID(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
-        IF (OUT .EQ. 1) GO TO 30
+      IF (NEAR .NE. 0) THEN
+        CALL TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
+      ELSE
+        OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
       END IF
+      IF (OUT .EQ. 1) GO TO 30
       IF (NODE .LT. CTL(LEAVES)) THEN
         N = 0
         IF (NEAR .NE. 0) THEN
@@ -3630,17 +3464,10 @@ C     may be anywhere.
       END IF
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
       RCTL(RSCAN) = RCTL(RSCAN) + DBLE(LAST - FIRST + 1)
-      N = 0
-      IF (NEAR .NE. 0) N = IQ(QTESTS)
-      IF (N .GT. 0) THEN
-        CALL TSNRLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F, FQ,
-     $              FIRST, LAST, NODE)
-      ELSE
-        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
-     $              FIRST, LAST, NODE)
-      END IF
+      CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
+     $            FIRST, LAST, NODE)
       IF (RCTL(RSEEK) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
-     $    CALL TSREME(MARK, RCTL, IQ, FIRST, 0)
+     $    CALL TSREME(IQ, FIRST, 0)
       GO TO 30
       END
 
@@ -3672,16 +3499,14 @@ C     TSPREP - begin the search for the apex of the facet V.  Its base
 C     is V(1), or if the angle there is small the vertex opposite to the
 C     longest edge.
       SUBROUTINE TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(168)
-      INTEGER ORD(*), MARK(*), V(3), IQ(55)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
+      INTEGER ORD(*), MARK(*), V(3), IQ(43)
       INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QNEAR
-      INTEGER QTURN, QOPEND, QLO, QHI, QC, QDC, QSIZE, QELO, QEHI, QLOW
-      INTEGER QHIGH
+      INTEGER QOPEND, QLO, QHI, QC, QDC, QSIZE
       PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2)
-      PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QNEAR = 6, QTURN = 7)
-      PARAMETER (QOPEND = 21, QLO = 1, QHI = 2, QC = 2, QDC = 6)
-      PARAMETER (QSIZE = 7, QELO = 101, QEHI = 102, QLOW = 103)
-      PARAMETER (QHIGH = 104)
+      PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QNEAR = 6)
+      PARAMETER (QOPEND = 9, QLO = 1, QHI = 2, QC = 2, QDC = 6)
+      PARAMETER (QSIZE = 7)
       DOUBLE PRECISION EPS, HUGE, THIN
       PARAMETER (EPS = 2.0D0**(-52), THIN = 1.0D-6)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
@@ -3699,12 +3524,7 @@ C     longest edge.
       IQ(QBASE) = 1
       IQ(QASKED) = 0
       IQ(QNEAR) = 0
-      IQ(QTURN) = 1
       IQ(QOPEND) = 0
-      FQ(QELO) = -HUGE
-      FQ(QEHI) = HUGE
-      FQ(QLOW) = -HUGE
-      FQ(QHIGH) = HUGE
       FQ(QLO) = -HUGE
       FQ(QHI) = HUGE
       FQ(QDC) = 0.0D0
@@ -3729,7 +3549,7 @@ C     longest edge.
       SE = INT(RCTL(RSCALE))
       IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, SE, V, IQ(QBASE), F)
    30 IF (RCTL(RSUPP) .GT. 0.0D0) CALL TSLEAN(X, P, ORD, MARK, RCTL, V,
-     $    IQ, FQ)
+     $    IQ, F, FQ)
       END
 
 C     TSAPEX - the apex Z of the facet V on its positive side, or 0.
@@ -3742,21 +3562,19 @@ C     GUESS: two positions to try first, or 0.
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(TSIDS,2)
       INTEGER LSI(3,2), V(3), GUESS(2), Z
-      INTEGER TSONHU
+      INTEGER TSCURV, TSONHU
       INTEGER NP, NPLANE, NEXTPL, PLANE0, RSUPP, RSEEK, RBURDN, RPATIE
-      INTEGER RSCAN, RSUP, LSUP, SPLANE, QBEST, QNEAR, QOPEND, QEHI
+      INTEGER RSCAN, QBEST, QNEAR, QOPEND
       INTEGER LEAVES, PLANES, OPENED
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
       PARAMETER (PLANE0 = 13)
       PARAMETER (RSUPP = 6, RSEEK = 7, RBURDN = 8, RPATIE = 9)
-      PARAMETER (RSCAN = 11, RSUP = 11)
-      PARAMETER (LSUP = 98, SPLANE = 88, QBEST = 1, QNEAR = 6)
-      PARAMETER (QOPEND = 21, QEHI = 102, PLANES = 4, OPENED = 24)
-      DOUBLE PRECISION EPS, HUGE, SCANS
-      PARAMETER (EPS = 2.0D0**(-52), SCANS = 100.0D0)
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION F(12), FQ(168)
-      INTEGER AT, G, IQ(55), K, LISTS, OK
+      PARAMETER (RSCAN = 11, QBEST = 1, QNEAR = 6)
+      PARAMETER (QOPEND = 9, PLANES = 4, OPENED = 24)
+      DOUBLE PRECISION SCANS
+      PARAMETER (SCANS = 100.0D0)
+      DOUBLE PRECISION F(12), FQ(108), H
+      INTEGER AT, G, IQ(43), K, LISTS, OK
       CALL TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DO 10 K = 1, 2
         G = GUESS(K)
@@ -3767,10 +3585,10 @@ C     GUESS: two positions to try first, or 0.
       Z = IQ(QBEST)
 C     a ball that is a support's sphere but for rounding is in no list
       LISTS = 1
-      IF (IQ(QNEAR) .NE. 0) THEN
-        AT = RSUP + LSUP*(IQ(QNEAR) - 1)
-        IF (RCTL(AT+SPLANE) .LE. 0.0D0 .AND. (Z .EQ. 0 .OR.
-     $      FQ(QEHI) .LT. HUGE)) LISTS = 0
+      IF (TSCURV(RCTL, IQ) .EQ. 1) THEN
+        OK = 1
+        IF (Z .NE. 0) CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
+        LISTS = 1 - OK
       END IF
       IF (LISTS .EQ. 1) THEN
         CALL TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, LSX, LSID, LSI,
@@ -3879,8 +3697,8 @@ C     alone.
       INTEGER T3
       PARAMETER (LEAVES = 4, NPLANE = 12, NEXTPL = 13, LFIRST = 1)
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, QBEST = 1, T3 = 1)
-      DOUBLE PRECISION F(12), FQ(168)
-      INTEGER FIRST, G(3), GUESS(2), I, IQ(55), J, K, LAST, LEAF, LENGTH
+      DOUBLE PRECISION F(12), FQ(108)
+      INTEGER FIRST, G(3), GUESS(2), I, IQ(43), J, K, LAST, LEAF, LENGTH
       INTEGER NODE, OK, R(4), SAME, Z
       LEAF = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAF - 1
@@ -4092,7 +3910,7 @@ C     need them.
       INTEGER ENOUGH, SUPPS
       PARAMETER (ENOUGH = 500, SUPPS = 8)
       TSEXTR = 0
-      IF (N .GE. ENOUGH) TSEXTR = N + 2*(SUPPS + 1)*TSLCOU(N)
+      IF (N .GE. ENOUGH) TSEXTR = N + 2*SUPPS*TSLCOU(N)
       END
 
 C     TSSPAR - doubles that cylinders take.
@@ -4705,7 +4523,9 @@ C                      exceed the largest integer.  The lengths are then
 C                      0
 C
 C     The pool of open facets that LIW includes suffices for all inputs
-C     but those whose number of tetrahedra is quadratic in N.
+C     but those whose number of tetrahedra is quadratic in N and, beyond
+C     28,000 points, some where one vertex is in almost all tetrahedra
+C     (a plane grid and one point).
       SUBROUTINE TESSWK(N, MAXTET, LIW, LRW, INFO)
       INTEGER N, MAXTET, LIW, LRW, INFO
       INTEGER TSEXTR, TSSPAR

@@ -58,6 +58,37 @@ module tess_interface
       integer, intent(out) :: bad, info
     end subroutine tessch
 
+    subroutine tessix(n, p, liw, iw, lrw, rw, info)
+      integer, intent(in) :: n, liw, lrw
+      double precision, intent(in) :: p(3, *)
+      integer, intent(inout) :: iw(*)
+      double precision, intent(inout) :: rw(*)
+      integer, intent(out) :: info
+    end subroutine tessix
+
+    subroutine tessqu(n, p, iw, rw, q, v, w, info)
+      integer, intent(in) :: n, iw(*)
+      double precision, intent(in) :: p(3, *), rw(*), q(3)
+      integer, intent(inout) :: v(4)
+      double precision, intent(inout) :: w(4)
+      integer, intent(out) :: info
+    end subroutine tessqu
+
+    subroutine tesspa(n, p, mine, maxtet, ntet, tet, adj, liw, iw, lrw, rw, &
+      info)
+      integer, intent(in) :: n, mine(*), maxtet, liw, lrw
+      double precision, intent(in) :: p(3, *), rw(*)
+      integer, intent(inout) :: ntet, tet(4, *), adj(4, *), iw(*)
+      integer, intent(out) :: info
+    end subroutine tesspa
+
+    subroutine tessba(p, v, c, info)
+      double precision, intent(in) :: p(3, *)
+      integer, intent(in) :: v(4)
+      double precision, intent(inout) :: c(4)
+      integer, intent(out) :: info
+    end subroutine tessba
+
     subroutine hhface(p1, p2, p3, f, info)
       double precision, intent(in) :: p1(3), p2(3), p3(3)
       double precision, intent(out) :: f(12)

@@ -1,20 +1,29 @@
 #!/bin/sh
-# check.sh - all tests; run from the top directory.
+# check.sh [-all] - the tests; run from the top directory.
+#
+# Without -all what a change wants most: strict C89, the unit tests, brute
+# force, both halves' parity, sanitizers, the examples and the program.  With
+# -all more of each, all builds, machines and processes, and a beginning of the
+# hunts.
+# test/README says what is where.
 #
 # Takes CC and CFLAGS from the environment, builds into build/, and ends with
 # the line `N passed, N failed'.  The programs' full output is in
 # build/check.log.  What a machine lacks (compilers, sanitizers, Fortran) is
 # skipped, and said.  Where there are two processors two halves run at the same
 # time, the second one's output behind the first one's; PROCESSORS=1: in turn.
+ALL=
+[ "$1" = -all ] && ALL=yes
 CC=${CC:-cc}
 CFLAGS=${CFLAGS:--O2}
 LIBS=-lm
-HARD="tess.c hhpred.c"
+LIBRARY="tess.c hhpred.c"
 PASSED=0
 FAILED=0
 LOG=build/check.log
 OUT=build/out.$$
 PROCESSORS=${PROCESSORS:-`getconf _NPROCESSORS_ONLN 2> /dev/null`}
+STRICT="-std=c89 -pedantic-errors -Wall -Wextra -Wshadow -Wconversion -Werror"
 
 mkdir -p build
 : > $LOG
@@ -42,7 +51,8 @@ many() {
     code=$?
     cat $OUT >> $LOG
     last=`tail -n 1 $OUT`
-    set -- `echo "$last" | sed -n 's/^[a-z_]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p'`
+    set -- `echo "$last" |
+        sed -n 's/^[a-z_0-9]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p'`
     if [ $# -ne 2 ]; then
         fail "$name: stopped with code $code"
         return
@@ -68,15 +78,275 @@ build() {
     $cc $flags -o build/$out "$@" $LIBS >> $LOG 2>&1
 }
 
+# compile CC FLAGS DIRECTORY FILES...: objects in the directory
+compile() {
+    cc=$1
+    flags=$2
+    dir=$3
+    shift 3
+    mkdir -p $dir
+    for f in "$@"; do
+        echo "== $cc $flags -c $f" >> $LOG
+        $cc $flags -c -o $dir/`basename $f .c`.o $f >> $LOG 2>&1 || return 1
+    done
+}
+
 # have CC FLAGS: does this compiler take these flags, and its programs run?
 have() {
     echo 'int main(void) { return 0; }' > build/have.c
     $1 $2 -o build/have build/have.c $LIBS > /dev/null 2>&1 && build/have
 }
 
-# readme LANGUAGE FILE: the program, and what is printed below it as commands,
-# into build/readme
-readme() {
+# units NAME CC FLAGS TEST...: unit tests with the library, all compiled so;
+# each TEST is a program of test/unit and its arguments
+COMMON="test/points.c test/proof/*.c test/hunts/hard.c test/unit/guard.c"
+units() {
+    tag=$1
+    compiler=$2
+    options=$3
+    shift 3
+    here=build/units/`echo "$tag" | tr -cd 'a-zA-Z0-9'`
+    rm -rf $here
+    if ! compile "$compiler" "$options" $here $LIBRARY $COMMON; then
+        fail "$tag: does not compile"
+        return
+    fi
+    for t in "$@"; do
+        program=${t%% *}
+        # (t_margin includes tess.c)
+        objects="$here/[!_]*.o"
+        [ $program = t_margin ] && objects=`ls $here/[!_]*.o | grep -v /tess.o`
+        if $compiler $options -I. -c -o $here/_$program.o \
+            test/unit/$program.c >> $LOG 2>&1 && $compiler $options -o $here/$program \
+            $here/_$program.o $objects $LIBS >> $LOG 2>&1; then
+            many "$t, $tag" $here/$t
+        else
+            fail "$program, $tag: does not compile"
+        fi
+    done
+}
+
+# ---- the language: strict C89, no warnings; also as C++ ----
+
+language() {
+    if have "$CC" "$STRICT"; then
+        one "strict C89: the tests" sh -c "for f in test/*.c test/*/*.c; do
+            case \$f in test/mpi/*) continue;; esac # mpi.h has long long
+            $CC $STRICT -fsyntax-only -I. \$f || exit 1; done"
+        one "strict C89: the paper's programs, all of them" sh -c "cd test/paper
+            for f in blas loops time acc backward round; do
+            $CC $STRICT -fsyntax-only -I. -DCBLAS -DFORTRAN -DSINGLE -DPLAIN \
+            \$f.c || exit 1; done"
+        for d in -O2 -DTESS_FLOAT "-DTESS_INT=short $SHORT" -DTESS_INT=long \
+            "-DHH_LIMBS=3 -DTESS_LIST=64"; do
+            for f in $LIBRARY; do
+                one "strict C89: $f $d" $CC $STRICT -O1 $d -c -o build/strict.o \
+                    $f
+            done
+        done
+    else
+        skip "strict C89: $CC does not take the flags"
+    fi
+    if have g++ "-x c++"; then
+        for f in $LIBRARY; do
+            one "C++: $f" g++ -x c++ -Wall -Wextra -Werror -c -o build/strict.o $f
+        done
+    else
+        skip "C++: no g++"
+    fi
+}
+# arithmetic on short is of type int: -Wconversion complains of each
+SHORT=-Wno-conversion
+
+# ---- the names: the library asks for nothing but the C89 maths functions, has
+# no data that could be shared between threads, and links with no caller that
+# was compiled with other types ----
+
+# mismatch OPTIONS
+mismatch() {
+    for f in tess hhpred; do
+        $CC -O1 $1 -c -o build/other$f.o $f.c >> $LOG 2>&1
+    done
+    one "links with the same options: $1" \
+        $CC $1 -I. -o build/other build/caller.c build/othertess.o \
+        build/otherhhpred.o $LIBS
+    one "no link with other options: $1" \
+        sh -c "! $CC -I. -o build/other build/caller.c build/othertess.o \
+        build/otherhhpred.o $LIBS"
+    # (of a library of mixed files, either)
+    one "no link of mixed files: $1" sh -c "! $CC $1 -I. -o build/other \
+        build/caller.c build/othertess.o build/hhpred.o $LIBS"
+    nm build/othertess.o build/otherhhpred.o |
+        sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort > build/other.txt
+    one "no name is the same: $1" sh -c \
+        "test -s build/other.txt && ! comm -12 build/names.txt build/other.txt |
+        grep ."
+    one "unique in six characters: $1" sh -c \
+        "! cut -c1-6 build/other.txt | tr A-Z a-z | sort | uniq -d | grep ."
+}
+
+symbols() {
+    compile "$CC" "$CFLAGS" build $LIBRARY
+    if ! nm build/tess.o > build/nm.txt 2> /dev/null; then
+        skip "symbols: no nm"
+        return
+    fi
+    nm build/hhpred.o >> build/nm.txt
+    # what is asked for, but the library's own names and what compilers add
+    nm -u build/tess.o build/hhpred.o |
+        sed -n 's/^.* \([A-Za-z_0-9]*\)$/\1/p' | sort -u |
+        egrep -v '^_?(hh_|tess|sqrt|fabs|floor|ceil|frexp|ldexp|pow|memset)' |
+        egrep -v '^_?(memcpy|__stack_chk|_?GLOBAL_OFFSET)' > build/asked.txt
+    one "asks for nothing but maths" test ! -s build/asked.txt
+    cat build/asked.txt >> $LOG
+    grep ' [bBdDcCgGsS] ' build/nm.txt > build/data.txt
+    one "has no data but constants" test ! -s build/data.txt
+    cat build/data.txt >> $LOG
+    sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/names.txt
+    one "unique in six characters" sh -c \
+        "! cut -c1-6 build/names.txt | tr A-Z a-z | sort | uniq -d | grep ."
+    sed -n '/^```c$/,/^```$/p' README.md |
+        sed '/^```/d;s/double p/tess_real p/;s/sscanf.* == 3/n < 1/' \
+            > build/caller.c
+    mismatch -DTESS_INT=long
+    [ -z "$ALL" ] && return
+    for o in -DTESS_INT=short -DTESS_FLOAT "-DTESS_FLOAT -DTESS_INT=short" \
+        "-DTESS_FLOAT -DTESS_INT=long" \
+        "-DTESS_INT=ptrdiff_t -include stddef.h"; do
+        mismatch "$o"
+    done
+    for f in tess hhpred; do
+        $CC -O1 -DHH_LIMBS=6 -c -o build/other$f.o $f.c >> $LOG 2>&1
+    done
+    one "no link of mixed files: -DHH_LIMBS=6" sh -c "! $CC -I. \
+        -o build/other build/caller.c build/othertess.o build/hhpred.o $LIBS"
+}
+
+# ---- the unit tests, with builds that decide what they do ----
+
+# All rounding modes, where C99's fenv.h is to be had.
+ROUND="-std=c99 -frounding-math -DTEST_ROUNDING -O2"
+SANITIZE="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
+
+tests() {
+    if [ -z "$ALL" ]; then
+        units usual "$CC" "$CFLAGS" "t_pred 40" "t_margin 8" brute \
+            "t_tess -quick" "t_part -quick" t_size t_natural t_join
+        # few limbs: code 2 or TESS_RANGE where they do not suffice
+        units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
+            "t_tess -range"
+        # lists of other capacities only look elsewhere first
+        units -DTESS_LIST=48 "$CC" "-O1 -DTESS_LIST=48" "brute 100"
+        units -DTESS_INT=short "$CC" "-O1 -DTESS_INT=short" "brute 100" t_size
+        units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 10" "brute 100"
+        return
+    fi
+    units usual "$CC" "$CFLAGS" t_pred t_margin brute t_tess t_part t_size \
+        t_natural t_join
+    units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 50" "brute 100" \
+        "t_tess -range" "t_part -quick"
+    units -DHH_LIMBS=6 "$CC" "-O1 -DHH_LIMBS=6" "t_tess -range"
+    units -DTESS_LIST=48 "$CC" "-O1 -DTESS_LIST=48" "brute 100" "t_tess -quick"
+    units -DTESS_LIST=64 "$CC" "$CFLAGS -DTESS_LIST=64" t_margin
+    for list in 52 128 252 1024 4096; do
+        units -DTESS_LIST=$list "$CC" "-O1 -DTESS_LIST=$list" "brute 60"
+    done
+    units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 50" "brute 100" \
+        t_margin "t_part -quick"
+    units -DTESS_INT=short "$CC" "-O1 -DTESS_INT=short" "brute 100" t_size
+    units -DTESS_INT=long "$CC" "-O1 -DTESS_INT=long" "brute 100" t_size
+    if have "$CC" "$ROUND"; then
+        units "all rounding modes" "$CC" "$ROUND" "t_pred 10" "t_margin 10"
+    else
+        skip "all rounding modes"
+    fi
+}
+
+sanitizers() {
+    if have "$CC" "$SANITIZE"; then
+        units sanitizers "$CC" "$SANITIZE" "brute 50" "t_tess -quick" \
+            "t_part -quick"
+    else
+        skip "sanitizers"
+    fi
+}
+
+# ---- the same arrays from every build ----
+#
+# The test itself and its points are compiled once, so that compilers'
+# roundings in making the points do not count.
+
+# same NAME CC FLAGS
+same() {
+    name="same result: $1"
+    if ! have "$2" "$3"; then
+        skip "$name"
+        return
+    fi
+    if ! build sums1 "$2" "$3" $SUMS $LIBRARY; then
+        fail "$name: does not compile"
+        return
+    fi
+    build/sums1 -sums > build/sums1.txt 2>> $LOG
+    one "$name" cmp build/sums.txt build/sums1.txt
+}
+
+builds() {
+    # at this size a list's bounds are rounded in view of the points
+    many "t_tess, a narrow cluster" build/units/usual/t_tess -one lastplaces \
+        1500 1
+    build/units/usual/t_tess -sums > build/sums.txt
+    one "checksums of `wc -l < build/sums.txt` results" test -s build/sums.txt
+    SUMS=build/units/usual/_t_tess.o
+    for f in $COMMON; do
+        SUMS="$SUMS build/units/usual/`basename $f .c`.o"
+    done
+    same "$CC -Ofast -march=native" "$CC" "-Ofast -march=native"
+    same "$CC -mfpmath=387" "$CC" "-O2 -mfpmath=387"
+    [ -z "$ALL" ] && return
+    # what only a processor that takes subnormal numbers for zero brings about
+    many "t_tess, subnormal numbers flushed" build/sums1 -quick
+    same "$CC -O0" "$CC" "-O0"
+    same "$CC -O2" "$CC" "-O2"
+    same "$CC -O3 -funroll-loops -ffp-contract=fast -march=native" "$CC" \
+        "-O3 -funroll-loops -ffp-contract=fast -march=native"
+    same "clang -O2" clang "-O2"
+    same "clang -Ofast" clang "-Ofast"
+    same "tcc" tcc ""
+    # as C++; the objects of C cannot be linked to it
+    SUMS="test/unit/t_tess.c $COMMON"
+    same "g++ -x c++ -O2" g++ "-x c++ -O2"
+}
+
+# ---- the examples: their own checks, and their output as stored ----
+
+examples() {
+    for f in test/examples/*.c; do
+        example=`basename $f .c`
+        also=
+        case $example in
+        parts) also=-lpthread;;
+        join) continue;; # in parts.c
+        fortran) continue;; # with the FORTRAN half
+        esac
+        if build "$example" "$CC" "$CFLAGS -I." $f build/tess.o \
+            build/hhpred.o $also; then
+            (cd build && ./$example $example.obj $example.stl) \
+                > build/$example.out 2>> $LOG
+            one "example: $example" test $? -eq 0
+            one "example: $example, its output" \
+                cmp test/examples/$example.out build/$example.out
+        else
+            fail "example: $example does not compile"
+        fi
+    done
+}
+
+# The README's programs and their commands, exactly as printed there, on the data
+# that are there; what it says they print is what build/tess proves.
+# printed LANGUAGE FILE: the program, and what is printed below it as commands,
+# into build/readme; they are run, and what they print is in $PRINTED
+printed() {
     mkdir -p build/readme
     for f in tess.c tess.h hhpred.c hhpred.h f77 test; do
         [ -e build/readme/$f ] || ln -s ../../$f build/readme
@@ -87,376 +357,85 @@ readme() {
         at == 1 && $0 == "```" { at = 2; next }
         at == 2 && /^    / { print }
         at == 2 && /^[^ ]/ { exit }' README.md > build/readme/commands
+    one "the README's $2: its commands" \
+        test `wc -l < build/readme/commands` -eq 2
+    PRINTED=`(cd build/readme && sh -e commands) 2>> $LOG`
+    # (as words: FORTRAN begins a line with a blank)
+    file=$2
+    set -- $PRINTED
+    one "the README's $file: prints what is said" grep -F "It prints \`$*\`" \
+        README.md
 }
 
-# ---- the first half: the library in C, on this machine ----
-#
-# Neither half needs what the other one builds.
-
-first_half() {
-
-# ---- the language: strict C89, no warnings; also as C++ ----
-
-STRICT="-std=c89 -pedantic-errors -Wall -Wextra -Wshadow -Wconversion -Werror"
-if have "$CC" "$STRICT"; then
-    for f in tess.c hhpred.c test/*.c test/*/*.c; do
-        case $f in test/mpi/*) continue;; esac # mpi.h itself has long long
-        one "strict C89: $f" $CC $STRICT -O1 -I. -c -o build/strict.o $f
-    done
-    for f in blas loops time acc backward round; do
-        one "strict C89: test/paper/$f.c, all of it" $CC $STRICT -O1 -I. \
-            -DCBLAS -DFORTRAN -DSINGLE -DPLAIN -c -o build/strict.o \
-            test/paper/$f.c
-    done
-    # arithmetic on short is of type int: -Wconversion complains of each
-    for d in -DTESS_FLOAT "-DTESS_INT=short -Wno-conversion" \
-        -DTESS_INT=long -DHH_LIMBS=3 -DTESS_FORTRAN; do
-        for f in tess.c hhpred.c; do
-            one "strict C89: $f $d" $CC $STRICT -O1 $d -c -o build/strict.o $f
-        done
-    done
-else
-    skip "strict C89: $CC does not take the flags"
-fi
-if have g++ "-x c++"; then
-    for f in tess.c hhpred.c; do
-        one "C++: $f" g++ -x c++ -Wall -Wextra -Werror -c -o build/strict.o $f
-    done
-else
-    skip "C++: no g++"
-fi
-
-# ---- the library asks for nothing but the C89 maths functions, and has no
-# data that could be shared between threads ----
-
-$CC $CFLAGS -c -o build/tess.o tess.c
-$CC $CFLAGS -c -o build/hhpred.o hhpred.c
-if nm build/tess.o > build/nm.txt 2> /dev/null; then
-    nm build/hhpred.o >> build/nm.txt
-    # what is asked for, but the library's own names and what compilers add
-    nm -u build/tess.o build/hhpred.o |
-        sed -n 's/^.* \([A-Za-z_0-9]*\)$/\1/p' | sort -u |
-        egrep -v '^_?(hh_|tess|sqrt|fabs|floor|ceil|frexp|ldexp|pow|memset|memcpy|__stack_chk|_?GLOBAL_OFFSET)' \
-        > build/asked.txt
-    one "asks for nothing but maths" test ! -s build/asked.txt
-    cat build/asked.txt >> $LOG
-    grep ' [bBdDcCgGsS] ' build/nm.txt > build/data.txt
-    one "has no data but constants" test ! -s build/data.txt
-    cat build/data.txt >> $LOG
-else
-    skip "symbols: no nm"
-fi
-
-# A caller compiled with other types is no link: none of the names is the same.
-# mismatch OPTIONS
-mismatch() {
-    for f in tess hhpred; do
-        $CC -O1 $1 -c -o build/other$f.o $f.c >> $LOG 2>&1
-    done
-    one "links with the same options: $1" \
-        $CC $1 -I. -o build/other build/readme.c build/othertess.o \
-        build/otherhhpred.o $LIBS
-    one "no link with other options: $1" \
-        sh -c "! $CC -I. -o build/other build/readme.c build/othertess.o \
-        build/otherhhpred.o $LIBS"
-    # (of a library of mixed files, either)
-    one "no link of mixed files: $1" sh -c "! $CC $1 -I. -o build/other \
-        build/readme.c build/othertess.o build/hhpred.o $LIBS"
-    nm build/othertess.o build/otherhhpred.o |
-        sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort > build/other.txt
-    one "no name is the same: $1" sh -c \
-        "test -s build/other.txt && ! comm -12 build/names.txt build/other.txt |
-        grep ."
-    one "unique in six characters: $1" sh -c \
-        "! cut -c1-6 build/other.txt | tr A-Z a-z | sort | uniq -d | grep ."
-}
-sed -n '/^```c$/,/^```$/p' README.md | sed '/^```/d;s/double p/tess_real p/' |
-    sed 's/sscanf.* == 3/n < 1/' > build/readme.c
-if [ -s build/nm.txt ]; then
-    sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/names.txt
-    one "unique in six characters" sh -c \
-        "! cut -c1-6 build/names.txt | tr A-Z a-z | sort | uniq -d | grep ."
-    for o in -DTESS_INT=long -DTESS_INT=short -DTESS_FLOAT \
-        "-DTESS_FLOAT -DTESS_INT=short" "-DTESS_FLOAT -DTESS_INT=long" \
-        "-DTESS_INT=ptrdiff_t -include stddef.h"; do
-        mismatch "$o"
-    done
-    for f in tess hhpred; do
-        $CC -O1 -DHH_LIMBS=6 -c -o build/other$f.o $f.c >> $LOG 2>&1
-    done
-    one "no link of mixed files: -DHH_LIMBS=6" sh -c "! $CC -I. \
-        -o build/other build/readme.c build/othertess.o build/hhpred.o $LIBS"
-fi
-
-# ---- the tests proper ----
-
-for f in test/proof/exact test/points test/unit/t_tess test/unit/t_part; do
-    $CC $CFLAGS -c -o build/`basename $f`.o $f.c
-done
-TEST="build/exact.o build/points.o"
-
-for t in t_pred brute t_tess t_part; do
-    also=
-    [ $t = brute ] && also=test/proof/define.c
-    if build $t "$CC" "$CFLAGS" test/unit/$t.c $also $HARD $TEST; then
-        many $t build/$t
+readme() {
+    one "the README's table of sizes" sh -c \
+        "grep '^| [0-9]* | [0-9]* | [0-9]* | [0-9]* | [0-9]* |$' README.md > \
+        build/table.txt
+        build/units/usual/t_size -table | cmp - build/table.txt"
+    printed c first.c
+    if [ -x build/tess ]; then
+        count=`build/tess -check test/data/mirror.xyz |
+            sed -n 's/^tetrahedra *//p'`
+        one "the README's first.c: what build/tess proves" \
+            test "$PRINTED" = "code 0, $count tetrahedra"
     else
-        fail "$t does not compile"
+        skip "the README's first.c: no build/tess to compare with"
     fi
-done
-
-# Sizes, whatever the integer.
-for d in "" -DTESS_INT=short -DTESS_INT=long; do
-    if build t_size "$CC" "-O1 $d" test/unit/t_size.c $HARD; then
-        many "t_size $d" build/t_size
-        [ "$d" = "" ] && build/t_size -table > build/sizes.txt
+    if ! command -v ${PYTHON:-python3} > /dev/null; then
+        skip "example: first.py: no python3"
+    elif $CC -O2 -shared -fPIC -o build/readme/libtess.so $LIBRARY $LIBS \
+        2>> $LOG; then
+        one "example: first.py" test "`cd build/readme &&
+            ${PYTHON:-python3} test/examples/first.py`" = "$PRINTED"
     else
-        fail "t_size $d does not compile"
+        skip "example: first.py: no -shared -fPIC"
     fi
-done
-one "the README's table of sizes" sh -c \
-    "grep '^| [0-9]* | [0-9]* | [0-9]* | [0-9]* | [0-9]* |$' README.md |
-    cmp - build/sizes.txt"
-
-# Few limbs: code 2 or TESS_RANGE where they do not suffice, nothing wrong.
-if build t_pred3 "$CC" "-O1 -DHH_LIMBS=3" test/unit/t_pred.c hhpred.c $TEST
-then
-    many "t_pred, 3 limbs" build/t_pred3 50
-else
-    fail "t_pred, 3 limbs, does not compile"
-fi
-if build brute3 "$CC" "-O1 -DHH_LIMBS=3" test/unit/brute.c test/proof/define.c $HARD $TEST; then
-    many "brute, 3 limbs" build/brute3 100
-else
-    fail "brute, 3 limbs, does not compile"
-fi
-for n in 3 6; do
-    if build t_tess3 "$CC" "-O1 -DHH_LIMBS=$n" test/unit/t_tess.c $HARD $TEST; then
-        many "t_tess -range, $n limbs" build/t_tess3 -range
-    else
-        fail "t_tess, $n limbs, does not compile"
-    fi
-    [ $n = 3 ] || continue
-    if build t_part3 "$CC" "-O1 -DHH_LIMBS=$n" test/unit/t_part.c $HARD $TEST; then
-        many "t_part, $n limbs" build/t_part3 -quick
-    else
-        fail "t_part, $n limbs, does not compile"
-    fi
-done
-
-# What only a processor that takes subnormal numbers for zero brings about.
-if have "$CC" -Ofast && $CC -Ofast -o build/t_flush build/t_tess.o $HARD \
-    $TEST $LIBS >> $LOG 2>&1; then
-    many "t_tess, subnormal numbers flushed" build/t_flush -quick
-else
-    skip "t_tess, subnormal numbers flushed"
-fi
-
-# The margins of the search; tess.c is included in the test.
-for d in "" -DTESS_LIST=64 -DTESS_FLOAT; do
-    if build t_margin "$CC" "$CFLAGS $d" test/unit/t_margin.c test/hunts/hard.c hhpred.c \
-        build/exact.o; then
-        many "t_margin $d" build/t_margin
-    else
-        fail "t_margin $d does not compile"
-    fi
-done
-
-# Coordinates of type float; indices of type short, long.
-if build t_predf "$CC" "-O1 -DTESS_FLOAT" test/unit/t_pred.c hhpred.c $TEST
-then
-    many "t_pred, float" build/t_predf 50
-else
-    fail "t_pred, float, does not compile"
-fi
-if build t_partf "$CC" "-O1 -DTESS_FLOAT" test/unit/t_part.c $HARD $TEST; then
-    many "t_part -DTESS_FLOAT" build/t_partf -quick
-else
-    fail "t_part -DTESS_FLOAT does not compile"
-fi
-for d in -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long; do
-    if build brutef "$CC" "-O1 $d" test/unit/brute.c test/proof/define.c $HARD $TEST; then
-        many "brute $d" build/brutef 100
-    else
-        fail "brute $d does not compile"
-    fi
-done
-
-# Lists of other capacities only look elsewhere first.
-if build brutel "$CC" "-O1 -DTESS_LIST=48" test/unit/brute.c test/proof/define.c $HARD $TEST; then
-    many "brute -DTESS_LIST=48" build/brutel 100
-else
-    fail "brute -DTESS_LIST=48 does not compile"
-fi
-if build t_tessl "$CC" "-O1 -DTESS_LIST=48" test/unit/t_tess.c $HARD $TEST; then
-    many "t_tess -DTESS_LIST=48" build/t_tessl -quick
-else
-    fail "t_tess -DTESS_LIST=48 does not compile"
-fi
-
-# All rounding modes, where C99's fenv.h is to be had.
-ROUND="-std=c99 -frounding-math -DTEST_ROUNDING"
-if build t_predr "$CC" "$ROUND -O2" test/unit/t_pred.c test/proof/exact.c hhpred.c; then
-    many "t_pred, all rounding modes" build/t_predr 10
-else
-    skip "t_pred in all rounding modes"
-fi
-
-if build t_marginr "$CC" "$ROUND -O2 -I." test/unit/t_margin.c test/proof/exact.c \
-    test/hunts/hard.c hhpred.c; then
-    many "t_margin, all rounding modes" build/t_marginr 10
-else
-    skip "t_margin in all rounding modes"
-fi
-
-# The certificates of the search, with builds of its own.
-many "certify" env CC="$CC" sh test/hunts/certify.sh -check
-
-# Sanitizers.
-SAN="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
-if have "$CC" "$SAN"; then
-    build brutes "$CC" "$SAN" test/unit/brute.c test/proof/define.c $HARD test/proof/exact.c
-    many "brute, sanitizers" build/brutes 50
-    build t_tesss "$CC" "$SAN" test/unit/t_tess.c $HARD test/proof/exact.c test/points.c
-    many "t_tess, sanitizers" build/t_tesss -quick
-    build t_parts "$CC" "$SAN" test/unit/t_part.c $HARD test/proof/exact.c test/points.c
-    many "t_part, sanitizers" build/t_parts -quick
-else
-    skip "sanitizers"
-fi
-
-# ---- the same arrays from every build ----
-#
-# The test itself and its points are compiled once, so that compilers'
-# roundings in making the points do not count.
-
-# at this size a list's bounds are rounded in view of the points
-many "t_tess, a narrow cluster" build/t_tess -one lastplaces 1500 1
-build/t_tess -sums > build/sums.txt
-one "checksums of `wc -l < build/sums.txt` results" test -s build/sums.txt
-
-# same NAME CC FLAGS
-same() {
-    name="same result: $1"
-    if ! have "$2" "$3"; then
-        skip "$name"
-        return
-    fi
-    if ! build sums1 "$2" "$3" $SUMS $HARD; then
-        fail "$name: does not compile"
-        return
-    fi
-    build/sums1 -sums > build/sums1.txt 2>> $LOG
-    one "$name" cmp build/sums.txt build/sums1.txt
+    # the README's times are rows of what make bench has written
+    sed -n '/^## How fast/,/^## Where/p' README.md | grep '^| [a-z].*[0-9]' |
+        grep -v '@FIG@' > build/times.txt
+    while read -r row; do
+        one "the README's times: `echo "$row" | cut -d '|' -f 2,3`" \
+            grep -Fx "$row" test/results/bench.txt
+    done < build/times.txt
 }
 
-SUMS="build/t_tess.o $TEST"
-same "$CC -O0" "$CC" "-O0"
-same "$CC -O2" "$CC" "-O2"
-same "$CC -Ofast -march=native" "$CC" "-Ofast -march=native"
-same "$CC -O3 -funroll-loops -ffp-contract=fast -march=native" "$CC" \
-    "-O3 -funroll-loops -ffp-contract=fast -march=native"
-same "$CC -mfpmath=387" "$CC" "-O2 -mfpmath=387"
-same "clang -O2" clang "-O2"
-same "clang -Ofast" clang "-Ofast"
-same "tcc" tcc ""
+# ---- the recipes beside CGAL ----
 
-# As C++; the objects of C cannot be linked to it.
-SUMS="test/unit/t_tess.c test/proof/exact.c test/points.c"
-same "g++ -x c++ -O2" g++ "-x c++ -O2"
-
-# ---- the examples: their own checks, and their output as stored ----
-
-for example in interp poisson embedded surface parts stream sensor derived \
-    planar; do
-    also=
-    [ $example = parts ] && also=-lpthread
-    if build "$example" "$CC" "$CFLAGS -I." test/examples/$example.c tess.c hhpred.c $also; then
-        (cd build && ./$example $example.obj $example.stl) > build/$example.out 2>> $LOG
-        one "example: $example" test $? -eq 0
-        one "example: $example, its output" \
-            cmp test/examples/$example.out build/$example.out
+peers() {
+    if ! echo '#include <CGAL/natural_neighbor_coordinates_3.h>' |
+        g++ -x c++ -E - > /dev/null 2>&1; then
+        skip "recipes beside CGAL: not installed"
+    elif build recipes g++ "-O2 -frounding-math -I." \
+        test/bench/peers/recipes.cpp build/tess.o build/hhpred.o \
+        build/units/usual/points.o -lmpfr -lgmp; then
+        many "recipes beside CGAL" build/recipes
     else
-        fail "example: $example does not compile"
+        fail "recipes beside CGAL: does not compile"
     fi
-done
+}
 
 # ---- points spread over processes ----
 
-if command -v mpicc > /dev/null &&
-    mpirun --version 2> /dev/null | grep "Open MPI" > /dev/null; then
+processes() {
+    if ! command -v mpicc > /dev/null ||
+        ! mpirun --version 2> /dev/null | grep "Open MPI" > /dev/null; then
+        skip "MPI: no Open MPI"
+        return
+    fi
     # (mpi.h itself has long long)
-    if build spread mpicc "$STRICT -Wno-long-long -O2 -I." test/mpi/spread.c \
-        test/points.c $HARD; then
-        for processes in 1 2 3 4; do
-            one "MPI: $processes processes" mpirun --oversubscribe \
-                --allow-run-as-root --timeout 300 -np $processes build/spread \
-                uniform 1000 clusters 1000 lattice 1000 latticeshuf 512 \
-                gradedrot 512 cubegrid 500
-        done
+    mesh=
+    for f in mesh split halo stars output mail; do
+        mesh="$mesh test/mpi/$f.c"
+    done
+    # shellcheck disable=SC2086
+    if build mesh mpicc "$STRICT -Wno-long-long -O2" $mesh test/points.c \
+        $LIBRARY && build same "$CC" "$STRICT -O2" test/mpi/same.c \
+        test/points.c $LIBRARY; then
+        many "MPI" sh test/mpi/check.sh
     else
-        fail "MPI: spread.c does not compile"
+        fail "MPI: does not compile"
     fi
-    if ! command -v mpif77 > /dev/null; then
-        skip "MPI: no mpif77"
-    elif build spreadf mpif77 "-O2 -frecursive" test/mpi/spread.f f77/tess.f \
-        f77/hhpred.f; then
-        for processes in 1 2 3 4; do
-            one "MPI, FORTRAN 77: $processes processes" sh -c "mpirun \
-                --oversubscribe --allow-run-as-root --timeout 300 \
-                -np $processes build/spreadf > build/spreadf.txt
-                cat build/spreadf.txt
-                grep '^all are the mesh' build/spreadf.txt"
-        done
-    else
-        fail "MPI: spread.f does not compile"
-    fi
-else
-    skip "MPI: no Open MPI"
-fi
-
-# The README's C program and its commands, exactly as printed there, on the data
-# that are there; what it says it prints is what the program build/tess proves.
-readme c first.c
-one "the README's C program: its commands" \
-    test `wc -l < build/readme/commands` -eq 2
-printed=`(cd build/readme && sh -e commands) 2>> $LOG`
-one "the README's C program: prints what is said" \
-    grep -F "It prints \`$printed\`" README.md
-if [ -x build/tess ]; then
-    count=`build/tess -check test/data/mirror.xyz | sed -n 's/^tetrahedra *//p'`
-    one "the README's C program: what build/tess proves" \
-        test "$printed" = "code 0, $count tetrahedra"
-else
-    skip "the README's C program: no build/tess to compare with"
-fi
-if command -v ${PYTHON:-python3} > /dev/null &&
-    $CC -O2 -shared -fPIC -o build/readme/libtess.so $HARD $LIBS 2>> $LOG; then
-    one "example: first.py" test "`cd build/readme &&
-        ${PYTHON:-python3} test/examples/first.py`" = "$printed"
-else
-    skip "example: first.py: no python3, or no -shared"
-fi
-
-# The README's times are rows of what make bench has written.
-sed -n '/^## How fast/,/^## Where/p' README.md | grep '^| [a-z].*[0-9]' |
-    grep -v '@FIG@' > build/times.txt
-while read -r row; do
-    one "the README's times: `echo "$row" | cut -d '|' -f 2,3`" \
-        grep -Fx "$row" test/results/bench.txt
-done < build/times.txt
-
-# ---- the command line program ----
-
-many "the driver" env CC="$CC" sh test/program/driver.sh
 }
-
-# ---- the second half: torture, FORTRAN 77, other machines, the paper ----
-
-second_half() {
-
-# Hard sets in hard circumstances, with builds of its own: the hunt's start.
-many "torture" env CC="$CC" sh test/hunts/torture.sh -check
 
 # ---- the FORTRAN 77 half: ANSI X3.9-1978 and nothing more ----
 
@@ -467,38 +446,37 @@ many "torture" env CC="$CC" sh test/hunts/torture.sh -check
 # So two of its warnings are off, and with them on it may complain of those
 # calls alone.
 F77="f77/tess.f f77/hhpred.f"
-if command -v ftnchek > /dev/null; then
-    CHEK="ftnchek -f77=all -declare -sixchar"
-    $CHEK -array=no-dimensions -usage=no-arg-array-alias $F77 \
-        > build/ftnchek.txt 2>&1
+CHEK="ftnchek -f77=all -declare -sixchar"
+CHEKS="$CHEK -array=no-dimensions -usage=no-arg-array-alias"
+
+standard() {
+    one "FORTRAN 77: no line past column 72" \
+        sh -c '! grep -n "^.\{73\}" f77/*.f test/*/*.f'
+    if ! command -v ftnchek > /dev/null; then
+        skip "ftnchek: not installed"
+        return
+    fi
+    $CHEKS $F77 > build/ftnchek.txt 2>&1
     cat build/ftnchek.txt >> $LOG
     one "ftnchek: both files read" test \
         `grep -c '^ 0 syntax errors detected' build/ftnchek.txt` -eq 2
     one "ftnchek: no warning" sh -c '! grep -i warning build/ftnchek.txt'
     $CHEK $F77 > build/ftnchek.txt 2>&1
     egrep -i warning build/ftnchek.txt | egrep -v \
-        'Subprogram (TSMESH|TSINDE|TSQUER|TSAPEX|TSSETT|TSOPEN|TSECLD|TSOUTS) argument' \
+        'Subprogram (TSMESH|TSINDE|TSQUER|TSAPEX|TSSETT|TSOPEN) argument' |
+        egrep -v 'Subprogram (TSDOT|TSLOWE|TSBEYO|TSECLD|TSOUTS) argument' \
         > build/ftnwarn.txt
-    one "ftnchek: warnings of the workspace alone" test ! -s build/ftnwarn.txt
+    one "ftnchek: warnings of parts of arrays alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
-    $CHEK -array=no-dimensions -usage=no-arg-array-alias $F77 test/fortran/parity.f \
-        > build/ftnchek.txt 2>&1
-    one "ftnchek: parity.f" sh -c '! grep -i warning build/ftnchek.txt'
-    $CHEK -noextern -array=no-dimensions -usage=no-arg-array-alias \
-        test/examples/parts.f > build/ftnchek.txt 2>&1
-    one "ftnchek: parts.f" sh -c '! grep -i warning build/ftnchek.txt'
-    for f in test/examples/derived.f test/fortran/sizes.f; do
-        $CHEK -array=no-dimensions -usage=no-arg-array-alias -library \
-            $F77 $f > build/ftnchek.txt 2>&1
+    for f in test/fortran/*.f test/examples/*.f; do
+        case $f in
+        */parity.f) $CHEKS $F77 $f;; # it calls all entries
+        */parts.f) $CHEKS -noextern $f test/examples/join.f;; # and OpenMP
+        *) $CHEKS -library $F77 $f;;
+        esac > build/ftnchek.txt 2>&1
         one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
     done
-else
-    skip "ftnchek: not installed"
-fi
-one "f77/README is what the sources say" sh -c \
-    'sh test/fortran/manual.sh | cmp - f77/README'
-one "FORTRAN 77: no line past column 72" \
-    sh -c '! grep -n "^.\{73\}" f77/*.f test/*/*.f'
+}
 
 # The table of both names in the header of each file: all routines of C, and
 # all of the file, in their order, but for those that only one half has.
@@ -508,62 +486,116 @@ twins() {
         tr -cs 'a-zA-Z0-9_' '\012' |
         awk '/^[A-Z][A-Z0-9]+$/ && last ~ /^[a-z_0-9]+$/ {
             print last, $0 }
-            { last = $0 }' > build/names.txt
+            { last = $0 }' > build/twins.txt
     sed '/^.* What follows calls these/,/^$/d' $1.c |
         sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*[^;]$/\1/p' |
         egrep -v "^($2)$" > build/cnames.txt
     sed -n 's/^      [A-Z ]*\(FUNCTION\|SUBROUTINE\) \([A-Z0-9]*\).*/\2/p' \
         f77/$1.f | egrep -v "^($3)$" > build/fnames.txt
-    awk '$1 !~ /^(frexp|ldexp)$/ { print $1 }' build/names.txt |
+    awk '$1 !~ /^(frexp|ldexp)$/ { print $1 }' build/twins.txt |
         diff build/cnames.txt - > build/diff.txt &&
-        awk '{ print $2 }' build/names.txt | diff build/fnames.txt - \
+        awk '{ print $2 }' build/twins.txt | diff build/fnames.txt - \
             > build/diff.txt
     one "both names in the header of f77/$1.f" test $? -eq 0
     cat build/diff.txt >> $LOG
 }
-twins tess "point|coords|four|better|proven|barren|layout" \
-    "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
-twins hhpred "held|shift|least" "HHKIND"
+
+# The entries: the heads in tess.f and hhpred.f, those of the module for
+# Fortran 90, those that the manual describes, its list of them, and what
+# hhpred.h and tess.h declare for callers.
+entries() {
+    # the public ones of hhpred.f, by hhpred.h's names cut to six characters
+    sed '/---- for tess/,$d' hhpred.h |
+        sed -n 's/^[a-z][a-z_ ]* [*]*hh_\([a-z]*\)(.*/hh\1/p' | cut -c1-6 |
+        sort > build/hh.txt
+    # head FILE: each name with its arguments, in small letters
+    head() {
+        awk '/^     [^ ]/ { text = text substr($0, 7); next }
+            { print text; text = $0 }
+            END { print text }' $1 | tr A-Z a-z | tr -d ' &' |
+            sed -n 's/.*\(subroutine\|function\)\(\(tess\|hh\)[a-z]*(.*)\)$/\2/p'
+    }
+    for f in $F77; do head $f; done | sort > build/heads.txt
+    { grep '^tess' build/heads.txt
+      while read name; do grep "^$name(" build/heads.txt; done < build/hh.txt
+    } | sort > build/entries.txt
+    sed 's/(.*//' build/entries.txt | sort > build/list.txt
+    one "entries: tess.f has those of tess.h" sh -c \
+        "test \`grep -c '^tess' build/list.txt\` -eq \
+        \`grep -c '^int tess[_a-z]*(' tess.h\`"
+    one "entries: hhpred.f has those of hhpred.h" sh -c \
+        "grep '^hh' build/list.txt | cmp - build/hh.txt && test -s build/hh.txt"
+    # a line that ends in & goes on
+    sed -e ':more' -e '/&$/{N;s/&\n *//;b more' -e '}' f77/tess.f90 |
+        grep -v 'end \(function\|subroutine\)' > build/module.txt
+    head build/module.txt | sort > build/module2.txt
+    one "entries: the module's are tess.f's, with the same arguments" \
+        diff build/entries.txt build/module2.txt
+    sed -n '/^    entry/,/^Arrays/s/^    \([A-Z ,]*\)  .*/\1/p
+        /^    entry/,/^Arrays/s/^    \([A-Z, ]*\)$/\1/p' f77/README |
+        tr -cs A-Z '\012' | tr A-Z a-z | grep . | sort > build/manual.txt
+    one "entries: the manual's list" diff build/list.txt build/manual.txt
+    sed -n 's/^      [A-Z ]*\(SUBROUTINE\|FUNCTION\) \([A-Z]*\)(.*/\2/p' \
+        f77/README | tr A-Z a-z | sort > build/manual.txt
+    one "entries: the manual's descriptions" diff build/list.txt build/manual.txt
+    one "f77/README is what the sources say" sh -c \
+        'sh test/fortran/manual.sh | cmp - f77/README'
+}
 
 # ---- the same results as the C half ----
 
 # gfortran -std=f95 -pedantic knows of no extension of FORTRAN 77 that is not
 # in Fortran 90; -fcheck=all stops at a subscript out of bounds.
-GFORT="gfortran -frecursive -Wall -Wextra -Werror"
 gfort() {
-    $GFORT -std=f95 -pedantic "$@" -c -o build/ftess.o f77/tess.f &&
-        $GFORT -std=f95 -pedantic "$@" -c -o build/fhhpred.o f77/hhpred.f &&
-        $GFORT -std=legacy -O1 -fcheck=all -c -o build/fparity.o test/fortran/parity.f
+    for f in tess hhpred; do
+        gfortran -frecursive -Wall -Wextra -Werror -std=f95 -pedantic "$@" -c \
+            -o build/f$f.o f77/$f.f || return 1
+    done
 }
 viaf2c() {
     mkdir -p build/f2c &&
-        f2c -A -a -u -dbuild/f2c $F77 test/fortran/parity.f > build/f2c.txt 2>&1 &&
-        ! grep -i warning build/f2c.txt &&
+        f2c -A -a -u -dbuild/f2c $F77 test/fortran/parity.f > build/f2c.txt \
+            2>&1 && ! grep -i warning build/f2c.txt &&
         $CC -O2 -c -o build/ftess.o build/f2c/tess.c &&
         $CC -O2 -c -o build/fhhpred.o build/f2c/hhpred.c &&
         $CC -O2 -c -o build/fparity.o build/f2c/parity.c
 }
-# The C half compiled for Fortran; fparity.o stays what it is.
-entries() {
-    $CC $CFLAGS -DTESS_FORTRAN -c -o build/ftess.o tess.c &&
-        $CC $CFLAGS -DTESS_FORTRAN -c -o build/fhhpred.o hhpred.c
+# few limbs: the same codes 2 and 6 as from C
+fewlimbs() {
+    for half in tess hhpred; do
+        sed 's/HHLIM = 88/HHLIM = 3/' f77/$half.f > build/few$half.f
+        gfortran -frecursive -O1 -c -o build/f$half.o build/few$half.f || return
+    done
 }
 
-# fortran NAME COMPILE...: compile the half, link it with the C half, compare
-# arrays.  OTHER is what of the C half is needed besides tess.o.
+# fortran NAME OPTIONS TESTS COMPILE...: compile the half, and run the unit tests
+# with it in the place of the C half, by way of shim.c
 fortran() {
-    name=$1
-    shift
-    echo "== FORTRAN 77, $name" >> $LOG
+    tag=$1
+    options=$2
+    list=$3
+    shift 3
+    echo "== FORTRAN 77, $tag" >> $LOG
     rm -f build/ftess.o build/fhhpred.o
-    "$@" >> $LOG 2>&1
-    if $LINKF -o build/t_f77 build/t_f77.o build/tess.o $OTHER \
-        build/points.o build/ftess.o build/fhhpred.o $LIBS >> $LOG 2>&1
-    then
-        many "FORTRAN 77, $name" build/t_f77
-    else
-        fail "FORTRAN 77, $name: does not compile"
+    here=build/units/f77
+    rm -rf $here
+    if ! "$@" >> $LOG 2>&1 || ! compile "$CC" "-O1 $options" $here $COMMON \
+        test/fortran/shim.c; then
+        fail "FORTRAN 77, $tag: does not compile"
+        return 1
     fi
+    echo "$list" | tr , '\012' > build/list
+    while read t; do
+        program=${t%% *}
+        if $CC -O1 $options -c -o $here/_$program.o test/unit/$program.c \
+            >> $LOG 2>&1 && $LINKF -o $here/$program $here/_$program.o \
+            $here/[!_]*.o build/ftess.o build/fhhpred.o $LIBF $LIBS \
+            >> $LOG 2>&1; then
+            many "FORTRAN 77, $tag: $t" $here/$t
+        else
+            fail "FORTRAN 77, $tag: $program does not link"
+        fi
+    done < build/list
 }
 
 # text NAME: link the Fortran program with the half just compiled, and compare
@@ -574,7 +606,7 @@ text() {
         $LIBF $LIBS >> $LOG 2>&1
     then
         build/parityf > build/parityf.txt
-        one "parity: $1" cmp build/parity.txt build/parityf.txt
+        one "parity: $1" cmp test/fortran/parity.txt build/parityf.txt
     else
         fail "parity: $1: does not link"
     fi
@@ -585,48 +617,33 @@ text() {
 OMP_NUM_THREADS=4
 export OMP_NUM_THREADS
 threads() {
-    [ -f build/threads.o ] || return
+    if ! have "$CC" -fopenmp; then
+        skip "threads: no OpenMP"
+        return
+    fi
     rm -f build/threads
-    $LINKF -fopenmp -o build/threads build/threads.o build/points.o \
+    $CC $CFLAGS -fopenmp -c -o build/threads.o test/fortran/threads.c
+    $LINKF -fopenmp -o build/threads build/threads.o build/units/f77/points.o \
         build/ftess.o build/fhhpred.o $LIBS >> $LOG 2>&1
     many "threads: $1" build/threads
-}
-rm -f build/threads.o
-if have "$CC" -fopenmp; then
-    $CC $CFLAGS -fopenmp -c -o build/threads.o test/fortran/threads.c
-else
-    skip "threads: no OpenMP"
-fi
-
-# The README's FORTRAN program and its commands, exactly as printed there.
-fortran_readme() {
-    readme fortran first.f
-    one "the README's FORTRAN program: its commands" \
-        test `wc -l < build/readme/commands` -eq 2
-    set -- `(cd build/readme && sh -e commands) 2>> $LOG`
-    one "the README's FORTRAN program: prints what is said" \
-        grep -F "It prints \`$1 $2\`" README.md
-    one "the README's FORTRAN program: as the C program" \
-        grep -F "It prints \`code $1, $2 tetrahedra\`" README.md
 }
 
 # FORTRAN programs that tell by their text whether all is well.
 # programs NAME FLAGS: with the half just compiled
 programs() {
-    for f in $F77PROGRAMS; do
+    for f in test/fortran/sizes.f test/examples/*.f; do
         rm -f build/program
-        gfortran $2 -o build/program $f build/ftess.o build/fhhpred.o $LIBS \
-            >> $LOG 2>&1
-        text=build/`basename $f .f`.txt
+        case $f in */join.f | */parts.f) continue;; esac
+        gfortran -frecursive $2 -o build/program $f build/ftess.o \
+            build/fhhpred.o $LIBS >> $LOG 2>&1
         case $f in
         test/examples/*)
-            build/program > $text
-            one "$f, $1" cmp `echo $f | sed 's/f$/out/'` $text;;
+            build/program > build/program.txt
+            one "$f, $1" cmp `echo $f | sed 's/f$/out/'` build/program.txt;;
         *) many "$f, $1" build/program;;
         esac
     done
 }
-F77PROGRAMS="test/examples/derived.f test/fortran/sizes.f"
 
 # interface NAME FLAGS: the module for Fortran 90, and that with it wrong calls
 # do not compile; f77/README's program
@@ -634,14 +651,15 @@ interface() {
     (cd build && gfortran -std=f95 -pedantic -Wall -Wextra -Werror $2 -c \
         -o module.o ../f77/tess.f90) >> $LOG 2>&1
     module="-cpp -Ibuild -Jbuild $2"
-    if gfortran -std=f2018 -pedantic $module -o build/iface test/fortran/iface.f90 \
-        build/ftess.o build/fhhpred.o $LIBS >> $LOG 2>&1
+    if gfortran -std=f2018 -pedantic $module -o build/iface \
+        test/fortran/iface.f90 build/ftess.o build/fhhpred.o $LIBS >> $LOG 2>&1
     then
         many "interfaces, $1" build/iface
     else
         fail "interfaces, $1: do not compile"
     fi
-    for wrong in 1 2 3 4; do
+    for wrong in `sed -n 's/.* WRONG == \([0-9]*\)$/\1/p' \
+        test/fortran/iface.f90`; do
         one "interfaces, $1: wrong call $wrong" sh -c "! gfortran $module \
             -DWRONG=$wrong -c -o build/module.o test/fortran/iface.f90"
     done
@@ -652,108 +670,111 @@ interface() {
     one "f77/README's program, $1" test "`build/grid`" = " 14.5000"
 }
 
+# mixed: a C program that calls the FORTRAN half, and the reverse
+mixed() {
+    one "example: fortran.c" sh -c "$CC -O2 -c -o build/mixed.o \
+        test/examples/fortran.c &&
+        gfortran -o build/mixed build/mixed.o build/ftess.o build/fhhpred.o &&
+        build/mixed | cmp - test/examples/fortran.out"
+    compile "$CC" "$CFLAGS" build $LIBRARY
+    one "example: fortran.f90" sh -c "gfortran -std=f2003 -Wall -o build/mixed \
+        test/examples/fortran.f90 build/tess.o build/hhpred.o $LIBS &&
+        build/mixed | cmp - test/examples/fortran.out"
+}
+
 # parity.c and parity.f write the same text; parity.txt is what they wrote
 # when it was made, so that a machine without Fortran compares, too.  It is not
 # believed: the first program proves each answer by exact.c, and knows the
 # code of each bad argument and fault from the interface.  (When the library's
-# own figures change, as the lengths of the workspace: cp build/parity.txt test/fortran.)
-if build parity "$CC" "$CFLAGS -DPROVE" test/fortran/parity.c test/proof/prove.c $HARD \
-    test/proof/exact.c; then
-    build/parity > build/parity.txt 2> build/prove.txt
-    cat build/prove.txt >> $LOG
-    one "parity: proofs" grep '^prove: [0-9]* passed, 0 failed' build/prove.txt
-    one "parity: no code but the promised one" \
-        sh -c 'test -s build/parity.txt && ! grep WRONG build/parity.txt'
-    one "parity: the text as stored" cmp test/fortran/parity.txt build/parity.txt
-else
-    fail "parity.c does not compile"
-fi
-# (what makes infinities and NaNs must not be compiled with -Ofast)
-$CC $CFLAGS -c -o build/parity.o test/fortran/parity.c
-for c in "$CC -O0" "$CC -Ofast -march=native" "clang -Ofast" "tcc"; do
-    set -- $c
-    cc=$1
-    shift
-    if have $cc "$*"; then
-        build parity1 $cc "$*" build/parity.o $HARD
-        build/parity1 > build/parity1.txt
-        one "parity: $c" cmp test/fortran/parity.txt build/parity1.txt
+# own figures change, as the lengths of the workspace:
+# cp build/parity.txt test/fortran.)
+parity() {
+    if build parity "$CC" "$CFLAGS -DPROVE" test/fortran/parity.c \
+        test/proof/*.c $LIBRARY; then
+        build/parity > build/parity.txt 2> build/prove.txt
+        cat build/prove.txt >> $LOG
+        one "parity: proofs" grep '^prove: [0-9]* passed, 0 failed' \
+            build/prove.txt
+        one "parity: no code but the promised one" \
+            sh -c 'test -s build/parity.txt && ! grep WRONG build/parity.txt'
+        one "parity: the text as stored" \
+            cmp test/fortran/parity.txt build/parity.txt
     else
-        skip "parity: $c"
+        fail "parity.c does not compile"
     fi
-done
+    # (what makes infinities and NaNs must not be compiled with -Ofast)
+    $CC $CFLAGS -c -o build/parity.o test/fortran/parity.c
+    [ -z "$ALL" ] && return
+    for c in "$CC -O0" "$CC -Ofast -march=native" "clang -Ofast" "tcc"; do
+        set -- $c
+        cc=$1
+        shift
+        if have $cc "$*"; then
+            build parity1 $cc "$*" build/parity.o $LIBRARY
+            build/parity1 > build/parity1.txt
+            one "parity: $c" cmp test/fortran/parity.txt build/parity1.txt
+        else
+            skip "parity: $c"
+        fi
+    done
+}
 
-$CC $CFLAGS -c -o build/tess.o tess.c
-$CC $CFLAGS -c -o build/hhpred.o hhpred.c
-$CC $CFLAGS -c -o build/t_f77.o test/fortran/t_f77.c
-$CC $CFLAGS -c -o build/points.o test/points.c
-LINKF=$CC
-LIBF=
-OTHER=
-fortran "C with -DTESS_FORTRAN" entries
-threads "C with -DTESS_FORTRAN"
-OTHER=build/hhpred.o
-if command -v gfortran > /dev/null; then
+halves() {
     LINKF=gfortran
-    fortran "gfortran -O0" gfort -O0
-    text "gfortran -O0"
-    fortran "gfortran -fcheck=all" gfort -O1 -fcheck=all
-    text "gfortran -fcheck=all"
-    fortran "gfortran -O3" gfort -O3
-    text "gfortran -O3"
-    threads "gfortran -O3"
-    programs "gfortran -O3" "-std=legacy -O1 -fcheck=all"
-    interface "gfortran -O3"
-    gfort -Ofast -march=native >> $LOG 2>&1
-    text "gfortran -Ofast -march=native"
-    entries
-    text "gfortran and C with -DTESS_FORTRAN"
-    # integers of 8 bytes, in both halves
-    gfort -O2 -fdefault-integer-8 >> $LOG 2>&1
-    programs "INTEGER*8" "-std=legacy -fdefault-integer-8"
-    interface "INTEGER*8" -fdefault-integer-8
-    for half in tess hhpred; do
-        $CC $CFLAGS -DTESS_FORTRAN -DTESS_INT=long -c -o build/f$half.o $half.c
-    done
-    programs "INTEGER*8 and C" "-std=legacy -fdefault-integer-8"
-    interface "INTEGER*8 and C" -fdefault-integer-8
-    # few limbs: the same codes 2 and 6 as from C
-    fewlimbs() {
-        for half in tess hhpred; do
-            sed 's/HHLIM = 88/HHLIM = 3/' f77/$half.f > build/few$half.f
-            $GFORT -O1 -c -o build/f$half.o build/few$half.f || return 1
+    LIBF=
+    if ! command -v gfortran > /dev/null; then
+        skip "the FORTRAN 77 half and its examples: no gfortran"
+    else
+        # (values that must be the same are compared)
+        gfortran -std=legacy -frecursive -O1 -fcheck=all -Wall -Wextra -Werror \
+            -Wno-compare-reals -Wno-do-subscript -c -o build/fparity.o \
+            test/fortran/parity.f >> $LOG 2>&1
+        quick="brute 50,t_tess -quick,t_part -quick"
+        fortran "gfortran -fcheck=all" "" "$quick" gfort -O1 -fcheck=all
+        text "gfortran -fcheck=all"
+        programs "gfortran -fcheck=all" "-std=legacy -O1 -fcheck=all"
+        interface "gfortran -fcheck=all"
+        mixed
+        printed fortran first.f
+        set -- $PRINTED
+        one "the README's first.f: as the C program" \
+            grep -F "It prints \`code $1, $2 tetrahedra\`" README.md
+    fi
+    [ -z "$ALL" ] && return
+    if command -v gfortran > /dev/null; then
+        fortran "gfortran -O0" "" "$quick" gfort -O0
+        text "gfortran -O0"
+        fortran "gfortran -O3" "" "brute,t_tess -quick,t_part -quick" gfort -O3
+        text "gfortran -O3"
+        threads "gfortran -O3"
+        gfort -Ofast -march=native >> $LOG 2>&1
+        text "gfortran -Ofast -march=native"
+        # integers of 8 bytes
+        fortran "INTEGER*8" -DTESS_INT=long "brute 50" gfort -O2 \
+            -fdefault-integer-8
+        programs "INTEGER*8" "-std=legacy -fdefault-integer-8"
+        interface "INTEGER*8" -fdefault-integer-8
+        fortran "gfortran, 3 limbs" -DHH_LIMBS=3 \
+            "brute 100,t_tess -range,t_part -quick" fewlimbs
+        for omp in "" -fopenmp; do
+            rm -f build/partsf
+            gfortran -O2 -frecursive $omp -o build/partsf \
+                test/examples/parts.f test/examples/join.f $F77 >> $LOG 2>&1
+            build/partsf > build/partsf.out 2>> $LOG
+            one "example: parts.f $omp" cmp test/examples/parts.out \
+                build/partsf.out
         done
-        $CC $CFLAGS -DHH_LIMBS=3 -c -o build/tess.o tess.c
-        $CC $CFLAGS -DHH_LIMBS=3 -c -o build/hhpred.o hhpred.c
-        $CC $CFLAGS -DHH_LIMBS=3 -c -o build/t_f77.o test/fortran/t_f77.c
-    }
-    fortran "gfortran, 3 limbs" fewlimbs
-    $CC $CFLAGS -c -o build/tess.o tess.c
-    $CC $CFLAGS -c -o build/hhpred.o hhpred.c
-    $CC $CFLAGS -c -o build/t_f77.o test/fortran/t_f77.c
-    entries
-    for omp in "" -fopenmp; do
-        rm -f build/partsf
-        gfortran -O2 -frecursive $omp -o build/partsf test/examples/parts.f \
-            $F77 >> $LOG 2>&1
-        build/partsf > build/partsf.out 2>> $LOG
-        one "example: parts.f $omp" cmp test/examples/parts.out build/partsf.out
-    done
-    fortran_readme
-else
-    skip "the FORTRAN 77 half: no gfortran"
-fi
-if command -v f2c > /dev/null; then
-    LINKF=$CC
-    LIBF=-lf2c
-    fortran "f2c" viaf2c
-    text "f2c"
-    threads "f2c"
-    entries
-    text "f2c and C with -DTESS_FORTRAN"
-else
-    skip "the FORTRAN 77 half through f2c: no f2c"
-fi
+    fi
+    if command -v f2c > /dev/null; then
+        LINKF=$CC
+        LIBF=-lf2c
+        fortran "f2c" "" "$quick" viaf2c
+        text "f2c"
+        threads "f2c"
+    else
+        skip "the FORTRAN 77 half through f2c: no f2c"
+    fi
+}
 
 # ---- the same results on other machines, simulated ----
 
@@ -761,7 +782,7 @@ fi
 cross() {
     name="same result: $3"
     if command -v $1 > /dev/null && command -v $2 > /dev/null; then
-        if build cross $1 "-O2 -static" test/fortran/parity.c $HARD; then
+        if build cross $1 "-O2 -static" test/fortran/parity.c $LIBRARY; then
             $2 build/cross > build/cross.txt 2>> $LOG
             one "$name" cmp test/fortran/parity.txt build/cross.txt
         else
@@ -771,53 +792,78 @@ cross() {
         skip "$name: no $1 with $2"
     fi
 }
-cross powerpc64-linux-gnu-gcc qemu-ppc64 "big-endian (PowerPC)"
-cross arm-linux-gnueabihf-gcc qemu-arm "32-bit ARM"
-cross i686-linux-gnu-gcc qemu-i386 "x87"
-cross m68k-linux-gnu-gcc qemu-m68k "big-endian with an 80-bit unit (68k)"
 
-# int of 16 bits and double of 24, in 16 kilobytes of memory: once indices of 16
-# bits and -Os, once of 32 bits and -O2.  (A difference may be the simulator's:
-# simavr 1.6 takes an adiw or sbiw by 12 to 15, modulo 16, that is to be skipped
-# for two words.)
-name="same result: AVR"
-if command -v avr-gcc > /dev/null && command -v simavr > /dev/null; then
-    if build tiny "$CC" "-O2 -DTESS_FLOAT" test/machines/tiny.c $HARD &&
-        build tiny.elf avr-gcc \
-            "-std=gnu89 -mmcu=atmega1284p -Os -DTESS_INT=short -DTESS_LIST=64" \
-            test/machines/tiny.c $HARD
+# avr NAME FLAGS FILE: compile for an ATmega1284P, and run; what it writes to
+# build/avr.txt
+avr() {
+    if ! build avr.elf avr-gcc "-std=gnu89 -mmcu=atmega1284p $2" $3 $LIBRARY
     then
-        build/tiny > build/tiny.txt
-        (ulimit -t 100; exec simavr -m atmega1284p -f 16000000 \
-            build/tiny.elf) 2>&1 |
-            sed -n 's/[^ -~]\[[0-9]*m//g; s/\.$//p' > build/avr.txt
-        one "$name" cmp build/tiny.txt build/avr.txt
-        # each line begins with the code 0
-        one "tiny: 4 sets" test `grep -c '^0 1 0' build/tiny.txt` -eq 4
-    else
-        fail "$name: does not compile"
+        fail "$1: does not compile"
+        return 1
     fi
-    if build sensor.elf avr-gcc \
-        "-std=gnu89 -mmcu=atmega1284p -O2 -DTESS_LIST=64 -I." \
-        test/examples/sensor.c $HARD; then
-        (ulimit -t 100; exec simavr -m atmega1284p -f 16000000 \
-            build/sensor.elf) 2>&1 |
-            sed -n 's/[^ -~]\[[0-9]*m//g; s/\.$//p' > build/avr.txt
-        one "example: sensor, AVR" cmp test/examples/sensor.out build/avr.txt
-    else
-        fail "example: sensor, AVR: does not compile"
-    fi
-else
-    skip "$name: no avr-gcc with simavr"
-fi
-
-# ---- the facts of the paper's Section 4 ----
-
-many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
-    sh test/paper/paper.sh -check
+    (ulimit -t 100; exec simavr -m atmega1284p -f 16000000 build/avr.elf) 2>&1 |
+        sed -n 's/[^ -~]\[[0-9]*m//g; s/\.$//p' > build/avr.txt
 }
 
-# ---- both ----
+machines() {
+    cross powerpc64-linux-gnu-gcc qemu-ppc64 "big-endian (PowerPC)"
+    cross arm-linux-gnueabihf-gcc qemu-arm "32-bit ARM"
+    cross i686-linux-gnu-gcc qemu-i386 "x87"
+    cross m68k-linux-gnu-gcc qemu-m68k "big-endian with an 80-bit unit (68k)"
+    # int of 16 bits and double of 24, in 16 kilobytes of memory: once indices of
+    # 16 bits and -Os, once of 32 bits and -O2.  (A difference may be the
+    # simulator's: simavr 1.6 takes an adiw or sbiw by 12 to 15, modulo 16, that
+    # is to be skipped for two words.)
+    if ! command -v avr-gcc > /dev/null || ! command -v simavr > /dev/null; then
+        skip "AVR: no avr-gcc with simavr"
+        return
+    fi
+    build tiny "$CC" "-O2 -DTESS_FLOAT" test/machines/tiny.c $LIBRARY &&
+        build/tiny > build/tiny.txt
+    # each line begins with the code 0
+    one "tiny: 4 sets" test `grep -c '^0 1 0' build/tiny.txt` -eq 4
+    avr "same result: AVR" "-Os -DTESS_INT=short -DTESS_LIST=64" \
+        test/machines/tiny.c &&
+        one "same result: AVR" cmp build/tiny.txt build/avr.txt
+    avr "example: sensor, AVR" "-O2 -DTESS_LIST=64 -I." \
+        test/examples/sensor.c &&
+        one "example: sensor, AVR" cmp test/examples/sensor.out build/avr.txt
+}
+
+# ---- two halves, neither of which needs what the other one builds ----
+
+first_half() {
+    language
+    symbols
+    tests
+    builds
+    examples
+    readme
+    many "the driver" env CC="$CC" sh test/program/driver.sh
+    [ -z "$ALL" ] && return
+    peers
+    processes
+    # the certificates of the search, with builds of their own
+    many "certify" env CC="$CC" sh test/hunts/certify.sh -check
+}
+
+second_half() {
+    sanitizers
+    standard
+    twins tess "point|coords|four|better|proven|barren|layout" \
+        "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
+    twins hhpred "held|shift|least" "HHKIND"
+    entries
+    parity
+    halves
+    [ -z "$ALL" ] && return
+    machines
+    # hard sets in hard circumstances, with builds of their own
+    many "torture" env CC="$CC" sh test/hunts/torture.sh -check
+    # the facts of the paper's Section 4
+    many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
+        sh test/paper/paper.sh -check
+}
 
 if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then
     # links to the sources, and a build/ of its own

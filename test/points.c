@@ -813,6 +813,28 @@ static long tilted15(long n, unsigned long *state, double *p)
     return tilted(n, state, 1e-15, p);
 }
 
+/* Three random squares above each other, gap apart, turned. */
+static long layered(long n, unsigned long *state, double gap, double *p)
+{
+    long i;
+
+    uniform(n, state, p);
+    for (i = 0; i < n; i++)
+        p[3 * i + 2] = product(gap, (double)(i % 3));
+    turn(n, p);
+    return n;
+}
+
+static long near6(long n, unsigned long *state, double *p)
+{
+    return layered(n, state, 1e-6, p);
+}
+
+static long near8(long n, unsigned long *state, double *p)
+{
+    return layered(n, state, 1e-8, p);
+}
+
 /* Near a slanted line, but for up to three last places in each coordinate. */
 static long slanted(long n, unsigned long *state, double *p)
 {
@@ -1210,7 +1232,7 @@ static const struct {
     { "rotcubein", rotcubein }, { "rottet", rottet },
     { "rottetin", rottetin }, { "cubegrid", cubegrid },
     { "tilted9", tilted9 }, { "tilted15", tilted15 },
-    { "slanted", slanted }, { "cylinderrot", cylinderrot },
+    { "near6", near6 }, { "near8", near8 }, { "slanted", slanted }, { "cylinderrot", cylinderrot },
     { "torus", torus }, { "sheets", sheets }, { "bumps", bumps },
     { "thinshell", thinshell }, { "terrain", terrain },
     { "survey", survey }, { "boreholes", boreholes }, { "tracks", tracks },

@@ -68,6 +68,8 @@
  *   cubegrid     the surface of an integer lattice
  *   tilted9*     near the plane z = 0.3 x + 0.7 y, rough by 1e-9, moved
  *   tilted15*    the same, rough by 1e-15
+ *   near6*       three random squares 1e-6 apart, turned
+ *   near8*       the same, 1e-8 apart
  *   slanted      near a line, but for up to 3 last places in each coordinate
  *   cylinderrot* cylinder turned
  *   torus*       random points on a torus of radii 1 and 0.3, turned

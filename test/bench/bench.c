@@ -18,7 +18,8 @@
 #include <string.h>
 #include <time.h>
 #include "../points.h"
-#include "../../tess.h"
+#include "take.h"
+#include "../fortran/f77.h"
 
 #ifdef TESS_COUNT
 double tess_count[16];
@@ -26,12 +27,6 @@ double tess_count[16];
 
 #ifdef BENCH_F77
 #define NAME "f77"
-extern void TESS_NAME(tess, TESS)(const tess_int *n, const double *p,
-                                  const tess_int *maxtet, tess_int *ntet,
-                                  tess_int *tet, tess_int *adj,
-                                  const tess_int *liw, tess_int *iw,
-                                  const tess_int *lrw, double *rw,
-                                  tess_int *info);
 
 static int run_tess(tess_int n, const double *p, tess_int maxtet,
                     tess_int *ntet, tess_int *tet, tess_int *adj,
@@ -39,8 +34,7 @@ static int run_tess(tess_int n, const double *p, tess_int maxtet,
 {
     tess_int info;
 
-    TESS_NAME(tess, TESS)(&n, p, &maxtet, ntet, tet, adj, &liw, iw, &lrw, rw,
-                          &info);
+    tess_(&n, p, &maxtet, ntet, tet, adj, &liw, iw, &lrw, rw, &info);
     return (int)info;
 }
 #else
@@ -52,17 +46,6 @@ static int run_tess(tess_int n, const double *p, tess_int maxtet,
 #define SHORT 0.2
 /* Bounds 28 n by the largest tess_int of 32 bits. */
 #define MOST 70000000L
-
-static void *take(double count, size_t size)
-{
-    void *space = malloc((size_t)(count * (double)size) + 1);
-
-    if (!space) {
-        fprintf(stderr, "bench: out of memory\n");
-        exit(1);
-    }
-    return space;
-}
 
 int main(int argc, char **argv)
 {

@@ -9,19 +9,9 @@
 #include <stdlib.h>
 #include <time.h>
 #include "../points.h"
+#include "take.h"
 #include "queries.h"
 #include "../../tess.h"
-
-static void *take(double count, size_t size)
-{
-    void *space = malloc((size_t)count * size + 1);
-
-    if (!space) {
-        fprintf(stderr, "locate: out of memory\n");
-        exit(1);
-    }
-    return space;
-}
 
 int main(int argc, char **argv)
 {

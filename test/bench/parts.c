@@ -1,48 +1,41 @@
-/* parts.c - parts FAMILY N [REPEATS]: what a mesh in parts costs.
+/* parts.c - parts FAMILY N [REPEATS]: what a mesh in parts costs, joined by
+ * test/examples/join.c.
  *
- * Prints for 2, 16 and 128 parts, ranges of the order of tess_index:
- *   parts FAMILY n parts tetrahedra time threads joined bytes
- * tetrahedra: those of all parts over those of the mesh; time: CPU time of the
- * index and all parts, one after another, over that of tess; threads: for 2
- * parts the wall-clock time of tess over that of the index and two POSIX
- * threads; joined: the same with tess_resume of what they keep; bytes of the
- * index a point.  Times are the least of REPEATS (1).
+ *   cc -O3 -I. -DTHREADS -o parts test/bench/parts.c test/points.c tess.c
+ *       hhpred.c -lm -lpthread
  *
- * The threads need -DTHREADS and -lpthread; without, or for other numbers of
- * parts, there is a - in their places.
+ * Prints a line for each number of parts, ranges of the order of tess_index:
+ *   parts FAMILY n parts tetrahedra time clock how index join
+ * tetrahedra: those of all parts over those of the mesh; time: all that is done
+ * one after another, over tess; clock: with a thread for each part over tess,
+ * by the clock, "measured" where the machine has so many processors, else
+ * "computed": index, the slowest part, the slowest append and join; index and
+ * join: what these two are of tess, which no number of threads makes less.
+ * Times are the least of REPEATS (1).
+ *
+ * Without -DTHREADS all are computed.
  */
 #ifdef THREADS
 #define _POSIX_C_SOURCE 200112L
 #include <pthread.h>
+#include <unistd.h>
 #endif
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include "../points.h"
-#include "../../tess.h"
 
-/* one part: what is its own, its index, its tetrahedra */
+#include "../points.h"
+#include "../examples/join.c"
+
 typedef struct part {
-    long number, parts;
-    tess_int *mine, *iw, *tet, *adj, ntet;
+    tess_int number, parts, base, kept, ntet, liw, most;
+    tess_int *mine, *iw, *tet, *adj, *becomes;
     int code;
 } part;
 
-static double *p, *rw, *rw2;
-static tess_int n, maxtet, liw, lrw, shortiw, shortrw;
-static part one, two;
-
-static void *take(double count, size_t size)
-{
-    void *space = malloc((size_t)(count * (double)size) + 1);
-
-    if (!space) {
-        fprintf(stderr, "parts: out of memory\n");
-        exit(1);
-    }
-    return space;
-}
+static double *p, *rw;
+static tess_int n, maxtet, liw, lrw, *iw, *tet, *adj;
 
 static void need(int good, const char *what)
 {
@@ -51,12 +44,54 @@ static void need(int good, const char *what)
     exit(1);
 }
 
-static void make(part *r)
+static void *take(double count, size_t size)
 {
-    r->mine = (tess_int *)take((double)n, sizeof *r->mine);
-    r->iw = (tess_int *)take((double)liw, sizeof *r->iw);
-    r->tet = (tess_int *)take(4 * (double)maxtet, sizeof *r->tet);
-    r->adj = (tess_int *)take(4 * (double)maxtet, sizeof *r->adj);
+    void *space = malloc((size_t)(count * (double)size) + 1);
+
+    need(space != NULL, "out of memory");
+    return space;
+}
+
+static tess_int *ints(double count)
+{
+    return (tess_int *)take(count, sizeof(tess_int));
+}
+
+static double now(void)
+{
+#ifdef THREADS
+    struct timespec t;
+
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+#else
+    return (double)clock() / CLOCKS_PER_SEC;
+#endif
+}
+
+static long processors(void)
+{
+#ifdef THREADS
+    return sysconf(_SC_NPROCESSORS_ONLN);
+#else
+    return 1;
+#endif
+}
+
+/* A part with workspace as join.c says. */
+static void make(part *r, long number, long parts)
+{
+    tess_int m = n / (tess_int)parts + 1;
+
+    r->number = (tess_int)number;
+    r->parts = (tess_int)parts;
+    r->liw = 4 * n + n / 6 + 514 + (tess_int)TESS_LIW(m);
+    r->most = 10 * m + 1000;
+    r->mine = ints(n);
+    r->iw = ints(r->liw);
+    r->tet = ints(4.0 * r->most);
+    r->adj = ints(4.0 * r->most);
+    r->becomes = ints(r->most);
 }
 
 static void drop(part *r)
@@ -65,127 +100,115 @@ static void drop(part *r)
     free(r->iw);
     free(r->tet);
     free(r->adj);
+    free(r->becomes);
 }
 
-static void whole(void)
-{
-    one.code = tess(n, p, maxtet, &one.ntet, one.tet, one.adj, liw, one.iw,
-                    lrw, rw);
-    need(one.code == 0, "tess fails");
-}
-
-/* The index, in no more room than it needs. */
-static void sort(void)
-{
-    need(tess_index(n, p, shortiw, one.iw, shortrw, rw) == 0,
-         "tess_index fails");
-}
-
-/* A part, by a thread or not. */
 static void *compute(void *arg)
 {
     part *r = (part *)arg;
     tess_int i;
 
     for (i = 0; i < n; i++)
-        r->mine[i] = (long)((double)r->iw[i] * (double)r->parts /
-                            (double)n) == r->number;
+        r->mine[i] = (tess_int)((double)iw[i] * (double)r->parts /
+                                (double)n) == r->number;
+    memcpy(r->iw, iw, (size_t)(2 * n + n / 12 + 7) * sizeof *iw);
     r->ntet = 0;
-    r->code = tess_part(n, p, r->mine, maxtet, &r->ntet, r->tet, r->adj, liw,
-                        r->iw, lrw, rw);
-    return 0;
+    r->code = tess_part(n, p, r->mine, r->most, &r->ntet, r->tet, r->adj,
+                        r->liw, r->iw, lrw, rw);
+    r->kept = keep(r->ntet, r->tet, r->mine, r->becomes);
+    return NULL;
 }
 
-/* Does the part keep tetrahedron t: is the vertex of least index its own? */
-static int keeps(const part *r, tess_int t)
+static void *copy(void *arg)
 {
-    const tess_int *v = r->tet + 4 * t;
-    tess_int least = v[0];
-    int k;
+    const part *r = (const part *)arg;
 
-    for (k = 1; k < 4; k++) if (v[k] < least) least = v[k];
-    return r->mine[least] != 0;
+    append(r->ntet, r->tet, r->adj, r->becomes, r->base, tet, adj);
+    return NULL;
 }
 
-/* CPU seconds of the index and of all parts; all tetrahedra computed. */
-static double serial(long parts, tess_int mesh, double *computed)
-{
-    tess_int t, kept = 0;
-    clock_t start, spent;
+/* The pieces' times, one after another: index, slowest part, slowest append,
+ * join, all; and the tetrahedra computed. */
+typedef struct pieces {
+    double index, part, append, join, all, tetrahedra;
+} pieces;
 
-    start = clock();
-    sort();
-    spent = clock() - start;
-    *computed = 0.0;
-    one.parts = parts;
-    for (one.number = 0; one.number < parts; one.number++) {
-        start = clock();
-        compute(&one);
-        spent += clock() - start;
-        need(one.code == 0, "tess_part fails");
-        *computed += (double)one.ntet;
-        for (t = 0; t < one.ntet; t++) kept += keeps(&one, t);
+static double later(double *start)
+{
+    double t = now(), spent = t - *start;
+
+    *start = t;
+    return spent;
+}
+
+static pieces serial(long parts, tess_int mesh)
+{
+    pieces s = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    part r;
+    double t, x;
+    tess_int ntet = 0;
+    long i;
+
+    make(&r, 0, parts);
+    memset(r.tet, 0, 4 * (size_t)r.most * sizeof *r.tet);
+    memset(r.adj, 0, 4 * (size_t)r.most * sizeof *r.adj);
+    t = now();
+    need(tess_index(n, p, liw, iw, lrw, rw) == 0, "tess_index fails");
+    s.all = s.index = later(&t);
+    for (i = 0; i < parts; i++) {
+        r.number = (tess_int)i;
+        r.base = ntet;
+        compute(&r);
+        need(r.code == 0 && ntet + r.kept <= mesh, "tess_part fails");
+        s.all += x = later(&t);
+        if (x > s.part) s.part = x;
+        copy(&r);
+        s.all += x = later(&t);
+        if (x > s.append) s.append = x;
+        ntet += r.kept;
+        s.tetrahedra += (double)r.ntet;
     }
-    need(kept == mesh, "the parts are not the mesh");
-    return (double)spent / CLOCKS_PER_SEC;
+    need(ntet == mesh && join(ntet, tet, adj, liw, iw) == 0, "join fails");
+    s.all += s.join = later(&t);
+    drop(&r);
+    return s;
 }
 
 #ifdef THREADS
-static double now(void)
+/* By the clock, with a thread for each part. */
+static double parallel(long parts, tess_int mesh)
 {
-    struct timespec t;
-
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-/* Put what a part keeps behind the ntet tetrahedra of tet, adj; becomes has
- * room for the part's. */
-static tess_int append(const part *r, tess_int *becomes, tess_int ntet,
-                       tess_int *tet, tess_int *adj)
-{
-    tess_int t, u, at = ntet;
+    part *r = (part *)take((double)parts, sizeof *r);
+    pthread_t *thread = (pthread_t *)take((double)parts, sizeof *thread);
+    void *(*work[2])(void *);
+    tess_int ntet = 0;
+    double start;
+    long i;
     int k;
 
-    for (t = 0; t < r->ntet; t++) becomes[t] = keeps(r, t) ? at++ : TESS_OPEN;
-    for (t = 0; t < r->ntet; t++)
-        for (k = 0; k < 4 && becomes[t] >= 0; k++) {
-            u = r->adj[4 * t + k];
-            tet[4 * becomes[t] + k] = r->tet[4 * t + k];
-            adj[4 * becomes[t] + k] = u < 0 ? u : becomes[u];
+    work[0] = compute;
+    work[1] = copy;
+    for (i = 0; i < parts; i++) make(r + i, i, parts);
+    start = now();
+    need(tess_index(n, p, liw, iw, lrw, rw) == 0, "tess_index fails");
+    for (k = 0; k < 2; k++) {
+        for (i = 0; i < parts; i++)
+            need(pthread_create(thread + i, 0, work[k], r + i) == 0,
+                 "no thread");
+        for (i = 0; i < parts; i++) pthread_join(thread[i], 0);
+        for (i = 0; i < parts && k == 0; i++) {
+            need(r[i].code == 0, "tess_part fails");
+            r[i].base = ntet;
+            ntet += r[i].kept;
         }
-    return at;
-}
-
-/* Wall-clock seconds of the index and two parts at once, of that and joining.
- */
-static void parallel(tess_int mesh, double *apart, double *joined)
-{
-    tess_int *tet = (tess_int *)take(4 * (double)maxtet, sizeof *tet);
-    tess_int *adj = (tess_int *)take(4 * (double)maxtet, sizeof *adj);
-    tess_int *becomes = (tess_int *)take((double)maxtet, sizeof *becomes);
-    tess_int ntet;
-    pthread_t thread;
-    double start = now();
-
-    one.parts = two.parts = 2;
-    one.number = 0;
-    two.number = 1;
-    sort();
-    memcpy(two.iw, one.iw, (size_t)shortiw * sizeof *one.iw);
-    need(pthread_create(&thread, 0, compute, &two) == 0, "no thread");
-    compute(&one);
-    pthread_join(thread, 0);
-    *apart = now() - start;
-    need(one.code == 0 && two.code == 0, "tess_part fails");
-    ntet = append(&one, becomes, 0, tet, adj);
-    ntet = append(&two, becomes, ntet, tet, adj);
-    need(tess_resume(n, p, maxtet, &ntet, tet, adj, liw, one.iw, lrw, rw2) ==
-             0 && ntet == mesh, "the parts do not join");
-    *joined = now() - start;
-    free(tet);
-    free(adj);
-    free(becomes);
+        need(ntet == mesh, "the parts are not the mesh");
+    }
+    need(join(ntet, tet, adj, liw, iw) == 0, "join fails");
+    start = now() - start;
+    for (i = 0; i < parts; i++) drop(r + i);
+    free(r);
+    free(thread);
+    return start;
 }
 #endif
 
@@ -196,16 +219,13 @@ static void least(double *best, double x)
 
 int main(int argc, char **argv)
 {
-    static const long parts[3] = {2, 16, 128};
-    double cpu = 0.0, all[3] = {0.0, 0.0, 0.0}, computed[3], bytes;
-#ifdef THREADS
-    double wall = 0.0, apart = 0.0, joined = 0.0, a, b;
-#endif
+    static long parts[6] = {1, 2, 8, 32, 128, 0};
+    double whole = 0.0, wall[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0}, t;
+    pieces s, best[6];
     tess_int mesh = 0;
     long asked = argc > 2 ? atol(argv[2]) : 0;
-    long repeats = argc > 3 ? atol(argv[3]) : 1;
-    clock_t start;
-    int i;
+    long repeats = argc > 3 ? atol(argv[3]) : 1, round;
+    int i, code;
 
     if (asked < 4) {
         fprintf(stderr, "usage: parts FAMILY N [REPEATS]\n");
@@ -215,48 +235,46 @@ int main(int argc, char **argv)
     n = (tess_int)points_make(argv[1], asked, 1, p);
     maxtet = 8 * n + 64;
     if (n == 0 || tess_size(n, maxtet, &liw, &lrw) != 0) return 2;
-    shortiw = 2 * n + n / 12 + 7;
-    shortrw = 3 * n + n / 2 + 12;
     rw = (double *)take((double)lrw, sizeof *rw);
-    rw2 = (double *)take((double)lrw, sizeof *rw2);
-    make(&one);
-    make(&two);
-    while (repeats-- > 0) {
+    iw = ints(liw);
+    tet = ints(4.0 * maxtet);
+    adj = ints(4.0 * maxtet);
+    memset(best, 0, sizeof best);
+    /* that many, too, if it is none of those */
+    parts[5] = processors();
+    for (i = 0; i < 5; i++) if (parts[i] == processors()) parts[5] = 0;
+    for (round = 0; round < repeats; round++) {
+        t = now();
+        code = tess(n, p, maxtet, &mesh, tet, adj, liw, iw, lrw, rw);
+        need(code == 0, "tess fails");
+        if (round > 0 || repeats == 1) least(&whole, now() - t);
+        for (i = 0; i < 6 && parts[i] > 0; i++) {
+            s = serial(parts[i], mesh);
+            best[i].tetrahedra = s.tetrahedra;
+            least(&best[i].index, s.index);
+            least(&best[i].part, s.part);
+            least(&best[i].append, s.append);
+            least(&best[i].join, s.join);
+            least(&best[i].all, s.all);
 #ifdef THREADS
-        a = now();
+            if (parts[i] <= processors())
+                least(wall + i, parallel(parts[i], mesh));
 #endif
-        start = clock();
-        whole();
-        least(&cpu, (double)(clock() - start) / CLOCKS_PER_SEC);
-#ifdef THREADS
-        least(&wall, now() - a);
-#endif
-        mesh = one.ntet;
-        for (i = 0; i < 3; i++)
-            least(all + i, serial(parts[i], mesh, computed + i));
-#ifdef THREADS
-        parallel(mesh, &a, &b);
-        least(&apart, a);
-        least(&joined, b);
-#endif
+        }
     }
-    need(cpu > 0.0, "too few points for the clock");
-    bytes = ((double)shortiw * (double)sizeof *one.iw +
-             (double)shortrw * (double)sizeof *rw) / (double)n;
-    for (i = 0; i < 3; i++) {
-        printf("parts %s %ld %ld %.3f %.2f ", argv[1], (long)n, parts[i],
-               computed[i] / (double)mesh, all[i] / cpu);
-#ifdef THREADS
-        if (parts[i] == 2) printf("%.2f %.2f ", wall / apart, wall / joined);
-        else
-#endif
-            printf("- - ");
-        printf("%.1f\n", bytes);
+    need(whole > 0.0, "too few points for the clock");
+    for (i = 0; i < 6 && parts[i] > 0; i++) {
+        t = best[i].index + best[i].part + best[i].append + best[i].join;
+        printf("parts %s %ld %ld %.3f %.2f %.2f %s %.3f %.3f\n", argv[1],
+               (long)n, parts[i], best[i].tetrahedra / (double)mesh,
+               best[i].all / whole, (wall[i] > 0.0 ? wall[i] : t) / whole,
+               wall[i] > 0.0 ? "measured" : "computed",
+               best[i].index / whole, best[i].join / whole);
     }
-    drop(&one);
-    drop(&two);
     free(p);
     free(rw);
-    free(rw2);
+    free(iw);
+    free(tet);
+    free(adj);
     return 0;
 }

@@ -9,7 +9,7 @@ program iface
   double precision :: p(3, n), rw(lrw), q(3), w(4), f(12), c, out(3, 2)
   integer :: tet(4, maxtet), adj(4, maxtet), iw(liw), fac(3, 4*maxtet)
   integer :: ntet, ntet2, info, i, k, t, nfac, bad, liw2, lrw2
-  integer :: passed, failed, where(2)
+  integer :: passed, failed, where(2), v(4), mine(n)
   real :: single(3, n)
 
   passed = 0
@@ -29,6 +29,14 @@ program iface
   call tess(n, p, maxtet, ntet, tet, adj, iw, rw, info)
 #elif WRONG == 4
   call tess(n, p, maxtet, ntet, tet, adj, liw, iw, lrw, rw, 0)
+#elif WRONG == 5
+  call tessix(n, single, liw, iw, lrw, rw, info)
+#elif WRONG == 6
+  call tessqu(n, p, iw, single, q, v, w, info)
+#elif WRONG == 7
+  call tesspa(n, p, mine, maxtet, ntet, tet, adj, liw, iw, lrw, single, info)
+#elif WRONG == 8
+  call tessba(single, v, w, info)
 #endif
   call tess(n, p, maxtet, ntet, tet, adj, liw, iw, lrw, rw, info)
   ! 12 distinct points; a cube's 8 triangles of 5 or 6 tetrahedra
@@ -55,6 +63,21 @@ program iface
   call test(info == 1 .and. all(where > 0))
   call test(all(abs(out(:, 1) - q) < 1d-15))
   call test(all(abs(out(:, 2) - (/0.25d0, 0d0, 1.5d0/)) < 1d-15))
+
+  ! without the mesh: q is where it was; the part of all is the mesh; a ball
+  call tessix(n, p, liw, iw, lrw, rw, info)
+  call test(info == 0)
+  v = 0
+  call tessqu(n, p, iw, rw, q, v, w, info)
+  call test(info == 0 .and. all(abs(matmul(p(:, v), w) - q) < 1d-15))
+  mine = 1
+  ntet = 0
+  call tesspa(n, p, mine, maxtet, ntet, tet, adj, liw, iw, lrw, rw, info)
+  call test(info == 0 .and. ntet == ntet2)
+  call tessba(p, (/1, 2, 3, 5/), w, info)
+  ! (the radius is rounded outwards)
+  call test(info == 0 .and. all(abs(w(:3) - 0.5d0) < 1d-14) .and. &
+    w(4) >= sqrt(0.75d0) .and. w(4) < 1d-12 + sqrt(0.75d0))
 
   call hhface(p(:, 1), p(:, 2), p(:, 3), f, info)
   call test(info == 0)

@@ -99,6 +99,9 @@ obsolescent, which they are; nothing is wrong. Without -std, or with
 Fewer limbs. HHLIM = 88 in both files holds coordinates of any magnitude; see
 HH_LIMBS in ../hhpred.h.
 
+C. A C program may call these entries, and a Fortran 2003 program the C half:
+../test/examples/fortran.c and fortran.f90.
+
 END
 for entry in TESSWK TESS TESSRE `sed -n 's/^C     \(TESS[A-Z]*\) - .*/\1/p' \
     f77/tess.f | grep -v 'TESS$\|TESSWK\|TESSRE'` HHFACE HHSIDE HHOPP HHLCOO \

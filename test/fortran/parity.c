@@ -475,7 +475,7 @@ static void solve(int kind, tess_int n)
     code = tess_hull(ntet, tet, adj, MAXTET, &nfac, fac);
     two("TESSHU", code, nfac);
     many("FAC", 3 * nfac, fac);
-    prove_hull(n, p, ntet, tet, adj, nfac, fac);
+    prove_hull(ntet, tet, adj, nfac, fac);
     code = tess_check(n, p, ntet, tet, adj, 2 * n, iw, &bad);
     two("TESSCH", code, bad + 1);
     pieces(n, p, ntet, tet, adj, liw, iw, lrw, rw);

@@ -1,35 +1,12 @@
-/* shim.c - the calls of tess.h, and the exact signs, by way of their Fortran names, so that a test
- * in C can be linked with f77/tess.f and f77/hhpred.f, or with the C files
- * compiled with TESS_FORTRAN, in the place of tess.c and hhpred.c.
+/* shim.c - the calls of tess.h that the tests make, by way of the FORTRAN half:
+ * a test in C linked with f77/tess.f and f77/hhpred.f in the place of tess.c and
+ * hhpred.c.
  *
  * Arrays that a call reads are counted from 1 before it, and all from 0 after
  * it: only numbers that the call is promised to read or to write, so that
- * words it must not touch stay what they are. */
-#include "../../tess.h"
-
-extern void tesswk_(tess_int *n, tess_int *maxtet, tess_int *liw,
-                    tess_int *lrw, tess_int *info);
-extern void tess_(tess_int *n, const tess_real *p, tess_int *maxtet,
-                  tess_int *ntet, tess_int *tet, tess_int *adj, tess_int *liw,
-                  tess_int *iw, tess_int *lrw, double *rw, tess_int *info);
-extern void tessre_(tess_int *n, const tess_real *p, tess_int *maxtet,
-                    tess_int *ntet, tess_int *tet, tess_int *adj,
-                    tess_int *liw, tess_int *iw, tess_int *lrw, double *rw,
-                    tess_int *info);
-extern void tesslo_(const tess_real *p, tess_int *ntet, tess_int *tet,
-                    tess_int *adj, const tess_real *q, tess_int *t, double *w,
-                    tess_int *info);
-extern void tesshu_(tess_int *ntet, tess_int *tet, tess_int *adj,
-                    tess_int *maxfac, tess_int *nfac, tess_int *fac,
-                    tess_int *info);
-extern void tessch_(tess_int *n, const tess_real *p, tess_int *ntet,
-                    tess_int *tet, tess_int *adj, tess_int *liw, tess_int *iw,
-                    tess_int *bad, tess_int *info);
-extern tess_int hhorie_(const tess_real *a, const tess_real *b,
-                        const tess_real *c, const tess_real *d);
-extern tess_int hhinsp_(const tess_real *a, const tess_real *b,
-                        const tess_real *c, const tess_real *d,
-                        const tess_real *e);
+ * words it must not touch stay what they are.  Not for several threads at once,
+ * as arrays that the caller sees as constant are altered meanwhile. */
+#include "f77.h"
 
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
               const tess_real *d)
@@ -43,6 +20,21 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
     return (int)hhinsp_(a, b, c, d, e);
 }
 
+int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
+            const tess_real *q, double *w)
+{
+    double any[3];
+    tess_int want = w != 0, set;
+
+    hhfoot_(a, b, c, q, &want, w ? w : any, &set);
+    return (int)set;
+}
+
+int hh_range(double x, double most)
+{
+    return (int)hhrang_(&x, &most);
+}
+
 static void count(tess_int *a, tess_int n, tess_int by)
 {
     tess_int i;
@@ -50,7 +42,6 @@ static void count(tess_int *a, tess_int n, tess_int by)
     for (i = 0; i < n; i++) a[i] += by;
 }
 
-/* tet and adj, which the caller sees as constant and will see unaltered */
 static void both(const tess_int *tet, const tess_int *adj, tess_int ntet,
                  tess_int by)
 {
@@ -66,12 +57,11 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
     return (int)info;
 }
 
-/* What tess and tess_resume have left of old tetrahedra. */
-static int after(tess_int info, tess_int n, tess_int old, tess_int *ntet,
-                 tess_int *tet, tess_int *adj, tess_int *iw)
+/* What a call has left of old tetrahedra. */
+static int after(tess_int info, tess_int old, tess_int ntet, tess_int *tet,
+                 tess_int *adj)
 {
-    if (info >= 0 && info != TESS_RANGE) count(iw, n, -1);
-    both(tet, adj, info < 0 || *ntet < old ? old : *ntet, -1);
+    both(tet, adj, info < 0 || ntet < old ? old : ntet, -1);
     return (int)info;
 }
 
@@ -83,7 +73,8 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
 
     tess_(&n, p, &maxtet, ntet, tet, adj, &liw, iw, &lrw, rw, &info);
     if (info == -2) --*ntet;
-    return after(info, n, 0, ntet, tet, adj, iw);
+    if (info >= 0 && info != TESS_RANGE) count(iw, n, -1);
+    return after(info, 0, *ntet, tet, adj);
 }
 
 int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
@@ -94,7 +85,8 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
 
     both(tet, adj, old, 1);
     tessre_(&n, p, &maxtet, ntet, tet, adj, &liw, iw, &lrw, rw, &info);
-    return after(info, n, old, ntet, tet, adj, iw);
+    if (info >= 0 && info != TESS_RANGE) count(iw, n, -1);
+    return after(info, old, *ntet, tet, adj);
 }
 
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
@@ -107,6 +99,22 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
     ++*t;
     tesslo_(p, &ntet, (tess_int *)tet, (tess_int *)adj, q, t, w, &info);
     --*t;
+    both(tet, adj, m, -1);
+    return (int)info;
+}
+
+int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
+                const tess_int *adj, tess_int nv, const double *value,
+                tess_int nq, const tess_real *q, tess_int *t, double *out)
+{
+    tess_int info, m = ntet < 0 ? 0 : ntet;
+    tess_int k = nq > TESS_INT_MOST / 3 ? 0 : nq;
+
+    both(tet, adj, m, 1);
+    count(t, k, 1);
+    tessva_(p, &ntet, (tess_int *)tet, (tess_int *)adj, &nv, value, &nq, q, t,
+            out, &info);
+    count(t, k, -1);
     both(tet, adj, m, -1);
     return (int)info;
 }
@@ -127,12 +135,68 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
                const tess_int *tet, const tess_int *adj, tess_int liw,
                tess_int *iw, tess_int *bad)
 {
-    tess_int info, m = ntet < 0 ? 0 : ntet;
+    tess_int info, m = ntet < 0 || ntet > TESS_INT_MOST / 4 ? 0 : ntet;
 
     both(tet, adj, m, 1);
     tessch_(&n, p, &ntet, (tess_int *)tet, (tess_int *)adj, &liw, iw, bad,
             &info);
     --*bad;
     both(tet, adj, m, -1);
+    return (int)info;
+}
+
+/* The points of an index, iw[0..n-1], for an n that one can have. */
+static tess_int indexed(tess_int n)
+{
+    tess_int liw, lrw;
+
+    return tess_size(n, 0, &liw, &lrw) == 0 ? n : 0;
+}
+
+int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
+               tess_int lrw, double *rw)
+{
+    tess_int info;
+
+    tessix_(&n, p, &liw, iw, &lrw, rw, &info);
+    if (info >= 0 && info != TESS_RANGE) count(iw, n, -1);
+    return (int)info;
+}
+
+int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
+              tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
+              tess_int liw, tess_int *iw, tess_int lrw, const double *rw)
+{
+    tess_int info, old = *ntet < 0 || *ntet > maxtet ? 0 : *ntet;
+    tess_int m = liw < n ? 0 : indexed(n);
+
+    both(tet, adj, old, 1);
+    count(iw, m, 1);
+    tesspa_(&n, p, mine, &maxtet, ntet, tet, adj, &liw, iw, &lrw, (double *)rw,
+            &info);
+    count(iw, m, -1);
+    return after(info, old, *ntet, tet, adj);
+}
+
+int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
+               const double *rw, const tess_real *q, tess_int *v, double *w)
+{
+    tess_int info, m = indexed(n);
+
+    count((tess_int *)iw, m, 1);
+    count(v, 4, 1);
+    tessqu_(&n, p, (tess_int *)iw, rw, q, v, w, &info);
+    count(v, 4, -1);
+    count((tess_int *)iw, m, -1);
+    return (int)info;
+}
+
+int tess_ball(const tess_real *p, const tess_int *v, double *c)
+{
+    tess_int info, u[4];
+    int k;
+
+    for (k = 0; k < 4; k++) u[k] = v[k] + 1;
+    tessba_(p, u, c, &info);
     return (int)info;
 }

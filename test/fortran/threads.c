@@ -1,43 +1,16 @@
-/* threads.c - the entries for Fortran called from several threads at once, on
- * different points: each result must be what one thread alone gets.
+/* threads.c - the FORTRAN half called from several threads at once, on different
+ * points: each result must be what one thread alone gets.
  *
- * Linked with the FORTRAN 77 half or with the C half compiled with
- * TESS_FORTRAN.  Compiled without OpenMP it compares one thread with itself,
- * and says so.  Points: ordinary ones, ties, and exponents far apart, for which
+ * Compiled without OpenMP it compares one thread with itself, and says so.
+ * Points: ordinary ones, ties, and exponents far apart, for which
  * the predicates need their largest scratch.
  */
 #include <stdio.h>
 #include <stdlib.h>
 #include "../points.h"
-#include "../../tess.h"
+#include "f77.h"
 #ifdef _OPENMP
 #include <omp.h>
-#endif
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-void TESS_NAME(tess, TESS)(const tess_int *n, const double *p,
-                           const tess_int *maxtet, tess_int *ntet,
-                           tess_int *tet, tess_int *adj, const tess_int *liw,
-                           tess_int *iw, const tess_int *lrw, double *rw,
-                           tess_int *info);
-void TESS_NAME(tessre, TESSRE)(const tess_int *n, const double *p,
-                               const tess_int *maxtet, tess_int *ntet,
-                               tess_int *tet, tess_int *adj,
-                               const tess_int *liw, tess_int *iw,
-                               const tess_int *lrw, double *rw,
-                               tess_int *info);
-void TESS_NAME(tesslo, TESSLO)(const double *p, const tess_int *ntet,
-                               const tess_int *tet, const tess_int *adj,
-                               const double *q, tess_int *t, double *w,
-                               tess_int *info);
-void TESS_NAME(tessch, TESSCH)(const tess_int *n, const double *p,
-                               const tess_int *ntet, const tess_int *tet,
-                               const tess_int *adj, const tess_int *liw,
-                               tess_int *iw, tess_int *bad, tess_int *info);
-#ifdef __cplusplus
-}
 #endif
 
 #define JOBS 16
@@ -70,23 +43,21 @@ static unsigned long work(job *j)
     double q[3], w[4];
     int k;
 
-    TESS_NAME(tess, TESS)(&j->n, j->p, &maxtet, &ntet, j->tet, j->adj, &liw,
-                          j->iw, &lrw, j->rw, &info);
+    tess_(&j->n, j->p, &maxtet, &ntet, j->tet, j->adj, &liw, j->iw, &lrw,
+          j->rw, &info);
     sum = add(add(sum, info), ntet);
     maxtet = MAXTET;
-    TESS_NAME(tessre, TESSRE)(&j->n, j->p, &maxtet, &ntet, j->tet, j->adj,
-                              &liw, j->iw, &lrw, j->rw, &info);
+    tessre_(&j->n, j->p, &maxtet, &ntet, j->tet, j->adj, &liw, j->iw, &lrw,
+            j->rw, &info);
     sum = add(add(sum, info), ntet);
     for (i = 0; i < 4 * ntet; i++) sum = add(add(sum, j->tet[i]), j->adj[i]);
-    TESS_NAME(tessch, TESSCH)(&j->n, j->p, &ntet, j->tet, j->adj, &liw, j->iw,
-                              &bad, &info);
+    tessch_(&j->n, j->p, &ntet, j->tet, j->adj, &liw, j->iw, &bad, &info);
     sum = add(add(sum, info), bad);
     for (i = 0; i < j->n; i += 10) {
         for (k = 0; k < 3; k++)
             q[k] = 0.5 * j->p[3 * i + k] + 0.5 * j->p[3 * (j->n - 1 - i) + k];
         t = 0;
-        TESS_NAME(tesslo, TESSLO)(j->p, &ntet, j->tet, j->adj, q, &t, w,
-                                  &info);
+        tesslo_(j->p, &ntet, j->tet, j->adj, q, &t, w, &info);
         sum = add(add(sum, info), t);
     }
     return sum;

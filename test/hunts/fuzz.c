@@ -1,4 +1,4 @@
-/* fuzz.c - bytes as points: tess beside the definition, for libFuzzer.
+/* fuzz.c - bytes as points: tess, verified, for libFuzzer.
  *
  *     clang -fsanitize=fuzzer,address,undefined ... test/hunts/fuzz.c
  *
@@ -7,30 +7,13 @@
  * one, so that a sanitizer sees an access outside of them.  Stops at the first
  * fault.
  */
-#include "../proof/define.h"
-#include "../proof/exact.h"
+#define NAME "fuzz"
+#include "fuzz.h"
 #include "hard.h"
+#include "../proof/verify.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
-
-/* The definition takes time n^5; 8 points have at most 20 tetrahedra. */
-#define MOST 8
-#define MAXTET 20
-
-int LLVMFuzzerTestOneInput(const unsigned char *data, size_t size);
-
-static const unsigned char *data, *end;
-static int n;
-static double p[MOST][3];
-static tess_real point[3 * MOST];
-
-static int byte(void)
-{
-    return data < end ? *data++ : 0;
-}
 
 /* Ties come of few values in a set: 0, 1 and three that it chooses. */
 #define CHOSEN 5
@@ -73,25 +56,6 @@ static double coordinate(int known)
         return ldexp(b % 2 ? x : -x, i % 2090 - 1074);
     }
     return b % 5 - 1;
-}
-
-static void stop(const char *what)
-{
-    int i;
-
-    printf("FAILED  %s, %d points:\n", what, n);
-    for (i = 0; i < n; i++)
-        printf("%.17g %.17g %.17g\n", p[i][0], p[i][1], p[i][2]);
-    fflush(stdout);
-    abort();
-}
-
-static void *room(tess_int length, size_t size)
-{
-    void *a = malloc((size_t)length * size);
-
-    if (a == NULL && length > 0) exit(2);
-    return a;
 }
 
 /* The whole result again in steps, in arrays of no more than the least
@@ -173,7 +137,6 @@ static void location(tess_int ntet, const tess_int *tet, const tess_int *adj)
 
 int LLVMFuzzerTestOneInput(const unsigned char *bytes, size_t size)
 {
-    static truth expected;
     tess_int liw, lrw, ntet, *tet, *adj, *iw, bad, least = 1;
     double *rw;
     const char *what;
@@ -192,14 +155,13 @@ int LLVMFuzzerTestOneInput(const unsigned char *bytes, size_t size)
             if (!(fabs(p[i][k]) <= DBL_MAX)) p[i][k] = 0.0;
             point[3 * i + k] = (tess_real)p[i][k];
         }
-    define(&expected, n, p);
     if (tess_size((tess_int)n, MAXTET, &liw, &lrw) != 0) stop("tess_size");
     tet = room(4 * MAXTET, sizeof *tet);
     adj = room(4 * MAXTET, sizeof *adj);
     iw = room(liw, sizeof *iw);
     rw = room(lrw, sizeof *rw);
     code = tess((tess_int)n, point, MAXTET, &ntet, tet, adj, liw, iw, lrw, rw);
-    what = differs(&expected, p, code, ntet, tet, adj, iw);
+    what = verify((tess_int)n, point, code, ntet, tet, adj, iw);
     if (what) stop(what);
     free(iw);
     iw = room(2 * (tess_int)n, sizeof *iw);
@@ -221,28 +183,15 @@ int LLVMFuzzerTestOneInput(const unsigned char *bytes, size_t size)
 }
 
 #ifdef STANDALONE
-int main(int argc, char **argv)
+/* Of most sets all coordinates are of one kind. */
+static void choose(unsigned char *bytes)
 {
-    long runs = 500, i;
-    unsigned long seed = 1;
-    unsigned char bytes[200];
     int k;
 
-    if (argc > 1) runs = atol(argv[1]);
-    if (argc > 2) seed = strtoul(argv[2], NULL, 10);
-    rnd_seed(seed);
-    for (i = 0; i < runs; i++) {
-        for (k = 0; k < 200; k++) bytes[k] = (unsigned char)rnd_below(256);
-        bytes[0] = (unsigned char)(rnd_below(5) + 4);
-        /* of most sets all coordinates are of one kind */
-        if (rnd_below(3))
-            for (k = 4; k < 28; k++)
-                bytes[k] = (unsigned char)(bytes[0] % 2 ? bytes[k] % 82
-                                                        : 210 + bytes[k] % 46);
-        LLVMFuzzerTestOneInput(bytes, sizeof bytes);
-    }
-    printf("        %ld sets, 0 faults\n", runs);
-    test_result("bytes as points", 0L);
-    return test_end("fuzz");
+    bytes[0] = (unsigned char)(rnd_below(5) + 4);
+    if (rnd_below(3))
+        for (k = 4; k < 28; k++)
+            bytes[k] = (unsigned char)(bytes[0] % 2 ? bytes[k] % 82
+                                                    : 210 + bytes[k] % 46);
 }
 #endif

@@ -28,7 +28,7 @@ say() { echo "mutate.sh: $1" >&2; exit 2; }
 
 mkdir -p $DIR/new $DIR/counts
 TEST="brute t_pred t_margin t_tess t_part parity"
-for f in proof/exact hunts/hard points proof/define bench/bench unit/brute \
+for f in proof/exact hunts/hard points proof/verify bench/bench unit/guard unit/brute \
     unit/t_pred unit/t_tess unit/t_part fortran/parity; do
     $CC -O2 -c -o $DIR/`basename $f`.o test/$f.c || say "$f.c does not compile"
 done
@@ -49,7 +49,7 @@ links() {
     t_margin) $CC -O1 -o $1/$2 $1/test/unit/t_margin.c $1/hhpred.o \
         $DIR/exact.o $DIR/hard.o -lm;;
     *) $CC -o $1/$2 $DIR/$2.o $1/tess.o $1/hhpred.o $DIR/exact.o \
-        $DIR/points.o `[ $2 != brute ] || echo $DIR/define.o` -lm;;
+        $DIR/points.o $DIR/verify.o $DIR/guard.o -lm;;
     esac
 }
 

@@ -14,6 +14,7 @@
 #include <string.h>
 #include "../proof/exact.h"
 #include "../points.h"
+#include "../bench/take.h"
 #include "../../tess.h"
 
 double tess_count[16];
@@ -26,17 +27,6 @@ typedef struct result {
     double n, ntet, hull, work, count[16];
     int code, proven;
 } result;
-
-static void *take(double count, size_t size)
-{
-    void *space = malloc((size_t)(count * (double)size) + 1);
-
-    if (!space) {
-        fprintf(stderr, "count: out of memory\n");
-        exit(2);
-    }
-    return space;
-}
 
 static result run(const char *family, long asked)
 {

@@ -8,6 +8,9 @@
  * cell complexes in d dimensions, 1990).  Parts of tetrahedra, shrunk or cut,
  * keep the order.
  */
+#define CELLS_ALONE
+#include "../examples/cells.c"
+
 #include "draw.h"
 
 #include <math.h>
@@ -574,36 +577,93 @@ void draw_default(draw_look *look)
 }
 
 tess_int draw_alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
-                    double radius, char *keep)
+                    const tess_int *adj, double radius, char *keep,
+                    tess_int *stack)
 {
-    double e[3][3], square[3], normal, det, sum;
-    tess_int many = 0, t;
-    int i, j, k;
+    tess_int many = 0, nfac, none[3], t;
 
-    for (t = 0; t < ntet; t++) {
-        for (i = 0; i < 3; i++) {
-            for (k = 0; k < 3; k++)
-                e[i][k] = ((double)p[3 * tet[4 * t + i + 1] + k] -
-                           (double)p[3 * tet[4 * t] + k]) /
-                          radius;
-            square[i] = dot(e[i], e[i]);
-        }
-        /* twice the determinant times the circumcentre is the sum of each
-         * square times the cross product of the other two edges */
-        det = sum = 0.0;
-        for (k = 0; k < 3; k++) {
-            i = (k + 1) % 3;
-            j = (k + 2) % 3;
-            normal = square[0] * (e[1][i] * e[2][j] - e[1][j] * e[2][i]) +
-                     square[1] * (e[2][i] * e[0][j] - e[2][j] * e[0][i]) +
-                     square[2] * (e[0][i] * e[1][j] - e[0][j] * e[1][i]);
-            sum += normal * normal;
-            det += e[0][k] * (e[1][i] * e[2][j] - e[1][j] * e[2][i]);
-        }
-        keep[t] = (char)(sum <= 4.0 * det * det);
-        many += keep[t];
-    }
+    if (alpha(p, ntet, tet, adj, radius, 1, keep, 0, &nfac, none, stack) < 0)
+        for (t = 0; t < ntet; t++) keep[t] = 1;
+    for (t = 0; t < ntet; t++) many += keep[t];
     return many;
+}
+
+int draw_cells(FILE *file, tess_int n, const tess_real *p, tess_int ntet,
+               const tess_int *tet, const tess_int *adj, tess_int base)
+{
+    /* what is written in each pass; pass 0 counts */
+    enum { COUNT, POINTS, CELLS, TYPES, INDEX, VOLUMES, PASSES };
+    tess_int *list = (tess_int *)malloc(4 * (size_t)ntet * sizeof *list);
+    tess_int *first = (tess_int *)malloc(((size_t)n + 1) * sizeof *first);
+    tess_int *whole = 0, *start, *corner, nface, nvert, most = 8, i, j, k;
+    double *real = 0, box[6], *vert, volume, cells = 0.0, points = 0.0;
+    double numbers = 0.0;
+    int pass, bad = !list || !first;
+
+    if (!bad) bad = stars(n, ntet, tet, first, list);
+    for (i = 0; i < n && !bad; i++)
+        if (first[i + 1] - first[i] + 8 > most)
+            most = first[i + 1] - first[i] + 8;
+    if (!bad) {
+        whole = (tess_int *)malloc((20 * (size_t)most + 1) * sizeof *whole);
+        real = (double *)malloc(17 * (size_t)most * sizeof *real);
+        bad = !whole || !real;
+    }
+    for (i = 0; i < 6 && !bad; i++) box[i] = (double)p[i % 3];
+    for (i = 0; i < 3 * n && !bad; i++) {
+        if ((double)p[i] < box[i % 3]) box[i % 3] = (double)p[i];
+        if ((double)p[i] > box[3 + i % 3]) box[3 + i % 3] = (double)p[i];
+    }
+    for (pass = 0; pass < PASSES && !bad; pass++) {
+        if (pass == POINTS)
+            fprintf(file, "# vtk DataFile Version 3.0\n"
+                          "Voronoi cells in the points' box, by tess\n"
+                          "ASCII\nDATASET UNSTRUCTURED_GRID\n"
+                          "POINTS %.0f double\n", points);
+        if (pass == CELLS)
+            fprintf(file, "CELLS %.0f %.0f\n", cells, numbers);
+        if (pass == TYPES) fprintf(file, "CELL_TYPES %.0f\n", cells);
+        if (pass == INDEX)
+            fprintf(file, "CELL_DATA %.0f\nSCALARS point int 1\n"
+                          "LOOKUP_TABLE default\n", cells);
+        if (pass == VOLUMES)
+            fprintf(file, "SCALARS volume double 1\nLOOKUP_TABLE default\n");
+        for (points = 0.0, i = 0; i < n && !bad; i++) {
+            start = whole + most;
+            corner = whole + 2 * most + 1;
+            vert = real + most;
+            bad = cell(p, tet, adj, first, list, i, box, most, &nface, whole,
+                       real, &volume, start, corner, &nvert, vert,
+                       whole + 8 * most + 1, real + 10 * most);
+            if (bad || nface == 0) continue;
+            if (pass == COUNT) {
+                cells += 1.0;
+                numbers += 2.0 + (double)nface + (double)start[nface];
+            }
+            for (j = 0; j < nvert && pass == POINTS; j++)
+                fprintf(file, "%.17g %.17g %.17g\n", vert[3 * j],
+                        vert[3 * j + 1], vert[3 * j + 2]);
+            if (pass == CELLS) {
+                fprintf(file, "%ld %ld", (long)(1 + nface + start[nface]),
+                        (long)nface);
+                for (j = 0; j < nface; j++) {
+                    fprintf(file, " %ld", (long)(start[j + 1] - start[j]));
+                    for (k = start[j]; k < start[j + 1]; k++)
+                        fprintf(file, " %.0f", points + (double)corner[k]);
+                }
+                fprintf(file, "\n");
+            }
+            points += (double)nvert;
+            if (pass == TYPES) fprintf(file, "42\n");
+            if (pass == INDEX) fprintf(file, "%ld\n", (long)(i + base));
+            if (pass == VOLUMES) fprintf(file, "%.17g\n", volume);
+        }
+    }
+    free(list);
+    free(first);
+    free(whole);
+    free(real);
+    return bad != 0;
 }
 
 int draw_svg(FILE *file, const draw_look *look, tess_int n,

@@ -35,9 +35,17 @@ void draw_default(draw_look *look);
 
 /* draw_alpha - keep[t] = 1 for the tetrahedra of a circumradius of at most
  * radius, 0 for the others: the alpha shape of the points, which shows holes
- * and hollows that the convex hull fills.  Returns how many are kept. */
+ * and hollows that the convex hull fills.  stack: ntet tess_ints.  Returns how
+ * many are kept. */
 tess_int draw_alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
-                    double radius, char *keep);
+                    const tess_int *adj, double radius, char *keep,
+                    tess_int *stack);
+
+/* draw_cells - write the points' Voronoi cells, clipped to the points' box, as
+ * polyhedra of a VTK unstructured grid; base: the first point's number.
+ * returns 0, or 1 when there is not enough memory. */
+int draw_cells(FILE *file, tess_int n, const tess_real *p, tess_int ntet,
+               const tess_int *tet, const tess_int *adj, tess_int base);
 
 /* draw_svg - draw a result of tess.
  *

@@ -50,7 +50,8 @@ static char keep[MAXTET]; /* what is drawn */
 static points in;
 static tess_int ntet;
 static int check, quiet, binary;
-static const char *output[6]; /* names: .node .ele .neigh .vtk .svg .face */
+/* names: .node .ele .neigh .vtk .svg .face, cells */
+static const char *output[7];
 static double alpha;          /* largest circumradius drawn; 0: any */
 static double view[2] = {-400.0, 0.0}; /* azimuth and elevation, if given */
 static time_t began;
@@ -87,6 +88,7 @@ static const char *const usage[] = {
     "            as OBJ if F ends in .obj, else in TetGen's .face format",
     "  -vtk F    write all as a VTK unstructured grid (legacy, ASCII)",
     "  -binary   let that be binary: faster, half as long, exact",
+    "  -cells F  write the Voronoi cells in the points' box as VTK polyhedra",
     "  -svg F    write a picture: cut open; or moved apart if they are few",
     "  -alpha R  draw no tetrahedron whose circumradius exceeds R: the alpha",
     "            shape, with holes and hollows that the hull fills",
@@ -348,6 +350,15 @@ static void write_vtk(const char *name)
     finish(file, name);
 }
 
+static void write_cells(const char *name)
+{
+    FILE *file = start(name, "w");
+
+    if (draw_cells(file, in.n, p, ntet, tet, adj, in.base) != 0)
+        too_small("%s: not enough memory for the cells", name);
+    finish(file, name);
+}
+
 static void write_svg(const char *name)
 {
     static char note[120];
@@ -361,7 +372,7 @@ static void write_svg(const char *name)
         look.elevation = view[1];
     }
     if (alpha > 0.0) {
-        drawn = draw_alpha(p, ntet, tet, alpha, keep);
+        drawn = draw_alpha(p, ntet, tet, adj, alpha, keep, iw);
         look.keep = keep;
     }
     look.shrink = drawn > FEW ? 1.0 : 0.72;
@@ -528,8 +539,8 @@ static int prove(void)
 /* options - read the command line; returns the name of the input or 0. */
 static const char *options(int argc, char **argv)
 {
-    static const char *const option[6] = {"-node", "-ele", "-neigh",
-                                          "-vtk",  "-svg", "-face"};
+    static const char *const option[7] = {"-node", "-ele", "-neigh",
+                                          "-vtk",  "-svg", "-face", "-cells"};
     static char made[4][NAME];
     const char *name = 0, *word;
     char *end;
@@ -537,7 +548,7 @@ static const char *options(int argc, char **argv)
 
     for (a = 1; a < argc; a++) {
         word = argv[a];
-        for (k = 0; k < 6 && strcmp(word, option[k]) != 0; k++) continue;
+        for (k = 0; k < 7 && strcmp(word, option[k]) != 0; k++) continue;
         if (strcmp(word, "-alpha") == 0) {
             if (++a < argc) alpha = strtod(argv[a], &end);
             if (a == argc || *end || !(alpha > 0.0))
@@ -556,9 +567,9 @@ static const char *options(int argc, char **argv)
             if (++a == argc || commas < 2)
                 fail("-cols needs three columns, as 2,3,4 (tess -h helps)");
             in.cols = argv[a];
-        } else if (k < 6 || strcmp(word, "-o") == 0) {
+        } else if (k < 7 || strcmp(word, "-o") == 0) {
             if (++a == argc) fail("%s needs a name (tess -h helps)", word);
-            if (k < 6) {
+            if (k < 7) {
                 output[k] = argv[a];
                 continue;
             }
@@ -589,10 +600,10 @@ static const char *options(int argc, char **argv)
             name = word;
         }
     }
-    for (k = 0; k < 6; k++)
+    for (k = 0; k < 7; k++)
         if (name && output[k] && strcmp(name, output[k]) == 0)
             fail("%s: would overwrite the input", name);
-    for (k = 1; k < 6; k++)
+    for (k = 1; k < 7; k++)
         for (a = 0; a < k; a++)
             if (output[a] && output[k] && strcmp(output[a], output[k]) == 0)
                 fail("%s: the name of two outputs", output[k]);
@@ -687,6 +698,7 @@ int main(int argc, char **argv)
     if (output[3]) write_vtk(output[3]);
     if (output[4]) write_svg(output[4]);
     if (output[5]) write_face(output[5]);
+    if (output[6]) write_cells(output[6]);
     if (fflush(stdout) || ferror(stdout)) fail("standard output: write error");
     return status;
 }

@@ -542,12 +542,34 @@ yes "the name of a value" grep '>value<' b.svg > /dev/null
 $TESS -q -svg c.svg none.node
 yes "colours that are no value" grep 'coloured by distance' c.svg > /dev/null
 for o in -O0 -O2; do
-    $CC $o -o picture "$TOP"/test/program/picture.c \
+    $CC $o -I"$TOP" -o picture "$TOP"/test/program/picture.c \
         "$TOP"/test/program/draw.c \
         "$TOP"/tess.c "$TOP"/hhpred.c -lm
-    ./picture "$TOP"/test/data/mirror.xyz m$o.svg c$o.svg > said
+    ./picture "$TOP"/test/data/mirror.xyz m$o.svg s$o.svg c$o.svg > said
 done
 yes "pictures: the same bytes" sh -c 'cmp m-O0.svg m-O2.svg && cmp c-O0.svg c-O2.svg'
+
+# ---- Voronoi cells: their volumes sum to the box's; faces by Euler ----
+
+awk 'BEGIN { srand(7); for (i = 0; i < 500; i++) print rand(), rand(), rand()
+    for (i = 0; i < 64; i++) print i % 4, int(i / 4) % 4, int(i / 16) }' > some
+$TESS -q -cells cells.vtk some
+yes "-cells: as many as points, and they fill the box" awk '
+    /^CELLS/ { n = $2; cells = 1; next }
+    /^CELL_TYPES/ { cells = 0; types = 1; next }
+    /^CELL_DATA/ { types = 0 }
+    cells { seen++; if (NF != $1 + 1) bad = 1
+        at = 3; delete known; corners = points = 0
+        for (f = 0; f < $2; f++) {
+            corners += $at
+            for (k = 1; k <= $at; k++)
+                if (!($(at + k) in known)) { known[$(at + k)] = 1; points++ }
+            at += $at + 1 }
+        if (2 * (points + $2) != 4 + corners) bad = 1 }
+    types && $1 != 42 { bad = 1 }
+    /^SCALARS volume/ { getline; while ((getline v) > 0) sum += v }
+    END { d = sum - 27; exit bad || seen != n || n != 564 ||
+        d > 1e-11 || d < -1e-11 }' cells.vtk
 
 # ---- many points ----
 

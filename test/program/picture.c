@@ -1,10 +1,13 @@
-/* picture.c - the two pictures of the front page.
+/* picture.c - the pictures of the front page.
  *
- *   picture mirror.xyz mirror.svg cube.svg
+ *   picture mirror.xyz mirror.svg section.svg cube.svg
  */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+#define SLOPES_ALONE
+#include "../examples/slopes.c"
 
 #include "draw.h"
 
@@ -154,6 +157,112 @@ static void mirror(const char *from, const char *to)
     save(&look, value, to);
 }
 
+/* --------------------------------------------------------------- section */
+
+#define ACROSS 350 /* places from hole to rim */
+#define DEEP 60    /* and from front to back  */
+#define BANDS 22   /* of 0.1 degrees, from 9.5 on; the errors', of 0.001 */
+
+/* true_value - of mirror.c. */
+static double true_value(const double *q, double depth)
+{
+    double up = 1.0 - depth;
+
+    return 11.0 - 1.5 * up * up + 0.2 * q[0] / OUTER +
+           0.4 * (q[0] * q[0] + q[1] * q[1]) / (OUTER * OUTER);
+}
+
+/* strip - band[] of DEEP rows as paths, one a band, runs as rectangles. */
+static void strip(FILE *file, int band[DEEP][ACROSS], int top,
+                  const char *title)
+{
+    int b, i, j, from;
+
+    fprintf(file, "<text x='20' y='%d'>%s</text>\n<g transform='translate(20 "
+                  "%d) scale(2)'>\n", top - 6, title, top);
+    for (b = 0; b < BANDS; b++) {
+        fprintf(file, "<path fill='hsl(%d,70%%,%d%%)' d='",
+                240 - 240 * b / (BANDS - 1), 45 + 10 * (b % 2));
+        for (j = 0; j < DEEP; j++)
+            for (i = 0; i < ACROSS; i++) {
+                if (band[j][i] != b) continue;
+                for (from = i; i < ACROSS && band[j][i] == b; i++) continue;
+                fprintf(file, "M%d %dh%dv1h-%dz", from, j, i - from, i - from);
+            }
+        fprintf(file, "'/>\n");
+    }
+    fprintf(file, "</g>\n");
+}
+
+/* section - half a section of the mirror, midway between two rows of sensors,
+ * with temperatures from linear interpolation and from slopes and bent, and
+ * the errors of both. */
+static void section(const char *to)
+{
+    static double g[3 * (MAXPTS)], work[9 * (MAXPTS)];
+    static const double none[3 * (MAXPTS)] = {0.0};
+    static int band[4][DEEP][ACROSS];
+    static const char *const name[2] = {"linear", "bent"};
+    char title[100];
+    double turn = atan(1.0) / 12.0, depth, r, sphere, q[3], f[2], want, e;
+    double sum[2], worst[2];
+    tess_real at[3];
+    tess_int t = TESS_NONE;
+    FILE *file;
+    int i, j, k;
+
+    if (slopes(n, p, ntet, tet, adj, value, 15, g, work) != 0)
+        fail("slopes failed", "");
+    sum[0] = sum[1] = worst[0] = worst[1] = 0.0;
+    for (j = 0; j < DEEP; j++)
+        for (i = 0; i < ACROSS; i++) {
+            depth = (j + 0.5) / DEEP;
+            r = INNER + (OUTER - INNER) * (0.01 + 0.98 * (i + 0.5) / ACROSS);
+            sphere = CURVE + THICK * depth;
+            q[0] = r * cos(turn);
+            q[1] = r * sin(turn);
+            q[2] = CURVE - sqrt(sphere * sphere - r * r);
+            for (k = 0; k < 3; k++) at[k] = (tess_real)q[k];
+            want = true_value(q, depth);
+            for (k = 0; k < 2; k++) {
+                if (bent(p, ntet, tet, adj, value, k ? g : none, 0.0, at, &t,
+                         f + k) < 0)
+                    fail("bent failed", "");
+                e = fabs(f[k] - want);
+                sum[k] += e * e;
+                if (e > worst[k]) worst[k] = e;
+                band[k][j][i] = (int)floor((f[k] - 9.5) * 10.0);
+                band[2 + k][j][i] = (int)(e / 0.001);
+            }
+        }
+    for (k = 0; k < 4; k++)
+        for (j = 0; j < DEEP; j++)
+            for (i = 0; i < ACROSS; i++) {
+                if (band[k][j][i] < 0) band[k][j][i] = 0;
+                if (band[k][j][i] >= BANDS) band[k][j][i] = BANDS - 1;
+            }
+    file = fopen(to, "w");
+    if (!file) fail("cannot write ", to);
+    fprintf(file, "<svg xmlns='http://www.w3.org/2000/svg' width='740' "
+                  "height='640' font-family='sans-serif' font-size='14'>\n"
+                  "<rect width='740' height='640' fill='white'/>\n");
+    for (k = 0; k < 4; k++) {
+        sum[k % 2] = k < 2 ? sqrt(sum[k] / (ACROSS * DEEP)) : sum[k % 2];
+        if (k < 2)
+            sprintf(title, "%s: bands of 0.1 &#176;C", name[k]);
+        else
+            sprintf(title, "%s: error, bands of 0.001 &#176;C; rms %.4f, at "
+                           "most %.4f", name[k % 2], sum[k % 2], worst[k % 2]);
+        strip(file, band[k], 30 + 155 * k, title);
+    }
+    fprintf(file, "</svg>\n");
+    if (ferror(file) || fclose(file)) fail("cannot write ", to);
+    printf("section       errors, degrees: linear rms %.5f, at most %.5f; "
+           "bent rms %.5f, at most %.5f\n",
+           sum[0], worst[0], sum[1], worst[1]);
+    if (!(sum[1] < 0.5 * sum[0])) fail("this is no better than linear", "");
+}
+
 /* ------------------------------------------------------------------ cube */
 
 /* cube - 27 points: a grid, of which corners stay, and the others move at
@@ -200,8 +309,10 @@ static void cube(const char *to)
 
 int main(int argc, char **argv)
 {
-    if (argc != 4) fail("usage: picture mirror.xyz mirror.svg cube.svg", "");
+    if (argc != 5)
+        fail("usage: picture mirror.xyz mirror.svg section.svg cube.svg", "");
     mirror(argv[1], argv[2]);
-    cube(argv[3]);
+    section(argv[3]);
+    cube(argv[4]);
     return 0;
 }

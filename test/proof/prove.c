@@ -4,6 +4,7 @@
 #endif
 #include "prove.h"
 #include "exact.h"
+#include "verify.h"
 #include <math.h>
 #include <stdio.h>
 
@@ -17,145 +18,22 @@ static void require(int holds, const char *what)
     if (faults <= 20) fprintf(stderr, "prove: wrong: %s\n", what);
 }
 
-/* The vertex of triangle k of tetrahedron v at place i, seen from outside. */
-static tess_int corner(const tess_int *v, int k, int i)
+static void nothing(const char *fault)
 {
-    static const int out[4][3] = {
-        {1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}
-    };
-
-    return v[out[k][i]];
+    require(fault == NULL, fault);
 }
 
-/* The code for the points that stand for themselves. */
-static int flatness(tess_int n, const double *p, const tess_int *iw)
-{
-    const double *b = NULL, *c = NULL;
-    tess_int i;
-
-    if (n == 0) return TESS_POINT;
-    for (i = 1; i < n; i++) {
-        const double *q = p + 3 * i;
-
-        if (iw[i] != i) continue;
-        if (b == NULL)
-            b = q;
-        else if (c == NULL && !ex_collinear(p, b, q))
-            c = q;
-    }
-    if (b == NULL) return TESS_POINT;
-    if (c == NULL) return TESS_LINE;
-    for (i = 0; i < n; i++)
-        if (ex_orient(p, b, c, p + 3 * i) != 0) return TESS_OK;
-    return TESS_PLANE;
-}
-
-/* Is point i inside the ball of tetrahedron v, the ties broken by the rule? */
-static int inside(const double *p, const tess_int *v, tess_int i)
-{
-    const double *q[5];
-    int index[5], k, s;
-
-    for (k = 0; k < 4; k++) index[k] = (int)v[k];
-    index[4] = (int)i;
-    for (k = 0; k < 5; k++) q[k] = p + 3 * index[k];
-    s = ex_insphere(q[0], q[1], q[2], q[3], q[4]);
-    /* for a positive tetrahedron a negative sign is inside */
-    return s != 0 ? s > 0 : ex_perturbed(q, index) < 0;
-}
-
-/* That across facet k of tetrahedron t there is the one with the same three
- * vertices in the opposite order, its apex not inside the ball of t. */
-static void across(const double *p, tess_int ntet, const tess_int *tet,
-                   const tess_int *adj, tess_int t, int k)
-{
-    tess_int u = adj[4 * t + k];
-    int i, j;
-
-    if (u == TESS_NONE) return;
-    require(u >= 0 && u < ntet && u != t, "adj out of range");
-    if (u < 0 || u >= ntet) return;
-    for (j = 0; j < 4; j++)
-        if (adj[4 * u + j] == t) break;
-    require(j < 4, "adj is not mutual");
-    if (j == 4) return;
-    for (i = 0; i < 3; i++)
-        if (corner(tet + 4 * u, j, i) == corner(tet + 4 * t, k, 0)) break;
-    require(i < 3 &&
-            corner(tet + 4 * u, j, (i + 1) % 3) == corner(tet + 4 * t, k, 2) &&
-            corner(tet + 4 * u, j, (i + 2) % 3) == corner(tet + 4 * t, k, 1),
-            "neighbours do not share a facet");
-    require(!inside(p, tet + 4 * t, tet[4 * u + j]), "a neighbour's apex");
-}
-
-/* Facets that match, positive tetrahedra and empty balls make the one
- * triangulation of the rule of ties, when the hull (prove_hull) is covered
- * once.  For small sets no point may be in any ball, which excludes that it is
- * covered more than once; for large ones there is tess_check's verdict. */
 void prove_result(tess_int n, const double *p, int code, tess_int ntet,
                   const tess_int *tet, const tess_int *adj,
                   const tess_int *iw)
 {
-    tess_int i, j, t;
-    int k;
-
-    for (i = 0; i < n; i++) {
-        for (j = 0; j < i; j++)
-            if (p[3 * i] == p[3 * j] && p[3 * i + 1] == p[3 * j + 1] &&
-                p[3 * i + 2] == p[3 * j + 2])
-                break;
-        require(iw[i] == j, "iw");
-    }
-    require(code == flatness(n, p, iw), "the code");
-    if (code != TESS_OK) {
-        require(ntet == 0, "tetrahedra of points that span no space");
-        return;
-    }
-    for (t = 0; t < ntet; t++) {
-        const tess_int *v = tet + 4 * t;
-
-        for (k = 0; k < 4; k++) {
-            require(v[k] >= 0 && v[k] < n && iw[v[k]] == v[k], "a vertex");
-            if (v[k] < 0 || v[k] >= n) return;
-        }
-        require(ex_orient(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2],
-                          p + 3 * v[3]) == 1, "an orientation");
-    }
-    for (t = 0; t < ntet; t++)
-        for (k = 0; k < 4; k++) across(p, ntet, tet, adj, t, k);
-    for (i = 0; i < n; i++) {
-        if (iw[i] != i) continue;
-        for (j = 0; j < 4 * ntet; j++)
-            if (tet[j] == i) break;
-        require(j < 4 * ntet, "a point without a tetrahedron");
-        if (ntet > 200) continue;
-        for (t = 0; t < ntet; t++)
-            if (tet[4 * t] != i && tet[4 * t + 1] != i &&
-                tet[4 * t + 2] != i && tet[4 * t + 3] != i)
-                require(!inside(p, tet + 4 * t, i), "a point in a ball");
-    }
+    nothing(verify(n, p, code, ntet, tet, adj, iw));
 }
 
-void prove_hull(tess_int n, const double *p, tess_int ntet,
-                const tess_int *tet, const tess_int *adj, tess_int nfac,
-                const tess_int *fac)
+void prove_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
+                tess_int nfac, const tess_int *fac)
 {
-    tess_int t, m = 0, i;
-    int j, k;
-
-    for (t = 0; t < ntet; t++)
-        for (k = 0; k < 4; k++) {
-            if (adj[4 * t + k] != TESS_NONE) continue;
-            for (j = 0; j < 3; j++)
-                require(m < nfac &&
-                        fac[3 * m + j] == corner(tet + 4 * t, k, j), "fac");
-            for (i = 0; i < n; i++)
-                require(ex_orient(p + 3 * fac[3 * m], p + 3 * fac[3 * m + 1],
-                                  p + 3 * fac[3 * m + 2], p + 3 * i) <= 0,
-                        "a point outside of the hull");
-            m++;
-        }
-    require(m == nfac, "nfac");
+    nothing(verify_hull(ntet, tet, adj, nfac, fac));
 }
 
 void prove_place(tess_int n, const double *p, const tess_int *tet,
@@ -169,8 +47,9 @@ void prove_place(tess_int n, const double *p, const tess_int *tet,
 
     for (k = 0; k < 4; k++) {
         c[k] = p + 3 * v[k];
-        s = -ex_orient(p + 3 * corner(v, k, 0), p + 3 * corner(v, k, 1),
-                       p + 3 * corner(v, k, 2), q);
+        s = -ex_orient(p + 3 * verify_corner(v, k, 0),
+                       p + 3 * verify_corner(v, k, 1),
+                       p + 3 * verify_corner(v, k, 2), q);
         if (s < 0 && w[k] == 0.0 && (!adj || adj[4 * t + k] == TESS_NONE))
             out = 1;
         if (code != TESS_OK) continue;
@@ -292,11 +171,6 @@ void prove_house(const double *p1, const double *p2, const double *p3,
     }
     require(about(2.0 * dot(x, w), dot(w, w), fabs(dot(x, x))), "hh_lcoord");
     require(about(c, -dot(w, g) / dot(w, v), 1.0), "hh_wrap");
-}
-
-long prove_faults(void)
-{
-    return faults;
 }
 
 int prove_end(void)

@@ -1,8 +1,8 @@
-/* prove.h - proofs, by exact.c, of the answers that parity.c writes.
+/* prove.h - proofs, by exact.c and verify.c, of the answers that parity.c writes.
  *
  * Nothing of the library is made use of.  What is wrong is said on standard
  * error; prove_end gives the program's exit code.  Without PROVE there are no
- * proofs, and parity.c needs neither prove.c nor exact.c.
+ * proofs, and parity.c needs nothing else of this folder.
  */
 #ifndef PROVE_H
 #define PROVE_H
@@ -11,15 +11,12 @@
 
 #ifdef PROVE
 
-/* What tess gave: the code, the points that stand for others, and the one
- * triangulation of the rule of ties. */
+/* What tess gave. */
 void prove_result(tess_int n, const double *p, int code, tess_int ntet,
                   const tess_int *tet, const tess_int *adj,
                   const tess_int *iw);
-/* The triangles, and that no point is outside of one. */
-void prove_hull(tess_int n, const double *p, tess_int ntet,
-                const tess_int *tet, const tess_int *adj, tess_int nfac,
-                const tess_int *fac);
+void prove_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
+                tess_int nfac, const tess_int *fac);
 /* What tess_locate gave; no adj: what tess_query gave. */
 void prove_place(tess_int n, const double *p, const tess_int *tet,
                  const tess_int *adj, const double *q, tess_int t,
@@ -32,19 +29,16 @@ void prove_facet(const double *p1, const double *p2, const double *p3,
 void prove_house(const double *p1, const double *p2, const double *p3,
                  const double *z1, const double *z2, double side, double l,
                  int opp, int code, double c);
-/* How many proofs have failed so far. */
-long prove_faults(void);
 int prove_end(void);
 
 #else
 
 #define prove_result(n, p, code, ntet, tet, adj, iw) ((void)0)
-#define prove_hull(n, p, ntet, tet, adj, nfac, fac) ((void)0)
+#define prove_hull(ntet, tet, adj, nfac, fac) ((void)0)
 #define prove_place(n, p, tet, adj, q, t, w, code) ((void)0)
 #define prove_signs(v, orient, insphere) ((void)0)
 #define prove_facet(p1, p2, p3, code, f) ((void)0)
 #define prove_house(p1, p2, p3, z1, z2, side, l, opp, code, c) ((void)0)
-#define prove_faults() 0L
 #define prove_end() 0
 
 #endif

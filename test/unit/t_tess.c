@@ -9,10 +9,8 @@
  *
  * Covered:
  *   families   every family: codes, exact array lengths, guards around all
- *              arrays, points not altered, tess_check, and by exact.c:
- *              orientation, the perturbed Delaunay property across every
- *              facet, adjacency, Euler, a convex closed hull, its volume,
- *              duplicates; and numbers of tetrahedra that theory gives
+ *              arrays, points not altered, tess_check, verify.h; and numbers
+ *              of tetrahedra that theory gives
  *   codes      what each routine returns and sets for bad and special input
  *   workspace  the least lengths, and others, give the same arrays or
  *              TESS_POOL and a beginning of them that resumes
@@ -23,79 +21,14 @@
  */
 #include "../../tess.h"
 #include "../proof/exact.h"
+#include "../proof/verify.h"
 #include "../points.h"
+#include "guard.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#define GUARD 64
-#define FILL 0x5a
-
-/* ---- arrays of exact length between guards ---- */
-
-static struct {
-    unsigned char *base;
-    size_t length;
-} arrays[64];
-static int narrays;
-
-static void *array(size_t length)
-{
-    unsigned char *b = (unsigned char *)malloc(length + 2 * GUARD);
-    size_t i;
-
-    if (b == NULL || narrays == 64) {
-        fprintf(stderr, "t_tess: no memory\n");
-        exit(2);
-    }
-    for (i = 0; i < GUARD; i++)
-        b[i] = b[GUARD + length + i] = (unsigned char)(i * 37 + 11);
-    memset(b + GUARD, FILL, length);
-    arrays[narrays].base = b;
-    arrays[narrays++].length = length;
-    return b + GUARD;
-}
-
-static tess_int *ints(tess_int n)
-{
-    return (tess_int *)array((size_t)n * sizeof(tess_int));
-}
-
-/* The number of arrays whose guards were overwritten. */
-static int overrun(void)
-{
-    int a, bad = 0;
-    size_t i;
-
-    for (a = 0; a < narrays; a++) {
-        unsigned char *b = arrays[a].base;
-        size_t end = GUARD + arrays[a].length;
-
-        for (i = 0; i < GUARD; i++)
-            if (b[i] != (unsigned char)(i * 37 + 11) || b[end + i] != b[i]) {
-                bad++;
-                break;
-            }
-    }
-    return bad;
-}
-
-static int untouched(const void *a, size_t length)
-{
-    const unsigned char *b = (const unsigned char *)a;
-
-    while (length > 0)
-        if (b[--length] != FILL) return 0;
-    return 1;
-}
-
-/* Free the arrays made since there were keep of them. */
-static void release(int keep)
-{
-    while (narrays > keep) free(arrays[--narrays].base);
-}
 
 /* ---- results ---- */
 
@@ -261,74 +194,24 @@ static int orient(const result *r, tess_int a, tess_int b, tess_int c,
     return ex_orient(at(r, a), at(r, b), at(r, c), at(r, d));
 }
 
-/* ---- verification by exact.c ---- */
-
-static int by_two(const void *a, const void *b)
-{
-    const tess_int *x = (const tess_int *)a, *y = (const tess_int *)b;
-
-    if (x[0] != y[0]) return x[0] < y[0] ? -1 : 1;
-    return x[1] < y[1] ? -1 : x[1] > y[1];
-}
+/* ---- verification ---- */
 
 static int by_four(const void *a, const void *b)
 {
     const tess_int *x = (const tess_int *)a, *y = (const tess_int *)b;
-    int o = by_two(a, b);
+    int k = 0;
 
-    return o ? o : by_two(x + 2, y + 2);
-}
-
-static const tess_real *sorting;
-static int by_place(const void *a, const void *b)
-{
-    tess_int i = *(const tess_int *)a, j = *(const tess_int *)b;
-    int k;
-
-    for (k = 0; k < 3; k++)
-        if (sorting[3 * i + k] != sorting[3 * j + k])
-            return sorting[3 * i + k] < sorting[3 * j + k] ? -1 : 1;
-    return i < j ? -1 : i > j;
-}
-
-/* iw: for each point the least index of its coordinates.  Returns the number
- * of distinct points. */
-static tess_int verify_twins(const result *r)
-{
-    tess_int *order = (tess_int *)malloc((size_t)(r->n + 1) * sizeof *order);
-    tess_int i, first = 0, distinct = 0;
-
-    if (order == NULL) exit(2);
-    for (i = 0; i < r->n; i++) order[i] = i;
-    sorting = r->p;
-    qsort(order, (size_t)r->n, sizeof *order, by_place);
-    for (i = 0; i < r->n; i++) {
-        if (i == 0 ||
-            r->p[3 * order[i]] != r->p[3 * order[i - 1]] ||
-            r->p[3 * order[i] + 1] != r->p[3 * order[i - 1] + 1] ||
-            r->p[3 * order[i] + 2] != r->p[3 * order[i - 1] + 2]) {
-            first = order[i];
-            distinct++;
-        }
-        if (r->iw[order[i]] != first) {
-            fail("iw does not name the twin of least index");
-            break;
-        }
-    }
-    free(order);
-    return distinct;
+    while (k < 3 && x[k] == y[k]) k++;
+    return x[k] < y[k] ? -1 : x[k] > y[k];
 }
 
 /* The vertices of facet k of tetrahedron t, seen counter-clockwise from
  * outside. */
 static void facet(const result *r, tess_int t, int k, tess_int *v)
 {
-    static const int out[4][3] = {
-        { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 }
-    };
     int j;
 
-    for (j = 0; j < 3; j++) v[j] = r->tet[4 * t + out[k][j]];
+    for (j = 0; j < 3; j++) v[j] = verify_corner(r->tet + 4 * t, k, j);
 }
 
 /* The place of vertex v in tetrahedron t, or 4. */
@@ -341,170 +224,28 @@ static int slot_of(const result *r, tess_int t, tess_int v)
     return k;
 }
 
-/* Orientation, adjacency, and no neighbour's apex in the perturbed ball:
- * that is enough for the one triangulation of the tie rule, if the complex
- * covers the hull once. */
-static void verify_tetrahedra(const result *r)
+static void twins(const result *r)
 {
-    tess_int t, u, v[3], w[3];
-    const double *q[5];
-    int index[5], i, j, k, s;
+    const char *fault = verify_twins(r->n, r->p, r->iw);
 
-    for (t = 0; t < r->ntet; t++) {
-        const tess_int *a = r->tet + 4 * t;
-
-        for (k = 0; k < 4; k++)
-            if (a[k] < 0 || a[k] >= r->n || r->iw[a[k]] != a[k]) {
-                fail("a vertex out of range, or a duplicate");
-                return;
-            }
-        if (orient(r, a[0], a[1], a[2], a[3]) != 1) {
-            fail("a tetrahedron is not positively oriented");
-            return;
-        }
-        for (k = 0; k < 4; k++) {
-            u = r->adj[4 * t + k];
-            if (u == TESS_NONE) continue;
-            if (u < 0 || u >= r->ntet || u == t) {
-                fail("adj out of range");
-                return;
-            }
-            for (j = 0; j < 4; j++)
-                if (r->adj[4 * u + j] == t) break;
-            if (j == 4) {
-                fail("adj is not mutual");
-                return;
-            }
-            facet(r, t, k, v);
-            facet(r, u, j, w);
-            for (i = 0; i < 3; i++)
-                if (w[i] == v[0]) break;
-            if (i == 3 || w[(i + 1) % 3] != v[2] || w[(i + 2) % 3] != v[1]) {
-                fail("neighbours do not share a facet");
-                return;
-            }
-            if (u < t) continue;
-            index[4] = (int)r->tet[4 * u + j];
-            s = ex_insphere(at(r, a[0]), at(r, a[1]), at(r, a[2]),
-                            at(r, a[3]), at(r, index[4]));
-            if (s == 0) {
-                for (i = 0; i < 4; i++) index[i] = (int)a[i];
-                for (i = 0; i < 5; i++) q[i] = at(r, index[i]);
-                /* for a positive tetrahedron a negative sign is inside */
-                s = -ex_perturbed(q, index);
-            }
-            if (s > 0) {
-                fail("a neighbour's apex is inside the ball");
-                return;
-            }
-        }
-    }
+    if (fault != NULL) fail(fault);
 }
 
-/* Euler's relation, every point used, and the hull: closed, convex, with
- * 2V - 4 triangles, around the volume of the tetrahedra. */
-static void verify_whole(const result *r, tess_int distinct)
+/* tess_hull's triangles. */
+static void hull(const result *r)
 {
-    static ex_num sum, hull, one;
-    tess_int *edge, *fac, nfac, nf2, i, t, u, m, v = 0, e = 0, f = 0, x;
-    char *seen = (char *)calloc((size_t)r->n + 1, 1);
-    int j, k, low = EX_NO_LOW, code;
-    size_t most = (size_t)(24 * r->ntet + 4);
+    const char *fault;
+    tess_int nfac, nfac2, *fac;
+    int keep = narrays;
 
-    edge = (tess_int *)malloc(most * sizeof *edge);
-    if (edge == NULL || seen == NULL) exit(2);
-    for (t = m = 0; t < r->ntet; t++)
-        for (j = 0; j < 4; j++) {
-            x = r->tet[4 * t + j];
-            v += !seen[x];
-            seen[x] = 1;
-            u = r->adj[4 * t + j];
-            f += u == TESS_NONE ? 2 : 1;
-            for (k = j + 1; k < 4; k++, m++) {
-                u = r->tet[4 * t + k];
-                edge[2 * m] = x < u ? x : u;
-                edge[2 * m + 1] = x < u ? u : x;
-            }
-        }
-    f /= 2;
-    qsort(edge, (size_t)m, 2 * sizeof *edge, by_two);
-    for (i = 0; i < m; i++)
-        e += i == 0 || by_two(edge + 2 * i, edge + 2 * i - 2) != 0;
-    require(v == distinct, "not every point is a vertex");
-    require(v - e + f - r->ntet == 1, "Euler's relation fails");
-
-    code = tess_hull(r->ntet, r->tet, r->adj, 0, &nfac, NULL);
-    require(code == (nfac > 0 ? TESS_MORE : TESS_OK), "tess_hull's code");
+    require(tess_hull(r->ntet, r->tet, r->adj, 0, &nfac, NULL) ==
+            (nfac > 0 ? TESS_MORE : TESS_OK), "tess_hull's code");
     fac = ints(3 * nfac);
-    code = tess_hull(r->ntet, r->tet, r->adj, nfac, &nf2, fac);
-    require(code == TESS_OK && nf2 == nfac && overrun() == 0, "tess_hull");
-    /* in the order of the tetrahedra and their facets */
-    for (t = i = 0; t < r->ntet; t++)
-        for (k = 0; k < 4; k++)
-            if (r->adj[4 * t + k] == TESS_NONE && i < nfac) {
-                tess_int w[3];
-
-                facet(r, t, k, w);
-                for (j = 0; j < 3; j++)
-                    if (fac[3 * i] == w[j]) break;
-                require(j < 3 && fac[3 * i + 1] == w[(j + 1) % 3] &&
-                        fac[3 * i + 2] == w[(j + 2) % 3],
-                        "tess_hull's triangles");
-                i++;
-            }
-    require(i == nfac, "tess_hull's number");
-    /* every directed edge once, and its opposite once, with the apexes of
-     * the two triangles: convex there */
-    free(edge);
-    edge = (tess_int *)malloc((size_t)(12 * nfac + 4) * sizeof *edge);
-    if (edge == NULL) exit(2);
-    memset(seen, 0, (size_t)r->n);
-    for (i = m = v = 0; i < nfac; i++)
-        for (j = 0; j < 3; j++, m++) {
-            x = fac[3 * i + j];
-            u = fac[3 * i + (j + 1) % 3];
-            v += !seen[x];
-            seen[x] = 1;
-            edge[4 * m] = x < u ? x : u;
-            edge[4 * m + 1] = x < u ? u : x;
-            edge[4 * m + 2] = x > u;
-            edge[4 * m + 3] = fac[3 * i + (j + 2) % 3];
-        }
-    qsort(edge, (size_t)m, 4 * sizeof *edge, by_four);
-    require(nfac == 2 * v - 4, "the hull has not 2V - 4 triangles");
-    for (i = 0; i + 1 < m; i += 2) {
-        const tess_int *a = edge + 4 * i;
-
-        if (a[0] != a[4] || a[1] != a[5] || a[2] != 0 || a[6] != 1) {
-            fail("the hull is not closed");
-            break;
-        }
-        /* the triangle a0 a1 a3 is seen counter-clockwise from outside */
-        if (orient(r, a[0], a[1], a[3], a[7]) > 0) {
-            fail("the hull is not convex");
-            break;
-        }
-    }
-    /* six times the volumes, in units of the coordinates' lowest bit */
-    for (i = 0; i < 3 * r->n; i++) low = ex_low((double)r->p[i], low);
-    ex_int(&sum, 0L);
-    ex_int(&hull, 0L);
-    for (t = 0; t < r->ntet; t++) {
-        const tess_int *a = r->tet + 4 * t;
-
-        ex_volume(&one, low, at(r, a[0]), at(r, a[1]), at(r, a[2]),
-                  at(r, a[3]));
-        ex_add(&sum, &sum, &one);
-    }
-    for (i = 0; i < nfac; i++) {
-        /* seen from inside, a b c is clockwise */
-        ex_volume(&one, low, at(r, fac[3 * i]), at(r, fac[3 * i + 2]),
-                  at(r, fac[3 * i + 1]), at(r, r->tet[0]));
-        ex_add(&hull, &hull, &one);
-    }
-    require(ex_cmp(&sum, &hull) == 0, "the hull's volume is not the sum");
-    free(edge);
-    free(seen);
+    require(tess_hull(r->ntet, r->tet, r->adj, nfac, &nfac2, fac) == TESS_OK &&
+            nfac2 == nfac && overrun() == 0, "tess_hull");
+    fault = verify_hull(r->ntet, r->tet, r->adj, nfac, fac);
+    if (fault != NULL) fail(fault);
+    release(keep);
 }
 
 static int checked(const result *r)
@@ -523,9 +264,10 @@ static int checked(const result *r)
 }
 
 /* All of it; r is solved. */
-static void verify(const result *r)
+static void right(const result *r)
 {
-    tess_int distinct;
+    const char *fault = verify(r->n, r->p, r->code, r->ntet, r->tet, r->adj,
+                               r->iw);
 
     current = r;
     if (r->code != TESS_OK) {
@@ -533,10 +275,9 @@ static void verify(const result *r)
         printf("    code %d\n", r->code);
         return;
     }
-    distinct = verify_twins(r);
     if (checked(r) != 0) fail("tess_check");
-    verify_tetrahedra(r);
-    if (faults == 0) verify_whole(r, distinct);
+    if (fault != NULL) fail(fault);
+    else hull(r);
 }
 
 /* ---- families ---- */
@@ -642,7 +383,7 @@ static void one_family(const char *family, long n, unsigned long seed)
     if (copy == NULL) exit(2);
     memcpy(copy, r.p, length);
     solve(&r);
-    verify(&r);
+    right(&r);
     require(memcmp(copy, r.p, length) == 0, "the points were altered");
     free(copy);
     if (r.code == TESS_OK && faults == 0) known(&r);
@@ -843,7 +584,7 @@ static void test_bad_arguments(void)
     memcpy(r.adj, good.adj, (size_t)(4 * good.ntet) * sizeof(tess_int));
     resume(&r);
     require(r.code == TESS_OK && same(&r, &good), "resume of a whole result");
-    verify_twins(&r);
+    twins(&r);
     current = NULL;
     release(0);
     test_result("bad arguments of tess, tess_resume", faults);
@@ -874,7 +615,7 @@ static void flat(const double *p, tess_int n, int code, const char *name)
         require(r.code == code && r.ntet == 0, name);
         if (r.code != code)
             printf("    code %d instead of %d\n", r.code, code);
-        else verify_twins(&r);
+        else twins(&r);
         if (k == 1 && code != TESS_MORE)
             require(checked(&r) == 0, "tess_check of no tetrahedron");
         require(overrun() == 0, "an array is overrun");
@@ -1029,7 +770,7 @@ static void test_range(void)
             if (fits) {
                 held++;
                 solve(&r);
-                verify(&r);
+                right(&r);
             } else {
                 out++;
                 room(&r, 100);
@@ -1110,7 +851,7 @@ static void test_workspace(void)
             r.tet = ints(4 * r.maxtet);
             r.adj = ints(4 * r.maxtet);
             run(&r);
-            verify_twins(&r);
+            twins(&r);
             require(overrun() == 0, "an array is overrun");
             if (r.code == TESS_POOL) {
                 pools++;
@@ -1148,7 +889,7 @@ static void stop(const result *whole, tess_int k, tess_int step)
     while (r.code == TESS_MORE && r.ntet < whole->ntet && faults == 0) {
         require(r.ntet == r.maxtet, "TESS_MORE, and not full");
         require(beginning(&r, whole), "a stopped run is no beginning");
-        verify_twins(&r);
+        twins(&r);
         k = r.maxtet + step < whole->ntet ? r.maxtet + step : whole->ntet;
         grow(&r, keep, k, whole->liw);
         resume(&r);
@@ -2225,6 +1966,13 @@ static void test_faults(void)
     test_result("tess_check: complexes by hand", faults);
 }
 
+/* Does verify find what is wrong with r?  Asked of every seventh. */
+static int wrong(const result *r, tess_int i)
+{
+    return i % 7 != 0 || verify(r->n, r->p, TESS_OK, r->ntet, r->tet, r->adj,
+                                r->iw) != NULL;
+}
+
 /* Every entry of right results changed in turn: what is wrong must be seen,
  * and said by its code where it is the only fault. */
 static void test_mutations(void)
@@ -2257,7 +2005,7 @@ static void test_mutations(void)
                 if (j == held) continue;
                 r.tet[i] = j;
                 code = checked(&r);
-                require(code > 0, "another vertex");
+                require(code > 0 && wrong(&r, i), "another vertex");
                 if (r.iw[j] == held)
                     require(code == TESS_BAD_TWIN, "a duplicate");
             }
@@ -2268,7 +2016,7 @@ static void test_mutations(void)
                 if (j == held) continue;
                 r.adj[i] = j;
                 code = checked(&r);
-                require(code > 0, "another neighbour");
+                require(code > 0 && wrong(&r, i), "another neighbour");
                 if (j == TESS_OPEN)
                     require(code == TESS_BAD_OPEN, "an open facet");
                 if (j < TESS_OPEN || j >= r.ntet || j == i / 4)
@@ -2289,7 +2037,8 @@ static void test_mutations(void)
                         bad = -7;
                         code = tess_check(r.n, r.p, r.ntet, r.tet, r.adj,
                                           2 * r.n, iw, &bad);
-                        require(code == TESS_BAD_SIGN && bad == i / 4,
+                        require(code == TESS_BAD_SIGN && bad == i / 4 &&
+                                    wrong(&r, i),
                                 "a tetrahedron turned inside out");
                     }
                 }
@@ -2298,7 +2047,8 @@ static void test_mutations(void)
                 if (held != r.adj[other]) {
                     r.adj[i] = r.adj[other];
                     r.adj[other] = held;
-                    require(checked(&r) == TESS_BAD_ADJ, "adj exchanged");
+                    require(checked(&r) == TESS_BAD_ADJ && wrong(&r, i),
+                            "adj exchanged");
                     r.adj[other] = r.adj[i];
                     r.adj[i] = held;
                 }
@@ -2319,8 +2069,8 @@ static void test_mutations(void)
             s.ntet = r.ntet - 1;
             link_up(&s);
             code = checked(&s);
-            require(hull >= 3 ? code > 0 : code == TESS_BAD_HULL,
-                    "a tetrahedron left out");
+            require((hull >= 3 ? code > 0 : code == TESS_BAD_HULL) &&
+                        wrong(&s, 0), "a tetrahedron left out");
             release(keep);
         }
         /* even permutations of vertices, another order of the tetrahedra */
@@ -2608,7 +2358,7 @@ static void test_subnormal(void)
             require(r.code == TESS_RANGE && r.ntet == 0, "flushed, resumed");
         } else {
             solve(&r);
-            verify(&r);
+            right(&r);
         }
         release(0);
     }
@@ -2772,7 +2522,7 @@ static void test_narrow(void)
         given(&r, "a narrow cluster", p, 130, NULL, 0);
         release(1);
         solve(&r);
-        verify(&r);
+        right(&r);
         current = NULL;
         release(0);
     }

@@ -1,0 +1,409 @@
+/* natural.c - natural neighbour interpolation in space: recipes to copy.
+ *
+ *   cc -O2 -I. -o natural test/examples/natural.c tess.c hhpred.c -lm
+ *
+ *   natural   Sibson's and Laplace's weights at any point  (minus, dot, cross,
+ *             triple, centre, slot, region, vertex, beside, facet)
+ *   blend     Sibson's smooth interpolant, from weights and gradients
+ *             (minus, dot)
+ *
+ * The main program compares weights in a lattice with their closed form.
+ * natural.f is the same in FORTRAN 77; test/t_natural.c tests both.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+
+#include "tess.h"
+
+/* ---- weights ---- */
+
+/* Centres have lost three digits where the square of the volume by the product
+ * of three squared edges is less.  Nothing but accuracy and speed rests on it:
+ * tess_ball takes 1 microsecond, ten times as long. */
+#define FLAT 1e-6
+
+/* The hull is in the way where a Voronoi vertex is farther off than this many
+ * times the farthest neighbour: roundings grow with the square of that. */
+#define FAR 1e4
+
+/* The facets of a tetrahedron, counter-clockwise as seen from outside. */
+static const int facet[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
+
+static void minus(const tess_real *a, const tess_real *b, double *c)
+{
+    int k;
+
+    for (k = 0; k < 3; k++) c[k] = (double)a[k] - (double)b[k];
+}
+
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+static void cross(const double *a, const double *b, double *c)
+{
+    c[0] = a[1] * b[2] - a[2] * b[1];
+    c[1] = a[2] * b[0] - a[0] * b[2];
+    c[2] = a[0] * b[1] - a[1] * b[0];
+}
+
+/* triple - the determinant of a - o, b - o and c. */
+static double triple(const double *a, const double *b, const double *o,
+                     const double *c)
+{
+    double x = a[0] - o[0], y = a[1] - o[1], z = a[2] - o[2];
+    double u = b[0] - o[0], v = b[1] - o[1], w = b[2] - o[2];
+
+    return (y * w - z * v) * c[0] + (z * u - x * w) * c[1] +
+           (x * v - y * u) * c[2];
+}
+
+/* centre - of the ball of the tetrahedron v, as seen from q: c[0] to c[2].  In
+ * c[3] the power of q, negative inside. */
+static void centre(const tess_real *p, const tess_int *v, const tess_real *q,
+                   double *c)
+{
+    double e[3][3], f[3][3], square[3], ball[4], det;
+    int i, k;
+
+    for (i = 0; i < 3; i++) {
+        minus(p + 3 * v[i + 1], p + 3 * v[0], e[i]);
+        square[i] = dot(e[i], e[i]);
+    }
+    for (i = 0; i < 3; i++) cross(e[(i + 1) % 3], e[(i + 2) % 3], f[i]);
+    det = dot(e[0], f[0]);
+    if (det * det > FLAT * square[0] * square[1] * square[2]) {
+        for (k = 0; k < 3; k++)
+            c[k] = (square[0] * f[0][k] + square[1] * f[1][k] +
+                    square[2] * f[2][k]) / (2.0 * det);
+    } else {
+        tess_ball(p, v, ball);
+        for (k = 0; k < 3; k++) c[k] = ball[k] - (double)p[3 * v[0] + k];
+    }
+    minus(p + 3 * v[0], q, e[0]);
+    c[3] = dot(e[0], e[0]) + 2.0 * dot(e[0], c);
+    for (k = 0; k < 3; k++) c[k] += e[0][k];
+}
+
+/* slot - in a table with open addressing the place of the number i for which
+ * key[i] = k, or the empty one where it belongs. */
+static tess_int slot(tess_int size, const tess_int *table, const tess_int *key,
+                     tess_int k)
+{
+    tess_int i = k % size;
+
+    while (table[i] >= 0 && key[table[i]] != k) i = (i + 1) % size;
+    return i;
+}
+
+/* region - the tetrahedra whose balls hold q, breadth first from list[0].
+ *
+ *   nlist   (out)  their number, and list they are
+ *   side    (out)  4 each: the number in list of the neighbour, or -1 - b at
+ *                  facet b of the region's boundary, of 2 nlist + 2 at most
+ *   corner  (out)  4 each: the numbers in nbr of the vertices
+ *   nn      (out)  number of vertices, and nbr they are; at most nlist + 3
+ *   table   (out)  2*size
+ *
+ * returns 0 or a code of natural. */
+static int region(const tess_real *p, tess_int ntet, const tess_int *tet,
+                  const tess_int *adj, const tess_real *q, tess_int most,
+                  tess_int *nlist, tess_int *list, tess_int *side,
+                  tess_int *corner, tess_int *nn, tess_int *nbr, tess_int size,
+                  tess_int *table)
+{
+    const tess_int *v;
+    tess_int i, m, s, u, nout = 0;
+    int in, j, k;
+
+    for (i = 0; i < 2 * size; i++) table[i] = -1;
+    table[list[0] % size] = 0;
+    *nlist = 1;
+    for (m = 0; m < *nlist; m++)
+        for (k = 0; k < 4; k++) {
+            u = tet[4 * list[m] + k];
+            i = size + slot(size, table + size, nbr, u);
+            if (table[i] < 0) {
+                if (*nn == *nlist + 3) return -4;
+                nbr[*nn] = u;
+                table[i] = (*nn)++;
+            }
+            corner[4 * m + k] = table[i];
+            u = adj[4 * list[m] + k];
+            if (u == TESS_OPEN) return TESS_BAD_OPEN;
+            if (u < TESS_OPEN || u >= ntet) return -4;
+            s = -1;
+            if (u >= 0) {
+                for (j = 0; j < 4 && adj[4 * u + j] != list[m]; j++) continue;
+                if (j == 4) return -4;
+                i = slot(size, table, list, u);
+                s = table[i];
+                v = tet + 4 * u;
+                in = s >= 0 ? 0 : hh_insphere(p + 3 * v[0], p + 3 * v[1],
+                                              p + 3 * v[2], p + 3 * v[3], q);
+                if (in > 1) return TESS_RANGE;
+                if (in == 1) {
+                    if (*nlist == most) return TESS_MORE;
+                    list[*nlist] = u;
+                    table[i] = s = (*nlist)++;
+                }
+            }
+            side[4 * m + k] = s < 0 ? -1 - nout++ : s;
+        }
+    return 0;
+}
+
+/* vertex - x, where q's Voronoi cell ends on an edge of the diagram without q:
+ * the edge that crosses facet k of the tetrahedron v, from its centre c, whose
+ * ball holds q, to that of the tetrahedron u, whose ball does not.  Along it
+ * q's power is linear, negative at the one end and not at the other, but for
+ * rounding: so what is divided is never larger than what it is divided by,
+ * wherever q is.  On the hull, u = 0, the edge goes on along the facet's
+ * normal, and q's power grows by twice the distance from the facet's plane. */
+static void vertex(const tess_real *p, const tess_int *v, int k,
+                   const tess_int *u, const tess_real *q, const double *c,
+                   double *x)
+{
+    double power = c[3] < 0.0 ? c[3] : 0.0, rise, s, t = DBL_MAX;
+    double a[3], b[3], n[4] = {0.0, 0.0, 0.0, 0.0};
+    tess_int i;
+    int h;
+
+    if (u) {
+        centre(p, u, q, n);
+        rise = (n[3] > 0.0 ? n[3] : 0.0) - power;
+        for (k = 0; k < 3; k++) n[k] -= c[k];
+    } else {
+        /* the normal: at the vertex between the two shortest edges */
+        for (h = 0; h < 3; h++) {
+            i = v[facet[k][h]];
+            minus(p + 3 * v[facet[k][(h + 1) % 3]], p + 3 * i, a);
+            minus(p + 3 * v[facet[k][(h + 2) % 3]], p + 3 * i, b);
+            s = dot(a, a) * dot(b, b);
+            if (s >= t) continue;
+            t = s;
+            cross(a, b, n);
+        }
+        minus(p + 3 * v[facet[k][0]], q, a);
+        rise = 2.0 * dot(a, n);
+    }
+    for (k = 0; k < 3; k++)
+        x[k] = c[k] - (power < 0.0 ? power / rise * n[k] : 0.0);
+}
+
+/* beside - at an edge of a facet of the boundary the other facet: about the
+ * edge from m to the last tetrahedron of the region.  The edge is that without
+ * the vertices k, opposite to the facet, and o of m. */
+static tess_int beside(tess_int nlist, const tess_int *side,
+                       const tess_int *corner, tess_int m, int k, int o)
+{
+    tess_int s, stays = corner[4 * m + k], steps;
+
+    for (steps = 0; side[4 * m + o] >= 0 && steps < nlist; steps++) {
+        s = side[4 * m + o];
+        for (k = 0; k < 3 && side[4 * s + k] != m; k++) continue;
+        for (o = 0; o < 3 && corner[4 * s + o] != stays; o++) continue;
+        stays = corner[4 * s + k];
+        m = s;
+    }
+    return side[4 * m + o] < 0 ? -1 - side[4 * m + o] : 0;
+}
+
+/* natural - Sibson's and Laplace's natural neighbour weights.
+ *
+ *   p, ntet, tet, adj  (in)  a result of tess with ntet >= 1
+ *   q       (in)      the point: 3 coordinates
+ *   t       (in,out)  as in tess_locate: where to start; the one that holds q
+ *   most    (in)      tetrahedra whose balls hold q that there is room for, at
+ *                     least 1; in clouds 20 do, seldom more than 60
+ *   nn      (out)     number of neighbours
+ *   nbr     (out)     most + 3: the neighbours, points
+ *   sibson, laplace  (out)  most + 3 each: their weights, in the same order
+ *   iw      (out)     workspace, 13*most + 14
+ *   rw      (out)     workspace, 13*most + 15
+ *
+ * The weights are at least 0, and their sum is 1: sum of w[k] * value[nbr[k]]
+ * interpolates, and reproduces linear fields.  Sibson's: the volume that q's
+ * Voronoi cell, if q were a point, would take from that of a point; smooth but
+ * at the points.  Laplace's: the area of the face between q's cell and the
+ * other one by the distance; smooth but on the spheres of the tetrahedra.
+ *
+ * At a point its weight is 1.  Outside, both are those of the hull's nearest
+ * point, linear on its facet; and linear in t where the hull is in the way, for
+ * q nearer to it than about 1/FAR of the distance of its neighbours.
+ *
+ * returns 0; 1 outside the hull; TESS_MORE, most being too small: nothing else
+ * is lost; TESS_BAD_OPEN where a facet that is open, in an unfinished result,
+ * has a part in the weights; -7 for most < 1; -2, -4, -5, -6, TESS_RANGE as
+ * from tess_locate.  nn is then 0.
+ * Cost: in clouds 10 microseconds, half of them for the exact tests of balls.
+ * Source: Sibson, "A brief description of natural neighbour interpolation"
+ * (1981); for Laplace's Belikov et al. (1997), Hiyoshi and Sugihara (2000).
+ *
+ * The part of a point's cell that q takes is bounded by parts of the cell's
+ * faces, which lie half way to other points, and by the face towards q.  Its
+ * volume is the sum of pyramids with the point for apex: areas times half the
+ * distances, less that of the face towards q.  The faces go from vertex to
+ * vertex: a segment (a, b) of that between the points i and j has, with any
+ * point o of their plane, the area |det(a - o, b - o, j - i)| / 2 |j - i|.  No
+ * multiple of j - i that is added to o matters: o = i will do. */
+static int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
+                   const tess_int *adj, const tess_real *q, tess_int *t,
+                   tess_int most, tess_int *nn, tess_int *nbr, double *sibson,
+                   double *laplace, tess_int *iw, double *rw)
+{
+    tess_int *list = iw, *side = list + most, *corner = side + 4 * most;
+    double *c = rw, *x = c + 4 * most, *y = x + 6 * most + 6, *a, *b;
+    double w[4], e[3], s, near = 0.0, far = 0.0, all[2] = {0.0, 0.0};
+    tess_int nlist = 0, i, j, m, u;
+    int code, h, k;
+
+    *nn = 0;
+    if (most < 1) return -7;
+    code = tess_locate(p, ntet, tet, adj, q, t, w);
+    if (code != 0 && code != 1) return code;
+    for (k = 0; k < 4; k++)
+        if (code == 1 && adj[4 * *t + k] == TESS_OPEN) return TESS_BAD_OPEN;
+    /* what holds q has it in its ball, if q is none of the points */
+    if (code == 0 && w[0] < 1.0 && w[1] < 1.0 && w[2] < 1.0 && w[3] < 1.0) {
+        list[0] = *t;
+        code = region(p, ntet, tet, adj, q, most, &nlist, list, side, corner,
+                      nn, nbr, 2 * most + 7, corner + 4 * most);
+        if (code != 0) {
+            *nn = 0;
+            return code;
+        }
+    }
+    for (i = 0; i < *nn; i++) {
+        minus(p + 3 * nbr[i], q, y + 3 * i);
+        s = dot(y + 3 * i, y + 3 * i);
+        if (s > near) near = s;
+        sibson[i] = laplace[i] = 0.0;
+    }
+    for (m = 0; m < nlist; m++) centre(p, tet + 4 * list[m], q, c + 4 * m);
+    for (m = 0; m < nlist; m++)
+        for (k = 0; k < 4; k++) {
+            u = adj[4 * list[m] + k];
+            if (side[4 * m + k] < 0)
+                vertex(p, tet + 4 * list[m], k, u < 0 ? 0 : tet + 4 * u, q,
+                       c + 4 * m, x - 3 * (side[4 * m + k] + 1));
+        }
+    /* each facet of the region, its three edges, and the face across each */
+    for (m = 0; m < nlist; m++)
+        for (k = 0; k < 4; k++) {
+            u = side[4 * m + k];
+            if (u >= 0 && u < m) continue;
+            a = u < 0 ? x - 3 * (u + 1) : c + 4 * u;
+            s = dot(c + 4 * m, c + 4 * m) + dot(a, a);
+            if (!(s <= far)) far = s;
+            for (h = 0; h < 3; h++) {
+                i = corner[4 * m + facet[k][h]];
+                j = corner[4 * m + facet[k][(h + 1) % 3]];
+                minus(p + 3 * nbr[j], p + 3 * nbr[i], e);
+                s = triple(c + 4 * m, a, y + 3 * i, e);
+                if (u < 0 && i < j) {
+                    /* the face's edge on q's cell */
+                    b = x + 3 * beside(nlist, side, corner, m, k,
+                                       facet[k][(h + 2) % 3]);
+                    s += triple(a, b, y + 3 * i, e);
+                    laplace[i] += triple(b, a, y + 3 * i, y + 3 * i);
+                    laplace[j] += triple(a, b, y + 3 * j, y + 3 * j);
+                }
+                sibson[i] += s;
+                sibson[j] += s;
+            }
+        }
+    for (i = 0; i < *nn; i++) {
+        sibson[i] -= laplace[i];
+        laplace[i] /= dot(y + 3 * i, y + 3 * i);
+        if (sibson[i] < 0.0) sibson[i] = 0.0;
+        if (laplace[i] < 0.0) laplace[i] = 0.0;
+        all[0] += sibson[i];
+        all[1] += laplace[i];
+    }
+    if (!(far <= FAR * FAR * near && all[0] > 0.0 && all[1] > 0.0 &&
+          all[0] <= DBL_MAX && all[1] <= DBL_MAX)) {
+        all[0] = all[1] = 1.0;
+        for (*nn = 4, k = 0; k < 4; k++) {
+            nbr[k] = tet[4 * *t + k];
+            sibson[k] = laplace[k] = w[k];
+        }
+    }
+    for (i = 0; i < *nn; i++) {
+        sibson[i] /= all[0];
+        laplace[i] /= all[1];
+    }
+    return code;
+}
+
+/* ---- interpolation ---- */
+
+/* blend - Sibson's interpolant: it has the values and the gradients that are
+ * given at the points, and no kinks.
+ *
+ *   nn, nbr, w  (in)  as natural gives them; w Sibson's weights.  Laplace's
+ *                     leave kinks on the spheres of the tetrahedra
+ *   value   (in)   value[i] is that of point i
+ *   g       (in)   g[3*i+k]: gradient at point i
+ *
+ * returns the value at the point of the weights, which is q, or for q outside
+ * the hull's nearest point.  Fields a + b.x + c |x|^2 are reproduced.
+ * Cost: 15 square roots.  Source: Sibson (1981). */
+static double blend(const tess_real *p, tess_int nn, const tess_int *nbr,
+                    const double *w, const double *value, const double *g)
+{
+    double at[3] = {0.0, 0.0, 0.0}, d[3], r, plane;
+    double linear = 0.0, slopes = 0.0, near = 0.0, first = 0.0, second = 0.0;
+    tess_int i;
+    int k;
+
+    for (i = 0; i < nn; i++) {
+        minus(p + 3 * nbr[i], p + 3 * nbr[0], d);
+        for (k = 0; k < 3; k++) at[k] += w[i] * d[k];
+    }
+    for (i = 0; i < nn; i++) {
+        minus(p + 3 * nbr[0], p + 3 * nbr[i], d);
+        for (k = 0; k < 3; k++) d[k] += at[k];
+        r = sqrt(dot(d, d));
+        if (r == 0.0) return value[nbr[i]];
+        plane = value[nbr[i]] + dot(g + 3 * nbr[i], d);
+        linear += w[i] * value[nbr[i]];
+        slopes += w[i] / r * plane;
+        near += w[i] / r;
+        first += w[i] * r;
+        second += w[i] * r * r;
+    }
+    /* the weights of the two: first / near and second */
+    return (first * linear + second * slopes) / (first + second * near);
+}
+
+/* ---- a lattice ---- */
+
+/* Between two points of an integer lattice, and the gradient of |x|^2. */
+int main(void)
+{
+    tess_int tet[800], adj[800], iw[TESS_LIW(36)], nbr[53], work[664], t = 0;
+    tess_int nn, ntet, i;
+    tess_real p[108], q[3] = {0.25, 0.0, 0.0};
+    double rw[TESS_LRW(36) + 665], sibson[53], laplace[53], value[36], g[108];
+
+    for (i = 0; i < 108; i++) {
+        p[i] = (tess_real)(i % 3 == 0 ? i / 3 % 4 - 1
+                                      : i / (i % 3 == 1 ? 12 : 36) % 3 - 1);
+        g[i] = 2.0 * (double)p[i];
+        if (i % 3 == 2) value[i / 3] = (g[i] * g[i] + g[i - 1] * g[i - 1] +
+                                        g[i - 2] * g[i - 2]) / 4.0;
+    }
+    if (tess(36, p, 200, &ntet, tet, adj, TESS_LIW(36), iw, TESS_LRW(36), rw) ||
+        natural(p, ntet, tet, adj, q, &t, 50, &nn, nbr, sibson, laplace, work,
+                rw)) return 1;
+    printf("   point  Sibson    Laplace\n");
+    for (i = 0; i < nn; i++)
+        printf("%2.0f %2.0f %2.0f  %9.7f %9.7f\n", (double)p[3 * nbr[i]],
+               (double)p[3 * nbr[i] + 1], (double)p[3 * nbr[i] + 2],
+               sibson[i], laplace[i]);
+    printf("|x|^2 blended: %9.7f\n", blend(p, nn, nbr, sibson, value, g));
+    return 0;
+}

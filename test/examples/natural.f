@@ -1,0 +1,527 @@
+C     natural.f - natural neighbour interpolation in space: recipes to
+C     copy.
+C
+C         gfortran -O2 test/examples/natural.f f77/tess.f f77/hhpred.f
+C
+C       NATURA  Sibson's and Laplace's weights at any point  (WEIGHT,
+C               MINUS, DOT, CROSS, TRIPLE, CENTRE, SLOT, REGION, VERTEX,
+C               BESIDE, FACET)
+C       BLEND   Sibson's smooth interpolant, from weights and gradients
+C               (MINUS, DOT)
+C
+C     The main program compares weights in a lattice with their closed
+C     form.  natural.c is the same in C, and both write the same text;
+C     test/t_natural.c tests both.
+C
+C     Between two points of an integer lattice, and the gradient of
+C     |x|**2.
+      PROGRAM NATLAT
+      INTEGER LIW, LRW
+      PARAMETER (LIW = 1700, LRW = 665)
+      DOUBLE PRECISION P(3,36), Q(3), RW(LRW), SIBSON(53), LAPLAC(53)
+      DOUBLE PRECISION VALUE(36), G(3,36), OUT, DOT
+      INTEGER TET(4,200), ADJ(4,200), IW(LIW), NBR(53), T, NN, NTET, I
+      INTEGER K, INFO
+      DATA Q /0.25D0, 0.0D0, 0.0D0/
+      DO 20 I = 1, 36
+         P(1,I) = MOD(I - 1, 4) - 1
+         P(2,I) = MOD((I - 1) / 4, 3) - 1
+         P(3,I) = MOD((I - 1) / 12, 3) - 1
+         VALUE(I) = DOT(P(1,I), P(1,I))
+         DO 10 K = 1, 3
+            G(K,I) = 2.0D0*P(K,I)
+   10    CONTINUE
+   20 CONTINUE
+      CALL TESS(36, P, 200, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
+      IF (INFO .NE. 0) STOP
+      T = 0
+      CALL NATURA(P, NTET, TET, ADJ, Q, T, 50, NN, NBR, SIBSON, LAPLAC,
+     1            IW, RW, INFO)
+      IF (INFO .NE. 0) STOP
+      WRITE (*, 40)
+      DO 30 I = 1, NN
+         WRITE (*, 50) (INT(P(K,NBR(I))), K = 1, 3), SIBSON(I),
+     1                 LAPLAC(I)
+   30 CONTINUE
+      CALL BLEND(P, NN, NBR, SIBSON, VALUE, G, OUT)
+      WRITE (*, 60) OUT
+   40 FORMAT ('   point  Sibson    Laplace')
+   50 FORMAT (I2, I3, I3, F11.7, F10.7)
+   60 FORMAT ('|x|^2 blended:', F10.7)
+      END
+
+C     ---- weights ----
+
+C     FACET - facet K of a tetrahedron, opposite to its vertex number K:
+C     of its vertices number H, 1 to 3 or round again, counter-clockwise
+C     as seen from outside.
+      INTEGER FUNCTION FACET(H, K)
+      INTEGER H, K
+      INTEGER TABLE(3,4)
+      SAVE TABLE
+      DATA TABLE /2,3,4, 1,4,3, 1,2,4, 1,3,2/
+      FACET = TABLE(MOD(H - 1, 3) + 1, K)
+      END
+
+      SUBROUTINE MINUS(A, B, C)
+      DOUBLE PRECISION A(3), B(3), C(3)
+      INTEGER K
+      DO 10 K = 1, 3
+         C(K) = A(K) - B(K)
+   10 CONTINUE
+      END
+
+      DOUBLE PRECISION FUNCTION DOT(A, B)
+      DOUBLE PRECISION A(3), B(3)
+      DOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
+      END
+
+      SUBROUTINE CROSS(A, B, C)
+      DOUBLE PRECISION A(3), B(3), C(3)
+      C(1) = A(2)*B(3) - A(3)*B(2)
+      C(2) = A(3)*B(1) - A(1)*B(3)
+      C(3) = A(1)*B(2) - A(2)*B(1)
+      END
+
+C     TRIPLE - the determinant of A - O, B - O and C.
+      DOUBLE PRECISION FUNCTION TRIPLE(A, B, O, C)
+      DOUBLE PRECISION A(3), B(3), O(3), C(3)
+      DOUBLE PRECISION X, Y, Z, U, V, W
+      X = A(1) - O(1)
+      Y = A(2) - O(2)
+      Z = A(3) - O(3)
+      U = B(1) - O(1)
+      V = B(2) - O(2)
+      W = B(3) - O(3)
+      TRIPLE = (Y*W - Z*V)*C(1) + (Z*U - X*W)*C(2) + (X*V - Y*U)*C(3)
+      END
+
+C     CENTRE - of the ball of the tetrahedron V, as seen from Q: C(1) to
+C     C(3).  In C(4) the power of Q, negative inside.  FLAT: centres
+C     have lost three digits where the square of the volume by the
+C     product of three squared edges is less.  Nothing but accuracy and
+C     speed rests on it: TESSBA takes 1 microsecond, ten times as long.
+      SUBROUTINE CENTRE(P, V, Q, C)
+      DOUBLE PRECISION P(3,*), Q(3), C(4)
+      INTEGER V(4)
+      DOUBLE PRECISION E(3,3), F(3,3), SQUARE(3), BALL(4), DET, DOT
+      DOUBLE PRECISION FLAT
+      INTEGER I, K, INFO
+      PARAMETER (FLAT = 1.0D-6)
+      DO 10 I = 1, 3
+         CALL MINUS(P(1,V(I+1)), P(1,V(1)), E(1,I))
+         SQUARE(I) = DOT(E(1,I), E(1,I))
+   10 CONTINUE
+      DO 20 I = 1, 3
+         CALL CROSS(E(1,MOD(I, 3)+1), E(1,MOD(I+1, 3)+1), F(1,I))
+   20 CONTINUE
+      DET = DOT(E(1,1), F(1,1))
+      IF (DET*DET .GT. FLAT*SQUARE(1)*SQUARE(2)*SQUARE(3)) THEN
+         DO 30 K = 1, 3
+            C(K) = (SQUARE(1)*F(K,1) + SQUARE(2)*F(K,2) +
+     1              SQUARE(3)*F(K,3)) / (2.0D0*DET)
+   30    CONTINUE
+      ELSE
+         CALL TESSBA(P, V, BALL, INFO)
+         CALL MINUS(BALL(1), P(1,V(1)), C(1))
+      END IF
+      CALL MINUS(P(1,V(1)), Q, E(1,1))
+      C(4) = DOT(E(1,1), E(1,1)) + 2.0D0*DOT(E(1,1), C(1))
+      DO 40 K = 1, 3
+         C(K) = C(K) + E(K,1)
+   40 CONTINUE
+      END
+
+C     SLOT - in a table with open addressing the place of the number I
+C     for which KEY(I) = K, or the empty one where it belongs.
+      INTEGER FUNCTION SLOT(SIZE, TABLE, KEY, K)
+      INTEGER SIZE, TABLE(*), KEY(*), K
+      INTEGER I
+      I = MOD(K, SIZE) + 1
+   10 CONTINUE
+      IF (TABLE(I) .GT. 0) THEN
+         IF (KEY(TABLE(I)) .NE. K) THEN
+            I = MOD(I, SIZE) + 1
+            GO TO 10
+         END IF
+      END IF
+      SLOT = I
+      END
+
+C     REGION - the tetrahedra whose balls hold Q, breadth first from
+C     LIST(1).
+C
+C       NLIST   (out)  their number, and LIST they are
+C       SIDE    (out)  4 each: the number in LIST of the neighbour, or
+C                      -B at facet B of the region's boundary, of
+C                      2*NLIST + 2 at most
+C       CORNER  (out)  4 each: the numbers in NBR of the vertices
+C       NN      (out)  number of vertices, and NBR they are; at most
+C                      NLIST + 3
+C       TABLE   (out)  (SIZE,2)
+C       INFO    (out)  0 or a code of NATURA
+      SUBROUTINE REGION(P, NTET, TET, ADJ, Q, MOST, NLIST, LIST, SIDE,
+     1                  CORNER, NN, NBR, SIZE, TABLE, INFO)
+      DOUBLE PRECISION P(3,*), Q(3)
+      INTEGER NTET, TET(4,*), ADJ(4,*), MOST, NLIST, LIST(*), SIDE(4,*)
+      INTEGER CORNER(4,*), NN, NBR(*), SIZE, TABLE(SIZE,2), INFO
+      INTEGER I, J, K, M, S, U, IN, NOUT, SLOT, HHINSP
+      DO 10 I = 1, SIZE
+         TABLE(I,1) = 0
+         TABLE(I,2) = 0
+   10 CONTINUE
+      TABLE(SLOT(SIZE, TABLE, LIST, LIST(1)),1) = 1
+      NLIST = 1
+      NOUT = 0
+      NN = 0
+      M = 1
+   20 CONTINUE
+      DO 50 K = 1, 4
+         U = TET(K,LIST(M))
+         I = SLOT(SIZE, TABLE(1,2), NBR, U)
+         IF (TABLE(I,2) .EQ. 0) THEN
+            INFO = -4
+            IF (NN .EQ. NLIST + 3) RETURN
+            NN = NN + 1
+            NBR(NN) = U
+            TABLE(I,2) = NN
+         END IF
+         CORNER(K,M) = TABLE(I,2)
+         U = ADJ(K,LIST(M))
+         INFO = 13
+         IF (U .EQ. -1) RETURN
+         INFO = -4
+         IF (U .LT. -1 .OR. U .GT. NTET) RETURN
+         S = 0
+         IF (U .GT. 0) THEN
+            DO 30 J = 1, 4
+               IF (ADJ(J,U) .EQ. LIST(M)) GO TO 40
+   30       CONTINUE
+            RETURN
+   40       CONTINUE
+            I = SLOT(SIZE, TABLE, LIST, U)
+            S = TABLE(I,1)
+            IN = 0
+            IF (S .EQ. 0) IN = HHINSP(P(1,TET(1,U)), P(1,TET(2,U)),
+     1                                P(1,TET(3,U)), P(1,TET(4,U)), Q)
+            INFO = 6
+            IF (IN .GT. 1) RETURN
+            IF (IN .EQ. 1) THEN
+               INFO = 1
+               IF (NLIST .EQ. MOST) RETURN
+               NLIST = NLIST + 1
+               LIST(NLIST) = U
+               TABLE(I,1) = NLIST
+               S = NLIST
+            END IF
+         END IF
+         IF (S .EQ. 0) THEN
+            NOUT = NOUT + 1
+            S = -NOUT
+         END IF
+         SIDE(K,M) = S
+   50 CONTINUE
+      M = M + 1
+      IF (M .LE. NLIST) GO TO 20
+      INFO = 0
+      END
+
+C     VERTEX - X, where Q's Voronoi cell ends on an edge of the diagram
+C     without Q: the edge that crosses facet K of the tetrahedron V,
+C     from its centre C, whose ball holds Q, to that of tetrahedron U,
+C     whose ball does not.  Along it Q's power is linear, negative at
+C     the one end and not at the other, but for rounding: so what is
+C     divided is never larger than what it is divided by, wherever Q is.
+C     On the hull, U = 0, the edge goes on along the facet's normal, and
+C     Q's power grows by twice the distance from the facet's plane.
+      SUBROUTINE VERTEX(P, TET, V, K, U, Q, C, X)
+      DOUBLE PRECISION P(3,*), Q(3), C(4), X(3)
+      INTEGER TET(4,*), V(4), K, U
+      DOUBLE PRECISION A(3), B(3), N(4), POWER, RISE, S, T, DOT
+      INTEGER I, H, FACET
+      POWER = MIN(C(4), 0.0D0)
+      IF (U .GT. 0) THEN
+         CALL CENTRE(P, TET(1,U), Q, N)
+         RISE = MAX(N(4), 0.0D0) - POWER
+         DO 5 H = 1, 3
+            N(H) = N(H) - C(H)
+    5    CONTINUE
+      ELSE
+C        The normal: at the vertex between the two shortest edges.
+         T = 0.0D0
+         DO 8 H = 1, 3
+            N(H) = 0.0D0
+    8    CONTINUE
+         DO 10 H = 1, 3
+            I = V(FACET(H, K))
+            CALL MINUS(P(1,V(FACET(H+1, K))), P(1,I), A)
+            CALL MINUS(P(1,V(FACET(H+2, K))), P(1,I), B)
+            S = DOT(A, A)*DOT(B, B)
+            IF (H .GT. 1 .AND. S .GE. T) GO TO 10
+            T = S
+            CALL CROSS(A, B, N(1))
+   10    CONTINUE
+         CALL MINUS(P(1,V(FACET(1, K))), Q, A)
+         RISE = 2.0D0*DOT(A, N(1))
+      END IF
+      DO 20 H = 1, 3
+         X(H) = C(H)
+         IF (POWER .LT. 0.0D0) X(H) = C(H) - POWER / RISE*N(H)
+   20 CONTINUE
+      END
+
+C     BESIDE - at an edge of a facet of the boundary the other facet:
+C     about the edge from tetrahedron FIRST to the last one of the
+C     region.  The edge is that without the vertices FACE, opposite to
+C     the facet, and OTHER of FIRST.
+      INTEGER FUNCTION BESIDE(NLIST, SIDE, CORNER, FIRST, FACE, OTHER)
+      INTEGER NLIST, SIDE(4,*), CORNER(4,*), FIRST, FACE, OTHER
+      INTEGER J, K, M, O, S, STAYS, STEPS
+      M = FIRST
+      O = OTHER
+      STAYS = CORNER(FACE,M)
+      DO 20 STEPS = 1, NLIST
+         S = SIDE(O,M)
+         IF (S .LT. 0) GO TO 30
+         K = 4
+         O = 4
+         DO 10 J = 3, 1, -1
+            IF (SIDE(J,S) .EQ. M) K = J
+            IF (CORNER(J,S) .EQ. STAYS) O = J
+   10    CONTINUE
+         STAYS = CORNER(K,S)
+         M = S
+   20 CONTINUE
+   30 CONTINUE
+      BESIDE = 1
+      IF (SIDE(O,M) .LT. 0) BESIDE = -SIDE(O,M)
+      END
+
+C     NATURA - Sibson's and Laplace's natural neighbour weights.
+C
+C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
+C       Q       (in)      (3) the point
+C       T       (in,out)  as in TESSLO: where to start; the one that
+C                         holds Q
+C       MOST    (in)      tetrahedra whose balls hold Q that there is
+C                         room for, at least 1; in clouds 20 do, seldom
+C                         more than 60
+C       NN      (out)     number of neighbours
+C       NBR     (out)     (MOST+3): the neighbours, points
+C       SIBSON, LAPLAC  (out)  (MOST+3) each: their weights, in the same
+C                         order
+C       IW      (out)     (13*MOST+14): workspace
+C       RW      (out)     (13*MOST+15): workspace
+C       INFO    (out)     0; 1 outside the hull or, NN being 0, MOST too
+C                         small: nothing else is lost; 13 where a facet
+C                         that is open, in an unfinished result, has a
+C                         part in the weights; -7 for MOST < 1; -2, -4,
+C                         -5, -6 and 6 as from TESSLO.  NN is then 0
+C
+C     The weights are at least 0, and their sum is 1: the sum of
+C     W(K)*VALUE(NBR(K)) interpolates, and reproduces linear fields.
+C     Sibson's: the volume that Q's Voronoi cell, if Q were a point,
+C     would take from that of a point; smooth but at the points.
+C     Laplace's: the area of the face between Q's cell and the other one
+C     by the distance; smooth but on the spheres of the tetrahedra.
+C
+C     At a point its weight is 1.  Outside, both are those of the hull's
+C     nearest point, linear on its facet; and linear in T where the hull
+C     is in the way, that is where a Voronoi vertex is farther off than
+C     FAR times the farthest neighbour: roundings grow with the square
+C     of that.  So it is for Q nearer to the hull than about 1/FAR of
+C     the distance of its neighbours.
+C
+C     Cost: in clouds 10 microseconds, half of them for the exact tests
+C     of balls.  Source: Sibson, "A brief description of natural
+C     neighbour interpolation" (1981); for Laplace's Belikov et al.
+C     (1997), Hiyoshi and Sugihara (2000).
+C
+C     The part of a point's cell that Q takes is bounded by parts of the
+C     cell's faces, which lie half way to other points, and by the face
+C     towards Q.  Its volume is the sum of pyramids with the point for
+C     apex: areas times half the distances, less that of the face
+C     towards Q.  The faces go from vertex to vertex: a segment (A, B)
+C     of that between the points I and J has, with any point O of their
+C     plane, the area |det(A - O, B - O, J - I)| / 2 |J - I|.  No
+C     multiple of J - I that is added to O matters: O = I will do.
+      SUBROUTINE NATURA(P, NTET, TET, ADJ, Q, T, MOST, NN, NBR, SIBSON,
+     1                  LAPLAC, IW, RW, INFO)
+      DOUBLE PRECISION P(3,*), Q(3), SIBSON(*), LAPLAC(*), RW(*)
+      INTEGER NTET, TET(4,*), ADJ(4,*), T, MOST, NN, NBR(*), IW(*), INFO
+      DOUBLE PRECISION W(4)
+      INTEGER K, NLIST
+      NN = 0
+      NLIST = 0
+      INFO = -7
+      IF (MOST .LT. 1) RETURN
+      CALL TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
+      IF (INFO .NE. 0 .AND. INFO .NE. 1) RETURN
+      DO 10 K = 1, 4
+         IF (INFO .EQ. 1 .AND. ADJ(K,T) .EQ. -1) INFO = 13
+   10 CONTINUE
+      IF (INFO .EQ. 13) RETURN
+C     What holds Q has it in its ball, if Q is none of the points.
+      IF (INFO .EQ. 0 .AND. MAX(W(1), W(2), W(3), W(4)) .LT. 1.0D0) THEN
+         IW(1) = T
+         CALL REGION(P, NTET, TET, ADJ, Q, MOST, NLIST, IW,
+     1               IW(MOST+1), IW(5*MOST+1), NN, NBR, 2*MOST + 7,
+     2               IW(9*MOST+1), INFO)
+         IF (INFO .NE. 0) THEN
+            NN = 0
+            RETURN
+         END IF
+      END IF
+      CALL WEIGHT(P, TET, ADJ, Q, T, NLIST, IW, IW(MOST+1),
+     1            IW(5*MOST+1), NN, NBR, SIBSON, LAPLAC, RW,
+     2            RW(4*MOST+1), RW(10*MOST+7), W)
+      END
+
+C     WEIGHT - the weights, from the region, which is empty where they
+C     are to be linear.  C: its balls; X: Q's Voronoi vertices; Y: the
+C     neighbours as seen from Q; W: the weights of T.
+      SUBROUTINE WEIGHT(P, TET, ADJ, Q, T, NLIST, LIST, SIDE, CORNER,
+     1                  NN, NBR, SIBSON, LAPLAC, C, X, Y, W)
+      DOUBLE PRECISION P(3,*), Q(3), SIBSON(*), LAPLAC(*), C(4,*)
+      DOUBLE PRECISION X(3,*), Y(3,*), W(4)
+      INTEGER TET(4,*), ADJ(4,*), T, NLIST, LIST(*), SIDE(4,*)
+      INTEGER CORNER(4,*), NN, NBR(*)
+      DOUBLE PRECISION A(3), E(3), S, NEAR, FAR, ALL(2), MOST, DOT
+      DOUBLE PRECISION TRIPLE
+      INTEGER B, H, I, J, K, L, M, U, FACET, BESIDE
+      PARAMETER (FAR = 1.0D4)
+      NEAR = 0.0D0
+      MOST = 0.0D0
+      ALL(1) = 0.0D0
+      ALL(2) = 0.0D0
+      DO 10 I = 1, NN
+         CALL MINUS(P(1,NBR(I)), Q, Y(1,I))
+         NEAR = MAX(NEAR, DOT(Y(1,I), Y(1,I)))
+         SIBSON(I) = 0.0D0
+         LAPLAC(I) = 0.0D0
+   10 CONTINUE
+      DO 20 M = 1, NLIST
+         CALL CENTRE(P, TET(1,LIST(M)), Q, C(1,M))
+   20 CONTINUE
+      DO 40 M = 1, NLIST
+         DO 30 K = 1, 4
+            U = ADJ(K,LIST(M))
+            IF (SIDE(K,M) .LT. 0) CALL VERTEX(P, TET, TET(1,LIST(M)), K,
+     1         U, Q, C(1,M), X(1,-SIDE(K,M)))
+   30    CONTINUE
+   40 CONTINUE
+C     Each facet of the region, its three edges, and the face across
+C     each.
+      DO 80 M = 1, NLIST
+         DO 70 K = 1, 4
+            U = SIDE(K,M)
+            IF (U .GT. 0 .AND. U .LT. M) GO TO 70
+            DO 50 L = 1, 3
+               IF (U .LT. 0) THEN
+                  A(L) = X(L,-U)
+               ELSE
+                  A(L) = C(L,U)
+               END IF
+   50       CONTINUE
+            S = DOT(C(1,M), C(1,M)) + DOT(A, A)
+            IF (.NOT. (S .LE. MOST)) MOST = S
+            DO 60 H = 1, 3
+               I = CORNER(FACET(H, K),M)
+               J = CORNER(FACET(H+1, K),M)
+               CALL MINUS(P(1,NBR(J)), P(1,NBR(I)), E)
+               S = TRIPLE(C(1,M), A, Y(1,I), E)
+               IF (U .LT. 0 .AND. I .LT. J) THEN
+C                 The face's edge on Q's cell.
+                  B = BESIDE(NLIST, SIDE, CORNER, M, K, FACET(H+2, K))
+                  S = S + TRIPLE(A, X(1,B), Y(1,I), E)
+                  LAPLAC(I) = LAPLAC(I) +
+     1                        TRIPLE(X(1,B), A, Y(1,I), Y(1,I))
+                  LAPLAC(J) = LAPLAC(J) +
+     1                        TRIPLE(A, X(1,B), Y(1,J), Y(1,J))
+               END IF
+               SIBSON(I) = SIBSON(I) + S
+               SIBSON(J) = SIBSON(J) + S
+   60       CONTINUE
+   70    CONTINUE
+   80 CONTINUE
+      DO 90 I = 1, NN
+         SIBSON(I) = SIBSON(I) - LAPLAC(I)
+         LAPLAC(I) = LAPLAC(I) / DOT(Y(1,I), Y(1,I))
+         IF (SIBSON(I) .LT. 0.0D0) SIBSON(I) = 0.0D0
+         IF (LAPLAC(I) .LT. 0.0D0) LAPLAC(I) = 0.0D0
+         ALL(1) = ALL(1) + SIBSON(I)
+         ALL(2) = ALL(2) + LAPLAC(I)
+   90 CONTINUE
+C     Nothing, or no number: then linear.
+      IF (.NOT. (MOST .LE. FAR*FAR*NEAR .AND. ALL(1) .GT. 0.0D0 .AND.
+     1    ALL(2) .GT. 0.0D0 .AND. 0.5D0*ALL(1) .LT. ALL(1) .AND.
+     2    0.5D0*ALL(2) .LT. ALL(2))) THEN
+         ALL(1) = 1.0D0
+         ALL(2) = 1.0D0
+         NN = 4
+         DO 100 K = 1, 4
+            NBR(K) = TET(K,T)
+            SIBSON(K) = W(K)
+            LAPLAC(K) = W(K)
+  100    CONTINUE
+      END IF
+      DO 110 I = 1, NN
+         SIBSON(I) = SIBSON(I) / ALL(1)
+         LAPLAC(I) = LAPLAC(I) / ALL(2)
+  110 CONTINUE
+      END
+
+C     ---- interpolation ----
+
+C     BLEND - Sibson's interpolant: it has the values and the gradients
+C     that are given at the points, and no kinks.
+C
+C       NN, NBR, W  (in)  as NATURA gives them; W Sibson's weights.
+C                         Laplace's leave kinks on the spheres of the
+C                         tetrahedra
+C       VALUE   (in)   VALUE(I) is that of point I
+C       G       (in)   G(K,I): gradient at point I
+C
+C       OUT     (out)  the value at the point of the weights, which is
+C                      Q, or for Q outside the hull's nearest point
+C
+C     Fields A + B.X + C*|X|**2 are reproduced.
+C     Cost: 15 square roots.  Source: Sibson (1981).
+      SUBROUTINE BLEND(P, NN, NBR, W, VALUE, G, OUT)
+      DOUBLE PRECISION P(3,*), W(*), VALUE(*), G(3,*), OUT
+      INTEGER NN, NBR(*)
+      DOUBLE PRECISION AT(3), D(3), R, PLANE, LINEAR, SLOPES, NEAR
+      DOUBLE PRECISION FIRST, SECOND, DOT
+      INTEGER I, K
+      LINEAR = 0.0D0
+      SLOPES = 0.0D0
+      NEAR = 0.0D0
+      FIRST = 0.0D0
+      SECOND = 0.0D0
+      DO 10 K = 1, 3
+         AT(K) = 0.0D0
+   10 CONTINUE
+      DO 30 I = 1, NN
+         CALL MINUS(P(1,NBR(I)), P(1,NBR(1)), D)
+         DO 20 K = 1, 3
+            AT(K) = AT(K) + W(I)*D(K)
+   20    CONTINUE
+   30 CONTINUE
+      DO 50 I = 1, NN
+         CALL MINUS(P(1,NBR(1)), P(1,NBR(I)), D)
+         DO 40 K = 1, 3
+            D(K) = D(K) + AT(K)
+   40    CONTINUE
+         R = SQRT(DOT(D, D))
+         OUT = VALUE(NBR(I))
+         IF (R .EQ. 0.0D0) RETURN
+         PLANE = VALUE(NBR(I)) + DOT(G(1,NBR(I)), D)
+         LINEAR = LINEAR + W(I)*VALUE(NBR(I))
+         SLOPES = SLOPES + W(I) / R*PLANE
+         NEAR = NEAR + W(I) / R
+         FIRST = FIRST + W(I)*R
+         SECOND = SECOND + W(I)*R*R
+   50 CONTINUE
+C     The weights of the two: FIRST / NEAR and SECOND.
+      OUT = (FIRST*LINEAR + SECOND*SLOPES) / (FIRST + SECOND*NEAR)
+      END

@@ -1,0 +1,150 @@
+#!/bin/sh
+# sh test/mpi/check.sh - do the processes of test/mpi/mesh.c give the mesh that
+# tess gives?  make mpi builds build/mesh and build/same.  Prints a line for
+# each failure, and how many cases passed; returns 1 if any failed.
+# PYTHON=python3 with the module meshio reads .vtu files back.
+PYTHON=${PYTHON:-/usr/bin/python3}
+run="mpirun --oversubscribe --allow-run-as-root"
+dir=build/mpi
+bad=0
+good=0
+mkdir -p $dir
+
+# result NAME STATUS
+result() {
+    if [ "$2" = 0 ]; then
+        good=$((good + 1))
+    else
+        bad=$((bad + 1))
+        echo "FAILED: MPI: $1"
+    fi
+}
+
+# mesh R CODE ARGUMENTS
+mesh() {
+    processes=$1
+    code=$2
+    shift 2
+    rm -f $dir/o.*
+    $run -np "$processes" build/mesh -o $dir/o "$@" \
+        >$dir/out 2>$dir/err </dev/null
+    [ $? = "$code" ]
+}
+
+# points FAMILY N
+points() {
+    build/same -write $dir/p.raw "$1" "$2"
+}
+
+# compare NAME R CODE [OPTIONS]: of the points in p.raw
+compare() {
+    name=$1
+    processes=$2
+    code=$3
+    shift 3
+    mesh "$processes" "$code" -raw $dir/p.raw "$@" &&
+        build/same $dir/o "$processes" $dir/p.raw >$dir/same.out 2>&1
+    result "$name, $processes processes" $?
+}
+
+# What is in no family: a text file each, as test/points.h has them.
+awk 'BEGIN { for (i = 0; i < 1200; i++) print i % 12, int(i / 12) % 10, 5 }' \
+    >$dir/plane
+awk 'BEGIN { for (i = 0; i < 1200; i++) print i, 3 * i, -i }' >$dir/line
+awk 'BEGIN { for (i = 0; i < 1200; i++) print 1, 2, 3 }' >$dir/equal
+# each point of a lattice twice, so also where space is cut
+awk 'BEGIN { for (i = 0; i < 2000; i++)
+    print i % 10, int(i / 10) % 10, int(i / 100) % 10 }' >$dir/twice
+# all points of a process before those of the next one, and of one place many
+awk 'BEGIN { for (i = 0; i < 900; i++)
+    print (i < 700 ? 0 : i * i % 89), (i < 700 ? 0 : i * 7 % 83),
+        (i < 700 ? i % 2 : i * i % 97) }' >$dir/heap
+
+for processes in 1 2 3 5 8; do
+    while read -r family n; do
+        points "$family" "$n"
+        compare "$family" "$processes" 0
+    done <<END
+uniform 4000
+clusters 4000
+lattice 3375
+lattice01 2744
+gridrot 2197
+globe 1500
+spherei 1500
+planeone 1000
+cubegrid 2000
+duplicates 4000
+$dir/twice 2000
+$dir/heap 900
+farpoint 1000
+huge 1000
+uniform 5
+lattice 8
+END
+    points $dir/plane 1200
+    compare "all in a plane" "$processes" 3
+    points $dir/line 1200
+    compare "all on a line" "$processes" 4
+    points $dir/equal 1200
+    compare "all equal" "$processes" 5
+    : >$dir/p.raw
+    compare "no points" "$processes" 5
+done
+
+# From a few extreme points alone: all else by agreement.
+for family in uniform clusters lattice gridrot globe; do
+    points $family 2000
+    compare "$family, blind" 5 0 -blind
+done
+
+# A file for each process, one of them empty; a family.
+build/same -write $dir/p.raw clusters 3000
+build/same -write $dir/each.0 clusters 3000 0 2
+: >$dir/each.1
+build/same -write $dir/each.2 clusters 3000 1 2
+mesh 3 0 -each $dir/each && build/same $dir/o 3 $dir/p.raw >$dir/same.out 2>&1
+result "a file for each process" $?
+mesh 3 0 -family clusters 3000 &&
+    build/same $dir/o 3 $dir/p.raw >$dir/same.out 2>&1
+result "a family" $?
+
+# An error of one process ends all, with a message.
+head -c 100 $dir/p.raw >$dir/short.raw
+mesh 3 1 -raw $dir/short.raw
+grep "three doubles" $dir/err >/dev/null
+result "a file that ends amid a point" $?
+mesh 3 1 -raw $dir/none.raw
+grep "cannot read" $dir/err >/dev/null
+result "no file" $?
+{ head -c 48 $dir/p.raw && printf '\377\377\377\377\377\377\377\377' &&
+    tail -c +57 $dir/p.raw; } >$dir/nan.raw
+mesh 3 1 -raw $dir/nan.raw
+grep "point 2 has a NaN" $dir/err >/dev/null
+result "a NaN" $?
+
+# The .vtu files hold what the .tet files hold.
+if $PYTHON -c 'import meshio' 2>/dev/null; then
+    points clusters 2000
+    mesh 3 0 -raw $dir/p.raw -vtu $dir/v
+    $PYTHON - $dir 3 <<'END'
+import sys
+import numpy, meshio
+folder, ranks = sys.argv[1], int(sys.argv[2])
+points = numpy.fromfile(folder + "/p.raw").reshape(-1, 3)
+parent = open(folder + "/v.pvtu").read()
+for r in range(ranks):
+    piece = meshio.read(f"{folder}/v.{r}.vtu")
+    index = piece.point_data["index"]
+    tet = numpy.fromfile(f"{folder}/o.{r}.tet", dtype="int64").reshape(-1, 4)
+    assert f'Source="v.{r}.vtu"' in parent
+    assert (piece.points == points[index]).all()
+    assert (index[piece.cells_dict["tetra"]] == tet).all() and len(tet) > 0
+END
+    result "meshio reads .vtu" $?
+else
+    echo "MPI: no meshio, .vtu files are not read back"
+fi
+
+echo "mpi: $good passed, $bad failed"
+[ $bad = 0 ]

@@ -1,0 +1,440 @@
+/* t_natural.c - the recipes of test/examples/natural.c, on points of all kinds:
+ * identities that hold for any set of points, weights in closed form, fields
+ * that are reproduced, and codes.
+ *
+ * With -DFORTRAN linked with the routines of natural.f, f77/tess.f and
+ * f77/hhpred.f: these are tested instead, and differ from those of C by
+ * roundings alone. */
+#define main example
+#include "../examples/natural.c"
+#undef main
+#include <stdlib.h>
+#include <string.h>
+#include "../points.h"
+
+#define N 1000
+#define MAXTET (40 * N)
+#define MOST 4000
+#define QUERIES 400
+#define WORK (13 * MOST + 15)
+
+static tess_real p[3 * N];
+static tess_int n, ntet, tet[4 * MAXTET], adj[4 * MAXTET], iw[TESS_LIW(N)];
+static tess_int nn, nbr[MOST + 3], work[WORK];
+static double rw[TESS_LRW(N)], real[WORK], value[N], g[3 * N];
+static double weights[2][MOST + 3];
+static long passed, failed;
+
+static void check(int good, const char *family, const char *what)
+{
+    if (good) {
+        passed++;
+        return;
+    }
+    failed++;
+    printf("FAILED  %s: %s\n", family, what);
+}
+
+#ifdef FORTRAN
+extern void natura_(double *p, int *ntet, int *tet, int *adj, double *q,
+                    int *t, int *most, int *nn, int *nbr, double *sibson,
+                    double *laplac, int *iw, double *rw, int *info);
+extern void blend_(double *p, int *nn, int *nbr, double *w, double *value,
+                   double *g, double *out);
+
+/* both - FORTRAN's weights, and whether C's are the same. */
+static int both(tess_real *q, tess_int *t, tess_int most)
+{
+    static int tet1[4 * MAXTET], adj1[4 * MAXTET], nbr1[MOST + 3];
+    static double other[2][MOST + 3];
+    int i, k, code, info, start = *t + 1, nn1;
+
+    for (i = 0; i < 4 * ntet; i++) {
+        tet1[i] = tet[i] + 1;
+        adj1[i] = adj[i] + 1;
+    }
+    code = natural(p, ntet, tet, adj, q, t, most, &nn, nbr, other[0], other[1],
+                   work, real);
+    natura_(p, &ntet, tet1, adj1, q, &start, &most, &nn1, nbr1, weights[0],
+            weights[1], work, real, &info);
+    i = info == code && nn1 == nn && (nn == 0 || start == *t + 1);
+    for (k = 0; k < nn && i; k++)
+        i = nbr1[k] == nbr[k] + 1 && fabs(weights[0][k] - other[0][k]) < 1e-9 &&
+            fabs(weights[1][k] - other[1][k]) < 1e-9;
+    check(i, "FORTRAN", "as C");
+    return info;
+}
+
+static double smooth(const double *w)
+{
+    static int nbr1[MOST + 3];
+    static double w1[MOST + 3];
+    double out;
+    int i;
+
+    for (i = 0; i < nn; i++) {
+        nbr1[i] = nbr[i] + 1;
+        w1[i] = w[i];
+    }
+    blend_(p, &nn, nbr1, w1, value, g, &out);
+    check(fabs(out - blend(p, nn, nbr, w, value, g)) <= 1e-12 * fabs(out),
+          "FORTRAN", "blend as C's");
+    return out;
+}
+#else
+static int both(tess_real *q, tess_int *t, tess_int most)
+{
+    return natural(p, ntet, tet, adj, q, t, most, &nn, nbr, weights[0],
+                   weights[1], work, real);
+}
+
+static double smooth(const double *w)
+{
+    return blend(p, nn, nbr, w, value, g);
+}
+#endif
+
+/* random01 - a random number, 0 <= x < 1, of 26 bits. */
+static double random01(void)
+{
+    static long seed = 1;
+    long high;
+
+    seed = (seed * 3877 + 29573) % 139968;
+    high = seed % 8192;
+    seed = (seed * 3877 + 29573) % 139968;
+    return ((double)high + (double)(seed % 8192) / 8192.0) / 8192.0;
+}
+
+/* mesh - of n points, turned about no axis in particular, moved and scaled. */
+static int mesh(int turned, double scale)
+{
+    double x, y, z, u, v;
+    tess_int i;
+
+    for (i = 0; i < n; i++) {
+        x = (double)p[3 * i];
+        y = (double)p[3 * i + 1];
+        z = (double)p[3 * i + 2];
+        u = turned ? cos(0.7) * x - sin(0.7) * y + 1.0 : x;
+        v = turned ? sin(0.7) * x + cos(0.7) * y : y;
+        p[3 * i] = (tess_real)(scale * u);
+        p[3 * i + 1] = (tess_real)(scale * (turned ? cos(0.4) * v -
+                                            sin(0.4) * z + 2.0 : v));
+        p[3 * i + 2] = (tess_real)(scale * (turned ? sin(0.4) * v +
+                                            cos(0.4) * z + 3.0 : z));
+    }
+    return tess(n, p, MAXTET, &ntet, tet, adj, TESS_LIW(N), iw, TESS_LRW(N),
+                rw);
+}
+
+/* weigh - are both weights at least 0, their sum 1, and q their mean to
+ * within slack? */
+static int weigh(const tess_real *q, double slack)
+{
+    double mean[3], sum;
+    tess_int i;
+    int k, m, good = nn > 0;
+
+    for (m = 0; m < 2; m++) {
+        sum = mean[0] = mean[1] = mean[2] = 0.0;
+        for (i = 0; i < nn; i++) {
+            if (!(weights[m][i] >= 0.0)) good = 0;
+            sum += weights[m][i];
+            for (k = 0; k < 3; k++)
+                mean[k] += weights[m][i] *
+                           ((double)p[3 * nbr[i] + k] - (double)q[k]);
+        }
+        if (!(fabs(sum - 1.0) < 1e-12)) good = 0;
+        for (k = 0; k < 3; k++)
+            if (!(fabs(mean[k]) <= slack)) good = 0;
+    }
+    return good;
+}
+
+/* Queries in tetrahedra, on their faces, edges and hardly inside them; on and
+ * beside the hull; anywhere; at the points. */
+static void family(const char *name, int turned)
+{
+    double b[4], sum, box = 0.0, w[4], x[3], m[4];
+    tess_real q[3];
+    tess_int i, j, t, u, v;
+    int k, kind, code, good[6], face;
+
+    n = (tess_int)points_make(name, N, 1, p);
+    code = n > 0 ? mesh(turned, 1.0) : -1;
+    check(code == 0, name, "mesh");
+    if (code != 0) return;
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3; k++)
+            if (fabs((double)p[3 * i + k] - (double)p[k]) > box)
+                box = fabs((double)p[3 * i + k] - (double)p[k]);
+    for (k = 0; k < 4; k++) m[k] = random01();
+    for (i = 0; i < n; i++) {
+        value[i] = 0.0;
+        for (k = 0; k < 3; k++) {
+            x[k] = ((double)p[3 * i + k] - (double)p[k]) / box;
+            value[i] += m[k] * x[k] + m[3] * x[k] * x[k];
+            g[3 * i + k] = (m[k] + 2.0 * m[3] * x[k]) / box;
+        }
+    }
+    for (k = 0; k < 6; k++) good[k] = 1;
+    for (i = 0; i < QUERIES; i++) {
+        kind = (int)(i % 4);
+        u = (tess_int)(random01() * (double)ntet);
+        face = (int)(random01() * 4.0);
+        for (sum = 0.0, k = 0; k < 4; k++) {
+            b[k] = kind == 3 ? 1.0 - 3.0 * random01() : random01();
+            if (kind == 1 && (k != face || i % 3 == 0) && random01() < 0.5)
+                b[k] *= i % 8 < 4 ? 0.0 : 1e-13;
+        }
+        if (kind == 2) { /* the next tetrahedron with a facet on the hull */
+            while (adj[4 * u] >= 0 && adj[4 * u + 1] >= 0 &&
+                   adj[4 * u + 2] >= 0 && adj[4 * u + 3] >= 0)
+                u = (u + 1) % ntet;
+            for (k = 0; adj[4 * u + k] >= 0; k++) continue;
+            b[k] *= pow(10.0, -15.0 * random01()) * (i % 3 > 0 ? 1.0 : 0.0);
+        }
+        for (k = 0; k < 4; k++) sum += b[k];
+        if (!(fabs(sum) > 1e-3)) continue;
+        for (k = 0; k < 3; k++) {
+            for (x[k] = 0.0, j = 0; j < 4; j++)
+                x[k] += b[j] / sum * (double)p[3 * tet[4 * u + j] + k];
+            q[k] = (tess_real)x[k];
+        }
+        t = i % 5 ? u : TESS_NONE;
+        code = both(q, &t, MOST);
+        v = TESS_NONE;
+        if (tess_locate(p, ntet, tet, adj, q, &v, w) != code) good[0] = 0;
+        if (code == 1) /* the hull's point nearest to it */
+            for (k = 0; k < 3; k++) {
+                x[k] = 0.0;
+                for (j = 0; j < 4; j++)
+                    x[k] += w[j] * (double)p[3 * tet[4 * v + j] + k];
+                q[k] = (tess_real)x[k];
+            }
+        if (!weigh(q, box * (kind < 2 && code == 0 ? 1e-11 : 1e-7)))
+            good[1 + kind / 2] = 0;
+        for (sum = 0.0, k = 0; k < 3; k++) {
+            x[k] = ((double)q[k] - (double)p[k]) / box;
+            sum += m[k] * x[k] + m[3] * x[k] * x[k];
+        }
+        for (k = 0; k < 2; k++)
+            if (!(fabs(smooth(weights[k]) - sum) <
+                  (kind < 2 && code == 0 ? 1e-9 : 1e-5)))
+                good[3] = 0;
+    }
+    for (i = 0; i < n; i += 1 + n / QUERIES) {
+        t = TESS_NONE;
+        if (both(p + 3 * i, &t, MOST) != 0) good[4] = 0;
+        for (j = 0; j < nn; j++)
+            if (weights[0][j] != (nbr[j] == iw[i]) ||
+                weights[1][j] != (nbr[j] == iw[i]))
+                good[4] = 0;
+        if (smooth(weights[0]) != value[iw[i]]) good[5] = 0;
+    }
+    check(good[0], name, "the codes of tess_locate");
+    check(good[1], name, "inside");
+    check(good[2], name, "at the hull, and beyond");
+    check(good[3], name, "blend: a + b.x + c |x|^2");
+    check(good[4], name, "weight 1 at the points");
+    check(good[5], name, "blend at the points");
+}
+
+/* Between the points (0,0,0) and (1,0,0) of the integer lattice q's cell is
+ * that of the prism |y|, |z| <= 1/2 from x = s/2 to (1 + s)/2, and on it
+ * wedges of height s (x - s/2) up to x = 1/2, and likewise from the other
+ * end; what they have in common is cut off by the plane towards (0,1,1). */
+static void lattice(int turned, double scale)
+{
+    static const double s = 0.3125;
+    double want[2][2][3], sum[2] = {0.0, 0.0}, r;
+    tess_real saved[3];
+    tess_int i, j, t = TESS_NONE;
+    int end, far, m, good = 1;
+
+    for (n = 36, i = 0; i < n; i++) {
+        p[3 * i] = (tess_real)(i % 4 - 1);
+        p[3 * i + 1] = (tess_real)(i / 4 % 3 - 1);
+        p[3 * i + 2] = (tess_real)(i / 12 - 1);
+    }
+    p[3 * n] = (tess_real)s; /* q turns with them */
+    p[3 * n + 1] = p[3 * n + 2] = 0;
+    n++;
+    mesh(turned, scale);
+    n--;
+    memcpy(saved, p + 3 * n, sizeof saved);
+    check(tess(n, p, MAXTET, &ntet, tet, adj, TESS_LIW(N), iw, TESS_LRW(N),
+               rw) == 0, "lattice", "mesh");
+    check(both(saved, &t, MOST) == 0, "lattice", "code");
+    for (end = 0; end < 2; end++) {
+        r = end ? 1.0 - s : s;
+        want[0][end][0] = (1.0 - r) / 2.0;
+        want[0][end][1] = r * (1.0 - r) * (1.0 - r) / 8.0;
+        want[0][end][2] = r * r * pow(1.0 - r, 3.0) / 48.0;
+        want[1][end][0] = 1.0 / r;
+        want[1][end][1] = (1.0 - r) / 2.0;
+        want[1][end][2] = r * (1.0 - r) * (1.0 - r) / 8.0;
+        for (m = 0; m < 2; m++)
+            sum[m] += want[m][end][0] + 4.0 * want[m][end][1] +
+                      4.0 * want[m][end][2];
+    }
+    for (j = 0; j < nn; j++) {
+        i = nbr[j];
+        end = (int)(i % 4) - 1;
+        far = (i / 4 % 3 != 1) + (i / 12 != 1);
+        for (m = 0; m < 2; m++) {
+            r = end == 0 || end == 1 ? want[m][end][far] / sum[m] : 0.0;
+            if (!(fabs(weights[m][j] - r) < 1e-13)) good = 0;
+        }
+    }
+    check(good && nn >= 18, "lattice", "weights in closed form");
+}
+
+/* The kink of a field along a line through a point and off it: the sum of the
+ * slopes outwards goes to 0 with the step; that of the linear one does not. */
+static void kinks(void)
+{
+    double kink[3][2], step, d[3], sum, jump[3];
+    tess_real q[3];
+    tess_int i, j, t;
+    int k, m, side, rounds = 0, good = 1;
+
+    n = (tess_int)points_make("uniform", N, 1, p);
+    check(mesh(0, 1.0) == 0, "uniform", "mesh");
+    for (i = 0; i < n; i++) {
+        value[i] = sin(9.0 * (double)p[3 * i]) + (double)p[3 * i + 1];
+        for (k = 0; k < 3; k++) g[3 * i + k] = 0.0;
+        g[3 * i] = 9.0 * cos(9.0 * (double)p[3 * i]);
+        g[3 * i + 1] = 1.0;
+    }
+    for (m = 0; m < 3; m++) kink[m][0] = kink[m][1] = 0.0;
+    for (i = 0; i < n; i++) {
+        for (sum = 0.0, k = 0; k < 3; k++) {
+            d[k] = random01() - 0.5;
+            sum += fabs((double)p[3 * i + k] - 0.5) > 0.3;
+        }
+        if (sum > 0.0) continue;
+        rounds++;
+        for (m = 0; m < 2; m++) {
+            step = m ? 1e-6 : 1e-3;
+            jump[0] = jump[1] = -2.0 * value[i];
+            for (side = -1; side < 2; side += 2) {
+                for (k = 0; k < 3; k++)
+                    q[k] = (tess_real)((double)p[3 * i + k] +
+                                       side * step * d[k]);
+                t = TESS_NONE;
+                if (both(q, &t, MOST) != 0) good = 0;
+                jump[0] += smooth(weights[0]);
+                for (j = 0; j < nn; j++)
+                    jump[1] += weights[0][j] * value[nbr[j]];
+            }
+            for (k = 0; k < 2; k++) kink[k][m] += fabs(jump[k]) / step;
+        }
+    }
+    check(good && rounds > 50, "uniform", "codes of steps");
+    check(kink[0][1] < 0.01 * kink[0][0], "uniform", "blend has no kinks");
+    check(kink[1][1] > 0.5 * kink[1][0], "uniform", "linear ones have");
+}
+
+/* Too little room; open facets; damage; bad arguments; four points. */
+static void codes(void)
+{
+    static tess_int kept[4 * MAXTET];
+    tess_real q[3];
+    tess_int i, t, whole, most;
+    int k, code, good, seen;
+    double w[4];
+
+    n = (tess_int)points_make("uniform", N, 1, p);
+    check(mesh(0, 1.0) == 0, "codes", "mesh");
+    for (k = 0; k < 3; k++) q[k] = (tess_real)(0.45 + 0.02 * k);
+    t = TESS_NONE;
+    check(both(q, &t, MOST) == 0, "codes", "room");
+    whole = nn;
+    for (good = 1, most = 1; most < 200; most++) {
+        code = both(q, &t, most);
+        if (code == 0) break;
+        if (code != TESS_MORE || nn != 0) good = 0;
+    }
+    check(good && code == 0 && nn == whole && most > 4, "codes", "TESS_MORE");
+    check(both(q, &t, 0) == -7, "codes", "most");
+    t = ntet;
+    check(both(q, &t, MOST) == -6, "codes", "start");
+    t = 0;
+    q[1] = (tess_real)HUGE_VAL;
+    check(both(q, &t, MOST) == -5, "codes", "infinity");
+    memcpy(kept, adj, sizeof kept);
+    for (good = 1, seen = 0, i = 0; i < 400; i++) {
+        memcpy(adj, kept, sizeof kept);
+        for (k = 0; k < 3; k++) q[k] = (tess_real)random01();
+        t = TESS_NONE;
+        if (tess_locate(p, ntet, tet, adj, q, &t, w) != 0) continue;
+        k = (int)(random01() * 4.0);
+        adj[4 * t + k] = i % 4 == 0 ? TESS_OPEN
+                       : i % 4 == 1 ? ntet
+                       : i % 4 == 2 ? -7
+                                    : (tess_int)(random01() * (double)ntet);
+        code = both(q, &t, MOST);
+        if (code != (i % 4 == 0 ? TESS_BAD_OPEN : -4)) good = 0;
+        seen++;
+    }
+    check(good && seen > 100, "codes", "open facets and damage");
+    /* an unfinished result, and damage anywhere: a code, weights or not, but
+     * an end, and nothing out of bounds */
+    for (i = 0; i < 400; i++) {
+        memcpy(adj, kept, sizeof kept);
+        for (k = 0; k < 40; k++)
+            adj[(tess_int)(random01() * 4.0 * (double)ntet)] =
+                (tess_int)(random01() * (double)ntet);
+        for (k = 0; k < 3; k++) q[k] = (tess_real)random01();
+        t = TESS_NONE;
+        both(q, &t, 100);
+    }
+    tess(n, p, ntet / 2, &ntet, tet, adj, TESS_LIW(N), iw, TESS_LRW(N), rw);
+    for (good = 0, i = 0; i < 400; i++) {
+        for (k = 0; k < 3; k++) q[k] = (tess_real)random01();
+        t = TESS_NONE;
+        code = both(q, &t, MOST);
+        good += code == TESS_BAD_OPEN;
+        if (code == 0 && !weigh(q, 1e-7)) good = -1000;
+    }
+    check(good > 10, "codes", "unfinished");
+    n = 4;
+    check(mesh(1, 1.0) == 0, "four points", "mesh");
+    for (good = 1, i = 0; i < 100; i++) {
+        for (w[3] = 1.0, k = 0; k < 3; k++)
+            w[3] -= w[k] = random01() / 3.0;
+        for (k = 0; k < 3; k++)
+            q[k] = (tess_real)(w[0] * (double)p[3 * tet[0] + k] +
+                               w[1] * (double)p[3 * tet[1] + k] +
+                               w[2] * (double)p[3 * tet[2] + k] +
+                               w[3] * (double)p[3 * tet[3] + k]);
+        t = 0;
+        if (both(q, &t, MOST) != 0 || !weigh(q, 1e-14)) good = 0;
+    }
+    check(good, "four points", "weights");
+}
+
+int main(void)
+{
+    static const char *const families[] = {"uniform", "clusters", "lattice",
+        "jitlattice", "bcc", "fcc", "lattice01", "spherenorm", "cylinder",
+        "prism", "gridrot", "gradedrot", "gridsph", "gridcyl", "extruded",
+        "globe", "stations", "shells", "rottetin", "cubesurf", "duplicates",
+        "pairs", "twoscale", "decimal3", 0};
+    int i;
+
+    lattice(0, 1.0);
+    lattice(1, 1.0);
+    lattice(1, 1e50);
+    lattice(1, 1e-50);
+    kinks();
+    codes();
+    for (i = 0; families[i]; i++) {
+        family(families[i], 0);
+        family(families[i], 1);
+    }
+    printf("t_natural: %ld passed, %ld failed\n", passed, failed);
+    return failed > 0;
+}
