@@ -2037,8 +2037,8 @@ static int beyond(const quest *f, double sum, double size, double h, double dh)
 }
 
 /* promise - returns 1 if a node has provably no candidate, by the heights of
- * its points; a leaf by its box, too, which is all that counts where the
- * heights tell nothing. */
+ * its points; a leaf, and with a cap's ball any node, by its box, too, which is
+ * all that counts where the heights tell nothing. */
 static int promise(const mesh *m, quest *f, tess_int node)
 {
     const support *s = m->supports + f->near;
@@ -2052,7 +2052,7 @@ static int promise(const mesh *m, quest *f, tess_int node)
     if (f->a >= 0.0) h = s->low + s->grain * ((double)(code / 2) - 1.5);
     sum = lowest(f, b, b + 3, f->q, f->d, &size);
     return beyond(f, sum, size, h, 0.0) ||
-           (node >= m->leaves && prunebox(f, b, b + 3));
+           ((node >= m->leaves || f->limbs == 2) && prunebox(f, b, b + 3));
 }
 
 /* ---- cylinders ----

@@ -2704,17 +2704,18 @@ C     most, and the height, less than DH away, counts as H; or 0: OUT.
       END
 
 C     TSPROM - returns 1 if a node has provably no candidate, by the
-C     heights of its points; a leaf by its box, too, which is all that
-C     counts where the heights tell nothing; or 0: OUT.
+C     heights of its points; a leaf, and with a cap's ball any node, by
+C     its box, too, which is all that counts where the heights tell
+C     nothing; or 0: OUT.
       SUBROUTINE TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
       DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER MARK(*), CTL(*), IQ(43), NODE, OUT
       INTEGER TSPRUN
       INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QNEAR, QAIMED
-      INTEGER QTEST, TA, GRAINS
+      INTEGER QLIMBS, QTEST, TA, GRAINS
       PARAMETER (NP = 1, LEAVES = 4, RSUP = 18, LSUP = 98, SLOW = 97)
       PARAMETER (SGRAIN = 98, QNEAR = 6, QAIMED = 7, QTEST = 101)
-      PARAMETER (TA = 6, GRAINS = 134217728)
+      PARAMETER (QLIMBS = 2, TA = 6, GRAINS = 134217728)
       DOUBLE PRECISION H, SIZE, SUM
       INTEGER AT, CODE, TELLS
       IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
@@ -2733,7 +2734,8 @@ C     counts where the heights tell nothing; or 0: OUT.
         CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, FQ, QTEST, SUM, SIZE)
         CALL TSBEYO(FQ, SUM, SIZE, H, 0.0D0, OUT)
       END IF
-      IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)))
+      IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)
+     $    .OR. IQ(QLIMBS) .EQ. 2))
      $    OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
       END
 

@@ -436,6 +436,70 @@ static long spherei(long n, unsigned long *state, double *p)
     return i;
 }
 
+/* Integer points turned by three times a matrix of thirds, and moved: those on
+ * one sphere are again, exactly, but on no axis. */
+static void thirds(long n, double *p)
+{
+    double x, y, z;
+    long i;
+
+    for (i = 0; i < n; i++) {
+        x = p[3 * i];
+        y = p[3 * i + 1];
+        z = p[3 * i + 2];
+        put(p + 3 * i, 2 * x - y + 2 * z + 1000, 2 * x + 2 * y - z - 200,
+            2 * y + 2 * z - x + 30);
+    }
+}
+
+/* All integer points from a sphere with many of them, of square, to a
+ * little beyond; how many, or with p those. */
+static long shell(long square, double *p)
+{
+    double x, y, z, r = 0, s;
+    long i = 0;
+
+    while (r * r < (double)square)
+        r++;
+    r++;
+    for (x = -r; x <= r; x++)
+        for (y = -r; y <= r; y++)
+            for (z = -r; z <= r; z++) {
+                s = x * x + y * y + z * z;
+                if (s < (double)square || s > r * r)
+                    continue;
+                if (p)
+                    put(p + 3 * i, x, y, z);
+                i++;
+            }
+    return i;
+}
+
+static long cavityi(long n, unsigned long *state, double *p)
+{
+    static const long square[] = {161, 89, 41, 17, 9, 5, 1};
+    size_t k = 0;
+    long count;
+
+    while (k + 1 < sizeof square / sizeof square[0] && shell(square[k], 0) > n)
+        k++;
+    if (shell(square[k], 0) > n)
+        return 0;
+    count = shell(square[k], p);
+    shuffle(state, count, p);
+    thirds(count, p);
+    return count;
+}
+
+static long fccturn(long n, unsigned long *state, double *p)
+{
+    n = fcc(n, state, p);
+    scale(n, p, 2, 2, 2);
+    shuffle(state, n, p);
+    thirds(n, p);
+    return n;
+}
+
 static long spiral(long n, unsigned long *state, double *p)
 {
     double angle, radius, z;
@@ -1216,7 +1280,8 @@ static const struct {
     { "jitlattice", jitlattice }, { "grid11eps", grid11eps },
     { "lastplaces", lastplaces }, { "bcc", bcc },
     { "fcc", fcc }, { "spherenorm", spherenorm }, { "spherejit", spherejit },
-    { "spherei", spherei }, { "ellipsoid", ellipsoid }, { "spiral", spiral },
+    { "spherei", spherei }, { "cavityi", cavityi },
+    { "fccturn", fccturn }, { "ellipsoid", ellipsoid }, { "spiral", spiral },
     { "cylinder", cylinder }, { "cylinderrnd", cylinderrnd },
     { "prism", prism }, { "helix", helix }, { "moment", moment },
     { "twolines", twolines }, { "planeone", planeone },

@@ -26,6 +26,9 @@
  *   spherejit*   the same with radii wrong by up to 1e-6, moved
  *   spherei      all integer points with x^2 + y^2 + z^2 = R^2, R integer, of
  *                the R that has most of them but not more than n; any order
+ *   cavityi      all integer points from a sphere with 6 to 288 of them to a
+ *                little beyond, in any order, turned exactly and moved
+ *   fccturn      fcc in any order, turned exactly and moved
  *   ellipsoid*   spherenorm times 1, 0.7, 0.4, turned
  *   spiral*      golden-angle spiral on the unit sphere
  *   cylinder*    rings on a cylinder, about sqrt(n) of sqrt(n) points
