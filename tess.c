@@ -47,6 +47,7 @@
  *                    as tess_size says
  *   rw   3 n x       scaled coordinates by position
  *        12 L box    box of each node of the tree
+ *        the rest    cylinders, where it is as long as tess_size says
  *
  * The arena.  The table begins with tablesize entries; makeroom has rehash
  * double it when three quarters are in use, and give it its quota of the arena
@@ -72,22 +73,23 @@
  *                leafsort kdsort boxes
  *   first facet  point preced edgeby firstfacet
  *   star         clearlink renumber push join unlinkedge between glue flush
- *                grow enlist follow gather load complete makeroom begin star stars
+ *                grow enlist follow gather load complete makeroom begin star
+ *                stars
  *   pool         outfac facet owner hashkey same find insert erase quota
  *                rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
  *   apex         dot powererr prunebox prunepart ballinbox ballinstar better
  *                curved narrow refine rough marked level remember fit discover
- *                lean sharpen sight lowest beyond promise normal flatten
- *                offside inlarge keeplarge cap challenge consider
+ *                lean sharpen sight lowest beyond promise group enclose
+ *                enclosed outside inlarge keeplarge cap challenge consider
  *                ballcoef starcoef inball considerall likeliest anypoint
  *                newcell incell instar inblock scanleaf barren treesearch
  *                onhull prepare proven apex
  *   one star     exchange settle plant
  *   results      coords four slot mate
- *   preparation  leafcount cuberoot tablesize upto lengths extra collect
- *                inrange times units scaled revive sorted intact match claim
- *                restore layout opened run wrong unfit
+ *   preparation  leafcount cuberoot tablesize upto lengths extra spare
+ *                collect inrange times units scaled revive sorted intact match
+ *                claim restore layout opened run wrong unfit
  *   entries      tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
  *   queries      qside inbox
@@ -171,7 +173,7 @@ extern void tess_prove(int fact);
  * a million take 3 % longer. */
 #define SAMPLE 64
 /* Depth of the tree plus one, at most. */
-#define DEPTH 64
+#define DEPTH 96
 /* Supports, at most.  One is sought when a search has more than OPENED points
  * in its sample and these add up to BURDEN times all points; each time in vain
  * doubles that.  One with grains FINER times smaller takes another's points. */
@@ -191,20 +193,12 @@ extern void tess_prove(int fact);
 #define SEEK(m) (TESS_LIST >= 128 && (m)->seek)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
 #define LEANING(f) (TESS_LIST >= 128 && (f)->near != NONE)
-/* Slabs are made when the points of leaves that were tested are SCANS times the
- * points, for nodes whose slab is less than THIN_SLAB of the box: with 0.1
- * those between two sheets take 12 % longer, with 0.35 those on a torus 8 %.  A
- * slab's normal has components below HALFWAY, the box's width along it PARTS
- * parts.  Slabs are given up if less than WORTH of those asked tell that there
- * is nothing: 0.29 on a torus, where they take a fifth longer, 0.41 between two
- * sheets, where they take a quarter less. */
+/* Cylinders are made when the points of leaves that were tested are SCANS times
+ * the points; not if less than half of the leaves' are below SLENDER of their
+ * boxes. */
 #define SCANS 100.0
-#define THIN_SLAB 0.2
-#define WORTH 0.35
-#define HALFWAY 512
-#define PARTS 32767.0
-#define SLABS (TESS_LIST >= 128 && TESS_INT_MOST >= 2147483647L)
-#define FLAT(m, node) (SLABS && (m)->slab != NULL && (m)->slab[2 * (node)] > 0)
+#define SLENDER 0.7
+#define ENCLOSED(m) (TESS_LIST >= 128 && (m)->cylinder != NULL)
 /* Points of a cell, at most, and cells; a large ball has more than LARGE. */
 #define CELL 12
 #define CELLS 4
@@ -373,9 +367,8 @@ typedef struct mesh {
     int nsupport, seek;       /* how many there are; look for more? */
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
     double burden, patience;  /* comparisons left open, how many may be */
-    tess_int *slab;           /* two integers a node: see flatten; or NULL: */
-    double scanned;           /* points of leaves tested, or < 0; with them, */
-                              /* how many told, less WORTH of those asked */
+    double *cylinder;         /* see group; or NULL */
+    double scanned;           /* points of leaves tested, or < 0 */
 } mesh;
 
 /* ---- sorting ---- */
@@ -965,8 +958,8 @@ static void complete(mesh *m, tess_int s)
     l->r[i] = FAR * FAR;
 }
 
-/* makeroom - make sure of room for another tetrahedron's facets in the table and
- * in the link of s; returns 0 if there is none.  Callers must reload oldest.
+/* makeroom - make sure of room for another tetrahedron's facets in the table
+ * and in the link of s; returns 0 if there is none.  Callers must reload oldest.
  * When three quarters of the table are in use, or the link meets it, the edges
  * move up, if an eighth of their room is dead, and the table gets another
  * length, if that differs by a sixteenth: so both are seldom. */
@@ -1220,10 +1213,11 @@ static tess_int quota(const mesh *m, tess_int edges)
 }
 
 /* rehash - give the pool's table another length, its quota at most, and enter
- * its facets again in their order.  The new table is laid over the old one, so the facets come from
- * tet and adj: those open ones that have an owner and not the vertex s.  (Those
- * that do are edges of its link.)  In results that were joined a facet may be
- * there twice: it is closed.  Returns 0, TESS_POOL, or what match finds. */
+ * its facets again in their order.  The new table is laid over the old one, so
+ * the facets come from tet and adj: those open ones that have an owner and not
+ * the vertex s.  (Those that do are edges of its link.)  In results that were
+ * joined a facet may be there twice: it is closed.  Returns 0, TESS_POOL, or
+ * what match finds. */
 static int rehash(mesh *m, tess_int s, tess_int wanted)
 {
     tess_int code, v[3], e, sig, least = quota(m, 2);
@@ -1832,7 +1826,7 @@ static void discover(mesh *m, quest *f)
         return;
     }
     m->nsupport++;
-    m->seek = m->nsupport < SUPPORTS - (m->slab == NULL ? 0 : 2);
+    m->seek = m->nsupport < SUPPORTS;
 }
 
 /* lean - find the support that the facet is near to, if there is one, and its
@@ -2061,139 +2055,170 @@ static int promise(const mesh *m, quest *f, tess_int node)
            ((node >= m->leaves || f->limbs == 2) && prunebox(f, b, b + 3));
 }
 
-/* ---- slabs ----
+/* ---- cylinders ----
  *
  * On a smooth surface a box sticks out of the surface by as much as it is wide,
- * so that a ball which touches the surface meets many of them.  The slab
- * between two parallel planes that holds a node's points is thinner, as the
- * box's width is less than the radius of curvature, and the ball meets a few of
- * them, however many there are.  Slabs are made for all nodes when searches
- * turn out to be long, in the room of the last two supports. */
+ * so that a ball which touches the surface meets many of them; along a curve it
+ * is as wide as it is long.  A cylinder that holds a node's points, a disc on a
+ * surface, a rod on a curve, is thinner by the node's width over the radius of
+ * curvature, and the ball meets a few of them, however many there are.
+ * Cylinders are made when searches turn out to be long, of the nodes of every
+ * second level from the leaves up: the four grandchildren of a node lie side by
+ * side, and are tested at once. */
 
-/* normal - that of the plane nearest to a sample of the points of a node whose
- * box is b, scaled and rounded to integers of absolute value below HALFWAY: the
- * column of the adjugate of the matrix of second moments with the greatest
- * diagonal.  Returns 0 where there is none. */
-static int normal(const mesh *m, tess_int first, tess_int last, const double *b,
-                  double *n)
+/* group - the cylinders of the four grandchildren of a node: centre, unit axis,
+ * half length, radius; of each of these numbers four in a row. */
+static double *group(const mesh *m, tess_int node)
 {
-    double a[6], c[3], u[3], most = 0.0, many = 0.0, v;
-    tess_int i, step = (last - first) / SAMPLE + 1;
-    int j, k, l;
+    tess_int level = m->leaves / 4, at = 0;
 
-    for (k = 0; k < 3; k++) c[k] = a[k] = a[3 + k] = n[k] = 0.0;
-    for (i = first; i < last; i += step) {
-        many += 1.0;
-        for (k = 0; k < 3; k++) c[k] += m->x[3 * i + k] - b[k];
+    for (; node < level; level /= 4) at += level;
+    return m->cylinder + 32 * (at + node - level);
+}
+
+/* enclose - make the cylinder of a node, its numbers four places apart.  The
+ * axis is a column, that of the greatest diagonal, of the matrix of second
+ * moments (a rod) or of its adjugate (a disc), whichever gives less volume; is
+ * that below SLENDER of the box's?  Of the sum of |x[k]| the differences from
+ * the box's middle err by EPS, their products with the axis and what is left
+ * across it by less than 40, the centre by 10: together less than 64. */
+static int enclose(const mesh *m, tess_int node, double *c)
+{
+    const double *b = m->box + 6 * node, *x;
+    double a[6], sum[3], mid[3], y[3], u[3], lo, hi, s, v, rr, most, pad = 0.0;
+    double volume = DBL_MAX, many;
+    tess_int first, last, i;
+    int rod, j, k, l;
+
+    span(m, node, &first, &last);
+    many = (double)(last - first);
+    for (k = 0; k < 3; k++) {
+        a[k] = a[3 + k] = sum[k] = 0.0;
+        mid[k] = 0.5 * (b[k] + b[3 + k]);
+        pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_SMALL;
     }
-    for (i = first; i < last; i += step) {
-        for (k = 0; k < 3; k++) u[k] = m->x[3 * i + k] - b[k] - c[k] / many;
+    for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
+        for (k = 0; k < 3; k++) sum[k] += y[k] = x[k] - mid[k];
         for (k = 0; k < 3; k++) {
-            a[k] += u[k] * u[k];
-            a[3 + k] += u[(k + 1) % 3] * u[(k + 2) % 3];
+            a[k] += y[k] * y[k];
+            a[3 + k] += y[(k + 1) % 3] * y[(k + 2) % 3];
         }
     }
     for (k = 0; k < 3; k++) {
-        j = (k + 1) % 3;
-        l = (k + 2) % 3;
-        v = a[j] * a[l] - a[3 + k] * a[3 + k];
-        if (v <= most) continue;
-        most = v;
-        n[k] = v;
-        n[j] = a[3 + k] * a[3 + j] - a[3 + l] * a[l];
-        n[l] = a[3 + k] * a[3 + l] - a[3 + j] * a[j];
+        a[k] -= sum[k] * sum[k] / many;
+        a[3 + k] -= sum[(k + 1) % 3] * sum[(k + 2) % 3] / many;
     }
-    if (most == 0.0) return 0;
-    for (k = 0; k < 3; k++)
-        if (fabs(n[k]) > most) most = fabs(n[k]);
-    for (k = 0; k < 3; k++)
-        n[k] = floor(n[k] / most * (HALFWAY - 1) + 0.5);
-    return 1;
-}
-
-/* flatten - make the slab of each node: a normal N, and between which of PARTS
- * parts of the range of N.x in the box N.x is for its points, with a part to
- * spare.  N.x, the ends of the range, and those that offside finds, with
- * differences for x, err by at most 4, 4 and 8 EPS |N|_1, |N|_1 < 1536, the
- * range by twice that: together less than a part of 65536 EPS. */
-static void flatten(mesh *m)
-{
-    const double *b, *x;
-    double n[3], lo, hi, least, most, part, v;
-    tess_int node, first, last, i;
-    int k;
-
-    m->slab = m->mark + m->np + 2 * m->leaves * (SUPPORTS - 2);
-    for (node = 1; node < 2 * m->leaves; node++) {
-        m->slab[2 * node] = 0;
-        b = m->box + 6 * node;
-        span(m, node, &first, &last);
-        if (!normal(m, first, last, b, n)) continue;
-        lo = hi = 0.0;
+    for (rod = 1; rod >= 0; rod--) {
+        most = FAINT;
+        u[0] = 1.0;
+        u[1] = u[2] = s = lo = hi = rr = 0.0;
         for (k = 0; k < 3; k++) {
-            lo += n[k] * (n[k] > 0.0 ? b[k] : b[3 + k]);
-            hi += n[k] * (n[k] > 0.0 ? b[3 + k] : b[k]);
+            j = (k + 1) % 3;
+            l = (k + 2) % 3;
+            v = rod ? a[k] : a[j] * a[l] - a[3 + k] * a[3 + k];
+            if (v <= most) continue;
+            most = u[k] = v;
+            u[j] = rod ? a[3 + l] : a[3 + k] * a[3 + j] - a[3 + l] * a[l];
+            u[l] = rod ? a[3 + j] : a[3 + k] * a[3 + l] - a[3 + j] * a[j];
         }
-        part = (hi - lo) / PARTS;
-        if (part < 65536.0 * EPS) continue;
-        least = hi;
-        most = lo;
+        for (k = 0; k < 3; k++)
+            if (fabs(u[k]) > most) most = fabs(u[k]);
+        for (k = 0; k < 3; k++) {
+            u[k] /= most;
+            s += u[k] * u[k];
+        }
+        for (k = 0; k < 3; k++) u[k] /= sqrt(s);
         for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-            v = n[0] * x[0] + n[1] * x[1] + n[2] * x[2];
-            if (v < least) least = v;
-            if (v > most) most = v;
+            for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
+            s = y[0] * u[0] + y[1] * u[1] + y[2] * u[2];
+            if (i == first || s < lo) lo = s;
+            if (i == first || s > hi) hi = s;
+            for (v = 0.0, k = 0; k < 3; k++)
+                v += (y[k] - s * u[k]) * (y[k] - s * u[k]);
+            if (v > rr) rr = v;
         }
-        if (most - least > THIN_SLAB * (hi - lo)) continue;
-        least = floor((least - lo) / part) - 1.0;
-        most = floor((most - lo) / part) + 2.0;
-        if (least < 0.0) least = 0.0;
-        if (most > PARTS) most = PARTS;
-        for (k = 0; k < 3; k++) n[k] += HALFWAY;
-        m->slab[2 * node] = (tess_int)((n[2] * 1024.0 + n[1]) * 1024.0 + n[0]);
-        m->slab[2 * node + 1] = (tess_int)(most * 32768.0 + least);
+        if ((hi - lo) * rr >= volume) continue;
+        volume = (hi - lo) * rr;
+        for (k = 0; k < 3; k++) {
+            c[4 * k] = mid[k] + 0.5 * (lo + hi) * u[k];
+            c[12 + 4 * k] = u[k];
+        }
+        c[24] = 0.5 * (hi - lo) + pad;
+        c[28] = sqrt(rr) + pad;
     }
+    return 3.2 * volume <
+           SLENDER * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
 }
 
-/* offside - has the part of a node's box that is in its slab certainly no
- * candidate?  With the normal N, edge the end of N.w in the slab next to the
- * ball's centre c, and any t of the sign of N.c - edge
- *     |w|^2 - 2 c.w >= |w|^2 - (2 c - t N).w - t edge
- * there, and so, without the square, for minus the side v.w.  Taken is the t
- * that is best for the slab without the box.  The slab's end has a part to
- * spare, or is the box's, and errs by 16 eps |N|_1 size; all else errs by some
- * eps of the terms, and |edge| <= |N|_1 size. */
-static int offside(const mesh *m, const quest *f, tess_int node)
+/* enclosed - make all cylinders, unless few of the leaves' are slender. */
+static void enclosed(mesh *m)
 {
-    const double *b = m->box + 6 * node;
-    double n[3], d[3], lo = 0.0, hi = 0.0, nn = 0.0, nd = 0.0, n1 = 0.0;
-    double q = f->ball ? 1.0 : 0.0, edge, part, t, size, sum, err, l, h;
-    tess_int code = m->slab[2 * node];
-    int k;
+    tess_int level = m->leaves / 4, node, slender = 0;
+    int i;
 
-    for (k = 0; k < 3; k++) {
-        n[k] = (double)(code % 1024) - HALFWAY;
-        code /= 1024;
-        d[k] = f->ball ? 2.0 * f->c[k] : f->f[k];
-        l = n[k] * (b[k] - f->f[6 + k]);
-        h = n[k] * (b[3 + k] - f->f[6 + k]);
-        lo += l < h ? l : h;
-        hi += l < h ? h : l;
-        nn += n[k] * n[k];
-        n1 += fabs(n[k]);
-        nd += n[k] * d[k];
+    m->scanned = -MUCHL;
+    m->cylinder = m->box + 12 * m->leaves;
+    for (; level > 0; level /= 4) {
+        for (node = level; node < 2 * level; node++)
+            for (i = 0; i < 4; i++)
+                slender += enclose(m, 4 * node + i, group(m, node) + i);
+        if (slender < m->leaves / 2) break;
     }
-    code = m->slab[2 * node + 1] / 32768;
-    part = (hi - lo) * (1.0 / PARTS);
-    hi = lo + part * (double)code;
-    code = m->slab[2 * node + 1] % 32768;
-    lo += part * (double)code;
-    edge = nd > 2.0 * q * hi ? hi : nd < 2.0 * q * lo ? lo : 0.5 * nd;
-    t = (nd - 2.0 * q * edge) / nn;
-    for (k = 0; k < 3; k++) d[k] -= t * n[k];
-    sum = lowest(f, b, b + 3, q, d, &size) - t * edge;
-    err = f->ball ? 2.0 * f->dc + 32.0 * EPS * (size + f->size) : f->f[9];
-    err += 64.0 * EPS * (1.0 - q + fabs(t) * n1);
-    return (f->ball || f->f[9] <= HH_LOOSE) && sum > size * err + FAINT;
+    if (level > 0) m->cylinder = NULL;
+}
+
+/* outside - have the cylinders of a node's four grandchildren certainly no
+ * candidate?  Those have past[i] > 0.
+ *
+ * A point is w + s u + p from the base, w being the cylinder's centre, u its
+ * axis, |s| <= h, p across u, |p| <= r.  With g = w - c, a = |g.u|, and the
+ * length rho of g across u, its power in the ball about c is
+ *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p),
+ * the brackets at least t (t - 2 a), t the lesser of a and h, and R^2 - 2 R
+ * rho, R the lesser of rho and r.  So there is none if the sum without 2 R rho
+ * is positive and its square is above 4 R^2 rho^2.  Without a ball the same holds
+ * for minus the side v.w, with v / 2 for c, without all squares, t = h, R = r:
+ * q = 0, and far is more than any length.
+ *
+ * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r:
+ * w by EPS |w|, which counts twice in the power, and with that of g in rho, 4;
+ * the power by 8 (powererr), a by 6 |g|_1, which counts 2 t times; |u|^2 is 1
+ * but for 8 EPS, which tilts p: 9; and some for the sum.  rho^2 errs by less
+ * than 64 EPS |g|^2, with room for the last two products; where these
+ * underflow, r >= HH_SMALL makes the sum's error greater. */
+static void outside(const mesh *m, const quest *f, tess_int node, double *past)
+{
+    const double *c = group(m, node);
+    double q = f->ball ? 1.0 : 0.0, far = f->ball ? 0.0 : FAR;
+    double err = f->ball ? 2.0 * f->dc + 128.0 * EPS * f->size
+                         : f->f[9] + 64.0 * EPS;
+    double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8];
+    double d0 = f->ball ? f->c[0] : 0.5 * f->f[0];
+    double d1 = f->ball ? f->c[1] : 0.5 * f->f[1];
+    double d2 = f->ball ? f->c[2] : 0.5 * f->f[2];
+    double w0, w1, w2, g0, g1, g2, a, h, r, t, gg, rr, rho, size, sum;
+    int i;
+
+    for (i = 0; i < 4; i++) { /* as vectors */
+        w0 = c[i] - b0;
+        w1 = c[4 + i] - b1;
+        w2 = c[8 + i] - b2;
+        h = c[24 + i];
+        r = c[28 + i];
+        size = fabs(w0) + fabs(w1) + fabs(w2) + 2.0 * (h + r);
+        g0 = q * w0 - d0;
+        g1 = q * w1 - d1;
+        g2 = q * w2 - d2;
+        a = fabs(g0 * c[12 + i] + g1 * c[16 + i] + g2 * c[20 + i]);
+        t = a + far < h ? a + far : h;
+        gg = g0 * g0 + g1 * g1 + g2 * g2;
+        rho = gg - a * a + 64.0 * EPS * gg;
+        rr = rho + far < r * r ? rho + far : r * r;
+        sum = w0 * (g0 - d0) + w1 * (g1 - d1) + w2 * (g2 - d2) +
+              t * (q * t - 2.0 * a) + q * rr -
+              size * (err + q * 64.0 * EPS * size) - FAINT;
+        past[i] = sum * fabs(sum) - 4.0 * rr * rho;
+    }
 }
 
 /* ---- ties ----
@@ -2648,36 +2673,49 @@ static int barren(const mesh *m, const quest *f, tess_int node)
 #endif
 
 /* treesearch - finish a search by the tree: the leaf of v[0] first, then its
- * parent's other child, and so on up to the root; near a support from the root
- * down, the child of lesser height first, as the apex may be anywhere. */
+ * parent's other child, and so on up to the root, or by cylinders its
+ * grandparent's other three grandchildren, which are on the stack as minus the
+ * one that is done with; near a support from the root down, the child of lesser
+ * height first, as the apex may be anywhere. */
 static void treesearch(const mesh *m, quest *f)
 {
     tess_int stack[DEPTH], node = 1, i, last;
     const double *b;
-    int depth = 1, n;
+    double past[4];
+    int depth = 1, n, fours;
 
     stack[0] = 1;
+    fours = ENCLOSED(m) && !LEANING(f) && (f->ball || f->f[9] <= HH_LOOSE);
     if (!LEANING(f)) {
         node = m->leaves + leafof(m, f->v[0]);
-        for (i = node, depth = 0; i > 1; i /= 2) depth++;
+        for (i = node, depth = 0; i > 1; i /= fours && i > 3 ? 4 : 2) depth++;
         n = depth;
         stack[depth++] = node;
-        for (i = node; i > 1; i /= 2) stack[--n] = i % 2 == 0 ? i + 1 : i - 1;
+        for (i = node; i > 1; i /= fours && i > 3 ? 4 : 2)
+            stack[--n] = fours && i > 3 ? -i : i % 2 == 0 ? i + 1 : i - 1;
     }
     while (depth > 0) {
         node = stack[--depth];
+        i = 0;
+        if (node < 0) {
+            i = -node;
+            node = i / 4;
+        } else if (m->alive[node] == 0)
+            continue;
+        if (fours && node < m->leaves) {
+            COUNT(N_NODE, 4);
+            outside(m, f, node, past);
+            for (n = 3; n >= 0; n--)
+                if (past[n] > 0.0) {
+                    HOLDS(barren(m, f, 4 * node + n));
+                } else if (4 * node + n != i)
+                    stack[depth++] = 4 * node + n;
+            continue;
+        }
         COUNT(N_NODE, 1);
         b = m->box + 6 * node;
-        if (m->alive[node] == 0) continue;
         if (LEANING(f)) {
             if (promise(m, f, node)) {
-                HOLDS(barren(m, f, node));
-                continue;
-            }
-        } else if (FLAT(m, node)) {
-            f->scanned -= WORTH;
-            if (offside(m, f, node)) {
-                f->scanned += 1.0;
                 HOLDS(barren(m, f, node));
                 continue;
             }
@@ -2691,7 +2729,7 @@ static void treesearch(const mesh *m, quest *f)
             continue;
         }
         span(m, node, &i, &last);
-        if (m->slab == NULL) f->scanned += (double)(last - i);
+        f->scanned += (double)(last - i);
         scanleaf(m, f, i, last, b);
         if (SEEK(m) && m->link[i] != DONE) remember(f, i, 0);
     }
@@ -2814,18 +2852,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     treesearch(m, &f);
     if (f.tied > LARGE && m->block.first != NONE) keeplarge(m, &f);
     m->scanned += f.scanned;
-    if (SLABS && m->slab != NULL && m->scanned < -(double)m->leaves) {
-        m->slab = NULL;
-        m->scanned = -MUCHL;
-    }
-    if (SLABS && m->slab == NULL && m->scanned > SCANS * (double)m->np) {
-        m->scanned = -MUCHL;
-        if (m->nsupport <= SUPPORTS - 2) {
-            flatten(m);
-            m->scanned = 0.0;
-        }
-        if (m->nsupport == SUPPORTS - 2) m->seek = 0;
-    }
+    if (TESS_LIST >= 128 && m->scanned > SCANS * (double)m->np) enclosed(m);
     if (f.opened > OPENED && SEEK(m)) {
         m->burden += (double)f.opened;
         if (m->burden > m->patience * (double)m->np) {
@@ -3040,6 +3067,13 @@ static tess_int extra(tess_int n)
 {
     if (TESS_LIST < 128 || n < ENOUGH) return 0;
     return n + 2 * SUPPORTS * leafcount(n);
+}
+
+/* spare - doubles that cylinders take. */
+static tess_int spare(tess_int n)
+{
+    if (TESS_LIST < 128 || n < ENOUGH) return 0;
+    return 32 * (leafcount(n) / 3);
 }
 
 /* collect - the points that stand for themselves, in their order. */
@@ -3274,7 +3308,7 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->nplane = m->nextplane = m->ties = m->nsupport = m->seek = 0;
     m->ncell = m->tied = 0;
     m->first = NONE;
-    m->slab = NULL;
+    m->cylinder = NULL;
     m->scanned = -MUCHL;
     m->block.first = m->block.last = NONE;
     m->np = m->block.n = m->around.n = 0;
@@ -3303,7 +3337,7 @@ static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
  * right but for p and the indices in tet. */
 static int run(tess_int n, const tess_real *p, const tess_int *mine,
                tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
-               tess_int liw, tess_int *iw, double *rw)
+               tess_int liw, tess_int *iw, tess_int lrw, double *rw)
 {
     mesh m;
     tess_int i, s = NONE, least, pool;
@@ -3323,12 +3357,13 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     m.pool = m.link + n;
     m.room = liw - 4 * n - 2 * leafcount(n) - KEEP;
     (void)lengths(n, &i, &least, &pool);
+    if (spare(n) > 0 && mine == NULL && lrw - least >= spare(n))
+        m.scanned = 0.0;
     if (extra(n) > 0 && liw - i - pool >= extra(n)) {
         m.room -= extra(n);
         m.mark = m.pool + m.room;
         m.burden = 0.0;
         m.patience = BURDEN;
-        m.scanned = 0.0;
         /* doubles decide all where points are in few units */
         m.seek = m.set.t5 < PLAIN;
     }
@@ -3414,6 +3449,7 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
     }
     *liw += pool;
     if (extra(n) < TESS_INT_MOST - *liw) *liw += extra(n);
+    if (spare(n) < TESS_INT_MOST - *lrw) *lrw += spare(n);
     return 0;
 }
 
@@ -3424,7 +3460,7 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     int code = wrong(n, p, maxtet, liw, lrw, ntet);
 
     if (code != 0) return code;
-    return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, rw);
+    return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, lrw, rw);
 }
 
 int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
@@ -3434,7 +3470,7 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
     int code = unfit(n, p, maxtet, *ntet, tet, adj, liw, lrw);
 
     if (code != 0) return code;
-    return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, rw);
+    return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, lrw, rw);
 }
 
 /* tess_index - the sorted points, their tree, and the first tetrahedron.  In
@@ -3481,7 +3517,8 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
     int code = unfit(n, NULL, maxtet, *ntet, tet, adj, liw, lrw);
 
     if (code == 0)
-        code = run(n, p, mine, maxtet, ntet, tet, adj, liw, iw, (double *)rw);
+        code = run(n, p, mine, maxtet, ntet, tet, adj, liw, iw, lrw,
+                   (double *)rw);
     return code < -1 ? code - 1 : code;
 }
 

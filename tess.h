@@ -81,9 +81,12 @@
  *
  *   TESS_LIW   4 for the point, 1/12 for the tree, 4 and TESS_LP for the pool,
  *              TESS_LS for points that are near planes or spheres
- *   TESS_LRW   TESS_LR for the point, 1/2 for the tree */
+ *   TESS_LRW   TESS_LR for the point, 1/2 for the tree, TESS_LC for points on
+ *              surfaces and curves */
 #define TESS_LR 3
-#define TESS_LRW(n) (TESS_LR * (long)(n) + 6 * ((long)(n) / 12 + 2))
+#define TESS_LRW(n) \
+    (TESS_LR * (long)(n) + 6 * ((long)(n) / 12 + 2) + TESS_LC((long)(n)))
+#define TESS_LC(n) ((n) < 500 ? 0 : 16 * ((n) / 36 + 1))
 #define TESS_LIW(n)                                                \
     ((n) > TESS_INT_MOST / 9 || TESS_LI((long)(n)) > TESS_INT_MOST \
          ? (long)TESS_INT_MOST                                     \

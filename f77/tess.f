@@ -75,6 +75,7 @@ C            TSEXTR MARK  marks for supports, where that leaves the pool
 C                         as long as TESSWK says
 C       RW   3 N X        scaled coordinates by position
 C            12 L BOX     box of each node of the tree
+C            the rest     cylinders, where it is as long as TESSWK says
 C
 C     The arena.  The table begins with TSTABL entries; TSMKRO has
 C     TSREHA double it when three quarters are in use, and give it its
@@ -122,8 +123,8 @@ C         curved TSCURV, narrow TSNARR, refine TSREFI, rough TSROUG,
 C         marked TSMRKD, level TSLEVE, remember TSREME, fit TSFIT,
 C         discover TSDISC, lean TSLEAN, sharpen TSSHAR, sight TSSIGH,
 C         lowest TSLOWE, beyond TSBEYO, promise TSPROM,
-C         normal TSNORM, flatten TSFLAT, offside TSOFFS,
-C         inlarge TSINLA, keeplarge TSKEEP, cap TSCAP,
+C         group TSGROU, enclose TSENCL, enclosed TSECLD,
+C         outside TSOUTS, inlarge TSINLA, keeplarge TSKEEP, cap TSCAP,
 C         challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
 C         starcoef TSSTAC, inball TSINBA, considerall TSCALL,
 C         likeliest TSLIKE, anypoint TSANYP, newcell TSNEWC,
@@ -134,7 +135,8 @@ C       one star: exchange TSEXCH, settle TSSETT, plant TSPLAN
 C       results: slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, cuberoot TSCUBE,
 C         tablesize TSTABL, upto TSUPTO, lengths TSLENG,
-C         extra TSEXTR, collect TSCOLL, inrange TSINRA, times TSTIME,
+C         extra TSEXTR, spare TSSPAR,
+C         collect TSCOLL, inrange TSINRA, times TSTIME,
 C         units TSUNIT, scaled TSSCAL, revive TSREVI, sorted TSSORT,
 C         intact TSINTA, match TSMTCH, claim TSCLAI, restore TSREST,
 C         opened TSOPEN, run TSRUN, wrong TSWRON, unfit TSUNFI
@@ -178,9 +180,7 @@ C       MARK   0, or J + SUPPS*K, of a position with mark K of support
 C              J; behind MARK(NP+2*CTL(LEAVES)*(J-1)) 2 (K + 1) of each
 C              node, K the least mark of its points, -1 if one is below
 C              SLOW, GRAINS if all are above; plus 1 if one is above
-C              -SLOW.  Behind
-C              MARK(CTL(SLAB0)), in the room of the last two supports,
-C              two integers of each node, its slab: see TSFLAT
+C              -SLOW.
 C     CTL, the mesh's integers:
 C       NP      distinct points
 C       NT      tetrahedra;  MAXT room for them
@@ -194,7 +194,7 @@ C       NPLANE  hull planes that are remembered;  NEXTPL the one to be
 C               replaced next;  PLANE0 the place before them
 C       TIES    1: the last points on a ball were not in it
 C       UNMET   no vertex before it is NEW and asked for
-C       SLAB0   the place before the slabs, or 0: there are none
+C       ROUND   1: there are cylinders, behind BOX(6,2*CTL(LEAVES))
 C       TIED    1: the last ties in a star's list were exact
 C       NCELL   cells of this star: CELLS at most, the last ones, are
 C               kept, each how many points it has and these, CELL at
@@ -207,8 +207,7 @@ C       RSCALE  X = P 2**(-RSCALE)
 C       RSUPP   supports that there are;  RSEEK is 1: look for more
 C       RBURDN  comparisons left open;  RPATIE how many may be, over NP
 C       RLEAST  the least absolute value of a coordinate above 0
-C       RSCAN   points of leaves tested, or below 0; with slabs, how
-C               many told, less WORTH of those asked
+C       RSCAN   points of leaves tested, or below 0
 C       RTIED   points that a search met exactly on its ball
 C       RSLOT   V(RSLOT) is the large ball's first, or 0
 C       RFIRST  the large ball's first, or 0;  behind RLARGE four
@@ -291,16 +290,9 @@ C       ENOUGH  of fewer points none is sought
 C       SOME    places of the sample
 C       GRAINS  marks of heights over a support: a double holds them and
 C               their roundings
-C       SCANS, SLIM  slabs are made when the points of leaves that were
-C               tested are SCANS times the points, for nodes whose slab
-C               is less than SLIM of the box: with 0.1 those between two
-C               sheets take 12 % longer, with 0.35 those on a torus 8 %
-C       WORTH   slabs are given up if less than that part of those asked
-C               tell that there is nothing: 0.29 on a torus, where they
-C               take a fifth longer, 0.41 between two sheets, where they
-C               take a quarter less
-C       HALFWY, PARTS  a slab's normal has components below HALFWY, and
-C               the box's width along it has PARTS parts
+C       SCANS, SLIM  cylinders are made when the points of leaves that
+C               were tested are SCANS times the points; not if less than
+C               half of the leaves' are below SLIM of their boxes
 C       CELL, CELLS  points of a cell, at most, and cells
 C       LARGE   a large ball has more ties
 C       PLANES  hull planes that are remembered
@@ -2334,9 +2326,9 @@ C     that holds them all.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43)
       INTEGER TSCUBE
-      INTEGER NP, LEAVES, SLAB0, RSUPP, RSEEK, RSUP, LSUP, SPLANE, SSIGN
+      INTEGER NP, LEAVES, RSUPP, RSEEK, RSUP, LSUP, SPLANE, SSIGN
       INTEGER SLOW, SGRAIN, DONE, SUPPS, GRAINS, OPENED, QNEAR, QOPEND
-      PARAMETER (NP = 1, LEAVES = 4, SLAB0 = 28, RSUPP = 6, RSEEK = 7)
+      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RSEEK = 7)
       PARAMETER (RSUP = 18)
       PARAMETER (LSUP = 98, SPLANE = 88, SSIGN = 89, SLOW = 97)
       PARAMETER (SGRAIN = 98, DONE = -1, SUPPS = 8, GRAINS = 134217728)
@@ -2430,7 +2422,6 @@ C     a sample of all that is near, as that may be of a corner
       END IF
       RCTL(RSUPP) = DBLE(J)
       IF (J .EQ. SUPPS) RCTL(RSEEK) = 0.0D0
-      IF (J .EQ. SUPPS - 2 .AND. CTL(SLAB0) .NE. 0) RCTL(RSEEK) = 0.0D0
       END
 
 C     TSLEAN - find the support that the facet is near to, if there is
@@ -2749,187 +2740,226 @@ C     nothing; or 0: OUT.
       END
 
 C     ------------------------------------------------------------------
-C     Slabs.
+C     Cylinders.
 C
 C     On a smooth surface a box sticks out of the surface by as much as
 C     it is wide, so that a ball which touches the surface meets many of
-C     them.  The slab between two parallel planes that holds a node's
-C     points is thinner, as the box's width is less than the radius of
-C     curvature, and the ball meets a few of them, however many there
-C     are.  Slabs are made for all nodes when searches turn out to be
-C     long, in the room of the last two supports.
+C     them; along a curve it is as wide as it is long.  A cylinder that
+C     holds a node's points, a disc on a surface, a rod on a curve, is
+C     thinner by the node's width over the radius of curvature, and the
+C     ball meets a few of them, however many there are.  Cylinders are
+C     made when searches turn out to be long, of the nodes of every
+C     second level from the leaves up: the four grandchildren of a node
+C     lie side by side, and are tested at once.
 C     ------------------------------------------------------------------
 
-C     TSNORM - the normal N of the plane nearest to a sample of the
-C     points FIRST ... LAST of a node, scaled and rounded to integers of
-C     absolute value below HALFWY: the column of the adjugate of the
-C     matrix of second moments with the greatest diagonal.  OK is 1, or
-C     0 where there is none.
-      SUBROUTINE TSNORM(X, BOX, FIRST, LAST, NODE, N, OK)
-      DOUBLE PRECISION X(3,*), BOX(6,*), N(3)
-      INTEGER FIRST, LAST, NODE, OK
-      INTEGER SAMPLE, HALFWY
-      PARAMETER (SAMPLE = 64, HALFWY = 512)
-      DOUBLE PRECISION A(6), C(3), MANY, MOST, U(3), V
-      INTEGER I, J, K, L, STEP
-      OK = 0
-      STEP = (LAST - FIRST + 1)/SAMPLE + 1
-      MOST = 0.0D0
-      MANY = 0.0D0
+C     TSGROU - the number of the cylinders of the four grandchildren of
+C     a node: CYL(.,.,TSGROU) has their centres, unit axes, half
+C     lengths, radii; of each of these numbers four in a row.
+      INTEGER FUNCTION TSGROU(CTL, NODE)
+      INTEGER CTL(*), NODE
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER LEVEL
+      LEVEL = CTL(LEAVES)/4
+      TSGROU = 1
+   10 IF (NODE .LT. LEVEL) THEN
+        TSGROU = TSGROU + LEVEL
+        LEVEL = LEVEL/4
+        GO TO 10
+      END IF
+      TSGROU = TSGROU + NODE - LEVEL
+      END
+
+C     TSENCL - make the cylinder of a node, CYL(J,.,AT).  The axis is a
+C     column, that of the greatest diagonal, of the matrix of second
+C     moments (a rod) or of its adjugate (a disc), whichever gives less
+C     volume; SLENDR is 1 if that is below SLIM of the box's, or 0.  Of
+C     the sum of |X(K)| the differences from the box's middle err by
+C     EPS, their products with the axis and what is left across it by
+C     less than 40, the centre by 10: together less than 64.
+      SUBROUTINE TSENCL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
+      INTEGER CTL(*), NODE, AT, J, SLENDR
+      DOUBLE PRECISION EPS, FAINT, HUGE, SLIM, SMALL
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, SLIM = 0.7D0)
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      PARAMETER (SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION A(6), HI, LO, MANY, MID(3), MOST, PAD, RR, S
+      DOUBLE PRECISION SUM(3), U(3), V, VOLUME, Y(3)
+      INTEGER FIRST, I, K, L, LAST, M, ROD
+      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      MANY = DBLE(LAST - FIRST + 1)
+      VOLUME = HUGE
+      PAD = 0.0D0
       DO 10 K = 1, 3
-        C(K) = 0.0D0
         A(K) = 0.0D0
         A(3+K) = 0.0D0
-        N(K) = 0.0D0
+        SUM(K) = 0.0D0
+        MID(K) = 0.5D0*(BOX(K,NODE) + BOX(3+K,NODE))
+        PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
+     $      + SMALL
    10 CONTINUE
-      DO 30 I = FIRST, LAST, STEP
-        MANY = MANY + 1.0D0
+      DO 40 I = FIRST, LAST
         DO 20 K = 1, 3
-          C(K) = C(K) + (X(K,I) - BOX(K,NODE))
+          Y(K) = X(K,I) - MID(K)
+          SUM(K) = SUM(K) + Y(K)
    20   CONTINUE
-   30 CONTINUE
-      DO 60 I = FIRST, LAST, STEP
-        DO 40 K = 1, 3
-          U(K) = X(K,I) - BOX(K,NODE) - C(K)/MANY
-   40   CONTINUE
-        DO 50 K = 1, 3
-          A(K) = A(K) + U(K)*U(K)
-          A(3+K) = A(3+K) + U(MOD(K,3)+1)*U(MOD(K+1,3)+1)
-   50   CONTINUE
-   60 CONTINUE
-      DO 70 K = 1, 3
-        J = MOD(K, 3) + 1
-        L = MOD(K + 1, 3) + 1
-        V = A(J)*A(L) - A(3+K)*A(3+K)
-        IF (V .LE. MOST) GO TO 70
-        MOST = V
-        N(K) = V
-        N(J) = A(3+K)*A(3+J) - A(3+L)*A(L)
-        N(L) = A(3+K)*A(3+L) - A(3+J)*A(J)
-   70 CONTINUE
-      IF (MOST .LE. 0.0D0) RETURN
-      MOST = MAX(MOST, ABS(N(1)), ABS(N(2)), ABS(N(3)))
-      DO 80 K = 1, 3
-        V = N(K)/MOST*DBLE(HALFWY - 1) + 0.5D0
-        N(K) = DBLE(INT(V))
-        IF (N(K) .GT. V) N(K) = N(K) - 1.0D0
-   80 CONTINUE
-      OK = 1
-      END
-
-C     TSFLAT - make the slab of each node: a normal N, and between which
-C     of PARTS parts of the range of N.x in the box N.x is for its
-C     points, with a part to spare.  N.x, the ends of the range, and
-C     those that TSOFFS finds, with differences for x, err by at most 4,
-C     4 and 8 EPS |N|_1, |N|_1 < 1536, the range by twice that: together
-C     less than a part of 65536 EPS.
-      SUBROUTINE TSFLAT(X, BOX, MARK, CTL)
-      DOUBLE PRECISION X(3,*), BOX(6,*)
-      INTEGER MARK(*), CTL(*)
-      INTEGER NP, LEAVES, SLAB0, SUPPS, HALFWY
-      PARAMETER (NP = 1, LEAVES = 4, SLAB0 = 28, SUPPS = 8)
-      PARAMETER (HALFWY = 512)
-      DOUBLE PRECISION EPS, PARTS, SLIM
-      PARAMETER (EPS = 2.0D0**(-52), PARTS = 32767.0D0, SLIM = 0.2D0)
-      DOUBLE PRECISION HI, LEAST, LO, MOST, N(3), PART, V
-      INTEGER AT, FIRST, I, K, LAST, NODE, OK
-      CTL(SLAB0) = CTL(NP) + 2*CTL(LEAVES)*(SUPPS - 2)
-      DO 40 NODE = 1, 2*CTL(LEAVES) - 1
-        AT = CTL(SLAB0) + 2*NODE
-        MARK(AT) = 0
-        CALL TSSPAN(CTL, NODE, FIRST, LAST)
-        CALL TSNORM(X, BOX, FIRST, LAST, NODE, N, OK)
-        IF (OK .EQ. 0) GO TO 40
-        LO = 0.0D0
-        HI = 0.0D0
-        DO 10 K = 1, 3
-          LO = LO + MIN(N(K)*BOX(K,NODE), N(K)*BOX(3+K,NODE))
-          HI = HI + MAX(N(K)*BOX(K,NODE), N(K)*BOX(3+K,NODE))
-   10   CONTINUE
-        PART = (HI - LO)/PARTS
-        IF (PART .LT. 65536.0D0*EPS) GO TO 40
-        LEAST = HI
-        MOST = LO
-        DO 20 I = FIRST, LAST
-          V = N(1)*X(1,I) + N(2)*X(2,I) + N(3)*X(3,I)
-          LEAST = MIN(LEAST, V)
-          MOST = MAX(MOST, V)
-   20   CONTINUE
-        IF (MOST - LEAST .GT. SLIM*(HI - LO)) GO TO 40
-        LEAST = MAX(DBLE(INT((LEAST - LO)/PART)) - 1.0D0, 0.0D0)
-        MOST = MIN(DBLE(INT((MOST - LO)/PART)) + 2.0D0, PARTS)
         DO 30 K = 1, 3
-          N(K) = N(K) + DBLE(HALFWY)
+          A(K) = A(K) + Y(K)*Y(K)
+          A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
    30   CONTINUE
-        MARK(AT) = INT((N(3)*1024.0D0 + N(2))*1024.0D0 + N(1))
-        MARK(AT+1) = INT(MOST*32768.0D0 + LEAST)
    40 CONTINUE
+      DO 50 K = 1, 3
+        A(K) = A(K) - SUM(K)*SUM(K)/MANY
+        A(3+K) = A(3+K) - SUM(MOD(K,3)+1)*SUM(MOD(K+1,3)+1)/MANY
+   50 CONTINUE
+      DO 120 ROD = 1, 0, -1
+        MOST = FAINT
+        U(1) = 1.0D0
+        U(2) = 0.0D0
+        U(3) = 0.0D0
+        DO 60 K = 1, 3
+          M = MOD(K, 3) + 1
+          L = MOD(K + 1, 3) + 1
+          V = A(K)
+          IF (ROD .EQ. 0) V = A(M)*A(L) - A(3+K)*A(3+K)
+          IF (V .LE. MOST) GO TO 60
+          MOST = V
+          U(K) = V
+          U(M) = A(3+L)
+          U(L) = A(3+M)
+          IF (ROD .EQ. 0) U(M) = A(3+K)*A(3+M) - A(3+L)*A(L)
+          IF (ROD .EQ. 0) U(L) = A(3+K)*A(3+L) - A(3+M)*A(M)
+   60   CONTINUE
+        MOST = MAX(MOST, ABS(U(1)), ABS(U(2)), ABS(U(3)))
+        S = 0.0D0
+        DO 70 K = 1, 3
+          U(K) = U(K)/MOST
+          S = S + U(K)*U(K)
+   70   CONTINUE
+        DO 80 K = 1, 3
+          U(K) = U(K)/SQRT(S)
+   80   CONTINUE
+        LO = HUGE
+        HI = -HUGE
+        RR = 0.0D0
+        DO 100 I = FIRST, LAST
+          DO 90 K = 1, 3
+            Y(K) = X(K,I) - MID(K)
+   90     CONTINUE
+          S = Y(1)*U(1) + Y(2)*U(2) + Y(3)*U(3)
+          LO = MIN(LO, S)
+          HI = MAX(HI, S)
+          RR = MAX(RR, (Y(1) - S*U(1))**2 + (Y(2) - S*U(2))**2 +
+     $        (Y(3) - S*U(3))**2)
+  100   CONTINUE
+        IF ((HI - LO)*RR .GE. VOLUME) GO TO 120
+        VOLUME = (HI - LO)*RR
+        DO 110 K = 1, 3
+          CYL(J,K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
+          CYL(J,3+K,AT) = U(K)
+  110   CONTINUE
+        CYL(J,7,AT) = 0.5D0*(HI - LO) + PAD
+        CYL(J,8,AT) = SQRT(RR) + PAD
+  120 CONTINUE
+      SLENDR = 0
+      IF (3.2D0*VOLUME .LT. SLIM*(BOX(4,NODE) - BOX(1,NODE))*
+     $    (BOX(5,NODE) - BOX(2,NODE))*(BOX(6,NODE) - BOX(3,NODE)))
+     $    SLENDR = 1
       END
 
-C     TSOFFS - has the part of a node's box that is in its slab
-C     certainly no candidate: OUT is 1, or 0.  With the normal N, EDGE
-C     the end of N.W in the slab next to the ball's centre C, and any T
-C     of the sign of N.C - EDGE
-C         |W|**2 - 2 C.W >= |W|**2 - (2 C - T N).W - T EDGE
-C     there, and so, without the square, for minus the side v.W.  Taken
-C     is the T that is best for the slab without the box.  The slab's
-C     end has a part to spare, or is the box's, and errs by 16 EPS |N|_1
-C     SIZE; all else errs by some EPS of the terms, and |EDGE| <= |N|_1
-C     SIZE.
-      SUBROUTINE TSOFFS(BOX, MARK, CTL, IQ, F, FQ, NODE, OUT)
-      DOUBLE PRECISION BOX(6,*), F(12), FQ(108)
-      INTEGER MARK(*), CTL(*), IQ(43), NODE, OUT
-      INTEGER SLAB0, QBALL, QC, QDC, QSIZE, TQ, TD, HALFWY
-      PARAMETER (SLAB0 = 28, QBALL = 3, QC = 2, QDC = 6, QSIZE = 7)
-      PARAMETER (TQ = 1, TD = 1, HALFWY = 512)
-      DOUBLE PRECISION EPS, FAINT, LOOSE, PARTS
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0)
-      PARAMETER (PARTS = 32767.0D0)
-      DOUBLE PRECISION D, EDGE, ERR, H, HI, L, LO, N(3), N1, ND, NN
-      DOUBLE PRECISION PART, Q, SIZE, SUM, T, TEST(4)
-      INTEGER AT, CODE, K
-      OUT = 0
-      IF (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE) RETURN
-      AT = CTL(SLAB0) + 2*NODE
-      CODE = MARK(AT)
-      Q = DBLE(IQ(QBALL))
-      LO = 0.0D0
-      HI = 0.0D0
-      NN = 0.0D0
-      N1 = 0.0D0
-      ND = 0.0D0
+C     TSECLD - make all cylinders, unless few of the leaves' are
+C     slender.
+      SUBROUTINE TSECLD(X, BOX, CYL, CTL, RCTL)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*), RCTL(*)
+      INTEGER CTL(*)
+      INTEGER TSGROU
+      INTEGER LEAVES, ROUND, RSCAN
+      PARAMETER (LEAVES = 4, ROUND = 28, RSCAN = 11)
+      DOUBLE PRECISION MUCHL
+      PARAMETER (MUCHL = 1.0D100)
+      INTEGER I, LEVEL, NODE, SLENDR, SUM
+      RCTL(RSCAN) = -MUCHL
+      CTL(ROUND) = 0
+      SUM = 0
+      LEVEL = CTL(LEAVES)/4
+   10 IF (LEVEL .GT. 0) THEN
+        DO 30 NODE = LEVEL, 2*LEVEL - 1
+          DO 20 I = 1, 4
+            CALL TSENCL(X, BOX, CTL, 4*NODE + I - 1, CYL,
+     $                  TSGROU(CTL, NODE), I, SLENDR)
+            SUM = SUM + SLENDR
+   20     CONTINUE
+   30   CONTINUE
+        IF (SUM .LT. CTL(LEAVES)/2) RETURN
+        LEVEL = LEVEL/4
+        GO TO 10
+      END IF
+      CTL(ROUND) = 1
+      END
+
+C     TSOUTS - have the cylinders of a node's four grandchildren
+C     certainly no candidate?  Those have PAST(I) > 0.
+C
+C     A point is W + S U + P from the base, W being the cylinder's
+C     centre, U its axis, |S| <= H, P across U, |P| <= R.  With G = W -
+C     C, A = |G.U|, and the length RHO of G across U, its power in the
+C     ball about C is
+C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P),
+C     the brackets at least T (T - 2 A), T the lesser of A and H, and
+C     Q**2 - 2 Q RHO, Q the lesser of RHO and R.  So there is none if
+C     the sum without 2 Q RHO is positive and its square is above 4 Q**2
+C     RHO**2.  Without a ball the same holds for minus the side v.W,
+C     with v / 2 for C, without all squares, T = H, Q = R: SQUARE = 0,
+C     and FAR is more than any length.
+C
+C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
+C     |W|_1 + H + R: W by EPS |W|, which counts twice in the power, and
+C     with that of G in RHO, 4; the power by 8 (TSPOWE), A by 6 |G|_1,
+C     which counts 2 T times; |U|**2 is 1 but for 8 EPS, which tilts P:
+C     9; and some for the sum.  RHO**2 errs by less than 64 EPS |G|**2,
+C     with room for the last two products; where these underflow, R >=
+C     SMALL makes the sum's error greater.
+      SUBROUTINE TSOUTS(CYL, AT, IQ, F, FQ, PAST)
+      DOUBLE PRECISION CYL(4,8,*), F(12), FQ(108), PAST(4)
+      INTEGER AT, IQ(43)
+      INTEGER QBALL, QC, QDC, QSIZE
+      PARAMETER (QBALL = 3, QC = 2, QDC = 6, QSIZE = 7)
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      DOUBLE PRECISION A, D(3), ERR, FAR, G1, G2, G3, GG, H, R, RHO, RR
+      DOUBLE PRECISION SIZE, SQUARE, SUM, T, W1, W2, W3
+      INTEGER I, K
+      SQUARE = DBLE(IQ(QBALL))
+      FAR = 1.0D10*(1.0D0 - SQUARE)
+      ERR = F(10) + 64.0D0*EPS
+      IF (IQ(QBALL) .EQ. 1)
+     $    ERR = 2.0D0*FQ(QDC) + 128.0D0*EPS*FQ(QSIZE)
       DO 10 K = 1, 3
-        N(K) = DBLE(MOD(CODE, 1024) - HALFWY)
-        CODE = CODE/1024
-        D = F(K)
-        IF (IQ(QBALL) .EQ. 1) D = 2.0D0*FQ(QC+K)
-        TEST(TD+K) = D
-        L = N(K)*(BOX(K,NODE) - F(6+K))
-        H = N(K)*(BOX(3+K,NODE) - F(6+K))
-        LO = LO + MIN(L, H)
-        HI = HI + MAX(L, H)
-        NN = NN + N(K)*N(K)
-        N1 = N1 + ABS(N(K))
-        ND = ND + N(K)*D
+        D(K) = 0.5D0*F(K)
+        IF (IQ(QBALL) .EQ. 1) D(K) = FQ(QC+K)
    10 CONTINUE
-      CODE = MARK(AT+1)
-      PART = (HI - LO)*(1.0D0/PARTS)
-      HI = LO + PART*DBLE(CODE/32768)
-      LO = LO + PART*DBLE(MOD(CODE, 32768))
-      EDGE = 0.5D0*ND
-      IF (ND .LT. 2.0D0*Q*LO) EDGE = LO
-      IF (ND .GT. 2.0D0*Q*HI) EDGE = HI
-      T = (ND - 2.0D0*Q*EDGE)/NN
-      TEST(TQ) = Q
-      DO 20 K = 1, 3
-        TEST(TD+K) = TEST(TD+K) - T*N(K)
+      DO 20 I = 1, 4
+        W1 = CYL(I,1,AT) - F(7)
+        W2 = CYL(I,2,AT) - F(8)
+        W3 = CYL(I,3,AT) - F(9)
+        H = CYL(I,7,AT)
+        R = CYL(I,8,AT)
+        SIZE = ABS(W1) + ABS(W2) + ABS(W3) + 2.0D0*(H + R)
+        G1 = SQUARE*W1 - D(1)
+        G2 = SQUARE*W2 - D(2)
+        G3 = SQUARE*W3 - D(3)
+        A = ABS(G1*CYL(I,4,AT) + G2*CYL(I,5,AT) + G3*CYL(I,6,AT))
+        T = MIN(A + FAR, H)
+        GG = G1*G1 + G2*G2 + G3*G3
+        RHO = GG - A*A + 64.0D0*EPS*GG
+        RR = MIN(RHO + FAR, R*R)
+        SUM = W1*(G1 - D(1)) + W2*(G2 - D(2)) + W3*(G3 - D(3)) +
+     $      T*(SQUARE*T - 2.0D0*A) + SQUARE*RR -
+     $      SIZE*(ERR + SQUARE*64.0D0*EPS*SIZE) - FAINT
+        PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
    20 CONTINUE
-      CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, TEST, 0, SUM, SIZE)
-      ERR = F(10)
-      IF (IQ(QBALL) .EQ. 1) ERR = 2.0D0*FQ(QDC) + 32.0D0*EPS*(SIZE +
-     $    FQ(QSIZE))
-      ERR = ERR + 64.0D0*EPS*(1.0D0 - Q + ABS(T)*N1)
-      IF (SUM - T*EDGE .GT. SIZE*ERR + FAINT) OUT = 1
       END
 
 C     ------------------------------------------------------------------
@@ -3605,32 +3635,40 @@ C     MUCHL/2 stands, with room for |W|**2: found first.
       END
 
 C     TSTREE - finish a search by the tree: the leaf of V(1) first, then
-C     its parent's other child, and so on up to the root; near a support
+C     its parent's other child, and so on up to the root, or by
+C     cylinders its grandparent's other three grandchildren, which are
+C     on the stack as minus the one that is done with; near a support
 C     from the root down, the child of lesser height first, as the apex
 C     may be anywhere.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
      $                  IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43)
-      INTEGER TSLEAF, TSPRUN
-      INTEGER NP, LEAVES, SLAB0, RSEEK, RSCAN, QNEAR, DONE, DEPTH
-      PARAMETER (NP = 1, LEAVES = 4, SLAB0 = 28, RSEEK = 7)
-      PARAMETER (RSCAN = 11, QNEAR = 6, DONE = -1)
-      PARAMETER (DEPTH = 64)
-      DOUBLE PRECISION WORTH
-      PARAMETER (WORTH = 0.35D0)
-      INTEGER FIRST, FLAT, HEIGHT, I, LAST, LEAST, N, NEAR, NODE, OUT
-      INTEGER STACK(DEPTH)
+      INTEGER TSPRUN, TSLEAF, TSGROU
+      INTEGER NP, LEAVES, ROUND, RSEEK, RSCAN, QBALL, QNEAR, DONE, DEPTH
+      PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, RSEEK = 7)
+      PARAMETER (RSCAN = 11, QBALL = 3, QNEAR = 6, DONE = -1)
+      PARAMETER (DEPTH = 96)
+      DOUBLE PRECISION LOOSE
+      PARAMETER (LOOSE = 0.5D0)
+      DOUBLE PRECISION PAST(4)
+      INTEGER FIRST, FOURS, HEIGHT, I, LAST, LEAST, N, NEAR, NODE, OUT
+      INTEGER STACK(DEPTH), STEP
       NEAR = IQ(QNEAR)
       LEAST = CTL(NP) + 2*CTL(LEAVES)*(NEAR - 1)
       HEIGHT = 1
       STACK(1) = 1
+      FOURS = CTL(ROUND)
+      IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
+     $    FOURS = 0
       IF (NEAR .EQ. 0) THEN
         NODE = CTL(LEAVES) + TSLEAF(CTL, V(1)) - 1
         I = NODE
    10   IF (I .GT. 1) THEN
           HEIGHT = HEIGHT + 1
-          I = I/2
+          STEP = 2
+          IF (FOURS .EQ. 1 .AND. I .GT. 3) STEP = 4
+          I = I/STEP
           GO TO 10
         END IF
         N = HEIGHT
@@ -3638,23 +3676,37 @@ C     may be anywhere.
         I = NODE
    20   IF (I .GT. 1) THEN
           N = N - 1
+          STEP = 2
+          IF (FOURS .EQ. 1 .AND. I .GT. 3) STEP = 4
           STACK(N) = I + 1 - 2*MOD(I, 2)
-          I = I/2
+          IF (STEP .EQ. 4) STACK(N) = -I
+          I = I/STEP
           GO TO 20
         END IF
       END IF
    30 IF (HEIGHT .EQ. 0) RETURN
       NODE = STACK(HEIGHT)
       HEIGHT = HEIGHT - 1
-      IF (ALIVE(NODE) .EQ. 0) GO TO 30
-      FLAT = 0
-      IF (CTL(SLAB0) .NE. 0 .AND. NEAR .EQ. 0)
-     $    FLAT = MARK(CTL(SLAB0)+2*NODE)
+      I = 0
+      IF (NODE .LT. 0) THEN
+        I = -NODE
+        NODE = I/4
+      ELSE IF (ALIVE(NODE) .EQ. 0) THEN
+        GO TO 30
+      END IF
+      IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
+        N = 2*CTL(LEAVES) + 1
+        CALL TSOUTS(BOX(1,N), TSGROU(CTL, NODE), IQ, F, FQ, PAST)
+        DO 40 N = 4*NODE + 3, 4*NODE, -1
+          IF (PAST(N-4*NODE+1) .LE. 0.0D0 .AND. N .NE. I) THEN
+            HEIGHT = HEIGHT + 1
+            STACK(HEIGHT) = N
+          END IF
+   40   CONTINUE
+        GO TO 30
+      END IF
       IF (NEAR .NE. 0) THEN
         CALL TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
-      ELSE IF (FLAT .GT. 0) THEN
-        CALL TSOFFS(BOX, MARK, CTL, IQ, F, FQ, NODE, OUT)
-        RCTL(RSCAN) = RCTL(RSCAN) - WORTH + DBLE(OUT)
       ELSE
         OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
       END IF
@@ -3670,8 +3722,7 @@ C     may be anywhere.
         GO TO 30
       END IF
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
-      IF (CTL(SLAB0) .EQ. 0)
-     $    RCTL(RSCAN) = RCTL(RSCAN) + DBLE(LAST - FIRST + 1)
+      RCTL(RSCAN) = RCTL(RSCAN) + DBLE(LAST - FIRST + 1)
       CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
      $            FIRST, LAST, NODE)
       IF (RCTL(RSEEK) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
@@ -3774,17 +3825,17 @@ C     GUESS: two positions to try first, or 0.
       INTEGER HHPSID, TSCURV, TSINLA, TSONHU
       INTEGER NP, NPLANE, NEXTPL, PLANE0, RSUPP, RSEEK, RBURDN, RPATIE
       INTEGER RSCAN, QBEST, QNEAR, QOPEND
-      INTEGER LEAVES, SLAB0, PLANES, OPENED, SUPPS, T3, NCELL, RTIED
+      INTEGER LEAVES, PLANES, OPENED, T3, NCELL, RTIED
       INTEGER RSLOT, RFIRST, LLAST, BLK, LARGE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
-      PARAMETER (PLANE0 = 13, SLAB0 = 28)
+      PARAMETER (PLANE0 = 13)
       PARAMETER (RSUPP = 6, RSEEK = 7, RBURDN = 8, RPATIE = 9)
       PARAMETER (RSCAN = 11, QBEST = 1, QNEAR = 6)
       PARAMETER (QOPEND = 9, PLANES = 4, OPENED = 24)
-      PARAMETER (SUPPS = 8, T3 = 1, NCELL = 30, RTIED = 12, RSLOT = 13)
+      PARAMETER (T3 = 1, NCELL = 30, RTIED = 12, RSLOT = 13)
       PARAMETER (RFIRST = 14, LLAST = 2, BLK = 1, LARGE = 24)
-      DOUBLE PRECISION SCANS, MUCHL
-      PARAMETER (SCANS = 100.0D0, MUCHL = 1.0D100)
+      DOUBLE PRECISION SCANS
+      PARAMETER (SCANS = 100.0D0)
       DOUBLE PRECISION F(12), FQ(108), H
       INTEGER AT, G, IQ(43), K, LISTS, OK, W(3)
       IF (CTL(NCELL) .GT. 0) THEN
@@ -3842,20 +3893,9 @@ C       before the block's list: a tenth of the time on lattices
       Z = IQ(QBEST)
       IF (RCTL(RTIED) .GT. DBLE(LARGE) .AND. LSI(LLAST,BLK) .GT. 0)
      $    CALL TSKEEP(ORD, RCTL, W, Z)
-      IF (CTL(SLAB0) .NE. 0 .AND.
-     $    RCTL(RSCAN) .LT. -DBLE(CTL(LEAVES))) THEN
-        CTL(SLAB0) = 0
-        RCTL(RSCAN) = -MUCHL
-      END IF
-      IF (CTL(SLAB0) .EQ. 0 .AND.
-     $    RCTL(RSCAN) .GT. SCANS*DBLE(CTL(NP))) THEN
-        RCTL(RSCAN) = -MUCHL
-        K = INT(RCTL(RSUPP))
-        IF (K .LE. SUPPS - 2) THEN
-          CALL TSFLAT(X, BOX, MARK, CTL)
-          RCTL(RSCAN) = 0.0D0
-        END IF
-        IF (K .EQ. SUPPS - 2) RCTL(RSEEK) = 0.0D0
+      IF (RCTL(RSCAN) .GT. SCANS*DBLE(CTL(NP))) THEN
+        K = 2*CTL(LEAVES) + 1
+        CALL TSECLD(X, BOX, BOX(1,K), CTL, RCTL)
       END IF
       IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RSEEK) .GT. 0.0D0) THEN
         RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))
@@ -4160,6 +4200,16 @@ C     need them.
       PARAMETER (ENOUGH = 500, SUPPS = 8)
       TSEXTR = 0
       IF (N .GE. ENOUGH) TSEXTR = N + 2*SUPPS*TSLCOU(N)
+      END
+
+C     TSSPAR - doubles that cylinders take.
+      INTEGER FUNCTION TSSPAR(N)
+      INTEGER N
+      INTEGER TSLCOU
+      INTEGER ENOUGH
+      PARAMETER (ENOUGH = 500)
+      TSSPAR = 0
+      IF (N .GE. ENOUGH) TSSPAR = 32*(TSLCOU(N)/3)
       END
 
 C     TSCOLL - the points that stand for themselves, in their order.
@@ -4506,10 +4556,10 @@ C     besides.
       DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*)
       INTEGER HHHOLD, TSLCOU
       INTEGER NP, LEAVES, NPLANE, NEXTPL, TIES, T3, T5, RSCALE, RLEAST
-      INTEGER SLAB0, TIED, NCELL, RFIRST, RSUPP, RSEEK, RSCAN, RANGE
+      INTEGER ROUND, TIED, NCELL, RFIRST, RSUPP, RSEEK, RSCAN, RANGE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
       PARAMETER (TIES = 26, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 10)
-      PARAMETER (SLAB0 = 28, RSUPP = 6, RSEEK = 7, RSCAN = 11)
+      PARAMETER (ROUND = 28, RSUPP = 6, RSEEK = 7, RSCAN = 11)
       PARAMETER (TIED = 29, NCELL = 30, RFIRST = 14, RANGE = 6)
       DOUBLE PRECISION NORMAL, MUCHL
       PARAMETER (NORMAL = 2.0D0**(-1022), MUCHL = 1.0D100)
@@ -4520,7 +4570,7 @@ C     besides.
       CTL(TIED) = 0
       CTL(NCELL) = 0
       RCTL(RFIRST) = 0.0D0
-      CTL(SLAB0) = 0
+      CTL(ROUND) = 0
       RCTL(RSUPP) = 0.0D0
       RCTL(RSEEK) = 0.0D0
       RCTL(RSCAN) = -MUCHL
@@ -4548,22 +4598,22 @@ C     They are declared in their lengths: so no two of them share an
 C     element of RW or IW, and the standard lets them be altered.
       SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
      $                  X, BOX, REP, ORD, ALIVE, KNOWN, HEAD, LINK,
-     $                  LENGTH, POOL, SPACE, MARK, INFO)
+     $                  LENGTH, POOL, SPACE, MARK, ROOMY, INFO)
       INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS
       INTEGER REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4), HEAD(N), LINK(N)
-      INTEGER LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), INFO
-      DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
+      INTEGER LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), ROOMY, INFO
+      DOUBLE PRECISION P(3,*), X(3,N), BOX(6,*)
       INTEGER TSTABL
       INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW
       INTEGER NPLANE, NEXTPL, TIES, UNMET, LFIRST, LLAST, LN, BLK, STR
-      INTEGER SLAB0, T5, RREACH, RSUPP, RSEEK, RBURDN, RPATIE, RSCAN
+      INTEGER ROUND, T5, RREACH, RSUPP, RSEEK, RBURDN, RPATIE, RSCAN
       INTEGER SUPPS, LSUP, OPEN, NEW, TSLIST, TSIDS, TIED, NCELL, RFIRST
       PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5)
       PARAMETER (MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, NPLANE = 12)
       PARAMETER (NEXTPL = 13, TIES = 26, UNMET = 27, LFIRST = 1)
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, T5 = 2)
       PARAMETER (RREACH = 3, RSUPP = 6, RSEEK = 7, RBURDN = 8)
-      PARAMETER (SLAB0 = 28, RPATIE = 9, RSCAN = 11, SUPPS = 8)
+      PARAMETER (ROUND = 28, RPATIE = 9, RSCAN = 11, SUPPS = 8)
       PARAMETER (LSUP = 98)
       PARAMETER (OPEN = -1, NEW = -2, TSLIST = 512)
       PARAMETER (TSIDS = TSLIST + 48, TIED = 29, NCELL = 30)
@@ -4580,7 +4630,7 @@ C     element of RW or IW, and the standard lets them be altered.
       CTL(TIED) = 0
       CTL(NCELL) = 0
       RCTL(RFIRST) = 0.0D0
-      CTL(SLAB0) = 0
+      CTL(ROUND) = 0
       LSI(LFIRST,BLK) = 1
       LSI(LLAST,BLK) = 0
       LSI(LN,BLK) = 0
@@ -4614,7 +4664,7 @@ C     sets, by a step of Newton's method
       RCTL(RBURDN) = 0.0D0
       RCTL(RPATIE) = BURDEN
       RCTL(RSCAN) = -MUCHL
-      IF (SPACE .GT. 1) RCTL(RSCAN) = 0.0D0
+      IF (ROOMY .EQ. 1) RCTL(RSCAN) = 0.0D0
 C     doubles decide all where points are in few units
       RCTL(RSEEK) = 0.0D0
       IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN) RCTL(RSEEK) = 1.0D0
@@ -4651,14 +4701,15 @@ C     see TSMTCH
 C     TSRUN - TESS and TESSRE, or with MASKED = 1 TESSPA, of arguments
 C     that are right but for P and the indices in TET.
       SUBROUTINE TSRUN(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LIW,
-     $                 IW, RW, INFO)
+     $                 IW, LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW
-      INTEGER IW(*), INFO
-      INTEGER HHHOLD, TSEXTR, TSLCOU
+      INTEGER IW(*), LRW, INFO
+      INTEGER HHHOLD, TSEXTR, TSLCOU, TSSPAR
       INTEGER SINGLE, RANGE, KEEP
       PARAMETER (SINGLE = 5, RANGE = 6, KEEP = 5)
-      INTEGER AT, LENGTH, LVS, LIWMIN, LRWMIN, OK, ROOM, SPACE
+      INTEGER AT, LENGTH, LVS, LIWMIN, LRWMIN, MORE, OK, ROOM, ROOMY
+      INTEGER SPACE
       IF (N .EQ. 0) THEN
         NTET = 0
         INFO = SINGLE
@@ -4674,6 +4725,10 @@ C     that are right but for P and the indices in TET.
       LVS = TSLCOU(N)
       LENGTH = LIW - 4*N - 2*LVS - KEEP
       CALL TSLENG(N, LIWMIN, LRWMIN, ROOM, OK)
+      MORE = TSSPAR(N)
+      ROOMY = 0
+      IF (MORE .GT. 0 .AND. MASKED .EQ. 0 .AND. LRW - LRWMIN .GE. MORE)
+     $    ROOMY = 1
       SPACE = TSEXTR(N)
       AT = 4*N + 2*LVS + KEEP + LENGTH
       IF (SPACE .GT. 0 .AND. LIW - LIWMIN - ROOM .GE. SPACE) THEN
@@ -4687,7 +4742,8 @@ C       the one behind KNOWN
       CALL TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS, RW,
      $            RW(3*N+1), IW, IW(N+1), IW(2*N+1), IW(2*N+2*LVS+1),
      $            IW(2*N+2*LVS+KEEP+1), IW(3*N+2*LVS+KEEP+1), LENGTH,
-     $            IW(4*N+2*LVS+KEEP+1), SPACE, IW(AT+1), INFO)
+     $            IW(4*N+2*LVS+KEEP+1), SPACE, IW(AT+1),
+     $            ROOMY, INFO)
       END
 
 C     TSWRON - INFO is the code of a bad argument common to TESS and
@@ -4768,7 +4824,7 @@ C     28,000 points, some where one vertex is in almost all tetrahedra
 C     (a plane grid and one point).
       SUBROUTINE TESSWK(N, MAXTET, LIW, LRW, INFO)
       INTEGER N, MAXTET, LIW, LRW, INFO
-      INTEGER TSEXTR
+      INTEGER TSEXTR, TSSPAR
       INTEGER INTMAX
       PARAMETER (INTMAX = 2147483647)
       INTEGER MORE, OK, ROOM
@@ -4787,6 +4843,8 @@ C     (a plane grid and one point).
       LIW = LIW + ROOM
       MORE = TSEXTR(N)
       IF (MORE .LT. INTMAX - LIW) LIW = LIW + MORE
+      MORE = TSSPAR(N)
+      IF (MORE .LT. INTMAX - LRW) LRW = LRW + MORE
       INFO = 0
       END
 
@@ -4842,8 +4900,8 @@ C     the paper.
       CALL TSWRON(N, P, 0, MAXTET, LIW, LRW, NTET, INFO)
       IF (INFO .NE. 0) RETURN
       ALL(1) = 1
-      CALL TSRUN(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW, RW,
-     $           INFO)
+      CALL TSRUN(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW,
+     $           LRW, RW, INFO)
       END
 
 C     TESSRE - go on from an unfinished result.
@@ -4876,8 +4934,8 @@ C     gives a wrong result, but in bounded time and within the arrays.
       CALL TSUNFI(N, P, 0, MAXTET, NTET, TET, ADJ, LIW, LRW, INFO)
       IF (INFO .NE. 0) RETURN
       ALL(1) = 1
-      CALL TSRUN(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW, RW,
-     $           INFO)
+      CALL TSRUN(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW,
+     $           LRW, RW, INFO)
       END
 
 C     TESSIX - sort the points, for stars and queries without a mesh.
@@ -4939,11 +4997,11 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
       DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
       INTEGER NP, NPLANE, NEXTPL, TIES, LN, BLK, STR, T3, T5, RSCALE
       INTEGER TIED, NCELL, RFIRST, LLAST
-      INTEGER SLAB0, RSUPP, RSEEK, RSCAN, RLEAST, RANGE, TSLIST, TSIDS
+      INTEGER ROUND, RSUPP, RSEEK, RSCAN, RLEAST, RANGE, TSLIST, TSIDS
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIES = 26, LN = 3)
       PARAMETER (BLK = 1, STR = 2, T3 = 1, T5 = 2, RSCALE = 5)
       PARAMETER (RSUPP = 6, RSEEK = 7, RLEAST = 10, RANGE = 6)
-      PARAMETER (SLAB0 = 28, RSCAN = 11, TSLIST = 512)
+      PARAMETER (ROUND = 28, RSCAN = 11, TSLIST = 512)
       PARAMETER (TSIDS = TSLIST + 48, TIED = 29, NCELL = 30)
       PARAMETER (RFIRST = 14, LLAST = 2)
       DOUBLE PRECISION MUCHL
@@ -4962,7 +5020,7 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
         CTL(NCELL) = 0
         RCTL(RFIRST) = 0.0D0
         LSI(LLAST,BLK) = 0
-        CTL(SLAB0) = 0
+        CTL(ROUND) = 0
         RCTL(RSUPP) = 0.0D0
         RCTL(RSEEK) = 0.0D0
         RCTL(RSCAN) = -MUCHL
@@ -5032,7 +5090,7 @@ C     TESSRE joins them.
       INTEGER LRW, INFO
       CALL TSUNFI(N, P, 1, MAXTET, NTET, TET, ADJ, LIW, LRW, INFO)
       IF (INFO .EQ. 0) CALL TSRUN(N, P, 1, MINE, MAXTET, NTET, TET, ADJ,
-     $    LIW, IW, RW, INFO)
+     $    LIW, IW, LRW, RW, INFO)
       IF (INFO .LT. -1) INFO = INFO - 1
       END
 C     ==================================================================

@@ -992,6 +992,156 @@ static long thinshell(long n, unsigned long *state, double *p)
     return n;
 }
 
+/* ---- surfaces and lines that are surveyed, or meshed ---- */
+
+/* Hills: the height of the ground at x, y, in a unit square. */
+static double ground(double x, double y)
+{
+    return product(0.05, sin(9 * x + 2 * y)) +
+           product(0.03, cos(13 * y - 5 * x)) +
+           product(0.008, sin(31 * x) * cos(37 * y));
+}
+
+static long terrain(long n, unsigned long *state, double *p)
+{
+    double x, y;
+    long i;
+
+    for (i = 0; i < n; i++) {
+        x = unit(state);
+        y = unit(state);
+        put(p + 3 * i, x, y, ground(x, y));
+    }
+    turn(n, p);
+    return n;
+}
+
+/* Lines flown over the hills, 20 times as far apart as their samples. */
+static long survey(long n, unsigned long *state, double *p)
+{
+    double x, y;
+    long lines = root(n / 20, 2), many, i;
+
+    if (lines < 2) return 0;
+    many = n / lines;
+    for (i = 0; i < lines * many; i++) {
+        y = ((double)(i / many) + product(0.01, unit(state))) / (double)lines;
+        x = ((double)(i % many) + product(0.1, unit(state))) / (double)many;
+        put(p + 3 * i, x, y, ground(x, y));
+    }
+    turn(lines * many, p);
+    return lines * many;
+}
+
+/* Straight holes of 400 samples, a few degrees off the vertical. */
+static long boreholes(long n, unsigned long *state, double *p)
+{
+    double x = 0, y = 0, a = 0, b = 0, t;
+    long i;
+
+    for (i = 0; i < n; i++) {
+        if (i % 400 == 0) {
+            x = unit(state);
+            y = unit(state);
+            a = product(0.2, unit(state)) - 0.1;
+            b = product(0.2, unit(state)) - 0.1;
+        }
+        t = (double)(i % 400) / 800;
+        put(p + 3 * i, x + product(a, t), y + product(b, t), ground(x, y) - t);
+    }
+    turn(n, p);
+    return n;
+}
+
+/* Smooth random curves of 2,000 samples. */
+static long tracks(long n, unsigned long *state, double *p)
+{
+    double phase[9], t;
+    long i;
+    int k;
+
+    for (i = 0; i < n; i++) {
+        for (k = 0; i % 2000 == 0 && k < 9; k++)
+            phase[k] = 2 * PI * unit(state);
+        t = (double)(i % 2000) / 2000;
+        for (k = 0; k < 3; k++)
+            p[3 * i + k] = sin(2 * t + phase[k]) +
+                           product(0.5, sin(5 * t + phase[3 + k])) +
+                           product(0.2, sin(11 * t + phase[6 + k]));
+    }
+    turn(n, p);
+    return n;
+}
+
+/* Random points on 8 pipes of radius 0.03, each in a direction of its own. */
+static long pipes(long n, unsigned long *state, double *p)
+{
+    double axis[8][3], from[8][3], u[3], a, t, length;
+    long i;
+    int j, k;
+
+    for (j = 0; j < 8; j++) {
+        direction(state, 3, axis[j]);
+        for (k = 0; k < 3; k++)
+            from[j][k] = unit(state);
+    }
+    for (i = 0; i < n; i++) {
+        j = (int)(i % 8);
+        /* a direction, less what is along the axis */
+        do {
+            direction(state, 3, u);
+            a = product(u[0], axis[j][0]) + product(u[1], axis[j][1]) +
+                product(u[2], axis[j][2]);
+            length = sqrt(1 - a * a);
+        } while (length < 0.1);
+        t = 2 * unit(state) - 1;
+        for (k = 0; k < 3; k++)
+            p[3 * i + k] = from[j][k] + product(t, axis[j][k]) +
+                quotient(0.03 * (u[k] - product(a, axis[j][k])), length);
+    }
+    turn(n, p);
+    return n;
+}
+
+/* Six surfaces one above the other, folded alike and less and less so. */
+static long horizons(long n, unsigned long *state, double *p)
+{
+    double x, y;
+    long i;
+
+    for (i = 0; i < n; i++) {
+        x = unit(state);
+        y = unit(state);
+        put(p + 3 * i, x, y, product(0.06, (double)(i % 6)) +
+            product(ground(x, y), 1 - product(0.12, (double)(i % 6))));
+    }
+    turn(n, p);
+    return n;
+}
+
+/* Layers about an ellipse, a fifth thicker each than the one within: stretched
+ * cells 24 deep, as many stations along a straight wing. */
+static long layers(long n, unsigned long *state, double *p)
+{
+    double a, d = 0;
+    long around = n / (24 * 24), i, j, m = 0;
+    int k;
+
+    (void)state;
+    if (around < 8) return 0;
+    for (k = 0; k < 24; k++) {
+        for (i = 0; i < around; i++)
+            for (j = 0; j < 24; j++) {
+                a = 2 * PI * (double)i / (double)around;
+                put(p + 3 * m++, product(1 + d, cos(a)),
+                    product(0.12 + d, sin(a)), (double)j / 8);
+            }
+        d = product(1.2, d) + 1e-4;
+    }
+    turn(m, p);
+    return m;
+}
+
 /* ---- curves ---- */
 
 static long helix(long n, unsigned long *state, double *p)
@@ -1149,7 +1299,9 @@ static const struct {
     { "tilted9", tilted9 }, { "tilted15", tilted15 },
     { "near6", near6 }, { "near8", near8 }, { "slanted", slanted }, { "cylinderrot", cylinderrot },
     { "torus", torus }, { "sheets", sheets }, { "bumps", bumps },
-    { "thinshell", thinshell }
+    { "thinshell", thinshell }, { "terrain", terrain },
+    { "survey", survey }, { "boreholes", boreholes }, { "tracks", tracks },
+    { "pipes", pipes }, { "horizons", horizons }, { "layers", layers }
 };
 
 #define FAMILIES ((int)(sizeof family_table / sizeof family_table[0]))

@@ -79,6 +79,15 @@
  *   sheets*      a bent pillow, two sheets 0.02 apart or less, turned
  *   bumps*       a closed surface, round in places and with a tip, turned
  *   thinshell*   the same twice, the other 0.01 farther out
+ *   terrain*     random points of hills, turned
+ *   survey*      lines over them, 20 times as far apart as their samples,
+ *                turned
+ *   boreholes*   straight holes of 400 samples, about vertical, turned
+ *   tracks*      smooth random curves of 2,000 samples, turned
+ *   pipes*       random points on 8 pipes of radius 0.03, turned
+ *   horizons*    on six folded surfaces one above the other, turned
+ *   layers*      layers about an ellipse, the first 1e-4 thick, the others a
+ *                fifth thicker each, along a wing, turned
  */
 #ifndef POINTS_H
 #define POINTS_H

@@ -35,7 +35,7 @@ static void sizes(tess_int n)
     test(TESS_LRW(n) >= lrw, "TESS_LRW is too small", (long)n);
     test(TESS_LIW(n) - liw <= 1210 + liw / 10 || TESS_LIW(n) == TESS_INT_MOST,
          "TESS_LIW is too large", (long)n);
-    test(TESS_LRW(n) - lrw <= 20 + lrw / 10, "TESS_LRW is too large", (long)n);
+    test(TESS_LRW(n) - lrw <= 40 + lrw / 7, "TESS_LRW is too large", (long)n);
 }
 
 static void table(void)
