@@ -1652,9 +1652,9 @@ static double rough(const mesh *m, const support *s, tess_int z, double *err)
 static int marked(const mesh *m, int j, tess_int z, double *h)
 {
     const support *s = m->supports + j;
-    tess_int mark = m->mark[z] - 1;
+    tess_int mark = m->mark[z] - 1, k = mark / SUPPORTS;
 
-    *h = s->low + s->grain * ((double)(mark / SUPPORTS) + 0.5);
+    *h = s->low + s->grain * ((double)k + 0.5);
     return mark >= 0 && mark % SUPPORTS == j;
 }
 
@@ -2049,7 +2049,8 @@ static int promise(const mesh *m, quest *f, tess_int node)
     if (!f->aimed) sight(m, f);
     if (f->a < 0.0 ? code % 2 == 1 : code < 2 || code / 2 > GRAINS)
         return prunebox(f, b, b + 3);
-    if (f->a >= 0.0) h = s->low + s->grain * ((double)(code / 2) - 1.5);
+    code /= 2;
+    if (f->a >= 0.0) h = s->low + s->grain * ((double)code - 1.5);
     sum = lowest(f, b, b + 3, f->q, f->d, &size);
     return beyond(f, sum, size, h, 0.0) ||
            ((node >= m->leaves || f->limbs == 2) && prunebox(f, b, b + 3));
@@ -2654,7 +2655,8 @@ static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
         n += (m->link[i] != DONE) &
              (w0 * (w0 - d[0]) + w1 * (w1 - d[1]) + w2 * (w2 - d[2]) <= most);
     }
-    for (k = 0; k < n; k++) consider(m, f, place[k]);
+    for (k = 0; k < n; k++)
+        consider(m, f, place[k]); /* NOLINT: n places are set */
 }
 
 #ifdef TESS_PROVE

@@ -1022,7 +1022,7 @@ static long survey(long n, unsigned long *state, double *p)
     double x, y;
     long lines = root(n / 20, 2), many, i;
 
-    if (lines < 2) return 0;
+    if (lines < 2) lines = 2;
     many = n / lines;
     for (i = 0; i < lines * many; i++) {
         y = ((double)(i / many) + product(0.01, unit(state))) / (double)lines;
@@ -1124,17 +1124,19 @@ static long horizons(long n, unsigned long *state, double *p)
 static long layers(long n, unsigned long *state, double *p)
 {
     double a, d = 0;
-    long around = n / (24 * 24), i, j, m = 0;
+    long many = root(n / 8, 2), around, i, j, m = 0;
     int k;
 
     (void)state;
-    if (around < 8) return 0;
-    for (k = 0; k < 24; k++) {
+    if (many < 2) return 0;
+    if (many > 24) many = 24;
+    around = n / (many * many);
+    for (k = 0; k < many; k++) {
         for (i = 0; i < around; i++)
-            for (j = 0; j < 24; j++) {
+            for (j = 0; j < many; j++) {
                 a = 2 * PI * (double)i / (double)around;
                 put(p + 3 * m++, product(1 + d, cos(a)),
-                    product(0.12 + d, sin(a)), (double)j / 8);
+                    product(0.12 + d, sin(a)), 3 * (double)j / (double)many);
             }
         d = product(1.2, d) + 1e-4;
     }
