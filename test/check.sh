@@ -825,8 +825,8 @@ machines() {
     avr "same result: AVR" "-Os -DTESS_INT=short -DTESS_LIST=64" \
         test/machines/tiny.c &&
         one "same result: AVR" cmp build/tiny.txt build/avr.txt
-    avr "example: sensor, AVR" "-O2 -DTESS_LIST=64 -I." \
-        test/examples/sensor.c &&
+    avr "example: sensor, AVR" "-O2 -DTESS_LIST=64 -ffunction-sections \
+        -Wl,--gc-sections -I." test/examples/sensor.c &&
         one "example: sensor, AVR" cmp test/examples/sensor.out build/avr.txt
 }
 

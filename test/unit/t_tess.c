@@ -1006,17 +1006,17 @@ static void test_pool(void)
     double p[3 * 1500];
     result r;
     tess_int i, ntet;
-    int kind, try, keep;
+    int kind, turn, keep;
 
     for (kind = 0; kind < 6; kind++) {
         faults = 0;
-        for (try = 0; try < (quick ? 6 : 40); try++) {
-            r.n = 60 + rnd_below(try % 4 == 3 ? 1440 : 400);
+        for (turn = 0; turn < (quick ? 6 : 40); turn++) {
+            r.n = 60 + rnd_below(turn % 4 == 3 ? 1440 : 400);
             hubs(p, r.n, kind, 1 + rnd_below(4));
             r.p = (tess_real *)array((size_t)(3 * r.n) * sizeof(tess_real));
             for (i = 0; i < 3 * r.n; i++) r.p[i] = (tess_real)p[i];
             r.family = shape[kind];
-            r.seed = (unsigned long)try;
+            r.seed = (unsigned long)turn;
             current = &r;
             keep = narrays;
             room(&r, 20 * r.n);
