@@ -815,15 +815,46 @@ static int beginning(const result *r, const result *whole)
     return 1;
 }
 
+/* With other lengths the same arrays; or TESS_POOL, counted, and a beginning
+ * of them that resumes. */
+static void other_lengths(const result *whole, tess_int liw, tess_int lrw,
+                          int *pools)
+{
+    result r = *whole;
+    int keep = narrays;
+
+    r.liw = liw;
+    r.lrw = lrw;
+    r.iw = ints(liw);
+    r.rw = (double *)array((size_t)lrw * sizeof(double));
+    r.tet = ints(4 * r.maxtet);
+    r.adj = ints(4 * r.maxtet);
+    run(&r);
+    twins(&r);
+    require(overrun() == 0, "an array is overrun");
+    if (r.code == TESS_POOL) {
+        ++*pools;
+        require(beginning(&r, whole), "TESS_POOL, and another beginning");
+        grow(&r, keep, r.maxtet, whole->liw);
+        r.lrw = lrw;
+        r.rw = (double *)array((size_t)lrw * sizeof(double));
+        resume(&r);
+    }
+    require(r.code == TESS_OK && same(&r, whole),
+            "another length of the workspace, another result");
+    require(overrun() == 0, "an array is overrun");
+    release(keep);
+}
+
 static void test_workspace(void)
 {
     static const char *const family[] = {
         "uniform", "lattice", "moment", "planeone", "duplicates", "spherei",
         "twolines", "clusters", "farpoint", "cubesurf", NULL
     };
-    result whole, r;
+    result whole;
     tess_int liw, lrw, step;
-    int i, keep, pools;
+    int i, pools;
 
     for (i = 0; family[i] != NULL; i++) {
         faults = 0;
@@ -840,31 +871,9 @@ static void test_workspace(void)
                (double)lrw / (double)whole.n);
         require(liw <= whole.liw && lrw <= whole.lrw,
                 "tess_size is below the least lengths");
-        keep = narrays;
         step = (whole.liw - liw) / 9 + 1;
-        for (; liw < whole.liw + 3 * step; liw += step) {
-            r = whole;
-            r.liw = liw;
-            r.lrw = liw % 2 ? lrw : whole.lrw + 7;
-            r.iw = ints(r.liw);
-            r.rw = (double *)array((size_t)r.lrw * sizeof(double));
-            r.tet = ints(4 * r.maxtet);
-            r.adj = ints(4 * r.maxtet);
-            run(&r);
-            twins(&r);
-            require(overrun() == 0, "an array is overrun");
-            if (r.code == TESS_POOL) {
-                pools++;
-                require(beginning(&r, &whole), "TESS_POOL, and another "
-                                               "beginning");
-                grow(&r, keep, r.maxtet, whole.liw);
-                resume(&r);
-            }
-            require(r.code == TESS_OK && same(&r, &whole),
-                    "another length of the workspace, another result");
-            require(overrun() == 0, "an array is overrun");
-            release(keep);
-        }
+        for (; liw < whole.liw + 3 * step; liw += step)
+            other_lengths(&whole, liw, liw % 2 ? lrw : whole.lrw + 7, &pools);
         printf("        pool full in %d of the runs\n", pools);
         /* its pool grows with n^2 */
         if (strcmp(family[i], "moment") == 0)
@@ -872,6 +881,63 @@ static void test_workspace(void)
         current = NULL;
         release(0);
         done("workspace of any length", family[i]);
+    }
+}
+
+/* Between the least lengths and the recommended ones, for points so many that
+ * there is room for marks of supports (in iw) and for cylinders (in rw). */
+static void test_room(void)
+{
+    static const struct {
+        const char *family;
+        long n;
+        int slender; /* its cylinders are made, given the room */
+    } set[] = {
+        { "ellipsoid", 6000, 1 }, { "torus", 3000, 1 }, { "rottet", 3000, 0 },
+        { "uniform", 6000, 0 }, { "tracks", 600, 1 }
+    };
+    result whole, none;
+    tess_int liw[6], lrw[5], extra;
+    size_t i, j;
+    int pools;
+
+    for (i = 0; i < sizeof set / sizeof set[0] - (quick ? 1 : 0); i++) {
+        faults = 0;
+        pools = 0;
+        current = NULL;
+        points(&whole, set[i].family, set[i].n / (quick ? 4 : 1), 6);
+        solve(&whole);
+        current = &whole;
+        require(whole.code == TESS_OK, "a code");
+        /* (that of no tetrahedra is soon found) */
+        none = whole;
+        none.maxtet = 0;
+        liw[0] = least(&none, 0);
+        liw[1] = liw[0] + 1;
+        liw[2] = liw[0] + (whole.liw - liw[0]) / 2;
+        liw[3] = whole.liw - 1;
+        liw[4] = whole.liw;
+        liw[5] = whole.liw + 100;
+        lrw[0] = least(&none, 1);
+        lrw[1] = lrw[0] + 1;
+        lrw[2] = whole.lrw;
+        lrw[3] = whole.lrw + 100;
+        lrw[4] = whole.lrw - 1;
+        extra = lrw[2] - lrw[0];
+        if (extra > 0 && set[i].slender)
+            require(!untouched(whole.rw + lrw[0],
+                               (size_t)extra * sizeof(double)),
+                    "no cylinders are made");
+        for (j = 0; j < 6; j++)
+            other_lengths(&whole, liw[j], whole.lrw, &pools);
+        /* (short lists have no use for more than the least) */
+        for (j = 0; j < (extra > 0 ? 5 : 4); j++)
+            other_lengths(&whole, whole.liw, lrw[j], &pools);
+        other_lengths(&whole, liw[0], lrw[0], &pools);
+        require(pools >= 2, "no run with a full pool");
+        current = NULL;
+        release(0);
+        done("workspace short of what is recommended", set[i].family);
     }
 }
 
@@ -2711,6 +2777,7 @@ int main(int argc, char **argv)
     test_hull();
     test_families();
     test_workspace();
+    test_room();
     test_resume();
     test_pool();
     test_damage();
