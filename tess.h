@@ -77,7 +77,8 @@
 
 /* TESS_LIW(n), TESS_LRW(n) - lengths of iw and rw for n points: constant
  * expressions, for arrays; never less than what tess_size gives, and little
- * more.  n: an integer of any type.  Fortran: see f77/README.
+ * more (for a TESS_LIST below 128 they might be a tenth less).  n: an integer
+ * of any type.  Fortran: see f77/README.
  *
  *   TESS_LIW   4 for the point, 1/12 for the tree, 4 and TESS_LP for the pool,
  *              TESS_LS for points that are near planes or spheres

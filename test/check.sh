@@ -238,6 +238,8 @@ tests() {
         # lists of other capacities only look elsewhere first
         units -DTESS_LIST=48 "$CC" "-O1 -DTESS_LIST=48" "brute 100"
         units -DTESS_INT=short "$CC" "-O1 -DTESS_INT=short" "brute 100" t_size
+        units "-DTESS_INT=short -DTESS_LIST=48" "$CC" \
+            "-O1 -DTESS_INT=short -DTESS_LIST=48" "brute 50" t_size
         units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 10" "brute 100"
         return
     fi
@@ -254,6 +256,8 @@ tests() {
     units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 50" "brute 100" \
         t_margin "t_part -quick"
     units -DTESS_INT=short "$CC" "-O1 -DTESS_INT=short" "brute 100" t_size
+    units "-DTESS_INT=short -DTESS_LIST=48" "$CC" \
+        "-O1 -DTESS_INT=short -DTESS_LIST=48" "brute 100" t_size
     units -DTESS_INT=long "$CC" "-O1 -DTESS_INT=long" "brute 100" t_size
     if have "$CC" "$ROUND"; then
         units "all rounding modes" "$CC" "$ROUND" "t_pred 10" "t_margin 10"
