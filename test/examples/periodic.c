@@ -227,8 +227,9 @@ static int periodic(tess_int n, const tess_real *p, const double *low,
 
     *ntet = 0;
     if (n < 1) return -1;
-    margin = 3.0 * pow(length[0] * length[1] * length[2] / (double)n,
-                       1.0 / 3.0);
+    /* (the box's volume could be too large or too small for a double) */
+    margin = 3.0 * pow((double)n, -1.0 / 3.0);
+    for (k = 0; k < 3; k++) margin *= pow(length[k], 1.0 / 3.0);
     for (;; margin *= 1.5) {
         code = copies(n, p, low, length, margin, maxcop, ncop, x, who, copy,
                       head);
@@ -282,6 +283,7 @@ static int periodic(tess_int n, const tess_real *p, const double *low,
 /* ---- tests ---- */
 
 #define N 512
+#define SETS 8
 #define MAXCOP 16000
 #define MAXTET (24 * N)
 
@@ -306,9 +308,10 @@ static double random20(void)
 /* make - points of a set; its name. */
 static const char *make(int set, tess_int *n, double *length)
 {
-    static const char *const name[6] = {"random", "lattice", "clusters",
-                                        "one", "three", "twice"};
-    static const tess_int number[6] = {500, 512, 300, 1, 3, 400};
+    static const char *const name[SETS] = {"random", "lattice", "clusters",
+                                           "one", "three", "twice", "huge",
+                                           "tiny"};
+    static const tess_int number[SETS] = {500, 512, 300, 1, 3, 400, 300, 300};
     tess_int i, j;
     int k;
 
@@ -380,7 +383,7 @@ static tess_int edges(tess_int n, tess_int ntet)
 static int proven(tess_int ntet, const double *length)
 {
     tess_real v[5][3];
-    double e[3][3], volume = 0.0, box = length[0] * length[1] * length[2];
+    double e[3][3], volume = 0.0; /* in boxes */
     tess_int t, u, s;
     int h, k, j, good = ntet > 0;
 
@@ -390,7 +393,7 @@ static int proven(tess_int ntet, const double *length)
         if (hh_orient(v[0], v[1], v[2], v[3]) != 1) good = 0;
         for (k = 0; k < 3; k++)
             for (j = 0; j < 3; j++)
-                e[k][j] = (double)v[k + 1][j] - (double)v[0][j];
+                e[k][j] = ((double)v[k + 1][j] - (double)v[0][j]) / length[j];
         volume += (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) +
                    e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
                    e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) / 6.0;
@@ -416,7 +419,7 @@ static int proven(tess_int ntet, const double *length)
             if (hh_insphere(v[0], v[1], v[2], v[3], v[4]) == 1) good = 0;
         }
     }
-    return good && fabs(volume - box) < 1e-12 * box;
+    return good && fabs(volume - 1.0) < 1e-12;
 }
 
 /* few - 1 if a long box, points outside and short arrays get their codes. */
@@ -441,14 +444,22 @@ static int few(tess_int liw, tess_int lrw)
 int main(void)
 {
     const char *name;
-    double length[3];
+    double length[3], corner[3], scale;
     tess_int i, n, ncop, ntet, nedge, used;
-    int set, code, good, bad = 0;
+    int set, code, good, k, bad = 0;
 
     printf("set       points  tetrahedra  edges  Euler  proven\n");
-    for (set = 0; set < 6; set++) {
+    for (set = 0; set < SETS; set++) {
         name = make(set, &n, length);
-        code = periodic(n, p, low, length, MAXCOP, &ncop, x, cw, MAXTET, &ntet,
+        /* a power of two alters nothing else */
+        k = sizeof *p > 4 ? 400 : 100;
+        scale = set < 6 ? 1.0 : ldexp(1.0, set == 6 ? k : -k);
+        for (i = 0; i < 3 * n; i++) p[i] = (tess_real)((double)p[i] * scale);
+        for (k = 0; k < 3; k++) {
+            corner[k] = low[k] * scale;
+            length[k] *= scale;
+        }
+        code = periodic(n, p, corner, length, MAXCOP, &ncop, x, cw, MAXTET, &ntet,
                         tet, move, adj, shift, TESS_LIW(MAXCOP), iw,
                         TESS_LRW(MAXCOP), rw);
         if (code != 0) {

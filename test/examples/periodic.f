@@ -20,18 +20,30 @@ C     both write the same text.
       INTEGER ADJ(4,MAXTET), SHIFT(4,MAXTET), IW(LIW)
       INTEGER LIST(12*MAXTET,3), SEED, SET, N, I, K, NCOP, NTET, NEDGE
       INTEGER USED, INFO, GOOD
-      CHARACTER*8 NAME(6)
+      DOUBLE PRECISION CORNER(3), SCALE
+      CHARACTER*8 NAME(8)
       CHARACTER*3 ANSWER(0:1)
       COMMON /LARGE/ P, X, RW, CW, TET, MOVE, ADJ, SHIFT, IW, LIST
       DATA LOW /-1.0D0, 0.0D0, 2.0D0/
       DATA NAME /'random', 'lattice', 'clusters', 'one', 'three',
-     1           'twice'/
+     1           'twice', 'huge', 'tiny'/
       DATA ANSWER /'NO', 'yes'/
       SEED = 1
       WRITE (*, 30)
-      DO 20 SET = 1, 6
+      DO 20 SET = 1, 8
          CALL MAKE(SET, SEED, LOW, N, LENGTH, P)
-         CALL PERIOD(N, P, LOW, LENGTH, MAXCOP, NCOP, X, CW, MAXTET,
+C        A power of two alters nothing else.
+         SCALE = 1.0D0
+         IF (SET .EQ. 7) SCALE = 2.0D0**400
+         IF (SET .EQ. 8) SCALE = 0.5D0**400
+         DO 8 K = 1, 3
+            CORNER(K) = LOW(K)*SCALE
+            LENGTH(K) = LENGTH(K)*SCALE
+            DO 6 I = 1, N
+               P(K,I) = P(K,I)*SCALE
+    6       CONTINUE
+    8    CONTINUE
+         CALL PERIOD(N, P, CORNER, LENGTH, MAXCOP, NCOP, X, CW, MAXTET,
      1               NTET, TET, MOVE, ADJ, SHIFT, LIW, IW, LRW, RW,
      2               INFO)
          IF (INFO .NE. 0) THEN
@@ -312,8 +324,11 @@ C     margin is about three points wide.
       NTET = 0
       INFO = -1
       IF (N .LT. 1) RETURN
-      MARGIN = 3.0D0*(LENGTH(1)*LENGTH(2)*LENGTH(3) / DBLE(N))**
-     1         (1.0D0 / 3.0D0)
+C     (The box's volume could be too large or too small for a double.)
+      MARGIN = 3.0D0*DBLE(N)**(-1.0D0 / 3.0D0)
+      DO 5 K = 1, 3
+         MARGIN = MARGIN*LENGTH(K)**(1.0D0 / 3.0D0)
+    5 CONTINUE
    10 CONTINUE
       CALL COPIES(N, P, LOW, LENGTH, MARGIN, MAXCOP, NCOP, X, CW,
      1            CW(1,2), CW(1,3), INFO)
@@ -406,9 +421,9 @@ C     MAKE - points of a set.
       INTEGER SET, SEED, N
       DOUBLE PRECISION LOW(3), LENGTH(3), P(3,*)
       DOUBLE PRECISION R
-      INTEGER I, J, K, NUMBER(6)
+      INTEGER I, J, K, NUMBER(8)
       SAVE NUMBER
-      DATA NUMBER /500, 512, 300, 1, 3, 400/
+      DATA NUMBER /500, 512, 300, 1, 3, 400, 300, 300/
       N = NUMBER(SET)
       DO 10 K = 1, 3
          LENGTH(K) = 1.0D0
@@ -491,9 +506,9 @@ C     neighbour's apex is in a ball.
       SUBROUTINE PROVEN(P, NTET, TET, MOVE, ADJ, SHIFT, LENGTH, GOOD)
       DOUBLE PRECISION P(3,*), LENGTH(3)
       INTEGER NTET, TET(4,*), MOVE(4,*), ADJ(4,*), SHIFT(4,*), GOOD
-      DOUBLE PRECISION V(3,5), E(3,3), VOLUME, BOX
+      DOUBLE PRECISION V(3,5), E(3,3), VOLUME
       INTEGER H, J, K, S, T, U, HHORIE, HHINSP
-      BOX = LENGTH(1)*LENGTH(2)*LENGTH(3)
+C     In boxes.
       VOLUME = 0.0D0
       GOOD = 1
       IF (NTET .LT. 1) GOOD = 0
@@ -504,7 +519,7 @@ C     neighbour's apex is in a ball.
          IF (HHORIE(V(1,1), V(1,2), V(1,3), V(1,4)) .NE. 1) GOOD = 0
          DO 30 K = 1, 3
             DO 20 J = 1, 3
-               E(J,K) = V(J,K+1) - V(J,1)
+               E(J,K) = (V(J,K+1) - V(J,1)) / LENGTH(J)
    20       CONTINUE
    30    CONTINUE
          VOLUME = VOLUME + (E(1,1)*(E(2,2)*E(3,3) - E(3,2)*E(2,3)) +
@@ -539,5 +554,5 @@ C           The vertex of U that is not T's, and three that are.
      1         GOOD = 0
    70    CONTINUE
    80 CONTINUE
-      IF (.NOT. (ABS(VOLUME - BOX) .LT. 1.0D-12*BOX)) GOOD = 0
+      IF (.NOT. (ABS(VOLUME - 1.0D0) .LT. 1.0D-12)) GOOD = 0
       END
