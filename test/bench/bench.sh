@@ -4,8 +4,9 @@
 #
 # Everything is measured in one run on one machine, the programs by turns, so
 # that the ratios hold where the nanoseconds do not.  Prints tables in
-# markdown: times and memory of clouds; times of the data that people have,
-# most of them near planes, spheres and other surfaces; counts; location; parts.
+# markdown: times and memory of clouds; times of the data that people have, at
+# fixed sizes; of those near planes, spheres and other surfaces, at three; counts;
+# location; parts.  About eight minutes, without SIZES.
 # A run of all families that comes to its end writes them to
 # test/results/bench.txt, too; the README's figures are from there.  Raw lines,
 # as bench.c describes them, go to standard error and to build/bench.txt, each
@@ -15,7 +16,7 @@
 #   FAMILY    only these families of points.h, or files of points with a / in
 #             the name
 #   SIZES     all: large sets, too; or numbers of points, for all families
-#   SCANS     files of points that the second table shall have, too
+#   SCANS     files of points that the table of people's data shall have, too
 #   PEERS     some of: f77 cgal tetgen qhull
 #   REPEATS   runs of which the fastest counts (3)
 #   SEED      of the random points (1)
@@ -38,51 +39,41 @@ mkdir -p build
 # table, family, peers, numbers of points; those with + for SIZES=all
 rows='
 clouds uniform f77,cgal,tetgen,qhull 10000 100000 +1000000
-clouds ball f77,cgal,tetgen,qhull 10000 100000 +1000000
 clouds decimal3 f77,cgal,tetgen,qhull 10000 100000 +1000000
-clouds twoscale f77,cgal,tetgen,qhull 10000 100000 +1000000
 clouds clusters f77,cgal,tetgen,qhull 10000 100000 +1000000
 clouds aniso f77,cgal,tetgen,qhull 10000 100000 +1000000
-clouds planenoise f77,cgal,tetgen,qhull 10000 100000 +1000000
 clouds lattice f77,cgal,tetgen,qhull 10000 100000 +1000000
-clouds lattice01 f77,cgal,tetgen,qhull 10000 100000 +1000000
+people terrain f77,cgal 50000
+people survey f77,cgal 20000
+people horizons f77,cgal 20000
+people layers f77,cgal 20000
+people near6 f77,cgal 20000
+people boreholes f77,cgal 20000
+people tracks f77,cgal 8000
+people pipes f77,cgal 20000
+people torus f77,cgal 20000
+people ellipsoid f77,cgal 50000
+people ./test/data/mirror.xyz f77,cgal 3600
 data gridrot f77,cgal 1000 8000 27000 +64000 +216000
-data gradedrot f77,cgal 1000 8000 27000 +64000 +216000
-data gridsph f77,cgal 1000 8000 27000 +125000
 data gridcyl f77,cgal 1000 8000 27000 +125000
 data extruded f77,cgal 2000 8000 30000 +100000
 data globe f77,cgal 2000 8000 30000 +100000 +1000000
-data cap f77,cgal 2000 8000 30000 +100000 +1000000
 data stations f77,cgal 2000 8000 30000 +100000 +1000000
-data spherefull f77,cgal 4000 10000 30000 +100000 +300000
 data shells f77,cgal 4000 10000 30000 +100000 +300000
 data cavity f77,cgal 4000 10000 30000 +100000 +300000
 data rotcube f77,cgal 2000 8000 30000 +100000 +300000
-data rotcubein f77,cgal 2000 8000 30000 +100000 +300000
-data rottet f77,cgal 2000 8000 30000 +100000 +300000
 data rottetin f77,cgal 2000 8000 30000 +100000 +300000
-data cubesurf f77,cgal 2000 8000 30000 +100000 +300000
 data cubegrid f77,cgal 2000 8000 30000 +100000 +300000
-data tilted9 f77,cgal 2000 8000 30000 +100000
 data tilted15 f77,cgal 2000 8000 30000 +100000
-data slanted f77,cgal 2000 8000 30000 +100000
 data spherei f77,cgal 1000 2000 4000 +8000
-data cylinderrot f77,cgal 2000 8000 30000 +50000
-data ./test/data/mirror.xyz f77,cgal 3600
 data sheets f77,cgal 2000 8000 30000 +100000
 data bumps f77,cgal 2000 8000 30000 +100000
-data thinshell f77,cgal 2000 8000 30000 +100000
 data ellipsoid f77,cgal 2000 8000 30000 +100000
-data spherejit f77,cgal 2000 8000 30000 +100000
-data spherejit4 f77,cgal 2000 8000 30000 +100000
-data cylinderrnd f77,cgal 2000 8000 30000 +100000
-data torus f77,cgal 2000 8000 30000 +100000
-data helix f77,cgal 1000 2000 4000 +10000
-data moment f77,cgal 500 1000 2000
+data terrain f77,cgal 2000 8000 30000 +100000
 data wide f77,cgal 200 600 2000'
 for family in $SCANS; do
     rows="$rows
-data $family f77,cgal $(grep -c . "$family")"
+people $family f77,cgal $(grep -c . "$family")"
 done
 # shellcheck disable=SC2086
 $CC $CFLAGS -o build/bench_tess test/bench/bench.c test/points.c tess.c \
@@ -269,7 +260,8 @@ BEGIN {
     if (good[at]) {
         tetrahedra[key] = $6
         points[key] = $5
-        if (!($4 $3 in least)) least[$4 $3] = key
+        if (!($1 $4 $3 in least)) least[$1 $4 $3] = key
+        else if (least[$1 $4 $3] != key) grows[$1] = 1
     }
 }
 function ratio(a, b) {
@@ -279,7 +271,7 @@ function ratio(a, b) {
 }
 # a set beside the smallest of its family
 function growth(key, name,   first) {
-    first = least[family[key] name]
+    first = least[table[key] family[key] name]
     return first == "" || first == key ? " |" \
         : ratio(key " " name, first " " name)
 }
@@ -301,8 +293,10 @@ function times(which,   i, k, head) {
     head = "| points | n | tetrahedra |" programs(which)
     if (has[which "f77"]) head = head " FORTRAN/tess |"
     if (has[which "cgal"]) head = head " tess/CGAL |"
-    head = head " level |"
-    if (has[which "cgal"]) head = head " CGAL: level |"
+    if (grows[which]) {
+        head = head " level |"
+        if (has[which "cgal"]) head = head " CGAL: level |"
+    }
     heading(head)
     for (i = 1; i <= rows; i++) {
         key = order[i]
@@ -315,8 +309,10 @@ function times(which,   i, k, head) {
                 head = head " " value(key " " program[k], time, "%.0f") " |"
         if (has[which "f77"]) head = head ratio(key " f77", key " tess")
         if (has[which "cgal"]) head = head ratio(key " tess", key " cgal")
-        head = head growth(key, "tess")
-        if (has[which "cgal"]) head = head growth(key, "cgal")
+        if (grows[which]) {
+            head = head growth(key, "tess")
+            if (has[which "cgal"]) head = head growth(key, "cgal")
+        }
         print head
     }
 }
@@ -327,9 +323,9 @@ function few(   i, k, at, head, first) {
         key = order[i]
         name = family[key]
         sub(".*/", "", name)
-        if (!index(" uniform:100000 clusters:100000 lattice:97336 " \
-            "gridrot:27000 globe:30000 rotcube:30000 bumps:30000 " \
-            "mirror.xyz:3600 ", " " name ":" points[key] " ")) continue
+        if (!index(" uniform:100000 lattice:97336 gridrot:27000 " \
+            "globe:30000 rotcube:30000 terrain:50000 ellipsoid:50000 " \
+            "boreholes:20000 ", " " name ":" points[key] " ")) continue
         if (first) {
             print "\nThe rows of the README\n"
             heading("| points | n | tetrahedra | tess | FORTRAN/tess |" \
@@ -363,6 +359,11 @@ END {
         print "\nBytes per point, output included, points not\n"
         memory("clouds")
     }
+    if (has["peopletess"]) {
+        print "\nThe same times of data that people have: scans and surveys," \
+            "\nlayers, lines of samples, closed surfaces\n"
+        times("people")
+    }
     if (has["datatess"]) {
         print "\nThe same times of data that lie near planes, spheres, other" \
             "\nsurfaces and curves, and of others that are hard\n"
@@ -383,14 +384,24 @@ echo "| points | n | star | block | tree | nodes | leaves | listed |" \
     "candidates | exact | limbs | pool |"
 echo "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |" \
     "---: | ---: |"
-awk '{
+awk '
+function count(x, form) { printf " | " (none ? "-" : form), x }
+{
     for (i = 4; i < NF; i += 2) c[$i] = $(i + 1)
+    # of no tetrahedron
+    none = c["facets"] !~ /[0-9]/
     sub(".*/", "", $2)
-    printf "| %s | %d | %.2f | %.2f | %.2f | %.1f | %.1f | %.0f | %.1f", \
-        $2, $3, c["star"], c["block"], c["tree"], c["nodes"], c["leaves"], \
-        c["listed"], c["candidates"]
-    printf " | %.2f | %.2f | %d |\n", c["exact"], \
-        c["exact"] + c["sides"] + c["trials"], c["pool"]
+    printf "| %s | %d", $2, $3
+    count(c["star"], "%.2f")
+    count(c["block"], "%.2f")
+    count(c["tree"], "%.2f")
+    count(c["nodes"], "%.1f")
+    count(c["leaves"], "%.1f")
+    count(c["listed"], "%.0f")
+    count(c["candidates"], "%.1f")
+    count(c["exact"], "%.2f")
+    count(c["exact"] + c["sides"] + c["trials"], "%.2f")
+    printf " | %d |\n", c["pool"]
 }' build/bench_counts.txt
 
 # Location: queries in spatial order from the last answer, and from nowhere; in
@@ -435,7 +446,8 @@ echo "less: index and join"
 echo
 echo "| points | n | parts | tetrahedra | time | by the clock | | index | join |"
 echo "| --- | ---: | ---: | ---: | ---: | ---: | --- | ---: | ---: |"
-for size in 100000 1000000; do
+for size in $sizes; do
+    [ "$size" = 10000 ] && continue
     build/bench_parts uniform "$size" "$REPEATS" | awk '{
         $1 = "|"
         for (i = 2; i <= NF; i++) $i = $i " |"
