@@ -231,7 +231,7 @@ SANITIZE="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 tests() {
     if [ -z "$ALL" ]; then
         units usual "$CC" "$CFLAGS" "t_pred 40" "t_margin 8" brute \
-            "t_tess -quick" "t_part -quick" t_size t_natural t_join
+            "t_tess -quick" "t_part -quick" t_size t_natural
         # few limbs: code 2 or TESS_RANGE where they do not suffice
         units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
             "t_tess -range"
@@ -244,7 +244,7 @@ tests() {
         return
     fi
     units usual "$CC" "$CFLAGS" t_pred t_margin brute t_tess t_part t_size \
-        t_natural t_join
+        t_natural
     units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 50" "brute 100" \
         "t_tess -range" "t_part -quick"
     units -DHH_LIMBS=6 "$CC" "-O1 -DHH_LIMBS=6" "t_tess -range"

@@ -1,4 +1,5 @@
-/* t_part.c - tests of tess_index, tess_part, tess_query and tess_ball.
+/* t_part.c - tests of tess_index, tess_part, tess_query and tess_ball, and of
+ * test/examples/join.c.
  *
  *     t_part          all tests
  *     t_part -quick   fewer and smaller ones, for slow builds
@@ -8,8 +9,8 @@
  *            order, slabs and random parts, 2 to 1,024 of them, each part is
  *            those tetrahedra of tess's mesh, all and each once, that have a
  *            vertex asked for, its adj is right, in arrays of exact length
- *            between guards; joined, all of them or some, tess_resume makes
- *            them the mesh
+ *            between guards; put together by join.c's keep and append, all of
+ *            them or some, tess_resume makes them the mesh, and so does join
  *   subsets  a star computed from random points among which are all its true
  *            neighbours, in the order of the whole, is the star of the mesh,
  *            ties too: what processes that share nothing rely on
@@ -20,6 +21,7 @@
  *   codes    bad input, flat input
  */
 #include "../../tess.h"
+#include "../examples/join.c"
 #include "../proof/exact.h"
 #include "../points.h"
 #include "guard.h"
@@ -40,11 +42,11 @@ static void require(int holds, const char *what)
     if (!holds && faults++ < SHOWN) printf("%s (%s)\n", what, now);
 }
 
-/* Free the arrays made since there were keep of them. */
-static void drop(int keep)
+/* Free the arrays made since there were so many of them. */
+static void drop(int many)
 {
     require(overrun() == 0, "an array is overrun");
-    release(keep);
+    release(many);
 }
 
 static tess_int *copy(const tess_int *a, tess_int n)
@@ -150,11 +152,11 @@ static void make(whole *m)
 {
     tess_int *iw, *tet, *adj, maxtet = 8 * m->n + 20, i, t;
     double *rw;
-    int keep = narrays, k;
+    int mark = narrays, k;
 
     m->code = TESS_MORE;
     while (m->code == TESS_MORE) {
-        drop(keep);
+        drop(mark);
         tess_size(m->n, maxtet, &m->liw, &m->lrw);
         m->liw += 16 * maxtet; /* parts of few neighbours need much pool */
         tet = ints(4 * maxtet);
@@ -251,6 +253,7 @@ static tess_int one_part(const whole *m, const tess_int *mine, tess_int *iw,
                          tess_int **tet, tess_int **adj)
 {
     tess_int *asked = ints(m->n), *met = ints(m->ntet), ntet, need = 0, i, t, j;
+    tess_int liw = 4 * m->n + m->n / 6 + 514;
     int k, code, own, hull = 0;
 
     for (i = 0; i < m->n; i++) asked[i] = 0;
@@ -263,8 +266,14 @@ static tess_int one_part(const whole *m, const tess_int *mine, tess_int *iw,
     *tet = ints(4 * need);
     *adj = ints(4 * need);
     ntet = 0;
-    code = tess_part(m->n, m->p, mine, need, &ntet, *tet, *adj, m->liw, iw,
-                     m->lrw, m->rw);
+    for (i = 0, k = 0; i < m->n; i++) k += mine[i] != 0;
+    liw += (tess_int)TESS_LIW(k);
+    /* as join.c says; a vertex may have very many neighbours */
+    code = tess_part(m->n, m->p, mine, need, &ntet, *tet, *adj,
+                     liw < m->liw ? liw : m->liw, iw, m->lrw, m->rw);
+    if (code == TESS_POOL)
+        code = tess_part(m->n, m->p, mine, need, &ntet, *tet, *adj, m->liw,
+                         iw, m->lrw, m->rw);
     require(code == m->code, "the code of a part");
     require(ntet == need, "the number of tetrahedra of a part");
     if (ntet != need) {
@@ -289,46 +298,60 @@ static tess_int one_part(const whole *m, const tess_int *mine, tess_int *iw,
     return hull;
 }
 
+/* What join makes of the tetrahedra of all parts, of which some facets, or all,
+ * are open; and what it refuses. */
+static void joined(const whole *m, const tess_int *tet, const tess_int *some)
+{
+    tess_int total = m->ntet, open = 0, i, bad, *all, *adj, *h;
+    int every;
+
+    for (i = 0; i < 4 * total; i++) open += some[i] == TESS_OPEN;
+    for (every = 0; every < 2; every++) {
+        adj = copy(some, 4 * total);
+        for (i = 0; every && i < 4 * total; i++) adj[i] = TESS_OPEN;
+        if (every) open = 4 * total;
+        h = ints(open + 1);
+        require(join(total, tet, adj, open, h) == -4, "join: a short table");
+        require(join(total, tet, adj, open + 1, h) == 0, "join");
+        require(tess_check(m->n, m->p, total, tet, adj, 2 * m->n,
+                           ints(2 * m->n), &bad) == 0,
+                "tess_check of parts joined");
+    }
+    all = copy(tet, 4 * total);
+    for (i = 0; i < 4 && total > 1; i++) all[i] = all[4 + i];
+    for (i = 0; i < 4 * total; i++) adj[i] = TESS_OPEN;
+    if (total == 1) return;
+    require(join(2, all, adj, 9, h) == 1, "join: a tetrahedron, twice");
+    require(join(total, all, adj, open + 1, h) == 1,
+            "join: a tetrahedron twice");
+}
+
 /* All parts of one kind; joined, too, the first of them or all. */
 static void parts(const whole *m, int kind, tess_int many)
 {
-    tess_int *part = ints(m->n), *mine = ints(m->n), *least = ints(m->ntet);
+    tess_int *part = ints(m->n), *mine = ints(m->n), *becomes = ints(m->ntet);
     tess_int *utet = ints(4 * m->ntet), *uadj = ints(4 * m->ntet);
     tess_int *iw = copy(m->iw, m->liw), *set, *tet, *adj, *long_iw;
-    tess_int total = 0, i, k, t, u, ntet, some, liw = m->liw + 24 * m->ntet;
-    int keep = narrays, code;
+    tess_int total = 0, i, k, u, ntet, some, liw = m->liw + 24 * m->ntet;
+    int mark = narrays, code;
 
     divide(m, kind, many, part);
     for (k = 0; k < many; k++) {
-        int mark = narrays;
+        int inner = narrays;
 
         u = 0;
         for (i = 0; i < m->n; i++) u += mine[i] = part[i] == k;
         if (u == 0 && k > 8) continue;
         one_part(m, mine, iw, &tet, &adj);
         ntet = (tess_int)(length_of(narrays - 2) / sizeof(tess_int) / 4);
-        /* own are those whose least vertex is asked for */
-        for (t = 0, u = total; t < ntet; t++) {
-            const tess_int *v = tet + 4 * t;
-
-            i = v[0] < v[1] ? v[0] : v[1];
-            i = v[2] < i ? v[2] : i;
-            i = v[3] < i ? v[3] : i;
-            least[t] = mine[i] && u < m->ntet ? u++ : TESS_OPEN;
-        }
-        for (t = 0; t < ntet; t++)
-            for (i = 0; i < 4 && least[t] >= 0; i++) {
-                utet[4 * least[t] + i] = tet[4 * t + i];
-                uadj[4 * least[t] + i] = adj[4 * t + i] < 0
-                                             ? adj[4 * t + i]
-                                             : least[adj[4 * t + i]];
-            }
+        u = total + keep(ntet, tet, mine, becomes);
+        if (u <= m->ntet) append(ntet, tet, adj, becomes, total, utet, uadj);
         total = u;
-        drop(mark);
+        drop(inner);
     }
     require(total == m->ntet, "the parts' tetrahedra together");
     if (total != m->ntet || m->ntet == 0) {
-        drop(keep);
+        drop(mark);
         return;
     }
     set = as_set(total, utet);
@@ -336,6 +359,7 @@ static void parts(const whole *m, int kind, tess_int many)
             "the union of the parts");
     require(memcmp(iw, m->iw, (size_t)(2 * m->n) * sizeof *iw) == 0,
             "the index after the parts");
+    joined(m, utet, uadj);
     long_iw = ints(liw);
     for (some = 0; some < 2; some++) {
         ntet = some ? (total + 1) / 2 : total;
@@ -355,7 +379,7 @@ static void parts(const whole *m, int kind, tess_int many)
         for (i = 0; i < 4 * total; i++)
             require(adj[i] != TESS_OPEN, "open though joined");
     }
-    drop(keep);
+    drop(mark);
 }
 
 /* The stars of one point in sparse, from a set that has their neighbours and of
@@ -447,12 +471,12 @@ static void test_parts(void)
             if (!family(&m, points_name(f), n, 3, turned)) continue;
             for (kind = 0; kind < 3; kind++)
                 for (i = 0; i < 4; i++) {
-                    int keep = narrays;
+                    int mark = narrays;
 
                     parts(&m, kind, many[i]);
-                    drop(keep);
+                    drop(mark);
                     subset(&m, (int)many[i % 3]);
-                    drop(keep);
+                    drop(mark);
                 }
             drop(0);
             test_result(name, faults);
@@ -484,7 +508,7 @@ static void test_resume(void)
         family(&m, name[f], quick ? 40 : 120, 2, 0);
         mine = ints(m.n);
         for (kind = 0; kind < 3; kind++) {
-            int keep = narrays;
+            int outer = narrays;
 
             divide(&m, kind, 3, mine);
             for (i = 0; i < m.n; i++) mine[i] = mine[i] == 1;
@@ -553,7 +577,7 @@ static void test_resume(void)
             require(memcmp(as_set(got, t2), m.set,
                            (size_t)(4 * got) * sizeof *t2) == 0,
                     "a part made the mesh, as a set");
-            drop(keep);
+            drop(outer);
         }
         drop(0);
         test_result(now, faults);
@@ -610,7 +634,7 @@ static int query(const whole *m, const double *at, tess_int *v)
     /* not const: shim.c counts them from 1, and back */
     static tess_int none[4] = { -1, -1, -1, -1 };
     static tess_int alone[4] = { 0, 1, 2, 3 };
-    static const int facet[4][3] = { {1,2,3}, {0,3,2}, {0,1,3}, {0,2,1} };
+    static const int out[4][3] = { {1,2,3}, {0,3,2}, {0,1,3}, {0,2,1} };
     tess_int t = TESS_NONE, j;
     tess_real q[3], p[12];
     double w[4], x[4], y, size;
@@ -658,9 +682,9 @@ static int query(const whole *m, const double *at, tess_int *v)
 
             beyond += m->adj[4 * t + k] == TESS_NONE &&
                       w[slot_of(v, u[k])] == 0.0 &&
-                      hh_orient(m->p + 3 * u[facet[k][0]],
-                                m->p + 3 * u[facet[k][1]],
-                                m->p + 3 * u[facet[k][2]], q) > 0;
+                      hh_orient(m->p + 3 * u[out[k][0]],
+                                m->p + 3 * u[out[k][1]],
+                                m->p + 3 * u[out[k][2]], q) > 0;
         }
         require(beyond > 0, "outside, but not of a hull facet");
     }
