@@ -89,7 +89,7 @@
     (TESS_LR * (long)(n) + 6 * ((long)(n) / 12 + 2) + TESS_LC((long)(n)))
 #define TESS_LC(n) ((n) < 500 ? 0 : 16 * ((n) / 36 + 1))
 #define TESS_LIW(n)                                                \
-    ((n) > TESS_INT_MOST / 9 || TESS_LI((long)(n)) > TESS_INT_MOST \
+    ((n) > TESS_INT_MOST / 11 || TESS_LI((long)(n)) > TESS_INT_MOST \
          ? (long)TESS_INT_MOST                                     \
          : TESS_LI((long)(n)))
 #define TESS_LI(n) (8 * (n) + (n) / 12 + 514 + TESS_LP(n) + TESS_LS(n))

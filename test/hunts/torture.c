@@ -1034,102 +1034,6 @@ static void fixedsets(void)
     test_result("fixed sets in all circumstances", faults);
 }
 
-/* NaN and infinity in each place, in all calls. */
-static void nonfinite(void)
-{
-    volatile double big = DBL_MAX;
-    double bad[3], x[2];
-    tess_int ntet, t, where;
-    tess_real q[3];
-    static int code;
-    int i, k, kind;
-    long old = faults;
-
-    which = "place";
-    bad[0] = 2.0 * big;
-    bad[1] = -bad[0];
-    bad[2] = bad[0] - bad[0];
-    n = 5;
-    memset(point, 0, sizeof point);
-    for (i = 0; i < 15; i++) p[i / 3][i % 3] = i % 4 == 3 || i > 11;
-    copy();
-    sound = 1;
-    least();
-    for (kind = 0; kind < 3; kind++)
-        for (i = 0; i < 18 && sound; i++) {
-            now = normal;
-            now.round = i % 4;
-            now.flush = i / 4;
-            seed = (unsigned long)(20 * kind + i);
-            if (i < 15) {
-                x[0] = point[i];
-                point[i] = (tess_real)bad[kind];
-                /* a later one, too, that is not the first */
-                x[1] = point[14];
-                point[14] = (tess_real)bad[(kind + i) % 3];
-                code = solve(0, 100, &ntet, leastiw[n], leastrw[n]);
-                where = (tess_int)(i / 3);
-                need(code == -2 && ntet == where, "tess of a NaN or infinity");
-                ntet = 0;
-                code = solve(1, 100, &ntet, leastiw[n], leastrw[n]);
-                need(code == -2 && ntet == 0, "tess_resume of one");
-                need(check(0, tet, adj) == -2, "tess_check of one");
-                point[14] = (tess_real)x[1];
-                point[i] = (tess_real)x[0];
-                continue;
-            }
-            code = solve(0, 100, &ntet, leastiw[n], leastrw[n]);
-            need(code == TESS_OK, "points without NaN");
-            for (k = 0; k < 3; k++) q[k] = point[k];
-            q[i - 15] = (tess_real)bad[kind];
-            t = TESS_NONE;
-            CALL(code, tess_locate(point, ntet, tet, adj, q, &t, w));
-            need(code == -5, "tess_locate of a NaN or infinity");
-        }
-    now = normal;
-    test_result("NaN and infinity", faults - old);
-}
-
-/* Lengths that do not overflow, of any n. */
-static void sizes(void)
-{
-    static const double fraction[] = {
-        1e-9, 1e-6, 0.01, 0.03, 0.06, 0.08, 0.1, 0.12, 0.1246827, 0.125, 0.14,
-        0.16, 0.19, 0.195, 0.1999, 0.2, 0.21, 0.3, 0.34, 0.5, 0.9
-    };
-    tess_int largest, size, liw, lrw;
-    int i, code;
-    long old = faults;
-
-    which = "size";
-    largest = (((tess_int)1 << (sizeof size * CHAR_BIT - 2)) - 1) * 2 + 1;
-    sound = 1;
-    for (i = 0; i < 40 + (int)(sizeof fraction / sizeof *fraction); i++) {
-        n = 0;
-        seed = (unsigned long)i;
-        size = i < 40 ? (tess_int)((double)largest * 0.22 * i / 40.0)
-                      : (tess_int)((double)largest * fraction[i - 40]);
-        code = tess_size(size, 10, &liw, &lrw);
-        if (code == 0)
-            need((double)liw >= 4.0 * (double)size &&
-                 (double)lrw >= 3.0 * (double)size, "tess_size's lengths");
-        else
-            need(code == -1 && liw == 0 && lrw == 0, "tess_size's code");
-    }
-    code = tess_size(largest, 10, &liw, &lrw);
-    need(code == -1 && liw == 0 && lrw == 0, "tess_size of the largest n");
-    /* the double above the largest number minus this rounds to it */
-    if (sizeof size > 4) {
-        size = 1150000000;
-        for (i = 0; i < 3; i++) size *= 1000;
-        code = tess_size(size, 10, &liw, &lrw);
-        need(code == 0 ? (double)liw >= 4.0 * (double)size && lrw > 0
-                       : code == -1 && liw == 0 && lrw == 0,
-             "tess_size(1150000000000000000)");
-    }
-    test_result("tess_size", faults - old);
-}
-
 /* Signs of points whose coordinates are a few last places from a limb's half
  * or from its end, the largest at the same place of its limb. */
 static void limbs(void)
@@ -1275,8 +1179,6 @@ int main(int argc, char **argv)
     }
     if (!large) {
         fixedsets();
-        nonfinite();
-        sizes();
         limbs();
         arrays();
     }

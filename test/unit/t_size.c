@@ -1,7 +1,7 @@
 /* t_size.c - TESS_LIW and TESS_LRW against tess_size.
  *
- *   t_size          for all n to 100,000 and, a little further apart, to the
- *                   largest that tess takes; as arrays' lengths, too
+ *   t_size          for all n to 100,000 and, further apart, to the largest
+ *                   that tess takes, and beyond; as arrays' lengths, too
  *   t_size -table   the README's table of sizes
  */
 #include <stdio.h>
@@ -78,11 +78,16 @@ int main(int argc, char **argv)
     }
     for (n = 0; n < 100000 && n < TESS_INT_MOST / 5 - 200; n++) sizes(n);
     if (n == 100000)
-        for (; n < TESS_INT_MOST / 5 - 200 && (double)n < 1e12; n += step) {
+        for (; n < TESS_INT_MOST / 5 - 200; n += step) {
             sizes(n);
-            step = n / 1000 + n % 2;
+            step = n / ((double)n < 1e12 ? 1000 : 20) + n % 2;
         }
-    while ((double)n < 1e12 && tess_size(n, 0, &liw, &lrw) == 0) sizes(n++);
+    /* all are taken up to one, and none beyond */
+    if ((double)n > 1e12) n = (TESS_INT_MOST - 64) / 5;
+    while (tess_size(n, 0, &liw, &lrw) == 0) sizes(n++);
+    for (; n < TESS_INT_MOST - n / 9; n += n / 9)
+        test(tess_size(n, 0, &liw, &lrw) == -1 && liw == 0 && lrw == 0,
+             "tess_size", (long)n);
     for (i = 0; i < 30; i++) q[i] = (tess_real)p[i];
     test(tess(10, q, 80, &ntet, tet, adj, (tess_int)TESS_LIW(TEN), iw10,
               (tess_int)TESS_LRW(TEN), rw10) == 0,
