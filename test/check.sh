@@ -591,7 +591,7 @@ fortran() {
     echo "$list" | tr , '\012' > build/list
     while read t; do
         program=${t%% *}
-        if $CC -O1 $options -c -o $here/_$program.o test/unit/$program.c \
+        if $CC -O1 $options -I. -c -o $here/_$program.o test/unit/$program.c \
             >> $LOG 2>&1 && $LINKF -o $here/$program $here/_$program.o \
             $here/[!_]*.o build/ftess.o build/fhhpred.o $LIBF $LIBS \
             >> $LOG 2>&1; then
@@ -647,6 +647,24 @@ programs() {
         *) many "$f, $1" build/program;;
         esac
     done
+}
+
+# recipe NAME: natural.f without its main program, beside natural.c
+recipe() {
+    sed '/^      PROGRAM/,/^      END$/d' test/examples/natural.f \
+        > build/natural.f
+    compile "$CC" "-O1" build/units/f77 $LIBRARY
+    if gfortran -O2 -frecursive -c -o build/fnatural.o build/natural.f \
+        >> $LOG 2>&1 && $CC -O1 -DFORTRAN -I. -c -o build/t_natural.o \
+        test/unit/t_natural.c >> $LOG 2>&1 && gfortran -o build/t_natural \
+        build/t_natural.o build/fnatural.o build/ftess.o build/fhhpred.o \
+        build/units/f77/tess.o build/units/f77/hhpred.o \
+        build/units/f77/points.o build/units/f77/exact.o $LIBS >> $LOG 2>&1
+    then
+        many "t_natural, natural.f, $1" build/t_natural
+    else
+        fail "natural.f, $1: does not compile"
+    fi
 }
 
 # interface NAME FLAGS: the module for Fortran 90, and that with it wrong calls
@@ -751,6 +769,7 @@ halves() {
         fortran "gfortran -O3" "" "brute,t_tess -quick,t_part -quick" gfort -O3
         text "gfortran -O3"
         threads "gfortran -O3"
+        recipe "gfortran -O3"
         gfort -Ofast -march=native >> $LOG 2>&1
         text "gfortran -Ofast -march=native"
         # integers of 8 bytes

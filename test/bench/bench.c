@@ -18,7 +18,7 @@
 #include <string.h>
 #include <time.h>
 #include "../points.h"
-#include "take.h"
+#include "../take.h"
 #include "../fortran/f77.h"
 
 #ifdef TESS_COUNT

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <time.h>
 #include "../points.h"
-#include "take.h"
+#include "../take.h"
 #include "queries.h"
 #include "../../tess.h"
 

@@ -26,6 +26,7 @@
 #include <time.h>
 
 #include "../points.h"
+#include "../take.h"
 #include "../examples/join.c"
 
 typedef struct part {
@@ -42,14 +43,6 @@ static void need(int good, const char *what)
     if (good) return;
     fprintf(stderr, "parts: %s\n", what);
     exit(1);
-}
-
-static void *take(double count, size_t size)
-{
-    void *space = malloc((size_t)(count * (double)size) + 1);
-
-    need(space != NULL, "out of memory");
-    return space;
 }
 
 static tess_int *ints(double count)

@@ -29,7 +29,8 @@ measure() {
     mkdir -p $DIR/$1
     cp *.[ch] $DIR/$1
     mkdir -p $DIR/$1/test
-    cp -r test/points.[ch] test/fortran test/proof test/unit $DIR/$1/test
+    cp -r test/points.[ch] test/take.h test/examples test/fortran test/proof \
+        test/unit $DIR/$1/test
     (
         cd $DIR/$1
         for f in tess hhpred; do
@@ -37,7 +38,7 @@ measure() {
         done
         for f in proof/exact points proof/verify unit/guard unit/t_pred unit/brute \
             unit/t_tess unit/t_part fortran/parity; do
-            $CC -O2 $2 -c test/$f.c || say "$f.c does not compile"
+            $CC -O2 $2 -I. -c test/$f.c || say "$f.c does not compile"
         done
         for f in brute t_tess t_part parity; do
             $CC --coverage $3 -o $f $f.o tess.o hhpred.o exact.o points.o \

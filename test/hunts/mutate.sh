@@ -30,7 +30,7 @@ mkdir -p $DIR/new $DIR/counts
 TEST="brute t_pred t_margin t_tess t_part parity"
 for f in proof/exact hunts/hard points proof/verify bench/bench unit/guard unit/brute \
     unit/t_pred unit/t_tess unit/t_part fortran/parity; do
-    $CC -O2 -c -o $DIR/`basename $f`.o test/$f.c || say "$f.c does not compile"
+    $CC -O2 -I. -c -o $DIR/`basename $f`.o test/$f.c || say "$f.c does not compile"
 done
 $CC -O2 -o $DIR/mutant test/hunts/mutant.c || say "mutant.c does not compile"
 
@@ -74,7 +74,8 @@ counts() {
     $CC -O1 -DTESS_COUNT -o $1/count $DIR/bench.o $1/tess.c $1/hhpred.c \
         $DIR/points.o -lm || return 1
     for f in "uniform 20000" "lattice 4000" "aniso 5000" "planenoise 5000" \
-        "clusters 5000" "spherejit 2000" "planespread 2000" "cubesurf 3000"; do
+        "clusters 5000" "spherejit 2000" "planespread 2000" "cubesurf 3000" \
+        "ellipsoid 4000" "torus 3000"; do
         (ulimit -t $LIMIT; exec $1/count $f 1)
     done | grep '^count'
 }

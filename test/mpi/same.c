@@ -17,20 +17,13 @@
 
 #include "../../tess.h"
 #include "../points.h"
+#include "../take.h"
 
 static void need(int good, const char *what)
 {
     if (good) return;
     fprintf(stderr, "same: %s\n", what);
     exit(1);
-}
-
-static void *take(double count, size_t size)
-{
-    void *space = malloc((size_t)count * size + 1);
-
-    need(space != NULL, "out of memory");
-    return space;
 }
 
 /* The items of a file, behind what there is. */

@@ -14,7 +14,7 @@
 #include <string.h>
 #include "../proof/exact.h"
 #include "../points.h"
-#include "../bench/take.h"
+#include "../take.h"
 #include "../../tess.h"
 
 double tess_count[16];

@@ -4,6 +4,9 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#ifdef TEST_ROUNDING
+#include <fenv.h>
+#endif
 
 #define DIGIT 16
 #define MASK 65535UL
@@ -516,6 +519,24 @@ double rnd_unit(void)
 int rnd_below(int n)
 {
     return (int)(rnd_bits() % (unsigned long)n);
+}
+
+void test_modes(void (*all)(void))
+{
+#ifdef TEST_ROUNDING
+    static const int mode[4] = { FE_TONEAREST, FE_DOWNWARD, FE_UPWARD,
+                                 FE_TOWARDZERO };
+    int i;
+
+    for (i = 0; i < 4; i++) {
+        fesetround(mode[i]);
+        printf("        rounding mode %d\n", i);
+        all();
+    }
+    fesetround(FE_TONEAREST);
+#else
+    all();
+#endif
 }
 
 static long passed, failed;

@@ -81,6 +81,10 @@ unsigned long rnd_bits(void);
 double rnd_unit(void);
 int rnd_below(int n);
 
+/* test_modes - call all; with -DTEST_ROUNDING, and C99's fenv.h, in each of the
+ * four rounding modes. */
+void test_modes(void (*all)(void));
+
 /* test_result - count and print one test of that name, passed if it had no
  * fault.  test_end - print the counts; the exit code of the program. */
 void test_result(const char *name, long faults);

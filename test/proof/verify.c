@@ -1,6 +1,7 @@
 /* verify.c - see verify.h. */
 #include "verify.h"
 #include "exact.h"
+#include "../take.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,17 +13,6 @@
 static tess_int n, ntet;
 static const tess_real *p;
 static const tess_int *tet, *adj;
-
-static void *take(tess_int count, size_t size)
-{
-    void *a = malloc((size_t)count * size + 1);
-
-    if (a == NULL) {
-        fprintf(stderr, "verify.c: no memory\n");
-        exit(2);
-    }
-    return a;
-}
 
 /* Point i, which exact.c takes in doubles. */
 static const double *at(tess_int i)
@@ -65,7 +55,7 @@ static int by_place(const void *a, const void *b)
 const char *verify_twins(tess_int many, const tess_real *points,
                          const tess_int *iw)
 {
-    tess_int *order = (tess_int *)take(many, sizeof *order), i, first = 0;
+    tess_int *order = (tess_int *)take((double)many, sizeof *order), i, first = 0;
     const char *fault = NULL;
     const tess_real *x, *y;
 
@@ -186,13 +176,13 @@ static int by_edge(const void *a, const void *b)
 static const char *convex(void)
 {
     tess_int *edge, m = 0, vertices = 0, i, x, y;
-    char *seen = (char *)take(n, 1);
+    char *seen = (char *)take((double)n, 1);
     const char *fault = NULL;
     int j, k;
 
     for (i = 0; i < n; i++) seen[i] = 0;
     for (i = 0; i < 4 * ntet; i++) m += adj[i] == TESS_NONE;
-    edge = (tess_int *)take(12 * m, sizeof *edge);
+    edge = (tess_int *)take(12.0 * (double)m, sizeof *edge);
     for (i = 0, m = 0; i < 4 * ntet; i++)
         for (j = 0; j < 3 && adj[i] == TESS_NONE; j++, m++) {
             k = (int)(i % 4);
@@ -263,7 +253,7 @@ const char *verify(tess_int many, const tess_real *points, int code,
     if (code != flatness()) return "the code";
     if (code != TESS_OK)
         return ntet == 0 ? NULL : "tetrahedra of points that span no space";
-    seen = (char *)take(n, 1);
+    seen = (char *)take((double)n, 1);
     for (i = 0; i < n; i++) seen[i] = 0;
     for (i = 0; i < 4 * ntet && fault == NULL; i++)
         if (tet[i] < 0 || tet[i] >= n || iw[tet[i]] != tet[i])

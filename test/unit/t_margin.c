@@ -27,9 +27,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#ifdef TEST_ROUNDING
-#include <fenv.h>
-#endif
 
 #ifdef TESS_COUNT
 double tess_count[16];
@@ -555,7 +552,10 @@ static void round_of(void)
     }
 }
 
-static void all(long rounds, unsigned long first_seed)
+static long rounds = 40;
+static unsigned long first_seed = 1;
+
+static void all(void)
 {
     long i;
 
@@ -576,22 +576,8 @@ static void all(long rounds, unsigned long first_seed)
 
 int main(int argc, char **argv)
 {
-    long rounds = argc > 1 ? atol(argv[1]) : 40;
-    unsigned long start = argc > 2 ? (unsigned long)atol(argv[2]) : 1;
-
-#ifdef TEST_ROUNDING
-    static const int mode[4] = { FE_TONEAREST, FE_DOWNWARD, FE_UPWARD,
-                                 FE_TOWARDZERO };
-    int i;
-
-    for (i = 0; i < 4; i++) {
-        fesetround(mode[i]);
-        printf("        rounding mode %d\n", i);
-        all(rounds, start);
-    }
-    fesetround(FE_TONEAREST);
-#else
-    all(rounds, start);
-#endif
+    if (argc > 1) rounds = atol(argv[1]);
+    if (argc > 2) first_seed = (unsigned long)atol(argv[2]);
+    test_modes(all);
     return test_end("t_margin");
 }

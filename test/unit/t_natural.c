@@ -11,6 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../points.h"
+#include "../proof/exact.h"
 
 #define N 1000
 #define MAXTET (40 * N)
@@ -23,16 +24,13 @@ static tess_int n, ntet, tet[4 * MAXTET], adj[4 * MAXTET], iw[TESS_LIW(N)];
 static tess_int nn, nbr[MOST + 3], work[WORK];
 static double rw[TESS_LRW(N)], real[WORK], value[N], g[3 * N];
 static double weights[2][MOST + 3];
-static long passed, failed;
 
 static void check(int good, const char *family, const char *what)
 {
-    if (good) {
-        passed++;
-        return;
-    }
-    failed++;
-    printf("FAILED  %s: %s\n", family, what);
+    char name[80];
+
+    sprintf(name, "%s: %s", family, what);
+    test_result(name, good ? 0L : 1L);
 }
 
 #ifdef FORTRAN
@@ -61,7 +59,7 @@ static int both(tess_real *q, tess_int *t, tess_int most)
     for (k = 0; k < nn && i; k++)
         i = nbr1[k] == nbr[k] + 1 && fabs(weights[0][k] - other[0][k]) < 1e-9 &&
             fabs(weights[1][k] - other[1][k]) < 1e-9;
-    check(i, "FORTRAN", "as C");
+    if (!i) check(0, "FORTRAN", "as C");
     return info;
 }
 
@@ -77,8 +75,8 @@ static double smooth(const double *w)
         w1[i] = w[i];
     }
     blend_(p, &nn, nbr1, w1, value, g, &out);
-    check(fabs(out - blend(p, nn, nbr, w, value, g)) <= 1e-12 * fabs(out),
-          "FORTRAN", "blend as C's");
+    if (!(fabs(out - blend(p, nn, nbr, w, value, g)) <= 1e-12 * fabs(out)))
+        check(0, "FORTRAN", "blend as C's");
     return out;
 }
 #else
@@ -93,18 +91,6 @@ static double smooth(const double *w)
     return blend(p, nn, nbr, w, value, g);
 }
 #endif
-
-/* random01 - a random number, 0 <= x < 1, of 26 bits. */
-static double random01(void)
-{
-    static long seed = 1;
-    long high;
-
-    seed = (seed * 3877 + 29573) % 139968;
-    high = seed % 8192;
-    seed = (seed * 3877 + 29573) % 139968;
-    return ((double)high + (double)(seed % 8192) / 8192.0) / 8192.0;
-}
 
 /* mesh - of n points, turned about no axis in particular, moved and scaled. */
 static int mesh(int turned, double scale)
@@ -169,7 +155,7 @@ static void family(const char *name, int turned)
         for (k = 0; k < 3; k++)
             if (fabs((double)p[3 * i + k] - (double)p[k]) > box)
                 box = fabs((double)p[3 * i + k] - (double)p[k]);
-    for (k = 0; k < 4; k++) m[k] = random01();
+    for (k = 0; k < 4; k++) m[k] = rnd_unit();
     for (i = 0; i < n; i++) {
         value[i] = 0.0;
         for (k = 0; k < 3; k++) {
@@ -181,11 +167,11 @@ static void family(const char *name, int turned)
     for (k = 0; k < 6; k++) good[k] = 1;
     for (i = 0; i < QUERIES; i++) {
         kind = (int)(i % 4);
-        u = (tess_int)(random01() * (double)ntet);
-        face = (int)(random01() * 4.0);
+        u = (tess_int)(rnd_unit() * (double)ntet);
+        face = (int)(rnd_unit() * 4.0);
         for (sum = 0.0, k = 0; k < 4; k++) {
-            b[k] = kind == 3 ? 1.0 - 3.0 * random01() : random01();
-            if (kind == 1 && (k != face || i % 3 == 0) && random01() < 0.5)
+            b[k] = kind == 3 ? 1.0 - 3.0 * rnd_unit() : rnd_unit();
+            if (kind == 1 && (k != face || i % 3 == 0) && rnd_unit() < 0.5)
                 b[k] *= i % 8 < 4 ? 0.0 : 1e-13;
         }
         if (kind == 2) { /* the next tetrahedron with a facet on the hull */
@@ -193,7 +179,7 @@ static void family(const char *name, int turned)
                    adj[4 * u + 2] >= 0 && adj[4 * u + 3] >= 0)
                 u = (u + 1) % ntet;
             for (k = 0; adj[4 * u + k] >= 0; k++) continue;
-            b[k] *= pow(10.0, -15.0 * random01()) * (i % 3 > 0 ? 1.0 : 0.0);
+            b[k] *= pow(10.0, -15.0 * rnd_unit()) * (i % 3 > 0 ? 1.0 : 0.0);
         }
         for (k = 0; k < 4; k++) sum += b[k];
         if (!(fabs(sum) > 1e-3)) continue;
@@ -311,7 +297,7 @@ static void kinks(void)
     for (m = 0; m < 3; m++) kink[m][0] = kink[m][1] = 0.0;
     for (i = 0; i < n; i++) {
         for (sum = 0.0, k = 0; k < 3; k++) {
-            d[k] = random01() - 0.5;
+            d[k] = rnd_unit() - 0.5;
             sum += fabs((double)p[3 * i + k] - 0.5) > 0.3;
         }
         if (sum > 0.0) continue;
@@ -367,14 +353,14 @@ static void codes(void)
     memcpy(kept, adj, sizeof kept);
     for (good = 1, seen = 0, i = 0; i < 400; i++) {
         memcpy(adj, kept, sizeof kept);
-        for (k = 0; k < 3; k++) q[k] = (tess_real)random01();
+        for (k = 0; k < 3; k++) q[k] = (tess_real)rnd_unit();
         t = TESS_NONE;
         if (tess_locate(p, ntet, tet, adj, q, &t, w) != 0) continue;
-        k = (int)(random01() * 4.0);
+        k = (int)(rnd_unit() * 4.0);
         adj[4 * t + k] = i % 4 == 0 ? TESS_OPEN
                        : i % 4 == 1 ? ntet
                        : i % 4 == 2 ? -7
-                                    : (tess_int)(random01() * (double)ntet);
+                                    : (tess_int)(rnd_unit() * (double)ntet);
         code = both(q, &t, MOST);
         if (code != (i % 4 == 0 ? TESS_BAD_OPEN : -4)) good = 0;
         seen++;
@@ -385,15 +371,15 @@ static void codes(void)
     for (i = 0; i < 400; i++) {
         memcpy(adj, kept, sizeof kept);
         for (k = 0; k < 40; k++)
-            adj[(tess_int)(random01() * 4.0 * (double)ntet)] =
-                (tess_int)(random01() * (double)ntet);
-        for (k = 0; k < 3; k++) q[k] = (tess_real)random01();
+            adj[(tess_int)(rnd_unit() * 4.0 * (double)ntet)] =
+                (tess_int)(rnd_unit() * (double)ntet);
+        for (k = 0; k < 3; k++) q[k] = (tess_real)rnd_unit();
         t = TESS_NONE;
         both(q, &t, 100);
     }
     tess(n, p, ntet / 2, &ntet, tet, adj, TESS_LIW(N), iw, TESS_LRW(N), rw);
     for (good = 0, i = 0; i < 400; i++) {
-        for (k = 0; k < 3; k++) q[k] = (tess_real)random01();
+        for (k = 0; k < 3; k++) q[k] = (tess_real)rnd_unit();
         t = TESS_NONE;
         code = both(q, &t, MOST);
         good += code == TESS_BAD_OPEN;
@@ -404,7 +390,7 @@ static void codes(void)
     check(mesh(1, 1.0) == 0, "four points", "mesh");
     for (good = 1, i = 0; i < 100; i++) {
         for (w[3] = 1.0, k = 0; k < 3; k++)
-            w[3] -= w[k] = random01() / 3.0;
+            w[3] -= w[k] = rnd_unit() / 3.0;
         for (k = 0; k < 3; k++)
             q[k] = (tess_real)(w[0] * (double)p[3 * tet[0] + k] +
                                w[1] * (double)p[3 * tet[1] + k] +
@@ -435,6 +421,5 @@ int main(void)
         family(families[i], 0);
         family(families[i], 1);
     }
-    printf("t_natural: %ld passed, %ld failed\n", passed, failed);
-    return failed > 0;
+    return test_end("t_natural");
 }

@@ -20,9 +20,6 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#ifdef TEST_ROUNDING
-#include <fenv.h>
-#endif
 
 #ifdef TESS_FLOAT
 #define REAL_EPS FLT_EPSILON
@@ -1557,21 +1554,6 @@ int main(int argc, char **argv)
     if (argc > 2) seed = (unsigned long)atol(argv[2]);
     rnd_seed(seed);
     find_sphere();
-#ifdef TEST_ROUNDING
-    {
-        static const int mode[4] = { FE_TONEAREST, FE_DOWNWARD, FE_UPWARD,
-                                     FE_TOWARDZERO };
-        int i;
-
-        for (i = 0; i < 4; i++) {
-            fesetround(mode[i]);
-            printf("        rounding mode %d\n", i);
-            all();
-        }
-        fesetround(FE_TONEAREST);
-    }
-#else
-    all();
-#endif
+    test_modes(all);
     return test_end("t_pred");
 }

@@ -1,4 +1,4 @@
-/* take.h - memory, or the program ends. */
+/* take.h - space for an array, or the program ends. */
 #ifndef TAKE_H
 #define TAKE_H
 
