@@ -2,12 +2,13 @@
  *
  * Order of the routines, here and in f77/hhpred.f:
  *   exact numbers     nearest zeros shift split carry signof spread least
- *                     volume ball leading region foot limbsg limbs3 limbs10
- *                     limbsx centre weight certain balanced exact
+ *                     volume cofactors ball leading shares region foot weigh
+ *                     limbsg limbs3 limbs10 limbsx centre topweight certain
+ *                     balanced exact
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       filt3 filt5 opposite pack scale hh_orient
- *                     hh_insphere hh_flat hh_line closest hh_foot widersg
- *                     hh_wider hh_range apart corners hh_pside
+ *                     hh_insphere hh_flat hh_line closest hh_foot hh_weigh
+ *                     widersg hh_wider hh_range apart corners hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
  *   balls by limbs    rows cut hh_centre form sure offset squared hh_trial
  *                     hh_unit hh_height hh_thin
@@ -242,29 +243,20 @@ static int volume(int n, double *x)
     return signof(3 * n, 0.0, det);
 }
 
-/* ball - the sign of the determinant of filt5, of n limbs, from the first depth
- * rows of all products; UNSURE when these do not tell.  x: the rows, as of
- * spread, in 44n doubles.
- *
- * What is lost, in units of the last of K = depth <= 10 rows: in the row behind
- * it a minor loses 2K products of limbs of at most BASE, so errs by 2K BASE;
- * a square by 3K BASE.  A determinant loses 3K products of BASE^2 / 2, and gets
- * the errors of three minors times a difference, of at most BASE/2: 1.5K BASE +
- * 1.5 times 2K BASE.  The sum loses 4K products of at most 3/8 BASE^2, and gets
- * four times the errors of a determinant times a square and of a square times a
- * determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3) K BASE = 24K
- * BASE.  What follows all these adds less than a tenth, so that BOUND is
- * ample. */
-static int ball(int n, int depth, double *x)
+/* cofactors - the determinants of three of the rows a-e, b-e, c-e, d-e, without
+ * each in turn, by the first depth rows of all products: four numbers of 3n
+ * limbs, or depth, side by side.  x: the rows, of n limbs, as of spread, in 39n
+ * doubles; the determinants are in the last 12n. */
+static void cofactors(int n, int depth, double *x)
 {
     int n2 = least(2 * n, depth), n3 = least(3 * n, depth);
-    int n5 = least(5 * n, depth), most, i, j, rows = 0;
-    double *minor = x + 15 * n, *lift = minor, *det = minor + 6 * n2;
-    double *sum = det + 4 * n3, *r;
+    int most, i, j, rows = 0;
+    double *minor = x + 15 * n, *det = minor + 12 * n, *r;
     const double *s, *t;
     double a, b, c, d, ta, tb, tc, td;
 
-    zeros(6 * n2 + 4 * n3 + n5, minor);
+    zeros(6 * n2, minor);
+    zeros(4 * n3, det);
     /* ab, bc, cd, da, ac, bd */
     for (i = 0, s = x; i < n && i < n2 - 1; i++, s += 15) {
         a = s[0], b = s[3], c = s[6], d = s[9];
@@ -283,7 +275,6 @@ static int ball(int n, int depth, double *x)
         }
     }
     carry(n2, 6, minor);
-    /* the determinants without a, b, c, d */
     rows = 0;
     for (i = 0, s = x; i < n && i < n3 - 1; i++, s += 15) {
         a = s[2], b = s[5], c = s[8], d = s[11];
@@ -299,10 +290,34 @@ static int ball(int n, int depth, double *x)
         }
     }
     carry(n3, 4, det);
-    /* the squares of the rows, in the place of the minors: two products of
-     * limbs i and j are taken at once */
+}
+
+/* ball - the sign of the determinant of filt5, of n limbs, from the first depth
+ * rows of all products; UNSURE when these do not tell.  x: the rows, as of
+ * spread, in 44n doubles.
+ *
+ * What is lost, in units of the last of K = depth <= 10 rows: in the row behind
+ * it a minor loses 2K products of limbs of at most BASE, so errs by 2K BASE;
+ * a square by 3K BASE.  A determinant loses 3K products of BASE^2 / 2, and gets
+ * the errors of three minors times a difference, of at most BASE/2: 1.5K BASE +
+ * 1.5 times 2K BASE.  The sum loses 4K products of at most 3/8 BASE^2, and gets
+ * four times the errors of a determinant times a square and of a square times a
+ * determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3) K BASE = 24K
+ * BASE.  What follows all these adds less than a tenth, so that BOUND is
+ * ample. */
+static int ball(int n, int depth, double *x)
+{
+    int n2 = least(2 * n, depth), n3 = least(3 * n, depth);
+    int n5 = least(5 * n, depth), most, i, j, rows = 0;
+    double *lift = x + 15 * n, *det = lift + 12 * n, *sum = det + 12 * n, *r;
+    const double *s, *t;
+    double a, b, c, d;
+
+    cofactors(n, depth, x);
     zeros(4 * n2, lift);
-    rows = 0;
+    zeros(n5, sum);
+    /* the squares of the rows, in the place of cofactors' minors: two products
+     * of limbs i and j are taken at once */
     for (i = 0, s = x; i < n && i < n2 - 1; i++, s += 15) {
         if (rows++ % (ROWS1 / 2) == ROWS1 / 2 - 1) carry(n2, 4, lift);
         most = least(n, n2 - 1 - i);
@@ -345,6 +360,23 @@ static double leading(int n, const double *r, int step, int *at)
     return sum;
 }
 
+/* shares - the n absolute values w of numbers, whose leading limbs are limbs
+ * at, over their sum: each right to 12 eps of itself, as the numbers to 3 eps,
+ * or underflowed.  Left alone if all are 0. */
+static void shares(int n, const int *at, double *w)
+{
+    double sum = 0.0;
+    int top = INT_MAX, k;
+
+    for (k = 0; k < n; k++)
+        if (w[k] != 0.0) top = least(top, at[k]);
+    for (k = 0; k < n; k++) {
+        if (w[k] != 0.0) w[k] = fabs(ldexp(w[k], (top - at[k]) * HH_BITS));
+        sum += w[k];
+    }
+    for (k = 0; k < n && sum > 0.0; k++) w[k] /= sum;
+}
+
 /* region - the face of a triangle whose interior has the triangle's point
  * nearest to q: the sum of 2^k for its vertices k.  Side i leads from vertex i
  * to the next one; dot[3i+k] has the sign of the product of side i and q -
@@ -368,17 +400,17 @@ static int region(const double *dot, const double *area)
     return 7;
 }
 
-/* foot - region, and the weights w of the vertices in that point: each right
- * to 16 eps of itself, by its leading limbs, or underflowed.  x: the rows b-a,
- * c-a, q-a of a triangle a, b, c, of n limbs, as of spread, in 42n doubles.
- * With sides s and offsets o = q - vertex
+/* foot - region, and the weights w of the vertices in that point: shares of
+ * areas or, on a side, of products with it.  x: the rows b-a, c-a, q-a of a
+ * triangle a, b, c, of n limbs, as of spread, in 42n doubles.  With sides s and
+ * offsets o = q - vertex
  *     area[k] = (s_i.o_j) (s_k.o_i) - (s_i.o_i) (s_k.o_j), i, j, k cyclic. */
 static int foot(int n, double *x, double *w)
 {
     double *dot = x + 12 * n, *area = dot + 18 * n, *r;
-    double side[9], off[9], value[12], sum = 0.0;
+    double side[9], off[9], value[12];
     const double *s, *t;
-    int at[12], from[3], i, j, k, l, m, rest, rows = 0, top = 4 * n, set;
+    int at[12], from[3], i, j, k, l, m, rest, rows = 0, set;
 
     zeros(30 * n, dot);
     for (i = 0, s = x; i < n; i++, s += 12) {
@@ -429,23 +461,33 @@ static int foot(int n, double *x, double *w)
         if (w[(k + 2) % 3] > 0.0) continue;
         from[k] = 3 * k + l;
         from[l] = 4 * k;
-        value[from[k]] = -value[from[k]];
     }
-    for (k = 0; k < 3; k++)
-        if (w[k] > 0.0) top = least(top, at[from[k]]);
     for (k = 0; k < 3; k++) {
-        if (w[k] > 0.0)
-            w[k] = ldexp(value[from[k]], (top - at[from[k]]) * HH_BITS);
-        sum += w[k];
+        w[k] *= value[from[k]];
+        from[k] = at[from[k]];
     }
-    for (k = 0; k < 3; k++) w[k] /= sum;
+    shares(3, from, w);
     return set;
 }
 
+/* weigh - the weights w of the point e in the tetrahedron a, b, c, d that holds
+ * it: shares of the volumes of the four tetrahedra that have e in the place of
+ * a vertex.  x: the rows a-e, b-e, c-e, d-e, of n limbs, as of spread, in 39n
+ * doubles. */
+static void weigh(int n, double *x, double *w)
+{
+    int at[4], k;
+
+    cofactors(n, 3 * n, x);
+    for (k = 0; k < 4; k++)
+        w[k] = leading(3 * n, x + 27 * n + k, 4, at + k);
+    shares(4, at, w);
+}
+
 /* limbsg - with n limbs, volume for np = 4 points q, or minus foot if there is
- * a w, ball for 5; UNSURE when n limbs do not hold the points.  work: 44n
- * doubles.  Limbs 0 that are 0 in all rows are left out as long as the next
- * ones may be limbs 0. */
+ * a w; ball for 5, or weigh and 0; UNSURE when n limbs do not hold the points.
+ * work: 44n doubles.  Limbs 0 that are 0 in all rows are left out as long as
+ * the next ones may be limbs 0. */
 static int limbsg(int np, const double *q, double top, int n, double *work,
                   double *w)
 {
@@ -460,6 +502,10 @@ static int limbsg(int np, const double *q, double top, int n, double *work,
     }
     if (np == 4 && w) return -foot(used, work, w);
     if (np == 4) return volume(used, work);
+    if (w) {
+        weigh(used, work, w);
+        return 0;
+    }
     if (5 * used > 2 * LEAD) sign = ball(used, LEAD, work);
     return sign == UNSURE ? ball(used, 5 * used, work) : sign;
 }
@@ -549,9 +595,9 @@ static int centre(int n, const double *x, double *work)
     return first;
 }
 
-/* weight - the weight of limb 0 of numbers of at most most > 0: most fills
+/* topweight - the weight of limb 0 of numbers of at most most > 0: most fills
  * it. */
-static double weight(double most)
+static double topweight(double most)
 {
     int e;
 
@@ -639,7 +685,7 @@ static int exact(int np, double *q, double *w)
         shift(3 * np, q);
         most *= SHIFT;
     }
-    top = weight(most);
+    top = topweight(most);
     sign = limbs3(np, q, top, w);
 #if HH_LIMBS > 10
     if (sign == UNSURE) sign = limbs10(np, q, top, w);
@@ -1016,6 +1062,26 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
     return set;
 }
 
+/* hh_weigh - exact: the barycentric weights w of q in the tetrahedron v of
+ * points p, which holds it: the sum of w[k] (vertex k - q) vanishes.  Each is
+ * right to 12 eps of itself, or underflows, however thin the tetrahedron is;
+ * none is negative, and w[k] is 0 where q is in the plane of the facet opposite
+ * to vertex k.  Returns 0, or UNSURE where the limbs do not hold the points (see
+ * hh_orient). */
+int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
+             double *w)
+{
+    const tess_real *r[5];
+    double x[15];
+    int k;
+
+    for (k = 0; k < 4; k++) r[k] = p + 3 * (size_t)v[k];
+    r[4] = q;
+    if (!held(5, r)) return UNSURE;
+    pack(5, r, x);
+    return exact(5, x, w);
+}
+
 /* widersg - with n limbs, the sign of q[0] + q[1] - q[2] - q[3]; UNSURE when
  * they do not hold q.  work: 2n doubles. */
 static int widersg(const double *q, double top, int n, double *work)
@@ -1052,7 +1118,7 @@ int hh_wider(double a, double b, double c, double d)
         shift(4, q);
         most *= SHIFT;
     }
-    top = weight(most);
+    top = topweight(most);
     sign = widersg(q, top, 3, work);
     return sign == UNSURE ? widersg(q, top, HH_LIMBS, work) : sign;
 }
@@ -1065,7 +1131,7 @@ int hh_range(double x, double most)
     int used;
 
     x *= f;
-    used = split(1, &x, weight(most * f), HH_LIMBS, limb);
+    used = split(1, &x, topweight(most * f), HH_LIMBS, limb);
     return used > HH_LIMBS ? UNSURE : 0;
 }
 
@@ -1241,7 +1307,7 @@ static int rows(const hh_set *s, const tess_int *v, double *x, double *top,
     most = pack(4, p, q);
     *factor = most < LOW ? SHIFT : 1.0;
     if (most < LOW) shift(12, q);
-    *top = 2.0 * weight(*factor * most);
+    *top = 2.0 * topweight(*factor * most);
     frexp(*top, e);
     *e -= 1 + s->e + (most < LOW ? SKIP * HH_BITS : 0);
     if (spread(4, q, *top, 3, x) <= 3) return 3;

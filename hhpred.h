@@ -110,6 +110,7 @@ typedef double tess_real;
 #define hh_flat TESS_AS(h, flat)
 #define hh_line TESS_AS(h, line)
 #define hh_foot TESS_AS(h, foot)
+#define hh_weigh TESS_AS(h, weigh)
 #define hh_wider TESS_AS(h, wider)
 #define hh_range TESS_AS(h, range)
 #define hh_finite TESS_AS(h, finite)
@@ -318,6 +319,8 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
 int hh_line(const tess_real *a, const tess_real *b, const tess_real *c);
 int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
             const tess_real *q, double *w);
+int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
+             double *w);
 int hh_wider(double a, double b, double c, double d);
 int hh_range(double x, double most);
 tess_int hh_finite(tess_int n, const tess_real *p);

@@ -25,9 +25,10 @@ C
 C     The routines of hhpred.c, in its order, and their names here:
 C       exact numbers: frexp HHFREX, ldexp HHLDEX, nearest HHNEAR,
 C         zeros HHZERO, split HHSPLI, carry HHCARR, signof HHSIGN,
-C         spread HHSPRE, volume HHVOLU, ball HHBALL, leading HHLEAD,
-C         region HHREGI, foot HHFT, limbsg HHLIMB, limbs3 HHLIM3,
-C         limbs10 HHLIMT, limbsx HHLIMX, centre HHCNTR, weight HHWEIG,
+C         spread HHSPRE, volume HHVOLU, cofactors HHCOFA, ball HHBALL,
+C         leading HHLEAD, shares HHSHAR, region HHREGI, foot HHFT,
+C         weigh HHWGH, limbsg HHLIMB, limbs3 HHLIM3, limbs10 HHLIMT,
+C         limbsx HHLIMX, centre HHCNTR, topweight HHTOPW,
 C         certain HHCERT, balanced HHBALA, exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
@@ -35,8 +36,8 @@ C       exact signs: filt3 HHFIL3, filt5 HHFIL5,
 C         opposite HHOPPO, pack HHPACK, scale HHSCAL,
 C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
 C         hh_line HHLINE, closest HHCLOS, hh_foot HHFOOT,
-C         widersg HHWIDS, hh_wider HHWIDE, hh_range HHRANG,
-C         apart HHAPAR, corners HHCORN, hh_pside HHPSID
+C         hh_weigh HHWEIG, widersg HHWIDS, hh_wider HHWIDE,
+C         hh_range HHRANG, apart HHAPAR, corners HHCORN, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
@@ -386,37 +387,22 @@ C     AB, BC, AC: A(1) B(2) - B(1) A(2) and so on
       SGN = HHSIGN(3*N, 0.0D0, DET)
       END
 
-C     HHBALL - the sign of the determinant of HHFIL5, of N limbs, from
-C     the first DEPTH rows of all products; UNSURE when these do not
-C     tell.  X: the rows, as of HHSPRE.  Scratch: MINOR and DET 12,
-C     TOTAL 5 doubles a limb.
-C
-C     What is lost, in units of the last of K = DEPTH <= 10 rows: in the
-C     row behind it a minor loses 2K products of limbs of at most BASE,
-C     so errs by 2K BASE; a square by 3K BASE.  A determinant loses 3K
-C     products of BASE**2/2, and gets the errors of three minors times a
-C     difference, of at most BASE/2: 1.5K BASE + 1.5 times 2K BASE.  The
-C     sum loses 4K products of at most 3/8 BASE**2, and gets four times
-C     the errors of a determinant times a square and of a square times a
-C     determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3)
-C     K BASE = 24K BASE.  What follows all these adds less than a tenth,
-C     so that BOUND is ample.
-      SUBROUTINE HHBALL(N, DEPTH, X, MINOR, DET, TOTAL, SGN)
-      INTEGER N, DEPTH, SGN
-      DOUBLE PRECISION X(*), MINOR(*), DET(*), TOTAL(*)
-      INTEGER HHSIGN
-      INTEGER LEAD, ROWS1, ROWS2
-      PARAMETER (LEAD = 6, ROWS1 = 10, ROWS2 = 20)
-      DOUBLE PRECISION BASE, BOUND
-      PARAMETER (BASE = 2.0D0**24, BOUND = 32*LEAD*BASE)
-      DOUBLE PRECISION A, B, C, D, ERR, TA, TB, TC, TD
-      INTEGER I, J, N2, N3, N5, R, ROWS, S, T
+C     HHCOFA - the determinants DET of three of the rows A-E, B-E, C-E,
+C     D-E, without each in turn, by the first DEPTH rows of all
+C     products: four numbers of 3N limbs, or DEPTH, side by side.  X:
+C     the rows, of N limbs, as of HHSPRE.  Scratch: MINOR 12 doubles a
+C     limb.
+      SUBROUTINE HHCOFA(N, DEPTH, X, MINOR, DET)
+      INTEGER N, DEPTH
+      DOUBLE PRECISION X(*), MINOR(*), DET(*)
+      INTEGER ROWS1, ROWS2
+      PARAMETER (ROWS1 = 10, ROWS2 = 20)
+      DOUBLE PRECISION A, B, C, D, TA, TB, TC, TD
+      INTEGER I, J, N2, N3, R, ROWS, S, T
       N2 = MIN(2*N, DEPTH)
       N3 = MIN(3*N, DEPTH)
-      N5 = MIN(5*N, DEPTH)
       CALL HHZERO(6*N2, MINOR)
       CALL HHZERO(4*N3, DET)
-      CALL HHZERO(N5, TOTAL)
 C     AB, BC, CD, DA, AC, BD
       ROWS = 0
       DO 20 I = 1, MIN(N, N2 - 1)
@@ -446,7 +432,6 @@ C     AB, BC, CD, DA, AC, BD
    10   CONTINUE
    20 CONTINUE
       CALL HHCARR(N2, 6, MINOR)
-C     the determinants without A, B, C, D
       ROWS = 0
       DO 40 I = 1, MIN(N, N3 - 1)
         S = 15*(I - 1)
@@ -473,39 +458,71 @@ C     the determinants without A, B, C, D
    30   CONTINUE
    40 CONTINUE
       CALL HHCARR(N3, 4, DET)
-C     the squares of the rows, in the place of the minors: two products
-C     of limbs I and J are taken at once
-      CALL HHZERO(4*N2, MINOR)
+      END
+
+C     HHBALL - the sign of the determinant of HHFIL5, of N limbs, from
+C     the first DEPTH rows of all products; UNSURE when these do not
+C     tell.  X: the rows, as of HHSPRE.  Scratch: LIFT and DET 12, TOTAL
+C     5 doubles a limb.
+C
+C     What is lost, in units of the last of K = DEPTH <= 10 rows: in the
+C     row behind it a minor loses 2K products of limbs of at most BASE,
+C     so errs by 2K BASE; a square by 3K BASE.  A determinant loses 3K
+C     products of BASE**2/2, and gets the errors of three minors times a
+C     difference, of at most BASE/2: 1.5K BASE + 1.5 times 2K BASE.  The
+C     sum loses 4K products of at most 3/8 BASE**2, and gets four times
+C     the errors of a determinant times a square and of a square times a
+C     determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3)
+C     K BASE = 24K BASE.  What follows all these adds less than a tenth,
+C     so that BOUND is ample.
+      SUBROUTINE HHBALL(N, DEPTH, X, LIFT, DET, TOTAL, SGN)
+      INTEGER N, DEPTH, SGN
+      DOUBLE PRECISION X(*), LIFT(*), DET(*), TOTAL(*)
+      INTEGER HHSIGN
+      INTEGER LEAD, ROWS1, ROWS2
+      PARAMETER (LEAD = 6, ROWS1 = 10, ROWS2 = 20)
+      DOUBLE PRECISION BASE, BOUND
+      PARAMETER (BASE = 2.0D0**24, BOUND = 32*LEAD*BASE)
+      DOUBLE PRECISION A, B, C, D, ERR
+      INTEGER I, J, N2, N3, N5, R, ROWS, S, T
+      N2 = MIN(2*N, DEPTH)
+      N3 = MIN(3*N, DEPTH)
+      N5 = MIN(5*N, DEPTH)
+      CALL HHCOFA(N, DEPTH, X, LIFT, DET)
+      CALL HHZERO(4*N2, LIFT)
+      CALL HHZERO(N5, TOTAL)
+C     the squares of the rows, in the place of HHCOFA's minors: two
+C     products of limbs I and J are taken at once
       ROWS = 0
       DO 60 I = 1, MIN(N, N2 - 1)
         ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS1/2) .EQ. 0) CALL HHCARR(N2, 4, MINOR)
+        IF (MOD(ROWS, ROWS1/2) .EQ. 0) CALL HHCARR(N2, 4, LIFT)
         S = 15*(I - 1)
         T = S
         R = 4*(2*I - 1)
         DO 50 J = I, MIN(N, N2 - I)
           A = 2.0D0
           IF (J .EQ. I) A = 1.0D0
-          MINOR(R+1) = MINOR(R+1) + A*(X(S+1)*X(T+1) +
+          LIFT(R+1) = LIFT(R+1) + A*(X(S+1)*X(T+1) +
      $        X(S+2)*X(T+2) + X(S+3)*X(T+3))
-          MINOR(R+2) = MINOR(R+2) + A*(X(S+4)*X(T+4) +
+          LIFT(R+2) = LIFT(R+2) + A*(X(S+4)*X(T+4) +
      $        X(S+5)*X(T+5) + X(S+6)*X(T+6))
-          MINOR(R+3) = MINOR(R+3) + A*(X(S+7)*X(T+7) +
+          LIFT(R+3) = LIFT(R+3) + A*(X(S+7)*X(T+7) +
      $        X(S+8)*X(T+8) + X(S+9)*X(T+9))
-          MINOR(R+4) = MINOR(R+4) + A*(X(S+10)*X(T+10) +
+          LIFT(R+4) = LIFT(R+4) + A*(X(S+10)*X(T+10) +
      $        X(S+11)*X(T+11) + X(S+12)*X(T+12))
           R = R + 4
           T = T + 15
    50   CONTINUE
    60 CONTINUE
-      CALL HHCARR(N2, 4, MINOR)
+      CALL HHCARR(N2, 4, LIFT)
       ROWS = 0
       DO 80 I = 1, MIN(N2, N5 - 1)
         S = 4*(I - 1)
-        A = MINOR(S+1)
-        B = MINOR(S+2)
-        C = MINOR(S+3)
-        D = MINOR(S+4)
+        A = LIFT(S+1)
+        B = LIFT(S+2)
+        C = LIFT(S+3)
+        D = LIFT(S+4)
         IF (MAX(ABS(A), ABS(B), ABS(C), ABS(D)) .LE. 0.0D0) GO TO 80
         ROWS = ROWS + 1
         IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(N5, 1, TOTAL)
@@ -547,6 +564,32 @@ C     2**(-23), count for less than 3 EPS of it.
    20 CONTINUE
       END
 
+C     HHSHAR - the N absolute values W of numbers, whose leading limbs
+C     are limbs AT, over their sum: each right to 12 EPS of itself, as
+C     the numbers to 3 EPS, or underflowed.  Left alone if all are 0.
+      SUBROUTINE HHSHAR(N, AT, W)
+      INTEGER N, AT(*)
+      DOUBLE PRECISION W(*)
+      DOUBLE PRECISION HHLDEX
+      INTEGER BITS
+      PARAMETER (BITS = 24)
+      DOUBLE PRECISION SUM
+      INTEGER K, TOP
+      SUM = 0.0D0
+      TOP = 32000
+      DO 10 K = 1, N
+        IF (ABS(W(K)) .GT. 0.0D0) TOP = MIN(TOP, AT(K))
+   10 CONTINUE
+      DO 20 K = 1, N
+        IF (ABS(W(K)) .GT. 0.0D0) W(K) =
+     $      ABS(HHLDEX(W(K), MAX((TOP - AT(K))*BITS, -2000)))
+        SUM = SUM + W(K)
+   20 CONTINUE
+      DO 30 K = 1, N
+        IF (SUM .GT. 0.0D0) W(K) = W(K)/SUM
+   30 CONTINUE
+      END
+
 C     HHREGI - the face of a triangle whose interior has the triangle's
 C     point nearest to Q: the sum of 2**(K-1) for its vertices K.  Side
 C     I leads from vertex I to the next one; D(3*I-3+K) has the sign of
@@ -574,20 +617,19 @@ C     of vertex K at the foot of the perpendicular from Q.
       END
 
 C     HHFT - SET is HHREGI's, and W the weights of the vertices in that
-C     point: each right to 16 EPS of itself, by its leading limbs, or
-C     underflowed.  X: the rows B-A, C-A, Q-A of a triangle A, B, C, of
-C     N limbs, as of HHSPRE.  With sides S and offsets O = Q - vertex
+C     point: shares of areas or, on a side, of products with it.  X: the
+C     rows B-A, C-A, Q-A of a triangle A, B, C, of N limbs, as of
+C     HHSPRE.  With sides S and offsets O = Q - vertex
 C         area K = (S(I).O(J)) (S(K).O(I)) - (S(I).O(I)) (S(K).O(J)),
 C     I, J, K cyclic.  Scratch: DOT 18, AREA 12 doubles a limb.
       SUBROUTINE HHFT(N, X, DOT, AREA, W, SET)
       INTEGER N, SET
       DOUBLE PRECISION X(*), DOT(*), AREA(*), W(3)
       INTEGER HHREGI
-      DOUBLE PRECISION HHLDEX
-      INTEGER BITS, ROWS1, ROWS2
-      PARAMETER (BITS = 24, ROWS1 = 10, ROWS2 = 20)
-      DOUBLE PRECISION OFF(9), SIDE(9), SUM, VALUE(12)
-      INTEGER AT(12), FROM(3), I, J, K, L, M, R, REST, ROWS, S, T, TOP
+      INTEGER ROWS1, ROWS2
+      PARAMETER (ROWS1 = 10, ROWS2 = 20)
+      DOUBLE PRECISION OFF(9), SIDE(9), VALUE(12)
+      INTEGER AT(12), FROM(3), I, J, K, L, M, R, REST, ROWS, S, T
       CALL HHZERO(18*N, DOT)
       CALL HHZERO(12*N, AREA)
       ROWS = 0
@@ -655,33 +697,41 @@ C     I, J, K cyclic.  Scratch: DOT 18, AREA 12 doubles a limb.
         IF (W(MOD(K + 1, 3) + 1) .GT. 0.0D0) GO TO 130
         FROM(K) = 3*K - 3 + L
         FROM(L) = 4*K - 3
-        VALUE(FROM(K)) = -VALUE(FROM(K))
   130 CONTINUE
-      TOP = 4*N
       DO 140 K = 1, 3
-        IF (W(K) .GT. 0.0D0) TOP = MIN(TOP, AT(FROM(K)))
+        W(K) = W(K)*VALUE(FROM(K))
+        FROM(K) = AT(FROM(K))
   140 CONTINUE
-      SUM = 0.0D0
-      DO 150 K = 1, 3
-        IF (W(K) .GT. 0.0D0) W(K) = HHLDEX(VALUE(FROM(K)),
-     $      MAX((TOP - AT(FROM(K)))*BITS, -2000))
-        SUM = SUM + W(K)
-  150 CONTINUE
-      DO 160 K = 1, 3
-        W(K) = W(K)/SUM
-  160 CONTINUE
+      CALL HHSHAR(3, FROM, W)
+      END
+
+C     HHWGH - the weights W of the point E in the tetrahedron A, B, C, D
+C     that holds it: shares of the volumes of the four tetrahedra that
+C     have E in the place of a vertex.  X: the rows A-E, B-E, C-E, D-E,
+C     of N limbs, as of HHSPRE.  Scratch: MINOR and DET 12 doubles a
+C     limb.
+      SUBROUTINE HHWGH(N, X, MINOR, DET, W)
+      INTEGER N
+      DOUBLE PRECISION X(*), MINOR(*), DET(*), W(4)
+      INTEGER AT(4), K
+      CALL HHCOFA(N, 3*N, X, MINOR, DET)
+      DO 10 K = 1, 4
+        CALL HHLEAD(3*N, DET, K, 4, W(K), AT(K))
+   10 CONTINUE
+      CALL HHSHAR(4, AT, W)
       END
 
 C     HHLIMB - with NMAX limbs, HHVOLU for NP = 4 points Q, or minus
-C     HHFT's set if FOOT is 1 (else W is left alone), HHBALL for 5;
-C     UNSURE when NMAX limbs do not hold the points.  Limbs 1 that are 0
-C     in all rows are left out as long as the next ones may be limbs 1.
-C     Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a limb.
-      SUBROUTINE HHLIMB(NP, Q, TOP, NMAX, X, MINOR, DET, TOTAL, FOOT, W,
+C     HHFT's set if WANT is 1 (else W is left alone); HHBALL for 5, or
+C     HHWGH and 0; UNSURE when NMAX limbs do not hold the points.  Limbs
+C     1 that are 0 in all rows are left out as long as the next ones may
+C     be limbs 1.  Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a
+C     limb.
+      SUBROUTINE HHLIMB(NP, Q, TOP, NMAX, X, MINOR, DET, TOTAL, WANT, W,
      $                  SGN)
-      INTEGER NP, NMAX, FOOT, SGN
+      INTEGER NP, NMAX, WANT, SGN
       DOUBLE PRECISION Q(3,*), TOP, X(*), MINOR(*), DET(*), TOTAL(*)
-      DOUBLE PRECISION W(3)
+      DOUBLE PRECISION W(*)
       INTEGER LEAD, UNSURE
       PARAMETER (LEAD = 6, UNSURE = 2)
       DOUBLE PRECISION BASE
@@ -702,13 +752,18 @@ C     Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a limb.
    30   CONTINUE
         GO TO 10
       END IF
-   40 IF (NP .EQ. 4 .AND. FOOT .EQ. 1) THEN
+   40 IF (NP .EQ. 4 .AND. WANT .EQ. 1) THEN
         CALL HHFT(N, X, MINOR, DET, W, SGN)
         SGN = -SGN
         RETURN
       END IF
       IF (NP .EQ. 4) THEN
         CALL HHVOLU(N, X, MINOR, DET, SGN)
+        RETURN
+      END IF
+      IF (WANT .EQ. 1) THEN
+        CALL HHWGH(N, X, MINOR, DET, W)
+        SGN = 0
         RETURN
       END IF
       IF (5*N .GT. 2*LEAD)
@@ -719,23 +774,23 @@ C     Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a limb.
 
 C     Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the
 C     last one serves several lengths.
-      SUBROUTINE HHLIM3(NP, Q, TOP, FOOT, W, SGN)
-      INTEGER NP, FOOT, SGN
-      DOUBLE PRECISION Q(3,*), TOP, W(3)
+      SUBROUTINE HHLIM3(NP, Q, TOP, WANT, W, SGN)
+      INTEGER NP, WANT, SGN
+      DOUBLE PRECISION Q(3,*), TOP, W(*)
       DOUBLE PRECISION X(15*3), MINOR(18*3), DET(12*3), TOTAL(5*3)
-      CALL HHLIMB(NP, Q, TOP, 3, X, MINOR, DET, TOTAL, FOOT, W, SGN)
+      CALL HHLIMB(NP, Q, TOP, 3, X, MINOR, DET, TOTAL, WANT, W, SGN)
       END
 
-      SUBROUTINE HHLIMT(NP, Q, TOP, FOOT, W, SGN)
-      INTEGER NP, FOOT, SGN
-      DOUBLE PRECISION Q(3,*), TOP, W(3)
+      SUBROUTINE HHLIMT(NP, Q, TOP, WANT, W, SGN)
+      INTEGER NP, WANT, SGN
+      DOUBLE PRECISION Q(3,*), TOP, W(*)
       DOUBLE PRECISION X(15*10), MINOR(18*10), DET(12*10), TOTAL(5*10)
-      CALL HHLIMB(NP, Q, TOP, 10, X, MINOR, DET, TOTAL, FOOT, W, SGN)
+      CALL HHLIMB(NP, Q, TOP, 10, X, MINOR, DET, TOTAL, WANT, W, SGN)
       END
 
-      SUBROUTINE HHLIMX(NP, Q, TOP, FOOT, W, SGN)
-      INTEGER NP, FOOT, SGN
-      DOUBLE PRECISION Q(3,*), TOP, W(3)
+      SUBROUTINE HHLIMX(NP, Q, TOP, WANT, W, SGN)
+      INTEGER NP, WANT, SGN
+      DOUBLE PRECISION Q(3,*), TOP, W(*)
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
       DOUBLE PRECISION X(15*HHLIM), MINOR(18*HHLIM), DET(12*HHLIM)
@@ -744,7 +799,7 @@ C     last one serves several lengths.
       N = 10
    10 N = 2*N
       IF (N .GT. HHLIM - 1) N = HHLIM
-      CALL HHLIMB(NP, Q, TOP, N, X, MINOR, DET, TOTAL, FOOT, W, SGN)
+      CALL HHLIMB(NP, Q, TOP, N, X, MINOR, DET, TOTAL, WANT, W, SGN)
       IF (SGN .EQ. UNSURE .AND. N .LT. HHLIM) GO TO 10
       END
 
@@ -831,15 +886,15 @@ C     two carries reach two limbs up from the first product
       CALL HHCARR(3*N, 1, D)
       END
 
-C     HHWEIG - the weight of limb 1 of numbers of at most MOST > 0: MOST
+C     HHTOPW - the weight of limb 1 of numbers of at most MOST > 0: MOST
 C     fills it.
-      DOUBLE PRECISION FUNCTION HHWEIG(MOST)
+      DOUBLE PRECISION FUNCTION HHTOPW(MOST)
       DOUBLE PRECISION MOST
       INTEGER HHFREX
       DOUBLE PRECISION HHLDEX
       INTEGER BITS
       PARAMETER (BITS = 24)
-      HHWEIG = HHLDEX(1.0D0, HHFREX(MOST) + 2 - BITS)
+      HHTOPW = HHLDEX(1.0D0, HHFREX(MOST) + 2 - BITS)
       END
 
 C     HHCERT - the sign of DET, certain beyond an error or when exact.
@@ -952,11 +1007,11 @@ C     last row.
       END
 
 C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
-      SUBROUTINE HHEXAC(NP, Q, FOOT, W, SGN)
-      INTEGER NP, FOOT, SGN
-      DOUBLE PRECISION Q(3,*), W(3)
+      SUBROUTINE HHEXAC(NP, Q, WANT, W, SGN)
+      INTEGER NP, WANT, SGN
+      DOUBLE PRECISION Q(3,*), W(*)
       INTEGER HHBALA
-      DOUBLE PRECISION HHWEIG
+      DOUBLE PRECISION HHTOPW
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
       DOUBLE PRECISION SHIFT, LOW
@@ -979,13 +1034,13 @@ C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
    40   CONTINUE
         MOST = MOST*SHIFT
       END IF
-      TOP = HHWEIG(MOST)
-      CALL HHLIM3(NP, Q, TOP, FOOT, W, SGN)
+      TOP = HHTOPW(MOST)
+      CALL HHLIM3(NP, Q, TOP, WANT, W, SGN)
       IF (SGN .EQ. UNSURE .AND. HHLIM .GT. 10)
-     $  CALL HHLIMT(NP, Q, TOP, FOOT, W, SGN)
-      IF (SGN .EQ. UNSURE .AND. FOOT .EQ. 0 .AND. HHLIM .GT. 10)
+     $  CALL HHLIMT(NP, Q, TOP, WANT, W, SGN)
+      IF (SGN .EQ. UNSURE .AND. WANT .EQ. 0 .AND. HHLIM .GT. 10)
      $  SGN = HHBALA(NP, Q)
-      IF (SGN .EQ. UNSURE) CALL HHLIMX(NP, Q, TOP, FOOT, W, SGN)
+      IF (SGN .EQ. UNSURE) CALL HHLIMX(NP, Q, TOP, WANT, W, SGN)
       END
 
 C     ------------------------------------------------------------------
@@ -1471,6 +1526,31 @@ C     scratch.
       IF (SET .EQ. -UNSURE) SET = 0
       END
 
+C     HHWEIG - exact: the barycentric weights W of Q in tetrahedron T,
+C     which holds it: the sum of W(K) (vertex K - Q) vanishes.  Each is
+C     right to 12 EPS of itself, or underflows, however thin the
+C     tetrahedron is; none is negative, and W(K) is 0 where Q is in the
+C     plane of the facet opposite to vertex K.  INFO is 0, or UNSURE
+C     where the limbs do not hold the points (see HHORIE).
+      SUBROUTINE HHWEIG(P, TET, T, Q, W, INFO)
+      DOUBLE PRECISION P(3,*), Q(3), W(4)
+      INTEGER TET(4,*), T, INFO
+      INTEGER HHHOLD
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION X(3,5)
+      INTEGER I, K
+      DO 20 K = 1, 3
+        DO 10 I = 1, 4
+          X(K,I) = P(K,TET(I,T))
+   10   CONTINUE
+        X(K,5) = Q(K)
+   20 CONTINUE
+      INFO = UNSURE
+      IF (HHHOLD(5, X) .EQ. 0) RETURN
+      CALL HHEXAC(5, X, 1, W, INFO)
+      END
+
 C     HHWIDS - with N limbs, the sign of Q(1) + Q(2) - Q(3) - Q(4);
 C     UNSURE when they do not hold Q.  Scratch: LIMB, TOTAL.
       SUBROUTINE HHWIDS(Q, TOP, N, LIMB, TOTAL, SGN)
@@ -1499,7 +1579,7 @@ C     UNSURE when they do not hold Q.  Scratch: LIMB, TOTAL.
 C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
       INTEGER FUNCTION HHWIDE(A, B, C, D)
       DOUBLE PRECISION A, B, C, D
-      DOUBLE PRECISION HHWEIG
+      DOUBLE PRECISION HHTOPW
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
       DOUBLE PRECISION EPS, TINY, SHIFT, LOW
@@ -1531,7 +1611,7 @@ C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
    10   CONTINUE
         MOST = MOST*SHIFT
       END IF
-      TOP = HHWEIG(MOST)
+      TOP = HHTOPW(MOST)
       CALL HHWIDS(Q, TOP, 3, LIMB, TOTAL, SGN)
       IF (SGN .EQ. UNSURE) CALL HHWIDS(Q, TOP, HHLIM, LIMB, TOTAL, SGN)
       HHWIDE = SGN
@@ -1541,7 +1621,7 @@ C     HHRANG - 0 when HHLIM limbs hold X beside coordinates of absolute
 C     value MOST > 0, else UNSURE.
       INTEGER FUNCTION HHRANG(X, MOST)
       DOUBLE PRECISION X, MOST
-      DOUBLE PRECISION HHWEIG
+      DOUBLE PRECISION HHTOPW
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
       DOUBLE PRECISION SHIFT, LOW
@@ -1551,7 +1631,7 @@ C     value MOST > 0, else UNSURE.
       F = 1.0D0
       IF (MOST .LT. LOW) F = SHIFT
       Q(1) = X*F
-      CALL HHSPLI(1, Q, HHWEIG(MOST*F), HHLIM, LIMB, USED)
+      CALL HHSPLI(1, Q, HHTOPW(MOST*F), HHLIM, LIMB, USED)
       HHRANG = 0
       IF (USED .GT. HHLIM) HHRANG = UNSURE
       END
@@ -1781,7 +1861,7 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
       DOUBLE PRECISION P(3,*), X(*), TOP, FACTOR
       INTEGER ORD(*), SE, V(4), E, N
       INTEGER HHFREX
-      DOUBLE PRECISION HHPACK, HHWEIG
+      DOUBLE PRECISION HHPACK, HHTOPW
       INTEGER BITS, SKIP, HHFEW
       PARAMETER (BITS = 24, SKIP = 25, HHFEW = 10)
       DOUBLE PRECISION SHIFT, LOW
@@ -1806,7 +1886,7 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
    30     CONTINUE
    40   CONTINUE
       END IF
-      TOP = 2.0D0*HHWEIG(MOST)
+      TOP = 2.0D0*HHTOPW(MOST)
       E = E + HHFREX(TOP)
       CALL HHSPRE(4, Q, TOP, 3, X, N)
       IF (N .LE. 3) THEN
