@@ -8,7 +8,7 @@
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       filt3 filt5 opposite pack scale hh_orient
  *                     hh_insphere hh_flat hh_line closest hh_foot hh_weigh
- *                     widersg hh_wider hh_range apart corners hh_pside
+ *                     hh_wider hh_range apart corners hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
  *   balls by limbs    rows cut hh_centre form sure offset squared hh_trial
  *                     hh_unit hh_height hh_thin
@@ -1082,45 +1082,27 @@ int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
     return exact(5, x, w);
 }
 
-/* widersg - with n limbs, the sign of q[0] + q[1] - q[2] - q[3]; UNSURE when
- * they do not hold q.  work: 2n doubles. */
-static int widersg(const double *q, double top, int n, double *work)
-{
-    double *limb = work, *sum = work + n;
-    int i, k, used;
-
-    zeros(n, sum);
-    for (i = 0; i < 4; i++) {
-        used = split(1, q + i, top, n, limb);
-        if (used > n) return UNSURE;
-        for (k = 0; k < used; k++) sum[k] += i < 2 ? limb[k] : -limb[k];
-    }
-    return signof(n, 0.0, sum);
-}
-
-/* hh_wider - the exact sign of (a-b) - (c-d), for a >= b and c >= d. */
+/* hh_wider - the exact sign of (a-b) - (c-d), for a >= b and c >= d.  Where
+ * double precision does not tell, the volume of four points does: with m the
+ * largest of the numbers in absolute value,
+ *     det [(0,0,a)-(0,m,c)  (m,0,b)-(0,m,c)  (m,m,d)-(0,m,c)] =
+ *         m^2 ((a-b) - (c-d)). */
 int hh_wider(double a, double b, double c, double d)
 {
-    double x = 0.25 * a - 0.25 * b, y = 0.25 * c - 0.25 * d;
+    double x = 0.25 * a - 0.25 * b, y = 0.25 * c - 0.25 * d, m = 0.0, q[12];
     double err = 4.0 * DBL_EPSILON * (x + y) + TINY;
-    double q[4], work[2 * HH_LIMBS], top, most = 0.0;
-    int i, sign;
+    int k;
 
     if (x - y > err) return 1;
     if (y - x > err) return -1;
-    q[0] = a;
-    q[1] = d;
-    q[2] = b;
-    q[3] = c;
-    for (i = 0; i < 4; i++) most = fabs(q[i]) > most ? fabs(q[i]) : most;
-    if (most == 0.0) return 0;
-    if (most < LOW) {
-        shift(4, q);
-        most *= SHIFT;
-    }
-    top = topweight(most);
-    sign = widersg(q, top, 3, work);
-    return sign == UNSURE ? widersg(q, top, HH_LIMBS, work) : sign;
+    zeros(12, q);
+    q[2] = a;
+    q[5] = b;
+    q[8] = d;
+    q[11] = c;
+    for (k = 2; k < 12; k += 3) m = fabs(q[k]) > m ? fabs(q[k]) : m;
+    q[3] = q[6] = q[7] = q[10] = m;
+    return exact(4, q, NULL);
 }
 
 /* hh_range - 0 when HH_LIMBS limbs hold x beside coordinates of absolute

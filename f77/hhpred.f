@@ -36,8 +36,8 @@ C       exact signs: filt3 HHFIL3, filt5 HHFIL5,
 C         opposite HHOPPO, pack HHPACK, scale HHSCAL,
 C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
 C         hh_line HHLINE, closest HHCLOS, hh_foot HHFOOT,
-C         hh_weigh HHWEIG, widersg HHWIDS, hh_wider HHWIDE,
-C         hh_range HHRANG, apart HHAPAR, corners HHCORN, hh_pside HHPSID
+C         hh_weigh HHWEIG, hh_wider HHWIDE, hh_range HHRANG,
+C         apart HHAPAR, corners HHCORN, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
@@ -73,7 +73,7 @@ C               return 2 when they do not suffice.  Scratch, in
 C               doubles: 50 a limb; 35 KB for 88 limbs, in routines
 C               entered only when 3, then 10 limbs do not suffice.  To
 C               choose another number change it in HHLIMX, HHEXAC,
-C               HHWIDE, HHRANG and TSINRA (tess.f).
+C               HHRANG and TSINRA (tess.f).
 C       BASE    2**BITS;  CARRY = 2**(53-BITS) bounds carries
 C       HALF    2**26: (HALF + 1)**2 needs 53 bits
 C       TINY    an absolute error no smaller than what underflow,
@@ -1551,69 +1551,41 @@ C     where the limbs do not hold the points (see HHORIE).
       CALL HHEXAC(5, X, 1, W, INFO)
       END
 
-C     HHWIDS - with N limbs, the sign of Q(1) + Q(2) - Q(3) - Q(4);
-C     UNSURE when they do not hold Q.  Scratch: LIMB, TOTAL.
-      SUBROUTINE HHWIDS(Q, TOP, N, LIMB, TOTAL, SGN)
-      INTEGER N, SGN
-      DOUBLE PRECISION Q(4), TOP, LIMB(*), TOTAL(*)
-      INTEGER HHSIGN
-      INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION F, Y(1)
-      INTEGER I, K, USED
-      CALL HHZERO(N, TOTAL)
-      SGN = UNSURE
-      DO 20 I = 1, 4
-        Y(1) = Q(I)
-        CALL HHSPLI(1, Y, TOP, N, LIMB, USED)
-        IF (USED .GT. N) RETURN
-        F = 1.0D0
-        IF (I .GT. 2) F = -1.0D0
-        DO 10 K = 1, USED
-          TOTAL(K) = TOTAL(K) + F*LIMB(K)
-   10   CONTINUE
-   20 CONTINUE
-      SGN = HHSIGN(N, 0.0D0, TOTAL)
-      END
-
 C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
+C     Where double precision does not tell, the volume of four points
+C     does: with M the largest of the numbers in absolute value,
+C         det [(0,0,A)-(0,M,C)  (M,0,B)-(0,M,C)  (M,M,D)-(0,M,C)] =
+C             M**2 ((A-B) - (C-D)).
       INTEGER FUNCTION HHWIDE(A, B, C, D)
       DOUBLE PRECISION A, B, C, D
-      DOUBLE PRECISION HHTOPW
-      INTEGER UNSURE, HHLIM
-      PARAMETER (UNSURE = 2, HHLIM = 88)
-      DOUBLE PRECISION EPS, TINY, SHIFT, LOW
+      DOUBLE PRECISION EPS, TINY
       PARAMETER (EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
-      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
-      DOUBLE PRECISION X, Y, ERR, Q(4), TOP, MOST
-      DOUBLE PRECISION LIMB(HHLIM), TOTAL(HHLIM)
-      INTEGER I, SGN
+      DOUBLE PRECISION ANY(3), ERR, M, Q(3,4), X, Y
+      INTEGER I, K, SGN
       X = 0.25D0*A - 0.25D0*B
       Y = 0.25D0*C - 0.25D0*D
       ERR = 4.0D0*EPS*(X + Y) + TINY
       IF (X - Y .GT. ERR) THEN
-        HHWIDE = 1
-        RETURN
+        SGN = 1
       ELSE IF (Y - X .GT. ERR) THEN
-        HHWIDE = -1
-        RETURN
+        SGN = -1
+      ELSE
+        M = MAX(ABS(A), ABS(B), ABS(C), ABS(D))
+        DO 20 I = 1, 4
+          DO 10 K = 1, 3
+            Q(K,I) = 0.0D0
+   10     CONTINUE
+   20   CONTINUE
+        Q(3,1) = A
+        Q(3,2) = B
+        Q(3,3) = D
+        Q(3,4) = C
+        Q(1,2) = M
+        Q(1,3) = M
+        Q(2,3) = M
+        Q(2,4) = M
+        CALL HHEXAC(4, Q, 0, ANY, SGN)
       END IF
-      Q(1) = A
-      Q(2) = D
-      Q(3) = B
-      Q(4) = C
-      HHWIDE = 0
-      MOST = MAX(ABS(A), ABS(B), ABS(C), ABS(D))
-      IF (MOST .LE. 0.0D0) RETURN
-      IF (MOST .LT. LOW) THEN
-        DO 10 I = 1, 4
-          Q(I) = Q(I)*SHIFT
-   10   CONTINUE
-        MOST = MOST*SHIFT
-      END IF
-      TOP = HHTOPW(MOST)
-      CALL HHWIDS(Q, TOP, 3, LIMB, TOTAL, SGN)
-      IF (SGN .EQ. UNSURE) CALL HHWIDS(Q, TOP, HHLIM, LIMB, TOTAL, SGN)
       HHWIDE = SGN
       END
 
