@@ -10,9 +10,9 @@
  *                     hh_insphere hh_flat hh_line closest hh_foot hh_weigh
  *                     hh_wider hh_range apart corners hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
- *   balls by limbs    rows cut hh_centre form sure offset squared hh_trial
+ *   balls by limbs    rows cut hh_centre form offset squared level hh_trial
  *                     hh_unit hh_height hh_thin
- *   Householder       house reflec hh_setup hh_bound hh_ratio hh_limits
+ *   Householder       house reflec hh_setup hh_ratio hh_limits
  *                     hh_facet hh_side hh_opp hh_lcoord hh_wrap
  */
 #include "hhpred.h"
@@ -1066,8 +1066,8 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
  * points p, which holds it: the sum of w[k] (vertex k - q) vanishes.  Each is
  * right to 12 eps of itself, or underflows, however thin the tetrahedron is;
  * none is negative, and w[k] is 0 where q is in the plane of the facet opposite
- * to vertex k.  Returns 0, or UNSURE where the limbs do not hold the points (see
- * hh_orient). */
+ * to vertex k.  Returns 0, or UNSURE where the limbs do not hold the points
+ * (see hh_orient). */
 int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
              double *w)
 {
@@ -1383,21 +1383,6 @@ static void form(const double *row, int n, int first, const double *u,
     }
 }
 
-/* sure - the sign of form's sum, or UNSURE: a partial sum of more than 2 CARRY
- * decides, as in signof. */
-static int sure(const double *sum)
-{
-    double s = 0.0;
-    int i;
-
-    for (i = 0; i <= HH_ROWS; i++) {
-        s = s * BASE + sum[i];
-        if (s > 2.0 * CARRY) return 1;
-        if (s < -2.0 * CARRY) return -1;
-    }
-    return UNSURE;
-}
-
 /* offset - the limbs u of the position z, seen from the base of a ball; 0 where
  * its limbs do not hold them. */
 static int offset(const hh_set *s, const hh_ball *t, tess_int z, double *u)
@@ -1432,6 +1417,20 @@ static void squared(int n, int first, const double *u, double *l)
     carry(2 * n, 1, l);
 }
 
+/* level - sum = the leading limbs of the height of the position z below the
+ * plane of a ball's facet, if plane is 1, else of its power in the ball: see
+ * form.  Returns 0 where the limbs do not hold it. */
+static int level(const hh_set *s, const hh_ball *t, tess_int z, int plane,
+                 double *sum)
+{
+    double u[3 * HH_FEW], l[2 * HH_FEW];
+
+    if (!offset(s, t, z, u)) return 0;
+    if (!plane) squared(t->n, t->first, u, l);
+    form(plane ? t->side : t->power, t->n, t->first, u, l, sum);
+    return 1;
+}
+
 /* hh_trial - by a few leading limbs, in a tenth of the time of the exact signs:
  * if *side is 0, *side = the side of the position z for the facet of hh_centre,
  * or UNSURE; unless it is -1, *power = the sign of z's power in the ball, or
@@ -1440,22 +1439,15 @@ static void squared(int n, int first, const double *u, double *l)
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power)
 {
-    double u[3 * HH_FEW], l[2 * HH_FEW], sum[HH_ROWS + 1];
+    double sum[HH_ROWS + 1];
 
     *power = UNSURE;
-    if (!offset(s, t, z, u)) {
-        if (*side == 0) *side = UNSURE;
-        return;
-    }
-    if (*side == 0) {
-        form(t->side, t->n, t->first, u, u, sum);
-        *side = sure(sum);
-        if (*side != UNSURE) *side = -*side;
-    }
-    if (*side < 0) return;
-    squared(t->n, t->first, u, l);
-    form(t->power, t->n, t->first, u, l, sum);
-    *power = sure(sum);
+    if (*side == 0)
+        *side = !level(s, t, z, 1, sum)
+                    ? UNSURE
+                    : opposite(signof(HH_ROWS + 1, CARRY, sum));
+    if (*side >= 0 && level(s, t, z, 0, sum))
+        *power = signof(HH_ROWS + 1, CARRY, sum);
 }
 
 /* hh_unit - what hh_height divides by: D, or, if plane is 1, the length of the
@@ -1487,17 +1479,11 @@ void hh_unit(hh_ball *t, int plane, double *c)
 double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
                  double *err)
 {
-    double u[3 * HH_FEW], l[2 * HH_FEW], sum[HH_ROWS + 1], h;
+    double sum[HH_ROWS + 1], h;
     int at;
 
     *err = DBL_MAX;
-    if (!offset(s, t, z, u)) return 0.0;
-    if (plane)
-        form(t->side, t->n, t->first, u, u, sum);
-    else {
-        squared(t->n, t->first, u, l);
-        form(t->power, t->n, t->first, u, l, sum);
-    }
+    if (!level(s, t, z, plane, sum)) return 0.0;
     carry(HH_ROWS + 1, 1, sum);
     h = leading(HH_ROWS + 1, sum, 1, &at);
     h = ldexp(h / t->unit, t->bits - at * HH_BITS);
@@ -1663,32 +1649,6 @@ void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
     }
 }
 
-/* hh_bound - the side of z and its L-coordinate with a bound.  Returns 1 when
- * z is certainly on the positive side, and not too near to the plane: then *l
- * is L and *dl its greatest error; -1 when it is certainly on the negative
- * side; 0 when neither is certain.
- *
- * |w|_1 stands for |w| in the bounds: it does not underflow.  A side of more
- * than twice its error leaves a gap of at least half of it, which spares a
- * division. */
-int hh_bound(const double *f, const double *z, double *l, double *dl)
-{
-    double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
-    double size = fabs(w0) + fabs(w1) + fabs(w2);
-    double side = f[0] * w0 + f[1] * w1 + f[2] * w2, err = f[9] * size, half;
-
-    if (size < HH_SMALL || f[9] > HH_LOOSE) return 0;
-    if (side > 2.0 * err && side > HH_SMALL) {
-        half = 0.5 / side;
-        *l = HH_POWER(w0, w1, w2, f + 3) * half;
-        *dl = size * (DBL_EPSILON * (3.0 * size + 5.0 * f[11]) + f[10] +
-                      fabs(*l) * f[9]) * (4.0 * half) +
-              4.0 * DBL_EPSILON * fabs(*l);
-        return 1;
-    }
-    return -side > err ? -1 : 0;
-}
-
 /* hh_ratio - limits of the L-coordinate of z, whose side is between least >= 0
  * and most: *lo and *hi are left as they are where there are none.
  *
@@ -1717,28 +1677,39 @@ void hh_ratio(const double *f, const double *z, double least, double most,
         *hi = (power + err) / (2.0 * least);
 }
 
-/* hh_limits - hh_bound, with limits of L instead: if z is on the positive side
- * its L-coordinate is at least *lo and at most *hi, +-DBL_MAX where there is no
- * limit.  Where the side is not certain it is at most side + err, if positive
- * at all: a power that is certainly not 0 then limits L on the side of 0.  A
- * side + 2 err in the place of that has room for the last roundings: err is at
- * least 260 eps size, and |side| at most size. */
+/* hh_limits - the side of z, and limits of its L-coordinate: -DBL_MAX, DBL_MAX
+ * where there are none.  Returns 1 if z is certainly on the positive side and
+ * not too near the plane; -1 if it is certainly on the negative side; 0 if
+ * neither is certain: then the limits hold if z is on the positive side.
+ *
+ * |w|_1 stands for |w| in the bounds: it does not underflow.  A side of more
+ * than twice its error leaves a gap of at least half of it, which spares a
+ * division.  An uncertain side is at most side + err, if positive at all: a
+ * power that is certainly not 0 then limits L on the side of 0.  side + 2 err
+ * in its place leaves room for the last roundings: err is at least 260 eps
+ * size, and |side| at most size. */
 int hh_limits(const double *f, const double *z, double *lo, double *hi)
 {
     double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
-    double size = fabs(w0) + fabs(w1) + fabs(w2), l, dl;
-    int side = hh_bound(f, z, &l, &dl);
+    double size = fabs(w0) + fabs(w1) + fabs(w2), half, l, dl;
+    double side = f[0] * w0 + f[1] * w1 + f[2] * w2, err = f[9] * size;
 
     *lo = -DBL_MAX;
     *hi = DBL_MAX;
-    if (side > 0) {
+    if (size < HH_SMALL || f[9] > HH_LOOSE) return 0;
+    if (side > 2.0 * err && side > HH_SMALL) {
+        half = 0.5 / side;
+        l = HH_POWER(w0, w1, w2, f + 3) * half;
+        dl = size * (DBL_EPSILON * (3.0 * size + 5.0 * f[11]) + f[10] +
+                     fabs(l) * f[9]) * (4.0 * half) +
+             4.0 * DBL_EPSILON * fabs(l);
         *lo = l - dl;
         *hi = l + dl;
+        return 1;
     }
-    if (side == 0 && size >= HH_SMALL && f[9] <= HH_LOOSE)
-        hh_ratio(f, z, 0.0,
-                 f[0] * w0 + f[1] * w1 + f[2] * w2 + 2.0 * f[9] * size, lo, hi);
-    return side;
+    if (-side > err) return -1;
+    hh_ratio(f, z, 0.0, side + 2.0 * err, lo, hi);
+    return 0;
 }
 
 int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,

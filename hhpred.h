@@ -96,7 +96,6 @@ typedef double tess_real;
 #define hh_orient TESS_AS(h, orient)
 #define hh_insphere TESS_AS(h, insphere)
 #define hh_setup TESS_AS(h, setup)
-#define hh_bound TESS_AS(h, bound)
 #define hh_ratio TESS_AS(h, ratio)
 #define hh_limits TESS_AS(h, limits)
 #define hh_pside TESS_AS(h, pside)
@@ -297,7 +296,6 @@ typedef struct hh_ball {
 
 /* Details in hhpred.c. */
 void hh_setup(const double *p1, const double *p2, const double *p3, double *f);
-int hh_bound(const double *f, const double *z, double *l, double *dl);
 void hh_ratio(const double *f, const double *z, double least, double most,
               double *lo, double *hi);
 int hh_limits(const double *f, const double *z, double *lo, double *hi);

@@ -41,11 +41,11 @@ C         apart HHAPAR, corners HHCORN, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
-C         form HHFORM, sure HHSURE, offset HHOFFS, squared HHSQUA,
+C         form HHFORM, offset HHOFFS, squared HHSQUA, level HHLEVE,
 C         hh_trial HHTRIA, hh_unit HHUNIT, hh_height HHHEIG,
 C         hh_thin HHTHIN
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
-C         hh_bound HHBOUN, hh_ratio HHRATI, hh_limits HHLIMI,
+C         hh_ratio HHRATI, hh_limits HHLIMI,
 C         hh_facet HHFACE, hh_side HHSIDE, hh_opp HHOPP,
 C         hh_lcoord HHLCOO, hh_wrap HHWRAP
 C     Only in C: held (hh_holds for points that are not in one array),
@@ -2017,26 +2017,6 @@ C     sum has more than 30 products of at most BASE**2 / 2.
    30 CONTINUE
       END
 
-C     HHSURE - the sign of HHFORM's sum, or UNSURE: a partial sum of
-C     more than 2 CARRY decides, as in HHSIGN.
-      INTEGER FUNCTION HHSURE(SUM)
-      DOUBLE PRECISION SUM(*)
-      INTEGER UNSURE, BROWS
-      PARAMETER (UNSURE = 2, BROWS = 6)
-      DOUBLE PRECISION BASE, CARRY
-      PARAMETER (BASE = 2.0D0**24, CARRY = 2.0D0**29)
-      DOUBLE PRECISION S
-      INTEGER I
-      S = 0.0D0
-      HHSURE = UNSURE
-      DO 10 I = 1, BROWS + 1
-        S = S*BASE + SUM(I)
-        IF (S .GT. 2.0D0*CARRY) HHSURE = 1
-        IF (S .LT. -2.0D0*CARRY) HHSURE = -1
-        IF (HHSURE .NE. UNSURE) RETURN
-   10 CONTINUE
-      END
-
 C     HHOFFS - the limbs U of the position Z, seen from the base of the
 C     ball behind T(AT).  OK is 1, or 0 where its limbs do not hold
 C     them.
@@ -2080,6 +2060,30 @@ C     HHSQUA - L = |U|**2, of N limbs.
       CALL HHCARR(2*N, 1, L)
       END
 
+C     HHLEVE - SUM = the leading limbs of the height of the position Z
+C     below the plane of a ball's facet, if PLANE is 1, else of its
+C     power in the ball, behind T(AT): see HHFORM.  OK is 0 where the
+C     limbs do not hold it, else 1.
+      SUBROUTINE HHLEVE(P, ORD, T, AT, Z, PLANE, SUM, OK)
+      DOUBLE PRECISION P(3,*), T(*), SUM(*)
+      INTEGER ORD(*), AT, Z, PLANE, OK
+      INTEGER BN, BFIRST, BPOWER, BSIDE, HHFEW
+      PARAMETER (BN = 1, BFIRST = 2, BPOWER = 35, BSIDE = 59)
+      PARAMETER (HHFEW = 10)
+      DOUBLE PRECISION L(2*HHFEW), U(3*HHFEW)
+      INTEGER FIRST, N
+      CALL HHOFFS(P, ORD, T, AT, Z, U, OK)
+      IF (OK .EQ. 0) RETURN
+      N = INT(T(AT+BN))
+      FIRST = INT(T(AT+BFIRST))
+      IF (PLANE .EQ. 1) THEN
+        CALL HHFORM(T, AT + BSIDE, N, FIRST, U, U, SUM)
+      ELSE
+        CALL HHSQUA(N, FIRST, U, L)
+        CALL HHFORM(T, AT + BPOWER, N, FIRST, U, L, SUM)
+      END IF
+      END
+
 C     HHTRIA - by a few leading limbs, in a tenth of the time of the
 C     exact signs, for the ball behind T(AT): if SIDE is 0, SIDE = the
 C     side of the position Z for the facet of HHCENT, or UNSURE; unless
@@ -2089,29 +2093,22 @@ C     the positive side, as D > 0 then.
       SUBROUTINE HHTRIA(P, ORD, T, AT, Z, SIDE, POWER)
       DOUBLE PRECISION P(3,*), T(*)
       INTEGER ORD(*), AT, Z, SIDE, POWER
-      INTEGER HHSURE
-      INTEGER BN, BFIRST, BPOWER, BSIDE, BROWS, HHFEW, UNSURE
-      PARAMETER (BN = 1, BFIRST = 2, BPOWER = 35, BSIDE = 59)
-      PARAMETER (BROWS = 6, HHFEW = 10, UNSURE = 2)
-      DOUBLE PRECISION L(2*HHFEW), SUM(BROWS+1), U(3*HHFEW)
-      INTEGER FIRST, N, OK
+      INTEGER HHOPPO, HHSIGN
+      INTEGER BROWS, UNSURE
+      PARAMETER (BROWS = 6, UNSURE = 2)
+      DOUBLE PRECISION CARRY
+      PARAMETER (CARRY = 2.0D0**29)
+      DOUBLE PRECISION SUM(BROWS+1)
+      INTEGER OK
       POWER = UNSURE
-      CALL HHOFFS(P, ORD, T, AT, Z, U, OK)
-      IF (OK .EQ. 0) THEN
-        IF (SIDE .EQ. 0) SIDE = UNSURE
-        RETURN
-      END IF
-      N = INT(T(AT+BN))
-      FIRST = INT(T(AT+BFIRST))
       IF (SIDE .EQ. 0) THEN
-        CALL HHFORM(T, AT + BSIDE, N, FIRST, U, U, SUM)
-        SIDE = HHSURE(SUM)
-        IF (SIDE .NE. UNSURE) SIDE = -SIDE
+        SIDE = UNSURE
+        CALL HHLEVE(P, ORD, T, AT, Z, 1, SUM, OK)
+        IF (OK .EQ. 1) SIDE = HHOPPO(HHSIGN(BROWS + 1, CARRY, SUM))
       END IF
       IF (SIDE .LT. 0) RETURN
-      CALL HHSQUA(N, FIRST, U, L)
-      CALL HHFORM(T, AT + BPOWER, N, FIRST, U, L, SUM)
-      POWER = HHSURE(SUM)
+      CALL HHLEVE(P, ORD, T, AT, Z, 0, SUM, OK)
+      IF (OK .EQ. 1) POWER = HHSIGN(BROWS + 1, CARRY, SUM)
       END
 
 C     HHUNIT - what HHHEIG divides by: D, or, if PLANE is 1, the length
@@ -2152,28 +2149,17 @@ C     HUGE where limbs do not hold it.
       DOUBLE PRECISION P(3,*), T(*), H, ERR
       INTEGER ORD(*), AT, Z, PLANE
       DOUBLE PRECISION HHLDEX
-      INTEGER BN, BFIRST, BPOWER, BSIDE, BUNIT, BBITS
-      PARAMETER (BN = 1, BFIRST = 2, BPOWER = 35, BSIDE = 59)
-      PARAMETER (BUNIT = 86, BBITS = 87)
-      INTEGER BITS, BROWS, HHFEW
-      PARAMETER (BITS = 24, BROWS = 6, HHFEW = 10)
+      INTEGER BUNIT, BBITS, BITS, BROWS
+      PARAMETER (BUNIT = 86, BBITS = 87, BITS = 24, BROWS = 6)
       DOUBLE PRECISION CARRY, EPS, HUGE
       PARAMETER (CARRY = 2.0D0**29, EPS = 2.0D0**(-52))
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION L(2*HHFEW), SUM(BROWS+1), U(3*HHFEW)
-      INTEGER E, FIRST, LAT, N, OK
+      DOUBLE PRECISION SUM(BROWS+1)
+      INTEGER E, LAT, OK
       H = 0.0D0
       ERR = HUGE
-      CALL HHOFFS(P, ORD, T, AT, Z, U, OK)
+      CALL HHLEVE(P, ORD, T, AT, Z, PLANE, SUM, OK)
       IF (OK .EQ. 0) RETURN
-      N = INT(T(AT+BN))
-      FIRST = INT(T(AT+BFIRST))
-      IF (PLANE .EQ. 1) THEN
-        CALL HHFORM(T, AT + BSIDE, N, FIRST, U, U, SUM)
-      ELSE
-        CALL HHSQUA(N, FIRST, U, L)
-        CALL HHFORM(T, AT + BPOWER, N, FIRST, U, L, SUM)
-      END IF
       CALL HHCARR(BROWS + 1, 1, SUM)
       CALL HHLEAD(BROWS + 1, SUM, 1, 1, H, LAT)
       E = INT(T(AT+BBITS))
@@ -2366,41 +2352,6 @@ C     det [P2-P1 P3-P1 V] = R11 R22 det Q, det Q = 1
    20 CONTINUE
       END
 
-C     HHBOUN - the side of Z and its L-coordinate with a bound.  SIDE is
-C     1 when Z is certainly on the positive side, and not too near to
-C     the plane: then L is L and DL its greatest error; -1 when it is
-C     certainly on the negative side; 0 when neither is certain.
-C
-C     |W|_1 stands for |W| in the bounds: it does not underflow.  A side
-C     of more than twice its error leaves a gap of at least half of it,
-C     which spares a division.
-      SUBROUTINE HHBOUN(F, Z, L, DL, SIDE)
-      DOUBLE PRECISION F(12), Z(3), L, DL
-      INTEGER SIDE
-      DOUBLE PRECISION EPS, LOOSE, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
-      PARAMETER (SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION W1, W2, W3, SIZE, VW, ERR, HALF
-      W1 = Z(1) - F(7)
-      W2 = Z(2) - F(8)
-      W3 = Z(3) - F(9)
-      SIZE = ABS(W1) + ABS(W2) + ABS(W3)
-      VW = F(1)*W1 + F(2)*W2 + F(3)*W3
-      ERR = F(10)*SIZE
-      SIDE = 0
-      IF (SIZE .LT. SMALL .OR. F(10) .GT. LOOSE) RETURN
-      IF (VW .GT. 2.0D0*ERR .AND. VW .GT. SMALL) THEN
-        HALF = 0.5D0/VW
-        L = (W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
-     $       W3*(W3 - 2.0D0*F(6)))*HALF
-        DL = SIZE*(EPS*(3.0D0*SIZE + 5.0D0*F(12)) + F(11) +
-     $             ABS(L)*F(10))*(4.0D0*HALF) + 4.0D0*EPS*ABS(L)
-        SIDE = 1
-      ELSE IF (-VW .GT. ERR) THEN
-        SIDE = -1
-      END IF
-      END
-
 C     HHRATI - limits of the L-coordinate of Z, whose side is between
 C     LEAST >= 0 and MOST: LO and HI are left as they are where there
 C     are none.
@@ -2436,13 +2387,19 @@ C     than that, with room for the last roundings.
       END IF
       END
 
-C     HHLIMI - HHBOUN, with limits of L instead: if Z is on the positive
-C     side its L-coordinate is at least LO and at most HI, +-HUGE where
-C     there is no limit.  Where the side is not certain it is at most VW
-C     + ERR, if positive at all: a power that is certainly not 0 then
-C     limits L on the side of 0.  A side VW + 2 ERR in the place of that
-C     has room for the last roundings: ERR is at least 260 EPS SIZE, and
-C     |VW| at most SIZE.
+C     HHLIMI - the SIDE of Z, and limits of its L-coordinate: -HUGE,
+C     HUGE where there are none.  SIDE is 1 if Z is certainly on the
+C     positive side and not too near the plane; -1 if it is certainly on
+C     the negative side; 0 if neither is certain: then the limits hold
+C     if Z is on the positive side.
+C
+C     |W|_1 stands for |W| in the bounds: it does not underflow.  A side
+C     VW of more than twice its error leaves a gap of at least half of
+C     it, which spares a division.  An uncertain side is at most VW +
+C     ERR, if positive at all: a power that is certainly not 0 then
+C     limits L on the side of 0.  VW + 2 ERR in its place leaves room
+C     for the last roundings: ERR is at least 260 EPS SIZE, and |VW| at
+C     most SIZE.
       SUBROUTINE HHLIMI(F, Z, LO, HI, SIDE)
       DOUBLE PRECISION F(12), Z(3), LO, HI
       INTEGER SIDE
@@ -2450,24 +2407,31 @@ C     |VW| at most SIZE.
       PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
       PARAMETER (SMALL = 2.0D0**(-450))
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION DL, L, MOST, SIZE, W1, W2, W3
-      L = 0.0D0
-      DL = 0.0D0
-      CALL HHBOUN(F, Z, L, DL, SIDE)
-      LO = -HUGE
-      HI = HUGE
-      IF (SIDE .GT. 0) THEN
-        LO = L - DL
-        HI = L + DL
-      END IF
-      IF (SIDE .NE. 0) RETURN
+      DOUBLE PRECISION DL, ERR, HALF, L, SIZE, VW, W1, W2, W3
       W1 = Z(1) - F(7)
       W2 = Z(2) - F(8)
       W3 = Z(3) - F(9)
       SIZE = ABS(W1) + ABS(W2) + ABS(W3)
+      VW = F(1)*W1 + F(2)*W2 + F(3)*W3
+      ERR = F(10)*SIZE
+      SIDE = 0
+      LO = -HUGE
+      HI = HUGE
       IF (SIZE .LT. SMALL .OR. F(10) .GT. LOOSE) RETURN
-      MOST = F(1)*W1 + F(2)*W2 + F(3)*W3 + 2.0D0*F(10)*SIZE
-      CALL HHRATI(F, Z, 0.0D0, MOST, LO, HI)
+      IF (VW .GT. 2.0D0*ERR .AND. VW .GT. SMALL) THEN
+        HALF = 0.5D0/VW
+        L = (W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
+     $       W3*(W3 - 2.0D0*F(6)))*HALF
+        DL = SIZE*(EPS*(3.0D0*SIZE + 5.0D0*F(12)) + F(11) +
+     $             ABS(L)*F(10))*(4.0D0*HALF) + 4.0D0*EPS*ABS(L)
+        LO = L - DL
+        HI = L + DL
+        SIDE = 1
+      ELSE IF (-VW .GT. ERR) THEN
+        SIDE = -1
+      ELSE
+        CALL HHRATI(F, Z, 0.0D0, VW + 2.0D0*ERR, LO, HI)
+      END IF
       END
 
 C     HHFACE - Householder set-up of the facet P1, P2, P3 (Section 3.1,

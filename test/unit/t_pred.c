@@ -6,7 +6,7 @@
  * Covered: the signs of hh_orient, hh_insphere, hh_flat, hh_wider, hh_pside
  * and hh_pball; hh_foot's face and weights, and hh_weigh's; hh_facet's codes,
  * normal and centre; the bounds that hhpred.h promises for hh_side, hh_lcoord and
- * hh_bound, and the ones derived below for hh_wrap; the certificates made of
+ * hh_limits, and the ones derived below for hh_wrap; the certificates made of
  * these bounds (a side, an order of two L-coordinates) must never be wrong, and
  * must decide nearly all random points.  A failure prints the points in full.
  *
@@ -1170,7 +1170,7 @@ static double make_facet(int group, double p[5][3])
 /* A point for the facet p[0..2]; p[4] is the point made before. */
 static void make_point(int group, double unit, double p[5][3])
 {
-    double s, t, d, f[HH_FACET_LEN], l, x[3], w[3], g;
+    double s, t, d, f[HH_FACET_LEN], l, x[3], w[3];
     int k;
 
     s = 1.5 * rnd_unit();
@@ -1197,7 +1197,7 @@ static void make_point(int group, double unit, double p[5][3])
          * meeting of the ball with a line through p1 */
         hh_setup(p[0], p[1], p[2], f);
         l = 0.0;
-        hh_bound(f, p[4], &l, &g);
+        if (hh_limits(f, p[4], &s, &t) == 1) l = 0.5 * s + 0.5 * t;
         for (k = 0; k < 3; k++) {
             x[k] = f[3 + k] + l * f[k];
             w[k] = sym();
@@ -1369,16 +1369,16 @@ static void test_public(void)
 /* What test_facets counts. */
 static long sides, decided, pairs, ordered, limited, thin;
 
-/* hh_setup, or with limbs hh_thin, hh_bound and hh_limits, as tess uses them, on
- * the facet P[0..2] and the point P[3]: the side, the L-coordinate and its limits, and its order
- * against that of P[4], when *last says that l[1], dl[1] hold it; what is known
- * of P[3] takes its place. */
-static void test_bound(double *l, double *dl, int *last, int limbs)
+/* hh_setup, or with limbs hh_thin, and hh_limits, as tess uses them, on the facet
+ * P[0..2] and the point P[3]: the side, the limits of the L-coordinate, and its
+ * order against that of P[4], when *last says that lo[1], hi[1] limit it; what is
+ * known of P[3] takes its place. */
+static void test_limits(double *lo, double *hi, int *last, int limbs)
 {
     static ex_num den;
     static tess_int order[3] = { 0, 1, 2 };
-    double h[HH_FACET_LEN], x[9], lo, hi, longest = 0.0, edge, e[3];
-    int bound, base = 0, i, k;
+    double h[HH_FACET_LEN], x[9], longest = 0.0, edge, e[3];
+    int side, base = 0, i, k;
     hh_set set;
 
     if (limbs) {
@@ -1402,51 +1402,48 @@ static void test_bound(double *l, double *dl, int *last, int limbs)
         thin += h[9] < 1e-10;
     } else
         hh_setup(P[0], P[1], P[2], h);
-    bound = hh_bound(h, P[3], &l[0], &dl[0]);
-    require(hh_limits(h, P[3], &lo, &hi) == bound, "side by hh_limits");
+    side = hh_limits(h, P[3], lo, hi);
     if (X.wn.sign > 0) {
         ex_copy(&den, &X.wn);
         ex_shift(&den, 1);
-        if (lo > -DBL_MAX)
-            require(beyond(lo, 1, 0.0, &X.power, &den, &X.nn, 1) <= 0,
+        if (lo[0] > -DBL_MAX)
+            require(beyond(lo[0], 1, 0.0, &X.power, &den, &X.nn, 1) <= 0,
                     "lower limit of L");
-        if (hi < DBL_MAX)
-            require(beyond(hi, 1, 0.0, &X.power, &den, &X.nn, 1) >= 0,
+        if (hi[0] < DBL_MAX)
+            require(beyond(hi[0], 1, 0.0, &X.power, &den, &X.nn, 1) >= 0,
                     "upper limit of L");
-        limited += bound == 0 && (lo > -DBL_MAX || hi < DBL_MAX);
+        limited += side == 0 && (lo[0] > -DBL_MAX || hi[0] < DBL_MAX);
     }
     sides++;
-    decided += bound != 0;
-    require(bound == 0 || bound == X.wn.sign, "side by hh_bound");
-    if (bound == 1) {
-        ex_copy(&den, &X.wn);
-        ex_shift(&den, 1);
-        require(within(l[0], dl[0], &X.power, &den, &X.nn, 1),
-                "L by hh_bound");
+    decided += side != 0;
+    require(side == 0 || side == X.wn.sign, "side by hh_limits");
+    if (side == 1) {
+        require(within(0.5 * lo[0] + 0.5 * hi[0], 0.5 * hi[0] - 0.5 * lo[0],
+                       &X.power, &den, &X.nn, 1), "L by hh_limits");
         if (*last) {
             pairs++;
-            if (l[0] + dl[0] < l[1] - dl[1]) {
+            if (hi[0] < lo[1]) {
                 ordered++;
                 require(ex_insphere(P[0], P[1], P[2], P[3], P[4]) == -1,
                         "order of L");
             }
-            if (l[1] + dl[1] < l[0] - dl[0]) {
+            if (hi[1] < lo[0]) {
                 ordered++;
                 require(ex_insphere(P[0], P[1], P[2], P[4], P[3]) == -1,
                         "order of L");
             }
         }
-        l[1] = l[0];
-        dl[1] = dl[0];
+        lo[1] = lo[0];
+        hi[1] = hi[0];
     }
-    *last = bound == 1;
+    *last = side == 1;
 }
 
 /* All that hhpred.h and hhpred.c promise of facets of a class. */
 static void test_facets(int group, int limbs, long n)
 {
     long faults = 0, i;
-    double p[5][3], l[2], dl[2], unit;
+    double p[5][3], lo[2], hi[2], unit;
     int j, k, kind, last;
     char name[80];
 
@@ -1464,7 +1461,7 @@ static void test_facets(int group, int limbs, long n)
             exact_point(P[3]);
             fault = NULL;
             if (!limbs) test_public();
-            test_bound(l, dl, &last, limbs);
+            test_limits(lo, hi, &last, limbs);
             if (fault != NULL && faults++ < 3) {
                 printf("%s:\n", fault);
                 show(5);
