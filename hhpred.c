@@ -1,14 +1,14 @@
 /* hhpred.c - predicates for a handful of points in space; see hhpred.h.
  *
  * Order of the routines, here and in f77/hhpred.f:
- *   exact numbers     nearest zeros shift split carry signof spread least
- *                     volume cofactors ball leading shares region foot weigh
- *                     limbsg limbs3 limbs10 limbsx centre topweight certain
+ *   exact numbers     nearest zeros shift fill split carry signof spread
+ *                     lesser volume cofactors ball leading shares region foot
+ *                     weigh limbsg limbs3 limbs10 limbsx centre certain
  *                     balanced exact
  *   the arithmetic    hh_finite precise hh_holds held
- *   exact signs       filt3 filt5 opposite pack scale hh_orient
+ *   exact signs       filt3 filt5 filter pack scale robust hh_orient
  *                     hh_insphere hh_flat hh_line closest hh_foot hh_weigh
- *                     hh_wider hh_range apart corners hh_pside
+ *                     hh_wider hh_range apart corners decide hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
  *   balls by limbs    rows cut hh_centre form offset squared level hh_trial
  *                     hh_unit hh_height hh_thin
@@ -116,6 +116,19 @@ static void shift(int n, double *q)
     for (i = 0; i < n; i++) q[i] *= factor;
 }
 
+/* fill - n coordinates q times the *factor that they need lest a limb's weight
+ * underflow; most > 0 is their largest absolute value.  Returns the weight of
+ * limb 0 that most fills. */
+static double fill(int n, double *q, double most, double *factor)
+{
+    int e;
+
+    *factor = most < LOW ? SHIFT : 1.0;
+    if (most < LOW) shift(n, q);
+    frexp(most * *factor, &e);
+    return ldexp(1.0, e + 2 - HH_BITS);
+}
+
 /* split - the n limbs of w <= 15 numbers q side by side, limb 0 of weight top,
  * a power of two, |q| <= top BASE/4.  Returns how many are in use, or n + 1
  * when n do not hold them.
@@ -202,14 +215,15 @@ static int spread(int np, const double *q, double top, int n, double *x)
     return used;
 }
 
-/* least - the smaller one of i and k. */
-static int least(int i, int k)
+/* lesser - the smaller one of i and k. */
+static int lesser(int i, int k)
 {
     return i < k ? i : k;
 }
 
-/* volume - the sign of the determinant of the rows a-d, b-d, c-d, of n limbs,
- * of points a, b, c, d.  x: the rows, as of spread, in 21n doubles. */
+/* volume - the orientation of points a, b, c, d: minus the sign of the
+ * determinant of the rows a-d, b-d, c-d, of n limbs.  x: the rows, as of
+ * spread, in 21n doubles. */
 static int volume(int n, double *x)
 {
     double *minor = x + 12 * n, *det = minor + 6 * n, *r;
@@ -238,7 +252,7 @@ static int volume(int n, double *x)
         if (a == 0.0 && b == 0.0 && c == 0.0) continue;
         if (rows++ % ROWS2 == ROWS2 - 1) carry(3 * n, 1, det);
         for (j = 0, t = minor, r = det + i + 1; j < 2 * n; j++, t += 3, r++)
-            *r += a * t[1] - b * t[2] + c * t[0];
+            *r += b * t[2] - a * t[1] - c * t[0];
     }
     return signof(3 * n, 0.0, det);
 }
@@ -249,7 +263,7 @@ static int volume(int n, double *x)
  * doubles; the determinants are in the last 12n. */
 static void cofactors(int n, int depth, double *x)
 {
-    int n2 = least(2 * n, depth), n3 = least(3 * n, depth);
+    int n2 = lesser(2 * n, depth), n3 = lesser(3 * n, depth);
     int most, i, j, rows = 0;
     double *minor = x + 15 * n, *det = minor + 12 * n, *r;
     const double *s, *t;
@@ -262,7 +276,7 @@ static void cofactors(int n, int depth, double *x)
         a = s[0], b = s[3], c = s[6], d = s[9];
         if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
         if (rows++ % ROWS1 == ROWS1 - 1) carry(n2, 6, minor);
-        most = least(n, n2 - 1 - i);
+        most = lesser(n, n2 - 1 - i);
         for (j = 0, t = x, r = minor + 6 * (i + 1); j < most;
              j++, t += 15, r += 6) {
             ta = t[1], tb = t[4], tc = t[7], td = t[10];
@@ -280,7 +294,7 @@ static void cofactors(int n, int depth, double *x)
         a = s[2], b = s[5], c = s[8], d = s[11];
         if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
         if (rows++ % ROWS2 == ROWS2 - 1) carry(n3, 4, det);
-        most = least(n2, n3 - 1 - i);
+        most = lesser(n2, n3 - 1 - i);
         for (j = 0, t = minor, r = det + 4 * (i + 1); j < most;
              j++, t += 6, r += 4) {
             r[0] += b * t[2] - c * t[5] + d * t[1];
@@ -307,8 +321,8 @@ static void cofactors(int n, int depth, double *x)
  * ample. */
 static int ball(int n, int depth, double *x)
 {
-    int n2 = least(2 * n, depth), n3 = least(3 * n, depth);
-    int n5 = least(5 * n, depth), most, i, j, rows = 0;
+    int n2 = lesser(2 * n, depth), n3 = lesser(3 * n, depth);
+    int n5 = lesser(5 * n, depth), most, i, j, rows = 0;
     double *lift = x + 15 * n, *det = lift + 12 * n, *sum = det + 12 * n, *r;
     const double *s, *t;
     double a, b, c, d;
@@ -320,7 +334,7 @@ static int ball(int n, int depth, double *x)
      * of limbs i and j are taken at once */
     for (i = 0, s = x; i < n && i < n2 - 1; i++, s += 15) {
         if (rows++ % (ROWS1 / 2) == ROWS1 / 2 - 1) carry(n2, 4, lift);
-        most = least(n, n2 - 1 - i);
+        most = lesser(n, n2 - 1 - i);
         for (j = i, t = s, r = lift + 4 * (2 * i + 1); j < most;
              j++, t += 15, r += 4) {
             a = j > i ? 2.0 : 1.0;
@@ -336,7 +350,7 @@ static int ball(int n, int depth, double *x)
         a = s[0], b = s[1], c = s[2], d = s[3];
         if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
         if (rows++ % ROWS2 == ROWS2 - 1) carry(n5, 1, sum);
-        most = least(n3, n5 - 1 - i);
+        most = lesser(n3, n5 - 1 - i);
         for (j = 0, t = det, r = sum + i + 1; j < most; j++, t += 4, r++)
             *r += b * t[1] - a * t[0] + d * t[3] - c * t[2];
     }
@@ -369,7 +383,7 @@ static void shares(int n, const int *at, double *w)
     int top = INT_MAX, k;
 
     for (k = 0; k < n; k++)
-        if (w[k] != 0.0) top = least(top, at[k]);
+        if (w[k] != 0.0) top = lesser(top, at[k]);
     for (k = 0; k < n; k++) {
         if (w[k] != 0.0) w[k] = fabs(ldexp(w[k], (top - at[k]) * HH_BITS));
         sum += w[k];
@@ -595,16 +609,6 @@ static int centre(int n, const double *x, double *work)
     return first;
 }
 
-/* topweight - the weight of limb 0 of numbers of at most most > 0: most fills
- * it. */
-static double topweight(double most)
-{
-    int e;
-
-    frexp(most, &e);
-    return ldexp(1.0, e + 2 - HH_BITS);
-}
-
 /* certain - the sign of det, certain beyond err or when exact. */
 static int certain(double det, double perm, double factor, double t)
 {
@@ -666,26 +670,20 @@ static int balanced(int np, const double *q)
             perm[set] += fabs(x) * perm[set - bit];
         }
     }
-    return certain(det[set - 1], perm[set - 1], 64.0, -1.0);
+    x = np == 4 ? -det[set - 1] : det[set - 1];
+    return certain(x, perm[set - 1], 64.0, -1.0);
 }
 #endif
 
-/* exact - limbsg with as many limbs as it takes; alters q. */
-static int exact(int np, double *q, double *w)
+/* exact - limbsg with as many limbs as it takes; most is the largest absolute
+ * value of q, which it alters. */
+static int exact(int np, double *q, double most, double *w)
 {
-    double most = 0.0, top;
-    int i, sign;
+    double top, factor;
+    int sign;
 
-    for (i = 0; i < 3 * np; i++) {
-        if (q[i] > most) most = q[i];
-        if (-q[i] > most) most = -q[i];
-    }
     if (most == 0.0) return 0;
-    if (most < LOW) {
-        shift(3 * np, q);
-        most *= SHIFT;
-    }
-    top = topweight(most);
+    top = fill(3 * np, q, most, &factor);
     sign = limbs3(np, q, top, w);
 #if HH_LIMBS > 10
     if (sign == UNSURE) sign = limbs10(np, q, top, w);
@@ -874,10 +872,11 @@ static int filt5(const double *a, const double *b, const double *c,
 #define SAFE FEW
 #endif
 
-/* opposite - minus a sign, if it is one. */
-static int opposite(int sign)
+/* filter - the orientation of np = 4 points q, or filt5 of 5; or UNSURE. */
+static int filter(int np, const double *q, double t)
 {
-    return sign == UNSURE ? UNSURE : -sign;
+    return np == 4 ? filt3(q, q + 3, q + 6, q + 9, t)
+                   : filt5(q, q + 3, q + 6, q + 9, q + 12, t);
 }
 
 /* pack - q = the coordinates of np points p.  Returns the largest absolute
@@ -912,45 +911,47 @@ static int scale(int n, double most, const double *q, double *s)
     return e;
 }
 
+/* robust - the exact orientation of np = 4 points p, or sign of I of 5, where
+ * the limbs hold them; else UNSURE. */
+static int robust(int np, const tess_real *const *p)
+{
+    double q[15], s[15], most = pack(np, p, q);
+    int sign;
+
+    if (!precise(p[0][0] > p[3][0] ? 1 : 3) || (most < SAFE && !held(np, p)))
+        return UNSURE;
+    scale(3 * np, most, q, s);
+    sign = filter(np, s, -1.0);
+    if (sign == UNSURE && held(np, p)) sign = exact(np, q, most, NULL);
+    return sign;
+}
+
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
               const tess_real *d)
 {
     const tess_real *p[4];
-    double q[12], s[12], most;
-    int sign;
 
     p[0] = a;
     p[1] = b;
     p[2] = c;
     p[3] = d;
-    most = pack(4, p, q);
-    if (!precise(a[0] > d[0] ? 1 : 3) || (most < SAFE && !held(4, p)))
-        return UNSURE;
-    scale(12, most, q, s);
-    sign = filt3(s, s + 3, s + 6, s + 9, -1.0);
-    /* the determinant of the rows a-d, b-d, c-d is minus this one */
-    if (sign == UNSURE && held(4, p)) sign = opposite(exact(4, q, NULL));
-    return sign;
+    return robust(4, p);
 }
 
 int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
                 const tess_real *d, const tess_real *e)
 {
     const tess_real *p[5];
-    double q[15], s[15], most;
-    int side = hh_orient(a, b, c, d), sign;
+    int side, sign;
 
-    if (side == 0 || side == UNSURE) return side;
     p[0] = a;
     p[1] = b;
     p[2] = c;
     p[3] = d;
     p[4] = e;
-    most = pack(5, p, q);
-    if (most < SAFE && !held(5, p)) return UNSURE;
-    scale(15, most, q, s);
-    sign = filt5(s, s + 3, s + 6, s + 9, s + 12, -1.0);
-    if (sign == UNSURE && held(5, p)) sign = exact(5, q, NULL);
+    side = robust(4, p);
+    if (side == 0 || side == UNSURE) return side;
+    sign = robust(5, p);
     return sign == UNSURE ? UNSURE : -side * sign;
 }
 
@@ -960,9 +961,8 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
 int hh_flat(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c)
 {
-    tess_real qa[3], qb[3], qc[3], top[3];
     const tess_real *p[3];
-    double q[9];
+    double q[12], most;
     int i = axis == 2 ? 0 : axis + 1, k = axis == 0 ? 2 : axis - 1;
     double bi = (double)b[i] - a[i], ck = (double)c[k] - a[k];
     double bk = (double)b[k] - a[k], ci = (double)c[i] - a[i];
@@ -974,18 +974,16 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
         if (det > err + 1.0 / SHIFT) return 1;
         if (det < -err - 1.0 / SHIFT) return -1;
     }
-    for (k = 0; k < 3; k++) {
-        qa[k] = top[k] = a[k];
-        qb[k] = b[k];
-        qc[k] = c[k];
-    }
-    qa[axis] = qb[axis] = qc[axis] = 0;
-    /* any height will do that needs no more limbs than the points */
-    p[0] = qa;
-    p[1] = qb;
-    p[2] = qc;
-    top[axis] = (tess_real)pack(3, p, q);
-    return hh_orient(qa, qb, qc, top);
+    p[0] = a;
+    p[1] = b;
+    p[2] = c;
+    if (!held(3, p)) return UNSURE;
+    most = pack(3, p, q);
+    /* any point on that side will do that needs no more limbs */
+    for (k = 0; k < 3; k++) q[9 + k] = q[k];
+    q[axis] = q[3 + axis] = q[6 + axis] = 0.0;
+    q[9 + axis] = most;
+    return exact(4, q, most, NULL);
 }
 
 /* hh_line - are a, b, c exactly collinear? */
@@ -1056,7 +1054,7 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
         set = closest(s);
     }
     if (set == 0 && held(4, p)) {
-        set = -exact(4, x, w ? w : any);
+        set = -exact(4, x, most, w ? w : any);
         if (set == -UNSURE) set = 0;
     }
     return set;
@@ -1077,15 +1075,13 @@ int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
 
     for (k = 0; k < 4; k++) r[k] = p + 3 * (size_t)v[k];
     r[4] = q;
-    if (!held(5, r)) return UNSURE;
-    pack(5, r, x);
-    return exact(5, x, w);
+    return held(5, r) ? exact(5, x, pack(5, r, x), w) : UNSURE;
 }
 
 /* hh_wider - the exact sign of (a-b) - (c-d), for a >= b and c >= d.  Where
- * double precision does not tell, the volume of four points does: with m the
- * largest of the numbers in absolute value,
- *     det [(0,0,a)-(0,m,c)  (m,0,b)-(0,m,c)  (m,m,d)-(0,m,c)] =
+ * double precision does not tell, the orientation of four points does: with m
+ * the largest of the numbers in absolute value,
+ *     det [(m,m,d)-(0,0,a)  (m,0,b)-(0,0,a)  (0,m,c)-(0,0,a)] =
  *         m^2 ((a-b) - (c-d)). */
 int hh_wider(double a, double b, double c, double d)
 {
@@ -1097,24 +1093,21 @@ int hh_wider(double a, double b, double c, double d)
     if (y - x > err) return -1;
     zeros(12, q);
     q[2] = a;
-    q[5] = b;
-    q[8] = d;
+    q[5] = d;
+    q[8] = b;
     q[11] = c;
     for (k = 2; k < 12; k += 3) m = fabs(q[k]) > m ? fabs(q[k]) : m;
-    q[3] = q[6] = q[7] = q[10] = m;
-    return exact(4, q, NULL);
+    q[3] = q[4] = q[6] = q[10] = m;
+    return exact(4, q, m, NULL);
 }
 
 /* hh_range - 0 when HH_LIMBS limbs hold x beside coordinates of absolute
  * value most > 0, else UNSURE. */
 int hh_range(double x, double most)
 {
-    double limb[HH_LIMBS], f = most < LOW ? SHIFT : 1.0;
-    int used;
+    double limb[HH_LIMBS], factor, top = fill(1, &x, most, &factor);
 
-    x *= f;
-    used = split(1, &x, topweight(most * f), HH_LIMBS, limb);
-    return used > HH_LIMBS ? UNSURE : 0;
+    return split(1, &x, top, HH_LIMBS, limb) > HH_LIMBS ? UNSURE : 0;
 }
 
 /* apart - q = the coordinates of np points p in units of their own, if x, the
@@ -1151,25 +1144,33 @@ static int corners(int np, const tess_real *const *p, double *q)
     return 1;
 }
 
+/* decide - robust for np positions v of the set s that a filter leaves open. */
+static int decide(const hh_set *s, int np, const tess_int *v)
+{
+    const tess_real *p[5];
+    double q[15];
+    int n, sign = UNSURE;
+
+    for (n = 0; n < np; n++) p[n] = s->p + 3 * s->order[v[n]];
+    /* the corners of a box are on one sphere */
+    if (corners(np, p, q)) return np == 5 ? 0 : filter(4, q, 64.0);
+    if (apart(s->x + 3 * v[0], np, p, q)) sign = filter(np, q, -1.0);
+    return sign == UNSURE ? exact(np, q, pack(np, p, q), NULL) : sign;
+}
+
 /* hh_pside - hh_orient for the positions i, j, k, l of the set s. */
 int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
 {
-    const tess_real *p[4];
-    double q[12];
+    tess_int v[4];
     int sign = filt3(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k, s->x + 3 * l,
                      s->t3);
 
     if (sign != UNSURE) return sign;
-    p[0] = s->p + 3 * s->order[i];
-    p[1] = s->p + 3 * s->order[j];
-    p[2] = s->p + 3 * s->order[k];
-    p[3] = s->p + 3 * s->order[l];
-    if (corners(4, p, q)) return filt3(q, q + 3, q + 6, q + 9, 64.0);
-    if (apart(s->x + 3 * i, 4, p, q))
-        sign = filt3(q, q + 3, q + 6, q + 9, -1.0);
-    if (sign != UNSURE) return sign;
-    pack(4, p, q);
-    return opposite(exact(4, q, NULL));
+    v[0] = i;
+    v[1] = j;
+    v[2] = k;
+    v[3] = l;
+    return decide(s, 4, v);
 }
 
 /* ---------------------------------------------------------------------
@@ -1217,27 +1218,10 @@ static int tied(const hh_set *s, const tess_int *v, int positive)
 /* perturb - the sign of I; where it is 0, rule times that of tied. */
 static int perturb(const hh_set *s, const tess_int *v, int positive, int rule)
 {
-    const tess_real *p[5];
-    double q[15];
-    int n, sign;
+    int sign = filt5(s->x + 3 * v[0], s->x + 3 * v[1], s->x + 3 * v[2],
+                     s->x + 3 * v[3], s->x + 3 * v[4], s->t5);
 
-    sign = filt5(s->x + 3 * v[0], s->x + 3 * v[1], s->x + 3 * v[2],
-                 s->x + 3 * v[3], s->x + 3 * v[4], s->t5);
-    if (sign == UNSURE) {
-        for (n = 0; n < 5; n++) p[n] = s->p + 3 * s->order[v[n]];
-        /* the corners of a box are on one sphere */
-        sign = 0;
-        if (!corners(5, p, q)) {
-            if (apart(s->x + 3 * v[0], 5, p, q))
-                sign = filt5(q, q + 3, q + 6, q + 9, q + 12, -1.0);
-            else
-                sign = UNSURE;
-        }
-        if (sign == UNSURE) {
-            pack(5, p, q);
-            sign = exact(5, q, NULL);
-        }
-    }
+    if (sign == UNSURE) sign = decide(s, 5, v);
     return sign != 0 || !rule ? sign : rule * tied(s, v, positive);
 }
 
@@ -1287,9 +1271,7 @@ static int rows(const hh_set *s, const tess_int *v, double *x, double *top,
 
     for (i = 0; i < 4; i++) p[i] = s->p + 3 * s->order[v[i]];
     most = pack(4, p, q);
-    *factor = most < LOW ? SHIFT : 1.0;
-    if (most < LOW) shift(12, q);
-    *top = 2.0 * topweight(*factor * most);
+    *top = 2.0 * fill(12, q, most, factor);
     frexp(*top, e);
     *e -= 1 + s->e + (most < LOW ? SKIP * HH_BITS : 0);
     if (spread(4, q, *top, 3, x) <= 3) return 3;
@@ -1442,10 +1424,11 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
     double sum[HH_ROWS + 1];
 
     *power = UNSURE;
-    if (*side == 0)
-        *side = !level(s, t, z, 1, sum)
-                    ? UNSURE
-                    : opposite(signof(HH_ROWS + 1, CARRY, sum));
+    if (*side == 0) {
+        *side = level(s, t, z, 1, sum) ? signof(HH_ROWS + 1, CARRY, sum)
+                                       : UNSURE;
+        if (*side != UNSURE) *side = -*side;
+    }
     if (*side >= 0 && level(s, t, z, 0, sum))
         *power = signof(HH_ROWS + 1, CARRY, sum);
 }
@@ -1511,7 +1494,7 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
     double x[12 * HH_FEW], work[39 * HH_FEW], m[3], d[3], a, b, norm, top;
     double factor, aa = 0.0, bb = 0.0;
     tess_int w[4];
-    int i, j, k, n, e, at[3], least;
+    int i, j, k, n, e, at[3], first;
 
     for (k = 0; k < 3; k++) w[k] = v[(base + 1 + k) % 3];
     w[3] = w[2];
@@ -1520,17 +1503,16 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
     centre(n, x, work);
     for (k = 0; k < 3; k++)
         m[k] = leading(2 * n, work + 15 * n + 6 + k, 9, at + k);
-    least = at[0] < at[1] ? at[0] : at[1];
-    least = at[2] < least ? at[2] : least;
+    first = lesser(at[0], lesser(at[1], at[2]));
     for (k = 0; k < 3; k++) {
-        m[k] = ldexp(m[k], (least - at[k]) * HH_BITS);
+        m[k] = ldexp(m[k], (first - at[k]) * HH_BITS);
         a = p2[k] - p1[k];
         b = p3[k] - p1[k];
         aa += a * a;
         bb += b * b;
     }
     norm = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
-    e = 2 * e + (1 - least) * HH_BITS;
+    e = 2 * e + (1 - first) * HH_BITS;
     if (e < -CENTRE || aa < HH_SMALL || bb < HH_SMALL) return;
     for (k = 0; k < 3; k++) {
         m[k] /= norm;

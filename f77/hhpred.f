@@ -24,20 +24,20 @@ C     altered by the routines that hh_ names below.
 C
 C     The routines of hhpred.c, in its order, and their names here:
 C       exact numbers: frexp HHFREX, ldexp HHLDEX, nearest HHNEAR,
-C         zeros HHZERO, split HHSPLI, carry HHCARR, signof HHSIGN,
-C         spread HHSPRE, volume HHVOLU, cofactors HHCOFA, ball HHBALL,
-C         leading HHLEAD, shares HHSHAR, region HHREGI, foot HHFT,
-C         weigh HHWGH, limbsg HHLIMB, limbs3 HHLIM3, limbs10 HHLIMT,
-C         limbsx HHLIMX, centre HHCNTR, topweight HHTOPW,
+C         zeros HHZERO, fill HHFILL, split HHSPLI, carry HHCARR,
+C         signof HHSIGN, spread HHSPRE, volume HHVOLU,
+C         cofactors HHCOFA, ball HHBALL, leading HHLEAD, shares HHSHAR,
+C         region HHREGI, foot HHFT, weigh HHWGH, limbsg HHLIMB,
+C         limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX, centre HHCNTR,
 C         certain HHCERT, balanced HHBALA, exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
-C       exact signs: filt3 HHFIL3, filt5 HHFIL5,
-C         opposite HHOPPO, pack HHPACK, scale HHSCAL,
-C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
-C         hh_line HHLINE, closest HHCLOS, hh_foot HHFOOT,
-C         hh_weigh HHWEIG, hh_wider HHWIDE, hh_range HHRANG,
-C         apart HHAPAR, corners HHCORN, hh_pside HHPSID
+C       exact signs: filt3 HHFIL3, filt5 HHFIL5, filter HHFILT,
+C         pack HHPACK, scale HHSCAL, robust HHROBU, hh_orient HHORIE,
+C         hh_insphere HHINSP, hh_flat HHFLAT, hh_line HHLINE,
+C         closest HHCLOS, hh_foot HHFOOT, hh_weigh HHWEIG,
+C         hh_wider HHWIDE, hh_range HHRANG, apart HHAPAR,
+C         corners HHCORN, decide HHDECI, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
@@ -49,7 +49,7 @@ C         hh_ratio HHRATI, hh_limits HHLIMI,
 C         hh_facet HHFACE, hh_side HHSIDE, hh_opp HHOPP,
 C         hh_lcoord HHLCOO, hh_wrap HHWRAP
 C     Only in C: held (hh_holds for points that are not in one array),
-C     shift (written out here), least (MIN here),
+C     shift (written out here), lesser (MIN here),
 C     the macro HH_POWER, |W|**2 - 2 C.W, written out here.
 C     Only here: HHKIND (part of hh_finite and hh_holds).
 C
@@ -202,6 +202,31 @@ C     HHZERO - R = 0.
    10 CONTINUE
       END
 
+C     HHFILL - NP points Q times the FACTOR that they need lest a limb's
+C     weight underflow; MOST > 0 is their largest absolute value.  TOP
+C     is the weight of limb 1 that MOST fills.
+      SUBROUTINE HHFILL(NP, Q, MOST, FACTOR, TOP)
+      INTEGER NP
+      DOUBLE PRECISION Q(3,*), MOST, FACTOR, TOP
+      INTEGER HHFREX
+      DOUBLE PRECISION HHLDEX
+      INTEGER BITS
+      PARAMETER (BITS = 24)
+      DOUBLE PRECISION SHIFT, LOW
+      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
+      INTEGER I, K
+      FACTOR = 1.0D0
+      IF (MOST .LT. LOW) THEN
+        FACTOR = SHIFT
+        DO 20 I = 1, NP
+          DO 10 K = 1, 3
+            Q(K,I) = Q(K,I)*SHIFT
+   10     CONTINUE
+   20   CONTINUE
+      END IF
+      TOP = HHLDEX(1.0D0, HHFREX(MOST*FACTOR) + 2 - BITS)
+      END
+
 C     HHSPLI - the N limbs of W <= 15 numbers Q side by side, the first
 C     of weight TOP, a power of two, |Q| <= TOP BASE/4.  USED is how
 C     many are in use, or N + 1 when N do not hold them.
@@ -331,9 +356,9 @@ C     many limbs are in use, or N + 1 when N do not hold them.
    30 CONTINUE
       END
 
-C     HHVOLU - the sign of the determinant of the rows A-D, B-D, C-D, of
-C     N limbs, of points A, B, C, D.  X: the rows, as of HHSPRE.
-C     Scratch: MINOR 6, DET 3 doubles a limb.
+C     HHVOLU - the orientation of points A, B, C, D: minus the sign of
+C     the determinant of the rows A-D, B-D, C-D, of N limbs.  X: the
+C     rows, as of HHSPRE.  Scratch: MINOR 6, DET 3 doubles a limb.
       SUBROUTINE HHVOLU(N, X, MINOR, DET, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION X(*), MINOR(*), DET(*)
@@ -379,7 +404,7 @@ C     AB, BC, AC: A(1) B(2) - B(1) A(2) and so on
         IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(3*N, 1, DET)
         T = 0
         DO 30 J = 1, 2*N
-          DET(I+J) = DET(I+J) + (A*MINOR(T+2) - B*MINOR(T+3) +
+          DET(I+J) = DET(I+J) + (B*MINOR(T+3) - A*MINOR(T+2) -
      $        C*MINOR(T+1))
           T = T + 3
    30   CONTINUE
@@ -886,17 +911,6 @@ C     two carries reach two limbs up from the first product
       CALL HHCARR(3*N, 1, D)
       END
 
-C     HHTOPW - the weight of limb 1 of numbers of at most MOST > 0: MOST
-C     fills it.
-      DOUBLE PRECISION FUNCTION HHTOPW(MOST)
-      DOUBLE PRECISION MOST
-      INTEGER HHFREX
-      DOUBLE PRECISION HHLDEX
-      INTEGER BITS
-      PARAMETER (BITS = 24)
-      HHTOPW = HHLDEX(1.0D0, HHFREX(MOST) + 2 - BITS)
-      END
-
 C     HHCERT - the sign of DET, certain beyond an error or when exact.
       INTEGER FUNCTION HHCERT(DET, PERM, FACTOR, T)
       DOUBLE PRECISION DET, PERM, FACTOR, T
@@ -1003,38 +1017,22 @@ C     last row.
           BIT = 2*BIT
    90   CONTINUE
   100 CONTINUE
+      IF (NP .EQ. 4) DET(LAST) = -DET(LAST)
       HHBALA = HHCERT(DET(LAST), PERM(LAST), 64.0D0, -1.0D0)
       END
 
-C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
-      SUBROUTINE HHEXAC(NP, Q, WANT, W, SGN)
+C     HHEXAC - HHLIMB with as many limbs as it takes; MOST is the
+C     largest absolute value of Q, which it alters.
+      SUBROUTINE HHEXAC(NP, Q, MOST, WANT, W, SGN)
       INTEGER NP, WANT, SGN
-      DOUBLE PRECISION Q(3,*), W(*)
+      DOUBLE PRECISION Q(3,*), MOST, W(*)
       INTEGER HHBALA
-      DOUBLE PRECISION HHTOPW
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
-      DOUBLE PRECISION SHIFT, LOW
-      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
-      DOUBLE PRECISION MOST, TOP
-      INTEGER I, K
+      DOUBLE PRECISION FACTOR, TOP
       SGN = 0
-      MOST = 0.0D0
-      DO 20 I = 1, NP
-        DO 10 K = 1, 3
-          MOST = MAX(MOST, ABS(Q(K,I)))
-   10   CONTINUE
-   20 CONTINUE
       IF (MOST .LE. 0.0D0) RETURN
-      IF (MOST .LT. LOW) THEN
-        DO 40 I = 1, NP
-          DO 30 K = 1, 3
-            Q(K,I) = Q(K,I)*SHIFT
-   30     CONTINUE
-   40   CONTINUE
-        MOST = MOST*SHIFT
-      END IF
-      TOP = HHTOPW(MOST)
+      CALL HHFILL(NP, Q, MOST, FACTOR, TOP)
       CALL HHLIM3(NP, Q, TOP, WANT, W, SGN)
       IF (SGN .EQ. UNSURE .AND. HHLIM .GT. 10)
      $  CALL HHLIMT(NP, Q, TOP, WANT, W, SGN)
@@ -1248,13 +1246,17 @@ C     B-D, C-D have the same sign.
       HHFIL5 = HHCERT(DET, PERM, 32.0D0, T)
       END
 
-C     HHOPPO - minus a sign, if it is one.
-      INTEGER FUNCTION HHOPPO(SGN)
-      INTEGER SGN
-      INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
-      HHOPPO = -SGN
-      IF (SGN .EQ. UNSURE) HHOPPO = UNSURE
+C     HHFILT - the orientation of NP = 4 points Q, or HHFIL5 of 5; or
+C     UNSURE.
+      INTEGER FUNCTION HHFILT(NP, Q, T)
+      INTEGER NP
+      DOUBLE PRECISION Q(3,*), T
+      INTEGER HHFIL3, HHFIL5
+      IF (NP .EQ. 4) THEN
+        HHFILT = HHFIL3(Q, 1, 2, 3, 4, T)
+      ELSE
+        HHFILT = HHFIL5(Q, 1, 2, 3, 4, 5, T)
+      END IF
       END
 
 C     HHPACK - the largest absolute value of NP points Q.  (C's pack
@@ -1304,6 +1306,34 @@ C     among the NP points P, at most 1, and not tiny.
       END IF
       END
 
+C     HHROBU - the exact orientation of NP = 4 points P, or sign of I of
+C     5, where the limbs hold them; else UNSURE.  Alters P.
+      SUBROUTINE HHROBU(NP, P, SGN)
+      INTEGER NP, SGN
+      DOUBLE PRECISION P(3,*)
+      INTEGER HHFILT, HHHOLD, HHPREC
+      DOUBLE PRECISION HHPACK
+      INTEGER UNSURE
+      DOUBLE PRECISION FEW
+      PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
+      DOUBLE PRECISION ANY(4), MOST, S(3,5)
+      INTEGER E, K
+      SGN = UNSURE
+      K = 1
+      IF (P(1,1) .GT. P(1,4)) K = 3
+      IF (HHPREC(K) .EQ. 0) RETURN
+      MOST = HHPACK(NP, P)
+C     above FEW, what a coordinate is taken for matters less than TINY
+      IF (MOST .LT. FEW) THEN
+        IF (HHHOLD(NP, P) .EQ. 0) RETURN
+      END IF
+      CALL HHSCAL(MOST, NP, P, S, E)
+      SGN = HHFILT(NP, S, -1.0D0)
+      IF (SGN .NE. UNSURE) RETURN
+      IF (HHHOLD(NP, P) .EQ. 0) RETURN
+      CALL HHEXAC(NP, P, MOST, 0, ANY, SGN)
+      END
+
 C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
 C     is on the side of A, B, C from which they are seen
 C     counter-clockwise.  2 when HHLIM limbs do not suffice (never, with
@@ -1311,36 +1341,15 @@ C     the default), or the processor flushes a coordinate to zero, or
 C     rounds to fewer bits than a double has.
       INTEGER FUNCTION HHORIE(A, B, C, D)
       DOUBLE PRECISION A(3), B(3), C(3), D(3)
-      INTEGER HHFIL3, HHHOLD, HHOPPO, HHPREC
-      DOUBLE PRECISION HHPACK
-      INTEGER UNSURE
-      DOUBLE PRECISION FEW
-      PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
-      DOUBLE PRECISION ANY(3), MOST, P(3,4), S(3,4)
-      INTEGER E, K, SGN
-      HHORIE = UNSURE
-      K = 1
-      IF (A(1) .GT. D(1)) K = 3
-      IF (HHPREC(K) .EQ. 0) RETURN
+      DOUBLE PRECISION P(3,4)
+      INTEGER K, SGN
       DO 10 K = 1, 3
         P(K,1) = A(K)
         P(K,2) = B(K)
         P(K,3) = C(K)
         P(K,4) = D(K)
    10 CONTINUE
-      MOST = HHPACK(4, P)
-C     above FEW, what a coordinate is taken for matters less than TINY
-      IF (MOST .LT. FEW) THEN
-        IF (HHHOLD(4, P) .EQ. 0) RETURN
-      END IF
-      CALL HHSCAL(MOST, 4, P, S, E)
-      SGN = HHFIL3(S, 1, 2, 3, 4, -1.0D0)
-      IF (SGN .EQ. UNSURE) THEN
-        IF (HHHOLD(4, P) .EQ. 0) RETURN
-C       the determinant of the rows A-D, B-D, C-D is minus this one
-        CALL HHEXAC(4, P, 0, ANY, SGN)
-        SGN = HHOPPO(SGN)
-      END IF
+      CALL HHROBU(4, P, SGN)
       HHORIE = SGN
       END
 
@@ -1349,13 +1358,11 @@ C     whatever their orientation, -1 when it is outside, 0 on the sphere
 C     or when A, B, C, D are coplanar.  2 as from HHORIE.
       INTEGER FUNCTION HHINSP(A, B, C, D, E)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
-      INTEGER HHFIL5, HHHOLD, HHORIE
-      DOUBLE PRECISION HHPACK
+      INTEGER HHORIE
       INTEGER UNSURE
-      DOUBLE PRECISION FEW
-      PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
-      DOUBLE PRECISION ANY(3), MOST, P(3,5), S(3,5)
-      INTEGER EXPO, K, SGN, SIDE
+      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION P(3,5)
+      INTEGER K, SGN, SIDE
       SIDE = HHORIE(A, B, C, D)
       HHINSP = SIDE
       IF (SIDE .EQ. 0 .OR. SIDE .EQ. UNSURE) RETURN
@@ -1366,17 +1373,8 @@ C     or when A, B, C, D are coplanar.  2 as from HHORIE.
         P(K,4) = D(K)
         P(K,5) = E(K)
    10 CONTINUE
-      MOST = HHPACK(5, P)
+      CALL HHROBU(5, P, SGN)
       HHINSP = UNSURE
-      IF (MOST .LT. FEW) THEN
-        IF (HHHOLD(5, P) .EQ. 0) RETURN
-      END IF
-      CALL HHSCAL(MOST, 5, P, S, EXPO)
-      SGN = HHFIL5(S, 1, 2, 3, 4, 5, -1.0D0)
-      IF (SGN .EQ. UNSURE) THEN
-        IF (HHHOLD(5, P) .EQ. 0) RETURN
-        CALL HHEXAC(5, P, 0, ANY, SGN)
-      END IF
       IF (SGN .NE. UNSURE) HHINSP = -SIDE*SGN
       END
 
@@ -1387,14 +1385,15 @@ C     along all three axes.
       INTEGER FUNCTION HHFLAT(AXIS, A, B, C)
       INTEGER AXIS
       DOUBLE PRECISION A(3), B(3), C(3)
-      INTEGER HHORIE
+      INTEGER HHHOLD
       DOUBLE PRECISION HHPACK
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
       DOUBLE PRECISION EPS, SHIFT, LOW
       PARAMETER (EPS = 2.0D0**(-52), SHIFT = 2.0D0**600)
       PARAMETER (LOW = 2.0D0**200)
-      DOUBLE PRECISION BI, BK, CI, CK, DET, ERR
-      DOUBLE PRECISION QA(3), QB(3), QC(3), P(3,3), TOP(3)
-      INTEGER I, K
+      DOUBLE PRECISION ANY(4), BI, BK, CI, CK, DET, ERR, MOST, Q(3,4)
+      INTEGER I, K, SGN
       I = MOD(AXIS, 3) + 1
       K = MOD(AXIS + 1, 3) + 1
       BI = B(I) - A(I)
@@ -1411,23 +1410,22 @@ C     as in HHFIL3; below LOW, underflow does less than 1/SHIFT
         HHFLAT = -1
         IF (DET .LT. -ERR - 1.0D0/SHIFT) RETURN
       END IF
+      HHFLAT = UNSURE
       DO 10 K = 1, 3
-        QA(K) = A(K)
-        QB(K) = B(K)
-        QC(K) = C(K)
-        TOP(K) = A(K)
+        Q(K,1) = A(K)
+        Q(K,2) = B(K)
+        Q(K,3) = C(K)
+        Q(K,4) = A(K)
    10 CONTINUE
-      QA(AXIS) = 0.0D0
-      QB(AXIS) = 0.0D0
-      QC(AXIS) = 0.0D0
-C     any height will do that needs no more limbs than the points
-      DO 20 K = 1, 3
-        P(K,1) = QA(K)
-        P(K,2) = QB(K)
-        P(K,3) = QC(K)
-   20 CONTINUE
-      TOP(AXIS) = HHPACK(3, P)
-      HHFLAT = HHORIE(QA, QB, QC, TOP)
+      IF (HHHOLD(3, Q) .EQ. 0) RETURN
+      MOST = HHPACK(3, Q)
+C     any point on that side will do that needs no more limbs
+      Q(AXIS,1) = 0.0D0
+      Q(AXIS,2) = 0.0D0
+      Q(AXIS,3) = 0.0D0
+      Q(AXIS,4) = MOST
+      CALL HHEXAC(4, Q, MOST, 0, ANY, SGN)
+      HHFLAT = SGN
       END
 
 C     HHLINE - are A, B, C exactly collinear: 1, or 0.
@@ -1521,7 +1519,7 @@ C     scratch.
         IF (SET .NE. 0) RETURN
       END IF
       IF (HHHOLD(4, X) .EQ. 0) RETURN
-      CALL HHEXAC(4, X, 1, W, SET)
+      CALL HHEXAC(4, X, MOST, 1, W, SET)
       SET = -SET
       IF (SET .EQ. -UNSURE) SET = 0
       END
@@ -1536,9 +1534,10 @@ C     where the limbs do not hold the points (see HHORIE).
       DOUBLE PRECISION P(3,*), Q(3), W(4)
       INTEGER TET(4,*), T, INFO
       INTEGER HHHOLD
+      DOUBLE PRECISION HHPACK
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION X(3,5)
+      DOUBLE PRECISION MOST, X(3,5)
       INTEGER I, K
       DO 20 K = 1, 3
         DO 10 I = 1, 4
@@ -1548,13 +1547,14 @@ C     where the limbs do not hold the points (see HHORIE).
    20 CONTINUE
       INFO = UNSURE
       IF (HHHOLD(5, X) .EQ. 0) RETURN
-      CALL HHEXAC(5, X, 1, W, INFO)
+      MOST = HHPACK(5, X)
+      CALL HHEXAC(5, X, MOST, 1, W, INFO)
       END
 
 C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
-C     Where double precision does not tell, the volume of four points
-C     does: with M the largest of the numbers in absolute value,
-C         det [(0,0,A)-(0,M,C)  (M,0,B)-(0,M,C)  (M,M,D)-(0,M,C)] =
+C     Where double precision does not tell, the orientation of four
+C     points does: with M the largest of the numbers in absolute value,
+C         det [(M,M,D)-(0,0,A)  (M,0,B)-(0,0,A)  (0,M,C)-(0,0,A)] =
 C             M**2 ((A-B) - (C-D)).
       INTEGER FUNCTION HHWIDE(A, B, C, D)
       DOUBLE PRECISION A, B, C, D
@@ -1577,14 +1577,14 @@ C             M**2 ((A-B) - (C-D)).
    10     CONTINUE
    20   CONTINUE
         Q(3,1) = A
-        Q(3,2) = B
-        Q(3,3) = D
+        Q(3,2) = D
+        Q(3,3) = B
         Q(3,4) = C
         Q(1,2) = M
+        Q(2,2) = M
         Q(1,3) = M
-        Q(2,3) = M
         Q(2,4) = M
-        CALL HHEXAC(4, Q, 0, ANY, SGN)
+        CALL HHEXAC(4, Q, M, 0, ANY, SGN)
       END IF
       HHWIDE = SGN
       END
@@ -1593,17 +1593,17 @@ C     HHRANG - 0 when HHLIM limbs hold X beside coordinates of absolute
 C     value MOST > 0, else UNSURE.
       INTEGER FUNCTION HHRANG(X, MOST)
       DOUBLE PRECISION X, MOST
-      DOUBLE PRECISION HHTOPW
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
-      DOUBLE PRECISION SHIFT, LOW
-      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
-      DOUBLE PRECISION F, LIMB(HHLIM), Q(1)
+      DOUBLE PRECISION FACTOR, LIMB(HHLIM), M, Q(3,1), TOP, Y(1)
       INTEGER USED
-      F = 1.0D0
-      IF (MOST .LT. LOW) F = SHIFT
-      Q(1) = X*F
-      CALL HHSPLI(1, Q, HHTOPW(MOST*F), HHLIM, LIMB, USED)
+      M = MOST
+      Q(1,1) = X
+      Q(2,1) = 0.0D0
+      Q(3,1) = 0.0D0
+      CALL HHFILL(1, Q, M, FACTOR, TOP)
+      Y(1) = Q(1,1)
+      CALL HHSPLI(1, Y, TOP, HHLIM, LIMB, USED)
       HHRANG = 0
       IF (USED .GT. HHLIM) HHRANG = UNSURE
       END
@@ -1654,6 +1654,41 @@ C     the unit cube, which alters no orientation.
       YES = 1
       END
 
+C     HHDECI - HHROBU for NP positions V of a set of points (see HHPSID)
+C     that a filter leaves open.
+      INTEGER FUNCTION HHDECI(X, P, ORD, NP, V)
+      DOUBLE PRECISION X(3,*), P(3,*)
+      INTEGER ORD(*), NP, V(*)
+      INTEGER HHFILT
+      DOUBLE PRECISION HHPACK
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION ANY(4), MOST, Q(3,5), SIZE, UNIT(3,5)
+      INTEGER AXIS, M, N, SGN, YES
+      M = NP
+      DO 20 N = 1, M
+        DO 10 AXIS = 1, 3
+          Q(AXIS,N) = P(AXIS,ORD(V(N)))
+   10   CONTINUE
+   20 CONTINUE
+      CALL HHCORN(M, Q, UNIT, YES)
+      IF (YES .EQ. 1) THEN
+C       the corners of a box are on one sphere
+        SGN = 0
+        IF (M .EQ. 4) SGN = HHFILT(4, UNIT, 64.0D0)
+      ELSE
+        SGN = UNSURE
+        SIZE = ABS(X(1,V(1))) + ABS(X(2,V(1))) + ABS(X(3,V(1)))
+        CALL HHAPAR(SIZE, M, Q, UNIT, YES)
+        IF (YES .EQ. 1) SGN = HHFILT(M, UNIT, -1.0D0)
+        IF (SGN .EQ. UNSURE) THEN
+          MOST = HHPACK(M, Q)
+          CALL HHEXAC(M, Q, MOST, 0, ANY, SGN)
+        END IF
+      END IF
+      HHDECI = SGN
+      END
+
 C     HHPSID - HHORIE for the positions I, J, K, L of a set of points as
 C     tess keeps them (hh_set in C).  Position I is place I in the
 C     sorted order; duplicates are gone.
@@ -1670,31 +1705,19 @@ C               not known
       INTEGER FUNCTION HHPSID(X, P, ORD, T3, I, J, K, L)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), I, J, K, L
-      INTEGER HHFIL3, HHOPPO
+      INTEGER HHDECI, HHFIL3
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION ANY(3), Q(3,4), SIZE, UNIT(3,4)
-      INTEGER AXIS, SGN, YES
+      INTEGER SGN, V(4)
       SGN = HHFIL3(X, I, J, K, L, T3)
-      HHPSID = SGN
-      IF (SGN .NE. UNSURE) RETURN
-      DO 10 AXIS = 1, 3
-        Q(AXIS,1) = P(AXIS,ORD(I))
-        Q(AXIS,2) = P(AXIS,ORD(J))
-        Q(AXIS,3) = P(AXIS,ORD(K))
-        Q(AXIS,4) = P(AXIS,ORD(L))
-   10 CONTINUE
-      CALL HHCORN(4, Q, UNIT, YES)
-      IF (YES .EQ. 1) THEN
-        HHPSID = HHFIL3(UNIT, 1, 2, 3, 4, 64.0D0)
-        RETURN
+      IF (SGN .EQ. UNSURE) THEN
+        V(1) = I
+        V(2) = J
+        V(3) = K
+        V(4) = L
+        SGN = HHDECI(X, P, ORD, 4, V)
       END IF
-      SIZE = ABS(X(1,I)) + ABS(X(2,I)) + ABS(X(3,I))
-      CALL HHAPAR(SIZE, 4, Q, UNIT, YES)
-      IF (YES .EQ. 1) HHPSID = HHFIL3(UNIT, 1, 2, 3, 4, -1.0D0)
-      IF (HHPSID .NE. UNSURE) RETURN
-      CALL HHEXAC(4, Q, 0, ANY, SGN)
-      HHPSID = HHOPPO(SGN)
+      HHPSID = SGN
       END
 
 C     ------------------------------------------------------------------
@@ -1758,29 +1781,12 @@ C     HHPERT - the sign of D; where it is 0, RULE times that of HHTIED.
       INTEGER FUNCTION HHPERT(X, P, ORD, T3, T5, V, POSITV, RULE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
       INTEGER ORD(*), V(5), POSITV, RULE
-      INTEGER HHFIL5, HHTIED
+      INTEGER HHDECI, HHFIL5, HHTIED
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION ANY(3), Q(3,5), SIZE, UNIT(3,5)
-      INTEGER AXIS, N, SGN, YES
+      INTEGER SGN
       SGN = HHFIL5(X, V(1), V(2), V(3), V(4), V(5), T5)
-      IF (SGN .EQ. UNSURE) THEN
-        DO 20 N = 1, 5
-          DO 10 AXIS = 1, 3
-            Q(AXIS,N) = P(AXIS,ORD(V(N)))
-   10     CONTINUE
-   20   CONTINUE
-        CALL HHCORN(5, Q, UNIT, YES)
-C       the corners of a box are on one sphere
-        IF (YES .EQ. 1) THEN
-          SGN = 0
-        ELSE
-          SIZE = ABS(X(1,V(1))) + ABS(X(2,V(1))) + ABS(X(3,V(1)))
-          CALL HHAPAR(SIZE, 5, Q, UNIT, YES)
-          IF (YES .EQ. 1) SGN = HHFIL5(UNIT, 1, 2, 3, 4, 5, -1.0D0)
-          IF (SGN .EQ. UNSURE) CALL HHEXAC(5, Q, 0, ANY, SGN)
-        END IF
-      END IF
+      IF (SGN .EQ. UNSURE) SGN = HHDECI(X, P, ORD, 5, V)
       IF (SGN .EQ. 0 .AND. RULE .GT. 0)
      $    SGN = RULE*HHTIED(X, P, ORD, T3, V, POSITV)
       HHPERT = SGN
@@ -1833,11 +1839,9 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
       DOUBLE PRECISION P(3,*), X(*), TOP, FACTOR
       INTEGER ORD(*), SE, V(4), E, N
       INTEGER HHFREX
-      DOUBLE PRECISION HHPACK, HHTOPW
+      DOUBLE PRECISION HHPACK
       INTEGER BITS, SKIP, HHFEW
       PARAMETER (BITS = 24, SKIP = 25, HHFEW = 10)
-      DOUBLE PRECISION SHIFT, LOW
-      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
       DOUBLE PRECISION MOST, Q(3,4)
       INTEGER I, K
       DO 20 I = 1, 4
@@ -1846,20 +1850,10 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
    10   CONTINUE
    20 CONTINUE
       MOST = HHPACK(4, Q)
-      FACTOR = 1.0D0
-      E = -1 - SE
-      IF (MOST .LT. LOW) THEN
-        FACTOR = SHIFT
-        E = E - SKIP*BITS
-        MOST = MOST*SHIFT
-        DO 40 I = 1, 4
-          DO 30 K = 1, 3
-            Q(K,I) = Q(K,I)*SHIFT
-   30     CONTINUE
-   40   CONTINUE
-      END IF
-      TOP = 2.0D0*HHTOPW(MOST)
-      E = E + HHFREX(TOP)
+      CALL HHFILL(4, Q, MOST, FACTOR, TOP)
+      TOP = 2.0D0*TOP
+      E = HHFREX(TOP) - 1 - SE
+      IF (FACTOR .GT. 1.0D0) E = E - SKIP*BITS
       CALL HHSPRE(4, Q, TOP, 3, X, N)
       IF (N .LE. 3) THEN
         N = 3
@@ -2093,7 +2087,7 @@ C     the positive side, as D > 0 then.
       SUBROUTINE HHTRIA(P, ORD, T, AT, Z, SIDE, POWER)
       DOUBLE PRECISION P(3,*), T(*)
       INTEGER ORD(*), AT, Z, SIDE, POWER
-      INTEGER HHOPPO, HHSIGN
+      INTEGER HHSIGN
       INTEGER BROWS, UNSURE
       PARAMETER (BROWS = 6, UNSURE = 2)
       DOUBLE PRECISION CARRY
@@ -2104,7 +2098,8 @@ C     the positive side, as D > 0 then.
       IF (SIDE .EQ. 0) THEN
         SIDE = UNSURE
         CALL HHLEVE(P, ORD, T, AT, Z, 1, SUM, OK)
-        IF (OK .EQ. 1) SIDE = HHOPPO(HHSIGN(BROWS + 1, CARRY, SUM))
+        IF (OK .EQ. 1) SIDE = HHSIGN(BROWS + 1, CARRY, SUM)
+        IF (SIDE .NE. UNSURE) SIDE = -SIDE
       END IF
       IF (SIDE .LT. 0) RETURN
       CALL HHLEVE(P, ORD, T, AT, Z, 0, SUM, OK)
