@@ -1,17 +1,18 @@
 /* hhpred.c - predicates for a handful of points in space; see hhpred.h.
  *
  * Order of the routines, here and in f77/hhpred.f:
- *   exact numbers     nearest zeros shift split carry signof spread least
- *                     volume ball leading region foot limbsg limbs3 limbs10
- *                     limbsx centre weight certain balanced exact
+ *   exact numbers     nearest zeros shift fill split carry signof spread
+ *                     lesser volume cofactors ball leading shares region foot
+ *                     weigh limbsg limbs3 limbs10 limbsx centre certain
+ *                     balanced exact
  *   the arithmetic    hh_finite precise hh_holds held
- *   exact signs       filt3 filt5 opposite pack scale hh_orient
- *                     hh_insphere hh_flat hh_line closest hh_foot widersg
- *                     hh_wider hh_range apart corners hh_pside
+ *   exact signs       filt3 filt5 filter pack scale robust hh_orient
+ *                     hh_insphere hh_flat hh_line closest hh_foot hh_weigh
+ *                     hh_wider hh_range apart corners decide hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
- *   balls by limbs    rows cut hh_centre form sure offset squared hh_trial
+ *   balls by limbs    rows cut hh_centre form offset squared level hh_trial
  *                     hh_unit hh_height hh_thin
- *   Householder       house reflec hh_setup hh_bound hh_ratio hh_limits
+ *   Householder       house reflec hh_setup hh_ratio hh_limits
  *                     hh_facet hh_side hh_opp hh_lcoord hh_wrap
  */
 #include "hhpred.h"
@@ -115,6 +116,19 @@ static void shift(int n, double *q)
     for (i = 0; i < n; i++) q[i] *= factor;
 }
 
+/* fill - n coordinates q times the *factor that they need lest a limb's weight
+ * underflow; most > 0 is their largest absolute value.  Returns the weight of
+ * limb 0 that most fills. */
+static double fill(int n, double *q, double most, double *factor)
+{
+    int e;
+
+    *factor = most < LOW ? SHIFT : 1.0;
+    if (most < LOW) shift(n, q);
+    frexp(most * *factor, &e);
+    return ldexp(1.0, e + 2 - HH_BITS);
+}
+
 /* split - the n limbs of w <= 15 numbers q side by side, limb 0 of weight top,
  * a power of two, |q| <= top BASE/4.  Returns how many are in use, or n + 1
  * when n do not hold them.
@@ -201,14 +215,15 @@ static int spread(int np, const double *q, double top, int n, double *x)
     return used;
 }
 
-/* least - the smaller one of i and k. */
-static int least(int i, int k)
+/* lesser - the smaller one of i and k. */
+static int lesser(int i, int k)
 {
     return i < k ? i : k;
 }
 
-/* volume - the sign of the determinant of the rows a-d, b-d, c-d, of n limbs,
- * of points a, b, c, d.  x: the rows, as of spread, in 21n doubles. */
+/* volume - the orientation of points a, b, c, d: minus the sign of the
+ * determinant of the rows a-d, b-d, c-d, of n limbs.  x: the rows, as of
+ * spread, in 21n doubles. */
 static int volume(int n, double *x)
 {
     double *minor = x + 12 * n, *det = minor + 6 * n, *r;
@@ -237,9 +252,58 @@ static int volume(int n, double *x)
         if (a == 0.0 && b == 0.0 && c == 0.0) continue;
         if (rows++ % ROWS2 == ROWS2 - 1) carry(3 * n, 1, det);
         for (j = 0, t = minor, r = det + i + 1; j < 2 * n; j++, t += 3, r++)
-            *r += a * t[1] - b * t[2] + c * t[0];
+            *r += b * t[2] - a * t[1] - c * t[0];
     }
     return signof(3 * n, 0.0, det);
+}
+
+/* cofactors - the determinants of three of the rows a-e, b-e, c-e, d-e, without
+ * each in turn, by the first depth rows of all products: four numbers of 3n
+ * limbs, or depth, side by side.  x: the rows, of n limbs, as of spread, in 39n
+ * doubles; the determinants are in the last 12n. */
+static void cofactors(int n, int depth, double *x)
+{
+    int n2 = lesser(2 * n, depth), n3 = lesser(3 * n, depth);
+    int most, i, j, rows = 0;
+    double *minor = x + 15 * n, *det = minor + 12 * n, *r;
+    const double *s, *t;
+    double a, b, c, d, ta, tb, tc, td;
+
+    zeros(6 * n2, minor);
+    zeros(4 * n3, det);
+    /* ab, bc, cd, da, ac, bd */
+    for (i = 0, s = x; i < n && i < n2 - 1; i++, s += 15) {
+        a = s[0], b = s[3], c = s[6], d = s[9];
+        if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
+        if (rows++ % ROWS1 == ROWS1 - 1) carry(n2, 6, minor);
+        most = lesser(n, n2 - 1 - i);
+        for (j = 0, t = x, r = minor + 6 * (i + 1); j < most;
+             j++, t += 15, r += 6) {
+            ta = t[1], tb = t[4], tc = t[7], td = t[10];
+            r[0] += a * tb - b * ta;
+            r[1] += b * tc - c * tb;
+            r[2] += c * td - d * tc;
+            r[3] += d * ta - a * td;
+            r[4] += a * tc - c * ta;
+            r[5] += b * td - d * tb;
+        }
+    }
+    carry(n2, 6, minor);
+    rows = 0;
+    for (i = 0, s = x; i < n && i < n3 - 1; i++, s += 15) {
+        a = s[2], b = s[5], c = s[8], d = s[11];
+        if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
+        if (rows++ % ROWS2 == ROWS2 - 1) carry(n3, 4, det);
+        most = lesser(n2, n3 - 1 - i);
+        for (j = 0, t = minor, r = det + 4 * (i + 1); j < most;
+             j++, t += 6, r += 4) {
+            r[0] += b * t[2] - c * t[5] + d * t[1];
+            r[1] += a * t[2] + c * t[3] + d * t[4];
+            r[2] += a * t[5] + b * t[3] + d * t[0];
+            r[3] += a * t[1] - b * t[4] + c * t[0];
+        }
+    }
+    carry(n3, 4, det);
 }
 
 /* ball - the sign of the determinant of filt5, of n limbs, from the first depth
@@ -257,55 +321,20 @@ static int volume(int n, double *x)
  * ample. */
 static int ball(int n, int depth, double *x)
 {
-    int n2 = least(2 * n, depth), n3 = least(3 * n, depth);
-    int n5 = least(5 * n, depth), most, i, j, rows = 0;
-    double *minor = x + 15 * n, *lift = minor, *det = minor + 6 * n2;
-    double *sum = det + 4 * n3, *r;
+    int n2 = lesser(2 * n, depth), n3 = lesser(3 * n, depth);
+    int n5 = lesser(5 * n, depth), most, i, j, rows = 0;
+    double *lift = x + 15 * n, *det = lift + 12 * n, *sum = det + 12 * n, *r;
     const double *s, *t;
-    double a, b, c, d, ta, tb, tc, td;
+    double a, b, c, d;
 
-    zeros(6 * n2 + 4 * n3 + n5, minor);
-    /* ab, bc, cd, da, ac, bd */
-    for (i = 0, s = x; i < n && i < n2 - 1; i++, s += 15) {
-        a = s[0], b = s[3], c = s[6], d = s[9];
-        if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
-        if (rows++ % ROWS1 == ROWS1 - 1) carry(n2, 6, minor);
-        most = least(n, n2 - 1 - i);
-        for (j = 0, t = x, r = minor + 6 * (i + 1); j < most;
-             j++, t += 15, r += 6) {
-            ta = t[1], tb = t[4], tc = t[7], td = t[10];
-            r[0] += a * tb - b * ta;
-            r[1] += b * tc - c * tb;
-            r[2] += c * td - d * tc;
-            r[3] += d * ta - a * td;
-            r[4] += a * tc - c * ta;
-            r[5] += b * td - d * tb;
-        }
-    }
-    carry(n2, 6, minor);
-    /* the determinants without a, b, c, d */
-    rows = 0;
-    for (i = 0, s = x; i < n && i < n3 - 1; i++, s += 15) {
-        a = s[2], b = s[5], c = s[8], d = s[11];
-        if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
-        if (rows++ % ROWS2 == ROWS2 - 1) carry(n3, 4, det);
-        most = least(n2, n3 - 1 - i);
-        for (j = 0, t = minor, r = det + 4 * (i + 1); j < most;
-             j++, t += 6, r += 4) {
-            r[0] += b * t[2] - c * t[5] + d * t[1];
-            r[1] += a * t[2] + c * t[3] + d * t[4];
-            r[2] += a * t[5] + b * t[3] + d * t[0];
-            r[3] += a * t[1] - b * t[4] + c * t[0];
-        }
-    }
-    carry(n3, 4, det);
-    /* the squares of the rows, in the place of the minors: two products of
-     * limbs i and j are taken at once */
+    cofactors(n, depth, x);
     zeros(4 * n2, lift);
-    rows = 0;
+    zeros(n5, sum);
+    /* the squares of the rows, in the place of cofactors' minors: two products
+     * of limbs i and j are taken at once */
     for (i = 0, s = x; i < n && i < n2 - 1; i++, s += 15) {
         if (rows++ % (ROWS1 / 2) == ROWS1 / 2 - 1) carry(n2, 4, lift);
-        most = least(n, n2 - 1 - i);
+        most = lesser(n, n2 - 1 - i);
         for (j = i, t = s, r = lift + 4 * (2 * i + 1); j < most;
              j++, t += 15, r += 4) {
             a = j > i ? 2.0 : 1.0;
@@ -321,7 +350,7 @@ static int ball(int n, int depth, double *x)
         a = s[0], b = s[1], c = s[2], d = s[3];
         if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
         if (rows++ % ROWS2 == ROWS2 - 1) carry(n5, 1, sum);
-        most = least(n3, n5 - 1 - i);
+        most = lesser(n3, n5 - 1 - i);
         for (j = 0, t = det, r = sum + i + 1; j < most; j++, t += 4, r++)
             *r += b * t[1] - a * t[0] + d * t[3] - c * t[2];
     }
@@ -343,6 +372,23 @@ static double leading(int n, const double *r, int step, int *at)
     last = i + LEADING < n ? i + LEADING : n;
     while (--last >= i) sum = sum / BASE + r[step * last];
     return sum;
+}
+
+/* shares - the n absolute values w of numbers, whose leading limbs are limbs
+ * at, over their sum: each right to 12 eps of itself, as the numbers to 3 eps,
+ * or underflowed.  Left alone if all are 0. */
+static void shares(int n, const int *at, double *w)
+{
+    double sum = 0.0;
+    int top = INT_MAX, k;
+
+    for (k = 0; k < n; k++)
+        if (w[k] != 0.0) top = lesser(top, at[k]);
+    for (k = 0; k < n; k++) {
+        if (w[k] != 0.0) w[k] = fabs(ldexp(w[k], (top - at[k]) * HH_BITS));
+        sum += w[k];
+    }
+    for (k = 0; k < n && sum > 0.0; k++) w[k] /= sum;
 }
 
 /* region - the face of a triangle whose interior has the triangle's point
@@ -368,17 +414,17 @@ static int region(const double *dot, const double *area)
     return 7;
 }
 
-/* foot - region, and the weights w of the vertices in that point: each right
- * to 16 eps of itself, by its leading limbs, or underflowed.  x: the rows b-a,
- * c-a, q-a of a triangle a, b, c, of n limbs, as of spread, in 42n doubles.
- * With sides s and offsets o = q - vertex
+/* foot - region, and the weights w of the vertices in that point: shares of
+ * areas or, on a side, of products with it.  x: the rows b-a, c-a, q-a of a
+ * triangle a, b, c, of n limbs, as of spread, in 42n doubles.  With sides s and
+ * offsets o = q - vertex
  *     area[k] = (s_i.o_j) (s_k.o_i) - (s_i.o_i) (s_k.o_j), i, j, k cyclic. */
 static int foot(int n, double *x, double *w)
 {
     double *dot = x + 12 * n, *area = dot + 18 * n, *r;
-    double side[9], off[9], value[12], sum = 0.0;
+    double side[9], off[9], value[12];
     const double *s, *t;
-    int at[12], from[3], i, j, k, l, m, rest, rows = 0, top = 4 * n, set;
+    int at[12], from[3], i, j, k, l, m, rest, rows = 0, set;
 
     zeros(30 * n, dot);
     for (i = 0, s = x; i < n; i++, s += 12) {
@@ -429,23 +475,33 @@ static int foot(int n, double *x, double *w)
         if (w[(k + 2) % 3] > 0.0) continue;
         from[k] = 3 * k + l;
         from[l] = 4 * k;
-        value[from[k]] = -value[from[k]];
     }
-    for (k = 0; k < 3; k++)
-        if (w[k] > 0.0) top = least(top, at[from[k]]);
     for (k = 0; k < 3; k++) {
-        if (w[k] > 0.0)
-            w[k] = ldexp(value[from[k]], (top - at[from[k]]) * HH_BITS);
-        sum += w[k];
+        w[k] *= value[from[k]];
+        from[k] = at[from[k]];
     }
-    for (k = 0; k < 3; k++) w[k] /= sum;
+    shares(3, from, w);
     return set;
 }
 
+/* weigh - the weights w of the point e in the tetrahedron a, b, c, d that holds
+ * it: shares of the volumes of the four tetrahedra that have e in the place of
+ * a vertex.  x: the rows a-e, b-e, c-e, d-e, of n limbs, as of spread, in 39n
+ * doubles. */
+static void weigh(int n, double *x, double *w)
+{
+    int at[4], k;
+
+    cofactors(n, 3 * n, x);
+    for (k = 0; k < 4; k++)
+        w[k] = leading(3 * n, x + 27 * n + k, 4, at + k);
+    shares(4, at, w);
+}
+
 /* limbsg - with n limbs, volume for np = 4 points q, or minus foot if there is
- * a w, ball for 5; UNSURE when n limbs do not hold the points.  work: 44n
- * doubles.  Limbs 0 that are 0 in all rows are left out as long as the next
- * ones may be limbs 0. */
+ * a w; ball for 5, or weigh and 0; UNSURE when n limbs do not hold the points.
+ * work: 44n doubles.  Limbs 0 that are 0 in all rows are left out as long as
+ * the next ones may be limbs 0. */
 static int limbsg(int np, const double *q, double top, int n, double *work,
                   double *w)
 {
@@ -460,6 +516,10 @@ static int limbsg(int np, const double *q, double top, int n, double *work,
     }
     if (np == 4 && w) return -foot(used, work, w);
     if (np == 4) return volume(used, work);
+    if (w) {
+        weigh(used, work, w);
+        return 0;
+    }
     if (5 * used > 2 * LEAD) sign = ball(used, LEAD, work);
     return sign == UNSURE ? ball(used, 5 * used, work) : sign;
 }
@@ -549,16 +609,6 @@ static int centre(int n, const double *x, double *work)
     return first;
 }
 
-/* weight - the weight of limb 0 of numbers of at most most > 0: most fills
- * it. */
-static double weight(double most)
-{
-    int e;
-
-    frexp(most, &e);
-    return ldexp(1.0, e + 2 - HH_BITS);
-}
-
 /* certain - the sign of det, certain beyond err or when exact. */
 static int certain(double det, double perm, double factor, double t)
 {
@@ -620,26 +670,20 @@ static int balanced(int np, const double *q)
             perm[set] += fabs(x) * perm[set - bit];
         }
     }
-    return certain(det[set - 1], perm[set - 1], 64.0, -1.0);
+    x = np == 4 ? -det[set - 1] : det[set - 1];
+    return certain(x, perm[set - 1], 64.0, -1.0);
 }
 #endif
 
-/* exact - limbsg with as many limbs as it takes; alters q. */
-static int exact(int np, double *q, double *w)
+/* exact - limbsg with as many limbs as it takes; most is the largest absolute
+ * value of q, which it alters. */
+static int exact(int np, double *q, double most, double *w)
 {
-    double most = 0.0, top;
-    int i, sign;
+    double top, factor;
+    int sign;
 
-    for (i = 0; i < 3 * np; i++) {
-        if (q[i] > most) most = q[i];
-        if (-q[i] > most) most = -q[i];
-    }
     if (most == 0.0) return 0;
-    if (most < LOW) {
-        shift(3 * np, q);
-        most *= SHIFT;
-    }
-    top = weight(most);
+    top = fill(3 * np, q, most, &factor);
     sign = limbs3(np, q, top, w);
 #if HH_LIMBS > 10
     if (sign == UNSURE) sign = limbs10(np, q, top, w);
@@ -828,10 +872,11 @@ static int filt5(const double *a, const double *b, const double *c,
 #define SAFE FEW
 #endif
 
-/* opposite - minus a sign, if it is one. */
-static int opposite(int sign)
+/* filter - the orientation of np = 4 points q, or filt5 of 5; or UNSURE. */
+static int filter(int np, const double *q, double t)
 {
-    return sign == UNSURE ? UNSURE : -sign;
+    return np == 4 ? filt3(q, q + 3, q + 6, q + 9, t)
+                   : filt5(q, q + 3, q + 6, q + 9, q + 12, t);
 }
 
 /* pack - q = the coordinates of np points p.  Returns the largest absolute
@@ -866,45 +911,47 @@ static int scale(int n, double most, const double *q, double *s)
     return e;
 }
 
+/* robust - the exact orientation of np = 4 points p, or sign of I of 5, where
+ * the limbs hold them; else UNSURE. */
+static int robust(int np, const tess_real *const *p)
+{
+    double q[15], s[15], most = pack(np, p, q);
+    int sign;
+
+    if (!precise(p[0][0] > p[3][0] ? 1 : 3) || (most < SAFE && !held(np, p)))
+        return UNSURE;
+    scale(3 * np, most, q, s);
+    sign = filter(np, s, -1.0);
+    if (sign == UNSURE && held(np, p)) sign = exact(np, q, most, NULL);
+    return sign;
+}
+
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
               const tess_real *d)
 {
     const tess_real *p[4];
-    double q[12], s[12], most;
-    int sign;
 
     p[0] = a;
     p[1] = b;
     p[2] = c;
     p[3] = d;
-    most = pack(4, p, q);
-    if (!precise(a[0] > d[0] ? 1 : 3) || (most < SAFE && !held(4, p)))
-        return UNSURE;
-    scale(12, most, q, s);
-    sign = filt3(s, s + 3, s + 6, s + 9, -1.0);
-    /* the determinant of the rows a-d, b-d, c-d is minus this one */
-    if (sign == UNSURE && held(4, p)) sign = opposite(exact(4, q, NULL));
-    return sign;
+    return robust(4, p);
 }
 
 int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
                 const tess_real *d, const tess_real *e)
 {
     const tess_real *p[5];
-    double q[15], s[15], most;
-    int side = hh_orient(a, b, c, d), sign;
+    int side, sign;
 
-    if (side == 0 || side == UNSURE) return side;
     p[0] = a;
     p[1] = b;
     p[2] = c;
     p[3] = d;
     p[4] = e;
-    most = pack(5, p, q);
-    if (most < SAFE && !held(5, p)) return UNSURE;
-    scale(15, most, q, s);
-    sign = filt5(s, s + 3, s + 6, s + 9, s + 12, -1.0);
-    if (sign == UNSURE && held(5, p)) sign = exact(5, q, NULL);
+    side = robust(4, p);
+    if (side == 0 || side == UNSURE) return side;
+    sign = robust(5, p);
     return sign == UNSURE ? UNSURE : -side * sign;
 }
 
@@ -914,9 +961,8 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
 int hh_flat(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c)
 {
-    tess_real qa[3], qb[3], qc[3], top[3];
     const tess_real *p[3];
-    double q[9];
+    double q[12], most;
     int i = axis == 2 ? 0 : axis + 1, k = axis == 0 ? 2 : axis - 1;
     double bi = (double)b[i] - a[i], ck = (double)c[k] - a[k];
     double bk = (double)b[k] - a[k], ci = (double)c[i] - a[i];
@@ -928,18 +974,16 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
         if (det > err + 1.0 / SHIFT) return 1;
         if (det < -err - 1.0 / SHIFT) return -1;
     }
-    for (k = 0; k < 3; k++) {
-        qa[k] = top[k] = a[k];
-        qb[k] = b[k];
-        qc[k] = c[k];
-    }
-    qa[axis] = qb[axis] = qc[axis] = 0;
-    /* any height will do that needs no more limbs than the points */
-    p[0] = qa;
-    p[1] = qb;
-    p[2] = qc;
-    top[axis] = (tess_real)pack(3, p, q);
-    return hh_orient(qa, qb, qc, top);
+    p[0] = a;
+    p[1] = b;
+    p[2] = c;
+    if (!held(3, p)) return UNSURE;
+    most = pack(3, p, q);
+    /* any point on that side will do that needs no more limbs */
+    for (k = 0; k < 3; k++) q[9 + k] = q[k];
+    q[axis] = q[3 + axis] = q[6 + axis] = 0.0;
+    q[9 + axis] = most;
+    return exact(4, q, most, NULL);
 }
 
 /* hh_line - are a, b, c exactly collinear? */
@@ -1010,63 +1054,60 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
         set = closest(s);
     }
     if (set == 0 && held(4, p)) {
-        set = -exact(4, x, w ? w : any);
+        set = -exact(4, x, most, w ? w : any);
         if (set == -UNSURE) set = 0;
     }
     return set;
 }
 
-/* widersg - with n limbs, the sign of q[0] + q[1] - q[2] - q[3]; UNSURE when
- * they do not hold q.  work: 2n doubles. */
-static int widersg(const double *q, double top, int n, double *work)
+/* hh_weigh - exact: the barycentric weights w of q in the tetrahedron v of
+ * points p, which holds it: the sum of w[k] (vertex k - q) vanishes.  Each is
+ * right to 12 eps of itself, or underflows, however thin the tetrahedron is;
+ * none is negative, and w[k] is 0 where q is in the plane of the facet opposite
+ * to vertex k.  Returns 0, or UNSURE where the limbs do not hold the points
+ * (see hh_orient). */
+int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
+             double *w)
 {
-    double *limb = work, *sum = work + n;
-    int i, k, used;
+    const tess_real *r[5];
+    double x[15];
+    int k;
 
-    zeros(n, sum);
-    for (i = 0; i < 4; i++) {
-        used = split(1, q + i, top, n, limb);
-        if (used > n) return UNSURE;
-        for (k = 0; k < used; k++) sum[k] += i < 2 ? limb[k] : -limb[k];
-    }
-    return signof(n, 0.0, sum);
+    for (k = 0; k < 4; k++) r[k] = p + 3 * (size_t)v[k];
+    r[4] = q;
+    return held(5, r) ? exact(5, x, pack(5, r, x), w) : UNSURE;
 }
 
-/* hh_wider - the exact sign of (a-b) - (c-d), for a >= b and c >= d. */
+/* hh_wider - the exact sign of (a-b) - (c-d), for a >= b and c >= d.  Where
+ * double precision does not tell, the orientation of four points does: with m
+ * the largest of the numbers in absolute value,
+ *     det [(m,m,d)-(0,0,a)  (m,0,b)-(0,0,a)  (0,m,c)-(0,0,a)] =
+ *         m^2 ((a-b) - (c-d)). */
 int hh_wider(double a, double b, double c, double d)
 {
-    double x = 0.25 * a - 0.25 * b, y = 0.25 * c - 0.25 * d;
+    double x = 0.25 * a - 0.25 * b, y = 0.25 * c - 0.25 * d, m = 0.0, q[12];
     double err = 4.0 * DBL_EPSILON * (x + y) + TINY;
-    double q[4], work[2 * HH_LIMBS], top, most = 0.0;
-    int i, sign;
+    int k;
 
     if (x - y > err) return 1;
     if (y - x > err) return -1;
-    q[0] = a;
-    q[1] = d;
-    q[2] = b;
-    q[3] = c;
-    for (i = 0; i < 4; i++) most = fabs(q[i]) > most ? fabs(q[i]) : most;
-    if (most == 0.0) return 0;
-    if (most < LOW) {
-        shift(4, q);
-        most *= SHIFT;
-    }
-    top = weight(most);
-    sign = widersg(q, top, 3, work);
-    return sign == UNSURE ? widersg(q, top, HH_LIMBS, work) : sign;
+    zeros(12, q);
+    q[2] = a;
+    q[5] = d;
+    q[8] = b;
+    q[11] = c;
+    for (k = 2; k < 12; k += 3) m = fabs(q[k]) > m ? fabs(q[k]) : m;
+    q[3] = q[4] = q[6] = q[10] = m;
+    return exact(4, q, m, NULL);
 }
 
 /* hh_range - 0 when HH_LIMBS limbs hold x beside coordinates of absolute
  * value most > 0, else UNSURE. */
 int hh_range(double x, double most)
 {
-    double limb[HH_LIMBS], f = most < LOW ? SHIFT : 1.0;
-    int used;
+    double limb[HH_LIMBS], factor, top = fill(1, &x, most, &factor);
 
-    x *= f;
-    used = split(1, &x, weight(most * f), HH_LIMBS, limb);
-    return used > HH_LIMBS ? UNSURE : 0;
+    return split(1, &x, top, HH_LIMBS, limb) > HH_LIMBS ? UNSURE : 0;
 }
 
 /* apart - q = the coordinates of np points p in units of their own, if x, the
@@ -1103,25 +1144,33 @@ static int corners(int np, const tess_real *const *p, double *q)
     return 1;
 }
 
+/* decide - robust for np positions v of the set s that a filter leaves open. */
+static int decide(const hh_set *s, int np, const tess_int *v)
+{
+    const tess_real *p[5];
+    double q[15];
+    int n, sign = UNSURE;
+
+    for (n = 0; n < np; n++) p[n] = s->p + 3 * s->order[v[n]];
+    /* the corners of a box are on one sphere */
+    if (corners(np, p, q)) return np == 5 ? 0 : filter(4, q, 64.0);
+    if (apart(s->x + 3 * v[0], np, p, q)) sign = filter(np, q, -1.0);
+    return sign == UNSURE ? exact(np, q, pack(np, p, q), NULL) : sign;
+}
+
 /* hh_pside - hh_orient for the positions i, j, k, l of the set s. */
 int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
 {
-    const tess_real *p[4];
-    double q[12];
+    tess_int v[4];
     int sign = filt3(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k, s->x + 3 * l,
                      s->t3);
 
     if (sign != UNSURE) return sign;
-    p[0] = s->p + 3 * s->order[i];
-    p[1] = s->p + 3 * s->order[j];
-    p[2] = s->p + 3 * s->order[k];
-    p[3] = s->p + 3 * s->order[l];
-    if (corners(4, p, q)) return filt3(q, q + 3, q + 6, q + 9, 64.0);
-    if (apart(s->x + 3 * i, 4, p, q))
-        sign = filt3(q, q + 3, q + 6, q + 9, -1.0);
-    if (sign != UNSURE) return sign;
-    pack(4, p, q);
-    return opposite(exact(4, q, NULL));
+    v[0] = i;
+    v[1] = j;
+    v[2] = k;
+    v[3] = l;
+    return decide(s, 4, v);
 }
 
 /* ---------------------------------------------------------------------
@@ -1169,27 +1218,10 @@ static int tied(const hh_set *s, const tess_int *v, int positive)
 /* perturb - the sign of I; where it is 0, rule times that of tied. */
 static int perturb(const hh_set *s, const tess_int *v, int positive, int rule)
 {
-    const tess_real *p[5];
-    double q[15];
-    int n, sign;
+    int sign = filt5(s->x + 3 * v[0], s->x + 3 * v[1], s->x + 3 * v[2],
+                     s->x + 3 * v[3], s->x + 3 * v[4], s->t5);
 
-    sign = filt5(s->x + 3 * v[0], s->x + 3 * v[1], s->x + 3 * v[2],
-                 s->x + 3 * v[3], s->x + 3 * v[4], s->t5);
-    if (sign == UNSURE) {
-        for (n = 0; n < 5; n++) p[n] = s->p + 3 * s->order[v[n]];
-        /* the corners of a box are on one sphere */
-        sign = 0;
-        if (!corners(5, p, q)) {
-            if (apart(s->x + 3 * v[0], 5, p, q))
-                sign = filt5(q, q + 3, q + 6, q + 9, q + 12, -1.0);
-            else
-                sign = UNSURE;
-        }
-        if (sign == UNSURE) {
-            pack(5, p, q);
-            sign = exact(5, q, NULL);
-        }
-    }
+    if (sign == UNSURE) sign = decide(s, 5, v);
     return sign != 0 || !rule ? sign : rule * tied(s, v, positive);
 }
 
@@ -1239,9 +1271,7 @@ static int rows(const hh_set *s, const tess_int *v, double *x, double *top,
 
     for (i = 0; i < 4; i++) p[i] = s->p + 3 * s->order[v[i]];
     most = pack(4, p, q);
-    *factor = most < LOW ? SHIFT : 1.0;
-    if (most < LOW) shift(12, q);
-    *top = 2.0 * weight(*factor * most);
+    *top = 2.0 * fill(12, q, most, factor);
     frexp(*top, e);
     *e -= 1 + s->e + (most < LOW ? SKIP * HH_BITS : 0);
     if (spread(4, q, *top, 3, x) <= 3) return 3;
@@ -1335,21 +1365,6 @@ static void form(const double *row, int n, int first, const double *u,
     }
 }
 
-/* sure - the sign of form's sum, or UNSURE: a partial sum of more than 2 CARRY
- * decides, as in signof. */
-static int sure(const double *sum)
-{
-    double s = 0.0;
-    int i;
-
-    for (i = 0; i <= HH_ROWS; i++) {
-        s = s * BASE + sum[i];
-        if (s > 2.0 * CARRY) return 1;
-        if (s < -2.0 * CARRY) return -1;
-    }
-    return UNSURE;
-}
-
 /* offset - the limbs u of the position z, seen from the base of a ball; 0 where
  * its limbs do not hold them. */
 static int offset(const hh_set *s, const hh_ball *t, tess_int z, double *u)
@@ -1384,6 +1399,20 @@ static void squared(int n, int first, const double *u, double *l)
     carry(2 * n, 1, l);
 }
 
+/* level - sum = the leading limbs of the height of the position z below the
+ * plane of a ball's facet, if plane is 1, else of its power in the ball: see
+ * form.  Returns 0 where the limbs do not hold it. */
+static int level(const hh_set *s, const hh_ball *t, tess_int z, int plane,
+                 double *sum)
+{
+    double u[3 * HH_FEW], l[2 * HH_FEW];
+
+    if (!offset(s, t, z, u)) return 0;
+    if (!plane) squared(t->n, t->first, u, l);
+    form(plane ? t->side : t->power, t->n, t->first, u, l, sum);
+    return 1;
+}
+
 /* hh_trial - by a few leading limbs, in a tenth of the time of the exact signs:
  * if *side is 0, *side = the side of the position z for the facet of hh_centre,
  * or UNSURE; unless it is -1, *power = the sign of z's power in the ball, or
@@ -1392,22 +1421,16 @@ static void squared(int n, int first, const double *u, double *l)
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power)
 {
-    double u[3 * HH_FEW], l[2 * HH_FEW], sum[HH_ROWS + 1];
+    double sum[HH_ROWS + 1];
 
     *power = UNSURE;
-    if (!offset(s, t, z, u)) {
-        if (*side == 0) *side = UNSURE;
-        return;
-    }
     if (*side == 0) {
-        form(t->side, t->n, t->first, u, u, sum);
-        *side = sure(sum);
+        *side = level(s, t, z, 1, sum) ? signof(HH_ROWS + 1, CARRY, sum)
+                                       : UNSURE;
         if (*side != UNSURE) *side = -*side;
     }
-    if (*side < 0) return;
-    squared(t->n, t->first, u, l);
-    form(t->power, t->n, t->first, u, l, sum);
-    *power = sure(sum);
+    if (*side >= 0 && level(s, t, z, 0, sum))
+        *power = signof(HH_ROWS + 1, CARRY, sum);
 }
 
 /* hh_unit - what hh_height divides by: D, or, if plane is 1, the length of the
@@ -1439,17 +1462,11 @@ void hh_unit(hh_ball *t, int plane, double *c)
 double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
                  double *err)
 {
-    double u[3 * HH_FEW], l[2 * HH_FEW], sum[HH_ROWS + 1], h;
+    double sum[HH_ROWS + 1], h;
     int at;
 
     *err = DBL_MAX;
-    if (!offset(s, t, z, u)) return 0.0;
-    if (plane)
-        form(t->side, t->n, t->first, u, u, sum);
-    else {
-        squared(t->n, t->first, u, l);
-        form(t->power, t->n, t->first, u, l, sum);
-    }
+    if (!level(s, t, z, plane, sum)) return 0.0;
     carry(HH_ROWS + 1, 1, sum);
     h = leading(HH_ROWS + 1, sum, 1, &at);
     h = ldexp(h / t->unit, t->bits - at * HH_BITS);
@@ -1477,7 +1494,7 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
     double x[12 * HH_FEW], work[39 * HH_FEW], m[3], d[3], a, b, norm, top;
     double factor, aa = 0.0, bb = 0.0;
     tess_int w[4];
-    int i, j, k, n, e, at[3], least;
+    int i, j, k, n, e, at[3], first;
 
     for (k = 0; k < 3; k++) w[k] = v[(base + 1 + k) % 3];
     w[3] = w[2];
@@ -1486,17 +1503,16 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
     centre(n, x, work);
     for (k = 0; k < 3; k++)
         m[k] = leading(2 * n, work + 15 * n + 6 + k, 9, at + k);
-    least = at[0] < at[1] ? at[0] : at[1];
-    least = at[2] < least ? at[2] : least;
+    first = lesser(at[0], lesser(at[1], at[2]));
     for (k = 0; k < 3; k++) {
-        m[k] = ldexp(m[k], (least - at[k]) * HH_BITS);
+        m[k] = ldexp(m[k], (first - at[k]) * HH_BITS);
         a = p2[k] - p1[k];
         b = p3[k] - p1[k];
         aa += a * a;
         bb += b * b;
     }
     norm = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
-    e = 2 * e + (1 - least) * HH_BITS;
+    e = 2 * e + (1 - first) * HH_BITS;
     if (e < -CENTRE || aa < HH_SMALL || bb < HH_SMALL) return;
     for (k = 0; k < 3; k++) {
         m[k] /= norm;
@@ -1615,32 +1631,6 @@ void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
     }
 }
 
-/* hh_bound - the side of z and its L-coordinate with a bound.  Returns 1 when
- * z is certainly on the positive side, and not too near to the plane: then *l
- * is L and *dl its greatest error; -1 when it is certainly on the negative
- * side; 0 when neither is certain.
- *
- * |w|_1 stands for |w| in the bounds: it does not underflow.  A side of more
- * than twice its error leaves a gap of at least half of it, which spares a
- * division. */
-int hh_bound(const double *f, const double *z, double *l, double *dl)
-{
-    double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
-    double size = fabs(w0) + fabs(w1) + fabs(w2);
-    double side = f[0] * w0 + f[1] * w1 + f[2] * w2, err = f[9] * size, half;
-
-    if (size < HH_SMALL || f[9] > HH_LOOSE) return 0;
-    if (side > 2.0 * err && side > HH_SMALL) {
-        half = 0.5 / side;
-        *l = HH_POWER(w0, w1, w2, f + 3) * half;
-        *dl = size * (DBL_EPSILON * (3.0 * size + 5.0 * f[11]) + f[10] +
-                      fabs(*l) * f[9]) * (4.0 * half) +
-              4.0 * DBL_EPSILON * fabs(*l);
-        return 1;
-    }
-    return -side > err ? -1 : 0;
-}
-
 /* hh_ratio - limits of the L-coordinate of z, whose side is between least >= 0
  * and most: *lo and *hi are left as they are where there are none.
  *
@@ -1669,28 +1659,39 @@ void hh_ratio(const double *f, const double *z, double least, double most,
         *hi = (power + err) / (2.0 * least);
 }
 
-/* hh_limits - hh_bound, with limits of L instead: if z is on the positive side
- * its L-coordinate is at least *lo and at most *hi, +-DBL_MAX where there is no
- * limit.  Where the side is not certain it is at most side + err, if positive
- * at all: a power that is certainly not 0 then limits L on the side of 0.  A
- * side + 2 err in the place of that has room for the last roundings: err is at
- * least 260 eps size, and |side| at most size. */
+/* hh_limits - the side of z, and limits of its L-coordinate: -DBL_MAX, DBL_MAX
+ * where there are none.  Returns 1 if z is certainly on the positive side and
+ * not too near the plane; -1 if it is certainly on the negative side; 0 if
+ * neither is certain: then the limits hold if z is on the positive side.
+ *
+ * |w|_1 stands for |w| in the bounds: it does not underflow.  A side of more
+ * than twice its error leaves a gap of at least half of it, which spares a
+ * division.  An uncertain side is at most side + err, if positive at all: a
+ * power that is certainly not 0 then limits L on the side of 0.  side + 2 err
+ * in its place leaves room for the last roundings: err is at least 260 eps
+ * size, and |side| at most size. */
 int hh_limits(const double *f, const double *z, double *lo, double *hi)
 {
     double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
-    double size = fabs(w0) + fabs(w1) + fabs(w2), l, dl;
-    int side = hh_bound(f, z, &l, &dl);
+    double size = fabs(w0) + fabs(w1) + fabs(w2), half, l, dl;
+    double side = f[0] * w0 + f[1] * w1 + f[2] * w2, err = f[9] * size;
 
     *lo = -DBL_MAX;
     *hi = DBL_MAX;
-    if (side > 0) {
+    if (size < HH_SMALL || f[9] > HH_LOOSE) return 0;
+    if (side > 2.0 * err && side > HH_SMALL) {
+        half = 0.5 / side;
+        l = HH_POWER(w0, w1, w2, f + 3) * half;
+        dl = size * (DBL_EPSILON * (3.0 * size + 5.0 * f[11]) + f[10] +
+                     fabs(l) * f[9]) * (4.0 * half) +
+             4.0 * DBL_EPSILON * fabs(l);
         *lo = l - dl;
         *hi = l + dl;
+        return 1;
     }
-    if (side == 0 && size >= HH_SMALL && f[9] <= HH_LOOSE)
-        hh_ratio(f, z, 0.0,
-                 f[0] * w0 + f[1] * w1 + f[2] * w2 + 2.0 * f[9] * size, lo, hi);
-    return side;
+    if (-side > err) return -1;
+    hh_ratio(f, z, 0.0, side + 2.0 * err, lo, hi);
+    return 0;
 }
 
 int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,

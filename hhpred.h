@@ -48,72 +48,47 @@ typedef double tess_real;
 
 /* A caller compiled with other types than the library would get nonsense.
  * So types other than the default ones change the external names, and the
- * linker finds tess, or tl_tess, undefined.  In place of tess_ and hh_ names
- * begin with tl_ and hl_ for TESS_INT=long, ts_ and hs_ for short, to_ and
- * ho_ for another type; tf_ and hf_ for TESS_FLOAT, and with TESS_INT
- * besides tm_, tg_, tq_.  Programs use the names of the manual all the same. */
-#ifdef TESS_INT
-#define TESS_IS_short 1
-#define TESS_IS_int 2
-#define TESS_IS_long 3
-#define TESS_IS_2(type) TESS_IS_##type
-#define TESS_IS_1(type) TESS_IS_2(type)
-#define TESS_IS TESS_IS_1(TESS_INT)
-#if TESS_IS == (INT_MAX >= 2147483647 ? 2 : 3)
-#define TESS_USUAL
-#endif
+ * linker finds tess, or tess__long, undefined: each name ends in the type that
+ * TESS_INT names, and in float for TESS_FLOAT.  Programs use the names of the
+ * manual all the same. */
+#if defined(TESS_INT) || defined(TESS_FLOAT)
+#define TESS_OTHER
+#ifndef TESS_FLOAT
+#define TESS_AS_2(name, type) name##_##type
+#elif defined(TESS_INT)
+#define TESS_AS_2(name, type) name##_##type##_float
 #else
-#define TESS_USUAL
+#define TESS_AS_2(name, type) name##_float
 #endif
-#ifdef TESS_USUAL
-#ifdef TESS_FLOAT
-#define TESS_LETTER f
-#endif
-#elif defined(TESS_FLOAT)
-#if TESS_IS == 1
-#define TESS_LETTER g
-#elif TESS_IS == 3
-#define TESS_LETTER m
+#define TESS_AS_1(name, type) TESS_AS_2(name, type)
+#define TESS_AS(name) TESS_AS_1(name, TESS_INT)
+#define hh_facet TESS_AS(hh_facet)
+#define hh_side TESS_AS(hh_side)
+#define hh_opp TESS_AS(hh_opp)
+#define hh_lcoord TESS_AS(hh_lcoord)
+#define hh_wrap TESS_AS(hh_wrap)
+#define hh_orient TESS_AS(hh_orient)
+#define hh_insphere TESS_AS(hh_insphere)
+#define hh_setup TESS_AS(hh_setup)
+#define hh_ratio TESS_AS(hh_ratio)
+#define hh_limits TESS_AS(hh_limits)
+#define hh_pside TESS_AS(hh_pside)
+#define hh_pball TESS_AS(hh_pball)
+#define hh_pbeat TESS_AS(hh_pbeat)
+#define hh_trial TESS_AS(hh_trial)
+#define hh_unit TESS_AS(hh_unit)
+#define hh_height TESS_AS(hh_height)
+#define hh_thin TESS_AS(hh_thin)
+#define hh_flat TESS_AS(hh_flat)
+#define hh_line TESS_AS(hh_line)
+#define hh_foot TESS_AS(hh_foot)
+#define hh_weigh TESS_AS(hh_weigh)
+#define hh_wider TESS_AS(hh_wider)
+#define hh_range TESS_AS(hh_range)
+#define hh_finite TESS_AS(hh_finite)
+#define hh_holds TESS_AS(hh_holds)
 #else
-#define TESS_LETTER q
-#endif
-#elif TESS_IS == 1
-#define TESS_LETTER s
-#elif TESS_IS == 3
-#define TESS_LETTER l
-#else
-#define TESS_LETTER o
-#endif
-#ifdef TESS_LETTER
-#define TESS_AS_3(first, letter, name) first##letter##name
-#define TESS_AS_2(first, letter, name) TESS_AS_3(first, letter, name)
-#define TESS_AS(first, name) TESS_AS_2(first, TESS_LETTER, _##name)
-#define hh_facet TESS_AS(h, facet)
-#define hh_side TESS_AS(h, side)
-#define hh_opp TESS_AS(h, opp)
-#define hh_lcoord TESS_AS(h, lcoord)
-#define hh_wrap TESS_AS(h, wrap)
-#define hh_orient TESS_AS(h, orient)
-#define hh_insphere TESS_AS(h, insphere)
-#define hh_setup TESS_AS(h, setup)
-#define hh_bound TESS_AS(h, bound)
-#define hh_ratio TESS_AS(h, ratio)
-#define hh_limits TESS_AS(h, limits)
-#define hh_pside TESS_AS(h, pside)
-#define hh_pball TESS_AS(h, pball)
-#define hh_pbeat TESS_AS(h, pbeat)
-#define hh_centre TESS_AS(h, centre)
-#define hh_trial TESS_AS(h, trial)
-#define hh_unit TESS_AS(h, unit)
-#define hh_height TESS_AS(h, height)
-#define hh_thin TESS_AS(h, thin)
-#define hh_flat TESS_AS(h, flat)
-#define hh_line TESS_AS(h, line)
-#define hh_foot TESS_AS(h, foot)
-#define hh_wider TESS_AS(h, wider)
-#define hh_range TESS_AS(h, range)
-#define hh_finite TESS_AS(h, finite)
-#define hh_holds TESS_AS(h, holds)
+#define TESS_AS(name) name
 #endif
 
 /* Exact numbers are arrays of at most HH_LIMBS limbs of HH_BITS bits each.
@@ -150,26 +125,10 @@ typedef double tess_real;
 #endif
 /* Leading rows of a ball's numbers that are kept. */
 #define HH_ROWS 6
-/* HH_FEW is the size of a ball, so the names change with it, too. */
-#if HH_FEW != 10
-#define HH_AS_2(name, few) name##few
+/* HH_FEW is the size of a ball, so the name of what makes one tells it. */
+#define HH_AS_2(name, few) name##_##few
 #define HH_AS_1(name, few) HH_AS_2(name, few)
-#undef hh_centre
-#undef hh_trial
-#undef hh_unit
-#undef hh_height
-#ifndef TESS_LETTER
-#define hh_centre HH_AS_1(hc, HH_FEW)
-#define hh_trial HH_AS_1(ht, HH_FEW)
-#define hh_unit HH_AS_1(hu, HH_FEW)
-#define hh_height HH_AS_1(hg, HH_FEW)
-#else
-#define hh_centre HH_AS_1(TESS_AS(h, ce), HH_FEW)
-#define hh_trial HH_AS_1(TESS_AS(h, tr), HH_FEW)
-#define hh_unit HH_AS_1(TESS_AS(h, un), HH_FEW)
-#define hh_height HH_AS_1(TESS_AS(h, he), HH_FEW)
-#endif
-#endif
+#define hh_centre HH_AS_1(TESS_AS(hh_centre), HH_FEW)
 
 #define HH_FACET_LEN 12
 
@@ -296,7 +255,6 @@ typedef struct hh_ball {
 
 /* Details in hhpred.c. */
 void hh_setup(const double *p1, const double *p2, const double *p3, double *f);
-int hh_bound(const double *f, const double *z, double *l, double *dl);
 void hh_ratio(const double *f, const double *z, double least, double most,
               double *lo, double *hi);
 int hh_limits(const double *f, const double *z, double *lo, double *hi);
@@ -318,6 +276,8 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
 int hh_line(const tess_real *a, const tess_real *b, const tess_real *c);
 int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
             const tess_real *q, double *w);
+int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
+             double *w);
 int hh_wider(double a, double b, double c, double d);
 int hh_range(double x, double most);
 tess_int hh_finite(tess_int n, const tess_real *p);

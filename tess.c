@@ -93,9 +93,8 @@
  *   entries      tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
  *   queries      qside inbox
- *   location     distance sample walk holds sweep elimin backsu unite balanc
- *                weigh hullstep place turn nearhull tess_locate
- *                tess_values nearby tess_query
+ *   location     distance sample walk holds sweep hullstep place turn
+ *                nearhull tess_locate tess_values nearby tess_query
  *   hull, check  tess_hull merge sortpt marks chkpla chkidx chkfac chktet
  *                chkedg chkhul chkcov tess_check
  *   a ball       tess_ball
@@ -3702,157 +3701,6 @@ static int sweep(const tess_real *p, tess_int ntet, const tess_int *tet,
     return 1;
 }
 
-/* elimin - Gaussian elimination with complete pivoting on the 3 by m matrix of
- * the columns a[3*col[j]...]; col and row come out in the order of the
- * pivots.  Returns their number, at most m - 1. */
-static int elimin(double *a, int m, int *col, int *row)
-{
-    double f, most;
-    int i, j, n, pi, pj;
-
-    for (i = 0; i < 3; i++) row[i] = i;
-    for (n = 0; n < m - 1; n++) {
-        most = 0.0;
-        pi = pj = n;
-        for (j = n; j < m; j++)
-            for (i = n; i < 3; i++) {
-                f = fabs(a[3 * col[j] + row[i]]);
-                if (f > most) {
-                    most = f;
-                    pi = i;
-                    pj = j;
-                }
-            }
-        if (most == 0.0) return n;
-        i = row[pi];
-        row[pi] = row[n];
-        row[n] = i;
-        j = col[pj];
-        col[pj] = col[n];
-        col[n] = j;
-        for (i = n + 1; i < 3; i++) {
-            f = a[3 * col[n] + row[i]] / a[3 * col[n] + row[n]];
-            for (j = n + 1; j < m; j++)
-                a[3 * col[j] + row[i]] -= f * a[3 * col[j] + row[n]];
-        }
-    }
-    return m - 1;
-}
-
-/* backsu - w of the columns col[0..n] from what elimin left, w[col[n]] = 1.
- * No |w| exceeds 4, as a pivot is the largest number in its row. */
-static void backsu(const double *a, int n, const int *col, const int *row,
-                   double *w)
-{
-    double f;
-    int i, j;
-
-    w[col[n]] = 1.0;
-    for (j = n - 1; j >= 0; j--) {
-        f = 0.0;
-        for (i = j + 1; i <= n; i++) f -= a[3 * col[i] + row[j]] * w[col[i]];
-        w[col[j]] = f / a[3 * col[j] + row[j]];
-    }
-}
-
-/* unite - divide w by its sum, if that is not too small; returns the sum. */
-static double unite(double *w)
-{
-    double sum = w[0] + w[1] + w[2] + w[3];
-    int k;
-
-    if (fabs(sum) >= DBL_EPSILON)
-        for (k = 0; k < 4; k++) w[k] /= sum;
-    return sum;
-}
-
-/* balanc - weights w of sum 1 for which the sum of w[k] times column k of r is
- * as small as rounding lets it be, with columns of a set only (k is in it if
- * its binary digit 2^k is 1).  A weight whose sign is not s[k] becomes 0,
- * and *wrong 1.  Returns the size of the sum; DBL_MAX when the set gives no
- * weights. */
-static double balanc(const double *r, const int *s, int set, double *w,
-                     int *wrong)
-{
-    double a[12], f, miss = 0.0;
-    int col[4], row[3], m = 0, rest = set, n, i, k;
-
-    *wrong = 1;
-    for (k = 0; k < 4; k++) {
-        w[k] = 0.0;
-        if (s[k] != 0 && rest % 2 == 1) col[m++] = k;
-        rest /= 2;
-    }
-    if (m == 0) return DBL_MAX;
-    for (i = 0; i < 12; i++) a[i] = r[i];
-    n = elimin(a, m, col, row);
-    backsu(a, n, col, row, w);
-    if (fabs(unite(w)) < DBL_EPSILON) return DBL_MAX;
-    *wrong = 0;
-    for (k = 0; k < 4; k++)
-        if (w[k] * s[k] < 0.0) {
-            w[k] = 0.0;
-            *wrong = 1;
-        }
-    if (unite(w) < DBL_EPSILON) return DBL_MAX;
-    for (i = 0; i < 3; i++) {
-        f = 0.0;
-        for (k = 0; k < 4; k++) f += w[k] * r[3 * k + i];
-        if (fabs(f) > miss) miss = fabs(f);
-    }
-    return miss;
-}
-
-/* weigh - the barycentric weights w of q in the tetrahedron v: the sum of w[k]
- * (p_k - q) vanishes.  Returns 0, or TESS_RANGE: then w = 0.
- *
- * By exact signs no weight has the wrong one, and it is 0 where q is in the
- * plane of its facet.  Elimination with complete pivoting is backward
- * stable: what w interpolates is right, to rounding, for a point within
- * rounding of q, however thin v is; quotients of determinants lose that in
- * slivers.  Where a computed sign is wrong, v is flat to rounding, and many
- * weights balance equally well; then some that use fewer vertices have the
- * right signs, and of all sets of vertices the one that balances best is
- * taken.  (Outside of such a v the true weights are beyond 1e15; those taken
- * are of a face.)
- *
- * All is scaled by a power of two that makes the coordinates at most 1. */
-static int weigh(const tess_real *p, const tess_int *v, const tess_real *q,
-                 double *w)
-{
-    double r[12], x[4], most = 0.0, best, miss;
-    tess_int f[3];
-    int s[4], e, i, k, set, wrong;
-
-    for (k = 0; k < 4; k++) w[k] = 0.0;
-    for (k = 0; k < 4; k++) {
-        outfac(v, k, f);
-        s[k] = -hh_orient(coords(p, f[0]), coords(p, f[1]), coords(p, f[2]),
-                          q);
-        if (s[k] == -UNSURE) return TESS_RANGE;
-    }
-    for (i = 0; i < 3; i++) {
-        for (k = 0; k < 4; k++)
-            if (fabs(coords(p, v[k])[i]) > most)
-                most = fabs(coords(p, v[k])[i]);
-        if (fabs(q[i]) > most) most = fabs(q[i]);
-    }
-    frexp(most, &e);
-    for (k = 0; k < 4; k++)
-        for (i = 0; i < 3; i++)
-            r[3 * k + i] = ldexp((double)coords(p, v[k])[i], -e) -
-                           ldexp((double)q[i], -e);
-    best = balanc(r, s, 15, w, &wrong);
-    for (set = 14; set > 0 && wrong > 0; set--) {
-        miss = balanc(r, s, set, x, &i);
-        if (miss < best) {
-            best = miss;
-            for (k = 0; k < 4; k++) w[k] = x[k];
-        }
-    }
-    return 0;
-}
-
 /* A walk over the hull: f, the facet nearest to q yet; on, the vertices of the
  * edge that has its nearest point, or twice the vertex; of the facet met last,
  * the vertex to turn away from, from, and, about a vertex, the one that stays;
@@ -4024,7 +3872,7 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
         code = walk(p, ntet, tet, adj, q, ntet, t);
     }
     if (code == LOST) code = sweep(p, ntet, tet, adj, q, t);
-    if (code == 0) code = weigh(p, four(tet, *t), q, w);
+    if (code == 0 && hh_weigh(p, four(tet, *t), q, w) != 0) code = TESS_RANGE;
     if (code == 1) code = nearhull(p, ntet, tet, adj, q, t, w);
     return code;
 }
@@ -4140,7 +3988,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
         for (last = 0; last < 3; last++) u[last] = f[last];
         u[3] = a;
     }
-    if (k == 4) return weigh(p, v, q, w);
+    if (k == 4) return hh_weigh(p, v, q, w) == 0 ? 0 : TESS_RANGE;
     h.f[0] = h.from = z = TESS_NONE;
     h.most = m.np;
     for (;;) {

@@ -29,19 +29,19 @@
 
 #include "hhpred.h"
 
-#ifdef TESS_LETTER
+#ifdef TESS_OTHER
 /* Other types have other names: see hhpred.h. */
-#define tess TESS_AS(t, tess)
-#define tess_size TESS_AS(t, size)
-#define tess_resume TESS_AS(t, resume)
-#define tess_locate TESS_AS(t, locate)
-#define tess_hull TESS_AS(t, hull)
-#define tess_check TESS_AS(t, check)
-#define tess_index TESS_AS(t, index)
-#define tess_query TESS_AS(t, query)
-#define tess_part TESS_AS(t, part)
-#define tess_ball TESS_AS(t, ball)
-#define tess_values TESS_AS(t, values)
+#define tess TESS_AS(tess_)
+#define tess_size TESS_AS(tess_size)
+#define tess_resume TESS_AS(tess_resume)
+#define tess_locate TESS_AS(tess_locate)
+#define tess_hull TESS_AS(tess_hull)
+#define tess_check TESS_AS(tess_check)
+#define tess_index TESS_AS(tess_index)
+#define tess_query TESS_AS(tess_query)
+#define tess_part TESS_AS(tess_part)
+#define tess_ball TESS_AS(tess_ball)
+#define tess_values TESS_AS(tess_values)
 #endif
 
 /* 10000 * major + 100 * minor version; the README says what has changed. */

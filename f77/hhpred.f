@@ -24,31 +24,32 @@ C     altered by the routines that hh_ names below.
 C
 C     The routines of hhpred.c, in its order, and their names here:
 C       exact numbers: frexp HHFREX, ldexp HHLDEX, nearest HHNEAR,
-C         zeros HHZERO, split HHSPLI, carry HHCARR, signof HHSIGN,
-C         spread HHSPRE, volume HHVOLU, ball HHBALL, leading HHLEAD,
-C         region HHREGI, foot HHFT, limbsg HHLIMB, limbs3 HHLIM3,
-C         limbs10 HHLIMT, limbsx HHLIMX, centre HHCNTR, weight HHWEIG,
+C         zeros HHZERO, fill HHFILL, split HHSPLI, carry HHCARR,
+C         signof HHSIGN, spread HHSPRE, volume HHVOLU,
+C         cofactors HHCOFA, ball HHBALL, leading HHLEAD, shares HHSHAR,
+C         region HHREGI, foot HHFT, weigh HHWGH, limbsg HHLIMB,
+C         limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX, centre HHCNTR,
 C         certain HHCERT, balanced HHBALA, exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
-C       exact signs: filt3 HHFIL3, filt5 HHFIL5,
-C         opposite HHOPPO, pack HHPACK, scale HHSCAL,
-C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
-C         hh_line HHLINE, closest HHCLOS, hh_foot HHFOOT,
-C         widersg HHWIDS, hh_wider HHWIDE, hh_range HHRANG,
-C         apart HHAPAR, corners HHCORN, hh_pside HHPSID
+C       exact signs: filt3 HHFIL3, filt5 HHFIL5, filter HHFILT,
+C         pack HHPACK, scale HHSCAL, robust HHROBU, hh_orient HHORIE,
+C         hh_insphere HHINSP, hh_flat HHFLAT, hh_line HHLINE,
+C         closest HHCLOS, hh_foot HHFOOT, hh_weigh HHWEIG,
+C         hh_wider HHWIDE, hh_range HHRANG, apart HHAPAR,
+C         corners HHCORN, decide HHDECI, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
-C         form HHFORM, sure HHSURE, offset HHOFFS, squared HHSQUA,
+C         form HHFORM, offset HHOFFS, squared HHSQUA, level HHLEVE,
 C         hh_trial HHTRIA, hh_unit HHUNIT, hh_height HHHEIG,
 C         hh_thin HHTHIN
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
-C         hh_bound HHBOUN, hh_ratio HHRATI, hh_limits HHLIMI,
+C         hh_ratio HHRATI, hh_limits HHLIMI,
 C         hh_facet HHFACE, hh_side HHSIDE, hh_opp HHOPP,
 C         hh_lcoord HHLCOO, hh_wrap HHWRAP
 C     Only in C: held (hh_holds for points that are not in one array),
-C     shift (written out here), least (MIN here),
+C     shift (written out here), lesser (MIN here),
 C     the macro HH_POWER, |W|**2 - 2 C.W, written out here.
 C     Only here: HHKIND (part of hh_finite and hh_holds).
 C
@@ -72,7 +73,7 @@ C               return 2 when they do not suffice.  Scratch, in
 C               doubles: 50 a limb; 35 KB for 88 limbs, in routines
 C               entered only when 3, then 10 limbs do not suffice.  To
 C               choose another number change it in HHLIMX, HHEXAC,
-C               HHWIDE, HHRANG and TSINRA (tess.f).
+C               HHRANG and TSINRA (tess.f).
 C       BASE    2**BITS;  CARRY = 2**(53-BITS) bounds carries
 C       HALF    2**26: (HALF + 1)**2 needs 53 bits
 C       TINY    an absolute error no smaller than what underflow,
@@ -199,6 +200,31 @@ C     HHZERO - R = 0.
       DO 10 I = 1, N
         R(I) = 0.0D0
    10 CONTINUE
+      END
+
+C     HHFILL - NP points Q times the FACTOR that they need lest a limb's
+C     weight underflow; MOST > 0 is their largest absolute value.  TOP
+C     is the weight of limb 1 that MOST fills.
+      SUBROUTINE HHFILL(NP, Q, MOST, FACTOR, TOP)
+      INTEGER NP
+      DOUBLE PRECISION Q(3,*), MOST, FACTOR, TOP
+      INTEGER HHFREX
+      DOUBLE PRECISION HHLDEX
+      INTEGER BITS
+      PARAMETER (BITS = 24)
+      DOUBLE PRECISION SHIFT, LOW
+      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
+      INTEGER I, K
+      FACTOR = 1.0D0
+      IF (MOST .LT. LOW) THEN
+        FACTOR = SHIFT
+        DO 20 I = 1, NP
+          DO 10 K = 1, 3
+            Q(K,I) = Q(K,I)*SHIFT
+   10     CONTINUE
+   20   CONTINUE
+      END IF
+      TOP = HHLDEX(1.0D0, HHFREX(MOST*FACTOR) + 2 - BITS)
       END
 
 C     HHSPLI - the N limbs of W <= 15 numbers Q side by side, the first
@@ -330,9 +356,9 @@ C     many limbs are in use, or N + 1 when N do not hold them.
    30 CONTINUE
       END
 
-C     HHVOLU - the sign of the determinant of the rows A-D, B-D, C-D, of
-C     N limbs, of points A, B, C, D.  X: the rows, as of HHSPRE.
-C     Scratch: MINOR 6, DET 3 doubles a limb.
+C     HHVOLU - the orientation of points A, B, C, D: minus the sign of
+C     the determinant of the rows A-D, B-D, C-D, of N limbs.  X: the
+C     rows, as of HHSPRE.  Scratch: MINOR 6, DET 3 doubles a limb.
       SUBROUTINE HHVOLU(N, X, MINOR, DET, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION X(*), MINOR(*), DET(*)
@@ -378,7 +404,7 @@ C     AB, BC, AC: A(1) B(2) - B(1) A(2) and so on
         IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(3*N, 1, DET)
         T = 0
         DO 30 J = 1, 2*N
-          DET(I+J) = DET(I+J) + (A*MINOR(T+2) - B*MINOR(T+3) +
+          DET(I+J) = DET(I+J) + (B*MINOR(T+3) - A*MINOR(T+2) -
      $        C*MINOR(T+1))
           T = T + 3
    30   CONTINUE
@@ -386,37 +412,22 @@ C     AB, BC, AC: A(1) B(2) - B(1) A(2) and so on
       SGN = HHSIGN(3*N, 0.0D0, DET)
       END
 
-C     HHBALL - the sign of the determinant of HHFIL5, of N limbs, from
-C     the first DEPTH rows of all products; UNSURE when these do not
-C     tell.  X: the rows, as of HHSPRE.  Scratch: MINOR and DET 12,
-C     TOTAL 5 doubles a limb.
-C
-C     What is lost, in units of the last of K = DEPTH <= 10 rows: in the
-C     row behind it a minor loses 2K products of limbs of at most BASE,
-C     so errs by 2K BASE; a square by 3K BASE.  A determinant loses 3K
-C     products of BASE**2/2, and gets the errors of three minors times a
-C     difference, of at most BASE/2: 1.5K BASE + 1.5 times 2K BASE.  The
-C     sum loses 4K products of at most 3/8 BASE**2, and gets four times
-C     the errors of a determinant times a square and of a square times a
-C     determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3)
-C     K BASE = 24K BASE.  What follows all these adds less than a tenth,
-C     so that BOUND is ample.
-      SUBROUTINE HHBALL(N, DEPTH, X, MINOR, DET, TOTAL, SGN)
-      INTEGER N, DEPTH, SGN
-      DOUBLE PRECISION X(*), MINOR(*), DET(*), TOTAL(*)
-      INTEGER HHSIGN
-      INTEGER LEAD, ROWS1, ROWS2
-      PARAMETER (LEAD = 6, ROWS1 = 10, ROWS2 = 20)
-      DOUBLE PRECISION BASE, BOUND
-      PARAMETER (BASE = 2.0D0**24, BOUND = 32*LEAD*BASE)
-      DOUBLE PRECISION A, B, C, D, ERR, TA, TB, TC, TD
-      INTEGER I, J, N2, N3, N5, R, ROWS, S, T
+C     HHCOFA - the determinants DET of three of the rows A-E, B-E, C-E,
+C     D-E, without each in turn, by the first DEPTH rows of all
+C     products: four numbers of 3N limbs, or DEPTH, side by side.  X:
+C     the rows, of N limbs, as of HHSPRE.  Scratch: MINOR 12 doubles a
+C     limb.
+      SUBROUTINE HHCOFA(N, DEPTH, X, MINOR, DET)
+      INTEGER N, DEPTH
+      DOUBLE PRECISION X(*), MINOR(*), DET(*)
+      INTEGER ROWS1, ROWS2
+      PARAMETER (ROWS1 = 10, ROWS2 = 20)
+      DOUBLE PRECISION A, B, C, D, TA, TB, TC, TD
+      INTEGER I, J, N2, N3, R, ROWS, S, T
       N2 = MIN(2*N, DEPTH)
       N3 = MIN(3*N, DEPTH)
-      N5 = MIN(5*N, DEPTH)
       CALL HHZERO(6*N2, MINOR)
       CALL HHZERO(4*N3, DET)
-      CALL HHZERO(N5, TOTAL)
 C     AB, BC, CD, DA, AC, BD
       ROWS = 0
       DO 20 I = 1, MIN(N, N2 - 1)
@@ -446,7 +457,6 @@ C     AB, BC, CD, DA, AC, BD
    10   CONTINUE
    20 CONTINUE
       CALL HHCARR(N2, 6, MINOR)
-C     the determinants without A, B, C, D
       ROWS = 0
       DO 40 I = 1, MIN(N, N3 - 1)
         S = 15*(I - 1)
@@ -473,39 +483,71 @@ C     the determinants without A, B, C, D
    30   CONTINUE
    40 CONTINUE
       CALL HHCARR(N3, 4, DET)
-C     the squares of the rows, in the place of the minors: two products
-C     of limbs I and J are taken at once
-      CALL HHZERO(4*N2, MINOR)
+      END
+
+C     HHBALL - the sign of the determinant of HHFIL5, of N limbs, from
+C     the first DEPTH rows of all products; UNSURE when these do not
+C     tell.  X: the rows, as of HHSPRE.  Scratch: LIFT and DET 12, TOTAL
+C     5 doubles a limb.
+C
+C     What is lost, in units of the last of K = DEPTH <= 10 rows: in the
+C     row behind it a minor loses 2K products of limbs of at most BASE,
+C     so errs by 2K BASE; a square by 3K BASE.  A determinant loses 3K
+C     products of BASE**2/2, and gets the errors of three minors times a
+C     difference, of at most BASE/2: 1.5K BASE + 1.5 times 2K BASE.  The
+C     sum loses 4K products of at most 3/8 BASE**2, and gets four times
+C     the errors of a determinant times a square and of a square times a
+C     determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3)
+C     K BASE = 24K BASE.  What follows all these adds less than a tenth,
+C     so that BOUND is ample.
+      SUBROUTINE HHBALL(N, DEPTH, X, LIFT, DET, TOTAL, SGN)
+      INTEGER N, DEPTH, SGN
+      DOUBLE PRECISION X(*), LIFT(*), DET(*), TOTAL(*)
+      INTEGER HHSIGN
+      INTEGER LEAD, ROWS1, ROWS2
+      PARAMETER (LEAD = 6, ROWS1 = 10, ROWS2 = 20)
+      DOUBLE PRECISION BASE, BOUND
+      PARAMETER (BASE = 2.0D0**24, BOUND = 32*LEAD*BASE)
+      DOUBLE PRECISION A, B, C, D, ERR
+      INTEGER I, J, N2, N3, N5, R, ROWS, S, T
+      N2 = MIN(2*N, DEPTH)
+      N3 = MIN(3*N, DEPTH)
+      N5 = MIN(5*N, DEPTH)
+      CALL HHCOFA(N, DEPTH, X, LIFT, DET)
+      CALL HHZERO(4*N2, LIFT)
+      CALL HHZERO(N5, TOTAL)
+C     the squares of the rows, in the place of HHCOFA's minors: two
+C     products of limbs I and J are taken at once
       ROWS = 0
       DO 60 I = 1, MIN(N, N2 - 1)
         ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS1/2) .EQ. 0) CALL HHCARR(N2, 4, MINOR)
+        IF (MOD(ROWS, ROWS1/2) .EQ. 0) CALL HHCARR(N2, 4, LIFT)
         S = 15*(I - 1)
         T = S
         R = 4*(2*I - 1)
         DO 50 J = I, MIN(N, N2 - I)
           A = 2.0D0
           IF (J .EQ. I) A = 1.0D0
-          MINOR(R+1) = MINOR(R+1) + A*(X(S+1)*X(T+1) +
+          LIFT(R+1) = LIFT(R+1) + A*(X(S+1)*X(T+1) +
      $        X(S+2)*X(T+2) + X(S+3)*X(T+3))
-          MINOR(R+2) = MINOR(R+2) + A*(X(S+4)*X(T+4) +
+          LIFT(R+2) = LIFT(R+2) + A*(X(S+4)*X(T+4) +
      $        X(S+5)*X(T+5) + X(S+6)*X(T+6))
-          MINOR(R+3) = MINOR(R+3) + A*(X(S+7)*X(T+7) +
+          LIFT(R+3) = LIFT(R+3) + A*(X(S+7)*X(T+7) +
      $        X(S+8)*X(T+8) + X(S+9)*X(T+9))
-          MINOR(R+4) = MINOR(R+4) + A*(X(S+10)*X(T+10) +
+          LIFT(R+4) = LIFT(R+4) + A*(X(S+10)*X(T+10) +
      $        X(S+11)*X(T+11) + X(S+12)*X(T+12))
           R = R + 4
           T = T + 15
    50   CONTINUE
    60 CONTINUE
-      CALL HHCARR(N2, 4, MINOR)
+      CALL HHCARR(N2, 4, LIFT)
       ROWS = 0
       DO 80 I = 1, MIN(N2, N5 - 1)
         S = 4*(I - 1)
-        A = MINOR(S+1)
-        B = MINOR(S+2)
-        C = MINOR(S+3)
-        D = MINOR(S+4)
+        A = LIFT(S+1)
+        B = LIFT(S+2)
+        C = LIFT(S+3)
+        D = LIFT(S+4)
         IF (MAX(ABS(A), ABS(B), ABS(C), ABS(D)) .LE. 0.0D0) GO TO 80
         ROWS = ROWS + 1
         IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(N5, 1, TOTAL)
@@ -547,6 +589,32 @@ C     2**(-23), count for less than 3 EPS of it.
    20 CONTINUE
       END
 
+C     HHSHAR - the N absolute values W of numbers, whose leading limbs
+C     are limbs AT, over their sum: each right to 12 EPS of itself, as
+C     the numbers to 3 EPS, or underflowed.  Left alone if all are 0.
+      SUBROUTINE HHSHAR(N, AT, W)
+      INTEGER N, AT(*)
+      DOUBLE PRECISION W(*)
+      DOUBLE PRECISION HHLDEX
+      INTEGER BITS
+      PARAMETER (BITS = 24)
+      DOUBLE PRECISION SUM
+      INTEGER K, TOP
+      SUM = 0.0D0
+      TOP = 32000
+      DO 10 K = 1, N
+        IF (ABS(W(K)) .GT. 0.0D0) TOP = MIN(TOP, AT(K))
+   10 CONTINUE
+      DO 20 K = 1, N
+        IF (ABS(W(K)) .GT. 0.0D0) W(K) =
+     $      ABS(HHLDEX(W(K), MAX((TOP - AT(K))*BITS, -2000)))
+        SUM = SUM + W(K)
+   20 CONTINUE
+      DO 30 K = 1, N
+        IF (SUM .GT. 0.0D0) W(K) = W(K)/SUM
+   30 CONTINUE
+      END
+
 C     HHREGI - the face of a triangle whose interior has the triangle's
 C     point nearest to Q: the sum of 2**(K-1) for its vertices K.  Side
 C     I leads from vertex I to the next one; D(3*I-3+K) has the sign of
@@ -574,20 +642,19 @@ C     of vertex K at the foot of the perpendicular from Q.
       END
 
 C     HHFT - SET is HHREGI's, and W the weights of the vertices in that
-C     point: each right to 16 EPS of itself, by its leading limbs, or
-C     underflowed.  X: the rows B-A, C-A, Q-A of a triangle A, B, C, of
-C     N limbs, as of HHSPRE.  With sides S and offsets O = Q - vertex
+C     point: shares of areas or, on a side, of products with it.  X: the
+C     rows B-A, C-A, Q-A of a triangle A, B, C, of N limbs, as of
+C     HHSPRE.  With sides S and offsets O = Q - vertex
 C         area K = (S(I).O(J)) (S(K).O(I)) - (S(I).O(I)) (S(K).O(J)),
 C     I, J, K cyclic.  Scratch: DOT 18, AREA 12 doubles a limb.
       SUBROUTINE HHFT(N, X, DOT, AREA, W, SET)
       INTEGER N, SET
       DOUBLE PRECISION X(*), DOT(*), AREA(*), W(3)
       INTEGER HHREGI
-      DOUBLE PRECISION HHLDEX
-      INTEGER BITS, ROWS1, ROWS2
-      PARAMETER (BITS = 24, ROWS1 = 10, ROWS2 = 20)
-      DOUBLE PRECISION OFF(9), SIDE(9), SUM, VALUE(12)
-      INTEGER AT(12), FROM(3), I, J, K, L, M, R, REST, ROWS, S, T, TOP
+      INTEGER ROWS1, ROWS2
+      PARAMETER (ROWS1 = 10, ROWS2 = 20)
+      DOUBLE PRECISION OFF(9), SIDE(9), VALUE(12)
+      INTEGER AT(12), FROM(3), I, J, K, L, M, R, REST, ROWS, S, T
       CALL HHZERO(18*N, DOT)
       CALL HHZERO(12*N, AREA)
       ROWS = 0
@@ -655,33 +722,41 @@ C     I, J, K cyclic.  Scratch: DOT 18, AREA 12 doubles a limb.
         IF (W(MOD(K + 1, 3) + 1) .GT. 0.0D0) GO TO 130
         FROM(K) = 3*K - 3 + L
         FROM(L) = 4*K - 3
-        VALUE(FROM(K)) = -VALUE(FROM(K))
   130 CONTINUE
-      TOP = 4*N
       DO 140 K = 1, 3
-        IF (W(K) .GT. 0.0D0) TOP = MIN(TOP, AT(FROM(K)))
+        W(K) = W(K)*VALUE(FROM(K))
+        FROM(K) = AT(FROM(K))
   140 CONTINUE
-      SUM = 0.0D0
-      DO 150 K = 1, 3
-        IF (W(K) .GT. 0.0D0) W(K) = HHLDEX(VALUE(FROM(K)),
-     $      MAX((TOP - AT(FROM(K)))*BITS, -2000))
-        SUM = SUM + W(K)
-  150 CONTINUE
-      DO 160 K = 1, 3
-        W(K) = W(K)/SUM
-  160 CONTINUE
+      CALL HHSHAR(3, FROM, W)
+      END
+
+C     HHWGH - the weights W of the point E in the tetrahedron A, B, C, D
+C     that holds it: shares of the volumes of the four tetrahedra that
+C     have E in the place of a vertex.  X: the rows A-E, B-E, C-E, D-E,
+C     of N limbs, as of HHSPRE.  Scratch: MINOR and DET 12 doubles a
+C     limb.
+      SUBROUTINE HHWGH(N, X, MINOR, DET, W)
+      INTEGER N
+      DOUBLE PRECISION X(*), MINOR(*), DET(*), W(4)
+      INTEGER AT(4), K
+      CALL HHCOFA(N, 3*N, X, MINOR, DET)
+      DO 10 K = 1, 4
+        CALL HHLEAD(3*N, DET, K, 4, W(K), AT(K))
+   10 CONTINUE
+      CALL HHSHAR(4, AT, W)
       END
 
 C     HHLIMB - with NMAX limbs, HHVOLU for NP = 4 points Q, or minus
-C     HHFT's set if FOOT is 1 (else W is left alone), HHBALL for 5;
-C     UNSURE when NMAX limbs do not hold the points.  Limbs 1 that are 0
-C     in all rows are left out as long as the next ones may be limbs 1.
-C     Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a limb.
-      SUBROUTINE HHLIMB(NP, Q, TOP, NMAX, X, MINOR, DET, TOTAL, FOOT, W,
+C     HHFT's set if WANT is 1 (else W is left alone); HHBALL for 5, or
+C     HHWGH and 0; UNSURE when NMAX limbs do not hold the points.  Limbs
+C     1 that are 0 in all rows are left out as long as the next ones may
+C     be limbs 1.  Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a
+C     limb.
+      SUBROUTINE HHLIMB(NP, Q, TOP, NMAX, X, MINOR, DET, TOTAL, WANT, W,
      $                  SGN)
-      INTEGER NP, NMAX, FOOT, SGN
+      INTEGER NP, NMAX, WANT, SGN
       DOUBLE PRECISION Q(3,*), TOP, X(*), MINOR(*), DET(*), TOTAL(*)
-      DOUBLE PRECISION W(3)
+      DOUBLE PRECISION W(*)
       INTEGER LEAD, UNSURE
       PARAMETER (LEAD = 6, UNSURE = 2)
       DOUBLE PRECISION BASE
@@ -702,13 +777,18 @@ C     Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a limb.
    30   CONTINUE
         GO TO 10
       END IF
-   40 IF (NP .EQ. 4 .AND. FOOT .EQ. 1) THEN
+   40 IF (NP .EQ. 4 .AND. WANT .EQ. 1) THEN
         CALL HHFT(N, X, MINOR, DET, W, SGN)
         SGN = -SGN
         RETURN
       END IF
       IF (NP .EQ. 4) THEN
         CALL HHVOLU(N, X, MINOR, DET, SGN)
+        RETURN
+      END IF
+      IF (WANT .EQ. 1) THEN
+        CALL HHWGH(N, X, MINOR, DET, W)
+        SGN = 0
         RETURN
       END IF
       IF (5*N .GT. 2*LEAD)
@@ -719,23 +799,23 @@ C     Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a limb.
 
 C     Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the
 C     last one serves several lengths.
-      SUBROUTINE HHLIM3(NP, Q, TOP, FOOT, W, SGN)
-      INTEGER NP, FOOT, SGN
-      DOUBLE PRECISION Q(3,*), TOP, W(3)
+      SUBROUTINE HHLIM3(NP, Q, TOP, WANT, W, SGN)
+      INTEGER NP, WANT, SGN
+      DOUBLE PRECISION Q(3,*), TOP, W(*)
       DOUBLE PRECISION X(15*3), MINOR(18*3), DET(12*3), TOTAL(5*3)
-      CALL HHLIMB(NP, Q, TOP, 3, X, MINOR, DET, TOTAL, FOOT, W, SGN)
+      CALL HHLIMB(NP, Q, TOP, 3, X, MINOR, DET, TOTAL, WANT, W, SGN)
       END
 
-      SUBROUTINE HHLIMT(NP, Q, TOP, FOOT, W, SGN)
-      INTEGER NP, FOOT, SGN
-      DOUBLE PRECISION Q(3,*), TOP, W(3)
+      SUBROUTINE HHLIMT(NP, Q, TOP, WANT, W, SGN)
+      INTEGER NP, WANT, SGN
+      DOUBLE PRECISION Q(3,*), TOP, W(*)
       DOUBLE PRECISION X(15*10), MINOR(18*10), DET(12*10), TOTAL(5*10)
-      CALL HHLIMB(NP, Q, TOP, 10, X, MINOR, DET, TOTAL, FOOT, W, SGN)
+      CALL HHLIMB(NP, Q, TOP, 10, X, MINOR, DET, TOTAL, WANT, W, SGN)
       END
 
-      SUBROUTINE HHLIMX(NP, Q, TOP, FOOT, W, SGN)
-      INTEGER NP, FOOT, SGN
-      DOUBLE PRECISION Q(3,*), TOP, W(3)
+      SUBROUTINE HHLIMX(NP, Q, TOP, WANT, W, SGN)
+      INTEGER NP, WANT, SGN
+      DOUBLE PRECISION Q(3,*), TOP, W(*)
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
       DOUBLE PRECISION X(15*HHLIM), MINOR(18*HHLIM), DET(12*HHLIM)
@@ -744,7 +824,7 @@ C     last one serves several lengths.
       N = 10
    10 N = 2*N
       IF (N .GT. HHLIM - 1) N = HHLIM
-      CALL HHLIMB(NP, Q, TOP, N, X, MINOR, DET, TOTAL, FOOT, W, SGN)
+      CALL HHLIMB(NP, Q, TOP, N, X, MINOR, DET, TOTAL, WANT, W, SGN)
       IF (SGN .EQ. UNSURE .AND. N .LT. HHLIM) GO TO 10
       END
 
@@ -829,17 +909,6 @@ C     two carries reach two limbs up from the first product
   100 CONTINUE
       CALL HHCARR(4*N, 3, C)
       CALL HHCARR(3*N, 1, D)
-      END
-
-C     HHWEIG - the weight of limb 1 of numbers of at most MOST > 0: MOST
-C     fills it.
-      DOUBLE PRECISION FUNCTION HHWEIG(MOST)
-      DOUBLE PRECISION MOST
-      INTEGER HHFREX
-      DOUBLE PRECISION HHLDEX
-      INTEGER BITS
-      PARAMETER (BITS = 24)
-      HHWEIG = HHLDEX(1.0D0, HHFREX(MOST) + 2 - BITS)
       END
 
 C     HHCERT - the sign of DET, certain beyond an error or when exact.
@@ -948,44 +1017,28 @@ C     last row.
           BIT = 2*BIT
    90   CONTINUE
   100 CONTINUE
+      IF (NP .EQ. 4) DET(LAST) = -DET(LAST)
       HHBALA = HHCERT(DET(LAST), PERM(LAST), 64.0D0, -1.0D0)
       END
 
-C     HHEXAC - HHLIMB with as many limbs as it takes; alters Q.
-      SUBROUTINE HHEXAC(NP, Q, FOOT, W, SGN)
-      INTEGER NP, FOOT, SGN
-      DOUBLE PRECISION Q(3,*), W(3)
+C     HHEXAC - HHLIMB with as many limbs as it takes; MOST is the
+C     largest absolute value of Q, which it alters.
+      SUBROUTINE HHEXAC(NP, Q, MOST, WANT, W, SGN)
+      INTEGER NP, WANT, SGN
+      DOUBLE PRECISION Q(3,*), MOST, W(*)
       INTEGER HHBALA
-      DOUBLE PRECISION HHWEIG
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
-      DOUBLE PRECISION SHIFT, LOW
-      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
-      DOUBLE PRECISION MOST, TOP
-      INTEGER I, K
+      DOUBLE PRECISION FACTOR, TOP
       SGN = 0
-      MOST = 0.0D0
-      DO 20 I = 1, NP
-        DO 10 K = 1, 3
-          MOST = MAX(MOST, ABS(Q(K,I)))
-   10   CONTINUE
-   20 CONTINUE
       IF (MOST .LE. 0.0D0) RETURN
-      IF (MOST .LT. LOW) THEN
-        DO 40 I = 1, NP
-          DO 30 K = 1, 3
-            Q(K,I) = Q(K,I)*SHIFT
-   30     CONTINUE
-   40   CONTINUE
-        MOST = MOST*SHIFT
-      END IF
-      TOP = HHWEIG(MOST)
-      CALL HHLIM3(NP, Q, TOP, FOOT, W, SGN)
+      CALL HHFILL(NP, Q, MOST, FACTOR, TOP)
+      CALL HHLIM3(NP, Q, TOP, WANT, W, SGN)
       IF (SGN .EQ. UNSURE .AND. HHLIM .GT. 10)
-     $  CALL HHLIMT(NP, Q, TOP, FOOT, W, SGN)
-      IF (SGN .EQ. UNSURE .AND. FOOT .EQ. 0 .AND. HHLIM .GT. 10)
+     $  CALL HHLIMT(NP, Q, TOP, WANT, W, SGN)
+      IF (SGN .EQ. UNSURE .AND. WANT .EQ. 0 .AND. HHLIM .GT. 10)
      $  SGN = HHBALA(NP, Q)
-      IF (SGN .EQ. UNSURE) CALL HHLIMX(NP, Q, TOP, FOOT, W, SGN)
+      IF (SGN .EQ. UNSURE) CALL HHLIMX(NP, Q, TOP, WANT, W, SGN)
       END
 
 C     ------------------------------------------------------------------
@@ -1193,13 +1246,17 @@ C     B-D, C-D have the same sign.
       HHFIL5 = HHCERT(DET, PERM, 32.0D0, T)
       END
 
-C     HHOPPO - minus a sign, if it is one.
-      INTEGER FUNCTION HHOPPO(SGN)
-      INTEGER SGN
-      INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
-      HHOPPO = -SGN
-      IF (SGN .EQ. UNSURE) HHOPPO = UNSURE
+C     HHFILT - the orientation of NP = 4 points Q, or HHFIL5 of 5; or
+C     UNSURE.
+      INTEGER FUNCTION HHFILT(NP, Q, T)
+      INTEGER NP
+      DOUBLE PRECISION Q(3,*), T
+      INTEGER HHFIL3, HHFIL5
+      IF (NP .EQ. 4) THEN
+        HHFILT = HHFIL3(Q, 1, 2, 3, 4, T)
+      ELSE
+        HHFILT = HHFIL5(Q, 1, 2, 3, 4, 5, T)
+      END IF
       END
 
 C     HHPACK - the largest absolute value of NP points Q.  (C's pack
@@ -1249,6 +1306,34 @@ C     among the NP points P, at most 1, and not tiny.
       END IF
       END
 
+C     HHROBU - the exact orientation of NP = 4 points P, or sign of I of
+C     5, where the limbs hold them; else UNSURE.  Alters P.
+      SUBROUTINE HHROBU(NP, P, SGN)
+      INTEGER NP, SGN
+      DOUBLE PRECISION P(3,*)
+      INTEGER HHFILT, HHHOLD, HHPREC
+      DOUBLE PRECISION HHPACK
+      INTEGER UNSURE
+      DOUBLE PRECISION FEW
+      PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
+      DOUBLE PRECISION ANY(4), MOST, S(3,5)
+      INTEGER E, K
+      SGN = UNSURE
+      K = 1
+      IF (P(1,1) .GT. P(1,4)) K = 3
+      IF (HHPREC(K) .EQ. 0) RETURN
+      MOST = HHPACK(NP, P)
+C     above FEW, what a coordinate is taken for matters less than TINY
+      IF (MOST .LT. FEW) THEN
+        IF (HHHOLD(NP, P) .EQ. 0) RETURN
+      END IF
+      CALL HHSCAL(MOST, NP, P, S, E)
+      SGN = HHFILT(NP, S, -1.0D0)
+      IF (SGN .NE. UNSURE) RETURN
+      IF (HHHOLD(NP, P) .EQ. 0) RETURN
+      CALL HHEXAC(NP, P, MOST, 0, ANY, SGN)
+      END
+
 C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
 C     is on the side of A, B, C from which they are seen
 C     counter-clockwise.  2 when HHLIM limbs do not suffice (never, with
@@ -1256,36 +1341,15 @@ C     the default), or the processor flushes a coordinate to zero, or
 C     rounds to fewer bits than a double has.
       INTEGER FUNCTION HHORIE(A, B, C, D)
       DOUBLE PRECISION A(3), B(3), C(3), D(3)
-      INTEGER HHFIL3, HHHOLD, HHOPPO, HHPREC
-      DOUBLE PRECISION HHPACK
-      INTEGER UNSURE
-      DOUBLE PRECISION FEW
-      PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
-      DOUBLE PRECISION ANY(3), MOST, P(3,4), S(3,4)
-      INTEGER E, K, SGN
-      HHORIE = UNSURE
-      K = 1
-      IF (A(1) .GT. D(1)) K = 3
-      IF (HHPREC(K) .EQ. 0) RETURN
+      DOUBLE PRECISION P(3,4)
+      INTEGER K, SGN
       DO 10 K = 1, 3
         P(K,1) = A(K)
         P(K,2) = B(K)
         P(K,3) = C(K)
         P(K,4) = D(K)
    10 CONTINUE
-      MOST = HHPACK(4, P)
-C     above FEW, what a coordinate is taken for matters less than TINY
-      IF (MOST .LT. FEW) THEN
-        IF (HHHOLD(4, P) .EQ. 0) RETURN
-      END IF
-      CALL HHSCAL(MOST, 4, P, S, E)
-      SGN = HHFIL3(S, 1, 2, 3, 4, -1.0D0)
-      IF (SGN .EQ. UNSURE) THEN
-        IF (HHHOLD(4, P) .EQ. 0) RETURN
-C       the determinant of the rows A-D, B-D, C-D is minus this one
-        CALL HHEXAC(4, P, 0, ANY, SGN)
-        SGN = HHOPPO(SGN)
-      END IF
+      CALL HHROBU(4, P, SGN)
       HHORIE = SGN
       END
 
@@ -1294,13 +1358,11 @@ C     whatever their orientation, -1 when it is outside, 0 on the sphere
 C     or when A, B, C, D are coplanar.  2 as from HHORIE.
       INTEGER FUNCTION HHINSP(A, B, C, D, E)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
-      INTEGER HHFIL5, HHHOLD, HHORIE
-      DOUBLE PRECISION HHPACK
+      INTEGER HHORIE
       INTEGER UNSURE
-      DOUBLE PRECISION FEW
-      PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
-      DOUBLE PRECISION ANY(3), MOST, P(3,5), S(3,5)
-      INTEGER EXPO, K, SGN, SIDE
+      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION P(3,5)
+      INTEGER K, SGN, SIDE
       SIDE = HHORIE(A, B, C, D)
       HHINSP = SIDE
       IF (SIDE .EQ. 0 .OR. SIDE .EQ. UNSURE) RETURN
@@ -1311,17 +1373,8 @@ C     or when A, B, C, D are coplanar.  2 as from HHORIE.
         P(K,4) = D(K)
         P(K,5) = E(K)
    10 CONTINUE
-      MOST = HHPACK(5, P)
+      CALL HHROBU(5, P, SGN)
       HHINSP = UNSURE
-      IF (MOST .LT. FEW) THEN
-        IF (HHHOLD(5, P) .EQ. 0) RETURN
-      END IF
-      CALL HHSCAL(MOST, 5, P, S, EXPO)
-      SGN = HHFIL5(S, 1, 2, 3, 4, 5, -1.0D0)
-      IF (SGN .EQ. UNSURE) THEN
-        IF (HHHOLD(5, P) .EQ. 0) RETURN
-        CALL HHEXAC(5, P, 0, ANY, SGN)
-      END IF
       IF (SGN .NE. UNSURE) HHINSP = -SIDE*SGN
       END
 
@@ -1332,14 +1385,15 @@ C     along all three axes.
       INTEGER FUNCTION HHFLAT(AXIS, A, B, C)
       INTEGER AXIS
       DOUBLE PRECISION A(3), B(3), C(3)
-      INTEGER HHORIE
+      INTEGER HHHOLD
       DOUBLE PRECISION HHPACK
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
       DOUBLE PRECISION EPS, SHIFT, LOW
       PARAMETER (EPS = 2.0D0**(-52), SHIFT = 2.0D0**600)
       PARAMETER (LOW = 2.0D0**200)
-      DOUBLE PRECISION BI, BK, CI, CK, DET, ERR
-      DOUBLE PRECISION QA(3), QB(3), QC(3), P(3,3), TOP(3)
-      INTEGER I, K
+      DOUBLE PRECISION ANY(4), BI, BK, CI, CK, DET, ERR, MOST, Q(3,4)
+      INTEGER I, K, SGN
       I = MOD(AXIS, 3) + 1
       K = MOD(AXIS + 1, 3) + 1
       BI = B(I) - A(I)
@@ -1356,23 +1410,22 @@ C     as in HHFIL3; below LOW, underflow does less than 1/SHIFT
         HHFLAT = -1
         IF (DET .LT. -ERR - 1.0D0/SHIFT) RETURN
       END IF
+      HHFLAT = UNSURE
       DO 10 K = 1, 3
-        QA(K) = A(K)
-        QB(K) = B(K)
-        QC(K) = C(K)
-        TOP(K) = A(K)
+        Q(K,1) = A(K)
+        Q(K,2) = B(K)
+        Q(K,3) = C(K)
+        Q(K,4) = A(K)
    10 CONTINUE
-      QA(AXIS) = 0.0D0
-      QB(AXIS) = 0.0D0
-      QC(AXIS) = 0.0D0
-C     any height will do that needs no more limbs than the points
-      DO 20 K = 1, 3
-        P(K,1) = QA(K)
-        P(K,2) = QB(K)
-        P(K,3) = QC(K)
-   20 CONTINUE
-      TOP(AXIS) = HHPACK(3, P)
-      HHFLAT = HHORIE(QA, QB, QC, TOP)
+      IF (HHHOLD(3, Q) .EQ. 0) RETURN
+      MOST = HHPACK(3, Q)
+C     any point on that side will do that needs no more limbs
+      Q(AXIS,1) = 0.0D0
+      Q(AXIS,2) = 0.0D0
+      Q(AXIS,3) = 0.0D0
+      Q(AXIS,4) = MOST
+      CALL HHEXAC(4, Q, MOST, 0, ANY, SGN)
+      HHFLAT = SGN
       END
 
 C     HHLINE - are A, B, C exactly collinear: 1, or 0.
@@ -1466,74 +1519,73 @@ C     scratch.
         IF (SET .NE. 0) RETURN
       END IF
       IF (HHHOLD(4, X) .EQ. 0) RETURN
-      CALL HHEXAC(4, X, 1, W, SET)
+      CALL HHEXAC(4, X, MOST, 1, W, SET)
       SET = -SET
       IF (SET .EQ. -UNSURE) SET = 0
       END
 
-C     HHWIDS - with N limbs, the sign of Q(1) + Q(2) - Q(3) - Q(4);
-C     UNSURE when they do not hold Q.  Scratch: LIMB, TOTAL.
-      SUBROUTINE HHWIDS(Q, TOP, N, LIMB, TOTAL, SGN)
-      INTEGER N, SGN
-      DOUBLE PRECISION Q(4), TOP, LIMB(*), TOTAL(*)
-      INTEGER HHSIGN
+C     HHWEIG - exact: the barycentric weights W of Q in tetrahedron T,
+C     which holds it: the sum of W(K) (vertex K - Q) vanishes.  Each is
+C     right to 12 EPS of itself, or underflows, however thin the
+C     tetrahedron is; none is negative, and W(K) is 0 where Q is in the
+C     plane of the facet opposite to vertex K.  INFO is 0, or UNSURE
+C     where the limbs do not hold the points (see HHORIE).
+      SUBROUTINE HHWEIG(P, TET, T, Q, W, INFO)
+      DOUBLE PRECISION P(3,*), Q(3), W(4)
+      INTEGER TET(4,*), T, INFO
+      INTEGER HHHOLD
+      DOUBLE PRECISION HHPACK
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION F, Y(1)
-      INTEGER I, K, USED
-      CALL HHZERO(N, TOTAL)
-      SGN = UNSURE
-      DO 20 I = 1, 4
-        Y(1) = Q(I)
-        CALL HHSPLI(1, Y, TOP, N, LIMB, USED)
-        IF (USED .GT. N) RETURN
-        F = 1.0D0
-        IF (I .GT. 2) F = -1.0D0
-        DO 10 K = 1, USED
-          TOTAL(K) = TOTAL(K) + F*LIMB(K)
+      DOUBLE PRECISION MOST, X(3,5)
+      INTEGER I, K
+      DO 20 K = 1, 3
+        DO 10 I = 1, 4
+          X(K,I) = P(K,TET(I,T))
    10   CONTINUE
+        X(K,5) = Q(K)
    20 CONTINUE
-      SGN = HHSIGN(N, 0.0D0, TOTAL)
+      INFO = UNSURE
+      IF (HHHOLD(5, X) .EQ. 0) RETURN
+      MOST = HHPACK(5, X)
+      CALL HHEXAC(5, X, MOST, 1, W, INFO)
       END
 
 C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
+C     Where double precision does not tell, the orientation of four
+C     points does: with M the largest of the numbers in absolute value,
+C         det [(M,M,D)-(0,0,A)  (M,0,B)-(0,0,A)  (0,M,C)-(0,0,A)] =
+C             M**2 ((A-B) - (C-D)).
       INTEGER FUNCTION HHWIDE(A, B, C, D)
       DOUBLE PRECISION A, B, C, D
-      DOUBLE PRECISION HHWEIG
-      INTEGER UNSURE, HHLIM
-      PARAMETER (UNSURE = 2, HHLIM = 88)
-      DOUBLE PRECISION EPS, TINY, SHIFT, LOW
+      DOUBLE PRECISION EPS, TINY
       PARAMETER (EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
-      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
-      DOUBLE PRECISION X, Y, ERR, Q(4), TOP, MOST
-      DOUBLE PRECISION LIMB(HHLIM), TOTAL(HHLIM)
-      INTEGER I, SGN
+      DOUBLE PRECISION ANY(3), ERR, M, Q(3,4), X, Y
+      INTEGER I, K, SGN
       X = 0.25D0*A - 0.25D0*B
       Y = 0.25D0*C - 0.25D0*D
       ERR = 4.0D0*EPS*(X + Y) + TINY
       IF (X - Y .GT. ERR) THEN
-        HHWIDE = 1
-        RETURN
+        SGN = 1
       ELSE IF (Y - X .GT. ERR) THEN
-        HHWIDE = -1
-        RETURN
+        SGN = -1
+      ELSE
+        M = MAX(ABS(A), ABS(B), ABS(C), ABS(D))
+        DO 20 I = 1, 4
+          DO 10 K = 1, 3
+            Q(K,I) = 0.0D0
+   10     CONTINUE
+   20   CONTINUE
+        Q(3,1) = A
+        Q(3,2) = D
+        Q(3,3) = B
+        Q(3,4) = C
+        Q(1,2) = M
+        Q(2,2) = M
+        Q(1,3) = M
+        Q(2,4) = M
+        CALL HHEXAC(4, Q, M, 0, ANY, SGN)
       END IF
-      Q(1) = A
-      Q(2) = D
-      Q(3) = B
-      Q(4) = C
-      HHWIDE = 0
-      MOST = MAX(ABS(A), ABS(B), ABS(C), ABS(D))
-      IF (MOST .LE. 0.0D0) RETURN
-      IF (MOST .LT. LOW) THEN
-        DO 10 I = 1, 4
-          Q(I) = Q(I)*SHIFT
-   10   CONTINUE
-        MOST = MOST*SHIFT
-      END IF
-      TOP = HHWEIG(MOST)
-      CALL HHWIDS(Q, TOP, 3, LIMB, TOTAL, SGN)
-      IF (SGN .EQ. UNSURE) CALL HHWIDS(Q, TOP, HHLIM, LIMB, TOTAL, SGN)
       HHWIDE = SGN
       END
 
@@ -1541,17 +1593,17 @@ C     HHRANG - 0 when HHLIM limbs hold X beside coordinates of absolute
 C     value MOST > 0, else UNSURE.
       INTEGER FUNCTION HHRANG(X, MOST)
       DOUBLE PRECISION X, MOST
-      DOUBLE PRECISION HHWEIG
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
-      DOUBLE PRECISION SHIFT, LOW
-      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
-      DOUBLE PRECISION F, LIMB(HHLIM), Q(1)
+      DOUBLE PRECISION FACTOR, LIMB(HHLIM), M, Q(3,1), TOP, Y(1)
       INTEGER USED
-      F = 1.0D0
-      IF (MOST .LT. LOW) F = SHIFT
-      Q(1) = X*F
-      CALL HHSPLI(1, Q, HHWEIG(MOST*F), HHLIM, LIMB, USED)
+      M = MOST
+      Q(1,1) = X
+      Q(2,1) = 0.0D0
+      Q(3,1) = 0.0D0
+      CALL HHFILL(1, Q, M, FACTOR, TOP)
+      Y(1) = Q(1,1)
+      CALL HHSPLI(1, Y, TOP, HHLIM, LIMB, USED)
       HHRANG = 0
       IF (USED .GT. HHLIM) HHRANG = UNSURE
       END
@@ -1602,6 +1654,41 @@ C     the unit cube, which alters no orientation.
       YES = 1
       END
 
+C     HHDECI - HHROBU for NP positions V of a set of points (see HHPSID)
+C     that a filter leaves open.
+      INTEGER FUNCTION HHDECI(X, P, ORD, NP, V)
+      DOUBLE PRECISION X(3,*), P(3,*)
+      INTEGER ORD(*), NP, V(*)
+      INTEGER HHFILT
+      DOUBLE PRECISION HHPACK
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      DOUBLE PRECISION ANY(4), MOST, Q(3,5), SIZE, UNIT(3,5)
+      INTEGER AXIS, M, N, SGN, YES
+      M = NP
+      DO 20 N = 1, M
+        DO 10 AXIS = 1, 3
+          Q(AXIS,N) = P(AXIS,ORD(V(N)))
+   10   CONTINUE
+   20 CONTINUE
+      CALL HHCORN(M, Q, UNIT, YES)
+      IF (YES .EQ. 1) THEN
+C       the corners of a box are on one sphere
+        SGN = 0
+        IF (M .EQ. 4) SGN = HHFILT(4, UNIT, 64.0D0)
+      ELSE
+        SGN = UNSURE
+        SIZE = ABS(X(1,V(1))) + ABS(X(2,V(1))) + ABS(X(3,V(1)))
+        CALL HHAPAR(SIZE, M, Q, UNIT, YES)
+        IF (YES .EQ. 1) SGN = HHFILT(M, UNIT, -1.0D0)
+        IF (SGN .EQ. UNSURE) THEN
+          MOST = HHPACK(M, Q)
+          CALL HHEXAC(M, Q, MOST, 0, ANY, SGN)
+        END IF
+      END IF
+      HHDECI = SGN
+      END
+
 C     HHPSID - HHORIE for the positions I, J, K, L of a set of points as
 C     tess keeps them (hh_set in C).  Position I is place I in the
 C     sorted order; duplicates are gone.
@@ -1618,31 +1705,19 @@ C               not known
       INTEGER FUNCTION HHPSID(X, P, ORD, T3, I, J, K, L)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), I, J, K, L
-      INTEGER HHFIL3, HHOPPO
+      INTEGER HHDECI, HHFIL3
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION ANY(3), Q(3,4), SIZE, UNIT(3,4)
-      INTEGER AXIS, SGN, YES
+      INTEGER SGN, V(4)
       SGN = HHFIL3(X, I, J, K, L, T3)
-      HHPSID = SGN
-      IF (SGN .NE. UNSURE) RETURN
-      DO 10 AXIS = 1, 3
-        Q(AXIS,1) = P(AXIS,ORD(I))
-        Q(AXIS,2) = P(AXIS,ORD(J))
-        Q(AXIS,3) = P(AXIS,ORD(K))
-        Q(AXIS,4) = P(AXIS,ORD(L))
-   10 CONTINUE
-      CALL HHCORN(4, Q, UNIT, YES)
-      IF (YES .EQ. 1) THEN
-        HHPSID = HHFIL3(UNIT, 1, 2, 3, 4, 64.0D0)
-        RETURN
+      IF (SGN .EQ. UNSURE) THEN
+        V(1) = I
+        V(2) = J
+        V(3) = K
+        V(4) = L
+        SGN = HHDECI(X, P, ORD, 4, V)
       END IF
-      SIZE = ABS(X(1,I)) + ABS(X(2,I)) + ABS(X(3,I))
-      CALL HHAPAR(SIZE, 4, Q, UNIT, YES)
-      IF (YES .EQ. 1) HHPSID = HHFIL3(UNIT, 1, 2, 3, 4, -1.0D0)
-      IF (HHPSID .NE. UNSURE) RETURN
-      CALL HHEXAC(4, Q, 0, ANY, SGN)
-      HHPSID = HHOPPO(SGN)
+      HHPSID = SGN
       END
 
 C     ------------------------------------------------------------------
@@ -1706,29 +1781,12 @@ C     HHPERT - the sign of D; where it is 0, RULE times that of HHTIED.
       INTEGER FUNCTION HHPERT(X, P, ORD, T3, T5, V, POSITV, RULE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
       INTEGER ORD(*), V(5), POSITV, RULE
-      INTEGER HHFIL5, HHTIED
+      INTEGER HHDECI, HHFIL5, HHTIED
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION ANY(3), Q(3,5), SIZE, UNIT(3,5)
-      INTEGER AXIS, N, SGN, YES
+      INTEGER SGN
       SGN = HHFIL5(X, V(1), V(2), V(3), V(4), V(5), T5)
-      IF (SGN .EQ. UNSURE) THEN
-        DO 20 N = 1, 5
-          DO 10 AXIS = 1, 3
-            Q(AXIS,N) = P(AXIS,ORD(V(N)))
-   10     CONTINUE
-   20   CONTINUE
-        CALL HHCORN(5, Q, UNIT, YES)
-C       the corners of a box are on one sphere
-        IF (YES .EQ. 1) THEN
-          SGN = 0
-        ELSE
-          SIZE = ABS(X(1,V(1))) + ABS(X(2,V(1))) + ABS(X(3,V(1)))
-          CALL HHAPAR(SIZE, 5, Q, UNIT, YES)
-          IF (YES .EQ. 1) SGN = HHFIL5(UNIT, 1, 2, 3, 4, 5, -1.0D0)
-          IF (SGN .EQ. UNSURE) CALL HHEXAC(5, Q, 0, ANY, SGN)
-        END IF
-      END IF
+      IF (SGN .EQ. UNSURE) SGN = HHDECI(X, P, ORD, 5, V)
       IF (SGN .EQ. 0 .AND. RULE .GT. 0)
      $    SGN = RULE*HHTIED(X, P, ORD, T3, V, POSITV)
       HHPERT = SGN
@@ -1781,11 +1839,9 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
       DOUBLE PRECISION P(3,*), X(*), TOP, FACTOR
       INTEGER ORD(*), SE, V(4), E, N
       INTEGER HHFREX
-      DOUBLE PRECISION HHPACK, HHWEIG
+      DOUBLE PRECISION HHPACK
       INTEGER BITS, SKIP, HHFEW
       PARAMETER (BITS = 24, SKIP = 25, HHFEW = 10)
-      DOUBLE PRECISION SHIFT, LOW
-      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
       DOUBLE PRECISION MOST, Q(3,4)
       INTEGER I, K
       DO 20 I = 1, 4
@@ -1794,20 +1850,10 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
    10   CONTINUE
    20 CONTINUE
       MOST = HHPACK(4, Q)
-      FACTOR = 1.0D0
-      E = -1 - SE
-      IF (MOST .LT. LOW) THEN
-        FACTOR = SHIFT
-        E = E - SKIP*BITS
-        MOST = MOST*SHIFT
-        DO 40 I = 1, 4
-          DO 30 K = 1, 3
-            Q(K,I) = Q(K,I)*SHIFT
-   30     CONTINUE
-   40   CONTINUE
-      END IF
-      TOP = 2.0D0*HHWEIG(MOST)
-      E = E + HHFREX(TOP)
+      CALL HHFILL(4, Q, MOST, FACTOR, TOP)
+      TOP = 2.0D0*TOP
+      E = HHFREX(TOP) - 1 - SE
+      IF (FACTOR .GT. 1.0D0) E = E - SKIP*BITS
       CALL HHSPRE(4, Q, TOP, 3, X, N)
       IF (N .LE. 3) THEN
         N = 3
@@ -1965,26 +2011,6 @@ C     sum has more than 30 products of at most BASE**2 / 2.
    30 CONTINUE
       END
 
-C     HHSURE - the sign of HHFORM's sum, or UNSURE: a partial sum of
-C     more than 2 CARRY decides, as in HHSIGN.
-      INTEGER FUNCTION HHSURE(SUM)
-      DOUBLE PRECISION SUM(*)
-      INTEGER UNSURE, BROWS
-      PARAMETER (UNSURE = 2, BROWS = 6)
-      DOUBLE PRECISION BASE, CARRY
-      PARAMETER (BASE = 2.0D0**24, CARRY = 2.0D0**29)
-      DOUBLE PRECISION S
-      INTEGER I
-      S = 0.0D0
-      HHSURE = UNSURE
-      DO 10 I = 1, BROWS + 1
-        S = S*BASE + SUM(I)
-        IF (S .GT. 2.0D0*CARRY) HHSURE = 1
-        IF (S .LT. -2.0D0*CARRY) HHSURE = -1
-        IF (HHSURE .NE. UNSURE) RETURN
-   10 CONTINUE
-      END
-
 C     HHOFFS - the limbs U of the position Z, seen from the base of the
 C     ball behind T(AT).  OK is 1, or 0 where its limbs do not hold
 C     them.
@@ -2028,6 +2054,30 @@ C     HHSQUA - L = |U|**2, of N limbs.
       CALL HHCARR(2*N, 1, L)
       END
 
+C     HHLEVE - SUM = the leading limbs of the height of the position Z
+C     below the plane of a ball's facet, if PLANE is 1, else of its
+C     power in the ball, behind T(AT): see HHFORM.  OK is 0 where the
+C     limbs do not hold it, else 1.
+      SUBROUTINE HHLEVE(P, ORD, T, AT, Z, PLANE, SUM, OK)
+      DOUBLE PRECISION P(3,*), T(*), SUM(*)
+      INTEGER ORD(*), AT, Z, PLANE, OK
+      INTEGER BN, BFIRST, BPOWER, BSIDE, HHFEW
+      PARAMETER (BN = 1, BFIRST = 2, BPOWER = 35, BSIDE = 59)
+      PARAMETER (HHFEW = 10)
+      DOUBLE PRECISION L(2*HHFEW), U(3*HHFEW)
+      INTEGER FIRST, N
+      CALL HHOFFS(P, ORD, T, AT, Z, U, OK)
+      IF (OK .EQ. 0) RETURN
+      N = INT(T(AT+BN))
+      FIRST = INT(T(AT+BFIRST))
+      IF (PLANE .EQ. 1) THEN
+        CALL HHFORM(T, AT + BSIDE, N, FIRST, U, U, SUM)
+      ELSE
+        CALL HHSQUA(N, FIRST, U, L)
+        CALL HHFORM(T, AT + BPOWER, N, FIRST, U, L, SUM)
+      END IF
+      END
+
 C     HHTRIA - by a few leading limbs, in a tenth of the time of the
 C     exact signs, for the ball behind T(AT): if SIDE is 0, SIDE = the
 C     side of the position Z for the facet of HHCENT, or UNSURE; unless
@@ -2037,29 +2087,23 @@ C     the positive side, as D > 0 then.
       SUBROUTINE HHTRIA(P, ORD, T, AT, Z, SIDE, POWER)
       DOUBLE PRECISION P(3,*), T(*)
       INTEGER ORD(*), AT, Z, SIDE, POWER
-      INTEGER HHSURE
-      INTEGER BN, BFIRST, BPOWER, BSIDE, BROWS, HHFEW, UNSURE
-      PARAMETER (BN = 1, BFIRST = 2, BPOWER = 35, BSIDE = 59)
-      PARAMETER (BROWS = 6, HHFEW = 10, UNSURE = 2)
-      DOUBLE PRECISION L(2*HHFEW), SUM(BROWS+1), U(3*HHFEW)
-      INTEGER FIRST, N, OK
+      INTEGER HHSIGN
+      INTEGER BROWS, UNSURE
+      PARAMETER (BROWS = 6, UNSURE = 2)
+      DOUBLE PRECISION CARRY
+      PARAMETER (CARRY = 2.0D0**29)
+      DOUBLE PRECISION SUM(BROWS+1)
+      INTEGER OK
       POWER = UNSURE
-      CALL HHOFFS(P, ORD, T, AT, Z, U, OK)
-      IF (OK .EQ. 0) THEN
-        IF (SIDE .EQ. 0) SIDE = UNSURE
-        RETURN
-      END IF
-      N = INT(T(AT+BN))
-      FIRST = INT(T(AT+BFIRST))
       IF (SIDE .EQ. 0) THEN
-        CALL HHFORM(T, AT + BSIDE, N, FIRST, U, U, SUM)
-        SIDE = HHSURE(SUM)
+        SIDE = UNSURE
+        CALL HHLEVE(P, ORD, T, AT, Z, 1, SUM, OK)
+        IF (OK .EQ. 1) SIDE = HHSIGN(BROWS + 1, CARRY, SUM)
         IF (SIDE .NE. UNSURE) SIDE = -SIDE
       END IF
       IF (SIDE .LT. 0) RETURN
-      CALL HHSQUA(N, FIRST, U, L)
-      CALL HHFORM(T, AT + BPOWER, N, FIRST, U, L, SUM)
-      POWER = HHSURE(SUM)
+      CALL HHLEVE(P, ORD, T, AT, Z, 0, SUM, OK)
+      IF (OK .EQ. 1) POWER = HHSIGN(BROWS + 1, CARRY, SUM)
       END
 
 C     HHUNIT - what HHHEIG divides by: D, or, if PLANE is 1, the length
@@ -2100,28 +2144,17 @@ C     HUGE where limbs do not hold it.
       DOUBLE PRECISION P(3,*), T(*), H, ERR
       INTEGER ORD(*), AT, Z, PLANE
       DOUBLE PRECISION HHLDEX
-      INTEGER BN, BFIRST, BPOWER, BSIDE, BUNIT, BBITS
-      PARAMETER (BN = 1, BFIRST = 2, BPOWER = 35, BSIDE = 59)
-      PARAMETER (BUNIT = 86, BBITS = 87)
-      INTEGER BITS, BROWS, HHFEW
-      PARAMETER (BITS = 24, BROWS = 6, HHFEW = 10)
+      INTEGER BUNIT, BBITS, BITS, BROWS
+      PARAMETER (BUNIT = 86, BBITS = 87, BITS = 24, BROWS = 6)
       DOUBLE PRECISION CARRY, EPS, HUGE
       PARAMETER (CARRY = 2.0D0**29, EPS = 2.0D0**(-52))
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION L(2*HHFEW), SUM(BROWS+1), U(3*HHFEW)
-      INTEGER E, FIRST, LAT, N, OK
+      DOUBLE PRECISION SUM(BROWS+1)
+      INTEGER E, LAT, OK
       H = 0.0D0
       ERR = HUGE
-      CALL HHOFFS(P, ORD, T, AT, Z, U, OK)
+      CALL HHLEVE(P, ORD, T, AT, Z, PLANE, SUM, OK)
       IF (OK .EQ. 0) RETURN
-      N = INT(T(AT+BN))
-      FIRST = INT(T(AT+BFIRST))
-      IF (PLANE .EQ. 1) THEN
-        CALL HHFORM(T, AT + BSIDE, N, FIRST, U, U, SUM)
-      ELSE
-        CALL HHSQUA(N, FIRST, U, L)
-        CALL HHFORM(T, AT + BPOWER, N, FIRST, U, L, SUM)
-      END IF
       CALL HHCARR(BROWS + 1, 1, SUM)
       CALL HHLEAD(BROWS + 1, SUM, 1, 1, H, LAT)
       E = INT(T(AT+BBITS))
@@ -2314,41 +2347,6 @@ C     det [P2-P1 P3-P1 V] = R11 R22 det Q, det Q = 1
    20 CONTINUE
       END
 
-C     HHBOUN - the side of Z and its L-coordinate with a bound.  SIDE is
-C     1 when Z is certainly on the positive side, and not too near to
-C     the plane: then L is L and DL its greatest error; -1 when it is
-C     certainly on the negative side; 0 when neither is certain.
-C
-C     |W|_1 stands for |W| in the bounds: it does not underflow.  A side
-C     of more than twice its error leaves a gap of at least half of it,
-C     which spares a division.
-      SUBROUTINE HHBOUN(F, Z, L, DL, SIDE)
-      DOUBLE PRECISION F(12), Z(3), L, DL
-      INTEGER SIDE
-      DOUBLE PRECISION EPS, LOOSE, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
-      PARAMETER (SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION W1, W2, W3, SIZE, VW, ERR, HALF
-      W1 = Z(1) - F(7)
-      W2 = Z(2) - F(8)
-      W3 = Z(3) - F(9)
-      SIZE = ABS(W1) + ABS(W2) + ABS(W3)
-      VW = F(1)*W1 + F(2)*W2 + F(3)*W3
-      ERR = F(10)*SIZE
-      SIDE = 0
-      IF (SIZE .LT. SMALL .OR. F(10) .GT. LOOSE) RETURN
-      IF (VW .GT. 2.0D0*ERR .AND. VW .GT. SMALL) THEN
-        HALF = 0.5D0/VW
-        L = (W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
-     $       W3*(W3 - 2.0D0*F(6)))*HALF
-        DL = SIZE*(EPS*(3.0D0*SIZE + 5.0D0*F(12)) + F(11) +
-     $             ABS(L)*F(10))*(4.0D0*HALF) + 4.0D0*EPS*ABS(L)
-        SIDE = 1
-      ELSE IF (-VW .GT. ERR) THEN
-        SIDE = -1
-      END IF
-      END
-
 C     HHRATI - limits of the L-coordinate of Z, whose side is between
 C     LEAST >= 0 and MOST: LO and HI are left as they are where there
 C     are none.
@@ -2384,13 +2382,19 @@ C     than that, with room for the last roundings.
       END IF
       END
 
-C     HHLIMI - HHBOUN, with limits of L instead: if Z is on the positive
-C     side its L-coordinate is at least LO and at most HI, +-HUGE where
-C     there is no limit.  Where the side is not certain it is at most VW
-C     + ERR, if positive at all: a power that is certainly not 0 then
-C     limits L on the side of 0.  A side VW + 2 ERR in the place of that
-C     has room for the last roundings: ERR is at least 260 EPS SIZE, and
-C     |VW| at most SIZE.
+C     HHLIMI - the SIDE of Z, and limits of its L-coordinate: -HUGE,
+C     HUGE where there are none.  SIDE is 1 if Z is certainly on the
+C     positive side and not too near the plane; -1 if it is certainly on
+C     the negative side; 0 if neither is certain: then the limits hold
+C     if Z is on the positive side.
+C
+C     |W|_1 stands for |W| in the bounds: it does not underflow.  A side
+C     VW of more than twice its error leaves a gap of at least half of
+C     it, which spares a division.  An uncertain side is at most VW +
+C     ERR, if positive at all: a power that is certainly not 0 then
+C     limits L on the side of 0.  VW + 2 ERR in its place leaves room
+C     for the last roundings: ERR is at least 260 EPS SIZE, and |VW| at
+C     most SIZE.
       SUBROUTINE HHLIMI(F, Z, LO, HI, SIDE)
       DOUBLE PRECISION F(12), Z(3), LO, HI
       INTEGER SIDE
@@ -2398,24 +2402,31 @@ C     |VW| at most SIZE.
       PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
       PARAMETER (SMALL = 2.0D0**(-450))
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION DL, L, MOST, SIZE, W1, W2, W3
-      L = 0.0D0
-      DL = 0.0D0
-      CALL HHBOUN(F, Z, L, DL, SIDE)
-      LO = -HUGE
-      HI = HUGE
-      IF (SIDE .GT. 0) THEN
-        LO = L - DL
-        HI = L + DL
-      END IF
-      IF (SIDE .NE. 0) RETURN
+      DOUBLE PRECISION DL, ERR, HALF, L, SIZE, VW, W1, W2, W3
       W1 = Z(1) - F(7)
       W2 = Z(2) - F(8)
       W3 = Z(3) - F(9)
       SIZE = ABS(W1) + ABS(W2) + ABS(W3)
+      VW = F(1)*W1 + F(2)*W2 + F(3)*W3
+      ERR = F(10)*SIZE
+      SIDE = 0
+      LO = -HUGE
+      HI = HUGE
       IF (SIZE .LT. SMALL .OR. F(10) .GT. LOOSE) RETURN
-      MOST = F(1)*W1 + F(2)*W2 + F(3)*W3 + 2.0D0*F(10)*SIZE
-      CALL HHRATI(F, Z, 0.0D0, MOST, LO, HI)
+      IF (VW .GT. 2.0D0*ERR .AND. VW .GT. SMALL) THEN
+        HALF = 0.5D0/VW
+        L = (W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +
+     $       W3*(W3 - 2.0D0*F(6)))*HALF
+        DL = SIZE*(EPS*(3.0D0*SIZE + 5.0D0*F(12)) + F(11) +
+     $             ABS(L)*F(10))*(4.0D0*HALF) + 4.0D0*EPS*ABS(L)
+        LO = L - DL
+        HI = L + DL
+        SIDE = 1
+      ELSE IF (-VW .GT. ERR) THEN
+        SIDE = -1
+      ELSE
+        CALL HHRATI(F, Z, 0.0D0, VW + 2.0D0*ERR, LO, HI)
+      END IF
       END
 
 C     HHFACE - Householder set-up of the facet P1, P2, P3 (Section 3.1,

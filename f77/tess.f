@@ -145,8 +145,7 @@ C         tess_index TESSIX, tess_part TESSPA
 C     and what needs no mesh under construction:
 C       queries: qside TSQSID, inbox TSINBO
 C       location: distance TSDIST, sample TSSAMP, walk TSWALK,
-C         holds TSHOLD, sweep TSSWEE, elimin TSELIM, backsu TSBACK,
-C         unite TSUNTE, balanc TSBALA, weigh TSWEIG, hullstep TSHULL,
+C         holds TSHOLD, sweep TSSWEE, hullstep TSHULL,
 C         place TSPLAC, turn TSTURN, nearhull TSNEAH,
 C         tess_locate TESSLO, tess_values TESSVA, nearby TSNEAR,
 C         tess_query TESSQU
@@ -5374,191 +5373,6 @@ C     outside of (INFO 1); INFO is RANGE when the limbs do not suffice.
       INFO = 1
       END
 
-C     TSELIM - Gaussian elimination with complete pivoting on the 3 by M
-C     matrix of the columns COL(J) of A; COL and ROW come out in the
-C     order of the pivots.  N is their number, at most M - 1.
-      SUBROUTINE TSELIM(A, M, COL, ROW, N)
-      INTEGER M, COL(4), ROW(3), N
-      DOUBLE PRECISION A(3,4)
-      DOUBLE PRECISION F, MOST
-      INTEGER I, J, L, PI, PJ
-      DO 10 I = 1, 3
-        ROW(I) = I
-   10 CONTINUE
-      DO 60 L = 1, M - 1
-        MOST = 0.0D0
-        PI = L
-        PJ = L
-        DO 30 J = L, M
-          DO 20 I = L, 3
-            F = ABS(A(ROW(I),COL(J)))
-            IF (F .GT. MOST) THEN
-              MOST = F
-              PI = I
-              PJ = J
-            END IF
-   20     CONTINUE
-   30   CONTINUE
-        IF (MOST .LE. 0.0D0) GO TO 70
-        I = ROW(PI)
-        ROW(PI) = ROW(L)
-        ROW(L) = I
-        J = COL(PJ)
-        COL(PJ) = COL(L)
-        COL(L) = J
-        DO 50 I = L + 1, 3
-          F = A(ROW(I),COL(L))/A(ROW(L),COL(L))
-          DO 40 J = L + 1, M
-            A(ROW(I),COL(J)) = A(ROW(I),COL(J)) - F*A(ROW(L),COL(J))
-   40     CONTINUE
-   50   CONTINUE
-   60 CONTINUE
-   70 N = L - 1
-      END
-
-C     TSBACK - W of the columns COL(1) ... COL(N+1) from what TSELIM
-C     left, W(COL(N+1)) = 1.  No |W| exceeds 4, as a pivot is the
-C     largest number in its row.
-      SUBROUTINE TSBACK(A, N, COL, ROW, W)
-      INTEGER N, COL(4), ROW(3)
-      DOUBLE PRECISION A(3,4), W(4)
-      DOUBLE PRECISION F
-      INTEGER I, J
-      W(COL(N+1)) = 1.0D0
-      DO 20 J = N, 1, -1
-        F = 0.0D0
-        DO 10 I = J + 1, N + 1
-          F = F - A(ROW(J),COL(I))*W(COL(I))
-   10   CONTINUE
-        W(COL(J)) = F/A(ROW(J),COL(J))
-   20 CONTINUE
-      END
-
-C     TSUNTE - divide W by its SUM, if that is not too small.
-      SUBROUTINE TSUNTE(W, SUM)
-      DOUBLE PRECISION W(4), SUM
-      DOUBLE PRECISION EPS
-      PARAMETER (EPS = 2.0D0**(-52))
-      INTEGER K
-      SUM = W(1) + W(2) + W(3) + W(4)
-      IF (ABS(SUM) .LT. EPS) RETURN
-      DO 10 K = 1, 4
-        W(K) = W(K)/SUM
-   10 CONTINUE
-      END
-
-C     TSBALA - weights W of sum 1 for which the sum of W(K) times column
-C     K of R is as small as rounding lets it be, with columns of a set
-C     only (K is in it if its binary digit 2**(K-1) is 1).  A weight
-C     whose sign is not S(K) becomes 0, and WRONG 1.  MISS is the size
-C     of the sum; HUGE when the set gives no weights.
-      SUBROUTINE TSBALA(R, S, SET, W, WRONG, MISS)
-      INTEGER S(4), SET, WRONG
-      DOUBLE PRECISION R(3,4), W(4), MISS
-      DOUBLE PRECISION EPS, HUGE
-      PARAMETER (EPS = 2.0D0**(-52), HUGE = 1.7976931348623157D308)
-      DOUBLE PRECISION A(3,4), F, SUM
-      INTEGER COL(4), ROW(3), M, REST, N, I, K
-      MISS = HUGE
-      WRONG = 1
-      M = 0
-      REST = SET
-      DO 20 K = 1, 4
-        W(K) = 0.0D0
-        IF (S(K) .NE. 0 .AND. MOD(REST, 2) .EQ. 1) THEN
-          M = M + 1
-          COL(M) = K
-        END IF
-        REST = REST/2
-        DO 10 I = 1, 3
-          A(I,K) = R(I,K)
-   10   CONTINUE
-   20 CONTINUE
-      IF (M .EQ. 0) RETURN
-      CALL TSELIM(A, M, COL, ROW, N)
-      CALL TSBACK(A, N, COL, ROW, W)
-      CALL TSUNTE(W, SUM)
-      IF (ABS(SUM) .LT. EPS) RETURN
-      WRONG = 0
-      DO 30 K = 1, 4
-        IF (W(K)*S(K) .LT. 0.0D0) THEN
-          W(K) = 0.0D0
-          WRONG = 1
-        END IF
-   30 CONTINUE
-      CALL TSUNTE(W, SUM)
-      IF (SUM .LT. EPS) RETURN
-      MISS = 0.0D0
-      DO 50 I = 1, 3
-        F = 0.0D0
-        DO 40 K = 1, 4
-          F = F + W(K)*R(I,K)
-   40   CONTINUE
-        MISS = MAX(MISS, ABS(F))
-   50 CONTINUE
-      END
-
-C     TSWEIG - the barycentric weights W of Q in tetrahedron T: the sum
-C     of W(K) (vertex K - Q) vanishes.  INFO is 0, or RANGE: then W = 0.
-C
-C     By exact signs no weight has the wrong one, and it is 0 where Q is
-C     in the plane of its facet.  Elimination with complete pivoting is
-C     backward stable: what W interpolates is right, to rounding, for a
-C     point within rounding of Q, however thin T is; quotients of
-C     determinants lose that in slivers.  Where a computed sign is
-C     wrong, T is flat to rounding, and many weights balance equally
-C     well; then some that use fewer vertices have the right signs, and
-C     of all sets of vertices the one that balances best is taken.
-C     (Outside of such a T the true weights are beyond 1e15; those taken
-C     are of a face.)
-C
-C     All is scaled by a power of two that makes the coordinates at most
-C     1.
-      SUBROUTINE TSWEIG(P, TET, T, Q, W, INFO)
-      INTEGER TET(4,*), T, INFO
-      DOUBLE PRECISION P(3,*), Q(3), W(4)
-      INTEGER HHFREX, TSORIQ
-      DOUBLE PRECISION HHLDEX
-      INTEGER UNSURE, RANGE
-      PARAMETER (UNSURE = 2, RANGE = 6)
-      DOUBLE PRECISION R(3,4), X(4), MOST, BEST, MISS
-      INTEGER F(3), S(4), E, I, K, SET, WRONG
-      DO 10 K = 1, 4
-        W(K) = 0.0D0
-   10 CONTINUE
-      INFO = RANGE
-      DO 20 K = 1, 4
-        CALL TSOUTF(TET, T, K, F)
-        S(K) = -TSORIQ(P, F, Q)
-        IF (S(K) .EQ. -UNSURE) RETURN
-   20 CONTINUE
-      INFO = 0
-      MOST = 0.0D0
-      DO 40 I = 1, 3
-        DO 30 K = 1, 4
-          MOST = MAX(MOST, ABS(P(I,TET(K,T))))
-   30   CONTINUE
-        MOST = MAX(MOST, ABS(Q(I)))
-   40 CONTINUE
-      E = -HHFREX(MOST)
-      DO 60 K = 1, 4
-        DO 50 I = 1, 3
-          R(I,K) = HHLDEX(P(I,TET(K,T)), E) - HHLDEX(Q(I), E)
-   50   CONTINUE
-   60 CONTINUE
-      CALL TSBALA(R, S, 15, W, WRONG, BEST)
-      IF (WRONG .EQ. 0) RETURN
-      DO 80 SET = 14, 1, -1
-        CALL TSBALA(R, S, SET, X, WRONG, MISS)
-        IF (MISS .LT. BEST) THEN
-          BEST = MISS
-          DO 70 K = 1, 4
-            W(K) = X(K)
-   70     CONTINUE
-        END IF
-   80 CONTINUE
-      END
-
 C     TSHULL - towards the hull's point nearest to Q, from a facet that
 C     Q is outside of.  G: the facet met; H(1) is 0 at first.  STEP is 1
 C     if G is nearer than all before, else 0; plus 2 at the end: then
@@ -5805,7 +5619,10 @@ C     The sweep: NTET.
       END IF
       IF (CODE .EQ. LOST) CALL TSSWEE(P, NTET, TET, ADJ, Q, T, CODE)
       INFO = CODE
-      IF (CODE .EQ. 0) CALL TSWEIG(P, TET, T, Q, W, INFO)
+      IF (CODE .EQ. 0) THEN
+        CALL HHWEIG(P, TET, T, Q, W, INFO)
+        IF (INFO .NE. 0) INFO = RANGE
+      END IF
       IF (CODE .EQ. 1) CALL TSNEAH(P, NTET, TET, ADJ, Q, T, W, INFO)
       END
 
@@ -6056,7 +5873,8 @@ C     ORD in the place of LINK: no star is complete
         LAST = 4
         GO TO 40
    60 CONTINUE
-      CALL TSWEIG(P, V, 1, Q, W, INFO)
+      CALL HHWEIG(P, V, 1, Q, W, INFO)
+      IF (INFO .NE. 0) INFO = RANGE
       RETURN
    70 H(1) = NONE
       H(HFROM) = NONE

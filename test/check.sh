@@ -875,7 +875,7 @@ second_half() {
     standard
     twins tess "point|coords|four|better|proven|barren|layout" \
         "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
-    twins hhpred "held|shift|least" "HHKIND"
+    twins hhpred "held|shift|lesser" "HHKIND"
     entries
     parity
     halves

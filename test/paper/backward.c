@@ -13,7 +13,7 @@
  *
  * Such a backward bound says nothing of the facet's true normal.  So there is
  * the error of v against that, and hhpred.h's forward bounds: the largest
- * error of hh_side, of c - p1, of hh_lcoord and hh_bound over its bound.
+ * error of hh_side, of c - p1, of hh_lcoord and hh_limits over its bound.
  *
  * The measure is arithmetic in pairs of doubles, of about 104 bits: two
  * doubles to a number, sums and products with their rounding errors found by
@@ -35,7 +35,7 @@ extern void hhface_(double *p1, double *p2, double *p3, double *f, int *info);
 extern double hhside_(double *f, double *z);
 extern double hhlcoo_(double *f, double *z);
 extern void hhsetu_(double *p1, double *p2, double *p3, double *f);
-extern void hhboun_(double *f, double *z, double *l, double *dl, int *side);
+extern void hhlimi_(double *f, double *z, double *lo, double *hi, int *side);
 
 static int facet(double *p1, double *p2, double *p3, double *f)
 {
@@ -45,11 +45,11 @@ static int facet(double *p1, double *p2, double *p3, double *f)
     return info;
 }
 
-static int bound(double *f, double *z, double *l, double *dl)
+static int limits(double *f, double *z, double *lo, double *hi)
 {
     int side;
 
-    hhboun_(f, z, l, dl, &side);
+    hhlimi_(f, z, lo, hi, &side);
     return side;
 }
 #define SETUP hhsetu_
@@ -57,7 +57,7 @@ static int bound(double *f, double *z, double *l, double *dl)
 #define LCOORD hhlcoo_
 #else
 #define facet hh_facet
-#define bound hh_bound
+#define limits hh_limits
 #define SETUP hh_setup
 #define SIDE hh_side
 #define LCOORD hh_lcoord
@@ -250,7 +250,7 @@ static void make(int group, int kind, int bits, double p[4][3])
  * the sum of its terms' sizes. */
 typedef struct largest {
     double delta, h, normal, gap;
-    double side, centre, lcoord, bound;
+    double side, centre, lcoord, limits;
     long facets, points, same;
 } largest;
 
@@ -346,8 +346,8 @@ static void backward(int bits, double p[4][3], largest *m)
 
 static void forward(double p[4][3], largest *m)
 {
-    double f[HH_FACET_LEN], g[RA_FACET_LEN], v[3], w, l, dl, gap, size = 0.0;
-    double q[4][3];
+    double f[HH_FACET_LEN], g[RA_FACET_LEN], v[3], w, l, dl, gap, lo, hi;
+    double q[4][3], size = 0.0;
     pair a[3], b[3], d[3], n[3], c[3], u[3], nn, norm, aa, bb, wn, power, t;
     int i, k;
 
@@ -391,7 +391,7 @@ static void forward(double p[4][3], largest *m)
         most(&m->lcoord, fabs(sub(of(l), t).h) / dl);
     }
 
-    /* hh_bound wants coordinates of at most 1 */
+    /* hh_limits wants coordinates of at most 1 */
     for (i = 0; i < 4; i++)
         for (k = 0; k < 3; k++)
             if (fabs(p[i][k]) > size) size = fabs(p[i][k]);
@@ -400,11 +400,12 @@ static void forward(double p[4][3], largest *m)
     for (i = 0; i < 4; i++)
         for (k = 0; k < 3; k++) q[i][k] = size * p[i][k];
     SETUP(q[0], q[1], q[2], f);
-    if (bound(f, q[3], &l, &dl) == 1) {
+    if (limits(f, q[3], &lo, &hi) == 1) {
         t = quot(power, mul(norm, add(wn, wn)));
         t.h *= size;
         t.l *= size;
-        most(&m->bound, fabs(sub(of(l), t).h) / dl);
+        l = 0.5 * lo + 0.5 * hi;
+        most(&m->limits, fabs(sub(of(l), t).h) / (0.5 * hi - 0.5 * lo));
     }
 }
 
@@ -437,7 +438,7 @@ int main(int argc, char **argv)
         bad[3] += !(fw[group].side < 1.0);
         bad[4] += !(fw[group].centre < 1.0);
         bad[5] += !(fw[group].lcoord < 1.0);
-        bad[6] += !(fw[group].bound < 1.0);
+        bad[6] += !(fw[group].limits < 1.0);
         bad[7] += fw[group].points < n / 4 || m53[group].facets < n / 4;
         same += fw[group].same;
         all += fw[group].facets;
@@ -451,7 +452,7 @@ int main(int argc, char **argv)
         test_result("the side's error is below its bound", bad[3]);
         test_result("the centre's error is below its bound", bad[4]);
         test_result("the L-coordinate's error is below its bound", bad[5]);
-        test_result("hh_bound's L is within its bound", bad[6]);
+        test_result("L is within hh_limits", bad[6]);
         test_result("most facets count", bad[7]);
         return test_end("backward");
     }
@@ -478,11 +479,11 @@ int main(int argc, char **argv)
 #else
     printf("The largest error over its bound, FORTRAN 77\n\n");
 #endif
-    printf("  facets               (z-p1).v    c - p1   hh_lcoord  hh_bound\n");
+    printf("  facets               (z-p1).v    c - p1   hh_lcoord hh_limits\n");
     for (group = 0; group < FACETS; group++)
         printf("  %-20s %8.2g %9.2g %10.2g %9.2g\n", name[group],
                fw[group].side, fw[group].centre, fw[group].lcoord,
-               fw[group].bound);
+               fw[group].limits);
     printf("\nThe library's normal is that of the arithmetic above, bit for "
            "bit, in %ld\nof %ld facets.\n", same, all);
     return 0;

@@ -529,7 +529,7 @@ difference one: 2.5 e0 if all conspire; and the constant c is about 1/8.  The
 column "true normal" is what the backward bound is silent about: ||v - n||, n the
 facet's true normal, grows without bound as the facet gets thin.  Hence the
 forward bounds of hhpred.h: E |w| for (z-p1).v, dc for c - p1, dL for hh_lcoord, and
-what hh_bound returns.  They hold in every rounding mode, with extended
+what hh_limits returns.  They hold in every rounding mode, with extended
 precision and contraction, for the worst case: here no error came nearer to them
 than a fiftieth.
 

@@ -4,9 +4,9 @@
  *     t_pred [percent [seed]]   percent of the usual number of cases
  *
  * Covered: the signs of hh_orient, hh_insphere, hh_flat, hh_wider, hh_pside
- * and hh_pball; hh_foot's face and weights; hh_facet's codes, normal and
- * centre; the bounds that hhpred.h promises for hh_side, hh_lcoord and
- * hh_bound, and the ones derived below for hh_wrap; the certificates made of
+ * and hh_pball; hh_foot's face and weights, and hh_weigh's; hh_facet's codes,
+ * normal and centre; the bounds that hhpred.h promises for hh_side, hh_lcoord and
+ * hh_limits, and the ones derived below for hh_wrap; the certificates made of
  * these bounds (a side, an order of two L-coordinates) must never be wrong, and
  * must decide nearly all random points.  A failure prints the points in full.
  *
@@ -843,6 +843,94 @@ static void test_foot(long n)
     }
 }
 
+static int low_of(int n)
+{
+    int low = EX_NO_LOW, i, k;
+
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3; k++) low = ex_low(P[i][k], low);
+    return low;
+}
+
+/* hh_weigh: the weights in a tetrahedron against exact ratios of volumes, of
+ * places in it, on its faces and edges and at its vertices, and of slivers. */
+static void test_weigh(long n)
+{
+    static ex_num part, whole;
+    double p[5][3], w[4], f[4], x, sum, most = 0.0;
+    const double *v[4];
+    tess_int order[4] = { 0, 1, 2, 3 };
+    long faults = 0, unsure = 0, i, seen[5];
+    int group, bits, low, j, k, e, m, zero, bad;
+
+    for (k = 0; k < 5; k++) seen[k] = 0;
+    for (i = 0; i < n; i++) {
+        group = rnd_below(CLASSES);
+        make(group, p);
+        if (rnd_below(3)) {
+            /* a mean of the vertices, exact where they are small integers */
+            if (rnd_below(2)) make(LATTICE, p);
+            bits = 1 + rnd_below(2);
+            for (j = 0; j < 4; j++) f[j] = 0.0;
+            for (j = 0; j < 1 << bits; j++) f[rnd_below(4)] += 1.0;
+            e = rnd_below(4);
+            for (k = 0; k < 3; k++) {
+                if (rnd_below(4) == 0) /* nearly flat */
+                    p[e][k] = p[(e + 1) % 4][k] +
+                              (p[(e + 2) % 4][k] - p[(e + 3) % 4][k]);
+                p[4][k] = 0.0;
+                for (j = 0; j < 4; j++)
+                    p[4][k] += f[j] * ldexp(p[j][k], -bits);
+            }
+        }
+        if (rnd_below(8) == 0) p[rnd_below(4)][rnd_below(3)] *= 1e-20;
+        settle(p);
+        low = low_of(5);
+        for (k = bad = 0; k < 15; k++)
+            bad |= P[k / 3][k % 3] != 0.0 &&
+                   fabs(P[k / 3][k % 3]) < DBL_MIN && flushes();
+        if (bad || low == EX_NO_LOW) continue;
+        ex_volume(&whole, low, P[0], P[1], P[2], P[3]);
+        for (k = zero = 0; k < 4; k++) {
+            for (j = 0; j < 4; j++) v[j] = P[j == k ? 4 : j];
+            ex_volume(&part, low, v[0], v[1], v[2], v[3]);
+            zero += part.sign == 0;
+            bad |= part.sign == -whole.sign;
+            f[k] = whole.sign == 0 ? 0.0 :
+                (double)(ex_value(&part, &e) / ex_value(&whole, &m));
+            f[k] = ldexp(f[k], e - m);
+            w[k] = 7.0;
+        }
+        if (bad || whole.sign == 0) continue;
+        seen[zero]++;
+        k = hh_weigh(R[0], order, R[4], w);
+#if HH_LIMBS < 88
+        unsure += k == 2;
+        if (k == 2) continue;
+#endif
+        bad = k != 0;
+        for (k = 0, sum = 0.0; k < 4; k++) {
+            if (!(w[k] >= 0.0) || (f[k] == 0.0 && w[k] != 0.0)) bad = 1;
+            if (!(fabs(w[k] - f[k]) <= 14.0 * DBL_EPSILON * f[k] + DBL_MIN))
+                bad = 1;
+            x = f[k] > DBL_MIN ? fabs(w[k] / f[k] - 1.0) : 0.0;
+            if (x > most) most = x;
+            sum += w[k];
+        }
+        if (!(fabs(sum - 1.0) <= 4.0 * DBL_EPSILON)) bad = 1;
+        if (bad && faults++ < 3) {
+            printf("hh_weigh %g %g %g %g, exact %g %g %g %g\n", w[0], w[1],
+                   w[2], w[3], f[0], f[1], f[2], f[3]);
+            show(5);
+        }
+    }
+    printf("        inside %ld, on faces %ld, edges %ld, vertices %ld, unsure "
+           "%ld; error %.1f eps\n", seen[0], seen[1], seen[2], seen[3], unsure,
+           most / DBL_EPSILON);
+    for (k = 0; k < 4; k++) faults += seen[k] < n / 1000;
+    test_result("hh_weigh", faults);
+}
+
 #if HH_LIMBS < 88
 /* hh_range promises what the determinants need: when it says that the limbs
  * hold a coordinate beside another one, no sign is 2. */
@@ -1079,7 +1167,7 @@ static double make_facet(int group, double p[5][3])
 /* A point for the facet p[0..2]; p[4] is the point made before. */
 static void make_point(int group, double unit, double p[5][3])
 {
-    double s, t, d, f[HH_FACET_LEN], l, x[3], w[3], g;
+    double s, t, d, f[HH_FACET_LEN], l, x[3], w[3];
     int k;
 
     s = 1.5 * rnd_unit();
@@ -1106,7 +1194,7 @@ static void make_point(int group, double unit, double p[5][3])
          * meeting of the ball with a line through p1 */
         hh_setup(p[0], p[1], p[2], f);
         l = 0.0;
-        hh_bound(f, p[4], &l, &g);
+        if (hh_limits(f, p[4], &s, &t) == 1) l = 0.5 * s + 0.5 * t;
         for (k = 0; k < 3; k++) {
             x[k] = f[3 + k] + l * f[k];
             w[k] = sym();
@@ -1124,15 +1212,6 @@ static void make_point(int group, double unit, double p[5][3])
     default:
         break;
     }
-}
-
-static int low_of(int n)
-{
-    int low = EX_NO_LOW, i, k;
-
-    for (i = 0; i < n; i++)
-        for (k = 0; k < 3; k++) low = ex_low(P[i][k], low);
-    return low;
 }
 
 static double length(const double *a)
@@ -1287,16 +1366,16 @@ static void test_public(void)
 /* What test_facets counts. */
 static long sides, decided, pairs, ordered, limited, thin;
 
-/* hh_setup, or with limbs hh_thin, hh_bound and hh_limits, as tess uses them, on
- * the facet P[0..2] and the point P[3]: the side, the L-coordinate and its limits, and its order
- * against that of P[4], when *last says that l[1], dl[1] hold it; what is known
- * of P[3] takes its place. */
-static void test_bound(double *l, double *dl, int *last, int limbs)
+/* hh_setup, or with limbs hh_thin, and hh_limits, as tess uses them, on the facet
+ * P[0..2] and the point P[3]: the side, the limits of the L-coordinate, and its
+ * order against that of P[4], when *last says that lo[1], hi[1] limit it; what is
+ * known of P[3] takes its place. */
+static void test_limits(double *lo, double *hi, int *last, int limbs)
 {
     static ex_num den;
     static tess_int order[3] = { 0, 1, 2 };
-    double h[HH_FACET_LEN], x[9], lo, hi, longest = 0.0, edge, e[3];
-    int bound, base = 0, i, k;
+    double h[HH_FACET_LEN], x[9], longest = 0.0, edge, e[3];
+    int side, base = 0, i, k;
     hh_set set;
 
     if (limbs) {
@@ -1320,51 +1399,48 @@ static void test_bound(double *l, double *dl, int *last, int limbs)
         thin += h[9] < 1e-10;
     } else
         hh_setup(P[0], P[1], P[2], h);
-    bound = hh_bound(h, P[3], &l[0], &dl[0]);
-    require(hh_limits(h, P[3], &lo, &hi) == bound, "side by hh_limits");
+    side = hh_limits(h, P[3], lo, hi);
     if (X.wn.sign > 0) {
         ex_copy(&den, &X.wn);
         ex_shift(&den, 1);
-        if (lo > -DBL_MAX)
-            require(beyond(lo, 1, 0.0, &X.power, &den, &X.nn, 1) <= 0,
+        if (lo[0] > -DBL_MAX)
+            require(beyond(lo[0], 1, 0.0, &X.power, &den, &X.nn, 1) <= 0,
                     "lower limit of L");
-        if (hi < DBL_MAX)
-            require(beyond(hi, 1, 0.0, &X.power, &den, &X.nn, 1) >= 0,
+        if (hi[0] < DBL_MAX)
+            require(beyond(hi[0], 1, 0.0, &X.power, &den, &X.nn, 1) >= 0,
                     "upper limit of L");
-        limited += bound == 0 && (lo > -DBL_MAX || hi < DBL_MAX);
+        limited += side == 0 && (lo[0] > -DBL_MAX || hi[0] < DBL_MAX);
     }
     sides++;
-    decided += bound != 0;
-    require(bound == 0 || bound == X.wn.sign, "side by hh_bound");
-    if (bound == 1) {
-        ex_copy(&den, &X.wn);
-        ex_shift(&den, 1);
-        require(within(l[0], dl[0], &X.power, &den, &X.nn, 1),
-                "L by hh_bound");
+    decided += side != 0;
+    require(side == 0 || side == X.wn.sign, "side by hh_limits");
+    if (side == 1) {
+        require(within(0.5 * lo[0] + 0.5 * hi[0], 0.5 * hi[0] - 0.5 * lo[0],
+                       &X.power, &den, &X.nn, 1), "L by hh_limits");
         if (*last) {
             pairs++;
-            if (l[0] + dl[0] < l[1] - dl[1]) {
+            if (hi[0] < lo[1]) {
                 ordered++;
                 require(ex_insphere(P[0], P[1], P[2], P[3], P[4]) == -1,
                         "order of L");
             }
-            if (l[1] + dl[1] < l[0] - dl[0]) {
+            if (hi[1] < lo[0]) {
                 ordered++;
                 require(ex_insphere(P[0], P[1], P[2], P[4], P[3]) == -1,
                         "order of L");
             }
         }
-        l[1] = l[0];
-        dl[1] = dl[0];
+        lo[1] = lo[0];
+        hi[1] = hi[0];
     }
-    *last = bound == 1;
+    *last = side == 1;
 }
 
 /* All that hhpred.h and hhpred.c promise of facets of a class. */
 static void test_facets(int group, int limbs, long n)
 {
     long faults = 0, i;
-    double p[5][3], l[2], dl[2], unit;
+    double p[5][3], lo[2], hi[2], unit;
     int j, k, kind, last;
     char name[80];
 
@@ -1382,7 +1458,7 @@ static void test_facets(int group, int limbs, long n)
             exact_point(P[3]);
             fault = NULL;
             if (!limbs) test_public();
-            test_bound(l, dl, &last, limbs);
+            test_limits(lo, hi, &last, limbs);
             if (fault != NULL && faults++ < 3) {
                 printf("%s:\n", fault);
                 show(5);
@@ -1536,6 +1612,7 @@ static void all(void)
                                   percent / 100);
     test_flat(20000 * percent / 100);
     test_foot(10000 * percent / 100);
+    test_weigh(20000 * percent / 100);
 #if HH_LIMBS < 88
     test_range(20000 * percent / 100);
 #endif
