@@ -94,7 +94,7 @@
  * and what needs no mesh under construction:
  *   queries      qside inbox
  *   location     closer sample walk holds sweep elimin backsu unite balanc
- *                weigh hullstep place turn nearhull tess_locate
+ *                weigh hullstep turn nearhull tess_locate
  *                tess_values descend across tess_query
  *   hull, check  tess_hull merge sortpt marks chkpla chkidx chkfac chktet
  *                chkedg chkhul chkcov tess_check
@@ -380,11 +380,8 @@ static int before(const mesh *m, tess_int i, int axis, const double *q,
     const double *p = m->x + 3 * i;
     int k;
 
-    if (p[axis] != q[axis]) return p[axis] < q[axis];
-    k = axis == 2 ? 0 : axis + 1;
-    if (p[k] != q[k]) return p[k] < q[k];
-    k = k == 2 ? 0 : k + 1;
-    if (p[k] != q[k]) return p[k] < q[k];
+    for (k = 0; k < 3; k++, axis = axis == 2 ? 0 : axis + 1)
+        if (p[axis] != q[axis]) return p[axis] < q[axis];
     return m->order[i] < number;
 }
 
@@ -470,10 +467,7 @@ static void twin(mesh *m, tess_int i, tess_int j)
     if (p[0] != q[0] || p[1] != q[1] || p[2] != q[2]) return;
     a = m->order[i];
     b = m->order[j];
-    if (a > b)
-        m->rep[a] = b;
-    else
-        m->rep[b] = a;
+    m->rep[a > b ? a : b] = a > b ? b : a;
 }
 
 /* bisect - selectmid across the widest extent.  Duplicates that the cut parts
@@ -782,6 +776,7 @@ static void erase(mesh *m, tess_int e, tess_int least)
 {
     tess_int *p = m->pool + ENTRY * e, *q;
     tess_int hole = e, home, v[3];
+    int k;
 
     if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = p[2];
     if (p[2] != NONE)
@@ -797,10 +792,7 @@ static void erase(mesh *m, tess_int e, tess_int least)
         /* e may fill the hole if its home is not behind the hole */
         if (hole <= e ? home <= hole || home > e : home <= hole && home > e) {
             p = m->pool + ENTRY * hole;
-            p[0] = q[0];
-            p[1] = q[1];
-            p[2] = q[2];
-            p[3] = q[3];
+            for (k = 0; k < ENTRY; k++) p[k] = q[k];
             if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = hole;
             if (p[2] != NONE)
                 m->pool[ENTRY * p[2] + 1] = hole;
@@ -2668,14 +2660,10 @@ static void join(mesh *m, tess_int a, tess_int b)
 /* unlinkedge - take edge e out of the link. */
 static void unlinkedge(mesh *m, tess_int e)
 {
-    tess_int *p = m->pool + e, i = m->link[p[FROM]];
+    tess_int *p = m->pool + e, *at = m->link + p[FROM];
 
-    if (i == e)
-        m->link[p[FROM]] = p[CHAIN];
-    else {
-        while (m->pool[i + CHAIN] != e) i = m->pool[i + CHAIN];
-        m->pool[i + CHAIN] = p[CHAIN];
-    }
+    while (*at != e) at = m->pool + *at + CHAIN;
+    *at = p[CHAIN];
     p[CODE] = DEAD;
 }
 
@@ -2684,9 +2672,8 @@ static tess_int between(const mesh *m, tess_int a, tess_int b)
 {
     tess_int e = m->link[a];
 
-    if (e < 0) return NONE;
-    while (e != NONE && m->pool[e + TO] != b) e = m->pool[e + CHAIN];
-    return e;
+    while (e >= 0 && m->pool[e + TO] != b) e = m->pool[e + CHAIN];
+    return e >= 0 ? e : NONE;
 }
 
 /* glue - the facets of two codes are one. */
@@ -3902,19 +3889,6 @@ static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
     return hh_foot(a, b, c, q, w) == 0 ? TESS_RANGE : 3;
 }
 
-/* place - the weights w of a tetrahedron v with the facet f, of weights x. */
-static void place(const tess_int *v, const tess_int *f, const double *x,
-                  double *w)
-{
-    int i, k;
-
-    for (k = 0; k < 4; k++) {
-        w[k] = 0.0;
-        for (i = 0; i < 3; i++)
-            if (v[k] == f[i]) w[k] = x[i];
-    }
-}
-
 /* turn - from the facet *k of tetrahedron *t, of the hull, to the one on the
  * other side of its edge opposite to the vertex z.  Returns 1, or 0 where
  * neighbours are out of range or do not match. */
@@ -3942,7 +3916,8 @@ static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
 }
 
 /* nearhull - from tetrahedron *t with a facet of the hull that q is outside of
- * to the one with the hull's point nearest to q, and that point's weights w.
+ * to the one with the hull's point nearest to q, and in w, which is 0, that
+ * point's weights.
  * Returns 1, TESS_RANGE or -4. */
 static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
                     const tess_int *adj, const tess_real *q, tess_int *t,
@@ -3968,7 +3943,7 @@ static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
         if (step % 2 == 1) *t = u;
         if (step < 2 && !turn(ntet, tet, adj, &u, &k, s.from)) return -4;
     }
-    place(four(tet, *t), s.f, x, w);
+    for (k = 0; k < 3; k++) w[slot(four(tet, *t), s.f[k])] = x[k];
     return 1;
 }
 
@@ -4142,7 +4117,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
         } while (across(&m, u, i));
         k = i;
     }
-    place(v, h.f, x, w);
+    for (i = 0; i < 3; i++) w[slot(v, h.f[i])] = x[i];
     return 1;
 }
 
@@ -4247,13 +4222,10 @@ static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
  * duplicate of one of lower index; they are marked as used. */
 static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
 {
-    int i, j;
+    int i;
 
-    for (i = 0; i < 4; i++) {
-        if (v[i] < 0 || v[i] >= n) return TESS_BAD_INDEX;
-        for (j = 0; j < i; j++)
-            if (v[i] == v[j]) return TESS_BAD_INDEX;
-    }
+    for (i = 0; i < 4; i++)
+        if (v[i] < 0 || v[i] >= n || slot(v, v[i]) < i) return TESS_BAD_INDEX;
     for (i = 0; i < 4; i++) {
         if (mark[v[i]] == TWIN) return TESS_BAD_TWIN;
         mark[v[i]] = USED;

@@ -147,9 +147,9 @@ C       queries: qside TSQSID, inbox TSINBO
 C       location: closer TSCLOS, sample TSSAMP, walk TSWALK,
 C         holds TSHOLD, sweep TSSWEE, elimin TSELIM, backsu TSBACK,
 C         unite TSUNTE, balanc TSBALA, weigh TSWEIG, hullstep TSHULL,
-C         place TSPLAC, turn TSTURN, nearhull TSNEAH,
-C         tess_locate TESSLO, tess_values TESSVA, descend TSDESC,
-C         across TSACRO, tess_query TESSQU
+C         turn TSTURN, nearhull TSNEAH, tess_locate TESSLO,
+C         tess_values TESSVA, descend TSDESC, across TSACRO,
+C         tess_query TESSQU
 C       hull, check: tess_hull TESSHU, merge TSMERG, sortpt TSSORP,
 C         marks TSMARK, chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF,
 C         chktet TSCHKT, chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
@@ -5579,20 +5579,6 @@ C         an edge has one more facet, a vertex a circle of them
       IF (SET .EQ. 0) STEP = RANGE
       END
 
-C     TSPLAC - the weights W of a tetrahedron T of V with the facet F,
-C     of weights X.
-      SUBROUTINE TSPLAC(V, T, F, X, W)
-      INTEGER V(4,*), T, F(*)
-      DOUBLE PRECISION X(3), W(4)
-      INTEGER I, K
-      DO 20 K = 1, 4
-        W(K) = 0.0D0
-        DO 10 I = 1, 3
-          IF (V(K,T) .EQ. F(I)) W(K) = X(I)
-   10   CONTINUE
-   20 CONTINUE
-      END
-
 C     TSTURN - from the facet K of tetrahedron T, of the hull, to the
 C     one on the other side of its edge opposite to the vertex Z.  OK is
 C     1, or 0 where neighbours are out of range or do not match.
@@ -5623,12 +5609,12 @@ C     1, or 0 where neighbours are out of range or do not match.
       END
 
 C     TSNEAH - from tetrahedron T with a facet of the hull that Q is
-C     outside of to the one with the hull's point nearest to Q, and that
-C     point's weights W.  INFO is 1, RANGE or -4.
+C     outside of to the one with the hull's point nearest to Q, and in
+C     W, which is 0, that point's weights.  INFO is 1, RANGE or -4.
       SUBROUTINE TSNEAH(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
-      INTEGER TSQSID
+      INTEGER TSQSID, TSSLOT
       INTEGER HFROM, HMOST, NONE, RANGE
       PARAMETER (HFROM = 7, HMOST = 10, NONE = 0, RANGE = 6)
       DOUBLE PRECISION X(3)
@@ -5655,7 +5641,9 @@ C     point's weights W.  INFO is 1, RANGE or -4.
         IF (OK .EQ. 0) RETURN
         GO TO 20
       END IF
-      CALL TSPLAC(TET, T, H, X, W)
+      DO 30 K = 1, 3
+        W(TSSLOT(TET, T, H(K))) = X(K)
+   30 CONTINUE
       INFO = 1
       END
 
@@ -6028,7 +6016,9 @@ C     as TSTURN does
       IF (OK .EQ. 1) GO TO 110
       K = I
       GO TO 80
-  120 CALL TSPLAC(V, 1, H, XF, W)
+  120 DO 130 I = 1, 3
+        W(TSSLOT(V, 1, H(I))) = XF(I)
+  130 CONTINUE
       INFO = 1
       END
 
@@ -6199,23 +6189,22 @@ C     a duplicate of one of lower index; they are marked as used.  The
 C     marks begin behind IW(MARK).
       SUBROUTINE TSCHKI(N, TET, T, IW, MARK, INFO)
       INTEGER N, TET(4,*), T, IW(*), MARK, INFO
+      INTEGER TSSLOT
       INTEGER TWIN, USED, BADIDX, BADTWI
       PARAMETER (TWIN = -1, USED = 1, BADIDX = 10, BADTWI = 11)
-      INTEGER I, J, V
+      INTEGER I, V
       INFO = BADIDX
-      DO 20 I = 1, 4
+      DO 10 I = 1, 4
         V = TET(I,T)
         IF (V .LT. 1 .OR. V .GT. N) RETURN
-        DO 10 J = 1, I - 1
-          IF (V .EQ. TET(J,T)) RETURN
-   10   CONTINUE
-   20 CONTINUE
+        IF (TSSLOT(TET, T, V) .LT. I) RETURN
+   10 CONTINUE
       INFO = BADTWI
-      DO 30 I = 1, 4
+      DO 20 I = 1, 4
         V = TET(I,T)
         IF (IW(MARK+V) .EQ. TWIN) RETURN
         IW(MARK+V) = USED
-   30 CONTINUE
+   20 CONTINUE
       INFO = 0
       END
 
