@@ -72,11 +72,8 @@
  *   sorting      before swap pivot selectmid twin bisect leafstart leafof span
  *                leafsort kdsort boxes
  *   first facet  point preced edgeby firstfacet
- *   star         clearlink renumber push join unlinkedge between glue flush
- *                grow enlist follow gather load complete makeroom begin star
- *                stars
- *   pool         outfac facet owner hashkey same find insert erase quota
- *                rehash
+ *   pool         outfac facet owner hashkey same find insert erase enter full
+ *                cuberoot tablesize quota newtable rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
  *   apex         dot powererr prunebox prunepart ballinbox ballinstar better
  *                curved narrow refine rough marked level remember fit discover
@@ -85,16 +82,19 @@
  *                ballcoef starcoef inball considerall likeliest anypoint
  *                newcell incell instar inblock scanleaf barren treesearch
  *                onhull prepare proven apex
- *   one star     exchange settle plant
+ *   one star     exchange settle
+ *   star         clearlink renumber push join unlinkedge between glue flush
+ *                grow enlist follow gather load complete makeroom begin star
+ *                plant stars
  *   results      coords four slot mate
- *   preparation  leafcount cuberoot tablesize upto lengths extra spare
- *                collect inrange times units scaled revive sorted intact match
- *                claim restore layout opened run wrong unfit
+ *   preparation  leafcount lengths layout collect inrange times units scaled
+ *                revive sorted seal opened intact claim match rejoin restore
+ *                run wrong
  *   entries      tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
  *   queries      qside inbox
- *   location     distance sample walk holds sweep hullstep place turn
- *                nearhull tess_locate tess_values nearby tess_query
+ *   location     closer sample walk holds sweep hullstep turn nearhull
+ *                tess_locate tess_values descend across tess_query
  *   hull, check  tess_hull merge sortpt marks chkpla chkidx chkfac chktet
  *                chkedg chkhul chkcov tess_check
  *   a ball       tess_ball
@@ -148,19 +148,13 @@ extern void tess_prove(int fact);
 #define LEAF 48
 /* Points in the groups that the points of a leaf are sorted into. */
 #define GROUP 8
-/* A block's list reaches from its box REACH times the side of a cube with one
- * point of the leaf, at first; a star's reaches NEAR times as far from its
- * vertex.  From list to list they go wider or narrower as long as they have
- * less or more points than BLOCKMIN ... BLOCKMAX, STARMIN ... STARMAX.  On
- * uniform points they have about 230 and 34, and 95 % of the searches end in
- * the star's list, 3.5 % in the block's.  Without a star's list they take a
- * third longer; with a fixed REACH, points in a flat box 3 %. */
-#define REACH 2.75
-#define NEAR 0.85
-#define BLOCKMIN (TESS_LIST / 8 * 3)
-#define BLOCKMAX (TESS_LIST / 8 * 5)
-#define STARMIN 24
-#define STARMAX 48
+/* A block's list reaches from its box BLOCKREACH times the side of a cube with
+ * one point of the leaf; a star's reaches STARREACH times as far from its
+ * vertex.  Of uniform points they have about 230 and 34, and 95 % of the
+ * searches end in the star's list, 3.5 % in the block's.  Without a star's list
+ * they take a third longer. */
+#define BLOCKREACH 2.6
+#define STARREACH 0.85
 /* Capacity of a list (see tess.h).  Lists only say where to look first. */
 #ifndef TESS_LIST
 #define TESS_LIST 512
@@ -207,7 +201,7 @@ extern void tess_prove(int fact);
 /* Steps from a given start before a location looks for a better one: with 8,
  * queries in order among 100,000 points take a quarter longer than with 16;
  * with 32, those in no order 1.4 times as long as with 8. */
-#define NEARBY 12
+#define ASTRAY 12
 /* Integers of an entry of the pool, and of an edge of the link. */
 #define ENTRY 4
 #define EDGE 6
@@ -242,12 +236,12 @@ extern void tess_prove(int fact);
  * right to far less than FEPS, and a star's margin is above HH_SMALL, so that
  * no product in ballinstar underflows.
  *
- * NEAREST: a star's list does without points nearer than this, in a block's
- * units: the block does not tell them apart.  SLACK: in them, a distance is
+ * FINEST: a star whose margin is less, in its block's units, has no list: the
+ * block does not tell such points apart.  SLACK: in them, a distance is
  * wrong by less: 2 FEPS for each of two coordinates of at most 2 rounded
  * twice, times sqrt(3), and as much for the square, its bound and the root;
  * below 24 FEPS.  What is within margin + SLACK by this reckoning is within
- * 1.1 margin, as SLACK is 0.04 NEAREST.
+ * 1.1 margin, as SLACK is 0.04 FINEST.
  *
  * FAR: where a list keeps what has left it.  No such point passes a filter:
  * its r is at least FAR^2 = 1e20, and ballcoef's limits leave |d.x| < 2e19,
@@ -264,7 +258,7 @@ extern void tess_prove(int fact);
 #define FAINT 1e-20
 #endif
 #define NARROW (HH_SMALL * 1e5)
-#define NEAREST 1e-4
+#define FINEST 1e-4
 #define SLACK (32.0f * FEPS)
 #define FAR 1e10f
 #define PAD (64.0 * EPS)
@@ -355,7 +349,6 @@ typedef struct mesh {
     tess_int plane[PLANES][3];
     int nplane, nextplane;
     list block, around;       /* lists of a leaf, and of a star in it */
-    double share;             /* the star's margin in the block's */
     int ties;                 /* the last points on a ball were not in it */
     cell cells[CELLS];        /* those met in this star, the last ones of */
     int ncell;                /* so many */
@@ -370,6 +363,12 @@ typedef struct mesh {
     double scanned;           /* points of leaves tested, or < 0 */
 } mesh;
 
+/* Lengths for n points: the least ones of iw and rw, and what is recommended
+ * besides: in iw pool, and marks for supports; in rw cylinders. */
+typedef struct sizes {
+    tess_int iw, rw, pool, marks, cylinders;
+} sizes;
+
 /* ---- sorting ---- */
 
 /* before - does point i come before the point of coordinates q and number
@@ -380,11 +379,8 @@ static int before(const mesh *m, tess_int i, int axis, const double *q,
     const double *p = m->x + 3 * i;
     int k;
 
-    if (p[axis] != q[axis]) return p[axis] < q[axis];
-    k = axis == 2 ? 0 : axis + 1;
-    if (p[k] != q[k]) return p[k] < q[k];
-    k = k == 2 ? 0 : k + 1;
-    if (p[k] != q[k]) return p[k] < q[k];
+    for (k = 0; k < 3; k++, axis = axis == 2 ? 0 : axis + 1)
+        if (p[axis] != q[axis]) return p[axis] < q[axis];
     return m->order[i] < number;
 }
 
@@ -470,10 +466,7 @@ static void twin(mesh *m, tess_int i, tess_int j)
     if (p[0] != q[0] || p[1] != q[1] || p[2] != q[2]) return;
     a = m->order[i];
     b = m->order[j];
-    if (a > b)
-        m->rep[a] = b;
-    else
-        m->rep[b] = a;
+    m->rep[a > b ? a : b] = a > b ? b : a;
 }
 
 /* bisect - selectmid across the widest extent.  Duplicates that the cut parts
@@ -679,392 +672,6 @@ static int firstfacet(const mesh *m, tess_int *v)
     return 0;
 }
 
-/* ---- the star of a vertex ----
- *
- * The open facets at s are the edges a -> b of its link: (s, a, b) is
- * positive towards the unknown side.  They are a queue, which keeps the link's
- * boundary short, and grow down from the end of the pool: edge e is pool[e]
- * and the EDGE - 1 integers behind it.
- */
-#define CODE 0  /* the facet's code; START for the first facet; DEAD */
-#define FROM 1  /* a */
-#define TO 2    /* b */
-#define PREV 3  /* an edge that ends where this one begins, or NONE; and */
-#define AFTER 4 /* one that begins where it ends: they give the guesses  */
-#define CHAIN 5 /* the next edge from a, or NONE; link[a] is the first   */
-#define START (-2)
-#define DEAD (-3)
-
-/* What follows calls these, which stand behind it. */
-static void facet(const mesh *m, tess_int code, tess_int *v);
-static tess_int owner(const mesh *m, const tess_int *v);
-static tess_int hashkey(const tess_int *v);
-static tess_int find(const mesh *m, const tess_int *v, tess_int sig);
-static void insert(mesh *m, tess_int e, tess_int code, tess_int least,
-                   tess_int sig);
-static void erase(mesh *m, tess_int e, tess_int least);
-static tess_int quota(const mesh *m, tess_int edges);
-static int rehash(mesh *m, tess_int s, tess_int wanted);
-static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess);
-static tess_int cuberoot(tess_int n);
-static void starlist(mesh *m, tess_int s);
-static int plant(mesh *m, tess_int s);
-static int match(mesh *m, tess_int code, tess_int other);
-#ifdef TESS_PROVE
-static int proven(const mesh *m, const tess_int *v, tess_int c);
-#endif
-
-/* clearlink - the link has no edges. */
-static void clearlink(mesh *m)
-{
-    m->newest = m->room;
-    m->oldest = m->room - EDGE;
-}
-
-/* renumber - move the edges up to the end of the pool again. */
-static void renumber(mesh *m)
-{
-    tess_int shift = m->room - EDGE - m->oldest, e, *p, *q;
-    int k;
-
-    for (e = m->oldest; e >= m->newest; e -= EDGE) {
-        p = m->pool + e;
-        q = p + shift;
-        if (p[CODE] != DEAD && m->link[p[FROM]] == e) m->link[p[FROM]] += shift;
-        for (k = 0; k < EDGE; k++)
-            q[k] = k >= PREV && p[k] != NONE ? p[k] + shift : p[k];
-    }
-    m->newest += shift;
-    m->oldest += shift;
-}
-
-/* push - a new edge a -> b without neighbours, if there is room: its number,
- * or NONE. */
-static tess_int push(mesh *m, tess_int code, tess_int a, tess_int b)
-{
-    tess_int e = m->newest - EDGE, *p = m->pool + e;
-
-    if (e < ENTRY * m->m) return NONE;
-    p[CODE] = code;
-    p[FROM] = a;
-    p[TO] = b;
-    p[PREV] = p[AFTER] = NONE;
-    p[CHAIN] = m->link[a] >= 0 ? m->link[a] : NONE;
-    m->link[a] = m->newest = e;
-    return e;
-}
-
-/* join - let edge b follow edge a; either may be NONE. */
-static void join(mesh *m, tess_int a, tess_int b)
-{
-    if (a != NONE) m->pool[a + AFTER] = b;
-    if (b != NONE) m->pool[b + PREV] = a;
-}
-
-/* unlinkedge - take edge e out of the link. */
-static void unlinkedge(mesh *m, tess_int e)
-{
-    tess_int *p = m->pool + e, i = m->link[p[FROM]];
-
-    if (i == e)
-        m->link[p[FROM]] = p[CHAIN];
-    else {
-        while (m->pool[i + CHAIN] != e) i = m->pool[i + CHAIN];
-        m->pool[i + CHAIN] = p[CHAIN];
-    }
-    p[CODE] = DEAD;
-}
-
-/* between - the edge a -> b of the link, or NONE. */
-static tess_int between(const mesh *m, tess_int a, tess_int b)
-{
-    tess_int e = m->link[a];
-
-    if (e < 0) return NONE;
-    while (e != NONE && m->pool[e + TO] != b) e = m->pool[e + CHAIN];
-    return e;
-}
-
-/* glue - the facets of two codes are one. */
-static void glue(mesh *m, tess_int code, tess_int other)
-{
-    m->adj[code] = other / 4;
-    m->adj[other] = code / 4;
-}
-
-/* flush - enter the facets opposite to s of the tetrahedra from fresh on into
- * the pool, or close them if it has their other sides.  They wait for each
- * other so that the processor can fetch what several need from memory at
- * once. */
-static void flush(mesh *m)
-{
-    tess_int v[3], e, sig, least;
-
-    for (; m->fresh < m->ntet; m->fresh++) {
-        facet(m, 4 * m->fresh, v);
-        least = owner(m, v);
-        if (least == NONE) continue;
-        sig = hashkey(v);
-        e = find(m, v, sig);
-        if (m->pool[ENTRY * e] == NONE)
-            insert(m, e, 4 * m->fresh, least, sig);
-        else {
-            glue(m, 4 * m->fresh, m->pool[ENTRY * e]);
-            erase(m, e, least);
-        }
-    }
-}
-
-/* grow - store the tetrahedron of s, edge e = a -> b and the apex c: a -> c
- * and c -> b take the place of e in the link, unless their other sides are
- * there, which then go too. */
-static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
-{
-    tess_int *p = m->pool + e, a = p[FROM], b = p[TO], prev = p[PREV];
-    tess_int after = p[AFTER], code = p[CODE], t = m->ntet++, *v, f, g;
-
-    v = m->tet + 4 * t;
-    v[0] = s;
-    v[1] = a;
-    v[2] = b;
-    v[3] = c;
-    if (code == START) {
-        f = between(m, b, a);
-        m->adj[4 * t + 3] = f == NONE ? TESS_NONE : TESS_OPEN;
-        if (f != NONE) m->pool[f + CODE] = 4 * t + 3;
-    } else
-        glue(m, code, 4 * t + 3);
-    if (m->link[c] == NEW) m->link[c] = NONE;
-    unlinkedge(m, e);
-    m->adj[4 * t] = TESS_OPEN; /* until flush */
-
-    /* a -> c; prev becomes the edge that ends at c */
-    f = between(m, c, a);
-    if (f == NONE) {
-        m->adj[4 * t + 2] = TESS_OPEN;
-        f = push(m, 4 * t + 2, a, c);
-        join(m, prev, f);
-        prev = f;
-    } else {
-        glue(m, 4 * t + 2, m->pool[f + CODE]);
-        g = m->pool[f + PREV];
-        if (f != prev) join(m, prev, m->pool[f + AFTER]);
-        prev = g;
-        unlinkedge(m, f);
-    }
-    /* c -> b */
-    f = between(m, b, c);
-    if (f == NONE) {
-        m->adj[4 * t + 1] = TESS_OPEN;
-        f = push(m, 4 * t + 1, c, b);
-        join(m, prev, f);
-        join(m, f, after);
-    } else {
-        glue(m, 4 * t + 1, m->pool[f + CODE]);
-        g = m->pool[f + PREV];
-        join(m, prev, m->pool[f + AFTER]);
-        if (f != after) join(m, g, after);
-        unlinkedge(m, f);
-    }
-}
-
-/* enlist - make an open facet at s, of the given code, an edge of the link;
- * 0 if there is no room. */
-static int enlist(mesh *m, tess_int s, tess_int code)
-{
-    tess_int v[3];
-    int k;
-
-    facet(m, code, v);
-    k = (v[1] == s) + 2 * (v[2] == s);
-    return push(m, code, v[(k + 1) % 3], v[(k + 2) % 3]) != NONE;
-}
-
-/* follow - let every edge of the link be followed by one that begins where
- * it ends and follows no other, if there is one. */
-static void follow(mesh *m)
-{
-    tess_int e, f;
-
-    for (e = m->oldest; e >= m->newest; e -= EDGE) {
-        f = m->link[m->pool[e + TO]];
-        if (f < 0 || m->pool[e + CODE] == DEAD) continue;
-        while (f != NONE && m->pool[f + PREV] != NONE) f = m->pool[f + CHAIN];
-        join(m, e, f);
-    }
-}
-
-/* gather - make all open facets at s edges of the link, in the order of their
- * tetrahedra.  Returns 0, TESS_POOL, or what match finds in a facet that is
- * there twice, as in results that were joined: it is closed. */
-static int gather(mesh *m, tess_int s)
-{
-    tess_int v[3], t, e;
-    int k, j, code;
-
-    for (t = 0; t < m->ntet; t++)
-        for (k = 3; k >= 0; k--) {
-            if (m->adj[4 * t + k] != TESS_OPEN) continue;
-            facet(m, 4 * t + k, v);
-            j = v[0] == s ? 0 : v[1] == s ? 1 : 2;
-            if (v[j] != s) continue;
-            if (between(m, v[(j + 1) % 3], v[(j + 2) % 3]) != NONE) return -6;
-            e = between(m, v[(j + 2) % 3], v[(j + 1) % 3]);
-            if (e == NONE) {
-                if (!enlist(m, s, 4 * t + k)) return TESS_POOL;
-                continue;
-            }
-            code = match(m, 4 * t + k, m->pool[e + CODE]);
-            if (code != 0) return code;
-            unlinkedge(m, e);
-        }
-    follow(m);
-    return 0;
-}
-
-/* load - move the facets that s owns from the pool to the link, the oldest
- * first; 0 if there is no room.  Where these do not fit beside the table, it
- * gives them up first. */
-static int load(mesh *m, tess_int s)
-{
-    tess_int e = m->head[s], edges = 1;
-
-    if (e == NONE) return 1;
-    for (; m->pool[ENTRY * e + 1] != NONE; edges++) e = m->pool[ENTRY * e + 1];
-    if (ENTRY * m->m > m->newest - EDGE * edges) {
-        m->nopen -= edges;
-        return rehash(m, s, quota(m, edges)) == 0 && gather(m, s) == 0;
-    }
-    for (; e != NONE; e = m->pool[ENTRY * e + 2])
-        (void)enlist(m, s, m->pool[ENTRY * e]);
-    while (m->head[s] != NONE) erase(m, m->head[s], s);
-    follow(m);
-    return 1;
-}
-
-/* complete - the star of s is complete: s leaves the tree and the block. */
-static void complete(mesh *m, tess_int s)
-{
-    tess_int node = m->leaves + leafof(m, s);
-    list *l = &m->block;
-    int i = (int)(s - l->first);
-
-    if (m->link[s] == DONE) return;
-    m->link[s] = DONE;
-    while (node > 0 && --m->alive[node] == 0) node /= 2;
-    if (s < l->first || s >= l->last || l->n == 0) return;
-    l->x[i] = l->y[i] = l->z[i] = FAR;
-    l->r[i] = FAR * FAR;
-}
-
-/* makeroom - make sure of room for another tetrahedron's facets in the table
- * and in the link of s; returns 0 if there is none.  Callers must reload oldest.
- * When three quarters of the table are in use, or the link meets it, the edges
- * move up, if an eighth of their room is dead, and the table gets another
- * length, if that differs by a sixteenth: so both are seldom. */
-static int makeroom(mesh *m, tess_int s)
-{
-    tess_int most, change = m->m / 16;
-
-    if (4 * (m->nopen + m->ntet - m->fresh) < 3 * m->m &&
-        ENTRY * m->m <= m->newest - 2 * EDGE)
-        return 1;
-    flush(m);
-    if (m->room - m->oldest > (m->room - m->newest) / 8) renumber(m);
-    most = quota(m, 2);
-    if (most > 2 * m->m + 1) most = 2 * m->m + 1;
-    if ((4 * m->nopen >= 3 * m->m && most > m->m + change) ||
-        (ENTRY * m->m > m->newest - 2 * EDGE && most < m->m - change))
-        (void)rehash(m, s, most);
-    return m->nopen < m->m - m->m / 8 - 1 &&
-           ENTRY * m->m <= m->newest - 2 * EDGE;
-}
-
-/* begin - the first facet becomes an edge of the link of its vertex of least
- * position, s. */
-static int begin(mesh *m, tess_int *s)
-{
-    tess_int v[3];
-    int code = firstfacet(m, v), i;
-
-    if (code != 0) return code;
-    *s = v[0];
-    for (i = 0; i < 3; i++) m->link[v[i]] = NONE;
-    return push(m, START, v[1], v[2]) == NONE ? TESS_POOL : 0;
-}
-
-/* star - complete the star of s, whose open facets are the edges of the
- * link.  Returns 0, TESS_MORE or TESS_POOL. */
-static int star(mesh *m, tess_int s)
-{
-    tess_int *p, v[3], guess[2], e, c;
-
-    starlist(m, s);
-    m->ncell = 0;
-    for (;;) {
-        while (m->oldest >= m->newest && m->pool[m->oldest + CODE] == DEAD)
-            m->oldest -= EDGE;
-        if (m->oldest < m->newest) break;
-        e = m->oldest;
-        p = m->pool + e;
-        v[0] = s;
-        v[1] = p[FROM];
-        v[2] = p[TO];
-        guess[0] = p[PREV] == NONE ? NONE : m->pool[p[PREV] + FROM];
-        guess[1] = p[AFTER] == NONE ? NONE : m->pool[p[AFTER] + TO];
-        c = apex(m, v, guess);
-        HOLDS(proven(m, v, c));
-        if (c == NONE) {
-            if (p[CODE] != START) m->adj[p[CODE]] = TESS_NONE;
-            if (p[PREV] != NONE) m->pool[p[PREV] + AFTER] = NONE;
-            if (p[AFTER] != NONE) m->pool[p[AFTER] + PREV] = NONE;
-            unlinkedge(m, e);
-            continue;
-        }
-        if (m->ntet == m->maxtet) {
-            flush(m);
-            return TESS_MORE;
-        }
-        if (!makeroom(m, s)) return TESS_POOL;
-        grow(m, s, m->oldest, c);
-    }
-    clearlink(m);
-    flush(m);
-    complete(m, s);
-    return 0;
-}
-
-/* stars - complete star after star of those asked for, from s on if it has
- * edges in the link: by and by what hangs together, then what else there is. */
-static int stars(mesh *m, tess_int s)
-{
-    int code;
-
-    for (;;) {
-        if (m->oldest >= m->newest) {
-            code = star(m, s);
-            if (code != 0) return code;
-        }
-        s = m->low;
-        while (s < m->np && m->head[s] < 0) {
-            /* no open facet has a vertex of smaller position than low, so
-             * one that was met before and owns none is complete */
-            if (m->link[s] == NONE && m->head[s] == NONE) complete(m, s);
-            s++;
-        }
-        m->low = s;
-        if (s < m->np) {
-            if (!load(m, s)) return TESS_POOL;
-            continue;
-        }
-        s = m->unmet;
-        while (s < m->np && (m->link[s] != NEW || m->head[s] == FOREIGN)) s++;
-        m->unmet = s;
-        if (s == m->np) return 0;
-        if (!plant(m, s)) return TESS_POOL;
-    }
-}
-
 /* ---- the pool of open facets: an open-addressing hash ----
  *
  * Entry e: pool[ENTRY*e] the facet's code 4t+k, or NONE; then the next and
@@ -1168,6 +775,7 @@ static void erase(mesh *m, tess_int e, tess_int least)
 {
     tess_int *p = m->pool + ENTRY * e, *q;
     tess_int hole = e, home, v[3];
+    int k;
 
     if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = p[2];
     if (p[2] != NONE)
@@ -1183,10 +791,7 @@ static void erase(mesh *m, tess_int e, tess_int least)
         /* e may fill the hole if its home is not behind the hole */
         if (hole <= e ? home <= hole || home > e : home <= hole && home > e) {
             p = m->pool + ENTRY * hole;
-            p[0] = q[0];
-            p[1] = q[1];
-            p[2] = q[2];
-            p[3] = q[3];
+            for (k = 0; k < ENTRY; k++) p[k] = q[k];
             if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = hole;
             if (p[2] != NONE)
                 m->pool[ENTRY * p[2] + 1] = hole;
@@ -1200,6 +805,47 @@ static void erase(mesh *m, tess_int e, tess_int least)
     m->pool[ENTRY * hole] = NONE;
 }
 
+/* enter - enter the open facet of a code into the pool, unless its other side
+ * is there: returns the code of that, which leaves the pool, or NONE. */
+static tess_int enter(mesh *m, tess_int code)
+{
+    tess_int v[3], e, sig, least, other;
+
+    facet(m, code, v);
+    least = owner(m, v);
+    if (least == NONE) return NONE;
+    sig = hashkey(v);
+    e = find(m, v, sig);
+    other = m->pool[ENTRY * e];
+    if (other == NONE)
+        insert(m, e, code, least, sig);
+    else
+        erase(m, e, least);
+    return other;
+}
+
+/* full - returns 1 if the table may not hold more than so many facets. */
+static int full(const mesh *m, tess_int many)
+{
+    return many > m->m - m->m / 8 - 1;
+}
+
+/* cuberoot - the least c with c^3 >= n. */
+static tess_int cuberoot(tess_int n)
+{
+    tess_int c = 1;
+
+    while ((double)c * (double)c * (double)c < (double)n) c++;
+    return c;
+}
+
+/* tablesize - entries of the pool to begin with: a little more than what
+ * uniform points need, as a small table stays in the cache. */
+static tess_int tablesize(tess_int n)
+{
+    return 9 * cuberoot(n) * cuberoot(n) + 16;
+}
+
 /* quota - entries that the table may have: those it needs for its facets, an
  * eighth of them unused, and half of what besides so many more edges is
  * free. */
@@ -1211,41 +857,37 @@ static tess_int quota(const mesh *m, tess_int edges)
     return most < need ? most : need + (most - need) / 2;
 }
 
-/* rehash - give the pool's table another length, its quota at most, and enter
- * its facets again in their order.  The new table is laid over the old one, so
- * the facets come from tet and adj: those open ones that have an owner and not
- * the vertex s.  (Those that do are edges of its link.)  In results that were
- * joined a facet may be there twice: it is closed.  Returns 0, TESS_POOL, or
- * what match finds. */
+/* newtable - give the pool's table another length, its quota at most, and no
+ * facet; returns 0 if there is no room for an entry. */
+static int newtable(mesh *m, tess_int wanted)
+{
+    tess_int i, most = quota(m, 2);
+
+    m->m = wanted < most ? wanted : most;
+    m->nopen = 0;
+    for (i = 0; i < m->m; i++) m->pool[ENTRY * i] = NONE;
+    for (i = 0; i < m->np; i++)
+        if (m->head[i] != FOREIGN) m->head[i] = NONE;
+    return m->m > 0;
+}
+
+/* rehash - give the table another length and enter its facets again in their
+ * order; returns 0 if there is no room.  The new table is laid over the old
+ * one, so the facets come from tet and adj: the open ones without the vertex s.
+ * (Those with it are edges of its link.) */
 static int rehash(mesh *m, tess_int s, tess_int wanted)
 {
-    tess_int code, v[3], e, sig, least = quota(m, 2);
-    int bad;
+    tess_int code, v[3];
 
-    if (wanted > least) wanted = least;
-    if (wanted < 1) return TESS_POOL;
-    for (e = 0; e < wanted; e++) m->pool[ENTRY * e] = NONE;
-    for (e = 0; e < m->np; e++)
-        if (m->head[e] != FOREIGN) m->head[e] = NONE;
-    m->m = wanted;
-    m->nopen = 0;
+    if (!newtable(m, wanted)) return 0;
     for (code = 0; code < 4 * m->fresh; code++) {
         if (m->adj[code] != TESS_OPEN) continue;
         facet(m, code, v);
-        least = owner(m, v);
-        if (least == NONE || v[0] == s || v[1] == s || v[2] == s) continue;
-        if (m->nopen >= m->m - m->m / 8 - 1) return TESS_POOL;
-        sig = hashkey(v);
-        e = find(m, v, sig);
-        if (m->pool[ENTRY * e] == NONE)
-            insert(m, e, code, least, sig);
-        else {
-            bad = match(m, code, m->pool[ENTRY * e]);
-            if (bad != 0) return bad;
-            erase(m, e, least);
-        }
+        if (v[0] == s || v[1] == s || v[2] == s) continue;
+        (void)enter(m, code);
+        if (full(m, m->nopen)) return 0;
     }
-    return 0;
+    return 1;
 }
 
 /* ---- lists: where to look first ---- */
@@ -1334,7 +976,6 @@ static void leaflist(mesh *m, tess_int s)
 
     l->first = leafstart(m, leaf);
     l->last = leafstart(m, leaf + 1);
-    m->share = NEAR;
     while (full) {
         for (k = 0; k < 3; k++) {
             l->lo[k] = b[k] - margin;
@@ -1364,8 +1005,6 @@ static void leaflist(mesh *m, tess_int s)
     }
     for (k = 0; k < l->n; k++) setpoint(m, l, k);
     padlist(l);
-    if (l->n < BLOCKMIN && m->reach < 8.0) m->reach *= 1.1;
-    if (l->n > BLOCKMAX && m->reach > 0.05) m->reach *= 0.9;
 }
 
 /* compress - those of the places 0 ... n-1 that are marked by 1, the others by
@@ -1400,7 +1039,7 @@ static void starlist(mesh *m, tess_int s)
 
     if (s < l->first || s >= l->last) leaflist(m, s);
     g->n = 0;
-    margin = m->share * l->margin;
+    margin = STARREACH * l->margin;
     for (k = 0; k < 3; k++) {
         if (l->lo[k] > root[k] && margin > q[k] - l->lo[k])
             margin = q[k] - l->lo[k];
@@ -1409,7 +1048,7 @@ static void starlist(mesh *m, tess_int s)
         g->centre[k] = q[k];
         g->most[k] = 1.1;
     }
-    if (l->n == 0 || margin * l->unit < NEAREST) return;
+    if (l->n == 0 || margin * l->unit < FINEST) return;
     g->margin = margin;
     g->unit = 1.0 / margin;
     i = (int)(s - l->first);
@@ -1430,8 +1069,6 @@ static void starlist(mesh *m, tess_int s)
     }
     g->n = n;
     padlist(g);
-    if (n < STARMIN && m->share < 4.0) m->share *= 1.1;
-    if (n > STARMAX) m->share *= 0.9;
 }
 
 /* ---- the apex of a facet ---- */
@@ -2956,6 +2593,317 @@ static void settle(mesh *m, tess_int s, tess_int *v)
     }
 }
 
+/* ---- the star of a vertex ----
+ *
+ * The open facets at s are the edges a -> b of its link: (s, a, b) is
+ * positive towards the unknown side.  They are a queue, which keeps the link's
+ * boundary short, and grow down from the end of the pool: edge e is pool[e]
+ * and the EDGE - 1 integers behind it.
+ */
+#define CODE 0  /* the facet's code; START for the first facet; DEAD */
+#define FROM 1  /* a */
+#define TO 2    /* b */
+#define PREV 3  /* an edge that ends where this one begins, or NONE; and */
+#define AFTER 4 /* one that begins where it ends: they give the guesses  */
+#define CHAIN 5 /* the next edge from a, or NONE; link[a] is the first   */
+#define START (-2)
+#define DEAD (-3)
+
+/* clearlink - the link has no edges. */
+static void clearlink(mesh *m)
+{
+    m->newest = m->room;
+    m->oldest = m->room - EDGE;
+}
+
+/* renumber - move the edges up to the end of the pool again. */
+static void renumber(mesh *m)
+{
+    tess_int shift = m->room - EDGE - m->oldest, e, *p, *q;
+    int k;
+
+    for (e = m->oldest; e >= m->newest; e -= EDGE) {
+        p = m->pool + e;
+        q = p + shift;
+        if (p[CODE] != DEAD && m->link[p[FROM]] == e) m->link[p[FROM]] += shift;
+        for (k = 0; k < EDGE; k++)
+            q[k] = k >= PREV && p[k] != NONE ? p[k] + shift : p[k];
+    }
+    m->newest += shift;
+    m->oldest += shift;
+}
+
+/* push - a new edge a -> b without neighbours, if there is room: its number,
+ * or NONE. */
+static tess_int push(mesh *m, tess_int code, tess_int a, tess_int b)
+{
+    tess_int e = m->newest - EDGE, *p = m->pool + e;
+
+    if (e < ENTRY * m->m) return NONE;
+    p[CODE] = code;
+    p[FROM] = a;
+    p[TO] = b;
+    p[PREV] = p[AFTER] = NONE;
+    p[CHAIN] = m->link[a] >= 0 ? m->link[a] : NONE;
+    m->link[a] = m->newest = e;
+    return e;
+}
+
+/* join - let edge b follow edge a; either may be NONE. */
+static void join(mesh *m, tess_int a, tess_int b)
+{
+    if (a != NONE) m->pool[a + AFTER] = b;
+    if (b != NONE) m->pool[b + PREV] = a;
+}
+
+/* unlinkedge - take edge e out of the link. */
+static void unlinkedge(mesh *m, tess_int e)
+{
+    tess_int *p = m->pool + e, *at = m->link + p[FROM];
+
+    while (*at != e) at = m->pool + *at + CHAIN;
+    *at = p[CHAIN];
+    p[CODE] = DEAD;
+}
+
+/* between - the edge a -> b of the link, or NONE. */
+static tess_int between(const mesh *m, tess_int a, tess_int b)
+{
+    tess_int e = m->link[a];
+
+    while (e >= 0 && m->pool[e + TO] != b) e = m->pool[e + CHAIN];
+    return e >= 0 ? e : NONE;
+}
+
+/* glue - the facets of two codes are one. */
+static void glue(mesh *m, tess_int code, tess_int other)
+{
+    m->adj[code] = other / 4;
+    m->adj[other] = code / 4;
+}
+
+/* flush - enter the facets opposite to s of the tetrahedra from fresh on into
+ * the pool, or close them if it has their other sides.  They wait for each
+ * other so that the processor can fetch what several need from memory at
+ * once. */
+static void flush(mesh *m)
+{
+    tess_int code, other;
+
+    for (; m->fresh < m->ntet; m->fresh++) {
+        code = 4 * m->fresh;
+        other = enter(m, code);
+        if (other != NONE) glue(m, code, other);
+    }
+}
+
+/* grow - store the tetrahedron of s, edge e = a -> b and the apex c: a -> c
+ * and c -> b take the place of e in the link, unless their other sides are
+ * there, which then go too. */
+static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
+{
+    tess_int *p = m->pool + e, a = p[FROM], b = p[TO], prev = p[PREV];
+    tess_int after = p[AFTER], code = p[CODE], t = m->ntet++, *v, f, g;
+
+    v = m->tet + 4 * t;
+    v[0] = s;
+    v[1] = a;
+    v[2] = b;
+    v[3] = c;
+    if (code == START) {
+        f = between(m, b, a);
+        m->adj[4 * t + 3] = f == NONE ? TESS_NONE : TESS_OPEN;
+        if (f != NONE) m->pool[f + CODE] = 4 * t + 3;
+    } else
+        glue(m, code, 4 * t + 3);
+    if (m->link[c] == NEW) m->link[c] = NONE;
+    unlinkedge(m, e);
+    m->adj[4 * t] = TESS_OPEN; /* until flush */
+
+    /* a -> c; prev becomes the edge that ends at c */
+    f = between(m, c, a);
+    if (f == NONE) {
+        m->adj[4 * t + 2] = TESS_OPEN;
+        f = push(m, 4 * t + 2, a, c);
+        join(m, prev, f);
+        prev = f;
+    } else {
+        glue(m, 4 * t + 2, m->pool[f + CODE]);
+        g = m->pool[f + PREV];
+        if (f != prev) join(m, prev, m->pool[f + AFTER]);
+        prev = g;
+        unlinkedge(m, f);
+    }
+    /* c -> b */
+    f = between(m, b, c);
+    if (f == NONE) {
+        m->adj[4 * t + 1] = TESS_OPEN;
+        f = push(m, 4 * t + 1, c, b);
+        join(m, prev, f);
+        join(m, f, after);
+    } else {
+        glue(m, 4 * t + 1, m->pool[f + CODE]);
+        g = m->pool[f + PREV];
+        join(m, prev, m->pool[f + AFTER]);
+        if (f != after) join(m, g, after);
+        unlinkedge(m, f);
+    }
+}
+
+/* enlist - make the open facet of a code an edge of the link, if it has the
+ * vertex s; returns 0 if there is no room. */
+static int enlist(mesh *m, tess_int s, tess_int code)
+{
+    tess_int v[3];
+    int k;
+
+    facet(m, code, v);
+    for (k = 0; k < 3; k++)
+        if (v[k] == s)
+            return push(m, code, v[(k + 1) % 3], v[(k + 2) % 3]) != NONE;
+    return 1;
+}
+
+/* follow - let every edge of the link be followed by one that begins where
+ * it ends and follows no other, if there is one. */
+static void follow(mesh *m)
+{
+    tess_int e, f;
+
+    for (e = m->oldest; e >= m->newest; e -= EDGE) {
+        f = m->link[m->pool[e + TO]];
+        if (f < 0 || m->pool[e + CODE] == DEAD) continue;
+        while (f != NONE && m->pool[f + PREV] != NONE) f = m->pool[f + CHAIN];
+        join(m, e, f);
+    }
+}
+
+/* gather - make all open facets at s edges of the link, in the order of their
+ * tetrahedra; returns 0 if there is no room. */
+static int gather(mesh *m, tess_int s)
+{
+    tess_int t;
+    int k;
+
+    for (t = 0; t < m->ntet; t++)
+        for (k = 3; k >= 0; k--)
+            if (m->adj[4 * t + k] == TESS_OPEN && !enlist(m, s, 4 * t + k))
+                return 0;
+    follow(m);
+    return 1;
+}
+
+/* load - move the facets that s owns from the pool to the link, the oldest
+ * first; 0 if there is no room.  Where these do not fit beside the table, it
+ * gives them up first. */
+static int load(mesh *m, tess_int s)
+{
+    tess_int e = m->head[s], edges = 1;
+
+    if (e == NONE) return 1;
+    for (; m->pool[ENTRY * e + 1] != NONE; edges++) e = m->pool[ENTRY * e + 1];
+    if (ENTRY * m->m > m->newest - EDGE * edges) {
+        m->nopen -= edges;
+        return rehash(m, s, quota(m, edges)) && gather(m, s);
+    }
+    for (; e != NONE; e = m->pool[ENTRY * e + 2])
+        (void)enlist(m, s, m->pool[ENTRY * e]);
+    while (m->head[s] != NONE) erase(m, m->head[s], s);
+    follow(m);
+    return 1;
+}
+
+/* complete - the star of s is complete: s leaves the tree and the block. */
+static void complete(mesh *m, tess_int s)
+{
+    tess_int node = m->leaves + leafof(m, s);
+    list *l = &m->block;
+    int i = (int)(s - l->first);
+
+    if (m->link[s] == DONE) return;
+    m->link[s] = DONE;
+    while (node > 0 && --m->alive[node] == 0) node /= 2;
+    if (s < l->first || s >= l->last || l->n == 0) return;
+    l->x[i] = l->y[i] = l->z[i] = FAR;
+    l->r[i] = FAR * FAR;
+}
+
+/* makeroom - make sure of room for another tetrahedron's facets in the table
+ * and in the link of s; returns 0 if there is none.  Callers must reload oldest.
+ * When three quarters of the table are in use, or the link meets it, the edges
+ * move up, if an eighth of their room is dead, and the table gets another
+ * length, if that differs by a sixteenth: so both are seldom. */
+static int makeroom(mesh *m, tess_int s)
+{
+    tess_int most, change = m->m / 16;
+
+    if (4 * (m->nopen + m->ntet - m->fresh) < 3 * m->m &&
+        ENTRY * m->m <= m->newest - 2 * EDGE)
+        return 1;
+    flush(m);
+    if (m->room - m->oldest > (m->room - m->newest) / 8) renumber(m);
+    most = quota(m, 2);
+    if (most > 2 * m->m + 1) most = 2 * m->m + 1;
+    if ((4 * m->nopen >= 3 * m->m && most > m->m + change) ||
+        (ENTRY * m->m > m->newest - 2 * EDGE && most < m->m - change))
+        (void)rehash(m, s, most);
+    return !full(m, m->nopen + 1) && ENTRY * m->m <= m->newest - 2 * EDGE;
+}
+
+/* begin - the first facet becomes an edge of the link of its vertex of least
+ * position, s. */
+static int begin(mesh *m, tess_int *s)
+{
+    tess_int v[3];
+    int code = firstfacet(m, v), i;
+
+    if (code != 0) return code;
+    *s = v[0];
+    for (i = 0; i < 3; i++) m->link[v[i]] = NONE;
+    return push(m, START, v[1], v[2]) == NONE ? TESS_POOL : 0;
+}
+
+/* star - complete the star of s, whose open facets are the edges of the
+ * link.  Returns 0, TESS_MORE or TESS_POOL. */
+static int star(mesh *m, tess_int s)
+{
+    tess_int *p, v[3], guess[2], e, c;
+
+    starlist(m, s);
+    m->ncell = 0;
+    for (;;) {
+        while (m->oldest >= m->newest && m->pool[m->oldest + CODE] == DEAD)
+            m->oldest -= EDGE;
+        if (m->oldest < m->newest) break;
+        e = m->oldest;
+        p = m->pool + e;
+        v[0] = s;
+        v[1] = p[FROM];
+        v[2] = p[TO];
+        guess[0] = p[PREV] == NONE ? NONE : m->pool[p[PREV] + FROM];
+        guess[1] = p[AFTER] == NONE ? NONE : m->pool[p[AFTER] + TO];
+        c = apex(m, v, guess);
+        HOLDS(proven(m, v, c));
+        if (c == NONE) {
+            if (p[CODE] != START) m->adj[p[CODE]] = TESS_NONE;
+            if (p[PREV] != NONE) m->pool[p[PREV] + AFTER] = NONE;
+            if (p[AFTER] != NONE) m->pool[p[AFTER] + PREV] = NONE;
+            unlinkedge(m, e);
+            continue;
+        }
+        if (m->ntet == m->maxtet) {
+            flush(m);
+            return TESS_MORE;
+        }
+        if (!makeroom(m, s)) return TESS_POOL;
+        grow(m, s, m->oldest, c);
+    }
+    clearlink(m);
+    flush(m);
+    complete(m, s);
+    return 0;
+}
+
 /* plant - begin the star of s, in no tetrahedron yet: a facet of one becomes
  * two edges of the link, the one towards it first.  0 if there is no room. */
 static int plant(mesh *m, tess_int s)
@@ -2965,6 +2913,37 @@ static int plant(mesh *m, tess_int s)
     settle(m, s, v);
     return makeroom(m, s) && push(m, START, v[1], v[2]) != NONE &&
            push(m, START, v[2], v[1]) != NONE;
+}
+
+/* stars - complete star after star of those asked for, from s on if it has
+ * edges in the link: by and by what hangs together, then what else there is. */
+static int stars(mesh *m, tess_int s)
+{
+    int code;
+
+    for (;;) {
+        if (m->oldest >= m->newest) {
+            code = star(m, s);
+            if (code != 0) return code;
+        }
+        s = m->low;
+        while (s < m->np && m->head[s] < 0) {
+            /* no open facet has a vertex of smaller position than low, so
+             * one that was met before and owns none is complete */
+            if (m->link[s] == NONE && m->head[s] == NONE) complete(m, s);
+            s++;
+        }
+        m->low = s;
+        if (s < m->np) {
+            if (!load(m, s)) return TESS_POOL;
+            continue;
+        }
+        s = m->unmet;
+        while (s < m->np && (m->link[s] != NEW || m->head[s] == FOREIGN)) s++;
+        m->unmet = s;
+        if (s == m->np) return 0;
+        if (!plant(m, s)) return TESS_POOL;
+    }
 }
 
 /* ---- results: the caller's arrays ---- */
@@ -3019,62 +2998,53 @@ static tess_int leafcount(tess_int n)
     return leaves;
 }
 
-/* cuberoot - the least c with c^3 >= n. */
-static tess_int cuberoot(tess_int n)
+/* lengths - the lengths of iw and rw for n points.  Pool: uniform points need 5
+ * n^(2/3) facets; a star of all points 2 n, which takes 12 n integers, given up
+ * to MUCH.  Supports and cylinders get room for as many points as may need
+ * them.  Returns 0 for a bad n: negative, or the least lengths exceed the
+ * largest tess_int. */
+static int lengths(tess_int n, sizes *w)
 {
-    tess_int c = 1;
+    double hub = 8.0 * (double)n < MUCH ? 8.0 * (double)n : MUCH;
+    double c = (double)cuberoot(n), cloud = 60.0 * c * c;
+    tess_int left;
 
-    while ((double)c * (double)c * (double)c < (double)n) c++;
-    return c;
-}
-
-/* tablesize - entries of the pool to begin with: a little more than what
- * uniform points need, as a small table stays in the cache. */
-static tess_int tablesize(tess_int n)
-{
-    return 9 * cuberoot(n) * cuberoot(n) + 16;
-}
-
-/* upto - k a, or most if that is less; no product overflows. */
-static long upto(long k, long a, long most)
-{
-    return a > most / k ? most : k * a;
-}
-
-/* lengths - the least lengths of iw and rw, and what is recommended besides
- * as pool.  Uniform points need 5 n^(2/3) facets; a star of all points 2 n,
- * which takes 12 n integers, given up to MUCH.  Returns 0 if the least
- * lengths exceed the largest tess_int. */
-static int lengths(tess_int n, tess_int *liw, tess_int *lrw, tess_int *pool)
-{
-    long most, hub, cloud;
-
-    *liw = *lrw = *pool = 0;
     /* 2 leafcount(n) < n/12 + 2 */
-    if (n > (TESS_INT_MOST - LEAST) / 5) return 0;
-    *liw = 4 * n + 2 * leafcount(n) + LEAST;
-    *lrw = 3 * n + 12 * leafcount(n);
-    most = (long)(TESS_INT_MOST - *liw);
-    hub = upto(8, (long)n, most < MUCH ? most : MUCH);
-    cloud = upto(60, (long)cuberoot(n) * (long)cuberoot(n), most);
-    if (cloud < hub) cloud = hub;
-    hub = upto(4, (long)n, most);
-    *pool = (tess_int)(hub > most - cloud ? most : hub + cloud);
+    if (n < 0 || n > (TESS_INT_MOST - LEAST) / 5) return 0;
+    w->iw = 4 * n + 2 * leafcount(n) + LEAST;
+    w->rw = 3 * n + 12 * leafcount(n);
+    left = TESS_INT_MOST - w->iw;
+    hub = 4.0 * (double)n + (cloud > hub ? cloud : hub);
+    w->pool = hub < (double)left ? (tess_int)hub : left;
+    w->marks = w->cylinders = 0;
+    if (TESS_LIST < 128 || n < ENOUGH) return 1;
+    left -= w->pool;
+    if (2 * SUPPORTS * leafcount(n) < left - n)
+        w->marks = n + 2 * SUPPORTS * leafcount(n);
+    if (32 * (leafcount(n) / 3) < TESS_INT_MOST - w->rw)
+        w->cylinders = 32 * (leafcount(n) / 3);
     return 1;
 }
 
-/* extra - integers that supports take, for as many points as may need them. */
-static tess_int extra(tess_int n)
+/* layout - what of the workspace of n points an index keeps. */
+static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
+                   double *rw)
 {
-    if (TESS_LIST < 128 || n < ENOUGH) return 0;
-    return n + 2 * SUPPORTS * leafcount(n);
-}
-
-/* spare - doubles that cylinders take. */
-static tess_int spare(tess_int n)
-{
-    if (TESS_LIST < 128 || n < ENOUGH) return 0;
-    return 32 * (leafcount(n) / 3);
+    m->set.x = m->x = rw;
+    m->set.p = p;
+    m->box = rw + 3 * n;
+    m->rep = iw;
+    m->set.order = m->order = iw + n;
+    m->known = iw + 2 * n;
+    m->alive = m->known + KEEP;
+    m->link = m->order; /* no star is complete: no entry is DONE */
+    m->nplane = m->nextplane = m->ties = m->nsupport = m->seek = 0;
+    m->ncell = m->tied = 0;
+    m->first = NONE;
+    m->cylinder = NULL;
+    m->scanned = -MUCHL;
+    m->block.first = m->block.last = NONE;
+    m->np = m->block.n = m->around.n = 0;
 }
 
 /* collect - the points that stand for themselves, in their order. */
@@ -3175,13 +3145,17 @@ static void revive(mesh *m)
                                               leafstart(m, i - m->leaves);
 }
 
-/* sorted - sort the points, drop the duplicates, build the tree.  Returns 0 or
- * TESS_RANGE. */
-static int sorted(mesh *m, tess_int n, const tess_real *p)
+/* sorted - take up n points: sort them, drop the duplicates, build the tree.
+ * Returns 0, TESS_POINT or TESS_RANGE. */
+static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
+                  double *rw)
 {
     tess_int i;
     int code;
 
+    layout(m, n, p, iw, rw);
+    if (n == 0) return TESS_POINT;
+    if (!hh_holds(n, p)) return TESS_RANGE;
     for (i = 0; i < n; i++) m->rep[i] = i;
     collect(m, n, p);
     kdsort(m);
@@ -3198,6 +3172,45 @@ static int sorted(mesh *m, tess_int n, const tess_real *p)
     boxes(m);
     revive(m);
     return 0;
+}
+
+/* seal - make what was sorted an index, which has a mesh if code is 0.  What
+ * opened needs besides points and tree: known is the first tetrahedron, or
+ * begins with minus the code; np is behind it, and in the header, to know an
+ * index by. */
+static void seal(mesh *m, int code)
+{
+    double *header = m->box;
+
+    if (code != 0) m->known[0] = -code;
+    m->known[4] = m->np;
+    header[0] = (double)m->np;
+    if (code != 0) return;
+    header[1] = m->set.t3;
+    header[2] = m->set.t5;
+    header[3] = m->set.e;
+    header[4] = m->least;
+}
+
+/* opened - take up an index, to be read alone.  Returns 0, the code of points
+ * without a mesh, or -8 where there is no index. */
+static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
+                  const double *rw)
+{
+    double normal = sizeof(tess_real) < sizeof(double) ? FLT_MIN : DBL_MIN;
+    const double *header;
+
+    if (n == 0) return TESS_POINT;
+    layout(m, n, p, (tess_int *)iw, (double *)rw);
+    header = m->box;
+    m->np = m->known[4];
+    if (m->np < 0 || m->np > n || header[0] != (double)m->np) return -8;
+    if (m->known[0] < 0) return (int)-m->known[0];
+    m->leaves = leafcount(m->np);
+    m->set.t3 = header[1];
+    m->set.t5 = header[2];
+    m->set.e = (int)header[3];
+    return hh_holds(header[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
 }
 
 /* intact - could the caller's arrays be an unfinished result, as far as one
@@ -3231,24 +3244,6 @@ static int intact(mesh *m, tess_int n)
     return 0;
 }
 
-/* match - the open facets of two codes have the same vertices: close them, if
- * they are on different sides, and the apex of the one is not in the ball of
- * the other.  Until all is known to be right it is no more than a note in adj.
- * Returns 0, -5 or -6. */
-static int match(mesh *m, tess_int code, tess_int other)
-{
-    const tess_int *v = m->tet + (code - code % 4);
-
-    if (mate(m->tet, code / 4, (int)(code % 4), other / 4) !=
-        other % 4)
-        return -6;
-    if (hh_pball(&m->set, v[0], v[1], v[2], v[3], m->tet[other], 1) <
-        0) return -5;
-    m->adj[code] = TESS_OPEN - 1 - other / 4;
-    m->adj[other] = TESS_OPEN - 1 - code / 4;
-    return 0;
-}
-
 /* claim - whose stars are asked for: of the points i with mine[i] != 0, or
  * without mine of all.  Returns their number. */
 static tess_int claim(mesh *m, tess_int n, const tess_int *mine)
@@ -3261,26 +3256,66 @@ static tess_int claim(mesh *m, tess_int n, const tess_int *mine)
     return own;
 }
 
+/* match - returns 0 if the open facets of two codes, which have the same
+ * vertices, are on different sides, and the apex of one is not in the ball of
+ * the other; else -6 or -5. */
+static int match(const mesh *m, tess_int code, tess_int other)
+{
+    const tess_int *v = four(m->tet, code / 4);
+
+    if (mate(m->tet, code / 4, (int)(code % 4), other / 4) != other % 4)
+        return -6;
+    return hh_pball(&m->set, v[0], v[1], v[2], v[3], m->tet[other], 1) < 0 ? -5
+                                                                           : 0;
+}
+
+/* rejoin - close the facets that are open twice, as in results put one behind
+ * the other.  Returns 0, TESS_POOL, or what match finds.  A neighbour found is
+ * no more than a note in adj, below TESS_OPEN, until all are known to be
+ * right. */
+static int rejoin(mesh *m)
+{
+    tess_int i, other, most = m->room / ENTRY;
+    int code = 0;
+
+    for (i = 0; i < 4 * m->ntet && m->nopen < most; i++)
+        m->nopen += m->adj[i] == TESS_OPEN;
+    if (!newtable(m, 2 * m->nopen + 1)) return TESS_POOL;
+    for (i = 0; i < 4 * m->ntet && code == 0; i++) {
+        if (m->adj[i] != TESS_OPEN) continue;
+        other = enter(m, i);
+        if (full(m, m->nopen)) code = TESS_POOL;
+        if (other == NONE) continue;
+        code = match(m, i, other);
+        m->adj[i] = TESS_OPEN - 1 - other / 4;
+        m->adj[other] = TESS_OPEN - 1 - i / 4;
+    }
+    for (i = 0; i < 4 * m->ntet; i++)
+        if (m->adj[i] < TESS_OPEN)
+            m->adj[i] = code < 0 ? TESS_OPEN : TESS_OPEN - 1 - m->adj[i];
+    return code;
+}
+
 /* restore - take up an unfinished result that intact has passed: tet to
  * positions; what is complete leaves the tree; the open facets at s, the first
  * vertex of the last tetrahedron, become edges of its link in the order of
- * their tetrahedra, the others enter the pool.  Returns 0, TESS_POOL, or what
- * match finds in facets that are there twice. */
+ * their tetrahedra, the others enter the pool.  Returns what rejoin does. */
 static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
 {
-    tess_int i, v[3], size, *place = m->head;
+    tess_int i, v[3], size;
     int k, code;
 
     for (i = 0; i < 4 * m->ntet; i++) {
-        m->tet[i] = place[m->tet[i]];
+        m->tet[i] = m->head[m->tet[i]];
         m->link[m->tet[i]] = DONE;
     }
     size = tablesize(claim(m, n, mine));
+    code = rejoin(m);
+    if (code != 0) return code;
     for (i = 0; i < 4 * m->ntet; i++)
         if (m->adj[i] == TESS_OPEN) {
             facet(m, i, v);
             for (k = 0; k < 3; k++) m->link[v[k]] = NONE;
-            if (m->nopen < m->room / ENTRY) m->nopen++;
         }
     for (i = 0; i < m->np; i++)
         if (m->link[i] == DONE) {
@@ -3289,49 +3324,11 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
         }
     *s = m->tet[4 * (m->ntet - 1)];
     if (m->head[*s] == FOREIGN) *s = NONE;
-    code = gather(m, *s);
-    if (code != 0) return code;
     i = 2 * m->nopen;
-    return rehash(m, *s, (i > size ? i : size) + 1);
-}
-
-/* layout - what of the workspace of n points an index keeps. */
-static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
-                   double *rw)
-{
-    m->set.x = m->x = rw;
-    m->set.p = p;
-    m->box = rw + 3 * n;
-    m->rep = iw;
-    m->set.order = m->order = iw + n;
-    m->alive = iw + 2 * n;
-    m->known = m->alive + 2 * leafcount(n);
-    m->nplane = m->nextplane = m->ties = m->nsupport = m->seek = 0;
-    m->ncell = m->tied = 0;
-    m->first = NONE;
-    m->cylinder = NULL;
-    m->scanned = -MUCHL;
-    m->block.first = m->block.last = NONE;
-    m->np = m->block.n = m->around.n = 0;
-}
-
-/* opened - take up an index, to be read alone.  Returns 0, the code of points
- * without a mesh, or -8 where there is no index. */
-static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
-                  const double *rw)
-{
-    double normal = sizeof(tess_real) < sizeof(double) ? FLT_MIN : DBL_MIN;
-
-    if (n == 0) return TESS_POINT;
-    layout(m, n, p, (tess_int *)iw, (double *)rw);
-    m->np = m->alive[0];
-    if (m->np < 0 || m->np > n || m->box[0] != (double)m->np) return -8;
-    if (m->known[0] < 0) return (int)-m->known[0];
-    m->leaves = leafcount(m->np);
-    m->set.t3 = m->box[1];
-    m->set.t5 = m->box[2];
-    m->set.e = (int)m->box[3];
-    return hh_holds(m->box[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
+    m->m = 0;
+    if (!gather(m, *s) || !rehash(m, *s, (i > size ? i : size) + 1))
+        return TESS_POOL;
+    return 0;
 }
 
 /* run - tess and tess_resume, or with mine tess_part, of arguments that are
@@ -3341,27 +3338,22 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
                tess_int liw, tess_int *iw, tess_int lrw, double *rw)
 {
     mesh m;
-    tess_int i, s = NONE, least, pool;
-    double x;
-    int code = TESS_POINT;
+    sizes w;
+    tess_int i, s = NONE;
+    int code = mine != NULL ? opened(&m, n, p, iw, rw)
+                            : sorted(&m, n, p, iw, rw);
 
-    if (mine != NULL)
-        code = opened(&m, n, p, iw, rw);
-    else if (n > 0) {
-        layout(&m, n, p, iw, rw);
-        code = hh_holds(n, p) ? sorted(&m, n, p) : TESS_RANGE;
-    }
     if (code > 0) *ntet = 0;
     if (code != 0) return code;
-    m.head = m.known + KEEP;
+    m.head = m.alive + 2 * leafcount(n);
     m.link = m.head + n;
     m.pool = m.link + n;
     m.room = liw - 4 * n - 2 * leafcount(n) - KEEP;
-    (void)lengths(n, &i, &least, &pool);
-    if (spare(n) > 0 && mine == NULL && lrw - least >= spare(n))
+    (void)lengths(n, &w);
+    if (w.cylinders > 0 && mine == NULL && lrw - w.rw >= w.cylinders)
         m.scanned = 0.0;
-    if (extra(n) > 0 && liw - i - pool >= extra(n)) {
-        m.room -= extra(n);
+    if (w.marks > 0 && liw - w.iw - w.pool >= w.marks) {
+        m.room -= w.marks;
         m.mark = m.pool + m.room;
         m.burden = 0.0;
         m.patience = BURDEN;
@@ -3377,8 +3369,8 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     clearlink(&m);
     /* one over the cube root of the points in a leaf, 24 to 48 in large sets,
      * by a step of Newton's method */
-    x = (double)m.np / (double)m.leaves;
-    m.reach = REACH / sqrt(3.0) * 3.0 / (2.0 * 3.2 + x / (3.2 * 3.2));
+    m.reach = BLOCKREACH / sqrt(3.0) * 3.0 /
+              (6.4 + (double)m.np / (double)m.leaves / (3.2 * 3.2));
     for (i = 0; i < m.np; i++) m.link[i] = NEW;
     if (m.ntet > 0) {
         code = intact(&m, n);
@@ -3387,70 +3379,52 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     } else {
         i = claim(&m, n, mine);
         if (mine == NULL) code = begin(&m, &s);
-        if (code == 0) code = rehash(&m, s, tablesize(i));
+        if (code == 0 && !rehash(&m, s, tablesize(i))) code = TESS_POOL;
     }
     if (code == 0) code = stars(&m, s);
     if (mine != NULL) revive(&m);
-    for (i = 0; i < 4 * m.ntet; i++) {
-        tet[i] = m.order[tet[i]];
-        if (adj[i] < TESS_OPEN) /* see match */
-            adj[i] = code < 0 ? TESS_OPEN : TESS_OPEN - 1 - adj[i];
-    }
+    for (i = 0; i < 4 * m.ntet; i++) tet[i] = m.order[tet[i]];
     *ntet = m.ntet;
     return code;
 }
 
-/* wrong - the code of a bad argument common to tess and tess_resume, or 0;
- * *which is then the point that is not finite, or 0.  Without p, points that
- * are known to be finite. */
-static int wrong(tess_int n, const tess_real *p, tess_int maxtet, tess_int liw,
-                 tess_int lrw, tess_int *which)
+/* wrong - the code of a bad argument of tess_resume, or 0; *which is then the
+ * point that is not finite, or 0.  p = NULL: points known to be finite. */
+static int wrong(tess_int n, const tess_real *p, tess_int maxtet,
+                 tess_int ntet, const tess_int *tet, const tess_int *adj,
+                 tess_int liw, tess_int lrw, tess_int *which)
 {
-    tess_int i, leastiw, leastrw, pool;
+    sizes w;
+    tess_int i;
 
     *which = 0;
-    if (n < 0 || !lengths(n, &leastiw, &leastrw, &pool)) return -1;
+    if (!lengths(n, &w)) return -1;
     i = p == NULL ? n : hh_finite(n, p);
     if (i < n) {
         *which = i;
         return -2;
     }
     if (maxtet < 0 || maxtet > (TESS_INT_MOST - 3) / 4) return -3;
-    if (liw < leastiw) return -7;
-    if (lrw < leastrw) return -9;
-    return 0;
-}
-
-/* unfit - the same for what goes on from a result. */
-static int unfit(tess_int n, const tess_real *p, tess_int maxtet,
-                 tess_int ntet, const tess_int *tet, const tess_int *adj,
-                 tess_int liw, tess_int lrw)
-{
-    tess_int i;
-    int code = wrong(n, p, maxtet, liw, lrw, &i);
-
-    if (code != 0 && code > -4) return code;
     if (ntet < 0 || ntet > maxtet) return -4;
     for (i = 0; i < 4 * ntet; i++)
         if (tet[i] < 0 || tet[i] >= n) return -5;
     for (i = 0; i < 4 * ntet; i++)
         if (adj[i] < TESS_OPEN || adj[i] >= ntet) return -6;
-    return code;
+    if (liw < w.iw) return -7;
+    return lrw < w.rw ? -9 : 0;
 }
 
 int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
 {
-    tess_int pool;
+    sizes w;
+    int code = wrong(n, NULL, maxtet, 0, NULL, NULL, TESS_INT_MOST,
+                     TESS_INT_MOST, liw);
 
     *liw = *lrw = 0;
-    if (n < 0 || !lengths(n, liw, lrw, &pool)) return -1;
-    if (maxtet < 0 || maxtet > (TESS_INT_MOST - 3) / 4) {
-        *liw = *lrw = 0;
-        return -2;
-    }
-    *liw += pool;
-    if (extra(n) < TESS_INT_MOST - *liw) *liw += extra(n);
-    if (spare(n) < TESS_INT_MOST - *lrw) *lrw += spare(n);
+    if (code != 0) return code == -1 ? -1 : -2;
+    (void)lengths(n, &w);
+    *liw = w.iw + w.pool + w.marks;
+    *lrw = w.rw + w.cylinders;
     return 0;
 }
 
@@ -3458,7 +3432,7 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
          tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,
          tess_int lrw, double *rw)
 {
-    int code = wrong(n, p, maxtet, liw, lrw, ntet);
+    int code = wrong(n, p, maxtet, 0, tet, adj, liw, lrw, ntet);
 
     if (code != 0) return code;
     return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, lrw, rw);
@@ -3468,41 +3442,31 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
                 tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,
                 tess_int *iw, tess_int lrw, double *rw)
 {
-    int code = unfit(n, p, maxtet, *ntet, tet, adj, liw, lrw);
+    tess_int i;
+    int code = wrong(n, p, maxtet, *ntet, tet, adj, liw, lrw, &i);
 
     if (code != 0) return code;
     return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, lrw, rw);
 }
 
-/* tess_index - the sorted points, their tree, and the first tetrahedron.  In
- * places that are not used otherwise: np, in alive[0] and box[0], to know an
- * index by; and what else the searches need in box[1] ... box[4]. */
 int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                tess_int lrw, double *rw)
 {
     static const tess_int guess[2] = {NONE, NONE};
     mesh m;
     tess_int i, v[4];
-    int code = wrong(n, p, 0, TESS_INT_MOST, lrw, &i), k;
+    int code = wrong(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw, &i), k;
 
     if (code != 0 && code != -9) return code;
     if (liw < 2 * n + 2 * leafcount(n) + KEEP) return -3;
     if (code != 0) return -5;
-    layout(&m, n, p, iw, rw);
-    code = TESS_POINT;
-    if (n > 0) code = hh_holds(n, p) ? sorted(&m, n, p) : TESS_RANGE;
-    m.link = m.order; /* no star is complete */
+    code = sorted(&m, n, p, iw, rw);
     if (code == 0) code = firstfacet(&m, v);
-    m.known[0] = -code;
     if (code == 0) {
         v[3] = apex(&m, v, guess);
         for (k = 0; k < 4; k++) m.known[k] = m.order[v[k]];
-        m.box[1] = m.set.t3;
-        m.box[2] = m.set.t5;
-        m.box[3] = m.set.e;
-        m.box[4] = m.least;
     }
-    m.box[0] = (double)(m.alive[0] = m.np);
+    seal(&m, code);
     if (code == TESS_RANGE) return code;
     for (i = 0; i < m.np; i++) m.rep[m.order[i]] = i;
     for (i = 0; i < n; i++)
@@ -3515,7 +3479,8 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
               tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
               tess_int liw, tess_int *iw, tess_int lrw, const double *rw)
 {
-    int code = unfit(n, NULL, maxtet, *ntet, tet, adj, liw, lrw);
+    tess_int i;
+    int code = wrong(n, NULL, maxtet, *ntet, tet, adj, liw, lrw, &i);
 
     if (code == 0)
         code = run(n, p, mine, maxtet, ntet, tet, adj, liw, iw, lrw,
@@ -3573,23 +3538,28 @@ static int inbox(const tess_real *p, const tess_int *v, const tess_real *q)
 
 /* ---- location ---- */
 
-/* distance - hi - lo is the largest difference of a and q in one coordinate,
- * left unevaluated so that nothing is rounded. */
-static void distance(const tess_real *a, const tess_real *q, double *hi,
-                  double *lo)
+/* closer - returns 1 if a is nearer to q in the maximum norm than what least is
+ * the distance of, and makes that the distance of a: least[0] - least[1], left
+ * unevaluated so that nothing is rounded; least[0] < least[1] is that of no
+ * point. */
+static int closer(const tess_real *a, const tess_real *q, double *least)
 {
-    double h, l;
+    double hi = 0.0, lo = 0.0, h, l;
     int k;
 
-    *hi = *lo = 0.0;
     for (k = 0; k < 3; k++) {
         h = a[k] > q[k] ? a[k] : q[k];
         l = a[k] > q[k] ? q[k] : a[k];
-        if (hh_wider(h, l, *hi, *lo) > 0) {
-            *hi = h;
-            *lo = l;
+        if (hh_wider(h, l, hi, lo) > 0) {
+            hi = h;
+            lo = l;
         }
     }
+    if (least[0] >= least[1] && hh_wider(least[0], least[1], hi, lo) <= 0)
+        return 0;
+    least[0] = hi;
+    least[1] = lo;
+    return 1;
 }
 
 /* sample - where the walk to q starts: of t, if it is one, and about ntet^(1/4)
@@ -3600,18 +3570,15 @@ static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
                        const tess_real *q, tess_int t)
 {
     tess_int many = 1, best = TESS_NONE, i;
-    double hi = 0.0, lo = 0.0, h, l;
+    double least[2] = {0.0, 1.0};
+    const tess_real *a;
 
     while (many * many < ntet / (many * many)) many++;
     for (i = t == TESS_NONE ? 0 : -1; i < many; i++) {
         if (i >= 0) t = (tess_int)(i * (ntet / many));
-        if (!hh_holds(1, coords(p, four(tet, t)[0]))) return TESS_NONE;
-        distance(coords(p, four(tet, t)[0]), q, &h, &l);
-        if (best == TESS_NONE || hh_wider(hi, lo, h, l) > 0) {
-            best = t;
-            hi = h;
-            lo = l;
-        }
+        a = coords(p, four(tet, t)[0]);
+        if (!hh_holds(1, a)) return TESS_NONE;
+        if (closer(a, q, least)) best = t;
     }
     return best;
 }
@@ -3770,19 +3737,6 @@ static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
     return hh_foot(a, b, c, q, w) == 0 ? TESS_RANGE : 3;
 }
 
-/* place - the weights w of a tetrahedron v with the facet f, of weights x. */
-static void place(const tess_int *v, const tess_int *f, const double *x,
-                  double *w)
-{
-    int i, k;
-
-    for (k = 0; k < 4; k++) {
-        w[k] = 0.0;
-        for (i = 0; i < 3; i++)
-            if (v[k] == f[i]) w[k] = x[i];
-    }
-}
-
 /* turn - from the facet *k of tetrahedron *t, of the hull, to the one on the
  * other side of its edge opposite to the vertex z.  Returns 1, or 0 where
  * neighbours are out of range or do not match. */
@@ -3810,7 +3764,8 @@ static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
 }
 
 /* nearhull - from tetrahedron *t with a facet of the hull that q is outside of
- * to the one with the hull's point nearest to q, and that point's weights w.
+ * to the one with the hull's point nearest to q, and in w, which is 0, that
+ * point's weights.
  * Returns 1, TESS_RANGE or -4. */
 static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
                     const tess_int *adj, const tess_real *q, tess_int *t,
@@ -3836,7 +3791,7 @@ static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
         if (step % 2 == 1) *t = u;
         if (step < 2 && !turn(ntet, tet, adj, &u, &k, s.from)) return -4;
     }
-    place(four(tet, *t), s.f, x, w);
+    for (k = 0; k < 3; k++) w[slot(four(tet, *t), s.f[k])] = x[k];
     return 1;
 }
 
@@ -3853,7 +3808,7 @@ static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
  *
  * Cost: proportional to the tetrahedra crossed, about ntet^(1/3) of them from
  * anywhere, fewer from the sampled start, few from a start near q: when these
- * are more than NEARBY, the sample is asked, too.  The sweep: ntet. */
+ * are more than ASTRAY, the sample is asked, too.  The sweep: ntet. */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t,
                 double *w)
@@ -3865,7 +3820,7 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
     if (*t < TESS_NONE || *t >= ntet) return -6;
     for (k = 0; k < 4; k++) w[k] = 0.0;
     if (!hh_holds(1, q)) return TESS_RANGE;
-    if (*t != TESS_NONE) code = walk(p, ntet, tet, adj, q, NEARBY, t);
+    if (*t != TESS_NONE) code = walk(p, ntet, tet, adj, q, ASTRAY, t);
     if (code == LOST) {
         *t = sample(p, ntet, tet, q, *t);
         if (*t == TESS_NONE) return TESS_RANGE;
@@ -3911,14 +3866,14 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
 
 /* ---- queries without a mesh ---- */
 
-/* nearby - a position near q: down the tree by the cuts, then the point of the
+/* descend - a position near q: down the tree by the cuts, then the point of the
  * leaf that is nearest in the maximum norm.  All comparisons are exact, but of
  * a q far outside, so that it is the same one everywhere. */
-static tess_int nearby(const mesh *m, const tess_real *q)
+static tess_int descend(const mesh *m, const tess_real *q)
 {
     tess_int node = 1, best, i, last;
+    double least[2] = {0.0, 1.0};
     const double *b;
-    double hi = 0.0, lo = 0.0, h, l;
     int k;
 
     while (node < m->leaves) {
@@ -3929,15 +3884,24 @@ static tess_int nearby(const mesh *m, const tess_real *q)
         node += ldexp((double)q[k], -m->set.e) >= b[6 + k];
     }
     span(m, node, &best, &last);
-    for (i = best; i < last; i++) {
-        distance(point(m, i), q, &h, &l);
-        if (i == best || hh_wider(hi, lo, h, l) > 0) {
-            best = i;
-            hi = h;
-            lo = l;
-        }
-    }
+    for (i = best; i < last; i++)
+        if (closer(point(m, i), q, least)) best = i;
     return best;
+}
+
+/* across - let u be the tetrahedron across its facet k, with the apex u[3];
+ * returns 0, and leaves u, if that facet is of the hull. */
+static int across(mesh *m, tess_int *u, int k)
+{
+    static const tess_int guess[2] = {NONE, NONE};
+    tess_int f[3], a;
+
+    outfac(u, k, f);
+    a = apex(m, f, guess);
+    if (a == NONE) return 0;
+    for (k = 0; k < 3; k++) u[k] = f[k];
+    u[3] = a;
+    return 1;
 }
 
 /* tess_query - walk's walk, with q* moved into the same tetrahedron, and for a
@@ -3947,14 +3911,14 @@ static tess_int nearby(const mesh *m, const tess_real *q)
 int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w)
 {
-    static const tess_int guess[2] = {NONE, NONE};
     mesh m;
-    tess_int u[4], f[3], g[4], a, z, steps = 0;
+    sizes unused;
+    tess_int u[4], f[3], g[4], z, steps = 0;
     double x[3];
     stroll h;
-    int code, i, j, k, s, last = 4;
+    int code, i, k, s, last = 4;
 
-    if (n < 0 || !lengths(n, u, u + 1, u + 2)) return -1;
+    if (!lengths(n, &unused)) return -1;
     code = opened(&m, n, p, iw, rw);
     if (code != 0) return code < 0 ? -3 : code;
     if (hh_finite(1, q) < 1) return -5;
@@ -3967,10 +3931,9 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
     if (steps > 0 && hh_pside(&m.set, u[0], u[1], u[2], u[3]) <= 0) return -6;
     for (k = 0; k < 4; k++) w[k] = 0.0;
     if (!hh_holds(1, q)) return TESS_RANGE;
-    m.link = m.order; /* no star is complete */
-    for (;;) {
+    do {
         if (steps >= 0 && steps-- == 0) {
-            settle(&m, nearby(&m, q), u);
+            settle(&m, descend(&m, q), u);
             last = 4;
         }
         for (k = 0; k < 4; k++) v[k] = m.order[u[k]];
@@ -3981,42 +3944,28 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
             if (s > 0) break;
         }
         if (s == UNSURE) return TESS_RANGE;
-        if (k == 4) break;
-        outfac(u, k, f);
-        a = apex(&m, f, guess);
-        if (a == NONE) break;
-        for (last = 0; last < 3; last++) u[last] = f[last];
-        u[3] = a;
-    }
-    if (k == 4) return hh_weigh(p, v, q, w) == 0 ? 0 : TESS_RANGE;
-    h.f[0] = h.from = z = TESS_NONE;
+        if (k == 4) return hh_weigh(p, v, q, w) == 0 ? 0 : TESS_RANGE;
+        last = 3;
+    } while (across(&m, u, k));
+    h.f[0] = h.from = TESS_NONE;
     h.most = m.np;
     for (;;) {
         for (i = 0; i < 4; i++) g[i] = m.order[u[i]];
-        if (z == TESS_NONE) {
-            /* the facet k is of the hull */
-            outfac(g, k, f);
-            s = hullstep(p, q, f, &h, x);
-            if (s == TESS_RANGE) return s;
-            for (i = 0; i < 4 && s % 2 == 1; i++) v[i] = g[i];
-            if (s >= 2) break;
-            z = h.from;
-        }
-        /* turn's turn */
-        i = slot(g, z);
-        outfac(u, i, f);
-        z = g[k];
-        a = apex(&m, f, guess);
-        if (a == NONE) {
-            k = i;
-            z = TESS_NONE;
-            continue;
-        }
-        for (j = 0; j < 3; j++) u[j] = f[j];
-        u[3] = a;
-        k = 3;
+        outfac(g, k, f);
+        s = hullstep(p, q, f, &h, x);
+        if (s == TESS_RANGE) return s;
+        for (i = 0; i < 4 && s % 2 == 1; i++) v[i] = g[i];
+        if (s >= 2) break;
+        /* as turn does */
+        z = m.rep[h.from];
+        do {
+            i = slot(u, z);
+            z = u[k];
+            k = 3;
+        } while (across(&m, u, i));
+        k = i;
     }
-    place(v, h.f, x, w);
+    for (i = 0; i < 3; i++) w[slot(v, h.f[i])] = x[i];
     return 1;
 }
 
@@ -4088,39 +4037,31 @@ static tess_int marks(tess_int n, const tess_real *p, tess_int *iw)
     tess_int at = sortpt(n, p, iw), mark = n - at, i;
 
     for (i = 0; i < n; i++)
-        if (i > 0 && !preced(p + 3 * iw[at + i - 1], p + 3 * iw[at + i]))
-            iw[mark + iw[at + i]] = TWIN;
-        else
-            iw[mark + iw[at + i]] = UNUSED;
+        iw[mark + iw[at + i]] =
+            i == 0 || preced(p + 3 * iw[at + i - 1], p + 3 * iw[at + i])
+                ? UNUSED
+                : TWIN;
     return mark;
 }
 
-/* chkpla - that all points are in one plane: of point 0, b, the first point
- * that differs from it, and c, the first one off their line.  Points before
- * those are in it, so one pass is enough. */
+/* chkpla - that all points are in one plane: of point 0, b, a point that
+ * differs from it, and c, the first one off their line.  Points before c are in
+ * it, so one pass is enough. */
 static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
 {
-    const tess_real *q, *b = p, *c = p;
+    const tess_real *q, *b = p, *c = NULL;
     tess_int i;
-    int rank = 0, s;
+    int s;
 
     for (i = 1; i < n; i++) {
         q = p + 3 * i;
-        s = 0;
-        if (rank == 0 && (preced(p, q) || preced(q, p))) {
-            b = q;
-            rank = 1;
-        } else if (rank == 1) {
-            if (!hh_line(p, b, q)) {
-                c = q;
-                rank = 2;
-            }
-        } else if (rank == 2)
-            s = hh_orient(p, b, c, q);
+        s = c != NULL ? hh_orient(p, b, c, q) : 0;
         if (s != 0) {
             *bad = i;
             return s == UNSURE ? TESS_RANGE : TESS_BAD_POINT;
         }
+        if (c == NULL && !hh_line(p, b, q)) c = q;
+        if (preced(p, b) == preced(b, p)) b = q;
     }
     return TESS_OK;
 }
@@ -4129,13 +4070,10 @@ static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
  * duplicate of one of lower index; they are marked as used. */
 static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
 {
-    int i, j;
+    int i;
 
-    for (i = 0; i < 4; i++) {
-        if (v[i] < 0 || v[i] >= n) return TESS_BAD_INDEX;
-        for (j = 0; j < i; j++)
-            if (v[i] == v[j]) return TESS_BAD_INDEX;
-    }
+    for (i = 0; i < 4; i++)
+        if (v[i] < 0 || v[i] >= n || slot(v, v[i]) < i) return TESS_BAD_INDEX;
     for (i = 0; i < 4; i++) {
         if (mark[v[i]] == TWIN) return TESS_BAD_TWIN;
         mark[v[i]] = USED;
@@ -4239,16 +4177,16 @@ static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
 {
     const tess_real *q = coords(p, tet[0]);
     tess_int f[3];
-    int k, s, inside = 0;
+    int k, s;
 
     if (t == 0 || !inbox(p, four(tet, t), q)) return TESS_OK;
     for (k = 0; k < 4; k++) {
         outfac(four(tet, t), k, f);
         s = qside(p, f, q, tet);
         if (s == UNSURE) return TESS_RANGE;
-        if (s < 0) inside++;
+        if (s > 0) return TESS_OK;
     }
-    return inside == 4 ? TESS_BAD_COVER : TESS_OK;
+    return TESS_BAD_COVER;
 }
 
 /* tess_check - a proof by finitely many exact tests.

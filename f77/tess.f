@@ -106,14 +106,10 @@ C         selectmid TSSELE, twin TSTWIN, bisect TSBISE,
 C         leafstart TSLFST, leafof TSLEAF, span TSSPAN,
 C         leafsort TSLSOR, kdsort TSKDSO, boxes TSBOXE
 C       first facet: preced TSPREC, edgeby TSEDBY, firstfacet TSFIRS
-C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
-C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
-C         flush TSFLUS, grow TSGROW, enlist TSENLI, follow TSFOLL,
-C         gather TSGATH, load TSLOAD, complete TSCMPL,
-C         makeroom TSMKRO, begin TSBEGI, star TSSTAR, stars TSSTRS
 C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
 C         hashkey TSHASH, same TSSAME, find TSFIND, insert TSINSE,
-C         erase TSERAS, quota TSQUOT, rehash TSREHA
+C         erase TSERAS, enter TSENTE, full TSFULL, cuberoot TSCUBE,
+C         tablesize TSTABL, quota TSQUOT, newtable TSNEWT, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
 C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
 C         starlist TSSTLI
@@ -131,34 +127,37 @@ C         likeliest TSLIKE, anypoint TSANYP, newcell TSNEWC,
 C         incell TSINCE, instar TSINST, inblock TSINBL, scanleaf TSSCAN,
 C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
 C         apex TSAPEX
-C       one star: exchange TSEXCH, settle TSSETT, plant TSPLAN
+C       one star: exchange TSEXCH, settle TSSETT
+C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
+C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
+C         flush TSFLUS, grow TSGROW, enlist TSENLI, follow TSFOLL,
+C         gather TSGATH, load TSLOAD, complete TSCMPL,
+C         makeroom TSMKRO, begin TSBEGI, star TSSTAR, plant TSPLAN,
+C         stars TSSTRS
 C       results: slot TSSLOT, mate TSMATE
-C       preparation: leafcount TSLCOU, cuberoot TSCUBE,
-C         tablesize TSTABL, upto TSUPTO, lengths TSLENG,
-C         extra TSEXTR, spare TSSPAR,
-C         collect TSCOLL, inrange TSINRA, times TSTIME,
-C         units TSUNIT, scaled TSSCAL, revive TSREVI, sorted TSSORT,
-C         intact TSINTA, match TSMTCH, claim TSCLAI, restore TSREST,
-C         opened TSOPEN, run TSRUN, wrong TSWRON, unfit TSUNFI
+C       preparation: leafcount TSLCOU, lengths TSLENG, layout TSLAYO,
+C         collect TSCOLL, inrange TSINRA, times TSTIME, units TSUNIT,
+C         scaled TSSCAL, revive TSREVI, sorted TSSORT, seal TSSEAL,
+C         opened TSOPEN, intact TSINTA, claim TSCLAI, match TSMTCH,
+C         rejoin TSREJO, restore TSREST, run TSRUN, wrong TSWRON
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
 C     and what needs no mesh under construction:
 C       queries: qside TSQSID, inbox TSINBO
-C       location: distance TSDIST, sample TSSAMP, walk TSWALK,
-C         holds TSHOLD, sweep TSSWEE, hullstep TSHULL,
-C         place TSPLAC, turn TSTURN, nearhull TSNEAH,
-C         tess_locate TESSLO, tess_values TESSVA, nearby TSNEAR,
+C       location: closer TSCLOS, sample TSSAMP, walk TSWALK,
+C         holds TSHOLD, sweep TSSWEE, hullstep TSHULL, turn TSTURN,
+C         nearhull TSNEAH, tess_locate TESSLO, tess_values TESSVA,
+C         descend TSDESC, across TSACRO,
 C         tess_query TESSQU
 C       hull, check: tess_hull TESSHU, merge TSMERG, sortpt TSSORP,
 C         marks TSMARK, chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF,
 C         chktet TSCHKT, chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
 C         tess_check TESSCH
 C       a ball: tess_ball TESSBA
-C     Only in C: point, coords, four, better, proven, barren,
-C     layout.  Only here: TSPDIS (disjoint for a point), TSLINE (hh_line
-C     of points of P), TSMESH, TSINDE, TSQUER (parts of run, tess_index,
-C     tess_query), TSORIQ, TSORIP, TSFOOT (hh_orient and hh_foot of
-C     points of P).
+C     Only in C: point, coords, four, better, proven, barren.  Only
+C     here: TSPDIS (disjoint for a point), TSLINE (hh_line of points of
+C     P), TSMESH, TSINDE, TSQUER (parts of run, tess_index, tess_query),
+C     TSORIQ, TSORIP, TSFOOT (hh_orient and hh_foot of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here, passed in one order:
@@ -201,7 +200,6 @@ C               most, the least number first;  CELL0 the place before
 C     RCTL, its doubles:
 C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
-C       RSHARE  a star's margin, in its block's
 C       RSCALE  X = P 2**(-RSCALE)
 C       RSUPP   supports that there are;  RSEEK is 1: look for more
 C       RBURDN  comparisons left open;  RPATIE how many may be, over NP
@@ -267,15 +265,12 @@ C       LEAF    points in a leaf of the tree, at most
 C       TSIDS   TSLIST + LEAF
 C       GROUP   points in the groups that those of a leaf are sorted
 C               into
-C       REACH, NEAR  a block's list reaches from its box REACH times the
-C               side of a cube with one point of the leaf, at first; a
-C               star's reaches NEAR times as far from its vertex
-C       BLKMIN, BLKMAX, STRMIN, STRMAX  from list to list they go wider
-C               or narrower as long as they have less or more points.
-C               On uniform points they have about 230 and 34, and 95 %
-C               of the searches end in the star's list, 3.5 % in the
-C               block's.  Without a star's list they take a third
-C               longer; with a fixed REACH, points in a flat box 3 %
+C       BREACH, SREACH  a block's list reaches from its box BREACH times
+C               the side of a cube with one point of the leaf; a star's
+C               reaches SREACH times as far from its vertex.  Of uniform
+C               points they have about 230 and 34, and 95 % of the
+C               searches end in the star's list, 3.5 % in the block's.
+C               Without a star's list they take a third longer
 C       SAMPLE  a node is cut across the widest extent of about so many
 C               of its points: of all a million take 3 % longer
 C       DEPTH   of the tree plus one, at most
@@ -295,7 +290,7 @@ C               half of the leaves' are below SLIM of their boxes
 C       CELL, CELLS  points of a cell, at most, and cells
 C       LARGE   a large ball has more ties
 C       PLANES  hull planes that are remembered
-C       NEARBY  steps from a given start before a location looks for a
+C       ASTRAY  steps from a given start before a location looks for a
 C               better one: with 8, queries in order among 100,000
 C               points take a quarter longer than with 16; with 32,
 C               those in no order 1.4 times as long as with 8
@@ -330,14 +325,14 @@ C       NARROW  a box narrower than this has no list.  A list's
 C               coordinates are then right to far less than FEPS, and a
 C               star's margin is above SMALL, so that no product in
 C               TSBINS underflows
-C       NEARST  a star's list does without points nearer than this, in
-C               a block's units: the block does not tell them apart
+C       FINEST  a star whose margin is less, in its block's units, has
+C               no list: the block does not tell such points apart
 C       SLACK   in them, a distance is wrong by less: 2 FEPS for each of
 C               two coordinates of at most 2 rounded twice, times
 C               sqrt(3), and as much for the square, its bound and the
 C               root; below 24 FEPS.  What is within margin + SLACK by
 C               this reckoning is within 1.1 margin, as SLACK is 0.04
-C               NEARST
+C               FINEST
 C       FAR     where a list keeps what has left it.  No such point
 C               passes a filter: its r is at least FAR**2 = 1E20, and
 C               TSBALC's limits leave |D.x| < 2E19, D(4) < 3E19 (as dc <
@@ -789,545 +784,6 @@ C     face.  INFO is 0, or the code of points without a tetrahedron.
       END
 
 C     ------------------------------------------------------------------
-C     The star of a vertex.
-C
-C     The open facets at S are the edges A -> B of its link: (S, A, B)
-C     is positive towards the unknown side.  They are a queue, which
-C     keeps the link's boundary short, and grow down from the end of the
-C     pool: edge E is POOL(E) and the EDGE - 1 integers behind it.
-C       ECODE   the facet's code; START for the first facet; DEAD
-C       EFROM   A
-C       ETO     B
-C       EPREV   an edge that ends where this one begins, or 0; and
-C       EAFTER  one that begins where it ends: they give the guesses
-C       ECHAIN  the next edge from A, or 0; LINK(A) is the first
-C     ------------------------------------------------------------------
-
-C     TSCLRL - the link has no edges.
-      SUBROUTINE TSCLRL(CTL)
-      INTEGER CTL(*)
-      INTEGER ROOM, OLDEST, NEWEST, EDGE
-      PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, EDGE = 6)
-      CTL(NEWEST) = CTL(ROOM) + 1
-      CTL(OLDEST) = CTL(ROOM) + 1 - EDGE
-      END
-
-C     TSRENU - move the edges up to the end of the pool again.
-      SUBROUTINE TSRENU(LINK, POOL, CTL)
-      INTEGER LINK(*), POOL(*), CTL(*)
-      INTEGER ROOM, OLDEST, NEWEST, ECODE, EFROM, EPREV, DEAD, EDGE
-      PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, ECODE = 0)
-      PARAMETER (EFROM = 1, EPREV = 3, DEAD = -2, EDGE = 6)
-      INTEGER E, K, SHIFT, TO
-      SHIFT = CTL(ROOM) + 1 - EDGE - CTL(OLDEST)
-      DO 30 E = CTL(OLDEST), CTL(NEWEST), -EDGE
-        TO = E + SHIFT
-        IF (POOL(E+ECODE) .NE. DEAD) THEN
-          IF (LINK(POOL(E+EFROM)) .EQ. E) LINK(POOL(E+EFROM)) = TO
-        END IF
-        DO 10 K = 0, EDGE - 1
-          POOL(TO+K) = POOL(E+K)
-   10   CONTINUE
-        DO 20 K = EPREV, EDGE - 1
-          IF (POOL(TO+K) .NE. 0) POOL(TO+K) = POOL(TO+K) + SHIFT
-   20   CONTINUE
-   30 CONTINUE
-      CTL(NEWEST) = CTL(NEWEST) + SHIFT
-      CTL(OLDEST) = CTL(OLDEST) + SHIFT
-      END
-
-C     TSPUSH - a new edge A -> B without neighbours, if there is room: E
-C     is its number, or 0.
-      SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
-      INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
-      INTEGER MPOOL, NEWEST, ECODE, EFROM, ETO, EPREV, EAFTER, ECHAIN
-      INTEGER ENTRY, EDGE
-      PARAMETER (MPOOL = 6, NEWEST = 10, ECODE = 0, EFROM = 1, ETO = 2)
-      PARAMETER (EPREV = 3, EAFTER = 4, ECHAIN = 5, ENTRY = 4)
-      PARAMETER (EDGE = 6)
-      E = CTL(NEWEST) - EDGE
-      IF (E .LE. ENTRY*CTL(MPOOL)) THEN
-        E = 0
-        RETURN
-      END IF
-      POOL(E+ECODE) = CODE
-      POOL(E+EFROM) = A
-      POOL(E+ETO) = B
-      POOL(E+EPREV) = 0
-      POOL(E+EAFTER) = 0
-      POOL(E+ECHAIN) = MAX(LINK(A), 0)
-      LINK(A) = E
-      CTL(NEWEST) = E
-      END
-
-C     TSJOIN - let edge B follow edge A; either may be 0.
-      SUBROUTINE TSJOIN(POOL, A, B)
-      INTEGER POOL(*), A, B
-      INTEGER EPREV, EAFTER
-      PARAMETER (EPREV = 3, EAFTER = 4)
-      IF (A .NE. 0) POOL(A+EAFTER) = B
-      IF (B .NE. 0) POOL(B+EPREV) = A
-      END
-
-C     TSUNLI - take edge E out of the link.
-      SUBROUTINE TSUNLI(LINK, POOL, E)
-      INTEGER LINK(*), POOL(*), E
-      INTEGER ECODE, EFROM, ECHAIN, DEAD
-      PARAMETER (ECODE = 0, EFROM = 1, ECHAIN = 5, DEAD = -2)
-      INTEGER I
-      I = LINK(POOL(E+EFROM))
-      IF (I .EQ. E) THEN
-        LINK(POOL(E+EFROM)) = POOL(E+ECHAIN)
-      ELSE
-   10   IF (POOL(I+ECHAIN) .NE. E) THEN
-          I = POOL(I+ECHAIN)
-          GO TO 10
-        END IF
-        POOL(I+ECHAIN) = POOL(E+ECHAIN)
-      END IF
-      POOL(E+ECODE) = DEAD
-      END
-
-C     TSBETW - the edge A -> B of the link, or 0.
-      INTEGER FUNCTION TSBETW(LINK, POOL, A, B)
-      INTEGER LINK(*), POOL(*), A, B
-      INTEGER ETO, ECHAIN
-      PARAMETER (ETO = 2, ECHAIN = 5)
-      INTEGER E
-      E = MAX(LINK(A), 0)
-   10 IF (E .NE. 0) THEN
-        IF (POOL(E+ETO) .NE. B) THEN
-          E = POOL(E+ECHAIN)
-          GO TO 10
-        END IF
-      END IF
-      TSBETW = E
-      END
-
-C     TSGLUE - the facets of two codes are one.
-      SUBROUTINE TSGLUE(ADJ, CODE, OTHER)
-      INTEGER ADJ(*), CODE, OTHER
-      ADJ(CODE) = (OTHER - 1)/4 + 1
-      ADJ(OTHER) = (CODE - 1)/4 + 1
-      END
-
-C     TSFLUS - enter the facets opposite to S of the tetrahedra from
-C     FRESH on into the pool, or close them if it has their other sides.
-C     They wait for each other so that the processor can fetch what
-C     several need from memory at once.
-      SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
-      INTEGER TSOWNE, TSHASH
-      INTEGER NT, FRESH, ENTRY
-      PARAMETER (NT = 2, FRESH = 8, ENTRY = 4)
-      INTEGER CODE, E, LEAST, OTHER, SIG, T, V(3)
-      DO 10 T = CTL(FRESH), CTL(NT)
-        CODE = 4*(T - 1) + 1
-        CALL TSFACE(TET, CODE, V)
-        LEAST = TSOWNE(HEAD, V)
-        IF (LEAST .EQ. 0) GO TO 10
-        SIG = TSHASH(V)
-        CALL TSFIND(TET, POOL, CTL, V, SIG, E)
-        OTHER = POOL(ENTRY*(E-1)+1)
-        IF (OTHER .EQ. 0) THEN
-          CALL TSINSE(HEAD, POOL, CTL, E, CODE, LEAST, SIG)
-        ELSE
-          CALL TSGLUE(ADJ, CODE, OTHER)
-          CALL TSERAS(TET, HEAD, POOL, CTL, E, LEAST)
-        END IF
-   10 CONTINUE
-      CTL(FRESH) = CTL(NT) + 1
-      END
-
-C     TSGROW - store the tetrahedron of S, edge E = A -> B and the apex
-C     C: A -> C and C -> B take the place of E in the link, unless their
-C     other sides are there, which then go too.
-      SUBROUTINE TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
-      INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
-      INTEGER TSBETW
-      INTEGER NT, ECODE, EFROM, ETO, EPREV, EAFTER, OPEN, NEW, START
-      PARAMETER (NT = 2, ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3)
-      PARAMETER (EAFTER = 4, OPEN = -1, NEW = -2, START = -1)
-      INTEGER A, AFTER, B, CODE, F, G, H, PREV, T
-      CODE = POOL(E+ECODE)
-      A = POOL(E+EFROM)
-      B = POOL(E+ETO)
-      PREV = POOL(E+EPREV)
-      AFTER = POOL(E+EAFTER)
-      T = CTL(NT) + 1
-      CTL(NT) = T
-      TET(1,T) = S
-      TET(2,T) = A
-      TET(3,T) = B
-      TET(4,T) = C
-      IF (CODE .EQ. START) THEN
-        F = TSBETW(LINK, POOL, B, A)
-        ADJ(4*T) = 0
-        IF (F .NE. 0) THEN
-          ADJ(4*T) = OPEN
-          POOL(F+ECODE) = 4*T
-        END IF
-      ELSE
-        CALL TSGLUE(ADJ, CODE, 4*T)
-      END IF
-      IF (LINK(C) .EQ. NEW) LINK(C) = 0
-      CALL TSUNLI(LINK, POOL, E)
-C     until TSFLUS
-      ADJ(4*T-3) = OPEN
-
-C     A -> C; PREV becomes the edge that ends at C
-      F = TSBETW(LINK, POOL, C, A)
-      IF (F .EQ. 0) THEN
-        ADJ(4*T-1) = OPEN
-        CALL TSPUSH(LINK, POOL, CTL, 4*T - 1, A, C, F)
-        CALL TSJOIN(POOL, PREV, F)
-        PREV = F
-      ELSE
-        CALL TSGLUE(ADJ, 4*T - 1, POOL(F+ECODE))
-        G = POOL(F+EPREV)
-        H = POOL(F+EAFTER)
-        IF (F .NE. PREV) CALL TSJOIN(POOL, PREV, H)
-        PREV = G
-        CALL TSUNLI(LINK, POOL, F)
-      END IF
-C     C -> B
-      F = TSBETW(LINK, POOL, B, C)
-      IF (F .EQ. 0) THEN
-        ADJ(4*T-2) = OPEN
-        CALL TSPUSH(LINK, POOL, CTL, 4*T - 2, C, B, F)
-        CALL TSJOIN(POOL, PREV, F)
-        CALL TSJOIN(POOL, F, AFTER)
-      ELSE
-        CALL TSGLUE(ADJ, 4*T - 2, POOL(F+ECODE))
-        G = POOL(F+EPREV)
-        H = POOL(F+EAFTER)
-        CALL TSJOIN(POOL, PREV, H)
-        IF (F .NE. AFTER) CALL TSJOIN(POOL, G, AFTER)
-        CALL TSUNLI(LINK, POOL, F)
-      END IF
-      END
-
-C     TSENLI - make an open facet at S, of the given code, an edge of
-C     the link: E is its number, or 0 if there is no room.
-      SUBROUTINE TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
-      INTEGER TET(4,*), LINK(*), POOL(*), CTL(*), S, CODE, E
-      INTEGER K, V(3)
-      CALL TSFACE(TET, CODE, V)
-      K = 3
-      IF (V(2) .EQ. S) K = 2
-      IF (V(1) .EQ. S) K = 1
-      CALL TSPUSH(LINK, POOL, CTL, CODE, V(MOD(K, 3)+1), V(MOD(K+1,
-     $            3)+1), E)
-      END
-
-C     TSFOLL - let every edge of the link be followed by one that begins
-C     where it ends and follows no other, if there is one.
-      SUBROUTINE TSFOLL(LINK, POOL, CTL)
-      INTEGER LINK(*), POOL(*), CTL(*)
-      INTEGER OLDEST, NEWEST, ECODE, ETO, EPREV, ECHAIN, DEAD, EDGE
-      PARAMETER (OLDEST = 9, NEWEST = 10, ECODE = 0, ETO = 2, EPREV = 3)
-      PARAMETER (ECHAIN = 5, DEAD = -2, EDGE = 6)
-      INTEGER AT, E, F
-      DO 20 E = CTL(OLDEST), CTL(NEWEST), -EDGE
-        F = LINK(POOL(E+ETO))
-        IF (F .LT. 0 .OR. POOL(E+ECODE) .EQ. DEAD) GO TO 20
-   10   IF (F .NE. 0) THEN
-          IF (POOL(F+EPREV) .NE. 0) THEN
-            F = POOL(F+ECHAIN)
-            GO TO 10
-          END IF
-        END IF
-        AT = E
-        CALL TSJOIN(POOL, AT, F)
-   20 CONTINUE
-      END
-
-C     TSGATH - make all open facets at S edges of the link, in the order
-C     of their tetrahedra.  INFO is 0, FULL, or what TSMTCH finds in a
-C     facet that is there twice, as in results that were joined: it is
-C     closed.
-      SUBROUTINE TSGATH(X, P, ORD, TET, ADJ, LINK, POOL, CTL, RCTL, S,
-     $                  INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S
-      INTEGER INFO
-      INTEGER TSBETW
-      INTEGER NT, ECODE, OPEN, FULL
-      PARAMETER (NT = 2, ECODE = 0, OPEN = -1, FULL = 2)
-      INTEGER A, B, CODE, E, J, K, T, V(3)
-      DO 20 T = 1, CTL(NT)
-        DO 10 K = 4, 1, -1
-          CODE = 4*(T - 1) + K
-          IF (ADJ(CODE) .NE. OPEN) GO TO 10
-          CALL TSFACE(TET, CODE, V)
-          J = 3
-          IF (V(2) .EQ. S) J = 2
-          IF (V(1) .EQ. S) J = 1
-          IF (V(J) .NE. S) GO TO 10
-          A = V(MOD(J, 3)+1)
-          B = V(MOD(J+1, 3)+1)
-          INFO = -6
-          IF (TSBETW(LINK, POOL, A, B) .NE. 0) RETURN
-          E = TSBETW(LINK, POOL, B, A)
-          IF (E .EQ. 0) THEN
-            INFO = FULL
-            CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, E)
-            IF (E .EQ. 0) RETURN
-          ELSE
-            CALL TSMTCH(X, P, ORD, TET, ADJ, RCTL, CODE,
-     $                  POOL(E+ECODE), INFO)
-            IF (INFO .NE. 0) RETURN
-            CALL TSUNLI(LINK, POOL, E)
-          END IF
-   10   CONTINUE
-   20 CONTINUE
-      CALL TSFOLL(LINK, POOL, CTL)
-      INFO = 0
-      END
-
-C     TSLOAD - move the facets that S owns from the pool to the link,
-C     the oldest first.  OK is 1, or 0 if there is no room.  Where these
-C     do not fit beside the table, it gives them up first.
-      SUBROUTINE TSLOAD(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL,
-     $                  RCTL, S, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*)
-      INTEGER CTL(*), S, OK
-      INTEGER TSQUOT
-      INTEGER MPOOL, NOPEN, NEWEST, ENTRY, EDGE
-      PARAMETER (MPOOL = 6, NOPEN = 7, NEWEST = 10, ENTRY = 4, EDGE = 6)
-      INTEGER CODE, E, EDGES, F, INFO
-      OK = 1
-      E = HEAD(S)
-      IF (E .EQ. 0) RETURN
-      EDGES = 1
-   10 IF (POOL(ENTRY*(E-1)+2) .NE. 0) THEN
-        E = POOL(ENTRY*(E-1)+2)
-        EDGES = EDGES + 1
-        GO TO 10
-      END IF
-      IF (ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - EDGE*EDGES) THEN
-        CTL(NOPEN) = CTL(NOPEN) - EDGES
-        CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
-     $              TSQUOT(CTL, EDGES), INFO)
-        IF (INFO .EQ. 0) CALL TSGATH(X, P, ORD, TET, ADJ, LINK, POOL,
-     $      CTL, RCTL, S, INFO)
-        IF (INFO .NE. 0) OK = 0
-        RETURN
-      END IF
-   20 IF (E .NE. 0) THEN
-        CODE = POOL(ENTRY*(E-1)+1)
-        CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, F)
-        E = POOL(ENTRY*(E-1)+3)
-        GO TO 20
-      END IF
-   30 E = HEAD(S)
-      IF (E .NE. 0) THEN
-        CALL TSERAS(TET, HEAD, POOL, CTL, E, S)
-        GO TO 30
-      END IF
-      CALL TSFOLL(LINK, POOL, CTL)
-      END
-
-C     TSCMPL - the star of S is complete: S leaves the tree and the
-C     block.
-      SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(3,2), S
-      INTEGER TSLEAF
-      INTEGER LEAVES, LFIRST, LLAST, LN, BLK, DONE
-      PARAMETER (LEAVES = 4, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1)
-      PARAMETER (DONE = -1)
-      REAL FAR
-      PARAMETER (FAR = 1.0E10)
-      INTEGER I, NODE
-      IF (LINK(S) .EQ. DONE) RETURN
-      LINK(S) = DONE
-      NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
-   10 IF (NODE .GT. 0) THEN
-        ALIVE(NODE) = ALIVE(NODE) - 1
-        IF (ALIVE(NODE) .EQ. 0) THEN
-          NODE = NODE/2
-          GO TO 10
-        END IF
-      END IF
-      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK) .OR.
-     $    LSI(LN,BLK) .EQ. 0) RETURN
-      I = S - LSI(LFIRST,BLK) + 1
-      LSX(I,1,BLK) = FAR
-      LSX(I,2,BLK) = FAR
-      LSX(I,3,BLK) = FAR
-      LSX(I,4,BLK) = FAR*FAR
-      END
-
-C     TSMKRO - make sure of room for another tetrahedron's facets in the
-C     table and in the link of S: OK is 1, or 0 if there is none.
-C     Callers must reload OLDEST.  When three quarters of the table are
-C     in use, or the link meets it, the edges move up, if an eighth of
-C     their room is dead, and the table gets another length, if that
-C     differs by a sixteenth: so both are seldom.
-      SUBROUTINE TSMKRO(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL,
-     $                  RCTL, S, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*)
-      INTEGER CTL(*), S, OK
-      INTEGER TSQUOT
-      INTEGER NT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEWEST, ENTRY, EDGE
-      PARAMETER (NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
-      PARAMETER (OLDEST = 9, NEWEST = 10, ENTRY = 4, EDGE = 6)
-      INTEGER CHANGE, INFO, MOST
-      CHANGE = CTL(MPOOL)/16
-      OK = 1
-      IF (4*(CTL(NOPEN) + CTL(NT) - CTL(FRESH) + 1) .LT.
-     $    3*CTL(MPOOL) .AND. ENTRY*CTL(MPOOL) .LE.
-     $    CTL(NEWEST) - 1 - 2*EDGE) RETURN
-      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      IF (CTL(ROOM) + 1 - CTL(OLDEST) .GT.
-     $    (CTL(ROOM) + 1 - CTL(NEWEST))/8) CALL TSRENU(LINK, POOL, CTL)
-      MOST = MIN(TSQUOT(CTL, 2), 2*CTL(MPOOL) + 1)
-      IF ((4*CTL(NOPEN) .GE. 3*CTL(MPOOL) .AND.
-     $    MOST .GT. CTL(MPOOL) + CHANGE) .OR. (ENTRY*CTL(MPOOL) .GT.
-     $    CTL(NEWEST) - 1 - 2*EDGE .AND. MOST .LT. CTL(MPOOL) - CHANGE))
-     $    CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
-     $                MOST, INFO)
-      IF (CTL(NOPEN) .GE. CTL(MPOOL) - CTL(MPOOL)/8 - 1 .OR.
-     $    ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - 2*EDGE) OK = 0
-      END
-
-C     TSBEGI - the first facet becomes an edge of the link of its vertex
-C     of least position, S.
-      SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
-      INTEGER START, FULL
-      PARAMETER (START = -1, FULL = 2)
-      INTEGER E, I, V(3)
-      CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
-      IF (INFO .NE. 0) RETURN
-      S = V(1)
-      DO 10 I = 1, 3
-        LINK(V(I)) = 0
-   10 CONTINUE
-      CALL TSPUSH(LINK, POOL, CTL, START, V(2), V(3), E)
-      IF (E .EQ. 0) INFO = FULL
-      END
-
-C     TSSTAR - complete the star of S, whose open facets are the edges
-C     of the link.  INFO is 0, MORE or FULL.
-      SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
-     $                  POOL, MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S,
-     $                  INFO)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
-      INTEGER POOL(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S, INFO
-      INTEGER NT, MAXT, OLDEST, NEWEST, ECODE, EFROM, ETO, EPREV
-      INTEGER NCELL, EAFTER, MORE, FULL, START, DEAD, EDGE
-      PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, ECODE = 0)
-      PARAMETER (EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4, MORE = 1)
-      PARAMETER (NCELL = 30, FULL = 2, START = -1, DEAD = -2, EDGE = 6)
-      INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
-      CALL TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
-     $            S)
-      CTL(NCELL) = 0
-   10 E = CTL(OLDEST)
-      IF (E .GE. CTL(NEWEST)) THEN
-        IF (POOL(E+ECODE) .EQ. DEAD) THEN
-          CTL(OLDEST) = E - EDGE
-          GO TO 10
-        END IF
-        V(1) = S
-        V(2) = POOL(E+EFROM)
-        V(3) = POOL(E+ETO)
-        PREV = POOL(E+EPREV)
-        AFTER = POOL(E+EAFTER)
-        GUESS(1) = 0
-        GUESS(2) = 0
-        IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
-        IF (AFTER .NE. 0) GUESS(2) = POOL(AFTER+ETO)
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, LSX,
-     $              LSID, LSI, LSD, V, GUESS, C)
-        IF (C .EQ. 0) THEN
-          IF (POOL(E+ECODE) .NE. START) ADJ(POOL(E+ECODE)) = 0
-          IF (PREV .NE. 0) POOL(PREV+EAFTER) = 0
-          IF (AFTER .NE. 0) POOL(AFTER+EPREV) = 0
-          CALL TSUNLI(LINK, POOL, E)
-          GO TO 10
-        END IF
-        IF (CTL(NT) .EQ. CTL(MAXT)) THEN
-          CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-          INFO = MORE
-          RETURN
-        END IF
-        CALL TSMKRO(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL, RCTL,
-     $              S, OK)
-        IF (OK .EQ. 0) THEN
-          INFO = FULL
-          RETURN
-        END IF
-        E = CTL(OLDEST)
-        CALL TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
-        GO TO 10
-      END IF
-      CALL TSCLRL(CTL)
-      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
-      INFO = 0
-      END
-
-C     TSSTRS - complete star after star of those asked for, from S on if
-C     it has edges in the link: by and by what hangs together, then what
-C     else there is.  INFO is 0, MORE or FULL.
-      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID,
-     $                  LSI, LSD, S, INFO)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4)
-      INTEGER HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*)
-      INTEGER LSID(TSIDS,2), LSI(3,2), S, INFO
-      INTEGER NP, OLDEST, NEWEST, LOW, UNMET, FOREIN, NEW, FULL
-      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, UNMET = 27)
-      PARAMETER (FOREIN = -1, NEW = -2, FULL = 2)
-      INTEGER OK
-   10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
-        CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
-     $              MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
-        IF (INFO .NE. 0) RETURN
-      END IF
-      DO 20 S = CTL(LOW), CTL(NP)
-        IF (HEAD(S) .GT. 0) GO TO 30
-C       no open facet has a vertex of smaller position than LOW, so one
-C       that was met before and owns none is complete
-        IF (LINK(S) .EQ. 0 .AND. HEAD(S) .EQ. 0) CALL TSCMPL(ALIVE,
-     $      LINK, CTL, LSX, LSI, S)
-   20 CONTINUE
-   30 CTL(LOW) = S
-      IF (S .LE. CTL(NP)) THEN
-        CALL TSLOAD(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL, RCTL,
-     $              S, OK)
-      ELSE
-        DO 40 S = CTL(UNMET), CTL(NP)
-          IF (LINK(S) .EQ. NEW .AND. HEAD(S) .NE. FOREIN) GO TO 50
-   40   CONTINUE
-   50   CTL(UNMET) = S
-        INFO = 0
-        IF (S .GT. CTL(NP)) RETURN
-        CALL TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
-     $              LINK, POOL, MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S,
-     $              OK)
-      END IF
-      INFO = FULL
-      IF (OK .EQ. 1) GO TO 10
-      END
-
-C     ------------------------------------------------------------------
 C     The pool of open facets: an open-addressing hash.
 C
 C     Entry E = 1, 2, ..., at POOL(ENTRY*(E-1)+1): the facet's code, or
@@ -1492,6 +948,59 @@ C       E may fill the hole if its home is not behind the hole
       POOL(ENTRY*(HOLE-1)+1) = 0
       END
 
+C     TSENTE - enter the open facet CODE into the pool, unless its other
+C     side is there: OTHER is the code of that, which leaves the pool,
+C     or 0.
+      SUBROUTINE TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
+      INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
+      INTEGER TSOWNE, TSHASH
+      INTEGER ENTRY
+      PARAMETER (ENTRY = 4)
+      INTEGER E, LEAST, SIG, V(3)
+      OTHER = 0
+      CALL TSFACE(TET, CODE, V)
+      LEAST = TSOWNE(HEAD, V)
+      IF (LEAST .EQ. 0) RETURN
+      SIG = TSHASH(V)
+      CALL TSFIND(TET, POOL, CTL, V, SIG, E)
+      OTHER = POOL(ENTRY*(E-1)+1)
+      IF (OTHER .EQ. 0) THEN
+        CALL TSINSE(HEAD, POOL, CTL, E, CODE, LEAST, SIG)
+      ELSE
+        CALL TSERAS(TET, HEAD, POOL, CTL, E, LEAST)
+      END IF
+      END
+
+C     TSFULL - 1 if the table may not hold more than MANY facets, else
+C     0.
+      INTEGER FUNCTION TSFULL(CTL, MANY)
+      INTEGER CTL(*), MANY
+      INTEGER MPOOL
+      PARAMETER (MPOOL = 6)
+      TSFULL = 0
+      IF (MANY .GT. CTL(MPOOL) - CTL(MPOOL)/8 - 1) TSFULL = 1
+      END
+
+C     TSCUBE - the least C with C**3 >= N.
+      INTEGER FUNCTION TSCUBE(N)
+      INTEGER N
+      INTEGER C
+      C = 1
+   10 IF (DBLE(C)*DBLE(C)*DBLE(C) .LT. DBLE(N)) THEN
+        C = C + 1
+        GO TO 10
+      END IF
+      TSCUBE = C
+      END
+
+C     TSTABL - entries of the pool to begin with: a little more than
+C     what uniform points need, as a small table stays in the cache.
+      INTEGER FUNCTION TSTABL(N)
+      INTEGER N
+      INTEGER TSCUBE
+      TSTABL = 9*TSCUBE(N)**2 + 16
+      END
+
 C     TSQUOT - entries that the table may have: those it needs for its
 C     facets, an eighth of them unused, and half of what besides so many
 C     more edges is free.
@@ -1506,54 +1015,49 @@ C     more edges is free.
       IF (MOST .GE. NEED) TSQUOT = NEED + (MOST - NEED)/2
       END
 
-C     TSREHA - give the pool's table another length, its quota at most,
-C     and enter its facets again in their order.  The new table is laid
-C     over the old one, so the facets come from TET and ADJ: those open
-C     ones that have an owner and not the vertex S.  (Those that do are
-C     edges of its link.)  In results that were joined a facet may be
-C     there twice: it is closed.  INFO is 0, FULL, or what TSMTCH finds.
-      SUBROUTINE TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S,
-     $                  WANTED, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S
-      INTEGER WANTED, INFO
-      INTEGER TSOWNE, TSHASH, TSQUOT
-      INTEGER NP, MPOOL, NOPEN, FRESH, OPEN, FOREIN, ENTRY, FULL
-      PARAMETER (NP = 1, MPOOL = 6, NOPEN = 7, FRESH = 8, OPEN = -1)
-      PARAMETER (FOREIN = -1, ENTRY = 4, FULL = 2)
-      INTEGER CODE, E, FACET, LEAST, LENGTH, OTHER, SIG, V(3)
-      INFO = FULL
-      LENGTH = MIN(WANTED, TSQUOT(CTL, 2))
-      IF (LENGTH .LT. 1) RETURN
-      DO 10 E = 1, LENGTH
-        POOL(ENTRY*(E-1)+1) = 0
-   10 CONTINUE
-      DO 20 E = 1, CTL(NP)
-        IF (HEAD(E) .NE. FOREIN) HEAD(E) = 0
-   20 CONTINUE
-      CTL(MPOOL) = LENGTH
+C     TSNEWT - give the pool's table another length, its quota at most,
+C     and no facet.  OK is 1, or 0 if there is no room for an entry.
+      SUBROUTINE TSNEWT(HEAD, POOL, CTL, WANTED, OK)
+      INTEGER HEAD(*), POOL(*), CTL(*), WANTED, OK
+      INTEGER TSQUOT
+      INTEGER NP, MPOOL, NOPEN, FOREIN, ENTRY
+      PARAMETER (NP = 1, MPOOL = 6, NOPEN = 7, FOREIN = -1, ENTRY = 4)
+      INTEGER I
+      CTL(MPOOL) = MIN(WANTED, TSQUOT(CTL, 2))
       CTL(NOPEN) = 0
-      DO 30 CODE = 1, 4*(CTL(FRESH) - 1)
-        IF (ADJ(CODE) .NE. OPEN) GO TO 30
-        FACET = CODE
-        CALL TSFACE(TET, FACET, V)
-        LEAST = TSOWNE(HEAD, V)
-        IF (LEAST .EQ. 0 .OR. V(1) .EQ. S .OR. V(2) .EQ. S .OR.
-     $      V(3) .EQ. S) GO TO 30
-        IF (CTL(NOPEN) .GE. LENGTH - LENGTH/8 - 1) RETURN
-        SIG = TSHASH(V)
-        CALL TSFIND(TET, POOL, CTL, V, SIG, E)
-        OTHER = POOL(ENTRY*(E-1)+1)
-        IF (OTHER .EQ. 0) THEN
-          CALL TSINSE(HEAD, POOL, CTL, E, FACET, LEAST, SIG)
-        ELSE
-          CALL TSMTCH(X, P, ORD, TET, ADJ, RCTL, FACET, OTHER, INFO)
-          IF (INFO .NE. 0) RETURN
-          INFO = FULL
-          CALL TSERAS(TET, HEAD, POOL, CTL, E, LEAST)
-        END IF
-   30 CONTINUE
-      INFO = 0
+      DO 10 I = 1, CTL(MPOOL)
+        POOL(ENTRY*(I-1)+1) = 0
+   10 CONTINUE
+      DO 20 I = 1, CTL(NP)
+        IF (HEAD(I) .NE. FOREIN) HEAD(I) = 0
+   20 CONTINUE
+      OK = 1
+      IF (CTL(MPOOL) .LT. 1) OK = 0
+      END
+
+C     TSREHA - give the table another length and enter its facets again
+C     in their order.  OK is 1, or 0 if there is no room.  The new table
+C     is laid over the old one, so the facets come from TET and ADJ: the
+C     open ones without the vertex S.  (Those with it are edges of its
+C     link.)
+      SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
+      INTEGER TSFULL
+      INTEGER NOPEN, FRESH, OPEN
+      PARAMETER (NOPEN = 7, FRESH = 8, OPEN = -1)
+      INTEGER CODE, I, OTHER, V(3)
+      CALL TSNEWT(HEAD, POOL, CTL, WANTED, OK)
+      IF (OK .EQ. 0) RETURN
+      OK = 0
+      DO 10 I = 1, 4*(CTL(FRESH) - 1)
+        IF (ADJ(I) .NE. OPEN) GO TO 10
+        CODE = I
+        CALL TSFACE(TET, CODE, V)
+        IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 10
+        CALL TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
+        IF (TSFULL(CTL, CTL(NOPEN)) .EQ. 1) RETURN
+   10 CONTINUE
+      OK = 1
       END
 
 C     ------------------------------------------------------------------
@@ -1697,16 +1201,15 @@ C     until they fit.
       INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), LIST
       INTEGER S
       INTEGER TSLFST, TSLEAF
-      INTEGER LEAVES, RREACH, RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID
-      INTEGER LMOST, LMARG, LUNIT, BLKMIN, BLKMAX
-      PARAMETER (LEAVES = 4, RREACH = 3, RSHARE = 4, LFIRST = 1)
-      PARAMETER (LLAST = 2, LN = 3, LLO = 0, LHI = 3, LMID = 6)
-      PARAMETER (LMOST = 9, LMARG = 13, LUNIT = 14)
-      PARAMETER (BLKMIN = TSLIST/8*3, BLKMAX = TSLIST/8*5)
-      DOUBLE PRECISION NARROW, NEAR
-      PARAMETER (NARROW = 1.0D5*2.0D0**(-450), NEAR = 0.85D0)
+      INTEGER LEAVES, RREACH, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST
+      INTEGER LMARG, LUNIT
+      PARAMETER (LEAVES = 4, RREACH = 3, LFIRST = 1, LLAST = 2, LN = 3)
+      PARAMETER (LLO = 0, LHI = 3, LMID = 6, LMOST = 9, LMARG = 13)
+      PARAMETER (LUNIT = 14)
+      DOUBLE PRECISION NARROW
+      PARAMETER (NARROW = 1.0D5*2.0D0**(-450))
       DOUBLE PRECISION ABOVE, BELOW, HALF, MARGIN, SUM
-      INTEGER FIT, I, K, LEAFS, N, NODE
+      INTEGER FIT, I, K, LEAFS, NODE
       LEAFS = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAFS - 1
       SUM = 0.0D0
@@ -1714,7 +1217,6 @@ C     until they fit.
         SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
    10 CONTINUE
       MARGIN = RCTL(RREACH)*SQRT(SUM)
-      RCTL(RSHARE) = NEAR
       LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
       LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
    20 HALF = 0.0D0
@@ -1754,15 +1256,10 @@ C       no list
         END IF
         GO TO 20
       END IF
-      N = LSI(LN,LIST)
-      DO 60 I = 1, N
+      DO 60 I = 1, LSI(LN,LIST)
         CALL TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
    60 CONTINUE
       CALL TSPADL(LSX, LSID, LSI, LIST)
-      IF (N .LT. BLKMIN .AND. RCTL(RREACH) .LT. 8.0D0)
-     $    RCTL(RREACH) = 1.1D0*RCTL(RREACH)
-      IF (N .GT. BLKMAX .AND. RCTL(RREACH) .GT. 0.05D0)
-     $    RCTL(RREACH) = 0.9D0*RCTL(RREACH)
       END
 
 C     TSCMPR - those of the places 1 ... N that are marked by 1, the
@@ -1794,13 +1291,13 @@ C     at most the distance from S to where the block may lack points.
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
       INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S
-      INTEGER RSHARE, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG
-      INTEGER LUNIT, BLK, STR, STRMIN, STRMAX
-      PARAMETER (RSHARE = 4, LFIRST = 1, LLAST = 2, LN = 3, LLO = 0)
-      PARAMETER (LHI = 3, LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14)
-      PARAMETER (BLK = 1, STR = 2, STRMIN = 24, STRMAX = 48)
-      DOUBLE PRECISION NEARST
-      PARAMETER (NEARST = 1.0D-4)
+      INTEGER LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG, LUNIT
+      INTEGER BLK, STR
+      PARAMETER (LFIRST = 1, LLAST = 2, LN = 3, LLO = 0, LHI = 3)
+      PARAMETER (LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14, BLK = 1)
+      PARAMETER (STR = 2)
+      DOUBLE PRECISION SREACH, FINEST
+      PARAMETER (SREACH = 0.85D0, FINEST = 1.0D-4)
       REAL SLACK
       PARAMETER (SLACK = 32.0*2.0**(-23))
       DOUBLE PRECISION MARGIN
@@ -1810,7 +1307,7 @@ C     at most the distance from S to where the block may lack points.
      $    CALL TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $    LSD, BLK, S)
       LSI(LN,STR) = 0
-      MARGIN = RCTL(RSHARE)*LSD(LMARG,BLK)
+      MARGIN = SREACH*LSD(LMARG,BLK)
       DO 10 K = 1, 3
         IF (LSD(LLO+K,BLK) .GT. BOX(K,1)) MARGIN = MIN(MARGIN, X(K,S) -
      $      LSD(LLO+K,BLK))
@@ -1820,7 +1317,7 @@ C     at most the distance from S to where the block may lack points.
         LSD(LMOST+K,STR) = 1.1D0
    10 CONTINUE
       IF (LSI(LN,BLK) .EQ. 0) RETURN
-      IF (MARGIN*LSD(LUNIT,BLK) .LT. NEARST) RETURN
+      IF (MARGIN*LSD(LUNIT,BLK) .LT. FINEST) RETURN
       LSD(LMARG,STR) = MARGIN
       LSD(LUNIT,STR) = 1.0D0/MARGIN
       I = S - LSI(LFIRST,BLK) + 1
@@ -1843,9 +1340,6 @@ C     none nearer than margin is missed
    30 CONTINUE
       LSI(LN,STR) = N
       CALL TSPADL(LSX, LSID, LSI, STR)
-      IF (N .LT. STRMIN .AND. RCTL(RSHARE) .LT. 4.0D0)
-     $    RCTL(RSHARE) = 1.1D0*RCTL(RSHARE)
-      IF (N .GT. STRMAX) RCTL(RSHARE) = 0.9D0*RCTL(RSHARE)
       END
 
 C     ------------------------------------------------------------------
@@ -4057,6 +3551,455 @@ C     alone.
       IF (SAME .LT. 6) GO TO 70
       END
 
+C     ------------------------------------------------------------------
+C     The star of a vertex.
+C
+C     The open facets at S are the edges A -> B of its link: (S, A, B)
+C     is positive towards the unknown side.  They are a queue, which
+C     keeps the link's boundary short, and grow down from the end of the
+C     pool: edge E is POOL(E) and the EDGE - 1 integers behind it.
+C       ECODE   the facet's code; START for the first facet; DEAD
+C       EFROM   A
+C       ETO     B
+C       EPREV   an edge that ends where this one begins, or 0; and
+C       EAFTER  one that begins where it ends: they give the guesses
+C       ECHAIN  the next edge from A, or 0; LINK(A) is the first
+C     ------------------------------------------------------------------
+
+C     TSCLRL - the link has no edges.
+      SUBROUTINE TSCLRL(CTL)
+      INTEGER CTL(*)
+      INTEGER ROOM, OLDEST, NEWEST, EDGE
+      PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, EDGE = 6)
+      CTL(NEWEST) = CTL(ROOM) + 1
+      CTL(OLDEST) = CTL(ROOM) + 1 - EDGE
+      END
+
+C     TSRENU - move the edges up to the end of the pool again.
+      SUBROUTINE TSRENU(LINK, POOL, CTL)
+      INTEGER LINK(*), POOL(*), CTL(*)
+      INTEGER ROOM, OLDEST, NEWEST, ECODE, EFROM, EPREV, DEAD, EDGE
+      PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, ECODE = 0)
+      PARAMETER (EFROM = 1, EPREV = 3, DEAD = -2, EDGE = 6)
+      INTEGER E, K, SHIFT, TO
+      SHIFT = CTL(ROOM) + 1 - EDGE - CTL(OLDEST)
+      DO 30 E = CTL(OLDEST), CTL(NEWEST), -EDGE
+        TO = E + SHIFT
+        IF (POOL(E+ECODE) .NE. DEAD) THEN
+          IF (LINK(POOL(E+EFROM)) .EQ. E) LINK(POOL(E+EFROM)) = TO
+        END IF
+        DO 10 K = 0, EDGE - 1
+          POOL(TO+K) = POOL(E+K)
+   10   CONTINUE
+        DO 20 K = EPREV, EDGE - 1
+          IF (POOL(TO+K) .NE. 0) POOL(TO+K) = POOL(TO+K) + SHIFT
+   20   CONTINUE
+   30 CONTINUE
+      CTL(NEWEST) = CTL(NEWEST) + SHIFT
+      CTL(OLDEST) = CTL(OLDEST) + SHIFT
+      END
+
+C     TSPUSH - a new edge A -> B without neighbours, if there is room: E
+C     is its number, or 0.
+      SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
+      INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
+      INTEGER MPOOL, NEWEST, ECODE, EFROM, ETO, EPREV, EAFTER, ECHAIN
+      INTEGER ENTRY, EDGE
+      PARAMETER (MPOOL = 6, NEWEST = 10, ECODE = 0, EFROM = 1, ETO = 2)
+      PARAMETER (EPREV = 3, EAFTER = 4, ECHAIN = 5, ENTRY = 4)
+      PARAMETER (EDGE = 6)
+      E = CTL(NEWEST) - EDGE
+      IF (E .LE. ENTRY*CTL(MPOOL)) THEN
+        E = 0
+        RETURN
+      END IF
+      POOL(E+ECODE) = CODE
+      POOL(E+EFROM) = A
+      POOL(E+ETO) = B
+      POOL(E+EPREV) = 0
+      POOL(E+EAFTER) = 0
+      POOL(E+ECHAIN) = MAX(LINK(A), 0)
+      LINK(A) = E
+      CTL(NEWEST) = E
+      END
+
+C     TSJOIN - let edge B follow edge A; either may be 0.
+      SUBROUTINE TSJOIN(POOL, A, B)
+      INTEGER POOL(*), A, B
+      INTEGER EPREV, EAFTER
+      PARAMETER (EPREV = 3, EAFTER = 4)
+      IF (A .NE. 0) POOL(A+EAFTER) = B
+      IF (B .NE. 0) POOL(B+EPREV) = A
+      END
+
+C     TSUNLI - take edge E out of the link.
+      SUBROUTINE TSUNLI(LINK, POOL, E)
+      INTEGER LINK(*), POOL(*), E
+      INTEGER ECODE, EFROM, ECHAIN, DEAD
+      PARAMETER (ECODE = 0, EFROM = 1, ECHAIN = 5, DEAD = -2)
+      INTEGER I
+      I = LINK(POOL(E+EFROM))
+      IF (I .EQ. E) THEN
+        LINK(POOL(E+EFROM)) = POOL(E+ECHAIN)
+      ELSE
+   10   IF (POOL(I+ECHAIN) .NE. E) THEN
+          I = POOL(I+ECHAIN)
+          GO TO 10
+        END IF
+        POOL(I+ECHAIN) = POOL(E+ECHAIN)
+      END IF
+      POOL(E+ECODE) = DEAD
+      END
+
+C     TSBETW - the edge A -> B of the link, or 0.
+      INTEGER FUNCTION TSBETW(LINK, POOL, A, B)
+      INTEGER LINK(*), POOL(*), A, B
+      INTEGER ETO, ECHAIN
+      PARAMETER (ETO = 2, ECHAIN = 5)
+      INTEGER E
+      E = MAX(LINK(A), 0)
+   10 IF (E .NE. 0) THEN
+        IF (POOL(E+ETO) .NE. B) THEN
+          E = POOL(E+ECHAIN)
+          GO TO 10
+        END IF
+      END IF
+      TSBETW = E
+      END
+
+C     TSGLUE - the facets of two codes are one.
+      SUBROUTINE TSGLUE(ADJ, CODE, OTHER)
+      INTEGER ADJ(*), CODE, OTHER
+      ADJ(CODE) = (OTHER - 1)/4 + 1
+      ADJ(OTHER) = (CODE - 1)/4 + 1
+      END
+
+C     TSFLUS - enter the facets opposite to S of the tetrahedra from
+C     FRESH on into the pool, or close them if it has their other sides.
+C     They wait for each other so that the processor can fetch what
+C     several need from memory at once.
+      SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
+      INTEGER NT, FRESH
+      PARAMETER (NT = 2, FRESH = 8)
+      INTEGER CODE, OTHER, T
+      DO 10 T = CTL(FRESH), CTL(NT)
+        CODE = 4*(T - 1) + 1
+        CALL TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
+        IF (OTHER .NE. 0) CALL TSGLUE(ADJ, CODE, OTHER)
+   10 CONTINUE
+      CTL(FRESH) = CTL(NT) + 1
+      END
+
+C     TSGROW - store the tetrahedron of S, edge E = A -> B and the apex
+C     C: A -> C and C -> B take the place of E in the link, unless their
+C     other sides are there, which then go too.
+      SUBROUTINE TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
+      INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
+      INTEGER TSBETW
+      INTEGER NT, ECODE, EFROM, ETO, EPREV, EAFTER, OPEN, NEW, START
+      PARAMETER (NT = 2, ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3)
+      PARAMETER (EAFTER = 4, OPEN = -1, NEW = -2, START = -1)
+      INTEGER A, AFTER, B, CODE, F, G, H, PREV, T
+      CODE = POOL(E+ECODE)
+      A = POOL(E+EFROM)
+      B = POOL(E+ETO)
+      PREV = POOL(E+EPREV)
+      AFTER = POOL(E+EAFTER)
+      T = CTL(NT) + 1
+      CTL(NT) = T
+      TET(1,T) = S
+      TET(2,T) = A
+      TET(3,T) = B
+      TET(4,T) = C
+      IF (CODE .EQ. START) THEN
+        F = TSBETW(LINK, POOL, B, A)
+        ADJ(4*T) = 0
+        IF (F .NE. 0) THEN
+          ADJ(4*T) = OPEN
+          POOL(F+ECODE) = 4*T
+        END IF
+      ELSE
+        CALL TSGLUE(ADJ, CODE, 4*T)
+      END IF
+      IF (LINK(C) .EQ. NEW) LINK(C) = 0
+      CALL TSUNLI(LINK, POOL, E)
+C     until TSFLUS
+      ADJ(4*T-3) = OPEN
+
+C     A -> C; PREV becomes the edge that ends at C
+      F = TSBETW(LINK, POOL, C, A)
+      IF (F .EQ. 0) THEN
+        ADJ(4*T-1) = OPEN
+        CALL TSPUSH(LINK, POOL, CTL, 4*T - 1, A, C, F)
+        CALL TSJOIN(POOL, PREV, F)
+        PREV = F
+      ELSE
+        CALL TSGLUE(ADJ, 4*T - 1, POOL(F+ECODE))
+        G = POOL(F+EPREV)
+        H = POOL(F+EAFTER)
+        IF (F .NE. PREV) CALL TSJOIN(POOL, PREV, H)
+        PREV = G
+        CALL TSUNLI(LINK, POOL, F)
+      END IF
+C     C -> B
+      F = TSBETW(LINK, POOL, B, C)
+      IF (F .EQ. 0) THEN
+        ADJ(4*T-2) = OPEN
+        CALL TSPUSH(LINK, POOL, CTL, 4*T - 2, C, B, F)
+        CALL TSJOIN(POOL, PREV, F)
+        CALL TSJOIN(POOL, F, AFTER)
+      ELSE
+        CALL TSGLUE(ADJ, 4*T - 2, POOL(F+ECODE))
+        G = POOL(F+EPREV)
+        H = POOL(F+EAFTER)
+        CALL TSJOIN(POOL, PREV, H)
+        IF (F .NE. AFTER) CALL TSJOIN(POOL, G, AFTER)
+        CALL TSUNLI(LINK, POOL, F)
+      END IF
+      END
+
+C     TSENLI - make the open facet CODE an edge of the link, if it has
+C     the vertex S.  OK is 1, or 0 if there is no room.
+      SUBROUTINE TSENLI(TET, LINK, POOL, CTL, S, CODE, OK)
+      INTEGER TET(4,*), LINK(*), POOL(*), CTL(*), S, CODE, OK
+      INTEGER E, K, V(3)
+      CALL TSFACE(TET, CODE, V)
+      OK = 1
+      DO 10 K = 1, 3
+        IF (V(K) .EQ. S) GO TO 20
+   10 CONTINUE
+      RETURN
+   20 CALL TSPUSH(LINK, POOL, CTL, CODE, V(MOD(K,3)+1),
+     $            V(MOD(K+1,3)+1), E)
+      IF (E .EQ. 0) OK = 0
+      END
+
+C     TSFOLL - let every edge of the link be followed by one that begins
+C     where it ends and follows no other, if there is one.
+      SUBROUTINE TSFOLL(LINK, POOL, CTL)
+      INTEGER LINK(*), POOL(*), CTL(*)
+      INTEGER OLDEST, NEWEST, ECODE, ETO, EPREV, ECHAIN, DEAD, EDGE
+      PARAMETER (OLDEST = 9, NEWEST = 10, ECODE = 0, ETO = 2, EPREV = 3)
+      PARAMETER (ECHAIN = 5, DEAD = -2, EDGE = 6)
+      INTEGER AT, E, F
+      DO 20 E = CTL(OLDEST), CTL(NEWEST), -EDGE
+        F = LINK(POOL(E+ETO))
+        IF (F .LT. 0 .OR. POOL(E+ECODE) .EQ. DEAD) GO TO 20
+   10   IF (F .NE. 0) THEN
+          IF (POOL(F+EPREV) .NE. 0) THEN
+            F = POOL(F+ECHAIN)
+            GO TO 10
+          END IF
+        END IF
+        AT = E
+        CALL TSJOIN(POOL, AT, F)
+   20 CONTINUE
+      END
+
+C     TSGATH - make all open facets at S edges of the link, in the order
+C     of their tetrahedra.  OK is 1, or 0 if there is no room.
+      SUBROUTINE TSGATH(TET, ADJ, LINK, POOL, CTL, S, OK)
+      INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, OK
+      INTEGER NT, OPEN
+      PARAMETER (NT = 2, OPEN = -1)
+      INTEGER CODE, K, T
+      DO 20 T = 1, CTL(NT)
+        DO 10 K = 4, 1, -1
+          CODE = 4*(T - 1) + K
+          OK = 1
+          IF (ADJ(CODE) .EQ. OPEN) CALL TSENLI(TET, LINK, POOL, CTL, S,
+     $        CODE, OK)
+          IF (OK .EQ. 0) RETURN
+   10   CONTINUE
+   20 CONTINUE
+      CALL TSFOLL(LINK, POOL, CTL)
+      END
+
+C     TSLOAD - move the facets that S owns from the pool to the link,
+C     the oldest first.  OK is 1, or 0 if there is no room.  Where these
+C     do not fit beside the table, it gives them up first.
+      SUBROUTINE TSLOAD(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
+      INTEGER TSQUOT
+      INTEGER MPOOL, NOPEN, NEWEST, ENTRY, EDGE
+      PARAMETER (MPOOL = 6, NOPEN = 7, NEWEST = 10, ENTRY = 4, EDGE = 6)
+      INTEGER CODE, E, EDGES
+      OK = 1
+      E = HEAD(S)
+      IF (E .EQ. 0) RETURN
+      EDGES = 1
+   10 IF (POOL(ENTRY*(E-1)+2) .NE. 0) THEN
+        E = POOL(ENTRY*(E-1)+2)
+        EDGES = EDGES + 1
+        GO TO 10
+      END IF
+      IF (ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - EDGE*EDGES) THEN
+        CTL(NOPEN) = CTL(NOPEN) - EDGES
+        CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, TSQUOT(CTL, EDGES),
+     $              OK)
+        IF (OK .EQ. 1) CALL TSGATH(TET, ADJ, LINK, POOL, CTL, S, OK)
+        RETURN
+      END IF
+   20 IF (E .NE. 0) THEN
+        CODE = POOL(ENTRY*(E-1)+1)
+        CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, OK)
+        E = POOL(ENTRY*(E-1)+3)
+        GO TO 20
+      END IF
+   30 E = HEAD(S)
+      IF (E .NE. 0) THEN
+        CALL TSERAS(TET, HEAD, POOL, CTL, E, S)
+        GO TO 30
+      END IF
+      CALL TSFOLL(LINK, POOL, CTL)
+      END
+
+C     TSCMPL - the star of S is complete: S leaves the tree and the
+C     block.
+      SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(3,2), S
+      INTEGER TSLEAF
+      INTEGER LEAVES, LFIRST, LLAST, LN, BLK, DONE
+      PARAMETER (LEAVES = 4, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1)
+      PARAMETER (DONE = -1)
+      REAL FAR
+      PARAMETER (FAR = 1.0E10)
+      INTEGER I, NODE
+      IF (LINK(S) .EQ. DONE) RETURN
+      LINK(S) = DONE
+      NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
+   10 IF (NODE .GT. 0) THEN
+        ALIVE(NODE) = ALIVE(NODE) - 1
+        IF (ALIVE(NODE) .EQ. 0) THEN
+          NODE = NODE/2
+          GO TO 10
+        END IF
+      END IF
+      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK) .OR.
+     $    LSI(LN,BLK) .EQ. 0) RETURN
+      I = S - LSI(LFIRST,BLK) + 1
+      LSX(I,1,BLK) = FAR
+      LSX(I,2,BLK) = FAR
+      LSX(I,3,BLK) = FAR
+      LSX(I,4,BLK) = FAR*FAR
+      END
+
+C     TSMKRO - make sure of room for another tetrahedron's facets in the
+C     table and in the link of S: OK is 1, or 0 if there is none.
+C     Callers must reload OLDEST.  When three quarters of the table are
+C     in use, or the link meets it, the edges move up, if an eighth of
+C     their room is dead, and the table gets another length, if that
+C     differs by a sixteenth: so both are seldom.
+      SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
+      INTEGER TSFULL, TSQUOT
+      INTEGER NT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEWEST, ENTRY, EDGE
+      PARAMETER (NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
+      PARAMETER (OLDEST = 9, NEWEST = 10, ENTRY = 4, EDGE = 6)
+      INTEGER CHANGE, MOST
+      CHANGE = CTL(MPOOL)/16
+      OK = 1
+      IF (4*(CTL(NOPEN) + CTL(NT) - CTL(FRESH) + 1) .LT.
+     $    3*CTL(MPOOL) .AND. ENTRY*CTL(MPOOL) .LE.
+     $    CTL(NEWEST) - 1 - 2*EDGE) RETURN
+      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+      IF (CTL(ROOM) + 1 - CTL(OLDEST) .GT.
+     $    (CTL(ROOM) + 1 - CTL(NEWEST))/8) CALL TSRENU(LINK, POOL, CTL)
+      MOST = MIN(TSQUOT(CTL, 2), 2*CTL(MPOOL) + 1)
+      IF ((4*CTL(NOPEN) .GE. 3*CTL(MPOOL) .AND.
+     $    MOST .GT. CTL(MPOOL) + CHANGE) .OR. (ENTRY*CTL(MPOOL) .GT.
+     $    CTL(NEWEST) - 1 - 2*EDGE .AND. MOST .LT. CTL(MPOOL) - CHANGE))
+     $    CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, MOST, OK)
+      OK = 1 - TSFULL(CTL, CTL(NOPEN) + 1)
+      IF (ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - 2*EDGE) OK = 0
+      END
+
+C     TSBEGI - the first facet becomes an edge of the link of its vertex
+C     of least position, S.
+      SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
+      INTEGER START, FULL
+      PARAMETER (START = -1, FULL = 2)
+      INTEGER E, I, V(3)
+      CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
+      IF (INFO .NE. 0) RETURN
+      S = V(1)
+      DO 10 I = 1, 3
+        LINK(V(I)) = 0
+   10 CONTINUE
+      CALL TSPUSH(LINK, POOL, CTL, START, V(2), V(3), E)
+      IF (E .EQ. 0) INFO = FULL
+      END
+
+C     TSSTAR - complete the star of S, whose open facets are the edges
+C     of the link.  INFO is 0, MORE or FULL.
+      SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
+     $                  POOL, MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S,
+     $                  INFO)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
+      INTEGER POOL(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S, INFO
+      INTEGER NT, MAXT, OLDEST, NEWEST, ECODE, EFROM, ETO, EPREV
+      INTEGER NCELL, EAFTER, MORE, FULL, START, DEAD, EDGE
+      PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, ECODE = 0)
+      PARAMETER (EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4, MORE = 1)
+      PARAMETER (NCELL = 30, FULL = 2, START = -1, DEAD = -2, EDGE = 6)
+      INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
+      CALL TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
+     $            S)
+      CTL(NCELL) = 0
+   10 E = CTL(OLDEST)
+      IF (E .GE. CTL(NEWEST)) THEN
+        IF (POOL(E+ECODE) .EQ. DEAD) THEN
+          CTL(OLDEST) = E - EDGE
+          GO TO 10
+        END IF
+        V(1) = S
+        V(2) = POOL(E+EFROM)
+        V(3) = POOL(E+ETO)
+        PREV = POOL(E+EPREV)
+        AFTER = POOL(E+EAFTER)
+        GUESS(1) = 0
+        GUESS(2) = 0
+        IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
+        IF (AFTER .NE. 0) GUESS(2) = POOL(AFTER+ETO)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, LSX,
+     $              LSID, LSI, LSD, V, GUESS, C)
+        IF (C .EQ. 0) THEN
+          IF (POOL(E+ECODE) .NE. START) ADJ(POOL(E+ECODE)) = 0
+          IF (PREV .NE. 0) POOL(PREV+EAFTER) = 0
+          IF (AFTER .NE. 0) POOL(AFTER+EPREV) = 0
+          CALL TSUNLI(LINK, POOL, E)
+          GO TO 10
+        END IF
+        IF (CTL(NT) .EQ. CTL(MAXT)) THEN
+          CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+          INFO = MORE
+          RETURN
+        END IF
+        CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+        IF (OK .EQ. 0) THEN
+          INFO = FULL
+          RETURN
+        END IF
+        E = CTL(OLDEST)
+        CALL TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
+        GO TO 10
+      END IF
+      CALL TSCLRL(CTL)
+      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+      CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
+      INFO = 0
+      END
+
 C     TSPLAN - begin the star of S, in no tetrahedron yet: a facet of
 C     one becomes two edges of the link, the one towards it first.  OK
 C     is 1, or 0 if there is no room.
@@ -4075,12 +4018,58 @@ C     is 1, or 0 if there is no room.
       INTEGER E, V(4)
       CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK, CTL,
      $            RCTL, LSX, LSID, LSI, LSD, S, V)
-      CALL TSMKRO(X, P, ORD, TET, ADJ, HEAD, LINK, POOL, CTL, RCTL, S,
-     $            OK)
+      CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       IF (OK .EQ. 0) RETURN
       CALL TSPUSH(LINK, POOL, CTL, START, V(2), V(3), E)
       IF (E .NE. 0) CALL TSPUSH(LINK, POOL, CTL, START, V(3), V(2), E)
       IF (E .EQ. 0) OK = 0
+      END
+
+C     TSSTRS - complete star after star of those asked for, from S on if
+C     it has edges in the link: by and by what hangs together, then what
+C     else there is.  INFO is 0, MORE or FULL.
+      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
+     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID,
+     $                  LSI, LSD, S, INFO)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4)
+      INTEGER HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*)
+      INTEGER LSID(TSIDS,2), LSI(3,2), S, INFO
+      INTEGER NP, OLDEST, NEWEST, LOW, UNMET, FOREIN, NEW, FULL
+      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, UNMET = 27)
+      PARAMETER (FOREIN = -1, NEW = -2, FULL = 2)
+      INTEGER OK
+   10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
+        CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
+     $              MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+        IF (INFO .NE. 0) RETURN
+      END IF
+      DO 20 S = CTL(LOW), CTL(NP)
+        IF (HEAD(S) .GT. 0) GO TO 30
+C       no open facet has a vertex of smaller position than LOW, so one
+C       that was met before and owns none is complete
+        IF (LINK(S) .EQ. 0 .AND. HEAD(S) .EQ. 0) CALL TSCMPL(ALIVE,
+     $      LINK, CTL, LSX, LSI, S)
+   20 CONTINUE
+   30 CTL(LOW) = S
+      IF (S .LE. CTL(NP)) THEN
+        CALL TSLOAD(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+      ELSE
+        DO 40 S = CTL(UNMET), CTL(NP)
+          IF (LINK(S) .EQ. NEW .AND. HEAD(S) .NE. FOREIN) GO TO 50
+   40   CONTINUE
+   50   CTL(UNMET) = S
+        INFO = 0
+        IF (S .GT. CTL(NP)) RETURN
+        CALL TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
+     $              LINK, POOL, MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S,
+     $              OK)
+      END IF
+      INFO = FULL
+      IF (OK .EQ. 1) GO TO 10
       END
 
 C     ------------------------------------------------------------------
@@ -4136,79 +4125,69 @@ C     TSLCOU - the leaves of the tree of N points: a power of two.
       TSLCOU = LVS
       END
 
-C     TSCUBE - the least C with C**3 >= N.
-      INTEGER FUNCTION TSCUBE(N)
-      INTEGER N
-      INTEGER C
-      C = 1
-   10 IF (DBLE(C)*DBLE(C)*DBLE(C) .LT. DBLE(N)) THEN
-        C = C + 1
-        GO TO 10
-      END IF
-      TSCUBE = C
-      END
-
-C     TSTABL - entries of the pool to begin with: a little more than
-C     what uniform points need, as a small table stays in the cache.
-      INTEGER FUNCTION TSTABL(N)
-      INTEGER N
-      INTEGER TSCUBE
-      TSTABL = 9*TSCUBE(N)**2 + 16
-      END
-
-C     TSUPTO - K A, or MOST if that is less; no product overflows.
-      INTEGER FUNCTION TSUPTO(K, A, MOST)
-      INTEGER K, A, MOST
-      TSUPTO = MOST
-      IF (A .LE. MOST/K) TSUPTO = K*A
-      END
-
-C     TSLENG - the least lengths of IW and RW, and what is recommended
-C     besides as pool.  Uniform points need 5 N**(2/3) facets; a star of
-C     all points 2 N, which takes 12 N integers, given up to MUCH.  OK
-C     is 1, or 0 if the least lengths exceed the largest integer.
-      SUBROUTINE TSLENG(N, LIW, LRW, ROOM, OK)
-      INTEGER N, LIW, LRW, ROOM, OK
-      INTEGER TSLCOU, TSCUBE, TSUPTO
-      INTEGER LEAST, INTMAX, MUCH
+C     TSLENG - the lengths of IW and RW for N points: the least ones,
+C     and what is recommended besides: in IW POOL, and MARKS for
+C     supports; in RW CYLS for cylinders.  Pool: uniform points need
+C     5 N**(2/3) facets; a star of all points 2 N, which takes 12 N
+C     integers, given up to MUCH.  Supports and cylinders get room for
+C     as many points as may need them.  OK is 1, or 0 for a bad N:
+C     negative, or the least lengths exceed the largest integer.
+      SUBROUTINE TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
+      INTEGER N, LIW, LRW, POOL, MARKS, CYLS, OK
+      INTEGER TSLCOU, TSCUBE
+      INTEGER LEAST, INTMAX, MUCH, ENOUGH, SUPPS
       PARAMETER (LEAST = 512, INTMAX = 2147483647, MUCH = 225000)
-      INTEGER CLOUD, HUB, MOST
-      LIW = 0
-      LRW = 0
-      ROOM = 0
+      PARAMETER (ENOUGH = 500, SUPPS = 8)
+      DOUBLE PRECISION HUB
+      INTEGER LEFT, LVS
       OK = 0
 C     2 TSLCOU(N) < N/12 + 2
-      IF (N .GT. (INTMAX - LEAST)/5) RETURN
-      LIW = 4*N + 2*TSLCOU(N) + LEAST
-      LRW = 3*N + 12*TSLCOU(N)
-      MOST = INTMAX - LIW
-      HUB = TSUPTO(8, N, MIN(MOST, MUCH))
-      CLOUD = MAX(HUB, TSUPTO(60, TSCUBE(N)**2, MOST))
-      HUB = TSUPTO(4, N, MOST)
-      ROOM = MOST
-      IF (HUB .LE. MOST - CLOUD) ROOM = HUB + CLOUD
+      IF (N .LT. 0 .OR. N .GT. (INTMAX - LEAST)/5) RETURN
+      LVS = TSLCOU(N)
+      LIW = 4*N + 2*LVS + LEAST
+      LRW = 3*N + 12*LVS
+      LEFT = INTMAX - LIW
+      HUB = MIN(8.0D0*DBLE(N), DBLE(MUCH))
+      HUB = 4.0D0*DBLE(N) + MAX(HUB, 60.0D0*DBLE(TSCUBE(N))**2)
+      POOL = LEFT
+      IF (HUB .LT. DBLE(LEFT)) POOL = INT(HUB)
+      MARKS = 0
+      CYLS = 0
       OK = 1
+      IF (N .LT. ENOUGH) RETURN
+      LEFT = LEFT - POOL
+      IF (2*SUPPS*LVS .LT. LEFT - N) MARKS = N + 2*SUPPS*LVS
+      IF (32*(LVS/3) .LT. INTMAX - LRW) CYLS = 32*(LVS/3)
       END
 
-C     TSEXTR - integers that supports take, for as many points as may
-C     need them.
-      INTEGER FUNCTION TSEXTR(N)
-      INTEGER N
-      INTEGER TSLCOU
-      INTEGER ENOUGH, SUPPS
-      PARAMETER (ENOUGH = 500, SUPPS = 8)
-      TSEXTR = 0
-      IF (N .GE. ENOUGH) TSEXTR = N + 2*SUPPS*TSLCOU(N)
-      END
-
-C     TSSPAR - doubles that cylinders take.
-      INTEGER FUNCTION TSSPAR(N)
-      INTEGER N
-      INTEGER TSLCOU
-      INTEGER ENOUGH
-      PARAMETER (ENOUGH = 500)
-      TSSPAR = 0
-      IF (N .GE. ENOUGH) TSSPAR = 32*(TSLCOU(N)/3)
+C     TSLAYO - nothing is known yet: no points, no lists, no supports,
+C     no cylinders.
+      SUBROUTINE TSLAYO(CTL, RCTL, LSI)
+      INTEGER CTL(*), LSI(3,2)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER NP, NPLANE, NEXTPL, TIES, ROUND, TIED, NCELL, RFIRST
+      INTEGER RSUPP, RSEEK, RSCAN, LFIRST, LLAST, LN, BLK, STR
+      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIES = 26)
+      PARAMETER (ROUND = 28, TIED = 29, NCELL = 30, RFIRST = 14)
+      PARAMETER (RSUPP = 6, RSEEK = 7, RSCAN = 11, LFIRST = 1)
+      PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2)
+      DOUBLE PRECISION MUCHL
+      PARAMETER (MUCHL = 1.0D100)
+      CTL(NP) = 0
+      CTL(NPLANE) = 0
+      CTL(NEXTPL) = 1
+      CTL(TIES) = 0
+      CTL(ROUND) = 0
+      CTL(TIED) = 0
+      CTL(NCELL) = 0
+      RCTL(RFIRST) = 0.0D0
+      RCTL(RSUPP) = 0.0D0
+      RCTL(RSEEK) = 0.0D0
+      RCTL(RSCAN) = -MUCHL
+      LSI(LFIRST,BLK) = 1
+      LSI(LLAST,BLK) = 0
+      LSI(LN,BLK) = 0
+      LSI(LN,STR) = 0
       END
 
 C     TSCOLL - the points that stand for themselves, in their order.
@@ -4362,12 +4341,19 @@ C     TSREVI - no point has left the tree.
    20 CONTINUE
       END
 
-C     TSSORT - sort the points, drop the duplicates, build the tree.
-C     INFO is 0, or RANGE.
-      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, N, INFO)
+C     TSSORT - take up N > 0 points: sort them, drop the duplicates,
+C     build the tree.  INFO is 0, or RANGE.
+      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N,
+     $                  INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), N, INFO
+      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,2), N, INFO
+      INTEGER HHHOLD
+      INTEGER RANGE
+      PARAMETER (RANGE = 6)
       INTEGER I
+      CALL TSLAYO(CTL, RCTL, LSI)
+      INFO = RANGE
+      IF (HHHOLD(N, P) .EQ. 0) RETURN
       DO 10 I = 1, N
         REP(I) = I
    10 CONTINUE
@@ -4388,6 +4374,56 @@ C         the cuts may have parted duplicates: once more without them
       IF (INFO .NE. 0) RETURN
       CALL TSBOXE(X, BOX, CTL)
       CALL TSREVI(ALIVE, CTL)
+      END
+
+C     TSSEAL - make what was sorted an index, which has a mesh if CODE
+C     is 0.  What TSOPEN needs besides points and tree: KNOWN is the
+C     first tetrahedron, or begins with minus the code; COUNT, behind
+C     it, and HEADER(1) are NP, to know an index by.
+      SUBROUTINE TSSEAL(HEADER, KNOWN, COUNT, CTL, RCTL, CODE)
+      INTEGER KNOWN(4), COUNT, CTL(*), CODE
+      DOUBLE PRECISION HEADER(6), RCTL(*)
+      INTEGER NP, T3, T5, RSCALE, RLEAST
+      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 10)
+      IF (CODE .NE. 0) KNOWN(1) = -CODE
+      COUNT = CTL(NP)
+      HEADER(1) = DBLE(CTL(NP))
+      IF (CODE .NE. 0) RETURN
+      HEADER(2) = RCTL(T3)
+      HEADER(3) = RCTL(T5)
+      HEADER(4) = RCTL(RSCALE)
+      HEADER(5) = RCTL(RLEAST)
+      END
+
+C     TSOPEN - take up an index, to be read alone.  INFO is 0, the code
+C     of points without a mesh, or -8 where there is no index.
+      SUBROUTINE TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI,
+     $                  INFO)
+      INTEGER N, KNOWN(4), COUNT, CTL(*), LSI(3,2), INFO
+      DOUBLE PRECISION P(3,*), HEADER(6), RCTL(*)
+      INTEGER HHHOLD, TSLCOU
+      INTEGER NP, LEAVES, T3, T5, RSCALE, RLEAST, RANGE
+      PARAMETER (NP = 1, LEAVES = 4, T3 = 1, T5 = 2, RSCALE = 5)
+      PARAMETER (RLEAST = 10, RANGE = 6)
+      DOUBLE PRECISION NORMAL
+      PARAMETER (NORMAL = 2.0D0**(-1022))
+      INTEGER ALL
+      CALL TSLAYO(CTL, RCTL, LSI)
+      CTL(NP) = COUNT
+      INFO = -8
+      IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
+      IF (ABS(HEADER(1) - DBLE(COUNT)) .GT. 0.0D0) RETURN
+      INFO = -KNOWN(1)
+      IF (INFO .GE. 0) RETURN
+      CTL(LEAVES) = TSLCOU(COUNT)
+      RCTL(T3) = HEADER(2)
+      RCTL(T5) = HEADER(3)
+      RCTL(RSCALE) = HEADER(4)
+      RCTL(RLEAST) = HEADER(5)
+      ALL = 1
+      IF (RCTL(RLEAST) .LT. NORMAL) ALL = N
+      INFO = 0
+      IF (HHHOLD(ALL, P) .EQ. 0) INFO = RANGE
       END
 
 C     TSINTA - could the caller's arrays be an unfinished result, as far
@@ -4442,31 +4478,7 @@ C     HEAD has then the points' positions.
       INFO = 0
       END
 
-C     TSMTCH - the open facets of two codes have the same vertices:
-C     close them, if they are on different sides, and the apex of the
-C     one is not in the ball of the other.  Until all is known to be
-C     right it is no more than a note in ADJ.  INFO is 0, -5 or -6.
-      SUBROUTINE TSMTCH(X, P, ORD, TET, ADJ, RCTL, CODE, OTHER, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), CODE, OTHER, INFO
-      INTEGER HHPBAL
-      INTEGER OPEN, T3, T5
-      PARAMETER (OPEN = -1, T3 = 1, T5 = 2)
-      INTEGER F(3), J, K, T, U
-      T = (CODE - 1)/4 + 1
-      U = (OTHER - 1)/4 + 1
-      K = OTHER - 4*(U - 1)
-      CALL TSFACE(TET, CODE, F)
-      CALL TSMATE(TET, F, U, J)
-      INFO = -6
-      IF (J .NE. K) RETURN
-      INFO = -5
-      IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), TET(1,T), TET(2,T),
-     $    TET(3,T), TET(4,T), TET(K,U), 1) .LT. 0) RETURN
-      ADJ(CODE) = OPEN - U
-      ADJ(OTHER) = OPEN - T
-      INFO = 0
-      END
+
 
 C     TSCLAI - whose stars are asked for: with MASKED = 1 of the points
 C     I with MINE(I) not 0, else of all.  OWN is their number.
@@ -4489,12 +4501,72 @@ C     I with MINE(I) not 0, else of all.  OWN is their number.
    20 CONTINUE
       END
 
+C     TSMTCH - INFO is 0 if the open facets of two codes, which have the
+C     same vertices, are on different sides, and the apex of one is not
+C     in the ball of the other; else -6 or -5.
+      SUBROUTINE TSMTCH(X, P, ORD, TET, RCTL, CODE, OTHER, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), TET(4,*), CODE, OTHER, INFO
+      INTEGER HHPBAL
+      INTEGER T3, T5
+      PARAMETER (T3 = 1, T5 = 2)
+      INTEGER F(3), J, K, T, U
+      T = (CODE - 1)/4 + 1
+      U = (OTHER - 1)/4 + 1
+      K = OTHER - 4*(U - 1)
+      CALL TSFACE(TET, CODE, F)
+      CALL TSMATE(TET, F, U, J)
+      INFO = -6
+      IF (J .NE. K) RETURN
+      INFO = 0
+      IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), TET(1,T), TET(2,T),
+     $    TET(3,T), TET(4,T), TET(K,U), 1) .LT. 0) INFO = -5
+      END
+
+C     TSREJO - close the facets that are open twice, as in results put
+C     one behind the other.  INFO is 0, FULL, or what TSMTCH finds.  A
+C     neighbour found is no more than a note in ADJ, below OPEN, until
+C     all are known to be right.
+      SUBROUTINE TSREJO(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL,
+     $                  INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), INFO
+      INTEGER TSFULL
+      INTEGER NT, ROOM, NOPEN, OPEN, ENTRY, FULL
+      PARAMETER (NT = 2, ROOM = 5, NOPEN = 7, OPEN = -1, ENTRY = 4)
+      PARAMETER (FULL = 2)
+      INTEGER CODE, I, OK, OTHER
+      DO 10 I = 1, 4*CTL(NT)
+        IF (ADJ(I) .EQ. OPEN .AND. CTL(NOPEN) .LT. CTL(ROOM)/ENTRY)
+     $    CTL(NOPEN) = CTL(NOPEN) + 1
+   10 CONTINUE
+      INFO = FULL
+      CALL TSNEWT(HEAD, POOL, CTL, 2*CTL(NOPEN) + 1, OK)
+      IF (OK .EQ. 0) RETURN
+      INFO = 0
+      DO 20 I = 1, 4*CTL(NT)
+        IF (ADJ(I) .EQ. OPEN .AND. INFO .EQ. 0) THEN
+          CODE = I
+          CALL TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
+          IF (TSFULL(CTL, CTL(NOPEN)) .EQ. 1) INFO = FULL
+          IF (OTHER .NE. 0) THEN
+            CALL TSMTCH(X, P, ORD, TET, RCTL, CODE, OTHER, INFO)
+            ADJ(CODE) = OPEN - (OTHER - 1)/4 - 1
+            ADJ(OTHER) = OPEN - (CODE - 1)/4 - 1
+          END IF
+        END IF
+   20 CONTINUE
+      DO 30 I = 1, 4*CTL(NT)
+        IF (ADJ(I) .LT. OPEN .AND. INFO .LT. 0) ADJ(I) = OPEN
+        IF (ADJ(I) .LT. OPEN) ADJ(I) = OPEN - ADJ(I)
+   30 CONTINUE
+      END
+
 C     TSREST - take up an unfinished result that TSINTA has passed: TET
 C     to positions; what is complete leaves the tree; the open facets at
 C     S, the first vertex of the last tetrahedron, become edges of its
 C     link in the order of their tetrahedra, the others enter the pool.
-C     INFO is 0, FULL, or what TSMTCH finds in facets that are there
-C     twice.
+C     INFO is what TSREJO gives.
 C
 C     HEAD has the positions of the points at first.
       SUBROUTINE TSREST(X, P, ORD, TET, ADJ, ALIVE, REP, HEAD, LINK,
@@ -4508,86 +4580,42 @@ C     HEAD has the positions of the points at first.
       INTEGER LINK(*), POOL(*), CTL(*), LSI(3,2), S, N, MASKED, MINE(*)
       INTEGER INFO
       INTEGER TSTABL
-      INTEGER NP, NT, ROOM, NOPEN, OPEN, DONE, FOREIN, ENTRY
-      PARAMETER (NP = 1, NT = 2, ROOM = 5, NOPEN = 7, OPEN = -1)
-      PARAMETER (DONE = -1, FOREIN = -1, ENTRY = 4)
-      INTEGER CODE, E, I, K, LENGTH, OWN, T, V(3)
-      DO 60 T = 1, CTL(NT)
-        DO 50 K = 1, 4
+      INTEGER NP, NT, MPOOL, NOPEN, OPEN, DONE, FOREIN, FULL
+      PARAMETER (NP = 1, NT = 2, MPOOL = 6, NOPEN = 7, OPEN = -1)
+      PARAMETER (DONE = -1, FOREIN = -1, FULL = 2)
+      INTEGER CODE, E, I, K, OK, OWN, T, V(3)
+      DO 20 T = 1, CTL(NT)
+        DO 10 K = 1, 4
           TET(K,T) = HEAD(TET(K,T))
           LINK(TET(K,T)) = DONE
-   50   CONTINUE
-   60 CONTINUE
+   10   CONTINUE
+   20 CONTINUE
       CALL TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, OWN)
-      DO 80 I = 1, 4*CTL(NT)
+      CALL TSREJO(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, INFO)
+      IF (INFO .NE. 0) RETURN
+      DO 40 I = 1, 4*CTL(NT)
         IF (ADJ(I) .EQ. OPEN) THEN
           CODE = I
           CALL TSFACE(TET, CODE, V)
-          DO 70 K = 1, 3
+          DO 30 K = 1, 3
             LINK(V(K)) = 0
-   70     CONTINUE
-          IF (CTL(NOPEN) .LT. CTL(ROOM)/ENTRY) CTL(NOPEN) = CTL(NOPEN) +
-     $        1
+   30     CONTINUE
         END IF
-   80 CONTINUE
-      DO 90 I = 1, CTL(NP)
+   40 CONTINUE
+      DO 50 I = 1, CTL(NP)
         IF (LINK(I) .EQ. DONE) THEN
           LINK(I) = 0
           E = I
           CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, E)
         END IF
-   90 CONTINUE
+   50 CONTINUE
       S = TET(1,CTL(NT))
       IF (HEAD(S) .EQ. FOREIN) S = 0
-      CALL TSGATH(X, P, ORD, TET, ADJ, LINK, POOL, CTL, RCTL, S, INFO)
-      IF (INFO .NE. 0) RETURN
-      LENGTH = MAX(2*CTL(NOPEN), TSTABL(OWN)) + 1
-      CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, S, LENGTH,
-     $            INFO)
-      END
-
-C     TSOPEN - take up an index, to be read alone.  INFO is 0, the code
-C     of points without a mesh, or -8 where there is no index.  ALIVE
-C     and BOX have 2*LVS places, the last ones for what an index keeps
-C     besides.
-      SUBROUTINE TSOPEN(N, P, LVS, BOX, ALIVE, KNOWN, CTL, RCTL, INFO)
-      INTEGER N, LVS, ALIVE(*), KNOWN(4), CTL(*), INFO
-      DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*)
-      INTEGER HHHOLD, TSLCOU
-      INTEGER NP, LEAVES, NPLANE, NEXTPL, TIES, T3, T5, RSCALE, RLEAST
-      INTEGER ROUND, TIED, NCELL, RFIRST, RSUPP, RSEEK, RSCAN, RANGE
-      PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
-      PARAMETER (TIES = 26, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 10)
-      PARAMETER (ROUND = 28, RSUPP = 6, RSEEK = 7, RSCAN = 11)
-      PARAMETER (TIED = 29, NCELL = 30, RFIRST = 14, RANGE = 6)
-      DOUBLE PRECISION NORMAL, MUCHL
-      PARAMETER (NORMAL = 2.0D0**(-1022), MUCHL = 1.0D100)
-      INTEGER ALL
-      CTL(NPLANE) = 0
-      CTL(NEXTPL) = 1
-      CTL(TIES) = 0
-      CTL(TIED) = 0
-      CTL(NCELL) = 0
-      RCTL(RFIRST) = 0.0D0
-      CTL(ROUND) = 0
-      RCTL(RSUPP) = 0.0D0
-      RCTL(RSEEK) = 0.0D0
-      RCTL(RSCAN) = -MUCHL
-      CTL(NP) = ALIVE(2*LVS)
-      INFO = -8
-      IF (CTL(NP) .LT. 0 .OR. CTL(NP) .GT. N) RETURN
-      IF (ABS(BOX(1,2*LVS) - DBLE(CTL(NP))) .GT. 0.0D0) RETURN
-      INFO = -KNOWN(1)
-      IF (INFO .GE. 0) RETURN
-      CTL(LEAVES) = TSLCOU(CTL(NP))
-      RCTL(T3) = BOX(2,2*LVS)
-      RCTL(T5) = BOX(3,2*LVS)
-      RCTL(RSCALE) = BOX(4,2*LVS)
-      RCTL(RLEAST) = BOX(5,2*LVS)
-      ALL = 1
-      IF (RCTL(RLEAST) .LT. NORMAL) ALL = N
-      INFO = 0
-      IF (HHHOLD(ALL, P) .EQ. 0) INFO = RANGE
+      I = MAX(2*CTL(NOPEN), TSTABL(OWN)) + 1
+      CTL(MPOOL) = 0
+      CALL TSGATH(TET, ADJ, LINK, POOL, CTL, S, OK)
+      IF (OK .EQ. 1) CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, I, OK)
+      IF (OK .EQ. 0) INFO = FULL
       END
 
 C     TSMESH - TSRUN, its workspace cut up into the arrays that the
@@ -4596,48 +4624,32 @@ C
 C     They are declared in their lengths: so no two of them share an
 C     element of RW or IW, and the standard lets them be altered.
       SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
-     $                  X, BOX, REP, ORD, ALIVE, KNOWN, HEAD, LINK,
-     $                  LENGTH, POOL, SPACE, MARK, ROOMY, INFO)
+     $                  X, HEADER, BOX, REP, ORD, KNOWN, COUNT, ALIVE,
+     $                  HEAD, LINK, LENGTH, POOL, SPACE, MARK, ROOMY,
+     $                  INFO)
       INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS
-      INTEGER REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4), HEAD(N), LINK(N)
-      INTEGER LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), ROOMY, INFO
-      DOUBLE PRECISION P(3,*), X(3,N), BOX(6,*)
+      INTEGER REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1), HEAD(N)
+      INTEGER LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), ROOMY
+      INTEGER INFO
+      DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSTABL
       INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW
-      INTEGER NPLANE, NEXTPL, TIES, UNMET, LFIRST, LLAST, LN, BLK, STR
-      INTEGER ROUND, T5, RREACH, RSUPP, RSEEK, RBURDN, RPATIE, RSCAN
-      INTEGER SUPPS, LSUP, OPEN, NEW, TSLIST, TSIDS, TIED, NCELL, RFIRST
+      INTEGER UNMET, T5, RREACH, RSEEK, RBURDN, RPATIE, RSCAN, SUPPS
+      INTEGER LSUP, NEW, TSLIST, TSIDS, FULL
       PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5)
-      PARAMETER (MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, NPLANE = 12)
-      PARAMETER (NEXTPL = 13, TIES = 26, UNMET = 27, LFIRST = 1)
-      PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, T5 = 2)
-      PARAMETER (RREACH = 3, RSUPP = 6, RSEEK = 7, RBURDN = 8)
-      PARAMETER (ROUND = 28, RPATIE = 9, RSCAN = 11, SUPPS = 8)
-      PARAMETER (LSUP = 98)
-      PARAMETER (OPEN = -1, NEW = -2, TSLIST = 512)
-      PARAMETER (TSIDS = TSLIST + 48, TIED = 29, NCELL = 30)
-      PARAMETER (RFIRST = 14)
-      DOUBLE PRECISION REACH, BURDEN, PLAIN, MUCHL
-      PARAMETER (REACH = 2.75D0, BURDEN = 1.0D0, PLAIN = 16.0D0)
-      PARAMETER (MUCHL = 1.0D100)
-      DOUBLE PRECISION LSD(14,2), MEAN, RCTL(18+LSUP*SUPPS)
+      PARAMETER (MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, UNMET = 27)
+      PARAMETER (T5 = 2, RREACH = 3, RSEEK = 7, RBURDN = 8, RPATIE = 9)
+      PARAMETER (RSCAN = 11, SUPPS = 8, LSUP = 98, NEW = -2)
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48, FULL = 2)
+      DOUBLE PRECISION BREACH, BURDEN, PLAIN
+      PARAMETER (BREACH = 2.6D0, BURDEN = 1.0D0, PLAIN = 16.0D0)
+      DOUBLE PRECISION LSD(14,2), RCTL(18+LSUP*SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(82), I, K, LSI(3,2), OWN, S, T, LSID(TSIDS,2)
-      CTL(NPLANE) = 0
-      CTL(NEXTPL) = 1
-      CTL(TIES) = 0
-      CTL(TIED) = 0
-      CTL(NCELL) = 0
-      RCTL(RFIRST) = 0.0D0
-      CTL(ROUND) = 0
-      LSI(LFIRST,BLK) = 1
-      LSI(LLAST,BLK) = 0
-      LSI(LN,BLK) = 0
-      LSI(LN,STR) = 0
+      INTEGER CTL(82), I, K, LSI(3,2), OK, OWN, S, T, LSID(TSIDS,2)
       IF (MASKED .EQ. 1) THEN
-        CALL TSOPEN(N, P, LVS, BOX, ALIVE, KNOWN, CTL, RCTL, INFO)
+        CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
       ELSE
-        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, N, INFO)
+        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, INFO)
       END IF
       IF (INFO .GT. 0) NTET = 0
       IF (INFO .NE. 0) RETURN
@@ -4653,19 +4665,15 @@ C     element of RW or IW, and the standard lets them be altered.
       CALL TSCLRL(CTL)
 C     one over the cube root of the points in a leaf, 24 to 48 in large
 C     sets, by a step of Newton's method
-      MEAN = DBLE(CTL(NP))/DBLE(CTL(LEAVES))
-      RCTL(RREACH) = REACH/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
-     $    MEAN/(3.2D0*3.2D0))
+      RCTL(RREACH) = BREACH/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
+     $    DBLE(CTL(NP))/DBLE(CTL(LEAVES))/(3.2D0*3.2D0))
       DO 10 I = 1, CTL(NP)
         LINK(I) = NEW
    10 CONTINUE
-      RCTL(RSUPP) = 0.0D0
       RCTL(RBURDN) = 0.0D0
       RCTL(RPATIE) = BURDEN
-      RCTL(RSCAN) = -MUCHL
       IF (ROOMY .EQ. 1) RCTL(RSCAN) = 0.0D0
 C     doubles decide all where points are in few units
-      RCTL(RSEEK) = 0.0D0
       IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN) RCTL(RSEEK) = 1.0D0
       S = 0
       IF (CTL(NT) .GT. 0) THEN
@@ -4677,8 +4685,10 @@ C     doubles decide all where points are in few units
         CALL TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, OWN)
         IF (MASKED .EQ. 0) CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL,
      $      S, INFO)
-        IF (INFO .EQ. 0) CALL TSREHA(X, P, ORD, TET, ADJ, HEAD, POOL,
-     $      CTL, RCTL, S, TSTABL(OWN), INFO)
+        OK = 1
+        IF (INFO .EQ. 0) CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S,
+     $      TSTABL(OWN), OK)
+        IF (OK .EQ. 0) INFO = FULL
       END IF
       IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP,
      $    KNOWN, HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID, LSI, LSD,
@@ -4689,11 +4699,6 @@ C     doubles decide all where points are in few units
           TET(K,T) = ORD(TET(K,T))
    20   CONTINUE
    30 CONTINUE
-C     see TSMTCH
-      DO 40 I = 1, 4*CTL(NT)
-        IF (ADJ(I) .LT. OPEN .AND. INFO .LT. 0) ADJ(I) = OPEN
-        IF (ADJ(I) .LT. OPEN) ADJ(I) = OPEN - ADJ(I)
-   40 CONTINUE
       NTET = CTL(NT)
       END
 
@@ -4704,61 +4709,53 @@ C     that are right but for P and the indices in TET.
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW
       INTEGER IW(*), LRW, INFO
-      INTEGER HHHOLD, TSEXTR, TSLCOU, TSSPAR
-      INTEGER SINGLE, RANGE, KEEP
-      PARAMETER (SINGLE = 5, RANGE = 6, KEEP = 5)
-      INTEGER AT, LENGTH, LVS, LIWMIN, LRWMIN, MORE, OK, ROOM, ROOMY
-      INTEGER SPACE
+      INTEGER TSLCOU
+      INTEGER SINGLE
+      PARAMETER (SINGLE = 5)
+      INTEGER AT, CYLS, K, LENGTH, LIWMIN, LRWMIN, LVS, MARKS, OK, POOL
+      INTEGER ROOMY, SPACE
       IF (N .EQ. 0) THEN
         NTET = 0
         INFO = SINGLE
         RETURN
       END IF
-      IF (MASKED .EQ. 0) THEN
-        IF (HHHOLD(N, P) .EQ. 0) THEN
-          NTET = 0
-          INFO = RANGE
-          RETURN
-        END IF
-      END IF
       LVS = TSLCOU(N)
-      LENGTH = LIW - 4*N - 2*LVS - KEEP
-      CALL TSLENG(N, LIWMIN, LRWMIN, ROOM, OK)
-      MORE = TSSPAR(N)
+      CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
       ROOMY = 0
-      IF (MORE .GT. 0 .AND. MASKED .EQ. 0 .AND. LRW - LRWMIN .GE. MORE)
+      IF (CYLS .GT. 0 .AND. MASKED .EQ. 0 .AND. LRW - LRWMIN .GE. CYLS)
      $    ROOMY = 1
-      SPACE = TSEXTR(N)
-      AT = 4*N + 2*LVS + KEEP + LENGTH
-      IF (SPACE .GT. 0 .AND. LIW - LIWMIN - ROOM .GE. SPACE) THEN
-        LENGTH = LENGTH - SPACE
-        AT = AT - SPACE
-      ELSE
-C       the one behind KNOWN
-        SPACE = 1
-        AT = 2*N + 2*LVS + 4
+C     what an index keeps, but for its last place, which is MARK's where
+C     there are no marks
+      K = 2*N + 2*LVS + 5
+      AT = K
+      SPACE = 1
+      LENGTH = LIW - 2*N - K
+      IF (MARKS .GT. 0 .AND. LIW - LIWMIN - POOL .GE. MARKS) THEN
+        LENGTH = LENGTH - MARKS
+        AT = LIW - MARKS + 1
+        SPACE = MARKS
       END IF
       CALL TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS, RW,
-     $            RW(3*N+1), IW, IW(N+1), IW(2*N+1), IW(2*N+2*LVS+1),
-     $            IW(2*N+2*LVS+KEEP+1), IW(3*N+2*LVS+KEEP+1), LENGTH,
-     $            IW(4*N+2*LVS+KEEP+1), SPACE, IW(AT+1),
-     $            ROOMY, INFO)
+     $            RW(3*N+12*LVS-5), RW(3*N+1), IW, IW(N+1), IW(2*N+1),
+     $            IW(2*N+5), IW(2*N+6), IW(K+1), IW(K+N+1), LENGTH,
+     $            IW(K+2*N+1), SPACE, IW(AT), ROOMY, INFO)
       END
 
-C     TSWRON - INFO is the code of a bad argument common to TESS and
-C     TESSRE, or 0; WHICH is the point that is not finite, or 0.  With
-C     MASKED = 1 the points are known to be finite.
-      SUBROUTINE TSWRON(N, P, MASKED, MAXTET, LIW, LRW, WHICH, INFO)
+C     TSWRON - INFO is the code of a bad argument of TESSRE, or 0; WHICH
+C     is the point that is not finite, or 0.  With MASKED = 1 the points
+C     are known to be finite.
+      SUBROUTINE TSWRON(N, P, MASKED, MAXTET, NTET, TET, ADJ, LIW, LRW,
+     $                  WHICH, INFO)
       DOUBLE PRECISION P(3,*)
-      INTEGER N, MASKED, MAXTET, LIW, LRW, WHICH, INFO
+      INTEGER N, MASKED, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, LRW
+      INTEGER WHICH, INFO
       INTEGER HHFINI
-      INTEGER INTMAX
-      PARAMETER (INTMAX = 2147483647)
-      INTEGER I, LIWMIN, LRWMIN, OK, ROOM
+      INTEGER INTMAX, OPEN
+      PARAMETER (INTMAX = 2147483647, OPEN = -1)
+      INTEGER CYLS, I, K, LIWMIN, LRWMIN, MARKS, OK, POOL, T
       WHICH = 0
       INFO = -1
-      IF (N .LT. 0) RETURN
-      CALL TSLENG(N, LIWMIN, LRWMIN, ROOM, OK)
+      CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
       IF (OK .EQ. 0) RETURN
       INFO = -2
       I = N
@@ -4767,43 +4764,25 @@ C     MASKED = 1 the points are known to be finite.
         WHICH = I + 1
         RETURN
       END IF
+      INFO = -3
+      IF (MAXTET .LT. 0 .OR. MAXTET .GT. (INTMAX - 3)/4) RETURN
+      INFO = -4
+      IF (NTET .LT. 0 .OR. NTET .GT. MAXTET) RETURN
+      INFO = -5
+      DO 20 T = 1, NTET
+        DO 10 K = 1, 4
+          IF (TET(K,T) .LT. 1 .OR. TET(K,T) .GT. N) RETURN
+   10   CONTINUE
+   20 CONTINUE
+      INFO = -6
+      DO 40 T = 1, NTET
+        DO 30 K = 1, 4
+          IF (ADJ(K,T) .LT. OPEN .OR. ADJ(K,T) .GT. NTET) RETURN
+   30   CONTINUE
+   40 CONTINUE
       INFO = 0
       IF (LRW .LT. LRWMIN) INFO = -9
       IF (LIW .LT. LIWMIN) INFO = -7
-      IF (MAXTET .LT. 0 .OR. MAXTET .GT. (INTMAX - 3)/4) INFO = -3
-      END
-
-C     TSUNFI - the same for what goes on from a result.
-      SUBROUTINE TSUNFI(N, P, MASKED, MAXTET, NTET, TET, ADJ, LIW, LRW,
-     $                  INFO)
-      DOUBLE PRECISION P(3,*)
-      INTEGER N, MASKED, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, LRW
-      INTEGER INFO
-      INTEGER OPEN
-      PARAMETER (OPEN = -1)
-      INTEGER K, T, WHICH
-      CALL TSWRON(N, P, MASKED, MAXTET, LIW, LRW, WHICH, INFO)
-      IF (INFO .NE. 0 .AND. INFO .GT. -4) RETURN
-      IF (NTET .LT. 0 .OR. NTET .GT. MAXTET) THEN
-        INFO = -4
-        RETURN
-      END IF
-      DO 20 T = 1, NTET
-        DO 10 K = 1, 4
-          IF (TET(K,T) .LT. 1 .OR. TET(K,T) .GT. N) THEN
-            INFO = -5
-            RETURN
-          END IF
-   10   CONTINUE
-   20 CONTINUE
-      DO 40 T = 1, NTET
-        DO 30 K = 1, 4
-          IF (ADJ(K,T) .LT. OPEN .OR. ADJ(K,T) .GT. NTET) THEN
-            INFO = -6
-            RETURN
-          END IF
-   30   CONTINUE
-   40 CONTINUE
       END
 
 C     TESSWK - recommended lengths of the workspace of TESS.
@@ -4823,27 +4802,22 @@ C     28,000 points, some where one vertex is in almost all tetrahedra
 C     (a plane grid and one point).
       SUBROUTINE TESSWK(N, MAXTET, LIW, LRW, INFO)
       INTEGER N, MAXTET, LIW, LRW, INFO
-      INTEGER TSEXTR, TSSPAR
       INTEGER INTMAX
       PARAMETER (INTMAX = 2147483647)
-      INTEGER MORE, OK, ROOM
+      INTEGER CYLS, MARKS, OK, POOL
       LIW = 0
       LRW = 0
-      INFO = -1
-      IF (N .LT. 0) RETURN
-      CALL TSLENG(N, LIW, LRW, ROOM, OK)
+      INFO = -2
+      CALL TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
+      IF (OK .EQ. 0) INFO = -1
       IF (OK .EQ. 0) RETURN
       IF (MAXTET .LT. 0 .OR. MAXTET .GT. (INTMAX - 3)/4) THEN
         LIW = 0
         LRW = 0
-        INFO = -2
         RETURN
       END IF
-      LIW = LIW + ROOM
-      MORE = TSEXTR(N)
-      IF (MORE .LT. INTMAX - LIW) LIW = LIW + MORE
-      MORE = TSSPAR(N)
-      IF (MORE .LT. INTMAX - LRW) LRW = LRW + MORE
+      LIW = LIW + POOL + MARKS
+      LRW = LRW + CYLS
       INFO = 0
       END
 
@@ -4896,7 +4870,7 @@ C     the paper.
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW, INFO
       INTEGER ALL(1)
-      CALL TSWRON(N, P, 0, MAXTET, LIW, LRW, NTET, INFO)
+      CALL TSWRON(N, P, 0, MAXTET, 0, TET, ADJ, LIW, LRW, NTET, INFO)
       IF (INFO .NE. 0) RETURN
       ALL(1) = 1
       CALL TSRUN(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW,
@@ -4929,8 +4903,8 @@ C     gives a wrong result, but in bounded time and within the arrays.
      $                  INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW, INFO
-      INTEGER ALL(1)
-      CALL TSUNFI(N, P, 0, MAXTET, NTET, TET, ADJ, LIW, LRW, INFO)
+      INTEGER ALL(1), I
+      CALL TSWRON(N, P, 0, MAXTET, NTET, TET, ADJ, LIW, LRW, I, INFO)
       IF (INFO .NE. 0) RETURN
       ALL(1) = 1
       CALL TSRUN(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW,
@@ -4956,91 +4930,52 @@ C                      the calls below give the same; -1 for a bad N, -2
 C                      for a NaN or infinity in P, -3 and -5 for LIW and
 C                      LRW that are too small
 C
-C     The sorted points, their tree, and the first tetrahedron.  In
-C     places that are not used otherwise: NP, in ALIVE and BOX, to know
-C     an index by; and what else the searches need (see TSOPEN).
 C     Cost: O(N log N), about a tenth of that of the mesh.
       SUBROUTINE TESSIX(N, P, LIW, IW, LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, LIW, IW(*), LRW, INFO
-      INTEGER HHHOLD, TSLCOU
-      INTEGER SINGLE, RANGE, KEEP, INTMAX
-      PARAMETER (SINGLE = 5, RANGE = 6, KEEP = 5, INTMAX = 2147483647)
-      INTEGER CODE, I, LVS
-      CALL TSWRON(N, P, 0, 0, INTMAX, LRW, I, INFO)
+      INTEGER TSLCOU
+      INTEGER SINGLE, KEEP, INTMAX
+      PARAMETER (SINGLE = 5, KEEP = 5, INTMAX = 2147483647)
+      INTEGER I, LVS, NONE(4,1)
+      NONE(1,1) = 0
+      CALL TSWRON(N, P, 0, 0, 0, NONE, NONE, INTMAX, LRW, I, INFO)
       IF (INFO .NE. 0 .AND. INFO .NE. -9) RETURN
       LVS = TSLCOU(N)
       IF (INFO .EQ. -9) INFO = -5
       IF (LIW .LT. 2*N + 2*LVS + KEEP) INFO = -3
       IF (INFO .NE. 0) RETURN
-      CODE = 0
-      IF (N .EQ. 0) THEN
-        CODE = SINGLE
-      ELSE IF (HHHOLD(N, P) .EQ. 0) THEN
-        CODE = RANGE
-      END IF
-      IF (CODE .NE. 0) THEN
-        IW(2*N+2*LVS) = 0
-        IW(2*N+2*LVS+1) = -CODE
-        RW(3*N+6*(2*LVS-1)+1) = 0.0D0
-        INFO = CODE
-        RETURN
-      END IF
-      CALL TSINDE(N, P, LVS, RW, RW(3*N+1), IW, IW(N+1), IW(2*N+1),
-     $            IW(2*N+2*LVS+1), INFO)
+      INFO = SINGLE
+      IF (N .EQ. 0) RETURN
+      CALL TSINDE(N, P, LVS, RW, RW(3*N+12*LVS-5), RW(3*N+1), IW,
+     $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6), INFO)
       END
 
 C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
-      SUBROUTINE TSINDE(N, P, LVS, X, BOX, REP, ORD, ALIVE, KNOWN, INFO)
-      INTEGER N, LVS, REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4), INFO
-      DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
-      INTEGER NP, NPLANE, NEXTPL, TIES, LN, BLK, STR, T3, T5, RSCALE
-      INTEGER TIED, NCELL, RFIRST, LLAST
-      INTEGER ROUND, RSUPP, RSEEK, RSCAN, RLEAST, RANGE, TSLIST, TSIDS
-      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIES = 26, LN = 3)
-      PARAMETER (BLK = 1, STR = 2, T3 = 1, T5 = 2, RSCALE = 5)
-      PARAMETER (RSUPP = 6, RSEEK = 7, RLEAST = 10, RANGE = 6)
-      PARAMETER (ROUND = 28, RSCAN = 11, TSLIST = 512)
-      PARAMETER (TSIDS = TSLIST + 48, TIED = 29, NCELL = 30)
-      PARAMETER (RFIRST = 14, LLAST = 2)
-      DOUBLE PRECISION MUCHL
-      PARAMETER (MUCHL = 1.0D100)
+      SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
+     $                  COUNT, ALIVE, INFO)
+      INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1)
+      INTEGER INFO
+      DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,2*LVS-1)
+      INTEGER NP, RANGE, TSLIST, TSIDS
+      PARAMETER (NP = 1, RANGE = 6, TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION LSD(14,2), RCTL(18)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(82), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
-      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, N, INFO)
+      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
-      KNOWN(1) = -INFO
       IF (INFO .EQ. 0) THEN
-        CTL(NPLANE) = 0
-        CTL(NEXTPL) = 1
-        CTL(TIES) = 0
-        CTL(TIED) = 0
-        CTL(NCELL) = 0
-        RCTL(RFIRST) = 0.0D0
-        LSI(LLAST,BLK) = 0
-        CTL(ROUND) = 0
-        RCTL(RSUPP) = 0.0D0
-        RCTL(RSEEK) = 0.0D0
-        RCTL(RSCAN) = -MUCHL
-        LSI(LN,BLK) = 0
-        LSI(LN,STR) = 0
         GUESS(1) = 0
         GUESS(2) = 0
-C       ORD in the place of LINK: no star is complete
+C       ORD in the place of LINK: no star is complete, no entry is DONE
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, LSX,
      $              LSID, LSI, LSD, V, GUESS, Z)
         DO 10 K = 1, 3
           KNOWN(K) = ORD(V(K))
    10   CONTINUE
         KNOWN(4) = ORD(Z)
-        BOX(2,2*LVS) = RCTL(T3)
-        BOX(3,2*LVS) = RCTL(T5)
-        BOX(4,2*LVS) = RCTL(RSCALE)
-        BOX(5,2*LVS) = RCTL(RLEAST)
       END IF
-      ALIVE(2*LVS) = CTL(NP)
-      BOX(1,2*LVS) = DBLE(CTL(NP))
+      CALL TSSEAL(HEADER, KNOWN, COUNT, CTL, RCTL, INFO)
       IF (INFO .EQ. RANGE) RETURN
       DO 20 I = 1, CTL(NP)
         REP(ORD(I)) = I
@@ -5087,7 +5022,8 @@ C     TESSRE joins them.
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*)
       INTEGER LRW, INFO
-      CALL TSUNFI(N, P, 1, MAXTET, NTET, TET, ADJ, LIW, LRW, INFO)
+      INTEGER I
+      CALL TSWRON(N, P, 1, MAXTET, NTET, TET, ADJ, LIW, LRW, I, INFO)
       IF (INFO .EQ. 0) CALL TSRUN(N, P, 1, MINE, MAXTET, NTET, TET, ADJ,
      $    LIW, IW, LRW, RW, INFO)
       IF (INFO .LT. -1) INFO = INFO - 1
@@ -5193,24 +5129,32 @@ C     ------------------------------------------------------------------
 C     Location.
 C     ------------------------------------------------------------------
 
-C     TSDIST - HI - LO is the largest difference of point I and Q in one
-C     coordinate, left unevaluated so that nothing is rounded.
-      SUBROUTINE TSDIST(P, I, Q, HI, LO)
-      INTEGER I
+C     TSCLOS - OK is 1 if point I is nearer to Q in the maximum norm
+C     than what HI - LO is the distance of, and makes that the distance
+C     of I, left unevaluated so that nothing is rounded; else 0.  HI <
+C     LO is that of no point.
+      SUBROUTINE TSCLOS(P, I, Q, HI, LO, OK)
+      INTEGER I, OK
       DOUBLE PRECISION P(3,*), Q(3), HI, LO
       INTEGER HHWIDE
-      DOUBLE PRECISION H, L
+      DOUBLE PRECISION A, B, H, L
       INTEGER K
-      HI = 0.0D0
-      LO = 0.0D0
+      A = 0.0D0
+      B = 0.0D0
       DO 10 K = 1, 3
         H = MAX(P(K,I), Q(K))
         L = MIN(P(K,I), Q(K))
-        IF (HHWIDE(H, L, HI, LO) .GT. 0) THEN
-          HI = H
-          LO = L
+        IF (HHWIDE(H, L, A, B) .GT. 0) THEN
+          A = H
+          B = L
         END IF
    10 CONTINUE
+      OK = 1
+      IF (HI .GE. LO) OK = HHWIDE(HI, LO, A, B)
+      IF (OK .LT. 1) OK = 0
+      IF (OK .EQ. 0) RETURN
+      HI = A
+      LO = B
       END
 
 C     TSSAMP - BEST is where the walk to Q starts: of START, if it is
@@ -5221,24 +5165,23 @@ C     the arithmetic cannot hold a point.
       SUBROUTINE TSSAMP(P, NTET, TET, Q, START, BEST)
       INTEGER NTET, TET(4,*), START, BEST
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER HHHOLD, HHWIDE
+      INTEGER HHHOLD
       INTEGER NONE
       PARAMETER (NONE = 0)
-      INTEGER MANY, FIRST, I, K, T
-      DOUBLE PRECISION A(3,1), HI, LO, H, L
+      INTEGER FIRST, I, K, MANY, OK, T
+      DOUBLE PRECISION A(3,1), HI, LO
       MANY = 1
    10 IF (MANY*MANY .LT. NTET/(MANY*MANY)) THEN
         MANY = MANY + 1
         GO TO 10
       END IF
-      BEST = NONE
       HI = 0.0D0
-      LO = 0.0D0
-      FIRST = 0
-      IF (START .NE. NONE) FIRST = -1
-      DO 30 I = FIRST, MANY - 1
+      LO = 1.0D0
+      FIRST = 1
+      IF (START .NE. NONE) FIRST = 0
+      DO 30 I = FIRST, MANY
         T = START
-        IF (I .GE. 0) T = I*(NTET/MANY) + 1
+        IF (I .GT. 0) T = (I - 1)*(NTET/MANY) + 1
         DO 20 K = 1, 3
           A(K,1) = P(K,TET(1,T))
    20   CONTINUE
@@ -5246,14 +5189,8 @@ C     the arithmetic cannot hold a point.
           BEST = NONE
           RETURN
         END IF
-        CALL TSDIST(P, TET(1,T), Q, H, L)
-        K = 1
-        IF (BEST .NE. NONE) K = HHWIDE(HI, LO, H, L)
-        IF (K .GT. 0) THEN
-          BEST = T
-          HI = H
-          LO = L
-        END IF
+        CALL TSCLOS(P, TET(1,T), Q, HI, LO, OK)
+        IF (OK .EQ. 1) BEST = T
    30 CONTINUE
       END
 
@@ -5456,20 +5393,6 @@ C         an edge has one more facet, a vertex a circle of them
       IF (SET .EQ. 0) STEP = RANGE
       END
 
-C     TSPLAC - the weights W of a tetrahedron T of V with the facet F,
-C     of weights X.
-      SUBROUTINE TSPLAC(V, T, F, X, W)
-      INTEGER V(4,*), T, F(*)
-      DOUBLE PRECISION X(3), W(4)
-      INTEGER I, K
-      DO 20 K = 1, 4
-        W(K) = 0.0D0
-        DO 10 I = 1, 3
-          IF (V(K,T) .EQ. F(I)) W(K) = X(I)
-   10   CONTINUE
-   20 CONTINUE
-      END
-
 C     TSTURN - from the facet K of tetrahedron T, of the hull, to the
 C     one on the other side of its edge opposite to the vertex Z.  OK is
 C     1, or 0 where neighbours are out of range or do not match.
@@ -5500,12 +5423,12 @@ C     1, or 0 where neighbours are out of range or do not match.
       END
 
 C     TSNEAH - from tetrahedron T with a facet of the hull that Q is
-C     outside of to the one with the hull's point nearest to Q, and that
-C     point's weights W.  INFO is 1, RANGE or -4.
+C     outside of to the one with the hull's point nearest to Q, and in
+C     W, which is 0, that point's weights.  INFO is 1, RANGE or -4.
       SUBROUTINE TSNEAH(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
-      INTEGER TSQSID
+      INTEGER TSQSID, TSSLOT
       INTEGER HFROM, HMOST, NONE, RANGE
       PARAMETER (HFROM = 7, HMOST = 10, NONE = 0, RANGE = 6)
       DOUBLE PRECISION X(3)
@@ -5532,7 +5455,9 @@ C     point's weights W.  INFO is 1, RANGE or -4.
         IF (OK .EQ. 0) RETURN
         GO TO 20
       END IF
-      CALL TSPLAC(TET, T, H, X, W)
+      DO 30 K = 1, 3
+        W(TSSLOT(TET, T, H(K))) = X(K)
+   30 CONTINUE
       INFO = 1
       END
 
@@ -5584,14 +5509,14 @@ C     the sweep.
 C
 C     Cost: proportional to the tetrahedra crossed, about NTET**(1/3) of
 C     them from anywhere, fewer from the sampled start, few from a start
-C     near Q: when these are more than NEARBY, the sample is asked, too.
+C     near Q: when these are more than ASTRAY, the sample is asked, too.
 C     The sweep: NTET.
       SUBROUTINE TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
       INTEGER HHFINI, HHHOLD
-      INTEGER NEARBY, NONE, LOST, RANGE
-      PARAMETER (NEARBY = 12, NONE = 0, LOST = 99, RANGE = 6)
+      INTEGER ASTRAY, NONE, LOST, RANGE
+      PARAMETER (ASTRAY = 12, NONE = 0, LOST = 99, RANGE = 6)
       DOUBLE PRECISION X(3,1)
       INTEGER CODE, K, START
       INFO = -2
@@ -5609,7 +5534,7 @@ C     The sweep: NTET.
       INFO = RANGE
       IF (HHHOLD(1, X) .EQ. 0) RETURN
       CODE = LOST
-      IF (T .NE. NONE) CALL TSWALK(P, NTET, TET, ADJ, Q, NEARBY, T,
+      IF (T .NE. NONE) CALL TSWALK(P, NTET, TET, ADJ, Q, ASTRAY, T,
      $    CODE)
       IF (CODE .EQ. LOST) THEN
         START = T
@@ -5711,19 +5636,18 @@ C     ------------------------------------------------------------------
 C     Queries without a mesh.
 C     ------------------------------------------------------------------
 
-C     TSNEAR - BEST is a position near Q: down the tree by the cuts,
+C     TSDESC - BEST is a position near Q: down the tree by the cuts,
 C     then the point of the leaf that is nearest in the maximum norm.
 C     All comparisons are exact, but of a Q far outside, so that it is
 C     the same one everywhere.
-      SUBROUTINE TSNEAR(P, ORD, BOX, CTL, RCTL, Q, BEST)
+      SUBROUTINE TSDESC(P, ORD, BOX, CTL, RCTL, Q, BEST)
       DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*), Q(3)
       INTEGER ORD(*), CTL(*), BEST
-      INTEGER HHWIDE
       DOUBLE PRECISION HHLDEX
       INTEGER LEAVES, RSCALE
       PARAMETER (LEAVES = 4, RSCALE = 5)
-      DOUBLE PRECISION H, HI, L, LO
-      INTEGER FIRST, I, K, LAST, NODE, SE
+      DOUBLE PRECISION HI, LO
+      INTEGER FIRST, I, K, LAST, NODE, OK, SE
       SE = -INT(RCTL(RSCALE))
       NODE = 1
    10 IF (NODE .LT. CTL(LEAVES)) THEN
@@ -5736,17 +5660,38 @@ C     the same one everywhere.
       END IF
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
       HI = 0.0D0
-      LO = 0.0D0
+      LO = 1.0D0
       DO 20 I = FIRST, LAST
-        CALL TSDIST(P, ORD(I), Q, H, L)
-        K = 1
-        IF (I .GT. FIRST) K = HHWIDE(HI, LO, H, L)
-        IF (K .GT. 0) THEN
-          BEST = I
-          HI = H
-          LO = L
-        END IF
+        CALL TSCLOS(P, ORD(I), Q, HI, LO, OK)
+        IF (OK .EQ. 1) BEST = I
    20 CONTINUE
+      END
+
+C     TSACRO - let U be the tetrahedron across its facet K, with the
+C     apex U(4): OK is 1; or 0, and U is left, if that facet is of the
+C     hull.  ORD is in the place of LINK: no star is complete, no entry
+C     is DONE.
+      SUBROUTINE TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, LSX, LSID,
+     $                  LSI, LSD, U, K, OK)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), ALIVE(*), CTL(*), LSID(TSIDS,2), LSI(3,2), U(4,1)
+      INTEGER K, OK
+      INTEGER F(3), GUESS(2), I, Z
+      GUESS(1) = 0
+      GUESS(2) = 0
+      CALL TSOUTF(U, 1, K, F)
+      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, LSX,
+     $            LSID, LSI, LSD, F, GUESS, Z)
+      OK = 0
+      IF (Z .EQ. 0) RETURN
+      DO 10 I = 1, 3
+        U(I,1) = F(I)
+   10 CONTINUE
+      U(4,1) = Z
+      OK = 1
       END
 
 C     TESSQU - the mesh's tetrahedron that holds a point, without the
@@ -5785,40 +5730,36 @@ C     that is passed on the way about an edge of the hull.
       INTEGER TSLCOU
       INTEGER SINGLE
       PARAMETER (SINGLE = 5)
-      INTEGER LVS, LIW, LRW, OK, ROOM
+      INTEGER CYLS, LIW, LRW, LVS, MARKS, OK, POOL
       INFO = -1
-      IF (N .LT. 0) RETURN
-      CALL TSLENG(N, LIW, LRW, ROOM, OK)
+      CALL TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
       IF (OK .EQ. 0) RETURN
       INFO = SINGLE
       IF (N .EQ. 0) RETURN
       LVS = TSLCOU(N)
-      CALL TSQUER(N, P, LVS, RW, RW(3*N+1), IW, IW(N+1), IW(2*N+1),
-     $            IW(2*N+2*LVS+1), Q, V, W, INFO)
+      CALL TSQUER(N, P, LVS, RW, RW(3*N+12*LVS-5), RW(3*N+1), IW,
+     $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6), Q, V, W,
+     $            INFO)
       END
 
 C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
-      SUBROUTINE TSQUER(N, P, LVS, X, BOX, REP, ORD, ALIVE, KNOWN, Q, V,
-     $                  W, INFO)
-      INTEGER N, LVS, REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4,1), V(4,1)
-      INTEGER INFO
-      DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS), Q(3), W(4)
+      SUBROUTINE TSQUER(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
+     $                  COUNT, ALIVE, Q, V, W, INFO)
+      INTEGER N, LVS, REP(N), ORD(N), KNOWN(4,1), COUNT, ALIVE(2*LVS-1)
+      INTEGER V(4,1), INFO
+      DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,2*LVS-1), Q(3)
+      DOUBLE PRECISION W(4)
       INTEGER HHFINI, HHHOLD, HHPSID, TSQSID, TSSLOT
-      INTEGER NP, LN, BLK, STR, T3, UNSURE, RANGE, TSLIST, TSIDS
-      PARAMETER (NP = 1, LN = 3, BLK = 1, STR = 2, T3 = 1, UNSURE = 2)
-      PARAMETER (RANGE = 6, TSLIST = 512, TSIDS = TSLIST + 48)
-      INTEGER LLAST, HFROM, HMOST, NONE
-      PARAMETER (LLAST = 2, HFROM = 7, HMOST = 10, NONE = 0)
+      INTEGER NP, T3, UNSURE, RANGE, TSLIST, TSIDS, HFROM, HMOST, NONE
+      PARAMETER (NP = 1, T3 = 1, UNSURE = 2, RANGE = 6, TSLIST = 512)
+      PARAMETER (TSIDS = TSLIST + 48, HFROM = 7, HMOST = 10, NONE = 0)
       DOUBLE PRECISION LSD(14,2), RCTL(18), XF(3), Y(3,1)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(82), F(3), G(4,1), GUESS(2), H(10), I, J, K, LAST
-      INTEGER LSI(3,2), LSID(TSIDS,2), S, STEPS, U(4,1), Z
-      CALL TSOPEN(N, P, LVS, BOX, ALIVE, KNOWN, CTL, RCTL, INFO)
+      INTEGER CTL(82), F(3), G(4,1), H(10), I, K, LAST, LSI(3,2)
+      INTEGER LSID(TSIDS,2), OK, S, STEPS, U(4,1), Z
+      CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
-      LSI(LLAST,BLK) = 0
-      LSI(LN,BLK) = 0
-      LSI(LN,STR) = 0
       DO 10 K = 1, 3
         Y(K,1) = Q(K)
    10 CONTINUE
@@ -5841,12 +5782,10 @@ C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
    30 CONTINUE
       INFO = RANGE
       IF (HHHOLD(1, Y) .EQ. 0) RETURN
-      GUESS(1) = 0
-      GUESS(2) = 0
       LAST = 5
-C     ORD in the place of LINK: no star is complete
    40 IF (STEPS .EQ. 0) THEN
-        CALL TSNEAR(P, ORD, BOX, CTL, RCTL, Q, S)
+        CALL TSDESC(P, ORD, BOX, CTL, RCTL, Q, S)
+C       ORD in the place of LINK: see TSACRO
         CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, ORD, CTL,
      $              RCTL, LSX, LSID, LSI, LSD, S, U)
         LAST = 5
@@ -5861,59 +5800,43 @@ C     ORD in the place of LINK: no star is complete
         CALL TSOUTF(V, 1, K, F)
         S = TSQSID(P, F, Q, KNOWN)
         IF (S .EQ. UNSURE) RETURN
-        IF (S .LE. 0) GO TO 60
-        CALL TSOUTF(U, 1, K, F)
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, LSX,
-     $              LSID, LSI, LSD, F, GUESS, S)
-        IF (S .EQ. 0) GO TO 70
-        U(1,1) = F(1)
-        U(2,1) = F(2)
-        U(3,1) = F(3)
-        U(4,1) = S
-        LAST = 4
-        GO TO 40
+        IF (S .GT. 0) GO TO 70
    60 CONTINUE
       CALL HHWEIG(P, V, 1, Q, W, INFO)
       IF (INFO .NE. 0) INFO = RANGE
       RETURN
-   70 H(1) = NONE
+   70 LAST = 4
+      CALL TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, LSX, LSID, LSI, LSD,
+     $            U, K, OK)
+      IF (OK .EQ. 1) GO TO 40
+      H(1) = NONE
       H(HFROM) = NONE
       H(HMOST) = CTL(NP)
-      Z = NONE
    80 DO 90 I = 1, 4
         G(I,1) = ORD(U(I,1))
    90 CONTINUE
-      IF (Z .EQ. NONE) THEN
-C       the facet K is of the hull
-        CALL TSOUTF(G, 1, K, F)
-        CALL TSHULL(P, Q, F, H, XF, S)
-        IF (S .EQ. RANGE) RETURN
-        IF (MOD(S, 2) .EQ. 1) THEN
-          DO 100 I = 1, 4
-            V(I,1) = G(I,1)
-  100     CONTINUE
-        END IF
-        IF (S .GE. 2) GO TO 120
-        Z = H(HFROM)
+      CALL TSOUTF(G, 1, K, F)
+      CALL TSHULL(P, Q, F, H, XF, S)
+      IF (S .EQ. RANGE) RETURN
+      IF (MOD(S, 2) .EQ. 1) THEN
+        DO 100 I = 1, 4
+          V(I,1) = G(I,1)
+  100   CONTINUE
       END IF
-C     TSTURN's turn
-      I = TSSLOT(G, 1, Z)
-      CALL TSOUTF(U, 1, I, F)
-      Z = G(K,1)
-      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, LSX,
-     $            LSID, LSI, LSD, F, GUESS, S)
-      IF (S .EQ. 0) THEN
-        K = I
-        Z = NONE
-        GO TO 80
-      END IF
-      DO 110 J = 1, 3
-        U(J,1) = F(J)
-  110 CONTINUE
-      U(4,1) = S
+      IF (S .GE. 2) GO TO 120
+C     as TSTURN does
+      Z = REP(H(HFROM))
+  110 I = TSSLOT(U, 1, Z)
+      Z = U(K,1)
       K = 4
+      CALL TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, LSX, LSID, LSI, LSD,
+     $            U, I, OK)
+      IF (OK .EQ. 1) GO TO 110
+      K = I
       GO TO 80
-  120 CALL TSPLAC(V, 1, H, XF, W)
+  120 DO 130 I = 1, 3
+        W(TSSLOT(V, 1, H(I))) = XF(I)
+  130 CONTINUE
       INFO = 1
       END
 
@@ -6050,38 +5973,31 @@ C     begin behind IW(MARK).
    10 CONTINUE
       END
 
-C     TSCHKP - that all points are in one plane: of the points F, which
-C     are point 1, the first point that differs from it, and the first
-C     one off their line.  Points before those are in it, so one pass is
-C     enough.
+C     TSCHKP - that all points are in one plane: of point 1, the first
+C     corner F(1), F(2), a point that differs from it, and F(3), the
+C     first one off their line.  Points before F(3) are in it, so one
+C     pass is enough.
       SUBROUTINE TSCHKP(N, P, BAD, INFO)
       INTEGER N, BAD, INFO
       DOUBLE PRECISION P(3,*)
       INTEGER TSLINE, TSORIP, TSPREC
       INTEGER UNSURE, RANGE, BADPOI
       PARAMETER (UNSURE = 2, RANGE = 6, BADPOI = 18)
-      INTEGER F(3), I, RANK, S
+      INTEGER F(3), I, S
       F(1) = 1
       F(2) = 1
-      F(3) = 1
-      RANK = 1
+      F(3) = 0
       DO 10 I = 2, N
         S = 0
-        IF (RANK .EQ. 1) THEN
-          RANK = 1 + TSPREC(P, 1, I) + TSPREC(P, I, 1)
-          F(2) = I
-        ELSE IF (RANK .EQ. 2) THEN
-          RANK = 3 - TSLINE(P, 1, F(2), I)
-          F(3) = I
-        ELSE
-          S = TSORIP(P, F, I)
-        END IF
+        IF (F(3) .NE. 0) S = TSORIP(P, F, I)
         IF (S .NE. 0) THEN
           BAD = I
           INFO = BADPOI
           IF (S .EQ. UNSURE) INFO = RANGE
           RETURN
         END IF
+        IF (F(3) .EQ. 0) F(3) = I*(1 - TSLINE(P, 1, F(2), I))
+        IF (TSPREC(P, 1, F(2)) .EQ. TSPREC(P, F(2), 1)) F(2) = I
    10 CONTINUE
       INFO = 0
       END
@@ -6091,23 +6007,22 @@ C     a duplicate of one of lower index; they are marked as used.  The
 C     marks begin behind IW(MARK).
       SUBROUTINE TSCHKI(N, TET, T, IW, MARK, INFO)
       INTEGER N, TET(4,*), T, IW(*), MARK, INFO
+      INTEGER TSSLOT
       INTEGER TWIN, USED, BADIDX, BADTWI
       PARAMETER (TWIN = -1, USED = 1, BADIDX = 10, BADTWI = 11)
-      INTEGER I, J, V
+      INTEGER I, V
       INFO = BADIDX
-      DO 20 I = 1, 4
+      DO 10 I = 1, 4
         V = TET(I,T)
         IF (V .LT. 1 .OR. V .GT. N) RETURN
-        DO 10 J = 1, I - 1
-          IF (V .EQ. TET(J,T)) RETURN
-   10   CONTINUE
-   20 CONTINUE
+        IF (TSSLOT(TET, T, V) .LT. I) RETURN
+   10 CONTINUE
       INFO = BADTWI
-      DO 30 I = 1, 4
+      DO 20 I = 1, 4
         V = TET(I,T)
         IF (IW(MARK+V) .EQ. TWIN) RETURN
         IW(MARK+V) = USED
-   30 CONTINUE
+   20 CONTINUE
       INFO = 0
       END
 
@@ -6247,23 +6162,22 @@ C     TSCHKC - that tetrahedron T, not 1, does not hold O.
       INTEGER UNSURE, RANGE, BADCOV
       PARAMETER (UNSURE = 2, RANGE = 6, BADCOV = 17)
       DOUBLE PRECISION Q(3)
-      INTEGER F(3), K, S, INSIDE
+      INTEGER F(3), K, S
       DO 10 K = 1, 3
         Q(K) = P(K,TET(1,1))
    10 CONTINUE
       INFO = 0
       IF (T .EQ. 1) RETURN
       IF (TSINBO(P, TET, T, Q) .EQ. 0) RETURN
-      INSIDE = 0
       DO 20 K = 1, 4
         CALL TSOUTF(TET, T, K, F)
         S = TSQSID(P, F, Q, TET)
         INFO = RANGE
         IF (S .EQ. UNSURE) RETURN
-        IF (S .LT. 0) INSIDE = INSIDE + 1
+        INFO = 0
+        IF (S .GT. 0) RETURN
    20 CONTINUE
-      INFO = 0
-      IF (INSIDE .EQ. 4) INFO = BADCOV
+      INFO = BADCOV
       END
 
 C     TESSCH - an exact proof that TET and ADJ are a Delaunay

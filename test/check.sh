@@ -873,7 +873,7 @@ first_half() {
 second_half() {
     sanitizers
     standard
-    twins tess "point|coords|four|better|proven|barren|layout" \
+    twins tess "point|coords|four|better|proven|barren" \
         "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
     twins hhpred "held|shift|lesser" "HHKIND"
     entries

@@ -193,10 +193,9 @@ static int set_up(void)
             rounded = (tess_real)ldexp(p[i][k], shift);
             point_of[3 * i + k] = rounded;
         }
-    layout(&M, n, point_of, iw, rw);
-    M.link = M.known + KEEP;
-    if (sorted(&M, n, point_of) != 0) return 0;
-    M.reach = REACH / 5.4;
+    if (sorted(&M, n, point_of, iw, rw) != 0) return 0;
+    M.link = M.alive + 2 * leafcount(n);
+    M.reach = BLOCKREACH / 5.4;
     for (i = 0; i < (int)M.np; i++) {
         M.link[i] = NEW;
         for (k = 0; k < 3; k++)
