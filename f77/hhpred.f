@@ -28,8 +28,8 @@ C         zeros HHZERO, fill HHFILL, split HHSPLI, carry HHCARR,
 C         signof HHSIGN, spread HHSPRE, volume HHVOLU,
 C         cofactors HHCOFA, insphere HHISPH, leading HHLEAD,
 C         shares HHSHAR, region HHREGI, foot HHFT, weigh HHWGH,
-C         limbsg HHLIMB, limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX, centre HHCNTR,
-C         certain HHCERT, balanced HHBALA, exact HHEXAC
+C         limbsg HHLIMB, limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX,
+C         centre HHCNTR, certain HHCERT, balanced HHBALA, exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
 C       exact signs: filt3 HHFIL3, filt5 HHFIL5, filter HHFILT,
