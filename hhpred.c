@@ -1,16 +1,16 @@
 /* hhpred.c - predicates for a handful of points in space; see hhpred.h.
  *
  * Order of the routines, here and in f77/hhpred.f:
- *   exact numbers     nearest zeros shift fill split carry signof spread
- *                     lesser volume cofactors ball leading shares region foot
- *                     weigh limbsg limbs3 limbs10 limbsx centre certain
+ *   exact numbers     nearest zeros blank shift fill split carry signof spread
+ *                     lesser volume cofactors insphere leading shares region
+ *                     foot weigh limbsg limbs3 limbs10 limbsx centre certain
  *                     balanced exact
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       filt3 filt5 filter pack scale robust hh_orient
  *                     hh_insphere hh_flat hh_line closest hh_foot hh_weigh
  *                     hh_wider hh_range apart corners decide hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
- *   balls by limbs    rows cut hh_centre form offset squared level hh_trial
+ *   balls by limbs    rows cut hh_centre evaluate offset squared level hh_trial
  *                     hh_unit hh_height hh_thin
  *   Householder       house reflec hh_setup hh_ratio hh_limits
  *                     hh_facet hh_side hh_opp hh_lcoord hh_wrap
@@ -33,8 +33,8 @@ typedef long whole;
  * TINY is an absolute error no smaller than what underflow, gradual or to
  * zero, does to a determinant of differences of at most 2.  SHIFT =
  * BASE^SKIP; exact numbers that are all below LOW are first multiplied by it,
- * so that no limb's weight underflows.  Coordinates between FEW = 2^-FEWEXP
- * and 1/FEW are scaled by one multiplication.  SHIFT and FEW must be exact
+ * so that no limb's weight underflows.  Coordinates between DOWN = 2^-DOWNEXP
+ * and 1/DOWN are scaled by one multiplication.  SHIFT and DOWN must be exact
  * powers of two: products of integers are, where a decimal constant might be
  * kept with more digits than a double has. */
 #define POWER5 (BASE * BASE * BASE * BASE * BASE)
@@ -46,8 +46,8 @@ typedef long whole;
 #define SHIFT (POWER5 * POWER5 * POWER5 * POWER5 * POWER5)
 #define SKIP 25
 #define LOW 1.6069380442589903e60      /* 2^200   */
-#define FEW (1.0 / (BASE * BASE * BASE * BASE))
-#define FEWEXP 96
+#define DOWN (1.0 / (BASE * BASE * BASE * BASE))
+#define DOWNEXP 96
 #define CENTRE 300
 #else
 #define BASE 512.0
@@ -57,8 +57,8 @@ typedef long whole;
 #define SHIFT (POWER5 * BASE * BASE)
 #define SKIP 7
 #define LOW 1048576.0                  /* 2^20    */
-#define FEW (1.0 / (BASE * BASE))
-#define FEWEXP 18
+#define DOWN (1.0 / (BASE * BASE))
+#define DOWNEXP 18
 #define CENTRE 30
 #endif
 
@@ -83,11 +83,9 @@ typedef long whole;
 
 #define ROWS1 10
 #define ROWS2 20
-/* Leading rows of ball that are tried first: with 5 a third of the signs on a
- * rotated grid came out, with 6 98 %, with 7 99 %.  BOUND is what the sum may
- * err by then. */
-#define LEAD 6
-#define BOUND (32.0 * LEAD * BASE)
+/* What insphere's sum may err by after HH_ROWS leading rows, which are tried
+ * first. */
+#define BOUND (32.0 * HH_ROWS * BASE)
 /* Limbs that hold the value of a number to a double's precision. */
 #define LEADING (DBL_MANT_DIG / HH_BITS + 2)
 
@@ -104,6 +102,13 @@ static void zeros(int n, double *r)
     int i;
 
     for (i = 0; i < n; i++) r[i] = 0.0;
+}
+
+/* blank - are all n numbers r 0? */
+static int blank(int n, const double *r)
+{
+    while (n > 0 && r[n - 1] == 0.0) n--;
+    return n == 0;
 }
 
 /* shift - n coordinates q times SHIFT, one by one (volatile), in the arithmetic
@@ -182,7 +187,7 @@ static void carry(int n, int w, double *r)
 }
 
 /* signof - the sign of r, by Horner's rule from the top; if r errs by up to
- * err > 0 units of its last limb, UNSURE where that could change it.  Behind a
+ * err > 0 units of its last limb, UNSURE where that could change it.  After a
  * partial sum of more than 2 CARRY + err units neither the rest, carried or
  * not, nor err can change the sign.  (The last sum may pass 2^DBL_MANT_DIG,
  * several times that, and be rounded; the rounding of a number that large does
@@ -306,9 +311,9 @@ static void cofactors(int n, int depth, double *x)
     carry(n3, 4, det);
 }
 
-/* ball - the sign of the determinant of filt5, of n limbs, from the first depth
- * rows of all products; UNSURE when these do not tell.  x: the rows, as of
- * spread, in 44n doubles.
+/* insphere - the sign of the determinant of filt5, of n limbs, from the first
+ * depth rows of all products; UNSURE when these do not tell.  x: the rows, as
+ * of spread, in 44n doubles.
  *
  * What is lost, in units of the last of K = depth <= 10 rows: in the row behind
  * it a minor loses 2K products of limbs of at most BASE, so errs by 2K BASE;
@@ -319,7 +324,7 @@ static void cofactors(int n, int depth, double *x)
  * determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3) K BASE = 24K
  * BASE.  What follows all these adds less than a tenth, so that BOUND is
  * ample. */
-static int ball(int n, int depth, double *x)
+static int insphere(int n, int depth, double *x)
 {
     int n2 = lesser(2 * n, depth), n3 = lesser(3 * n, depth);
     int n5 = lesser(5 * n, depth), most, i, j, rows = 0;
@@ -499,7 +504,7 @@ static void weigh(int n, double *x, double *w)
 }
 
 /* limbsg - with n limbs, volume for np = 4 points q, or minus foot if there is
- * a w; ball for 5, or weigh and 0; UNSURE when n limbs do not hold the points.
+ * a w; insphere for 5, or weigh and 0; UNSURE when n limbs do not hold them.
  * work: 44n doubles.  Limbs 0 that are 0 in all rows are left out as long as
  * the next ones may be limbs 0. */
 static int limbsg(int np, const double *q, double top, int n, double *work,
@@ -520,8 +525,8 @@ static int limbsg(int np, const double *q, double top, int n, double *work,
         weigh(used, work, w);
         return 0;
     }
-    if (5 * used > 2 * LEAD) sign = ball(used, LEAD, work);
-    return sign == UNSURE ? ball(used, 5 * used, work) : sign;
+    if (5 * used > 2 * HH_ROWS) sign = insphere(used, HH_ROWS, work);
+    return sign == UNSURE ? insphere(used, 5 * used, work) : sign;
 }
 
 /* Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the last one
@@ -570,12 +575,7 @@ static int centre(int n, const double *x, double *work)
     int first = 0, low, i, j, k;
 
     zeros(39 * n, work);
-    for (k = 0; first < n - 1 && k < 9; k++)
-        if (k == 8 && x[12 * first + k] == 0.0) {
-            first++;
-            k = -1;
-        } else if (x[12 * first + k] != 0.0)
-            break;
+    while (first < n - 1 && blank(9, x + 12 * first)) first++;
     for (i = first, s = x + 12 * first; i < n; i++, s += 12)
         for (j = first, t = x + 12 * first; j < n; j++, t += 12) {
             r = minor + 9 * (i + j + 1);
@@ -609,7 +609,7 @@ static int centre(int n, const double *x, double *work)
     return first;
 }
 
-/* certain - the sign of det, certain beyond err or when exact. */
+/* certain - the sign of det where |det| exceeds its error, or is exact. */
 static int certain(double det, double perm, double factor, double t)
 {
     double err = factor * DBL_EPSILON * perm + TINY;
@@ -621,7 +621,7 @@ static int certain(double det, double perm, double factor, double t)
 }
 
 #if HH_LIMBS > 10
-/* balanced - the sign of volume's or ball's determinant, as that of rows (p, 1)
+/* balanced - volume's or insphere's sign, from the determinant of rows (p, 1)
  * or (p, |p|^2, 1), in double precision, whatever the exponents: rows, then
  * columns are scaled by powers of two to at most 1.  UNSURE where that does not
  * tell: a square has 5 roundings, a minor's term a product and at most 4 sums
@@ -869,7 +869,7 @@ static int filt5(const double *a, const double *b, const double *c,
 #if defined(TESS_FLOAT) && FLT_MIN_EXP > DBL_MIN_EXP
 #define SAFE DBL_MAX
 #else
-#define SAFE FEW
+#define SAFE DOWN
 #endif
 
 /* filter - the orientation of np = 4 points q, or filt5 of 5; or UNSURE. */
@@ -899,10 +899,10 @@ static double pack(int np, const tess_real *const *p, double *q)
  * value among them, at most 1, and not tiny.  Returns e. */
 static int scale(int n, double most, const double *q, double *s)
 {
-    double f = most <= 1.0 ? 1.0 : FEW;
-    int e = most <= 1.0 ? 0 : FEWEXP, k;
+    double f = most <= 1.0 ? 1.0 : DOWN;
+    int e = most <= 1.0 ? 0 : DOWNEXP, k;
 
-    if (most >= FEW && most <= 1.0 / FEW)
+    if (most >= DOWN && most <= 1.0 / DOWN)
         for (k = 0; k < n; k++) s[k] = f * q[k];
     else {
         frexp(most, &e);
@@ -1117,15 +1117,15 @@ static int apart(const double *x, int np, const tess_real *const *p, double *q)
 {
     double most;
 
-    if (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) > FEW) return 0;
+    if (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) > DOWN) return 0;
     most = pack(np, p, q);
     scale(3 * np, most, q, q);
     return most > 0.0;
 }
 
-/* corners - are np points corners of one box with faces along the axes, that
- * is, has no coordinate more than two values?  q is then what becomes of them
- * when the box is made the unit cube, which alters no orientation. */
+/* corners - returns 1 if np points are corners of one box with faces along the
+ * axes, that is, if no coordinate has more than two values.  q is then their
+ * image when the box becomes the unit cube, which alters no orientation. */
 static int corners(int np, const tess_real *const *p, double *q)
 {
     tess_real other;
@@ -1195,22 +1195,22 @@ int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
 static int tied(const hh_set *s, const tess_int *v, int positive)
 {
     tess_int number[5], rest[4];
-    int sign = 0, turn, least, n, r;
+    int sign = 0, tries, lowest, n, r;
 
     for (n = 0; n < 5; n++) number[n] = s->order[v[n]];
-    for (turn = 0; turn < 5 && sign == 0; turn++) {
-        least = 0;
+    for (tries = 0; tries < 5 && sign == 0; tries++) {
+        lowest = 0;
         for (n = 0; n < 5; n++)
             if (number[n] >= 0 &&
-                (number[least] < 0 || number[n] < number[least]))
-                least = n;
-        if (positive && least >= 3) return least == 3 ? 1 : -1;
-        number[least] = -1; /* done with */
+                (number[lowest] < 0 || number[n] < number[lowest]))
+                lowest = n;
+        if (positive && lowest >= 3) return lowest == 3 ? 1 : -1;
+        number[lowest] = -1; /* done with */
         for (n = r = 0; n < 5; n++)
-            if (n != least) rest[r++] = v[n];
+            if (n != lowest) rest[r++] = v[n];
         /* the determinant of the rows a-d, b-d, c-d is minus hh_orient */
         sign = hh_pside(s, rest[0], rest[1], rest[2], rest[3]);
-        if (least % 2 == 0) sign = -sign;
+        if (lowest % 2 == 0) sign = -sign;
     }
     return sign;
 }
@@ -1286,8 +1286,8 @@ static int cut(int m, const double *c, int step, int nd, const double *d,
 {
     int first = 0, i, k;
 
-    while (first < m && c[step * first] == 0.0 && c[step * first + 1] == 0.0 &&
-           c[step * first + 2] == 0.0 && (first >= nd || d[first] == 0.0))
+    while (first < m && blank(3, c + step * first) &&
+           (first >= nd || d[first] == 0.0))
         first++;
     for (i = first; i < first + HH_ROWS; i++, row += 4) {
         for (k = 0; k < 3; k++) row[k] = i < m ? c[step * i + k] : 0.0;
@@ -1338,16 +1338,16 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
     return fabs(c[0]) + fabs(c[1]) + fabs(c[2]) > HH_SMALL;
 }
 
-/* form - sum = row[3] l - row[0..2].u, of rows cut off from longer numbers, of
- * u of n limbs, of which those before first are 0, and l of 2n, if any row[3]
- * is not 0.
+/* evaluate - sum = row[3] l - row[0..2].u, of rows cut off from longer numbers,
+ * of u of n limbs, of which those before first are 0, and l of 2n, if any
+ * row[3] is not 0.
  *
  * What is lost are products of limbs that weigh less than the last row of the
  * sum: in the row behind it 3n products of at most (BASE/2 + 1) BASE and 2n of
  * (BASE/2 + 1)^2, with all that follow less than CARRY units of the last row,
  * for n <= 10.  No row of the sum has more than 30 products of at most BASE^2 /
  * 2. */
-static void form(const double *row, int n, int first, const double *u,
+static void evaluate(const double *row, int n, int first, const double *u,
                  const double *l, double *sum)
 {
     int i, k;
@@ -1401,7 +1401,7 @@ static void squared(int n, int first, const double *u, double *l)
 
 /* level - sum = the leading limbs of the height of the position z below the
  * plane of a ball's facet, if plane is 1, else of its power in the ball: see
- * form.  Returns 0 where the limbs do not hold it. */
+ * evaluate.  Returns 0 where the limbs do not hold it. */
 static int level(const hh_set *s, const hh_ball *t, tess_int z, int plane,
                  double *sum)
 {
@@ -1409,7 +1409,7 @@ static int level(const hh_set *s, const hh_ball *t, tess_int z, int plane,
 
     if (!offset(s, t, z, u)) return 0;
     if (!plane) squared(t->n, t->first, u, l);
-    form(plane ? t->side : t->power, t->n, t->first, u, l, sum);
+    evaluate(plane ? t->side : t->power, t->n, t->first, u, l, sum);
     return 1;
 }
 
@@ -1745,7 +1745,7 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
             const tess_real *z, double *c)
 {
     const tess_real *p[4];
-    double q[12], s[12], a[3], b[3], g[3], v[3], wg, wv, turn;
+    double q[12], s[12], a[3], b[3], g[3], v[3], wg, wv, sense;
     frame h;
     int k;
 
@@ -1762,9 +1762,9 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     }
     house(a, b, &h);
     /* p3 - p1 has the component r22 along Q e2 */
-    turn = h.r22 < 0.0 ? -1.0 : 1.0;
-    reflec(&h, 0.0, turn, 0.0, g);
-    reflec(&h, 0.0, 0.0, h.r11 < 0.0 ? -turn : turn, v);
+    sense = h.r22 < 0.0 ? -1.0 : 1.0;
+    reflec(&h, 0.0, sense, 0.0, g);
+    reflec(&h, 0.0, 0.0, h.r11 < 0.0 ? -sense : sense, v);
     wg = wv = 0.0;
     for (k = 0; k < 3; k++) {
         wg += (s[9 + k] - s[k]) * g[k];

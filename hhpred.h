@@ -123,7 +123,9 @@ typedef double tess_real;
 #else
 #define HH_FEW 10
 #endif
-/* Leading rows of a ball's numbers that are kept. */
+/* Leading rows of a ball's numbers that are kept, and of an insphere
+ * determinant that are tried first: with 5 a third of the signs on a rotated
+ * grid came out, with 6 98 %, with 7 99 %. */
 #define HH_ROWS 6
 /* HH_FEW is the size of a ball, so the name of what makes one tells it. */
 #define HH_AS_2(name, few) name##_##few

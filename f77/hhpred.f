@@ -26,10 +26,10 @@ C     The routines of hhpred.c, in its order, and their names here:
 C       exact numbers: frexp HHFREX, ldexp HHLDEX, nearest HHNEAR,
 C         zeros HHZERO, fill HHFILL, split HHSPLI, carry HHCARR,
 C         signof HHSIGN, spread HHSPRE, volume HHVOLU,
-C         cofactors HHCOFA, ball HHBALL, leading HHLEAD, shares HHSHAR,
-C         region HHREGI, foot HHFT, weigh HHWGH, limbsg HHLIMB,
-C         limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX, centre HHCNTR,
-C         certain HHCERT, balanced HHBALA, exact HHEXAC
+C         cofactors HHCOFA, insphere HHISPH, leading HHLEAD,
+C         shares HHSHAR, region HHREGI, foot HHFT, weigh HHWGH,
+C         limbsg HHLIMB, limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX,
+C         centre HHCNTR, certain HHCERT, balanced HHBALA, exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
 C       exact signs: filt3 HHFIL3, filt5 HHFIL5, filter HHFILT,
@@ -41,7 +41,7 @@ C         corners HHCORN, decide HHDECI, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
-C         form HHFORM, offset HHOFFS, squared HHSQUA, level HHLEVE,
+C         evaluate HHEVAL, offset HHOFFS, squared HHSQUA, level HHLEVE,
 C         hh_trial HHTRIA, hh_unit HHUNIT, hh_height HHHEIG,
 C         hh_thin HHTHIN
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
@@ -49,7 +49,7 @@ C         hh_ratio HHRATI, hh_limits HHLIMI,
 C         hh_facet HHFACE, hh_side HHSIDE, hh_opp HHOPP,
 C         hh_lcoord HHLCOO, hh_wrap HHWRAP
 C     Only in C: held (hh_holds for points that are not in one array),
-C     shift (written out here), lesser (MIN here),
+C     blank, shift (written out here), lesser (MIN here),
 C     the macro HH_POWER, |W|**2 - 2 C.W, written out here.
 C     Only here: HHKIND (part of hh_finite and hh_holds).
 C
@@ -86,12 +86,15 @@ C               it squares might underflow
 C       SHIFT   BASE**SKIP; exact numbers that are all below LOW are
 C               first multiplied by it, so that no limb's weight
 C               underflows
-C       FEW     2**(-FEWEXP); coordinates between FEW and 1/FEW are
+C       DOWN     2**(-DOWNEX); coordinates between DOWN and 1/DOWN are
 C               scaled by one multiplication
 C       FAR     a ball's centre is at most about 2**FAR from its points
 C       HHFEW   (HH_FEW) the limbs of balls and thin facets; with more
 C               they are not made
-C       BROWS   (HH_ROWS) leading rows of a ball's numbers that are kept
+C       BROWS   (HH_ROWS) leading rows of a ball's numbers that are
+C               kept, and of an insphere determinant that are tried
+C               first: with 5 a third of the signs on a rotated grid
+C               came out, with 6 98 %, with 7 99 %
 
 C     ------------------------------------------------------------------
 C     Exact numbers.
@@ -304,7 +307,7 @@ C     most BASE/2, from the last one up.  Limb 1 keeps what it gets.
 
 C     HHSIGN - the sign of R, by Horner's rule from the top; if R errs
 C     by up to ERR > 0 units of its last limb, UNSURE where that could
-C     change it.  Behind a partial sum of more than 2 CARRY + ERR units
+C     change it.  After a partial sum of more than 2 CARRY + ERR units
 C     neither the rest, carried or not, nor ERR can change the sign.
 C     (The last sum may pass 2**53, several times that, and be rounded;
 C     the rounding of a number that large does not change its sign, and
@@ -485,7 +488,7 @@ C     AB, BC, CD, DA, AC, BD
       CALL HHCARR(N3, 4, DET)
       END
 
-C     HHBALL - the sign of the determinant of HHFIL5, of N limbs, from
+C     HHISPH - the sign of the determinant of HHFIL5, of N limbs, from
 C     the first DEPTH rows of all products; UNSURE when these do not
 C     tell.  X: the rows, as of HHSPRE.  Scratch: LIFT and DET 12, TOTAL
 C     5 doubles a limb.
@@ -500,14 +503,14 @@ C     the errors of a determinant times a square and of a square times a
 C     determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3)
 C     K BASE = 24K BASE.  What follows all these adds less than a tenth,
 C     so that BOUND is ample.
-      SUBROUTINE HHBALL(N, DEPTH, X, LIFT, DET, TOTAL, SGN)
+      SUBROUTINE HHISPH(N, DEPTH, X, LIFT, DET, TOTAL, SGN)
       INTEGER N, DEPTH, SGN
       DOUBLE PRECISION X(*), LIFT(*), DET(*), TOTAL(*)
       INTEGER HHSIGN
-      INTEGER LEAD, ROWS1, ROWS2
-      PARAMETER (LEAD = 6, ROWS1 = 10, ROWS2 = 20)
+      INTEGER BROWS, ROWS1, ROWS2
+      PARAMETER (BROWS = 6, ROWS1 = 10, ROWS2 = 20)
       DOUBLE PRECISION BASE, BOUND
-      PARAMETER (BASE = 2.0D0**24, BOUND = 32*LEAD*BASE)
+      PARAMETER (BASE = 2.0D0**24, BOUND = 32*BROWS*BASE)
       DOUBLE PRECISION A, B, C, D, ERR
       INTEGER I, J, N2, N3, N5, R, ROWS, S, T
       N2 = MIN(2*N, DEPTH)
@@ -747,7 +750,7 @@ C     limb.
       END
 
 C     HHLIMB - with NMAX limbs, HHVOLU for NP = 4 points Q, or minus
-C     HHFT's set if WANT is 1 (else W is left alone); HHBALL for 5, or
+C     HHFT's set if WANT is 1 (else W is left alone); HHISPH for 5, or
 C     HHWGH and 0; UNSURE when NMAX limbs do not hold the points.  Limbs
 C     1 that are 0 in all rows are left out as long as the next ones may
 C     be limbs 1.  Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a
@@ -757,8 +760,8 @@ C     limb.
       INTEGER NP, NMAX, WANT, SGN
       DOUBLE PRECISION Q(3,*), TOP, X(*), MINOR(*), DET(*), TOTAL(*)
       DOUBLE PRECISION W(*)
-      INTEGER LEAD, UNSURE
-      PARAMETER (LEAD = 6, UNSURE = 2)
+      INTEGER BROWS, UNSURE
+      PARAMETER (BROWS = 6, UNSURE = 2)
       DOUBLE PRECISION BASE
       PARAMETER (BASE = 2.0D0**24)
       INTEGER K, N, WIDE
@@ -791,10 +794,10 @@ C     limb.
         SGN = 0
         RETURN
       END IF
-      IF (5*N .GT. 2*LEAD)
-     $    CALL HHBALL(N, LEAD, X, MINOR, DET, TOTAL, SGN)
+      IF (5*N .GT. 2*BROWS)
+     $    CALL HHISPH(N, BROWS, X, MINOR, DET, TOTAL, SGN)
       IF (SGN .EQ. UNSURE)
-     $    CALL HHBALL(N, 5*N, X, MINOR, DET, TOTAL, SGN)
+     $    CALL HHISPH(N, 5*N, X, MINOR, DET, TOTAL, SGN)
       END
 
 C     Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the
@@ -911,7 +914,8 @@ C     two carries reach two limbs up from the first product
       CALL HHCARR(3*N, 1, D)
       END
 
-C     HHCERT - the sign of DET, certain beyond an error or when exact.
+C     HHCERT - the sign of DET where |DET| exceeds its error, or is
+C     exact.
       INTEGER FUNCTION HHCERT(DET, PERM, FACTOR, T)
       DOUBLE PRECISION DET, PERM, FACTOR, T
       INTEGER UNSURE
@@ -933,8 +937,8 @@ C     HHCERT - the sign of DET, certain beyond an error or when exact.
       END IF
       END
 
-C     HHBALA - the sign of HHVOLU's or HHBALL's determinant, as that of
-C     rows (p, 1) or (p, |p|**2, 1), in double precision, whatever the
+C     HHBALA - HHVOLU's or HHISPH's sign, from the determinant of rows
+C     (p, 1) or (p, |p|**2, 1), in double precision, whatever the
 C     exponents: rows, then columns are scaled by powers of two to at
 C     most 1.  UNSURE where that does not tell: a square has 5
 C     roundings, a minor's term a product and at most 4 sums on each of
@@ -1278,15 +1282,15 @@ C     among the NP points P, at most 1, and not tiny.
       DOUBLE PRECISION MOST, P(3,*), Q(3,*)
       INTEGER HHFREX
       DOUBLE PRECISION HHLDEX
-      INTEGER FEWEXP
-      PARAMETER (FEWEXP = 96)
-      DOUBLE PRECISION FEW
-      PARAMETER (FEW = 2.0D0**(-FEWEXP))
+      INTEGER DOWNEX
+      PARAMETER (DOWNEX = 96)
+      DOUBLE PRECISION DOWN
+      PARAMETER (DOWN = 2.0D0**(-DOWNEX))
       DOUBLE PRECISION F
       INTEGER I, K
-      IF (MOST .GE. FEW .AND. MOST .LE. 1.0D0/FEW) THEN
-        F = FEW
-        E = FEWEXP
+      IF (MOST .GE. DOWN .AND. MOST .LE. 1.0D0/DOWN) THEN
+        F = DOWN
+        E = DOWNEX
         IF (MOST .LE. 1.0D0) THEN
           F = 1.0D0
           E = 0
@@ -1314,8 +1318,8 @@ C     5, where the limbs hold them; else UNSURE.  Alters P.
       INTEGER HHFILT, HHHOLD, HHPREC
       DOUBLE PRECISION HHPACK
       INTEGER UNSURE
-      DOUBLE PRECISION FEW
-      PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
+      DOUBLE PRECISION DOWN
+      PARAMETER (UNSURE = 2, DOWN = 2.0D0**(-96))
       DOUBLE PRECISION ANY(4), MOST, S(3,5)
       INTEGER E, K
       SGN = UNSURE
@@ -1323,8 +1327,8 @@ C     5, where the limbs hold them; else UNSURE.  Alters P.
       IF (P(1,1) .GT. P(1,4)) K = 3
       IF (HHPREC(K) .EQ. 0) RETURN
       MOST = HHPACK(NP, P)
-C     above FEW, what a coordinate is taken for matters less than TINY
-      IF (MOST .LT. FEW) THEN
+C     above DOWN, what a coordinate is taken for matters less than TINY
+      IF (MOST .LT. DOWN) THEN
         IF (HHHOLD(NP, P) .EQ. 0) RETURN
       END IF
       CALL HHSCAL(MOST, NP, P, S, E)
@@ -1495,8 +1499,8 @@ C     scratch.
       INTEGER HHCLOS, HHHOLD, HHPREC
       DOUBLE PRECISION HHPACK
       INTEGER UNSURE
-      DOUBLE PRECISION FEW
-      PARAMETER (UNSURE = 2, FEW = 2.0D0**(-96))
+      DOUBLE PRECISION DOWN
+      PARAMETER (UNSURE = 2, DOWN = 2.0D0**(-96))
       DOUBLE PRECISION MOST, S(3,4), X(3,4)
       INTEGER E, K
       SET = 0
@@ -1510,7 +1514,7 @@ C     scratch.
         X(K,4) = A(K)
    10 CONTINUE
       MOST = HHPACK(4, X)
-      IF (MOST .LT. FEW) THEN
+      IF (MOST .LT. DOWN) THEN
         IF (HHHOLD(4, X) .EQ. 0) RETURN
       END IF
       IF (WANT .EQ. 0) THEN
@@ -1616,22 +1620,22 @@ C     YES is 1, else 0.
       INTEGER NP, YES
       DOUBLE PRECISION SIZE, P(3,*), Q(3,*)
       DOUBLE PRECISION HHPACK
-      DOUBLE PRECISION FEW
-      PARAMETER (FEW = 2.0D0**(-96))
+      DOUBLE PRECISION DOWN
+      PARAMETER (DOWN = 2.0D0**(-96))
       DOUBLE PRECISION MOST
       INTEGER E
       YES = 0
-      IF (SIZE .GT. FEW) RETURN
+      IF (SIZE .GT. DOWN) RETURN
       MOST = HHPACK(NP, P)
       IF (MOST .LE. 0.0D0) RETURN
       CALL HHSCAL(MOST, NP, P, Q, E)
       YES = 1
       END
 
-C     HHCORN - are NP points P corners of one box with faces along the
-C     axes, that is, has no coordinate more than two values?  If so YES
-C     is 1, else 0.  Q is then what becomes of them when the box is made
-C     the unit cube, which alters no orientation.
+C     HHCORN - YES is 1 if NP points P are corners of one box with faces
+C     along the axes, that is, if no coordinate has more than two
+C     values; else 0.  Q is then their image when the box becomes the
+C     unit cube, which alters no orientation.
       SUBROUTINE HHCORN(NP, P, Q, YES)
       INTEGER NP, YES
       DOUBLE PRECISION P(3,*), Q(3,*)
@@ -1745,33 +1749,33 @@ C     side of V(1), V(2), V(3): then POSITV is 1, else 0.
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), V(5), POSITV
       INTEGER HHPSID
-      INTEGER LEAST, N, NUMBER(5), R, REST(4), SGN, TURN
+      INTEGER LOWEST, N, NUMBER(5), R, REST(4), SGN, TRIES
       DO 10 N = 1, 5
         NUMBER(N) = ORD(V(N))
    10 CONTINUE
       SGN = 0
-      DO 40 TURN = 1, 5
-        LEAST = 1
+      DO 40 TRIES = 1, 5
+        LOWEST = 1
         DO 20 N = 1, 5
-          IF (NUMBER(N) .GT. 0 .AND. (NUMBER(LEAST) .EQ. 0 .OR.
-     $        NUMBER(N) .LT. NUMBER(LEAST))) LEAST = N
+          IF (NUMBER(N) .GT. 0 .AND. (NUMBER(LOWEST) .EQ. 0 .OR.
+     $        NUMBER(N) .LT. NUMBER(LOWEST))) LOWEST = N
    20   CONTINUE
-        IF (POSITV .EQ. 1 .AND. LEAST .GE. 4) THEN
-          SGN = 9 - 2*LEAST
+        IF (POSITV .EQ. 1 .AND. LOWEST .GE. 4) THEN
+          SGN = 9 - 2*LOWEST
           GO TO 50
         END IF
 C       done with
-        NUMBER(LEAST) = 0
+        NUMBER(LOWEST) = 0
         R = 0
         DO 30 N = 1, 5
-          IF (N .NE. LEAST) THEN
+          IF (N .NE. LOWEST) THEN
             R = R + 1
             REST(R) = V(N)
           END IF
    30   CONTINUE
 C       the determinant of the rows A-D, B-D, C-D is minus HHORIE
         SGN = HHPSID(X, P, ORD, T3, REST(1), REST(2), REST(3), REST(4))
-        IF (MOD(LEAST, 2) .EQ. 1) SGN = -SGN
+        IF (MOD(LOWEST, 2) .EQ. 1) SGN = -SGN
         IF (SGN .NE. 0) GO TO 50
    40 CONTINUE
    50 HHTIED = SGN
@@ -1977,7 +1981,7 @@ C       BUNIT, BBITS  what HHHEIG divides by: see HHUNIT
       IF (ABS(C(1)) + ABS(C(2)) + ABS(C(3)) .GT. SMALL) OK = 1
       END
 
-C     HHFORM - SUM = ROW(4) L - ROW(1..3).U, of rows, behind AT, cut off
+C     HHEVAL - SUM = ROW(4) L - ROW(1..3).U, of rows, behind AT, cut off
 C     from longer numbers, of U of N limbs, of which those before FIRST
 C     are 0, and L of 2N, if any ROW(4) is not 0.
 C
@@ -1986,7 +1990,7 @@ C     row of the sum: in the row behind it 3N products of at most
 C     (BASE/2 + 1) BASE and 2N of (BASE/2 + 1)**2, with all that follow
 C     less than CARRY units of the last row, for N <= 10.  No row of the
 C     sum has more than 30 products of at most BASE**2 / 2.
-      SUBROUTINE HHFORM(ROW, AT, N, FIRST, U, L, SUM)
+      SUBROUTINE HHEVAL(ROW, AT, N, FIRST, U, L, SUM)
       DOUBLE PRECISION ROW(*), U(*), L(*), SUM(*)
       INTEGER AT, N, FIRST
       INTEGER BROWS
@@ -2056,7 +2060,7 @@ C     HHSQUA - L = |U|**2, of N limbs.
 
 C     HHLEVE - SUM = the leading limbs of the height of the position Z
 C     below the plane of a ball's facet, if PLANE is 1, else of its
-C     power in the ball, behind T(AT): see HHFORM.  OK is 0 where the
+C     power in the ball, behind T(AT): see HHEVAL.  OK is 0 where the
 C     limbs do not hold it, else 1.
       SUBROUTINE HHLEVE(P, ORD, T, AT, Z, PLANE, SUM, OK)
       DOUBLE PRECISION P(3,*), T(*), SUM(*)
@@ -2071,10 +2075,10 @@ C     limbs do not hold it, else 1.
       N = INT(T(AT+BN))
       FIRST = INT(T(AT+BFIRST))
       IF (PLANE .EQ. 1) THEN
-        CALL HHFORM(T, AT + BSIDE, N, FIRST, U, U, SUM)
+        CALL HHEVAL(T, AT + BSIDE, N, FIRST, U, U, SUM)
       ELSE
         CALL HHSQUA(N, FIRST, U, L)
-        CALL HHFORM(T, AT + BPOWER, N, FIRST, U, L, SUM)
+        CALL HHEVAL(T, AT + BPOWER, N, FIRST, U, L, SUM)
       END IF
       END
 
@@ -2187,7 +2191,7 @@ C     bounds rest.  F is left as it is where numbers might underflow.
       DOUBLE PRECISION R(12*HHFEW), CC(12*HHFEW), DD(3*HHFEW)
       DOUBLE PRECISION MINOR(18*HHFEW), LIFT(6*HHFEW), M(3), D(3)
       DOUBLE PRECISION A(3), B(3), AA, BB, FACTOR, NORM, TOP
-      INTEGER AT(3), E, I, J, K, LEAST, N, W(4)
+      INTEGER AT(3), E, I, J, K, FIRST, N, W(4)
       DO 10 K = 1, 3
         W(K) = V(MOD(BASE+K-1,3)+1)
    10 CONTINUE
@@ -2204,12 +2208,12 @@ C     bounds rest.  F is left as it is where numbers might underflow.
         AA = AA + A(K)*A(K)
         BB = BB + B(K)*B(K)
    30 CONTINUE
-      LEAST = MIN(AT(1), AT(2), AT(3))
+      FIRST = MIN(AT(1), AT(2), AT(3))
       DO 40 K = 1, 3
-        M(K) = HHLDEX(M(K), (LEAST - AT(K))*BITS)
+        M(K) = HHLDEX(M(K), (FIRST - AT(K))*BITS)
    40 CONTINUE
       NORM = SQRT(M(1)*M(1) + M(2)*M(2) + M(3)*M(3))
-      E = 2*E + (2 - LEAST)*BITS
+      E = 2*E + (2 - FIRST)*BITS
       IF (E .LT. -FAR .OR. AA .LT. SMALL .OR. BB .LT. SMALL) RETURN
       DO 50 K = 1, 3
         F(K) = M(K)/NORM
@@ -2309,7 +2313,7 @@ C     the bounds to hold.  s is bounded by 1 + |R12/R22|.
       PARAMETER (EPS = 2.0D0**(-52), HUGE = 1.7976931348623157D308)
       PARAMETER (SMALL = 2.0D0**(-450))
       DOUBLE PRECISION A(3), B(3), C(3), V(3), H(10)
-      DOUBLE PRECISION RATIO, TURN, Y1, Y2
+      DOUBLE PRECISION RATIO, SENSE, Y1, Y2
       INTEGER K, L
       DO 10 K = 1, 3
         A(K) = P2(K) - P1(K)
@@ -2322,8 +2326,8 @@ C     det [P2-P1 P3-P1 V] = R11 R22 det Q, det Q = 1
       IF (H(8) .LT. 0.0D0) K = 2
       L = 1
       IF (H(10) .LT. 0.0D0) L = 2
-      TURN = DBLE(1 - 2*ABS(K - L))
-      CALL HHREFL(H, 0.0D0, 0.0D0, TURN, V)
+      SENSE = DBLE(1 - 2*ABS(K - L))
+      CALL HHREFL(H, 0.0D0, 0.0D0, SENSE, V)
       IF (ABS(H(8)) .GT. SMALL .AND. ABS(H(10)) .GT. SMALL) THEN
         RATIO = H(9)/H(10)
         Y1 = 0.5D0*H(8)
@@ -2552,7 +2556,7 @@ C     computed to lie in the plane; C is then 0.
       INTEGER HHLINE
       DOUBLE PRECISION HHPACK
       DOUBLE PRECISION MOST, P(3,4), S(3,4), A(3), B(3), G(3), V(3)
-      DOUBLE PRECISION H(10), WG, WV, TURN
+      DOUBLE PRECISION H(10), WG, WV, SENSE
       INTEGER E, K
       C = 0.0D0
       INFO = 1
@@ -2571,11 +2575,11 @@ C     computed to lie in the plane; C is then 0.
    20 CONTINUE
       CALL HHHOUS(A, B, H)
 C     P3 - P1 has the component R22 along Q e2
-      TURN = 1.0D0
-      IF (H(10) .LT. 0.0D0) TURN = -1.0D0
-      CALL HHREFL(H, 0.0D0, TURN, 0.0D0, G)
-      IF (H(8) .LT. 0.0D0) TURN = -TURN
-      CALL HHREFL(H, 0.0D0, 0.0D0, TURN, V)
+      SENSE = 1.0D0
+      IF (H(10) .LT. 0.0D0) SENSE = -1.0D0
+      CALL HHREFL(H, 0.0D0, SENSE, 0.0D0, G)
+      IF (H(8) .LT. 0.0D0) SENSE = -SENSE
+      CALL HHREFL(H, 0.0D0, 0.0D0, SENSE, V)
       WG = 0.0D0
       WV = 0.0D0
       DO 30 K = 1, 3

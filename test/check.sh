@@ -874,7 +874,7 @@ second_half() {
     standard
     twins tess "point|coords|four|better|proven|barren" \
         "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
-    twins hhpred "held|shift|lesser" "HHKIND"
+    twins hhpred "held|blank|shift|lesser" "HHKIND"
     entries
     parity
     halves
