@@ -3966,13 +3966,13 @@ static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
 /* tess_locate - a walk (see walk), and where it fails a sweep over all
  * tetrahedra; for a q outside then a walk over the hull (see hullstep).
  *
- * Located is not q but q*.  The hull is convex and q* is nearer to its inside,
- * so q* is inside of it when q is inside or on its boundary, and then the
- * answer depends on the points, tet and q alone.  For a q outside, the start
- * decides which of the facets that have the hull's nearest point is found.  In
- * an unfinished result open facets may stop the walk though some tetrahedron
- * holds q; in a foreign triangulation it may go round: both are left to the
- * sweep.
+ * It is q*, not q, that is located.  The hull is convex and q* is nearer to
+ * its inside, so q* is inside of it when q is inside or on its boundary, and
+ * then the answer depends on the points, tet and q alone.  For a q outside, the
+ * start decides which of the facets that have the hull's nearest point is
+ * found.  In an unfinished result open facets may stop the walk though some
+ * tetrahedron holds q; in a foreign triangulation it may go round: both are
+ * left to the sweep.
  *
  * Cost: proportional to the tetrahedra crossed, about ntet^(1/3) of them from
  * anywhere, fewer from the sampled start, few from a start near q: when these

@@ -4845,10 +4845,10 @@ C                      (INFO = -2) the first point that has one
 C       TET     (out)  4*MAXTET; the first 4*NTET are set
 C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
 C       LIW     (in)   length of IW.  What exceeds the minimum becomes
-C                      pool; from the length that TESSWK gives on, there
-C                      is room for planes and spheres, too
+C                      pool; with the length that TESSWK gives there is
+C                      also room for planes and spheres
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
-C                      IW(I) is the point that stands for point I: I
+C                      IW(I) is the point that represents point I: I
 C                      itself, or for a duplicate the least one with the
 C                      same coordinates (-0.0 equals 0.0)
 C       LRW     (in)   length of RW
@@ -4900,11 +4900,11 @@ C     does not matter.  The result is exactly that of one call with
 C     enough room.  With NTET = 0 it is TESS; on a finished result INFO
 C     is 0 and nothing changes but IW, RW.
 C
-C     Partial results of one mesh may be put one behind the other: each
-C     tetrahedron once, in any order, neighbours renumbered, and facets
-C     open whose neighbour is not there.  Facets that are open twice are
-C     then joined, and missing tetrahedra computed.  Each facet that
-C     waits for its other side takes 4 integers of IW.
+C     Partial results of one mesh may be concatenated: each tetrahedron
+C     once, in any order, with neighbours renumbered, and a facet open
+C     where its neighbour is missing.  Facets that are open on both
+C     sides are then joined, and the missing tetrahedra computed.  Each
+C     facet that waits for its other side takes 4 integers of IW.
 C
 C     INFO is what TESS gives; -4 for a bad NTET; -5 and -6 for a fault
 C     in TET and ADJ: an index out of range; a tetrahedron that has a
@@ -4933,10 +4933,10 @@ C                      unchanged
 C       LIW     (in)   length of IW, as TESSWK says; for TESSQU alone
 C                      2*N + N/12 + 7 suffices
 C       IW      (out)  the index, in its first 2*N + N/12 + 7 places.
-C                      For each INFO >= 0 but 6, IW(I) is the place,
+C                      For each INFO >= 0 but 6, IW(I) is the position,
 C                      from 1 on, of point I, or of the point that
-C                      stands for it, in the sorted order.  Points whose
-C                      places are close are close in space
+C                      represents it, in the sorted order.  Points at
+C                      close positions are close in space
 C       LRW     (in)   length of RW, as TESSWK says, or 3*N + N/2 + 12
 C       RW      (out)  the index, too
 C       INFO    (out)  0; 3 to 6 as TESS gives: there is no mesh, and
@@ -5011,7 +5011,7 @@ C
 C       N, P    (in)      the points of the index
 C       MINE    (in)      N marks: the tetrahedra wanted are those at
 C                         each point I with MINE(I) not 0, or at the
-C                         point that stands for it
+C                         point that represents it
 C       MAXTET, NTET, TET, ADJ   as in TESSRE: NTET = 0, or the
 C                         beginning of the result
 C       LIW     (in)      length of IW, as in TESS
@@ -5025,11 +5025,11 @@ C       INFO    (out)     what TESSRE gives, but -4 for MAXTET, -5, -6,
 C                         -7 for NTET, TET, ADJ, -8 and -10 for LIW and
 C                         LRW, -9 where IW and RW hold no index
 C
-C     Each tetrahedron comes once.  A facet without a marked vertex
-C     stays open.  Parts know nothing of each other and agree on
+C     Each tetrahedron appears once.  A facet without a marked vertex
+C     stays open.  Parts are computed independently, yet agree on
 C     everything, ties included.  If each point is marked in exactly one
 C     part, and from each part those tetrahedra are taken whose vertex
-C     of least number is marked there, then together they are the mesh.
+C     of least number is marked there, together they are the mesh.
 C     TESSRE joins them.
       SUBROUTINE TESSPA(N, P, MINE, MAXTET, NTET, TET, ADJ, LIW, IW,
      $                  LRW, RW, INFO)
@@ -5697,9 +5697,9 @@ C     A walk (see TSWALK), and where it fails a sweep over all
 C     tetrahedra; for a Q outside then a walk over the hull (see
 C     TSHULL).
 C
-C     Located is not Q but Q*.  The hull is convex and Q* is nearer to
-C     its inside, so Q* is inside of it when Q is inside or on its
-C     boundary, and then the answer depends on the points, TET and Q
+C     It is Q*, not Q, that is located.  The hull is convex and Q* is
+C     nearer to its inside, so Q* is inside of it when Q is inside or on
+C     its boundary, and then the answer depends on the points, TET and Q
 C     alone.  For a Q outside, the start decides which of the facets
 C     that have the hull's nearest point is found.  In an unfinished
 C     result open facets may stop the walk though some tetrahedron holds
@@ -5773,8 +5773,8 @@ C     have as many numbers as the largest integer.
 C
 C     To learn which queries are outside, ask one at a time: NQ = 1,
 C     with Q(1,I), T(I) and OUT(1,I), and T(I-1) for T(I) if there is no
-C     start.  Each call's INFO is that of its query; T, OUT and the time
-C     taken are those of one call for all.
+C     start.  Each call's INFO is then that of its query; T, OUT and the
+C     time taken are those of a single call for all queries.
 C
 C     From the last answer where there is no start: it is the nearest if
 C     the queries are in order, and if not, TESSLO sees that.
