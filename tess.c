@@ -3342,9 +3342,8 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
     if (m->head[*s] == FOREIGN) *s = NONE;
     i = 2 * m->nopen;
     m->m = 0;
-    if (!gather(m, *s) || !rehash(m, *s, (i > size ? i : size) + 1))
-        return TESS_POOL;
-    return 0;
+    if (!gather(m, *s)) return TESS_POOL;
+    return rehash(m, *s, (i > size ? i : size) + 1) ? 0 : TESS_POOL;
 }
 
 /* run - tess and tess_resume, or with mine tess_part, of arguments that are
