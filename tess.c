@@ -21,47 +21,55 @@
  * of the caller's coordinates, or predicates of hhpred.  Floating point here
  * chooses where to look, with margins that cover its rounding.
  *
- * The arrays, by state (n points, np of them distinct, L leaves of the tree):
- *                    while a call runs           when it has returned
- *   tet              positions                   indices of points
- *   adj              the same as outside: a tetrahedron, NONE or TESS_OPEN
- *   iw   n   rep     the point of least index    the same; in an index the
- *                    that coincides              points' positions
- *        n   order   position -> index           in an index kept; nothing of
- *        2 L alive   uncompleted points of a     use else, as all the rest;
- *                    leaf, living children of    in alive[0] np
- *                    a node
- *        5   known   the first tetrahedron, for
- *                    tess_part, tess_query
- *        n   head    position -> the pool's
- *                    first facet that it
- *                    owns; in restore index ->
- *                    position
- *        n   link    position -> first edge of
- *                    the link from it, or NONE,
- *                    NEW, DONE
- *        the rest    the arena, pool: entries of the hash table grow up from
- *                    its beginning, m of them; edges of the link grow down
- *                    from its end, newest the lowest
- *        extra mark  marks for supports, where that leaves the pool as long
- *                    as tess_size says
- *   rw   3 n x       scaled coordinates by position
- *        12 L box    box of each node of the tree
- *        the rest    cylinders, where it is as long as tess_size says
+ * The arrays (n points, np of them distinct, L leaves of the tree).  When a
+ * call returns, tet has indices of points again, rep is kept, and of an index
+ * all but head, link and pool; the rest is of no use.
+ *   tet   positions          adj   as the caller sees it
+ *   iw    rep    n           index -> the point of least index that coincides;
+ *                            in an index -> position
+ *         order  n           position -> index
+ *         known  KEEP        see seal
+ *         alive  2 L         leaf: uncompleted points; other nodes: children
+ *                            alive; place 0 unused
+ *         head   n           position -> first entry that it owns, NONE, or
+ *                            FOREIGN; at first, in intact, index -> position
+ *         link   n           position -> first edge from it, NONE, NEW or DONE
+ *         pool   room        see below
+ *         mark               for supports, if liw is what tess_size gives
+ *   rw    x      3 n         scaled coordinates by position
+ *         box    12 L        of each node; place 0 is the header, see seal
+ *         cylinder           if lrw is what tess_size gives
  *
- * The arena.  The table begins with tablesize entries; makeroom has rehash
- * double it when three quarters are in use, and give it its quota of the arena
- * when table and edges meet.  It may fill up to 7/8, so find always meets an
- * unused entry.  push takes no room of the table; makeroom sees to room for two
- * edges.  What is still short is TESS_POOL.
+ *   pool  0               ENTRY m           newest          oldest      room
+ *         | entries of the table -->| free |<-- edges of the link | dead |
  *
- * An open facet is in one place at any moment: in the link, if it contains s,
- * the vertex of the star; else in the table, or, of a tetrahedron from fresh
- * on, in none until flush; in none if no star of its vertices is asked for.
- * Numbers of entries are good until the next erase or rehash, which update head
- * and the owners' lists and nothing else; numbers of edges until the next
- * renumber, which updates link and the edges alone: callers of makeroom must
- * reload oldest.
+ *   head[v] --> entry <--> entry <--> entry    facets that v owns
+ *   link[a] --> edge   --> edge   --> edge     edges from a, by CHAIN
+ *
+ *   tree  node          1            node i: children 2i and 2i+1,
+ *                   2       3        alive[i], box[6i] ... box[6i+5]
+ *         leaf    0   1   2   3      leaf j: node L + j (here L = 4)
+ *         x     |...|...|...|...|    its points have successive positions
+ *
+ *   lists +-----------------------+  block: the points of the leaf of s, then
+ *         |     +-------+         |  all others in its box, which is wider by
+ *         |     | leaf  |(star)   |  margin;
+ *         |     |     ( s )       |  around: those of the block that are in
+ *         |     +-------+         |  the ball about s
+ *         +-----------------------+
+ *
+ * The table begins with tablesize entries.  makeroom has it doubled when three
+ * quarters are in use, and cut to its quota when it meets the edges.  It is
+ * never more than 7/8 full, so find always meets an unused entry.  push leaves
+ * the table alone; makeroom sees to room for two edges.  If room is still
+ * short, the code is TESS_POOL.
+ *
+ * An open facet is in one place at a time: in the link, if it contains s, the
+ * vertex of the star; else in the table, or nowhere yet, if its tetrahedron is
+ * not below fresh (until flush); nowhere at all if no star of its vertices is
+ * asked for.  erase and rehash renumber entries, and update head and the
+ * owners' lists only; renumber moves edges, and updates link and the edges
+ * only: after makeroom, callers must reload oldest.
  *
  * What rests on the tie rule (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; firstfacet, on a hull face of more
@@ -148,11 +156,12 @@ extern void tess_prove(int fact);
 #define LEAF 48
 /* Points in the groups that the points of a leaf are sorted into. */
 #define GROUP 8
-/* A block's list reaches from its box BLOCKREACH times the side of a cube with
- * one point of the leaf; a star's reaches STARREACH times as far from its
- * vertex.  Of uniform points they have about 230 and 34, and 95 % of the
- * searches end in the star's list, 3.5 % in the block's.  Without a star's list
- * they take a third longer. */
+/* A block's list reaches BLOCKREACH times the side of a cube with one point of
+ * the leaf beyond its box; a star's reaches STARREACH times as far from its
+ * vertex.  For uniform points they hold about 240 and 20 points, and 80 to 88 %
+ * of the searches end in the star's list, most others in the block's.  Without
+ * a star's list they take a quarter longer.  Margins that adapt from list to
+ * list take lattices a tenth longer and surveys 3 % less. */
 #define BLOCKREACH 2.6
 #define STARREACH 0.85
 /* Capacity of a list (see tess.h).  Lists only say where to look first. */
@@ -371,8 +380,9 @@ typedef struct sizes {
 
 /* ---- sorting ---- */
 
-/* before - does point i come before the point of coordinates q and number
- * number, along an axis?  Ties go to the next axes, then to the number. */
+/* before - returns 1 if point i precedes the point with coordinates q and
+ * number number along an axis.  Ties are broken by the next axes, then by
+ * number. */
 static int before(const mesh *m, tess_int i, int axis, const double *q,
                   tess_int number)
 {
@@ -396,9 +406,9 @@ static void swap(mesh *m, tess_int i, tess_int j)
     t = p[2], p[2] = q[2], q[2] = t;
 }
 
-/* pivot - the place of a point that is near the one of rank mid of lo ... hi-1
- * along an axis: the one of that rank in a sample, picked by chance, but by
- * the same chance everywhere. */
+/* pivot - the position of a point whose rank along an axis is near mid, among
+ * lo ... hi-1: the point of that rank in a random sample.  The random numbers
+ * are the same everywhere. */
 static tess_int pivot(const mesh *m, tess_int lo, tess_int hi, tess_int mid,
                       int axis, long *chance)
 {
@@ -419,8 +429,8 @@ static tess_int pivot(const mesh *m, tess_int lo, tess_int hi, tess_int mid,
     return a[(mid - lo) / ((hi - lo) / n + 1)];
 }
 
-/* selectmid - bring the points lo ... hi-1 into an order in which those before
- * mid precede the one at mid along an axis, and the others do not. */
+/* selectmid - reorder the points lo ... hi-1 so that those before mid precede
+ * the one at mid along an axis, and the others do not. */
 static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
 {
     tess_int i, j, number;
@@ -457,7 +467,7 @@ static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
     }
 }
 
-/* twin - note that the points at i and j coincide, if they do. */
+/* twin - if the points at i and j coincide, record it in rep. */
 static void twin(mesh *m, tess_int i, tess_int j)
 {
     const double *p = m->x + 3 * i, *q = m->x + 3 * j;
@@ -469,9 +479,9 @@ static void twin(mesh *m, tess_int i, tess_int j)
     m->rep[a > b ? a : b] = a > b ? b : a;
 }
 
-/* bisect - selectmid across the widest extent.  Duplicates that the cut parts
- * all coincide with the point at mid; each set of duplicates is in the end
- * linked from every member but the first to a smaller number. */
+/* bisect - selectmid across the widest extent.  Duplicates separated by the
+ * cut all coincide with the point at mid; in the end every duplicate but the
+ * least of its set is linked to a smaller number. */
 static void bisect(mesh *m, tess_int lo, tess_int hi, tess_int mid)
 {
     double least[3], most[3], x;
@@ -522,7 +532,7 @@ static void span(const mesh *m, tess_int node, tess_int *first, tess_int *last)
     *last = leafstart(m, right - m->leaves + 1);
 }
 
-/* leafsort - order the points of a leaf in groups of GROUP. */
+/* leafsort - sort the points of a leaf into groups of GROUP. */
 static void leafsort(mesh *m, tess_int first, tess_int last)
 {
     tess_int half, lo, hi, i, j;
@@ -541,7 +551,7 @@ static void leafsort(mesh *m, tess_int first, tess_int last)
     }
 }
 
-/* kdsort - order the points: every node of the tree is cut in two across its
+/* kdsort - sort the points: cut every node of the tree in two across its
  * widest extent, down to the leaves. */
 static void kdsort(mesh *m)
 {
@@ -561,7 +571,7 @@ static void kdsort(mesh *m)
     }
 }
 
-/* boxes - the box of every node, from the leaves up. */
+/* boxes - compute the box of every node, from the leaves up. */
 static void boxes(mesh *m)
 {
     tess_int node, i, first, last;
@@ -606,23 +616,23 @@ static int preced(const tess_real *a, const tess_real *b)
     return a[k] < b[k];
 }
 
-/* edgeby - does point i come before point j when a plane that holds the z
- * direction is wrapped about a, the lexicographically least point, and then,
- * in that plane, a line?  The first of all ends an edge of the hull that no
- * other point lies on. */
+/* edgeby - returns 1 if point i comes before point j when a plane parallel to
+ * the z axis is wrapped about a, the lexicographically least point, and then a
+ * line in that plane.  The first point of all ends a hull edge that contains
+ * no other point. */
 static int edgeby(const mesh *m, tess_int a, tess_int i, tess_int j)
 {
     const tess_real *o = point(m, a), *p = point(m, i), *q = point(m, j);
-    int above = p[0] == o[0] && p[1] == o[1], turn;
+    int above = p[0] == o[0] && p[1] == o[1], side;
 
     if (above || (q[0] == o[0] && q[1] == o[1])) {
         if (above != (q[0] == o[0] && q[1] == o[1])) return !above;
         return p[2] < q[2];
     }
-    turn = hh_flat(2, o, q, p);
-    if (turn == 0)
-        turn = q[0] != o[0] ? -hh_flat(1, o, q, p) : hh_flat(0, o, q, p);
-    return turn != 0 ? turn < 0 : preced(p, q);
+    side = hh_flat(2, o, q, p);
+    if (side == 0)
+        side = q[0] != o[0] ? -hh_flat(1, o, q, p) : hh_flat(0, o, q, p);
+    return side != 0 ? side < 0 : preced(p, q);
 }
 
 /* firstfacet - the first facet v, in the hull, all points on its positive side,
@@ -698,8 +708,8 @@ static void facet(const mesh *m, tess_int code, tess_int *v)
     outfac(m->tet + (code - code % 4), (int)(code % 4), v);
 }
 
-/* owner - the vertex of least position of those whose star is asked for, or
- * NONE. */
+/* owner - returns the vertex of least position among those whose star is asked
+ * for, or NONE. */
 static tess_int owner(const mesh *m, const tess_int *v)
 {
     tess_int least = v[0] < v[1] ? v[0] : v[1];
@@ -713,8 +723,8 @@ static tess_int owner(const mesh *m, const tess_int *v)
     return least < m->np ? least : NONE;
 }
 
-/* hashkey - the signature of a facet, below 2^31, whatever the order of its
- * vertices. */
+/* hashkey - returns the signature of a facet, below 2^31; the order of its
+ * vertices does not matter. */
 static tess_int hashkey(const tess_int *v)
 {
     long a = v[0] % 8192L, b = v[1] % 8192L, c = v[2] % 8192L;
@@ -723,7 +733,7 @@ static tess_int hashkey(const tess_int *v)
     return (tess_int)(sizeof(tess_int) < 4 ? h % 32749L : h);
 }
 
-/* same - are v and w, of one signature, the same facet? */
+/* same - returns 1 if v and w, of equal signature, are the same facet. */
 static int same(const tess_int *v, const tess_int *w)
 {
     int k, n = 0;
@@ -733,8 +743,8 @@ static int same(const tess_int *v, const tess_int *w)
     return n == 3;
 }
 
-/* find - the entry of the facet with the vertices v, or the one, not in use,
- * that it would get. */
+/* find - returns the entry of the facet with vertices v, or the unused entry
+ * where it belongs. */
 static tess_int find(const mesh *m, const tess_int *v, tess_int sig)
 {
     tess_int e = sig % m->m, w[3];
@@ -752,8 +762,8 @@ static tess_int find(const mesh *m, const tess_int *v, tess_int sig)
     }
 }
 
-/* insert - enter a facet that is not in the pool, owned by least, at the entry
- * that find has named. */
+/* insert - enter a facet owned by least at entry e, which find returned
+ * unused. */
 static void insert(mesh *m, tess_int e, tess_int code, tess_int least,
                   tess_int sig)
 {
@@ -830,7 +840,7 @@ static int full(const mesh *m, tess_int many)
     return many > m->m - m->m / 8 - 1;
 }
 
-/* cuberoot - the least c with c^3 >= n. */
+/* cuberoot - returns the least c with c^3 >= n. */
 static tess_int cuberoot(tess_int n)
 {
     tess_int c = 1;
@@ -846,9 +856,9 @@ static tess_int tablesize(tess_int n)
     return 9 * cuberoot(n) * cuberoot(n) + 16;
 }
 
-/* quota - entries that the table may have: those it needs for its facets, an
- * eighth of them unused, and half of what besides so many more edges is
- * free. */
+/* quota - returns how many entries the table may have beside so many more
+ * edges: what its facets need with an eighth unused, and half of what is free
+ * besides. */
 static tess_int quota(const mesh *m, tess_int edges)
 {
     tess_int most = (m->newest - EDGE * edges) / ENTRY;
@@ -857,8 +867,8 @@ static tess_int quota(const mesh *m, tess_int edges)
     return most < need ? most : need + (most - need) / 2;
 }
 
-/* newtable - give the pool's table another length, its quota at most, and no
- * facet; returns 0 if there is no room for an entry. */
+/* newtable - empty the table and give it the wanted length, or its quota if
+ * that is less; returns 0 if there is no room for an entry. */
 static int newtable(mesh *m, tess_int wanted)
 {
     tess_int i, most = quota(m, 2);
@@ -892,7 +902,7 @@ static int rehash(mesh *m, tess_int s, tess_int wanted)
 
 /* ---- lists: where to look first ---- */
 
-/* disjoint - do two boxes have no common point? */
+/* disjoint - returns 1 if two boxes have no point in common. */
 static int disjoint(const double *alo, const double *ahi, const double *blo,
                     const double *bhi)
 {
@@ -900,8 +910,8 @@ static int disjoint(const double *alo, const double *ahi, const double *blo,
            (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
 }
 
-/* setpoint - set point i of a list from its position; FAR away when its star is
- * complete. */
+/* setpoint - set point i of a list from its position; move it FAR away if its
+ * star is complete. */
 static void setpoint(const mesh *m, list *l, int i)
 {
     const double *q = m->x + 3 * l->id[i];
@@ -918,8 +928,8 @@ static void setpoint(const mesh *m, list *l, int i)
     l->r[i] = x * x + y * y + z * z;
 }
 
-/* padlist - fill up the last four of a list with points that are FAR away:
- * loops over lists go by fours, which every compiler can make vectors of. */
+/* padlist - pad a list to a multiple of four with points that are FAR away:
+ * loops over lists go by fours, which every compiler can vectorize. */
 static void padlist(list *l)
 {
     int i = l->n;
@@ -931,8 +941,8 @@ static void padlist(list *l)
     }
 }
 
-/* boxquery - add the uncompleted points of its box that are not in leaf own to
- * the positions of a list.  Returns 0 when they do not fit. */
+/* boxquery - append to a list the uncompleted points in its box that are not
+ * in leaf own; returns 0 if they do not fit. */
 static int boxquery(const mesh *m, list *l, tess_int own)
 {
     tess_int stack[DEPTH], node, i, first, last;
@@ -1007,11 +1017,12 @@ static void leaflist(mesh *m, tess_int s)
     padlist(l);
 }
 
-/* compress - those of the places 0 ... n-1 that are marked by 1, the others by
- * 0, without a branch: no processor could guess it.  Returns their number. */
-static int compress(const int *in, int n, int *place)
+/* compress - store in picked the indices i < n with in[i] = 1 (the others are
+ * 0), and return their number; without a branch, which no processor could
+ * predict. */
+static int compress(const int *in, int n, int *picked)
 {
-    int i, *next = place;
+    int i, *next = picked;
 
     for (i = 0; i < n; i += 4) {
         *next = i;
@@ -1023,7 +1034,7 @@ static int compress(const int *in, int n, int *place)
         *next = i + 3;
         next += in[i + 3];
     }
-    return (int)(next - place);
+    return (int)(next - picked);
 }
 
 /* starlist - make the lists for star s: the block of its leaf and, from it, the
@@ -2511,10 +2522,10 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 
 /* ---- a star on its own ---- */
 
-/* exchange - put z in the place of v[k]: if v is not flat then, or with r, if
- * it is positively oriented and holds s*, which is s = v[0] = r[0] moved by an
- * infinitesimal step into the tetrahedron r (as q* of the queries, below), so
- * that it is on no plane of three points.  Returns 1 if so. */
+/* exchange - replace v[k] by z if the result is not flat; with r, if it is
+ * positively oriented and contains s*.  This is s = v[0] = r[0] moved by an
+ * infinitesimal step into the tetrahedron r (as q* in the queries below), so
+ * it is on no plane through three points.  Returns 1 if replaced. */
 static int exchange(const mesh *m, const tess_int *r, tess_int *v, int k,
                     tess_int z)
 {
@@ -2550,7 +2561,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
 {
     tess_int leaf = leafof(m, s), first = leafstart(m, leaf), i, z;
     tess_int size = leafstart(m, leaf + 1) - first, r[4], f[3], guess[2];
-    quest near;
+    quest search;
     int j, k, same = 0;
 
     m->block.first = m->block.last = NONE;
@@ -2578,12 +2589,12 @@ static void settle(mesh *m, tess_int s, tess_int *v)
         if (same >= 3)
             z = apex(m, f, guess);
         else {
-            near.first = NONE;
-            prepare(m, &near, f);
-            challenge(m, &near, z);
-            scanleaf(m, &near, first, first + size,
+            search.first = NONE;
+            prepare(m, &search, f);
+            challenge(m, &search, z);
+            scanleaf(m, &search, first, first + size,
                      m->box + 6 * (m->leaves + leaf));
-            z = near.best;
+            z = search.best;
         }
         same++;
         if (z == v[k]) continue;
@@ -2616,7 +2627,7 @@ static void clearlink(mesh *m)
     m->oldest = m->room - EDGE;
 }
 
-/* renumber - move the edges up to the end of the pool again. */
+/* renumber - move the edges up to the end of the pool. */
 static void renumber(mesh *m)
 {
     tess_int shift = m->room - EDGE - m->oldest, e, *p, *q;
@@ -2633,8 +2644,8 @@ static void renumber(mesh *m)
     m->oldest += shift;
 }
 
-/* push - a new edge a -> b without neighbours, if there is room: its number,
- * or NONE. */
+/* push - add an edge a -> b without neighbours.  Returns its number, or NONE
+ * if there is no room. */
 static tess_int push(mesh *m, tess_int code, tess_int a, tess_int b)
 {
     tess_int e = m->newest - EDGE, *p = m->pool + e;
@@ -2649,14 +2660,14 @@ static tess_int push(mesh *m, tess_int code, tess_int a, tess_int b)
     return e;
 }
 
-/* join - let edge b follow edge a; either may be NONE. */
+/* join - make edge b the successor of edge a; either may be NONE. */
 static void join(mesh *m, tess_int a, tess_int b)
 {
     if (a != NONE) m->pool[a + AFTER] = b;
     if (b != NONE) m->pool[b + PREV] = a;
 }
 
-/* unlinkedge - take edge e out of the link. */
+/* unlinkedge - remove edge e from the link. */
 static void unlinkedge(mesh *m, tess_int e)
 {
     tess_int *p = m->pool + e, *at = m->link + p[FROM];
@@ -2666,7 +2677,7 @@ static void unlinkedge(mesh *m, tess_int e)
     p[CODE] = DEAD;
 }
 
-/* between - the edge a -> b of the link, or NONE. */
+/* between - returns the edge a -> b of the link, or NONE. */
 static tess_int between(const mesh *m, tess_int a, tess_int b)
 {
     tess_int e = m->link[a];
@@ -2675,7 +2686,7 @@ static tess_int between(const mesh *m, tess_int a, tess_int b)
     return e >= 0 ? e : NONE;
 }
 
-/* glue - the facets of two codes are one. */
+/* glue - make the facets of two codes neighbours. */
 static void glue(mesh *m, tess_int code, tess_int other)
 {
     m->adj[code] = other / 4;
@@ -2683,9 +2694,8 @@ static void glue(mesh *m, tess_int code, tess_int other)
 }
 
 /* flush - enter the facets opposite to s of the tetrahedra from fresh on into
- * the pool, or close them if it has their other sides.  They wait for each
- * other so that the processor can fetch what several need from memory at
- * once. */
+ * the pool, or close those whose other side is there.  They are processed in
+ * batches so that the processor can overlap their memory accesses. */
 static void flush(mesh *m)
 {
     tess_int code, other;
@@ -2697,9 +2707,9 @@ static void flush(mesh *m)
     }
 }
 
-/* grow - store the tetrahedron of s, edge e = a -> b and the apex c: a -> c
- * and c -> b take the place of e in the link, unless their other sides are
- * there, which then go too. */
+/* grow - store the tetrahedron of s, edge e = a -> b and the apex c.  The
+ * edges a -> c and c -> b replace e in the link, unless their other sides are
+ * there: these are then removed. */
 static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
 {
     tess_int *p = m->pool + e, a = p[FROM], b = p[TO], prev = p[PREV];
@@ -2764,8 +2774,8 @@ static int enlist(mesh *m, tess_int s, tess_int code)
     return 1;
 }
 
-/* follow - let every edge of the link be followed by one that begins where
- * it ends and follows no other, if there is one. */
+/* follow - give every edge of the link a successor: an edge that begins where
+ * it ends and has no predecessor yet, if there is one. */
 static void follow(mesh *m)
 {
     tess_int e, f;
@@ -2793,9 +2803,9 @@ static int gather(mesh *m, tess_int s)
     return 1;
 }
 
-/* load - move the facets that s owns from the pool to the link, the oldest
- * first; 0 if there is no room.  Where these do not fit beside the table, it
- * gives them up first. */
+/* load - move the facets that s owns from the pool to the link, oldest first;
+ * returns 0 if there is no room.  If they do not fit beside the table, rebuild
+ * the table without them first. */
 static int load(mesh *m, tess_int s)
 {
     tess_int e = m->head[s], edges = 1;
@@ -2813,7 +2823,8 @@ static int load(mesh *m, tess_int s)
     return 1;
 }
 
-/* complete - the star of s is complete: s leaves the tree and the block. */
+/* complete - mark the star of s complete: s leaves the tree and the block's
+ * list. */
 static void complete(mesh *m, tess_int s)
 {
     tess_int node = m->leaves + leafof(m, s);
@@ -2828,11 +2839,11 @@ static void complete(mesh *m, tess_int s)
     l->r[i] = FAR * FAR;
 }
 
-/* makeroom - make sure of room for another tetrahedron's facets in the table
- * and in the link of s; returns 0 if there is none.  Callers must reload oldest.
- * When three quarters of the table are in use, or the link meets it, the edges
- * move up, if an eighth of their room is dead, and the table gets another
- * length, if that differs by a sixteenth: so both are seldom. */
+/* makeroom - make room for another tetrahedron's facets in the table and in
+ * the link of s; returns 0 if there is none.  Callers must reload oldest.
+ * When the table is three quarters full or meets the link, the edges move up
+ * if an eighth of their room is dead, and the table is resized if that changes
+ * it by a sixteenth: so both are rare. */
 static int makeroom(mesh *m, tess_int s)
 {
     tess_int most, change = m->m / 16;
@@ -2850,8 +2861,8 @@ static int makeroom(mesh *m, tess_int s)
     return !full(m, m->nopen + 1) && ENTRY * m->m <= m->newest - 2 * EDGE;
 }
 
-/* begin - the first facet becomes an edge of the link of its vertex of least
- * position, s. */
+/* begin - put the first facet into the link of s, its vertex of least
+ * position. */
 static int begin(mesh *m, tess_int *s)
 {
     tess_int v[3];
@@ -2863,8 +2874,8 @@ static int begin(mesh *m, tess_int *s)
     return push(m, START, v[1], v[2]) == NONE ? TESS_POOL : 0;
 }
 
-/* star - complete the star of s, whose open facets are the edges of the
- * link.  Returns 0, TESS_MORE or TESS_POOL. */
+/* star - complete the star of s, whose open facets are the edges of the link.
+ * Returns 0, TESS_MORE or TESS_POOL. */
 static int star(mesh *m, tess_int s)
 {
     tess_int *p, v[3], guess[2], e, c;
@@ -2904,8 +2915,9 @@ static int star(mesh *m, tess_int s)
     return 0;
 }
 
-/* plant - begin the star of s, in no tetrahedron yet: a facet of one becomes
- * two edges of the link, the one towards it first.  0 if there is no room. */
+/* plant - begin the star of s, which is in no tetrahedron yet, with a facet of
+ * a tetrahedron at s: its two sides become edges of the link, the one towards
+ * the tetrahedron first.  Returns 0 if there is no room. */
 static int plant(mesh *m, tess_int s)
 {
     tess_int v[4];
@@ -2915,8 +2927,9 @@ static int plant(mesh *m, tess_int s)
            push(m, START, v[2], v[1]) != NONE;
 }
 
-/* stars - complete star after star of those asked for, from s on if it has
- * edges in the link: by and by what hangs together, then what else there is. */
+/* stars - complete all stars asked for, beginning with s if the link has
+ * edges: first those connected through open facets, then one of the rest, and
+ * so on. */
 static int stars(mesh *m, tess_int s)
 {
     int code;
@@ -2960,7 +2973,7 @@ static const tess_int *four(const tess_int *a, tess_int t)
     return a + 4 * t;
 }
 
-/* slot - the first k with v[k] = x; 4 when there is none. */
+/* slot - returns the first k with v[k] = x, or 4. */
 static int slot(const tess_int *v, tess_int x)
 {
     int k = 0;
@@ -2989,7 +3002,7 @@ static int mate(const tess_int *tet, tess_int t, int k, tess_int u)
 
 /* ---- preparation, and the way back ---- */
 
-/* leafcount - the leaves of the tree of n points: a power of two. */
+/* leafcount - returns the number of leaves for n points: a power of two. */
 static tess_int leafcount(tess_int n)
 {
     tess_int leaves = 1;
@@ -3047,7 +3060,7 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->np = m->block.n = m->around.n = 0;
 }
 
-/* collect - the points that stand for themselves, in their order. */
+/* collect - copy the points that represent themselves, in their order. */
 static void collect(mesh *m, tess_int n, const tess_real *p)
 {
     tess_int i;
@@ -3062,8 +3075,8 @@ static void collect(mesh *m, tess_int n, const tess_real *p)
     m->leaves = leafcount(m->np);
 }
 
-/* inrange - can HH_LIMBS limbs hold all coordinates, of absolute value at most
- * most? */
+/* inrange - returns 1 if HH_LIMBS limbs can hold all coordinates; most is
+ * their largest absolute value. */
 static int inrange(const mesh *m, double most)
 {
     double least = ldexp(most, (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG);
@@ -3076,7 +3089,7 @@ static int inrange(const mesh *m, double most)
     return 1;
 }
 
-/* times - all coordinates times 2^e, a normal double. */
+/* times - multiply all coordinates by 2^e, a normal double. */
 static void times(mesh *m, int e)
 {
     tess_int i, n = 3 * m->np;
@@ -3087,8 +3100,8 @@ static void times(mesh *m, int e)
     for (i = 0; i < n; i++) m->x[i] *= f;
 }
 
-/* units - how many equal units, the fewest a power of two, make 1 such that
- * all scaled coordinates are whole multiples; 0 for more than 2^30. */
+/* units - returns the least power of two u for which all scaled coordinates
+ * are multiples of 1/u, or 0 if it exceeds 2^30. */
 static double units(const mesh *m)
 {
     tess_int i, n = 3 * m->np;
@@ -3102,10 +3115,10 @@ static double units(const mesh *m)
     return u;
 }
 
-/* scaled - bring the sorted coordinates to an absolute value of at most 1 by
- * a power of two, in two steps where one might overflow, and find whether
- * they are small whole multiples of one unit: not if one underflows, as then
- * it is not what it is a multiple of.  Returns 0 or TESS_RANGE. */
+/* scaled - scale the sorted coordinates to an absolute value of at most 1 by a
+ * power of two, in two steps as one might overflow, and find whether they are
+ * small multiples of one unit.  They are not if one underflows: its multiple
+ * is lost.  Returns 0 or TESS_RANGE. */
 static int scaled(mesh *m)
 {
     double most = 0.0, least = DBL_MAX, x, u = 0.0;
@@ -3135,7 +3148,7 @@ static int scaled(mesh *m)
     return 0;
 }
 
-/* revive - no point has left the tree. */
+/* revive - put all points back into the tree. */
 static void revive(mesh *m)
 {
     tess_int i;
@@ -3213,22 +3226,22 @@ static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
     return hh_holds(header[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
 }
 
-/* intact - could the caller's arrays be an unfinished result, as far as one
- * pass can tell?  Each tetrahedron has points for vertices that are no
- * duplicates, and is positively oriented; each facet is on the hull, open, or
- * matched with its neighbour's, and the neighbour's apex is not inside the
- * ball.  Returns 0, -5 or -6; head is then the points' positions. */
+/* intact - check in one pass that the caller's arrays may be an unfinished
+ * result: the vertices of each tetrahedron are no duplicates, and it is
+ * positively oriented; each facet is on the hull, open, or matched with its
+ * neighbour's, and the neighbour's apex is not inside the ball.  Returns 0, -5
+ * or -6; head then holds the positions of the points. */
 static int intact(mesh *m, tess_int n)
 {
-    tess_int i, t, u, *place = m->head, v[4];
+    tess_int i, t, u, *position = m->head, v[4];
     int k, j;
 
-    for (i = 0; i < n; i++) place[i] = NONE;
-    for (i = 0; i < m->np; i++) place[m->order[i]] = i;
+    for (i = 0; i < n; i++) position[i] = NONE;
+    for (i = 0; i < m->np; i++) position[m->order[i]] = i;
     for (i = 0; i < 4 * m->ntet; i++)
-        if (place[m->tet[i]] == NONE) return -5;
+        if (position[m->tet[i]] == NONE) return -5;
     for (t = 0; t < m->ntet; t++) {
-        for (k = 0; k < 4; k++) v[k] = place[four(m->tet, t)[k]];
+        for (k = 0; k < 4; k++) v[k] = position[four(m->tet, t)[k]];
         if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) <= 0) return -5;
         for (k = 0; k < 4; k++) {
             u = four(m->adj, t)[k];
@@ -3237,15 +3250,16 @@ static int intact(mesh *m, tess_int n)
             if (j == 4 || four(m->adj, u)[j] != t) return -6;
             if (u > t &&
                 hh_pball(&m->set, v[0], v[1], v[2], v[3],
-                         place[four(m->tet, u)[j]], 1) < 0)
+                         position[four(m->tet, u)[j]], 1) < 0)
                 return -5;
         }
     }
     return 0;
 }
 
-/* claim - whose stars are asked for: of the points i with mine[i] != 0, or
- * without mine of all.  Returns their number. */
+/* claim - mark in head whose stars are asked for: those of the points i with
+ * mine[i] != 0, or all if mine is NULL.  Returns an upper bound of their
+ * number. */
 static tess_int claim(mesh *m, tess_int n, const tess_int *mine)
 {
     tess_int i, own = mine == NULL ? m->np : 0;
@@ -3296,10 +3310,11 @@ static int rejoin(mesh *m)
     return code;
 }
 
-/* restore - take up an unfinished result that intact has passed: tet to
- * positions; what is complete leaves the tree; the open facets at s, the first
- * vertex of the last tetrahedron, become edges of its link in the order of
- * their tetrahedra, the others enter the pool.  Returns what rejoin does. */
+/* restore - resume an unfinished result that intact has passed: convert tet to
+ * positions and rejoin; remove completed points from the tree; the open facets
+ * at s, the first vertex of the last tetrahedron, become edges of its link in
+ * the order of their tetrahedra, and the others enter the pool.  Returns 0,
+ * TESS_POOL, -5 or -6. */
 static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
 {
     tess_int i, v[3], size;
@@ -3326,9 +3341,8 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
     if (m->head[*s] == FOREIGN) *s = NONE;
     i = 2 * m->nopen;
     m->m = 0;
-    if (!gather(m, *s) || !rehash(m, *s, (i > size ? i : size) + 1))
-        return TESS_POOL;
-    return 0;
+    if (!gather(m, *s)) return TESS_POOL;
+    return rehash(m, *s, (i > size ? i : size) + 1) ? 0 : TESS_POOL;
 }
 
 /* run - tess and tess_resume, or with mine tess_part, of arguments that are
@@ -3504,9 +3518,9 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
  * ... v3 are not in one plane: q* is on no facet, and is in the interior of
  * exactly one tetrahedron if it is in the hull of a triangulation. */
 
-/* qside - 1 when q* is outside of the facet f, -1 when it is inside; UNSURE
- * when the limbs do not suffice; 0 only when v, tetrahedron 0, is flat.  One
- * orientation, unless q is exactly in the plane. */
+/* qside - returns 1 if q* is outside the facet f, -1 if it is inside, UNSURE
+ * if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.  Takes one
+ * orientation unless q is exactly in the plane. */
 static int qside(const tess_real *p, const tess_int *f, const tess_real *q,
                   const tess_int *v)
 {
@@ -3519,8 +3533,8 @@ static int qside(const tess_real *p, const tess_int *f, const tess_real *q,
     return s;
 }
 
-/* inbox - 1 when q is in the closed box of the tetrahedron v: exact, and much
- * cheaper than orientations. */
+/* inbox - returns 1 if q is in the closed box of the tetrahedron v: exact, and
+ * much cheaper than orientations. */
 static int inbox(const tess_real *p, const tess_int *v, const tess_real *q)
 {
     int i, k, low, high;
@@ -3562,10 +3576,11 @@ static int closer(const tess_real *a, const tess_real *q, double *least)
     return 1;
 }
 
-/* sample - where the walk to q starts: of t, if it is one, and about ntet^(1/4)
- * tetrahedra at equal steps, the first whose first vertex is nearest to q in
- * the maximum norm.  The comparisons are exact, so it is the same one
- * everywhere; TESS_NONE where the arithmetic cannot hold a point. */
+/* sample - choose where the walk to q starts: of t, if given, and about
+ * ntet^(1/4) equally spaced tetrahedra, the first whose first vertex is
+ * nearest to q in the maximum norm.  The comparisons are exact, so the choice
+ * is the same everywhere.  Returns TESS_NONE if the arithmetic cannot hold a
+ * point. */
 static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
                        const tess_real *q, tess_int t)
 {
@@ -3623,7 +3638,7 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
     return LOST;
 }
 
-/* holds - 1 when the closed tetrahedron v holds q, else 0; UNSURE. */
+/* holds - returns 1 if the closed tetrahedron v contains q, else 0; UNSURE. */
 static int holds(const tess_real *p, const tess_int *v, const tess_real *q)
 {
     tess_int f[3];
@@ -3737,9 +3752,9 @@ static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
     return hh_foot(a, b, c, q, w) == 0 ? TESS_RANGE : 3;
 }
 
-/* turn - from the facet *k of tetrahedron *t, of the hull, to the one on the
- * other side of its edge opposite to the vertex z.  Returns 1, or 0 where
- * neighbours are out of range or do not match. */
+/* turn - go from the facet *k of tetrahedron *t, of the hull, about its edge
+ * opposite to the vertex z to the hull facet on the other side of that edge.
+ * Returns 1, or 0 if neighbours are out of range or do not match. */
 static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
                 tess_int *t, int *k, tess_int z)
 {
@@ -3798,13 +3813,13 @@ static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
 /* tess_locate - a walk (see walk), and where it fails a sweep over all
  * tetrahedra; for a q outside then a walk over the hull (see hullstep).
  *
- * Located is not q but q*.  The hull is convex and q* is nearer to its inside,
- * so q* is inside of it when q is inside or on its boundary, and then the
- * answer depends on the points, tet and q alone.  For a q outside, the start
- * decides which of the facets that have the hull's nearest point is found.  In
- * an unfinished result open facets may stop the walk though some tetrahedron
- * holds q; in a foreign triangulation it may go round: both are left to the
- * sweep.
+ * It is q*, not q, that is located.  The hull is convex and q* is nearer to
+ * its inside, so q* is inside of it when q is inside or on its boundary, and
+ * then the answer depends on the points, tet and q alone.  For a q outside, the
+ * start decides which of the facets that have the hull's nearest point is
+ * found.  In an unfinished result open facets may stop the walk though some
+ * tetrahedron holds q; in a foreign triangulation it may go round: both are
+ * left to the sweep.
  *
  * Cost: proportional to the tetrahedra crossed, about ntet^(1/3) of them from
  * anywhere, fewer from the sampled start, few from a start near q: when these
@@ -3866,9 +3881,10 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
 
 /* ---- queries without a mesh ---- */
 
-/* descend - a position near q: down the tree by the cuts, then the point of the
- * leaf that is nearest in the maximum norm.  All comparisons are exact, but of
- * a q far outside, so that it is the same one everywhere. */
+/* descend - returns a position near q: goes down the tree by the cuts and
+ * takes the point of the leaf that is nearest in the maximum norm.  All
+ * comparisons are exact, unless q is far outside, so it is the same
+ * everywhere. */
 static tess_int descend(const mesh *m, const tess_real *q)
 {
     tess_int node = 1, best, i, last;
@@ -3889,8 +3905,8 @@ static tess_int descend(const mesh *m, const tess_real *q)
     return best;
 }
 
-/* across - let u be the tetrahedron across its facet k, with the apex u[3];
- * returns 0, and leaves u, if that facet is of the hull. */
+/* across - replace u by the tetrahedron across its facet k, whose apex becomes
+ * u[3]; returns 0 and leaves u if that facet is on the hull. */
 static int across(mesh *m, tess_int *u, int k)
 {
     static const tess_int guess[2] = {NONE, NONE};
@@ -4066,8 +4082,8 @@ static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
     return TESS_OK;
 }
 
-/* chkidx - that the vertices of tetrahedron t are four points, none a
- * duplicate of one of lower index; they are marked as used. */
+/* chkidx - check that the vertices of tetrahedron t are four points, none a
+ * duplicate of one of lower index, and mark them as used. */
 static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
 {
     int i;
@@ -4106,7 +4122,8 @@ static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
     return TESS_OK;
 }
 
-/* chktet - that tetrahedron t is positively oriented and no facet open. */
+/* chktet - check that tetrahedron t is positively oriented and has no open
+ * facet. */
 static int chktet(const tess_real *p, const tess_int *tet,
                   const tess_int *adj, tess_int t)
 {
@@ -4172,7 +4189,7 @@ static int chkhul(const tess_real *p, const tess_int *tet,
     return TESS_OK;
 }
 
-/* chkcov - that tetrahedron t, not 0, does not hold O. */
+/* chkcov - check that tetrahedron t, if not 0, does not contain O. */
 static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
 {
     const tess_real *q = coords(p, tet[0]);

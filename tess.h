@@ -119,11 +119,11 @@ extern "C" {
  * where one vertex is in almost all tetrahedra (a plane grid and one point).
  *
  * maxtet: 8 n is enough for clouds (6 to 6.8 n), lattices (5 to 6 n) and points
- * near planes, spheres and most smooth surfaces (2 to 7.2 n).  It is not for
- * random points on a tube or a torus (9 to 20 n for 1,000 to 60,000 points),
- * nor for a helix or two lines (up to n^2 / 2).  TESS_MORE costs little: to
- * resume takes as long as n tetrahedra of a cloud, plus a third of the time
- * that those already there took.
+ * near planes, spheres and most smooth surfaces (2 to 7.2 n).  It is too little
+ * for random points on a tube or a torus (9 to 20 n for 1,000 to 60,000
+ * points), and for a helix or two lines (up to n^2 / 2).  TESS_MORE costs
+ * little: a resumption takes as long as n tetrahedra of a cloud, plus a third
+ * of the time that those already there took.
  *
  * returns 0; -1 for a bad n, -2 for a bad maxtet: negative, or so large that a
  * length, or 4*maxtet + 3, would exceed the largest tess_int.  The lengths are
@@ -140,11 +140,11 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
  *                  -2) the index of the first point that has one
  *   tet     (out)  4*maxtet; the first 4*ntet are set
  *   adj     (out)  4*maxtet; the first 4*ntet are set
- *   liw     (in)   length of iw.  What exceeds the minimum becomes pool; from
- *                  the length that tess_size gives on, there is room for planes
- *                  and spheres, too
+ *   liw     (in)   length of iw.  What exceeds the minimum becomes pool; with
+ *                  the length that tess_size gives there is also room for
+ *                  planes and spheres
  *   iw      (out)  workspace.  On return, for each code >= 0 but TESS_RANGE,
- *                  iw[i] is the point that stands for point i: i itself, or
+ *                  iw[i] is the point that represents point i: i itself, or
  *                  for a duplicate the least index with the same coordinates
  *                  (-0.0 equals 0.0)
  *   lrw     (in)   length of rw
@@ -182,11 +182,11 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
  * result is exactly that of one call with enough room.  With *ntet = 0 it is
  * tess; on a finished result it returns TESS_OK and changes nothing but iw, rw.
  *
- * Partial results of one mesh may be put one behind the other: each tetrahedron
- * once, in any order, neighbours renumbered, and facets open whose neighbour is
- * not there.  Facets that are open twice are then joined, and missing
- * tetrahedra computed.  Each facet that waits for its other side takes 4
- * tess_ints of iw.
+ * Partial results of one mesh may be concatenated: each tetrahedron once, in
+ * any order, with neighbours renumbered, and a facet open where its neighbour
+ * is missing.  Facets that are open on both sides are then joined, and the
+ * missing tetrahedra computed.  Each facet that waits for its other side takes
+ * 4 tess_ints of iw.
  *
  * returns what tess returns; -4 for a bad *ntet; -5 and -6 for a fault in tet
  * and adj: an index out of range; a tetrahedron that has a duplicate for a
@@ -255,8 +255,8 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  * range: then nothing is written; -4 or TESS_RANGE as from tess_locate: then
  * the queries before that one are done.
  * To learn which queries are outside, ask one at a time: nq = 1, and t[i-1] for
- * t[i] if there is no start.  Each call returns the code of its query; t, out
- * and the time taken are those of one call for all.
+ * t[i] if there is no start.  Each call then returns the code of its query; t,
+ * out and the time taken are those of a single call for all queries.
  * Cost: that of tess_locate: a few steps a query if successive queries are
  * close to each other.
  */
@@ -272,9 +272,9 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
  *   liw     (in)   length of iw, as tess_size says; for tess_query alone 2*n +
  *                  n/12 + 7 suffices
  *   iw      (out)  the index, in its first 2*n + n/12 + 7 places.  For each
- *                  code >= 0 but TESS_RANGE iw[i] is the place, from 0 on, of
- *                  point i, or of the point that stands for it, in the sorted
- *                  order.  Points whose places are close are close in space
+ *                  code >= 0 but TESS_RANGE iw[i] is the position, from 0 on,
+ *                  of point i, or of the point that represents it, in the
+ *                  sorted order.  Points at close positions are close in space
  *   lrw     (in)   length of rw, as tess_size says, or 3*n + n/2 + 12
  *   rw      (out)  the index, too
  *
@@ -314,7 +314,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  *
  *   n, p    (in)      the points of the index
  *   mine    (in)      n marks: the tetrahedra wanted are those at each point i
- *                     with mine[i] != 0, or at the point that stands for it
+ *                     with mine[i] != 0, or at the point that represents it
  *   maxtet, ntet, tet, adj   as in tess_resume: *ntet = 0, or the beginning of
  *                     the result
  *   liw     (in)      length of iw, as in tess
@@ -324,10 +324,10 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  *   rw      (in)      the rest of the index.  Threads may share it, each with
  *                     an iw of its own
  *
- * Each tetrahedron comes once.  A facet without a marked vertex stays
- * TESS_OPEN.  Parts know nothing of each other and agree on everything, ties
+ * Each tetrahedron appears once.  A facet without a marked vertex stays
+ * TESS_OPEN.  Parts are computed independently, yet agree on everything, ties
  * included.  If each point is marked in exactly one part, and from each part
- * those tetrahedra are taken whose vertex of least index is marked there, then
+ * those tetrahedra are taken whose vertex of least index is marked there,
  * together they are the mesh.  tess_resume joins them.
  *
  * returns what tess_resume returns, but -4 for maxtet, -5, -6, -7 for *ntet,

@@ -47,51 +47,61 @@ C     comparisons of the caller's coordinates, or predicates of hhpred.
 C     Floating point here chooses where to look, with margins that cover
 C     its rounding.
 C
-C     The arrays, by state (N points, NP of them distinct, L leaves of
-C     the tree):
-C                         while a call runs      when it has returned
-C       TET               positions              numbers of points
-C       ADJ               the same as outside: a tetrahedron, 0 or OPEN
-C       IW   N   REP      the least point that   the same; in an index
-C                         coincides              the points' positions
-C            N   ORD      position -> point      in an index kept;
-C            2 L ALIVE    uncompleted points of  nothing of use else, as
-C                         a leaf, living         all the rest; in the
-C                         children of a node     last of ALIVE NP
-C            4   KNOWN    the first tetrahedron,
-C                         for TESSPA, TESSQU
-C            N   HEAD     position -> the pool's
-C                         first facet that it
-C                         owns; in TSREST point
-C                         -> position
-C            N   LINK     position -> first edge
-C                         of the link from it, or
-C                         0, NEW, DONE
-C            the rest     the arena, POOL: entries of the table grow
-C                         up from its beginning, MPOOL of them; edges of
-C                         the link grow down from its end, NEWEST the
-C                         lowest
-C            TSEXTR MARK  marks for supports, where that leaves the pool
-C                         as long as TESSWK says
-C       RW   3 N X        scaled coordinates by position
-C            12 L BOX     box of each node of the tree
-C            the rest     cylinders, where it is as long as TESSWK says
+C     The arrays (N points, NP of them distinct, L leaves of the tree).
+C     When a call returns, TET has numbers of points again, REP is kept,
+C     and of an index all but HEAD, LINK and POOL; the rest is of no
+C     use.
+C       TET  positions       ADJ  as the caller sees it
+C       IW   REP    N        point -> the least point that coincides; in
+C                            an index -> position
+C            ORD    N        position -> point
+C            KNOWN  5        see TSSEAL: KNOWN and COUNT
+C            ALIVE  2 L - 1  leaf: uncompleted points; other nodes:
+C                            children alive; behind it one place, MARK
+C                            where there are no marks
+C            HEAD   N        position -> first entry that it owns, 0, or
+C                            FOREIN; at first, in TSINTA, point ->
+C                            position
+C            LINK   N        position -> first edge from it, 0, NEW or
+C                            DONE
+C            POOL   ROOM     see below
+C            MARK            for supports, if LIW is what TESSWK gives
+C       RW   X      3 N      scaled coordinates by position
+C            BOX    12 L     of each node; the last one is the header,
+C                            see TSSEAL
+C            the rest        cylinders, if LRW is what TESSWK gives
 C
-C     The arena.  The table begins with TSTABL entries; TSMKRO has
-C     TSREHA double it when three quarters are in use, and give it its
-C     quota of the arena when table and edges meet.  It may fill up to
-C     7/8, so TSFIND always meets an unused entry.  TSPUSH takes no room
-C     of the table; TSMKRO sees to room for two edges.  What is still
-C     short is code FULL.
+C       POOL 1             ENTRY*MPOOL    NEWEST       OLDEST      ROOM
+C            | entries of the table ->|free|<- edges of the link | dead|
 C
-C     An open facet is in one place at any moment: in the link, if it
-C     contains S, the vertex of the star; else in the table, or, of a
-C     tetrahedron from FRESH on, in none until TSFLUS; in none, too, if
-C     no star of its vertices is asked for.  Numbers of entries are good
-C     until the next TSERAS or TSREHA, which update HEAD and the owners'
-C     lists and nothing else; numbers of edges until the next TSRENU,
-C     which updates LINK and the edges alone: callers of TSMKRO must
-C     reload OLDEST.
+C       HEAD(V) --> entry <--> entry <--> entry   facets that V owns
+C       LINK(A) --> edge   --> edge   --> edge    edges from A
+C
+C       tree  node          1            node I: children 2I and 2I+1,
+C                       2       3        ALIVE(I), BOX(1..6,I)
+C             leaf    1   2   3   4      leaf J: node L + J - 1 (L = 4)
+C             X     |...|...|...|...|    its points: next to each other
+C
+C       lists +---------------------+ BLK: the points of the leaf of S,
+C             |     +-------+       | then all others in its box, which
+C             |     | leaf  |(star) | is wider by its margin;
+C             |     |     ( S )     | STR: those of the block that are
+C             |     +-------+       | in the ball about S
+C             +---------------------+
+C
+C     The table begins with TSTABL entries.  TSMKRO has it doubled when
+C     three quarters are in use, and cut to its quota when it meets the
+C     edges.  It is never more than 7/8 full, so TSFIND always meets an
+C     unused entry.  TSPUSH leaves the table alone; TSMKRO sees to room
+C     for two edges.  If room is still short, the code is FULL.
+C
+C     An open facet is in one place at a time: in the link, if it
+C     contains S, the vertex of the star; else in the table, or nowhere
+C     yet, if its tetrahedron is not below FRESH (until TSFLUS); nowhere
+C     at all if no star of its vertices is asked for.  TSERAS and TSREHA
+C     renumber entries, and update HEAD and the owners' lists only;
+C     TSRENU moves edges, and updates LINK and the edges only: after
+C     TSMKRO, callers must reload OLDEST.
 C
 C     What rests on the tie rule (hhpred): that a facet's apex is one
 C     point for both its sides, so that the pool empties; TSFIRS, on a
@@ -265,12 +275,14 @@ C       LEAF    points in a leaf of the tree, at most
 C       TSIDS   TSLIST + LEAF
 C       GROUP   points in the groups that those of a leaf are sorted
 C               into
-C       BREACH, SREACH  a block's list reaches from its box BREACH times
-C               the side of a cube with one point of the leaf; a star's
-C               reaches SREACH times as far from its vertex.  Of uniform
-C               points they have about 230 and 34, and 95 % of the
-C               searches end in the star's list, 3.5 % in the block's.
-C               Without a star's list they take a third longer
+C       BREACH, SREACH  a block's list reaches BREACH times the side of
+C               a cube with one point of the leaf beyond its box; a
+C               star's reaches SREACH times as far from its vertex.  For
+C               uniform points they hold about 240 and 20 points, and
+C               80 to 88 % of the searches end in the star's list, most
+C               others in the block's.  Without a star's list they take
+C               a quarter longer.  Margins that adapt from list to list
+C               take lattices a tenth longer and surveys 3 % less
 C       SAMPLE  a node is cut across the widest extent of about so many
 C               of its points: of all a million take 3 % longer
 C       DEPTH   of the tree plus one, at most
@@ -343,9 +355,9 @@ C     ------------------------------------------------------------------
 C     Sorting.
 C     ------------------------------------------------------------------
 
-C     TSBEFO - does point I come before the point of coordinates Q and
-C     number NUMBER, along an axis: 1, or 0.  Ties go to the next axes,
-C     then to the number.
+C     TSBEFO - 1 if point I precedes the point with coordinates Q and
+C     number NUMBER along an axis, else 0.  Ties are broken by the next
+C     axes, then by number.
       INTEGER FUNCTION TSBEFO(X, ORD, I, AXIS, Q, NUMBER)
       DOUBLE PRECISION X(3,*), Q(3)
       INTEGER ORD(*), I, AXIS, NUMBER
@@ -376,9 +388,9 @@ C     then to the number.
    10 CONTINUE
       END
 
-C     TSPIVO - the place I of a point that is near the one of rank MID
-C     of LO ... HI along an axis: the one of that rank in a sample,
-C     picked by chance, but by the same chance everywhere.
+C     TSPIVO - I is the position of a point whose rank along an axis is
+C     near MID, among LO ... HI: the point of that rank in a random
+C     sample.  The random numbers are the same everywhere.
       SUBROUTINE TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), LO, HI, MID, AXIS, CHANCE, I
@@ -414,9 +426,8 @@ C     picked by chance, but by the same chance everywhere.
       I = A((MID - LO)/(COUNT/N + 1) + 1)
       END
 
-C     TSSELE - bring the points FIRST ... LAST into an order in which
-C     those before MID precede the one at MID along an axis, and the
-C     others do not.
+C     TSSELE - reorder the points FIRST ... LAST so that those before
+C     MID precede the one at MID along an axis, and the others do not.
       SUBROUTINE TSSELE(X, ORD, FIRST, LAST, MID, AXIS)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), FIRST, LAST, MID, AXIS
@@ -464,7 +475,7 @@ C       the pivot is the first of all: put it there
       GO TO 10
       END
 
-C     TSTWIN - note that the points at I and J coincide, if they do.
+C     TSTWIN - if the points at I and J coincide, record it in REP.
       SUBROUTINE TSTWIN(X, ORD, REP, I, J)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), I, J
@@ -475,10 +486,9 @@ C     TSTWIN - note that the points at I and J coincide, if they do.
       REP(MAX(ORD(I), ORD(J))) = MIN(ORD(I), ORD(J))
       END
 
-C     TSBISE - TSSELE across the widest extent.  Duplicates that the cut
-C     parts all coincide with the point at MID; each set of duplicates
-C     is in the end linked from every member but the first to a smaller
-C     number.
+C     TSBISE - TSSELE across the widest extent.  Duplicates separated by
+C     the cut all coincide with the point at MID; in the end every
+C     duplicate but the least of its set is linked to a smaller number.
       SUBROUTINE TSBISE(X, ORD, REP, LO, HI, MID)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), LO, HI, MID
@@ -552,7 +562,7 @@ C     TSSPAN - the positions FIRST ... LAST below a node of the tree.
       LAST = TSLFST(CTL, RIGHT - CTL(LEAVES) + 2) - 1
       END
 
-C     TSLSOR - order the points of a leaf in groups of GROUP.
+C     TSLSOR - sort the points of a leaf into groups of GROUP.
       SUBROUTINE TSLSOR(X, ORD, REP, FIRST, LAST)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), FIRST, LAST
@@ -587,8 +597,8 @@ C     TSLSOR - order the points of a leaf in groups of GROUP.
       END IF
       END
 
-C     TSKDSO - order the points: every node of the tree is cut in two
-C     across its widest extent, down to the leaves.
+C     TSKDSO - sort the points: cut every node of the tree in two across
+C     its widest extent, down to the leaves.
       SUBROUTINE TSKDSO(X, ORD, REP, CTL)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), CTL(*)
@@ -614,7 +624,7 @@ C       0 after the last leaf
       IF (NODE .GT. 0) GO TO 10
       END
 
-C     TSBOXE - the box of every node, from the leaves up.
+C     TSBOXE - compute the box of every node, from the leaves up.
       SUBROUTINE TSBOXE(X, BOX, CTL)
       DOUBLE PRECISION X(3,*), BOX(6,*)
       INTEGER CTL(*)
@@ -663,16 +673,16 @@ C     X, then Y, Z.
    10 CONTINUE
       END
 
-C     TSEDBY - does point I come before point J when a plane that holds
-C     the z direction is wrapped about A, the lexicographically least
-C     point, and then, in that plane, a line: 1, or 0.  The first of all
-C     ends an edge of the hull that no other point lies on.
+C     TSEDBY - 1 if point I comes before point J when a plane parallel
+C     to the z axis is wrapped about A, the lexicographically least
+C     point, and then a line in that plane; else 0.  The first point of
+C     all ends a hull edge that contains no other point.
       INTEGER FUNCTION TSEDBY(P, ORD, A, I, J)
       DOUBLE PRECISION P(3,*)
       INTEGER ORD(*), A, I, J
       INTEGER HHFLAT, TSPREC
       DOUBLE PRECISION O(3), Q(3), Z(3)
-      INTEGER K, PABOVE, QABOVE, TURN
+      INTEGER K, PABOVE, QABOVE, SIDE
       DO 10 K = 1, 3
         O(K) = P(K,ORD(A))
         Z(K) = P(K,ORD(I))
@@ -690,16 +700,16 @@ C     ends an edge of the hull that no other point lies on.
       ELSE IF (PABOVE .EQ. 1) THEN
         IF (Z(3) .LT. Q(3)) TSEDBY = 1
       ELSE
-        TURN = HHFLAT(3, O, Q, Z)
-        IF (TURN .EQ. 0) THEN
+        SIDE = HHFLAT(3, O, Q, Z)
+        IF (SIDE .EQ. 0) THEN
           IF (Q(1) .LT. O(1) .OR. Q(1) .GT. O(1)) THEN
-            TURN = -HHFLAT(2, O, Q, Z)
+            SIDE = -HHFLAT(2, O, Q, Z)
           ELSE
-            TURN = HHFLAT(1, O, Q, Z)
+            SIDE = HHFLAT(1, O, Q, Z)
           END IF
         END IF
-        IF (TURN .LT. 0) TSEDBY = 1
-        IF (TURN .EQ. 0) TSEDBY = TSPREC(P, ORD(I), ORD(J))
+        IF (SIDE .LT. 0) TSEDBY = 1
+        IF (SIDE .EQ. 0) TSEDBY = TSPREC(P, ORD(I), ORD(J))
       END IF
       END
 
@@ -818,8 +828,8 @@ C     TSFACE - the vertices of facet CODE, positive towards its outside.
       CALL TSOUTF(TET, T, CODE - 4*(T - 1), V)
       END
 
-C     TSOWNE - the vertex of least position of those whose star is asked
-C     for, or 0.
+C     TSOWNE - the vertex of least position among those whose star is
+C     asked for, or 0.
       INTEGER FUNCTION TSOWNE(HEAD, V)
       INTEGER HEAD(*), V(3)
       INTEGER FOREIN
@@ -836,8 +846,8 @@ C     for, or 0.
       TSOWNE = LEAST
       END
 
-C     TSHASH - the signature of a facet, below 2**31, whatever the order
-C     of its vertices.
+C     TSHASH - the signature of a facet, below 2**31; the order of its
+C     vertices does not matter.
       INTEGER FUNCTION TSHASH(V)
       INTEGER V(3)
       INTEGER A, B, C
@@ -847,7 +857,8 @@ C     of its vertices.
       TSHASH = (A + B + C)*57571 + (A*B + B*C + C*A)
       END
 
-C     TSSAME - are V and W, of one signature, the same facet: 1, or 0.
+C     TSSAME - 1 if V and W, of equal signature, are the same facet,
+C     else 0.
       INTEGER FUNCTION TSSAME(V, W)
       INTEGER V(3), W(3)
       INTEGER K, N
@@ -859,8 +870,8 @@ C     TSSAME - are V and W, of one signature, the same facet: 1, or 0.
       TSSAME = N/3
       END
 
-C     TSFIND - the entry E of the facet with the vertices V, or the one,
-C     not in use, that it would get.
+C     TSFIND - E is the entry of the facet with vertices V, or the
+C     unused entry where it belongs.
       SUBROUTINE TSFIND(TET, POOL, CTL, V, SIG, E)
       INTEGER TET(4,*), POOL(*), CTL(*), V(3), SIG, E
       INTEGER TSSAME
@@ -880,8 +891,8 @@ C     not in use, that it would get.
       GO TO 10
       END
 
-C     TSINSE - enter a facet that is not in the pool, owned by LEAST, at
-C     the entry E that TSFIND has named.
+C     TSINSE - enter a facet owned by LEAST at entry E, which TSFIND
+C     returned unused.
       SUBROUTINE TSINSE(HEAD, POOL, CTL, E, CODE, LEAST, SIG)
       INTEGER HEAD(*), POOL(*), CTL(*), E, CODE, LEAST, SIG
       INTEGER NOPEN, LOW, ENTRY
@@ -1001,9 +1012,9 @@ C     what uniform points need, as a small table stays in the cache.
       TSTABL = 9*TSCUBE(N)**2 + 16
       END
 
-C     TSQUOT - entries that the table may have: those it needs for its
-C     facets, an eighth of them unused, and half of what besides so many
-C     more edges is free.
+C     TSQUOT - how many entries the table may have beside EDGES more
+C     edges: what its facets need with an eighth unused, and half of
+C     what is free besides.
       INTEGER FUNCTION TSQUOT(CTL, EDGES)
       INTEGER CTL(*), EDGES
       INTEGER NOPEN, NEWEST, ENTRY, EDGE
@@ -1015,8 +1026,9 @@ C     more edges is free.
       IF (MOST .GE. NEED) TSQUOT = NEED + (MOST - NEED)/2
       END
 
-C     TSNEWT - give the pool's table another length, its quota at most,
-C     and no facet.  OK is 1, or 0 if there is no room for an entry.
+C     TSNEWT - empty the table and give it the wanted length, or its
+C     quota if that is less.  OK is 1, or 0 if there is no room for an
+C     entry.
       SUBROUTINE TSNEWT(HEAD, POOL, CTL, WANTED, OK)
       INTEGER HEAD(*), POOL(*), CTL(*), WANTED, OK
       INTEGER TSQUOT
@@ -1064,8 +1076,8 @@ C     ------------------------------------------------------------------
 C     Lists: where to look first.
 C     ------------------------------------------------------------------
 
-C     TSDISJ - has the box of a list no common point with that of a
-C     node: 1, or 0.
+C     TSDISJ - 1 if the boxes of a list and a node have no point in
+C     common, else 0.
       INTEGER FUNCTION TSDISJ(BOX, LSD, LIST, NODE)
       DOUBLE PRECISION BOX(6,*), LSD(14,2)
       INTEGER LIST, NODE
@@ -1096,8 +1108,8 @@ C     six conditions, not one, spare a branch for each
       IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
       END
 
-C     TSSETP - set point I of a list from its position; FAR away when
-C     its star is complete.
+C     TSSETP - set point I of a list from its position; move it FAR away
+C     if its star is complete.
       SUBROUTINE TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
@@ -1125,9 +1137,9 @@ C     its star is complete.
       LSX(I,4,LIST) = A*A + B*B + C*C
       END
 
-C     TSPADL - fill up the last four of a list with points that are FAR
-C     away: loops over lists go by fours, which every compiler can make
-C     vectors of.
+C     TSPADL - pad a list to a multiple of four with points that are FAR
+C     away: loops over lists go by fours, which every compiler can
+C     vectorize.
       SUBROUTINE TSPADL(LSX, LSID, LSI, LIST)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
@@ -1147,9 +1159,8 @@ C     vectors of.
    10 CONTINUE
       END
 
-C     TSBOXQ - add the uncompleted points of its box that are not in
-C     leaf OWN to the positions of a list.  FIT is 1, or 0 when they do
-C     not fit.
+C     TSBOXQ - append to a list the uncompleted points in its box that
+C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
       SUBROUTINE TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
      $                  OWN, FIT)
       INTEGER TSLIST, TSIDS
@@ -1262,21 +1273,21 @@ C       no list
       CALL TSPADL(LSX, LSID, LSI, LIST)
       END
 
-C     TSCMPR - those of the places 1 ... N that are marked by 1, the
-C     others by 0, without a branch: no processor could guess it.  COUNT
-C     is their number.
-      SUBROUTINE TSCMPR(IN, N, PLACE, COUNT)
-      INTEGER IN(*), N, PLACE(*), COUNT
+C     TSCMPR - store in PICKED the I <= N with IN(I) = 1 (the others are
+C     0); COUNT is their number.  Without a branch, which no processor
+C     could predict.
+      SUBROUTINE TSCMPR(IN, N, PICKED, COUNT)
+      INTEGER IN(*), N, PICKED(*), COUNT
       INTEGER I
       COUNT = 0
       DO 10 I = 1, N, 4
-        PLACE(COUNT+1) = I
+        PICKED(COUNT+1) = I
         COUNT = COUNT + IN(I)
-        PLACE(COUNT+1) = I + 1
+        PICKED(COUNT+1) = I + 1
         COUNT = COUNT + IN(I+1)
-        PLACE(COUNT+1) = I + 2
+        PICKED(COUNT+1) = I + 2
         COUNT = COUNT + IN(I+2)
-        PLACE(COUNT+1) = I + 3
+        PICKED(COUNT+1) = I + 3
         COUNT = COUNT + IN(I+3)
    10 CONTINUE
       END
@@ -3414,11 +3425,11 @@ C     ------------------------------------------------------------------
 C     A star on its own.
 C     ------------------------------------------------------------------
 
-C     TSEXCH - put Z in the place of V(K): if V is not flat then, or
-C     with TRUE = 1, if it is positively oriented and holds S*, which is
-C     S = V(1) = R(1) moved by an infinitesimal step into the
-C     tetrahedron R (as Q* of the queries, below), so that it is on no
-C     plane of three points.  OK is 1 if so, else 0.
+C     TSEXCH - replace V(K) by Z if the result is not flat; with TRUE =
+C     1, if it is positively oriented and contains S*.  This is S = V(1)
+C     = R(1) moved by an infinitesimal step into the tetrahedron R (as
+C     Q* in the queries below), so it is on no plane through three
+C     points.  OK is 1 if replaced, else 0.
       SUBROUTINE TSEXCH(X, P, ORD, RCTL, TRUE, R, V, K, Z, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), TRUE, R(4), V(4), K, Z, OK
@@ -3575,7 +3586,7 @@ C     TSCLRL - the link has no edges.
       CTL(OLDEST) = CTL(ROOM) + 1 - EDGE
       END
 
-C     TSRENU - move the edges up to the end of the pool again.
+C     TSRENU - move the edges up to the end of the pool.
       SUBROUTINE TSRENU(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
       INTEGER ROOM, OLDEST, NEWEST, ECODE, EFROM, EPREV, DEAD, EDGE
@@ -3599,8 +3610,8 @@ C     TSRENU - move the edges up to the end of the pool again.
       CTL(OLDEST) = CTL(OLDEST) + SHIFT
       END
 
-C     TSPUSH - a new edge A -> B without neighbours, if there is room: E
-C     is its number, or 0.
+C     TSPUSH - add an edge A -> B without neighbours.  E is its number,
+C     or 0 if there is no room.
       SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
       INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
       INTEGER MPOOL, NEWEST, ECODE, EFROM, ETO, EPREV, EAFTER, ECHAIN
@@ -3623,7 +3634,7 @@ C     is its number, or 0.
       CTL(NEWEST) = E
       END
 
-C     TSJOIN - let edge B follow edge A; either may be 0.
+C     TSJOIN - make edge B the successor of edge A; either may be 0.
       SUBROUTINE TSJOIN(POOL, A, B)
       INTEGER POOL(*), A, B
       INTEGER EPREV, EAFTER
@@ -3632,7 +3643,7 @@ C     TSJOIN - let edge B follow edge A; either may be 0.
       IF (B .NE. 0) POOL(B+EPREV) = A
       END
 
-C     TSUNLI - take edge E out of the link.
+C     TSUNLI - remove edge E from the link.
       SUBROUTINE TSUNLI(LINK, POOL, E)
       INTEGER LINK(*), POOL(*), E
       INTEGER ECODE, EFROM, ECHAIN, DEAD
@@ -3667,7 +3678,7 @@ C     TSBETW - the edge A -> B of the link, or 0.
       TSBETW = E
       END
 
-C     TSGLUE - the facets of two codes are one.
+C     TSGLUE - make the facets of two codes neighbours.
       SUBROUTINE TSGLUE(ADJ, CODE, OTHER)
       INTEGER ADJ(*), CODE, OTHER
       ADJ(CODE) = (OTHER - 1)/4 + 1
@@ -3675,9 +3686,9 @@ C     TSGLUE - the facets of two codes are one.
       END
 
 C     TSFLUS - enter the facets opposite to S of the tetrahedra from
-C     FRESH on into the pool, or close them if it has their other sides.
-C     They wait for each other so that the processor can fetch what
-C     several need from memory at once.
+C     FRESH on into the pool, or close those whose other side is there.
+C     They are processed in batches so that the processor can overlap
+C     their memory accesses.
       SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
       INTEGER NT, FRESH
@@ -3692,8 +3703,8 @@ C     several need from memory at once.
       END
 
 C     TSGROW - store the tetrahedron of S, edge E = A -> B and the apex
-C     C: A -> C and C -> B take the place of E in the link, unless their
-C     other sides are there, which then go too.
+C     C. The edges A -> C and C -> B replace E in the link, unless their
+C     other sides are there: these are then removed.
       SUBROUTINE TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
       INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
       INTEGER TSBETW
@@ -3775,8 +3786,8 @@ C     the vertex S.  OK is 1, or 0 if there is no room.
       IF (E .EQ. 0) OK = 0
       END
 
-C     TSFOLL - let every edge of the link be followed by one that begins
-C     where it ends and follows no other, if there is one.
+C     TSFOLL - give every edge of the link a successor: an edge that
+C     begins where it ends and has no predecessor yet, if there is one.
       SUBROUTINE TSFOLL(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
       INTEGER OLDEST, NEWEST, ECODE, ETO, EPREV, ECHAIN, DEAD, EDGE
@@ -3817,8 +3828,8 @@ C     of their tetrahedra.  OK is 1, or 0 if there is no room.
       END
 
 C     TSLOAD - move the facets that S owns from the pool to the link,
-C     the oldest first.  OK is 1, or 0 if there is no room.  Where these
-C     do not fit beside the table, it gives them up first.
+C     oldest first.  OK is 1, or 0 if there is no room.  If they do not
+C     fit beside the table, rebuild the table without them first.
       SUBROUTINE TSLOAD(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
       INTEGER TSQUOT
@@ -3855,8 +3866,8 @@ C     do not fit beside the table, it gives them up first.
       CALL TSFOLL(LINK, POOL, CTL)
       END
 
-C     TSCMPL - the star of S is complete: S leaves the tree and the
-C     block.
+C     TSCMPL - mark the star of S complete: S leaves the tree and the
+C     block's list.
       SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
@@ -3888,12 +3899,12 @@ C     block.
       LSX(I,4,BLK) = FAR*FAR
       END
 
-C     TSMKRO - make sure of room for another tetrahedron's facets in the
-C     table and in the link of S: OK is 1, or 0 if there is none.
-C     Callers must reload OLDEST.  When three quarters of the table are
-C     in use, or the link meets it, the edges move up, if an eighth of
-C     their room is dead, and the table gets another length, if that
-C     differs by a sixteenth: so both are seldom.
+C     TSMKRO - make room for another tetrahedron's facets in the table
+C     and in the link of S.  OK is 1, or 0 if there is none.  Callers
+C     must reload OLDEST.  When the table is three quarters full or
+C     meets the link, the edges move up if an eighth of their room is
+C     dead, and the table is resized if that changes it by a sixteenth:
+C     so both are rare.
       SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
       INTEGER TSFULL, TSQUOT
@@ -3918,8 +3929,8 @@ C     differs by a sixteenth: so both are seldom.
       IF (ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - 2*EDGE) OK = 0
       END
 
-C     TSBEGI - the first facet becomes an edge of the link of its vertex
-C     of least position, S.
+C     TSBEGI - put the first facet into the link of S, its vertex of
+C     least position.
       SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
@@ -4000,9 +4011,10 @@ C     of the link.  INFO is 0, MORE or FULL.
       INFO = 0
       END
 
-C     TSPLAN - begin the star of S, in no tetrahedron yet: a facet of
-C     one becomes two edges of the link, the one towards it first.  OK
-C     is 1, or 0 if there is no room.
+C     TSPLAN - begin the star of S, which is in no tetrahedron yet, with
+C     a facet of a tetrahedron at S: its two sides become edges of the
+C     link, the one towards the tetrahedron first.  OK is 1, or 0 if
+C     there is no room.
       SUBROUTINE TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID,
      $                  LSI, LSD, S, OK)
@@ -4025,9 +4037,9 @@ C     is 1, or 0 if there is no room.
       IF (E .EQ. 0) OK = 0
       END
 
-C     TSSTRS - complete star after star of those asked for, from S on if
-C     it has edges in the link: by and by what hangs together, then what
-C     else there is.  INFO is 0, MORE or FULL.
+C     TSSTRS - complete all stars asked for, beginning with S if the
+C     link has edges: first those connected through open facets, then
+C     one of the rest, and so on.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID,
      $                  LSI, LSD, S, INFO)
@@ -4076,7 +4088,7 @@ C     ------------------------------------------------------------------
 C     Results: the caller's arrays.
 C     ------------------------------------------------------------------
 
-C     TSSLOT - the first K with V(K,T) = X; 5 when there is none.
+C     TSSLOT - the first K with V(K,T) = X, or 5.
       INTEGER FUNCTION TSSLOT(V, T, X)
       INTEGER V(4,*), T, X
       INTEGER K
@@ -4111,7 +4123,7 @@ C     ------------------------------------------------------------------
 C     Preparation, and the way back.
 C     ------------------------------------------------------------------
 
-C     TSLCOU - the leaves of the tree of N points: a power of two.
+C     TSLCOU - the number of leaves for N points: a power of two.
       INTEGER FUNCTION TSLCOU(N)
       INTEGER N
       INTEGER LEAF
@@ -4190,7 +4202,8 @@ C     no cylinders.
       LSI(LN,STR) = 0
       END
 
-C     TSCOLL - the points that stand for themselves, in their order.
+C     TSCOLL - copy the points that represent themselves, in their
+C     order.
       SUBROUTINE TSCOLL(X, P, ORD, REP, CTL, N)
       DOUBLE PRECISION X(3,*), P(3,*)
       INTEGER ORD(*), REP(*), CTL(*), N
@@ -4212,8 +4225,8 @@ C     TSCOLL - the points that stand for themselves, in their order.
       CTL(LEAVES) = TSLCOU(J)
       END
 
-C     TSINRA - can HHLIM limbs hold all coordinates, of absolute value
-C     at most TOP: 1, or 0.
+C     TSINRA - 1 if HHLIM limbs can hold all coordinates, else 0; TOP is
+C     their largest absolute value.
       INTEGER FUNCTION TSINRA(X, CTL, TOP)
       DOUBLE PRECISION X(3,*), TOP
       INTEGER CTL(*)
@@ -4235,7 +4248,7 @@ C     at most TOP: 1, or 0.
       TSINRA = 1
       END
 
-C     TSTIME - all coordinates times 2**E, a normal double.
+C     TSTIME - multiply all coordinates by 2**E, a normal double.
       SUBROUTINE TSTIME(X, CTL, E)
       DOUBLE PRECISION X(3,*)
       INTEGER CTL(*), E
@@ -4253,9 +4266,8 @@ C     TSTIME - all coordinates times 2**E, a normal double.
    20 CONTINUE
       END
 
-C     TSUNIT - how many equal units, the fewest a power of two, make 1
-C     such that all scaled coordinates are whole multiples; 0 for more
-C     than 2**30.
+C     TSUNIT - the least power of two U for which all scaled coordinates
+C     are multiples of 1/U, or 0 if it exceeds 2**30.
       DOUBLE PRECISION FUNCTION TSUNIT(X, CTL)
       DOUBLE PRECISION X(3,*)
       INTEGER CTL(*)
@@ -4277,11 +4289,10 @@ C     than 2**30.
       TSUNIT = U
       END
 
-C     TSSCAL - bring the sorted coordinates to an absolute value of at
-C     most 1 by a power of two, in two steps where one might overflow,
-C     and find whether they are small whole multiples of one unit: not
-C     if one underflows, as then it is not what it is a multiple of.
-C     INFO is 0, or RANGE.
+C     TSSCAL - scale the sorted coordinates to an absolute value of at
+C     most 1 by a power of two, in two steps as one might overflow, and
+C     find whether they are small multiples of one unit.  They are not
+C     if one underflows: its multiple is lost.  INFO is 0, or RANGE.
       SUBROUTINE TSSCAL(X, CTL, RCTL, INFO)
       DOUBLE PRECISION X(3,*), RCTL(*)
       INTEGER CTL(*), INFO
@@ -4326,7 +4337,7 @@ C       up to 2**52 units of the determinant's degree
       END IF
       END
 
-C     TSREVI - no point has left the tree.
+C     TSREVI - put all points back into the tree.
       SUBROUTINE TSREVI(ALIVE, CTL)
       INTEGER ALIVE(*), CTL(*)
       INTEGER TSLFST
@@ -4426,12 +4437,12 @@ C     of points without a mesh, or -8 where there is no index.
       IF (HHHOLD(ALL, P) .EQ. 0) INFO = RANGE
       END
 
-C     TSINTA - could the caller's arrays be an unfinished result, as far
-C     as one pass can tell?  Each tetrahedron has points for vertices
-C     that are no duplicates, and is positively oriented; each facet is
-C     on the hull, open, or matched with its neighbour's, and the
-C     neighbour's apex is not inside the ball.  INFO is 0, -5 or -6;
-C     HEAD has then the points' positions.
+C     TSINTA - check in one pass that the caller's arrays may be an
+C     unfinished result: the vertices of each tetrahedron are no
+C     duplicates, and it is positively oriented; each facet is on the
+C     hull, open, or matched with its neighbour's, and the neighbour's
+C     apex is not inside the ball.  INFO is 0, -5 or -6; HEAD then holds
+C     the positions of the points.
       SUBROUTINE TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), CTL(*), N, INFO
@@ -4480,8 +4491,9 @@ C     HEAD has then the points' positions.
 
 
 
-C     TSCLAI - whose stars are asked for: with MASKED = 1 of the points
-C     I with MINE(I) not 0, else of all.  OWN is their number.
+C     TSCLAI - mark in HEAD whose stars are asked for: with MASKED = 1
+C     those of the points I with MINE(I) not 0, else all.  OWN is an
+C     upper bound of their number.
       SUBROUTINE TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, OWN)
       INTEGER REP(*), HEAD(*), CTL(*), N, MASKED, MINE(*), OWN
       INTEGER NP, FOREIN
@@ -4562,11 +4574,12 @@ C     all are known to be right.
    30 CONTINUE
       END
 
-C     TSREST - take up an unfinished result that TSINTA has passed: TET
-C     to positions; what is complete leaves the tree; the open facets at
-C     S, the first vertex of the last tetrahedron, become edges of its
-C     link in the order of their tetrahedra, the others enter the pool.
-C     INFO is what TSREJO gives.
+C     TSREST - resume an unfinished result that TSINTA has passed:
+C     convert TET to positions and rejoin; remove completed points from
+C     the tree; the open facets at S, the first vertex of the last
+C     tetrahedron, become edges of its link in the order of their
+C     tetrahedra, and the others enter the pool.  INFO is 0, FULL, -5 or
+C     -6.
 C
 C     HEAD has the positions of the points at first.
       SUBROUTINE TSREST(X, P, ORD, TET, ADJ, ALIVE, REP, HEAD, LINK,
@@ -4831,10 +4844,10 @@ C                      (INFO = -2) the first point that has one
 C       TET     (out)  4*MAXTET; the first 4*NTET are set
 C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
 C       LIW     (in)   length of IW.  What exceeds the minimum becomes
-C                      pool; from the length that TESSWK gives on, there
-C                      is room for planes and spheres, too
+C                      pool; with the length that TESSWK gives there is
+C                      also room for planes and spheres
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
-C                      IW(I) is the point that stands for point I: I
+C                      IW(I) is the point that represents point I: I
 C                      itself, or for a duplicate the least one with the
 C                      same coordinates (-0.0 equals 0.0)
 C       LRW     (in)   length of RW
@@ -4886,11 +4899,11 @@ C     does not matter.  The result is exactly that of one call with
 C     enough room.  With NTET = 0 it is TESS; on a finished result INFO
 C     is 0 and nothing changes but IW, RW.
 C
-C     Partial results of one mesh may be put one behind the other: each
-C     tetrahedron once, in any order, neighbours renumbered, and facets
-C     open whose neighbour is not there.  Facets that are open twice are
-C     then joined, and missing tetrahedra computed.  Each facet that
-C     waits for its other side takes 4 integers of IW.
+C     Partial results of one mesh may be concatenated: each tetrahedron
+C     once, in any order, with neighbours renumbered, and a facet open
+C     where its neighbour is missing.  Facets that are open on both
+C     sides are then joined, and the missing tetrahedra computed.  Each
+C     facet that waits for its other side takes 4 integers of IW.
 C
 C     INFO is what TESS gives; -4 for a bad NTET; -5 and -6 for a fault
 C     in TET and ADJ: an index out of range; a tetrahedron that has a
@@ -4919,10 +4932,10 @@ C                      unchanged
 C       LIW     (in)   length of IW, as TESSWK says; for TESSQU alone
 C                      2*N + N/12 + 7 suffices
 C       IW      (out)  the index, in its first 2*N + N/12 + 7 places.
-C                      For each INFO >= 0 but 6, IW(I) is the place,
+C                      For each INFO >= 0 but 6, IW(I) is the position,
 C                      from 1 on, of point I, or of the point that
-C                      stands for it, in the sorted order.  Points whose
-C                      places are close are close in space
+C                      represents it, in the sorted order.  Points at
+C                      close positions are close in space
 C       LRW     (in)   length of RW, as TESSWK says, or 3*N + N/2 + 12
 C       RW      (out)  the index, too
 C       INFO    (out)  0; 3 to 6 as TESS gives: there is no mesh, and
@@ -4997,7 +5010,7 @@ C
 C       N, P    (in)      the points of the index
 C       MINE    (in)      N marks: the tetrahedra wanted are those at
 C                         each point I with MINE(I) not 0, or at the
-C                         point that stands for it
+C                         point that represents it
 C       MAXTET, NTET, TET, ADJ   as in TESSRE: NTET = 0, or the
 C                         beginning of the result
 C       LIW     (in)      length of IW, as in TESS
@@ -5011,11 +5024,11 @@ C       INFO    (out)     what TESSRE gives, but -4 for MAXTET, -5, -6,
 C                         -7 for NTET, TET, ADJ, -8 and -10 for LIW and
 C                         LRW, -9 where IW and RW hold no index
 C
-C     Each tetrahedron comes once.  A facet without a marked vertex
-C     stays open.  Parts know nothing of each other and agree on
+C     Each tetrahedron appears once.  A facet without a marked vertex
+C     stays open.  Parts are computed independently, yet agree on
 C     everything, ties included.  If each point is marked in exactly one
 C     part, and from each part those tetrahedra are taken whose vertex
-C     of least number is marked there, then together they are the mesh.
+C     of least number is marked there, together they are the mesh.
 C     TESSRE joins them.
       SUBROUTINE TESSPA(N, P, MINE, MAXTET, NTET, TET, ADJ, LIW, IW,
      $                  LRW, RW, INFO)
@@ -5090,10 +5103,9 @@ C     TSFOOT - HHFOOT of the facet F and the point Q.
       CALL HHFOOT(A, B, C, Q, WANT, W, SET)
       END
 
-C     TSQSID - 1 when Q* is outside of the facet F, -1 when it is
-C     inside; UNSURE when the limbs do not suffice; 0 only when
-C     tetrahedron 1 is flat.  One orientation, unless Q is exactly in
-C     the plane.
+C     TSQSID - 1 if Q* is outside the facet F, -1 if it is inside,
+C     UNSURE if the limbs do not suffice; 0 only if tetrahedron 1 is
+C     flat. Takes one orientation unless Q is exactly in the plane.
       INTEGER FUNCTION TSQSID(P, F, Q, TET)
       INTEGER F(3), TET(4,*)
       DOUBLE PRECISION P(3,*), Q(3)
@@ -5106,7 +5118,7 @@ C     the plane.
       TSQSID = S
       END
 
-C     TSINBO - 1 when Q is in the closed box of tetrahedron T, else 0:
+C     TSINBO - 1 if Q is in the closed box of tetrahedron T, else 0:
 C     exact, and much cheaper than orientations.
       INTEGER FUNCTION TSINBO(P, TET, T, Q)
       INTEGER TET(4,*), T
@@ -5157,11 +5169,11 @@ C     LO is that of no point.
       LO = B
       END
 
-C     TSSAMP - BEST is where the walk to Q starts: of START, if it is
-C     one, and about NTET**(1/4) tetrahedra at equal steps, the first
+C     TSSAMP - choose where the walk to Q starts: of START, if not 0,
+C     and about NTET**(1/4) equally spaced tetrahedra, BEST is the first
 C     whose first vertex is nearest to Q in the maximum norm.  The
-C     comparisons are exact, so it is the same one everywhere; 0 where
-C     the arithmetic cannot hold a point.
+C     comparisons are exact, so the choice is the same everywhere.  BEST
+C     is 0 if the arithmetic cannot hold a point.
       SUBROUTINE TSSAMP(P, NTET, TET, Q, START, BEST)
       INTEGER NTET, TET(4,*), START, BEST
       DOUBLE PRECISION P(3,*), Q(3)
@@ -5254,8 +5266,8 @@ C     triangulation it may stay, and the walk go round.)
       INFO = LOST
       END
 
-C     TSHOLD - S is 1 when the closed tetrahedron T holds Q, else 0;
-C     UNSURE when the limbs do not suffice.
+C     TSHOLD - S is 1 if the closed tetrahedron T contains Q, else 0;
+C     UNSURE.
       SUBROUTINE TSHOLD(P, TET, T, Q, S)
       INTEGER TET(4,*), T, S
       DOUBLE PRECISION P(3,*), Q(3)
@@ -5393,9 +5405,10 @@ C         an edge has one more facet, a vertex a circle of them
       IF (SET .EQ. 0) STEP = RANGE
       END
 
-C     TSTURN - from the facet K of tetrahedron T, of the hull, to the
-C     one on the other side of its edge opposite to the vertex Z.  OK is
-C     1, or 0 where neighbours are out of range or do not match.
+C     TSTURN - go from the facet K of tetrahedron T, of the hull, about
+C     its edge opposite to the vertex Z to the hull facet on the other
+C     side of that edge.  OK is 1, or 0 if neighbours are out of range
+C     or do not match.
       SUBROUTINE TSTURN(NTET, TET, ADJ, T, K, Z, OK)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, K, Z, OK
       INTEGER TSSLOT
@@ -5498,9 +5511,9 @@ C     A walk (see TSWALK), and where it fails a sweep over all
 C     tetrahedra; for a Q outside then a walk over the hull (see
 C     TSHULL).
 C
-C     Located is not Q but Q*.  The hull is convex and Q* is nearer to
-C     its inside, so Q* is inside of it when Q is inside or on its
-C     boundary, and then the answer depends on the points, TET and Q
+C     It is Q*, not Q, that is located.  The hull is convex and Q* is
+C     nearer to its inside, so Q* is inside of it when Q is inside or on
+C     its boundary, and then the answer depends on the points, TET and Q
 C     alone.  For a Q outside, the start decides which of the facets
 C     that have the hull's nearest point is found.  In an unfinished
 C     result open facets may stop the walk though some tetrahedron holds
@@ -5577,8 +5590,8 @@ C     have as many numbers as the largest integer.
 C
 C     To learn which queries are outside, ask one at a time: NQ = 1,
 C     with Q(1,I), T(I) and OUT(1,I), and T(I-1) for T(I) if there is no
-C     start.  Each call's INFO is that of its query; T, OUT and the time
-C     taken are those of one call for all.
+C     start.  Each call's INFO is then that of its query; T, OUT and the
+C     time taken are those of a single call for all queries.
 C
 C     From the last answer where there is no start: it is the nearest if
 C     the queries are in order, and if not, TESSLO sees that.
@@ -5636,10 +5649,10 @@ C     ------------------------------------------------------------------
 C     Queries without a mesh.
 C     ------------------------------------------------------------------
 
-C     TSDESC - BEST is a position near Q: down the tree by the cuts,
-C     then the point of the leaf that is nearest in the maximum norm.
-C     All comparisons are exact, but of a Q far outside, so that it is
-C     the same one everywhere.
+C     TSDESC - BEST is a position near Q: go down the tree by the cuts
+C     and take the point of the leaf that is nearest in the maximum
+C     norm. All comparisons are exact, unless Q is far outside, so it is
+C     the same everywhere.
       SUBROUTINE TSDESC(P, ORD, BOX, CTL, RCTL, Q, BEST)
       DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*), Q(3)
       INTEGER ORD(*), CTL(*), BEST
@@ -5667,10 +5680,10 @@ C     the same one everywhere.
    20 CONTINUE
       END
 
-C     TSACRO - let U be the tetrahedron across its facet K, with the
-C     apex U(4): OK is 1; or 0, and U is left, if that facet is of the
-C     hull.  ORD is in the place of LINK: no star is complete, no entry
-C     is DONE.
+C     TSACRO - replace U by the tetrahedron across its facet K, whose
+C     apex becomes U(4).  OK is 1; or 0, with U unchanged, if that facet
+C     is on the hull.  ORD takes the place of LINK: no star is complete,
+C     no entry is DONE.
       SUBROUTINE TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, LSX, LSID,
      $                  LSI, LSD, U, K, OK)
       INTEGER TSLIST, TSIDS
@@ -6002,9 +6015,8 @@ C     pass is enough.
       INFO = 0
       END
 
-C     TSCHKI - that the vertices of tetrahedron T are four points, none
-C     a duplicate of one of lower index; they are marked as used.  The
-C     marks begin behind IW(MARK).
+C     TSCHKI - check that the vertices of tetrahedron T are four points,
+C     none a duplicate of one of lower index, and mark them as used.
       SUBROUTINE TSCHKI(N, TET, T, IW, MARK, INFO)
       INTEGER N, TET(4,*), T, IW(*), MARK, INFO
       INTEGER TSSLOT
@@ -6066,8 +6078,8 @@ C     symmetric relation, so one side tests it.
       INFO = 0
       END
 
-C     TSCHKT - that tetrahedron T is positively oriented and no facet
-C     open.
+C     TSCHKT - check that tetrahedron T is positively oriented and has
+C     no open facet: 0 or the fault.
       INTEGER FUNCTION TSCHKT(P, TET, ADJ, T)
       INTEGER TET(4,*), ADJ(4,*), T
       DOUBLE PRECISION P(3,*)
@@ -6154,7 +6166,7 @@ C     it.
       INFO = 0
       END
 
-C     TSCHKC - that tetrahedron T, not 1, does not hold O.
+C     TSCHKC - check that tetrahedron T, if not 1, does not contain O.
       SUBROUTINE TSCHKC(P, TET, T, INFO)
       INTEGER TET(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
