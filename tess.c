@@ -83,11 +83,11 @@
  *   pool         outfac facet owner hashkey same find insert erase enter full
  *                cuberoot tablesize quota newtable rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
- *   apex         dot powererr prunebox prunepart ballinbox ballinstar better
+ *   apex         dot powererr prunebox ballinbox ballinstar better
  *                curved narrow refine rough marked level remember fit discover
  *                lean sharpen sight lowest beyond promise group enclose
  *                enclosed outside inlarge keeplarge cap challenge consider
- *                ballcoef starcoef inball considerall likeliest anypoint
+ *                ballcoef starcoef inball considerall likeliest starball
  *                newcell incell instar inblock scanleaf barren treesearch
  *                onhull prepare proven apex
  *   one star     exchange settle
@@ -192,7 +192,7 @@ extern void tess_prove(int fact);
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
 /* With short lists, for small machines, the code for supports is left out. */
-#define SEEK(m) (TESS_LIST >= 128 && (m)->seek)
+#define SEEK(m) (TESS_LIST >= 128 && (m)->patience > 0.0)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
 #define LEANING(f) (TESS_LIST >= 128 && (f)->near != NONE)
 /* Cylinders are made when the points of leaves that were tested are SCANS times
@@ -200,7 +200,7 @@ extern void tess_prove(int fact);
  * boxes. */
 #define SCANS 100.0
 #define SLENDER 0.7
-#define ENCLOSED(m) (TESS_LIST >= 128 && (m)->cylinder != NULL)
+#define ENCLOSED(m) (TESS_LIST >= 128 && (m)->round == 2)
 /* Points of a cell, at most, and cells; a large ball has more than LARGE. */
 #define CELL 12
 #define CELLS 4
@@ -286,32 +286,38 @@ typedef struct list {
     tess_int id[TESS_LIST + LEAF];
 } list;
 
-/* A search for the apex of one facet. */
+/* A search for the apex of one facet.  w is a point relative to the base,
+ * height(w) its height over the support that the facet leans on. */
 typedef struct quest {
+    /* the facet */
     tess_int v[3];            /* its vertices; the open side is positive */
     double f[HH_FACET_LEN];   /* its Householder set-up, */
     int base;                 /* of which v[base] is the base */
+    int first;                /* v[first] is the large ball's; 3: the facet */
+                              /* is on that, without it; NONE: it is not */
+    /* the best point */
     tess_int best;            /* the best point yet, exactly, or NONE */
     double lo, hi;            /* its L-coordinate is between them */
-    int limbs;                /* 1: its ball has been found by limbs: t; 2: */
-                              /* the ball is that of a cap */
-    hh_ball t;
     int tied;                 /* points met that are exactly on its ball */
-    int first;                /* v[first] is the large ball's, or NONE */
     int asked;                /* comparisons left to the exact predicates */
-    int ball;                 /* there is a ball to prune with: centre c, */
-    double c[3];              /* relative to f[6..8], wrong by at most dc */
-    double dc, size;          /* and |c|_1 */
-    double scanned;           /* what is added to the mesh's */
-    int nsome, open;          /* sample of the points, near no support, that */
-    tess_int some[SOME];      /* were left open, or, open = 0, of leaves: */
-    tess_int opened, stride;  /* every stride-th one of so many */
-    int near;                 /* the facet is near this support, or NONE: */
-    double h, dh, tilt[3], dtilt; /* G = height - h - tilt.w is 0 on it */
+    /* its ball */
+    int ball;                 /* there is one to prune with: its centre c, */
+    double c[3];              /* relative to the base, is wrong by at most */
+    double dc, size;          /* dc; size is |c|_1 */
+    int limbs;                /* 1: it was found by limbs: t; 2: it is that */
+    hh_ball t;                /* of a cap */
+    /* the support */
+    int near;                 /* its number, or NONE; on the facet */
+    double h, dh;             /* height(w) - h - tilt.w is 0, h being the */
+    double tilt[3], dtilt;    /* base's height; dh, dtilt bound the errors */
     double g;                 /* a plane: the height of the facet's normal */
-    int aimed;                /* sight's test is for the best point there is: */
-    double a, q, d[3], dd;    /* a (height - h) + q |w|^2 - d.w, each w[k] */
-    double err;               /* wrong by dd w[k], and all by err */
+    int aimed;                /* sight's test is for this ball: no candidate */
+    double a, q, d[3];        /* where a (height - h) + q |w|^2 - d.w > 0; */
+    double dd, err;           /* each w[k] is wrong by dd w[k], all by err */
+    /* the sample of points, for a support */
+    int open;                 /* 1: they were left open; 0: are of leaves */
+    tess_int opened;          /* of so many */
+    tess_int some[SOME];
 } quest;
 
 /* A support: a plane or a sphere that many points are near to.  Mark k, 0 ...
@@ -322,7 +328,6 @@ typedef struct quest {
 typedef struct support {
     hh_ball t;
     int plane;
-    double sign;              /* of a height by limbs */
     double at[3], c[3], size; /* seen from at: unit normal, or centre; |c|_1 */
     double low, grain;
     tess_int *least;
@@ -358,18 +363,20 @@ typedef struct mesh {
     tess_int plane[PLANES][3];
     int nplane, nextplane;
     list block, around;       /* lists of a leaf, and of a star in it */
-    int ties;                 /* the last points on a ball were not in it */
+    int ties;                 /* the last search in a star's list met points */
+                              /* in the ball, the best of them 0: inside, 1: */
+                              /* about on it, 2: on it, exactly */
     cell cells[CELLS];        /* those met in this star, the last ones of */
     int ncell;                /* so many */
-    int tied;                 /* the last ties in a star's list were exact */
     tess_int large[4], first; /* on the large ball, and its first, or NONE; */
     double least;             /* coordinate of absolute value above 0, if any */
     support supports[SUPPORTS];
-    int nsupport, seek;       /* how many there are; look for more? */
+    int nsupport;             /* how many there are */
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
-    double burden, patience;  /* comparisons left open, how many may be */
-    double *cylinder;         /* see group; or NULL */
-    double scanned;           /* points of leaves tested, or < 0 */
+    double burden, patience;  /* comparisons left open, over all points, and */
+                              /* how many may be; 0: no more is sought */
+    int round;                /* cylinders: 0 none, 1 may be made, 2 are made */
+    double scanned;           /* points of leaves tested */
 } mesh;
 
 /* Lengths for n points: the least ones of iw and rw, and what is recommended
@@ -1090,7 +1097,7 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* powererr - how wrong the power |w|^2 - 2 c.w may be for |w|_1 <= size: c is
+/* powererr - bound on the error of the power |w|^2 - 2 c.w, |w|_1 <= size: c is
  * wrong by dc; each w[k] (w[k] - 2 c[k]) is the result of at most 6 roundings,
  * with w[k] itself twice and the sum's, each of at most EPS |w[k]| (|w[k]| + 2
  * |c[k]|); size, and this, may come out too small by a few EPS. */
@@ -1099,12 +1106,12 @@ static double powererr(const quest *f, double size)
     return size * (2.0 * f->dc + 8.0 * EPS * (size + 2.0 * f->size)) + FAINT;
 }
 
-/* prunebox - has the box lo, hi certainly no candidate: no point that is in the
- * ball of a search, if there is one, or on it, or none on the positive side?
- * The least power |w|^2 - 2 c.w and the greatest side of its points count,
- * less their errors: powererr; E |w|, which covers the rounding of the side,
- * too.  Both are taken at a point of the box's own doubles, so the same bounds
- * hold as for a point. */
+/* prunebox - returns 1 if the box lo, hi provably holds no candidate: no point
+ * inside or on the ball of the search, if there is one, or none on the positive
+ * side.  It compares the least power |w|^2 - 2 c.w and the greatest side in the
+ * box with the bounds on their errors: powererr, and E |w|, which covers the
+ * rounding of the side, too.  Both are taken at a point whose coordinates are
+ * the box's own doubles, so the bounds for points hold. */
 static int prunebox(const quest *f, const double *lo, const double *hi)
 {
     double power = 0.0, side = 0.0, size = 0.0, l, h, u, v;
@@ -1127,28 +1134,10 @@ static int prunebox(const quest *f, const double *lo, const double *hi)
            (f->f[9] <= HH_LOOSE && side < -f->f[9] * size - FAINT);
 }
 
-/* prunepart - is there no candidate in that part of the root's box in
- * which coordinate k is between lo and hi? */
-static int prunepart(const mesh *m, const quest *f, int k, double lo, double hi)
-{
-    const double *root = m->box + 6;
-    double from[3], to[3];
-    int i;
-
-    if (lo >= hi) return 1;
-    for (i = 0; i < 3; i++) {
-        from[i] = root[i];
-        to[i] = root[3 + i];
-    }
-    from[k] = lo;
-    to[k] = hi;
-    return prunebox(f, from, to);
-}
-
-/* ballinbox - is the part of the ball that may have points, its part in the
- * root's box, inside the box of a list?  The true ball has its centre within
- * dc of c and passes through the base, as does the one about c: its radius is
- * at most |c| + dc, so that along an axis it ends within |c| + 2 dc of c. */
+/* ballinbox - returns 1 if the part of the ball that may hold points, that in
+ * the root's box, lies inside the box of a list.  The centre of the true ball
+ * is within dc of c, and both balls pass through the base: so its radius is at
+ * most |c| + dc, and along an axis it ends within |c| + 2 dc of c. */
 static int ballinbox(const mesh *m, const quest *f, const list *l)
 {
     const double *root = m->box + 6;
@@ -1158,11 +1147,9 @@ static int ballinbox(const mesh *m, const quest *f, const list *l)
     if (l->n == 0) return 0;
     r = r * (1.0 + PAD) + 2.0 * f->dc;
     for (k = 0; k < 3; k++) {
-        if (f->c[k] - r < l->lo[k] - f->f[6 + k] &&
-            !prunepart(m, f, k, root[k], l->lo[k]))
+        if (l->lo[k] > root[k] && f->c[k] - r < l->lo[k] - f->f[6 + k])
             return 0;
-        if (f->c[k] + r > l->hi[k] - f->f[6 + k] &&
-            !prunepart(m, f, k, l->hi[k], root[3 + k]))
+        if (l->hi[k] < root[3 + k] && f->c[k] + r > l->hi[k] - f->f[6 + k])
             return 0;
     }
     return 1;
@@ -1205,23 +1192,23 @@ static int better(const mesh *m, const quest *f, tess_int z)
 }
 #endif
 
-/* curved - is the facet near a sphere? */
+/* curved - returns 1 if the facet's support is a sphere. */
 static int curved(const mesh *m, const quest *f)
 {
     return LEANING(f) && !m->supports[f->near].plane;
 }
 
-/* narrow - the L-coordinate of the best point of a search is at most l. */
+/* narrow - record that the best point's L-coordinate is at most l, and set the
+ * ball of that. */
 static void narrow(quest *f, double l)
 {
     f->hi = l;
     f->aimed = 0;
     if (f->limbs || l > MUCHL || l < -MUCHL) return;
     f->ball = 1;
-    /* what is better than the best point is, on the positive side, in the ball
-     * of any L above its: so its error does not add to the ball's.  It is large
-     * where balls are flat: points near a plane took 10 times as long with
-     * it. */
+    /* on the positive side, a better point is in the ball of any L above the
+     * best point's, so the error of L does not count.  It is large where balls
+     * are flat: with it, points near a plane took 10 times as long. */
     f->c[0] = f->f[3] + l * f->f[0];
     f->c[1] = f->f[4] + l * f->f[1];
     f->c[2] = f->f[5] + l * f->f[2];
@@ -1315,29 +1302,27 @@ static int level(const mesh *m, int j, tess_int z, double *h, double *err)
     if (marked(m, j, z, h)) return 1;
     *h = rough(m, s, z, err);
     if (fabs(*h) > *err - s->low) return 0;
-    *h = s->sign * hh_height(&m->set, &s->t, z, s->plane, err);
+    *h = hh_height(&m->set, &s->t, z, s->plane, err);
     return *err <= s->grain && fabs(*h) <= -s->low;
 }
 
-/* remember - z among the points that were left open, or one of two, of four ...
- * of them; until there are such, instead, points of leaves where the search
- * went.  Points with a mark, too: they may be on a finer support. */
+/* remember - z among the points that were left open, or, until there are such,
+ * of leaves where the search went: in a sample of SOME of them, in which it
+ * takes another's place by chance, but by the same chance everywhere.  Points
+ * with a mark, too: they may be on a finer support. */
 static void remember(quest *f, tess_int z, int open)
 {
-    int i;
+    tess_int place;
 
     if (f->opened == 0 || open > f->open) {
         f->open = open;
-        f->opened = f->nsome = 0;
-        f->stride = 1;
+        f->opened = 0;
     }
-    if (open < f->open || f->opened++ % f->stride != 0) return;
-    if (f->nsome == SOME) {
-        f->nsome = SOME / 2;
-        f->stride *= 2;
-        for (i = 1; i < SOME / 2; i++) f->some[i] = f->some[2 * i];
-    }
-    f->some[f->nsome++] = z;
+    if (open < f->open) return;
+    place = f->opened++;
+    if (place >= SOME)
+        place = (tess_int)(z % 30269L * 137 % 30269) % f->opened;
+    if (place < SOME) f->some[place] = z;
 }
 
 /* fit - set up a support through the widest of the points that a search left
@@ -1346,33 +1331,26 @@ static void remember(quest *f, tess_int z, int open)
  * sheets.  A plane where they are no sphere: sheets near each other are one. */
 static int fit(mesh *m, const quest *f, support *s)
 {
-    tess_int v[4], i;
-    double u[3 * SOME], h[SOME], wide[3], most, x, err, worst = 0.0;
-    int n = f->nsome, far, k, j, up = 0;
+    tess_int v[4], z;
+    double u[3 * SOME], h[SOME], e[3], wide[3], x, err, worst = 0.0;
+    int n = f->opened < SOME ? (int)f->opened : SOME, far, i, j, k, up = 0;
 
     v[0] = f->v[0];
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++)
             u[3 * i + k] = m->x[3 * f->some[i] + k] - m->x[3 * v[0] + k];
     for (j = 0; j < 3; j++) { /* the farthest one, and what is left of all */
-        most = 0.0;
-        for (i = far = 0; i < n; i++) {
-            x = u[3 * i] * u[3 * i] + u[3 * i + 1] * u[3 * i + 1] +
-                u[3 * i + 2] * u[3 * i + 2];
-            if (x > most) {
-                most = x;
-                far = (int)i;
-            }
-        }
+        for (i = far = 0; i < n; i++)
+            if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * far, u + 3 * far))
+                far = i;
         v[j + 1] = f->some[far];
-        wide[j] = sqrt(most);
-        if (j < 2 && wide[j] <= 1e-6 * wide[0] + HH_SMALL) return 0;
+        wide[j] = sqrt(dot(u + 3 * far, u + 3 * far));
         if (j == 2) break;
-        for (k = 0; k < 3; k++) h[k] = u[3 * far + k] / wide[j];
-        for (i = 0; i < n; i++) {
-            x = u[3 * i] * h[0] + u[3 * i + 1] * h[1] + u[3 * i + 2] * h[2];
-            for (k = 0; k < 3; k++) u[3 * i + k] -= x * h[k];
-        }
+        if (wide[j] <= 1e-6 * wide[0] + HH_SMALL) return 0;
+        for (k = 0; k < 3; k++) e[k] = u[3 * far + k] / wide[j];
+        for (i = 0; i < n; i++)
+            for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
+                u[3 * i + k] -= x * e[k];
     }
     for (s->plane = wide[2] < 1e-7 * wide[0]; ; s->plane = 1) {
         if (!hh_centre(&m->set, v, 0, s->plane ? v[0] : v[3], s->c, &s->t))
@@ -1382,7 +1360,7 @@ static int fit(mesh *m, const quest *f, support *s)
             x = fabs(hh_height(&m->set, &s->t, f->some[i], s->plane, &err));
             if (err > 1.0) return 0;
             if (err > worst) worst = err;
-            for (k = (int)i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
+            for (k = i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
             h[k] = x;
         }
         x = h[n / 4] < h[3 * n / 4] / FINER ? h[n / 4] : h[3 * n / 4];
@@ -1394,14 +1372,12 @@ static int fit(mesh *m, const quest *f, support *s)
     }
     s->size = fabs(s->c[0]) + fabs(s->c[1]) + fabs(s->c[2]);
     for (k = 0; k < 3; k++) s->at[k] = m->x[3 * v[0] + k];
-    s->sign = 1.0;
-    for (i = 0; i < m->np && s->plane; i += m->np / 256 + 1) {
-        x = rough(m, s, i, &err);
+    for (z = 0; z < m->np && s->plane; z += m->np / 256 + 1) {
+        x = rough(m, s, z, &err);
         up += (x > err - s->low) - (x < s->low - err);
     }
-    if (up >= 0) return 1;
-    s->sign = -1.0;
-    for (k = 0; k < 3; k++) s->c[k] = -s->c[k];
+    for (k = 0; k < 3 && up < 0; k++) s->c[k] = -s->c[k];
+    if (up < 0) s->t.unit = -s->t.unit; /* of heights by limbs, too */
     return 1;
 }
 
@@ -1409,8 +1385,8 @@ static int fit(mesh *m, const quest *f, support *s)
  * near to it that have no mark, or one of a support FINER times coarser, and
  * find the least height of each node.  It is kept if it marks some points, or
  * if the facet, near no other, and many points are near to it: facets between
- * near sheets lean on a plane that holds them all. */
-static void discover(mesh *m, quest *f)
+ * near sheets lean on a plane that holds them all.  Returns 1 if it is kept. */
+static int discover(mesh *m, quest *f)
 {
     support *s = m->supports + m->nsupport;
     tess_int node, i, last, mark, old, least, members = 0, all = 0;
@@ -1419,14 +1395,14 @@ static void discover(mesh *m, quest *f)
 
     if (m->nsupport == 0)
         for (i = 0; i < m->np; i++) m->mark[i] = 0;
-    if (!fit(m, f, s)) return;
+    if (!fit(m, f, s)) return 0;
     /* a sample of all that is near, as that may be of a corner */
     f->opened = 0;
     for (i = 0; i < m->np; i += m->np / 1024 + 1)
         if (m->link[i] != DONE &&
             fabs(rough(m, s, i, &err)) <= err - 2.0 * s->low)
             remember(f, i, 1);
-    if (f->opened > OPENED && !fit(m, f, s)) return;
+    if (f->opened > OPENED && !fit(m, f, s)) return 0;
     for (k = 0; k < 3 && across; k++)
         across = level(m, m->nsupport, f->v[k], &h, &err);
     s->least = m->mark + m->np + 2 * m->leaves * m->nsupport;
@@ -1445,7 +1421,7 @@ static void discover(mesh *m, quest *f)
             if (m->link[i] == DONE) continue;
             h = rough(m, s, i, &err);
             if (fabs(h) <= err - s->low) {
-                c = s->sign * hh_height(&m->set, &s->t, i, s->plane, &fine);
+                c = hh_height(&m->set, &s->t, i, s->plane, &fine);
                 if (fine < err) {
                     h = c;
                     err = fine;
@@ -1470,10 +1446,10 @@ static void discover(mesh *m, quest *f)
         for (i = 0; i < m->np; i++)
             if (m->mark[i] > 0 && (m->mark[i] - 1) % SUPPORTS == m->nsupport)
                 m->mark[i] = 0;
-        return;
+        return 0;
     }
-    m->nsupport++;
-    m->seek = m->nsupport < SUPPORTS;
+    if (++m->nsupport == SUPPORTS) m->patience = 0.0;
+    return 1;
 }
 
 /* lean - find the support that the facet is near to, if there is one, and its
@@ -1721,7 +1697,7 @@ static double *group(const mesh *m, tess_int node)
     tess_int level = m->leaves / 4, at = 0;
 
     for (; node < level; level /= 4) at += level;
-    return m->cylinder + 32 * (at + node - level);
+    return m->box + 12 * m->leaves + 32 * (at + node - level);
 }
 
 /* enclose - make the cylinder of a node, its numbers four places apart.  The
@@ -1733,57 +1709,50 @@ static double *group(const mesh *m, tess_int node)
 static int enclose(const mesh *m, tess_int node, double *c)
 {
     const double *b = m->box + 6 * node, *x;
-    double a[6], sum[3], mid[3], y[3], u[3], lo, hi, s, v, rr, most, pad = 0.0;
-    double volume = DBL_MAX, many;
+    double a[6], q[6], mid[3], y[3], u[3], lo, hi, s, rr, pad = 0.0;
+    double volume = DBL_MAX;
     tess_int first, last, i;
-    int rod, j, k, l;
+    int disc, j, k, l;
 
     span(m, node, &first, &last);
-    many = (double)(last - first);
     for (k = 0; k < 3; k++) {
-        a[k] = a[3 + k] = sum[k] = 0.0;
+        a[k] = a[3 + k] = 0.0;
         mid[k] = 0.5 * (b[k] + b[3 + k]);
         pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_SMALL;
     }
     for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-        for (k = 0; k < 3; k++) sum[k] += y[k] = x[k] - mid[k];
+        for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
         for (k = 0; k < 3; k++) {
             a[k] += y[k] * y[k];
             a[3 + k] += y[(k + 1) % 3] * y[(k + 2) % 3];
         }
     }
-    for (k = 0; k < 3; k++) {
-        a[k] -= sum[k] * sum[k] / many;
-        a[3 + k] -= sum[(k + 1) % 3] * sum[(k + 2) % 3] / many;
-    }
-    for (rod = 1; rod >= 0; rod--) {
-        most = FAINT;
-        u[0] = 1.0;
-        u[1] = u[2] = s = lo = hi = rr = 0.0;
+    for (disc = 0; disc < 2; disc++) {
         for (k = 0; k < 3; k++) {
             j = (k + 1) % 3;
             l = (k + 2) % 3;
-            v = rod ? a[k] : a[j] * a[l] - a[3 + k] * a[3 + k];
-            if (v <= most) continue;
-            most = u[k] = v;
-            u[j] = rod ? a[3 + l] : a[3 + k] * a[3 + j] - a[3 + l] * a[l];
-            u[l] = rod ? a[3 + j] : a[3 + k] * a[3 + l] - a[3 + j] * a[j];
+            q[k] = disc ? a[j] * a[l] - a[3 + k] * a[3 + k] : a[k];
+            q[3 + k] = disc ? a[3 + j] * a[3 + l] - a[3 + k] * a[k] : a[3 + k];
         }
-        for (k = 0; k < 3; k++)
-            if (fabs(u[k]) > most) most = fabs(u[k]);
-        for (k = 0; k < 3; k++) {
-            u[k] /= most;
-            s += u[k] * u[k];
-        }
-        for (k = 0; k < 3; k++) u[k] /= sqrt(s);
+        k = q[1] > q[0];
+        if (q[2] > q[k]) k = 2;
+        u[k] = q[k];
+        u[(k + 1) % 3] = q[3 + (k + 2) % 3];
+        u[(k + 2) % 3] = q[3 + (k + 1) % 3];
+        s = dot(u, u);
+        for (k = 0; k < 3; k++) /* too small to have a direction: any */
+            u[k] = s > FAINT ? u[k] / sqrt(s) : k == 0;
+        lo = DBL_MAX;
+        hi = -DBL_MAX;
+        rr = 0.0;
         for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
             for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
-            s = y[0] * u[0] + y[1] * u[1] + y[2] * u[2];
-            if (i == first || s < lo) lo = s;
-            if (i == first || s > hi) hi = s;
-            for (v = 0.0, k = 0; k < 3; k++)
-                v += (y[k] - s * u[k]) * (y[k] - s * u[k]);
-            if (v > rr) rr = v;
+            s = dot(y, u);
+            if (s < lo) lo = s;
+            if (s > hi) hi = s;
+            for (k = 0; k < 3; k++) y[k] -= s * u[k];
+            s = dot(y, y);
+            if (s > rr) rr = s;
         }
         if ((hi - lo) * rr >= volume) continue;
         volume = (hi - lo) * rr;
@@ -1798,25 +1767,24 @@ static int enclose(const mesh *m, tess_int node, double *c)
            SLENDER * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
 }
 
-/* enclosed - make all cylinders, unless few of the leaves' are slender. */
+/* enclosed - make all cylinders, or none if few leaves have slender ones. */
 static void enclosed(mesh *m)
 {
-    tess_int level = m->leaves / 4, node, slender = 0;
+    tess_int level, node, slender = 0;
     int i;
 
-    m->scanned = -MUCHL;
-    m->cylinder = m->box + 12 * m->leaves;
-    for (; level > 0; level /= 4) {
+    m->round = 0;
+    for (level = m->leaves / 4; level > 0; level /= 4) {
         for (node = level; node < 2 * level; node++)
             for (i = 0; i < 4; i++)
                 slender += enclose(m, 4 * node + i, group(m, node) + i);
-        if (slender < m->leaves / 2) break;
+        if (slender < m->leaves / 2) return;
     }
-    if (level > 0) m->cylinder = NULL;
+    m->round = 2;
 }
 
-/* outside - have the cylinders of a node's four grandchildren certainly no
- * candidate?  Those have past[i] > 0.
+/* outside - which cylinders of a node's four grandchildren provably hold no
+ * candidate: those with past[i] > 0.
  *
  * A point is w + s u + p from the base, w being the cylinder's centre, u its
  * axis, |s| <= h, p across u, |p| <= r.  With g = w - c, a = |g.u|, and the
@@ -1824,9 +1792,9 @@ static void enclosed(mesh *m)
  *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p),
  * the brackets at least t (t - 2 a), t the lesser of a and h, and R^2 - 2 R
  * rho, R the lesser of rho and r.  So there is none if the sum without 2 R rho
- * is positive and its square is above 4 R^2 rho^2.  Without a ball the same holds
- * for minus the side v.w, with v / 2 for c, without all squares, t = h, R = r:
- * q = 0, and far is more than any length.
+ * is positive and its square is above 4 R^2 rho^2.  Without a ball the same
+ * holds for minus the side v.w, with v / 2 for c, without all squares, t = h, R
+ * = r: q = 0, and far is more than any length.
  *
  * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r:
  * w by EPS |w|, which counts twice in the power, and with that of g in rho, 4;
@@ -1897,8 +1865,8 @@ static void outside(const mesh *m, const quest *f, tess_int node, double *past)
  * outside of this: so this, the cap's, takes the place of the search's ball.
  * It passes through a base a or b, but not through first. */
 
-/* inlarge - are the vertices of the facet v on the large ball, if there is one,
- * or, for n = 1, is v[0]? */
+/* inlarge - returns 1 if the n points v are on the large ball, if there is
+ * one. */
 static int inlarge(const mesh *m, const tess_int *v, int n)
 {
     const tess_int *q = m->large;
@@ -1910,7 +1878,7 @@ static int inlarge(const mesh *m, const tess_int *v, int n)
     return k == n;
 }
 
-/* keeplarge - the ball of a search in a star is the large one. */
+/* keeplarge - make the ball of a search the large one. */
 static void keeplarge(mesh *m, const quest *f)
 {
     int k;
@@ -1922,15 +1890,15 @@ static void keeplarge(mesh *m, const quest *f)
     }
 }
 
-/* cap - let the best point's ball be the cap's, if it may.  For first, size, of
- * |w|_1 and |c|_1 together, covers powererr. */
+/* cap - replace the best point's ball by the cap's, where that is allowed.  In
+ * the power of first, size = |w|_1 + |c|_1 covers powererr. */
 static void cap(const mesh *m, quest *f)
 {
     const double *x = m->x + 3 * m->first;
     double g[HH_FACET_LEN], size = 0.0, w[3];
     int k;
 
-    if (f->first == f->base || !inlarge(m, &f->best, 1)) return;
+    if (f->first > 2 || f->first == f->base || !inlarge(m, &f->best, 1)) return;
     hh_setup(m->x + 3 * f->v[f->base],
              m->x + 3 * f->v[3 - f->base - f->first], m->x + 3 * f->best, g);
     if (g[9] > HH_LOOSE) return;
@@ -2146,15 +2114,19 @@ static tess_int likeliest(const quest *f, const list *l, double most, int n,
     return best < 0 ? NONE : l->id[best];
 }
 
-/* anypoint - without a ball, consider a point of the list. */
-static void anypoint(const mesh *m, quest *f, const list *l)
+/* starball - the places of those points of a star's list that may be in the
+ * ball, or of all without a ball, and how many; 0 if these are none but the
+ * vertices and the best point, -1 if the ball is too large for the list. */
+static int starball(const list *l, const quest *f, int *place)
 {
-    int place[TESS_LIST], i;
-    tess_int z;
+    float d[4];
+    int in[TESS_LIST], n = 0;
 
-    for (i = 0; i < l->n; i++) place[i] = i;
-    z = likeliest(f, l, FAR / l->unit, l->n, place);
-    if (z != NONE) consider(m, f, z);
+    for (; !f->ball && n < l->n; n++) place[n] = n;
+    if (!f->ball) return n;
+    if (!starcoef(l, f, d)) return -1;
+    if (inball(l, d, in) <= 4 - f->limbs / 2) return 0;
+    return compress(in, l->n, place);
 }
 
 /* newcell - make a cell of the points exactly on the best point's ball, if all
@@ -2165,8 +2137,7 @@ static int newcell(mesh *m, quest *f)
 {
     const list *l = &m->around;
     const tess_int *v = f->v;
-    float d[4];
-    int in[TESS_LIST], place[TESS_LIST + 1], n, i, j, side;
+    int place[TESS_LIST + 1], n, i, side;
     double wide;
     tess_int z;
     cell c;
@@ -2175,11 +2146,8 @@ static int newcell(mesh *m, quest *f)
     wide = f->limbs ? 0.0 : f->hi - f->lo;
     if (wide > l->margin) return 0;
     f->dc += wide;
-    if (!ballinstar(m, f) || !starcoef(l, f, d)) return 0;
-    n = inball(l, d, in);
-    if (n <= 4 || n > CELL) return 0;
-    n = compress(in, l->n, place);
-    for (i = 0; i < CELL; i++) c.id[i] = NONE;
+    n = ballinstar(m, f) ? starball(l, f, place) : 0;
+    if (n <= 0 || n > CELL) return 0;
     for (i = c.n = 0; i < n; i++) {
         z = l->id[place[i]];
         side = 0;
@@ -2187,9 +2155,10 @@ static int newcell(mesh *m, quest *f)
             side = hh_pball(&m->set, v[0], v[1], v[2], f->best, z, 0);
         if (side < 0) return 0;
         if (side > 0) continue;
-        for (j = c.n++; j > 0 && m->order[c.id[j - 1]] > m->order[z]; j--)
-            c.id[j] = c.id[j - 1];
-        c.id[j] = z;
+        c.id[c.n++] = z;
+        if (m->order[z] > m->order[c.id[0]]) continue;
+        c.id[c.n - 1] = c.id[0];
+        c.id[0] = z;
     }
     if (c.n == 4) return 0;
     m->cells[m->ncell++ % CELLS] = c;
@@ -2204,7 +2173,7 @@ static tess_int incell(const mesh *m, const tess_int *v)
     int i, k, in;
 
     for (k = 0; k < m->ncell && k < CELLS && best == NONE; k++, c++) {
-        for (i = in = 0; i < CELL; i++)
+        for (i = in = 0; i < c->n; i++)
             in += (c->id[i] == v[1]) + (c->id[i] == v[2]);
         for (i = 0; i < c->n && in == 2; i++) {
             z = c->id[i];
@@ -2225,37 +2194,33 @@ static tess_int incell(const mesh *m, const tess_int *v)
 static int instar(mesh *m, quest *f)
 {
     const list *l = &m->around;
-    float d[4];
     double most;
     tess_int z = NONE;
-    int in[TESS_LIST], place[TESS_LIST + 1], n;
+    int place[TESS_LIST + 1], n;
 
     if (f->base != 0 || l->n == 0) return 0;
-    if (!f->ball) anypoint(m, f, l);
-    if (!f->ball || !starcoef(l, f, d)) return 0;
-    if (inball(l, d, in) > 4 - f->limbs / 2) {
-        n = compress(in, l->n, place);
+    n = starball(l, f, place);
+    if (n < 0) return 0;
+    if (n > 0) {
         most = (f->hi < FAR * l->margin ? f->hi : FAR * l->margin) -
                1e-4 * l->margin;
         /* the best of those inside the ball leaves none, as a rule; not among
          * ties, which are on it (to know that saves 6 % on lattices) */
-        if (!m->ties) z = likeliest(f, l, most, n, place);
+        if (m->ties == 0 || !f->ball) z = likeliest(f, l, most, n, place);
         if (z != NONE) {
             consider(m, f, z);
-            if (!starcoef(l, f, d)) return 0;
-            n = inball(l, d, in) > 4 - f->limbs / 2
-                    ? compress(in, l->n, place) : 0;
+            n = starball(l, f, place);
         }
-        if (m->tied && newcell(m, f)) {
+        if (n < 0 || !f->ball) return 0;
+        if (m->ties == 2 && newcell(m, f)) {
             f->best = incell(m, f->v);
             return 1;
         }
         considerall(m, f, l, n, place);
-        m->ties = f->hi > most;
-        if (f->tied > 0 && !m->tied) (void)newcell(m, f);
-        m->tied = f->tied > 0;
+        if (f->tied > 0 && m->ties < 2) (void)newcell(m, f);
+        m->ties = f->tied > 0 ? 2 : f->hi > most;
     }
-    return ballinstar(m, f);
+    return f->ball && ballinstar(m, f);
 }
 
 /* inblock - the same for the block's list.  Where the ball has room elsewhere
@@ -2274,40 +2239,49 @@ static int inblock(const mesh *m, quest *f)
     return 1;
 }
 
-/* scanleaf - consider those uncompleted points of a leaf of box b, positions
- * first ... last-1, that are not outside of the ball, or without a ball not on
- * the negative side, for which that of L = MUCHL / 2 stands, with room for
- * |w|^2: found first, without a branch. */
-static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
-                     const double *b)
+/* scanleaf - consider those uncompleted points of a leaf that are not outside
+ * the ball, or without a ball not on the negative side, for which the ball of
+ * L = MUCHL / 2 stands, with room for |w|^2.  The powers come first, as
+ * vectors, then without a branch the places of those to consider. */
+static void scanleaf(mesh *m, quest *f, tess_int leaf)
 {
-    double d[3], size = 0.0, most, w0, w1, w2;
-    const double *x = m->x + 3 * first;
-    tess_int place[LEAF], i;
-    long n = 0, k;
+    const double *b = m->box + 6 * leaf, *x;
+    double d[3], power[LEAF], size = 0.0, most, w0, w1, w2;
+    double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8], d0, d1, d2;
+    tess_int first, last, place[LEAF];
+    int n, k, passed = 0;
 
+    span(m, leaf, &first, &last);
+    x = m->x + 3 * first;
+    n = (int)(last - first);
+    m->scanned += (double)n;
     COUNT(N_LEAF, 1);
-    COUNT(N_LIST, last - first);
+    COUNT(N_LIST, n);
     for (k = 0; k < 3; k++) {
         d[k] = f->ball ? 2.0 * f->c[k] : MUCHL * f->f[k];
         size += fabs(b[k] - f->f[6 + k]) + fabs(b[3 + k] - f->f[6 + k]);
     }
     most = f->f[9] <= HH_LOOSE ? f->f[9] + 16.0 * EPS : 2.0;
     most = f->ball ? powererr(f, size) : MUCHL * (size * most + FAINT);
-    for (i = first; i < last; i++, x += 3) {
-        w0 = x[0] - f->f[6];
-        w1 = x[1] - f->f[7];
-        w2 = x[2] - f->f[8];
-        place[n] = i;
-        n += (m->link[i] != DONE) &
-             (w0 * (w0 - d[0]) + w1 * (w1 - d[1]) + w2 * (w2 - d[2]) <= most);
+    d0 = d[0], d1 = d[1], d2 = d[2];
+    for (k = 0; k < n; k++) {
+        w0 = x[3 * k] - b0;
+        w1 = x[3 * k + 1] - b1;
+        w2 = x[3 * k + 2] - b2;
+        power[k] = w0 * (w0 - d0) + w1 * (w1 - d1) + w2 * (w2 - d2);
     }
-    for (k = 0; k < n; k++)
-        consider(m, f, place[k]); /* NOLINT: n places are set */
+    for (k = 0; k < n; k++) {
+        place[passed] = first + k;
+        passed += power[k] <= most;
+    }
+    for (k = 0; k < passed; k++)
+        if (m->link[place[k]] != DONE) /* NOLINT: places are set */
+            consider(m, f, place[k]);
+    if (SEEK(m) && m->link[first] != DONE) remember(f, first, 0);
 }
 
 #ifdef TESS_PROVE
-/* barren - has no point of a node anything better than the best point? */
+/* barren - returns 1 if no point of a node is better than the best point. */
 static int barren(const mesh *m, const quest *f, tess_int node)
 {
     tess_int i, last = node;
@@ -2321,70 +2295,58 @@ static int barren(const mesh *m, const quest *f, tess_int node)
 }
 #endif
 
-/* treesearch - finish a search by the tree: the leaf of v[0] first, then its
- * parent's other child, and so on up to the root, or by cylinders its
- * grandparent's other three grandchildren, which are on the stack as minus the
- * one that is done with; near a support from the root down, the child of lesser
- * height first, as the apex may be anywhere. */
-static void treesearch(const mesh *m, quest *f)
+/* treesearch - finish a search by the tree: the leaf of the base first, then
+ * its parent's other child, and so on up to the root, or by cylinders its
+ * grandparent's other three grandchildren; top is the node all below which has
+ * been searched.  Near a support from the root down, the child of lesser height
+ * first, as the apex may be anywhere. */
+static void treesearch(mesh *m, quest *f)
 {
-    tess_int stack[DEPTH], node = 1, i, last;
+    tess_int stack[DEPTH], node = 1, top = 1, from;
     const double *b;
     double past[4];
     int depth = 1, n, fours;
 
-    stack[0] = 1;
     fours = ENCLOSED(m) && !LEANING(f) && (f->ball || f->f[9] <= HH_LOOSE);
-    if (!LEANING(f)) {
-        node = m->leaves + leafof(m, f->v[0]);
-        for (i = node, depth = 0; i > 1; i /= fours && i > 3 ? 4 : 2) depth++;
-        n = depth;
-        stack[depth++] = node;
-        for (i = node; i > 1; i /= fours && i > 3 ? 4 : 2)
-            stack[--n] = fours && i > 3 ? -i : i % 2 == 0 ? i + 1 : i - 1;
-    }
-    while (depth > 0) {
-        node = stack[--depth];
-        i = 0;
-        if (node < 0) {
-            i = -node;
-            node = i / 4;
-        } else if (m->alive[node] == 0)
-            continue;
+    if (!LEANING(f)) node = top = m->leaves + leafof(m, f->v[f->base]);
+    stack[0] = node;
+    while (depth > 0 || top > 1) {
+        from = top;
+        if (depth > 0)
+            node = stack[--depth];
+        else if (fours && top > 3)
+            node = top /= 4;
+        else {
+            node = top % 2 == 0 ? top + 1 : top - 1;
+            top /= 2;
+        }
+        if (m->alive[node] == 0) continue;
         if (fours && node < m->leaves) {
             COUNT(N_NODE, 4);
             outside(m, f, node, past);
             for (n = 3; n >= 0; n--)
                 if (past[n] > 0.0) {
                     HOLDS(barren(m, f, 4 * node + n));
-                } else if (4 * node + n != i)
+                } else if (4 * node + n != from)
                     stack[depth++] = 4 * node + n;
             continue;
         }
         COUNT(N_NODE, 1);
         b = m->box + 6 * node;
-        if (LEANING(f)) {
-            if (promise(m, f, node)) {
-                HOLDS(barren(m, f, node));
-                continue;
-            }
-        } else if (prunebox(f, b, b + 3))
-            continue;
-        if (node < m->leaves) {
+        if (LEANING(f) ? promise(m, f, node) : prunebox(f, b, b + 3)) {
+            HOLDS(barren(m, f, node));
+        } else if (node >= m->leaves)
+            scanleaf(m, f, node);
+        else {
             n = LEANING(f) && m->supports[f->near].least[2 * node] <
-                                       m->supports[f->near].least[2 * node + 1];
+                                  m->supports[f->near].least[2 * node + 1];
             stack[depth++] = 2 * node + n;
             stack[depth++] = 2 * node + 1 - n;
-            continue;
         }
-        span(m, node, &i, &last);
-        f->scanned += (double)(last - i);
-        scanleaf(m, f, i, last, b);
-        if (SEEK(m) && m->link[i] != DONE) remember(f, i, 0);
     }
 }
 
-/* onhull - does the facet lie in a plane known to bound the hull? */
+/* onhull - returns 1 if the facet lies in a plane known to bound the hull. */
 static int onhull(const mesh *m, const quest *f)
 {
     const tess_int *h;
@@ -2402,41 +2364,44 @@ static int onhull(const mesh *m, const quest *f)
 }
 
 /* prepare - begin the search for the apex of the facet v.  Its base is v[0],
- * or if the angle there is small the vertex opposite to the longest edge. */
+ * or v[1] if v[0] is the large ball's first, or if the angle there is small the
+ * vertex opposite to the longest edge. */
 static void prepare(const mesh *m, quest *f, const tess_int *v)
 {
-    const double *a = m->x + 3 * v[0], *b = m->x + 3 * v[1];
-    const double *c = m->x + 3 * v[2];
-    double ab = 0.0, bc = 0.0, ca = 0.0;
-    int k;
+    const double *p[3], *a, *b;
+    double edge, longest = 0.0;
+    int k, base;
 
-    for (k = 0; k < 3; k++) f->v[k] = v[k];
-    f->base = f->asked = f->limbs = f->tied = 0;
-    f->opened = 0;
-    f->scanned = 0.0;
-    f->near = NONE;
-    f->best = NONE;
-    f->ball = 0;
-    f->hi = DBL_MAX;
-    f->dc = f->size = f->c[0] = f->c[1] = f->c[2] = 0.0;
-    hh_setup(a, b, c, f->f);
-    if (f->f[9] < 8000.0 * EPS) {
-        if (SUPPORTED(m)) lean(m, f);
-        return;
-    }
+    f->first = inlarge(m, v, 3) ? 3 : NONE;
     for (k = 0; k < 3; k++) {
-        ab += (b[k] - a[k]) * (b[k] - a[k]);
-        bc += (c[k] - b[k]) * (c[k] - b[k]);
-        ca += (a[k] - c[k]) * (a[k] - c[k]);
+        p[k] = m->x + 3 * v[k];
+        f->v[k] = v[k];
+        f->c[k] = 0.0;
+        if (f->first != NONE && v[k] == m->first) f->first = k;
     }
-    if (ca > ab && ca > bc) {
-        f->base = 1;
-        hh_setup(b, c, a, f->f);
-    } else if (ab > bc) {
-        f->base = 2;
-        hh_setup(c, a, b, f->f);
+    f->best = f->near = NONE;
+    f->asked = f->limbs = f->tied = f->ball = 0;
+    f->opened = 0;
+    f->dc = f->size = 0.0;
+    f->hi = DBL_MAX;
+    f->base = base = f->first == 0;
+    hh_setup(p[base], p[base + 1], p[(base + 2) % 3], f->f);
+    if (f->f[9] >= 8000.0 * EPS) {
+        for (k = 0; k < 3; k++) {
+            a = p[(k + 1) % 3];
+            b = p[(k + 2) % 3];
+            edge = (a[0] - b[0]) * (a[0] - b[0]) +
+                   (a[1] - b[1]) * (a[1] - b[1]) +
+                   (a[2] - b[2]) * (a[2] - b[2]);
+            if (edge <= longest) continue;
+            longest = edge;
+            base = k;
+        }
+        if (base != f->base)
+            hh_setup(p[base], p[(base + 1) % 3], p[(base + 2) % 3], f->f);
+        f->base = base;
+        if (f->f[9] > THIN) hh_thin(&m->set, v, base, f->f);
     }
-    if (f->f[9] > THIN) hh_thin(&m->set, v, f->base, f->f);
     if (SUPPORTED(m)) lean(m, f);
 }
 
@@ -2461,24 +2426,14 @@ static int proven(const mesh *m, const tess_int *v, tess_int c)
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 {
     quest f;
-    tess_int w[3];
     double h;
     int k, lists;
 
     COUNT(N_FACET, 1);
     if (m->ncell > 0 && (f.best = incell(m, v)) != NONE) return f.best;
-    f.first = NONE;
-    for (k = 0; k < 3; k++) w[k] = v[k];
-    if (inlarge(m, v, 3)) {
-        /* its base is not first */
-        for (k = 0; k < 3 && v[0] == m->first; k++) w[k] = v[(k + 1) % 3];
-        for (k = 0; k < 3; k++)
-            if (w[k] == m->first) f.first = k;
-        if (f.first == NONE &&
-            hh_pside(&m->set, v[0], v[1], v[2], m->first) > 0)
-            return m->first;
-    }
-    prepare(m, &f, w);
+    prepare(m, &f, v);
+    if (f.first == 3 && hh_pside(&m->set, v[0], v[1], v[2], m->first) > 0)
+        return m->first;
     for (k = 0; k < 2; k++)
         if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
             guess[k] != f.best)
@@ -2486,7 +2441,6 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     /* a ball that is a support's sphere but for rounding is in no list */
     lists = !curved(m, &f) ||
             (f.best != NONE && !marked(m, f.near, f.best, &h));
-    lists = lists && w[0] == v[0];
     if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);
         return f.best;
@@ -2500,15 +2454,14 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     COUNT(N_TREE, 1);
     treesearch(m, &f);
     if (f.tied > LARGE && m->block.first != NONE) keeplarge(m, &f);
-    m->scanned += f.scanned;
-    if (TESS_LIST >= 128 && m->scanned > SCANS * (double)m->np) enclosed(m);
+    if (TESS_LIST >= 128 && m->round == 1 &&
+        m->scanned > SCANS * (double)m->np)
+        enclosed(m);
     if (f.opened > OPENED && SEEK(m)) {
-        m->burden += (double)f.opened;
-        if (m->burden > m->patience * (double)m->np) {
-            k = m->nsupport;
-            discover(m, &f);
+        m->burden += (double)f.opened / (double)m->np;
+        if (m->burden > m->patience) {
             m->burden = 0.0;
-            if (m->nsupport == k) m->patience *= 2.0;
+            if (!discover(m, &f)) m->patience *= 2.0;
         }
     }
     if (f.best == NONE) {
@@ -2589,11 +2542,9 @@ static void settle(mesh *m, tess_int s, tess_int *v)
         if (same >= 3)
             z = apex(m, f, guess);
         else {
-            search.first = NONE;
             prepare(m, &search, f);
             challenge(m, &search, z);
-            scanleaf(m, &search, first, first + size,
-                     m->box + 6 * (m->leaves + leaf));
+            scanleaf(m, &search, m->leaves + leaf);
             z = search.best;
         }
         same++;
@@ -3051,11 +3002,11 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->known = iw + 2 * n;
     m->alive = m->known + KEEP;
     m->link = m->order; /* no star is complete: no entry is DONE */
-    m->nplane = m->nextplane = m->ties = m->nsupport = m->seek = 0;
-    m->ncell = m->tied = 0;
+    m->nplane = m->nextplane = m->ties = m->nsupport = 0;
+    m->ncell = 0;
     m->first = NONE;
-    m->cylinder = NULL;
-    m->scanned = -MUCHL;
+    m->round = 0;
+    m->scanned = m->patience = 0.0;
     m->block.first = m->block.last = NONE;
     m->np = m->block.n = m->around.n = 0;
 }
@@ -3365,14 +3316,13 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     m.room = liw - 4 * n - 2 * leafcount(n) - KEEP;
     (void)lengths(n, &w);
     if (w.cylinders > 0 && mine == NULL && lrw - w.rw >= w.cylinders)
-        m.scanned = 0.0;
+        m.round = 1;
     if (w.marks > 0 && liw - w.iw - w.pool >= w.marks) {
         m.room -= w.marks;
         m.mark = m.pool + m.room;
         m.burden = 0.0;
-        m.patience = BURDEN;
         /* doubles decide all where points are in few units */
-        m.seek = m.set.t5 < PLAIN;
+        if (m.set.t5 < PLAIN) m.patience = BURDEN;
     }
     m.maxtet = maxtet;
     m.fresh = m.ntet = *ntet;

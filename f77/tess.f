@@ -124,7 +124,7 @@ C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
 C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
 C         starlist TSSTLI
 C       apex: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
-C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
+C         ballinbox TSBINB, ballinstar TSBINS,
 C         curved TSCURV, narrow TSNARR, refine TSREFI, rough TSROUG,
 C         marked TSMRKD, level TSLEVE, remember TSREME, fit TSFIT,
 C         discover TSDISC, lean TSLEAN, sharpen TSSHAR, sight TSSIGH,
@@ -133,7 +133,7 @@ C         group TSGROU, enclose TSENCL, enclosed TSECLD,
 C         outside TSOUTS, inlarge TSINLA, keeplarge TSKEEP, cap TSCAP,
 C         challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
 C         starcoef TSSTAC, inball TSINBA, considerall TSCALL,
-C         likeliest TSLIKE, anypoint TSANYP, newcell TSNEWC,
+C         likeliest TSLIKE, starball TSSTBA, newcell TSNEWC,
 C         incell TSINCE, instar TSINST, inblock TSINBL, scanleaf TSSCAN,
 C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
 C         apex TSAPEX
@@ -200,10 +200,12 @@ C       OLDEST, NEWEST  edges of the link, the newest the lowest
 C       LOW     no vertex of a smaller position owns facets
 C       NPLANE  hull planes that are remembered;  NEXTPL the one to be
 C               replaced next;  PLANE0 the place before them
-C       TIES    1: the last points on a ball were not in it
+C       TIES    of the last search in a star's list that met points in
+C               the ball, the best of them was 0: inside, 1: about on
+C               it, 2: on it, exactly
 C       UNMET   no vertex before it is NEW and asked for
-C       ROUND   1: there are cylinders, behind BOX(6,2*CTL(LEAVES))
-C       TIED    1: the last ties in a star's list were exact
+C       ROUND   cylinders, behind BOX(6,2*CTL(LEAVES)): 0 none, 1 may be
+C               made, 2 are made
 C       NCELL   cells of this star: CELLS at most, the last ones, are
 C               kept, each how many points it has and these, CELL at
 C               most, the least number first;  CELL0 the place before
@@ -211,12 +213,14 @@ C     RCTL, its doubles:
 C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
 C       RSCALE  X = P 2**(-RSCALE)
-C       RSUPP   supports that there are;  RSEEK is 1: look for more
-C       RBURDN  comparisons left open;  RPATIE how many may be, over NP
+C       RSUPP   supports that there are
+C       RBURDN  comparisons left open, over NP;  RPATIE how many may be;
+C               0: no more is sought
 C       RLEAST  the least absolute value of a coordinate above 0
-C       RSCAN   points of leaves tested, or below 0
+C       RSCAN   points of leaves tested
 C       RTIED   points that a search met exactly on its ball
-C       RSLOT   V(RSLOT) is the large ball's first, or 0
+C       RSLOT   V(RSLOT) is the large ball's first; 4: the facet is on
+C               that, but without it; 0: it is not on it
 C       RFIRST  the large ball's first, or 0;  behind RLARGE four
 C               points on it
 C     A support J, a plane or a sphere that many points are near to, is
@@ -224,7 +228,6 @@ C     behind RCTL(RSUP + LSUP*(J-1)).  Mark K, 0 ... GRAINS - 1, of one
 C     of them is a height between SLOW + (K - 1/2) SGRAIN and SLOW + (K
 C     + 3/2) SGRAIN, SLOW < 0.  It begins with a ball (see HHCENT):
 C       SPLANE  1, or 0 for a sphere
-C       SSIGN   of a height by limbs
 C       SAT, SC, SSIZE  seen from what is behind SAT: behind SC the unit
 C               normal, or the centre; |C|_1
 C       SLOW, SGRAIN  as above
@@ -248,9 +251,9 @@ C               cap; QBALL: there is a ball to prune with; QBASE:
 C               V(QBASE) is the base of F; QASKED: comparisons left to
 C               the exact predicates; QNEAR: the facet is near this
 C               support, or 0; QAIMED: TSSIGH's test is for the best
-C               point there is; behind QSOME QNSOME of the points,
+C               point there is; behind QSOME a sample of the points,
 C               near no support, that were left open, or, QOPEN = 0, of
-C               leaves: every QSTRID-th one of QOPEND
+C               leaves: of QOPEND
 C       FQ      the best point's L-coordinate is between QLO and QHI;
 C               behind QC the ball's centre, relative to F(7..9), wrong
 C               by at most QDC; QSIZE = |C|_1; behind QLIMB the ball by
@@ -1363,7 +1366,7 @@ C     TSDOT - the product of two vectors.
       TSDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
       END
 
-C     TSPOWE - how wrong the power |W|**2 - 2 C.W may be for |W|_1 <=
+C     TSPOWE - bound on the error of the power |W|**2 - 2 C.W, |W|_1 <=
 C     LENGTH: C is wrong by dc; each W(K) (W(K) - 2 C(K)) is the result
 C     of at most 6 roundings, with W(K) itself twice and the sum's, each
 C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|); LENGTH, and this, may
@@ -1378,16 +1381,17 @@ C     come out too small by a few EPS.
      $    2.0D0*FQ(QSIZE))) + FAINT
       END
 
-C     TSPRUN - has the box of a node certainly no candidate: no point
-C     that is in the ball of a search, if there is one, or on it, or
-C     none on the positive side: 1, or 0.  The least power |W|**2 - 2
-C     C.W and the greatest side of its points count, less their errors:
-C     TSPOWE; E |W|, which covers the rounding of the side, too.  Both
-C     are taken at a point of the box's own doubles, so the same bounds
-C     hold as for a point.
+C     TSPRUN - returns 1 if the box of a node provably holds no
+C     candidate: no point inside or on the ball of the search, if there
+C     is one, or none on the positive side; or 0.  It compares the least
+C     power |W|**2 - 2 C.W and the greatest side in the box with the
+C     bounds on their errors: TSPOWE, and E |W|, which covers the
+C     rounding of the side, too.  Both are taken at a point whose
+C     coordinates are the box's own doubles, so the bounds for points
+C     hold.
       INTEGER FUNCTION TSPRUN(IQ, F, FQ, BOX, NODE)
       DOUBLE PRECISION F(12), FQ(108), BOX(6,*)
-      INTEGER IQ(43), NODE
+      INTEGER IQ(41), NODE
       DOUBLE PRECISION TSPOWE
       INTEGER QBALL, QC
       PARAMETER (QBALL = 3, QC = 2)
@@ -1415,33 +1419,14 @@ C     hold as for a point.
       END IF
       END
 
-C     TSPRPA - is there no candidate in that part of the root's box in
-C     which coordinate K is between LO and HI: 1, or 0.
-      INTEGER FUNCTION TSPRPA(BOX, IQ, F, FQ, K, LO, HI)
-      DOUBLE PRECISION BOX(6,*), F(12), FQ(108), LO, HI
-      INTEGER IQ(43), K
-      INTEGER TSPRUN
-      DOUBLE PRECISION PART(6,1)
-      INTEGER I
-      TSPRPA = 1
-      IF (LO .GE. HI) RETURN
-      DO 10 I = 1, 6
-        PART(I,1) = BOX(I,1)
-   10 CONTINUE
-      PART(K,1) = LO
-      PART(3+K,1) = HI
-      TSPRPA = TSPRUN(IQ, F, FQ, PART, 1)
-      END
-
-C     TSBINB - is the part of the ball that may have points, its part in
-C     the root's box, inside the box of a list: 1, or 0.  The true ball
-C     has its centre within dc of C and passes through the base, as does
-C     the one about C: its radius is at most |C| + dc, so that along an
+C     TSBINB - returns 1 if the part of the ball that may hold points,
+C     that in the root's box, lies inside the box of a list, or 0.  The
+C     centre of the true ball is within dc of C, and both balls pass
+C     through the base: so its radius is at most |C| + dc, and along an
 C     axis it ends within |C| + 2 dc of C.
-      INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
+      INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
-      INTEGER LSI(3,2), LIST, IQ(43)
-      INTEGER TSPRPA
+      INTEGER LSI(3,2), LIST
       INTEGER LN, LLO, LHI, QC, QDC
       PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
       DOUBLE PRECISION PAD
@@ -1454,14 +1439,10 @@ C     axis it ends within |C| + 2 dc of C.
      $         FQ(QC+3)*FQ(QC+3))
       R = R*(1.0D0 + PAD) + 2.0D0*FQ(QDC)
       DO 10 K = 1, 3
-        IF (FQ(QC+K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) THEN
-          IF (TSPRPA(BOX, IQ, F, FQ, K, BOX(K,1),
-     $        LSD(LLO+K,LIST)) .EQ. 0) RETURN
-        END IF
-        IF (FQ(QC+K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) THEN
-          IF (TSPRPA(BOX, IQ, F, FQ, K, LSD(LHI+K,LIST),
-     $        BOX(3+K,1)) .EQ. 0) RETURN
-        END IF
+        IF (LSD(LLO+K,LIST) .GT. BOX(K,1) .AND.
+     $      FQ(QC+K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) RETURN
+        IF (LSD(LHI+K,LIST) .LT. BOX(3+K,1) .AND.
+     $      FQ(QC+K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) RETURN
    10 CONTINUE
       TSBINB = 1
       END
@@ -1500,22 +1481,22 @@ C     of A, B and the products take.
       TSBINS = 0
       END
 
-C     TSCURV - is the facet near a sphere: 1, or 0.
+C     TSCURV - returns 1 if the facet's support is a sphere, or 0.
       INTEGER FUNCTION TSCURV(RCTL, IQ)
       DOUBLE PRECISION RCTL(*)
-      INTEGER IQ(43)
+      INTEGER IQ(41)
       INTEGER RSUP, LSUP, SPLANE, QNEAR
-      PARAMETER (RSUP = 18, LSUP = 98, SPLANE = 88, QNEAR = 6)
+      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QNEAR = 6)
       TSCURV = 0
       IF (IQ(QNEAR) .EQ. 0) RETURN
       IF (RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
       END
 
-C     TSNARR - the L-coordinate of the best point of a search is at most
-C     L.
+C     TSNARR - record that the best point's L-coordinate is at most L,
+C     and set the ball of that.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
       DOUBLE PRECISION F(12), FQ(108), L
-      INTEGER IQ(43)
+      INTEGER IQ(41)
       INTEGER QLIMBS, QBALL, QAIMED, QHI, QC, QDC, QSIZE
       PARAMETER (QLIMBS = 2, QBALL = 3, QAIMED = 7, QHI = 2)
       PARAMETER (QC = 2, QDC = 6, QSIZE = 7)
@@ -1526,10 +1507,10 @@ C     L.
       IQ(QAIMED) = 0
       IF (IQ(QLIMBS) .NE. 0 .OR. ABS(L) .GT. MUCHL) RETURN
       IQ(QBALL) = 1
-C     what is better than the best point is, on the positive side, in
-C     the ball of any L above its: so its error does not add to the
-C     ball's. It is large where balls are flat: points near a plane took
-C     10 times as long with it.
+C     on the positive side, a better point is in the ball of any L above
+C     the best point's, so the error of L does not count.  It is large
+C     where balls are flat: with it, points near a plane took 10 times
+C     as long.
       FQ(QSIZE) = 0.0D0
       DO 10 K = 1, 3
         FQ(QC+K) = F(3+K) + L*F(K)
@@ -1546,7 +1527,7 @@ C     sphere L is counted from F(4..6), which are subtracted: U for C,
 C     with their error, and one rounding more.
       SUBROUTINE TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), V(3), IQ(43)
+      INTEGER ORD(*), V(3), IQ(41)
       INTEGER TSCURV
       INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QAIMED, QLO, QHI, QC
       INTEGER QDC, QSIZE, QLIMB
@@ -1612,7 +1593,7 @@ C     rest is 6 roundings.
       DOUBLE PRECISION X(3,*), RCTL(*), H, ERR
       INTEGER AT, Z
       INTEGER SPLANE, SAT, SC, SSIZE
-      PARAMETER (SPLANE = 88, SAT = 89, SC = 92, SSIZE = 96)
+      PARAMETER (SPLANE = 88, SAT = 88, SC = 91, SSIZE = 95)
       DOUBLE PRECISION EPS, FAINT
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
       DOUBLE PRECISION SIZE, U
@@ -1642,7 +1623,7 @@ C     height's error.  OK is 1, or 0.
       DOUBLE PRECISION RCTL(*), H
       INTEGER MARK(*), J, Z, OK
       INTEGER RSUP, LSUP, SLOW, SGRAIN, SUPPS
-      PARAMETER (RSUP = 18, LSUP = 98, SLOW = 97, SGRAIN = 98)
+      PARAMETER (RSUP = 17, LSUP = 97, SLOW = 96, SGRAIN = 97)
       PARAMETER (SUPPS = 8)
       INTEGER AT, K
       OK = 0
@@ -1658,9 +1639,9 @@ C     near to it: by its mark, or else by limbs.  OK is 1, or 0.
       SUBROUTINE TSLEVE(X, P, ORD, MARK, RCTL, J, Z, H, ERR, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
       INTEGER ORD(*), MARK(*), J, Z, OK
-      INTEGER RSUP, LSUP, SPLANE, SSIGN, SLOW, SGRAIN
-      PARAMETER (RSUP = 18, LSUP = 98, SPLANE = 88, SSIGN = 89)
-      PARAMETER (SLOW = 97, SGRAIN = 98)
+      INTEGER RSUP, LSUP, SPLANE, SLOW, SGRAIN
+      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88)
+      PARAMETER (SLOW = 96, SGRAIN = 97)
       INTEGER AT, PLANE
       AT = RSUP + LSUP*(J - 1)
       ERR = RCTL(AT+SGRAIN)
@@ -1670,39 +1651,30 @@ C     near to it: by its mark, or else by limbs.  OK is 1, or 0.
       IF (ABS(H) .GT. ERR - RCTL(AT+SLOW)) RETURN
       PLANE = INT(RCTL(AT+SPLANE))
       CALL HHHEIG(P, ORD, RCTL, AT, Z, PLANE, H, ERR)
-      H = RCTL(AT+SSIGN)*H
       IF (ERR .LE. RCTL(AT+SGRAIN) .AND.
      $    ABS(H) .LE. -RCTL(AT+SLOW)) OK = 1
       END
 
-C     TSREME - Z among the points that were left open, or one of two, of
-C     four ... of them; until there are such, instead, points of leaves
-C     where the search went.  Points with a mark, too: they may be on a
+C     TSREME - Z among the points that were left open, or, until there
+C     are such, of leaves where the search went: in a sample of SOME of
+C     them, in which it takes another's place by chance, but by the same
+C     chance everywhere.  Points with a mark, too: they may be on a
 C     finer support.
       SUBROUTINE TSREME(IQ, Z, OPEN)
-      INTEGER IQ(43), Z, OPEN
-      INTEGER QOPEN, QOPEND, QSTRID, QNSOME, QSOME, SOME
-      PARAMETER (QOPEN = 8, QOPEND = 9, QSTRID = 10)
-      PARAMETER (QNSOME = 11, QSOME = 11, SOME = 32)
-      INTEGER I
+      INTEGER IQ(41), Z, OPEN
+      INTEGER QOPEN, QOPEND, QSOME, SOME
+      PARAMETER (QOPEN = 8, QOPEND = 9, QSOME = 9, SOME = 32)
+      INTEGER PLACE
       IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
         IQ(QOPEN) = OPEN
         IQ(QOPEND) = 0
-        IQ(QNSOME) = 0
-        IQ(QSTRID) = 1
       END IF
       IF (OPEN .LT. IQ(QOPEN)) RETURN
       IQ(QOPEND) = IQ(QOPEND) + 1
-      IF (MOD(IQ(QOPEND) - 1, IQ(QSTRID)) .NE. 0) RETURN
-      IF (IQ(QNSOME) .EQ. SOME) THEN
-        IQ(QNSOME) = SOME/2
-        IQ(QSTRID) = 2*IQ(QSTRID)
-        DO 10 I = 2, SOME/2
-          IQ(QSOME+I) = IQ(QSOME+2*I-1)
-   10   CONTINUE
-      END IF
-      IQ(QNSOME) = IQ(QNSOME) + 1
-      IQ(QSOME+IQ(QNSOME)) = Z
+      PLACE = IQ(QOPEND)
+      IF (PLACE .GT. SOME)
+     $    PLACE = MOD(MOD(MOD(Z, 30269)*137, 30269), IQ(QOPEND)) + 1
+      IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
       END
 
 C     TSFIT - set up a support, behind RCTL(AT), through the widest of
@@ -1713,20 +1685,21 @@ C     plane where they are no sphere: sheets near each other are one.
 C     OK is 1, or 0.
       SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(43), AT, OK
-      INTEGER NP, RSCALE, SPLANE, SSIGN, SAT, SC, SSIZE, SLOW, SGRAIN
-      INTEGER QNSOME, QSOME, SOME, GRAINS
-      PARAMETER (NP = 1, RSCALE = 5, SPLANE = 88, SSIGN = 89, SAT = 89)
-      PARAMETER (SC = 92, SSIZE = 96, SLOW = 97, SGRAIN = 98)
-      PARAMETER (QNSOME = 11, QSOME = 11, SOME = 32)
+      INTEGER ORD(*), CTL(*), V(3), IQ(41), AT, OK
+      DOUBLE PRECISION TSDOT
+      INTEGER NP, RSCALE, BUNIT, SPLANE, SAT, SC, SSIZE, SLOW, SGRAIN
+      INTEGER QOPEND, QSOME, SOME, GRAINS
+      PARAMETER (NP = 1, RSCALE = 5, BUNIT = 86, SPLANE = 88, SAT = 88)
+      PARAMETER (SC = 91, SSIZE = 95, SLOW = 96, SGRAIN = 97)
+      PARAMETER (QOPEND = 9, QSOME = 9, SOME = 32)
       PARAMETER (GRAINS = 134217728)
       DOUBLE PRECISION FINER, SMALL
       PARAMETER (FINER = 100.0D0, SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION C(3), D, ERR, H(SOME), LOW, MOST, U(3,SOME)
+      DOUBLE PRECISION C(3), D, E(3), ERR, H(SOME), LOW, MOST, U(3,SOME)
       DOUBLE PRECISION WIDE(3), WORST
       INTEGER FAR, I, J, K, N, PLANE, SE, UP, W(3), Z
       OK = 0
-      N = IQ(QNSOME)
+      N = MIN(IQ(QOPEND), SOME)
       W(1) = V(1)
       DO 20 I = 1, N
         DO 10 K = 1, 3
@@ -1735,30 +1708,25 @@ C     OK is 1, or 0.
    20 CONTINUE
 C     the farthest one, and what is left of all
       DO 70 J = 1, 3
-        MOST = 0.0D0
         FAR = 1
         DO 30 I = 1, N
-          D = U(1,I)*U(1,I) + U(2,I)*U(2,I) + U(3,I)*U(3,I)
-          IF (D .GT. MOST) THEN
-            MOST = D
-            FAR = I
-          END IF
+          IF (TSDOT(U(1,I), U(1,I)) .GT. TSDOT(U(1,FAR), U(1,FAR)))
+     $        FAR = I
    30   CONTINUE
         Z = IQ(QSOME+FAR)
-        WIDE(J) = SQRT(MOST)
-        IF (J .LT. 3) THEN
-          W(MOD(J,3)+1) = Z
-          IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
-          DO 40 K = 1, 3
-            H(K) = U(K,FAR)/WIDE(J)
-   40     CONTINUE
-          DO 60 I = 1, N
-            D = U(1,I)*H(1) + U(2,I)*H(2) + U(3,I)*H(3)
-            DO 50 K = 1, 3
-              U(K,I) = U(K,I) - D*H(K)
-   50       CONTINUE
-   60     CONTINUE
-        END IF
+        WIDE(J) = SQRT(TSDOT(U(1,FAR), U(1,FAR)))
+        IF (J .EQ. 3) GO TO 70
+        W(MOD(J,3)+1) = Z
+        IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
+        DO 40 K = 1, 3
+          E(K) = U(K,FAR)/WIDE(J)
+   40   CONTINUE
+        DO 60 I = 1, N
+          D = TSDOT(U(1,I), E)
+          DO 50 K = 1, 3
+            U(K,I) = U(K,I) - D*E(K)
+   50     CONTINUE
+   60   CONTINUE
    70 CONTINUE
       PLANE = 0
       IF (WIDE(3) .LT. 1.0D-7*WIDE(1)) PLANE = 1
@@ -1774,15 +1742,12 @@ C     the farthest one, and what is left of all
         D = ABS(D)
         IF (ERR .GT. 1.0D0) RETURN
         WORST = MAX(WORST, ERR)
-        K = I
-   90   IF (K .GT. 1) THEN
-          IF (H(K-1) .GT. D) THEN
-            H(K) = H(K-1)
-            K = K - 1
-            GO TO 90
-          END IF
-        END IF
-        H(K) = D
+        H(I) = D
+        DO 90 K = I, 2, -1
+          IF (H(K-1) .LE. D) GO TO 100
+          H(K) = H(K-1)
+          H(K-1) = D
+   90   CONTINUE
   100 CONTINUE
       D = H(3*N/4+1)
       IF (H(N/4+1) .LT. D/FINER) D = H(N/4+1)
@@ -1804,7 +1769,6 @@ C     the farthest one, and what is left of all
         RCTL(AT+SC+K) = C(K)
         RCTL(AT+SAT+K) = X(K,W(1))
   105 CONTINUE
-      RCTL(AT+SSIGN) = 1.0D0
       IF (PLANE .EQ. 0) RETURN
       UP = 0
       DO 110 I = 1, CTL(NP), CTL(NP)/256 + 1
@@ -1814,10 +1778,11 @@ C     the farthest one, and what is left of all
         IF (D .LT. LOW - ERR) UP = UP - 1
   110 CONTINUE
       IF (UP .GE. 0) RETURN
-      RCTL(AT+SSIGN) = -1.0D0
       DO 120 K = 1, 3
         RCTL(AT+SC+K) = -RCTL(AT+SC+K)
   120 CONTINUE
+C     of heights by limbs, too
+      RCTL(AT+BUNIT) = -RCTL(AT+BUNIT)
       END
 
 C     TSDISC - find a support for the points that a search left open:
@@ -1825,23 +1790,24 @@ C     mark those near to it that have no mark, or one of a support FINER
 C     times coarser, and find the least height of each node.  It is kept
 C     if it marks some points, or if the facet, near no other, and many
 C     points are near to it: facets between near sheets lean on a plane
-C     that holds them all.
-      SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ)
+C     that holds them all.  KEPT is 1 if it is kept, or 0.
+      SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ,
+     $                  KEPT)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41), KEPT
       INTEGER TSCUBE
-      INTEGER NP, LEAVES, RSUPP, RSEEK, RSUP, LSUP, SPLANE, SSIGN
-      INTEGER SLOW, SGRAIN, DONE, SUPPS, GRAINS, OPENED, QNEAR, QOPEND
-      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RSEEK = 7)
-      PARAMETER (RSUP = 18)
-      PARAMETER (LSUP = 98, SPLANE = 88, SSIGN = 89, SLOW = 97)
-      PARAMETER (SGRAIN = 98, DONE = -1, SUPPS = 8, GRAINS = 134217728)
+      INTEGER NP, LEAVES, RSUPP, RPATIE, RSUP, LSUP, SPLANE, SLOW
+      INTEGER SGRAIN, DONE, SUPPS, GRAINS, OPENED, QNEAR, QOPEND
+      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RPATIE = 8, RSUP = 17)
+      PARAMETER (LSUP = 97, SPLANE = 88, SLOW = 96)
+      PARAMETER (SGRAIN = 97, DONE = -1, SUPPS = 8, GRAINS = 134217728)
       PARAMETER (OPENED = 24, QNEAR = 6, QOPEND = 9)
       DOUBLE PRECISION FINER
       PARAMETER (FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, FINE, GRAIN, H, LOW
       INTEGER ACROSS, ALL, AT, FIRST, I, J, K, LAST, LEAST, NEAR, NODE
       INTEGER OK, OLD, OVER, PLANE, Z
+      KEPT = 0
       J = INT(RCTL(RSUPP)) + 1
       AT = RSUP + LSUP*(J - 1)
       IF (J .EQ. 1) THEN
@@ -1894,7 +1860,7 @@ C     a sample of all that is near, as that may be of a corner
           IF (ABS(H) .LE. ERR - LOW) THEN
             CALL HHHEIG(P, ORD, RCTL, AT, Z, PLANE, C, FINE)
             IF (FINE .LT. ERR) THEN
-              H = RCTL(AT+SSIGN)*C
+              H = C
               ERR = FINE
             END IF
           END IF
@@ -1924,8 +1890,9 @@ C     a sample of all that is near, as that may be of a corner
    40   CONTINUE
         RETURN
       END IF
+      KEPT = 1
       RCTL(RSUPP) = DBLE(J)
-      IF (J .EQ. SUPPS) RCTL(RSEEK) = 0.0D0
+      IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
       END
 
 C     TSLEAN - find the support that the facet is near to, if there is
@@ -1947,12 +1914,12 @@ C     8 EPS of the centre, and the roundings of three differences in any
 C     order, each of at most EPS (|o| + 2 |at|): less than 8 EPS SIZE.
       SUBROUTINE TSLEAN(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(43)
+      INTEGER ORD(*), MARK(*), V(3), IQ(41)
       DOUBLE PRECISION TSDOT
       INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QNEAR, QAIMED
       INTEGER QH, QDH, QTILT, QDTILT, QG, SUPPS
-      PARAMETER (RSUPP = 6, RSUP = 18, LSUP = 98, SPLANE = 88, SAT = 89)
-      PARAMETER (SC = 92, QBASE = 4, QNEAR = 6, QAIMED = 7, QH = 95)
+      PARAMETER (RSUPP = 6, RSUP = 17, LSUP = 97, SPLANE = 88, SAT = 88)
+      PARAMETER (SC = 91, QBASE = 4, QNEAR = 6, QAIMED = 7, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       PARAMETER (SUPPS = 8)
       DOUBLE PRECISION EPS, FAINT
@@ -2030,9 +1997,9 @@ C     twice its error: PAD is more.
       SUBROUTINE TSSHAR(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, SIDE, LO,
      $                  HI)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108), LO, HI
-      INTEGER ORD(*), MARK(*), IQ(43), Z, SIDE
+      INTEGER ORD(*), MARK(*), IQ(41), Z, SIDE
       INTEGER RSUP, LSUP, SPLANE, QNEAR, QH, QDH, QTILT, QDTILT, QG
-      PARAMETER (RSUP = 18, LSUP = 98, SPLANE = 88, QNEAR = 6, QH = 95)
+      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QNEAR = 6, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, PAD = 64.0D0*EPS)
@@ -2105,10 +2072,10 @@ C     term; err for those of h, of a height of at most -low, and of a,
 C     which is exact but for one.
       SUBROUTINE TSSIGH(RCTL, IQ, F, FQ)
       DOUBLE PRECISION RCTL(*), F(12), FQ(108)
-      INTEGER IQ(43)
+      INTEGER IQ(41)
       INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QNEAR, QAIMED, QHI, QH
       INTEGER QDH, QTILT, QDTILT, QG, QTEST, TQ, TD, TDD, TA, TERR
-      PARAMETER (RSUP = 18, LSUP = 98, SPLANE = 88, SLOW = 97)
+      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, SLOW = 96)
       PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QHI = 2, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       PARAMETER (QTEST = 101, TQ = 1, TD = 1, TDD = 5, TA = 6, TERR = 7)
@@ -2213,12 +2180,12 @@ C     its box, too, which is all that counts where the heights tell
 C     nothing; or 0: OUT.
       SUBROUTINE TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
       DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(108)
-      INTEGER MARK(*), CTL(*), IQ(43), NODE, OUT
+      INTEGER MARK(*), CTL(*), IQ(41), NODE, OUT
       INTEGER TSPRUN
       INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QNEAR, QAIMED
       INTEGER QLIMBS, QTEST, TA, GRAINS
-      PARAMETER (NP = 1, LEAVES = 4, RSUP = 18, LSUP = 98, SLOW = 97)
-      PARAMETER (SGRAIN = 98, QNEAR = 6, QAIMED = 7, QTEST = 101)
+      PARAMETER (NP = 1, LEAVES = 4, RSUP = 17, LSUP = 97, SLOW = 96)
+      PARAMETER (SGRAIN = 97, QNEAR = 6, QAIMED = 7, QTEST = 101)
       PARAMETER (QLIMBS = 2, TA = 6, GRAINS = 134217728)
       DOUBLE PRECISION H, SIZE, SUM
       INTEGER AT, CODE, TELLS
@@ -2285,21 +2252,20 @@ C     less than 40, the centre by 10: together less than 64.
       SUBROUTINE TSENCL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
       INTEGER CTL(*), NODE, AT, J, SLENDR
+      DOUBLE PRECISION TSDOT
       DOUBLE PRECISION EPS, FAINT, HUGE, SLIM, SMALL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, SLIM = 0.7D0)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
       PARAMETER (SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION A(6), HI, LO, MANY, MID(3), MOST, PAD, RR, S
-      DOUBLE PRECISION SUM(3), U(3), V, VOLUME, Y(3)
-      INTEGER FIRST, I, K, L, LAST, M, ROD
+      DOUBLE PRECISION A(6), HI, LO, MID(3), PAD, Q(6), RR, S, U(3)
+      DOUBLE PRECISION VOLUME, Y(3)
+      INTEGER DISC, FIRST, I, K, L, LAST, M
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
-      MANY = DBLE(LAST - FIRST + 1)
       VOLUME = HUGE
       PAD = 0.0D0
       DO 10 K = 1, 3
         A(K) = 0.0D0
         A(3+K) = 0.0D0
-        SUM(K) = 0.0D0
         MID(K) = 0.5D0*(BOX(K,NODE) + BOX(3+K,NODE))
         PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
      $      + SMALL
@@ -2307,41 +2273,37 @@ C     less than 40, the centre by 10: together less than 64.
       DO 40 I = FIRST, LAST
         DO 20 K = 1, 3
           Y(K) = X(K,I) - MID(K)
-          SUM(K) = SUM(K) + Y(K)
    20   CONTINUE
         DO 30 K = 1, 3
           A(K) = A(K) + Y(K)*Y(K)
           A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
    30   CONTINUE
    40 CONTINUE
-      DO 50 K = 1, 3
-        A(K) = A(K) - SUM(K)*SUM(K)/MANY
-        A(3+K) = A(3+K) - SUM(MOD(K,3)+1)*SUM(MOD(K+1,3)+1)/MANY
-   50 CONTINUE
-      DO 120 ROD = 1, 0, -1
-        MOST = FAINT
-        U(1) = 1.0D0
-        U(2) = 0.0D0
-        U(3) = 0.0D0
+      DO 120 DISC = 0, 1
         DO 60 K = 1, 3
           M = MOD(K, 3) + 1
           L = MOD(K + 1, 3) + 1
-          V = A(K)
-          IF (ROD .EQ. 0) V = A(M)*A(L) - A(3+K)*A(3+K)
-          IF (V .LE. MOST) GO TO 60
-          MOST = V
-          U(K) = V
-          U(M) = A(3+L)
-          U(L) = A(3+M)
-          IF (ROD .EQ. 0) U(M) = A(3+K)*A(3+M) - A(3+L)*A(L)
-          IF (ROD .EQ. 0) U(L) = A(3+K)*A(3+L) - A(3+M)*A(M)
+          Q(K) = A(K)
+          Q(3+K) = A(3+K)
+          IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
+          IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
    60   CONTINUE
-        MOST = MAX(MOST, ABS(U(1)), ABS(U(2)), ABS(U(3)))
-        S = 0.0D0
-        DO 70 K = 1, 3
-          U(K) = U(K)/MOST
-          S = S + U(K)*U(K)
-   70   CONTINUE
+        K = 1
+        IF (Q(2) .GT. Q(1)) K = 2
+        IF (Q(3) .GT. Q(K)) K = 3
+        M = MOD(K, 3) + 1
+        L = MOD(K + 1, 3) + 1
+        U(K) = Q(K)
+        U(M) = Q(3+L)
+        U(L) = Q(3+M)
+        S = TSDOT(U, U)
+C       too small to have a direction: any
+        IF (S .LE. FAINT) THEN
+          U(1) = 1.0D0
+          U(2) = 0.0D0
+          U(3) = 0.0D0
+          S = 1.0D0
+        END IF
         DO 80 K = 1, 3
           U(K) = U(K)/SQRT(S)
    80   CONTINUE
@@ -2352,11 +2314,13 @@ C     less than 40, the centre by 10: together less than 64.
           DO 90 K = 1, 3
             Y(K) = X(K,I) - MID(K)
    90     CONTINUE
-          S = Y(1)*U(1) + Y(2)*U(2) + Y(3)*U(3)
+          S = TSDOT(Y, U)
           LO = MIN(LO, S)
           HI = MAX(HI, S)
-          RR = MAX(RR, (Y(1) - S*U(1))**2 + (Y(2) - S*U(2))**2 +
-     $        (Y(3) - S*U(3))**2)
+          DO 95 K = 1, 3
+            Y(K) = Y(K) - S*U(K)
+   95     CONTINUE
+          RR = MAX(RR, TSDOT(Y, Y))
   100   CONTINUE
         IF ((HI - LO)*RR .GE. VOLUME) GO TO 120
         VOLUME = (HI - LO)*RR
@@ -2373,18 +2337,15 @@ C     less than 40, the centre by 10: together less than 64.
      $    SLENDR = 1
       END
 
-C     TSECLD - make all cylinders, unless few of the leaves' are
-C     slender.
-      SUBROUTINE TSECLD(X, BOX, CYL, CTL, RCTL)
-      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*), RCTL(*)
+C     TSECLD - make all cylinders, or none if few leaves have slender
+C     ones.
+      SUBROUTINE TSECLD(X, BOX, CYL, CTL)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
       INTEGER CTL(*)
       INTEGER TSGROU
-      INTEGER LEAVES, ROUND, RSCAN
-      PARAMETER (LEAVES = 4, ROUND = 28, RSCAN = 11)
-      DOUBLE PRECISION MUCHL
-      PARAMETER (MUCHL = 1.0D100)
+      INTEGER LEAVES, ROUND
+      PARAMETER (LEAVES = 4, ROUND = 28)
       INTEGER I, LEVEL, NODE, SLENDR, SUM
-      RCTL(RSCAN) = -MUCHL
       CTL(ROUND) = 0
       SUM = 0
       LEVEL = CTL(LEAVES)/4
@@ -2400,11 +2361,11 @@ C     slender.
         LEVEL = LEVEL/4
         GO TO 10
       END IF
-      CTL(ROUND) = 1
+      CTL(ROUND) = 2
       END
 
-C     TSOUTS - have the cylinders of a node's four grandchildren
-C     certainly no candidate?  Those have PAST(I) > 0.
+C     TSOUTS - which cylinders of a node's four grandchildren provably
+C     hold no candidate: those with PAST(I) > 0.
 C
 C     A point is W + S U + P from the base, W being the cylinder's
 C     centre, U its axis, |S| <= H, P across U, |P| <= R.  With G = W -
@@ -2427,7 +2388,7 @@ C     with room for the last two products; where these underflow, R >=
 C     SMALL makes the sum's error greater.
       SUBROUTINE TSOUTS(CYL, AT, IQ, F, FQ, PAST)
       DOUBLE PRECISION CYL(4,8,*), F(12), FQ(108), PAST(4)
-      INTEGER AT, IQ(43)
+      INTEGER AT, IQ(41)
       INTEGER QBALL, QC, QDC, QSIZE
       PARAMETER (QBALL = 3, QC = 2, QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT
@@ -2501,14 +2462,14 @@ C     this, the cap's, takes the place of the search's ball.  It passes
 C     through a base a or b, but not through first.
 C     ------------------------------------------------------------------
 
-C     TSINLA - are the vertices of the facet V on the large ball, if
-C     there is one, or, for N = 1, is V(1): 1, or 0.
+C     TSINLA - returns 1 if the N points V are on the large ball, if
+C     there is one; or 0.
       INTEGER FUNCTION TSINLA(X, P, ORD, RCTL, V, N)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), V(*), N
       INTEGER HHPBAL
       INTEGER T3, T5, RFIRST, RLARGE
-      PARAMETER (T3 = 1, T5 = 2, RFIRST = 14, RLARGE = 14)
+      PARAMETER (T3 = 1, T5 = 2, RFIRST = 13, RLARGE = 13)
       INTEGER G(4), K
       TSINLA = 0
       IF (RCTL(RFIRST) .LE. 0.0D0) RETURN
@@ -2522,13 +2483,13 @@ C     there is one, or, for N = 1, is V(1): 1, or 0.
       TSINLA = 1
       END
 
-C     TSKEEP - the ball of a search in a star is the large one: the
-C     facet's vertices V and the best point BEST are on it.
+C     TSKEEP - make the ball of a search the large one: the facet's
+C     vertices V and the best point BEST are on it.
       SUBROUTINE TSKEEP(ORD, RCTL, V, BEST)
       DOUBLE PRECISION RCTL(*)
       INTEGER ORD(*), V(3), BEST
       INTEGER RFIRST, RLARGE
-      PARAMETER (RFIRST = 14, RLARGE = 14)
+      PARAMETER (RFIRST = 13, RLARGE = 13)
       INTEGER FIRST, K
       FIRST = BEST
       DO 10 K = 1, 3
@@ -2539,21 +2500,22 @@ C     facet's vertices V and the best point BEST are on it.
       RCTL(RFIRST) = DBLE(FIRST)
       END
 
-C     TSCAP - let the best point's ball be the cap's, if it may.  For
-C     first, SIZE, of |W|_1 and |C|_1 together, covers TSPOWE.
+C     TSCAP - replace the best point's ball by the cap's, where that is
+C     allowed.  In the power of first, SIZE = |W|_1 + |C|_1 covers
+C     TSPOWE.
       SUBROUTINE TSCAP(X, P, ORD, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), V(3), IQ(43)
+      INTEGER ORD(*), V(3), IQ(41)
       INTEGER TSINLA
       INTEGER RSLOT, RFIRST, QBEST, QLIMBS, QBALL, QBASE, QC, QDC, QSIZE
-      PARAMETER (RSLOT = 13, RFIRST = 14, QBEST = 1, QLIMBS = 2)
+      PARAMETER (RSLOT = 12, RFIRST = 13, QBEST = 1, QLIMBS = 2)
       PARAMETER (QBALL = 3, QBASE = 4, QC = 2, QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT, LOOSE
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0)
       DOUBLE PRECISION A(3), B(3), C(3), G(12), POWER, SIZE, W
       INTEGER BEST(1), FIRST, I, J, K
       I = INT(RCTL(RSLOT))
-      IF (I .EQ. IQ(QBASE)) RETURN
+      IF (I .GT. 3 .OR. I .EQ. IQ(QBASE)) RETURN
       BEST(1) = IQ(QBEST)
       IF (TSINLA(X, P, ORD, RCTL, BEST, 1) .EQ. 0) RETURN
       J = 6 - IQ(QBASE) - I
@@ -2590,13 +2552,13 @@ C     rule of HHPBAL.  The Householder bounds decide where they can;
 C     what they leave open limits the better one by the other.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(43), Z
+      INTEGER ORD(*), MARK(*), V(3), IQ(41), Z
       INTEGER HHPBEA, HHPSID
-      INTEGER T3, T5, RSEEK, QBEST, QLIMBS, QASKED, QNEAR, QLO, QHI
+      INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QNEAR, QLO, QHI
       INTEGER QLIMB, RTIED, RSLOT, UNSURE, MANY
-      PARAMETER (T3 = 1, T5 = 2, RSEEK = 7, QBEST = 1, QLIMBS = 2)
+      PARAMETER (T3 = 1, T5 = 2, RPATIE = 8, QBEST = 1, QLIMBS = 2)
       PARAMETER (QASKED = 5, QNEAR = 6, QLO = 1, QHI = 2, QLIMB = 7)
-      PARAMETER (RTIED = 12, RSLOT = 13, UNSURE = 2, MANY = 6)
+      PARAMETER (RTIED = 11, RSLOT = 12, UNSURE = 2, MANY = 6)
       DOUBLE PRECISION PLAIN, WIDE
       PARAMETER (PLAIN = 16.0D0, WIDE = 1.0D-4)
       DOUBLE PRECISION HI, LO, Q(3)
@@ -2616,7 +2578,7 @@ C     what they leave open limits the better one by the other.
         IF (HI .GE. FQ(QLO)) OPEN = 1
       END IF
       IF (SIDE .EQ. 0 .OR. OPEN .EQ. 1) THEN
-        IF (RCTL(RSEEK) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
+        IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
         IF (IQ(QLIMBS) .EQ. 1)
      $      CALL HHTRIA(P, ORD, FQ, QLIMB, Z, SGN, POWER)
         IF (SGN .EQ. 0 .OR. SGN .EQ. UNSURE) SGN = HHPSID(X, P, ORD,
@@ -2655,11 +2617,11 @@ C     TSCONS - compare Z, if it is no vertex and not outside of the
 C     ball, by its height over the facet's support where that is known.
       SUBROUTINE TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(43), Z
+      INTEGER ORD(*), MARK(*), V(3), IQ(41), Z
       DOUBLE PRECISION TSPOWE
       INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QNEAR, QAIMED, QC
       INTEGER QTEST, TQ, TD
-      PARAMETER (RSUP = 18, LSUP = 98, SGRAIN = 98, QBEST = 1)
+      PARAMETER (RSUP = 17, LSUP = 97, SGRAIN = 97, QBEST = 1)
       PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QC = 2)
       PARAMETER (QTEST = 101, TQ = 1, TD = 1)
       DOUBLE PRECISION H, Q, SIZE, SUM, W1, W2, W3
@@ -2797,7 +2759,7 @@ C     TSCALL - consider N points of a list.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LIST, V(3), IQ(43), N
+      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LIST, V(3), IQ(41), N
       INTEGER PLACE(*)
       INTEGER I, Z
       DO 10 I = 1, N
@@ -2857,27 +2819,36 @@ C     where a side or the point is no good the height is more than FAR
    20 CONTINUE
       END
 
-C     TSANYP - without a ball, consider a point of the list.
-      SUBROUTINE TSANYP(X, P, ORD, MARK, RCTL, LSX, LSID, LSI, LSD,
-     $                  LIST, V, IQ, F, FQ)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), LSD(14,2), F(12)
-      DOUBLE PRECISION FQ(108)
+C     TSSTBA - the places of those points of a star's list that may be
+C     in the ball, or of all without a ball, and how many, N; 0 if these
+C     are none but the vertices and the best point, -1 if the ball is
+C     too large for the list.
+      SUBROUTINE TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION LSD(14,2), FQ(108)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), LIST, V(3)
-      INTEGER IQ(43)
-      INTEGER LN, LUNIT
-      PARAMETER (LN = 3, LUNIT = 14)
-      DOUBLE PRECISION FAR
-      PARAMETER (FAR = 1.0D10)
-      INTEGER I, PLACE(TSLIST), Z
-      DO 10 I = 1, LSI(LN,LIST)
-        PLACE(I) = I
-   10 CONTINUE
-      CALL TSLIKE(LSX, LSID, LSD, LIST, F, FQ, FAR/LSD(LUNIT,LIST),
-     $            LSI(LN,LIST), PLACE, Z)
-      IF (Z .NE. 0) CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
+      INTEGER LSI(3,2), IQ(41), PLACE(*), N
+      INTEGER LN, STR, QLIMBS, QBALL
+      PARAMETER (LN = 3, STR = 2, QLIMBS = 2, QBALL = 3)
+      REAL D(4)
+      INTEGER I, IN(TSLIST), OK
+      IF (IQ(QBALL) .EQ. 0) THEN
+        N = LSI(LN,STR)
+        DO 10 I = 1, N
+          PLACE(I) = I
+   10   CONTINUE
+        RETURN
+      END IF
+      N = -1
+      CALL TSSTAC(LSD, STR, FQ, D, OK)
+      IF (OK .EQ. 0) RETURN
+      CALL TSINBA(LSX, LSI, STR, D, IN, N)
+      IF (N .LE. 4 - IQ(QLIMBS)/2) THEN
+        N = 0
+      ELSE
+        CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
+      END IF
       END
 
 C     TSNEWC - make a cell of the points exactly on the best point's
@@ -2891,19 +2862,17 @@ C     off by up to QHI - QLO, too, which tells on the negative side.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       DOUBLE PRECISION F(12), FQ(108)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(43), OK
+      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(41), OK
       INTEGER HHPBAL, TSBINS
-      INTEGER NCELL, CELL0, T3, T5, LN, LMARG, STR, QBEST, QLIMBS, QLO
-      INTEGER QHI, QDC, CELL, CELLS
-      PARAMETER (NCELL = 30, CELL0 = 30, T3 = 1, T5 = 2, LN = 3)
-      PARAMETER (LMARG = 13, STR = 2, QBEST = 1, QLIMBS = 2, QLO = 1)
-      PARAMETER (QHI = 2, QDC = 6, CELL = 12, CELLS = 4)
+      INTEGER NCELL, CELL0, T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI
+      INTEGER QDC, CELL, CELLS
+      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, LMARG = 13)
+      PARAMETER (STR = 2, QBEST = 1, QLIMBS = 2, QLO = 1, QHI = 2)
+      PARAMETER (QDC = 6, CELL = 12, CELLS = 4)
       DOUBLE PRECISION MUCHL
       PARAMETER (MUCHL = 1.0D100)
       DOUBLE PRECISION WIDE
-      REAL D(4)
-      INTEGER AT, C(CELL), I, IN(TSLIST), J, M, N, PLACE(TSLIST+1), SIDE
-      INTEGER Z
+      INTEGER AT, C(CELL), I, M, N, PLACE(TSLIST+1), SIDE, Z
       OK = 0
       IF (IQ(QLIMBS) .EQ. 2 .OR. ABS(FQ(QHI)) .GT. MUCHL) RETURN
       WIDE = 0.0D0
@@ -2911,15 +2880,8 @@ C     off by up to QHI - QLO, too, which tells on the negative side.
       IF (WIDE .GT. LSD(LMARG,STR)) RETURN
       FQ(QDC) = FQ(QDC) + WIDE
       IF (TSBINS(BOX, LSD, F, FQ) .EQ. 0) RETURN
-      CALL TSSTAC(LSD, STR, FQ, D, OK)
-      IF (OK .EQ. 0) RETURN
-      OK = 0
-      CALL TSINBA(LSX, LSI, STR, D, IN, N)
-      IF (N .LE. 4 .OR. N .GT. CELL) RETURN
-      CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
-      DO 5 I = 1, CELL
-        C(I) = 0
-    5 CONTINUE
+      CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
+      IF (N .LE. 0 .OR. N .GT. CELL) RETURN
       M = 0
       DO 30 I = 1, N
         Z = LSID(PLACE(I),STR)
@@ -2929,12 +2891,12 @@ C     off by up to QHI - QLO, too, which tells on the negative side.
      $      RCTL(T5), V(1), V(2), V(3), IQ(QBEST), Z, 0)
         IF (SIDE .LT. 0) RETURN
         IF (SIDE .EQ. 0) THEN
-          DO 10 J = M, 1, -1
-            IF (ORD(C(J)) .LT. ORD(Z)) GO TO 20
-            C(J+1) = C(J)
-   10     CONTINUE
-   20     C(J+1) = Z
           M = M + 1
+          C(M) = Z
+          IF (ORD(Z) .LT. ORD(C(1))) THEN
+            C(M) = C(1)
+            C(1) = Z
+          END IF
         END IF
    30 CONTINUE
       IF (M .EQ. 4) RETURN
@@ -2954,7 +2916,7 @@ C     "Ties".
       INTEGER ORD(*), CTL(*), V(3), Z
       INTEGER HHPBEA, HHPSID
       INTEGER NCELL, CELL0, T3, T5, CELL, CELLS
-      PARAMETER (NCELL = 30, CELL0 = 30, T3 = 1, T5 = 2, CELL = 12)
+      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, CELL = 12)
       PARAMETER (CELLS = 4)
       INTEGER AT, I, IN, J, K
       Z = 0
@@ -2997,47 +2959,33 @@ C     else 0.
       DOUBLE PRECISION F(12), FQ(108)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3)
-      INTEGER IQ(43), OK
+      INTEGER IQ(41), OK
       INTEGER TSBINS
-      INTEGER TIES, TIED, RTIED, LN, LMARG, STR, QBEST, QLIMBS, QBALL
-      INTEGER QBASE, QHI
-      PARAMETER (TIES = 26, LN = 3, LMARG = 13, STR = 2, QBALL = 3)
-      PARAMETER (QBASE = 4, QHI = 2, TIED = 29, RTIED = 12, QBEST = 1)
-      PARAMETER (QLIMBS = 2)
+      INTEGER TIES, RTIED, LN, LMARG, STR, QBEST, QBALL, QBASE, QHI
+      PARAMETER (TIES = 26, RTIED = 11, LN = 3, LMARG = 13, STR = 2)
+      PARAMETER (QBEST = 1, QBALL = 3, QBASE = 4, QHI = 2)
       DOUBLE PRECISION FAR
       PARAMETER (FAR = 1.0D10)
       DOUBLE PRECISION MOST
-      REAL D(4)
-      INTEGER IN(TSLIST), N, PLACE(TSLIST+1), Z
+      INTEGER N, PLACE(TSLIST+1), Z
       OK = 0
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0) RETURN
-      IF (IQ(QBALL) .EQ. 0) CALL TSANYP(X, P, ORD, MARK, RCTL, LSX,
-     $    LSID, LSI, LSD, STR, V, IQ, F, FQ)
-      IF (IQ(QBALL) .EQ. 0) RETURN
-      CALL TSSTAC(LSD, STR, FQ, D, OK)
-      IF (OK .EQ. 0) RETURN
-      CALL TSINBA(LSX, LSI, STR, D, IN, N)
-      IF (N .GT. 4 - IQ(QLIMBS)/2) THEN
-        CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
+      CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
+      IF (N .LT. 0) RETURN
+      IF (N .GT. 0) THEN
         MOST = MIN(FQ(QHI), FAR*LSD(LMARG,STR)) -
      $         1.0D-4*LSD(LMARG,STR)
 C       the best of those inside the ball leaves none, as a rule; not
 C       among ties, which are on it (to know that saves 6 % on lattices)
         Z = 0
-        IF (CTL(TIES) .EQ. 0) CALL TSLIKE(LSX, LSID, LSD, STR, F, FQ,
-     $      MOST, N, PLACE, Z)
+        IF (CTL(TIES) .EQ. 0 .OR. IQ(QBALL) .EQ. 0) CALL TSLIKE(LSX,
+     $      LSID, LSD, STR, F, FQ, MOST, N, PLACE, Z)
         IF (Z .NE. 0) THEN
           CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
-          CALL TSSTAC(LSD, STR, FQ, D, OK)
-          IF (OK .EQ. 0) RETURN
-          CALL TSINBA(LSX, LSI, STR, D, IN, N)
-          IF (N .GT. 4 - IQ(QLIMBS)/2) THEN
-            CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
-          ELSE
-            N = 0
-          END IF
+          CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
         END IF
-        IF (CTL(TIED) .EQ. 1) THEN
+        IF (N .LT. 0 .OR. IQ(QBALL) .EQ. 0) RETURN
+        IF (CTL(TIES) .EQ. 2) THEN
           CALL TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD, V,
      $                IQ, F, FQ, OK)
           IF (OK .EQ. 1) THEN
@@ -3047,15 +2995,15 @@ C       among ties, which are on it (to know that saves 6 % on lattices)
         END IF
         CALL TSCALL(X, P, ORD, MARK, RCTL, LSID, STR, V, IQ, F, FQ, N,
      $              PLACE)
-        CTL(TIES) = 0
-        IF (FQ(QHI) .GT. MOST) CTL(TIES) = 1
-        IF (CTL(TIED) .EQ. 0 .AND. RCTL(RTIED) .GT. 0.0D0)
+        IF (CTL(TIES) .LT. 2 .AND. RCTL(RTIED) .GT. 0.0D0)
      $      CALL TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
      $      V, IQ, F, FQ, OK)
-        CTL(TIED) = 0
-        IF (RCTL(RTIED) .GT. 0.0D0) CTL(TIED) = 1
+        CTL(TIES) = 0
+        IF (FQ(QHI) .GT. MOST) CTL(TIES) = 1
+        IF (RCTL(RTIED) .GT. 0.0D0) CTL(TIES) = 2
       END IF
-      OK = TSBINS(BOX, LSD, F, FQ)
+      OK = 0
+      IF (IQ(QBALL) .EQ. 1) OK = TSBINS(BOX, LSD, F, FQ)
       END
 
 C     TSINBL - the same for the block's list.  Where the ball has room
@@ -3068,7 +3016,7 @@ C     costs: on surfaces two of five points that were tested.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       DOUBLE PRECISION F(12), FQ(108)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(43), OK
+      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(41), OK
       INTEGER TSBINB
       INTEGER LN, BLK, QLIMBS, QBALL, QC
       PARAMETER (LN = 3, BLK = 1, QLIMBS = 2, QBALL = 3, QC = 2)
@@ -3078,7 +3026,7 @@ C     costs: on surfaces two of five points that were tested.
       OK = 0
       IF (LSI(LN,BLK) .EQ. 0) RETURN
       IF (IQ(QBALL) .EQ. 0) RETURN
-      IF (TSBINB(BOX, LSI, LSD, BLK, IQ, F, FQ) .EQ. 0) RETURN
+      IF (TSBINB(BOX, LSI, LSD, BLK, F, FQ) .EQ. 0) RETURN
       C(1) = FQ(QC+1)
       C(2) = FQ(QC+2)
       C(3) = FQ(QC+3)
@@ -3092,22 +3040,28 @@ C     costs: on surfaces two of five points that were tested.
       END IF
       END
 
-C     TSSCAN - consider those uncompleted points of a leaf, a node of
-C     the positions FIRST ... LAST, that are not outside of the ball, or
-C     without a ball not on the negative side, for which that of L =
-C     MUCHL/2 stands, with room for |W|**2: found first.
-      SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
-     $                  FIRST, LAST, NODE)
+C     TSSCAN - consider those uncompleted points of a leaf that are not
+C     outside the ball, or without a ball not on the negative side, for
+C     which the ball of L = MUCHL/2 stands, with room for |W|**2.  The
+C     powers come first, as vectors, then the places of those to
+C     consider.
+      SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F,
+     $                  FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), LINK(*), MARK(*), V(3), IQ(43), FIRST, LAST, NODE
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41), NODE
       DOUBLE PRECISION TSPOWE
-      INTEGER LEAF, QBALL, QC, DONE
-      PARAMETER (LEAF = 48, QBALL = 3, QC = 2, DONE = -1)
+      INTEGER LEAF, QBALL, QC, DONE, RPATIE, RSCAN
+      PARAMETER (LEAF = 48, QBALL = 3, QC = 2, DONE = -1, RPATIE = 8)
+      PARAMETER (RSCAN = 10)
       DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0)
       PARAMETER (MUCHL = 1.0D100)
-      DOUBLE PRECISION D(3), D1, D2, D3, MOST, SIZE, W1, W2, W3
-      INTEGER I, K, N, PLACE(LEAF)
+      DOUBLE PRECISION B1, B2, B3, D(3), D1, D2, D3, MOST, POWER(LEAF)
+      DOUBLE PRECISION SIZE, W1, W2, W3
+      INTEGER FIRST, I, K, LAST, N, PASSED, PLACE(LEAF)
+      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      N = LAST - FIRST + 1
+      RCTL(RSCAN) = RCTL(RSCAN) + DBLE(N)
       SIZE = 0.0D0
       DO 10 K = 1, 3
         D(K) = MUCHL*F(K)
@@ -3122,120 +3076,108 @@ C     MUCHL/2 stands, with room for |W|**2: found first.
       D1 = D(1)
       D2 = D(2)
       D3 = D(3)
-      N = 0
-      DO 20 I = FIRST, LAST
-        W1 = X(1,I) - F(7)
-        W2 = X(2,I) - F(8)
-        W3 = X(3,I) - F(9)
-        IF (W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3) .LE. MOST .AND.
-     $      LINK(I) .NE. DONE) THEN
-          N = N + 1
-          PLACE(N) = I
-        END IF
+      B1 = F(7)
+      B2 = F(8)
+      B3 = F(9)
+      I = FIRST - 1
+      DO 20 K = 1, N
+        W1 = X(1,I+K) - B1
+        W2 = X(2,I+K) - B2
+        W3 = X(3,I+K) - B3
+        POWER(K) = W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3)
    20 CONTINUE
+      PASSED = 0
       DO 30 K = 1, N
-        CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, PLACE(K))
+        IF (POWER(K) .LE. MOST) THEN
+          PASSED = PASSED + 1
+          PLACE(PASSED) = I + K
+        END IF
    30 CONTINUE
+      DO 40 K = 1, PASSED
+        IF (LINK(PLACE(K)) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, RCTL,
+     $      V, IQ, F, FQ, PLACE(K))
+   40 CONTINUE
+      IF (RCTL(RPATIE) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
+     $    CALL TSREME(IQ, FIRST, 0)
       END
 
-C     TSTREE - finish a search by the tree: the leaf of V(1) first, then
-C     its parent's other child, and so on up to the root, or by
-C     cylinders its grandparent's other three grandchildren, which are
-C     on the stack as minus the one that is done with; near a support
-C     from the root down, the child of lesser height first, as the apex
-C     may be anywhere.
+C     TSTREE - finish a search by the tree: the leaf of the base first,
+C     then its parent's other child, and so on up to the root, or by
+C     cylinders its grandparent's other three grandchildren; TOP is the
+C     node all below which has been searched.  Near a support from the
+C     root down, the child of lesser height first, as the apex may be
+C     anywhere.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
      $                  IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41)
       INTEGER TSPRUN, TSLEAF, TSGROU
-      INTEGER NP, LEAVES, ROUND, RSEEK, RSCAN, QBALL, QNEAR, DONE, DEPTH
-      PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, RSEEK = 7)
-      PARAMETER (RSCAN = 11, QBALL = 3, QNEAR = 6, DONE = -1)
-      PARAMETER (DEPTH = 96)
+      INTEGER NP, LEAVES, ROUND, QBALL, QBASE, QNEAR, DEPTH
+      PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, QBALL = 3, QBASE = 4)
+      PARAMETER (QNEAR = 6, DEPTH = 96)
       DOUBLE PRECISION LOOSE
       PARAMETER (LOOSE = 0.5D0)
       DOUBLE PRECISION PAST(4)
-      INTEGER FIRST, FOURS, HEIGHT, I, LAST, LEAST, N, NEAR, NODE, OUT
-      INTEGER STACK(DEPTH), STEP
+      INTEGER FOURS, FROM, HEIGHT, LEAST, N, NEAR, NODE, OUT
+      INTEGER STACK(DEPTH), TOP
       NEAR = IQ(QNEAR)
       LEAST = CTL(NP) + 2*CTL(LEAVES)*(NEAR - 1)
-      HEIGHT = 1
-      STACK(1) = 1
-      FOURS = CTL(ROUND)
+      FOURS = CTL(ROUND)/2
       IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
      $    FOURS = 0
-      IF (NEAR .EQ. 0) THEN
-        NODE = CTL(LEAVES) + TSLEAF(CTL, V(1)) - 1
-        I = NODE
-   10   IF (I .GT. 1) THEN
-          HEIGHT = HEIGHT + 1
-          STEP = 2
-          IF (FOURS .EQ. 1 .AND. I .GT. 3) STEP = 4
-          I = I/STEP
-          GO TO 10
-        END IF
-        N = HEIGHT
-        STACK(N) = NODE
-        I = NODE
-   20   IF (I .GT. 1) THEN
-          N = N - 1
-          STEP = 2
-          IF (FOURS .EQ. 1 .AND. I .GT. 3) STEP = 4
-          STACK(N) = I + 1 - 2*MOD(I, 2)
-          IF (STEP .EQ. 4) STACK(N) = -I
-          I = I/STEP
-          GO TO 20
-        END IF
+      TOP = 1
+      IF (NEAR .EQ. 0) TOP = CTL(LEAVES) +
+     $    TSLEAF(CTL, V(IQ(QBASE))) - 1
+      HEIGHT = 1
+      STACK(1) = TOP
+   10 FROM = TOP
+      IF (HEIGHT .GT. 0) THEN
+        NODE = STACK(HEIGHT)
+        HEIGHT = HEIGHT - 1
+      ELSE IF (TOP .EQ. 1) THEN
+        RETURN
+      ELSE IF (FOURS .EQ. 1 .AND. TOP .GT. 3) THEN
+        TOP = TOP/4
+        NODE = TOP
+      ELSE
+        NODE = TOP + 1 - 2*MOD(TOP, 2)
+        TOP = TOP/2
       END IF
-   30 IF (HEIGHT .EQ. 0) RETURN
-      NODE = STACK(HEIGHT)
-      HEIGHT = HEIGHT - 1
-      I = 0
-      IF (NODE .LT. 0) THEN
-        I = -NODE
-        NODE = I/4
-      ELSE IF (ALIVE(NODE) .EQ. 0) THEN
-        GO TO 30
-      END IF
+      IF (ALIVE(NODE) .EQ. 0) GO TO 10
       IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
         N = 2*CTL(LEAVES) + 1
         CALL TSOUTS(BOX(1,N), TSGROU(CTL, NODE), IQ, F, FQ, PAST)
-        DO 40 N = 4*NODE + 3, 4*NODE, -1
-          IF (PAST(N-4*NODE+1) .LE. 0.0D0 .AND. N .NE. I) THEN
+        DO 20 N = 4, 1, -1
+          IF (PAST(N) .LE. 0.0D0 .AND. 4*NODE + N - 1 .NE. FROM) THEN
             HEIGHT = HEIGHT + 1
-            STACK(HEIGHT) = N
+            STACK(HEIGHT) = 4*NODE + N - 1
           END IF
-   40   CONTINUE
-        GO TO 30
+   20   CONTINUE
+        GO TO 10
       END IF
       IF (NEAR .NE. 0) THEN
         CALL TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
       ELSE
         OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
       END IF
-      IF (OUT .EQ. 1) GO TO 30
-      IF (NODE .LT. CTL(LEAVES)) THEN
-        N = 0
-        IF (NEAR .NE. 0) THEN
-          IF (MARK(LEAST+2*NODE) .LT. MARK(LEAST+2*NODE+1)) N = 1
-        END IF
-        STACK(HEIGHT+1) = 2*NODE + N
-        STACK(HEIGHT+2) = 2*NODE + 1 - N
-        HEIGHT = HEIGHT + 2
-        GO TO 30
+      IF (OUT .EQ. 1) GO TO 10
+      IF (NODE .GE. CTL(LEAVES)) THEN
+        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F, FQ,
+     $              NODE)
+        GO TO 10
       END IF
-      CALL TSSPAN(CTL, NODE, FIRST, LAST)
-      RCTL(RSCAN) = RCTL(RSCAN) + DBLE(LAST - FIRST + 1)
-      CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
-     $            FIRST, LAST, NODE)
-      IF (RCTL(RSEEK) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
-     $    CALL TSREME(IQ, FIRST, 0)
-      GO TO 30
+      N = 0
+      IF (NEAR .NE. 0) THEN
+        IF (MARK(LEAST+2*NODE) .LT. MARK(LEAST+2*NODE+1)) N = 1
+      END IF
+      STACK(HEIGHT+1) = 2*NODE + N
+      STACK(HEIGHT+2) = 2*NODE + 1 - N
+      HEIGHT = HEIGHT + 2
+      GO TO 10
       END
 
-C     TSONHU - does the facet lie in a plane known to bound the hull: 1,
-C     or 0.
+C     TSONHU - returns 1 if the facet lies in a plane known to bound the
+C     hull, or 0.
       INTEGER FUNCTION TSONHU(X, P, ORD, CTL, RCTL, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3)
@@ -3259,32 +3201,35 @@ C     or 0.
       END
 
 C     TSPREP - begin the search for the apex of the facet V.  Its base
-C     is V(1), or if the angle there is small the vertex opposite to the
-C     longest edge.
+C     is V(1), or V(2) if V(1) is the large ball's first, or if the
+C     angle there is small the vertex opposite to the longest edge.
       SUBROUTINE TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(43)
+      INTEGER ORD(*), MARK(*), V(3), IQ(41)
+      INTEGER TSINLA
       INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QNEAR
-      INTEGER RTIED, QOPEND, QLO, QHI, QC, QDC, QSIZE
+      INTEGER RTIED, RSLOT, RFIRST, QOPEND, QLO, QHI, QC, QDC, QSIZE
       PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2)
       PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QNEAR = 6)
       PARAMETER (QOPEND = 9, QLO = 1, QHI = 2, QC = 2, QDC = 6)
-      PARAMETER (QSIZE = 7, RTIED = 12)
+      PARAMETER (QSIZE = 7, RTIED = 11, RSLOT = 12, RFIRST = 13)
       DOUBLE PRECISION EPS, HUGE, THIN
       PARAMETER (EPS = 2.0D0**(-52), THIN = 1.0D-6)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION A(3), AB, B(3), BC, C(3), CA
-      INTEGER K, SE
-      DO 10 K = 1, 3
-        A(K) = X(K,V(1))
-        B(K) = X(K,V(2))
-        C(K) = X(K,V(3))
-        FQ(QC+K) = 0.0D0
-   10 CONTINUE
+      DOUBLE PRECISION A(3), B(3), C(3), EDGE, LONGST
+      INTEGER BASE, I, J, K, SE
+      RCTL(RSLOT) = 0.0D0
+      BASE = 1
+      IF (TSINLA(X, P, ORD, RCTL, V, 3) .EQ. 1) THEN
+        RCTL(RSLOT) = 4.0D0
+        DO 10 K = 1, 3
+          IF (V(K) .EQ. INT(RCTL(RFIRST))) RCTL(RSLOT) = DBLE(K)
+   10   CONTINUE
+        IF (V(1) .EQ. INT(RCTL(RFIRST))) BASE = 2
+      END IF
       IQ(QBEST) = 0
       IQ(QLIMBS) = 0
       IQ(QBALL) = 0
-      IQ(QBASE) = 1
       IQ(QASKED) = 0
       IQ(QNEAR) = 0
       IQ(QOPEND) = 0
@@ -3293,26 +3238,31 @@ C     longest edge.
       FQ(QHI) = HUGE
       FQ(QDC) = 0.0D0
       FQ(QSIZE) = 0.0D0
+   20 DO 30 K = 1, 3
+        FQ(QC+K) = 0.0D0
+        A(K) = X(K,V(BASE))
+        B(K) = X(K,V(MOD(BASE,3)+1))
+        C(K) = X(K,V(MOD(BASE+1,3)+1))
+   30 CONTINUE
       CALL HHSETU(A, B, C, F)
-      IF (F(10) .LT. 8000.0D0*EPS) GO TO 30
-      AB = 0.0D0
-      BC = 0.0D0
-      CA = 0.0D0
-      DO 20 K = 1, 3
-        AB = AB + (B(K) - A(K))*(B(K) - A(K))
-        BC = BC + (C(K) - B(K))*(C(K) - B(K))
-        CA = CA + (A(K) - C(K))*(A(K) - C(K))
-   20 CONTINUE
-      IF (CA .GT. AB .AND. CA .GT. BC) THEN
-        IQ(QBASE) = 2
-        CALL HHSETU(B, C, A, F)
-      ELSE IF (AB .GT. BC) THEN
-        IQ(QBASE) = 3
-        CALL HHSETU(C, A, B, F)
+      IQ(QBASE) = BASE
+      IF (F(10) .GE. 8000.0D0*EPS) THEN
+        LONGST = 0.0D0
+        DO 40 K = 1, 3
+          I = V(MOD(K,3)+1)
+          J = V(MOD(K+1,3)+1)
+          EDGE = (X(1,I) - X(1,J))**2 + (X(2,I) - X(2,J))**2 +
+     $        (X(3,I) - X(3,J))**2
+          IF (EDGE .GT. LONGST) THEN
+            LONGST = EDGE
+            BASE = K
+          END IF
+   40   CONTINUE
+        IF (BASE .NE. IQ(QBASE)) GO TO 20
+        SE = INT(RCTL(RSCALE))
+        IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, SE, V, BASE, F)
       END IF
-      SE = INT(RCTL(RSCALE))
-      IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, SE, V, IQ(QBASE), F)
-   30 IF (RCTL(RSUPP) .GT. 0.0D0) CALL TSLEAN(X, P, ORD, MARK, RCTL, V,
+      IF (RCTL(RSUPP) .GT. 0.0D0) CALL TSLEAN(X, P, ORD, MARK, RCTL, V,
      $    IQ, F, FQ)
       END
 
@@ -3326,47 +3276,34 @@ C     GUESS: two positions to try first, or 0.
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(TSIDS,2)
       INTEGER LSI(3,2), V(3), GUESS(2), Z
-      INTEGER HHPSID, TSCURV, TSINLA, TSONHU
-      INTEGER NP, NPLANE, NEXTPL, PLANE0, RSUPP, RSEEK, RBURDN, RPATIE
-      INTEGER RSCAN, QBEST, QNEAR, QOPEND
-      INTEGER LEAVES, PLANES, OPENED, T3, NCELL, RTIED
-      INTEGER RSLOT, RFIRST, LLAST, BLK, LARGE
+      INTEGER HHPSID, TSCURV, TSONHU
+      INTEGER NP, LEAVES, NPLANE, NEXTPL, PLANE0, ROUND, NCELL, T3
+      INTEGER RBURDN, RPATIE, RSCAN, RTIED, RSLOT, RFIRST, QBEST, QNEAR
+      INTEGER QOPEND, LLAST, BLK, PLANES, OPENED, LARGE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
-      PARAMETER (PLANE0 = 13)
-      PARAMETER (RSUPP = 6, RSEEK = 7, RBURDN = 8, RPATIE = 9)
-      PARAMETER (RSCAN = 11, QBEST = 1, QNEAR = 6)
-      PARAMETER (QOPEND = 9, PLANES = 4, OPENED = 24)
-      PARAMETER (T3 = 1, NCELL = 30, RTIED = 12, RSLOT = 13)
-      PARAMETER (RFIRST = 14, LLAST = 2, BLK = 1, LARGE = 24)
+      PARAMETER (PLANE0 = 13, ROUND = 28, NCELL = 29, T3 = 1)
+      PARAMETER (RBURDN = 7, RPATIE = 8, RSCAN = 10, RTIED = 11)
+      PARAMETER (RSLOT = 12, RFIRST = 13, QBEST = 1, QNEAR = 6)
+      PARAMETER (QOPEND = 9, LLAST = 2, BLK = 1, PLANES = 4)
+      PARAMETER (OPENED = 24, LARGE = 24)
       DOUBLE PRECISION SCANS
       PARAMETER (SCANS = 100.0D0)
       DOUBLE PRECISION F(12), FQ(108), H
-      INTEGER AT, G, IQ(43), K, LISTS, OK, W(3)
+      INTEGER AT, G, IQ(41), K, LISTS, OK
       IF (CTL(NCELL) .GT. 0) THEN
         CALL TSINCE(X, P, ORD, CTL, RCTL, V, Z)
         IF (Z .NE. 0) RETURN
       END IF
-      RCTL(RSLOT) = 0.0D0
-      W(1) = V(1)
-      W(2) = V(2)
-      W(3) = V(3)
-      IF (TSINLA(X, P, ORD, RCTL, V, 3) .EQ. 1) THEN
+      CALL TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
+      IF (RCTL(RSLOT) .GE. 4.0D0) THEN
         Z = INT(RCTL(RFIRST))
-        DO 5 K = 1, 3
-C         its base is not first
-          IF (V(1) .EQ. Z) W(K) = V(MOD(K,3)+1)
-          IF (W(K) .EQ. Z) RCTL(RSLOT) = DBLE(K)
-    5   CONTINUE
-        IF (RCTL(RSLOT) .LE. 0.0D0) THEN
-          IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z) .GT. 0)
-     $        RETURN
-        END IF
+        IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z) .GT. 0)
+     $      RETURN
       END IF
-      CALL TSPREP(X, P, ORD, MARK, RCTL, W, IQ, F, FQ)
       DO 10 K = 1, 2
         G = GUESS(K)
         IF (G .NE. 0 .AND. G .NE. V(2) .AND. G .NE. V(3) .AND.
-     $      G .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, MARK, RCTL, W, IQ,
+     $      G .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, MARK, RCTL, V, IQ,
      $      F, FQ, G)
    10 CONTINUE
       Z = IQ(QBEST)
@@ -3377,38 +3314,36 @@ C     a ball that is a support's sphere but for rounding is in no list
         IF (Z .NE. 0) CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
         LISTS = 1 - OK
       END IF
-      IF (W(1) .NE. V(1)) LISTS = 0
       IF (LISTS .EQ. 1) THEN
         CALL TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, LSX, LSID, LSI,
-     $              LSD, W, IQ, F, FQ, OK)
+     $              LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) RETURN
 C       before the block's list: a tenth of the time on lattices
         IF (Z .EQ. 0) THEN
           IF (TSONHU(X, P, ORD, CTL, RCTL, V) .EQ. 1) RETURN
         END IF
-        CALL TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD, W,
+        CALL TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD, V,
      $              IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) RETURN
       END IF
-      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, W, IQ,
+      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V, IQ,
      $            F, FQ)
       Z = IQ(QBEST)
       IF (RCTL(RTIED) .GT. DBLE(LARGE) .AND. LSI(LLAST,BLK) .GT. 0)
-     $    CALL TSKEEP(ORD, RCTL, W, Z)
-      IF (RCTL(RSCAN) .GT. SCANS*DBLE(CTL(NP))) THEN
+     $    CALL TSKEEP(ORD, RCTL, V, Z)
+      IF (CTL(ROUND) .EQ. 1 .AND.
+     $    RCTL(RSCAN) .GT. SCANS*DBLE(CTL(NP))) THEN
         K = 2*CTL(LEAVES) + 1
-        CALL TSECLD(X, BOX, BOX(1,K), CTL, RCTL)
+        CALL TSECLD(X, BOX, BOX(1,K), CTL)
       END IF
-      IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RSEEK) .GT. 0.0D0) THEN
-        RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))
-        IF (RCTL(RBURDN) .GT. RCTL(RPATIE)*DBLE(CTL(NP))) THEN
-          K = INT(RCTL(RSUPP))
-          CALL TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, W, IQ)
+      IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RPATIE) .GT. 0.0D0) THEN
+        RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))/DBLE(CTL(NP))
+        IF (RCTL(RBURDN) .GT. RCTL(RPATIE)) THEN
           RCTL(RBURDN) = 0.0D0
-          IF (INT(RCTL(RSUPP)) .EQ. K)
-     $        RCTL(RPATIE) = 2.0D0*RCTL(RPATIE)
+          CALL TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ, OK)
+          IF (OK .EQ. 0) RCTL(RPATIE) = 2.0D0*RCTL(RPATIE)
         END IF
       END IF
       IF (Z .EQ. 0) THEN
@@ -3484,18 +3419,17 @@ C     alone.
       INTEGER CTL(*), LSID(TSIDS,2), LSI(3,2), S, V(4)
       INTEGER HHPSID, TSLEAF, TSLFST
       INTEGER LEAVES, NPLANE, NEXTPL, LFIRST, LLAST, LN, BLK, STR, QBEST
-      INTEGER T3, NCELL, RSLOT
+      INTEGER T3, NCELL
       PARAMETER (LEAVES = 4, NPLANE = 12, NEXTPL = 13, LFIRST = 1)
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, QBEST = 1, T3 = 1)
-      PARAMETER (NCELL = 30, RSLOT = 13)
+      PARAMETER (NCELL = 29)
       DOUBLE PRECISION F(12), FQ(108)
-      INTEGER FIRST, G(3), GUESS(2), I, IQ(43), J, K, LAST, LEAF, LENGTH
+      INTEGER FIRST, G(3), GUESS(2), I, IQ(41), J, K, LEAF, LENGTH
       INTEGER NODE, OK, R(4), SAME, Z
       LEAF = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAF - 1
       FIRST = TSLFST(CTL, LEAF)
       LENGTH = TSLFST(CTL, LEAF + 1) - FIRST
-      LAST = FIRST + LENGTH - 1
       LSI(LFIRST,BLK) = 1
       LSI(LLAST,BLK) = 0
       LSI(LN,BLK) = 0
@@ -3542,11 +3476,10 @@ C     alone.
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, LSX,
      $              LSID, LSI, LSD, G, GUESS, Z)
       ELSE
-        RCTL(RSLOT) = 0.0D0
         CALL TSPREP(X, P, ORD, MARK, RCTL, G, IQ, F, FQ)
         CALL TSCHAL(X, P, ORD, MARK, RCTL, G, IQ, F, FQ, GUESS(1))
-        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, G, IQ, F, FQ,
-     $              FIRST, LAST, NODE)
+        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, G, IQ, F, FQ,
+     $              NODE)
         Z = IQ(QBEST)
       END IF
       SAME = SAME + 1
@@ -3962,7 +3895,7 @@ C     of the link.  INFO is 0, MORE or FULL.
       INTEGER NCELL, EAFTER, MORE, FULL, START, DEAD, EDGE
       PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, ECODE = 0)
       PARAMETER (EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4, MORE = 1)
-      PARAMETER (NCELL = 30, FULL = 2, START = -1, DEAD = -2, EDGE = 6)
+      PARAMETER (NCELL = 29, FULL = 2, START = -1, DEAD = -2, EDGE = 6)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
       CALL TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
      $            S)
@@ -4177,25 +4110,22 @@ C     no cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI)
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
-      INTEGER NP, NPLANE, NEXTPL, TIES, ROUND, TIED, NCELL, RFIRST
-      INTEGER RSUPP, RSEEK, RSCAN, LFIRST, LLAST, LN, BLK, STR
+      INTEGER NP, NPLANE, NEXTPL, TIES, ROUND, NCELL, RFIRST
+      INTEGER RSUPP, RPATIE, RSCAN, LFIRST, LLAST, LN, BLK, STR
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIES = 26)
-      PARAMETER (ROUND = 28, TIED = 29, NCELL = 30, RFIRST = 14)
-      PARAMETER (RSUPP = 6, RSEEK = 7, RSCAN = 11, LFIRST = 1)
+      PARAMETER (ROUND = 28, NCELL = 29, RFIRST = 13)
+      PARAMETER (RSUPP = 6, RPATIE = 8, RSCAN = 10, LFIRST = 1)
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2)
-      DOUBLE PRECISION MUCHL
-      PARAMETER (MUCHL = 1.0D100)
       CTL(NP) = 0
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
       CTL(TIES) = 0
       CTL(ROUND) = 0
-      CTL(TIED) = 0
       CTL(NCELL) = 0
       RCTL(RFIRST) = 0.0D0
       RCTL(RSUPP) = 0.0D0
-      RCTL(RSEEK) = 0.0D0
-      RCTL(RSCAN) = -MUCHL
+      RCTL(RPATIE) = 0.0D0
+      RCTL(RSCAN) = 0.0D0
       LSI(LFIRST,BLK) = 1
       LSI(LLAST,BLK) = 0
       LSI(LN,BLK) = 0
@@ -4299,7 +4229,7 @@ C     if one underflows: its multiple is lost.  INFO is 0, or RANGE.
       INTEGER HHFREX, TSINRA
       DOUBLE PRECISION HHLDEX, TSUNIT
       INTEGER NP, T3, T5, RSCALE, RLEAST, DIGITS, RANGE
-      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 10)
+      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 9)
       PARAMETER (DIGITS = 53, RANGE = 6)
       DOUBLE PRECISION HUGE, NORMAL
       PARAMETER (HUGE = 1.7976931348623157D308)
@@ -4395,7 +4325,7 @@ C     it, and HEADER(1) are NP, to know an index by.
       INTEGER KNOWN(4), COUNT, CTL(*), CODE
       DOUBLE PRECISION HEADER(6), RCTL(*)
       INTEGER NP, T3, T5, RSCALE, RLEAST
-      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 10)
+      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 9)
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
       HEADER(1) = DBLE(CTL(NP))
@@ -4415,7 +4345,7 @@ C     of points without a mesh, or -8 where there is no index.
       INTEGER HHHOLD, TSLCOU
       INTEGER NP, LEAVES, T3, T5, RSCALE, RLEAST, RANGE
       PARAMETER (NP = 1, LEAVES = 4, T3 = 1, T5 = 2, RSCALE = 5)
-      PARAMETER (RLEAST = 10, RANGE = 6)
+      PARAMETER (RLEAST = 9, RANGE = 6)
       DOUBLE PRECISION NORMAL
       PARAMETER (NORMAL = 2.0D0**(-1022))
       INTEGER ALL
@@ -4647,18 +4577,18 @@ C     element of RW or IW, and the standard lets them be altered.
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSTABL
       INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW
-      INTEGER UNMET, T5, RREACH, RSEEK, RBURDN, RPATIE, RSCAN, SUPPS
+      INTEGER UNMET, T5, RREACH, RBURDN, RPATIE, SUPPS, ROUND
       INTEGER LSUP, NEW, TSLIST, TSIDS, FULL
       PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5)
       PARAMETER (MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, UNMET = 27)
-      PARAMETER (T5 = 2, RREACH = 3, RSEEK = 7, RBURDN = 8, RPATIE = 9)
-      PARAMETER (RSCAN = 11, SUPPS = 8, LSUP = 98, NEW = -2)
+      PARAMETER (T5 = 2, RREACH = 3, RBURDN = 7, RPATIE = 8, ROUND = 28)
+      PARAMETER (SUPPS = 8, LSUP = 97, NEW = -2)
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48, FULL = 2)
       DOUBLE PRECISION BREACH, BURDEN, PLAIN
       PARAMETER (BREACH = 2.6D0, BURDEN = 1.0D0, PLAIN = 16.0D0)
-      DOUBLE PRECISION LSD(14,2), RCTL(18+LSUP*SUPPS)
+      DOUBLE PRECISION LSD(14,2), RCTL(17+LSUP*SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(82), I, K, LSI(3,2), OK, OWN, S, T, LSID(TSIDS,2)
+      INTEGER CTL(81), I, K, LSI(3,2), OK, OWN, S, T, LSID(TSIDS,2)
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
       ELSE
@@ -4684,10 +4614,10 @@ C     sets, by a step of Newton's method
         LINK(I) = NEW
    10 CONTINUE
       RCTL(RBURDN) = 0.0D0
-      RCTL(RPATIE) = BURDEN
-      IF (ROOMY .EQ. 1) RCTL(RSCAN) = 0.0D0
+      IF (ROOMY .EQ. 1) CTL(ROUND) = 1
 C     doubles decide all where points are in few units
-      IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN) RCTL(RSEEK) = 1.0D0
+      IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN)
+     $    RCTL(RPATIE) = BURDEN
       S = 0
       IF (CTL(NT) .GT. 0) THEN
         CALL TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
@@ -4972,9 +4902,9 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,2*LVS-1)
       INTEGER NP, RANGE, TSLIST, TSIDS
       PARAMETER (NP = 1, RANGE = 6, TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), RCTL(18)
+      DOUBLE PRECISION LSD(14,2), RCTL(17)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(82), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
+      INTEGER CTL(81), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .EQ. 0) THEN
@@ -5766,9 +5696,9 @@ C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
       INTEGER NP, T3, UNSURE, RANGE, TSLIST, TSIDS, HFROM, HMOST, NONE
       PARAMETER (NP = 1, T3 = 1, UNSURE = 2, RANGE = 6, TSLIST = 512)
       PARAMETER (TSIDS = TSLIST + 48, HFROM = 7, HMOST = 10, NONE = 0)
-      DOUBLE PRECISION LSD(14,2), RCTL(18), XF(3), Y(3,1)
+      DOUBLE PRECISION LSD(14,2), RCTL(17), XF(3), Y(3,1)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(82), F(3), G(4,1), H(10), I, K, LAST, LSI(3,2)
+      INTEGER CTL(81), F(3), G(4,1), H(10), I, K, LAST, LSI(3,2)
       INTEGER LSID(TSIDS,2), OK, S, STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
       IF (INFO .LT. 0) INFO = -3
