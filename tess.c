@@ -2627,36 +2627,45 @@ static int inblock(const mesh *m, quest *f)
     return 1;
 }
 
-/* scanleaf - consider those uncompleted points of a leaf of box b, positions
- * first ... last-1, that are not outside of the ball, or without a ball not on
- * the negative side, for which that of L = MUCHL / 2 stands, with room for
- * |w|^2: found first, without a branch. */
-static void scanleaf(const mesh *m, quest *f, tess_int first, tess_int last,
-                     const double *b)
+/* scanleaf - consider those uncompleted points of a leaf that are not outside
+ * the ball, or without a ball not on the negative side, for which the ball of
+ * L = MUCHL / 2 stands, with room for |w|^2.  The powers come first, as
+ * vectors, then without a branch the places of those to consider. */
+static void scanleaf(const mesh *m, quest *f, tess_int leaf)
 {
-    double d[3], size = 0.0, most, w0, w1, w2;
-    const double *x = m->x + 3 * first;
-    tess_int place[LEAF], i;
-    long n = 0, k;
+    const double *b = m->box + 6 * leaf, *x;
+    double d[3], power[LEAF], size = 0.0, most, w0, w1, w2;
+    double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8], d0, d1, d2;
+    tess_int first, last, place[LEAF];
+    int n, k, passed = 0;
 
+    span(m, leaf, &first, &last);
+    x = m->x + 3 * first;
+    n = (int)(last - first);
+    f->scanned += (double)n;
     COUNT(N_LEAF, 1);
-    COUNT(N_LIST, last - first);
+    COUNT(N_LIST, n);
     for (k = 0; k < 3; k++) {
         d[k] = f->ball ? 2.0 * f->c[k] : MUCHL * f->f[k];
         size += fabs(b[k] - f->f[6 + k]) + fabs(b[3 + k] - f->f[6 + k]);
     }
     most = f->f[9] <= HH_LOOSE ? f->f[9] + 16.0 * EPS : 2.0;
     most = f->ball ? powererr(f, size) : MUCHL * (size * most + FAINT);
-    for (i = first; i < last; i++, x += 3) {
-        w0 = x[0] - f->f[6];
-        w1 = x[1] - f->f[7];
-        w2 = x[2] - f->f[8];
-        place[n] = i;
-        n += (m->link[i] != DONE) &
-             (w0 * (w0 - d[0]) + w1 * (w1 - d[1]) + w2 * (w2 - d[2]) <= most);
+    d0 = d[0], d1 = d[1], d2 = d[2];
+    for (k = 0; k < n; k++) {
+        w0 = x[3 * k] - b0;
+        w1 = x[3 * k + 1] - b1;
+        w2 = x[3 * k + 2] - b2;
+        power[k] = w0 * (w0 - d0) + w1 * (w1 - d1) + w2 * (w2 - d2);
     }
-    for (k = 0; k < n; k++)
-        consider(m, f, place[k]); /* NOLINT: n places are set */
+    for (k = 0; k < n; k++) {
+        place[passed] = first + k;
+        passed += power[k] <= most;
+    }
+    for (k = 0; k < passed; k++)
+        if (m->link[place[k]] != DONE) /* NOLINT: places are set */
+            consider(m, f, place[k]);
+    if (SEEK(m) && m->link[first] != DONE) remember(f, first, 0);
 }
 
 #ifdef TESS_PROVE
@@ -2676,64 +2685,52 @@ static int barren(const mesh *m, const quest *f, tess_int node)
 
 /* treesearch - finish a search by the tree: the leaf of v[0] first, then its
  * parent's other child, and so on up to the root, or by cylinders its
- * grandparent's other three grandchildren, which are on the stack as minus the
- * one that is done with; near a support from the root down, the child of lesser
- * height first, as the apex may be anywhere. */
+ * grandparent's other three grandchildren; top is the node all below which has
+ * been searched.  Near a support from the root down, the child of lesser height
+ * first, as the apex may be anywhere. */
 static void treesearch(const mesh *m, quest *f)
 {
-    tess_int stack[DEPTH], node = 1, i, last;
+    tess_int stack[DEPTH], node = 1, top = 1, from;
     const double *b;
     double past[4];
     int depth = 1, n, fours;
 
-    stack[0] = 1;
     fours = ENCLOSED(m) && !LEANING(f) && (f->ball || f->f[9] <= HH_LOOSE);
-    if (!LEANING(f)) {
-        node = m->leaves + leafof(m, f->v[0]);
-        for (i = node, depth = 0; i > 1; i /= fours && i > 3 ? 4 : 2) depth++;
-        n = depth;
-        stack[depth++] = node;
-        for (i = node; i > 1; i /= fours && i > 3 ? 4 : 2)
-            stack[--n] = fours && i > 3 ? -i : i % 2 == 0 ? i + 1 : i - 1;
-    }
-    while (depth > 0) {
-        node = stack[--depth];
-        i = 0;
-        if (node < 0) {
-            i = -node;
-            node = i / 4;
-        } else if (m->alive[node] == 0)
-            continue;
+    if (!LEANING(f)) node = top = m->leaves + leafof(m, f->v[0]);
+    stack[0] = node;
+    while (depth > 0 || top > 1) {
+        from = top;
+        if (depth > 0)
+            node = stack[--depth];
+        else if (fours && top > 3)
+            node = top /= 4;
+        else {
+            node = top % 2 == 0 ? top + 1 : top - 1;
+            top /= 2;
+        }
+        if (m->alive[node] == 0) continue;
         if (fours && node < m->leaves) {
             COUNT(N_NODE, 4);
             outside(m, f, node, past);
             for (n = 3; n >= 0; n--)
                 if (past[n] > 0.0) {
                     HOLDS(barren(m, f, 4 * node + n));
-                } else if (4 * node + n != i)
+                } else if (4 * node + n != from)
                     stack[depth++] = 4 * node + n;
             continue;
         }
         COUNT(N_NODE, 1);
         b = m->box + 6 * node;
-        if (LEANING(f)) {
-            if (promise(m, f, node)) {
-                HOLDS(barren(m, f, node));
-                continue;
-            }
-        } else if (prunebox(f, b, b + 3))
-            continue;
-        if (node < m->leaves) {
+        if (LEANING(f) ? promise(m, f, node) : prunebox(f, b, b + 3)) {
+            HOLDS(barren(m, f, node));
+        } else if (node >= m->leaves)
+            scanleaf(m, f, node);
+        else {
             n = LEANING(f) && m->supports[f->near].least[2 * node] <
-                                       m->supports[f->near].least[2 * node + 1];
+                                  m->supports[f->near].least[2 * node + 1];
             stack[depth++] = 2 * node + n;
             stack[depth++] = 2 * node + 1 - n;
-            continue;
         }
-        span(m, node, &i, &last);
-        f->scanned += (double)(last - i);
-        scanleaf(m, f, i, last, b);
-        if (SEEK(m) && m->link[i] != DONE) remember(f, i, 0);
     }
 }
 
@@ -2945,8 +2942,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
             near.first = NONE;
             prepare(m, &near, f);
             challenge(m, &near, z);
-            scanleaf(m, &near, first, first + size,
-                     m->box + 6 * (m->leaves + leaf));
+            scanleaf(m, &near, m->leaves + leaf);
             z = near.best;
         }
         same++;

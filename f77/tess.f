@@ -3588,22 +3588,28 @@ C     costs: on surfaces two of five points that were tested.
       END IF
       END
 
-C     TSSCAN - consider those uncompleted points of a leaf, a node of
-C     the positions FIRST ... LAST, that are not outside of the ball, or
-C     without a ball not on the negative side, for which that of L =
-C     MUCHL/2 stands, with room for |W|**2: found first.
-      SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
-     $                  FIRST, LAST, NODE)
+C     TSSCAN - consider those uncompleted points of a leaf that are not
+C     outside the ball, or without a ball not on the negative side, for
+C     which the ball of L = MUCHL/2 stands, with room for |W|**2.  The
+C     powers come first, as vectors, then the places of those to
+C     consider.
+      SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F,
+     $                  FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), LINK(*), MARK(*), V(3), IQ(43), FIRST, LAST, NODE
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43), NODE
       DOUBLE PRECISION TSPOWE
-      INTEGER LEAF, QBALL, QC, DONE
-      PARAMETER (LEAF = 48, QBALL = 3, QC = 2, DONE = -1)
+      INTEGER LEAF, QBALL, QC, DONE, RSEEK, RSCAN
+      PARAMETER (LEAF = 48, QBALL = 3, QC = 2, DONE = -1, RSEEK = 7)
+      PARAMETER (RSCAN = 11)
       DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0)
       PARAMETER (MUCHL = 1.0D100)
-      DOUBLE PRECISION D(3), D1, D2, D3, MOST, SIZE, W1, W2, W3
-      INTEGER I, K, N, PLACE(LEAF)
+      DOUBLE PRECISION B1, B2, B3, D(3), D1, D2, D3, MOST, POWER(LEAF)
+      DOUBLE PRECISION SIZE, W1, W2, W3
+      INTEGER FIRST, I, K, LAST, N, PASSED, PLACE(LEAF)
+      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      N = LAST - FIRST + 1
+      RCTL(RSCAN) = RCTL(RSCAN) + DBLE(N)
       SIZE = 0.0D0
       DO 10 K = 1, 3
         D(K) = MUCHL*F(K)
@@ -3618,116 +3624,103 @@ C     MUCHL/2 stands, with room for |W|**2: found first.
       D1 = D(1)
       D2 = D(2)
       D3 = D(3)
-      N = 0
-      DO 20 I = FIRST, LAST
-        W1 = X(1,I) - F(7)
-        W2 = X(2,I) - F(8)
-        W3 = X(3,I) - F(9)
-        IF (W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3) .LE. MOST .AND.
-     $      LINK(I) .NE. DONE) THEN
-          N = N + 1
-          PLACE(N) = I
-        END IF
+      B1 = F(7)
+      B2 = F(8)
+      B3 = F(9)
+      I = FIRST - 1
+      DO 20 K = 1, N
+        W1 = X(1,I+K) - B1
+        W2 = X(2,I+K) - B2
+        W3 = X(3,I+K) - B3
+        POWER(K) = W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3)
    20 CONTINUE
+      PASSED = 0
       DO 30 K = 1, N
-        CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, PLACE(K))
+        IF (POWER(K) .LE. MOST) THEN
+          PASSED = PASSED + 1
+          PLACE(PASSED) = I + K
+        END IF
    30 CONTINUE
+      DO 40 K = 1, PASSED
+        IF (LINK(PLACE(K)) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, RCTL,
+     $      V, IQ, F, FQ, PLACE(K))
+   40 CONTINUE
+      IF (RCTL(RSEEK) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
+     $    CALL TSREME(IQ, FIRST, 0)
       END
 
 C     TSTREE - finish a search by the tree: the leaf of V(1) first, then
 C     its parent's other child, and so on up to the root, or by
-C     cylinders its grandparent's other three grandchildren, which are
-C     on the stack as minus the one that is done with; near a support
-C     from the root down, the child of lesser height first, as the apex
-C     may be anywhere.
+C     cylinders its grandparent's other three grandchildren; TOP is the
+C     node all below which has been searched.  Near a support from the
+C     root down, the child of lesser height first, as the apex may be
+C     anywhere.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
      $                  IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43)
       INTEGER TSPRUN, TSLEAF, TSGROU
-      INTEGER NP, LEAVES, ROUND, RSEEK, RSCAN, QBALL, QNEAR, DONE, DEPTH
-      PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, RSEEK = 7)
-      PARAMETER (RSCAN = 11, QBALL = 3, QNEAR = 6, DONE = -1)
+      INTEGER NP, LEAVES, ROUND, QBALL, QNEAR, DEPTH
+      PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, QBALL = 3, QNEAR = 6)
       PARAMETER (DEPTH = 96)
       DOUBLE PRECISION LOOSE
       PARAMETER (LOOSE = 0.5D0)
       DOUBLE PRECISION PAST(4)
-      INTEGER FIRST, FOURS, HEIGHT, I, LAST, LEAST, N, NEAR, NODE, OUT
-      INTEGER STACK(DEPTH), STEP
+      INTEGER FOURS, FROM, HEIGHT, LEAST, N, NEAR, NODE, OUT
+      INTEGER STACK(DEPTH), TOP
       NEAR = IQ(QNEAR)
       LEAST = CTL(NP) + 2*CTL(LEAVES)*(NEAR - 1)
-      HEIGHT = 1
-      STACK(1) = 1
       FOURS = CTL(ROUND)
       IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
      $    FOURS = 0
-      IF (NEAR .EQ. 0) THEN
-        NODE = CTL(LEAVES) + TSLEAF(CTL, V(1)) - 1
-        I = NODE
-   10   IF (I .GT. 1) THEN
-          HEIGHT = HEIGHT + 1
-          STEP = 2
-          IF (FOURS .EQ. 1 .AND. I .GT. 3) STEP = 4
-          I = I/STEP
-          GO TO 10
-        END IF
-        N = HEIGHT
-        STACK(N) = NODE
-        I = NODE
-   20   IF (I .GT. 1) THEN
-          N = N - 1
-          STEP = 2
-          IF (FOURS .EQ. 1 .AND. I .GT. 3) STEP = 4
-          STACK(N) = I + 1 - 2*MOD(I, 2)
-          IF (STEP .EQ. 4) STACK(N) = -I
-          I = I/STEP
-          GO TO 20
-        END IF
+      TOP = 1
+      IF (NEAR .EQ. 0) TOP = CTL(LEAVES) + TSLEAF(CTL, V(1)) - 1
+      HEIGHT = 1
+      STACK(1) = TOP
+   10 FROM = TOP
+      IF (HEIGHT .GT. 0) THEN
+        NODE = STACK(HEIGHT)
+        HEIGHT = HEIGHT - 1
+      ELSE IF (TOP .EQ. 1) THEN
+        RETURN
+      ELSE IF (FOURS .EQ. 1 .AND. TOP .GT. 3) THEN
+        TOP = TOP/4
+        NODE = TOP
+      ELSE
+        NODE = TOP + 1 - 2*MOD(TOP, 2)
+        TOP = TOP/2
       END IF
-   30 IF (HEIGHT .EQ. 0) RETURN
-      NODE = STACK(HEIGHT)
-      HEIGHT = HEIGHT - 1
-      I = 0
-      IF (NODE .LT. 0) THEN
-        I = -NODE
-        NODE = I/4
-      ELSE IF (ALIVE(NODE) .EQ. 0) THEN
-        GO TO 30
-      END IF
+      IF (ALIVE(NODE) .EQ. 0) GO TO 10
       IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
         N = 2*CTL(LEAVES) + 1
         CALL TSOUTS(BOX(1,N), TSGROU(CTL, NODE), IQ, F, FQ, PAST)
-        DO 40 N = 4*NODE + 3, 4*NODE, -1
-          IF (PAST(N-4*NODE+1) .LE. 0.0D0 .AND. N .NE. I) THEN
+        DO 20 N = 4, 1, -1
+          IF (PAST(N) .LE. 0.0D0 .AND. 4*NODE + N - 1 .NE. FROM) THEN
             HEIGHT = HEIGHT + 1
-            STACK(HEIGHT) = N
+            STACK(HEIGHT) = 4*NODE + N - 1
           END IF
-   40   CONTINUE
-        GO TO 30
+   20   CONTINUE
+        GO TO 10
       END IF
       IF (NEAR .NE. 0) THEN
         CALL TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
       ELSE
         OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
       END IF
-      IF (OUT .EQ. 1) GO TO 30
-      IF (NODE .LT. CTL(LEAVES)) THEN
-        N = 0
-        IF (NEAR .NE. 0) THEN
-          IF (MARK(LEAST+2*NODE) .LT. MARK(LEAST+2*NODE+1)) N = 1
-        END IF
-        STACK(HEIGHT+1) = 2*NODE + N
-        STACK(HEIGHT+2) = 2*NODE + 1 - N
-        HEIGHT = HEIGHT + 2
-        GO TO 30
+      IF (OUT .EQ. 1) GO TO 10
+      IF (NODE .GE. CTL(LEAVES)) THEN
+        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F, FQ,
+     $              NODE)
+        GO TO 10
       END IF
-      CALL TSSPAN(CTL, NODE, FIRST, LAST)
-      RCTL(RSCAN) = RCTL(RSCAN) + DBLE(LAST - FIRST + 1)
-      CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, V, IQ, F, FQ,
-     $            FIRST, LAST, NODE)
-      IF (RCTL(RSEEK) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
-     $    CALL TSREME(IQ, FIRST, 0)
-      GO TO 30
+      N = 0
+      IF (NEAR .NE. 0) THEN
+        IF (MARK(LEAST+2*NODE) .LT. MARK(LEAST+2*NODE+1)) N = 1
+      END IF
+      STACK(HEIGHT+1) = 2*NODE + N
+      STACK(HEIGHT+2) = 2*NODE + 1 - N
+      HEIGHT = HEIGHT + 2
+      GO TO 10
       END
 
 C     TSONHU - does the facet lie in a plane known to bound the hull: 1,
@@ -3985,13 +3978,12 @@ C     alone.
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, QBEST = 1, T3 = 1)
       PARAMETER (NCELL = 30, RSLOT = 13)
       DOUBLE PRECISION F(12), FQ(108)
-      INTEGER FIRST, G(3), GUESS(2), I, IQ(43), J, K, LAST, LEAF, LENGTH
+      INTEGER FIRST, G(3), GUESS(2), I, IQ(43), J, K, LEAF, LENGTH
       INTEGER NODE, OK, R(4), SAME, Z
       LEAF = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAF - 1
       FIRST = TSLFST(CTL, LEAF)
       LENGTH = TSLFST(CTL, LEAF + 1) - FIRST
-      LAST = FIRST + LENGTH - 1
       LSI(LFIRST,BLK) = 1
       LSI(LLAST,BLK) = 0
       LSI(LN,BLK) = 0
@@ -4041,8 +4033,8 @@ C     alone.
         RCTL(RSLOT) = 0.0D0
         CALL TSPREP(X, P, ORD, MARK, RCTL, G, IQ, F, FQ)
         CALL TSCHAL(X, P, ORD, MARK, RCTL, G, IQ, F, FQ, GUESS(1))
-        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, RCTL, G, IQ, F, FQ,
-     $              FIRST, LAST, NODE)
+        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, G, IQ, F, FQ,
+     $              NODE)
         Z = IQ(QBEST)
       END IF
       SAME = SAME + 1
