@@ -82,7 +82,7 @@
  *                curved narrow refine rough marked level remember fit discover
  *                lean sharpen sight lowest beyond promise group enclose
  *                enclosed outside inlarge keeplarge cap challenge consider
- *                ballcoef starcoef inball considerall likeliest anypoint
+ *                ballcoef starcoef inball considerall likeliest starball
  *                newcell incell instar inblock scanleaf barren treesearch
  *                onhull prepare proven apex
  *   one star     exchange settle plant
@@ -295,7 +295,8 @@ typedef struct quest {
                               /* the ball is that of a cap */
     hh_ball t;
     int tied;                 /* points met that are exactly on its ball */
-    int first;                /* v[first] is the large ball's, or NONE */
+    int first;                /* v[first] is the large ball's; 3: the facet */
+                              /* is on that, without it; NONE: it is not */
     int asked;                /* comparisons left to the exact predicates */
     int ball;                 /* there is a ball to prune with: centre c, */
     double c[3];              /* relative to f[6..8], wrong by at most dc */
@@ -357,10 +358,11 @@ typedef struct mesh {
     int nplane, nextplane;
     list block, around;       /* lists of a leaf, and of a star in it */
     double share;             /* the star's margin in the block's */
-    int ties;                 /* the last points on a ball were not in it */
+    int ties;                 /* the last search in a star's list met points */
+                              /* in the ball, the best of them 0: inside, 1: */
+                              /* about on it, 2: on it, exactly */
     cell cells[CELLS];        /* those met in this star, the last ones of */
     int ncell;                /* so many */
-    int tied;                 /* the last ties in a star's list were exact */
     tess_int large[4], first; /* on the large ball, and its first, or NONE; */
     double least;             /* coordinate of absolute value above 0, if any */
     support supports[SUPPORTS];
@@ -2283,7 +2285,7 @@ static void cap(const mesh *m, quest *f)
     double g[HH_FACET_LEN], size = 0.0, w[3];
     int k;
 
-    if (f->first == f->base || !inlarge(m, &f->best, 1)) return;
+    if (f->first > 2 || f->first == f->base || !inlarge(m, &f->best, 1)) return;
     hh_setup(m->x + 3 * f->v[f->base],
              m->x + 3 * f->v[3 - f->base - f->first], m->x + 3 * f->best, g);
     if (g[9] > HH_LOOSE) return;
@@ -2499,15 +2501,19 @@ static tess_int likeliest(const quest *f, const list *l, double most, int n,
     return best < 0 ? NONE : l->id[best];
 }
 
-/* anypoint - without a ball, consider a point of the list. */
-static void anypoint(const mesh *m, quest *f, const list *l)
+/* starball - the places of those points of a star's list that may be in the
+ * ball, or of all without a ball, and how many; 0 if these are none but the
+ * vertices and the best point, -1 if the ball is too large for the list. */
+static int starball(const list *l, const quest *f, int *place)
 {
-    int place[TESS_LIST], i;
-    tess_int z;
+    float d[4];
+    int in[TESS_LIST], n = 0;
 
-    for (i = 0; i < l->n; i++) place[i] = i;
-    z = likeliest(f, l, FAR / l->unit, l->n, place);
-    if (z != NONE) consider(m, f, z);
+    for (; !f->ball && n < l->n; n++) place[n] = n;
+    if (!f->ball) return n;
+    if (!starcoef(l, f, d)) return -1;
+    if (inball(l, d, in) <= 4 - f->limbs / 2) return 0;
+    return compress(in, l->n, place);
 }
 
 /* newcell - make a cell of the points exactly on the best point's ball, if all
@@ -2518,8 +2524,7 @@ static int newcell(mesh *m, quest *f)
 {
     const list *l = &m->around;
     const tess_int *v = f->v;
-    float d[4];
-    int in[TESS_LIST], place[TESS_LIST + 1], n, i, j, side;
+    int place[TESS_LIST + 1], n, i, side;
     double wide;
     tess_int z;
     cell c;
@@ -2528,11 +2533,8 @@ static int newcell(mesh *m, quest *f)
     wide = f->limbs ? 0.0 : f->hi - f->lo;
     if (wide > l->margin) return 0;
     f->dc += wide;
-    if (!ballinstar(m, f) || !starcoef(l, f, d)) return 0;
-    n = inball(l, d, in);
-    if (n <= 4 || n > CELL) return 0;
-    n = compress(in, l->n, place);
-    for (i = 0; i < CELL; i++) c.id[i] = NONE;
+    n = ballinstar(m, f) ? starball(l, f, place) : 0;
+    if (n <= 0 || n > CELL) return 0;
     for (i = c.n = 0; i < n; i++) {
         z = l->id[place[i]];
         side = 0;
@@ -2540,9 +2542,10 @@ static int newcell(mesh *m, quest *f)
             side = hh_pball(&m->set, v[0], v[1], v[2], f->best, z, 0);
         if (side < 0) return 0;
         if (side > 0) continue;
-        for (j = c.n++; j > 0 && m->order[c.id[j - 1]] > m->order[z]; j--)
-            c.id[j] = c.id[j - 1];
-        c.id[j] = z;
+        c.id[c.n++] = z;
+        if (m->order[z] > m->order[c.id[0]]) continue;
+        c.id[c.n - 1] = c.id[0];
+        c.id[0] = z;
     }
     if (c.n == 4) return 0;
     m->cells[m->ncell++ % CELLS] = c;
@@ -2557,7 +2560,7 @@ static tess_int incell(const mesh *m, const tess_int *v)
     int i, k, in;
 
     for (k = 0; k < m->ncell && k < CELLS && best == NONE; k++, c++) {
-        for (i = in = 0; i < CELL; i++)
+        for (i = in = 0; i < c->n; i++)
             in += (c->id[i] == v[1]) + (c->id[i] == v[2]);
         for (i = 0; i < c->n && in == 2; i++) {
             z = c->id[i];
@@ -2578,37 +2581,33 @@ static tess_int incell(const mesh *m, const tess_int *v)
 static int instar(mesh *m, quest *f)
 {
     const list *l = &m->around;
-    float d[4];
     double most;
     tess_int z = NONE;
-    int in[TESS_LIST], place[TESS_LIST + 1], n;
+    int place[TESS_LIST + 1], n;
 
     if (f->base != 0 || l->n == 0) return 0;
-    if (!f->ball) anypoint(m, f, l);
-    if (!f->ball || !starcoef(l, f, d)) return 0;
-    if (inball(l, d, in) > 4 - f->limbs / 2) {
-        n = compress(in, l->n, place);
+    n = starball(l, f, place);
+    if (n < 0) return 0;
+    if (n > 0) {
         most = (f->hi < FAR * l->margin ? f->hi : FAR * l->margin) -
                1e-4 * l->margin;
         /* the best of those inside the ball leaves none, as a rule; not among
          * ties, which are on it (to know that saves 6 % on lattices) */
-        if (!m->ties) z = likeliest(f, l, most, n, place);
+        if (m->ties == 0 || !f->ball) z = likeliest(f, l, most, n, place);
         if (z != NONE) {
             consider(m, f, z);
-            if (!starcoef(l, f, d)) return 0;
-            n = inball(l, d, in) > 4 - f->limbs / 2
-                    ? compress(in, l->n, place) : 0;
+            n = starball(l, f, place);
         }
-        if (m->tied && newcell(m, f)) {
+        if (n < 0 || !f->ball) return 0;
+        if (m->ties == 2 && newcell(m, f)) {
             f->best = incell(m, f->v);
             return 1;
         }
         considerall(m, f, l, n, place);
-        m->ties = f->hi > most;
-        if (f->tied > 0 && !m->tied) (void)newcell(m, f);
-        m->tied = f->tied > 0;
+        if (f->tied > 0 && m->ties < 2) (void)newcell(m, f);
+        m->ties = f->tied > 0 ? 2 : f->hi > most;
     }
-    return ballinstar(m, f);
+    return f->ball && ballinstar(m, f);
 }
 
 /* inblock - the same for the block's list.  Where the ball has room elsewhere
@@ -2683,8 +2682,8 @@ static int barren(const mesh *m, const quest *f, tess_int node)
 }
 #endif
 
-/* treesearch - finish a search by the tree: the leaf of v[0] first, then its
- * parent's other child, and so on up to the root, or by cylinders its
+/* treesearch - finish a search by the tree: the leaf of the base first, then
+ * its parent's other child, and so on up to the root, or by cylinders its
  * grandparent's other three grandchildren; top is the node all below which has
  * been searched.  Near a support from the root down, the child of lesser height
  * first, as the apex may be anywhere. */
@@ -2696,7 +2695,7 @@ static void treesearch(const mesh *m, quest *f)
     int depth = 1, n, fours;
 
     fours = ENCLOSED(m) && !LEANING(f) && (f->ball || f->f[9] <= HH_LOOSE);
-    if (!LEANING(f)) node = top = m->leaves + leafof(m, f->v[0]);
+    if (!LEANING(f)) node = top = m->leaves + leafof(m, f->v[f->base]);
     stack[0] = node;
     while (depth > 0 || top > 1) {
         from = top;
@@ -2752,41 +2751,44 @@ static int onhull(const mesh *m, const quest *f)
 }
 
 /* prepare - begin the search for the apex of the facet v.  Its base is v[0],
- * or if the angle there is small the vertex opposite to the longest edge. */
+ * or v[1] if v[0] is the large ball's first, or if the angle there is small the
+ * vertex opposite to the longest edge. */
 static void prepare(const mesh *m, quest *f, const tess_int *v)
 {
-    const double *a = m->x + 3 * v[0], *b = m->x + 3 * v[1];
-    const double *c = m->x + 3 * v[2];
-    double ab = 0.0, bc = 0.0, ca = 0.0;
-    int k;
+    const double *p[3], *a, *b;
+    double edge, longest = 0.0;
+    int k, base;
 
-    for (k = 0; k < 3; k++) f->v[k] = v[k];
-    f->base = f->asked = f->limbs = f->tied = 0;
-    f->opened = 0;
-    f->scanned = 0.0;
-    f->near = NONE;
-    f->best = NONE;
-    f->ball = 0;
-    f->hi = DBL_MAX;
-    f->dc = f->size = f->c[0] = f->c[1] = f->c[2] = 0.0;
-    hh_setup(a, b, c, f->f);
-    if (f->f[9] < 8000.0 * EPS) {
-        if (SUPPORTED(m)) lean(m, f);
-        return;
-    }
+    f->first = inlarge(m, v, 3) ? 3 : NONE;
     for (k = 0; k < 3; k++) {
-        ab += (b[k] - a[k]) * (b[k] - a[k]);
-        bc += (c[k] - b[k]) * (c[k] - b[k]);
-        ca += (a[k] - c[k]) * (a[k] - c[k]);
+        p[k] = m->x + 3 * v[k];
+        f->v[k] = v[k];
+        f->c[k] = 0.0;
+        if (f->first != NONE && v[k] == m->first) f->first = k;
     }
-    if (ca > ab && ca > bc) {
-        f->base = 1;
-        hh_setup(b, c, a, f->f);
-    } else if (ab > bc) {
-        f->base = 2;
-        hh_setup(c, a, b, f->f);
+    f->best = f->near = NONE;
+    f->asked = f->limbs = f->tied = f->ball = 0;
+    f->opened = 0;
+    f->scanned = f->dc = f->size = 0.0;
+    f->hi = DBL_MAX;
+    f->base = base = f->first == 0;
+    hh_setup(p[base], p[base + 1], p[(base + 2) % 3], f->f);
+    if (f->f[9] >= 8000.0 * EPS) {
+        for (k = 0; k < 3; k++) {
+            a = p[(k + 1) % 3];
+            b = p[(k + 2) % 3];
+            edge = (a[0] - b[0]) * (a[0] - b[0]) +
+                   (a[1] - b[1]) * (a[1] - b[1]) +
+                   (a[2] - b[2]) * (a[2] - b[2]);
+            if (edge <= longest) continue;
+            longest = edge;
+            base = k;
+        }
+        if (base != f->base)
+            hh_setup(p[base], p[(base + 1) % 3], p[(base + 2) % 3], f->f);
+        f->base = base;
+        if (f->f[9] > THIN) hh_thin(&m->set, v, base, f->f);
     }
-    if (f->f[9] > THIN) hh_thin(&m->set, v, f->base, f->f);
     if (SUPPORTED(m)) lean(m, f);
 }
 
@@ -2811,24 +2813,14 @@ static int proven(const mesh *m, const tess_int *v, tess_int c)
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 {
     quest f;
-    tess_int w[3];
     double h;
     int k, lists;
 
     COUNT(N_FACET, 1);
     if (m->ncell > 0 && (f.best = incell(m, v)) != NONE) return f.best;
-    f.first = NONE;
-    for (k = 0; k < 3; k++) w[k] = v[k];
-    if (inlarge(m, v, 3)) {
-        /* its base is not first */
-        for (k = 0; k < 3 && v[0] == m->first; k++) w[k] = v[(k + 1) % 3];
-        for (k = 0; k < 3; k++)
-            if (w[k] == m->first) f.first = k;
-        if (f.first == NONE &&
-            hh_pside(&m->set, v[0], v[1], v[2], m->first) > 0)
-            return m->first;
-    }
-    prepare(m, &f, w);
+    prepare(m, &f, v);
+    if (f.first == 3 && hh_pside(&m->set, v[0], v[1], v[2], m->first) > 0)
+        return m->first;
     for (k = 0; k < 2; k++)
         if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
             guess[k] != f.best)
@@ -2836,7 +2828,6 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     /* a ball that is a support's sphere but for rounding is in no list */
     lists = !curved(m, &f) ||
             (f.best != NONE && !marked(m, f.near, f.best, &h));
-    lists = lists && w[0] == v[0];
     if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);
         return f.best;
@@ -2939,7 +2930,6 @@ static void settle(mesh *m, tess_int s, tess_int *v)
         if (same >= 3)
             z = apex(m, f, guess);
         else {
-            near.first = NONE;
             prepare(m, &near, f);
             challenge(m, &near, z);
             scanleaf(m, &near, m->leaves + leaf);
@@ -3304,7 +3294,7 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->alive = iw + 2 * n;
     m->known = m->alive + 2 * leafcount(n);
     m->nplane = m->nextplane = m->ties = m->nsupport = m->seek = 0;
-    m->ncell = m->tied = 0;
+    m->ncell = 0;
     m->first = NONE;
     m->cylinder = NULL;
     m->scanned = -MUCHL;

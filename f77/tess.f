@@ -127,7 +127,7 @@ C         group TSGROU, enclose TSENCL, enclosed TSECLD,
 C         outside TSOUTS, inlarge TSINLA, keeplarge TSKEEP, cap TSCAP,
 C         challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
 C         starcoef TSSTAC, inball TSINBA, considerall TSCALL,
-C         likeliest TSLIKE, anypoint TSANYP, newcell TSNEWC,
+C         likeliest TSLIKE, starball TSSTBA, newcell TSNEWC,
 C         incell TSINCE, instar TSINST, inblock TSINBL, scanleaf TSSCAN,
 C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
 C         apex TSAPEX
@@ -192,10 +192,11 @@ C       OLDEST, NEWEST  edges of the link, the newest the lowest
 C       LOW     no vertex of a smaller position owns facets
 C       NPLANE  hull planes that are remembered;  NEXTPL the one to be
 C               replaced next;  PLANE0 the place before them
-C       TIES    1: the last points on a ball were not in it
+C       TIES    of the last search in a star's list that met points in
+C               the ball, the best of them was 0: inside, 1: about on
+C               it, 2: on it, exactly
 C       UNMET   no vertex before it is NEW and asked for
 C       ROUND   1: there are cylinders, behind BOX(6,2*CTL(LEAVES))
-C       TIED    1: the last ties in a star's list were exact
 C       NCELL   cells of this star: CELLS at most, the last ones, are
 C               kept, each how many points it has and these, CELL at
 C               most, the least number first;  CELL0 the place before
@@ -209,7 +210,8 @@ C       RBURDN  comparisons left open;  RPATIE how many may be, over NP
 C       RLEAST  the least absolute value of a coordinate above 0
 C       RSCAN   points of leaves tested, or below 0
 C       RTIED   points that a search met exactly on its ball
-C       RSLOT   V(RSLOT) is the large ball's first, or 0
+C       RSLOT   V(RSLOT) is the large ball's first; 4: the facet is on
+C               that, but without it; 0: it is not on it
 C       RFIRST  the large ball's first, or 0;  behind RLARGE four
 C               points on it
 C     A support J, a plane or a sphere that many points are near to, is
@@ -1230,7 +1232,7 @@ C     of the link.  INFO is 0, MORE or FULL.
       INTEGER NCELL, EAFTER, MORE, FULL, START, DEAD, EDGE
       PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, ECODE = 0)
       PARAMETER (EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4, MORE = 1)
-      PARAMETER (NCELL = 30, FULL = 2, START = -1, DEAD = -2, EDGE = 6)
+      PARAMETER (NCELL = 29, FULL = 2, START = -1, DEAD = -2, EDGE = 6)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
       CALL TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
      $            S)
@@ -3049,7 +3051,7 @@ C     first, SIZE, of |W|_1 and |C|_1 together, covers TSPOWE.
       DOUBLE PRECISION A(3), B(3), C(3), G(12), POWER, SIZE, W
       INTEGER BEST(1), FIRST, I, J, K
       I = INT(RCTL(RSLOT))
-      IF (I .EQ. IQ(QBASE)) RETURN
+      IF (I .GT. 3 .OR. I .EQ. IQ(QBASE)) RETURN
       BEST(1) = IQ(QBEST)
       IF (TSINLA(X, P, ORD, RCTL, BEST, 1) .EQ. 0) RETURN
       J = 6 - IQ(QBASE) - I
@@ -3353,27 +3355,36 @@ C     where a side or the point is no good the height is more than FAR
    20 CONTINUE
       END
 
-C     TSANYP - without a ball, consider a point of the list.
-      SUBROUTINE TSANYP(X, P, ORD, MARK, RCTL, LSX, LSID, LSI, LSD,
-     $                  LIST, V, IQ, F, FQ)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), LSD(14,2), F(12)
-      DOUBLE PRECISION FQ(108)
+C     TSSTBA - the places of those points of a star's list that may be
+C     in the ball, or of all without a ball, and how many, N; 0 if these
+C     are none but the vertices and the best point, -1 if the ball is
+C     too large for the list.
+      SUBROUTINE TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION LSD(14,2), FQ(108)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), LIST, V(3)
-      INTEGER IQ(43)
-      INTEGER LN, LUNIT
-      PARAMETER (LN = 3, LUNIT = 14)
-      DOUBLE PRECISION FAR
-      PARAMETER (FAR = 1.0D10)
-      INTEGER I, PLACE(TSLIST), Z
-      DO 10 I = 1, LSI(LN,LIST)
-        PLACE(I) = I
-   10 CONTINUE
-      CALL TSLIKE(LSX, LSID, LSD, LIST, F, FQ, FAR/LSD(LUNIT,LIST),
-     $            LSI(LN,LIST), PLACE, Z)
-      IF (Z .NE. 0) CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
+      INTEGER LSI(3,2), IQ(43), PLACE(*), N
+      INTEGER LN, STR, QLIMBS, QBALL
+      PARAMETER (LN = 3, STR = 2, QLIMBS = 2, QBALL = 3)
+      REAL D(4)
+      INTEGER I, IN(TSLIST), OK
+      IF (IQ(QBALL) .EQ. 0) THEN
+        N = LSI(LN,STR)
+        DO 10 I = 1, N
+          PLACE(I) = I
+   10   CONTINUE
+        RETURN
+      END IF
+      N = -1
+      CALL TSSTAC(LSD, STR, FQ, D, OK)
+      IF (OK .EQ. 0) RETURN
+      CALL TSINBA(LSX, LSI, STR, D, IN, N)
+      IF (N .LE. 4 - IQ(QLIMBS)/2) THEN
+        N = 0
+      ELSE
+        CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
+      END IF
       END
 
 C     TSNEWC - make a cell of the points exactly on the best point's
@@ -3389,17 +3400,15 @@ C     off by up to QHI - QLO, too, which tells on the negative side.
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(43), OK
       INTEGER HHPBAL, TSBINS
-      INTEGER NCELL, CELL0, T3, T5, LN, LMARG, STR, QBEST, QLIMBS, QLO
-      INTEGER QHI, QDC, CELL, CELLS
-      PARAMETER (NCELL = 30, CELL0 = 30, T3 = 1, T5 = 2, LN = 3)
-      PARAMETER (LMARG = 13, STR = 2, QBEST = 1, QLIMBS = 2, QLO = 1)
-      PARAMETER (QHI = 2, QDC = 6, CELL = 12, CELLS = 4)
+      INTEGER NCELL, CELL0, T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI
+      INTEGER QDC, CELL, CELLS
+      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, LMARG = 13)
+      PARAMETER (STR = 2, QBEST = 1, QLIMBS = 2, QLO = 1, QHI = 2)
+      PARAMETER (QDC = 6, CELL = 12, CELLS = 4)
       DOUBLE PRECISION MUCHL
       PARAMETER (MUCHL = 1.0D100)
       DOUBLE PRECISION WIDE
-      REAL D(4)
-      INTEGER AT, C(CELL), I, IN(TSLIST), J, M, N, PLACE(TSLIST+1), SIDE
-      INTEGER Z
+      INTEGER AT, C(CELL), I, M, N, PLACE(TSLIST+1), SIDE, Z
       OK = 0
       IF (IQ(QLIMBS) .EQ. 2 .OR. ABS(FQ(QHI)) .GT. MUCHL) RETURN
       WIDE = 0.0D0
@@ -3407,15 +3416,8 @@ C     off by up to QHI - QLO, too, which tells on the negative side.
       IF (WIDE .GT. LSD(LMARG,STR)) RETURN
       FQ(QDC) = FQ(QDC) + WIDE
       IF (TSBINS(BOX, LSD, F, FQ) .EQ. 0) RETURN
-      CALL TSSTAC(LSD, STR, FQ, D, OK)
-      IF (OK .EQ. 0) RETURN
-      OK = 0
-      CALL TSINBA(LSX, LSI, STR, D, IN, N)
-      IF (N .LE. 4 .OR. N .GT. CELL) RETURN
-      CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
-      DO 5 I = 1, CELL
-        C(I) = 0
-    5 CONTINUE
+      CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
+      IF (N .LE. 0 .OR. N .GT. CELL) RETURN
       M = 0
       DO 30 I = 1, N
         Z = LSID(PLACE(I),STR)
@@ -3425,12 +3427,12 @@ C     off by up to QHI - QLO, too, which tells on the negative side.
      $      RCTL(T5), V(1), V(2), V(3), IQ(QBEST), Z, 0)
         IF (SIDE .LT. 0) RETURN
         IF (SIDE .EQ. 0) THEN
-          DO 10 J = M, 1, -1
-            IF (ORD(C(J)) .LT. ORD(Z)) GO TO 20
-            C(J+1) = C(J)
-   10     CONTINUE
-   20     C(J+1) = Z
           M = M + 1
+          C(M) = Z
+          IF (ORD(Z) .LT. ORD(C(1))) THEN
+            C(M) = C(1)
+            C(1) = Z
+          END IF
         END IF
    30 CONTINUE
       IF (M .EQ. 4) RETURN
@@ -3450,7 +3452,7 @@ C     "Ties".
       INTEGER ORD(*), CTL(*), V(3), Z
       INTEGER HHPBEA, HHPSID
       INTEGER NCELL, CELL0, T3, T5, CELL, CELLS
-      PARAMETER (NCELL = 30, CELL0 = 30, T3 = 1, T5 = 2, CELL = 12)
+      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, CELL = 12)
       PARAMETER (CELLS = 4)
       INTEGER AT, I, IN, J, K
       Z = 0
@@ -3495,45 +3497,31 @@ C     else 0.
       INTEGER ORD(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3)
       INTEGER IQ(43), OK
       INTEGER TSBINS
-      INTEGER TIES, TIED, RTIED, LN, LMARG, STR, QBEST, QLIMBS, QBALL
-      INTEGER QBASE, QHI
-      PARAMETER (TIES = 26, LN = 3, LMARG = 13, STR = 2, QBALL = 3)
-      PARAMETER (QBASE = 4, QHI = 2, TIED = 29, RTIED = 12, QBEST = 1)
-      PARAMETER (QLIMBS = 2)
+      INTEGER TIES, RTIED, LN, LMARG, STR, QBEST, QBALL, QBASE, QHI
+      PARAMETER (TIES = 26, RTIED = 12, LN = 3, LMARG = 13, STR = 2)
+      PARAMETER (QBEST = 1, QBALL = 3, QBASE = 4, QHI = 2)
       DOUBLE PRECISION FAR
       PARAMETER (FAR = 1.0D10)
       DOUBLE PRECISION MOST
-      REAL D(4)
-      INTEGER IN(TSLIST), N, PLACE(TSLIST+1), Z
+      INTEGER N, PLACE(TSLIST+1), Z
       OK = 0
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0) RETURN
-      IF (IQ(QBALL) .EQ. 0) CALL TSANYP(X, P, ORD, MARK, RCTL, LSX,
-     $    LSID, LSI, LSD, STR, V, IQ, F, FQ)
-      IF (IQ(QBALL) .EQ. 0) RETURN
-      CALL TSSTAC(LSD, STR, FQ, D, OK)
-      IF (OK .EQ. 0) RETURN
-      CALL TSINBA(LSX, LSI, STR, D, IN, N)
-      IF (N .GT. 4 - IQ(QLIMBS)/2) THEN
-        CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
+      CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
+      IF (N .LT. 0) RETURN
+      IF (N .GT. 0) THEN
         MOST = MIN(FQ(QHI), FAR*LSD(LMARG,STR)) -
      $         1.0D-4*LSD(LMARG,STR)
 C       the best of those inside the ball leaves none, as a rule; not
 C       among ties, which are on it (to know that saves 6 % on lattices)
         Z = 0
-        IF (CTL(TIES) .EQ. 0) CALL TSLIKE(LSX, LSID, LSD, STR, F, FQ,
-     $      MOST, N, PLACE, Z)
+        IF (CTL(TIES) .EQ. 0 .OR. IQ(QBALL) .EQ. 0) CALL TSLIKE(LSX,
+     $      LSID, LSD, STR, F, FQ, MOST, N, PLACE, Z)
         IF (Z .NE. 0) THEN
           CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
-          CALL TSSTAC(LSD, STR, FQ, D, OK)
-          IF (OK .EQ. 0) RETURN
-          CALL TSINBA(LSX, LSI, STR, D, IN, N)
-          IF (N .GT. 4 - IQ(QLIMBS)/2) THEN
-            CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
-          ELSE
-            N = 0
-          END IF
+          CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
         END IF
-        IF (CTL(TIED) .EQ. 1) THEN
+        IF (N .LT. 0 .OR. IQ(QBALL) .EQ. 0) RETURN
+        IF (CTL(TIES) .EQ. 2) THEN
           CALL TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD, V,
      $                IQ, F, FQ, OK)
           IF (OK .EQ. 1) THEN
@@ -3543,15 +3531,15 @@ C       among ties, which are on it (to know that saves 6 % on lattices)
         END IF
         CALL TSCALL(X, P, ORD, MARK, RCTL, LSID, STR, V, IQ, F, FQ, N,
      $              PLACE)
-        CTL(TIES) = 0
-        IF (FQ(QHI) .GT. MOST) CTL(TIES) = 1
-        IF (CTL(TIED) .EQ. 0 .AND. RCTL(RTIED) .GT. 0.0D0)
+        IF (CTL(TIES) .LT. 2 .AND. RCTL(RTIED) .GT. 0.0D0)
      $      CALL TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
      $      V, IQ, F, FQ, OK)
-        CTL(TIED) = 0
-        IF (RCTL(RTIED) .GT. 0.0D0) CTL(TIED) = 1
+        CTL(TIES) = 0
+        IF (FQ(QHI) .GT. MOST) CTL(TIES) = 1
+        IF (RCTL(RTIED) .GT. 0.0D0) CTL(TIES) = 2
       END IF
-      OK = TSBINS(BOX, LSD, F, FQ)
+      OK = 0
+      IF (IQ(QBALL) .EQ. 1) OK = TSBINS(BOX, LSD, F, FQ)
       END
 
 C     TSINBL - the same for the block's list.  Where the ball has room
@@ -3649,8 +3637,8 @@ C     consider.
      $    CALL TSREME(IQ, FIRST, 0)
       END
 
-C     TSTREE - finish a search by the tree: the leaf of V(1) first, then
-C     its parent's other child, and so on up to the root, or by
+C     TSTREE - finish a search by the tree: the leaf of the base first,
+C     then its parent's other child, and so on up to the root, or by
 C     cylinders its grandparent's other three grandchildren; TOP is the
 C     node all below which has been searched.  Near a support from the
 C     root down, the child of lesser height first, as the apex may be
@@ -3660,9 +3648,9 @@ C     anywhere.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43)
       INTEGER TSPRUN, TSLEAF, TSGROU
-      INTEGER NP, LEAVES, ROUND, QBALL, QNEAR, DEPTH
-      PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, QBALL = 3, QNEAR = 6)
-      PARAMETER (DEPTH = 96)
+      INTEGER NP, LEAVES, ROUND, QBALL, QBASE, QNEAR, DEPTH
+      PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, QBALL = 3, QBASE = 4)
+      PARAMETER (QNEAR = 6, DEPTH = 96)
       DOUBLE PRECISION LOOSE
       PARAMETER (LOOSE = 0.5D0)
       DOUBLE PRECISION PAST(4)
@@ -3674,7 +3662,8 @@ C     anywhere.
       IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
      $    FOURS = 0
       TOP = 1
-      IF (NEAR .EQ. 0) TOP = CTL(LEAVES) + TSLEAF(CTL, V(1)) - 1
+      IF (NEAR .EQ. 0) TOP = CTL(LEAVES) +
+     $    TSLEAF(CTL, V(IQ(QBASE))) - 1
       HEIGHT = 1
       STACK(1) = TOP
    10 FROM = TOP
@@ -3748,32 +3737,35 @@ C     or 0.
       END
 
 C     TSPREP - begin the search for the apex of the facet V.  Its base
-C     is V(1), or if the angle there is small the vertex opposite to the
-C     longest edge.
+C     is V(1), or V(2) if V(1) is the large ball's first, or if the
+C     angle there is small the vertex opposite to the longest edge.
       SUBROUTINE TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(43)
+      INTEGER TSINLA
       INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QNEAR
-      INTEGER RTIED, QOPEND, QLO, QHI, QC, QDC, QSIZE
+      INTEGER RTIED, RSLOT, RFIRST, QOPEND, QLO, QHI, QC, QDC, QSIZE
       PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2)
       PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QNEAR = 6)
       PARAMETER (QOPEND = 9, QLO = 1, QHI = 2, QC = 2, QDC = 6)
-      PARAMETER (QSIZE = 7, RTIED = 12)
+      PARAMETER (QSIZE = 7, RTIED = 12, RSLOT = 13, RFIRST = 14)
       DOUBLE PRECISION EPS, HUGE, THIN
       PARAMETER (EPS = 2.0D0**(-52), THIN = 1.0D-6)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION A(3), AB, B(3), BC, C(3), CA
-      INTEGER K, SE
-      DO 10 K = 1, 3
-        A(K) = X(K,V(1))
-        B(K) = X(K,V(2))
-        C(K) = X(K,V(3))
-        FQ(QC+K) = 0.0D0
-   10 CONTINUE
+      DOUBLE PRECISION A(3), B(3), C(3), EDGE, LONGST
+      INTEGER BASE, I, J, K, SE
+      RCTL(RSLOT) = 0.0D0
+      BASE = 1
+      IF (TSINLA(X, P, ORD, RCTL, V, 3) .EQ. 1) THEN
+        RCTL(RSLOT) = 4.0D0
+        DO 10 K = 1, 3
+          IF (V(K) .EQ. INT(RCTL(RFIRST))) RCTL(RSLOT) = DBLE(K)
+   10   CONTINUE
+        IF (V(1) .EQ. INT(RCTL(RFIRST))) BASE = 2
+      END IF
       IQ(QBEST) = 0
       IQ(QLIMBS) = 0
       IQ(QBALL) = 0
-      IQ(QBASE) = 1
       IQ(QASKED) = 0
       IQ(QNEAR) = 0
       IQ(QOPEND) = 0
@@ -3782,26 +3774,31 @@ C     longest edge.
       FQ(QHI) = HUGE
       FQ(QDC) = 0.0D0
       FQ(QSIZE) = 0.0D0
+   20 DO 30 K = 1, 3
+        FQ(QC+K) = 0.0D0
+        A(K) = X(K,V(BASE))
+        B(K) = X(K,V(MOD(BASE,3)+1))
+        C(K) = X(K,V(MOD(BASE+1,3)+1))
+   30 CONTINUE
       CALL HHSETU(A, B, C, F)
-      IF (F(10) .LT. 8000.0D0*EPS) GO TO 30
-      AB = 0.0D0
-      BC = 0.0D0
-      CA = 0.0D0
-      DO 20 K = 1, 3
-        AB = AB + (B(K) - A(K))*(B(K) - A(K))
-        BC = BC + (C(K) - B(K))*(C(K) - B(K))
-        CA = CA + (A(K) - C(K))*(A(K) - C(K))
-   20 CONTINUE
-      IF (CA .GT. AB .AND. CA .GT. BC) THEN
-        IQ(QBASE) = 2
-        CALL HHSETU(B, C, A, F)
-      ELSE IF (AB .GT. BC) THEN
-        IQ(QBASE) = 3
-        CALL HHSETU(C, A, B, F)
+      IQ(QBASE) = BASE
+      IF (F(10) .GE. 8000.0D0*EPS) THEN
+        LONGST = 0.0D0
+        DO 40 K = 1, 3
+          I = V(MOD(K,3)+1)
+          J = V(MOD(K+1,3)+1)
+          EDGE = (X(1,I) - X(1,J))**2 + (X(2,I) - X(2,J))**2 +
+     $        (X(3,I) - X(3,J))**2
+          IF (EDGE .GT. LONGST) THEN
+            LONGST = EDGE
+            BASE = K
+          END IF
+   40   CONTINUE
+        IF (BASE .NE. IQ(QBASE)) GO TO 20
+        SE = INT(RCTL(RSCALE))
+        IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, SE, V, BASE, F)
       END IF
-      SE = INT(RCTL(RSCALE))
-      IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, SE, V, IQ(QBASE), F)
-   30 IF (RCTL(RSUPP) .GT. 0.0D0) CALL TSLEAN(X, P, ORD, MARK, RCTL, V,
+      IF (RCTL(RSUPP) .GT. 0.0D0) CALL TSLEAN(X, P, ORD, MARK, RCTL, V,
      $    IQ, F, FQ)
       END
 
@@ -3815,7 +3812,7 @@ C     GUESS: two positions to try first, or 0.
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(TSIDS,2)
       INTEGER LSI(3,2), V(3), GUESS(2), Z
-      INTEGER HHPSID, TSCURV, TSINLA, TSONHU
+      INTEGER HHPSID, TSCURV, TSONHU
       INTEGER NP, NPLANE, NEXTPL, PLANE0, RSUPP, RSEEK, RBURDN, RPATIE
       INTEGER RSCAN, QBEST, QNEAR, QOPEND
       INTEGER LEAVES, PLANES, OPENED, T3, NCELL, RTIED
@@ -3825,37 +3822,26 @@ C     GUESS: two positions to try first, or 0.
       PARAMETER (RSUPP = 6, RSEEK = 7, RBURDN = 8, RPATIE = 9)
       PARAMETER (RSCAN = 11, QBEST = 1, QNEAR = 6)
       PARAMETER (QOPEND = 9, PLANES = 4, OPENED = 24)
-      PARAMETER (T3 = 1, NCELL = 30, RTIED = 12, RSLOT = 13)
+      PARAMETER (T3 = 1, NCELL = 29, RTIED = 12, RSLOT = 13)
       PARAMETER (RFIRST = 14, LLAST = 2, BLK = 1, LARGE = 24)
       DOUBLE PRECISION SCANS
       PARAMETER (SCANS = 100.0D0)
       DOUBLE PRECISION F(12), FQ(108), H
-      INTEGER AT, G, IQ(43), K, LISTS, OK, W(3)
+      INTEGER AT, G, IQ(43), K, LISTS, OK
       IF (CTL(NCELL) .GT. 0) THEN
         CALL TSINCE(X, P, ORD, CTL, RCTL, V, Z)
         IF (Z .NE. 0) RETURN
       END IF
-      RCTL(RSLOT) = 0.0D0
-      W(1) = V(1)
-      W(2) = V(2)
-      W(3) = V(3)
-      IF (TSINLA(X, P, ORD, RCTL, V, 3) .EQ. 1) THEN
+      CALL TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
+      IF (RCTL(RSLOT) .GE. 4.0D0) THEN
         Z = INT(RCTL(RFIRST))
-        DO 5 K = 1, 3
-C         its base is not first
-          IF (V(1) .EQ. Z) W(K) = V(MOD(K,3)+1)
-          IF (W(K) .EQ. Z) RCTL(RSLOT) = DBLE(K)
-    5   CONTINUE
-        IF (RCTL(RSLOT) .LE. 0.0D0) THEN
-          IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z) .GT. 0)
-     $        RETURN
-        END IF
+        IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z) .GT. 0)
+     $      RETURN
       END IF
-      CALL TSPREP(X, P, ORD, MARK, RCTL, W, IQ, F, FQ)
       DO 10 K = 1, 2
         G = GUESS(K)
         IF (G .NE. 0 .AND. G .NE. V(2) .AND. G .NE. V(3) .AND.
-     $      G .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, MARK, RCTL, W, IQ,
+     $      G .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, MARK, RCTL, V, IQ,
      $      F, FQ, G)
    10 CONTINUE
       Z = IQ(QBEST)
@@ -3866,26 +3852,25 @@ C     a ball that is a support's sphere but for rounding is in no list
         IF (Z .NE. 0) CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
         LISTS = 1 - OK
       END IF
-      IF (W(1) .NE. V(1)) LISTS = 0
       IF (LISTS .EQ. 1) THEN
         CALL TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, LSX, LSID, LSI,
-     $              LSD, W, IQ, F, FQ, OK)
+     $              LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) RETURN
 C       before the block's list: a tenth of the time on lattices
         IF (Z .EQ. 0) THEN
           IF (TSONHU(X, P, ORD, CTL, RCTL, V) .EQ. 1) RETURN
         END IF
-        CALL TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD, W,
+        CALL TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD, V,
      $              IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) RETURN
       END IF
-      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, W, IQ,
+      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V, IQ,
      $            F, FQ)
       Z = IQ(QBEST)
       IF (RCTL(RTIED) .GT. DBLE(LARGE) .AND. LSI(LLAST,BLK) .GT. 0)
-     $    CALL TSKEEP(ORD, RCTL, W, Z)
+     $    CALL TSKEEP(ORD, RCTL, V, Z)
       IF (RCTL(RSCAN) .GT. SCANS*DBLE(CTL(NP))) THEN
         K = 2*CTL(LEAVES) + 1
         CALL TSECLD(X, BOX, BOX(1,K), CTL, RCTL)
@@ -3894,7 +3879,7 @@ C       before the block's list: a tenth of the time on lattices
         RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))
         IF (RCTL(RBURDN) .GT. RCTL(RPATIE)*DBLE(CTL(NP))) THEN
           K = INT(RCTL(RSUPP))
-          CALL TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, W, IQ)
+          CALL TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ)
           RCTL(RBURDN) = 0.0D0
           IF (INT(RCTL(RSUPP)) .EQ. K)
      $        RCTL(RPATIE) = 2.0D0*RCTL(RPATIE)
@@ -3973,10 +3958,10 @@ C     alone.
       INTEGER CTL(*), LSID(TSIDS,2), LSI(3,2), S, V(4)
       INTEGER HHPSID, TSLEAF, TSLFST
       INTEGER LEAVES, NPLANE, NEXTPL, LFIRST, LLAST, LN, BLK, STR, QBEST
-      INTEGER T3, NCELL, RSLOT
+      INTEGER T3, NCELL
       PARAMETER (LEAVES = 4, NPLANE = 12, NEXTPL = 13, LFIRST = 1)
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, QBEST = 1, T3 = 1)
-      PARAMETER (NCELL = 30, RSLOT = 13)
+      PARAMETER (NCELL = 29)
       DOUBLE PRECISION F(12), FQ(108)
       INTEGER FIRST, G(3), GUESS(2), I, IQ(43), J, K, LEAF, LENGTH
       INTEGER NODE, OK, R(4), SAME, Z
@@ -4030,7 +4015,6 @@ C     alone.
         CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, LSX,
      $              LSID, LSI, LSD, G, GUESS, Z)
       ELSE
-        RCTL(RSLOT) = 0.0D0
         CALL TSPREP(X, P, ORD, MARK, RCTL, G, IQ, F, FQ)
         CALL TSCHAL(X, P, ORD, MARK, RCTL, G, IQ, F, FQ, GUESS(1))
         CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, G, IQ, F, FQ,
@@ -4548,18 +4532,17 @@ C     besides.
       DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*)
       INTEGER HHHOLD, TSLCOU
       INTEGER NP, LEAVES, NPLANE, NEXTPL, TIES, T3, T5, RSCALE, RLEAST
-      INTEGER ROUND, TIED, NCELL, RFIRST, RSUPP, RSEEK, RSCAN, RANGE
+      INTEGER ROUND, NCELL, RFIRST, RSUPP, RSEEK, RSCAN, RANGE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
       PARAMETER (TIES = 26, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 10)
       PARAMETER (ROUND = 28, RSUPP = 6, RSEEK = 7, RSCAN = 11)
-      PARAMETER (TIED = 29, NCELL = 30, RFIRST = 14, RANGE = 6)
+      PARAMETER (NCELL = 29, RFIRST = 14, RANGE = 6)
       DOUBLE PRECISION NORMAL, MUCHL
       PARAMETER (NORMAL = 2.0D0**(-1022), MUCHL = 1.0D100)
       INTEGER ALL
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
       CTL(TIES) = 0
-      CTL(TIED) = 0
       CTL(NCELL) = 0
       RCTL(RFIRST) = 0.0D0
       CTL(ROUND) = 0
@@ -4599,7 +4582,7 @@ C     element of RW or IW, and the standard lets them be altered.
       INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW
       INTEGER NPLANE, NEXTPL, TIES, UNMET, LFIRST, LLAST, LN, BLK, STR
       INTEGER ROUND, T5, RREACH, RSUPP, RSEEK, RBURDN, RPATIE, RSCAN
-      INTEGER SUPPS, LSUP, OPEN, NEW, TSLIST, TSIDS, TIED, NCELL, RFIRST
+      INTEGER SUPPS, LSUP, OPEN, NEW, TSLIST, TSIDS, NCELL, RFIRST
       PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5)
       PARAMETER (MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, NPLANE = 12)
       PARAMETER (NEXTPL = 13, TIES = 26, UNMET = 27, LFIRST = 1)
@@ -4608,18 +4591,17 @@ C     element of RW or IW, and the standard lets them be altered.
       PARAMETER (ROUND = 28, RPATIE = 9, RSCAN = 11, SUPPS = 8)
       PARAMETER (LSUP = 98)
       PARAMETER (OPEN = -1, NEW = -2, TSLIST = 512)
-      PARAMETER (TSIDS = TSLIST + 48, TIED = 29, NCELL = 30)
+      PARAMETER (TSIDS = TSLIST + 48, NCELL = 29)
       PARAMETER (RFIRST = 14)
       DOUBLE PRECISION REACH, BURDEN, PLAIN, MUCHL
       PARAMETER (REACH = 2.75D0, BURDEN = 1.0D0, PLAIN = 16.0D0)
       PARAMETER (MUCHL = 1.0D100)
       DOUBLE PRECISION LSD(14,2), MEAN, RCTL(18+LSUP*SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(82), I, K, LSI(3,2), OWN, S, T, LSID(TSIDS,2)
+      INTEGER CTL(81), I, K, LSI(3,2), OWN, S, T, LSID(TSIDS,2)
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
       CTL(TIES) = 0
-      CTL(TIED) = 0
       CTL(NCELL) = 0
       RCTL(RFIRST) = 0.0D0
       CTL(ROUND) = 0
@@ -4988,19 +4970,19 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
       INTEGER N, LVS, REP(N), ORD(N), ALIVE(2*LVS), KNOWN(4), INFO
       DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
       INTEGER NP, NPLANE, NEXTPL, TIES, LN, BLK, STR, T3, T5, RSCALE
-      INTEGER TIED, NCELL, RFIRST, LLAST
+      INTEGER NCELL, RFIRST, LLAST
       INTEGER ROUND, RSUPP, RSEEK, RSCAN, RLEAST, RANGE, TSLIST, TSIDS
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIES = 26, LN = 3)
       PARAMETER (BLK = 1, STR = 2, T3 = 1, T5 = 2, RSCALE = 5)
       PARAMETER (RSUPP = 6, RSEEK = 7, RLEAST = 10, RANGE = 6)
       PARAMETER (ROUND = 28, RSCAN = 11, TSLIST = 512)
-      PARAMETER (TSIDS = TSLIST + 48, TIED = 29, NCELL = 30)
+      PARAMETER (TSIDS = TSLIST + 48, NCELL = 29)
       PARAMETER (RFIRST = 14, LLAST = 2)
       DOUBLE PRECISION MUCHL
       PARAMETER (MUCHL = 1.0D100)
       DOUBLE PRECISION LSD(14,2), RCTL(18)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(82), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
+      INTEGER CTL(81), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, N, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       KNOWN(1) = -INFO
@@ -5008,7 +4990,6 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
         CTL(NPLANE) = 0
         CTL(NEXTPL) = 1
         CTL(TIES) = 0
-        CTL(TIED) = 0
         CTL(NCELL) = 0
         RCTL(RFIRST) = 0.0D0
         LSI(LLAST,BLK) = 0
@@ -5986,7 +5967,7 @@ C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
       PARAMETER (LLAST = 2, HFROM = 7, HMOST = 10, NONE = 0)
       DOUBLE PRECISION LSD(14,2), RCTL(18), XF(3), Y(3,1)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(82), F(3), G(4,1), GUESS(2), H(10), I, J, K, LAST
+      INTEGER CTL(81), F(3), G(4,1), GUESS(2), H(10), I, J, K, LAST
       INTEGER LSI(3,2), LSID(TSIDS,2), S, STEPS, U(4,1), Z
       CALL TSOPEN(N, P, LVS, BOX, ALIVE, KNOWN, CTL, RCTL, INFO)
       IF (INFO .LT. 0) INFO = -3
