@@ -190,7 +190,7 @@ extern void tess_prove(int fact);
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
 /* With short lists, for small machines, the code for supports is left out. */
-#define SEEK(m) (TESS_LIST >= 128 && (m)->seek)
+#define SEEK(m) (TESS_LIST >= 128 && (m)->patience > 0.0)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
 #define LEANING(f) (TESS_LIST >= 128 && (f)->near != NONE)
 /* Cylinders are made when the points of leaves that were tested are SCANS times
@@ -198,7 +198,7 @@ extern void tess_prove(int fact);
  * boxes. */
 #define SCANS 100.0
 #define SLENDER 0.7
-#define ENCLOSED(m) (TESS_LIST >= 128 && (m)->cylinder != NULL)
+#define ENCLOSED(m) (TESS_LIST >= 128 && (m)->round == 2)
 /* Points of a cell, at most, and cells; a large ball has more than LARGE. */
 #define CELL 12
 #define CELLS 4
@@ -301,10 +301,9 @@ typedef struct quest {
     int ball;                 /* there is a ball to prune with: centre c, */
     double c[3];              /* relative to f[6..8], wrong by at most dc */
     double dc, size;          /* and |c|_1 */
-    double scanned;           /* what is added to the mesh's */
-    int nsome, open;          /* sample of the points, near no support, that */
-    tess_int some[SOME];      /* were left open, or, open = 0, of leaves: */
-    tess_int opened, stride;  /* every stride-th one of so many */
+    int open;                 /* sample of the points, near no support, that */
+    tess_int some[SOME];      /* were left open, or, open = 0, of leaves: of */
+    tess_int opened;          /* so many */
     int near;                 /* the facet is near this support, or NONE: */
     double h, dh, tilt[3], dtilt; /* G = height - h - tilt.w is 0 on it */
     double g;                 /* a plane: the height of the facet's normal */
@@ -321,7 +320,6 @@ typedef struct quest {
 typedef struct support {
     hh_ball t;
     int plane;
-    double sign;              /* of a height by limbs */
     double at[3], c[3], size; /* seen from at: unit normal, or centre; |c|_1 */
     double low, grain;
     tess_int *least;
@@ -366,11 +364,12 @@ typedef struct mesh {
     tess_int large[4], first; /* on the large ball, and its first, or NONE; */
     double least;             /* coordinate of absolute value above 0, if any */
     support supports[SUPPORTS];
-    int nsupport, seek;       /* how many there are; look for more? */
+    int nsupport;             /* how many there are */
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
-    double burden, patience;  /* comparisons left open, how many may be */
-    double *cylinder;         /* see group; or NULL */
-    double scanned;           /* points of leaves tested, or < 0 */
+    double burden, patience;  /* comparisons left open, over all points, and */
+                              /* how many may be; 0: no more is sought */
+    int round;                /* cylinders: 0 none, 1 may be made, 2 are made */
+    double scanned;           /* points of leaves tested */
 } mesh;
 
 /* ---- sorting ---- */
@@ -1670,29 +1669,27 @@ static int level(const mesh *m, int j, tess_int z, double *h, double *err)
     if (marked(m, j, z, h)) return 1;
     *h = rough(m, s, z, err);
     if (fabs(*h) > *err - s->low) return 0;
-    *h = s->sign * hh_height(&m->set, &s->t, z, s->plane, err);
+    *h = hh_height(&m->set, &s->t, z, s->plane, err);
     return *err <= s->grain && fabs(*h) <= -s->low;
 }
 
-/* remember - z among the points that were left open, or one of two, of four ...
- * of them; until there are such, instead, points of leaves where the search
- * went.  Points with a mark, too: they may be on a finer support. */
+/* remember - z among the points that were left open, or, until there are such,
+ * of leaves where the search went: in a sample of SOME of them, in which it
+ * takes another's place by chance, but by the same chance everywhere.  Points
+ * with a mark, too: they may be on a finer support. */
 static void remember(quest *f, tess_int z, int open)
 {
-    int i;
+    tess_int place;
 
     if (f->opened == 0 || open > f->open) {
         f->open = open;
-        f->opened = f->nsome = 0;
-        f->stride = 1;
+        f->opened = 0;
     }
-    if (open < f->open || f->opened++ % f->stride != 0) return;
-    if (f->nsome == SOME) {
-        f->nsome = SOME / 2;
-        f->stride *= 2;
-        for (i = 1; i < SOME / 2; i++) f->some[i] = f->some[2 * i];
-    }
-    f->some[f->nsome++] = z;
+    if (open < f->open) return;
+    place = f->opened++;
+    if (place >= SOME)
+        place = (tess_int)(z % 30269L * 137 % 30269) % f->opened;
+    if (place < SOME) f->some[place] = z;
 }
 
 /* fit - set up a support through the widest of the points that a search left
@@ -1701,33 +1698,26 @@ static void remember(quest *f, tess_int z, int open)
  * sheets.  A plane where they are no sphere: sheets near each other are one. */
 static int fit(mesh *m, const quest *f, support *s)
 {
-    tess_int v[4], i;
-    double u[3 * SOME], h[SOME], wide[3], most, x, err, worst = 0.0;
-    int n = f->nsome, far, k, j, up = 0;
+    tess_int v[4], z;
+    double u[3 * SOME], h[SOME], e[3], wide[3], x, err, worst = 0.0;
+    int n = f->opened < SOME ? (int)f->opened : SOME, far, i, j, k, up = 0;
 
     v[0] = f->v[0];
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++)
             u[3 * i + k] = m->x[3 * f->some[i] + k] - m->x[3 * v[0] + k];
     for (j = 0; j < 3; j++) { /* the farthest one, and what is left of all */
-        most = 0.0;
-        for (i = far = 0; i < n; i++) {
-            x = u[3 * i] * u[3 * i] + u[3 * i + 1] * u[3 * i + 1] +
-                u[3 * i + 2] * u[3 * i + 2];
-            if (x > most) {
-                most = x;
-                far = (int)i;
-            }
-        }
+        for (i = far = 0; i < n; i++)
+            if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * far, u + 3 * far))
+                far = i;
         v[j + 1] = f->some[far];
-        wide[j] = sqrt(most);
-        if (j < 2 && wide[j] <= 1e-6 * wide[0] + HH_SMALL) return 0;
+        wide[j] = sqrt(dot(u + 3 * far, u + 3 * far));
         if (j == 2) break;
-        for (k = 0; k < 3; k++) h[k] = u[3 * far + k] / wide[j];
-        for (i = 0; i < n; i++) {
-            x = u[3 * i] * h[0] + u[3 * i + 1] * h[1] + u[3 * i + 2] * h[2];
-            for (k = 0; k < 3; k++) u[3 * i + k] -= x * h[k];
-        }
+        if (wide[j] <= 1e-6 * wide[0] + HH_SMALL) return 0;
+        for (k = 0; k < 3; k++) e[k] = u[3 * far + k] / wide[j];
+        for (i = 0; i < n; i++)
+            for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
+                u[3 * i + k] -= x * e[k];
     }
     for (s->plane = wide[2] < 1e-7 * wide[0]; ; s->plane = 1) {
         if (!hh_centre(&m->set, v, 0, s->plane ? v[0] : v[3], s->c, &s->t))
@@ -1737,7 +1727,7 @@ static int fit(mesh *m, const quest *f, support *s)
             x = fabs(hh_height(&m->set, &s->t, f->some[i], s->plane, &err));
             if (err > 1.0) return 0;
             if (err > worst) worst = err;
-            for (k = (int)i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
+            for (k = i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
             h[k] = x;
         }
         x = h[n / 4] < h[3 * n / 4] / FINER ? h[n / 4] : h[3 * n / 4];
@@ -1749,14 +1739,12 @@ static int fit(mesh *m, const quest *f, support *s)
     }
     s->size = fabs(s->c[0]) + fabs(s->c[1]) + fabs(s->c[2]);
     for (k = 0; k < 3; k++) s->at[k] = m->x[3 * v[0] + k];
-    s->sign = 1.0;
-    for (i = 0; i < m->np && s->plane; i += m->np / 256 + 1) {
-        x = rough(m, s, i, &err);
+    for (z = 0; z < m->np && s->plane; z += m->np / 256 + 1) {
+        x = rough(m, s, z, &err);
         up += (x > err - s->low) - (x < s->low - err);
     }
-    if (up >= 0) return 1;
-    s->sign = -1.0;
-    for (k = 0; k < 3; k++) s->c[k] = -s->c[k];
+    for (k = 0; k < 3 && up < 0; k++) s->c[k] = -s->c[k];
+    if (up < 0) s->t.unit = -s->t.unit; /* of heights by limbs, too */
     return 1;
 }
 
@@ -1764,8 +1752,8 @@ static int fit(mesh *m, const quest *f, support *s)
  * near to it that have no mark, or one of a support FINER times coarser, and
  * find the least height of each node.  It is kept if it marks some points, or
  * if the facet, near no other, and many points are near to it: facets between
- * near sheets lean on a plane that holds them all. */
-static void discover(mesh *m, quest *f)
+ * near sheets lean on a plane that holds them all.  Returns 1 if it is kept. */
+static int discover(mesh *m, quest *f)
 {
     support *s = m->supports + m->nsupport;
     tess_int node, i, last, mark, old, least, members = 0, all = 0;
@@ -1774,14 +1762,14 @@ static void discover(mesh *m, quest *f)
 
     if (m->nsupport == 0)
         for (i = 0; i < m->np; i++) m->mark[i] = 0;
-    if (!fit(m, f, s)) return;
+    if (!fit(m, f, s)) return 0;
     /* a sample of all that is near, as that may be of a corner */
     f->opened = 0;
     for (i = 0; i < m->np; i += m->np / 1024 + 1)
         if (m->link[i] != DONE &&
             fabs(rough(m, s, i, &err)) <= err - 2.0 * s->low)
             remember(f, i, 1);
-    if (f->opened > OPENED && !fit(m, f, s)) return;
+    if (f->opened > OPENED && !fit(m, f, s)) return 0;
     for (k = 0; k < 3 && across; k++)
         across = level(m, m->nsupport, f->v[k], &h, &err);
     s->least = m->mark + m->np + 2 * m->leaves * m->nsupport;
@@ -1800,7 +1788,7 @@ static void discover(mesh *m, quest *f)
             if (m->link[i] == DONE) continue;
             h = rough(m, s, i, &err);
             if (fabs(h) <= err - s->low) {
-                c = s->sign * hh_height(&m->set, &s->t, i, s->plane, &fine);
+                c = hh_height(&m->set, &s->t, i, s->plane, &fine);
                 if (fine < err) {
                     h = c;
                     err = fine;
@@ -1825,10 +1813,10 @@ static void discover(mesh *m, quest *f)
         for (i = 0; i < m->np; i++)
             if (m->mark[i] > 0 && (m->mark[i] - 1) % SUPPORTS == m->nsupport)
                 m->mark[i] = 0;
-        return;
+        return 0;
     }
-    m->nsupport++;
-    m->seek = m->nsupport < SUPPORTS;
+    if (++m->nsupport == SUPPORTS) m->patience = 0.0;
+    return 1;
 }
 
 /* lean - find the support that the facet is near to, if there is one, and its
@@ -2076,7 +2064,7 @@ static double *group(const mesh *m, tess_int node)
     tess_int level = m->leaves / 4, at = 0;
 
     for (; node < level; level /= 4) at += level;
-    return m->cylinder + 32 * (at + node - level);
+    return m->box + 12 * m->leaves + 32 * (at + node - level);
 }
 
 /* enclose - make the cylinder of a node, its numbers four places apart.  The
@@ -2088,57 +2076,50 @@ static double *group(const mesh *m, tess_int node)
 static int enclose(const mesh *m, tess_int node, double *c)
 {
     const double *b = m->box + 6 * node, *x;
-    double a[6], sum[3], mid[3], y[3], u[3], lo, hi, s, v, rr, most, pad = 0.0;
-    double volume = DBL_MAX, many;
+    double a[6], q[6], mid[3], y[3], u[3], lo, hi, s, rr, pad = 0.0;
+    double volume = DBL_MAX;
     tess_int first, last, i;
-    int rod, j, k, l;
+    int disc, j, k, l;
 
     span(m, node, &first, &last);
-    many = (double)(last - first);
     for (k = 0; k < 3; k++) {
-        a[k] = a[3 + k] = sum[k] = 0.0;
+        a[k] = a[3 + k] = 0.0;
         mid[k] = 0.5 * (b[k] + b[3 + k]);
         pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_SMALL;
     }
     for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-        for (k = 0; k < 3; k++) sum[k] += y[k] = x[k] - mid[k];
+        for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
         for (k = 0; k < 3; k++) {
             a[k] += y[k] * y[k];
             a[3 + k] += y[(k + 1) % 3] * y[(k + 2) % 3];
         }
     }
-    for (k = 0; k < 3; k++) {
-        a[k] -= sum[k] * sum[k] / many;
-        a[3 + k] -= sum[(k + 1) % 3] * sum[(k + 2) % 3] / many;
-    }
-    for (rod = 1; rod >= 0; rod--) {
-        most = FAINT;
-        u[0] = 1.0;
-        u[1] = u[2] = s = lo = hi = rr = 0.0;
+    for (disc = 0; disc < 2; disc++) {
         for (k = 0; k < 3; k++) {
             j = (k + 1) % 3;
             l = (k + 2) % 3;
-            v = rod ? a[k] : a[j] * a[l] - a[3 + k] * a[3 + k];
-            if (v <= most) continue;
-            most = u[k] = v;
-            u[j] = rod ? a[3 + l] : a[3 + k] * a[3 + j] - a[3 + l] * a[l];
-            u[l] = rod ? a[3 + j] : a[3 + k] * a[3 + l] - a[3 + j] * a[j];
+            q[k] = disc ? a[j] * a[l] - a[3 + k] * a[3 + k] : a[k];
+            q[3 + k] = disc ? a[3 + j] * a[3 + l] - a[3 + k] * a[k] : a[3 + k];
         }
-        for (k = 0; k < 3; k++)
-            if (fabs(u[k]) > most) most = fabs(u[k]);
-        for (k = 0; k < 3; k++) {
-            u[k] /= most;
-            s += u[k] * u[k];
-        }
-        for (k = 0; k < 3; k++) u[k] /= sqrt(s);
+        k = q[1] > q[0];
+        if (q[2] > q[k]) k = 2;
+        u[k] = q[k];
+        u[(k + 1) % 3] = q[3 + (k + 2) % 3];
+        u[(k + 2) % 3] = q[3 + (k + 1) % 3];
+        s = dot(u, u);
+        for (k = 0; k < 3; k++) /* too small to have a direction: any */
+            u[k] = s > FAINT ? u[k] / sqrt(s) : k == 0;
+        lo = DBL_MAX;
+        hi = -DBL_MAX;
+        rr = 0.0;
         for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
             for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
-            s = y[0] * u[0] + y[1] * u[1] + y[2] * u[2];
-            if (i == first || s < lo) lo = s;
-            if (i == first || s > hi) hi = s;
-            for (v = 0.0, k = 0; k < 3; k++)
-                v += (y[k] - s * u[k]) * (y[k] - s * u[k]);
-            if (v > rr) rr = v;
+            s = dot(y, u);
+            if (s < lo) lo = s;
+            if (s > hi) hi = s;
+            for (k = 0; k < 3; k++) y[k] -= s * u[k];
+            s = dot(y, y);
+            if (s > rr) rr = s;
         }
         if ((hi - lo) * rr >= volume) continue;
         volume = (hi - lo) * rr;
@@ -2156,18 +2137,17 @@ static int enclose(const mesh *m, tess_int node, double *c)
 /* enclosed - make all cylinders, unless few of the leaves' are slender. */
 static void enclosed(mesh *m)
 {
-    tess_int level = m->leaves / 4, node, slender = 0;
+    tess_int level, node, slender = 0;
     int i;
 
-    m->scanned = -MUCHL;
-    m->cylinder = m->box + 12 * m->leaves;
-    for (; level > 0; level /= 4) {
+    m->round = 0;
+    for (level = m->leaves / 4; level > 0; level /= 4) {
         for (node = level; node < 2 * level; node++)
             for (i = 0; i < 4; i++)
                 slender += enclose(m, 4 * node + i, group(m, node) + i);
-        if (slender < m->leaves / 2) break;
+        if (slender < m->leaves / 2) return;
     }
-    if (level > 0) m->cylinder = NULL;
+    m->round = 2;
 }
 
 /* outside - have the cylinders of a node's four grandchildren certainly no
@@ -2630,7 +2610,7 @@ static int inblock(const mesh *m, quest *f)
  * the ball, or without a ball not on the negative side, for which the ball of
  * L = MUCHL / 2 stands, with room for |w|^2.  The powers come first, as
  * vectors, then without a branch the places of those to consider. */
-static void scanleaf(const mesh *m, quest *f, tess_int leaf)
+static void scanleaf(mesh *m, quest *f, tess_int leaf)
 {
     const double *b = m->box + 6 * leaf, *x;
     double d[3], power[LEAF], size = 0.0, most, w0, w1, w2;
@@ -2641,7 +2621,7 @@ static void scanleaf(const mesh *m, quest *f, tess_int leaf)
     span(m, leaf, &first, &last);
     x = m->x + 3 * first;
     n = (int)(last - first);
-    f->scanned += (double)n;
+    m->scanned += (double)n;
     COUNT(N_LEAF, 1);
     COUNT(N_LIST, n);
     for (k = 0; k < 3; k++) {
@@ -2687,7 +2667,7 @@ static int barren(const mesh *m, const quest *f, tess_int node)
  * grandparent's other three grandchildren; top is the node all below which has
  * been searched.  Near a support from the root down, the child of lesser height
  * first, as the apex may be anywhere. */
-static void treesearch(const mesh *m, quest *f)
+static void treesearch(mesh *m, quest *f)
 {
     tess_int stack[DEPTH], node = 1, top = 1, from;
     const double *b;
@@ -2769,7 +2749,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     f->best = f->near = NONE;
     f->asked = f->limbs = f->tied = f->ball = 0;
     f->opened = 0;
-    f->scanned = f->dc = f->size = 0.0;
+    f->dc = f->size = 0.0;
     f->hi = DBL_MAX;
     f->base = base = f->first == 0;
     hh_setup(p[base], p[base + 1], p[(base + 2) % 3], f->f);
@@ -2841,15 +2821,14 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     COUNT(N_TREE, 1);
     treesearch(m, &f);
     if (f.tied > LARGE && m->block.first != NONE) keeplarge(m, &f);
-    m->scanned += f.scanned;
-    if (TESS_LIST >= 128 && m->scanned > SCANS * (double)m->np) enclosed(m);
+    if (TESS_LIST >= 128 && m->round == 1 &&
+        m->scanned > SCANS * (double)m->np)
+        enclosed(m);
     if (f.opened > OPENED && SEEK(m)) {
-        m->burden += (double)f.opened;
-        if (m->burden > m->patience * (double)m->np) {
-            k = m->nsupport;
-            discover(m, &f);
+        m->burden += (double)f.opened / (double)m->np;
+        if (m->burden > m->patience) {
             m->burden = 0.0;
-            if (m->nsupport == k) m->patience *= 2.0;
+            if (!discover(m, &f)) m->patience *= 2.0;
         }
     }
     if (f.best == NONE) {
@@ -3293,11 +3272,11 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->set.order = m->order = iw + n;
     m->alive = iw + 2 * n;
     m->known = m->alive + 2 * leafcount(n);
-    m->nplane = m->nextplane = m->ties = m->nsupport = m->seek = 0;
+    m->nplane = m->nextplane = m->ties = m->nsupport = 0;
     m->ncell = 0;
     m->first = NONE;
-    m->cylinder = NULL;
-    m->scanned = -MUCHL;
+    m->round = 0;
+    m->scanned = m->patience = 0.0;
     m->block.first = m->block.last = NONE;
     m->np = m->block.n = m->around.n = 0;
 }
@@ -3346,14 +3325,13 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     m.room = liw - 4 * n - 2 * leafcount(n) - KEEP;
     (void)lengths(n, &i, &least, &pool);
     if (spare(n) > 0 && mine == NULL && lrw - least >= spare(n))
-        m.scanned = 0.0;
+        m.round = 1;
     if (extra(n) > 0 && liw - i - pool >= extra(n)) {
         m.room -= extra(n);
         m.mark = m.pool + m.room;
         m.burden = 0.0;
-        m.patience = BURDEN;
         /* doubles decide all where points are in few units */
-        m.seek = m.set.t5 < PLAIN;
+        if (m.set.t5 < PLAIN) m.patience = BURDEN;
     }
     m.maxtet = maxtet;
     m.fresh = m.ntet = *ntet;

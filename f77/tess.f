@@ -196,7 +196,8 @@ C       TIES    of the last search in a star's list that met points in
 C               the ball, the best of them was 0: inside, 1: about on
 C               it, 2: on it, exactly
 C       UNMET   no vertex before it is NEW and asked for
-C       ROUND   1: there are cylinders, behind BOX(6,2*CTL(LEAVES))
+C       ROUND   cylinders, behind BOX(6,2*CTL(LEAVES)): 0 none, 1 may be
+C               made, 2 are made
 C       NCELL   cells of this star: CELLS at most, the last ones, are
 C               kept, each how many points it has and these, CELL at
 C               most, the least number first;  CELL0 the place before
@@ -205,10 +206,11 @@ C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
 C       RSHARE  a star's margin, in its block's
 C       RSCALE  X = P 2**(-RSCALE)
-C       RSUPP   supports that there are;  RSEEK is 1: look for more
-C       RBURDN  comparisons left open;  RPATIE how many may be, over NP
+C       RSUPP   supports that there are
+C       RBURDN  comparisons left open, over NP;  RPATIE how many may be;
+C               0: no more is sought
 C       RLEAST  the least absolute value of a coordinate above 0
-C       RSCAN   points of leaves tested, or below 0
+C       RSCAN   points of leaves tested
 C       RTIED   points that a search met exactly on its ball
 C       RSLOT   V(RSLOT) is the large ball's first; 4: the facet is on
 C               that, but without it; 0: it is not on it
@@ -219,7 +221,6 @@ C     behind RCTL(RSUP + LSUP*(J-1)).  Mark K, 0 ... GRAINS - 1, of one
 C     of them is a height between SLOW + (K - 1/2) SGRAIN and SLOW + (K
 C     + 3/2) SGRAIN, SLOW < 0.  It begins with a ball (see HHCENT):
 C       SPLANE  1, or 0 for a sphere
-C       SSIGN   of a height by limbs
 C       SAT, SC, SSIZE  seen from what is behind SAT: behind SC the unit
 C               normal, or the centre; |C|_1
 C       SLOW, SGRAIN  as above
@@ -243,9 +244,9 @@ C               cap; QBALL: there is a ball to prune with; QBASE:
 C               V(QBASE) is the base of F; QASKED: comparisons left to
 C               the exact predicates; QNEAR: the facet is near this
 C               support, or 0; QAIMED: TSSIGH's test is for the best
-C               point there is; behind QSOME QNSOME of the points,
+C               point there is; behind QSOME a sample of the points,
 C               near no support, that were left open, or, QOPEN = 0, of
-C               leaves: every QSTRID-th one of QOPEND
+C               leaves: of QOPEND
 C       FQ      the best point's L-coordinate is between QLO and QHI;
 C               behind QC the ball's centre, relative to F(7..9), wrong
 C               by at most QDC; QSIZE = |C|_1; behind QLIMB the ball by
@@ -1885,7 +1886,7 @@ C     are taken at a point of the box's own doubles, so the same bounds
 C     hold as for a point.
       INTEGER FUNCTION TSPRUN(IQ, F, FQ, BOX, NODE)
       DOUBLE PRECISION F(12), FQ(108), BOX(6,*)
-      INTEGER IQ(43), NODE
+      INTEGER IQ(41), NODE
       DOUBLE PRECISION TSPOWE
       INTEGER QBALL, QC
       PARAMETER (QBALL = 3, QC = 2)
@@ -1917,7 +1918,7 @@ C     TSPRPA - is there no candidate in that part of the root's box in
 C     which coordinate K is between LO and HI: 1, or 0.
       INTEGER FUNCTION TSPRPA(BOX, IQ, F, FQ, K, LO, HI)
       DOUBLE PRECISION BOX(6,*), F(12), FQ(108), LO, HI
-      INTEGER IQ(43), K
+      INTEGER IQ(41), K
       INTEGER TSPRUN
       DOUBLE PRECISION PART(6,1)
       INTEGER I
@@ -1938,7 +1939,7 @@ C     the one about C: its radius is at most |C| + dc, so that along an
 C     axis it ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
-      INTEGER LSI(3,2), LIST, IQ(43)
+      INTEGER LSI(3,2), LIST, IQ(41)
       INTEGER TSPRPA
       INTEGER LN, LLO, LHI, QC, QDC
       PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
@@ -2001,9 +2002,9 @@ C     of A, B and the products take.
 C     TSCURV - is the facet near a sphere: 1, or 0.
       INTEGER FUNCTION TSCURV(RCTL, IQ)
       DOUBLE PRECISION RCTL(*)
-      INTEGER IQ(43)
+      INTEGER IQ(41)
       INTEGER RSUP, LSUP, SPLANE, QNEAR
-      PARAMETER (RSUP = 18, LSUP = 98, SPLANE = 88, QNEAR = 6)
+      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QNEAR = 6)
       TSCURV = 0
       IF (IQ(QNEAR) .EQ. 0) RETURN
       IF (RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
@@ -2013,7 +2014,7 @@ C     TSNARR - the L-coordinate of the best point of a search is at most
 C     L.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
       DOUBLE PRECISION F(12), FQ(108), L
-      INTEGER IQ(43)
+      INTEGER IQ(41)
       INTEGER QLIMBS, QBALL, QAIMED, QHI, QC, QDC, QSIZE
       PARAMETER (QLIMBS = 2, QBALL = 3, QAIMED = 7, QHI = 2)
       PARAMETER (QC = 2, QDC = 6, QSIZE = 7)
@@ -2044,7 +2045,7 @@ C     sphere L is counted from F(4..6), which are subtracted: U for C,
 C     with their error, and one rounding more.
       SUBROUTINE TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), V(3), IQ(43)
+      INTEGER ORD(*), V(3), IQ(41)
       INTEGER TSCURV
       INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QAIMED, QLO, QHI, QC
       INTEGER QDC, QSIZE, QLIMB
@@ -2110,7 +2111,7 @@ C     rest is 6 roundings.
       DOUBLE PRECISION X(3,*), RCTL(*), H, ERR
       INTEGER AT, Z
       INTEGER SPLANE, SAT, SC, SSIZE
-      PARAMETER (SPLANE = 88, SAT = 89, SC = 92, SSIZE = 96)
+      PARAMETER (SPLANE = 88, SAT = 88, SC = 91, SSIZE = 95)
       DOUBLE PRECISION EPS, FAINT
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
       DOUBLE PRECISION SIZE, U
@@ -2140,7 +2141,7 @@ C     height's error.  OK is 1, or 0.
       DOUBLE PRECISION RCTL(*), H
       INTEGER MARK(*), J, Z, OK
       INTEGER RSUP, LSUP, SLOW, SGRAIN, SUPPS
-      PARAMETER (RSUP = 18, LSUP = 98, SLOW = 97, SGRAIN = 98)
+      PARAMETER (RSUP = 17, LSUP = 97, SLOW = 96, SGRAIN = 97)
       PARAMETER (SUPPS = 8)
       INTEGER AT, K
       OK = 0
@@ -2156,9 +2157,9 @@ C     near to it: by its mark, or else by limbs.  OK is 1, or 0.
       SUBROUTINE TSLEVE(X, P, ORD, MARK, RCTL, J, Z, H, ERR, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
       INTEGER ORD(*), MARK(*), J, Z, OK
-      INTEGER RSUP, LSUP, SPLANE, SSIGN, SLOW, SGRAIN
-      PARAMETER (RSUP = 18, LSUP = 98, SPLANE = 88, SSIGN = 89)
-      PARAMETER (SLOW = 97, SGRAIN = 98)
+      INTEGER RSUP, LSUP, SPLANE, SLOW, SGRAIN
+      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88)
+      PARAMETER (SLOW = 96, SGRAIN = 97)
       INTEGER AT, PLANE
       AT = RSUP + LSUP*(J - 1)
       ERR = RCTL(AT+SGRAIN)
@@ -2168,39 +2169,30 @@ C     near to it: by its mark, or else by limbs.  OK is 1, or 0.
       IF (ABS(H) .GT. ERR - RCTL(AT+SLOW)) RETURN
       PLANE = INT(RCTL(AT+SPLANE))
       CALL HHHEIG(P, ORD, RCTL, AT, Z, PLANE, H, ERR)
-      H = RCTL(AT+SSIGN)*H
       IF (ERR .LE. RCTL(AT+SGRAIN) .AND.
      $    ABS(H) .LE. -RCTL(AT+SLOW)) OK = 1
       END
 
-C     TSREME - Z among the points that were left open, or one of two, of
-C     four ... of them; until there are such, instead, points of leaves
-C     where the search went.  Points with a mark, too: they may be on a
+C     TSREME - Z among the points that were left open, or, until there
+C     are such, of leaves where the search went: in a sample of SOME of
+C     them, in which it takes another's place by chance, but by the same
+C     chance everywhere.  Points with a mark, too: they may be on a
 C     finer support.
       SUBROUTINE TSREME(IQ, Z, OPEN)
-      INTEGER IQ(43), Z, OPEN
-      INTEGER QOPEN, QOPEND, QSTRID, QNSOME, QSOME, SOME
-      PARAMETER (QOPEN = 8, QOPEND = 9, QSTRID = 10)
-      PARAMETER (QNSOME = 11, QSOME = 11, SOME = 32)
-      INTEGER I
+      INTEGER IQ(41), Z, OPEN
+      INTEGER QOPEN, QOPEND, QSOME, SOME
+      PARAMETER (QOPEN = 8, QOPEND = 9, QSOME = 9, SOME = 32)
+      INTEGER PLACE
       IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
         IQ(QOPEN) = OPEN
         IQ(QOPEND) = 0
-        IQ(QNSOME) = 0
-        IQ(QSTRID) = 1
       END IF
       IF (OPEN .LT. IQ(QOPEN)) RETURN
       IQ(QOPEND) = IQ(QOPEND) + 1
-      IF (MOD(IQ(QOPEND) - 1, IQ(QSTRID)) .NE. 0) RETURN
-      IF (IQ(QNSOME) .EQ. SOME) THEN
-        IQ(QNSOME) = SOME/2
-        IQ(QSTRID) = 2*IQ(QSTRID)
-        DO 10 I = 2, SOME/2
-          IQ(QSOME+I) = IQ(QSOME+2*I-1)
-   10   CONTINUE
-      END IF
-      IQ(QNSOME) = IQ(QNSOME) + 1
-      IQ(QSOME+IQ(QNSOME)) = Z
+      PLACE = IQ(QOPEND)
+      IF (PLACE .GT. SOME)
+     $    PLACE = MOD(MOD(MOD(Z, 30269)*137, 30269), IQ(QOPEND)) + 1
+      IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
       END
 
 C     TSFIT - set up a support, behind RCTL(AT), through the widest of
@@ -2211,20 +2203,21 @@ C     plane where they are no sphere: sheets near each other are one.
 C     OK is 1, or 0.
       SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(43), AT, OK
-      INTEGER NP, RSCALE, SPLANE, SSIGN, SAT, SC, SSIZE, SLOW, SGRAIN
-      INTEGER QNSOME, QSOME, SOME, GRAINS
-      PARAMETER (NP = 1, RSCALE = 5, SPLANE = 88, SSIGN = 89, SAT = 89)
-      PARAMETER (SC = 92, SSIZE = 96, SLOW = 97, SGRAIN = 98)
-      PARAMETER (QNSOME = 11, QSOME = 11, SOME = 32)
+      INTEGER ORD(*), CTL(*), V(3), IQ(41), AT, OK
+      DOUBLE PRECISION TSDOT
+      INTEGER NP, RSCALE, BUNIT, SPLANE, SAT, SC, SSIZE, SLOW, SGRAIN
+      INTEGER QOPEND, QSOME, SOME, GRAINS
+      PARAMETER (NP = 1, RSCALE = 5, BUNIT = 86, SPLANE = 88, SAT = 88)
+      PARAMETER (SC = 91, SSIZE = 95, SLOW = 96, SGRAIN = 97)
+      PARAMETER (QOPEND = 9, QSOME = 9, SOME = 32)
       PARAMETER (GRAINS = 134217728)
       DOUBLE PRECISION FINER, SMALL
       PARAMETER (FINER = 100.0D0, SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION C(3), D, ERR, H(SOME), LOW, MOST, U(3,SOME)
+      DOUBLE PRECISION C(3), D, E(3), ERR, H(SOME), LOW, MOST, U(3,SOME)
       DOUBLE PRECISION WIDE(3), WORST
       INTEGER FAR, I, J, K, N, PLANE, SE, UP, W(3), Z
       OK = 0
-      N = IQ(QNSOME)
+      N = MIN(IQ(QOPEND), SOME)
       W(1) = V(1)
       DO 20 I = 1, N
         DO 10 K = 1, 3
@@ -2233,30 +2226,25 @@ C     OK is 1, or 0.
    20 CONTINUE
 C     the farthest one, and what is left of all
       DO 70 J = 1, 3
-        MOST = 0.0D0
         FAR = 1
         DO 30 I = 1, N
-          D = U(1,I)*U(1,I) + U(2,I)*U(2,I) + U(3,I)*U(3,I)
-          IF (D .GT. MOST) THEN
-            MOST = D
-            FAR = I
-          END IF
+          IF (TSDOT(U(1,I), U(1,I)) .GT. TSDOT(U(1,FAR), U(1,FAR)))
+     $        FAR = I
    30   CONTINUE
         Z = IQ(QSOME+FAR)
-        WIDE(J) = SQRT(MOST)
-        IF (J .LT. 3) THEN
-          W(MOD(J,3)+1) = Z
-          IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
-          DO 40 K = 1, 3
-            H(K) = U(K,FAR)/WIDE(J)
-   40     CONTINUE
-          DO 60 I = 1, N
-            D = U(1,I)*H(1) + U(2,I)*H(2) + U(3,I)*H(3)
-            DO 50 K = 1, 3
-              U(K,I) = U(K,I) - D*H(K)
-   50       CONTINUE
-   60     CONTINUE
-        END IF
+        WIDE(J) = SQRT(TSDOT(U(1,FAR), U(1,FAR)))
+        IF (J .EQ. 3) GO TO 70
+        W(MOD(J,3)+1) = Z
+        IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
+        DO 40 K = 1, 3
+          E(K) = U(K,FAR)/WIDE(J)
+   40   CONTINUE
+        DO 60 I = 1, N
+          D = TSDOT(U(1,I), E)
+          DO 50 K = 1, 3
+            U(K,I) = U(K,I) - D*E(K)
+   50     CONTINUE
+   60   CONTINUE
    70 CONTINUE
       PLANE = 0
       IF (WIDE(3) .LT. 1.0D-7*WIDE(1)) PLANE = 1
@@ -2272,15 +2260,12 @@ C     the farthest one, and what is left of all
         D = ABS(D)
         IF (ERR .GT. 1.0D0) RETURN
         WORST = MAX(WORST, ERR)
-        K = I
-   90   IF (K .GT. 1) THEN
-          IF (H(K-1) .GT. D) THEN
-            H(K) = H(K-1)
-            K = K - 1
-            GO TO 90
-          END IF
-        END IF
-        H(K) = D
+        H(I) = D
+        DO 90 K = I, 2, -1
+          IF (H(K-1) .LE. D) GO TO 100
+          H(K) = H(K-1)
+          H(K-1) = D
+   90   CONTINUE
   100 CONTINUE
       D = H(3*N/4+1)
       IF (H(N/4+1) .LT. D/FINER) D = H(N/4+1)
@@ -2302,7 +2287,6 @@ C     the farthest one, and what is left of all
         RCTL(AT+SC+K) = C(K)
         RCTL(AT+SAT+K) = X(K,W(1))
   105 CONTINUE
-      RCTL(AT+SSIGN) = 1.0D0
       IF (PLANE .EQ. 0) RETURN
       UP = 0
       DO 110 I = 1, CTL(NP), CTL(NP)/256 + 1
@@ -2312,10 +2296,11 @@ C     the farthest one, and what is left of all
         IF (D .LT. LOW - ERR) UP = UP - 1
   110 CONTINUE
       IF (UP .GE. 0) RETURN
-      RCTL(AT+SSIGN) = -1.0D0
       DO 120 K = 1, 3
         RCTL(AT+SC+K) = -RCTL(AT+SC+K)
   120 CONTINUE
+C     of heights by limbs, too
+      RCTL(AT+BUNIT) = -RCTL(AT+BUNIT)
       END
 
 C     TSDISC - find a support for the points that a search left open:
@@ -2323,23 +2308,24 @@ C     mark those near to it that have no mark, or one of a support FINER
 C     times coarser, and find the least height of each node.  It is kept
 C     if it marks some points, or if the facet, near no other, and many
 C     points are near to it: facets between near sheets lean on a plane
-C     that holds them all.
-      SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ)
+C     that holds them all.  KEPT is 1 if it is kept, or 0.
+      SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ,
+     $                  KEPT)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41), KEPT
       INTEGER TSCUBE
-      INTEGER NP, LEAVES, RSUPP, RSEEK, RSUP, LSUP, SPLANE, SSIGN
-      INTEGER SLOW, SGRAIN, DONE, SUPPS, GRAINS, OPENED, QNEAR, QOPEND
-      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RSEEK = 7)
-      PARAMETER (RSUP = 18)
-      PARAMETER (LSUP = 98, SPLANE = 88, SSIGN = 89, SLOW = 97)
-      PARAMETER (SGRAIN = 98, DONE = -1, SUPPS = 8, GRAINS = 134217728)
+      INTEGER NP, LEAVES, RSUPP, RPATIE, RSUP, LSUP, SPLANE, SLOW
+      INTEGER SGRAIN, DONE, SUPPS, GRAINS, OPENED, QNEAR, QOPEND
+      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RPATIE = 8, RSUP = 17)
+      PARAMETER (LSUP = 97, SPLANE = 88, SLOW = 96)
+      PARAMETER (SGRAIN = 97, DONE = -1, SUPPS = 8, GRAINS = 134217728)
       PARAMETER (OPENED = 24, QNEAR = 6, QOPEND = 9)
       DOUBLE PRECISION FINER
       PARAMETER (FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, FINE, GRAIN, H, LOW
       INTEGER ACROSS, ALL, AT, FIRST, I, J, K, LAST, LEAST, NEAR, NODE
       INTEGER OK, OLD, OVER, PLANE, Z
+      KEPT = 0
       J = INT(RCTL(RSUPP)) + 1
       AT = RSUP + LSUP*(J - 1)
       IF (J .EQ. 1) THEN
@@ -2392,7 +2378,7 @@ C     a sample of all that is near, as that may be of a corner
           IF (ABS(H) .LE. ERR - LOW) THEN
             CALL HHHEIG(P, ORD, RCTL, AT, Z, PLANE, C, FINE)
             IF (FINE .LT. ERR) THEN
-              H = RCTL(AT+SSIGN)*C
+              H = C
               ERR = FINE
             END IF
           END IF
@@ -2422,8 +2408,9 @@ C     a sample of all that is near, as that may be of a corner
    40   CONTINUE
         RETURN
       END IF
+      KEPT = 1
       RCTL(RSUPP) = DBLE(J)
-      IF (J .EQ. SUPPS) RCTL(RSEEK) = 0.0D0
+      IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
       END
 
 C     TSLEAN - find the support that the facet is near to, if there is
@@ -2445,12 +2432,12 @@ C     8 EPS of the centre, and the roundings of three differences in any
 C     order, each of at most EPS (|o| + 2 |at|): less than 8 EPS SIZE.
       SUBROUTINE TSLEAN(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(43)
+      INTEGER ORD(*), MARK(*), V(3), IQ(41)
       DOUBLE PRECISION TSDOT
       INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QNEAR, QAIMED
       INTEGER QH, QDH, QTILT, QDTILT, QG, SUPPS
-      PARAMETER (RSUPP = 6, RSUP = 18, LSUP = 98, SPLANE = 88, SAT = 89)
-      PARAMETER (SC = 92, QBASE = 4, QNEAR = 6, QAIMED = 7, QH = 95)
+      PARAMETER (RSUPP = 6, RSUP = 17, LSUP = 97, SPLANE = 88, SAT = 88)
+      PARAMETER (SC = 91, QBASE = 4, QNEAR = 6, QAIMED = 7, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       PARAMETER (SUPPS = 8)
       DOUBLE PRECISION EPS, FAINT
@@ -2528,9 +2515,9 @@ C     twice its error: PAD is more.
       SUBROUTINE TSSHAR(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, SIDE, LO,
      $                  HI)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108), LO, HI
-      INTEGER ORD(*), MARK(*), IQ(43), Z, SIDE
+      INTEGER ORD(*), MARK(*), IQ(41), Z, SIDE
       INTEGER RSUP, LSUP, SPLANE, QNEAR, QH, QDH, QTILT, QDTILT, QG
-      PARAMETER (RSUP = 18, LSUP = 98, SPLANE = 88, QNEAR = 6, QH = 95)
+      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QNEAR = 6, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, PAD = 64.0D0*EPS)
@@ -2603,10 +2590,10 @@ C     term; err for those of h, of a height of at most -low, and of a,
 C     which is exact but for one.
       SUBROUTINE TSSIGH(RCTL, IQ, F, FQ)
       DOUBLE PRECISION RCTL(*), F(12), FQ(108)
-      INTEGER IQ(43)
+      INTEGER IQ(41)
       INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QNEAR, QAIMED, QHI, QH
       INTEGER QDH, QTILT, QDTILT, QG, QTEST, TQ, TD, TDD, TA, TERR
-      PARAMETER (RSUP = 18, LSUP = 98, SPLANE = 88, SLOW = 97)
+      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, SLOW = 96)
       PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QHI = 2, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       PARAMETER (QTEST = 101, TQ = 1, TD = 1, TDD = 5, TA = 6, TERR = 7)
@@ -2711,12 +2698,12 @@ C     its box, too, which is all that counts where the heights tell
 C     nothing; or 0: OUT.
       SUBROUTINE TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
       DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(108)
-      INTEGER MARK(*), CTL(*), IQ(43), NODE, OUT
+      INTEGER MARK(*), CTL(*), IQ(41), NODE, OUT
       INTEGER TSPRUN
       INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QNEAR, QAIMED
       INTEGER QLIMBS, QTEST, TA, GRAINS
-      PARAMETER (NP = 1, LEAVES = 4, RSUP = 18, LSUP = 98, SLOW = 97)
-      PARAMETER (SGRAIN = 98, QNEAR = 6, QAIMED = 7, QTEST = 101)
+      PARAMETER (NP = 1, LEAVES = 4, RSUP = 17, LSUP = 97, SLOW = 96)
+      PARAMETER (SGRAIN = 97, QNEAR = 6, QAIMED = 7, QTEST = 101)
       PARAMETER (QLIMBS = 2, TA = 6, GRAINS = 134217728)
       DOUBLE PRECISION H, SIZE, SUM
       INTEGER AT, CODE, TELLS
@@ -2783,21 +2770,20 @@ C     less than 40, the centre by 10: together less than 64.
       SUBROUTINE TSENCL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
       INTEGER CTL(*), NODE, AT, J, SLENDR
+      DOUBLE PRECISION TSDOT
       DOUBLE PRECISION EPS, FAINT, HUGE, SLIM, SMALL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, SLIM = 0.7D0)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
       PARAMETER (SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION A(6), HI, LO, MANY, MID(3), MOST, PAD, RR, S
-      DOUBLE PRECISION SUM(3), U(3), V, VOLUME, Y(3)
-      INTEGER FIRST, I, K, L, LAST, M, ROD
+      DOUBLE PRECISION A(6), HI, LO, MID(3), PAD, Q(6), RR, S, U(3)
+      DOUBLE PRECISION VOLUME, Y(3)
+      INTEGER DISC, FIRST, I, K, L, LAST, M
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
-      MANY = DBLE(LAST - FIRST + 1)
       VOLUME = HUGE
       PAD = 0.0D0
       DO 10 K = 1, 3
         A(K) = 0.0D0
         A(3+K) = 0.0D0
-        SUM(K) = 0.0D0
         MID(K) = 0.5D0*(BOX(K,NODE) + BOX(3+K,NODE))
         PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
      $      + SMALL
@@ -2805,41 +2791,37 @@ C     less than 40, the centre by 10: together less than 64.
       DO 40 I = FIRST, LAST
         DO 20 K = 1, 3
           Y(K) = X(K,I) - MID(K)
-          SUM(K) = SUM(K) + Y(K)
    20   CONTINUE
         DO 30 K = 1, 3
           A(K) = A(K) + Y(K)*Y(K)
           A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
    30   CONTINUE
    40 CONTINUE
-      DO 50 K = 1, 3
-        A(K) = A(K) - SUM(K)*SUM(K)/MANY
-        A(3+K) = A(3+K) - SUM(MOD(K,3)+1)*SUM(MOD(K+1,3)+1)/MANY
-   50 CONTINUE
-      DO 120 ROD = 1, 0, -1
-        MOST = FAINT
-        U(1) = 1.0D0
-        U(2) = 0.0D0
-        U(3) = 0.0D0
+      DO 120 DISC = 0, 1
         DO 60 K = 1, 3
           M = MOD(K, 3) + 1
           L = MOD(K + 1, 3) + 1
-          V = A(K)
-          IF (ROD .EQ. 0) V = A(M)*A(L) - A(3+K)*A(3+K)
-          IF (V .LE. MOST) GO TO 60
-          MOST = V
-          U(K) = V
-          U(M) = A(3+L)
-          U(L) = A(3+M)
-          IF (ROD .EQ. 0) U(M) = A(3+K)*A(3+M) - A(3+L)*A(L)
-          IF (ROD .EQ. 0) U(L) = A(3+K)*A(3+L) - A(3+M)*A(M)
+          Q(K) = A(K)
+          Q(3+K) = A(3+K)
+          IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
+          IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
    60   CONTINUE
-        MOST = MAX(MOST, ABS(U(1)), ABS(U(2)), ABS(U(3)))
-        S = 0.0D0
-        DO 70 K = 1, 3
-          U(K) = U(K)/MOST
-          S = S + U(K)*U(K)
-   70   CONTINUE
+        K = 1
+        IF (Q(2) .GT. Q(1)) K = 2
+        IF (Q(3) .GT. Q(K)) K = 3
+        M = MOD(K, 3) + 1
+        L = MOD(K + 1, 3) + 1
+        U(K) = Q(K)
+        U(M) = Q(3+L)
+        U(L) = Q(3+M)
+        S = TSDOT(U, U)
+C       too small to have a direction: any
+        IF (S .LE. FAINT) THEN
+          U(1) = 1.0D0
+          U(2) = 0.0D0
+          U(3) = 0.0D0
+          S = 1.0D0
+        END IF
         DO 80 K = 1, 3
           U(K) = U(K)/SQRT(S)
    80   CONTINUE
@@ -2850,11 +2832,13 @@ C     less than 40, the centre by 10: together less than 64.
           DO 90 K = 1, 3
             Y(K) = X(K,I) - MID(K)
    90     CONTINUE
-          S = Y(1)*U(1) + Y(2)*U(2) + Y(3)*U(3)
+          S = TSDOT(Y, U)
           LO = MIN(LO, S)
           HI = MAX(HI, S)
-          RR = MAX(RR, (Y(1) - S*U(1))**2 + (Y(2) - S*U(2))**2 +
-     $        (Y(3) - S*U(3))**2)
+          DO 95 K = 1, 3
+            Y(K) = Y(K) - S*U(K)
+   95     CONTINUE
+          RR = MAX(RR, TSDOT(Y, Y))
   100   CONTINUE
         IF ((HI - LO)*RR .GE. VOLUME) GO TO 120
         VOLUME = (HI - LO)*RR
@@ -2873,16 +2857,13 @@ C     less than 40, the centre by 10: together less than 64.
 
 C     TSECLD - make all cylinders, unless few of the leaves' are
 C     slender.
-      SUBROUTINE TSECLD(X, BOX, CYL, CTL, RCTL)
-      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*), RCTL(*)
+      SUBROUTINE TSECLD(X, BOX, CYL, CTL)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
       INTEGER CTL(*)
       INTEGER TSGROU
-      INTEGER LEAVES, ROUND, RSCAN
-      PARAMETER (LEAVES = 4, ROUND = 28, RSCAN = 11)
-      DOUBLE PRECISION MUCHL
-      PARAMETER (MUCHL = 1.0D100)
+      INTEGER LEAVES, ROUND
+      PARAMETER (LEAVES = 4, ROUND = 28)
       INTEGER I, LEVEL, NODE, SLENDR, SUM
-      RCTL(RSCAN) = -MUCHL
       CTL(ROUND) = 0
       SUM = 0
       LEVEL = CTL(LEAVES)/4
@@ -2898,7 +2879,7 @@ C     slender.
         LEVEL = LEVEL/4
         GO TO 10
       END IF
-      CTL(ROUND) = 1
+      CTL(ROUND) = 2
       END
 
 C     TSOUTS - have the cylinders of a node's four grandchildren
@@ -2925,7 +2906,7 @@ C     with room for the last two products; where these underflow, R >=
 C     SMALL makes the sum's error greater.
       SUBROUTINE TSOUTS(CYL, AT, IQ, F, FQ, PAST)
       DOUBLE PRECISION CYL(4,8,*), F(12), FQ(108), PAST(4)
-      INTEGER AT, IQ(43)
+      INTEGER AT, IQ(41)
       INTEGER QBALL, QC, QDC, QSIZE
       PARAMETER (QBALL = 3, QC = 2, QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT
@@ -3006,7 +2987,7 @@ C     there is one, or, for N = 1, is V(1): 1, or 0.
       INTEGER ORD(*), V(*), N
       INTEGER HHPBAL
       INTEGER T3, T5, RFIRST, RLARGE
-      PARAMETER (T3 = 1, T5 = 2, RFIRST = 14, RLARGE = 14)
+      PARAMETER (T3 = 1, T5 = 2, RFIRST = 13, RLARGE = 13)
       INTEGER G(4), K
       TSINLA = 0
       IF (RCTL(RFIRST) .LE. 0.0D0) RETURN
@@ -3026,7 +3007,7 @@ C     facet's vertices V and the best point BEST are on it.
       DOUBLE PRECISION RCTL(*)
       INTEGER ORD(*), V(3), BEST
       INTEGER RFIRST, RLARGE
-      PARAMETER (RFIRST = 14, RLARGE = 14)
+      PARAMETER (RFIRST = 13, RLARGE = 13)
       INTEGER FIRST, K
       FIRST = BEST
       DO 10 K = 1, 3
@@ -3041,10 +3022,10 @@ C     TSCAP - let the best point's ball be the cap's, if it may.  For
 C     first, SIZE, of |W|_1 and |C|_1 together, covers TSPOWE.
       SUBROUTINE TSCAP(X, P, ORD, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), V(3), IQ(43)
+      INTEGER ORD(*), V(3), IQ(41)
       INTEGER TSINLA
       INTEGER RSLOT, RFIRST, QBEST, QLIMBS, QBALL, QBASE, QC, QDC, QSIZE
-      PARAMETER (RSLOT = 13, RFIRST = 14, QBEST = 1, QLIMBS = 2)
+      PARAMETER (RSLOT = 12, RFIRST = 13, QBEST = 1, QLIMBS = 2)
       PARAMETER (QBALL = 3, QBASE = 4, QC = 2, QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT, LOOSE
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0)
@@ -3088,13 +3069,13 @@ C     rule of HHPBAL.  The Householder bounds decide where they can;
 C     what they leave open limits the better one by the other.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(43), Z
+      INTEGER ORD(*), MARK(*), V(3), IQ(41), Z
       INTEGER HHPBEA, HHPSID
-      INTEGER T3, T5, RSEEK, QBEST, QLIMBS, QASKED, QNEAR, QLO, QHI
+      INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QNEAR, QLO, QHI
       INTEGER QLIMB, RTIED, RSLOT, UNSURE, MANY
-      PARAMETER (T3 = 1, T5 = 2, RSEEK = 7, QBEST = 1, QLIMBS = 2)
+      PARAMETER (T3 = 1, T5 = 2, RPATIE = 8, QBEST = 1, QLIMBS = 2)
       PARAMETER (QASKED = 5, QNEAR = 6, QLO = 1, QHI = 2, QLIMB = 7)
-      PARAMETER (RTIED = 12, RSLOT = 13, UNSURE = 2, MANY = 6)
+      PARAMETER (RTIED = 11, RSLOT = 12, UNSURE = 2, MANY = 6)
       DOUBLE PRECISION PLAIN, WIDE
       PARAMETER (PLAIN = 16.0D0, WIDE = 1.0D-4)
       DOUBLE PRECISION HI, LO, Q(3)
@@ -3114,7 +3095,7 @@ C     what they leave open limits the better one by the other.
         IF (HI .GE. FQ(QLO)) OPEN = 1
       END IF
       IF (SIDE .EQ. 0 .OR. OPEN .EQ. 1) THEN
-        IF (RCTL(RSEEK) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
+        IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
         IF (IQ(QLIMBS) .EQ. 1)
      $      CALL HHTRIA(P, ORD, FQ, QLIMB, Z, SGN, POWER)
         IF (SGN .EQ. 0 .OR. SGN .EQ. UNSURE) SGN = HHPSID(X, P, ORD,
@@ -3153,11 +3134,11 @@ C     TSCONS - compare Z, if it is no vertex and not outside of the
 C     ball, by its height over the facet's support where that is known.
       SUBROUTINE TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(43), Z
+      INTEGER ORD(*), MARK(*), V(3), IQ(41), Z
       DOUBLE PRECISION TSPOWE
       INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QNEAR, QAIMED, QC
       INTEGER QTEST, TQ, TD
-      PARAMETER (RSUP = 18, LSUP = 98, SGRAIN = 98, QBEST = 1)
+      PARAMETER (RSUP = 17, LSUP = 97, SGRAIN = 97, QBEST = 1)
       PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QC = 2)
       PARAMETER (QTEST = 101, TQ = 1, TD = 1)
       DOUBLE PRECISION H, Q, SIZE, SUM, W1, W2, W3
@@ -3295,7 +3276,7 @@ C     TSCALL - consider N points of a list.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LIST, V(3), IQ(43), N
+      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LIST, V(3), IQ(41), N
       INTEGER PLACE(*)
       INTEGER I, Z
       DO 10 I = 1, N
@@ -3364,7 +3345,7 @@ C     too large for the list.
       PARAMETER (TSLIST = 512)
       DOUBLE PRECISION LSD(14,2), FQ(108)
       REAL LSX(TSLIST,4,2)
-      INTEGER LSI(3,2), IQ(43), PLACE(*), N
+      INTEGER LSI(3,2), IQ(41), PLACE(*), N
       INTEGER LN, STR, QLIMBS, QBALL
       PARAMETER (LN = 3, STR = 2, QLIMBS = 2, QBALL = 3)
       REAL D(4)
@@ -3398,7 +3379,7 @@ C     off by up to QHI - QLO, too, which tells on the negative side.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       DOUBLE PRECISION F(12), FQ(108)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(43), OK
+      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(41), OK
       INTEGER HHPBAL, TSBINS
       INTEGER NCELL, CELL0, T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI
       INTEGER QDC, CELL, CELLS
@@ -3495,10 +3476,10 @@ C     else 0.
       DOUBLE PRECISION F(12), FQ(108)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3)
-      INTEGER IQ(43), OK
+      INTEGER IQ(41), OK
       INTEGER TSBINS
       INTEGER TIES, RTIED, LN, LMARG, STR, QBEST, QBALL, QBASE, QHI
-      PARAMETER (TIES = 26, RTIED = 12, LN = 3, LMARG = 13, STR = 2)
+      PARAMETER (TIES = 26, RTIED = 11, LN = 3, LMARG = 13, STR = 2)
       PARAMETER (QBEST = 1, QBALL = 3, QBASE = 4, QHI = 2)
       DOUBLE PRECISION FAR
       PARAMETER (FAR = 1.0D10)
@@ -3552,7 +3533,7 @@ C     costs: on surfaces two of five points that were tested.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       DOUBLE PRECISION F(12), FQ(108)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(43), OK
+      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(41), OK
       INTEGER TSBINB
       INTEGER LN, BLK, QLIMBS, QBALL, QC
       PARAMETER (LN = 3, BLK = 1, QLIMBS = 2, QBALL = 3, QC = 2)
@@ -3584,11 +3565,11 @@ C     consider.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F,
      $                  FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43), NODE
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41), NODE
       DOUBLE PRECISION TSPOWE
-      INTEGER LEAF, QBALL, QC, DONE, RSEEK, RSCAN
-      PARAMETER (LEAF = 48, QBALL = 3, QC = 2, DONE = -1, RSEEK = 7)
-      PARAMETER (RSCAN = 11)
+      INTEGER LEAF, QBALL, QC, DONE, RPATIE, RSCAN
+      PARAMETER (LEAF = 48, QBALL = 3, QC = 2, DONE = -1, RPATIE = 8)
+      PARAMETER (RSCAN = 10)
       DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0)
       PARAMETER (MUCHL = 1.0D100)
@@ -3633,7 +3614,7 @@ C     consider.
         IF (LINK(PLACE(K)) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, RCTL,
      $      V, IQ, F, FQ, PLACE(K))
    40 CONTINUE
-      IF (RCTL(RSEEK) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
+      IF (RCTL(RPATIE) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
      $    CALL TSREME(IQ, FIRST, 0)
       END
 
@@ -3646,7 +3627,7 @@ C     anywhere.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
      $                  IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41)
       INTEGER TSPRUN, TSLEAF, TSGROU
       INTEGER NP, LEAVES, ROUND, QBALL, QBASE, QNEAR, DEPTH
       PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, QBALL = 3, QBASE = 4)
@@ -3658,7 +3639,7 @@ C     anywhere.
       INTEGER STACK(DEPTH), TOP
       NEAR = IQ(QNEAR)
       LEAST = CTL(NP) + 2*CTL(LEAVES)*(NEAR - 1)
-      FOURS = CTL(ROUND)
+      FOURS = CTL(ROUND)/2
       IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
      $    FOURS = 0
       TOP = 1
@@ -3741,14 +3722,14 @@ C     is V(1), or V(2) if V(1) is the large ball's first, or if the
 C     angle there is small the vertex opposite to the longest edge.
       SUBROUTINE TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(43)
+      INTEGER ORD(*), MARK(*), V(3), IQ(41)
       INTEGER TSINLA
       INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QNEAR
       INTEGER RTIED, RSLOT, RFIRST, QOPEND, QLO, QHI, QC, QDC, QSIZE
       PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2)
       PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QNEAR = 6)
       PARAMETER (QOPEND = 9, QLO = 1, QHI = 2, QC = 2, QDC = 6)
-      PARAMETER (QSIZE = 7, RTIED = 12, RSLOT = 13, RFIRST = 14)
+      PARAMETER (QSIZE = 7, RTIED = 11, RSLOT = 12, RFIRST = 13)
       DOUBLE PRECISION EPS, HUGE, THIN
       PARAMETER (EPS = 2.0D0**(-52), THIN = 1.0D-6)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
@@ -3813,21 +3794,19 @@ C     GUESS: two positions to try first, or 0.
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(TSIDS,2)
       INTEGER LSI(3,2), V(3), GUESS(2), Z
       INTEGER HHPSID, TSCURV, TSONHU
-      INTEGER NP, NPLANE, NEXTPL, PLANE0, RSUPP, RSEEK, RBURDN, RPATIE
-      INTEGER RSCAN, QBEST, QNEAR, QOPEND
-      INTEGER LEAVES, PLANES, OPENED, T3, NCELL, RTIED
-      INTEGER RSLOT, RFIRST, LLAST, BLK, LARGE
+      INTEGER NP, LEAVES, NPLANE, NEXTPL, PLANE0, ROUND, NCELL, T3
+      INTEGER RBURDN, RPATIE, RSCAN, RTIED, RSLOT, RFIRST, QBEST, QNEAR
+      INTEGER QOPEND, LLAST, BLK, PLANES, OPENED, LARGE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
-      PARAMETER (PLANE0 = 13)
-      PARAMETER (RSUPP = 6, RSEEK = 7, RBURDN = 8, RPATIE = 9)
-      PARAMETER (RSCAN = 11, QBEST = 1, QNEAR = 6)
-      PARAMETER (QOPEND = 9, PLANES = 4, OPENED = 24)
-      PARAMETER (T3 = 1, NCELL = 29, RTIED = 12, RSLOT = 13)
-      PARAMETER (RFIRST = 14, LLAST = 2, BLK = 1, LARGE = 24)
+      PARAMETER (PLANE0 = 13, ROUND = 28, NCELL = 29, T3 = 1)
+      PARAMETER (RBURDN = 7, RPATIE = 8, RSCAN = 10, RTIED = 11)
+      PARAMETER (RSLOT = 12, RFIRST = 13, QBEST = 1, QNEAR = 6)
+      PARAMETER (QOPEND = 9, LLAST = 2, BLK = 1, PLANES = 4)
+      PARAMETER (OPENED = 24, LARGE = 24)
       DOUBLE PRECISION SCANS
       PARAMETER (SCANS = 100.0D0)
       DOUBLE PRECISION F(12), FQ(108), H
-      INTEGER AT, G, IQ(43), K, LISTS, OK
+      INTEGER AT, G, IQ(41), K, LISTS, OK
       IF (CTL(NCELL) .GT. 0) THEN
         CALL TSINCE(X, P, ORD, CTL, RCTL, V, Z)
         IF (Z .NE. 0) RETURN
@@ -3871,18 +3850,17 @@ C       before the block's list: a tenth of the time on lattices
       Z = IQ(QBEST)
       IF (RCTL(RTIED) .GT. DBLE(LARGE) .AND. LSI(LLAST,BLK) .GT. 0)
      $    CALL TSKEEP(ORD, RCTL, V, Z)
-      IF (RCTL(RSCAN) .GT. SCANS*DBLE(CTL(NP))) THEN
+      IF (CTL(ROUND) .EQ. 1 .AND.
+     $    RCTL(RSCAN) .GT. SCANS*DBLE(CTL(NP))) THEN
         K = 2*CTL(LEAVES) + 1
-        CALL TSECLD(X, BOX, BOX(1,K), CTL, RCTL)
+        CALL TSECLD(X, BOX, BOX(1,K), CTL)
       END IF
-      IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RSEEK) .GT. 0.0D0) THEN
-        RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))
-        IF (RCTL(RBURDN) .GT. RCTL(RPATIE)*DBLE(CTL(NP))) THEN
-          K = INT(RCTL(RSUPP))
-          CALL TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ)
+      IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RPATIE) .GT. 0.0D0) THEN
+        RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))/DBLE(CTL(NP))
+        IF (RCTL(RBURDN) .GT. RCTL(RPATIE)) THEN
           RCTL(RBURDN) = 0.0D0
-          IF (INT(RCTL(RSUPP)) .EQ. K)
-     $        RCTL(RPATIE) = 2.0D0*RCTL(RPATIE)
+          CALL TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ, OK)
+          IF (OK .EQ. 0) RCTL(RPATIE) = 2.0D0*RCTL(RPATIE)
         END IF
       END IF
       IF (Z .EQ. 0) THEN
@@ -3963,7 +3941,7 @@ C     alone.
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, QBEST = 1, T3 = 1)
       PARAMETER (NCELL = 29)
       DOUBLE PRECISION F(12), FQ(108)
-      INTEGER FIRST, G(3), GUESS(2), I, IQ(43), J, K, LEAF, LENGTH
+      INTEGER FIRST, G(3), GUESS(2), I, IQ(41), J, K, LEAF, LENGTH
       INTEGER NODE, OK, R(4), SAME, Z
       LEAF = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAF - 1
@@ -4286,7 +4264,7 @@ C     INFO is 0, or RANGE.
       INTEGER HHFREX, TSINRA
       DOUBLE PRECISION HHLDEX, TSUNIT
       INTEGER NP, T3, T5, RSCALE, RLEAST, DIGITS, RANGE
-      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 10)
+      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 9)
       PARAMETER (DIGITS = 53, RANGE = 6)
       DOUBLE PRECISION HUGE, NORMAL
       PARAMETER (HUGE = 1.7976931348623157D308)
@@ -4532,13 +4510,13 @@ C     besides.
       DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*)
       INTEGER HHHOLD, TSLCOU
       INTEGER NP, LEAVES, NPLANE, NEXTPL, TIES, T3, T5, RSCALE, RLEAST
-      INTEGER ROUND, NCELL, RFIRST, RSUPP, RSEEK, RSCAN, RANGE
+      INTEGER ROUND, NCELL, RFIRST, RSUPP, RPATIE, RSCAN, RANGE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
-      PARAMETER (TIES = 26, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 10)
-      PARAMETER (ROUND = 28, RSUPP = 6, RSEEK = 7, RSCAN = 11)
-      PARAMETER (NCELL = 29, RFIRST = 14, RANGE = 6)
-      DOUBLE PRECISION NORMAL, MUCHL
-      PARAMETER (NORMAL = 2.0D0**(-1022), MUCHL = 1.0D100)
+      PARAMETER (TIES = 26, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 9)
+      PARAMETER (ROUND = 28, RSUPP = 6, RPATIE = 8, RSCAN = 10)
+      PARAMETER (NCELL = 29, RFIRST = 13, RANGE = 6)
+      DOUBLE PRECISION NORMAL
+      PARAMETER (NORMAL = 2.0D0**(-1022))
       INTEGER ALL
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
@@ -4547,8 +4525,8 @@ C     besides.
       RCTL(RFIRST) = 0.0D0
       CTL(ROUND) = 0
       RCTL(RSUPP) = 0.0D0
-      RCTL(RSEEK) = 0.0D0
-      RCTL(RSCAN) = -MUCHL
+      RCTL(RPATIE) = 0.0D0
+      RCTL(RSCAN) = 0.0D0
       CTL(NP) = ALIVE(2*LVS)
       INFO = -8
       IF (CTL(NP) .LT. 0 .OR. CTL(NP) .GT. N) RETURN
@@ -4581,22 +4559,21 @@ C     element of RW or IW, and the standard lets them be altered.
       INTEGER TSTABL
       INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW
       INTEGER NPLANE, NEXTPL, TIES, UNMET, LFIRST, LLAST, LN, BLK, STR
-      INTEGER ROUND, T5, RREACH, RSUPP, RSEEK, RBURDN, RPATIE, RSCAN
+      INTEGER ROUND, T5, RREACH, RSUPP, RBURDN, RPATIE, RSCAN
       INTEGER SUPPS, LSUP, OPEN, NEW, TSLIST, TSIDS, NCELL, RFIRST
       PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5)
       PARAMETER (MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, NPLANE = 12)
       PARAMETER (NEXTPL = 13, TIES = 26, UNMET = 27, LFIRST = 1)
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, T5 = 2)
-      PARAMETER (RREACH = 3, RSUPP = 6, RSEEK = 7, RBURDN = 8)
-      PARAMETER (ROUND = 28, RPATIE = 9, RSCAN = 11, SUPPS = 8)
-      PARAMETER (LSUP = 98)
+      PARAMETER (RREACH = 3, RSUPP = 6, RBURDN = 7, RPATIE = 8)
+      PARAMETER (ROUND = 28, RSCAN = 10, SUPPS = 8)
+      PARAMETER (LSUP = 97)
       PARAMETER (OPEN = -1, NEW = -2, TSLIST = 512)
       PARAMETER (TSIDS = TSLIST + 48, NCELL = 29)
-      PARAMETER (RFIRST = 14)
-      DOUBLE PRECISION REACH, BURDEN, PLAIN, MUCHL
+      PARAMETER (RFIRST = 13)
+      DOUBLE PRECISION REACH, BURDEN, PLAIN
       PARAMETER (REACH = 2.75D0, BURDEN = 1.0D0, PLAIN = 16.0D0)
-      PARAMETER (MUCHL = 1.0D100)
-      DOUBLE PRECISION LSD(14,2), MEAN, RCTL(18+LSUP*SUPPS)
+      DOUBLE PRECISION LSD(14,2), MEAN, RCTL(17+LSUP*SUPPS)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(81), I, K, LSI(3,2), OWN, S, T, LSID(TSIDS,2)
       CTL(NPLANE) = 0
@@ -4636,12 +4613,12 @@ C     sets, by a step of Newton's method
    10 CONTINUE
       RCTL(RSUPP) = 0.0D0
       RCTL(RBURDN) = 0.0D0
-      RCTL(RPATIE) = BURDEN
-      RCTL(RSCAN) = -MUCHL
-      IF (ROOMY .EQ. 1) RCTL(RSCAN) = 0.0D0
+      RCTL(RSCAN) = 0.0D0
+      IF (ROOMY .EQ. 1) CTL(ROUND) = 1
 C     doubles decide all where points are in few units
-      RCTL(RSEEK) = 0.0D0
-      IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN) RCTL(RSEEK) = 1.0D0
+      RCTL(RPATIE) = 0.0D0
+      IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN)
+     $    RCTL(RPATIE) = BURDEN
       S = 0
       IF (CTL(NT) .GT. 0) THEN
         CALL TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
@@ -4971,16 +4948,14 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
       DOUBLE PRECISION P(3,*), X(3,N), BOX(6,2*LVS)
       INTEGER NP, NPLANE, NEXTPL, TIES, LN, BLK, STR, T3, T5, RSCALE
       INTEGER NCELL, RFIRST, LLAST
-      INTEGER ROUND, RSUPP, RSEEK, RSCAN, RLEAST, RANGE, TSLIST, TSIDS
+      INTEGER ROUND, RSUPP, RPATIE, RSCAN, RLEAST, RANGE, TSLIST, TSIDS
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIES = 26, LN = 3)
       PARAMETER (BLK = 1, STR = 2, T3 = 1, T5 = 2, RSCALE = 5)
-      PARAMETER (RSUPP = 6, RSEEK = 7, RLEAST = 10, RANGE = 6)
-      PARAMETER (ROUND = 28, RSCAN = 11, TSLIST = 512)
+      PARAMETER (RSUPP = 6, RPATIE = 8, RLEAST = 9, RANGE = 6)
+      PARAMETER (ROUND = 28, RSCAN = 10, TSLIST = 512)
       PARAMETER (TSIDS = TSLIST + 48, NCELL = 29)
-      PARAMETER (RFIRST = 14, LLAST = 2)
-      DOUBLE PRECISION MUCHL
-      PARAMETER (MUCHL = 1.0D100)
-      DOUBLE PRECISION LSD(14,2), RCTL(18)
+      PARAMETER (RFIRST = 13, LLAST = 2)
+      DOUBLE PRECISION LSD(14,2), RCTL(17)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(81), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, N, INFO)
@@ -4995,8 +4970,8 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
         LSI(LLAST,BLK) = 0
         CTL(ROUND) = 0
         RCTL(RSUPP) = 0.0D0
-        RCTL(RSEEK) = 0.0D0
-        RCTL(RSCAN) = -MUCHL
+        RCTL(RPATIE) = 0.0D0
+        RCTL(RSCAN) = 0.0D0
         LSI(LN,BLK) = 0
         LSI(LN,STR) = 0
         GUESS(1) = 0
@@ -5965,7 +5940,7 @@ C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
       PARAMETER (RANGE = 6, TSLIST = 512, TSIDS = TSLIST + 48)
       INTEGER LLAST, HFROM, HMOST, NONE
       PARAMETER (LLAST = 2, HFROM = 7, HMOST = 10, NONE = 0)
-      DOUBLE PRECISION LSD(14,2), RCTL(18), XF(3), Y(3,1)
+      DOUBLE PRECISION LSD(14,2), RCTL(17), XF(3), Y(3,1)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(81), F(3), G(4,1), GUESS(2), H(10), I, J, K, LAST
       INTEGER LSI(3,2), LSID(TSIDS,2), S, STEPS, U(4,1), Z
