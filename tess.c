@@ -284,32 +284,38 @@ typedef struct list {
     tess_int id[TESS_LIST + LEAF];
 } list;
 
-/* A search for the apex of one facet. */
+/* A search for the apex of one facet.  w is a point relative to the base,
+ * height(w) its height over the support that the facet leans on. */
 typedef struct quest {
+    /* the facet */
     tess_int v[3];            /* its vertices; the open side is positive */
     double f[HH_FACET_LEN];   /* its Householder set-up, */
     int base;                 /* of which v[base] is the base */
-    tess_int best;            /* the best point yet, exactly, or NONE */
-    double lo, hi;            /* its L-coordinate is between them */
-    int limbs;                /* 1: its ball has been found by limbs: t; 2: */
-                              /* the ball is that of a cap */
-    hh_ball t;
-    int tied;                 /* points met that are exactly on its ball */
     int first;                /* v[first] is the large ball's; 3: the facet */
                               /* is on that, without it; NONE: it is not */
+    /* the best point */
+    tess_int best;            /* the best point yet, exactly, or NONE */
+    double lo, hi;            /* its L-coordinate is between them */
+    int tied;                 /* points met that are exactly on its ball */
     int asked;                /* comparisons left to the exact predicates */
-    int ball;                 /* there is a ball to prune with: centre c, */
-    double c[3];              /* relative to f[6..8], wrong by at most dc */
-    double dc, size;          /* and |c|_1 */
-    int open;                 /* sample of the points, near no support, that */
-    tess_int some[SOME];      /* were left open, or, open = 0, of leaves: of */
-    tess_int opened;          /* so many */
-    int near;                 /* the facet is near this support, or NONE: */
-    double h, dh, tilt[3], dtilt; /* G = height - h - tilt.w is 0 on it */
+    /* its ball */
+    int ball;                 /* there is one to prune with: its centre c, */
+    double c[3];              /* relative to the base, is wrong by at most */
+    double dc, size;          /* dc; size is |c|_1 */
+    int limbs;                /* 1: it was found by limbs: t; 2: it is that */
+    hh_ball t;                /* of a cap */
+    /* the support */
+    int near;                 /* its number, or NONE; on the facet */
+    double h, dh;             /* height(w) - h - tilt.w is 0, h being the */
+    double tilt[3], dtilt;    /* base's height; dh, dtilt bound the errors */
     double g;                 /* a plane: the height of the facet's normal */
-    int aimed;                /* sight's test is for the best point there is: */
-    double a, q, d[3], dd;    /* a (height - h) + q |w|^2 - d.w, each w[k] */
-    double err;               /* wrong by dd w[k], and all by err */
+    int aimed;                /* sight's test is for this ball: no candidate */
+    double a, q, d[3];        /* where a (height - h) + q |w|^2 - d.w > 0; */
+    double dd, err;           /* each w[k] is wrong by dd w[k], all by err */
+    /* the sample of points, for a support */
+    int open;                 /* 1: they were left open; 0: are of leaves */
+    tess_int opened;          /* of so many */
+    tess_int some[SOME];
 } quest;
 
 /* A support: a plane or a sphere that many points are near to.  Mark k, 0 ...
@@ -1444,7 +1450,7 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* powererr - how wrong the power |w|^2 - 2 c.w may be for |w|_1 <= size: c is
+/* powererr - bound on the error of the power |w|^2 - 2 c.w, |w|_1 <= size: c is
  * wrong by dc; each w[k] (w[k] - 2 c[k]) is the result of at most 6 roundings,
  * with w[k] itself twice and the sum's, each of at most EPS |w[k]| (|w[k]| + 2
  * |c[k]|); size, and this, may come out too small by a few EPS. */
@@ -1453,12 +1459,12 @@ static double powererr(const quest *f, double size)
     return size * (2.0 * f->dc + 8.0 * EPS * (size + 2.0 * f->size)) + FAINT;
 }
 
-/* prunebox - has the box lo, hi certainly no candidate: no point that is in the
- * ball of a search, if there is one, or on it, or none on the positive side?
- * The least power |w|^2 - 2 c.w and the greatest side of its points count,
- * less their errors: powererr; E |w|, which covers the rounding of the side,
- * too.  Both are taken at a point of the box's own doubles, so the same bounds
- * hold as for a point. */
+/* prunebox - returns 1 if the box lo, hi provably holds no candidate: no point
+ * inside or on the ball of the search, if there is one, or none on the positive
+ * side.  It compares the least power |w|^2 - 2 c.w and the greatest side in the
+ * box with the bounds on their errors: powererr, and E |w|, which covers the
+ * rounding of the side, too.  Both are taken at a point whose coordinates are
+ * the box's own doubles, so the bounds for points hold. */
 static int prunebox(const quest *f, const double *lo, const double *hi)
 {
     double power = 0.0, side = 0.0, size = 0.0, l, h, u, v;
@@ -1481,8 +1487,8 @@ static int prunebox(const quest *f, const double *lo, const double *hi)
            (f->f[9] <= HH_LOOSE && side < -f->f[9] * size - FAINT);
 }
 
-/* prunepart - is there no candidate in that part of the root's box in
- * which coordinate k is between lo and hi? */
+/* prunepart - returns 1 if that part of the root's box where coordinate k is
+ * between lo and hi provably holds no candidate. */
 static int prunepart(const mesh *m, const quest *f, int k, double lo, double hi)
 {
     const double *root = m->box + 6;
@@ -1499,10 +1505,10 @@ static int prunepart(const mesh *m, const quest *f, int k, double lo, double hi)
     return prunebox(f, from, to);
 }
 
-/* ballinbox - is the part of the ball that may have points, its part in the
- * root's box, inside the box of a list?  The true ball has its centre within
- * dc of c and passes through the base, as does the one about c: its radius is
- * at most |c| + dc, so that along an axis it ends within |c| + 2 dc of c. */
+/* ballinbox - returns 1 if the part of the ball that may hold points, that in
+ * the root's box, lies inside the box of a list.  The centre of the true ball
+ * is within dc of c, and both balls pass through the base: so its radius is at
+ * most |c| + dc, and along an axis it ends within |c| + 2 dc of c. */
 static int ballinbox(const mesh *m, const quest *f, const list *l)
 {
     const double *root = m->box + 6;
@@ -1559,23 +1565,23 @@ static int better(const mesh *m, const quest *f, tess_int z)
 }
 #endif
 
-/* curved - is the facet near a sphere? */
+/* curved - returns 1 if the facet's support is a sphere. */
 static int curved(const mesh *m, const quest *f)
 {
     return LEANING(f) && !m->supports[f->near].plane;
 }
 
-/* narrow - the L-coordinate of the best point of a search is at most l. */
+/* narrow - record that the best point's L-coordinate is at most l, and set the
+ * ball of that. */
 static void narrow(quest *f, double l)
 {
     f->hi = l;
     f->aimed = 0;
     if (f->limbs || l > MUCHL || l < -MUCHL) return;
     f->ball = 1;
-    /* what is better than the best point is, on the positive side, in the ball
-     * of any L above its: so its error does not add to the ball's.  It is large
-     * where balls are flat: points near a plane took 10 times as long with
-     * it. */
+    /* on the positive side, a better point is in the ball of any L above the
+     * best point's, so the error of L does not count.  It is large where balls
+     * are flat: with it, points near a plane took 10 times as long. */
     f->c[0] = f->f[3] + l * f->f[0];
     f->c[1] = f->f[4] + l * f->f[1];
     f->c[2] = f->f[5] + l * f->f[2];
@@ -2134,7 +2140,7 @@ static int enclose(const mesh *m, tess_int node, double *c)
            SLENDER * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
 }
 
-/* enclosed - make all cylinders, unless few of the leaves' are slender. */
+/* enclosed - make all cylinders, or none if few leaves have slender ones. */
 static void enclosed(mesh *m)
 {
     tess_int level, node, slender = 0;
@@ -2150,8 +2156,8 @@ static void enclosed(mesh *m)
     m->round = 2;
 }
 
-/* outside - have the cylinders of a node's four grandchildren certainly no
- * candidate?  Those have past[i] > 0.
+/* outside - which cylinders of a node's four grandchildren provably hold no
+ * candidate: those with past[i] > 0.
  *
  * A point is w + s u + p from the base, w being the cylinder's centre, u its
  * axis, |s| <= h, p across u, |p| <= r.  With g = w - c, a = |g.u|, and the
@@ -2159,9 +2165,9 @@ static void enclosed(mesh *m)
  *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p),
  * the brackets at least t (t - 2 a), t the lesser of a and h, and R^2 - 2 R
  * rho, R the lesser of rho and r.  So there is none if the sum without 2 R rho
- * is positive and its square is above 4 R^2 rho^2.  Without a ball the same holds
- * for minus the side v.w, with v / 2 for c, without all squares, t = h, R = r:
- * q = 0, and far is more than any length.
+ * is positive and its square is above 4 R^2 rho^2.  Without a ball the same
+ * holds for minus the side v.w, with v / 2 for c, without all squares, t = h, R
+ * = r: q = 0, and far is more than any length.
  *
  * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r:
  * w by EPS |w|, which counts twice in the power, and with that of g in rho, 4;
@@ -2232,8 +2238,8 @@ static void outside(const mesh *m, const quest *f, tess_int node, double *past)
  * outside of this: so this, the cap's, takes the place of the search's ball.
  * It passes through a base a or b, but not through first. */
 
-/* inlarge - are the vertices of the facet v on the large ball, if there is one,
- * or, for n = 1, is v[0]? */
+/* inlarge - returns 1 if the n points v are on the large ball, if there is
+ * one. */
 static int inlarge(const mesh *m, const tess_int *v, int n)
 {
     const tess_int *q = m->large;
@@ -2245,7 +2251,7 @@ static int inlarge(const mesh *m, const tess_int *v, int n)
     return k == n;
 }
 
-/* keeplarge - the ball of a search in a star is the large one. */
+/* keeplarge - make the ball of a search the large one. */
 static void keeplarge(mesh *m, const quest *f)
 {
     int k;
@@ -2257,8 +2263,8 @@ static void keeplarge(mesh *m, const quest *f)
     }
 }
 
-/* cap - let the best point's ball be the cap's, if it may.  For first, size, of
- * |w|_1 and |c|_1 together, covers powererr. */
+/* cap - replace the best point's ball by the cap's, where that is allowed.  In
+ * the power of first, size = |w|_1 + |c|_1 covers powererr. */
 static void cap(const mesh *m, quest *f)
 {
     const double *x = m->x + 3 * m->first;
@@ -2648,7 +2654,7 @@ static void scanleaf(mesh *m, quest *f, tess_int leaf)
 }
 
 #ifdef TESS_PROVE
-/* barren - has no point of a node anything better than the best point? */
+/* barren - returns 1 if no point of a node is better than the best point. */
 static int barren(const mesh *m, const quest *f, tess_int node)
 {
     tess_int i, last = node;
@@ -2713,7 +2719,7 @@ static void treesearch(mesh *m, quest *f)
     }
 }
 
-/* onhull - does the facet lie in a plane known to bound the hull? */
+/* onhull - returns 1 if the facet lies in a plane known to bound the hull. */
 static int onhull(const mesh *m, const quest *f)
 {
     const tess_int *h;

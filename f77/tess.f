@@ -1862,7 +1862,7 @@ C     TSDOT - the product of two vectors.
       TSDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
       END
 
-C     TSPOWE - how wrong the power |W|**2 - 2 C.W may be for |W|_1 <=
+C     TSPOWE - bound on the error of the power |W|**2 - 2 C.W, |W|_1 <=
 C     LENGTH: C is wrong by dc; each W(K) (W(K) - 2 C(K)) is the result
 C     of at most 6 roundings, with W(K) itself twice and the sum's, each
 C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|); LENGTH, and this, may
@@ -1877,13 +1877,14 @@ C     come out too small by a few EPS.
      $    2.0D0*FQ(QSIZE))) + FAINT
       END
 
-C     TSPRUN - has the box of a node certainly no candidate: no point
-C     that is in the ball of a search, if there is one, or on it, or
-C     none on the positive side: 1, or 0.  The least power |W|**2 - 2
-C     C.W and the greatest side of its points count, less their errors:
-C     TSPOWE; E |W|, which covers the rounding of the side, too.  Both
-C     are taken at a point of the box's own doubles, so the same bounds
-C     hold as for a point.
+C     TSPRUN - returns 1 if the box of a node provably holds no
+C     candidate: no point inside or on the ball of the search, if there
+C     is one, or none on the positive side; or 0.  It compares the least
+C     power |W|**2 - 2 C.W and the greatest side in the box with the
+C     bounds on their errors: TSPOWE, and E |W|, which covers the
+C     rounding of the side, too.  Both are taken at a point whose
+C     coordinates are the box's own doubles, so the bounds for points
+C     hold.
       INTEGER FUNCTION TSPRUN(IQ, F, FQ, BOX, NODE)
       DOUBLE PRECISION F(12), FQ(108), BOX(6,*)
       INTEGER IQ(41), NODE
@@ -1914,8 +1915,8 @@ C     hold as for a point.
       END IF
       END
 
-C     TSPRPA - is there no candidate in that part of the root's box in
-C     which coordinate K is between LO and HI: 1, or 0.
+C     TSPRPA - returns 1 if that part of the root's box where coordinate
+C     K is between LO and HI provably holds no candidate, or 0.
       INTEGER FUNCTION TSPRPA(BOX, IQ, F, FQ, K, LO, HI)
       DOUBLE PRECISION BOX(6,*), F(12), FQ(108), LO, HI
       INTEGER IQ(41), K
@@ -1932,10 +1933,10 @@ C     which coordinate K is between LO and HI: 1, or 0.
       TSPRPA = TSPRUN(IQ, F, FQ, PART, 1)
       END
 
-C     TSBINB - is the part of the ball that may have points, its part in
-C     the root's box, inside the box of a list: 1, or 0.  The true ball
-C     has its centre within dc of C and passes through the base, as does
-C     the one about C: its radius is at most |C| + dc, so that along an
+C     TSBINB - returns 1 if the part of the ball that may hold points,
+C     that in the root's box, lies inside the box of a list, or 0.  The
+C     centre of the true ball is within dc of C, and both balls pass
+C     through the base: so its radius is at most |C| + dc, and along an
 C     axis it ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
@@ -1999,7 +2000,7 @@ C     of A, B and the products take.
       TSBINS = 0
       END
 
-C     TSCURV - is the facet near a sphere: 1, or 0.
+C     TSCURV - returns 1 if the facet's support is a sphere, or 0.
       INTEGER FUNCTION TSCURV(RCTL, IQ)
       DOUBLE PRECISION RCTL(*)
       INTEGER IQ(41)
@@ -2010,8 +2011,8 @@ C     TSCURV - is the facet near a sphere: 1, or 0.
       IF (RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
       END
 
-C     TSNARR - the L-coordinate of the best point of a search is at most
-C     L.
+C     TSNARR - record that the best point's L-coordinate is at most L,
+C     and set the ball of that.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
       DOUBLE PRECISION F(12), FQ(108), L
       INTEGER IQ(41)
@@ -2025,10 +2026,10 @@ C     L.
       IQ(QAIMED) = 0
       IF (IQ(QLIMBS) .NE. 0 .OR. ABS(L) .GT. MUCHL) RETURN
       IQ(QBALL) = 1
-C     what is better than the best point is, on the positive side, in
-C     the ball of any L above its: so its error does not add to the
-C     ball's. It is large where balls are flat: points near a plane took
-C     10 times as long with it.
+C     on the positive side, a better point is in the ball of any L above
+C     the best point's, so the error of L does not count.  It is large
+C     where balls are flat: with it, points near a plane took 10 times
+C     as long.
       FQ(QSIZE) = 0.0D0
       DO 10 K = 1, 3
         FQ(QC+K) = F(3+K) + L*F(K)
@@ -2855,8 +2856,8 @@ C       too small to have a direction: any
      $    SLENDR = 1
       END
 
-C     TSECLD - make all cylinders, unless few of the leaves' are
-C     slender.
+C     TSECLD - make all cylinders, or none if few leaves have slender
+C     ones.
       SUBROUTINE TSECLD(X, BOX, CYL, CTL)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
       INTEGER CTL(*)
@@ -2882,8 +2883,8 @@ C     slender.
       CTL(ROUND) = 2
       END
 
-C     TSOUTS - have the cylinders of a node's four grandchildren
-C     certainly no candidate?  Those have PAST(I) > 0.
+C     TSOUTS - which cylinders of a node's four grandchildren provably
+C     hold no candidate: those with PAST(I) > 0.
 C
 C     A point is W + S U + P from the base, W being the cylinder's
 C     centre, U its axis, |S| <= H, P across U, |P| <= R.  With G = W -
@@ -2980,8 +2981,8 @@ C     this, the cap's, takes the place of the search's ball.  It passes
 C     through a base a or b, but not through first.
 C     ------------------------------------------------------------------
 
-C     TSINLA - are the vertices of the facet V on the large ball, if
-C     there is one, or, for N = 1, is V(1): 1, or 0.
+C     TSINLA - returns 1 if the N points V are on the large ball, if
+C     there is one; or 0.
       INTEGER FUNCTION TSINLA(X, P, ORD, RCTL, V, N)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), V(*), N
@@ -3001,8 +3002,8 @@ C     there is one, or, for N = 1, is V(1): 1, or 0.
       TSINLA = 1
       END
 
-C     TSKEEP - the ball of a search in a star is the large one: the
-C     facet's vertices V and the best point BEST are on it.
+C     TSKEEP - make the ball of a search the large one: the facet's
+C     vertices V and the best point BEST are on it.
       SUBROUTINE TSKEEP(ORD, RCTL, V, BEST)
       DOUBLE PRECISION RCTL(*)
       INTEGER ORD(*), V(3), BEST
@@ -3018,8 +3019,9 @@ C     facet's vertices V and the best point BEST are on it.
       RCTL(RFIRST) = DBLE(FIRST)
       END
 
-C     TSCAP - let the best point's ball be the cap's, if it may.  For
-C     first, SIZE, of |W|_1 and |C|_1 together, covers TSPOWE.
+C     TSCAP - replace the best point's ball by the cap's, where that is
+C     allowed.  In the power of first, SIZE = |W|_1 + |C|_1 covers
+C     TSPOWE.
       SUBROUTINE TSCAP(X, P, ORD, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), V(3), IQ(41)
@@ -3693,8 +3695,8 @@ C     anywhere.
       GO TO 10
       END
 
-C     TSONHU - does the facet lie in a plane known to bound the hull: 1,
-C     or 0.
+C     TSONHU - returns 1 if the facet lies in a plane known to bound the
+C     hull, or 0.
       INTEGER FUNCTION TSONHU(X, P, ORD, CTL, RCTL, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3)
