@@ -83,7 +83,7 @@
  *   pool         outfac facet owner hashkey same find insert erase enter full
  *                cuberoot tablesize quota newtable rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
- *   apex         dot powererr prunebox ballinbox ballinstar better
+ *   apex         dot powererr prunebox prunepart ballinbox ballinstar better
  *                curved narrow refine rough marked level remember fit discover
  *                lean sharpen sight lowest beyond promise group enclose
  *                enclosed outside inlarge keeplarge cap challenge consider
@@ -1134,6 +1134,24 @@ static int prunebox(const quest *f, const double *lo, const double *hi)
            (f->f[9] <= HH_LOOSE && side < -f->f[9] * size - FAINT);
 }
 
+/* prunepart - returns 1 if that part of the root's box where coordinate k is
+ * between lo and hi provably holds no candidate. */
+static int prunepart(const mesh *m, const quest *f, int k, double lo, double hi)
+{
+    const double *root = m->box + 6;
+    double from[3], to[3];
+    int i;
+
+    if (lo >= hi) return 1;
+    for (i = 0; i < 3; i++) {
+        from[i] = root[i];
+        to[i] = root[3 + i];
+    }
+    from[k] = lo;
+    to[k] = hi;
+    return prunebox(f, from, to);
+}
+
 /* ballinbox - returns 1 if the part of the ball that may hold points, that in
  * the root's box, lies inside the box of a list.  The centre of the true ball
  * is within dc of c, and both balls pass through the base: so its radius is at
@@ -1147,9 +1165,11 @@ static int ballinbox(const mesh *m, const quest *f, const list *l)
     if (l->n == 0) return 0;
     r = r * (1.0 + PAD) + 2.0 * f->dc;
     for (k = 0; k < 3; k++) {
-        if (l->lo[k] > root[k] && f->c[k] - r < l->lo[k] - f->f[6 + k])
+        if (f->c[k] - r < l->lo[k] - f->f[6 + k] &&
+            !prunepart(m, f, k, root[k], l->lo[k]))
             return 0;
-        if (l->hi[k] < root[3 + k] && f->c[k] + r > l->hi[k] - f->f[6 + k])
+        if (f->c[k] + r > l->hi[k] - f->f[6 + k] &&
+            !prunepart(m, f, k, l->hi[k], root[3 + k]))
             return 0;
     }
     return 1;

@@ -124,7 +124,7 @@ C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
 C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
 C         starlist TSSTLI
 C       apex: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
-C         ballinbox TSBINB, ballinstar TSBINS,
+C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
 C         curved TSCURV, narrow TSNARR, refine TSREFI, rough TSROUG,
 C         marked TSMRKD, level TSLEVE, remember TSREME, fit TSFIT,
 C         discover TSDISC, lean TSLEAN, sharpen TSSHAR, sight TSSIGH,
@@ -1419,14 +1419,33 @@ C     hold.
       END IF
       END
 
+C     TSPRPA - returns 1 if that part of the root's box where coordinate
+C     K is between LO and HI provably holds no candidate, or 0.
+      INTEGER FUNCTION TSPRPA(BOX, IQ, F, FQ, K, LO, HI)
+      DOUBLE PRECISION BOX(6,*), F(12), FQ(108), LO, HI
+      INTEGER IQ(41), K
+      INTEGER TSPRUN
+      DOUBLE PRECISION PART(6,1)
+      INTEGER I
+      TSPRPA = 1
+      IF (LO .GE. HI) RETURN
+      DO 10 I = 1, 6
+        PART(I,1) = BOX(I,1)
+   10 CONTINUE
+      PART(K,1) = LO
+      PART(3+K,1) = HI
+      TSPRPA = TSPRUN(IQ, F, FQ, PART, 1)
+      END
+
 C     TSBINB - returns 1 if the part of the ball that may hold points,
 C     that in the root's box, lies inside the box of a list, or 0.  The
 C     centre of the true ball is within dc of C, and both balls pass
 C     through the base: so its radius is at most |C| + dc, and along an
 C     axis it ends within |C| + 2 dc of C.
-      INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, F, FQ)
+      INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
-      INTEGER LSI(3,2), LIST
+      INTEGER LSI(3,2), LIST, IQ(41)
+      INTEGER TSPRPA
       INTEGER LN, LLO, LHI, QC, QDC
       PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
       DOUBLE PRECISION PAD
@@ -1439,10 +1458,14 @@ C     axis it ends within |C| + 2 dc of C.
      $         FQ(QC+3)*FQ(QC+3))
       R = R*(1.0D0 + PAD) + 2.0D0*FQ(QDC)
       DO 10 K = 1, 3
-        IF (LSD(LLO+K,LIST) .GT. BOX(K,1) .AND.
-     $      FQ(QC+K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) RETURN
-        IF (LSD(LHI+K,LIST) .LT. BOX(3+K,1) .AND.
-     $      FQ(QC+K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) RETURN
+        IF (FQ(QC+K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) THEN
+          IF (TSPRPA(BOX, IQ, F, FQ, K, BOX(K,1),
+     $        LSD(LLO+K,LIST)) .EQ. 0) RETURN
+        END IF
+        IF (FQ(QC+K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) THEN
+          IF (TSPRPA(BOX, IQ, F, FQ, K, LSD(LHI+K,LIST),
+     $        BOX(3+K,1)) .EQ. 0) RETURN
+        END IF
    10 CONTINUE
       TSBINB = 1
       END
@@ -3026,7 +3049,7 @@ C     costs: on surfaces two of five points that were tested.
       OK = 0
       IF (LSI(LN,BLK) .EQ. 0) RETURN
       IF (IQ(QBALL) .EQ. 0) RETURN
-      IF (TSBINB(BOX, LSI, LSD, BLK, F, FQ) .EQ. 0) RETURN
+      IF (TSBINB(BOX, LSI, LSD, BLK, IQ, F, FQ) .EQ. 0) RETURN
       C(1) = FQ(QC+1)
       C(2) = FQ(QC+2)
       C(3) = FQ(QC+3)
