@@ -204,6 +204,7 @@ C       TIES    of the last search in a star's list that met points in
 C               the ball, the best of them was 0: inside, 1: about on
 C               it, 2: on it, exactly
 C       UNMET   no vertex before it is NEW and asked for
+C       FUTILE  the leaf's last searches that all ended in the tree
 C       ROUND   cylinders, behind BOX(6,2*CTL(LEAVES)): 0 none, 1 may be
 C               made, 2 are made
 C       NCELL   cells of this star: CELLS at most, the last ones, are
@@ -286,6 +287,9 @@ C               80 to 88 % of the searches end in the star's list, most
 C               others in the block's.  Without a star's list they take
 C               a quarter longer.  Margins that adapt from list to list
 C               take lattices a tenth longer and surveys 3 % less
+C       MAXFUT  a block whose last MAXFUT searches all ended in the tree
+C               makes no more stars' lists: near surfaces these cost 3
+C               to 9 %
 C       SAMPLE  a node is cut across the widest extent of about so many
 C               of its points: of all a million take 3 % longer
 C       DEPTH   of the tree plus one, at most
@@ -1216,10 +1220,10 @@ C     until they fit.
       INTEGER S
       INTEGER TSLFST, TSLEAF
       INTEGER LEAVES, RREACH, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST
-      INTEGER LMARG, LUNIT
+      INTEGER LMARG, LUNIT, FUTILE
       PARAMETER (LEAVES = 4, RREACH = 3, LFIRST = 1, LLAST = 2, LN = 3)
       PARAMETER (LLO = 0, LHI = 3, LMID = 6, LMOST = 9, LMARG = 13)
-      PARAMETER (LUNIT = 14)
+      PARAMETER (LUNIT = 14, FUTILE = 82)
       DOUBLE PRECISION NARROW
       PARAMETER (NARROW = 1.0D5*2.0D0**(-450))
       DOUBLE PRECISION ABOVE, BELOW, HALF, MARGIN, SUM
@@ -1233,6 +1237,7 @@ C     until they fit.
       MARGIN = RCTL(RREACH)*SQRT(SUM)
       LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
       LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
+      CTL(FUTILE) = 0
    20 HALF = 0.0D0
       DO 30 K = 1, 3
         LSD(LLO+K,LIST) = BOX(K,NODE) - MARGIN
@@ -1306,10 +1311,10 @@ C     at most the distance from S to where the block may lack points.
       REAL LSX(TSLIST,4,2)
       INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S
       INTEGER LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG, LUNIT
-      INTEGER BLK, STR
+      INTEGER BLK, STR, FUTILE, MAXFUT
       PARAMETER (LFIRST = 1, LLAST = 2, LN = 3, LLO = 0, LHI = 3)
       PARAMETER (LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14, BLK = 1)
-      PARAMETER (STR = 2)
+      PARAMETER (STR = 2, FUTILE = 82, MAXFUT = 8)
       DOUBLE PRECISION SREACH, FINEST
       PARAMETER (SREACH = 0.85D0, FINEST = 1.0D-4)
       REAL SLACK
@@ -1330,7 +1335,7 @@ C     at most the distance from S to where the block may lack points.
         LSD(LMID+K,STR) = X(K,S)
         LSD(LMOST+K,STR) = 1.1D0
    10 CONTINUE
-      IF (LSI(LN,BLK) .EQ. 0) RETURN
+      IF (LSI(LN,BLK) .EQ. 0 .OR. CTL(FUTILE) .GE. MAXFUT) RETURN
       IF (MARGIN*LSD(LUNIT,BLK) .LT. FINEST) RETURN
       LSD(LMARG,STR) = MARGIN
       LSD(LUNIT,STR) = 1.0D0/MARGIN
@@ -3302,13 +3307,13 @@ C     GUESS: two positions to try first, or 0.
       INTEGER HHPSID, TSCURV, TSONHU
       INTEGER NP, LEAVES, NPLANE, NEXTPL, PLANE0, ROUND, NCELL, T3
       INTEGER RBURDN, RPATIE, RSCAN, RTIED, RSLOT, RFIRST, QBEST, QNEAR
-      INTEGER QOPEND, LLAST, BLK, PLANES, OPENED, LARGE
+      INTEGER QOPEND, LLAST, BLK, PLANES, OPENED, LARGE, FUTILE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
       PARAMETER (PLANE0 = 13, ROUND = 28, NCELL = 29, T3 = 1)
       PARAMETER (RBURDN = 7, RPATIE = 8, RSCAN = 10, RTIED = 11)
       PARAMETER (RSLOT = 12, RFIRST = 13, QBEST = 1, QNEAR = 6)
       PARAMETER (QOPEND = 9, LLAST = 2, BLK = 1, PLANES = 4)
-      PARAMETER (OPENED = 24, LARGE = 24)
+      PARAMETER (OPENED = 24, LARGE = 24, FUTILE = 82)
       DOUBLE PRECISION SCANS
       PARAMETER (SCANS = 100.0D0)
       DOUBLE PRECISION F(12), FQ(108), H
@@ -3341,6 +3346,7 @@ C     a ball that is a support's sphere but for rounding is in no list
         CALL TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, LSX, LSID, LSI,
      $              LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
+        IF (OK .EQ. 1) CTL(FUTILE) = 0
         IF (OK .EQ. 1) RETURN
 C       before the block's list: a tenth of the time on lattices
         IF (Z .EQ. 0) THEN
@@ -3349,8 +3355,10 @@ C       before the block's list: a tenth of the time on lattices
         CALL TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD, V,
      $              IQ, F, FQ, OK)
         Z = IQ(QBEST)
+        IF (OK .EQ. 1) CTL(FUTILE) = 0
         IF (OK .EQ. 1) RETURN
       END IF
+      CTL(FUTILE) = CTL(FUTILE) + 1
       CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V, IQ,
      $            F, FQ)
       Z = IQ(QBEST)
@@ -4134,8 +4142,9 @@ C     no cylinders.
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
       INTEGER NP, NPLANE, NEXTPL, TIES, ROUND, NCELL, RFIRST
-      INTEGER RSUPP, RPATIE, RSCAN, LFIRST, LLAST, LN, BLK, STR
+      INTEGER RSUPP, RPATIE, RSCAN, LFIRST, LLAST, LN, BLK, STR, FUTILE
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIES = 26)
+      PARAMETER (FUTILE = 82)
       PARAMETER (ROUND = 28, NCELL = 29, RFIRST = 13)
       PARAMETER (RSUPP = 6, RPATIE = 8, RSCAN = 10, LFIRST = 1)
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2)
@@ -4145,6 +4154,7 @@ C     no cylinders.
       CTL(TIES) = 0
       CTL(ROUND) = 0
       CTL(NCELL) = 0
+      CTL(FUTILE) = 0
       RCTL(RFIRST) = 0.0D0
       RCTL(RSUPP) = 0.0D0
       RCTL(RPATIE) = 0.0D0
@@ -4611,7 +4621,7 @@ C     element of RW or IW, and the standard lets them be altered.
       PARAMETER (BREACH = 2.6D0, BURDEN = 1.0D0, PLAIN = 16.0D0)
       DOUBLE PRECISION LSD(14,2), RCTL(17+LSUP*SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(81), I, K, LSI(3,2), OK, OWN, S, T, LSID(TSIDS,2)
+      INTEGER CTL(82), I, K, LSI(3,2), OK, OWN, S, T, LSID(TSIDS,2)
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
       ELSE
@@ -4927,7 +4937,7 @@ C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
       PARAMETER (NP = 1, RANGE = 6, TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION LSD(14,2), RCTL(17)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(81), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
+      INTEGER CTL(82), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .EQ. 0) THEN
@@ -5721,7 +5731,7 @@ C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
       PARAMETER (TSIDS = TSLIST + 48, HFROM = 7, HMOST = 10, NONE = 0)
       DOUBLE PRECISION LSD(14,2), RCTL(17), XF(3), Y(3,1)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(81), F(3), G(4,1), H(10), I, K, LAST, LSI(3,2)
+      INTEGER CTL(82), F(3), G(4,1), H(10), I, K, LAST, LSI(3,2)
       INTEGER LSID(TSIDS,2), OK, S, STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
       IF (INFO .LT. 0) INFO = -3
