@@ -465,9 +465,9 @@ static int foot(int n, double *x, double *w)
             }
     }
     carry(4 * n, 3, area);
-    for (k = 0; k < 9; k++) value[k] = leading(2 * n, dot + k, 9, at + k);
-    for (k = 0; k < 3; k++)
-        value[9 + k] = leading(4 * n, area + k, 3, at + 9 + k);
+    for (k = 0; k < 12; k++)
+        value[k] = k < 9 ? leading(2 * n, dot + k, 9, at + k)
+                         : leading(4 * n, area + k - 9, 3, at + k);
     rest = set = region(value, value + 9);
     for (k = 0; k < 3; k++) {
         from[k] = 9 + k;
@@ -1149,9 +1149,11 @@ static int decide(const hh_set *s, int np, const tess_int *v)
 {
     const tess_real *p[5];
     double q[15];
-    int n, sign = UNSURE;
+    int n = 0, sign = UNSURE;
 
-    for (n = 0; n < np; n++) p[n] = s->p + 3 * s->order[v[n]];
+    do
+        p[n] = s->p + 3 * s->order[v[n]];
+    while (++n < np);
     /* the corners of a box are on one sphere */
     if (corners(np, p, q)) return np == 5 ? 0 : filter(4, q, 64.0);
     if (apart(s->x + 3 * v[0], np, p, q)) sign = filter(np, q, -1.0);
