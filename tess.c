@@ -1,29 +1,30 @@
 /* tess.c - Delaunay tetrahedralization of points in space; see tess.h.
  *
- * The algorithm (Section 2 of the paper): a pool of open facets, each the
- * facet of one known tetrahedron; take one, find the apex of the unknown
- * tetrahedron on its other side, store it, put its new facets into the pool,
- * take out those that were there; no tetrahedron is ever deleted.
+ * The algorithm (Section 2 of the paper): keep a pool of open facets, each the
+ * facet of one known tetrahedron.  Take one, find the apex of the unknown
+ * tetrahedron on its other side, store that tetrahedron, and put its new facets
+ * into the pool, or take out those that are already there.  No tetrahedron is
+ * ever deleted.
  *
  * Order of the work.  Points are sorted (kd order); a point's place in that
  * order is its position, and positions stand for points in all internal
  * arrays.  Facets are taken star by star: all open facets at one vertex, then
  * those of the next one.  A vertex whose star is complete can never again be
  * an apex, so it leaves all lists, and the pool stays small.  The order is a
- * function of the points, tet and adj alone, so that an unfinished result is
- * its own state:
+ * function of the points, tet and adj alone, so an unfinished result needs no
+ * other state:
  *   star   s = the first vertex of the last tetrahedron, if it has an open
  *          facet; else the vertex of least position that has one
- *   facet  of the open facets at s the one of the earliest tetrahedron, and
- *          in it of greatest k
+ *   facet  the open facet at s of the earliest tetrahedron, and of those of
+ *          that tetrahedron the one of greatest k
  *
- * Decisions.  All that decides what tet and adj hold is exact: comparisons
- * of the caller's coordinates, or predicates of hhpred.  Floating point here
+ * Decisions.  Every decision that affects tet or adj is exact: a comparison of
+ * the caller's coordinates, or a predicate of hhpred.  Floating point only
  * chooses where to look, with margins that cover its rounding.
  *
  * The arrays (n points, np of them distinct, L leaves of the tree).  When a
- * call returns, tet has indices of points again, rep is kept, and of an index
- * all but head, link and pool; the rest is of no use.
+ * call returns, tet holds indices of points again and rep is kept, and so is an
+ * index but for head, link and pool; the rest is scratch.
  *   tet   positions          adj   as the caller sees it
  *   iw    rep    n           index -> the point of least index that coincides;
  *                            in an index -> position
@@ -58,20 +59,20 @@
  *         |     +-------+         |  the ball about s
  *         +-----------------------+
  *
- * The table begins with tablesize entries.  makeroom has it doubled when three
- * quarters are in use, and cut to its quota when it meets the edges.  It is
- * never more than 7/8 full, so find always meets an unused entry.  push leaves
- * the table alone; makeroom sees to room for two edges.  If room is still
- * short, the code is TESS_POOL.
+ * The table starts with tablesize entries.  makeroom doubles it when three
+ * quarters are in use, and cuts it to its quota when it meets the edges.  It is
+ * never more than 7/8 full, so find always meets an unused entry.  push does
+ * not resize the table; makeroom ensures room for two edges.  If room still
+ * falls short, the code is TESS_POOL.
  *
- * An open facet is in one place at a time: in the link, if it contains s, the
- * vertex of the star; else in the table, or nowhere yet, if its tetrahedron is
- * not below fresh (until flush); nowhere at all if no star of its vertices is
- * asked for.  erase and rehash renumber entries, and update head and the
- * owners' lists only; renumber moves edges, and updates link and the edges
- * only: after makeroom, callers must reload oldest.
+ * An open facet is in one place at a time: in the link if it contains s, the
+ * vertex of the star; otherwise in the table, or, if its tetrahedron is not
+ * below fresh, nowhere until flush; nowhere at all if the star of none of its
+ * vertices is asked for.  erase and rehash renumber entries, and update head
+ * and the owners' lists only; renumber moves edges, and updates link and the
+ * edges only: after makeroom, callers must reload oldest.
  *
- * What rests on the tie rule (hhpred): that a facet's apex is one point for
+ * What depends on the tie rule (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; firstfacet, on a hull face of more
  * than three points; in hh_pbeat, that both candidates are on the positive
  * side; in walk, that heights are lifted; intact.
@@ -111,7 +112,7 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Counts for the benchmark: what happens how often, in a build of its own. */
+/* Counts of events for the benchmark, in a build of its own. */
 #ifdef TESS_COUNT
 extern double tess_count[];
 #define COUNT(which, n) (tess_count[which] += (double)(n))
@@ -131,13 +132,13 @@ extern double tess_count[];
 #define N_LIST 7   /* points of lists and leaves tested     */
 #define N_POOL 8   /* largest number of facets in the pool  */
 #define N_HULL 9   /* searches that found nothing           */
-#define N_PROBE 10 /* entries looked at to find or put in   */
+#define N_PROBE 10 /* entries probed to find or insert      */
 #define N_SIDE 11  /* sides left to the exact predicates    */
 #define N_BALL 12  /* balls found by limbs                  */
 #define N_TRIAL 13 /* comparisons tried by a few limbs      */
 #define N_LEAF 14  /* leaves whose points were tested       */
 
-/* In a build of its own a test hears of every certificate whether it holds. */
+/* In a build of its own, a test is told whether each certificate holds. */
 #ifdef TESS_PROVE
 extern void tess_prove(int fact);
 #define HOLDS(fact) tess_prove(fact)
@@ -146,24 +147,25 @@ extern void tess_prove(int fact);
 #endif
 
 #define NONE (-1)
-#define UNSURE 2  /* what hh_orient and hh_insphere answer out of range */
-#define LOST 99   /* what walk answers when it has none */
+#define UNSURE 2  /* returned by hh_orient and hh_insphere out of range */
+#define LOST 99   /* returned by walk when it finds no answer */
 #define DONE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
 #define FOREIGN (-2) /* in head: the star is not asked for */
 
-/* Points in a leaf of the tree, at most; a block of the lists is a leaf. */
+/* Maximum number of points in a leaf of the tree; a block of the lists is a
+ * leaf. */
 #define LEAF 48
-/* Points in the groups that the points of a leaf are sorted into. */
+/* Size of the groups that the points of a leaf are sorted into. */
 #define GROUP 8
-/* A block's list reaches BLOCKREACH times the side of a cube with one point of
- * the leaf beyond its box; a star's reaches STARREACH times as far from its
- * vertex.  For uniform points they hold about 240 and 20 points, and 80 to 88 %
- * of the searches end in the star's list, most others in the block's.  Without
- * a star's list they take a quarter longer.  Margins that adapt from list to
- * list take lattices a tenth longer and surveys 3 % less.  A block whose last
- * MAXFUTILE searches all ended in the tree makes no more stars' lists: near
- * surfaces these cost 3 to 9 %. */
+/* A block's list extends beyond the leaf's box by BLOCKREACH times the side of
+ * a cube that holds one point of the leaf; a star's list extends STARREACH
+ * times as far from its vertex.  For uniform points they hold about 240 and 20
+ * points, and 80 to 88 % of the searches end in the star's list, most others in
+ * the block's.  Without a star's list they take a quarter longer.  With margins
+ * that adapt from list to list, lattices take a tenth longer and surveys 3 %
+ * less.  A block whose last MAXFUTILE searches all ended in the tree makes no
+ * more stars' lists: near surfaces they would cost 3 to 9 %. */
 #define BLOCKREACH 2.6
 #define STARREACH 0.85
 #define MAXFUTILE 8
@@ -174,23 +176,25 @@ extern void tess_prove(int fact);
 #if TESS_LIST < LEAF || TESS_LIST > 4096 || TESS_LIST % 4 != 0
 #error TESS_LIST is not a multiple of 4 from 48 (LEAF) to 4096
 #endif
-/* A node is cut across the widest extent of about so many of its points: of all
- * a million take 3 % longer. */
+/* A node is cut across the widest extent of about so many of its points; with
+ * all of them a million points take 3 % longer. */
 #define SAMPLE 64
-/* Depth of the tree plus one, at most. */
+/* Bound on the depth of the tree plus one. */
 #define DEPTH 96
-/* Supports, at most.  One is sought when a search has more than OPENED points
- * in its sample and these add up to BURDEN times all points; each time in vain
- * doubles that.  One with grains FINER times smaller takes another's points. */
+/* Maximum number of supports.  One is sought when a search has more than OPENED
+ * points in its sample and these add up to BURDEN times all points; each
+ * failure doubles that.  A support with grains FINER times smaller takes over
+ * another's points. */
 #define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST < 512 ? TESS_LIST / 64 : 8)
 #define OPENED 24
 #define BURDEN 1.0
 #define FINER 100.0
-/* Of fewer points none is sought; places of the sample (few, for the stack,
- * where none is sought at all: see SEEK). */
+/* ENOUGH: with fewer points no support is sought.  SOME: places of the sample
+ * (few, to save stack, where none is ever sought: see SEEK). */
 #define ENOUGH 500
 #define SOME (TESS_LIST < 128 ? 4 : 32)
-/* Marks of heights over a support: a double holds them and their roundings. */
+/* Number of marks for heights over a support: a double holds them and their
+ * roundings. */
 #define GRAINS                                                         \
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
@@ -198,66 +202,68 @@ extern void tess_prove(int fact);
 #define SEEK(m) (TESS_LIST >= 128 && (m)->patience > 0.0)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
 #define LEANING(f) (TESS_LIST >= 128 && (f)->near != NONE)
-/* Cylinders are made when the points of leaves that were tested are SCANS times
- * the points; not if less than half of the leaves' are below SLENDER of their
+/* Cylinders are made once the points tested in leaves number SCANS times all
+ * points, but not if fewer than half of the leaves' are below SLENDER of their
  * boxes. */
 #define SCANS 100.0
 #define SLENDER 0.7
 #define ENCLOSED(m) (TESS_LIST >= 128 && (m)->round == 2)
-/* Points of a cell, at most, and cells; a large ball has more than LARGE. */
+/* Maximum number of points of a cell, and of cells; a large ball has more than
+ * LARGE ties. */
 #define CELL 12
 #define CELLS 4
 #define LARGE 24
-/* Hull planes that are remembered. */
+/* Number of hull planes remembered. */
 #define PLANES 4
-/* Steps from a given start before a location looks for a better one: with 8,
- * queries in order among 100,000 points take a quarter longer than with 16;
- * with 32, those in no order 1.4 times as long as with 8. */
+/* Steps from a given start after which a location looks for a better one.  With
+ * 8, ordered queries among 100,000 points take a quarter longer than with 16;
+ * with 32, unordered ones take 1.4 times as long as with 8. */
 #define ASTRAY 12
-/* Integers of an entry of the pool, and of an edge of the link. */
+/* Integers in an entry of the pool, and in an edge of the link. */
 #define ENTRY 4
 #define EDGE 6
-/* What an index keeps of iw besides places, order and tree, and an integer to
- * spare for Fortran's MARK; pool and edges, at least, and that. */
+/* KEEP: what an index keeps in iw besides places, order and tree, and an
+ * integer to spare for Fortran's MARK.  LEAST: that, and the minimum for pool
+ * and edges. */
 #define KEEP 5
 #define LEAST 512
 /* A facet with a greater E is set up by limbs. */
 #define THIN 1e-6
 /* The ball of the best point is found by limbs when its L-coordinate is known
  * to less than WIDE of it and the circumradius, and after MANY exact
- * comparisons; not of points in so few units (t5 of hh_set at least PLAIN) that
- * doubles decide these, which takes less time. */
+ * comparisons; not for points in so few units (t5 of hh_set at least PLAIN)
+ * that doubles decide these comparisons, which is faster. */
 #define WIDE 1e-4
 #define MANY 6
 #define PLAIN 16.0
-/* Pool that is recommended beyond 4 n in any case, up to 8 n. */
+/* Pool recommended beyond 4 n in any case, up to 8 n. */
 #define MUCH 225000L
 
 /* Constants that correctness rests on.  EPS bounds the relative error of an
  * operation in every rounding mode, and of a sum of three in any order by
  * 2 EPS; FEPS the same in single precision.
  *
- * FAINT: what underflow does to the power |w|^2 - 2 c.w of a point, or to its
- * side.  A coordinate that underflowed when it was scaled is wrong by DBL_MIN,
- * and so may be each product; |w| < 4, and |c| is at most 2 MUCHL: narrow gives
- * no ball for an L-coordinate beyond MUCHL (nor may anything overflow there),
- * a circumradius is below 0.02/EPS by hh_setup, and hh_thin's and hh_centre's
- * are below MUCHL.
+ * FAINT: the effect of underflow on the power |w|^2 - 2 c.w of a point, or on
+ * its side.  A coordinate that underflowed when it was scaled is wrong by
+ * DBL_MIN, and so may be each product; |w| < 4, and |c| is at most 2 MUCHL:
+ * narrow gives no ball for an L-coordinate beyond MUCHL (nor may anything
+ * overflow there), a circumradius is below 0.02/EPS by hh_setup, and hh_thin's
+ * and hh_centre's are below MUCHL.
  *
  * NARROW: a box narrower than this has no list.  A list's coordinates are then
  * right to far less than FEPS, and a star's margin is above HH_SMALL, so that
  * no product in ballinstar underflows.
  *
  * FINEST: a star whose margin is less, in its block's units, has no list: the
- * block does not tell such points apart.  SLACK: in them, a distance is
- * wrong by less: 2 FEPS for each of two coordinates of at most 2 rounded
- * twice, times sqrt(3), and as much for the square, its bound and the root;
- * below 24 FEPS.  What is within margin + SLACK by this reckoning is within
+ * block cannot tell such points apart.  SLACK: in these units a distance is
+ * wrong by less than this: 2 FEPS for each of two coordinates of at most 2
+ * rounded twice, times sqrt(3), and as much for the square, its bound and the
+ * root; below 24 FEPS.  What is computed to be within margin + SLACK is within
  * 1.1 margin, as SLACK is 0.04 FINEST.
  *
- * FAR: where a list keeps what has left it.  No such point passes a filter:
- * its r is at least FAR^2 = 1e20, and ballcoef's limits leave |d.x| < 2e19,
- * d[3] < 3e19 (as dc < 3 |c|).
+ * FAR: where a list puts points that have left it.  No such point passes a
+ * filter: its r is at least FAR^2 = 1e20, and ballcoef's limits leave |d.x| <
+ * 2e19, d[3] < 3e19 (as dc < 3 |c|).
  *
  * PAD: relative room for the few roundings of a bound. */
 #define EPS DBL_EPSILON
@@ -284,7 +290,7 @@ typedef struct list {
     int n;
     double margin, centre[3], unit;
     double lo[3], hi[3];  /* a block's box */
-    double most[3];       /* bound of the coordinates in the list */
+    double most[3];       /* bound on the coordinates in the list */
     float x[TESS_LIST], y[TESS_LIST], z[TESS_LIST], r[TESS_LIST];
     tess_int id[TESS_LIST + LEAF];
 } list;
@@ -350,42 +356,45 @@ typedef struct mesh {
     tess_int maxtet, ntet;
     tess_int *tet, *adj;
     double reach;             /* a block's margin, in its leaf's diagonals */
-    tess_int leaves;          /* a power of two; node i has the children */
-    tess_int *alive;          /* 2i, 2i+1, leaf j is node leaves + j.  Leaf: */
-    double *box;              /* uncompleted points; else: children alive */
+    tess_int leaves;          /* a power of two; leaf j is node leaves + j, */
+                              /* node i has the children 2i and 2i+1 */
+    tess_int *alive;          /* leaf: uncompleted points; other nodes: */
+                              /* children alive */
+    double *box;              /* of each node */
     tess_int *rep;
-    tess_int *known;          /* a tetrahedron, or [0]: minus a code */
-    tess_int *head;           /* first of the pool's facets that a vertex  */
-    tess_int *link;           /* owns; first open edge of the link from it */
+    tess_int *known;          /* a tetrahedron; or known[0] is minus a code */
+    tess_int *head;           /* first facet in the pool that a vertex owns */
+    tess_int *link;           /* first open edge of the link from a vertex */
     tess_int *pool, room;     /* pool and edges, and their length */
     tess_int m, nopen;        /* entries of the pool, and those in use */
-    tess_int fresh;           /* from it on, facets 0 are not in the pool */
+    tess_int fresh;           /* from this tetrahedron on, facets 0 are not */
+                              /* in the pool */
     tess_int oldest, newest;  /* edges of the link, the newest the lowest */
     tess_int low;             /* no vertex of a smaller position owns facets */
-    tess_int unmet;           /* nor is one before this NEW and asked for */
+    tess_int unmet;           /* no vertex before it is NEW and asked for */
     tess_int plane[PLANES][3];
     int nplane, nextplane;
     list block, around;       /* lists of a leaf, and of a star in it */
-    int futile;               /* the leaf's last searches that all ended in */
-                              /* the tree */
-    int ties;                 /* the last search in a star's list met points */
-                              /* in the ball, the best of them 0: inside, 1: */
-                              /* about on it, 2: on it, exactly */
-    cell cells[CELLS];        /* those met in this star, the last ones of */
-    int ncell;                /* so many */
-    tess_int large[4], first; /* on the large ball, and its first, or NONE; */
-    double least;             /* coordinate of absolute value above 0, if any */
+    int futile;               /* the leaf's latest searches in a row that */
+                              /* ended in the tree */
+    int ties;                 /* of the last search in a star's list that met */
+                              /* points in the ball, the best of them was 0: */
+                              /* inside, 1: about on it, 2: exactly on it */
+    cell cells[CELLS];        /* the last ones met in this star */
+    int ncell;                /* how many were met */
+    tess_int large[4], first; /* points on the large ball; its first, or NONE */
+    double least;             /* least absolute value above 0 of a coordinate */
     support supports[SUPPORTS];
     int nsupport;             /* how many there are */
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
     double burden, patience;  /* comparisons left open, over all points, and */
-                              /* how many may be; 0: no more is sought */
+                              /* their limit; 0: no more supports are sought */
     int round;                /* cylinders: 0 none, 1 may be made, 2 are made */
     double scanned;           /* points of leaves tested */
 } mesh;
 
-/* Lengths for n points: the least ones of iw and rw, and what is recommended
- * besides: in iw pool, and marks for supports; in rw cylinders. */
+/* Lengths for n points: the minimum of iw and rw, and what is recommended
+ * beyond it: in iw pool, and marks for supports; in rw cylinders. */
 typedef struct sizes {
     tess_int iw, rw, pool, marks, cylinders;
 } sizes;

@@ -22,11 +22,11 @@ C     TET and ADJ are a function of the points and their order alone:
 C     the same on every machine, with every compiler, in C and in
 C     Fortran.
 C
-C     The algorithm (Section 2 of the paper): a pool of open facets,
-C     each the facet of one known tetrahedron; take one, find the apex
-C     of the unknown tetrahedron on its other side, store it, put its
-C     new facets into the pool, take out those that were there; no
-C     tetrahedron is ever deleted.
+C     The algorithm (Section 2 of the paper): keep a pool of open
+C     facets, each the facet of one known tetrahedron.  Take one, find
+C     the apex of the unknown tetrahedron on its other side, store that
+C     tetrahedron, and put its new facets into the pool, or take out
+C     those that are already there.  No tetrahedron is ever deleted.
 C
 C     Order of the work.  Points are sorted (kd order); a point's place
 C     in that order is its position, and positions stand for points in
@@ -34,23 +34,23 @@ C     all internal arrays.  Facets are taken star by star: all open
 C     facets at one vertex, then those of the next one.  A vertex whose
 C     star is complete can never again be an apex, so it leaves all
 C     lists, and the pool stays small.  The order is a function of the
-C     points, TET and ADJ alone, so that an unfinished result is its own
+C     points, TET and ADJ alone, so an unfinished result needs no other
 C     state:
 C       star   S = the first vertex of the last tetrahedron, if it has
 C              an open facet; else the vertex of least position that has
 C              one
-C       facet  of the open facets at S the one of the earliest
-C              tetrahedron, and in it of greatest K
+C       facet  the open facet at S of the earliest tetrahedron, and of
+C              those of that tetrahedron the one of greatest K
 C
-C     Decisions.  All that decides what TET and ADJ hold is exact:
-C     comparisons of the caller's coordinates, or predicates of hhpred.
-C     Floating point here chooses where to look, with margins that cover
+C     Decisions.  Every decision that affects TET or ADJ is exact: a
+C     comparison of the caller's coordinates, or a predicate of hhpred.
+C     Floating point only chooses where to look, with margins that cover
 C     its rounding.
 C
 C     The arrays (N points, NP of them distinct, L leaves of the tree).
-C     When a call returns, TET has numbers of points again, REP is kept,
-C     and of an index all but HEAD, LINK and POOL; the rest is of no
-C     use.
+C     When a call returns, TET holds numbers of points again and REP is
+C     kept, and so is an index but for HEAD, LINK and POOL; the rest is
+C     scratch.
 C       TET  positions       ADJ  as the caller sees it
 C       IW   REP    N        point -> the least point that coincides; in
 C                            an index -> position
@@ -89,21 +89,21 @@ C             |     |     ( S )     | STR: those of the block that are
 C             |     +-------+       | in the ball about S
 C             +---------------------+
 C
-C     The table begins with TSTABL entries.  TSMKRO has it doubled when
-C     three quarters are in use, and cut to its quota when it meets the
-C     edges.  It is never more than 7/8 full, so TSFIND always meets an
-C     unused entry.  TSPUSH leaves the table alone; TSMKRO sees to room
-C     for two edges.  If room is still short, the code is FULL.
+C     The table starts with TSTABL entries.  TSMKRO doubles it when
+C     three quarters are in use, and cuts it to its quota when it meets
+C     the edges.  It is never more than 7/8 full, so TSFIND always meets
+C     an unused entry.  TSPUSH does not resize the table; TSMKRO ensures
+C     room for two edges.  If room still falls short, the code is FULL.
 C
-C     An open facet is in one place at a time: in the link, if it
-C     contains S, the vertex of the star; else in the table, or nowhere
-C     yet, if its tetrahedron is not below FRESH (until TSFLUS); nowhere
-C     at all if no star of its vertices is asked for.  TSERAS and TSREHA
-C     renumber entries, and update HEAD and the owners' lists only;
-C     TSRENU moves edges, and updates LINK and the edges only: after
-C     TSMKRO, callers must reload OLDEST.
+C     An open facet is in one place at a time: in the link if it
+C     contains S, the vertex of the star; otherwise in the table, or, if
+C     its tetrahedron is not below FRESH, nowhere until TSFLUS; nowhere
+C     at all if the star of none of its vertices is asked for.  TSERAS
+C     and TSREHA renumber entries, and update HEAD and the owners' lists
+C     only; TSRENU moves edges, and updates LINK and the edges only:
+C     after TSMKRO, callers must reload OLDEST.
 C
-C     What rests on the tie rule (hhpred): that a facet's apex is one
+C     What depends on the tie rule (hhpred): that a facet's apex is one
 C     point for both its sides, so that the pool empties; TSFIRS, on a
 C     hull face of more than three points; in HHPBEA, that both
 C     candidates are on the positive side; in TSWALK, that heights are
@@ -179,7 +179,7 @@ C              node CTL(LEAVES)+J-1
 C       ALIVE  leaf: uncompleted points; else: children alive
 C       REP    the point that stands for a point
 C       KNOWN  a tetrahedron; in an index KNOWN(1) may be minus a code
-C       HEAD   first of the pool's facets that a vertex owns; FOREIN:
+C       HEAD   first facet in the pool that a vertex owns; FOREIN:
 C              its star is not asked for
 C       LINK   first open edge of the link from a vertex; DONE: its star
 C              is complete; NEW: in no tetrahedron yet
@@ -202,9 +202,10 @@ C       NPLANE  hull planes that are remembered;  NEXTPL the one to be
 C               replaced next;  PLANE0 the place before them
 C       TIES    of the last search in a star's list that met points in
 C               the ball, the best of them was 0: inside, 1: about on
-C               it, 2: on it, exactly
+C               it, 2: exactly on it
 C       UNMET   no vertex before it is NEW and asked for
-C       FUTILE  the leaf's last searches that all ended in the tree
+C       FUTILE  the leaf's latest searches in a row that ended in the
+C               tree
 C       ROUND   cylinders, behind BOX(6,2*CTL(LEAVES)): 0 none, 1 may be
 C               made, 2 are made
 C       NCELL   cells of this star: CELLS at most, the last ones, are
@@ -215,8 +216,8 @@ C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
 C       RSCALE  X = P 2**(-RSCALE)
 C       RSUPP   supports that there are
-C       RBURDN  comparisons left open, over NP;  RPATIE how many may be;
-C               0: no more is sought
+C       RBURDN  comparisons left open, over NP;  RPATIE their limit; 0:
+C               no more supports are sought
 C       RLEAST  the least absolute value of a coordinate above 0
 C       RSCAN   points of leaves tested
 C       RTIED   points that a search met exactly on its ball
@@ -241,7 +242,7 @@ C       LSID    its position
 C       LSI     LFIRST, LLAST: a block's leaf, positions LFIRST ...
 C               LLAST; LN points
 C       LSD     behind LLO, LHI, LMID, LMOST: a block's box, the centre,
-C               a bound of the coordinates in the list; LMARG margin;
+C               a bound on the coordinates in the list; LMARG margin;
 C               LUNIT one over the unit
 C     A search for the apex of a facet:
 C       V       its vertices; the open side is positive
@@ -275,54 +276,55 @@ C               about it, of HMOST
 C
 C     Constants, the same in every routine that has them:
 C       TSLIST  capacity of a list, a multiple of 4, at least LEAF
-C       LEAF    points in a leaf of the tree, at most
+C       LEAF    maximum number of points in a leaf of the tree
 C       TSIDS   TSLIST + LEAF
-C       GROUP   points in the groups that those of a leaf are sorted
+C       GROUP   size of the groups that the points of a leaf are sorted
 C               into
-C       BREACH, SREACH  a block's list reaches BREACH times the side of
-C               a cube with one point of the leaf beyond its box; a
-C               star's reaches SREACH times as far from its vertex.  For
-C               uniform points they hold about 240 and 20 points, and
-C               80 to 88 % of the searches end in the star's list, most
-C               others in the block's.  Without a star's list they take
-C               a quarter longer.  Margins that adapt from list to list
-C               take lattices a tenth longer and surveys 3 % less
+C       BREACH, SREACH  a block's list extends beyond the leaf's box by
+C               BREACH times the side of a cube that holds one point of
+C               the leaf; a star's list extends SREACH times as far from
+C               its vertex.  For uniform points they hold about 240 and
+C               20 points, and 80 to 88 % of the searches end in the
+C               star's list, most others in the block's.  Without a
+C               star's list they take a quarter longer.  With margins
+C               that adapt from list to list, lattices take a tenth
+C               longer and surveys 3 % less
 C       MAXFUT  a block whose last MAXFUT searches all ended in the tree
-C               makes no more stars' lists: near surfaces these cost 3
-C               to 9 %
+C               makes no more stars' lists: near surfaces they would
+C               cost 3 to 9 %
 C       SAMPLE  a node is cut across the widest extent of about so many
-C               of its points: of all a million take 3 % longer
-C       DEPTH   of the tree plus one, at most
-C       SUPPS   supports, at most
+C               of its points; with all of them a million points take 3
+C               % longer
+C       DEPTH   bound on the depth of the tree plus one
+C       SUPPS   maximum number of supports
 C       OPENED, BURDEN  one is sought when a search has more than OPENED
 C               points in its sample and these add up to BURDEN times
-C               all points; each time in vain doubles that
-C       FINER   one with grains FINER times smaller takes another's
-C               points
-C       ENOUGH  of fewer points none is sought
+C               all points; each failure doubles that
+C       FINER   a support with grains FINER times smaller takes over
+C               another's points
+C       ENOUGH  with fewer points no support is sought
 C       SOME    places of the sample
-C       GRAINS  marks of heights over a support: a double holds them and
-C               their roundings
-C       SCANS, SLIM  cylinders are made when the points of leaves that
-C               were tested are SCANS times the points; not if less than
+C       GRAINS  number of marks for heights over a support: a double
+C               holds them and their roundings
+C       SCANS, SLIM  cylinders are made once the points tested in leaves
+C               number SCANS times all points, but not if fewer than
 C               half of the leaves' are below SLIM of their boxes
-C       CELL, CELLS  points of a cell, at most, and cells
-C       LARGE   a large ball has more ties
-C       PLANES  hull planes that are remembered
-C       ASTRAY  steps from a given start before a location looks for a
-C               better one: with 8, queries in order among 100,000
+C       CELL, CELLS  maximum number of points of a cell, and of cells
+C       LARGE   a large ball has more ties than this
+C       PLANES  number of hull planes remembered
+C       ASTRAY  steps from a given start after which a location looks
+C               for a better one.  With 8, ordered queries among 100,000
 C               points take a quarter longer than with 16; with 32,
-C               those in no order 1.4 times as long as with 8
-C       ENTRY, EDGE  integers of an entry of the pool, and of an edge
-C       LEAST   pool and edges, at least
+C               unordered ones take 1.4 times as long as with 8
+C       ENTRY, EDGE  integers in an entry of the pool, and in an edge
+C       LEAST   minimum for pool and edges
 C       THIN    a facet with a greater E is set up by limbs
 C       WIDE, MANY, PLAIN  the ball of the best point is found by limbs
 C               when its L-coordinate is known to less than WIDE of it
 C               and the circumradius, and after MANY exact comparisons;
-C               not of points in so few units (T5 at least PLAIN) that
-C               doubles decide these, which takes less time
-C       MUCH    pool that is recommended beyond 4 N in any case, up to
-C               8 N
+C               not for points in so few units (T5 at least PLAIN) that
+C               doubles decide these comparisons, which is faster
+C       MUCH    pool recommended beyond 4 N in any case, up to 8 N
 C       INTMAX  the largest integer
 C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
 C       MORE, FULL, PLANAR, LINEAR, SINGLE, RANGE  the codes 1 to 6 of
@@ -332,8 +334,8 @@ C     Constants that correctness rests on.  EPS bounds the relative
 C     error of an operation in every rounding mode, and of a sum of
 C     three in any order by 2 EPS; FEPS the same in single precision.
 C       LOOSE, SMALL  see hhpred.f
-C       FAINT   what underflow does to the power |W|**2 - 2 C.W of a
-C               point, or to its side.  A coordinate that underflowed
+C       FAINT   the effect of underflow on the power |W|**2 - 2 C.W of a
+C               point, or on its side.  A coordinate that underflowed
 C               when it was scaled is wrong by the least normal double,
 C               and so may be each product; |W| < 4, and |C| is at most
 C               2 MUCHL: TSNARR gives no ball for an L-coordinate beyond
@@ -345,17 +347,17 @@ C               coordinates are then right to far less than FEPS, and a
 C               star's margin is above SMALL, so that no product in
 C               TSBINS underflows
 C       FINEST  a star whose margin is less, in its block's units, has
-C               no list: the block does not tell such points apart
-C       SLACK   in them, a distance is wrong by less: 2 FEPS for each of
-C               two coordinates of at most 2 rounded twice, times
-C               sqrt(3), and as much for the square, its bound and the
-C               root; below 24 FEPS.  What is within margin + SLACK by
-C               this reckoning is within 1.1 margin, as SLACK is 0.04
-C               FINEST
-C       FAR     where a list keeps what has left it.  No such point
-C               passes a filter: its r is at least FAR**2 = 1E20, and
-C               TSBALC's limits leave |D.x| < 2E19, D(4) < 3E19 (as dc <
-C               3 |C|)
+C               no list: the block cannot tell such points apart
+C       SLACK   in these units a distance is wrong by less than this: 2
+C               FEPS for each of two coordinates of at most 2 rounded
+C               twice, times sqrt(3), and as much for the square, its
+C               bound and the root; below 24 FEPS.  What is computed to
+C               be within margin + SLACK is within 1.1 margin, as SLACK
+C               is 0.04 FINEST
+C       FAR     where a list puts points that have left it.  No such
+C               point passes a filter: its r is at least FAR**2 = 1E20,
+C               and TSBALC's limits leave |D.x| < 2E19, D(4) < 3E19 (as
+C               dc < 3 |C|)
 C       PAD     relative room for the few roundings of a bound
 
 C     ------------------------------------------------------------------
@@ -4101,13 +4103,13 @@ C     TSLCOU - the number of leaves for N points: a power of two.
       TSLCOU = LVS
       END
 
-C     TSLENG - the lengths of IW and RW for N points: the least ones,
-C     and what is recommended besides: in IW POOL, and MARKS for
-C     supports; in RW CYLS for cylinders.  Pool: uniform points need
-C     5 N**(2/3) facets; a star of all points 2 N, which takes 12 N
-C     integers, given up to MUCH.  Supports and cylinders get room for
-C     as many points as may need them.  OK is 1, or 0 for a bad N:
-C     negative, or the least lengths exceed the largest integer.
+C     TSLENG - the lengths of IW and RW for N points: the minimum, and
+C     what is recommended beyond it: in IW POOL, and MARKS for supports;
+C     in RW CYLS for cylinders.  Pool: uniform points need 5 N**(2/3)
+C     facets; a star of all points 2 N, which takes 12 N integers, given
+C     up to MUCH.  Supports and cylinders get room for as many points as
+C     may need them.  OK is 1, or 0 for a bad N: negative, or the least
+C     lengths exceed the largest integer.
       SUBROUTINE TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
       INTEGER N, LIW, LRW, POOL, MARKS, CYLS, OK
       INTEGER TSLCOU, TSCUBE
