@@ -463,8 +463,8 @@ static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
         i = pivot(m, lo, hi, mid, axis, &chance);
         for (j = 0; j < 3; j++) q[j] = m->x[3 * i + j];
         number = m->order[i];
-        /* no branch that depends on the points but for ties: half of them
-         * would be guessed wrong, which takes longer than a swap */
+        /* no branch on the points except for ties: half of them would be
+         * mispredicted, which takes longer than a swap */
         for (i = j = lo; j < hi; j++) {
             less = m->x[3 * j + axis] < q[axis];
             if (m->x[3 * j + axis] == q[axis])
@@ -478,7 +478,7 @@ static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
         else if (i > lo)
             lo = i;
         else {
-            /* the pivot is the first of all: put it there */
+            /* the pivot precedes all others: move it to the front */
             for (j = lo; m->order[j] != number; j++)
                 ;
             swap(m, lo, j);
@@ -628,7 +628,8 @@ static const tess_real *point(const mesh *m, tess_int i)
     return m->set.p + 3 * m->order[i];
 }
 
-/* preced - 1 when point a comes strictly before point b: by x, then y, z. */
+/* preced - returns 1 if point a comes strictly before point b: by x, then y,
+ * z. */
 static int preced(const tess_real *a, const tess_real *b)
 {
     int k = 0;
@@ -656,12 +657,12 @@ static int edgeby(const mesh *m, tess_int a, tess_int i, tess_int j)
     return side != 0 ? side < 0 : preced(p, q);
 }
 
-/* firstfacet - the first facet v, in the hull, all points on its positive side,
- * v[0] the least position.
- * On a hull face of more than three points it is, by the rule of ties, the
- * triangle on the edge v[0] v[1] of the face: of two points a, b of the face
- * b is better iff I(v0, v1, a, w, b) o3(v0, v1, a, w) > 0 for any w off the
- * face.  Returns 0 or the code of points without a tetrahedron. */
+/* firstfacet - find the first facet v: on the hull, with all points on its
+ * positive side, and v[0] of least position.  On a hull face of more than three
+ * points it is the triangle on the edge v[0] v[1] of the face that the rule of
+ * ties selects: of two points a, b of the face, b is better iff I(v0, v1, a, w,
+ * b) o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0 or the code of
+ * points without a tetrahedron. */
 static int firstfacet(const mesh *m, tess_int *v)
 {
     const tess_real *p, *q;
@@ -723,7 +724,7 @@ static void outfac(const tess_int *v, int k, tess_int *f)
     f[2] = v[out[k][2]];
 }
 
-/* facet - the vertices of facet code, positive towards its outside. */
+/* facet - v = the vertices of facet code, positive towards its outside. */
 static void facet(const mesh *m, tess_int code, tess_int *v)
 {
     outfac(m->tet + (code - code % 4), (int)(code % 4), v);
@@ -836,8 +837,8 @@ static void erase(mesh *m, tess_int e, tess_int least)
     m->pool[ENTRY * hole] = NONE;
 }
 
-/* enter - enter the open facet of a code into the pool, unless its other side
- * is there: returns the code of that, which leaves the pool, or NONE. */
+/* enter - enter the open facet of a code into the pool and return NONE; if its
+ * other side is there, remove that and return its code. */
 static tess_int enter(mesh *m, tess_int code)
 {
     tess_int v[3], e, sig, least, other;
@@ -870,16 +871,16 @@ static tess_int cuberoot(tess_int n)
     return c;
 }
 
-/* tablesize - entries of the pool to begin with: a little more than what
- * uniform points need, as a small table stays in the cache. */
+/* tablesize - returns how many entries the pool starts with: a little more than
+ * what uniform points need, as a small table stays in the cache. */
 static tess_int tablesize(tess_int n)
 {
     return 9 * cuberoot(n) * cuberoot(n) + 16;
 }
 
 /* quota - returns how many entries the table may have beside so many more
- * edges: what its facets need with an eighth unused, and half of what is free
- * besides. */
+ * edges: what its facets need with an eighth unused, and half of the remaining
+ * free space. */
 static tess_int quota(const mesh *m, tess_int edges)
 {
     tess_int most = (m->newest - EDGE * edges) / ENTRY;
@@ -1089,7 +1090,7 @@ static void starlist(mesh *m, tess_int s)
     x = l->x[i];
     y = l->y[i];
     z = l->z[i];
-    /* none nearer than margin is missed */
+    /* no point nearer than margin is missed */
     most = (float)(margin * l->unit) + SLACK;
     most *= most;
     for (i = 0; i < (l->n + 3) / 4 * 4; i++)
@@ -2514,10 +2515,10 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 
 /* ---- a star on its own ---- */
 
-/* exchange - replace v[k] by z if the result is not flat; with r, if it is
- * positively oriented and contains s*.  This is s = v[0] = r[0] moved by an
- * infinitesimal step into the tetrahedron r (as q* in the queries below), so
- * it is on no plane through three points.  Returns 1 if replaced. */
+/* exchange - replace v[k] by z if the result is not flat; given r, only if it
+ * is positively oriented and contains s*.  s* is s = v[0] = r[0] moved by an
+ * infinitesimal step into the tetrahedron r (as q* in the queries below), so it
+ * is on no plane through three points.  Returns 1 if replaced. */
 static int exchange(const mesh *m, const tess_int *r, tess_int *v, int k,
                     tess_int z)
 {
@@ -2535,20 +2536,22 @@ static int exchange(const mesh *m, const tess_int *r, tess_int *v, int k,
     return side > 0;
 }
 
-/* settle - v = a tetrahedron of the mesh at v[0] = s.
+/* settle - find v, a tetrahedron of the mesh at v[0] = s.
  *
- * Begin with any tetrahedron r at s, of near points as far as these are not
- * in one plane, and s* in it.  While v holds s* and its ball is not empty, each
- * point in the ball is on the inner side of one of the three facets at s, as
- * what is outside of all three is beyond the ball's tangent plane at s; so the
- * apex z of that facet on that side is not v's vertex there.  The five points
- * have two triangulations; v is not in that whose lifted facets are the lower
- * ones, so the one tetrahedron of this that holds s* is one with z for a vertex
- * of v.  The height over s* falls with every such step; three searches without
- * one end it.  First among the points of the leaf alone: from anywhere a query
- * takes three times as long without.
+ * Start with any tetrahedron r at s, made of nearby points as far as these are
+ * not in one plane, and with s* in it.  While v holds s* and its ball is not
+ * empty, each point in the ball is on the inner side of one of the three facets
+ * at s, since whatever is outside all three is beyond the ball's tangent plane
+ * at s.  So the apex z of that facet on that side is not v's vertex there.  The
+ * five points have two triangulations, and v is not part of the one whose
+ * lifted facets are the lower ones; so the tetrahedron of that one that holds
+ * s* is v with z in place of a vertex.  Each such step lowers the height over
+ * s*; three searches in a row without a step end it.  The points of the leaf
+ * alone come first: without that, a query from anywhere takes three times as
+ * long.
  *
- * Vertices may be complete, so that no list has them: by the tree alone. */
+ * Vertices may be complete, and then no list has them: the search uses the tree
+ * alone. */
 static void settle(mesh *m, tess_int s, tess_int *v)
 {
     tess_int leaf = leafof(m, s), first = leafstart(m, leaf), i, z;
@@ -2610,7 +2613,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
 #define START (-2)
 #define DEAD (-3)
 
-/* clearlink - the link has no edges. */
+/* clearlink - empty the link. */
 static void clearlink(mesh *m)
 {
     m->newest = m->room;
@@ -2972,9 +2975,10 @@ static int slot(const tess_int *v, tess_int x)
     return k;
 }
 
-/* mate - the facet of tetrahedron u, of four different vertices, that has those
- * of facet k of t in opposite order, so that, both tetrahedra being positively
- * oriented, their apexes are on opposite sides; 4 when there is none. */
+/* mate - returns the facet of tetrahedron u, of four different vertices, that
+ * has the vertices of facet k of t in opposite order, so that, both tetrahedra
+ * being positively oriented, their apexes are on opposite sides; 4 if there is
+ * none. */
 static int mate(const tess_int *tet, tess_int t, int k, tess_int u)
 {
     const tess_int *v = four(tet, u);
@@ -3002,10 +3006,10 @@ static tess_int leafcount(tess_int n)
 }
 
 /* lengths - the lengths of iw and rw for n points.  Pool: uniform points need 5
- * n^(2/3) facets; a star of all points 2 n, which takes 12 n integers, given up
- * to MUCH.  Supports and cylinders get room for as many points as may need
- * them.  Returns 0 for a bad n: negative, or the least lengths exceed the
- * largest tess_int. */
+ * n^(2/3) facets; a star of all points needs 2 n, which take 12 n integers:
+ * granted up to MUCH.  Supports and cylinders get room for as many points as
+ * can need them.  Returns 0 for a bad n: negative, or so large that a minimum
+ * exceeds the largest tess_int. */
 static int lengths(tess_int n, sizes *w)
 {
     double hub = 8.0 * (double)n < MUCH ? 8.0 * (double)n : MUCH;
@@ -3029,7 +3033,8 @@ static int lengths(tess_int n, sizes *w)
     return 1;
 }
 
-/* layout - what of the workspace of n points an index keeps. */
+/* layout - lay out the part of the workspace of n points that an index
+ * keeps. */
 static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
                    double *rw)
 {
@@ -3106,9 +3111,9 @@ static double units(const mesh *m)
 }
 
 /* scaled - scale the sorted coordinates to an absolute value of at most 1 by a
- * power of two, in two steps as one might overflow, and find whether they are
- * small multiples of one unit.  They are not if one underflows: its multiple
- * is lost.  Returns 0 or TESS_RANGE. */
+ * power of two, in two steps because one might overflow, and find whether they
+ * are small multiples of one unit.  They are not if one underflows: its
+ * multiple is lost.  Returns 0 or TESS_RANGE. */
 static int scaled(mesh *m)
 {
     double most = 0.0, least = DBL_MAX, x, u = 0.0;
@@ -3148,7 +3153,7 @@ static void revive(mesh *m)
                                               leafstart(m, i - m->leaves);
 }
 
-/* sorted - take up n points: sort them, drop the duplicates, build the tree.
+/* sorted - prepare n points: sort them, drop the duplicates, build the tree.
  * Returns 0, TESS_POINT or TESS_RANGE. */
 static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
                   double *rw)
@@ -3166,7 +3171,7 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     for (i = 0; i < n && m->rep[i] == i; i++)
         ;
     if (i < n) {
-        /* the cuts may have parted duplicates: once more without them */
+        /* the cuts may have separated duplicates: sort again without them */
         collect(m, n, p);
         kdsort(m);
     }
@@ -3177,10 +3182,10 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     return 0;
 }
 
-/* seal - make what was sorted an index, which has a mesh if code is 0.  What
- * opened needs besides points and tree: known is the first tetrahedron, or
- * begins with minus the code; np is behind it, and in the header, to know an
- * index by. */
+/* seal - turn the sorted points into an index, which has a mesh if code is 0.
+ * It stores what opened needs besides points and tree: known is the first
+ * tetrahedron, or begins with minus the code; np is behind it, and also in the
+ * header, so that an index can be recognized. */
 static void seal(mesh *m, int code)
 {
     double *header = m->box;
@@ -3195,7 +3200,7 @@ static void seal(mesh *m, int code)
     header[4] = m->least;
 }
 
-/* opened - take up an index, to be read alone.  Returns 0, the code of points
+/* opened - open an index for reading only.  Returns 0, the code of points
  * without a mesh, or -8 where there is no index. */
 static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
                   const double *rw)
@@ -3273,10 +3278,9 @@ static int match(const mesh *m, tess_int code, tess_int other)
                                                                            : 0;
 }
 
-/* rejoin - close the facets that are open twice, as in results put one behind
- * the other.  Returns 0, TESS_POOL, or what match finds.  A neighbour found is
- * no more than a note in adj, below TESS_OPEN, until all are known to be
- * right. */
+/* rejoin - close the facets that are open twice, as in concatenated results.
+ * Returns 0, TESS_POOL, or what match finds.  Until all are known to be right,
+ * a neighbour found is only noted in adj, by a value below TESS_OPEN. */
 static int rejoin(mesh *m)
 {
     tess_int i, other, most = m->room / ENTRY;
@@ -3335,8 +3339,8 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
     return rehash(m, *s, (i > size ? i : size) + 1) ? 0 : TESS_POOL;
 }
 
-/* run - tess and tess_resume, or with mine tess_part, of arguments that are
- * right but for p and the indices in tet. */
+/* run - tess and tess_resume, or tess_part if mine is given, for arguments that
+ * are known to be valid except for p and the indices in tet. */
 static int run(tess_int n, const tess_real *p, const tess_int *mine,
                tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
                tess_int liw, tess_int *iw, tess_int lrw, double *rw)
@@ -3360,7 +3364,7 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
         m.room -= w.marks;
         m.mark = m.pool + m.room;
         m.burden = 0.0;
-        /* doubles decide all where points are in few units */
+        /* doubles decide everything if points are in few units */
         if (m.set.t5 < PLAIN) m.patience = BURDEN;
     }
     m.maxtet = maxtet;
@@ -3391,8 +3395,9 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     return code;
 }
 
-/* wrong - the code of a bad argument of tess_resume, or 0; *which is then the
- * point that is not finite, or 0.  p = NULL: points known to be finite. */
+/* wrong - returns the code of a bad argument of tess_resume, or 0; *which is
+ * the point that is not finite, or 0.  p is NULL if the points are known to be
+ * finite. */
 static int wrong(tess_int n, const tess_real *p, tess_int maxtet,
                  tess_int ntet, const tess_int *tet, const tess_int *adj,
                  tess_int liw, tess_int lrw, tess_int *which)

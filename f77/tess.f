@@ -452,8 +452,8 @@ C     MID precede the one at MID along an axis, and the others do not.
         Q(J) = X(J,I)
    20 CONTINUE
       NUMBER = ORD(I)
-C     no branch that depends on the points but for ties: half of them
-C     would be guessed wrong, which takes longer than a swap
+C     no branch on the points except for ties: half of them would be
+C     mispredicted, which takes longer than a swap
       I = LO
       DO 30 J = LO, HI
         LESS = 0
@@ -471,7 +471,7 @@ C     LO ... I-1 precede the pivot, I ... HI do not
       ELSE IF (I .GT. LO) THEN
         LO = I
       ELSE
-C       the pivot is the first of all: put it there
+C       the pivot precedes all others: move it to the front
         J = LO
    40   IF (ORD(J) .NE. NUMBER) THEN
           J = J + 1
@@ -666,8 +666,8 @@ C     ------------------------------------------------------------------
 C     The first facet (Section 2): a facet of the hull by gift wrapping.
 C     ------------------------------------------------------------------
 
-C     TSPREC - 1 when point A comes strictly before point B, else 0: by
-C     X, then Y, Z.
+C     TSPREC - 1 if point A comes strictly before point B, else 0: by X,
+C     then Y, Z.
       INTEGER FUNCTION TSPREC(P, A, B)
       INTEGER A, B
       DOUBLE PRECISION P(3,*)
@@ -737,12 +737,13 @@ C     TSLINE - HHLINE of three points: 1, or 0.
       TSLINE = HHLINE(A, B, C)
       END
 
-C     TSFIRS - the first facet V, in the hull, all points on its
-C     positive side, V(1) the least position.  On a hull face of more
-C     than three points it is, by the rule of ties, the triangle on an
-C     edge V1 V2 of the face: of two points A, B of the face B is better
-C     iff I(V1, V2, A, W, B) o3(V1, V2, A, W) > 0 for any W off the
-C     face.  INFO is 0, or the code of points without a tetrahedron.
+C     TSFIRS - find the first facet V: on the hull, with all points on
+C     its positive side, and V(1) of least position.  On a hull face of
+C     more than three points it is the triangle on an edge V1 V2 of the
+C     face that the rule of ties selects: of two points A, B of the
+C     face, B is better iff I(V1, V2, A, W, B) o3(V1, V2, A, W) > 0 for
+C     any W off the face.  INFO is 0, or the code of points without a
+C     tetrahedron.
       SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), INFO
@@ -968,9 +969,9 @@ C       E may fill the hole if its home is not behind the hole
       POOL(ENTRY*(HOLE-1)+1) = 0
       END
 
-C     TSENTE - enter the open facet CODE into the pool, unless its other
-C     side is there: OTHER is the code of that, which leaves the pool,
-C     or 0.
+C     TSENTE - enter the open facet CODE into the pool and set OTHER =
+C     0; if its other side is there, remove that and set OTHER to its
+C     code.
       SUBROUTINE TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
       INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
       INTEGER TSOWNE, TSHASH
@@ -1013,7 +1014,7 @@ C     TSCUBE - the least C with C**3 >= N.
       TSCUBE = C
       END
 
-C     TSTABL - entries of the pool to begin with: a little more than
+C     TSTABL - how many entries the pool starts with: a little more than
 C     what uniform points need, as a small table stays in the cache.
       INTEGER FUNCTION TSTABL(N)
       INTEGER N
@@ -1022,8 +1023,8 @@ C     what uniform points need, as a small table stays in the cache.
       END
 
 C     TSQUOT - how many entries the table may have beside EDGES more
-C     edges: what its facets need with an eighth unused, and half of
-C     what is free besides.
+C     edges: what its facets need with an eighth unused, and half of the
+C     remaining free space.
       INTEGER FUNCTION TSQUOT(CTL, EDGES)
       INTEGER CTL(*), EDGES
       INTEGER NOPEN, NEWEST, ENTRY, EDGE
@@ -1101,7 +1102,7 @@ C     common, else 0.
       TSDISJ = 0
       END
 
-C     TSPDIS - is position I outside of the box of a list: 1, or 0.
+C     TSPDIS - 1 if position I is outside the box of a list, else 0.
       INTEGER FUNCTION TSPDIS(X, LSD, LIST, I)
       DOUBLE PRECISION X(3,*), LSD(14,2)
       INTEGER LIST, I
@@ -1345,7 +1346,7 @@ C     at most the distance from S to where the block may lack points.
       A = LSX(I,1,BLK)
       B = LSX(I,2,BLK)
       C = LSX(I,3,BLK)
-C     none nearer than margin is missed
+C     no point nearer than margin is missed
       MOST = REAL(MARGIN*LSD(LUNIT,BLK)) + SLACK
       MOST = MOST*MOST
       DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
@@ -3394,9 +3395,9 @@ C     A star on its own.
 C     ------------------------------------------------------------------
 
 C     TSEXCH - replace V(K) by Z if the result is not flat; with TRUE =
-C     1, if it is positively oriented and contains S*.  This is S = V(1)
-C     = R(1) moved by an infinitesimal step into the tetrahedron R (as
-C     Q* in the queries below), so it is on no plane through three
+C     1, only if it is positively oriented and contains S*.  S* is S =
+C     V(1) = R(1) moved by an infinitesimal step into the tetrahedron R
+C     (as Q* in the queries below), so it is on no plane through three
 C     points.  OK is 1 if replaced, else 0.
       SUBROUTINE TSEXCH(X, P, ORD, RCTL, TRUE, R, V, K, Z, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
@@ -3425,23 +3426,23 @@ C     points.  OK is 1 if replaced, else 0.
       IF (OK .EQ. 0) V(K) = OLD
       END
 
-C     TSSETT - V = a tetrahedron of the mesh at V(1) = S.
+C     TSSETT - find V, a tetrahedron of the mesh at V(1) = S.
 C
-C     Begin with any tetrahedron R at S, of near points as far as these
-C     are not in one plane, and S* in it.  While V holds S* and its ball
-C     is not empty, each point in the ball is on the inner side of one
-C     of the three facets at S, as what is outside of all three is
-C     beyond the ball's tangent plane at S; so the apex Z of that facet
-C     on that side is not V's vertex there.  The five points have two
-C     triangulations; V is not in that whose lifted facets are the lower
-C     ones, so the one tetrahedron of this that holds S* is one with Z
-C     for a vertex of V.  The height over S* falls with every such step;
-C     three searches without one end it.  First among the points of the
-C     leaf alone: from anywhere a query takes three times as long
-C     without.
+C     Start with any tetrahedron R at S, made of nearby points as far as
+C     these are not in one plane, and with S* in it.  While V holds S*
+C     and its ball is not empty, each point in the ball is on the inner
+C     side of one of the three facets at S, since whatever is outside
+C     all three is beyond the ball's tangent plane at S.  So the apex Z
+C     of that facet on that side is not V's vertex there.  The five
+C     points have two triangulations, and V is not part of the one whose
+C     lifted facets are the lower ones; so the tetrahedron of that one
+C     that holds S* is V with Z in place of a vertex.  Each such step
+C     lowers the height over S*; three searches in a row without a step
+C     end it.  The points of the leaf alone come first: without that, a
+C     query from anywhere takes three times as long.
 C
-C     Vertices may be complete, so that no list has them: by the tree
-C     alone.
+C     Vertices may be complete, and then no list has them: the search
+C     uses the tree alone.
       SUBROUTINE TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, LSX, LSID, LSI, LSD, S, V)
       INTEGER TSLIST, TSIDS
@@ -3543,7 +3544,7 @@ C       EAFTER  one that begins where it ends: they give the guesses
 C       ECHAIN  the next edge from A, or 0; LINK(A) is the first
 C     ------------------------------------------------------------------
 
-C     TSCLRL - the link has no edges.
+C     TSCLRL - empty the link.
       SUBROUTINE TSCLRL(CTL)
       INTEGER CTL(*)
       INTEGER ROOM, OLDEST, NEWEST, EDGE
@@ -4065,9 +4066,9 @@ C     TSSLOT - the first K with V(K,T) = X, or 5.
       END
 
 C     TSMATE - J is the facet of tetrahedron U, of four different
-C     vertices, that has those of the facet F of another one in opposite
-C     order, so that, both tetrahedra being positively oriented, their
-C     apexes are on opposite sides; 5 when there is none.
+C     vertices, that has the vertices of the facet F of another one in
+C     opposite order, so that, both tetrahedra being positively
+C     oriented, their apexes are on opposite sides; 5 if there is none.
       SUBROUTINE TSMATE(TET, F, U, J)
       INTEGER TET(4,*), F(3), U, J
       INTEGER G(3), I
@@ -4106,10 +4107,10 @@ C     TSLCOU - the number of leaves for N points: a power of two.
 C     TSLENG - the lengths of IW and RW for N points: the minimum, and
 C     what is recommended beyond it: in IW POOL, and MARKS for supports;
 C     in RW CYLS for cylinders.  Pool: uniform points need 5 N**(2/3)
-C     facets; a star of all points 2 N, which takes 12 N integers, given
-C     up to MUCH.  Supports and cylinders get room for as many points as
-C     may need them.  OK is 1, or 0 for a bad N: negative, or the least
-C     lengths exceed the largest integer.
+C     facets; a star of all points needs 2 N, which take 12 N integers:
+C     granted up to MUCH.  Supports and cylinders get room for as many
+C     points as can need them.  OK is 1, or 0 for a bad N: negative, or
+C     so large that a minimum exceeds the largest integer.
       SUBROUTINE TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
       INTEGER N, LIW, LRW, POOL, MARKS, CYLS, OK
       INTEGER TSLCOU, TSCUBE
@@ -4138,8 +4139,8 @@ C     2 TSLCOU(N) < N/12 + 2
       IF (32*(LVS/3) .LT. INTMAX - LRW) CYLS = 32*(LVS/3)
       END
 
-C     TSLAYO - nothing is known yet: no points, no lists, no supports,
-C     no cylinders.
+C     TSLAYO - start from nothing: no points, no lists, no supports, no
+C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI)
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
@@ -4255,9 +4256,9 @@ C     are multiples of 1/U, or 0 if it exceeds 2**30.
       END
 
 C     TSSCAL - scale the sorted coordinates to an absolute value of at
-C     most 1 by a power of two, in two steps as one might overflow, and
-C     find whether they are small multiples of one unit.  They are not
-C     if one underflows: its multiple is lost.  INFO is 0, or RANGE.
+C     most 1 by a power of two, in two steps because one might overflow,
+C     and find whether they are small multiples of one unit.  They are
+C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE.
       SUBROUTINE TSSCAL(X, CTL, RCTL, INFO)
       DOUBLE PRECISION X(3,*), RCTL(*)
       INTEGER CTL(*), INFO
@@ -4317,7 +4318,7 @@ C     TSREVI - put all points back into the tree.
    20 CONTINUE
       END
 
-C     TSSORT - take up N > 0 points: sort them, drop the duplicates,
+C     TSSORT - prepare N > 0 points: sort them, drop the duplicates,
 C     build the tree.  INFO is 0, or RANGE.
       SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N,
      $                  INFO)
@@ -4340,7 +4341,8 @@ C     build the tree.  INFO is 0, or RANGE.
    20 CONTINUE
       DO 30 I = 1, N
         IF (REP(I) .NE. I) THEN
-C         the cuts may have parted duplicates: once more without them
+C         the cuts may have separated duplicates: sort again without
+C         them
           CALL TSCOLL(X, P, ORD, REP, CTL, N)
           CALL TSKDSO(X, ORD, REP, CTL)
           GO TO 40
@@ -4352,10 +4354,11 @@ C         the cuts may have parted duplicates: once more without them
       CALL TSREVI(ALIVE, CTL)
       END
 
-C     TSSEAL - make what was sorted an index, which has a mesh if CODE
-C     is 0.  What TSOPEN needs besides points and tree: KNOWN is the
-C     first tetrahedron, or begins with minus the code; COUNT, behind
-C     it, and HEADER(1) are NP, to know an index by.
+C     TSSEAL - turn the sorted points into an index, which has a mesh if
+C     CODE is 0.  It stores what TSOPEN needs besides points and tree:
+C     KNOWN is the first tetrahedron, or begins with minus the code;
+C     COUNT, behind it, and HEADER(1) are NP, so that an index can be
+C     recognized.
       SUBROUTINE TSSEAL(HEADER, KNOWN, COUNT, CTL, RCTL, CODE)
       INTEGER KNOWN(4), COUNT, CTL(*), CODE
       DOUBLE PRECISION HEADER(6), RCTL(*)
@@ -4371,8 +4374,8 @@ C     it, and HEADER(1) are NP, to know an index by.
       HEADER(5) = RCTL(RLEAST)
       END
 
-C     TSOPEN - take up an index, to be read alone.  INFO is 0, the code
-C     of points without a mesh, or -8 where there is no index.
+C     TSOPEN - open an index for reading only.  INFO is 0, the code of
+C     points without a mesh, or -8 where there is no index.
       SUBROUTINE TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI,
      $                  INFO)
       INTEGER N, KNOWN(4), COUNT, CTL(*), LSI(3,2), INFO
@@ -4500,10 +4503,10 @@ C     in the ball of the other; else -6 or -5.
      $    TET(3,T), TET(4,T), TET(K,U), 1) .LT. 0) INFO = -5
       END
 
-C     TSREJO - close the facets that are open twice, as in results put
-C     one behind the other.  INFO is 0, FULL, or what TSMTCH finds.  A
-C     neighbour found is no more than a note in ADJ, below OPEN, until
-C     all are known to be right.
+C     TSREJO - close the facets that are open twice, as in concatenated
+C     results.  INFO is 0, FULL, or what TSMTCH finds.  Until all are
+C     known to be right, a neighbour found is only noted in ADJ, by a
+C     value below OPEN.
       SUBROUTINE TSREJO(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL,
      $                  INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
@@ -4596,10 +4599,10 @@ C     HEAD has the positions of the points at first.
       IF (OK .EQ. 0) INFO = FULL
       END
 
-C     TSMESH - TSRUN, its workspace cut up into the arrays that the
+C     TSMESH - TSRUN with its workspace cut up into the arrays that the
 C     structure mesh has in C.
 C
-C     They are declared in their lengths: so no two of them share an
+C     They are declared with their lengths, so no two of them share an
 C     element of RW or IW, and the standard lets them be altered.
       SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
      $                  X, HEADER, BOX, REP, ORD, KNOWN, COUNT, ALIVE,
@@ -4650,7 +4653,7 @@ C     sets, by a step of Newton's method
    10 CONTINUE
       RCTL(RBURDN) = 0.0D0
       IF (ROOMY .EQ. 1) CTL(ROUND) = 1
-C     doubles decide all where points are in few units
+C     doubles decide everything if points are in few units
       IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN)
      $    RCTL(RPATIE) = BURDEN
       S = 0
@@ -4680,8 +4683,8 @@ C     doubles decide all where points are in few units
       NTET = CTL(NT)
       END
 
-C     TSRUN - TESS and TESSRE, or with MASKED = 1 TESSPA, of arguments
-C     that are right but for P and the indices in TET.
+C     TSRUN - TESS and TESSRE, or TESSPA if MASKED = 1, for arguments
+C     that are known to be valid except for P and the indices in TET.
       SUBROUTINE TSRUN(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LIW,
      $                 IW, LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -4929,7 +4932,7 @@ C     Cost: O(N log N), about a tenth of that of the mesh.
      $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6), INFO)
       END
 
-C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
+C     TSINDE - TESSIX with its workspace cut up as TSRUN's.
       SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, INFO)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1)
@@ -5720,7 +5723,7 @@ C     that is passed on the way about an edge of the hull.
      $            INFO)
       END
 
-C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
+C     TSQUER - TESSQU with the index cut up as TSRUN's workspace.
       SUBROUTINE TSQUER(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, Q, V, W, INFO)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4,1), COUNT, ALIVE(2*LVS-1)
