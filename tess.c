@@ -3502,15 +3502,15 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
 
 /* ---- common to the queries ----
  *
- * One device does much of the work: in the place of a point q, the point q*,
- * q moved by an infinitesimal step into the interior of tetrahedron 0, of
+ * One device does much of the work: a point q is replaced by q*, which is q
+ * moved by an infinitesimal step into the interior of tetrahedron 0, of
  * vertices v0 ... v3:
  *     q* = q + e (v0 - q) + e^2 (v1 - q) + e^3 (v2 - q) + e^4 (v3 - q)
  * for all small enough e > 0.  The orientation of a facet with a point is
- * an affine function of the point, so the sign for q* is the first that is
- * not 0 of the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0
- * ... v3 are not in one plane: q* is on no facet, and is in the interior of
- * exactly one tetrahedron if it is in the hull of a triangulation. */
+ * an affine function of the point, so the sign for q* is the first nonzero one
+ * of the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0 ... v3
+ * are not in one plane: q* is on no facet, and is in the interior of exactly
+ * one tetrahedron if it is in the hull of a triangulation. */
 
 /* qside - returns 1 if q* is outside the facet f, -1 if it is inside, UNSURE
  * if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.  Takes one
@@ -3546,10 +3546,10 @@ static int inbox(const tess_real *p, const tess_int *v, const tess_real *q)
 
 /* ---- location ---- */
 
-/* closer - returns 1 if a is nearer to q in the maximum norm than what least is
- * the distance of, and makes that the distance of a: least[0] - least[1], left
- * unevaluated so that nothing is rounded; least[0] < least[1] is that of no
- * point. */
+/* closer - returns 1 if a is nearer to q in the maximum norm than the distance
+ * least, and sets least to the distance of a: least[0] - least[1], left
+ * unevaluated so that nothing is rounded.  least[0] < least[1] means that there
+ * is no point yet. */
 static int closer(const tess_real *a, const tess_real *q, double *least)
 {
     double hi = 0.0, lo = 0.0, h, l;
@@ -3570,11 +3570,10 @@ static int closer(const tess_real *a, const tess_real *q, double *least)
     return 1;
 }
 
-/* sample - choose where the walk to q starts: of t, if given, and about
- * ntet^(1/4) equally spaced tetrahedra, the first whose first vertex is
- * nearest to q in the maximum norm.  The comparisons are exact, so the choice
- * is the same everywhere.  Returns TESS_NONE if the arithmetic cannot hold a
- * point. */
+/* sample - choose where the walk to q starts: among t, if given, and about
+ * ntet^(1/4) equally spaced tetrahedra, the first whose first vertex is nearest
+ * to q in the maximum norm.  The comparisons are exact, so the choice is the
+ * same everywhere.  Returns TESS_NONE if the arithmetic cannot hold a point. */
 static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
                        const tess_real *q, tess_int t)
 {
@@ -3592,17 +3591,18 @@ static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
     return best;
 }
 
-/* walk - from *t across facets that q* is beyond, until there is none: then *t
- * holds q* (returns 0); or to a facet of the hull that q is outside of
- * (returns 1).  LOST when only open facets lead on, or after most steps;
- * TESS_RANGE; -4 for a neighbour that is out of range.
+/* walk - walk from *t across facets that q* is beyond.  Returns 0 when there is
+ * none: *t holds q*; 1 at a facet of the hull that q is outside of; LOST when
+ * only open facets lead on, or after most steps; TESS_RANGE when the limbs do
+ * not suffice; -4 for a neighbour that is out of range.
  *
  * In a result of tess the walk meets no tetrahedron twice.  Lift each point x
  * to the height |x|^2, lowered as the tie rule says: the tetrahedra are the
  * lower facets of a convex polytope, and where q* is beyond the facet from t
  * to u, the plane of u is above that of t over q*.  So the height of the
  * current plane over q* grows with every step.  (Among cospherical
- * tetrahedra of another triangulation it may stay, and the walk go round.) */
+ * tetrahedra of another triangulation the height may stay, and the walk may
+ * cycle.) */
 static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int most,
                 tess_int *t)
@@ -3632,7 +3632,8 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
     return LOST;
 }
 
-/* holds - returns 1 if the closed tetrahedron v contains q, else 0; UNSURE. */
+/* holds - returns 1 if the closed tetrahedron v contains q, else 0; UNSURE if
+ * the limbs do not suffice. */
 static int holds(const tess_real *p, const tess_int *v, const tess_real *q)
 {
     tess_int f[3];
@@ -3648,9 +3649,9 @@ static int holds(const tess_real *p, const tess_int *v, const tess_real *q)
     return 1;
 }
 
-/* sweep - *t = the first tetrahedron that holds q (returns 0), or if there is
- * none the first one with a hull or open facet that q is outside of (returns
- * 1); TESS_RANGE. */
+/* sweep - find *t, the first tetrahedron that holds q (returns 0) or, if there
+ * is none, the first one with a hull or open facet that q is outside of
+ * (returns 1).  Returns TESS_RANGE when the limbs do not suffice. */
 static int sweep(const tess_real *p, tess_int ntet, const tess_int *tet,
                  const tess_int *adj, const tess_real *q, tess_int *t)
 {
@@ -3677,29 +3678,31 @@ static int sweep(const tess_real *p, tess_int ntet, const tess_int *tet,
     return 1;
 }
 
-/* A walk over the hull: f, the facet nearest to q yet; on, the vertices of the
- * edge that has its nearest point, or twice the vertex; of the facet met last,
- * the vertex to turn away from, from, and, about a vertex, the one that stays;
- * left: facets that may yet be met about it, of most. */
+/* A walk over the hull.  f: the facet nearest to q so far; on: the vertices of
+ * the edge that has its nearest point, or the vertex twice; from: the vertex of
+ * the facet met last to turn away from; stay: when turning about a vertex, the
+ * one that stays; left: how many more facets may be met about it, of most. */
 typedef struct stroll {
     tess_int f[3], on[3], from, stay, left, most;
 } stroll;
 
-/* hullstep - towards the hull's point nearest to q, from a facet that q is
- * outside of.  g: the facet met; s->f[0] is TESS_NONE at first.  Returns 1 if g
- * is nearer than all before, else 0; plus 2 at the end: then s->f is the facet,
- * and w are its weights.  Before, the next facet to be met is the one on the
- * other side of g's edge opposite to s->from.  TESS_RANGE.
+/* hullstep - one step towards the hull's point nearest to q, from a facet that
+ * q is outside of.  g is the facet met; s->f[0] is TESS_NONE at first.  Returns
+ * 1 if g is nearer than all before, else 0; plus 2 at the end: s->f is then the
+ * nearest facet, and w its weights.  Until then, the next facet to meet is the
+ * one on the other side of g's edge opposite to s->from.  Returns TESS_RANGE
+ * when the limbs do not suffice.
  *
- * A facet's nearest point x is in the interior of one of its faces, an edge, a
- * vertex or all of it.  The facets around that face are met; if x is nearest in
- * each of them that q is outside of, it is nearest in the hull.  For if a point
- * of the hull is nearer there are such points y as near to x as one likes.
- * Where the way from q to y enters the hull, nearer still, q is outside of a
- * facet; and this facet is at x if y is near enough, as the way from q to x
- * meets the hull in x alone.  All this is exact, and each facet nearer than the
- * one before, so it ends.  (In an unfinished result, which is not convex, it
- * ends where no facet joined to these about the point is nearer.) */
+ * A facet's nearest point x is in the interior of one of its faces: an edge, a
+ * vertex or all of it.  The facets around that face are met.  If x is the
+ * nearest point of each of them that q is outside of, it is the nearest point
+ * of the hull: if a point of the hull is nearer, there are such points y
+ * arbitrarily near to x.  Where the segment from q to y enters the hull, at a
+ * point nearer still, q is outside of a facet; and this facet contains x if y
+ * is near enough, as the segment from q to x meets the hull in x alone.  All
+ * this is exact, and each facet is nearer than the one before, so the walk
+ * ends.  (In an unfinished result, which is not convex, it ends where no facet
+ * joined to these about the point is nearer.) */
 static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
                     stroll *s, double *w)
 {
@@ -3746,9 +3749,9 @@ static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
     return hh_foot(a, b, c, q, w) == 0 ? TESS_RANGE : 3;
 }
 
-/* turn - go from the facet *k of tetrahedron *t, of the hull, about its edge
- * opposite to the vertex z to the hull facet on the other side of that edge.
- * Returns 1, or 0 if neighbours are out of range or do not match. */
+/* turn - turn from the hull facet *k of tetrahedron *t about its edge opposite
+ * to the vertex z to the hull facet on the other side of that edge.  Returns 1,
+ * or 0 if neighbours are out of range or do not match. */
 static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
                 tess_int *t, int *k, tess_int z)
 {
@@ -3772,10 +3775,9 @@ static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
     return 0;
 }
 
-/* nearhull - from tetrahedron *t with a facet of the hull that q is outside of
- * to the one with the hull's point nearest to q, and in w, which is 0, that
- * point's weights.
- * Returns 1, TESS_RANGE or -4. */
+/* nearhull - walk from tetrahedron *t, which has a hull facet that q is outside
+ * of, to the one with the hull's point nearest to q, and store that point's
+ * weights in w, which is 0 on entry.  Returns 1, TESS_RANGE or -4. */
 static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
                     const tess_int *adj, const tess_real *q, tess_int *t,
                     double *w)
@@ -3804,20 +3806,20 @@ static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
     return 1;
 }
 
-/* tess_locate - a walk (see walk), and where it fails a sweep over all
- * tetrahedra; for a q outside then a walk over the hull (see hullstep).
+/* tess_locate - a walk (see walk); where it fails, a sweep over all tetrahedra;
+ * then, for a q outside, a walk over the hull (see hullstep).
  *
  * It is q*, not q, that is located.  The hull is convex and q* is nearer to
  * its inside, so q* is inside of it when q is inside or on its boundary, and
  * then the answer depends on the points, tet and q alone.  For a q outside, the
  * start decides which of the facets that have the hull's nearest point is
  * found.  In an unfinished result open facets may stop the walk though some
- * tetrahedron holds q; in a foreign triangulation it may go round: both are
+ * tetrahedron holds q; in a triangulation from elsewhere it may cycle: both are
  * left to the sweep.
  *
  * Cost: proportional to the tetrahedra crossed, about ntet^(1/3) of them from
- * anywhere, fewer from the sampled start, few from a start near q: when these
- * are more than ASTRAY, the sample is asked, too.  The sweep: ntet. */
+ * anywhere, fewer from the sampled start, few from a start near q: beyond
+ * ASTRAY of these, the sample is used, too.  The sweep: ntet. */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t,
                 double *w)
@@ -3841,8 +3843,9 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
     return code;
 }
 
-/* tess_values - from the last answer where there is no start: it is the nearest
- * if the queries are in order, and if not, tess_locate sees that. */
+/* tess_values - where there is no start, a walk starts from the last answer: it
+ * is the nearest if the queries are in order, and if not, tess_locate
+ * notices. */
 int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, tess_int nv, const double *value,
                 tess_int nq, const tess_real *q, tess_int *t, double *out)
@@ -3914,10 +3917,11 @@ static int across(mesh *m, tess_int *u, int k)
     return 1;
 }
 
-/* tess_query - walk's walk, with q* moved into the same tetrahedron, and for a
- * q outside nearhull's, so that the answer is tess_locate's; neighbours are
- * found as they are needed.  From a v that is no tetrahedron of the mesh it
- * might go round: after np steps it begins again from one that is. */
+/* tess_query - the walk of walk, with q* moved into the same tetrahedron, and
+ * for a q outside that of nearhull, so that the answer is that of tess_locate;
+ * neighbours are computed as they are needed.  From a v that is no tetrahedron
+ * of the mesh the walk might cycle: after np steps it starts again from one
+ * that is. */
 int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w)
 {
@@ -4002,8 +4006,8 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* ---- the check ---- */
 
-/* merge - to[lo..hi-1] = the sorted runs from[lo..mid-1] and from[mid..hi-1],
- * merged; of equal points those of the first run come first. */
+/* merge - merge the sorted runs from[lo..mid-1] and from[mid..hi-1] into
+ * to[lo..hi-1]; of equal points those of the first run come first. */
 static void merge(const tess_real *p, tess_int lo, tess_int mid, tess_int hi,
                   const tess_int *from, tess_int *to)
 {
@@ -4016,9 +4020,9 @@ static void merge(const tess_real *p, tess_int lo, tess_int mid, tess_int hi,
             to[k] = from[j++];
 }
 
-/* sortpt - sort the points by their coordinates, equal ones by index:
- * merging runs of 1, 2, 4, ... to and fro between the halves of iw.  Returns
- * where in iw the order begins, 0 or n. */
+/* sortpt - sort the points by their coordinates, equal ones by index: merge
+ * runs of 1, 2, 4, ... back and forth between the halves of iw.  Returns where
+ * in iw the order begins, 0 or n. */
 static tess_int sortpt(tess_int n, const tess_real *p, tess_int *iw)
 {
     tess_int at = 0, run = 1, lo, mid, hi, i;
@@ -4038,7 +4042,7 @@ static tess_int sortpt(tess_int n, const tess_real *p, tess_int *iw)
 
 #define TWIN (-1)  /* marks of points: a duplicate of one of lower index */
 #define UNUSED 0   /* a point that stands for itself, in no tetrahedron */
-#define USED 1     /* and in one */
+#define USED 1     /* the same, in a tetrahedron */
 
 /* marks - sort the points and mark each TWIN or UNUSED.  Returns where in
  * iw the marks begin. */
@@ -4054,9 +4058,9 @@ static tess_int marks(tess_int n, const tess_real *p, tess_int *iw)
     return mark;
 }
 
-/* chkpla - that all points are in one plane: of point 0, b, a point that
- * differs from it, and c, the first one off their line.  Points before c are in
- * it, so one pass is enough. */
+/* chkpla - check that all points are in one plane: that of point 0, of b, a
+ * point that differs from it, and of c, the first point off their line.  Points
+ * before c are in it, so one pass is enough. */
 static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
 {
     const tess_real *q, *b = p, *c = NULL;
@@ -4091,9 +4095,9 @@ static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
     return TESS_OK;
 }
 
-/* chkfac - that each facet of tetrahedron t is on the boundary or matched, and
- * the neighbour's apex not inside the ball of t: also a symmetric relation,
- * so one side tests it. */
+/* chkfac - check that each facet of tetrahedron t is on the boundary or
+ * matched, and that the neighbour's apex is not inside the ball of t: this
+ * relation is symmetric, too, so one side tests it. */
 static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
                   const tess_int *adj, tess_int t)
 {
@@ -4131,15 +4135,15 @@ static int chktet(const tess_real *p, const tess_int *tet,
     return slot(four(adj, t), TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
 }
 
-/* chkedg - facet k of tetrahedron t is on the boundary.  Turn about its edge
- * opposite to vertex c, through the tetrahedra, to the other boundary facet
- * there, and test that its apex is not outside of the first.
+/* chkedg - from facet k of tetrahedron t, which is on the boundary, turn about
+ * its edge opposite to vertex c, through the tetrahedra, to the other boundary
+ * facet there, and check that its apex is not outside of the first.
  *
- * Facets are known to be matched in pairs, so a step takes (tetrahedron,
- * facet in, facet out) one-to-one to the next such triple; the first triple
- * is reached by no step, so none comes twice and the turn ends.  For the
- * same reason all turns together take at most 6 ntet steps: each edge of
- * each tetrahedron is passed once. */
+ * Facets are known to be matched in pairs, so a step maps (tetrahedron, facet
+ * in, facet out) one-to-one to the next such triple; no step leads to the first
+ * triple, so none comes twice and the turn ends.  For the same reason all turns
+ * together take at most 6 ntet steps: each edge of each tetrahedron is passed
+ * once. */
 static int chkedg(const tess_real *p, const tess_int *tet,
                   const tess_int *adj, tess_int t, int k, tess_int c)
 {
@@ -4159,9 +4163,9 @@ static int chkedg(const tess_real *p, const tess_int *tet,
     return s > 0 ? TESS_BAD_HULL : TESS_OK;
 }
 
-/* chkhul - the boundary facets of tetrahedron t: O is inside of each, and each
- * is convex with its neighbours.  Of the two facets at an edge, which run
- * along it in opposite directions, one tests it. */
+/* chkhul - check the boundary facets of tetrahedron t: O is inside of each, and
+ * each is convex with its neighbours.  The two facets at an edge run along it
+ * in opposite directions, so that one of them tests it. */
 static int chkhul(const tess_real *p, const tess_int *tet,
                   const tess_int *adj, tess_int t)
 {
@@ -4221,27 +4225,27 @@ static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
  *    it.  By 1 and 2 it is the number of times that the boundary, oriented
  *    outwards, winds about x: the sum of that number over the surfaces of
  *    all tetrahedra, in which matched facets cancel.  The turns of 5 pair the
- *    edges of boundary facets, which so form a closed surface S; two that
- *    are adjacent run along their edge in opposite directions.
+ *    edges of boundary facets, which thus form a closed surface S; two that are
+ *    adjacent run along their edge in opposite directions.
  * b. By 4, projection from O takes the facets of S to triangles on the sphere
  *    of directions, all of one orientation, adjacent ones on opposite sides
- *    of their edge.  So S covers the sphere, with branching at vertices at
- *    most, and the number of sheets is the winding number about O: m(O),
- *    which is 1 by 6.  One sheet cannot branch: each ray from O meets S
- *    once.  S bounds a body K, star-shaped about O; m is 1 in K, 0 outside.
+ *    of their edge.  So S covers the sphere, branching at most at vertices, and
+ *    the number of sheets is the winding number about O: m(O), which is 1 by 6.
+ *    One sheet cannot branch: each ray from O meets S once.  S bounds a body K,
+ *    star-shaped about O; m is 1 in K, 0 outside.
  * c. A plane through O that misses the vertices of S cuts K in a polygon
  *    which is star-shaped about O and has by 5 no angle above pi: convex.
  *    Such planes are dense, so K is convex.
  * d. So the tetrahedra fill K once, facet matched to facet: any two meet in a
- *    common face or not at all.  A triangulation of a convex body that has
- *    3 is Delaunay (Delaunay's lemma).  By 7 it is one of all points, and K
- *    is their hull.
+ *    common face or not at all.  A triangulation of a convex body that
+ *    satisfies 3 is Delaunay (Delaunay's lemma).  By 7 it is one of all points,
+ *    and K is their hull.
  *
  * Conversely a Delaunay tetrahedralization passes: O is inside its hull.
  *
- * No test is idle.  For 4: two tetrahedra apart; or the tetrahedra on an axis
- * and the edges of a star of five points about it, O in a tip of the star.  For
- * 6: join the 20 triangles of the great icosahedron to its centre.  These
+ * No test is redundant.  For 4: two tetrahedra apart; or the tetrahedra on an
+ * axis and the edges of a star of five points about it, O in a tip of the star.
+ * For 6: join the 20 triangles of the great icosahedron to its centre.  These
  * tetrahedra pass all other tests, and V - E + F - T = 1, though they cover the
  * centre 7 times.  Euler's relation follows from the seven tests.
  *
@@ -4288,10 +4292,10 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
 
 /* ---- a ball ---- */
 
-/* tess_ball - by limbs, of a set of the four points alone, scaled to at most 1.
- * With size the sum of what is rounded, the centre errs by 8 eps of its length
- * (see hh_centre), and that, the radius' own error of 12 eps, and the roundings
- * of the sum, 1 eps of it, count in the radius: less than 32 eps size. */
+/* tess_ball - computed by limbs, for a set of the four points alone, scaled to
+ * at most 1.  size is the sum of what is rounded.  The centre errs by 8 eps of
+ * its length (see hh_centre); the radius must cover that, its own error of 12
+ * eps, and the roundings of the sum, 1 eps of it: less than 32 eps size. */
 int tess_ball(const tess_real *p, const tess_int *v, double *c)
 {
     static const tess_int facet[3] = {0, 1, 2};

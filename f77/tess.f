@@ -267,11 +267,11 @@ C     It is a (height - h) + q |W|**2 - d.W, of which each coordinate of
 C     W is wrong by dd times it, and all by err:
 C       TQ, TDD, TA, TERR  q, dd, a, err; behind TD: d
 C     A walk over the hull:
-C       H       H(1..3): the facet nearest to Q yet; behind HON the
-C               vertices of the edge that has its nearest point, or
-C               twice the vertex; of the facet met last, HFROM: the
-C               vertex to turn away from, and, about a vertex, HSTAY:
-C               the one that stays; HLEFT: facets that may yet be met
+C       H       H(1..3): the facet nearest to Q so far; behind HON the
+C               vertices of the edge that has its nearest point, or the
+C               vertex twice; HFROM: the vertex of the facet met last to
+C               turn away from; HSTAY: when turning about a vertex, the
+C               one that stays; HLEFT: how many more facets may be met
 C               about it, of HMOST
 C
 C     Constants, the same in every routine that has them:
@@ -5016,17 +5016,17 @@ C     ==================================================================
 C     ------------------------------------------------------------------
 C     Common to the queries.
 C
-C     One device does much of the work: in the place of a point Q, the
-C     point Q*, Q moved by an infinitesimal step into the interior of
+C     One device does much of the work: a point Q is replaced by Q*,
+C     which is Q moved by an infinitesimal step into the interior of
 C     tetrahedron 1, of vertices V1 ... V4:
 C       Q* = Q + e (V1 - Q) + e**2 (V2 - Q) + e**3 (V3 - Q) +
 C            e**4 (V4 - Q)
 C     for all small enough e > 0.  The orientation of a facet with a
 C     point is an affine function of the point, so the sign for Q* is
-C     the first that is not 0 of the signs for Q, V1, V2, V3, V4.  One
-C     of them is not 0, since V1 ... V4 are not in one plane: Q* is on
-C     no facet, and is in the interior of exactly one tetrahedron if it
-C     is in the hull of a triangulation.
+C     the first nonzero one of the signs for Q, V1, V2, V3, V4.  One of
+C     them is not 0, since V1 ... V4 are not in one plane: Q* is on no
+C     facet, and is in the interior of exactly one tetrahedron if it is
+C     in the hull of a triangulation.
 C     ------------------------------------------------------------------
 
 C     TSORIQ - HHORIE of the facet F and the point Q.
@@ -5110,9 +5110,9 @@ C     Location.
 C     ------------------------------------------------------------------
 
 C     TSCLOS - OK is 1 if point I is nearer to Q in the maximum norm
-C     than what HI - LO is the distance of, and makes that the distance
-C     of I, left unevaluated so that nothing is rounded; else 0.  HI <
-C     LO is that of no point.
+C     than the distance HI - LO, which becomes the distance of I, left
+C     unevaluated so that nothing is rounded; else 0.  HI < LO means
+C     that there is no point yet.
       SUBROUTINE TSCLOS(P, I, Q, HI, LO, OK)
       INTEGER I, OK
       DOUBLE PRECISION P(3,*), Q(3), HI, LO
@@ -5137,7 +5137,7 @@ C     LO is that of no point.
       LO = B
       END
 
-C     TSSAMP - choose where the walk to Q starts: of START, if not 0,
+C     TSSAMP - choose where the walk to Q starts: among START, if not 0,
 C     and about NTET**(1/4) equally spaced tetrahedra, BEST is the first
 C     whose first vertex is nearest to Q in the maximum norm.  The
 C     comparisons are exact, so the choice is the same everywhere.  BEST
@@ -5174,11 +5174,11 @@ C     is 0 if the arithmetic cannot hold a point.
    30 CONTINUE
       END
 
-C     TSWALK - from T across facets that Q* is beyond, until there is
-C     none: then T holds Q* (INFO 0); or to a facet of the hull that Q
-C     is outside of (INFO 1).  INFO is LOST when only open facets lead
-C     on, or after MOST steps; RANGE when the limbs do not suffice; -4
-C     for a neighbour that is out of range.
+C     TSWALK - walk from T across facets that Q* is beyond.  INFO is 0
+C     when there is none: T holds Q*; 1 at a facet of the hull that Q is
+C     outside of; LOST when only open facets lead on, or after MOST
+C     steps; RANGE when the limbs do not suffice; -4 for a neighbour
+C     that is out of range.
 C
 C     In a result of TESS the walk meets no tetrahedron twice.  Lift
 C     each point X to the height |X|**2, lowered as the tie rule says:
@@ -5186,7 +5186,7 @@ C     the tetrahedra are the lower facets of a convex polytope, and
 C     where Q* is beyond the facet from T to U, the plane of U is above
 C     that of T over Q*.  So the height of the current plane over Q*
 C     grows with every step.  (Among cospherical tetrahedra of another
-C     triangulation it may stay, and the walk go round.)
+C     triangulation the height may stay, and the walk may cycle.)
       SUBROUTINE TSWALK(P, NTET, TET, ADJ, Q, MOST, T, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), MOST, T, INFO
       DOUBLE PRECISION P(3,*), Q(3)
@@ -5235,7 +5235,7 @@ C     triangulation it may stay, and the walk go round.)
       END
 
 C     TSHOLD - S is 1 if the closed tetrahedron T contains Q, else 0;
-C     UNSURE.
+C     UNSURE if the limbs do not suffice.
       SUBROUTINE TSHOLD(P, TET, T, Q, S)
       INTEGER TET(4,*), T, S
       DOUBLE PRECISION P(3,*), Q(3)
@@ -5256,9 +5256,10 @@ C     UNSURE.
    20 S = 0
       END
 
-C     TSSWEE - T = the first tetrahedron that holds Q (INFO 0), or if
-C     there is none the first one with a hull or open facet that Q is
-C     outside of (INFO 1); INFO is RANGE when the limbs do not suffice.
+C     TSSWEE - find T, the first tetrahedron that holds Q (INFO 0) or,
+C     if there is none, the first one with a hull or open facet that Q
+C     is outside of (INFO 1); INFO is RANGE when the limbs do not
+C     suffice.
       SUBROUTINE TSSWEE(P, NTET, TET, ADJ, Q, T, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3)
@@ -5290,24 +5291,25 @@ C     outside of (INFO 1); INFO is RANGE when the limbs do not suffice.
       INFO = 1
       END
 
-C     TSHULL - towards the hull's point nearest to Q, from a facet that
-C     Q is outside of.  G: the facet met; H(1) is 0 at first.  STEP is 1
-C     if G is nearer than all before, else 0; plus 2 at the end: then
-C     H(1..3) is the facet, and W are its weights.  Before, the next
-C     facet to be met is the one on the other side of G's edge opposite
-C     to H(HFROM).  STEP is RANGE when the limbs do not suffice.
+C     TSHULL - one step towards the hull's point nearest to Q, from a
+C     facet that Q is outside of.  G is the facet met; H(1) is 0 at
+C     first.  STEP is 1 if G is nearer than all before, else 0; plus 2
+C     at the end: H(1..3) is then the nearest facet, and W its weights.
+C     Until then, the next facet to meet is the one on the other side of
+C     G's edge opposite to H(HFROM).  STEP is RANGE when the limbs do
+C     not suffice.
 C
-C     A facet's nearest point X is in the interior of one of its faces,
+C     A facet's nearest point X is in the interior of one of its faces:
 C     an edge, a vertex or all of it.  The facets around that face are
-C     met; if X is nearest in each of them that Q is outside of, it is
-C     nearest in the hull.  For if a point of the hull is nearer there
-C     are such points Y as near to X as one likes.  Where the way from Q
-C     to Y enters the hull, nearer still, Q is outside of a facet; and
-C     this facet is at X if Y is near enough, as the way from Q to X
-C     meets the hull in X alone.  All this is exact, and each facet
-C     nearer than the one before, so it ends.  (In an unfinished result,
-C     which is not convex, it ends where no facet joined to these about
-C     the point is nearer.)
+C     met.  If X is the nearest point of each of them that Q is outside
+C     of, it is the nearest point of the hull: if a point of the hull is
+C     nearer, there are such points Y arbitrarily near to X.  Where the
+C     segment from Q to Y enters the hull, at a point nearer still, Q is
+C     outside of a facet; and this facet contains X if Y is near enough,
+C     as the segment from Q to X meets the hull in X alone.  All this is
+C     exact, and each facet is nearer than the one before, so the walk
+C     ends.  (In an unfinished result, which is not convex, it ends
+C     where no facet joined to these about the point is nearer.)
       SUBROUTINE TSHULL(P, Q, G, H, W, STEP)
       INTEGER G(3), H(10), STEP
       DOUBLE PRECISION P(3,*), Q(3), W(3)
@@ -5373,10 +5375,10 @@ C         an edge has one more facet, a vertex a circle of them
       IF (SET .EQ. 0) STEP = RANGE
       END
 
-C     TSTURN - go from the facet K of tetrahedron T, of the hull, about
-C     its edge opposite to the vertex Z to the hull facet on the other
-C     side of that edge.  OK is 1, or 0 if neighbours are out of range
-C     or do not match.
+C     TSTURN - turn from the hull facet K of tetrahedron T about its
+C     edge opposite to the vertex Z to the hull facet on the other side
+C     of that edge.  OK is 1, or 0 if neighbours are out of range or do
+C     not match.
       SUBROUTINE TSTURN(NTET, TET, ADJ, T, K, Z, OK)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, K, Z, OK
       INTEGER TSSLOT
@@ -5403,9 +5405,10 @@ C     or do not match.
    10 CONTINUE
       END
 
-C     TSNEAH - from tetrahedron T with a facet of the hull that Q is
-C     outside of to the one with the hull's point nearest to Q, and in
-C     W, which is 0, that point's weights.  INFO is 1, RANGE or -4.
+C     TSNEAH - walk from tetrahedron T, which has a hull facet that Q is
+C     outside of, to the one with the hull's point nearest to Q, and
+C     store that point's weights in W, which is 0 on entry.  INFO is 1,
+C     RANGE or -4.
       SUBROUTINE TSNEAH(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
@@ -5475,9 +5478,8 @@ C     open facet counts as hull; but an unfinished result is not convex:
 C     the point found is the nearest one of the facets that are joined
 C     about it, and another may be nearer.
 C
-C     A walk (see TSWALK), and where it fails a sweep over all
-C     tetrahedra; for a Q outside then a walk over the hull (see
-C     TSHULL).
+C     A walk (see TSWALK); where it fails, a sweep over all tetrahedra;
+C     then, for a Q outside, a walk over the hull (see TSHULL).
 C
 C     It is Q*, not Q, that is located.  The hull is convex and Q* is
 C     nearer to its inside, so Q* is inside of it when Q is inside or on
@@ -5485,13 +5487,13 @@ C     its boundary, and then the answer depends on the points, TET and Q
 C     alone.  For a Q outside, the start decides which of the facets
 C     that have the hull's nearest point is found.  In an unfinished
 C     result open facets may stop the walk though some tetrahedron holds
-C     Q; in a foreign triangulation it may go round: both are left to
-C     the sweep.
+C     Q; in a triangulation from elsewhere it may cycle: both are left
+C     to the sweep.
 C
 C     Cost: proportional to the tetrahedra crossed, about NTET**(1/3) of
 C     them from anywhere, fewer from the sampled start, few from a start
-C     near Q: when these are more than ASTRAY, the sample is asked, too.
-C     The sweep: NTET.
+C     near Q: beyond ASTRAY of these, the sample is used, too.  The
+C     sweep: NTET.
       SUBROUTINE TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
@@ -5561,8 +5563,9 @@ C     with Q(1,I), T(I) and OUT(1,I), and T(I-1) for T(I) if there is no
 C     start.  Each call's INFO is then that of its query; T, OUT and the
 C     time taken are those of a single call for all queries.
 C
-C     From the last answer where there is no start: it is the nearest if
-C     the queries are in order, and if not, TESSLO sees that.
+C     Where there is no start, a walk starts from the last answer: it is
+C     the nearest if the queries are in order, and if not, TESSLO
+C     notices.
 C     Cost: that of TESSLO: a few steps a query if successive queries
 C     are close to each other.
       SUBROUTINE TESSVA(P, NTET, TET, ADJ, NV, VALUE, NQ, Q, T, OUT,
@@ -5697,11 +5700,11 @@ C     The answer is that of TESSLO in the mesh that TESS gives.  Only
 C     the order of the vertices may differ and, for Q outside, which of
 C     the hull facets that have the nearest point is found.
 C
-C     TSWALK's walk, with Q* moved into the same tetrahedron, and for a
-C     Q outside TSNEAH's, so that the answer is TESSLO's; neighbours are
-C     found as they are needed.  From a V that is no tetrahedron of the
-C     mesh it might go round: after NP steps it begins again from one
-C     that is.
+C     The walk of TSWALK, with Q* moved into the same tetrahedron, and
+C     for a Q outside that of TSNEAH, so that the answer is that of
+C     TESSLO; neighbours are computed as they are needed.  From a V that
+C     is no tetrahedron of the mesh the walk might cycle: after NP steps
+C     it starts again from one that is.
 C     Cost: a search for an apex for each tetrahedron that is crossed,
 C     and some 20 more from anywhere; for Q outside, one more for each
 C     that is passed on the way about an edge of the hull.
@@ -5870,12 +5873,12 @@ C
 C     Marks of points:
 C       TWIN    a duplicate of one of lower index
 C       UNUSED  a point that stands for itself, in no tetrahedron
-C       USED    and in one
+C       USED    the same, in a tetrahedron
 C     ------------------------------------------------------------------
 
-C     TSMERG - places LO+1 ... HI of TO = the sorted runs in places LO+1
-C     ... MID and MID+1 ... HI of FROM, merged; of equal points those of
-C     the first run come first.  FROM and TO are offsets in IW.
+C     TSMERG - merge the sorted runs in places LO+1 ... MID and MID+1
+C     ... HI of FROM into places LO+1 ... HI of TO; of equal points
+C     those of the first run come first.  FROM and TO are offsets in IW.
       SUBROUTINE TSMERG(P, IW, LO, MID, HI, FROM, TO)
       INTEGER IW(*), LO, MID, HI, FROM, TO
       DOUBLE PRECISION P(3,*)
@@ -5902,8 +5905,8 @@ C     the first run come first.  FROM and TO are offsets in IW.
       END
 
 C     TSSORP - sort the points by their coordinates, equal ones by
-C     index: merging runs of 1, 2, 4, ... to and fro between the halves
-C     of IW.  The order begins behind IW(AT); AT is 0 or N.
+C     index: merge runs of 1, 2, 4, ... back and forth between the
+C     halves of IW.  The order begins behind IW(AT); AT is 0 or N.
       SUBROUTINE TSSORP(N, P, IW, AT)
       INTEGER N, IW(*), AT
       DOUBLE PRECISION P(3,*)
@@ -5954,10 +5957,10 @@ C     begin behind IW(MARK).
    10 CONTINUE
       END
 
-C     TSCHKP - that all points are in one plane: of point 1, the first
-C     corner F(1), F(2), a point that differs from it, and F(3), the
-C     first one off their line.  Points before F(3) are in it, so one
-C     pass is enough.
+C     TSCHKP - check that all points are in one plane: that of point 1,
+C     the first corner F(1), of F(2), a point that differs from it, and
+C     of F(3), the first point off their line.  Points before F(3) are
+C     in it, so one pass is enough.
       SUBROUTINE TSCHKP(N, P, BAD, INFO)
       INTEGER N, BAD, INFO
       DOUBLE PRECISION P(3,*)
@@ -6006,9 +6009,9 @@ C     none a duplicate of one of lower index, and mark them as used.
       INFO = 0
       END
 
-C     TSCHKF - that each facet of tetrahedron T is on the boundary or
-C     matched, and the neighbour's apex not inside the ball of T: also a
-C     symmetric relation, so one side tests it.
+C     TSCHKF - check that each facet of tetrahedron T is on the boundary
+C     or matched, and that the neighbour's apex is not inside the ball
+C     of T: this relation is symmetric, too, so one side tests it.
       SUBROUTINE TSCHKF(P, NTET, TET, ADJ, T, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
@@ -6066,17 +6069,16 @@ C     no open facet: 0 or the fault.
       IF (S .EQ. UNSURE) TSCHKT = RANGE
       END
 
-C     TSCHKE - F, facet K of tetrahedron T, is on the boundary.  Turn
-C     about its edge opposite to vertex C, through the tetrahedra, to
-C     the other boundary facet there, and test that its apex is not
-C     outside of the first.
+C     TSCHKE - from F, facet K of tetrahedron T, which is on the
+C     boundary, turn about its edge opposite to vertex C, through the
+C     tetrahedra, to the other boundary facet there, and check that its
+C     apex is not outside of the first.
 C
-C     Facets are known to be matched in pairs, so a step takes
+C     Facets are known to be matched in pairs, so a step maps
 C     (tetrahedron, facet in, facet out) one-to-one to the next such
-C     triple; the first triple is reached by no step, so none comes
-C     twice and the turn ends.  For the same reason all turns together
-C     take at most 6 NTET steps: each edge of each tetrahedron is passed
-C     once.
+C     triple; no step leads to the first triple, so none comes twice and
+C     the turn ends.  For the same reason all turns together take at
+C     most 6 NTET steps: each edge of each tetrahedron is passed once.
       SUBROUTINE TSCHKE(P, TET, ADJ, T, K, F, C, INFO)
       INTEGER TET(4,*), ADJ(4,*), T, K, F(3), C, INFO
       DOUBLE PRECISION P(3,*)
@@ -6100,10 +6102,10 @@ C     once.
       IF (S .EQ. UNSURE) INFO = RANGE
       END
 
-C     TSCHKH - the boundary facets of tetrahedron T: O is inside of
-C     each, and each is convex with its neighbours.  Of the two facets
-C     at an edge, which run along it in opposite directions, one tests
-C     it.
+C     TSCHKH - check the boundary facets of tetrahedron T: O is inside
+C     of each, and each is convex with its neighbours.  The two facets
+C     at an edge run along it in opposite directions, so that one of
+C     them tests it.
       SUBROUTINE TSCHKH(P, TET, ADJ, T, INFO)
       INTEGER TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
@@ -6207,12 +6209,12 @@ C        that hold it.  By 1 and 2 it is the number of times that the
 C        boundary, oriented outwards, winds about X: the sum of that
 C        number over the surfaces of all tetrahedra, in which matched
 C        facets cancel.  The turns of 5 pair the edges of boundary
-C        facets, which so form a closed surface S; two that are adjacent
-C        run along their edge in opposite directions.
+C        facets, which thus form a closed surface S; two that are
+C        adjacent run along their edge in opposite directions.
 C     b. By 4, projection from O takes the facets of S to triangles on
 C        the sphere of directions, all of one orientation, adjacent ones
-C        on opposite sides of their edge.  So S covers the sphere, with
-C        branching at vertices at most, and the number of sheets is the
+C        on opposite sides of their edge.  So S covers the sphere,
+C        branching at most at vertices, and the number of sheets is the
 C        winding number about O: m(O), which is 1 by 6.  One sheet
 C        cannot branch: each ray from O meets S once.  S bounds a body
 C        K, star-shaped about O; m is 1 in K, 0 outside.
@@ -6221,18 +6223,18 @@ C        polygon which is star-shaped about O and has by 5 no angle
 C        above pi: convex.  Such planes are dense, so K is convex.
 C     d. So the tetrahedra fill K once, facet matched to facet: any two
 C        meet in a common face or not at all.  A triangulation of a
-C        convex body that has 3 is Delaunay (Delaunay's lemma).  By 7 it
-C        is one of all points, and K is their hull.
+C        convex body that satisfies 3 is Delaunay (Delaunay's lemma).
+C        By 7 it is one of all points, and K is their hull.
 C
 C     Conversely a Delaunay tetrahedralization passes: O is inside its
 C     hull.
 C
-C     No test is idle.  For 4: two tetrahedra apart; or the tetrahedra
-C     on an axis and the edges of a star of five points about it, O in
-C     a tip of the star.  For 6: join the 20 triangles of the great
-C     icosahedron to its centre.  These tetrahedra pass all other tests,
-C     and V - E + F - T = 1, though they cover the centre 7 times.
-C     Euler's relation follows from the seven tests.
+C     No test is redundant.  For 4: two tetrahedra apart; or the
+C     tetrahedra on an axis and the edges of a star of five points about
+C     it, O in a tip of the star.  For 6: join the 20 triangles of the
+C     great icosahedron to its centre.  These tetrahedra pass all other
+C     tests, and V - E + F - T = 1, though they cover the centre 7
+C     times.  Euler's relation follows from the seven tests.
 C
 C     Nothing is relied on before it is tested: indices before points
 C     are read, the matching of all facets before a turn.  INFO is 6
@@ -6306,11 +6308,11 @@ C       INFO (out)  0; -1 for a NaN or infinity in the points, -2 for an
 C                   index that is out of range; 6, with the radius the
 C                   greatest double (see TESS)
 C
-C     By limbs, of a set of the four points alone, scaled to at most 1.
-C     With LENGTH the sum of what is rounded, the centre errs by 8 eps
-C     of its length (see HHCENT), and that, the radius' own error of 12
-C     eps, and the roundings of the sum, 1 eps of it, count in the
-C     radius: less than 32 eps LENGTH.
+C     Computed by limbs, for a set of the four points alone, scaled to
+C     at most 1.  LENGTH is the sum of what is rounded.  The centre errs
+C     by 8 eps of its length (see HHCENT); the radius must cover that,
+C     its own error of 12 eps, and the roundings of the sum, 1 eps of
+C     it: less than 32 eps LENGTH.
       SUBROUTINE TESSBA(P, V, C, INFO)
       DOUBLE PRECISION P(3,*), C(4)
       INTEGER V(4), INFO
