@@ -229,10 +229,10 @@ extern void tess_prove(int fact);
 #define LEAST 512
 /* A facet with a greater E is set up by limbs. */
 #define THIN 1e-6
-/* The ball of the best point is found by limbs when its L-coordinate is known
- * to less than WIDE of it and the circumradius, and after MANY exact
- * comparisons; not for points in so few units (t5 of hh_set at least PLAIN)
- * that doubles decide these comparisons, which is faster. */
+/* The ball of the best point is found by limbs when the error of its
+ * L-coordinate exceeds WIDE times the coordinate plus the circumradius, and
+ * after MANY exact comparisons; not for points in so few units (t5 of hh_set at
+ * least PLAIN) that doubles decide these comparisons, which is faster. */
 #define WIDE 1e-4
 #define MANY 6
 #define PLAIN 16.0

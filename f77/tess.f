@@ -320,10 +320,11 @@ C       ENTRY, EDGE  integers in an entry of the pool, and in an edge
 C       LEAST   minimum for pool and edges
 C       THIN    a facet with a greater E is set up by limbs
 C       WIDE, MANY, PLAIN  the ball of the best point is found by limbs
-C               when its L-coordinate is known to less than WIDE of it
-C               and the circumradius, and after MANY exact comparisons;
-C               not for points in so few units (T5 at least PLAIN) that
-C               doubles decide these comparisons, which is faster
+C               when the error of its L-coordinate exceeds WIDE times
+C               the coordinate plus the circumradius, and after MANY
+C               exact comparisons; not for points in so few units (T5 at
+C               least PLAIN) that doubles decide these comparisons,
+C               which is faster
 C       MUCH    pool recommended beyond 4 N in any case, up to 8 N
 C       INTMAX  the largest integer
 C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
@@ -4778,9 +4779,9 @@ C                      exceed the largest integer.  The lengths are then
 C                      0
 C
 C     The pool of open facets that LIW includes suffices for all inputs
-C     but those whose number of tetrahedra is quadratic in N and, beyond
-C     28,000 points, some where one vertex is in almost all tetrahedra
-C     (a plane grid and one point).
+C     except those whose number of tetrahedra is quadratic in N and,
+C     beyond 28,000 points, some where one vertex is in almost all
+C     tetrahedra (a plane grid and one point).
       SUBROUTINE TESSWK(N, MAXTET, LIW, LRW, INFO)
       INTEGER N, MAXTET, LIW, LRW, INFO
       INTEGER INTMAX
@@ -5537,13 +5538,13 @@ C     sweep: NTET.
 C     TESSVA - linear interpolation at many points.
 C
 C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
-C       NV    (in)      values a point, >= 0
+C       NV    (in)      values per point, >= 0
 C       VALUE (in)      VALUE(NV,*): VALUE(J,I) is value J of point I
 C       NQ    (in)      number of queries, >= 0
 C       Q     (in)      Q(3,NQ): their coordinates
 C       T     (in,out)  T(NQ): On entry the tetrahedra where the walks
 C                       start, as in TESSLO; for 0 a walk starts from
-C                       the answer before, if that is near.  On return
+C                       the previous answer, if that is near.  On return
 C                       the tetrahedra found: passed in again for other
 C                       values at the same places, they save the search
 C       OUT   (out)     OUT(NV,NQ): OUT(J,I) is value J at query I
@@ -5566,7 +5567,7 @@ C
 C     Where there is no start, a walk starts from the last answer: it is
 C     the nearest if the queries are in order, and if not, TESSLO
 C     notices.
-C     Cost: that of TESSLO: a few steps a query if successive queries
+C     Cost: that of TESSLO: a few steps per query if successive queries
 C     are close to each other.
       SUBROUTINE TESSVA(P, NTET, TET, ADJ, NV, VALUE, NQ, Q, T, OUT,
      $                  INFO)
@@ -5678,13 +5679,13 @@ C     no entry is DONE.
       OK = 1
       END
 
-C     TESSQU - the mesh's tetrahedron that holds a point, without the
+C     TESSQU - the tetrahedron of a mesh that holds a point, without the
 C     mesh.
 C
 C       N, P, IW, RW  (in)  points and their index.  Threads may share
 C                      them
 C       Q    (in)      the point: 3 coordinates
-C       V    (in,out)  4 points.  On entry a former answer, where the
+C       V    (in,out)  4 points.  On entry an earlier answer, where the
 C                      walk starts, or V(1) = 0 for anywhere.  On return
 C                      the vertices of the tetrahedron, positively
 C                      oriented
