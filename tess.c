@@ -878,9 +878,9 @@ static tess_int tablesize(tess_int n)
     return 9 * cuberoot(n) * cuberoot(n) + 16;
 }
 
-/* quota - returns how many entries the table may have beside so many more
- * edges: what its facets need with an eighth unused, and half of the remaining
- * free space. */
+/* quota - returns how many entries the table may have with room for so many
+ * more edges: what its facets need with an eighth unused, and half of the
+ * remaining free space. */
 static tess_int quota(const mesh *m, tess_int edges)
 {
     tess_int most = (m->newest - EDGE * edges) / ENTRY;
@@ -2701,8 +2701,8 @@ static void flush(mesh *m)
 }
 
 /* grow - store the tetrahedron of s, edge e = a -> b and the apex c.  The
- * edges a -> c and c -> b replace e in the link, unless their other sides are
- * there: these are then removed. */
+ * edges a -> c and c -> b replace e in the link; if the other side of one is
+ * there, that is removed instead. */
 static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
 {
     tess_int *p = m->pool + e, a = p[FROM], b = p[TO], prev = p[PREV];
@@ -2960,7 +2960,8 @@ static const tess_real *coords(const tess_real *p, tess_int i)
     return p + 3 * i;
 }
 
-/* four - the vertices of tetrahedron t, of tet, or its neighbours, of adj. */
+/* four - returns the vertices of tetrahedron t if a is tet, or its neighbours
+ * if a is adj. */
 static const tess_int *four(const tess_int *a, tess_int t)
 {
     return a + 4 * t;
@@ -3221,7 +3222,7 @@ static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
     return hh_holds(header[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
 }
 
-/* intact - check in one pass that the caller's arrays may be an unfinished
+/* intact - check in one pass that the caller's arrays can be an unfinished
  * result: the vertices of each tetrahedron are no duplicates, and it is
  * positively oriented; each facet is on the hull, open, or matched with its
  * neighbour's, and the neighbour's apex is not inside the ball.  Returns 0, -5
@@ -3497,7 +3498,7 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
 }
 
 /* =====================================================================
- * What follows needs no mesh under construction, but results alone.
+ * What follows needs no mesh under construction, only results.
  * ===================================================================== */
 
 /* ---- common to the queries ----

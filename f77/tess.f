@@ -1023,9 +1023,9 @@ C     what uniform points need, as a small table stays in the cache.
       TSTABL = 9*TSCUBE(N)**2 + 16
       END
 
-C     TSQUOT - how many entries the table may have beside EDGES more
-C     edges: what its facets need with an eighth unused, and half of the
-C     remaining free space.
+C     TSQUOT - how many entries the table may have with room for EDGES
+C     more edges: what its facets need with an eighth unused, and half
+C     of the remaining free space.
       INTEGER FUNCTION TSQUOT(CTL, EDGES)
       INTEGER CTL(*), EDGES
       INTEGER NOPEN, NEWEST, ENTRY, EDGE
@@ -3671,8 +3671,8 @@ C     their memory accesses.
       END
 
 C     TSGROW - store the tetrahedron of S, edge E = A -> B and the apex
-C     C. The edges A -> C and C -> B replace E in the link, unless their
-C     other sides are there: these are then removed.
+C     C.  The edges A -> C and C -> B replace E in the link; if the
+C     other side of one is there, that is removed instead.
       SUBROUTINE TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
       INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
       INTEGER TSBETW
@@ -4406,7 +4406,7 @@ C     points without a mesh, or -8 where there is no index.
       IF (HHHOLD(ALL, P) .EQ. 0) INFO = RANGE
       END
 
-C     TSINTA - check in one pass that the caller's arrays may be an
+C     TSINTA - check in one pass that the caller's arrays can be an
 C     unfinished result: the vertices of each tetrahedron are no
 C     duplicates, and it is positively oriented; each facet is on the
 C     hull, open, or matched with its neighbour's, and the neighbour's
@@ -5011,7 +5011,7 @@ C     TESSRE joins them.
       IF (INFO .LT. -1) INFO = INFO - 1
       END
 C     ==================================================================
-C     What follows needs no mesh under construction, but results alone.
+C     What follows needs no mesh under construction, only results.
 C     ==================================================================
 
 C     ------------------------------------------------------------------
