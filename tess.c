@@ -1,29 +1,30 @@
 /* tess.c - Delaunay tetrahedralization of points in space; see tess.h.
  *
- * The algorithm (Section 2 of the paper): a pool of open facets, each the
- * facet of one known tetrahedron; take one, find the apex of the unknown
- * tetrahedron on its other side, store it, put its new facets into the pool,
- * take out those that were there; no tetrahedron is ever deleted.
+ * The algorithm (Section 2 of the paper): keep a pool of open facets, each the
+ * facet of one known tetrahedron.  Take one, find the apex of the unknown
+ * tetrahedron on its other side, store that tetrahedron, and put its new facets
+ * into the pool, or take out those that are already there.  No tetrahedron is
+ * ever deleted.
  *
  * Order of the work.  Points are sorted (kd order); a point's place in that
  * order is its position, and positions stand for points in all internal
  * arrays.  Facets are taken star by star: all open facets at one vertex, then
  * those of the next one.  A vertex whose star is complete can never again be
  * an apex, so it leaves all lists, and the pool stays small.  The order is a
- * function of the points, tet and adj alone, so that an unfinished result is
- * its own state:
+ * function of the points, tet and adj alone, so an unfinished result needs no
+ * other state:
  *   star   s = the first vertex of the last tetrahedron, if it has an open
  *          facet; else the vertex of least position that has one
- *   facet  of the open facets at s the one of the earliest tetrahedron, and
- *          in it of greatest k
+ *   facet  the open facet at s of the earliest tetrahedron, and of those of
+ *          that tetrahedron the one of greatest k
  *
- * Decisions.  All that decides what tet and adj hold is exact: comparisons
- * of the caller's coordinates, or predicates of hhpred.  Floating point here
+ * Decisions.  Every decision that affects tet or adj is exact: a comparison of
+ * the caller's coordinates, or a predicate of hhpred.  Floating point only
  * chooses where to look, with margins that cover its rounding.
  *
  * The arrays (n points, np of them distinct, L leaves of the tree).  When a
- * call returns, tet has indices of points again, rep is kept, and of an index
- * all but head, link and pool; the rest is of no use.
+ * call returns, tet holds indices of points again and rep is kept, and so is an
+ * index but for head, link and pool; the rest is scratch.
  *   tet   positions          adj   as the caller sees it
  *   iw    rep    n           index -> the point of least index that coincides;
  *                            in an index -> position
@@ -58,20 +59,20 @@
  *         |     +-------+         |  the ball about s
  *         +-----------------------+
  *
- * The table begins with tablesize entries.  makeroom has it doubled when three
- * quarters are in use, and cut to its quota when it meets the edges.  It is
- * never more than 7/8 full, so find always meets an unused entry.  push leaves
- * the table alone; makeroom sees to room for two edges.  If room is still
- * short, the code is TESS_POOL.
+ * The table starts with tablesize entries.  makeroom doubles it when three
+ * quarters are in use, and cuts it to its quota when it meets the edges.  It is
+ * never more than 7/8 full, so find always meets an unused entry.  push does
+ * not resize the table; makeroom ensures room for two edges.  If room still
+ * falls short, the code is TESS_POOL.
  *
- * An open facet is in one place at a time: in the link, if it contains s, the
- * vertex of the star; else in the table, or nowhere yet, if its tetrahedron is
- * not below fresh (until flush); nowhere at all if no star of its vertices is
- * asked for.  erase and rehash renumber entries, and update head and the
- * owners' lists only; renumber moves edges, and updates link and the edges
- * only: after makeroom, callers must reload oldest.
+ * An open facet is in one place at a time: in the link if it contains s, the
+ * vertex of the star; otherwise in the table, or, if its tetrahedron is not
+ * below fresh, nowhere until flush; nowhere at all if the star of none of its
+ * vertices is asked for.  erase and rehash renumber entries, and update head
+ * and the owners' lists only; renumber moves edges, and updates link and the
+ * edges only: after makeroom, callers must reload oldest.
  *
- * What rests on the tie rule (hhpred): that a facet's apex is one point for
+ * What depends on the tie rule (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; firstfacet, on a hull face of more
  * than three points; in hh_pbeat, that both candidates are on the positive
  * side; in walk, that heights are lifted; intact.
@@ -111,7 +112,7 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Counts for the benchmark: what happens how often, in a build of its own. */
+/* Counts of events for the benchmark, in a build of its own. */
 #ifdef TESS_COUNT
 extern double tess_count[];
 #define COUNT(which, n) (tess_count[which] += (double)(n))
@@ -131,13 +132,13 @@ extern double tess_count[];
 #define N_LIST 7   /* points of lists and leaves tested     */
 #define N_POOL 8   /* largest number of facets in the pool  */
 #define N_HULL 9   /* searches that found nothing           */
-#define N_PROBE 10 /* entries looked at to find or put in   */
+#define N_PROBE 10 /* entries probed to find or insert      */
 #define N_SIDE 11  /* sides left to the exact predicates    */
 #define N_BALL 12  /* balls found by limbs                  */
 #define N_TRIAL 13 /* comparisons tried by a few limbs      */
 #define N_LEAF 14  /* leaves whose points were tested       */
 
-/* In a build of its own a test hears of every certificate whether it holds. */
+/* In a build of its own, a test is told whether each certificate holds. */
 #ifdef TESS_PROVE
 extern void tess_prove(int fact);
 #define HOLDS(fact) tess_prove(fact)
@@ -146,24 +147,25 @@ extern void tess_prove(int fact);
 #endif
 
 #define NONE (-1)
-#define UNSURE 2  /* what hh_orient and hh_insphere answer out of range */
-#define LOST 99   /* what walk answers when it has none */
+#define UNSURE 2  /* returned by hh_orient and hh_insphere out of range */
+#define LOST 99   /* returned by walk when it finds no answer */
 #define DONE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
 #define FOREIGN (-2) /* in head: the star is not asked for */
 
-/* Points in a leaf of the tree, at most; a block of the lists is a leaf. */
+/* Maximum number of points in a leaf of the tree; a block of the lists is a
+ * leaf. */
 #define LEAF 48
-/* Points in the groups that the points of a leaf are sorted into. */
+/* Size of the groups that the points of a leaf are sorted into. */
 #define GROUP 8
-/* A block's list reaches BLOCKREACH times the side of a cube with one point of
- * the leaf beyond its box; a star's reaches STARREACH times as far from its
- * vertex.  For uniform points they hold about 240 and 20 points, and 80 to 88 %
- * of the searches end in the star's list, most others in the block's.  Without
- * a star's list they take a quarter longer.  Margins that adapt from list to
- * list take lattices a tenth longer and surveys 3 % less.  A block whose last
- * MAXFUTILE searches all ended in the tree makes no more stars' lists: near
- * surfaces these cost 3 to 9 %. */
+/* A block's list extends beyond the leaf's box by BLOCKREACH times the side of
+ * a cube that holds one point of the leaf; a star's list extends STARREACH
+ * times as far from its vertex.  For uniform points they hold about 240 and 20
+ * points, and 80 to 88 % of the searches end in the star's list, most others in
+ * the block's.  Without a star's list they take a quarter longer.  With margins
+ * that adapt from list to list, lattices take a tenth longer and surveys 3 %
+ * less.  A block whose last MAXFUTILE searches all ended in the tree makes no
+ * more stars' lists: near surfaces they would cost 3 to 9 %. */
 #define BLOCKREACH 2.6
 #define STARREACH 0.85
 #define MAXFUTILE 8
@@ -174,23 +176,25 @@ extern void tess_prove(int fact);
 #if TESS_LIST < LEAF || TESS_LIST > 4096 || TESS_LIST % 4 != 0
 #error TESS_LIST is not a multiple of 4 from 48 (LEAF) to 4096
 #endif
-/* A node is cut across the widest extent of about so many of its points: of all
- * a million take 3 % longer. */
+/* A node is cut across the widest extent of about so many of its points; with
+ * all of them a million points take 3 % longer. */
 #define SAMPLE 64
-/* Depth of the tree plus one, at most. */
+/* Bound on the depth of the tree plus one. */
 #define DEPTH 96
-/* Supports, at most.  One is sought when a search has more than OPENED points
- * in its sample and these add up to BURDEN times all points; each time in vain
- * doubles that.  One with grains FINER times smaller takes another's points. */
+/* Maximum number of supports.  One is sought when a search has more than OPENED
+ * points in its sample and these add up to BURDEN times all points; each
+ * failure doubles that.  A support with grains FINER times smaller takes over
+ * another's points. */
 #define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST < 512 ? TESS_LIST / 64 : 8)
 #define OPENED 24
 #define BURDEN 1.0
 #define FINER 100.0
-/* Of fewer points none is sought; places of the sample (few, for the stack,
- * where none is sought at all: see SEEK). */
+/* ENOUGH: with fewer points no support is sought.  SOME: places of the sample
+ * (few, to save stack, where none is ever sought: see SEEK). */
 #define ENOUGH 500
 #define SOME (TESS_LIST < 128 ? 4 : 32)
-/* Marks of heights over a support: a double holds them and their roundings. */
+/* Number of marks for heights over a support: a double holds them and their
+ * roundings. */
 #define GRAINS                                                         \
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
@@ -198,66 +202,68 @@ extern void tess_prove(int fact);
 #define SEEK(m) (TESS_LIST >= 128 && (m)->patience > 0.0)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
 #define LEANING(f) (TESS_LIST >= 128 && (f)->near != NONE)
-/* Cylinders are made when the points of leaves that were tested are SCANS times
- * the points; not if less than half of the leaves' are below SLENDER of their
+/* Cylinders are made once the points tested in leaves number SCANS times all
+ * points, but not if fewer than half of the leaves' are below SLENDER of their
  * boxes. */
 #define SCANS 100.0
 #define SLENDER 0.7
 #define ENCLOSED(m) (TESS_LIST >= 128 && (m)->round == 2)
-/* Points of a cell, at most, and cells; a large ball has more than LARGE. */
+/* Maximum number of points of a cell, and of cells; a large ball has more than
+ * LARGE ties. */
 #define CELL 12
 #define CELLS 4
 #define LARGE 24
-/* Hull planes that are remembered. */
+/* Number of hull planes remembered. */
 #define PLANES 4
-/* Steps from a given start before a location looks for a better one: with 8,
- * queries in order among 100,000 points take a quarter longer than with 16;
- * with 32, those in no order 1.4 times as long as with 8. */
+/* Steps from a given start after which a location looks for a better one.  With
+ * 8, ordered queries among 100,000 points take a quarter longer than with 16;
+ * with 32, unordered ones take 1.4 times as long as with 8. */
 #define ASTRAY 12
-/* Integers of an entry of the pool, and of an edge of the link. */
+/* Integers in an entry of the pool, and in an edge of the link. */
 #define ENTRY 4
 #define EDGE 6
-/* What an index keeps of iw besides places, order and tree, and an integer to
- * spare for Fortran's MARK; pool and edges, at least, and that. */
+/* KEEP: what an index keeps in iw besides places, order and tree, and an
+ * integer to spare for Fortran's MARK.  LEAST: that, and the minimum for pool
+ * and edges. */
 #define KEEP 5
 #define LEAST 512
 /* A facet with a greater E is set up by limbs. */
 #define THIN 1e-6
-/* The ball of the best point is found by limbs when its L-coordinate is known
- * to less than WIDE of it and the circumradius, and after MANY exact
- * comparisons; not of points in so few units (t5 of hh_set at least PLAIN) that
- * doubles decide these, which takes less time. */
+/* The ball of the best point is found by limbs when the error of its
+ * L-coordinate exceeds WIDE times the coordinate plus the circumradius, and
+ * after MANY exact comparisons; not for points in so few units (t5 of hh_set at
+ * least PLAIN) that doubles decide these comparisons, which is faster. */
 #define WIDE 1e-4
 #define MANY 6
 #define PLAIN 16.0
-/* Pool that is recommended beyond 4 n in any case, up to 8 n. */
+/* Pool recommended beyond 4 n in any case, up to 8 n. */
 #define MUCH 225000L
 
 /* Constants that correctness rests on.  EPS bounds the relative error of an
  * operation in every rounding mode, and of a sum of three in any order by
  * 2 EPS; FEPS the same in single precision.
  *
- * FAINT: what underflow does to the power |w|^2 - 2 c.w of a point, or to its
- * side.  A coordinate that underflowed when it was scaled is wrong by DBL_MIN,
- * and so may be each product; |w| < 4, and |c| is at most 2 MUCHL: narrow gives
- * no ball for an L-coordinate beyond MUCHL (nor may anything overflow there),
- * a circumradius is below 0.02/EPS by hh_setup, and hh_thin's and hh_centre's
- * are below MUCHL.
+ * FAINT: the effect of underflow on the power |w|^2 - 2 c.w of a point, or on
+ * its side.  A coordinate that underflowed when it was scaled is wrong by
+ * DBL_MIN, and so may be each product; |w| < 4, and |c| is at most 2 MUCHL:
+ * narrow gives no ball for an L-coordinate beyond MUCHL (nor may anything
+ * overflow there), a circumradius is below 0.02/EPS by hh_setup, and hh_thin's
+ * and hh_centre's are below MUCHL.
  *
  * NARROW: a box narrower than this has no list.  A list's coordinates are then
  * right to far less than FEPS, and a star's margin is above HH_SMALL, so that
  * no product in ballinstar underflows.
  *
  * FINEST: a star whose margin is less, in its block's units, has no list: the
- * block does not tell such points apart.  SLACK: in them, a distance is
- * wrong by less: 2 FEPS for each of two coordinates of at most 2 rounded
- * twice, times sqrt(3), and as much for the square, its bound and the root;
- * below 24 FEPS.  What is within margin + SLACK by this reckoning is within
+ * block cannot tell such points apart.  SLACK: in these units a distance is
+ * wrong by less than this: 2 FEPS for each of two coordinates of at most 2
+ * rounded twice, times sqrt(3), and as much for the square, its bound and the
+ * root; below 24 FEPS.  What is computed to be within margin + SLACK is within
  * 1.1 margin, as SLACK is 0.04 FINEST.
  *
- * FAR: where a list keeps what has left it.  No such point passes a filter:
- * its r is at least FAR^2 = 1e20, and ballcoef's limits leave |d.x| < 2e19,
- * d[3] < 3e19 (as dc < 3 |c|).
+ * FAR: where a list puts points that have left it.  No such point passes a
+ * filter: its r is at least FAR^2 = 1e20, and ballcoef's limits leave |d.x| <
+ * 2e19, d[3] < 3e19 (as dc < 3 |c|).
  *
  * PAD: relative room for the few roundings of a bound. */
 #define EPS DBL_EPSILON
@@ -284,7 +290,7 @@ typedef struct list {
     int n;
     double margin, centre[3], unit;
     double lo[3], hi[3];  /* a block's box */
-    double most[3];       /* bound of the coordinates in the list */
+    double most[3];       /* bound on the coordinates in the list */
     float x[TESS_LIST], y[TESS_LIST], z[TESS_LIST], r[TESS_LIST];
     tess_int id[TESS_LIST + LEAF];
 } list;
@@ -350,42 +356,45 @@ typedef struct mesh {
     tess_int maxtet, ntet;
     tess_int *tet, *adj;
     double reach;             /* a block's margin, in its leaf's diagonals */
-    tess_int leaves;          /* a power of two; node i has the children */
-    tess_int *alive;          /* 2i, 2i+1, leaf j is node leaves + j.  Leaf: */
-    double *box;              /* uncompleted points; else: children alive */
+    tess_int leaves;          /* a power of two; leaf j is node leaves + j, */
+                              /* node i has the children 2i and 2i+1 */
+    tess_int *alive;          /* leaf: uncompleted points; other nodes: */
+                              /* children alive */
+    double *box;              /* of each node */
     tess_int *rep;
-    tess_int *known;          /* a tetrahedron, or [0]: minus a code */
-    tess_int *head;           /* first of the pool's facets that a vertex  */
-    tess_int *link;           /* owns; first open edge of the link from it */
+    tess_int *known;          /* a tetrahedron; or known[0] is minus a code */
+    tess_int *head;           /* first facet in the pool that a vertex owns */
+    tess_int *link;           /* first open edge of the link from a vertex */
     tess_int *pool, room;     /* pool and edges, and their length */
     tess_int m, nopen;        /* entries of the pool, and those in use */
-    tess_int fresh;           /* from it on, facets 0 are not in the pool */
+    tess_int fresh;           /* from this tetrahedron on, facets 0 are not */
+                              /* in the pool */
     tess_int oldest, newest;  /* edges of the link, the newest the lowest */
     tess_int low;             /* no vertex of a smaller position owns facets */
-    tess_int unmet;           /* nor is one before this NEW and asked for */
+    tess_int unmet;           /* no vertex before it is NEW and asked for */
     tess_int plane[PLANES][3];
     int nplane, nextplane;
     list block, around;       /* lists of a leaf, and of a star in it */
-    int futile;               /* the leaf's last searches that all ended in */
-                              /* the tree */
-    int ties;                 /* the last search in a star's list met points */
-                              /* in the ball, the best of them 0: inside, 1: */
-                              /* about on it, 2: on it, exactly */
-    cell cells[CELLS];        /* those met in this star, the last ones of */
-    int ncell;                /* so many */
-    tess_int large[4], first; /* on the large ball, and its first, or NONE; */
-    double least;             /* coordinate of absolute value above 0, if any */
+    int futile;               /* the leaf's latest searches in a row that */
+                              /* ended in the tree */
+    int ties;                 /* of the last search in a star's list that met */
+                              /* points in the ball, the best of them was 0: */
+                              /* inside, 1: about on it, 2: exactly on it */
+    cell cells[CELLS];        /* the last ones met in this star */
+    int ncell;                /* how many were met */
+    tess_int large[4], first; /* points on the large ball; its first, or NONE */
+    double least;             /* least absolute value above 0 of a coordinate */
     support supports[SUPPORTS];
     int nsupport;             /* how many there are */
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
     double burden, patience;  /* comparisons left open, over all points, and */
-                              /* how many may be; 0: no more is sought */
+                              /* their limit; 0: no more supports are sought */
     int round;                /* cylinders: 0 none, 1 may be made, 2 are made */
     double scanned;           /* points of leaves tested */
 } mesh;
 
-/* Lengths for n points: the least ones of iw and rw, and what is recommended
- * besides: in iw pool, and marks for supports; in rw cylinders. */
+/* Lengths for n points: the minimum of iw and rw, and what is recommended
+ * beyond it: in iw pool, and marks for supports; in rw cylinders. */
 typedef struct sizes {
     tess_int iw, rw, pool, marks, cylinders;
 } sizes;
@@ -454,8 +463,8 @@ static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
         i = pivot(m, lo, hi, mid, axis, &chance);
         for (j = 0; j < 3; j++) q[j] = m->x[3 * i + j];
         number = m->order[i];
-        /* no branch that depends on the points but for ties: half of them
-         * would be guessed wrong, which takes longer than a swap */
+        /* no branch on the points except for ties: half of them would be
+         * mispredicted, which takes longer than a swap */
         for (i = j = lo; j < hi; j++) {
             less = m->x[3 * j + axis] < q[axis];
             if (m->x[3 * j + axis] == q[axis])
@@ -469,7 +478,7 @@ static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
         else if (i > lo)
             lo = i;
         else {
-            /* the pivot is the first of all: put it there */
+            /* the pivot precedes all others: move it to the front */
             for (j = lo; m->order[j] != number; j++)
                 ;
             swap(m, lo, j);
@@ -619,7 +628,8 @@ static const tess_real *point(const mesh *m, tess_int i)
     return m->set.p + 3 * m->order[i];
 }
 
-/* preced - 1 when point a comes strictly before point b: by x, then y, z. */
+/* preced - returns 1 if point a comes strictly before point b: by x, then y,
+ * z. */
 static int preced(const tess_real *a, const tess_real *b)
 {
     int k = 0;
@@ -647,12 +657,12 @@ static int edgeby(const mesh *m, tess_int a, tess_int i, tess_int j)
     return side != 0 ? side < 0 : preced(p, q);
 }
 
-/* firstfacet - the first facet v, in the hull, all points on its positive side,
- * v[0] the least position.
- * On a hull face of more than three points it is, by the rule of ties, the
- * triangle on the edge v[0] v[1] of the face: of two points a, b of the face
- * b is better iff I(v0, v1, a, w, b) o3(v0, v1, a, w) > 0 for any w off the
- * face.  Returns 0 or the code of points without a tetrahedron. */
+/* firstfacet - find the first facet v: on the hull, with all points on its
+ * positive side, and v[0] of least position.  On a hull face of more than three
+ * points it is the triangle on the edge v[0] v[1] of the face that the rule of
+ * ties selects: of two points a, b of the face, b is better iff I(v0, v1, a, w,
+ * b) o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0 or the code of
+ * points without a tetrahedron. */
 static int firstfacet(const mesh *m, tess_int *v)
 {
     const tess_real *p, *q;
@@ -714,7 +724,7 @@ static void outfac(const tess_int *v, int k, tess_int *f)
     f[2] = v[out[k][2]];
 }
 
-/* facet - the vertices of facet code, positive towards its outside. */
+/* facet - v = the vertices of facet code, positive towards its outside. */
 static void facet(const mesh *m, tess_int code, tess_int *v)
 {
     outfac(m->tet + (code - code % 4), (int)(code % 4), v);
@@ -827,8 +837,8 @@ static void erase(mesh *m, tess_int e, tess_int least)
     m->pool[ENTRY * hole] = NONE;
 }
 
-/* enter - enter the open facet of a code into the pool, unless its other side
- * is there: returns the code of that, which leaves the pool, or NONE. */
+/* enter - enter the open facet of a code into the pool and return NONE; if its
+ * other side is there, remove that and return its code. */
 static tess_int enter(mesh *m, tess_int code)
 {
     tess_int v[3], e, sig, least, other;
@@ -861,16 +871,16 @@ static tess_int cuberoot(tess_int n)
     return c;
 }
 
-/* tablesize - entries of the pool to begin with: a little more than what
- * uniform points need, as a small table stays in the cache. */
+/* tablesize - returns how many entries the pool starts with: a little more than
+ * what uniform points need, as a small table stays in the cache. */
 static tess_int tablesize(tess_int n)
 {
     return 9 * cuberoot(n) * cuberoot(n) + 16;
 }
 
-/* quota - returns how many entries the table may have beside so many more
- * edges: what its facets need with an eighth unused, and half of what is free
- * besides. */
+/* quota - returns how many entries the table may have with room for so many
+ * more edges: what its facets need with an eighth unused, and half of the
+ * remaining free space. */
 static tess_int quota(const mesh *m, tess_int edges)
 {
     tess_int most = (m->newest - EDGE * edges) / ENTRY;
@@ -1080,7 +1090,7 @@ static void starlist(mesh *m, tess_int s)
     x = l->x[i];
     y = l->y[i];
     z = l->z[i];
-    /* none nearer than margin is missed */
+    /* no point nearer than margin is missed */
     most = (float)(margin * l->unit) + SLACK;
     most *= most;
     for (i = 0; i < (l->n + 3) / 4 * 4; i++)
@@ -2505,10 +2515,10 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 
 /* ---- a star on its own ---- */
 
-/* exchange - replace v[k] by z if the result is not flat; with r, if it is
- * positively oriented and contains s*.  This is s = v[0] = r[0] moved by an
- * infinitesimal step into the tetrahedron r (as q* in the queries below), so
- * it is on no plane through three points.  Returns 1 if replaced. */
+/* exchange - replace v[k] by z if the result is not flat; given r, only if it
+ * is positively oriented and contains s*.  s* is s = v[0] = r[0] moved by an
+ * infinitesimal step into the tetrahedron r (as q* in the queries below), so it
+ * is on no plane through three points.  Returns 1 if replaced. */
 static int exchange(const mesh *m, const tess_int *r, tess_int *v, int k,
                     tess_int z)
 {
@@ -2526,20 +2536,22 @@ static int exchange(const mesh *m, const tess_int *r, tess_int *v, int k,
     return side > 0;
 }
 
-/* settle - v = a tetrahedron of the mesh at v[0] = s.
+/* settle - find v, a tetrahedron of the mesh at v[0] = s.
  *
- * Begin with any tetrahedron r at s, of near points as far as these are not
- * in one plane, and s* in it.  While v holds s* and its ball is not empty, each
- * point in the ball is on the inner side of one of the three facets at s, as
- * what is outside of all three is beyond the ball's tangent plane at s; so the
- * apex z of that facet on that side is not v's vertex there.  The five points
- * have two triangulations; v is not in that whose lifted facets are the lower
- * ones, so the one tetrahedron of this that holds s* is one with z for a vertex
- * of v.  The height over s* falls with every such step; three searches without
- * one end it.  First among the points of the leaf alone: from anywhere a query
- * takes three times as long without.
+ * Start with any tetrahedron r at s, made of nearby points as far as these are
+ * not in one plane, and with s* in it.  While v holds s* and its ball is not
+ * empty, each point in the ball is on the inner side of one of the three facets
+ * at s, since whatever is outside all three is beyond the ball's tangent plane
+ * at s.  So the apex z of that facet on that side is not v's vertex there.  The
+ * five points have two triangulations, and v is not part of the one whose
+ * lifted facets are the lower ones; so the tetrahedron of that one that holds
+ * s* is v with z in place of a vertex.  Each such step lowers the height over
+ * s*; three searches in a row without a step end it.  The points of the leaf
+ * alone come first: without that, a query from anywhere takes three times as
+ * long.
  *
- * Vertices may be complete, so that no list has them: by the tree alone. */
+ * Vertices may be complete, and then no list has them: the search uses the tree
+ * alone. */
 static void settle(mesh *m, tess_int s, tess_int *v)
 {
     tess_int leaf = leafof(m, s), first = leafstart(m, leaf), i, z;
@@ -2601,7 +2613,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
 #define START (-2)
 #define DEAD (-3)
 
-/* clearlink - the link has no edges. */
+/* clearlink - empty the link. */
 static void clearlink(mesh *m)
 {
     m->newest = m->room;
@@ -2689,8 +2701,8 @@ static void flush(mesh *m)
 }
 
 /* grow - store the tetrahedron of s, edge e = a -> b and the apex c.  The
- * edges a -> c and c -> b replace e in the link, unless their other sides are
- * there: these are then removed. */
+ * edges a -> c and c -> b replace e in the link; if the other side of one is
+ * there, that is removed instead. */
 static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
 {
     tess_int *p = m->pool + e, a = p[FROM], b = p[TO], prev = p[PREV];
@@ -2948,7 +2960,8 @@ static const tess_real *coords(const tess_real *p, tess_int i)
     return p + 3 * i;
 }
 
-/* four - the vertices of tetrahedron t, of tet, or its neighbours, of adj. */
+/* four - returns the vertices of tetrahedron t if a is tet, or its neighbours
+ * if a is adj. */
 static const tess_int *four(const tess_int *a, tess_int t)
 {
     return a + 4 * t;
@@ -2963,9 +2976,10 @@ static int slot(const tess_int *v, tess_int x)
     return k;
 }
 
-/* mate - the facet of tetrahedron u, of four different vertices, that has those
- * of facet k of t in opposite order, so that, both tetrahedra being positively
- * oriented, their apexes are on opposite sides; 4 when there is none. */
+/* mate - returns the facet of tetrahedron u, of four different vertices, that
+ * has the vertices of facet k of t in opposite order, so that, both tetrahedra
+ * being positively oriented, their apexes are on opposite sides; 4 if there is
+ * none. */
 static int mate(const tess_int *tet, tess_int t, int k, tess_int u)
 {
     const tess_int *v = four(tet, u);
@@ -2993,10 +3007,10 @@ static tess_int leafcount(tess_int n)
 }
 
 /* lengths - the lengths of iw and rw for n points.  Pool: uniform points need 5
- * n^(2/3) facets; a star of all points 2 n, which takes 12 n integers, given up
- * to MUCH.  Supports and cylinders get room for as many points as may need
- * them.  Returns 0 for a bad n: negative, or the least lengths exceed the
- * largest tess_int. */
+ * n^(2/3) facets; a star of all points needs 2 n, which take 12 n integers:
+ * granted up to MUCH.  Supports and cylinders get room for as many points as
+ * can need them.  Returns 0 for a bad n: negative, or so large that a minimum
+ * exceeds the largest tess_int. */
 static int lengths(tess_int n, sizes *w)
 {
     double hub = 8.0 * (double)n < MUCH ? 8.0 * (double)n : MUCH;
@@ -3020,7 +3034,8 @@ static int lengths(tess_int n, sizes *w)
     return 1;
 }
 
-/* layout - what of the workspace of n points an index keeps. */
+/* layout - lay out the part of the workspace of n points that an index
+ * keeps. */
 static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
                    double *rw)
 {
@@ -3097,9 +3112,9 @@ static double units(const mesh *m)
 }
 
 /* scaled - scale the sorted coordinates to an absolute value of at most 1 by a
- * power of two, in two steps as one might overflow, and find whether they are
- * small multiples of one unit.  They are not if one underflows: its multiple
- * is lost.  Returns 0 or TESS_RANGE. */
+ * power of two, in two steps because one might overflow, and find whether they
+ * are small multiples of one unit.  They are not if one underflows: its
+ * multiple is lost.  Returns 0 or TESS_RANGE. */
 static int scaled(mesh *m)
 {
     double most = 0.0, least = DBL_MAX, x, u = 0.0;
@@ -3139,7 +3154,7 @@ static void revive(mesh *m)
                                               leafstart(m, i - m->leaves);
 }
 
-/* sorted - take up n points: sort them, drop the duplicates, build the tree.
+/* sorted - prepare n points: sort them, drop the duplicates, build the tree.
  * Returns 0, TESS_POINT or TESS_RANGE. */
 static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
                   double *rw)
@@ -3157,7 +3172,7 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     for (i = 0; i < n && m->rep[i] == i; i++)
         ;
     if (i < n) {
-        /* the cuts may have parted duplicates: once more without them */
+        /* the cuts may have separated duplicates: sort again without them */
         collect(m, n, p);
         kdsort(m);
     }
@@ -3168,10 +3183,10 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     return 0;
 }
 
-/* seal - make what was sorted an index, which has a mesh if code is 0.  What
- * opened needs besides points and tree: known is the first tetrahedron, or
- * begins with minus the code; np is behind it, and in the header, to know an
- * index by. */
+/* seal - turn the sorted points into an index, which has a mesh if code is 0.
+ * It stores what opened needs besides points and tree: known is the first
+ * tetrahedron, or begins with minus the code; np is behind it, and also in the
+ * header, so that an index can be recognized. */
 static void seal(mesh *m, int code)
 {
     double *header = m->box;
@@ -3186,7 +3201,7 @@ static void seal(mesh *m, int code)
     header[4] = m->least;
 }
 
-/* opened - take up an index, to be read alone.  Returns 0, the code of points
+/* opened - open an index for reading only.  Returns 0, the code of points
  * without a mesh, or -8 where there is no index. */
 static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
                   const double *rw)
@@ -3207,7 +3222,7 @@ static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
     return hh_holds(header[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
 }
 
-/* intact - check in one pass that the caller's arrays may be an unfinished
+/* intact - check in one pass that the caller's arrays can be an unfinished
  * result: the vertices of each tetrahedron are no duplicates, and it is
  * positively oriented; each facet is on the hull, open, or matched with its
  * neighbour's, and the neighbour's apex is not inside the ball.  Returns 0, -5
@@ -3264,10 +3279,9 @@ static int match(const mesh *m, tess_int code, tess_int other)
                                                                            : 0;
 }
 
-/* rejoin - close the facets that are open twice, as in results put one behind
- * the other.  Returns 0, TESS_POOL, or what match finds.  A neighbour found is
- * no more than a note in adj, below TESS_OPEN, until all are known to be
- * right. */
+/* rejoin - close the facets that are open twice, as in concatenated results.
+ * Returns 0, TESS_POOL, or what match finds.  Until all are known to be right,
+ * a neighbour found is only noted in adj, by a value below TESS_OPEN. */
 static int rejoin(mesh *m)
 {
     tess_int i, other, most = m->room / ENTRY;
@@ -3326,8 +3340,8 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
     return rehash(m, *s, (i > size ? i : size) + 1) ? 0 : TESS_POOL;
 }
 
-/* run - tess and tess_resume, or with mine tess_part, of arguments that are
- * right but for p and the indices in tet. */
+/* run - tess and tess_resume, or tess_part if mine is given, for arguments that
+ * are known to be valid except for p and the indices in tet. */
 static int run(tess_int n, const tess_real *p, const tess_int *mine,
                tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
                tess_int liw, tess_int *iw, tess_int lrw, double *rw)
@@ -3351,7 +3365,7 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
         m.room -= w.marks;
         m.mark = m.pool + m.room;
         m.burden = 0.0;
-        /* doubles decide all where points are in few units */
+        /* doubles decide everything if points are in few units */
         if (m.set.t5 < PLAIN) m.patience = BURDEN;
     }
     m.maxtet = maxtet;
@@ -3382,8 +3396,9 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     return code;
 }
 
-/* wrong - the code of a bad argument of tess_resume, or 0; *which is then the
- * point that is not finite, or 0.  p = NULL: points known to be finite. */
+/* wrong - returns the code of a bad argument of tess_resume, or 0; *which is
+ * the point that is not finite, or 0.  p is NULL if the points are known to be
+ * finite. */
 static int wrong(tess_int n, const tess_real *p, tess_int maxtet,
                  tess_int ntet, const tess_int *tet, const tess_int *adj,
                  tess_int liw, tess_int lrw, tess_int *which)
@@ -3483,20 +3498,20 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
 }
 
 /* =====================================================================
- * What follows needs no mesh under construction, but results alone.
+ * What follows needs no mesh under construction, only results.
  * ===================================================================== */
 
 /* ---- common to the queries ----
  *
- * One device does much of the work: in the place of a point q, the point q*,
- * q moved by an infinitesimal step into the interior of tetrahedron 0, of
+ * One device does much of the work: a point q is replaced by q*, which is q
+ * moved by an infinitesimal step into the interior of tetrahedron 0, of
  * vertices v0 ... v3:
  *     q* = q + e (v0 - q) + e^2 (v1 - q) + e^3 (v2 - q) + e^4 (v3 - q)
  * for all small enough e > 0.  The orientation of a facet with a point is
- * an affine function of the point, so the sign for q* is the first that is
- * not 0 of the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0
- * ... v3 are not in one plane: q* is on no facet, and is in the interior of
- * exactly one tetrahedron if it is in the hull of a triangulation. */
+ * an affine function of the point, so the sign for q* is the first nonzero one
+ * of the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0 ... v3
+ * are not in one plane: q* is on no facet, and is in the interior of exactly
+ * one tetrahedron if it is in the hull of a triangulation. */
 
 /* qside - returns 1 if q* is outside the facet f, -1 if it is inside, UNSURE
  * if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.  Takes one
@@ -3532,10 +3547,10 @@ static int inbox(const tess_real *p, const tess_int *v, const tess_real *q)
 
 /* ---- location ---- */
 
-/* closer - returns 1 if a is nearer to q in the maximum norm than what least is
- * the distance of, and makes that the distance of a: least[0] - least[1], left
- * unevaluated so that nothing is rounded; least[0] < least[1] is that of no
- * point. */
+/* closer - returns 1 if a is nearer to q in the maximum norm than the distance
+ * least, and sets least to the distance of a: least[0] - least[1], left
+ * unevaluated so that nothing is rounded.  least[0] < least[1] means that there
+ * is no point yet. */
 static int closer(const tess_real *a, const tess_real *q, double *least)
 {
     double hi = 0.0, lo = 0.0, h, l;
@@ -3556,11 +3571,10 @@ static int closer(const tess_real *a, const tess_real *q, double *least)
     return 1;
 }
 
-/* sample - choose where the walk to q starts: of t, if given, and about
- * ntet^(1/4) equally spaced tetrahedra, the first whose first vertex is
- * nearest to q in the maximum norm.  The comparisons are exact, so the choice
- * is the same everywhere.  Returns TESS_NONE if the arithmetic cannot hold a
- * point. */
+/* sample - choose where the walk to q starts: among t, if given, and about
+ * ntet^(1/4) equally spaced tetrahedra, the first whose first vertex is nearest
+ * to q in the maximum norm.  The comparisons are exact, so the choice is the
+ * same everywhere.  Returns TESS_NONE if the arithmetic cannot hold a point. */
 static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
                        const tess_real *q, tess_int t)
 {
@@ -3578,17 +3592,18 @@ static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
     return best;
 }
 
-/* walk - from *t across facets that q* is beyond, until there is none: then *t
- * holds q* (returns 0); or to a facet of the hull that q is outside of
- * (returns 1).  LOST when only open facets lead on, or after most steps;
- * TESS_RANGE; -4 for a neighbour that is out of range.
+/* walk - walk from *t across facets that q* is beyond.  Returns 0 when there is
+ * none: *t holds q*; 1 at a facet of the hull that q is outside of; LOST when
+ * only open facets lead on, or after most steps; TESS_RANGE when the limbs do
+ * not suffice; -4 for a neighbour that is out of range.
  *
  * In a result of tess the walk meets no tetrahedron twice.  Lift each point x
  * to the height |x|^2, lowered as the tie rule says: the tetrahedra are the
  * lower facets of a convex polytope, and where q* is beyond the facet from t
  * to u, the plane of u is above that of t over q*.  So the height of the
  * current plane over q* grows with every step.  (Among cospherical
- * tetrahedra of another triangulation it may stay, and the walk go round.) */
+ * tetrahedra of another triangulation the height may stay, and the walk may
+ * cycle.) */
 static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int most,
                 tess_int *t)
@@ -3618,7 +3633,8 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
     return LOST;
 }
 
-/* holds - returns 1 if the closed tetrahedron v contains q, else 0; UNSURE. */
+/* holds - returns 1 if the closed tetrahedron v contains q, else 0; UNSURE if
+ * the limbs do not suffice. */
 static int holds(const tess_real *p, const tess_int *v, const tess_real *q)
 {
     tess_int f[3];
@@ -3634,9 +3650,9 @@ static int holds(const tess_real *p, const tess_int *v, const tess_real *q)
     return 1;
 }
 
-/* sweep - *t = the first tetrahedron that holds q (returns 0), or if there is
- * none the first one with a hull or open facet that q is outside of (returns
- * 1); TESS_RANGE. */
+/* sweep - find *t, the first tetrahedron that holds q (returns 0) or, if there
+ * is none, the first one with a hull or open facet that q is outside of
+ * (returns 1).  Returns TESS_RANGE when the limbs do not suffice. */
 static int sweep(const tess_real *p, tess_int ntet, const tess_int *tet,
                  const tess_int *adj, const tess_real *q, tess_int *t)
 {
@@ -3663,29 +3679,31 @@ static int sweep(const tess_real *p, tess_int ntet, const tess_int *tet,
     return 1;
 }
 
-/* A walk over the hull: f, the facet nearest to q yet; on, the vertices of the
- * edge that has its nearest point, or twice the vertex; of the facet met last,
- * the vertex to turn away from, from, and, about a vertex, the one that stays;
- * left: facets that may yet be met about it, of most. */
+/* A walk over the hull.  f: the facet nearest to q so far; on: the vertices of
+ * the edge that has its nearest point, or the vertex twice; from: the vertex of
+ * the facet met last to turn away from; stay: when turning about a vertex, the
+ * one that stays; left: how many more facets may be met about it, of most. */
 typedef struct stroll {
     tess_int f[3], on[3], from, stay, left, most;
 } stroll;
 
-/* hullstep - towards the hull's point nearest to q, from a facet that q is
- * outside of.  g: the facet met; s->f[0] is TESS_NONE at first.  Returns 1 if g
- * is nearer than all before, else 0; plus 2 at the end: then s->f is the facet,
- * and w are its weights.  Before, the next facet to be met is the one on the
- * other side of g's edge opposite to s->from.  TESS_RANGE.
+/* hullstep - one step towards the hull's point nearest to q, from a facet that
+ * q is outside of.  g is the facet met; s->f[0] is TESS_NONE at first.  Returns
+ * 1 if g is nearer than all before, else 0; plus 2 at the end: s->f is then the
+ * nearest facet, and w its weights.  Until then, the next facet to meet is the
+ * one on the other side of g's edge opposite to s->from.  Returns TESS_RANGE
+ * when the limbs do not suffice.
  *
- * A facet's nearest point x is in the interior of one of its faces, an edge, a
- * vertex or all of it.  The facets around that face are met; if x is nearest in
- * each of them that q is outside of, it is nearest in the hull.  For if a point
- * of the hull is nearer there are such points y as near to x as one likes.
- * Where the way from q to y enters the hull, nearer still, q is outside of a
- * facet; and this facet is at x if y is near enough, as the way from q to x
- * meets the hull in x alone.  All this is exact, and each facet nearer than the
- * one before, so it ends.  (In an unfinished result, which is not convex, it
- * ends where no facet joined to these about the point is nearer.) */
+ * A facet's nearest point x is in the interior of one of its faces: an edge, a
+ * vertex or all of it.  The facets around that face are met.  If x is the
+ * nearest point of each of them that q is outside of, it is the nearest point
+ * of the hull: if a point of the hull is nearer, there are such points y
+ * arbitrarily near to x.  Where the segment from q to y enters the hull, at a
+ * point nearer still, q is outside of a facet; and this facet contains x if y
+ * is near enough, as the segment from q to x meets the hull in x alone.  All
+ * this is exact, and each facet is nearer than the one before, so the walk
+ * ends.  (In an unfinished result, which is not convex, it ends where no facet
+ * joined to these about the point is nearer.) */
 static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
                     stroll *s, double *w)
 {
@@ -3732,9 +3750,9 @@ static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
     return hh_foot(a, b, c, q, w) == 0 ? TESS_RANGE : 3;
 }
 
-/* turn - go from the facet *k of tetrahedron *t, of the hull, about its edge
- * opposite to the vertex z to the hull facet on the other side of that edge.
- * Returns 1, or 0 if neighbours are out of range or do not match. */
+/* turn - turn from the hull facet *k of tetrahedron *t about its edge opposite
+ * to the vertex z to the hull facet on the other side of that edge.  Returns 1,
+ * or 0 if neighbours are out of range or do not match. */
 static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
                 tess_int *t, int *k, tess_int z)
 {
@@ -3758,10 +3776,9 @@ static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
     return 0;
 }
 
-/* nearhull - from tetrahedron *t with a facet of the hull that q is outside of
- * to the one with the hull's point nearest to q, and in w, which is 0, that
- * point's weights.
- * Returns 1, TESS_RANGE or -4. */
+/* nearhull - walk from tetrahedron *t, which has a hull facet that q is outside
+ * of, to the one with the hull's point nearest to q, and store that point's
+ * weights in w, which is 0 on entry.  Returns 1, TESS_RANGE or -4. */
 static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
                     const tess_int *adj, const tess_real *q, tess_int *t,
                     double *w)
@@ -3790,20 +3807,20 @@ static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
     return 1;
 }
 
-/* tess_locate - a walk (see walk), and where it fails a sweep over all
- * tetrahedra; for a q outside then a walk over the hull (see hullstep).
+/* tess_locate - a walk (see walk); where it fails, a sweep over all tetrahedra;
+ * then, for a q outside, a walk over the hull (see hullstep).
  *
  * It is q*, not q, that is located.  The hull is convex and q* is nearer to
  * its inside, so q* is inside of it when q is inside or on its boundary, and
  * then the answer depends on the points, tet and q alone.  For a q outside, the
  * start decides which of the facets that have the hull's nearest point is
  * found.  In an unfinished result open facets may stop the walk though some
- * tetrahedron holds q; in a foreign triangulation it may go round: both are
+ * tetrahedron holds q; in a triangulation from elsewhere it may cycle: both are
  * left to the sweep.
  *
  * Cost: proportional to the tetrahedra crossed, about ntet^(1/3) of them from
- * anywhere, fewer from the sampled start, few from a start near q: when these
- * are more than ASTRAY, the sample is asked, too.  The sweep: ntet. */
+ * anywhere, fewer from the sampled start, few from a start near q: beyond
+ * ASTRAY of these, the sample is used, too.  The sweep: ntet. */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t,
                 double *w)
@@ -3827,8 +3844,9 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
     return code;
 }
 
-/* tess_values - from the last answer where there is no start: it is the nearest
- * if the queries are in order, and if not, tess_locate sees that. */
+/* tess_values - where there is no start, a walk starts from the last answer: it
+ * is the nearest if the queries are in order, and if not, tess_locate
+ * notices. */
 int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, tess_int nv, const double *value,
                 tess_int nq, const tess_real *q, tess_int *t, double *out)
@@ -3900,10 +3918,11 @@ static int across(mesh *m, tess_int *u, int k)
     return 1;
 }
 
-/* tess_query - walk's walk, with q* moved into the same tetrahedron, and for a
- * q outside nearhull's, so that the answer is tess_locate's; neighbours are
- * found as they are needed.  From a v that is no tetrahedron of the mesh it
- * might go round: after np steps it begins again from one that is. */
+/* tess_query - the walk of walk, with q* moved into the same tetrahedron, and
+ * for a q outside that of nearhull, so that the answer is that of tess_locate;
+ * neighbours are computed as they are needed.  From a v that is no tetrahedron
+ * of the mesh the walk might cycle: after np steps it starts again from one
+ * that is. */
 int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w)
 {
@@ -3988,8 +4007,8 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* ---- the check ---- */
 
-/* merge - to[lo..hi-1] = the sorted runs from[lo..mid-1] and from[mid..hi-1],
- * merged; of equal points those of the first run come first. */
+/* merge - merge the sorted runs from[lo..mid-1] and from[mid..hi-1] into
+ * to[lo..hi-1]; of equal points those of the first run come first. */
 static void merge(const tess_real *p, tess_int lo, tess_int mid, tess_int hi,
                   const tess_int *from, tess_int *to)
 {
@@ -4002,9 +4021,9 @@ static void merge(const tess_real *p, tess_int lo, tess_int mid, tess_int hi,
             to[k] = from[j++];
 }
 
-/* sortpt - sort the points by their coordinates, equal ones by index:
- * merging runs of 1, 2, 4, ... to and fro between the halves of iw.  Returns
- * where in iw the order begins, 0 or n. */
+/* sortpt - sort the points by their coordinates, equal ones by index: merge
+ * runs of 1, 2, 4, ... back and forth between the halves of iw.  Returns where
+ * in iw the order begins, 0 or n. */
 static tess_int sortpt(tess_int n, const tess_real *p, tess_int *iw)
 {
     tess_int at = 0, run = 1, lo, mid, hi, i;
@@ -4024,7 +4043,7 @@ static tess_int sortpt(tess_int n, const tess_real *p, tess_int *iw)
 
 #define TWIN (-1)  /* marks of points: a duplicate of one of lower index */
 #define UNUSED 0   /* a point that stands for itself, in no tetrahedron */
-#define USED 1     /* and in one */
+#define USED 1     /* the same, in a tetrahedron */
 
 /* marks - sort the points and mark each TWIN or UNUSED.  Returns where in
  * iw the marks begin. */
@@ -4040,9 +4059,9 @@ static tess_int marks(tess_int n, const tess_real *p, tess_int *iw)
     return mark;
 }
 
-/* chkpla - that all points are in one plane: of point 0, b, a point that
- * differs from it, and c, the first one off their line.  Points before c are in
- * it, so one pass is enough. */
+/* chkpla - check that all points are in one plane: that of point 0, of b, a
+ * point that differs from it, and of c, the first point off their line.  Points
+ * before c are in it, so one pass is enough. */
 static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
 {
     const tess_real *q, *b = p, *c = NULL;
@@ -4077,9 +4096,9 @@ static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
     return TESS_OK;
 }
 
-/* chkfac - that each facet of tetrahedron t is on the boundary or matched, and
- * the neighbour's apex not inside the ball of t: also a symmetric relation,
- * so one side tests it. */
+/* chkfac - check that each facet of tetrahedron t is on the boundary or
+ * matched, and that the neighbour's apex is not inside the ball of t: this
+ * relation is symmetric, too, so one side tests it. */
 static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
                   const tess_int *adj, tess_int t)
 {
@@ -4117,15 +4136,15 @@ static int chktet(const tess_real *p, const tess_int *tet,
     return slot(four(adj, t), TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
 }
 
-/* chkedg - facet k of tetrahedron t is on the boundary.  Turn about its edge
- * opposite to vertex c, through the tetrahedra, to the other boundary facet
- * there, and test that its apex is not outside of the first.
+/* chkedg - from facet k of tetrahedron t, which is on the boundary, turn about
+ * its edge opposite to vertex c, through the tetrahedra, to the other boundary
+ * facet there, and check that its apex is not outside of the first.
  *
- * Facets are known to be matched in pairs, so a step takes (tetrahedron,
- * facet in, facet out) one-to-one to the next such triple; the first triple
- * is reached by no step, so none comes twice and the turn ends.  For the
- * same reason all turns together take at most 6 ntet steps: each edge of
- * each tetrahedron is passed once. */
+ * Facets are known to be matched in pairs, so a step maps (tetrahedron, facet
+ * in, facet out) one-to-one to the next such triple; no step leads to the first
+ * triple, so none comes twice and the turn ends.  For the same reason all turns
+ * together take at most 6 ntet steps: each edge of each tetrahedron is passed
+ * once. */
 static int chkedg(const tess_real *p, const tess_int *tet,
                   const tess_int *adj, tess_int t, int k, tess_int c)
 {
@@ -4145,9 +4164,9 @@ static int chkedg(const tess_real *p, const tess_int *tet,
     return s > 0 ? TESS_BAD_HULL : TESS_OK;
 }
 
-/* chkhul - the boundary facets of tetrahedron t: O is inside of each, and each
- * is convex with its neighbours.  Of the two facets at an edge, which run
- * along it in opposite directions, one tests it. */
+/* chkhul - check the boundary facets of tetrahedron t: O is inside of each, and
+ * each is convex with its neighbours.  The two facets at an edge run along it
+ * in opposite directions, so that one of them tests it. */
 static int chkhul(const tess_real *p, const tess_int *tet,
                   const tess_int *adj, tess_int t)
 {
@@ -4207,27 +4226,27 @@ static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
  *    it.  By 1 and 2 it is the number of times that the boundary, oriented
  *    outwards, winds about x: the sum of that number over the surfaces of
  *    all tetrahedra, in which matched facets cancel.  The turns of 5 pair the
- *    edges of boundary facets, which so form a closed surface S; two that
- *    are adjacent run along their edge in opposite directions.
+ *    edges of boundary facets, which thus form a closed surface S; two that are
+ *    adjacent run along their edge in opposite directions.
  * b. By 4, projection from O takes the facets of S to triangles on the sphere
  *    of directions, all of one orientation, adjacent ones on opposite sides
- *    of their edge.  So S covers the sphere, with branching at vertices at
- *    most, and the number of sheets is the winding number about O: m(O),
- *    which is 1 by 6.  One sheet cannot branch: each ray from O meets S
- *    once.  S bounds a body K, star-shaped about O; m is 1 in K, 0 outside.
+ *    of their edge.  So S covers the sphere, branching at most at vertices, and
+ *    the number of sheets is the winding number about O: m(O), which is 1 by 6.
+ *    One sheet cannot branch: each ray from O meets S once.  S bounds a body K,
+ *    star-shaped about O; m is 1 in K, 0 outside.
  * c. A plane through O that misses the vertices of S cuts K in a polygon
  *    which is star-shaped about O and has by 5 no angle above pi: convex.
  *    Such planes are dense, so K is convex.
  * d. So the tetrahedra fill K once, facet matched to facet: any two meet in a
- *    common face or not at all.  A triangulation of a convex body that has
- *    3 is Delaunay (Delaunay's lemma).  By 7 it is one of all points, and K
- *    is their hull.
+ *    common face or not at all.  A triangulation of a convex body that
+ *    satisfies 3 is Delaunay (Delaunay's lemma).  By 7 it is one of all points,
+ *    and K is their hull.
  *
  * Conversely a Delaunay tetrahedralization passes: O is inside its hull.
  *
- * No test is idle.  For 4: two tetrahedra apart; or the tetrahedra on an axis
- * and the edges of a star of five points about it, O in a tip of the star.  For
- * 6: join the 20 triangles of the great icosahedron to its centre.  These
+ * No test is redundant.  For 4: two tetrahedra apart; or the tetrahedra on an
+ * axis and the edges of a star of five points about it, O in a tip of the star.
+ * For 6: join the 20 triangles of the great icosahedron to its centre.  These
  * tetrahedra pass all other tests, and V - E + F - T = 1, though they cover the
  * centre 7 times.  Euler's relation follows from the seven tests.
  *
@@ -4274,10 +4293,10 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
 
 /* ---- a ball ---- */
 
-/* tess_ball - by limbs, of a set of the four points alone, scaled to at most 1.
- * With size the sum of what is rounded, the centre errs by 8 eps of its length
- * (see hh_centre), and that, the radius' own error of 12 eps, and the roundings
- * of the sum, 1 eps of it, count in the radius: less than 32 eps size. */
+/* tess_ball - computed by limbs, for a set of the four points alone, scaled to
+ * at most 1.  size is the sum of what is rounded.  The centre errs by 8 eps of
+ * its length (see hh_centre); the radius must cover that, its own error of 12
+ * eps, and the roundings of the sum, 1 eps of it: less than 32 eps size. */
 int tess_ball(const tess_real *p, const tess_int *v, double *c)
 {
     static const tess_int facet[3] = {0, 1, 2};

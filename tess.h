@@ -49,14 +49,14 @@
 
 /* TESS_LIST: when tess.c is compiled, the capacity of the two lists of points
  * that a search looks at first: a multiple of 4, 48 to 4096, 512 if not given.
- * It alters speed and stack (about 50 bytes an entry), never the result.
- * Below 128 the code for points near planes and spheres is left out; a small
- * machine takes 48 or 64. */
+ * It affects speed and stack (about 50 bytes per entry), never the result.
+ * Below 128 the code for points near planes and spheres is left out; use 48 or
+ * 64 on a small machine. */
 
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)
 
-/* Codes.  -k says that the k-th argument is bad. */
+/* Codes.  -k means that the k-th argument is bad. */
 #define TESS_OK 0     /* done                                              */
 #define TESS_MORE 1   /* tet and adj are full: tess_resume with longer ones */
 #define TESS_POOL 2   /* the facet pool is full: the same, with a longer iw */
@@ -80,10 +80,10 @@
  * more (for a TESS_LIST below 128 they might be a tenth less).  n: an integer
  * of any type.  Fortran: see f77/README.
  *
- *   TESS_LIW   4 for the point, 1/12 for the tree, 4 and TESS_LP for the pool,
- *              TESS_LS for points that are near planes or spheres
- *   TESS_LRW   TESS_LR for the point, 1/2 for the tree, TESS_LC for points on
- *              surfaces and curves */
+ *   TESS_LIW   per point 4 for itself, 1/12 for the tree, 4 for the pool; plus
+ *              TESS_LP for the pool, TESS_LS for points near planes or spheres
+ *   TESS_LRW   per point TESS_LR for itself, 1/2 for the tree; plus TESS_LC for
+ *              points on surfaces and curves */
 #define TESS_LR 3
 #define TESS_LRW(n) \
     (TESS_LR * (long)(n) + 6 * ((long)(n) / 12 + 2) + TESS_LC((long)(n)))
@@ -114,9 +114,10 @@ extern "C" {
  *   liw     (out)  length of iw, tess_ints
  *   lrw     (out)  length of rw, doubles
  *
- * The pool of open facets that liw includes suffices for all inputs but those
- * whose number of tetrahedra is quadratic in n and, beyond 28,000 points, some
- * where one vertex is in almost all tetrahedra (a plane grid and one point).
+ * The pool of open facets that liw includes suffices for all inputs except
+ * those whose number of tetrahedra is quadratic in n and, beyond 28,000 points,
+ * some where one vertex is in almost all tetrahedra (a plane grid and one
+ * point).
  *
  * maxtet: 8 n is enough for clouds (6 to 6.8 n), lattices (5 to 6 n) and points
  * near planes, spheres and most smooth surfaces (2 to 7.2 n).  It is too little
@@ -238,13 +239,13 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
 /* tess_values - linear interpolation at many points.
  *
  *   p, ntet, tet, adj  (in)  a result of tess with ntet >= 1
- *   nv     (in)      values a point, >= 0
+ *   nv     (in)      values per point, >= 0
  *   value  (in)      value[nv*i+j] is value j of point i
  *   nq     (in)      number of queries, >= 0
  *   q      (in)      3*nq coordinates
  *   t      (in,out)  nq: On entry the tetrahedra where the walks start, as in
- *                    tess_locate; for TESS_NONE a walk starts from the answer
- *                    before, if that is near.  On return the tetrahedra found:
+ *                    tess_locate; for TESS_NONE a walk starts from the previous
+ *                    answer, if that is near.  On return the tetrahedra found:
  *                    passed in again for other values at the same places, they
  *                    save the search
  *   out    (out)     out[nv*i+j] is value j at query i
@@ -257,7 +258,7 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  * To learn which queries are outside, ask one at a time: nq = 1, and t[i-1] for
  * t[i] if there is no start.  Each call then returns the code of its query; t,
  * out and the time taken are those of a single call for all queries.
- * Cost: that of tess_locate: a few steps a query if successive queries are
+ * Cost: that of tess_locate: a few steps per query if successive queries are
  * close to each other.
  */
 int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
@@ -286,11 +287,11 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
 int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                tess_int lrw, double *rw);
 
-/* tess_query - the mesh's tetrahedron that holds a point, without the mesh.
+/* tess_query - the tetrahedron of a mesh that holds a point, without the mesh.
  *
  *   n, p, iw, rw  (in)  points and their index.  Threads may share them
  *   q    (in)      the point: 3 coordinates
- *   v    (in,out)  4 points.  On entry a former answer, where the walk
+ *   v    (in,out)  4 points.  On entry an earlier answer, where the walk
  *                  starts, or v[0] = TESS_NONE for anywhere.  On return the
  *                  vertices of the tetrahedron, positively oriented
  *   w    (out)     4 barycentric weights of q: sum of w[k] * value[v[k]]

@@ -22,11 +22,11 @@ C     TET and ADJ are a function of the points and their order alone:
 C     the same on every machine, with every compiler, in C and in
 C     Fortran.
 C
-C     The algorithm (Section 2 of the paper): a pool of open facets,
-C     each the facet of one known tetrahedron; take one, find the apex
-C     of the unknown tetrahedron on its other side, store it, put its
-C     new facets into the pool, take out those that were there; no
-C     tetrahedron is ever deleted.
+C     The algorithm (Section 2 of the paper): keep a pool of open
+C     facets, each the facet of one known tetrahedron.  Take one, find
+C     the apex of the unknown tetrahedron on its other side, store that
+C     tetrahedron, and put its new facets into the pool, or take out
+C     those that are already there.  No tetrahedron is ever deleted.
 C
 C     Order of the work.  Points are sorted (kd order); a point's place
 C     in that order is its position, and positions stand for points in
@@ -34,23 +34,23 @@ C     all internal arrays.  Facets are taken star by star: all open
 C     facets at one vertex, then those of the next one.  A vertex whose
 C     star is complete can never again be an apex, so it leaves all
 C     lists, and the pool stays small.  The order is a function of the
-C     points, TET and ADJ alone, so that an unfinished result is its own
+C     points, TET and ADJ alone, so an unfinished result needs no other
 C     state:
 C       star   S = the first vertex of the last tetrahedron, if it has
 C              an open facet; else the vertex of least position that has
 C              one
-C       facet  of the open facets at S the one of the earliest
-C              tetrahedron, and in it of greatest K
+C       facet  the open facet at S of the earliest tetrahedron, and of
+C              those of that tetrahedron the one of greatest K
 C
-C     Decisions.  All that decides what TET and ADJ hold is exact:
-C     comparisons of the caller's coordinates, or predicates of hhpred.
-C     Floating point here chooses where to look, with margins that cover
+C     Decisions.  Every decision that affects TET or ADJ is exact: a
+C     comparison of the caller's coordinates, or a predicate of hhpred.
+C     Floating point only chooses where to look, with margins that cover
 C     its rounding.
 C
 C     The arrays (N points, NP of them distinct, L leaves of the tree).
-C     When a call returns, TET has numbers of points again, REP is kept,
-C     and of an index all but HEAD, LINK and POOL; the rest is of no
-C     use.
+C     When a call returns, TET holds numbers of points again and REP is
+C     kept, and so is an index but for HEAD, LINK and POOL; the rest is
+C     scratch.
 C       TET  positions       ADJ  as the caller sees it
 C       IW   REP    N        point -> the least point that coincides; in
 C                            an index -> position
@@ -89,21 +89,21 @@ C             |     |     ( S )     | STR: those of the block that are
 C             |     +-------+       | in the ball about S
 C             +---------------------+
 C
-C     The table begins with TSTABL entries.  TSMKRO has it doubled when
-C     three quarters are in use, and cut to its quota when it meets the
-C     edges.  It is never more than 7/8 full, so TSFIND always meets an
-C     unused entry.  TSPUSH leaves the table alone; TSMKRO sees to room
-C     for two edges.  If room is still short, the code is FULL.
+C     The table starts with TSTABL entries.  TSMKRO doubles it when
+C     three quarters are in use, and cuts it to its quota when it meets
+C     the edges.  It is never more than 7/8 full, so TSFIND always meets
+C     an unused entry.  TSPUSH does not resize the table; TSMKRO ensures
+C     room for two edges.  If room still falls short, the code is FULL.
 C
-C     An open facet is in one place at a time: in the link, if it
-C     contains S, the vertex of the star; else in the table, or nowhere
-C     yet, if its tetrahedron is not below FRESH (until TSFLUS); nowhere
-C     at all if no star of its vertices is asked for.  TSERAS and TSREHA
-C     renumber entries, and update HEAD and the owners' lists only;
-C     TSRENU moves edges, and updates LINK and the edges only: after
-C     TSMKRO, callers must reload OLDEST.
+C     An open facet is in one place at a time: in the link if it
+C     contains S, the vertex of the star; otherwise in the table, or, if
+C     its tetrahedron is not below FRESH, nowhere until TSFLUS; nowhere
+C     at all if the star of none of its vertices is asked for.  TSERAS
+C     and TSREHA renumber entries, and update HEAD and the owners' lists
+C     only; TSRENU moves edges, and updates LINK and the edges only:
+C     after TSMKRO, callers must reload OLDEST.
 C
-C     What rests on the tie rule (hhpred): that a facet's apex is one
+C     What depends on the tie rule (hhpred): that a facet's apex is one
 C     point for both its sides, so that the pool empties; TSFIRS, on a
 C     hull face of more than three points; in HHPBEA, that both
 C     candidates are on the positive side; in TSWALK, that heights are
@@ -179,7 +179,7 @@ C              node CTL(LEAVES)+J-1
 C       ALIVE  leaf: uncompleted points; else: children alive
 C       REP    the point that stands for a point
 C       KNOWN  a tetrahedron; in an index KNOWN(1) may be minus a code
-C       HEAD   first of the pool's facets that a vertex owns; FOREIN:
+C       HEAD   first facet in the pool that a vertex owns; FOREIN:
 C              its star is not asked for
 C       LINK   first open edge of the link from a vertex; DONE: its star
 C              is complete; NEW: in no tetrahedron yet
@@ -202,9 +202,10 @@ C       NPLANE  hull planes that are remembered;  NEXTPL the one to be
 C               replaced next;  PLANE0 the place before them
 C       TIES    of the last search in a star's list that met points in
 C               the ball, the best of them was 0: inside, 1: about on
-C               it, 2: on it, exactly
+C               it, 2: exactly on it
 C       UNMET   no vertex before it is NEW and asked for
-C       FUTILE  the leaf's last searches that all ended in the tree
+C       FUTILE  the leaf's latest searches in a row that ended in the
+C               tree
 C       ROUND   cylinders, behind BOX(6,2*CTL(LEAVES)): 0 none, 1 may be
 C               made, 2 are made
 C       NCELL   cells of this star: CELLS at most, the last ones, are
@@ -215,8 +216,8 @@ C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
 C       RSCALE  X = P 2**(-RSCALE)
 C       RSUPP   supports that there are
-C       RBURDN  comparisons left open, over NP;  RPATIE how many may be;
-C               0: no more is sought
+C       RBURDN  comparisons left open, over NP;  RPATIE their limit; 0:
+C               no more supports are sought
 C       RLEAST  the least absolute value of a coordinate above 0
 C       RSCAN   points of leaves tested
 C       RTIED   points that a search met exactly on its ball
@@ -241,7 +242,7 @@ C       LSID    its position
 C       LSI     LFIRST, LLAST: a block's leaf, positions LFIRST ...
 C               LLAST; LN points
 C       LSD     behind LLO, LHI, LMID, LMOST: a block's box, the centre,
-C               a bound of the coordinates in the list; LMARG margin;
+C               a bound on the coordinates in the list; LMARG margin;
 C               LUNIT one over the unit
 C     A search for the apex of a facet:
 C       V       its vertices; the open side is positive
@@ -266,63 +267,65 @@ C     It is a (height - h) + q |W|**2 - d.W, of which each coordinate of
 C     W is wrong by dd times it, and all by err:
 C       TQ, TDD, TA, TERR  q, dd, a, err; behind TD: d
 C     A walk over the hull:
-C       H       H(1..3): the facet nearest to Q yet; behind HON the
-C               vertices of the edge that has its nearest point, or
-C               twice the vertex; of the facet met last, HFROM: the
-C               vertex to turn away from, and, about a vertex, HSTAY:
-C               the one that stays; HLEFT: facets that may yet be met
+C       H       H(1..3): the facet nearest to Q so far; behind HON the
+C               vertices of the edge that has its nearest point, or the
+C               vertex twice; HFROM: the vertex of the facet met last to
+C               turn away from; HSTAY: when turning about a vertex, the
+C               one that stays; HLEFT: how many more facets may be met
 C               about it, of HMOST
 C
 C     Constants, the same in every routine that has them:
 C       TSLIST  capacity of a list, a multiple of 4, at least LEAF
-C       LEAF    points in a leaf of the tree, at most
+C       LEAF    maximum number of points in a leaf of the tree
 C       TSIDS   TSLIST + LEAF
-C       GROUP   points in the groups that those of a leaf are sorted
+C       GROUP   size of the groups that the points of a leaf are sorted
 C               into
-C       BREACH, SREACH  a block's list reaches BREACH times the side of
-C               a cube with one point of the leaf beyond its box; a
-C               star's reaches SREACH times as far from its vertex.  For
-C               uniform points they hold about 240 and 20 points, and
-C               80 to 88 % of the searches end in the star's list, most
-C               others in the block's.  Without a star's list they take
-C               a quarter longer.  Margins that adapt from list to list
-C               take lattices a tenth longer and surveys 3 % less
+C       BREACH, SREACH  a block's list extends beyond the leaf's box by
+C               BREACH times the side of a cube that holds one point of
+C               the leaf; a star's list extends SREACH times as far from
+C               its vertex.  For uniform points they hold about 240 and
+C               20 points, and 80 to 88 % of the searches end in the
+C               star's list, most others in the block's.  Without a
+C               star's list they take a quarter longer.  With margins
+C               that adapt from list to list, lattices take a tenth
+C               longer and surveys 3 % less
 C       MAXFUT  a block whose last MAXFUT searches all ended in the tree
-C               makes no more stars' lists: near surfaces these cost 3
-C               to 9 %
+C               makes no more stars' lists: near surfaces they would
+C               cost 3 to 9 %
 C       SAMPLE  a node is cut across the widest extent of about so many
-C               of its points: of all a million take 3 % longer
-C       DEPTH   of the tree plus one, at most
-C       SUPPS   supports, at most
+C               of its points; with all of them a million points take 3
+C               % longer
+C       DEPTH   bound on the depth of the tree plus one
+C       SUPPS   maximum number of supports
 C       OPENED, BURDEN  one is sought when a search has more than OPENED
 C               points in its sample and these add up to BURDEN times
-C               all points; each time in vain doubles that
-C       FINER   one with grains FINER times smaller takes another's
-C               points
-C       ENOUGH  of fewer points none is sought
+C               all points; each failure doubles that
+C       FINER   a support with grains FINER times smaller takes over
+C               another's points
+C       ENOUGH  with fewer points no support is sought
 C       SOME    places of the sample
-C       GRAINS  marks of heights over a support: a double holds them and
-C               their roundings
-C       SCANS, SLIM  cylinders are made when the points of leaves that
-C               were tested are SCANS times the points; not if less than
+C       GRAINS  number of marks for heights over a support: a double
+C               holds them and their roundings
+C       SCANS, SLIM  cylinders are made once the points tested in leaves
+C               number SCANS times all points, but not if fewer than
 C               half of the leaves' are below SLIM of their boxes
-C       CELL, CELLS  points of a cell, at most, and cells
-C       LARGE   a large ball has more ties
-C       PLANES  hull planes that are remembered
-C       ASTRAY  steps from a given start before a location looks for a
-C               better one: with 8, queries in order among 100,000
+C       CELL, CELLS  maximum number of points of a cell, and of cells
+C       LARGE   a large ball has more ties than this
+C       PLANES  number of hull planes remembered
+C       ASTRAY  steps from a given start after which a location looks
+C               for a better one.  With 8, ordered queries among 100,000
 C               points take a quarter longer than with 16; with 32,
-C               those in no order 1.4 times as long as with 8
-C       ENTRY, EDGE  integers of an entry of the pool, and of an edge
-C       LEAST   pool and edges, at least
+C               unordered ones take 1.4 times as long as with 8
+C       ENTRY, EDGE  integers in an entry of the pool, and in an edge
+C       LEAST   minimum for pool and edges
 C       THIN    a facet with a greater E is set up by limbs
 C       WIDE, MANY, PLAIN  the ball of the best point is found by limbs
-C               when its L-coordinate is known to less than WIDE of it
-C               and the circumradius, and after MANY exact comparisons;
-C               not of points in so few units (T5 at least PLAIN) that
-C               doubles decide these, which takes less time
-C       MUCH    pool that is recommended beyond 4 N in any case, up to
-C               8 N
+C               when the error of its L-coordinate exceeds WIDE times
+C               the coordinate plus the circumradius, and after MANY
+C               exact comparisons; not for points in so few units (T5 at
+C               least PLAIN) that doubles decide these comparisons,
+C               which is faster
+C       MUCH    pool recommended beyond 4 N in any case, up to 8 N
 C       INTMAX  the largest integer
 C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
 C       MORE, FULL, PLANAR, LINEAR, SINGLE, RANGE  the codes 1 to 6 of
@@ -332,8 +335,8 @@ C     Constants that correctness rests on.  EPS bounds the relative
 C     error of an operation in every rounding mode, and of a sum of
 C     three in any order by 2 EPS; FEPS the same in single precision.
 C       LOOSE, SMALL  see hhpred.f
-C       FAINT   what underflow does to the power |W|**2 - 2 C.W of a
-C               point, or to its side.  A coordinate that underflowed
+C       FAINT   the effect of underflow on the power |W|**2 - 2 C.W of a
+C               point, or on its side.  A coordinate that underflowed
 C               when it was scaled is wrong by the least normal double,
 C               and so may be each product; |W| < 4, and |C| is at most
 C               2 MUCHL: TSNARR gives no ball for an L-coordinate beyond
@@ -345,17 +348,17 @@ C               coordinates are then right to far less than FEPS, and a
 C               star's margin is above SMALL, so that no product in
 C               TSBINS underflows
 C       FINEST  a star whose margin is less, in its block's units, has
-C               no list: the block does not tell such points apart
-C       SLACK   in them, a distance is wrong by less: 2 FEPS for each of
-C               two coordinates of at most 2 rounded twice, times
-C               sqrt(3), and as much for the square, its bound and the
-C               root; below 24 FEPS.  What is within margin + SLACK by
-C               this reckoning is within 1.1 margin, as SLACK is 0.04
-C               FINEST
-C       FAR     where a list keeps what has left it.  No such point
-C               passes a filter: its r is at least FAR**2 = 1E20, and
-C               TSBALC's limits leave |D.x| < 2E19, D(4) < 3E19 (as dc <
-C               3 |C|)
+C               no list: the block cannot tell such points apart
+C       SLACK   in these units a distance is wrong by less than this: 2
+C               FEPS for each of two coordinates of at most 2 rounded
+C               twice, times sqrt(3), and as much for the square, its
+C               bound and the root; below 24 FEPS.  What is computed to
+C               be within margin + SLACK is within 1.1 margin, as SLACK
+C               is 0.04 FINEST
+C       FAR     where a list puts points that have left it.  No such
+C               point passes a filter: its r is at least FAR**2 = 1E20,
+C               and TSBALC's limits leave |D.x| < 2E19, D(4) < 3E19 (as
+C               dc < 3 |C|)
 C       PAD     relative room for the few roundings of a bound
 
 C     ------------------------------------------------------------------
@@ -450,8 +453,8 @@ C     MID precede the one at MID along an axis, and the others do not.
         Q(J) = X(J,I)
    20 CONTINUE
       NUMBER = ORD(I)
-C     no branch that depends on the points but for ties: half of them
-C     would be guessed wrong, which takes longer than a swap
+C     no branch on the points except for ties: half of them would be
+C     mispredicted, which takes longer than a swap
       I = LO
       DO 30 J = LO, HI
         LESS = 0
@@ -469,7 +472,7 @@ C     LO ... I-1 precede the pivot, I ... HI do not
       ELSE IF (I .GT. LO) THEN
         LO = I
       ELSE
-C       the pivot is the first of all: put it there
+C       the pivot precedes all others: move it to the front
         J = LO
    40   IF (ORD(J) .NE. NUMBER) THEN
           J = J + 1
@@ -664,8 +667,8 @@ C     ------------------------------------------------------------------
 C     The first facet (Section 2): a facet of the hull by gift wrapping.
 C     ------------------------------------------------------------------
 
-C     TSPREC - 1 when point A comes strictly before point B, else 0: by
-C     X, then Y, Z.
+C     TSPREC - 1 if point A comes strictly before point B, else 0: by X,
+C     then Y, Z.
       INTEGER FUNCTION TSPREC(P, A, B)
       INTEGER A, B
       DOUBLE PRECISION P(3,*)
@@ -735,12 +738,13 @@ C     TSLINE - HHLINE of three points: 1, or 0.
       TSLINE = HHLINE(A, B, C)
       END
 
-C     TSFIRS - the first facet V, in the hull, all points on its
-C     positive side, V(1) the least position.  On a hull face of more
-C     than three points it is, by the rule of ties, the triangle on an
-C     edge V1 V2 of the face: of two points A, B of the face B is better
-C     iff I(V1, V2, A, W, B) o3(V1, V2, A, W) > 0 for any W off the
-C     face.  INFO is 0, or the code of points without a tetrahedron.
+C     TSFIRS - find the first facet V: on the hull, with all points on
+C     its positive side, and V(1) of least position.  On a hull face of
+C     more than three points it is the triangle on an edge V1 V2 of the
+C     face that the rule of ties selects: of two points A, B of the
+C     face, B is better iff I(V1, V2, A, W, B) o3(V1, V2, A, W) > 0 for
+C     any W off the face.  INFO is 0, or the code of points without a
+C     tetrahedron.
       SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), INFO
@@ -966,9 +970,9 @@ C       E may fill the hole if its home is not behind the hole
       POOL(ENTRY*(HOLE-1)+1) = 0
       END
 
-C     TSENTE - enter the open facet CODE into the pool, unless its other
-C     side is there: OTHER is the code of that, which leaves the pool,
-C     or 0.
+C     TSENTE - enter the open facet CODE into the pool and set OTHER =
+C     0; if its other side is there, remove that and set OTHER to its
+C     code.
       SUBROUTINE TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
       INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
       INTEGER TSOWNE, TSHASH
@@ -1011,7 +1015,7 @@ C     TSCUBE - the least C with C**3 >= N.
       TSCUBE = C
       END
 
-C     TSTABL - entries of the pool to begin with: a little more than
+C     TSTABL - how many entries the pool starts with: a little more than
 C     what uniform points need, as a small table stays in the cache.
       INTEGER FUNCTION TSTABL(N)
       INTEGER N
@@ -1019,9 +1023,9 @@ C     what uniform points need, as a small table stays in the cache.
       TSTABL = 9*TSCUBE(N)**2 + 16
       END
 
-C     TSQUOT - how many entries the table may have beside EDGES more
-C     edges: what its facets need with an eighth unused, and half of
-C     what is free besides.
+C     TSQUOT - how many entries the table may have with room for EDGES
+C     more edges: what its facets need with an eighth unused, and half
+C     of the remaining free space.
       INTEGER FUNCTION TSQUOT(CTL, EDGES)
       INTEGER CTL(*), EDGES
       INTEGER NOPEN, NEWEST, ENTRY, EDGE
@@ -1099,7 +1103,7 @@ C     common, else 0.
       TSDISJ = 0
       END
 
-C     TSPDIS - is position I outside of the box of a list: 1, or 0.
+C     TSPDIS - 1 if position I is outside the box of a list, else 0.
       INTEGER FUNCTION TSPDIS(X, LSD, LIST, I)
       DOUBLE PRECISION X(3,*), LSD(14,2)
       INTEGER LIST, I
@@ -1343,7 +1347,7 @@ C     at most the distance from S to where the block may lack points.
       A = LSX(I,1,BLK)
       B = LSX(I,2,BLK)
       C = LSX(I,3,BLK)
-C     none nearer than margin is missed
+C     no point nearer than margin is missed
       MOST = REAL(MARGIN*LSD(LUNIT,BLK)) + SLACK
       MOST = MOST*MOST
       DO 20 I = 1, (LSI(LN,BLK) + 3)/4*4
@@ -3392,9 +3396,9 @@ C     A star on its own.
 C     ------------------------------------------------------------------
 
 C     TSEXCH - replace V(K) by Z if the result is not flat; with TRUE =
-C     1, if it is positively oriented and contains S*.  This is S = V(1)
-C     = R(1) moved by an infinitesimal step into the tetrahedron R (as
-C     Q* in the queries below), so it is on no plane through three
+C     1, only if it is positively oriented and contains S*.  S* is S =
+C     V(1) = R(1) moved by an infinitesimal step into the tetrahedron R
+C     (as Q* in the queries below), so it is on no plane through three
 C     points.  OK is 1 if replaced, else 0.
       SUBROUTINE TSEXCH(X, P, ORD, RCTL, TRUE, R, V, K, Z, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
@@ -3423,23 +3427,23 @@ C     points.  OK is 1 if replaced, else 0.
       IF (OK .EQ. 0) V(K) = OLD
       END
 
-C     TSSETT - V = a tetrahedron of the mesh at V(1) = S.
+C     TSSETT - find V, a tetrahedron of the mesh at V(1) = S.
 C
-C     Begin with any tetrahedron R at S, of near points as far as these
-C     are not in one plane, and S* in it.  While V holds S* and its ball
-C     is not empty, each point in the ball is on the inner side of one
-C     of the three facets at S, as what is outside of all three is
-C     beyond the ball's tangent plane at S; so the apex Z of that facet
-C     on that side is not V's vertex there.  The five points have two
-C     triangulations; V is not in that whose lifted facets are the lower
-C     ones, so the one tetrahedron of this that holds S* is one with Z
-C     for a vertex of V.  The height over S* falls with every such step;
-C     three searches without one end it.  First among the points of the
-C     leaf alone: from anywhere a query takes three times as long
-C     without.
+C     Start with any tetrahedron R at S, made of nearby points as far as
+C     these are not in one plane, and with S* in it.  While V holds S*
+C     and its ball is not empty, each point in the ball is on the inner
+C     side of one of the three facets at S, since whatever is outside
+C     all three is beyond the ball's tangent plane at S.  So the apex Z
+C     of that facet on that side is not V's vertex there.  The five
+C     points have two triangulations, and V is not part of the one whose
+C     lifted facets are the lower ones; so the tetrahedron of that one
+C     that holds S* is V with Z in place of a vertex.  Each such step
+C     lowers the height over S*; three searches in a row without a step
+C     end it.  The points of the leaf alone come first: without that, a
+C     query from anywhere takes three times as long.
 C
-C     Vertices may be complete, so that no list has them: by the tree
-C     alone.
+C     Vertices may be complete, and then no list has them: the search
+C     uses the tree alone.
       SUBROUTINE TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, LSX, LSID, LSI, LSD, S, V)
       INTEGER TSLIST, TSIDS
@@ -3541,7 +3545,7 @@ C       EAFTER  one that begins where it ends: they give the guesses
 C       ECHAIN  the next edge from A, or 0; LINK(A) is the first
 C     ------------------------------------------------------------------
 
-C     TSCLRL - the link has no edges.
+C     TSCLRL - empty the link.
       SUBROUTINE TSCLRL(CTL)
       INTEGER CTL(*)
       INTEGER ROOM, OLDEST, NEWEST, EDGE
@@ -3667,8 +3671,8 @@ C     their memory accesses.
       END
 
 C     TSGROW - store the tetrahedron of S, edge E = A -> B and the apex
-C     C. The edges A -> C and C -> B replace E in the link, unless their
-C     other sides are there: these are then removed.
+C     C.  The edges A -> C and C -> B replace E in the link; if the
+C     other side of one is there, that is removed instead.
       SUBROUTINE TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
       INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
       INTEGER TSBETW
@@ -4063,9 +4067,9 @@ C     TSSLOT - the first K with V(K,T) = X, or 5.
       END
 
 C     TSMATE - J is the facet of tetrahedron U, of four different
-C     vertices, that has those of the facet F of another one in opposite
-C     order, so that, both tetrahedra being positively oriented, their
-C     apexes are on opposite sides; 5 when there is none.
+C     vertices, that has the vertices of the facet F of another one in
+C     opposite order, so that, both tetrahedra being positively
+C     oriented, their apexes are on opposite sides; 5 if there is none.
       SUBROUTINE TSMATE(TET, F, U, J)
       INTEGER TET(4,*), F(3), U, J
       INTEGER G(3), I
@@ -4101,13 +4105,13 @@ C     TSLCOU - the number of leaves for N points: a power of two.
       TSLCOU = LVS
       END
 
-C     TSLENG - the lengths of IW and RW for N points: the least ones,
-C     and what is recommended besides: in IW POOL, and MARKS for
-C     supports; in RW CYLS for cylinders.  Pool: uniform points need
-C     5 N**(2/3) facets; a star of all points 2 N, which takes 12 N
-C     integers, given up to MUCH.  Supports and cylinders get room for
-C     as many points as may need them.  OK is 1, or 0 for a bad N:
-C     negative, or the least lengths exceed the largest integer.
+C     TSLENG - the lengths of IW and RW for N points: the minimum, and
+C     what is recommended beyond it: in IW POOL, and MARKS for supports;
+C     in RW CYLS for cylinders.  Pool: uniform points need 5 N**(2/3)
+C     facets; a star of all points needs 2 N, which take 12 N integers:
+C     granted up to MUCH.  Supports and cylinders get room for as many
+C     points as can need them.  OK is 1, or 0 for a bad N: negative, or
+C     so large that a minimum exceeds the largest integer.
       SUBROUTINE TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
       INTEGER N, LIW, LRW, POOL, MARKS, CYLS, OK
       INTEGER TSLCOU, TSCUBE
@@ -4136,8 +4140,8 @@ C     2 TSLCOU(N) < N/12 + 2
       IF (32*(LVS/3) .LT. INTMAX - LRW) CYLS = 32*(LVS/3)
       END
 
-C     TSLAYO - nothing is known yet: no points, no lists, no supports,
-C     no cylinders.
+C     TSLAYO - start from nothing: no points, no lists, no supports, no
+C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI)
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
@@ -4253,9 +4257,9 @@ C     are multiples of 1/U, or 0 if it exceeds 2**30.
       END
 
 C     TSSCAL - scale the sorted coordinates to an absolute value of at
-C     most 1 by a power of two, in two steps as one might overflow, and
-C     find whether they are small multiples of one unit.  They are not
-C     if one underflows: its multiple is lost.  INFO is 0, or RANGE.
+C     most 1 by a power of two, in two steps because one might overflow,
+C     and find whether they are small multiples of one unit.  They are
+C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE.
       SUBROUTINE TSSCAL(X, CTL, RCTL, INFO)
       DOUBLE PRECISION X(3,*), RCTL(*)
       INTEGER CTL(*), INFO
@@ -4315,7 +4319,7 @@ C     TSREVI - put all points back into the tree.
    20 CONTINUE
       END
 
-C     TSSORT - take up N > 0 points: sort them, drop the duplicates,
+C     TSSORT - prepare N > 0 points: sort them, drop the duplicates,
 C     build the tree.  INFO is 0, or RANGE.
       SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N,
      $                  INFO)
@@ -4338,7 +4342,8 @@ C     build the tree.  INFO is 0, or RANGE.
    20 CONTINUE
       DO 30 I = 1, N
         IF (REP(I) .NE. I) THEN
-C         the cuts may have parted duplicates: once more without them
+C         the cuts may have separated duplicates: sort again without
+C         them
           CALL TSCOLL(X, P, ORD, REP, CTL, N)
           CALL TSKDSO(X, ORD, REP, CTL)
           GO TO 40
@@ -4350,10 +4355,11 @@ C         the cuts may have parted duplicates: once more without them
       CALL TSREVI(ALIVE, CTL)
       END
 
-C     TSSEAL - make what was sorted an index, which has a mesh if CODE
-C     is 0.  What TSOPEN needs besides points and tree: KNOWN is the
-C     first tetrahedron, or begins with minus the code; COUNT, behind
-C     it, and HEADER(1) are NP, to know an index by.
+C     TSSEAL - turn the sorted points into an index, which has a mesh if
+C     CODE is 0.  It stores what TSOPEN needs besides points and tree:
+C     KNOWN is the first tetrahedron, or begins with minus the code;
+C     COUNT, behind it, and HEADER(1) are NP, so that an index can be
+C     recognized.
       SUBROUTINE TSSEAL(HEADER, KNOWN, COUNT, CTL, RCTL, CODE)
       INTEGER KNOWN(4), COUNT, CTL(*), CODE
       DOUBLE PRECISION HEADER(6), RCTL(*)
@@ -4369,8 +4375,8 @@ C     it, and HEADER(1) are NP, to know an index by.
       HEADER(5) = RCTL(RLEAST)
       END
 
-C     TSOPEN - take up an index, to be read alone.  INFO is 0, the code
-C     of points without a mesh, or -8 where there is no index.
+C     TSOPEN - open an index for reading only.  INFO is 0, the code of
+C     points without a mesh, or -8 where there is no index.
       SUBROUTINE TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI,
      $                  INFO)
       INTEGER N, KNOWN(4), COUNT, CTL(*), LSI(3,2), INFO
@@ -4400,7 +4406,7 @@ C     of points without a mesh, or -8 where there is no index.
       IF (HHHOLD(ALL, P) .EQ. 0) INFO = RANGE
       END
 
-C     TSINTA - check in one pass that the caller's arrays may be an
+C     TSINTA - check in one pass that the caller's arrays can be an
 C     unfinished result: the vertices of each tetrahedron are no
 C     duplicates, and it is positively oriented; each facet is on the
 C     hull, open, or matched with its neighbour's, and the neighbour's
@@ -4498,10 +4504,10 @@ C     in the ball of the other; else -6 or -5.
      $    TET(3,T), TET(4,T), TET(K,U), 1) .LT. 0) INFO = -5
       END
 
-C     TSREJO - close the facets that are open twice, as in results put
-C     one behind the other.  INFO is 0, FULL, or what TSMTCH finds.  A
-C     neighbour found is no more than a note in ADJ, below OPEN, until
-C     all are known to be right.
+C     TSREJO - close the facets that are open twice, as in concatenated
+C     results.  INFO is 0, FULL, or what TSMTCH finds.  Until all are
+C     known to be right, a neighbour found is only noted in ADJ, by a
+C     value below OPEN.
       SUBROUTINE TSREJO(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL,
      $                  INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
@@ -4594,10 +4600,10 @@ C     HEAD has the positions of the points at first.
       IF (OK .EQ. 0) INFO = FULL
       END
 
-C     TSMESH - TSRUN, its workspace cut up into the arrays that the
+C     TSMESH - TSRUN with its workspace cut up into the arrays that the
 C     structure mesh has in C.
 C
-C     They are declared in their lengths: so no two of them share an
+C     They are declared with their lengths, so no two of them share an
 C     element of RW or IW, and the standard lets them be altered.
       SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
      $                  X, HEADER, BOX, REP, ORD, KNOWN, COUNT, ALIVE,
@@ -4648,7 +4654,7 @@ C     sets, by a step of Newton's method
    10 CONTINUE
       RCTL(RBURDN) = 0.0D0
       IF (ROOMY .EQ. 1) CTL(ROUND) = 1
-C     doubles decide all where points are in few units
+C     doubles decide everything if points are in few units
       IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN)
      $    RCTL(RPATIE) = BURDEN
       S = 0
@@ -4678,8 +4684,8 @@ C     doubles decide all where points are in few units
       NTET = CTL(NT)
       END
 
-C     TSRUN - TESS and TESSRE, or with MASKED = 1 TESSPA, of arguments
-C     that are right but for P and the indices in TET.
+C     TSRUN - TESS and TESSRE, or TESSPA if MASKED = 1, for arguments
+C     that are known to be valid except for P and the indices in TET.
       SUBROUTINE TSRUN(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LIW,
      $                 IW, LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -4773,9 +4779,9 @@ C                      exceed the largest integer.  The lengths are then
 C                      0
 C
 C     The pool of open facets that LIW includes suffices for all inputs
-C     but those whose number of tetrahedra is quadratic in N and, beyond
-C     28,000 points, some where one vertex is in almost all tetrahedra
-C     (a plane grid and one point).
+C     except those whose number of tetrahedra is quadratic in N and,
+C     beyond 28,000 points, some where one vertex is in almost all
+C     tetrahedra (a plane grid and one point).
       SUBROUTINE TESSWK(N, MAXTET, LIW, LRW, INFO)
       INTEGER N, MAXTET, LIW, LRW, INFO
       INTEGER INTMAX
@@ -4927,7 +4933,7 @@ C     Cost: O(N log N), about a tenth of that of the mesh.
      $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6), INFO)
       END
 
-C     TSINDE - TESSIX, its workspace cut up as TSRUN's.
+C     TSINDE - TESSIX with its workspace cut up as TSRUN's.
       SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, INFO)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1)
@@ -5005,23 +5011,23 @@ C     TESSRE joins them.
       IF (INFO .LT. -1) INFO = INFO - 1
       END
 C     ==================================================================
-C     What follows needs no mesh under construction, but results alone.
+C     What follows needs no mesh under construction, only results.
 C     ==================================================================
 
 C     ------------------------------------------------------------------
 C     Common to the queries.
 C
-C     One device does much of the work: in the place of a point Q, the
-C     point Q*, Q moved by an infinitesimal step into the interior of
+C     One device does much of the work: a point Q is replaced by Q*,
+C     which is Q moved by an infinitesimal step into the interior of
 C     tetrahedron 1, of vertices V1 ... V4:
 C       Q* = Q + e (V1 - Q) + e**2 (V2 - Q) + e**3 (V3 - Q) +
 C            e**4 (V4 - Q)
 C     for all small enough e > 0.  The orientation of a facet with a
 C     point is an affine function of the point, so the sign for Q* is
-C     the first that is not 0 of the signs for Q, V1, V2, V3, V4.  One
-C     of them is not 0, since V1 ... V4 are not in one plane: Q* is on
-C     no facet, and is in the interior of exactly one tetrahedron if it
-C     is in the hull of a triangulation.
+C     the first nonzero one of the signs for Q, V1, V2, V3, V4.  One of
+C     them is not 0, since V1 ... V4 are not in one plane: Q* is on no
+C     facet, and is in the interior of exactly one tetrahedron if it is
+C     in the hull of a triangulation.
 C     ------------------------------------------------------------------
 
 C     TSORIQ - HHORIE of the facet F and the point Q.
@@ -5105,9 +5111,9 @@ C     Location.
 C     ------------------------------------------------------------------
 
 C     TSCLOS - OK is 1 if point I is nearer to Q in the maximum norm
-C     than what HI - LO is the distance of, and makes that the distance
-C     of I, left unevaluated so that nothing is rounded; else 0.  HI <
-C     LO is that of no point.
+C     than the distance HI - LO, which becomes the distance of I, left
+C     unevaluated so that nothing is rounded; else 0.  HI < LO means
+C     that there is no point yet.
       SUBROUTINE TSCLOS(P, I, Q, HI, LO, OK)
       INTEGER I, OK
       DOUBLE PRECISION P(3,*), Q(3), HI, LO
@@ -5132,7 +5138,7 @@ C     LO is that of no point.
       LO = B
       END
 
-C     TSSAMP - choose where the walk to Q starts: of START, if not 0,
+C     TSSAMP - choose where the walk to Q starts: among START, if not 0,
 C     and about NTET**(1/4) equally spaced tetrahedra, BEST is the first
 C     whose first vertex is nearest to Q in the maximum norm.  The
 C     comparisons are exact, so the choice is the same everywhere.  BEST
@@ -5169,11 +5175,11 @@ C     is 0 if the arithmetic cannot hold a point.
    30 CONTINUE
       END
 
-C     TSWALK - from T across facets that Q* is beyond, until there is
-C     none: then T holds Q* (INFO 0); or to a facet of the hull that Q
-C     is outside of (INFO 1).  INFO is LOST when only open facets lead
-C     on, or after MOST steps; RANGE when the limbs do not suffice; -4
-C     for a neighbour that is out of range.
+C     TSWALK - walk from T across facets that Q* is beyond.  INFO is 0
+C     when there is none: T holds Q*; 1 at a facet of the hull that Q is
+C     outside of; LOST when only open facets lead on, or after MOST
+C     steps; RANGE when the limbs do not suffice; -4 for a neighbour
+C     that is out of range.
 C
 C     In a result of TESS the walk meets no tetrahedron twice.  Lift
 C     each point X to the height |X|**2, lowered as the tie rule says:
@@ -5181,7 +5187,7 @@ C     the tetrahedra are the lower facets of a convex polytope, and
 C     where Q* is beyond the facet from T to U, the plane of U is above
 C     that of T over Q*.  So the height of the current plane over Q*
 C     grows with every step.  (Among cospherical tetrahedra of another
-C     triangulation it may stay, and the walk go round.)
+C     triangulation the height may stay, and the walk may cycle.)
       SUBROUTINE TSWALK(P, NTET, TET, ADJ, Q, MOST, T, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), MOST, T, INFO
       DOUBLE PRECISION P(3,*), Q(3)
@@ -5230,7 +5236,7 @@ C     triangulation it may stay, and the walk go round.)
       END
 
 C     TSHOLD - S is 1 if the closed tetrahedron T contains Q, else 0;
-C     UNSURE.
+C     UNSURE if the limbs do not suffice.
       SUBROUTINE TSHOLD(P, TET, T, Q, S)
       INTEGER TET(4,*), T, S
       DOUBLE PRECISION P(3,*), Q(3)
@@ -5251,9 +5257,10 @@ C     UNSURE.
    20 S = 0
       END
 
-C     TSSWEE - T = the first tetrahedron that holds Q (INFO 0), or if
-C     there is none the first one with a hull or open facet that Q is
-C     outside of (INFO 1); INFO is RANGE when the limbs do not suffice.
+C     TSSWEE - find T, the first tetrahedron that holds Q (INFO 0) or,
+C     if there is none, the first one with a hull or open facet that Q
+C     is outside of (INFO 1); INFO is RANGE when the limbs do not
+C     suffice.
       SUBROUTINE TSSWEE(P, NTET, TET, ADJ, Q, T, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3)
@@ -5285,24 +5292,25 @@ C     outside of (INFO 1); INFO is RANGE when the limbs do not suffice.
       INFO = 1
       END
 
-C     TSHULL - towards the hull's point nearest to Q, from a facet that
-C     Q is outside of.  G: the facet met; H(1) is 0 at first.  STEP is 1
-C     if G is nearer than all before, else 0; plus 2 at the end: then
-C     H(1..3) is the facet, and W are its weights.  Before, the next
-C     facet to be met is the one on the other side of G's edge opposite
-C     to H(HFROM).  STEP is RANGE when the limbs do not suffice.
+C     TSHULL - one step towards the hull's point nearest to Q, from a
+C     facet that Q is outside of.  G is the facet met; H(1) is 0 at
+C     first.  STEP is 1 if G is nearer than all before, else 0; plus 2
+C     at the end: H(1..3) is then the nearest facet, and W its weights.
+C     Until then, the next facet to meet is the one on the other side of
+C     G's edge opposite to H(HFROM).  STEP is RANGE when the limbs do
+C     not suffice.
 C
-C     A facet's nearest point X is in the interior of one of its faces,
+C     A facet's nearest point X is in the interior of one of its faces:
 C     an edge, a vertex or all of it.  The facets around that face are
-C     met; if X is nearest in each of them that Q is outside of, it is
-C     nearest in the hull.  For if a point of the hull is nearer there
-C     are such points Y as near to X as one likes.  Where the way from Q
-C     to Y enters the hull, nearer still, Q is outside of a facet; and
-C     this facet is at X if Y is near enough, as the way from Q to X
-C     meets the hull in X alone.  All this is exact, and each facet
-C     nearer than the one before, so it ends.  (In an unfinished result,
-C     which is not convex, it ends where no facet joined to these about
-C     the point is nearer.)
+C     met.  If X is the nearest point of each of them that Q is outside
+C     of, it is the nearest point of the hull: if a point of the hull is
+C     nearer, there are such points Y arbitrarily near to X.  Where the
+C     segment from Q to Y enters the hull, at a point nearer still, Q is
+C     outside of a facet; and this facet contains X if Y is near enough,
+C     as the segment from Q to X meets the hull in X alone.  All this is
+C     exact, and each facet is nearer than the one before, so the walk
+C     ends.  (In an unfinished result, which is not convex, it ends
+C     where no facet joined to these about the point is nearer.)
       SUBROUTINE TSHULL(P, Q, G, H, W, STEP)
       INTEGER G(3), H(10), STEP
       DOUBLE PRECISION P(3,*), Q(3), W(3)
@@ -5368,10 +5376,10 @@ C         an edge has one more facet, a vertex a circle of them
       IF (SET .EQ. 0) STEP = RANGE
       END
 
-C     TSTURN - go from the facet K of tetrahedron T, of the hull, about
-C     its edge opposite to the vertex Z to the hull facet on the other
-C     side of that edge.  OK is 1, or 0 if neighbours are out of range
-C     or do not match.
+C     TSTURN - turn from the hull facet K of tetrahedron T about its
+C     edge opposite to the vertex Z to the hull facet on the other side
+C     of that edge.  OK is 1, or 0 if neighbours are out of range or do
+C     not match.
       SUBROUTINE TSTURN(NTET, TET, ADJ, T, K, Z, OK)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, K, Z, OK
       INTEGER TSSLOT
@@ -5398,9 +5406,10 @@ C     or do not match.
    10 CONTINUE
       END
 
-C     TSNEAH - from tetrahedron T with a facet of the hull that Q is
-C     outside of to the one with the hull's point nearest to Q, and in
-C     W, which is 0, that point's weights.  INFO is 1, RANGE or -4.
+C     TSNEAH - walk from tetrahedron T, which has a hull facet that Q is
+C     outside of, to the one with the hull's point nearest to Q, and
+C     store that point's weights in W, which is 0 on entry.  INFO is 1,
+C     RANGE or -4.
       SUBROUTINE TSNEAH(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
@@ -5470,9 +5479,8 @@ C     open facet counts as hull; but an unfinished result is not convex:
 C     the point found is the nearest one of the facets that are joined
 C     about it, and another may be nearer.
 C
-C     A walk (see TSWALK), and where it fails a sweep over all
-C     tetrahedra; for a Q outside then a walk over the hull (see
-C     TSHULL).
+C     A walk (see TSWALK); where it fails, a sweep over all tetrahedra;
+C     then, for a Q outside, a walk over the hull (see TSHULL).
 C
 C     It is Q*, not Q, that is located.  The hull is convex and Q* is
 C     nearer to its inside, so Q* is inside of it when Q is inside or on
@@ -5480,13 +5488,13 @@ C     its boundary, and then the answer depends on the points, TET and Q
 C     alone.  For a Q outside, the start decides which of the facets
 C     that have the hull's nearest point is found.  In an unfinished
 C     result open facets may stop the walk though some tetrahedron holds
-C     Q; in a foreign triangulation it may go round: both are left to
-C     the sweep.
+C     Q; in a triangulation from elsewhere it may cycle: both are left
+C     to the sweep.
 C
 C     Cost: proportional to the tetrahedra crossed, about NTET**(1/3) of
 C     them from anywhere, fewer from the sampled start, few from a start
-C     near Q: when these are more than ASTRAY, the sample is asked, too.
-C     The sweep: NTET.
+C     near Q: beyond ASTRAY of these, the sample is used, too.  The
+C     sweep: NTET.
       SUBROUTINE TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
@@ -5530,13 +5538,13 @@ C     The sweep: NTET.
 C     TESSVA - linear interpolation at many points.
 C
 C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
-C       NV    (in)      values a point, >= 0
+C       NV    (in)      values per point, >= 0
 C       VALUE (in)      VALUE(NV,*): VALUE(J,I) is value J of point I
 C       NQ    (in)      number of queries, >= 0
 C       Q     (in)      Q(3,NQ): their coordinates
 C       T     (in,out)  T(NQ): On entry the tetrahedra where the walks
 C                       start, as in TESSLO; for 0 a walk starts from
-C                       the answer before, if that is near.  On return
+C                       the previous answer, if that is near.  On return
 C                       the tetrahedra found: passed in again for other
 C                       values at the same places, they save the search
 C       OUT   (out)     OUT(NV,NQ): OUT(J,I) is value J at query I
@@ -5556,9 +5564,10 @@ C     with Q(1,I), T(I) and OUT(1,I), and T(I-1) for T(I) if there is no
 C     start.  Each call's INFO is then that of its query; T, OUT and the
 C     time taken are those of a single call for all queries.
 C
-C     From the last answer where there is no start: it is the nearest if
-C     the queries are in order, and if not, TESSLO sees that.
-C     Cost: that of TESSLO: a few steps a query if successive queries
+C     Where there is no start, a walk starts from the last answer: it is
+C     the nearest if the queries are in order, and if not, TESSLO
+C     notices.
+C     Cost: that of TESSLO: a few steps per query if successive queries
 C     are close to each other.
       SUBROUTINE TESSVA(P, NTET, TET, ADJ, NV, VALUE, NQ, Q, T, OUT,
      $                  INFO)
@@ -5670,13 +5679,13 @@ C     no entry is DONE.
       OK = 1
       END
 
-C     TESSQU - the mesh's tetrahedron that holds a point, without the
+C     TESSQU - the tetrahedron of a mesh that holds a point, without the
 C     mesh.
 C
 C       N, P, IW, RW  (in)  points and their index.  Threads may share
 C                      them
 C       Q    (in)      the point: 3 coordinates
-C       V    (in,out)  4 points.  On entry a former answer, where the
+C       V    (in,out)  4 points.  On entry an earlier answer, where the
 C                      walk starts, or V(1) = 0 for anywhere.  On return
 C                      the vertices of the tetrahedron, positively
 C                      oriented
@@ -5692,11 +5701,11 @@ C     The answer is that of TESSLO in the mesh that TESS gives.  Only
 C     the order of the vertices may differ and, for Q outside, which of
 C     the hull facets that have the nearest point is found.
 C
-C     TSWALK's walk, with Q* moved into the same tetrahedron, and for a
-C     Q outside TSNEAH's, so that the answer is TESSLO's; neighbours are
-C     found as they are needed.  From a V that is no tetrahedron of the
-C     mesh it might go round: after NP steps it begins again from one
-C     that is.
+C     The walk of TSWALK, with Q* moved into the same tetrahedron, and
+C     for a Q outside that of TSNEAH, so that the answer is that of
+C     TESSLO; neighbours are computed as they are needed.  From a V that
+C     is no tetrahedron of the mesh the walk might cycle: after NP steps
+C     it starts again from one that is.
 C     Cost: a search for an apex for each tetrahedron that is crossed,
 C     and some 20 more from anywhere; for Q outside, one more for each
 C     that is passed on the way about an edge of the hull.
@@ -5718,7 +5727,7 @@ C     that is passed on the way about an edge of the hull.
      $            INFO)
       END
 
-C     TSQUER - TESSQU, the index cut up as TSRUN's workspace.
+C     TSQUER - TESSQU with the index cut up as TSRUN's workspace.
       SUBROUTINE TSQUER(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, Q, V, W, INFO)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4,1), COUNT, ALIVE(2*LVS-1)
@@ -5865,12 +5874,12 @@ C
 C     Marks of points:
 C       TWIN    a duplicate of one of lower index
 C       UNUSED  a point that stands for itself, in no tetrahedron
-C       USED    and in one
+C       USED    the same, in a tetrahedron
 C     ------------------------------------------------------------------
 
-C     TSMERG - places LO+1 ... HI of TO = the sorted runs in places LO+1
-C     ... MID and MID+1 ... HI of FROM, merged; of equal points those of
-C     the first run come first.  FROM and TO are offsets in IW.
+C     TSMERG - merge the sorted runs in places LO+1 ... MID and MID+1
+C     ... HI of FROM into places LO+1 ... HI of TO; of equal points
+C     those of the first run come first.  FROM and TO are offsets in IW.
       SUBROUTINE TSMERG(P, IW, LO, MID, HI, FROM, TO)
       INTEGER IW(*), LO, MID, HI, FROM, TO
       DOUBLE PRECISION P(3,*)
@@ -5897,8 +5906,8 @@ C     the first run come first.  FROM and TO are offsets in IW.
       END
 
 C     TSSORP - sort the points by their coordinates, equal ones by
-C     index: merging runs of 1, 2, 4, ... to and fro between the halves
-C     of IW.  The order begins behind IW(AT); AT is 0 or N.
+C     index: merge runs of 1, 2, 4, ... back and forth between the
+C     halves of IW.  The order begins behind IW(AT); AT is 0 or N.
       SUBROUTINE TSSORP(N, P, IW, AT)
       INTEGER N, IW(*), AT
       DOUBLE PRECISION P(3,*)
@@ -5949,10 +5958,10 @@ C     begin behind IW(MARK).
    10 CONTINUE
       END
 
-C     TSCHKP - that all points are in one plane: of point 1, the first
-C     corner F(1), F(2), a point that differs from it, and F(3), the
-C     first one off their line.  Points before F(3) are in it, so one
-C     pass is enough.
+C     TSCHKP - check that all points are in one plane: that of point 1,
+C     the first corner F(1), of F(2), a point that differs from it, and
+C     of F(3), the first point off their line.  Points before F(3) are
+C     in it, so one pass is enough.
       SUBROUTINE TSCHKP(N, P, BAD, INFO)
       INTEGER N, BAD, INFO
       DOUBLE PRECISION P(3,*)
@@ -6001,9 +6010,9 @@ C     none a duplicate of one of lower index, and mark them as used.
       INFO = 0
       END
 
-C     TSCHKF - that each facet of tetrahedron T is on the boundary or
-C     matched, and the neighbour's apex not inside the ball of T: also a
-C     symmetric relation, so one side tests it.
+C     TSCHKF - check that each facet of tetrahedron T is on the boundary
+C     or matched, and that the neighbour's apex is not inside the ball
+C     of T: this relation is symmetric, too, so one side tests it.
       SUBROUTINE TSCHKF(P, NTET, TET, ADJ, T, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
@@ -6061,17 +6070,16 @@ C     no open facet: 0 or the fault.
       IF (S .EQ. UNSURE) TSCHKT = RANGE
       END
 
-C     TSCHKE - F, facet K of tetrahedron T, is on the boundary.  Turn
-C     about its edge opposite to vertex C, through the tetrahedra, to
-C     the other boundary facet there, and test that its apex is not
-C     outside of the first.
+C     TSCHKE - from F, facet K of tetrahedron T, which is on the
+C     boundary, turn about its edge opposite to vertex C, through the
+C     tetrahedra, to the other boundary facet there, and check that its
+C     apex is not outside of the first.
 C
-C     Facets are known to be matched in pairs, so a step takes
+C     Facets are known to be matched in pairs, so a step maps
 C     (tetrahedron, facet in, facet out) one-to-one to the next such
-C     triple; the first triple is reached by no step, so none comes
-C     twice and the turn ends.  For the same reason all turns together
-C     take at most 6 NTET steps: each edge of each tetrahedron is passed
-C     once.
+C     triple; no step leads to the first triple, so none comes twice and
+C     the turn ends.  For the same reason all turns together take at
+C     most 6 NTET steps: each edge of each tetrahedron is passed once.
       SUBROUTINE TSCHKE(P, TET, ADJ, T, K, F, C, INFO)
       INTEGER TET(4,*), ADJ(4,*), T, K, F(3), C, INFO
       DOUBLE PRECISION P(3,*)
@@ -6095,10 +6103,10 @@ C     once.
       IF (S .EQ. UNSURE) INFO = RANGE
       END
 
-C     TSCHKH - the boundary facets of tetrahedron T: O is inside of
-C     each, and each is convex with its neighbours.  Of the two facets
-C     at an edge, which run along it in opposite directions, one tests
-C     it.
+C     TSCHKH - check the boundary facets of tetrahedron T: O is inside
+C     of each, and each is convex with its neighbours.  The two facets
+C     at an edge run along it in opposite directions, so that one of
+C     them tests it.
       SUBROUTINE TSCHKH(P, TET, ADJ, T, INFO)
       INTEGER TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
@@ -6202,12 +6210,12 @@ C        that hold it.  By 1 and 2 it is the number of times that the
 C        boundary, oriented outwards, winds about X: the sum of that
 C        number over the surfaces of all tetrahedra, in which matched
 C        facets cancel.  The turns of 5 pair the edges of boundary
-C        facets, which so form a closed surface S; two that are adjacent
-C        run along their edge in opposite directions.
+C        facets, which thus form a closed surface S; two that are
+C        adjacent run along their edge in opposite directions.
 C     b. By 4, projection from O takes the facets of S to triangles on
 C        the sphere of directions, all of one orientation, adjacent ones
-C        on opposite sides of their edge.  So S covers the sphere, with
-C        branching at vertices at most, and the number of sheets is the
+C        on opposite sides of their edge.  So S covers the sphere,
+C        branching at most at vertices, and the number of sheets is the
 C        winding number about O: m(O), which is 1 by 6.  One sheet
 C        cannot branch: each ray from O meets S once.  S bounds a body
 C        K, star-shaped about O; m is 1 in K, 0 outside.
@@ -6216,18 +6224,18 @@ C        polygon which is star-shaped about O and has by 5 no angle
 C        above pi: convex.  Such planes are dense, so K is convex.
 C     d. So the tetrahedra fill K once, facet matched to facet: any two
 C        meet in a common face or not at all.  A triangulation of a
-C        convex body that has 3 is Delaunay (Delaunay's lemma).  By 7 it
-C        is one of all points, and K is their hull.
+C        convex body that satisfies 3 is Delaunay (Delaunay's lemma).
+C        By 7 it is one of all points, and K is their hull.
 C
 C     Conversely a Delaunay tetrahedralization passes: O is inside its
 C     hull.
 C
-C     No test is idle.  For 4: two tetrahedra apart; or the tetrahedra
-C     on an axis and the edges of a star of five points about it, O in
-C     a tip of the star.  For 6: join the 20 triangles of the great
-C     icosahedron to its centre.  These tetrahedra pass all other tests,
-C     and V - E + F - T = 1, though they cover the centre 7 times.
-C     Euler's relation follows from the seven tests.
+C     No test is redundant.  For 4: two tetrahedra apart; or the
+C     tetrahedra on an axis and the edges of a star of five points about
+C     it, O in a tip of the star.  For 6: join the 20 triangles of the
+C     great icosahedron to its centre.  These tetrahedra pass all other
+C     tests, and V - E + F - T = 1, though they cover the centre 7
+C     times.  Euler's relation follows from the seven tests.
 C
 C     Nothing is relied on before it is tested: indices before points
 C     are read, the matching of all facets before a turn.  INFO is 6
@@ -6301,11 +6309,11 @@ C       INFO (out)  0; -1 for a NaN or infinity in the points, -2 for an
 C                   index that is out of range; 6, with the radius the
 C                   greatest double (see TESS)
 C
-C     By limbs, of a set of the four points alone, scaled to at most 1.
-C     With LENGTH the sum of what is rounded, the centre errs by 8 eps
-C     of its length (see HHCENT), and that, the radius' own error of 12
-C     eps, and the roundings of the sum, 1 eps of it, count in the
-C     radius: less than 32 eps LENGTH.
+C     Computed by limbs, for a set of the four points alone, scaled to
+C     at most 1.  LENGTH is the sum of what is rounded.  The centre errs
+C     by 8 eps of its length (see HHCENT); the radius must cover that,
+C     its own error of 12 eps, and the roundings of the sum, 1 eps of
+C     it: less than 32 eps LENGTH.
       SUBROUTINE TESSBA(P, V, C, INFO)
       DOUBLE PRECISION P(3,*), C(4)
       INTEGER V(4), INFO
