@@ -197,7 +197,7 @@ extern void tess_prove(int fact);
 /* With short lists, for small machines, the code for supports is left out. */
 #define SEEK(m) (TESS_LIST >= 128 && (m)->patience > 0.0)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
-#define LEANING(f) (TESS_LIST >= 128 && (f)->near != NONE)
+#define LEANING(f) (TESS_LIST >= 128 && (f)->on != NONE)
 /* Cylinders are made when the points of leaves that were tested are SCANS times
  * the points; not if less than half of the leaves' are below SLENDER of their
  * boxes. */
@@ -310,7 +310,7 @@ typedef struct quest {
     int limbs;                /* 1: it was found by limbs: t; 2: it is that */
     hh_ball t;                /* of a cap */
     /* the support */
-    int near;                 /* its number, or NONE; on the facet */
+    int on;                   /* its number, or NONE; on the facet */
     double h, dh;             /* height(w) - h - tilt.w is 0, h being the */
     double tilt[3], dtilt;    /* base's height; dh, dtilt bound the errors */
     double g;                 /* a plane: the height of the facet's normal */
@@ -1222,7 +1222,7 @@ static int better(const mesh *m, const quest *f, tess_int z)
 /* curved - returns 1 if the facet's support is a sphere. */
 static int curved(const mesh *m, const quest *f)
 {
-    return LEANING(f) && !m->supports[f->near].plane;
+    return LEANING(f) && !m->supports[f->on].plane;
 }
 
 /* narrow - record that the best point's L-coordinate is at most l, and set the
@@ -1418,7 +1418,7 @@ static int discover(mesh *m, quest *f)
     support *s = m->supports + m->nsupport;
     tess_int node, i, last, mark, old, least, members = 0, all = 0;
     double h, err, fine, c;
-    int above, across = f->near == NONE, k;
+    int above, across = f->on == NONE, k;
 
     if (m->nsupport == 0)
         for (i = 0; i < m->np; i++) m->mark[i] = 0;
@@ -1526,7 +1526,7 @@ static void lean(const mesh *m, quest *f)
     ab = dot(a[0], a[1]);
     det = n[0] * n[1] - ab * ab;
     if (det < 1e4 * EPS * n[0] * n[1] || det < FAINT) return;
-    f->near = near;
+    f->on = near;
     f->aimed = 0;
     t[0] = (h[1] * n[1] - h[2] * ab) / det;
     t[1] = (h[2] * n[0] - h[1] * ab) / det;
@@ -1563,12 +1563,12 @@ static void lean(const mesh *m, quest *f)
 static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
                    double *lo, double *hi)
 {
-    const support *s = m->supports + f->near;
+    const support *s = m->supports + f->on;
     const double *x = m->x + 3 * z;
     double h, err, low, high, least, most, g = 0.0, size = 0.0, u;
     int k;
 
-    if (!level(m, f->near, z, &h, &err)) return side;
+    if (!level(m, f->on, z, &h, &err)) return side;
     err += f->dh + 16.0 * EPS * (fabs(h) + fabs(f->h)) + FAINT;
     h -= f->h;
     for (k = 0; k < 3; k++) {
@@ -1622,7 +1622,7 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
  * h, of a height of at most -low, and of a, which is exact but for one. */
 static void sight(const mesh *m, quest *f)
 {
-    const support *s = m->supports + f->near;
+    const support *s = m->supports + f->on;
     int ball = f->ball && f->hi <= MUCHL && f->hi >= -MUCHL, k;
     double b = 0.0, sum = 0.0, u, v, w;
 
@@ -1691,7 +1691,7 @@ static int beyond(const quest *f, double sum, double size, double h, double dh)
  * all that counts where the heights tell nothing. */
 static int promise(const mesh *m, quest *f, tess_int node)
 {
-    const support *s = m->supports + f->near;
+    const support *s = m->supports + f->on;
     const double *b = m->box + 6 * node;
     tess_int code = s->least[node];
     double h = -s->low, sum, size;
@@ -2016,12 +2016,12 @@ static void consider(const mesh *m, quest *f, tess_int z)
 
     COUNT(N_POINT, 1);
     if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
-    if (LEANING(f) && marked(m, f->near, z, &h)) {
+    if (LEANING(f) && marked(m, f->on, z, &h)) {
         if (!f->aimed) sight(m, f);
         out = beyond(f, w0 * (f->q * w0 - f->d[0]) +
                             w1 * (f->q * w1 - f->d[1]) +
                             w2 * (f->q * w2 - f->d[2]),
-                     size, h, m->supports[f->near].grain);
+                     size, h, m->supports[f->on].grain);
     } else
         out = f->ball && HH_POWER(w0, w1, w2, f->c) > powererr(f, size);
     if (!out)
@@ -2365,8 +2365,8 @@ static void treesearch(mesh *m, quest *f)
         } else if (node >= m->leaves)
             scanleaf(m, f, node);
         else {
-            n = LEANING(f) && m->supports[f->near].least[2 * node] <
-                                  m->supports[f->near].least[2 * node + 1];
+            n = LEANING(f) && m->supports[f->on].least[2 * node] <
+                                  m->supports[f->on].least[2 * node + 1];
             stack[depth++] = 2 * node + n;
             stack[depth++] = 2 * node + 1 - n;
         }
@@ -2406,7 +2406,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
         f->c[k] = 0.0;
         if (f->first != NONE && v[k] == m->first) f->first = k;
     }
-    f->best = f->near = NONE;
+    f->best = f->on = NONE;
     f->asked = f->limbs = f->tied = f->ball = 0;
     f->opened = 0;
     f->dc = f->size = 0.0;
@@ -2467,7 +2467,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
             challenge(m, &f, guess[k]);
     /* a ball that is a support's sphere but for rounding is in no list */
     lists = !curved(m, &f) ||
-            (f.best != NONE && !marked(m, f.near, f.best, &h));
+            (f.best != NONE && !marked(m, f.on, f.best, &h));
     if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);
         m->futile = 0;

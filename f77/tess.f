@@ -250,7 +250,7 @@ C       IQ      QBEST: the best point yet, exactly, or 0; QLIMBS: 1: its
 C               ball has been found by limbs, 2: the ball is that of a
 C               cap; QBALL: there is a ball to prune with; QBASE:
 C               V(QBASE) is the base of F; QASKED: comparisons left to
-C               the exact predicates; QNEAR: the facet is near this
+C               the exact predicates; QON: the facet is near this
 C               support, or 0; QAIMED: TSSIGH's test is for the best
 C               point there is; behind QSOME a sample of the points,
 C               near no support, that were left open, or, QOPEN = 0, of
@@ -1513,11 +1513,11 @@ C     TSCURV - returns 1 if the facet's support is a sphere, or 0.
       INTEGER FUNCTION TSCURV(RCTL, IQ)
       DOUBLE PRECISION RCTL(*)
       INTEGER IQ(41)
-      INTEGER RSUP, LSUP, SPLANE, QNEAR
-      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QNEAR = 6)
+      INTEGER RSUP, LSUP, SPLANE, QON
+      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QON = 6)
       TSCURV = 0
-      IF (IQ(QNEAR) .EQ. 0) RETURN
-      IF (RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
+      IF (IQ(QON) .EQ. 0) RETURN
+      IF (RCTL(RSUP+LSUP*(IQ(QON)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
       END
 
 C     TSNARR - record that the best point's L-coordinate is at most L,
@@ -1825,11 +1825,11 @@ C     that holds them all.  KEPT is 1 if it is kept, or 0.
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41), KEPT
       INTEGER TSCUBE
       INTEGER NP, LEAVES, RSUPP, RPATIE, RSUP, LSUP, SPLANE, SLOW
-      INTEGER SGRAIN, DONE, SUPPS, GRAINS, OPENED, QNEAR, QOPEND
+      INTEGER SGRAIN, DONE, SUPPS, GRAINS, OPENED, QON, QOPEND
       PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RPATIE = 8, RSUP = 17)
       PARAMETER (LSUP = 97, SPLANE = 88, SLOW = 96)
       PARAMETER (SGRAIN = 97, DONE = -1, SUPPS = 8, GRAINS = 134217728)
-      PARAMETER (OPENED = 24, QNEAR = 6, QOPEND = 9)
+      PARAMETER (OPENED = 24, QON = 6, QOPEND = 9)
       DOUBLE PRECISION FINER
       PARAMETER (FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, FINE, GRAIN, H, LOW
@@ -1859,7 +1859,7 @@ C     a sample of all that is near, as that may be of a corner
         IF (OK .EQ. 0) RETURN
       END IF
       ACROSS = 0
-      IF (IQ(QNEAR) .EQ. 0) ACROSS = 1
+      IF (IQ(QON) .EQ. 0) ACROSS = 1
       DO 17 K = 1, 3
         IF (ACROSS .EQ. 1) CALL TSLEVE(X, P, ORD, MARK, RCTL, J, V(K),
      $      H, ERR, ACROSS)
@@ -1944,10 +1944,10 @@ C     order, each of at most EPS (|o| + 2 |at|): less than 8 EPS SIZE.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(41)
       DOUBLE PRECISION TSDOT
-      INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QNEAR, QAIMED
+      INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QON, QAIMED
       INTEGER QH, QDH, QTILT, QDTILT, QG, SUPPS
       PARAMETER (RSUPP = 6, RSUP = 17, LSUP = 97, SPLANE = 88, SAT = 88)
-      PARAMETER (SC = 91, QBASE = 4, QNEAR = 6, QAIMED = 7, QH = 95)
+      PARAMETER (SC = 91, QBASE = 4, QON = 6, QAIMED = 7, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       PARAMETER (SUPPS = 8)
       DOUBLE PRECISION EPS, FAINT
@@ -1986,7 +1986,7 @@ C     order, each of at most EPS (|o| + 2 |at|): less than 8 EPS SIZE.
       AB = TSDOT(A(1,1), A(1,2))
       DET = N(1)*N(2) - AB*AB
       IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
-      IQ(QNEAR) = J
+      IQ(QON) = J
       IQ(QAIMED) = 0
       T(1) = (H(2)*N(2) - H(3)*AB)/DET
       T(2) = (H(3)*N(1) - H(2)*AB)/DET
@@ -2026,8 +2026,8 @@ C     twice its error: PAD is more.
      $                  HI)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108), LO, HI
       INTEGER ORD(*), MARK(*), IQ(41), Z, SIDE
-      INTEGER RSUP, LSUP, SPLANE, QNEAR, QH, QDH, QTILT, QDTILT, QG
-      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QNEAR = 6, QH = 95)
+      INTEGER RSUP, LSUP, SPLANE, QON, QH, QDH, QTILT, QDTILT, QG
+      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QON = 6, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, PAD = 64.0D0*EPS)
@@ -2035,7 +2035,7 @@ C     twice its error: PAD is more.
       PARAMETER (SMALL = 2.0D0**(-450))
       DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, Q(3), SIZE, U
       INTEGER K, OK
-      CALL TSLEVE(X, P, ORD, MARK, RCTL, IQ(QNEAR), Z, H, ERR, OK)
+      CALL TSLEVE(X, P, ORD, MARK, RCTL, IQ(QON), Z, H, ERR, OK)
       IF (OK .EQ. 0) RETURN
       ERR = ERR + (FQ(QDH) + 16.0D0*EPS*(ABS(H) + ABS(FQ(QH))) + FAINT)
       H = H - FQ(QH)
@@ -2050,7 +2050,7 @@ C     twice its error: PAD is more.
         ERR = ERR + 16.0D0*EPS*ABS(FQ(QTILT+K)*U)
    10 CONTINUE
       ERR = ERR + FQ(QDTILT)*SIZE
-      IF (RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SPLANE) .GT. 0.0D0) THEN
+      IF (RCTL(RSUP+LSUP*(IQ(QON)-1)+SPLANE) .GT. 0.0D0) THEN
         IF (FQ(QG) .LT. 0.0D0) H = -H
         IF (H + ERR .LT. 0.0D0) THEN
           SIDE = -1
@@ -2101,17 +2101,17 @@ C     which is exact but for one.
       SUBROUTINE TSSIGH(RCTL, IQ, F, FQ)
       DOUBLE PRECISION RCTL(*), F(12), FQ(108)
       INTEGER IQ(41)
-      INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QNEAR, QAIMED, QHI, QH
+      INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QON, QAIMED, QHI, QH
       INTEGER QDH, QTILT, QDTILT, QG, QTEST, TQ, TD, TDD, TA, TERR
       PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, SLOW = 96)
-      PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QHI = 2, QH = 95)
+      PARAMETER (QBALL = 3, QON = 6, QAIMED = 7, QHI = 2, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       PARAMETER (QTEST = 101, TQ = 1, TD = 1, TDD = 5, TA = 6, TERR = 7)
       DOUBLE PRECISION EPS, FAINT, MUCHL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, MUCHL = 1.0D100)
       DOUBLE PRECISION A, B, DD, Q, SUM, U, V, W
       INTEGER AT, BALL, K
-      AT = RSUP + LSUP*(IQ(QNEAR) - 1)
+      AT = RSUP + LSUP*(IQ(QON) - 1)
       IQ(QAIMED) = 1
       BALL = IQ(QBALL)
       IF (ABS(FQ(QHI)) .GT. MUCHL) BALL = 0
@@ -2210,16 +2210,16 @@ C     nothing; or 0: OUT.
       DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER MARK(*), CTL(*), IQ(41), NODE, OUT
       INTEGER TSPRUN
-      INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QNEAR, QAIMED
+      INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QON, QAIMED
       INTEGER QLIMBS, QTEST, TA, GRAINS
       PARAMETER (NP = 1, LEAVES = 4, RSUP = 17, LSUP = 97, SLOW = 96)
-      PARAMETER (SGRAIN = 97, QNEAR = 6, QAIMED = 7, QTEST = 101)
+      PARAMETER (SGRAIN = 97, QON = 6, QAIMED = 7, QTEST = 101)
       PARAMETER (QLIMBS = 2, TA = 6, GRAINS = 134217728)
       DOUBLE PRECISION H, SIZE, SUM
       INTEGER AT, CODE, TELLS
       IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
-      AT = RSUP + LSUP*(IQ(QNEAR) - 1)
-      CODE = MARK(CTL(NP)+2*CTL(LEAVES)*(IQ(QNEAR)-1)+NODE)
+      AT = RSUP + LSUP*(IQ(QON) - 1)
+      CODE = MARK(CTL(NP)+2*CTL(LEAVES)*(IQ(QON)-1)+NODE)
       TELLS = 1
       IF (FQ(QTEST+TA) .LT. 0.0D0) THEN
         IF (MOD(CODE, 2) .EQ. 1) TELLS = 0
@@ -2582,10 +2582,10 @@ C     what they leave open limits the better one by the other.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(41), Z
       INTEGER HHPBEA, HHPSID
-      INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QNEAR, QLO, QHI
+      INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QON, QLO, QHI
       INTEGER QLIMB, RTIED, RSLOT, UNSURE, MANY
       PARAMETER (T3 = 1, T5 = 2, RPATIE = 8, QBEST = 1, QLIMBS = 2)
-      PARAMETER (QASKED = 5, QNEAR = 6, QLO = 1, QHI = 2, QLIMB = 7)
+      PARAMETER (QASKED = 5, QON = 6, QLO = 1, QHI = 2, QLIMB = 7)
       PARAMETER (RTIED = 11, RSLOT = 12, UNSURE = 2, MANY = 6)
       DOUBLE PRECISION PLAIN, WIDE
       PARAMETER (PLAIN = 16.0D0, WIDE = 1.0D-4)
@@ -2595,7 +2595,7 @@ C     what they leave open limits the better one by the other.
       Q(2) = X(2,Z)
       Q(3) = X(3,Z)
       CALL HHLIMI(F, Q, LO, HI, SIDE)
-      IF (IQ(QNEAR) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, P, ORD,
+      IF (IQ(QON) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, P, ORD,
      $    MARK, RCTL, IQ, F, FQ, Z, SIDE, LO, HI)
       SGN = SIDE
       POWER = UNSURE
@@ -2647,10 +2647,10 @@ C     ball, by its height over the facet's support where that is known.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(41), Z
       DOUBLE PRECISION TSPOWE
-      INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QNEAR, QAIMED, QC
+      INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QON, QAIMED, QC
       INTEGER QTEST, TQ, TD
       PARAMETER (RSUP = 17, LSUP = 97, SGRAIN = 97, QBEST = 1)
-      PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QC = 2)
+      PARAMETER (QBALL = 3, QON = 6, QAIMED = 7, QC = 2)
       PARAMETER (QTEST = 101, TQ = 1, TD = 1)
       DOUBLE PRECISION H, Q, SIZE, SUM, W1, W2, W3
       INTEGER OK, OUT
@@ -2661,8 +2661,8 @@ C     ball, by its height over the facet's support where that is known.
       W3 = X(3,Z) - F(9)
       SIZE = ABS(W1) + ABS(W2) + ABS(W3)
       OK = 0
-      IF (IQ(QNEAR) .NE. 0)
-     $    CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
+      IF (IQ(QON) .NE. 0)
+     $    CALL TSMRKD(MARK, RCTL, IQ(QON), Z, H, OK)
       OUT = 0
       IF (OK .EQ. 1) THEN
         IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
@@ -2670,7 +2670,7 @@ C     ball, by its height over the facet's support where that is known.
         SUM = W1*(Q*W1 - FQ(QTEST+TD+1)) + W2*(Q*W2 - FQ(QTEST+TD+2)) +
      $      W3*(Q*W3 - FQ(QTEST+TD+3))
         CALL TSBEYO(FQ, SUM, SIZE, H,
-     $              RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SGRAIN), OUT)
+     $              RCTL(RSUP+LSUP*(IQ(QON)-1)+SGRAIN), OUT)
       ELSE IF (IQ(QBALL) .EQ. 1) THEN
         SUM = W1*(W1 - 2.0D0*FQ(QC+1)) + W2*(W2 - 2.0D0*FQ(QC+2)) +
      $      W3*(W3 - 2.0D0*FQ(QC+3))
@@ -3140,15 +3140,15 @@ C     anywhere.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41)
       INTEGER TSPRUN, TSLEAF, TSGROU
-      INTEGER NP, LEAVES, ROUND, QBALL, QBASE, QNEAR, DEPTH
+      INTEGER NP, LEAVES, ROUND, QBALL, QBASE, QON, DEPTH
       PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, QBALL = 3, QBASE = 4)
-      PARAMETER (QNEAR = 6, DEPTH = 96)
+      PARAMETER (QON = 6, DEPTH = 96)
       DOUBLE PRECISION LOOSE
       PARAMETER (LOOSE = 0.5D0)
       DOUBLE PRECISION PAST(4)
       INTEGER FOURS, FROM, HEIGHT, LEAST, N, NEAR, NODE, OUT
       INTEGER STACK(DEPTH), TOP
-      NEAR = IQ(QNEAR)
+      NEAR = IQ(QON)
       LEAST = CTL(NP) + 2*CTL(LEAVES)*(NEAR - 1)
       FOURS = CTL(ROUND)/2
       IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
@@ -3235,10 +3235,10 @@ C     angle there is small the vertex opposite to the longest edge.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(41)
       INTEGER TSINLA
-      INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QNEAR
+      INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON
       INTEGER RTIED, RSLOT, RFIRST, QOPEND, QLO, QHI, QC, QDC, QSIZE
       PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2)
-      PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QNEAR = 6)
+      PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QON = 6)
       PARAMETER (QOPEND = 9, QLO = 1, QHI = 2, QC = 2, QDC = 6)
       PARAMETER (QSIZE = 7, RTIED = 11, RSLOT = 12, RFIRST = 13)
       DOUBLE PRECISION EPS, HUGE, THIN
@@ -3259,7 +3259,7 @@ C     angle there is small the vertex opposite to the longest edge.
       IQ(QLIMBS) = 0
       IQ(QBALL) = 0
       IQ(QASKED) = 0
-      IQ(QNEAR) = 0
+      IQ(QON) = 0
       IQ(QOPEND) = 0
       RCTL(RTIED) = 0.0D0
       FQ(QLO) = -HUGE
@@ -3306,12 +3306,12 @@ C     GUESS: two positions to try first, or 0.
       INTEGER LSI(3,2), V(3), GUESS(2), Z
       INTEGER HHPSID, TSCURV, TSONHU
       INTEGER NP, LEAVES, NPLANE, NEXTPL, PLANE0, ROUND, NCELL, T3
-      INTEGER RBURDN, RPATIE, RSCAN, RTIED, RSLOT, RFIRST, QBEST, QNEAR
+      INTEGER RBURDN, RPATIE, RSCAN, RTIED, RSLOT, RFIRST, QBEST, QON
       INTEGER QOPEND, LLAST, BLK, PLANES, OPENED, LARGE, FUTILE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
       PARAMETER (PLANE0 = 13, ROUND = 28, NCELL = 29, T3 = 1)
       PARAMETER (RBURDN = 7, RPATIE = 8, RSCAN = 10, RTIED = 11)
-      PARAMETER (RSLOT = 12, RFIRST = 13, QBEST = 1, QNEAR = 6)
+      PARAMETER (RSLOT = 12, RFIRST = 13, QBEST = 1, QON = 6)
       PARAMETER (QOPEND = 9, LLAST = 2, BLK = 1, PLANES = 4)
       PARAMETER (OPENED = 24, LARGE = 24, FUTILE = 82)
       DOUBLE PRECISION SCANS
@@ -3339,7 +3339,7 @@ C     a ball that is a support's sphere but for rounding is in no list
       LISTS = 1
       IF (TSCURV(RCTL, IQ) .EQ. 1) THEN
         OK = 1
-        IF (Z .NE. 0) CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
+        IF (Z .NE. 0) CALL TSMRKD(MARK, RCTL, IQ(QON), Z, H, OK)
         LISTS = 1 - OK
       END IF
       IF (LISTS .EQ. 1) THEN
