@@ -201,7 +201,7 @@ extern void tess_prove(int fact);
 /* With short lists, for small machines, the code for supports is left out. */
 #define SEEK(m) (TESS_LIST >= 128 && (m)->patience > 0.0)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
-#define LEANING(f) (TESS_LIST >= 128 && (f)->near != NONE)
+#define LEANING(f) (TESS_LIST >= 128 && (f)->on != NONE)
 /* Cylinders are made once the points tested in leaves number SCANS times all
  * points, but not if fewer than half of the leaves' are below SLENDER of their
  * boxes. */
@@ -302,8 +302,9 @@ typedef struct quest {
     tess_int v[3];            /* its vertices; the open side is positive */
     double f[HH_FACET_LEN];   /* its Householder set-up, */
     int base;                 /* of which v[base] is the base */
-    int first;                /* v[first] is the large ball's; 3: the facet */
-                              /* is on that, without it; NONE: it is not */
+    int first;                /* v[first] is the large ball's first; 3: the */
+                              /* facet is on that ball, but without its */
+                              /* first; NONE: it is not on it */
     /* the best point */
     tess_int best;            /* the best point yet, exactly, or NONE */
     double lo, hi;            /* its L-coordinate is between them */
@@ -316,7 +317,7 @@ typedef struct quest {
     int limbs;                /* 1: it was found by limbs: t; 2: it is that */
     hh_ball t;                /* of a cap */
     /* the support */
-    int near;                 /* its number, or NONE; on the facet */
+    int on;                   /* its number, or NONE.  On the facet */
     double h, dh;             /* height(w) - h - tilt.w is 0, h being the */
     double tilt[3], dtilt;    /* base's height; dh, dtilt bound the errors */
     double g;                 /* a plane: the height of the facet's normal */
@@ -324,16 +325,16 @@ typedef struct quest {
     double a, q, d[3];        /* where a (height - h) + q |w|^2 - d.w > 0; */
     double dd, err;           /* each w[k] is wrong by dd w[k], all by err */
     /* the sample of points, for a support */
-    int open;                 /* 1: they were left open; 0: are of leaves */
-    tess_int opened;          /* of so many */
-    tess_int some[SOME];
+    int open;                 /* 1: of points left open; 0: of leaves' */
+    tess_int opened;          /* how many were offered to the sample; */
+    tess_int some[SOME];      /* those of them that it keeps */
 } quest;
 
-/* A support: a plane or a sphere that many points are near to.  Mark k, 0 ...
- * GRAINS - 1, of one of them is a height between low + (k - 1/2) grain and
- * low + (k + 3/2) grain, low < 0; least[node] is 2 (k + 1), k the least mark of
- * a node's points, -1 if one is below low, GRAINS if all are above; plus 1 if
- * one is above -low. */
+/* A support: a plane or a sphere that many points are near.  A point with mark
+ * k, 0 ... GRAINS - 1, has a height between low + (k - 1/2) grain and
+ * low + (k + 3/2) grain; low < 0.  least[node] is 2 (k + 1), plus 1 if a point
+ * of the node is above -low; k is the least mark of the node's points, -1 if
+ * one is below low, GRAINS if all are above. */
 typedef struct support {
     hh_ball t;
     int plane;
@@ -1114,10 +1115,11 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* powererr - bound on the error of the power |w|^2 - 2 c.w, |w|_1 <= size: c is
- * wrong by dc; each w[k] (w[k] - 2 c[k]) is the result of at most 6 roundings,
- * with w[k] itself twice and the sum's, each of at most EPS |w[k]| (|w[k]| + 2
- * |c[k]|); size, and this, may come out too small by a few EPS. */
+/* powererr - bound on the error of the power |w|^2 - 2 c.w for |w|_1 <= size.
+ * c errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
+ * roundings, counting that of w[k] twice and those of the sum, each of at most
+ * EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too small
+ * by a few EPS. */
 static double powererr(const quest *f, double size)
 {
     return size * (2.0 * f->dc + 8.0 * EPS * (size + 2.0 * f->size)) + FAINT;
@@ -1169,10 +1171,11 @@ static int prunepart(const mesh *m, const quest *f, int k, double lo, double hi)
     return prunebox(f, from, to);
 }
 
-/* ballinbox - returns 1 if the part of the ball that may hold points, that in
- * the root's box, lies inside the box of a list.  The centre of the true ball
- * is within dc of c, and both balls pass through the base: so its radius is at
- * most |c| + dc, and along an axis it ends within |c| + 2 dc of c. */
+/* ballinbox - returns 1 if the part of the ball that may hold points, the part
+ * in the root's box, lies inside the box of a list.  The centre of the true
+ * ball is within dc of c, and both balls pass through the base.  So the radius
+ * is at most |c| + dc, and along an axis the ball ends within |c| + 2 dc of
+ * c. */
 static int ballinbox(const mesh *m, const quest *f, const list *l)
 {
     const double *root = m->box + 6;
@@ -1192,13 +1195,14 @@ static int ballinbox(const mesh *m, const quest *f, const list *l)
     return 1;
 }
 
-/* ballinstar - the same for the margin of a star's list about the base: for a
+/* ballinstar - the same for the margin of a star's list about the base.  For a
  * point u of the true ball, relative to the base,
  *     |u|^2 <= 2 (c.u + dc |u|) <= 2 (a + dc) |u| + 2 b,
- * a being the length of c without a coordinate k and b >= 0 the most that c[k]
- * u[k] is in the root's box.  So |u| is less than margin if margin (margin - 2
- * a - 2 dc) >= 2 b; the test has margin - 2 dc in the place of both.  PAD times
- * margin is more than the roundings of a, b and the products take. */
+ * where a is the length of c without its coordinate k, and b >= 0 is the
+ * greatest value of c[k] u[k] in the root's box.  So |u| is less than margin if
+ * margin (margin - 2 a - 2 dc) >= 2 b.  The test puts margin - 2 dc for the
+ * first factor, too.  PAD times margin exceeds the roundings of a, b and the
+ * products. */
 static int ballinstar(const mesh *m, const quest *f)
 {
     const double *root = m->box + 6;
@@ -1220,7 +1224,8 @@ static int ballinstar(const mesh *m, const quest *f)
 }
 
 #ifdef TESS_PROVE
-/* better - is z on the open side and better than the best point, exactly? */
+/* better - returns 1 if z is on the open side and better than the best point,
+ * exactly. */
 static int better(const mesh *m, const quest *f, tess_int z)
 {
     return z != f->v[0] && z != f->v[1] && z != f->v[2] && z != f->best &&
@@ -1232,11 +1237,11 @@ static int better(const mesh *m, const quest *f, tess_int z)
 /* curved - returns 1 if the facet's support is a sphere. */
 static int curved(const mesh *m, const quest *f)
 {
-    return LEANING(f) && !m->supports[f->near].plane;
+    return LEANING(f) && !m->supports[f->on].plane;
 }
 
-/* narrow - record that the best point's L-coordinate is at most l, and set the
- * ball of that. */
+/* narrow - records that the best point's L-coordinate is at most l, and sets
+ * the ball of L = l. */
 static void narrow(quest *f, double l)
 {
     f->hi = l;
@@ -1245,7 +1250,7 @@ static void narrow(quest *f, double l)
     f->ball = 1;
     /* on the positive side, a better point is in the ball of any L above the
      * best point's, so the error of L does not count.  It is large where balls
-     * are flat: with it, points near a plane took 10 times as long. */
+     * are flat: counting it makes points near a plane take 10 times as long. */
     f->c[0] = f->f[3] + l * f->f[0];
     f->c[1] = f->f[4] + l * f->f[1];
     f->c[2] = f->f[5] + l * f->f[2];
@@ -1253,11 +1258,12 @@ static void narrow(quest *f, double l)
     f->dc = f->f[10] + fabs(l) * f->f[9] + 4.0 * EPS * f->size;
 }
 
-/* refine - find the ball of the best point by limbs.  The centre c errs by at
- * most 8 eps |c|, so that its height over the facet's plane, c.v, is L but for
- * the error of v, E |c|, that of c, and the roundings of three products and
- * two sums, 5 eps |c|_1.  Near a sphere L is counted from f[3..5], which are
- * subtracted: u for c, with their error, and one rounding more. */
+/* refine - finds the ball of the best point by limbs.  The centre c errs by at
+ * most 8 eps |c|.  So its height over the facet's plane, c.v, is L up to the
+ * error of v, E |c|, the error of c, and the roundings of three products and
+ * two sums, 5 eps |c|_1.  Near a sphere L is counted from f[3..5]: u, the
+ * difference, takes the place of c, with the error of f[3..5] and one more
+ * rounding. */
 static void refine(const mesh *m, quest *f)
 {
     double c[3], l = 0.0, u, size = 0.0, err;
@@ -1287,22 +1293,24 @@ static void refine(const mesh *m, quest *f)
 /* ---- supports ----
  *
  * Where many points are near one plane or sphere, the side or the power of each
- * is noise for a facet of three of them, and no box of points is away from the
- * ball.  A support is such a plane or sphere, through points; by limbs the
- * heights of others over it (a sphere's: their powers) are right to some eps of
- * themselves.  With h that of the base of a facet near to it, and tilt the
- * vector in the facet's plane whose products with its edges are the differences
- * of heights,
+ * is noise for a facet of three of them, and no box of points is clear of the
+ * ball.  A support is such a plane or sphere, through points.  Limbs give the
+ * heights of other points over it (over a sphere, their powers) to some eps of
+ * themselves.  Let h be the height of the base of a facet near the support, and
+ * tilt the vector in the facet's plane whose products with the facet's edges
+ * are the differences of heights.  Then
  *     G(w) = height(w) - h - tilt.w
- * is 0 at its vertices.  So on a plane it is g times the side of w, g being the
- * height of the facet's normal v; on a sphere, whose centre's height over the
- * facet's plane is l, it is the power of w in the ball of L = l, and L(w) = l +
- * e, e = G(w) / (2 side).  Heights are noise, but known to 1e-7 of it: so they
- * decide, point by point and node by node.
+ * is 0 at the facet's vertices.  On a plane, G(w) is therefore g times the side
+ * of w, where g is the height of the facet's normal v.  On a sphere whose
+ * centre is at height l over the facet's plane, G(w) is the power of w in the
+ * ball of L = l, and L(w) = l + e, e = G(w) / (2 side).  Heights are that
+ * noise, but known to 1e-7 of it: so they decide, point by point and node by
+ * node.
  */
 
-/* rough - the height of the position z over a support, in double precision: the
- * centre errs by 8 eps |c|, the rest is 6 roundings. */
+/* rough - returns the height of the position z over a support, in double
+ * precision.  err bounds its error: 8 eps |c| for the centre, and 6
+ * roundings. */
 static double rough(const mesh *m, const support *s, tess_int z, double *err)
 {
     double h = 0.0, size = 0.0, u;
@@ -1317,9 +1325,9 @@ static double rough(const mesh *m, const support *s, tess_int z, double *err)
     return h;
 }
 
-/* marked - *h = the height of the position z over support j, to its grain, if
- * it has a mark of that.  A mark is off by the roundings of discover, EPS
- * GRAINS grains, and a quarter of one for twice the height's error. */
+/* marked - returns 1 if the position z has a mark of support j; *h is then its
+ * height, to a grain.  A mark is off by the roundings of discover, EPS GRAINS
+ * grains, and by a quarter of a grain for twice the height's error. */
 static int marked(const mesh *m, int j, tess_int z, double *h)
 {
     const support *s = m->supports + j;
@@ -1329,8 +1337,8 @@ static int marked(const mesh *m, int j, tess_int z, double *h)
     return mark >= 0 && mark % SUPPORTS == j;
 }
 
-/* level - the height of the position z over support j, if it is near to it:
- * by its mark, or else by limbs. */
+/* level - returns 1 if the position z is near support j; *h is then its height,
+ * from its mark or else by limbs, and *err bounds the error. */
 static int level(const mesh *m, int j, tess_int z, double *h, double *err)
 {
     const support *s = m->supports + j;
@@ -1343,10 +1351,11 @@ static int level(const mesh *m, int j, tess_int z, double *h, double *err)
     return *err <= s->grain && fabs(*h) <= -s->low;
 }
 
-/* remember - z among the points that were left open, or, until there are such,
- * of leaves where the search went: in a sample of SOME of them, in which it
- * takes another's place by chance, but by the same chance everywhere.  Points
- * with a mark, too: they may be on a finer support. */
+/* remember - adds z to the sample: points that were left open or, until there
+ * are any, points of leaves that the search visited.  The sample keeps SOME of
+ * them.  Once it is full, a point takes the place of another by chance, but by
+ * the same chance on every machine.  Points with a mark count, too: they may be
+ * on a finer support. */
 static void remember(quest *f, tess_int z, int open)
 {
     tess_int place;
@@ -1362,10 +1371,11 @@ static void remember(quest *f, tess_int z, int open)
     if (place < SOME) f->some[place] = z;
 }
 
-/* fit - set up a support through the widest of the points that a search left
- * open, for heights of at most 8 times those of three quarters of them; or of
- * one quarter, if that is FINER times nearer: the points on one of several near
- * sheets.  A plane where they are no sphere: sheets near each other are one. */
+/* fit - sets up a support through the widest of the points that a search left
+ * open.  It takes heights of up to 8 times those of three quarters of the
+ * points, or of one quarter if that is FINER times nearer: the points on one of
+ * several near sheets.  The support is a plane where the points are on no
+ * sphere: sheets near each other are one.  Returns 1 if it is set up. */
 static int fit(mesh *m, const quest *f, support *s)
 {
     tess_int v[4], z;
@@ -1418,22 +1428,23 @@ static int fit(mesh *m, const quest *f, support *s)
     return 1;
 }
 
-/* discover - find a support for the points that a search left open: mark those
- * near to it that have no mark, or one of a support FINER times coarser, and
- * find the least height of each node.  It is kept if it marks some points, or
- * if the facet, near no other, and many points are near to it: facets between
- * near sheets lean on a plane that holds them all.  Returns 1 if it is kept. */
+/* discover - seeks a support for the points that a search left open.  It marks
+ * the points near the support that have no mark, or one of a support FINER
+ * times coarser, and finds the least height in each node.  The support is kept
+ * if it marks enough points, or if the facet, on no other support, is near it
+ * and so are many points: facets between near sheets lean on a plane that holds
+ * them all.  Returns 1 if it is kept. */
 static int discover(mesh *m, quest *f)
 {
     support *s = m->supports + m->nsupport;
     tess_int node, i, last, mark, old, least, members = 0, all = 0;
     double h, err, fine, c;
-    int above, across = f->near == NONE, k;
+    int above, across = f->on == NONE, k;
 
     if (m->nsupport == 0)
         for (i = 0; i < m->np; i++) m->mark[i] = 0;
     if (!fit(m, f, s)) return 0;
-    /* a sample of all that is near, as that may be of a corner */
+    /* sample all that is near: the search's points may be from a corner */
     f->opened = 0;
     for (i = 0; i < m->np; i += m->np / 1024 + 1)
         if (m->link[i] != DONE &&
@@ -1489,21 +1500,22 @@ static int discover(mesh *m, quest *f)
     return 1;
 }
 
-/* lean - find the support that the facet is near to, if there is one, and its
- * tilt: first those that have marked its vertices.  A needle, or a facet that
+/* lean - finds the support that the facet is on, if any, and its tilt.
+ * Supports that have marked its vertices come first.  A needle, or a facet that
  * stands on its plane, leans on none.
  *
- * dtilt: the tilt is out of the plane by the roundings of the edges; in it, its
- * products with the edges miss the differences of heights by r0, r1, and a
- * vector whose products with unit vectors at an angle are r0, r1 is no longer
- * than (|r0| + |r1|) / sine of it.  det errs by less than 1/100, as no needle
- * is let through.
+ * dtilt: roundings of the edges take the tilt out of the plane.  In it, the
+ * tilt's products with the edges miss the differences of heights by r0, r1, and
+ * a vector whose products with two unit vectors are r0, r1 is no longer than
+ * (|r0| + |r1|) / sine of the angle between them.  det errs by less than 1/100,
+ * as no needle is let through.
  *
  * Near a sphere G is |w|^2 - 2 c.w, c = tilt / 2 - o, o = base - centre: the
  * power in the ball of centre c, which is on the facet's axis.  L is counted
  * from there: c takes the place of the circumcentre in the set-up.  It errs by
- * half of dtilt, 8 eps of the centre, and the roundings of three differences in
- * any order, each of at most eps (|o| + 2 |at|): less than 8 eps size. */
+ * half of dtilt, and by 8 eps of the centre and the roundings of three
+ * differences in any order, each of at most eps (|o| + 2 |at|): these make less
+ * than 8 eps size. */
 static void lean(const mesh *m, quest *f)
 {
     const double *b = m->x + 3 * f->v[f->base], *p;
@@ -1536,7 +1548,7 @@ static void lean(const mesh *m, quest *f)
     ab = dot(a[0], a[1]);
     det = n[0] * n[1] - ab * ab;
     if (det < 1e4 * EPS * n[0] * n[1] || det < FAINT) return;
-    f->near = near;
+    f->on = near;
     f->aimed = 0;
     t[0] = (h[1] * n[1] - h[2] * ab) / det;
     t[1] = (h[2] * n[0] - h[1] * ab) / det;
@@ -1565,20 +1577,21 @@ static void lean(const mesh *m, quest *f)
     f->f[11] = sqrt(dot(f->f + 3, f->f + 3));
 }
 
-/* sharpen - the side of the position z that hh_limits did not find negative,
- * and limits of L, by its height over the facet's support: that gives a plane's
- * side of z, and a sphere's power.  A plane's g errs by E and some roundings.
- * The quotients are of numbers right to 4 eps of themselves, as is what is left
- * of a side of more than twice its error: PAD is more. */
+/* sharpen - sharpens the side of the position z, which hh_limits did not find
+ * negative, and the limits of L, by the height of z over the facet's support:
+ * the height gives the side for a plane, the power for a sphere.  A plane's g
+ * errs by E and some roundings.  The quotients are of numbers right to 4 eps of
+ * themselves, as is what is left of a side of more than twice its error: PAD is
+ * more.  Returns the side. */
 static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
                    double *lo, double *hi)
 {
-    const support *s = m->supports + f->near;
+    const support *s = m->supports + f->on;
     const double *x = m->x + 3 * z;
     double h, err, low, high, least, most, g = 0.0, size = 0.0, u;
     int k;
 
-    if (!level(m, f->near, z, &h, &err)) return side;
+    if (!level(m, f->on, z, &h, &err)) return side;
     err += f->dh + 16.0 * EPS * (fabs(h) + fabs(f->h)) + FAINT;
     h -= f->h;
     for (k = 0; k < 3; k++) {
@@ -1614,9 +1627,9 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
     return side;
 }
 
-/* sight - make beyond's test for the best point there is.  For a point better
- * than it, of L-coordinate at most k, side > 0 and N - 2 k side <= 0, N being
- * the power in the ball of L = 0, of centre c.  So there is none where
+/* sight - sets up beyond's test for the best point so far, whose L-coordinate
+ * is at most k.  A better point has side > 0 and N - 2 k side <= 0, where N is
+ * its power in the ball of L = 0, of centre c.  So there is none where
  *     a (height - h) + q |w|^2 - d.w > 0:
  *   plane    side = G / g: a = -2 k / g, q = 1, d = 2 c + a tilt; as k may be
  *            greater, so may |a| for k > 0, and smaller for k < 0.  Without a
@@ -1627,12 +1640,13 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
  *            c + 2 k v.  Without a ball -side, less and plus q times G: a = -q,
  *            d = a tilt + 2 q c + v.  Best is, but for a, the q for which the
  *            least of q |w|^2 - d.w is greatest
- * Any q is right, so what it errs by does not count.  dd has room for the
- * errors of c, tilt and v, and for 16 roundings of each term; err for those of
- * h, of a height of at most -low, and of a, which is exact but for one. */
+ * Any q is valid, so errors in q do not count.  dd has room for the errors of
+ * c, tilt and v, and for 16 roundings of each term.  err has room for those of
+ * h, of a height of at most -low, and of a, which is exact but for one
+ * rounding. */
 static void sight(const mesh *m, quest *f)
 {
-    const support *s = m->supports + f->near;
+    const support *s = m->supports + f->on;
     int ball = f->ball && f->hi <= MUCHL && f->hi >= -MUCHL, k;
     double b = 0.0, sum = 0.0, u, v, w;
 
@@ -1663,8 +1677,8 @@ static void sight(const mesh *m, quest *f)
              16.0 * EPS * (fabs(f->a) + f->q) * (fabs(f->h) - s->low) + FAINT;
 }
 
-/* lowest - the least of q |w|^2 - d.w in the box lo, hi, and the greatest
- * |w|_1. */
+/* lowest - returns the least value of q |w|^2 - d.w in the box lo, hi; *size is
+ * the greatest |w|_1 in it. */
 static double lowest(const quest *f, const double *lo, const double *hi,
                      double q, const double *d, double *size)
 {
@@ -1687,8 +1701,8 @@ static double lowest(const quest *f, const double *lo, const double *hi,
 }
 
 /* beyond - returns 1 if sight's test proves that there is no candidate where q
- * |w|^2 - d.w is sum at least, |w|_1 size at most, and the height, less than dh
- * away, counts as h. */
+ * |w|^2 - d.w is at least sum, |w|_1 is at most size, and the height counts as
+ * h, to within dh. */
 static int beyond(const quest *f, double sum, double size, double h, double dh)
 {
     return sum + f->a * (h - f->h) >
@@ -1696,12 +1710,12 @@ static int beyond(const quest *f, double sum, double size, double h, double dh)
                size * (f->dd + 16.0 * EPS * f->q * size);
 }
 
-/* promise - returns 1 if a node has provably no candidate, by the heights of
- * its points; a leaf, and with a cap's ball any node, by its box, too, which is
- * all that counts where the heights tell nothing. */
+/* promise - returns 1 if the heights of a node's points prove that it holds no
+ * candidate.  A leaf is also tested by its box, as is any node with a cap's
+ * ball.  Where the heights tell nothing, the box alone counts. */
 static int promise(const mesh *m, quest *f, tess_int node)
 {
-    const support *s = m->supports + f->near;
+    const support *s = m->supports + f->on;
     const double *b = m->box + 6 * node;
     tess_int code = s->least[node];
     double h = -s->low, sum, size;
@@ -1719,16 +1733,17 @@ static int promise(const mesh *m, quest *f, tess_int node)
 /* ---- cylinders ----
  *
  * On a smooth surface a box sticks out of the surface by as much as it is wide,
- * so that a ball which touches the surface meets many of them; along a curve it
- * is as wide as it is long.  A cylinder that holds a node's points, a disc on a
- * surface, a rod on a curve, is thinner by the node's width over the radius of
- * curvature, and the ball meets a few of them, however many there are.
- * Cylinders are made when searches turn out to be long, of the nodes of every
- * second level from the leaves up: the four grandchildren of a node lie side by
- * side, and are tested at once. */
+ * so a ball that touches the surface meets many boxes.  Along a curve a box is
+ * as wide as it is long.  A cylinder that holds a node's points (a disc on a
+ * surface, a rod on a curve) is thinner, by the ratio of the node's width to
+ * the radius of curvature, and the ball meets only a few of them, however many
+ * there are.  Cylinders are made when searches turn out to be long, for the
+ * nodes of every second level from the leaves up.  The four grandchildren of a
+ * node lie side by side and are tested at once. */
 
-/* group - the cylinders of the four grandchildren of a node: centre, unit axis,
- * half length, radius; of each of these numbers four in a row. */
+/* group - returns the cylinders of the four grandchildren of a node: centre,
+ * unit axis, half length, radius.  The four values of each number are
+ * adjacent. */
 static double *group(const mesh *m, tess_int node)
 {
     tess_int level = m->leaves / 4, at = 0;
@@ -1737,12 +1752,13 @@ static double *group(const mesh *m, tess_int node)
     return m->box + 12 * m->leaves + 32 * (at + node - level);
 }
 
-/* enclose - make the cylinder of a node, its numbers four places apart.  The
- * axis is a column, that of the greatest diagonal, of the matrix of second
- * moments (a rod) or of its adjugate (a disc), whichever gives less volume; is
- * that below SLENDER of the box's?  Of the sum of |x[k]| the differences from
- * the box's middle err by EPS, their products with the axis and what is left
- * across it by less than 40, the centre by 10: together less than 64. */
+/* enclose - makes the cylinder of a node, its numbers four places apart.  The
+ * axis is the column of the greatest diagonal element in the matrix of second
+ * moments (a rod) or in its adjugate (a disc), whichever gives less volume.
+ * Returns 1 if that volume is below SLENDER of the box's.  In units of the sum
+ * of |x[k]|, the differences from the box's middle err by EPS, their products
+ * with the axis and what is left across it by less than 40 EPS, the centre by
+ * 10 EPS: together less than 64 EPS. */
 static int enclose(const mesh *m, tess_int node, double *c)
 {
     const double *b = m->box + 6 * node, *x;
@@ -1804,7 +1820,7 @@ static int enclose(const mesh *m, tess_int node, double *c)
            SLENDER * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
 }
 
-/* enclosed - make all cylinders, or none if few leaves have slender ones. */
+/* enclosed - makes all cylinders, or none if few leaves have slender ones. */
 static void enclosed(mesh *m)
 {
     tess_int level, node, slender = 0;
@@ -1820,24 +1836,25 @@ static void enclosed(mesh *m)
     m->round = 2;
 }
 
-/* outside - which cylinders of a node's four grandchildren provably hold no
- * candidate: those with past[i] > 0.
+/* outside - tests the cylinders of a node's four grandchildren: past[i] > 0 if
+ * cylinder i provably holds no candidate.
  *
- * A point is w + s u + p from the base, w being the cylinder's centre, u its
- * axis, |s| <= h, p across u, |p| <= r.  With g = w - c, a = |g.u|, and the
- * length rho of g across u, its power in the ball about c is
+ * A point is w + s u + p from the base, where w is the cylinder's centre, u its
+ * axis, |s| <= h, and p is across u, |p| <= r.  With g = w - c, a = |g.u|, and
+ * rho the length of g across u, its power in the ball about c is
  *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p),
- * the brackets at least t (t - 2 a), t the lesser of a and h, and R^2 - 2 R
- * rho, R the lesser of rho and r.  So there is none if the sum without 2 R rho
- * is positive and its square is above 4 R^2 rho^2.  Without a ball the same
- * holds for minus the side v.w, with v / 2 for c, without all squares, t = h, R
- * = r: q = 0, and far is more than any length.
+ * The brackets are at least t (t - 2 a), where t is the lesser of a and h, and
+ * R^2 - 2 R rho, where R is the lesser of rho and r.  So there is no candidate
+ * if the sum without 2 R rho is positive and its square is above 4 R^2 rho^2.
+ * Without a ball the same holds for minus the side v.w, with v / 2 for c,
+ * without any squares, t = h, R = r: then q = 0, and far is more than any
+ * length.
  *
- * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r:
- * w by EPS |w|, which counts twice in the power, and with that of g in rho, 4;
- * the power by 8 (powererr), a by 6 |g|_1, which counts 2 t times; |u|^2 is 1
- * but for 8 EPS, which tilts p: 9; and some for the sum.  rho^2 errs by less
- * than 64 EPS |g|^2, with room for the last two products; where these
+ * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r.
+ * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
+ * rho makes 4; the power by 8 (powererr); a by 6 |g|_1, which counts 2 t times;
+ * |u|^2 is 1 but for 8, which tilts p: 9; and some for the sum.  rho^2 errs by
+ * less than 64 EPS |g|^2, with room for the last two products.  Where these
  * underflow, r >= HH_SMALL makes the sum's error greater. */
 static void outside(const mesh *m, const quest *f, tess_int node, double *past)
 {
@@ -1876,34 +1893,35 @@ static void outside(const mesh *m, const quest *f, tess_int node, double *past)
 
 /* ---- ties ----
  *
- * Let T be the points on the sphere of a ball that is empty, as that of any
- * tetrahedron of the mesh.  By the tie rule heights are lowered, that of first,
- * the point of T of least number, by far the most.  So
- *   - among points of T the mesh is that of the facets of T's hull without
+ * Let T be the points on the sphere of an empty ball, such as that of any
+ * tetrahedron of the mesh.  The tie rule lowers heights, that of first, the
+ * point of T of least number, by far the most.  So
+ *   - among points of T the mesh consists of the facets of T's hull without
  *     first, each joined to first;
- *   - a tetrahedron with its vertices in T has first for one of them: it is the
- *     least of any such tetrahedron that is known;
- *   - for a facet of three points of T without first, which is in T's hull, no
- *     point of T is on its open side but on first's: first is the apex, or none
- *     of T;
- *   - for a facet (first, a, b) with points of T on its open side the apex is
- *     one of them, as the ball is empty.  Of two, c and z, z is better if it is
- *     beyond the plane (a, b, c) seen from first, worse if on first's side, and
- *     in that plane by the lesser e_i.
- * A point of T whose star is complete is in no open facet, nor an apex.  If
- * first's is, all tetrahedra of T are known: that of a new one's T is not.
+ *   - a tetrahedron with its vertices in T has first for one of them: first is
+ *     the least vertex of any such tetrahedron that is known;
+ *   - a facet of three points of T without first, which is in T's hull, has no
+ *     point of T on its open side unless first is on it: the apex is first, or
+ *     none of T;
+ *   - a facet (first, a, b) with points of T on its open side has one of them
+ *     as its apex, as the ball is empty.  Of two, c and z, z is better if it is
+ *     beyond the plane (a, b, c) seen from first, and worse if it is on first's
+ *     side; in that plane the lesser e_i decides.
+ * A point of T whose star is complete is in no open facet and is no apex.  If
+ * first's star is complete, all tetrahedra of T are known; so for a new
+ * tetrahedron's T it is not.
  *
- * Cells: all uncompleted points of T, the least number first, of balls inside
- * the star's list.  No more than these are asked for a facet of the star.
+ * A cell has all uncompleted points of T, the least number first, of a ball
+ * inside the star's list.  Only these are tested for a facet of the star.
  *
- * The large ball has too many for that: four of them are kept.  All rivals of c
- * are beyond the plane (a, b, c), or in it, seen from first, and on the sphere.
- * That part of the sphere is in the smallest ball through a, b, c if first is
- * outside of this: so this, the cap's, takes the place of the search's ball.
- * It passes through a base a or b, but not through first. */
+ * The large ball has too many points for a cell: four of them are kept.  All
+ * rivals of c are on the sphere and, seen from first, beyond the plane (a, b,
+ * c) or in it.  If first is outside the smallest ball through a, b, c, the
+ * cap's ball, that part of the sphere is in the cap's ball, which then replaces
+ * the search's ball.  The cap's ball passes through a base a or b, but not
+ * through first. */
 
-/* inlarge - returns 1 if the n points v are on the large ball, if there is
- * one. */
+/* inlarge - returns 1 if there is a large ball and the n points v are on it. */
 static int inlarge(const mesh *m, const tess_int *v, int n)
 {
     const tess_int *q = m->large;
@@ -1956,10 +1974,10 @@ static void cap(const mesh *m, quest *f)
     }
 }
 
-/* challenge - take z if it is on the open side and beats the best point there
- * is: if its L-coordinate is smaller (Theorem 1); ties by the rule of
- * hh_pball.  The Householder bounds decide where they can; what they leave open
- * limits the better one by the other. */
+/* challenge - takes z if it is on the open side and beats the best point so
+ * far: if its L-coordinate is smaller (Theorem 1), ties by the rule of
+ * hh_pball.  The Householder bounds decide where they can.  Where they cannot,
+ * the better point's limits are tightened by the other's. */
 static void challenge(const mesh *m, quest *f, tess_int z)
 {
     double lo, hi;
@@ -2015,8 +2033,9 @@ static void challenge(const mesh *m, quest *f, tess_int z)
         refine(m, f);
 }
 
-/* consider - compare z, if it is no vertex and not outside of the ball, by its
- * height over the facet's support where that is known. */
+/* consider - compares z with the best point, unless it is a vertex or provably
+ * outside the ball, by its height over the facet's support where that is
+ * known. */
 static void consider(const mesh *m, quest *f, tess_int z)
 {
     const double *q = m->x + 3 * z;
@@ -2026,12 +2045,12 @@ static void consider(const mesh *m, quest *f, tess_int z)
 
     COUNT(N_POINT, 1);
     if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
-    if (LEANING(f) && marked(m, f->near, z, &h)) {
+    if (LEANING(f) && marked(m, f->on, z, &h)) {
         if (!f->aimed) sight(m, f);
         out = beyond(f, w0 * (f->q * w0 - f->d[0]) +
                             w1 * (f->q * w1 - f->d[1]) +
                             w2 * (f->q * w2 - f->d[2]),
-                     size, h, m->supports[f->near].grain);
+                     size, h, m->supports[f->on].grain);
     } else
         out = f->ball && HH_POWER(w0, w1, w2, f->c) > powererr(f, size);
     if (!out)
@@ -2077,8 +2096,9 @@ static int ballcoef(const list *l, const quest *f, const double *c, float *d)
     return 1;
 }
 
-/* starcoef - the same for the list of the star of the base, the list's centre,
- * whose points are less than 1.1 from it in the list's units: g = 0. */
+/* starcoef - the same for the list of the base's star.  The list's centre is
+ * the base, so g = 0, and its points are less than 1.1 from it in the list's
+ * units. */
 static int starcoef(const list *l, const quest *f, float *d)
 {
     double cu[3], size = 0.0;
@@ -2094,9 +2114,9 @@ static int starcoef(const list *l, const quest *f, float *d)
     return 1;
 }
 
-/* inball - which points of a list pass ballcoef's test, and how many.  Of those
- * the vertices of the facet and the best point, which are on the ball, are the
- * first four. */
+/* inball - sets in[i] = 1 for the points of a list that pass ballcoef's test,
+ * and returns how many.  The vertices of the facet and the best point, which
+ * are on the ball, are four of them. */
 static int inball(const list *l, const float *d, int *in)
 {
     float dx = d[0], dy = d[1], dz = d[2], most = d[3];
@@ -2119,8 +2139,8 @@ static void considerall(const mesh *m, quest *f, const list *l, int n,
     for (i = 0; i < n; i++) consider(m, f, l->id[place[i]]);
 }
 
-/* likeliest - that of n points of a list which has about the least L-coordinate
- * of those on the positive side, if it is below most; or NONE. */
+/* likeliest - returns the one of n points of a list with about the least
+ * L-coordinate of those on the positive side, if it is below most, or NONE. */
 static tess_int likeliest(const quest *f, const list *l, double most, int n,
                         const int *place)
 {
@@ -2135,7 +2155,7 @@ static tess_int likeliest(const quest *f, const list *l, double most, int n,
         v[i] = (float)f->f[i];
         v[3] += v[i] * (float)((f->f[6 + i] - l->centre[i]) * l->unit);
     }
-    /* where a side or the point is no good the height is more than FAR */
+    /* the height is above FAR where the side or the point is unusable */
     for (i = 0; i < n; i++) {
         j = place[i];
         side = v[0] * l->x[j] + v[1] * l->y[j] + v[2] * l->z[j] - v[3];
@@ -2151,9 +2171,10 @@ static tess_int likeliest(const quest *f, const list *l, double most, int n,
     return best < 0 ? NONE : l->id[best];
 }
 
-/* starball - the places of those points of a star's list that may be in the
- * ball, or of all without a ball, and how many; 0 if these are none but the
- * vertices and the best point, -1 if the ball is too large for the list. */
+/* starball - finds the places of the points of a star's list that may be in the
+ * ball, or of all its points without a ball.  Returns their number; 0 if they
+ * are only the vertices and the best point, -1 if the ball is too large for the
+ * list. */
 static int starball(const list *l, const quest *f, int *place)
 {
     float d[4];
@@ -2166,10 +2187,10 @@ static int starball(const list *l, const quest *f, int *place)
     return compress(in, l->n, place);
 }
 
-/* newcell - make a cell of the points exactly on the best point's ball, if all
- * are in the star's list and none is inside; 0 if not, or if there are no ties.
- * The centre of narrow's ball is off by up to hi - lo, too, which tells on the
- * negative side. */
+/* newcell - makes a cell of the points exactly on the best point's ball, if all
+ * are in the star's list and none is inside.  Returns 0 if not, or if there are
+ * no ties.  The centre of narrow's ball is off by up to hi - lo, too, which
+ * matters on the negative side. */
 static int newcell(mesh *m, quest *f)
 {
     const list *l = &m->around;
@@ -2202,7 +2223,8 @@ static int newcell(mesh *m, quest *f)
     return 1;
 }
 
-/* incell - the apex of the facet v, if it is in a cell, or NONE: see "ties". */
+/* incell - returns the apex of the facet v if it is in a cell, or NONE: see
+ * "ties". */
 static tess_int incell(const mesh *m, const tess_int *v)
 {
     const cell *c = m->cells;
@@ -2224,10 +2246,10 @@ static tess_int incell(const mesh *m, const tess_int *v)
     return best;
 }
 
-/* instar - look for the apex in the star's list.  A better point's ball has
- * no more on the open side than the one before it (Lemma 3), and nothing on
- * the other, so that one pass over a list is enough, if the last ball has no
- * points elsewhere.  Returns 1 if so. */
+/* instar - seeks the apex in the star's list.  The ball of a better point has
+ * no more points on the open side than the ball before it (Lemma 3), and those
+ * on the other side do not count.  So one pass over the list is enough if the
+ * last ball has no points elsewhere.  Returns 1 if so. */
 static int instar(mesh *m, quest *f)
 {
     const list *l = &m->around;
@@ -2241,8 +2263,8 @@ static int instar(mesh *m, quest *f)
     if (n > 0) {
         most = (f->hi < FAR * l->margin ? f->hi : FAR * l->margin) -
                1e-4 * l->margin;
-        /* the best of those inside the ball leaves none, as a rule; not among
-         * ties, which are on it (to know that saves 6 % on lattices) */
+        /* the ball of the best of those inside is usually empty; not so among
+         * ties, which are on the ball (knowing that saves 6 % on lattices) */
         if (m->ties == 0 || !f->ball) z = likeliest(f, l, most, n, place);
         if (z != NONE) {
             consider(m, f, z);
@@ -2260,8 +2282,8 @@ static int instar(mesh *m, quest *f)
     return f->ball && ballinstar(m, f);
 }
 
-/* inblock - the same for the block's list.  Where the ball has room elsewhere
- * the tree is searched in any case, so the list only costs: on surfaces two of
+/* inblock - the same for the block's list.  If the ball has room elsewhere, the
+ * tree is searched in any case and the list only adds cost: on surfaces, two of
  * five points that were tested. */
 static int inblock(const mesh *m, quest *f)
 {
@@ -2276,10 +2298,11 @@ static int inblock(const mesh *m, quest *f)
     return 1;
 }
 
-/* scanleaf - consider those uncompleted points of a leaf that are not outside
- * the ball, or without a ball not on the negative side, for which the ball of
- * L = MUCHL / 2 stands, with room for |w|^2.  The powers come first, as
- * vectors, then without a branch the places of those to consider. */
+/* scanleaf - considers the uncompleted points of a leaf that are not outside
+ * the ball.  Without a ball it considers those not on the negative side: the
+ * ball of L = MUCHL / 2 stands for that side, with room for |w|^2.  The powers
+ * come first, as vectors, then, without a branch, the places of the points to
+ * consider. */
 static void scanleaf(mesh *m, quest *f, tess_int leaf)
 {
     const double *b = m->box + 6 * leaf, *x;
@@ -2332,11 +2355,11 @@ static int barren(const mesh *m, const quest *f, tess_int node)
 }
 #endif
 
-/* treesearch - finish a search by the tree: the leaf of the base first, then
- * its parent's other child, and so on up to the root, or by cylinders its
- * grandparent's other three grandchildren; top is the node all below which has
- * been searched.  Near a support from the root down, the child of lesser height
- * first, as the apex may be anywhere. */
+/* treesearch - finishes a search in the tree: the leaf of the base first, then
+ * its parent's other child, and so on up to the root; with cylinders, its
+ * grandparent's other three grandchildren.  Everything below the node top has
+ * been searched.  For a facet on a support, the search goes from the root down,
+ * the child of lesser height first, as the apex may be anywhere. */
 static void treesearch(mesh *m, quest *f)
 {
     tess_int stack[DEPTH], node = 1, top = 1, from;
@@ -2375,8 +2398,8 @@ static void treesearch(mesh *m, quest *f)
         } else if (node >= m->leaves)
             scanleaf(m, f, node);
         else {
-            n = LEANING(f) && m->supports[f->near].least[2 * node] <
-                                  m->supports[f->near].least[2 * node + 1];
+            n = LEANING(f) && m->supports[f->on].least[2 * node] <
+                                  m->supports[f->on].least[2 * node + 1];
             stack[depth++] = 2 * node + n;
             stack[depth++] = 2 * node + 1 - n;
         }
@@ -2400,9 +2423,9 @@ static int onhull(const mesh *m, const quest *f)
     return 0;
 }
 
-/* prepare - begin the search for the apex of the facet v.  Its base is v[0],
- * or v[1] if v[0] is the large ball's first, or if the angle there is small the
- * vertex opposite to the longest edge. */
+/* prepare - begins the search for the apex of the facet v.  The base is v[0],
+ * or v[1] if v[0] is the large ball's first.  If the angle there is small, the
+ * base is the vertex opposite the longest edge. */
 static void prepare(const mesh *m, quest *f, const tess_int *v)
 {
     const double *p[3], *a, *b;
@@ -2416,7 +2439,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
         f->c[k] = 0.0;
         if (f->first != NONE && v[k] == m->first) f->first = k;
     }
-    f->best = f->near = NONE;
+    f->best = f->on = NONE;
     f->asked = f->limbs = f->tied = f->ball = 0;
     f->opened = 0;
     f->dc = f->size = 0.0;
@@ -2443,7 +2466,8 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
 }
 
 #ifdef TESS_PROVE
-/* proven - is c, or none, the apex of the facet v, against all points? */
+/* proven - returns 1 if c, or none, is the apex of the facet v, against all
+ * points. */
 static int proven(const mesh *m, const tess_int *v, tess_int c)
 {
     quest f;
@@ -2458,8 +2482,8 @@ static int proven(const mesh *m, const tess_int *v, tess_int c)
 }
 #endif
 
-/* apex - the apex of the facet v on its positive side, or NONE.  guess: two
- * positions to try first, or NONE. */
+/* apex - returns the apex of the facet v on its positive side, or NONE.  guess
+ * holds two positions to try first, or NONE. */
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 {
     quest f;
@@ -2475,9 +2499,9 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
         if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
             guess[k] != f.best)
             challenge(m, &f, guess[k]);
-    /* a ball that is a support's sphere but for rounding is in no list */
+    /* a ball that is a support's sphere up to rounding is in no list */
     lists = !curved(m, &f) ||
-            (f.best != NONE && !marked(m, f.near, f.best, &h));
+            (f.best != NONE && !marked(m, f.on, f.best, &h));
     if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);
         m->futile = 0;

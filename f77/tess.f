@@ -225,10 +225,10 @@ C       RSLOT   V(RSLOT) is the large ball's first; 4: the facet is on
 C               that, but without it; 0: it is not on it
 C       RFIRST  the large ball's first, or 0;  behind RLARGE four
 C               points on it
-C     A support J, a plane or a sphere that many points are near to, is
-C     behind RCTL(RSUP + LSUP*(J-1)).  Mark K, 0 ... GRAINS - 1, of one
-C     of them is a height between SLOW + (K - 1/2) SGRAIN and SLOW + (K
-C     + 3/2) SGRAIN, SLOW < 0.  It begins with a ball (see HHCENT):
+C     A support J, a plane or a sphere that many points are near, is
+C     behind RCTL(RSUP + LSUP*(J-1)).  A point with mark K, 0 ... GRAINS
+C     - 1, has a height between SLOW + (K - 1/2) SGRAIN and SLOW + (K +
+C     3/2) SGRAIN; SLOW < 0.  A support begins with a ball (see HHCENT):
 C       SPLANE  1, or 0 for a sphere
 C       SAT, SC, SSIZE  seen from what is behind SAT: behind SC the unit
 C               normal, or the centre; |C|_1
@@ -251,11 +251,11 @@ C       IQ      QBEST: the best point yet, exactly, or 0; QLIMBS: 1: its
 C               ball has been found by limbs, 2: the ball is that of a
 C               cap; QBALL: there is a ball to prune with; QBASE:
 C               V(QBASE) is the base of F; QASKED: comparisons left to
-C               the exact predicates; QNEAR: the facet is near this
-C               support, or 0; QAIMED: TSSIGH's test is for the best
-C               point there is; behind QSOME a sample of the points,
-C               near no support, that were left open, or, QOPEN = 0, of
-C               leaves: of QOPEND
+C               the exact predicates; QON: the support that the
+C               facet is on, or 0; QAIMED: TSSIGH's test is for the best
+C               point so far; behind QSOME a sample of the points
+C               offered to it, QOPEND: QOPEN = 1: points left open, 0:
+C               of leaves
 C       FQ      the best point's L-coordinate is between QLO and QHI;
 C               behind QC the ball's centre, relative to F(7..9), wrong
 C               by at most QDC; QSIZE = |C|_1; behind QLIMB the ball by
@@ -1375,11 +1375,11 @@ C     TSDOT - the product of two vectors.
       TSDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
       END
 
-C     TSPOWE - bound on the error of the power |W|**2 - 2 C.W, |W|_1 <=
-C     LENGTH: C is wrong by dc; each W(K) (W(K) - 2 C(K)) is the result
-C     of at most 6 roundings, with W(K) itself twice and the sum's, each
-C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|); LENGTH, and this, may
-C     come out too small by a few EPS.
+C     TSPOWE - bound on the error of the power |W|**2 - 2 C.W for |W|_1
+C     <= LENGTH.  C errs by at most dc.  Each term W(K) (W(K) - 2 C(K))
+C     suffers at most 6 roundings, counting that of W(K) twice and those
+C     of the sum, each of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).
+C     LENGTH and this bound may come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSPOWE(FQ, LENGTH)
       DOUBLE PRECISION FQ(108), LENGTH
       INTEGER QDC, QSIZE
@@ -1447,10 +1447,10 @@ C     K is between LO and HI provably holds no candidate, or 0.
       END
 
 C     TSBINB - returns 1 if the part of the ball that may hold points,
-C     that in the root's box, lies inside the box of a list, or 0.  The
-C     centre of the true ball is within dc of C, and both balls pass
-C     through the base: so its radius is at most |C| + dc, and along an
-C     axis it ends within |C| + 2 dc of C.
+C     the part in the root's box, lies inside the box of a list, or 0.
+C     The centre of the true ball is within dc of C, and both balls pass
+C     through the base.  So the radius is at most |C| + dc, and along an
+C     axis the ball ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
       INTEGER LSI(3,2), LIST, IQ(41)
@@ -1479,14 +1479,14 @@ C     axis it ends within |C| + 2 dc of C.
       TSBINB = 1
       END
 
-C     TSBINS - the same for the margin of a star's list about the base:
-C     for a point U of the true ball, relative to the base,
+C     TSBINS - the same for the margin of a star's list about the base.
+C     For a point U of the true ball, relative to the base,
 C         |U|**2 <= 2 (C.U + dc |U|) <= 2 (A + dc) |U| + 2 B,
-C     A being the length of C without a coordinate K and B >= 0 the most
-C     that C(K) U(K) is in the root's box.  So |U| is less than margin
-C     if margin (margin - 2 A - 2 dc) >= 2 B; the test has margin - 2 dc
-C     in the place of both.  PAD times margin is more than the roundings
-C     of A, B and the products take.
+C     where A is the length of C without its coordinate K, and B >= 0 is
+C     the greatest value of C(K) U(K) in the root's box.  So |U| is less
+C     than margin if margin (margin - 2 A - 2 dc) >= 2 B.  The test puts
+C     margin - 2 dc for the first factor, too.  PAD times margin exceeds
+C     the roundings of A, B and the products.
       INTEGER FUNCTION TSBINS(BOX, LSD, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
       INTEGER LMARG, STR, QC, QDC
@@ -1517,15 +1517,15 @@ C     TSCURV - returns 1 if the facet's support is a sphere, or 0.
       INTEGER FUNCTION TSCURV(RCTL, IQ)
       DOUBLE PRECISION RCTL(*)
       INTEGER IQ(41)
-      INTEGER RSUP, LSUP, SPLANE, QNEAR
-      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QNEAR = 6)
+      INTEGER RSUP, LSUP, SPLANE, QON
+      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QON = 6)
       TSCURV = 0
-      IF (IQ(QNEAR) .EQ. 0) RETURN
-      IF (RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
+      IF (IQ(QON) .EQ. 0) RETURN
+      IF (RCTL(RSUP+LSUP*(IQ(QON)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
       END
 
-C     TSNARR - record that the best point's L-coordinate is at most L,
-C     and set the ball of that.
+C     TSNARR - records that the best point's L-coordinate is at most L,
+C     and sets the ball of that L.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
       DOUBLE PRECISION F(12), FQ(108), L
       INTEGER IQ(41)
@@ -1541,8 +1541,8 @@ C     and set the ball of that.
       IQ(QBALL) = 1
 C     on the positive side, a better point is in the ball of any L above
 C     the best point's, so the error of L does not count.  It is large
-C     where balls are flat: with it, points near a plane took 10 times
-C     as long.
+C     where balls are flat: counting it makes points near a plane take
+C     10 times as long.
       FQ(QSIZE) = 0.0D0
       DO 10 K = 1, 3
         FQ(QC+K) = F(3+K) + L*F(K)
@@ -1551,12 +1551,12 @@ C     as long.
       FQ(QDC) = F(11) + ABS(L)*F(10) + 4.0D0*EPS*FQ(QSIZE)
       END
 
-C     TSREFI - find the ball of the best point by limbs.  The centre C
-C     errs by at most 8 EPS |C|, so that its height over the facet's
-C     plane, C.V, is L but for the error of V, E |C|, that of C, and the
+C     TSREFI - finds the ball of the best point by limbs.  The centre C
+C     errs by at most 8 EPS |C|.  So its height over the facet's plane,
+C     C.V, is L up to the error of V, E |C|, the error of C, and the
 C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
-C     sphere L is counted from F(4..6), which are subtracted: U for C,
-C     with their error, and one rounding more.
+C     sphere L is counted from F(4..6): U, the difference, takes the
+C     place of C, with the error of F(4..6) and one more rounding.
       SUBROUTINE TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), V(3), IQ(41)
@@ -1603,24 +1603,24 @@ C     Supports.
 C
 C     Where many points are near one plane or sphere, the side or the
 C     power of each is noise for a facet of three of them, and no box of
-C     points is away from the ball.  A support is such a plane or
-C     sphere, through points; by limbs the heights of others over it (a
-C     sphere's: their powers) are right to some EPS of themselves.  With
-C     h that of the base of a facet near to it, and tilt the vector in
-C     the facet's plane whose products with its edges are the
-C     differences of heights,
+C     points is clear of the ball.  A support is such a plane or sphere,
+C     through points.  Limbs give the heights of other points over it
+C     (over a sphere, their powers) to some EPS of themselves.  Let h be
+C     the height of the base of a facet near the support, and tilt the
+C     vector in the facet's plane whose products with the facet's edges
+C     are the differences of heights.  Then
 C         G(w) = height(w) - h - tilt.w
-C     is 0 at its vertices.  So on a plane it is g times the side of w,
-C     g being the height of the facet's normal v; on a sphere, whose
-C     centre's height over the facet's plane is l, it is the power of w
-C     in the ball of L = l, and L(w) = l + e, e = G(w) / (2 side).
-C     Heights are noise, but known to 1E-7 of it: so they decide, point
-C     by point and node by node.
+C     is 0 at the facet's vertices.  On a plane, G(w) is therefore g
+C     times the side of w, where g is the height of the facet's normal
+C     v.  On a sphere whose centre is at height l over the facet's
+C     plane, G(w) is the power of w in the ball of L = l, and L(w) = l +
+C     e, e = G(w) / (2 side).  Heights are that noise, but known to 1E-7
+C     of it: so they decide, point by point and node by node.
 C     ------------------------------------------------------------------
 
 C     TSROUG - the height H of the position Z over the support behind
-C     RCTL(AT), in double precision: the centre errs by 8 EPS |c|, the
-C     rest is 6 roundings.
+C     RCTL(AT), in double precision.  ERR bounds its error: 8 EPS |c|
+C     for the centre, and 6 roundings.
       SUBROUTINE TSROUG(X, RCTL, AT, Z, H, ERR)
       DOUBLE PRECISION X(3,*), RCTL(*), H, ERR
       INTEGER AT, Z
@@ -1647,10 +1647,10 @@ C     rest is 6 roundings.
       ERR = ERR + FAINT
       END
 
-C     TSMRKD - the height H of the position Z over support J, to its
-C     grain, if it has a mark of that.  A mark is off by the roundings
-C     of TSDISC, EPS GRAINS grains, and a quarter of one for twice the
-C     height's error.  OK is 1, or 0.
+C     TSMRKD - OK is 1 if the position Z has a mark of support J, or 0;
+C     H is then its height, to a grain.  A mark is off by the roundings
+C     of TSDISC, EPS GRAINS grains, and by a quarter of a grain for
+C     twice the height's error.
       SUBROUTINE TSMRKD(MARK, RCTL, J, Z, H, OK)
       DOUBLE PRECISION RCTL(*), H
       INTEGER MARK(*), J, Z, OK
@@ -1666,8 +1666,9 @@ C     height's error.  OK is 1, or 0.
       OK = 1
       END
 
-C     TSLEVE - the height H of the position Z over support J, if it is
-C     near to it: by its mark, or else by limbs.  OK is 1, or 0.
+C     TSLEVE - OK is 1 if the position Z is near support J, or 0; H is
+C     then its height, from its mark or else by limbs, and ERR bounds
+C     the error.
       SUBROUTINE TSLEVE(X, P, ORD, MARK, RCTL, J, Z, H, ERR, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
       INTEGER ORD(*), MARK(*), J, Z, OK
@@ -1687,11 +1688,12 @@ C     near to it: by its mark, or else by limbs.  OK is 1, or 0.
      $    ABS(H) .LE. -RCTL(AT+SLOW)) OK = 1
       END
 
-C     TSREME - Z among the points that were left open, or, until there
-C     are such, of leaves where the search went: in a sample of SOME of
-C     them, in which it takes another's place by chance, but by the same
-C     chance everywhere.  Points with a mark, too: they may be on a
-C     finer support.
+C     TSREME - adds Z to the sample: points that were left open or,
+C     until there are any, points of leaves that the search visited.
+C     The sample keeps SOME of them.  Once it is full, a point takes the
+C     place of another by chance, but by the same chance on every
+C     machine.  Points with a mark count, too: they may be on a finer
+C     support.
       SUBROUTINE TSREME(IQ, Z, OPEN)
       INTEGER IQ(41), Z, OPEN
       INTEGER QOPEN, QOPEND, QSOME, SOME
@@ -1709,12 +1711,12 @@ C     finer support.
       IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
       END
 
-C     TSFIT - set up a support, behind RCTL(AT), through the widest of
-C     the points that a search left open, for heights of at most 8 times
-C     those of three quarters of them; or of one quarter, if that is
-C     FINER times nearer: the points on one of several near sheets.  A
-C     plane where they are no sphere: sheets near each other are one.
-C     OK is 1, or 0.
+C     TSFIT - sets up a support, behind RCTL(AT), through the widest of
+C     the points that a search left open.  It takes heights of up to 8
+C     times those of three quarters of the points, or of one quarter if
+C     that is FINER times nearer: the points on one of several near
+C     sheets.  The support is a plane where the points are on no sphere:
+C     sheets near each other are one.  OK is 1 if it is set up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), IQ(41), AT, OK
@@ -1817,23 +1819,24 @@ C     of heights by limbs, too
       RCTL(AT+BUNIT) = -RCTL(AT+BUNIT)
       END
 
-C     TSDISC - find a support for the points that a search left open:
-C     mark those near to it that have no mark, or one of a support FINER
-C     times coarser, and find the least height of each node.  It is kept
-C     if it marks some points, or if the facet, near no other, and many
-C     points are near to it: facets between near sheets lean on a plane
-C     that holds them all.  KEPT is 1 if it is kept, or 0.
+C     TSDISC - seeks a support for the points that a search left open.
+C     It marks the points near the support that have no mark, or one of
+C     a support FINER times coarser, and finds the least height in each
+C     node.  The support is kept if it marks enough points, or if the
+C     facet, on no other support, is near it and so are many points:
+C     facets between near sheets lean on a plane that holds them all.
+C     KEPT is 1 if it is kept, or 0.
       SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ,
      $                  KEPT)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41), KEPT
       INTEGER TSCUBE
       INTEGER NP, LEAVES, RSUPP, RPATIE, RSUP, LSUP, SPLANE, SLOW
-      INTEGER SGRAIN, DONE, SUPPS, GRAINS, OPENED, QNEAR, QOPEND
+      INTEGER SGRAIN, DONE, SUPPS, GRAINS, OPENED, QON, QOPEND
       PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RPATIE = 8, RSUP = 17)
       PARAMETER (LSUP = 97, SPLANE = 88, SLOW = 96)
       PARAMETER (SGRAIN = 97, DONE = -1, SUPPS = 8, GRAINS = 134217728)
-      PARAMETER (OPENED = 24, QNEAR = 6, QOPEND = 9)
+      PARAMETER (OPENED = 24, QON = 6, QOPEND = 9)
       DOUBLE PRECISION FINER
       PARAMETER (FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, FINE, GRAIN, H, LOW
@@ -1849,7 +1852,7 @@ C     that holds them all.  KEPT is 1 if it is kept, or 0.
       END IF
       CALL TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
       IF (OK .EQ. 0) RETURN
-C     a sample of all that is near, as that may be of a corner
+C     sample all that is near: the search's points may be from a corner
       IQ(QOPEND) = 0
       LOW = RCTL(AT+SLOW)
       DO 15 I = 1, CTL(NP), CTL(NP)/1024 + 1
@@ -1863,7 +1866,7 @@ C     a sample of all that is near, as that may be of a corner
         IF (OK .EQ. 0) RETURN
       END IF
       ACROSS = 0
-      IF (IQ(QNEAR) .EQ. 0) ACROSS = 1
+      IF (IQ(QON) .EQ. 0) ACROSS = 1
       DO 17 K = 1, 3
         IF (ACROSS .EQ. 1) CALL TSLEVE(X, P, ORD, MARK, RCTL, J, V(K),
      $      H, ERR, ACROSS)
@@ -1927,31 +1930,32 @@ C     a sample of all that is near, as that may be of a corner
       IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
       END
 
-C     TSLEAN - find the support that the facet is near to, if there is
-C     one, and its tilt: first those that have marked its vertices.  A
+C     TSLEAN - finds the support that the facet is on, if any, and its
+C     tilt.  Supports that have marked its vertices come first.  A
 C     needle, or a facet that stands on its plane, leans on none.
 C
-C     The tilt's error: the tilt is out of the plane by the roundings of
-C     the edges; in it, its products with the edges miss the differences
-C     of heights by r0, r1, and a vector whose products with unit
-C     vectors at an angle are r0, r1 is no longer than (|r0| + |r1|) /
-C     sine of it.  DET errs by less than 1/100, as no needle is let
-C     through.
+C     The tilt's error: roundings of the edges take the tilt out of the
+C     plane.  In it, the tilt's products with the edges miss the
+C     differences of heights by r0, r1, and a vector whose products with
+C     two unit vectors are r0, r1 is no longer than (|r0| + |r1|) / sine
+C     of the angle between them.  DET errs by less than 1/100, as no
+C     needle is let through.
 C
 C     Near a sphere G is |W|**2 - 2 c.W, c = tilt / 2 - o, o = base -
 C     centre: the power in the ball of centre c, which is on the facet's
 C     axis.  L is counted from there: c takes the place of the
 C     circumcentre in the set-up.  It errs by half of the tilt's error,
-C     8 EPS of the centre, and the roundings of three differences in any
-C     order, each of at most EPS (|o| + 2 |at|): less than 8 EPS SIZE.
+C     and by 8 EPS of the centre and the roundings of three differences
+C     in any order, each of at most EPS (|o| + 2 |at|): these make less
+C     than 8 EPS SIZE.
       SUBROUTINE TSLEAN(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(41)
       DOUBLE PRECISION TSDOT
-      INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QNEAR, QAIMED
+      INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QON, QAIMED
       INTEGER QH, QDH, QTILT, QDTILT, QG, SUPPS
       PARAMETER (RSUPP = 6, RSUP = 17, LSUP = 97, SPLANE = 88, SAT = 88)
-      PARAMETER (SC = 91, QBASE = 4, QNEAR = 6, QAIMED = 7, QH = 95)
+      PARAMETER (SC = 91, QBASE = 4, QON = 6, QAIMED = 7, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       PARAMETER (SUPPS = 8)
       DOUBLE PRECISION EPS, FAINT
@@ -1990,7 +1994,7 @@ C     order, each of at most EPS (|o| + 2 |at|): less than 8 EPS SIZE.
       AB = TSDOT(A(1,1), A(1,2))
       DET = N(1)*N(2) - AB*AB
       IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
-      IQ(QNEAR) = J
+      IQ(QON) = J
       IQ(QAIMED) = 0
       T(1) = (H(2)*N(2) - H(3)*AB)/DET
       T(2) = (H(3)*N(1) - H(2)*AB)/DET
@@ -2020,18 +2024,18 @@ C     order, each of at most EPS (|o| + 2 |at|): less than 8 EPS SIZE.
       F(12) = SQRT(TSDOT(F(4), F(4)))
       END
 
-C     TSSHAR - the SIDE of the position Z that HHLIMI did not find
-C     negative, and limits of L, by its height over the facet's support:
-C     that gives a plane's side of Z, and a sphere's power.  A plane's g
-C     errs by E and some roundings.  The quotients are of numbers right
-C     to 4 EPS of themselves, as is what is left of a side of more than
-C     twice its error: PAD is more.
+C     TSSHAR - sharpens SIDE of the position Z, which HHLIMI did not
+C     find negative, and the limits of L, by the height of Z over the
+C     facet's support: the height gives the side for a plane, the power
+C     for a sphere.  A plane's g errs by E and some roundings.  The
+C     quotients are of numbers right to 4 EPS of themselves, as is what
+C     is left of a side of more than twice its error: PAD is more.
       SUBROUTINE TSSHAR(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, SIDE, LO,
      $                  HI)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108), LO, HI
       INTEGER ORD(*), MARK(*), IQ(41), Z, SIDE
-      INTEGER RSUP, LSUP, SPLANE, QNEAR, QH, QDH, QTILT, QDTILT, QG
-      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QNEAR = 6, QH = 95)
+      INTEGER RSUP, LSUP, SPLANE, QON, QH, QDH, QTILT, QDTILT, QG
+      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QON = 6, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, PAD = 64.0D0*EPS)
@@ -2039,7 +2043,7 @@ C     twice its error: PAD is more.
       PARAMETER (SMALL = 2.0D0**(-450))
       DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, Q(3), SIZE, U
       INTEGER K, OK
-      CALL TSLEVE(X, P, ORD, MARK, RCTL, IQ(QNEAR), Z, H, ERR, OK)
+      CALL TSLEVE(X, P, ORD, MARK, RCTL, IQ(QON), Z, H, ERR, OK)
       IF (OK .EQ. 0) RETURN
       ERR = ERR + (FQ(QDH) + 16.0D0*EPS*(ABS(H) + ABS(FQ(QH))) + FAINT)
       H = H - FQ(QH)
@@ -2054,7 +2058,7 @@ C     twice its error: PAD is more.
         ERR = ERR + 16.0D0*EPS*ABS(FQ(QTILT+K)*U)
    10 CONTINUE
       ERR = ERR + FQ(QDTILT)*SIZE
-      IF (RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SPLANE) .GT. 0.0D0) THEN
+      IF (RCTL(RSUP+LSUP*(IQ(QON)-1)+SPLANE) .GT. 0.0D0) THEN
         IF (FQ(QG) .LT. 0.0D0) H = -H
         IF (H + ERR .LT. 0.0D0) THEN
           SIDE = -1
@@ -2083,9 +2087,9 @@ C     twice its error: PAD is more.
       HI = MIN(HI, HIGH)
       END
 
-C     TSSIGH - make TSBEYO's test for the best point there is.  For a
-C     point better than it, of L-coordinate at most k, side > 0 and N -
-C     2 k side <= 0, N being the power in the ball of L = 0, of centre
+C     TSSIGH - sets up TSBEYO's test for the best point so far, whose
+C     L-coordinate is at most k.  A better point has side > 0 and N - 2
+C     k side <= 0, where N is its power in the ball of L = 0, of centre
 C     c.  So there is none where
 C         a (height - h) + q |W|**2 - d.W > 0:
 C       plane    side = G / g: a = -2 k / g, q = 1, d = 2 c + a tilt; as
@@ -2098,24 +2102,24 @@ C                - q, d = a tilt + 2 q c + 2 k v.  Without a ball -side,
 C                less and plus q times G: a = -q, d = a tilt + 2 q c +
 C                v.  Best is, but for a, the q for which the least of q
 C                |W|**2 - d.W is greatest
-C     Any q is right, so what it errs by does not count.  dd has room
-C     for the errors of c, tilt and v, and for 16 roundings of each
-C     term; err for those of h, of a height of at most -low, and of a,
-C     which is exact but for one.
+C     Any q is valid, so errors in q do not count.  dd has room for the
+C     errors of c, tilt and v, and for 16 roundings of each term.  err
+C     has room for those of h, of a height of at most -low, and of a,
+C     which is exact but for one rounding.
       SUBROUTINE TSSIGH(RCTL, IQ, F, FQ)
       DOUBLE PRECISION RCTL(*), F(12), FQ(108)
       INTEGER IQ(41)
-      INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QNEAR, QAIMED, QHI, QH
+      INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QON, QAIMED, QHI, QH
       INTEGER QDH, QTILT, QDTILT, QG, QTEST, TQ, TD, TDD, TA, TERR
       PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, SLOW = 96)
-      PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QHI = 2, QH = 95)
+      PARAMETER (QBALL = 3, QON = 6, QAIMED = 7, QHI = 2, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       PARAMETER (QTEST = 101, TQ = 1, TD = 1, TDD = 5, TA = 6, TERR = 7)
       DOUBLE PRECISION EPS, FAINT, MUCHL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, MUCHL = 1.0D100)
       DOUBLE PRECISION A, B, DD, Q, SUM, U, V, W
       INTEGER AT, BALL, K
-      AT = RSUP + LSUP*(IQ(QNEAR) - 1)
+      AT = RSUP + LSUP*(IQ(QON) - 1)
       IQ(QAIMED) = 1
       BALL = IQ(QBALL)
       IF (ABS(FQ(QHI)) .GT. MUCHL) BALL = 0
@@ -2158,8 +2162,8 @@ C     which is exact but for one.
      $    Q)*(ABS(FQ(QH)) - RCTL(AT+SLOW)) + FAINT
       END
 
-C     TSLOWE - the LEAST of q |W|**2 - d.W in the box LO, HI, of the
-C     test behind FQ(T), and the greatest |W|_1, SIZE.
+C     TSLOWE - LEAST is the least value of q |W|**2 - d.W, of the test
+C     behind FQ(T), in the box LO, HI; SIZE is the greatest |W|_1 in it.
       SUBROUTINE TSLOWE(LO, HI, F, FQ, T, LEAST, SIZE)
       DOUBLE PRECISION LO(*), HI(*), F(12), FQ(*), LEAST, SIZE
       INTEGER T
@@ -2188,9 +2192,9 @@ C     test behind FQ(T), and the greatest |W|_1, SIZE.
    10 CONTINUE
       END
 
-C     TSBEYO - returns 1 if TSSIGH's test proves that there is no
-C     candidate where q |W|**2 - d.W is SUM at least, |W|_1 SIZE at
-C     most, and the height, less than DH away, counts as H; or 0: OUT.
+C     TSBEYO - OUT is 1 if TSSIGH's test proves that there is no
+C     candidate where q |W|**2 - d.W is at least SUM, |W|_1 is at most
+C     SIZE, and the height counts as H, to within DH; or 0.
       SUBROUTINE TSBEYO(FQ, SUM, SIZE, H, DH, OUT)
       DOUBLE PRECISION FQ(108), SUM, SIZE, H, DH
       INTEGER OUT
@@ -2206,24 +2210,24 @@ C     most, and the height, less than DH away, counts as H; or 0: OUT.
      $    SIZE*(FQ(QTEST+TDD) + 16.0D0*EPS*FQ(QTEST+TQ)*SIZE)) OUT = 1
       END
 
-C     TSPROM - returns 1 if a node has provably no candidate, by the
-C     heights of its points; a leaf, and with a cap's ball any node, by
-C     its box, too, which is all that counts where the heights tell
-C     nothing; or 0: OUT.
+C     TSPROM - OUT is 1 if the heights of a node's points prove that it
+C     holds no candidate, or 0.  A leaf is also tested by its box, as is
+C     any node with a cap's ball.  Where the heights tell nothing, the
+C     box alone counts.
       SUBROUTINE TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
       DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER MARK(*), CTL(*), IQ(41), NODE, OUT
       INTEGER TSPRUN
-      INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QNEAR, QAIMED
+      INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QON, QAIMED
       INTEGER QLIMBS, QTEST, TA, GRAINS
       PARAMETER (NP = 1, LEAVES = 4, RSUP = 17, LSUP = 97, SLOW = 96)
-      PARAMETER (SGRAIN = 97, QNEAR = 6, QAIMED = 7, QTEST = 101)
+      PARAMETER (SGRAIN = 97, QON = 6, QAIMED = 7, QTEST = 101)
       PARAMETER (QLIMBS = 2, TA = 6, GRAINS = 134217728)
       DOUBLE PRECISION H, SIZE, SUM
       INTEGER AT, CODE, TELLS
       IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
-      AT = RSUP + LSUP*(IQ(QNEAR) - 1)
-      CODE = MARK(CTL(NP)+2*CTL(LEAVES)*(IQ(QNEAR)-1)+NODE)
+      AT = RSUP + LSUP*(IQ(QON) - 1)
+      CODE = MARK(CTL(NP)+2*CTL(LEAVES)*(IQ(QON)-1)+NODE)
       TELLS = 1
       IF (FQ(QTEST+TA) .LT. 0.0D0) THEN
         IF (MOD(CODE, 2) .EQ. 1) TELLS = 0
@@ -2246,14 +2250,14 @@ C     ------------------------------------------------------------------
 C     Cylinders.
 C
 C     On a smooth surface a box sticks out of the surface by as much as
-C     it is wide, so that a ball which touches the surface meets many of
-C     them; along a curve it is as wide as it is long.  A cylinder that
-C     holds a node's points, a disc on a surface, a rod on a curve, is
-C     thinner by the node's width over the radius of curvature, and the
-C     ball meets a few of them, however many there are.  Cylinders are
-C     made when searches turn out to be long, of the nodes of every
-C     second level from the leaves up: the four grandchildren of a node
-C     lie side by side, and are tested at once.
+C     it is wide, so a ball that touches the surface meets many boxes.
+C     Along a curve a box is as wide as it is long.  A cylinder that
+C     holds a node's points (a disc on a surface, a rod on a curve) is
+C     thinner, by the ratio of the node's width to the radius of
+C     curvature, and the ball meets only a few of them, however many
+C     there are.  Cylinders are made when searches turn out to be long,
+C     for the nodes of every second level from the leaves up.  The four
+C     grandchildren of a node lie side by side and are tested at once.
 C     ------------------------------------------------------------------
 
 C     TSGROU - the number of the cylinders of the four grandchildren of
@@ -2274,13 +2278,14 @@ C     lengths, radii; of each of these numbers four in a row.
       TSGROU = TSGROU + NODE - LEVEL
       END
 
-C     TSENCL - make the cylinder of a node, CYL(J,.,AT).  The axis is a
-C     column, that of the greatest diagonal, of the matrix of second
-C     moments (a rod) or of its adjugate (a disc), whichever gives less
-C     volume; SLENDR is 1 if that is below SLIM of the box's, or 0.  Of
-C     the sum of |X(K)| the differences from the box's middle err by
-C     EPS, their products with the axis and what is left across it by
-C     less than 40, the centre by 10: together less than 64.
+C     TSENCL - makes the cylinder of a node, CYL(J,.,AT).  The axis is
+C     the column of the greatest diagonal element in the matrix of
+C     second moments (a rod) or in its adjugate (a disc), whichever
+C     gives less volume.  SLENDR is 1 if that volume is below SLIM of
+C     the box's, or 0.  In units of the sum of |X(K)|, the differences
+C     from the box's middle err by EPS, their products with the axis and
+C     what is left across it by less than 40 EPS, the centre by 10 EPS:
+C     together less than 64 EPS.
       SUBROUTINE TSENCL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
       INTEGER CTL(*), NODE, AT, J, SLENDR
@@ -2369,7 +2374,7 @@ C       too small to have a direction: any
      $    SLENDR = 1
       END
 
-C     TSECLD - make all cylinders, or none if few leaves have slender
+C     TSECLD - makes all cylinders, or none if few leaves have slender
 C     ones.
       SUBROUTINE TSECLD(X, BOX, CYL, CTL)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
@@ -2396,28 +2401,28 @@ C     ones.
       CTL(ROUND) = 2
       END
 
-C     TSOUTS - which cylinders of a node's four grandchildren provably
-C     hold no candidate: those with PAST(I) > 0.
+C     TSOUTS - tests the cylinders of a node's four grandchildren:
+C     PAST(I) > 0 if cylinder I provably holds no candidate.
 C
-C     A point is W + S U + P from the base, W being the cylinder's
-C     centre, U its axis, |S| <= H, P across U, |P| <= R.  With G = W -
-C     C, A = |G.U|, and the length RHO of G across U, its power in the
-C     ball about C is
+C     A point is W + S U + P from the base, where W is the cylinder's
+C     centre, U its axis, |S| <= H, and P is across U, |P| <= R.  With G
+C     = W - C, A = |G.U|, and RHO the length of G across U, its power in
+C     the ball about C is
 C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P),
-C     the brackets at least T (T - 2 A), T the lesser of A and H, and
-C     Q**2 - 2 Q RHO, Q the lesser of RHO and R.  So there is none if
-C     the sum without 2 Q RHO is positive and its square is above 4 Q**2
-C     RHO**2.  Without a ball the same holds for minus the side v.W,
-C     with v / 2 for C, without all squares, T = H, Q = R: SQUARE = 0,
-C     and FAR is more than any length.
+C     The brackets are at least T (T - 2 A), where T is the lesser of A
+C     and H, and Q**2 - 2 Q RHO, where Q is the lesser of RHO and R.  So
+C     there is no candidate if the sum without 2 Q RHO is positive and
+C     its square is above 4 Q**2 RHO**2.  Without a ball the same holds
+C     for minus the side v.W, with v / 2 for C, without any squares, T =
+C     H, Q = R: then SQUARE = 0, and FAR is more than any length.
 C
 C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
-C     |W|_1 + H + R: W by EPS |W|, which counts twice in the power, and
-C     with that of G in RHO, 4; the power by 8 (TSPOWE), A by 6 |G|_1,
-C     which counts 2 T times; |U|**2 is 1 but for 8 EPS, which tilts P:
-C     9; and some for the sum.  RHO**2 errs by less than 64 EPS |G|**2,
-C     with room for the last two products; where these underflow, R >=
-C     SMALL makes the sum's error greater.
+C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
+C     power, and with that of G in RHO makes 4; the power by 8 (TSPOWE);
+C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
+C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
+C     |G|**2, with room for the last two products.  Where these
+C     underflow, R >= SMALL makes the sum's error greater.
       SUBROUTINE TSOUTS(CYL, AT, IQ, F, FQ, PAST)
       DOUBLE PRECISION CYL(4,8,*), F(12), FQ(108), PAST(4)
       INTEGER AT, IQ(41)
@@ -2462,40 +2467,41 @@ C     SMALL makes the sum's error greater.
 C     ------------------------------------------------------------------
 C     Ties.
 C
-C     Let S be the points on the sphere of a ball that is empty, as that
-C     of any tetrahedron of the mesh.  By the tie rule heights are
-C     lowered, that of first, the point of S of least number, by far the
-C     most.  So
-C       - among points of S the mesh is that of the facets of S's hull
+C     Let S be the points on the sphere of an empty ball, such as that
+C     of any tetrahedron of the mesh.  The tie rule lowers heights, that
+C     of first, the point of S of least number, by far the most.  So
+C       - among points of S the mesh consists of the facets of S's hull
 C         without first, each joined to first;
 C       - a tetrahedron with its vertices in S has first for one of
-C         them: it is the least of any such tetrahedron that is known;
-C       - for a facet of three points of S without first, which is in
-C         S's hull, no point of S is on its open side but on first's:
-C         first is the apex, or none of S;
-C       - for a facet (first, a, b) with points of S on its open side
-C         the apex is one of them, as the ball is empty.  Of two, c and
+C         them: first is the least vertex of any such tetrahedron that
+C         is known;
+C       - a facet of three points of S without first, which is in S's
+C         hull, has no point of S on its open side unless first is on
+C         it: the apex is first, or none of S;
+C       - a facet (first, a, b) with points of S on its open side has
+C         one of them as its apex, as the ball is empty.  Of two, c and
 C         z, z is better if it is beyond the plane (a, b, c) seen from
-C         first, worse if on first's side, and in that plane by the
-C         lesser e_i.
-C     A point of S whose star is complete is in no open facet, nor an
-C     apex.  If first's is, all tetrahedra of S are known: that of a new
-C     one's S is not.
+C         first, and worse if it is on first's side; in that plane the
+C         lesser e_i decides.
+C     A point of S whose star is complete is in no open facet and is no
+C     apex.  If first's star is complete, all tetrahedra of S are known;
+C     so for a new tetrahedron's S it is not.
 C
-C     Cells: all uncompleted points of S, the least number first, of
-C     balls inside the star's list.  No more than these are asked for a
-C     facet of the star.
+C     A cell has all uncompleted points of S, the least number first, of
+C     a ball inside the star's list.  Only these are tested for a facet
+C     of the star.
 C
-C     The large ball has too many for that: four of them are kept.  All
-C     rivals of c are beyond the plane (a, b, c), or in it, seen from
-C     first, and on the sphere.  That part of the sphere is in the
-C     smallest ball through a, b, c if first is outside of this: so
-C     this, the cap's, takes the place of the search's ball.  It passes
-C     through a base a or b, but not through first.
+C     The large ball has too many points for a cell: four of them are
+C     kept.  All rivals of c are on the sphere and, seen from first,
+C     beyond the plane (a, b, c) or in it.  If first is outside the
+C     smallest ball through a, b, c, the cap's ball, that part of the
+C     sphere is in the cap's ball, which then replaces the search's
+C     ball.  The cap's ball passes through a base a or b, but not
+C     through first.
 C     ------------------------------------------------------------------
 
-C     TSINLA - returns 1 if the N points V are on the large ball, if
-C     there is one; or 0.
+C     TSINLA - returns 1 if there is a large ball and the N points V are
+C     on it, or 0.
       INTEGER FUNCTION TSINLA(X, P, ORD, RCTL, V, N)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), V(*), N
@@ -2578,18 +2584,19 @@ C     TSPOWE.
    30 CONTINUE
       END
 
-C     TSCHAL - take Z if it is on the open side and beats the best point
-C     there is: if its L-coordinate is smaller (Theorem 1); ties by the
-C     rule of HHPBAL.  The Householder bounds decide where they can;
-C     what they leave open limits the better one by the other.
+C     TSCHAL - takes Z if it is on the open side and beats the best
+C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
+C     the rule of HHPBAL.  The Householder bounds decide where they
+C     can.  Where they cannot, the better point's limits are tightened
+C     by the other's.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(41), Z
       INTEGER HHPBEA, HHPSID
-      INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QNEAR, QLO, QHI
+      INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QON, QLO, QHI
       INTEGER QLIMB, RTIED, RSLOT, UNSURE, MANY
       PARAMETER (T3 = 1, T5 = 2, RPATIE = 8, QBEST = 1, QLIMBS = 2)
-      PARAMETER (QASKED = 5, QNEAR = 6, QLO = 1, QHI = 2, QLIMB = 7)
+      PARAMETER (QASKED = 5, QON = 6, QLO = 1, QHI = 2, QLIMB = 7)
       PARAMETER (RTIED = 11, RSLOT = 12, UNSURE = 2, MANY = 6)
       DOUBLE PRECISION PLAIN, WIDE
       PARAMETER (PLAIN = 16.0D0, WIDE = 1.0D-4)
@@ -2599,7 +2606,7 @@ C     what they leave open limits the better one by the other.
       Q(2) = X(2,Z)
       Q(3) = X(3,Z)
       CALL HHLIMI(F, Q, LO, HI, SIDE)
-      IF (IQ(QNEAR) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, P, ORD,
+      IF (IQ(QON) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, P, ORD,
      $    MARK, RCTL, IQ, F, FQ, Z, SIDE, LO, HI)
       SGN = SIDE
       POWER = UNSURE
@@ -2645,16 +2652,17 @@ C     what they leave open limits the better one by the other.
       END IF
       END
 
-C     TSCONS - compare Z, if it is no vertex and not outside of the
-C     ball, by its height over the facet's support where that is known.
+C     TSCONS - compares Z with the best point, unless it is a vertex or
+C     provably outside the ball, by its height over the facet's support
+C     where that is known.
       SUBROUTINE TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(41), Z
       DOUBLE PRECISION TSPOWE
-      INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QNEAR, QAIMED, QC
+      INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QON, QAIMED, QC
       INTEGER QTEST, TQ, TD
       PARAMETER (RSUP = 17, LSUP = 97, SGRAIN = 97, QBEST = 1)
-      PARAMETER (QBALL = 3, QNEAR = 6, QAIMED = 7, QC = 2)
+      PARAMETER (QBALL = 3, QON = 6, QAIMED = 7, QC = 2)
       PARAMETER (QTEST = 101, TQ = 1, TD = 1)
       DOUBLE PRECISION H, Q, SIZE, SUM, W1, W2, W3
       INTEGER OK, OUT
@@ -2665,8 +2673,8 @@ C     ball, by its height over the facet's support where that is known.
       W3 = X(3,Z) - F(9)
       SIZE = ABS(W1) + ABS(W2) + ABS(W3)
       OK = 0
-      IF (IQ(QNEAR) .NE. 0)
-     $    CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
+      IF (IQ(QON) .NE. 0)
+     $    CALL TSMRKD(MARK, RCTL, IQ(QON), Z, H, OK)
       OUT = 0
       IF (OK .EQ. 1) THEN
         IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
@@ -2674,7 +2682,7 @@ C     ball, by its height over the facet's support where that is known.
         SUM = W1*(Q*W1 - FQ(QTEST+TD+1)) + W2*(Q*W2 - FQ(QTEST+TD+2)) +
      $      W3*(Q*W3 - FQ(QTEST+TD+3))
         CALL TSBEYO(FQ, SUM, SIZE, H,
-     $              RCTL(RSUP+LSUP*(IQ(QNEAR)-1)+SGRAIN), OUT)
+     $              RCTL(RSUP+LSUP*(IQ(QON)-1)+SGRAIN), OUT)
       ELSE IF (IQ(QBALL) .EQ. 1) THEN
         SUM = W1*(W1 - 2.0D0*FQ(QC+1)) + W2*(W2 - 2.0D0*FQ(QC+2)) +
      $      W3*(W3 - 2.0D0*FQ(QC+3))
@@ -2736,9 +2744,9 @@ C     OK is 1, or 0 when the ball is too large for that.
       OK = 1
       END
 
-C     TSSTAC - the same for the list of the star of the base, the list's
-C     centre, whose points are less than 1.1 from it in the list's
-C     units: g = 0.
+C     TSSTAC - the same for the list of the base's star.  The list's
+C     centre is the base, so g = 0, and its points are less than 1.1
+C     from it in the list's units.
       SUBROUTINE TSSTAC(LSD, LIST, FQ, D, OK)
       DOUBLE PRECISION LSD(14,2), FQ(108)
       REAL D(4)
@@ -2764,9 +2772,9 @@ C     units: g = 0.
       OK = 1
       END
 
-C     TSINBA - which points of a list pass TSBALC's test, and how many.
-C     Of those the vertices of the facet and the best point, which are
-C     on the ball, are the first four.
+C     TSINBA - sets IN(I) = 1 for the points of a list that pass
+C     TSBALC's test, N of them.  The vertices of the facet and the best
+C     point, which are on the ball, are four of them.
       SUBROUTINE TSINBA(LSX, LSI, LIST, D, IN, N)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
@@ -2800,9 +2808,9 @@ C     TSCALL - consider N points of a list.
    10 CONTINUE
       END
 
-C     TSLIKE - that point Z of N points of a list which has about the
-C     least L-coordinate of those on the positive side, if it is below
-C     MOST; or 0.
+C     TSLIKE - Z is the one of N points of a list with about the least
+C     L-coordinate of those on the positive side, if it is below MOST,
+C     or 0.
       SUBROUTINE TSLIKE(LSX, LSID, LSD, LIST, F, FQ, MOST, N, PLACE, Z)
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
@@ -2832,7 +2840,7 @@ C     MOST; or 0.
         OFF = OFF + U(K)*REAL((F(6+K) -
      $      LSD(LMID+K,LIST))*LSD(LUNIT,LIST))
    10 CONTINUE
-C     where a side or the point is no good the height is more than FAR
+C     the height is above FAR where the side or the point is unusable
       DO 20 I = 1, N
         J = PLACE(I)
         SIDE = U(1)*LSX(J,1,LIST) + U(2)*LSX(J,2,LIST) +
@@ -2851,10 +2859,10 @@ C     where a side or the point is no good the height is more than FAR
    20 CONTINUE
       END
 
-C     TSSTBA - the places of those points of a star's list that may be
-C     in the ball, or of all without a ball, and how many, N; 0 if these
-C     are none but the vertices and the best point, -1 if the ball is
-C     too large for the list.
+C     TSSTBA - finds the places of the points of a star's list that may
+C     be in the ball, or of all its points without a ball.  N is their
+C     number; 0 if they are only the vertices and the best point, -1 if
+C     the ball is too large for the list.
       SUBROUTINE TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
@@ -2883,10 +2891,11 @@ C     too large for the list.
       END IF
       END
 
-C     TSNEWC - make a cell of the points exactly on the best point's
-C     ball, if all are in the star's list and none is inside: OK is 1;
-C     0 if not, or if there are no ties.  The centre of TSNARR's ball is
-C     off by up to QHI - QLO, too, which tells on the negative side.
+C     TSNEWC - makes a cell of the points exactly on the best point's
+C     ball, if all are in the star's list and none is inside.  OK is 1,
+C     or 0 if not, or if there are no ties.  The centre of TSNARR's ball
+C     is off by up to QHI - QLO, too, which matters on the negative
+C     side.
       SUBROUTINE TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
      $                  V, IQ, F, FQ, OK)
       INTEGER TSLIST, TSIDS
@@ -2941,8 +2950,8 @@ C     off by up to QHI - QLO, too, which tells on the negative side.
       OK = 1
       END
 
-C     TSINCE - the apex Z of the facet V, if it is in a cell, or 0: see
-C     "Ties".
+C     TSINCE - Z is the apex of the facet V if it is in a cell, or 0:
+C     see "Ties".
       SUBROUTINE TSINCE(X, P, ORD, CTL, RCTL, V, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), Z
@@ -2978,11 +2987,11 @@ C     "Ties".
    40 CONTINUE
       END
 
-C     TSINST - look for the apex in the star's list.  A better point's
-C     ball has no more on the open side than the one before it (Lemma
-C     3), and nothing on the other, so that one pass over a list is
-C     enough, if the last ball has no points elsewhere: OK is 1 if so,
-C     else 0.
+C     TSINST - seeks the apex in the star's list.  The ball of a better
+C     point has no more points on the open side than the ball before it
+C     (Lemma 3), and those on the other side do not count.  So one pass
+C     over the list is enough if the last ball has no points elsewhere.
+C     OK is 1 if so, or 0.
       SUBROUTINE TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, LSX, LSID, LSI,
      $                  LSD, V, IQ, F, FQ, OK)
       INTEGER TSLIST, TSIDS
@@ -3007,8 +3016,9 @@ C     else 0.
       IF (N .GT. 0) THEN
         MOST = MIN(FQ(QHI), FAR*LSD(LMARG,STR)) -
      $         1.0D-4*LSD(LMARG,STR)
-C       the best of those inside the ball leaves none, as a rule; not
-C       among ties, which are on it (to know that saves 6 % on lattices)
+C       the ball of the best of those inside is usually empty; not so
+C       among ties, which are on the ball (knowing that saves 6 % on
+C       lattices)
         Z = 0
         IF (CTL(TIES) .EQ. 0 .OR. IQ(QBALL) .EQ. 0) CALL TSLIKE(LSX,
      $      LSID, LSD, STR, F, FQ, MOST, N, PLACE, Z)
@@ -3038,9 +3048,9 @@ C       among ties, which are on it (to know that saves 6 % on lattices)
       IF (IQ(QBALL) .EQ. 1) OK = TSBINS(BOX, LSD, F, FQ)
       END
 
-C     TSINBL - the same for the block's list.  Where the ball has room
-C     elsewhere the tree is searched in any case, so the list only
-C     costs: on surfaces two of five points that were tested.
+C     TSINBL - the same for the block's list.  If the ball has room
+C     elsewhere, the tree is searched in any case and the list only adds
+C     cost: on surfaces, two of five points that were tested.
       SUBROUTINE TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD,
      $                  V, IQ, F, FQ, OK)
       INTEGER TSLIST, TSIDS
@@ -3072,11 +3082,11 @@ C     costs: on surfaces two of five points that were tested.
       END IF
       END
 
-C     TSSCAN - consider those uncompleted points of a leaf that are not
-C     outside the ball, or without a ball not on the negative side, for
-C     which the ball of L = MUCHL/2 stands, with room for |W|**2.  The
-C     powers come first, as vectors, then the places of those to
-C     consider.
+C     TSSCAN - considers the uncompleted points of a leaf that are not
+C     outside the ball.  Without a ball it considers those not on the
+C     negative side: the ball of L = MUCHL/2 stands for that side, with
+C     room for |W|**2.  The powers come first, as vectors, then the
+C     places of the points to consider.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F,
      $                  FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
@@ -3133,26 +3143,26 @@ C     consider.
      $    CALL TSREME(IQ, FIRST, 0)
       END
 
-C     TSTREE - finish a search by the tree: the leaf of the base first,
-C     then its parent's other child, and so on up to the root, or by
-C     cylinders its grandparent's other three grandchildren; TOP is the
-C     node all below which has been searched.  Near a support from the
-C     root down, the child of lesser height first, as the apex may be
-C     anywhere.
+C     TSTREE - finishes a search in the tree: the leaf of the base
+C     first, then its parent's other child, and so on up to the root;
+C     with cylinders, its grandparent's other three grandchildren.
+C     Everything below the node TOP has been searched.  For a facet on a
+C     support, the search goes from the root down, the child of lesser
+C     height first, as the apex may be anywhere.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
      $                  IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41)
       INTEGER TSPRUN, TSLEAF, TSGROU
-      INTEGER NP, LEAVES, ROUND, QBALL, QBASE, QNEAR, DEPTH
+      INTEGER NP, LEAVES, ROUND, QBALL, QBASE, QON, DEPTH
       PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, QBALL = 3, QBASE = 4)
-      PARAMETER (QNEAR = 6, DEPTH = 96)
+      PARAMETER (QON = 6, DEPTH = 96)
       DOUBLE PRECISION LOOSE
       PARAMETER (LOOSE = 0.5D0)
       DOUBLE PRECISION PAST(4)
       INTEGER FOURS, FROM, HEIGHT, LEAST, N, NEAR, NODE, OUT
       INTEGER STACK(DEPTH), TOP
-      NEAR = IQ(QNEAR)
+      NEAR = IQ(QON)
       LEAST = CTL(NP) + 2*CTL(LEAVES)*(NEAR - 1)
       FOURS = CTL(ROUND)/2
       IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
@@ -3232,17 +3242,17 @@ C     hull, or 0.
       TSONHU = 0
       END
 
-C     TSPREP - begin the search for the apex of the facet V.  Its base
-C     is V(1), or V(2) if V(1) is the large ball's first, or if the
-C     angle there is small the vertex opposite to the longest edge.
+C     TSPREP - begins the search for the apex of the facet V.  The base
+C     is V(1), or V(2) if V(1) is the large ball's first.  If the angle
+C     there is small, the base is the vertex opposite the longest edge.
       SUBROUTINE TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(41)
       INTEGER TSINLA
-      INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QNEAR
+      INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON
       INTEGER RTIED, RSLOT, RFIRST, QOPEND, QLO, QHI, QC, QDC, QSIZE
       PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2)
-      PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QNEAR = 6)
+      PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QON = 6)
       PARAMETER (QOPEND = 9, QLO = 1, QHI = 2, QC = 2, QDC = 6)
       PARAMETER (QSIZE = 7, RTIED = 11, RSLOT = 12, RFIRST = 13)
       DOUBLE PRECISION EPS, HUGE, THIN
@@ -3263,7 +3273,7 @@ C     angle there is small the vertex opposite to the longest edge.
       IQ(QLIMBS) = 0
       IQ(QBALL) = 0
       IQ(QASKED) = 0
-      IQ(QNEAR) = 0
+      IQ(QON) = 0
       IQ(QOPEND) = 0
       RCTL(RTIED) = 0.0D0
       FQ(QLO) = -HUGE
@@ -3298,8 +3308,8 @@ C     angle there is small the vertex opposite to the longest edge.
      $    IQ, F, FQ)
       END
 
-C     TSAPEX - the apex Z of the facet V on its positive side, or 0.
-C     GUESS: two positions to try first, or 0.
+C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
+C     GUESS holds two positions to try first, or 0.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  LSX, LSID, LSI, LSD, V, GUESS, Z)
       INTEGER TSLIST, TSIDS
@@ -3310,12 +3320,12 @@ C     GUESS: two positions to try first, or 0.
       INTEGER LSI(3,2), V(3), GUESS(2), Z
       INTEGER HHPSID, TSCURV, TSONHU
       INTEGER NP, LEAVES, NPLANE, NEXTPL, PLANE0, ROUND, NCELL, T3
-      INTEGER RBURDN, RPATIE, RSCAN, RTIED, RSLOT, RFIRST, QBEST, QNEAR
+      INTEGER RBURDN, RPATIE, RSCAN, RTIED, RSLOT, RFIRST, QBEST, QON
       INTEGER QOPEND, LLAST, BLK, PLANES, OPENED, LARGE, FUTILE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
       PARAMETER (PLANE0 = 13, ROUND = 28, NCELL = 29, T3 = 1)
       PARAMETER (RBURDN = 7, RPATIE = 8, RSCAN = 10, RTIED = 11)
-      PARAMETER (RSLOT = 12, RFIRST = 13, QBEST = 1, QNEAR = 6)
+      PARAMETER (RSLOT = 12, RFIRST = 13, QBEST = 1, QON = 6)
       PARAMETER (QOPEND = 9, LLAST = 2, BLK = 1, PLANES = 4)
       PARAMETER (OPENED = 24, LARGE = 24, FUTILE = 82)
       DOUBLE PRECISION SCANS
@@ -3339,11 +3349,11 @@ C     GUESS: two positions to try first, or 0.
      $      F, FQ, G)
    10 CONTINUE
       Z = IQ(QBEST)
-C     a ball that is a support's sphere but for rounding is in no list
+C     a ball that is a support's sphere up to rounding is in no list
       LISTS = 1
       IF (TSCURV(RCTL, IQ) .EQ. 1) THEN
         OK = 1
-        IF (Z .NE. 0) CALL TSMRKD(MARK, RCTL, IQ(QNEAR), Z, H, OK)
+        IF (Z .NE. 0) CALL TSMRKD(MARK, RCTL, IQ(QON), Z, H, OK)
         LISTS = 1 - OK
       END IF
       IF (LISTS .EQ. 1) THEN
