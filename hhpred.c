@@ -89,8 +89,8 @@ typedef long whole;
 /* Limbs that hold the value of a number to a double's precision. */
 #define LEADING (DBL_MANT_DIG / HH_BITS + 2)
 
-/* nearest - q, |q| < CARRY, to a nearest integer or one as good: the offset
- * makes it positive, which may round q up to a half. */
+/* nearest - rounds q, |q| < CARRY, to a nearest integer or one as good: the
+ * offset makes q positive, and may round it up to a half. */
 static double nearest(double q)
 {
     return (double)((whole)(q + (CARRY + 0.5)) - (whole)CARRY);
@@ -104,15 +104,16 @@ static void zeros(int n, double *r)
     for (i = 0; i < n; i++) r[i] = 0.0;
 }
 
-/* blank - are all n numbers r 0? */
+/* blank - returns 1 if all n numbers r are 0. */
 static int blank(int n, const double *r)
 {
     while (n > 0 && r[n - 1] == 0.0) n--;
     return n == 0;
 }
 
-/* shift - n coordinates q times SHIFT, one by one (volatile), in the arithmetic
- * that hh_holds has tried: a compiler may have another one for vectors. */
+/* shift - multiplies n coordinates q by SHIFT, one at a time (volatile), in the
+ * arithmetic that hh_holds has tested: a compiler may use another one for
+ * vectors. */
 static void shift(int n, double *q)
 {
     volatile double factor = SHIFT;
@@ -121,9 +122,9 @@ static void shift(int n, double *q)
     for (i = 0; i < n; i++) q[i] *= factor;
 }
 
-/* fill - n coordinates q times the *factor that they need lest a limb's weight
- * underflow; most > 0 is their largest absolute value.  Returns the weight of
- * limb 0 that most fills. */
+/* fill - multiplies n coordinates q by the *factor that keeps the weights of
+ * limbs from underflowing; most > 0 is their largest absolute value.  Returns
+ * the weight of limb 0 for which most fills the limb. */
 static double fill(int n, double *q, double most, double *factor)
 {
     int e;
@@ -134,14 +135,15 @@ static double fill(int n, double *q, double most, double *factor)
     return ldexp(1.0, e + 2 - HH_BITS);
 }
 
-/* split - the n limbs of w <= 15 numbers q side by side, limb 0 of weight top,
- * a power of two, |q| <= top BASE/4.  Returns how many are in use, or n + 1
- * when n do not hold them.
+/* split - splits w <= 15 numbers q into n limbs each, side by side.  Limb 0 has
+ * the weight top, a power of two, and |q| <= top BASE/4.  Returns the number of
+ * limbs in use, or n + 1 if n limbs do not hold the numbers.
  *
- * What is left of a number after a limb has no bits below its own, and is exact
- * as long as it is no larger than the number: so a limb is 0 for less than half
- * its weight, even if rounding would make that a half.  A number whose first
- * SKIP limbs are 0 is far behind top, and taken up after these. */
+ * The remainder of a number after a limb has no bits below the number's own,
+ * and is exact as long as it is no larger than the number.  So a limb is 0 for
+ * a remainder of less than half its weight, even if rounding would make that a
+ * half.  A number whose first SKIP limbs are 0 is far below top, and is taken
+ * up after these limbs. */
 static int split(int w, const double *q, double top, int n, double *limb)
 {
     double far[15], rest[15], c;
@@ -171,8 +173,8 @@ static int split(int w, const double *q, double top, int n, double *limb)
     return k < w ? n + 1 : i;
 }
 
-/* carry - bring the limbs of w numbers, below 2^DBL_MANT_DIG, back to at most
- * BASE/2, from the last one up.  Limb 0 keeps what it gets. */
+/* carry - reduces the limbs of w numbers, below 2^DBL_MANT_DIG, to at most
+ * BASE/2, from the last one up.  Limb 0 keeps what is carried into it. */
 static void carry(int n, int w, double *r)
 {
     double c;
@@ -203,9 +205,9 @@ static int signof(int n, double err, const double *r)
     return s > 0.0 ? 1 : -1;
 }
 
-/* spread - the 3 np coordinates q of np points side by side; of all points
- * but the last the differences from the last.  Returns how many limbs are in
- * use, or n + 1. */
+/* spread - splits the 3 np coordinates q of np points, side by side, and
+ * subtracts the last point from all others.  Returns the number of limbs in
+ * use, or n + 1 if n limbs do not hold them. */
 static int spread(int np, const double *q, double top, int n, double *x)
 {
     const double *last;
@@ -220,7 +222,7 @@ static int spread(int np, const double *q, double top, int n, double *x)
     return used;
 }
 
-/* lesser - the smaller one of i and k. */
+/* lesser - returns the smaller of i and k. */
 static int lesser(int i, int k)
 {
     return i < k ? i : k;
@@ -262,10 +264,11 @@ static int volume(int n, double *x)
     return signof(3 * n, 0.0, det);
 }
 
-/* cofactors - the determinants of three of the rows a-e, b-e, c-e, d-e, without
- * each in turn, by the first depth rows of all products: four numbers of 3n
- * limbs, or depth, side by side.  x: the rows, of n limbs, as of spread, in 39n
- * doubles; the determinants are in the last 12n. */
+/* cofactors - computes the determinants of three of the rows a-e, b-e, c-e,
+ * d-e, leaving out each row in turn, from the first depth rows of all products:
+ * four numbers, side by side, of 3n limbs or of depth if that is less.  x holds
+ * the rows, of n limbs, as made by spread, in 39n doubles; the determinants are
+ * in the last 12n. */
 static void cofactors(int n, int depth, double *x)
 {
     int n2 = lesser(2 * n, depth), n3 = lesser(3 * n, depth);
@@ -379,9 +382,9 @@ static double leading(int n, const double *r, int step, int *at)
     return sum;
 }
 
-/* shares - the n absolute values w of numbers, whose leading limbs are limbs
- * at, over their sum: each right to 12 eps of itself, as the numbers to 3 eps,
- * or underflowed.  Left alone if all are 0. */
+/* shares - divides the absolute values w of n numbers, whose leading limbs are
+ * limbs at, by their sum.  Each share is right to 12 eps of itself, as the
+ * numbers are to 3 eps, or underflows.  w is left alone if all are 0. */
 static void shares(int n, const int *at, double *w)
 {
     double sum = 0.0;
@@ -489,10 +492,10 @@ static int foot(int n, double *x, double *w)
     return set;
 }
 
-/* weigh - the weights w of the point e in the tetrahedron a, b, c, d that holds
- * it: shares of the volumes of the four tetrahedra that have e in the place of
- * a vertex.  x: the rows a-e, b-e, c-e, d-e, of n limbs, as of spread, in 39n
- * doubles. */
+/* weigh - computes the weights w of the point e in the tetrahedron a, b, c, d
+ * that contains it: shares of the volumes of the four tetrahedra in which e
+ * replaces a vertex.  x holds the rows a-e, b-e, c-e, d-e, of n limbs, as made
+ * by spread, in 39n doubles. */
 static void weigh(int n, double *x, double *w)
 {
     int at[4], k;
@@ -503,10 +506,11 @@ static void weigh(int n, double *x, double *w)
     shares(4, at, w);
 }
 
-/* limbsg - with n limbs, volume for np = 4 points q, or minus foot if there is
- * a w; insphere for 5, or weigh and 0; UNSURE when n limbs do not hold them.
- * work: 44n doubles.  Limbs 0 that are 0 in all rows are left out as long as
- * the next ones may be limbs 0. */
+/* limbsg - evaluates np points q with n limbs.  For np = 4: volume, or minus
+ * foot if w is not NULL.  For np = 5: insphere, or weigh and 0 if w is not
+ * NULL.  UNSURE if n limbs do not hold the points.  work: 44n doubles.  Limbs 0
+ * that are 0 in all rows are left out as long as the next ones can serve as
+ * limbs 0. */
 static int limbsg(int np, const double *q, double top, int n, double *work,
                   double *w)
 {
@@ -609,7 +613,8 @@ static int centre(int n, const double *x, double *work)
     return first;
 }
 
-/* certain - the sign of det where |det| exceeds its error, or is exact. */
+/* certain - the sign of det if |det| exceeds its error or det is exact, else
+ * UNSURE. */
 static int certain(double det, double perm, double factor, double t)
 {
     double err = factor * DBL_EPSILON * perm + TINY;
@@ -703,16 +708,15 @@ static int exact(int np, double *q, double most, double *w)
 #define REAL_MIN DBL_MIN
 #endif
 
-/* hh_finite - how many of n points p, from the first on, have finite
- * coordinates: n when all have.
+/* hh_finite - returns how many of n points p, counted from the first, have
+ * finite coordinates before one that has not: n if all have.
  *
- * By their bits, as a compiler that was told that there are no NaNs may leave
- * out any comparison that looks for them.  The least normal number, 2^e, has
- * the exponent 1, and 2^(1-e) the greatest of a finite number, all ones but
- * the last; neither has other bits.  So their bits together are those that
- * an infinity or a NaN, and no finite number, has all of.  The bytes are
- * looked at from the last one down, as the last one decides on most
- * machines. */
+ * The test is by bits: a compiler that was told that there are no NaNs may drop
+ * any comparison that looks for them.  The least normal number, 2^e, has the
+ * exponent 1; 2^(1-e) has the greatest exponent of a finite number, all ones
+ * but the last bit.  Neither has other bits.  So an infinity or a NaN has all
+ * bits of the two together, and no finite number has.  The bytes are checked
+ * from the last one down, as the last one decides on most machines. */
 tess_int hh_finite(tess_int n, const tess_real *p)
 {
     const tess_real least = (tess_real)REAL_MIN;
@@ -734,10 +738,10 @@ tess_int hh_finite(tess_int n, const tess_real *p)
     return n;
 }
 
-/* precise - does arithmetic keep all bits of a double?  An x87 unit may have
- * been set to fewer.  (HALF + m)^2, m = 1 or 3, needs nearly all of them, and
- * all the steps are exact where they are kept.  m is for compilers: what is
- * known only at run time they cannot work out beforehand. */
+/* precise - returns 1 if arithmetic keeps all bits of a double.  An x87 unit
+ * may have been set to fewer.  (HALF + m)^2, m = 1 or 3, needs nearly all of
+ * them, and all steps are exact if they are kept.  m is known only at run time,
+ * so that a compiler cannot evaluate the test beforehand. */
 static int precise(int m)
 {
     volatile double a = HALF + m;
@@ -745,14 +749,14 @@ static int precise(int m)
     return a * a - HALF * HALF - 2.0 * HALF * m == (double)(m * m);
 }
 
-/* hh_holds - 1 when the arithmetic is precise and takes no coordinate of n
- * points p for 0 that is not: a processor may have been set to do that to
+/* hh_holds - returns 1 if the arithmetic is precise and takes no nonzero
+ * coordinate of n points p for 0.  A processor may have been set to do that to
  * subnormal operands, which no comparison can find then, or to subnormal
  * results.  The operand's bits tell: a zero has none but the sign's.
- * (volatile: that a number was found to be 0 must not lead a compiler to take
- * its bits to be those of 0.0.)  ldexp is asked, too: with arithmetic in an x87
- * unit the mathematical library may do its own elsewhere, and take for 0 what
- * the unit does not. */
+ * (volatile: when a number compares equal to 0, a compiler must not take its
+ * bits to be those of 0.0.)  ldexp is tested, too: with arithmetic in an x87
+ * unit the mathematical library may compute elsewhere, and take for 0 what the
+ * unit does not. */
 int hh_holds(tess_int n, const tess_real *p)
 {
     const tess_real plus = 1, minus = -1;
@@ -895,8 +899,8 @@ static double pack(int np, const tess_real *const *p, double *q)
     return most;
 }
 
-/* scale - s = q 2^-e, n coordinates, that makes most, the largest absolute
- * value among them, at most 1, and not tiny.  Returns e. */
+/* scale - sets s = q 2^-e, n coordinates, with e such that most, the largest
+ * absolute value among them, becomes at most 1, and not tiny.  Returns e. */
 static int scale(int n, double most, const double *q, double *s)
 {
     double f = most <= 1.0 ? 1.0 : DOWN;
@@ -986,7 +990,7 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
     return exact(4, q, most, NULL);
 }
 
-/* hh_line - are a, b, c exactly collinear? */
+/* hh_line - returns 1 if a, b, c are exactly collinear. */
 int hh_line(const tess_real *a, const tess_real *b, const tess_real *c)
 {
     return hh_flat(0, a, b, c) == 0 && hh_flat(1, a, b, c) == 0 &&
@@ -994,9 +998,9 @@ int hh_line(const tess_real *a, const tess_real *b, const tess_real *c)
 }
 
 /* closest - region for s, the points b, c, q, a of the triangle a, b, c and q,
- * scaled, or 0 where doubles do not tell all signs: of the sum of its terms'
- * absolute values, as in filt3, a product of side and offset errs by less than
- * 8 eps, an area by less than 32. */
+ * scaled; 0 if double precision does not decide all signs.  Relative to the sum
+ * of its terms' absolute values, as in filt3, a product of side and offset errs
+ * by less than 8 eps, an area by less than 32. */
 static int closest(const double *s)
 {
     static const int vertex[4] = {3, 0, 1, 3};
@@ -1110,9 +1114,9 @@ int hh_range(double x, double most)
     return split(1, &x, top, HH_LIMBS, limb) > HH_LIMBS ? UNSURE : 0;
 }
 
-/* apart - q = the coordinates of np points p in units of their own, if x, the
- * first of them, is so far below the set's that its units do not become them;
- * returns 1 if so. */
+/* apart - sets q to the coordinates of np points p in units of their own, and
+ * returns 1, if x, the first point, is too far below the set's units for these
+ * to suit the points. */
 static int apart(const double *x, int np, const tess_real *const *p, double *q)
 {
     double most;
@@ -1245,8 +1249,8 @@ int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
 }
 
 /* hh_pbeat - negative if b beats a as the apex of the facet v, both on its
- * positive side, else positive: 1 or -1, or 2 or -2 when the five are on one
- * sphere: without a look at that if tie is 1. */
+ * positive side, else positive: 1 or -1, or 2 or -2 if the five points are on
+ * one sphere.  If tie is 1, they are taken to be, without a test. */
 int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
              int tie)
 {
@@ -1367,8 +1371,8 @@ static void evaluate(const double *row, int n, int first, const double *u,
     }
 }
 
-/* offset - the limbs u of the position z, seen from the base of a ball; 0 where
- * its limbs do not hold them. */
+/* offset - computes the limbs u of the position z relative to the base of a
+ * ball.  Returns 0 if the ball's limbs do not hold them. */
 static int offset(const hh_set *s, const hh_ball *t, tess_int z, double *u)
 {
     const tess_real *p = s->p + 3 * s->order[z];
@@ -1415,11 +1419,11 @@ static int level(const hh_set *s, const hh_ball *t, tess_int z, int plane,
     return 1;
 }
 
-/* hh_trial - by a few leading limbs, in a tenth of the time of the exact signs:
- * if *side is 0, *side = the side of the position z for the facet of hh_centre,
- * or UNSURE; unless it is -1, *power = the sign of z's power in the ball, or
- * UNSURE: -1 when z is inside.  For the latter the ball's fourth point is on
- * the positive side, as D > 0 then. */
+/* hh_trial - decides signs by a few leading limbs, in a tenth of the time of
+ * the exact signs.  If *side is 0, *side becomes the side of the position z for
+ * the facet of hh_centre, or UNSURE.  Unless *side is -1, *power becomes the
+ * sign of z's power in the ball, -1 if z is inside, or UNSURE; this requires
+ * the ball's fourth point on the positive side, as D > 0 then. */
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power)
 {
@@ -1456,11 +1460,11 @@ void hh_unit(hh_ball *t, int plane, double *c)
     for (k = 0; k < 3; k++) c[k] /= t->unit;
 }
 
-/* hh_height - the height of the position z above the plane of a ball's facet,
- * if plane is 1, else its power in the ball, scaled as s->x is.  *err bounds
- * its error: the leading limbs' value errs by 3 eps, what it is divided by by 3
- * (a normal by 5), the quotient by 1, and the last row of the sum by CARRY
- * units.  *err is DBL_MAX where limbs do not hold it. */
+/* hh_height - returns the height of the position z above the plane of a ball's
+ * facet if plane is 1, else its power in the ball, scaled as s->x is.  *err
+ * bounds the error: the value of the leading limbs errs by 3 eps, the divisor
+ * by 3 (by 5 for a normal), the quotient by 1, and the last row of the sum by
+ * CARRY units.  *err is DBL_MAX if the limbs do not hold it. */
 double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
                  double *err)
 {
@@ -1633,8 +1637,9 @@ void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
     }
 }
 
-/* hh_ratio - limits of the L-coordinate of z, whose side is between least >= 0
- * and most: *lo and *hi are left as they are where there are none.
+/* hh_ratio - computes limits of the L-coordinate of z, whose side is between
+ * least >= 0 and most.  *lo and *hi are left as they are where there is no
+ * limit.
  *
  * L is a quotient of the power N = w.w - 2 (c-p1).w and twice the side.  With
  * p_k = w_k (w_k - 2 c_k), the error of w_k counts for eps (2 w_k^2 + 2 |c_k

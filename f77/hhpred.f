@@ -186,8 +186,8 @@ C     an optimizer from joining the two.
       HHLDEX = Y
       END
 
-C     HHNEAR - Q, |Q| < CARRY, to a nearest integer or one as good: the
-C     offset makes it positive, which may round Q up to a half.
+C     HHNEAR - rounds Q, |Q| < CARRY, to a nearest integer or one as
+C     good: the offset makes Q positive, and may round it up to a half.
       DOUBLE PRECISION FUNCTION HHNEAR(Q)
       DOUBLE PRECISION Q
       INTEGER CARRY
@@ -205,9 +205,10 @@ C     HHZERO - R = 0.
    10 CONTINUE
       END
 
-C     HHFILL - NP points Q times the FACTOR that they need lest a limb's
-C     weight underflow; MOST > 0 is their largest absolute value.  TOP
-C     is the weight of limb 1 that MOST fills.
+C     HHFILL - multiplies NP points Q by the FACTOR that keeps the
+C     weights of limbs from underflowing; MOST > 0 is their largest
+C     absolute value.  TOP is the weight of limb 1 for which MOST fills
+C     the limb.
       SUBROUTINE HHFILL(NP, Q, MOST, FACTOR, TOP)
       INTEGER NP
       DOUBLE PRECISION Q(3,*), MOST, FACTOR, TOP
@@ -230,15 +231,17 @@ C     is the weight of limb 1 that MOST fills.
       TOP = HHLDEX(1.0D0, HHFREX(MOST*FACTOR) + 2 - BITS)
       END
 
-C     HHSPLI - the N limbs of W <= 15 numbers Q side by side, the first
-C     of weight TOP, a power of two, |Q| <= TOP BASE/4.  USED is how
-C     many are in use, or N + 1 when N do not hold them.
+C     HHSPLI - splits W <= 15 numbers Q into N limbs each, side by side.
+C     Limb 1 has the weight TOP, a power of two, and |Q| <= TOP BASE/4.
+C     USED is the number of limbs in use, or N + 1 if N limbs do not
+C     hold the numbers.
 C
-C     What is left of a number after a limb has no bits below its own,
-C     and is exact as long as it is no larger than the number: so a limb
-C     is 0 for less than half its weight, even if rounding would make
-C     that a half.  A number whose first SKIP limbs are 0 is far behind
-C     TOP, and taken up after these.
+C     The remainder of a number after a limb has no bits below the
+C     number's own, and is exact as long as it is no larger than the
+C     number.  So a limb is 0 for a remainder of less than half its
+C     weight, even if rounding would make that a half.  A number whose
+C     first SKIP limbs are 0 is far below TOP, and is taken up after
+C     these limbs.
       SUBROUTINE HHSPLI(W, Q, TOP, N, LIMB, USED)
       INTEGER W, N, USED
       DOUBLE PRECISION Q(*), TOP, LIMB(*)
@@ -286,8 +289,9 @@ C     TOP, and taken up after these.
    60 CONTINUE
       END
 
-C     HHCARR - bring the limbs of W numbers, below 2**53, back to at
-C     most BASE/2, from the last one up.  Limb 1 keeps what it gets.
+C     HHCARR - reduces the limbs of W numbers, below 2**53, to at most
+C     BASE/2, from the last one up.  Limb 1 keeps what is carried into
+C     it.
       SUBROUTINE HHCARR(N, W, R)
       INTEGER N, W
       DOUBLE PRECISION R(*)
@@ -334,9 +338,9 @@ C     ends the loop.)
       END IF
       END
 
-C     HHSPRE - the coordinates Q of NP points side by side; of all
-C     points but the last the differences from the last.  USED is how
-C     many limbs are in use, or N + 1 when N do not hold them.
+C     HHSPRE - splits the coordinates Q of NP points, side by side, and
+C     subtracts the last point from all others.  USED is the number of
+C     limbs in use, or N + 1 if N limbs do not hold them.
       SUBROUTINE HHSPRE(NP, Q, TOP, N, X, USED)
       INTEGER NP, N, USED
       DOUBLE PRECISION Q(3,*), TOP, X(*)
@@ -415,11 +419,11 @@ C     AB, BC, AC: A(1) B(2) - B(1) A(2) and so on
       SGN = HHSIGN(3*N, 0.0D0, DET)
       END
 
-C     HHCOFA - the determinants DET of three of the rows A-E, B-E, C-E,
-C     D-E, without each in turn, by the first DEPTH rows of all
-C     products: four numbers of 3N limbs, or DEPTH, side by side.  X:
-C     the rows, of N limbs, as of HHSPRE.  Scratch: MINOR 12 doubles a
-C     limb.
+C     HHCOFA - computes the determinants DET of three of the rows A-E,
+C     B-E, C-E, D-E, leaving out each row in turn, from the first DEPTH
+C     rows of all products: four numbers, side by side, of 3N limbs or
+C     of DEPTH if that is less.  X holds the rows, of N limbs, as made
+C     by HHSPRE.  Scratch: MINOR 12 doubles a limb.
       SUBROUTINE HHCOFA(N, DEPTH, X, MINOR, DET)
       INTEGER N, DEPTH
       DOUBLE PRECISION X(*), MINOR(*), DET(*)
@@ -592,9 +596,10 @@ C     2**(-23), count for less than 3 EPS of it.
    20 CONTINUE
       END
 
-C     HHSHAR - the N absolute values W of numbers, whose leading limbs
-C     are limbs AT, over their sum: each right to 12 EPS of itself, as
-C     the numbers to 3 EPS, or underflowed.  Left alone if all are 0.
+C     HHSHAR - divides the absolute values W of N numbers, whose leading
+C     limbs are limbs AT, by their sum.  Each share is right to 12 EPS
+C     of itself, as the numbers are to 3 EPS, or underflows.  W is left
+C     alone if all are 0.
       SUBROUTINE HHSHAR(N, AT, W)
       INTEGER N, AT(*)
       DOUBLE PRECISION W(*)
@@ -733,11 +738,11 @@ C     I, J, K cyclic.  Scratch: DOT 18, AREA 12 doubles a limb.
       CALL HHSHAR(3, FROM, W)
       END
 
-C     HHWGH - the weights W of the point E in the tetrahedron A, B, C, D
-C     that holds it: shares of the volumes of the four tetrahedra that
-C     have E in the place of a vertex.  X: the rows A-E, B-E, C-E, D-E,
-C     of N limbs, as of HHSPRE.  Scratch: MINOR and DET 12 doubles a
-C     limb.
+C     HHWGH - computes the weights W of the point E in the tetrahedron
+C     A, B, C, D that contains it: shares of the volumes of the four
+C     tetrahedra in which E replaces a vertex.  X holds the rows A-E,
+C     B-E, C-E, D-E, of N limbs, as made by HHSPRE.  Scratch: MINOR and
+C     DET 12 doubles a limb.
       SUBROUTINE HHWGH(N, X, MINOR, DET, W)
       INTEGER N
       DOUBLE PRECISION X(*), MINOR(*), DET(*), W(4)
@@ -749,12 +754,12 @@ C     limb.
       CALL HHSHAR(4, AT, W)
       END
 
-C     HHLIMB - with NMAX limbs, HHVOLU for NP = 4 points Q, or minus
-C     HHFT's set if WANT is 1 (else W is left alone); HHISPH for 5, or
-C     HHWGH and 0; UNSURE when NMAX limbs do not hold the points.  Limbs
-C     1 that are 0 in all rows are left out as long as the next ones may
-C     be limbs 1.  Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a
-C     limb.
+C     HHLIMB - evaluates NP points Q with NMAX limbs.  For NP = 4:
+C     HHVOLU, or minus HHFT's set if WANT is 1.  For NP = 5: HHISPH, or
+C     HHWGH and 0 if WANT is 1.  W is left alone unless WANT is 1.
+C     UNSURE if NMAX limbs do not hold the points.  Limbs 1 that are 0
+C     in all rows are left out as long as the next ones can serve as
+C     limbs 1.  Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a limb.
       SUBROUTINE HHLIMB(NP, Q, TOP, NMAX, X, MINOR, DET, TOTAL, WANT, W,
      $                  SGN)
       INTEGER NP, NMAX, WANT, SGN
@@ -914,8 +919,8 @@ C     two carries reach two limbs up from the first product
       CALL HHCARR(3*N, 1, D)
       END
 
-C     HHCERT - the sign of DET where |DET| exceeds its error, or is
-C     exact.
+C     HHCERT - the sign of DET if |DET| exceeds its error or DET is
+C     exact, else UNSURE.
       INTEGER FUNCTION HHCERT(DET, PERM, FACTOR, T)
       DOUBLE PRECISION DET, PERM, FACTOR, T
       INTEGER UNSURE
@@ -1052,13 +1057,13 @@ C     ------------------------------------------------------------------
 C     HHKIND - 2 for an infinity or a NaN, 1 for a subnormal number, -1
 C     for a zero, 0 for all others.
 C
-C     By their bits, seen as integers, as a compiler that was told that
-C     there are no NaNs may leave out any comparison that looks for
+C     The test is by bits, seen as integers: a compiler that was told
+C     that there are no NaNs may drop any comparison that looks for
 C     them, and a processor may take subnormal numbers for zero.  The
 C     least normal number has the exponent 1 and no other bits: that
-C     tells which integer has the exponent, and where in it; 2**1023 has
-C     the greatest exponent of a finite number.  Where an integer is as
-C     long as a double the second one is that of the 0 behind it.
+C     tells which integer has the exponent, and where in it.  2**1023
+C     has the greatest exponent of a finite number.  Where an integer is
+C     as long as a double, the second one is that of the 0 behind it.
       INTEGER FUNCTION HHKIND(X)
       DOUBLE PRECISION X
       DOUBLE PRECISION NORMAL
@@ -1083,8 +1088,8 @@ C     without the sign
       IF (SIZE .EQ. 0 .AND. I(3-HIGH) .EQ. 0) HHKIND = -1
       END
 
-C     HHFINI - how many of N points P, from the first on, have finite
-C     coordinates: N when all have.
+C     HHFINI - how many of N points P, counted from the first, have
+C     finite coordinates before one that has not: N if all have.
       INTEGER FUNCTION HHFINI(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
@@ -1099,11 +1104,11 @@ C     coordinates: N when all have.
    30 HHFINI = I - 1
       END
 
-C     HHPREC - does arithmetic keep all bits of a double: 1, or 0.  An
+C     HHPREC - 1 if arithmetic keeps all bits of a double, else 0.  An
 C     x87 unit may have been set to fewer.  (HALF + M)**2, M = 1 or 3,
-C     needs nearly all of them, and all the steps are exact where they
-C     are kept.  M is for compilers: what is known only at run time they
-C     cannot work out beforehand.
+C     needs nearly all of them, and all steps are exact if they are
+C     kept.  M is known only at run time, so that a compiler cannot
+C     evaluate the test beforehand.
       INTEGER FUNCTION HHPREC(M)
       INTEGER M
       DOUBLE PRECISION HALF
@@ -1115,9 +1120,9 @@ C     cannot work out beforehand.
      $    DBLE(M*M)) .LE. 0.0D0) HHPREC = 1
       END
 
-C     HHHOLD - 1 when the arithmetic is precise and takes no coordinate
-C     of N points P for 0 that is not: a processor may have been set to
-C     do that to subnormal operands, or to subnormal results.  Else 0.
+C     HHHOLD - 1 if the arithmetic is precise and takes no nonzero
+C     coordinate of N points P for 0, else 0.  A processor may have been
+C     set to do that to subnormal operands, or to subnormal results.
       INTEGER FUNCTION HHHOLD(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
@@ -1275,8 +1280,9 @@ C     copies them into one array, too.)
    10 CONTINUE
       END
 
-C     HHSCAL - Q = P 2**(-E) that makes MOST, the largest absolute value
-C     among the NP points P, at most 1, and not tiny.
+C     HHSCAL - sets Q = P 2**(-E), with E such that MOST, the largest
+C     absolute value among the NP points P, becomes at most 1, and not
+C     tiny.
       SUBROUTINE HHSCAL(MOST, NP, P, Q, E)
       INTEGER NP, E
       DOUBLE PRECISION MOST, P(3,*), Q(3,*)
@@ -1432,7 +1438,7 @@ C     any point on that side will do that needs no more limbs
       HHFLAT = SGN
       END
 
-C     HHLINE - are A, B, C exactly collinear: 1, or 0.
+C     HHLINE - 1 if A, B, C are exactly collinear, else 0.
       INTEGER FUNCTION HHLINE(A, B, C)
       DOUBLE PRECISION A(3), B(3), C(3)
       INTEGER HHFLAT
@@ -1445,9 +1451,10 @@ C     HHLINE - are A, B, C exactly collinear: 1, or 0.
       END
 
 C     HHCLOS - HHREGI for S, the points B, C, Q, A of the triangle A, B,
-C     C and Q, scaled, or 0 where doubles do not tell all signs: of the
-C     sum of its terms' absolute values, as in HHFIL3, a product of side
-C     and offset errs by less than 8 EPS, an area by less than 32.
+C     C and Q, scaled; 0 if double precision does not decide all signs.
+C     Relative to the sum of its terms' absolute values, as in HHFIL3, a
+C     product of side and offset errs by less than 8 EPS, an area by
+C     less than 32.
       INTEGER FUNCTION HHCLOS(S)
       DOUBLE PRECISION S(3,4)
       INTEGER HHCERT, HHREGI
@@ -1612,10 +1619,10 @@ C     value MOST > 0, else UNSURE.
       IF (USED .GT. HHLIM) HHRANG = UNSURE
       END
 
-C     HHAPAR - Q = the coordinates P of NP points in units of their own,
-C     if SIZE, the sum of |x|, |y|, |z| of the first of them as scaled,
-C     is so far below the set's that its units do not become them: then
-C     YES is 1, else 0.
+C     HHAPAR - sets Q to the coordinates P of NP points in units of
+C     their own, and YES to 1, if SIZE, the sum of |x|, |y|, |z| of the
+C     first of them as scaled, is too far below the set's units for
+C     these to suit the points.  Else YES is 0.
       SUBROUTINE HHAPAR(SIZE, NP, P, Q, YES)
       INTEGER NP, YES
       DOUBLE PRECISION SIZE, P(3,*), Q(3,*)
@@ -1815,8 +1822,9 @@ C     the five are on one sphere.
       END
 
 C     HHPBEA - negative if B beats A as the apex of the facet V, both on
-C     its positive side, else positive: 1 or -1, or 2 or -2 when the
-C     five are on one sphere: without a look at that if TIE is 1.
+C     its positive side, else positive: 1 or -1, or 2 or -2 if the five
+C     points are on one sphere.  If TIE is 1, they are taken to be,
+C     without a test.
       INTEGER FUNCTION HHPBEA(X, P, ORD, T3, T5, V, A, B, TIE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
       INTEGER ORD(*), V(3), A, B, TIE
@@ -2015,9 +2023,9 @@ C     sum has more than 30 products of at most BASE**2 / 2.
    30 CONTINUE
       END
 
-C     HHOFFS - the limbs U of the position Z, seen from the base of the
-C     ball behind T(AT).  OK is 1, or 0 where its limbs do not hold
-C     them.
+C     HHOFFS - computes the limbs U of the position Z relative to the
+C     base of the ball behind T(AT).  OK is 1, or 0 if the ball's limbs
+C     do not hold them.
       SUBROUTINE HHOFFS(P, ORD, T, AT, Z, U, OK)
       DOUBLE PRECISION P(3,*), T(*), U(*)
       INTEGER ORD(*), AT, Z, OK
@@ -2082,12 +2090,12 @@ C     limbs do not hold it, else 1.
       END IF
       END
 
-C     HHTRIA - by a few leading limbs, in a tenth of the time of the
-C     exact signs, for the ball behind T(AT): if SIDE is 0, SIDE = the
-C     side of the position Z for the facet of HHCENT, or UNSURE; unless
-C     it is -1, POWER = the sign of Z's power in the ball, or UNSURE: -1
-C     when Z is inside.  For the latter the ball's fourth point is on
-C     the positive side, as D > 0 then.
+C     HHTRIA - decides signs by a few leading limbs, in a tenth of the
+C     time of the exact signs, for the ball behind T(AT).  If SIDE is 0,
+C     SIDE becomes the side of the position Z for the facet of HHCENT,
+C     or UNSURE.  Unless SIDE is -1, POWER becomes the sign of Z's power
+C     in the ball, -1 if Z is inside, or UNSURE; this requires the
+C     ball's fourth point on the positive side, as D > 0 then.
       SUBROUTINE HHTRIA(P, ORD, T, AT, Z, SIDE, POWER)
       DOUBLE PRECISION P(3,*), T(*)
       INTEGER ORD(*), AT, Z, SIDE, POWER
@@ -2138,12 +2146,12 @@ C     the normal over it, right to 12 EPS.
    20 CONTINUE
       END
 
-C     HHHEIG - the height H of the position Z above the plane of a
-C     ball's facet, if PLANE is 1, else its power in the ball, scaled as
-C     HHPSID's X is.  ERR bounds its error: the leading limbs' value
-C     errs by 3 EPS, what it is divided by by 3 (a normal by 5), the
-C     quotient by 1, and the last row of the sum by CARRY units.  ERR is
-C     HUGE where limbs do not hold it.
+C     HHHEIG - computes the height H of the position Z above the plane
+C     of a ball's facet if PLANE is 1, else its power in the ball,
+C     scaled as HHPSID's X is.  ERR bounds the error: the value of the
+C     leading limbs errs by 3 EPS, the divisor by 3 (by 5 for a normal),
+C     the quotient by 1, and the last row of the sum by CARRY units.
+C     ERR is HUGE if the limbs do not hold it.
       SUBROUTINE HHHEIG(P, ORD, T, AT, Z, PLANE, H, ERR)
       DOUBLE PRECISION P(3,*), T(*), H, ERR
       INTEGER ORD(*), AT, Z, PLANE
@@ -2351,9 +2359,9 @@ C     det [P2-P1 P3-P1 V] = R11 R22 det Q, det Q = 1
    20 CONTINUE
       END
 
-C     HHRATI - limits of the L-coordinate of Z, whose side is between
-C     LEAST >= 0 and MOST: LO and HI are left as they are where there
-C     are none.
+C     HHRATI - computes limits of the L-coordinate of Z, whose side is
+C     between LEAST >= 0 and MOST.  LO and HI are left as they are where
+C     there is no limit.
 C
 C     L is a quotient of the power N = W.W - 2 (C-P1).W and twice the
 C     side.  With p_k = w_k (w_k - 2 c_k), the error of w_k counts for
