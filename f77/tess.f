@@ -3362,7 +3362,8 @@ C     a ball that is a support's sphere up to rounding is in no list
         Z = IQ(QBEST)
         IF (OK .EQ. 1) CTL(FUTILE) = 0
         IF (OK .EQ. 1) RETURN
-C       before the block's list: a tenth of the time on lattices
+C       before the block's list, which saves lattices a tenth of the
+C       time
         IF (Z .EQ. 0) THEN
           IF (TSONHU(X, P, ORD, CTL, RCTL, V) .EQ. 1) RETURN
         END IF
