@@ -203,8 +203,8 @@ extern void tess_prove(int fact);
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
 #define LEANING(f) (TESS_LIST >= 128 && (f)->on != NONE)
 /* Cylinders are made once the points tested in leaves number SCANS times all
- * points, but not if fewer than half of the leaves' are below SLENDER of their
- * boxes. */
+ * points, but not if fewer than a quarter of the leaves' are below SLENDER of
+ * their boxes. */
 #define SCANS 100.0
 #define SLENDER 0.7
 #define ENCLOSED(m) (TESS_LIST >= 128 && (m)->round == 2)
@@ -1831,7 +1831,7 @@ static void enclosed(mesh *m)
         for (node = level; node < 2 * level; node++)
             for (i = 0; i < 4; i++)
                 slender += enclose(m, 4 * node + i, group(m, node) + i);
-        if (slender < m->leaves / 2) return;
+        if (slender < m->leaves / 4) return;
     }
     m->round = 2;
 }
@@ -2301,15 +2301,15 @@ static int inblock(const mesh *m, quest *f)
 /* scanleaf - considers the uncompleted points of a leaf that are not outside
  * the ball.  Without a ball it considers those not on the negative side: the
  * ball of L = MUCHL / 2 stands for that side, with room for |w|^2.  The powers
- * come first, as vectors, then, without a branch, the places of the points to
- * consider. */
+ * come first, as vectors, then, group by group, as most groups have none, and
+ * without a branch in a group, the places of the points to consider. */
 static void scanleaf(mesh *m, quest *f, tess_int leaf)
 {
     const double *b = m->box + 6 * leaf, *x;
     double d[3], power[LEAF], size = 0.0, most, w0, w1, w2;
     double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8], d0, d1, d2;
     tess_int first, last, place[LEAF];
-    int n, k, passed = 0;
+    int n, i, k, any, passed = 0;
 
     span(m, leaf, &first, &last);
     x = m->x + 3 * first;
@@ -2330,9 +2330,13 @@ static void scanleaf(mesh *m, quest *f, tess_int leaf)
         w2 = x[3 * k + 2] - b2;
         power[k] = w0 * (w0 - d0) + w1 * (w1 - d1) + w2 * (w2 - d2);
     }
-    for (k = 0; k < n; k++) {
-        place[passed] = first + k;
-        passed += power[k] <= most;
+    for (; n % GROUP != 0; n++) power[n] = DBL_MAX;
+    for (i = 0; i < n; i += GROUP) {
+        for (k = i, any = 0; k < i + GROUP; k++) any |= power[k] <= most;
+        for (k = i; k < i + GROUP && any; k++) {
+            place[passed] = first + k;
+            passed += power[k] <= most;
+        }
     }
     for (k = 0; k < passed; k++)
         if (m->link[place[k]] != DONE) /* NOLINT: places are set */
@@ -2374,9 +2378,10 @@ static void treesearch(mesh *m, quest *f)
         from = top;
         if (depth > 0)
             node = stack[--depth];
-        else if (fours && top > 3)
+        else if (fours && top > 3) {
             node = top /= 4;
-        else {
+            if (m->alive[from / 2] + m->alive[node] == 2) continue;
+        } else {
             node = top % 2 == 0 ? top + 1 : top - 1;
             top /= 2;
         }

@@ -308,7 +308,7 @@ C       GRAINS  number of marks for heights over a support: a double
 C               holds them and their roundings
 C       SCANS, SLIM  cylinders are made once the points tested in leaves
 C               number SCANS times all points, but not if fewer than
-C               half of the leaves' are below SLIM of their boxes
+C               a quarter of the leaves' are below SLIM of their boxes
 C       CELL, CELLS  maximum number of points of a cell, and of cells
 C       LARGE   a large ball has more ties than this
 C       PLANES  number of hull planes remembered
@@ -2394,7 +2394,7 @@ C     ones.
             SUM = SUM + SLENDR
    20     CONTINUE
    30   CONTINUE
-        IF (SUM .LT. CTL(LEAVES)/2) RETURN
+        IF (SUM .LT. CTL(LEAVES)/4) RETURN
         LEVEL = LEVEL/4
         GO TO 10
       END IF
@@ -3085,22 +3085,23 @@ C     cost: on surfaces, two of five points that were tested.
 C     TSSCAN - considers the uncompleted points of a leaf that are not
 C     outside the ball.  Without a ball it considers those not on the
 C     negative side: the ball of L = MUCHL/2 stands for that side, with
-C     room for |W|**2.  The powers come first, as vectors, then the
-C     places of the points to consider.
+C     room for |W|**2.  The powers come first, as vectors, then, group
+C     by group, as most groups have none, the places of the points to
+C     consider.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F,
      $                  FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41), NODE
       DOUBLE PRECISION TSPOWE
-      INTEGER LEAF, QBALL, QC, DONE, RPATIE, RSCAN
-      PARAMETER (LEAF = 48, QBALL = 3, QC = 2, DONE = -1, RPATIE = 8)
-      PARAMETER (RSCAN = 10)
-      DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL
+      INTEGER LEAF, GROUP, QBALL, QC, DONE, RPATIE, RSCAN
+      PARAMETER (LEAF = 48, GROUP = 8, QBALL = 3, QC = 2, DONE = -1)
+      PARAMETER (RPATIE = 8, RSCAN = 10)
+      DOUBLE PRECISION EPS, FAINT, HUGE, LOOSE, MUCHL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0)
-      PARAMETER (MUCHL = 1.0D100)
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023, MUCHL = 1.0D100)
       DOUBLE PRECISION B1, B2, B3, D(3), D1, D2, D3, MOST, POWER(LEAF)
       DOUBLE PRECISION SIZE, W1, W2, W3
-      INTEGER FIRST, I, K, LAST, N, PASSED, PLACE(LEAF)
+      INTEGER FIRST, I, J, K, LAST, N, PASSED, PLACE(LEAF)
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
       N = LAST - FIRST + 1
       RCTL(RSCAN) = RCTL(RSCAN) + DBLE(N)
@@ -3128,17 +3129,27 @@ C     places of the points to consider.
         W3 = X(3,I+K) - B3
         POWER(K) = W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3)
    20 CONTINUE
+   30 IF (MOD(N, GROUP) .NE. 0) THEN
+        N = N + 1
+        POWER(N) = HUGE
+        GO TO 30
+      END IF
       PASSED = 0
-      DO 30 K = 1, N
-        IF (POWER(K) .LE. MOST) THEN
-          PASSED = PASSED + 1
-          PLACE(PASSED) = I + K
-        END IF
-   30 CONTINUE
-      DO 40 K = 1, PASSED
+      DO 50 J = 1, N, GROUP
+        IF (MIN(POWER(J), POWER(J+1), POWER(J+2), POWER(J+3),
+     $          POWER(J+4), POWER(J+5), POWER(J+6), POWER(J+7)) .GT.
+     $      MOST) GO TO 50
+        DO 40 K = J, J + GROUP - 1
+          IF (POWER(K) .LE. MOST) THEN
+            PASSED = PASSED + 1
+            PLACE(PASSED) = I + K
+          END IF
+   40   CONTINUE
+   50 CONTINUE
+      DO 60 K = 1, PASSED
         IF (LINK(PLACE(K)) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, RCTL,
      $      V, IQ, F, FQ, PLACE(K))
-   40 CONTINUE
+   60 CONTINUE
       IF (RCTL(RPATIE) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
      $    CALL TSREME(IQ, FIRST, 0)
       END
@@ -3181,6 +3192,7 @@ C     height first, as the apex may be anywhere.
       ELSE IF (FOURS .EQ. 1 .AND. TOP .GT. 3) THEN
         TOP = TOP/4
         NODE = TOP
+        IF (ALIVE(FROM/2) + ALIVE(NODE) .EQ. 2) GO TO 10
       ELSE
         NODE = TOP + 1 - 2*MOD(TOP, 2)
         TOP = TOP/2
