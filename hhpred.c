@@ -1114,17 +1114,13 @@ int hh_range(double x, double most)
     return split(1, &x, top, HH_LIMBS, limb) > HH_LIMBS ? UNSURE : 0;
 }
 
-/* apart - sets q to the coordinates of np points p in units of their own, and
- * returns 1, if x, the first point, is too far below the set's units for these
- * to suit the points. */
-static int apart(const double *x, int np, const tess_real *const *p, double *q)
+/* apart - returns 1 if position i of the set s is too far below the set's units
+ * for these to suit it and points near it. */
+static int apart(const hh_set *s, tess_int i)
 {
-    double most;
+    const double *x = s->x + 3 * i;
 
-    if (fabs(x[0]) + fabs(x[1]) + fabs(x[2]) > DOWN) return 0;
-    most = pack(np, p, q);
-    scale(3 * np, most, q, q);
-    return most > 0.0;
+    return s->t3 < -1.0 && fabs(x[0]) + fabs(x[1]) + fabs(x[2]) <= DOWN;
 }
 
 /* corners - returns 1 if np points are corners of one box with faces along the
@@ -1148,29 +1144,37 @@ static int corners(int np, const tess_real *const *p, double *q)
     return 1;
 }
 
-/* decide - robust for np positions v of the set s that a filter leaves open. */
+/* decide - robust for np positions v of the set s that a filter leaves open, or
+ * that are apart: these are filtered in units of their own. */
 static int decide(const hh_set *s, int np, const tess_int *v)
 {
     const tess_real *p[5];
-    double q[15];
+    double q[15], most;
     int n = 0, sign = UNSURE;
 
     do
         p[n] = s->p + 3 * s->order[v[n]];
     while (++n < np);
+    if (apart(s, v[0])) {
+        most = pack(np, p, q);
+        scale(3 * np, most, q, q);
+        if (most > 0.0) sign = filter(np, q, -1.0);
+        if (sign != UNSURE) return sign;
+    }
     /* the corners of a box are on one sphere */
     if (corners(np, p, q)) return np == 5 ? 0 : filter(4, q, 64.0);
-    if (apart(s->x + 3 * v[0], np, p, q)) sign = filter(np, q, -1.0);
-    return sign == UNSURE ? exact(np, q, pack(np, p, q), NULL) : sign;
+    return exact(np, q, pack(np, p, q), NULL);
 }
 
 /* hh_pside - hh_orient for the positions i, j, k, l of the set s. */
 int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
 {
     tess_int v[4];
-    int sign = filt3(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k, s->x + 3 * l,
-                     s->t3);
+    int sign = UNSURE;
 
+    if (!apart(s, i))
+        sign = filt3(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k, s->x + 3 * l,
+                     s->t3);
     if (sign != UNSURE) return sign;
     v[0] = i;
     v[1] = j;
@@ -1224,9 +1228,11 @@ static int tied(const hh_set *s, const tess_int *v, int positive)
 /* perturb - the sign of I; where it is 0, rule times that of tied. */
 static int perturb(const hh_set *s, const tess_int *v, int positive, int rule)
 {
-    int sign = filt5(s->x + 3 * v[0], s->x + 3 * v[1], s->x + 3 * v[2],
-                     s->x + 3 * v[3], s->x + 3 * v[4], s->t5);
+    int sign = UNSURE;
 
+    if (!apart(s, v[0]))
+        sign = filt5(s->x + 3 * v[0], s->x + 3 * v[1], s->x + 3 * v[2],
+                     s->x + 3 * v[3], s->x + 3 * v[4], s->t5);
     if (sign == UNSURE) sign = decide(s, 5, v);
     return sign != 0 || !rule ? sign : rule * tied(s, v, positive);
 }

@@ -225,7 +225,9 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
  *   t3,t5  orientations and inspheres whose permanent is at most this are
  *          computed without rounding (all coordinates are small multiples of
  *          one power of two, and none underflowed); -1 when that is not
- *          known */
+ *          known; t3 is -2 when some coordinate is so small that x may not
+ *          suit the points near it: these are filtered in units of their
+ *          own */
 typedef struct hh_set {
     const double *x;
     const tess_real *p;

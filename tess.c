@@ -3164,6 +3164,7 @@ static int scaled(mesh *m)
     m->set.e = e;
     times(m, -(e / 2));
     times(m, -(e - e / 2));
+    if (ldexp(least, -e) < HH_SMALL) m->set.t3 = -2.0;
     if (ldexp(least, -e) >= DBL_MIN) u = units(m);
     if (u > 0.0) {
         /* up to 2^(DBL_MANT_DIG - 1) units of the determinant's degree */

@@ -1619,24 +1619,17 @@ C     value MOST > 0, else UNSURE.
       IF (USED .GT. HHLIM) HHRANG = UNSURE
       END
 
-C     HHAPAR - sets Q to the coordinates P of NP points in units of
-C     their own, and YES to 1, if SIZE, the sum of |x|, |y|, |z| of the
-C     first of them as scaled, is too far below the set's units for
-C     these to suit the points.  Else YES is 0.
-      SUBROUTINE HHAPAR(SIZE, NP, P, Q, YES)
-      INTEGER NP, YES
-      DOUBLE PRECISION SIZE, P(3,*), Q(3,*)
-      DOUBLE PRECISION HHPACK
+C     HHAPAR - returns 1 if position I of a set (see HHPSID) is too far
+C     below the set's units for these to suit it and points near it,
+C     else 0.
+      INTEGER FUNCTION HHAPAR(X, T3, I)
+      DOUBLE PRECISION X(3,*), T3
+      INTEGER I
       DOUBLE PRECISION DOWN
       PARAMETER (DOWN = 2.0D0**(-96))
-      DOUBLE PRECISION MOST
-      INTEGER E
-      YES = 0
-      IF (SIZE .GT. DOWN) RETURN
-      MOST = HHPACK(NP, P)
-      IF (MOST .LE. 0.0D0) RETURN
-      CALL HHSCAL(MOST, NP, P, Q, E)
-      YES = 1
+      HHAPAR = 0
+      IF (T3 .GE. -1.0D0) RETURN
+      IF (ABS(X(1,I)) + ABS(X(2,I)) + ABS(X(3,I)) .LE. DOWN) HHAPAR = 1
       END
 
 C     HHCORN - YES is 1 if NP points P are corners of one box with faces
@@ -1666,33 +1659,36 @@ C     unit cube, which alters no orientation.
       END
 
 C     HHDECI - HHROBU for NP positions V of a set of points (see HHPSID)
-C     that a filter leaves open.
-      INTEGER FUNCTION HHDECI(X, P, ORD, NP, V)
-      DOUBLE PRECISION X(3,*), P(3,*)
+C     that a filter leaves open, or that are apart: these are filtered
+C     in units of their own.
+      INTEGER FUNCTION HHDECI(X, P, ORD, T3, NP, V)
+      DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), NP, V(*)
-      INTEGER HHFILT
+      INTEGER HHAPAR, HHFILT
       DOUBLE PRECISION HHPACK
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION ANY(4), MOST, Q(3,5), SIZE, UNIT(3,5)
-      INTEGER AXIS, M, N, SGN, YES
+      DOUBLE PRECISION ANY(4), MOST, Q(3,5), UNIT(3,5)
+      INTEGER AXIS, E, M, N, SGN, YES
       M = NP
       DO 20 N = 1, M
         DO 10 AXIS = 1, 3
           Q(AXIS,N) = P(AXIS,ORD(V(N)))
    10   CONTINUE
    20 CONTINUE
-      CALL HHCORN(M, Q, UNIT, YES)
-      IF (YES .EQ. 1) THEN
-C       the corners of a box are on one sphere
-        SGN = 0
-        IF (M .EQ. 4) SGN = HHFILT(4, UNIT, 64.0D0)
-      ELSE
-        SGN = UNSURE
-        SIZE = ABS(X(1,V(1))) + ABS(X(2,V(1))) + ABS(X(3,V(1)))
-        CALL HHAPAR(SIZE, M, Q, UNIT, YES)
-        IF (YES .EQ. 1) SGN = HHFILT(M, UNIT, -1.0D0)
-        IF (SGN .EQ. UNSURE) THEN
+      SGN = UNSURE
+      IF (HHAPAR(X, T3, V(1)) .EQ. 1) THEN
+        MOST = HHPACK(M, Q)
+        CALL HHSCAL(MOST, M, Q, UNIT, E)
+        IF (MOST .GT. 0.0D0) SGN = HHFILT(M, UNIT, -1.0D0)
+      END IF
+      IF (SGN .EQ. UNSURE) THEN
+        CALL HHCORN(M, Q, UNIT, YES)
+        IF (YES .EQ. 1) THEN
+C         the corners of a box are on one sphere
+          SGN = 0
+          IF (M .EQ. 4) SGN = HHFILT(4, UNIT, 64.0D0)
+        ELSE
           MOST = HHPACK(M, Q)
           CALL HHEXAC(M, Q, MOST, 0, ANY, SGN)
         END IF
@@ -1712,21 +1708,24 @@ C       ORD     position -> index in P
 C       T3, T5  orientations and inspheres whose permanent is at most
 C               this are computed without rounding (all coordinates are
 C               small multiples of one power of two); -1 when that is
-C               not known
+C               not known; T3 is -2 when some coordinate is so small
+C               that X may not suit the points near it: these are
+C               filtered in units of their own
       INTEGER FUNCTION HHPSID(X, P, ORD, T3, I, J, K, L)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), I, J, K, L
-      INTEGER HHDECI, HHFIL3
+      INTEGER HHAPAR, HHDECI, HHFIL3
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
       INTEGER SGN, V(4)
-      SGN = HHFIL3(X, I, J, K, L, T3)
+      SGN = UNSURE
+      IF (HHAPAR(X, T3, I) .EQ. 0) SGN = HHFIL3(X, I, J, K, L, T3)
       IF (SGN .EQ. UNSURE) THEN
         V(1) = I
         V(2) = J
         V(3) = K
         V(4) = L
-        SGN = HHDECI(X, P, ORD, 4, V)
+        SGN = HHDECI(X, P, ORD, T3, 4, V)
       END IF
       HHPSID = SGN
       END
@@ -1792,12 +1791,14 @@ C     HHPERT - the sign of D; where it is 0, RULE times that of HHTIED.
       INTEGER FUNCTION HHPERT(X, P, ORD, T3, T5, V, POSITV, RULE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
       INTEGER ORD(*), V(5), POSITV, RULE
-      INTEGER HHDECI, HHFIL5, HHTIED
+      INTEGER HHAPAR, HHDECI, HHFIL5, HHTIED
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
       INTEGER SGN
-      SGN = HHFIL5(X, V(1), V(2), V(3), V(4), V(5), T5)
-      IF (SGN .EQ. UNSURE) SGN = HHDECI(X, P, ORD, 5, V)
+      SGN = UNSURE
+      IF (HHAPAR(X, T3, V(1)) .EQ. 0)
+     $    SGN = HHFIL5(X, V(1), V(2), V(3), V(4), V(5), T5)
+      IF (SGN .EQ. UNSURE) SGN = HHDECI(X, P, ORD, T3, 5, V)
       IF (SGN .EQ. 0 .AND. RULE .GT. 0)
      $    SGN = RULE*HHTIED(X, P, ORD, T3, V, POSITV)
       HHPERT = SGN

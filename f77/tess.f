@@ -4291,9 +4291,9 @@ C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE.
       INTEGER NP, T3, T5, RSCALE, RLEAST, DIGITS, RANGE
       PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 9)
       PARAMETER (DIGITS = 53, RANGE = 6)
-      DOUBLE PRECISION HUGE, NORMAL
+      DOUBLE PRECISION HUGE, NORMAL, SMALL
       PARAMETER (HUGE = 1.7976931348623157D308)
-      PARAMETER (NORMAL = 2.0D0**(-1022))
+      PARAMETER (NORMAL = 2.0D0**(-1022), SMALL = 2.0D0**(-450))
       DOUBLE PRECISION BOTTOM, TOP, U
       INTEGER E, I, K
       INFO = 0
@@ -4318,6 +4318,7 @@ C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE.
       RCTL(RSCALE) = DBLE(E)
       CALL TSTIME(X, CTL, -(E/2))
       CALL TSTIME(X, CTL, -(E - E/2))
+      IF (HHLDEX(BOTTOM, -E) .LT. SMALL) RCTL(T3) = -2.0D0
       U = 0.0D0
       IF (HHLDEX(BOTTOM, -E) .GE. NORMAL) U = TSUNIT(X, CTL)
       IF (U .GT. 0.0D0) THEN
