@@ -203,7 +203,7 @@ extern void tess_prove(int fact);
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
 #define LEANING(f) (TESS_LIST >= 128 && (f)->on != NONE)
 /* Cylinders are made once the points tested in leaves number SCANS times all
- * points, but not if fewer than a quarter of the leaves' are below SLENDER of
+ * points, but not if fewer than an eighth of the leaves' are below SLENDER of
  * their boxes. */
 #define SCANS 100.0
 #define SLENDER 0.7
@@ -1831,7 +1831,7 @@ static void enclosed(mesh *m)
         for (node = level; node < 2 * level; node++)
             for (i = 0; i < 4; i++)
                 slender += enclose(m, 4 * node + i, group(m, node) + i);
-        if (slender < m->leaves / 4) return;
+        if (slender < m->leaves / 8) return;
     }
     m->round = 2;
 }
@@ -2332,8 +2332,9 @@ static void scanleaf(mesh *m, quest *f, tess_int leaf)
     }
     for (; n % GROUP != 0; n++) power[n] = DBL_MAX;
     for (i = 0; i < n; i += GROUP) {
-        for (k = i, any = 0; k < i + GROUP; k++) any |= power[k] <= most;
-        for (k = i; k < i + GROUP && any; k++) {
+        for (k = any = 0; k < GROUP; k++) any |= power[i + k] <= most;
+        if (!any) continue;
+        for (k = i; k < i + GROUP; k++) {
             place[passed] = first + k;
             passed += power[k] <= most;
         }

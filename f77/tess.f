@@ -308,7 +308,7 @@ C       GRAINS  number of marks for heights over a support: a double
 C               holds them and their roundings
 C       SCANS, SLIM  cylinders are made once the points tested in leaves
 C               number SCANS times all points, but not if fewer than
-C               a quarter of the leaves' are below SLIM of their boxes
+C               an eighth of the leaves' are below SLIM of their boxes
 C       CELL, CELLS  maximum number of points of a cell, and of cells
 C       LARGE   a large ball has more ties than this
 C       PLANES  number of hull planes remembered
@@ -2394,7 +2394,7 @@ C     ones.
             SUM = SUM + SLENDR
    20     CONTINUE
    30   CONTINUE
-        IF (SUM .LT. CTL(LEAVES)/4) RETURN
+        IF (SUM .LT. CTL(LEAVES)/8) RETURN
         LEVEL = LEVEL/4
         GO TO 10
       END IF
