@@ -455,8 +455,9 @@ static void test_signs(int group, long n)
 }
 
 /* The indexed predicates as tess calls them: scaled coordinates x, a random
- * order of the points; the tie rule against actual perturbations; and
- * integer mode, t3 and t5 set to what the unit of the coordinates allows. */
+ * order of the points; the tie rule against actual perturbations; integer
+ * mode, t3 and t5 set to what the unit of the coordinates allows; and x too
+ * small to tell anything. */
 static void test_indexed(int group, long n)
 {
     static tess_real caller[15];
@@ -486,6 +487,11 @@ static void test_indexed(int group, long n)
         }
         if (most == 0.0) continue;
         frexp(most, &e);
+        set.t3 = set.t5 = -1.0;
+        if (i % 4 == 2) { /* as beside a point far away */
+            e += 97 + rnd_below(900);
+            set.t3 = -2.0;
+        }
         for (j = 0; j < 15; j++)
             x[j] = ldexp((double)caller[3 * order[j / 3] + j % 3], -e);
         for (j = 0; j < 5; j++) {
@@ -495,7 +501,6 @@ static void test_indexed(int group, long n)
         set.x = x;
         set.p = caller;
         set.order = order;
-        set.t3 = set.t5 = -1.0;
         if ((group == LATTICE || group == INTEGERS ||
              group == INTEGER_PLANE || group == INTEGER_SPHERE) && i % 2) {
             /* the unit of the coordinates is 1, that of x is 2^-e */
