@@ -2332,6 +2332,7 @@ static void scanleaf(mesh *m, quest *f, tess_int leaf)
     }
     for (; n % GROUP != 0; n++) power[n] = DBL_MAX;
     for (i = 0; i < n; i += GROUP) {
+        /* cppcheck-suppress uninitvar ; all n are set */
         for (k = any = 0; k < GROUP; k++) any |= power[i + k] <= most;
         if (!any) continue;
         for (k = i; k < i + GROUP; k++) {
