@@ -2382,6 +2382,7 @@ static void treesearch(mesh *m, quest *f)
             node = stack[--depth];
         else if (fours && top > 3) {
             node = top /= 4;
+            /* one child alive each: from, as the base's star is not complete */
             if (m->alive[from / 2] + m->alive[node] == 2) continue;
         } else {
             node = top % 2 == 0 ? top + 1 : top - 1;

@@ -3192,6 +3192,7 @@ C     height first, as the apex may be anywhere.
       ELSE IF (FOURS .EQ. 1 .AND. TOP .GT. 3) THEN
         TOP = TOP/4
         NODE = TOP
+C       one child alive each: FROM, as the base's star is not complete
         IF (ALIVE(FROM/2) + ALIVE(NODE) .EQ. 2) GO TO 10
       ELSE
         NODE = TOP + 1 - 2*MOD(TOP, 2)
