@@ -3,7 +3,7 @@
 # make examples    the programs of test/examples; their times, too
 # make pictures    write test/pictures anew
 # make errors      a table: errors of interpolation, linear and by slopes
-# make check       the tests, about two minutes on two processors
+# make check       the tests, about three minutes on two processors
 # make check-all   more of each, all builds, machines and processes
 # make torture     a hunt for faults: TIME=600 seconds, SEED=1
 # make certify     the same for the bounds of the search alone: TIME, SEED
