@@ -92,6 +92,15 @@ END
     compare "no points" "$processes" 5
 done
 
+# Stars of which no facet's vertex is computed again; some more by chance.
+points cylinderrnd 550
+compare "a tube of random points" 3 0
+points cylinderrnd 600
+compare "a tube of random points" 7 0
+sh test/mpi/hunt.sh 20 1 >$dir/hunt.out
+result "the hunt: `tail -n 1 $dir/hunt.out`" $?
+grep FAILED $dir/hunt.out
+
 # From a few extreme points alone: all else by agreement.
 for family in uniform clusters lattice gridrot globe; do
     points $family 2000

@@ -44,7 +44,8 @@
  *    ball of t: else the cone of w's star, which is the hull of the rays to the
  *    link, would be above the plane of the lifted t, which touches it at t, and
  *    t would be in it.  That vertex is not in K.  So either w's process learns
- *    a vertex of t, or v's one of the link of w; the sets only grow, and end.
+ *    a vertex of t, or v's one of the link of w, in every round: the sets only
+ *    grow, and there are at most as many rounds as processes times points.
  *
  * 3. Stars that agree are the mesh.  Each tetrahedron is then in the stars of
  *    all its vertices; so is each facet of the hull.  Each star fills a

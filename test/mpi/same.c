@@ -152,8 +152,9 @@ int main(int argc, char **argv)
     }
     need(i == many, "as many neighbours as tetrahedra");
     maxtet = 8 * n + 64;
-    for (code = TESS_MORE; code == TESS_MORE; maxtet *= 2) {
+    for (code = TESS_MORE; code == TESS_MORE || code == TESS_POOL; maxtet *= 2) {
         need(tess_size(n, maxtet, &liw, &lrw) == 0, "too many points");
+        liw += maxtet; /* for a pool of very many facets */
         tet = (tess_int *)take(4.0 * (double)maxtet, sizeof *tet);
         adj = (tess_int *)take(4.0 * (double)maxtet, sizeof *adj);
         iw = (tess_int *)take((double)liw, sizeof *iw);
@@ -162,7 +163,8 @@ int main(int argc, char **argv)
         code = tess(n, (double *)points, maxtet, &ntet, tet, adj, liw, iw, lrw,
                     rw);
         start = clock() - start;
-        if (code == TESS_MORE) free(tet), free(adj), free(iw), free(rw);
+        if (code == TESS_MORE || code == TESS_POOL)
+            free(tet), free(adj), free(iw), free(rw);
     }
     need(code == 0 || ntet == 0, "tess fails");
     need((size_t)ntet == many, "another number of tetrahedra");

@@ -303,6 +303,25 @@ static num differ(mail *letters)
     return n;
 }
 
+/* disagree - print a tetrahedron that the others lack. */
+static void disagree(void)
+{
+    const tess_int *v;
+    num i;
+    int at;
+
+    for (i = 0; i < ndoubt; i++) {
+        at = *find(&both, doubt_key(doubts[i].hash, doubts[i].peer));
+        if ((at & 3) != OURS) continue;
+        v = m->tet + (at & ~3);
+        fprintf(stderr, "mesh: process %d has %.0f %.0f %.0f %.0f, %d not\n",
+                me, (double)m->index[v[0]], (double)m->index[v[1]],
+                (double)m->index[v[2]], (double)m->index[v[3]],
+                doubts[i].peer);
+        return;
+    }
+}
+
 /* reply - learn the tetrahedra that only others have, mark their own vertices,
  * and put the links of these into the replies. */
 static void reply(const mail *letters, mail *replies)
@@ -492,11 +511,16 @@ static void replace(void)
             u = newadj[4 * i + k];
             m->adj[4 * t + k] = u < 0 ? u : becomes[u];
             if (u != TESS_OPEN) continue;
+            /* open on both sides, too, where none of its vertices is marked:
+             * the second one finds the first */
             at = find(&open, facet_hash(m->tet + 4 * t, k));
             if (*at == HULL) m->adj[4 * t + k] = TESS_NONE;
-            if (*at < 0) continue;
-            m->adj[4 * t + k] = (tess_int)(*at / 4);
-            m->adj[*at] = t;
+            if (*at < 0)
+                *at = (int)(4 * t + k);
+            else {
+                m->adj[4 * t + k] = (tess_int)(*at / 4);
+                m->adj[*at] = t;
+            }
         }
     }
     forget(&open);
@@ -519,7 +543,7 @@ void stars(mesh *result, cloud *c, point *foreign, num n, table *sent)
 {
     mail letters, replies;
     tess_int i, *mine;
-    num unequal;
+    num unequal, before;
     int k, r;
 
     m = result;
@@ -556,6 +580,7 @@ void stars(mesh *result, cloud *c, point *foreign, num n, table *sent)
             fprintf(stderr, "round %d: %.0f differ\n", m->rounds,
                     (double)unequal);
         if (unequal == 0) break;
+        before = learned.n;
         exchange(&letters, POINTS);
         mail_open(&replies, sizeof(point));
         reply(&letters, &replies);
@@ -565,6 +590,13 @@ void stars(mesh *result, cloud *c, point *foreign, num n, table *sent)
             for (n = 0; n < replies.n[r]; n++)
                 (void)learn((point *)replies.at[r] + n);
         mail_close(&replies);
+        /* by 2 of mesh.c a process learns a point in every round, so there are
+         * at most as many rounds as processes times points */
+        if (total(learned.n - before) == 0) {
+            if (ndoubt > 0) disagree();
+            MPI_Barrier(MPI_COMM_WORLD);
+            fail("the stars do not agree, and no process learns of a point");
+        }
         repair();
     }
     mail_close(&letters);
