@@ -1445,14 +1445,18 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
         *power = signof(HH_ROWS + 1, CARRY, sum);
 }
 
-/* hh_unit - what hh_height divides by: D, or, if plane is 1, the length of the
- * normal of a ball's facet, both as of the leading rows; c: the normal over it,
- * right to 12 eps. */
+/* hh_unit - makes a ball ready for hh_height.  What that divides by: D, or, if
+ * plane is 1, the length of the normal of a ball's facet, both as of the leading
+ * rows; c: the normal over it, right to 12 eps.  The base gets limbs for points
+ * in smaller units than the ball's own (6371 cos 90 degrees is 4e-13 in double):
+ * without them such points have no height. */
 void hh_unit(hh_ball *t, int plane, double *c)
 {
     double d = 0.0;
     int k, at;
 
+    for (; t->n < HH_ROWS && t->n < HH_FEW; t->n++)
+        for (k = 0; k < 3; k++) t->base[3 * t->n + k] = 0.0;
     t->unit = t->d;
     t->bits = 2 * t->e + (2 - t->first) * HH_BITS;
     if (!plane) return;

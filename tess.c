@@ -82,11 +82,11 @@
  *                leafsort kdsort boxes
  *   first facet  point preced edgeby firstfacet
  *   pool         outfac facet owner hashkey same find insert erase enter full
- *                cuberoot tablesize quota newtable rehash
+ *                cuberoot tablesize quota rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
  *   apex         dot powererr prunebox prunepart ballinbox ballinstar better
- *                curved narrow refine rough marked level remember fit discover
- *                lean sharpen sight lowest beyond promise group enclose
+ *                curved narrow refine rough marked level remember through
+ *                fit discover lean sharpen sight lowest beyond promise group enclose
  *                enclosed outside inlarge keeplarge cap challenge consider
  *                ballcoef starcoef inball considerall likeliest starball
  *                newcell incell instar inblock scanleaf barren treesearch
@@ -96,14 +96,13 @@
  *                grow enlist follow gather load complete makeroom begin star
  *                plant stars
  *   results      coords four slot mate
- *   preparation  leafcount lengths layout collect inrange times units scaled
- *                revive sorted seal opened intact claim match rejoin restore
- *                run wrong
+ *   preparation  leafcount lengths layout collect inrange rescale units scaled
+ *                revive sorted seal opened intact claim restore run badargument
  *   entries      tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
  *   queries      qside inbox
- *   location     closer sample walk holds sweep hullstep turn nearhull
- *                tess_locate tess_values descend across tess_query
+ *   location     closer sample walk hullstep turn nearhull tess_locate
+ *                tess_values descend across tess_query
  *   hull, check  tess_hull merge sortpt marks chkpla chkidx chkfac chktet
  *                chkedg chkhul chkcov tess_check
  *   a ball       tess_ball
@@ -148,7 +147,7 @@ extern void tess_prove(int fact);
 
 #define NONE (-1)
 #define UNSURE 2  /* returned by hh_orient and hh_insphere out of range */
-#define LOST 99   /* returned by walk when it finds no answer */
+#define LOST 99   /* returned by walk when its steps are used up */
 #define DONE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
 #define FOREIGN (-2) /* in head: the star is not asked for */
@@ -189,6 +188,13 @@ extern void tess_prove(int fact);
 #define OPENED 24
 #define BURDEN 1.0
 #define FINER 100.0
+/* Half of the band about a plane that a support holds, over its extent, at most;
+ * about a sphere, over the square of it.  Beyond BAND doubles decide the sides,
+ * and cylinders do better: points near a plane rough by 1e-8 take two thirds of
+ * the time without a support, by 1e-9 as long, by 1e-10 twice as long.  Spheres
+ * have no such bound, as balls are not told apart by cylinders. */
+#define BAND 2e-8
+#define ROUGH 1e-3
 /* ENOUGH: with fewer points no support is sought.  SOME: places of the sample
  * (few, to save stack, where none is ever sought: see SEEK). */
 #define ENOUGH 500
@@ -890,34 +896,25 @@ static tess_int quota(const mesh *m, tess_int edges)
     return most < need ? most : need + (most - need) / 2;
 }
 
-/* newtable - empty the table and give it the wanted length, or its quota if
- * that is less; returns 0 if there is no room for an entry. */
-static int newtable(mesh *m, tess_int wanted)
+/* rehash - give the table the wanted length, or its quota if that is less, and
+ * enter its facets again in their order; returns 0 if there is no room.  The
+ * new table is laid over the old one, so the facets come from tet and adj: the
+ * open ones without the vertex s.  (Those with it are edges of its link.) */
+static int rehash(mesh *m, tess_int s, tess_int wanted)
 {
-    tess_int i, most = quota(m, 2);
+    tess_int i, v[3], most = quota(m, 2);
 
     m->m = wanted < most ? wanted : most;
     m->nopen = 0;
+    if (m->m < 1) return 0;
     for (i = 0; i < m->m; i++) m->pool[ENTRY * i] = NONE;
     for (i = 0; i < m->np; i++)
         if (m->head[i] != FOREIGN) m->head[i] = NONE;
-    return m->m > 0;
-}
-
-/* rehash - give the table another length and enter its facets again in their
- * order; returns 0 if there is no room.  The new table is laid over the old
- * one, so the facets come from tet and adj: the open ones without the vertex s.
- * (Those with it are edges of its link.) */
-static int rehash(mesh *m, tess_int s, tess_int wanted)
-{
-    tess_int code, v[3];
-
-    if (!newtable(m, wanted)) return 0;
-    for (code = 0; code < 4 * m->fresh; code++) {
-        if (m->adj[code] != TESS_OPEN) continue;
-        facet(m, code, v);
+    for (i = 0; i < 4 * m->fresh; i++) {
+        if (m->adj[i] != TESS_OPEN) continue;
+        facet(m, i, v);
         if (v[0] == s || v[1] == s || v[2] == s) continue;
-        (void)enter(m, code);
+        (void)enter(m, i);
         if (full(m, m->nopen)) return 0;
     }
     return 1;
@@ -1371,15 +1368,41 @@ static void remember(quest *f, tess_int z, int open)
     if (place < SOME) f->some[place] = z;
 }
 
+/* through - sets up a support through the positions v, a plane or a sphere, for a
+ * search's sample, whose extent is wide.  It takes heights of up to 8 times
+ * those of three quarters of the sample, or of one quarter if that is FINER
+ * times nearer: the points on one of several near sheets.  Returns 0 if that is
+ * more than BAND. */
+static int through(const mesh *m, const quest *f, const tess_int *v,
+                   double wide, int plane, support *s)
+{
+    int n = f->opened < SOME ? (int)f->opened : SOME, i, k;
+    double h[SOME], x, err, worst = 0.0;
+
+    s->plane = plane;
+    if (!hh_centre(&m->set, v, 0, plane ? v[0] : v[3], s->c, &s->t)) return 0;
+    hh_unit(&s->t, plane, s->c);
+    for (i = 0; i < n; i++) {
+        x = fabs(hh_height(&m->set, &s->t, f->some[i], plane, &err));
+        if (err > 1.0) return 0;
+        if (err > worst) worst = err;
+        for (k = i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
+        h[k] = x;
+    }
+    x = h[n / 4] < h[3 * n / 4] / FINER ? h[n / 4] : h[3 * n / 4];
+    s->grain = 16.0 * x / (double)GRAINS;
+    if (s->grain < 8.0 * worst) s->grain = 8.0 * worst;
+    s->low = -0.5 * s->grain * (double)GRAINS;
+    return -s->low <= (plane ? BAND : ROUGH * wide) * wide;
+}
+
 /* fit - sets up a support through the widest of the points that a search left
- * open.  It takes heights of up to 8 times those of three quarters of the
- * points, or of one quarter if that is FINER times nearer: the points on one of
- * several near sheets.  The support is a plane where the points are on no
- * sphere: sheets near each other are one.  Returns 1 if it is set up. */
+ * open: a sphere, or a plane where the points are on none (sheets near each
+ * other are one).  Returns 1 if it is set up. */
 static int fit(mesh *m, const quest *f, support *s)
 {
     tess_int v[4], z;
-    double u[3 * SOME], h[SOME], e[3], wide[3], x, err, worst = 0.0;
+    double u[3 * SOME], e[3], wide[3], x, err;
     int n = f->opened < SOME ? (int)f->opened : SOME, far, i, j, k, up = 0;
 
     v[0] = f->v[0];
@@ -1399,26 +1422,13 @@ static int fit(mesh *m, const quest *f, support *s)
             for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
                 u[3 * i + k] -= x * e[k];
     }
-    for (s->plane = wide[2] < 1e-7 * wide[0]; ; s->plane = 1) {
-        if (!hh_centre(&m->set, v, 0, s->plane ? v[0] : v[3], s->c, &s->t))
-            return 0;
-        hh_unit(&s->t, s->plane, s->c);
-        for (i = 0; i < n; i++) {
-            x = fabs(hh_height(&m->set, &s->t, f->some[i], s->plane, &err));
-            if (err > 1.0) return 0;
-            if (err > worst) worst = err;
-            for (k = i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
-            h[k] = x;
-        }
-        x = h[n / 4] < h[3 * n / 4] / FINER ? h[n / 4] : h[3 * n / 4];
-        s->grain = 16.0 * x / (double)GRAINS;
-        if (s->grain < 8.0 * worst) s->grain = 8.0 * worst;
-        s->low = -0.5 * s->grain * (double)GRAINS;
-        if (-s->low <= 1e-3 * wide[0] * (s->plane ? 1.0 : wide[0])) break;
-        if (s->plane) return 0;
-    }
+    if ((wide[2] < 1e-7 * wide[0] || !through(m, f, v, wide[0], 0, s)) &&
+        !through(m, f, v, wide[0], 1, s))
+        return 0;
     s->size = fabs(s->c[0]) + fabs(s->c[1]) + fabs(s->c[2]);
     for (k = 0; k < 3; k++) s->at[k] = m->x[3 * v[0] + k];
+    /* nodes know how far down their points reach, but only that some are above:
+     * the side of a plane with more points is turned up */
     for (z = 0; z < m->np && s->plane; z += m->np / 256 + 1) {
         x = rough(m, s, z, &err);
         up += (x > err - s->low) - (x < s->low - err);
@@ -1754,11 +1764,12 @@ static double *group(const mesh *m, tess_int node)
 
 /* enclose - makes the cylinder of a node, its numbers four places apart.  The
  * axis is the column of the greatest diagonal element in the matrix of second
- * moments (a rod) or in its adjugate (a disc), whichever gives less volume.
+ * moments about the mean (a rod) or in its adjugate (a disc), whichever gives
+ * less volume.  About another point, a plane's would not tell its normal.
  * Returns 1 if that volume is below SLENDER of the box's.  In units of the sum
- * of |x[k]|, the differences from the box's middle err by EPS, their products
- * with the axis and what is left across it by less than 40 EPS, the centre by
- * 10 EPS: together less than 64 EPS. */
+ * of |x[k]|, the differences from the mean err by EPS, their products with the
+ * axis and what is left across it by less than 40 EPS, the centre by 10 EPS:
+ * together less than 64 EPS. */
 static int enclose(const mesh *m, tess_int node, double *c)
 {
     const double *b = m->box + 6 * node, *x;
@@ -1769,10 +1780,12 @@ static int enclose(const mesh *m, tess_int node, double *c)
 
     span(m, node, &first, &last);
     for (k = 0; k < 3; k++) {
-        a[k] = a[3 + k] = 0.0;
-        mid[k] = 0.5 * (b[k] + b[3 + k]);
+        a[k] = a[3 + k] = mid[k] = 0.0;
         pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_SMALL;
     }
+    for (i = first; i < last; i++)
+        for (k = 0; k < 3; k++)
+            mid[k] += m->x[3 * i + k] / (double)(last - first);
     for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
         for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
         for (k = 0; k < 3; k++) {
@@ -2364,17 +2377,16 @@ static int barren(const mesh *m, const quest *f, tess_int node)
 /* treesearch - finishes a search in the tree: the leaf of the base first, then
  * its parent's other child, and so on up to the root; with cylinders, its
  * grandparent's other three grandchildren.  Everything below the node top has
- * been searched.  For a facet on a support, the search goes from the root down,
- * the child of lesser height first, as the apex may be anywhere. */
+ * been searched. */
 static void treesearch(mesh *m, quest *f)
 {
-    tess_int stack[DEPTH], node = 1, top = 1, from;
+    tess_int stack[DEPTH], node = m->leaves + leafof(m, f->v[f->base]);
+    tess_int top = node, from;
     const double *b;
     double past[4];
     int depth = 1, n, fours;
 
     fours = ENCLOSED(m) && !LEANING(f) && (f->ball || f->f[9] <= HH_LOOSE);
-    if (!LEANING(f)) node = top = m->leaves + leafof(m, f->v[f->base]);
     stack[0] = node;
     while (depth > 0 || top > 1) {
         from = top;
@@ -2406,10 +2418,8 @@ static void treesearch(mesh *m, quest *f)
         } else if (node >= m->leaves)
             scanleaf(m, f, node);
         else {
-            n = LEANING(f) && m->supports[f->on].least[2 * node] <
-                                  m->supports[f->on].least[2 * node + 1];
-            stack[depth++] = 2 * node + n;
-            stack[depth++] = 2 * node + 1 - n;
+            stack[depth++] = 2 * node;
+            stack[depth++] = 2 * node + 1;
         }
     }
 }
@@ -2578,9 +2588,9 @@ static int exchange(const mesh *m, const tess_int *r, tess_int *v, int k,
  * five points have two triangulations, and v is not part of the one whose
  * lifted facets are the lower ones; so the tetrahedron of that one that holds
  * s* is v with z in place of a vertex.  Each such step lowers the height over
- * s*; three searches in a row without a step end it.  The points of the leaf
- * alone come first: without that, a query from anywhere takes three times as
- * long.
+ * s*; three searches in a row without a step end it.  This is done with the
+ * points of the leaf alone, and then with all: without the former, a query from
+ * anywhere takes three times as long.
  *
  * Vertices may be complete, and then no list has them: the search uses the tree
  * alone. */
@@ -2589,7 +2599,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
     tess_int leaf = leafof(m, s), first = leafstart(m, leaf), i, z;
     tess_int size = leafstart(m, leaf + 1) - first, r[4], f[3], guess[2];
     quest search;
-    int j, k, same = 0;
+    int j, k, all, same;
 
     m->block.first = m->block.last = NONE;
     m->block.n = m->around.n = m->nplane = m->nextplane = m->ncell = 0;
@@ -2608,25 +2618,27 @@ static void settle(mesh *m, tess_int s, tess_int *v)
     }
     for (k = 0; k < 4; k++) r[k] = v[k];
     guess[1] = NONE;
-    for (k = 1; same < 6; k = k % 3 + 1) {
-        f[0] = s;
-        f[1] = v[k % 3 + 1];
-        f[2] = v[(k + 1) % 3 + 1];
-        guess[0] = z = v[k];
-        if (same >= 3)
-            z = apex(m, f, guess);
-        else {
-            prepare(m, &search, f);
-            challenge(m, &search, z);
-            scanleaf(m, &search, m->leaves + leaf);
-            z = search.best;
+    k = 1;
+    for (all = 0; all < 2; all++)
+        for (same = 0; same < 3; k = k % 3 + 1) {
+            f[0] = s;
+            f[1] = v[k % 3 + 1];
+            f[2] = v[(k + 1) % 3 + 1];
+            guess[0] = z = v[k];
+            if (all)
+                z = apex(m, f, guess);
+            else {
+                prepare(m, &search, f);
+                challenge(m, &search, z);
+                scanleaf(m, &search, m->leaves + leaf);
+                z = search.best;
+            }
+            same++;
+            if (z == v[k]) continue;
+            for (j = 1; !exchange(m, r, v, j, z); j++)
+                ;
+            same = j == k;
         }
-        same++;
-        if (z == v[k]) continue;
-        for (j = 1; !exchange(m, r, v, j, z); j++)
-            ;
-        same = (j == k) + (same > 3 ? 3 : 0);
-    }
 }
 
 /* ---- the star of a vertex ----
@@ -2866,9 +2878,15 @@ static void complete(mesh *m, tess_int s)
 
 /* makeroom - make room for another tetrahedron's facets in the table and in
  * the link of s; returns 0 if there is none.  Callers must reload oldest.
- * When the table is three quarters full or meets the link, the edges move up
- * if an eighth of their room is dead, and the table is resized if that changes
- * it by a sixteenth: so both are rare. */
+ *
+ *              0        ENTRY m      newest       oldest   room
+ *   before     | table      | free   | edges      | dead   |
+ *   renumber   | table      | free            | edges      |
+ *   rehash     | longer, or shorter table | free | edges   |
+ *
+ * That is done when the table is three quarters full or meets the edges: these
+ * move up if an eighth of their room is dead, and the table is resized if that
+ * changes it by a sixteenth, so both are rare. */
 static int makeroom(mesh *m, tess_int s)
 {
     tess_int most, change = m->m / 16;
@@ -3117,8 +3135,8 @@ static int inrange(const mesh *m, double most)
     return 1;
 }
 
-/* times - multiply all coordinates by 2^e, a normal double. */
-static void times(mesh *m, int e)
+/* rescale - multiply all coordinates by 2^e, a normal double. */
+static void rescale(mesh *m, int e)
 {
     tess_int i, n = 3 * m->np;
     /* volatile: not as vectors, see shift in hhpred.c */
@@ -3165,8 +3183,8 @@ static int scaled(mesh *m)
     if (!inrange(m, most)) return TESS_RANGE;
     frexp(most, &e);
     m->set.e = e;
-    times(m, -(e / 2));
-    times(m, -(e - e / 2));
+    rescale(m, -(e / 2));
+    rescale(m, -(e - e / 2));
     if (ldexp(least, -e) < HH_SMALL) m->set.t3 = -2.0;
     if (ldexp(least, -e) >= DBL_MIN) u = units(m);
     if (u > 0.0) {
@@ -3299,65 +3317,25 @@ static tess_int claim(mesh *m, tess_int n, const tess_int *mine)
     return own;
 }
 
-/* match - returns 0 if the open facets of two codes, which have the same
- * vertices, are on different sides, and the apex of one is not in the ball of
- * the other; else -6 or -5. */
-static int match(const mesh *m, tess_int code, tess_int other)
-{
-    const tess_int *v = four(m->tet, code / 4);
-
-    if (mate(m->tet, code / 4, (int)(code % 4), other / 4) != other % 4)
-        return -6;
-    return hh_pball(&m->set, v[0], v[1], v[2], v[3], m->tet[other], 1) < 0 ? -5
-                                                                           : 0;
-}
-
-/* rejoin - close the facets that are open twice, as in concatenated results.
- * Returns 0, TESS_POOL, or what match finds.  Until all are known to be right,
- * a neighbour found is only noted in adj, by a value below TESS_OPEN. */
-static int rejoin(mesh *m)
-{
-    tess_int i, other, most = m->room / ENTRY;
-    int code = 0;
-
-    for (i = 0; i < 4 * m->ntet && m->nopen < most; i++)
-        m->nopen += m->adj[i] == TESS_OPEN;
-    if (!newtable(m, 2 * m->nopen + 1)) return TESS_POOL;
-    for (i = 0; i < 4 * m->ntet && code == 0; i++) {
-        if (m->adj[i] != TESS_OPEN) continue;
-        other = enter(m, i);
-        if (full(m, m->nopen)) code = TESS_POOL;
-        if (other == NONE) continue;
-        code = match(m, i, other);
-        m->adj[i] = TESS_OPEN - 1 - other / 4;
-        m->adj[other] = TESS_OPEN - 1 - i / 4;
-    }
-    for (i = 0; i < 4 * m->ntet; i++)
-        if (m->adj[i] < TESS_OPEN)
-            m->adj[i] = code < 0 ? TESS_OPEN : TESS_OPEN - 1 - m->adj[i];
-    return code;
-}
-
 /* restore - resume an unfinished result that intact has passed: convert tet to
- * positions and rejoin; remove completed points from the tree; the open facets
- * at s, the first vertex of the last tetrahedron, become edges of its link in
- * the order of their tetrahedra, and the others enter the pool.  Returns 0,
- * TESS_POOL, -5 or -6. */
+ * positions; remove completed points from the tree; the open facets at s, the
+ * first vertex of the last tetrahedron, become edges of its link in the order
+ * of their tetrahedra, and the others enter the pool.  Returns 0, TESS_POOL, or
+ * -6 for a facet that is open twice. */
 static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
 {
-    tess_int i, v[3], size;
-    int k, code;
+    tess_int i, v[3], size, open = 0;
+    int k;
 
     for (i = 0; i < 4 * m->ntet; i++) {
         m->tet[i] = m->head[m->tet[i]];
         m->link[m->tet[i]] = DONE;
     }
     size = tablesize(claim(m, n, mine));
-    code = rejoin(m);
-    if (code != 0) return code;
     for (i = 0; i < 4 * m->ntet; i++)
         if (m->adj[i] == TESS_OPEN) {
             facet(m, i, v);
+            if (owner(m, v) != NONE) open++;
             for (k = 0; k < 3; k++) m->link[v[k]] = NONE;
         }
     for (i = 0; i < m->np; i++)
@@ -3365,12 +3343,16 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
             m->link[i] = NONE;
             complete(m, i);
         }
+    if (open > m->room / ENTRY) return TESS_POOL;
+    m->nopen = open;
+    if (!rehash(m, NONE, 2 * open + 1)) return TESS_POOL;
+    if (m->nopen < open) return -6; /* its two sides removed each other */
     *s = m->tet[4 * (m->ntet - 1)];
     if (m->head[*s] == FOREIGN) *s = NONE;
-    i = 2 * m->nopen;
     m->m = 0;
     if (!gather(m, *s)) return TESS_POOL;
-    return rehash(m, *s, (i > size ? i : size) + 1) ? 0 : TESS_POOL;
+    return rehash(m, *s, (2 * open > size ? 2 * open : size) + 1) ? 0
+                                                                  : TESS_POOL;
 }
 
 /* run - tess and tess_resume, or tess_part if mine is given, for arguments that
@@ -3429,10 +3411,10 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     return code;
 }
 
-/* wrong - returns the code of a bad argument of tess_resume, or 0; *which is
+/* badargument - returns the code of a bad argument of tess_resume, or 0; *which is
  * the point that is not finite, or 0.  p is NULL if the points are known to be
  * finite. */
-static int wrong(tess_int n, const tess_real *p, tess_int maxtet,
+static int badargument(tess_int n, const tess_real *p, tess_int maxtet,
                  tess_int ntet, const tess_int *tet, const tess_int *adj,
                  tess_int liw, tess_int lrw, tess_int *which)
 {
@@ -3459,7 +3441,7 @@ static int wrong(tess_int n, const tess_real *p, tess_int maxtet,
 int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
 {
     sizes w;
-    int code = wrong(n, NULL, maxtet, 0, NULL, NULL, TESS_INT_MOST,
+    int code = badargument(n, NULL, maxtet, 0, NULL, NULL, TESS_INT_MOST,
                      TESS_INT_MOST, liw);
 
     *liw = *lrw = 0;
@@ -3474,7 +3456,7 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
          tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,
          tess_int lrw, double *rw)
 {
-    int code = wrong(n, p, maxtet, 0, tet, adj, liw, lrw, ntet);
+    int code = badargument(n, p, maxtet, 0, tet, adj, liw, lrw, ntet);
 
     if (code != 0) return code;
     return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, lrw, rw);
@@ -3485,7 +3467,7 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
                 tess_int *iw, tess_int lrw, double *rw)
 {
     tess_int i;
-    int code = wrong(n, p, maxtet, *ntet, tet, adj, liw, lrw, &i);
+    int code = badargument(n, p, maxtet, *ntet, tet, adj, liw, lrw, &i);
 
     if (code != 0) return code;
     return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, lrw, rw);
@@ -3497,7 +3479,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     static const tess_int guess[2] = {NONE, NONE};
     mesh m;
     tess_int i, v[4];
-    int code = wrong(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw, &i), k;
+    int code = badargument(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw, &i), k;
 
     if (code != 0 && code != -9) return code;
     if (liw < 2 * n + 2 * leafcount(n) + KEEP) return -3;
@@ -3510,10 +3492,14 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     }
     seal(&m, code);
     if (code == TESS_RANGE) return code;
+    /* rep becomes index -> position: first of the points that stand for
+     * themselves.  These are the i with order[rep[i]] = i, as order holds no
+     * duplicate; a duplicate then takes the position of the point it has in
+     * rep */
     for (i = 0; i < m.np; i++) m.rep[m.order[i]] = i;
     for (i = 0; i < n; i++)
         if (m.rep[i] >= m.np || m.order[m.rep[i]] != i)
-            m.rep[i] = m.rep[m.rep[i]]; /* a duplicate */
+            m.rep[i] = m.rep[m.rep[i]];
     return code;
 }
 
@@ -3522,7 +3508,7 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
               tess_int liw, tess_int *iw, tess_int lrw, const double *rw)
 {
     tess_int i;
-    int code = wrong(n, NULL, maxtet, *ntet, tet, adj, liw, lrw, &i);
+    int code = badargument(n, NULL, maxtet, *ntet, tet, adj, liw, lrw, &i);
 
     if (code == 0)
         code = run(n, p, mine, maxtet, ntet, tet, adj, liw, iw, lrw,
@@ -3626,9 +3612,9 @@ static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
 }
 
 /* walk - walk from *t across facets that q* is beyond.  Returns 0 when there is
- * none: *t holds q*; 1 at a facet of the hull that q is outside of; LOST when
- * only open facets lead on, or after most steps; TESS_RANGE when the limbs do
- * not suffice; -4 for a neighbour that is out of range.
+ * none: *t holds q*; 1 at a facet of the hull that q is outside of; LOST after
+ * most steps; TESS_RANGE when the limbs do not suffice; -4 for a facet that is
+ * open, or a neighbour that is out of range.
  *
  * In a result of tess the walk meets no tetrahedron twice.  Lift each point x
  * to the height |x|^2, lowered as the tie rule says: the tetrahedra are the
@@ -3641,75 +3627,25 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int most,
                 tess_int *t)
 {
-    tess_int f[3], last = TESS_NONE, next, steps, u;
-    int k, s, open;
+    tess_int f[3], last = TESS_NONE, steps, u;
+    int k, s;
 
     for (steps = 0; steps < most; steps++) {
-        next = TESS_NONE;
-        open = 0;
-        for (k = 0; k < 4 && next == TESS_NONE; k++) {
+        for (k = 0, s = -1; k < 4; k++) {
             u = four(adj, *t)[k];
-            if (u > TESS_NONE && u == last) continue;
+            if (u == last && u != TESS_NONE) continue;
             outfac(four(tet, *t), k, f);
             s = qside(p, f, q, tet);
-            if (s == UNSURE) return TESS_RANGE;
-            if (s < 0) continue;
-            if (u == TESS_NONE) return 1;
-            if (u < TESS_OPEN || u >= ntet) return -4;
-            if (u == TESS_OPEN) open = 1;
-            if (u != TESS_OPEN) next = u;
+            if (s >= 0) break;
         }
-        if (next == TESS_NONE) return open == 1 ? LOST : 0;
+        if (s == UNSURE) return TESS_RANGE;
+        if (k == 4) return 0;
+        if (u == TESS_NONE) return 1;
+        if (u < 0 || u >= ntet) return -4;
         last = *t;
-        *t = next;
+        *t = u;
     }
     return LOST;
-}
-
-/* holds - returns 1 if the closed tetrahedron v contains q, else 0; UNSURE if
- * the limbs do not suffice. */
-static int holds(const tess_real *p, const tess_int *v, const tess_real *q)
-{
-    tess_int f[3];
-    int k, s;
-
-    if (!inbox(p, v, q)) return 0;
-    for (k = 0; k < 4; k++) {
-        outfac(v, k, f);
-        s = hh_orient(coords(p, f[0]), coords(p, f[1]), coords(p, f[2]), q);
-        if (s == UNSURE) return UNSURE;
-        if (s > 0) return 0;
-    }
-    return 1;
-}
-
-/* sweep - find *t, the first tetrahedron that holds q (returns 0) or, if there
- * is none, the first one with a hull or open facet that q is outside of
- * (returns 1).  Returns TESS_RANGE when the limbs do not suffice. */
-static int sweep(const tess_real *p, tess_int ntet, const tess_int *tet,
-                 const tess_int *adj, const tess_real *q, tess_int *t)
-{
-    tess_int f[3], i, found = TESS_NONE;
-    int k, s;
-
-    for (i = 0; i < ntet; i++) {
-        s = holds(p, four(tet, i), q);
-        if (s == UNSURE) return TESS_RANGE;
-        if (s == 1) {
-            *t = i;
-            return 0;
-        }
-        for (k = 0; k < 4 && found == TESS_NONE; k++) {
-            if (four(adj, i)[k] > TESS_NONE) continue;
-            outfac(four(tet, i), k, f);
-            s = hh_orient(coords(p, f[0]), coords(p, f[1]), coords(p, f[2]),
-                          q);
-            if (s == UNSURE) return TESS_RANGE;
-            if (s > 0) found = i;
-        }
-    }
-    if (found != TESS_NONE) *t = found;
-    return 1;
 }
 
 /* A walk over the hull.  f: the facet nearest to q so far; on: the vertices of
@@ -3735,8 +3671,7 @@ typedef struct stroll {
  * point nearer still, q is outside of a facet; and this facet contains x if y
  * is near enough, as the segment from q to x meets the hull in x alone.  All
  * this is exact, and each facet is nearer than the one before, so the walk
- * ends.  (In an unfinished result, which is not convex, it ends where no facet
- * joined to these about the point is nearer.) */
+ * ends. */
 static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
                     stroll *s, double *w)
 {
@@ -3796,7 +3731,7 @@ static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
         i = slot(four(tet, *t), z);
         if (i == 4) return 0;
         u = four(adj, *t)[i];
-        if (u == TESS_NONE || u == TESS_OPEN) {
+        if (u == TESS_NONE) {
             *k = i;
             return 1;
         }
@@ -3824,7 +3759,7 @@ static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
     s.f[0] = s.from = TESS_NONE;
     s.most = 4 * ntet;
     for (k = 0; k < 4; k++) {
-        if (four(adj, u)[k] > TESS_NONE) continue;
+        if (four(adj, u)[k] != TESS_NONE) continue;
         outfac(four(tet, u), k, g);
         if (qside(p, g, q, tet) == 1) break;
     }
@@ -3840,20 +3775,18 @@ static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
     return 1;
 }
 
-/* tess_locate - a walk (see walk); where it fails, a sweep over all tetrahedra;
- * then, for a q outside, a walk over the hull (see hullstep).
+/* tess_locate - a walk (see walk); then, for a q outside, a walk over the hull
+ * (see hullstep).
  *
  * It is q*, not q, that is located.  The hull is convex and q* is nearer to
  * its inside, so q* is inside of it when q is inside or on its boundary, and
  * then the answer depends on the points, tet and q alone.  For a q outside, the
  * start decides which of the facets that have the hull's nearest point is
- * found.  In an unfinished result open facets may stop the walk though some
- * tetrahedron holds q; in a triangulation from elsewhere it may cycle: both are
- * left to the sweep.
+ * found.
  *
  * Cost: proportional to the tetrahedra crossed, about ntet^(1/3) of them from
  * anywhere, fewer from the sampled start, few from a start near q: beyond
- * ASTRAY of these, the sample is used, too.  The sweep: ntet. */
+ * ASTRAY of these, the sample is used, too. */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t,
                 double *w)
@@ -3871,7 +3804,7 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
         if (*t == TESS_NONE) return TESS_RANGE;
         code = walk(p, ntet, tet, adj, q, ntet, t);
     }
-    if (code == LOST) code = sweep(p, ntet, tet, adj, q, t);
+    if (code == LOST) code = -4;
     if (code == 0 && hh_weigh(p, four(tet, *t), q, w) != 0) code = TESS_RANGE;
     if (code == 1) code = nearhull(p, ntet, tet, adj, q, t, w);
     return code;
@@ -3894,12 +3827,12 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
     if (nq < 0 || nq > TESS_INT_MOST / 3) return -7;
     if (hh_finite(nq, q) < nq) return -8;
     for (i = 0; i < nq; i++)
-        if (t[i] < TESS_NONE || t[i] >= ntet) return -9;
+        if (t[i] < -1 - ntet || t[i] >= ntet) return -9;
     for (i = 0; i < nq; i++, out += nv) {
-        if (t[i] != TESS_NONE) last = t[i];
+        if (t[i] != TESS_NONE) last = t[i] < 0 ? -2 - t[i] : t[i];
         code = tess_locate(p, ntet, tet, adj, q + 3 * i, &last, w);
         if (code != 0 && code != 1) return code;
-        t[i] = last;
+        t[i] = code == 1 ? -2 - last : last;
         if (code == 1) outside = 1;
         for (j = 0; j < nv; j++) out[j] = 0.0;
         for (k = 0; k < 4; k++) {

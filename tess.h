@@ -45,7 +45,7 @@
 #endif
 
 /* 10000 * major + 100 * minor version; the README says what has changed. */
-#define TESS_VERSION 20000L
+#define TESS_VERSION 30000L
 
 /* TESS_LIST: when tess.c is compiled, the capacity of the two lists of points
  * that a search looks at first: a multiple of 4, 48 to 4096, 512 if not given.
@@ -119,7 +119,7 @@ extern "C" {
  * some where one vertex is in almost all tetrahedra (a plane grid and one
  * point).
  *
- * maxtet: 8 n is enough for clouds (6 to 6.8 n), lattices (5 to 6 n) and points
+ * maxtet: 8 n is enough for clouds (6 to 6.8 n), lattices (4.8 to 6 n), points
  * near planes, spheres and most smooth surfaces (2 to 7.2 n).  It is too little
  * for random points on a tube or a torus (9 to 20 n for 1,000 to 60,000
  * points), and for a helix or two lines (up to n^2 / 2).  TESS_MORE costs
@@ -183,17 +183,15 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
  * result is exactly that of one call with enough room.  With *ntet = 0 it is
  * tess; on a finished result it returns TESS_OK and changes nothing but iw, rw.
  *
- * Partial results of one mesh may be concatenated: each tetrahedron once, in
- * any order, with neighbours renumbered, and a facet open where its neighbour
- * is missing.  Facets that are open on both sides are then joined, and the
- * missing tetrahedra computed.  Each facet that waits for its other side takes
- * 4 tess_ints of iw.
+ * The tetrahedra may be in any order, and need not be those that a call left:
+ * any that are in the mesh, each facet between two of them closed on both sides
+ * and open where its neighbour is missing, as the recipe join makes them of
+ * parts.  Each facet that waits for its other side takes 4 tess_ints of iw.
  *
  * returns what tess returns; -4 for a bad *ntet; -5 and -6 for a fault in tet
  * and adj: an index out of range; a tetrahedron that has a duplicate for a
  * vertex, is not positively oriented, or has a neighbour's apex in its ball;
- * neighbours that do not share a facet; two tetrahedra on the same side of an
- * open facet.  After -k *ntet, tet and adj are unchanged.  Damage that one pass
+ * neighbours that do not share a facet; a facet that is open twice.  After -k *ntet, tet and adj are unchanged.  Damage that one pass
  * cannot find gives a wrong result, but in bounded time and within the arrays.
  */
 int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
@@ -213,10 +211,11 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * returns 0 when q is inside the hull or on it; 1 when it is outside: w then
  * holds the weights of the point of the hull nearest to q, none negative, and t
  * is the tetrahedron of a hull facet that has this point, so that the
- * interpolant is continuous in q; -2 for ntet < 1, -4 for a neighbour that is
- * out of range or does not match, -5 for a NaN or infinity in q, -6 for a t
- * that is out of range; TESS_RANGE, w = 0, when the arithmetic cannot hold the
- * coordinates (see tess).
+ * interpolant is continuous in q; -2 for ntet < 1; -4 where the walk shows that
+ * tet and adj are no finished result: it meets an open facet or a neighbour
+ * that is out of range or does not match, or takes ntet steps; -5 for a NaN or
+ * infinity in q, -6 for a t that is out of range; TESS_RANGE, w = 0, when the
+ * arithmetic cannot hold the coordinates (see tess).
  *
  * Inside, no weight is negative; a weight is 0 where q is in the plane of the
  * facet opposite to its vertex, and otherwise only in a tetrahedron that is
@@ -224,10 +223,7 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * rounding, in slivers too.  Outside, the one to three vertices that carry the
  * nearest point are decided exactly, and each weight is right to rounding.  Do
  * not extrapolate by the gradient of t: tetrahedra at the hull are often
- * slivers, whose gradients are far steeper than the field's.  An open facet
- * counts as hull; but an unfinished result is not convex: the point found is
- * the nearest one of the facets that are joined about it, and another may be
- * nearer.
+ * slivers, whose gradients are far steeper than the field's.
  * Cost: a walk of about ntet^(1/3) / 2 steps from anywhere, a few from nearby;
  * a distant start costs little more than none.  Outside, another walk over the
  * facets of the hull.
@@ -243,21 +239,20 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  *   value  (in)      value[nv*i+j] is value j of point i
  *   nq     (in)      number of queries, >= 0
  *   q      (in)      3*nq coordinates
- *   t      (in,out)  nq: On entry the tetrahedra where the walks start, as in
- *                    tess_locate; for TESS_NONE a walk starts from the previous
- *                    answer, if that is near.  On return the tetrahedra found:
- *                    passed in again for other values at the same places, they
- *                    save the search
- *   out    (out)     out[nv*i+j] is value j at query i
+ *   t      (in,out)  nq: On entry the tetrahedra where the walks start; for
+ *                    TESS_NONE a walk starts from the previous answer, if that
+ *                    is near.  On return the tetrahedra found: t[i] itself for
+ *                    a query inside the hull or on it, -2 - t for one outside.
+ *                    Both are starts: passed in again for other values at the
+ *                    same places, they save the search
+ *   out    (out)     out[nv*i+j] is value j at query i; for a query outside the
+ *                    hull, value j at the nearest point of the hull (see
+ *                    tess_locate)
  *
- * returns 0; 1 when a query is outside the hull: its values are those at the
- * nearest point of the hull (see tess_locate); -2 for ntet < 1, -5 for nv < 0,
+ * returns 0; 1 when a query is outside the hull; -2 for ntet < 1, -5 for nv < 0,
  * -7 for a bad nq, -8 for a NaN or infinity in q, -9 for a t that is out of
  * range: then nothing is written; -4 or TESS_RANGE as from tess_locate: then
  * the queries before that one are done.
- * To learn which queries are outside, ask one at a time: nq = 1, and t[i-1] for
- * t[i] if there is no start.  Each call then returns the code of its query; t,
- * out and the time taken are those of a single call for all queries.
  * Cost: that of tess_locate: a few steps per query if successive queries are
  * close to each other.
  */
@@ -329,7 +324,8 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  * TESS_OPEN.  Parts are computed independently, yet agree on everything, ties
  * included.  If each point is marked in exactly one part, and from each part
  * those tetrahedra are taken whose vertex of least index is marked there,
- * together they are the mesh.  tess_resume joins them.
+ * together they are the mesh.  The recipe join makes
+ * them one result.
  *
  * returns what tess_resume returns, but -4 for maxtet, -5, -6, -7 for *ntet,
  * tet, adj, -8 and -10 for liw and lrw, -9 where iw and rw hold no index.

@@ -2119,32 +2119,40 @@ C     ball's fourth point on the positive side, as D > 0 then.
       IF (OK .EQ. 1) POWER = HHSIGN(BROWS + 1, CARRY, SUM)
       END
 
-C     HHUNIT - what HHHEIG divides by: D, or, if PLANE is 1, the length
-C     of the normal of a ball's facet, both as of the leading rows; C:
-C     the normal over it, right to 12 EPS.
+C     HHUNIT - makes a ball ready for HHHEIG.  What that divides by: D,
+C     or, if PLANE is 1, the length of the normal of a ball's facet,
+C     both as of the leading rows; C: the normal over it, right to 12
+C     EPS.  The base gets limbs for points in smaller units than the
+C     ball's own (6371 cos 90 degrees is 4D-13 in double): without them
+C     such points have no height.
       SUBROUTINE HHUNIT(T, AT, PLANE, C)
       DOUBLE PRECISION T(*), C(3)
       INTEGER AT, PLANE
       DOUBLE PRECISION HHLDEX
-      INTEGER BFIRST, BSIDE, BD, BE, BUNIT, BBITS, BITS, BROWS
-      PARAMETER (BFIRST = 2, BSIDE = 59, BD = 84, BE = 85, BUNIT = 86)
-      PARAMETER (BBITS = 87, BITS = 24, BROWS = 6)
+      INTEGER BN, BFIRST, BBASE, BSIDE, BD, BE, BUNIT, BBITS, BITS
+      INTEGER BROWS
+      PARAMETER (BN = 1, BFIRST = 2, BBASE = 5, BSIDE = 59, BD = 84)
+      PARAMETER (BE = 85, BUNIT = 86, BBITS = 87, BITS = 24, BROWS = 6)
       DOUBLE PRECISION D
       INTEGER K, LAT
+      DO 10 K = 3*INT(T(AT+BN)) + 1, 3*BROWS
+        T(AT+BBASE+K) = 0.0D0
+   10 CONTINUE
+      T(AT+BN) = MAX(T(AT+BN), DBLE(BROWS))
       T(AT+BUNIT) = T(AT+BD)
       T(AT+BBITS) = 2.0D0*T(AT+BE) + (3.0D0 - T(AT+BFIRST))*BITS
       IF (PLANE .EQ. 0) RETURN
       T(AT+BBITS) = T(AT+BE) + (2.0D0 - T(AT+BFIRST))*BITS
       D = 0.0D0
-      DO 10 K = 1, 3
+      DO 20 K = 1, 3
         CALL HHLEAD(BROWS, T, AT + BSIDE + K, 4, C(K), LAT)
         C(K) = HHLDEX(C(K), (1 - LAT)*BITS)
         D = D + C(K)*C(K)
-   10 CONTINUE
-      T(AT+BUNIT) = SQRT(D)
-      DO 20 K = 1, 3
-        C(K) = C(K)/T(AT+BUNIT)
    20 CONTINUE
+      T(AT+BUNIT) = SQRT(D)
+      DO 30 K = 1, 3
+        C(K) = C(K)/T(AT+BUNIT)
+   30 CONTINUE
       END
 
 C     HHHEIG - computes the height H of the position Z above the plane

@@ -119,16 +119,16 @@ C       first facet: preced TSPREC, edgeby TSEDBY, firstfacet TSFIRS
 C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
 C         hashkey TSHASH, same TSSAME, find TSFIND, insert TSINSE,
 C         erase TSERAS, enter TSENTE, full TSFULL, cuberoot TSCUBE,
-C         tablesize TSTABL, quota TSQUOT, newtable TSNEWT, rehash TSREHA
+C         tablesize TSTABL, quota TSQUOT, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
 C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
 C         starlist TSSTLI
 C       apex: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
 C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
 C         curved TSCURV, narrow TSNARR, refine TSREFI, rough TSROUG,
-C         marked TSMRKD, level TSLEVE, remember TSREME, fit TSFIT,
-C         discover TSDISC, lean TSLEAN, sharpen TSSHAR, sight TSSIGH,
-C         lowest TSLOWE, beyond TSBEYO, promise TSPROM,
+C         marked TSMRKD, level TSLEVE, remember TSREME, through TSTHRO,
+C         fit TSFIT, discover TSDISC, lean TSLEAN, sharpen TSSHAR,
+C         sight TSSIGH, lowest TSLOWE, beyond TSBEYO, promise TSPROM,
 C         group TSGROU, enclose TSENCL, enclosed TSECLD,
 C         outside TSOUTS, inlarge TSINLA, keeplarge TSKEEP, cap TSCAP,
 C         challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
@@ -146,19 +146,18 @@ C         makeroom TSMKRO, begin TSBEGI, star TSSTAR, plant TSPLAN,
 C         stars TSSTRS
 C       results: slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, lengths TSLENG, layout TSLAYO,
-C         collect TSCOLL, inrange TSINRA, times TSTIME, units TSUNIT,
+C         collect TSCOLL, inrange TSINRA, rescale TSRESC, units TSUNIT,
 C         scaled TSSCAL, revive TSREVI, sorted TSSORT, seal TSSEAL,
-C         opened TSOPEN, intact TSINTA, claim TSCLAI, match TSMTCH,
-C         rejoin TSREJO, restore TSREST, run TSRUN, wrong TSWRON
+C         opened TSOPEN, intact TSINTA, claim TSCLAI, restore TSREST,
+C         run TSRUN, badargument TSBADA
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
 C     and what needs no mesh under construction:
 C       queries: qside TSQSID, inbox TSINBO
 C       location: closer TSCLOS, sample TSSAMP, walk TSWALK,
-C         holds TSHOLD, sweep TSSWEE, hullstep TSHULL, turn TSTURN,
-C         nearhull TSNEAH, tess_locate TESSLO, tess_values TESSVA,
-C         descend TSDESC, across TSACRO,
-C         tess_query TESSQU
+C         hullstep TSHULL, turn TSTURN, nearhull TSNEAH,
+C         tess_locate TESSLO, tess_values TESSVA, descend TSDESC,
+C         across TSACRO, tess_query TESSQU
 C       hull, check: tess_hull TESSHU, merge TSMERG, sortpt TSSORP,
 C         marks TSMARK, chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF,
 C         chktet TSCHKT, chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
@@ -1037,49 +1036,36 @@ C     of the remaining free space.
       IF (MOST .GE. NEED) TSQUOT = NEED + (MOST - NEED)/2
       END
 
-C     TSNEWT - empty the table and give it the wanted length, or its
-C     quota if that is less.  OK is 1, or 0 if there is no room for an
-C     entry.
-      SUBROUTINE TSNEWT(HEAD, POOL, CTL, WANTED, OK)
-      INTEGER HEAD(*), POOL(*), CTL(*), WANTED, OK
-      INTEGER TSQUOT
-      INTEGER NP, MPOOL, NOPEN, FOREIN, ENTRY
-      PARAMETER (NP = 1, MPOOL = 6, NOPEN = 7, FOREIN = -1, ENTRY = 4)
-      INTEGER I
+C     TSREHA - give the table the wanted length, or its quota if that is
+C     less, and enter its facets again in their order.  OK is 1, or 0 if
+C     there is no room.  The new table is laid over the old one, so the
+C     facets come from TET and ADJ: the open ones without the vertex S.
+C     (Those with it are edges of its link.)
+      SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
+      INTEGER TSFULL, TSQUOT
+      INTEGER NP, MPOOL, NOPEN, FRESH, OPEN, FOREIN, ENTRY
+      PARAMETER (NP = 1, MPOOL = 6, NOPEN = 7, FRESH = 8, OPEN = -1)
+      PARAMETER (FOREIN = -1, ENTRY = 4)
+      INTEGER CODE, I, OTHER, V(3)
+      OK = 0
       CTL(MPOOL) = MIN(WANTED, TSQUOT(CTL, 2))
       CTL(NOPEN) = 0
+      IF (CTL(MPOOL) .LT. 1) RETURN
       DO 10 I = 1, CTL(MPOOL)
         POOL(ENTRY*(I-1)+1) = 0
    10 CONTINUE
       DO 20 I = 1, CTL(NP)
         IF (HEAD(I) .NE. FOREIN) HEAD(I) = 0
    20 CONTINUE
-      OK = 1
-      IF (CTL(MPOOL) .LT. 1) OK = 0
-      END
-
-C     TSREHA - give the table another length and enter its facets again
-C     in their order.  OK is 1, or 0 if there is no room.  The new table
-C     is laid over the old one, so the facets come from TET and ADJ: the
-C     open ones without the vertex S.  (Those with it are edges of its
-C     link.)
-      SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
-      INTEGER TSFULL
-      INTEGER NOPEN, FRESH, OPEN
-      PARAMETER (NOPEN = 7, FRESH = 8, OPEN = -1)
-      INTEGER CODE, I, OTHER, V(3)
-      CALL TSNEWT(HEAD, POOL, CTL, WANTED, OK)
-      IF (OK .EQ. 0) RETURN
-      OK = 0
-      DO 10 I = 1, 4*(CTL(FRESH) - 1)
-        IF (ADJ(I) .NE. OPEN) GO TO 10
+      DO 30 I = 1, 4*(CTL(FRESH) - 1)
+        IF (ADJ(I) .NE. OPEN) GO TO 30
         CODE = I
         CALL TSFACE(TET, CODE, V)
-        IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 10
+        IF (V(1) .EQ. S .OR. V(2) .EQ. S .OR. V(3) .EQ. S) GO TO 30
         CALL TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
         IF (TSFULL(CTL, CTL(NOPEN)) .EQ. 1) RETURN
-   10 CONTINUE
+   30 CONTINUE
       OK = 1
       END
 
@@ -1711,27 +1697,73 @@ C     support.
       IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
       END
 
+C     TSTHRO - sets up a support, behind RCTL(AT), through the positions
+C     W and Z, a plane or a sphere, for a search's sample, whose extent
+C     is WIDE.  It takes heights of up to 8 times those of three
+C     quarters of the sample, or of one quarter if that is FINER times
+C     nearer: the points on one of several near sheets.  OK is 1, or 0
+C     if that is more than BAND.
+      SUBROUTINE TSTHRO(P, ORD, RCTL, IQ, W, Z, WIDE, PLANE, AT, OK)
+      DOUBLE PRECISION P(3,*), RCTL(*), WIDE
+      INTEGER ORD(*), IQ(41), W(3), Z, PLANE, AT, OK
+      INTEGER RSCALE, SPLANE, SC, SSIZE, SLOW, SGRAIN
+      INTEGER QOPEND, QSOME, SOME, GRAINS
+      PARAMETER (RSCALE = 5, SPLANE = 88, SC = 91, SSIZE = 95)
+      PARAMETER (SLOW = 96, SGRAIN = 97, QOPEND = 9, QSOME = 9)
+      PARAMETER (SOME = 32, GRAINS = 134217728)
+      DOUBLE PRECISION BAND, FINER, ROUGH
+      PARAMETER (BAND = 2.0D-8, FINER = 100.0D0, ROUGH = 1.0D-3)
+      DOUBLE PRECISION C(3), D, ERR, H(SOME), WORST
+      INTEGER I, K, N, SE
+      N = MIN(IQ(QOPEND), SOME)
+      SE = INT(RCTL(RSCALE))
+      WORST = 0.0D0
+      CALL HHCENT(P, ORD, SE, W, 1, Z, C, RCTL, AT, OK)
+      IF (OK .EQ. 0) RETURN
+      OK = 0
+      CALL HHUNIT(RCTL, AT, PLANE, C)
+      DO 20 I = 1, N
+        CALL HHHEIG(P, ORD, RCTL, AT, IQ(QSOME+I), PLANE, D, ERR)
+        D = ABS(D)
+        IF (ERR .GT. 1.0D0) RETURN
+        WORST = MAX(WORST, ERR)
+        H(I) = D
+        DO 10 K = I, 2, -1
+          IF (H(K-1) .LE. D) GO TO 20
+          H(K) = H(K-1)
+          H(K-1) = D
+   10   CONTINUE
+   20 CONTINUE
+      D = H(3*N/4+1)
+      IF (H(N/4+1) .LT. D/FINER) D = H(N/4+1)
+      D = 16.0D0*D/DBLE(GRAINS)
+      RCTL(AT+SPLANE) = DBLE(PLANE)
+      RCTL(AT+SGRAIN) = MAX(D, 8.0D0*WORST)
+      RCTL(AT+SLOW) = -0.5D0*RCTL(AT+SGRAIN)*DBLE(GRAINS)
+      RCTL(AT+SSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
+      DO 30 K = 1, 3
+        RCTL(AT+SC+K) = C(K)
+   30 CONTINUE
+      D = BAND*WIDE
+      IF (PLANE .EQ. 0) D = ROUGH*WIDE*WIDE
+      IF (-RCTL(AT+SLOW) .LE. D) OK = 1
+      END
+
 C     TSFIT - sets up a support, behind RCTL(AT), through the widest of
-C     the points that a search left open.  It takes heights of up to 8
-C     times those of three quarters of the points, or of one quarter if
-C     that is FINER times nearer: the points on one of several near
-C     sheets.  The support is a plane where the points are on no sphere:
-C     sheets near each other are one.  OK is 1 if it is set up, or 0.
+C     the points that a search left open: a sphere, or a plane where the
+C     points are on none (sheets near each other are one).  OK is 1 if
+C     it is set up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), IQ(41), AT, OK
       DOUBLE PRECISION TSDOT
-      INTEGER NP, RSCALE, BUNIT, SPLANE, SAT, SC, SSIZE, SLOW, SGRAIN
-      INTEGER QOPEND, QSOME, SOME, GRAINS
-      PARAMETER (NP = 1, RSCALE = 5, BUNIT = 86, SPLANE = 88, SAT = 88)
-      PARAMETER (SC = 91, SSIZE = 95, SLOW = 96, SGRAIN = 97)
-      PARAMETER (QOPEND = 9, QSOME = 9, SOME = 32)
-      PARAMETER (GRAINS = 134217728)
-      DOUBLE PRECISION FINER, SMALL
-      PARAMETER (FINER = 100.0D0, SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION C(3), D, E(3), ERR, H(SOME), LOW, MOST, U(3,SOME)
-      DOUBLE PRECISION WIDE(3), WORST
-      INTEGER FAR, I, J, K, N, PLANE, SE, UP, W(3), Z
+      INTEGER NP, BUNIT, SPLANE, SAT, SC, SLOW, QOPEND, QSOME, SOME
+      PARAMETER (NP = 1, BUNIT = 86, SPLANE = 88, SAT = 88, SC = 91)
+      PARAMETER (SLOW = 96, QOPEND = 9, QSOME = 9, SOME = 32)
+      DOUBLE PRECISION SMALL
+      PARAMETER (SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION D, E(3), ERR, LOW, U(3,SOME), WIDE(3)
+      INTEGER FAR, I, J, K, N, UP, W(3), Z
       OK = 0
       N = MIN(IQ(QOPEND), SOME)
       W(1) = V(1)
@@ -1762,59 +1794,29 @@ C     the farthest one, and what is left of all
    50     CONTINUE
    60   CONTINUE
    70 CONTINUE
-      PLANE = 0
-      IF (WIDE(3) .LT. 1.0D-7*WIDE(1)) PLANE = 1
-      SE = INT(RCTL(RSCALE))
-      WORST = 0.0D0
-   80 IF (PLANE .EQ. 1) Z = W(1)
-      CALL HHCENT(P, ORD, SE, W, 1, Z, C, RCTL, AT, OK)
+      IF (WIDE(3) .GE. 1.0D-7*WIDE(1))
+     $  CALL TSTHRO(P, ORD, RCTL, IQ, W, Z, WIDE(1), 0, AT, OK)
+      IF (OK .EQ. 0)
+     $  CALL TSTHRO(P, ORD, RCTL, IQ, W, W(1), WIDE(1), 1, AT, OK)
       IF (OK .EQ. 0) RETURN
-      OK = 0
-      CALL HHUNIT(RCTL, AT, PLANE, C)
-      DO 100 I = 1, N
-        CALL HHHEIG(P, ORD, RCTL, AT, IQ(QSOME+I), PLANE, D, ERR)
-        D = ABS(D)
-        IF (ERR .GT. 1.0D0) RETURN
-        WORST = MAX(WORST, ERR)
-        H(I) = D
-        DO 90 K = I, 2, -1
-          IF (H(K-1) .LE. D) GO TO 100
-          H(K) = H(K-1)
-          H(K-1) = D
-   90   CONTINUE
-  100 CONTINUE
-      D = H(3*N/4+1)
-      IF (H(N/4+1) .LT. D/FINER) D = H(N/4+1)
-      D = 16.0D0*D/DBLE(GRAINS)
-      RCTL(AT+SGRAIN) = MAX(D, 8.0D0*WORST)
-      LOW = -0.5D0*RCTL(AT+SGRAIN)*DBLE(GRAINS)
-      MOST = 1.0D-3*WIDE(1)
-      IF (PLANE .EQ. 0) MOST = MOST*WIDE(1)
-      IF (-LOW .GT. MOST) THEN
-        IF (PLANE .EQ. 1) RETURN
-        PLANE = 1
-        GO TO 80
-      END IF
-      OK = 1
-      RCTL(AT+SLOW) = LOW
-      RCTL(AT+SPLANE) = DBLE(PLANE)
-      RCTL(AT+SSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
-      DO 105 K = 1, 3
-        RCTL(AT+SC+K) = C(K)
+      DO 80 K = 1, 3
         RCTL(AT+SAT+K) = X(K,W(1))
-  105 CONTINUE
-      IF (PLANE .EQ. 0) RETURN
+   80 CONTINUE
+      IF (RCTL(AT+SPLANE) .LT. 0.5D0) RETURN
+C     nodes know how far down their points reach, but only that some are
+C     above: the side of a plane with more points is turned up
+      LOW = RCTL(AT+SLOW)
       UP = 0
-      DO 110 I = 1, CTL(NP), CTL(NP)/256 + 1
+      DO 90 I = 1, CTL(NP), CTL(NP)/256 + 1
         Z = I
         CALL TSROUG(X, RCTL, AT, Z, D, ERR)
         IF (D .GT. ERR - LOW) UP = UP + 1
         IF (D .LT. LOW - ERR) UP = UP - 1
-  110 CONTINUE
+   90 CONTINUE
       IF (UP .GE. 0) RETURN
-      DO 120 K = 1, 3
+      DO 100 K = 1, 3
         RCTL(AT+SC+K) = -RCTL(AT+SC+K)
-  120 CONTINUE
+  100 CONTINUE
 C     of heights by limbs, too
       RCTL(AT+BUNIT) = -RCTL(AT+BUNIT)
       END
@@ -2280,12 +2282,13 @@ C     lengths, radii; of each of these numbers four in a row.
 
 C     TSENCL - makes the cylinder of a node, CYL(J,.,AT).  The axis is
 C     the column of the greatest diagonal element in the matrix of
-C     second moments (a rod) or in its adjugate (a disc), whichever
-C     gives less volume.  SLENDR is 1 if that volume is below SLIM of
+C     second moments about the mean (a rod) or in its adjugate (a disc),
+C     whichever gives less volume.  About another point, a plane's would
+C     not tell its normal.  SLENDR is 1 if that volume is below SLIM of
 C     the box's, or 0.  In units of the sum of |X(K)|, the differences
-C     from the box's middle err by EPS, their products with the axis and
-C     what is left across it by less than 40 EPS, the centre by 10 EPS:
-C     together less than 64 EPS.
+C     from the mean err by EPS, their products with the axis and what is
+C     left across it by less than 40 EPS, the centre by 10 EPS: together
+C     less than 64 EPS.
       SUBROUTINE TSENCL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
       INTEGER CTL(*), NODE, AT, J, SLENDR
@@ -2303,28 +2306,33 @@ C     together less than 64 EPS.
       DO 10 K = 1, 3
         A(K) = 0.0D0
         A(3+K) = 0.0D0
-        MID(K) = 0.5D0*(BOX(K,NODE) + BOX(3+K,NODE))
+        MID(K) = 0.0D0
         PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
      $      + SMALL
    10 CONTINUE
-      DO 40 I = FIRST, LAST
+      DO 30 I = FIRST, LAST
         DO 20 K = 1, 3
-          Y(K) = X(K,I) - MID(K)
+          MID(K) = MID(K) + X(K,I)/DBLE(LAST - FIRST + 1)
    20   CONTINUE
-        DO 30 K = 1, 3
+   30 CONTINUE
+      DO 60 I = FIRST, LAST
+        DO 40 K = 1, 3
+          Y(K) = X(K,I) - MID(K)
+   40   CONTINUE
+        DO 50 K = 1, 3
           A(K) = A(K) + Y(K)*Y(K)
           A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
-   30   CONTINUE
-   40 CONTINUE
-      DO 120 DISC = 0, 1
-        DO 60 K = 1, 3
+   50   CONTINUE
+   60 CONTINUE
+      DO 130 DISC = 0, 1
+        DO 70 K = 1, 3
           M = MOD(K, 3) + 1
           L = MOD(K + 1, 3) + 1
           Q(K) = A(K)
           Q(3+K) = A(3+K)
           IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
           IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
-   60   CONTINUE
+   70   CONTINUE
         K = 1
         IF (Q(2) .GT. Q(1)) K = 2
         IF (Q(3) .GT. Q(K)) K = 3
@@ -2347,27 +2355,27 @@ C       too small to have a direction: any
         LO = HUGE
         HI = -HUGE
         RR = 0.0D0
-        DO 100 I = FIRST, LAST
+        DO 110 I = FIRST, LAST
           DO 90 K = 1, 3
             Y(K) = X(K,I) - MID(K)
    90     CONTINUE
           S = TSDOT(Y, U)
           LO = MIN(LO, S)
           HI = MAX(HI, S)
-          DO 95 K = 1, 3
+          DO 100 K = 1, 3
             Y(K) = Y(K) - S*U(K)
-   95     CONTINUE
+  100     CONTINUE
           RR = MAX(RR, TSDOT(Y, Y))
-  100   CONTINUE
-        IF ((HI - LO)*RR .GE. VOLUME) GO TO 120
+  110   CONTINUE
+        IF ((HI - LO)*RR .GE. VOLUME) GO TO 130
         VOLUME = (HI - LO)*RR
-        DO 110 K = 1, 3
+        DO 120 K = 1, 3
           CYL(J,K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
           CYL(J,3+K,AT) = U(K)
-  110   CONTINUE
+  120   CONTINUE
         CYL(J,7,AT) = 0.5D0*(HI - LO) + PAD
         CYL(J,8,AT) = SQRT(RR) + PAD
-  120 CONTINUE
+  130 CONTINUE
       SLENDR = 0
       IF (3.2D0*VOLUME .LT. SLIM*(BOX(4,NODE) - BOX(1,NODE))*
      $    (BOX(5,NODE) - BOX(2,NODE))*(BOX(6,NODE) - BOX(3,NODE)))
@@ -3157,30 +3165,25 @@ C     consider.
 C     TSTREE - finishes a search in the tree: the leaf of the base
 C     first, then its parent's other child, and so on up to the root;
 C     with cylinders, its grandparent's other three grandchildren.
-C     Everything below the node TOP has been searched.  For a facet on a
-C     support, the search goes from the root down, the child of lesser
-C     height first, as the apex may be anywhere.
+C     Everything below the node TOP has been searched.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
      $                  IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41)
       INTEGER TSPRUN, TSLEAF, TSGROU
-      INTEGER NP, LEAVES, ROUND, QBALL, QBASE, QON, DEPTH
-      PARAMETER (NP = 1, LEAVES = 4, ROUND = 28, QBALL = 3, QBASE = 4)
+      INTEGER LEAVES, ROUND, QBALL, QBASE, QON, DEPTH
+      PARAMETER (LEAVES = 4, ROUND = 28, QBALL = 3, QBASE = 4)
       PARAMETER (QON = 6, DEPTH = 96)
       DOUBLE PRECISION LOOSE
       PARAMETER (LOOSE = 0.5D0)
       DOUBLE PRECISION PAST(4)
-      INTEGER FOURS, FROM, HEIGHT, LEAST, N, NEAR, NODE, OUT
+      INTEGER FOURS, FROM, HEIGHT, N, NEAR, NODE, OUT
       INTEGER STACK(DEPTH), TOP
       NEAR = IQ(QON)
-      LEAST = CTL(NP) + 2*CTL(LEAVES)*(NEAR - 1)
       FOURS = CTL(ROUND)/2
       IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
      $    FOURS = 0
-      TOP = 1
-      IF (NEAR .EQ. 0) TOP = CTL(LEAVES) +
-     $    TSLEAF(CTL, V(IQ(QBASE))) - 1
+      TOP = CTL(LEAVES) + TSLEAF(CTL, V(IQ(QBASE))) - 1
       HEIGHT = 1
       STACK(1) = TOP
    10 FROM = TOP
@@ -3221,12 +3224,8 @@ C       one child alive each: FROM, as the base's star is not complete
      $              NODE)
         GO TO 10
       END IF
-      N = 0
-      IF (NEAR .NE. 0) THEN
-        IF (MARK(LEAST+2*NODE) .LT. MARK(LEAST+2*NODE+1)) N = 1
-      END IF
-      STACK(HEIGHT+1) = 2*NODE + N
-      STACK(HEIGHT+2) = 2*NODE + 1 - N
+      STACK(HEIGHT+1) = 2*NODE
+      STACK(HEIGHT+2) = 2*NODE + 1
       HEIGHT = HEIGHT + 2
       GO TO 10
       END
@@ -3463,8 +3462,9 @@ C     points have two triangulations, and V is not part of the one whose
 C     lifted facets are the lower ones; so the tetrahedron of that one
 C     that holds S* is V with Z in place of a vertex.  Each such step
 C     lowers the height over S*; three searches in a row without a step
-C     end it.  The points of the leaf alone come first: without that, a
-C     query from anywhere takes three times as long.
+C     end it.  This is done with the points of the leaf alone, and then
+C     with all: without the former, a query from anywhere takes three
+C     times as long.
 C
 C     Vertices may be complete, and then no list has them: the search
 C     uses the tree alone.
@@ -3483,7 +3483,7 @@ C     uses the tree alone.
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, QBEST = 1, T3 = 1)
       PARAMETER (NCELL = 29)
       DOUBLE PRECISION F(12), FQ(108)
-      INTEGER FIRST, G(3), GUESS(2), I, IQ(41), J, K, LEAF, LENGTH
+      INTEGER ALL, FIRST, G(3), GUESS(2), I, IQ(41), J, K, LEAF, LENGTH
       INTEGER NODE, OK, R(4), SAME, Z
       LEAF = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAF - 1
@@ -3525,33 +3525,35 @@ C     uses the tree alone.
         R(K) = V(K)
    60 CONTINUE
       GUESS(2) = 0
-      SAME = 0
       K = 1
-   70 G(1) = S
-      G(2) = V(MOD(K,3)+2)
-      G(3) = V(MOD(K+1,3)+2)
-      GUESS(1) = V(K+1)
-      IF (SAME .GE. 3) THEN
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, LSX,
-     $              LSID, LSI, LSD, G, GUESS, Z)
-      ELSE
-        CALL TSPREP(X, P, ORD, MARK, RCTL, G, IQ, F, FQ)
-        CALL TSCHAL(X, P, ORD, MARK, RCTL, G, IQ, F, FQ, GUESS(1))
-        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, G, IQ, F, FQ,
-     $              NODE)
-        Z = IQ(QBEST)
-      END IF
-      SAME = SAME + 1
-      IF (Z .NE. V(K+1)) THEN
-        J = 1
-   80   J = J + 1
-        CALL TSEXCH(X, P, ORD, RCTL, 1, R, V, J, Z, OK)
-        IF (OK .EQ. 0) GO TO 80
-        SAME = 3*(SAME/4)
-        IF (J .EQ. K + 1) SAME = SAME + 1
-      END IF
-      K = MOD(K,3) + 1
-      IF (SAME .LT. 6) GO TO 70
+      DO 90 ALL = 0, 1
+        SAME = 0
+   70   G(1) = S
+        G(2) = V(MOD(K,3)+2)
+        G(3) = V(MOD(K+1,3)+2)
+        GUESS(1) = V(K+1)
+        IF (ALL .EQ. 1) THEN
+          CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, LSX,
+     $                LSID, LSI, LSD, G, GUESS, Z)
+        ELSE
+          CALL TSPREP(X, P, ORD, MARK, RCTL, G, IQ, F, FQ)
+          CALL TSCHAL(X, P, ORD, MARK, RCTL, G, IQ, F, FQ, GUESS(1))
+          CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, G, IQ, F,
+     $                FQ, NODE)
+          Z = IQ(QBEST)
+        END IF
+        SAME = SAME + 1
+        IF (Z .NE. V(K+1)) THEN
+          J = 1
+   80     J = J + 1
+          CALL TSEXCH(X, P, ORD, RCTL, 1, R, V, J, Z, OK)
+          IF (OK .EQ. 0) GO TO 80
+          SAME = 0
+          IF (J .EQ. K + 1) SAME = 1
+        END IF
+        K = MOD(K,3) + 1
+        IF (SAME .LT. 3) GO TO 70
+   90 CONTINUE
       END
 
 C     ------------------------------------------------------------------
@@ -3893,10 +3895,17 @@ C     block's list.
 
 C     TSMKRO - make room for another tetrahedron's facets in the table
 C     and in the link of S.  OK is 1, or 0 if there is none.  Callers
-C     must reload OLDEST.  When the table is three quarters full or
-C     meets the link, the edges move up if an eighth of their room is
-C     dead, and the table is resized if that changes it by a sixteenth:
-C     so both are rare.
+C     must reload OLDEST.
+C
+C                  1         ENTRY*M     NEWEST     OLDEST   ROOM
+C       before     | table      | free   | edges      | dead   |
+C       TSRENU     | table      | free            | edges      |
+C       TSREHA     | longer, or shorter table | free | edges   |
+C
+C     That is done when the table is three quarters full or meets the
+C     edges: these move up if an eighth of their room is dead, and the
+C     table is resized if that changes it by a sixteenth, so both are
+C     rare.
       SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
       INTEGER TSFULL, TSQUOT
@@ -4239,8 +4248,8 @@ C     their largest absolute value.
       TSINRA = 1
       END
 
-C     TSTIME - multiply all coordinates by 2**E, a normal double.
-      SUBROUTINE TSTIME(X, CTL, E)
+C     TSRESC - multiply all coordinates by 2**E, a normal double.
+      SUBROUTINE TSRESC(X, CTL, E)
       DOUBLE PRECISION X(3,*)
       INTEGER CTL(*), E
       DOUBLE PRECISION HHLDEX
@@ -4317,8 +4326,8 @@ C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE.
       INFO = 0
       E = HHFREX(TOP)
       RCTL(RSCALE) = DBLE(E)
-      CALL TSTIME(X, CTL, -(E/2))
-      CALL TSTIME(X, CTL, -(E - E/2))
+      CALL TSRESC(X, CTL, -(E/2))
+      CALL TSRESC(X, CTL, -(E - E/2))
       IF (HHLDEX(BOTTOM, -E) .LT. SMALL) RCTL(T3) = -2.0D0
       U = 0.0D0
       IF (HHLDEX(BOTTOM, -E) .GE. NORMAL) U = TSUNIT(X, CTL)
@@ -4507,90 +4516,27 @@ C     upper bound of their number.
    20 CONTINUE
       END
 
-C     TSMTCH - INFO is 0 if the open facets of two codes, which have the
-C     same vertices, are on different sides, and the apex of one is not
-C     in the ball of the other; else -6 or -5.
-      SUBROUTINE TSMTCH(X, P, ORD, TET, RCTL, CODE, OTHER, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), TET(4,*), CODE, OTHER, INFO
-      INTEGER HHPBAL
-      INTEGER T3, T5
-      PARAMETER (T3 = 1, T5 = 2)
-      INTEGER F(3), J, K, T, U
-      T = (CODE - 1)/4 + 1
-      U = (OTHER - 1)/4 + 1
-      K = OTHER - 4*(U - 1)
-      CALL TSFACE(TET, CODE, F)
-      CALL TSMATE(TET, F, U, J)
-      INFO = -6
-      IF (J .NE. K) RETURN
-      INFO = 0
-      IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), TET(1,T), TET(2,T),
-     $    TET(3,T), TET(4,T), TET(K,U), 1) .LT. 0) INFO = -5
-      END
-
-C     TSREJO - close the facets that are open twice, as in concatenated
-C     results.  INFO is 0, FULL, or what TSMTCH finds.  Until all are
-C     known to be right, a neighbour found is only noted in ADJ, by a
-C     value below OPEN.
-      SUBROUTINE TSREJO(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL,
-     $                  INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), INFO
-      INTEGER TSFULL
-      INTEGER NT, ROOM, NOPEN, OPEN, ENTRY, FULL
-      PARAMETER (NT = 2, ROOM = 5, NOPEN = 7, OPEN = -1, ENTRY = 4)
-      PARAMETER (FULL = 2)
-      INTEGER CODE, I, OK, OTHER
-      DO 10 I = 1, 4*CTL(NT)
-        IF (ADJ(I) .EQ. OPEN .AND. CTL(NOPEN) .LT. CTL(ROOM)/ENTRY)
-     $    CTL(NOPEN) = CTL(NOPEN) + 1
-   10 CONTINUE
-      INFO = FULL
-      CALL TSNEWT(HEAD, POOL, CTL, 2*CTL(NOPEN) + 1, OK)
-      IF (OK .EQ. 0) RETURN
-      INFO = 0
-      DO 20 I = 1, 4*CTL(NT)
-        IF (ADJ(I) .EQ. OPEN .AND. INFO .EQ. 0) THEN
-          CODE = I
-          CALL TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
-          IF (TSFULL(CTL, CTL(NOPEN)) .EQ. 1) INFO = FULL
-          IF (OTHER .NE. 0) THEN
-            CALL TSMTCH(X, P, ORD, TET, RCTL, CODE, OTHER, INFO)
-            ADJ(CODE) = OPEN - (OTHER - 1)/4 - 1
-            ADJ(OTHER) = OPEN - (CODE - 1)/4 - 1
-          END IF
-        END IF
-   20 CONTINUE
-      DO 30 I = 1, 4*CTL(NT)
-        IF (ADJ(I) .LT. OPEN .AND. INFO .LT. 0) ADJ(I) = OPEN
-        IF (ADJ(I) .LT. OPEN) ADJ(I) = OPEN - ADJ(I)
-   30 CONTINUE
-      END
-
 C     TSREST - resume an unfinished result that TSINTA has passed:
-C     convert TET to positions and rejoin; remove completed points from
-C     the tree; the open facets at S, the first vertex of the last
-C     tetrahedron, become edges of its link in the order of their
-C     tetrahedra, and the others enter the pool.  INFO is 0, FULL, -5 or
-C     -6.
+C     convert TET to positions; remove completed points from the tree;
+C     the open facets at S, the first vertex of the last tetrahedron,
+C     become edges of its link in the order of their tetrahedra, and the
+C     others enter the pool.  INFO is 0, FULL, or -6 for a facet that is
+C     open twice.
 C
 C     HEAD has the positions of the points at first.
-      SUBROUTINE TSREST(X, P, ORD, TET, ADJ, ALIVE, REP, HEAD, LINK,
-     $                  POOL, CTL, RCTL, LSX, LSI, S, N, MASKED, MINE,
-     $                  INFO)
+      SUBROUTINE TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL,
+     $                  LSX, LSI, S, N, MASKED, MINE, INFO)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*)
-      INTEGER LINK(*), POOL(*), CTL(*), LSI(3,2), S, N, MASKED, MINE(*)
-      INTEGER INFO
-      INTEGER TSTABL
-      INTEGER NP, NT, MPOOL, NOPEN, OPEN, DONE, FOREIN, FULL
-      PARAMETER (NP = 1, NT = 2, MPOOL = 6, NOPEN = 7, OPEN = -1)
-      PARAMETER (DONE = -1, FOREIN = -1, FULL = 2)
-      INTEGER CODE, E, I, K, OK, OWN, T, V(3)
+      INTEGER TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*), LINK(*)
+      INTEGER POOL(*), CTL(*), LSI(3,2), S, N, MASKED, MINE(*), INFO
+      INTEGER TSOWNE, TSTABL
+      INTEGER NP, NT, ROOM, MPOOL, NOPEN, OPEN, DONE, FOREIN, FULL
+      INTEGER ENTRY
+      PARAMETER (NP = 1, NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7)
+      PARAMETER (OPEN = -1, DONE = -1, FOREIN = -1, FULL = 2, ENTRY = 4)
+      INTEGER CODE, E, I, K, MANY, OK, OWN, T, V(3)
       DO 20 T = 1, CTL(NT)
         DO 10 K = 1, 4
           TET(K,T) = HEAD(TET(K,T))
@@ -4598,12 +4544,12 @@ C     HEAD has the positions of the points at first.
    10   CONTINUE
    20 CONTINUE
       CALL TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, OWN)
-      CALL TSREJO(X, P, ORD, TET, ADJ, HEAD, POOL, CTL, RCTL, INFO)
-      IF (INFO .NE. 0) RETURN
+      MANY = 0
       DO 40 I = 1, 4*CTL(NT)
         IF (ADJ(I) .EQ. OPEN) THEN
           CODE = I
           CALL TSFACE(TET, CODE, V)
+          IF (TSOWNE(HEAD, V) .NE. 0) MANY = MANY + 1
           DO 30 K = 1, 3
             LINK(V(K)) = 0
    30     CONTINUE
@@ -4616,9 +4562,18 @@ C     HEAD has the positions of the points at first.
           CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, E)
         END IF
    50 CONTINUE
+      INFO = FULL
+      IF (MANY .GT. CTL(ROOM)/ENTRY) RETURN
+      CTL(NOPEN) = MANY
+      CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, 0, 2*MANY + 1, OK)
+      IF (OK .EQ. 0) RETURN
+C     its two sides removed each other
+      INFO = -6
+      IF (CTL(NOPEN) .LT. MANY) RETURN
+      INFO = 0
       S = TET(1,CTL(NT))
       IF (HEAD(S) .EQ. FOREIN) S = 0
-      I = MAX(2*CTL(NOPEN), TSTABL(OWN)) + 1
+      I = MAX(2*MANY, TSTABL(OWN)) + 1
       CTL(MPOOL) = 0
       CALL TSGATH(TET, ADJ, LINK, POOL, CTL, S, OK)
       IF (OK .EQ. 1) CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, I, OK)
@@ -4686,8 +4641,8 @@ C     doubles decide everything if points are in few units
       IF (CTL(NT) .GT. 0) THEN
         CALL TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
         IF (INFO .NE. 0) RETURN
-        CALL TSREST(X, P, ORD, TET, ADJ, ALIVE, REP, HEAD, LINK, POOL,
-     $              CTL, RCTL, LSX, LSI, S, N, MASKED, MINE, INFO)
+        CALL TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL, LSX,
+     $              LSI, S, N, MASKED, MINE, INFO)
       ELSE
         CALL TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, OWN)
         IF (MASKED .EQ. 0) CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL,
@@ -4748,10 +4703,10 @@ C     there are no marks
      $            IW(K+2*N+1), SPACE, IW(AT), ROOMY, INFO)
       END
 
-C     TSWRON - INFO is the code of a bad argument of TESSRE, or 0; WHICH
+C     TSBADA - INFO is the code of a bad argument of TESSRE, or 0; WHICH
 C     is the point that is not finite, or 0.  With MASKED = 1 the points
 C     are known to be finite.
-      SUBROUTINE TSWRON(N, P, MASKED, MAXTET, NTET, TET, ADJ, LIW, LRW,
+      SUBROUTINE TSBADA(N, P, MASKED, MAXTET, NTET, TET, ADJ, LIW, LRW,
      $                  WHICH, INFO)
       DOUBLE PRECISION P(3,*)
       INTEGER N, MASKED, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, LRW
@@ -4877,7 +4832,7 @@ C     the paper.
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW, INFO
       INTEGER ALL(1)
-      CALL TSWRON(N, P, 0, MAXTET, 0, TET, ADJ, LIW, LRW, NTET, INFO)
+      CALL TSBADA(N, P, 0, MAXTET, 0, TET, ADJ, LIW, LRW, NTET, INFO)
       IF (INFO .NE. 0) RETURN
       ALL(1) = 1
       CALL TSRUN(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW,
@@ -4893,25 +4848,25 @@ C     does not matter.  The result is exactly that of one call with
 C     enough room.  With NTET = 0 it is TESS; on a finished result INFO
 C     is 0 and nothing changes but IW, RW.
 C
-C     Partial results of one mesh may be concatenated: each tetrahedron
-C     once, in any order, with neighbours renumbered, and a facet open
-C     where its neighbour is missing.  Facets that are open on both
-C     sides are then joined, and the missing tetrahedra computed.  Each
-C     facet that waits for its other side takes 4 integers of IW.
+C     The tetrahedra may be in any order, and need not be those that a
+C     call left: any that are in the mesh, each facet between two of
+C     them closed on both sides and open where its neighbour is missing,
+C     as the recipe JOIN makes them of parts.  Each facet that waits for
+C     its other side takes 4 integers of IW.
 C
 C     INFO is what TESS gives; -4 for a bad NTET; -5 and -6 for a fault
 C     in TET and ADJ: an index out of range; a tetrahedron that has a
 C     duplicate for a vertex, is not positively oriented, or has a
 C     neighbour's apex in its ball; neighbours that do not share a
-C     facet; two tetrahedra on the same side of an open facet.  After -k
-C     NTET, TET and ADJ are unchanged.  Damage that one pass cannot find
-C     gives a wrong result, but in bounded time and within the arrays.
+C     facet; a facet that is open twice.  After -k NTET, TET and ADJ are
+C     unchanged.  Damage that one pass cannot find gives a wrong result,
+C     but in bounded time and within the arrays.
       SUBROUTINE TESSRE(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                  INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW, INFO
       INTEGER ALL(1), I
-      CALL TSWRON(N, P, 0, MAXTET, NTET, TET, ADJ, LIW, LRW, I, INFO)
+      CALL TSBADA(N, P, 0, MAXTET, NTET, TET, ADJ, LIW, LRW, I, INFO)
       IF (INFO .NE. 0) RETURN
       ALL(1) = 1
       CALL TSRUN(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW,
@@ -4946,7 +4901,7 @@ C     Cost: O(N log N), about a tenth of that of the mesh.
       PARAMETER (SINGLE = 5, KEEP = 5, INTMAX = 2147483647)
       INTEGER I, LVS, NONE(4,1)
       NONE(1,1) = 0
-      CALL TSWRON(N, P, 0, 0, 0, NONE, NONE, INTMAX, LRW, I, INFO)
+      CALL TSBADA(N, P, 0, 0, 0, NONE, NONE, INTMAX, LRW, I, INFO)
       IF (INFO .NE. 0 .AND. INFO .NE. -9) RETURN
       LVS = TSLCOU(N)
       IF (INFO .EQ. -9) INFO = -5
@@ -4984,6 +4939,10 @@ C       ORD in the place of LINK: no star is complete, no entry is DONE
       END IF
       CALL TSSEAL(HEADER, KNOWN, COUNT, CTL, RCTL, INFO)
       IF (INFO .EQ. RANGE) RETURN
+C     REP becomes number -> position: first of the points that stand for
+C     themselves.  These are the I with ORD(REP(I)) = I, as ORD holds no
+C     duplicate; a duplicate then takes the position of the point it has
+C     in REP
       DO 20 I = 1, CTL(NP)
         REP(ORD(I)) = I
    20 CONTINUE
@@ -4992,7 +4951,6 @@ C       ORD in the place of LINK: no star is complete, no entry is DONE
         IF (K .GT. CTL(NP)) THEN
           REP(I) = REP(K)
         ELSE IF (ORD(K) .NE. I) THEN
-C         a duplicate
           REP(I) = REP(K)
         END IF
    30 CONTINUE
@@ -5022,15 +4980,15 @@ C     Each tetrahedron appears once.  A facet without a marked vertex
 C     stays open.  Parts are computed independently, yet agree on
 C     everything, ties included.  If each point is marked in exactly one
 C     part, and from each part those tetrahedra are taken whose vertex
-C     of least number is marked there, together they are the mesh.
-C     TESSRE joins them.
+C     of least number is marked there, together they are the mesh.  The
+C     recipe JOIN makes them one result.
       SUBROUTINE TESSPA(N, P, MINE, MAXTET, NTET, TET, ADJ, LIW, IW,
      $                  LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*)
       INTEGER LRW, INFO
       INTEGER I
-      CALL TSWRON(N, P, 1, MAXTET, NTET, TET, ADJ, LIW, LRW, I, INFO)
+      CALL TSBADA(N, P, 1, MAXTET, NTET, TET, ADJ, LIW, LRW, I, INFO)
       IF (INFO .EQ. 0) CALL TSRUN(N, P, 1, MINE, MAXTET, NTET, TET, ADJ,
      $    LIW, IW, LRW, RW, INFO)
       IF (INFO .LT. -1) INFO = INFO - 1
@@ -5202,9 +5160,9 @@ C     is 0 if the arithmetic cannot hold a point.
 
 C     TSWALK - walk from T across facets that Q* is beyond.  INFO is 0
 C     when there is none: T holds Q*; 1 at a facet of the hull that Q is
-C     outside of; LOST when only open facets lead on, or after MOST
-C     steps; RANGE when the limbs do not suffice; -4 for a neighbour
-C     that is out of range.
+C     outside of; LOST after MOST steps; RANGE when the limbs do not
+C     suffice; -4 for a facet that is open, or a neighbour that is out
+C     of range.
 C
 C     In a result of TESS the walk meets no tetrahedron twice.  Lift
 C     each point X to the height |X|**2, lowered as the tie rule says:
@@ -5217,104 +5175,31 @@ C     triangulation the height may stay, and the walk may cycle.)
       INTEGER NTET, TET(4,*), ADJ(4,*), MOST, T, INFO
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER TSQSID
-      INTEGER NONE, OPEN, UNSURE, LOST, RANGE
-      PARAMETER (NONE = 0, OPEN = -1, UNSURE = 2, LOST = 99, RANGE = 6)
-      INTEGER F(3), LAST, NEXT, STEPS, U, K, S, MET
+      INTEGER NONE, UNSURE, LOST, RANGE
+      PARAMETER (NONE = 0, UNSURE = 2, LOST = 99, RANGE = 6)
+      INTEGER F(3), LAST, STEPS, U, K, S
       LAST = NONE
       DO 30 STEPS = 1, MOST
-        NEXT = NONE
-        MET = 0
         DO 10 K = 1, 4
           U = ADJ(K,T)
-          IF (U .GT. 0 .AND. U .EQ. LAST) GO TO 10
-          CALL TSOUTF(TET, T, K, F)
-          S = TSQSID(P, F, Q, TET)
-          IF (S .EQ. UNSURE) THEN
-            INFO = RANGE
-            RETURN
-          END IF
-          IF (S .LT. 0) GO TO 10
-          IF (U .EQ. NONE) THEN
-            INFO = 1
-            RETURN
-          END IF
-          IF (U .LT. OPEN .OR. U .GT. NTET) THEN
-            INFO = -4
-            RETURN
-          END IF
-          IF (U .EQ. OPEN) THEN
-            MET = 1
-          ELSE
-            NEXT = U
-            GO TO 20
+          IF (U .NE. LAST .OR. U .EQ. NONE) THEN
+            CALL TSOUTF(TET, T, K, F)
+            S = TSQSID(P, F, Q, TET)
+            IF (S .GE. 0) GO TO 20
           END IF
    10   CONTINUE
-   20   IF (NEXT .EQ. NONE) THEN
-          INFO = 0
-          IF (MET .EQ. 1) INFO = LOST
-          RETURN
-        END IF
+        INFO = 0
+        RETURN
+   20   INFO = RANGE
+        IF (S .EQ. UNSURE) RETURN
+        INFO = 1
+        IF (U .EQ. NONE) RETURN
+        INFO = -4
+        IF (U .LT. 1 .OR. U .GT. NTET) RETURN
         LAST = T
-        T = NEXT
+        T = U
    30 CONTINUE
       INFO = LOST
-      END
-
-C     TSHOLD - S is 1 if the closed tetrahedron T contains Q, else 0;
-C     UNSURE if the limbs do not suffice.
-      SUBROUTINE TSHOLD(P, TET, T, Q, S)
-      INTEGER TET(4,*), T, S
-      DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER TSINBO, TSORIQ
-      INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
-      INTEGER F(3), K
-      S = 0
-      IF (TSINBO(P, TET, T, Q) .EQ. 0) RETURN
-      DO 10 K = 1, 4
-        CALL TSOUTF(TET, T, K, F)
-        S = TSORIQ(P, F, Q)
-        IF (S .EQ. UNSURE) RETURN
-        IF (S .GT. 0) GO TO 20
-   10 CONTINUE
-      S = 1
-      RETURN
-   20 S = 0
-      END
-
-C     TSSWEE - find T, the first tetrahedron that holds Q (INFO 0) or,
-C     if there is none, the first one with a hull or open facet that Q
-C     is outside of (INFO 1); INFO is RANGE when the limbs do not
-C     suffice.
-      SUBROUTINE TSSWEE(P, NTET, TET, ADJ, Q, T, INFO)
-      INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
-      DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER TSORIQ
-      INTEGER NONE, UNSURE, RANGE
-      PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6)
-      INTEGER F(3), I, FOUND, K, S, U
-      FOUND = NONE
-      INFO = RANGE
-      DO 20 I = 1, NTET
-        U = I
-        CALL TSHOLD(P, TET, U, Q, S)
-        IF (S .EQ. UNSURE) RETURN
-        IF (S .EQ. 1) THEN
-          T = U
-          INFO = 0
-          RETURN
-        END IF
-        DO 10 K = 1, 4
-          IF (FOUND .EQ. NONE .AND. ADJ(K,U) .LE. 0) THEN
-            CALL TSOUTF(TET, U, K, F)
-            S = TSORIQ(P, F, Q)
-            IF (S .EQ. UNSURE) RETURN
-            IF (S .GT. 0) FOUND = U
-          END IF
-   10   CONTINUE
-   20 CONTINUE
-      IF (FOUND .NE. NONE) T = FOUND
-      INFO = 1
       END
 
 C     TSHULL - one step towards the hull's point nearest to Q, from a
@@ -5334,8 +5219,7 @@ C     segment from Q to Y enters the hull, at a point nearer still, Q is
 C     outside of a facet; and this facet contains X if Y is near enough,
 C     as the segment from Q to X meets the hull in X alone.  All this is
 C     exact, and each facet is nearer than the one before, so the walk
-C     ends.  (In an unfinished result, which is not convex, it ends
-C     where no facet joined to these about the point is nearer.)
+C     ends.
       SUBROUTINE TSHULL(P, Q, G, H, W, STEP)
       INTEGER G(3), H(10), STEP
       DOUBLE PRECISION P(3,*), Q(3), W(3)
@@ -5408,8 +5292,8 @@ C     not match.
       SUBROUTINE TSTURN(NTET, TET, ADJ, T, K, Z, OK)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, K, Z, OK
       INTEGER TSSLOT
-      INTEGER NONE, OPEN
-      PARAMETER (NONE = 0, OPEN = -1)
+      INTEGER NONE
+      PARAMETER (NONE = 0)
       INTEGER F(3), I, STEPS, U, Y
       OK = 0
       Y = Z
@@ -5417,7 +5301,7 @@ C     not match.
         I = TSSLOT(TET, T, Y)
         IF (I .EQ. 5) RETURN
         U = ADJ(I,T)
-        IF (U .EQ. NONE .OR. U .EQ. OPEN) THEN
+        IF (U .EQ. NONE) THEN
           K = I
           OK = 1
           RETURN
@@ -5448,7 +5332,7 @@ C     RANGE or -4.
       H(HFROM) = NONE
       H(HMOST) = 4*NTET
       DO 10 K = 1, 4
-        IF (ADJ(K,U) .GT. 0) GO TO 10
+        IF (ADJ(K,U) .NE. NONE) GO TO 10
         CALL TSOUTF(TET, U, K, G)
         IF (TSQSID(P, G, Q, TET) .EQ. 1) GO TO 20
    10 CONTINUE
@@ -5486,11 +5370,13 @@ C                      is outside: W then holds the weights of the point
 C                      of the hull nearest to Q, none negative, and T is
 C                      the tetrahedron of a hull facet that has this
 C                      point, so that the interpolant is continuous in
-C                      Q; -2 for NTET < 1, -4 for a neighbour that is
-C                      out of range or does not match, -5 for a NaN or
-C                      infinity in Q, -6 for a T that is out of range;
-C                      6, W = 0, when the arithmetic cannot hold the
-C                      coordinates (see TESS)
+C                      Q; -2 for NTET < 1; -4 where the walk shows that
+C                      TET and ADJ are no finished result: it meets an
+C                      open facet or a neighbour that is out of range
+C                      or does not match, or takes NTET steps; -5 for a
+C                      NaN or infinity in Q, -6 for a T that is out of
+C                      range; 6, W = 0, when the arithmetic cannot hold
+C                      the coordinates (see TESS)
 C
 C     Inside, no weight is negative; a weight is 0 where Q is in the
 C     plane of the facet opposite to its vertex, and otherwise only in a
@@ -5499,27 +5385,20 @@ C     the sum of W(K) times vertex K is Q, to rounding, in slivers too.
 C     Outside, the one to three vertices that carry the nearest point
 C     are decided exactly, and each weight is right to rounding.  Do not
 C     extrapolate by the gradient of T: tetrahedra at the hull are often
-C     slivers, whose gradients are far steeper than the field's.  An
-C     open facet counts as hull; but an unfinished result is not convex:
-C     the point found is the nearest one of the facets that are joined
-C     about it, and another may be nearer.
+C     slivers, whose gradients are far steeper than the field's.
 C
-C     A walk (see TSWALK); where it fails, a sweep over all tetrahedra;
-C     then, for a Q outside, a walk over the hull (see TSHULL).
+C     A walk (see TSWALK); then, for a Q outside, a walk over the hull
+C     (see TSHULL).
 C
 C     It is Q*, not Q, that is located.  The hull is convex and Q* is
 C     nearer to its inside, so Q* is inside of it when Q is inside or on
 C     its boundary, and then the answer depends on the points, TET and Q
 C     alone.  For a Q outside, the start decides which of the facets
-C     that have the hull's nearest point is found.  In an unfinished
-C     result open facets may stop the walk though some tetrahedron holds
-C     Q; in a triangulation from elsewhere it may cycle: both are left
-C     to the sweep.
+C     that have the hull's nearest point is found.
 C
 C     Cost: proportional to the tetrahedra crossed, about NTET**(1/3) of
 C     them from anywhere, fewer from the sampled start, few from a start
-C     near Q: beyond ASTRAY of these, the sample is used, too.  The
-C     sweep: NTET.
+C     near Q: beyond ASTRAY of these, the sample is used, too.
       SUBROUTINE TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
@@ -5551,7 +5430,7 @@ C     sweep: NTET.
         IF (T .EQ. NONE) RETURN
         CALL TSWALK(P, NTET, TET, ADJ, Q, NTET, T, CODE)
       END IF
-      IF (CODE .EQ. LOST) CALL TSSWEE(P, NTET, TET, ADJ, Q, T, CODE)
+      IF (CODE .EQ. LOST) CODE = -4
       INFO = CODE
       IF (CODE .EQ. 0) THEN
         CALL HHWEIG(P, TET, T, Q, W, INFO)
@@ -5568,26 +5447,24 @@ C       VALUE (in)      VALUE(NV,*): VALUE(J,I) is value J of point I
 C       NQ    (in)      number of queries, >= 0
 C       Q     (in)      Q(3,NQ): their coordinates
 C       T     (in,out)  T(NQ): On entry the tetrahedra where the walks
-C                       start, as in TESSLO; for 0 a walk starts from
-C                       the previous answer, if that is near.  On return
-C                       the tetrahedra found: passed in again for other
-C                       values at the same places, they save the search
-C       OUT   (out)     OUT(NV,NQ): OUT(J,I) is value J at query I
-C       INFO  (out)     0; 1 when a query is outside the hull: its
-C                       values are those at the nearest point of the
-C                       hull (see TESSLO); -2 for NTET < 1, -5 for NV <
-C                       0, -7 for a bad NQ, -8 for a NaN or infinity in
-C                       Q, -9 for a T that is out of range: then nothing
-C                       is written; -4 or 6 as from TESSLO: then the
-C                       queries before that one are done
+C                       start; for 0 a walk starts from the previous
+C                       answer, if that is near.  On return the
+C                       tetrahedra found: T(I) itself for a query inside
+C                       the hull or on it, -T for one outside.  Both are
+C                       starts: passed in again for other values at the
+C                       same places, they save the search
+C       OUT   (out)     OUT(NV,NQ): OUT(J,I) is value J at query I; for
+C                       a query outside the hull, value J at the nearest
+C                       point of the hull (see TESSLO)
+C       INFO  (out)     0; 1 when a query is outside the hull; -2 for
+C                       NTET < 1, -5 for NV < 0, -7 for a bad NQ, -8 for
+C                       a NaN or infinity in Q, -9 for a T that is out
+C                       of range: then nothing is written; -4 or 6 as
+C                       from TESSLO: then the queries before that one
+C                       are done
 C
 C     VALUE and OUT are declared as vectors, since NV may be 0; each may
 C     have as many numbers as the largest integer.
-C
-C     To learn which queries are outside, ask one at a time: NQ = 1,
-C     with Q(1,I), T(I) and OUT(1,I), and T(I-1) for T(I) if there is no
-C     start.  Each call's INFO is then that of its query; T, OUT and the
-C     time taken are those of a single call for all queries.
 C
 C     Where there is no start, a walk starts from the last answer: it is
 C     the nearest if the queries are in order, and if not, TESSLO
@@ -5613,12 +5490,12 @@ C     are close to each other.
       IF (HHFINI(NQ, Q) .LT. NQ) RETURN
       INFO = -9
       DO 10 I = 1, NQ
-        IF (T(I) .LT. NONE .OR. T(I) .GT. NTET) RETURN
+        IF (T(I) .LT. -NTET .OR. T(I) .GT. NTET) RETURN
    10 CONTINUE
       INFO = 0
       LAST = NONE
       DO 60 I = 1, NQ
-        IF (T(I) .NE. NONE) LAST = T(I)
+        IF (T(I) .NE. NONE) LAST = ABS(T(I))
         DO 20 K = 1, 3
           X(K) = Q(K,I)
    20   CONTINUE
@@ -5628,6 +5505,7 @@ C     are close to each other.
           RETURN
         END IF
         T(I) = LAST
+        IF (CODE .EQ. 1) T(I) = -LAST
         IF (CODE .EQ. 1) INFO = 1
         AT = NV*(I - 1)
         DO 30 J = 1, NV

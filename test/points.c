@@ -711,6 +711,60 @@ static long globe(long n, unsigned long *state, double *p)
     return n;
 }
 
+/* k latitudes by 2k longitudes on a sphere of radius r, as they come: without
+ * the poles, or, if ends is 1, with a ring of 2k points at each, at or about
+ * the pole as sine and cosine are rounded. */
+static long meridians(long n, double r, int ends, double *p)
+{
+    double theta, phi;
+    long i, k = root(n / 2, 2), rows = k + ends;
+
+    if (2 * k * rows > n) rows = --k + ends;
+    for (i = 0; i < 2 * k * rows; i++) {
+        theta = PI * ((double)(i / (2 * k)) + (ends ? 0.0 : 0.5)) / (double)k;
+        phi = PI * (double)(i % (2 * k)) / (double)k;
+        put(p + 3 * i, product(r, sin(theta) * cos(phi)),
+            product(r, sin(theta) * sin(phi)), product(r, cos(theta)));
+    }
+    return 2 * k * rows;
+}
+
+static long latlon(long n, unsigned long *state, double *p)
+{
+    (void)state;
+    return meridians(n, 1.0, 0, p);
+}
+
+static long latlonkm(long n, unsigned long *state, double *p)
+{
+    (void)state;
+    return meridians(n, 6371.0, 0, p);
+}
+
+static long latlonm(long n, unsigned long *state, double *p)
+{
+    (void)state;
+    return meridians(n, 6378137.0, 0, p);
+}
+
+static long uvsphere(long n, unsigned long *state, double *p)
+{
+    (void)state;
+    return meridians(n, 1.0, 1, p);
+}
+
+static long uvkm(long n, unsigned long *state, double *p)
+{
+    (void)state;
+    return meridians(n, 6371.0, 1, p);
+}
+
+static long uvm(long n, unsigned long *state, double *p)
+{
+    (void)state;
+    return meridians(n, 6378137.0, 1, p);
+}
+
 /* A cap of 20 degrees, by rejection. */
 static long cap(long n, unsigned long *state, double *p)
 {
@@ -1303,7 +1357,9 @@ static const struct {
     { "torus", torus }, { "sheets", sheets }, { "bumps", bumps },
     { "thinshell", thinshell }, { "terrain", terrain },
     { "survey", survey }, { "boreholes", boreholes }, { "tracks", tracks },
-    { "pipes", pipes }, { "horizons", horizons }, { "layers", layers }
+    { "pipes", pipes }, { "horizons", horizons }, { "layers", layers },
+    { "latlon", latlon }, { "latlonkm", latlonkm }, { "latlonm", latlonm },
+    { "uvsphere", uvsphere }, { "uvkm", uvkm }, { "uvm", uvm }
 };
 
 #define FAMILIES ((int)(sizeof family_table / sizeof family_table[0]))

@@ -88,6 +88,11 @@
  *   horizons*    on six folded surfaces one above the other, turned
  *   layers*      layers about an ellipse, the first 1e-4 thick, the others a
  *                fifth thicker each, along a wing, turned
+ *   latlon*      k latitudes by 2k longitudes on the unit sphere, as they come:
+ *                not turned, not moved
+ *   latlonkm*, latlonm*   the same with radius 6371, 6378137
+ *   uvsphere*    latlon with both poles, each 2k times but for rounding
+ *   uvkm*, uvm*  the same with radius 6371, 6378137
  */
 #ifndef POINTS_H
 #define POINTS_H

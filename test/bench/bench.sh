@@ -6,7 +6,7 @@
 # that the ratios hold where the nanoseconds do not.  Prints tables in
 # markdown: times and memory of clouds; times of the data that people have, at
 # fixed sizes; of those near planes, spheres and other surfaces, at three; counts;
-# location; parts.  About eight minutes, without SIZES.
+# location; values; parts.  About nine minutes, without SIZES.
 # A run of all families that comes to its end writes them to
 # test/results/bench.txt, too; the README's figures are from there.  Raw lines,
 # as bench.c describes them, go to standard error and to build/bench.txt, each
@@ -58,6 +58,8 @@ data gridrot f77,cgal 1000 8000 27000 +64000 +216000
 data gridcyl f77,cgal 1000 8000 27000 +125000
 data extruded f77,cgal 2000 8000 30000 +100000
 data globe f77,cgal 2000 8000 30000 +100000 +1000000
+data latlonkm f77,cgal 1800 7200 +45000
+data uvsphere f77,cgal 1800 7200 +45000
 data stations f77,cgal 2000 8000 30000 +100000 +1000000
 data shells f77,cgal 4000 10000 30000 +100000 +300000
 data cavity f77,cgal 4000 10000 30000 +100000 +300000
@@ -431,6 +433,12 @@ for size in $sizes; do
             awk '{ print "| " $1 " | " $2 " | " $3 " | " $4 " | " $5 " | " $6 " |" }'
     done
 done
+
+# From a file of points to a file of values.
+if [ -x build/tess ]; then
+    echo
+    REPEATS=$REPEATS sh test/bench/values.sh
+fi
 
 # Parts, by POSIX threads where there are any.
 # shellcheck disable=SC2086

@@ -78,7 +78,7 @@ static void make(part *r, long number, long parts)
 
     r->number = (tess_int)number;
     r->parts = (tess_int)parts;
-    r->liw = 4 * n + n / 6 + 514 + (tess_int)TESS_LIW(m);
+    r->liw = 4 * n + n / 12 + 514 + (tess_int)TESS_LIW(m);
     r->most = 10 * m + 1000;
     r->mine = ints(n);
     r->iw = ints(r->liw);

@@ -17,7 +17,8 @@
  *   gradient  of a field linear on each tetrahedron    (minus, dot, cross)
  *
  * The main program tests them: against brute force, and by identities that
- * hold for any set of points.  derived.f is the same in FORTRAN 77.
+ * hold for any set of points.  derived.f is the same in FORTRAN 77.  With
+ * DERIVED_ALONE defined, the recipes without tests.
  */
 #include <float.h>
 #include <math.h>
@@ -59,9 +60,8 @@ static const int around[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
  *
  * returns 0, or TESS_MORE: nedge is then the number needed.  Workspace: none.
  * A cloud of n points has about 7.8 n edges. */
-static int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
-                 tess_int maxedg, tess_int *nedge, tess_int *edge,
-                 tess_int *at)
+int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
+          tess_int maxedg, tess_int *nedge, tess_int *edge, tess_int *at)
 {
     tess_int t, s, a, b;
     int e, side, out;
@@ -101,9 +101,8 @@ static int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
  *                  TESS_NONE on the hull
  *
  * returns 0, or TESS_MORE: nface is then the number needed. */
-static int faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
-                 tess_int maxfac, tess_int *nface, tess_int *face,
-                 tess_int *both)
+int faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
+          tess_int maxfac, tess_int *nface, tess_int *face, tess_int *both)
 {
     static const int facet[4][3] = {
         {1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
@@ -134,8 +133,8 @@ static int faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
  *                  list[first[i+1] - 1], in ascending order; none for a
  *                  duplicate
  *   list    (out)  4*ntet */
-static void stars(tess_int n, tess_int ntet, const tess_int *tet,
-                  tess_int *first, tess_int *list)
+void stars(tess_int n, tess_int ntet, const tess_int *tet, tess_int *first,
+           tess_int *list)
 {
     tess_int i;
 
@@ -150,9 +149,9 @@ static void stars(tess_int n, tess_int ntet, const tess_int *tet,
  * to ever nearer neighbours.  In a Delaunay tetrahedralization the point that
  * has no nearer neighbour is the nearest.  A good v is a vertex of the
  * tetrahedron that tess_locate finds, or the last answer. */
-static tess_int nearest(const tess_real *p, const tess_int *tet,
-                        const tess_int *first, const tess_int *list,
-                        const tess_real *q, tess_int v)
+tess_int nearest(const tess_real *p, const tess_int *tet,
+                 const tess_int *first, const tess_int *list,
+                 const tess_real *q, tess_int v)
 {
     double least = DBL_MAX, d, x;
     tess_int from, i, near = v, w;
@@ -233,8 +232,8 @@ static void centre(const double *u, const double *v, const double *w,
 
 /* measure - the tetrahedron whose vertices are v: its volume, and the centre
  * and radius of its ball. */
-static void measure(const tess_real *p, const tess_int *v, double *volume,
-                    double *middle, double *radius)
+void measure(const tess_real *p, const tess_int *v, double *volume,
+             double *middle, double *radius)
 {
     double e[3][3], c[3];
     int k;
@@ -264,10 +263,9 @@ static void measure(const tess_real *p, const tess_int *v, double *volume,
  * A tetrahedron's piece of the face: from the edge's middle to the centres of
  * the two facets at it, and from these to the tetrahedron's own.  A cell is
  * made of pyramids from its point to its faces. */
-static void dual(tess_int n, const tess_real *p, const tess_int *tet,
-                 const tess_int *adj, tess_int nedge, const tess_int *edge,
-                 const tess_int *at, double *area, double *cell,
-                 tess_int *outer)
+void dual(tess_int n, const tess_real *p, const tess_int *tet,
+          const tess_int *adj, tess_int nedge, const tess_int *edge,
+          const tess_int *at, double *area, double *cell, tess_int *outer)
 {
     double u[3], v[3], w[3], c[3], f[2][3], x[3], length;
     tess_int i, a, b, t;
@@ -325,8 +323,8 @@ static void dual(tess_int n, const tess_real *p, const tess_int *tet,
 
 /* gradient - of the field that has the given values at the points and is
  * linear on the tetrahedron whose vertices are v. */
-static void gradient(const tess_real *p, const tess_int *v,
-                     const double *value, double *g)
+void gradient(const tess_real *p, const tess_int *v, const double *value,
+              double *g)
 {
     double e[3][3], c[3], det;
     int i, k;
@@ -344,6 +342,7 @@ static void gradient(const tess_real *p, const tess_int *v,
     }
 }
 
+#ifndef DERIVED_ALONE
 /* ---- tests ---- */
 
 #define N 343
@@ -641,3 +640,5 @@ int main(void)
            bad & 64 ? "NO" : "yes");
     return bad != 0;
 }
+
+#endif

@@ -44,9 +44,9 @@ static double rw[LRW];
  * Sensors with a coordinate that is infinite or no number are removed.
  * Returns the code of tess:
  *   TESS_OK                all is well
- *   TESS_MORE, TESS_POOL   arrays full: the tetrahedra found so far are right
- *                          and will be used; to go on, give tess_resume
- *                          longer arrays
+ *   TESS_MORE, TESS_POOL   arrays full: to locate a place takes a finished
+ *                          mesh, so the nearest sensor will do; to go on, give
+ *                          tess_resume longer arrays
  *   TESS_PLANE, _LINE, _POINT, _RANGE   no tetrahedra: the nearest sensor
  *                          will do; RANGE cannot come with the default limbs
  *   below 0                SENSORS, TETS, LIW or LRW are wrong */
@@ -64,7 +64,7 @@ static int connect(void)
             reading[i] = reading[i + 1];
         }
     }
-    if (code >= 0) tets = found;
+    if (code == TESS_OK) tets = found;
     return code;
 }
 

@@ -13,14 +13,14 @@
  *      facet have the same vertices.
  *
  * The result is the set of tetrahedra that tess gives, in another order, and
- * passes tess_check.  If a part is missing, tess_resume computes it: leave out
- * join.
+ * passes tess_check.  If a part is missing, tess_resume computes it: let what
+ * was TESS_OPEN before join and is TESS_NONE behind it be TESS_OPEN again.
  *
- * Workspace.  tess_part needs an iw of 4 n + n/6 + 514 in any case: places, the
+ * Workspace.  tess_part needs an iw of 4 n + n/12 + 514 in any case: places, the
  * order, and two lists of all points.  Behind that come open facets, for which
  * TESS_LIW(m) is room enough in a part with m points asked for, but for points
  * that have very many neighbours: TESS_POOL.  So
- *     liw = 4 n + n/6 + 514 + TESS_LIW(m)
+ *     liw = 4 n + n/12 + 514 + TESS_LIW(m)
  * Points on planes, spheres and other surfaces are faster with TESS_LIW(n).
  */
 #include "tess.h"

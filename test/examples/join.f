@@ -16,7 +16,8 @@ C          sides of a facet have the same vertices.
 C
 C     The result is the set of tetrahedra that TESS gives, in another
 C     order, and passes TESSCH.  If a part is missing, TESSRE computes
-C     it: leave out JOIN.
+C     it: let what was -1 in ADJ before JOIN and is 0 behind it be -1
+C     again.
 C
 C     Workspace: join.c says how little IW will do.
 

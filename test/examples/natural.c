@@ -8,7 +8,8 @@
  *             (minus, dot)
  *
  * The main program compares weights in a lattice with their closed form.
- * natural.f is the same in FORTRAN 77; test/unit/t_natural.c tests both.
+ * natural.f is the same in FORTRAN 77; test/unit/t_natural.c tests both.  With
+ * NATURAL_ALONE defined, the recipes without it.
  */
 #include <float.h>
 #include <math.h>
@@ -249,10 +250,10 @@ static tess_int beside(tess_int nlist, const tess_int *side,
  * vertex: a segment (a, b) of that between the points i and j has, with any
  * point o of their plane, the area |det(a - o, b - o, j - i)| / 2 |j - i|.  No
  * multiple of j - i that is added to o matters: o = i will do. */
-static int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
-                   const tess_int *adj, const tess_real *q, tess_int *t,
-                   tess_int most, tess_int *nn, tess_int *nbr, double *sibson,
-                   double *laplace, tess_int *iw, double *rw)
+int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
+            const tess_int *adj, const tess_real *q, tess_int *t,
+            tess_int most, tess_int *nn, tess_int *nbr, double *sibson,
+            double *laplace, tess_int *iw, double *rw)
 {
     tess_int *list = iw, *side = list + most, *corner = side + 4 * most;
     double *c = rw, *x = c + 4 * most, *y = x + 6 * most + 6, *a, *b;
@@ -351,8 +352,8 @@ static int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
  * returns the value at the point of the weights, which is q, or for q outside
  * the hull's nearest point.  Fields a + b.x + c |x|^2 are reproduced.
  * Cost: 15 square roots.  Source: Sibson (1981). */
-static double blend(const tess_real *p, tess_int nn, const tess_int *nbr,
-                    const double *w, const double *value, const double *g)
+double blend(const tess_real *p, tess_int nn, const tess_int *nbr,
+             const double *w, const double *value, const double *g)
 {
     double at[3] = {0.0, 0.0, 0.0}, d[3], r, plane;
     double linear = 0.0, slopes = 0.0, near = 0.0, first = 0.0, second = 0.0;
@@ -379,6 +380,7 @@ static double blend(const tess_real *p, tess_int nn, const tess_int *nbr,
     return (first * linear + second * slopes) / (first + second * near);
 }
 
+#ifndef NATURAL_ALONE
 /* ---- a lattice ---- */
 
 /* Between two points of an integer lattice, and the gradient of |x|^2. */
@@ -407,3 +409,5 @@ int main(void)
     printf("|x|^2 blended: %9.7f\n", blend(p, nn, nbr, sibson, value, g));
     return 0;
 }
+
+#endif

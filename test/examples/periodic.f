@@ -311,7 +311,7 @@ C     in its way, and what they have in common does not fit: lattices
 C     come out with volumes that are off by a tenth.  For the same
 C     reason copies must not be rounded one by one.
 C
-C     Cost: twice that of TESS for 10,000 points, less for more: the
+C     Cost: 1.7 times that of TESS for 10,000 points, less for more: the
 C     margin is about three points wide.
       SUBROUTINE PERIOD(N, P, LOW, LENGTH, MAXCOP, NCOP, X, CW, MAXTET,
      1                  NTET, TET, MOVE, ADJ, SHIFT, LIW, IW, LRW, RW,

@@ -83,9 +83,9 @@ static void fit(const double *m, double add, const double *r, double *x)
  * never grows, and no part of the error does.  That needs each edge's weight to
  * be the same at both ends, and a factor of at most 2; 1 takes twice as many
  * rounds. */
-static int slopes(tess_int n, const tess_real *p, tess_int ntet,
-                  const tess_int *tet, const tess_int *adj,
-                  const double *value, int rounds, double *g, double *work)
+int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
+           const tess_int *adj, const double *value, int rounds, double *g,
+           double *work)
 {
     double *r = work, *m = work + 3 * n, e[3], x[3], sum[9], w, d, s, u;
     tess_int i, t, a, b;
@@ -177,9 +177,9 @@ static int slopes(tess_int n, const tess_real *p, tess_int ntet,
  * cannot go beyond what is at the hull.  The gradient is the points', from all
  * edges at them; a hull tetrahedron's own is useless, such a tetrahedron being
  * flat. */
-static int bent(const tess_real *p, tess_int ntet, const tess_int *tet,
-                const tess_int *adj, const double *value, const double *g,
-                double beyond, const tess_real *q, tess_int *t, double *f)
+int bent(const tess_real *p, tess_int ntet, const tess_int *tet,
+         const tess_int *adj, const double *value, const double *g,
+         double beyond, const tess_real *q, tess_int *t, double *f)
 {
     const tess_int *v;
     double w[4], at[3], h[3];

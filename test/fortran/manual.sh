@@ -57,6 +57,8 @@ A complete program:
       DOUBLE PRECISION P(3,N), RW(LRW), VALUE(N), Q(3), W(4), V
       INTEGER TET(4,MAXTET), ADJ(4,MAXTET), IW(LIW)
       INTEGER NTET, INFO, I, K, T
+C     large arrays, not on the stack
+      SAVE
 C     a lattice, and at each of its points 1 + X + 2 Y + 3 Z
       DO 10 I = 1, N
          P(1,I) = MOD(I-1, 10)

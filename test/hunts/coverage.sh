@@ -36,13 +36,13 @@ measure() {
         for f in tess hhpred; do
             $CC -O0 --coverage $2 -c $f.c || say "$f.c does not compile"
         done
-        for f in proof/exact points proof/verify unit/guard unit/t_pred unit/brute \
-            unit/t_tess unit/t_part fortran/parity; do
+        for f in proof/exact points proof/verify unit/damage unit/guard \
+            unit/t_pred unit/brute unit/t_tess unit/t_part fortran/parity; do
             $CC -O2 $2 -I. -c test/$f.c || say "$f.c does not compile"
         done
         for f in brute t_tess t_part parity; do
             $CC --coverage $3 -o $f $f.o tess.o hhpred.o exact.o points.o \
-                verify.o guard.o -lm
+                verify.o damage.o guard.o -lm
         done
         $CC --coverage $3 -o t_pred t_pred.o hhpred.o exact.o points.o -lm
         case $1 in

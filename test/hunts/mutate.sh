@@ -27,15 +27,14 @@ LIMIT=12
 say() { echo "mutate.sh: $1" >&2; exit 2; }
 
 mkdir -p $DIR/new $DIR/counts
-TEST="brute t_pred t_margin t_tess t_part parity"
-for f in proof/exact hunts/hard points proof/verify bench/bench unit/guard unit/brute \
-    unit/t_pred unit/t_tess unit/t_part fortran/parity; do
+TEST="brute t_pred certify t_tess t_part parity"
+for f in proof/exact hunts/hard hunts/certify points proof/verify bench/bench \
+    unit/damage unit/guard unit/brute unit/t_pred unit/t_tess unit/t_part fortran/parity; do
     $CC -O2 -I. -c -o $DIR/`basename $f`.o test/$f.c || say "$f.c does not compile"
 done
 $CC -O2 -o $DIR/mutant test/hunts/mutant.c || say "mutant.c does not compile"
 
-# compile TREE: the objects of the library in TREE, and t_margin, which
-# includes tess.c
+# compile TREE: the objects of the library in TREE
 compile() {
     for half in tess hhpred; do
         [ -f $1/$half.o ] || $CC -O1 -c -o $1/$half.o $1/$half.c || return 1
@@ -46,10 +45,10 @@ compile() {
 links() {
     case $2 in
     t_pred) $CC -o $1/$2 $DIR/$2.o $1/hhpred.o $DIR/exact.o $DIR/points.o -lm;;
-    t_margin) $CC -O1 -o $1/$2 $1/test/unit/t_margin.c $1/hhpred.o \
+    certify) $CC -O1 -DTESS_PROVE -o $1/$2 $DIR/$2.o $1/tess.c $1/hhpred.o \
         $DIR/exact.o $DIR/hard.o -lm;;
     *) $CC -o $1/$2 $DIR/$2.o $1/tess.o $1/hhpred.o $DIR/exact.o \
-        $DIR/points.o $DIR/verify.o $DIR/guard.o -lm;;
+        $DIR/points.o $DIR/verify.o $DIR/damage.o $DIR/guard.o -lm;;
     esac
 }
 
@@ -59,14 +58,15 @@ passes() {
     case $2 in
     brute) args=60;;
     t_pred) args=15;;
-    t_margin) args=12;;
+    certify) args=60;;
     t_tess | t_part) args=-quick;;
     *) args=;;
     esac
     links $1 $2 2> /dev/null || return 1
     (ulimit -t $LIMIT; ulimit -f 20000; ulimit -v 4000000 2> /dev/null
         exec $1/$2 $args) > $1/out 2> /dev/null || return 1
-    [ $2 != parity ] || cmp -s $1/out test/fortran/parity.txt
+    [ $2 != parity ] || sh test/fortran/sums.sh $1/out test/fortran/parity.txt \
+        > /dev/null
 }
 
 # counts TREE: what the searches look at
@@ -80,11 +80,10 @@ counts() {
     done | grep '^count'
 }
 
-# fresh TREE: the library and what t_margin includes
+# fresh TREE: the library
 fresh() {
-    mkdir -p $1/test
+    mkdir -p $1
     cp tess.c tess.h hhpred.c hhpred.h $1
-    cp -r test/hunts test/proof test/unit $1/test
     rm -f $1/tess.o $1/hhpred.o
 }
 
@@ -115,7 +114,7 @@ change() {
 verdict() {
     for t in $TEST; do
         [ $1 = hhpred.c ] || [ $t != t_pred ] || continue
-        [ $1 = tess.c ] || [ $t != t_margin ] || continue
+        [ $1 = tess.c ] || [ $t != certify ] || continue
         if ! passes $NEW $t; then
             echo "caught by $t"
             return

@@ -44,7 +44,8 @@ have() {
 # harness TAG DEFINITIONS: its objects, H says which; compiled once
 harness() {
     H=
-    for c in hunts/torture hunts/hard proof/verify proof/exact; do
+    for c in hunts/torture hunts/hard proof/verify proof/exact unit/damage \
+        unit/guard; do
         f=`basename $c`
         o=$DIR/$1-$f.o
         H="$H $o"
@@ -168,8 +169,9 @@ fuzz() {
     # truth and proofs take their time: they are left as they are
     harness h ""
     M="$DIR/h-hard.o $DIR/h-verify.o $DIR/h-exact.o"
+    D="-DEXACT test/unit/damage.c test/unit/guard.c"
     if [ -z "$CHECK" ] && clang $SAN -fsanitize=fuzzer -o $DIR/$name \
-        test/hunts/$name.c tess.c hhpred.c $M $LIBS >> $LOG 2>&1; then
+        test/hunts/$name.c $D tess.c hhpred.c $M $LIBS >> $LOG 2>&1; then
         mkdir -p $DIR/$name.corpus
         limited $DIR/$name -max_total_time=`expr $TIME / $BUILDS + 1` \
             -timeout=20 -max_len=300 -seed=$SEED -print_final_stats=1 \
@@ -188,10 +190,9 @@ fuzz() {
     fi
     [ -z "$CHECK" ] && skip "$name with libFuzzer"
     if have "$CC" "$SAN" && $CC $SAN -DSTANDALONE -o $DIR/$name \
-        test/hunts/$name.c tess.c hhpred.c $M $LIBS >> $LOG 2>&1; then
+        test/hunts/$name.c $D tess.c hhpred.c $M $LIBS >> $LOG 2>&1; then
         sets=200
         [ -z "$CHECK" ] && sets=`expr $TIME '*' 10`
-        [ $name = fuzzarr ] && sets=`expr $sets '*' 8`
         limited $DIR/$name $sets $SEED
         tally "$name, sanitizers"
     else
@@ -209,7 +210,6 @@ c "short lists" $CC "-O1" -DTESS_LIST=48 ""
 c "3 limbs" $CC "-O1" -DHH_LIMBS=3 ""
 c "long" $CC "-O1" -DTESS_INT=long ""
 fuzz fuzz
-fuzz fuzzarr
 if command -v gfortran > /dev/null; then
     LINK=gfortran
     f "gfortran -Ofast" gfort -Ofast

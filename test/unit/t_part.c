@@ -253,7 +253,7 @@ static tess_int one_part(const whole *m, const tess_int *mine, tess_int *iw,
                          tess_int **tet, tess_int **adj)
 {
     tess_int *asked = ints(m->n), *met = ints(m->ntet), ntet, need = 0, i, t, j;
-    tess_int liw = 4 * m->n + m->n / 6 + 514;
+    tess_int liw = 4 * m->n + m->n / 12 + 514;
     int k, code, own, hull = 0;
 
     for (i = 0; i < m->n; i++) asked[i] = 0;
@@ -326,14 +326,61 @@ static void joined(const whole *m, const tess_int *tet, const tess_int *some)
             "join: a tetrahedron twice");
 }
 
+/* Close by join what is open on both sides, and nothing else.  Returns 1 if
+ * there is such a facet. */
+static int closed(tess_int ntet, const tess_int *tet, tess_int *adj)
+{
+    int mark = narrays, any = 0;
+    tess_int *was = copy(adj, 4 * ntet), *h = ints(8 * ntet + 1), i;
+
+    require(join(ntet, tet, adj, 8 * ntet + 1, h) == 0, "join of parts");
+    for (i = 0; i < 4 * ntet; i++)
+        if (was[i] == TESS_OPEN) {
+            /* hull, if no part were missing */
+            if (adj[i] == TESS_NONE)
+                adj[i] = TESS_OPEN;
+            else
+                any = 1;
+        }
+    drop(mark);
+    return any;
+}
+
+/* tess_resume from parts of the mesh, in arrays that have room for all of it:
+ * -6 while a facet is open on both sides. */
+static void resumed(const whole *m, tess_int ntet, tess_int *tet, tess_int *adj)
+{
+    int mark = narrays, code;
+    tess_int total = m->ntet, liw = m->liw + 24 * total, *iw = ints(liw), i;
+    tess_int *was = copy(adj, 4 * total), got = ntet;
+    double *rw = (double *)array((size_t)m->lrw * sizeof *rw);
+
+    if (closed(ntet, tet, was))
+        require(tess_resume(m->n, m->p, total, &got, tet, adj, liw, iw, m->lrw,
+                            rw) == -6 && got == ntet,
+                "tess_resume of facets that are open twice");
+    memcpy(adj, was, (size_t)(4 * ntet) * sizeof *adj);
+    code = tess_resume(m->n, m->p, total, &got, tet, adj, liw, iw, m->lrw, rw);
+    require(code == TESS_OK && got == total, "the code of parts joined");
+    if (got == total) {
+        require(memcmp(as_set(total, tet), m->set,
+                       (size_t)(4 * total) * sizeof *tet) == 0,
+                "the parts joined");
+        require(linked(total, tet, adj) == m->hull, "the joined hull");
+        for (i = 0; i < 4 * total; i++)
+            require(adj[i] != TESS_OPEN, "open though joined");
+    }
+    drop(mark);
+}
+
 /* All parts of one kind; joined, too, the first of them or all. */
 static void parts(const whole *m, int kind, tess_int many)
 {
     tess_int *part = ints(m->n), *mine = ints(m->n), *becomes = ints(m->ntet);
     tess_int *utet = ints(4 * m->ntet), *uadj = ints(4 * m->ntet);
-    tess_int *iw = copy(m->iw, m->liw), *set, *tet, *adj, *long_iw;
-    tess_int total = 0, i, k, u, ntet, some, liw = m->liw + 24 * m->ntet;
-    int mark = narrays, code;
+    tess_int *iw = copy(m->iw, m->liw), *set, *tet, *adj;
+    tess_int total = 0, i, k, u, ntet, some;
+    int mark = narrays;
 
     divide(m, kind, many, part);
     for (k = 0; k < many; k++) {
@@ -360,24 +407,13 @@ static void parts(const whole *m, int kind, tess_int many)
     require(memcmp(iw, m->iw, (size_t)(2 * m->n) * sizeof *iw) == 0,
             "the index after the parts");
     joined(m, utet, uadj);
-    long_iw = ints(liw);
     for (some = 0; some < 2; some++) {
         ntet = some ? (total + 1) / 2 : total;
         tet = copy(utet, 4 * total);
         adj = copy(uadj, 4 * total);
         for (i = 0; i < 4 * ntet; i++)
             if (adj[i] >= ntet) adj[i] = TESS_OPEN;
-        code = tess_resume(m->n, m->p, total, &ntet, tet, adj, liw, long_iw,
-                           m->lrw,
-                           (double *)array((size_t)m->lrw * sizeof(double)));
-        require(code == TESS_OK && ntet == total, "the code of parts joined");
-        if (ntet != total) continue;
-        set = as_set(total, tet);
-        require(memcmp(set, m->set, (size_t)(4 * total) * sizeof *set) == 0,
-                "the parts joined");
-        require(linked(total, tet, adj) == m->hull, "the joined hull");
-        for (i = 0; i < 4 * total; i++)
-            require(adj[i] != TESS_OPEN, "open though joined");
+        resumed(m, ntet, tet, adj);
     }
     drop(mark);
 }
@@ -559,6 +595,12 @@ static void test_resume(void)
             memcpy(a2, adj, length);
             for (i = 0; i < m.n; i++) mine[i] = !was[i];
             got = ntet;
+            if (closed(ntet, t2, a2)) {
+                was = copy(adj, 4 * ntet);
+                require(tess_part(m.n, m.p, mine, m.ntet, &got, t2, was, m.liw,
+                                  iw, m.lrw, m.rw) == -7 && got == ntet,
+                        "tess_part of facets that are open twice");
+            }
             code = tess_part(m.n, m.p, mine, m.ntet, &got, t2, a2, m.liw, iw,
                              m.lrw, m.rw);
             require(code == TESS_OK && got == m.ntet, "a part and the rest");
@@ -566,17 +608,9 @@ static void test_resume(void)
                            (size_t)(4 * got) * sizeof *t2) == 0,
                     "a part and the rest, as a set");
             linked(got, t2, a2);
-            got = ntet;
             memcpy(t2, tet, length);
             memcpy(a2, adj, length);
-            code = tess_resume(m.n, m.p, m.ntet, &got, t2, a2, m.liw,
-                               ints(m.liw), m.lrw,
-                               (double *)array((size_t)m.lrw * sizeof(double)));
-            require(code == TESS_OK && got == m.ntet, "a part made the mesh");
-            require(linked(got, t2, a2) == m.hull, "its hull");
-            require(memcmp(as_set(got, t2), m.set,
-                           (size_t)(4 * got) * sizeof *t2) == 0,
-                    "a part made the mesh, as a set");
+            resumed(&m, ntet, t2, a2);
             drop(outer);
         }
         drop(0);

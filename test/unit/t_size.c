@@ -2,7 +2,7 @@
  *
  *   t_size          for all n to 100,000 and, further apart, to the largest
  *                   that tess takes, and beyond; as arrays' lengths, too
- *   t_size -table   the README's table of sizes
+ *   t_size -bytes   the README's bytes a point
  */
 #include <stdio.h>
 #include <string.h>
@@ -48,19 +48,42 @@ static void sizes(tess_int n)
          "TESS_LRW is too large", (long)n);
 }
 
-static void table(void)
+/* bytes - the README's bytes a point: of the workspace, and with tetrahedra. */
+static void bytes(void)
 {
-    static const long at[] = {100, 1000, 10000, 100000, 1000000};
-    size_t i;
+    static const long at[] = {100, 10000, 1000000};
+    double point[3];
+    int i;
 
-    for (i = 0; i < sizeof at / sizeof at[0]; i++)
-        printf("| %ld | %ld | %ld | %.0f | %.0f |\n", at[i], TESS_LIW(at[i]),
-               TESS_LRW(at[i]),
-               (4.0 * (double)TESS_LIW(at[i]) + 8.0 * (double)TESS_LRW(at[i])) /
-                   (double)at[i],
-               (4.0 * (double)TESS_LIW(at[i]) + 8.0 * (double)TESS_LRW(at[i])) /
-                       (double)at[i] +
-                   32.0 * 6.8);
+    for (i = 0; i < 3; i++)
+        point[i] = (4.0 * (double)TESS_LIW(at[i]) +
+                    8.0 * (double)TESS_LRW(at[i])) / (double)at[i];
+    printf("%.0f bytes a point for %ld points, %.0f for %ld, %.0f for %ld; with "
+           "tetrahedra, 6.8 n of 32 bytes, %.0f, %.0f, %.0f.\n",
+           point[0], at[0], point[1], at[1], point[2], at[2],
+           point[0] + 32.0 * 6.8, point[1] + 32.0 * 6.8,
+           point[2] + 32.0 * 6.8);
+}
+
+/* least - the README's least lengths suffice for any n, and are not much more
+ * than what tess refuses.  (All points in one place: -7, -9 come first.) */
+static void least(void)
+{
+    static tess_int iw[9000], tet[4], adj[4];
+    static double rw[8000];
+    static tess_real p[3 * 2000];
+    tess_int n, liw, lrw, ntet;
+
+    for (n = 1; n < 2000; n += 1 + n / 50) {
+        liw = 4 * n + n / 12 + 514;
+        lrw = 3 * n + n / 2 + 12;
+        test(tess(n, p, 1, &ntet, tet, adj, liw, iw, lrw, rw) == TESS_POINT,
+             "the least lengths", (long)n);
+        test(tess(n, p, 1, &ntet, tet, adj, liw - n / 24 - 3, iw, lrw, rw) == -7,
+             "a shorter iw", (long)n);
+        test(tess(n, p, 1, &ntet, tet, adj, liw, iw, lrw - n / 4 - 13, rw) == -9,
+             "a shorter rw", (long)n);
+    }
 }
 
 int main(int argc, char **argv)
@@ -72,8 +95,8 @@ int main(int argc, char **argv)
     tess_int tet[4 * 80], adj[4 * 80], ntet, liw, lrw, n, step;
     int i;
 
-    if (argc > 1 && strcmp(argv[1], "-table") == 0) {
-        table();
+    if (argc > 1 && strcmp(argv[1], "-bytes") == 0) {
+        bytes();
         return 0;
     }
     for (n = 0; n < 100000 && n < TESS_INT_MOST / 5 - 200; n++) sizes(n);
@@ -92,6 +115,7 @@ int main(int argc, char **argv)
     test(tess(10, q, 80, &ntet, tet, adj, (tess_int)TESS_LIW(TEN), iw10,
               (tess_int)TESS_LRW(TEN), rw10) == 0,
          "tess", 10);
+    least();
     printf("t_size: %ld passed, %ld failed\n", passed, failed);
     return failed > 0;
 }

@@ -23,6 +23,7 @@
 #include "../proof/exact.h"
 #include "../proof/verify.h"
 #include "../points.h"
+#include "damage.h"
 #include "guard.h"
 
 #include <math.h>
@@ -1189,36 +1190,10 @@ static int outside(const result *r, tess_int t, int set, const double *q)
     return 0;
 }
 
-/* In an unfinished result: that point is nearest in all facets of t that have
- * its vertices, the sum set of 2^k, and that q is outside of.  (About a vertex
- * or an edge there may be others that are joined to these nowhere else.) */
-static void verify_around(const result *r, tess_int t, int set, const double *q,
-                          const double *w)
-{
-    const double *p = doubles(r), *v[3];
-    double a[9], x[3];
-    tess_int f[3];
-    int j, k;
-
-    for (k = 0; k < 4; k++) {
-        if (r->adj[4 * t + k] >= 0 || (set >> k & 1)) continue;
-        facet(r, t, k, f);
-        for (j = 0; j < 3; j++) {
-            v[j] = a + 3 * j;
-            memcpy(a + 3 * j, p + 3 * f[j], 3 * sizeof *a);
-        }
-        if (ex_orient(v[0], v[1], v[2], q) <= 0) continue;
-        ex_nearest(3, v, q, 3, a, x);
-        for (j = 0; j < 3; j++)
-            require(fabs(w[slot_of(r, t, f[j])] - x[j]) <=
-                    32.0 * DBL_EPSILON * x[j], "the nearest point of a facet");
-    }
-}
-
-/* The weights of a place outside: those of the point nearest to q of the hull,
- * or, where that is not known, of a facet that q is outside of. */
+/* The weights of a place outside: those of the point nearest to q of the
+ * hull. */
 static void verify_outside(const result *r, tess_int t, const double *q,
-                           const double *w, int unfinished)
+                           const double *w)
 {
     const double *p = doubles(r), *v[4];
     double x[4], sum = 0.0;
@@ -1234,10 +1209,6 @@ static void verify_outside(const result *r, tess_int t, const double *q,
             "outside, the weights do not sum to one");
     require(outside(r, t, set, q), "tess_locate: q is not outside of t's hull "
             "facet");
-    if (unfinished) {
-        verify_around(r, t, set, q, w);
-        return;
-    }
     require(ex_nearest(4, v, q, (long)r->n, p, x) == set && set > 0,
             "the vertices of the hull's nearest point");
     for (k = 0; k < 4; k++)
@@ -1246,7 +1217,8 @@ static void verify_outside(const result *r, tess_int t, const double *q,
 }
 
 /* Locate q from there.  expected: 0 inside, 1 outside, -1 not known; the code
- * is returned. */
+ * is returned.  In an unfinished result it may be -4, and what else it is, is
+ * right all the same. */
 static int locate(const result *r, const double *q, tess_int from,
                   int expected, int unfinished)
 {
@@ -1264,13 +1236,14 @@ static int locate(const result *r, const double *q, tess_int from,
         x[k] = (double)z[k];
     }
     code = tess_locate(r->p, r->ntet, r->tet, r->adj, z, &t, w);
+    if (unfinished && code == -4) return code;
     if (t < 0 || t >= r->ntet || code < 0 || code > 1) {
         fail("tess_locate's t or code");
         return -1;
     }
     require(expected < 0 || code == expected, "tess_locate: in or out");
     if (code == 1) {
-        verify_outside(r, t, x, w, unfinished);
+        verify_outside(r, t, x, w);
         return code;
     }
     for (k = 0; k < 4; k++) v[k] = at(r, r->tet[4 * t + k]);
@@ -1284,7 +1257,7 @@ static int locate(const result *r, const double *q, tess_int from,
     from = t;
     t = rnd_below(4) ? (tess_int)rnd_below((int)r->ntet) : TESS_NONE;
     code = tess_locate(r->p, r->ntet, r->tet, r->adj, z, &t, w);
-    require(code == 0 && (unfinished || t == from),
+    require((code == 0 && t == from) || (unfinished && code == -4),
             "tess_locate from another start");
     return code;
 }
@@ -1391,7 +1364,7 @@ static void test_locate(void)
     result r;
     double q[3], lo[3], hi[3], middle[3], w[4], size;
     tess_int i, j, t, n, *hull, many, out;
-    int f, k, m, code, turn;
+    int f, k, m, code, turn, met[3];
 
     for (f = 0; family[f] != NULL; f++)
     for (turn = 0; turn < 2; turn++) {
@@ -1496,8 +1469,8 @@ static void test_locate(void)
         release(0);
         done("locate", name);
     }
-    /* an unfinished result: open facets count as hull */
-    faults = 0;
+    /* an unfinished result: -4 where the walk meets an open facet */
+    faults = met[0] = met[1] = met[2] = 0;
     points(&r, "uniform", 200, 3);
     solve(&r);
     t = r.ntet;
@@ -1513,11 +1486,18 @@ static void test_locate(void)
                 j = r.tet[rnd_below((int)(4 * i))];
                 for (k = 0; k < 3; k++) q[k] = (double)r.p[3 * j + k];
             }
-            locate(&r, q, m % 2 ? TESS_NONE : (tess_int)rnd_below((int)i),
-                   !held_by_one(&r, q), 1);
+            /* a place outside of the hull, too */
+            if (m % 7 == 0) q[m % 3] += 2.0;
+            code = locate(&r, q,
+                          m % 2 ? TESS_NONE : (tess_int)rnd_below((int)i),
+                          -1, 1);
+            met[code < 0 ? 2 : code]++;
+            require(code != 0 || held_by_one(&r, q), "q is in none");
         }
         release(1);
     }
+    require(met[0] > 100 && met[1] > 10 && met[2] > 100,
+            "places in it, outside of the hull, behind open facets");
     current = NULL;
     release(0);
     test_result("tess_locate in an unfinished result", faults);
@@ -1566,6 +1546,14 @@ static void one_values(const result *r, const tess_real *q, tess_int nv,
         if (c == 1) outer = 1;
         require(single[i] == c, "tess_values' code one at a time");
         if (c == 0) require(t[i] == s && u[i] == s, "tess_values' t");
+        if (c == 1) {
+            /* marked, so that each query's own code is known */
+            t[i] = -2 - t[i];
+            u[i] = -2 - u[i];
+            require(t[i] >= 0 && t[i] < r->ntet && u[i] >= 0 &&
+                    u[i] < r->ntet, "tess_values' mark of a place outside");
+            if (t[i] < 0 || u[i] < 0) continue;
+        }
         for (k = 0; k < 4 && c == 1; k++)
             require(w[k] == 0.0 ||
                     (slot_of(r, t[i], r->tet[4 * s + k]) < 4 &&
@@ -1672,7 +1660,7 @@ static void test_values(void)
     for (i = 0; i < PLACES; i += PLACES - 1)
         for (k = 0; k < 2; k++) {
             u = start[i];
-            start[i] = k ? r.ntet : TESS_NONE - 1;
+            start[i] = k ? r.ntet : -2 - r.ntet;
             values_code(&r, r.ntet, 1, PLACES, q, start, -9,
                         "tess_values from no tetrahedron");
             start[i] = u;
@@ -2241,14 +2229,14 @@ static void test_damage(void)
                         r.adj[i] = held;
                         refused(&r, -6, "not its neighbour");
                     }
-                /* open on both sides, in the pool or in the link: closed */
+                /* open on both sides, in the pool or in the link */
                 for (k = 0; k < 4; k++)
                     if (r.adj[4 * u + k] == i / 4) break;
                 require(k < 4, "adj is not mutual");
                 r.adj[i] = r.adj[4 * u + k] = TESS_OPEN;
-                resume(&r);
-                require(r.adj[i] == u && r.adj[4 * u + k] == i / 4,
-                        "open on both sides, and not closed");
+                refused(&r, -6, "open on both sides");
+                r.adj[i] = u;
+                r.adj[4 * u + k] = i / 4;
             }
             resume(&r);
             require(r.code == (stop_at < whole.ntet ? TESS_MORE : TESS_OK),
@@ -2265,6 +2253,46 @@ static void test_damage(void)
     current = NULL;
     release(0);
     test_result("damage: not Delaunay", faults);
+}
+
+/* Results damaged by chance, and arrays that have failed. */
+static void test_chance(void)
+{
+    static const char *const family[] = {
+        "uniform", "lattice", "duplicates", "spherei", "planeone", NULL
+    };
+    static const long size[] = { 4, 6, 15, 60 };
+    static const double points_six[18] = {
+        1, 3, 1, 3, 0, 1, 3, 1, 0, 1, 2, 0, 0, 0, 2, 0, 2, 2
+    };
+    static const tess_int six[12] = { 1, 5, 3, 0, 5, 1, 3, 4, 4, 3, 2, 1 };
+    static const tess_int six_adj[12] = {
+        1, 0, 2, -2, 2, -1, -2, -2, -2, -2, -2, 2
+    };
+    const char *what = NULL;
+    tess_real p[18];
+    result r;
+    int f, i, k;
+
+    for (f = 0; family[f] != NULL; f++) {
+        faults = 0;
+        for (k = 0; k < 4; k++) {
+            if (!points(&r, family[f], size[k], 5)) continue;
+            solve(&r);
+            current = &r;
+            for (i = 0; i < (quick ? 150 : 3000) && what == NULL; i++)
+                what = damage(r.n, r.p, r.ntet, r.tet, r.adj, r.iw, rnd_below);
+            if (what != NULL) fail(what);
+            what = NULL;
+            current = NULL;
+            release(0);
+        }
+        done("damage by chance", family[f]);
+    }
+    for (i = 0; i < 18; i++) p[i] = (tess_real)points_six[i];
+    for (i = 0; i < 400 && what == NULL; i++)
+        what = damage_resume(6, p, 3, six, six_adj, rnd_below);
+    test_result("damage: arrays that have failed", what != NULL);
 }
 
 /* Ways in which a walk cannot arrive. */
@@ -2308,13 +2336,9 @@ static void test_lost(void)
     current = &r;
     for (i = 0; i < 28; i++)
         require(r.tet[i] == tet[i], "the test's own wheel");
-    for (t = 0; t < 7; t++) locate(&r, q, t, 0, 0);
-    for (k = 0; k < 3; k++) z[k] = (tess_real)q[k];
-    for (t = 1; t < 7; t++) {
-        from = t;
-        require(tess_locate(r.p, 7, r.tet, r.adj, z, &from, w) == 0 &&
-                from == 0, "a walk that goes round");
-    }
+    require(locate(&r, q, 0, 0, 0) == 0, "a walk that need not begin");
+    for (t = 1, k = 0; t < 7; t++) k += locate(&r, q, t, 0, 1) == -4;
+    require(k > 0, "a walk that goes round");
     release(0);
 
     /* neighbours out of range where the walk comes */
@@ -2638,7 +2662,7 @@ static void test_slivers(void)
             require(t == 0 && code == !held, "in a sliver or not");
             hits += held;
             if (!held) {
-                if (code == 1) verify_outside(&r, 0, x, w, 0);
+                if (code == 1) verify_outside(&r, 0, x, w);
                 continue;
             }
             verify_weights(&r, 0, x, w, side);
@@ -2758,6 +2782,7 @@ int main(int argc, char **argv)
     test_resume();
     test_pool();
     test_damage();
+    test_chance();
     test_check_arguments();
     test_faults();
     test_mutations();
