@@ -1,5 +1,7 @@
 # make, make all   build/tess, a program that tetrahedralizes a file of points
-# make run         try it: POINTS=file for points other than a mirror's sensors
+# make run         try it: POINTS=file for points other than a mirror's sensors,
+#                  OPTIONS="-cols lon,lat,depth" for more of build/tess
+# make grid        its temperatures at a grid's places, and a section's picture
 # make examples    the programs of test/examples; their times, too
 # make pictures    write test/pictures anew
 # make errors      a table: errors of interpolation, linear and by slopes
@@ -16,6 +18,7 @@
 # make reach       other machines and compilers: test/results/reach.txt
 # make manual      write f77/README anew, from f77/tess.f and hhpred.f
 # make mpi         build/mesh, for processes that share nothing: test/mpi/mesh.c
+#                  sh test/mpi/hunt.sh [SECONDS [SEED]]: sets by chance
 # make mirror      write test/data/mirror.xyz anew
 # make clean       remove build/
 # make help        this list
@@ -32,6 +35,7 @@ CPPFLAGS =
 LDFLAGS =
 LDLIBS = -lm
 POINTS = test/data/mirror.xyz
+OPTIONS =
 MAXPTS = 1000000
 TIME = 600
 SEED =
@@ -47,9 +51,13 @@ MODEL = model=; if [ $(MAXPTS) -gt 4000000 ]; then \
 	case `$(CC) -dumpmachine` in x86_64*) model=-mcmodel=large;; \
 	aarch64*) model="-mcmodel=large -fno-pie -no-pie";; esac; fi
 
-build/tess: build/driver.o build/read.o build/draw.o $(LIBRARY)
-	@$(MODEL); set -x; $(LINK) $$model build/read.o build/draw.o \
-	    $(LIBRARY) build/driver.o $(LDLIBS)
+PROGRAM = build/options.o build/read.o build/write.o build/shapes.o \
+    build/places.o build/values.o build/slopes.o build/natural.o \
+    build/derived.o build/draw.o
+
+build/tess: $(PROGRAM) $(LIBRARY) build/driver.o
+	@$(MODEL); set -x; $(LINK) $$model $(PROGRAM) $(LIBRARY) build/driver.o \
+	    $(LDLIBS)
 
 build/tess.o: tess.c tess.h hhpred.h
 	@mkdir -p build
@@ -59,8 +67,8 @@ build/hhpred.o: hhpred.c hhpred.h
 	@mkdir -p build
 	$(COMPILE) hhpred.c
 
-build/driver.o: test/program/driver.c test/program/driver.h \
-    test/program/draw.h tess.h hhpred.h build/maxpts
+build/driver.o: test/program/driver.c test/program/driver.h tess.h hhpred.h \
+    build/maxpts
 	@$(MODEL); set -x; $(COMPILE) -DMAXPTS=$(MAXPTS)L $$model \
 	    test/program/driver.c
 
@@ -71,12 +79,48 @@ build/maxpts: always
 
 always:
 
+build/options.o: test/program/options.c test/program/driver.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/options.c
+
+build/write.o: test/program/write.c test/program/driver.h \
+    test/program/draw.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/write.c
+
+build/places.o: test/program/places.c test/program/values.h \
+    test/program/draw.h test/program/driver.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/places.c
+
+build/values.o: test/program/values.c test/program/values.h \
+    test/program/driver.h test/examples/recipes.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/values.c
+
+# recipes, without their tests
+build/slopes.o: test/examples/slopes.c tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) -DSLOPES_ALONE test/examples/slopes.c
+
+build/natural.o: test/examples/natural.c tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) -DNATURAL_ALONE test/examples/natural.c
+
+build/derived.o: test/examples/derived.c tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) -DDERIVED_ALONE test/examples/derived.c
+
 build/read.o: test/program/read.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/read.c
 
-build/draw.o: test/program/draw.c test/program/draw.h \
-    test/examples/cells.c tess.h hhpred.h
+build/shapes.o: test/program/shapes.c test/program/driver.h \
+    test/examples/cells.c test/examples/periodic.c tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/shapes.c
+
+build/draw.o: test/program/draw.c test/program/draw.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/draw.c
 
@@ -95,7 +139,13 @@ run: build/tess
 	@file=`basename "$(POINTS)"`; look=; \
 	case "$$file" in mirror.xyz) look="-alpha 0.5";; -) file=stdin;; esac; \
 	name="build/$$file"; set -x; \
-	build/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look "$(POINTS)"
+	build/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look $(OPTIONS) \
+	    "$(POINTS)"
+
+MIRROR = build/tess -q -alpha 0.5 -method smooth test/data/mirror.xyz
+grid: build/tess
+	$(MIRROR) -grid 200,200,20 -values build/mirror.vtk
+	$(MIRROR) -grid 400,1,120 -values build/mirror.svg
 
 examples: $(LIBRARY)
 	@set -e; for name in test/examples/*.c; do \
@@ -110,7 +160,8 @@ examples: $(LIBRARY)
 	cat build/$$name.out; \
 	diff test/examples/$$name.out build/$$name.out; done
 
-pictures: build/picture
+pictures: build/picture grid
+	cp build/mirror.svg test/pictures/slice.svg
 	build/picture test/data/mirror.xyz test/pictures/mirror.svg \
 	    test/pictures/section.svg test/pictures/cube.svg
 
@@ -170,5 +221,5 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all always run examples pictures errors check check-all torture certify \
+.PHONY: all always run grid examples pictures errors check check-all torture certify \
     coverage mutation bench mpi paper reach manual mirror clean help

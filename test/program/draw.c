@@ -8,9 +8,6 @@
  * cell complexes in d dimensions, 1990).  Parts of tetrahedra, shrunk or cut,
  * keep the order.
  */
-#define CELLS_ALONE
-#include "../examples/cells.c"
-
 #include "draw.h"
 
 #include <math.h>
@@ -429,10 +426,35 @@ static void project(drawing *d, tess_int n, const tess_real *p,
     }
 }
 
-/* scale - choose the bands, and the unit and place of the drawing. */
+/* choose_bands - of values from low to high, with round borders. */
+static void choose_bands(drawing *d, double low, double high)
+{
+    if (!(high > low)) high = low + 1.0;
+    d->step = nice((high - low) / 5.0) / 5.0;
+    d->low = d->step * floor(low / d->step + 1e-9);
+    d->bands = (int)ceil((high - d->low) / d->step - 1e-9);
+}
+
+/* choose_place - the unit and place of a drawing of that width and height. */
+static void choose_place(drawing *d, double width, double height)
+{
+    double room[2];
+
+    room[0] = d->look->width - 50.0 - (d->plain ? 0.0 : 105.0);
+    room[1] = d->look->height - 50.0 - (d->look->title ? 40.0 : 0.0) -
+              (d->look->note ? 25.0 : 0.0);
+    d->unit = 1e30;
+    if (d->unit * width > 10.0 * room[0]) d->unit = 10.0 * room[0] / width;
+    if (d->unit * height > 10.0 * room[1]) d->unit = 10.0 * room[1] / height;
+    d->shift[0] = 250.0 + (10.0 * room[0] - d->unit * width) / 2.0;
+    d->shift[1] = (d->look->title ? 650.0 : 250.0) +
+                  (10.0 * room[1] - d->unit * height) / 2.0;
+}
+
+/* scale - choose the bands, and the unit and place of the tetrahedra. */
 static void scale(drawing *d)
 {
-    double lo[DIM], hi[DIM], v[4][DIM], room[2], tick;
+    double lo[DIM], hi[DIM], v[4][DIM];
     tess_int t;
     int i, k, any = 0;
 
@@ -447,24 +469,10 @@ static void scale(drawing *d)
                 if (k == V) any = 1;
             }
     }
-    if (!(hi[V] > lo[V])) hi[V] = lo[V] + 1.0;
-    tick = nice((hi[V] - lo[V]) / 5.0);
-    d->step = tick / 5.0;
-    d->low = d->step * floor(lo[V] / d->step + 1e-9);
-    d->bands = (int)ceil((hi[V] - d->low) / d->step - 1e-9);
-
-    room[0] = d->look->width - 50.0 - (d->plain ? 0.0 : 105.0);
-    room[1] = d->look->height - 50.0 - (d->look->title ? 40.0 : 0.0) -
-              (d->look->note ? 25.0 : 0.0);
-    d->unit = 1e30;
-    for (k = 0; k < 2; k++)
-        if (d->unit * (hi[k] - lo[k]) > 10.0 * room[k])
-            d->unit = 10.0 * room[k] / (hi[k] - lo[k]);
+    choose_bands(d, lo[V], hi[V]);
+    choose_place(d, hi[X] - lo[X], hi[Y] - lo[Y]);
     d->left = lo[X];
     d->top = hi[Y];
-    d->shift[0] = 250.0 + (10.0 * room[0] - d->unit * (hi[X] - lo[X])) / 2.0;
-    d->shift[1] = (d->look->title ? 650.0 : 250.0) +
-                  (10.0 * room[1] - d->unit * (hi[Y] - lo[Y])) / 2.0;
 }
 
 static void hex(FILE *file, double x, double shade)
@@ -475,19 +483,15 @@ static void hex(FILE *file, double x, double shade)
     fprintf(file, "#%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
 }
 
-/* head - the start of the file, with a class for each colour and shade. */
-static void head(const drawing *d)
+/* styles - a class for each colour and shade. */
+static void styles(const drawing *d)
 {
     double dark = d->plain ? 0.42 : 0.76, x, shade;
     int apart = d->look->shrink < 1.0, k, tint;
 
     fprintf(d->file,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" "
-            "height=\"%d\" viewBox=\"0 0 %d0 %d0\" "
-            "font-family=\"Helvetica,Arial,sans-serif\" fill=\"#222\">\n"
             "<style>path{stroke-width:%d;stroke-linejoin:round}"
             ".z0{fill:none;stroke:#000;stroke-opacity:.2}\n",
-            d->look->width, d->look->height, d->look->width, d->look->height,
             apart ? 8 : 6);
     for (k = 0; k < d->bands; k++)
         for (tint = 0; tint < TINT; tint++) {
@@ -502,7 +506,19 @@ static void head(const drawing *d)
             hex(d->file, x, shade * (apart ? 0.2 : d->plain ? 0.45 : 0.62));
             fprintf(d->file, "}%s", tint == TINT - 1 ? "\n" : "");
         }
-    fprintf(d->file, "</style>\n<rect width=\"100%%\" height=\"100%%\" "
+    fprintf(d->file, "</style>\n");
+}
+
+/* head - the start of the file. */
+static void head(const drawing *d)
+{
+    fprintf(d->file,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" "
+            "height=\"%d\" viewBox=\"0 0 %d0 %d0\" "
+            "font-family=\"Helvetica,Arial,sans-serif\" fill=\"#222\">\n",
+            d->look->width, d->look->height, d->look->width, d->look->height);
+    if (d->tet) styles(d);
+    fprintf(d->file, "<rect width=\"100%%\" height=\"100%%\" "
                      "fill=\"#fff\"/>\n");
     if (d->look->title)
         fprintf(d->file,
@@ -576,96 +592,6 @@ void draw_default(draw_look *look)
     look->label = 0;
 }
 
-tess_int draw_alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
-                    const tess_int *adj, double radius, char *keep,
-                    tess_int *stack)
-{
-    tess_int many = 0, nfac, none[3], t;
-
-    if (alpha(p, ntet, tet, adj, radius, 1, keep, 0, &nfac, none, stack) < 0)
-        for (t = 0; t < ntet; t++) keep[t] = 1;
-    for (t = 0; t < ntet; t++) many += keep[t];
-    return many;
-}
-
-int draw_cells(FILE *file, tess_int n, const tess_real *p, tess_int ntet,
-               const tess_int *tet, const tess_int *adj, tess_int base)
-{
-    /* what is written in each pass; pass 0 counts */
-    enum { COUNT, POINTS, CELLS, TYPES, INDEX, VOLUMES, PASSES };
-    tess_int *list = (tess_int *)malloc(4 * (size_t)ntet * sizeof *list);
-    tess_int *first = (tess_int *)malloc(((size_t)n + 1) * sizeof *first);
-    tess_int *whole = 0, *start, *corner, nface, nvert, most = 8, i, j, k;
-    double *real = 0, box[6], *vert, volume, cells = 0.0, points = 0.0;
-    double numbers = 0.0;
-    int pass, bad = !list || !first;
-
-    if (!bad) bad = stars(n, ntet, tet, first, list);
-    for (i = 0; i < n && !bad; i++)
-        if (first[i + 1] - first[i] + 8 > most)
-            most = first[i + 1] - first[i] + 8;
-    if (!bad) {
-        whole = (tess_int *)malloc((20 * (size_t)most + 1) * sizeof *whole);
-        real = (double *)malloc(17 * (size_t)most * sizeof *real);
-        bad = !whole || !real;
-    }
-    for (i = 0; i < 6 && !bad; i++) box[i] = (double)p[i % 3];
-    for (i = 0; i < 3 * n && !bad; i++) {
-        if ((double)p[i] < box[i % 3]) box[i % 3] = (double)p[i];
-        if ((double)p[i] > box[3 + i % 3]) box[3 + i % 3] = (double)p[i];
-    }
-    for (pass = 0; pass < PASSES && !bad; pass++) {
-        if (pass == POINTS)
-            fprintf(file, "# vtk DataFile Version 3.0\n"
-                          "Voronoi cells in the points' box, by tess\n"
-                          "ASCII\nDATASET UNSTRUCTURED_GRID\n"
-                          "POINTS %.0f double\n", points);
-        if (pass == CELLS)
-            fprintf(file, "CELLS %.0f %.0f\n", cells, numbers);
-        if (pass == TYPES) fprintf(file, "CELL_TYPES %.0f\n", cells);
-        if (pass == INDEX)
-            fprintf(file, "CELL_DATA %.0f\nSCALARS point int 1\n"
-                          "LOOKUP_TABLE default\n", cells);
-        if (pass == VOLUMES)
-            fprintf(file, "SCALARS volume double 1\nLOOKUP_TABLE default\n");
-        for (points = 0.0, i = 0; i < n && !bad; i++) {
-            start = whole + most;
-            corner = whole + 2 * most + 1;
-            vert = real + most;
-            bad = cell(p, tet, adj, first, list, i, box, most, &nface, whole,
-                       real, &volume, start, corner, &nvert, vert,
-                       whole + 8 * most + 1, real + 10 * most);
-            if (bad || nface == 0) continue;
-            if (pass == COUNT) {
-                cells += 1.0;
-                numbers += 2.0 + (double)nface + (double)start[nface];
-            }
-            for (j = 0; j < nvert && pass == POINTS; j++)
-                fprintf(file, "%.17g %.17g %.17g\n", vert[3 * j],
-                        vert[3 * j + 1], vert[3 * j + 2]);
-            if (pass == CELLS) {
-                fprintf(file, "%ld %ld", (long)(1 + nface + start[nface]),
-                        (long)nface);
-                for (j = 0; j < nface; j++) {
-                    fprintf(file, " %ld", (long)(start[j + 1] - start[j]));
-                    for (k = start[j]; k < start[j + 1]; k++)
-                        fprintf(file, " %.0f", points + (double)corner[k]);
-                }
-                fprintf(file, "\n");
-            }
-            points += (double)nvert;
-            if (pass == TYPES) fprintf(file, "42\n");
-            if (pass == INDEX) fprintf(file, "%ld\n", (long)(i + base));
-            if (pass == VOLUMES) fprintf(file, "%.17g\n", volume);
-        }
-    }
-    free(list);
-    free(first);
-    free(whole);
-    free(real);
-    return bad != 0;
-}
-
 int draw_svg(FILE *file, const draw_look *look, tess_int n,
              const tess_real *p, const double *value, tess_int ntet,
              const tess_int *tet, const tess_int *adj)
@@ -700,4 +626,62 @@ int draw_svg(FILE *file, const draw_look *look, tess_int n,
     free(behind);
     free(d.q);
     return bad;
+}
+
+/* band_of - the band that a value is in; -1 for none. */
+static int band_of(const drawing *d, double x)
+{
+    double k = floor((x - d->low) / d->step);
+
+    if (!(x >= -1e300 && x <= 1e300)) return -1;
+    return k < 0.0 ? 0 : k >= d->bands ? d->bands - 1 : (int)k;
+}
+
+void draw_slice(FILE *file, const draw_look *look, int across, int up,
+                double wide, const double *value)
+{
+    double low = 0.0, high = 0.0, x, y;
+    drawing d;
+    long many = (long)across * up, i;
+    int any = 0, band, column, line, from;
+
+    for (i = 0; i < many; i++) {
+        if (!(value[i] >= -1e300 && value[i] <= 1e300)) continue;
+        if (!any || value[i] < low) low = value[i];
+        if (!any || value[i] > high) high = value[i];
+        any = 1;
+    }
+    d.file = file;
+    d.look = look;
+    d.tet = 0;
+    d.plain = !any;
+    choose_bands(&d, low, high);
+    choose_place(&d, wide, 1.0);
+    head(&d);
+    x = d.unit * wide / across;
+    y = d.unit / up;
+    fprintf(file, "<g transform=\"translate(%.1f %.1f) scale(%.4f %.4f)\">\n",
+            d.shift[0], d.shift[1], x, y);
+    /* a path for each band: where it is or a higher one, so that no gaps show */
+    for (band = 0; band < d.bands; band++) {
+        fprintf(file, "<path fill=\"");
+        hex(file, d.bands > 1 ? band / (d.bands - 1.0) : 0.5, 1.0);
+        fprintf(file, "\" d=\"");
+        for (line = 0; line < up; line++) {
+            const double *row = value + (long)across * (up - 1 - line);
+
+            for (column = 0; column < across; column++) {
+                if (band_of(&d, row[column]) < band) continue;
+                for (from = column;
+                     column < across && band_of(&d, row[column]) >= band;)
+                    column++;
+                fprintf(file, "M%d %dh%dv1h-%dz", from, line, column - from,
+                        column - from);
+            }
+        }
+        fprintf(file, "\"/>\n");
+    }
+    fprintf(file, "</g>\n");
+    if (any) bar(&d);
+    fprintf(file, "</svg>\n");
 }

@@ -33,20 +33,6 @@ typedef struct draw_look {
 /* draw_default - a look for points that one knows nothing about. */
 void draw_default(draw_look *look);
 
-/* draw_alpha - keep[t] = 1 for the tetrahedra of a circumradius of at most
- * radius, 0 for the others: the alpha shape of the points, which shows holes
- * and hollows that the convex hull fills.  stack: ntet tess_ints.  Returns how
- * many are kept. */
-tess_int draw_alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
-                    const tess_int *adj, double radius, char *keep,
-                    tess_int *stack);
-
-/* draw_cells - write the points' Voronoi cells, clipped to the points' box, as
- * polyhedra of a VTK unstructured grid; base: the first point's number.
- * returns 0, or 1 when there is not enough memory. */
-int draw_cells(FILE *file, tess_int n, const tess_real *p, tess_int ntet,
-               const tess_int *tet, const tess_int *adj, tess_int base);
-
 /* draw_svg - draw a result of tess.
  *
  *   value   one a point, or 0: the colour is then the distance from the
@@ -57,6 +43,15 @@ int draw_cells(FILE *file, tess_int n, const tess_real *p, tess_int ntet,
 int draw_svg(FILE *file, const draw_look *look, tess_int n,
              const tess_real *p, const double *value, tess_int ntet,
              const tess_int *tet, const tess_int *adj);
+
+/* draw_slice - draw values at the places of a plane grid, in bands of colour.
+ *
+ *   across, up  its places: the first at the lower left, then to the right
+ *   wide    width by height
+ *   value   across * up; where NaN nothing is drawn
+ */
+void draw_slice(FILE *file, const draw_look *look, int across, int up,
+                double wide, const double *value);
 
 #ifdef __cplusplus
 }

@@ -1,12 +1,22 @@
-/* driver.h - what the two files of the command line program share. */
+/* driver.h - what the files of the command line program share.
+ *
+ *   options.c   the command line                   read.c    points
+ *   driver.c    the arrays, the mesh, messages     write.c   files
+ *   shapes.c    alpha shapes, cells                draw.c    pictures
+ *   values.c    interpolation                      places.c  where, into files
+ */
 #ifndef DRIVER_H
 #define DRIVER_H
 
+#include <stdio.h>
+
 #include "../../tess.h"
 
-#define NAME 1024   /* longest file name made from -o            */
+#define NAME 1024   /* longest name of a file that is written */
 #define COLUMNS 512 /* most columns of a line                    */
 #define TITLE 40    /* characters of a column's name that matter */
+
+/* ---- what is read ---- */
 
 /* points - what a file holds.  The arrays are the driver's. */
 typedef struct points {
@@ -22,11 +32,70 @@ typedef struct points {
     tess_int base;            /* number of the first point in files */
     const char *cols; /* columns asked for, x, y, z first; 0: by the file */
     int skip;         /* drop rows from which numbers are missing */
+    int lattice;      /* has the file a box that repeats itself? */
+    double box[6];    /* that box: x from, to; y; z */
+    int bare;         /* places, of which values do not matter: -qcols */
 } points;
+
+/* What the lattice is: there is none; a box along the axes; any other. */
+enum { NO_LATTICE, RIGHT, SKEW };
 
 /* read_points - read the file into *a; leaves the program with a message when
  * it cannot.  name: 0 or "-" for standard input. */
 void read_points(const char *name, points *a);
+
+/* ---- what is made ---- */
+
+/* mesh - the tetrahedralization.  It is of points that -scale stretches; all
+ * that is written has the coordinates of in->p. */
+typedef struct mesh {
+    const points *in;
+    double scale[3];    /* 1 if not given */
+    const tess_real *p; /* in->p, times scale */
+    tess_int ntet, *tet, *adj;
+    tess_int maxtet;    /* tetrahedra that there is room for */
+    const char *keep;   /* by -alpha: 0 for a tetrahedron that is left out; */
+    tess_int kept;      /* 1 for so many; or 0, and ntet: all are in */
+    tess_int liw, *iw;  /* workspace, for whoever is at work */
+    long lrw;
+    double *rw;
+} mesh;
+
+/* tetrahedron_volume - in the coordinates given. */
+double tetrahedron_volume(const mesh *m, tess_int t);
+
+/* ---- what is asked for ---- */
+
+/* choices - what the command line says; the table in options.c says of each
+ * option where it goes.  Names of files are 0 if not given. */
+typedef struct choices {
+    const char *input, *cols;
+    const char *node, *ele, *neigh, *vtk, *svg, *face, *cells, *volumes;
+    int skip, check, binary, quiet, periodic;
+    int scaled, boxed; /* are these given? */
+    double scale[3], box[6];
+    double alpha;   /* largest circumradius that is kept; 0: any */
+    double view[2]; /* azimuth and elevation; less than -360: not given */
+    const char *query, *qcols, *grid, *method, *outside, *values;
+    int digits;    /* 0: not given */
+    long validate; /* parts; 0: not given */
+} choices;
+
+extern choices chosen;
+
+/* choose_options - read the command line into chosen; leaves the program with
+ * a message when it cannot.  capacity: last line of -h. */
+void choose_options(int argc, char **argv, const char *capacity);
+
+/* space - room for so many things of that size, to be freed; leaves if there
+ * is none. */
+void *space(double many, size_t size);
+
+/* list_numbers - the numbers in text, with commas between them, at most most of
+ * them.  Returns how many, or -1 for what is no such list. */
+int list_numbers(const char *text, int most, double *x);
+
+/* ---- messages ---- */
 
 /* fail - print a message on stderr, and leave: the usage, the input or an
  * output is bad. */
@@ -41,5 +110,76 @@ void warn(const char *format, ...);
 /* say - tell on stderr what a long run is doing: when there are many points,
  * or the program has run for a second or two. */
 void say(const char *format, ...);
+
+/* ---- files ---- */
+
+/* try_output - leave if no file of that name can be written. */
+void try_output(const char *name);
+
+/* start - open a file to write, one at a time, under another name, which
+ * finish changes: so nothing half written is ever there.  mode: "w", "wb". */
+FILE *start(const char *name, const char *mode);
+void finish(FILE *file, const char *name);
+
+/* put_real - x, which was a float if narrow, with as few digits as give it
+ * back; then the character after. */
+void put_real(FILE *file, double x, int narrow, char after);
+
+/* put_point - the coordinates of a point. */
+void put_point(FILE *file, const points *in, tess_int i, char between,
+               char after);
+
+/* put_bytes - the bytes of a number, the most significant first, as VTK's
+ * binary files have them. */
+void put_bytes(FILE *file, const void *number, int size);
+
+/* put_double - for VTK: x as bytes, by -binary, or as put_real. */
+void put_double(FILE *file, double x, char after);
+
+/* xml_text - a column's name as a picture takes it, until the next one. */
+const char *xml_text(const char *text);
+
+/* put_name - a column's name as VTK takes it. */
+void put_name(FILE *file, const char *name);
+
+/* ---- values (places.c) ---- */
+
+/* check_values - leave if the options of values do not fit together. */
+void check_values(void);
+
+/* read_places - what is wanted of the points, and the places of -query, into
+ * *places; leaves when that cannot be. */
+void read_places(const points *in, points *places);
+
+/* keep_values - what of the new mesh is needed later on, when iw and rw will
+ * hold something else. */
+void keep_values(const mesh *m);
+
+void write_values(const mesh *m);
+
+/* validate_values - print the table of -validate; the mesh is lost. */
+void validate_values(const mesh *m);
+
+/* ---- files of points and tetrahedra (write.c) ---- */
+
+/* write_... - a file of that format. */
+void write_node(const mesh *m, const char *name);
+void write_four(const mesh *m, const char *name, const char *head,
+                const tess_int *four);
+void write_face(const mesh *m, const char *name);
+void write_vtk(const mesh *m, const char *name);
+void write_svg(const mesh *m, const char *name);
+
+/* ---- shapes ---- */
+
+/* mark_alpha - set keep[t] and m->keep: 1 for the tetrahedra of the alpha
+ * shape of that radius. */
+void mark_alpha(mesh *m, double radius, char *keep);
+
+/* drop_others - leave the tetrahedra of the alpha shape alone in m. */
+void drop_others(mesh *m);
+
+/* make_cells - the Voronoi cells: write what is asked for. */
+void make_cells(const mesh *m);
 
 #endif

@@ -12,9 +12,11 @@ rm -rf build/driver
 mkdir -p build/driver
 cd build/driver || exit 1
 
-# (to a file: behind a pipe no variable can be set)
-pass() { echo "ok      $1" | tee -a results; }
-fail() { echo "FAILED  $1" | tee -a results; }
+# (to a file: behind a pipe no variable can be set; to 3: where the output of
+# what is tested goes nowhere)
+exec 3>&1
+pass() { echo "ok      $1" | tee -a results >&3; }
+fail() { echo "FAILED  $1" | tee -a results >&3; }
 
 # yes NAME COMMAND...: passed when it succeeds
 yes() {
@@ -252,7 +254,10 @@ x,y,z,T (%),"wind, m/s"
 9,9,9,9,
 9,9,9,9,N/A
 END
-refuses gaps1.csv 'line 4: .*-skip drops such lines' < gaps.csv
+refuses gaps1.csv 'line 2: column 1 is empty, see -skip' < gaps.csv
+sed 2d gaps.csv | refuses gaps4.csv 'line 3: column 4 is empty, see -skip'
+sed '2d; s/9,9,9,,9/9,9,9,NA,9/' gaps.csv |
+    refuses gaps5.csv 'line 3: .*-skip drops such lines'
 OPTIONS=-skip
 reads two gaps2.csv "8 rows dropped .* the first in line 2" < gaps.csv
 tr , ';' < gaps.csv | reads two gaps.txt "8 rows dropped"
@@ -308,6 +313,69 @@ printf '3\n1\nH 0 0 0\nH 0 0 1\nO 1 0 0\n' > three.xyz
 $TESS three.xyz > said 2> words
 yes "an .xyz file of 3 atoms is none of Qhull's" grep '^points *3$' said \
     > /dev/null
+
+# extended .xyz: which columns, and a box
+reads two more.xyz 'column 2 (C) is not a number' << END
+5
+Properties=T:R:1:species:S:1:pos:R:3:u:R:1 Lattice="9 0 0 0 9 0 0 0 9"
+ 0 C 0 0 0 0.5
+10 H 1 0 0 1.5
+20 H 0 1.5 0 2.5
+30 O 0 0 -2 3.5
+40 Fe 0.134 0.25 -0.5 4.5
+END
+sed '2s/Prop[^ ]*/time=1/; s/^ *[0-9]*0 \([A-Z]\)/\1/; s/ [0-9].5$//' more.xyz |
+    reads none lattice.xyz 'column 1 (C) is not a number'
+sed 's/9 0 0 0 9 0/9 0 0 0 nine/' more.xyz |
+    refuses vectors.xyz 'line 2: Lattice needs 9 numbers'
+sed 's/pos:R:3/pos:R/' more.xyz |
+    refuses properties.xyz 'line 2: Properties are not as species:S:1:pos:R:3'
+$TESS -volumes v.csv more.xyz > said 2> words
+yes "Lattice: the box of the cells" grep "the box's is 729" said > /dev/null
+sed 's/9 0 0 0 9/0 9 0 9 0/; s/0 0 9"/0 0 -9" Origin="-1 -2 7"/' more.xyz \
+    > turned.xyz
+$TESS -periodic -volumes v.csv turned.xyz > said 2> words
+yes "Lattice: vectors along other axes, an origin" sh -c \
+    "grep 'sum to 729; the box.s is 729' said && ! grep outside words" > /dev/null
+sed 's/Lattice=.*/Lattice=[[9,0,0],[0,9,0],[0,0,9]]/' more.xyz > nested.xyz
+$TESS -volumes v.csv nested.xyz > said 2> words
+yes "Lattice: in brackets" grep "the box's is 729" said > /dev/null
+sed 's/Lattice="9 0/Lattice="9 1/' more.xyz > skew.xyz
+$TESS -periodic -volumes v.csv skew.xyz > said 2> words
+yes "Lattice: a skew one is refused" test $? -eq 2
+yes "Lattice: why" grep 'not a box along x, y, z' words > /dev/null
+
+# ---- plain lines are read at once, all others field by field: the same ----
+
+awk 'BEGIN { srand(3)
+    for (i = 0; i < 4000; i++)
+        printf "%.17g,%.3f,-%g,%d\n", rand() * 1e9, rand(), rand() * 1e-9, i
+    }' > quick.csv
+sed 's/$/ # slow/' quick.csv > slow.csv
+$TESS -q -node slow.node slow.csv
+for how in 's/x/x/' 's/,/, /g' 's/,/;/g' 's/,/ /g' 's/,/	/g' 's/$/\r/' \
+    's/^/  /; s/$/  /' '5s/$/ # one/; 9s/$/,/' 's/,/ ,/' '$s/$/ # last/'; do
+    sed "$how" quick.csv > asked.csv
+    $TESS -q -node quick.node asked.csv
+    yes "lines after $how" cmp slow.node quick.node
+done
+# words, too: of one column, of one that is not asked for, with tabs and blanks
+for how in 's/,/,2024-01-31T12:00:00Z,/' 's/^/A-1,/' 's/$/,a b/' 's/^/A 1;/' \
+    's/,/	/g; s/^/A1	/' 's/,/ /g; s/^/A1 /' 's/,/	/g; s/^/A 1	/'; do
+    sed "$how; s/;/,/g" quick.csv > asked.csv
+    $TESS -q -node quick.node asked.csv
+    yes "lines after $how" cmp slow.node quick.node
+done
+sed '1s/^/a,/; 2,$s/^/7,/' quick.csv > asked.csv
+$TESS -q -node quick.node asked.csv
+yes "lines with a number in place of a word" cmp slow.node quick.node
+sed 's/^/7,/' quick.csv > asked.csv
+$TESS -q -cols 2,3,4,5 -node quick.node asked.csv
+yes "lines with a number that is not asked for" cmp slow.node quick.node
+printf '1,2,3,4\n1,5, 2,5\n' | refuses mixed.csv 'line 2: a decimal comma'
+printf '1,2,3\n\t1,2,3\n' | refuses tabbed.csv 'line 2: a decimal comma'
+printf '1 2 3\n1 2 3 4\n' | refuses fourth.txt 'line 2: 4 columns'
+printf '1 2 3\n1 2 3x\n' | refuses glued.txt 'line 2: column 3 is not a number'
 
 # ---- OFF, PLY, OBJ, PDB, .node ----
 
@@ -371,6 +439,7 @@ MODEL        2
 ATOM      1  N   LYS A   1       9.000   0.000   0.000  1.00  0.00           N
 ENDMDL
 END
+reads one 1abc.ent "the first model" < 1abc.pdb
 reads corners mesh.stl "column 1 (vertex)" << END
 solid made by hand
  facet normal 0 0 1
@@ -404,8 +473,21 @@ printf '0 3 0 0\n' | refuses empty.node 'no points'
 printf '1 2\n3 4\n' | refuses plane.txt 'line 1: fewer than three numbers'
 printf '1 2 3\n1 2\n' | refuses short.txt 'line 2: 2 columns, but line 1 has 3'
 printf '1 2 3\n1 x 3\n' | refuses word.txt 'line 2: column 2 is not a number: x'
-printf '1,2,3,4\n1,2,3,\n' | refuses missing.csv 'line 2: 3 columns'
-printf '1,2,3,4,5\n1,2,3,,5\n' | refuses hole.csv 'line 2: column 4'
+printf '1,2,3,4\n1,2,3\n' | refuses missing.csv 'line 2: 3 columns'
+empty='is empty, see -skip'
+printf '1,2,3,4\n0,1,0,\n' | refuses last.csv "line 2: column 4 $empty"
+printf '0,1,0,\n1,2,3,4\n' | refuses first.csv "line 1: column 4 $empty"
+printf 'x,y,z,T\n0,1,0,\n1,2,3,4\n' |
+    refuses named.csv "line 2: column 4 $empty"
+printf '1,2,3,4,5\n1,2,3,,5\n' | refuses hole.csv "line 2: column 4 $empty"
+printf '1,2,,4,5\n1,2,3,4,5\n' | refuses top.csv "line 1: column 3 $empty"
+printf 'x,y,z,T\n1,,3,4\n1,2,3,4\n' | refuses y.csv "line 2: column 2 $empty"
+printf '1,,3\n1,2,3\n' | refuses two.csv "line 1: column 2 $empty"
+printf '1,2,3,""\n1,2,3,4\n' | refuses bare.csv "line 1: column 4 $empty"
+printf '1\t2\t3\t4\n1\t\t3\t4\n' | refuses cell.tsv 'line 2: .*see -skip'
+OPTIONS="-cols y,x,z"
+printf 'x,y,z\n,2,3\n' | refuses cols.csv "line 2: column 1 $empty"
+OPTIONS=
 printf '9\n1 2 3\n4 5 6\n' | refuses few.txt 'ends after 2 of 9'
 printf 'ply\nformat binary_little_endian 1.0\n' | refuses binary.ply binary
 printf '2024-11 1 2 3\n2024-12 4 5\n' | refuses dates.txt 'line 2: 3 columns'
@@ -436,10 +518,26 @@ yes "-o: four files" test -s base.node -a -s base.ele -a -s base.neigh -a \
     cp build/driver/plain.csv build/driver/$f
     make run POINTS=build/driver/$f
 done
-make run POINTS=- < build/driver/plain.csv) > said 2>&1
+make run POINTS=- < build/driver/plain.csv
+make run POINTS=build/driver/numbers.txt \
+    OPTIONS="-cols 2,3,4 -node build/driver/run.node") > said 2>&1
+yes "make run OPTIONS=..." cmp numbered run.node
 yes "make run: names that do not collide" test -s ../x.csv.svg -a \
     -s ../x.xyz.svg -a -s ../stdin.svg
-rm -f ../x.csv.* ../x.xyz.* ../stdin.*
+rm -f ../x.csv.* ../x.xyz.* ../stdin.* ../numbers.txt.*
+
+# ---- the command line ----
+
+$TESS -h > help && $TESS --help | cmp - help
+yes "--help is -h" test $? -eq 0
+yes "-h names the options" sh -c 'for o in -cols -skip -scale -box \
+    -periodic -cells -volumes -alpha -q; do grep -e "^  $o " help || exit 1; done' \
+    > /dev/null
+$TESS -none > said 2> words
+yes "an unknown option" test $? -eq 2
+$TESS -box > said 2> words
+yes "an option without its argument" test $? -eq 2
+yes "what it needs" grep -e '-box needs X0,X1,Y0,Y1,Z0,Z1' words > /dev/null
 
 # the hull, as OBJ and as TetGen's .face: of a cube with a point in its middle
 # twelve triangles on edges that are there in both directions, of the volume 1;
@@ -549,17 +647,133 @@ for o in -O0 -O2; do
 done
 yes "pictures: the same bytes" sh -c 'cmp m-O0.svg m-O2.svg && cmp c-O0.svg c-O2.svg'
 
+# ---- -scale ----
+
+# by powers of two, which alter no digit: the mesh of the stretched points, all
+# that is written in the given ones
+awk 'BEGIN { srand(4); print 300, 3, 0, 0
+    for (i = 0; i < 300; i++)
+        printf "%d %.17g %.17g %.17g\n", i, rand(), rand(), 128 * rand() }' \
+    > thin.node
+awk 'NR == 1 { print } NR > 1 { printf "%d %.17g %.17g %.17g\n", $1, $2, 2 * $3,
+    $4 / 128 }' thin.node > even.node
+$TESS -q -ele even.ele -neigh even.neigh even.node
+$TESS -scale 1,2,.0078125 -check -ele a.ele -neigh a.neigh -node a.node -vtk \
+    a.vtk -volumes a.csv thin.node > said 2> words
+yes "-scale: the mesh of stretched points" sh -c \
+    'cmp even.ele a.ele && cmp even.neigh a.neigh && grep -w proven said' \
+    > /dev/null
+$TESS -q -node thin2.node -vtk thin.vtk -face thin.face thin.node
+yes "-scale: their own coordinates" sh -c 'cmp thin2.node a.node &&
+    sed "/^CELLS/,\$d" thin.vtk > v1 && sed "/^CELLS/,\$d" a.vtk | cmp v1 -'
+yes "-scale: nothing else is said" test ! -s words
+$TESS thin.node > said2 2> words
+yes "-scale: the volume is not stretched" sh -c \
+    'grep ^volume said > v1 && grep ^volume said2 | cmp - v1'
+yes "-scale: cells, too: sides, vertices" awk '
+    /^cells/ { bad = $7 - $11; n++ }
+    END { exit !n || bad > 1e-12 || bad < -1e-12 }' said
+yes "sides that differ: a warning" grep -e '-scale 1,1,0.008 ' words > /dev/null
+for width in '49 0' '51 1'; do
+    printf '0 0 0\n1 0 0\n0 1 0\n0 0 %s\n' ${width% *} > wide
+    $TESS wide > said 2> words
+    yes "the warning from 1:50 on" test `grep -c scale words` = ${width#* }
+done
+$TESS -scale 1,1,1 wide > said 2> words
+yes "no warning with -scale" test ! -s words
+printf '0 0 0\n100 0 0\n0 1 0\n' > wide
+$TESS wide > said 2> words
+yes "no warning for a plane" test ! -s words
+for scale in 1,1 1,1,0 1,1,-1 1,1,x 1,1,nan 1,1,1,1 1,1,inf; do
+    OPTIONS="-scale $scale"
+    refuses scaled.txt '-scale needs three numbers above 0' < even.node
+done
+OPTIONS="-scale 1,1,1e300"
+printf '0 0 1e100\n1 0 0\n0 1 0\n1 1 1\n' |
+    refuses beyond.txt '-scale: point 0 is beyond'
+OPTIONS=
+
+# ---- sizes of tetrahedra, alpha shapes: by other formulas ----
+
+cat > alpha.py << END
+import sys
+def rows(name):
+    r = [[float(x) for x in l.split()] for l in open(name) if l[0] != '#']
+    return [a[1:] for a in r[1:]]
+def cross(a, b):
+    return [a[1]*b[2]-a[2]*b[1], a[2]*b[0]-a[0]*b[2], a[0]*b[1]-a[1]*b[0]]
+def dot(a, b): return sum(x * y for x, y in zip(a, b))
+def minus(a, b): return [x - y for x, y in zip(a, b)]
+def block(name, title, n):
+    l = open(name).read().split('\n')
+    at = [i for i in range(len(l)) if l[i].startswith('SCALARS ' + title)][0]
+    return [float(x) for x in l[at + 2:at + 2 + n]]
+p = rows('v.node')
+def sizes(t):
+    a, b, c = [minus(p[v], p[t[0]]) for v in t[1:]]
+    det = dot(a, cross(b, c))
+    u = [(dot(a, a) * x + dot(b, b) * y + dot(c, c) * z) / (2 * det)
+         for x, y, z in zip(cross(b, c), cross(c, a), cross(a, b))]
+    return dot(u, u) ** .5, det / 6
+radius = float(sys.argv[1])
+whole = [[int(x) for x in r] for r in rows('v.ele')]
+part = [[int(x) for x in r] for r in rows('a.ele')]
+size = [sizes(t) for t in whole]
+for name, ele in ('v.vtk', whole), ('a.vtk', part):
+    n = len(ele)
+    for t, r, v in zip(ele, block(name, 'circumradius', n),
+                       block(name, 'volume', n)):
+        assert abs(r - sizes(t)[0]) <= 1e-9 * r, (t, r)
+        assert abs(v - sizes(t)[1]) <= 1e-12 * max(1, v / 1e-3), (t, v)
+assert part == [t for t, s in zip(whole, size) if s[0] <= radius]
+assert 0 < len(part) < len(whole)
+neigh = [[int(x) for x in r] for r in rows('a.neigh')]
+facets = {}
+for t in part:
+    for k in range(4): facets.setdefault(frozenset(t) - {t[k]}, []).append(t)
+shell = [f for f in facets if len(facets[f]) == 1]
+for t, u in zip(part, neigh):
+    for k in range(4):
+        both = facets[frozenset(t) - {t[k]}]
+        assert u[k] < 0 if len(both) == 1 else part[u[k]] in both
+        assert u[k] < 0 or part[u[k]] != t
+face = [[int(x) for x in r] for r in rows('a.face')]
+assert sorted(map(sorted, face)) == sorted(map(sorted, shell))
+volume = sum(s[1] for s in size if s[0] <= radius)
+out = sum(dot(p[a], cross(p[b], p[c])) / 6 for a, b, c in face)
+assert abs(out - volume) <= 1e-12 * volume, (out, volume)
+said = {l.split()[0]: l.split()[1] for l in open('said')}
+assert int(said['tetrahedra']) == len(part)
+assert int(said['facets']) == len(shell)
+assert abs(float(said['volume']) - volume) <= 1e-8 * volume
+END
+awk 'BEGIN { srand(5); print 200, 3, 0, 0
+    for (i = 0; i < 200; i++) print i, rand(), rand(), rand() }' > cloud.node
+$TESS -q -node v.node -ele v.ele -vtk v.vtk cloud.node
+for radius in 0.15 0.3; do
+    $TESS -alpha $radius -ele a.ele -neigh a.neigh -vtk a.vtk -face a.face \
+        -svg a.svg -cells a.cells cloud.node > said
+    yes "-alpha $radius: tetrahedra, neighbours, facets, sizes, volume" \
+        $PYTHON alpha.py $radius
+done
+$TESS -q -cells v.cells cloud.node
+yes "-alpha: cells are those of all points" cmp v.cells a.cells
+$TESS -alpha 0.001 -ele a.ele cloud.node > said 2> words
+yes "-alpha: nothing left" sh -c \
+    'test "`cat a.ele`" = "0 4 0" && grep "nothing is left" words' > /dev/null
+
 # ---- Voronoi cells: their volumes sum to the box's; faces by Euler ----
 
 awk 'BEGIN { srand(7); for (i = 0; i < 500; i++) print rand(), rand(), rand()
     for (i = 0; i < 64; i++) print i % 4, int(i / 4) % 4, int(i / 16) }' > some
-$TESS -q -cells cells.vtk some
-yes "-cells: as many as points, and they fill the box" awk '
+# fills N VOLUME: cells.vtk has N closed polyhedra, VOLUME in all
+fills() {
+    awk -v want=$1 -v all=$2 '
     /^CELLS/ { n = $2; cells = 1; next }
     /^CELL_TYPES/ { cells = 0; types = 1; next }
     /^CELL_DATA/ { types = 0 }
     cells { seen++; if (NF != $1 + 1) bad = 1
-        at = 3; delete known; corners = points = 0
+        at = 3; split("", known); corners = points = 0
         for (f = 0; f < $2; f++) {
             corners += $at
             for (k = 1; k <= $at; k++)
@@ -568,8 +782,111 @@ yes "-cells: as many as points, and they fill the box" awk '
         if (2 * (points + $2) != 4 + corners) bad = 1 }
     types && $1 != 42 { bad = 1 }
     /^SCALARS volume/ { getline; while ((getline v) > 0) sum += v }
-    END { d = sum - 27; exit bad || seen != n || n != 564 ||
-        d > 1e-11 || d < -1e-11 }' cells.vtk
+    END { d = (sum - all) / all; exit bad || seen != n || n != want ||
+        d > 1e-12 || d < -1e-12 }' cells.vtk
+}
+$TESS -q -cells cells.vtk some
+yes "-cells: as many as points, and they fill the box" fills 564 27
+$TESS -q -cells cells.vtk -box -.5,3.5,0,3.25,0,3 some
+yes "-cells -box: they fill that box" fills 564 39
+$TESS -q -cells cells.vtk -periodic -box 0,4,0,4,0,4 some
+yes "-cells -periodic: they fill the box" fills 564 64
+cat > voronoi.py << END
+import sys, itertools, numpy
+from scipy.spatial import Voronoi, ConvexHull
+periodic = sys.argv[1] == 'periodic'
+box = numpy.array([float(x) for x in sys.argv[2].split(',')]).reshape(3, 2)
+a = numpy.loadtxt('cells.csv', delimiter=',', skiprows=1)
+assert open('cells.csv').readline() == 'x,y,z,volume,faces\n'
+p = a[:, :3]
+assert (p == numpy.loadtxt('boxed')).all()
+all, n = p, len(p)
+for k in range(3):
+    more = [all]
+    for side in 0, 1:
+        other = all.copy()
+        if periodic: other[:, k] += (2 * side - 1) * (box[k, 1] - box[k, 0])
+        else: other[:, k] = 2 * box[k, side] - all[:, k]
+        more.append(other)
+    all = numpy.concatenate(more)
+v = Voronoi(all)
+faces = numpy.zeros(n, int)
+for i, j in v.ridge_points:
+    if i < n: faces[i] += 1
+    if j < n: faces[j] += 1
+volume = [ConvexHull(v.vertices[v.regions[v.point_region[i]]]).volume
+          for i in range(n)]
+assert abs(a[:, 3] / volume - 1).max() < 1e-9, abs(a[:, 3] / volume - 1).max()
+assert (a[:, 4] == faces).all()
+whole = (box[:, 1] - box[:, 0]).prod()
+said = [l for l in open('said') if l.startswith('cells')][0].split()
+assert abs(float(said[6][:-1]) - whole) <= 1e-12 * whole, said
+assert abs(float(said[10]) - whole) <= 1e-12 * whole, said
+END
+awk 'BEGIN { srand(8)
+    for (i = 0; i < 150; i++) print rand(), 2 * rand(), 3 * rand() - 1 }' > boxed
+if $PYTHON -c 'import scipy.spatial' 2> words; then
+    for kind in periodic clipped; do
+        option=`echo -$kind | grep periodic`
+        $TESS -volumes cells.csv $option -box 0,1,0,2,-1,2 boxed > said
+        yes "-volumes: as scipy has them: $kind" $PYTHON voronoi.py $kind \
+            0,1,0,2,-1,2
+    done
+else
+    echo "        skipped: -volumes beside scipy's: no scipy for $PYTHON"
+fi
+awk '{ printf "%.17g %.17g %.17g\n", $1 + NR % 3 - 1, $2 - 2 * (NR % 2),
+    $3 + 6 }' boxed > far
+$TESS -volumes far.csv -periodic -box 0,1,0,2,-1,2 far > said 2> words
+yes "-periodic: points outside the box are said" grep outside words > /dev/null
+$TESS -q -volumes near.csv -periodic -box 0,1,0,2,-1,2 boxed
+yes "-periodic: points outside the box have copies inside" awk -F, '
+    NR == FNR { v[FNR] = $4; f[FNR] = $5; next }
+    FNR > 1 && ($5 != f[FNR] || $4 - v[FNR] > 1e-12 || v[FNR] - $4 > 1e-12) {
+        bad = 1 }
+    END { exit bad || FNR != 151 }' near.csv far.csv
+# duplicates have none; points in a plane have cells where the box repeats
+(cat some; sed -n 5p some) > twin
+$TESS -q -volumes twin.csv twin
+yes "-volumes: a duplicate has no cell" sh -c \
+    'tail -n 1 twin.csv | grep ",0,0$"' > /dev/null
+$TESS -periodic -box 0,2,0,2,0,1 -volumes flat.csv flat > said 2> words
+yes "-periodic: points in a plane" grep 'sum to 4; the box.s is 4$' said \
+    > /dev/null
+$TESS -periodic boxed > said 2> words
+yes "-periodic without cells" grep 'are for -cells and -volumes' words > /dev/null
+# refusals
+OPTIONS="-volumes no.csv"
+refuses flat1 'no cells: the points do not span space' < flat
+for box in 0,1,0,1,0 0,1,0,1,1,0 0,1,0,1,0,0 0,1,0,1,0,x; do
+    OPTIONS="-volumes no.csv -box $box"
+    refuses boxed1 '-box needs X0,X1,Y0,Y1,Z0,Z1' < boxed
+done
+OPTIONS="-volumes no.csv -periodic"
+refuses boxed2 '-periodic needs -box X0,X1,Y0,Y1,Z0,Z1, or' < boxed
+printf '0 0 0\n' > lone
+OPTIONS="-volumes no.csv -periodic -box 0,64,0,1,0,1"
+refuses lone1 'so few points in so long a box' < lone
+OPTIONS=
+yes "nothing of what is refused is written" test ! -f no.csv
+
+# ---- what cannot be written is refused at once; nothing is half written ----
+
+mkdir -p there
+for place in there nowhere/file; do
+    echo no points | $TESS -q -ele $place > said 2> words
+    yes "-ele $place: exit code 2, before anything is read" test $? -eq 2
+    yes "-ele $place: why" grep "^tess: $place: " words > /dev/null
+done
+echo kept > kept.vtk
+cp kept.vtk kept
+(trap '' XFSZ; ulimit -f 8; $TESS -vtk kept.vtk -q some) > said 2> words
+yes "a disk that is full: exit code 2" test $? -eq 2
+yes "a disk that is full: the old file, no part of the new one" sh -c \
+    'cmp kept kept.vtk && ! ls *.part' > said 2>&1
+$TESS -q -node device.node flat
+yes "a device is written as it is" sh -c \
+    "$TESS -q -node /dev/stdout flat | cmp - device.node"
 
 # ---- many points ----
 

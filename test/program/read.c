@@ -14,8 +14,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LINE 8192 /* most characters of a line */
-#define HEAD 512  /* characters by which a file that is no text is told */
+#define LINE 8192   /* most characters of a line */
+#define HEAD 512    /* characters by which a file that is no text is told */
+#define BLOCK 65536 /* characters that are read at once */
 
 typedef struct field {
     char *text;
@@ -26,31 +27,41 @@ typedef struct field {
 
 static points *to;
 static FILE *file;
-static char head[HEAD]; /* the file's beginning */
-static int headed, taken;
-static int held = EOF; /* a character read and put back */
+static char block[BLOCK + 1]; /* a part of the file, and '\0' */
+static size_t filled, taken;  /* of it */
 static char line[LINE + 1];
 static long line_number;
 static field fields[COLUMNS];
 static int many;                   /* fields */
 static int doubtful;               /* is there a decimal comma in the line? */
+static int open_end;               /* is its last character a separator? */
+static char separator;             /* other than blanks; or 0 */
 static char title[COLUMNS][TITLE]; /* of the columns, from a header */
 static int titles;
-static long first_line; /* of the points */
+static long first_line; /* of the points; does it end with a separator? */
+static int first_open;
 static int width;       /* columns of a line of points; and which they are: */
 static int part[COLUMNS];
 static long dropped, first_dropped; /* rows, by -skip; the first one's line */
 static int counting; /* is the first column 0, 1, 2, ... or 1, 2, 3, ...? */
 static double count_from;
 
-/* What a column is: 0, 1, 2 a coordinate, LABEL, UNUSED, or VALUE. */
+/* What a column is: 0, 1, 2 a coordinate, LABEL, UNUSED, VALUE; or HOLLOW, a
+ * label for want of something in the first line. */
 #define LABEL 3
 #define UNUSED 4
 #define VALUE 5
+#define HOLLOW 6
 
 static void fail_line(const char *what)
 {
     fail("%s, line %ld: %s", to->input, line_number, what);
+}
+
+static void fail_empty(long at, int column)
+{
+    fail("%s, line %ld: column %d is empty, see -skip, which drops such lines",
+         to->input, at, column);
 }
 
 /* ---------------------------------------------------------------- binary */
@@ -62,7 +73,18 @@ static int ends_in(const char *name, const char *suffix)
     return a >= b && strcmp(name + a - b, suffix) == 0;
 }
 
-/* refuse_binary - read the file's head; leave if it is not text. */
+/* more - read on, behind what is not yet taken; 0 if nothing is left. */
+static int more(void)
+{
+    filled -= taken;
+    memmove(block, block + taken, filled);
+    taken = 0;
+    filled += fread(block + filled, 1, BLOCK - filled, file);
+    block[filled] = '\0';
+    return filled > 0;
+}
+
+/* refuse_binary - begin to read the file; leave if it is not text. */
 static void refuse_binary(void)
 {
     static const char *const packed[][2] = {
@@ -70,17 +92,17 @@ static void refuse_binary(void)
         {"BZh", "compressed by bzip2; unpack it first: bunzip2 -c"},
         {"\3757zXZ", "compressed by xz; unpack it first: xz -dc"},
         {"PK\003\004", "a zip archive; unpack it first: unzip -p"}};
-    size_t k;
+    size_t k, head;
 
-    headed = (int)fread(head, 1, HEAD, file);
+    more();
+    head = filled < HEAD ? filled : HEAD;
     for (k = 0; k < sizeof packed / sizeof packed[0]; k++)
-        if ((size_t)headed > strlen(packed[k][0]) &&
-            memcmp(head, packed[k][0], strlen(packed[k][0])) == 0)
+        if (head > strlen(packed[k][0]) &&
+            memcmp(block, packed[k][0], strlen(packed[k][0])) == 0)
             fail("%s: is %s ... | tess", to->input, packed[k][1]);
     /* next_line knows UTF-16, read_ply its own binary form */
-    if (!memchr(head, 0, (size_t)headed) ||
-        memcmp(head, "\377\376", 2) == 0 ||
-        memcmp(head, "\376\377", 2) == 0 || memcmp(head, "ply", 3) == 0)
+    if (!memchr(block, 0, head) || memcmp(block, "\377\376", 2) == 0 ||
+        memcmp(block, "\376\377", 2) == 0 || memcmp(block, "ply", 3) == 0)
         return;
     if (ends_in(to->input, ".stl") || ends_in(to->input, ".STL"))
         fail("%s: is binary STL; save it as ASCII STL, or OBJ or OFF",
@@ -90,11 +112,8 @@ static void refuse_binary(void)
 
 static int next_char(void)
 {
-    int c = held;
-
-    held = EOF;
-    if (c != EOF) return c;
-    return taken < headed ? (unsigned char)head[taken++] : getc(file);
+    if (taken == filled && !more()) return EOF;
+    return (unsigned char)block[taken++];
 }
 
 /* ---------------------------------------------------------------- fields */
@@ -143,10 +162,8 @@ static int next_line(void)
                  strncmp(line, "\376\377", 2) == 0))
                 fail("%s: is UTF-16; save it as UTF-8 or ASCII", to->input);
         }
-        if (c == '\r' && (c = next_char()) != '\n' && c != EOF) {
-            held = c;
-            c = '\n';
-        }
+        if (c == '\r' && (taken < filled || more()) && block[taken] == '\n')
+            taken++;
         line[len] = '\0';
         for (i = quoted = 0; i < len && (quoted || !comment(line + i)); i++)
             if (line[i] == '"') quoted = !quoted;
@@ -241,7 +258,7 @@ static int missing(const char *text)
 static void split(void)
 {
     char *s, *end, mark = 0;
-    int quoted = 0, open = 0; /* is the last character a separator? */
+    int quoted = 0;
 
     doubtful = decimal_comma();
     for (s = line; *s; s++) {
@@ -251,10 +268,12 @@ static void split(void)
             mark = *s;
     }
     s = line;
+    separator = mark;
+    open_end = 0;
     for (many = 0;; many++) {
         while (blank(*s) && !(to->skip && *s == mark)) s++;
         if (!*s &&
-            !(to->skip && open && many + 1 == (width > 0 ? width : titles)))
+            !(open_end && many + 1 == (width > 0 ? width : titles)))
             return;
         if (many == COLUMNS)
             fail("%s, line %ld: more than %d columns", to->input, line_number,
@@ -284,8 +303,8 @@ static void split(void)
             s = end;
         }
         while (blank(*s) && !(to->skip && *s == mark)) s++;
-        open = *s && *s == mark;
-        s += open;
+        open_end = *s && *s == mark;
+        s += open_end;
         if (!quoted) {
             while (end > fields[many].text && blank(end[-1])) end--;
             *end = '\0';
@@ -302,6 +321,64 @@ static int numbers(void)
 
     for (k = 0; k < many; k++) sum += fields[k].number && !fields[k].missing;
     return sum;
+}
+
+/* plain_word - the end of a word of letters, digits and - + . _ : at s. */
+static char *plain_word(char *s)
+{
+    while (isalnum((unsigned char)*s) || (*s && strchr("-+._:", *s))) s++;
+    return s;
+}
+
+/* quick - take the next line, if it is plain: as many numbers, and words that
+ * are skipped, as the first one has, with one comma or semicolon between two,
+ * or blanks.  Returns 0 and takes nothing if it is not, or might not be.  Most
+ * lines of most files are, and next_line and split take twice the time. */
+static int quick(void)
+{
+    char *s, *end, *stop, mark = 0;
+    int k, glued = 0, spaced = 0, tabs = 0, blanks = 0, words = 0;
+
+    if (filled - taken < LINE) more();
+    s = block + taken;
+    stop = (char *)memchr(
+        s, '\n', filled - taken < LINE ? filled - taken : LINE);
+    if (!stop) return 0;
+    for (k = 0; k < width; k++) {
+        if (k > 0 && mark != ' ') {
+            if (*s++ != mark) return 0;
+            glued |= *s != ' ';
+            spaced |= *s == ' ';
+        }
+        for (; *s == ' ' || (*s == '\t' && !to->skip); s++) {
+            tabs |= *s == '\t';
+            blanks |= *s == ' ';
+        }
+        end = s;
+        fields[k].number = part[k] != LABEL && part[k] != UNUSED;
+        fields[k].missing = 0;
+        words |= !fields[k].number;
+        if (!fields[k].number)
+            end = plain_word(s);
+        else if (digit(*s) || *s == '-' || *s == '.')
+            fields[k].x = strtod(s, &end);
+        if (end == s) return 0;
+        s = end;
+        if (k == 0) mark = *s == ',' || *s == ';' ? *s : ' ';
+        if (mark == ' ' && !blank(*s) && *s != '\r' && *s != '\n') return 0;
+    }
+    while (*s == ' ' || (*s == '\t' && !to->skip)) s++;
+    s += *s == '\r';
+    /* (1,5, 2,5 and 1,5 tab 2,5 have decimal commas; a word, where there are
+     * tabs, blanks in it) */
+    if (s != stop || (glued && spaced) || (tabs && mark != ' ') ||
+        (tabs && blanks && words))
+        return 0;
+    taken = (size_t)(stop + 1 - block);
+    line_number++;
+    many = width;
+    doubtful = open_end = 0;
+    return 1;
 }
 
 /* lacking - is a number missing in a column that is asked for? */
@@ -337,13 +414,14 @@ static int word(int k, const char *text)
 
 /* ---------------------------------------------------------------- points */
 
-/* put_point - one more: its coordinates; its values are set by the caller. */
-static void put_point(const double *x)
+/* add_point - one more: its coordinates; its values are set by the caller. */
+static void add_point(const double *x)
 {
     int k;
 
     if (to->n == to->room ||
-        (double)to->columns * (double)(to->n + 1) > (double)to->values)
+        (!to->bare &&
+         (double)to->columns * (double)(to->n + 1) > (double)to->values))
         too_small("%s, line %ld: more than %ld points with %d values each; "
                   "build for more: make MAXPTS=%ld",
                   to->input, line_number, (long)to->n, to->columns,
@@ -405,6 +483,12 @@ static int called(const char *name, size_t length)
     return many;
 }
 
+/* option - that names columns. */
+static const char *option(void)
+{
+    return to->bare ? "-qcols" : "-cols";
+}
+
 /* choose - the columns that -cols names: x, y, z, then values.  Returns how
  * many. */
 static int choose(int *at)
@@ -421,14 +505,16 @@ static int choose(int *at)
         else if (length > 0 && length < 5 && *s != '0')
             k = atoi(s) - 1;
         if (k >= many)
-            fail("%s, line %ld: -cols: no column %.*s among %d%s", to->input,
-                 line_number, (int)length, s, many,
+            fail("%s, line %ld: %s: no column %.*s among %d%s", to->input,
+                 line_number, option(), (int)length, s, many,
                  titles > 0 ? "" : ", and no line of names before them");
+        if (!fields[k].number && !fields[k].text[0])
+            fail_empty(line_number, k + 1);
         if (!fields[k].number)
-            fail("%s, line %ld: -cols: column %d is not a number: %.30s",
-                 to->input, line_number, k + 1, fields[k].text);
+            fail("%s, line %ld: %s: column %d is not a number: %.30s",
+                 to->input, line_number, option(), k + 1, fields[k].text);
         if (part[k] != UNUSED || found == COLUMNS)
-            fail("-cols: column %.*s twice", (int)length, s);
+            fail("%s: column %.*s twice", option(), (int)length, s);
         part[k] = found < 3 ? found : VALUE;
         at[found++] = k;
         s += length;
@@ -443,6 +529,7 @@ static void columns(void)
 
     width = many;
     first_line = line_number;
+    first_open = open_end;
     to->columns = 0;
     if (titles != many) titles = 0;
     at[0] = at[1] = at[2] = -1;
@@ -451,7 +538,10 @@ static void columns(void)
     for (k = 0; k < titles && !to->cols; k++) {
         int a = axis(title[k]);
 
-        if (a < 0 || at[a] >= 0 || !fields[k].number) continue;
+        if (a < 0 || at[a] >= 0) continue;
+        if (!fields[k].text[0] && !fields[k].number)
+            fail_empty(line_number, k + 1);
+        if (!fields[k].number) continue;
         at[a] = k;
         found++;
     }
@@ -461,8 +551,8 @@ static void columns(void)
     if (found < 3) fail_line("fewer than three numbers");
     for (k = 0; k < 3; k++) part[at[k]] = k;
     for (k = 0; k < many; k++) {
-        if (!fields[k].number) part[k] = LABEL;
-        if (part[k] == UNUSED && found == 3) part[k] = VALUE;
+        if (!fields[k].number) part[k] = fields[k].text[0] ? LABEL : HOLLOW;
+        if (part[k] == UNUSED && found == 3 && !to->bare) part[k] = VALUE;
         if (part[k] != VALUE) continue;
         if (titles > 0 && title[k][0])
             strcpy(to->name[to->columns], title[k]);
@@ -481,7 +571,7 @@ static int like(void)
     if (many != width) return 0;
     for (k = 0; k < many; k++)
         if (part[k] != UNUSED && !fields[k].missing &&
-            (part[k] == LABEL) == fields[k].number)
+            (part[k] == LABEL || part[k] == HOLLOW) == fields[k].number)
             return 0;
     return 1;
 }
@@ -493,9 +583,11 @@ static void row(void)
     int k;
 
     refuse();
+    if (many == width + 1 && first_open) fail_empty(first_line, many);
     if (many != width)
-        fail("%s, line %ld: %d columns, but line %ld has %d", to->input,
-             line_number, many, first_line, width);
+        fail("%s, line %ld: %d columns, but line %ld has %d%s", to->input,
+             line_number, many, first_line, width,
+             separator == '\t' ? " (empty cells? see -skip)" : "");
     if (part[0] != 0 ||
         fields[0].x != count_from + (double)to->n + (double)dropped)
         counting = 0;
@@ -504,14 +596,19 @@ static void row(void)
         return;
     }
     for (k = 0; k < many; k++) {
-        if (part[k] == LABEL || part[k] == UNUSED) continue;
+        if (part[k] == HOLLOW && fields[k].number)
+            fail_empty(first_line, k + 1);
+        if (part[k] == LABEL || part[k] == HOLLOW || part[k] == UNUSED)
+            continue;
+        if (!fields[k].number && !fields[k].text[0])
+            fail_empty(line_number, k + 1);
         if (!fields[k].number)
             fail("%s, line %ld: column %d is not a number: %.30s%s",
                  to->input, line_number, k + 1, fields[k].text,
                  missing(fields[k].text) ? " (-skip drops such lines)" : "");
         if (part[k] < LABEL) x[part[k]] = fields[k].x;
     }
-    put_point(x);
+    add_point(x);
     v = to->value + to->columns * (long)(to->n - 1);
     for (k = 0; k < many; k++)
         if (part[k] == VALUE) *v++ = fields[k].x;
@@ -526,10 +623,10 @@ static void shape(void)
     columns();
     count_from = fields[0].x;
     counting = count(0) && count_from <= 1.0;
-    for (k = 0; k < many; k++)
-        if (part[k] == LABEL && !to->cols)
+    for (k = 0; k < many && !to->cols; k++)
+        if (part[k] == LABEL || part[k] == HOLLOW)
             warn("%s: column %d (%.20s) is not a number: skipped", to->input,
-                 k + 1, fields[k].text);
+                 k + 1, part[k] == LABEL ? fields[k].text : "empty");
     /* 0,13,0,84,0,5: to tell is beyond a program */
     for (k = 0; k < many && count(k); k++) continue;
     if (many >= 6 && many % 2 == 0 && k == many)
@@ -560,8 +657,10 @@ static void rows(double want, int perhaps, int rest)
         if (want >= 0.0 && (double)to->n + (double)dropped == want &&
             !perhaps)
             break;
-        if (!next_line()) break;
-        split();
+        if (perhaps || !quick()) {
+            if (!next_line()) break;
+            split();
+        }
         if (perhaps && (double)to->n + (double)dropped == want) {
             /* not so, if all points are there already */
             perhaps = 0;
@@ -595,23 +694,125 @@ static void need_line(void)
     split();
 }
 
+/* after - what is behind `key=' in the line, and behind a quote or bracket
+ * there; 0 if it has none. */
+static const char *after(const char *key)
+{
+    size_t length = strlen(key);
+    const char *s;
+
+    for (s = line; (s = strstr(s, key)) != 0; s++)
+        if ((s == line || blank(s[-1])) && s[length] == '=') {
+            s += length + 1;
+            return s + (*s && strchr("\"'{[", *s) != 0);
+        }
+    return 0;
+}
+
+/* take_numbers - that many, with blanks, commas or brackets between them. */
+static void take_numbers(const char *s, int want, double *x, const char *name)
+{
+    char *end;
+    int k;
+
+    for (k = 0; k < want; k++, s = end) {
+        while (*s && strchr(" \t,[]", *s)) s++;
+        x[k] = strtod(s, &end);
+        if (end == s)
+            fail("%s, line %ld: %s needs %d numbers", to->input, line_number,
+                 name, want);
+    }
+}
+
+/* lattice - the box that these vectors span from the origin. */
+static void lattice(double v[9], const double *origin)
+{
+    double side;
+    int along, across, k, l;
+
+    to->lattice = RIGHT;
+    for (k = 0; k < 3; k++) {
+        side = 0.0;
+        for (along = across = l = 0; l < 3; l++) {
+            along += v[3 * l + k] != 0.0;
+            across += v[3 * k + l] != 0.0;
+            side += v[3 * l + k];
+        }
+        if (along != 1 || across != 1) to->lattice = SKEW;
+        to->box[2 * k] = origin[k] + (side < 0.0 ? side : 0.0);
+        to->box[2 * k + 1] = origin[k] + (side > 0.0 ? side : 0.0);
+        if (!(to->box[2 * k] < to->box[2 * k + 1])) to->lattice = SKEW;
+    }
+}
+
+/* properties - the columns that an extended .xyz file says it has, such as
+ * species:S:1:pos:R:3, are their titles. */
+static void properties(const char *s)
+{
+    size_t length;
+    int many_of, k;
+
+    for (titles = 0;; s++) {
+        length = strcspn(s, ":");
+        many_of = s[length] && s[length + 1] && s[length + 2] == ':'
+                      ? atoi(s + length + 3)
+                      : 0;
+        if (length == 0 || many_of < 1 || titles + many_of > COLUMNS)
+            fail_line("Properties are not as species:S:1:pos:R:3");
+        for (k = 0; k < many_of; k++, titles++)
+            if (length == 3 && many_of == 3 && strncmp(s, "pos", 3) == 0)
+                sprintf(title[titles], "%c", 'x' + k);
+            else
+                sprintf(title[titles], many_of > 1 ? "%.*s%d" : "%.*s",
+                        (int)(length < TITLE - 4 ? length : TITLE - 4), s,
+                        k + 1);
+        s += length + 3;
+        while (digit(*s)) s++;
+        if (*s != ':') return;
+    }
+}
+
+/* extended - is the line, not yet split, that of an extended .xyz file?  Then
+ * its box and columns are taken. */
+static int extended(void)
+{
+    const char *vectors = after("Lattice"), *from = after("Origin");
+    const char *columns_of = after("Properties");
+    double v[9], origin[3];
+
+    origin[0] = origin[1] = origin[2] = 0.0;
+    if (from && vectors) take_numbers(from, 3, origin, "Origin");
+    if (vectors) {
+        take_numbers(vectors, 9, v, "Lattice");
+        lattice(v, origin);
+    }
+    if (columns_of) properties(columns_of);
+    return vectors || columns_of;
+}
+
 /* read_text - lines of numbers; a header or a count before them, or both. */
 static void read_text(void)
 {
     double want = -1.0, other;
     long first = line_number;
-    int perhaps = 0, named, words, at[3], k;
+    int perhaps = 0, named, words, hollow, at[3], k;
 
     if (many == 2 && count(0) && count(1) &&
         (fields[0].x == 3.0 || fields[1].x == 3.0)) {
         /* Qhull's dimension and number, in any order */
         want = fields[fields[0].x == 3.0].x;
         need_line();
-    } else if (count(0) && (many == 1 || (!fields[1].number &&
-                                          (numbers() < 3 ||
-                                           word(1, "rbox"))))) {
+    } else if (count(0) &&
+               (many == 1 ||
+                (!fields[1].number &&
+                 numbers() < (word(1, "") ? 2 : word(1, "rbox") ? many : 3)))) {
         want = fields[0].x;
-        need_line();
+        if (!next_line()) fail("%s: ends before the first point", to->input);
+        named = line_number == first + 1 && extended();
+        if (named)
+            need_line();
+        else
+            split();
         if (line_number == first + 1 && numbers() >= 3)
             perhaps = 1;
         else if (line_number == first + 1) {
@@ -626,6 +827,11 @@ static void read_text(void)
         refuse();
         if (numbers() == many) fail_line("fewer than three numbers");
         for (k = words = 0; k < many; k++) words += !fields[k].number;
+        for (k = hollow = 0; k < many; k++)
+            hollow += !fields[k].number && !fields[k].text[0];
+        if (words == hollow && many >= 3 && numbers() > 0)
+            for (k = 0; k < many; k++)
+                if (!fields[k].number) fail_empty(line_number, k + 1);
         /* no names, but a row from which numbers are missing */
         if (words == 0 || (titles == many && numbers() > 0 && lacking()))
             drop();
@@ -641,14 +847,16 @@ static void read_text(void)
     named = titles > 0 && axis(title[at[0]]) == 0;
     if (titles > 0 &&
         (at[0] > at[1] || at[1] > at[2] || at[2] - at[0] > 2 || !named))
-        warn("%s: x, y, z are the columns %d, %d, %d (%s, %s, %s); -cols "
+        warn("%s: x, y, z are the columns %d, %d, %d (%s, %s, %s); %s "
              "chooses others",
              to->input, at[0] + 1, at[1] + 1, at[2] + 1, title[at[0]],
-             title[at[1]], title[at[2]]);
-    if (counting && !named && to->columns > 0 && to->n >= 4)
+             title[at[1]], title[at[2]], option());
+    if (counting && !named && (to->columns > 0 || (to->bare && width > 3)) &&
+        to->n >= 4)
         warn("%s: column 1 is %.0f, %.0f, %.0f, ... and was taken for x; if "
-             "it numbers the points: -cols 2,3,4",
-             to->input, count_from, count_from + 1.0, count_from + 2.0);
+             "it numbers the points: %s 2,3,4",
+             to->input, count_from, count_from + 1.0, count_from + 2.0,
+             option());
 }
 
 /* read_off - OFF, COFF, NOFF: points, and faces that do not matter. */
@@ -739,8 +947,8 @@ static void read_pdb(void)
         if (strlen(line) < 54) fail_line("not an atom of a PDB file");
         for (k = 0; k < 3; k++)
             x[k] = column(31 + 8 * k, 38 + 8 * k, 0.0);
-        put_point(x);
-        to->value[to->n - 1] = column(61, 66, 0.0);
+        add_point(x);
+        if (!to->bare) to->value[to->n - 1] = column(61, 66, 0.0);
     } while (next_line());
 }
 
@@ -776,8 +984,8 @@ static void read_node(void)
             fail_line("points are not numbered one after the other from 0 "
                       "or 1");
         for (k = 0; k < 3; k++) x[k] = fields[k + 1].x;
-        put_point(x);
-        for (k = 0; k < to->columns; k++)
+        add_point(x);
+        for (k = 0; k < to->columns && !to->bare; k++)
             to->value[to->columns * (long)(to->n - 1) + k] = fields[k + 4].x;
     }
 }
@@ -786,7 +994,7 @@ static void read_node(void)
 static void fixed(const char *format)
 {
     if (to->cols)
-        fail("%s: -cols is for lines of numbers, not for %s", to->input,
+        fail("%s: %s is for lines of numbers, not for %s", to->input, option(),
              format);
 }
 
@@ -806,6 +1014,9 @@ static int pdb(void)
 void read_points(const char *name, points *a)
 {
     to = a;
+    filled = taken = 0;
+    titles = width = counting = first_open = 0;
+    line_number = first_line = dropped = 0;
     to->input = "standard input";
     file = stdin;
     if (name && strcmp(name, "-") != 0) {
@@ -842,8 +1053,8 @@ void read_points(const char *name, points *a)
     }
     if (to->n == 0 && dropped > 0)
         fail("%s: no points: -skip drops all %ld rows; name the columns that "
-             "are wanted: -cols X,Y,Z,VALUE",
-             to->input, dropped);
+             "are wanted: %s X,Y,Z%s",
+             to->input, dropped, option(), to->bare ? "" : ",VALUE");
     if (to->n == 0) fail("%s: no points", to->input);
     if (dropped > 0)
         warn("%s: %ld row%s dropped for a number that is missing, the first "

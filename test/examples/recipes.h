@@ -1,0 +1,45 @@
+/* recipes.h - prototypes of the recipes that build/tess is made of: slopes.c,
+ * natural.c, derived.c say what they do. */
+#ifndef RECIPES_H
+#define RECIPES_H
+
+#include "../../tess.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
+           const tess_int *adj, const double *value, int rounds, double *g,
+           double *work);
+int bent(const tess_real *p, tess_int ntet, const tess_int *tet,
+         const tess_int *adj, const double *value, const double *g,
+         double beyond, const tess_real *q, tess_int *t, double *f);
+int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
+            const tess_int *adj, const tess_real *q, tess_int *t,
+            tess_int most, tess_int *nn, tess_int *nbr, double *sibson,
+            double *laplace, tess_int *iw, double *rw);
+double blend(const tess_real *p, tess_int nn, const tess_int *nbr,
+             const double *w, const double *value, const double *g);
+int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
+          tess_int maxedg, tess_int *nedge, tess_int *edge, tess_int *at);
+int faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
+          tess_int maxfac, tess_int *nface, tess_int *face, tess_int *both);
+void stars(tess_int n, tess_int ntet, const tess_int *tet, tess_int *first,
+           tess_int *list);
+tess_int nearest(const tess_real *p, const tess_int *tet,
+                 const tess_int *first, const tess_int *list,
+                 const tess_real *q, tess_int v);
+void measure(const tess_real *p, const tess_int *v, double *volume,
+             double *middle, double *radius);
+void dual(tess_int n, const tess_real *p, const tess_int *tet,
+          const tess_int *adj, tess_int nedge, const tess_int *edge,
+          const tess_int *at, double *area, double *cell, tess_int *outer);
+void gradient(const tess_real *p, const tess_int *v, const double *value,
+              double *g);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

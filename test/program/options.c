@@ -1,0 +1,374 @@
+/* options.c - the command line of build/tess: one table, of what the options
+ * are, where they go, and what `tess -h' says of them.
+ */
+#include "driver.h"
+
+#include <float.h>
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define LEFT 14 /* characters of an option in -h before its text */
+
+choices chosen;
+
+typedef struct option {
+    const char *name;
+    const char *argument; /* a word for each part between blanks; 0: none */
+    void (*take)(const struct option *o, char **word);
+    void *to;         /* of chosen */
+    const char *help; /* lines; where there is no name: a heading */
+} option;
+
+static const char *const before[] = {
+    "usage: tess [options] [points]",
+    "",
+    "Delaunay tetrahedralization of points in space.",
+    "",
+    "points: a file of points, or - or nothing for standard input.  It may be",
+    "  lines     x y z and any values; blanks, tabs, commas or semicolons",
+    "            between them; a first line of names, of which x, y, z say which",
+    "            columns those are; a column of words is skipped.  # begins a",
+    "            comment; so do % ! and two slashes.  1.34D-01 is 1.34E-01; a",
+    "            decimal comma is an error",
+    "  a count   before such lines, or Qhull's dimension and number",
+    "  .xyz      of atoms: number, comment, lines `element x y z'",
+    "  .node     TetGen's; .off, .ply (ASCII), .obj: the points; PDB: the atoms",
+    "  .stl      ASCII STL: the triangles' corners",
+    "All further columns, attributes and markers are values, which go to the",
+    "output; the picture shows the first."};
+
+static const char *const after[] = {
+    "exit code: 0  done; also for points that all lie in one plane, which have",
+    "              no tetrahedron: a message says so",
+    "           1  this build's arrays do not suffice, or -check found a fault",
+    "           2  wrong usage, unreadable input, unwritable output"};
+
+static const char *capacity;
+
+int list_numbers(const char *text, int most, double *x)
+{
+    char *end;
+    int many = 0;
+
+    for (;; text = end + 1) {
+        if (many == most) return -1;
+        x[many++] = strtod(text, &end);
+        if (end == text) return -1;
+        if (!*end) return many;
+        if (*end != ',') return -1;
+    }
+}
+
+/* ---- what is done with an option's words ---- */
+
+static void take_switch(const option *o, char **word)
+{
+    (void)word;
+    *(int *)o->to = 1;
+}
+
+/* take_word - and take_output, for the name of a file that is written. */
+static void take_word(const option *o, char **word)
+{
+    *(const char **)o->to = word[0];
+}
+
+static void take_output(const option *o, char **word)
+{
+    take_word(o, word);
+}
+
+static void take_length(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+
+    if (list_numbers(word[0], 1, x) != 1 || !(*x > 0.0))
+        fail("%s needs a length (tess -h helps)", o->name);
+}
+
+static void take_view(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+    int k;
+
+    for (k = 0; k < 2; k++)
+        if (list_numbers(word[k], 1, x + k) != 1 || !(x[k] >= -360.0) ||
+            !(x[k] <= 360.0))
+            fail("%s needs two angles (tess -h helps)", o->name);
+}
+
+static void take_scale(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+
+    if (list_numbers(word[0], 3, x) != 3 || !(x[0] > 0.0) || !(x[1] > 0.0) ||
+        !(x[2] > 0.0) || x[0] > DBL_MAX || x[1] > DBL_MAX || x[2] > DBL_MAX)
+        fail("%s needs three numbers above 0, as 1,1,0.01 (tess -h helps)",
+             o->name);
+    chosen.scaled = 1;
+}
+
+static void take_box(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+    int k, good = list_numbers(word[0], 6, x) == 6;
+
+    for (k = 0; k < 6; k += 2)
+        good = good && x[k] < x[k + 1] && x[k] >= -DBL_MAX &&
+               x[k + 1] <= DBL_MAX;
+    if (!good)
+        fail("%s needs X0,X1,Y0,Y1,Z0,Z1, each first one below the second "
+             "(tess -h helps)", o->name);
+    chosen.boxed = 1;
+}
+
+static void take_columns(const option *o, char **word)
+{
+    const char *c;
+    int commas = 0;
+
+    for (c = word[0]; *c; c++) commas += *c == ',';
+    if (commas < 2 || (commas > 2 && o->to == &chosen.qcols))
+        fail("%s needs three columns, as 2,3,4 (tess -h helps)", o->name);
+    take_word(o, word);
+}
+
+/* take_digits - a number, from 1 to 17. */
+static void take_digits(const option *o, char **word)
+{
+    double x;
+
+    if (list_numbers(word[0], 1, &x) != 1 || !(x >= 1.0) || !(x <= 17.0) ||
+        x != (double)(int)x)
+        fail("%s needs a number from 1 to 17 (tess -h helps)", o->name);
+    *(int *)o->to = (int)x;
+}
+
+/* take_parts - 10, if no number is given. */
+static void take_parts(const option *o, char **word)
+{
+    double x = 10.0;
+
+    if (word && (list_numbers(word[0], 1, &x) != 1 || !(x >= 2.0) ||
+                 !(x <= (double)INT_MAX) || x != (double)(int)x))
+        fail("%s needs a number of parts, from 2 on, as 10", o->name);
+    *(long *)o->to = (long)x;
+}
+
+static void take_base(const option *o, char **word)
+{
+    static const char *const suffix[4] = {"node", "ele", "neigh", "vtk"};
+    static char made[4][NAME];
+    int k;
+
+    (void)o;
+    if (strlen(word[0]) + 7 > NAME) fail("the name is too long");
+    for (k = 0; k < 4; k++) {
+        strcat(strcat(strcpy(made[k], word[0]), "."), suffix[k]);
+    }
+    chosen.node = made[0];
+    chosen.ele = made[1];
+    chosen.neigh = made[2];
+    chosen.vtk = made[3];
+}
+
+static void take_help(const option *o, char **word);
+
+/* ---- the options ---- */
+
+static const option table[] = {
+    {"-cols", "X,Y,Z", take_columns, &chosen.cols,
+     "the columns that are x, y, z, by number, from 1, or by\n"
+     "name: -cols 2,3,4, -cols lon,lat,depth.  -cols X,Y,Z,V...\n"
+     "names those, too, that are values; else all others are"},
+    {"-skip", 0, take_switch, &chosen.skip,
+     "drop rows from which a number is missing: an empty cell,\n"
+     "NA, N/A, NaN, null, none, - or --; how many is said"},
+    {"-scale", "SX,SY,SZ", take_scale, chosen.scale,
+     "stretch coordinates for the mesh: -scale 1,1,0.01 for\n"
+     "degrees and metres.  All that is written has the given\n"
+     "ones; -alpha measures in the stretched"},
+    {0, 0, 0, 0, ""},
+    {"-check", 0, take_switch, &chosen.check,
+     "prove the result, by exact arithmetic"},
+    {"-node", "F", take_output, &chosen.node, "write points, TetGen format"},
+    {"-ele", "F", take_output, &chosen.ele, "write tetrahedra, TetGen format"},
+    {"-neigh", "F", take_output, &chosen.neigh,
+     "write neighbours, TetGen format"},
+    {"-face", "F", take_output, &chosen.face,
+     "write the boundary's triangles, seen counter-clockwise\n"
+     "from outside: as OBJ if F ends in .obj, else in TetGen's\n"
+     ".face format"},
+    {"-vtk", "F", take_output, &chosen.vtk,
+     "write all as a VTK unstructured grid (legacy, ASCII), with\n"
+     "each tetrahedron's circumradius and volume"},
+    {"-binary", 0, take_switch, &chosen.binary,
+     "let that be binary: faster, half as long, exact"},
+    {"-cells", "F", take_output, &chosen.cells,
+     "write the Voronoi cells in a box as VTK polyhedra"},
+    {"-volumes", "F.csv", take_output, &chosen.volumes,
+     "write each point's x,y,z, its cell's volume, and number\n"
+     "of faces; their sum and the box's volume are said"},
+    {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
+     "that box; if not given, that of an extended XYZ file's\n"
+     "Lattice, or the points' own"},
+    {"-periodic", 0, take_switch, &chosen.periodic,
+     "the box repeats itself, and the cells are such that they\n"
+     "fit to its copies; all else is of the points alone"},
+    {"-svg", "F", take_output, &chosen.svg,
+     "write a picture: cut open; or moved apart if they are few"},
+    {"-alpha", "R", take_length, &chosen.alpha,
+     "the alpha shape: write and draw no tetrahedron whose\n"
+     "circumradius exceeds R; so there are the holes and hollows\n"
+     "that the hull fills"},
+    {"-view", "A E", take_view, chosen.view,
+     "draw as seen from azimuth A, from x to y, and elevation E\n"
+     "above that plane, both in degrees; if not given, -68 28"},
+    {"-o", "BASE", take_base, 0,
+     "write BASE.node BASE.ele BASE.neigh BASE.vtk"},
+    {0, 0, 0, 0, ""},
+    {0, 0, 0, 0, "The columns' values at other places:"},
+    {"-grid", "NX,NY,NZ[,X0,X1,Y0,Y1,Z0,Z1]", take_word, &chosen.grid,
+     "at so many places along x, y, z, from X0 to X1 and so on;\n"
+     "if not given, from side to side of the points' box.  One\n"
+     "place is in the middle: NZ = 1 is a slice, Z0 = Z1 says\n"
+     "where"},
+    {"-query", "F", take_word, &chosen.query,
+     "at the places of a file, which is read like the points"},
+    {"-qcols", "X,Y,Z", take_columns, &chosen.qcols,
+     "which columns of it are x, y, z"},
+    {"-values", "F", take_output, &chosen.values,
+     "write them: F.csv, places and values, in a grid x fastest;\n"
+     "F.npy for numpy.load, shape (NZ,NY,NX,columns) of a grid,\n"
+     "(places,columns) of a file; F.vtk, a grid, for ParaView;\n"
+     "F.svg, the picture of a slice: its first column"},
+    {"-method", "M", take_word, &chosen.method,
+     "linear in each tetrahedron, if not given; smooth, with\n"
+     "gradients estimated at the points; natural, by Sibson's\n"
+     "natural neighbours; nearest, the nearest point's value.\n"
+     "Points at one place count as one, with their values' mean"},
+    {"-outside", "nearest|VALUE", take_word, &chosen.outside,
+     "what places outside the hull get: this value, or that at\n"
+     "the hull's nearest point; if not given NaN"},
+    {"-digits", "N", take_digits, &chosen.digits,
+     "digits in F.csv, or F.vtk without -binary; 17 are exact"},
+    {"-validate", "[K]", take_parts, &chosen.validate,
+     "leave out every K-th point (10), in turn: print how well\n"
+     "the others predict its values by each -method M,M,..."},
+    {0, 0, 0, 0, ""},
+    {"-q", 0, take_switch, &chosen.quiet, "quiet: print nothing but errors"},
+    {"-h", 0, take_help, 0, "this text; so do -help and --help"}};
+
+#define OPTIONS (sizeof table / sizeof table[0])
+
+/* show - an option's lines of -h. */
+static void show(const option *o)
+{
+    const char *c;
+    int at = 0;
+
+    if (o->name)
+        at = printf("  %s %s", o->name, o->argument ? o->argument : "");
+    if (o->name && at >= LEFT) at = printf("\n") - 1;
+    if (o->name) printf("%*s", LEFT - at, "");
+    for (c = o->help; *c; c++) {
+        putchar(*c);
+        if (*c == '\n') printf("%*s", LEFT, "");
+    }
+    printf("\n");
+}
+
+static void take_help(const option *o, char **word)
+{
+    size_t k;
+
+    (void)o;
+    (void)word;
+    for (k = 0; k < sizeof before / sizeof before[0]; k++)
+        printf("%s\n", before[k]);
+    printf("\n");
+    for (k = 0; k < OPTIONS; k++) show(table + k);
+    printf("\n");
+    for (k = 0; k < sizeof after / sizeof after[0]; k++)
+        printf("%s\n", after[k]);
+    printf("\n%s\n", capacity);
+    exit(0);
+}
+
+/* named - the option of that name. */
+static const option *named(const char *name)
+{
+    size_t k;
+
+    if (strcmp(name, "-help") == 0 || strcmp(name, "--help") == 0) name = "-h";
+    for (k = 0; k < OPTIONS; k++)
+        if (table[k].name && strcmp(table[k].name, name) == 0)
+            return table + k;
+    fail("unknown option %s (tess -h helps)", name);
+    return 0;
+}
+
+/* words - of an option's argument; next is what follows, or 0.  An argument in
+ * brackets is a number, and may be missing. */
+static int words(const option *o, const char *next)
+{
+    const char *c;
+    int many = o->argument != 0;
+
+    if (many && o->argument[0] == '[')
+        return next && *next && strspn(next, "0123456789") == strlen(next);
+    for (c = o->argument; c && *c; c++) many += *c == ' ';
+    return many;
+}
+
+/* output - the file that an option writes; 0 if none. */
+static const char *output(const option *o)
+{
+    return o->take == take_output ? *(const char **)o->to : 0;
+}
+
+/* try_outputs - leave if a file cannot be written, or would be written over
+ * by another. */
+static void try_outputs(void)
+{
+    size_t k, m;
+
+    for (k = 0; k < OPTIONS; k++) {
+        if (!output(table + k)) continue;
+        if (chosen.input && strcmp(chosen.input, output(table + k)) == 0)
+            fail("%s: would overwrite the input", chosen.input);
+        for (m = 0; m < k; m++)
+            if (output(table + m) &&
+                strcmp(output(table + m), output(table + k)) == 0)
+                fail("%s: the name of two outputs", output(table + k));
+        try_output(output(table + k));
+    }
+}
+
+void choose_options(int argc, char **argv, const char *last)
+{
+    const option *o;
+    int a, many;
+
+    capacity = last;
+    chosen.view[0] = -400.0;
+    for (a = 1; a < argc; a++) {
+        if (argv[a][0] == '-' && argv[a][1]) {
+            o = named(argv[a]);
+            many = words(o, argv[a + 1]);
+            if (argc - 1 - a < many)
+                fail("%s needs %s (tess -h helps)", o->name, o->argument);
+            o->take(o, many > 0 ? argv + a + 1 : 0);
+            a += many;
+        } else if (chosen.input) {
+            fail("more than one input: %s, %s", chosen.input, argv[a]);
+        } else {
+            chosen.input = argv[a];
+        }
+    }
+    check_values();
+    if ((chosen.boxed || chosen.periodic) && !chosen.cells && !chosen.volumes)
+        warn("-box and -periodic are for -cells and -volumes alone");
+    try_outputs();
+}

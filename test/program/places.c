@@ -1,0 +1,562 @@
+/* places.c - the values at the places of a grid or of a file, into a file:
+ * CSV, NumPy's own, or VTK.  They are written as they are computed, some
+ * thousand at a time.
+ */
+#include <float.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "draw.h"
+#include "driver.h"
+#include "values.h"
+
+#define FEW 4096    /* places at a time, at most */
+#define ROOM 32768L /* and values                */
+#define MOST 1e12   /* places of a grid          */
+#define PIXELS 2000.0 /* of a picture's side     */
+#define LONGER 5.0  /* sides more uneven are drawn with this ratio */
+
+/* What is asked for. */
+static double size[3], corner[6]; /* of the grid: NX, NY, NZ, X0 to Z1 */
+static int boxed, asked[METHODS], method, outside, form;
+static int side[2]; /* of a picture, to the right and up: which axes */
+static double number;
+
+static const points *in;
+static points *places;
+static double *mean;   /* the points' values, where there are duplicates */
+static tess_int *same; /* the points that stand for them */
+static FILE *file, *scratch;
+static double *picture;
+static tess_int t[FEW];
+static double done; /* places */
+
+/* The forms of a file. */
+#define CSV 0
+#define NPY 1
+#define VTK 2
+#define SVG 3
+
+/* --------------------------------------------------------------- options */
+
+static int ends_in(const char *name, const char *suffix)
+{
+    size_t a = strlen(name), b = strlen(suffix);
+
+    return a >= b && strcmp(name + a - b, suffix) == 0;
+}
+
+/* choose_methods - linear, if nothing is asked for. */
+static void choose_methods(void)
+{
+    const char *s = chosen.method ? chosen.method : method_name[0];
+    size_t length;
+    int k, many = 0;
+
+    for (;; s += length + 1) {
+        length = strcspn(s, ",");
+        for (k = 0; k < METHODS; k++)
+            if (strncmp(s, method_name[k], length) == 0 &&
+                strlen(method_name[k]) == length)
+                break;
+        if (k == METHODS)
+            fail("-method %.*s: choose linear, smooth, natural or nearest",
+                 (int)length, s);
+        many += !asked[k];
+        asked[k] = 1;
+        method = k;
+        if (!s[length]) break;
+    }
+    if (many > 1 && chosen.values)
+        fail("-values: choose one -method; a list of them is for -validate");
+}
+
+static void choose_outside(void)
+{
+    char *end;
+
+    /* a NaN without a sign, where strtod knows it */
+    number = strtod("nan", &end);
+    if (*end) number = 0.0 * strtod("1e999", &end);
+    if (!chosen.outside) return;
+    if (strcmp(chosen.outside, "nearest") == 0) {
+        outside = OUT_NEAREST;
+        if (chosen.alpha > 0.0)
+            fail("-outside nearest knows the hull, not the shape of -alpha: "
+                 "choose a number");
+        return;
+    }
+    number = strtod(chosen.outside, &end);
+    if (end == chosen.outside || *end)
+        fail("-outside %s: choose nearest or a number", chosen.outside);
+}
+
+static void choose_grid(void)
+{
+    double x[9];
+    int many = list_numbers(chosen.grid, 9, x), k;
+
+    if (many != 3 && many != 9)
+        fail("-grid needs NX,NY,NZ, or NX,NY,NZ,X0,X1,Y0,Y1,Z0,Z1");
+    for (k = 0; k < 3; k++) {
+        if (!(x[k] >= 1.0 && x[k] <= (double)INT_MAX) ||
+            x[k] != (double)(int)x[k])
+            fail("-grid: NX, NY, NZ are whole numbers from 1 on");
+        size[k] = x[k];
+    }
+    if (x[0] * x[1] * x[2] > MOST)
+        fail("-grid: %.0f places are more than %.0f", x[0] * x[1] * x[2],
+             MOST);
+    boxed = many == 9;
+    for (k = 3; k < many; k++) corner[k - 3] = x[k];
+    for (k = 0; k < 3 && boxed; k++)
+        if (!(corner[2 * k] < corner[2 * k + 1]) &&
+            !(size[k] == 1.0 && corner[2 * k] == corner[2 * k + 1]))
+            fail("-grid: %c0 must be less than %c1%s", "XYZ"[k], "XYZ"[k],
+                 corner[2 * k] == corner[2 * k + 1]
+                     ? ", or the same where there is one place"
+                     : "");
+}
+
+/* choose_slice - which axes a picture has. */
+static void choose_slice(void)
+{
+    int k, found = 0;
+
+    for (k = 0; k < 3; k++) {
+        if (size[k] == 1.0) continue;
+        if (found < 2) side[found] = k;
+        found++;
+    }
+    if (found != 2)
+        fail("-values %s: a picture is of a slice: one of NX, NY, NZ is 1, "
+             "the others are not",
+             chosen.values);
+    for (k = 0; k < 2; k++)
+        if (size[side[k]] > PIXELS)
+            fail("-values %s: a picture has at most %.0f places a side",
+                 chosen.values, PIXELS);
+}
+
+void check_values(void)
+{
+    static const char *const ending[] = {".csv", ".npy", ".vtk", ".svg"};
+
+    if (chosen.grid && chosen.query)
+        fail("-grid or -query: choose one of them");
+    if ((chosen.grid || chosen.query) && !chosen.values)
+        fail("%s needs -values F, a file to write",
+             chosen.grid ? "-grid" : "-query");
+    if (chosen.values && !chosen.grid && !chosen.query)
+        fail("-values needs places: -grid NX,NY,NZ or -query F");
+    if (chosen.qcols && !chosen.query) fail("-qcols is for -query F");
+    if (!chosen.values && !chosen.validate) {
+        if (chosen.method || chosen.outside || chosen.digits)
+            fail("%s is for -values%s",
+                 chosen.method    ? "-method"
+                 : chosen.outside ? "-outside"
+                                  : "-digits",
+                 chosen.digits ? "" : " or -validate");
+        return;
+    }
+    choose_methods();
+    choose_outside();
+    if (chosen.grid) choose_grid();
+    if (!chosen.values) return;
+    for (form = CSV; form <= SVG && !ends_in(chosen.values, ending[form]);)
+        form++;
+    if (form > SVG)
+        fail("-values %s: the name must end in .csv, .npy, .vtk or .svg",
+             chosen.values);
+    if (form >= VTK && !chosen.grid)
+        fail("-values %s: %s is for a -grid; choose .csv or .npy",
+             chosen.values, ending[form]);
+    if (form == SVG) choose_slice();
+    if (chosen.query && strcmp(chosen.values, chosen.query) == 0)
+        fail("%s: would overwrite the places", chosen.values);
+    if (chosen.query && strcmp(chosen.query, "-") == 0 &&
+        (!chosen.input || strcmp(chosen.input, "-") == 0))
+        fail("points and places cannot both be standard input");
+}
+
+/* ---------------------------------------------------------------- places */
+
+/* place - coordinate k of the grid's place i. */
+static double place(int k, long i)
+{
+    double low = corner[2 * k], high = corner[2 * k + 1];
+
+    if (size[k] == 1.0) return low + (high - low) / 2.0;
+    return (double)i == size[k] - 1.0
+               ? high
+               : low + (high - low) * ((double)i / (size[k] - 1.0));
+}
+
+/* box - the points' box, for a grid that has none. */
+static void box(void)
+{
+    double x;
+    tess_int i;
+    int k;
+
+    for (k = 0; k < 3; k++)
+        for (i = 0; i < in->n; i++) {
+            x = (double)in->p[3 * (size_t)i + (size_t)k];
+            if (i == 0 || x < corner[2 * k]) corner[2 * k] = x;
+            if (i == 0 || x > corner[2 * k + 1]) corner[2 * k + 1] = x;
+        }
+}
+
+void read_places(const points *points_read, points *query)
+{
+    tess_int i;
+    int k;
+
+    in = points_read;
+    places = query;
+    if (!chosen.values && !chosen.validate) return;
+    if (in->columns == 0)
+        fail("%s: the points have no values to interpolate (-cols X,Y,Z,V "
+             "names columns)",
+             in->input);
+    if (chosen.validate > (long)in->n)
+        fail("-validate %ld: there are only %ld points", chosen.validate,
+             (long)in->n);
+    if (chosen.grid && !boxed) box();
+    if (!chosen.query) return;
+    read_points(chosen.query, places);
+    for (i = 0; i < places->n; i++)
+        for (k = 0; k < 3; k++) {
+            double x = (double)places->p[3 * (size_t)i + (size_t)k];
+
+            if (!(x >= -DBL_MAX && x <= DBL_MAX))
+                fail("%s, line %ld: a coordinate is not finite",
+                     places->input, places->line[i]);
+        }
+}
+
+/* ----------------------------------------------------------------- files */
+
+static double places_asked(void)
+{
+    return chosen.grid ? size[0] * size[1] * size[2] : (double)places->n;
+}
+
+static int digits(void)
+{
+    return chosen.digits > 0 ? chosen.digits : 17;
+}
+
+/* put_title - a column's name in CSV. */
+static void put_title(const char *s)
+{
+    int quoted = strpbrk(s, ",;\" \t") != 0;
+
+    putc(',', file);
+    if (quoted) putc('"', file);
+    for (; *s; s++) {
+        if (*s == '"') putc('"', file);
+        putc(*s, file);
+    }
+    if (quoted) putc('"', file);
+}
+
+/* npy_head - version 1.0: a text as Python writes a dictionary, such that the
+ * numbers begin at a multiple of 64. */
+static void npy_head(void)
+{
+    static const double one = 1.0;
+    int big = ((const char *)&one)[0] != 0, k, length;
+    char text[200];
+
+    length = sprintf(text, "{'descr': '%cf%d', 'fortran_order': False, "
+                           "'shape': (",
+                     big ? '>' : '<', (int)sizeof(double));
+    if (chosen.grid)
+        for (k = 2; k >= 0; k--) length += sprintf(text + length, "%.0f, ", size[k]);
+    else
+        length += sprintf(text + length, "%ld, ", (long)places->n);
+    length += sprintf(text + length, "%d), }", in->columns);
+    while ((10 + length + 1) % 64 != 0) text[length++] = ' ';
+    text[length++] = '\n';
+    fwrite("\223NUMPY\001", 1, 7, file);
+    putc(0, file);
+    putc(length % 256, file);
+    putc(length / 256, file);
+    fwrite(text, 1, (size_t)length, file);
+}
+
+static void vtk_head(void)
+{
+    double step;
+    int k;
+
+    fprintf(file,
+            "# vtk DataFile Version 3.0\n"
+            "Interpolated values, %s\n"
+            "%s\n"
+            "DATASET STRUCTURED_POINTS\n"
+            "DIMENSIONS %.0f %.0f %.0f\n"
+            "ORIGIN",
+            method_name[method], chosen.binary ? "BINARY" : "ASCII", size[0],
+            size[1], size[2]);
+    for (k = 0; k < 3; k++) fprintf(file, " %.17g", place(k, 0));
+    fprintf(file, "\nSPACING");
+    for (k = 0; k < 3; k++) {
+        step = corner[2 * k + 1] - corner[2 * k];
+        if (size[k] > 1.0) step /= size[k] - 1.0;
+        fprintf(file, " %.17g", step > 0.0 ? step : 1.0);
+    }
+    fprintf(file, "\nPOINT_DATA %.0f\n", places_asked());
+}
+
+static void vtk_title(int column)
+{
+    fprintf(file, "SCALARS ");
+    put_name(file, in->name[column]);
+    fprintf(file, " double 1\nLOOKUP_TABLE default\n");
+}
+
+static void vtk_number(double x)
+{
+    if (chosen.binary)
+        put_bytes(file, &x, (int)sizeof x);
+    else
+        fprintf(file, "%.*g\n", digits(), x);
+}
+
+static void head(void)
+{
+    int k;
+
+    if (form == CSV) {
+        fprintf(file, "x,y,z");
+        for (k = 0; k < in->columns; k++) put_title(in->name[k]);
+        fprintf(file, "\n");
+    } else if (form == NPY) {
+        npy_head();
+    } else if (form == SVG) {
+        picture = (double *)space(places_asked(), sizeof *picture);
+    } else {
+        vtk_head();
+        if (in->columns == 1) {
+            vtk_title(0);
+        } else {
+            /* VTK has column by column what is computed place by place */
+            scratch = tmpfile();
+            if (!scratch) fail("%s: no room for a temporary file", chosen.values);
+        }
+    }
+}
+
+/* put - the values at some places. */
+static void put(tess_int many, const tess_real *at, const double *out)
+{
+    size_t numbers = (size_t)many * (size_t)in->columns, i;
+    int k;
+
+    if (form == NPY || scratch) {
+        fwrite(out, sizeof *out, numbers, scratch ? scratch : file);
+    } else if (form == VTK) {
+        for (i = 0; i < numbers; i++) vtk_number(out[i]);
+    } else if (form == SVG) {
+        for (i = 0; i < (size_t)many; i++)
+            picture[(size_t)done + i] = out[(size_t)in->columns * i];
+    } else {
+        for (; many > 0; many--, at += 3) {
+            fprintf(file, "%.*g,%.*g,%.*g", digits(), (double)at[0], digits(),
+                    (double)at[1], digits(), (double)at[2]);
+            for (k = 0; k < in->columns; k++)
+                fprintf(file, ",%.*g", digits(), *out++);
+            putc('\n', file);
+        }
+    }
+}
+
+/* draw - the picture of a slice: the first column. */
+static void draw(void)
+{
+    static const char axis[] = "xyz";
+    char note[400];
+    draw_look look;
+    double length[2], wide;
+    int k, third = 3 - side[0] - side[1], at = 0;
+
+    for (k = 0; k < 2; k++)
+        length[k] = corner[2 * side[k] + 1] - corner[2 * side[k]];
+    wide = length[0] / length[1];
+    if (!(wide < LONGER)) wide = LONGER;
+    if (!(wide > 1.0 / LONGER)) wide = 1.0 / LONGER;
+    draw_default(&look);
+    look.label = xml_text(in->name[0]);
+    look.height = 90 + (int)((look.width - 155.0) / wide);
+    if (look.height > 640) look.height = 640;
+    if (look.height < 300) look.height = 300;
+    for (k = 0; k < 2; k++)
+        at += sprintf(note + at, "%c %.6g to %.6g, ", axis[side[k]],
+                      corner[2 * side[k]], corner[2 * side[k] + 1]);
+    at += sprintf(note + at, "%c = %.6g; %s", axis[third], place(third, 0),
+                  method_name[method]);
+    wide *= length[1] / length[0];
+    if (wide < 0.999 || wide > 1.001)
+        sprintf(note + at, "; %c is drawn %.3g times as large",
+                axis[side[wide < 1.0]], wide < 1.0 ? 1.0 / wide : wide);
+    look.note = note;
+    draw_slice(file, &look, (int)size[side[0]], (int)size[side[1]],
+               wide * length[0] / length[1], picture);
+    free(picture);
+}
+
+/* tail - VTK's columns, one after the other; or the picture. */
+static void tail(void)
+{
+    static double row[COLUMNS];
+    size_t columns = (size_t)in->columns;
+    double i;
+    int k;
+
+    for (k = 0; scratch && k < in->columns; k++) {
+        if (k > 0 && chosen.binary) putc('\n', file);
+        vtk_title(k);
+        rewind(scratch);
+        for (i = 0.0; i < places_asked(); i += 1.0) {
+            if (fread(row, sizeof *row, columns, scratch) != columns)
+                fail("%s: no room for a temporary file", chosen.values);
+            vtk_number(row[k]);
+        }
+    }
+    if (form == SVG) draw();
+    if (form == VTK && chosen.binary) putc('\n', file);
+    if (scratch) fclose(scratch);
+    scratch = 0;
+}
+
+/* ---------------------------------------------------------------- values */
+
+void keep_values(const mesh *m)
+{
+    double *times, lost = 0.0;
+    size_t columns = (size_t)in->columns, i, r, k;
+    tess_int twins = 0, j;
+
+    if (!chosen.values && !chosen.validate) return;
+    if (m->ntet < 1)
+        fail("%s: the points lie in one plane, which has no tetrahedron to "
+             "interpolate in",
+             in->input);
+    for (j = 0; j < in->n; j++) twins += m->iw[j] != j;
+    if (chosen.validate) {
+        same = (tess_int *)space((double)in->n, sizeof *same);
+        memcpy(same, m->iw, (size_t)in->n * sizeof *same);
+    }
+    if (twins == 0) return;
+    mean = (double *)space((double)columns * (double)in->n, sizeof *mean);
+    times = m->rw;
+    for (i = 0; i < (size_t)in->n; i++) {
+        r = (size_t)m->iw[i];
+        times[i] = 1.0;
+        for (k = 0; k < columns; k++)
+            mean[columns * i + k] = in->value[columns * i + k];
+        if (r == i) continue;
+        /* a running mean, which equal values leave as they are */
+        times[r] += 1.0;
+        for (k = 0; k < columns; k++) {
+            lost += in->value[columns * i + k] != in->value[columns * r + k];
+            mean[columns * r + k] += (in->value[columns * i + k] -
+                                      mean[columns * r + k]) / times[r];
+        }
+    }
+    if (lost > 0.0)
+        warn("%ld of the points lie where another one does: the mean of their "
+             "values is interpolated",
+             (long)twins);
+}
+
+/* some - write the values at some places, of which t[0] is a start. */
+static void some(tess_int many, const tess_real *at, const double *scale)
+{
+    static tess_real q[3 * FEW];
+    static double out[ROOM];
+    tess_int i;
+
+    for (i = 1; i < many; i++) t[i] = TESS_NONE;
+    for (i = 0; i < 3 * many; i++)
+        q[i] = (tess_real)((double)at[i] * scale[i % 3]);
+    values_at(many, q, t, out);
+    put(many, at, out);
+    done += (double)many;
+    progress(done, places_asked());
+}
+
+/* grid_values - row by row, each from where the row before it began. */
+static void grid_values(long most, const double *scale)
+{
+    static tess_real at[3 * FEW];
+    tess_int plane = TESS_NONE, row, last;
+    long x, y, z, many, i;
+
+    for (z = 0; z < (long)size[2]; z++) {
+        row = plane;
+        for (y = 0; y < (long)size[1]; y++) {
+            last = row;
+            for (x = 0; x < (long)size[0]; x += many) {
+                many = (long)size[0] - x < most ? (long)size[0] - x : most;
+                for (i = 0; i < many; i++) {
+                    at[3 * i] = (tess_real)place(0, x + i);
+                    at[3 * i + 1] = (tess_real)place(1, y);
+                    at[3 * i + 2] = (tess_real)place(2, z);
+                }
+                t[0] = last;
+                some((tess_int)many, at, scale);
+                last = t[many - 1];
+                if (x == 0) row = t[0];
+                if (x == 0 && y == 0) plane = t[0];
+            }
+        }
+    }
+}
+
+static void query_values(long most, const double *scale)
+{
+    long i, many;
+
+    t[0] = TESS_NONE;
+    for (i = 0; i < (long)places->n; i += many) {
+        many = (long)places->n - i < most ? (long)places->n - i : most;
+        some((tess_int)many, places->p + 3 * i, scale);
+        t[0] = t[many - 1];
+    }
+}
+
+void write_values(const mesh *m)
+{
+    field f;
+    long most = ROOM / in->columns < FEW ? ROOM / in->columns : FEW;
+
+    f.p = m->p;
+    f.n = in->n;
+    f.ntet = m->ntet;
+    f.tet = m->tet;
+    f.adj = m->adj;
+    f.keep = m->keep;
+    f.value = mean ? mean : in->value;
+    f.columns = in->columns;
+    values_begin(&f, method, outside, number);
+    file = start(chosen.values, form == CSV || form == SVG ? "w" : "wb");
+    head();
+    if (chosen.grid)
+        grid_values(most, m->scale);
+    else
+        query_values(most, m->scale);
+    tail();
+    finish(file, chosen.values);
+    values_end();
+}
+
+void validate_values(const mesh *m)
+{
+    cross_validate(m, same, mean ? mean : in->value, chosen.validate, asked,
+                   outside);
+}

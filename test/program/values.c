@@ -1,0 +1,465 @@
+/* values.c - the values of a field at any places: see values.h.
+ *
+ * Places are located by a walk in double precision, wherever its bounds tell
+ * that it is right; tess_locate does the rest.  The weights then are those of
+ * tess_locate but for rounding.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#define TERMINAL isatty(2)
+#else
+#define TERMINAL 0
+#endif
+
+#include "../examples/recipes.h"
+#include "driver.h"
+#include "values.h"
+
+#define ROUNDS 3 /* of slopes                                      */
+#define STEPS 40 /* of the walk: tess_locate knows better starts   */
+#define MOST 60  /* tetrahedra about a natural neighbour, at first */
+
+const char *const method_name[METHODS] = {"linear", "smooth", "natural",
+                                          "nearest"};
+
+static const field *of;
+static int method, outside;
+static double number;
+
+/* smooth: for each point and column the value and its gradient */
+static double *bundle;
+
+/* nearest: the tetrahedra at each point */
+static tess_int *first, *list;
+
+/* natural: room for so many tetrahedra */
+static tess_int most, *neighbour, *iwork;
+static double *sibson, *laplace, *work;
+
+/* ---------------------------------------------------------------- memory */
+
+/* room - arrays for natural. */
+static void room(tess_int tetrahedra)
+{
+    most = tetrahedra;
+    neighbour = (tess_int *)space((double)most + 3.0, sizeof *neighbour);
+    sibson = (double *)space((double)most + 3.0, sizeof *sibson);
+    laplace = (double *)space((double)most + 3.0, sizeof *laplace);
+    iwork = (tess_int *)space(13.0 * (double)most + 14.0, sizeof *iwork);
+    work = (double *)space(13.0 * (double)most + 15.0, sizeof *work);
+}
+
+void values_end(void)
+{
+    free(bundle);
+    free(first);
+    free(list);
+    free(neighbour);
+    free(sibson);
+    free(laplace);
+    free(iwork);
+    free(work);
+    bundle = sibson = laplace = work = 0;
+    first = list = neighbour = iwork = 0;
+}
+
+/* ------------------------------------------------------------------ walk */
+
+/* The tetrahedron seen last, t.  a is its vertex 0; with h = q - a the volume
+ * between q and the facet opposite to vertex k + 1 is the sum of h times n[k],
+ * six times that is, and det that of the whole.  size and doubt are the same
+ * sums of absolute values.  Roundings of such a sum are below 4 DBL_EPSILON
+ * times the one of absolute values, and those of the volume at vertex 0, which
+ * is what is left of det, below 6 times all four. */
+static struct {
+    tess_int t;
+    double a[3], n[3][3], size[3][3], det, doubt;
+} seen;
+
+#define UNSURE (12.0 * DBL_EPSILON) /* twice that */
+/* From a tetrahedron flatter than this weights are exact, by tess_locate. */
+#define THIN 0.01
+/* Volumes outside of this range might have lost digits, or overflow. */
+#define LEAST 1e-250
+#define LARGEST 1e250
+
+static void look(tess_int t)
+{
+    const tess_int *v = of->tet + 4 * (size_t)t;
+    const tess_real *a = of->p + 3 * (size_t)v[0], *x;
+    const double *b, *c;
+    double e[3][3], r, s;
+    int i, k;
+
+    seen.t = t;
+    for (k = 0; k < 3; k++) seen.a[k] = (double)a[k];
+    for (i = 0; i < 3; i++) {
+        x = of->p + 3 * (size_t)v[i + 1];
+        for (k = 0; k < 3; k++) e[i][k] = (double)x[k] - (double)a[k];
+    }
+    for (i = 0; i < 3; i++) {
+        b = e[(i + 1) % 3];
+        c = e[(i + 2) % 3];
+        for (k = 0; k < 3; k++) {
+            r = b[(k + 1) % 3] * c[(k + 2) % 3];
+            s = b[(k + 2) % 3] * c[(k + 1) % 3];
+            seen.n[i][k] = r - s;
+            seen.size[i][k] = fabs(r) + fabs(s);
+        }
+    }
+    seen.det = seen.doubt = 0.0;
+    for (k = 0; k < 3; k++) {
+        seen.det += e[0][k] * seen.n[0][k];
+        seen.doubt += fabs(e[0][k]) * seen.size[0][k];
+    }
+}
+
+/* locate - the tetrahedron t that holds q, from a start, and q's weights w.
+ * Returns 0, or 1 for a place outside; w and t are then set if what is outside
+ * is asked of the hull's nearest point. */
+static int locate(const tess_real *q, tess_int *t, double *w)
+{
+    double h[3], slack[4], sum;
+    const tess_int *next;
+    int steps, i, k, code, sure;
+
+    for (steps = 0; steps < STEPS && *t != TESS_NONE; steps++) {
+        if (*t != seen.t) look(*t);
+        next = of->adj + 4 * (size_t)*t;
+        for (k = 0; k < 3; k++) h[k] = (double)q[k] - seen.a[k];
+        w[0] = seen.det;
+        slack[0] = UNSURE * seen.doubt;
+        for (i = 0; i < 3; i++) {
+            w[i + 1] = h[0] * seen.n[i][0] + h[1] * seen.n[i][1] +
+                       h[2] * seen.n[i][2];
+            slack[i + 1] = UNSURE * (fabs(h[0]) * seen.size[i][0] +
+                                     fabs(h[1]) * seen.size[i][1] +
+                                     fabs(h[2]) * seen.size[i][2]);
+            w[0] -= w[i + 1];
+            slack[0] += slack[i + 1];
+        }
+        if (!(slack[0] < LARGEST)) break;
+        for (k = 0; k < 4 && w[k] >= -slack[k] - LEAST; k++) continue;
+        if (k < 4 && next[k] != TESS_NONE) {
+            *t = next[k];
+            continue;
+        }
+        if (k < 4 && outside == OUT_VALUE) return 1;
+        if (k < 4) break;
+        sure = seen.det > THIN * seen.doubt && seen.det > LEAST;
+        /* within rounding of a facet it is on it, but on the hull's, or
+         * outside? */
+        for (sum = 0.0, k = 0; k < 4; k++) {
+            if (w[k] <= slack[k]) {
+                sure = sure && next[k] != TESS_NONE;
+                w[k] = 0.0;
+            }
+            sum += w[k];
+        }
+        if (!sure) break;
+        for (k = 0; k < 4; k++) w[k] /= sum;
+        return 0;
+    }
+    code = tess_locate(of->p, of->ntet, of->tet, of->adj, q, t, w);
+    if (code != 0 && code != 1)
+        too_small("a place cannot be located: code %d of tess_locate", code);
+    return code;
+}
+
+/* --------------------------------------------------------------- methods */
+
+/* recipe - leave when a recipe has failed. */
+static void recipe(const char *name, int code)
+{
+    if (code != 0)
+        too_small("-method %s fails: code %d of %s", method_name[method],
+                  code, name);
+}
+
+/* gradients - of each column, beside its values. */
+static void gradients(void)
+{
+    double n = (double)of->n, *column, *g, *b;
+    tess_int i;
+    int j, k;
+
+    bundle = (double *)space(4.0 * n * (double)of->columns, sizeof *bundle);
+    column = (double *)space(n, sizeof *column);
+    g = (double *)space(3.0 * n, sizeof *g);
+    work = (double *)space(9.0 * n, sizeof *work);
+    for (j = 0; j < of->columns; j++) {
+        for (i = 0; i < of->n; i++)
+            column[i] = of->value[(size_t)of->columns * (size_t)i + (size_t)j];
+        recipe("slopes", slopes(of->n, of->p, of->ntet, of->tet, of->adj,
+                                column, ROUNDS, g, work));
+        for (i = 0; i < of->n; i++) {
+            b = bundle + 4 * ((size_t)of->columns * (size_t)i + (size_t)j);
+            b[0] = column[i];
+            for (k = 0; k < 3; k++) b[k + 1] = g[3 * (size_t)i + (size_t)k];
+        }
+    }
+    free(column);
+    free(g);
+    free(work);
+    work = 0;
+}
+
+void values_begin(const field *what, int by, int beyond, double otherwise)
+{
+    of = what;
+    method = by;
+    outside = beyond;
+    number = otherwise;
+    seen.t = TESS_NONE;
+    if (method == SMOOTH) gradients();
+    if (method == NATURAL) room(MOST);
+    if (method == NEAREST) {
+        first = (tess_int *)space((double)of->n + 1.0, sizeof *first);
+        list = (tess_int *)space(4.0 * (double)of->ntet, sizeof *list);
+        stars(of->n, of->ntet, of->tet, first, list);
+    }
+}
+
+/* row - add w times the values of point i. */
+static void row(tess_int i, double w, double *out)
+{
+    const double *v = of->value + (size_t)of->columns * (size_t)i;
+    int j;
+
+    for (j = 0; j < of->columns; j++) out[j] += w * v[j];
+}
+
+/* smooth - as the recipe bent: the weights' sum of f_k + g_k.(x - p_k) / 2, x
+ * the place, or the hull's point nearest to it. */
+static void smooth(const tess_real *q, int beyond, const tess_int *v,
+                   const double *w, double *out)
+{
+    const tess_real *a = of->p + 3 * (size_t)v[0], *b;
+    const double *f;
+    double x[3], h[3];
+    int i, j, k;
+
+    for (k = 0; k < 3; k++) {
+        x[k] = beyond ? (double)a[k] : (double)q[k];
+        for (i = 1; i < 4 && beyond; i++)
+            x[k] += w[i] * ((double)of->p[3 * (size_t)v[i] + (size_t)k] -
+                            (double)a[k]);
+    }
+    for (i = 0; i < 4; i++) {
+        b = of->p + 3 * (size_t)v[i];
+        f = bundle + 4 * (size_t)of->columns * (size_t)v[i];
+        for (k = 0; k < 3; k++) h[k] = (x[k] - (double)b[k]) / 2.0;
+        for (j = 0; j < of->columns; j++, f += 4)
+            out[j] += w[i] * (f[0] + h[0] * f[1] + h[1] * f[2] + h[2] * f[3]);
+    }
+}
+
+/* sibsons - the sum by Sibson's weights. */
+static void sibsons(const tess_real *q, tess_int t, double *out)
+{
+    tess_int many, i;
+    int code;
+
+    while ((code = natural(of->p, of->ntet, of->tet, of->adj, q, &t, most,
+                           &many, neighbour, sibson, laplace, iwork, work)) ==
+           TESS_MORE && many == 0) {
+        i = 2 * most;
+        values_end();
+        room(i);
+    }
+    recipe("natural", code);
+    for (i = 0; i < many; i++) row(neighbour[i], sibson[i], out);
+}
+
+/* closest - the data point nearest to q: its values. */
+static void closest(const tess_real *q, const tess_int *v, const double *w,
+                    double *out)
+{
+    int k, best = 0;
+
+    for (k = 1; k < 4; k++)
+        if (w[k] > w[best]) best = k;
+    row(nearest(of->p, of->tet, first, list, q, v[best]), 1.0, out);
+}
+
+void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
+{
+    const tess_int *v;
+    tess_int last = TESS_NONE, i;
+    double w[4];
+    int beyond, j, k;
+
+    for (i = 0; i < many; i++, q += 3, out += of->columns) {
+        if (t[i] != TESS_NONE) last = t[i] < 0 ? -2 - t[i] : t[i];
+        beyond = locate(q, &last, w);
+        if (beyond == 0 && of->keep && !of->keep[last]) beyond = 1;
+        t[i] = beyond ? -2 - last : last;
+        for (j = 0; j < of->columns; j++)
+            out[j] = beyond && outside == OUT_VALUE ? number : 0.0;
+        if (beyond && outside == OUT_VALUE) continue;
+        v = of->tet + 4 * (size_t)last;
+        if (method == SMOOTH)
+            smooth(q, beyond, v, w, out);
+        else if (method == NATURAL && !beyond)
+            sibsons(q, last, out);
+        else if (method == NEAREST)
+            closest(q, v, w, out);
+        else
+            for (k = 0; k < 4; k++) row(v[k], w[k], out);
+    }
+}
+
+/* -------------------------------------------------------------- progress */
+
+void progress(double done, double total)
+{
+    static time_t began, last;
+    static int shown;
+    time_t now = time((time_t *)0);
+
+    if (began == 0) began = last = now;
+    if (done >= total) {
+        if (shown) fprintf(stderr, "\r%40s\r", "");
+        began = 0;
+        shown = 0;
+    } else if (TERMINAL && !chosen.quiet && difftime(now, began) > 2.0 &&
+               difftime(now, last) >= 1.0) {
+        last = now;
+        shown = 1;
+        fprintf(stderr, "\rtess: %.0f %%, %.0f s more   ", 100.0 * done / total,
+                difftime(now, began) * (total / (done + 1e-9) - 1.0));
+        fflush(stderr);
+    }
+}
+
+/* ------------------------------------------------------ cross-validation */
+
+/* What is known of a method's errors in a column. */
+typedef struct tally {
+    double sum, absolute, square, worst;
+    tess_int where;
+} tally;
+
+static tally sums[METHODS][COLUMNS];
+static double counted[METHODS], missed[METHODS]; /* points; those outside */
+
+static void count(tally *a, double error, tess_int i)
+{
+    a->sum += error;
+    a->absolute += fabs(error);
+    a->square += error * error;
+    if (a->where != TESS_NONE && fabs(error) <= fabs(a->worst)) return;
+    a->worst = error;
+    a->where = i;
+}
+
+/* remesh - the mesh of the field's points, where m's was. */
+static void remesh(const mesh *m, field *f, long part)
+{
+    tess_int liw, lrw;
+    int code = tess_size(f->n, m->maxtet, &liw, &lrw);
+
+    f->ntet = 0;
+    if (liw > m->liw) liw = m->liw;
+    if ((long)lrw > m->lrw) lrw = (tess_int)m->lrw;
+    while (code >= 0 &&
+           (code = tess_resume(f->n, f->p, m->maxtet, &f->ntet, m->tet, m->adj,
+                               liw, m->iw, lrw, m->rw)) == TESS_POOL &&
+           liw < m->liw)
+        liw = liw < m->liw / 2 ? 2 * liw : m->liw;
+    if (code == TESS_PLANE || code == TESS_LINE || code == TESS_POINT)
+        fail("-validate: without part %ld no tetrahedron is left; choose more "
+             "parts",
+             part + 1);
+    if (code != TESS_OK)
+        too_small("-validate: code %d of tess for the points without part %ld",
+                  code, part + 1);
+}
+
+static void print_table(const points *in, const int *asked)
+{
+    const tally *a;
+    const tess_real *x;
+    int k, j, width = 6;
+
+    for (j = 0; j < in->columns; j++)
+        if ((int)strlen(in->name[j]) > width) width = (int)strlen(in->name[j]);
+    printf("%-8s %-*s %13s %13s %13s %13s %9s  %s\n", "method", width,
+           "column", "bias", "mean error", "rms error", "worst", "outside",
+           "worst at");
+    for (k = 0; k < METHODS; k++)
+        for (j = 0; j < in->columns && asked[k]; j++) {
+            a = sums[k] + j;
+            printf("%-8s %-*s", method_name[k], width, in->name[j]);
+            if (a->where == TESS_NONE) {
+                printf(" %13s %13s %13s %13s %9.0f  -\n", "-", "-", "-", "-",
+                       missed[k]);
+                continue;
+            }
+            x = in->p + 3 * (size_t)a->where;
+            printf(" %13.6g %13.6g %13.6g %13.6g %9.0f  %.9g,%.9g,%.9g\n",
+                   a->sum / counted[k], a->absolute / counted[k],
+                   sqrt(a->square / counted[k]), a->worst, missed[k],
+                   (double)x[0], (double)x[1], (double)x[2]);
+        }
+}
+
+void cross_validate(const mesh *m, const tess_int *same, const double *value,
+                    long parts, const int *asked, int beyond)
+{
+    const points *in = m->in;
+    size_t columns = (size_t)in->columns;
+    double *v = (double *)space((double)columns * (double)in->n, sizeof *v);
+    tess_real *p = (tess_real *)space(3.0 * (double)in->n, sizeof *p);
+    double out[COLUMNS];
+    tess_int i, t;
+    field f;
+    long part;
+    int k, j;
+
+    for (k = 0; k < METHODS; k++)
+        for (j = 0; j < in->columns; j++) sums[k][j].where = TESS_NONE;
+    f.p = p;
+    f.tet = m->tet;
+    f.adj = m->adj;
+    f.keep = 0;
+    f.value = v;
+    f.columns = in->columns;
+    for (part = 0; part < parts; part++) {
+        for (f.n = i = 0; i < in->n; i++) {
+            if (same[i] != i || (long)i % parts == part) continue;
+            memcpy(p + 3 * (size_t)f.n, m->p + 3 * (size_t)i, 3 * sizeof *p);
+            memcpy(v + columns * (size_t)f.n, value + columns * (size_t)i,
+                   columns * sizeof *v);
+            f.n++;
+        }
+        remesh(m, &f, part);
+        for (k = 0; k < METHODS; k++) {
+            if (!asked[k]) continue;
+            values_begin(&f, k, beyond, 0.0);
+            t = TESS_NONE;
+            for (i = (tess_int)part; i < in->n; i += (tess_int)parts) {
+                if (same[i] != i) continue;
+                values_at(1, m->p + 3 * (size_t)i, &t, out);
+                missed[k] += t < 0;
+                if (t < 0 && beyond != OUT_NEAREST) continue;
+                counted[k] += 1.0;
+                for (j = 0; j < in->columns; j++)
+                    count(sums[k] + j,
+                          out[j] - value[columns * (size_t)i + (size_t)j], i);
+            }
+            values_end();
+        }
+        progress((double)(part + 1), (double)parts);
+    }
+    print_table(in, asked);
+    free(v);
+    free(p);
+}

@@ -1,0 +1,512 @@
+# values.py - what build/tess interpolates, beside what NumPy and SciPy compute
+# independently of it; values.sh runs it.
+#
+#   python3 values.py TESS [LIBRARY]
+#
+# LIBRARY: of tess.c, hhpred.c and the recipes.
+# In the current directory, where it leaves its files.  Prints `ok ...' or
+# `FAILED ...' for each test.
+import ctypes
+import re
+import subprocess
+import sys
+import xml.dom.minidom
+
+import numpy as np
+from scipy.interpolate import LinearNDInterpolator
+from scipy.spatial import ConvexHull, Delaunay, Voronoi, cKDTree
+
+TESS = sys.argv[1]
+METHODS = ["linear", "smooth", "natural", "nearest"]
+random = np.random.default_rng(7)
+
+
+def test(name, good):
+    print("ok      " + name if good else "FAILED  " + name, flush=True)
+
+
+def tess(*arguments):
+    """The program's standard output."""
+    done = subprocess.run([TESS] + [str(a) for a in arguments],
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          universal_newlines=True, timeout=200)
+    if done.returncode != 0:
+        print("FAILED  tess %s: %s" % (arguments, done.stderr))
+        sys.exit(1)
+    tess.said = done.stderr
+    return done.stdout
+
+
+def save(name, p, *columns, names="x,y,z,T,U,V"):
+    rows = np.column_stack((p,) + columns)
+    np.savetxt(name, rows, fmt="%.17g", delimiter=",", comments="",
+               header=",".join(names.split(",")[:rows.shape[1]]))
+
+
+def near(a, b, most):
+    """Within most of each other, NaN at the same places."""
+    return a.shape == b.shape and bool(
+        np.all(np.isnan(a) == np.isnan(b)) and
+        np.all(np.abs(a - b)[~np.isnan(a)] <= most))
+
+
+def linear(x):
+    return 7 + 2 * x[..., 0] - 3 * x[..., 1] + 0.5 * x[..., 2]
+
+
+def bent(x):
+    return np.sin(5 * x[..., 0]) * np.cos(4 * x[..., 1]) + x[..., 2] ** 2
+
+
+def places(low, high, size):
+    """A grid's places, by the rule that -h gives, as [z, y, x, axis]."""
+    axis = [np.linspace(low[k], high[k], size[k]) if size[k] > 1
+            else np.array([(low[k] + high[k]) / 2]) for k in range(3)]
+    z, y, x = np.meshgrid(axis[2], axis[1], axis[0], indexing="ij")
+    return np.stack((x, y, z), -1)
+
+
+# ---- a grid on the points' box: shape, order, values ----
+
+p = random.random((2000, 3))
+T, U = bent(p), linear(p)
+save("points.csv", p, T, U)
+tess("-q", "-grid", "23,11,17", "-values", "g.npy", "points.csv")
+got = np.load("g.npy")
+q = places(p.min(0), p.max(0), (23, 11, 17))
+want = LinearNDInterpolator(p, np.column_stack((T, U)))(q)
+test("-grid: shape and type", got.shape == (17, 11, 23, 2) and
+     got.dtype == np.float64)
+test("linear: LinearNDInterpolator's values, NaN at the same places",
+     near(got, want, 1e-12) and 0 < np.isnan(got).sum() < got.size / 2)
+raw = open("g.npy", "rb").read()
+test(".npy: version 1.0, the numbers begin at a multiple of 64",
+     raw[:8] == b"\x93NUMPY\x01\x00" and
+     (10 + raw[8] + 256 * raw[9]) % 64 == 0 and
+     len(raw) == 10 + raw[8] + 256 * raw[9] + 8 * got.size)
+
+# the other forms of the same values
+tess("-q", "-grid", "23,11,17", "-values", "g.csv", "points.csv")
+rows = np.genfromtxt("g.csv", delimiter=",", skip_header=1)
+test(".csv: the names", open("g.csv").readline() == "x,y,z,T,U\n")
+test(".csv: the places, x fastest", near(rows[:, :3], q.reshape(-1, 3), 1e-15))
+test(".csv: the values of .npy", near(rows[:, 3:], got.reshape(-1, 2), 0.0))
+test(".csv: no NaN but `nan'", "-nan" not in open("g.csv").read())
+tess("-q", "-grid", "23,11,17", "-digits", 4, "-values", "d.csv", "points.csv")
+rounded = np.genfromtxt("d.csv", delimiter=",", skip_header=1)
+test("-digits", near(rounded, rows, 6e-4) and
+     not near(rounded, rows, 1e-6) and
+     max(len(x) for x in open("d.csv").read().split("\n")[1].split(",")) < 12)
+
+
+def read_vtk(name):
+    """Legacy STRUCTURED_POINTS: its head, and the arrays by their names."""
+    text = open(name, "rb").read()
+    head, at, arrays = {}, 0, {}
+
+    def line():
+        nonlocal at
+        end = text.index(b"\n", at)
+        words = text[at:end].decode().split()
+        at = end + 1
+        return words
+    line()
+    line()
+    binary = line() == ["BINARY"]
+    while "POINT_DATA" not in head:
+        words = line()
+        head[words[0]] = words[1:]
+    many = int(head["POINT_DATA"][0])
+    while at < len(text):
+        words = line()
+        if words == []:
+            continue
+        assert words[0] == "SCALARS" and words[2:] == ["double", "1"]
+        assert line() == ["LOOKUP_TABLE", "default"]
+        if binary:
+            arrays[words[1]] = np.frombuffer(text, ">f8", many, at)
+            at += 8 * many
+        else:
+            arrays[words[1]] = np.array([float(line()[0])
+                                         for _ in range(many)])
+    return head, arrays
+
+
+for o in [], ["-binary"]:
+    tess("-q", "-grid", "23,11,17", *o, "-values", "g.vtk", "points.csv")
+    head, arrays = read_vtk("g.vtk")
+    corner = np.array(head["ORIGIN"], float)
+    step = np.array(head["SPACING"], float)
+    test(".vtk %s: the grid" % o,
+         head["DATASET"] == ["STRUCTURED_POINTS"] and
+         head["DIMENSIONS"] == ["23", "11", "17"] and
+         near(corner, q[0, 0, 0], 0.0) and
+         near(corner + step * (22, 10, 16), q[-1, -1, -1], 1e-15))
+    test(".vtk %s: the values of .npy, by column" % o,
+         list(arrays) == ["T", "U"] and
+         near(arrays["T"], got[..., 0].ravel(), 0.0) and
+         near(arrays["U"], got[..., 1].ravel(), 0.0))
+tess("-q", "-cols", "x,y,z,U", "-grid", "23,11,17", "-values", "u.vtk",
+     "points.csv")
+test(".vtk: one column", near(read_vtk("u.vtk")[1]["U"], arrays["U"], 0.0))
+try:
+    import meshio
+    m = meshio.read("g.vtk")
+    test(".vtk, read by meshio", near(m.point_data["T"].ravel(),
+                                      got[..., 0].ravel(), 0.0))
+except ImportError:
+    print("        skipped: .vtk, read by meshio: not installed")
+
+# a picture: its cells, by their bands
+save("slice.csv", p, T, names="x,y,z,a<b&c")
+for size in (40, 30, 1), (40, 1, 30), (1, 40, 30):
+    grid = ",".join(str(x) for x in size)
+    tess("-q", "-grid", grid, "-values", "s.npy", "slice.csv")
+    tess("-q", "-grid", grid, "-values", "s.svg", "slice.csv")
+    got = np.load("s.npy").reshape(30, 40)[::-1]
+    band = np.full((30, 40), -1)
+    svg = xml.dom.minidom.parse("s.svg")
+    paths = svg.getElementsByTagName("g")[0].getElementsByTagName("path")
+    for k, path in enumerate(paths):
+        for x, y, w in re.findall(r"M(\d+) (\d+)h(\d+)v1h-\d+z",
+                                  path.getAttribute("d")):
+            band[int(y), int(x):int(x) + int(w)] = k
+    steps = [got[band == k] for k in range(len(paths)) if np.any(band == k)]
+    test(".svg: the cells' bands, %s" % grid,
+         bool(np.all((band < 0) == np.isnan(got))) and len(steps) > 9 and
+         all(a.max() < b.min() for a, b in zip(steps, steps[1:])))
+texts = [t.firstChild.data for t in svg.getElementsByTagName("text")]
+test(".svg: the column's name", "a<b&c" in texts)
+
+# slices; one place is in the middle, or where it is said; long rows
+for name, box, size in (
+        ("one place", None, (1, 1, 1)), ("a slice", None, (9, 7, 1)),
+        ("a box", (.2, .7, .3, .4, .1, .9), (5, 6, 7)),
+        ("a slice of a box", (.2, .7, .3, .4, .6, .6), (5, 6, 1)),
+        ("a line in z", (.2, .7, .3, .4, .1, .9), (1, 1, 3000)),
+        ("a row of many", (.2, .7, .3, .4, .1, .9), (9000, 2, 1))):
+    b = np.array(box or np.column_stack((p.min(0), p.max(0))).ravel())
+    argument = ",".join(str(x) for x in size + (box or ()))
+    tess("-q", "-grid", argument, "-values", "b.npy", "points.csv")
+    w = LinearNDInterpolator(p, U)(places(b[::2], b[1::2], size))
+    test("-grid: " + name, near(np.load("b.npy")[..., 1], w, 1e-12) and
+         np.load("b.npy").shape[:3] == size[::-1])
+
+# ---- places of a file ----
+
+q = random.random((1500, 3)) * 1.2 - 0.1
+order = np.lexsort((np.floor(9 * q[:, 0]), np.floor(9 * q[:, 1])))
+for name, these in ("in no order", q), ("sorted", q[order]):
+    with open("places.csv", "w") as f:
+        f.write("id,note,depth,lon,lat\n")
+        for i, x in enumerate(these):
+            f.write("%d,a,%.17g,%.17g,%.17g\n" % ((i, x[2]) + tuple(x[:2])))
+    tess("-q", "-query", "places.csv", "-qcols", "lon,lat,depth", "-values",
+         "q.npy", "points.csv")
+    want = LinearNDInterpolator(p, np.column_stack((T, U)))(these)
+    test("-query: " + name, near(np.load("q.npy"), want, 1e-12))
+tess("-q", "-query", "places.csv", "-qcols", "4,5,3", "-values", "q.csv",
+     "points.csv")
+rows = np.genfromtxt("q.csv", delimiter=",", skip_header=1)
+test("-query, .csv: the places as they were read", near(rows[:, :3], q[order],
+                                                       0.0))
+test("-query, .csv: the values of .npy", near(rows[:, 3:], np.load("q.npy"),
+                                              0.0))
+
+# ---- the methods ----
+
+save("inside.csv", q)
+where = LinearNDInterpolator(p, T)(q)
+for method in METHODS:
+    tess("-q", "-query", "inside.csv", "-method", method, "-values", "m.npy",
+         "points.csv")
+    got = np.load("m.npy")
+    test(method + ": NaN outside the hull",
+         bool(np.all(np.isnan(got[:, 0]) == np.isnan(where))))
+    if method == "nearest":
+        at = cKDTree(p).query(q)[1]
+        nearest = np.column_stack((T[at], U[at]))
+        nearest[np.isnan(where)] = np.nan
+        test("nearest: the k-d tree's", near(got, nearest, 0.0))
+    else:
+        test(method + ": a linear field comes out as it is",
+             near(got[:, 1], np.where(np.isnan(where), np.nan, linear(q)),
+                  1e-12))
+    # at the points, their values: exactly
+    tess("-q", "-query", "points.csv", "-method", method, "-values", "m.npy",
+         "points.csv")
+    test(method + ": the values at the points themselves",
+         near(np.load("m.npy"), np.column_stack((T, U)), 0.0))
+
+# on a lattice, where all places lie on facets and edges
+lattice = places((0, 0, 0), (4, 4, 4), (5, 5, 5)).reshape(-1, 3)
+save("lattice.csv", lattice, linear(lattice))
+for method in METHODS[:3]:
+    tess("-q", "-grid", "9,9,9", "-method", method, "-values", "l.npy",
+         "lattice.csv")
+    test(method + ": a lattice, its hull included",
+         near(np.load("l.npy")[..., 0],
+              linear(places((0, 0, 0), (4, 4, 4), (9, 9, 9))), 1e-12))
+
+# where double precision does not locate: units beyond its range, needles, and
+# facets that places are in but for rounding
+tess("-q", "-query", "inside.csv", "-values", "one.npy", "points.csv")
+one = np.load("one.npy")
+for power in -1000, -345, -340, 340, 1000:
+    save("far.csv", p * 2.0 ** power, T, U)
+    save("there.csv", q * 2.0 ** power)
+    tess("-q", "-query", "there.csv", "-values", "far.npy", "far.csv")
+    test("linear: coordinates times 2^%d" % power,
+         near(np.load("far.npy"), one, 1e-12))
+thin = p * (1, 1e-6, 1e-12)
+save("thin.csv", thin, linear(p))
+tess("-q", "-grid", "21,21,21", "-values", "thin.npy", "thin.csv")
+got = np.load("thin.npy")[..., 0]
+at = linear(places(p.min(0), p.max(0), (21, 21, 21)))
+test("linear: needles", near(got, np.where(np.isnan(got), np.nan, at), 1e-11)
+     and np.isnan(got).sum() < 6000)
+turn = np.linalg.qr(random.random((3, 3)))[0]
+turned = lattice @ turn
+save("turned.csv", turned, linear(lattice))
+at = places((0, 0, 0), (4, 4, 4), (17, 17, 17)).reshape(-1, 3)
+save("about.csv", at @ turn)
+tess("-q", "-query", "about.csv", "-values", "about.npy", "-outside",
+     "nearest", "turned.csv")
+test("linear: places on a turned lattice's facets and edges",
+     near(np.load("about.npy")[:, 0], linear(at), 1e-12))
+
+# a quadratic field, inside
+square = p[:, 0] ** 2 - 2 * p[:, 1] ** 2 + p[:, 2] ** 2 / 2 + p[:, 0] * p[:, 1]
+save("square.csv", p, square)
+q = places([.15] * 3, [.85] * 3, (20, 20, 20))
+want = q[..., 0] ** 2 - 2 * q[..., 1] ** 2 + q[..., 2] ** 2 / 2 + \
+    q[..., 0] * q[..., 1]
+rms = {}
+for method in METHODS:
+    tess("-q", "-grid", "20,20,20,.15,.85,.15,.85,.15,.85", "-method", method,
+         "-values", "s.npy", "square.csv")
+    rms[method] = np.sqrt(np.mean((np.load("s.npy")[..., 0] - want) ** 2))
+test("smooth: a quadratic field, to a seventh of linear's error",
+     rms["smooth"] < rms["linear"] / 7)
+test("natural, nearest: a quadratic field",
+     rms["natural"] < 2 * rms["linear"] < rms["nearest"])
+
+
+def recipes(p, f, q):
+    """Smooth, by the recipes slopes and bent themselves; outside as the hull's
+    nearest point."""
+    lib = ctypes.CDLL(sys.argv[2])
+    n, room = len(p), 8 * len(p)
+    point = ctypes.c_void_p
+
+    def a(x):
+        return x.ctypes.data_as(point)
+    tet, adj = np.empty(4 * room, np.intc), np.empty(4 * room, np.intc)
+    iw, rw = np.empty(40 * n + 9999, np.intc), np.empty(8 * n + 9999)
+    g, work, at = np.empty(3 * n), np.empty(9 * n), np.empty(1)
+    ntet, t = ctypes.c_int(), ctypes.c_int(-1)
+    assert lib.tess(n, a(p), room, ctypes.byref(ntet), a(tet), a(adj), len(iw),
+                    a(iw), len(rw), a(rw)) == 0
+    assert lib.slopes(n, a(p), ntet, a(tet), a(adj), a(f), 3, a(g),
+                      a(work)) == 0
+    out = np.empty(len(q))
+    for i, x in enumerate(q):
+        lib.bent(a(p), ntet, a(tet), a(adj), a(f), a(g), ctypes.c_double(0),
+                 a(x), ctypes.byref(t), a(at))
+        out[i] = at[0]
+    return out
+
+
+if len(sys.argv) > 2:
+    q = random.random((3000, 3)) * 1.2 - 0.1
+    save("both.csv", q)
+    tess("-q", "-query", "both.csv", "-method", "smooth", "-outside", "nearest",
+         "-values", "s.npy", "points.csv")
+    test("smooth: as the recipes slopes and bent, inside and outside",
+         near(np.load("s.npy")[:, 0], recipes(p, T, q), 1e-12))
+
+
+def cell(x, i):
+    """The volume of point i's Voronoi cell among x, or infinity."""
+    v = Voronoi(x)
+    corners = v.regions[v.point_region[i]]
+    return np.inf if -1 in corners else ConvexHull(v.vertices[corners]).volume
+
+
+# Sibson's weights by their definition: what q's cell takes from the others'
+x = random.random((150, 3))
+f = random.random(150)
+save("few.csv", x, f)
+q = np.array([.5, .5, .5]) + 0.2 * (random.random((6, 3)) - 0.5)
+save("six.csv", q)
+tess("-q", "-query", "six.csv", "-method", "natural", "-values", "n.npy",
+     "few.csv")
+for i, at in enumerate(q):
+    with_q = np.vstack((x, at))
+    v = Voronoi(with_q)
+    others = [k for pair in v.ridge_points if 150 in pair for k in pair
+              if k != 150]
+    stolen = np.array([cell(x, k) - cell(with_q, k) for k in others])
+    test("natural: what cells lose, place %d, %d neighbours" %
+         (i, len(others)),
+         abs(np.dot(stolen, f[others]) / cell(with_q, 150) -
+             np.load("n.npy")[i, 0]) < 1e-9)
+
+# ---- stretched points, alpha shapes ----
+
+flat = p * (1, 1, 1000)
+save("flat.csv", flat, linear(flat), T)
+tess("-q", "-scale", "1,1,.001", "-grid", "23,11,17", "-values", "f.csv",
+     "flat.csv")
+rows = np.genfromtxt("f.csv", delimiter=",", skip_header=1)
+at = places(flat.min(0), flat.max(0), (23, 11, 17))
+test("-scale: the places are as given", near(rows[:, :3], at.reshape(-1, 3),
+                                             1e-12))
+want = LinearNDInterpolator(p, T)(at * (1, 1, .001)).ravel()
+test("-scale: values of the stretched mesh", near(rows[:, 4], want, 1e-11))
+test("-scale: a linear field", near(
+    rows[:, 3], np.where(np.isnan(want), np.nan, linear(at).ravel()), 1e-10))
+x = p[np.linalg.norm(p - .5, axis=1) > .3]
+save("hollow.csv", x, linear(x))
+tess("-q", "-alpha", ".12", "-grid", "21,21,21,.1,.9,.1,.9,.1,.9", "-values",
+     "h.npy", "hollow.csv")
+d = Delaunay(x)
+v = x[d.simplices]
+e = v[:, 1:] - v[:, :1]
+radius = np.linalg.norm(np.linalg.solve(e, (e ** 2).sum(2)[..., None] / 2),
+                        axis=(1, 2))
+at = places([.1] * 3, [.9] * 3, (21, 21, 21))
+t = d.find_simplex(at)
+want = np.where((t >= 0) & (radius[t] <= .12), linear(at), np.nan)
+test("-alpha: NaN in all tetrahedra of a larger circumradius",
+     near(np.load("h.npy")[..., 0], want, 1e-12) and
+     1000 < np.isnan(want).sum() < 4000)
+
+# ---- outside ----
+
+corners = places((0, 0, 0), (1, 1, 1), (2, 2, 2)).reshape(-1, 3)
+x = np.vstack((corners, p))
+save("cube.csv", x, linear(x))
+q = random.random((800, 3)) * 3 - 1
+save("around.csv", q)
+clipped = np.clip(q, 0, 1)
+out = np.any(clipped != q, axis=1)
+for method in METHODS:
+    tess("-q", "-query", "around.csv", "-method", method, "-outside", "nearest",
+         "-values", "o.npy", "cube.csv")
+    got = np.load("o.npy")[:, 0]
+    want = linear(clipped)
+    if method == "nearest":
+        want = linear(x[cKDTree(x).query(q)[1]])
+    test(method + ": -outside nearest", near(got, want, 1e-12))
+    tess("-q", "-query", "around.csv", "-method", method, "-outside", -99.5,
+         "-values", "o.npy", "cube.csv")
+    test(method + ": -outside VALUE",
+         bool(np.all((np.load("o.npy")[:, 0] == -99.5) == out)))
+
+# a place on the hull is inside, one that is next to it is not
+ulp = 2.0 ** -52
+at = np.array([[1, .3, .6], [1 + ulp, .3, .6], [1 - ulp, .3, .6], [.2, 0, .7],
+               [.2, -1e-300, .7], [.2, 1e-300, .7], [.5, .5, 1],
+               [.5, .5, 1 + ulp], [0, 0, 0], [-1e-300, 0, 0], [1, 1, .5],
+               [1, 1 + ulp, .5]])
+save("hull.csv", at)
+for method in METHODS:
+    tess("-q", "-query", "hull.csv", "-method", method, "-values", "h.npy",
+         "cube.csv")
+    test(method + ": inside or outside to the last bit",
+         list(np.isnan(np.load("h.npy")[:, 0])) ==
+         list(np.any(np.clip(at, 0, 1) != at, axis=1)))
+
+# ---- many columns, duplicates ----
+
+many = np.array([linear(p) * k for k in range(40)]).T
+np.savetxt("many.txt", np.column_stack((p, many)), fmt="%.17g")
+for method in METHODS[:3]:
+    tess("-q", "-grid", "15,15,15,.2,.8,.2,.8,.2,.8", "-method", method,
+         "-values", "m.npy", "many.txt")
+    at = linear(places([.2] * 3, [.8] * 3, (15, 15, 15)))
+    test(method + ": 40 columns", near(
+        np.load("m.npy"), at[..., None] * np.arange(40), 1e-11))
+twice = np.vstack((p, p[:100], p[:50]))
+f = np.concatenate((T, T[:100] + 3, T[:50] + 6))
+save("twice.csv", twice, f)
+tess("-grid", "5,5,5", "-values", "t.npy", "twice.csv")
+test("duplicates: it is said", "150 of the points" in tess.said)
+tess("-q", "-query", "twice.csv", "-values", "t.npy", "twice.csv")
+got = np.load("t.npy")[:, 0]
+means = np.concatenate((T[:50] + 3, T[50:100] + 1.5, T[100:]))
+test("duplicates: the mean of their values", near(
+    got, np.concatenate((means, means[:100], means[:50])), 1e-12))
+save("twice.csv", twice, np.concatenate((T, T[:100], T[:50])))
+tess("-grid", "5,5,5", "-values", "t.npy", "twice.csv")
+test("duplicates with the same values: nothing to say",
+     "duplicate" not in tess.said and "mean" not in tess.said)
+
+
+# ---- cross-validation, by a direct leave-out ----
+
+def table(*arguments):
+    rows = tess("-q", *arguments).split("\n")
+    names = rows[0].split()
+    assert rows[0].split()[:2] == ["method", "column"], names
+    found = {}
+    for r in rows[1:]:
+        w = r.split()
+        if w:
+            found[w[0], w[1]] = [float(a) for a in w[2:7]] + [
+                [float(a) for a in w[7].split(",")]]
+    return found
+
+
+def judged(error, where, outside):
+    i = np.argmax(np.abs(error))
+    return [np.mean(error), np.mean(np.abs(error)),
+            np.sqrt(np.mean(error ** 2)), error[i], outside, list(where[i])]
+
+
+def alike(a, b):
+    """To the six digits that are printed; a bias, to six of its terms'."""
+    return all(abs(u - v) <= 2e-5 * max(abs(u), b[1] if k == 0 else 0)
+               for k, (u, v) in enumerate(zip(a[:5], b[:5]))) and \
+        near(np.array(a[5]), np.array(b[5]), 1e-8)
+
+
+x = random.random((200, 3))
+f, g = bent(x), 100 * linear(x) ** 2
+save("left.csv", x, f, g)
+for k in 10, 7, 200:
+    predicted = {m: np.full((200, 2), np.nan) for m in METHODS}
+    inside = np.zeros(200, bool)
+    for r in range(k):
+        out = np.arange(200) % k == r
+        data = np.column_stack((f, g))[~out]
+        predicted["linear"][out] = LinearNDInterpolator(x[~out], data)(x[out])
+        predicted["nearest"][out] = data[cKDTree(x[~out]).query(x[out])[1]]
+        if k == 7:
+            save("others.csv", x[~out], f[~out], g[~out])
+            save("out.csv", x[out])
+            for m in "smooth", "natural":
+                tess("-q", "-query", "out.csv", "-method", m, "-values",
+                     "o.npy", "others.csv")
+                predicted[m][out] = np.load("o.npy")
+    inside = ~np.isnan(predicted["linear"][:, 0])
+    which = METHODS if k == 7 else ["linear", "nearest"]
+    found = table("-validate", k, "-method", ",".join(which), "left.csv")
+    for m in which:
+        for j, name in enumerate("TU"):
+            want = judged((predicted[m][:, j] - (f, g)[j])[inside], x[inside],
+                          (~inside).sum())
+            test("-validate %d: %s, %s" % (k, m, name),
+                 alike(found[m, name], want))
+test("-validate: 10, if no number is given",
+     table("-validate", "left.csv") == table("left.csv", "-validate", 10))
+inside = table("-validate", "-outside", "nearest", "left.csv")["linear", "T"]
+save("shell.csv", np.vstack((corners, x)),
+     np.concatenate((linear(corners), linear(x))))
+test("-validate, -outside nearest: points outside count, too",
+     inside[1] > table("-validate", "left.csv")["linear", "T"][1])
+save("twins.csv", np.repeat(x, 2, axis=0), np.repeat(f, 2))
+twins = table("-validate", 400, "-method", "nearest", "twins.csv")
+test("-validate: a duplicate does not predict its twin",
+     twins["nearest", "T"][1] > 0.01)

@@ -1,0 +1,164 @@
+#!/bin/sh
+# values.sh - tests of what build/tess interpolates.
+#
+# Run from the top directory, after `make'.  values.py compares values with
+# those of NumPy and SciPy, where $PYTHON (python3) has them; what is here is
+# what is refused.  Ends with `values: N passed, M failed'.
+CC=${CC:-cc}
+PYTHON=${PYTHON:-python3}
+TESS=`pwd`/build/tess
+TOP=`pwd`
+rm -rf build/values
+mkdir -p build/values
+cd build/values || exit 1
+
+pass() { echo "ok      $1" | tee -a results; }
+fail() { echo "FAILED  $1" | tee -a results; }
+
+# refuses WORDS OPTIONS...: exit code 2, one line on standard error that says
+# WORDS, nothing on standard output, and no file
+refuses() {
+    words=$1
+    shift
+    ls > before
+    $TESS "$@" < points > said 2> told
+    code=$?
+    ls > after
+    if [ $code -ne 2 ] || [ -s said ] || [ `wc -l < told` -ne 1 ]; then
+        fail "not refused, or not in one line: $* (code $code): `cat told`"
+    elif ! grep -e "$words" told > /dev/null; then
+        fail "$*: not said: $words: `cat told`"
+    elif ! cmp -s before after; then
+        fail "$*: leaves a file"
+    else
+        pass "refuses $*"
+    fi
+}
+
+awk 'BEGIN { srand(3); print "x,y,z,T"
+    for (i = 0; i < 200; i++) print rand() "," rand() "," rand() "," i }' \
+    > points
+cut -d, -f1-3 points > bare
+printf '0.5 0.5 0.5\n0.1 nan 0.2\n' > notfinite
+printf '0.5 0.5 0.5\n0.1 here 0.2\n' > word
+awk '{ print NR % 7, NR * NR % 11, 0, NR }' bare > plane
+printf '0 0 0 1\n1 0 0 2\n0 1 0 3\n0 0 1 4\n' > four
+: > empty
+: > said; : > told; : > before; : > after
+mkdir folder.npy
+
+refuses 'linear, smooth, natural or nearest' -grid 2,2,2 -method cubic \
+    -values v.npy points
+refuses 'linear, smooth, natural or nearest' -grid 2,2,2 -method '' \
+    -values v.npy points
+refuses 'linear, smooth, natural or nearest' -validate -method linear, points
+refuses 'choose one -method' -grid 2,2,2 -method linear,smooth -values v.npy \
+    points
+for grid in 0,2,2 2,-1,2 2,2,2.5 1e99,1,1 nan,2,2 99999999999,1,1; do
+    refuses 'whole numbers' -grid $grid -values v.npy points
+done
+refuses 'places are more' -grid 100000,100000,1000 -values v.npy points
+for grid in '' 2 2,2 2,2,2, 2,2,2,0,1 2,2,2,0,1,0,1,0,1,0 2,2,x; do
+    refuses 'needs NX,NY,NZ' -grid "$grid" -values v.npy points
+done
+refuses 'X0 must be less' -grid 2,2,2,1,0,0,1,0,1 -values v.npy points
+refuses 'Z0 must be less' -grid 2,2,2,0,1,0,1,.5,.5 -values v.npy points
+refuses 'Z0 must be less' -grid 2,2,2,0,1,0,1,nan,1 -values v.npy points
+refuses 'no values' -grid 2,2,2 -values v.npy bare
+refuses 'no values' -validate bare
+refuses 'needs -values' -grid 2,2,2 points
+refuses 'needs -values' -query bare points
+refuses 'needs places' -values v.npy points
+refuses 'choose one of them' -grid 2,2,2 -query bare -values v.npy points
+refuses 'is for -query' -qcols 1,2,3 -grid 2,2,2 -values v.npy points
+refuses 'for -values or' -method smooth points
+refuses 'for -values or' -outside 0 points
+refuses 'for -values$' -digits 3 points
+refuses 'from 1 to 17' -digits 0 -grid 2,2,2 -values v.csv points
+refuses 'nearest or a number' -outside far -grid 2,2,2 -values v.npy points
+refuses 'must end in .csv, .npy, .vtk or .svg' -grid 2,2,2 -values v.txt points
+refuses 'is for a -grid' -query bare -values v.vtk points
+refuses 'is for a -grid' -query bare -values v.svg points
+refuses 'is of a slice' -grid 2,2,2 -values v.svg points
+refuses 'is of a slice' -grid 1,2,1 -values v.svg points
+refuses 'at most 2000 places' -grid 1,2001,9 -values v.svg points
+refuses 'No such file' -grid 2,2,2 -values nowhere/v.npy points
+refuses 'folder.npy: ' -grid 2,2,2 -values folder.npy points
+refuses 'would overwrite' -query bare.csv -values bare.csv points
+refuses 'No such file' -query nowhere -values v.npy points
+refuses 'empty: empty' -query empty -values v.npy points
+refuses 'line 2: .*not a number: here' -query word -values v.npy points
+refuses 'line 2: .*not finite' -query notfinite -values v.npy points
+refuses 'qcols: no column w' -query bare -qcols x,y,w -values v.npy points
+refuses 'three columns' -query bare -qcols x,y,z,T -values v.npy points
+refuses 'both be standard input' -query - -values v.npy
+refuses 'both be standard input' -query - -values v.npy -
+refuses 'parts, from 2 on' -validate 1 points
+refuses 'only 200 points' -validate 201 points
+refuses 'knows the hull' -outside nearest -alpha 1 -grid 2,2,2 -values v.npy \
+    points
+# found when the mesh is there
+refuses 'lie in one plane' -q -grid 2,2,2 -values v.npy plane
+refuses 'lie in one plane' -q -validate plane
+refuses 'no tetrahedron is left' -q -validate 2 four
+
+# a file that cannot be completed is not there; one that was stays as it was
+if (trap '' XFSZ; ulimit -f 1000) 2> /dev/null; then
+    echo old > full.npy
+    (trap '' XFSZ; ulimit -f 100; exec $TESS -q -grid 50,50,50 -values full.npy \
+        points) > said 2> told
+    code=$?
+    if [ $code -eq 2 ] && grep 'full.npy: write error' told > /dev/null &&
+        [ "`cat full.npy`" = old ] && [ ! -f full.npy.part ]; then
+        pass "a file that cannot be completed"
+    else
+        fail "a file that cannot be completed: code $code: `cat told`"
+    fi
+else
+    echo "        skipped: a file that cannot be completed: no ulimit -f"
+fi
+
+# places from standard input; no progress where there is no terminal
+tail -n +2 bare | $TESS -q -query - -values in.csv points 2> told
+if [ `wc -l < in.csv` -eq 201 ] && [ ! -s told ]; then
+    pass "-query -: places from standard input"
+else
+    fail "-query -: `cat told`"
+fi
+if $TESS -h | awk '/^  -/ && length > 78 { bad = 1 } END { exit bad }'; then
+    pass "-h: no long line"
+else
+    fail "-h: a long line"
+fi
+
+rm -f ../mirror.vtk ../mirror.svg
+if (cd "$TOP" && make grid CC="$CC") > said 2>&1 &&
+    grep 'DIMENSIONS 200 200 20' ../mirror.vtk > /dev/null &&
+    grep '</svg>' ../mirror.svg > /dev/null; then
+    pass "make grid"
+else
+    fail "make grid: `tail -n 1 said`"
+fi
+
+if $PYTHON -c 'import numpy, scipy' 2> told; then
+    library=
+    if $CC -O2 -shared -fPIC -I"$TOP" -DSLOPES_ALONE -o recipes.so \
+        "$TOP"/tess.c "$TOP"/hhpred.c "$TOP"/test/examples/slopes.c -lm 2> told
+    then
+        library=./recipes.so
+    else
+        echo "        skipped: the recipes beside build/tess: no -shared -fPIC"
+    fi
+    $PYTHON "$TOP"/test/program/values.py $TESS $library > numbers 2> told
+    code=$?
+    cat numbers | tee -a results
+    if [ $code -ne 0 ] || [ -s told ]; then
+        fail "values.py: code $code: `tail -n 1 told`"
+    fi
+else
+    echo "        skipped: values beside SciPy: no numpy, scipy for $PYTHON"
+fi
+
+failed=`grep -c '^FAILED' results`
+echo "values: `grep -c '^ok' results` passed, $failed failed"
+test $failed -eq 0
