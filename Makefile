@@ -147,14 +147,17 @@ grid: build/tess
 	$(MIRROR) -grid 200,200,20 -values build/mirror.vtk
 	$(MIRROR) -grid 400,1,120 -values build/mirror.svg
 
+# a program of test/examples names the files that it is linked from, and
+# libraries, in its first comment
 examples: $(LIBRARY)
-	@set -e; for name in test/examples/*.c; do \
-	echo "$$name"; \
-	name=`basename $$name .c`; \
-	also=; case $$name in parts) also=-lpthread;; join|fortran) continue;; \
-	esac; \
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -I. -o build/$$name \
-	    test/examples/$$name.c $(LIBRARY) $(LDLIBS) $$also; \
+	@set -e; for file in `grep -l '^int main' test/examples/*.c`; do \
+	echo "$$file"; \
+	name=`basename $$file .c`; \
+	case $$name in fortran) continue;; esac; \
+	with=`sed '/\*\/$$/q' $$file | tr ' ' '\012' | \
+	    egrep '^test/examples/[a-z_]*[.]c$$|^-l' | sort -ru`; \
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -I. -o build/$$name $(LIBRARY) \
+	    $$with $(LDLIBS); \
 	(cd build && ./$$name $$name.obj $$name.stl) > build/$$name.out || \
 	    { cat build/$$name.out; exit 1; }; \
 	cat build/$$name.out; \
@@ -166,7 +169,7 @@ pictures: build/picture grid
 	    test/pictures/section.svg test/pictures/cube.svg
 
 errors: $(LIBRARY)
-	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o build/slopes -I. test/examples/slopes.c $(LIBRARY) $(LDLIBS)
+	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o build/slopes -I. test/examples/*slopes.c $(LIBRARY) $(LDLIBS)
 	build/slopes table
 
 check: all

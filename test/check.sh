@@ -352,17 +352,23 @@ builds() {
 
 # ---- the examples: their own checks, and their output as stored ----
 
+# linked FILE: the files of test/examples that a program of them is linked from,
+# and libraries, as its first comment says; a recipe itself
+linked() {
+    case $1 in
+    *.c) sed '/\*\/$/q' $1;;
+    *) sed '/^[^C]/q' $1;;
+    esac | tr ' ' '\012' | egrep '^test/examples/[a-z_]*[.][cf]$|^-l' |
+        sort -ru | grep . || echo $1
+}
+
 examples() {
-    for f in test/examples/*.c; do
+    for f in `grep -l '^int main' test/examples/*.c`; do
         example=`basename $f .c`
-        also=
-        case $example in
-        parts) also=-lpthread;;
-        join) continue;; # in parts.c
-        fortran) continue;; # with the FORTRAN half
-        esac
-        if build "$example" "$CC" "$CFLAGS -I." $f build/tess.o \
-            build/hhpred.o $also; then
+        case $example in fortran) continue;; esac # with the FORTRAN half
+        # shellcheck disable=SC2046
+        if build "$example" "$CC" "$CFLAGS -I." build/tess.o build/hhpred.o \
+            `linked $f`; then
             (cd build && ./$example $example.obj $example.stl) \
                 > build/$example.out 2>> $LOG
             one "example: $example" test $? -eq 0
@@ -570,8 +576,8 @@ standard() {
     for f in test/fortran/*.f test/examples/*.f; do
         case $f in
         */parity.f) $CHEKS $F77 $f;; # it calls all entries
-        */parts.f) $CHEKS -noextern $f test/examples/join.f;; # and OpenMP
-        *) $CHEKS -library $F77 $f;;
+        */parts.f) $CHEKS -noextern `linked $f`;; # and OpenMP
+        *) $CHEKS -library $F77 `linked $f`;;
         esac > build/ftnchek.txt 2>&1
         one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
     done
@@ -730,10 +736,12 @@ threads() {
 # FORTRAN programs that tell by their text whether all is well.
 # programs NAME FLAGS: with the half just compiled
 programs() {
-    for f in test/fortran/sizes.f test/examples/*.f; do
+    for f in `grep -l '^      PROGRAM' test/fortran/sizes.f test/examples/*.f`
+    do
         rm -f build/program
-        case $f in */join.f | */parts.f) continue;; esac
-        gfortran -frecursive $2 -o build/program $f build/ftess.o \
+        case $f in */parts.f) continue;; esac # below
+        # shellcheck disable=SC2046
+        gfortran -frecursive $2 -o build/program `linked $f` build/ftess.o \
             build/fhhpred.o $LIBS >> $LOG 2>&1
         case $f in
         test/examples/*)
@@ -899,7 +907,7 @@ halves() {
         for omp in "" -fopenmp; do
             rm -f build/partsf
             gfortran -O2 -frecursive $omp -o build/partsf \
-                test/examples/parts.f test/examples/join.f $F77 >> $LOG 2>&1
+                `linked test/examples/parts.f` $F77 >> $LOG 2>&1
             build/partsf > build/partsf.out 2>> $LOG
             one "example: parts.f $omp" cmp test/examples/parts.out \
                 build/partsf.out

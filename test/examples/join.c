@@ -1,6 +1,10 @@
-/* join.c - a mesh in parts, joined: copy this file beside the library.
+/* join.c - a mesh in parts, joined: recipes to copy.
  *
- * For meshes by several threads; parts.c and test/bench/parts.c are whole programs.
+ *   keep, append   what the parts keep, put together
+ *   join           neighbours across the facets that are still open (onside)
+ *
+ * For meshes by several threads; parts.c is a program that does it, and join.f
+ * the same in FORTRAN 77.
  *
  *   1. tess_index sorts the points.  rw is shared by all, iw copied for each.
  *   2. Each thread asks tess_part for the points of a range of places (iw[i]),
@@ -73,9 +77,9 @@ void append(tess_int ntet, const tess_int *tet, const tess_int *adj,
     }
 }
 
-/* facet - the vertices of facet i % 4 of tetrahedron i / 4, in order.  Returns
+/* onside - the vertices of facet i % 4 of tetrahedron i / 4, in order.  Returns
  * which side of it the tetrahedron is on, 0 or 1. */
-static int facet(const tess_int *tet, tess_int i, tess_int *v)
+static int onside(const tess_int *tet, tess_int i, tess_int *v)
 {
     tess_int swap;
     int k, n = 0, side = (int)(i % 4 % 2);
@@ -116,12 +120,12 @@ int join(tess_int ntet, const tess_int *tet, tess_int *adj, tess_int lh,
     for (i = 0; i < size; i++) h[i] = TESS_NONE;
     for (i = 0; i < 4 * ntet; i++) {
         if (adj[i] != TESS_OPEN) continue;
-        side = facet(tet, i, v);
+        side = onside(tet, i, v);
         at = (tess_int)(((unsigned long)v[0] * 40503UL +
                          (unsigned long)v[1] * 30011UL +
                          (unsigned long)v[2] * 20011UL) % (unsigned long)size);
         for (; h[at] != TESS_NONE; at = at == 0 ? size - 1 : at - 1) {
-            other = facet(tet, h[at], w);
+            other = onside(tet, h[at], w);
             if (v[0] != w[0] || v[1] != w[1] || v[2] != w[2]) continue;
             if (side == other || adj[h[at]] != TESS_OPEN) return 1;
             adj[h[at]] = i / 4;

@@ -1,5 +1,11 @@
-C     join.f - a mesh in parts, joined: copy this file beside the
-C     library.  See join.c; parts.f is a whole program.
+C     join.f - a mesh in parts, joined: recipes to copy.
+C
+C       KEEP, APPEND   what the parts keep, put together
+C       JOIN           neighbours across the facets that are still open
+C                      (ONSIDE)
+C
+C     For meshes by several threads; parts.f is a program that does it,
+C     and join.c the same in C.
 C
 C       1. TESSIX sorts the points.  RW is shared by all, IW copied for
 C          each thread.
@@ -67,9 +73,9 @@ C                               are open, -1
    20 CONTINUE
       END
 
-C     FACET - V = the vertices of facet K of tetrahedron T, in order;
+C     ONSIDE - V = the vertices of facet K of tetrahedron T, in order;
 C     SIDE = which side of it the tetrahedron is on, 0 or 1.
-      SUBROUTINE FACET(TET, T, K, V, SIDE)
+      SUBROUTINE ONSIDE(TET, T, K, V, SIDE)
       INTEGER TET(4,*), T, K, V(3), SIDE
       INTEGER I, J, N, SWAP
       SIDE = MOD(K - 1, 2)
@@ -122,14 +128,14 @@ C     facet.  (The remainders keep products below 2**31.)
       DO 60 T = 1, NT
         DO 50 K = 1, 4
           IF (ADJ(K,T) .NE. -1) GO TO 50
-          CALL FACET(TET, T, K, V, SIDE)
+          CALL ONSIDE(TET, T, K, V, SIDE)
           AT = MOD(V(1), 32771)*40503 + MOD(V(2), 32771)*20011
           AT = MOD(AT, SIZE)/2 + MOD(MOD(V(3), 32771)*30011, SIZE)/2 + 1
 C         as long as there is another facet at AT
    40     IF (H(AT) .NE. 0) THEN
             U = (H(AT) - 1)/4 + 1
             UK = MOD(H(AT) - 1, 4) + 1
-            CALL FACET(TET, U, UK, W, OTHER)
+            CALL ONSIDE(TET, U, UK, W, OTHER)
             IF (V(1) .NE. W(1) .OR. V(2) .NE. W(2) .OR.
      $          V(3) .NE. W(3)) THEN
               AT = AT - 1

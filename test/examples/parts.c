@@ -1,6 +1,7 @@
 /* parts.c - a mesh by POSIX threads.
  *
- *   cc -O2 -I. -o parts test/examples/parts.c tess.c hhpred.c -lm -lpthread
+ *   cc -O2 -I. -o parts test/examples/parts.c test/examples/join.c tess.c \
+ *       hhpred.c -lm -lpthread
  *
  * The points are sorted once, by tess_index.  Each thread takes a range of
  * places in the sorted order, and has tess_part compute all tetrahedra at these
@@ -14,7 +15,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "join.c"
+#include "recipes.h"
 
 #define N 20000
 #define PARTS 4

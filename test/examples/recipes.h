@@ -1,5 +1,4 @@
-/* recipes.h - prototypes of the recipes that build/tess is made of: slopes.c,
- * natural.c, derived.c say what they do. */
+/* recipes.h - prototypes of the recipes, whose files say what they do. */
 #ifndef RECIPES_H
 #define RECIPES_H
 
@@ -37,6 +36,15 @@ void dual(tess_int n, const tess_real *p, const tess_int *tet,
           const tess_int *at, double *area, double *cell, tess_int *outer);
 void gradient(const tess_real *p, const tess_int *v, const double *value,
               double *g);
+
+/* join.c */
+tess_int keep(tess_int ntet, const tess_int *tet, const tess_int *mine,
+              tess_int *becomes);
+void append(tess_int ntet, const tess_int *tet, const tess_int *adj,
+            const tess_int *becomes, tess_int base, tess_int *all,
+            tess_int *alladj);
+int join(tess_int ntet, const tess_int *tet, tess_int *adj, tess_int lh,
+         tess_int *h);
 
 #ifdef __cplusplus
 }
