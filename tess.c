@@ -87,8 +87,8 @@
  *   apex         dot powererr prunebox prunepart ballinbox ballinstar better
  *                curved narrow refine rough marked level remember through
  *                fit discover lean sharpen sight lowest beyond promise group enclose
- *                enclosed outside inlarge keeplarge cap challenge consider
- *                ballcoef starcoef inball considerall likeliest starball
+ *                enclosed outside challenge consider ballcoef starcoef
+ *                inball considerall starball
  *                newcell incell instar inblock scanleaf barren treesearch
  *                onhull prepare proven apex
  *   one star     exchange settle
@@ -214,11 +214,9 @@ extern void tess_prove(int fact);
 #define SCANS 100.0
 #define SLENDER 0.7
 #define ENCLOSED(m) (TESS_LIST >= 128 && (m)->round == 2)
-/* Maximum number of points of a cell, and of cells; a large ball has more than
- * LARGE ties. */
+/* Maximum number of points of a cell, and of cells. */
 #define CELL 12
 #define CELLS 4
-#define LARGE 24
 /* Number of hull planes remembered. */
 #define PLANES 4
 /* Steps from a given start after which a location looks for a better one.  With
@@ -308,9 +306,6 @@ typedef struct quest {
     tess_int v[3];            /* its vertices; the open side is positive */
     double f[HH_FACET_LEN];   /* its Householder set-up, */
     int base;                 /* of which v[base] is the base */
-    int first;                /* v[first] is the large ball's first; 3: the */
-                              /* facet is on that ball, but without its */
-                              /* first; NONE: it is not on it */
     /* the best point */
     tess_int best;            /* the best point yet, exactly, or NONE */
     double lo, hi;            /* its L-coordinate is between them */
@@ -320,8 +315,8 @@ typedef struct quest {
     int ball;                 /* there is one to prune with: its centre c, */
     double c[3];              /* relative to the base, is wrong by at most */
     double dc, size;          /* dc; size is |c|_1 */
-    int limbs;                /* 1: it was found by limbs: t; 2: it is that */
-    hh_ball t;                /* of a cap */
+    int limbs;                /* 1: it was found by limbs: t */
+    hh_ball t;
     /* the support */
     int on;                   /* its number, or NONE.  On the facet */
     double h, dh;             /* height(w) - h - tilt.w is 0, h being the */
@@ -384,12 +379,10 @@ typedef struct mesh {
     list block, around;       /* lists of a leaf, and of a star in it */
     int futile;               /* the leaf's latest searches in a row that */
                               /* ended in the tree */
-    int ties;                 /* of the last search in a star's list that met */
-                              /* points in the ball, the best of them was 0: */
-                              /* inside, 1: about on it, 2: exactly on it */
+    int tied;                 /* 1: the last search in a star's list that met */
+                              /* points met some exactly on its last ball */
     cell cells[CELLS];        /* the last ones met in this star */
     int ncell;                /* how many were met */
-    tess_int large[4], first; /* points on the large ball; its first, or NONE */
     double least;             /* least absolute value above 0 of a coordinate */
     support supports[SUPPORTS];
     int nsupport;             /* how many there are */
@@ -1721,8 +1714,8 @@ static int beyond(const quest *f, double sum, double size, double h, double dh)
 }
 
 /* promise - returns 1 if the heights of a node's points prove that it holds no
- * candidate.  A leaf is also tested by its box, as is any node with a cap's
- * ball.  Where the heights tell nothing, the box alone counts. */
+ * candidate.  A leaf is also tested by its box.  Where the heights tell nothing,
+ * the box alone counts. */
 static int promise(const mesh *m, quest *f, tess_int node)
 {
     const support *s = m->supports + f->on;
@@ -1737,7 +1730,7 @@ static int promise(const mesh *m, quest *f, tess_int node)
     if (f->a >= 0.0) h = s->low + s->grain * ((double)code - 1.5);
     sum = lowest(f, b, b + 3, f->q, f->d, &size);
     return beyond(f, sum, size, h, 0.0) ||
-           ((node >= m->leaves || f->limbs == 2) && prunebox(f, b, b + 3));
+           (node >= m->leaves && prunebox(f, b, b + 3));
 }
 
 /* ---- cylinders ----
@@ -1925,67 +1918,7 @@ static void outside(const mesh *m, const quest *f, tess_int node, double *past)
  * tetrahedron's T it is not.
  *
  * A cell has all uncompleted points of T, the least number first, of a ball
- * inside the star's list.  Only these are tested for a facet of the star.
- *
- * The large ball has too many points for a cell: four of them are kept.  All
- * rivals of c are on the sphere and, seen from first, beyond the plane (a, b,
- * c) or in it.  If first is outside the smallest ball through a, b, c, the
- * cap's ball, that part of the sphere is in the cap's ball, which then replaces
- * the search's ball.  The cap's ball passes through a base a or b, but not
- * through first. */
-
-/* inlarge - returns 1 if there is a large ball and the n points v are on it. */
-static int inlarge(const mesh *m, const tess_int *v, int n)
-{
-    const tess_int *q = m->large;
-    int k = 0;
-
-    if (m->first == NONE) return 0;
-    while (k < n && hh_pball(&m->set, q[0], q[1], q[2], q[3], v[k], 0) == 0)
-        k++;
-    return k == n;
-}
-
-/* keeplarge - make the ball of a search the large one. */
-static void keeplarge(mesh *m, const quest *f)
-{
-    int k;
-
-    m->first = f->best;
-    for (k = 0; k < 4; k++) {
-        m->large[k] = k < 3 ? f->v[k] : f->best;
-        if (m->order[m->large[k]] < m->order[m->first]) m->first = m->large[k];
-    }
-}
-
-/* cap - replace the best point's ball by the cap's, where that is allowed.  In
- * the power of first, size = |w|_1 + |c|_1 covers powererr. */
-static void cap(const mesh *m, quest *f)
-{
-    const double *x = m->x + 3 * m->first;
-    double g[HH_FACET_LEN], size = 0.0, w[3];
-    int k;
-
-    if (f->first > 2 || f->first == f->base || !inlarge(m, &f->best, 1)) return;
-    hh_setup(m->x + 3 * f->v[f->base],
-             m->x + 3 * f->v[3 - f->base - f->first], m->x + 3 * f->best, g);
-    if (g[9] > HH_LOOSE) return;
-    for (k = 0; k < 3; k++) {
-        w[k] = x[k] - g[6 + k];
-        size += fabs(w[k]) + fabs(g[3 + k]);
-    }
-    if (HH_POWER(w[0], w[1], w[2], g + 3) <=
-        size * (2.0 * g[10] + 16.0 * EPS * size) + FAINT)
-        return;
-    f->limbs = 2;
-    f->ball = 1;
-    f->dc = g[10];
-    f->size = 0.0;
-    for (k = 0; k < 3; k++) {
-        f->c[k] = g[3 + k];
-        f->size += fabs(f->c[k]);
-    }
-}
+ * inside the star's list.  Only these are tested for a facet of the star. */
 
 /* challenge - takes z if it is on the open side and beats the best point so
  * far: if its L-coordinate is smaller (Theorem 1), ties by the rule of
@@ -2007,7 +1940,7 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     unsure = f->best != NONE && hi >= f->lo;
     if (side == 0 || unsure) {
         if (SEEK(m)) remember(f, z, 1);
-        if (f->limbs == 1) {
+        if (f->limbs) {
             COUNT(N_TRIAL, 1);
             hh_trial(&m->set, &f->t, z, &sign, &power);
             HOLDS(sign == UNSURE ||
@@ -2040,7 +1973,6 @@ static void challenge(const mesh *m, quest *f, tess_int z)
     f->lo = lo;
     f->limbs = 0;
     narrow(f, hi);
-    if (f->first != NONE) cap(m, f);
     if (!f->limbs && (side == 0 || f->asked >= MANY ||
                       hi - lo > WIDE * (f->f[11] + fabs(hi))))
         refine(m, f);
@@ -2152,38 +2084,6 @@ static void considerall(const mesh *m, quest *f, const list *l, int n,
     for (i = 0; i < n; i++) consider(m, f, l->id[place[i]]);
 }
 
-/* likeliest - returns the one of n points of a list with about the least
- * L-coordinate of those on the positive side, if it is below most, or NONE. */
-static tess_int likeliest(const quest *f, const list *l, double most, int n,
-                        const int *place)
-{
-    float d[4], v[4], side, height, least = FAR;
-    int i, j, best = -1;
-
-    most *= 2.0 * l->unit;
-    if (most < -FAR || !ballcoef(l, f, f->f + 3, d)) return NONE;
-    if (most < FAR) least = (float)most;
-    v[3] = 0.0f;
-    for (i = 0; i < 3; i++) {
-        v[i] = (float)f->f[i];
-        v[3] += v[i] * (float)((f->f[6 + i] - l->centre[i]) * l->unit);
-    }
-    /* the height is above FAR where the side or the point is unusable */
-    for (i = 0; i < n; i++) {
-        j = place[i];
-        side = v[0] * l->x[j] + v[1] * l->y[j] + v[2] * l->z[j] - v[3];
-        height = l->r[j] - (d[0] * l->x[j] + d[1] * l->y[j] + d[2] * l->z[j]) -
-                 d[3];
-        height /= side > 1e-5f ? side : 1e-5f;
-        height += FAR * (float)((side <= 1e-5f) | (l->r[j] > 4.0f));
-        if (height < least) {
-            least = height;
-            best = j;
-        }
-    }
-    return best < 0 ? NONE : l->id[best];
-}
-
 /* starball - finds the places of the points of a star's list that may be in the
  * ball, or of all its points without a ball.  Returns their number; 0 if they
  * are only the vertices and the best point, -1 if the ball is too large for the
@@ -2196,7 +2096,7 @@ static int starball(const list *l, const quest *f, int *place)
     for (; !f->ball && n < l->n; n++) place[n] = n;
     if (!f->ball) return n;
     if (!starcoef(l, f, d)) return -1;
-    if (inball(l, d, in) <= 4 - f->limbs / 2) return 0;
+    if (inball(l, d, in) <= 4) return 0;
     return compress(in, l->n, place);
 }
 
@@ -2213,7 +2113,7 @@ static int newcell(mesh *m, quest *f)
     tess_int z;
     cell c;
 
-    if (f->limbs == 2 || fabs(f->hi) > MUCHL) return 0;
+    if (fabs(f->hi) > MUCHL) return 0;
     wide = f->limbs ? 0.0 : f->hi - f->lo;
     if (wide > l->margin) return 0;
     f->dc += wide;
@@ -2266,31 +2166,19 @@ static tess_int incell(const mesh *m, const tess_int *v)
 static int instar(mesh *m, quest *f)
 {
     const list *l = &m->around;
-    double most;
-    tess_int z = NONE;
     int place[TESS_LIST + 1], n;
 
     if (f->base != 0 || l->n == 0) return 0;
     n = starball(l, f, place);
     if (n < 0) return 0;
     if (n > 0) {
-        most = (f->hi < FAR * l->margin ? f->hi : FAR * l->margin) -
-               1e-4 * l->margin;
-        /* the ball of the best of those inside is usually empty; not so among
-         * ties, which are on the ball (knowing that saves 6 % on lattices) */
-        if (m->ties == 0 || !f->ball) z = likeliest(f, l, most, n, place);
-        if (z != NONE) {
-            consider(m, f, z);
-            n = starball(l, f, place);
-        }
-        if (n < 0 || !f->ball) return 0;
-        if (m->ties == 2 && newcell(m, f)) {
+        if (f->ball && m->tied && newcell(m, f)) {
             f->best = incell(m, f->v);
             return 1;
         }
         considerall(m, f, l, n, place);
-        if (f->tied > 0 && m->ties < 2) (void)newcell(m, f);
-        m->ties = f->tied > 0 ? 2 : f->hi > most;
+        if (f->tied > 0 && !m->tied) (void)newcell(m, f);
+        m->tied = f->tied > 0;
     }
     return f->ball && ballinstar(m, f);
 }
@@ -2306,7 +2194,7 @@ static int inblock(const mesh *m, quest *f)
 
     if (l->n == 0) return 0;
     if (!f->ball || !ballinbox(m, f, l) || !ballcoef(l, f, f->c, d)) return 0;
-    if (inball(l, d, in) > 4 - f->limbs / 2)
+    if (inball(l, d, in) > 4)
         considerall(m, f, l, compress(in, l->n, place), place);
     return 1;
 }
@@ -2442,28 +2330,25 @@ static int onhull(const mesh *m, const quest *f)
 }
 
 /* prepare - begins the search for the apex of the facet v.  The base is v[0],
- * or v[1] if v[0] is the large ball's first.  If the angle there is small, the
- * base is the vertex opposite the longest edge. */
+ * or, if the angle there is small, the vertex opposite the longest edge. */
 static void prepare(const mesh *m, quest *f, const tess_int *v)
 {
     const double *p[3], *a, *b;
     double edge, longest = 0.0;
     int k, base;
 
-    f->first = inlarge(m, v, 3) ? 3 : NONE;
     for (k = 0; k < 3; k++) {
         p[k] = m->x + 3 * v[k];
         f->v[k] = v[k];
         f->c[k] = 0.0;
-        if (f->first != NONE && v[k] == m->first) f->first = k;
     }
     f->best = f->on = NONE;
     f->asked = f->limbs = f->tied = f->ball = 0;
     f->opened = 0;
     f->dc = f->size = 0.0;
     f->hi = DBL_MAX;
-    f->base = base = f->first == 0;
-    hh_setup(p[base], p[base + 1], p[(base + 2) % 3], f->f);
+    f->base = base = 0;
+    hh_setup(p[0], p[1], p[2], f->f);
     if (f->f[9] >= 8000.0 * EPS) {
         for (k = 0; k < 3; k++) {
             a = p[(k + 1) % 3];
@@ -2475,7 +2360,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
             longest = edge;
             base = k;
         }
-        if (base != f->base)
+        if (base != 0)
             hh_setup(p[base], p[(base + 1) % 3], p[(base + 2) % 3], f->f);
         f->base = base;
         if (f->f[9] > THIN) hh_thin(&m->set, v, base, f->f);
@@ -2511,8 +2396,6 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     COUNT(N_FACET, 1);
     if (m->ncell > 0 && (f.best = incell(m, v)) != NONE) return f.best;
     prepare(m, &f, v);
-    if (f.first == 3 && hh_pside(&m->set, v[0], v[1], v[2], m->first) > 0)
-        return m->first;
     for (k = 0; k < 2; k++)
         if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
             guess[k] != f.best)
@@ -2535,7 +2418,6 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     COUNT(N_TREE, 1);
     m->futile++;
     treesearch(m, &f);
-    if (f.tied > LARGE && m->block.first != NONE) keeplarge(m, &f);
     if (TESS_LIST >= 128 && m->round == 1 &&
         m->scanned > SCANS * (double)m->np)
         enclosed(m);
@@ -3097,9 +2979,8 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->known = iw + 2 * n;
     m->alive = m->known + KEEP;
     m->link = m->order; /* no star is complete: no entry is DONE */
-    m->nplane = m->nextplane = m->ties = m->nsupport = 0;
+    m->nplane = m->nextplane = m->tied = m->nsupport = 0;
     m->ncell = m->futile = 0;
-    m->first = NONE;
     m->round = 0;
     m->scanned = m->patience = 0.0;
     m->block.first = m->block.last = NONE;

@@ -168,8 +168,8 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
  * lie near up to eight planes and spheres; somewhat more between parallel
  * sheets and on other smooth surfaces, up to n^(3/2) on tubes and between
  * curved sheets, nearly n^2 near planes that cross at a tiny angle; at worst,
- * as with exponents hundreds apart, O(n^2) for a linear number of tetrahedra.
- * Section 2 of the paper.
+ * as with exponents hundreds apart or thousands of points exactly on one
+ * sphere, O(n^2) for a linear number of tetrahedra.  Section 2 of the paper.
  */
 int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
          tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,
@@ -191,8 +191,9 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
  * returns what tess returns; -4 for a bad *ntet; -5 and -6 for a fault in tet
  * and adj: an index out of range; a tetrahedron that has a duplicate for a
  * vertex, is not positively oriented, or has a neighbour's apex in its ball;
- * neighbours that do not share a facet; a facet that is open twice.  After -k *ntet, tet and adj are unchanged.  Damage that one pass
- * cannot find gives a wrong result, but in bounded time and within the arrays.
+ * neighbours that do not share a facet; a facet that is open twice.  After -k
+ * *ntet, tet and adj are unchanged.  Damage that one pass cannot find gives a
+ * wrong result, but in bounded time and within the arrays.
  */
 int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
                 tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,

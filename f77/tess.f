@@ -130,13 +130,11 @@ C         marked TSMRKD, level TSLEVE, remember TSREME, through TSTHRO,
 C         fit TSFIT, discover TSDISC, lean TSLEAN, sharpen TSSHAR,
 C         sight TSSIGH, lowest TSLOWE, beyond TSBEYO, promise TSPROM,
 C         group TSGROU, enclose TSENCL, enclosed TSECLD,
-C         outside TSOUTS, inlarge TSINLA, keeplarge TSKEEP, cap TSCAP,
-C         challenge TSCHAL, consider TSCONS, ballcoef TSBALC,
-C         starcoef TSSTAC, inball TSINBA, considerall TSCALL,
-C         likeliest TSLIKE, starball TSSTBA, newcell TSNEWC,
+C         outside TSOUTS, challenge TSCHAL, consider TSCONS,
+C         ballcoef TSBALC, starcoef TSSTAC, inball TSINBA,
+C         considerall TSCALL, starball TSSTBA, newcell TSNEWC,
 C         incell TSINCE, instar TSINST, inblock TSINBL, scanleaf TSSCAN,
-C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
-C         apex TSAPEX
+C         treesearch TSTREE, onhull TSONHU, prepare TSPREP, apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
 C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
@@ -199,9 +197,8 @@ C       OLDEST, NEWEST  edges of the link, the newest the lowest
 C       LOW     no vertex of a smaller position owns facets
 C       NPLANE  hull planes that are remembered;  NEXTPL the one to be
 C               replaced next;  PLANE0 the place before them
-C       TIES    of the last search in a star's list that met points in
-C               the ball, the best of them was 0: inside, 1: about on
-C               it, 2: exactly on it
+C       TIED    1: the last search in a star's list that met points met
+C               some exactly on its last ball
 C       UNMET   no vertex before it is NEW and asked for
 C       FUTILE  the leaf's latest searches in a row that ended in the
 C               tree
@@ -219,11 +216,6 @@ C       RBURDN  comparisons left open, over NP;  RPATIE their limit; 0:
 C               no more supports are sought
 C       RLEAST  the least absolute value of a coordinate above 0
 C       RSCAN   points of leaves tested
-C       RTIED   points that a search met exactly on its ball
-C       RSLOT   V(RSLOT) is the large ball's first; 4: the facet is on
-C               that, but without it; 0: it is not on it
-C       RFIRST  the large ball's first, or 0;  behind RLARGE four
-C               points on it
 C     A support J, a plane or a sphere that many points are near, is
 C     behind RCTL(RSUP + LSUP*(J-1)).  A point with mark K, 0 ... GRAINS
 C     - 1, has a height between SLOW + (K - 1/2) SGRAIN and SLOW + (K +
@@ -246,15 +238,15 @@ C               LUNIT one over the unit
 C     A search for the apex of a facet:
 C       V       its vertices; the open side is positive
 C       F       its Householder set-up (see HHFACE)
-C       IQ      QBEST: the best point yet, exactly, or 0; QLIMBS: 1: its
-C               ball has been found by limbs, 2: the ball is that of a
-C               cap; QBALL: there is a ball to prune with; QBASE:
-C               V(QBASE) is the base of F; QASKED: comparisons left to
-C               the exact predicates; QON: the support that the
-C               facet is on, or 0; QAIMED: TSSIGH's test is for the best
-C               point so far; behind QSOME a sample of the points
-C               offered to it, QOPEND: QOPEN = 1: points left open, 0:
-C               of leaves
+C       IQ      QBEST: the best point yet, exactly, or 0; QTIED: points
+C               met that are exactly on its ball; QLIMBS: 1: its ball
+C               has been found by limbs; QBALL: there is a ball to prune
+C               with; QBASE: V(QBASE) is the base of F; QASKED:
+C               comparisons left to the exact predicates; QON: the
+C               support that the facet is on, or 0; QAIMED: TSSIGH's
+C               test is for the best point so far; behind QSOME a sample
+C               of the points offered to it, QOPEND: QOPEN = 1: points
+C               left open, 0: of leaves
 C       FQ      the best point's L-coordinate is between QLO and QHI;
 C               behind QC the ball's centre, relative to F(7..9), wrong
 C               by at most QDC; QSIZE = |C|_1; behind QLIMB the ball by
@@ -309,7 +301,6 @@ C       SCANS, SLIM  cylinders are made once the points tested in leaves
 C               number SCANS times all points, but not if fewer than
 C               an eighth of the leaves' are below SLIM of their boxes
 C       CELL, CELLS  maximum number of points of a cell, and of cells
-C       LARGE   a large ball has more ties than this
 C       PLANES  number of hull planes remembered
 C       ASTRAY  steps from a given start after which a location looks
 C               for a better one.  With 8, ordered queries among 100,000
@@ -1386,7 +1377,7 @@ C     coordinates are the box's own doubles, so the bounds for points
 C     hold.
       INTEGER FUNCTION TSPRUN(IQ, F, FQ, BOX, NODE)
       DOUBLE PRECISION F(12), FQ(108), BOX(6,*)
-      INTEGER IQ(41), NODE
+      INTEGER IQ(42), NODE
       DOUBLE PRECISION TSPOWE
       INTEGER QBALL, QC
       PARAMETER (QBALL = 3, QC = 2)
@@ -1418,7 +1409,7 @@ C     TSPRPA - returns 1 if that part of the root's box where coordinate
 C     K is between LO and HI provably holds no candidate, or 0.
       INTEGER FUNCTION TSPRPA(BOX, IQ, F, FQ, K, LO, HI)
       DOUBLE PRECISION BOX(6,*), F(12), FQ(108), LO, HI
-      INTEGER IQ(41), K
+      INTEGER IQ(42), K
       INTEGER TSPRUN
       DOUBLE PRECISION PART(6,1)
       INTEGER I
@@ -1439,7 +1430,7 @@ C     through the base.  So the radius is at most |C| + dc, and along an
 C     axis the ball ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
-      INTEGER LSI(3,2), LIST, IQ(41)
+      INTEGER LSI(3,2), LIST, IQ(42)
       INTEGER TSPRPA
       INTEGER LN, LLO, LHI, QC, QDC
       PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
@@ -1502,9 +1493,9 @@ C     the roundings of A, B and the products.
 C     TSCURV - returns 1 if the facet's support is a sphere, or 0.
       INTEGER FUNCTION TSCURV(RCTL, IQ)
       DOUBLE PRECISION RCTL(*)
-      INTEGER IQ(41)
+      INTEGER IQ(42)
       INTEGER RSUP, LSUP, SPLANE, QON
-      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QON = 6)
+      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, QON = 6)
       TSCURV = 0
       IF (IQ(QON) .EQ. 0) RETURN
       IF (RCTL(RSUP+LSUP*(IQ(QON)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
@@ -1514,7 +1505,7 @@ C     TSNARR - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
       DOUBLE PRECISION F(12), FQ(108), L
-      INTEGER IQ(41)
+      INTEGER IQ(42)
       INTEGER QLIMBS, QBALL, QAIMED, QHI, QC, QDC, QSIZE
       PARAMETER (QLIMBS = 2, QBALL = 3, QAIMED = 7, QHI = 2)
       PARAMETER (QC = 2, QDC = 6, QSIZE = 7)
@@ -1545,7 +1536,7 @@ C     sphere L is counted from F(4..6): U, the difference, takes the
 C     place of C, with the error of F(4..6) and one more rounding.
       SUBROUTINE TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), V(3), IQ(41)
+      INTEGER ORD(*), V(3), IQ(42)
       INTEGER TSCURV
       INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QAIMED, QLO, QHI, QC
       INTEGER QDC, QSIZE, QLIMB
@@ -1641,7 +1632,7 @@ C     twice the height's error.
       DOUBLE PRECISION RCTL(*), H
       INTEGER MARK(*), J, Z, OK
       INTEGER RSUP, LSUP, SLOW, SGRAIN, SUPPS
-      PARAMETER (RSUP = 17, LSUP = 97, SLOW = 96, SGRAIN = 97)
+      PARAMETER (RSUP = 10, LSUP = 97, SLOW = 96, SGRAIN = 97)
       PARAMETER (SUPPS = 8)
       INTEGER AT, K
       OK = 0
@@ -1659,7 +1650,7 @@ C     the error.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
       INTEGER ORD(*), MARK(*), J, Z, OK
       INTEGER RSUP, LSUP, SPLANE, SLOW, SGRAIN
-      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88)
+      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88)
       PARAMETER (SLOW = 96, SGRAIN = 97)
       INTEGER AT, PLANE
       AT = RSUP + LSUP*(J - 1)
@@ -1681,7 +1672,7 @@ C     place of another by chance, but by the same chance on every
 C     machine.  Points with a mark count, too: they may be on a finer
 C     support.
       SUBROUTINE TSREME(IQ, Z, OPEN)
-      INTEGER IQ(41), Z, OPEN
+      INTEGER IQ(42), Z, OPEN
       INTEGER QOPEN, QOPEND, QSOME, SOME
       PARAMETER (QOPEN = 8, QOPEND = 9, QSOME = 9, SOME = 32)
       INTEGER PLACE
@@ -1705,7 +1696,7 @@ C     nearer: the points on one of several near sheets.  OK is 1, or 0
 C     if that is more than BAND.
       SUBROUTINE TSTHRO(P, ORD, RCTL, IQ, W, Z, WIDE, PLANE, AT, OK)
       DOUBLE PRECISION P(3,*), RCTL(*), WIDE
-      INTEGER ORD(*), IQ(41), W(3), Z, PLANE, AT, OK
+      INTEGER ORD(*), IQ(42), W(3), Z, PLANE, AT, OK
       INTEGER RSCALE, SPLANE, SC, SSIZE, SLOW, SGRAIN
       INTEGER QOPEND, QSOME, SOME, GRAINS
       PARAMETER (RSCALE = 5, SPLANE = 88, SC = 91, SSIZE = 95)
@@ -1755,7 +1746,7 @@ C     points are on none (sheets near each other are one).  OK is 1 if
 C     it is set up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(41), AT, OK
+      INTEGER ORD(*), CTL(*), V(3), IQ(42), AT, OK
       DOUBLE PRECISION TSDOT
       INTEGER NP, BUNIT, SPLANE, SAT, SC, SLOW, QOPEND, QSOME, SOME
       PARAMETER (NP = 1, BUNIT = 86, SPLANE = 88, SAT = 88, SC = 91)
@@ -1831,11 +1822,11 @@ C     KEPT is 1 if it is kept, or 0.
       SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ,
      $                  KEPT)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41), KEPT
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), KEPT
       INTEGER TSCUBE
       INTEGER NP, LEAVES, RSUPP, RPATIE, RSUP, LSUP, SPLANE, SLOW
       INTEGER SGRAIN, DONE, SUPPS, GRAINS, OPENED, QON, QOPEND
-      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RPATIE = 8, RSUP = 17)
+      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RPATIE = 8, RSUP = 10)
       PARAMETER (LSUP = 97, SPLANE = 88, SLOW = 96)
       PARAMETER (SGRAIN = 97, DONE = -1, SUPPS = 8, GRAINS = 134217728)
       PARAMETER (OPENED = 24, QON = 6, QOPEND = 9)
@@ -1952,11 +1943,11 @@ C     in any order, each of at most EPS (|o| + 2 |at|): these make less
 C     than 8 EPS SIZE.
       SUBROUTINE TSLEAN(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(41)
+      INTEGER ORD(*), MARK(*), V(3), IQ(42)
       DOUBLE PRECISION TSDOT
       INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QON, QAIMED
       INTEGER QH, QDH, QTILT, QDTILT, QG, SUPPS
-      PARAMETER (RSUPP = 6, RSUP = 17, LSUP = 97, SPLANE = 88, SAT = 88)
+      PARAMETER (RSUPP = 6, RSUP = 10, LSUP = 97, SPLANE = 88, SAT = 88)
       PARAMETER (SC = 91, QBASE = 4, QON = 6, QAIMED = 7, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       PARAMETER (SUPPS = 8)
@@ -2035,9 +2026,9 @@ C     is left of a side of more than twice its error: PAD is more.
       SUBROUTINE TSSHAR(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, SIDE, LO,
      $                  HI)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108), LO, HI
-      INTEGER ORD(*), MARK(*), IQ(41), Z, SIDE
+      INTEGER ORD(*), MARK(*), IQ(42), Z, SIDE
       INTEGER RSUP, LSUP, SPLANE, QON, QH, QDH, QTILT, QDTILT, QG
-      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, QON = 6, QH = 95)
+      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, QON = 6, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
       PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, PAD = 64.0D0*EPS)
@@ -2110,10 +2101,10 @@ C     has room for those of h, of a height of at most -low, and of a,
 C     which is exact but for one rounding.
       SUBROUTINE TSSIGH(RCTL, IQ, F, FQ)
       DOUBLE PRECISION RCTL(*), F(12), FQ(108)
-      INTEGER IQ(41)
+      INTEGER IQ(42)
       INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QON, QAIMED, QHI, QH
       INTEGER QDH, QTILT, QDTILT, QG, QTEST, TQ, TD, TDD, TA, TERR
-      PARAMETER (RSUP = 17, LSUP = 97, SPLANE = 88, SLOW = 96)
+      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, SLOW = 96)
       PARAMETER (QBALL = 3, QON = 6, QAIMED = 7, QHI = 2, QH = 95)
       PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       PARAMETER (QTEST = 101, TQ = 1, TD = 1, TDD = 5, TA = 6, TERR = 7)
@@ -2213,18 +2204,17 @@ C     SIZE, and the height counts as H, to within DH; or 0.
       END
 
 C     TSPROM - OUT is 1 if the heights of a node's points prove that it
-C     holds no candidate, or 0.  A leaf is also tested by its box, as is
-C     any node with a cap's ball.  Where the heights tell nothing, the
-C     box alone counts.
+C     holds no candidate, or 0.  A leaf is also tested by its box.
+C     Where the heights tell nothing, the box alone counts.
       SUBROUTINE TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
       DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(108)
-      INTEGER MARK(*), CTL(*), IQ(41), NODE, OUT
+      INTEGER MARK(*), CTL(*), IQ(42), NODE, OUT
       INTEGER TSPRUN
       INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QON, QAIMED
-      INTEGER QLIMBS, QTEST, TA, GRAINS
-      PARAMETER (NP = 1, LEAVES = 4, RSUP = 17, LSUP = 97, SLOW = 96)
+      INTEGER QTEST, TA, GRAINS
+      PARAMETER (NP = 1, LEAVES = 4, RSUP = 10, LSUP = 97, SLOW = 96)
       PARAMETER (SGRAIN = 97, QON = 6, QAIMED = 7, QTEST = 101)
-      PARAMETER (QLIMBS = 2, TA = 6, GRAINS = 134217728)
+      PARAMETER (TA = 6, GRAINS = 134217728)
       DOUBLE PRECISION H, SIZE, SUM
       INTEGER AT, CODE, TELLS
       IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
@@ -2243,8 +2233,7 @@ C     box alone counts.
         CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, FQ, QTEST, SUM, SIZE)
         CALL TSBEYO(FQ, SUM, SIZE, H, 0.0D0, OUT)
       END IF
-      IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)
-     $    .OR. IQ(QLIMBS) .EQ. 2))
+      IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)))
      $    OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
       END
 
@@ -2433,7 +2422,7 @@ C     |G|**2, with room for the last two products.  Where these
 C     underflow, R >= SMALL makes the sum's error greater.
       SUBROUTINE TSOUTS(CYL, AT, IQ, F, FQ, PAST)
       DOUBLE PRECISION CYL(4,8,*), F(12), FQ(108), PAST(4)
-      INTEGER AT, IQ(41)
+      INTEGER AT, IQ(42)
       INTEGER QBALL, QC, QDC, QSIZE
       PARAMETER (QBALL = 3, QC = 2, QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT
@@ -2498,99 +2487,7 @@ C
 C     A cell has all uncompleted points of S, the least number first, of
 C     a ball inside the star's list.  Only these are tested for a facet
 C     of the star.
-C
-C     The large ball has too many points for a cell: four of them are
-C     kept.  All rivals of c are on the sphere and, seen from first,
-C     beyond the plane (a, b, c) or in it.  If first is outside the
-C     smallest ball through a, b, c, the cap's ball, that part of the
-C     sphere is in the cap's ball, which then replaces the search's
-C     ball.  The cap's ball passes through a base a or b, but not
-C     through first.
 C     ------------------------------------------------------------------
-
-C     TSINLA - returns 1 if there is a large ball and the N points V are
-C     on it, or 0.
-      INTEGER FUNCTION TSINLA(X, P, ORD, RCTL, V, N)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), V(*), N
-      INTEGER HHPBAL
-      INTEGER T3, T5, RFIRST, RLARGE
-      PARAMETER (T3 = 1, T5 = 2, RFIRST = 13, RLARGE = 13)
-      INTEGER G(4), K
-      TSINLA = 0
-      IF (RCTL(RFIRST) .LE. 0.0D0) RETURN
-      DO 10 K = 1, 4
-        G(K) = INT(RCTL(RLARGE+K))
-   10 CONTINUE
-      DO 20 K = 1, N
-        IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), G(1), G(2), G(3),
-     $      G(4), V(K), 0) .NE. 0) RETURN
-   20 CONTINUE
-      TSINLA = 1
-      END
-
-C     TSKEEP - make the ball of a search the large one: the facet's
-C     vertices V and the best point BEST are on it.
-      SUBROUTINE TSKEEP(ORD, RCTL, V, BEST)
-      DOUBLE PRECISION RCTL(*)
-      INTEGER ORD(*), V(3), BEST
-      INTEGER RFIRST, RLARGE
-      PARAMETER (RFIRST = 13, RLARGE = 13)
-      INTEGER FIRST, K
-      FIRST = BEST
-      DO 10 K = 1, 3
-        RCTL(RLARGE+K) = DBLE(V(K))
-        IF (ORD(V(K)) .LT. ORD(FIRST)) FIRST = V(K)
-   10 CONTINUE
-      RCTL(RLARGE+4) = DBLE(BEST)
-      RCTL(RFIRST) = DBLE(FIRST)
-      END
-
-C     TSCAP - replace the best point's ball by the cap's, where that is
-C     allowed.  In the power of first, SIZE = |W|_1 + |C|_1 covers
-C     TSPOWE.
-      SUBROUTINE TSCAP(X, P, ORD, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), V(3), IQ(41)
-      INTEGER TSINLA
-      INTEGER RSLOT, RFIRST, QBEST, QLIMBS, QBALL, QBASE, QC, QDC, QSIZE
-      PARAMETER (RSLOT = 12, RFIRST = 13, QBEST = 1, QLIMBS = 2)
-      PARAMETER (QBALL = 3, QBASE = 4, QC = 2, QDC = 6, QSIZE = 7)
-      DOUBLE PRECISION EPS, FAINT, LOOSE
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0)
-      DOUBLE PRECISION A(3), B(3), C(3), G(12), POWER, SIZE, W
-      INTEGER BEST(1), FIRST, I, J, K
-      I = INT(RCTL(RSLOT))
-      IF (I .GT. 3 .OR. I .EQ. IQ(QBASE)) RETURN
-      BEST(1) = IQ(QBEST)
-      IF (TSINLA(X, P, ORD, RCTL, BEST, 1) .EQ. 0) RETURN
-      J = 6 - IQ(QBASE) - I
-      DO 10 K = 1, 3
-        A(K) = F(6+K)
-        B(K) = X(K,V(J))
-        C(K) = X(K,BEST(1))
-   10 CONTINUE
-      CALL HHSETU(A, B, C, G)
-      IF (G(10) .GT. LOOSE) RETURN
-      FIRST = INT(RCTL(RFIRST))
-      POWER = 0.0D0
-      SIZE = 0.0D0
-      DO 20 K = 1, 3
-        W = X(K,FIRST) - A(K)
-        POWER = POWER + W*(W - 2.0D0*G(3+K))
-        SIZE = SIZE + ABS(W) + ABS(G(3+K))
-   20 CONTINUE
-      IF (POWER .LE. SIZE*(2.0D0*G(11) + 16.0D0*EPS*SIZE) + FAINT)
-     $    RETURN
-      IQ(QLIMBS) = 2
-      IQ(QBALL) = 1
-      FQ(QDC) = G(11)
-      FQ(QSIZE) = 0.0D0
-      DO 30 K = 1, 3
-        FQ(QC+K) = G(3+K)
-        FQ(QSIZE) = FQ(QSIZE) + ABS(G(3+K))
-   30 CONTINUE
-      END
 
 C     TSCHAL - takes Z if it is on the open side and beats the best
 C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
@@ -2599,13 +2496,13 @@ C     can.  Where they cannot, the better point's limits are tightened
 C     by the other's.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(41), Z
+      INTEGER ORD(*), MARK(*), V(3), IQ(42), Z
       INTEGER HHPBEA, HHPSID
       INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QON, QLO, QHI
-      INTEGER QLIMB, RTIED, RSLOT, UNSURE, MANY
+      INTEGER QLIMB, QTIED, UNSURE, MANY
       PARAMETER (T3 = 1, T5 = 2, RPATIE = 8, QBEST = 1, QLIMBS = 2)
       PARAMETER (QASKED = 5, QON = 6, QLO = 1, QHI = 2, QLIMB = 7)
-      PARAMETER (RTIED = 11, RSLOT = 12, UNSURE = 2, MANY = 6)
+      PARAMETER (QTIED = 42, UNSURE = 2, MANY = 6)
       DOUBLE PRECISION PLAIN, WIDE
       PARAMETER (PLAIN = 16.0D0, WIDE = 1.0D-4)
       DOUBLE PRECISION HI, LO, Q(3)
@@ -2636,7 +2533,7 @@ C     by the other's.
         IF (RCTL(T5) .LT. PLAIN) IQ(QASKED) = IQ(QASKED) + 1
         IF (POWER .EQ. UNSURE) POWER = HHPBEA(X, P, ORD, RCTL(T3),
      $      RCTL(T5), V, IQ(QBEST), Z, 0)
-        IF (ABS(POWER) .EQ. 2) RCTL(RTIED) = RCTL(RTIED) + 1.0D0
+        IF (ABS(POWER) .EQ. 2) IQ(QTIED) = IQ(QTIED) + 1
         IF (POWER .GT. 0) THEN
           IF (HI .LT. FQ(QHI)) CALL TSNARR(IQ, F, FQ, HI)
           IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
@@ -2646,13 +2543,10 @@ C     by the other's.
         HI = MIN(HI, FQ(QHI))
       END IF
       IQ(QBEST) = Z
-      IF (POWER .NE. -2) RCTL(RTIED) = 0.0D0
+      IF (POWER .NE. -2) IQ(QTIED) = 0
       FQ(QLO) = LO
       IQ(QLIMBS) = 0
       CALL TSNARR(IQ, F, FQ, HI)
-      IF (RCTL(RSLOT) .GT. 0.0D0)
-     $    CALL TSCAP(X, P, ORD, RCTL, V, IQ, F, FQ)
-      IF (IQ(QLIMBS) .NE. 0) RETURN
       IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
         CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
       ELSE IF (HI - LO .GT. WIDE*(F(12) + ABS(HI))) THEN
@@ -2665,11 +2559,11 @@ C     provably outside the ball, by its height over the facet's support
 C     where that is known.
       SUBROUTINE TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(41), Z
+      INTEGER ORD(*), MARK(*), V(3), IQ(42), Z
       DOUBLE PRECISION TSPOWE
       INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QON, QAIMED, QC
       INTEGER QTEST, TQ, TD
-      PARAMETER (RSUP = 17, LSUP = 97, SGRAIN = 97, QBEST = 1)
+      PARAMETER (RSUP = 10, LSUP = 97, SGRAIN = 97, QBEST = 1)
       PARAMETER (QBALL = 3, QON = 6, QAIMED = 7, QC = 2)
       PARAMETER (QTEST = 101, TQ = 1, TD = 1)
       DOUBLE PRECISION H, Q, SIZE, SUM, W1, W2, W3
@@ -2807,64 +2701,13 @@ C     TSCALL - consider N points of a list.
       INTEGER TSLIST, TSIDS
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LIST, V(3), IQ(41), N
+      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LIST, V(3), IQ(42), N
       INTEGER PLACE(*)
       INTEGER I, Z
       DO 10 I = 1, N
         Z = LSID(PLACE(I),LIST)
         CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
    10 CONTINUE
-      END
-
-C     TSLIKE - Z is the one of N points of a list with about the least
-C     L-coordinate of those on the positive side, if it is below MOST,
-C     or 0.
-      SUBROUTINE TSLIKE(LSX, LSID, LSD, LIST, F, FQ, MOST, N, PLACE, Z)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION LSD(14,2), F(12), FQ(108), MOST
-      REAL LSX(TSLIST,4,2)
-      INTEGER LSID(TSIDS,2), LIST, N, PLACE(*), Z
-      INTEGER LMID, LUNIT
-      PARAMETER (LMID = 6, LUNIT = 14)
-      REAL FAR
-      PARAMETER (FAR = 1.0E10)
-      DOUBLE PRECISION C(3), UPPER
-      REAL D(4), HEIGHT, LEAST, OFF, SIDE, U(3)
-      INTEGER I, J, K, OK
-      Z = 0
-      UPPER = 2.0D0*MOST*LSD(LUNIT,LIST)
-      IF (UPPER .LT. -DBLE(FAR)) RETURN
-      C(1) = F(4)
-      C(2) = F(5)
-      C(3) = F(6)
-      CALL TSBALC(LSD, LIST, F, FQ, C, D, OK)
-      IF (OK .EQ. 0) RETURN
-      LEAST = FAR
-      IF (UPPER .LT. DBLE(FAR)) LEAST = REAL(UPPER)
-      OFF = 0.0
-      DO 10 K = 1, 3
-        U(K) = REAL(F(K))
-        OFF = OFF + U(K)*REAL((F(6+K) -
-     $      LSD(LMID+K,LIST))*LSD(LUNIT,LIST))
-   10 CONTINUE
-C     the height is above FAR where the side or the point is unusable
-      DO 20 I = 1, N
-        J = PLACE(I)
-        SIDE = U(1)*LSX(J,1,LIST) + U(2)*LSX(J,2,LIST) +
-     $         U(3)*LSX(J,3,LIST) - OFF
-        HEIGHT = LSX(J,4,LIST) - (D(1)*LSX(J,1,LIST) +
-     $           D(2)*LSX(J,2,LIST) + D(3)*LSX(J,3,LIST)) - D(4)
-        HEIGHT = HEIGHT/MAX(SIDE, 1.0E-5)
-        K = 0
-        IF (SIDE .LE. 1.0E-5) K = 1
-        IF (LSX(J,4,LIST) .GT. 4.0) K = 1
-        HEIGHT = HEIGHT + FAR*REAL(K)
-        IF (HEIGHT .LT. LEAST) THEN
-          LEAST = HEIGHT
-          Z = LSID(J,LIST)
-        END IF
-   20 CONTINUE
       END
 
 C     TSSTBA - finds the places of the points of a star's list that may
@@ -2876,9 +2719,9 @@ C     the ball is too large for the list.
       PARAMETER (TSLIST = 512)
       DOUBLE PRECISION LSD(14,2), FQ(108)
       REAL LSX(TSLIST,4,2)
-      INTEGER LSI(3,2), IQ(41), PLACE(*), N
-      INTEGER LN, STR, QLIMBS, QBALL
-      PARAMETER (LN = 3, STR = 2, QLIMBS = 2, QBALL = 3)
+      INTEGER LSI(3,2), IQ(42), PLACE(*), N
+      INTEGER LN, STR, QBALL
+      PARAMETER (LN = 3, STR = 2, QBALL = 3)
       REAL D(4)
       INTEGER I, IN(TSLIST), OK
       IF (IQ(QBALL) .EQ. 0) THEN
@@ -2892,7 +2735,7 @@ C     the ball is too large for the list.
       CALL TSSTAC(LSD, STR, FQ, D, OK)
       IF (OK .EQ. 0) RETURN
       CALL TSINBA(LSX, LSI, STR, D, IN, N)
-      IF (N .LE. 4 - IQ(QLIMBS)/2) THEN
+      IF (N .LE. 4) THEN
         N = 0
       ELSE
         CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
@@ -2911,7 +2754,7 @@ C     side.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       DOUBLE PRECISION F(12), FQ(108)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(41), OK
+      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(42), OK
       INTEGER HHPBAL, TSBINS
       INTEGER NCELL, CELL0, T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI
       INTEGER QDC, CELL, CELLS
@@ -2923,7 +2766,7 @@ C     side.
       DOUBLE PRECISION WIDE
       INTEGER AT, C(CELL), I, M, N, PLACE(TSLIST+1), SIDE, Z
       OK = 0
-      IF (IQ(QLIMBS) .EQ. 2 .OR. ABS(FQ(QHI)) .GT. MUCHL) RETURN
+      IF (ABS(FQ(QHI)) .GT. MUCHL) RETURN
       WIDE = 0.0D0
       IF (IQ(QLIMBS) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
       IF (WIDE .GT. LSD(LMARG,STR)) RETURN
@@ -3008,34 +2851,18 @@ C     OK is 1 if so, or 0.
       DOUBLE PRECISION F(12), FQ(108)
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3)
-      INTEGER IQ(41), OK
+      INTEGER IQ(42), OK
       INTEGER TSBINS
-      INTEGER TIES, RTIED, LN, LMARG, STR, QBEST, QBALL, QBASE, QHI
-      PARAMETER (TIES = 26, RTIED = 11, LN = 3, LMARG = 13, STR = 2)
-      PARAMETER (QBEST = 1, QBALL = 3, QBASE = 4, QHI = 2)
-      DOUBLE PRECISION FAR
-      PARAMETER (FAR = 1.0D10)
-      DOUBLE PRECISION MOST
-      INTEGER N, PLACE(TSLIST+1), Z
+      INTEGER TIED, LN, STR, QBEST, QBALL, QBASE, QTIED
+      PARAMETER (TIED = 26, LN = 3, STR = 2)
+      PARAMETER (QBEST = 1, QBALL = 3, QBASE = 4, QTIED = 42)
+      INTEGER N, PLACE(TSLIST+1)
       OK = 0
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0) RETURN
       CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
       IF (N .LT. 0) RETURN
       IF (N .GT. 0) THEN
-        MOST = MIN(FQ(QHI), FAR*LSD(LMARG,STR)) -
-     $         1.0D-4*LSD(LMARG,STR)
-C       the ball of the best of those inside is usually empty; not so
-C       among ties, which are on the ball (knowing that saves 6 % on
-C       lattices)
-        Z = 0
-        IF (CTL(TIES) .EQ. 0 .OR. IQ(QBALL) .EQ. 0) CALL TSLIKE(LSX,
-     $      LSID, LSD, STR, F, FQ, MOST, N, PLACE, Z)
-        IF (Z .NE. 0) THEN
-          CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
-          CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
-        END IF
-        IF (N .LT. 0 .OR. IQ(QBALL) .EQ. 0) RETURN
-        IF (CTL(TIES) .EQ. 2) THEN
+        IF (IQ(QBALL) .EQ. 1 .AND. CTL(TIED) .EQ. 1) THEN
           CALL TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD, V,
      $                IQ, F, FQ, OK)
           IF (OK .EQ. 1) THEN
@@ -3045,12 +2872,10 @@ C       lattices)
         END IF
         CALL TSCALL(X, P, ORD, MARK, RCTL, LSID, STR, V, IQ, F, FQ, N,
      $              PLACE)
-        IF (CTL(TIES) .LT. 2 .AND. RCTL(RTIED) .GT. 0.0D0)
+        IF (IQ(QTIED) .GT. 0 .AND. CTL(TIED) .EQ. 0)
      $      CALL TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
      $      V, IQ, F, FQ, OK)
-        CTL(TIES) = 0
-        IF (FQ(QHI) .GT. MOST) CTL(TIES) = 1
-        IF (RCTL(RTIED) .GT. 0.0D0) CTL(TIES) = 2
+        CTL(TIED) = MIN(IQ(QTIED), 1)
       END IF
       OK = 0
       IF (IQ(QBALL) .EQ. 1) OK = TSBINS(BOX, LSD, F, FQ)
@@ -3066,10 +2891,10 @@ C     cost: on surfaces, two of five points that were tested.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       DOUBLE PRECISION F(12), FQ(108)
       REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(41), OK
+      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(42), OK
       INTEGER TSBINB
-      INTEGER LN, BLK, QLIMBS, QBALL, QC
-      PARAMETER (LN = 3, BLK = 1, QLIMBS = 2, QBALL = 3, QC = 2)
+      INTEGER LN, BLK, QBALL, QC
+      PARAMETER (LN = 3, BLK = 1, QBALL = 3, QC = 2)
       DOUBLE PRECISION C(3)
       REAL D(4)
       INTEGER IN(TSLIST), N, PLACE(TSLIST+1)
@@ -3083,7 +2908,7 @@ C     cost: on surfaces, two of five points that were tested.
       CALL TSBALC(LSD, BLK, F, FQ, C, D, OK)
       IF (OK .EQ. 0) RETURN
       CALL TSINBA(LSX, LSI, BLK, D, IN, N)
-      IF (N .GT. 4 - IQ(QLIMBS)/2) THEN
+      IF (N .GT. 4) THEN
         CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
         CALL TSCALL(X, P, ORD, MARK, RCTL, LSID, BLK, V, IQ, F, FQ, N,
      $              PLACE)
@@ -3099,7 +2924,7 @@ C     consider.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F,
      $                  FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41), NODE
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), NODE
       DOUBLE PRECISION TSPOWE
       INTEGER LEAF, GROUP, QBALL, QC, DONE, RPATIE, RSCAN
       PARAMETER (LEAF = 48, GROUP = 8, QBALL = 3, QC = 2, DONE = -1)
@@ -3169,7 +2994,7 @@ C     Everything below the node TOP has been searched.
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
      $                  IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(41)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42)
       INTEGER TSPRUN, TSLEAF, TSGROU
       INTEGER LEAVES, ROUND, QBALL, QBASE, QON, DEPTH
       PARAMETER (LEAVES = 4, ROUND = 28, QBALL = 3, QBASE = 4)
@@ -3255,39 +3080,30 @@ C     hull, or 0.
       END
 
 C     TSPREP - begins the search for the apex of the facet V.  The base
-C     is V(1), or V(2) if V(1) is the large ball's first.  If the angle
-C     there is small, the base is the vertex opposite the longest edge.
+C     is V(1) or, if the angle there is small, the vertex opposite the
+C     longest edge.
       SUBROUTINE TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(41)
-      INTEGER TSINLA
+      INTEGER ORD(*), MARK(*), V(3), IQ(42)
       INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON
-      INTEGER RTIED, RSLOT, RFIRST, QOPEND, QLO, QHI, QC, QDC, QSIZE
+      INTEGER QOPEND, QLO, QHI, QC, QDC, QSIZE, QTIED
       PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2)
       PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QON = 6)
       PARAMETER (QOPEND = 9, QLO = 1, QHI = 2, QC = 2, QDC = 6)
-      PARAMETER (QSIZE = 7, RTIED = 11, RSLOT = 12, RFIRST = 13)
+      PARAMETER (QSIZE = 7, QTIED = 42)
       DOUBLE PRECISION EPS, HUGE, THIN
       PARAMETER (EPS = 2.0D0**(-52), THIN = 1.0D-6)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION A(3), B(3), C(3), EDGE, LONGST
       INTEGER BASE, I, J, K, SE
-      RCTL(RSLOT) = 0.0D0
       BASE = 1
-      IF (TSINLA(X, P, ORD, RCTL, V, 3) .EQ. 1) THEN
-        RCTL(RSLOT) = 4.0D0
-        DO 10 K = 1, 3
-          IF (V(K) .EQ. INT(RCTL(RFIRST))) RCTL(RSLOT) = DBLE(K)
-   10   CONTINUE
-        IF (V(1) .EQ. INT(RCTL(RFIRST))) BASE = 2
-      END IF
       IQ(QBEST) = 0
       IQ(QLIMBS) = 0
       IQ(QBALL) = 0
       IQ(QASKED) = 0
       IQ(QON) = 0
       IQ(QOPEND) = 0
-      RCTL(RTIED) = 0.0D0
+      IQ(QTIED) = 0
       FQ(QLO) = -HUGE
       FQ(QHI) = HUGE
       FQ(QDC) = 0.0D0
@@ -3330,30 +3146,24 @@ C     GUESS holds two positions to try first, or 0.
       REAL LSX(TSLIST,4,2)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(TSIDS,2)
       INTEGER LSI(3,2), V(3), GUESS(2), Z
-      INTEGER HHPSID, TSCURV, TSONHU
-      INTEGER NP, LEAVES, NPLANE, NEXTPL, PLANE0, ROUND, NCELL, T3
-      INTEGER RBURDN, RPATIE, RSCAN, RTIED, RSLOT, RFIRST, QBEST, QON
-      INTEGER QOPEND, LLAST, BLK, PLANES, OPENED, LARGE, FUTILE
+      INTEGER TSCURV, TSONHU
+      INTEGER NP, LEAVES, NPLANE, NEXTPL, PLANE0, ROUND, NCELL
+      INTEGER RBURDN, RPATIE, RSCAN, QBEST, QON, QOPEND, PLANES, OPENED
+      INTEGER FUTILE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
-      PARAMETER (PLANE0 = 13, ROUND = 28, NCELL = 29, T3 = 1)
-      PARAMETER (RBURDN = 7, RPATIE = 8, RSCAN = 10, RTIED = 11)
-      PARAMETER (RSLOT = 12, RFIRST = 13, QBEST = 1, QON = 6)
-      PARAMETER (QOPEND = 9, LLAST = 2, BLK = 1, PLANES = 4)
-      PARAMETER (OPENED = 24, LARGE = 24, FUTILE = 82)
+      PARAMETER (PLANE0 = 13, ROUND = 28, NCELL = 29)
+      PARAMETER (RBURDN = 7, RPATIE = 8, RSCAN = 10, QBEST = 1)
+      PARAMETER (QON = 6, QOPEND = 9, PLANES = 4, OPENED = 24)
+      PARAMETER (FUTILE = 82)
       DOUBLE PRECISION SCANS
       PARAMETER (SCANS = 100.0D0)
       DOUBLE PRECISION F(12), FQ(108), H
-      INTEGER AT, G, IQ(41), K, LISTS, OK
+      INTEGER AT, G, IQ(42), K, LISTS, OK
       IF (CTL(NCELL) .GT. 0) THEN
         CALL TSINCE(X, P, ORD, CTL, RCTL, V, Z)
         IF (Z .NE. 0) RETURN
       END IF
       CALL TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
-      IF (RCTL(RSLOT) .GE. 4.0D0) THEN
-        Z = INT(RCTL(RFIRST))
-        IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z) .GT. 0)
-     $      RETURN
-      END IF
       DO 10 K = 1, 2
         G = GUESS(K)
         IF (G .NE. 0 .AND. G .NE. V(2) .AND. G .NE. V(3) .AND.
@@ -3389,8 +3199,6 @@ C       time
       CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V, IQ,
      $            F, FQ)
       Z = IQ(QBEST)
-      IF (RCTL(RTIED) .GT. DBLE(LARGE) .AND. LSI(LLAST,BLK) .GT. 0)
-     $    CALL TSKEEP(ORD, RCTL, V, Z)
       IF (CTL(ROUND) .EQ. 1 .AND.
      $    RCTL(RSCAN) .GT. SCANS*DBLE(CTL(NP))) THEN
         K = 2*CTL(LEAVES) + 1
@@ -3483,7 +3291,7 @@ C     uses the tree alone.
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, QBEST = 1, T3 = 1)
       PARAMETER (NCELL = 29)
       DOUBLE PRECISION F(12), FQ(108)
-      INTEGER ALL, FIRST, G(3), GUESS(2), I, IQ(41), J, K, LEAF, LENGTH
+      INTEGER ALL, FIRST, G(3), GUESS(2), I, IQ(42), J, K, LEAF, LENGTH
       INTEGER NODE, OK, R(4), SAME, Z
       LEAF = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAF - 1
@@ -4178,21 +3986,20 @@ C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI)
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
-      INTEGER NP, NPLANE, NEXTPL, TIES, ROUND, NCELL, RFIRST
+      INTEGER NP, NPLANE, NEXTPL, TIED, ROUND, NCELL
       INTEGER RSUPP, RPATIE, RSCAN, LFIRST, LLAST, LN, BLK, STR, FUTILE
-      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIES = 26)
+      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIED = 26)
       PARAMETER (FUTILE = 82)
-      PARAMETER (ROUND = 28, NCELL = 29, RFIRST = 13)
+      PARAMETER (ROUND = 28, NCELL = 29)
       PARAMETER (RSUPP = 6, RPATIE = 8, RSCAN = 10, LFIRST = 1)
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2)
       CTL(NP) = 0
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
-      CTL(TIES) = 0
+      CTL(TIED) = 0
       CTL(ROUND) = 0
       CTL(NCELL) = 0
       CTL(FUTILE) = 0
-      RCTL(RFIRST) = 0.0D0
       RCTL(RSUPP) = 0.0D0
       RCTL(RPATIE) = 0.0D0
       RCTL(RSCAN) = 0.0D0
@@ -4605,7 +4412,7 @@ C     element of RW or IW, and the standard lets them be altered.
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48, FULL = 2)
       DOUBLE PRECISION BREACH, BURDEN, PLAIN
       PARAMETER (BREACH = 2.6D0, BURDEN = 1.0D0, PLAIN = 16.0D0)
-      DOUBLE PRECISION LSD(14,2), RCTL(17+LSUP*SUPPS)
+      DOUBLE PRECISION LSD(14,2), RCTL(10+LSUP*SUPPS)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(82), I, K, LSI(3,2), OK, OWN, S, T, LSID(TSIDS,2)
       IF (MASKED .EQ. 1) THEN
