@@ -1,6 +1,9 @@
-/* recipes.h - prototypes of the recipes, whose files say what they do. */
+/* recipes.h - prototypes of the recipes: C files of this name say what they do.
+ * For programs that are linked from several; take of it what you need. */
 #ifndef RECIPES_H
 #define RECIPES_H
+
+#include <stdio.h>
 
 #include "../../tess.h"
 
@@ -37,6 +40,12 @@ void dual(tess_int n, const tess_real *p, const tess_int *tet,
 void gradient(const tess_real *p, const tess_int *v, const double *value,
               double *g);
 
+/* interp.c */
+int ongrid(const tess_real *p, tess_int ntet, const tess_int *tet,
+           const tess_int *adj, tess_int nv, const double *value,
+           const tess_int *size, const double *box, double outside,
+           tess_int *t, tess_real *q, double *out);
+
 /* join.c */
 tess_int keep(tess_int ntet, const tess_int *tet, const tess_int *mine,
               tess_int *becomes);
@@ -45,6 +54,18 @@ void append(tess_int ntet, const tess_int *tet, const tess_int *adj,
             tess_int *alladj);
 int join(tess_int ntet, const tess_int *tet, tess_int *adj, tess_int lh,
          tess_int *h);
+
+/* planar.c */
+int planar(tess_int n, tess_real *p, tess_int maxtri, tess_int *ntri,
+           tess_int *triangle, tess_int *beside, tess_int liw, tess_int *iw,
+           tess_int lrw, double *rw);
+
+/* surface.c */
+double enclosed(const tess_real *p, tess_int nfac, const tess_int *fac);
+int putobj(FILE *file, tess_int n, const tess_real *p, tess_int nfac,
+           const tess_int *fac, int digits, tess_int *number);
+int putstl(FILE *file, const tess_real *p, tess_int nfac, const tess_int *fac,
+           int digits);
 
 #ifdef __cplusplus
 }
