@@ -82,13 +82,21 @@ sed -n 's/^| \(`[^|]*`\) | `\([a-z]*\)` |.*/\2 \1/p' README.md | tr -d '`,' |
     done
 test -s $B/routines || echo none > $B/out
 told "recipes: the README's are where it says" $B/out
-# a recipe's comment begins with its name and lists its arguments.  (region, keep
-# and append are parts of natural and join.)
+# each file of routines alone is there, and each row says what it needs
+for f in test/examples/*.c; do
+    grep '^int main' $f > /dev/null ||
+        awk -F '|' -v name=" \`$(basename $f .c)\` " '$3 == name && $4 ~ /[a-z]/ {
+            found = 1 } $3 == name && $4 !~ /[a-z]/ { bad = 1 }
+            END { exit bad || !found }' README.md || echo $f
+done > $B/out
+told "recipes: a row of the README says what each needs" $B/out
+# a recipe's comment begins with its name and lists its arguments.  (region is
+# part of natural.)
 sort -u $B/routines > $B/words
 awk '/^\/\* [a-z_0-9]+ - / { name = $2 }
     /^ \* .*\((in|out|in,out)\)/ { if (name) print name; name = "" }
     /^}/ { name = "" }' test/examples/*.c | sort -u |
-    egrep -vx 'region|keep|append|planar' | comm -23 - $B/words > $B/out
+    egrep -vx region | comm -23 - $B/words > $B/out
 told "recipes: a row of the README" $B/out
 
 # ---- a file format ----
