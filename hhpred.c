@@ -1446,10 +1446,10 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
 }
 
 /* hh_unit - makes a ball ready for hh_height.  What that divides by: D, or, if
- * plane is 1, the length of the normal of a ball's facet, both as of the leading
- * rows; c: the normal over it, right to 12 eps.  The base gets limbs for points
- * in smaller units than the ball's own (6371 cos 90 degrees is 4e-13 in double):
- * without them such points have no height. */
+ * plane is 1, the length of the normal of a ball's facet, both as of the
+ * leading rows; c: the normal over it, right to 12 eps.  The base gets limbs
+ * for points in smaller units than the ball's own (6371 cos 90 degrees is 4e-13
+ * in double): without them such points have no height. */
 void hh_unit(hh_ball *t, int plane, double *c)
 {
     double d = 0.0;

@@ -84,13 +84,14 @@
  *   pool         outfac facet owner hashkey same find insert erase enter full
  *                cuberoot tablesize quota rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
- *   apex         dot powererr prunebox prunepart ballinbox ballinstar better
+ *   apex         dot powererr prunebox prunepart ballinbox ballinstar
  *                curved narrow refine rough marked level remember through
- *                fit discover lean sharpen sight lowest beyond promise group enclose
+ *                fit discover lean sharpen sight lowest beyond promise group
+ * enclose
  *                enclosed outside challenge consider ballcoef starcoef
  *                inball considerall starball
- *                newcell incell instar inblock scanleaf barren treesearch
- *                onhull prepare proven apex
+ *                newcell incell instar inblock scanleaf treesearch
+ *                onhull prepare apex
  *   one star     exchange settle
  *   star         clearlink renumber push join unlinkedge between glue flush
  *                grow enlist follow gather load complete makeroom begin star
@@ -110,40 +111,6 @@
 #include "tess.h"
 #include <math.h>
 #include <stddef.h>
-
-/* Counts of events for the benchmark, in a build of its own. */
-#ifdef TESS_COUNT
-extern double tess_count[];
-#define COUNT(which, n) (tess_count[which] += (double)(n))
-#define PEAK(which, n) \
-    if ((double)(n) > tess_count[which]) tess_count[which] = (double)(n)
-#else
-#define COUNT(which, n)
-#define PEAK(which, n)
-#endif
-#define N_FACET 0  /* searches for an apex                  */
-#define N_STAR 1   /* ended in a star's list,               */
-#define N_BLOCK 2  /* in a block's                          */
-#define N_TREE 3   /* in the tree                           */
-#define N_NODE 4   /* nodes of the tree looked at           */
-#define N_POINT 5  /* candidates looked at one by one       */
-#define N_EXACT 6  /* comparisons left to the exact predicates */
-#define N_LIST 7   /* points of lists and leaves tested     */
-#define N_POOL 8   /* largest number of facets in the pool  */
-#define N_HULL 9   /* searches that found nothing           */
-#define N_PROBE 10 /* entries probed to find or insert      */
-#define N_SIDE 11  /* sides left to the exact predicates    */
-#define N_BALL 12  /* balls found by limbs                  */
-#define N_TRIAL 13 /* comparisons tried by a few limbs      */
-#define N_LEAF 14  /* leaves whose points were tested       */
-
-/* In a build of its own, a test is told whether each certificate holds. */
-#ifdef TESS_PROVE
-extern void tess_prove(int fact);
-#define HOLDS(fact) tess_prove(fact)
-#else
-#define HOLDS(fact)
-#endif
 
 #define NONE (-1)
 #define UNSURE 2  /* returned by hh_orient and hh_insphere out of range */
@@ -188,11 +155,12 @@ extern void tess_prove(int fact);
 #define OPENED 24
 #define BURDEN 1.0
 #define FINER 100.0
-/* Half of the band about a plane that a support holds, over its extent, at most;
- * about a sphere, over the square of it.  Beyond BAND doubles decide the sides,
- * and cylinders do better: points near a plane rough by 1e-8 take two thirds of
- * the time without a support, by 1e-9 as long, by 1e-10 twice as long.  Spheres
- * have no such bound, as balls are not told apart by cylinders. */
+/* Half of the band about a plane that a support holds, over its extent, at
+ * most; about a sphere, over the square of it.  Beyond BAND doubles decide the
+ * sides, and cylinders do better: points near a plane rough by 1e-8 take two
+ * thirds of the time without a support, by 1e-9 as long, by 1e-10 twice as
+ * long.  Spheres have no such bound, as balls are not told apart by cylinders.
+ * */
 #define BAND 2e-8
 #define ROUGH 1e-3
 /* ENOUGH: with fewer points no support is sought.  SOME: places of the sample
@@ -398,6 +366,15 @@ typedef struct mesh {
 typedef struct sizes {
     tess_int iw, rw, pool, marks, cylinders;
 } sizes;
+
+/* Builds that count events or prove decisions, for the tests. */
+#if defined(TESS_COUNT) || defined(TESS_PROVE)
+#include "test/watch.h"
+#else
+#define COUNT(which, n)
+#define PEAK(which, n)
+#define HOLDS(fact)
+#endif
 
 /* ---- sorting ---- */
 
@@ -1213,17 +1190,6 @@ static int ballinstar(const mesh *m, const quest *f)
     return 0;
 }
 
-#ifdef TESS_PROVE
-/* better - returns 1 if z is on the open side and better than the best point,
- * exactly. */
-static int better(const mesh *m, const quest *f, tess_int z)
-{
-    return z != f->v[0] && z != f->v[1] && z != f->v[2] && z != f->best &&
-           hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z) > 0 &&
-           (f->best == NONE || hh_pbeat(&m->set, f->v, f->best, z, 0) < 0);
-}
-#endif
-
 /* curved - returns 1 if the facet's support is a sphere. */
 static int curved(const mesh *m, const quest *f)
 {
@@ -1361,8 +1327,8 @@ static void remember(quest *f, tess_int z, int open)
     if (place < SOME) f->some[place] = z;
 }
 
-/* through - sets up a support through the positions v, a plane or a sphere, for a
- * search's sample, whose extent is wide.  It takes heights of up to 8 times
+/* through - sets up a support through the positions v, a plane or a sphere, for
+ * a search's sample, whose extent is wide.  It takes heights of up to 8 times
  * those of three quarters of the sample, or of one quarter if that is FINER
  * times nearer: the points on one of several near sheets.  Returns 0 if that is
  * more than BAND. */
@@ -1714,8 +1680,8 @@ static int beyond(const quest *f, double sum, double size, double h, double dh)
 }
 
 /* promise - returns 1 if the heights of a node's points prove that it holds no
- * candidate.  A leaf is also tested by its box.  Where the heights tell nothing,
- * the box alone counts. */
+ * candidate.  A leaf is also tested by its box.  Where the heights tell
+ * nothing, the box alone counts. */
 static int promise(const mesh *m, quest *f, tess_int node)
 {
     const support *s = m->supports + f->on;
@@ -2247,21 +2213,6 @@ static void scanleaf(mesh *m, quest *f, tess_int leaf)
     if (SEEK(m) && m->link[first] != DONE) remember(f, first, 0);
 }
 
-#ifdef TESS_PROVE
-/* barren - returns 1 if no point of a node is better than the best point. */
-static int barren(const mesh *m, const quest *f, tess_int node)
-{
-    tess_int i, last = node;
-
-    for (; node < m->leaves; node *= 2) last = 2 * last + 1;
-    i = leafstart(m, node - m->leaves);
-    last = leafstart(m, last - m->leaves + 1);
-    for (; i < last; i++)
-        if (m->link[i] != DONE && better(m, f, i)) return 0;
-    return 1;
-}
-#endif
-
 /* treesearch - finishes a search in the tree: the leaf of the base first, then
  * its parent's other child, and so on up to the root; with cylinders, its
  * grandparent's other three grandchildren.  Everything below the node top has
@@ -2367,23 +2318,6 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     }
     if (SUPPORTED(m)) lean(m, f);
 }
-
-#ifdef TESS_PROVE
-/* proven - returns 1 if c, or none, is the apex of the facet v, against all
- * points. */
-static int proven(const mesh *m, const tess_int *v, tess_int c)
-{
-    quest f;
-    tess_int z;
-    int k;
-
-    for (k = 0; k < 3; k++) f.v[k] = v[k];
-    f.best = c;
-    for (z = 0; z < m->np; z++)
-        if (better(m, &f, z)) return 0;
-    return 1;
-}
-#endif
 
 /* apex - returns the apex of the facet v on its positive side, or NONE.  guess
  * holds two positions to try first, or NONE. */
@@ -3292,9 +3226,9 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     return code;
 }
 
-/* badargument - returns the code of a bad argument of tess_resume, or 0; *which is
- * the point that is not finite, or 0.  p is NULL if the points are known to be
- * finite. */
+/* badargument - returns the code of a bad argument of tess_resume, or 0; *which
+ * is the point that is not finite, or 0.  p is NULL if the points are known to
+ * be finite. */
 static int badargument(tess_int n, const tess_real *p, tess_int maxtet,
                  tess_int ntet, const tess_int *tet, const tess_int *adj,
                  tess_int liw, tess_int lrw, tess_int *which)

@@ -250,8 +250,8 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  *                    hull, value j at the nearest point of the hull (see
  *                    tess_locate)
  *
- * returns 0; 1 when a query is outside the hull; -2 for ntet < 1, -5 for nv < 0,
- * -7 for a bad nq, -8 for a NaN or infinity in q, -9 for a t that is out of
+ * returns 0; 1 when a query is outside the hull; -2 for ntet < 1, -5 for nv <
+ * 0, -7 for a bad nq, -8 for a NaN or infinity in q, -9 for a t that is out of
  * range: then nothing is written; -4 or TESS_RANGE as from tess_locate: then
  * the queries before that one are done.
  * Cost: that of tess_locate: a few steps per query if successive queries are

@@ -4632,8 +4632,8 @@ C     rounding, lie near up to eight planes and spheres; somewhat more
 C     between parallel sheets and on other smooth surfaces, up to
 C     N**1.5 on tubes and between curved sheets, nearly N**2 near planes
 C     that cross at a tiny angle; at worst, as with exponents hundreds
-C     apart, O(N**2) for a linear number of tetrahedra.  Section 2 of
-C     the paper.
+C     apart or thousands of points exactly on one sphere, O(N**2) for a
+C     linear number of tetrahedra.  Section 2 of the paper.
       SUBROUTINE TESS(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                INFO)
       DOUBLE PRECISION P(3,*), RW(*)

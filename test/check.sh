@@ -1004,7 +1004,7 @@ first_half() {
 second_half() {
     sanitizers
     standard
-    twins tess "point|coords|four|better|proven|barren" \
+    twins tess "point|coords|four" \
         "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
     twins hhpred "held|blank|shift|lesser" "HHKIND"
     entries

@@ -27,7 +27,7 @@ rm -rf $DIR
 for tree in usual low; do
     mkdir -p $DIR/$tree/test
     cp tess.c tess.h hhpred.c hhpred.h $DIR/$tree
-    cp -r test/hunts test/proof $DIR/$tree/test
+    cp -r test/hunts test/proof test/watch.h $DIR/$tree/test
 done
 for name in $LOW; do
     value=${name#*=}

@@ -45,7 +45,7 @@ compile() {
 links() {
     case $2 in
     t_pred) $CC -o $1/$2 $DIR/$2.o $1/hhpred.o $DIR/exact.o $DIR/points.o -lm;;
-    certify) $CC -O1 -DTESS_PROVE -o $1/$2 $DIR/$2.o $1/tess.c $1/hhpred.o \
+    certify) $CC -I. -O1 -DTESS_PROVE -o $1/$2 $DIR/$2.o $1/tess.c $1/hhpred.o \
         $DIR/exact.o $DIR/hard.o -lm;;
     *) $CC -o $1/$2 $DIR/$2.o $1/tess.o $1/hhpred.o $DIR/exact.o \
         $DIR/points.o $DIR/verify.o $DIR/damage.o $DIR/guard.o -lm;;
@@ -71,7 +71,7 @@ passes() {
 
 # counts TREE: what the searches look at
 counts() {
-    $CC -O1 -DTESS_COUNT -o $1/count $DIR/bench.o $1/tess.c $1/hhpred.c \
+    $CC -I. -O1 -DTESS_COUNT -o $1/count $DIR/bench.o $1/tess.c $1/hhpred.c \
         $DIR/points.o -lm || return 1
     for f in "uniform 20000" "lattice 4000" "aniso 5000" "planenoise 5000" \
         "clusters 5000" "spherejit 2000" "planespread 2000" "cubesurf 3000" \

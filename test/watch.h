@@ -1,0 +1,73 @@
+/* watch.h - what tess.c includes, behind its types, in builds of the tests:
+ * -DTESS_COUNT counts events in tess_count, which the program defines;
+ * -DTESS_PROVE tells tess_prove, which the program defines, whether each
+ * decision that bounds made holds by the exact predicates. */
+#ifdef TESS_COUNT
+extern double tess_count[];
+#define COUNT(which, n) (tess_count[which] += (double)(n))
+#define PEAK(which, n) \
+    if ((double)(n) > tess_count[which]) tess_count[which] = (double)(n)
+#else
+#define COUNT(which, n)
+#define PEAK(which, n)
+#endif
+#define N_FACET 0  /* searches for an apex                  */
+#define N_STAR 1   /* ended in a star's list,               */
+#define N_BLOCK 2  /* in a block's                          */
+#define N_TREE 3   /* in the tree                           */
+#define N_NODE 4   /* nodes of the tree looked at           */
+#define N_POINT 5  /* candidates looked at one by one       */
+#define N_EXACT 6  /* comparisons left to the exact predicates */
+#define N_LIST 7   /* points of lists and leaves tested     */
+#define N_POOL 8   /* largest number of facets in the pool  */
+#define N_HULL 9   /* searches that found nothing           */
+#define N_PROBE 10 /* entries probed to find or insert      */
+#define N_SIDE 11  /* sides left to the exact predicates    */
+#define N_BALL 12  /* balls found by limbs                  */
+#define N_TRIAL 13 /* comparisons tried by a few limbs      */
+#define N_LEAF 14  /* leaves whose points were tested       */
+
+#ifdef TESS_PROVE
+extern void tess_prove(int fact);
+#define HOLDS(fact) tess_prove(fact)
+
+static tess_int leafstart(const mesh *m, tess_int leaf);
+
+/* better - returns 1 if z is better than the best point. */
+static int better(const mesh *m, const quest *f, tess_int z)
+{
+    return z != f->v[0] && z != f->v[1] && z != f->v[2] && z != f->best &&
+           hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z) > 0 &&
+           (f->best == NONE || hh_pbeat(&m->set, f->v, f->best, z, 0) < 0);
+}
+
+/* barren - returns 1 if no point of a node is better than the best point. */
+static int barren(const mesh *m, const quest *f, tess_int node)
+{
+    tess_int i, last = node;
+
+    for (; node < m->leaves; node *= 2) last = 2 * last + 1;
+    i = leafstart(m, node - m->leaves);
+    last = leafstart(m, last - m->leaves + 1);
+    for (; i < last; i++)
+        if (m->link[i] != DONE && better(m, f, i)) return 0;
+    return 1;
+}
+
+/* proven - returns 1 if c, or none, is the apex of the facet v, against all
+ * points. */
+static int proven(const mesh *m, const tess_int *v, tess_int c)
+{
+    quest f;
+    tess_int z;
+    int k;
+
+    for (k = 0; k < 3; k++) f.v[k] = v[k];
+    f.best = c;
+    for (z = 0; z < m->np; z++)
+        if (better(m, &f, z)) return 0;
+    return 1;
+}
+#else
+#define HOLDS(fact)
+#endif
