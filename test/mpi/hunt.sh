@@ -10,6 +10,8 @@
 TIME=${1:-600}
 SEED=${2:-`date +%s`}
 run="mpirun --oversubscribe --allow-run-as-root"
+MPIEXEC_TIMEOUT=300
+export MPIEXEC_TIMEOUT
 dir=build/mpi.hunt
 FAMILIES="uniform ball clusters decimal3 aniso lattice lattice01 latticeshuf
     jitlattice bcc fcc spherenorm spherejit spherei cavityi fccturn ellipsoid

@@ -32,20 +32,24 @@
  *
  * 1. The star of v in the mesh of a set K is made by the lower facets at v of
  *    the hull of the lifted K.  A lower edge v w of a set's hull is one in
- *    every subset that has both ends.  So if K has all neighbours of v in the mesh of
- *    a larger set, the star of v in K's mesh is that in the larger set's: the
- *    cone over it is the hull of the rays to these neighbours.  (t_part tests
- *    that.)  For the same reason the star of v in K and new points N is that in
- *    v, the link of v in K, and N: repair has small sets.
+ *    every subset that has both ends.  So if K has all neighbours of v in the
+ *    mesh of a larger set, the star of v in K's mesh is that in the larger
+ *    set's: the cone over it is the hull of the rays to these neighbours.
+ *    (t_part tests that.)  For the same reason the star of v in K and new points
+ *    N is that in v, the link of v in K, and N: repair has small sets.
  *
- * 2. There is progress while stars differ.  Let t be in the star of v, computed
- *    from K, and not in that of w, another vertex of t, computed from L.  If L
- *    has the vertices of t, some vertex of the link of w in L is inside the
- *    ball of t: else the cone of w's star, which is the hull of the rays to the
- *    link, would be above the plane of the lifted t, which touches it at t, and
- *    t would be in it.  That vertex is not in K.  So either w's process learns
- *    a vertex of t, or v's one of the link of w, in every round: the sets only
- *    grow, and there are at most as many rounds as processes times points.
+ * 2. Some star changes in every round while stars differ.  Let t be in the star
+ *    of v, computed from K, and not in that of w, another vertex of t, computed
+ *    from L.  (Their processes may know more: of a point that one learns only
+ *    the stars near those that differ are told.)  If L has the vertices of t,
+ *    some vertex of the link of w in L is inside the ball of t: else the cone
+ *    of w's star, which is the hull of the rays to the link, would be above the
+ *    plane of the lifted t, which touches it at t, and t would be in it.  In
+ *    the round v's process has the link of w, w's the vertices of t, and both
+ *    stars are computed from all that is known.  If a vertex of the link is in
+ *    the ball of t, t goes.  If none is, L lacks a vertex of t, and with it the
+ *    link of w cannot stay.  A star that changes is one in a larger set, so
+ *    there are at most as many rounds as pairs of points.
  *
  * 3. Stars that agree are the mesh.  Each tetrahedron is then in the stars of
  *    all its vertices; so is each facet of the hull.  Each star fills a

@@ -456,11 +456,13 @@ static uint64_t facet_hash(const tess_int *v, int k)
 /* In replace, for a facet of the hull. */
 #define HULL (-2)
 
-/* replace - put the new stars in the place of the old ones. */
-static void replace(void)
+/* replace - put the new stars in the place of the old ones.  Returns how many
+ * tetrahedra go or come. */
+static num replace(void)
 {
     table open = {0, 0, NULL, NULL};
     tess_int i, t, u;
+    num changes = old.n;
     int j, k, *at;
 
     /* What has neighbours beyond old and new stars finds them by its facets. */
@@ -501,7 +503,10 @@ static void replace(void)
         }
         taken[t] = 0;
         for (k = 0; k < 4; k++) m->tet[4 * t + k] = newtet[4 * i + k];
-        if (becomes[i] == TESS_NONE) toggle(t);
+        if (becomes[i] == TESS_NONE) {
+            toggle(t);
+            changes++;
+        }
         becomes[i] = t;
     }
     for (i = 0; i < newtets; i++) {
@@ -524,26 +529,29 @@ static void replace(void)
         }
     }
     forget(&open);
+    return changes;
 }
 
 /* repair - compute the stars of the marked points again, until the own ones
- * agree. */
-static void repair(void)
+ * agree.  Returns how many tetrahedra go or come. */
+static num repair(void)
 {
     tess_int i;
+    num changes;
 
-    if (marked.n == 0) return;
+    if (marked.n == 0) return 0;
     while (again()) continue;
-    replace();
+    changes = replace();
     for (i = 0; i < near.n; i++) mark[near.at[i]] = 0;
     near.n = old.n = marked.n = 0;
+    return changes;
 }
 
 void stars(mesh *result, cloud *c, point *foreign, num n, table *sent)
 {
     mail letters, replies;
     tess_int i, *mine;
-    num unequal, before;
+    num unequal;
     int k, r;
 
     m = result;
@@ -580,7 +588,6 @@ void stars(mesh *result, cloud *c, point *foreign, num n, table *sent)
             fprintf(stderr, "round %d: %.0f differ\n", m->rounds,
                     (double)unequal);
         if (unequal == 0) break;
-        before = learned.n;
         exchange(&letters, POINTS);
         mail_open(&replies, sizeof(point));
         reply(&letters, &replies);
@@ -590,14 +597,12 @@ void stars(mesh *result, cloud *c, point *foreign, num n, table *sent)
             for (n = 0; n < replies.n[r]; n++)
                 (void)learn((point *)replies.at[r] + n);
         mail_close(&replies);
-        /* by 2 of mesh.c a process learns a point in every round, so there are
-         * at most as many rounds as processes times points */
-        if (total(learned.n - before) == 0) {
+        /* by 2 of mesh.c some star changes, which bounds the rounds */
+        if (total(repair()) == 0) {
             if (ndoubt > 0) disagree();
             MPI_Barrier(MPI_COMM_WORLD);
-            fail("the stars do not agree, and no process learns of a point");
+            fail("the stars do not agree, and none changes");
         }
-        repair();
     }
     mail_close(&letters);
     mail_close(&hashes);
