@@ -4,6 +4,7 @@
  */
 #include <float.h>
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -212,6 +213,7 @@ static void box(void)
 void read_places(const points *points_read, points *query)
 {
     tess_int i;
+    long bad = 0;
     int k;
 
     in = points_read;
@@ -224,6 +226,15 @@ void read_places(const points *points_read, points *query)
     if (chosen.validate > (long)in->n)
         fail("-validate %ld: there are only %ld points", chosen.validate,
              (long)in->n);
+    for (i = 0; i < in->n; i++)
+        for (k = 0; k < in->columns; k++)
+            if (!(fabs(in->value[(size_t)in->columns * (size_t)i + (size_t)k]) <=
+                  DBL_MAX))
+                bad++;
+    if (bad > 0)
+        warn("%s: %ld value%s not finite, and so is what is computed from them; "
+             "-skip drops rows with a NaN",
+             in->input, bad, bad > 1 ? "s are" : " is");
     if (chosen.grid && !boxed) box();
     if (!chosen.query) return;
     read_points(chosen.query, places);

@@ -121,6 +121,19 @@ static void look(tess_int t)
     }
 }
 
+/* within - is q on that side of the facet opposite to vertex k of tetrahedron t,
+ * or in its plane?  Exact. */
+static int within(const tess_real *q, tess_int t, int k)
+{
+    const tess_int *v = of->tet + 4 * (size_t)t;
+    const tess_real *x[4];
+    int i, side;
+
+    for (i = 0; i < 4; i++) x[i] = i == k ? q : of->p + 3 * (size_t)v[i];
+    side = hh_orient(x[0], x[1], x[2], x[3]);
+    return side == 0 || side == 1;
+}
+
 /* locate - the tetrahedron t that holds q, from a start, and q's weights w.
  * Returns 0, or 1 for a place outside; w and t are then set if what is outside
  * is asked of the hull's nearest point. */
@@ -154,11 +167,11 @@ static int locate(const tess_real *q, tess_int *t, double *w)
         if (k < 4 && outside == OUT_VALUE) return 1;
         if (k < 4) break;
         sure = seen.det > THIN * seen.doubt && seen.det > LEAST;
-        /* within rounding of a facet it is on it, but on the hull's, or
-         * outside? */
+        /* within rounding of a facet it is on it, unless it is behind it, where
+         * a flat tetrahedron may end before q */
         for (sum = 0.0, k = 0; k < 4; k++) {
             if (w[k] <= slack[k]) {
-                sure = sure && next[k] != TESS_NONE;
+                sure = sure && within(q, *t, k);
                 w[k] = 0.0;
             }
             sum += w[k];
@@ -227,12 +240,13 @@ void values_begin(const field *what, int by, int beyond, double otherwise)
     }
 }
 
-/* row - add w times the values of point i. */
+/* row - add w times the values of point i.  (0 times a NaN would be one.) */
 static void row(tess_int i, double w, double *out)
 {
     const double *v = of->value + (size_t)of->columns * (size_t)i;
     int j;
 
+    if (w == 0.0) return;
     for (j = 0; j < of->columns; j++) out[j] += w * v[j];
 }
 
@@ -355,7 +369,10 @@ static void count(tally *a, double error, tess_int i)
     a->sum += error;
     a->absolute += fabs(error);
     a->square += error * error;
-    if (a->where != TESS_NONE && fabs(error) <= fabs(a->worst)) return;
+    /* (a NaN is the worst) */
+    if (a->where != TESS_NONE &&
+        (a->worst != a->worst || fabs(error) <= fabs(a->worst)))
+        return;
     a->worst = error;
     a->where = i;
 }

@@ -418,6 +418,23 @@ for method in METHODS:
          list(np.isnan(np.load("h.npy")[:, 0])) ==
          list(np.any(np.clip(at, 0, 1) != at, axis=1)))
 
+# the same where the hull's tetrahedra are as flat as rounding leaves them: points
+# of a slanted lattice next to one of its faces; all numbers are exact
+slant = np.array([[1, 2, 1], [2, 1, 3], [1, 3, 2]])
+tiny = 2.0 ** -49
+flat = places((0, 0, 0), (3, 3, 3), (4, 4, 4)).reshape(-1, 3)
+sunk = (flat[:, 2] == 0) & np.all((flat[:, :2] > 0) & (flat[:, :2] < 3), axis=1)
+flat[sunk, 2] = tiny * random.integers(1, 3, sunk.sum())
+save("sunk.csv", flat @ slant, linear(flat))
+at = np.concatenate([places((.25, .25, z), (2.75, 2.75, z), (11, 11, 1))
+                     .reshape(-1, 3) for z in (0, -tiny, tiny)])
+save("face.csv", at @ slant)
+for method in METHODS:
+    tess("-q", "-query", "face.csv", "-method", method, "-values", "f.npy",
+         "sunk.csv")
+    test(method + ": inside or outside, where the hull is flat",
+         list(np.isnan(np.load("f.npy")[:, 0])) == list(at[:, 2] < 0))
+
 # ---- many columns, duplicates ----
 
 many = np.array([linear(p) * k for k in range(40)]).T
@@ -443,6 +460,15 @@ tess("-grid", "5,5,5", "-values", "t.npy", "twice.csv")
 test("duplicates with the same values: nothing to say",
      "duplicate" not in tess.said and "mean" not in tess.said)
 
+
+# a value that is missing
+hole = T.copy()
+hole[70] = np.nan
+save("hole.csv", p, hole, U)
+tess("-query", "hole.csv", "-values", "h.npy", "hole.csv")
+test("a NaN among the values: it is said", "1 value is not finite" in tess.said)
+test("a NaN among the values: the others come out as they are",
+     near(np.load("h.npy"), np.column_stack((hole, U)), 0.0))
 
 # ---- cross-validation, by a direct leave-out ----
 
@@ -510,3 +536,7 @@ save("twins.csv", np.repeat(x, 2, axis=0), np.repeat(f, 2))
 twins = table("-validate", 400, "-method", "nearest", "twins.csv")
 test("-validate: a duplicate does not predict its twin",
      twins["nearest", "T"][1] > 0.01)
+save("hole.csv", x, np.where(np.arange(200) == 70, np.nan, f), g)
+found = table("-validate", "hole.csv")
+test("-validate: a NaN is the worst error",
+     np.isnan(found["linear", "T"][3]) and not np.isnan(found["linear", "U"][3]))

@@ -84,6 +84,10 @@ refuses 'is of a slice' -grid 1,2,1 -values v.svg points
 refuses 'at most 2000 places' -grid 1,2001,9 -values v.svg points
 refuses 'No such file' -grid 2,2,2 -values nowhere/v.npy points
 refuses 'folder.npy: ' -grid 2,2,2 -values folder.npy points
+: > taken.npy
+mkdir taken.npy.part
+refuses 'taken.npy' -grid 2,2,2 -values taken.npy points
+rmdir taken.npy.part
 refuses 'would overwrite' -query bare.csv -values bare.csv points
 refuses 'No such file' -query nowhere -values v.npy points
 refuses 'empty: empty' -query empty -values v.npy points

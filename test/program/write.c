@@ -40,18 +40,23 @@ void try_output(const char *name)
     FILE *file;
 
     if (device(name)) return;
-    file = fopen(name, "r+b");
-    if (!file) {
+    file = fopen(name, "rb");
+    if (file) {
+        fclose(file);
         /* a directory, or protected */
-        file = fopen(name, "rb");
-        if (file) fail("%s: cannot be written over", name);
-        name_partial(name);
-        file = fopen(partial, "wb");
-        if (!file) fail("%s: %s", name, strerror(errno));
-        remove(partial);
+        file = fopen(name, "r+b");
+        if (!file) fail("%s: cannot be written over", name);
+        fclose(file);
+    }
+    name_partial(name);
+    file = fopen(partial, "wb");
+    if (!file) {
         partial[0] = '\0';
+        fail("%s: %s", name, strerror(errno));
     }
     fclose(file);
+    remove(partial);
+    partial[0] = '\0';
 }
 
 FILE *start(const char *name, const char *mode)
