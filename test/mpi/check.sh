@@ -140,10 +140,26 @@ mesh 3 1 -raw $dir/nan.raw
 grep "point 2 has a NaN" $dir/err >/dev/null
 result "a NaN" $?
 
+# No process has much more than its share, an eighth, of one run's memory.
+for family in gridrot globe; do
+    points $family 200000
+    mesh 8 0 -raw $dir/p.raw &&
+        build/same $dir/o 8 $dir/p.raw >>$dir/out 2>$dir/same.out &&
+        awk '{ for (i = 2; i < NF; i += 2) f[$1 $i] = $(i + 1) }
+            END { exit !(0 < f["mesh:memory"] &&
+                f["mesh:memory"] < 1.5 / 8 * f["same:memory"]) }' $dir/out
+    result "memory, $family" $?
+done
+
+mesh 3 1 -raw $dir/p.raw -vtu $dir/v -values $dir/short.raw
+grep "as many doubles" $dir/err >/dev/null
+result "values of other points" $?
+
 # The .vtu files hold what the .tet files hold.
 if $PYTHON -c 'import meshio' 2>/dev/null; then
     points clusters 2000
-    mesh 3 0 -raw $dir/p.raw -vtu $dir/v
+    # its coordinates are three values of each point
+    mesh 3 0 -raw $dir/p.raw -vtu $dir/v -values $dir/p.raw
     $PYTHON - $dir 3 <<'END'
 import sys
 import numpy, meshio
@@ -152,10 +168,13 @@ points = numpy.fromfile(folder + "/p.raw").reshape(-1, 3)
 parent = open(folder + "/v.pvtu").read()
 for r in range(ranks):
     piece = meshio.read(f"{folder}/v.{r}.vtu")
-    index = piece.point_data["index"]
+    data = piece.point_data
+    index = data["index"]
     tet = numpy.fromfile(f"{folder}/o.{r}.tet", dtype="int64").reshape(-1, 4)
     assert f'Source="v.{r}.vtu"' in parent
     assert (piece.points == points[index]).all()
+    for k, name in enumerate(["value", "value2", "value3"]):
+        assert (data[name] == points[index, k]).all() and name in parent
     assert (index[piece.cells_dict["tetra"]] == tet).all() and len(tet) > 0
 END
     result "meshio reads .vtu" $?

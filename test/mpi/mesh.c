@@ -77,19 +77,25 @@
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
+#include <sys/types.h>
 #include <time.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include "../points.h"
 #include "mesh.h"
 
 static const char usage[] =
-    "usage: mesh INPUT [-o PREFIX] [-vtu PREFIX] [-blind]\n"
+    "usage: mesh INPUT [-o PREFIX] [-vtu PREFIX [-values FILE]] [-blind]\n"
     "INPUT: -raw FILE      native doubles, three a point\n"
     "       -each PREFIX   the same, a file for each process: PREFIX.<rank>\n"
     "       -family NAME N points of test/points.h, made by process 0\n"
     "-o     PREFIX.<rank>.tet: vertices, .adj: neighbours across the facets\n"
     "       opposite to them, -1 for none: native 64-bit integers\n"
-    "-vtu   PREFIX.pvtu and its pieces, for ParaView\n"
+    "-vtu   PREFIX.pvtu and its pieces, for ParaView; the points' values in\n"
+    "       them, value, value2 and so on: native doubles, those of a point\n"
+    "       after those of the one before it\n"
     "-blind begin with a few extreme points of others (a test)\n";
 
 /* number_points - the process has the next n points, in the order of the
@@ -109,19 +115,15 @@ static void number_points(cloud *c, num n, const double *x)
     }
 }
 
+/* read_file - the whole file, or this process's part of it. */
 static void read_file(cloud *c, const char *name, int whole)
 {
-    MPI_Datatype type;
-    MPI_File file;
-    MPI_Offset bytes;
-    MPI_Status status;
+    FILE *file = fopen(name, "rb");
     double *x;
+    off_t bytes;
     num n, begin = 0;
-    int count = 0;
 
-    if (MPI_File_open(whole ? MPI_COMM_SELF : MPI_COMM_WORLD, name,
-                      MPI_MODE_RDONLY, MPI_INFO_NULL, &file) != MPI_SUCCESS ||
-        MPI_File_get_size(file, &bytes) != MPI_SUCCESS)
+    if (!file || fseeko(file, 0, SEEK_END) != 0 || (bytes = ftello(file)) < 0)
         fail("cannot read the file of points");
     n = (num)bytes / (num)(3 * sizeof *x);
     if (n * (num)(3 * sizeof *x) != (num)bytes)
@@ -132,14 +134,10 @@ static void read_file(cloud *c, const char *name, int whole)
     }
     if (n > TESS_INT_MOST / 40) fail("too many points: use more processes");
     x = (double *)grow(NULL, 3 * n, sizeof *x);
-    MPI_Type_contiguous(3, MPI_DOUBLE, &type);
-    MPI_Type_commit(&type);
-    if (MPI_File_read_at(file, begin * (MPI_Offset)(3 * sizeof *x), x, (int)n,
-                         type, &status) != MPI_SUCCESS ||
-        MPI_Get_count(&status, type, &count) != MPI_SUCCESS || count != (int)n)
+    if (fseeko(file, (off_t)(begin * (num)(3 * sizeof *x)), SEEK_SET) != 0 ||
+        fread(x, 3 * sizeof *x, (size_t)n, file) != (size_t)n)
         fail("cannot read the file of points");
-    MPI_Type_free(&type);
-    MPI_File_close(&file);
+    fclose(file);
     number_points(c, n, x);
     free(x);
 }
@@ -199,12 +197,16 @@ int main(int argc, char **argv)
     point shared[SHARED], *foreign;
     double sum[KINDS + 2], most[3], base;
     const char *prefix = NULL, *vtu = NULL, *family = NULL, *raw = NULL;
-    const char *each = NULL;
+    const char *each = NULL, *values = NULL;
     long asked = 0;
     num n, ntet = 0;
     clock_t start;
     int blind = 0, i, code, nshared;
 
+#ifdef M_MMAP_THRESHOLD
+    /* what a large array had goes back to the system, whatever came after it */
+    mallopt(M_MMAP_THRESHOLD, 65536);
+#endif
     MPI_Init(&argc, &argv);
     MPI_Comm_rank(MPI_COMM_WORLD, &me);
     MPI_Comm_size(MPI_COMM_WORLD, &ranks);
@@ -222,10 +224,12 @@ int main(int argc, char **argv)
             prefix = argv[++i];
         else if (strcmp(argv[i], "-vtu") == 0 && i + 1 < argc)
             vtu = argv[++i];
+        else if (strcmp(argv[i], "-values") == 0 && i + 1 < argc)
+            values = argv[++i];
         else
             break;
     }
-    if (i < argc || !raw + !each + !family != 2) {
+    if (i < argc || !raw + !each + !family != 2 || (values && !vtu)) {
         if (me == 0) fputs(usage, stderr);
         MPI_Finalize();
         return 2;
@@ -241,6 +245,7 @@ int main(int argc, char **argv)
         free(name);
     }
     check_finite(&c);
+    if (values) open_values(values, c.all);
     memset(&m, 0, sizeof m);
     start = clock();
     split(&c);
@@ -261,9 +266,10 @@ int main(int argc, char **argv)
     reduce(most, 3, MPI_DOUBLE, MPI_MAX);
     if (me == 0)
         printf("mesh: processes %d points %.0f code %d tetrahedra %.0f rounds "
-               "%d known %.2f cpu %.3f most %.3f memory %.1f owned %.0f "
-               "move %.2f halo %.2f hashes %.2f stars %.2f sides %.2f\n", ranks,
-               (double)c.all, code, (double)ntet, m.rounds,
+               "%d known %.2f cpu %.3fs most %.3fs memory %.1fMB owned %.0f "
+               "move %.2fMB halo %.2fMB hashes %.2fMB stars %.2fMB "
+               "sides %.2fMB\n",
+               ranks, (double)c.all, code, (double)ntet, m.rounds,
                c.all > 0 ? sum[1] / (double)c.all : 0.0, sum[0], most[0],
                most[1], most[2], sum[2 + MOVE], sum[2 + HALO],
                sum[2 + HASHES], sum[2 + POINTS], sum[2 + SIDES]);

@@ -142,7 +142,10 @@ void stars(mesh *m, cloud *c, point *foreign, num n, table *sent);
  * tetrahedra the mesh has. */
 num output(mesh *m, const char *prefix);
 
-/* write_vtu - PREFIX.pvtu, and its pieces PREFIX.<rank>.vtu. */
+/* open_values - a file of values for write_vtu: as many native doubles for each
+ * of all points, in the order of their indices.
+ * write_vtu - PREFIX.pvtu, and its pieces PREFIX.<rank>.vtu. */
+void open_values(const char *name, num all);
 void write_vtu(const mesh *m, const char *prefix);
 
 #endif

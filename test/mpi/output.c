@@ -1,7 +1,9 @@
 /* output.c - numbers, neighbours in other processes, files; see mesh.c. */
+#define _XOPEN_SOURCE 500
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/types.h>
 
 #include "mesh.h"
 
@@ -177,7 +179,35 @@ num output(mesh *m, const char *prefix)
 
 /* ---- VTK ---- */
 
-/* heading - the arrays of a piece; where they begin in what is appended. */
+static FILE *values;
+static int columns; /* doubles a point in it */
+
+void open_values(const char *name, num all)
+{
+    num size = all * (num)sizeof(double);
+    off_t bytes;
+
+    values = fopen(name, "rb");
+    if (!values || fseeko(values, 0, SEEK_END) != 0 ||
+        (bytes = ftello(values)) < 0)
+        fail("cannot read the file of values");
+    columns = size > 0 ? (int)(bytes / size) : 0;
+    if (columns * size != (num)bytes)
+        fail("the file of values does not hold as many doubles for each point");
+}
+
+/* put_value - value k of a point. */
+static void put_value(FILE *file, num index, int k)
+{
+    double value;
+
+    if (fseeko(values, (off_t)((index * columns + k) * (num)sizeof value),
+               SEEK_SET) != 0 || fread(&value, sizeof value, 1, values) != 1)
+        fail("cannot read the file of values");
+    put_items(file, &value, sizeof value, 1);
+}
+
+/* The arrays of a piece, and those of values, named as build/tess does. */
 static const char *const array[] = {
     "DataArray type=\"Float64\" Name=\"points\" NumberOfComponents=\"3\"",
     "DataArray type=\"Int64\" Name=\"index\"",
@@ -192,9 +222,21 @@ static const char *order_of_bytes(void)
     return *(char *)&one == 1 ? "LittleEndian" : "BigEndian";
 }
 
-static void appended(FILE *file, int i, num *offset, num n, size_t size)
+static const char *value_array(int k)
 {
-    fprintf(file, "<%s format=\"appended\" offset=\"%.0f\"/>\n", array[i],
+    static char text[80];
+    char number[20] = "";
+
+    if (k > 0) sprintf(number, "%d", k + 1);
+    sprintf(text, "DataArray type=\"Float64\" Name=\"value%s\"", number);
+    return text;
+}
+
+/* appended - where an array begins in what is appended. */
+static void appended(FILE *file, const char *what, num *offset, num n,
+                     size_t size)
+{
+    fprintf(file, "<%s format=\"appended\" offset=\"%.0f\"/>\n", what,
             (double)*offset);
     *offset += 8 + n * (num)size;
 }
@@ -226,13 +268,15 @@ void write_vtu(const mesh *m, const char *prefix)
             "<UnstructuredGrid>\n<Piece NumberOfPoints=\"%.0f\" "
             "NumberOfCells=\"%.0f\">\n<Points>\n", order_of_bytes(),
             (double)points, (double)n);
-    appended(file, 0, &offset, 3 * points, sizeof(double));
+    appended(file, array[0], &offset, 3 * points, sizeof(double));
     fprintf(file, "</Points>\n<PointData>\n");
-    appended(file, 1, &offset, points, sizeof(num));
+    appended(file, array[1], &offset, points, sizeof(num));
+    for (k = 0; k < columns; k++)
+        appended(file, value_array(k), &offset, points, sizeof(double));
     fprintf(file, "</PointData>\n<Cells>\n");
-    appended(file, 2, &offset, 4 * n, sizeof(num));
-    appended(file, 3, &offset, n, sizeof(num));
-    appended(file, 4, &offset, n, 1);
+    appended(file, array[2], &offset, 4 * n, sizeof(num));
+    appended(file, array[3], &offset, n, sizeof(num));
+    appended(file, array[4], &offset, n, 1);
     fprintf(file, "</Cells>\n</Piece>\n</UnstructuredGrid>\n"
             "<AppendedData encoding=\"raw\">\n_");
     begin_block(file, 3 * points, sizeof(double));
@@ -241,6 +285,11 @@ void write_vtu(const mesh *m, const char *prefix)
     begin_block(file, points, sizeof(num));
     for (i = 0; i < m->n; i++)
         if (place[i] >= 0) put_items(file, m->index + i, sizeof(num), 1);
+    for (k = 0; k < columns; k++) {
+        begin_block(file, points, sizeof(double));
+        for (i = 0; i < m->n; i++)
+            if (place[i] >= 0) put_value(file, m->index[i], k);
+    }
     begin_block(file, 4 * n, sizeof(num));
     for (t = 0; t < m->ntet; t++)
         for (k = 0; k < 4 && kept(m, t); k++) {
@@ -259,8 +308,10 @@ void write_vtu(const mesh *m, const char *prefix)
     fprintf(file, "<?xml version=\"1.0\"?>\n<VTKFile type="
             "\"PUnstructuredGrid\" version=\"1.0\" byte_order=\"%s\" "
             "header_type=\"UInt64\">\n<PUnstructuredGrid GhostLevel=\"0\">\n"
-            "<PPoints>\n<P%s/>\n</PPoints>\n<PPointData>\n<P%s/>\n"
-            "</PPointData>\n", order_of_bytes(), array[0], array[1]);
+            "<PPoints>\n<P%s/>\n</PPoints>\n<PPointData>\n<P%s/>\n",
+            order_of_bytes(), array[0], array[1]);
+    for (k = 0; k < columns; k++) fprintf(file, "<P%s/>\n", value_array(k));
+    fprintf(file, "</PPointData>\n");
     /* the pieces are beside it */
     name = strrchr(prefix, '/');
     for (r = 0; r < ranks; r++)

@@ -7,7 +7,7 @@
  *
  * Compares the sets of tetrahedra, their orientation, and that each neighbour
  * has the facet's vertices.  Prints the tetrahedra, and the CPU time and memory
- * in MB that tess took.
+ * that tess took.
  */
 #include <stdint.h>
 #include <stdio.h>
@@ -177,7 +177,7 @@ int main(int argc, char **argv)
     order((int64_t *)tets, many);
     need(memcmp(wanted, tets, 4 * many * sizeof *wanted) == 0,
          "other tetrahedra");
-    printf("same: code %d tetrahedra %.0f cpu %.3f memory %.1f\n", code,
+    printf("same: code %d tetrahedra %.0f cpu %.3fs memory %.1fMB\n", code,
            (double)many, (double)start / CLOCKS_PER_SEC,
            ((double)n * 3 * sizeof(double) + 32.0 * (double)ntet +
             (double)liw * sizeof *iw + (double)lrw * sizeof *rw) / 1048576);
