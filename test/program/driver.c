@@ -401,6 +401,7 @@ int main(int argc, char **argv)
     in.cols = chosen.cols;
     in.skip = chosen.skip;
     read_points(chosen.input, &in);
+    check_box(&in);
     places.room = in.room;
     places.p = place;
     places.line = place_line;

@@ -179,6 +179,10 @@ void mark_alpha(mesh *m, double radius, char *keep);
 /* drop_others - leave the tetrahedra of the alpha shape alone in m. */
 void drop_others(mesh *m);
 
+/* check_box - leave if the points' file has no box that can be repeated, but
+ * one is needed. */
+void check_box(const points *in);
+
 /* make_cells - the Voronoi cells: write what is asked for. */
 void make_cells(const mesh *m);
 

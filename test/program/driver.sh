@@ -864,6 +864,7 @@ for box in 0,1,0,1,0 0,1,0,1,1,0 0,1,0,1,0,0 0,1,0,1,0,x; do
 done
 OPTIONS="-volumes no.csv -periodic"
 refuses boxed2 '-periodic needs -box X0,X1,Y0,Y1,Z0,Z1, or' < boxed
+yes "-periodic without a box: before anything is computed" test ! -s said
 printf '0 0 0\n' > lone
 OPTIONS="-volumes no.csv -periodic -box 0,64,0,1,0,1"
 refuses lone1 'so few points in so long a box' < lone

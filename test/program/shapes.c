@@ -120,6 +120,14 @@ static void choose_box(cells *c)
             c->box[k] = box[k % 3 * 2 + k / 3] * c->m->scale[k % 3];
         return;
     }
+    points_box(c);
+}
+
+void check_box(const points *in)
+{
+    if ((!chosen.cells && !chosen.volumes) || chosen.boxed ||
+        in->lattice == RIGHT)
+        return;
     if (chosen.periodic && in->lattice == SKEW)
         fail("%s: -periodic: its Lattice is not a box along x, y, z; only such "
              "boxes can be repeated", in->input);
@@ -129,7 +137,6 @@ static void choose_box(cells *c)
     if (in->lattice == SKEW)
         warn("%s: its Lattice is not a box along x, y, z: the cells fill the "
              "points' box", in->input);
-    points_box(c);
 }
 
 /* wrap - the points, each moved into the box by whole lengths of it. */
