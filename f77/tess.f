@@ -123,17 +123,12 @@ C         tablesize TSTABL, quota TSQUOT, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
 C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
 C         starlist TSSTLI
-C       apex: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
-C         prunepart TSPRPA, ballinbox TSBINB, ballinstar TSBINS,
-C         curved TSCURV, narrow TSNARR, refine TSREFI, rough TSROUG,
-C         marked TSMRKD, level TSLEVE, remember TSREME, through TSTHRO,
-C         fit TSFIT, discover TSDISC, lean TSLEAN, sharpen TSSHAR,
-C         sight TSSIGH, lowest TSLOWE, beyond TSBEYO, promise TSPROM,
-C         group TSGROU, enclose TSENCL, enclosed TSECLD,
-C         outside TSOUTS, challenge TSCHAL, consider TSCONS,
-C         ballcoef TSBALC, starcoef TSSTAC, inball TSINBA,
-C         considerall TSCALL, starball TSSTBA, newcell TSNEWC,
-C         incell TSINCE, instar TSINST, inblock TSINBL, scanleaf TSSCAN,
+C       search: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
+C         prunepart TSPRPA, narrow TSNARR, refine TSREFI,
+C         challenge TSCHAL, consider TSCONS, ballinbox TSBINB,
+C         ballinstar TSBINS, ballcoef TSBALC, starcoef TSSTAC,
+C         inball TSINBA, considerall TSCALL, starball TSSTBA,
+C         instar TSINST, inblock TSINBL, scanleaf TSSCAN,
 C         treesearch TSTREE, onhull TSONHU, prepare TSPREP, apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
@@ -150,6 +145,14 @@ C         opened TSOPEN, intact TSINTA, claim TSCLAI, restore TSREST,
 C         run TSRUN, badargument TSBADA
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
+C     then what makes searches faster, each where some data need it:
+C       supports: rough TSROUG, marked TSMRKD, heightover TSHEOV,
+C         curved TSCURV, remember TSREME, through TSTHRO, fit TSFIT,
+C         discover TSDISC, supportof TSSUPP, sharpen TSSHAR, aim TSAIM,
+C         lowest TSLOWE, excluded TSEXCL, pruneheights TSPRHE
+C       cylinders: cylinders TSCYLI, makecylinder TSMCYL,
+C         makecylinders TSMCYS, prunecylinders TSPRCY
+C       ties: newcell TSNEWC, incell TSINCE
 C     and what needs no mesh under construction:
 C       queries: qside TSQSID, inbox TSINBO
 C       location: closer TSCLOS, sample TSSAMP, walk TSWALK,
@@ -161,10 +164,10 @@ C         marks TSMARK, chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF,
 C         chktet TSCHKT, chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
 C         tess_check TESSCH
 C       a ball: tess_ball TESSBA
-C     Only in C: point, coords, four, better, proven, barren.  Only
-C     here: TSPDIS (disjoint for a point), TSLINE (hh_line of points of
-C     P), TSMESH, TSINDE, TSQUER (parts of run, tess_index, tess_query),
-C     TSORIQ, TSORIP, TSFOOT (hh_orient and hh_foot of points of P).
+C     Only in C: point, coords, four.  Only here: TSPDIS (disjoint for a
+C     point), TSLINE (hh_line of points of P), TSMESH, TSINDE, TSQUER
+C     (parts of run, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT
+C     (hh_orient and hh_foot of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here, passed in one order:
@@ -202,8 +205,8 @@ C               some exactly on its last ball
 C       UNMET   no vertex before it is NEW and asked for
 C       FUTILE  the leaf's latest searches in a row that ended in the
 C               tree
-C       ROUND   cylinders, behind BOX(6,2*CTL(LEAVES)): 0 none, 1 may be
-C               made, 2 are made
+C       STAGE   of cylinders, behind BOX(6,2*CTL(LEAVES)): 0 none, 1 may
+C               be made, 2 are made
 C       NCELL   cells of this star: CELLS at most, the last ones, are
 C               kept, each how many points it has and these, CELL at
 C               most, the least number first;  CELL0 the place before
@@ -243,7 +246,7 @@ C               met that are exactly on its ball; QLIMBS: 1: its ball
 C               has been found by limbs; QBALL: there is a ball to prune
 C               with; QBASE: V(QBASE) is the base of F; QASKED:
 C               comparisons left to the exact predicates; QON: the
-C               support that the facet is on, or 0; QAIMED: TSSIGH's
+C               support that the facet is on, or 0; QAIMED: TSAIM's
 C               test is for the best point so far; behind QSOME a sample
 C               of the points offered to it, QOPEND: QOPEN = 1: points
 C               left open, 0: of leaves
@@ -253,7 +256,7 @@ C               by at most QDC; QSIZE = |C|_1; behind QLIMB the ball by
 C               limbs (see HHCENT); G = height - QH - tilt.W is 0 on the
 C               facet, the tilt behind QTILT, QDH, QDTILT their errors;
 C               QG: of a plane, the height of the facet's normal; behind
-C               QTEST TSSIGH's test:
+C               QTEST TSAIM's test:
 C     It is a (height - h) + q |W|**2 - d.W, of which each coordinate of
 C     W is wrong by dd times it, and all by err:
 C       TQ, TDD, TA, TERR  q, dd, a, err; behind TD: d
@@ -1343,7 +1346,7 @@ C     no point nearer than margin is missed
       END
 
 C     ------------------------------------------------------------------
-C     The apex of a facet.
+C     The search for the apex of a facet.
 C     ------------------------------------------------------------------
 
 C     TSDOT - the product of two vectors.
@@ -1423,84 +1426,6 @@ C     K is between LO and HI provably holds no candidate, or 0.
       TSPRPA = TSPRUN(IQ, F, FQ, PART, 1)
       END
 
-C     TSBINB - returns 1 if the part of the ball that may hold points,
-C     the part in the root's box, lies inside the box of a list, or 0.
-C     The centre of the true ball is within dc of C, and both balls pass
-C     through the base.  So the radius is at most |C| + dc, and along an
-C     axis the ball ends within |C| + 2 dc of C.
-      INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
-      INTEGER LSI(3,2), LIST, IQ(42)
-      INTEGER TSPRPA
-      INTEGER LN, LLO, LHI, QC, QDC
-      PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
-      DOUBLE PRECISION PAD
-      PARAMETER (PAD = 64.0D0*2.0D0**(-52))
-      DOUBLE PRECISION R
-      INTEGER K
-      TSBINB = 0
-      IF (LSI(LN,LIST) .EQ. 0) RETURN
-      R = SQRT(FQ(QC+1)*FQ(QC+1) + FQ(QC+2)*FQ(QC+2) +
-     $         FQ(QC+3)*FQ(QC+3))
-      R = R*(1.0D0 + PAD) + 2.0D0*FQ(QDC)
-      DO 10 K = 1, 3
-        IF (FQ(QC+K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) THEN
-          IF (TSPRPA(BOX, IQ, F, FQ, K, BOX(K,1),
-     $        LSD(LLO+K,LIST)) .EQ. 0) RETURN
-        END IF
-        IF (FQ(QC+K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) THEN
-          IF (TSPRPA(BOX, IQ, F, FQ, K, LSD(LHI+K,LIST),
-     $        BOX(3+K,1)) .EQ. 0) RETURN
-        END IF
-   10 CONTINUE
-      TSBINB = 1
-      END
-
-C     TSBINS - the same for the margin of a star's list about the base.
-C     For a point U of the true ball, relative to the base,
-C         |U|**2 <= 2 (C.U + dc |U|) <= 2 (A + dc) |U| + 2 B,
-C     where A is the length of C without its coordinate K, and B >= 0 is
-C     the greatest value of C(K) U(K) in the root's box.  So |U| is less
-C     than margin if margin (margin - 2 A - 2 dc) >= 2 B.  The test puts
-C     margin - 2 dc for the first factor, too.  PAD times margin exceeds
-C     the roundings of A, B and the products.
-      INTEGER FUNCTION TSBINS(BOX, LSD, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
-      INTEGER LMARG, STR, QC, QDC
-      PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6)
-      DOUBLE PRECISION PAD
-      PARAMETER (PAD = 64.0D0*2.0D0**(-52))
-      DOUBLE PRECISION A, B, MARGIN, SQUARE(3)
-      INTEGER K
-      TSBINS = 0
-      MARGIN = LSD(LMARG,STR)*(1.0D0 - PAD) - 2.0D0*FQ(QDC)
-      DO 10 K = 1, 3
-        SQUARE(K) = FQ(QC+K)*FQ(QC+K)
-   10 CONTINUE
-      IF (MARGIN .LE. 0.0D0) RETURN
-      TSBINS = 1
-      IF (4.0D0*(SQUARE(1) + SQUARE(2) + SQUARE(3)) .LE. MARGIN*MARGIN)
-     $    RETURN
-      DO 20 K = 1, 3
-        B = MAX((BOX(3+K,1) - F(6+K))*FQ(QC+K),
-     $      (BOX(K,1) - F(6+K))*FQ(QC+K))
-        A = SQRT(SQUARE(MOD(K, 3)+1) + SQUARE(MOD(K+1, 3)+1))
-        IF (MARGIN*(MARGIN - 2.0D0*A) .GE. 2.0D0*B) RETURN
-   20 CONTINUE
-      TSBINS = 0
-      END
-
-C     TSCURV - returns 1 if the facet's support is a sphere, or 0.
-      INTEGER FUNCTION TSCURV(RCTL, IQ)
-      DOUBLE PRECISION RCTL(*)
-      INTEGER IQ(42)
-      INTEGER RSUP, LSUP, SPLANE, QON
-      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, QON = 6)
-      TSCURV = 0
-      IF (IQ(QON) .EQ. 0) RETURN
-      IF (RCTL(RSUP+LSUP*(IQ(QON)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
-      END
-
 C     TSNARR - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
@@ -1547,12 +1472,12 @@ C     place of C, with the error of F(4..6) and one more rounding.
       PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
       PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
-      INTEGER K, OK, ROUND, SE
+      INTEGER K, OK, SPHERE, SE
       IF (F(10) .GE. HUGE) RETURN
       SE = INT(RCTL(RSCALE))
       CALL HHCENT(P, ORD, SE, V, IQ(QBASE), IQ(QBEST), C, FQ, QLIMB, OK)
       IF (OK .EQ. 0) RETURN
-      ROUND = TSCURV(RCTL, IQ)
+      SPHERE = TSCURV(RCTL, IQ)
       IQ(QLIMBS) = 1
       IQ(QBALL) = 1
       IQ(QAIMED) = 0
@@ -1563,931 +1488,17 @@ C     place of C, with the error of F(4..6) and one more rounding.
         FQ(QC+K) = C(K)
         FQ(QSIZE) = FQ(QSIZE) + ABS(C(K))
         U = C(K)
-        IF (ROUND .EQ. 1) U = U - F(3+K)
+        IF (SPHERE .EQ. 1) U = U - F(3+K)
         SIZE = SIZE + ABS(U)
         L = L + F(K)*U
    10 CONTINUE
       FQ(QDC) = 8.0D0*EPS*FQ(QSIZE)
       IF (F(10) .GT. LOOSE) RETURN
       ERR = F(10)*SIZE + 16.0D0*EPS*FQ(QSIZE)
-      IF (ROUND .EQ. 1) ERR = ERR + F(11)
+      IF (SPHERE .EQ. 1) ERR = ERR + F(11)
       FQ(QLO) = MAX(FQ(QLO), L - ERR)
       FQ(QHI) = MIN(FQ(QHI), L + ERR)
       END
-
-C     ------------------------------------------------------------------
-C     Supports.
-C
-C     Where many points are near one plane or sphere, the side or the
-C     power of each is noise for a facet of three of them, and no box of
-C     points is clear of the ball.  A support is such a plane or sphere,
-C     through points.  Limbs give the heights of other points over it
-C     (over a sphere, their powers) to some EPS of themselves.  Let h be
-C     the height of the base of a facet near the support, and tilt the
-C     vector in the facet's plane whose products with the facet's edges
-C     are the differences of heights.  Then
-C         G(w) = height(w) - h - tilt.w
-C     is 0 at the facet's vertices.  On a plane, G(w) is therefore g
-C     times the side of w, where g is the height of the facet's normal
-C     v.  On a sphere whose centre is at height l over the facet's
-C     plane, G(w) is the power of w in the ball of L = l, and L(w) = l +
-C     e, e = G(w) / (2 side).  Heights are that noise, but known to 1E-7
-C     of it: so they decide, point by point and node by node.
-C     ------------------------------------------------------------------
-
-C     TSROUG - the height H of the position Z over the support behind
-C     RCTL(AT), in double precision.  ERR bounds its error: 8 EPS |c|
-C     for the centre, and 6 roundings.
-      SUBROUTINE TSROUG(X, RCTL, AT, Z, H, ERR)
-      DOUBLE PRECISION X(3,*), RCTL(*), H, ERR
-      INTEGER AT, Z
-      INTEGER SPLANE, SAT, SC, SSIZE
-      PARAMETER (SPLANE = 88, SAT = 88, SC = 91, SSIZE = 95)
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
-      DOUBLE PRECISION SIZE, U
-      INTEGER K
-      H = 0.0D0
-      SIZE = 0.0D0
-      DO 10 K = 1, 3
-        U = X(K,Z) - RCTL(AT+SAT+K)
-        IF (RCTL(AT+SPLANE) .GT. 0.0D0) THEN
-          H = H + U*RCTL(AT+SC+K)
-        ELSE
-          H = H + U*(U - 2.0D0*RCTL(AT+SC+K))
-        END IF
-        SIZE = SIZE + ABS(U)
-   10 CONTINUE
-      ERR = 32.0D0*EPS*SIZE
-      IF (RCTL(AT+SPLANE) .LE. 0.0D0) ERR = ERR*(SIZE +
-     $    RCTL(AT+SSIZE))
-      ERR = ERR + FAINT
-      END
-
-C     TSMRKD - OK is 1 if the position Z has a mark of support J, or 0;
-C     H is then its height, to a grain.  A mark is off by the roundings
-C     of TSDISC, EPS GRAINS grains, and by a quarter of a grain for
-C     twice the height's error.
-      SUBROUTINE TSMRKD(MARK, RCTL, J, Z, H, OK)
-      DOUBLE PRECISION RCTL(*), H
-      INTEGER MARK(*), J, Z, OK
-      INTEGER RSUP, LSUP, SLOW, SGRAIN, SUPPS
-      PARAMETER (RSUP = 10, LSUP = 97, SLOW = 96, SGRAIN = 97)
-      PARAMETER (SUPPS = 8)
-      INTEGER AT, K
-      OK = 0
-      AT = RSUP + LSUP*(J - 1)
-      K = MARK(Z) - 1
-      IF (K .LT. 0 .OR. MOD(K, SUPPS) .NE. J - 1) RETURN
-      H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(K/SUPPS) + 0.5D0)
-      OK = 1
-      END
-
-C     TSLEVE - OK is 1 if the position Z is near support J, or 0; H is
-C     then its height, from its mark or else by limbs, and ERR bounds
-C     the error.
-      SUBROUTINE TSLEVE(X, P, ORD, MARK, RCTL, J, Z, H, ERR, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
-      INTEGER ORD(*), MARK(*), J, Z, OK
-      INTEGER RSUP, LSUP, SPLANE, SLOW, SGRAIN
-      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88)
-      PARAMETER (SLOW = 96, SGRAIN = 97)
-      INTEGER AT, PLANE
-      AT = RSUP + LSUP*(J - 1)
-      ERR = RCTL(AT+SGRAIN)
-      CALL TSMRKD(MARK, RCTL, J, Z, H, OK)
-      IF (OK .EQ. 1) RETURN
-      CALL TSROUG(X, RCTL, AT, Z, H, ERR)
-      IF (ABS(H) .GT. ERR - RCTL(AT+SLOW)) RETURN
-      PLANE = INT(RCTL(AT+SPLANE))
-      CALL HHHEIG(P, ORD, RCTL, AT, Z, PLANE, H, ERR)
-      IF (ERR .LE. RCTL(AT+SGRAIN) .AND.
-     $    ABS(H) .LE. -RCTL(AT+SLOW)) OK = 1
-      END
-
-C     TSREME - adds Z to the sample: points that were left open or,
-C     until there are any, points of leaves that the search visited.
-C     The sample keeps SOME of them.  Once it is full, a point takes the
-C     place of another by chance, but by the same chance on every
-C     machine.  Points with a mark count, too: they may be on a finer
-C     support.
-      SUBROUTINE TSREME(IQ, Z, OPEN)
-      INTEGER IQ(42), Z, OPEN
-      INTEGER QOPEN, QOPEND, QSOME, SOME
-      PARAMETER (QOPEN = 8, QOPEND = 9, QSOME = 9, SOME = 32)
-      INTEGER PLACE
-      IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
-        IQ(QOPEN) = OPEN
-        IQ(QOPEND) = 0
-      END IF
-      IF (OPEN .LT. IQ(QOPEN)) RETURN
-      IQ(QOPEND) = IQ(QOPEND) + 1
-      PLACE = IQ(QOPEND)
-      IF (PLACE .GT. SOME)
-     $    PLACE = MOD(MOD(MOD(Z, 30269)*137, 30269), IQ(QOPEND)) + 1
-      IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
-      END
-
-C     TSTHRO - sets up a support, behind RCTL(AT), through the positions
-C     W and Z, a plane or a sphere, for a search's sample, whose extent
-C     is WIDE.  It takes heights of up to 8 times those of three
-C     quarters of the sample, or of one quarter if that is FINER times
-C     nearer: the points on one of several near sheets.  OK is 1, or 0
-C     if that is more than BAND.
-      SUBROUTINE TSTHRO(P, ORD, RCTL, IQ, W, Z, WIDE, PLANE, AT, OK)
-      DOUBLE PRECISION P(3,*), RCTL(*), WIDE
-      INTEGER ORD(*), IQ(42), W(3), Z, PLANE, AT, OK
-      INTEGER RSCALE, SPLANE, SC, SSIZE, SLOW, SGRAIN
-      INTEGER QOPEND, QSOME, SOME, GRAINS
-      PARAMETER (RSCALE = 5, SPLANE = 88, SC = 91, SSIZE = 95)
-      PARAMETER (SLOW = 96, SGRAIN = 97, QOPEND = 9, QSOME = 9)
-      PARAMETER (SOME = 32, GRAINS = 134217728)
-      DOUBLE PRECISION BAND, FINER, ROUGH
-      PARAMETER (BAND = 2.0D-8, FINER = 100.0D0, ROUGH = 1.0D-3)
-      DOUBLE PRECISION C(3), D, ERR, H(SOME), WORST
-      INTEGER I, K, N, SE
-      N = MIN(IQ(QOPEND), SOME)
-      SE = INT(RCTL(RSCALE))
-      WORST = 0.0D0
-      CALL HHCENT(P, ORD, SE, W, 1, Z, C, RCTL, AT, OK)
-      IF (OK .EQ. 0) RETURN
-      OK = 0
-      CALL HHUNIT(RCTL, AT, PLANE, C)
-      DO 20 I = 1, N
-        CALL HHHEIG(P, ORD, RCTL, AT, IQ(QSOME+I), PLANE, D, ERR)
-        D = ABS(D)
-        IF (ERR .GT. 1.0D0) RETURN
-        WORST = MAX(WORST, ERR)
-        H(I) = D
-        DO 10 K = I, 2, -1
-          IF (H(K-1) .LE. D) GO TO 20
-          H(K) = H(K-1)
-          H(K-1) = D
-   10   CONTINUE
-   20 CONTINUE
-      D = H(3*N/4+1)
-      IF (H(N/4+1) .LT. D/FINER) D = H(N/4+1)
-      D = 16.0D0*D/DBLE(GRAINS)
-      RCTL(AT+SPLANE) = DBLE(PLANE)
-      RCTL(AT+SGRAIN) = MAX(D, 8.0D0*WORST)
-      RCTL(AT+SLOW) = -0.5D0*RCTL(AT+SGRAIN)*DBLE(GRAINS)
-      RCTL(AT+SSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
-      DO 30 K = 1, 3
-        RCTL(AT+SC+K) = C(K)
-   30 CONTINUE
-      D = BAND*WIDE
-      IF (PLANE .EQ. 0) D = ROUGH*WIDE*WIDE
-      IF (-RCTL(AT+SLOW) .LE. D) OK = 1
-      END
-
-C     TSFIT - sets up a support, behind RCTL(AT), through the widest of
-C     the points that a search left open: a sphere, or a plane where the
-C     points are on none (sheets near each other are one).  OK is 1 if
-C     it is set up, or 0.
-      SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(42), AT, OK
-      DOUBLE PRECISION TSDOT
-      INTEGER NP, BUNIT, SPLANE, SAT, SC, SLOW, QOPEND, QSOME, SOME
-      PARAMETER (NP = 1, BUNIT = 86, SPLANE = 88, SAT = 88, SC = 91)
-      PARAMETER (SLOW = 96, QOPEND = 9, QSOME = 9, SOME = 32)
-      DOUBLE PRECISION SMALL
-      PARAMETER (SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION D, E(3), ERR, LOW, U(3,SOME), WIDE(3)
-      INTEGER FAR, I, J, K, N, UP, W(3), Z
-      OK = 0
-      N = MIN(IQ(QOPEND), SOME)
-      W(1) = V(1)
-      DO 20 I = 1, N
-        DO 10 K = 1, 3
-          U(K,I) = X(K,IQ(QSOME+I)) - X(K,W(1))
-   10   CONTINUE
-   20 CONTINUE
-C     the farthest one, and what is left of all
-      DO 70 J = 1, 3
-        FAR = 1
-        DO 30 I = 1, N
-          IF (TSDOT(U(1,I), U(1,I)) .GT. TSDOT(U(1,FAR), U(1,FAR)))
-     $        FAR = I
-   30   CONTINUE
-        Z = IQ(QSOME+FAR)
-        WIDE(J) = SQRT(TSDOT(U(1,FAR), U(1,FAR)))
-        IF (J .EQ. 3) GO TO 70
-        W(MOD(J,3)+1) = Z
-        IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
-        DO 40 K = 1, 3
-          E(K) = U(K,FAR)/WIDE(J)
-   40   CONTINUE
-        DO 60 I = 1, N
-          D = TSDOT(U(1,I), E)
-          DO 50 K = 1, 3
-            U(K,I) = U(K,I) - D*E(K)
-   50     CONTINUE
-   60   CONTINUE
-   70 CONTINUE
-      IF (WIDE(3) .GE. 1.0D-7*WIDE(1))
-     $  CALL TSTHRO(P, ORD, RCTL, IQ, W, Z, WIDE(1), 0, AT, OK)
-      IF (OK .EQ. 0)
-     $  CALL TSTHRO(P, ORD, RCTL, IQ, W, W(1), WIDE(1), 1, AT, OK)
-      IF (OK .EQ. 0) RETURN
-      DO 80 K = 1, 3
-        RCTL(AT+SAT+K) = X(K,W(1))
-   80 CONTINUE
-      IF (RCTL(AT+SPLANE) .LT. 0.5D0) RETURN
-C     nodes know how far down their points reach, but only that some are
-C     above: the side of a plane with more points is turned up
-      LOW = RCTL(AT+SLOW)
-      UP = 0
-      DO 90 I = 1, CTL(NP), CTL(NP)/256 + 1
-        Z = I
-        CALL TSROUG(X, RCTL, AT, Z, D, ERR)
-        IF (D .GT. ERR - LOW) UP = UP + 1
-        IF (D .LT. LOW - ERR) UP = UP - 1
-   90 CONTINUE
-      IF (UP .GE. 0) RETURN
-      DO 100 K = 1, 3
-        RCTL(AT+SC+K) = -RCTL(AT+SC+K)
-  100 CONTINUE
-C     of heights by limbs, too
-      RCTL(AT+BUNIT) = -RCTL(AT+BUNIT)
-      END
-
-C     TSDISC - seeks a support for the points that a search left open.
-C     It marks the points near the support that have no mark, or one of
-C     a support FINER times coarser, and finds the least height in each
-C     node.  The support is kept if it marks enough points, or if the
-C     facet, on no other support, is near it and so are many points:
-C     facets between near sheets lean on a plane that holds them all.
-C     KEPT is 1 if it is kept, or 0.
-      SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ,
-     $                  KEPT)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), KEPT
-      INTEGER TSCUBE
-      INTEGER NP, LEAVES, RSUPP, RPATIE, RSUP, LSUP, SPLANE, SLOW
-      INTEGER SGRAIN, DONE, SUPPS, GRAINS, OPENED, QON, QOPEND
-      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RPATIE = 8, RSUP = 10)
-      PARAMETER (LSUP = 97, SPLANE = 88, SLOW = 96)
-      PARAMETER (SGRAIN = 97, DONE = -1, SUPPS = 8, GRAINS = 134217728)
-      PARAMETER (OPENED = 24, QON = 6, QOPEND = 9)
-      DOUBLE PRECISION FINER
-      PARAMETER (FINER = 100.0D0)
-      DOUBLE PRECISION C, ERR, FINE, GRAIN, H, LOW
-      INTEGER ACROSS, ALL, AT, FIRST, I, J, K, LAST, LEAST, NEAR, NODE
-      INTEGER OK, OLD, OVER, PLANE, Z
-      KEPT = 0
-      J = INT(RCTL(RSUPP)) + 1
-      AT = RSUP + LSUP*(J - 1)
-      IF (J .EQ. 1) THEN
-        DO 10 I = 1, CTL(NP)
-          MARK(I) = 0
-   10   CONTINUE
-      END IF
-      CALL TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
-      IF (OK .EQ. 0) RETURN
-C     sample all that is near: the search's points may be from a corner
-      IQ(QOPEND) = 0
-      LOW = RCTL(AT+SLOW)
-      DO 15 I = 1, CTL(NP), CTL(NP)/1024 + 1
-        Z = I
-        CALL TSROUG(X, RCTL, AT, Z, H, ERR)
-        IF (LINK(I) .NE. DONE .AND. ABS(H) .LE. ERR - 2.0D0*LOW)
-     $      CALL TSREME(IQ, Z, 1)
-   15 CONTINUE
-      IF (IQ(QOPEND) .GT. OPENED) THEN
-        CALL TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
-        IF (OK .EQ. 0) RETURN
-      END IF
-      ACROSS = 0
-      IF (IQ(QON) .EQ. 0) ACROSS = 1
-      DO 17 K = 1, 3
-        IF (ACROSS .EQ. 1) CALL TSLEVE(X, P, ORD, MARK, RCTL, J, V(K),
-     $      H, ERR, ACROSS)
-   17 CONTINUE
-      PLANE = INT(RCTL(AT+SPLANE))
-      LOW = RCTL(AT+SLOW)
-      GRAIN = RCTL(AT+SGRAIN)
-      LEAST = CTL(NP) + 2*CTL(LEAVES)*(J - 1)
-      NEAR = 0
-      ALL = 0
-      DO 30 NODE = 2*CTL(LEAVES) - 1, 1, -1
-        OVER = 0
-        IF (NODE .LT. CTL(LEAVES)) THEN
-          FIRST = MARK(LEAST+2*NODE)
-          LAST = MARK(LEAST+2*NODE+1)
-          OVER = MAX(MOD(FIRST, 2), MOD(LAST, 2))
-          MARK(LEAST+NODE) = MIN(FIRST, LAST)/2*2 + OVER
-          GO TO 30
-        END IF
-        MARK(LEAST+NODE) = GRAINS
-        CALL TSSPAN(CTL, NODE, FIRST, LAST)
-        DO 20 I = FIRST, LAST
-          IF (LINK(I) .EQ. DONE) GO TO 20
-          Z = I
-          CALL TSROUG(X, RCTL, AT, Z, H, ERR)
-          IF (ABS(H) .LE. ERR - LOW) THEN
-            CALL HHHEIG(P, ORD, RCTL, AT, Z, PLANE, C, FINE)
-            IF (FINE .LT. ERR) THEN
-              H = C
-              ERR = FINE
-            END IF
-          END IF
-          C = (H - ERR - LOW)/GRAIN
-          K = GRAINS
-          IF (C .LT. DBLE(GRAINS)) K = INT(C)
-          IF (C .LT. 0.0D0) K = -1
-          MARK(LEAST+NODE) = MIN(MARK(LEAST+NODE), K)
-          IF (H + ERR .GT. -LOW) OVER = 1
-          IF (K .LT. 0 .OR. K .GE. GRAINS .OR. 8.0D0*ERR .GT. GRAIN)
-     $        GO TO 20
-          ALL = ALL + 1
-          IF (MARK(I) .GT. 0) THEN
-            OLD = RSUP + LSUP*MOD(MARK(I) - 1, SUPPS)
-            IF (RCTL(OLD+SGRAIN) .LE. FINER*GRAIN) GO TO 20
-          END IF
-          MARK(I) = J + SUPPS*K
-          NEAR = NEAR + 1
-   20   CONTINUE
-        MARK(LEAST+NODE) = 2*(MARK(LEAST+NODE) + 1) + OVER
-   30 CONTINUE
-      IF (NEAR .LT. 2*TSCUBE(CTL(NP)) .AND. (ACROSS .EQ. 0 .OR.
-     $    ALL .LT. CTL(NP)/16)) THEN
-        DO 40 I = 1, CTL(NP)
-          IF (MARK(I) .GT. 0 .AND. MOD(MARK(I) - J, SUPPS) .EQ. 0)
-     $        MARK(I) = 0
-   40   CONTINUE
-        RETURN
-      END IF
-      KEPT = 1
-      RCTL(RSUPP) = DBLE(J)
-      IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
-      END
-
-C     TSLEAN - finds the support that the facet is on, if any, and its
-C     tilt.  Supports that have marked its vertices come first.  A
-C     needle, or a facet that stands on its plane, leans on none.
-C
-C     The tilt's error: roundings of the edges take the tilt out of the
-C     plane.  In it, the tilt's products with the edges miss the
-C     differences of heights by r0, r1, and a vector whose products with
-C     two unit vectors are r0, r1 is no longer than (|r0| + |r1|) / sine
-C     of the angle between them.  DET errs by less than 1/100, as no
-C     needle is let through.
-C
-C     Near a sphere G is |W|**2 - 2 c.W, c = tilt / 2 - o, o = base -
-C     centre: the power in the ball of centre c, which is on the facet's
-C     axis.  L is counted from there: c takes the place of the
-C     circumcentre in the set-up.  It errs by half of the tilt's error,
-C     and by 8 EPS of the centre and the roundings of three differences
-C     in any order, each of at most EPS (|o| + 2 |at|): these make less
-C     than 8 EPS SIZE.
-      SUBROUTINE TSLEAN(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(42)
-      DOUBLE PRECISION TSDOT
-      INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QON, QAIMED
-      INTEGER QH, QDH, QTILT, QDTILT, QG, SUPPS
-      PARAMETER (RSUPP = 6, RSUP = 10, LSUP = 97, SPLANE = 88, SAT = 88)
-      PARAMETER (SC = 91, QBASE = 4, QON = 6, QAIMED = 7, QH = 95)
-      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
-      PARAMETER (SUPPS = 8)
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
-      DOUBLE PRECISION A(3,2), AB, DET, ERR(3), H(3), N(2), R, SIZE
-      DOUBLE PRECISION T(2)
-      INTEGER AT, B, I, J, K, OK, Z
-      IF (F(10) .GT. 1.0D-3) RETURN
-      DO 30 I = -2, INT(RCTL(RSUPP))
-        J = I
-        IF (I .LE. 0) THEN
-          IF (MARK(V(I+3)) .EQ. 0) GO TO 30
-          J = MOD(MARK(V(I+3)) - 1, SUPPS) + 1
-        END IF
-        DO 20 K = 1, 3
-          Z = V(MOD(IQ(QBASE) + K - 2, 3)+1)
-          CALL TSLEVE(X, P, ORD, MARK, RCTL, J, Z, H(K), ERR(K), OK)
-          IF (OK .EQ. 0) GO TO 30
-   20   CONTINUE
-        GO TO 40
-   30 CONTINUE
-      RETURN
-   40 AT = RSUP + LSUP*(J - 1)
-      FQ(QG) = TSDOT(RCTL(AT+SC+1), F)
-      IF (RCTL(AT+SPLANE) .GT. 0.0D0 .AND. ABS(FQ(QG)) .LT. 0.5D0)
-     $    RETURN
-      B = V(IQ(QBASE))
-      DO 60 I = 1, 2
-        Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
-        DO 50 K = 1, 3
-          A(K,I) = X(K,Z) - X(K,B)
-   50   CONTINUE
-        N(I) = TSDOT(A(1,I), A(1,I))
-        H(I+1) = H(I+1) - H(1)
-   60 CONTINUE
-      AB = TSDOT(A(1,1), A(1,2))
-      DET = N(1)*N(2) - AB*AB
-      IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
-      IQ(QON) = J
-      IQ(QAIMED) = 0
-      T(1) = (H(2)*N(2) - H(3)*AB)/DET
-      T(2) = (H(3)*N(1) - H(2)*AB)/DET
-      SIZE = 0.0D0
-      DO 70 K = 1, 3
-        FQ(QTILT+K) = T(1)*A(K,1) + T(2)*A(K,2)
-        SIZE = SIZE + (ABS(T(1)*A(K,1)) + ABS(T(2)*A(K,2)))
-   70 CONTINUE
-      FQ(QH) = H(1)
-      FQ(QDH) = ERR(1)
-      FQ(QDTILT) = 8.0D0*EPS*SIZE
-      DO 80 I = 1, 2
-        R = H(I+1) - TSDOT(FQ(QTILT+1), A(1,I))
-        FQ(QDTILT) = FQ(QDTILT) + (ABS(R) + ERR(1) + ERR(I+1) +
-     $      16.0D0*EPS*(ABS(H(I+1)) + ABS(H(1)) +
-     $      SIZE*SQRT(N(I))))*SQRT(1.02D0*N(3-I)/DET)
-   80 CONTINUE
-      IF (RCTL(AT+SPLANE) .GT. 0.0D0) RETURN
-      SIZE = 0.0D0
-      DO 90 K = 1, 3
-        R = F(6+K) - RCTL(AT+SAT+K)
-        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(RCTL(AT+SC+K)) +
-     $      ABS(RCTL(AT+SAT+K)))
-        F(3+K) = 0.5D0*FQ(QTILT+K) - (R - RCTL(AT+SC+K))
-   90 CONTINUE
-      F(11) = 0.6D0*FQ(QDTILT) + 8.0D0*EPS*SIZE
-      F(12) = SQRT(TSDOT(F(4), F(4)))
-      END
-
-C     TSSHAR - sharpens SIDE of the position Z, which HHLIMI did not
-C     find negative, and the limits of L, by the height of Z over the
-C     facet's support: the height gives the side for a plane, the power
-C     for a sphere.  A plane's g errs by E and some roundings.  The
-C     quotients are of numbers right to 4 EPS of themselves, as is what
-C     is left of a side of more than twice its error: PAD is more.
-      SUBROUTINE TSSHAR(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, SIDE, LO,
-     $                  HI)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108), LO, HI
-      INTEGER ORD(*), MARK(*), IQ(42), Z, SIDE
-      INTEGER RSUP, LSUP, SPLANE, QON, QH, QDH, QTILT, QDTILT, QG
-      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, QON = 6, QH = 95)
-      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
-      DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, PAD = 64.0D0*EPS)
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      PARAMETER (SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, Q(3), SIZE, U
-      INTEGER K, OK
-      CALL TSLEVE(X, P, ORD, MARK, RCTL, IQ(QON), Z, H, ERR, OK)
-      IF (OK .EQ. 0) RETURN
-      ERR = ERR + (FQ(QDH) + 16.0D0*EPS*(ABS(H) + ABS(FQ(QH))) + FAINT)
-      H = H - FQ(QH)
-      G = 0.0D0
-      SIZE = 0.0D0
-      DO 10 K = 1, 3
-        Q(K) = X(K,Z)
-        U = Q(K) - F(6+K)
-        H = H - FQ(QTILT+K)*U
-        G = G + F(K)*U
-        SIZE = SIZE + ABS(U)
-        ERR = ERR + 16.0D0*EPS*ABS(FQ(QTILT+K)*U)
-   10 CONTINUE
-      ERR = ERR + FQ(QDTILT)*SIZE
-      IF (RCTL(RSUP+LSUP*(IQ(QON)-1)+SPLANE) .GT. 0.0D0) THEN
-        IF (FQ(QG) .LT. 0.0D0) H = -H
-        IF (H + ERR .LT. 0.0D0) THEN
-          SIDE = -1
-          RETURN
-        END IF
-        U = F(10) + 32.0D0*EPS
-        LEAST = (H - ERR)/(ABS(FQ(QG)) + U)*(1.0D0 - PAD)
-        MOST = (H + ERR)/(ABS(FQ(QG)) - U)*(1.0D0 + PAD)
-        IF (LEAST .LT. SMALL) RETURN
-        LOW = -HUGE
-        HIGH = HUGE
-        CALL HHRATI(F, Q, LEAST, MOST, LOW, HIGH)
-        SIDE = 1
-      ELSE
-        LEAST = 2.0D0*(G - F(10)*SIZE)
-        MOST = 2.0D0*(G + F(10)*SIZE)
-        IF (SIDE .LE. 0 .OR. LEAST .LT. SMALL) RETURN
-        LOW = (H - ERR)/LEAST
-        IF (H .GT. ERR) LOW = (H - ERR)/MOST
-        HIGH = (H + ERR)/MOST
-        IF (H .GT. -ERR) HIGH = (H + ERR)/LEAST
-        LOW = LOW - PAD*ABS(LOW)
-        HIGH = HIGH + PAD*ABS(HIGH)
-      END IF
-      LO = MAX(LO, LOW)
-      HI = MIN(HI, HIGH)
-      END
-
-C     TSSIGH - sets up TSBEYO's test for the best point so far, whose
-C     L-coordinate is at most k.  A better point has side > 0 and N - 2
-C     k side <= 0, where N is its power in the ball of L = 0, of centre
-C     c.  So there is none where
-C         a (height - h) + q |W|**2 - d.W > 0:
-C       plane    side = G / g: a = -2 k / g, q = 1, d = 2 c + a tilt; as
-C                k may be greater, so may |a| for k > 0, and smaller for
-C                k < 0.  Without a ball a = 1 or -1, that g a < 0, q =
-C                0, d = a tilt: none is on the positive side
-C       sphere   N - 2 k side = G - 2 k side = height - h - (tilt + 2 k
-C                v).W; of G a share q is taken as |W|**2 - 2 c.W: a = 1
-C                - q, d = a tilt + 2 q c + 2 k v.  Without a ball -side,
-C                less and plus q times G: a = -q, d = a tilt + 2 q c +
-C                v.  Best is, but for a, the q for which the least of q
-C                |W|**2 - d.W is greatest
-C     Any q is valid, so errors in q do not count.  dd has room for the
-C     errors of c, tilt and v, and for 16 roundings of each term.  err
-C     has room for those of h, of a height of at most -low, and of a,
-C     which is exact but for one rounding.
-      SUBROUTINE TSSIGH(RCTL, IQ, F, FQ)
-      DOUBLE PRECISION RCTL(*), F(12), FQ(108)
-      INTEGER IQ(42)
-      INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QON, QAIMED, QHI, QH
-      INTEGER QDH, QTILT, QDTILT, QG, QTEST, TQ, TD, TDD, TA, TERR
-      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, SLOW = 96)
-      PARAMETER (QBALL = 3, QON = 6, QAIMED = 7, QHI = 2, QH = 95)
-      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
-      PARAMETER (QTEST = 101, TQ = 1, TD = 1, TDD = 5, TA = 6, TERR = 7)
-      DOUBLE PRECISION EPS, FAINT, MUCHL
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, MUCHL = 1.0D100)
-      DOUBLE PRECISION A, B, DD, Q, SUM, U, V, W
-      INTEGER AT, BALL, K
-      AT = RSUP + LSUP*(IQ(QON) - 1)
-      IQ(QAIMED) = 1
-      BALL = IQ(QBALL)
-      IF (ABS(FQ(QHI)) .GT. MUCHL) BALL = 0
-      B = 0.0D0
-      IF (RCTL(AT+SPLANE) .GT. 0.0D0) THEN
-        Q = DBLE(BALL)
-        A = -1.0D0
-        IF (FQ(QG) .LT. 0.0D0) A = 1.0D0
-        IF (BALL .EQ. 1) THEN
-          A = -2.0D0*FQ(QHI)/FQ(QG)
-          U = 4.0D0*(F(10) + 32.0D0*EPS)*A
-          IF (FQ(QHI) .LE. 0.0D0) U = -U
-          A = A + U
-        END IF
-      ELSE
-        A = DBLE(BALL)
-        B = 1.0D0
-        IF (BALL .EQ. 1) B = 2.0D0*FQ(QHI)
-        SUM = 0.0D0
-        DO 10 K = 1, 3
-          SUM = SUM - F(3+K)*(B*F(K) + A*FQ(QTILT+K))
-   10   CONTINUE
-        Q = 0.0D0
-        IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(12)*F(12))
-        IF (BALL .EQ. 1) Q = MIN(Q, 1.0D0)
-        A = A - Q
-      END IF
-      DD = ABS(A)*FQ(QDTILT) + 2.0D0*Q*F(11) + ABS(B)*F(10)
-      DO 20 K = 1, 3
-        U = A*FQ(QTILT+K)
-        V = 2.0D0*Q*F(3+K)
-        W = B*F(K)
-        FQ(QTEST+TD+K) = U + V + W
-        DD = DD + 16.0D0*EPS*(ABS(U) + ABS(V) + ABS(W))
-   20 CONTINUE
-      FQ(QTEST+TQ) = Q
-      FQ(QTEST+TDD) = DD
-      FQ(QTEST+TA) = A
-      FQ(QTEST+TERR) = ABS(A)*FQ(QDH) + 16.0D0*EPS*(ABS(A) +
-     $    Q)*(ABS(FQ(QH)) - RCTL(AT+SLOW)) + FAINT
-      END
-
-C     TSLOWE - LEAST is the least value of q |W|**2 - d.W, of the test
-C     behind FQ(T), in the box LO, HI; SIZE is the greatest |W|_1 in it.
-      SUBROUTINE TSLOWE(LO, HI, F, FQ, T, LEAST, SIZE)
-      DOUBLE PRECISION LO(*), HI(*), F(12), FQ(*), LEAST, SIZE
-      INTEGER T
-      INTEGER TQ, TD
-      PARAMETER (TQ = 1, TD = 1)
-      DOUBLE PRECISION D, H, HALF, L, Q, U
-      INTEGER K
-      LEAST = 0.0D0
-      SIZE = 0.0D0
-      Q = FQ(T+TQ)
-      HALF = 0.0D0
-      IF (Q .GT. 0.0D0) HALF = 0.5D0/Q
-      DO 10 K = 1, 3
-        L = LO(K) - F(6+K)
-        H = HI(K) - F(6+K)
-        D = FQ(T+TD+K)
-        IF (Q .GT. 0.0D0) THEN
-          U = D*HALF
-        ELSE
-          U = L
-          IF (D .GT. 0.0D0) U = H
-        END IF
-        U = MIN(MAX(U, L), H)
-        LEAST = LEAST + U*(Q*U - D)
-        SIZE = SIZE + MAX(ABS(L), ABS(H))
-   10 CONTINUE
-      END
-
-C     TSBEYO - OUT is 1 if TSSIGH's test proves that there is no
-C     candidate where q |W|**2 - d.W is at least SUM, |W|_1 is at most
-C     SIZE, and the height counts as H, to within DH; or 0.
-      SUBROUTINE TSBEYO(FQ, SUM, SIZE, H, DH, OUT)
-      DOUBLE PRECISION FQ(108), SUM, SIZE, H, DH
-      INTEGER OUT
-      INTEGER QH, QTEST, TQ, TDD, TA, TERR
-      PARAMETER (QH = 95, QTEST = 101, TQ = 1, TDD = 5, TA = 6)
-      PARAMETER (TERR = 7)
-      DOUBLE PRECISION EPS
-      PARAMETER (EPS = 2.0D0**(-52))
-      DOUBLE PRECISION A
-      A = FQ(QTEST+TA)
-      OUT = 0
-      IF (SUM + A*(H - FQ(QH)) .GT. FQ(QTEST+TERR) + ABS(A)*DH +
-     $    SIZE*(FQ(QTEST+TDD) + 16.0D0*EPS*FQ(QTEST+TQ)*SIZE)) OUT = 1
-      END
-
-C     TSPROM - OUT is 1 if the heights of a node's points prove that it
-C     holds no candidate, or 0.  A leaf is also tested by its box.
-C     Where the heights tell nothing, the box alone counts.
-      SUBROUTINE TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
-      DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(108)
-      INTEGER MARK(*), CTL(*), IQ(42), NODE, OUT
-      INTEGER TSPRUN
-      INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QON, QAIMED
-      INTEGER QTEST, TA, GRAINS
-      PARAMETER (NP = 1, LEAVES = 4, RSUP = 10, LSUP = 97, SLOW = 96)
-      PARAMETER (SGRAIN = 97, QON = 6, QAIMED = 7, QTEST = 101)
-      PARAMETER (TA = 6, GRAINS = 134217728)
-      DOUBLE PRECISION H, SIZE, SUM
-      INTEGER AT, CODE, TELLS
-      IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
-      AT = RSUP + LSUP*(IQ(QON) - 1)
-      CODE = MARK(CTL(NP)+2*CTL(LEAVES)*(IQ(QON)-1)+NODE)
-      TELLS = 1
-      IF (FQ(QTEST+TA) .LT. 0.0D0) THEN
-        IF (MOD(CODE, 2) .EQ. 1) TELLS = 0
-        H = -RCTL(AT+SLOW)
-      ELSE
-        IF (CODE .LT. 2 .OR. CODE/2 .GT. GRAINS) TELLS = 0
-        H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(CODE/2) - 1.5D0)
-      END IF
-      OUT = 0
-      IF (TELLS .EQ. 1) THEN
-        CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, FQ, QTEST, SUM, SIZE)
-        CALL TSBEYO(FQ, SUM, SIZE, H, 0.0D0, OUT)
-      END IF
-      IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)))
-     $    OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
-      END
-
-C     ------------------------------------------------------------------
-C     Cylinders.
-C
-C     On a smooth surface a box sticks out of the surface by as much as
-C     it is wide, so a ball that touches the surface meets many boxes.
-C     Along a curve a box is as wide as it is long.  A cylinder that
-C     holds a node's points (a disc on a surface, a rod on a curve) is
-C     thinner, by the ratio of the node's width to the radius of
-C     curvature, and the ball meets only a few of them, however many
-C     there are.  Cylinders are made when searches turn out to be long,
-C     for the nodes of every second level from the leaves up.  The four
-C     grandchildren of a node lie side by side and are tested at once.
-C     ------------------------------------------------------------------
-
-C     TSGROU - the number of the cylinders of the four grandchildren of
-C     a node: CYL(.,.,TSGROU) has their centres, unit axes, half
-C     lengths, radii; of each of these numbers four in a row.
-      INTEGER FUNCTION TSGROU(CTL, NODE)
-      INTEGER CTL(*), NODE
-      INTEGER LEAVES
-      PARAMETER (LEAVES = 4)
-      INTEGER LEVEL
-      LEVEL = CTL(LEAVES)/4
-      TSGROU = 1
-   10 IF (NODE .LT. LEVEL) THEN
-        TSGROU = TSGROU + LEVEL
-        LEVEL = LEVEL/4
-        GO TO 10
-      END IF
-      TSGROU = TSGROU + NODE - LEVEL
-      END
-
-C     TSENCL - makes the cylinder of a node, CYL(J,.,AT).  The axis is
-C     the column of the greatest diagonal element in the matrix of
-C     second moments about the mean (a rod) or in its adjugate (a disc),
-C     whichever gives less volume.  About another point, a plane's would
-C     not tell its normal.  SLENDR is 1 if that volume is below SLIM of
-C     the box's, or 0.  In units of the sum of |X(K)|, the differences
-C     from the mean err by EPS, their products with the axis and what is
-C     left across it by less than 40 EPS, the centre by 10 EPS: together
-C     less than 64 EPS.
-      SUBROUTINE TSENCL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
-      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
-      INTEGER CTL(*), NODE, AT, J, SLENDR
-      DOUBLE PRECISION TSDOT
-      DOUBLE PRECISION EPS, FAINT, HUGE, SLIM, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, SLIM = 0.7D0)
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      PARAMETER (SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION A(6), HI, LO, MID(3), PAD, Q(6), RR, S, U(3)
-      DOUBLE PRECISION VOLUME, Y(3)
-      INTEGER DISC, FIRST, I, K, L, LAST, M
-      CALL TSSPAN(CTL, NODE, FIRST, LAST)
-      VOLUME = HUGE
-      PAD = 0.0D0
-      DO 10 K = 1, 3
-        A(K) = 0.0D0
-        A(3+K) = 0.0D0
-        MID(K) = 0.0D0
-        PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
-     $      + SMALL
-   10 CONTINUE
-      DO 30 I = FIRST, LAST
-        DO 20 K = 1, 3
-          MID(K) = MID(K) + X(K,I)/DBLE(LAST - FIRST + 1)
-   20   CONTINUE
-   30 CONTINUE
-      DO 60 I = FIRST, LAST
-        DO 40 K = 1, 3
-          Y(K) = X(K,I) - MID(K)
-   40   CONTINUE
-        DO 50 K = 1, 3
-          A(K) = A(K) + Y(K)*Y(K)
-          A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
-   50   CONTINUE
-   60 CONTINUE
-      DO 130 DISC = 0, 1
-        DO 70 K = 1, 3
-          M = MOD(K, 3) + 1
-          L = MOD(K + 1, 3) + 1
-          Q(K) = A(K)
-          Q(3+K) = A(3+K)
-          IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
-          IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
-   70   CONTINUE
-        K = 1
-        IF (Q(2) .GT. Q(1)) K = 2
-        IF (Q(3) .GT. Q(K)) K = 3
-        M = MOD(K, 3) + 1
-        L = MOD(K + 1, 3) + 1
-        U(K) = Q(K)
-        U(M) = Q(3+L)
-        U(L) = Q(3+M)
-        S = TSDOT(U, U)
-C       too small to have a direction: any
-        IF (S .LE. FAINT) THEN
-          U(1) = 1.0D0
-          U(2) = 0.0D0
-          U(3) = 0.0D0
-          S = 1.0D0
-        END IF
-        DO 80 K = 1, 3
-          U(K) = U(K)/SQRT(S)
-   80   CONTINUE
-        LO = HUGE
-        HI = -HUGE
-        RR = 0.0D0
-        DO 110 I = FIRST, LAST
-          DO 90 K = 1, 3
-            Y(K) = X(K,I) - MID(K)
-   90     CONTINUE
-          S = TSDOT(Y, U)
-          LO = MIN(LO, S)
-          HI = MAX(HI, S)
-          DO 100 K = 1, 3
-            Y(K) = Y(K) - S*U(K)
-  100     CONTINUE
-          RR = MAX(RR, TSDOT(Y, Y))
-  110   CONTINUE
-        IF ((HI - LO)*RR .GE. VOLUME) GO TO 130
-        VOLUME = (HI - LO)*RR
-        DO 120 K = 1, 3
-          CYL(J,K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
-          CYL(J,3+K,AT) = U(K)
-  120   CONTINUE
-        CYL(J,7,AT) = 0.5D0*(HI - LO) + PAD
-        CYL(J,8,AT) = SQRT(RR) + PAD
-  130 CONTINUE
-      SLENDR = 0
-      IF (3.2D0*VOLUME .LT. SLIM*(BOX(4,NODE) - BOX(1,NODE))*
-     $    (BOX(5,NODE) - BOX(2,NODE))*(BOX(6,NODE) - BOX(3,NODE)))
-     $    SLENDR = 1
-      END
-
-C     TSECLD - makes all cylinders, or none if few leaves have slender
-C     ones.
-      SUBROUTINE TSECLD(X, BOX, CYL, CTL)
-      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
-      INTEGER CTL(*)
-      INTEGER TSGROU
-      INTEGER LEAVES, ROUND
-      PARAMETER (LEAVES = 4, ROUND = 28)
-      INTEGER I, LEVEL, NODE, SLENDR, SUM
-      CTL(ROUND) = 0
-      SUM = 0
-      LEVEL = CTL(LEAVES)/4
-   10 IF (LEVEL .GT. 0) THEN
-        DO 30 NODE = LEVEL, 2*LEVEL - 1
-          DO 20 I = 1, 4
-            CALL TSENCL(X, BOX, CTL, 4*NODE + I - 1, CYL,
-     $                  TSGROU(CTL, NODE), I, SLENDR)
-            SUM = SUM + SLENDR
-   20     CONTINUE
-   30   CONTINUE
-        IF (SUM .LT. CTL(LEAVES)/8) RETURN
-        LEVEL = LEVEL/4
-        GO TO 10
-      END IF
-      CTL(ROUND) = 2
-      END
-
-C     TSOUTS - tests the cylinders of a node's four grandchildren:
-C     PAST(I) > 0 if cylinder I provably holds no candidate.
-C
-C     A point is W + S U + P from the base, where W is the cylinder's
-C     centre, U its axis, |S| <= H, and P is across U, |P| <= R.  With G
-C     = W - C, A = |G.U|, and RHO the length of G across U, its power in
-C     the ball about C is
-C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P),
-C     The brackets are at least T (T - 2 A), where T is the lesser of A
-C     and H, and Q**2 - 2 Q RHO, where Q is the lesser of RHO and R.  So
-C     there is no candidate if the sum without 2 Q RHO is positive and
-C     its square is above 4 Q**2 RHO**2.  Without a ball the same holds
-C     for minus the side v.W, with v / 2 for C, without any squares, T =
-C     H, Q = R: then SQUARE = 0, and FAR is more than any length.
-C
-C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
-C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
-C     power, and with that of G in RHO makes 4; the power by 8 (TSPOWE);
-C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
-C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
-C     |G|**2, with room for the last two products.  Where these
-C     underflow, R >= SMALL makes the sum's error greater.
-      SUBROUTINE TSOUTS(CYL, AT, IQ, F, FQ, PAST)
-      DOUBLE PRECISION CYL(4,8,*), F(12), FQ(108), PAST(4)
-      INTEGER AT, IQ(42)
-      INTEGER QBALL, QC, QDC, QSIZE
-      PARAMETER (QBALL = 3, QC = 2, QDC = 6, QSIZE = 7)
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
-      DOUBLE PRECISION A, D(3), ERR, FAR, G1, G2, G3, GG, H, R, RHO, RR
-      DOUBLE PRECISION SIZE, SQUARE, SUM, T, W1, W2, W3
-      INTEGER I, K
-      SQUARE = DBLE(IQ(QBALL))
-      FAR = 1.0D10*(1.0D0 - SQUARE)
-      ERR = F(10) + 64.0D0*EPS
-      IF (IQ(QBALL) .EQ. 1)
-     $    ERR = 2.0D0*FQ(QDC) + 128.0D0*EPS*FQ(QSIZE)
-      DO 10 K = 1, 3
-        D(K) = 0.5D0*F(K)
-        IF (IQ(QBALL) .EQ. 1) D(K) = FQ(QC+K)
-   10 CONTINUE
-      DO 20 I = 1, 4
-        W1 = CYL(I,1,AT) - F(7)
-        W2 = CYL(I,2,AT) - F(8)
-        W3 = CYL(I,3,AT) - F(9)
-        H = CYL(I,7,AT)
-        R = CYL(I,8,AT)
-        SIZE = ABS(W1) + ABS(W2) + ABS(W3) + 2.0D0*(H + R)
-        G1 = SQUARE*W1 - D(1)
-        G2 = SQUARE*W2 - D(2)
-        G3 = SQUARE*W3 - D(3)
-        A = ABS(G1*CYL(I,4,AT) + G2*CYL(I,5,AT) + G3*CYL(I,6,AT))
-        T = MIN(A + FAR, H)
-        GG = G1*G1 + G2*G2 + G3*G3
-        RHO = GG - A*A + 64.0D0*EPS*GG
-        RR = MIN(RHO + FAR, R*R)
-        SUM = W1*(G1 - D(1)) + W2*(G2 - D(2)) + W3*(G3 - D(3)) +
-     $      T*(SQUARE*T - 2.0D0*A) + SQUARE*RR -
-     $      SIZE*(ERR + SQUARE*64.0D0*EPS*SIZE) - FAINT
-        PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
-   20 CONTINUE
-      END
-
-C     ------------------------------------------------------------------
-C     Ties.
-C
-C     Let S be the points on the sphere of an empty ball, such as that
-C     of any tetrahedron of the mesh.  The tie rule lowers heights, that
-C     of first, the point of S of least number, by far the most.  So
-C       - among points of S the mesh consists of the facets of S's hull
-C         without first, each joined to first;
-C       - a tetrahedron with its vertices in S has first for one of
-C         them: first is the least vertex of any such tetrahedron that
-C         is known;
-C       - a facet of three points of S without first, which is in S's
-C         hull, has no point of S on its open side unless first is on
-C         it: the apex is first, or none of S;
-C       - a facet (first, a, b) with points of S on its open side has
-C         one of them as its apex, as the ball is empty.  Of two, c and
-C         z, z is better if it is beyond the plane (a, b, c) seen from
-C         first, and worse if it is on first's side; in that plane the
-C         lesser e_i decides.
-C     A point of S whose star is complete is in no open facet and is no
-C     apex.  If first's star is complete, all tetrahedra of S are known;
-C     so for a new tetrahedron's S it is not.
-C
-C     A cell has all uncompleted points of S, the least number first, of
-C     a ball inside the star's list.  Only these are tested for a facet
-C     of the star.
-C     ------------------------------------------------------------------
 
 C     TSCHAL - takes Z if it is on the open side and beats the best
 C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
@@ -2579,11 +1590,11 @@ C     where that is known.
      $    CALL TSMRKD(MARK, RCTL, IQ(QON), Z, H, OK)
       OUT = 0
       IF (OK .EQ. 1) THEN
-        IF (IQ(QAIMED) .EQ. 0) CALL TSSIGH(RCTL, IQ, F, FQ)
+        IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(RCTL, IQ, F, FQ)
         Q = FQ(QTEST+TQ)
         SUM = W1*(Q*W1 - FQ(QTEST+TD+1)) + W2*(Q*W2 - FQ(QTEST+TD+2)) +
      $      W3*(Q*W3 - FQ(QTEST+TD+3))
-        CALL TSBEYO(FQ, SUM, SIZE, H,
+        CALL TSEXCL(FQ, SUM, SIZE, H,
      $              RCTL(RSUP+LSUP*(IQ(QON)-1)+SGRAIN), OUT)
       ELSE IF (IQ(QBALL) .EQ. 1) THEN
         SUM = W1*(W1 - 2.0D0*FQ(QC+1)) + W2*(W2 - 2.0D0*FQ(QC+2)) +
@@ -2592,6 +1603,73 @@ C     where that is known.
       END IF
       IF (OUT .EQ. 0)
      $    CALL TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
+      END
+
+C     TSBINB - returns 1 if the part of the ball that may hold points,
+C     the part in the root's box, lies inside the box of a list, or 0.
+C     The centre of the true ball is within dc of C, and both balls pass
+C     through the base.  So the radius is at most |C| + dc, and along an
+C     axis the ball ends within |C| + 2 dc of C.
+      INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
+      INTEGER LSI(3,2), LIST, IQ(42)
+      INTEGER TSPRPA
+      INTEGER LN, LLO, LHI, QC, QDC
+      PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
+      DOUBLE PRECISION PAD
+      PARAMETER (PAD = 64.0D0*2.0D0**(-52))
+      DOUBLE PRECISION R
+      INTEGER K
+      TSBINB = 0
+      IF (LSI(LN,LIST) .EQ. 0) RETURN
+      R = SQRT(FQ(QC+1)*FQ(QC+1) + FQ(QC+2)*FQ(QC+2) +
+     $         FQ(QC+3)*FQ(QC+3))
+      R = R*(1.0D0 + PAD) + 2.0D0*FQ(QDC)
+      DO 10 K = 1, 3
+        IF (FQ(QC+K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) THEN
+          IF (TSPRPA(BOX, IQ, F, FQ, K, BOX(K,1),
+     $        LSD(LLO+K,LIST)) .EQ. 0) RETURN
+        END IF
+        IF (FQ(QC+K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) THEN
+          IF (TSPRPA(BOX, IQ, F, FQ, K, LSD(LHI+K,LIST),
+     $        BOX(3+K,1)) .EQ. 0) RETURN
+        END IF
+   10 CONTINUE
+      TSBINB = 1
+      END
+
+C     TSBINS - the same for the margin of a star's list about the base.
+C     For a point U of the true ball, relative to the base,
+C         |U|**2 <= 2 (C.U + dc |U|) <= 2 (A + dc) |U| + 2 B,
+C     where A is the length of C without its coordinate K, and B >= 0 is
+C     the greatest value of C(K) U(K) in the root's box.  So |U| is less
+C     than margin if margin (margin - 2 A - 2 dc) >= 2 B.  The test puts
+C     margin - 2 dc for the first factor, too.  PAD times margin exceeds
+C     the roundings of A, B and the products.
+      INTEGER FUNCTION TSBINS(BOX, LSD, F, FQ)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
+      INTEGER LMARG, STR, QC, QDC
+      PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6)
+      DOUBLE PRECISION PAD
+      PARAMETER (PAD = 64.0D0*2.0D0**(-52))
+      DOUBLE PRECISION A, B, MARGIN, SQUARE(3)
+      INTEGER K
+      TSBINS = 0
+      MARGIN = LSD(LMARG,STR)*(1.0D0 - PAD) - 2.0D0*FQ(QDC)
+      DO 10 K = 1, 3
+        SQUARE(K) = FQ(QC+K)*FQ(QC+K)
+   10 CONTINUE
+      IF (MARGIN .LE. 0.0D0) RETURN
+      TSBINS = 1
+      IF (4.0D0*(SQUARE(1) + SQUARE(2) + SQUARE(3)) .LE. MARGIN*MARGIN)
+     $    RETURN
+      DO 20 K = 1, 3
+        B = MAX((BOX(3+K,1) - F(6+K))*FQ(QC+K),
+     $      (BOX(K,1) - F(6+K))*FQ(QC+K))
+        A = SQRT(SQUARE(MOD(K, 3)+1) + SQUARE(MOD(K+1, 3)+1))
+        IF (MARGIN*(MARGIN - 2.0D0*A) .GE. 2.0D0*B) RETURN
+   20 CONTINUE
+      TSBINS = 0
       END
 
 C     TSBALC - the test of a list's points against a ball of centre C,
@@ -2740,102 +1818,6 @@ C     the ball is too large for the list.
       ELSE
         CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
       END IF
-      END
-
-C     TSNEWC - makes a cell of the points exactly on the best point's
-C     ball, if all are in the star's list and none is inside.  OK is 1,
-C     or 0 if not, or if there are no ties.  The centre of TSNARR's ball
-C     is off by up to QHI - QLO, too, which matters on the negative
-C     side.
-      SUBROUTINE TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
-     $                  V, IQ, F, FQ, OK)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(108)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(42), OK
-      INTEGER HHPBAL, TSBINS
-      INTEGER NCELL, CELL0, T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI
-      INTEGER QDC, CELL, CELLS
-      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, LMARG = 13)
-      PARAMETER (STR = 2, QBEST = 1, QLIMBS = 2, QLO = 1, QHI = 2)
-      PARAMETER (QDC = 6, CELL = 12, CELLS = 4)
-      DOUBLE PRECISION MUCHL
-      PARAMETER (MUCHL = 1.0D100)
-      DOUBLE PRECISION WIDE
-      INTEGER AT, C(CELL), I, M, N, PLACE(TSLIST+1), SIDE, Z
-      OK = 0
-      IF (ABS(FQ(QHI)) .GT. MUCHL) RETURN
-      WIDE = 0.0D0
-      IF (IQ(QLIMBS) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
-      IF (WIDE .GT. LSD(LMARG,STR)) RETURN
-      FQ(QDC) = FQ(QDC) + WIDE
-      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 0) RETURN
-      CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
-      IF (N .LE. 0 .OR. N .GT. CELL) RETURN
-      M = 0
-      DO 30 I = 1, N
-        Z = LSID(PLACE(I),STR)
-        SIDE = 0
-        IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
-     $      Z .NE. IQ(QBEST)) SIDE = HHPBAL(X, P, ORD, RCTL(T3),
-     $      RCTL(T5), V(1), V(2), V(3), IQ(QBEST), Z, 0)
-        IF (SIDE .LT. 0) RETURN
-        IF (SIDE .EQ. 0) THEN
-          M = M + 1
-          C(M) = Z
-          IF (ORD(Z) .LT. ORD(C(1))) THEN
-            C(M) = C(1)
-            C(1) = Z
-          END IF
-        END IF
-   30 CONTINUE
-      IF (M .EQ. 4) RETURN
-      AT = CELL0 + (CELL + 1)*MOD(CTL(NCELL), CELLS) + 1
-      CTL(NCELL) = CTL(NCELL) + 1
-      CTL(AT) = M
-      DO 40 I = 1, M
-        CTL(AT+I) = C(I)
-   40 CONTINUE
-      OK = 1
-      END
-
-C     TSINCE - Z is the apex of the facet V if it is in a cell, or 0:
-C     see "Ties".
-      SUBROUTINE TSINCE(X, P, ORD, CTL, RCTL, V, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), Z
-      INTEGER HHPBEA, HHPSID
-      INTEGER NCELL, CELL0, T3, T5, CELL, CELLS
-      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, CELL = 12)
-      PARAMETER (CELLS = 4)
-      INTEGER AT, I, IN, J, K
-      Z = 0
-      DO 40 K = 1, MIN(CTL(NCELL), CELLS)
-        AT = CELL0 + (CELL + 1)*(K - 1) + 1
-        IN = 0
-        DO 10 I = 1, CTL(AT)
-          J = CTL(AT+I)
-          IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
-   10   CONTINUE
-        IF (IN .EQ. 2) THEN
-          DO 20 I = 1, CTL(AT)
-            J = CTL(AT+I)
-            IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
-              IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), J) .GT.
-     $            0) THEN
-                IN = -1
-                IF (Z .NE. 0) IN = HHPBEA(X, P, ORD, RCTL(T3),
-     $              RCTL(T5), V, Z, J, 1)
-                IF (IN .LT. 0) Z = J
-              END IF
-              IF (I .EQ. 1) GO TO 30
-            END IF
-   20     CONTINUE
-   30     IF (Z .NE. 0) RETURN
-        END IF
-   40 CONTINUE
       END
 
 C     TSINST - seeks the apex in the star's list.  The ball of a better
@@ -2995,9 +1977,9 @@ C     Everything below the node TOP has been searched.
      $                  IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42)
-      INTEGER TSPRUN, TSLEAF, TSGROU
-      INTEGER LEAVES, ROUND, QBALL, QBASE, QON, DEPTH
-      PARAMETER (LEAVES = 4, ROUND = 28, QBALL = 3, QBASE = 4)
+      INTEGER TSPRUN, TSLEAF, TSCYLI
+      INTEGER LEAVES, STAGE, QBALL, QBASE, QON, DEPTH
+      PARAMETER (LEAVES = 4, STAGE = 28, QBALL = 3, QBASE = 4)
       PARAMETER (QON = 6, DEPTH = 96)
       DOUBLE PRECISION LOOSE
       PARAMETER (LOOSE = 0.5D0)
@@ -3005,7 +1987,7 @@ C     Everything below the node TOP has been searched.
       INTEGER FOURS, FROM, HEIGHT, N, NEAR, NODE, OUT
       INTEGER STACK(DEPTH), TOP
       NEAR = IQ(QON)
-      FOURS = CTL(ROUND)/2
+      FOURS = CTL(STAGE)/2
       IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
      $    FOURS = 0
       TOP = CTL(LEAVES) + TSLEAF(CTL, V(IQ(QBASE))) - 1
@@ -3029,7 +2011,7 @@ C       one child alive each: FROM, as the base's star is not complete
       IF (ALIVE(NODE) .EQ. 0) GO TO 10
       IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
         N = 2*CTL(LEAVES) + 1
-        CALL TSOUTS(BOX(1,N), TSGROU(CTL, NODE), IQ, F, FQ, PAST)
+        CALL TSPRCY(BOX(1,N), TSCYLI(CTL, NODE), IQ, F, FQ, PAST)
         DO 20 N = 4, 1, -1
           IF (PAST(N) .LE. 0.0D0 .AND. 4*NODE + N - 1 .NE. FROM) THEN
             HEIGHT = HEIGHT + 1
@@ -3039,7 +2021,7 @@ C       one child alive each: FROM, as the base's star is not complete
         GO TO 10
       END IF
       IF (NEAR .NE. 0) THEN
-        CALL TSPROM(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
+        CALL TSPRHE(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
       ELSE
         OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
       END IF
@@ -3132,7 +2114,7 @@ C     longest edge.
         SE = INT(RCTL(RSCALE))
         IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, SE, V, BASE, F)
       END IF
-      IF (RCTL(RSUPP) .GT. 0.0D0) CALL TSLEAN(X, P, ORD, MARK, RCTL, V,
+      IF (RCTL(RSUPP) .GT. 0.0D0) CALL TSSUPP(X, P, ORD, MARK, RCTL, V,
      $    IQ, F, FQ)
       END
 
@@ -3147,11 +2129,11 @@ C     GUESS holds two positions to try first, or 0.
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(TSIDS,2)
       INTEGER LSI(3,2), V(3), GUESS(2), Z
       INTEGER TSCURV, TSONHU
-      INTEGER NP, LEAVES, NPLANE, NEXTPL, PLANE0, ROUND, NCELL
+      INTEGER NP, LEAVES, NPLANE, NEXTPL, PLANE0, STAGE, NCELL
       INTEGER RBURDN, RPATIE, RSCAN, QBEST, QON, QOPEND, PLANES, OPENED
       INTEGER FUTILE
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
-      PARAMETER (PLANE0 = 13, ROUND = 28, NCELL = 29)
+      PARAMETER (PLANE0 = 13, STAGE = 28, NCELL = 29)
       PARAMETER (RBURDN = 7, RPATIE = 8, RSCAN = 10, QBEST = 1)
       PARAMETER (QON = 6, QOPEND = 9, PLANES = 4, OPENED = 24)
       PARAMETER (FUTILE = 82)
@@ -3199,10 +2181,10 @@ C       time
       CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V, IQ,
      $            F, FQ)
       Z = IQ(QBEST)
-      IF (CTL(ROUND) .EQ. 1 .AND.
+      IF (CTL(STAGE) .EQ. 1 .AND.
      $    RCTL(RSCAN) .GT. SCANS*DBLE(CTL(NP))) THEN
         K = 2*CTL(LEAVES) + 1
-        CALL TSECLD(X, BOX, BOX(1,K), CTL)
+        CALL TSMCYS(X, BOX, BOX(1,K), CTL)
       END IF
       IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RPATIE) .GT. 0.0D0) THEN
         RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))/DBLE(CTL(NP))
@@ -3986,18 +2968,18 @@ C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI)
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
-      INTEGER NP, NPLANE, NEXTPL, TIED, ROUND, NCELL
+      INTEGER NP, NPLANE, NEXTPL, TIED, STAGE, NCELL
       INTEGER RSUPP, RPATIE, RSCAN, LFIRST, LLAST, LN, BLK, STR, FUTILE
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIED = 26)
       PARAMETER (FUTILE = 82)
-      PARAMETER (ROUND = 28, NCELL = 29)
+      PARAMETER (STAGE = 28, NCELL = 29)
       PARAMETER (RSUPP = 6, RPATIE = 8, RSCAN = 10, LFIRST = 1)
       PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2)
       CTL(NP) = 0
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
       CTL(TIED) = 0
-      CTL(ROUND) = 0
+      CTL(STAGE) = 0
       CTL(NCELL) = 0
       CTL(FUTILE) = 0
       RCTL(RSUPP) = 0.0D0
@@ -4403,11 +3385,11 @@ C     element of RW or IW, and the standard lets them be altered.
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSTABL
       INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW
-      INTEGER UNMET, T5, RREACH, RBURDN, RPATIE, SUPPS, ROUND
+      INTEGER UNMET, T5, RREACH, RBURDN, RPATIE, SUPPS, STAGE
       INTEGER LSUP, NEW, TSLIST, TSIDS, FULL
       PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5)
       PARAMETER (MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, UNMET = 27)
-      PARAMETER (T5 = 2, RREACH = 3, RBURDN = 7, RPATIE = 8, ROUND = 28)
+      PARAMETER (T5 = 2, RREACH = 3, RBURDN = 7, RPATIE = 8, STAGE = 28)
       PARAMETER (SUPPS = 8, LSUP = 97, NEW = -2)
       PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48, FULL = 2)
       DOUBLE PRECISION BREACH, BURDEN, PLAIN
@@ -4440,7 +3422,7 @@ C     sets, by a step of Newton's method
         LINK(I) = NEW
    10 CONTINUE
       RCTL(RBURDN) = 0.0D0
-      IF (ROOMY .EQ. 1) CTL(ROUND) = 1
+      IF (ROOMY .EQ. 1) CTL(STAGE) = 1
 C     doubles decide everything if points are in few units
       IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN)
      $    RCTL(RPATIE) = BURDEN
@@ -4800,6 +3782,1040 @@ C     recipe JOIN makes them one result.
      $    LIW, IW, LRW, RW, INFO)
       IF (INFO .LT. -1) INFO = INFO - 1
       END
+C     ------------------------------------------------------------------
+C     Supports.
+C
+C     Where many points are near one plane or sphere, the side or the
+C     power of each is noise for a facet of three of them, and no box of
+C     points is clear of the ball.  A support is such a plane or sphere,
+C     through points.  Limbs give the heights of other points over it
+C     (over a sphere, their powers) to some EPS of themselves.  Let h be
+C     the height of the base of a facet near the support, and tilt the
+C     vector in the facet's plane whose products with the facet's edges
+C     are the differences of heights.  Then
+C         G(w) = height(w) - h - tilt.w
+C     is 0 at the facet's vertices.  On a plane, G(w) is therefore g
+C     times the side of w, where g is the height of the facet's normal
+C     v.  On a sphere whose centre is at height l over the facet's
+C     plane, G(w) is the power of w in the ball of L = l, and L(w) = l +
+C     e, e = G(w) / (2 side).  Heights are that noise, but known to 1E-7
+C     of it: so they decide, point by point and node by node.
+C
+C     Globes, turned boxes and points near a plane need them: 6,000
+C     points take 6 to 8 times the instructions without.  They cost a
+C     mark a point, two integers a node for each, and a few heights by
+C     limbs once; nothing until searches turn out to be long.
+C     ------------------------------------------------------------------
+
+C     TSROUG - the height H of the position Z over the support behind
+C     RCTL(AT), in double precision.  ERR bounds its error: 8 EPS |c|
+C     for the centre, and 6 roundings.
+      SUBROUTINE TSROUG(X, RCTL, AT, Z, H, ERR)
+      DOUBLE PRECISION X(3,*), RCTL(*), H, ERR
+      INTEGER AT, Z
+      INTEGER SPLANE, SAT, SC, SSIZE
+      PARAMETER (SPLANE = 88, SAT = 88, SC = 91, SSIZE = 95)
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      DOUBLE PRECISION SIZE, U
+      INTEGER K
+      H = 0.0D0
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        U = X(K,Z) - RCTL(AT+SAT+K)
+        IF (RCTL(AT+SPLANE) .GT. 0.0D0) THEN
+          H = H + U*RCTL(AT+SC+K)
+        ELSE
+          H = H + U*(U - 2.0D0*RCTL(AT+SC+K))
+        END IF
+        SIZE = SIZE + ABS(U)
+   10 CONTINUE
+      ERR = 32.0D0*EPS*SIZE
+      IF (RCTL(AT+SPLANE) .LE. 0.0D0) ERR = ERR*(SIZE +
+     $    RCTL(AT+SSIZE))
+      ERR = ERR + FAINT
+      END
+
+C     TSMRKD - OK is 1 if the position Z has a mark of support J, or 0;
+C     H is then its height, to a grain.  A mark is off by the roundings
+C     of TSDISC, EPS GRAINS grains, and by a quarter of a grain for
+C     twice the height's error.
+      SUBROUTINE TSMRKD(MARK, RCTL, J, Z, H, OK)
+      DOUBLE PRECISION RCTL(*), H
+      INTEGER MARK(*), J, Z, OK
+      INTEGER RSUP, LSUP, SLOW, SGRAIN, SUPPS
+      PARAMETER (RSUP = 10, LSUP = 97, SLOW = 96, SGRAIN = 97)
+      PARAMETER (SUPPS = 8)
+      INTEGER AT, K
+      OK = 0
+      AT = RSUP + LSUP*(J - 1)
+      K = MARK(Z) - 1
+      IF (K .LT. 0 .OR. MOD(K, SUPPS) .NE. J - 1) RETURN
+      H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(K/SUPPS) + 0.5D0)
+      OK = 1
+      END
+
+C     TSHEOV - OK is 1 if the position Z is near support J, or 0; H is
+C     then its height, from its mark or else by limbs, and ERR bounds
+C     the error.
+      SUBROUTINE TSHEOV(X, P, ORD, MARK, RCTL, J, Z, H, ERR, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
+      INTEGER ORD(*), MARK(*), J, Z, OK
+      INTEGER RSUP, LSUP, SPLANE, SLOW, SGRAIN
+      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88)
+      PARAMETER (SLOW = 96, SGRAIN = 97)
+      INTEGER AT, PLANE
+      AT = RSUP + LSUP*(J - 1)
+      ERR = RCTL(AT+SGRAIN)
+      CALL TSMRKD(MARK, RCTL, J, Z, H, OK)
+      IF (OK .EQ. 1) RETURN
+      CALL TSROUG(X, RCTL, AT, Z, H, ERR)
+      IF (ABS(H) .GT. ERR - RCTL(AT+SLOW)) RETURN
+      PLANE = INT(RCTL(AT+SPLANE))
+      CALL HHHEIG(P, ORD, RCTL, AT, Z, PLANE, H, ERR)
+      IF (ERR .LE. RCTL(AT+SGRAIN) .AND.
+     $    ABS(H) .LE. -RCTL(AT+SLOW)) OK = 1
+      END
+
+C     TSCURV - returns 1 if the facet's support is a sphere, or 0.
+      INTEGER FUNCTION TSCURV(RCTL, IQ)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER IQ(42)
+      INTEGER RSUP, LSUP, SPLANE, QON
+      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, QON = 6)
+      TSCURV = 0
+      IF (IQ(QON) .EQ. 0) RETURN
+      IF (RCTL(RSUP+LSUP*(IQ(QON)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
+      END
+
+C     TSREME - adds Z to the sample: points that were left open or,
+C     until there are any, points of leaves that the search visited.
+C     The sample keeps SOME of them.  Once it is full, a point takes the
+C     place of another by chance, but by the same chance on every
+C     machine.  Points with a mark count, too: they may be on a finer
+C     support.
+      SUBROUTINE TSREME(IQ, Z, OPEN)
+      INTEGER IQ(42), Z, OPEN
+      INTEGER QOPEN, QOPEND, QSOME, SOME
+      PARAMETER (QOPEN = 8, QOPEND = 9, QSOME = 9, SOME = 32)
+      INTEGER PLACE
+      IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
+        IQ(QOPEN) = OPEN
+        IQ(QOPEND) = 0
+      END IF
+      IF (OPEN .LT. IQ(QOPEN)) RETURN
+      IQ(QOPEND) = IQ(QOPEND) + 1
+      PLACE = IQ(QOPEND)
+      IF (PLACE .GT. SOME)
+     $    PLACE = MOD(MOD(MOD(Z, 30269)*137, 30269), IQ(QOPEND)) + 1
+      IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
+      END
+
+C     TSTHRO - sets up a support, behind RCTL(AT), through the positions
+C     W and Z, a plane or a sphere, for a search's sample, whose extent
+C     is WIDE.  It takes heights of up to 8 times those of three
+C     quarters of the sample, or of one quarter if that is FINER times
+C     nearer: the points on one of several near sheets.  OK is 1, or 0
+C     if that is more than BAND.
+      SUBROUTINE TSTHRO(P, ORD, RCTL, IQ, W, Z, WIDE, PLANE, AT, OK)
+      DOUBLE PRECISION P(3,*), RCTL(*), WIDE
+      INTEGER ORD(*), IQ(42), W(3), Z, PLANE, AT, OK
+      INTEGER RSCALE, SPLANE, SC, SSIZE, SLOW, SGRAIN
+      INTEGER QOPEND, QSOME, SOME, GRAINS
+      PARAMETER (RSCALE = 5, SPLANE = 88, SC = 91, SSIZE = 95)
+      PARAMETER (SLOW = 96, SGRAIN = 97, QOPEND = 9, QSOME = 9)
+      PARAMETER (SOME = 32, GRAINS = 134217728)
+      DOUBLE PRECISION BAND, FINER, ROUGH
+      PARAMETER (BAND = 2.0D-8, FINER = 100.0D0, ROUGH = 1.0D-3)
+      DOUBLE PRECISION C(3), D, ERR, H(SOME), WORST
+      INTEGER I, K, N, SE
+      N = MIN(IQ(QOPEND), SOME)
+      SE = INT(RCTL(RSCALE))
+      WORST = 0.0D0
+      CALL HHCENT(P, ORD, SE, W, 1, Z, C, RCTL, AT, OK)
+      IF (OK .EQ. 0) RETURN
+      OK = 0
+      CALL HHUNIT(RCTL, AT, PLANE, C)
+      DO 20 I = 1, N
+        CALL HHHEIG(P, ORD, RCTL, AT, IQ(QSOME+I), PLANE, D, ERR)
+        D = ABS(D)
+        IF (ERR .GT. 1.0D0) RETURN
+        WORST = MAX(WORST, ERR)
+        H(I) = D
+        DO 10 K = I, 2, -1
+          IF (H(K-1) .LE. D) GO TO 20
+          H(K) = H(K-1)
+          H(K-1) = D
+   10   CONTINUE
+   20 CONTINUE
+      D = H(3*N/4+1)
+      IF (H(N/4+1) .LT. D/FINER) D = H(N/4+1)
+      D = 16.0D0*D/DBLE(GRAINS)
+      RCTL(AT+SPLANE) = DBLE(PLANE)
+      RCTL(AT+SGRAIN) = MAX(D, 8.0D0*WORST)
+      RCTL(AT+SLOW) = -0.5D0*RCTL(AT+SGRAIN)*DBLE(GRAINS)
+      RCTL(AT+SSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
+      DO 30 K = 1, 3
+        RCTL(AT+SC+K) = C(K)
+   30 CONTINUE
+      D = BAND*WIDE
+      IF (PLANE .EQ. 0) D = ROUGH*WIDE*WIDE
+      IF (-RCTL(AT+SLOW) .LE. D) OK = 1
+      END
+
+C     TSFIT - sets up a support, behind RCTL(AT), through the widest of
+C     the points that a search left open: a sphere, or a plane where the
+C     points are on none (sheets near each other are one).  OK is 1 if
+C     it is set up, or 0.
+      SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), CTL(*), V(3), IQ(42), AT, OK
+      DOUBLE PRECISION TSDOT
+      INTEGER NP, BUNIT, SPLANE, SAT, SC, SLOW, QOPEND, QSOME, SOME
+      PARAMETER (NP = 1, BUNIT = 86, SPLANE = 88, SAT = 88, SC = 91)
+      PARAMETER (SLOW = 96, QOPEND = 9, QSOME = 9, SOME = 32)
+      DOUBLE PRECISION SMALL
+      PARAMETER (SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION D, E(3), ERR, LOW, U(3,SOME), WIDE(3)
+      INTEGER FAR, I, J, K, N, UP, W(3), Z
+      OK = 0
+      N = MIN(IQ(QOPEND), SOME)
+      W(1) = V(1)
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
+          U(K,I) = X(K,IQ(QSOME+I)) - X(K,W(1))
+   10   CONTINUE
+   20 CONTINUE
+C     the farthest one, and what is left of all
+      DO 70 J = 1, 3
+        FAR = 1
+        DO 30 I = 1, N
+          IF (TSDOT(U(1,I), U(1,I)) .GT. TSDOT(U(1,FAR), U(1,FAR)))
+     $        FAR = I
+   30   CONTINUE
+        Z = IQ(QSOME+FAR)
+        WIDE(J) = SQRT(TSDOT(U(1,FAR), U(1,FAR)))
+        IF (J .EQ. 3) GO TO 70
+        W(MOD(J,3)+1) = Z
+        IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
+        DO 40 K = 1, 3
+          E(K) = U(K,FAR)/WIDE(J)
+   40   CONTINUE
+        DO 60 I = 1, N
+          D = TSDOT(U(1,I), E)
+          DO 50 K = 1, 3
+            U(K,I) = U(K,I) - D*E(K)
+   50     CONTINUE
+   60   CONTINUE
+   70 CONTINUE
+      IF (WIDE(3) .GE. 1.0D-7*WIDE(1))
+     $  CALL TSTHRO(P, ORD, RCTL, IQ, W, Z, WIDE(1), 0, AT, OK)
+      IF (OK .EQ. 0)
+     $  CALL TSTHRO(P, ORD, RCTL, IQ, W, W(1), WIDE(1), 1, AT, OK)
+      IF (OK .EQ. 0) RETURN
+      DO 80 K = 1, 3
+        RCTL(AT+SAT+K) = X(K,W(1))
+   80 CONTINUE
+      IF (RCTL(AT+SPLANE) .LT. 0.5D0) RETURN
+C     nodes know how far down their points reach, but only that some are
+C     above: the side of a plane with more points is turned up
+      LOW = RCTL(AT+SLOW)
+      UP = 0
+      DO 90 I = 1, CTL(NP), CTL(NP)/256 + 1
+        Z = I
+        CALL TSROUG(X, RCTL, AT, Z, D, ERR)
+        IF (D .GT. ERR - LOW) UP = UP + 1
+        IF (D .LT. LOW - ERR) UP = UP - 1
+   90 CONTINUE
+      IF (UP .GE. 0) RETURN
+      DO 100 K = 1, 3
+        RCTL(AT+SC+K) = -RCTL(AT+SC+K)
+  100 CONTINUE
+C     of heights by limbs, too
+      RCTL(AT+BUNIT) = -RCTL(AT+BUNIT)
+      END
+
+C     TSDISC - seeks a support for the points that a search left open.
+C     It marks the points near the support that have no mark, or one of
+C     a support FINER times coarser, and finds the least height in each
+C     node.  The support is kept if it marks enough points, or if the
+C     facet, on no other support, is near it and so are many points:
+C     facets between near sheets lean on a plane that holds them all.
+C     KEPT is 1 if it is kept, or 0.
+      SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ,
+     $                  KEPT)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), KEPT
+      INTEGER TSCUBE
+      INTEGER NP, LEAVES, RSUPP, RPATIE, RSUP, LSUP, SPLANE, SLOW
+      INTEGER SGRAIN, DONE, SUPPS, GRAINS, OPENED, QON, QOPEND
+      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RPATIE = 8, RSUP = 10)
+      PARAMETER (LSUP = 97, SPLANE = 88, SLOW = 96)
+      PARAMETER (SGRAIN = 97, DONE = -1, SUPPS = 8, GRAINS = 134217728)
+      PARAMETER (OPENED = 24, QON = 6, QOPEND = 9)
+      DOUBLE PRECISION FINER
+      PARAMETER (FINER = 100.0D0)
+      DOUBLE PRECISION C, ERR, FINE, GRAIN, H, LOW
+      INTEGER ACROSS, ALL, AT, FIRST, I, J, K, LAST, LEAST, NEAR, NODE
+      INTEGER OK, OLD, OVER, PLANE, Z
+      KEPT = 0
+      J = INT(RCTL(RSUPP)) + 1
+      AT = RSUP + LSUP*(J - 1)
+      IF (J .EQ. 1) THEN
+        DO 10 I = 1, CTL(NP)
+          MARK(I) = 0
+   10   CONTINUE
+      END IF
+      CALL TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
+      IF (OK .EQ. 0) RETURN
+C     sample all that is near: the search's points may be from a corner
+      IQ(QOPEND) = 0
+      LOW = RCTL(AT+SLOW)
+      DO 15 I = 1, CTL(NP), CTL(NP)/1024 + 1
+        Z = I
+        CALL TSROUG(X, RCTL, AT, Z, H, ERR)
+        IF (LINK(I) .NE. DONE .AND. ABS(H) .LE. ERR - 2.0D0*LOW)
+     $      CALL TSREME(IQ, Z, 1)
+   15 CONTINUE
+      IF (IQ(QOPEND) .GT. OPENED) THEN
+        CALL TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
+        IF (OK .EQ. 0) RETURN
+      END IF
+      ACROSS = 0
+      IF (IQ(QON) .EQ. 0) ACROSS = 1
+      DO 17 K = 1, 3
+        IF (ACROSS .EQ. 1) CALL TSHEOV(X, P, ORD, MARK, RCTL, J, V(K),
+     $      H, ERR, ACROSS)
+   17 CONTINUE
+      PLANE = INT(RCTL(AT+SPLANE))
+      LOW = RCTL(AT+SLOW)
+      GRAIN = RCTL(AT+SGRAIN)
+      LEAST = CTL(NP) + 2*CTL(LEAVES)*(J - 1)
+      NEAR = 0
+      ALL = 0
+      DO 30 NODE = 2*CTL(LEAVES) - 1, 1, -1
+        OVER = 0
+        IF (NODE .LT. CTL(LEAVES)) THEN
+          FIRST = MARK(LEAST+2*NODE)
+          LAST = MARK(LEAST+2*NODE+1)
+          OVER = MAX(MOD(FIRST, 2), MOD(LAST, 2))
+          MARK(LEAST+NODE) = MIN(FIRST, LAST)/2*2 + OVER
+          GO TO 30
+        END IF
+        MARK(LEAST+NODE) = GRAINS
+        CALL TSSPAN(CTL, NODE, FIRST, LAST)
+        DO 20 I = FIRST, LAST
+          IF (LINK(I) .EQ. DONE) GO TO 20
+          Z = I
+          CALL TSROUG(X, RCTL, AT, Z, H, ERR)
+          IF (ABS(H) .LE. ERR - LOW) THEN
+            CALL HHHEIG(P, ORD, RCTL, AT, Z, PLANE, C, FINE)
+            IF (FINE .LT. ERR) THEN
+              H = C
+              ERR = FINE
+            END IF
+          END IF
+          C = (H - ERR - LOW)/GRAIN
+          K = GRAINS
+          IF (C .LT. DBLE(GRAINS)) K = INT(C)
+          IF (C .LT. 0.0D0) K = -1
+          MARK(LEAST+NODE) = MIN(MARK(LEAST+NODE), K)
+          IF (H + ERR .GT. -LOW) OVER = 1
+          IF (K .LT. 0 .OR. K .GE. GRAINS .OR. 8.0D0*ERR .GT. GRAIN)
+     $        GO TO 20
+          ALL = ALL + 1
+          IF (MARK(I) .GT. 0) THEN
+            OLD = RSUP + LSUP*MOD(MARK(I) - 1, SUPPS)
+            IF (RCTL(OLD+SGRAIN) .LE. FINER*GRAIN) GO TO 20
+          END IF
+          MARK(I) = J + SUPPS*K
+          NEAR = NEAR + 1
+   20   CONTINUE
+        MARK(LEAST+NODE) = 2*(MARK(LEAST+NODE) + 1) + OVER
+   30 CONTINUE
+      IF (NEAR .LT. 2*TSCUBE(CTL(NP)) .AND. (ACROSS .EQ. 0 .OR.
+     $    ALL .LT. CTL(NP)/16)) THEN
+        DO 40 I = 1, CTL(NP)
+          IF (MARK(I) .GT. 0 .AND. MOD(MARK(I) - J, SUPPS) .EQ. 0)
+     $        MARK(I) = 0
+   40   CONTINUE
+        RETURN
+      END IF
+      KEPT = 1
+      RCTL(RSUPP) = DBLE(J)
+      IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
+      END
+
+C     TSSUPP - finds the support that the facet is on, if any, and its
+C     tilt.  Supports that have marked its vertices come first.  A
+C     needle, or a facet that stands on its plane, leans on none.
+C
+C     The tilt's error: roundings of the edges take the tilt out of the
+C     plane.  In it, the tilt's products with the edges miss the
+C     differences of heights by r0, r1, and a vector whose products with
+C     two unit vectors are r0, r1 is no longer than (|r0| + |r1|) / sine
+C     of the angle between them.  DET errs by less than 1/100, as no
+C     needle is let through.
+C
+C     Near a sphere G is |W|**2 - 2 c.W, c = tilt / 2 - o, o = base -
+C     centre: the power in the ball of centre c, which is on the facet's
+C     axis.  L is counted from there: c takes the place of the
+C     circumcentre in the set-up.  It errs by half of the tilt's error,
+C     and by 8 EPS of the centre and the roundings of three differences
+C     in any order, each of at most EPS (|o| + 2 |at|): these make less
+C     than 8 EPS SIZE.
+      SUBROUTINE TSSUPP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
+      INTEGER ORD(*), MARK(*), V(3), IQ(42)
+      DOUBLE PRECISION TSDOT
+      INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QON, QAIMED
+      INTEGER QH, QDH, QTILT, QDTILT, QG, SUPPS
+      PARAMETER (RSUPP = 6, RSUP = 10, LSUP = 97, SPLANE = 88, SAT = 88)
+      PARAMETER (SC = 91, QBASE = 4, QON = 6, QAIMED = 7, QH = 95)
+      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
+      PARAMETER (SUPPS = 8)
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      DOUBLE PRECISION A(3,2), AB, DET, ERR(3), H(3), N(2), R, SIZE
+      DOUBLE PRECISION T(2)
+      INTEGER AT, B, I, J, K, OK, Z
+      IF (F(10) .GT. 1.0D-3) RETURN
+      DO 30 I = -2, INT(RCTL(RSUPP))
+        J = I
+        IF (I .LE. 0) THEN
+          IF (MARK(V(I+3)) .EQ. 0) GO TO 30
+          J = MOD(MARK(V(I+3)) - 1, SUPPS) + 1
+        END IF
+        DO 20 K = 1, 3
+          Z = V(MOD(IQ(QBASE) + K - 2, 3)+1)
+          CALL TSHEOV(X, P, ORD, MARK, RCTL, J, Z, H(K), ERR(K), OK)
+          IF (OK .EQ. 0) GO TO 30
+   20   CONTINUE
+        GO TO 40
+   30 CONTINUE
+      RETURN
+   40 AT = RSUP + LSUP*(J - 1)
+      FQ(QG) = TSDOT(RCTL(AT+SC+1), F)
+      IF (RCTL(AT+SPLANE) .GT. 0.0D0 .AND. ABS(FQ(QG)) .LT. 0.5D0)
+     $    RETURN
+      B = V(IQ(QBASE))
+      DO 60 I = 1, 2
+        Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
+        DO 50 K = 1, 3
+          A(K,I) = X(K,Z) - X(K,B)
+   50   CONTINUE
+        N(I) = TSDOT(A(1,I), A(1,I))
+        H(I+1) = H(I+1) - H(1)
+   60 CONTINUE
+      AB = TSDOT(A(1,1), A(1,2))
+      DET = N(1)*N(2) - AB*AB
+      IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
+      IQ(QON) = J
+      IQ(QAIMED) = 0
+      T(1) = (H(2)*N(2) - H(3)*AB)/DET
+      T(2) = (H(3)*N(1) - H(2)*AB)/DET
+      SIZE = 0.0D0
+      DO 70 K = 1, 3
+        FQ(QTILT+K) = T(1)*A(K,1) + T(2)*A(K,2)
+        SIZE = SIZE + (ABS(T(1)*A(K,1)) + ABS(T(2)*A(K,2)))
+   70 CONTINUE
+      FQ(QH) = H(1)
+      FQ(QDH) = ERR(1)
+      FQ(QDTILT) = 8.0D0*EPS*SIZE
+      DO 80 I = 1, 2
+        R = H(I+1) - TSDOT(FQ(QTILT+1), A(1,I))
+        FQ(QDTILT) = FQ(QDTILT) + (ABS(R) + ERR(1) + ERR(I+1) +
+     $      16.0D0*EPS*(ABS(H(I+1)) + ABS(H(1)) +
+     $      SIZE*SQRT(N(I))))*SQRT(1.02D0*N(3-I)/DET)
+   80 CONTINUE
+      IF (RCTL(AT+SPLANE) .GT. 0.0D0) RETURN
+      SIZE = 0.0D0
+      DO 90 K = 1, 3
+        R = F(6+K) - RCTL(AT+SAT+K)
+        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(RCTL(AT+SC+K)) +
+     $      ABS(RCTL(AT+SAT+K)))
+        F(3+K) = 0.5D0*FQ(QTILT+K) - (R - RCTL(AT+SC+K))
+   90 CONTINUE
+      F(11) = 0.6D0*FQ(QDTILT) + 8.0D0*EPS*SIZE
+      F(12) = SQRT(TSDOT(F(4), F(4)))
+      END
+
+C     TSSHAR - sharpens SIDE of the position Z, which HHLIMI did not
+C     find negative, and the limits of L, by the height of Z over the
+C     facet's support: the height gives the side for a plane, the power
+C     for a sphere.  A plane's g errs by E and some roundings.  The
+C     quotients are of numbers right to 4 EPS of themselves, as is what
+C     is left of a side of more than twice its error: PAD is more.
+      SUBROUTINE TSSHAR(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, SIDE, LO,
+     $                  HI)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108), LO, HI
+      INTEGER ORD(*), MARK(*), IQ(42), Z, SIDE
+      INTEGER RSUP, LSUP, SPLANE, QON, QH, QDH, QTILT, QDTILT, QG
+      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, QON = 6, QH = 95)
+      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
+      DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, PAD = 64.0D0*EPS)
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      PARAMETER (SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, Q(3), SIZE, U
+      INTEGER K, OK
+      CALL TSHEOV(X, P, ORD, MARK, RCTL, IQ(QON), Z, H, ERR, OK)
+      IF (OK .EQ. 0) RETURN
+      ERR = ERR + (FQ(QDH) + 16.0D0*EPS*(ABS(H) + ABS(FQ(QH))) + FAINT)
+      H = H - FQ(QH)
+      G = 0.0D0
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        Q(K) = X(K,Z)
+        U = Q(K) - F(6+K)
+        H = H - FQ(QTILT+K)*U
+        G = G + F(K)*U
+        SIZE = SIZE + ABS(U)
+        ERR = ERR + 16.0D0*EPS*ABS(FQ(QTILT+K)*U)
+   10 CONTINUE
+      ERR = ERR + FQ(QDTILT)*SIZE
+      IF (RCTL(RSUP+LSUP*(IQ(QON)-1)+SPLANE) .GT. 0.0D0) THEN
+        IF (FQ(QG) .LT. 0.0D0) H = -H
+        IF (H + ERR .LT. 0.0D0) THEN
+          SIDE = -1
+          RETURN
+        END IF
+        U = F(10) + 32.0D0*EPS
+        LEAST = (H - ERR)/(ABS(FQ(QG)) + U)*(1.0D0 - PAD)
+        MOST = (H + ERR)/(ABS(FQ(QG)) - U)*(1.0D0 + PAD)
+        IF (LEAST .LT. SMALL) RETURN
+        LOW = -HUGE
+        HIGH = HUGE
+        CALL HHRATI(F, Q, LEAST, MOST, LOW, HIGH)
+        SIDE = 1
+      ELSE
+        LEAST = 2.0D0*(G - F(10)*SIZE)
+        MOST = 2.0D0*(G + F(10)*SIZE)
+        IF (SIDE .LE. 0 .OR. LEAST .LT. SMALL) RETURN
+        LOW = (H - ERR)/LEAST
+        IF (H .GT. ERR) LOW = (H - ERR)/MOST
+        HIGH = (H + ERR)/MOST
+        IF (H .GT. -ERR) HIGH = (H + ERR)/LEAST
+        LOW = LOW - PAD*ABS(LOW)
+        HIGH = HIGH + PAD*ABS(HIGH)
+      END IF
+      LO = MAX(LO, LOW)
+      HI = MIN(HI, HIGH)
+      END
+
+C     TSAIM - sets up TSEXCL's test for the best point so far, whose
+C     L-coordinate is at most k.  A better point has side > 0 and N - 2
+C     k side <= 0, where N is its power in the ball of L = 0, of centre
+C     c.  So there is none where
+C         a (height - h) + q |W|**2 - d.W > 0:
+C       plane    side = G / g: a = -2 k / g, q = 1, d = 2 c + a tilt; as
+C                k may be greater, so may |a| for k > 0, and smaller for
+C                k < 0.  Without a ball a = 1 or -1, that g a < 0, q =
+C                0, d = a tilt: none is on the positive side
+C       sphere   N - 2 k side = G - 2 k side = height - h - (tilt + 2 k
+C                v).W; of G a share q is taken as |W|**2 - 2 c.W: a = 1
+C                - q, d = a tilt + 2 q c + 2 k v.  Without a ball -side,
+C                less and plus q times G: a = -q, d = a tilt + 2 q c +
+C                v.  Best is, but for a, the q for which the least of q
+C                |W|**2 - d.W is greatest
+C     Any q is valid, so errors in q do not count.  dd has room for the
+C     errors of c, tilt and v, and for 16 roundings of each term.  err
+C     has room for those of h, of a height of at most -low, and of a,
+C     which is exact but for one rounding.
+      SUBROUTINE TSAIM(RCTL, IQ, F, FQ)
+      DOUBLE PRECISION RCTL(*), F(12), FQ(108)
+      INTEGER IQ(42)
+      INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QON, QAIMED, QHI, QH
+      INTEGER QDH, QTILT, QDTILT, QG, QTEST, TQ, TD, TDD, TA, TERR
+      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, SLOW = 96)
+      PARAMETER (QBALL = 3, QON = 6, QAIMED = 7, QHI = 2, QH = 95)
+      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
+      PARAMETER (QTEST = 101, TQ = 1, TD = 1, TDD = 5, TA = 6, TERR = 7)
+      DOUBLE PRECISION EPS, FAINT, MUCHL
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, MUCHL = 1.0D100)
+      DOUBLE PRECISION A, B, DD, Q, SUM, U, V, W
+      INTEGER AT, BALL, K
+      AT = RSUP + LSUP*(IQ(QON) - 1)
+      IQ(QAIMED) = 1
+      BALL = IQ(QBALL)
+      IF (ABS(FQ(QHI)) .GT. MUCHL) BALL = 0
+      B = 0.0D0
+      IF (RCTL(AT+SPLANE) .GT. 0.0D0) THEN
+        Q = DBLE(BALL)
+        A = -1.0D0
+        IF (FQ(QG) .LT. 0.0D0) A = 1.0D0
+        IF (BALL .EQ. 1) THEN
+          A = -2.0D0*FQ(QHI)/FQ(QG)
+          U = 4.0D0*(F(10) + 32.0D0*EPS)*A
+          IF (FQ(QHI) .LE. 0.0D0) U = -U
+          A = A + U
+        END IF
+      ELSE
+        A = DBLE(BALL)
+        B = 1.0D0
+        IF (BALL .EQ. 1) B = 2.0D0*FQ(QHI)
+        SUM = 0.0D0
+        DO 10 K = 1, 3
+          SUM = SUM - F(3+K)*(B*F(K) + A*FQ(QTILT+K))
+   10   CONTINUE
+        Q = 0.0D0
+        IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(12)*F(12))
+        IF (BALL .EQ. 1) Q = MIN(Q, 1.0D0)
+        A = A - Q
+      END IF
+      DD = ABS(A)*FQ(QDTILT) + 2.0D0*Q*F(11) + ABS(B)*F(10)
+      DO 20 K = 1, 3
+        U = A*FQ(QTILT+K)
+        V = 2.0D0*Q*F(3+K)
+        W = B*F(K)
+        FQ(QTEST+TD+K) = U + V + W
+        DD = DD + 16.0D0*EPS*(ABS(U) + ABS(V) + ABS(W))
+   20 CONTINUE
+      FQ(QTEST+TQ) = Q
+      FQ(QTEST+TDD) = DD
+      FQ(QTEST+TA) = A
+      FQ(QTEST+TERR) = ABS(A)*FQ(QDH) + 16.0D0*EPS*(ABS(A) +
+     $    Q)*(ABS(FQ(QH)) - RCTL(AT+SLOW)) + FAINT
+      END
+
+C     TSLOWE - LEAST is the least value of q |W|**2 - d.W, of the test
+C     behind FQ(T), in the box LO, HI; SIZE is the greatest |W|_1 in it.
+      SUBROUTINE TSLOWE(LO, HI, F, FQ, T, LEAST, SIZE)
+      DOUBLE PRECISION LO(*), HI(*), F(12), FQ(*), LEAST, SIZE
+      INTEGER T
+      INTEGER TQ, TD
+      PARAMETER (TQ = 1, TD = 1)
+      DOUBLE PRECISION D, H, HALF, L, Q, U
+      INTEGER K
+      LEAST = 0.0D0
+      SIZE = 0.0D0
+      Q = FQ(T+TQ)
+      HALF = 0.0D0
+      IF (Q .GT. 0.0D0) HALF = 0.5D0/Q
+      DO 10 K = 1, 3
+        L = LO(K) - F(6+K)
+        H = HI(K) - F(6+K)
+        D = FQ(T+TD+K)
+        IF (Q .GT. 0.0D0) THEN
+          U = D*HALF
+        ELSE
+          U = L
+          IF (D .GT. 0.0D0) U = H
+        END IF
+        U = MIN(MAX(U, L), H)
+        LEAST = LEAST + U*(Q*U - D)
+        SIZE = SIZE + MAX(ABS(L), ABS(H))
+   10 CONTINUE
+      END
+
+C     TSEXCL - OUT is 1 if TSAIM's test proves that there is no
+C     candidate where q |W|**2 - d.W is at least SUM, |W|_1 is at most
+C     SIZE, and the height counts as H, to within DH; or 0.
+      SUBROUTINE TSEXCL(FQ, SUM, SIZE, H, DH, OUT)
+      DOUBLE PRECISION FQ(108), SUM, SIZE, H, DH
+      INTEGER OUT
+      INTEGER QH, QTEST, TQ, TDD, TA, TERR
+      PARAMETER (QH = 95, QTEST = 101, TQ = 1, TDD = 5, TA = 6)
+      PARAMETER (TERR = 7)
+      DOUBLE PRECISION EPS
+      PARAMETER (EPS = 2.0D0**(-52))
+      DOUBLE PRECISION A
+      A = FQ(QTEST+TA)
+      OUT = 0
+      IF (SUM + A*(H - FQ(QH)) .GT. FQ(QTEST+TERR) + ABS(A)*DH +
+     $    SIZE*(FQ(QTEST+TDD) + 16.0D0*EPS*FQ(QTEST+TQ)*SIZE)) OUT = 1
+      END
+
+C     TSPRHE - OUT is 1 if the heights of a node's points prove that it
+C     holds no candidate, or 0.  A leaf is also tested by its box.
+C     Where the heights tell nothing, the box alone counts.
+      SUBROUTINE TSPRHE(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
+      DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(108)
+      INTEGER MARK(*), CTL(*), IQ(42), NODE, OUT
+      INTEGER TSPRUN
+      INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QON, QAIMED
+      INTEGER QTEST, TA, GRAINS
+      PARAMETER (NP = 1, LEAVES = 4, RSUP = 10, LSUP = 97, SLOW = 96)
+      PARAMETER (SGRAIN = 97, QON = 6, QAIMED = 7, QTEST = 101)
+      PARAMETER (TA = 6, GRAINS = 134217728)
+      DOUBLE PRECISION H, SIZE, SUM
+      INTEGER AT, CODE, TELLS
+      IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(RCTL, IQ, F, FQ)
+      AT = RSUP + LSUP*(IQ(QON) - 1)
+      CODE = MARK(CTL(NP)+2*CTL(LEAVES)*(IQ(QON)-1)+NODE)
+      TELLS = 1
+      IF (FQ(QTEST+TA) .LT. 0.0D0) THEN
+        IF (MOD(CODE, 2) .EQ. 1) TELLS = 0
+        H = -RCTL(AT+SLOW)
+      ELSE
+        IF (CODE .LT. 2 .OR. CODE/2 .GT. GRAINS) TELLS = 0
+        H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(CODE/2) - 1.5D0)
+      END IF
+      OUT = 0
+      IF (TELLS .EQ. 1) THEN
+        CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, FQ, QTEST, SUM, SIZE)
+        CALL TSEXCL(FQ, SUM, SIZE, H, 0.0D0, OUT)
+      END IF
+      IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)))
+     $    OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
+      END
+
+C     ------------------------------------------------------------------
+C     Cylinders.
+C
+C     On a smooth surface a box sticks out of the surface by as much as
+C     it is wide, so a ball that touches the surface meets many boxes.
+C     Along a curve a box is as wide as it is long.  A cylinder that
+C     holds a node's points (a disc on a surface, a rod on a curve) is
+C     thinner, by the ratio of the node's width to the radius of
+C     curvature, and the ball meets only a few of them, however many
+C     there are.  Cylinders are made when searches turn out to be long,
+C     for the nodes of every second level from the leaves up.  The four
+C     grandchildren of a node lie side by side and are tested at once.
+C
+C     6,000 points of an ellipsoid take 1.4 times the instructions
+C     without, 6,000 of boreholes 1.6, 6,000 near a plane 6 times.  They
+C     cost 11 doubles a leaf, and nothing until searches turn out to be
+C     long.
+C     ------------------------------------------------------------------
+
+C     TSCYLI - the number of the cylinders of the four grandchildren of
+C     a node: CYL(.,.,TSCYLI) has their centres, unit axes, half
+C     lengths, radii; of each of these numbers four in a row.
+      INTEGER FUNCTION TSCYLI(CTL, NODE)
+      INTEGER CTL(*), NODE
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER LEVEL
+      LEVEL = CTL(LEAVES)/4
+      TSCYLI = 1
+   10 IF (NODE .LT. LEVEL) THEN
+        TSCYLI = TSCYLI + LEVEL
+        LEVEL = LEVEL/4
+        GO TO 10
+      END IF
+      TSCYLI = TSCYLI + NODE - LEVEL
+      END
+
+C     TSMCYL - makes the cylinder of a node, CYL(J,.,AT).  The axis is
+C     the column of the greatest diagonal element in the matrix of
+C     second moments about the mean (a rod) or in its adjugate (a disc),
+C     whichever gives less volume.  About another point, a plane's would
+C     not tell its normal.  SLENDR is 1 if that volume is below SLIM of
+C     the box's, or 0.  In units of the sum of |X(K)|, the differences
+C     from the mean err by EPS, their products with the axis and what is
+C     left across it by less than 40 EPS, the centre by 10 EPS: together
+C     less than 64 EPS.
+      SUBROUTINE TSMCYL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
+      INTEGER CTL(*), NODE, AT, J, SLENDR
+      DOUBLE PRECISION TSDOT
+      DOUBLE PRECISION EPS, FAINT, HUGE, SLIM, SMALL
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, SLIM = 0.7D0)
+      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      PARAMETER (SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION A(6), HI, LO, MID(3), PAD, Q(6), RR, S, U(3)
+      DOUBLE PRECISION VOLUME, Y(3)
+      INTEGER DISC, FIRST, I, K, L, LAST, M
+      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      VOLUME = HUGE
+      PAD = 0.0D0
+      DO 10 K = 1, 3
+        A(K) = 0.0D0
+        A(3+K) = 0.0D0
+        MID(K) = 0.0D0
+        PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
+     $      + SMALL
+   10 CONTINUE
+      DO 30 I = FIRST, LAST
+        DO 20 K = 1, 3
+          MID(K) = MID(K) + X(K,I)/DBLE(LAST - FIRST + 1)
+   20   CONTINUE
+   30 CONTINUE
+      DO 60 I = FIRST, LAST
+        DO 40 K = 1, 3
+          Y(K) = X(K,I) - MID(K)
+   40   CONTINUE
+        DO 50 K = 1, 3
+          A(K) = A(K) + Y(K)*Y(K)
+          A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
+   50   CONTINUE
+   60 CONTINUE
+      DO 130 DISC = 0, 1
+        DO 70 K = 1, 3
+          M = MOD(K, 3) + 1
+          L = MOD(K + 1, 3) + 1
+          Q(K) = A(K)
+          Q(3+K) = A(3+K)
+          IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
+          IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
+   70   CONTINUE
+        K = 1
+        IF (Q(2) .GT. Q(1)) K = 2
+        IF (Q(3) .GT. Q(K)) K = 3
+        M = MOD(K, 3) + 1
+        L = MOD(K + 1, 3) + 1
+        U(K) = Q(K)
+        U(M) = Q(3+L)
+        U(L) = Q(3+M)
+        S = TSDOT(U, U)
+C       too small to have a direction: any
+        IF (S .LE. FAINT) THEN
+          U(1) = 1.0D0
+          U(2) = 0.0D0
+          U(3) = 0.0D0
+          S = 1.0D0
+        END IF
+        DO 80 K = 1, 3
+          U(K) = U(K)/SQRT(S)
+   80   CONTINUE
+        LO = HUGE
+        HI = -HUGE
+        RR = 0.0D0
+        DO 110 I = FIRST, LAST
+          DO 90 K = 1, 3
+            Y(K) = X(K,I) - MID(K)
+   90     CONTINUE
+          S = TSDOT(Y, U)
+          LO = MIN(LO, S)
+          HI = MAX(HI, S)
+          DO 100 K = 1, 3
+            Y(K) = Y(K) - S*U(K)
+  100     CONTINUE
+          RR = MAX(RR, TSDOT(Y, Y))
+  110   CONTINUE
+        IF ((HI - LO)*RR .GE. VOLUME) GO TO 130
+        VOLUME = (HI - LO)*RR
+        DO 120 K = 1, 3
+          CYL(J,K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
+          CYL(J,3+K,AT) = U(K)
+  120   CONTINUE
+        CYL(J,7,AT) = 0.5D0*(HI - LO) + PAD
+        CYL(J,8,AT) = SQRT(RR) + PAD
+  130 CONTINUE
+      SLENDR = 0
+      IF (3.2D0*VOLUME .LT. SLIM*(BOX(4,NODE) - BOX(1,NODE))*
+     $    (BOX(5,NODE) - BOX(2,NODE))*(BOX(6,NODE) - BOX(3,NODE)))
+     $    SLENDR = 1
+      END
+
+C     TSMCYS - makes all cylinders, or none if few leaves have slender
+C     ones.
+      SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
+      INTEGER CTL(*)
+      INTEGER TSCYLI
+      INTEGER LEAVES, STAGE
+      PARAMETER (LEAVES = 4, STAGE = 28)
+      INTEGER I, LEVEL, NODE, SLENDR, SUM
+      CTL(STAGE) = 0
+      SUM = 0
+      LEVEL = CTL(LEAVES)/4
+   10 IF (LEVEL .GT. 0) THEN
+        DO 30 NODE = LEVEL, 2*LEVEL - 1
+          DO 20 I = 1, 4
+            CALL TSMCYL(X, BOX, CTL, 4*NODE + I - 1, CYL,
+     $                  TSCYLI(CTL, NODE), I, SLENDR)
+            SUM = SUM + SLENDR
+   20     CONTINUE
+   30   CONTINUE
+        IF (SUM .LT. CTL(LEAVES)/8) RETURN
+        LEVEL = LEVEL/4
+        GO TO 10
+      END IF
+      CTL(STAGE) = 2
+      END
+
+C     TSPRCY - tests the cylinders of a node's four grandchildren:
+C     PAST(I) > 0 if cylinder I provably holds no candidate.
+C
+C     A point is W + S U + P from the base, where W is the cylinder's
+C     centre, U its axis, |S| <= H, and P is across U, |P| <= R.  With G
+C     = W - C, A = |G.U|, and RHO the length of G across U, its power in
+C     the ball about C is
+C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P),
+C     The brackets are at least T (T - 2 A), where T is the lesser of A
+C     and H, and Q**2 - 2 Q RHO, where Q is the lesser of RHO and R.  So
+C     there is no candidate if the sum without 2 Q RHO is positive and
+C     its square is above 4 Q**2 RHO**2.  Without a ball the same holds
+C     for minus the side v.W, with v / 2 for C, without any squares, T =
+C     H, Q = R: then SQUARE = 0, and FAR is more than any length.
+C
+C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
+C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
+C     power, and with that of G in RHO makes 4; the power by 8 (TSPOWE);
+C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
+C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
+C     |G|**2, with room for the last two products.  Where these
+C     underflow, R >= SMALL makes the sum's error greater.
+      SUBROUTINE TSPRCY(CYL, AT, IQ, F, FQ, PAST)
+      DOUBLE PRECISION CYL(4,8,*), F(12), FQ(108), PAST(4)
+      INTEGER AT, IQ(42)
+      INTEGER QBALL, QC, QDC, QSIZE
+      PARAMETER (QBALL = 3, QC = 2, QDC = 6, QSIZE = 7)
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      DOUBLE PRECISION A, D(3), ERR, FAR, G1, G2, G3, GG, H, R, RHO, RR
+      DOUBLE PRECISION SIZE, SQUARE, SUM, T, W1, W2, W3
+      INTEGER I, K
+      SQUARE = DBLE(IQ(QBALL))
+      FAR = 1.0D10*(1.0D0 - SQUARE)
+      ERR = F(10) + 64.0D0*EPS
+      IF (IQ(QBALL) .EQ. 1)
+     $    ERR = 2.0D0*FQ(QDC) + 128.0D0*EPS*FQ(QSIZE)
+      DO 10 K = 1, 3
+        D(K) = 0.5D0*F(K)
+        IF (IQ(QBALL) .EQ. 1) D(K) = FQ(QC+K)
+   10 CONTINUE
+      DO 20 I = 1, 4
+        W1 = CYL(I,1,AT) - F(7)
+        W2 = CYL(I,2,AT) - F(8)
+        W3 = CYL(I,3,AT) - F(9)
+        H = CYL(I,7,AT)
+        R = CYL(I,8,AT)
+        SIZE = ABS(W1) + ABS(W2) + ABS(W3) + 2.0D0*(H + R)
+        G1 = SQUARE*W1 - D(1)
+        G2 = SQUARE*W2 - D(2)
+        G3 = SQUARE*W3 - D(3)
+        A = ABS(G1*CYL(I,4,AT) + G2*CYL(I,5,AT) + G3*CYL(I,6,AT))
+        T = MIN(A + FAR, H)
+        GG = G1*G1 + G2*G2 + G3*G3
+        RHO = GG - A*A + 64.0D0*EPS*GG
+        RR = MIN(RHO + FAR, R*R)
+        SUM = W1*(G1 - D(1)) + W2*(G2 - D(2)) + W3*(G3 - D(3)) +
+     $      T*(SQUARE*T - 2.0D0*A) + SQUARE*RR -
+     $      SIZE*(ERR + SQUARE*64.0D0*EPS*SIZE) - FAINT
+        PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
+   20 CONTINUE
+      END
+
+C     ------------------------------------------------------------------
+C     Ties.
+C
+C     Let S be the points on the sphere of an empty ball, such as that
+C     of any tetrahedron of the mesh.  The tie rule lowers heights, that
+C     of first, the point of S of least number, by far the most.  So
+C       - among points of S the mesh consists of the facets of S's hull
+C         without first, each joined to first;
+C       - a tetrahedron with its vertices in S has first for one of
+C         them: first is the least vertex of any such tetrahedron that
+C         is known;
+C       - a facet of three points of S without first, which is in S's
+C         hull, has no point of S on its open side unless first is on
+C         it: the apex is first, or none of S;
+C       - a facet (first, a, b) with points of S on its open side has
+C         one of them as its apex, as the ball is empty.  Of two, c and
+C         z, z is better if it is beyond the plane (a, b, c) seen from
+C         first, and worse if it is on first's side; in that plane the
+C         lesser e_i decides.
+C     A point of S whose star is complete is in no open facet and is no
+C     apex.  If first's star is complete, all tetrahedra of S are known;
+C     so for a new tetrahedron's S it is not.
+C
+C     A cell has all uncompleted points of S, the least number first, of
+C     a ball inside the star's list.  Only these are tested for a facet
+C     of the star.
+C
+C     Lattices take 1.4 times the instructions without.  What has no
+C     ties never makes a cell.
+C     ------------------------------------------------------------------
+
+C     TSNEWC - makes a cell of the points exactly on the best point's
+C     ball, if all are in the star's list and none is inside.  OK is 1,
+C     or 0 if not, or if there are no ties.  The centre of TSNARR's ball
+C     is off by up to QHI - QLO, too, which matters on the negative
+C     side.
+      SUBROUTINE TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
+     $                  V, IQ, F, FQ, OK)
+      INTEGER TSLIST, TSIDS
+      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      DOUBLE PRECISION F(12), FQ(108)
+      REAL LSX(TSLIST,4,2)
+      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(42), OK
+      INTEGER HHPBAL, TSBINS
+      INTEGER NCELL, CELL0, T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI
+      INTEGER QDC, CELL, CELLS
+      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, LMARG = 13)
+      PARAMETER (STR = 2, QBEST = 1, QLIMBS = 2, QLO = 1, QHI = 2)
+      PARAMETER (QDC = 6, CELL = 12, CELLS = 4)
+      DOUBLE PRECISION MUCHL
+      PARAMETER (MUCHL = 1.0D100)
+      DOUBLE PRECISION WIDE
+      INTEGER AT, C(CELL), I, M, N, PLACE(TSLIST+1), SIDE, Z
+      OK = 0
+      IF (ABS(FQ(QHI)) .GT. MUCHL) RETURN
+      WIDE = 0.0D0
+      IF (IQ(QLIMBS) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
+      IF (WIDE .GT. LSD(LMARG,STR)) RETURN
+      FQ(QDC) = FQ(QDC) + WIDE
+      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 0) RETURN
+      CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
+      IF (N .LE. 0 .OR. N .GT. CELL) RETURN
+      M = 0
+      DO 30 I = 1, N
+        Z = LSID(PLACE(I),STR)
+        SIDE = 0
+        IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
+     $      Z .NE. IQ(QBEST)) SIDE = HHPBAL(X, P, ORD, RCTL(T3),
+     $      RCTL(T5), V(1), V(2), V(3), IQ(QBEST), Z, 0)
+        IF (SIDE .LT. 0) RETURN
+        IF (SIDE .EQ. 0) THEN
+          M = M + 1
+          C(M) = Z
+          IF (ORD(Z) .LT. ORD(C(1))) THEN
+            C(M) = C(1)
+            C(1) = Z
+          END IF
+        END IF
+   30 CONTINUE
+      IF (M .EQ. 4) RETURN
+      AT = CELL0 + (CELL + 1)*MOD(CTL(NCELL), CELLS) + 1
+      CTL(NCELL) = CTL(NCELL) + 1
+      CTL(AT) = M
+      DO 40 I = 1, M
+        CTL(AT+I) = C(I)
+   40 CONTINUE
+      OK = 1
+      END
+
+C     TSINCE - Z is the apex of the facet V if it is in a cell, or 0:
+C     see "Ties".
+      SUBROUTINE TSINCE(X, P, ORD, CTL, RCTL, V, Z)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), CTL(*), V(3), Z
+      INTEGER HHPBEA, HHPSID
+      INTEGER NCELL, CELL0, T3, T5, CELL, CELLS
+      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, CELL = 12)
+      PARAMETER (CELLS = 4)
+      INTEGER AT, I, IN, J, K
+      Z = 0
+      DO 40 K = 1, MIN(CTL(NCELL), CELLS)
+        AT = CELL0 + (CELL + 1)*(K - 1) + 1
+        IN = 0
+        DO 10 I = 1, CTL(AT)
+          J = CTL(AT+I)
+          IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
+   10   CONTINUE
+        IF (IN .EQ. 2) THEN
+          DO 20 I = 1, CTL(AT)
+            J = CTL(AT+I)
+            IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
+              IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), J) .GT.
+     $            0) THEN
+                IN = -1
+                IF (Z .NE. 0) IN = HHPBEA(X, P, ORD, RCTL(T3),
+     $              RCTL(T5), V, Z, J, 1)
+                IF (IN .LT. 0) Z = J
+              END IF
+              IF (I .EQ. 1) GO TO 30
+            END IF
+   20     CONTINUE
+   30     IF (Z .NE. 0) RETURN
+        END IF
+   40 CONTINUE
+      END
+
 C     ==================================================================
 C     What follows needs no mesh under construction, only results.
 C     ==================================================================
