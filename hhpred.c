@@ -2,16 +2,16 @@
  *
  * Order of the routines, here and in f77/hhpred.f:
  *   exact numbers     nearest zeros blank shift fill split carry signof spread
- *                     lesser volume cofactors insphere leading shares region
- *                     foot weigh limbsg limbs3 limbs10 limbsx centre certain
- *                     balanced exact
+ *                     lesser product volume cofactors determinant insphere
+ *                     leading shares region foot weigh limbs limbs3 limbs10
+ *                     limbsx centre certain balanced exact
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       filt3 filt5 filter pack scale robust hh_orient
  *                     hh_insphere hh_flat hh_line closest hh_foot hh_weigh
  *                     hh_wider hh_range apart corners decide hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
- *   balls by limbs    rows cut hh_centre evaluate offset squared level hh_trial
- *                     hh_unit hh_height hh_thin
+ *   balls by limbs    rows cut hh_centre evaluate offset level hh_trial hh_unit
+ *                     hh_height hh_thin
  *   Householder       house reflec hh_setup hh_ratio hh_limits
  *                     hh_facet hh_side hh_opp hh_lcoord hh_wrap
  */
@@ -45,7 +45,7 @@ typedef long whole;
 #define TINY 9.3326361850321888e-302   /* 2^-1000 */
 #define SHIFT (POWER5 * POWER5 * POWER5 * POWER5 * POWER5)
 #define SKIP 25
-#define LOW 1.6069380442589903e60      /* 2^200   */
+#define LOW 6.2230152778611417e-61     /* 2^-200  */
 #define DOWN (1.0 / (BASE * BASE * BASE * BASE))
 #define DOWNEXP 96
 #define CENTRE 300
@@ -56,7 +56,7 @@ typedef long whole;
 #define TINY 8.0779357e-28             /* 2^-90   */
 #define SHIFT (POWER5 * BASE * BASE)
 #define SKIP 7
-#define LOW 1048576.0                  /* 2^20    */
+#define LOW 9.5367432e-7               /* 2^-20   */
 #define DOWN (1.0 / (BASE * BASE))
 #define DOWNEXP 18
 #define CENTRE 30
@@ -74,15 +74,13 @@ typedef long whole;
  *
  * Numbers that are worked on together lie side by side: limb i of number k of
  * w is at w i + k.  Limb 0 of a product weighs BASE times the product of the
- * two limbs 0.  31 products of limbs of at most BASE fit one limb: ROWS1 rows
- * of 2 or 3 such products between two carries; ROWS2 rows of 3 where one factor
- * has been carried to at most BASE/2, or of 4 where both have.  (Limbs 0 are no
- * exception: they are at most BASE/2 for a minor, 3/4 BASE for a 3 by 3
- * determinant or a square, as the coordinates' are at most BASE/4.)
+ * two limbs 0.  31 products of limbs of at most BASE fit one limb: 10 rows of 2
+ * or 3 such products, 5 of 6, or 10 of 4 where both factors have been carried to
+ * at most BASE/2.  (Limbs 0 are no exception: they are at most BASE/2 for a
+ * minor, 3/4 BASE for a 3 by 3 determinant or a square, as the coordinates' are
+ * at most BASE/4.)
  * --------------------------------------------------------------------- */
 
-#define ROWS1 10
-#define ROWS2 20
 /* What insphere's sum may err by after HH_ROWS leading rows, which are tried
  * first. */
 #define BOUND (32.0 * HH_ROWS * BASE)
@@ -174,17 +172,18 @@ static int split(int w, const double *q, double top, int n, double *limb)
 }
 
 /* carry - reduces the limbs of w numbers, below 2^DBL_MANT_DIG, to at most
- * BASE/2, from the last one up.  Limb 0 keeps what is carried into it. */
-static void carry(int n, int w, double *r)
+ * BASE/2, from the last one up; step doubles from limb to limb.  Limb 0 keeps
+ * what is carried into it. */
+static void carry(int n, int w, int step, double *r)
 {
     double c;
     int i, k;
 
-    for (i = n - 1; i > 0; i--)
-        for (k = w * i; k < w * (i + 1); k++) {
+    for (i = n - 1, r += step * i; i > 0; i--, r -= step)
+        for (k = 0; k < w; k++) {
             c = nearest(r[k] / BASE);
             r[k] -= c * BASE;
-            r[k - w] += c;
+            r[k - step] += c;
         }
 }
 
@@ -228,95 +227,127 @@ static int lesser(int i, int k)
     return i < k ? i : k;
 }
 
-/* volume - the orientation of points a, b, c, d: minus the sign of the
- * determinant of the rows a-d, b-d, c-d, of n limbs.  x: the rows, as of
- * spread, in 21n doubles. */
-static int volume(int n, double *x)
-{
-    double *minor = x + 12 * n, *det = minor + 6 * n, *r;
-    const double *s, *t;
-    double a, b, c, ta, tb, tc;
-    int i, j, rows = 0;
+/* The products that there are of x and y, for limbs i and j of theirs: x.y; the
+ * cross product; x times the matrix y of three vectors; of vectors a, b, c, d
+ * side by side, x = y, the cross products of a, b and of c, d; a, b times the
+ * second of these and c, d times the first; the four squares, for j >= i; of
+ * numbers x0 ... x3, x1 y0 - x0 y1 + x3 y2 - x2 y3. */
+enum { DOT, CROSS, MATRIX, PAIRS, TRIPLES, SQUARES, FOUR };
 
-    zeros(9 * n, minor);
-    /* ab, bc, ac: a[0] b[1] - b[0] a[1] and so on */
-    for (i = 0, s = x; i < n; i++, s += 12) {
-        a = s[0], b = s[3], c = s[6];
-        if (a == 0.0 && b == 0.0 && c == 0.0) continue;
-        if (rows++ % ROWS1 == ROWS1 - 1) carry(2 * n, 3, minor);
-        for (j = 0, t = x, r = minor + 3 * (i + 1); j < n;
-             j++, t += 12, r += 3) {
-            ta = t[1], tb = t[4], tc = t[7];
-            r[0] += a * tb - b * ta;
-            r[1] += b * tc - c * tb;
-            r[2] += a * tc - c * ta;
+/* product - adds a product of x and y, of nx and ny limbs, to the wide[kind]
+ * numbers r, of n limbs; wx, wy and w doubles lie between two limbs.  Rows
+ * behind the n-th are left out.  r is carried where fit[kind] rows have been
+ * added, but not at the end. */
+static void product(int kind, int nx, int wx, const double *x, int ny, int wy,
+                    const double *y, int n, int w, double *r)
+{
+    static const int fit[7] = {10, 10, 10, 10, 10, 5, 10};
+    static const int used[7] = {3, 3, 3, 12, 12, 12, 4};
+    static const int wide[7] = {1, 3, 3, 6, 4, 4, 1};
+    const double *t, *end;
+    double a, b, c, d, *s;
+    int i, rows = 0;
+
+    for (i = 0; i < nx && n > 1; i++, n--, x += wx, r += w) {
+        a = x[0], b = x[1], c = x[2];
+        if (a == 0.0 && b == 0.0 && c == 0.0 && blank(used[kind], x)) continue;
+        if (rows++ == fit[kind]) {
+            carry(n, wide[kind], w, r);
+            rows = 1;
+        }
+        t = y;
+        end = y + wy * lesser(ny, n - 1);
+        s = r + w;
+        switch (kind) {
+        case DOT:
+            for (; t < end; t += wy, s += w)
+                s[0] += a * t[0] + b * t[1] + c * t[2];
+            break;
+        case PAIRS:
+            for (; t < end; t += wy, s += w) {
+                s[0] += b * t[5] - c * t[4];
+                s[1] += c * t[3] - a * t[5];
+                s[2] += a * t[4] - b * t[3];
+                s[3] += x[7] * t[11] - x[8] * t[10];
+                s[4] += x[8] * t[9] - x[6] * t[11];
+                s[5] += x[6] * t[10] - x[7] * t[9];
+            }
+            break;
+        case TRIPLES:
+            for (; t < end; t += wy, s += w) {
+                s[0] += a * t[3] + b * t[4] + c * t[5];
+                s[1] += x[3] * t[3] + x[4] * t[4] + x[5] * t[5];
+                s[2] += x[6] * t[0] + x[7] * t[1] + x[8] * t[2];
+                s[3] += x[9] * t[0] + x[10] * t[1] + x[11] * t[2];
+            }
+            break;
+        case CROSS:
+            for (; t < end; t += wy, s += w) {
+                s[0] += b * t[2] - c * t[1];
+                s[1] += c * t[0] - a * t[2];
+                s[2] += a * t[1] - b * t[0];
+            }
+            break;
+        case MATRIX:
+            for (; t < end; t += wy, s += w) {
+                s[0] += a * t[0] + b * t[3] + c * t[6];
+                s[1] += a * t[1] + b * t[4] + c * t[7];
+                s[2] += a * t[2] + b * t[5] + c * t[8];
+            }
+            break;
+        case SQUARES:
+            s += w * i;
+            for (t = x, d = 1.0; t < end; t += wy, s += w, d = 2.0) {
+                s[0] += d * (a * t[0] + b * t[1] + c * t[2]);
+                s[1] += d * (x[3] * t[3] + x[4] * t[4] + x[5] * t[5]);
+                s[2] += d * (x[6] * t[6] + x[7] * t[7] + x[8] * t[8]);
+                s[3] += d * (x[9] * t[9] + x[10] * t[10] + x[11] * t[11]);
+            }
+            break;
+        default:
+            d = x[3];
+            for (; t < end; t += wy, s += w)
+                s[0] += b * t[0] - a * t[1] + d * t[2] - c * t[3];
         }
     }
-    carry(2 * n, 3, minor);
-    rows = 0;
-    for (i = 0, s = x; i < n; i++, s += 12) {
-        a = s[2], b = s[5], c = s[8];
-        if (a == 0.0 && b == 0.0 && c == 0.0) continue;
-        if (rows++ % ROWS2 == ROWS2 - 1) carry(3 * n, 1, det);
-        for (j = 0, t = minor, r = det + i + 1; j < 2 * n; j++, t += 3, r++)
-            *r += b * t[2] - a * t[1] - c * t[0];
-    }
-    return signof(3 * n, 0.0, det);
+}
+
+/* What follows, up to weigh, evaluates points by the rows p - last, of n limbs
+ * in work, as of spread.  It may use work up to 44n doubles. */
+
+/* volume - the orientation of points a, b, c, d: minus the sign of the
+ * determinant of the rows a-d, b-d, c-d. */
+static int volume(int n, double *work, double *w)
+{
+    double *minor = work + 12 * n, *det = minor + 6 * n;
+
+    (void)w;
+    zeros(9 * n, minor);
+    product(CROSS, n, 12, work, n, 12, work + 3, 2 * n, 3, minor);
+    carry(2 * n, 3, 3, minor);
+    product(DOT, n, 12, work + 6, 2 * n, 3, minor, 3 * n, 1, det);
+    return -signof(3 * n, 0.0, det);
 }
 
 /* cofactors - computes the determinants of three of the rows a-e, b-e, c-e,
- * d-e, leaving out each row in turn, from the first depth rows of all products:
- * four numbers, side by side, of 3n limbs or of depth if that is less.  x holds
- * the rows, of n limbs, as made by spread, in 39n doubles; the determinants are
- * in the last 12n. */
-static void cofactors(int n, int depth, double *x)
+ * d-e, without b, a, d and c in turn, from the first depth rows of all products:
+ * four numbers, side by side, of 3n limbs or of depth if that is less, the last
+ * 12n of 39n doubles. */
+static void cofactors(int n, int depth, double *work)
 {
     int n2 = lesser(2 * n, depth), n3 = lesser(3 * n, depth);
-    int most, i, j, rows = 0;
-    double *minor = x + 15 * n, *det = minor + 12 * n, *r;
-    const double *s, *t;
-    double a, b, c, d, ta, tb, tc, td;
+    double *minor = work + 15 * n, *det = minor + 12 * n;
 
     zeros(6 * n2, minor);
     zeros(4 * n3, det);
-    /* ab, bc, cd, da, ac, bd */
-    for (i = 0, s = x; i < n && i < n2 - 1; i++, s += 15) {
-        a = s[0], b = s[3], c = s[6], d = s[9];
-        if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
-        if (rows++ % ROWS1 == ROWS1 - 1) carry(n2, 6, minor);
-        most = lesser(n, n2 - 1 - i);
-        for (j = 0, t = x, r = minor + 6 * (i + 1); j < most;
-             j++, t += 15, r += 6) {
-            ta = t[1], tb = t[4], tc = t[7], td = t[10];
-            r[0] += a * tb - b * ta;
-            r[1] += b * tc - c * tb;
-            r[2] += c * td - d * tc;
-            r[3] += d * ta - a * td;
-            r[4] += a * tc - c * ta;
-            r[5] += b * td - d * tb;
-        }
-    }
-    carry(n2, 6, minor);
-    rows = 0;
-    for (i = 0, s = x; i < n && i < n3 - 1; i++, s += 15) {
-        a = s[2], b = s[5], c = s[8], d = s[11];
-        if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
-        if (rows++ % ROWS2 == ROWS2 - 1) carry(n3, 4, det);
-        most = lesser(n2, n3 - 1 - i);
-        for (j = 0, t = minor, r = det + 4 * (i + 1); j < most;
-             j++, t += 6, r += 4) {
-            r[0] += b * t[2] - c * t[5] + d * t[1];
-            r[1] += a * t[2] + c * t[3] + d * t[4];
-            r[2] += a * t[5] + b * t[3] + d * t[0];
-            r[3] += a * t[1] - b * t[4] + c * t[0];
-        }
-    }
-    carry(n3, 4, det);
+    product(PAIRS, n, 15, work, n, 15, work, n2, 6, minor);
+    carry(n2, 6, 6, minor);
+    product(TRIPLES, n, 15, work, n2, 6, minor, n3, 4, det);
+    carry(n3, 4, 4, det);
 }
 
-/* insphere - the sign of the determinant of filt5, of n limbs, from the first
- * depth rows of all products; UNSURE when these do not tell.  x: the rows, as
- * of spread, in 44n doubles.
+/* determinant - the sign of the determinant of filt5, from the first depth rows
+ * of all products; UNSURE when these do not tell.
  *
  * What is lost, in units of the last of K = depth <= 10 rows: in the row behind
  * it a minor loses 2K products of limbs of at most BASE, so errs by 2K BASE;
@@ -327,42 +358,28 @@ static void cofactors(int n, int depth, double *x)
  * determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3) K BASE = 24K
  * BASE.  What follows all these adds less than a tenth, so that BOUND is
  * ample. */
-static int insphere(int n, int depth, double *x)
+static int determinant(int n, int depth, double *work)
 {
-    int n2 = lesser(2 * n, depth), n3 = lesser(3 * n, depth);
-    int n5 = lesser(5 * n, depth), most, i, j, rows = 0;
-    double *lift = x + 15 * n, *det = lift + 12 * n, *sum = det + 12 * n, *r;
-    const double *s, *t;
-    double a, b, c, d;
+    int n2 = lesser(2 * n, depth), n5 = lesser(5 * n, depth);
+    double *lift = work + 15 * n, *det = lift + 12 * n, *sum = det + 12 * n;
 
-    cofactors(n, depth, x);
+    cofactors(n, depth, work);
     zeros(4 * n2, lift);
     zeros(n5, sum);
-    /* the squares of the rows, in the place of cofactors' minors: two products
-     * of limbs i and j are taken at once */
-    for (i = 0, s = x; i < n && i < n2 - 1; i++, s += 15) {
-        if (rows++ % (ROWS1 / 2) == ROWS1 / 2 - 1) carry(n2, 4, lift);
-        most = lesser(n, n2 - 1 - i);
-        for (j = i, t = s, r = lift + 4 * (2 * i + 1); j < most;
-             j++, t += 15, r += 4) {
-            a = j > i ? 2.0 : 1.0;
-            r[0] += a * (s[0] * t[0] + s[1] * t[1] + s[2] * t[2]);
-            r[1] += a * (s[3] * t[3] + s[4] * t[4] + s[5] * t[5]);
-            r[2] += a * (s[6] * t[6] + s[7] * t[7] + s[8] * t[8]);
-            r[3] += a * (s[9] * t[9] + s[10] * t[10] + s[11] * t[11]);
-        }
-    }
-    carry(n2, 4, lift);
-    rows = 0;
-    for (i = 0, s = lift; i < n2 && i < n5 - 1; i++, s += 4) {
-        a = s[0], b = s[1], c = s[2], d = s[3];
-        if (a == 0.0 && b == 0.0 && c == 0.0 && d == 0.0) continue;
-        if (rows++ % ROWS2 == ROWS2 - 1) carry(n5, 1, sum);
-        most = lesser(n3, n5 - 1 - i);
-        for (j = 0, t = det, r = sum + i + 1; j < most; j++, t += 4, r++)
-            *r += b * t[1] - a * t[0] + d * t[3] - c * t[2];
-    }
+    product(SQUARES, n, 15, work, n, 15, work, n2, 4, lift);
+    carry(n2, 4, 4, lift);
+    product(FOUR, n2, 4, lift, lesser(3 * n, depth), 4, det, n5, 1, sum);
     return signof(n5, n5 < 5 * n ? BOUND : 0.0, sum);
+}
+
+/* insphere - determinant, of as few rows as tell. */
+static int insphere(int n, double *work, double *w)
+{
+    int sign = UNSURE;
+
+    (void)w;
+    if (5 * n > 2 * HH_ROWS) sign = determinant(n, HH_ROWS, work);
+    return sign == UNSURE ? determinant(n, 5 * n, work) : sign;
 }
 
 /* leading - the value of a carried number, in the weight of its first limb
@@ -422,62 +439,49 @@ static int region(const double *dot, const double *area)
     return 7;
 }
 
-/* foot - region, and the weights w of the vertices in that point: shares of
- * areas or, on a side, of products with it.  x: the rows b-a, c-a, q-a of a
- * triangle a, b, c, of n limbs, as of spread, in 42n doubles.  With sides s and
- * offsets o = q - vertex
- *     area[k] = (s_i.o_j) (s_k.o_i) - (s_i.o_i) (s_k.o_j), i, j, k cyclic. */
-static int foot(int n, double *x, double *w)
+/* foot - minus region, and the weights w of the vertices in that point: shares
+ * of areas or, on a side, of products with it.  The rows u, v, w = b-a, c-a, q-a
+ * of a triangle a, b, c give the products dot[3i+k] of sides u, v-u, -v and
+ * offsets w, w-u, w-v, and with sides s and offsets o
+ *     area[k] = (s_i.o_j) (s_k.o_i) - (s_i.o_i) (s_k.o_j), i, j, k cyclic:
+ * component k of the cross product of the products of s_k and of s_i. */
+static int foot(int n, double *work, double *w)
 {
-    double *dot = x + 12 * n, *area = dot + 18 * n, *r;
-    double side[9], off[9], value[12];
-    const double *s, *t;
-    int at[12], from[3], i, j, k, l, m, rest, rows = 0, set;
+    static const int pair[5][2] = {{0, 6}, {3, 6}, {0, 0}, {0, 3}, {3, 3}};
+    double *dot = work + 12 * n, *area = dot + 18 * n, *r, value[12];
+    const double *s;
+    int at[12], from[3], i, k, l, rest, set;
 
-    zeros(30 * n, dot);
-    for (i = 0, s = x; i < n; i++, s += 12) {
-        if (rows++ % ROWS1 == ROWS1 - 1) carry(2 * n, 9, dot);
-        for (k = 0; k < 3; k++) {
-            side[k] = s[k];
-            side[3 + k] = s[3 + k] - s[k];
-            side[6 + k] = -s[3 + k];
-        }
-        for (j = 0, t = x, r = dot + 9 * (i + 1); j < n; j++, t += 12) {
-            for (k = 0; k < 3; k++) {
-                off[k] = t[6 + k];
-                off[3 + k] = t[6 + k] - t[k];
-                off[6 + k] = t[6 + k] - t[3 + k];
-            }
-            for (k = 0; k < 9; k += 3)
-                for (l = 0; l < 9; l += 3)
-                    *r++ += side[k] * off[l] + side[k + 1] * off[l + 1] +
-                            side[k + 2] * off[l + 2];
-        }
+    zeros(10 * n, area);
+    for (k = 0; k < 5; k++)
+        product(DOT, n, 12, work + pair[k][0], n, 12, work + pair[k][1], 2 * n,
+                5, area + k);
+    carry(2 * n, 5, 5, area);
+    for (i = 0, r = dot, s = area; i < 2 * n; i++, r += 9, s += 5) {
+        r[0] = s[0];
+        r[1] = s[0] - s[2];
+        r[2] = s[0] - s[3];
+        r[6] = -s[1];
+        r[7] = s[3] - s[1];
+        r[8] = s[4] - s[1];
+        for (k = 0; k < 3; k++) r[3 + k] = -r[k] - r[6 + k];
     }
-    carry(2 * n, 9, dot);
-    rows = 0;
-    for (i = 0, s = dot; i < 2 * n; i++, s += 9) {
-        if (rows++ % ROWS2 == ROWS2 - 1) carry(4 * n, 3, area);
-        for (j = 0, t = dot, r = area + 3 * (i + 1); j < 2 * n;
-             j++, t += 9, r += 3)
-            for (k = 0; k < 3; k++) {
-                l = (k + 1) % 3;
-                m = (k + 2) % 3;
-                r[m] += s[3 * k + l] * t[3 * m + k] -
-                        s[4 * k] * t[3 * m + l];
-            }
+    carry(2 * n, 9, 9, dot);
+    for (k = 0; k < 9; k++) value[k] = leading(2 * n, dot + k, 9, at + k);
+    for (k = 0; k < 3; k++) {
+        zeros(12 * n, area);
+        product(CROSS, 2 * n, 9, dot + 3 * k, 2 * n, 9, dot + 3 * ((k + 1) % 3),
+                4 * n, 3, area);
+        carry(4 * n, 3, 3, area);
+        value[9 + k] = leading(4 * n, area + k, 3, at + 9 + k);
     }
-    carry(4 * n, 3, area);
-    for (k = 0; k < 12; k++)
-        value[k] = k < 9 ? leading(2 * n, dot + k, 9, at + k)
-                         : leading(4 * n, area + k - 9, 3, at + k);
     rest = set = region(value, value + 9);
     for (k = 0; k < 3; k++) {
         from[k] = 9 + k;
         w[k] = (double)(rest % 2);
         rest /= 2;
     }
-    if (set == 1 || set == 2 || set == 4) return set;
+    if (set == 1 || set == 2 || set == 4) return -set;
     for (k = 0; k < 3; k++) {
         l = (k + 1) % 3;
         if (w[(k + 2) % 3] > 0.0) continue;
@@ -489,32 +493,33 @@ static int foot(int n, double *x, double *w)
         from[k] = at[from[k]];
     }
     shares(3, from, w);
-    return set;
+    return -set;
 }
 
 /* weigh - computes the weights w of the point e in the tetrahedron a, b, c, d
  * that contains it: shares of the volumes of the four tetrahedra in which e
- * replaces a vertex.  x holds the rows a-e, b-e, c-e, d-e, of n limbs, as made
- * by spread, in 39n doubles. */
-static void weigh(int n, double *x, double *w)
+ * replaces a vertex.  Returns 0. */
+static int weigh(int n, double *work, double *w)
 {
     int at[4], k;
 
-    cofactors(n, 3 * n, x);
+    cofactors(n, 3 * n, work);
     for (k = 0; k < 4; k++)
-        w[k] = leading(3 * n, x + 27 * n + k, 4, at + k);
+        w[k ^ 1] = leading(3 * n, work + 27 * n + k, 4, at + (k ^ 1));
     shares(4, at, w);
+    return 0;
 }
 
-/* limbsg - evaluates np points q with n limbs.  For np = 4: volume, or minus
- * foot if w is not NULL.  For np = 5: insphere, or weigh and 0 if w is not
- * NULL.  UNSURE if n limbs do not hold the points.  work: 44n doubles.  Limbs 0
- * that are 0 in all rows are left out as long as the next ones can serve as
- * limbs 0. */
-static int limbsg(int np, const double *q, double top, int n, double *work,
-                  double *w)
+/* One of volume and foot, for 4 points; insphere and weigh, for 5. */
+typedef int method(int n, double *work, double *w);
+
+/* limbs - evaluates np points q with n limbs; UNSURE if these do not hold them.
+ * work: 44n doubles.  Limbs 0 that are 0 in all rows are left out as long as the
+ * next ones can serve as limbs 0. */
+static int limbs(int np, method *of, const double *q, double top, int n,
+                 double *work, double *w)
 {
-    int wide = 3 * np, used = spread(np, q, top, n, work), sign = UNSURE, k;
+    int wide = 3 * np, used = spread(np, q, top, n, work), k;
 
     if (used > n) return UNSURE;
     for (; used > 1; used--, work += wide) {
@@ -523,93 +528,71 @@ static int limbsg(int np, const double *q, double top, int n, double *work,
             k++;
         if (k < wide - 3) break;
     }
-    if (np == 4 && w) return -foot(used, work, w);
-    if (np == 4) return volume(used, work);
-    if (w) {
-        weigh(used, work, w);
-        return 0;
-    }
-    if (5 * used > 2 * HH_ROWS) sign = insphere(used, HH_ROWS, work);
-    return sign == UNSURE ? insphere(used, 5 * used, work) : sign;
+    return of(used, work, w);
 }
 
 /* Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the last one
  * serves several lengths. */
-static int limbs3(int np, const double *q, double top, double *w)
+static int limbs3(int np, method *of, const double *q, double top, double *w)
 {
     double work[44 * 3];
 
-    return limbsg(np, q, top, 3, work, w);
+    return limbs(np, of, q, top, 3, work, w);
 }
 
 #if HH_LIMBS > 10
-static int limbs10(int np, const double *q, double top, double *w)
+static int limbs10(int np, method *of, const double *q, double top, double *w)
 {
     double work[44 * 10];
 
-    return limbsg(np, q, top, 10, work, w);
+    return limbs(np, of, q, top, 10, work, w);
 }
 #endif
 
-static int limbsx(int np, const double *q, double top, double *w)
+static int limbsx(int np, method *of, const double *q, double top, double *w)
 {
     double work[44 * HH_LIMBS];
     int n = 10, sign;
 
     do {
         n = n < HH_LIMBS / 2 ? 2 * n : HH_LIMBS;
-        sign = limbsg(np, q, top, n, work, w);
+        sign = limbs(np, of, q, top, n, work, w);
     } while (sign == UNSURE && n < HH_LIMBS);
     return sign;
 }
 
-/* centre - the centre of the ball of four points q of n limbs, seen from the
- * last one: of the rows a, b, w of x, without the common limb weights,
+/* centre - the centre of the ball of four points of n limbs, seen from the last
+ * one: of the rows a, b, w of x, without the common limb weights,
  *     C = |a|^2 (b x w) + |b|^2 (w x a) + |w|^2 (a x b)
- * over twice D = a.(b x w).  At most 10 limbs, so that no sum needs a carry
- * before its end: 3n products of limbs of at most BASE, or 6n where both
- * factors have been carried.  work: 39n doubles; C, 3 numbers of 4n limbs, is
+ * over twice D = a.(b x w).  work: 39n doubles; C, 3 numbers of 4n limbs, is
  * at the beginning of it, then D of 3n limbs, and 9 numbers of 2n limbs, b x w,
  * w x a, a x b.  Returns how many limbs are 0 in all rows. */
 static int centre(int n, const double *x, double *work)
 {
     double *c = work, *d = c + 12 * n, *minor = d + 3 * n;
-    double *lift = minor + 18 * n, *l, *r;
-    const double *s, *t;
-    int first = 0, low, i, j, k;
+    double *lift = minor + 18 * n;
+    int first = 0, low, m, k;
 
     zeros(39 * n, work);
-    while (first < n - 1 && blank(9, x + 12 * first)) first++;
-    for (i = first, s = x + 12 * first; i < n; i++, s += 12)
-        for (j = first, t = x + 12 * first; j < n; j++, t += 12) {
-            r = minor + 9 * (i + j + 1);
-            l = lift + 3 * (i + j + 1);
-            r[0] += s[4] * t[8] - s[5] * t[7];
-            r[1] += s[5] * t[6] - s[3] * t[8];
-            r[2] += s[3] * t[7] - s[4] * t[6];
-            r[3] += s[7] * t[2] - s[8] * t[1];
-            r[4] += s[8] * t[0] - s[6] * t[2];
-            r[5] += s[6] * t[1] - s[7] * t[0];
-            r[6] += s[1] * t[5] - s[2] * t[4];
-            r[7] += s[2] * t[3] - s[0] * t[5];
-            r[8] += s[0] * t[4] - s[1] * t[3];
-            for (k = 0; k < 3; k++)
-                l[k] += s[3 * k] * t[3 * k] + s[3 * k + 1] * t[3 * k + 1] +
-                        s[3 * k + 2] * t[3 * k + 2];
-        }
-    carry(2 * n, 9, minor);
-    carry(2 * n, 3, lift);
+    for (; first < n - 1 && blank(9, x); x += 12) first++;
+    m = n - first;
+    for (k = 0; k < 9; k += 3) {
+        product(CROSS, m, 12, x + (k + 3) % 9, m, 12, x + (k + 6) % 9, 2 * m, 9,
+                minor + 18 * first + k);
+        product(DOT, m, 12, x + k, m, 12, x + k, 2 * m, 3,
+                lift + 6 * first + k / 3);
+    }
+    carry(2 * n, 9, 9, minor);
+    carry(2 * n, 3, 3, lift);
     /* two carries reach two limbs up from the first product */
     low = first > 0 ? 2 * first - 1 : 0;
-    for (i = first, s = x + 12 * first; i < n; i++, s += 12)
-        for (j = low, t = minor + 9 * low; j < 2 * n; j++, t += 9)
-            d[i + j + 1] += s[0] * t[0] + s[1] * t[1] + s[2] * t[2];
-    for (i = low, s = lift + 3 * low; i < 2 * n; i++, s += 3)
-        for (j = low, t = minor + 9 * low; j < 2 * n; j++, t += 9)
-            for (k = 0, r = c + 3 * (i + j + 1); k < 3; k++)
-                r[k] += s[0] * t[k] + s[1] * t[3 + k] + s[2] * t[6 + k];
-    carry(4 * n, 3, c);
-    carry(3 * n, 1, d);
+    minor += 9 * low;
+    product(DOT, m, 12, x, 2 * n - low, 9, minor, 3 * n - first - low, 1,
+            d + first + low);
+    product(MATRIX, 2 * n - low, 3, lift + 3 * low, 2 * n - low, 9, minor,
+            4 * n - 2 * low, 3, c + 6 * low);
+    carry(4 * n, 3, 3, c);
+    carry(3 * n, 1, 1, d);
     return first;
 }
 
@@ -680,21 +663,21 @@ static int balanced(int np, const double *q)
 }
 #endif
 
-/* exact - limbsg with as many limbs as it takes; most is the largest absolute
- * value of q, which it alters. */
-static int exact(int np, double *q, double most, double *w)
+/* exact - limbs, as many as it takes; most is the largest absolute value of q,
+ * which it alters. */
+static int exact(int np, method *of, double *q, double most, double *w)
 {
     double top, factor;
     int sign;
 
     if (most == 0.0) return 0;
     top = fill(3 * np, q, most, &factor);
-    sign = limbs3(np, q, top, w);
+    sign = limbs3(np, of, q, top, w);
 #if HH_LIMBS > 10
-    if (sign == UNSURE) sign = limbs10(np, q, top, w);
+    if (sign == UNSURE) sign = limbs10(np, of, q, top, w);
     if (sign == UNSURE && !w) sign = balanced(np, q);
 #endif
-    if (sign == UNSURE) sign = limbsx(np, q, top, w);
+    if (sign == UNSURE) sign = limbsx(np, of, q, top, w);
     return sign;
 }
 
@@ -926,7 +909,7 @@ static int robust(int np, const tess_real *const *p)
         return UNSURE;
     scale(3 * np, most, q, s);
     sign = filter(np, s, -1.0);
-    if (sign == UNSURE && held(np, p)) sign = exact(np, q, most, NULL);
+    if (sign == UNSURE && held(np, p)) sign = exact(np, np == 4 ? volume : insphere, q, most, NULL);
     return sign;
 }
 
@@ -973,8 +956,9 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
     double det = bi * ck - bk * ci;
     double err = 8.0 * DBL_EPSILON * (fabs(bi * ck) + fabs(bk * ci));
 
-    /* as in filt3; below LOW, underflow does less than 1/SHIFT */
-    if (fabs(bi) < LOW && fabs(ck) < LOW && fabs(bk) < LOW && fabs(ci) < LOW) {
+    /* as in filt3; below 1/LOW, underflow does less than 1/SHIFT */
+    if (fabs(bi) < 1.0 / LOW && fabs(ck) < 1.0 / LOW &&
+        fabs(bk) < 1.0 / LOW && fabs(ci) < 1.0 / LOW) {
         if (det > err + 1.0 / SHIFT) return 1;
         if (det < -err - 1.0 / SHIFT) return -1;
     }
@@ -987,7 +971,7 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
     for (k = 0; k < 3; k++) q[9 + k] = q[k];
     q[axis] = q[3 + axis] = q[6 + axis] = 0.0;
     q[9 + axis] = most;
-    return exact(4, q, most, NULL);
+    return exact(4, volume, q, most, NULL);
 }
 
 /* hh_line - returns 1 if a, b, c are exactly collinear. */
@@ -1058,7 +1042,7 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
         set = closest(s);
     }
     if (set == 0 && held(4, p)) {
-        set = -exact(4, x, most, w ? w : any);
+        set = -exact(4, foot, x, most, w ? w : any);
         if (set == -UNSURE) set = 0;
     }
     return set;
@@ -1079,7 +1063,7 @@ int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
 
     for (k = 0; k < 4; k++) r[k] = p + 3 * (size_t)v[k];
     r[4] = q;
-    return held(5, r) ? exact(5, x, pack(5, r, x), w) : UNSURE;
+    return held(5, r) ? exact(5, weigh, x, pack(5, r, x), w) : UNSURE;
 }
 
 /* hh_wider - the exact sign of (a-b) - (c-d), for a >= b and c >= d.  Where
@@ -1102,7 +1086,7 @@ int hh_wider(double a, double b, double c, double d)
     q[11] = c;
     for (k = 2; k < 12; k += 3) m = fabs(q[k]) > m ? fabs(q[k]) : m;
     q[3] = q[4] = q[6] = q[10] = m;
-    return exact(4, q, m, NULL);
+    return exact(4, volume, q, m, NULL);
 }
 
 /* hh_range - 0 when HH_LIMBS limbs hold x beside coordinates of absolute
@@ -1163,7 +1147,8 @@ static int decide(const hh_set *s, int np, const tess_int *v)
     }
     /* the corners of a box are on one sphere */
     if (corners(np, p, q)) return np == 5 ? 0 : filter(4, q, 64.0);
-    return exact(np, q, pack(np, p, q), NULL);
+    return exact(np, np == 4 ? volume : insphere, q, pack(np, p, q),
+                 NULL);
 }
 
 /* hh_pside - hh_orient for the positions i, j, k, l of the set s. */
@@ -1397,20 +1382,6 @@ static int offset(const hh_set *s, const hh_ball *t, tess_int z, double *u)
     return 1;
 }
 
-/* squared - l = |u|^2, of n limbs. */
-static void squared(int n, int first, const double *u, double *l)
-{
-    const double *x;
-    int i, j;
-
-    zeros(2 * n, l);
-    for (i = first; i < n; i++)
-        for (j = first, x = u + 3 * j; j < n; j++, x += 3)
-            l[i + j + 1] += u[3 * i] * x[0] + u[3 * i + 1] * x[1] +
-                            u[3 * i + 2] * x[2];
-    carry(2 * n, 1, l);
-}
-
 /* level - sum = the leading limbs of the height of the position z below the
  * plane of a ball's facet, if plane is 1, else of its power in the ball: see
  * evaluate.  Returns 0 where the limbs do not hold it. */
@@ -1420,7 +1391,11 @@ static int level(const hh_set *s, const hh_ball *t, tess_int z, int plane,
     double u[3 * HH_FEW], l[2 * HH_FEW];
 
     if (!offset(s, t, z, u)) return 0;
-    if (!plane) squared(t->n, t->first, u, l);
+    if (!plane) {
+        zeros(2 * t->n, l);
+        product(DOT, t->n, 3, u, t->n, 3, u, 2 * t->n, 1, l);
+        carry(2 * t->n, 1, 1, l);
+    }
     evaluate(plane ? t->side : t->power, t->n, t->first, u, l, sum);
     return 1;
 }
@@ -1483,7 +1458,7 @@ double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
 
     *err = DBL_MAX;
     if (!level(s, t, z, plane, sum)) return 0.0;
-    carry(HH_ROWS + 1, 1, sum);
+    carry(HH_ROWS + 1, 1, 1, sum);
     h = leading(HH_ROWS + 1, sum, 1, &at);
     h = ldexp(h / t->unit, t->bits - at * HH_BITS);
     *err = 16.0 * DBL_EPSILON * fabs(h) +

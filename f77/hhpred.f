@@ -25,11 +25,12 @@ C
 C     The routines of hhpred.c, in its order, and their names here:
 C       exact numbers: frexp HHFREX, ldexp HHLDEX, nearest HHNEAR,
 C         zeros HHZERO, fill HHFILL, split HHSPLI, carry HHCARR,
-C         signof HHSIGN, spread HHSPRE, volume HHVOLU,
-C         cofactors HHCOFA, insphere HHISPH, leading HHLEAD,
-C         shares HHSHAR, region HHREGI, foot HHFT, weigh HHWGH,
-C         limbsg HHLIMB, limbs3 HHLIM3, limbs10 HHLIMT, limbsx HHLIMX,
-C         centre HHCNTR, certain HHCERT, balanced HHBALA, exact HHEXAC
+C         signof HHSIGN, spread HHSPRE, product HHPROD, volume HHVOLU,
+C         cofactors HHCOFA, determinant HHDETE, insphere HHISPH,
+C         leading HHLEAD, shares HHSHAR, region HHREGI, foot HHFT,
+C         weigh HHWGH, limbs HHLIMB, limbs3 HHLIM3, limbs10 HHLIMT,
+C         limbsx HHLIMX, centre HHCNTR, certain HHCERT,
+C         balanced HHBALA, exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
 C       exact signs: filt3 HHFIL3, filt5 HHFIL5, filter HHFILT,
@@ -41,7 +42,7 @@ C         corners HHCORN, decide HHDECI, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
-C         evaluate HHEVAL, offset HHOFFS, squared HHSQUA, level HHLEVE,
+C         evaluate HHEVAL, offset HHOFFS, level HHLEVE,
 C         hh_trial HHTRIA, hh_unit HHUNIT, hh_height HHHEIG,
 C         hh_thin HHTHIN
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
@@ -70,7 +71,7 @@ C       HHLIM   (HH_LIMBS) exact numbers are arrays of at most HHLIM
 C               limbs.  The default holds every finite double beside
 C               every other.  With fewer, 3 at least, HHORIE and HHINSP
 C               return 2 when they do not suffice.  Scratch, in
-C               doubles: 50 a limb; 35 KB for 88 limbs, in routines
+C               doubles: 44 a limb; 31 KB for 88 limbs, in routines
 C               entered only when 3, then 10 limbs do not suffice.  To
 C               choose another number change it in HHLIMX, HHEXAC,
 C               HHRANG and TSINRA (tess.f).
@@ -110,12 +111,11 @@ C
 C     Numbers that are worked on together lie side by side: limb I of
 C     number K of W is at W (I-1) + K.  Limb 1 of a product weighs BASE
 C     times the product of the two limbs 1.  31 products of limbs of at
-C     most BASE fit one limb: ROWS1 rows of 2 or 3 such products between
-C     two carries; ROWS2 rows of 3 where one factor has been carried to
-C     at most BASE/2, or of 4 where both have.  (Limbs 1 are no
-C     exception: they are at most BASE/2 for a minor, 3/4 BASE for a 3
-C     by 3 determinant or a square, as the coordinates' are at most
-C     BASE/4.)
+C     most BASE fit one limb: 10 rows of 2 or 3 such products, 5 of 6,
+C     or 10 of 4 where both factors have been carried to at most BASE/2.
+C     (Limbs 1 are no exception: they are at most BASE/2 for a minor,
+C     3/4 BASE for a 3 by 3 determinant or a square, as the coordinates'
+C     are at most BASE/4.)
 C     ------------------------------------------------------------------
 
 C     HHFREX - for C's frexp, which Fortran 77 lacks: the integer E with
@@ -217,7 +217,7 @@ C     the limb.
       INTEGER BITS
       PARAMETER (BITS = 24)
       DOUBLE PRECISION SHIFT, LOW
-      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**200)
+      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**(-200))
       INTEGER I, K
       FACTOR = 1.0D0
       IF (MOST .LT. LOW) THEN
@@ -290,10 +290,10 @@ C     these limbs.
       END
 
 C     HHCARR - reduces the limbs of W numbers, below 2**53, to at most
-C     BASE/2, from the last one up.  Limb 1 keeps what is carried into
-C     it.
-      SUBROUTINE HHCARR(N, W, R)
-      INTEGER N, W
+C     BASE/2, from the last one up; STEP doubles from limb to limb.
+C     Limb 1 keeps what is carried into it.
+      SUBROUTINE HHCARR(N, W, STEP, R)
+      INTEGER N, W, STEP
       DOUBLE PRECISION R(*)
       DOUBLE PRECISION HHNEAR
       DOUBLE PRECISION BASE
@@ -301,10 +301,10 @@ C     it.
       DOUBLE PRECISION C
       INTEGER I, K
       DO 20 I = N - 1, 1, -1
-        DO 10 K = W*I + 1, W*(I + 1)
+        DO 10 K = STEP*I + 1, STEP*I + W
           C = HHNEAR(R(K)/BASE)
           R(K) = R(K) - C*BASE
-          R(K-W) = R(K-W) + C
+          R(K-STEP) = R(K-STEP) + C
    10   CONTINUE
    20 CONTINUE
       END
@@ -363,139 +363,170 @@ C     limbs in use, or N + 1 if N limbs do not hold them.
    30 CONTINUE
       END
 
-C     HHVOLU - the orientation of points A, B, C, D: minus the sign of
-C     the determinant of the rows A-D, B-D, C-D, of N limbs.  X: the
-C     rows, as of HHSPRE.  Scratch: MINOR 6, DET 3 doubles a limb.
-      SUBROUTINE HHVOLU(N, X, MINOR, DET, SGN)
-      INTEGER N, SGN
-      DOUBLE PRECISION X(*), MINOR(*), DET(*)
-      INTEGER HHSIGN
-      INTEGER ROWS1, ROWS2
-      PARAMETER (ROWS1 = 10, ROWS2 = 20)
-      DOUBLE PRECISION A, B, C, TA, TB, TC
-      INTEGER I, J, R, ROWS, S, T
-      CALL HHZERO(6*N, MINOR)
-      CALL HHZERO(3*N, DET)
-C     AB, BC, AC: A(1) B(2) - B(1) A(2) and so on
+C     HHPROD - adds a product of X and Y, of NX and NY limbs, to the
+C     WIDE(KIND) numbers R, of N limbs; WX, WY and W doubles lie between
+C     two limbs.  Rows behind the N-th are left out.  R is carried where
+C     FIT(KIND) rows have been added, but not at the end.
+C
+C     The products that there are, for limbs I and J of X and Y:
+C       DOT = 1     X.Y
+C       CROSS = 2   the cross product
+C       MATRIX = 3  X times the matrix Y of three vectors
+C       PAIRS = 4   of vectors A, B, C, D side by side, X = Y, the cross
+C                   products of A, B and of C, D
+C       TRIPLE = 5  A, B times the second of these and C, D times the
+C                   first
+C       SQUARE = 6  the four squares, for J >= I
+C       FOUR = 7    of numbers X1 ... X4, X2 Y1 - X1 Y2 + X4 Y3 - X3 Y4
+      SUBROUTINE HHPROD(KIND, NX, WX, X, NY, WY, Y, N, W, R)
+      INTEGER KIND, NX, WX, NY, WY, N, W
+      DOUBLE PRECISION X(*), Y(*), R(*)
+      INTEGER CROSS, DOT, MATRIX, PAIRS, SQUARE, TRIPLE
+      PARAMETER (CROSS = 2, DOT = 1, MATRIX = 3, PAIRS = 4, SQUARE = 6)
+      PARAMETER (TRIPLE = 5)
+      DOUBLE PRECISION A, B, C, D
+      INTEGER AT, FIT(7), I, J, K, LAST, ROWS, S, T, USED(7), WIDE(7)
+      DATA FIT /10, 10, 10, 10, 10, 5, 10/
+      DATA USED /3, 3, 3, 12, 12, 12, 4/
+      DATA WIDE /1, 3, 3, 6, 4, 4, 1/
       ROWS = 0
-      DO 20 I = 1, N
-        S = 12*(I - 1)
-        A = X(S+1)
-        B = X(S+4)
-        C = X(S+7)
-        IF (MAX(ABS(A), ABS(B), ABS(C)) .LE. 0.0D0) GO TO 20
-        ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS1) .EQ. 0) CALL HHCARR(2*N, 3, MINOR)
-        R = 3*I
-        T = 0
-        DO 10 J = 1, N
-          TA = X(T+2)
-          TB = X(T+5)
-          TC = X(T+8)
-          MINOR(R+1) = MINOR(R+1) + (A*TB - B*TA)
-          MINOR(R+2) = MINOR(R+2) + (B*TC - C*TB)
-          MINOR(R+3) = MINOR(R+3) + (A*TC - C*TA)
-          R = R + 3
-          T = T + 12
+      DO 100 I = 1, MIN(NX, N - 1)
+        AT = WX*(I - 1)
+        DO 10 K = AT + 1, AT + USED(KIND)
+          IF (ABS(X(K)) .GT. 0.0D0) GO TO 20
    10   CONTINUE
-   20 CONTINUE
-      CALL HHCARR(2*N, 3, MINOR)
-      ROWS = 0
-      DO 40 I = 1, N
-        S = 12*(I - 1)
-        A = X(S+3)
-        B = X(S+6)
-        C = X(S+9)
-        IF (MAX(ABS(A), ABS(B), ABS(C)) .LE. 0.0D0) GO TO 40
+        GO TO 100
+   20   IF (ROWS .EQ. FIT(KIND)) THEN
+          CALL HHCARR(N - I + 1, WIDE(KIND), W, R(W*(I-1)+1))
+          ROWS = 0
+        END IF
         ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(3*N, 1, DET)
+        A = X(AT+1)
+        B = X(AT+2)
+        C = X(AT+3)
         T = 0
-        DO 30 J = 1, 2*N
-          DET(I+J) = DET(I+J) + (B*MINOR(T+3) - A*MINOR(T+2) -
-     $        C*MINOR(T+1))
-          T = T + 3
-   30   CONTINUE
-   40 CONTINUE
-      SGN = HHSIGN(3*N, 0.0D0, DET)
+        S = W*I
+        LAST = MIN(NY, N - I)
+        IF (KIND .EQ. DOT) THEN
+          DO 30 J = 1, LAST
+            R(S+1) = R(S+1) + (A*Y(T+1) + B*Y(T+2) + C*Y(T+3))
+            S = S + W
+            T = T + WY
+   30     CONTINUE
+        ELSE IF (KIND .EQ. CROSS) THEN
+          DO 40 J = 1, LAST
+            R(S+1) = R(S+1) + (B*Y(T+3) - C*Y(T+2))
+            R(S+2) = R(S+2) + (C*Y(T+1) - A*Y(T+3))
+            R(S+3) = R(S+3) + (A*Y(T+2) - B*Y(T+1))
+            S = S + W
+            T = T + WY
+   40     CONTINUE
+        ELSE IF (KIND .EQ. MATRIX) THEN
+          DO 50 J = 1, LAST
+            R(S+1) = R(S+1) + (A*Y(T+1) + B*Y(T+4) + C*Y(T+7))
+            R(S+2) = R(S+2) + (A*Y(T+2) + B*Y(T+5) + C*Y(T+8))
+            R(S+3) = R(S+3) + (A*Y(T+3) + B*Y(T+6) + C*Y(T+9))
+            S = S + W
+            T = T + WY
+   50     CONTINUE
+        ELSE IF (KIND .EQ. PAIRS) THEN
+          DO 60 J = 1, LAST
+            R(S+1) = R(S+1) + (B*Y(T+6) - C*Y(T+5))
+            R(S+2) = R(S+2) + (C*Y(T+4) - A*Y(T+6))
+            R(S+3) = R(S+3) + (A*Y(T+5) - B*Y(T+4))
+            R(S+4) = R(S+4) + (X(AT+8)*Y(T+12) - X(AT+9)*Y(T+11))
+            R(S+5) = R(S+5) + (X(AT+9)*Y(T+10) - X(AT+7)*Y(T+12))
+            R(S+6) = R(S+6) + (X(AT+7)*Y(T+11) - X(AT+8)*Y(T+10))
+            S = S + W
+            T = T + WY
+   60     CONTINUE
+        ELSE IF (KIND .EQ. TRIPLE) THEN
+          DO 70 J = 1, LAST
+            R(S+1) = R(S+1) + (A*Y(T+4) + B*Y(T+5) + C*Y(T+6))
+            R(S+2) = R(S+2) + (X(AT+4)*Y(T+4) + X(AT+5)*Y(T+5) +
+     $                         X(AT+6)*Y(T+6))
+            R(S+3) = R(S+3) + (X(AT+7)*Y(T+1) + X(AT+8)*Y(T+2) +
+     $                         X(AT+9)*Y(T+3))
+            R(S+4) = R(S+4) + (X(AT+10)*Y(T+1) + X(AT+11)*Y(T+2) +
+     $                         X(AT+12)*Y(T+3))
+            S = S + W
+            T = T + WY
+   70     CONTINUE
+        ELSE IF (KIND .EQ. SQUARE) THEN
+          S = S + W*(I - 1)
+          T = AT
+          D = 1.0D0
+          DO 80 J = I, LAST
+            R(S+1) = R(S+1) + D*(A*X(T+1) + B*X(T+2) + C*X(T+3))
+            R(S+2) = R(S+2) + D*(X(AT+4)*X(T+4) + X(AT+5)*X(T+5) +
+     $                           X(AT+6)*X(T+6))
+            R(S+3) = R(S+3) + D*(X(AT+7)*X(T+7) + X(AT+8)*X(T+8) +
+     $                           X(AT+9)*X(T+9))
+            R(S+4) = R(S+4) + D*(X(AT+10)*X(T+10) +
+     $                           X(AT+11)*X(T+11) + X(AT+12)*X(T+12))
+            D = 2.0D0
+            S = S + W
+            T = T + WX
+   80     CONTINUE
+        ELSE
+          D = X(AT+4)
+          DO 90 J = 1, LAST
+            R(S+1) = R(S+1) +
+     $          (B*Y(T+1) - A*Y(T+2) + D*Y(T+3) - C*Y(T+4))
+            S = S + W
+            T = T + WY
+   90     CONTINUE
+        END IF
+  100 CONTINUE
       END
 
-C     HHCOFA - computes the determinants DET of three of the rows A-E,
-C     B-E, C-E, D-E, leaving out each row in turn, from the first DEPTH
-C     rows of all products: four numbers, side by side, of 3N limbs or
-C     of DEPTH if that is less.  X holds the rows, of N limbs, as made
-C     by HHSPRE.  Scratch: MINOR 12 doubles a limb.
-      SUBROUTINE HHCOFA(N, DEPTH, X, MINOR, DET)
+C     What follows, up to HHWGH, evaluates points by the rows P - last,
+C     of N limbs in WORK, as of HHSPRE.  It may use WORK up to 44N
+C     doubles.
+
+C     HHVOLU - the orientation of points A, B, C, D: minus the sign of
+C     the determinant of the rows A-D, B-D, C-D.  W is scratch.
+      SUBROUTINE HHVOLU(N, WORK, W, SGN)
+      INTEGER N, SGN
+      DOUBLE PRECISION WORK(*), W(*)
+      INTEGER HHSIGN
+      INTEGER CROSS, DOT
+      PARAMETER (CROSS = 2, DOT = 1)
+      INTEGER D, M
+      M = 12*N + 1
+      D = 18*N + 1
+      CALL HHZERO(9*N, WORK(M))
+      CALL HHPROD(CROSS, N, 12, WORK, N, 12, WORK(4), 2*N, 3, WORK(M))
+      CALL HHCARR(2*N, 3, 3, WORK(M))
+      CALL HHPROD(DOT, N, 12, WORK(7), 2*N, 3, WORK(M), 3*N, 1, WORK(D))
+      SGN = -HHSIGN(3*N, 0.0D0, WORK(D))
+      W(1) = 0.0D0
+      END
+
+C     HHCOFA - computes the determinants of three of the rows A-E, B-E,
+C     C-E, D-E, without B, A, D and C in turn, from the first DEPTH rows
+C     of all products: four numbers, side by side, of 3N limbs or of
+C     DEPTH if that is less, the last 12N of 39N doubles.
+      SUBROUTINE HHCOFA(N, DEPTH, WORK)
       INTEGER N, DEPTH
-      DOUBLE PRECISION X(*), MINOR(*), DET(*)
-      INTEGER ROWS1, ROWS2
-      PARAMETER (ROWS1 = 10, ROWS2 = 20)
-      DOUBLE PRECISION A, B, C, D, TA, TB, TC, TD
-      INTEGER I, J, N2, N3, R, ROWS, S, T
+      DOUBLE PRECISION WORK(*)
+      INTEGER PAIRS, TRIPLE
+      PARAMETER (PAIRS = 4, TRIPLE = 5)
+      INTEGER D, M, N2, N3
+      M = 15*N + 1
+      D = 27*N + 1
       N2 = MIN(2*N, DEPTH)
       N3 = MIN(3*N, DEPTH)
-      CALL HHZERO(6*N2, MINOR)
-      CALL HHZERO(4*N3, DET)
-C     AB, BC, CD, DA, AC, BD
-      ROWS = 0
-      DO 20 I = 1, MIN(N, N2 - 1)
-        S = 15*(I - 1)
-        A = X(S+1)
-        B = X(S+4)
-        C = X(S+7)
-        D = X(S+10)
-        IF (MAX(ABS(A), ABS(B), ABS(C), ABS(D)) .LE. 0.0D0) GO TO 20
-        ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS1) .EQ. 0) CALL HHCARR(N2, 6, MINOR)
-        R = 6*I
-        T = 0
-        DO 10 J = 1, MIN(N, N2 - I)
-          TA = X(T+2)
-          TB = X(T+5)
-          TC = X(T+8)
-          TD = X(T+11)
-          MINOR(R+1) = MINOR(R+1) + (A*TB - B*TA)
-          MINOR(R+2) = MINOR(R+2) + (B*TC - C*TB)
-          MINOR(R+3) = MINOR(R+3) + (C*TD - D*TC)
-          MINOR(R+4) = MINOR(R+4) + (D*TA - A*TD)
-          MINOR(R+5) = MINOR(R+5) + (A*TC - C*TA)
-          MINOR(R+6) = MINOR(R+6) + (B*TD - D*TB)
-          R = R + 6
-          T = T + 15
-   10   CONTINUE
-   20 CONTINUE
-      CALL HHCARR(N2, 6, MINOR)
-      ROWS = 0
-      DO 40 I = 1, MIN(N, N3 - 1)
-        S = 15*(I - 1)
-        A = X(S+3)
-        B = X(S+6)
-        C = X(S+9)
-        D = X(S+12)
-        IF (MAX(ABS(A), ABS(B), ABS(C), ABS(D)) .LE. 0.0D0) GO TO 40
-        ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(N3, 4, DET)
-        R = 4*I
-        T = 0
-        DO 30 J = 1, MIN(N2, N3 - I)
-          DET(R+1) = DET(R+1) + (B*MINOR(T+3) - C*MINOR(T+6) +
-     $        D*MINOR(T+2))
-          DET(R+2) = DET(R+2) + (A*MINOR(T+3) + C*MINOR(T+4) +
-     $        D*MINOR(T+5))
-          DET(R+3) = DET(R+3) + (A*MINOR(T+6) + B*MINOR(T+4) +
-     $        D*MINOR(T+1))
-          DET(R+4) = DET(R+4) + (A*MINOR(T+2) - B*MINOR(T+5) +
-     $        C*MINOR(T+1))
-          R = R + 4
-          T = T + 6
-   30   CONTINUE
-   40 CONTINUE
-      CALL HHCARR(N3, 4, DET)
+      CALL HHZERO(6*N2, WORK(M))
+      CALL HHZERO(4*N3, WORK(D))
+      CALL HHPROD(PAIRS, N, 15, WORK, N, 15, WORK, N2, 6, WORK(M))
+      CALL HHCARR(N2, 6, 6, WORK(M))
+      CALL HHPROD(TRIPLE, N, 15, WORK, N2, 6, WORK(M), N3, 4, WORK(D))
+      CALL HHCARR(N3, 4, 4, WORK(D))
       END
 
-C     HHISPH - the sign of the determinant of HHFIL5, of N limbs, from
-C     the first DEPTH rows of all products; UNSURE when these do not
-C     tell.  X: the rows, as of HHSPRE.  Scratch: LIFT and DET 12, TOTAL
-C     5 doubles a limb.
+C     HHDETE - the sign of the determinant of HHFIL5, from the first
+C     DEPTH rows of all products; UNSURE when these do not tell.
 C
 C     What is lost, in units of the last of K = DEPTH <= 10 rows: in the
 C     row behind it a minor loses 2K products of limbs of at most BASE,
@@ -507,67 +538,43 @@ C     the errors of a determinant times a square and of a square times a
 C     determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3)
 C     K BASE = 24K BASE.  What follows all these adds less than a tenth,
 C     so that BOUND is ample.
-      SUBROUTINE HHISPH(N, DEPTH, X, LIFT, DET, TOTAL, SGN)
+      SUBROUTINE HHDETE(N, DEPTH, WORK, SGN)
       INTEGER N, DEPTH, SGN
-      DOUBLE PRECISION X(*), LIFT(*), DET(*), TOTAL(*)
+      DOUBLE PRECISION WORK(*)
       INTEGER HHSIGN
-      INTEGER BROWS, ROWS1, ROWS2
-      PARAMETER (BROWS = 6, ROWS1 = 10, ROWS2 = 20)
+      INTEGER BROWS, FOUR, SQUARE
+      PARAMETER (BROWS = 6, FOUR = 7, SQUARE = 6)
       DOUBLE PRECISION BASE, BOUND
       PARAMETER (BASE = 2.0D0**24, BOUND = 32*BROWS*BASE)
-      DOUBLE PRECISION A, B, C, D, ERR
-      INTEGER I, J, N2, N3, N5, R, ROWS, S, T
+      DOUBLE PRECISION ERR
+      INTEGER D, L, N2, N5, T
+      L = 15*N + 1
+      D = 27*N + 1
+      T = 39*N + 1
       N2 = MIN(2*N, DEPTH)
-      N3 = MIN(3*N, DEPTH)
       N5 = MIN(5*N, DEPTH)
-      CALL HHCOFA(N, DEPTH, X, LIFT, DET)
-      CALL HHZERO(4*N2, LIFT)
-      CALL HHZERO(N5, TOTAL)
-C     the squares of the rows, in the place of HHCOFA's minors: two
-C     products of limbs I and J are taken at once
-      ROWS = 0
-      DO 60 I = 1, MIN(N, N2 - 1)
-        ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS1/2) .EQ. 0) CALL HHCARR(N2, 4, LIFT)
-        S = 15*(I - 1)
-        T = S
-        R = 4*(2*I - 1)
-        DO 50 J = I, MIN(N, N2 - I)
-          A = 2.0D0
-          IF (J .EQ. I) A = 1.0D0
-          LIFT(R+1) = LIFT(R+1) + A*(X(S+1)*X(T+1) +
-     $        X(S+2)*X(T+2) + X(S+3)*X(T+3))
-          LIFT(R+2) = LIFT(R+2) + A*(X(S+4)*X(T+4) +
-     $        X(S+5)*X(T+5) + X(S+6)*X(T+6))
-          LIFT(R+3) = LIFT(R+3) + A*(X(S+7)*X(T+7) +
-     $        X(S+8)*X(T+8) + X(S+9)*X(T+9))
-          LIFT(R+4) = LIFT(R+4) + A*(X(S+10)*X(T+10) +
-     $        X(S+11)*X(T+11) + X(S+12)*X(T+12))
-          R = R + 4
-          T = T + 15
-   50   CONTINUE
-   60 CONTINUE
-      CALL HHCARR(N2, 4, LIFT)
-      ROWS = 0
-      DO 80 I = 1, MIN(N2, N5 - 1)
-        S = 4*(I - 1)
-        A = LIFT(S+1)
-        B = LIFT(S+2)
-        C = LIFT(S+3)
-        D = LIFT(S+4)
-        IF (MAX(ABS(A), ABS(B), ABS(C), ABS(D)) .LE. 0.0D0) GO TO 80
-        ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(N5, 1, TOTAL)
-        T = 0
-        DO 70 J = 1, MIN(N3, N5 - I)
-          TOTAL(I+J) = TOTAL(I+J) + (B*DET(T+2) - A*DET(T+1) +
-     $        D*DET(T+4) - C*DET(T+3))
-          T = T + 4
-   70   CONTINUE
-   80 CONTINUE
+      CALL HHCOFA(N, DEPTH, WORK)
+      CALL HHZERO(4*N2, WORK(L))
+      CALL HHZERO(N5, WORK(T))
+      CALL HHPROD(SQUARE, N, 15, WORK, N, 15, WORK, N2, 4, WORK(L))
+      CALL HHCARR(N2, 4, 4, WORK(L))
+      CALL HHPROD(FOUR, N2, 4, WORK(L), MIN(3*N, DEPTH), 4, WORK(D), N5,
+     $            1, WORK(T))
       ERR = 0.0D0
       IF (N5 .LT. 5*N) ERR = BOUND
-      SGN = HHSIGN(N5, ERR, TOTAL)
+      SGN = HHSIGN(N5, ERR, WORK(T))
+      END
+
+C     HHISPH - HHDETE, of as few rows as tell.  W is scratch.
+      SUBROUTINE HHISPH(N, WORK, W, SGN)
+      INTEGER N, SGN
+      DOUBLE PRECISION WORK(*), W(*)
+      INTEGER BROWS, UNSURE
+      PARAMETER (BROWS = 6, UNSURE = 2)
+      SGN = UNSURE
+      IF (5*N .GT. 2*BROWS) CALL HHDETE(N, BROWS, WORK, SGN)
+      IF (SGN .EQ. UNSURE) CALL HHDETE(N, 5*N, WORK, SGN)
+      W(1) = 0.0D0
       END
 
 C     HHLEAD - the value of a carried number of N limbs, STEP apart from
@@ -649,190 +656,154 @@ C     of vertex K at the foot of the perpendicular from Q.
       HHREGI = 7
       END
 
-C     HHFT - SET is HHREGI's, and W the weights of the vertices in that
-C     point: shares of areas or, on a side, of products with it.  X: the
-C     rows B-A, C-A, Q-A of a triangle A, B, C, of N limbs, as of
-C     HHSPRE.  With sides S and offsets O = Q - vertex
+C     HHFT - SGN is minus HHREGI's set, and W the weights of the
+C     vertices in that point: shares of areas or, on a side, of products
+C     with it.  The rows U, V, W = B-A, C-A, Q-A of a triangle A, B, C
+C     give the products of sides U, V-U, -V and offsets W, W-U, W-V, and
+C     with sides S and offsets O
 C         area K = (S(I).O(J)) (S(K).O(I)) - (S(I).O(I)) (S(K).O(J)),
-C     I, J, K cyclic.  Scratch: DOT 18, AREA 12 doubles a limb.
-      SUBROUTINE HHFT(N, X, DOT, AREA, W, SET)
-      INTEGER N, SET
-      DOUBLE PRECISION X(*), DOT(*), AREA(*), W(3)
+C     I, J, K cyclic: component K of the cross product of the products
+C     of S(K) and of S(I).
+      SUBROUTINE HHFT(N, WORK, W, SGN)
+      INTEGER N, SGN
+      DOUBLE PRECISION WORK(*), W(*)
       INTEGER HHREGI
-      INTEGER ROWS1, ROWS2
-      PARAMETER (ROWS1 = 10, ROWS2 = 20)
-      DOUBLE PRECISION OFF(9), SIDE(9), VALUE(12)
-      INTEGER AT(12), FROM(3), I, J, K, L, M, R, REST, ROWS, S, T
-      CALL HHZERO(18*N, DOT)
-      CALL HHZERO(12*N, AREA)
-      ROWS = 0
-      DO 60 I = 1, N
-        ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS1) .EQ. 0) CALL HHCARR(2*N, 9, DOT)
-        S = 12*(I - 1)
-        DO 10 K = 1, 3
-          SIDE(K) = X(S+K)
-          SIDE(3+K) = X(S+3+K) - X(S+K)
-          SIDE(6+K) = -X(S+3+K)
-   10   CONTINUE
-        R = 9*I
-        DO 50 J = 1, N
-          T = 12*(J - 1)
-          DO 20 K = 1, 3
-            OFF(K) = X(T+6+K)
-            OFF(3+K) = X(T+6+K) - X(T+K)
-            OFF(6+K) = X(T+6+K) - X(T+3+K)
-   20     CONTINUE
-          DO 40 K = 0, 6, 3
-            DO 30 L = 0, 6, 3
-              R = R + 1
-              DOT(R) = DOT(R) + (SIDE(K+1)*OFF(L+1) +
-     $            SIDE(K+2)*OFF(L+2) + SIDE(K+3)*OFF(L+3))
-   30       CONTINUE
-   40     CONTINUE
-   50   CONTINUE
-   60 CONTINUE
-      CALL HHCARR(2*N, 9, DOT)
-      ROWS = 0
-      DO 90 I = 1, 2*N
-        ROWS = ROWS + 1
-        IF (MOD(ROWS, ROWS2) .EQ. 0) CALL HHCARR(4*N, 3, AREA)
-        S = 9*(I - 1)
-        R = 3*I
-        DO 80 J = 1, 2*N
-          T = 9*(J - 1)
-          DO 70 K = 1, 3
-            L = MOD(K, 3) + 1
-            M = MOD(K + 1, 3) + 1
-            AREA(R+M) = AREA(R+M) + (DOT(S+3*K-3+L)*DOT(T+3*M-3+K) -
-     $          DOT(S+4*K-3)*DOT(T+3*M-3+L))
-   70     CONTINUE
-          R = R + 3
-   80   CONTINUE
-   90 CONTINUE
-      CALL HHCARR(4*N, 3, AREA)
-      DO 100 K = 1, 9
-        CALL HHLEAD(2*N, DOT, K, 9, VALUE(K), AT(K))
-  100 CONTINUE
-      DO 110 K = 1, 3
-        CALL HHLEAD(4*N, AREA, K, 3, VALUE(9+K), AT(9+K))
-  110 CONTINUE
+      INTEGER CROSS, DOT
+      PARAMETER (CROSS = 2, DOT = 1)
+      DOUBLE PRECISION VALUE(12)
+      INTEGER A, AT(12), D, FROM(3), I, K, L, PAIR(2,5), R, REST, S, SET
+      DATA PAIR /1, 7, 4, 7, 1, 1, 1, 4, 4, 4/
+      D = 12*N + 1
+      A = 30*N + 1
+      CALL HHZERO(10*N, WORK(A))
+      DO 10 K = 1, 5
+        CALL HHPROD(DOT, N, 12, WORK(PAIR(1,K)), N, 12,
+     $              WORK(PAIR(2,K)), 2*N, 5, WORK(A+K-1))
+   10 CONTINUE
+      CALL HHCARR(2*N, 5, 5, WORK(A))
+      DO 30 I = 0, 2*N - 1
+        R = D + 9*I
+        S = A + 5*I
+        WORK(R) = WORK(S)
+        WORK(R+1) = WORK(S) - WORK(S+2)
+        WORK(R+2) = WORK(S) - WORK(S+3)
+        WORK(R+6) = -WORK(S+1)
+        WORK(R+7) = WORK(S+3) - WORK(S+1)
+        WORK(R+8) = WORK(S+4) - WORK(S+1)
+        DO 20 K = R, R + 2
+          WORK(K+3) = -WORK(K) - WORK(K+6)
+   20   CONTINUE
+   30 CONTINUE
+      CALL HHCARR(2*N, 9, 9, WORK(D))
+      DO 40 K = 1, 9
+        CALL HHLEAD(2*N, WORK, D + K - 1, 9, VALUE(K), AT(K))
+   40 CONTINUE
+      DO 50 K = 1, 3
+        CALL HHZERO(12*N, WORK(A))
+        CALL HHPROD(CROSS, 2*N, 9, WORK(D+3*K-3), 2*N, 9,
+     $              WORK(D+3*MOD(K,3)), 4*N, 3, WORK(A))
+        CALL HHCARR(4*N, 3, 3, WORK(A))
+        CALL HHLEAD(4*N, WORK, A + K - 1, 3, VALUE(9+K), AT(9+K))
+   50 CONTINUE
       SET = HHREGI(VALUE)
+      SGN = -SET
       REST = SET
-      DO 120 K = 1, 3
+      DO 60 K = 1, 3
         FROM(K) = 9 + K
         W(K) = DBLE(MOD(REST, 2))
         REST = REST/2
-  120 CONTINUE
+   60 CONTINUE
       IF (SET .EQ. 1 .OR. SET .EQ. 2 .OR. SET .EQ. 4) RETURN
-      DO 130 K = 1, 3
+      DO 70 K = 1, 3
         L = MOD(K, 3) + 1
-        IF (W(MOD(K + 1, 3) + 1) .GT. 0.0D0) GO TO 130
+        IF (W(MOD(K + 1, 3) + 1) .GT. 0.0D0) GO TO 70
         FROM(K) = 3*K - 3 + L
         FROM(L) = 4*K - 3
-  130 CONTINUE
-      DO 140 K = 1, 3
+   70 CONTINUE
+      DO 80 K = 1, 3
         W(K) = W(K)*VALUE(FROM(K))
         FROM(K) = AT(FROM(K))
-  140 CONTINUE
+   80 CONTINUE
       CALL HHSHAR(3, FROM, W)
       END
 
 C     HHWGH - computes the weights W of the point E in the tetrahedron
 C     A, B, C, D that contains it: shares of the volumes of the four
-C     tetrahedra in which E replaces a vertex.  X holds the rows A-E,
-C     B-E, C-E, D-E, of N limbs, as made by HHSPRE.  Scratch: MINOR and
-C     DET 12 doubles a limb.
-      SUBROUTINE HHWGH(N, X, MINOR, DET, W)
-      INTEGER N
-      DOUBLE PRECISION X(*), MINOR(*), DET(*), W(4)
-      INTEGER AT(4), K
-      CALL HHCOFA(N, 3*N, X, MINOR, DET)
+C     tetrahedra in which E replaces a vertex.  SGN is 0.
+      SUBROUTINE HHWGH(N, WORK, W, SGN)
+      INTEGER N, SGN
+      DOUBLE PRECISION WORK(*), W(4)
+      INTEGER AT(4), K, L
+      CALL HHCOFA(N, 3*N, WORK)
       DO 10 K = 1, 4
-        CALL HHLEAD(3*N, DET, K, 4, W(K), AT(K))
+        L = K - 1 + 2*MOD(K, 2)
+        CALL HHLEAD(3*N, WORK, 27*N + K, 4, W(L), AT(L))
    10 CONTINUE
       CALL HHSHAR(4, AT, W)
+      SGN = 0
       END
 
-C     HHLIMB - evaluates NP points Q with NMAX limbs.  For NP = 4:
-C     HHVOLU, or minus HHFT's set if WANT is 1.  For NP = 5: HHISPH, or
-C     HHWGH and 0 if WANT is 1.  W is left alone unless WANT is 1.
-C     UNSURE if NMAX limbs do not hold the points.  Limbs 1 that are 0
-C     in all rows are left out as long as the next ones can serve as
-C     limbs 1.  Scratch: X 15, MINOR 18, DET 12, TOTAL 5 doubles a limb.
-      SUBROUTINE HHLIMB(NP, Q, TOP, NMAX, X, MINOR, DET, TOTAL, WANT, W,
-     $                  SGN)
-      INTEGER NP, NMAX, WANT, SGN
-      DOUBLE PRECISION Q(3,*), TOP, X(*), MINOR(*), DET(*), TOTAL(*)
-      DOUBLE PRECISION W(*)
-      INTEGER BROWS, UNSURE
-      PARAMETER (BROWS = 6, UNSURE = 2)
+C     HHLIMB - evaluates NP points Q with NMAX limbs, by OF: HHVOLU and
+C     HHFT for 4 points, HHISPH and HHWGH for 5.  SGN is UNSURE if NMAX
+C     limbs do not hold them.  WORK: 44 NMAX doubles.  Limbs 1 that are
+C     0 in all rows are left out as long as the next ones can serve as
+C     limbs 1.
+      SUBROUTINE HHLIMB(NP, OF, Q, TOP, NMAX, WORK, W, SGN)
+      INTEGER NP, NMAX, SGN
+      DOUBLE PRECISION Q(3,*), TOP, WORK(*), W(*)
+      EXTERNAL OF
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
       DOUBLE PRECISION BASE
       PARAMETER (BASE = 2.0D0**24)
-      INTEGER K, N, WIDE
+      INTEGER AT, K, N, WIDE
       WIDE = 3*NP
-      CALL HHSPRE(NP, Q, TOP, NMAX, X, N)
+      CALL HHSPRE(NP, Q, TOP, NMAX, WORK, N)
       SGN = UNSURE
       IF (N .GT. NMAX) RETURN
+      AT = 1
    10 IF (N .GT. 1) THEN
-        DO 20 K = 1, WIDE - 3
-          IF (ABS(X(K)) .GT. 0.0D0 .OR.
-     $        ABS(X(K+WIDE)) .GT. BASE/4.0D0) GO TO 40
+        DO 20 K = AT, AT + WIDE - 4
+          IF (ABS(WORK(K)) .GT. 0.0D0 .OR.
+     $        ABS(WORK(K+WIDE)) .GT. BASE/4.0D0) GO TO 30
    20   CONTINUE
         N = N - 1
-        DO 30 K = 1, WIDE*N
-          X(K) = X(K+WIDE)
-   30   CONTINUE
+        AT = AT + WIDE
         GO TO 10
       END IF
-   40 IF (NP .EQ. 4 .AND. WANT .EQ. 1) THEN
-        CALL HHFT(N, X, MINOR, DET, W, SGN)
-        SGN = -SGN
-        RETURN
-      END IF
-      IF (NP .EQ. 4) THEN
-        CALL HHVOLU(N, X, MINOR, DET, SGN)
-        RETURN
-      END IF
-      IF (WANT .EQ. 1) THEN
-        CALL HHWGH(N, X, MINOR, DET, W)
-        SGN = 0
-        RETURN
-      END IF
-      IF (5*N .GT. 2*BROWS)
-     $    CALL HHISPH(N, BROWS, X, MINOR, DET, TOTAL, SGN)
-      IF (SGN .EQ. UNSURE)
-     $    CALL HHISPH(N, 5*N, X, MINOR, DET, TOTAL, SGN)
+   30 CALL OF(N, WORK(AT), W, SGN)
       END
 
 C     Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the
 C     last one serves several lengths.
-      SUBROUTINE HHLIM3(NP, Q, TOP, WANT, W, SGN)
-      INTEGER NP, WANT, SGN
+      SUBROUTINE HHLIM3(NP, OF, Q, TOP, W, SGN)
+      INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), TOP, W(*)
-      DOUBLE PRECISION X(15*3), MINOR(18*3), DET(12*3), TOTAL(5*3)
-      CALL HHLIMB(NP, Q, TOP, 3, X, MINOR, DET, TOTAL, WANT, W, SGN)
+      EXTERNAL OF
+      DOUBLE PRECISION WORK(44*3)
+      CALL HHLIMB(NP, OF, Q, TOP, 3, WORK, W, SGN)
       END
 
-      SUBROUTINE HHLIMT(NP, Q, TOP, WANT, W, SGN)
-      INTEGER NP, WANT, SGN
+      SUBROUTINE HHLIMT(NP, OF, Q, TOP, W, SGN)
+      INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), TOP, W(*)
-      DOUBLE PRECISION X(15*10), MINOR(18*10), DET(12*10), TOTAL(5*10)
-      CALL HHLIMB(NP, Q, TOP, 10, X, MINOR, DET, TOTAL, WANT, W, SGN)
+      EXTERNAL OF
+      DOUBLE PRECISION WORK(44*10)
+      CALL HHLIMB(NP, OF, Q, TOP, 10, WORK, W, SGN)
       END
 
-      SUBROUTINE HHLIMX(NP, Q, TOP, WANT, W, SGN)
-      INTEGER NP, WANT, SGN
+      SUBROUTINE HHLIMX(NP, OF, Q, TOP, W, SGN)
+      INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), TOP, W(*)
+      EXTERNAL OF
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
-      DOUBLE PRECISION X(15*HHLIM), MINOR(18*HHLIM), DET(12*HHLIM)
-      DOUBLE PRECISION TOTAL(5*HHLIM)
+      DOUBLE PRECISION WORK(44*HHLIM)
       INTEGER N
       N = 10
    10 N = 2*N
       IF (N .GT. HHLIM - 1) N = HHLIM
-      CALL HHLIMB(NP, Q, TOP, N, X, MINOR, DET, TOTAL, WANT, W, SGN)
+      CALL HHLIMB(NP, OF, Q, TOP, N, WORK, W, SGN)
       IF (SGN .EQ. UNSURE .AND. N .LT. HHLIM) GO TO 10
       END
 
@@ -840,83 +811,48 @@ C     HHCNTR - the centre of the ball of four points of N limbs, seen
 C     from the last one: of the rows A, B, W of X, without the common
 C     limb weights,
 C         C = |A|**2 (B x W) + |B|**2 (W x A) + |W|**2 (A x B)
-C     over twice D = A.(B x W).  At most 10 limbs, so that no sum needs
-C     a carry before its end: 3N products of limbs of at most BASE, or
-C     6N where both factors have been carried.  C has 3 numbers of 4N
-C     limbs, D 3N limbs, MINOR 9 numbers of 2N limbs, B x W, W x A, A x
-C     B.  FIRST is the first limb that is not 0 in all rows.  Scratch:
-C     LIFT 6 doubles a limb.
+C     over twice D = A.(B x W).  C has 3 numbers of 4N limbs, D 3N
+C     limbs, MINOR 9 numbers of 2N limbs, B x W, W x A, A x B.  FIRST is
+C     the first limb that is not 0 in all rows.  Scratch: LIFT 6 doubles
+C     a limb.
       SUBROUTINE HHCNTR(N, X, C, D, MINOR, LIFT, FIRST)
       INTEGER N, FIRST
       DOUBLE PRECISION X(*), C(*), D(*), MINOR(*), LIFT(*)
-      DOUBLE PRECISION A1, A2, A3, B1, B2, B3, W1, W2, W3
-      INTEGER I, J, K, L, LEAST, M, R, S, T
+      INTEGER CROSS, DOT, MATRIX
+      PARAMETER (CROSS = 2, DOT = 1, MATRIX = 3)
+      INTEGER F, K, L, LOW, M
       CALL HHZERO(12*N, C)
       CALL HHZERO(3*N, D)
       CALL HHZERO(18*N, MINOR)
       CALL HHZERO(6*N, LIFT)
-      FIRST = 1
-   10 DO 20 K = 12*FIRST - 11, 12*FIRST - 3
+      F = 0
+   10 DO 20 K = 12*F + 1, 12*F + 9
         IF (ABS(X(K)) .GT. 0.0D0) GO TO 30
    20 CONTINUE
-      IF (FIRST .LT. N) THEN
-        FIRST = FIRST + 1
+      IF (F .LT. N - 1) THEN
+        F = F + 1
         GO TO 10
       END IF
-   30 DO 50 I = FIRST, N
-        S = 12*(I - 1)
-        A1 = X(S+1)
-        A2 = X(S+2)
-        A3 = X(S+3)
-        B1 = X(S+4)
-        B2 = X(S+5)
-        B3 = X(S+6)
-        W1 = X(S+7)
-        W2 = X(S+8)
-        W3 = X(S+9)
-        DO 40 J = FIRST, N
-          T = 12*(J - 1)
-          R = 9*(I + J - 1)
-          L = 3*(I + J - 1)
-          MINOR(R+1) = MINOR(R+1) + (B2*X(T+9) - B3*X(T+8))
-          MINOR(R+2) = MINOR(R+2) + (B3*X(T+7) - B1*X(T+9))
-          MINOR(R+3) = MINOR(R+3) + (B1*X(T+8) - B2*X(T+7))
-          MINOR(R+4) = MINOR(R+4) + (W2*X(T+3) - W3*X(T+2))
-          MINOR(R+5) = MINOR(R+5) + (W3*X(T+1) - W1*X(T+3))
-          MINOR(R+6) = MINOR(R+6) + (W1*X(T+2) - W2*X(T+1))
-          MINOR(R+7) = MINOR(R+7) + (A2*X(T+6) - A3*X(T+5))
-          MINOR(R+8) = MINOR(R+8) + (A3*X(T+4) - A1*X(T+6))
-          MINOR(R+9) = MINOR(R+9) + (A1*X(T+5) - A2*X(T+4))
-          LIFT(L+1) = LIFT(L+1) + (A1*X(T+1) + A2*X(T+2) + A3*X(T+3))
-          LIFT(L+2) = LIFT(L+2) + (B1*X(T+4) + B2*X(T+5) + B3*X(T+6))
-          LIFT(L+3) = LIFT(L+3) + (W1*X(T+7) + W2*X(T+8) + W3*X(T+9))
-   40   CONTINUE
-   50 CONTINUE
-      CALL HHCARR(2*N, 9, MINOR)
-      CALL HHCARR(2*N, 3, LIFT)
+   30 FIRST = F + 1
+      M = N - F
+      L = 12*F + 1
+      DO 40 K = 0, 2
+        CALL HHPROD(CROSS, M, 12, X(L+3*MOD(K+1,3)), M, 12,
+     $              X(L+3*MOD(K+2,3)), 2*M, 9, MINOR(18*F+3*K+1))
+        CALL HHPROD(DOT, M, 12, X(L+3*K), M, 12, X(L+3*K), 2*M, 3,
+     $              LIFT(6*F+K+1))
+   40 CONTINUE
+      CALL HHCARR(2*N, 9, 9, MINOR)
+      CALL HHCARR(2*N, 3, 3, LIFT)
 C     two carries reach two limbs up from the first product
-      LEAST = MAX(2*FIRST - 2, 1)
-      DO 70 I = FIRST, N
-        S = 12*(I - 1)
-        DO 60 J = LEAST, 2*N
-          T = 9*(J - 1)
-          D(I+J) = D(I+J) + (X(S+1)*MINOR(T+1) + X(S+2)*MINOR(T+2) +
-     $                       X(S+3)*MINOR(T+3))
-   60   CONTINUE
-   70 CONTINUE
-      DO 100 I = LEAST, 2*N
-        S = 3*(I - 1)
-        DO 90 J = LEAST, 2*N
-          T = 9*(J - 1)
-          M = 3*(I + J - 1)
-          DO 80 K = 1, 3
-            C(M+K) = C(M+K) + (LIFT(S+1)*MINOR(T+K) +
-     $          LIFT(S+2)*MINOR(T+3+K) + LIFT(S+3)*MINOR(T+6+K))
-   80     CONTINUE
-   90   CONTINUE
-  100 CONTINUE
-      CALL HHCARR(4*N, 3, C)
-      CALL HHCARR(3*N, 1, D)
+      LOW = MAX(2*F - 1, 0)
+      K = 9*LOW + 1
+      CALL HHPROD(DOT, M, 12, X(L), 2*N - LOW, 9, MINOR(K),
+     $            3*N - F - LOW, 1, D(F+LOW+1))
+      CALL HHPROD(MATRIX, 2*N - LOW, 3, LIFT(3*LOW+1), 2*N - LOW, 9,
+     $            MINOR(K), 4*N - 2*LOW, 3, C(6*LOW+1))
+      CALL HHCARR(4*N, 3, 3, C)
+      CALL HHCARR(3*N, 1, 1, D)
       END
 
 C     HHCERT - the sign of DET if |DET| exceeds its error or DET is
@@ -1031,10 +967,12 @@ C     last row.
       END
 
 C     HHEXAC - HHLIMB with as many limbs as it takes; MOST is the
-C     largest absolute value of Q, which it alters.
-      SUBROUTINE HHEXAC(NP, Q, MOST, WANT, W, SGN)
+C     largest absolute value of Q, which it alters.  WANT is 1 if W is
+C     wanted, else 0.
+      SUBROUTINE HHEXAC(NP, OF, Q, MOST, WANT, W, SGN)
       INTEGER NP, WANT, SGN
       DOUBLE PRECISION Q(3,*), MOST, W(*)
+      EXTERNAL OF
       INTEGER HHBALA
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
@@ -1042,12 +980,12 @@ C     largest absolute value of Q, which it alters.
       SGN = 0
       IF (MOST .LE. 0.0D0) RETURN
       CALL HHFILL(NP, Q, MOST, FACTOR, TOP)
-      CALL HHLIM3(NP, Q, TOP, WANT, W, SGN)
+      CALL HHLIM3(NP, OF, Q, TOP, W, SGN)
       IF (SGN .EQ. UNSURE .AND. HHLIM .GT. 10)
-     $  CALL HHLIMT(NP, Q, TOP, WANT, W, SGN)
+     $  CALL HHLIMT(NP, OF, Q, TOP, W, SGN)
       IF (SGN .EQ. UNSURE .AND. WANT .EQ. 0 .AND. HHLIM .GT. 10)
      $  SGN = HHBALA(NP, Q)
-      IF (SGN .EQ. UNSURE) CALL HHLIMX(NP, Q, TOP, WANT, W, SGN)
+      IF (SGN .EQ. UNSURE) CALL HHLIMX(NP, OF, Q, TOP, W, SGN)
       END
 
 C     ------------------------------------------------------------------
@@ -1321,6 +1259,7 @@ C     5, where the limbs hold them; else UNSURE.  Alters P.
       SUBROUTINE HHROBU(NP, P, SGN)
       INTEGER NP, SGN
       DOUBLE PRECISION P(3,*)
+      EXTERNAL HHISPH, HHVOLU
       INTEGER HHFILT, HHHOLD, HHPREC
       DOUBLE PRECISION HHPACK
       INTEGER UNSURE
@@ -1341,7 +1280,8 @@ C     above DOWN, what a coordinate is taken for matters less than TINY
       SGN = HHFILT(NP, S, -1.0D0)
       IF (SGN .NE. UNSURE) RETURN
       IF (HHHOLD(NP, P) .EQ. 0) RETURN
-      CALL HHEXAC(NP, P, MOST, 0, ANY, SGN)
+      IF (NP .EQ. 4) CALL HHEXAC(4, HHVOLU, P, MOST, 0, ANY, SGN)
+      IF (NP .EQ. 5) CALL HHEXAC(5, HHISPH, P, MOST, 0, ANY, SGN)
       END
 
 C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
@@ -1395,13 +1335,14 @@ C     along all three axes.
       INTEGER FUNCTION HHFLAT(AXIS, A, B, C)
       INTEGER AXIS
       DOUBLE PRECISION A(3), B(3), C(3)
+      EXTERNAL HHVOLU
       INTEGER HHHOLD
       DOUBLE PRECISION HHPACK
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
       DOUBLE PRECISION EPS, SHIFT, LOW
       PARAMETER (EPS = 2.0D0**(-52), SHIFT = 2.0D0**600)
-      PARAMETER (LOW = 2.0D0**200)
+      PARAMETER (LOW = 2.0D0**(-200))
       DOUBLE PRECISION ANY(4), BI, BK, CI, CK, DET, ERR, MOST, Q(3,4)
       INTEGER I, K, SGN
       I = MOD(AXIS, 3) + 1
@@ -1412,9 +1353,8 @@ C     along all three axes.
       CI = C(I) - A(I)
       DET = BI*CK - BK*CI
       ERR = 8.0D0*EPS*(ABS(BI*CK) + ABS(BK*CI))
-C     as in HHFIL3; below LOW, underflow does less than 1/SHIFT
-      IF (ABS(BI) .LT. LOW .AND. ABS(CK) .LT. LOW .AND.
-     $    ABS(BK) .LT. LOW .AND. ABS(CI) .LT. LOW) THEN
+C     as in HHFIL3; below 1/LOW, underflow does less than 1/SHIFT
+      IF (MAX(ABS(BI), ABS(CK), ABS(BK), ABS(CI)) .LT. 1.0D0/LOW) THEN
         HHFLAT = 1
         IF (DET .GT. ERR + 1.0D0/SHIFT) RETURN
         HHFLAT = -1
@@ -1434,7 +1374,7 @@ C     any point on that side will do that needs no more limbs
       Q(AXIS,2) = 0.0D0
       Q(AXIS,3) = 0.0D0
       Q(AXIS,4) = MOST
-      CALL HHEXAC(4, Q, MOST, 0, ANY, SGN)
+      CALL HHEXAC(4, HHVOLU, Q, MOST, 0, ANY, SGN)
       HHFLAT = SGN
       END
 
@@ -1503,6 +1443,7 @@ C     scratch.
       SUBROUTINE HHFOOT(A, B, C, Q, WANT, W, SET)
       DOUBLE PRECISION A(3), B(3), C(3), Q(3), W(3)
       INTEGER WANT, SET
+      EXTERNAL HHFT
       INTEGER HHCLOS, HHHOLD, HHPREC
       DOUBLE PRECISION HHPACK
       INTEGER UNSURE
@@ -1530,7 +1471,7 @@ C     scratch.
         IF (SET .NE. 0) RETURN
       END IF
       IF (HHHOLD(4, X) .EQ. 0) RETURN
-      CALL HHEXAC(4, X, MOST, 1, W, SET)
+      CALL HHEXAC(4, HHFT, X, MOST, 1, W, SET)
       SET = -SET
       IF (SET .EQ. -UNSURE) SET = 0
       END
@@ -1544,6 +1485,7 @@ C     where the limbs do not hold the points (see HHORIE).
       SUBROUTINE HHWEIG(P, TET, T, Q, W, INFO)
       DOUBLE PRECISION P(3,*), Q(3), W(4)
       INTEGER TET(4,*), T, INFO
+      EXTERNAL HHWGH
       INTEGER HHHOLD
       DOUBLE PRECISION HHPACK
       INTEGER UNSURE
@@ -1559,7 +1501,7 @@ C     where the limbs do not hold the points (see HHORIE).
       INFO = UNSURE
       IF (HHHOLD(5, X) .EQ. 0) RETURN
       MOST = HHPACK(5, X)
-      CALL HHEXAC(5, X, MOST, 1, W, INFO)
+      CALL HHEXAC(5, HHWGH, X, MOST, 1, W, INFO)
       END
 
 C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
@@ -1569,6 +1511,7 @@ C         det [(M,M,D)-(0,0,A)  (M,0,B)-(0,0,A)  (0,M,C)-(0,0,A)] =
 C             M**2 ((A-B) - (C-D)).
       INTEGER FUNCTION HHWIDE(A, B, C, D)
       DOUBLE PRECISION A, B, C, D
+      EXTERNAL HHVOLU
       DOUBLE PRECISION EPS, TINY
       PARAMETER (EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
       DOUBLE PRECISION ANY(3), ERR, M, Q(3,4), X, Y
@@ -1595,7 +1538,7 @@ C             M**2 ((A-B) - (C-D)).
         Q(2,2) = M
         Q(1,3) = M
         Q(2,4) = M
-        CALL HHEXAC(4, Q, M, 0, ANY, SGN)
+        CALL HHEXAC(4, HHVOLU, Q, M, 0, ANY, SGN)
       END IF
       HHWIDE = SGN
       END
@@ -1664,6 +1607,7 @@ C     in units of their own.
       INTEGER FUNCTION HHDECI(X, P, ORD, T3, NP, V)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), NP, V(*)
+      EXTERNAL HHISPH, HHVOLU
       INTEGER HHAPAR, HHFILT
       DOUBLE PRECISION HHPACK
       INTEGER UNSURE
@@ -1690,7 +1634,8 @@ C         the corners of a box are on one sphere
           IF (M .EQ. 4) SGN = HHFILT(4, UNIT, 64.0D0)
         ELSE
           MOST = HHPACK(M, Q)
-          CALL HHEXAC(M, Q, MOST, 0, ANY, SGN)
+          IF (M .EQ. 4) CALL HHEXAC(4, HHVOLU, Q, MOST, 0, ANY, SGN)
+          IF (M .EQ. 5) CALL HHEXAC(5, HHISPH, Q, MOST, 0, ANY, SGN)
         END IF
       END IF
       HHDECI = SGN
@@ -2052,21 +1997,6 @@ C     do not hold them.
       OK = 1
       END
 
-C     HHSQUA - L = |U|**2, of N limbs.
-      SUBROUTINE HHSQUA(N, FIRST, U, L)
-      INTEGER N, FIRST
-      DOUBLE PRECISION U(*), L(*)
-      INTEGER I, J
-      CALL HHZERO(2*N, L)
-      DO 20 I = FIRST, N
-        DO 10 J = FIRST, N
-          L(I+J) = L(I+J) + (U(3*I-2)*U(3*J-2) + U(3*I-1)*U(3*J-1) +
-     $                       U(3*I)*U(3*J))
-   10   CONTINUE
-   20 CONTINUE
-      CALL HHCARR(2*N, 1, L)
-      END
-
 C     HHLEVE - SUM = the leading limbs of the height of the position Z
 C     below the plane of a ball's facet, if PLANE is 1, else of its
 C     power in the ball, behind T(AT): see HHEVAL.  OK is 0 where the
@@ -2086,7 +2016,9 @@ C     limbs do not hold it, else 1.
       IF (PLANE .EQ. 1) THEN
         CALL HHEVAL(T, AT + BSIDE, N, FIRST, U, U, SUM)
       ELSE
-        CALL HHSQUA(N, FIRST, U, L)
+        CALL HHZERO(2*N, L)
+        CALL HHPROD(1, N, 3, U, N, 3, U, 2*N, 1, L)
+        CALL HHCARR(2*N, 1, 1, L)
         CALL HHEVAL(T, AT + BPOWER, N, FIRST, U, L, SUM)
       END IF
       END
@@ -2176,7 +2108,7 @@ C     ERR is HUGE if the limbs do not hold it.
       ERR = HUGE
       CALL HHLEVE(P, ORD, T, AT, Z, PLANE, SUM, OK)
       IF (OK .EQ. 0) RETURN
-      CALL HHCARR(BROWS + 1, 1, SUM)
+      CALL HHCARR(BROWS + 1, 1, 1, SUM)
       CALL HHLEAD(BROWS + 1, SUM, 1, 1, H, LAT)
       E = INT(T(AT+BBITS))
       H = HHLDEX(H/T(AT+BUNIT), MAX(E - (LAT - 1)*BITS, -2000))
