@@ -328,21 +328,33 @@ static const char *output(const option *o)
     return o->take == take_output ? *(const char **)o->to : 0;
 }
 
+/* same_file - are these names of one file, as far as they tell?  0: none. */
+static int same_file(const char *a, const char *b)
+{
+    if (!b) return 0;
+    while (strncmp(a, "./", 2) == 0) a += 2;
+    while (strncmp(b, "./", 2) == 0) b += 2;
+    return strcmp(a, b) == 0;
+}
+
 /* try_outputs - leave if a file cannot be written, or would be written over
  * by another. */
 static void try_outputs(void)
 {
+    const char *name;
     size_t k, m;
 
     for (k = 0; k < OPTIONS; k++) {
-        if (!output(table + k)) continue;
-        if (chosen.input && strcmp(chosen.input, output(table + k)) == 0)
-            fail("%s: would overwrite the input", chosen.input);
+        name = output(table + k);
+        if (!name) continue;
+        if (same_file(name, chosen.input))
+            fail("%s: would overwrite the input", name);
+        if (same_file(name, chosen.query))
+            fail("%s: would overwrite the places", name);
         for (m = 0; m < k; m++)
-            if (output(table + m) &&
-                strcmp(output(table + m), output(table + k)) == 0)
-                fail("%s: the name of two outputs", output(table + k));
-        try_output(output(table + k));
+            if (same_file(name, output(table + m)))
+                fail("%s: the name of two outputs", name);
+        try_output(name);
     }
 }
 

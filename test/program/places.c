@@ -175,8 +175,6 @@ void check_values(void)
         fail("-values %s: %s is for a -grid; choose .csv or .npy",
              chosen.values, ending[form]);
     if (form == SVG) choose_slice();
-    if (chosen.query && strcmp(chosen.values, chosen.query) == 0)
-        fail("%s: would overwrite the places", chosen.values);
     if (chosen.query && strcmp(chosen.query, "-") == 0 &&
         (!chosen.input || strcmp(chosen.input, "-") == 0))
         fail("points and places cannot both be standard input");

@@ -89,6 +89,9 @@ mkdir taken.npy.part
 refuses 'taken.npy' -grid 2,2,2 -values taken.npy points
 rmdir taken.npy.part
 refuses 'would overwrite' -query bare.csv -values bare.csv points
+refuses 'overwrite the places' -query bare -values v.npy -volumes bare points
+refuses 'overwrite the places' -query ./bare.csv -values bare.csv points
+refuses 'overwrite the input' -volumes ././points points
 refuses 'No such file' -query nowhere -values v.npy points
 refuses 'empty: empty' -query empty -values v.npy points
 refuses 'line 2: .*not a number: here' -query word -values v.npy points
