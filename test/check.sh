@@ -380,6 +380,51 @@ examples() {
     done
 }
 
+# The recipes: all of them, and nothing but routines, in one program.
+# routines PROGRAM MAIN: those files of test/examples that have no main program
+routines() {
+    for f in test/examples/*.$1; do
+        grep "$2" $f > /dev/null || echo $f
+    done
+}
+
+together() {
+    recipes=`routines c '^int main'`
+    if ! have "$CC" "$STRICT -Wmissing-prototypes"; then
+        skip "recipes together: $CC does not take the flags"
+        return
+    fi
+    H=test/examples/recipes.h
+    rm -rf build/recipes
+    # the prototypes of recipes.h are those of the recipes, and all of them
+    # shellcheck disable=SC2086
+    one "recipes: strict C89, as recipes.h declares them" compile "$CC" \
+        "$STRICT -Wmissing-prototypes -I. -include $H" build/recipes $recipes
+    nm build/recipes/*.o > build/nm.txt
+    grep ' [bBdDcCgGsS] ' build/nm.txt > build/data.txt
+    cat build/data.txt >> $LOG
+    one "recipes: no data but constants" test ! -s build/data.txt
+    sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/defined.txt
+    cat build/defined.txt build/names.txt | cut -c1-6 | tr A-Z a-z | sort | uniq -d > build/six.txt
+    cat build/six.txt >> $LOG
+    one "recipes: unique in six characters" test ! -s build/six.txt
+    { echo "#include \"../$H\""
+      echo 'typedef void (*routine)(void);'
+      echo 'int main(void) { static const routine all[] = {'
+      sed 's/.*/(routine)&,/' build/defined.txt
+      echo '0}; return all[0] == 0; }'; } > build/together.c
+    one "recipes: one program" sh -c "$CC -I. -o build/together \
+        build/together.c build/recipes/*.o build/tess.o build/hhpred.o $LIBS &&
+        build/together"
+    have g++ "-x c++" || return
+    # shellcheck disable=SC2086
+    one "recipes: C++" compile g++ "-x c++ -Wall -Wextra -Wconversion -Werror \
+        -Wmissing-declarations -I. -include $H" build/recipes $recipes
+    one "recipes: one program in C++" sh -c "g++ -I. -o build/together \
+        -x c++ build/together.c tess.c hhpred.c -x none build/recipes/*.o $LIBS &&
+        build/together"
+}
+
 # The README's programs and their commands, exactly as printed there, on the data
 # that are there; what it says they print is what build/tess proves.
 # printed LANGUAGE NAME PROGRAM: the program, and what is printed below it as
@@ -585,6 +630,10 @@ standard() {
         esac > build/ftnchek.txt 2>&1
         one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
     done
+    # shellcheck disable=SC2046
+    $CHEKS -library $F77 `routines f '^      PROGRAM'` > build/ftnchek.txt 2>&1
+    one "ftnchek: the recipes together" sh -c \
+        '! grep -i warning build/ftnchek.txt'
 }
 
 # The table of both names in the header of each file: all routines of C, and
@@ -756,6 +805,19 @@ programs() {
     done
 }
 
+# onef NAME LIBRARIES COMPILE...: all recipes, and the half just compiled
+onef() {
+    name=$1
+    libraries=$2
+    shift 2
+    rm -rf build/recipesf
+    mkdir build/recipesf
+    { for f in `routines f '^      PROGRAM'`; do cat $f; done
+      printf '      PROGRAM ALL\n      END\n'; } > build/recipesf/all.f
+    one "recipes: one program, $name" sh -c "cd build/recipesf && $* &&
+        $LINKF -o all all.o ../ftess.o ../fhhpred.o $libraries $LIBS && ./all"
+}
+
 # recipe NAME: natural.f without its main program, beside natural.c
 recipe() {
     sed '/^      PROGRAM/,/^      END$/d' test/examples/natural.f \
@@ -877,6 +939,8 @@ halves() {
         fortran "gfortran -fcheck=all" "" "$quick" gfort -O1 -fcheck=all
         text "gfortran -fcheck=all"
         programs "gfortran -fcheck=all" "-std=legacy -O1 -fcheck=all"
+        onef gfortran "" "gfortran -frecursive -std=f95 -pedantic -Wall -Wextra \
+            -Werror -c all.f"
         interface "gfortran -fcheck=all"
         mixed
         printed fortran first.f firstf
@@ -923,6 +987,7 @@ halves() {
         fortran "f2c" "" "$quick" viaf2c
         text "f2c"
         threads "f2c"
+        onef f2c -lf2c "f2c -A -a -u all.f && $CC -O1 -c all.c"
     else
         skip "the FORTRAN 77 half through f2c: no f2c"
     fi
@@ -991,6 +1056,7 @@ first_half() {
     tests
     builds
     examples
+    together
     readme
     many "rules" sh test/rules.sh
     many "the driver" env CC="$CC" sh test/program/driver.sh
