@@ -3,7 +3,7 @@
  *   cc -O2 -I. -o natural test/examples/natural.c tess.c hhpred.c -lm
  *
  *   natural   Sibson's and Laplace's weights at any point  (minus, dot, cross,
- *             triple, centre, slot, region, vertex, beside, facet)
+ *             triple, centre, slot, region, vertex, beside, mend, facet)
  *   blend     Sibson's smooth interpolant, from weights and gradients
  *             (minus, dot)
  *
@@ -24,9 +24,9 @@
  * tess_ball takes 1 microsecond, ten times as long. */
 #define FLAT 1e-6
 
-/* The hull is in the way where a Voronoi vertex is farther off than this many
- * times the farthest neighbour: roundings grow with the square of that. */
-#define FAR 1e4
+/* Weights are blended with linear ones where roundings are more than this part
+ * of q's cell, and are linear from ten times as much on. */
+#define DOUBT 1e-8
 
 /* The facets of a tetrahedron, counter-clockwise as seen from outside. */
 static const int facet[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
@@ -66,11 +66,19 @@ static double triple(const double *a, const double *b, const double *o,
 static void centre(const tess_real *p, const tess_int *v, const tess_real *q,
                    double *c)
 {
-    double e[3][3], f[3][3], square[3], ball[4], det;
-    int i, k;
+    double e[3][3], f[3][3], square[3], ball[4], det, s, least = DBL_MAX;
+    int i, k, o = 0;
 
+    /* from the vertex next to q: the power there is right to rounding */
+    for (i = 0; i < 4; i++) {
+        minus(p + 3 * v[i], q, e[0]);
+        s = dot(e[0], e[0]);
+        if (s >= least) continue;
+        least = s;
+        o = i;
+    }
     for (i = 0; i < 3; i++) {
-        minus(p + 3 * v[i + 1], p + 3 * v[0], e[i]);
+        minus(p + 3 * v[(o + i + 1) % 4], p + 3 * v[o], e[i]);
         square[i] = dot(e[i], e[i]);
     }
     for (i = 0; i < 3; i++) cross(e[(i + 1) % 3], e[(i + 2) % 3], f[i]);
@@ -81,9 +89,9 @@ static void centre(const tess_real *p, const tess_int *v, const tess_real *q,
                     square[2] * f[2][k]) / (2.0 * det);
     } else {
         tess_ball(p, v, ball);
-        for (k = 0; k < 3; k++) c[k] = ball[k] - (double)p[3 * v[0] + k];
+        for (k = 0; k < 3; k++) c[k] = ball[k] - (double)p[3 * v[o] + k];
     }
-    minus(p + 3 * v[0], q, e[0]);
+    minus(p + 3 * v[o], q, e[0]);
     c[3] = dot(e[0], e[0]) + 2.0 * dot(e[0], c);
     for (k = 0; k < 3; k++) c[k] += e[0][k];
 }
@@ -146,7 +154,7 @@ static int region(const tess_real *p, tess_int ntet, const tess_int *tet,
                                               p + 3 * v[2], p + 3 * v[3], q);
                 if (in > 1) return TESS_RANGE;
                 if (in == 1) {
-                    if (*nlist == most) return TESS_MORE;
+                    if (*nlist == most) return TESS_POOL;
                     list[*nlist] = u;
                     table[i] = s = (*nlist)++;
                 }
@@ -212,6 +220,46 @@ static tess_int beside(tess_int nlist, const tess_int *side,
     return side[4 * m + o] < 0 ? -1 - side[4 * m + o] : 0;
 }
 
+/* mend - make q the mean of the points by the weights w, to rounding: each
+ * weight times 1 - b.(y - m), where y is the point as seen from q, m the mean
+ * of these and b what it takes.  Returns 1 where a weight would be changed by
+ * more than half: it was nothing but roundings. */
+static int mend(tess_int nn, const double *y, double *w)
+{
+    double m[3], b[3], d[3], c[3][3], f[3], s, size;
+    tess_int i;
+    int j, k, pass;
+
+    for (pass = 0; pass < 5; pass++) {
+        size = m[0] = m[1] = m[2] = 0.0;
+        for (i = 0; i < nn; i++)
+            for (k = 0; k < 3; k++) {
+                m[k] += w[i] * y[3 * i + k];
+                size += w[i] * fabs(y[3 * i + k]);
+            }
+        if (fabs(m[0]) + fabs(m[1]) + fabs(m[2]) <= 1e-14 * size) return 0;
+        for (j = 0; j < 9; j++) c[j / 3][j % 3] = 0.0;
+        for (i = 0; i < nn; i++) {
+            for (k = 0; k < 3; k++) d[k] = (y[3 * i + k] - m[k]) / size;
+            for (j = 0; j < 9; j++)
+                c[j / 3][j % 3] += w[i] * d[j / 3] * d[j % 3];
+        }
+        s = 1e-15 * (c[0][0] + c[1][1] + c[2][2]);
+        for (k = 0; k < 3; k++) c[k][k] += s;
+        for (k = 0; k < 3; k++) {
+            cross(c[(k + 1) % 3], c[(k + 2) % 3], f);
+            b[k] = dot(f, m) / dot(f, c[k]) / size;
+        }
+        for (i = 0; i < nn; i++) {
+            for (k = 0; k < 3; k++) d[k] = (y[3 * i + k] - m[k]) / size;
+            s = dot(b, d);
+            if (!(fabs(s) <= 0.5)) return 1;
+            w[i] -= w[i] * s;
+        }
+    }
+    return 1;
+}
+
 /* natural - Sibson's and Laplace's natural neighbour weights.
  *
  *   p, ntet, tet, adj  (in)  a result of tess with ntet >= 1
@@ -225,20 +273,25 @@ static tess_int beside(tess_int nlist, const tess_int *side,
  *   iw      (out)     workspace, 13*most + 14
  *   rw      (out)     workspace, 13*most + 15
  *
- * The weights are at least 0, and their sum is 1: sum of w[k] * value[nbr[k]]
- * interpolates, and reproduces linear fields.  Sibson's: the volume that q's
+ * The weights are at least 0, their sum is 1, and q, or the hull's nearest point
+ * to it, is the points' mean by them, all to rounding: sum of w[k] *
+ * value[nbr[k]] interpolates, and reproduces linear fields.  Sibson's: the volume that q's
  * Voronoi cell, if q were a point, would take from that of a point; smooth but
  * at the points.  Laplace's: the area of the face between q's cell and the
  * other one by the distance; smooth but on the spheres of the tetrahedra.
  *
  * At a point its weight is 1.  Outside, both are those of the hull's nearest
- * point, linear on its facet; and linear in t where the hull is in the way, for
- * q nearer to it than about 1/FAR of the distance of its neighbours.
+ * point, linear on its facet.  Both turn into the linear weights of t where
+ * roundings hide q's cell, by degrees from 1e-8 of it on: near the hull, where
+ * Voronoi vertices are some 1e4 times as far off as the neighbours; within
+ * roundings of a point; beside points that are far off; in sets that are flat;
+ * and where differences of coordinates are below 1e-90 or above 1e90.  So it is
+ * where only vertices of t have weights.
  *
- * returns 0; 1 outside the hull; TESS_MORE, most being too small: nothing else
+ * returns 0; 1 outside the hull; TESS_POOL, most being too small: nothing else
  * is lost; TESS_BAD_OPEN where a facet that is open, in an unfinished result,
  * has a part in the weights; -7 for most < 1; -2, -4, -5, -6, TESS_RANGE as
- * from tess_locate.  nn is then 0.
+ * from tess_locate.  nn is 0 but for 0 and 1.
  * Cost: in clouds 10 microseconds, half of them for the exact tests of balls.
  * Source: Sibson, "A brief description of natural neighbour interpolation"
  * (1981); for Laplace's Belikov et al. (1997), Hiyoshi and Sugihara (2000).
@@ -257,7 +310,7 @@ int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
 {
     tess_int *list = iw, *side = list + most, *corner = side + 4 * most;
     double *c = rw, *x = c + 4 * most, *y = x + 6 * most + 6, *a, *b;
-    double w[4], e[3], s, near = 0.0, far = 0.0, all[2] = {0.0, 0.0};
+    double w[4], e[3], s, near = 0.0, doubt = 0.0, all[2] = {0.0, 0.0};
     tess_int nlist = 0, i, j, m, u;
     int code, h, k;
 
@@ -297,8 +350,7 @@ int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
             u = side[4 * m + k];
             if (u >= 0 && u < m) continue;
             a = u < 0 ? x - 3 * (u + 1) : c + 4 * u;
-            s = dot(c + 4 * m, c + 4 * m) + dot(a, a);
-            if (!(s <= far)) far = s;
+            doubt += dot(c + 4 * m, c + 4 * m) + dot(a, a);
             for (h = 0; h < 3; h++) {
                 i = corner[4 * m + facet[k][h]];
                 j = corner[4 * m + facet[k][(h + 1) % 3]];
@@ -324,17 +376,32 @@ int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
         all[0] += sibson[i];
         all[1] += laplace[i];
     }
-    if (!(far <= FAR * FAR * near && all[0] > 0.0 && all[1] > 0.0 &&
-          all[0] <= DBL_MAX && all[1] <= DBL_MAX)) {
-        all[0] = all[1] = 1.0;
+    /* the part that is linear: all of it where there is nothing, or no number.
+     * Of w the vertices are the first four corners */
+    s = 1.0;
+    if (all[0] > 0.0 && all[1] > 0.0 && all[0] <= DBL_MAX &&
+        all[1] <= DBL_MAX) {
+        doubt *= DBL_EPSILON * sqrt(near);
+        s = (doubt / all[0] / DOUBT - 1.0) / 9.0;
+    }
+    for (i = 0; i < *nn && s < 1.0; i++) {
+        sibson[i] /= all[0];
+        laplace[i] /= all[1];
+    }
+    if (!(s < 1.0) || mend(*nn, y, sibson) || mend(*nn, y, laplace)) {
         for (*nn = 4, k = 0; k < 4; k++) {
             nbr[k] = tet[4 * *t + k];
             sibson[k] = laplace[k] = w[k];
         }
-    }
-    for (i = 0; i < *nn; i++) {
-        sibson[i] /= all[0];
-        laplace[i] /= all[1];
+    } else if (s > 0.0) {
+        for (i = 0; i < *nn; i++) {
+            sibson[i] -= s * sibson[i];
+            laplace[i] -= s * laplace[i];
+        }
+        for (k = 0; k < 4; k++) {
+            sibson[corner[k]] += s * w[k];
+            laplace[corner[k]] += s * w[k];
+        }
     }
     return code;
 }

@@ -5,7 +5,7 @@ C         gfortran -O2 test/examples/natural.f f77/tess.f f77/hhpred.f
 C
 C       NATURA  Sibson's and Laplace's weights at any point  (WEIGHT,
 C               MINUS, DOT, CROSS, TRIPLE, CENTRE, SLOT, REGION, VERTEX,
-C               BESIDE, FACET)
+C               BESIDE, NMEND, FACET)
 C       BLEND   Sibson's smooth interpolant, from weights and gradients
 C               (MINUS, DOT)
 C
@@ -105,11 +105,21 @@ C     speed rests on it: TESSBA takes 1 microsecond, ten times as long.
       DOUBLE PRECISION P(3,*), Q(3), C(4)
       INTEGER V(4)
       DOUBLE PRECISION E(3,3), F(3,3), SQUARE(3), BALL(4), DET, DOT
-      DOUBLE PRECISION FLAT
-      INTEGER I, K, INFO
+      DOUBLE PRECISION S, LEAST, FLAT
+      INTEGER I, K, O, INFO
       PARAMETER (FLAT = 1.0D-6)
+C     From the vertex next to Q: the power there is right to rounding.
+      LEAST = 0.0D0
+      O = 1
+      DO 5 I = 1, 4
+         CALL MINUS(P(1,V(I)), Q, E(1,1))
+         S = DOT(E(1,1), E(1,1))
+         IF (I .GT. 1 .AND. S .GE. LEAST) GO TO 5
+         LEAST = S
+         O = I
+    5 CONTINUE
       DO 10 I = 1, 3
-         CALL MINUS(P(1,V(I+1)), P(1,V(1)), E(1,I))
+         CALL MINUS(P(1,V(MOD(O+I-1, 4)+1)), P(1,V(O)), E(1,I))
          SQUARE(I) = DOT(E(1,I), E(1,I))
    10 CONTINUE
       DO 20 I = 1, 3
@@ -123,9 +133,9 @@ C     speed rests on it: TESSBA takes 1 microsecond, ten times as long.
    30    CONTINUE
       ELSE
          CALL TESSBA(P, V, BALL, INFO)
-         CALL MINUS(BALL(1), P(1,V(1)), C(1))
+         CALL MINUS(BALL(1), P(1,V(O)), C(1))
       END IF
-      CALL MINUS(P(1,V(1)), Q, E(1,1))
+      CALL MINUS(P(1,V(O)), Q, E(1,1))
       C(4) = DOT(E(1,1), E(1,1)) + 2.0D0*DOT(E(1,1), C(1))
       DO 40 K = 1, 3
          C(K) = C(K) + E(K,1)
@@ -207,7 +217,7 @@ C       INFO    (out)  0 or a code of NATURA
             INFO = 6
             IF (IN .GT. 1) RETURN
             IF (IN .EQ. 1) THEN
-               INFO = 1
+               INFO = 2
                IF (NLIST .EQ. MOST) RETURN
                NLIST = NLIST + 1
                LIST(NLIST) = U
@@ -297,6 +307,62 @@ C     the facet, and OTHER of FIRST.
       IF (SIDE(O,M) .LT. 0) BESIDE = -SIDE(O,M)
       END
 
+C     NMEND - make Q the mean of the points by the weights W, to
+C     rounding: each weight times 1 - B.(Y - M), where Y is the point as
+C     seen from Q, M the mean of these and B what it takes.  Returns 1
+C     where a weight would be changed by more than half: it was nothing
+C     but roundings.
+      INTEGER FUNCTION NMEND(NN, Y, W)
+      INTEGER NN
+      DOUBLE PRECISION Y(3,*), W(*)
+      DOUBLE PRECISION M(3), B(3), D(3), C(3,3), F(3), S, SIZE, DOT
+      INTEGER I, J, K, PASS
+      DO 100 PASS = 1, 5
+         SIZE = 0.0D0
+         DO 20 K = 1, 3
+            M(K) = 0.0D0
+            DO 10 J = 1, 3
+               C(J,K) = 0.0D0
+   10       CONTINUE
+   20    CONTINUE
+         DO 40 I = 1, NN
+            DO 30 K = 1, 3
+               M(K) = M(K) + W(I)*Y(K,I)
+               SIZE = SIZE + W(I)*ABS(Y(K,I))
+   30       CONTINUE
+   40    CONTINUE
+         NMEND = 0
+         IF (ABS(M(1)) + ABS(M(2)) + ABS(M(3)) .LE. 1.0D-14*SIZE) RETURN
+         NMEND = 1
+         DO 60 I = 1, NN
+            DO 45 K = 1, 3
+               D(K) = (Y(K,I) - M(K)) / SIZE
+   45       CONTINUE
+            DO 55 K = 1, 3
+               DO 50 J = 1, 3
+                  C(J,K) = C(J,K) + W(I)*D(K)*D(J)
+   50          CONTINUE
+   55       CONTINUE
+   60    CONTINUE
+         S = 1.0D-15*(C(1,1) + C(2,2) + C(3,3))
+         DO 70 K = 1, 3
+            C(K,K) = C(K,K) + S
+   70    CONTINUE
+         DO 80 K = 1, 3
+            CALL CROSS(C(1,MOD(K, 3)+1), C(1,MOD(K+1, 3)+1), F)
+            B(K) = DOT(F, M) / DOT(F, C(1,K)) / SIZE
+   80    CONTINUE
+         DO 95 I = 1, NN
+            DO 90 K = 1, 3
+               D(K) = (Y(K,I) - M(K)) / SIZE
+   90       CONTINUE
+            S = DOT(B, D)
+            IF (.NOT. (ABS(S) .LE. 0.5D0)) RETURN
+            W(I) = W(I) - W(I)*S
+   95    CONTINUE
+  100 CONTINUE
+      END
+
 C     NATURA - Sibson's and Laplace's natural neighbour weights.
 C
 C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
@@ -312,25 +378,30 @@ C       SIBSON, LAPLAC  (out)  (MOST+3) each: their weights, in the same
 C                         order
 C       IW      (out)     (13*MOST+14): workspace
 C       RW      (out)     (13*MOST+15): workspace
-C       INFO    (out)     0; 1 outside the hull or, NN being 0, MOST too
+C       INFO    (out)     0; 1 outside the hull; 2, MOST being too
 C                         small: nothing else is lost; 13 where a facet
 C                         that is open, in an unfinished result, has a
 C                         part in the weights; -7 for MOST < 1; -2, -4,
-C                         -5, -6 and 6 as from TESSLO.  NN is then 0
+C                         -5, -6 and 6 as from TESSLO.  NN is 0 but for
+C                         0 and 1
 C
-C     The weights are at least 0, and their sum is 1: the sum of
-C     W(K)*VALUE(NBR(K)) interpolates, and reproduces linear fields.
+C     The weights are at least 0, their sum is 1, and Q, or the hull's
+C     nearest point to it, is the points' mean by them, all to rounding:
+C     the sum of W(K)*VALUE(NBR(K)) interpolates, and reproduces linear
+C     fields.
 C     Sibson's: the volume that Q's Voronoi cell, if Q were a point,
 C     would take from that of a point; smooth but at the points.
 C     Laplace's: the area of the face between Q's cell and the other one
 C     by the distance; smooth but on the spheres of the tetrahedra.
 C
 C     At a point its weight is 1.  Outside, both are those of the hull's
-C     nearest point, linear on its facet; and linear in T where the hull
-C     is in the way, that is where a Voronoi vertex is farther off than
-C     FAR times the farthest neighbour: roundings grow with the square
-C     of that.  So it is for Q nearer to the hull than about 1/FAR of
-C     the distance of its neighbours.
+C     nearest point, linear on its facet.  Both turn into the linear
+C     weights of T where roundings hide Q's cell, by degrees from 1D-8
+C     of it on: near the hull, where Voronoi vertices are some 1D4 times
+C     as far off as the neighbours; within roundings of a point; beside
+C     points that are far off; in sets that are flat; and where
+C     differences of coordinates are below 1D-90 or above 1D90.  So it
+C     is where only vertices of T have weights.
 C
 C     Cost: in clouds 10 microseconds, half of them for the exact tests
 C     of balls.  Source: Sibson, "A brief description of natural
@@ -378,7 +449,8 @@ C     What holds Q has it in its ball, if Q is none of the points.
       END
 
 C     WEIGHT - the weights, from the region, which is empty where they
-C     are to be linear.  C: its balls; X: Q's Voronoi vertices; Y: the
+C     are to be linear; in part so where roundings are more than LIMIT
+C     of Q's cell, and all from ten times as much on.  C: its balls; X: Q's Voronoi vertices; Y: the
 C     neighbours as seen from Q; W: the weights of T.
       SUBROUTINE WEIGHT(P, TET, ADJ, Q, T, NLIST, LIST, SIDE, CORNER,
      1                  NN, NBR, SIBSON, LAPLAC, C, X, Y, W)
@@ -386,12 +458,12 @@ C     neighbours as seen from Q; W: the weights of T.
       DOUBLE PRECISION X(3,*), Y(3,*), W(4)
       INTEGER TET(4,*), ADJ(4,*), T, NLIST, LIST(*), SIDE(4,*)
       INTEGER CORNER(4,*), NN, NBR(*)
-      DOUBLE PRECISION A(3), E(3), S, NEAR, FAR, ALL(2), MOST, DOT
-      DOUBLE PRECISION TRIPLE
-      INTEGER B, H, I, J, K, L, M, U, FACET, BESIDE
-      PARAMETER (FAR = 1.0D4)
+      DOUBLE PRECISION A(3), E(3), S, NEAR, DOUBT, ALL(2), LIMIT, ROUND
+      DOUBLE PRECISION DOT, TRIPLE
+      INTEGER B, H, I, J, K, L, M, U, GOOD, FACET, BESIDE, NMEND
+      PARAMETER (LIMIT = 1.0D-8, ROUND = 2.220446049250313D-16)
       NEAR = 0.0D0
-      MOST = 0.0D0
+      DOUBT = 0.0D0
       ALL(1) = 0.0D0
       ALL(2) = 0.0D0
       DO 10 I = 1, NN
@@ -423,8 +495,7 @@ C     each.
                   A(L) = C(L,U)
                END IF
    50       CONTINUE
-            S = DOT(C(1,M), C(1,M)) + DOT(A, A)
-            IF (.NOT. (S .LE. MOST)) MOST = S
+            DOUBT = DOUBT + DOT(C(1,M), C(1,M)) + DOT(A, A)
             DO 60 H = 1, 3
                I = CORNER(FACET(H, K),M)
                J = CORNER(FACET(H+1, K),M)
@@ -452,23 +523,41 @@ C                 The face's edge on Q's cell.
          ALL(1) = ALL(1) + SIBSON(I)
          ALL(2) = ALL(2) + LAPLAC(I)
    90 CONTINUE
-C     Nothing, or no number: then linear.
-      IF (.NOT. (MOST .LE. FAR*FAR*NEAR .AND. ALL(1) .GT. 0.0D0 .AND.
-     1    ALL(2) .GT. 0.0D0 .AND. 0.5D0*ALL(1) .LT. ALL(1) .AND.
-     2    0.5D0*ALL(2) .LT. ALL(2))) THEN
-         ALL(1) = 1.0D0
-         ALL(2) = 1.0D0
+C     The part that is linear: all of it where there is nothing, or no
+C     number.  Of W the vertices are the first four corners.
+      S = 1.0D0
+      IF (ALL(1) .GT. 0.0D0 .AND. ALL(2) .GT. 0.0D0 .AND.
+     1    0.5D0*ALL(1) .LT. ALL(1) .AND. 0.5D0*ALL(2) .LT. ALL(2)) THEN
+         DOUBT = ROUND*SQRT(NEAR)*DOUBT
+         S = (DOUBT / ALL(1) / LIMIT - 1.0D0) / 9.0D0
+      END IF
+      GOOD = 0
+      IF (S .LT. 1.0D0) THEN
+         DO 100 I = 1, NN
+            SIBSON(I) = SIBSON(I) / ALL(1)
+            LAPLAC(I) = LAPLAC(I) / ALL(2)
+  100    CONTINUE
+         IF (NMEND(NN, Y, SIBSON) .EQ. 0) GOOD = 1 - NMEND(NN, Y,
+     1                                                   LAPLAC)
+      END IF
+      IF (GOOD .EQ. 0) THEN
          NN = 4
-         DO 100 K = 1, 4
+         DO 110 K = 1, 4
             NBR(K) = TET(K,T)
             SIBSON(K) = W(K)
             LAPLAC(K) = W(K)
-  100    CONTINUE
+  110    CONTINUE
+      ELSE IF (S .GT. 0.0D0) THEN
+         DO 120 I = 1, NN
+            SIBSON(I) = SIBSON(I) - S*SIBSON(I)
+            LAPLAC(I) = LAPLAC(I) - S*LAPLAC(I)
+  120    CONTINUE
+         DO 130 K = 1, 4
+            I = CORNER(K,1)
+            SIBSON(I) = SIBSON(I) + S*W(K)
+            LAPLAC(I) = LAPLAC(I) + S*W(K)
+  130    CONTINUE
       END IF
-      DO 110 I = 1, NN
-         SIBSON(I) = SIBSON(I) / ALL(1)
-         LAPLAC(I) = LAPLAC(I) / ALL(2)
-  110 CONTINUE
       END
 
 C     ---- interpolation ----

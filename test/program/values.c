@@ -283,7 +283,7 @@ static void sibsons(const tess_real *q, tess_int t, double *out)
 
     while ((code = natural(of->p, of->ntet, of->tet, of->adj, q, &t, most,
                            &many, neighbour, sibson, laplace, iwork, work)) ==
-           TESS_MORE && many == 0) {
+           TESS_POOL) {
         i = 2 * most;
         values_end();
         room(i);
