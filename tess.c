@@ -412,15 +412,14 @@ static void swap(mesh *m, tess_int i, tess_int j)
 static tess_int pivot(const mesh *m, tess_int lo, tess_int hi, tess_int mid,
                       int axis, long *chance)
 {
-    tess_int a[33], step = (hi - lo) / 1024, t;
+    tess_int a[33], step = (tess_int)((hi - lo) / 1024), t;
     int n = hi - lo > 4000 ? 33 : hi - lo > 200 ? 9 : 3, i, j;
 
     a[0] = lo;
     for (i = 0; i < n; i++) {
         *chance = *chance * 137 % 30269 + 1;
-        t = step > 0 ? lo + step * (tess_int)(*chance % 1024) +
-                           (tess_int)(*chance % step)
-                     : lo + (tess_int)(*chance % (hi - lo));
+        t = (tess_int)(step > 0 ? lo + step * (*chance % 1024) + *chance % step
+                                : lo + *chance % (hi - lo));
         for (j = i; j > 0 && before(m, t, axis, m->x + 3 * a[j - 1],
                                     m->order[a[j - 1]]); j--)
             a[j] = a[j - 1];
@@ -449,7 +448,7 @@ static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
             if (m->x[3 * j + axis] == q[axis])
                 less = before(m, j, axis, q, number);
             swap(m, i, j);
-            i += less;
+            i = (tess_int)(i + less);
         }
         /* lo ... i-1 precede the pivot, i ... hi-1 do not */
         if (mid < i)
@@ -485,7 +484,7 @@ static void twin(mesh *m, tess_int i, tess_int j)
 static void bisect(mesh *m, tess_int lo, tess_int hi, tess_int mid)
 {
     double least[3], most[3], x;
-    tess_int i, step = (hi - lo) / SAMPLE + 1;
+    tess_int i, step = (tess_int)((hi - lo) / SAMPLE + 1);
     int k, axis = 0;
 
     for (k = 0; k < 3; k++) least[k] = most[k] = m->x[3 * lo + k];
@@ -507,7 +506,7 @@ static tess_int leafstart(const mesh *m, tess_int j)
 {
     tess_int more = m->np % m->leaves;
 
-    return j * (m->np / m->leaves) + (j < more ? j : more);
+    return (tess_int)(j * (m->np / m->leaves) + (j < more ? j : more));
 }
 
 /* leafof - the leaf that holds position i. */
@@ -515,8 +514,8 @@ static tess_int leafof(const mesh *m, tess_int i)
 {
     tess_int size = m->np / m->leaves, more = m->np % m->leaves;
 
-    if (i < more * (size + 1)) return i / (size + 1);
-    return more + (i - more * (size + 1)) / size;
+    if (i < more * (size + 1)) return (tess_int)(i / (size + 1));
+    return (tess_int)(more + (i - more * (size + 1)) / size);
 }
 
 /* span - the positions first ... last-1 below a node of the tree. */
@@ -526,10 +525,10 @@ static void span(const mesh *m, tess_int node, tess_int *first, tess_int *last)
 
     while (left < m->leaves) {
         left = 2 * left;
-        right = 2 * right + 1;
+        right = (tess_int)(2 * right + 1);
     }
     *first = leafstart(m, left - m->leaves);
-    *last = leafstart(m, right - m->leaves + 1);
+    *last = leafstart(m, (tess_int)(right - m->leaves + 1));
 }
 
 /* leafsort - sort the points of a leaf into groups of GROUP. */
@@ -537,12 +536,13 @@ static void leafsort(mesh *m, tess_int first, tess_int last)
 {
     tess_int half, lo, hi, i, j;
 
-    half = first + ((last - first + GROUP - 1) / GROUP + 1) / 2 * GROUP;
+    half = (tess_int)(first + ((last - first + GROUP - 1) / GROUP + 1) / 2 *
+                                  GROUP);
     if (half < last) bisect(m, first, last, half);
     for (lo = first; lo < last; lo += GROUP) {
         hi = lo < half && half < last ? half : last;
         if (lo + GROUP < hi) bisect(m, lo, hi, lo + GROUP);
-        hi = lo + GROUP < hi ? lo + GROUP : hi;
+        if (lo + GROUP < hi) hi = (tess_int)(lo + GROUP);
         for (i = lo + 1; i < hi; i++)
             for (j = i; j > lo && before(m, j, 0, m->x + 3 * (j - 1),
                                          m->order[j - 1]); j--)
@@ -578,7 +578,7 @@ static void boxes(mesh *m)
     double *b, *l, *r, x;
     int k;
 
-    for (node = 2 * m->leaves - 1; node > 0; node--) {
+    for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
         b = m->box + 6 * node;
         if (node < m->leaves) {
             l = b + 6 * node;
@@ -854,7 +854,7 @@ static tess_int cuberoot(tess_int n)
  * what uniform points need, as a small table stays in the cache. */
 static tess_int tablesize(tess_int n)
 {
-    return 9 * cuberoot(n) * cuberoot(n) + 16;
+    return (tess_int)(9 * cuberoot(n) * cuberoot(n) + 16);
 }
 
 /* quota - returns how many entries the table may have with room for so many
@@ -862,10 +862,10 @@ static tess_int tablesize(tess_int n)
  * remaining free space. */
 static tess_int quota(const mesh *m, tess_int edges)
 {
-    tess_int most = (m->newest - EDGE * edges) / ENTRY;
-    tess_int need = m->nopen + m->nopen / 7 + 4;
+    tess_int most = (tess_int)((m->newest - EDGE * edges) / ENTRY);
+    tess_int need = (tess_int)(m->nopen + m->nopen / 7 + 4);
 
-    return most < need ? most : need + (most - need) / 2;
+    return most < need ? most : (tess_int)(need + (most - need) / 2);
 }
 
 /* rehash - give the table the wanted length, or its quota if that is less, and
@@ -950,7 +950,7 @@ static int boxquery(const mesh *m, list *l, tess_int own)
             continue;
         if (node < m->leaves) {
             stack[depth++] = 2 * node;
-            stack[depth++] = 2 * node + 1;
+            stack[depth++] = (tess_int)(2 * node + 1);
             continue;
         }
         span(m, node, &first, &last);
@@ -1518,7 +1518,7 @@ static void scanleaf(mesh *m, quest *f, tess_int leaf)
         for (k = any = 0; k < GROUP; k++) any |= power[i + k] <= most;
         if (!any) continue;
         for (k = i; k < i + GROUP; k++) {
-            place[passed] = first + k;
+            place[passed] = (tess_int)(first + k);
             passed += power[k] <= most;
         }
     }
@@ -1562,7 +1562,7 @@ static void treesearch(mesh *m, quest *f)
                 if (past[n] > 0.0) {
                     HOLDS(barren(m, f, 4 * node + n));
                 } else if (4 * node + n != from)
-                    stack[depth++] = 4 * node + n;
+                    stack[depth++] = (tess_int)(4 * node + n);
             continue;
         }
         COUNT(N_NODE, 1);
@@ -1573,7 +1573,7 @@ static void treesearch(mesh *m, quest *f)
             scanleaf(m, f, node);
         else {
             stack[depth++] = 2 * node;
-            stack[depth++] = 2 * node + 1;
+            stack[depth++] = (tess_int)(2 * node + 1);
         }
     }
 }
@@ -1608,7 +1608,8 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
         f->v[k] = v[k];
         f->c[k] = 0.0;
     }
-    f->best = f->on = NONE;
+    f->best = NONE;
+    f->on = NONE;
     f->asked = f->limbs = f->tied = f->ball = 0;
     f->opened = 0;
     f->dc = f->size = 0.0;
@@ -1741,7 +1742,9 @@ static void settle(mesh *m, tess_int s, tess_int *v)
     v[0] = s;
     for (k = 1; k < 4; k++)
         for (i = 1; i < size; i++)
-            if (exchange(m, NULL, v, k, first + (s - first + i) % size)) break;
+            if (exchange(m, NULL, v, k,
+                         (tess_int)(first + (s - first + i) % size)))
+                break;
     if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) < 0) {
         z = v[1];
         v[1] = v[2];
@@ -1798,7 +1801,7 @@ static void clearlink(mesh *m)
 /* renumber - move the edges up to the end of the pool. */
 static void renumber(mesh *m)
 {
-    tess_int shift = m->room - EDGE - m->oldest, e, *p, *q;
+    tess_int shift = (tess_int)(m->room - EDGE - m->oldest), e, *p, *q;
     int k;
 
     for (e = m->oldest; e >= m->newest; e -= EDGE) {
@@ -1891,9 +1894,9 @@ static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
     if (code == START) {
         f = between(m, b, a);
         m->adj[4 * t + 3] = f == NONE ? TESS_NONE : TESS_OPEN;
-        if (f != NONE) m->pool[f + CODE] = 4 * t + 3;
+        if (f != NONE) m->pool[f + CODE] = (tess_int)(4 * t + 3);
     } else
-        glue(m, code, 4 * t + 3);
+        glue(m, code, (tess_int)(4 * t + 3));
     if (m->link[c] == NEW) m->link[c] = NONE;
     unlinkedge(m, e);
     m->adj[4 * t] = TESS_OPEN; /* until flush */
@@ -1902,11 +1905,11 @@ static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
     f = between(m, c, a);
     if (f == NONE) {
         m->adj[4 * t + 2] = TESS_OPEN;
-        f = push(m, 4 * t + 2, a, c);
+        f = push(m, (tess_int)(4 * t + 2), a, c);
         join(m, prev, f);
         prev = f;
     } else {
-        glue(m, 4 * t + 2, m->pool[f + CODE]);
+        glue(m, (tess_int)(4 * t + 2), m->pool[f + CODE]);
         g = m->pool[f + PREV];
         if (f != prev) join(m, prev, m->pool[f + AFTER]);
         prev = g;
@@ -1916,11 +1919,11 @@ static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
     f = between(m, b, c);
     if (f == NONE) {
         m->adj[4 * t + 1] = TESS_OPEN;
-        f = push(m, 4 * t + 1, c, b);
+        f = push(m, (tess_int)(4 * t + 1), c, b);
         join(m, prev, f);
         join(m, f, after);
     } else {
-        glue(m, 4 * t + 1, m->pool[f + CODE]);
+        glue(m, (tess_int)(4 * t + 1), m->pool[f + CODE]);
         g = m->pool[f + PREV];
         join(m, prev, m->pool[f + AFTER]);
         if (f != after) join(m, g, after);
@@ -1965,7 +1968,8 @@ static int gather(mesh *m, tess_int s)
 
     for (t = 0; t < m->ntet; t++)
         for (k = 3; k >= 0; k--)
-            if (m->adj[4 * t + k] == TESS_OPEN && !enlist(m, s, 4 * t + k))
+            if (m->adj[4 * t + k] == TESS_OPEN &&
+                !enlist(m, s, (tess_int)(4 * t + k)))
                 return 0;
     follow(m);
     return 1;
@@ -2028,7 +2032,7 @@ static int makeroom(mesh *m, tess_int s)
     flush(m);
     if (m->room - m->oldest > (m->room - m->newest) / 8) renumber(m);
     most = quota(m, 2);
-    if (most > 2 * m->m + 1) most = 2 * m->m + 1;
+    if (most > 2 * m->m + 1) most = (tess_int)(2 * m->m + 1);
     if ((4 * m->nopen >= 3 * m->m && most > m->m + change) ||
         (ENTRY * m->m > m->newest - 2 * EDGE && most < m->m - change))
         (void)rehash(m, s, most);
@@ -2200,8 +2204,8 @@ static int lengths(tess_int n, sizes *w)
 
     /* 2 leafcount(n) < n/12 + 2 */
     if (n < 0 || n > (TESS_INT_MOST - LEAST) / 5) return 0;
-    w->iw = 4 * n + 2 * leafcount(n) + LEAST;
-    w->rw = 3 * n + 12 * leafcount(n);
+    w->iw = (tess_int)(4 * n + 2 * leafcount(n) + LEAST);
+    w->rw = (tess_int)(3 * n + 12 * leafcount(n));
     left = TESS_INT_MOST - w->iw;
     hub = 4.0 * (double)n + (cloud > hub ? cloud : hub);
     w->pool = hub < (double)left ? (tess_int)hub : left;
@@ -2209,7 +2213,7 @@ static int lengths(tess_int n, sizes *w)
     if (TESS_LIST < 128 || n < ENOUGH) return 1;
     left -= w->pool;
     if (2 * SUPPORTS * leafcount(n) < left - n)
-        w->marks = n + 2 * SUPPORTS * leafcount(n);
+        w->marks = (tess_int)(n + 2 * SUPPORTS * leafcount(n));
     if (32 * (leafcount(n) / 3) < TESS_INT_MOST - w->rw)
         w->cylinders = 32 * (leafcount(n) / 3);
     return 1;
@@ -2233,7 +2237,8 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->stage = 0;
     m->scanned = m->patience = 0.0;
     m->block.first = m->block.last = NONE;
-    m->np = m->block.n = m->around.n = 0;
+    m->np = 0;
+    m->block.n = m->around.n = 0;
 }
 
 /* collect - copy the points that represent themselves, in their order. */
@@ -2331,8 +2336,11 @@ static void revive(mesh *m)
     tess_int i;
 
     for (i = 1; i < 2 * m->leaves; i++)
-        m->alive[i] = i < m->leaves ? 2 : leafstart(m, i - m->leaves + 1) -
-                                              leafstart(m, i - m->leaves);
+        m->alive[i] =
+            i < m->leaves
+                ? 2
+                : (tess_int)(leafstart(m, (tess_int)(i - m->leaves + 1)) -
+                             leafstart(m, i - m->leaves));
 }
 
 /* sorted - prepare n points: sort them, drop the duplicates, build the tree.
@@ -2372,7 +2380,7 @@ static void seal(mesh *m, int code)
 {
     double *header = m->box;
 
-    if (code != 0) m->known[0] = -code;
+    if (code != 0) m->known[0] = (tess_int)-code;
     m->known[4] = m->np;
     header[0] = (double)m->np;
     if (code != 0) return;
@@ -2475,14 +2483,14 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
         }
     if (open > m->room / ENTRY) return TESS_POOL;
     m->nopen = open;
-    if (!rehash(m, NONE, 2 * open + 1)) return TESS_POOL;
+    if (!rehash(m, NONE, (tess_int)(2 * open + 1))) return TESS_POOL;
     if (m->nopen < open) return -6; /* its two sides removed each other */
     *s = m->tet[4 * (m->ntet - 1)];
     if (m->head[*s] == FOREIGN) *s = NONE;
     m->m = 0;
     if (!gather(m, *s)) return TESS_POOL;
-    return rehash(m, *s, (2 * open > size ? 2 * open : size) + 1) ? 0
-                                                                  : TESS_POOL;
+    if (2 * open > size) size = (tess_int)(2 * open);
+    return rehash(m, *s, (tess_int)(size + 1)) ? 0 : TESS_POOL;
 }
 
 /* run - tess and tess_resume, or tess_part if mine is given, for arguments that
@@ -2502,7 +2510,7 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     m.head = m.alive + 2 * leafcount(n);
     m.link = m.head + n;
     m.pool = m.link + n;
-    m.room = liw - 4 * n - 2 * leafcount(n) - KEEP;
+    m.room = (tess_int)(liw - 4 * n - 2 * leafcount(n) - KEEP);
     (void)lengths(n, &w);
     if (w.cylinders > 0 && mine == NULL && lrw - w.rw >= w.cylinders)
         m.stage = 1;
@@ -2577,7 +2585,7 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
     *liw = *lrw = 0;
     if (code != 0) return code == -1 ? -1 : -2;
     (void)lengths(n, &w);
-    *liw = w.iw + w.pool + w.marks;
+    *liw = (tess_int)(w.iw + w.pool + w.marks);
     *lrw = w.rw + w.cylinders;
     return 0;
 }
@@ -2798,7 +2806,7 @@ static int fit(mesh *m, const quest *f, support *s)
     for (k = 0; k < 3; k++) s->at[k] = m->x[3 * v[0] + k];
     /* nodes know how far down their points reach, but only that some are above:
      * the side of a plane with more points is turned up */
-    for (z = 0; z < m->np && s->plane; z += m->np / 256 + 1) {
+    for (z = 0; z < m->np && s->plane; z = (tess_int)(z + m->np / 256 + 1)) {
         x = rough(m, s, z, &err);
         up += (x > err - s->low) - (x < s->low - err);
     }
@@ -2825,7 +2833,7 @@ static int discover(mesh *m, quest *f)
     if (!fit(m, f, s)) return 0;
     /* sample all that is near: the search's points may be from a corner */
     f->opened = 0;
-    for (i = 0; i < m->np; i += m->np / 1024 + 1)
+    for (i = 0; i < m->np; i = (tess_int)(i + m->np / 1024 + 1))
         if (m->link[i] != DONE &&
             fabs(rough(m, s, i, &err)) <= err - 2.0 * s->low)
             remember(f, i, 1);
@@ -2833,12 +2841,12 @@ static int discover(mesh *m, quest *f)
     for (k = 0; k < 3 && across; k++)
         across = heightover(m, m->nsupport, f->v[k], &h, &err);
     s->least = m->mark + m->np + 2 * m->leaves * m->nsupport;
-    for (node = 2 * m->leaves - 1; node > 0; node--) {
+    for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
         if (node < m->leaves) {
             i = s->least[2 * node];
             last = s->least[2 * node + 1];
             above = i % 2 == 1 || last % 2 == 1;
-            s->least[node] = (i < last ? i : last) / 2 * 2 + above;
+            s->least[node] = (tess_int)((i < last ? i : last) / 2 * 2 + above);
             continue;
         }
         least = GRAINS;
@@ -2863,11 +2871,11 @@ static int discover(mesh *m, quest *f)
             all++;
             if (old < 0 ||
                 m->supports[old % SUPPORTS].grain > FINER * s->grain) {
-                m->mark[i] = 1 + m->nsupport + SUPPORTS * mark;
+                m->mark[i] = (tess_int)(1 + m->nsupport + SUPPORTS * mark);
                 members++;
             }
         }
-        s->least[node] = 2 * (least + 1) + above;
+        s->least[node] = (tess_int)(2 * (least + 1) + above);
     }
     if (members < 2 * cuberoot(m->np) && (!across || all < m->np / 16)) {
         for (i = 0; i < m->np; i++)
@@ -3218,8 +3226,9 @@ static void makecylinders(mesh *m)
     for (level = m->leaves / 4; level > 0; level /= 4) {
         for (node = level; node < 2 * level; node++)
             for (i = 0; i < 4; i++)
-                slender +=
-                    makecylinder(m, 4 * node + i, cylinders(m, node) + i);
+                if (makecylinder(m, (tess_int)(4 * node + i),
+                                 cylinders(m, node) + i))
+                    slender++;
         if (slender < m->leaves / 8) return;
     }
     m->stage = 2;
@@ -3711,7 +3720,7 @@ static tess_int descend(const mesh *m, const tess_real *q)
         b = m->box + 6 * node;
         for (k = 0; k < 2 && b[3 + k] > b[6 + k]; k++)
             ;
-        node += ldexp((double)q[k], -m->set.e) >= b[6 + k];
+        if (ldexp((double)q[k], -m->set.e) >= b[6 + k]) node++;
     }
     span(m, node, &best, &last);
     for (i = best; i < last; i++)

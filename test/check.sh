@@ -167,13 +167,18 @@ language() {
             for f in blas loops time acc backward round; do
             $CC $STRICT -fsyntax-only -I. -DCBLAS -DFORTRAN -DSINGLE -DPLAIN \
             \$f.c || exit 1; done"
-        for d in -O2 -DTESS_FLOAT "-DTESS_INT=short $SHORT" -DTESS_INT=long \
+        for d in -O2 -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long \
             "-DHH_LIMBS=3 -DTESS_LIST=64"; do
             for f in $LIBRARY; do
                 one "strict C89: $f $d" $CC $STRICT -O1 $d -c -o build/strict.o \
                     $f
             done
         done
+        one "strict C89: programs for small machines" sh -c "for f in \
+            test/machines/tiny.c test/examples/embedded.c \
+            test/examples/sensor.c test/unit/t_size.c test/unit/t_pred.c \
+            test/unit/brute.c `echo $COMMON`; do
+            $CC $STRICT -DTESS_INT=short -fsyntax-only -I. \$f || exit 1; done"
     else
         skip "strict C89: $CC does not take the flags"
     fi
@@ -185,8 +190,6 @@ language() {
         skip "C++: no g++"
     fi
 }
-# arithmetic on short is of type int: -Wconversion complains of each
-SHORT=-Wno-conversion
 
 # ---- the names: the library asks for nothing but the C89 maths functions, has
 # no data that could be shared between threads, and links with no caller that

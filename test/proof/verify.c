@@ -99,7 +99,7 @@ static int inside(const tess_int *v, tess_int i)
 
     for (k = 0; k < 5; k++) {
         index[k] = (int)(k < 4 ? v[k] : i);
-        q[k] = at(index[k]);
+        q[k] = at((tess_int)index[k]);
     }
     s = ex_insphere(q[0], q[1], q[2], q[3], q[4]);
     /* for a positive tetrahedron a negative sign is inside */
@@ -181,14 +181,14 @@ static const char *convex(void)
     int j, k;
 
     for (i = 0; i < n; i++) seen[i] = 0;
-    for (i = 0; i < 4 * ntet; i++) m += adj[i] == TESS_NONE;
+    for (i = 0; i < 4 * ntet; i++) if (adj[i] == TESS_NONE) m++;
     edge = (tess_int *)take(12.0 * (double)m, sizeof *edge);
     for (i = 0, m = 0; i < 4 * ntet; i++)
         for (j = 0; j < 3 && adj[i] == TESS_NONE; j++, m++) {
             k = (int)(i % 4);
             x = verify_corner(tet + i - k, k, j);
             y = verify_corner(tet + i - k, k, (j + 1) % 3);
-            vertices += !seen[x];
+            if (!seen[x]) vertices++;
             seen[x] = 1;
             edge[4 * m] = x < y ? x : y;
             edge[4 * m + 1] = x < y ? y : x;

@@ -174,7 +174,7 @@ static void make(int kind)
         lattice(3);
         for (i = 0; i < n; i++)
             for (k = 0; k < 3; k++)
-                p[i][k] += 1.0 + (rnd_below(3) - 1) * REAL_STEP;
+                p[i][k] += 1.0 + (tess_real)(rnd_below(3) - 1) * REAL_STEP;
         break;
     case 12:
         /* the points of a plane x + a y + b z = 0, or off it by one */

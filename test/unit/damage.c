@@ -76,7 +76,7 @@ static const char *hull(tess_int ntet, const tess_int *tet,
     tess_int maxfac = 0, nfac = -1, many = 0, i;
     int code;
 
-    for (i = 0; i < 4 * ntet; i++) many += adj[i] <= TESS_NONE;
+    for (i = 0; i < 4 * ntet; i++) if (adj[i] <= TESS_NONE) many++;
     maxfac = draw(2) ? many : (tess_int)draw(16);
     code = tess_hull(ntet, tet, adj, maxfac, &nfac, ints(3 * maxfac));
     if (nfac < 0 || nfac > 4 * ntet || code != (nfac > maxfac ? TESS_MORE : 0))

@@ -84,7 +84,7 @@ static double nudge(double x, int k)
 {
     int e;
 
-    if (x == 0.0) return k * REAL_EPS;
+    if (x == 0.0) return (tess_real)k * REAL_EPS;
     frexp(x, &e);
     return x + k * ldexp(REAL_EPS, e - 1);
 }

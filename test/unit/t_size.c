@@ -74,15 +74,16 @@ static void least(void)
     static tess_real p[3 * 2000];
     tess_int n, liw, lrw, ntet;
 
-    for (n = 1; n < 2000; n += 1 + n / 50) {
-        liw = 4 * n + n / 12 + 514;
-        lrw = 3 * n + n / 2 + 12;
+    for (n = 1; n < 2000; n = (tess_int)(n + 1 + n / 50)) {
+        liw = (tess_int)(4 * n + n / 12 + 514);
+        lrw = (tess_int)(3 * n + n / 2 + 12);
         test(tess(n, p, 1, &ntet, tet, adj, liw, iw, lrw, rw) == TESS_POINT,
              "the least lengths", (long)n);
-        test(tess(n, p, 1, &ntet, tet, adj, liw - n / 24 - 3, iw, lrw, rw) == -7,
-             "a shorter iw", (long)n);
-        test(tess(n, p, 1, &ntet, tet, adj, liw, iw, lrw - n / 4 - 13, rw) == -9,
-             "a shorter rw", (long)n);
+        test(tess(n, p, 1, &ntet, tet, adj, (tess_int)(liw - n / 24 - 3), iw,
+                  lrw, rw) == -7, "a shorter iw", (long)n);
+        test(tess(n, p, 1, &ntet, tet, adj, liw, iw,
+                  (tess_int)(lrw - n / 4 - 13), rw) == -9, "a shorter rw",
+             (long)n);
     }
 }
 
@@ -99,11 +100,11 @@ int main(int argc, char **argv)
         bytes();
         return 0;
     }
-    for (n = 0; n < 100000 && n < TESS_INT_MOST / 5 - 200; n++) sizes(n);
-    if (n == 100000)
+    for (n = 0; (double)n < 1e5 && n < TESS_INT_MOST / 5 - 200; n++) sizes(n);
+    if ((double)n >= 1e5)
         for (; n < TESS_INT_MOST / 5 - 200; n += step) {
             sizes(n);
-            step = n / ((double)n < 1e12 ? 1000 : 20) + n % 2;
+            step = (tess_int)(n / ((double)n < 1e12 ? 1000 : 20) + n % 2);
         }
     /* all are taken up to one, and none beyond */
     if ((double)n > 1e12) n = (TESS_INT_MOST - 64) / 5;
