@@ -125,9 +125,9 @@ build/draw.o: test/program/draw.c test/program/draw.h tess.h hhpred.h
 	$(COMPILE) test/program/draw.c
 
 build/picture: test/program/picture.c test/program/draw.h \
-    test/examples/slopes.c build/draw.o $(LIBRARY)
-	$(LINK) $(CPPFLAGS) -I. test/program/picture.c build/draw.o \
-	    $(LIBRARY) $(LDLIBS)
+    test/examples/recipes.h build/slopes.o build/draw.o $(LIBRARY)
+	$(LINK) $(CPPFLAGS) -I. test/program/picture.c build/slopes.o \
+	    build/draw.o $(LIBRARY) $(LDLIBS)
 
 build/mirror: test/data/mirror.c
 	@mkdir -p build

@@ -6,9 +6,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#define SLOPES_ALONE
-#include "../examples/slopes.c"
-
+#include "../examples/recipes.h"
 #include "draw.h"
 
 #define MAXPTS 5000
@@ -26,7 +24,7 @@ static tess_real p[3 * (MAXPTS)];
 static double value[MAXPTS];
 static tess_int tet[4 * (MAXTET)], adj[4 * (MAXTET)], iw[MAXIW];
 static double rw[MAXRW];
-static char keep[MAXTET];
+static char kept[MAXTET];
 static tess_int n, ntet;
 
 static void fail(const char *what, const char *name)
@@ -130,8 +128,8 @@ static void mirror(const char *from, const char *to)
     read_mirror(from);
     tetrahedralize();
     for (t = 0; t < ntet; t++) {
-        keep[t] = (char)glass(t);
-        if (!keep[t]) continue;
+        kept[t] = (char)glass(t);
+        if (!kept[t]) continue;
         many++;
         sum += volume(t);
     }
@@ -142,7 +140,7 @@ static void mirror(const char *from, const char *to)
     if (fabs(sum / solid - 0.9971) > 0.0005)
         fail("this is not the volume of the mirror", "");
     draw_default(&look);
-    look.keep = keep;
+    look.keep = kept;
     look.cut = 1;
     look.stretch = 4.0;
     look.height = 590;
