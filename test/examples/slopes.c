@@ -14,6 +14,7 @@
  * slopes.f is the same in FORTRAN 77.  With SLOPES_ALONE defined, the recipes
  * without tests.
  */
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -41,6 +42,107 @@ static void fit(const double *m, double add, const double *r, double *x)
     x[0] = r[0] / a - b * x[1] - c * x[2];
 }
 
+/* What is thinner than this is flat: its points do not tell how a field goes on
+ * across it, unless the field is linear. */
+#define THIN 1e-7
+
+/* The values' rounding, as a part of them. */
+#define NOISE (4.0 * DBL_EPSILON)
+
+/* plane - g: the gradient of the linear field nearest to the values of the
+ * points i with used[i] != 0, in the mean of squares.  By coordinates u in parts
+ * of the box, the longest side first; then by what is left of the second when
+ * it is told from the first one, and of the third told from both.  So what is
+ * thin is seen as such, not as a difference of squares. */
+static void plane(tess_int n, const tess_real *p, const double *used,
+                  const double *value, double *g)
+{
+    double low[3], size[3], mean[4], u[3], m[6], a[6], r[4], x[3], t[3], d;
+    double b = 0.0, c = 0.0, e = 0.0, count = 0.0, top = 0.0, rest;
+    tess_int i;
+    int by[3], j, k, pass;
+
+    for (k = 0; k < 3; k++) low[k] = size[k] = 0.0;
+    for (i = 0; i < n; i++) {
+        if (used[i] == 0.0) continue;
+        for (k = 0; k < 3; k++) {
+            d = (double)p[3 * i + k];
+            if (count == 0.0 || d < low[k]) low[k] = d;
+            if (count == 0.0 || d > size[k]) size[k] = d;
+        }
+        if (fabs(value[i]) > top) top = fabs(value[i]);
+        count += 1.0;
+    }
+    if (top == 0.0) top = 1.0;
+    for (k = 0; k < 3; k++) {
+        size[k] -= low[k];
+        for (j = k; j > 0 && size[k] > size[by[j - 1]]; j--) by[j] = by[j - 1];
+        by[j] = k;
+    }
+    for (k = 0; k < 4; k++) mean[k] = 0.0;
+    for (pass = 0; pass < 3; pass++) {
+        for (k = 0; k < 6; k++) m[k] = 0.0;
+        for (k = 0; k < 4; k++) r[k] = 0.0;
+        for (i = 0; i < n; i++) {
+            if (used[i] == 0.0) continue;
+            for (k = 0; k < 3; k++)
+                u[k] = ((double)p[3 * i + by[k]] - low[by[k]]) / size[by[k]] -
+                       mean[k];
+            u[1] -= b * u[0];
+            u[2] -= c * u[0] + e * u[1];
+            d = pass > 0 ? value[i] / top - mean[3] : 1.0 / count;
+            for (k = 0; k < 3; k++) {
+                m[k] += u[k] * u[k];
+                m[k + 3] += u[k == 2] * u[k == 0 ? 1 : 2];
+                r[k] += u[k] * d;
+            }
+            r[3] += d * (pass > 0 ? d : value[i] / top);
+        }
+        for (k = 0; k < 4 && pass == 0; k++) mean[k] = r[k];
+        if (pass != 1) continue;
+        b = m[3] / m[0];
+        c = m[4] / m[0];
+        e = (m[5] - b * m[4]) / (m[1] - b * m[3] + 1e-14 * m[0]);
+    }
+    /* each in units of its own, but for what is rounding */
+    for (k = 0; k < 3; k++)
+        t[k] = m[k] > 1e-28 * m[0] ? 1.0 / sqrt(m[k]) : 0.0;
+    for (pass = 0; pass < 2; pass++) {
+        for (k = 0; k < 3; k++) {
+            if (pass > 0 && t[0] * size[by[k]] < THIN * t[k] * size[by[0]])
+                t[k] = 0.0;
+            u[k] = r[k] * t[k];
+        }
+        for (k = 0; k < 3; k++) {
+            a[k] = m[k] * t[k] * t[k];
+            a[k + 3] = m[k + 3] * t[k == 2] * t[k == 0 ? 1 : 2];
+        }
+        fit(a, 1e-14, u, x);
+        rest = r[3] - dot(u, x);
+        if (rest <= 1e-12 * r[3]) break;
+    }
+    d = NOISE * sqrt(count);
+    for (k = 0; k < 3; k++) x[k] *= fabs(x[k]) > d ? t[k] : 0.0;
+    x[1] -= e * x[2];
+    x[0] -= b * x[1] + c * x[2];
+    for (k = 0; k < 3; k++) x[k] /= size[by[k]];
+    /* where nothing is told the gradient is 0 */
+    m[0] = -b * size[by[1]] / size[by[0]];
+    m[1] = 1.0;
+    m[2] = 0.0;
+    m[3] = (e * b - c) * size[by[2]] / size[by[0]];
+    m[4] = -e * size[by[2]] / size[by[1]];
+    m[5] = 1.0;
+    d = t[1] > 0.0 ? 0.0 : dot(m, m + 3) / dot(m, m);
+    for (k = 0; k < 3; k++) m[k + 3] -= d * m[k];
+    for (j = 1; j < 3; j++) {
+        d = t[j] > 0.0 ? 0.0 : dot(x, m + 3 * j - 3) / dot(m + 3 * j - 3,
+                                                           m + 3 * j - 3);
+        for (k = 0; k < 3; k++) x[k] -= d * m[3 * j - 3 + k];
+    }
+    for (k = 0; k < 3; k++) g[by[k]] = x[k] * top;
+}
+
 /* slopes - gradients of a field at the points.
  *
  *   n, p, ntet, tet, adj  (in)  points and mesh, as from tess
@@ -54,10 +156,11 @@ static void fit(const double *m, double add, const double *r, double *x)
  *
  * returns 0; -1 for n < 1, -3 for ntet < 1, -7 for rounds < 0; TESS_BAD_INDEX
  * for a vertex that is out of range, TESS_BAD_OPEN for an unfinished mesh: g is
- * then not set.  Coordinates' differences: 1e-150 to 1e150.
- * Cost: each pass, of which there are rounds + 2, a fifth of the time of tess.
+ * then not set; TESS_RANGE where a gradient is no number, being too large or by
+ * a value that is none: the others are set.
+ * Cost: each pass, of which there are rounds + 1, a fifth of the time of tess.
  *
- * First, by least squares, the one gradient that suits all edges best; then at
+ * First, by least squares, the one gradient that suits all points best; then at
  * each point the one that suits its own edges,
  *
  *     M g = r,  M = sum of w e e',  r = sum of w (difference of values) e,
@@ -65,7 +168,8 @@ static void fit(const double *m, double add, const double *r, double *x)
  * an edge e having the weight w = 1 / (e.e) for each tetrahedron at it.  Where
  * points are nearly in a plane, what M cannot tell is taken from the first
  * gradient, by 1e-4 of M's trace on its diagonal.  A linear field comes out as
- * it is, since nothing is left to tell after the first gradient.
+ * it is, since nothing is left to tell after the first gradient; so, too, in a
+ * flat set, across which the first gradient of any other field is 0.
  *
  * Along an edge of a quadratic field the difference is not either end's
  * gradient times the edge, but that of both ends' mean.  So each round adds at
@@ -87,7 +191,7 @@ int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
            const tess_int *adj, const double *value, int rounds, double *g,
            double *work)
 {
-    double *r = work, *m = work + 3 * n, e[3], x[3], sum[9], w, d, s, u;
+    double *r = work, *m = work + 3 * n, e[3], x[3], size, w, d, s, u;
     tess_int i, t, a, b;
     int pass, j, k, l;
 
@@ -99,9 +203,10 @@ int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
         if (adj[i] == TESS_OPEN) return TESS_BAD_OPEN;
     }
     for (i = 0; i < 9 * n; i++) work[i] = 0.0;
-    for (i = 0; i < 3 * n; i++) g[i] = 0.0;
-    for (k = 0; k < 9; k++) sum[k] = 0.0;
-    for (pass = -1; pass <= rounds; pass++) {
+    for (i = 0; i < 4 * ntet; i++) work[tet[i]] = 1.0;
+    plane(n, p, work, value, x);
+    for (i = 0; i < 3 * n; i++) g[i] = x[i % 3];
+    for (pass = 0; pass <= rounds; pass++) {
         for (i = 0; i < 3 * n; i++) r[i] = 0.0;
         for (t = 0; t < ntet; t++)
             for (j = 0; j < 3; j++)
@@ -110,16 +215,30 @@ int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
                     b = tet[4 * t + l];
                     for (k = 0; k < 3; k++)
                         e[k] = (double)p[3 * b + k] - (double)p[3 * a + k];
-                    w = 1.0 / dot(e, e);
+                    size = 1.0;
+                    w = dot(e, e);
+                    if (!(w > 1e-280 && w < 1e280)) {
+                        for (size = 0.0, k = 0; k < 3; k++)
+                            if (fabs(e[k]) > size) size = fabs(e[k]);
+                        for (k = 0; k < 3; k++) e[k] /= size;
+                        w = dot(e, e);
+                    }
+                    w = 1.0 / w;
                     s = dot(g + 3 * a, e);
                     u = dot(g + 3 * b, e);
                     if (pass > 0) s = u = (s + u) / 2.0;
-                    d = value[b] - value[a];
+                    d = (value[b] - value[a]) / size;
+                    s = d - s;
+                    u = d - u;
+                    /* within the values' rounding nothing is left to tell */
+                    d = NOISE * (fabs(value[a]) + fabs(value[b])) / size;
+                    if (fabs(s) <= d) s = 0.0;
+                    if (fabs(u) <= d) u = 0.0;
                     for (k = 0; k < 3; k++) {
-                        r[3 * a + k] += w * (d - s) * e[k];
-                        r[3 * b + k] += w * (d - u) * e[k];
+                        r[3 * a + k] += w * s * e[k];
+                        r[3 * b + k] += w * u * e[k];
                     }
-                    if (pass >= 0) continue;
+                    if (pass > 0) continue;
                     for (k = 0; k < 6; k++) {
                         d = w * (k < 3 ? e[k] * e[k]
                                        : e[k == 5] * e[k == 3 ? 1 : 2]);
@@ -127,14 +246,6 @@ int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
                         m[6 * b + k] += d;
                     }
                 }
-        if (pass < 0) {
-            for (i = 0; i < n; i++)
-                for (k = 0; k < 9; k++)
-                    sum[k] += k < 6 ? m[6 * i + k] : r[3 * i + k - 6];
-            fit(sum, 1e-14 * (sum[0] + sum[1] + sum[2]), sum + 6, x);
-            for (i = 0; i < 3 * n; i++) g[i] = x[i % 3];
-            continue;
-        }
         for (i = 0; i < n; i++) {
             d = m[6 * i] + m[6 * i + 1] + m[6 * i + 2];
             if (!(d > 0.0)) continue;
@@ -143,6 +254,8 @@ int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
                 g[3 * i + k] += (pass > 0 ? 1.8 : 1.0) * x[k];
         }
     }
+    for (i = 0; i < 3 * n; i++)
+        if (!(fabs(g[i]) <= DBL_MAX)) return TESS_RANGE;
     return 0;
 }
 
@@ -169,6 +282,8 @@ int slopes(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
  * and H its second derivatives f_k is f - grad.h + h'H h / 2, and g_k is
  * grad - H h, so that f_k + g_k.h / 2 = f - grad.h / 2, and the weights' sum of
  * h is 0.
+ *
+ * Near sharp bends of the field it may leave the range of the data.
  *
  * Outside, with 1,000 to 27,000 points of a cube of edge 1 and two fields:
  * within 0.1 of it 1.0 has a third of the median error that 0.0 has, and no
@@ -530,6 +645,66 @@ static int test_sizes(void)
     return bad;
 }
 
+/* Linear fields in sets that are flat, and in units of any size: each side of
+ * the box has its part of the field.  A gradient that no double holds has a
+ * code. */
+static int test_flat(void)
+{
+    static const double box[8][3] = {
+        {1.0, 1.0, 1e-3}, {1.0, 1.0, 1e-6}, {1.0, 1e-10, 1.0},
+        {1.0, 1.0, 1e-15}, {1.0, 1.0, 1e-30}, {1e-160, 1.0, 1.0},
+        {1e-160, 1e-160, 1e-160}, {1e150, 1e150, 1e150}};
+    double low[3], c[3], x[3], w[4], sum, f, want;
+    tess_real q[3];
+    tess_int i, t;
+    int set, turned, j, k, v, bad = 0;
+
+    if (sizeof(tess_real) < sizeof(double)) return bad;
+    for (set = 0; set < 16; set++) {
+        turned = set % 2;
+        make(turned || set % 4 ? 0 : 1, 343);
+        for (i = 0; i < n; i++) {
+            for (k = 0; k < 3; k++) x[k] = place(i, k) * box[set / 2][k];
+            for (k = 0; k < 2 && turned; k++) {
+                sum = x[k];
+                x[k] = 0.8 * sum - 0.6 * x[k + 1];
+                x[k + 1] = 0.6 * sum + 0.8 * x[k + 1];
+            }
+            for (k = 0; k < 3; k++) p[3 * i + k] = (tess_real)x[k];
+        }
+        bad |= mesh();
+        for (k = 0; k < 3; k++) {
+            low[k] = c[k] = place(0, k);
+            for (i = 0; i < n; i++) {
+                if (place(i, k) < low[k]) low[k] = place(i, k);
+                if (place(i, k) > c[k]) c[k] = place(i, k);
+            }
+            c[k] = (k - 1.5) / (c[k] - low[k]);
+        }
+        for (i = 0; i < n; i++)
+            for (value[i] = 7.0, k = 0; k < 3; k++)
+                value[i] += c[k] * (place(i, k) - low[k]);
+        bad |= slope(3) != 0;
+        t = TESS_NONE;
+        for (j = 0; j < 500; j++) {
+            v = (int)(random01() * (double)ntet);
+            for (sum = 0.0, k = 0; k < 4; k++) sum += w[k] = random01();
+            for (want = 7.0, k = 0; k < 3; k++) {
+                for (x[k] = 0.0, i = 0; i < 4; i++)
+                    x[k] += w[i] / sum * place(tet[4 * v + i], k);
+                q[k] = (tess_real)x[k];
+                want += c[k] * ((double)q[k] - low[k]);
+            }
+            v = bent(p, ntet, tet, adj, value, g, 0.0, q, &t, &f);
+            bad |= (v != 0 && v != 1) || !(fabs(f - want) <= 1e-12);
+        }
+    }
+    make(0, 300);
+    for (i = 0; i < 3 * n; i++) p[i] = (tess_real)((double)p[i] * 1e-300);
+    for (i = 0; i < n; i++) value[i] = 1e10 * (double)(i % 7);
+    return bad | (mesh() != 0) | (slope(3) != TESS_RANGE);
+}
+
 /* Bad arguments, damaged and unfinished meshes get a code. */
 static int test_codes(void)
 {
@@ -597,15 +772,16 @@ static void table(FILE *to)
 
 int main(int argc, char **argv)
 {
-    static int (*const test[6])(void) = {test_linear, test_errors,
+    static int (*const test[7])(void) = {test_linear, test_errors,
                                          test_rounds, test_places,
-                                         test_sizes,  test_codes};
-    static const char *const name[6] = {
+                                         test_sizes,  test_flat, test_codes};
+    static const char *const name[7] = {
         "slopes: linear fields as they are:                ",
         "slopes: errors as promised; never above linear's: ",
         "slopes: no round makes the misfit larger:         ",
         "bent: the data at the points, and what is outside:",
         "bent: any size of coordinates, four points:       ",
+        "slopes: linear fields in flat sets, in any units: ",
         "codes: bad arguments, damage, unfinished meshes:  "};
     clock_t begin;
     int k, one, bad = 0;
@@ -614,7 +790,7 @@ int main(int argc, char **argv)
         table(stdout);
         return 0;
     }
-    for (k = 0; k < 6; k++) {
+    for (k = 0; k < 7; k++) {
         begin = clock();
         one = test[k]();
         bad |= one;

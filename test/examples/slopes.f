@@ -4,7 +4,7 @@ C
 C         gfortran -O2 test/examples/slopes.f f77/tess.f f77/hhpred.f
 C
 C       SLOPES  gradients of a field at the points, from its values
-C               there  (FIT, DOT)
+C               there  (PLANE, MARK, FIT, DOT)
 C       BENT    the field at any place, from values and gradients  (DOT)
 C
 C     BENT costs a query what linear interpolation does.  Its error is
@@ -21,8 +21,8 @@ C     writes a table of errors, too; both write the same text.
       DOUBLE PRECISION P(3,N), RW(LRW), VALUE(N), G(3,N), OLD(3,N)
       DOUBLE PRECISION WORK(9*N), ZERO(3,N)
       COMMON /FIELDS/ P, RW, VALUE, G, OLD, WORK, ZERO
-      INTEGER BAD(6), I, K
-      CHARACTER*50 TESTED(6)
+      INTEGER BAD(7), I, K
+      CHARACTER*50 TESTED(7)
       CHARACTER*3 ANSWER(0:1)
       DATA ANSWER /'yes', 'NO'/
       DATA TESTED /
@@ -31,8 +31,9 @@ C     writes a table of errors, too; both write the same text.
      3   'slopes: no round makes the misfit larger:         ',
      4   'bent: the data at the points, and what is outside:',
      5   'bent: any size of coordinates, four points:       ',
-     6   'codes: bad arguments, damage, unfinished meshes:  '/
-      DO 10 I = 1, 6
+     6   'slopes: linear fields in flat sets, in any units: ',
+     7   'codes: bad arguments, damage, unfinished meshes:  '/
+      DO 10 I = 1, 7
          BAD(I) = 0
    10 CONTINUE
       DO 30 I = 1, N
@@ -46,8 +47,9 @@ C     writes a table of errors, too; both write the same text.
       CALL TROUND(I, BAD(3))
       CALL TPLACE(I, BAD(4))
       CALL TSIZES(I, BAD(5))
-      CALL TCODES(I, BAD(6))
-      DO 40 I = 1, 6
+      CALL TFLAT(I, BAD(6))
+      CALL TCODES(I, BAD(7))
+      DO 40 I = 1, 7
          WRITE (*, 50) TESTED(I), ANSWER(BAD(I))
    40 CONTINUE
    50 FORMAT (A50, 2X, A)
@@ -76,6 +78,144 @@ C     FIT - X of (M + ADD I) X = R, M symmetric: XX, YY, ZZ, XY, XZ, YZ.
       X(1) = R(1) / A - B*X(2) - C*X(3)
       END
 
+C     PLANE - G: the gradient of the linear field nearest to the values
+C     of the points I with USED(I) .NE. 0, in the mean of squares.  By
+C     coordinates U in parts of the box, the longest side first; then by
+C     what is left of the second when it is told from the first one, and
+C     of the third told from both.  So what is thin is seen as such, not
+C     as a difference of squares.
+C     What is thinner than THIN is flat: its points do not tell how a
+C     field goes on across it, unless the field is linear.
+C     NOISE: the values' rounding, as a part of them.
+      SUBROUTINE PLANE(N, P, USED, VALUE, G)
+      INTEGER N
+      DOUBLE PRECISION P(3,*), USED(*), VALUE(*), G(3)
+      DOUBLE PRECISION LOW(3), SIZE(3), MEAN(4), U(3), M(6), A(6), R(4)
+      DOUBLE PRECISION X(3), T(3), D, B, C, E, COUNT, TOP, REST, THIN
+      DOUBLE PRECISION NOISE, DOT
+      INTEGER I, BY(3), J, K, PASS
+      PARAMETER (THIN = 1.0D-7, NOISE = 8.881784197001252D-16)
+      B = 0.0D0
+      C = 0.0D0
+      E = 0.0D0
+      COUNT = 0.0D0
+      TOP = 0.0D0
+      DO 10 K = 1, 3
+         LOW(K) = 0.0D0
+         SIZE(K) = 0.0D0
+   10 CONTINUE
+      DO 30 I = 1, N
+         IF (USED(I) .EQ. 0.0D0) GO TO 30
+         DO 20 K = 1, 3
+            D = P(K,I)
+            IF (COUNT .EQ. 0.0D0 .OR. D .LT. LOW(K)) LOW(K) = D
+            IF (COUNT .EQ. 0.0D0 .OR. D .GT. SIZE(K)) SIZE(K) = D
+   20    CONTINUE
+         IF (ABS(VALUE(I)) .GT. TOP) TOP = ABS(VALUE(I))
+         COUNT = COUNT + 1.0D0
+   30 CONTINUE
+      IF (TOP .EQ. 0.0D0) TOP = 1.0D0
+      DO 60 K = 1, 3
+         SIZE(K) = SIZE(K) - LOW(K)
+         BY(K) = K
+         DO 40 J = K, 2, -1
+            IF (.NOT. (SIZE(K) .GT. SIZE(BY(J-1)))) GO TO 50
+            BY(J) = BY(J-1)
+            BY(J-1) = K
+   40    CONTINUE
+   50    CONTINUE
+   60 CONTINUE
+      DO 70 K = 1, 4
+         MEAN(K) = 0.0D0
+   70 CONTINUE
+      DO 140 PASS = 0, 2
+         DO 80 K = 1, 6
+            M(K) = 0.0D0
+            R(MOD(K, 4)+1) = 0.0D0
+   80    CONTINUE
+         DO 110 I = 1, N
+            IF (USED(I) .EQ. 0.0D0) GO TO 110
+            DO 90 K = 1, 3
+               U(K) = (P(BY(K),I) - LOW(BY(K))) / SIZE(BY(K)) - MEAN(K)
+   90       CONTINUE
+            U(2) = U(2) - B*U(1)
+            U(3) = U(3) - (C*U(1) + E*U(2))
+            D = 1.0D0 / COUNT
+            IF (PASS .GT. 0) D = VALUE(I) / TOP - MEAN(4)
+            DO 100 K = 1, 3
+               M(K) = M(K) + U(K)*U(K)
+               R(K) = R(K) + U(K)*D
+  100       CONTINUE
+            M(4) = M(4) + U(1)*U(2)
+            M(5) = M(5) + U(1)*U(3)
+            M(6) = M(6) + U(2)*U(3)
+            IF (PASS .EQ. 0) R(4) = R(4) + D*(VALUE(I) / TOP)
+            IF (PASS .GT. 0) R(4) = R(4) + D*D
+  110    CONTINUE
+         IF (PASS .EQ. 0) THEN
+            DO 120 K = 1, 4
+               MEAN(K) = R(K)
+  120       CONTINUE
+         ELSE IF (PASS .EQ. 1) THEN
+            B = M(4) / M(1)
+            C = M(5) / M(1)
+            E = (M(6) - B*M(5)) / (M(2) - B*M(4) + 1.0D-14*M(1))
+         END IF
+  140 CONTINUE
+C     Each in units of its own, but for what is rounding.
+      DO 150 K = 1, 3
+         T(K) = 0.0D0
+         IF (M(K) .GT. 1.0D-28*M(1)) T(K) = 1.0D0 / SQRT(M(K))
+  150 CONTINUE
+      DO 180 PASS = 0, 1
+         DO 160 K = 1, 3
+            IF (PASS .GT. 0 .AND. T(1)*SIZE(BY(K)) .LT.
+     1          THIN*T(K)*SIZE(BY(1))) T(K) = 0.0D0
+            U(K) = R(K)*T(K)
+            A(K) = M(K)*T(K)*T(K)
+  160    CONTINUE
+         A(4) = M(4)*T(1)*T(2)
+         A(5) = M(5)*T(1)*T(3)
+         A(6) = M(6)*T(2)*T(3)
+         CALL FIT(A, 1.0D-14, U, X)
+         REST = R(4) - DOT(U, X)
+         IF (REST .LE. 1.0D-12*R(4)) GO TO 190
+  180 CONTINUE
+  190 CONTINUE
+      D = NOISE*SQRT(COUNT)
+      DO 200 K = 1, 3
+         IF (ABS(X(K)) .LE. D) X(K) = 0.0D0
+         X(K) = X(K)*T(K)
+  200 CONTINUE
+      X(2) = X(2) - E*X(3)
+      X(1) = X(1) - (B*X(2) + C*X(3))
+      DO 210 K = 1, 3
+         X(K) = X(K) / SIZE(BY(K))
+  210 CONTINUE
+C     Where nothing is told the gradient is 0.
+      M(1) = -B*SIZE(BY(2)) / SIZE(BY(1))
+      M(2) = 1.0D0
+      M(3) = 0.0D0
+      M(4) = (E*B - C)*SIZE(BY(3)) / SIZE(BY(1))
+      M(5) = -E*SIZE(BY(3)) / SIZE(BY(2))
+      M(6) = 1.0D0
+      D = 0.0D0
+      IF (T(2) .EQ. 0.0D0) D = DOT(M(1), M(4)) / DOT(M(1), M(1))
+      DO 220 K = 1, 3
+         M(K+3) = M(K+3) - D*M(K)
+  220 CONTINUE
+      DO 240 J = 2, 3
+         IF (T(J) .GT. 0.0D0) GO TO 240
+         D = DOT(X, M(3*J-5)) / DOT(M(3*J-5), M(3*J-5))
+         DO 230 K = 1, 3
+            X(K) = X(K) - D*M(3*J-6+K)
+  230    CONTINUE
+  240 CONTINUE
+      DO 250 K = 1, 3
+         G(BY(K)) = X(K)*TOP
+  250 CONTINUE
+      END
+
 C     SLOPES - gradients of a field at the points.
 C
 C       N, P, NTET, TET, ADJ  (in)  points and mesh, as from TESS
@@ -89,13 +229,14 @@ C                      fit.  Copy that of IW(I)
 C       WORK    (out)  (9,N)
 C       INFO    (out)  0; -1 for N < 1, -3 for NTET < 1, -7 for
 C                      ROUNDS < 0; 10 for a vertex that is out of range,
-C                      13 for an unfinished mesh: G is then not set
+C                      13 for an unfinished mesh: G is then not set; 6
+C                      where a gradient is no number, being too large
+C                      or by a value that is none: the others are set
 C
-C     Coordinates' differences: 1D-150 to 1D150.
-C     Cost: each pass, of which there are ROUNDS + 2, a fifth of the
+C     Cost: each pass, of which there are ROUNDS + 1, a fifth of the
 C     time of TESS.
 C
-C     First, by least squares, the one gradient that suits all edges
+C     First, by least squares, the one gradient that suits all points
 C     best; then at each point the one that suits its own edges,
 C
 C         M G = R,  M = sum of W E E',
@@ -105,7 +246,8 @@ C     an edge E having the weight W = 1 / (E.E) for each tetrahedron at
 C     it.  Where points are nearly in a plane, what M cannot tell is
 C     taken from the first gradient, by 1D-4 of M's trace on its
 C     diagonal.  A linear field comes out as it is, since nothing is
-C     left to tell after the first gradient.
+C     left to tell after the first gradient; so, too, in a flat set,
+C     across which the first gradient of any other field is 0.
 C
 C     Along an edge of a quadratic field the difference is not either
 C     end's gradient times the edge, but that of both ends' mean.  So
@@ -128,8 +270,9 @@ C     factor of at most 2; 1 takes twice as many rounds.
      1                  INFO)
       INTEGER N, NTET, TET(4,*), ADJ(4,*), ROUNDS, INFO
       DOUBLE PRECISION P(3,*), VALUE(*), G(3,*), WORK(9,*)
-      DOUBLE PRECISION E(3), X(3), SUM(9), W, D, S, U, DOT
+      DOUBLE PRECISION E(3), X(3), SIZE, W, D, S, U, NOISE, DOT
       INTEGER I, T, A, B, PASS, J, K, L
+      PARAMETER (NOISE = 8.881784197001252D-16)
       INFO = 0
       IF (ROUNDS .LT. 0) INFO = -7
       IF (NTET .LT. 1) INFO = -3
@@ -144,19 +287,18 @@ C     factor of at most 2; 1 takes twice as many rounds.
    10    CONTINUE
    20 CONTINUE
       INFO = 0
+      CALL MARK(N, NTET, TET, WORK)
+      CALL PLANE(N, P, WORK, VALUE, X)
 C     Point I has R in WORK(1,I) to WORK(3,I), M in WORK(4,I) on.
       DO 50 I = 1, N
          DO 30 K = 1, 9
             WORK(K,I) = 0.0D0
    30    CONTINUE
          DO 40 K = 1, 3
-            G(K,I) = 0.0D0
+            G(K,I) = X(K)
    40    CONTINUE
    50 CONTINUE
-      DO 60 K = 1, 9
-         SUM(K) = 0.0D0
-   60 CONTINUE
-      DO 220 PASS = -1, ROUNDS
+      DO 220 PASS = 0, ROUNDS
          DO 80 I = 1, N
             DO 70 K = 1, 3
                WORK(K,I) = 0.0D0
@@ -170,19 +312,34 @@ C     Point I has R in WORK(1,I) to WORK(3,I), M in WORK(4,I) on.
                   DO 90 K = 1, 3
                      E(K) = P(K,B) - P(K,A)
    90             CONTINUE
-                  W = 1.0D0 / DOT(E, E)
+                  SIZE = 1.0D0
+                  W = DOT(E, E)
+                  IF (.NOT. (W .GT. 1.0D-280 .AND. W .LT. 1.0D280)) THEN
+                     SIZE = MAX(ABS(E(1)), ABS(E(2)), ABS(E(3)))
+                     DO 95 K = 1, 3
+                        E(K) = E(K) / SIZE
+   95                CONTINUE
+                     W = DOT(E, E)
+                  END IF
+                  W = 1.0D0 / W
                   S = DOT(G(1,A), E)
                   U = DOT(G(1,B), E)
                   IF (PASS .GT. 0) THEN
                      S = (S + U) / 2.0D0
                      U = S
                   END IF
-                  D = VALUE(B) - VALUE(A)
+                  D = (VALUE(B) - VALUE(A)) / SIZE
+                  S = D - S
+                  U = D - U
+C                 Within the values' rounding nothing is left to tell.
+                  D = NOISE*(ABS(VALUE(A)) + ABS(VALUE(B))) / SIZE
+                  IF (ABS(S) .LE. D) S = 0.0D0
+                  IF (ABS(U) .LE. D) U = 0.0D0
                   DO 100 K = 1, 3
-                     WORK(K,A) = WORK(K,A) + W*(D - S)*E(K)
-                     WORK(K,B) = WORK(K,B) + W*(D - U)*E(K)
+                     WORK(K,A) = WORK(K,A) + W*S*E(K)
+                     WORK(K,B) = WORK(K,B) + W*U*E(K)
   100             CONTINUE
-                  IF (PASS .GE. 0) GO TO 120
+                  IF (PASS .GT. 0) GO TO 120
                   DO 110 K = 1, 6
                      IF (K .LE. 3) D = W*E(K)*E(K)
                      IF (K .EQ. 4) D = W*E(1)*E(2)
@@ -194,21 +351,6 @@ C     Point I has R in WORK(1,I) to WORK(3,I), M in WORK(4,I) on.
   120          CONTINUE
   130       CONTINUE
   140    CONTINUE
-         IF (PASS .LT. 0) THEN
-            DO 160 I = 1, N
-               DO 150 K = 1, 9
-                  SUM(K) = SUM(K) + WORK(K,I)
-  150          CONTINUE
-  160       CONTINUE
-            CALL FIT(SUM(4), 1.0D-14*(SUM(4) + SUM(5) + SUM(6)), SUM(1),
-     1               X)
-            DO 180 I = 1, N
-               DO 170 K = 1, 3
-                  G(K,I) = X(K)
-  170          CONTINUE
-  180       CONTINUE
-            GO TO 220
-         END IF
          DO 210 I = 1, N
             D = WORK(4,I) + WORK(5,I) + WORK(6,I)
             IF (.NOT. (D .GT. 0.0D0)) GO TO 210
@@ -220,6 +362,26 @@ C     Point I has R in WORK(1,I) to WORK(3,I), M in WORK(4,I) on.
   190       CONTINUE
   210    CONTINUE
   220 CONTINUE
+      DO 240 I = 1, N
+         DO 230 K = 1, 3
+            IF (.NOT. (ABS(G(K,I)) .LE. 1.797D308)) INFO = 6
+  230    CONTINUE
+  240 CONTINUE
+      END
+
+C     MARK - USED(I) = 1 for the points of tetrahedra, 0 for others.
+      SUBROUTINE MARK(N, NTET, TET, USED)
+      INTEGER N, NTET, TET(4,*)
+      DOUBLE PRECISION USED(*)
+      INTEGER I, K
+      DO 10 I = 1, N
+         USED(I) = 0.0D0
+   10 CONTINUE
+      DO 30 I = 1, NTET
+         DO 20 K = 1, 4
+            USED(TET(K,I)) = 1.0D0
+   20    CONTINUE
+   30 CONTINUE
       END
 
 C     ---- bent ----
@@ -248,6 +410,8 @@ C     gradients are: with h = Q - P(K) and H its second derivatives F(K)
 C     is f - grad.h + h'H h / 2, G(K) is grad - H h, so that
 C     F(K) + G(K).h / 2 = f - grad.h / 2, and the weights' sum of h is
 C     0.
+C
+C     Near sharp bends of the field it may leave the range of the data.
 C
 C     Outside, with 1,000 to 27,000 points of a cube of edge 1 and two
 C     fields: within 0.1 of it 1.0 has a third of the median error that
@@ -699,6 +863,92 @@ C     2**166 is 9D49; its square and the inverse of that are doubles.
          CALL BENT(P, NTET, TET, ADJ, VALUE, G, 0.0D0, Q, T, H, INFO)
          IF (INFO .NE. 0 .OR. .NOT. (ABS(H - F) .LE. 1.0D-12)) BAD = 1
   120 CONTINUE
+      END
+
+C     TFLAT - linear fields in sets that are flat, and in units of any
+C     size: each side of the box has its part of the field.  A gradient
+C     that no double holds has a code.
+      SUBROUTINE TFLAT(SEED, BAD)
+      INTEGER N, MAXTET, LIW, LRW
+      PARAMETER (N = 52850, MAXTET = 8*N, LIW = 11*N + 226000)
+      PARAMETER (LRW = 4*N + 12)
+      DOUBLE PRECISION P(3,N), RW(LRW), VALUE(N), G(3,N), OLD(3,N)
+      DOUBLE PRECISION WORK(9*N), ZERO(3,N)
+      INTEGER TET(4,MAXTET), ADJ(4,MAXTET), IW(LIW)
+      COMMON /FIELDS/ P, RW, VALUE, G, OLD, WORK, ZERO
+      COMMON /MESHES/ TET, ADJ, IW
+      INTEGER SEED, BAD
+      DOUBLE PRECISION BOX(3,8), LOW(3), C(3), Q(3), W(4), SUM, F, WANT
+      INTEGER NTET, M, SET, TURNED, T, I, J, K, V, INFO, INFO2
+      SAVE BOX
+      DATA BOX /1D0, 1D0, 1D-3, 1D0, 1D0, 1D-6, 1D0, 1D-10, 1D0,
+     1   1D0, 1D0, 1D-15, 1D0, 1D0, 1D-30, 1D-160, 1D0, 1D0,
+     2   1D-160, 1D-160, 1D-160, 1D150, 1D150, 1D150/
+      DO 130 SET = 0, 15
+         T = 0
+         TURNED = MOD(SET, 2)
+         I = 1
+         IF (MOD(SET, 4) .EQ. 0) I = 2
+         CALL MAKE(I, 343, SEED, M, P)
+         DO 30 I = 1, M
+            DO 10 K = 1, 3
+               P(K,I) = P(K,I)*BOX(K,SET/2+1)
+   10       CONTINUE
+            DO 20 K = 1, 2*TURNED
+               SUM = P(K,I)
+               P(K,I) = 0.8D0*SUM - 0.6D0*P(K+1,I)
+               P(K+1,I) = 0.6D0*SUM + 0.8D0*P(K+1,I)
+   20       CONTINUE
+   30    CONTINUE
+         CALL TESS(M, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
+         DO 50 K = 1, 3
+            LOW(K) = P(K,1)
+            C(K) = P(K,1)
+            DO 40 I = 2, M
+               LOW(K) = MIN(LOW(K), P(K,I))
+               C(K) = MAX(C(K), P(K,I))
+   40       CONTINUE
+            C(K) = (K - 2.5D0) / (C(K) - LOW(K))
+   50    CONTINUE
+         DO 70 I = 1, M
+            VALUE(I) = 7.0D0
+            DO 60 K = 1, 3
+               VALUE(I) = VALUE(I) + C(K)*(P(K,I) - LOW(K))
+   60       CONTINUE
+   70    CONTINUE
+         CALL SLOPES(M, P, NTET, TET, ADJ, VALUE, 3, G, WORK, INFO2)
+         IF (INFO .NE. 0 .OR. INFO2 .NE. 0) BAD = 1
+         DO 120 J = 1, 500
+            CALL RANDOM(SEED, F)
+            V = INT(F*NTET) + 1
+            SUM = 0.0D0
+            DO 80 K = 1, 4
+               CALL RANDOM(SEED, W(K))
+               SUM = SUM + W(K)
+   80       CONTINUE
+            WANT = 7.0D0
+            DO 100 K = 1, 3
+               Q(K) = 0.0D0
+               DO 90 I = 1, 4
+                  Q(K) = Q(K) + W(I) / SUM*P(K,TET(I,V))
+   90          CONTINUE
+               WANT = WANT + C(K)*(Q(K) - LOW(K))
+  100       CONTINUE
+            CALL BENT(P, NTET, TET, ADJ, VALUE, G, 0.0D0, Q, T, F, INFO)
+            IF (INFO .NE. 0 .AND. INFO .NE. 1) BAD = 1
+            IF (.NOT. (ABS(F - WANT) .LE. 1.0D-12)) BAD = 1
+  120    CONTINUE
+  130 CONTINUE
+      CALL MAKE(1, 300, SEED, M, P)
+      DO 150 I = 1, M
+         DO 140 K = 1, 3
+            P(K,I) = P(K,I)*1D-300
+  140    CONTINUE
+         VALUE(I) = 1D10*MOD(I - 1, 7)
+  150 CONTINUE
+      CALL TESS(M, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
+      CALL SLOPES(M, P, NTET, TET, ADJ, VALUE, 3, G, WORK, INFO2)
+      IF (INFO .NE. 0 .OR. INFO2 .NE. 6) BAD = 1
       END
 
 C     TCODES - bad arguments, damaged and unfinished meshes get a code.

@@ -201,7 +201,7 @@ static void gradients(void)
 {
     double n = (double)of->n, *column, *g, *b;
     tess_int i;
-    int j, k;
+    int code, j, k;
 
     bundle = (double *)space(4.0 * n * (double)of->columns, sizeof *bundle);
     column = (double *)space(n, sizeof *column);
@@ -210,8 +210,10 @@ static void gradients(void)
     for (j = 0; j < of->columns; j++) {
         for (i = 0; i < of->n; i++)
             column[i] = of->value[(size_t)of->columns * (size_t)i + (size_t)j];
-        recipe("slopes", slopes(of->n, of->p, of->ntet, of->tet, of->adj,
-                                column, ROUNDS, g, work));
+        code = slopes(of->n, of->p, of->ntet, of->tet, of->adj, column, ROUNDS,
+                      g, work);
+        /* what is no number makes places near it so */
+        if (code != TESS_RANGE) recipe("slopes", code);
         for (i = 0; i < of->n; i++) {
             b = bundle + 4 * ((size_t)of->columns * (size_t)i + (size_t)j);
             b[0] = column[i];
