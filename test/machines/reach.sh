@@ -125,12 +125,12 @@ small() {
     options="\`$3\`"
     [ -n "$3" ] || options=none
     stack=`tail -n 1 $B/bare.txt | tr -d ' '`
-    echo "| $1 | $options | `flash $2 "$3" call` | `flash $2 "$3" all` | `usage $2 "$3"` | $stack | $same |"
+    echo "| $1 | $options | `flash $2 "$3" call` | `flash $2 "$3" linked` | `flash $2 "$3" all` | `usage $2 "$3"` | $stack | $same |"
 }
 
 # flash MACHINE OPTIONS WHAT: bytes of code and constants of the library, in a
 # program that calls tess and tess_locate, or all there is; without the C
-# library's own
+# library's own, or `linked', with that
 flash() {
     case $1 in
     avr) cc=$AVR size=avr-size;;
@@ -145,9 +145,10 @@ flash() {
             awk 'NR > 1 { sum += $1 } END { print sum }'
         return
     fi
-    $cc -r -nostdlib -Wl,--gc-sections -Wl,-e,`name tess` \
-        -Wl,-u,`name tess` -Wl,-u,`name locate` \
-        -o $B/called.o $B/tess.o $B/hhpred.o 2>> $B/log
+    with="-r -nostdlib"
+    [ $3 = linked ] && with="-nostartfiles"
+    $cc $with -Wl,--gc-sections -Wl,-e,`entry` -Wl,-u,`entry` \
+        -Wl,-u,`locate` -o $B/called.o $B/tess.o $B/hhpred.o -lm 2>> $B/log
     $size $B/called.o | awk 'NR > 1 { print $1 }'
 }
 
@@ -164,7 +165,7 @@ usage() {
     for f in tess hhpred; do
         $cc -Os $2 -fcallgraph-info=su -c -o $B/$f.o $f.c 2>> $B/log
     done
-    awk -v entry=`name tess` '
+    awk -v entry=`entry` '
         function deep(f, list, k, n, d, most) {
             if (f in known) return known[f]
             n = split(callees[f], list, " ")
@@ -183,14 +184,18 @@ usage() {
         END { print deep(entry) }' $B/tess.ci $B/hhpred.ci
 }
 
-# name ROUTINE: its name in tess.o
-name() {
-    nm $B/tess.o | sed -n "s/.* T \(t[a-z]*_$1\)\$/\1/p; s/.* T \($1\)\$/\1/p"
+# entry, locate: the names of tess and tess_locate in tess.o, which end in the
+# build's types
+entry() {
+    nm $B/tess.o | sed -n 's/.* T \(tess\)$/\1/p; s/.* T \(tess__.*\)$/\1/p'
+}
+locate() {
+    nm $B/tess.o | sed -n 's/.* T \(tess_locate.*\)$/\1/p'
 }
 
 machine_table() {
-    echo "| machine | options | flash, tess and tess_locate | flash, all | stack | painted | arrays |"
-    echo "| --- | --- | ---: | ---: | ---: | ---: | --- |"
+    echo "| machine | options | flash, tess and tess_locate | linked | flash, all | stack | painted | arrays |"
+    echo "| --- | --- | ---: | ---: | ---: | ---: | ---: | --- |"
     if have arm-none-eabi-gcc && have qemu-system-arm; then
         small "Cortex-M4" m4 ""
         small "Cortex-M4" m4 "-DTESS_LIST=64"
@@ -200,7 +205,7 @@ machine_table() {
         small "Cortex-M0" m0 "$SMALL"
         small "Cortex-M0" m0 "$SMALLEST"
     else
-        echo "| Cortex-M | not to be had | | | | | |"
+        echo "| Cortex-M | not to be had | | | | | | |"
     fi
     if have avr-gcc && have simavr; then
         # (double is float, tess_int long; 3 limbs, of 9 bits here, do not do)
@@ -208,7 +213,7 @@ machine_table() {
         small "AVR, ATmega1284P" avr \
             "-DTESS_INT=short -DTESS_LIST=64 -DHH_LIMBS=6"
     else
-        echo "| AVR | not to be had | | | | | |"
+        echo "| AVR | not to be had | | | | | | |"
     fi
 }
 
@@ -294,7 +299,8 @@ END
 
 `tess_check` and whatever else is not called is left out by
 `-ffunction-sections` and the linker's `--gc-sections`: the first column of flash
-against the second. Memory for all arrays, in bytes: p, iw, rw, and tet and adj of
+against the last; linked: what they take of the C library and for doubles, too.
+Memory for all arrays, in bytes: p, iw, rw, and tet and adj of
 7 n tetrahedra; or without a mesh, for tess_index and tess_query alone, as in
 test/examples/sensor.c:
 
