@@ -5,7 +5,7 @@ C         gfortran -O2 test/examples/natural.f f77/tess.f f77/hhpred.f
 C
 C       NATURA  Sibson's and Laplace's weights at any point  (WEIGHT,
 C               MINUS, DOT, CROSS, TRIPLE, CENTRE, SLOT, REGION, VERTEX,
-C               BESIDE, NMEND, FACET)
+C               BESIDE, MEND, FACET)
 C       BLEND   Sibson's smooth interpolant, from weights and gradients
 C               (MINUS, DOT)
 C
@@ -307,13 +307,13 @@ C     the facet, and OTHER of FIRST.
       IF (SIDE(O,M) .LT. 0) BESIDE = -SIDE(O,M)
       END
 
-C     NMEND - make Q the mean of the points by the weights W, to
+C     MEND - make Q the mean of the points by the weights W, to
 C     rounding: each weight times 1 - B.(Y - M), where Y is the point as
-C     seen from Q, M the mean of these and B what it takes.  Returns 1
+C     seen from Q, M the mean of these and B what it takes.  BAD is 1
 C     where a weight would be changed by more than half: it was nothing
 C     but roundings.
-      INTEGER FUNCTION NMEND(NN, Y, W)
-      INTEGER NN
+      SUBROUTINE MEND(NN, Y, W, BAD)
+      INTEGER NN, BAD
       DOUBLE PRECISION Y(3,*), W(*)
       DOUBLE PRECISION M(3), B(3), D(3), C(3,3), F(3), S, SIZE, DOT
       INTEGER I, J, K, PASS
@@ -331,9 +331,9 @@ C     but roundings.
                SIZE = SIZE + W(I)*ABS(Y(K,I))
    30       CONTINUE
    40    CONTINUE
-         NMEND = 0
+         BAD = 0
          IF (ABS(M(1)) + ABS(M(2)) + ABS(M(3)) .LE. 1.0D-14*SIZE) RETURN
-         NMEND = 1
+         BAD = 1
          DO 60 I = 1, NN
             DO 45 K = 1, 3
                D(K) = (Y(K,I) - M(K)) / SIZE
@@ -450,8 +450,9 @@ C     What holds Q has it in its ball, if Q is none of the points.
 
 C     WEIGHT - the weights, from the region, which is empty where they
 C     are to be linear; in part so where roundings are more than LIMIT
-C     of Q's cell, and all from ten times as much on.  C: its balls; X: Q's Voronoi vertices; Y: the
-C     neighbours as seen from Q; W: the weights of T.
+C     of Q's cell, and all from ten times as much on.  C: its balls; X:
+C     Q's Voronoi vertices; Y: the neighbours as seen from Q; W: the
+C     weights of T.
       SUBROUTINE WEIGHT(P, TET, ADJ, Q, T, NLIST, LIST, SIDE, CORNER,
      1                  NN, NBR, SIBSON, LAPLAC, C, X, Y, W)
       DOUBLE PRECISION P(3,*), Q(3), SIBSON(*), LAPLAC(*), C(4,*)
@@ -460,7 +461,7 @@ C     neighbours as seen from Q; W: the weights of T.
       INTEGER CORNER(4,*), NN, NBR(*)
       DOUBLE PRECISION A(3), E(3), S, NEAR, DOUBT, ALL(2), LIMIT, ROUND
       DOUBLE PRECISION DOT, TRIPLE
-      INTEGER B, H, I, J, K, L, M, U, GOOD, FACET, BESIDE, NMEND
+      INTEGER B, H, I, J, K, L, M, U, BAD, GOOD, FACET, BESIDE
       PARAMETER (LIMIT = 1.0D-8, ROUND = 2.220446049250313D-16)
       NEAR = 0.0D0
       DOUBT = 0.0D0
@@ -537,8 +538,9 @@ C     number.  Of W the vertices are the first four corners.
             SIBSON(I) = SIBSON(I) / ALL(1)
             LAPLAC(I) = LAPLAC(I) / ALL(2)
   100    CONTINUE
-         IF (NMEND(NN, Y, SIBSON) .EQ. 0) GOOD = 1 - NMEND(NN, Y,
-     1                                                   LAPLAC)
+         CALL MEND(NN, Y, SIBSON, BAD)
+         IF (BAD .EQ. 0) CALL MEND(NN, Y, LAPLAC, BAD)
+         GOOD = 1 - BAD
       END IF
       IF (GOOD .EQ. 0) THEN
          NN = 4
