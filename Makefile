@@ -53,7 +53,7 @@ MODEL = model=; if [ $(MAXPTS) -gt 4000000 ]; then \
 
 PROGRAM = build/options.o build/read.o build/write.o build/shapes.o \
     build/places.o build/values.o build/slopes.o build/natural.o \
-    build/derived.o build/draw.o
+    build/derived.o build/cells.o build/periodic.o build/draw.o
 
 build/tess: $(PROGRAM) $(LIBRARY) build/driver.o
 	@$(MODEL); set -x; $(LINK) $$model $(PROGRAM) $(LIBRARY) build/driver.o \
@@ -115,8 +115,16 @@ build/read.o: test/program/read.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/read.c
 
+build/cells.o: test/examples/cells.c tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/examples/cells.c
+
+build/periodic.o: test/examples/periodic.c tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/examples/periodic.c
+
 build/shapes.o: test/program/shapes.c test/program/driver.h \
-    test/examples/cells.c test/examples/periodic.c tess.h hhpred.h
+    test/examples/recipes.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/shapes.c
 

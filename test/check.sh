@@ -264,7 +264,7 @@ SANITIZE="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 tests() {
     if [ -z "$ALL" ]; then
         units usual "$CC" "$CFLAGS" "t_pred 20" brute "t_tess -quick" \
-            "t_part -quick" t_size t_natural
+            "t_part -quick" t_size t_natural t_cells
         many "certify" env CC="$CC" sh test/hunts/certify.sh -quick
         # few limbs: code 2 or TESS_RANGE where they do not suffice
         units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
@@ -276,7 +276,8 @@ tests() {
         units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 10" "brute 100"
         return
     fi
-    units usual "$CC" "$CFLAGS" t_pred brute t_tess t_part t_size t_natural
+    units usual "$CC" "$CFLAGS" t_pred brute t_tess t_part t_size t_natural \
+        t_cells
     units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 50" "brute 100" \
         "t_tess -range" "t_part -quick"
     units -DHH_LIMBS=6 "$CC" "-O1 -DHH_LIMBS=6" "t_tess -range"
@@ -821,21 +822,21 @@ onef() {
         $LINKF -o all all.o ../ftess.o ../fhhpred.o $libraries $LIBS && ./all"
 }
 
-# recipe NAME: natural.f without its main program, beside natural.c
+# recipe FILE NAME: test/unit/t_FILE, of test/examples/FILE.f without a main
+# program, with the half just compiled
 recipe() {
-    sed '/^      PROGRAM/,/^      END$/d' test/examples/natural.f \
-        > build/natural.f
+    sed '/^      PROGRAM/,/^      END$/d' test/examples/$1.f > build/$1.f
     compile "$CC" "-O1" build/units/f77 $LIBRARY
-    if gfortran -O2 -frecursive -c -o build/fnatural.o build/natural.f \
-        >> $LOG 2>&1 && $CC -O1 -DFORTRAN -I. -c -o build/t_natural.o \
-        test/unit/t_natural.c >> $LOG 2>&1 && gfortran -o build/t_natural \
-        build/t_natural.o build/fnatural.o build/ftess.o build/fhhpred.o \
+    if gfortran -O2 -frecursive -c -o build/f$1.o build/$1.f \
+        >> $LOG 2>&1 && $CC -O1 -DFORTRAN -I. -c -o build/t_$1.o \
+        test/unit/t_$1.c >> $LOG 2>&1 && gfortran -o build/t_$1 \
+        build/t_$1.o build/f$1.o build/ftess.o build/fhhpred.o \
         build/units/f77/tess.o build/units/f77/hhpred.o \
         build/units/f77/points.o build/units/f77/exact.o $LIBS >> $LOG 2>&1
     then
-        many "t_natural, natural.f, $1" build/t_natural
+        many "t_$1, $1.f, $2" build/t_$1
     else
-        fail "natural.f, $1: does not compile"
+        fail "$1.f, $2: does not compile"
     fi
 }
 
@@ -944,6 +945,7 @@ halves() {
         programs "gfortran -fcheck=all" "-std=legacy -O1 -fcheck=all"
         onef gfortran "" "gfortran -frecursive -std=f95 -pedantic -Wall -Wextra \
             -Werror -c all.f"
+        recipe cells "gfortran -fcheck=all"
         interface "gfortran -fcheck=all"
         mixed
         printed fortran first.f firstf
@@ -965,7 +967,7 @@ halves() {
         fortran "gfortran -O3" "" "brute,t_tess -quick,t_part -quick" gfort -O3
         text "gfortran -O3"
         threads "gfortran -O3"
-        recipe "gfortran -O3"
+        recipe natural "gfortran -O3"
         gfort -Ofast -march=native >> $LOG 2>&1
         text "gfortran -Ofast -march=native"
         # integers of 8 bytes

@@ -40,6 +40,21 @@ void dual(tess_int n, const tess_real *p, const tess_int *tet,
 void gradient(const tess_real *p, const tess_int *v, const double *value,
               double *g);
 
+/* cells.c */
+int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
+         const tess_int *first, const tess_int *list, tess_int i,
+         const double *box, tess_int most, tess_int *nface, tess_int *whose,
+         double *area, double *volume, tess_int *start, tess_int *corner,
+         tess_int *nvert, double *vert, tess_int *iwork, double *work);
+int clipped(tess_int n, const tess_real *p, const tess_int *tet,
+            const tess_int *adj, const tess_int *first, const tess_int *list,
+            const double *box, tess_int maxrow, tess_int *nrow, tess_int *row,
+            tess_int *other, double *area, double *volume, tess_int most,
+            tess_int *iwork, double *work);
+int alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
+          const tess_int *adj, double radius, int voids, char *keep,
+          tess_int maxfac, tess_int *nfac, tess_int *fac, tess_int *stack);
+
 /* interp.c */
 int ongrid(const tess_real *p, tess_int ntet, const tess_int *tet,
            const tess_int *adj, tess_int nv, const double *value,
@@ -54,6 +69,15 @@ void append(tess_int ntet, const tess_int *tet, const tess_int *adj,
             tess_int *alladj);
 int join(tess_int ntet, const tess_int *tet, tess_int *adj, tess_int lh,
          tess_int *h);
+
+/* periodic.c */
+#define PERIODIC_FEW 20
+void unpack(tess_int number, int *copy);
+int periodic(tess_int n, const tess_real *p, const double *low,
+             const double *length, tess_int maxcop, tess_int *ncop,
+             tess_real *x, tess_int *cw, tess_int maxtet, tess_int *ntet,
+             tess_int *tet, tess_int *move, tess_int *adj, tess_int *shift,
+             tess_int liw, tess_int *iw, tess_int lrw, double *rw);
 
 /* planar.c */
 int planar(tess_int n, tess_real *p, tess_int maxtri, tess_int *ntri,

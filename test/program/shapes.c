@@ -2,11 +2,7 @@
  *
  * Lengths are those of the stretched points, by -scale, until they are written.
  */
-#define CELLS_ALONE
-#include "../examples/cells.c"
-#define PERIODIC_ALONE
-#include "../examples/periodic.c"
-
+#include "../examples/recipes.h"
 #include "driver.h"
 
 #include <math.h>
@@ -219,8 +215,8 @@ static void make_periodic(cells *c)
         free(c->move);
         if (code == PERIODIC_FEW)
             fail("-periodic: so few points in so long a box that tetrahedra "
-                 "reach farther than %d boxes; repeat the points along its "
-                 "short sides", REACH);
+                 "reach across many copies of it; repeat the points along its "
+                 "short sides");
         if (code != TESS_MORE && code != TESS_POOL)
             too_small("-periodic: unexpected code %d", code);
         if (code == TESS_POOL)
@@ -313,7 +309,7 @@ static tess_int *slice(tess_int **from, tess_int many)
 /* take_room - for one cell, of at most so many faces. */
 static void take_room(cells *c, tess_int most)
 {
-    tess_int *from = c->integer = integers(37.0 * (double)most + 1.0), k;
+    tess_int *from = c->integer = integers(50.0 * (double)most + 1.0), k;
 
     c->most = most;
     c->who = slice(&from, 4 * most);
@@ -323,7 +319,7 @@ static void take_room(cells *c, tess_int most)
     c->count = slice(&from, most);
     c->whose = slice(&from, most);
     c->corner = slice(&from, 6 * most);
-    c->iwork = slice(&from, 12 * most);
+    c->iwork = slice(&from, 25 * most);
     c->begin = slice(&from, most + 1);
     for (k = 0; k < 4 * most; k++) c->beside[k] = 0;
     for (k = 0; k < most; k++) c->count[k] = k;
@@ -370,9 +366,9 @@ static void clear(cells *c)
     free(c->real);
 }
 
-/* measure - each cell's volume and number of faces, and what they are in
+/* measure_cells - each cell's volume and number of faces, and what they are in
  * all. */
-static void measure(cells *c, double *volume, tess_int *faces, totals *all)
+static void measure_cells(cells *c, double *volume, tess_int *faces, totals *all)
 {
     double lost = 0.0, sum, v;
     tess_int i;
@@ -478,7 +474,7 @@ void make_cells(const mesh *m)
     volume = doubles((double)m->in->n);
     faces = integers((double)m->in->n);
     say("computing %ld cells ...", (long)m->in->n);
-    measure(&c, volume, faces, &all);
+    measure_cells(&c, volume, faces, &all);
     for (k = 0; k < 3; k++)
         whole *= (c.box[3 + k] - c.box[k]) / m->scale[k];
     if (!chosen.quiet) {

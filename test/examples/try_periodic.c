@@ -1,0 +1,210 @@
+/* try_periodic.c - periodic.c's tetrahedra of several sets of points: facets
+ * are paired, Euler's formula holds, volumes fill the box.
+ *
+ *   cc -O2 -I. -o try_periodic test/examples/try_periodic.c \
+ *       test/examples/periodic.c tess.c hhpred.c -lm
+ *
+ * try_periodic.f is the same in FORTRAN 77; both write the same text.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include "recipes.h"
+
+#define N 512
+#define SETS 8
+#define MAXCOP 16000
+#define MAXTET (24 * N)
+
+static tess_real p[3 * N], x[3 * MAXCOP];
+static tess_int cw[3 * MAXCOP], tet[4 * MAXTET], move[4 * MAXTET];
+static tess_int adj[4 * MAXTET], shift[4 * MAXTET], iw[TESS_LIW(MAXCOP)];
+static double rw[TESS_LRW(MAXCOP)];
+static const double low[3] = {-1.0, 0.0, 2.0};
+
+/* random20 - a random number, 0 <= x < 1, of 20 bits. */
+static double random20(void)
+{
+    static long seed = 1;
+    long high;
+
+    seed = (seed * 3877 + 29573) % 139968;
+    high = seed % 1024;
+    seed = (seed * 3877 + 29573) % 139968;
+    return ((double)high + (double)(seed % 1024) / 1024.0) / 1024.0;
+}
+
+/* make - points of a set; its name. */
+static const char *make(int set, tess_int *n, double *length)
+{
+    static const char *const name[SETS] = {"random", "lattice", "clusters",
+                                           "one", "three", "twice", "huge",
+                                           "tiny"};
+    static const tess_int number[SETS] = {500, 512, 300, 1, 3, 400, 300, 300};
+    tess_int i, j;
+    int k;
+
+    *n = number[set];
+    for (k = 0; k < 3; k++) length[k] = set == 0 && k < 2 ? 2.0 - k / 2.0 : 1.0;
+    for (i = 0; i < *n; i++)
+        for (k = 0; k < 3; k++) {
+            double r = random20();
+
+            if (set == 2) r = 0.25 * r + 0.5 * (double)(i % 2);
+            /* a shuffled lattice of 8 a side: 257 and 512 have no factor in
+             * common */
+            j = (tess_int)((long)i * 257 % 512);
+            if (set == 1)
+                r = (double)(k == 0 ? j % 8 : k == 1 ? j / 8 % 8 : j / 64) / 8;
+            p[3 * i + k] = (tess_real)(low[k] + r * length[k]);
+            /* duplicates: in the box, and across its boundary */
+            if (set == 5 && i >= 200) p[3 * i + k] = p[3 * (i - 200) + k];
+            if (set == 5 && i % 200 < 20 && k == 2)
+                p[3 * i + k] = (tess_real)(low[k] + (i < 200 ? 1.0 : 0.0));
+        }
+    return name[set];
+}
+
+/* place - of a point's copy, moved; exact, as are the points and lengths. */
+static void place(tess_int i, tess_int number, const double *length,
+                  tess_real *at)
+{
+    int a[3], k;
+
+    unpack(number, a);
+    for (k = 0; k < 3; k++)
+        at[k] = (tess_real)((double)p[3 * i + k] + a[k] * length[k]);
+}
+
+/* count_edges - each edge once: in lists by one point, linked in cw.  That of
+ * points a, b and the copy of b when a is in the box. */
+static tess_int count_edges(tess_int n, tess_int ntet)
+{
+    static tess_int list[3][12 * MAXTET];
+    tess_int i, j, a, b, d, count = 0;
+    int k, m;
+
+    for (i = 0; i < n; i++) cw[i] = -1;
+    for (i = 0; i < 4 * ntet; i += 4)
+        for (k = 0; k < 3; k++)
+            for (m = k + 1; m < 4; m++) {
+                a = tet[i + k];
+                b = tet[i + m];
+                d = move[i + m] - move[i + k];
+                if (a > b || (a == b && d < 0)) {
+                    a = tet[i + m];
+                    b = tet[i + k];
+                    d = -d;
+                }
+                for (j = cw[a]; j >= 0 && (list[0][j] != b || list[1][j] != d);)
+                    j = list[2][j];
+                if (j >= 0) continue;
+                list[0][count] = b;
+                list[1][count] = d;
+                list[2][count] = cw[a];
+                cw[a] = count++;
+            }
+    return count;
+}
+
+/* proven - 1 if the facets are paired, all tetrahedra positively oriented and
+ * as large as the box together, and no neighbour's apex is in a ball. */
+static int proven(tess_int ntet, const double *length)
+{
+    tess_real v[5][3];
+    double e[3][3], volume = 0.0; /* in boxes */
+    tess_int t, u, s;
+    int h, k, j, good = ntet > 0;
+
+    for (t = 0; t < ntet; t++) {
+        for (k = 0; k < 4; k++)
+            place(tet[4 * t + k], move[4 * t + k], length, v[k]);
+        if (hh_orient(v[0], v[1], v[2], v[3]) != 1) good = 0;
+        for (k = 0; k < 3; k++)
+            for (j = 0; j < 3; j++)
+                e[k][j] = ((double)v[k + 1][j] - (double)v[0][j]) / length[j];
+        volume += (e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) +
+                   e[0][1] * (e[1][2] * e[2][0] - e[1][0] * e[2][2]) +
+                   e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0])) / 6.0;
+        for (k = 0; k < 4; k++) {
+            u = adj[4 * t + k];
+            if (u < 0 || u >= ntet) return 0;
+            /* the vertex of u that is not t's, and three that are */
+            h = -1;
+            for (j = 0; j < 4; j++) {
+                for (s = 0; s < 4; s++)
+                    if (s != k && tet[4 * t + s] == tet[4 * u + j] &&
+                        move[4 * t + s] ==
+                            move[4 * u + j] + shift[4 * t + k]) break;
+                if (s < 4) continue;
+                if (h >= 0) good = 0;
+                h = j;
+            }
+            if (h < 0) return 0;
+            if (adj[4 * u + h] != t ||
+                shift[4 * u + h] != -shift[4 * t + k]) good = 0;
+            place(tet[4 * u + h], move[4 * u + h] + shift[4 * t + k], length,
+                  v[4]);
+            if (hh_insphere(v[0], v[1], v[2], v[3], v[4]) == 1) good = 0;
+        }
+    }
+    return good && fabs(volume - 1.0) < 1e-12;
+}
+
+/* few - 1 if a long box, points outside and short arrays get their codes. */
+static int few(tess_int liw, tess_int lrw)
+{
+    static const double length[3] = {64.0, 1.0, 1.0}, cube[3] = {1.0, 1.0, 1.0};
+    tess_int ncop, ntet;
+    int code[4], k;
+
+    for (k = 0; k < 3; k++) p[k] = (tess_real)low[k];
+    for (k = 0; k < 4; k++) {
+        if (k == 1) p[0] = (tess_real)(low[0] - 1.0);
+        if (k == 2) p[0] = (tess_real)low[0];
+        code[k] = periodic(k == 3 ? 0 : 1, p, low, k == 2 ? cube : length,
+                           k == 2 ? 9 : MAXCOP, &ncop, x, cw, MAXTET, &ntet,
+                           tet, move, adj, shift, liw, iw, lrw, rw);
+    }
+    return code[0] == PERIODIC_FEW && code[1] == -2 && code[2] == TESS_MORE &&
+           code[3] == -1;
+}
+
+int main(void)
+{
+    const char *name;
+    double length[3], corner[3], scale;
+    tess_int i, n, ncop, ntet, nedge, used;
+    int set, code, good, k, bad = 0;
+
+    printf("set       points  tetrahedra  edges  Euler  proven\n");
+    for (set = 0; set < SETS; set++) {
+        name = make(set, &n, length);
+        /* a power of two alters nothing else */
+        k = sizeof *p > 4 ? 400 : 100;
+        scale = set < 6 ? 1.0 : ldexp(1.0, set == 6 ? k : -k);
+        for (i = 0; i < 3 * n; i++) p[i] = (tess_real)((double)p[i] * scale);
+        for (k = 0; k < 3; k++) {
+            corner[k] = low[k] * scale;
+            length[k] *= scale;
+        }
+        code = periodic(n, p, corner, length, MAXCOP, &ncop, x, cw, MAXTET,
+                        &ntet, tet, move, adj, shift, TESS_LIW(MAXCOP), iw,
+                        TESS_LRW(MAXCOP), rw);
+        if (code != 0) {
+            printf("%s: code %d\n", name, code);
+            return 1;
+        }
+        nedge = count_edges(n, ntet);
+        /* duplicates have no edges */
+        for (used = n, i = 200; i < n && set == 5; i++) used -= cw[i] < 0;
+        good = proven(ntet, length) && used - nedge + ntet == 0;
+        bad |= !good;
+        printf("%-8s  %6ld  %10ld  %5ld  %5ld  %s\n", name, (long)n,
+               (long)ntet, (long)nedge, (long)(used - nedge + ntet),
+               good ? "yes" : "NO");
+    }
+    printf("codes: %s\n",
+           few(TESS_LIW(MAXCOP), TESS_LRW(MAXCOP)) ? "yes" : "NO");
+    return bad;
+}

@@ -1,0 +1,236 @@
+C     try_periodic.f - periodic.f's tetrahedra of several sets of
+C     points: facets are paired, Euler's formula holds, volumes fill the
+C     box.
+C
+C         gfortran -O2 test/examples/try_periodic.f
+C           test/examples/periodic.f f77/tess.f f77/hhpred.f
+C
+C     try_periodic.c is the same in C; both write the same text.
+      PROGRAM PERIO
+      INTEGER MAXN, MAXCOP, MAXTET, LIW, LRW
+      PARAMETER (MAXN = 512, MAXCOP = 16000, MAXTET = 24*MAXN)
+      PARAMETER (LIW = 19*MAXCOP + 1800, LRW = 4*MAXCOP + 12)
+      DOUBLE PRECISION P(3,MAXN), X(3,MAXCOP), RW(LRW), LOW(3)
+      DOUBLE PRECISION LENGTH(3)
+      INTEGER CW(MAXCOP,3), TET(4,MAXTET), MOVE(4,MAXTET)
+      INTEGER ADJ(4,MAXTET), SHIFT(4,MAXTET), IW(LIW)
+      INTEGER LIST(12*MAXTET,3), SEED, SET, N, I, K, NCOP, NTET, NEDGE
+      INTEGER USED, INFO, GOOD
+      DOUBLE PRECISION CORNER(3), SCALE
+      CHARACTER*8 NAME(8)
+      CHARACTER*3 ANSWER(0:1)
+      COMMON /LARGE/ P, X, RW, CW, TET, MOVE, ADJ, SHIFT, IW, LIST
+      DATA LOW /-1.0D0, 0.0D0, 2.0D0/
+      DATA NAME /'random', 'lattice', 'clusters', 'one', 'three',
+     1           'twice', 'huge', 'tiny'/
+      DATA ANSWER /'NO', 'yes'/
+      SEED = 1
+      WRITE (*, 30)
+      DO 20 SET = 1, 8
+         CALL MAKE(SET, SEED, LOW, N, LENGTH, P)
+C        A power of two alters nothing else.
+         SCALE = 1.0D0
+         IF (SET .EQ. 7) SCALE = 2.0D0**400
+         IF (SET .EQ. 8) SCALE = 0.5D0**400
+         DO 8 K = 1, 3
+            CORNER(K) = LOW(K)*SCALE
+            LENGTH(K) = LENGTH(K)*SCALE
+            DO 6 I = 1, N
+               P(K,I) = P(K,I)*SCALE
+    6       CONTINUE
+    8    CONTINUE
+         CALL PERIOD(N, P, CORNER, LENGTH, MAXCOP, NCOP, X, CW, MAXTET,
+     1               NTET, TET, MOVE, ADJ, SHIFT, LIW, IW, LRW, RW,
+     2               INFO)
+         IF (INFO .NE. 0) THEN
+            WRITE (*, *) NAME(SET), ': code ', INFO
+            STOP
+         END IF
+         CALL COUNTE(N, NTET, TET, MOVE, CW, LIST, 12*MAXTET, NEDGE)
+         USED = N
+         DO 10 I = 201, N
+C           Duplicates have no edges.
+            IF (SET .EQ. 6 .AND. CW(I,1) .EQ. 0) USED = USED - 1
+   10    CONTINUE
+         CALL PROVEN(P, NTET, TET, MOVE, ADJ, SHIFT, LENGTH, GOOD)
+         IF (USED - NEDGE + NTET .NE. 0) GOOD = 0
+         WRITE (*, 40) NAME(SET), N, NTET, NEDGE, USED - NEDGE + NTET,
+     1                 ANSWER(GOOD)
+   20 CONTINUE
+C     A long box, points outside and short arrays get their codes.
+      GOOD = 1
+      LENGTH(1) = 64.0D0
+      LENGTH(2) = 1.0D0
+      LENGTH(3) = 1.0D0
+      DO 26 I = 1, 4
+         DO 24 K = 1, 3
+            P(K,1) = LOW(K)
+   24    CONTINUE
+         IF (I .EQ. 2) P(1,1) = LOW(1) - 1.0D0
+         IF (I .EQ. 3) LENGTH(1) = 1.0D0
+         NCOP = MAXCOP
+         IF (I .EQ. 3) NCOP = 9
+         CALL PERIOD(1 - I/4, P, LOW, LENGTH, NCOP, K, X, CW,
+     1               MAXTET, NTET, TET, MOVE, ADJ, SHIFT, LIW, IW, LRW,
+     2               RW, INFO)
+         IF (I .EQ. 1 .AND. INFO .NE. 20) GOOD = 0
+         IF (I .EQ. 2 .AND. INFO .NE. -2) GOOD = 0
+         IF (I .EQ. 3 .AND. INFO .NE. 1) GOOD = 0
+         IF (I .EQ. 4 .AND. INFO .NE. -1) GOOD = 0
+   26 CONTINUE
+      WRITE (*, 50) ANSWER(GOOD)
+   30 FORMAT ('set       points  tetrahedra  edges  Euler  proven')
+   40 FORMAT (A8, 2X, I6, 2X, I10, 2X, I5, 2X, I5, 2X, A)
+   50 FORMAT ('codes: ', A)
+      END
+
+C     RANDOM - a random number, 0 <= X < 1, of 20 bits.
+      SUBROUTINE RANDOM(SEED, X)
+      INTEGER SEED, HIGH
+      DOUBLE PRECISION X
+      SEED = MOD(SEED*3877 + 29573, 139968)
+      HIGH = MOD(SEED, 1024)
+      SEED = MOD(SEED*3877 + 29573, 139968)
+      X = (DBLE(HIGH) + DBLE(MOD(SEED, 1024)) / 1024.0D0) / 1024.0D0
+      END
+
+C     MAKE - points of a set.
+      SUBROUTINE MAKE(SET, SEED, LOW, N, LENGTH, P)
+      INTEGER SET, SEED, N
+      DOUBLE PRECISION LOW(3), LENGTH(3), P(3,*)
+      DOUBLE PRECISION R
+      INTEGER I, J, K, NUMBER(8)
+      SAVE NUMBER
+      DATA NUMBER /500, 512, 300, 1, 3, 400, 300, 300/
+      N = NUMBER(SET)
+      DO 10 K = 1, 3
+         LENGTH(K) = 1.0D0
+   10 CONTINUE
+      IF (SET .EQ. 1) LENGTH(1) = 2.0D0
+      IF (SET .EQ. 1) LENGTH(2) = 1.5D0
+      DO 30 I = 1, N
+         DO 20 K = 1, 3
+            CALL RANDOM(SEED, R)
+            IF (SET .EQ. 3) R = 0.25D0*R + 0.5D0*MOD(I - 1, 2)
+C           A shuffled lattice of 8 a side: 257 and 512 have no factor
+C           in common.
+            J = MOD((I - 1)*257, 512)
+            IF (SET .EQ. 2) R = DBLE(MOD(J/8**(K-1), 8)) / 8.0D0
+            P(K,I) = LOW(K) + R*LENGTH(K)
+C           Duplicates: in the box, and across its boundary.
+            IF (SET .EQ. 6 .AND. I .GT. 200) P(K,I) = P(K,I-200)
+            IF (SET .EQ. 6 .AND. MOD(I - 1, 200) .LT. 20 .AND.
+     1          K .EQ. 3) THEN
+               P(K,I) = LOW(K)
+               IF (I .LE. 200) P(K,I) = LOW(K) + 1.0D0
+            END IF
+   20    CONTINUE
+   30 CONTINUE
+      END
+
+C     PLACE - of a point's copy, moved; exact, as are the points and
+C     lengths.
+      SUBROUTINE PLACE(P, I, NUMBER, LENGTH, AT)
+      DOUBLE PRECISION P(3,*), LENGTH(3), AT(3)
+      INTEGER I, NUMBER
+      INTEGER A(3), K
+      CALL UNPACK(NUMBER, A)
+      DO 10 K = 1, 3
+         AT(K) = P(K,I) + A(K)*LENGTH(K)
+   10 CONTINUE
+      END
+
+C     COUNTE - each edge once: in lists by one point, that begin in
+C     HEAD.  That of points A, B and the copy of B when A is in the box.
+      SUBROUTINE COUNTE(N, NTET, TET, MOVE, HEAD, LIST, MOST, NEDGE)
+      INTEGER N, NTET, TET(4,*), MOVE(4,*), HEAD(*), MOST, LIST(MOST,3)
+      INTEGER NEDGE
+      INTEGER I, J, K, M, A, B, D
+      DO 10 I = 1, N
+         HEAD(I) = 0
+   10 CONTINUE
+      NEDGE = 0
+      DO 50 I = 1, NTET
+         DO 40 K = 1, 3
+            DO 30 M = K + 1, 4
+               A = TET(K,I)
+               B = TET(M,I)
+               D = MOVE(M,I) - MOVE(K,I)
+               IF (A .GT. B .OR. (A .EQ. B .AND. D .LT. 0)) THEN
+                  A = TET(M,I)
+                  B = TET(K,I)
+                  D = -D
+               END IF
+               J = HEAD(A)
+   20          CONTINUE
+               IF (J .GT. 0) THEN
+                  IF (LIST(J,1) .EQ. B .AND. LIST(J,2) .EQ. D) GO TO 30
+                  J = LIST(J,3)
+                  GO TO 20
+               END IF
+               NEDGE = NEDGE + 1
+               LIST(NEDGE,1) = B
+               LIST(NEDGE,2) = D
+               LIST(NEDGE,3) = HEAD(A)
+               HEAD(A) = NEDGE
+   30       CONTINUE
+   40    CONTINUE
+   50 CONTINUE
+      END
+
+C     PROVEN - GOOD = 1 if the facets are paired, all tetrahedra
+C     positively oriented and as large as the box together, and no
+C     neighbour's apex is in a ball.
+      SUBROUTINE PROVEN(P, NTET, TET, MOVE, ADJ, SHIFT, LENGTH, GOOD)
+      DOUBLE PRECISION P(3,*), LENGTH(3)
+      INTEGER NTET, TET(4,*), MOVE(4,*), ADJ(4,*), SHIFT(4,*), GOOD
+      DOUBLE PRECISION V(3,5), E(3,3), VOLUME
+      INTEGER H, J, K, S, T, U, HHORIE, HHINSP
+C     In boxes.
+      VOLUME = 0.0D0
+      GOOD = 1
+      IF (NTET .LT. 1) GOOD = 0
+      DO 80 T = 1, NTET
+         DO 10 K = 1, 4
+            CALL PLACE(P, TET(K,T), MOVE(K,T), LENGTH, V(1,K))
+   10    CONTINUE
+         IF (HHORIE(V(1,1), V(1,2), V(1,3), V(1,4)) .NE. 1) GOOD = 0
+         DO 30 K = 1, 3
+            DO 20 J = 1, 3
+               E(J,K) = (V(J,K+1) - V(J,1)) / LENGTH(J)
+   20       CONTINUE
+   30    CONTINUE
+         VOLUME = VOLUME + (E(1,1)*(E(2,2)*E(3,3) - E(3,2)*E(2,3)) +
+     1                      E(2,1)*(E(3,2)*E(1,3) - E(1,2)*E(3,3)) +
+     2                      E(3,1)*(E(1,2)*E(2,3) - E(2,2)*E(1,3)))
+     3                     / 6.0D0
+         DO 70 K = 1, 4
+            U = ADJ(K,T)
+            IF (U .LT. 1 .OR. U .GT. NTET) THEN
+               GOOD = 0
+               RETURN
+            END IF
+C           The vertex of U that is not T's, and three that are.
+            H = 0
+            DO 60 J = 1, 4
+               DO 50 S = 1, 4
+                  IF (S .NE. K .AND. TET(S,T) .EQ. TET(J,U) .AND.
+     1                MOVE(S,T) .EQ. MOVE(J,U) + SHIFT(K,T)) GO TO 60
+   50          CONTINUE
+               IF (H .GT. 0) GOOD = 0
+               H = J
+   60       CONTINUE
+            IF (H .EQ. 0) THEN
+               GOOD = 0
+               RETURN
+            END IF
+            IF (ADJ(H,U) .NE. T .OR. SHIFT(H,U) .NE. -SHIFT(K,T))
+     1         GOOD = 0
+            CALL PLACE(P, TET(H,U), MOVE(H,U) + SHIFT(K,T), LENGTH,
+     1                 V(1,5))
+            IF (HHINSP(V(1,1), V(1,2), V(1,3), V(1,4), V(1,5)) .EQ. 1)
+     1         GOOD = 0
+   70    CONTINUE
+   80 CONTINUE
+      IF (.NOT. (ABS(VOLUME - 1.0D0) .LT. 1.0D-12)) GOOD = 0
+      END
