@@ -147,9 +147,10 @@ C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
 C     then what makes searches faster, each where some data need it:
 C       supports: rough TSROUG, marked TSMRKD, heightover TSHEOV,
-C         curved TSCURV, remember TSREME, through TSTHRO, fit TSFIT,
-C         discover TSDISC, supportof TSSUPP, sharpen TSSHAR, aim TSAIM,
-C         lowest TSLOWE, excluded TSEXCL, pruneheights TSPRHE
+C         onsupport TSONSU, curved TSCURV, remember TSREME,
+C         through TSTHRO, fit TSFIT, discover TSDISC, supportof TSSUPP,
+C         sharpen TSSHAR, aim TSAIM, lowest TSLOWE, excluded TSEXCL,
+C         pruneheights TSPRHE
 C       cylinders: cylinders TSCYLI, makecylinder TSMCYL,
 C         makecylinders TSMCYS, prunecylinders TSPRCY
 C       ties: newcell TSNEWC, incell TSINCE
@@ -1971,8 +1972,15 @@ C     consider.
 
 C     TSTREE - finishes a search in the tree: the leaf of the base
 C     first, then its parent's other child, and so on up to the root;
-C     with cylinders, its grandparent's other three grandchildren.
-C     Everything below the node TOP has been searched.
+C     with cylinders, its grandparent's other three grandchildren, all
+C     four tested at once.
+C
+C                   .            NODE: what is searched next.  STACK
+C               /       \        holds what is left of the subtree that
+C             TOP        NODE    was entered last; when it is empty,
+C           /    \      /    \   TOP's sibling is next, or TOP's
+C         FROM    .    .      .  grandparent: everything below TOP has
+C                                been searched, FROM is where that ended
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
      $                  IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
@@ -3877,6 +3885,20 @@ C     the error.
      $    ABS(H) .LE. -RCTL(AT+SLOW)) OK = 1
       END
 
+C     TSONSU - OK is 1 if the vertices V of a facet are near support J,
+C     or 0; H are their heights, that of V(BASE) first, ERR the bounds
+C     on their errors.
+      SUBROUTINE TSONSU(X, P, ORD, MARK, RCTL, V, BASE, J, H, ERR, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H(3), ERR(3)
+      INTEGER ORD(*), MARK(*), V(3), BASE, J, OK
+      INTEGER K, Z
+      DO 10 K = 1, 3
+        Z = V(MOD(BASE+K-2,3)+1)
+        CALL TSHEOV(X, P, ORD, MARK, RCTL, J, Z, H(K), ERR(K), OK)
+        IF (OK .EQ. 0) RETURN
+   10 CONTINUE
+      END
+
 C     TSCURV - returns 1 if the facet's support is a sphere, or 0.
       INTEGER FUNCTION TSCURV(RCTL, IQ)
       DOUBLE PRECISION RCTL(*)
@@ -4048,14 +4070,14 @@ C     KEPT is 1 if it is kept, or 0.
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), KEPT
       INTEGER TSCUBE
       INTEGER NP, LEAVES, RSUPP, RPATIE, RSUP, LSUP, SPLANE, SLOW
-      INTEGER SGRAIN, DONE, SUPPS, GRAINS, OPENED, QON, QOPEND
+      INTEGER SGRAIN, DONE, SUPPS, GRAINS, OPENED, QBASE, QON, QOPEND
       PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RPATIE = 8, RSUP = 10)
       PARAMETER (LSUP = 97, SPLANE = 88, SLOW = 96)
       PARAMETER (SGRAIN = 97, DONE = -1, SUPPS = 8, GRAINS = 134217728)
-      PARAMETER (OPENED = 24, QON = 6, QOPEND = 9)
+      PARAMETER (OPENED = 24, QBASE = 4, QON = 6, QOPEND = 9)
       DOUBLE PRECISION FINER
       PARAMETER (FINER = 100.0D0)
-      DOUBLE PRECISION C, ERR, FINE, GRAIN, H, LOW
+      DOUBLE PRECISION C, ERR, ERRS(3), FINE, GRAIN, H, HS(3), LOW
       INTEGER ACROSS, ALL, AT, FIRST, I, J, K, LAST, LEAST, NEAR, NODE
       INTEGER OK, OLD, OVER, PLANE, Z
       KEPT = 0
@@ -4082,11 +4104,8 @@ C     sample all that is near: the search's points may be from a corner
         IF (OK .EQ. 0) RETURN
       END IF
       ACROSS = 0
-      IF (IQ(QON) .EQ. 0) ACROSS = 1
-      DO 17 K = 1, 3
-        IF (ACROSS .EQ. 1) CALL TSHEOV(X, P, ORD, MARK, RCTL, J, V(K),
-     $      H, ERR, ACROSS)
-   17 CONTINUE
+      IF (IQ(QON) .EQ. 0) CALL TSONSU(X, P, ORD, MARK, RCTL, V,
+     $    IQ(QBASE), J, HS, ERRS, ACROSS)
       PLANE = INT(RCTL(AT+SPLANE))
       LOW = RCTL(AT+SLOW)
       GRAIN = RCTL(AT+SGRAIN)
@@ -4147,7 +4166,8 @@ C     sample all that is near: the search's points may be from a corner
       END
 
 C     TSSUPP - finds the support that the facet is on, if any, and its
-C     tilt.  Supports that have marked its vertices come first.  A
+C     tilt.  Supports that have marked its vertices come first: between
+C     sheets 1e-10 apart searches take 30 times as long otherwise.  A
 C     needle, or a facet that stands on its plane, leans on none.
 C
 C     The tilt's error: roundings of the edges take the tilt out of the
@@ -4180,19 +4200,17 @@ C     than 8 EPS SIZE.
       DOUBLE PRECISION T(2)
       INTEGER AT, B, I, J, K, OK, Z
       IF (F(10) .GT. 1.0D-3) RETURN
-      DO 30 I = -2, INT(RCTL(RSUPP))
+      DO 10 I = 1, 3
+        IF (MARK(V(I)) .EQ. 0) GO TO 10
+        J = MOD(MARK(V(I)) - 1, SUPPS) + 1
+        CALL TSONSU(X, P, ORD, MARK, RCTL, V, IQ(QBASE), J, H, ERR, OK)
+        IF (OK .EQ. 1) GO TO 40
+   10 CONTINUE
+      DO 20 I = 1, INT(RCTL(RSUPP))
         J = I
-        IF (I .LE. 0) THEN
-          IF (MARK(V(I+3)) .EQ. 0) GO TO 30
-          J = MOD(MARK(V(I+3)) - 1, SUPPS) + 1
-        END IF
-        DO 20 K = 1, 3
-          Z = V(MOD(IQ(QBASE) + K - 2, 3)+1)
-          CALL TSHEOV(X, P, ORD, MARK, RCTL, J, Z, H(K), ERR(K), OK)
-          IF (OK .EQ. 0) GO TO 30
-   20   CONTINUE
-        GO TO 40
-   30 CONTINUE
+        CALL TSONSU(X, P, ORD, MARK, RCTL, V, IQ(QBASE), J, H, ERR, OK)
+        IF (OK .EQ. 1) GO TO 40
+   20 CONTINUE
       RETURN
    40 AT = RSUP + LSUP*(J - 1)
       FQ(QG) = TSDOT(RCTL(AT+SC+1), F)
@@ -4308,16 +4326,20 @@ C     L-coordinate is at most k.  A better point has side > 0 and N - 2
 C     k side <= 0, where N is its power in the ball of L = 0, of centre
 C     c.  So there is none where
 C         a (height - h) + q |W|**2 - d.W > 0:
-C       plane    side = G / g: a = -2 k / g, q = 1, d = 2 c + a tilt; as
-C                k may be greater, so may |a| for k > 0, and smaller for
-C                k < 0.  Without a ball a = 1 or -1, that g a < 0, q =
-C                0, d = a tilt: none is on the positive side
-C       sphere   N - 2 k side = G - 2 k side = height - h - (tilt + 2 k
-C                v).W; of G a share q is taken as |W|**2 - 2 c.W: a = 1
-C                - q, d = a tilt + 2 q c + 2 k v.  Without a ball -side,
-C                less and plus q times G: a = -q, d = a tilt + 2 q c +
-C                v.  Best is, but for a, the q for which the least of q
-C                |W|**2 - d.W is greatest
+C
+C                  by the ball                    without a ball
+C       plane      N - 2 k side, side = G / g     -side
+C         a        -2 k / g                       1 or -1, that g a < 0
+C         q        1                              0
+C         d        2 c + a tilt                   a tilt
+C       sphere     G - 2 k side                   -side - q G + q G
+C         a        1 - q                          -q
+C         d        a tilt + 2 q c + 2 k v         a tilt + 2 q c + v
+C
+C     Near a plane k may be greater, so |a| may be greater for k > 0,
+C     and smaller for k < 0.  Near a sphere G = height - h - tilt.W, of
+C     which a share q is taken as |W|**2 - 2 c.W; best is, but for a,
+C     the q for which the least of q |W|**2 - d.W is greatest.
 C     Any q is valid, so errors in q do not count.  dd has room for the
 C     errors of c, tilt and v, and for 16 roundings of each term.  err
 C     has room for those of h, of a height of at most -low, and of a,
