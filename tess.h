@@ -141,14 +141,14 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
  *                  -2) the index of the first point that has one
  *   tet     (out)  4*maxtet; the first 4*ntet are set
  *   adj     (out)  4*maxtet; the first 4*ntet are set
- *   liw     (in)   length of iw.  What exceeds the minimum becomes pool; with
- *                  the length that tess_size gives there is also room for
- *                  planes and spheres
+ *   liw     (in)   length of iw, at least 4*n + n/12 + 514.  What exceeds that
+ *                  becomes pool; with the length that tess_size gives there is
+ *                  also room for planes and spheres
  *   iw      (out)  workspace.  On return, for each code >= 0 but TESS_RANGE,
  *                  iw[i] is the point that represents point i: i itself, or
  *                  for a duplicate the least index with the same coordinates
  *                  (-0.0 equals 0.0)
- *   lrw     (in)   length of rw
+ *   lrw     (in)   length of rw, at least 3*n + n/2 + 12
  *   rw      (out)  workspace
  *
  * returns TESS_OK; TESS_MORE or TESS_POOL (what tet and adj hold is right: go

@@ -3589,14 +3589,15 @@ C       NTET    (out)  number of tetrahedra; for a NaN or infinity in P
 C                      (INFO = -2) the first point that has one
 C       TET     (out)  4*MAXTET; the first 4*NTET are set
 C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
-C       LIW     (in)   length of IW.  What exceeds the minimum becomes
-C                      pool; with the length that TESSWK gives there is
-C                      also room for planes and spheres
+C       LIW     (in)   length of IW, at least 4*N + N/12 + 514.  What
+C                      exceeds that becomes pool; with the length that
+C                      TESSWK gives there is also room for planes and
+C                      spheres
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
 C                      IW(I) is the point that represents point I: I
 C                      itself, or for a duplicate the least one with the
 C                      same coordinates (-0.0 equals 0.0)
-C       LRW     (in)   length of RW
+C       LRW     (in)   length of RW, at least 3*N + N/2 + 12
 C       RW      (out)  workspace
 C       INFO    (out)  0 done; 1 (TET and ADJ are full) or 2 (the pool
 C                      is full): what TET and ADJ hold is right, go on
