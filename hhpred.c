@@ -3,8 +3,8 @@
  * Order of the routines, here and in f77/hhpred.f:
  *   exact numbers     nearest zeros blank shift fill split carry signof spread
  *                     lesser product volume cofactors determinant insphere
- *                     leading shares region foot weigh limbs limbs3 limbs10
- *                     limbsx centre certain balanced exact
+ *                     leading shares region foot weigh limbs centre certain
+ *                     balanced many exact
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       filt3 filt5 filter pack scale robust hh_orient
  *                     hh_insphere hh_flat hh_line closest hh_foot hh_weigh
@@ -531,36 +531,6 @@ static int limbs(int np, method *of, const double *q, double top, int n,
     return of(used, work, w);
 }
 
-/* Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the last one
- * serves several lengths. */
-static int limbs3(int np, method *of, const double *q, double top, double *w)
-{
-    double work[44 * 3];
-
-    return limbs(np, of, q, top, 3, work, w);
-}
-
-#if HH_LIMBS > 10
-static int limbs10(int np, method *of, const double *q, double top, double *w)
-{
-    double work[44 * 10];
-
-    return limbs(np, of, q, top, 10, work, w);
-}
-#endif
-
-static int limbsx(int np, method *of, const double *q, double top, double *w)
-{
-    double work[44 * HH_LIMBS];
-    int n = 10, sign;
-
-    do {
-        n = n < HH_LIMBS / 2 ? 2 * n : HH_LIMBS;
-        sign = limbs(np, of, q, top, n, work, w);
-    } while (sign == UNSURE && n < HH_LIMBS);
-    return sign;
-}
-
 /* centre - the centre of the ball of four points of n limbs, seen from the last
  * one: of the rows a, b, w of x, without the common limb weights,
  *     C = |a|^2 (b x w) + |b|^2 (w x a) + |w|^2 (a x b)
@@ -608,7 +578,6 @@ static int certain(double det, double perm, double factor, double t)
     return UNSURE;
 }
 
-#if HH_LIMBS > 10
 /* balanced - volume's or insphere's sign, from the determinant of rows (p, 1)
  * or (p, |p|^2, 1), in double precision, whatever the exponents: rows, then
  * columns are scaled by powers of two to at most 1.  UNSURE where that does not
@@ -661,24 +630,33 @@ static int balanced(int np, const double *q)
     x = np == 4 ? -det[set - 1] : det[set - 1];
     return certain(x, perm[set - 1], 64.0, -1.0);
 }
-#endif
 
-/* exact - limbs, as many as it takes; most is the largest absolute value of q,
- * which it alters. */
+/* many - limbs, with as many as it takes: a routine of its own for the sake of
+ * its scratch. */
+static int many(int np, method *of, const double *q, double top, double *w)
+{
+    double work[44 * HH_LIMBS];
+    int sign = UNSURE, n;
+
+    for (n = HH_FEW; sign == UNSURE && n <= HH_LIMBS; n *= 2) {
+        if (2 * n > HH_LIMBS) n = HH_LIMBS;
+        sign = limbs(np, of, q, top, n, work, w);
+        if (sign == UNSURE && n == 10 && n < HH_LIMBS && !w) sign = balanced(np, q);
+    }
+    return sign;
+}
+
+/* exact - limbs, with 3, which hold ordinary data (70 bits), or many; most is
+ * the largest absolute value of q, which it alters. */
 static int exact(int np, method *of, double *q, double most, double *w)
 {
-    double top, factor;
+    double work[44 * 3], factor, top;
     int sign;
 
     if (most == 0.0) return 0;
     top = fill(3 * np, q, most, &factor);
-    sign = limbs3(np, of, q, top, w);
-#if HH_LIMBS > 10
-    if (sign == UNSURE) sign = limbs10(np, of, q, top, w);
-    if (sign == UNSURE && !w) sign = balanced(np, q);
-#endif
-    if (sign == UNSURE) sign = limbsx(np, of, q, top, w);
-    return sign;
+    sign = limbs(np, of, q, top, 3, work, w);
+    return sign == UNSURE && HH_LIMBS > 3 ? many(np, of, q, top, w) : sign;
 }
 
 /* ---------------------------------------------------------------------

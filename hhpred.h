@@ -95,7 +95,7 @@ typedef double tess_real;
  * The default holds every finite double beside every other.  Where fewer do
  * not suffice hh_orient and hh_insphere return 2, and tess returns
  * TESS_RANGE.  Scratch on the stack: 44 doubles a limb, 31 KB for 88 limbs,
- * in routines that are called only where 3, then 10 limbs do not suffice. */
+ * in a routine that is called only where 3 limbs do not suffice. */
 #if DBL_MANT_DIG >= 53
 #define HH_BITS 24
 #else

@@ -28,9 +28,8 @@ C         zeros HHZERO, fill HHFILL, split HHSPLI, carry HHCARR,
 C         signof HHSIGN, spread HHSPRE, product HHPROD, volume HHVOLU,
 C         cofactors HHCOFA, determinant HHDETE, insphere HHISPH,
 C         leading HHLEAD, shares HHSHAR, region HHREGI, foot HHFT,
-C         weigh HHWGH, limbs HHLIMB, limbs3 HHLIM3, limbs10 HHLIMT,
-C         limbsx HHLIMX, centre HHCNTR, certain HHCERT,
-C         balanced HHBALA, exact HHEXAC
+C         weigh HHWGH, limbs HHLIMB, centre HHCNTR, certain HHCERT,
+C         balanced HHBALA, many HHMANY, exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
 C       exact signs: filt3 HHFIL3, filt5 HHFIL5, filter HHFILT,
@@ -71,10 +70,10 @@ C       HHLIM   (HH_LIMBS) exact numbers are arrays of at most HHLIM
 C               limbs.  The default holds every finite double beside
 C               every other.  With fewer, 3 at least, HHORIE and HHINSP
 C               return 2 when they do not suffice.  Scratch, in
-C               doubles: 44 a limb; 31 KB for 88 limbs, in routines
-C               entered only when 3, then 10 limbs do not suffice.  To
-C               choose another number change it in HHLIMX, HHEXAC,
-C               HHRANG and TSINRA (tess.f).
+C               doubles: 44 a limb; 31 KB for 88 limbs, in a routine
+C               entered only when 3 limbs do not suffice.  To choose
+C               another number change it in HHMANY, HHEXAC, HHRANG and
+C               TSINRA (tess.f).
 C       BASE    2**BITS;  CARRY = 2**(53-BITS) bounds carries
 C       HALF    2**26: (HALF + 1)**2 needs 53 bits
 C       TINY    an absolute error no smaller than what underflow,
@@ -774,39 +773,6 @@ C     limbs 1.
    30 CALL OF(N, WORK(AT), W, SGN)
       END
 
-C     Scratch of three sizes: 3 limbs (70 bits) hold ordinary data; the
-C     last one serves several lengths.
-      SUBROUTINE HHLIM3(NP, OF, Q, TOP, W, SGN)
-      INTEGER NP, SGN
-      DOUBLE PRECISION Q(3,*), TOP, W(*)
-      EXTERNAL OF
-      DOUBLE PRECISION WORK(44*3)
-      CALL HHLIMB(NP, OF, Q, TOP, 3, WORK, W, SGN)
-      END
-
-      SUBROUTINE HHLIMT(NP, OF, Q, TOP, W, SGN)
-      INTEGER NP, SGN
-      DOUBLE PRECISION Q(3,*), TOP, W(*)
-      EXTERNAL OF
-      DOUBLE PRECISION WORK(44*10)
-      CALL HHLIMB(NP, OF, Q, TOP, 10, WORK, W, SGN)
-      END
-
-      SUBROUTINE HHLIMX(NP, OF, Q, TOP, W, SGN)
-      INTEGER NP, SGN
-      DOUBLE PRECISION Q(3,*), TOP, W(*)
-      EXTERNAL OF
-      INTEGER UNSURE, HHLIM
-      PARAMETER (UNSURE = 2, HHLIM = 88)
-      DOUBLE PRECISION WORK(44*HHLIM)
-      INTEGER N
-      N = 10
-   10 N = 2*N
-      IF (N .GT. HHLIM - 1) N = HHLIM
-      CALL HHLIMB(NP, OF, Q, TOP, N, WORK, W, SGN)
-      IF (SGN .EQ. UNSURE .AND. N .LT. HHLIM) GO TO 10
-      END
-
 C     HHCNTR - the centre of the ball of four points of N limbs, seen
 C     from the last one: of the rows A, B, W of X, without the common
 C     limb weights,
@@ -966,26 +932,42 @@ C     last row.
       HHBALA = HHCERT(DET(LAST), PERM(LAST), 64.0D0, -1.0D0)
       END
 
-C     HHEXAC - HHLIMB with as many limbs as it takes; MOST is the
-C     largest absolute value of Q, which it alters.  WANT is 1 if W is
-C     wanted, else 0.
-      SUBROUTINE HHEXAC(NP, OF, Q, MOST, WANT, W, SGN)
+C     HHMANY - HHLIMB with as many limbs as it takes: a routine of its
+C     own for the sake of its scratch.
+      SUBROUTINE HHMANY(NP, OF, Q, TOP, WANT, W, SGN)
       INTEGER NP, WANT, SGN
-      DOUBLE PRECISION Q(3,*), MOST, W(*)
+      DOUBLE PRECISION Q(3,*), TOP, W(*)
       EXTERNAL OF
       INTEGER HHBALA
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
-      DOUBLE PRECISION FACTOR, TOP
+      DOUBLE PRECISION WORK(44*HHLIM)
+      INTEGER N
+      N = MIN(10, HHLIM)
+   10 IF (2*N .GT. HHLIM) N = HHLIM
+      CALL HHLIMB(NP, OF, Q, TOP, N, WORK, W, SGN)
+      IF (SGN .EQ. UNSURE .AND. N .EQ. 10 .AND. N .LT. HHLIM .AND.
+     $    WANT .EQ. 0) SGN = HHBALA(NP, Q)
+      N = 2*N
+      IF (SGN .EQ. UNSURE .AND. N .LE. HHLIM) GO TO 10
+      END
+
+C     HHEXAC - HHLIMB with 3 limbs, which hold ordinary data (70 bits),
+C     or HHMANY; MOST is the largest absolute value of Q, which it
+C     alters.  WANT is 1 if W is wanted, else 0.
+      SUBROUTINE HHEXAC(NP, OF, Q, MOST, WANT, W, SGN)
+      INTEGER NP, WANT, SGN
+      DOUBLE PRECISION Q(3,*), MOST, W(*)
+      EXTERNAL OF
+      INTEGER UNSURE, HHLIM
+      PARAMETER (UNSURE = 2, HHLIM = 88)
+      DOUBLE PRECISION FACTOR, TOP, WORK(44*3)
       SGN = 0
       IF (MOST .LE. 0.0D0) RETURN
       CALL HHFILL(NP, Q, MOST, FACTOR, TOP)
-      CALL HHLIM3(NP, OF, Q, TOP, W, SGN)
-      IF (SGN .EQ. UNSURE .AND. HHLIM .GT. 10)
-     $  CALL HHLIMT(NP, OF, Q, TOP, W, SGN)
-      IF (SGN .EQ. UNSURE .AND. WANT .EQ. 0 .AND. HHLIM .GT. 10)
-     $  SGN = HHBALA(NP, Q)
-      IF (SGN .EQ. UNSURE) CALL HHLIMX(NP, OF, Q, TOP, W, SGN)
+      CALL HHLIMB(NP, OF, Q, TOP, 3, WORK, W, SGN)
+      IF (SGN .EQ. UNSURE .AND. HHLIM .GT. 3)
+     $    CALL HHMANY(NP, OF, Q, TOP, WANT, W, SGN)
       END
 
 C     ------------------------------------------------------------------
