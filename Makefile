@@ -98,18 +98,18 @@ build/values.o: test/program/values.c test/program/values.h \
 	@mkdir -p build
 	$(COMPILE) test/program/values.c
 
-# recipes, without their tests
+# recipes
 build/slopes.o: test/examples/slopes.c tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) -DSLOPES_ALONE test/examples/slopes.c
+	$(COMPILE) test/examples/slopes.c
 
 build/natural.o: test/examples/natural.c tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) -DNATURAL_ALONE test/examples/natural.c
+	$(COMPILE) test/examples/natural.c
 
 build/derived.o: test/examples/derived.c tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) -DDERIVED_ALONE test/examples/derived.c
+	$(COMPILE) test/examples/derived.c
 
 build/read.o: test/program/read.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build

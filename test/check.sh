@@ -822,12 +822,11 @@ onef() {
         $LINKF -o all all.o ../ftess.o ../fhhpred.o $libraries $LIBS && ./all"
 }
 
-# recipe FILE NAME: test/unit/t_FILE, of test/examples/FILE.f without a main
-# program, with the half just compiled
+# recipe FILE NAME: test/unit/t_FILE, of test/examples/FILE.f, with the half just
+# compiled
 recipe() {
-    sed '/^      PROGRAM/,/^      END$/d' test/examples/$1.f > build/$1.f
     compile "$CC" "-O1" build/units/f77 $LIBRARY
-    if gfortran -O2 -frecursive -c -o build/f$1.o build/$1.f \
+    if gfortran -O2 -frecursive -c -o build/f$1.o test/examples/$1.f \
         >> $LOG 2>&1 && $CC -O1 -DFORTRAN -I. -c -o build/t_$1.o \
         test/unit/t_$1.c >> $LOG 2>&1 && gfortran -o build/t_$1 \
         build/t_$1.o build/f$1.o build/ftess.o build/fhhpred.o \

@@ -1,19 +1,14 @@
 /* natural.c - natural neighbour interpolation in space: recipes to copy.
  *
- *   cc -O2 -I. -o natural test/examples/natural.c tess.c hhpred.c -lm
- *
  *   natural   Sibson's and Laplace's weights at any point  (minus, dot, cross,
  *             triple, centre, slot, region, vertex, beside, mend, facet)
  *   blend     Sibson's smooth interpolant, from weights and gradients
  *             (minus, dot)
  *
- * The main program compares weights in a lattice with their closed form.
- * natural.f is the same in FORTRAN 77; test/unit/t_natural.c tests both.  With
- * NATURAL_ALONE defined, the recipes without it.
+ * natural.f is the same in FORTRAN 77; test/unit/t_natural.c tests both.
  */
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
 
 #include "tess.h"
 
@@ -446,35 +441,3 @@ double blend(const tess_real *p, tess_int nn, const tess_int *nbr,
     /* the weights of the two: first / near and second */
     return (first * linear + second * slopes) / (first + second * near);
 }
-
-#ifndef NATURAL_ALONE
-/* ---- a lattice ---- */
-
-/* Between two points of an integer lattice, and the gradient of |x|^2. */
-int main(void)
-{
-    tess_int tet[800], adj[800], iw[TESS_LIW(36)], nbr[53], work[664], t = 0;
-    tess_int nn, ntet, i;
-    tess_real p[108], q[3] = {0.25, 0.0, 0.0};
-    double rw[TESS_LRW(36) + 665], sibson[53], laplace[53], value[36], g[108];
-
-    for (i = 0; i < 108; i++) {
-        p[i] = (tess_real)(i % 3 == 0 ? i / 3 % 4 - 1
-                                      : i / (i % 3 == 1 ? 12 : 36) % 3 - 1);
-        g[i] = 2.0 * (double)p[i];
-        if (i % 3 == 2) value[i / 3] = (g[i] * g[i] + g[i - 1] * g[i - 1] +
-                                        g[i - 2] * g[i - 2]) / 4.0;
-    }
-    if (tess(36, p, 200, &ntet, tet, adj, TESS_LIW(36), iw, TESS_LRW(36), rw) ||
-        natural(p, ntet, tet, adj, q, &t, 50, &nn, nbr, sibson, laplace, work,
-                rw)) return 1;
-    printf("   point  Sibson    Laplace\n");
-    for (i = 0; i < nn; i++)
-        printf("%2.0f %2.0f %2.0f  %9.7f %9.7f\n", (double)p[3 * nbr[i]],
-               (double)p[3 * nbr[i] + 1], (double)p[3 * nbr[i] + 2],
-               sibson[i], laplace[i]);
-    printf("|x|^2 blended: %9.7f\n", blend(p, nn, nbr, sibson, value, g));
-    return 0;
-}
-
-#endif

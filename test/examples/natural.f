@@ -1,69 +1,28 @@
 C     natural.f - natural neighbour interpolation in space: recipes to
 C     copy.
 C
-C         gfortran -O2 test/examples/natural.f f77/tess.f f77/hhpred.f
-C
-C       NATURA  Sibson's and Laplace's weights at any point  (WEIGHT,
-C               MINUS, DOT, CROSS, TRIPLE, CENTRE, SLOT, REGION, VERTEX,
-C               BESIDE, MEND, FACET)
+C       NATURA  Sibson's and Laplace's weights at any point  (NATWEI,
+C               NATMIN, NATDOT, NATCRO, NATTRI, NATCEN, NATSLO, NATREG,
+C               NATVER, NATBES, NATMEN, NATFAC)
 C       BLEND   Sibson's smooth interpolant, from weights and gradients
-C               (MINUS, DOT)
+C               (NATMIN, NATDOT)
 C
-C     The main program compares weights in a lattice with their closed
-C     form.  natural.c is the same in C, and both write the same text;
-C     test/unit/t_natural.c tests both.
-C
-C     Between two points of an integer lattice, and the gradient of
-C     |x|**2.
-      PROGRAM NATLAT
-      INTEGER LIW, LRW
-      PARAMETER (LIW = 1700, LRW = 665)
-      DOUBLE PRECISION P(3,36), Q(3), RW(LRW), SIBSON(53), LAPLAC(53)
-      DOUBLE PRECISION VALUE(36), G(3,36), OUT, DOT
-      INTEGER TET(4,200), ADJ(4,200), IW(LIW), NBR(53), T, NN, NTET, I
-      INTEGER K, INFO
-      DATA Q /0.25D0, 0.0D0, 0.0D0/
-      DO 20 I = 1, 36
-         P(1,I) = MOD(I - 1, 4) - 1
-         P(2,I) = MOD((I - 1) / 4, 3) - 1
-         P(3,I) = MOD((I - 1) / 12, 3) - 1
-         VALUE(I) = DOT(P(1,I), P(1,I))
-         DO 10 K = 1, 3
-            G(K,I) = 2.0D0*P(K,I)
-   10    CONTINUE
-   20 CONTINUE
-      CALL TESS(36, P, 200, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
-      IF (INFO .NE. 0) STOP
-      T = 0
-      CALL NATURA(P, NTET, TET, ADJ, Q, T, 50, NN, NBR, SIBSON, LAPLAC,
-     1            IW, RW, INFO)
-      IF (INFO .NE. 0) STOP
-      WRITE (*, 40)
-      DO 30 I = 1, NN
-         WRITE (*, 50) (INT(P(K,NBR(I))), K = 1, 3), SIBSON(I),
-     1                 LAPLAC(I)
-   30 CONTINUE
-      CALL BLEND(P, NN, NBR, SIBSON, VALUE, G, OUT)
-      WRITE (*, 60) OUT
-   40 FORMAT ('   point  Sibson    Laplace')
-   50 FORMAT (I2, I3, I3, F11.7, F10.7)
-   60 FORMAT ('|x|^2 blended:', F10.7)
-      END
+C     natural.c is the same in C; test/unit/t_natural.c tests both.
 
 C     ---- weights ----
 
-C     FACET - facet K of a tetrahedron, opposite to its vertex number K:
-C     of its vertices number H, 1 to 3 or round again, counter-clockwise
-C     as seen from outside.
-      INTEGER FUNCTION FACET(H, K)
+C     NATFAC - facet K of a tetrahedron, opposite to its vertex number
+C     K: of its vertices number H, 1 to 3 or round again,
+C     counter-clockwise as seen from outside.
+      INTEGER FUNCTION NATFAC(H, K)
       INTEGER H, K
       INTEGER TABLE(3,4)
       SAVE TABLE
       DATA TABLE /2,3,4, 1,4,3, 1,2,4, 1,3,2/
-      FACET = TABLE(MOD(H - 1, 3) + 1, K)
+      NATFAC = TABLE(MOD(H - 1, 3) + 1, K)
       END
 
-      SUBROUTINE MINUS(A, B, C)
+      SUBROUTINE NATMIN(A, B, C)
       DOUBLE PRECISION A(3), B(3), C(3)
       INTEGER K
       DO 10 K = 1, 3
@@ -71,20 +30,20 @@ C     as seen from outside.
    10 CONTINUE
       END
 
-      DOUBLE PRECISION FUNCTION DOT(A, B)
+      DOUBLE PRECISION FUNCTION NATDOT(A, B)
       DOUBLE PRECISION A(3), B(3)
-      DOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
+      NATDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
       END
 
-      SUBROUTINE CROSS(A, B, C)
+      SUBROUTINE NATCRO(A, B, C)
       DOUBLE PRECISION A(3), B(3), C(3)
       C(1) = A(2)*B(3) - A(3)*B(2)
       C(2) = A(3)*B(1) - A(1)*B(3)
       C(3) = A(1)*B(2) - A(2)*B(1)
       END
 
-C     TRIPLE - the determinant of A - O, B - O and C.
-      DOUBLE PRECISION FUNCTION TRIPLE(A, B, O, C)
+C     NATTRI - the determinant of A - O, B - O and C.
+      DOUBLE PRECISION FUNCTION NATTRI(A, B, O, C)
       DOUBLE PRECISION A(3), B(3), O(3), C(3)
       DOUBLE PRECISION X, Y, Z, U, V, W
       X = A(1) - O(1)
@@ -93,18 +52,18 @@ C     TRIPLE - the determinant of A - O, B - O and C.
       U = B(1) - O(1)
       V = B(2) - O(2)
       W = B(3) - O(3)
-      TRIPLE = (Y*W - Z*V)*C(1) + (Z*U - X*W)*C(2) + (X*V - Y*U)*C(3)
+      NATTRI = (Y*W - Z*V)*C(1) + (Z*U - X*W)*C(2) + (X*V - Y*U)*C(3)
       END
 
-C     CENTRE - of the ball of the tetrahedron V, as seen from Q: C(1) to
+C     NATCEN - of the ball of the tetrahedron V, as seen from Q: C(1) to
 C     C(3).  In C(4) the power of Q, negative inside.  FLAT: centres
 C     have lost three digits where the square of the volume by the
 C     product of three squared edges is less.  Nothing but accuracy and
 C     speed rests on it: TESSBA takes 1 microsecond, ten times as long.
-      SUBROUTINE CENTRE(P, V, Q, C)
+      SUBROUTINE NATCEN(P, V, Q, C)
       DOUBLE PRECISION P(3,*), Q(3), C(4)
       INTEGER V(4)
-      DOUBLE PRECISION E(3,3), F(3,3), SQUARE(3), BALL(4), DET, DOT
+      DOUBLE PRECISION E(3,3), F(3,3), SQUARE(3), BALL(4), DET, NATDOT
       DOUBLE PRECISION S, LEAST, FLAT
       INTEGER I, K, O, INFO
       PARAMETER (FLAT = 1.0D-6)
@@ -112,20 +71,20 @@ C     From the vertex next to Q: the power there is right to rounding.
       LEAST = 0.0D0
       O = 1
       DO 5 I = 1, 4
-         CALL MINUS(P(1,V(I)), Q, E(1,1))
-         S = DOT(E(1,1), E(1,1))
+         CALL NATMIN(P(1,V(I)), Q, E(1,1))
+         S = NATDOT(E(1,1), E(1,1))
          IF (I .GT. 1 .AND. S .GE. LEAST) GO TO 5
          LEAST = S
          O = I
     5 CONTINUE
       DO 10 I = 1, 3
-         CALL MINUS(P(1,V(MOD(O+I-1, 4)+1)), P(1,V(O)), E(1,I))
-         SQUARE(I) = DOT(E(1,I), E(1,I))
+         CALL NATMIN(P(1,V(MOD(O+I-1, 4)+1)), P(1,V(O)), E(1,I))
+         SQUARE(I) = NATDOT(E(1,I), E(1,I))
    10 CONTINUE
       DO 20 I = 1, 3
-         CALL CROSS(E(1,MOD(I, 3)+1), E(1,MOD(I+1, 3)+1), F(1,I))
+         CALL NATCRO(E(1,MOD(I, 3)+1), E(1,MOD(I+1, 3)+1), F(1,I))
    20 CONTINUE
-      DET = DOT(E(1,1), F(1,1))
+      DET = NATDOT(E(1,1), F(1,1))
       IF (DET*DET .GT. FLAT*SQUARE(1)*SQUARE(2)*SQUARE(3)) THEN
          DO 30 K = 1, 3
             C(K) = (SQUARE(1)*F(K,1) + SQUARE(2)*F(K,2) +
@@ -133,18 +92,18 @@ C     From the vertex next to Q: the power there is right to rounding.
    30    CONTINUE
       ELSE
          CALL TESSBA(P, V, BALL, INFO)
-         CALL MINUS(BALL(1), P(1,V(O)), C(1))
+         CALL NATMIN(BALL(1), P(1,V(O)), C(1))
       END IF
-      CALL MINUS(P(1,V(O)), Q, E(1,1))
-      C(4) = DOT(E(1,1), E(1,1)) + 2.0D0*DOT(E(1,1), C(1))
+      CALL NATMIN(P(1,V(O)), Q, E(1,1))
+      C(4) = NATDOT(E(1,1), E(1,1)) + 2.0D0*NATDOT(E(1,1), C(1))
       DO 40 K = 1, 3
          C(K) = C(K) + E(K,1)
    40 CONTINUE
       END
 
-C     SLOT - in a table with open addressing the place of the number I
+C     NATSLO - in a table with open addressing the place of the number I
 C     for which KEY(I) = K, or the empty one where it belongs.
-      INTEGER FUNCTION SLOT(SIZE, TABLE, KEY, K)
+      INTEGER FUNCTION NATSLO(SIZE, TABLE, KEY, K)
       INTEGER SIZE, TABLE(*), KEY(*), K
       INTEGER I
       I = MOD(K, SIZE) + 1
@@ -155,10 +114,10 @@ C     for which KEY(I) = K, or the empty one where it belongs.
             GO TO 10
          END IF
       END IF
-      SLOT = I
+      NATSLO = I
       END
 
-C     REGION - the tetrahedra whose balls hold Q, breadth first from
+C     NATREG - the tetrahedra whose balls hold Q, breadth first from
 C     LIST(1).
 C
 C       NLIST   (out)  their number, and LIST they are
@@ -170,17 +129,17 @@ C       NN      (out)  number of vertices, and NBR they are; at most
 C                      NLIST + 3
 C       TABLE   (out)  (SIZE,2)
 C       INFO    (out)  0 or a code of NATURA
-      SUBROUTINE REGION(P, NTET, TET, ADJ, Q, MOST, NLIST, LIST, SIDE,
+      SUBROUTINE NATREG(P, NTET, TET, ADJ, Q, MOST, NLIST, LIST, SIDE,
      1                  CORNER, NN, NBR, SIZE, TABLE, INFO)
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER NTET, TET(4,*), ADJ(4,*), MOST, NLIST, LIST(*), SIDE(4,*)
       INTEGER CORNER(4,*), NN, NBR(*), SIZE, TABLE(SIZE,2), INFO
-      INTEGER I, J, K, M, S, U, IN, NOUT, SLOT, HHINSP
+      INTEGER I, J, K, M, S, U, IN, NOUT, NATSLO, HHINSP
       DO 10 I = 1, SIZE
          TABLE(I,1) = 0
          TABLE(I,2) = 0
    10 CONTINUE
-      TABLE(SLOT(SIZE, TABLE, LIST, LIST(1)),1) = 1
+      TABLE(NATSLO(SIZE, TABLE, LIST, LIST(1)),1) = 1
       NLIST = 1
       NOUT = 0
       NN = 0
@@ -188,7 +147,7 @@ C       INFO    (out)  0 or a code of NATURA
    20 CONTINUE
       DO 50 K = 1, 4
          U = TET(K,LIST(M))
-         I = SLOT(SIZE, TABLE(1,2), NBR, U)
+         I = NATSLO(SIZE, TABLE(1,2), NBR, U)
          IF (TABLE(I,2) .EQ. 0) THEN
             INFO = -4
             IF (NN .EQ. NLIST + 3) RETURN
@@ -209,7 +168,7 @@ C       INFO    (out)  0 or a code of NATURA
    30       CONTINUE
             RETURN
    40       CONTINUE
-            I = SLOT(SIZE, TABLE, LIST, U)
+            I = NATSLO(SIZE, TABLE, LIST, U)
             S = TABLE(I,1)
             IN = 0
             IF (S .EQ. 0) IN = HHINSP(P(1,TET(1,U)), P(1,TET(2,U)),
@@ -236,7 +195,7 @@ C       INFO    (out)  0 or a code of NATURA
       INFO = 0
       END
 
-C     VERTEX - X, where Q's Voronoi cell ends on an edge of the diagram
+C     NATVER - X, where Q's Voronoi cell ends on an edge of the diagram
 C     without Q: the edge that crosses facet K of the tetrahedron V,
 C     from its centre C, whose ball holds Q, to that of tetrahedron U,
 C     whose ball does not.  Along it Q's power is linear, negative at
@@ -244,14 +203,14 @@ C     the one end and not at the other, but for rounding: so what is
 C     divided is never larger than what it is divided by, wherever Q is.
 C     On the hull, U = 0, the edge goes on along the facet's normal, and
 C     Q's power grows by twice the distance from the facet's plane.
-      SUBROUTINE VERTEX(P, TET, V, K, U, Q, C, X)
+      SUBROUTINE NATVER(P, TET, V, K, U, Q, C, X)
       DOUBLE PRECISION P(3,*), Q(3), C(4), X(3)
       INTEGER TET(4,*), V(4), K, U
-      DOUBLE PRECISION A(3), B(3), N(4), POWER, RISE, S, T, DOT
-      INTEGER I, H, FACET
+      DOUBLE PRECISION A(3), B(3), N(4), POWER, RISE, S, T, NATDOT
+      INTEGER I, H, NATFAC
       POWER = MIN(C(4), 0.0D0)
       IF (U .GT. 0) THEN
-         CALL CENTRE(P, TET(1,U), Q, N)
+         CALL NATCEN(P, TET(1,U), Q, N)
          RISE = MAX(N(4), 0.0D0) - POWER
          DO 5 H = 1, 3
             N(H) = N(H) - C(H)
@@ -263,16 +222,16 @@ C        The normal: at the vertex between the two shortest edges.
             N(H) = 0.0D0
     8    CONTINUE
          DO 10 H = 1, 3
-            I = V(FACET(H, K))
-            CALL MINUS(P(1,V(FACET(H+1, K))), P(1,I), A)
-            CALL MINUS(P(1,V(FACET(H+2, K))), P(1,I), B)
-            S = DOT(A, A)*DOT(B, B)
+            I = V(NATFAC(H, K))
+            CALL NATMIN(P(1,V(NATFAC(H+1, K))), P(1,I), A)
+            CALL NATMIN(P(1,V(NATFAC(H+2, K))), P(1,I), B)
+            S = NATDOT(A, A)*NATDOT(B, B)
             IF (H .GT. 1 .AND. S .GE. T) GO TO 10
             T = S
-            CALL CROSS(A, B, N(1))
+            CALL NATCRO(A, B, N(1))
    10    CONTINUE
-         CALL MINUS(P(1,V(FACET(1, K))), Q, A)
-         RISE = 2.0D0*DOT(A, N(1))
+         CALL NATMIN(P(1,V(NATFAC(1, K))), Q, A)
+         RISE = 2.0D0*NATDOT(A, N(1))
       END IF
       DO 20 H = 1, 3
          X(H) = C(H)
@@ -280,11 +239,11 @@ C        The normal: at the vertex between the two shortest edges.
    20 CONTINUE
       END
 
-C     BESIDE - at an edge of a facet of the boundary the other facet:
+C     NATBES - at an edge of a facet of the boundary the other facet:
 C     about the edge from tetrahedron FIRST to the last one of the
 C     region.  The edge is that without the vertices FACE, opposite to
 C     the facet, and OTHER of FIRST.
-      INTEGER FUNCTION BESIDE(NLIST, SIDE, CORNER, FIRST, FACE, OTHER)
+      INTEGER FUNCTION NATBES(NLIST, SIDE, CORNER, FIRST, FACE, OTHER)
       INTEGER NLIST, SIDE(4,*), CORNER(4,*), FIRST, FACE, OTHER
       INTEGER J, K, M, O, S, STAYS, STEPS
       M = FIRST
@@ -303,19 +262,19 @@ C     the facet, and OTHER of FIRST.
          M = S
    20 CONTINUE
    30 CONTINUE
-      BESIDE = 1
-      IF (SIDE(O,M) .LT. 0) BESIDE = -SIDE(O,M)
+      NATBES = 1
+      IF (SIDE(O,M) .LT. 0) NATBES = -SIDE(O,M)
       END
 
-C     MEND - make Q the mean of the points by the weights W, to
+C     NATMEN - make Q the mean of the points by the weights W, to
 C     rounding: each weight times 1 - B.(Y - M), where Y is the point as
 C     seen from Q, M the mean of these and B what it takes.  BAD is 1
 C     where a weight would be changed by more than half: it was nothing
 C     but roundings.
-      SUBROUTINE MEND(NN, Y, W, BAD)
+      SUBROUTINE NATMEN(NN, Y, W, BAD)
       INTEGER NN, BAD
       DOUBLE PRECISION Y(3,*), W(*)
-      DOUBLE PRECISION M(3), B(3), D(3), C(3,3), F(3), S, SIZE, DOT
+      DOUBLE PRECISION M(3), B(3), D(3), C(3,3), F(3), S, SIZE, NATDOT
       INTEGER I, J, K, PASS
       DO 100 PASS = 1, 5
          SIZE = 0.0D0
@@ -349,14 +308,14 @@ C     but roundings.
             C(K,K) = C(K,K) + S
    70    CONTINUE
          DO 80 K = 1, 3
-            CALL CROSS(C(1,MOD(K, 3)+1), C(1,MOD(K+1, 3)+1), F)
-            B(K) = DOT(F, M) / DOT(F, C(1,K)) / SIZE
+            CALL NATCRO(C(1,MOD(K, 3)+1), C(1,MOD(K+1, 3)+1), F)
+            B(K) = NATDOT(F, M) / NATDOT(F, C(1,K)) / SIZE
    80    CONTINUE
          DO 95 I = 1, NN
             DO 90 K = 1, 3
                D(K) = (Y(K,I) - M(K)) / SIZE
    90       CONTINUE
-            S = DOT(B, D)
+            S = NATDOT(B, D)
             IF (.NOT. (ABS(S) .LE. 0.5D0)) RETURN
             W(I) = W(I) - W(I)*S
    95    CONTINUE
@@ -435,7 +394,7 @@ C     multiple of J - I that is added to O matters: O = I will do.
 C     What holds Q has it in its ball, if Q is none of the points.
       IF (INFO .EQ. 0 .AND. MAX(W(1), W(2), W(3), W(4)) .LT. 1.0D0) THEN
          IW(1) = T
-         CALL REGION(P, NTET, TET, ADJ, Q, MOST, NLIST, IW,
+         CALL NATREG(P, NTET, TET, ADJ, Q, MOST, NLIST, IW,
      1               IW(MOST+1), IW(5*MOST+1), NN, NBR, 2*MOST + 7,
      2               IW(9*MOST+1), INFO)
          IF (INFO .NE. 0) THEN
@@ -443,43 +402,43 @@ C     What holds Q has it in its ball, if Q is none of the points.
             RETURN
          END IF
       END IF
-      CALL WEIGHT(P, TET, ADJ, Q, T, NLIST, IW, IW(MOST+1),
+      CALL NATWEI(P, TET, ADJ, Q, T, NLIST, IW, IW(MOST+1),
      1            IW(5*MOST+1), NN, NBR, SIBSON, LAPLAC, RW,
      2            RW(4*MOST+1), RW(10*MOST+7), W)
       END
 
-C     WEIGHT - the weights, from the region, which is empty where they
+C     NATWEI - the weights, from the region, which is empty where they
 C     are to be linear; in part so where roundings are more than LIMIT
 C     of Q's cell, and all from ten times as much on.  C: its balls; X:
 C     Q's Voronoi vertices; Y: the neighbours as seen from Q; W: the
 C     weights of T.
-      SUBROUTINE WEIGHT(P, TET, ADJ, Q, T, NLIST, LIST, SIDE, CORNER,
+      SUBROUTINE NATWEI(P, TET, ADJ, Q, T, NLIST, LIST, SIDE, CORNER,
      1                  NN, NBR, SIBSON, LAPLAC, C, X, Y, W)
       DOUBLE PRECISION P(3,*), Q(3), SIBSON(*), LAPLAC(*), C(4,*)
       DOUBLE PRECISION X(3,*), Y(3,*), W(4)
       INTEGER TET(4,*), ADJ(4,*), T, NLIST, LIST(*), SIDE(4,*)
       INTEGER CORNER(4,*), NN, NBR(*)
       DOUBLE PRECISION A(3), E(3), S, NEAR, DOUBT, ALL(2), LIMIT, ROUND
-      DOUBLE PRECISION DOT, TRIPLE
-      INTEGER B, H, I, J, K, L, M, U, BAD, GOOD, FACET, BESIDE
+      DOUBLE PRECISION NATDOT, NATTRI
+      INTEGER B, H, I, J, K, L, M, U, BAD, BAD2, NATFAC, NATBES
       PARAMETER (LIMIT = 1.0D-8, ROUND = 2.220446049250313D-16)
       NEAR = 0.0D0
       DOUBT = 0.0D0
       ALL(1) = 0.0D0
       ALL(2) = 0.0D0
       DO 10 I = 1, NN
-         CALL MINUS(P(1,NBR(I)), Q, Y(1,I))
-         NEAR = MAX(NEAR, DOT(Y(1,I), Y(1,I)))
+         CALL NATMIN(P(1,NBR(I)), Q, Y(1,I))
+         NEAR = MAX(NEAR, NATDOT(Y(1,I), Y(1,I)))
          SIBSON(I) = 0.0D0
          LAPLAC(I) = 0.0D0
    10 CONTINUE
       DO 20 M = 1, NLIST
-         CALL CENTRE(P, TET(1,LIST(M)), Q, C(1,M))
+         CALL NATCEN(P, TET(1,LIST(M)), Q, C(1,M))
    20 CONTINUE
       DO 40 M = 1, NLIST
          DO 30 K = 1, 4
             U = ADJ(K,LIST(M))
-            IF (SIDE(K,M) .LT. 0) CALL VERTEX(P, TET, TET(1,LIST(M)), K,
+            IF (SIDE(K,M) .LT. 0) CALL NATVER(P, TET, TET(1,LIST(M)), K,
      1         U, Q, C(1,M), X(1,-SIDE(K,M)))
    30    CONTINUE
    40 CONTINUE
@@ -496,20 +455,20 @@ C     each.
                   A(L) = C(L,U)
                END IF
    50       CONTINUE
-            DOUBT = DOUBT + DOT(C(1,M), C(1,M)) + DOT(A, A)
+            DOUBT = DOUBT + NATDOT(C(1,M), C(1,M)) + NATDOT(A, A)
             DO 60 H = 1, 3
-               I = CORNER(FACET(H, K),M)
-               J = CORNER(FACET(H+1, K),M)
-               CALL MINUS(P(1,NBR(J)), P(1,NBR(I)), E)
-               S = TRIPLE(C(1,M), A, Y(1,I), E)
+               I = CORNER(NATFAC(H, K),M)
+               J = CORNER(NATFAC(H+1, K),M)
+               CALL NATMIN(P(1,NBR(J)), P(1,NBR(I)), E)
+               S = NATTRI(C(1,M), A, Y(1,I), E)
                IF (U .LT. 0 .AND. I .LT. J) THEN
 C                 The face's edge on Q's cell.
-                  B = BESIDE(NLIST, SIDE, CORNER, M, K, FACET(H+2, K))
-                  S = S + TRIPLE(A, X(1,B), Y(1,I), E)
+                  B = NATBES(NLIST, SIDE, CORNER, M, K, NATFAC(H+2, K))
+                  S = S + NATTRI(A, X(1,B), Y(1,I), E)
                   LAPLAC(I) = LAPLAC(I) +
-     1                        TRIPLE(X(1,B), A, Y(1,I), Y(1,I))
+     1                        NATTRI(X(1,B), A, Y(1,I), Y(1,I))
                   LAPLAC(J) = LAPLAC(J) +
-     1                        TRIPLE(A, X(1,B), Y(1,J), Y(1,J))
+     1                        NATTRI(A, X(1,B), Y(1,J), Y(1,J))
                END IF
                SIBSON(I) = SIBSON(I) + S
                SIBSON(J) = SIBSON(J) + S
@@ -518,7 +477,7 @@ C                 The face's edge on Q's cell.
    80 CONTINUE
       DO 90 I = 1, NN
          SIBSON(I) = SIBSON(I) - LAPLAC(I)
-         LAPLAC(I) = LAPLAC(I) / DOT(Y(1,I), Y(1,I))
+         LAPLAC(I) = LAPLAC(I) / NATDOT(Y(1,I), Y(1,I))
          IF (SIBSON(I) .LT. 0.0D0) SIBSON(I) = 0.0D0
          IF (LAPLAC(I) .LT. 0.0D0) LAPLAC(I) = 0.0D0
          ALL(1) = ALL(1) + SIBSON(I)
@@ -532,17 +491,17 @@ C     number.  Of W the vertices are the first four corners.
          DOUBT = ROUND*SQRT(NEAR)*DOUBT
          S = (DOUBT / ALL(1) / LIMIT - 1.0D0) / 9.0D0
       END IF
-      GOOD = 0
+      BAD = 1
+      BAD2 = 0
       IF (S .LT. 1.0D0) THEN
          DO 100 I = 1, NN
             SIBSON(I) = SIBSON(I) / ALL(1)
             LAPLAC(I) = LAPLAC(I) / ALL(2)
   100    CONTINUE
-         CALL MEND(NN, Y, SIBSON, BAD)
-         IF (BAD .EQ. 0) CALL MEND(NN, Y, LAPLAC, BAD)
-         GOOD = 1 - BAD
+         CALL NATMEN(NN, Y, SIBSON, BAD)
+         CALL NATMEN(NN, Y, LAPLAC, BAD2)
       END IF
-      IF (GOOD .EQ. 0) THEN
+      IF (BAD + BAD2 .GT. 0) THEN
          NN = 4
          DO 110 K = 1, 4
             NBR(K) = TET(K,T)
@@ -582,7 +541,7 @@ C     Cost: 15 square roots.  Source: Sibson (1981).
       DOUBLE PRECISION P(3,*), W(*), VALUE(*), G(3,*), OUT
       INTEGER NN, NBR(*)
       DOUBLE PRECISION AT(3), D(3), R, PLANE, LINEAR, SLOPES, NEAR
-      DOUBLE PRECISION FIRST, SECOND, DOT
+      DOUBLE PRECISION FIRST, SECOND, NATDOT
       INTEGER I, K
       LINEAR = 0.0D0
       SLOPES = 0.0D0
@@ -593,20 +552,20 @@ C     Cost: 15 square roots.  Source: Sibson (1981).
          AT(K) = 0.0D0
    10 CONTINUE
       DO 30 I = 1, NN
-         CALL MINUS(P(1,NBR(I)), P(1,NBR(1)), D)
+         CALL NATMIN(P(1,NBR(I)), P(1,NBR(1)), D)
          DO 20 K = 1, 3
             AT(K) = AT(K) + W(I)*D(K)
    20    CONTINUE
    30 CONTINUE
       DO 50 I = 1, NN
-         CALL MINUS(P(1,NBR(1)), P(1,NBR(I)), D)
+         CALL NATMIN(P(1,NBR(1)), P(1,NBR(I)), D)
          DO 40 K = 1, 3
             D(K) = D(K) + AT(K)
    40    CONTINUE
-         R = SQRT(DOT(D, D))
+         R = SQRT(NATDOT(D, D))
          OUT = VALUE(NBR(I))
          IF (R .EQ. 0.0D0) RETURN
-         PLANE = VALUE(NBR(I)) + DOT(G(1,NBR(I)), D)
+         PLANE = VALUE(NBR(I)) + NATDOT(G(1,NBR(I)), D)
          LINEAR = LINEAR + W(I)*VALUE(NBR(I))
          SLOPES = SLOPES + W(I) / R*PLANE
          NEAR = NEAR + W(I) / R

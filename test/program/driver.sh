@@ -642,7 +642,7 @@ yes "colours that are no value" grep 'coloured by distance' c.svg > /dev/null
 for o in -O0 -O2; do
     $CC $o -I"$TOP" -o picture "$TOP"/test/program/picture.c \
         "$TOP"/test/program/draw.c \
-        -DSLOPES_ALONE "$TOP"/test/examples/slopes.c \
+        "$TOP"/test/examples/slopes.c \
         "$TOP"/tess.c "$TOP"/hhpred.c -lm
     ./picture "$TOP"/test/data/mirror.xyz m$o.svg s$o.svg c$o.svg > said
 done

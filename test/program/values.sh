@@ -149,7 +149,7 @@ fi
 
 if $PYTHON -c 'import numpy, scipy' 2> told; then
     library=
-    if $CC -O2 -shared -fPIC -I"$TOP" -DSLOPES_ALONE -o recipes.so \
+    if $CC -O2 -shared -fPIC -I"$TOP" -o recipes.so \
         "$TOP"/tess.c "$TOP"/hhpred.c "$TOP"/test/examples/slopes.c -lm 2> told
     then
         library=./recipes.so

@@ -5,9 +5,8 @@
  * With -DFORTRAN linked with the routines of natural.f, f77/tess.f and
  * f77/hhpred.f: these are tested instead, and differ from those of C by
  * roundings alone. */
-#define main example
 #include "../examples/natural.c"
-#undef main
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include "../points.h"
