@@ -23,7 +23,7 @@ static double rw[TESS_LRW(N)];
 static tess_int edge[2 * MAXEDG], at[MAXEDG], face[3 * MAXFAC];
 static tess_int both[2 * MAXFAC], hull[3 * MAXFAC];
 static tess_int first[N + 1], list[4 * MAXTET], outer[N];
-static double area[MAXEDG], volume[N], flux[3 * N], value[N];
+static double area[MAXEDG], region[N], flux[3 * N], value[N];
 static char seen[N][N];
 static tess_int n, ntet, nedge, nface, nhull;
 static long seed = 1;
@@ -241,13 +241,13 @@ static int test_dual(int lattice)
         if (!outer[edge[2 * i]] && area[i] < -ROUNDING) bad = 1;
     }
     for (i = 0; i < n; i++) {
-        sum += volume[i];
+        sum += region[i];
         if (outer[i]) continue;
         inner++;
         for (k = 0; k < 3; k++)
             if (fabs(flux[3 * i + k]) > ROUNDING) bad = 1;
-        if (!(volume[i] > 0.0)) bad = 1;
-        if (lattice && fabs(volume[i] - 1.0 / 512.0) > ROUNDING) bad = 1;
+        if (!(region[i] > 0.0)) bad = 1;
+        if (lattice && fabs(region[i] - 1.0 / 512.0) > ROUNDING) bad = 1;
     }
     for (i = 0; i < nhull; i++) bad |= !outer[hull[3 * i]];
     return bad || (lattice && inner != 125) || fabs(sum - whole()) > ROUNDING;
@@ -306,7 +306,7 @@ int main(void)
             return 1;
         }
         stars(n, ntet, tet, first, list);
-        dual(n, p, tet, adj, nedge, edge, at, area, volume, outer);
+        dual(n, p, tet, adj, nedge, edge, at, area, region, outer);
         for (cells = n, i = 0; i < n; i++) cells -= outer[i];
         printf("%-7s  %6ld  %10ld  %5ld  %5ld  %11ld  %11ld\n", name, (long)n,
                (long)ntet, (long)nedge, (long)nface, (long)nhull,
