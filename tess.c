@@ -78,13 +78,13 @@
  * side; in walk, that heights are lifted; intact.
  *
  * Order of the routines, here and in f77/tess.f, as things happen:
- *   sorting      before swap pivot selectmid twin bisect leafstart leafof span
- *                leafsort kdsort boxes
+ *   sorting      before swap pivot selectmid twin extent bisect leafstart leafof
+ *                span leafsort kdsort boxes
  *   first facet  point preced edgeby firstfacet
  *   pool         outfac facet owner hashkey same find insert erase enter full
  *                cuberoot tablesize quota rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
- *   search       dot powererr prunebox prunepart narrow refine challenge
+ *   search       dot powererr prunebox narrow refine challenge
  *                consider ballinbox ballinstar ballcoef starcoef inball
  *                considerall starball instar inblock scanleaf treesearch onhull
  *                prepare apex
@@ -481,24 +481,34 @@ static void twin(mesh *m, tess_int i, tess_int j)
     m->rep[a > b ? a : b] = a > b ? b : a;
 }
 
+/* extent - b = the box of the points first, first + step, ... before last. */
+static void extent(const mesh *m, tess_int first, tess_int last, tess_int step,
+                   double *b)
+{
+    const double *x = m->x + 3 * first;
+    tess_int i;
+    int k;
+
+    for (k = 0; k < 3; k++) b[k] = b[3 + k] = x[k];
+    for (i = first + step, x += 3 * step; i < last; i += step, x += 3 * step)
+        for (k = 0; k < 3; k++) {
+            if (x[k] < b[k]) b[k] = x[k];
+            if (x[k] > b[3 + k]) b[3 + k] = x[k];
+        }
+}
+
 /* bisect - selectmid across the widest extent.  Duplicates separated by the
  * cut all coincide with the point at mid; in the end every duplicate but the
  * least of its set is linked to a smaller number. */
 static void bisect(mesh *m, tess_int lo, tess_int hi, tess_int mid)
 {
-    double least[3], most[3], x;
-    tess_int i, step = (tess_int)((hi - lo) / SAMPLE + 1);
+    double b[6];
+    tess_int i;
     int k, axis = 0;
 
-    for (k = 0; k < 3; k++) least[k] = most[k] = m->x[3 * lo + k];
-    for (i = lo + step; i < hi; i += step)
-        for (k = 0; k < 3; k++) {
-            x = m->x[3 * i + k];
-            if (x < least[k]) least[k] = x;
-            if (x > most[k]) most[k] = x;
-        }
+    extent(m, lo, hi, (tess_int)((hi - lo) / SAMPLE + 1), b);
     for (k = 1; k < 3; k++)
-        if (hh_wider(most[k], least[k], most[axis], least[axis]) > 0) axis = k;
+        if (hh_wider(b[3 + k], b[k], b[3 + axis], b[axis]) > 0) axis = k;
     selectmid(m, lo, hi, mid, axis);
     for (i = lo; i < mid; i++) twin(m, i, mid);
 }
@@ -577,8 +587,8 @@ static void kdsort(mesh *m)
 /* boxes - compute the box of every node, from the leaves up. */
 static void boxes(mesh *m)
 {
-    tess_int node, i, first, last;
-    double *b, *l, *r, x;
+    tess_int node, first, last;
+    double *b, *l, *r;
     int k;
 
     for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
@@ -590,16 +600,10 @@ static void boxes(mesh *m)
                 b[k] = l[k] < r[k] ? l[k] : r[k];
                 b[3 + k] = l[3 + k] > r[3 + k] ? l[3 + k] : r[3 + k];
             }
-            continue;
+        } else {
+            span(m, node, &first, &last);
+            extent(m, first, last, 1, b);
         }
-        span(m, node, &first, &last);
-        for (k = 0; k < 3; k++) b[k] = b[3 + k] = m->x[3 * first + k];
-        for (i = first + 1; i < last; i++)
-            for (k = 0; k < 3; k++) {
-                x = m->x[3 * i + k];
-                if (x < b[k]) b[k] = x;
-                if (x > b[3 + k]) b[3 + k] = x;
-            }
     }
 }
 
@@ -1143,24 +1147,6 @@ static int prunebox(const quest *f, const double *lo, const double *hi)
            (f->f[9] <= HH_LOOSE && side < -f->f[9] * size - FAINT);
 }
 
-/* prunepart - returns 1 if that part of the root's box where coordinate k is
- * between lo and hi provably holds no candidate. */
-static int prunepart(const mesh *m, const quest *f, int k, double lo, double hi)
-{
-    const double *root = m->box + 6;
-    double from[3], to[3];
-    int i;
-
-    if (lo >= hi) return 1;
-    for (i = 0; i < 3; i++) {
-        from[i] = root[i];
-        to[i] = root[3 + i];
-    }
-    from[k] = lo;
-    to[k] = hi;
-    return prunebox(f, from, to);
-}
-
 /* narrow - records that the best point's L-coordinate is at most l, and sets
  * the ball of L = l. */
 static void narrow(quest *f, double l)
@@ -1304,18 +1290,22 @@ static void consider(const mesh *m, quest *f, tess_int z)
 static int ballinbox(const mesh *m, const quest *f, const list *l)
 {
     const double *root = m->box + 6;
-    double r = sqrt(f->c[0] * f->c[0] + f->c[1] * f->c[1] + f->c[2] * f->c[2]);
-    int k;
+    double r = sqrt(dot(f->c, f->c)), part[6];
+    int i, k, side;
 
     if (l->n == 0) return 0;
     r = r * (1.0 + PAD) + 2.0 * f->dc;
-    for (k = 0; k < 3; k++) {
-        if (f->c[k] - r < l->lo[k] - f->f[6 + k] &&
-            !prunepart(m, f, k, root[k], l->lo[k]))
-            return 0;
-        if (f->c[k] + r > l->hi[k] - f->f[6 + k] &&
-            !prunepart(m, f, k, l->hi[k], root[3 + k]))
-            return 0;
+    for (i = 0; i < 6; i++) part[i] = root[i];
+    for (i = 0; i < 6; i++) {
+        k = i % 3;
+        if (i < 3 ? f->c[k] - r >= l->lo[k] - f->f[6 + k]
+                  : f->c[k] + r <= l->hi[k] - f->f[6 + k])
+            continue;
+        /* the part of the root's box beyond this side of the list's */
+        side = i < 3 ? 3 + k : k;
+        part[side] = i < 3 ? l->lo[k] : l->hi[k];
+        if (part[k] < part[3 + k] && !prunebox(f, part, part + 3)) return 0;
+        part[side] = root[side];
     }
     return 1;
 }

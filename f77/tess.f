@@ -112,7 +112,7 @@ C
 C     The routines of tess.c, in its order, as things happen, and their
 C     names here:
 C       sorting: before TSBEFO, swap TSSWAP, pivot TSPIVO,
-C         selectmid TSSELE, twin TSTWIN, bisect TSBISE,
+C         selectmid TSSELE, twin TSTWIN, extent TSEXTE, bisect TSBISE,
 C         leafstart TSLFST, leafof TSLEAF, span TSSPAN,
 C         leafsort TSLSOR, kdsort TSKDSO, boxes TSBOXE
 C       first facet: preced TSPREC, edgeby TSEDBY, firstfacet TSFIRS
@@ -124,7 +124,7 @@ C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
 C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
 C         starlist TSSTLI
 C       search: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
-C         prunepart TSPRPA, narrow TSNARR, refine TSREFI,
+C         narrow TSNARR, refine TSREFI,
 C         challenge TSCHAL, consider TSCONS, ballinbox TSBINB,
 C         ballinstar TSBINS, ballcoef TSBALC, starcoef TSSTAC,
 C         inball TSINBA, considerall TSCALL, starball TSSTBA,
@@ -490,6 +490,24 @@ C     TSTWIN - if the points at I and J coincide, record it in REP.
       REP(MAX(ORD(I), ORD(J))) = MIN(ORD(I), ORD(J))
       END
 
+C     TSEXTE - B is the box of the points FIRST, FIRST + STEP, ... up to
+C     LAST.
+      SUBROUTINE TSEXTE(X, FIRST, LAST, STEP, B)
+      DOUBLE PRECISION X(3,*), B(6)
+      INTEGER FIRST, LAST, STEP
+      INTEGER I, K
+      DO 10 K = 1, 3
+        B(K) = X(K,FIRST)
+        B(3+K) = X(K,FIRST)
+   10 CONTINUE
+      DO 30 I = FIRST + STEP, LAST, STEP
+        DO 20 K = 1, 3
+          IF (X(K,I) .LT. B(K)) B(K) = X(K,I)
+          IF (X(K,I) .GT. B(3+K)) B(3+K) = X(K,I)
+   20   CONTINUE
+   30 CONTINUE
+      END
+
 C     TSBISE - TSSELE across the widest extent.  Duplicates separated by
 C     the cut all coincide with the point at MID; in the end every
 C     duplicate but the least of its set is linked to a smaller number.
@@ -499,28 +517,17 @@ C     duplicate but the least of its set is linked to a smaller number.
       INTEGER HHWIDE
       INTEGER SAMPLE
       PARAMETER (SAMPLE = 64)
-      DOUBLE PRECISION BOTTOM(3), TOP(3)
-      INTEGER AXIS, I, K, STEP
-      STEP = (HI - LO + 1)/SAMPLE + 1
-      DO 10 K = 1, 3
-        BOTTOM(K) = X(K,LO)
-        TOP(K) = X(K,LO)
-   10 CONTINUE
-      DO 30 I = LO + STEP, HI, STEP
-        DO 20 K = 1, 3
-          IF (X(K,I) .LT. BOTTOM(K)) BOTTOM(K) = X(K,I)
-          IF (X(K,I) .GT. TOP(K)) TOP(K) = X(K,I)
-   20   CONTINUE
-   30 CONTINUE
+      DOUBLE PRECISION B(6)
+      INTEGER AXIS, I, K
+      CALL TSEXTE(X, LO, HI, (HI - LO + 1)/SAMPLE + 1, B)
       AXIS = 1
-      DO 40 K = 2, 3
-        IF (HHWIDE(TOP(K), BOTTOM(K), TOP(AXIS),
-     $      BOTTOM(AXIS)) .GT. 0) AXIS = K
-   40 CONTINUE
+      DO 10 K = 2, 3
+        IF (HHWIDE(B(3+K), B(K), B(3+AXIS), B(AXIS)) .GT. 0) AXIS = K
+   10 CONTINUE
       CALL TSSELE(X, ORD, LO, HI, MID, AXIS)
-      DO 50 I = LO, MID - 1
+      DO 20 I = LO, MID - 1
         CALL TSTWIN(X, ORD, REP, I, MID)
-   50 CONTINUE
+   20 CONTINUE
       END
 
 C     TSLFST - the first position of leaf J; leaf J ends before that of
@@ -634,8 +641,8 @@ C     TSBOXE - compute the box of every node, from the leaves up.
       INTEGER CTL(*)
       INTEGER LEAVES
       PARAMETER (LEAVES = 4)
-      INTEGER FIRST, I, K, LAST, NODE
-      DO 50 NODE = 2*CTL(LEAVES) - 1, 1, -1
+      INTEGER FIRST, K, LAST, NODE
+      DO 20 NODE = 2*CTL(LEAVES) - 1, 1, -1
         IF (NODE .LT. CTL(LEAVES)) THEN
           DO 10 K = 1, 3
             BOX(K,NODE) = MIN(BOX(K,2*NODE), BOX(K,2*NODE+1))
@@ -643,18 +650,9 @@ C     TSBOXE - compute the box of every node, from the leaves up.
    10     CONTINUE
         ELSE
           CALL TSSPAN(CTL, NODE, FIRST, LAST)
-          DO 20 K = 1, 3
-            BOX(K,NODE) = X(K,FIRST)
-            BOX(3+K,NODE) = X(K,FIRST)
-   20     CONTINUE
-          DO 40 I = FIRST + 1, LAST
-            DO 30 K = 1, 3
-              BOX(K,NODE) = MIN(BOX(K,NODE), X(K,I))
-              BOX(3+K,NODE) = MAX(BOX(3+K,NODE), X(K,I))
-   30       CONTINUE
-   40     CONTINUE
+          CALL TSEXTE(X, FIRST, LAST, 1, BOX(1,NODE))
         END IF
-   50 CONTINUE
+   20 CONTINUE
       END
 
 C     ------------------------------------------------------------------
@@ -1409,24 +1407,6 @@ C     hold.
       END IF
       END
 
-C     TSPRPA - returns 1 if that part of the root's box where coordinate
-C     K is between LO and HI provably holds no candidate, or 0.
-      INTEGER FUNCTION TSPRPA(BOX, IQ, F, FQ, K, LO, HI)
-      DOUBLE PRECISION BOX(6,*), F(12), FQ(108), LO, HI
-      INTEGER IQ(42), K
-      INTEGER TSPRUN
-      DOUBLE PRECISION PART(6,1)
-      INTEGER I
-      TSPRPA = 1
-      IF (LO .GE. HI) RETURN
-      DO 10 I = 1, 6
-        PART(I,1) = BOX(I,1)
-   10 CONTINUE
-      PART(K,1) = LO
-      PART(3+K,1) = HI
-      TSPRPA = TSPRUN(IQ, F, FQ, PART, 1)
-      END
-
 C     TSNARR - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
@@ -1614,28 +1594,37 @@ C     axis the ball ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
       INTEGER LSI(3,2), LIST, IQ(42)
-      INTEGER TSPRPA
+      INTEGER TSPRUN
       INTEGER LN, LLO, LHI, QC, QDC
       PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
       DOUBLE PRECISION PAD
       PARAMETER (PAD = 64.0D0*2.0D0**(-52))
-      DOUBLE PRECISION R
-      INTEGER K
+      DOUBLE PRECISION PART(6,1), R
+      INTEGER I, K, OUT
       TSBINB = 0
       IF (LSI(LN,LIST) .EQ. 0) RETURN
       R = SQRT(FQ(QC+1)*FQ(QC+1) + FQ(QC+2)*FQ(QC+2) +
      $         FQ(QC+3)*FQ(QC+3))
       R = R*(1.0D0 + PAD) + 2.0D0*FQ(QDC)
-      DO 10 K = 1, 3
-        IF (FQ(QC+K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) THEN
-          IF (TSPRPA(BOX, IQ, F, FQ, K, BOX(K,1),
-     $        LSD(LLO+K,LIST)) .EQ. 0) RETURN
-        END IF
-        IF (FQ(QC+K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) THEN
-          IF (TSPRPA(BOX, IQ, F, FQ, K, LSD(LHI+K,LIST),
-     $        BOX(3+K,1)) .EQ. 0) RETURN
-        END IF
+      DO 10 I = 1, 6
+        PART(I,1) = BOX(I,1)
    10 CONTINUE
+      DO 20 I = 1, 6
+        K = MOD(I - 1, 3) + 1
+        OUT = 0
+        IF (I .LE. 3) THEN
+          IF (FQ(QC+K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) OUT = 3 + K
+        ELSE
+          IF (FQ(QC+K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) OUT = K
+        END IF
+        IF (OUT .EQ. 0) GO TO 20
+C       the part of the root's box beyond this side of the list's
+        PART(OUT,1) = LSD(I,LIST)
+        IF (PART(K,1) .LT. PART(3+K,1)) THEN
+          IF (TSPRUN(IQ, F, FQ, PART, 1) .EQ. 0) RETURN
+        END IF
+        PART(OUT,1) = BOX(OUT,1)
+   20 CONTINUE
       TSBINB = 1
       END
 
