@@ -380,11 +380,12 @@ static tess_int outlined(tess_int planes, const tess_int *tri,
  *   work    (out)  7*most doubles
  *
  * returns 0; TESS_MORE when most is too small: nface is then a number that
- * suffices; 2 for a cell that has no end, or none that rounding can tell, and
- * there is no box; 3 where rounding leaves no polyhedron, or a neighbour is
- * nearer than 1e-100 or farther than 1e100: a double holds no such volumes;
- * TESS_BAD_OPEN at an open facet.  A duplicate has no tetrahedra: its cell is
- * that of iw[i], and nface = 0, volume = 0 here.
+ * suffices; 2 where there is no box and the cell has no end, or one some 1e9
+ * times as far away as neighbours, which rounding does not tell; 3 where
+ * rounding leaves no polyhedron, or a neighbour is nearer than 1e-100 or
+ * farther than 1e100: a double holds no such volumes; TESS_BAD_OPEN at an open
+ * facet.  A duplicate has no tetrahedra: its cell is that of iw[i], and nface =
+ * 0, volume = 0 here.
  * Cost: some 25 microseconds in a cloud; O(m^2) for m neighbours.
  *
  * The box, or one that is made larger until nothing is left of its sides, is
@@ -430,11 +431,12 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
         begin(side, plane, vert, tri, next);
         for (many = 8, j = 6; j < planes && many > 0; j++) {
             code = cut(plane, j, &many, vert, tri, next, same, queue, last, d);
-            if (code != 0) return code;
+            if (code != 0) return open ? 2 : code;
         }
-        for (outer = 0, v = 0; v < 3 * many && open; v++) outer |= tri[v] < 6;
-        if (outer && limit > 1e20 * plane[4 * planes - 1]) return 2;
+        outer = open && many == 0;
+        for (v = 0; v < 3 * many && open; v++) outer |= tri[v] < 6;
         limit *= 16.0;
+        if (outer && limit > 1e10 * plane[4 * planes - 1]) return 2;
     } while (outer);
     *volume = measured(planes, plane, many, vert, tri, next, last, area);
     for (near = 1e-13;; near = 0.0) {

@@ -482,10 +482,11 @@ C       VERT    (out)  (3,3*MOST): the first NVERT are set
 C       IWORK   (out)  (25*MOST)
 C       WORK    (out)  (7*MOST)
 C       INFO    (out)  0; 1 when MOST is too small: NFACE is then a
-C                      number that suffices; 2 for a cell that has no
-C                      end, or none that rounding can tell, and there is
-C                      no box; 3 where rounding leaves no polyhedron, or
-C                      a neighbour is nearer than 1D-100 or farther than
+C                      number that suffices; 2 where there is no box and
+C                      the cell has no end, or one some 1D9 times as far
+C                      away as neighbours, which rounding does not tell;
+C                      3 where rounding leaves no polyhedron, or a
+C                      neighbour is nearer than 1D-100 or farther than
 C                      1D100: a number holds no such volumes; 13 at an
 C                      open facet
 C
@@ -553,16 +554,20 @@ C     no polyhedron.
          IF (MANY .GT. 0) CALL CLCUT(WORK, J, MANY, VERT, IWORK(TRI),
      1      IWORK(NEXT), IWORK(SAME), IWORK(QUEUE), IWORK(LAST),
      2      WORK(D), INFO)
-         IF (INFO .NE. 0) RETURN
+         IF (INFO .NE. 0) THEN
+            IF (FREE .EQ. 1) INFO = 2
+            RETURN
+         END IF
    30 CONTINUE
       OUTER = 0
+      IF (FREE .EQ. 1 .AND. MANY .EQ. 0) OUTER = 1
       DO 40 V = 1, 3*MANY
          IF (FREE .EQ. 1 .AND. IWORK(V) .LE. 6) OUTER = 1
    40 CONTINUE
       IF (OUTER .EQ. 1) THEN
          INFO = 2
-         IF (LIMIT .GT. 1.0D20*FAR) RETURN
          LIMIT = 16.0D0*LIMIT
+         IF (LIMIT .GT. 1.0D10*FAR) RETURN
          GO TO 10
       END IF
       CALL CLMEAS(PLANES, WORK, MANY, VERT, IWORK(TRI), IWORK(NEXT),

@@ -135,14 +135,46 @@ static int within(tess_int i)
     return 1;
 }
 
+/* outer - has point i a facet on the hull? */
+static int outer(tess_int i)
+{
+    tess_int f, g;
+
+    for (f = 4 * first[i]; f < 4 * first[i + 1]; f++) {
+        g = 4 * list[f / 4] + f % 4;
+        if (tet[g] != i && adj[g] < 0) return 1;
+    }
+    return 0;
+}
+
+/* distant - has point i's cell a vertex 1e8 times as far as its neighbours, by
+ * tess_ball? */
+static int distant(tess_int i)
+{
+    double far = 0.0, most = 0.0, c[4], e;
+    tess_int f;
+    int k;
+
+    for (f = first[i]; f < first[i + 1]; f++) {
+        if (tess_ball(p, tet + 4 * list[f], c) == 0 && c[3] > most) most = c[3];
+        for (k = 0; k < 12; k++) {
+            e = fabs((double)p[3 * tet[4 * list[f] + k / 3] + k % 3] -
+                     (double)p[3 * i + k % 3]);
+            if (e > far) far = e;
+        }
+    }
+    return most > 1e8 * far;
+}
+
 /* filled - all cells in the box; returns a sum of 1 for a code, 2 for what is
  * no polyhedron, 4 for a vertex too far off, 8 for volumes that do not fill
  * it. */
 static int filled(void)
 {
-    double sum = 0.0, all = 1.0, volume;
+    static const double endless[6] = {1.0, 0.0, 0.0, -1.0, 0.0, 0.0};
+    double sum = 0.0, all = 1.0, volume, whole;
     tess_int i, f;
-    int bad = 0, k;
+    int bad = 0, code, k;
 
     for (k = 0; k < 3; k++) all *= box[3 + k] - box[k];
     for (i = 0; i < n; i++) {
@@ -156,6 +188,12 @@ static int filled(void)
             if (!(area[f] >= 0.0)) bad |= 2;
         if (!within(i)) bad |= 4;
         sum += volume;
+        /* without the box the cell has no end, or what the box holds of it is
+         * less */
+        code = one(i, endless, &whole);
+        if (code != (outer(i) ? 2 : 0) && (code != 2 || !distant(i))) bad |= 1;
+        if (code == 0 && !closed()) bad |= 2;
+        if (code == 0 && !(whole >= volume - 1e-12 * all)) bad |= 8;
     }
     return fabs(sum - all) <= 1e-12 * all ? bad : bad | 8;
 }
