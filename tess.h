@@ -2,6 +2,31 @@
  *
  * After C. Hazlewood, "Facet-Based Tetrahedralization Software" (1995).
  *
+ *     #include "tess.h"
+ *     #define N 1000
+ *     static tess_real p[3 * N];
+ *     static tess_int tet[32 * N], adj[32 * N], iw[TESS_LIW(N)];
+ *     static double rw[TESS_LRW(N)];
+ *
+ *     tess_int mesh(tess_int n)
+ *     {
+ *         tess_int ntet;
+ *         int code = tess(n, p, 8 * N, &ntet, tet, adj, TESS_LIW(N), iw,
+ *                         TESS_LRW(N), rw);
+ *         return code == TESS_OK ? ntet : 0;
+ *     }
+ *
+ * Which call do I need?
+ *   a mesh of points, its surface               tess, tess_hull
+ *   lengths of arrays at run time               tess_size
+ *   longer arrays after TESS_MORE, TESS_POOL    tess_resume
+ *   the tetrahedron at a place, its weights     tess_locate
+ *   values at many places                       tess_values
+ *   the same without room for a mesh            tess_index, tess_query
+ *   a mesh in parts, by threads or processes    tess_index, tess_part
+ *   a proof that a mesh is right                tess_check
+ *   a tetrahedron's circumscribed ball          tess_ball
+ *
  * Memory: nothing but the caller's arrays and a bounded stack (about 70 KB at
  * the default capacities; see TESS_LIST below and HH_LIMBS in hhpred.h).
  *
@@ -74,34 +99,6 @@
 #define TESS_BAD_HULL 16   /* boundary not closed, or not convex           */
 #define TESS_BAD_COVER 17  /* the hull is covered more than once           */
 #define TESS_BAD_POINT 18  /* a point is in no tetrahedron                 */
-
-/* TESS_LIW(n), TESS_LRW(n) - lengths of iw and rw for n points: constant
- * expressions, for arrays; never less than what tess_size gives, and little
- * more (for a TESS_LIST below 128 they might be a tenth less).  n: an integer
- * of any type.  Fortran: see f77/README.
- *
- *   TESS_LIW   per point 4 for itself, 1/12 for the tree, 4 for the pool; plus
- *              TESS_LP for the pool, TESS_LS for points near planes or spheres
- *   TESS_LRW   per point TESS_LR for itself, 1/2 for the tree; plus TESS_LC for
- *              points on surfaces and curves */
-#define TESS_LR 3
-#define TESS_LRW(n) \
-    (TESS_LR * (long)(n) + 6 * ((long)(n) / 12 + 2) + TESS_LC((long)(n)))
-#define TESS_LC(n) ((n) < 500 ? 0 : 16 * ((n) / 36 + 1))
-#define TESS_LIW(n)                                                \
-    ((n) > TESS_INT_MOST / 11 || TESS_LI((long)(n)) > TESS_INT_MOST \
-         ? (long)TESS_INT_MOST                                     \
-         : TESS_LI((long)(n)))
-#define TESS_LI(n) (8 * (n) + (n) / 12 + 514 + TESS_LP(n) + TESS_LS(n))
-#define TESS_LS(n) ((n) < 500 ? 0 : (n) / 3 * 5 + 24)
-#define TESS_LP(n)             \
-    ((n) <= 8       ? 240      \
-     : (n) <= 27    ? 540      \
-     : (n) <= 64    ? 960      \
-     : (n) <= 125   ? 1500     \
-     : (n) <= 1000  ? 8 * (n) + 1204 \
-     : (n) <= 28125 ? 8 * (n)  \
-                    : 225000 + (n) / 5 * 2)
 
 #ifdef __cplusplus
 extern "C" {
@@ -325,8 +322,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  * TESS_OPEN.  Parts are computed independently, yet agree on everything, ties
  * included.  If each point is marked in exactly one part, and from each part
  * those tetrahedra are taken whose vertex of least index is marked there,
- * together they are the mesh.  The recipe join makes
- * them one result.
+ * together they are the mesh.  The recipe join makes them one result.
  *
  * returns what tess_resume returns, but -4 for maxtet, -5, -6, -7 for *ntet,
  * tet, adj, -8 and -10 for liw and lrw, -9 where iw and rw hold no index.
@@ -388,5 +384,33 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
 #ifdef __cplusplus
 }
 #endif
+
+/* TESS_LIW(n), TESS_LRW(n) - lengths of iw and rw for n points: constant
+ * expressions, for arrays; never less than what tess_size gives, and little
+ * more (for a TESS_LIST below 128 they might be a tenth less).  n: an integer
+ * of any type.  Fortran: see f77/README.
+ *
+ *   TESS_LIW   per point 4 for itself, 1/12 for the tree, 4 for the pool; plus
+ *              TESS_LP for the pool, TESS_LS for points near planes or spheres
+ *   TESS_LRW   per point TESS_LR for itself, 1/2 for the tree; plus TESS_LC for
+ *              points on surfaces and curves */
+#define TESS_LR 3
+#define TESS_LRW(n) \
+    (TESS_LR * (long)(n) + 6 * ((long)(n) / 12 + 2) + TESS_LC((long)(n)))
+#define TESS_LC(n) ((n) < 500 ? 0 : 16 * ((n) / 36 + 1))
+#define TESS_LIW(n)                                                \
+    ((n) > TESS_INT_MOST / 11 || TESS_LI((long)(n)) > TESS_INT_MOST \
+         ? (long)TESS_INT_MOST                                     \
+         : TESS_LI((long)(n)))
+#define TESS_LI(n) (8 * (n) + (n) / 12 + 514 + TESS_LP(n) + TESS_LS(n))
+#define TESS_LS(n) ((n) < 500 ? 0 : (n) / 3 * 5 + 24)
+#define TESS_LP(n)             \
+    ((n) <= 8       ? 240      \
+     : (n) <= 27    ? 540      \
+     : (n) <= 64    ? 960      \
+     : (n) <= 125   ? 1500     \
+     : (n) <= 1000  ? 8 * (n) + 1204 \
+     : (n) <= 28125 ? 8 * (n)  \
+                    : 225000 + (n) / 5 * 2)
 
 #endif
