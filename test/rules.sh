@@ -78,10 +78,11 @@ sed -n 's/^| \(`[^|]*`\) | `\([a-z]*\)` |.*/\2 \1/p' README.md | tr -d '`,' |
             echo $name >> $B/routines
             grep "^[a-z].* [*]*$name(" test/examples/$file.c > /dev/null ||
                 echo "$name, not in $file.c" >> $B/out
+            grep -l '^int main' test/examples/$file.c >> $B/out
         done
     done
 test -s $B/routines || echo none > $B/out
-told "recipes: the README's are where it says" $B/out
+told "recipes: the README's are where it says, and routines alone" $B/out
 # each file of routines alone is there, and each row says what it needs
 for f in test/examples/*.c; do
     grep '^int main' $f > /dev/null ||
