@@ -2,7 +2,7 @@
  * that fill boxes, and alpha shapes by tetrahedra and by triangles.
  *
  *   cc -O2 -I. -o try_cells test/examples/try_cells.c test/examples/cells.c \
- *       tess.c hhpred.c -lm
+ *       test/examples/derived.c tess.c hhpred.c -lm
  *
  * try_cells.f is the same in FORTRAN 77; both write the same text.
  */
@@ -31,24 +31,13 @@ static double volume[N], box[6];
 static char left[MAXTET];
 static long seed = 1;
 
-/* rows - the tetrahedra at each point, as `stars' of derived.c lists them. */
-static void rows(void)
-{
-    tess_int i;
-
-    for (i = 0; i <= n; i++) first[i] = 0;
-    for (i = 0; i < 4 * ntet; i++) first[tet[i]]++;
-    for (i = 1; i <= n; i++) first[i] += first[i - 1];
-    for (i = 4 * ntet - 1; i >= 0; i--) list[--first[tet[i]]] = i / 4;
-}
-
-/* mesh - of the points, and its rows. */
+/* mesh - of the points, and the tetrahedra at each. */
 static int mesh(void)
 {
     int code = tess(n, p, MAXTET, &ntet, tet, adj, TESS_LIW(N), iw,
                     TESS_LRW(N), rw);
 
-    if (code == 0) rows();
+    if (code == 0) stars(n, ntet, tet, first, list);
     return code;
 }
 
@@ -400,7 +389,7 @@ static int test_codes(void)
                 rw) != TESS_MORE;
     bad |= alpha(p, ntet, tet, adj, 1.0, 1, left, 4 * MAXTET, &need, fac,
                  stack) != TESS_BAD_OPEN;
-    rows();
+    stars(n, ntet, tet, first, list);
     for (need = 0, i = 0; i < n; i++)
         need += one(i, box, &v) == TESS_BAD_OPEN;
     return bad | (need == 0);

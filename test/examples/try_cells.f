@@ -3,7 +3,8 @@ C     volumes that fill boxes, and alpha shapes by tetrahedra and by
 C     triangles.
 C
 C         gfortran -O2 test/examples/try_cells.f
-C           test/examples/cells.f f77/tess.f f77/hhpred.f
+C           test/examples/cells.f test/examples/derived.f
+C           f77/tess.f f77/hhpred.f
 C
 C     try_cells.c is the same in C; both write the same text.
       PROGRAM CELLST
@@ -106,33 +107,7 @@ C     are cubes.
       CALL MESH(M, NTET, BAD)
       END
 
-C     ROWS - the tetrahedra at each point, as STARS of derived.f lists
-C     them.
-      SUBROUTINE ROWS(N, NTET, TET, FIRST, LIST)
-      INTEGER N, NTET, TET(4,*), FIRST(*), LIST(*)
-      INTEGER I, K, T
-      DO 10 I = 1, N + 1
-         FIRST(I) = 0
-   10 CONTINUE
-      DO 30 T = 1, NTET
-         DO 20 K = 1, 4
-            FIRST(TET(K,T)) = FIRST(TET(K,T)) + 1
-   20    CONTINUE
-   30 CONTINUE
-      FIRST(1) = FIRST(1) + 1
-      DO 40 I = 2, N + 1
-         FIRST(I) = FIRST(I) + FIRST(I-1)
-   40 CONTINUE
-      DO 60 T = NTET, 1, -1
-         DO 50 K = 4, 1, -1
-            I = TET(K,T)
-            FIRST(I) = FIRST(I) - 1
-            LIST(FIRST(I)) = T
-   50    CONTINUE
-   60 CONTINUE
-      END
-
-C     MESH - of the points, and its rows.
+C     MESH - of the points, and the tetrahedra at each.
       SUBROUTINE MESH(M, NTET, BAD)
       INTEGER N, MAXTET, LIW, LRW, MAXROW, MOST
       PARAMETER (N = 343, MAXTET = 10*N, LIW = 19*N + 1800)
@@ -151,7 +126,7 @@ C     MESH - of the points, and its rows.
       INTEGER INFO
       CALL TESS(M, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
       IF (INFO .NE. 0) BAD = 1
-      CALL ROWS(M, NTET, TET, FIRST, LIST)
+      CALL STARS(M, NTET, TET, FIRST, LIST)
       END
 
 C     ONE - the cell of point I; BOXED = 0: without the box.
@@ -632,7 +607,7 @@ C     TCODES - arrays that are too short, damaged and unfinished meshes.
       DO 10 K = 1, 9
          IF (INFO(K) .NE. WANT(K)) BAD = 1
    10 CONTINUE
-      CALL ROWS(M, NTET, TET, FIRST, LIST)
+      CALL STARS(M, NTET, TET, FIRST, LIST)
       NEED = 0
       DO 20 I = 1, M
          K = I
