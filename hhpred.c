@@ -84,6 +84,7 @@ typedef long whole;
 /* What insphere's sum may err by after HH_ROWS leading rows, which are tried
  * first. */
 #define BOUND (32.0 * HH_ROWS * BASE)
+#define UNDER (0.5 - 0.25 * DBL_EPSILON)
 /* Limbs that hold the value of a number to a double's precision. */
 #define LEADING (DBL_MANT_DIG / HH_BITS + 2)
 
@@ -139,8 +140,8 @@ static double fill(int n, double *q, double most, double *factor)
  *
  * The remainder of a number after a limb has no bits below the number's own,
  * and is exact as long as it is no larger than the number.  So a limb is 0 for
- * a remainder of less than half its weight, even if rounding would make that a
- * half.  A number whose first SKIP limbs are 0 is far below top, and is taken
+ * a remainder of less than half its weight: with UNDER, the largest number below
+ * a half, in place of a half no rounding makes 1 of the sum.  A number whose first SKIP limbs are 0 is far below top, and is taken
  * up after these limbs. */
 static int split(int w, const double *q, double top, int n, double *limb)
 {
@@ -160,8 +161,7 @@ static int split(int w, const double *q, double top, int n, double *limb)
                 far[k] = 0.0;
             }
         for (k = 0; k < w; k++) {
-            c = nearest(rest[k]);
-            if (fabs(rest[k]) < 0.5) c = 0.0;
+            c = (double)(whole)(rest[k] + (rest[k] < 0.0 ? -UNDER : UNDER));
             limb[k] = c;
             rest[k] = (rest[k] - c) * BASE;
         }

@@ -238,17 +238,17 @@ C
 C     The remainder of a number after a limb has no bits below the
 C     number's own, and is exact as long as it is no larger than the
 C     number.  So a limb is 0 for a remainder of less than half its
-C     weight, even if rounding would make that a half.  A number whose
-C     first SKIP limbs are 0 is far below TOP, and is taken up after
-C     these limbs.
+C     weight: with UNDER, the largest number below a half, in place of a
+C     half no rounding makes 1 of the sum.  A number whose first SKIP
+C     limbs are 0 is far below TOP, and is taken up after these limbs.
       SUBROUTINE HHSPLI(W, Q, TOP, N, LIMB, USED)
       INTEGER W, N, USED
       DOUBLE PRECISION Q(*), TOP, LIMB(*)
-      DOUBLE PRECISION HHNEAR
       INTEGER SKIP
       PARAMETER (SKIP = 25)
-      DOUBLE PRECISION BASE, SHIFT
+      DOUBLE PRECISION BASE, SHIFT, UNDER
       PARAMETER (BASE = 2.0D0**24, SHIFT = 2.0D0**600)
+      PARAMETER (UNDER = 0.5D0 - 2.0D0**(-54))
       DOUBLE PRECISION C, FAR(15), REST(15)
       INTEGER AT, I, K
       DO 10 K = 1, W
@@ -269,8 +269,7 @@ C     these limbs.
    30   CONTINUE
       END IF
       DO 40 K = 1, W
-        C = HHNEAR(REST(K))
-        IF (ABS(REST(K)) .LT. 0.5D0) C = 0.0D0
+        C = DBLE(INT(REST(K) + SIGN(UNDER, REST(K))))
         LIMB(AT+K) = C
         REST(K) = (REST(K) - C)*BASE
    40 CONTINUE
