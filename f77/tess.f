@@ -270,9 +270,9 @@ C               one that stays; HLEFT: how many more facets may be met
 C               about it, of HMOST
 C
 C     Constants, the same in every routine that has them:
-C       TSLIST  capacity of a list, a multiple of 4, at least LEAF
+C       TSLIST  capacity of a list, a multiple of 4, at least LEAF;
+C               beyond it is room for one leaf more
 C       LEAF    maximum number of points in a leaf of the tree
-C       TSIDS   TSLIST + LEAF
 C       GROUP   size of the groups that the points of a leaf are sorted
 C               into
 C       BREACH, SREACH  a block's list extends beyond the leaf's box by
@@ -398,9 +398,8 @@ C     sample.  The random numbers are the same everywhere.
       SUBROUTINE TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), LO, HI, MID, AXIS, CHANCE, I
-      INTEGER TSBEFO
       DOUBLE PRECISION Q(3)
-      INTEGER A(33), COUNT, J, K, N, S, STEP, T
+      INTEGER TSBEFO, A(33), COUNT, J, K, N, S, STEP, T
       COUNT = HI - LO + 1
       STEP = COUNT/1024
       N = 3
@@ -435,9 +434,8 @@ C     MID precede the one at MID along an axis, and the others do not.
       SUBROUTINE TSSELE(X, ORD, FIRST, LAST, MID, AXIS)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), FIRST, LAST, MID, AXIS
-      INTEGER TSBEFO
       DOUBLE PRECISION Q(3)
-      INTEGER AT, CHANCE, HI, I, J, LESS, LO, NUMBER
+      INTEGER TSBEFO, AT, CHANCE, HI, I, J, LESS, LO, NUMBER
       CHANCE = 1
       LO = FIRST
       HI = LAST
@@ -514,11 +512,10 @@ C     duplicate but the least of its set is linked to a smaller number.
       SUBROUTINE TSBISE(X, ORD, REP, LO, HI, MID)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), LO, HI, MID
-      INTEGER HHWIDE
       INTEGER SAMPLE
       PARAMETER (SAMPLE = 64)
       DOUBLE PRECISION B(6)
-      INTEGER AXIS, I, K
+      INTEGER HHWIDE, AXIS, I, K
       CALL TSEXTE(X, LO, HI, (HI - LO + 1)/SAMPLE + 1, B)
       AXIS = 1
       DO 10 K = 2, 3
@@ -558,10 +555,9 @@ C     TSLEAF - the leaf that holds position I.
 C     TSSPAN - the positions FIRST ... LAST below a node of the tree.
       SUBROUTINE TSSPAN(CTL, NODE, FIRST, LAST)
       INTEGER CTL(*), NODE, FIRST, LAST
-      INTEGER TSLFST
       INTEGER LEAVES
       PARAMETER (LEAVES = 4)
-      INTEGER LEFT, RIGHT
+      INTEGER TSLFST, LEFT, RIGHT
       LEFT = NODE
       RIGHT = NODE
    10 IF (LEFT .LT. CTL(LEAVES)) THEN
@@ -577,11 +573,10 @@ C     TSLSOR - sort the points of a leaf into groups of GROUP.
       SUBROUTINE TSLSOR(X, ORD, REP, FIRST, LAST)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), REP(*), FIRST, LAST
-      INTEGER TSBEFO
       INTEGER GROUP
       PARAMETER (GROUP = 8)
       DOUBLE PRECISION Q(3)
-      INTEGER HALF, HI, I, J, K, LO
+      INTEGER TSBEFO, HALF, HI, I, J, K, LO
       HALF = FIRST + ((LAST - FIRST + GROUP)/GROUP + 1)/2*GROUP
       IF (HALF .LE. LAST) CALL TSBISE(X, ORD, REP, FIRST, LAST, HALF)
       LO = FIRST
@@ -682,9 +677,8 @@ C     all ends a hull edge that contains no other point.
       INTEGER FUNCTION TSEDBY(P, ORD, A, I, J)
       DOUBLE PRECISION P(3,*)
       INTEGER ORD(*), A, I, J
-      INTEGER HHFLAT, TSPREC
       DOUBLE PRECISION O(3), Q(3), Z(3)
-      INTEGER K, PABOVE, QABOVE, SIDE
+      INTEGER HHFLAT, TSPREC, K, PABOVE, QABOVE, SIDE
       DO 10 K = 1, 3
         O(K) = P(K,ORD(A))
         Z(K) = P(K,ORD(I))
@@ -719,9 +713,8 @@ C     TSLINE - HHLINE of three points: 1, or 0.
       INTEGER FUNCTION TSLINE(P, I, J, K)
       DOUBLE PRECISION P(3,*)
       INTEGER I, J, K
-      INTEGER HHLINE
       DOUBLE PRECISION A(3), B(3), C(3)
-      INTEGER AXIS
+      INTEGER HHLINE, AXIS
       DO 10 AXIS = 1, 3
         A(AXIS) = P(AXIS,I)
         B(AXIS) = P(AXIS,J)
@@ -740,11 +733,10 @@ C     tetrahedron.
       SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), INFO
-      INTEGER HHPBAL, HHPSID, TSEDBY, TSLINE, TSPREC
       INTEGER NP, T3, T5, PLANAR, LINEAR, SINGLE
-      PARAMETER (NP = 1, T3 = 1, T5 = 2, PLANAR = 3, LINEAR = 4)
-      PARAMETER (SINGLE = 5)
-      INTEGER I, SIDE, W
+      PARAMETER (NP = 1, T3 = 1, T5 = 2, PLANAR = 3, LINEAR = 4,
+     $    SINGLE = 5)
+      INTEGER HHPBAL, HHPSID, TSEDBY, TSLINE, TSPREC, I, SIDE, W
       INFO = SINGLE
       IF (CTL(NP) .LT. 2) RETURN
       V(1) = 1
@@ -877,10 +869,9 @@ C     TSFIND - E is the entry of the facet with vertices V, or the
 C     unused entry where it belongs.
       SUBROUTINE TSFIND(TET, POOL, CTL, V, SIG, E)
       INTEGER TET(4,*), POOL(*), CTL(*), V(3), SIG, E
-      INTEGER TSSAME
       INTEGER MPOOL, ENTRY
       PARAMETER (MPOOL = 6, ENTRY = 4)
-      INTEGER AT, CODE, W(3)
+      INTEGER TSSAME, AT, CODE, W(3)
       E = MOD(SIG, CTL(MPOOL)) + 1
    10 AT = ENTRY*(E - 1)
       CODE = POOL(AT+1)
@@ -915,10 +906,10 @@ C     returned unused.
 C     TSERAS - remove entry ENT, of a facet owned by LEAST.
       SUBROUTINE TSERAS(TET, HEAD, POOL, CTL, ENT, LEAST)
       INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), ENT, LEAST
-      INTEGER TSOWNE
       INTEGER MPOOL, NOPEN, ENTRY
       PARAMETER (MPOOL = 6, NOPEN = 7, ENTRY = 4)
-      INTEGER AFTER, AT, BEFORE, E, FILL, HOLE, HOME, K, TO, V(3)
+      INTEGER TSOWNE, AFTER, AT, BEFORE, E, FILL, HOLE, HOME, K, TO,
+     $    V(3)
       AT = ENTRY*(ENT - 1)
       AFTER = POOL(AT+2)
       BEFORE = POOL(AT+3)
@@ -967,10 +958,9 @@ C     0; if its other side is there, remove that and set OTHER to its
 C     code.
       SUBROUTINE TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
       INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
-      INTEGER TSOWNE, TSHASH
       INTEGER ENTRY
       PARAMETER (ENTRY = 4)
-      INTEGER E, LEAST, SIG, V(3)
+      INTEGER TSHASH, TSOWNE, E, LEAST, SIG, V(3)
       OTHER = 0
       CALL TSFACE(TET, CODE, V)
       LEAST = TSOWNE(HEAD, V)
@@ -1036,11 +1026,10 @@ C     facets come from TET and ADJ: the open ones without the vertex S.
 C     (Those with it are edges of its link.)
       SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
-      INTEGER TSFULL, TSQUOT
       INTEGER NP, MPOOL, NOPEN, FRESH, OPEN, FOREIN, ENTRY
-      PARAMETER (NP = 1, MPOOL = 6, NOPEN = 7, FRESH = 8, OPEN = -1)
-      PARAMETER (FOREIN = -1, ENTRY = 4)
-      INTEGER CODE, I, OTHER, V(3)
+      PARAMETER (NP = 1, MPOOL = 6, NOPEN = 7, FRESH = 8, OPEN = -1,
+     $    FOREIN = -1, ENTRY = 4)
+      INTEGER TSFULL, TSQUOT, CODE, I, OTHER, V(3)
       OK = 0
       CTL(MPOOL) = MIN(WANTED, TSQUOT(CTL, 2))
       CTL(NOPEN) = 0
@@ -1101,15 +1090,14 @@ C     six conditions, not one, spare a branch for each
 C     TSSETP - set point I of a list from its position; move it FAR away
 C     if its star is complete.
       SUBROUTINE TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
-      INTEGER LINK(*), LSID(TSIDS,2), LIST, I
+      INTEGER LINK(*), LSID(TSLIST+48,2), LIST, I
       INTEGER LMID, LUNIT, DONE
-      PARAMETER (LMID = 6, LUNIT = 14, DONE = -1)
       REAL FAR
-      PARAMETER (FAR = 1.0E10)
+      PARAMETER (LMID = 6, LUNIT = 14, DONE = -1, FAR = 1.0E10)
       REAL A, B, C
       INTEGER Z
       Z = LSID(I,LIST)
@@ -1131,14 +1119,13 @@ C     TSPADL - pad a list to a multiple of four with points that are FAR
 C     away: loops over lists go by fours, which every compiler can
 C     vectorize.
       SUBROUTINE TSPADL(LSX, LSID, LSI, LIST)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
       REAL LSX(TSLIST,4,2)
-      INTEGER LSID(TSIDS,2), LSI(3,2), LIST
+      INTEGER LSID(TSLIST+48,2), LSI(3,2), LIST
       INTEGER LN
-      PARAMETER (LN = 3)
       REAL FAR
-      PARAMETER (FAR = 1.0E10)
+      PARAMETER (LN = 3, FAR = 1.0E10)
       INTEGER I
       DO 10 I = LSI(LN,LIST) + 1, (LSI(LN,LIST) + 3)/4*4
         LSX(I,1,LIST) = FAR
@@ -1153,15 +1140,15 @@ C     TSBOXQ - append to a list the uncompleted points in its box that
 C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
       SUBROUTINE TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
      $                  OWN, FIT)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), BOX(6,*), LSD(14,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), LIST
-      INTEGER OWN, FIT
-      INTEGER TSDISJ, TSPDIS
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2),
+     $    LIST, OWN, FIT
       INTEGER LEAVES, LN, DONE, DEPTH
       PARAMETER (LEAVES = 4, LN = 3, DONE = -1, DEPTH = 64)
-      INTEGER FIRST, HEIGHT, I, LAST, N, NODE, OUT, STACK(DEPTH)
+      INTEGER TSDISJ, TSPDIS, FIRST, HEIGHT, I, LAST, N, NODE, OUT,
+     $    STACK(DEPTH)
       FIT = 1
       STACK(1) = 1
       HEIGHT = 1
@@ -1195,22 +1182,20 @@ C     order, then the uncompleted ones around it.  The margin shrinks
 C     until they fit.
       SUBROUTINE TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $                  LSD, LIST, S)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), LIST
-      INTEGER S
-      INTEGER TSLFST, TSLEAF
-      INTEGER LEAVES, RREACH, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST
-      INTEGER LMARG, LUNIT, FUTILE
-      PARAMETER (LEAVES = 4, RREACH = 3, LFIRST = 1, LLAST = 2, LN = 3)
-      PARAMETER (LLO = 0, LHI = 3, LMID = 6, LMOST = 9, LMARG = 13)
-      PARAMETER (LUNIT = 14, FUTILE = 82)
+      REAL LSX(*)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2),
+     $    LIST, S
+      INTEGER LEAVES, FUTILE, RREACH, LFIRST, LLAST, LN, LLO, LHI, LMID,
+     $    LMOST, LMARG, LUNIT
       DOUBLE PRECISION NARROW
-      PARAMETER (NARROW = 1.0D5*2.0D0**(-450))
+      PARAMETER (LEAVES = 4, FUTILE = 82, RREACH = 3, LFIRST = 1,
+     $    LLAST = 2, LN = 3, LLO = 0, LHI = 3, LMID = 6, LMOST = 9,
+     $    LMARG = 13, LUNIT = 14, NARROW = 1.0D5*2.0D0**(-450))
       DOUBLE PRECISION ABOVE, BELOW, HALF, MARGIN, SUM
-      INTEGER FIT, I, K, LEAFS, NODE
+      INTEGER TSLEAF, TSLFST, FIT, I, K, LEAFS, NODE
       LEAFS = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAFS - 1
       SUM = 0.0D0
@@ -1288,20 +1273,19 @@ C     from it, the points nearer to S than the star's margin, which is
 C     at most the distance from S to where the block may lack points.
       SUBROUTINE TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $                  LSD, S)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S
-      INTEGER LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG, LUNIT
-      INTEGER BLK, STR, FUTILE, MAXFUT
-      PARAMETER (LFIRST = 1, LLAST = 2, LN = 3, LLO = 0, LHI = 3)
-      PARAMETER (LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14, BLK = 1)
-      PARAMETER (STR = 2, FUTILE = 82, MAXFUT = 8)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2), S
+      INTEGER FUTILE, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG,
+     $    LUNIT, BLK, STR, MAXFUT
       DOUBLE PRECISION SREACH, FINEST
-      PARAMETER (SREACH = 0.85D0, FINEST = 1.0D-4)
       REAL SLACK
-      PARAMETER (SLACK = 32.0*2.0**(-23))
+      PARAMETER (FUTILE = 82, LFIRST = 1, LLAST = 2, LN = 3, LLO = 0,
+     $    LHI = 3, LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14, BLK = 1,
+     $    STR = 2, MAXFUT = 8, SREACH = 0.85D0, FINEST = 1.0D-4,
+     $    SLACK = 32.0*2.0**(-23))
       DOUBLE PRECISION MARGIN
       REAL A, B, C, MOST
       INTEGER I, IN(TSLIST), K, N, PLACE(TSLIST+1)
@@ -1362,9 +1346,9 @@ C     LENGTH and this bound may come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSPOWE(FQ, LENGTH)
       DOUBLE PRECISION FQ(108), LENGTH
       INTEGER QDC, QSIZE
-      PARAMETER (QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      PARAMETER (QDC = 6, QSIZE = 7, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200)
       TSPOWE = LENGTH*(2.0D0*FQ(QDC) + 8.0D0*EPS*(LENGTH +
      $    2.0D0*FQ(QSIZE))) + FAINT
       END
@@ -1380,12 +1364,10 @@ C     hold.
       INTEGER FUNCTION TSPRUN(IQ, F, FQ, BOX, NODE)
       DOUBLE PRECISION F(12), FQ(108), BOX(6,*)
       INTEGER IQ(42), NODE
-      DOUBLE PRECISION TSPOWE
       INTEGER QBALL, QC
-      PARAMETER (QBALL = 3, QC = 2)
       DOUBLE PRECISION FAINT, LOOSE
-      PARAMETER (FAINT = 1.0D-200, LOOSE = 0.5D0)
-      DOUBLE PRECISION H, L, LENGTH, POWER, SIDE, U
+      PARAMETER (QBALL = 3, QC = 2, FAINT = 1.0D-200, LOOSE = 0.5D0)
+      DOUBLE PRECISION TSPOWE, H, L, LENGTH, POWER, SIDE, U
       INTEGER K
       POWER = 0.0D0
       SIDE = 0.0D0
@@ -1413,10 +1395,9 @@ C     and sets the ball of that L.
       DOUBLE PRECISION F(12), FQ(108), L
       INTEGER IQ(42)
       INTEGER QLIMBS, QBALL, QAIMED, QHI, QC, QDC, QSIZE
-      PARAMETER (QLIMBS = 2, QBALL = 3, QAIMED = 7, QHI = 2)
-      PARAMETER (QC = 2, QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, MUCHL
-      PARAMETER (EPS = 2.0D0**(-52), MUCHL = 1.0D100)
+      PARAMETER (QLIMBS = 2, QBALL = 3, QAIMED = 7, QHI = 2, QC = 2,
+     $    QDC = 6, QSIZE = 7, EPS = 2.0D0**(-52), MUCHL = 1.0D100)
       INTEGER K
       FQ(QHI) = L
       IQ(QAIMED) = 0
@@ -1443,17 +1424,15 @@ C     place of C, with the error of F(4..6) and one more rounding.
       SUBROUTINE TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), V(3), IQ(42)
-      INTEGER TSCURV
-      INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QAIMED, QLO, QHI, QC
-      INTEGER QDC, QSIZE, QLIMB
-      PARAMETER (RSCALE = 5, QBEST = 1, QLIMBS = 2, QBALL = 3)
-      PARAMETER (QBASE = 4, QAIMED = 7, QLO = 1, QHI = 2, QC = 2)
-      PARAMETER (QDC = 6, QSIZE = 7, QLIMB = 7)
-      DOUBLE PRECISION EPS, HUGE, LOOSE
-      PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QAIMED, QLO, QHI, QC,
+     $    QDC, QSIZE, QLIMB
+      DOUBLE PRECISION EPS, LOOSE, HUGE
+      PARAMETER (RSCALE = 5, QBEST = 1, QLIMBS = 2, QBALL = 3,
+     $    QBASE = 4, QAIMED = 7, QLO = 1, QHI = 2, QC = 2, QDC = 6,
+     $    QSIZE = 7, QLIMB = 7, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
-      INTEGER K, OK, SPHERE, SE
+      INTEGER TSCURV, K, OK, SE, SPHERE
       IF (F(10) .GE. HUGE) RETURN
       SE = INT(RCTL(RSCALE))
       CALL HHCENT(P, ORD, SE, V, IQ(QBASE), IQ(QBEST), C, FQ, QLIMB, OK)
@@ -1489,16 +1468,14 @@ C     by the other's.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(42), Z
-      INTEGER HHPBEA, HHPSID
-      INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QON, QLO, QHI
-      INTEGER QLIMB, QTIED, UNSURE, MANY
-      PARAMETER (T3 = 1, T5 = 2, RPATIE = 8, QBEST = 1, QLIMBS = 2)
-      PARAMETER (QASKED = 5, QON = 6, QLO = 1, QHI = 2, QLIMB = 7)
-      PARAMETER (QTIED = 42, UNSURE = 2, MANY = 6)
+      INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QON, QTIED, QLO,
+     $    QHI, QLIMB, UNSURE, MANY
       DOUBLE PRECISION PLAIN, WIDE
-      PARAMETER (PLAIN = 16.0D0, WIDE = 1.0D-4)
+      PARAMETER (T3 = 1, T5 = 2, RPATIE = 8, QBEST = 1, QLIMBS = 2,
+     $    QASKED = 5, QON = 6, QTIED = 42, QLO = 1, QHI = 2, QLIMB = 7,
+     $    UNSURE = 2, MANY = 6, PLAIN = 16.0D0, WIDE = 1.0D-4)
       DOUBLE PRECISION HI, LO, Q(3)
-      INTEGER OPEN, POWER, SGN, SIDE
+      INTEGER HHPBEA, HHPSID, OPEN, POWER, SGN, SIDE
       Q(1) = X(1,Z)
       Q(2) = X(2,Z)
       Q(3) = X(3,Z)
@@ -1552,13 +1529,12 @@ C     where that is known.
       SUBROUTINE TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(42), Z
-      DOUBLE PRECISION TSPOWE
-      INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QON, QAIMED, QC
-      INTEGER QTEST, TQ, TD
-      PARAMETER (RSUP = 10, LSUP = 97, SGRAIN = 97, QBEST = 1)
-      PARAMETER (QBALL = 3, QON = 6, QAIMED = 7, QC = 2)
-      PARAMETER (QTEST = 101, TQ = 1, TD = 1)
-      DOUBLE PRECISION H, Q, SIZE, SUM, W1, W2, W3
+      INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QON, QAIMED, QC, QTEST,
+     $    TQ, TD
+      PARAMETER (RSUP = 10, LSUP = 97, SGRAIN = 97, QBEST = 1,
+     $    QBALL = 3, QON = 6, QAIMED = 7, QC = 2, QTEST = 101, TQ = 1,
+     $    TD = 1)
+      DOUBLE PRECISION TSPOWE, H, Q, SIZE, SUM, W1, W2, W3
       INTEGER OK, OUT
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
      $    Z .EQ. V(3)) RETURN
@@ -1594,13 +1570,12 @@ C     axis the ball ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
       INTEGER LSI(3,2), LIST, IQ(42)
-      INTEGER TSPRUN
       INTEGER LN, LLO, LHI, QC, QDC
-      PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6)
       DOUBLE PRECISION PAD
-      PARAMETER (PAD = 64.0D0*2.0D0**(-52))
+      PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6,
+     $    PAD = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION PART(6,1), R
-      INTEGER I, K, OUT
+      INTEGER TSPRUN, I, K, OUT
       TSBINB = 0
       IF (LSI(LN,LIST) .EQ. 0) RETURN
       R = SQRT(FQ(QC+1)*FQ(QC+1) + FQ(QC+2)*FQ(QC+2) +
@@ -1639,9 +1614,9 @@ C     the roundings of A, B and the products.
       INTEGER FUNCTION TSBINS(BOX, LSD, F, FQ)
       DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
       INTEGER LMARG, STR, QC, QDC
-      PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6)
       DOUBLE PRECISION PAD
-      PARAMETER (PAD = 64.0D0*2.0D0**(-52))
+      PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6,
+     $    PAD = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION A, B, MARGIN, SQUARE(3)
       INTEGER K
       TSBINS = 0
@@ -1682,9 +1657,9 @@ C     OK is 1, or 0 when the ball is too large for that.
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LMID, LMOST, LUNIT, QDC
-      PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, QDC = 6)
       DOUBLE PRECISION EPS, FEPS
-      PARAMETER (EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23))
+      PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, QDC = 6,
+     $    EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23))
       DOUBLE PRECISION A, CG(3), CU, DIST, G, LENGTH, REST, SUM
       INTEGER K
       A = 0.0D0
@@ -1722,9 +1697,8 @@ C     from it in the list's units.
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LUNIT, QC, QDC
-      PARAMETER (LUNIT = 14, QC = 2, QDC = 6)
       DOUBLE PRECISION FEPS
-      PARAMETER (FEPS = 2.0D0**(-23))
+      PARAMETER (LUNIT = 14, QC = 2, QDC = 6, FEPS = 2.0D0**(-23))
       DOUBLE PRECISION CU(3), LENGTH
       INTEGER K
       LENGTH = 0.0D0
@@ -1766,11 +1740,11 @@ C     point, which are on the ball, are four of them.
 C     TSCALL - consider N points of a list.
       SUBROUTINE TSCALL(X, P, ORD, MARK, RCTL, LSID, LIST, V, IQ, F, FQ,
      $                  N, PLACE)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LIST, V(3), IQ(42), N
-      INTEGER PLACE(*)
+      INTEGER ORD(*), MARK(*), LSID(TSLIST+48,2), LIST, V(3), IQ(42), N,
+     $    PLACE(*)
       INTEGER I, Z
       DO 10 I = 1, N
         Z = LSID(PLACE(I),LIST)
@@ -1783,13 +1757,11 @@ C     be in the ball, or of all its points without a ball.  N is their
 C     number; 0 if they are only the vertices and the best point, -1 if
 C     the ball is too large for the list.
       SUBROUTINE TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
       DOUBLE PRECISION LSD(14,2), FQ(108)
-      REAL LSX(TSLIST,4,2)
+      REAL LSX(*)
       INTEGER LSI(3,2), IQ(42), PLACE(*), N
-      INTEGER LN, STR, QBALL
-      PARAMETER (LN = 3, STR = 2, QBALL = 3)
+      INTEGER TSLIST, LN, STR, QBALL
+      PARAMETER (TSLIST = 512, LN = 3, STR = 2, QBALL = 3)
       REAL D(4)
       INTEGER I, IN(TSLIST), OK
       IF (IQ(QBALL) .EQ. 0) THEN
@@ -1817,18 +1789,15 @@ C     over the list is enough if the last ball has no points elsewhere.
 C     OK is 1 if so, or 0.
       SUBROUTINE TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, LSX, LSID, LSI,
      $                  LSD, V, IQ, F, FQ, OK)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(108)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3)
-      INTEGER IQ(42), OK
-      INTEGER TSBINS
-      INTEGER TIED, LN, STR, QBEST, QBALL, QBASE, QTIED
-      PARAMETER (TIED = 26, LN = 3, STR = 2)
-      PARAMETER (QBEST = 1, QBALL = 3, QBASE = 4, QTIED = 42)
-      INTEGER N, PLACE(TSLIST+1)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2),
+     $    F(12), FQ(108)
+      REAL LSX(*)
+      INTEGER ORD(*), MARK(*), CTL(*), LSID(*), LSI(3,2), V(3), IQ(42),
+     $    OK
+      INTEGER TSLIST, TIED, LN, STR, QBEST, QBALL, QBASE, QTIED
+      PARAMETER (TSLIST = 512, TIED = 26, LN = 3, STR = 2, QBEST = 1,
+     $    QBALL = 3, QBASE = 4, QTIED = 42)
+      INTEGER TSBINS, N, PLACE(TSLIST+1)
       OK = 0
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0) RETURN
       CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
@@ -1858,18 +1827,15 @@ C     elsewhere, the tree is searched in any case and the list only adds
 C     cost: on surfaces, two of five points that were tested.
       SUBROUTINE TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD,
      $                  V, IQ, F, FQ, OK)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(108)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), MARK(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(42), OK
-      INTEGER TSBINB
-      INTEGER LN, BLK, QBALL, QC
-      PARAMETER (LN = 3, BLK = 1, QBALL = 3, QC = 2)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2),
+     $    F(12), FQ(108)
+      REAL LSX(*)
+      INTEGER ORD(*), MARK(*), LSID(*), LSI(3,2), V(3), IQ(42), OK
+      INTEGER TSLIST, LN, BLK, QBALL, QC
+      PARAMETER (TSLIST = 512, LN = 3, BLK = 1, QBALL = 3, QC = 2)
       DOUBLE PRECISION C(3)
       REAL D(4)
-      INTEGER IN(TSLIST), N, PLACE(TSLIST+1)
+      INTEGER TSBINB, IN(TSLIST), N, PLACE(TSLIST+1)
       OK = 0
       IF (LSI(LN,BLK) .EQ. 0) RETURN
       IF (IQ(QBALL) .EQ. 0) RETURN
@@ -1897,15 +1863,14 @@ C     consider.
      $                  FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), NODE
-      DOUBLE PRECISION TSPOWE
-      INTEGER LEAF, GROUP, QBALL, QC, DONE, RPATIE, RSCAN
-      PARAMETER (LEAF = 48, GROUP = 8, QBALL = 3, QC = 2, DONE = -1)
-      PARAMETER (RPATIE = 8, RSCAN = 10)
-      DOUBLE PRECISION EPS, FAINT, HUGE, LOOSE, MUCHL
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0)
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023, MUCHL = 1.0D100)
-      DOUBLE PRECISION B1, B2, B3, D(3), D1, D2, D3, MOST, POWER(LEAF)
-      DOUBLE PRECISION SIZE, W1, W2, W3
+      INTEGER RPATIE, RSCAN, QBALL, QC, DONE, GROUP, LEAF
+      DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL, HUGE
+      PARAMETER (RPATIE = 8, RSCAN = 10, QBALL = 3, QC = 2, DONE = -1,
+     $    GROUP = 8, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+     $    LOOSE = 0.5D0, MUCHL = 1.0D100,
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
+      DOUBLE PRECISION TSPOWE, B1, B2, B3, D(3), D1, D2, D3, MOST,
+     $    POWER(LEAF), SIZE, W1, W2, W3
       INTEGER FIRST, I, J, K, LAST, N, PASSED, PLACE(LEAF)
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
       N = LAST - FIRST + 1
@@ -1974,15 +1939,13 @@ C                                been searched, FROM is where that ended
      $                  IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42)
-      INTEGER TSPRUN, TSLEAF, TSCYLI
       INTEGER LEAVES, STAGE, QBALL, QBASE, QON, DEPTH
-      PARAMETER (LEAVES = 4, STAGE = 28, QBALL = 3, QBASE = 4)
-      PARAMETER (QON = 6, DEPTH = 96)
       DOUBLE PRECISION LOOSE
-      PARAMETER (LOOSE = 0.5D0)
+      PARAMETER (LEAVES = 4, STAGE = 28, QBALL = 3, QBASE = 4, QON = 6,
+     $    DEPTH = 96, LOOSE = 0.5D0)
       DOUBLE PRECISION PAST(4)
-      INTEGER FOURS, FROM, HEIGHT, N, NEAR, NODE, OUT
-      INTEGER STACK(DEPTH), TOP
+      INTEGER TSCYLI, TSLEAF, TSPRUN, FOURS, FROM, HEIGHT, N, NEAR,
+     $    NODE, OUT, STACK(DEPTH), TOP
       NEAR = IQ(QON)
       FOURS = CTL(STAGE)/2
       IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
@@ -2039,10 +2002,9 @@ C     hull, or 0.
       INTEGER FUNCTION TSONHU(X, P, ORD, CTL, RCTL, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3)
-      INTEGER HHPSID
       INTEGER NPLANE, PLANE0, T3
       PARAMETER (NPLANE = 12, PLANE0 = 13, T3 = 1)
-      INTEGER AT, I, K
+      INTEGER HHPSID, AT, I, K
       DO 20 I = 1, CTL(NPLANE)
         AT = PLANE0 + 3*(I - 1)
         DO 10 K = 1, 3
@@ -2064,15 +2026,14 @@ C     longest edge.
       SUBROUTINE TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(42)
-      INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON
-      INTEGER QOPEND, QLO, QHI, QC, QDC, QSIZE, QTIED
-      PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2)
-      PARAMETER (QBALL = 3, QBASE = 4, QASKED = 5, QON = 6)
-      PARAMETER (QOPEND = 9, QLO = 1, QHI = 2, QC = 2, QDC = 6)
-      PARAMETER (QSIZE = 7, QTIED = 42)
+      INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON,
+     $    QTIED, QOPEND, QLO, QHI, QC, QDC, QSIZE
       DOUBLE PRECISION EPS, HUGE, THIN
-      PARAMETER (EPS = 2.0D0**(-52), THIN = 1.0D-6)
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2,
+     $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIED = 42,
+     $    QOPEND = 9, QLO = 1, QHI = 2, QC = 2, QDC = 6, QSIZE = 7,
+     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023,
+     $    THIN = 1.0D-6)
       DOUBLE PRECISION A(3), B(3), C(3), EDGE, LONGST
       INTEGER BASE, I, J, K, SE
       BASE = 1
@@ -2119,25 +2080,19 @@ C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
 C     GUESS holds two positions to try first, or 0.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  LSX, LSID, LSI, LSD, V, GUESS, Z)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(TSIDS,2)
-      INTEGER LSI(3,2), V(3), GUESS(2), Z
-      INTEGER TSCURV, TSONHU
-      INTEGER NP, LEAVES, NPLANE, NEXTPL, PLANE0, STAGE, NCELL
-      INTEGER RBURDN, RPATIE, RSCAN, QBEST, QON, QOPEND, PLANES, OPENED
-      INTEGER FUTILE
-      PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13)
-      PARAMETER (PLANE0 = 13, STAGE = 28, NCELL = 29)
-      PARAMETER (RBURDN = 7, RPATIE = 8, RSCAN = 10, QBEST = 1)
-      PARAMETER (QON = 6, QOPEND = 9, PLANES = 4, OPENED = 24)
-      PARAMETER (FUTILE = 82)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(3,2), V(3), GUESS(2), Z
+      INTEGER NP, LEAVES, NPLANE, NEXTPL, PLANE0, STAGE, NCELL, FUTILE,
+     $    RBURDN, RPATIE, RSCAN, QBEST, QON, QOPEND, PLANES, OPENED
       DOUBLE PRECISION SCANS
-      PARAMETER (SCANS = 100.0D0)
+      PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13,
+     $    PLANE0 = 13, STAGE = 28, NCELL = 29, FUTILE = 82, RBURDN = 7,
+     $    RPATIE = 8, RSCAN = 10, QBEST = 1, QON = 6, QOPEND = 9,
+     $    PLANES = 4, OPENED = 24, SCANS = 100.0D0)
       DOUBLE PRECISION F(12), FQ(108), H
-      INTEGER AT, G, IQ(42), K, LISTS, OK
+      INTEGER TSCURV, TSONHU, AT, G, IQ(42), K, LISTS, OK
       IF (CTL(NCELL) .GT. 0) THEN
         CALL TSINCE(X, P, ORD, CTL, RCTL, V, Z)
         IF (Z .NE. 0) RETURN
@@ -2213,10 +2168,9 @@ C     points.  OK is 1 if replaced, else 0.
       SUBROUTINE TSEXCH(X, P, ORD, RCTL, TRUE, R, V, K, Z, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), TRUE, R(4), V(4), K, Z, OK
-      INTEGER HHPSID
       INTEGER T3
       PARAMETER (T3 = 1)
-      INTEGER A, B, I, J, OLD, SIDE
+      INTEGER HHPSID, A, B, I, J, OLD, SIDE
       OLD = V(K)
       V(K) = Z
       SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4))
@@ -2257,21 +2211,18 @@ C     Vertices may be complete, and then no list has them: the search
 C     uses the tree alone.
       SUBROUTINE TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, LSX, LSID, LSI, LSD, S, V)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*)
-      INTEGER CTL(*), LSID(TSIDS,2), LSI(3,2), S, V(4)
-      INTEGER HHPSID, TSLEAF, TSLFST
-      INTEGER LEAVES, NPLANE, NEXTPL, LFIRST, LLAST, LN, BLK, STR, QBEST
-      INTEGER T3, NCELL
-      PARAMETER (LEAVES = 4, NPLANE = 12, NEXTPL = 13, LFIRST = 1)
-      PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2, QBEST = 1, T3 = 1)
-      PARAMETER (NCELL = 29)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
+     $    CTL(*), LSID(*), LSI(3,2), S, V(4)
+      INTEGER LEAVES, NPLANE, NEXTPL, NCELL, T3, LFIRST, LLAST, LN, BLK,
+     $    STR, QBEST
+      PARAMETER (LEAVES = 4, NPLANE = 12, NEXTPL = 13, NCELL = 29,
+     $    T3 = 1, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2,
+     $    QBEST = 1)
       DOUBLE PRECISION F(12), FQ(108)
-      INTEGER ALL, FIRST, G(3), GUESS(2), I, IQ(42), J, K, LEAF, LENGTH
-      INTEGER NODE, OK, R(4), SAME, Z
+      INTEGER HHPSID, TSLEAF, TSLFST, ALL, FIRST, G(3), GUESS(2), I,
+     $    IQ(42), J, K, LEAF, LENGTH, NODE, OK, R(4), SAME, Z
       LEAF = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAF - 1
       FIRST = TSLFST(CTL, LEAF)
@@ -2371,8 +2322,8 @@ C     TSRENU - move the edges up to the end of the pool.
       SUBROUTINE TSRENU(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
       INTEGER ROOM, OLDEST, NEWEST, ECODE, EFROM, EPREV, DEAD, EDGE
-      PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, ECODE = 0)
-      PARAMETER (EFROM = 1, EPREV = 3, DEAD = -2, EDGE = 6)
+      PARAMETER (ROOM = 5, OLDEST = 9, NEWEST = 10, ECODE = 0,
+     $    EFROM = 1, EPREV = 3, DEAD = -2, EDGE = 6)
       INTEGER E, K, SHIFT, TO
       SHIFT = CTL(ROOM) + 1 - EDGE - CTL(OLDEST)
       DO 30 E = CTL(OLDEST), CTL(NEWEST), -EDGE
@@ -2395,11 +2346,10 @@ C     TSPUSH - add an edge A -> B without neighbours.  E is its number,
 C     or 0 if there is no room.
       SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
       INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
-      INTEGER MPOOL, NEWEST, ECODE, EFROM, ETO, EPREV, EAFTER, ECHAIN
-      INTEGER ENTRY, EDGE
-      PARAMETER (MPOOL = 6, NEWEST = 10, ECODE = 0, EFROM = 1, ETO = 2)
-      PARAMETER (EPREV = 3, EAFTER = 4, ECHAIN = 5, ENTRY = 4)
-      PARAMETER (EDGE = 6)
+      INTEGER MPOOL, NEWEST, ECODE, EFROM, ETO, EPREV, EAFTER, ECHAIN,
+     $    ENTRY, EDGE
+      PARAMETER (MPOOL = 6, NEWEST = 10, ECODE = 0, EFROM = 1, ETO = 2,
+     $    EPREV = 3, EAFTER = 4, ECHAIN = 5, ENTRY = 4, EDGE = 6)
       E = CTL(NEWEST) - EDGE
       IF (E .LE. ENTRY*CTL(MPOOL)) THEN
         E = 0
@@ -2488,11 +2438,10 @@ C     C.  The edges A -> C and C -> B replace E in the link; if the
 C     other side of one is there, that is removed instead.
       SUBROUTINE TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
       INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
-      INTEGER TSBETW
       INTEGER NT, ECODE, EFROM, ETO, EPREV, EAFTER, OPEN, NEW, START
-      PARAMETER (NT = 2, ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3)
-      PARAMETER (EAFTER = 4, OPEN = -1, NEW = -2, START = -1)
-      INTEGER A, AFTER, B, CODE, F, G, H, PREV, T
+      PARAMETER (NT = 2, ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3,
+     $    EAFTER = 4, OPEN = -1, NEW = -2, START = -1)
+      INTEGER TSBETW, A, AFTER, B, CODE, F, G, H, PREV, T
       CODE = POOL(E+ECODE)
       A = POOL(E+EFROM)
       B = POOL(E+ETO)
@@ -2572,8 +2521,8 @@ C     begins where it ends and has no predecessor yet, if there is one.
       SUBROUTINE TSFOLL(LINK, POOL, CTL)
       INTEGER LINK(*), POOL(*), CTL(*)
       INTEGER OLDEST, NEWEST, ECODE, ETO, EPREV, ECHAIN, DEAD, EDGE
-      PARAMETER (OLDEST = 9, NEWEST = 10, ECODE = 0, ETO = 2, EPREV = 3)
-      PARAMETER (ECHAIN = 5, DEAD = -2, EDGE = 6)
+      PARAMETER (OLDEST = 9, NEWEST = 10, ECODE = 0, ETO = 2, EPREV = 3,
+     $    ECHAIN = 5, DEAD = -2, EDGE = 6)
       INTEGER AT, E, F
       DO 20 E = CTL(OLDEST), CTL(NEWEST), -EDGE
         F = LINK(POOL(E+ETO))
@@ -2613,10 +2562,9 @@ C     oldest first.  OK is 1, or 0 if there is no room.  If they do not
 C     fit beside the table, rebuild the table without them first.
       SUBROUTINE TSLOAD(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER TSQUOT
       INTEGER MPOOL, NOPEN, NEWEST, ENTRY, EDGE
       PARAMETER (MPOOL = 6, NOPEN = 7, NEWEST = 10, ENTRY = 4, EDGE = 6)
-      INTEGER CODE, E, EDGES
+      INTEGER TSQUOT, CODE, E, EDGES
       OK = 1
       E = HEAD(S)
       IF (E .EQ. 0) RETURN
@@ -2654,13 +2602,11 @@ C     block's list.
       PARAMETER (TSLIST = 512)
       REAL LSX(TSLIST,4,2)
       INTEGER ALIVE(*), LINK(*), CTL(*), LSI(3,2), S
-      INTEGER TSLEAF
       INTEGER LEAVES, LFIRST, LLAST, LN, BLK, DONE
-      PARAMETER (LEAVES = 4, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1)
-      PARAMETER (DONE = -1)
       REAL FAR
-      PARAMETER (FAR = 1.0E10)
-      INTEGER I, NODE
+      PARAMETER (LEAVES = 4, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1,
+     $    DONE = -1, FAR = 1.0E10)
+      INTEGER TSLEAF, I, NODE
       IF (LINK(S) .EQ. DONE) RETURN
       LINK(S) = DONE
       NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
@@ -2695,11 +2641,10 @@ C     table is resized if that changes it by a sixteenth, so both are
 C     rare.
       SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER TSFULL, TSQUOT
       INTEGER NT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEWEST, ENTRY, EDGE
-      PARAMETER (NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8)
-      PARAMETER (OLDEST = 9, NEWEST = 10, ENTRY = 4, EDGE = 6)
-      INTEGER CHANGE, MOST
+      PARAMETER (NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8,
+     $    OLDEST = 9, NEWEST = 10, ENTRY = 4, EDGE = 6)
+      INTEGER TSFULL, TSQUOT, CHANGE, MOST
       CHANGE = CTL(MPOOL)/16
       OK = 1
       IF (4*(CTL(NOPEN) + CTL(NT) - CTL(FRESH) + 1) .LT.
@@ -2740,17 +2685,15 @@ C     of the link.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
      $                  POOL, MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S,
      $                  INFO)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*)
-      INTEGER POOL(*), MARK(*), CTL(*), LSID(TSIDS,2), LSI(3,2), S, INFO
-      INTEGER NT, MAXT, OLDEST, NEWEST, ECODE, EFROM, ETO, EPREV
-      INTEGER NCELL, EAFTER, MORE, FULL, START, DEAD, EDGE
-      PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, ECODE = 0)
-      PARAMETER (EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4, MORE = 1)
-      PARAMETER (NCELL = 29, FULL = 2, START = -1, DEAD = -2, EDGE = 6)
+      REAL LSX(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
+     $    POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,2), S, INFO
+      INTEGER NT, MAXT, OLDEST, NEWEST, NCELL, ECODE, EFROM, ETO, EPREV,
+     $    EAFTER, START, DEAD, MORE, FULL, EDGE
+      PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, NCELL = 29,
+     $    ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4,
+     $    START = -1, DEAD = -2, MORE = 1, FULL = 2, EDGE = 6)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
       CALL TSSTLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
      $            S)
@@ -2806,13 +2749,11 @@ C     there is no room.
       SUBROUTINE TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID,
      $                  LSI, LSD, S, OK)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4)
-      INTEGER HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*)
-      INTEGER LSID(TSIDS,2), LSI(3,2), S, OK
+      REAL LSX(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,2),
+     $    S, OK
       INTEGER START
       PARAMETER (START = -1)
       INTEGER E, V(4)
@@ -2831,16 +2772,14 @@ C     one of the rest, and so on.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID,
      $                  LSI, LSD, S, INFO)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4)
-      INTEGER HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*)
-      INTEGER LSID(TSIDS,2), LSI(3,2), S, INFO
+      REAL LSX(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,2),
+     $    S, INFO
       INTEGER NP, OLDEST, NEWEST, LOW, UNMET, FOREIN, NEW, FULL
-      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, UNMET = 27)
-      PARAMETER (FOREIN = -1, NEW = -2, FULL = 2)
+      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, UNMET = 27,
+     $    FOREIN = -1, NEW = -2, FULL = 2)
       INTEGER OK
    10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
         CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
@@ -2934,12 +2873,11 @@ C     points as can need them.  OK is 1, or 0 for a bad N: negative, or
 C     so large that a minimum exceeds the largest integer.
       SUBROUTINE TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
       INTEGER N, LIW, LRW, POOL, MARKS, CYLS, OK
-      INTEGER TSLCOU, TSCUBE
       INTEGER LEAST, INTMAX, MUCH, ENOUGH, SUPPS
-      PARAMETER (LEAST = 512, INTMAX = 2147483647, MUCH = 225000)
-      PARAMETER (ENOUGH = 500, SUPPS = 8)
+      PARAMETER (LEAST = 512, INTMAX = 2147483647, MUCH = 225000,
+     $    ENOUGH = 500, SUPPS = 8)
       DOUBLE PRECISION HUB
-      INTEGER LEFT, LVS
+      INTEGER TSCUBE, TSLCOU, LEFT, LVS
       OK = 0
 C     2 TSLCOU(N) < N/12 + 2
       IF (N .LT. 0 .OR. N .GT. (INTMAX - LEAST)/5) RETURN
@@ -2965,13 +2903,11 @@ C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI)
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
-      INTEGER NP, NPLANE, NEXTPL, TIED, STAGE, NCELL
-      INTEGER RSUPP, RPATIE, RSCAN, LFIRST, LLAST, LN, BLK, STR, FUTILE
-      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIED = 26)
-      PARAMETER (FUTILE = 82)
-      PARAMETER (STAGE = 28, NCELL = 29)
-      PARAMETER (RSUPP = 6, RPATIE = 8, RSCAN = 10, LFIRST = 1)
-      PARAMETER (LLAST = 2, LN = 3, BLK = 1, STR = 2)
+      INTEGER NP, NPLANE, NEXTPL, TIED, STAGE, NCELL, FUTILE, RSUPP,
+     $    RPATIE, RSCAN, LFIRST, LLAST, LN, BLK, STR
+      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIED = 26,
+     $    STAGE = 28, NCELL = 29, FUTILE = 82, RSUPP = 6, RPATIE = 8,
+     $    RSCAN = 10, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2)
       CTL(NP) = 0
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
@@ -2993,10 +2929,9 @@ C     order.
       SUBROUTINE TSCOLL(X, P, ORD, REP, CTL, N)
       DOUBLE PRECISION X(3,*), P(3,*)
       INTEGER ORD(*), REP(*), CTL(*), N
-      INTEGER TSLCOU
       INTEGER NP, LEAVES
       PARAMETER (NP = 1, LEAVES = 4)
-      INTEGER I, J, K
+      INTEGER TSLCOU, I, J, K
       J = 0
       DO 20 I = 1, N
         IF (REP(I) .EQ. I) THEN
@@ -3016,12 +2951,10 @@ C     their largest absolute value.
       INTEGER FUNCTION TSINRA(X, CTL, TOP)
       DOUBLE PRECISION X(3,*), TOP
       INTEGER CTL(*)
-      INTEGER HHRANG
-      DOUBLE PRECISION HHLDEX
       INTEGER NP, HHLIM, BITS, DIGITS
       PARAMETER (NP = 1, HHLIM = 88, BITS = 24, DIGITS = 53)
-      DOUBLE PRECISION BOTTOM
-      INTEGER I, K
+      DOUBLE PRECISION HHLDEX, BOTTOM
+      INTEGER HHRANG, I, K
       BOTTOM = HHLDEX(TOP, (3 - HHLIM)*BITS + DIGITS)
       TSINRA = 0
       DO 20 I = 1, CTL(NP)
@@ -3038,10 +2971,9 @@ C     TSRESC - multiply all coordinates by 2**E, a normal double.
       SUBROUTINE TSRESC(X, CTL, E)
       DOUBLE PRECISION X(3,*)
       INTEGER CTL(*), E
-      DOUBLE PRECISION HHLDEX
       INTEGER NP
       PARAMETER (NP = 1)
-      DOUBLE PRECISION FACTOR
+      DOUBLE PRECISION HHLDEX, FACTOR
       INTEGER I, K
       IF (E .EQ. 0) RETURN
       FACTOR = HHLDEX(1.0D0, E)
@@ -3082,16 +3014,13 @@ C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE.
       SUBROUTINE TSSCAL(X, CTL, RCTL, INFO)
       DOUBLE PRECISION X(3,*), RCTL(*)
       INTEGER CTL(*), INFO
-      INTEGER HHFREX, TSINRA
-      DOUBLE PRECISION HHLDEX, TSUNIT
-      INTEGER NP, T3, T5, RSCALE, RLEAST, DIGITS, RANGE
-      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 9)
-      PARAMETER (DIGITS = 53, RANGE = 6)
+      INTEGER NP, T3, T5, RSCALE, RLEAST, RANGE, DIGITS
       DOUBLE PRECISION HUGE, NORMAL, SMALL
-      PARAMETER (HUGE = 1.7976931348623157D308)
-      PARAMETER (NORMAL = 2.0D0**(-1022), SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION BOTTOM, TOP, U
-      INTEGER E, I, K
+      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 9,
+     $    RANGE = 6, HUGE = 1.7976931348623157D308, DIGITS = 53,
+     $    NORMAL = 2.0D0**(-1022), SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION HHLDEX, TSUNIT, BOTTOM, TOP, U
+      INTEGER HHFREX, TSINRA, E, I, K
       INFO = 0
       RCTL(T3) = -1.0D0
       RCTL(T5) = -1.0D0
@@ -3127,10 +3056,9 @@ C       up to 2**52 units of the determinant's degree
 C     TSREVI - put all points back into the tree.
       SUBROUTINE TSREVI(ALIVE, CTL)
       INTEGER ALIVE(*), CTL(*)
-      INTEGER TSLFST
       INTEGER LEAVES
       PARAMETER (LEAVES = 4)
-      INTEGER I
+      INTEGER TSLFST, I
       DO 10 I = 1, CTL(LEAVES) - 1
         ALIVE(I) = 2
    10 CONTINUE
@@ -3145,10 +3073,9 @@ C     build the tree.  INFO is 0, or RANGE.
      $                  INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*)
       INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,2), N, INFO
-      INTEGER HHHOLD
       INTEGER RANGE
       PARAMETER (RANGE = 6)
-      INTEGER I
+      INTEGER HHHOLD, I
       CALL TSLAYO(CTL, RCTL, LSI)
       INFO = RANGE
       IF (HHHOLD(N, P) .EQ. 0) RETURN
@@ -3201,13 +3128,11 @@ C     points without a mesh, or -8 where there is no index.
      $                  INFO)
       INTEGER N, KNOWN(4), COUNT, CTL(*), LSI(3,2), INFO
       DOUBLE PRECISION P(3,*), HEADER(6), RCTL(*)
-      INTEGER HHHOLD, TSLCOU
       INTEGER NP, LEAVES, T3, T5, RSCALE, RLEAST, RANGE
-      PARAMETER (NP = 1, LEAVES = 4, T3 = 1, T5 = 2, RSCALE = 5)
-      PARAMETER (RLEAST = 9, RANGE = 6)
       DOUBLE PRECISION NORMAL
-      PARAMETER (NORMAL = 2.0D0**(-1022))
-      INTEGER ALL
+      PARAMETER (NP = 1, LEAVES = 4, T3 = 1, T5 = 2, RSCALE = 5,
+     $    RLEAST = 9, RANGE = 6, NORMAL = 2.0D0**(-1022))
+      INTEGER HHHOLD, TSLCOU, ALL
       CALL TSLAYO(CTL, RCTL, LSI)
       CTL(NP) = COUNT
       INFO = -8
@@ -3235,10 +3160,9 @@ C     the positions of the points.
       SUBROUTINE TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), HEAD(*), CTL(*), N, INFO
-      INTEGER HHPBAL, HHPSID
       INTEGER NP, NT, T3, T5
       PARAMETER (NP = 1, NT = 2, T3 = 1, T5 = 2)
-      INTEGER F(3), I, J, K, T, U, V(4)
+      INTEGER HHPBAL, HHPSID, F(3), I, J, K, T, U, V(4)
       INFO = -5
       DO 10 I = 1, N
         HEAD(I) = 0
@@ -3312,17 +3236,14 @@ C
 C     HEAD has the positions of the points at first.
       SUBROUTINE TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL,
      $                  LSX, LSI, S, N, MASKED, MINE, INFO)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      REAL LSX(TSLIST,4,2)
-      INTEGER TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*), LINK(*)
-      INTEGER POOL(*), CTL(*), LSI(3,2), S, N, MASKED, MINE(*), INFO
-      INTEGER TSOWNE, TSTABL
-      INTEGER NP, NT, ROOM, MPOOL, NOPEN, OPEN, DONE, FOREIN, FULL
-      INTEGER ENTRY
-      PARAMETER (NP = 1, NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7)
-      PARAMETER (OPEN = -1, DONE = -1, FOREIN = -1, FULL = 2, ENTRY = 4)
-      INTEGER CODE, E, I, K, MANY, OK, OWN, T, V(3)
+      REAL LSX(*)
+      INTEGER TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*), LINK(*),
+     $    POOL(*), CTL(*), LSI(3,2), S, N, MASKED, MINE(*), INFO
+      INTEGER NP, NT, ROOM, MPOOL, NOPEN, OPEN, DONE, FOREIN, FULL,
+     $    ENTRY
+      PARAMETER (NP = 1, NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7,
+     $    OPEN = -1, DONE = -1, FOREIN = -1, FULL = 2, ENTRY = 4)
+      INTEGER TSOWNE, TSTABL, CODE, E, I, K, MANY, OK, OWN, T, V(3)
       DO 20 T = 1, CTL(NT)
         DO 10 K = 1, 4
           TET(K,T) = HEAD(TET(K,T))
@@ -3375,25 +3296,23 @@ C     element of RW or IW, and the standard lets them be altered.
      $                  X, HEADER, BOX, REP, ORD, KNOWN, COUNT, ALIVE,
      $                  HEAD, LINK, LENGTH, POOL, SPACE, MARK, ROOMY,
      $                  INFO)
-      INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS
-      INTEGER REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1), HEAD(N)
-      INTEGER LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), ROOMY
-      INTEGER INFO
+      INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS,
+     $    REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1), HEAD(N),
+     $    LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), ROOMY, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
-      INTEGER TSTABL
-      INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW
-      INTEGER UNMET, T5, RREACH, RBURDN, RPATIE, SUPPS, STAGE
-      INTEGER LSUP, NEW, TSLIST, TSIDS, FULL
-      PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5)
-      PARAMETER (MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, UNMET = 27)
-      PARAMETER (T5 = 2, RREACH = 3, RBURDN = 7, RPATIE = 8, STAGE = 28)
-      PARAMETER (SUPPS = 8, LSUP = 97, NEW = -2)
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48, FULL = 2)
-      DOUBLE PRECISION BREACH, BURDEN, PLAIN
-      PARAMETER (BREACH = 2.6D0, BURDEN = 1.0D0, PLAIN = 16.0D0)
+      INTEGER TSLIST, NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH,
+     $    LOW, UNMET, STAGE, T5, RREACH, RBURDN, RPATIE, LSUP, NEW,
+     $    FULL, SUPPS
+      DOUBLE PRECISION PLAIN, BREACH, BURDEN
+      PARAMETER (TSLIST = 512, NP = 1, NT = 2, MAXT = 3, LEAVES = 4,
+     $    ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11,
+     $    UNMET = 27, STAGE = 28, T5 = 2, RREACH = 3, RBURDN = 7,
+     $    RPATIE = 8, LSUP = 97, NEW = -2, FULL = 2, PLAIN = 16.0D0,
+     $    SUPPS = 8, BREACH = 2.6D0, BURDEN = 1.0D0)
       DOUBLE PRECISION LSD(14,2), RCTL(10+LSUP*SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(82), I, K, LSI(3,2), OK, OWN, S, T, LSID(TSIDS,2)
+      INTEGER TSTABL, CTL(82), I, K, LSI(3,2), LSID(TSLIST+48,2), OK,
+     $    OWN, S, T
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
       ELSE
@@ -3455,13 +3374,12 @@ C     that are known to be valid except for P and the indices in TET.
       SUBROUTINE TSRUN(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LIW,
      $                 IW, LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
-      INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW
-      INTEGER IW(*), LRW, INFO
-      INTEGER TSLCOU
+      INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW,
+     $    IW(*), LRW, INFO
       INTEGER SINGLE
       PARAMETER (SINGLE = 5)
-      INTEGER AT, CYLS, K, LENGTH, LIWMIN, LRWMIN, LVS, MARKS, OK, POOL
-      INTEGER ROOMY, SPACE
+      INTEGER TSLCOU, AT, CYLS, K, LENGTH, LIWMIN, LRWMIN, LVS, MARKS,
+     $    OK, POOL, ROOMY, SPACE
       IF (N .EQ. 0) THEN
         NTET = 0
         INFO = SINGLE
@@ -3495,12 +3413,11 @@ C     are known to be finite.
       SUBROUTINE TSBADA(N, P, MASKED, MAXTET, NTET, TET, ADJ, LIW, LRW,
      $                  WHICH, INFO)
       DOUBLE PRECISION P(3,*)
-      INTEGER N, MASKED, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, LRW
-      INTEGER WHICH, INFO
-      INTEGER HHFINI
-      INTEGER INTMAX, OPEN
-      PARAMETER (INTMAX = 2147483647, OPEN = -1)
-      INTEGER CYLS, I, K, LIWMIN, LRWMIN, MARKS, OK, POOL, T
+      INTEGER N, MASKED, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, LRW,
+     $    WHICH, INFO
+      INTEGER OPEN, INTMAX
+      PARAMETER (OPEN = -1, INTMAX = 2147483647)
+      INTEGER HHFINI, CYLS, I, K, LIWMIN, LRWMIN, MARKS, OK, POOL, T
       WHICH = 0
       INFO = -1
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
@@ -3683,10 +3600,9 @@ C     Cost: O(N log N), about a tenth of that of the mesh.
       SUBROUTINE TESSIX(N, P, LIW, IW, LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, LIW, IW(*), LRW, INFO
-      INTEGER TSLCOU
-      INTEGER SINGLE, KEEP, INTMAX
-      PARAMETER (SINGLE = 5, KEEP = 5, INTMAX = 2147483647)
-      INTEGER I, LVS, NONE(4,1)
+      INTEGER SINGLE, INTMAX, KEEP
+      PARAMETER (SINGLE = 5, INTMAX = 2147483647, KEEP = 5)
+      INTEGER TSLCOU, I, LVS, NONE(4,1)
       NONE(1,1) = 0
       CALL TSBADA(N, P, 0, 0, 0, NONE, NONE, INTMAX, LRW, I, INFO)
       IF (INFO .NE. 0 .AND. INFO .NE. -9) RETURN
@@ -3703,14 +3619,15 @@ C     Cost: O(N log N), about a tenth of that of the mesh.
 C     TSINDE - TESSIX with its workspace cut up as TSRUN's.
       SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, INFO)
-      INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1)
-      INTEGER INFO
+      INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1),
+     $    INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,2*LVS-1)
-      INTEGER NP, RANGE, TSLIST, TSIDS
-      PARAMETER (NP = 1, RANGE = 6, TSLIST = 512, TSIDS = TSLIST + 48)
+      INTEGER TSLIST, NP, RANGE
+      PARAMETER (TSLIST = 512, NP = 1, RANGE = 6)
       DOUBLE PRECISION LSD(14,2), RCTL(17)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(82), GUESS(2), I, K, LSI(3,2), LSID(TSIDS,2), V(3), Z
+      INTEGER CTL(82), GUESS(2), I, K, LSI(3,2), LSID(TSLIST+48,2),
+     $    V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .EQ. 0) THEN
@@ -3772,8 +3689,8 @@ C     recipe JOIN makes them one result.
       SUBROUTINE TESSPA(N, P, MINE, MAXTET, NTET, TET, ADJ, LIW, IW,
      $                  LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
-      INTEGER N, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*)
-      INTEGER LRW, INFO
+      INTEGER N, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*),
+     $    LRW, INFO
       INTEGER I
       CALL TSBADA(N, P, 1, MAXTET, NTET, TET, ADJ, LIW, LRW, I, INFO)
       IF (INFO .EQ. 0) CALL TSRUN(N, P, 1, MINE, MAXTET, NTET, TET, ADJ,
@@ -3812,9 +3729,9 @@ C     for the centre, and 6 roundings.
       DOUBLE PRECISION X(3,*), RCTL(*), H, ERR
       INTEGER AT, Z
       INTEGER SPLANE, SAT, SC, SSIZE
-      PARAMETER (SPLANE = 88, SAT = 88, SC = 91, SSIZE = 95)
       DOUBLE PRECISION EPS, FAINT
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      PARAMETER (SPLANE = 88, SAT = 88, SC = 91, SSIZE = 95,
+     $    EPS = 2.0D0**(-52), FAINT = 1.0D-200)
       DOUBLE PRECISION SIZE, U
       INTEGER K
       H = 0.0D0
@@ -3842,8 +3759,8 @@ C     twice the height's error.
       DOUBLE PRECISION RCTL(*), H
       INTEGER MARK(*), J, Z, OK
       INTEGER RSUP, LSUP, SLOW, SGRAIN, SUPPS
-      PARAMETER (RSUP = 10, LSUP = 97, SLOW = 96, SGRAIN = 97)
-      PARAMETER (SUPPS = 8)
+      PARAMETER (RSUP = 10, LSUP = 97, SLOW = 96, SGRAIN = 97,
+     $    SUPPS = 8)
       INTEGER AT, K
       OK = 0
       AT = RSUP + LSUP*(J - 1)
@@ -3860,8 +3777,8 @@ C     the error.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
       INTEGER ORD(*), MARK(*), J, Z, OK
       INTEGER RSUP, LSUP, SPLANE, SLOW, SGRAIN
-      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88)
-      PARAMETER (SLOW = 96, SGRAIN = 97)
+      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, SLOW = 96,
+     $    SGRAIN = 97)
       INTEGER AT, PLANE
       AT = RSUP + LSUP*(J - 1)
       ERR = RCTL(AT+SGRAIN)
@@ -3932,13 +3849,13 @@ C     if that is more than BAND.
       SUBROUTINE TSTHRO(P, ORD, RCTL, IQ, W, Z, WIDE, PLANE, AT, OK)
       DOUBLE PRECISION P(3,*), RCTL(*), WIDE
       INTEGER ORD(*), IQ(42), W(3), Z, PLANE, AT, OK
-      INTEGER RSCALE, SPLANE, SC, SSIZE, SLOW, SGRAIN
-      INTEGER QOPEND, QSOME, SOME, GRAINS
-      PARAMETER (RSCALE = 5, SPLANE = 88, SC = 91, SSIZE = 95)
-      PARAMETER (SLOW = 96, SGRAIN = 97, QOPEND = 9, QSOME = 9)
-      PARAMETER (SOME = 32, GRAINS = 134217728)
+      INTEGER RSCALE, SPLANE, SC, SSIZE, SLOW, SGRAIN, QOPEND, QSOME,
+     $    SOME, GRAINS
       DOUBLE PRECISION BAND, FINER, ROUGH
-      PARAMETER (BAND = 2.0D-8, FINER = 100.0D0, ROUGH = 1.0D-3)
+      PARAMETER (RSCALE = 5, SPLANE = 88, SC = 91, SSIZE = 95,
+     $    SLOW = 96, SGRAIN = 97, QOPEND = 9, QSOME = 9, SOME = 32,
+     $    GRAINS = 134217728, BAND = 2.0D-8, FINER = 100.0D0,
+     $    ROUGH = 1.0D-3)
       DOUBLE PRECISION C(3), D, ERR, H(SOME), WORST
       INTEGER I, K, N, SE
       N = MIN(IQ(QOPEND), SOME)
@@ -3982,13 +3899,12 @@ C     it is set up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), IQ(42), AT, OK
-      DOUBLE PRECISION TSDOT
       INTEGER NP, BUNIT, SPLANE, SAT, SC, SLOW, QOPEND, QSOME, SOME
-      PARAMETER (NP = 1, BUNIT = 86, SPLANE = 88, SAT = 88, SC = 91)
-      PARAMETER (SLOW = 96, QOPEND = 9, QSOME = 9, SOME = 32)
       DOUBLE PRECISION SMALL
-      PARAMETER (SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION D, E(3), ERR, LOW, U(3,SOME), WIDE(3)
+      PARAMETER (NP = 1, BUNIT = 86, SPLANE = 88, SAT = 88, SC = 91,
+     $    SLOW = 96, QOPEND = 9, QSOME = 9, SMALL = 2.0D0**(-450),
+     $    SOME = 32)
+      DOUBLE PRECISION TSDOT, D, E(3), ERR, LOW, U(3,SOME), WIDE(3)
       INTEGER FAR, I, J, K, N, UP, W(3), Z
       OK = 0
       N = MIN(IQ(QOPEND), SOME)
@@ -4058,18 +3974,16 @@ C     KEPT is 1 if it is kept, or 0.
      $                  KEPT)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), KEPT
-      INTEGER TSCUBE
-      INTEGER NP, LEAVES, RSUPP, RPATIE, RSUP, LSUP, SPLANE, SLOW
-      INTEGER SGRAIN, DONE, SUPPS, GRAINS, OPENED, QBASE, QON, QOPEND
-      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RPATIE = 8, RSUP = 10)
-      PARAMETER (LSUP = 97, SPLANE = 88, SLOW = 96)
-      PARAMETER (SGRAIN = 97, DONE = -1, SUPPS = 8, GRAINS = 134217728)
-      PARAMETER (OPENED = 24, QBASE = 4, QON = 6, QOPEND = 9)
+      INTEGER NP, LEAVES, RSUPP, RPATIE, RSUP, LSUP, SPLANE, SLOW,
+     $    SGRAIN, QBASE, QON, QOPEND, DONE, OPENED, SUPPS, GRAINS
       DOUBLE PRECISION FINER
-      PARAMETER (FINER = 100.0D0)
+      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RPATIE = 8, RSUP = 10,
+     $    LSUP = 97, SPLANE = 88, SLOW = 96, SGRAIN = 97, QBASE = 4,
+     $    QON = 6, QOPEND = 9, DONE = -1, OPENED = 24, SUPPS = 8,
+     $    GRAINS = 134217728, FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, ERRS(3), FINE, GRAIN, H, HS(3), LOW
-      INTEGER ACROSS, ALL, AT, FIRST, I, J, K, LAST, LEAST, NEAR, NODE
-      INTEGER OK, OLD, OVER, PLANE, Z
+      INTEGER TSCUBE, ACROSS, ALL, AT, FIRST, I, J, K, LAST, LEAST,
+     $    NEAR, NODE, OK, OLD, OVER, PLANE, Z
       KEPT = 0
       J = INT(RCTL(RSUPP)) + 1
       AT = RSUP + LSUP*(J - 1)
@@ -4177,17 +4091,15 @@ C     than 8 EPS SIZE.
       SUBROUTINE TSSUPP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
       INTEGER ORD(*), MARK(*), V(3), IQ(42)
-      DOUBLE PRECISION TSDOT
-      INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QON, QAIMED
-      INTEGER QH, QDH, QTILT, QDTILT, QG, SUPPS
-      PARAMETER (RSUPP = 6, RSUP = 10, LSUP = 97, SPLANE = 88, SAT = 88)
-      PARAMETER (SC = 91, QBASE = 4, QON = 6, QAIMED = 7, QH = 95)
-      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
-      PARAMETER (SUPPS = 8)
+      INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QON, QAIMED,
+     $    QH, QDH, QTILT, QDTILT, QG, SUPPS
       DOUBLE PRECISION EPS, FAINT
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
-      DOUBLE PRECISION A(3,2), AB, DET, ERR(3), H(3), N(2), R, SIZE
-      DOUBLE PRECISION T(2)
+      PARAMETER (RSUPP = 6, RSUP = 10, LSUP = 97, SPLANE = 88, SAT = 88,
+     $    SC = 91, QBASE = 4, QON = 6, QAIMED = 7, QH = 95, QDH = 96,
+     $    QTILT = 96, QDTILT = 100, QG = 101, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200, SUPPS = 8)
+      DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2), R,
+     $    SIZE, T(2)
       INTEGER AT, B, I, J, K, OK, Z
       IF (F(10) .GT. 1.0D-3) RETURN
       DO 10 I = 1, 3
@@ -4259,12 +4171,12 @@ C     is left of a side of more than twice its error: PAD is more.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108), LO, HI
       INTEGER ORD(*), MARK(*), IQ(42), Z, SIDE
       INTEGER RSUP, LSUP, SPLANE, QON, QH, QDH, QTILT, QDTILT, QG
-      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, QON = 6, QH = 95)
-      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
       DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, PAD = 64.0D0*EPS)
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      PARAMETER (SMALL = 2.0D0**(-450))
+      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, QON = 6, QH = 95,
+     $    QDH = 96, QTILT = 96, QDTILT = 100, QG = 101,
+     $    EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, PAD = 64.0D0*EPS,
+     $    SMALL = 2.0D0**(-450))
       DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, Q(3), SIZE, U
       INTEGER K, OK
       CALL TSHEOV(X, P, ORD, MARK, RCTL, IQ(QON), Z, H, ERR, OK)
@@ -4337,14 +4249,14 @@ C     which is exact but for one rounding.
       SUBROUTINE TSAIM(RCTL, IQ, F, FQ)
       DOUBLE PRECISION RCTL(*), F(12), FQ(108)
       INTEGER IQ(42)
-      INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QON, QAIMED, QHI, QH
-      INTEGER QDH, QTILT, QDTILT, QG, QTEST, TQ, TD, TDD, TA, TERR
-      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, SLOW = 96)
-      PARAMETER (QBALL = 3, QON = 6, QAIMED = 7, QHI = 2, QH = 95)
-      PARAMETER (QDH = 96, QTILT = 96, QDTILT = 100, QG = 101)
-      PARAMETER (QTEST = 101, TQ = 1, TD = 1, TDD = 5, TA = 6, TERR = 7)
+      INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QON, QAIMED, QHI, QH,
+     $    QDH, QTILT, QDTILT, QG, QTEST, TQ, TD, TDD, TA, TERR
       DOUBLE PRECISION EPS, FAINT, MUCHL
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, MUCHL = 1.0D100)
+      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, SLOW = 96,
+     $    QBALL = 3, QON = 6, QAIMED = 7, QHI = 2, QH = 95, QDH = 96,
+     $    QTILT = 96, QDTILT = 100, QG = 101, QTEST = 101, TQ = 1,
+     $    TD = 1, TDD = 5, TA = 6, TERR = 7, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200, MUCHL = 1.0D100)
       DOUBLE PRECISION A, B, DD, Q, SUM, U, V, W
       INTEGER AT, BALL, K
       AT = RSUP + LSUP*(IQ(QON) - 1)
@@ -4427,10 +4339,9 @@ C     SIZE, and the height counts as H, to within DH; or 0.
       DOUBLE PRECISION FQ(108), SUM, SIZE, H, DH
       INTEGER OUT
       INTEGER QH, QTEST, TQ, TDD, TA, TERR
-      PARAMETER (QH = 95, QTEST = 101, TQ = 1, TDD = 5, TA = 6)
-      PARAMETER (TERR = 7)
       DOUBLE PRECISION EPS
-      PARAMETER (EPS = 2.0D0**(-52))
+      PARAMETER (QH = 95, QTEST = 101, TQ = 1, TDD = 5, TA = 6,
+     $    TERR = 7, EPS = 2.0D0**(-52))
       DOUBLE PRECISION A
       A = FQ(QTEST+TA)
       OUT = 0
@@ -4444,14 +4355,13 @@ C     Where the heights tell nothing, the box alone counts.
       SUBROUTINE TSPRHE(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
       DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(108)
       INTEGER MARK(*), CTL(*), IQ(42), NODE, OUT
-      INTEGER TSPRUN
-      INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QON, QAIMED
-      INTEGER QTEST, TA, GRAINS
-      PARAMETER (NP = 1, LEAVES = 4, RSUP = 10, LSUP = 97, SLOW = 96)
-      PARAMETER (SGRAIN = 97, QON = 6, QAIMED = 7, QTEST = 101)
-      PARAMETER (TA = 6, GRAINS = 134217728)
+      INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QON, QAIMED, QTEST,
+     $    TA, GRAINS
+      PARAMETER (NP = 1, LEAVES = 4, RSUP = 10, LSUP = 97, SLOW = 96,
+     $    SGRAIN = 97, QON = 6, QAIMED = 7, QTEST = 101, TA = 6,
+     $    GRAINS = 134217728)
       DOUBLE PRECISION H, SIZE, SUM
-      INTEGER AT, CODE, TELLS
+      INTEGER TSPRUN, AT, CODE, TELLS
       IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(RCTL, IQ, F, FQ)
       AT = RSUP + LSUP*(IQ(QON) - 1)
       CODE = MARK(CTL(NP)+2*CTL(LEAVES)*(IQ(QON)-1)+NODE)
@@ -4521,13 +4431,12 @@ C     less than 64 EPS.
       SUBROUTINE TSMCYL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
       INTEGER CTL(*), NODE, AT, J, SLENDR
-      DOUBLE PRECISION TSDOT
-      DOUBLE PRECISION EPS, FAINT, HUGE, SLIM, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200, SLIM = 0.7D0)
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      PARAMETER (SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION A(6), HI, LO, MID(3), PAD, Q(6), RR, S, U(3)
-      DOUBLE PRECISION VOLUME, Y(3)
+      DOUBLE PRECISION EPS, FAINT, HUGE, SMALL, SLIM
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, SMALL = 2.0D0**(-450),
+     $    SLIM = 0.7D0)
+      DOUBLE PRECISION TSDOT, A(6), HI, LO, MID(3), PAD, Q(6), RR, S,
+     $    U(3), VOLUME, Y(3)
       INTEGER DISC, FIRST, I, K, L, LAST, M
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
       VOLUME = HUGE
@@ -4616,10 +4525,9 @@ C     ones.
       SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
       INTEGER CTL(*)
-      INTEGER TSCYLI
       INTEGER LEAVES, STAGE
       PARAMETER (LEAVES = 4, STAGE = 28)
-      INTEGER I, LEVEL, NODE, SLENDR, SUM
+      INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
       CTL(STAGE) = 0
       SUM = 0
       LEVEL = CTL(LEAVES)/4
@@ -4664,11 +4572,11 @@ C     underflow, R >= SMALL makes the sum's error greater.
       DOUBLE PRECISION CYL(4,8,*), F(12), FQ(108), PAST(4)
       INTEGER AT, IQ(42)
       INTEGER QBALL, QC, QDC, QSIZE
-      PARAMETER (QBALL = 3, QC = 2, QDC = 6, QSIZE = 7)
       DOUBLE PRECISION EPS, FAINT
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200)
-      DOUBLE PRECISION A, D(3), ERR, FAR, G1, G2, G3, GG, H, R, RHO, RR
-      DOUBLE PRECISION SIZE, SQUARE, SUM, T, W1, W2, W3
+      PARAMETER (QBALL = 3, QC = 2, QDC = 6, QSIZE = 7,
+     $    EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      DOUBLE PRECISION A, D(3), ERR, FAR, G1, G2, G3, GG, H, R, RHO, RR,
+     $    SIZE, SQUARE, SUM, T, W1, W2, W3
       INTEGER I, K
       SQUARE = DBLE(IQ(QBALL))
       FAR = 1.0D10*(1.0D0 - SQUARE)
@@ -4739,22 +4647,22 @@ C     is off by up to QHI - QLO, too, which matters on the negative
 C     side.
       SUBROUTINE TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
      $                  V, IQ, F, FQ, OK)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      DOUBLE PRECISION F(12), FQ(108)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), CTL(*), LSID(TSIDS,2), LSI(3,2), V(3), IQ(42), OK
-      INTEGER HHPBAL, TSBINS
-      INTEGER NCELL, CELL0, T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI
-      INTEGER QDC, CELL, CELLS
-      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, LMARG = 13)
-      PARAMETER (STR = 2, QBEST = 1, QLIMBS = 2, QLO = 1, QHI = 2)
-      PARAMETER (QDC = 6, CELL = 12, CELLS = 4)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2),
+     $    F(12), FQ(108)
+      REAL LSX(*)
+      INTEGER ORD(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2), V(3), IQ(42),
+     $    OK
+      INTEGER NCELL, CELL0, T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI,
+     $    QDC, CELL, CELLS
       DOUBLE PRECISION MUCHL
-      PARAMETER (MUCHL = 1.0D100)
+      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, LMARG = 13,
+     $    STR = 2, QBEST = 1, QLIMBS = 2, QLO = 1, QHI = 2, QDC = 6,
+     $    MUCHL = 1.0D100, CELL = 12, CELLS = 4)
       DOUBLE PRECISION WIDE
-      INTEGER AT, C(CELL), I, M, N, PLACE(TSLIST+1), SIDE, Z
+      INTEGER HHPBAL, TSBINS, AT, C(CELL), I, M, N, PLACE(TSLIST+1),
+     $    SIDE, Z
       OK = 0
       IF (ABS(FQ(QHI)) .GT. MUCHL) RETURN
       WIDE = 0.0D0
@@ -4796,11 +4704,10 @@ C     see "Ties".
       SUBROUTINE TSINCE(X, P, ORD, CTL, RCTL, V, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), Z
-      INTEGER HHPBEA, HHPSID
       INTEGER NCELL, CELL0, T3, T5, CELL, CELLS
-      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, CELL = 12)
-      PARAMETER (CELLS = 4)
-      INTEGER AT, I, IN, J, K
+      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, CELL = 12,
+     $    CELLS = 4)
+      INTEGER HHPBEA, HHPSID, AT, I, IN, J, K
       Z = 0
       DO 40 K = 1, MIN(CTL(NCELL), CELLS)
         AT = CELL0 + (CELL + 1)*(K - 1) + 1
@@ -4852,9 +4759,8 @@ C     TSORIQ - HHORIE of the facet F and the point Q.
       INTEGER FUNCTION TSORIQ(P, F, Q)
       INTEGER F(3)
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER HHORIE
       DOUBLE PRECISION A(3), B(3), C(3)
-      INTEGER K
+      INTEGER HHORIE, K
       DO 10 K = 1, 3
         A(K) = P(K,F(1))
         B(K) = P(K,F(2))
@@ -4867,9 +4773,8 @@ C     TSORIP - HHORIE of the facet F and point I.
       INTEGER FUNCTION TSORIP(P, F, I)
       INTEGER F(3), I
       DOUBLE PRECISION P(3,*)
-      INTEGER TSORIQ
       DOUBLE PRECISION Q(3)
-      INTEGER K
+      INTEGER TSORIQ, K
       DO 10 K = 1, 3
         Q(K) = P(K,I)
    10 CONTINUE
@@ -4896,8 +4801,7 @@ C     flat. Takes one orientation unless Q is exactly in the plane.
       INTEGER FUNCTION TSQSID(P, F, Q, TET)
       INTEGER F(3), TET(4,*)
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER TSORIP, TSORIQ
-      INTEGER K, S
+      INTEGER TSORIP, TSORIQ, K, S
       S = TSORIQ(P, F, Q)
       DO 10 K = 1, 4
         IF (S .EQ. 0) S = TSORIP(P, F, TET(K,1))
@@ -4910,7 +4814,7 @@ C     exact, and much cheaper than orientations.
       INTEGER FUNCTION TSINBO(P, TET, T, Q)
       INTEGER TET(4,*), T
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER I, K, LOW, HIGH
+      INTEGER HIGH, I, K, LOW
       TSINBO = 0
       DO 20 K = 1, 3
         LOW = 0
@@ -4935,9 +4839,8 @@ C     that there is no point yet.
       SUBROUTINE TSCLOS(P, I, Q, HI, LO, OK)
       INTEGER I, OK
       DOUBLE PRECISION P(3,*), Q(3), HI, LO
-      INTEGER HHWIDE
       DOUBLE PRECISION A, B, H, L
-      INTEGER K
+      INTEGER HHWIDE, K
       A = 0.0D0
       B = 0.0D0
       DO 10 K = 1, 3
@@ -4964,11 +4867,10 @@ C     is 0 if the arithmetic cannot hold a point.
       SUBROUTINE TSSAMP(P, NTET, TET, Q, START, BEST)
       INTEGER NTET, TET(4,*), START, BEST
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER HHHOLD
       INTEGER NONE
       PARAMETER (NONE = 0)
-      INTEGER FIRST, I, K, MANY, OK, T
       DOUBLE PRECISION A(3,1), HI, LO
+      INTEGER HHHOLD, FIRST, I, K, MANY, OK, T
       MANY = 1
    10 IF (MANY*MANY .LT. NTET/(MANY*MANY)) THEN
         MANY = MANY + 1
@@ -5009,10 +4911,9 @@ C     triangulation the height may stay, and the walk may cycle.)
       SUBROUTINE TSWALK(P, NTET, TET, ADJ, Q, MOST, T, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), MOST, T, INFO
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER TSQSID
       INTEGER NONE, UNSURE, LOST, RANGE
       PARAMETER (NONE = 0, UNSURE = 2, LOST = 99, RANGE = 6)
-      INTEGER F(3), LAST, STEPS, U, K, S
+      INTEGER TSQSID, F(3), K, LAST, S, STEPS, U
       LAST = NONE
       DO 30 STEPS = 1, MOST
         DO 10 K = 1, 4
@@ -5058,11 +4959,10 @@ C     ends.
       SUBROUTINE TSHULL(P, Q, G, H, W, STEP)
       INTEGER G(3), H(10), STEP
       DOUBLE PRECISION P(3,*), Q(3), W(3)
-      INTEGER TSORIQ
       INTEGER HON, HFROM, HSTAY, HLEFT, HMOST, NONE, UNSURE, RANGE
-      PARAMETER (HON = 3, HFROM = 7, HSTAY = 8, HLEFT = 9, HMOST = 10)
-      PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6)
-      INTEGER ALIKE, CARRY, I, K, REST, SET, SHARED, SIDE
+      PARAMETER (HON = 3, HFROM = 7, HSTAY = 8, HLEFT = 9, HMOST = 10,
+     $    NONE = 0, UNSURE = 2, RANGE = 6)
+      INTEGER TSORIQ, ALIKE, CARRY, I, K, REST, SET, SHARED, SIDE
       ALIKE = 1
       SHARED = 0
       STEP = RANGE
@@ -5126,10 +5026,9 @@ C     of that edge.  OK is 1, or 0 if neighbours are out of range or do
 C     not match.
       SUBROUTINE TSTURN(NTET, TET, ADJ, T, K, Z, OK)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, K, Z, OK
-      INTEGER TSSLOT
       INTEGER NONE
       PARAMETER (NONE = 0)
-      INTEGER F(3), I, STEPS, U, Y
+      INTEGER TSSLOT, F(3), I, STEPS, U, Y
       OK = 0
       Y = Z
       DO 10 STEPS = 1, NTET
@@ -5157,11 +5056,10 @@ C     RANGE or -4.
       SUBROUTINE TSNEAH(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
-      INTEGER TSQSID, TSSLOT
       INTEGER HFROM, HMOST, NONE, RANGE
       PARAMETER (HFROM = 7, HMOST = 10, NONE = 0, RANGE = 6)
       DOUBLE PRECISION X(3)
-      INTEGER G(3), H(10), K, OK, STEP, U
+      INTEGER TSQSID, TSSLOT, G(3), H(10), K, OK, STEP, U
       U = T
       H(1) = NONE
       H(HFROM) = NONE
@@ -5237,11 +5135,10 @@ C     near Q: beyond ASTRAY of these, the sample is used, too.
       SUBROUTINE TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
-      INTEGER HHFINI, HHHOLD
-      INTEGER ASTRAY, NONE, LOST, RANGE
-      PARAMETER (ASTRAY = 12, NONE = 0, LOST = 99, RANGE = 6)
+      INTEGER NONE, LOST, RANGE, ASTRAY
+      PARAMETER (NONE = 0, LOST = 99, RANGE = 6, ASTRAY = 12)
       DOUBLE PRECISION X(3,1)
-      INTEGER CODE, K, START
+      INTEGER HHFINI, HHHOLD, CODE, K, START
       INFO = -2
       IF (NTET .LT. 1) RETURN
       DO 10 K = 1, 3
@@ -5310,11 +5207,10 @@ C     are close to each other.
      $                  INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), NV, NQ, T(*), INFO
       DOUBLE PRECISION P(3,*), VALUE(*), Q(3,*), OUT(*)
-      INTEGER HHFINI
-      INTEGER INTMAX, NONE
-      PARAMETER (INTMAX = 2147483647, NONE = 0)
+      INTEGER NONE, INTMAX
+      PARAMETER (NONE = 0, INTMAX = 2147483647)
       DOUBLE PRECISION W(4), X(3)
-      INTEGER AT, CODE, FROM, I, J, K, LAST
+      INTEGER HHFINI, AT, CODE, FROM, I, J, K, LAST
       INFO = -2
       IF (NTET .LT. 1) RETURN
       INFO = -5
@@ -5366,10 +5262,9 @@ C     the same everywhere.
       SUBROUTINE TSDESC(P, ORD, BOX, CTL, RCTL, Q, BEST)
       DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*), Q(3)
       INTEGER ORD(*), CTL(*), BEST
-      DOUBLE PRECISION HHLDEX
       INTEGER LEAVES, RSCALE
       PARAMETER (LEAVES = 4, RSCALE = 5)
-      DOUBLE PRECISION HI, LO
+      DOUBLE PRECISION HHLDEX, HI, LO
       INTEGER FIRST, I, K, LAST, NODE, OK, SE
       SE = -INT(RCTL(RSCALE))
       NODE = 1
@@ -5396,12 +5291,9 @@ C     is on the hull.  ORD takes the place of LINK: no star is complete,
 C     no entry is DONE.
       SUBROUTINE TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, LSX, LSID,
      $                  LSI, LSD, U, K, OK)
-      INTEGER TSLIST, TSIDS
-      PARAMETER (TSLIST = 512, TSIDS = TSLIST + 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ORD(*), ALIVE(*), CTL(*), LSID(TSIDS,2), LSI(3,2), U(4,1)
-      INTEGER K, OK
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), CTL(*), LSID(*), LSI(3,2), U(4,1), K, OK
       INTEGER F(3), GUESS(2), I, Z
       GUESS(1) = 0
       GUESS(2) = 0
@@ -5450,10 +5342,9 @@ C     that is passed on the way about an edge of the hull.
       SUBROUTINE TESSQU(N, P, IW, RW, Q, V, W, INFO)
       DOUBLE PRECISION P(3,*), RW(*), Q(3), W(4)
       INTEGER N, IW(*), V(4,1), INFO
-      INTEGER TSLCOU
       INTEGER SINGLE
       PARAMETER (SINGLE = 5)
-      INTEGER CYLS, LIW, LRW, LVS, MARKS, OK, POOL
+      INTEGER TSLCOU, CYLS, LIW, LRW, LVS, MARKS, OK, POOL
       INFO = -1
       CALL TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
       IF (OK .EQ. 0) RETURN
@@ -5468,18 +5359,18 @@ C     that is passed on the way about an edge of the hull.
 C     TSQUER - TESSQU with the index cut up as TSRUN's workspace.
       SUBROUTINE TSQUER(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, Q, V, W, INFO)
-      INTEGER N, LVS, REP(N), ORD(N), KNOWN(4,1), COUNT, ALIVE(2*LVS-1)
-      INTEGER V(4,1), INFO
-      DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,2*LVS-1), Q(3)
-      DOUBLE PRECISION W(4)
-      INTEGER HHFINI, HHHOLD, HHPSID, TSQSID, TSSLOT
-      INTEGER NP, T3, UNSURE, RANGE, TSLIST, TSIDS, HFROM, HMOST, NONE
-      PARAMETER (NP = 1, T3 = 1, UNSURE = 2, RANGE = 6, TSLIST = 512)
-      PARAMETER (TSIDS = TSLIST + 48, HFROM = 7, HMOST = 10, NONE = 0)
+      INTEGER N, LVS, REP(N), ORD(N), KNOWN(4,1), COUNT, ALIVE(2*LVS-1),
+     $    V(4,1), INFO
+      DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,2*LVS-1), Q(3),
+     $    W(4)
+      INTEGER TSLIST, NP, T3, HFROM, HMOST, NONE, UNSURE, RANGE
+      PARAMETER (TSLIST = 512, NP = 1, T3 = 1, HFROM = 7, HMOST = 10,
+     $    NONE = 0, UNSURE = 2, RANGE = 6)
       DOUBLE PRECISION LSD(14,2), RCTL(17), XF(3), Y(3,1)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(82), F(3), G(4,1), H(10), I, K, LAST, LSI(3,2)
-      INTEGER LSID(TSIDS,2), OK, S, STEPS, U(4,1), Z
+      INTEGER HHFINI, HHHOLD, HHPSID, TSQSID, TSSLOT, CTL(82), F(3),
+     $    G(4,1), H(10), I, K, LAST, LSI(3,2), LSID(TSLIST+48,2), OK, S,
+     $    STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
@@ -5621,8 +5512,7 @@ C     those of the first run come first.  FROM and TO are offsets in IW.
       SUBROUTINE TSMERG(P, IW, LO, MID, HI, FROM, TO)
       INTEGER IW(*), LO, MID, HI, FROM, TO
       DOUBLE PRECISION P(3,*)
-      INTEGER TSPREC
-      INTEGER I, J, K, SECOND
+      INTEGER TSPREC, I, J, K, SECOND
       I = LO + 1
       J = MID + 1
       DO 10 K = LO + 1, HI
@@ -5649,7 +5539,7 @@ C     halves of IW.  The order begins behind IW(AT); AT is 0 or N.
       SUBROUTINE TSSORP(N, P, IW, AT)
       INTEGER N, IW(*), AT
       DOUBLE PRECISION P(3,*)
-      INTEGER RUN, LO, MID, HI, I
+      INTEGER HI, I, LO, MID, RUN
       AT = 0
       DO 10 I = 1, N
         IW(I) = I
@@ -5681,10 +5571,9 @@ C     begin behind IW(MARK).
       SUBROUTINE TSMARK(N, P, IW, MARK)
       INTEGER N, IW(*), MARK
       DOUBLE PRECISION P(3,*)
-      INTEGER TSPREC
       INTEGER TWIN, UNUSED
       PARAMETER (TWIN = -1, UNUSED = 0)
-      INTEGER AT, I
+      INTEGER TSPREC, AT, I
       CALL TSSORP(N, P, IW, AT)
       MARK = N - AT
       DO 10 I = 1, N
@@ -5703,10 +5592,9 @@ C     in it, so one pass is enough.
       SUBROUTINE TSCHKP(N, P, BAD, INFO)
       INTEGER N, BAD, INFO
       DOUBLE PRECISION P(3,*)
-      INTEGER TSLINE, TSORIP, TSPREC
       INTEGER UNSURE, RANGE, BADPOI
       PARAMETER (UNSURE = 2, RANGE = 6, BADPOI = 18)
-      INTEGER F(3), I, S
+      INTEGER TSLINE, TSORIP, TSPREC, F(3), I, S
       F(1) = 1
       F(2) = 1
       F(3) = 0
@@ -5729,10 +5617,9 @@ C     TSCHKI - check that the vertices of tetrahedron T are four points,
 C     none a duplicate of one of lower index, and mark them as used.
       SUBROUTINE TSCHKI(N, TET, T, IW, MARK, INFO)
       INTEGER N, TET(4,*), T, IW(*), MARK, INFO
-      INTEGER TSSLOT
       INTEGER TWIN, USED, BADIDX, BADTWI
       PARAMETER (TWIN = -1, USED = 1, BADIDX = 10, BADTWI = 11)
-      INTEGER I, V
+      INTEGER TSSLOT, I, V
       INFO = BADIDX
       DO 10 I = 1, 4
         V = TET(I,T)
@@ -5754,12 +5641,11 @@ C     of T: this relation is symmetric, too, so one side tests it.
       SUBROUTINE TSCHKF(P, NTET, TET, ADJ, T, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
-      INTEGER HHINSP
       INTEGER NONE, UNSURE, RANGE, BADADJ, BADBAL
-      PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6)
-      PARAMETER (BADADJ = 14, BADBAL = 15)
+      PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6, BADADJ = 14,
+     $    BADBAL = 15)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
-      INTEGER F(3), U, I, J, K, S
+      INTEGER HHINSP, F(3), I, J, K, S, U
       DO 10 I = 1, 3
         A(I) = P(I,TET(1,T))
         B(I) = P(I,TET(2,T))
@@ -5793,11 +5679,10 @@ C     no open facet: 0 or the fault.
       INTEGER FUNCTION TSCHKT(P, TET, ADJ, T)
       INTEGER TET(4,*), ADJ(4,*), T
       DOUBLE PRECISION P(3,*)
-      INTEGER TSORIP, TSSLOT
       INTEGER OPEN, UNSURE, RANGE, BADSGN, BADOPN
-      PARAMETER (OPEN = -1, UNSURE = 2, RANGE = 6)
-      PARAMETER (BADSGN = 12, BADOPN = 13)
-      INTEGER F(3), K, S
+      PARAMETER (OPEN = -1, UNSURE = 2, RANGE = 6, BADSGN = 12,
+     $    BADOPN = 13)
+      INTEGER TSORIP, TSSLOT, F(3), K, S
       DO 10 K = 1, 3
         F(K) = TET(K,T)
    10 CONTINUE
@@ -5821,10 +5706,9 @@ C     most 6 NTET steps: each edge of each tetrahedron is passed once.
       SUBROUTINE TSCHKE(P, TET, ADJ, T, K, F, C, INFO)
       INTEGER TET(4,*), ADJ(4,*), T, K, F(3), C, INFO
       DOUBLE PRECISION P(3,*)
-      INTEGER TSORIP, TSSLOT
       INTEGER NONE, UNSURE, RANGE, BADHUL
       PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6, BADHUL = 16)
-      INTEGER AT, NEXT, OUT, S, W
+      INTEGER TSORIP, TSSLOT, AT, NEXT, OUT, S, W
       AT = T
       W = TET(K,T)
       OUT = TSSLOT(TET, T, C)
@@ -5848,11 +5732,10 @@ C     them tests it.
       SUBROUTINE TSCHKH(P, TET, ADJ, T, INFO)
       INTEGER TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
-      INTEGER TSQSID
       INTEGER NONE, UNSURE, RANGE, BADHUL
       PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6, BADHUL = 16)
       DOUBLE PRECISION Q(3)
-      INTEGER F(3), C, I, K, S
+      INTEGER TSQSID, C, F(3), I, K, S
       DO 10 I = 1, 3
         Q(I) = P(I,TET(1,1))
    10 CONTINUE
@@ -5879,11 +5762,10 @@ C     TSCHKC - check that tetrahedron T, if not 1, does not contain O.
       SUBROUTINE TSCHKC(P, TET, T, INFO)
       INTEGER TET(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
-      INTEGER TSQSID, TSINBO
       INTEGER UNSURE, RANGE, BADCOV
       PARAMETER (UNSURE = 2, RANGE = 6, BADCOV = 17)
       DOUBLE PRECISION Q(3)
-      INTEGER F(3), K, S
+      INTEGER TSINBO, TSQSID, F(3), K, S
       DO 10 K = 1, 3
         Q(K) = P(K,TET(1,1))
    10 CONTINUE
@@ -5985,11 +5867,10 @@ C     boundary facet.
       SUBROUTINE TESSCH(N, P, NTET, TET, ADJ, LIW, IW, BAD, INFO)
       INTEGER N, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), BAD, INFO
       DOUBLE PRECISION P(3,*)
-      INTEGER HHFINI, HHHOLD, TSCHKT
-      INTEGER NONE, UNUSED, LARGE, RANGE, BADPOI
-      PARAMETER (NONE = 0, UNUSED = 0, LARGE = 2147483647, RANGE = 6)
-      PARAMETER (BADPOI = 18)
-      INTEGER I, MARK, PASS, T
+      INTEGER NONE, RANGE, UNUSED, BADPOI, LARGE
+      PARAMETER (NONE = 0, RANGE = 6, UNUSED = 0, BADPOI = 18,
+     $    LARGE = 2147483647)
+      INTEGER HHFINI, HHHOLD, TSCHKT, I, MARK, PASS, T
       BAD = NONE
       INFO = -1
       IF (N .LT. 0 .OR. N .GT. (LARGE - 1)/3) RETURN
@@ -6055,15 +5936,13 @@ C     it: less than 32 eps LENGTH.
       SUBROUTINE TESSBA(P, V, C, INFO)
       DOUBLE PRECISION P(3,*), C(4)
       INTEGER V(4), INFO
-      INTEGER HHFINI, HHFREX, HHHOLD
-      DOUBLE PRECISION HHLDEX
       INTEGER RANGE, EMAX
-      PARAMETER (RANGE = 6, EMAX = 1024)
-      DOUBLE PRECISION EPS, HUGE, NORMAL, PAD
-      PARAMETER (EPS = 2.0D0**(-52), NORMAL = 2.0D0**(-1022))
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023, PAD = 64.0D0*EPS)
-      DOUBLE PRECISION LENGTH, MOST, Q(3,1), R, T(83), X(3)
-      INTEGER E, F(3), I, K, OK
+      DOUBLE PRECISION EPS, HUGE, PAD, NORMAL
+      PARAMETER (RANGE = 6, EPS = 2.0D0**(-52),
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, PAD = 64.0D0*EPS,
+     $    NORMAL = 2.0D0**(-1022), EMAX = 1024)
+      DOUBLE PRECISION HHLDEX, LENGTH, MOST, Q(3,1), R, T(83), X(3)
+      INTEGER HHFINI, HHFREX, HHHOLD, E, F(3), I, K, OK
       C(4) = HUGE
       MOST = 0.0D0
       DO 20 I = 4, 1, -1
