@@ -48,13 +48,15 @@ static const int around[6][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2},
 /* edges - each edge once: in the ring of tetrahedra about it the first one
  * tells of it.
  *
+ *   ntet, tet, adj  (in)  a mesh, as from tess
  *   maxedg  (in)   edges that there is room for
  *   nedge   (out)  number of edges
  *   edge    (out)  2*maxedg: the two points of each
  *   at      (out)  maxedg: a tetrahedron that has it
  *
- * returns 0, or TESS_MORE: nedge is then the number needed.  Workspace: none.
- * A cloud of n points has about 7.8 n edges. */
+ * returns 0, or TESS_MORE: nedge is then the number needed.  A cloud of n points
+ * has about 7.8 n edges.
+ * Cost: each edge's ring, of about 5 tetrahedra, once for each of them. */
 int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
           tess_int maxedg, tess_int *nedge, tess_int *edge, tess_int *at)
 {
@@ -88,6 +90,7 @@ int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* faces - each facet once, with the tetrahedra that have it.
  *
+ *   ntet, tet, adj  (in)  a mesh, as from tess
  *   maxfac  (in)   faces that there is room for; 4*ntet always suffice
  *   nface   (out)  number of faces
  *   face    (out)  3*maxfac: its vertices, counter-clockwise as seen from
@@ -95,7 +98,8 @@ int edges(tess_int ntet, const tess_int *tet, const tess_int *adj,
  *   both    (out)  2*maxfac: the first tetrahedron and the other one, or
  *                  TESS_NONE on the hull
  *
- * returns 0, or TESS_MORE: nface is then the number needed. */
+ * returns 0, or TESS_MORE: nface is then the number needed.
+ * Cost: one pass. */
 int faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
           tess_int maxfac, tess_int *nface, tess_int *face, tess_int *both)
 {
@@ -124,10 +128,13 @@ int faces(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* stars - for each point the tetrahedra that have it.
  *
+ *   n, ntet, tet  (in)  number of points, and a mesh of them
  *   first   (out)  n + 1: those of point i are list[first[i]] ...
  *                  list[first[i+1] - 1], in ascending order; none for a
  *                  duplicate
- *   list    (out)  4*ntet */
+ *   list    (out)  4*ntet
+ *
+ * Cost: two passes. */
 void stars(tess_int n, tess_int ntet, const tess_int *tet, tess_int *first,
            tess_int *list)
 {
@@ -140,10 +147,18 @@ void stars(tess_int n, tess_int ntet, const tess_int *tet, tess_int *first,
     for (i = 4 * ntet - 1; i >= 0; i--) list[--first[tet[i]]] = i / 4;
 }
 
-/* nearest - the point of p nearest to q: from v, a point of some tetrahedron,
- * to ever nearer neighbours.  In a Delaunay tetrahedralization the point that
- * has no nearer neighbour is the nearest.  A good v is a vertex of the
- * tetrahedron that tess_locate finds, or the last answer. */
+/* nearest - the point of p nearest to q.
+ *
+ *   p, tet       (in)  points and mesh
+ *   first, list  (in)  as stars gives them
+ *   q            (in)  the place: 3 coordinates
+ *   v            (in)  where to start: a point of some tetrahedron, best a
+ *                      vertex of the one that tess_locate finds, or the last
+ *                      answer
+ *
+ * returns the point.  From v it goes to ever nearer neighbours: in a Delaunay
+ * tetrahedralization the point that has no nearer neighbour is the nearest.
+ * Cost: the stars of the points on the way, about 24 tetrahedra each. */
 tess_int nearest(const tess_real *p, const tess_int *tet,
                  const tess_int *first, const tess_int *list,
                  const tess_real *q, tess_int v)
@@ -225,8 +240,15 @@ static void centre(const double *u, const double *v, const double *w,
                (2.0 * det);
 }
 
-/* measure - the tetrahedron whose vertices are v: its volume, and the centre
- * and radius of its ball. */
+/* measure - a tetrahedron's volume and ball.
+ *
+ *   p, v     (in)   points, and the 4 vertices
+ *   volume   (out)  positive in a mesh, but for rounding
+ *   middle   (out)  3: the centre of the ball; in a tetrahedron that is flat to
+ *                   rounding, of the circle through three vertices
+ *   radius   (out)  its radius
+ *
+ * For a ball that is right to rounding: tess_ball. */
 void measure(const tess_real *p, const tess_int *v, double *volume,
              double *middle, double *radius)
 {
@@ -246,6 +268,7 @@ void measure(const tess_real *p, const tess_int *v, double *volume,
 /* dual - for finite volumes: what lies between the cells of two points, and
  * the cells.
  *
+ *   n, p, tet, adj   (in)   points and mesh
  *   nedge, edge, at  (in)   as edges gives them
  *   area    (out)  nedge: of the face between the cells of the edge's points
  *   cell    (out)  n: volumes
@@ -257,7 +280,8 @@ void measure(const tess_real *p, const tess_int *v, double *volume,
  *
  * A tetrahedron's piece of the face: from the edge's middle to the centres of
  * the two facets at it, and from these to the tetrahedron's own.  A cell is
- * made of pyramids from its point to its faces. */
+ * made of pyramids from its point to its faces.
+ * Cost: each edge's ring once. */
 void dual(tess_int n, const tess_real *p, const tess_int *tet,
           const tess_int *adj, tess_int nedge, const tess_int *edge,
           const tess_int *at, double *area, double *cell, tess_int *outer)
@@ -316,8 +340,12 @@ void dual(tess_int n, const tess_real *p, const tess_int *tet,
 
 /* ---- gradients ---- */
 
-/* gradient - of the field that has the given values at the points and is
- * linear on the tetrahedron whose vertices are v. */
+/* gradient - of a field that is linear on a tetrahedron.
+ *
+ *   p, v   (in)   points, and the 4 vertices
+ *   value  (in)   value[i] is that of point i
+ *   g      (out)  3: the derivatives by x, y, z.  In flat tetrahedra they are
+ *                 often far steeper than the field: slopes has better ones */
 void gradient(const tess_real *p, const tess_int *v, const double *value,
               double *g)
 {

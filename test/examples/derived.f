@@ -58,13 +58,16 @@ C     I to J, and from K to L counter-clockwise about it.
 C     EDGES - each edge once: in the ring of tetrahedra about it the
 C     first one tells of it.
 C
+C       NTET, TET, ADJ  (in)  a mesh, as from TESS
 C       MAXEDG  (in)   edges that there is room for
 C       NEDGE   (out)  number of edges
 C       EDGE    (out)  (2,MAXEDG): the two points of each
 C       AT      (out)  (MAXEDG): a tetrahedron that has it
 C       INFO    (out)  0, or 1: NEDGE is then the number needed
 C
-C     Workspace: none.  A cloud of N points has about 7.8 N edges.
+C     A cloud of N points has about 7.8 N edges.
+C     Cost: each edge's ring, of about 5 tetrahedra, once for each of
+C     them.
       SUBROUTINE EDGES(NTET, TET, ADJ, MAXEDG, NEDGE, EDGE, AT, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), MAXEDG, NEDGE, EDGE(2,*), AT(*)
       INTEGER INFO
@@ -103,6 +106,7 @@ C     ---- faces ----
 
 C     FACES - each facet once, with the tetrahedra that have it.
 C
+C       NTET, TET, ADJ  (in)  a mesh, as from TESS
 C       MAXFAC  (in)   faces that there is room for; 4*NTET always
 C                      suffice
 C       NFACE   (out)  number of faces
@@ -111,6 +115,8 @@ C                      seen from outside of the first tetrahedron
 C       BOTH    (out)  (2,MAXFAC): the first tetrahedron and the other
 C                      one, or 0 on the hull
 C       INFO    (out)  0, or 1: NFACE is then the number needed
+C
+C     Cost: one pass.
       SUBROUTINE FACES(NTET, TET, ADJ, MAXFAC, NFACE, FACE, BOTH, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), MAXFAC, NFACE, FACE(3,*)
       INTEGER BOTH(2,*), INFO
@@ -139,10 +145,13 @@ C     ---- stars, nearest point ----
 
 C     STARS - for each point the tetrahedra that have it.
 C
+C       N, NTET, TET  (in)  number of points, and a mesh of them
 C       FIRST   (out)  (N+1): those of point I are LIST(FIRST(I)) ...
 C                      LIST(FIRST(I+1) - 1), in ascending order; none
 C                      for a duplicate
 C       LIST    (out)  (4*NTET)
+C
+C     Cost: two passes.
       SUBROUTINE STARS(N, NTET, TET, FIRST, LIST)
       INTEGER N, NTET, TET(4,*), FIRST(*), LIST(*)
       INTEGER I, K, T
@@ -168,11 +177,21 @@ C     Each row is filled from its end, which becomes its beginning.
    60 CONTINUE
       END
 
-C     NEARPT - V becomes the point of P nearest to Q: from V, a point of
-C     some tetrahedron, to ever nearer neighbours.  In a Delaunay
+C     NEARPT - the point of P nearest to Q.
+C
+C       P, TET       (in)      points and mesh
+C       FIRST, LIST  (in)      as STARS gives them
+C       Q            (in)      (3) the place
+C       V            (in,out)  where to start: a point of some
+C                              tetrahedron, best a vertex of the one
+C                              that TESSLO finds, or the last answer;
+C                              the nearest
+C
+C     It goes to ever nearer neighbours: in a Delaunay
 C     tetrahedralization the point that has no nearer neighbour is the
-C     nearest.  A good V is a vertex of the tetrahedron that TESSLO
-C     finds, or the last answer.
+C     nearest.
+C     Cost: the stars of the points on the way, about 24 tetrahedra
+C     each.
       SUBROUTINE NEARPT(P, TET, FIRST, LIST, Q, V)
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER TET(4,*), FIRST(*), LIST(*), V
@@ -254,8 +273,16 @@ C     of the circle through three of them will do.
    10 CONTINUE
       END
 
-C     MEASUR - the tetrahedron whose vertices are V: its volume, and the
-C     centre and radius of its ball.
+C     MEASUR - a tetrahedron's volume and ball.
+C
+C       P, V    (in)   points, and (4) the vertices
+C       VOLUME  (out)  positive in a mesh, but for rounding
+C       MIDDLE  (out)  (3) the centre of the ball; in a tetrahedron that
+C                      is flat to rounding, of the circle through three
+C                      vertices
+C       RADIUS  (out)  its radius
+C
+C     For a ball that is right to rounding: TESSBA.
       SUBROUTINE MEASUR(P, V, VOLUME, MIDDLE, RADIUS)
       DOUBLE PRECISION P(3,*), VOLUME, MIDDLE(3), RADIUS
       INTEGER V(4)
@@ -278,6 +305,7 @@ C     ---- the Voronoi diagram ----
 C     DUAL - for finite volumes: what lies between the cells of two
 C     points, and the cells.
 C
+C       N, P, TET, ADJ   (in)   points and mesh
 C       NEDGE, EDGE, AT  (in)   as EDGES gives them
 C       AREA    (out)  (NEDGE): of the face between the cells of the
 C                      edge's points
@@ -293,6 +321,7 @@ C     A tetrahedron's piece of the face: from the edge's middle to the
 C     centres of the two facets at it, and from these to the
 C     tetrahedron's own.  A cell is made of pyramids from its point to
 C     its faces.
+C     Cost: each edge's ring once.
       SUBROUTINE DUAL(N, P, TET, ADJ, NEDGE, EDGE, AT, AREA, CELL,
      1                OUTER)
       INTEGER N, TET(4,*), ADJ(4,*), NEDGE, EDGE(2,*), AT(*), OUTER(*)
@@ -363,8 +392,13 @@ C           From a quadrangle's diagonals.
 
 C     ---- gradients ----
 
-C     GRADIE - of the field that has the given values at the points and
-C     is linear on the tetrahedron whose vertices are V.
+C     GRADIE - of a field that is linear on a tetrahedron.
+C
+C       P, V   (in)   points, and (4) the vertices
+C       VALUE  (in)   VALUE(I) is that of point I
+C       G      (out)  (3) the derivatives by X, Y, Z.  In flat
+C                     tetrahedra they are often far steeper than the
+C                     field: SLOPES has better ones
       SUBROUTINE GRADIE(P, V, VALUE, G)
       DOUBLE PRECISION P(3,*), VALUE(*), G(3)
       INTEGER V(4)
