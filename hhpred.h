@@ -69,24 +69,6 @@ typedef double tess_real;
 #define hh_wrap TESS_AS(hh_wrap)
 #define hh_orient TESS_AS(hh_orient)
 #define hh_insphere TESS_AS(hh_insphere)
-#define hh_setup TESS_AS(hh_setup)
-#define hh_ratio TESS_AS(hh_ratio)
-#define hh_limits TESS_AS(hh_limits)
-#define hh_pside TESS_AS(hh_pside)
-#define hh_pball TESS_AS(hh_pball)
-#define hh_pbeat TESS_AS(hh_pbeat)
-#define hh_trial TESS_AS(hh_trial)
-#define hh_unit TESS_AS(hh_unit)
-#define hh_height TESS_AS(hh_height)
-#define hh_thin TESS_AS(hh_thin)
-#define hh_flat TESS_AS(hh_flat)
-#define hh_line TESS_AS(hh_line)
-#define hh_foot TESS_AS(hh_foot)
-#define hh_weigh TESS_AS(hh_weigh)
-#define hh_wider TESS_AS(hh_wider)
-#define hh_range TESS_AS(hh_range)
-#define hh_finite TESS_AS(hh_finite)
-#define hh_holds TESS_AS(hh_holds)
 #else
 #define TESS_AS(name) name
 #endif
@@ -111,26 +93,6 @@ typedef double tess_real;
 #if HH_LIMBS < 3
 #error HH_LIMBS is less than 3
 #endif
-
-/* The limbs of balls and thin facets, at most 10; what needs more is not
- * made.  Scratch on the stack: 51 doubles a limb. */
-#if HH_LIMBS <= 6
-#define HH_FEW HH_LIMBS
-#elif DBL_MANT_DIG < 53
-#define HH_FEW 6
-#elif HH_LIMBS <= 10
-#define HH_FEW HH_LIMBS
-#else
-#define HH_FEW 10
-#endif
-/* Leading rows of a ball's numbers that are kept, and of an insphere
- * determinant that are tried first: with 5 a third of the signs on a rotated
- * grid came out, with 6 98 %, with 7 99 %. */
-#define HH_ROWS 6
-/* HH_FEW is the size of a ball, so the name of what makes one tells it. */
-#define HH_AS_2(name, few) name##_##few
-#define HH_AS_1(name, few) HH_AS_2(name, few)
-#define hh_centre HH_AS_1(TESS_AS(hh_centre), HH_FEW)
 
 #define HH_FACET_LEN 12
 
@@ -212,7 +174,55 @@ int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
 int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
                 const tess_real *d, const tess_real *e);
 
-/* ---- for tess: predicates on an indexed set of points ---- */
+#ifdef __cplusplus
+}
+#endif
+
+/* =====================================================================
+ * ---- for tess: predicates on an indexed set of points ----
+ * What follows is tess's own, and may change.
+ * ===================================================================== */
+
+#ifdef TESS_OTHER
+#define hh_setup TESS_AS(hh_setup)
+#define hh_ratio TESS_AS(hh_ratio)
+#define hh_limits TESS_AS(hh_limits)
+#define hh_pside TESS_AS(hh_pside)
+#define hh_pball TESS_AS(hh_pball)
+#define hh_pbeat TESS_AS(hh_pbeat)
+#define hh_trial TESS_AS(hh_trial)
+#define hh_unit TESS_AS(hh_unit)
+#define hh_height TESS_AS(hh_height)
+#define hh_thin TESS_AS(hh_thin)
+#define hh_flat TESS_AS(hh_flat)
+#define hh_line TESS_AS(hh_line)
+#define hh_foot TESS_AS(hh_foot)
+#define hh_weigh TESS_AS(hh_weigh)
+#define hh_wider TESS_AS(hh_wider)
+#define hh_range TESS_AS(hh_range)
+#define hh_finite TESS_AS(hh_finite)
+#define hh_holds TESS_AS(hh_holds)
+#endif
+
+/* The limbs of balls and thin facets, at most 10; what needs more is not
+ * made.  Scratch on the stack: 51 doubles a limb. */
+#if HH_LIMBS <= 6
+#define HH_FEW HH_LIMBS
+#elif DBL_MANT_DIG < 53
+#define HH_FEW 6
+#elif HH_LIMBS <= 10
+#define HH_FEW HH_LIMBS
+#else
+#define HH_FEW 10
+#endif
+/* Leading rows of a ball's numbers that are kept, and of an insphere
+ * determinant that are tried first: with 5 a third of the signs on a rotated
+ * grid came out, with 6 98 %, with 7 99 %. */
+#define HH_ROWS 6
+/* HH_FEW is the size of a ball, so the name of what makes one tells it. */
+#define HH_AS_2(name, few) name##_##few
+#define HH_AS_1(name, few) HH_AS_2(name, few)
+#define hh_centre HH_AS_1(TESS_AS(hh_centre), HH_FEW)
 
 /* hh_set - the points as tess keeps them.  Position i is place i in the
  * sorted order; duplicates are gone.
@@ -258,6 +268,10 @@ typedef struct hh_ball {
      (w2) * ((w2) - 2.0 * (c)[2]))
 
 /* Details in hhpred.c. */
+#ifdef __cplusplus
+extern "C" {
+#endif
+
 void hh_setup(const double *p1, const double *p2, const double *p3, double *f);
 void hh_ratio(const double *f, const double *z, double least, double most,
               double *lo, double *hi);
