@@ -278,6 +278,24 @@ static void make(int kind, tess_int many)
     if (kind > 3) turn();
 }
 
+/* A box so small that all its vertices are one but for 1e-13 of their distance:
+ * the cells that reach into it are polyhedra all the same. */
+static void speck(void)
+{
+    double volume;
+    tess_int i;
+    int k, some = 0, good;
+
+    n = (tess_int)points_make("uniform", N, 1, p);
+    good = mesh() == 0;
+    for (k = 0; k < 6; k++) box[k] = 0.5 + (k < 3 ? 0.0 : ldexp(1.0, -48));
+    for (i = 0; i < n && good; i++) {
+        good = one(i, box, &volume) == 0 && (nface == 0 || closed());
+        some += nface > 0;
+    }
+    check(good && some > 0, "a speck", "polyhedra");
+}
+
 int main(void)
 {
     static const struct {
@@ -327,5 +345,6 @@ int main(void)
         if (strcmp(name, "wide") == 0) bad ^= 1;
         told(name, bad);
     }
+    speck();
     return test_end("t_cells");
 }
