@@ -211,22 +211,21 @@ C               be made, 2 are made
 C       NCELL   cells of this star: CELLS at most, the last ones, are
 C               kept, each how many points it has and these, CELL at
 C               most, the least number first;  CELL0 the place before
+C       SCALE   X = P 2**(-SCALE)
+C       NSUPP   supports that there are
 C     RCTL, its doubles:
 C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
-C       RSCALE  X = P 2**(-RSCALE)
-C       RSUPP   supports that there are
 C       RBURDN  comparisons left open, over NP;  RPATIE their limit; 0:
 C               no more supports are sought
 C       RLEAST  the least absolute value of a coordinate above 0
 C       RSCAN   points of leaves tested
-C     A support J, a plane or a sphere that many points are near, is
-C     behind RCTL(RSUP + LSUP*(J-1)).  A point with mark K, 0 ... GRAINS
-C     - 1, has a height between SLOW + (K - 1/2) SGRAIN and SLOW + (K +
-C     3/2) SGRAIN; SLOW < 0.  A support begins with a ball (see HHCENT):
-C       SPLANE  1, or 0 for a sphere
+C     SUP(.,J), support J: a plane or a sphere that many points are
+C     near.  A point with mark K, 0 ... GRAINS - 1, has a height between
+C     SLOW + (K - 1/2) SGRAIN and SLOW + (K + 3/2) SGRAIN; SLOW < 0.  A
+C     support begins with a ball (see HHCENT):
 C       SAT, SC, SSIZE  seen from what is behind SAT: behind SC the unit
-C               normal, or the centre; |C|_1
+C               normal, or the centre; |C|_1, or 0 for a plane
 C       SLOW, SGRAIN  as above
 C     Lists of uncompleted points, in single precision.  List BLK, a
 C     block's, has those in a box, as offsets from the box's centre in
@@ -1191,7 +1190,7 @@ C     until they fit.
       INTEGER LEAVES, FUTILE, RREACH, LFIRST, LLAST, LN, LLO, LHI, LMID,
      $    LMOST, LMARG, LUNIT
       DOUBLE PRECISION NARROW
-      PARAMETER (LEAVES = 4, FUTILE = 82, RREACH = 3, LFIRST = 1,
+      PARAMETER (LEAVES = 4, FUTILE = 18, RREACH = 3, LFIRST = 1,
      $    LLAST = 2, LN = 3, LLO = 0, LHI = 3, LMID = 6, LMOST = 9,
      $    LMARG = 13, LUNIT = 14, NARROW = 1.0D5*2.0D0**(-450))
       DOUBLE PRECISION ABOVE, BELOW, HALF, MARGIN, SUM
@@ -1282,7 +1281,7 @@ C     at most the distance from S to where the block may lack points.
      $    LUNIT, BLK, STR, MAXFUT
       DOUBLE PRECISION SREACH, FINEST
       REAL SLACK
-      PARAMETER (FUTILE = 82, LFIRST = 1, LLAST = 2, LN = 3, LLO = 0,
+      PARAMETER (FUTILE = 18, LFIRST = 1, LLAST = 2, LN = 3, LLO = 0,
      $    LHI = 3, LMID = 6, LMOST = 9, LMARG = 13, LUNIT = 14, BLK = 1,
      $    STR = 2, MAXFUT = 8, SREACH = 0.85D0, FINEST = 1.0D-4,
      $    SLACK = 32.0*2.0**(-23))
@@ -1421,23 +1420,23 @@ C     C.V, is L up to the error of V, E |C|, the error of C, and the
 C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
 C     sphere L is counted from F(4..6): U, the difference, takes the
 C     place of C, with the error of F(4..6) and one more rounding.
-      SUBROUTINE TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), V(3), IQ(42)
-      INTEGER RSCALE, QBEST, QLIMBS, QBALL, QBASE, QAIMED, QLO, QHI, QC,
-     $    QDC, QSIZE, QLIMB
+      SUBROUTINE TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
+      DOUBLE PRECISION P(3,*), SUP(96,*), F(12), FQ(108)
+      INTEGER ORD(*), CTL(*), V(3), IQ(42)
+      INTEGER SCALE, QBEST, QLIMBS, QBALL, QBASE, QON, QAIMED, QLO, QHI,
+     $    QC, QDC, QSIZE, QLIMB
       DOUBLE PRECISION EPS, LOOSE, HUGE
-      PARAMETER (RSCALE = 5, QBEST = 1, QLIMBS = 2, QBALL = 3,
-     $    QBASE = 4, QAIMED = 7, QLO = 1, QHI = 2, QC = 2, QDC = 6,
-     $    QSIZE = 7, QLIMB = 7, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      PARAMETER (SCALE = 19, QBEST = 1, QLIMBS = 2, QBALL = 3,
+     $    QBASE = 4, QON = 6, QAIMED = 7, QLO = 1, QHI = 2, QC = 2,
+     $    QDC = 6, QSIZE = 7, QLIMB = 7, EPS = 2.0D0**(-52),
+     $    LOOSE = 0.5D0, HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
-      INTEGER TSCURV, K, OK, SE, SPHERE
+      INTEGER TSCURV, K, OK, SPHERE
       IF (F(10) .GE. HUGE) RETURN
-      SE = INT(RCTL(RSCALE))
-      CALL HHCENT(P, ORD, SE, V, IQ(QBASE), IQ(QBEST), C, FQ, QLIMB, OK)
+      CALL HHCENT(P, ORD, CTL(SCALE), V, IQ(QBASE), IQ(QBEST), C, FQ,
+     $            QLIMB, OK)
       IF (OK .EQ. 0) RETURN
-      SPHERE = TSCURV(RCTL, IQ)
+      SPHERE = TSCURV(SUP, IQ(QON))
       IQ(QLIMBS) = 1
       IQ(QBALL) = 1
       IQ(QAIMED) = 0
@@ -1465,13 +1464,15 @@ C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
 C     the rule of HHPBAL.  The Householder bounds decide where they
 C     can.  Where they cannot, the better point's limits are tightened
 C     by the other's.
-      SUBROUTINE TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(42), Z
+      SUBROUTINE TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
+     $                  Z)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12),
+     $    FQ(108)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
       INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QON, QTIED, QLO,
      $    QHI, QLIMB, UNSURE, MANY
       DOUBLE PRECISION PLAIN, WIDE
-      PARAMETER (T3 = 1, T5 = 2, RPATIE = 8, QBEST = 1, QLIMBS = 2,
+      PARAMETER (T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1, QLIMBS = 2,
      $    QASKED = 5, QON = 6, QTIED = 42, QLO = 1, QHI = 2, QLIMB = 7,
      $    UNSURE = 2, MANY = 6, PLAIN = 16.0D0, WIDE = 1.0D-4)
       DOUBLE PRECISION HI, LO, Q(3)
@@ -1480,8 +1481,8 @@ C     by the other's.
       Q(2) = X(2,Z)
       Q(3) = X(3,Z)
       CALL HHLIMI(F, Q, LO, HI, SIDE)
-      IF (IQ(QON) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, P, ORD,
-     $    MARK, RCTL, IQ, F, FQ, Z, SIDE, LO, HI)
+      IF (IQ(QON) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, P, ORD, MARK,
+     $    SUP, IQ, F, FQ, Z, SIDE, LO, HI)
       SGN = SIDE
       POWER = UNSURE
       IF (SIDE .LT. 0) RETURN
@@ -1506,7 +1507,7 @@ C     by the other's.
         IF (POWER .GT. 0) THEN
           IF (HI .LT. FQ(QHI)) CALL TSNARR(IQ, F, FQ, HI)
           IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
-     $        CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
+     $        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
           RETURN
         END IF
         HI = MIN(HI, FQ(QHI))
@@ -1517,23 +1518,23 @@ C     by the other's.
       IQ(QLIMBS) = 0
       CALL TSNARR(IQ, F, FQ, HI)
       IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
-        CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
+        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
       ELSE IF (HI - LO .GT. WIDE*(F(12) + ABS(HI))) THEN
-        CALL TSREFI(P, ORD, RCTL, V, IQ, F, FQ)
+        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
       END IF
       END
 
 C     TSCONS - compares Z with the best point, unless it is a vertex or
 C     provably outside the ball, by its height over the facet's support
 C     where that is known.
-      SUBROUTINE TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(42), Z
-      INTEGER RSUP, LSUP, SGRAIN, QBEST, QBALL, QON, QAIMED, QC, QTEST,
-     $    TQ, TD
-      PARAMETER (RSUP = 10, LSUP = 97, SGRAIN = 97, QBEST = 1,
-     $    QBALL = 3, QON = 6, QAIMED = 7, QC = 2, QTEST = 101, TQ = 1,
-     $    TD = 1)
+      SUBROUTINE TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
+     $                  Z)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12),
+     $    FQ(108)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
+      INTEGER SGRAIN, QBEST, QBALL, QON, QAIMED, QC, QTEST, TQ, TD
+      PARAMETER (SGRAIN = 96, QBEST = 1, QBALL = 3, QON = 6, QAIMED = 7,
+     $    QC = 2, QTEST = 101, TQ = 1, TD = 1)
       DOUBLE PRECISION TSPOWE, H, Q, SIZE, SUM, W1, W2, W3
       INTEGER OK, OUT
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
@@ -1543,23 +1544,21 @@ C     where that is known.
       W3 = X(3,Z) - F(9)
       SIZE = ABS(W1) + ABS(W2) + ABS(W3)
       OK = 0
-      IF (IQ(QON) .NE. 0)
-     $    CALL TSMRKD(MARK, RCTL, IQ(QON), Z, H, OK)
+      IF (IQ(QON) .NE. 0) CALL TSMRKD(MARK, SUP, IQ(QON), Z, H, OK)
       OUT = 0
       IF (OK .EQ. 1) THEN
-        IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(RCTL, IQ, F, FQ)
+        IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F, FQ)
         Q = FQ(QTEST+TQ)
         SUM = W1*(Q*W1 - FQ(QTEST+TD+1)) + W2*(Q*W2 - FQ(QTEST+TD+2)) +
      $      W3*(Q*W3 - FQ(QTEST+TD+3))
-        CALL TSEXCL(FQ, SUM, SIZE, H,
-     $              RCTL(RSUP+LSUP*(IQ(QON)-1)+SGRAIN), OUT)
+        CALL TSEXCL(FQ, SUM, SIZE, H, SUP(SGRAIN,IQ(QON)), OUT)
       ELSE IF (IQ(QBALL) .EQ. 1) THEN
         SUM = W1*(W1 - 2.0D0*FQ(QC+1)) + W2*(W2 - 2.0D0*FQ(QC+2)) +
      $      W3*(W3 - 2.0D0*FQ(QC+3))
         IF (SUM .GT. TSPOWE(FQ, SIZE)) OUT = 1
       END IF
-      IF (OUT .EQ. 0)
-     $    CALL TSCHAL(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
+      IF (OUT .EQ. 0) CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V,
+     $    IQ, F, FQ, Z)
       END
 
 C     TSBINB - returns 1 if the part of the ball that may hold points,
@@ -1738,17 +1737,18 @@ C     point, which are on the ball, are four of them.
       END
 
 C     TSCALL - consider N points of a list.
-      SUBROUTINE TSCALL(X, P, ORD, MARK, RCTL, LSID, LIST, V, IQ, F, FQ,
-     $                  N, PLACE)
+      SUBROUTINE TSCALL(X, P, ORD, MARK, CTL, RCTL, SUP, LSID, LIST, V,
+     $                  IQ, F, FQ, N, PLACE)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), LSID(TSLIST+48,2), LIST, V(3), IQ(42), N,
-     $    PLACE(*)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12),
+     $    FQ(108)
+      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,2), LIST, V(3),
+     $    IQ(42), N, PLACE(*)
       INTEGER I, Z
       DO 10 I = 1, N
         Z = LSID(PLACE(I),LIST)
-        CALL TSCONS(X, P, ORD, MARK, RCTL, V, IQ, F, FQ, Z)
+        CALL TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
    10 CONTINUE
       END
 
@@ -1787,15 +1787,15 @@ C     point has no more points on the open side than the ball before it
 C     (Lemma 3), and those on the other side do not count.  So one pass
 C     over the list is enough if the last ball has no points elsewhere.
 C     OK is 1 if so, or 0.
-      SUBROUTINE TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, LSX, LSID, LSI,
-     $                  LSD, V, IQ, F, FQ, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2),
-     $    F(12), FQ(108)
+      SUBROUTINE TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
+     $                  LSI, LSD, V, IQ, F, FQ, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+     $    LSD(14,2), F(12), FQ(108)
       REAL LSX(*)
       INTEGER ORD(*), MARK(*), CTL(*), LSID(*), LSI(3,2), V(3), IQ(42),
      $    OK
       INTEGER TSLIST, TIED, LN, STR, QBEST, QBALL, QBASE, QTIED
-      PARAMETER (TSLIST = 512, TIED = 26, LN = 3, STR = 2, QBEST = 1,
+      PARAMETER (TSLIST = 512, TIED = 14, LN = 3, STR = 2, QBEST = 1,
      $    QBALL = 3, QBASE = 4, QTIED = 42)
       INTEGER TSBINS, N, PLACE(TSLIST+1)
       OK = 0
@@ -1811,8 +1811,8 @@ C     OK is 1 if so, or 0.
             RETURN
           END IF
         END IF
-        CALL TSCALL(X, P, ORD, MARK, RCTL, LSID, STR, V, IQ, F, FQ, N,
-     $              PLACE)
+        CALL TSCALL(X, P, ORD, MARK, CTL, RCTL, SUP, LSID, STR, V, IQ,
+     $              F, FQ, N, PLACE)
         IF (IQ(QTIED) .GT. 0 .AND. CTL(TIED) .EQ. 0)
      $      CALL TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
      $      V, IQ, F, FQ, OK)
@@ -1825,12 +1825,13 @@ C     OK is 1 if so, or 0.
 C     TSINBL - the same for the block's list.  If the ball has room
 C     elsewhere, the tree is searched in any case and the list only adds
 C     cost: on surfaces, two of five points that were tested.
-      SUBROUTINE TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD,
-     $                  V, IQ, F, FQ, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2),
-     $    F(12), FQ(108)
+      SUBROUTINE TSINBL(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
+     $                  LSI, LSD, V, IQ, F, FQ, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+     $    LSD(14,2), F(12), FQ(108)
+      INTEGER ORD(*), MARK(*), CTL(*), LSID(*), LSI(3,2), V(3), IQ(42),
+     $    OK
       REAL LSX(*)
-      INTEGER ORD(*), MARK(*), LSID(*), LSI(3,2), V(3), IQ(42), OK
       INTEGER TSLIST, LN, BLK, QBALL, QC
       PARAMETER (TSLIST = 512, LN = 3, BLK = 1, QBALL = 3, QC = 2)
       DOUBLE PRECISION C(3)
@@ -1848,8 +1849,8 @@ C     cost: on surfaces, two of five points that were tested.
       CALL TSINBA(LSX, LSI, BLK, D, IN, N)
       IF (N .GT. 4) THEN
         CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
-        CALL TSCALL(X, P, ORD, MARK, RCTL, LSID, BLK, V, IQ, F, FQ, N,
-     $              PLACE)
+        CALL TSCALL(X, P, ORD, MARK, CTL, RCTL, SUP, LSID, BLK, V, IQ,
+     $              F, FQ, N, PLACE)
       END IF
       END
 
@@ -1859,13 +1860,14 @@ C     negative side: the ball of L = MUCHL/2 stands for that side, with
 C     room for |W|**2.  The powers come first, as vectors, then, group
 C     by group, as most groups have none, the places of the points to
 C     consider.
-      SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F,
-     $                  FQ, NODE)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
+      SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, V,
+     $                  IQ, F, FQ, NODE)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+     $    F(12), FQ(108)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), NODE
       INTEGER RPATIE, RSCAN, QBALL, QC, DONE, GROUP, LEAF
       DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL, HUGE
-      PARAMETER (RPATIE = 8, RSCAN = 10, QBALL = 3, QC = 2, DONE = -1,
+      PARAMETER (RPATIE = 5, RSCAN = 7, QBALL = 3, QC = 2, DONE = -1,
      $    GROUP = 8, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
      $    LOOSE = 0.5D0, MUCHL = 1.0D100,
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
@@ -1917,8 +1919,8 @@ C     consider.
    40   CONTINUE
    50 CONTINUE
       DO 60 K = 1, PASSED
-        IF (LINK(PLACE(K)) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, RCTL,
-     $      V, IQ, F, FQ, PLACE(K))
+        IF (LINK(PLACE(K)) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, CTL,
+     $      RCTL, SUP, V, IQ, F, FQ, PLACE(K))
    60 CONTINUE
       IF (RCTL(RPATIE) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
      $    CALL TSREME(IQ, FIRST, 0)
@@ -1935,13 +1937,14 @@ C             TOP        NODE    was entered last; when it is empty,
 C           /    \      /    \   TOP's sibling is next, or TOP's
 C         FROM    .    .      .  grandparent: everything below TOP has
 C                                been searched, FROM is where that ended
-      SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V,
-     $                  IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), F(12), FQ(108)
+      SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  SUP, V, IQ, F, FQ)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+     $    F(12), FQ(108)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42)
       INTEGER LEAVES, STAGE, QBALL, QBASE, QON, DEPTH
       DOUBLE PRECISION LOOSE
-      PARAMETER (LEAVES = 4, STAGE = 28, QBALL = 3, QBASE = 4, QON = 6,
+      PARAMETER (LEAVES = 4, STAGE = 16, QBALL = 3, QBASE = 4, QON = 6,
      $    DEPTH = 96, LOOSE = 0.5D0)
       DOUBLE PRECISION PAST(4)
       INTEGER TSCYLI, TSLEAF, TSPRUN, FOURS, FROM, HEIGHT, N, NEAR,
@@ -1981,14 +1984,14 @@ C       one child alive each: FROM, as the base's star is not complete
         GO TO 10
       END IF
       IF (NEAR .NE. 0) THEN
-        CALL TSPRHE(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
+        CALL TSPRHE(BOX, MARK, CTL, SUP, IQ, F, FQ, NODE, OUT)
       ELSE
         OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
       END IF
       IF (OUT .EQ. 1) GO TO 10
       IF (NODE .GE. CTL(LEAVES)) THEN
-        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, V, IQ, F, FQ,
-     $              NODE)
+        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, V, IQ,
+     $              F, FQ, NODE)
         GO TO 10
       END IF
       STACK(HEIGHT+1) = 2*NODE
@@ -2003,7 +2006,7 @@ C     hull, or 0.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3)
       INTEGER NPLANE, PLANE0, T3
-      PARAMETER (NPLANE = 12, PLANE0 = 13, T3 = 1)
+      PARAMETER (NPLANE = 12, PLANE0 = 20, T3 = 1)
       INTEGER HHPSID, AT, I, K
       DO 20 I = 1, CTL(NPLANE)
         AT = PLANE0 + 3*(I - 1)
@@ -2023,19 +2026,19 @@ C     hull, or 0.
 C     TSPREP - begins the search for the apex of the facet V.  The base
 C     is V(1) or, if the angle there is small, the vertex opposite the
 C     longest edge.
-      SUBROUTINE TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(42)
-      INTEGER RSCALE, RSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON,
+      SUBROUTINE TSPREP(X, P, ORD, MARK, CTL, SUP, V, IQ, F, FQ)
+      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), FQ(108)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42)
+      INTEGER SCALE, NSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON,
      $    QTIED, QOPEND, QLO, QHI, QC, QDC, QSIZE
       DOUBLE PRECISION EPS, HUGE, THIN
-      PARAMETER (RSCALE = 5, RSUPP = 6, QBEST = 1, QLIMBS = 2,
+      PARAMETER (SCALE = 19, NSUPP = 20, QBEST = 1, QLIMBS = 2,
      $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIED = 42,
      $    QOPEND = 9, QLO = 1, QHI = 2, QC = 2, QDC = 6, QSIZE = 7,
      $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023,
      $    THIN = 1.0D-6)
       DOUBLE PRECISION A(3), B(3), C(3), EDGE, LONGST
-      INTEGER BASE, I, J, K, SE
+      INTEGER BASE, I, J, K
       BASE = 1
       IQ(QBEST) = 0
       IQ(QLIMBS) = 0
@@ -2069,18 +2072,19 @@ C     longest edge.
           END IF
    40   CONTINUE
         IF (BASE .NE. IQ(QBASE)) GO TO 20
-        SE = INT(RCTL(RSCALE))
-        IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, SE, V, BASE, F)
+        IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, CTL(SCALE), V, BASE,
+     $      F)
       END IF
-      IF (RCTL(RSUPP) .GT. 0.0D0) CALL TSSUPP(X, P, ORD, MARK, RCTL, V,
-     $    IQ, F, FQ)
+      IF (CTL(NSUPP) .GT. 0) CALL TSSUPP(X, P, ORD, MARK, CTL, SUP,
+     $    V, IQ, F, FQ)
       END
 
 C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
 C     GUESS holds two positions to try first, or 0.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  LSX, LSID, LSI, LSD, V, GUESS, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+     $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+     $    LSD(14,2)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(3,2), V(3), GUESS(2), Z
@@ -2088,8 +2092,8 @@ C     GUESS holds two positions to try first, or 0.
      $    RBURDN, RPATIE, RSCAN, QBEST, QON, QOPEND, PLANES, OPENED
       DOUBLE PRECISION SCANS
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13,
-     $    PLANE0 = 13, STAGE = 28, NCELL = 29, FUTILE = 82, RBURDN = 7,
-     $    RPATIE = 8, RSCAN = 10, QBEST = 1, QON = 6, QOPEND = 9,
+     $    PLANE0 = 20, STAGE = 16, NCELL = 17, FUTILE = 18, RBURDN = 4,
+     $    RPATIE = 5, RSCAN = 7, QBEST = 1, QON = 6, QOPEND = 9,
      $    PLANES = 4, OPENED = 24, SCANS = 100.0D0)
       DOUBLE PRECISION F(12), FQ(108), H
       INTEGER TSCURV, TSONHU, AT, G, IQ(42), K, LISTS, OK
@@ -2097,24 +2101,24 @@ C     GUESS holds two positions to try first, or 0.
         CALL TSINCE(X, P, ORD, CTL, RCTL, V, Z)
         IF (Z .NE. 0) RETURN
       END IF
-      CALL TSPREP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
+      CALL TSPREP(X, P, ORD, MARK, CTL, SUP, V, IQ, F, FQ)
       DO 10 K = 1, 2
         G = GUESS(K)
         IF (G .NE. 0 .AND. G .NE. V(2) .AND. G .NE. V(3) .AND.
-     $      G .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, MARK, RCTL, V, IQ,
-     $      F, FQ, G)
+     $      G .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL,
+     $      SUP, V, IQ, F, FQ, G)
    10 CONTINUE
       Z = IQ(QBEST)
 C     a ball that is a support's sphere up to rounding is in no list
       LISTS = 1
-      IF (TSCURV(RCTL, IQ) .EQ. 1) THEN
+      IF (TSCURV(SUP, IQ(QON)) .EQ. 1) THEN
         OK = 1
-        IF (Z .NE. 0) CALL TSMRKD(MARK, RCTL, IQ(QON), Z, H, OK)
+        IF (Z .NE. 0) CALL TSMRKD(MARK, SUP, IQ(QON), Z, H, OK)
         LISTS = 1 - OK
       END IF
       IF (LISTS .EQ. 1) THEN
-        CALL TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, LSX, LSID, LSI,
-     $              LSD, V, IQ, F, FQ, OK)
+        CALL TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
+     $              LSI, LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) CTL(FUTILE) = 0
         IF (OK .EQ. 1) RETURN
@@ -2123,15 +2127,15 @@ C       time
         IF (Z .EQ. 0) THEN
           IF (TSONHU(X, P, ORD, CTL, RCTL, V) .EQ. 1) RETURN
         END IF
-        CALL TSINBL(X, P, ORD, BOX, MARK, RCTL, LSX, LSID, LSI, LSD, V,
-     $              IQ, F, FQ, OK)
+        CALL TSINBL(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
+     $              LSI, LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) CTL(FUTILE) = 0
         IF (OK .EQ. 1) RETURN
       END IF
       CTL(FUTILE) = CTL(FUTILE) + 1
-      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, V, IQ,
-     $            F, FQ)
+      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP, V,
+     $            IQ, F, FQ)
       Z = IQ(QBEST)
       IF (CTL(STAGE) .EQ. 1 .AND.
      $    RCTL(RSCAN) .GT. SCANS*DBLE(CTL(NP))) THEN
@@ -2142,7 +2146,7 @@ C       time
         RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))/DBLE(CTL(NP))
         IF (RCTL(RBURDN) .GT. RCTL(RPATIE)) THEN
           RCTL(RBURDN) = 0.0D0
-          CALL TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ, OK)
+          CALL TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, OK)
           IF (OK .EQ. 0) RCTL(RPATIE) = 2.0D0*RCTL(RPATIE)
         END IF
       END IF
@@ -2210,14 +2214,15 @@ C
 C     Vertices may be complete, and then no list has them: the search
 C     uses the tree alone.
       SUBROUTINE TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
-     $                  CTL, RCTL, LSX, LSID, LSI, LSD, S, V)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+     $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+     $    LSD(14,2)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
      $    CTL(*), LSID(*), LSI(3,2), S, V(4)
       INTEGER LEAVES, NPLANE, NEXTPL, NCELL, T3, LFIRST, LLAST, LN, BLK,
      $    STR, QBEST
-      PARAMETER (LEAVES = 4, NPLANE = 12, NEXTPL = 13, NCELL = 29,
+      PARAMETER (LEAVES = 4, NPLANE = 12, NEXTPL = 13, NCELL = 17,
      $    T3 = 1, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2,
      $    QBEST = 1)
       DOUBLE PRECISION F(12), FQ(108)
@@ -2271,13 +2276,14 @@ C     uses the tree alone.
         G(3) = V(MOD(K+1,3)+2)
         GUESS(1) = V(K+1)
         IF (ALL .EQ. 1) THEN
-          CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, LSX,
-     $                LSID, LSI, LSD, G, GUESS, Z)
+          CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $                LSX, LSID, LSI, LSD, G, GUESS, Z)
         ELSE
-          CALL TSPREP(X, P, ORD, MARK, RCTL, G, IQ, F, FQ)
-          CALL TSCHAL(X, P, ORD, MARK, RCTL, G, IQ, F, FQ, GUESS(1))
-          CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, G, IQ, F,
-     $                FQ, NODE)
+          CALL TSPREP(X, P, ORD, MARK, CTL, SUP, G, IQ, F, FQ)
+          CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, G, IQ, F, FQ,
+     $                GUESS(1))
+          CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, G, IQ,
+     $                F, FQ, NODE)
           Z = IQ(QBEST)
         END IF
         SAME = SAME + 1
@@ -2683,15 +2689,16 @@ C     least position.
 C     TSSTAR - complete the star of S, whose open facets are the edges
 C     of the link.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
-     $                  POOL, MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S,
-     $                  INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+     $                  POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
+     $                  S, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+     $    LSD(14,2)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
      $    POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,2), S, INFO
       INTEGER NT, MAXT, OLDEST, NEWEST, NCELL, ECODE, EFROM, ETO, EPREV,
      $    EAFTER, START, DEAD, MORE, FULL, EDGE
-      PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, NCELL = 29,
+      PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, NCELL = 17,
      $    ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3, EAFTER = 4,
      $    START = -1, DEAD = -2, MORE = 1, FULL = 2, EDGE = 6)
       INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
@@ -2713,8 +2720,8 @@ C     of the link.  INFO is 0, MORE or FULL.
         GUESS(2) = 0
         IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
         IF (AFTER .NE. 0) GUESS(2) = POOL(AFTER+ETO)
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, LSX,
-     $              LSID, LSI, LSD, V, GUESS, C)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, V, GUESS, C)
         IF (C .EQ. 0) THEN
           IF (POOL(E+ECODE) .NE. START) ADJ(POOL(E+ECODE)) = 0
           IF (PREV .NE. 0) POOL(PREV+EAFTER) = 0
@@ -2747,9 +2754,10 @@ C     a facet of a tetrahedron at S: its two sides become edges of the
 C     link, the one towards the tetrahedron first.  OK is 1, or 0 if
 C     there is no room.
       SUBROUTINE TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID,
-     $                  LSI, LSD, S, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, S, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+     $    LSD(14,2)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
      $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,2),
@@ -2758,7 +2766,7 @@ C     there is no room.
       PARAMETER (START = -1)
       INTEGER E, V(4)
       CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK, CTL,
-     $            RCTL, LSX, LSID, LSI, LSD, S, V)
+     $            RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
       CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       IF (OK .EQ. 0) RETURN
       CALL TSPUSH(LINK, POOL, CTL, START, V(2), V(3), E)
@@ -2770,20 +2778,21 @@ C     TSSTRS - complete all stars asked for, beginning with S if the
 C     link has edges: first those connected through open facets, then
 C     one of the rest, and so on.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID,
-     $                  LSI, LSD, S, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, S, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+     $    LSD(14,2)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
      $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,2),
      $    S, INFO
       INTEGER NP, OLDEST, NEWEST, LOW, UNMET, FOREIN, NEW, FULL
-      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, UNMET = 27,
+      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, UNMET = 15,
      $    FOREIN = -1, NEW = -2, FULL = 2)
       INTEGER OK
    10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
         CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
-     $              MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S, INFO)
+     $              MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, INFO)
         IF (INFO .NE. 0) RETURN
       END IF
       DO 20 S = CTL(LOW), CTL(NP)
@@ -2804,8 +2813,8 @@ C       that was met before and owns none is complete
         INFO = 0
         IF (S .GT. CTL(NP)) RETURN
         CALL TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
-     $              LINK, POOL, MARK, CTL, RCTL, LSX, LSID, LSI, LSD, S,
-     $              OK)
+     $              LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $              LSD, S, OK)
       END IF
       INFO = FULL
       IF (OK .EQ. 1) GO TO 10
@@ -2903,11 +2912,11 @@ C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI)
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
-      INTEGER NP, NPLANE, NEXTPL, TIED, STAGE, NCELL, FUTILE, RSUPP,
+      INTEGER NP, NPLANE, NEXTPL, TIED, STAGE, NCELL, FUTILE, NSUPP,
      $    RPATIE, RSCAN, LFIRST, LLAST, LN, BLK, STR
-      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIED = 26,
-     $    STAGE = 28, NCELL = 29, FUTILE = 82, RSUPP = 6, RPATIE = 8,
-     $    RSCAN = 10, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2)
+      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIED = 14,
+     $    STAGE = 16, NCELL = 17, FUTILE = 18, NSUPP = 20, RPATIE = 5,
+     $    RSCAN = 7, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2)
       CTL(NP) = 0
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
@@ -2915,7 +2924,7 @@ C     cylinders.
       CTL(STAGE) = 0
       CTL(NCELL) = 0
       CTL(FUTILE) = 0
-      RCTL(RSUPP) = 0.0D0
+      CTL(NSUPP) = 0
       RCTL(RPATIE) = 0.0D0
       RCTL(RSCAN) = 0.0D0
       LSI(LFIRST,BLK) = 1
@@ -3014,9 +3023,9 @@ C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE.
       SUBROUTINE TSSCAL(X, CTL, RCTL, INFO)
       DOUBLE PRECISION X(3,*), RCTL(*)
       INTEGER CTL(*), INFO
-      INTEGER NP, T3, T5, RSCALE, RLEAST, RANGE, DIGITS
+      INTEGER NP, SCALE, T3, T5, RLEAST, RANGE, DIGITS
       DOUBLE PRECISION HUGE, NORMAL, SMALL
-      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 9,
+      PARAMETER (NP = 1, SCALE = 19, T3 = 1, T5 = 2, RLEAST = 6,
      $    RANGE = 6, HUGE = 1.7976931348623157D308, DIGITS = 53,
      $    NORMAL = 2.0D0**(-1022), SMALL = 2.0D0**(-450))
       DOUBLE PRECISION HHLDEX, TSUNIT, BOTTOM, TOP, U
@@ -3024,7 +3033,7 @@ C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE.
       INFO = 0
       RCTL(T3) = -1.0D0
       RCTL(T5) = -1.0D0
-      RCTL(RSCALE) = 0.0D0
+      CTL(SCALE) = 0
       TOP = 0.0D0
       BOTTOM = HUGE
       DO 20 I = 1, CTL(NP)
@@ -3040,7 +3049,7 @@ C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE.
       IF (TSINRA(X, CTL, TOP) .EQ. 0) RETURN
       INFO = 0
       E = HHFREX(TOP)
-      RCTL(RSCALE) = DBLE(E)
+      CTL(SCALE) = E
       CALL TSRESC(X, CTL, -(E/2))
       CALL TSRESC(X, CTL, -(E - E/2))
       IF (HHLDEX(BOTTOM, -E) .LT. SMALL) RCTL(T3) = -2.0D0
@@ -3110,15 +3119,15 @@ C     recognized.
       SUBROUTINE TSSEAL(HEADER, KNOWN, COUNT, CTL, RCTL, CODE)
       INTEGER KNOWN(4), COUNT, CTL(*), CODE
       DOUBLE PRECISION HEADER(6), RCTL(*)
-      INTEGER NP, T3, T5, RSCALE, RLEAST
-      PARAMETER (NP = 1, T3 = 1, T5 = 2, RSCALE = 5, RLEAST = 9)
+      INTEGER NP, SCALE, T3, T5, RLEAST
+      PARAMETER (NP = 1, SCALE = 19, T3 = 1, T5 = 2, RLEAST = 6)
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
       HEADER(1) = DBLE(CTL(NP))
       IF (CODE .NE. 0) RETURN
       HEADER(2) = RCTL(T3)
       HEADER(3) = RCTL(T5)
-      HEADER(4) = RCTL(RSCALE)
+      HEADER(4) = DBLE(CTL(SCALE))
       HEADER(5) = RCTL(RLEAST)
       END
 
@@ -3128,10 +3137,10 @@ C     points without a mesh, or -8 where there is no index.
      $                  INFO)
       INTEGER N, KNOWN(4), COUNT, CTL(*), LSI(3,2), INFO
       DOUBLE PRECISION P(3,*), HEADER(6), RCTL(*)
-      INTEGER NP, LEAVES, T3, T5, RSCALE, RLEAST, RANGE
+      INTEGER NP, LEAVES, SCALE, T3, T5, RLEAST, RANGE
       DOUBLE PRECISION NORMAL
-      PARAMETER (NP = 1, LEAVES = 4, T3 = 1, T5 = 2, RSCALE = 5,
-     $    RLEAST = 9, RANGE = 6, NORMAL = 2.0D0**(-1022))
+      PARAMETER (NP = 1, LEAVES = 4, SCALE = 19, T3 = 1, T5 = 2,
+     $    RLEAST = 6, RANGE = 6, NORMAL = 2.0D0**(-1022))
       INTEGER HHHOLD, TSLCOU, ALL
       CALL TSLAYO(CTL, RCTL, LSI)
       CTL(NP) = COUNT
@@ -3143,7 +3152,7 @@ C     points without a mesh, or -8 where there is no index.
       CTL(LEAVES) = TSLCOU(COUNT)
       RCTL(T3) = HEADER(2)
       RCTL(T5) = HEADER(3)
-      RCTL(RSCALE) = HEADER(4)
+      CTL(SCALE) = INT(HEADER(4))
       RCTL(RLEAST) = HEADER(5)
       ALL = 1
       IF (RCTL(RLEAST) .LT. NORMAL) ALL = N
@@ -3301,17 +3310,17 @@ C     element of RW or IW, and the standard lets them be altered.
      $    LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), ROOMY, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSLIST, NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH,
-     $    LOW, UNMET, STAGE, T5, RREACH, RBURDN, RPATIE, LSUP, NEW,
-     $    FULL, SUPPS
+     $    LOW, UNMET, STAGE, T5, RREACH, RBURDN, RPATIE, NEW, FULL,
+     $    SUPPS
       DOUBLE PRECISION PLAIN, BREACH, BURDEN
       PARAMETER (TSLIST = 512, NP = 1, NT = 2, MAXT = 3, LEAVES = 4,
      $    ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11,
-     $    UNMET = 27, STAGE = 28, T5 = 2, RREACH = 3, RBURDN = 7,
-     $    RPATIE = 8, LSUP = 97, NEW = -2, FULL = 2, PLAIN = 16.0D0,
-     $    SUPPS = 8, BREACH = 2.6D0, BURDEN = 1.0D0)
-      DOUBLE PRECISION LSD(14,2), RCTL(10+LSUP*SUPPS)
+     $    UNMET = 15, STAGE = 16, T5 = 2, RREACH = 3, RBURDN = 4,
+     $    RPATIE = 5, NEW = -2, FULL = 2, PLAIN = 16.0D0, SUPPS = 8,
+     $    BREACH = 2.6D0, BURDEN = 1.0D0)
+      DOUBLE PRECISION LSD(14,2), RCTL(7), SUP(96,SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER TSTABL, CTL(82), I, K, LSI(3,2), LSID(TSLIST+48,2), OK,
+      INTEGER TSTABL, CTL(84), I, K, LSI(3,2), LSID(TSLIST+48,2), OK,
      $    OWN, S, T
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
@@ -3358,8 +3367,8 @@ C     doubles decide everything if points are in few units
         IF (OK .EQ. 0) INFO = FULL
       END IF
       IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP,
-     $    KNOWN, HEAD, LINK, POOL, MARK, CTL, RCTL, LSX, LSID, LSI, LSD,
-     $    S, INFO)
+     $    KNOWN, HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $    LSD, S, INFO)
       IF (MASKED .EQ. 1) CALL TSREVI(ALIVE, CTL)
       DO 30 T = 1, CTL(NT)
         DO 20 K = 1, 4
@@ -3624,9 +3633,9 @@ C     TSINDE - TESSIX with its workspace cut up as TSRUN's.
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,2*LVS-1)
       INTEGER TSLIST, NP, RANGE
       PARAMETER (TSLIST = 512, NP = 1, RANGE = 6)
-      DOUBLE PRECISION LSD(14,2), RCTL(17)
+      DOUBLE PRECISION LSD(14,2), RCTL(7), SUP(96,1)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(82), GUESS(2), I, K, LSI(3,2), LSID(TSLIST+48,2),
+      INTEGER CTL(84), GUESS(2), I, K, LSI(3,2), LSID(TSLIST+48,2),
      $    V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
@@ -3634,8 +3643,8 @@ C     TSINDE - TESSIX with its workspace cut up as TSRUN's.
         GUESS(1) = 0
         GUESS(2) = 0
 C       ORD in the place of LINK: no star is complete, no entry is DONE
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, LSX,
-     $              LSID, LSI, LSD, V, GUESS, Z)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, V, GUESS, Z)
         DO 10 K = 1, 3
           KNOWN(K) = ORD(V(K))
    10   CONTINUE
@@ -3722,32 +3731,31 @@ C     mark a point, two integers a node for each, and a few heights by
 C     limbs once; nothing until searches turn out to be long.
 C     ------------------------------------------------------------------
 
-C     TSROUG - the height H of the position Z over the support behind
-C     RCTL(AT), in double precision.  ERR bounds its error: 8 EPS |c|
-C     for the centre, and 6 roundings.
-      SUBROUTINE TSROUG(X, RCTL, AT, Z, H, ERR)
-      DOUBLE PRECISION X(3,*), RCTL(*), H, ERR
-      INTEGER AT, Z
-      INTEGER SPLANE, SAT, SC, SSIZE
+C     TSROUG - the height H of the position Z over the support S, in
+C     double precision.  ERR bounds its error: 8 EPS |c| for the centre,
+C     and 6 roundings.
+      SUBROUTINE TSROUG(X, S, Z, H, ERR)
+      DOUBLE PRECISION X(3,*), S(96), H, ERR
+      INTEGER Z
+      INTEGER SAT, SC, SSIZE
       DOUBLE PRECISION EPS, FAINT
-      PARAMETER (SPLANE = 88, SAT = 88, SC = 91, SSIZE = 95,
-     $    EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      PARAMETER (SAT = 87, SC = 90, SSIZE = 94, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200)
       DOUBLE PRECISION SIZE, U
       INTEGER K
       H = 0.0D0
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        U = X(K,Z) - RCTL(AT+SAT+K)
-        IF (RCTL(AT+SPLANE) .GT. 0.0D0) THEN
-          H = H + U*RCTL(AT+SC+K)
+        U = X(K,Z) - S(SAT+K)
+        IF (S(SSIZE) .LE. 0.0D0) THEN
+          H = H + U*S(SC+K)
         ELSE
-          H = H + U*(U - 2.0D0*RCTL(AT+SC+K))
+          H = H + U*(U - 2.0D0*S(SC+K))
         END IF
         SIZE = SIZE + ABS(U)
    10 CONTINUE
       ERR = 32.0D0*EPS*SIZE
-      IF (RCTL(AT+SPLANE) .LE. 0.0D0) ERR = ERR*(SIZE +
-     $    RCTL(AT+SSIZE))
+      IF (S(SSIZE) .GT. 0.0D0) ERR = ERR*(SIZE + S(SSIZE))
       ERR = ERR + FAINT
       END
 
@@ -3755,66 +3763,60 @@ C     TSMRKD - OK is 1 if the position Z has a mark of support J, or 0;
 C     H is then its height, to a grain.  A mark is off by the roundings
 C     of TSDISC, EPS GRAINS grains, and by a quarter of a grain for
 C     twice the height's error.
-      SUBROUTINE TSMRKD(MARK, RCTL, J, Z, H, OK)
-      DOUBLE PRECISION RCTL(*), H
+      SUBROUTINE TSMRKD(MARK, SUP, J, Z, H, OK)
+      DOUBLE PRECISION SUP(96,*), H
       INTEGER MARK(*), J, Z, OK
-      INTEGER RSUP, LSUP, SLOW, SGRAIN, SUPPS
-      PARAMETER (RSUP = 10, LSUP = 97, SLOW = 96, SGRAIN = 97,
-     $    SUPPS = 8)
-      INTEGER AT, K
+      INTEGER SLOW, SGRAIN, SUPPS
+      PARAMETER (SLOW = 95, SGRAIN = 96, SUPPS = 8)
+      INTEGER K
       OK = 0
-      AT = RSUP + LSUP*(J - 1)
       K = MARK(Z) - 1
       IF (K .LT. 0 .OR. MOD(K, SUPPS) .NE. J - 1) RETURN
-      H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(K/SUPPS) + 0.5D0)
+      H = SUP(SLOW,J) + SUP(SGRAIN,J)*(DBLE(K/SUPPS) + 0.5D0)
       OK = 1
       END
 
 C     TSHEOV - OK is 1 if the position Z is near support J, or 0; H is
 C     then its height, from its mark or else by limbs, and ERR bounds
 C     the error.
-      SUBROUTINE TSHEOV(X, P, ORD, MARK, RCTL, J, Z, H, ERR, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H, ERR
+      SUBROUTINE TSHEOV(X, P, ORD, MARK, SUP, J, Z, H, ERR, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), H, ERR
       INTEGER ORD(*), MARK(*), J, Z, OK
-      INTEGER RSUP, LSUP, SPLANE, SLOW, SGRAIN
-      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, SLOW = 96,
-     $    SGRAIN = 97)
-      INTEGER AT, PLANE
-      AT = RSUP + LSUP*(J - 1)
-      ERR = RCTL(AT+SGRAIN)
-      CALL TSMRKD(MARK, RCTL, J, Z, H, OK)
+      INTEGER SLOW, SGRAIN
+      PARAMETER (SLOW = 95, SGRAIN = 96)
+      INTEGER TSCURV
+      ERR = SUP(SGRAIN,J)
+      CALL TSMRKD(MARK, SUP, J, Z, H, OK)
       IF (OK .EQ. 1) RETURN
-      CALL TSROUG(X, RCTL, AT, Z, H, ERR)
-      IF (ABS(H) .GT. ERR - RCTL(AT+SLOW)) RETURN
-      PLANE = INT(RCTL(AT+SPLANE))
-      CALL HHHEIG(P, ORD, RCTL, AT, Z, PLANE, H, ERR)
-      IF (ERR .LE. RCTL(AT+SGRAIN) .AND.
-     $    ABS(H) .LE. -RCTL(AT+SLOW)) OK = 1
+      CALL TSROUG(X, SUP(1,J), Z, H, ERR)
+      IF (ABS(H) .GT. ERR - SUP(SLOW,J)) RETURN
+      CALL HHHEIG(P, ORD, SUP(1,J), 0, Z, 1 - TSCURV(SUP, J), H, ERR)
+      IF (ERR .LE. SUP(SGRAIN,J) .AND. ABS(H) .LE. -SUP(SLOW,J)) OK = 1
       END
 
 C     TSONSU - OK is 1 if the vertices V of a facet are near support J,
 C     or 0; H are their heights, that of V(BASE) first, ERR the bounds
 C     on their errors.
-      SUBROUTINE TSONSU(X, P, ORD, MARK, RCTL, V, BASE, J, H, ERR, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), H(3), ERR(3)
+      SUBROUTINE TSONSU(X, P, ORD, MARK, SUP, V, BASE, J, H, ERR, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), H(3), ERR(3)
       INTEGER ORD(*), MARK(*), V(3), BASE, J, OK
       INTEGER K, Z
       DO 10 K = 1, 3
         Z = V(MOD(BASE+K-2,3)+1)
-        CALL TSHEOV(X, P, ORD, MARK, RCTL, J, Z, H(K), ERR(K), OK)
+        CALL TSHEOV(X, P, ORD, MARK, SUP, J, Z, H(K), ERR(K), OK)
         IF (OK .EQ. 0) RETURN
    10 CONTINUE
       END
 
-C     TSCURV - returns 1 if the facet's support is a sphere, or 0.
-      INTEGER FUNCTION TSCURV(RCTL, IQ)
-      DOUBLE PRECISION RCTL(*)
-      INTEGER IQ(42)
-      INTEGER RSUP, LSUP, SPLANE, QON
-      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, QON = 6)
+C     TSCURV - returns 1 if support J is a sphere, or 0, also if J is 0.
+      INTEGER FUNCTION TSCURV(SUP, J)
+      INTEGER J
+      DOUBLE PRECISION SUP(96,*)
+      INTEGER SSIZE
+      PARAMETER (SSIZE = 94)
       TSCURV = 0
-      IF (IQ(QON) .EQ. 0) RETURN
-      IF (RCTL(RSUP+LSUP*(IQ(QON)-1)+SPLANE) .LE. 0.0D0) TSCURV = 1
+      IF (J .EQ. 0) RETURN
+      IF (SUP(SSIZE,J) .GT. 0.0D0) TSCURV = 1
       END
 
 C     TSREME - adds Z to the sample: points that were left open or,
@@ -3840,33 +3842,32 @@ C     support.
       IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
       END
 
-C     TSTHRO - sets up a support, behind RCTL(AT), through the positions
-C     W and Z, a plane or a sphere, for a search's sample, whose extent
-C     is WIDE.  It takes heights of up to 8 times those of three
-C     quarters of the sample, or of one quarter if that is FINER times
-C     nearer: the points on one of several near sheets.  OK is 1, or 0
-C     if that is more than BAND.
-      SUBROUTINE TSTHRO(P, ORD, RCTL, IQ, W, Z, WIDE, PLANE, AT, OK)
-      DOUBLE PRECISION P(3,*), RCTL(*), WIDE
-      INTEGER ORD(*), IQ(42), W(3), Z, PLANE, AT, OK
-      INTEGER RSCALE, SPLANE, SC, SSIZE, SLOW, SGRAIN, QOPEND, QSOME,
-     $    SOME, GRAINS
+C     TSTHRO - sets up the support S through the positions W and Z, a
+C     plane or a sphere, for a search's sample, whose extent is WIDE.
+C     It takes heights of up to 8 times those of three quarters of the
+C     sample, or of one quarter if that is FINER times nearer: the
+C     points on one of several near sheets.  OK is 1, or 0 if that is
+C     more than BAND.
+      SUBROUTINE TSTHRO(P, ORD, CTL, IQ, W, Z, WIDE, PLANE, S, OK)
+      DOUBLE PRECISION P(3,*), WIDE, S(96)
+      INTEGER ORD(*), CTL(*), IQ(42), W(3), Z, PLANE, OK
+      INTEGER SCALE, SC, SSIZE, SLOW, SGRAIN, QOPEND, QSOME, SOME,
+     $    GRAINS
       DOUBLE PRECISION BAND, FINER, ROUGH
-      PARAMETER (RSCALE = 5, SPLANE = 88, SC = 91, SSIZE = 95,
-     $    SLOW = 96, SGRAIN = 97, QOPEND = 9, QSOME = 9, SOME = 32,
+      PARAMETER (SCALE = 19, SC = 90, SSIZE = 94, SLOW = 95,
+     $    SGRAIN = 96, QOPEND = 9, QSOME = 9, SOME = 32,
      $    GRAINS = 134217728, BAND = 2.0D-8, FINER = 100.0D0,
      $    ROUGH = 1.0D-3)
       DOUBLE PRECISION C(3), D, ERR, H(SOME), WORST
-      INTEGER I, K, N, SE
+      INTEGER I, K, N
       N = MIN(IQ(QOPEND), SOME)
-      SE = INT(RCTL(RSCALE))
       WORST = 0.0D0
-      CALL HHCENT(P, ORD, SE, W, 1, Z, C, RCTL, AT, OK)
+      CALL HHCENT(P, ORD, CTL(SCALE), W, 1, Z, C, S, 0, OK)
       IF (OK .EQ. 0) RETURN
       OK = 0
-      CALL HHUNIT(RCTL, AT, PLANE, C)
+      CALL HHUNIT(S, 0, PLANE, C)
       DO 20 I = 1, N
-        CALL HHHEIG(P, ORD, RCTL, AT, IQ(QSOME+I), PLANE, D, ERR)
+        CALL HHHEIG(P, ORD, S, 0, IQ(QSOME+I), PLANE, D, ERR)
         D = ABS(D)
         IF (ERR .GT. 1.0D0) RETURN
         WORST = MAX(WORST, ERR)
@@ -3880,29 +3881,29 @@ C     if that is more than BAND.
       D = H(3*N/4+1)
       IF (H(N/4+1) .LT. D/FINER) D = H(N/4+1)
       D = 16.0D0*D/DBLE(GRAINS)
-      RCTL(AT+SPLANE) = DBLE(PLANE)
-      RCTL(AT+SGRAIN) = MAX(D, 8.0D0*WORST)
-      RCTL(AT+SLOW) = -0.5D0*RCTL(AT+SGRAIN)*DBLE(GRAINS)
-      RCTL(AT+SSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
+      S(SGRAIN) = MAX(D, 8.0D0*WORST)
+      S(SLOW) = -0.5D0*S(SGRAIN)*DBLE(GRAINS)
+      S(SSIZE) = 0.0D0
+      IF (PLANE .EQ. 0) S(SSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
       DO 30 K = 1, 3
-        RCTL(AT+SC+K) = C(K)
+        S(SC+K) = C(K)
    30 CONTINUE
       D = BAND*WIDE
       IF (PLANE .EQ. 0) D = ROUGH*WIDE*WIDE
-      IF (-RCTL(AT+SLOW) .LE. D) OK = 1
+      IF (-S(SLOW) .LE. D) OK = 1
       END
 
-C     TSFIT - sets up a support, behind RCTL(AT), through the widest of
-C     the points that a search left open: a sphere, or a plane where the
-C     points are on none (sheets near each other are one).  OK is 1 if
-C     it is set up, or 0.
-      SUBROUTINE TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(42), AT, OK
-      INTEGER NP, BUNIT, SPLANE, SAT, SC, SLOW, QOPEND, QSOME, SOME
+C     TSFIT - sets up the support S through the widest of the points
+C     that a search left open: a sphere, or a plane where the points are
+C     on none (sheets near each other are one).  OK is 1 if it is set
+C     up, or 0.
+      SUBROUTINE TSFIT(X, P, ORD, CTL, V, IQ, S, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), S(96)
+      INTEGER ORD(*), CTL(*), V(3), IQ(42), OK
+      INTEGER NP, BUNIT, SAT, SC, SSIZE, SLOW, QOPEND, QSOME, SOME
       DOUBLE PRECISION SMALL
-      PARAMETER (NP = 1, BUNIT = 86, SPLANE = 88, SAT = 88, SC = 91,
-     $    SLOW = 96, QOPEND = 9, QSOME = 9, SMALL = 2.0D0**(-450),
+      PARAMETER (NP = 1, BUNIT = 86, SAT = 87, SC = 90, SSIZE = 94,
+     $    SLOW = 95, QOPEND = 9, QSOME = 9, SMALL = 2.0D0**(-450),
      $    SOME = 32)
       DOUBLE PRECISION TSDOT, D, E(3), ERR, LOW, U(3,SOME), WIDE(3)
       INTEGER FAR, I, J, K, N, UP, W(3), Z
@@ -3936,31 +3937,31 @@ C     the farthest one, and what is left of all
    50     CONTINUE
    60   CONTINUE
    70 CONTINUE
-      IF (WIDE(3) .GE. 1.0D-7*WIDE(1))
-     $  CALL TSTHRO(P, ORD, RCTL, IQ, W, Z, WIDE(1), 0, AT, OK)
-      IF (OK .EQ. 0)
-     $  CALL TSTHRO(P, ORD, RCTL, IQ, W, W(1), WIDE(1), 1, AT, OK)
+      IF (WIDE(3) .GE. 1.0D-7*WIDE(1)) CALL TSTHRO(P, ORD, CTL, IQ, W,
+     $    Z, WIDE(1), 0, S, OK)
+      IF (OK .EQ. 0) CALL TSTHRO(P, ORD, CTL, IQ, W, W(1), WIDE(1), 1,
+     $    S, OK)
       IF (OK .EQ. 0) RETURN
       DO 80 K = 1, 3
-        RCTL(AT+SAT+K) = X(K,W(1))
+        S(SAT+K) = X(K,W(1))
    80 CONTINUE
-      IF (RCTL(AT+SPLANE) .LT. 0.5D0) RETURN
+      IF (S(SSIZE) .GT. 0.0D0) RETURN
 C     nodes know how far down their points reach, but only that some are
 C     above: the side of a plane with more points is turned up
-      LOW = RCTL(AT+SLOW)
+      LOW = S(SLOW)
       UP = 0
       DO 90 I = 1, CTL(NP), CTL(NP)/256 + 1
         Z = I
-        CALL TSROUG(X, RCTL, AT, Z, D, ERR)
+        CALL TSROUG(X, S, Z, D, ERR)
         IF (D .GT. ERR - LOW) UP = UP + 1
         IF (D .LT. LOW - ERR) UP = UP - 1
    90 CONTINUE
       IF (UP .GE. 0) RETURN
       DO 100 K = 1, 3
-        RCTL(AT+SC+K) = -RCTL(AT+SC+K)
+        S(SC+K) = -S(SC+K)
   100 CONTINUE
 C     of heights by limbs, too
-      RCTL(AT+BUNIT) = -RCTL(AT+BUNIT)
+      S(BUNIT) = -S(BUNIT)
       END
 
 C     TSDISC - seeks a support for the points that a search left open.
@@ -3970,49 +3971,47 @@ C     node.  The support is kept if it marks enough points, or if the
 C     facet, on no other support, is near it and so are many points:
 C     facets between near sheets lean on a plane that holds them all.
 C     KEPT is 1 if it is kept, or 0.
-      SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, V, IQ,
+      SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
      $                  KEPT)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), KEPT
-      INTEGER NP, LEAVES, RSUPP, RPATIE, RSUP, LSUP, SPLANE, SLOW,
-     $    SGRAIN, QBASE, QON, QOPEND, DONE, OPENED, SUPPS, GRAINS
+      INTEGER NP, LEAVES, NSUPP, RPATIE, SLOW, SGRAIN, QBASE, QON,
+     $    QOPEND, DONE, OPENED, SUPPS, GRAINS
       DOUBLE PRECISION FINER
-      PARAMETER (NP = 1, LEAVES = 4, RSUPP = 6, RPATIE = 8, RSUP = 10,
-     $    LSUP = 97, SPLANE = 88, SLOW = 96, SGRAIN = 97, QBASE = 4,
-     $    QON = 6, QOPEND = 9, DONE = -1, OPENED = 24, SUPPS = 8,
-     $    GRAINS = 134217728, FINER = 100.0D0)
+      PARAMETER (NP = 1, LEAVES = 4, NSUPP = 20, RPATIE = 5, SLOW = 95,
+     $    SGRAIN = 96, QBASE = 4, QON = 6, QOPEND = 9, DONE = -1,
+     $    OPENED = 24, SUPPS = 8, GRAINS = 134217728, FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, ERRS(3), FINE, GRAIN, H, HS(3), LOW
-      INTEGER TSCUBE, ACROSS, ALL, AT, FIRST, I, J, K, LAST, LEAST,
+      INTEGER TSCUBE, TSCURV, ACROSS, ALL, FIRST, I, J, K, LAST, LEAST,
      $    NEAR, NODE, OK, OLD, OVER, PLANE, Z
       KEPT = 0
-      J = INT(RCTL(RSUPP)) + 1
-      AT = RSUP + LSUP*(J - 1)
+      J = CTL(NSUPP) + 1
       IF (J .EQ. 1) THEN
         DO 10 I = 1, CTL(NP)
           MARK(I) = 0
    10   CONTINUE
       END IF
-      CALL TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
+      CALL TSFIT(X, P, ORD, CTL, V, IQ, SUP(1,J), OK)
       IF (OK .EQ. 0) RETURN
 C     sample all that is near: the search's points may be from a corner
       IQ(QOPEND) = 0
-      LOW = RCTL(AT+SLOW)
+      LOW = SUP(SLOW,J)
       DO 15 I = 1, CTL(NP), CTL(NP)/1024 + 1
         Z = I
-        CALL TSROUG(X, RCTL, AT, Z, H, ERR)
+        CALL TSROUG(X, SUP(1,J), Z, H, ERR)
         IF (LINK(I) .NE. DONE .AND. ABS(H) .LE. ERR - 2.0D0*LOW)
      $      CALL TSREME(IQ, Z, 1)
    15 CONTINUE
       IF (IQ(QOPEND) .GT. OPENED) THEN
-        CALL TSFIT(X, P, ORD, CTL, RCTL, V, IQ, AT, OK)
+        CALL TSFIT(X, P, ORD, CTL, V, IQ, SUP(1,J), OK)
         IF (OK .EQ. 0) RETURN
       END IF
       ACROSS = 0
-      IF (IQ(QON) .EQ. 0) CALL TSONSU(X, P, ORD, MARK, RCTL, V,
+      IF (IQ(QON) .EQ. 0) CALL TSONSU(X, P, ORD, MARK, SUP, V,
      $    IQ(QBASE), J, HS, ERRS, ACROSS)
-      PLANE = INT(RCTL(AT+SPLANE))
-      LOW = RCTL(AT+SLOW)
-      GRAIN = RCTL(AT+SGRAIN)
+      PLANE = 1 - TSCURV(SUP, J)
+      LOW = SUP(SLOW,J)
+      GRAIN = SUP(SGRAIN,J)
       LEAST = CTL(NP) + 2*CTL(LEAVES)*(J - 1)
       NEAR = 0
       ALL = 0
@@ -4030,9 +4029,9 @@ C     sample all that is near: the search's points may be from a corner
         DO 20 I = FIRST, LAST
           IF (LINK(I) .EQ. DONE) GO TO 20
           Z = I
-          CALL TSROUG(X, RCTL, AT, Z, H, ERR)
+          CALL TSROUG(X, SUP(1,J), Z, H, ERR)
           IF (ABS(H) .LE. ERR - LOW) THEN
-            CALL HHHEIG(P, ORD, RCTL, AT, Z, PLANE, C, FINE)
+            CALL HHHEIG(P, ORD, SUP(1,J), 0, Z, PLANE, C, FINE)
             IF (FINE .LT. ERR) THEN
               H = C
               ERR = FINE
@@ -4048,8 +4047,8 @@ C     sample all that is near: the search's points may be from a corner
      $        GO TO 20
           ALL = ALL + 1
           IF (MARK(I) .GT. 0) THEN
-            OLD = RSUP + LSUP*MOD(MARK(I) - 1, SUPPS)
-            IF (RCTL(OLD+SGRAIN) .LE. FINER*GRAIN) GO TO 20
+            OLD = MOD(MARK(I) - 1, SUPPS) + 1
+            IF (SUP(SGRAIN,OLD) .LE. FINER*GRAIN) GO TO 20
           END IF
           MARK(I) = J + SUPPS*K
           NEAR = NEAR + 1
@@ -4065,7 +4064,7 @@ C     sample all that is near: the search's points may be from a corner
         RETURN
       END IF
       KEPT = 1
-      RCTL(RSUPP) = DBLE(J)
+      CTL(NSUPP) = J
       IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
       END
 
@@ -4088,36 +4087,34 @@ C     circumcentre in the set-up.  It errs by half of the tilt's error,
 C     and by 8 EPS of the centre and the roundings of three differences
 C     in any order, each of at most EPS (|o| + 2 |at|): these make less
 C     than 8 EPS SIZE.
-      SUBROUTINE TSSUPP(X, P, ORD, MARK, RCTL, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108)
-      INTEGER ORD(*), MARK(*), V(3), IQ(42)
-      INTEGER RSUPP, RSUP, LSUP, SPLANE, SAT, SC, QBASE, QON, QAIMED,
-     $    QH, QDH, QTILT, QDTILT, QG, SUPPS
+      SUBROUTINE TSSUPP(X, P, ORD, MARK, CTL, SUP, V, IQ, F, FQ)
+      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), FQ(108)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42)
+      INTEGER NSUPP, SAT, SC, SSIZE, QBASE, QON, QAIMED, QH, QDH, QTILT,
+     $    QDTILT, QG, SUPPS
       DOUBLE PRECISION EPS, FAINT
-      PARAMETER (RSUPP = 6, RSUP = 10, LSUP = 97, SPLANE = 88, SAT = 88,
-     $    SC = 91, QBASE = 4, QON = 6, QAIMED = 7, QH = 95, QDH = 96,
-     $    QTILT = 96, QDTILT = 100, QG = 101, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200, SUPPS = 8)
+      PARAMETER (NSUPP = 20, SAT = 87, SC = 90, SSIZE = 94, QBASE = 4,
+     $    QON = 6, QAIMED = 7, QH = 95, QDH = 96, QTILT = 96,
+     $    QDTILT = 100, QG = 101, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+     $    SUPPS = 8)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2), R,
      $    SIZE, T(2)
-      INTEGER AT, B, I, J, K, OK, Z
+      INTEGER B, I, J, K, OK, Z
       IF (F(10) .GT. 1.0D-3) RETURN
       DO 10 I = 1, 3
         IF (MARK(V(I)) .EQ. 0) GO TO 10
         J = MOD(MARK(V(I)) - 1, SUPPS) + 1
-        CALL TSONSU(X, P, ORD, MARK, RCTL, V, IQ(QBASE), J, H, ERR, OK)
+        CALL TSONSU(X, P, ORD, MARK, SUP, V, IQ(QBASE), J, H, ERR, OK)
         IF (OK .EQ. 1) GO TO 40
    10 CONTINUE
-      DO 20 I = 1, INT(RCTL(RSUPP))
+      DO 20 I = 1, CTL(NSUPP)
         J = I
-        CALL TSONSU(X, P, ORD, MARK, RCTL, V, IQ(QBASE), J, H, ERR, OK)
+        CALL TSONSU(X, P, ORD, MARK, SUP, V, IQ(QBASE), J, H, ERR, OK)
         IF (OK .EQ. 1) GO TO 40
    20 CONTINUE
       RETURN
-   40 AT = RSUP + LSUP*(J - 1)
-      FQ(QG) = TSDOT(RCTL(AT+SC+1), F)
-      IF (RCTL(AT+SPLANE) .GT. 0.0D0 .AND. ABS(FQ(QG)) .LT. 0.5D0)
-     $    RETURN
+   40 FQ(QG) = TSDOT(SUP(SC+1,J), F)
+      IF (SUP(SSIZE,J) .LE. 0.0D0 .AND. ABS(FQ(QG)) .LT. 0.5D0) RETURN
       B = V(IQ(QBASE))
       DO 60 I = 1, 2
         Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
@@ -4148,13 +4145,13 @@ C     than 8 EPS SIZE.
      $      16.0D0*EPS*(ABS(H(I+1)) + ABS(H(1)) +
      $      SIZE*SQRT(N(I))))*SQRT(1.02D0*N(3-I)/DET)
    80 CONTINUE
-      IF (RCTL(AT+SPLANE) .GT. 0.0D0) RETURN
+      IF (SUP(SSIZE,J) .LE. 0.0D0) RETURN
       SIZE = 0.0D0
       DO 90 K = 1, 3
-        R = F(6+K) - RCTL(AT+SAT+K)
-        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(RCTL(AT+SC+K)) +
-     $      ABS(RCTL(AT+SAT+K)))
-        F(3+K) = 0.5D0*FQ(QTILT+K) - (R - RCTL(AT+SC+K))
+        R = F(6+K) - SUP(SAT+K,J)
+        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(SUP(SC+K,J)) +
+     $      ABS(SUP(SAT+K,J)))
+        F(3+K) = 0.5D0*FQ(QTILT+K) - (R - SUP(SC+K,J))
    90 CONTINUE
       F(11) = 0.6D0*FQ(QDTILT) + 8.0D0*EPS*SIZE
       F(12) = SQRT(TSDOT(F(4), F(4)))
@@ -4166,20 +4163,19 @@ C     facet's support: the height gives the side for a plane, the power
 C     for a sphere.  A plane's g errs by E and some roundings.  The
 C     quotients are of numbers right to 4 EPS of themselves, as is what
 C     is left of a side of more than twice its error: PAD is more.
-      SUBROUTINE TSSHAR(X, P, ORD, MARK, RCTL, IQ, F, FQ, Z, SIDE, LO,
+      SUBROUTINE TSSHAR(X, P, ORD, MARK, SUP, IQ, F, FQ, Z, SIDE, LO,
      $                  HI)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(108), LO, HI
+      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), FQ(108), LO, HI
       INTEGER ORD(*), MARK(*), IQ(42), Z, SIDE
-      INTEGER RSUP, LSUP, SPLANE, QON, QH, QDH, QTILT, QDTILT, QG
+      INTEGER SSIZE, QON, QH, QDH, QTILT, QDTILT, QG
       DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
-      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, QON = 6, QH = 95,
-     $    QDH = 96, QTILT = 96, QDTILT = 100, QG = 101,
-     $    EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+      PARAMETER (SSIZE = 94, QON = 6, QH = 95, QDH = 96, QTILT = 96,
+     $    QDTILT = 100, QG = 101, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023, PAD = 64.0D0*EPS,
      $    SMALL = 2.0D0**(-450))
       DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, Q(3), SIZE, U
       INTEGER K, OK
-      CALL TSHEOV(X, P, ORD, MARK, RCTL, IQ(QON), Z, H, ERR, OK)
+      CALL TSHEOV(X, P, ORD, MARK, SUP, IQ(QON), Z, H, ERR, OK)
       IF (OK .EQ. 0) RETURN
       ERR = ERR + (FQ(QDH) + 16.0D0*EPS*(ABS(H) + ABS(FQ(QH))) + FAINT)
       H = H - FQ(QH)
@@ -4194,7 +4190,7 @@ C     is left of a side of more than twice its error: PAD is more.
         ERR = ERR + 16.0D0*EPS*ABS(FQ(QTILT+K)*U)
    10 CONTINUE
       ERR = ERR + FQ(QDTILT)*SIZE
-      IF (RCTL(RSUP+LSUP*(IQ(QON)-1)+SPLANE) .GT. 0.0D0) THEN
+      IF (SUP(SSIZE,IQ(QON)) .LE. 0.0D0) THEN
         IF (FQ(QG) .LT. 0.0D0) H = -H
         IF (H + ERR .LT. 0.0D0) THEN
           SIDE = -1
@@ -4246,25 +4242,23 @@ C     Any q is valid, so errors in q do not count.  dd has room for the
 C     errors of c, tilt and v, and for 16 roundings of each term.  err
 C     has room for those of h, of a height of at most -low, and of a,
 C     which is exact but for one rounding.
-      SUBROUTINE TSAIM(RCTL, IQ, F, FQ)
-      DOUBLE PRECISION RCTL(*), F(12), FQ(108)
+      SUBROUTINE TSAIM(S, IQ, F, FQ)
+      DOUBLE PRECISION S(96), F(12), FQ(108)
       INTEGER IQ(42)
-      INTEGER RSUP, LSUP, SPLANE, SLOW, QBALL, QON, QAIMED, QHI, QH,
-     $    QDH, QTILT, QDTILT, QG, QTEST, TQ, TD, TDD, TA, TERR
+      INTEGER SSIZE, SLOW, QBALL, QAIMED, QHI, QH, QDH, QTILT, QDTILT,
+     $    QG, QTEST, TQ, TD, TDD, TA, TERR
       DOUBLE PRECISION EPS, FAINT, MUCHL
-      PARAMETER (RSUP = 10, LSUP = 97, SPLANE = 88, SLOW = 96,
-     $    QBALL = 3, QON = 6, QAIMED = 7, QHI = 2, QH = 95, QDH = 96,
-     $    QTILT = 96, QDTILT = 100, QG = 101, QTEST = 101, TQ = 1,
-     $    TD = 1, TDD = 5, TA = 6, TERR = 7, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200, MUCHL = 1.0D100)
+      PARAMETER (SSIZE = 94, SLOW = 95, QBALL = 3, QAIMED = 7, QHI = 2,
+     $    QH = 95, QDH = 96, QTILT = 96, QDTILT = 100, QG = 101,
+     $    QTEST = 101, TQ = 1, TD = 1, TDD = 5, TA = 6, TERR = 7,
+     $    EPS = 2.0D0**(-52), FAINT = 1.0D-200, MUCHL = 1.0D100)
       DOUBLE PRECISION A, B, DD, Q, SUM, U, V, W
-      INTEGER AT, BALL, K
-      AT = RSUP + LSUP*(IQ(QON) - 1)
+      INTEGER BALL, K
       IQ(QAIMED) = 1
       BALL = IQ(QBALL)
       IF (ABS(FQ(QHI)) .GT. MUCHL) BALL = 0
       B = 0.0D0
-      IF (RCTL(AT+SPLANE) .GT. 0.0D0) THEN
+      IF (S(SSIZE) .LE. 0.0D0) THEN
         Q = DBLE(BALL)
         A = -1.0D0
         IF (FQ(QG) .LT. 0.0D0) A = 1.0D0
@@ -4299,7 +4293,7 @@ C     which is exact but for one rounding.
       FQ(QTEST+TDD) = DD
       FQ(QTEST+TA) = A
       FQ(QTEST+TERR) = ABS(A)*FQ(QDH) + 16.0D0*EPS*(ABS(A) +
-     $    Q)*(ABS(FQ(QH)) - RCTL(AT+SLOW)) + FAINT
+     $    Q)*(ABS(FQ(QH)) - S(SLOW)) + FAINT
       END
 
 C     TSLOWE - LEAST is the least value of q |W|**2 - d.W, of the test
@@ -4352,26 +4346,24 @@ C     SIZE, and the height counts as H, to within DH; or 0.
 C     TSPRHE - OUT is 1 if the heights of a node's points prove that it
 C     holds no candidate, or 0.  A leaf is also tested by its box.
 C     Where the heights tell nothing, the box alone counts.
-      SUBROUTINE TSPRHE(BOX, MARK, CTL, RCTL, IQ, F, FQ, NODE, OUT)
-      DOUBLE PRECISION BOX(6,*), RCTL(*), F(12), FQ(108)
+      SUBROUTINE TSPRHE(BOX, MARK, CTL, SUP, IQ, F, FQ, NODE, OUT)
+      DOUBLE PRECISION BOX(6,*), SUP(96,*), F(12), FQ(108)
       INTEGER MARK(*), CTL(*), IQ(42), NODE, OUT
-      INTEGER NP, LEAVES, RSUP, LSUP, SLOW, SGRAIN, QON, QAIMED, QTEST,
-     $    TA, GRAINS
-      PARAMETER (NP = 1, LEAVES = 4, RSUP = 10, LSUP = 97, SLOW = 96,
-     $    SGRAIN = 97, QON = 6, QAIMED = 7, QTEST = 101, TA = 6,
-     $    GRAINS = 134217728)
+      INTEGER NP, LEAVES, SLOW, SGRAIN, QON, QAIMED, QTEST, TA, GRAINS
+      PARAMETER (NP = 1, LEAVES = 4, SLOW = 95, SGRAIN = 96, QON = 6,
+     $    QAIMED = 7, QTEST = 101, TA = 6, GRAINS = 134217728)
       DOUBLE PRECISION H, SIZE, SUM
-      INTEGER TSPRUN, AT, CODE, TELLS
-      IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(RCTL, IQ, F, FQ)
-      AT = RSUP + LSUP*(IQ(QON) - 1)
+      INTEGER TSPRUN, CODE, TELLS
+      IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F, FQ)
       CODE = MARK(CTL(NP)+2*CTL(LEAVES)*(IQ(QON)-1)+NODE)
       TELLS = 1
       IF (FQ(QTEST+TA) .LT. 0.0D0) THEN
         IF (MOD(CODE, 2) .EQ. 1) TELLS = 0
-        H = -RCTL(AT+SLOW)
+        H = -SUP(SLOW,IQ(QON))
       ELSE
         IF (CODE .LT. 2 .OR. CODE/2 .GT. GRAINS) TELLS = 0
-        H = RCTL(AT+SLOW) + RCTL(AT+SGRAIN)*(DBLE(CODE/2) - 1.5D0)
+        H = SUP(SLOW,IQ(QON)) + SUP(SGRAIN,IQ(QON))*(DBLE(CODE/2) -
+     $      1.5D0)
       END IF
       OUT = 0
       IF (TELLS .EQ. 1) THEN
@@ -4526,7 +4518,7 @@ C     ones.
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
       INTEGER CTL(*)
       INTEGER LEAVES, STAGE
-      PARAMETER (LEAVES = 4, STAGE = 28)
+      PARAMETER (LEAVES = 4, STAGE = 16)
       INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
       CTL(STAGE) = 0
       SUM = 0
@@ -4657,7 +4649,7 @@ C     side.
       INTEGER NCELL, CELL0, T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI,
      $    QDC, CELL, CELLS
       DOUBLE PRECISION MUCHL
-      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, LMARG = 13,
+      PARAMETER (NCELL = 17, CELL0 = 32, T3 = 1, T5 = 2, LMARG = 13,
      $    STR = 2, QBEST = 1, QLIMBS = 2, QLO = 1, QHI = 2, QDC = 6,
      $    MUCHL = 1.0D100, CELL = 12, CELLS = 4)
       DOUBLE PRECISION WIDE
@@ -4705,7 +4697,7 @@ C     see "Ties".
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), CTL(*), V(3), Z
       INTEGER NCELL, CELL0, T3, T5, CELL, CELLS
-      PARAMETER (NCELL = 29, CELL0 = 29, T3 = 1, T5 = 2, CELL = 12,
+      PARAMETER (NCELL = 17, CELL0 = 32, T3 = 1, T5 = 2, CELL = 12,
      $    CELLS = 4)
       INTEGER HHPBEA, HHPSID, AT, I, IN, J, K
       Z = 0
@@ -5259,14 +5251,14 @@ C     TSDESC - BEST is a position near Q: go down the tree by the cuts
 C     and take the point of the leaf that is nearest in the maximum
 C     norm. All comparisons are exact, unless Q is far outside, so it is
 C     the same everywhere.
-      SUBROUTINE TSDESC(P, ORD, BOX, CTL, RCTL, Q, BEST)
-      DOUBLE PRECISION P(3,*), BOX(6,*), RCTL(*), Q(3)
+      SUBROUTINE TSDESC(P, ORD, BOX, CTL, Q, BEST)
+      DOUBLE PRECISION P(3,*), BOX(6,*), Q(3)
       INTEGER ORD(*), CTL(*), BEST
-      INTEGER LEAVES, RSCALE
-      PARAMETER (LEAVES = 4, RSCALE = 5)
+      INTEGER LEAVES, SCALE
+      PARAMETER (LEAVES = 4, SCALE = 19)
       DOUBLE PRECISION HHLDEX, HI, LO
       INTEGER FIRST, I, K, LAST, NODE, OK, SE
-      SE = -INT(RCTL(RSCALE))
+      SE = -CTL(SCALE)
       NODE = 1
    10 IF (NODE .LT. CTL(LEAVES)) THEN
         NODE = 2*NODE
@@ -5289,16 +5281,17 @@ C     TSACRO - replace U by the tetrahedron across its facet K, whose
 C     apex becomes U(4).  OK is 1; or 0, with U unchanged, if that facet
 C     is on the hull.  ORD takes the place of LINK: no star is complete,
 C     no entry is DONE.
-      SUBROUTINE TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, LSX, LSID,
-     $                  LSI, LSD, U, K, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      SUBROUTINE TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, U, K, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+     $    LSD(14,2)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), CTL(*), LSID(*), LSI(3,2), U(4,1), K, OK
       INTEGER F(3), GUESS(2), I, Z
       GUESS(1) = 0
       GUESS(2) = 0
       CALL TSOUTF(U, 1, K, F)
-      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, LSX,
+      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, SUP, LSX,
      $            LSID, LSI, LSD, F, GUESS, Z)
       OK = 0
       IF (Z .EQ. 0) RETURN
@@ -5366,9 +5359,9 @@ C     TSQUER - TESSQU with the index cut up as TSRUN's workspace.
       INTEGER TSLIST, NP, T3, HFROM, HMOST, NONE, UNSURE, RANGE
       PARAMETER (TSLIST = 512, NP = 1, T3 = 1, HFROM = 7, HMOST = 10,
      $    NONE = 0, UNSURE = 2, RANGE = 6)
-      DOUBLE PRECISION LSD(14,2), RCTL(17), XF(3), Y(3,1)
+      DOUBLE PRECISION LSD(14,2), RCTL(7), SUP(96,1), XF(3), Y(3,1)
       REAL LSX(TSLIST,4,2)
-      INTEGER HHFINI, HHHOLD, HHPSID, TSQSID, TSSLOT, CTL(82), F(3),
+      INTEGER HHFINI, HHHOLD, HHPSID, TSQSID, TSSLOT, CTL(84), F(3),
      $    G(4,1), H(10), I, K, LAST, LSI(3,2), LSID(TSLIST+48,2), OK, S,
      $    STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
@@ -5398,10 +5391,10 @@ C     TSQUER - TESSQU with the index cut up as TSRUN's workspace.
       IF (HHHOLD(1, Y) .EQ. 0) RETURN
       LAST = 5
    40 IF (STEPS .EQ. 0) THEN
-        CALL TSDESC(P, ORD, BOX, CTL, RCTL, Q, S)
+        CALL TSDESC(P, ORD, BOX, CTL, Q, S)
 C       ORD in the place of LINK: see TSACRO
         CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, ORD, CTL,
-     $              RCTL, LSX, LSID, LSI, LSD, S, U)
+     $              RCTL, SUP, LSX, LSID, LSI, LSD, S, U)
         LAST = 5
       END IF
       IF (STEPS .GE. 0) STEPS = STEPS - 1
@@ -5420,8 +5413,8 @@ C       ORD in the place of LINK: see TSACRO
       IF (INFO .NE. 0) INFO = RANGE
       RETURN
    70 LAST = 4
-      CALL TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, LSX, LSID, LSI, LSD,
-     $            U, K, OK)
+      CALL TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $            LSD, U, K, OK)
       IF (OK .EQ. 1) GO TO 40
       H(1) = NONE
       H(HFROM) = NONE
@@ -5443,8 +5436,8 @@ C     as TSTURN does
   110 I = TSSLOT(U, 1, Z)
       Z = U(K,1)
       K = 4
-      CALL TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, LSX, LSID, LSI, LSD,
-     $            U, I, OK)
+      CALL TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $            LSD, U, I, OK)
       IF (OK .EQ. 1) GO TO 110
       K = I
       GO TO 80
