@@ -564,7 +564,7 @@ C     Cost: 15 square roots.  Source: Sibson (1981).
    40    CONTINUE
          R = SQRT(NATDOT(D, D))
          OUT = VALUE(NBR(I))
-         IF (R .EQ. 0.0D0) RETURN
+         IF (R .LE. 0.0D0) RETURN
          PLANE = VALUE(NBR(I)) + NATDOT(G(1,NBR(I)), D)
          LINEAR = LINEAR + W(I)*VALUE(NBR(I))
          SLOPES = SLOPES + W(I) / R*PLANE

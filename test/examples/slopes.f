@@ -65,16 +65,16 @@ C     NOISE: the values' rounding, as a part of them.
          SIZE(K) = 0.0D0
    10 CONTINUE
       DO 30 I = 1, N
-         IF (USED(I) .EQ. 0.0D0) GO TO 30
+         IF (USED(I) .LE. 0.0D0) GO TO 30
          DO 20 K = 1, 3
             D = P(K,I)
-            IF (COUNT .EQ. 0.0D0 .OR. D .LT. LOW(K)) LOW(K) = D
-            IF (COUNT .EQ. 0.0D0 .OR. D .GT. SIZE(K)) SIZE(K) = D
+            IF (COUNT .LE. 0.0D0 .OR. D .LT. LOW(K)) LOW(K) = D
+            IF (COUNT .LE. 0.0D0 .OR. D .GT. SIZE(K)) SIZE(K) = D
    20    CONTINUE
          IF (ABS(VALUE(I)) .GT. TOP) TOP = ABS(VALUE(I))
          COUNT = COUNT + 1.0D0
    30 CONTINUE
-      IF (TOP .EQ. 0.0D0) TOP = 1.0D0
+      IF (TOP .LE. 0.0D0) TOP = 1.0D0
       DO 60 K = 1, 3
          SIZE(K) = SIZE(K) - LOW(K)
          BY(K) = K
@@ -94,7 +94,7 @@ C     NOISE: the values' rounding, as a part of them.
             R(MOD(K, 4)+1) = 0.0D0
    80    CONTINUE
          DO 110 I = 1, N
-            IF (USED(I) .EQ. 0.0D0) GO TO 110
+            IF (USED(I) .LE. 0.0D0) GO TO 110
             DO 90 K = 1, 3
                U(K) = (P(BY(K),I) - LOW(BY(K))) / SIZE(BY(K)) - MEAN(K)
    90       CONTINUE
@@ -160,7 +160,7 @@ C     Where nothing is told the gradient is 0.
       M(5) = -E*SIZE(BY(3)) / SIZE(BY(2))
       M(6) = 1.0D0
       D = 0.0D0
-      IF (T(2) .EQ. 0.0D0) D = SLPDOT(M(1), M(4)) / SLPDOT(M(1), M(1))
+      IF (T(2) .LE. 0.0D0) D = SLPDOT(M(1), M(4)) / SLPDOT(M(1), M(1))
       DO 220 K = 1, 3
          M(K+3) = M(K+3) - D*M(K)
   220 CONTINUE
