@@ -250,16 +250,19 @@ C               support that the facet is on, or 0; QAIMED: TSAIM's
 C               test is for the best point so far; behind QSOME a sample
 C               of the points offered to it, QOPEND: QOPEN = 1: points
 C               left open, 0: of leaves
-C       FQ      the best point's L-coordinate is between QLO and QHI;
-C               behind QC the ball's centre, relative to F(7..9), wrong
-C               by at most QDC; QSIZE = |C|_1; behind QLIMB the ball by
-C               limbs (see HHCENT); G = height - QH - tilt.W is 0 on the
-C               facet, the tilt behind QTILT, QDH, QDTILT their errors;
-C               QG: of a plane, the height of the facet's normal; behind
-C               QTEST TSAIM's test:
-C     It is a (height - h) + q |W|**2 - d.W, of which each coordinate of
-C     W is wrong by dd times it, and all by err:
-C       TQ, TDD, TA, TERR  q, dd, a, err; behind TD: d
+C       FQ      FQ(1..3): the centre C of the best point's ball,
+C               relative to F(7..9), wrong by at most QDC; QSIZE:
+C               |C|_1; the best point's L-coordinate is between QLO and
+C               QHI: so far C(7) where the rest is not needed; from QT
+C               on T, in which QQ is TQ; behind QLIMB the ball by limbs
+C               (see HHCENT)
+C       T       of the support that the facet is on: TSAIM's test, that
+C               a (height - h) + q |W|**2 - d.W > 0, of which each
+C               coordinate of W is wrong by dd times it, and all by err:
+C               T(1..3): d; TQ, TDD, TA, TERR: q, dd, a, err; G = height
+C               - TH - tilt.W is 0 on the facet, the tilt behind TTILT;
+C               TDH, TDTILT their errors; TG: of a plane, the height of
+C               the facet's normal
 C     A walk over the hull:
 C       H       H(1..3): the facet nearest to Q so far; behind HON the
 C               vertices of the edge that has its nearest point, or the
@@ -1342,14 +1345,14 @@ C     <= LENGTH.  C errs by at most dc.  Each term W(K) (W(K) - 2 C(K))
 C     suffers at most 6 roundings, counting that of W(K) twice and those
 C     of the sum, each of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).
 C     LENGTH and this bound may come out too small by a few EPS.
-      DOUBLE PRECISION FUNCTION TSPOWE(FQ, LENGTH)
-      DOUBLE PRECISION FQ(108), LENGTH
+      DOUBLE PRECISION FUNCTION TSPOWE(C, LENGTH)
+      DOUBLE PRECISION C(7), LENGTH
       INTEGER QDC, QSIZE
       DOUBLE PRECISION EPS, FAINT
-      PARAMETER (QDC = 6, QSIZE = 7, EPS = 2.0D0**(-52),
+      PARAMETER (QDC = 4, QSIZE = 5, EPS = 2.0D0**(-52),
      $    FAINT = 1.0D-200)
-      TSPOWE = LENGTH*(2.0D0*FQ(QDC) + 8.0D0*EPS*(LENGTH +
-     $    2.0D0*FQ(QSIZE))) + FAINT
+      TSPOWE = LENGTH*(2.0D0*C(QDC) + 8.0D0*EPS*(LENGTH +
+     $    2.0D0*C(QSIZE))) + FAINT
       END
 
 C     TSPRUN - returns 1 if the box of a node provably holds no
@@ -1360,12 +1363,12 @@ C     bounds on their errors: TSPOWE, and E |W|, which covers the
 C     rounding of the side, too.  Both are taken at a point whose
 C     coordinates are the box's own doubles, so the bounds for points
 C     hold.
-      INTEGER FUNCTION TSPRUN(IQ, F, FQ, BOX, NODE)
-      DOUBLE PRECISION F(12), FQ(108), BOX(6,*)
+      INTEGER FUNCTION TSPRUN(IQ, F, C, BOX, NODE)
+      DOUBLE PRECISION F(12), C(7), BOX(6,*)
       INTEGER IQ(42), NODE
-      INTEGER QBALL, QC
+      INTEGER QBALL
       DOUBLE PRECISION FAINT, LOOSE
-      PARAMETER (QBALL = 3, QC = 2, FAINT = 1.0D-200, LOOSE = 0.5D0)
+      PARAMETER (QBALL = 3, FAINT = 1.0D-200, LOOSE = 0.5D0)
       DOUBLE PRECISION TSPOWE, H, L, LENGTH, POWER, SIDE, U
       INTEGER K
       POWER = 0.0D0
@@ -1374,14 +1377,14 @@ C     hold.
       DO 10 K = 1, 3
         L = BOX(K,NODE) - F(6+K)
         H = BOX(3+K,NODE) - F(6+K)
-        U = MIN(MAX(FQ(QC+K), L), H)
-        POWER = POWER + U*(U - 2.0D0*FQ(QC+K))
+        U = MIN(MAX(C(K), L), H)
+        POWER = POWER + U*(U - 2.0D0*C(K))
         SIDE = SIDE + MAX(L*F(K), H*F(K))
         LENGTH = LENGTH + MAX(ABS(L), ABS(H))
    10 CONTINUE
       TSPRUN = 0
       IF (IQ(QBALL) .EQ. 1) THEN
-        IF (POWER .GT. TSPOWE(FQ, LENGTH)) TSPRUN = 1
+        IF (POWER .GT. TSPOWE(C, LENGTH)) TSPRUN = 1
       END IF
       IF (F(10) .LE. LOOSE) THEN
         IF (SIDE .LT. -F(10)*LENGTH - FAINT) TSPRUN = 1
@@ -1391,12 +1394,12 @@ C     hold.
 C     TSNARR - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
-      DOUBLE PRECISION F(12), FQ(108), L
+      DOUBLE PRECISION F(12), FQ(*), L
       INTEGER IQ(42)
-      INTEGER QLIMBS, QBALL, QAIMED, QHI, QC, QDC, QSIZE
+      INTEGER QLIMBS, QBALL, QAIMED, QHI, QDC, QSIZE
       DOUBLE PRECISION EPS, MUCHL
-      PARAMETER (QLIMBS = 2, QBALL = 3, QAIMED = 7, QHI = 2, QC = 2,
-     $    QDC = 6, QSIZE = 7, EPS = 2.0D0**(-52), MUCHL = 1.0D100)
+      PARAMETER (QLIMBS = 2, QBALL = 3, QAIMED = 7, QHI = 7, QDC = 4,
+     $    QSIZE = 5, EPS = 2.0D0**(-52), MUCHL = 1.0D100)
       INTEGER K
       FQ(QHI) = L
       IQ(QAIMED) = 0
@@ -1408,8 +1411,8 @@ C     where balls are flat: counting it makes points near a plane take
 C     10 times as long.
       FQ(QSIZE) = 0.0D0
       DO 10 K = 1, 3
-        FQ(QC+K) = F(3+K) + L*F(K)
-        FQ(QSIZE) = FQ(QSIZE) + ABS(FQ(QC+K))
+        FQ(K) = F(3+K) + L*F(K)
+        FQ(QSIZE) = FQ(QSIZE) + ABS(FQ(K))
    10 CONTINUE
       FQ(QDC) = F(11) + ABS(L)*F(10) + 4.0D0*EPS*FQ(QSIZE)
       END
@@ -1421,15 +1424,15 @@ C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
 C     sphere L is counted from F(4..6): U, the difference, takes the
 C     place of C, with the error of F(4..6) and one more rounding.
       SUBROUTINE TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      DOUBLE PRECISION P(3,*), SUP(96,*), F(12), FQ(108)
+      DOUBLE PRECISION P(3,*), SUP(96,*), F(12), FQ(*)
       INTEGER ORD(*), CTL(*), V(3), IQ(42)
       INTEGER SCALE, QBEST, QLIMBS, QBALL, QBASE, QON, QAIMED, QLO, QHI,
-     $    QC, QDC, QSIZE, QLIMB
+     $    QDC, QSIZE, QLIMB
       DOUBLE PRECISION EPS, LOOSE, HUGE
       PARAMETER (SCALE = 19, QBEST = 1, QLIMBS = 2, QBALL = 3,
-     $    QBASE = 4, QON = 6, QAIMED = 7, QLO = 1, QHI = 2, QC = 2,
-     $    QDC = 6, QSIZE = 7, QLIMB = 7, EPS = 2.0D0**(-52),
-     $    LOOSE = 0.5D0, HUGE = (2.0D0 - EPS)*2.0D0**1023)
+     $    QBASE = 4, QON = 6, QAIMED = 7, QLO = 6, QHI = 7, QDC = 4,
+     $    QSIZE = 5, QLIMB = 21, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
       INTEGER TSCURV, K, OK, SPHERE
       IF (F(10) .GE. HUGE) RETURN
@@ -1444,7 +1447,7 @@ C     place of C, with the error of F(4..6) and one more rounding.
       SIZE = 0.0D0
       L = 0.0D0
       DO 10 K = 1, 3
-        FQ(QC+K) = C(K)
+        FQ(K) = C(K)
         FQ(QSIZE) = FQ(QSIZE) + ABS(C(K))
         U = C(K)
         IF (SPHERE .EQ. 1) U = U - F(3+K)
@@ -1466,15 +1469,14 @@ C     can.  Where they cannot, the better point's limits are tightened
 C     by the other's.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12),
-     $    FQ(108)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
       INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QON, QTIED, QLO,
-     $    QHI, QLIMB, UNSURE, MANY
+     $    QHI, QLIMB, UNSURE, MANY, QT
       DOUBLE PRECISION PLAIN, WIDE
       PARAMETER (T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1, QLIMBS = 2,
-     $    QASKED = 5, QON = 6, QTIED = 42, QLO = 1, QHI = 2, QLIMB = 7,
-     $    UNSURE = 2, MANY = 6, PLAIN = 16.0D0, WIDE = 1.0D-4)
+     $    QASKED = 5, QON = 6, QTIED = 8, QLO = 6, QHI = 7, QLIMB = 21,
+     $    UNSURE = 2, MANY = 6, PLAIN = 16.0D0, WIDE = 1.0D-4, QT = 8)
       DOUBLE PRECISION HI, LO, Q(3)
       INTEGER HHPBEA, HHPSID, OPEN, POWER, SGN, SIDE
       Q(1) = X(1,Z)
@@ -1482,7 +1484,7 @@ C     by the other's.
       Q(3) = X(3,Z)
       CALL HHLIMI(F, Q, LO, HI, SIDE)
       IF (IQ(QON) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, P, ORD, MARK,
-     $    SUP, IQ, F, FQ, Z, SIDE, LO, HI)
+     $    SUP, IQ, F, FQ(QT), Z, SIDE, LO, HI)
       SGN = SIDE
       POWER = UNSURE
       IF (SIDE .LT. 0) RETURN
@@ -1529,12 +1531,11 @@ C     provably outside the ball, by its height over the facet's support
 C     where that is known.
       SUBROUTINE TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12),
-     $    FQ(108)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
-      INTEGER SGRAIN, QBEST, QBALL, QON, QAIMED, QC, QTEST, TQ, TD
+      INTEGER SGRAIN, QBEST, QBALL, QON, QAIMED, QHI, QT, QQ
       PARAMETER (SGRAIN = 96, QBEST = 1, QBALL = 3, QON = 6, QAIMED = 7,
-     $    QC = 2, QTEST = 101, TQ = 1, TD = 1)
+     $    QHI = 7, QT = 8, QQ = 11)
       DOUBLE PRECISION TSPOWE, H, Q, SIZE, SUM, W1, W2, W3
       INTEGER OK, OUT
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
@@ -1547,14 +1548,15 @@ C     where that is known.
       IF (IQ(QON) .NE. 0) CALL TSMRKD(MARK, SUP, IQ(QON), Z, H, OK)
       OUT = 0
       IF (OK .EQ. 1) THEN
-        IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F, FQ)
-        Q = FQ(QTEST+TQ)
-        SUM = W1*(Q*W1 - FQ(QTEST+TD+1)) + W2*(Q*W2 - FQ(QTEST+TD+2)) +
-     $      W3*(Q*W3 - FQ(QTEST+TD+3))
-        CALL TSEXCL(FQ, SUM, SIZE, H, SUP(SGRAIN,IQ(QON)), OUT)
+        IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F,
+     $      FQ(QHI), FQ(QT))
+        Q = FQ(QQ)
+        SUM = W1*(Q*W1 - FQ(QT)) + W2*(Q*W2 - FQ(QT+1)) +
+     $      W3*(Q*W3 - FQ(QT+2))
+        CALL TSEXCL(FQ(QT), SUM, SIZE, H, SUP(SGRAIN,IQ(QON)), OUT)
       ELSE IF (IQ(QBALL) .EQ. 1) THEN
-        SUM = W1*(W1 - 2.0D0*FQ(QC+1)) + W2*(W2 - 2.0D0*FQ(QC+2)) +
-     $      W3*(W3 - 2.0D0*FQ(QC+3))
+        SUM = W1*(W1 - 2.0D0*FQ(1)) + W2*(W2 - 2.0D0*FQ(2)) +
+     $      W3*(W3 - 2.0D0*FQ(3))
         IF (SUM .GT. TSPOWE(FQ, SIZE)) OUT = 1
       END IF
       IF (OUT .EQ. 0) CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V,
@@ -1566,20 +1568,19 @@ C     the part in the root's box, lies inside the box of a list, or 0.
 C     The centre of the true ball is within dc of C, and both balls pass
 C     through the base.  So the radius is at most |C| + dc, and along an
 C     axis the ball ends within |C| + 2 dc of C.
-      INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
+      INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, C)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), C(7)
       INTEGER LSI(3,2), LIST, IQ(42)
-      INTEGER LN, LLO, LHI, QC, QDC
+      INTEGER LN, LLO, LHI, QDC
       DOUBLE PRECISION PAD
-      PARAMETER (LN = 3, LLO = 0, LHI = 3, QC = 2, QDC = 6,
+      PARAMETER (LN = 3, LLO = 0, LHI = 3, QDC = 4,
      $    PAD = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION PART(6,1), R
       INTEGER TSPRUN, I, K, OUT
       TSBINB = 0
       IF (LSI(LN,LIST) .EQ. 0) RETURN
-      R = SQRT(FQ(QC+1)*FQ(QC+1) + FQ(QC+2)*FQ(QC+2) +
-     $         FQ(QC+3)*FQ(QC+3))
-      R = R*(1.0D0 + PAD) + 2.0D0*FQ(QDC)
+      R = SQRT(C(1)*C(1) + C(2)*C(2) + C(3)*C(3))
+      R = R*(1.0D0 + PAD) + 2.0D0*C(QDC)
       DO 10 I = 1, 6
         PART(I,1) = BOX(I,1)
    10 CONTINUE
@@ -1587,15 +1588,15 @@ C     axis the ball ends within |C| + 2 dc of C.
         K = MOD(I - 1, 3) + 1
         OUT = 0
         IF (I .LE. 3) THEN
-          IF (FQ(QC+K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) OUT = 3 + K
+          IF (C(K) - R .LT. LSD(LLO+K,LIST) - F(6+K)) OUT = 3 + K
         ELSE
-          IF (FQ(QC+K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) OUT = K
+          IF (C(K) + R .GT. LSD(LHI+K,LIST) - F(6+K)) OUT = K
         END IF
         IF (OUT .EQ. 0) GO TO 20
 C       the part of the root's box beyond this side of the list's
         PART(OUT,1) = LSD(I,LIST)
         IF (PART(K,1) .LT. PART(3+K,1)) THEN
-          IF (TSPRUN(IQ, F, FQ, PART, 1) .EQ. 0) RETURN
+          IF (TSPRUN(IQ, F, C, PART, 1) .EQ. 0) RETURN
         END IF
         PART(OUT,1) = BOX(OUT,1)
    20 CONTINUE
@@ -1610,26 +1611,26 @@ C     the greatest value of C(K) U(K) in the root's box.  So |U| is less
 C     than margin if margin (margin - 2 A - 2 dc) >= 2 B.  The test puts
 C     margin - 2 dc for the first factor, too.  PAD times margin exceeds
 C     the roundings of A, B and the products.
-      INTEGER FUNCTION TSBINS(BOX, LSD, F, FQ)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), FQ(108)
-      INTEGER LMARG, STR, QC, QDC
+      INTEGER FUNCTION TSBINS(BOX, LSD, F, C)
+      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), C(7)
+      INTEGER LMARG, STR, QDC
       DOUBLE PRECISION PAD
-      PARAMETER (LMARG = 13, STR = 2, QC = 2, QDC = 6,
+      PARAMETER (LMARG = 13, STR = 2, QDC = 4,
      $    PAD = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION A, B, MARGIN, SQUARE(3)
       INTEGER K
       TSBINS = 0
-      MARGIN = LSD(LMARG,STR)*(1.0D0 - PAD) - 2.0D0*FQ(QDC)
+      MARGIN = LSD(LMARG,STR)*(1.0D0 - PAD) - 2.0D0*C(QDC)
       DO 10 K = 1, 3
-        SQUARE(K) = FQ(QC+K)*FQ(QC+K)
+        SQUARE(K) = C(K)*C(K)
    10 CONTINUE
       IF (MARGIN .LE. 0.0D0) RETURN
       TSBINS = 1
       IF (4.0D0*(SQUARE(1) + SQUARE(2) + SQUARE(3)) .LE. MARGIN*MARGIN)
      $    RETURN
       DO 20 K = 1, 3
-        B = MAX((BOX(3+K,1) - F(6+K))*FQ(QC+K),
-     $      (BOX(K,1) - F(6+K))*FQ(QC+K))
+        B = MAX((BOX(3+K,1) - F(6+K))*C(K),
+     $      (BOX(K,1) - F(6+K))*C(K))
         A = SQRT(SQUARE(MOD(K, 3)+1) + SQUARE(MOD(K+1, 3)+1))
         IF (MARGIN*(MARGIN - 2.0D0*A) .GE. 2.0D0*B) RETURN
    20 CONTINUE
@@ -1651,13 +1652,13 @@ C       D(4) itself; underflow is far below FEPS;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
-      SUBROUTINE TSBALC(LSD, LIST, F, FQ, C, D, OK)
-      DOUBLE PRECISION LSD(14,2), F(12), FQ(108), C(3)
+      SUBROUTINE TSBALC(LSD, LIST, F, C, D, OK)
+      DOUBLE PRECISION LSD(14,2), F(12), C(7)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LMID, LMOST, LUNIT, QDC
       DOUBLE PRECISION EPS, FEPS
-      PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, QDC = 6,
+      PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, QDC = 4,
      $    EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23))
       DOUBLE PRECISION A, CG(3), CU, DIST, G, LENGTH, REST, SUM
       INTEGER K
@@ -1684,25 +1685,25 @@ C     OK is 1, or 0 when the ball is too large for that.
       D(3) = REAL(CG(3))
       D(4) = REAL(FEPS*(128.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
      $    8.0D0*EPS*A*(1.0D0 + DIST) +
-     $    2.0D0*FQ(QDC)*LSD(LUNIT,LIST)*(4.0D0 + DIST) - REST)
+     $    2.0D0*C(QDC)*LSD(LUNIT,LIST)*(4.0D0 + DIST) - REST)
       OK = 1
       END
 
 C     TSSTAC - the same for the list of the base's star.  The list's
 C     centre is the base, so g = 0, and its points are less than 1.1
 C     from it in the list's units.
-      SUBROUTINE TSSTAC(LSD, LIST, FQ, D, OK)
-      DOUBLE PRECISION LSD(14,2), FQ(108)
+      SUBROUTINE TSSTAC(LSD, LIST, C, D, OK)
+      DOUBLE PRECISION LSD(14,2), C(7)
       REAL D(4)
       INTEGER LIST, OK
-      INTEGER LUNIT, QC, QDC
+      INTEGER LUNIT, QDC
       DOUBLE PRECISION FEPS
-      PARAMETER (LUNIT = 14, QC = 2, QDC = 6, FEPS = 2.0D0**(-23))
+      PARAMETER (LUNIT = 14, QDC = 4, FEPS = 2.0D0**(-23))
       DOUBLE PRECISION CU(3), LENGTH
       INTEGER K
       LENGTH = 0.0D0
       DO 10 K = 1, 3
-        CU(K) = 2.0D0*FQ(QC+K)*LSD(LUNIT,LIST)
+        CU(K) = 2.0D0*C(K)*LSD(LUNIT,LIST)
         LENGTH = LENGTH + ABS(CU(K))
    10 CONTINUE
       OK = 0
@@ -1711,7 +1712,7 @@ C     from it in the list's units.
       D(2) = REAL(CU(2))
       D(3) = REAL(CU(3))
       D(4) = REAL(FEPS*(16.0D0 + 12.0D0*LENGTH) +
-     $    6.0D0*FQ(QDC)*LSD(LUNIT,LIST))
+     $    6.0D0*C(QDC)*LSD(LUNIT,LIST))
       OK = 1
       END
 
@@ -1741,8 +1742,7 @@ C     TSCALL - consider N points of a list.
      $                  IQ, F, FQ, N, PLACE)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12),
-     $    FQ(108)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,2), LIST, V(3),
      $    IQ(42), N, PLACE(*)
       INTEGER I, Z
@@ -1756,8 +1756,8 @@ C     TSSTBA - finds the places of the points of a star's list that may
 C     be in the ball, or of all its points without a ball.  N is their
 C     number; 0 if they are only the vertices and the best point, -1 if
 C     the ball is too large for the list.
-      SUBROUTINE TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
-      DOUBLE PRECISION LSD(14,2), FQ(108)
+      SUBROUTINE TSSTBA(LSX, LSI, LSD, IQ, C, PLACE, N)
+      DOUBLE PRECISION LSD(14,2), C(7)
       REAL LSX(*)
       INTEGER LSI(3,2), IQ(42), PLACE(*), N
       INTEGER TSLIST, LN, STR, QBALL
@@ -1772,7 +1772,7 @@ C     the ball is too large for the list.
         RETURN
       END IF
       N = -1
-      CALL TSSTAC(LSD, STR, FQ, D, OK)
+      CALL TSSTAC(LSD, STR, C, D, OK)
       IF (OK .EQ. 0) RETURN
       CALL TSINBA(LSX, LSI, STR, D, IN, N)
       IF (N .LE. 4) THEN
@@ -1790,13 +1790,13 @@ C     OK is 1 if so, or 0.
       SUBROUTINE TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
      $                  LSI, LSD, V, IQ, F, FQ, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
-     $    LSD(14,2), F(12), FQ(108)
+     $    LSD(14,2), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), MARK(*), CTL(*), LSID(*), LSI(3,2), V(3), IQ(42),
      $    OK
       INTEGER TSLIST, TIED, LN, STR, QBEST, QBALL, QBASE, QTIED
       PARAMETER (TSLIST = 512, TIED = 14, LN = 3, STR = 2, QBEST = 1,
-     $    QBALL = 3, QBASE = 4, QTIED = 42)
+     $    QBALL = 3, QBASE = 4, QTIED = 8)
       INTEGER TSBINS, N, PLACE(TSLIST+1)
       OK = 0
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0) RETURN
@@ -1828,23 +1828,19 @@ C     cost: on surfaces, two of five points that were tested.
       SUBROUTINE TSINBL(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
      $                  LSI, LSD, V, IQ, F, FQ, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
-     $    LSD(14,2), F(12), FQ(108)
+     $    LSD(14,2), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), LSID(*), LSI(3,2), V(3), IQ(42),
      $    OK
       REAL LSX(*)
-      INTEGER TSLIST, LN, BLK, QBALL, QC
-      PARAMETER (TSLIST = 512, LN = 3, BLK = 1, QBALL = 3, QC = 2)
-      DOUBLE PRECISION C(3)
+      INTEGER TSLIST, LN, BLK, QBALL
+      PARAMETER (TSLIST = 512, LN = 3, BLK = 1, QBALL = 3)
       REAL D(4)
       INTEGER TSBINB, IN(TSLIST), N, PLACE(TSLIST+1)
       OK = 0
       IF (LSI(LN,BLK) .EQ. 0) RETURN
       IF (IQ(QBALL) .EQ. 0) RETURN
       IF (TSBINB(BOX, LSI, LSD, BLK, IQ, F, FQ) .EQ. 0) RETURN
-      C(1) = FQ(QC+1)
-      C(2) = FQ(QC+2)
-      C(3) = FQ(QC+3)
-      CALL TSBALC(LSD, BLK, F, FQ, C, D, OK)
+      CALL TSBALC(LSD, BLK, F, FQ, D, OK)
       IF (OK .EQ. 0) RETURN
       CALL TSINBA(LSX, LSI, BLK, D, IN, N)
       IF (N .GT. 4) THEN
@@ -1863,14 +1859,13 @@ C     consider.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, V,
      $                  IQ, F, FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
-     $    F(12), FQ(108)
+     $    F(12), FQ(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), NODE
-      INTEGER RPATIE, RSCAN, QBALL, QC, DONE, GROUP, LEAF
+      INTEGER RPATIE, RSCAN, QBALL, DONE, GROUP, LEAF
       DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL, HUGE
-      PARAMETER (RPATIE = 5, RSCAN = 7, QBALL = 3, QC = 2, DONE = -1,
-     $    GROUP = 8, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
-     $    LOOSE = 0.5D0, MUCHL = 1.0D100,
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
+      PARAMETER (RPATIE = 5, RSCAN = 7, QBALL = 3, DONE = -1, GROUP = 8,
+     $    EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0,
+     $    MUCHL = 1.0D100, HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
       DOUBLE PRECISION TSPOWE, B1, B2, B3, D(3), D1, D2, D3, MOST,
      $    POWER(LEAF), SIZE, W1, W2, W3
       INTEGER FIRST, I, J, K, LAST, N, PASSED, PLACE(LEAF)
@@ -1880,7 +1875,7 @@ C     consider.
       SIZE = 0.0D0
       DO 10 K = 1, 3
         D(K) = MUCHL*F(K)
-        IF (IQ(QBALL) .EQ. 1) D(K) = 2.0D0*FQ(QC+K)
+        IF (IQ(QBALL) .EQ. 1) D(K) = 2.0D0*FQ(K)
         SIZE = SIZE + ABS(BOX(K,NODE) - F(6+K)) +
      $      ABS(BOX(3+K,NODE) - F(6+K))
    10 CONTINUE
@@ -1940,12 +1935,12 @@ C                                been searched, FROM is where that ended
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
-     $    F(12), FQ(108)
+     $    F(12), FQ(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42)
-      INTEGER LEAVES, STAGE, QBALL, QBASE, QON, DEPTH
+      INTEGER LEAVES, STAGE, QBALL, QBASE, QON, DEPTH, QT
       DOUBLE PRECISION LOOSE
       PARAMETER (LEAVES = 4, STAGE = 16, QBALL = 3, QBASE = 4, QON = 6,
-     $    DEPTH = 96, LOOSE = 0.5D0)
+     $    DEPTH = 96, LOOSE = 0.5D0, QT = 8)
       DOUBLE PRECISION PAST(4)
       INTEGER TSCYLI, TSLEAF, TSPRUN, FOURS, FROM, HEIGHT, N, NEAR,
      $    NODE, OUT, STACK(DEPTH), TOP
@@ -1984,7 +1979,7 @@ C       one child alive each: FROM, as the base's star is not complete
         GO TO 10
       END IF
       IF (NEAR .NE. 0) THEN
-        CALL TSPRHE(BOX, MARK, CTL, SUP, IQ, F, FQ, NODE, OUT)
+        CALL TSPRHE(BOX, MARK, CTL, SUP, IQ, F, FQ, FQ(QT), NODE, OUT)
       ELSE
         OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
       END IF
@@ -2027,16 +2022,16 @@ C     TSPREP - begins the search for the apex of the facet V.  The base
 C     is V(1) or, if the angle there is small, the vertex opposite the
 C     longest edge.
       SUBROUTINE TSPREP(X, P, ORD, MARK, CTL, SUP, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), FQ(108)
+      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42)
       INTEGER SCALE, NSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON,
-     $    QTIED, QOPEND, QLO, QHI, QC, QDC, QSIZE
+     $    QTIED, QOPEND, QLO, QHI, QDC, QSIZE, QT
       DOUBLE PRECISION EPS, HUGE, THIN
       PARAMETER (SCALE = 19, NSUPP = 20, QBEST = 1, QLIMBS = 2,
-     $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIED = 42,
-     $    QOPEND = 9, QLO = 1, QHI = 2, QC = 2, QDC = 6, QSIZE = 7,
+     $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIED = 8,
+     $    QOPEND = 10, QLO = 6, QHI = 7, QDC = 4, QSIZE = 5,
      $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023,
-     $    THIN = 1.0D-6)
+     $    THIN = 1.0D-6, QT = 8)
       DOUBLE PRECISION A(3), B(3), C(3), EDGE, LONGST
       INTEGER BASE, I, J, K
       BASE = 1
@@ -2052,7 +2047,7 @@ C     longest edge.
       FQ(QDC) = 0.0D0
       FQ(QSIZE) = 0.0D0
    20 DO 30 K = 1, 3
-        FQ(QC+K) = 0.0D0
+        FQ(K) = 0.0D0
         A(K) = X(K,V(BASE))
         B(K) = X(K,V(MOD(BASE,3)+1))
         C(K) = X(K,V(MOD(BASE+1,3)+1))
@@ -2076,7 +2071,7 @@ C     longest edge.
      $      F)
       END IF
       IF (CTL(NSUPP) .GT. 0) CALL TSSUPP(X, P, ORD, MARK, CTL, SUP,
-     $    V, IQ, F, FQ)
+     $    V, IQ, F, FQ(QT))
       END
 
 C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
@@ -2093,7 +2088,7 @@ C     GUESS holds two positions to try first, or 0.
       DOUBLE PRECISION SCANS
       PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13,
      $    PLANE0 = 20, STAGE = 16, NCELL = 17, FUTILE = 18, RBURDN = 4,
-     $    RPATIE = 5, RSCAN = 7, QBEST = 1, QON = 6, QOPEND = 9,
+     $    RPATIE = 5, RSCAN = 7, QBEST = 1, QON = 6, QOPEND = 10,
      $    PLANES = 4, OPENED = 24, SCANS = 100.0D0)
       DOUBLE PRECISION F(12), FQ(108), H
       INTEGER TSCURV, TSONHU, AT, G, IQ(42), K, LISTS, OK
@@ -3828,7 +3823,7 @@ C     support.
       SUBROUTINE TSREME(IQ, Z, OPEN)
       INTEGER IQ(42), Z, OPEN
       INTEGER QOPEN, QOPEND, QSOME, SOME
-      PARAMETER (QOPEN = 8, QOPEND = 9, QSOME = 9, SOME = 32)
+      PARAMETER (QOPEN = 9, QOPEND = 10, QSOME = 10, SOME = 32)
       INTEGER PLACE
       IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
         IQ(QOPEN) = OPEN
@@ -3855,7 +3850,7 @@ C     more than BAND.
      $    GRAINS
       DOUBLE PRECISION BAND, FINER, ROUGH
       PARAMETER (SCALE = 19, SC = 90, SSIZE = 94, SLOW = 95,
-     $    SGRAIN = 96, QOPEND = 9, QSOME = 9, SOME = 32,
+     $    SGRAIN = 96, QOPEND = 10, QSOME = 10, SOME = 32,
      $    GRAINS = 134217728, BAND = 2.0D-8, FINER = 100.0D0,
      $    ROUGH = 1.0D-3)
       DOUBLE PRECISION C(3), D, ERR, H(SOME), WORST
@@ -3903,7 +3898,7 @@ C     up, or 0.
       INTEGER NP, BUNIT, SAT, SC, SSIZE, SLOW, QOPEND, QSOME, SOME
       DOUBLE PRECISION SMALL
       PARAMETER (NP = 1, BUNIT = 86, SAT = 87, SC = 90, SSIZE = 94,
-     $    SLOW = 95, QOPEND = 9, QSOME = 9, SMALL = 2.0D0**(-450),
+     $    SLOW = 95, QOPEND = 10, QSOME = 10, SMALL = 2.0D0**(-450),
      $    SOME = 32)
       DOUBLE PRECISION TSDOT, D, E(3), ERR, LOW, U(3,SOME), WIDE(3)
       INTEGER FAR, I, J, K, N, UP, W(3), Z
@@ -3979,7 +3974,7 @@ C     KEPT is 1 if it is kept, or 0.
      $    QOPEND, DONE, OPENED, SUPPS, GRAINS
       DOUBLE PRECISION FINER
       PARAMETER (NP = 1, LEAVES = 4, NSUPP = 20, RPATIE = 5, SLOW = 95,
-     $    SGRAIN = 96, QBASE = 4, QON = 6, QOPEND = 9, DONE = -1,
+     $    SGRAIN = 96, QBASE = 4, QON = 6, QOPEND = 10, DONE = -1,
      $    OPENED = 24, SUPPS = 8, GRAINS = 134217728, FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, ERRS(3), FINE, GRAIN, H, HS(3), LOW
       INTEGER TSCUBE, TSCURV, ACROSS, ALL, FIRST, I, J, K, LAST, LEAST,
@@ -4087,18 +4082,17 @@ C     circumcentre in the set-up.  It errs by half of the tilt's error,
 C     and by 8 EPS of the centre and the roundings of three differences
 C     in any order, each of at most EPS (|o| + 2 |at|): these make less
 C     than 8 EPS SIZE.
-      SUBROUTINE TSSUPP(X, P, ORD, MARK, CTL, SUP, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), FQ(108)
+      SUBROUTINE TSSUPP(X, P, ORD, MARK, CTL, SUP, V, IQ, F, T)
+      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), T(14)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42)
-      INTEGER NSUPP, SAT, SC, SSIZE, QBASE, QON, QAIMED, QH, QDH, QTILT,
-     $    QDTILT, QG, SUPPS
+      INTEGER NSUPP, SAT, SC, SSIZE, QBASE, QON, QAIMED, SUPPS, TH, TDH,
+     $    TTILT, TDTILT, TG
       DOUBLE PRECISION EPS, FAINT
       PARAMETER (NSUPP = 20, SAT = 87, SC = 90, SSIZE = 94, QBASE = 4,
-     $    QON = 6, QAIMED = 7, QH = 95, QDH = 96, QTILT = 96,
-     $    QDTILT = 100, QG = 101, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
-     $    SUPPS = 8)
+     $    QON = 6, QAIMED = 7, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+     $    SUPPS = 8, TH = 8, TDH = 9, TTILT = 9, TDTILT = 13, TG = 14)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2), R,
-     $    SIZE, T(2)
+     $    SIZE, T1, T2
       INTEGER B, I, J, K, OK, Z
       IF (F(10) .GT. 1.0D-3) RETURN
       DO 10 I = 1, 3
@@ -4113,8 +4107,8 @@ C     than 8 EPS SIZE.
         IF (OK .EQ. 1) GO TO 40
    20 CONTINUE
       RETURN
-   40 FQ(QG) = TSDOT(SUP(SC+1,J), F)
-      IF (SUP(SSIZE,J) .LE. 0.0D0 .AND. ABS(FQ(QG)) .LT. 0.5D0) RETURN
+   40 T(TG) = TSDOT(SUP(SC+1,J), F)
+      IF (SUP(SSIZE,J) .LE. 0.0D0 .AND. ABS(T(TG)) .LT. 0.5D0) RETURN
       B = V(IQ(QBASE))
       DO 60 I = 1, 2
         Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
@@ -4129,19 +4123,19 @@ C     than 8 EPS SIZE.
       IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
       IQ(QON) = J
       IQ(QAIMED) = 0
-      T(1) = (H(2)*N(2) - H(3)*AB)/DET
-      T(2) = (H(3)*N(1) - H(2)*AB)/DET
+      T1 = (H(2)*N(2) - H(3)*AB)/DET
+      T2 = (H(3)*N(1) - H(2)*AB)/DET
       SIZE = 0.0D0
       DO 70 K = 1, 3
-        FQ(QTILT+K) = T(1)*A(K,1) + T(2)*A(K,2)
-        SIZE = SIZE + (ABS(T(1)*A(K,1)) + ABS(T(2)*A(K,2)))
+        T(TTILT+K) = T1*A(K,1) + T2*A(K,2)
+        SIZE = SIZE + (ABS(T1*A(K,1)) + ABS(T2*A(K,2)))
    70 CONTINUE
-      FQ(QH) = H(1)
-      FQ(QDH) = ERR(1)
-      FQ(QDTILT) = 8.0D0*EPS*SIZE
+      T(TH) = H(1)
+      T(TDH) = ERR(1)
+      T(TDTILT) = 8.0D0*EPS*SIZE
       DO 80 I = 1, 2
-        R = H(I+1) - TSDOT(FQ(QTILT+1), A(1,I))
-        FQ(QDTILT) = FQ(QDTILT) + (ABS(R) + ERR(1) + ERR(I+1) +
+        R = H(I+1) - TSDOT(T(TTILT+1), A(1,I))
+        T(TDTILT) = T(TDTILT) + (ABS(R) + ERR(1) + ERR(I+1) +
      $      16.0D0*EPS*(ABS(H(I+1)) + ABS(H(1)) +
      $      SIZE*SQRT(N(I))))*SQRT(1.02D0*N(3-I)/DET)
    80 CONTINUE
@@ -4151,9 +4145,9 @@ C     than 8 EPS SIZE.
         R = F(6+K) - SUP(SAT+K,J)
         SIZE = SIZE + (ABS(R) + 2.0D0*ABS(SUP(SC+K,J)) +
      $      ABS(SUP(SAT+K,J)))
-        F(3+K) = 0.5D0*FQ(QTILT+K) - (R - SUP(SC+K,J))
+        F(3+K) = 0.5D0*T(TTILT+K) - (R - SUP(SC+K,J))
    90 CONTINUE
-      F(11) = 0.6D0*FQ(QDTILT) + 8.0D0*EPS*SIZE
+      F(11) = 0.6D0*T(TDTILT) + 8.0D0*EPS*SIZE
       F(12) = SQRT(TSDOT(F(4), F(4)))
       END
 
@@ -4163,42 +4157,42 @@ C     facet's support: the height gives the side for a plane, the power
 C     for a sphere.  A plane's g errs by E and some roundings.  The
 C     quotients are of numbers right to 4 EPS of themselves, as is what
 C     is left of a side of more than twice its error: PAD is more.
-      SUBROUTINE TSSHAR(X, P, ORD, MARK, SUP, IQ, F, FQ, Z, SIDE, LO,
+      SUBROUTINE TSSHAR(X, P, ORD, MARK, SUP, IQ, F, T, Z, SIDE, LO,
      $                  HI)
-      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), FQ(108), LO, HI
+      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), T(14), LO, HI
       INTEGER ORD(*), MARK(*), IQ(42), Z, SIDE
-      INTEGER SSIZE, QON, QH, QDH, QTILT, QDTILT, QG
+      INTEGER SSIZE, QON, TH, TDH, TTILT, TDTILT, TG
       DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
-      PARAMETER (SSIZE = 94, QON = 6, QH = 95, QDH = 96, QTILT = 96,
-     $    QDTILT = 100, QG = 101, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, PAD = 64.0D0*EPS,
-     $    SMALL = 2.0D0**(-450))
+      PARAMETER (SSIZE = 94, QON = 6, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200, HUGE = (2.0D0 - EPS)*2.0D0**1023,
+     $    PAD = 64.0D0*EPS, SMALL = 2.0D0**(-450), TH = 8, TDH = 9,
+     $    TTILT = 9, TDTILT = 13, TG = 14)
       DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, Q(3), SIZE, U
       INTEGER K, OK
       CALL TSHEOV(X, P, ORD, MARK, SUP, IQ(QON), Z, H, ERR, OK)
       IF (OK .EQ. 0) RETURN
-      ERR = ERR + (FQ(QDH) + 16.0D0*EPS*(ABS(H) + ABS(FQ(QH))) + FAINT)
-      H = H - FQ(QH)
+      ERR = ERR + (T(TDH) + 16.0D0*EPS*(ABS(H) + ABS(T(TH))) + FAINT)
+      H = H - T(TH)
       G = 0.0D0
       SIZE = 0.0D0
       DO 10 K = 1, 3
         Q(K) = X(K,Z)
         U = Q(K) - F(6+K)
-        H = H - FQ(QTILT+K)*U
+        H = H - T(TTILT+K)*U
         G = G + F(K)*U
         SIZE = SIZE + ABS(U)
-        ERR = ERR + 16.0D0*EPS*ABS(FQ(QTILT+K)*U)
+        ERR = ERR + 16.0D0*EPS*ABS(T(TTILT+K)*U)
    10 CONTINUE
-      ERR = ERR + FQ(QDTILT)*SIZE
+      ERR = ERR + T(TDTILT)*SIZE
       IF (SUP(SSIZE,IQ(QON)) .LE. 0.0D0) THEN
-        IF (FQ(QG) .LT. 0.0D0) H = -H
+        IF (T(TG) .LT. 0.0D0) H = -H
         IF (H + ERR .LT. 0.0D0) THEN
           SIDE = -1
           RETURN
         END IF
         U = F(10) + 32.0D0*EPS
-        LEAST = (H - ERR)/(ABS(FQ(QG)) + U)*(1.0D0 - PAD)
-        MOST = (H + ERR)/(ABS(FQ(QG)) - U)*(1.0D0 + PAD)
+        LEAST = (H - ERR)/(ABS(T(TG)) + U)*(1.0D0 - PAD)
+        MOST = (H + ERR)/(ABS(T(TG)) - U)*(1.0D0 + PAD)
         IF (LEAST .LT. SMALL) RETURN
         LOW = -HUGE
         HIGH = HUGE
@@ -4242,78 +4236,77 @@ C     Any q is valid, so errors in q do not count.  dd has room for the
 C     errors of c, tilt and v, and for 16 roundings of each term.  err
 C     has room for those of h, of a height of at most -low, and of a,
 C     which is exact but for one rounding.
-      SUBROUTINE TSAIM(S, IQ, F, FQ)
-      DOUBLE PRECISION S(96), F(12), FQ(108)
+      SUBROUTINE TSAIM(S, IQ, F, HI, T)
+      DOUBLE PRECISION S(96), F(12), HI, T(14)
       INTEGER IQ(42)
-      INTEGER SSIZE, SLOW, QBALL, QAIMED, QHI, QH, QDH, QTILT, QDTILT,
-     $    QG, QTEST, TQ, TD, TDD, TA, TERR
+      INTEGER SSIZE, SLOW, QBALL, QAIMED, TQ, TDD, TA, TERR, TH, TDH,
+     $    TTILT, TDTILT, TG
       DOUBLE PRECISION EPS, FAINT, MUCHL
-      PARAMETER (SSIZE = 94, SLOW = 95, QBALL = 3, QAIMED = 7, QHI = 2,
-     $    QH = 95, QDH = 96, QTILT = 96, QDTILT = 100, QG = 101,
-     $    QTEST = 101, TQ = 1, TD = 1, TDD = 5, TA = 6, TERR = 7,
-     $    EPS = 2.0D0**(-52), FAINT = 1.0D-200, MUCHL = 1.0D100)
+      PARAMETER (SSIZE = 94, SLOW = 95, QBALL = 3, QAIMED = 7, TQ = 4,
+     $    TDD = 5, TA = 6, TERR = 7, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200, MUCHL = 1.0D100, TH = 8, TDH = 9, TTILT = 9,
+     $    TDTILT = 13, TG = 14)
       DOUBLE PRECISION A, B, DD, Q, SUM, U, V, W
       INTEGER BALL, K
       IQ(QAIMED) = 1
       BALL = IQ(QBALL)
-      IF (ABS(FQ(QHI)) .GT. MUCHL) BALL = 0
+      IF (ABS(HI) .GT. MUCHL) BALL = 0
       B = 0.0D0
       IF (S(SSIZE) .LE. 0.0D0) THEN
         Q = DBLE(BALL)
         A = -1.0D0
-        IF (FQ(QG) .LT. 0.0D0) A = 1.0D0
+        IF (T(TG) .LT. 0.0D0) A = 1.0D0
         IF (BALL .EQ. 1) THEN
-          A = -2.0D0*FQ(QHI)/FQ(QG)
+          A = -2.0D0*HI/T(TG)
           U = 4.0D0*(F(10) + 32.0D0*EPS)*A
-          IF (FQ(QHI) .LE. 0.0D0) U = -U
+          IF (HI .LE. 0.0D0) U = -U
           A = A + U
         END IF
       ELSE
         A = DBLE(BALL)
         B = 1.0D0
-        IF (BALL .EQ. 1) B = 2.0D0*FQ(QHI)
+        IF (BALL .EQ. 1) B = 2.0D0*HI
         SUM = 0.0D0
         DO 10 K = 1, 3
-          SUM = SUM - F(3+K)*(B*F(K) + A*FQ(QTILT+K))
+          SUM = SUM - F(3+K)*(B*F(K) + A*T(TTILT+K))
    10   CONTINUE
         Q = 0.0D0
         IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(12)*F(12))
         IF (BALL .EQ. 1) Q = MIN(Q, 1.0D0)
         A = A - Q
       END IF
-      DD = ABS(A)*FQ(QDTILT) + 2.0D0*Q*F(11) + ABS(B)*F(10)
+      DD = ABS(A)*T(TDTILT) + 2.0D0*Q*F(11) + ABS(B)*F(10)
       DO 20 K = 1, 3
-        U = A*FQ(QTILT+K)
+        U = A*T(TTILT+K)
         V = 2.0D0*Q*F(3+K)
         W = B*F(K)
-        FQ(QTEST+TD+K) = U + V + W
+        T(K) = U + V + W
         DD = DD + 16.0D0*EPS*(ABS(U) + ABS(V) + ABS(W))
    20 CONTINUE
-      FQ(QTEST+TQ) = Q
-      FQ(QTEST+TDD) = DD
-      FQ(QTEST+TA) = A
-      FQ(QTEST+TERR) = ABS(A)*FQ(QDH) + 16.0D0*EPS*(ABS(A) +
-     $    Q)*(ABS(FQ(QH)) - S(SLOW)) + FAINT
+      T(TQ) = Q
+      T(TDD) = DD
+      T(TA) = A
+      T(TERR) = ABS(A)*T(TDH) + 16.0D0*EPS*(ABS(A) +
+     $    Q)*(ABS(T(TH)) - S(SLOW)) + FAINT
       END
 
 C     TSLOWE - LEAST is the least value of q |W|**2 - d.W, of the test
-C     behind FQ(T), in the box LO, HI; SIZE is the greatest |W|_1 in it.
-      SUBROUTINE TSLOWE(LO, HI, F, FQ, T, LEAST, SIZE)
-      DOUBLE PRECISION LO(*), HI(*), F(12), FQ(*), LEAST, SIZE
-      INTEGER T
-      INTEGER TQ, TD
-      PARAMETER (TQ = 1, TD = 1)
+C     T, in the box LO, HI; SIZE is the greatest |W|_1 in it.
+      SUBROUTINE TSLOWE(LO, HI, F, T, LEAST, SIZE)
+      DOUBLE PRECISION LO(*), HI(*), F(12), T(14), LEAST, SIZE
+      INTEGER TQ
+      PARAMETER (TQ = 4)
       DOUBLE PRECISION D, H, HALF, L, Q, U
       INTEGER K
       LEAST = 0.0D0
       SIZE = 0.0D0
-      Q = FQ(T+TQ)
+      Q = T(TQ)
       HALF = 0.0D0
       IF (Q .GT. 0.0D0) HALF = 0.5D0/Q
       DO 10 K = 1, 3
         L = LO(K) - F(6+K)
         H = HI(K) - F(6+K)
-        D = FQ(T+TD+K)
+        D = T(K)
         IF (Q .GT. 0.0D0) THEN
           U = D*HALF
         ELSE
@@ -4329,35 +4322,36 @@ C     behind FQ(T), in the box LO, HI; SIZE is the greatest |W|_1 in it.
 C     TSEXCL - OUT is 1 if TSAIM's test proves that there is no
 C     candidate where q |W|**2 - d.W is at least SUM, |W|_1 is at most
 C     SIZE, and the height counts as H, to within DH; or 0.
-      SUBROUTINE TSEXCL(FQ, SUM, SIZE, H, DH, OUT)
-      DOUBLE PRECISION FQ(108), SUM, SIZE, H, DH
+      SUBROUTINE TSEXCL(T, SUM, SIZE, H, DH, OUT)
+      DOUBLE PRECISION T(14), SUM, SIZE, H, DH
       INTEGER OUT
-      INTEGER QH, QTEST, TQ, TDD, TA, TERR
+      INTEGER TQ, TDD, TA, TERR, TH
       DOUBLE PRECISION EPS
-      PARAMETER (QH = 95, QTEST = 101, TQ = 1, TDD = 5, TA = 6,
-     $    TERR = 7, EPS = 2.0D0**(-52))
+      PARAMETER (TQ = 4, TDD = 5, TA = 6, TERR = 7, EPS = 2.0D0**(-52),
+     $    TH = 8)
       DOUBLE PRECISION A
-      A = FQ(QTEST+TA)
+      A = T(TA)
       OUT = 0
-      IF (SUM + A*(H - FQ(QH)) .GT. FQ(QTEST+TERR) + ABS(A)*DH +
-     $    SIZE*(FQ(QTEST+TDD) + 16.0D0*EPS*FQ(QTEST+TQ)*SIZE)) OUT = 1
+      IF (SUM + A*(H - T(TH)) .GT. T(TERR) + ABS(A)*DH +
+     $    SIZE*(T(TDD) + 16.0D0*EPS*T(TQ)*SIZE)) OUT = 1
       END
 
 C     TSPRHE - OUT is 1 if the heights of a node's points prove that it
 C     holds no candidate, or 0.  A leaf is also tested by its box.
 C     Where the heights tell nothing, the box alone counts.
-      SUBROUTINE TSPRHE(BOX, MARK, CTL, SUP, IQ, F, FQ, NODE, OUT)
-      DOUBLE PRECISION BOX(6,*), SUP(96,*), F(12), FQ(108)
+      SUBROUTINE TSPRHE(BOX, MARK, CTL, SUP, IQ, F, C, T, NODE, OUT)
+      DOUBLE PRECISION BOX(6,*), SUP(96,*), F(12), C(7), T(14)
       INTEGER MARK(*), CTL(*), IQ(42), NODE, OUT
-      INTEGER NP, LEAVES, SLOW, SGRAIN, QON, QAIMED, QTEST, TA, GRAINS
+      INTEGER NP, LEAVES, SLOW, SGRAIN, QON, QAIMED, QHI, TA, GRAINS
       PARAMETER (NP = 1, LEAVES = 4, SLOW = 95, SGRAIN = 96, QON = 6,
-     $    QAIMED = 7, QTEST = 101, TA = 6, GRAINS = 134217728)
+     $    QAIMED = 7, QHI = 7, TA = 6, GRAINS = 134217728)
       DOUBLE PRECISION H, SIZE, SUM
       INTEGER TSPRUN, CODE, TELLS
-      IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F, FQ)
+      IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F, C(QHI),
+     $    T)
       CODE = MARK(CTL(NP)+2*CTL(LEAVES)*(IQ(QON)-1)+NODE)
       TELLS = 1
-      IF (FQ(QTEST+TA) .LT. 0.0D0) THEN
+      IF (T(TA) .LT. 0.0D0) THEN
         IF (MOD(CODE, 2) .EQ. 1) TELLS = 0
         H = -SUP(SLOW,IQ(QON))
       ELSE
@@ -4367,11 +4361,11 @@ C     Where the heights tell nothing, the box alone counts.
       END IF
       OUT = 0
       IF (TELLS .EQ. 1) THEN
-        CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, FQ, QTEST, SUM, SIZE)
-        CALL TSEXCL(FQ, SUM, SIZE, H, 0.0D0, OUT)
+        CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, T, SUM, SIZE)
+        CALL TSEXCL(T, SUM, SIZE, H, 0.0D0, OUT)
       END IF
       IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)))
-     $    OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
+     $    OUT = TSPRUN(IQ, F, C, BOX, NODE)
       END
 
 C     ------------------------------------------------------------------
@@ -4560,13 +4554,13 @@ C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
 C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
 C     |G|**2, with room for the last two products.  Where these
 C     underflow, R >= SMALL makes the sum's error greater.
-      SUBROUTINE TSPRCY(CYL, AT, IQ, F, FQ, PAST)
-      DOUBLE PRECISION CYL(4,8,*), F(12), FQ(108), PAST(4)
+      SUBROUTINE TSPRCY(CYL, AT, IQ, F, C, PAST)
+      DOUBLE PRECISION CYL(4,8,*), F(12), C(7), PAST(4)
       INTEGER AT, IQ(42)
-      INTEGER QBALL, QC, QDC, QSIZE
+      INTEGER QBALL, QDC, QSIZE
       DOUBLE PRECISION EPS, FAINT
-      PARAMETER (QBALL = 3, QC = 2, QDC = 6, QSIZE = 7,
-     $    EPS = 2.0D0**(-52), FAINT = 1.0D-200)
+      PARAMETER (QBALL = 3, QDC = 4, QSIZE = 5, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200)
       DOUBLE PRECISION A, D(3), ERR, FAR, G1, G2, G3, GG, H, R, RHO, RR,
      $    SIZE, SQUARE, SUM, T, W1, W2, W3
       INTEGER I, K
@@ -4574,10 +4568,10 @@ C     underflow, R >= SMALL makes the sum's error greater.
       FAR = 1.0D10*(1.0D0 - SQUARE)
       ERR = F(10) + 64.0D0*EPS
       IF (IQ(QBALL) .EQ. 1)
-     $    ERR = 2.0D0*FQ(QDC) + 128.0D0*EPS*FQ(QSIZE)
+     $    ERR = 2.0D0*C(QDC) + 128.0D0*EPS*C(QSIZE)
       DO 10 K = 1, 3
         D(K) = 0.5D0*F(K)
-        IF (IQ(QBALL) .EQ. 1) D(K) = FQ(QC+K)
+        IF (IQ(QBALL) .EQ. 1) D(K) = C(K)
    10 CONTINUE
       DO 20 I = 1, 4
         W1 = CYL(I,1,AT) - F(7)
@@ -4642,7 +4636,7 @@ C     side.
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2),
-     $    F(12), FQ(108)
+     $    F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2), V(3), IQ(42),
      $    OK
@@ -4650,7 +4644,7 @@ C     side.
      $    QDC, CELL, CELLS
       DOUBLE PRECISION MUCHL
       PARAMETER (NCELL = 17, CELL0 = 32, T3 = 1, T5 = 2, LMARG = 13,
-     $    STR = 2, QBEST = 1, QLIMBS = 2, QLO = 1, QHI = 2, QDC = 6,
+     $    STR = 2, QBEST = 1, QLIMBS = 2, QLO = 6, QHI = 7, QDC = 4,
      $    MUCHL = 1.0D100, CELL = 12, CELLS = 4)
       DOUBLE PRECISION WIDE
       INTEGER HHPBAL, TSBINS, AT, C(CELL), I, M, N, PLACE(TSLIST+1),
