@@ -1533,27 +1533,31 @@ C     where that is known.
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
-      INTEGER SGRAIN, QBEST, QBALL, QON, QAIMED, QHI, QT, QQ
-      PARAMETER (SGRAIN = 96, QBEST = 1, QBALL = 3, QON = 6, QAIMED = 7,
-     $    QHI = 7, QT = 8, QQ = 11)
+      INTEGER SLOW, SGRAIN, QBEST, QBALL, QON, QAIMED, QHI, QT, QQ,
+     $    SUPPS
+      PARAMETER (SLOW = 95, SGRAIN = 96, QBEST = 1, QBALL = 3, QON = 6,
+     $    QAIMED = 7, QHI = 7, QT = 8, QQ = 11, SUPPS = 8)
       DOUBLE PRECISION TSPOWE, H, Q, SIZE, SUM, W1, W2, W3
-      INTEGER OK, OUT
+      INTEGER J, K, OUT
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
      $    Z .EQ. V(3)) RETURN
       W1 = X(1,Z) - F(7)
       W2 = X(2,Z) - F(8)
       W3 = X(3,Z) - F(9)
       SIZE = ABS(W1) + ABS(W2) + ABS(W3)
-      OK = 0
-      IF (IQ(QON) .NE. 0) CALL TSMRKD(MARK, SUP, IQ(QON), Z, H, OK)
+C     TSMRKD's test and height, without a call for each point
+      J = IQ(QON)
+      K = -1
+      IF (J .NE. 0) K = MARK(Z) - J
       OUT = 0
-      IF (OK .EQ. 1) THEN
-        IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F,
+      IF (K .GE. 0 .AND. MOD(K, SUPPS) .EQ. 0) THEN
+        H = SUP(SLOW,J) + SUP(SGRAIN,J)*(DBLE(K/SUPPS) + 0.5D0)
+        IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,J), IQ, F,
      $      FQ(QHI), FQ(QT))
         Q = FQ(QQ)
         SUM = W1*(Q*W1 - FQ(QT)) + W2*(Q*W2 - FQ(QT+1)) +
      $      W3*(Q*W3 - FQ(QT+2))
-        CALL TSEXCL(FQ(QT), SUM, SIZE, H, SUP(SGRAIN,IQ(QON)), OUT)
+        CALL TSEXCL(FQ(QT), SUM, SIZE, H, SUP(SGRAIN,J), OUT)
       ELSE IF (IQ(QBALL) .EQ. 1) THEN
         SUM = W1*(W1 - 2.0D0*FQ(1)) + W2*(W2 - 2.0D0*FQ(2)) +
      $      W3*(W3 - 2.0D0*FQ(3))
@@ -2030,8 +2034,8 @@ C     longest edge.
       PARAMETER (SCALE = 19, NSUPP = 20, QBEST = 1, QLIMBS = 2,
      $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIED = 8,
      $    QOPEND = 10, QLO = 6, QHI = 7, QDC = 4, QSIZE = 5,
-     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023,
-     $    THIN = 1.0D-6, QT = 8)
+     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023, QT = 8,
+     $    THIN = 1.0D-6)
       DOUBLE PRECISION A(3), B(3), C(3), EDGE, LONGST
       INTEGER BASE, I, J, K
       BASE = 1
@@ -3764,9 +3768,9 @@ C     twice the height's error.
       INTEGER SLOW, SGRAIN, SUPPS
       PARAMETER (SLOW = 95, SGRAIN = 96, SUPPS = 8)
       INTEGER K
+      K = MARK(Z) - J
       OK = 0
-      K = MARK(Z) - 1
-      IF (K .LT. 0 .OR. MOD(K, SUPPS) .NE. J - 1) RETURN
+      IF (K .LT. 0 .OR. MOD(K, SUPPS) .NE. 0) RETURN
       H = SUP(SLOW,J) + SUP(SGRAIN,J)*(DBLE(K/SUPPS) + 0.5D0)
       OK = 1
       END
