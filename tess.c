@@ -78,8 +78,8 @@
  * side; in walk, that heights are lifted; intact.
  *
  * Order of the routines, here and in f77/tess.f, as things happen:
- *   sorting      before swap pivot selectmid twin extent bisect leafstart leafof
- *                span leafsort kdsort boxes
+ *   sorting      before swap pivot selectmid twin extent bisect leafstart
+ *                leafof span leafsort kdsort boxes
  *   first facet  point preced edgeby firstfacet
  *   pool         outfac facet owner hashkey same find insert erase enter full
  *                cuberoot tablesize quota rehash
@@ -177,12 +177,10 @@
 #define SEEK(m) (TESS_LIST >= 128 && (m)->patience > 0.0)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
 #define LEANING(f) (TESS_LIST >= 128 && (f)->on != NONE)
-/* Cylinders are made once the points tested in leaves number SCANS times all
- * points, but not if fewer than an eighth of the leaves' are below SLENDER of
- * their boxes. */
-#define SCANS 100.0
+/* No cylinders are used if fewer than an eighth of the leaves' are below
+ * SLENDER of their boxes. */
 #define SLENDER 0.7
-#define ENCLOSED(m) (TESS_LIST >= 128 && (m)->stage == 2)
+#define ENCLOSED(m) (TESS_LIST >= 128 && (m)->enclosed)
 /* Maximum number of points of a cell, and of cells. */
 #define CELL 12
 #define CELLS 4
@@ -361,9 +359,7 @@ typedef struct mesh {
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
     double burden, patience;  /* comparisons left open, over all points, and */
                               /* their limit; 0: no more supports are sought */
-    int stage;                /* of cylinders: 0 none, 1 may be made, 2 are */
-                              /* made */
-    double scanned;           /* points of leaves tested */
+    int enclosed;             /* 1: there are cylinders */
 } mesh;
 
 /* Lengths for n points: the minimum of iw and rw, and what is recommended
@@ -1489,7 +1485,6 @@ static void scanleaf(mesh *m, quest *f, tess_int leaf)
     span(m, leaf, &first, &last);
     x = m->x + 3 * first;
     n = (int)(last - first);
-    m->scanned += (double)n;
     COUNT(N_LEAF, 1);
     COUNT(N_LIST, n);
     for (k = 0; k < 3; k++) {
@@ -1666,9 +1661,6 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     COUNT(N_TREE, 1);
     m->futile++;
     treesearch(m, &f);
-    if (TESS_LIST >= 128 && m->stage == 1 &&
-        m->scanned > SCANS * (double)m->np)
-        makecylinders(m);
     if (f.opened > OPENED && SEEK(m)) {
         m->burden += (double)f.opened / (double)m->np;
         if (m->burden > m->patience) {
@@ -2232,8 +2224,8 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->link = m->order; /* no star is complete: no entry is DONE */
     m->nplane = m->nextplane = m->tied = m->nsupport = 0;
     m->ncell = m->futile = 0;
-    m->stage = 0;
-    m->scanned = m->patience = 0.0;
+    m->enclosed = 0;
+    m->patience = 0.0;
     m->block.first = m->block.last = NONE;
     m->np = 0;
     m->block.n = m->around.n = 0;
@@ -2511,7 +2503,7 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     m.room = (tess_int)(liw - 4 * n - 2 * leafcount(n) - KEEP);
     (void)lengths(n, &w);
     if (w.cylinders > 0 && mine == NULL && lrw - w.rw >= w.cylinders)
-        m.stage = 1;
+        makecylinders(&m);
     if (w.marks > 0 && liw - w.iw - w.pool >= w.marks) {
         m.room -= w.marks;
         m.mark = m.pool + m.room;
@@ -3138,13 +3130,13 @@ static int pruneheights(const mesh *m, quest *f, tess_int node)
  * as wide as it is long.  A cylinder that holds a node's points (a disc on a
  * surface, a rod on a curve) is thinner, by the ratio of the node's width to
  * the radius of curvature, and the ball meets only a few of them, however many
- * there are.  Cylinders are made when searches turn out to be long, for the
- * nodes of every second level from the leaves up.  The four grandchildren of a
- * node lie side by side and are tested at once.
+ * there are.  Cylinders are made for the nodes of every second level from the
+ * leaves up.  The four grandchildren of a node lie side by side and are tested
+ * at once.
  *
  * 6,000 points of an ellipsoid take 1.4 times the instructions without, 6,000
  * of boreholes 1.6, 6,000 near a plane 6 times.  They cost 11 doubles a leaf,
- * and nothing until searches turn out to be long. */
+ * and clouds 1 % more instructions, for nothing. */
 
 /* cylinders - returns the cylinders of the four grandchildren of a node:
  * centre, unit axis, half length, radius.  The four values of each number are
@@ -3235,7 +3227,6 @@ static void makecylinders(mesh *m)
     tess_int level, node, slender = 0;
     int i;
 
-    m->stage = 0;
     for (level = m->leaves / 4; level > 0; level /= 4) {
         for (node = level; node < 2 * level; node++)
             for (i = 0; i < 4; i++)
@@ -3244,7 +3235,7 @@ static void makecylinders(mesh *m)
                     slender++;
         if (slender < m->leaves / 8) return;
     }
-    m->stage = 2;
+    m->enclosed = 1;
 }
 
 /* prunecylinders - tests the cylinders of a node's four grandchildren: past[i]

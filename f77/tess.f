@@ -206,8 +206,7 @@ C               some exactly on its last ball
 C       UNMET   no vertex before it is NEW and asked for
 C       FUTILE  the leaf's latest searches in a row that ended in the
 C               tree
-C       STAGE   of cylinders, behind BOX(6,2*CTL(LEAVES)): 0 none, 1 may
-C               be made, 2 are made
+C       ENCLOS  1: there are cylinders, behind BOX(6,2*CTL(LEAVES))
 C       NCELL   cells of this star: CELLS at most, the last ones, are
 C               kept, each how many points it has and these, CELL at
 C               most, the least number first;  CELL0 the place before
@@ -219,7 +218,6 @@ C       RREACH  a block's margin, in its leaf's diagonals
 C       RBURDN  comparisons left open, over NP;  RPATIE their limit; 0:
 C               no more supports are sought
 C       RLEAST  the least absolute value of a coordinate above 0
-C       RSCAN   points of leaves tested
 C     SUP(.,J), support J: a plane or a sphere that many points are
 C     near.  A point with mark K, 0 ... GRAINS - 1, has a height between
 C     SLOW + (K - 1/2) SGRAIN and SLOW + (K + 3/2) SGRAIN; SLOW < 0.  A
@@ -303,9 +301,8 @@ C       ENOUGH  with fewer points no support is sought
 C       SOME    places of the sample
 C       GRAINS  number of marks for heights over a support: a double
 C               holds them and their roundings
-C       SCANS, SLIM  cylinders are made once the points tested in leaves
-C               number SCANS times all points, but not if fewer than
-C               an eighth of the leaves' are below SLIM of their boxes
+C       SLIM    no cylinders are used if fewer than an eighth of the
+C               leaves' are below SLIM of their boxes
 C       CELL, CELLS  maximum number of points of a cell, and of cells
 C       PLANES  number of hull planes remembered
 C       ASTRAY  steps from a given start after which a location looks
@@ -1865,9 +1862,9 @@ C     consider.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
      $    F(12), FQ(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), NODE
-      INTEGER RPATIE, RSCAN, QBALL, DONE, GROUP, LEAF
+      INTEGER RPATIE, QBALL, DONE, GROUP, LEAF
       DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL, HUGE
-      PARAMETER (RPATIE = 5, RSCAN = 7, QBALL = 3, DONE = -1, GROUP = 8,
+      PARAMETER (RPATIE = 5, QBALL = 3, DONE = -1, GROUP = 8,
      $    EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0,
      $    MUCHL = 1.0D100, HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
       DOUBLE PRECISION TSPOWE, B1, B2, B3, D(3), D1, D2, D3, MOST,
@@ -1875,7 +1872,6 @@ C     consider.
       INTEGER FIRST, I, J, K, LAST, N, PASSED, PLACE(LEAF)
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
       N = LAST - FIRST + 1
-      RCTL(RSCAN) = RCTL(RSCAN) + DBLE(N)
       SIZE = 0.0D0
       DO 10 K = 1, 3
         D(K) = MUCHL*F(K)
@@ -1941,15 +1937,15 @@ C                                been searched, FROM is where that ended
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
      $    F(12), FQ(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42)
-      INTEGER LEAVES, STAGE, QBALL, QBASE, QON, DEPTH, QT
+      INTEGER LEAVES, ENCLOS, QBALL, QBASE, QON, DEPTH, QT
       DOUBLE PRECISION LOOSE
-      PARAMETER (LEAVES = 4, STAGE = 16, QBALL = 3, QBASE = 4, QON = 6,
+      PARAMETER (LEAVES = 4, ENCLOS = 16, QBALL = 3, QBASE = 4, QON = 6,
      $    DEPTH = 96, LOOSE = 0.5D0, QT = 8)
       DOUBLE PRECISION PAST(4)
       INTEGER TSCYLI, TSLEAF, TSPRUN, FOURS, FROM, HEIGHT, N, NEAR,
      $    NODE, OUT, STACK(DEPTH), TOP
       NEAR = IQ(QON)
-      FOURS = CTL(STAGE)/2
+      FOURS = CTL(ENCLOS)
       IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
      $    FOURS = 0
       TOP = CTL(LEAVES) + TSLEAF(CTL, V(IQ(QBASE))) - 1
@@ -2087,13 +2083,12 @@ C     GUESS holds two positions to try first, or 0.
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(3,2), V(3), GUESS(2), Z
-      INTEGER NP, LEAVES, NPLANE, NEXTPL, PLANE0, STAGE, NCELL, FUTILE,
-     $    RBURDN, RPATIE, RSCAN, QBEST, QON, QOPEND, PLANES, OPENED
-      DOUBLE PRECISION SCANS
-      PARAMETER (NP = 1, LEAVES = 4, NPLANE = 12, NEXTPL = 13,
-     $    PLANE0 = 20, STAGE = 16, NCELL = 17, FUTILE = 18, RBURDN = 4,
-     $    RPATIE = 5, RSCAN = 7, QBEST = 1, QON = 6, QOPEND = 10,
-     $    PLANES = 4, OPENED = 24, SCANS = 100.0D0)
+      INTEGER NP, NPLANE, NEXTPL, PLANE0, NCELL, FUTILE,
+     $    RBURDN, RPATIE, QBEST, QON, QOPEND, PLANES, OPENED
+      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13,
+     $    PLANE0 = 20, NCELL = 17, FUTILE = 18, RBURDN = 4,
+     $    RPATIE = 5, QBEST = 1, QON = 6, QOPEND = 10, PLANES = 4,
+     $    OPENED = 24)
       DOUBLE PRECISION F(12), FQ(108), H
       INTEGER TSCURV, TSONHU, AT, G, IQ(42), K, LISTS, OK
       IF (CTL(NCELL) .GT. 0) THEN
@@ -2136,11 +2131,6 @@ C       time
       CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP, V,
      $            IQ, F, FQ)
       Z = IQ(QBEST)
-      IF (CTL(STAGE) .EQ. 1 .AND.
-     $    RCTL(RSCAN) .GT. SCANS*DBLE(CTL(NP))) THEN
-        K = 2*CTL(LEAVES) + 1
-        CALL TSMCYS(X, BOX, BOX(1,K), CTL)
-      END IF
       IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RPATIE) .GT. 0.0D0) THEN
         RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))/DBLE(CTL(NP))
         IF (RCTL(RBURDN) .GT. RCTL(RPATIE)) THEN
@@ -2911,21 +2901,20 @@ C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI)
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
-      INTEGER NP, NPLANE, NEXTPL, TIED, STAGE, NCELL, FUTILE, NSUPP,
-     $    RPATIE, RSCAN, LFIRST, LLAST, LN, BLK, STR
+      INTEGER NP, NPLANE, NEXTPL, TIED, ENCLOS, NCELL, FUTILE, NSUPP,
+     $    RPATIE, LFIRST, LLAST, LN, BLK, STR
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIED = 14,
-     $    STAGE = 16, NCELL = 17, FUTILE = 18, NSUPP = 20, RPATIE = 5,
-     $    RSCAN = 7, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2)
+     $    ENCLOS = 16, NCELL = 17, FUTILE = 18, NSUPP = 20, RPATIE = 5,
+     $    LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2)
       CTL(NP) = 0
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
       CTL(TIED) = 0
-      CTL(STAGE) = 0
+      CTL(ENCLOS) = 0
       CTL(NCELL) = 0
       CTL(FUTILE) = 0
       CTL(NSUPP) = 0
       RCTL(RPATIE) = 0.0D0
-      RCTL(RSCAN) = 0.0D0
       LSI(LFIRST,BLK) = 1
       LSI(LLAST,BLK) = 0
       LSI(LN,BLK) = 0
@@ -3309,15 +3298,15 @@ C     element of RW or IW, and the standard lets them be altered.
      $    LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), ROOMY, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSLIST, NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH,
-     $    LOW, UNMET, STAGE, T5, RREACH, RBURDN, RPATIE, NEW, FULL,
+     $    LOW, UNMET, T5, RREACH, RBURDN, RPATIE, NEW, FULL,
      $    SUPPS
       DOUBLE PRECISION PLAIN, BREACH, BURDEN
       PARAMETER (TSLIST = 512, NP = 1, NT = 2, MAXT = 3, LEAVES = 4,
      $    ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11,
-     $    UNMET = 15, STAGE = 16, T5 = 2, RREACH = 3, RBURDN = 4,
+     $    UNMET = 15, T5 = 2, RREACH = 3, RBURDN = 4,
      $    RPATIE = 5, NEW = -2, FULL = 2, PLAIN = 16.0D0, SUPPS = 8,
      $    BREACH = 2.6D0, BURDEN = 1.0D0)
-      DOUBLE PRECISION LSD(14,2), RCTL(7), SUP(96,SUPPS)
+      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS)
       REAL LSX(TSLIST,4,2)
       INTEGER TSTABL, CTL(84), I, K, LSI(3,2), LSID(TSLIST+48,2), OK,
      $    OWN, S, T
@@ -3346,7 +3335,8 @@ C     sets, by a step of Newton's method
         LINK(I) = NEW
    10 CONTINUE
       RCTL(RBURDN) = 0.0D0
-      IF (ROOMY .EQ. 1) CTL(STAGE) = 1
+      K = 2*CTL(LEAVES) + 1
+      IF (ROOMY .EQ. 1) CALL TSMCYS(X, BOX, BOX(1,K), CTL)
 C     doubles decide everything if points are in few units
       IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN)
      $    RCTL(RPATIE) = BURDEN
@@ -3632,7 +3622,7 @@ C     TSINDE - TESSIX with its workspace cut up as TSRUN's.
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,2*LVS-1)
       INTEGER TSLIST, NP, RANGE
       PARAMETER (TSLIST = 512, NP = 1, RANGE = 6)
-      DOUBLE PRECISION LSD(14,2), RCTL(7), SUP(96,1)
+      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,1)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(84), GUESS(2), I, K, LSI(3,2), LSID(TSLIST+48,2),
      $    V(3), Z
@@ -4381,14 +4371,14 @@ C     Along a curve a box is as wide as it is long.  A cylinder that
 C     holds a node's points (a disc on a surface, a rod on a curve) is
 C     thinner, by the ratio of the node's width to the radius of
 C     curvature, and the ball meets only a few of them, however many
-C     there are.  Cylinders are made when searches turn out to be long,
-C     for the nodes of every second level from the leaves up.  The four
-C     grandchildren of a node lie side by side and are tested at once.
+C     there are.  Cylinders are made for the nodes of every second level
+C     from the leaves up.  The four grandchildren of a node lie side by
+C     side and are tested at once.
 C
 C     6,000 points of an ellipsoid take 1.4 times the instructions
 C     without, 6,000 of boreholes 1.6, 6,000 near a plane 6 times.  They
-C     cost 11 doubles a leaf, and nothing until searches turn out to be
-C     long.
+C     cost 11 doubles a leaf, and clouds 1 % more instructions, for
+C     nothing.
 C     ------------------------------------------------------------------
 
 C     TSCYLI - the number of the cylinders of the four grandchildren of
@@ -4515,10 +4505,9 @@ C     ones.
       SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
       INTEGER CTL(*)
-      INTEGER LEAVES, STAGE
-      PARAMETER (LEAVES = 4, STAGE = 16)
+      INTEGER LEAVES, ENCLOS
+      PARAMETER (LEAVES = 4, ENCLOS = 16)
       INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
-      CTL(STAGE) = 0
       SUM = 0
       LEVEL = CTL(LEAVES)/4
    10 IF (LEVEL .GT. 0) THEN
@@ -4533,7 +4522,7 @@ C     ones.
         LEVEL = LEVEL/4
         GO TO 10
       END IF
-      CTL(STAGE) = 2
+      CTL(ENCLOS) = 1
       END
 
 C     TSPRCY - tests the cylinders of a node's four grandchildren:
@@ -5357,7 +5346,7 @@ C     TSQUER - TESSQU with the index cut up as TSRUN's workspace.
       INTEGER TSLIST, NP, T3, HFROM, HMOST, NONE, UNSURE, RANGE
       PARAMETER (TSLIST = 512, NP = 1, T3 = 1, HFROM = 7, HMOST = 10,
      $    NONE = 0, UNSURE = 2, RANGE = 6)
-      DOUBLE PRECISION LSD(14,2), RCTL(7), SUP(96,1), XF(3), Y(3,1)
+      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,1), XF(3), Y(3,1)
       REAL LSX(TSLIST,4,2)
       INTEGER HHFINI, HHHOLD, HHPSID, TSQSID, TSSLOT, CTL(84), F(3),
      $    G(4,1), H(10), I, K, LAST, LSI(3,2), LSID(TSLIST+48,2), OK, S,
