@@ -75,8 +75,8 @@ typedef long whole;
  * Numbers that are worked on together lie side by side: limb i of number k of
  * w is at w i + k.  Limb 0 of a product weighs BASE times the product of the
  * two limbs 0.  31 products of limbs of at most BASE fit one limb: 10 rows of 2
- * or 3 such products, 5 of 6, or 10 of 4 where both factors have been carried to
- * at most BASE/2.  (Limbs 0 are no exception: they are at most BASE/2 for a
+ * or 3 such products, 5 of 6, or 10 of 4 where both factors have been carried
+ * to at most BASE/2.  (Limbs 0 are no exception: they are at most BASE/2 for a
  * minor, 3/4 BASE for a 3 by 3 determinant or a square, as the coordinates' are
  * at most BASE/4.)
  * --------------------------------------------------------------------- */
@@ -140,9 +140,10 @@ static double fill(int n, double *q, double most, double *factor)
  *
  * The remainder of a number after a limb has no bits below the number's own,
  * and is exact as long as it is no larger than the number.  So a limb is 0 for
- * a remainder of less than half its weight: with UNDER, the largest number below
- * a half, in place of a half no rounding makes 1 of the sum.  A number whose first SKIP limbs are 0 is far below top, and is taken
- * up after these limbs. */
+ * a remainder of less than half its weight: with UNDER, the largest number
+ * below a half, in place of a half no rounding makes 1 of the sum.  A number
+ * whose first SKIP limbs are 0 is far below top, and is taken up after these
+ * limbs. */
 static int split(int w, const double *q, double top, int n, double *limb)
 {
     double far[15], rest[15], c;
@@ -330,9 +331,9 @@ static int volume(int n, double *work, double *w)
 }
 
 /* cofactors - computes the determinants of three of the rows a-e, b-e, c-e,
- * d-e, without b, a, d and c in turn, from the first depth rows of all products:
- * four numbers, side by side, of 3n limbs or of depth if that is less, the last
- * 12n of 39n doubles. */
+ * d-e, without b, a, d and c in turn, from the first depth rows of all
+ * products: four numbers, side by side, of 3n limbs or of depth if that is
+ * less, the last 12n of 39n doubles. */
 static void cofactors(int n, int depth, double *work)
 {
     int n2 = lesser(2 * n, depth), n3 = lesser(3 * n, depth);
@@ -440,8 +441,8 @@ static int region(const double *dot, const double *area)
 }
 
 /* foot - minus region, and the weights w of the vertices in that point: shares
- * of areas or, on a side, of products with it.  The rows u, v, w = b-a, c-a, q-a
- * of a triangle a, b, c give the products dot[3i+k] of sides u, v-u, -v and
+ * of areas or, on a side, of products with it.  The rows u, v, w = b-a, c-a,
+ * q-a of a triangle a, b, c give the products dot[3i+k] of sides u, v-u, -v and
  * offsets w, w-u, w-v, and with sides s and offsets o
  *     area[k] = (s_i.o_j) (s_k.o_i) - (s_i.o_i) (s_k.o_j), i, j, k cyclic:
  * component k of the cross product of the products of s_k and of s_i. */
@@ -514,8 +515,8 @@ static int weigh(int n, double *work, double *w)
 typedef int method(int n, double *work, double *w);
 
 /* limbs - evaluates np points q with n limbs; UNSURE if these do not hold them.
- * work: 44n doubles.  Limbs 0 that are 0 in all rows are left out as long as the
- * next ones can serve as limbs 0. */
+ * work: 44n doubles.  Limbs 0 that are 0 in all rows are left out as long as
+ * the next ones can serve as limbs 0. */
 static int limbs(int np, method *of, const double *q, double top, int n,
                  double *work, double *w)
 {
@@ -641,7 +642,8 @@ static int many(int np, method *of, const double *q, double top, double *w)
     for (n = HH_FEW; sign == UNSURE && n <= HH_LIMBS; n *= 2) {
         if (2 * n > HH_LIMBS) n = HH_LIMBS;
         sign = limbs(np, of, q, top, n, work, w);
-        if (sign == UNSURE && n == 10 && n < HH_LIMBS && !w) sign = balanced(np, q);
+        if (sign == UNSURE && n == 10 && n < HH_LIMBS && !w)
+            sign = balanced(np, q);
     }
     return sign;
 }
@@ -887,7 +889,8 @@ static int robust(int np, const tess_real *const *p)
         return UNSURE;
     scale(3 * np, most, q, s);
     sign = filter(np, s, -1.0);
-    if (sign == UNSURE && held(np, p)) sign = exact(np, np == 4 ? volume : insphere, q, most, NULL);
+    if (sign == UNSURE && held(np, p))
+        sign = exact(np, np == 4 ? volume : insphere, q, most, NULL);
     return sign;
 }
 
