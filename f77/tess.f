@@ -379,16 +379,20 @@ C     axes, then by number.
       SUBROUTINE TSSWAP(X, ORD, I, J)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), I, J
-      DOUBLE PRECISION T
-      INTEGER K, O
+      DOUBLE PRECISION A, B, C
+      INTEGER O
       O = ORD(I)
       ORD(I) = ORD(J)
       ORD(J) = O
-      DO 10 K = 1, 3
-        T = X(K,I)
-        X(K,I) = X(K,J)
-        X(K,J) = T
-   10 CONTINUE
+      A = X(1,I)
+      B = X(2,I)
+      C = X(3,I)
+      X(1,I) = X(1,J)
+      X(2,I) = X(2,J)
+      X(3,I) = X(3,J)
+      X(1,J) = A
+      X(2,J) = B
+      X(3,J) = C
       END
 
 C     TSPIVO - I is the position of a point whose rank along an axis is
