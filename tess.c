@@ -2333,11 +2333,13 @@ static void revive(mesh *m)
                              leafstart(m, i - m->leaves));
 }
 
-/* sorted - prepare n points: sort them, drop the duplicates, build the tree.
- * Returns 0, TESS_POINT or TESS_RANGE. */
+/* sorted - prepare n points: sort them, drop the duplicates, build the tree,
+ * and make cylinders if lrw has room for them.  Returns 0, TESS_POINT or
+ * TESS_RANGE. */
 static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
-                  double *rw)
+                  tess_int lrw, double *rw)
 {
+    sizes w;
     tess_int i;
     int code;
 
@@ -2359,6 +2361,8 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     if (code != 0) return code;
     boxes(m);
     revive(m);
+    (void)lengths(n, &w);
+    if (w.cylinders > 0 && lrw - w.rw >= w.cylinders) makecylinders(m);
     return 0;
 }
 
@@ -2378,6 +2382,7 @@ static void seal(mesh *m, int code)
     header[2] = m->set.t5;
     header[3] = m->set.e;
     header[4] = m->least;
+    header[5] = (double)m->enclosed;
 }
 
 /* opened - open an index for reading only.  Returns 0, the code of points
@@ -2493,7 +2498,7 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     sizes w;
     tess_int i, s = NONE;
     int code = mine != NULL ? opened(&m, n, p, iw, rw)
-                            : sorted(&m, n, p, iw, rw);
+                            : sorted(&m, n, p, iw, lrw, rw);
 
     if (code > 0) *ntet = 0;
     if (code != 0) return code;
@@ -2502,8 +2507,8 @@ static int run(tess_int n, const tess_real *p, const tess_int *mine,
     m.pool = m.link + n;
     m.room = (tess_int)(liw - 4 * n - 2 * leafcount(n) - KEEP);
     (void)lengths(n, &w);
-    if (w.cylinders > 0 && mine == NULL && lrw - w.rw >= w.cylinders)
-        makecylinders(&m);
+    /* those of the index, if they are still there */
+    if (mine != NULL) m.enclosed = m.box[5] > 0.0 && lrw - w.rw >= w.cylinders;
     if (w.marks > 0 && liw - w.iw - w.pool >= w.marks) {
         m.room -= w.marks;
         m.mark = m.pool + m.room;
@@ -2612,7 +2617,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     if (code != 0 && code != -9) return code;
     if (liw < 2 * n + 2 * leafcount(n) + KEEP) return -3;
     if (code != 0) return -5;
-    code = sorted(&m, n, p, iw, rw);
+    code = sorted(&m, n, p, iw, lrw, rw);
     if (code == 0) code = firstfacet(&m, v);
     if (code == 0) {
         v[3] = apex(&m, v, guess);

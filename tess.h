@@ -269,7 +269,8 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
  *                  code >= 0 but TESS_RANGE iw[i] is the position, from 0 on,
  *                  of point i, or of the point that represents it, in the
  *                  sorted order.  Points at close positions are close in space
- *   lrw     (in)   length of rw, as tess_size says, or 3*n + n/2 + 12
+ *   lrw     (in)   length of rw, as tess_size says; or 3*n + n/2 + 12, with
+ *                  which parts of surfaces and curves take longer
  *   rw      (out)  the index, too
  *
  * returns TESS_OK; TESS_PLANE, TESS_LINE, TESS_POINT or TESS_RANGE: there is no

@@ -3069,13 +3069,15 @@ C     TSREVI - put all points back into the tree.
       END
 
 C     TSSORT - prepare N > 0 points: sort them, drop the duplicates,
-C     build the tree.  INFO is 0, or RANGE.
+C     build the tree, and make cylinders if ROOMY is 1.  INFO is 0, or
+C     RANGE.
       SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N,
-     $                  INFO)
+     $                  ROOMY, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,2), N, INFO
-      INTEGER RANGE
-      PARAMETER (RANGE = 6)
+      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,2), N, ROOMY,
+     $    INFO
+      INTEGER LEAVES, RANGE
+      PARAMETER (LEAVES = 4, RANGE = 6)
       INTEGER HHHOLD, I
       CALL TSLAYO(CTL, RCTL, LSI)
       INFO = RANGE
@@ -3101,6 +3103,8 @@ C         them
       IF (INFO .NE. 0) RETURN
       CALL TSBOXE(X, BOX, CTL)
       CALL TSREVI(ALIVE, CTL)
+      I = 2*CTL(LEAVES) + 1
+      IF (ROOMY .EQ. 1) CALL TSMCYS(X, BOX, BOX(1,I), CTL)
       END
 
 C     TSSEAL - turn the sorted points into an index, which has a mesh if
@@ -3111,8 +3115,9 @@ C     recognized.
       SUBROUTINE TSSEAL(HEADER, KNOWN, COUNT, CTL, RCTL, CODE)
       INTEGER KNOWN(4), COUNT, CTL(*), CODE
       DOUBLE PRECISION HEADER(6), RCTL(*)
-      INTEGER NP, SCALE, T3, T5, RLEAST
-      PARAMETER (NP = 1, SCALE = 19, T3 = 1, T5 = 2, RLEAST = 6)
+      INTEGER NP, ENCLOS, SCALE, T3, T5, RLEAST
+      PARAMETER (NP = 1, ENCLOS = 16, SCALE = 19, T3 = 1, T5 = 2,
+     $    RLEAST = 6)
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
       HEADER(1) = DBLE(CTL(NP))
@@ -3121,6 +3126,7 @@ C     recognized.
       HEADER(3) = RCTL(T5)
       HEADER(4) = DBLE(CTL(SCALE))
       HEADER(5) = RCTL(RLEAST)
+      HEADER(6) = DBLE(CTL(ENCLOS))
       END
 
 C     TSOPEN - open an index for reading only.  INFO is 0, the code of
@@ -3302,12 +3308,12 @@ C     element of RW or IW, and the standard lets them be altered.
      $    LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), ROOMY, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSLIST, NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH,
-     $    LOW, UNMET, T5, RREACH, RBURDN, RPATIE, NEW, FULL,
+     $    LOW, UNMET, ENCLOS, T5, RREACH, RBURDN, RPATIE, NEW, FULL,
      $    SUPPS
       DOUBLE PRECISION PLAIN, BREACH, BURDEN
       PARAMETER (TSLIST = 512, NP = 1, NT = 2, MAXT = 3, LEAVES = 4,
      $    ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11,
-     $    UNMET = 15, T5 = 2, RREACH = 3, RBURDN = 4,
+     $    UNMET = 15, ENCLOS = 16, T5 = 2, RREACH = 3, RBURDN = 4,
      $    RPATIE = 5, NEW = -2, FULL = 2, PLAIN = 16.0D0, SUPPS = 8,
      $    BREACH = 2.6D0, BURDEN = 1.0D0)
       DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS)
@@ -3317,7 +3323,8 @@ C     element of RW or IW, and the standard lets them be altered.
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
       ELSE
-        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, INFO)
+        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N,
+     $              ROOMY, INFO)
       END IF
       IF (INFO .GT. 0) NTET = 0
       IF (INFO .NE. 0) RETURN
@@ -3339,8 +3346,9 @@ C     sets, by a step of Newton's method
         LINK(I) = NEW
    10 CONTINUE
       RCTL(RBURDN) = 0.0D0
-      K = 2*CTL(LEAVES) + 1
-      IF (ROOMY .EQ. 1) CALL TSMCYS(X, BOX, BOX(1,K), CTL)
+C     those of the index, if they are still there
+      IF (MASKED .EQ. 1 .AND. ROOMY .EQ. 1 .AND. HEADER(6) .GT. 0.0D0)
+     $    CTL(ENCLOS) = 1
 C     doubles decide everything if points are in few units
       IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN)
      $    RCTL(RPATIE) = BURDEN
@@ -3390,7 +3398,7 @@ C     that are known to be valid except for P and the indices in TET.
       LVS = TSLCOU(N)
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
       ROOMY = 0
-      IF (CYLS .GT. 0 .AND. MASKED .EQ. 0 .AND. LRW - LRWMIN .GE. CYLS)
+      IF (CYLS .GT. 0 .AND. LRW - LRWMIN .GE. CYLS)
      $    ROOMY = 1
 C     what an index keeps, but for its last place, which is MARK's where
 C     there are no marks
@@ -3604,7 +3612,8 @@ C     Cost: O(N log N), about a tenth of that of the mesh.
       INTEGER N, LIW, IW(*), LRW, INFO
       INTEGER SINGLE, INTMAX, KEEP
       PARAMETER (SINGLE = 5, INTMAX = 2147483647, KEEP = 5)
-      INTEGER TSLCOU, I, LVS, NONE(4,1)
+      INTEGER TSLCOU, CYLS, I, LIWMIN, LRWMIN, LVS, MARKS, NONE(4,1),
+     $    OK, POOL, ROOMY
       NONE(1,1) = 0
       CALL TSBADA(N, P, 0, 0, 0, NONE, NONE, INTMAX, LRW, I, INFO)
       IF (INFO .NE. 0 .AND. INFO .NE. -9) RETURN
@@ -3614,23 +3623,27 @@ C     Cost: O(N log N), about a tenth of that of the mesh.
       IF (INFO .NE. 0) RETURN
       INFO = SINGLE
       IF (N .EQ. 0) RETURN
+      CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
+      ROOMY = 0
+      IF (CYLS .GT. 0 .AND. LRW - LRWMIN .GE. CYLS) ROOMY = 1
       CALL TSINDE(N, P, LVS, RW, RW(3*N+12*LVS-5), RW(3*N+1), IW,
-     $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6), INFO)
+     $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6), ROOMY, INFO)
       END
 
 C     TSINDE - TESSIX with its workspace cut up as TSRUN's.
       SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
-     $                  COUNT, ALIVE, INFO)
+     $                  COUNT, ALIVE, ROOMY, INFO)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1),
-     $    INFO
-      DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,2*LVS-1)
+     $    ROOMY, INFO
+      DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSLIST, NP, RANGE
       PARAMETER (TSLIST = 512, NP = 1, RANGE = 6)
       DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,1)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(84), GUESS(2), I, K, LSI(3,2), LSID(TSLIST+48,2),
      $    V(3), Z
-      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, INFO)
+      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, ROOMY,
+     $            INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .EQ. 0) THEN
         GUESS(1) = 0
