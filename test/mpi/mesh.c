@@ -86,17 +86,18 @@
 #include "../points.h"
 #include "mesh.h"
 
-static const char usage[] =
+/* in two: C89 promises 509 characters a string */
+static const char *const usage[] = {
     "usage: mesh INPUT [-o PREFIX] [-vtu PREFIX [-values FILE]] [-blind]\n"
     "INPUT: -raw FILE      native doubles, three a point\n"
     "       -each PREFIX   the same, a file for each process: PREFIX.<rank>\n"
-    "       -family NAME N points of test/points.h, made by process 0\n"
+    "       -family NAME N points of test/points.h, made by process 0\n",
     "-o     PREFIX.<rank>.tet: vertices, .adj: neighbours across the facets\n"
     "       opposite to them, -1 for none: native 64-bit integers\n"
     "-vtu   PREFIX.pvtu and its pieces, for ParaView; the points' values in\n"
     "       them, value, value2 and so on: native doubles, those of a point\n"
     "       after those of the one before it\n"
-    "-blind begin with a few extreme points of others (a test)\n";
+    "-blind begin with a few extreme points of others (a test)\n"};
 
 /* number_points - the process has the next n points, in the order of the
  * processes: give them their indices. */
@@ -230,7 +231,7 @@ int main(int argc, char **argv)
             break;
     }
     if (i < argc || !raw + !each + !family != 2 || (values && !vtu)) {
-        if (me == 0) fputs(usage, stderr);
+        if (me == 0) fputs(usage[0], stderr), fputs(usage[1], stderr);
         MPI_Finalize();
         return 2;
     }

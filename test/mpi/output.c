@@ -185,7 +185,7 @@ static int columns; /* doubles a point in it */
 void open_values(const char *name, num all)
 {
     num size = all * (num)sizeof(double);
-    off_t bytes;
+    off_t bytes = 0;
 
     values = fopen(name, "rb");
     if (!values || fseeko(values, 0, SEEK_END) != 0 ||
