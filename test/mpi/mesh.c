@@ -121,7 +121,7 @@ static void read_file(cloud *c, const char *name, int whole)
 {
     FILE *file = fopen(name, "rb");
     double *x;
-    off_t bytes;
+    off_t bytes = 0;
     num n, begin = 0;
 
     if (!file || fseeko(file, 0, SEEK_END) != 0 || (bytes = ftello(file)) < 0)
