@@ -498,7 +498,7 @@ static void extent(const mesh *m, tess_int first, tess_int last, tess_int step,
  * least of its set is linked to a smaller number. */
 static void bisect(mesh *m, tess_int lo, tess_int hi, tess_int mid)
 {
-    double b[6];
+    double b[6] = {0.0}; /* for gcc -fanalyzer */
     tess_int i;
     int k, axis = 0;
 
