@@ -1843,7 +1843,7 @@ C     squares.  Else it is 1, and a ball is made ready for HHTRIA.
 C
 C     A ball (hh_ball in C), a facet and the ball through it and a
 C     fourth point by limbs: for a point z, u = z - base, the side is
-C     n.u and the power D |u|**2 - C.u.  Behind T(AT):
+C     n.u and the power D |u|**2 - C.u.  In T:
 C       BN, BFIRST  limbs of u; those before BFIRST are 0 for the facet
 C               and the point
 C       BTOP    weight of limb 1 of coordinates times BFACT, which hold
@@ -1854,9 +1854,9 @@ C       BPOWER  behind it leading rows of C and D; BSIDE: of n and 0
 C       BD, BE  D of the leading row's weight, exponent of limb 1's
 C               weight
 C       BUNIT, BBITS  what HHHEIG divides by: see HHUNIT
-      SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, AT, OK)
+      SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, OK)
       DOUBLE PRECISION P(3,*), C(3), T(*)
-      INTEGER ORD(*), SE, V(3), BASE, Z, AT, OK
+      INTEGER ORD(*), SE, V(3), BASE, Z, OK
       DOUBLE PRECISION HHLDEX
       INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE
       INTEGER BD, BE
@@ -1880,30 +1880,30 @@ C       BUNIT, BBITS  what HHHEIG divides by: see HHUNIT
       CALL HHROWS(P, ORD, SE, W, X, TOP, FACTOR, E, N)
       IF (N .EQ. 0) RETURN
       CALL HHCNTR(N, X, CC, D, MINOR, LIFT, FIRST)
-      T(AT+BFIRST) = DBLE(FIRST)
-      T(AT+BN) = DBLE(N)
-      T(AT+BE) = DBLE(E)
-      T(AT+BTOP) = TOP
-      T(AT+BFACT) = FACTOR
-      T(AT+BMOST) = TOP/FACTOR
-      IF (T(AT+BMOST) .LT. HUGE/RADIX) THEN
-        T(AT+BMOST) = T(AT+BMOST)*(RADIX/4.0D0)
+      T(BFIRST) = DBLE(FIRST)
+      T(BN) = DBLE(N)
+      T(BE) = DBLE(E)
+      T(BTOP) = TOP
+      T(BFACT) = FACTOR
+      T(BMOST) = TOP/FACTOR
+      IF (T(BMOST) .LT. HUGE/RADIX) THEN
+        T(BMOST) = T(BMOST)*(RADIX/4.0D0)
       ELSE
-        T(AT+BMOST) = HUGE
+        T(BMOST) = HUGE
       END IF
       DO 20 I = 1, N
         DO 10 K = 1, 3
-          T(AT+BBASE+3*(I-1)+K) = X(12*(I-1)+9+K)
+          T(BBASE+3*(I-1)+K) = X(12*(I-1)+9+K)
    10   CONTINUE
    20 CONTINUE
-      CALL HHCUT(2*N, MINOR, 7, 9, 0, D, T, AT + BSIDE, LAT)
+      CALL HHCUT(2*N, MINOR, 7, 9, 0, D, T, BSIDE, LAT)
       OK = 1
       IF (Z .EQ. V(BASE)) RETURN
       OK = 0
-      CALL HHCUT(4*N, CC, 1, 3, 3*N, D, T, AT + BPOWER, LAT)
+      CALL HHCUT(4*N, CC, 1, 3, 3*N, D, T, BPOWER, LAT)
       CALL HHLEAD(3*N, D, 1, 1, VALUE, DAT)
       IF (ABS(VALUE) .LE. 0.0D0) RETURN
-      T(AT+BD) = HHLDEX(VALUE, (LAT - DAT)*BITS)
+      T(BD) = HHLDEX(VALUE, (LAT - DAT)*BITS)
       DO 30 K = 1, 3
         CALL HHLEAD(4*N, CC, K, 3, C(K), LAT)
         C(K) = C(K)/(2.0D0*VALUE)
@@ -1951,28 +1951,28 @@ C     sum has more than 30 products of at most BASE**2 / 2.
       END
 
 C     HHOFFS - computes the limbs U of the position Z relative to the
-C     base of the ball behind T(AT).  OK is 1, or 0 if the ball's limbs
-C     do not hold them.
-      SUBROUTINE HHOFFS(P, ORD, T, AT, Z, U, OK)
+C     base of the ball T.  OK is 1, or 0 if the ball's limbs do not hold
+C     them.
+      SUBROUTINE HHOFFS(P, ORD, T, Z, U, OK)
       DOUBLE PRECISION P(3,*), T(*), U(*)
-      INTEGER ORD(*), AT, Z, OK
+      INTEGER ORD(*), Z, OK
       INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE
       PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5)
       PARAMETER (BBASE = 5)
       DOUBLE PRECISION Q(3)
       INTEGER FIRST, I, K, N
-      N = INT(T(AT+BN))
-      FIRST = INT(T(AT+BFIRST))
+      N = INT(T(BN))
+      FIRST = INT(T(BFIRST))
       OK = 0
       DO 10 K = 1, 3
         Q(K) = P(K,ORD(Z))
-        IF (ABS(Q(K)) .GT. T(AT+BMOST)) RETURN
-        Q(K) = Q(K)*T(AT+BFACT)
+        IF (ABS(Q(K)) .GT. T(BMOST)) RETURN
+        Q(K) = Q(K)*T(BFACT)
    10 CONTINUE
-      CALL HHSPLI(3, Q, T(AT+BTOP), N, U, I)
+      CALL HHSPLI(3, Q, T(BTOP), N, U, I)
       IF (I .GT. N) RETURN
       DO 20 I = 1, 3*N
-        U(I) = U(I) - T(AT+BBASE+I)
+        U(I) = U(I) - T(BBASE+I)
         IF (I .LT. 3*FIRST - 2 .AND. ABS(U(I)) .GT. 0.0D0) RETURN
    20 CONTINUE
       OK = 1
@@ -1980,39 +1980,39 @@ C     do not hold them.
 
 C     HHLEVE - SUM = the leading limbs of the height of the position Z
 C     below the plane of a ball's facet, if PLANE is 1, else of its
-C     power in the ball, behind T(AT): see HHEVAL.  OK is 0 where the
-C     limbs do not hold it, else 1.
-      SUBROUTINE HHLEVE(P, ORD, T, AT, Z, PLANE, SUM, OK)
+C     power in the ball T: see HHEVAL.  OK is 0 where the limbs do not
+C     hold it, else 1.
+      SUBROUTINE HHLEVE(P, ORD, T, Z, PLANE, SUM, OK)
       DOUBLE PRECISION P(3,*), T(*), SUM(*)
-      INTEGER ORD(*), AT, Z, PLANE, OK
+      INTEGER ORD(*), Z, PLANE, OK
       INTEGER BN, BFIRST, BPOWER, BSIDE, HHFEW
       PARAMETER (BN = 1, BFIRST = 2, BPOWER = 35, BSIDE = 59)
       PARAMETER (HHFEW = 10)
       DOUBLE PRECISION L(2*HHFEW), U(3*HHFEW)
       INTEGER FIRST, N
-      CALL HHOFFS(P, ORD, T, AT, Z, U, OK)
+      CALL HHOFFS(P, ORD, T, Z, U, OK)
       IF (OK .EQ. 0) RETURN
-      N = INT(T(AT+BN))
-      FIRST = INT(T(AT+BFIRST))
+      N = INT(T(BN))
+      FIRST = INT(T(BFIRST))
       IF (PLANE .EQ. 1) THEN
-        CALL HHEVAL(T, AT + BSIDE, N, FIRST, U, U, SUM)
+        CALL HHEVAL(T, BSIDE, N, FIRST, U, U, SUM)
       ELSE
         CALL HHZERO(2*N, L)
         CALL HHPROD(1, N, 3, U, N, 3, U, 2*N, 1, L)
         CALL HHCARR(2*N, 1, 1, L)
-        CALL HHEVAL(T, AT + BPOWER, N, FIRST, U, L, SUM)
+        CALL HHEVAL(T, BPOWER, N, FIRST, U, L, SUM)
       END IF
       END
 
 C     HHTRIA - decides signs by a few leading limbs, in a tenth of the
-C     time of the exact signs, for the ball behind T(AT).  If SIDE is 0,
-C     SIDE becomes the side of the position Z for the facet of HHCENT,
-C     or UNSURE.  Unless SIDE is -1, POWER becomes the sign of Z's power
-C     in the ball, -1 if Z is inside, or UNSURE; this requires the
-C     ball's fourth point on the positive side, as D > 0 then.
-      SUBROUTINE HHTRIA(P, ORD, T, AT, Z, SIDE, POWER)
+C     time of the exact signs, for the ball T.  If SIDE is 0, SIDE
+C     becomes the side of the position Z for the facet of HHCENT, or
+C     UNSURE.  Unless SIDE is -1, POWER becomes the sign of Z's power in
+C     the ball, -1 if Z is inside, or UNSURE; this requires the ball's
+C     fourth point on the positive side, as D > 0 then.
+      SUBROUTINE HHTRIA(P, ORD, T, Z, SIDE, POWER)
       DOUBLE PRECISION P(3,*), T(*)
-      INTEGER ORD(*), AT, Z, SIDE, POWER
+      INTEGER ORD(*), Z, SIDE, POWER
       INTEGER HHSIGN
       INTEGER BROWS, UNSURE
       PARAMETER (BROWS = 6, UNSURE = 2)
@@ -2023,12 +2023,12 @@ C     ball's fourth point on the positive side, as D > 0 then.
       POWER = UNSURE
       IF (SIDE .EQ. 0) THEN
         SIDE = UNSURE
-        CALL HHLEVE(P, ORD, T, AT, Z, 1, SUM, OK)
+        CALL HHLEVE(P, ORD, T, Z, 1, SUM, OK)
         IF (OK .EQ. 1) SIDE = HHSIGN(BROWS + 1, CARRY, SUM)
         IF (SIDE .NE. UNSURE) SIDE = -SIDE
       END IF
       IF (SIDE .LT. 0) RETURN
-      CALL HHLEVE(P, ORD, T, AT, Z, 0, SUM, OK)
+      CALL HHLEVE(P, ORD, T, Z, 0, SUM, OK)
       IF (OK .EQ. 1) POWER = HHSIGN(BROWS + 1, CARRY, SUM)
       END
 
@@ -2038,9 +2038,9 @@ C     both as of the leading rows; C: the normal over it, right to 12
 C     EPS.  The base gets limbs for points in smaller units than the
 C     ball's own (6371 cos 90 degrees is 4D-13 in double): without them
 C     such points have no height.
-      SUBROUTINE HHUNIT(T, AT, PLANE, C)
+      SUBROUTINE HHUNIT(T, PLANE, C)
       DOUBLE PRECISION T(*), C(3)
-      INTEGER AT, PLANE
+      INTEGER PLANE
       DOUBLE PRECISION HHLDEX
       INTEGER BN, BFIRST, BBASE, BSIDE, BD, BE, BUNIT, BBITS, BITS
       INTEGER BROWS
@@ -2048,23 +2048,23 @@ C     such points have no height.
       PARAMETER (BE = 85, BUNIT = 86, BBITS = 87, BITS = 24, BROWS = 6)
       DOUBLE PRECISION D
       INTEGER K, LAT
-      DO 10 K = 3*INT(T(AT+BN)) + 1, 3*BROWS
-        T(AT+BBASE+K) = 0.0D0
+      DO 10 K = 3*INT(T(BN)) + 1, 3*BROWS
+        T(BBASE+K) = 0.0D0
    10 CONTINUE
-      T(AT+BN) = MAX(T(AT+BN), DBLE(BROWS))
-      T(AT+BUNIT) = T(AT+BD)
-      T(AT+BBITS) = 2.0D0*T(AT+BE) + (3.0D0 - T(AT+BFIRST))*BITS
+      T(BN) = MAX(T(BN), DBLE(BROWS))
+      T(BUNIT) = T(BD)
+      T(BBITS) = 2.0D0*T(BE) + (3.0D0 - T(BFIRST))*BITS
       IF (PLANE .EQ. 0) RETURN
-      T(AT+BBITS) = T(AT+BE) + (2.0D0 - T(AT+BFIRST))*BITS
+      T(BBITS) = T(BE) + (2.0D0 - T(BFIRST))*BITS
       D = 0.0D0
       DO 20 K = 1, 3
-        CALL HHLEAD(BROWS, T, AT + BSIDE + K, 4, C(K), LAT)
+        CALL HHLEAD(BROWS, T, BSIDE + K, 4, C(K), LAT)
         C(K) = HHLDEX(C(K), (1 - LAT)*BITS)
         D = D + C(K)*C(K)
    20 CONTINUE
-      T(AT+BUNIT) = SQRT(D)
+      T(BUNIT) = SQRT(D)
       DO 30 K = 1, 3
-        C(K) = C(K)/T(AT+BUNIT)
+        C(K) = C(K)/T(BUNIT)
    30 CONTINUE
       END
 
@@ -2074,9 +2074,9 @@ C     scaled as HHPSID's X is.  ERR bounds the error: the value of the
 C     leading limbs errs by 3 EPS, the divisor by 3 (by 5 for a normal),
 C     the quotient by 1, and the last row of the sum by CARRY units.
 C     ERR is HUGE if the limbs do not hold it.
-      SUBROUTINE HHHEIG(P, ORD, T, AT, Z, PLANE, H, ERR)
+      SUBROUTINE HHHEIG(P, ORD, T, Z, PLANE, H, ERR)
       DOUBLE PRECISION P(3,*), T(*), H, ERR
-      INTEGER ORD(*), AT, Z, PLANE
+      INTEGER ORD(*), Z, PLANE
       DOUBLE PRECISION HHLDEX
       INTEGER BUNIT, BBITS, BITS, BROWS
       PARAMETER (BUNIT = 86, BBITS = 87, BITS = 24, BROWS = 6)
@@ -2087,13 +2087,13 @@ C     ERR is HUGE if the limbs do not hold it.
       INTEGER E, LAT, OK
       H = 0.0D0
       ERR = HUGE
-      CALL HHLEVE(P, ORD, T, AT, Z, PLANE, SUM, OK)
+      CALL HHLEVE(P, ORD, T, Z, PLANE, SUM, OK)
       IF (OK .EQ. 0) RETURN
       CALL HHCARR(BROWS + 1, 1, 1, SUM)
       CALL HHLEAD(BROWS + 1, SUM, 1, 1, H, LAT)
-      E = INT(T(AT+BBITS))
-      H = HHLDEX(H/T(AT+BUNIT), MAX(E - (LAT - 1)*BITS, -2000))
-      ERR = HHLDEX(CARRY/T(AT+BUNIT), MAX(E - BROWS*BITS, -2000))
+      E = INT(T(BBITS))
+      H = HHLDEX(H/T(BUNIT), MAX(E - (LAT - 1)*BITS, -2000))
+      ERR = HHLDEX(CARRY/T(BUNIT), MAX(E - BROWS*BITS, -2000))
       ERR = 16.0D0*EPS*ABS(H) + 2.0D0*ABS(ERR)
       IF (PLANE .EQ. 1) H = -H
       END

@@ -252,7 +252,7 @@ C       FQ      FQ(1..3): the centre C of the best point's ball,
 C               relative to F(7..9), wrong by at most QDC; QSIZE:
 C               |C|_1; the best point's L-coordinate is between QLO and
 C               QHI: so far C(7) where the rest is not needed; from QT
-C               on T, in which QQ is TQ; behind QLIMB the ball by limbs
+C               on T, in which QQ is TQ; from QLIMB on the ball by limbs
 C               (see HHCENT)
 C       T       of the support that the facet is on: TSAIM's test, that
 C               a (height - h) + q |W|**2 - d.W > 0, of which each
@@ -1432,13 +1432,13 @@ C     place of C, with the error of F(4..6) and one more rounding.
       DOUBLE PRECISION EPS, LOOSE, HUGE
       PARAMETER (SCALE = 19, QBEST = 1, QLIMBS = 2, QBALL = 3,
      $    QBASE = 4, QON = 6, QAIMED = 7, QLO = 6, QHI = 7, QDC = 4,
-     $    QSIZE = 5, QLIMB = 21, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
+     $    QSIZE = 5, QLIMB = 22, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
       INTEGER TSCURV, K, OK, SPHERE
       IF (F(10) .GE. HUGE) RETURN
-      CALL HHCENT(P, ORD, CTL(SCALE), V, IQ(QBASE), IQ(QBEST), C, FQ,
-     $            QLIMB, OK)
+      CALL HHCENT(P, ORD, CTL(SCALE), V, IQ(QBASE), IQ(QBEST), C,
+     $            FQ(QLIMB), OK)
       IF (OK .EQ. 0) RETURN
       SPHERE = TSCURV(SUP, IQ(QON))
       IQ(QLIMBS) = 1
@@ -1476,7 +1476,7 @@ C     by the other's.
      $    QHI, QLIMB, UNSURE, MANY, QT
       DOUBLE PRECISION PLAIN, WIDE
       PARAMETER (T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1, QLIMBS = 2,
-     $    QASKED = 5, QON = 6, QTIED = 8, QLO = 6, QHI = 7, QLIMB = 21,
+     $    QASKED = 5, QON = 6, QTIED = 8, QLO = 6, QHI = 7, QLIMB = 22,
      $    UNSURE = 2, MANY = 6, PLAIN = 16.0D0, WIDE = 1.0D-4, QT = 8)
       DOUBLE PRECISION HI, LO, Q(3)
       INTEGER HHPBEA, HHPSID, OPEN, POWER, SGN, SIDE
@@ -1496,8 +1496,8 @@ C     by the other's.
       END IF
       IF (SIDE .EQ. 0 .OR. OPEN .EQ. 1) THEN
         IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
-        IF (IQ(QLIMBS) .EQ. 1)
-     $      CALL HHTRIA(P, ORD, FQ, QLIMB, Z, SGN, POWER)
+        IF (IQ(QLIMBS) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLIMB), Z, SGN,
+     $      POWER)
         IF (SGN .EQ. 0 .OR. SGN .EQ. UNSURE) SGN = HHPSID(X, P, ORD,
      $      RCTL(T3), V(1), V(2), V(3), Z)
         IF (SGN .LE. 0) RETURN
@@ -1941,10 +1941,10 @@ C                                been searched, FROM is where that ended
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
      $    F(12), FQ(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42)
-      INTEGER LEAVES, ENCLOS, QBALL, QBASE, QON, DEPTH, QT
+      INTEGER LEAVES, QBALL, QBASE, QON, DEPTH, QT, ENCLOS
       DOUBLE PRECISION LOOSE
-      PARAMETER (LEAVES = 4, ENCLOS = 16, QBALL = 3, QBASE = 4, QON = 6,
-     $    DEPTH = 96, LOOSE = 0.5D0, QT = 8)
+      PARAMETER (LEAVES = 4, QBALL = 3, QBASE = 4, QON = 6, DEPTH = 96,
+     $    LOOSE = 0.5D0, QT = 8, ENCLOS = 16)
       DOUBLE PRECISION PAST(4)
       INTEGER TSCYLI, TSLEAF, TSPRUN, FOURS, FROM, HEIGHT, N, NEAR,
      $    NODE, OUT, STACK(DEPTH), TOP
@@ -2087,12 +2087,11 @@ C     GUESS holds two positions to try first, or 0.
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(3,2), V(3), GUESS(2), Z
-      INTEGER NP, NPLANE, NEXTPL, PLANE0, NCELL, FUTILE,
-     $    RBURDN, RPATIE, QBEST, QON, QOPEND, PLANES, OPENED
-      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13,
-     $    PLANE0 = 20, NCELL = 17, FUTILE = 18, RBURDN = 4,
-     $    RPATIE = 5, QBEST = 1, QON = 6, QOPEND = 10, PLANES = 4,
-     $    OPENED = 24)
+      INTEGER NP, NPLANE, NEXTPL, PLANE0, NCELL, FUTILE, RBURDN, RPATIE,
+     $    QBEST, QON, QOPEND, PLANES, OPENED
+      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, PLANE0 = 20,
+     $    NCELL = 17, FUTILE = 18, RBURDN = 4, RPATIE = 5, QBEST = 1,
+     $    QON = 6, QOPEND = 10, PLANES = 4, OPENED = 24)
       DOUBLE PRECISION F(12), FQ(108), H
       INTEGER TSCURV, TSONHU, AT, G, IQ(42), K, LISTS, OK
       IF (CTL(NCELL) .GT. 0) THEN
@@ -2875,9 +2874,9 @@ C     points as can need them.  OK is 1, or 0 for a bad N: negative, or
 C     so large that a minimum exceeds the largest integer.
       SUBROUTINE TSLENG(N, LIW, LRW, POOL, MARKS, CYLS, OK)
       INTEGER N, LIW, LRW, POOL, MARKS, CYLS, OK
-      INTEGER LEAST, INTMAX, MUCH, ENOUGH, SUPPS
-      PARAMETER (LEAST = 512, INTMAX = 2147483647, MUCH = 225000,
-     $    ENOUGH = 500, SUPPS = 8)
+      INTEGER SUPPS, LEAST, INTMAX, MUCH, ENOUGH
+      PARAMETER (SUPPS = 8, LEAST = 512, INTMAX = 2147483647,
+     $    MUCH = 225000, ENOUGH = 500)
       DOUBLE PRECISION HUB
       INTEGER TSCUBE, TSLCOU, LEFT, LVS
       OK = 0
@@ -2905,11 +2904,11 @@ C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI)
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
-      INTEGER NP, NPLANE, NEXTPL, TIED, ENCLOS, NCELL, FUTILE, NSUPP,
-     $    RPATIE, LFIRST, LLAST, LN, BLK, STR
+      INTEGER NP, NPLANE, NEXTPL, TIED, NCELL, FUTILE, NSUPP, RPATIE,
+     $    LFIRST, LLAST, LN, BLK, STR, ENCLOS
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIED = 14,
-     $    ENCLOS = 16, NCELL = 17, FUTILE = 18, NSUPP = 20, RPATIE = 5,
-     $    LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2)
+     $    NCELL = 17, FUTILE = 18, NSUPP = 20, RPATIE = 5, LFIRST = 1,
+     $    LLAST = 2, LN = 3, BLK = 1, STR = 2, ENCLOS = 16)
       CTL(NP) = 0
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
@@ -3074,8 +3073,7 @@ C     RANGE.
       SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N,
      $                  ROOMY, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,2), N, ROOMY,
-     $    INFO
+      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,2), N, ROOMY, INFO
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
       INTEGER HHHOLD, I
@@ -3115,9 +3113,9 @@ C     recognized.
       SUBROUTINE TSSEAL(HEADER, KNOWN, COUNT, CTL, RCTL, CODE)
       INTEGER KNOWN(4), COUNT, CTL(*), CODE
       DOUBLE PRECISION HEADER(6), RCTL(*)
-      INTEGER NP, ENCLOS, SCALE, T3, T5, RLEAST
-      PARAMETER (NP = 1, ENCLOS = 16, SCALE = 19, T3 = 1, T5 = 2,
-     $    RLEAST = 6)
+      INTEGER NP, SCALE, T3, T5, RLEAST, ENCLOS
+      PARAMETER (NP = 1, SCALE = 19, T3 = 1, T5 = 2, RLEAST = 6,
+     $    ENCLOS = 16)
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
       HEADER(1) = DBLE(CTL(NP))
@@ -3308,13 +3306,13 @@ C     element of RW or IW, and the standard lets them be altered.
      $    LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), ROOMY, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSLIST, NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH,
-     $    LOW, UNMET, ENCLOS, T5, RREACH, RBURDN, RPATIE, NEW, FULL,
-     $    SUPPS
+     $    LOW, UNMET, T5, RREACH, RBURDN, RPATIE, NEW, FULL, SUPPS,
+     $    ENCLOS
       DOUBLE PRECISION PLAIN, BREACH, BURDEN
       PARAMETER (TSLIST = 512, NP = 1, NT = 2, MAXT = 3, LEAVES = 4,
      $    ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11,
-     $    UNMET = 15, ENCLOS = 16, T5 = 2, RREACH = 3, RBURDN = 4,
-     $    RPATIE = 5, NEW = -2, FULL = 2, PLAIN = 16.0D0, SUPPS = 8,
+     $    UNMET = 15, T5 = 2, RREACH = 3, RBURDN = 4, RPATIE = 5,
+     $    NEW = -2, FULL = 2, PLAIN = 16.0D0, SUPPS = 8, ENCLOS = 16,
      $    BREACH = 2.6D0, BURDEN = 1.0D0)
       DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS)
       REAL LSX(TSLIST,4,2)
@@ -3796,7 +3794,7 @@ C     the error.
       IF (OK .EQ. 1) RETURN
       CALL TSROUG(X, SUP(1,J), Z, H, ERR)
       IF (ABS(H) .GT. ERR - SUP(SLOW,J)) RETURN
-      CALL HHHEIG(P, ORD, SUP(1,J), 0, Z, 1 - TSCURV(SUP, J), H, ERR)
+      CALL HHHEIG(P, ORD, SUP(1,J), Z, 1 - TSCURV(SUP, J), H, ERR)
       IF (ERR .LE. SUP(SGRAIN,J) .AND. ABS(H) .LE. -SUP(SLOW,J)) OK = 1
       END
 
@@ -3868,12 +3866,12 @@ C     more than BAND.
       INTEGER I, K, N
       N = MIN(IQ(QOPEND), SOME)
       WORST = 0.0D0
-      CALL HHCENT(P, ORD, CTL(SCALE), W, 1, Z, C, S, 0, OK)
+      CALL HHCENT(P, ORD, CTL(SCALE), W, 1, Z, C, S, OK)
       IF (OK .EQ. 0) RETURN
       OK = 0
-      CALL HHUNIT(S, 0, PLANE, C)
+      CALL HHUNIT(S, PLANE, C)
       DO 20 I = 1, N
-        CALL HHHEIG(P, ORD, S, 0, IQ(QSOME+I), PLANE, D, ERR)
+        CALL HHHEIG(P, ORD, S, IQ(QSOME+I), PLANE, D, ERR)
         D = ABS(D)
         IF (ERR .GT. 1.0D0) RETURN
         WORST = MAX(WORST, ERR)
@@ -3906,10 +3904,10 @@ C     up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, CTL, V, IQ, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), S(96)
       INTEGER ORD(*), CTL(*), V(3), IQ(42), OK
-      INTEGER NP, BUNIT, SAT, SC, SSIZE, SLOW, QOPEND, QSOME, SOME
+      INTEGER NP, SAT, SC, SSIZE, SLOW, QOPEND, QSOME, BUNIT, SOME
       DOUBLE PRECISION SMALL
-      PARAMETER (NP = 1, BUNIT = 86, SAT = 87, SC = 90, SSIZE = 94,
-     $    SLOW = 95, QOPEND = 10, QSOME = 10, SMALL = 2.0D0**(-450),
+      PARAMETER (NP = 1, SAT = 87, SC = 90, SSIZE = 94, SLOW = 95,
+     $    QOPEND = 10, QSOME = 10, BUNIT = 86, SMALL = 2.0D0**(-450),
      $    SOME = 32)
       DOUBLE PRECISION TSDOT, D, E(3), ERR, LOW, U(3,SOME), WIDE(3)
       INTEGER FAR, I, J, K, N, UP, W(3), Z
@@ -3982,11 +3980,11 @@ C     KEPT is 1 if it is kept, or 0.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), KEPT
       INTEGER NP, LEAVES, NSUPP, RPATIE, SLOW, SGRAIN, QBASE, QON,
-     $    QOPEND, DONE, OPENED, SUPPS, GRAINS
+     $    QOPEND, DONE, SUPPS, OPENED, GRAINS
       DOUBLE PRECISION FINER
       PARAMETER (NP = 1, LEAVES = 4, NSUPP = 20, RPATIE = 5, SLOW = 95,
      $    SGRAIN = 96, QBASE = 4, QON = 6, QOPEND = 10, DONE = -1,
-     $    OPENED = 24, SUPPS = 8, GRAINS = 134217728, FINER = 100.0D0)
+     $    SUPPS = 8, OPENED = 24, GRAINS = 134217728, FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, ERRS(3), FINE, GRAIN, H, HS(3), LOW
       INTEGER TSCUBE, TSCURV, ACROSS, ALL, FIRST, I, J, K, LAST, LEAST,
      $    NEAR, NODE, OK, OLD, OVER, PLANE, Z
@@ -4037,7 +4035,7 @@ C     sample all that is near: the search's points may be from a corner
           Z = I
           CALL TSROUG(X, SUP(1,J), Z, H, ERR)
           IF (ABS(H) .LE. ERR - LOW) THEN
-            CALL HHHEIG(P, ORD, SUP(1,J), 0, Z, PLANE, C, FINE)
+            CALL HHHEIG(P, ORD, SUP(1,J), Z, PLANE, C, FINE)
             IF (FINE .LT. ERR) THEN
               H = C
               ERR = FINE
@@ -5963,7 +5961,7 @@ C     it: less than 32 eps LENGTH.
       DO 30 K = 1, 3
         F(K) = K
    30 CONTINUE
-      CALL HHCENT(P, V, E, F, 1, 4, X, T, 0, OK)
+      CALL HHCENT(P, V, E, F, 1, 4, X, T, OK)
       IF (OK .EQ. 0) RETURN
       LENGTH = 0.0D0
       R = 0.0D0
