@@ -211,13 +211,11 @@ C     the limb.
       SUBROUTINE HHFILL(NP, Q, MOST, FACTOR, TOP)
       INTEGER NP
       DOUBLE PRECISION Q(3,*), MOST, FACTOR, TOP
-      INTEGER HHFREX
-      DOUBLE PRECISION HHLDEX
       INTEGER BITS
-      PARAMETER (BITS = 24)
-      DOUBLE PRECISION SHIFT, LOW
-      PARAMETER (SHIFT = 2.0D0**600, LOW = 2.0D0**(-200))
-      INTEGER I, K
+      DOUBLE PRECISION LOW, SHIFT
+      PARAMETER (LOW = 2.0D0**(-200), BITS = 24, SHIFT = 2.0D0**600)
+      DOUBLE PRECISION HHLDEX
+      INTEGER HHFREX, I, K
       FACTOR = 1.0D0
       IF (MOST .LT. LOW) THEN
         FACTOR = SHIFT
@@ -245,10 +243,9 @@ C     limbs are 0 is far below TOP, and is taken up after these limbs.
       INTEGER W, N, USED
       DOUBLE PRECISION Q(*), TOP, LIMB(*)
       INTEGER SKIP
-      PARAMETER (SKIP = 25)
-      DOUBLE PRECISION BASE, SHIFT, UNDER
-      PARAMETER (BASE = 2.0D0**24, SHIFT = 2.0D0**600)
-      PARAMETER (UNDER = 0.5D0 - 2.0D0**(-54))
+      DOUBLE PRECISION SHIFT, BASE, UNDER
+      PARAMETER (SHIFT = 2.0D0**600, SKIP = 25, BASE = 2.0D0**24,
+     $    UNDER = 0.5D0 - 2.0D0**(-54))
       DOUBLE PRECISION C, FAR(15), REST(15)
       INTEGER AT, I, K
       DO 10 K = 1, W
@@ -293,10 +290,9 @@ C     Limb 1 keeps what is carried into it.
       SUBROUTINE HHCARR(N, W, STEP, R)
       INTEGER N, W, STEP
       DOUBLE PRECISION R(*)
-      DOUBLE PRECISION HHNEAR
       DOUBLE PRECISION BASE
       PARAMETER (BASE = 2.0D0**24)
-      DOUBLE PRECISION C
+      DOUBLE PRECISION HHNEAR, C
       INTEGER I, K
       DO 20 I = N - 1, 1, -1
         DO 10 K = STEP*I + 1, STEP*I + W
@@ -318,9 +314,8 @@ C     ends the loop.)
       INTEGER N
       DOUBLE PRECISION ERR, R(*)
       INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION BASE, CARRY
-      PARAMETER (BASE = 2.0D0**24, CARRY = 2.0D0**29)
+      DOUBLE PRECISION CARRY, BASE
+      PARAMETER (UNSURE = 2, CARRY = 2.0D0**29, BASE = 2.0D0**24)
       DOUBLE PRECISION S
       INTEGER I
       S = 0.0D0
@@ -487,10 +482,9 @@ C     the determinant of the rows A-D, B-D, C-D.  W is scratch.
       SUBROUTINE HHVOLU(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
-      INTEGER HHSIGN
       INTEGER CROSS, DOT
       PARAMETER (CROSS = 2, DOT = 1)
-      INTEGER D, M
+      INTEGER HHSIGN, D, M
       M = 12*N + 1
       D = 18*N + 1
       CALL HHZERO(9*N, WORK(M))
@@ -539,13 +533,12 @@ C     so that BOUND is ample.
       SUBROUTINE HHDETE(N, DEPTH, WORK, SGN)
       INTEGER N, DEPTH, SGN
       DOUBLE PRECISION WORK(*)
-      INTEGER HHSIGN
-      INTEGER BROWS, FOUR, SQUARE
-      PARAMETER (BROWS = 6, FOUR = 7, SQUARE = 6)
+      INTEGER SQUARE, BROWS, FOUR
       DOUBLE PRECISION BASE, BOUND
-      PARAMETER (BASE = 2.0D0**24, BOUND = 32*BROWS*BASE)
+      PARAMETER (BASE = 2.0D0**24, SQUARE = 6, BROWS = 6, FOUR = 7,
+     $    BOUND = 32*BROWS*BASE)
       DOUBLE PRECISION ERR
-      INTEGER D, L, N2, N5, T
+      INTEGER HHSIGN, D, L, N2, N5, T
       L = 15*N + 1
       D = 27*N + 1
       T = 39*N + 1
@@ -567,8 +560,8 @@ C     HHISPH - HHDETE, of as few rows as tell.  W is scratch.
       SUBROUTINE HHISPH(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
-      INTEGER BROWS, UNSURE
-      PARAMETER (BROWS = 6, UNSURE = 2)
+      INTEGER UNSURE, BROWS
+      PARAMETER (UNSURE = 2, BROWS = 6)
       SGN = UNSURE
       IF (5*N .GT. 2*BROWS) CALL HHDETE(N, BROWS, WORK, SGN)
       IF (SGN .EQ. UNSURE) CALL HHDETE(N, 5*N, WORK, SGN)
@@ -584,9 +577,8 @@ C     2**(-23), count for less than 3 EPS of it.
       INTEGER N, FIRST, STEP, AT
       DOUBLE PRECISION R(*), VALUE
       INTEGER LEADS
-      PARAMETER (LEADS = 4)
       DOUBLE PRECISION BASE
-      PARAMETER (BASE = 2.0D0**24)
+      PARAMETER (BASE = 2.0D0**24, LEADS = 4)
       INTEGER I
       AT = 1
    10 IF (AT .LT. N) THEN
@@ -608,10 +600,9 @@ C     alone if all are 0.
       SUBROUTINE HHSHAR(N, AT, W)
       INTEGER N, AT(*)
       DOUBLE PRECISION W(*)
-      DOUBLE PRECISION HHLDEX
       INTEGER BITS
       PARAMETER (BITS = 24)
-      DOUBLE PRECISION SUM
+      DOUBLE PRECISION HHLDEX, SUM
       INTEGER K, TOP
       SUM = 0.0D0
       TOP = 32000
@@ -825,9 +816,8 @@ C     exact, else UNSURE.
       INTEGER FUNCTION HHCERT(DET, PERM, FACTOR, T)
       DOUBLE PRECISION DET, PERM, FACTOR, T
       INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
       DOUBLE PRECISION EPS, TINY
-      PARAMETER (EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
+      PARAMETER (UNSURE = 2, EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
       DOUBLE PRECISION ERR
       ERR = FACTOR*EPS*PERM + TINY
       IF (DET .GT. ERR) THEN
@@ -855,12 +845,11 @@ C     last row.
       INTEGER FUNCTION HHBALA(NP, Q)
       INTEGER NP
       DOUBLE PRECISION Q(3,*)
-      INTEGER HHCERT, HHFREX
-      DOUBLE PRECISION HHLDEX
       INTEGER NONE
       PARAMETER (NONE = -100000)
-      DOUBLE PRECISION A(5,5), DET(0:31), PERM(0:31), SUM, X
-      INTEGER AT, BIT, E(5,5), I, J, LAST, MOST, REST, SET
+      DOUBLE PRECISION HHLDEX, A(5,5), DET(0:31), PERM(0:31), SUM, X
+      INTEGER HHCERT, HHFREX, AT, BIT, E(5,5), I, J, LAST, MOST, REST,
+     $    SET
       DO 40 I = 1, NP
         MOST = NONE
         DO 10 J = 1, 3
@@ -1012,8 +1001,7 @@ C     finite coordinates before one that has not: N if all have.
       INTEGER FUNCTION HHFINI(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
-      INTEGER HHKIND
-      INTEGER I, K
+      INTEGER HHKIND, I, K
       DO 20 I = 1, N
         DO 10 K = 1, 3
           IF (HHKIND(P(K,I)) .EQ. 2) GO TO 30
@@ -1045,8 +1033,7 @@ C     set to do that to subnormal operands, or to subnormal results.
       INTEGER FUNCTION HHHOLD(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
-      INTEGER HHKIND, HHPREC
-      INTEGER I, K, M
+      INTEGER HHKIND, HHPREC, I, K, M
       HHHOLD = 0
       M = 1 + 2*MOD(N, 2)
       IF (HHPREC(M) .EQ. 0) RETURN
@@ -1085,9 +1072,9 @@ C     C, D of X.
       INTEGER FUNCTION HHFIL3(X, A, B, C, D, T)
       INTEGER A, B, C, D
       DOUBLE PRECISION X(3,*), T
+      DOUBLE PRECISION BX, BXY, BXZ, BY, BYX, BYZ, BZ, BZX, BZY, CX, CY,
+     $    CZ, DET, DX, DY, DZ, PERM
       INTEGER HHCERT
-      DOUBLE PRECISION BX, BY, BZ, CX, CY, CZ, DX, DY, DZ
-      DOUBLE PRECISION BYZ, BZY, BZX, BXZ, BXY, BYX, DET, PERM
       BX = X(1,B) - X(1,A)
       BY = X(2,B) - X(2,A)
       BZ = X(3,B) - X(3,A)
@@ -1117,11 +1104,10 @@ C     B-D, C-D have the same sign.
       INTEGER FUNCTION HHFIL5(X, A, B, C, D, E, T)
       INTEGER A, B, C, D, E
       DOUBLE PRECISION X(3,*), T
+      DOUBLE PRECISION AB, AB1, AB2, AC, AC1, AC2, AX, AY, AZ, BC, BC1,
+     $    BC2, BD, BD1, BD2, BX, BY, BZ, CD, CD1, CD2, CX, CY, CZ, DA,
+     $    DA1, DA2, DET, DX, DY, DZ, LA, LB, LC, LD, PERM
       INTEGER HHCERT
-      DOUBLE PRECISION AX, AY, AZ, BX, BY, BZ, CX, CY, CZ, DX, DY, DZ
-      DOUBLE PRECISION LA, LB, LC, LD, AB, BC, CD, DA, AC, BD
-      DOUBLE PRECISION AB1, BC1, CD1, DA1, AC1, BD1
-      DOUBLE PRECISION AB2, BC2, CD2, DA2, AC2, BD2, DET, PERM
       AX = X(1,A) - X(1,E)
       AY = X(2,A) - X(2,E)
       AZ = X(3,A) - X(3,E)
@@ -1205,14 +1191,11 @@ C     tiny.
       SUBROUTINE HHSCAL(MOST, NP, P, Q, E)
       INTEGER NP, E
       DOUBLE PRECISION MOST, P(3,*), Q(3,*)
-      INTEGER HHFREX
-      DOUBLE PRECISION HHLDEX
       INTEGER DOWNEX
-      PARAMETER (DOWNEX = 96)
       DOUBLE PRECISION DOWN
-      PARAMETER (DOWN = 2.0D0**(-DOWNEX))
-      DOUBLE PRECISION F
-      INTEGER I, K
+      PARAMETER (DOWNEX = 96, DOWN = 2.0D0**(-DOWNEX))
+      DOUBLE PRECISION HHLDEX, F
+      INTEGER HHFREX, I, K
       IF (MOST .GE. DOWN .AND. MOST .LE. 1.0D0/DOWN) THEN
         F = DOWN
         E = DOWNEX
@@ -1289,11 +1272,10 @@ C     whatever their orientation, -1 when it is outside, 0 on the sphere
 C     or when A, B, C, D are coplanar.  2 as from HHORIE.
       INTEGER FUNCTION HHINSP(A, B, C, D, E)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
-      INTEGER HHORIE
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
       DOUBLE PRECISION P(3,5)
-      INTEGER K, SGN, SIDE
+      INTEGER HHORIE, K, SGN, SIDE
       SIDE = HHORIE(A, B, C, D)
       HHINSP = SIDE
       IF (SIDE .EQ. 0 .OR. SIDE .EQ. UNSURE) RETURN
@@ -1362,8 +1344,7 @@ C     any point on that side will do that needs no more limbs
 C     HHLINE - 1 if A, B, C are exactly collinear, else 0.
       INTEGER FUNCTION HHLINE(A, B, C)
       DOUBLE PRECISION A(3), B(3), C(3)
-      INTEGER HHFLAT
-      INTEGER AXIS
+      INTEGER HHFLAT, AXIS
       HHLINE = 0
       DO 10 AXIS = 1, 3
         IF (HHFLAT(AXIS, A, B, C) .NE. 0) RETURN
@@ -1640,10 +1621,9 @@ C               filtered in units of their own
       INTEGER FUNCTION HHPSID(X, P, ORD, T3, I, J, K, L)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), I, J, K, L
-      INTEGER HHAPAR, HHDECI, HHFIL3
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      INTEGER SGN, V(4)
+      INTEGER HHAPAR, HHDECI, HHFIL3, SGN, V(4)
       SGN = UNSURE
       IF (HHAPAR(X, T3, I) .EQ. 0) SGN = HHFIL3(X, I, J, K, L, T3)
       IF (SGN .EQ. UNSURE) THEN
@@ -1680,8 +1660,7 @@ C     side of V(1), V(2), V(3): then POSITV is 1, else 0.
       INTEGER FUNCTION HHTIED(X, P, ORD, T3, V, POSITV)
       DOUBLE PRECISION X(3,*), P(3,*), T3
       INTEGER ORD(*), V(5), POSITV
-      INTEGER HHPSID
-      INTEGER LOWEST, N, NUMBER(5), R, REST(4), SGN, TRIES
+      INTEGER HHPSID, LOWEST, N, NUMBER(5), R, REST(4), SGN, TRIES
       DO 10 N = 1, 5
         NUMBER(N) = ORD(V(N))
    10 CONTINUE
@@ -1717,10 +1696,9 @@ C     HHPERT - the sign of D; where it is 0, RULE times that of HHTIED.
       INTEGER FUNCTION HHPERT(X, P, ORD, T3, T5, V, POSITV, RULE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
       INTEGER ORD(*), V(5), POSITV, RULE
-      INTEGER HHAPAR, HHDECI, HHFIL5, HHTIED
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      INTEGER SGN
+      INTEGER HHAPAR, HHDECI, HHFIL5, HHTIED, SGN
       SGN = UNSURE
       IF (HHAPAR(X, T3, V(1)) .EQ. 0)
      $    SGN = HHFIL5(X, V(1), V(2), V(3), V(4), V(5), T5)
@@ -1738,8 +1716,7 @@ C     the five are on one sphere.
       INTEGER FUNCTION HHPBAL(X, P, ORD, T3, T5, I, J, K, L, M, RULE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
       INTEGER ORD(*), I, J, K, L, M, RULE
-      INTEGER HHPERT
-      INTEGER V(5)
+      INTEGER HHPERT, V(5)
       V(1) = I
       V(2) = J
       V(3) = K
@@ -1755,8 +1732,7 @@ C     without a test.
       INTEGER FUNCTION HHPBEA(X, P, ORD, T3, T5, V, A, B, TIE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
       INTEGER ORD(*), V(3), A, B, TIE
-      INTEGER HHPERT, HHTIED
-      INTEGER W(5)
+      INTEGER HHPERT, HHTIED, W(5)
       W(1) = V(1)
       W(2) = V(2)
       W(3) = V(3)
@@ -1777,12 +1753,10 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
       SUBROUTINE HHROWS(P, ORD, SE, V, X, TOP, FACTOR, E, N)
       DOUBLE PRECISION P(3,*), X(*), TOP, FACTOR
       INTEGER ORD(*), SE, V(4), E, N
-      INTEGER HHFREX
-      DOUBLE PRECISION HHPACK
       INTEGER BITS, SKIP, HHFEW
       PARAMETER (BITS = 24, SKIP = 25, HHFEW = 10)
-      DOUBLE PRECISION MOST, Q(3,4)
-      INTEGER I, K
+      DOUBLE PRECISION HHPACK, MOST, Q(3,4)
+      INTEGER HHFREX, I, K
       DO 20 I = 1, 4
         DO 10 K = 1, 3
           Q(K,I) = P(K,ORD(V(I)))
@@ -1857,20 +1831,16 @@ C       BUNIT, BBITS  what HHHEIG divides by: see HHUNIT
       SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, OK)
       DOUBLE PRECISION P(3,*), C(3), T(*)
       INTEGER ORD(*), SE, V(3), BASE, Z, OK
-      DOUBLE PRECISION HHLDEX
-      INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE
-      INTEGER BD, BE
-      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5)
-      PARAMETER (BBASE = 5, BPOWER = 35, BSIDE = 59, BD = 84, BE = 85)
-      INTEGER BITS, HHFEW, FAR
-      PARAMETER (BITS = 24, HHFEW = 10, FAR = 300)
+      INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE, BD,
+     $    BE, BITS, HHFEW, FAR
       DOUBLE PRECISION EPS, HUGE, RADIX, SMALL
-      PARAMETER (EPS = 2.0D0**(-52))
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      PARAMETER (RADIX = 2.0D0**24, SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION X(12*HHFEW), CC(12*HHFEW), D(3*HHFEW)
-      DOUBLE PRECISION MINOR(18*HHFEW), LIFT(6*HHFEW), VALUE
-      DOUBLE PRECISION FACTOR, TOP
+      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5,
+     $    BBASE = 5, BPOWER = 35, BSIDE = 59, BD = 84, BE = 85,
+     $    BITS = 24, EPS = 2.0D0**(-52), HHFEW = 10, FAR = 300,
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, RADIX = 2.0D0**24,
+     $    SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION HHLDEX, CC(12*HHFEW), D(3*HHFEW), FACTOR,
+     $    LIFT(6*HHFEW), MINOR(18*HHFEW), TOP, VALUE, X(12*HHFEW)
       INTEGER DAT, E, FIRST, I, K, LAT, N, W(4)
       OK = 0
       W(1) = V(MOD(BASE,3)+1)
@@ -1957,8 +1927,8 @@ C     them.
       DOUBLE PRECISION P(3,*), T(*), U(*)
       INTEGER ORD(*), Z, OK
       INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE
-      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5)
-      PARAMETER (BBASE = 5)
+      PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5,
+     $    BBASE = 5)
       DOUBLE PRECISION Q(3)
       INTEGER FIRST, I, K, N
       N = INT(T(BN))
@@ -1986,8 +1956,8 @@ C     hold it, else 1.
       DOUBLE PRECISION P(3,*), T(*), SUM(*)
       INTEGER ORD(*), Z, PLANE, OK
       INTEGER BN, BFIRST, BPOWER, BSIDE, HHFEW
-      PARAMETER (BN = 1, BFIRST = 2, BPOWER = 35, BSIDE = 59)
-      PARAMETER (HHFEW = 10)
+      PARAMETER (BN = 1, BFIRST = 2, BPOWER = 35, BSIDE = 59,
+     $    HHFEW = 10)
       DOUBLE PRECISION L(2*HHFEW), U(3*HHFEW)
       INTEGER FIRST, N
       CALL HHOFFS(P, ORD, T, Z, U, OK)
@@ -2013,13 +1983,11 @@ C     fourth point on the positive side, as D > 0 then.
       SUBROUTINE HHTRIA(P, ORD, T, Z, SIDE, POWER)
       DOUBLE PRECISION P(3,*), T(*)
       INTEGER ORD(*), Z, SIDE, POWER
-      INTEGER HHSIGN
-      INTEGER BROWS, UNSURE
-      PARAMETER (BROWS = 6, UNSURE = 2)
+      INTEGER UNSURE, BROWS
       DOUBLE PRECISION CARRY
-      PARAMETER (CARRY = 2.0D0**29)
+      PARAMETER (UNSURE = 2, CARRY = 2.0D0**29, BROWS = 6)
       DOUBLE PRECISION SUM(BROWS+1)
-      INTEGER OK
+      INTEGER HHSIGN, OK
       POWER = UNSURE
       IF (SIDE .EQ. 0) THEN
         SIDE = UNSURE
@@ -2041,12 +2009,11 @@ C     such points have no height.
       SUBROUTINE HHUNIT(T, PLANE, C)
       DOUBLE PRECISION T(*), C(3)
       INTEGER PLANE
-      DOUBLE PRECISION HHLDEX
-      INTEGER BN, BFIRST, BBASE, BSIDE, BD, BE, BUNIT, BBITS, BITS
-      INTEGER BROWS
-      PARAMETER (BN = 1, BFIRST = 2, BBASE = 5, BSIDE = 59, BD = 84)
-      PARAMETER (BE = 85, BUNIT = 86, BBITS = 87, BITS = 24, BROWS = 6)
-      DOUBLE PRECISION D
+      INTEGER BN, BFIRST, BBASE, BSIDE, BD, BE, BUNIT, BBITS, BITS,
+     $    BROWS
+      PARAMETER (BN = 1, BFIRST = 2, BBASE = 5, BSIDE = 59, BD = 84,
+     $    BE = 85, BUNIT = 86, BBITS = 87, BITS = 24, BROWS = 6)
+      DOUBLE PRECISION HHLDEX, D
       INTEGER K, LAT
       DO 10 K = 3*INT(T(BN)) + 1, 3*BROWS
         T(BBASE+K) = 0.0D0
@@ -2077,13 +2044,12 @@ C     ERR is HUGE if the limbs do not hold it.
       SUBROUTINE HHHEIG(P, ORD, T, Z, PLANE, H, ERR)
       DOUBLE PRECISION P(3,*), T(*), H, ERR
       INTEGER ORD(*), Z, PLANE
-      DOUBLE PRECISION HHLDEX
       INTEGER BUNIT, BBITS, BITS, BROWS
-      PARAMETER (BUNIT = 86, BBITS = 87, BITS = 24, BROWS = 6)
       DOUBLE PRECISION CARRY, EPS, HUGE
-      PARAMETER (CARRY = 2.0D0**29, EPS = 2.0D0**(-52))
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION SUM(BROWS+1)
+      PARAMETER (BUNIT = 86, BBITS = 87, CARRY = 2.0D0**29, BITS = 24,
+     $    BROWS = 6, EPS = 2.0D0**(-52),
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION HHLDEX, SUM(BROWS+1)
       INTEGER E, LAT, OK
       H = 0.0D0
       ERR = HUGE
@@ -2113,15 +2079,14 @@ C     bounds rest.  F is left as it is where numbers might underflow.
       SUBROUTINE HHTHIN(X, P, ORD, SE, V, BASE, F)
       DOUBLE PRECISION X(3,*), P(3,*), F(12)
       INTEGER ORD(*), SE, V(3), BASE
-      DOUBLE PRECISION HHLDEX
       INTEGER BITS, HHFEW, FAR
-      PARAMETER (BITS = 24, HHFEW = 10, FAR = 300)
       DOUBLE PRECISION EPS, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION R(12*HHFEW), CC(12*HHFEW), DD(3*HHFEW)
-      DOUBLE PRECISION MINOR(18*HHFEW), LIFT(6*HHFEW), M(3), D(3)
-      DOUBLE PRECISION A(3), B(3), AA, BB, FACTOR, NORM, TOP
-      INTEGER AT(3), E, I, J, K, FIRST, N, W(4)
+      PARAMETER (BITS = 24, EPS = 2.0D0**(-52), HHFEW = 10, FAR = 300,
+     $    SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION HHLDEX, A(3), AA, B(3), BB, CC(12*HHFEW), D(3),
+     $    DD(3*HHFEW), FACTOR, LIFT(6*HHFEW), M(3), MINOR(18*HHFEW),
+     $    NORM, R(12*HHFEW), TOP
+      INTEGER AT(3), E, FIRST, I, J, K, N, W(4)
       DO 10 K = 1, 3
         W(K) = V(MOD(BASE+K-1,3)+1)
    10 CONTINUE
@@ -2195,7 +2160,7 @@ C     zeros.
       DOUBLE PRECISION A(3), B(3), H(10)
       DOUBLE PRECISION NORMAL
       PARAMETER (NORMAL = 2.0D0**(-1022))
-      DOUBLE PRECISION NORM, T, Q1, Q2
+      DOUBLE PRECISION NORM, Q1, Q2, T
       NORM = SQRT(A(1)*A(1) + A(2)*A(2) + A(3)*A(3))
       H(8) = NORM
       IF (A(1) .GT. 0.0D0) H(8) = -NORM
@@ -2240,10 +2205,10 @@ C     the bounds to hold.  s is bounded by 1 + |R12/R22|.
       SUBROUTINE HHSETU(P1, P2, P3, F)
       DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
       DOUBLE PRECISION EPS, HUGE, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), HUGE = 1.7976931348623157D308)
-      PARAMETER (SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION A(3), B(3), C(3), V(3), H(10)
-      DOUBLE PRECISION RATIO, SENSE, Y1, Y2
+      PARAMETER (EPS = 2.0D0**(-52), HUGE = 1.7976931348623157D308,
+     $    SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION A(3), B(3), C(3), H(10), RATIO, SENSE, V(3), Y1,
+     $    Y2
       INTEGER K, L
       DO 10 K = 1, 3
         A(K) = P2(K) - P1(K)
@@ -2332,10 +2297,9 @@ C     most SIZE.
       SUBROUTINE HHLIMI(F, Z, LO, HI, SIDE)
       DOUBLE PRECISION F(12), Z(3), LO, HI
       INTEGER SIDE
-      DOUBLE PRECISION EPS, HUGE, LOOSE, SMALL
-      PARAMETER (EPS = 2.0D0**(-52), LOOSE = 0.5D0)
-      PARAMETER (SMALL = 2.0D0**(-450))
-      PARAMETER (HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION EPS, HUGE, SMALL, LOOSE
+      PARAMETER (EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023,
+     $    SMALL = 2.0D0**(-450), LOOSE = 0.5D0)
       DOUBLE PRECISION DL, ERR, HALF, L, SIZE, VW, W1, W2, W3
       W1 = Z(1) - F(7)
       W2 = Z(2) - F(8)
@@ -2389,12 +2353,11 @@ C     a circumcentre beyond HUGE is infinite.
       SUBROUTINE HHFACE(P1, P2, P3, F, INFO)
       DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
       INTEGER INFO
-      INTEGER HHLINE
-      DOUBLE PRECISION HHLDEX, HHPACK
       DOUBLE PRECISION HUGE, LOOSE
       PARAMETER (HUGE = 1.7976931348623157D308, LOOSE = 0.5D0)
-      DOUBLE PRECISION MOST, P(3,3), S(3,3), Q1(3), Q2(3), Q3(3)
-      INTEGER E, K
+      DOUBLE PRECISION HHLDEX, HHPACK, MOST, P(3,3), Q1(3), Q2(3),
+     $    Q3(3), S(3,3)
+      INTEGER HHLINE, E, K
       DO 10 K = 1, 3
         P(K,1) = P1(K)
         P(K,2) = P2(K)
@@ -2440,8 +2403,7 @@ C     on the same side of the facet's plane, by the computed signs, else
 C     0 (0 too when one of them is computed to lie in the plane).
       INTEGER FUNCTION HHOPP(F, Z1, Z2)
       DOUBLE PRECISION F(12), Z1(3), Z2(3)
-      DOUBLE PRECISION HHSIDE
-      DOUBLE PRECISION SIDE1, SIDE2
+      DOUBLE PRECISION HHSIDE, SIDE1, SIDE2
       SIDE1 = HHSIDE(F, Z1)
       SIDE2 = HHSIDE(F, Z2)
       HHOPP = 0
@@ -2457,7 +2419,7 @@ C     else -HUGE.
       DOUBLE PRECISION F(12), Z(3)
       DOUBLE PRECISION HUGE
       PARAMETER (HUGE = 1.7976931348623157D308)
-      DOUBLE PRECISION W1, W2, W3, SIDE, POWER
+      DOUBLE PRECISION POWER, SIDE, W1, W2, W3
       W1 = Z(1) - F(7)
       W2 = Z(2) - F(8)
       W3 = Z(3) - F(9)
@@ -2483,11 +2445,9 @@ C     computed to lie in the plane; C is then 0.
       SUBROUTINE HHWRAP(P1, P2, P3, Z, C, INFO)
       DOUBLE PRECISION P1(3), P2(3), P3(3), Z(3), C
       INTEGER INFO
-      INTEGER HHLINE
-      DOUBLE PRECISION HHPACK
-      DOUBLE PRECISION MOST, P(3,4), S(3,4), A(3), B(3), G(3), V(3)
-      DOUBLE PRECISION H(10), WG, WV, SENSE
-      INTEGER E, K
+      DOUBLE PRECISION HHPACK, A(3), B(3), G(3), H(10), MOST, P(3,4),
+     $    S(3,4), SENSE, V(3), WG, WV
+      INTEGER HHLINE, E, K
       C = 0.0D0
       INFO = 1
       IF (HHLINE(P1, P2, P3) .EQ. 1) RETURN
