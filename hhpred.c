@@ -298,11 +298,13 @@ static void product(int kind, int nx, int wx, const double *x, int ny, int wy,
             break;
         case SQUARES:
             s += w * i;
-            for (t = x, d = 1.0; t < end; t += wy, s += w, d = 2.0) {
+            d = 1.0;
+            for (t = x; t < end; t += wy, s += w) {
                 s[0] += d * (a * t[0] + b * t[1] + c * t[2]);
                 s[1] += d * (x[3] * t[3] + x[4] * t[4] + x[5] * t[5]);
                 s[2] += d * (x[6] * t[6] + x[7] * t[7] + x[8] * t[8]);
                 s[3] += d * (x[9] * t[9] + x[10] * t[10] + x[11] * t[11]);
+                d = 2.0;
             }
             break;
         default:
