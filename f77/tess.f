@@ -199,8 +199,9 @@ C       MPOOL   entries of the pool;  NOPEN those in use
 C       FRESH   from this tetrahedron on, facets 1 are not in the pool
 C       OLDEST, NEWEST  edges of the link, the newest the lowest
 C       LOW     no vertex of a smaller position owns facets
-C       NPLANE  hull planes that are remembered;  NEXTPL the one to be
-C               replaced next;  PLANE0 the place before them
+C       NPLANE  hull planes that are remembered, from PLANE1 on, each
+C               by three points: PLANE(3,PLANES);  NEXTPL the one to be
+C               replaced next
 C       TIED    1: the last search in a star's list that met points met
 C               some exactly on its last ball
 C       UNMET   no vertex before it is NEW and asked for
@@ -208,8 +209,8 @@ C       FUTILE  the leaf's latest searches in a row that ended in the
 C               tree
 C       ENCLOS  1: there are cylinders, behind BOX(6,2*CTL(LEAVES))
 C       NCELL   cells of this star: CELLS at most, the last ones, are
-C               kept, each how many points it has and these, CELL at
-C               most, the least number first;  CELL0 the place before
+C               kept, from CELL1 on: CELL(0:MCELL,CELLS), each how many
+C               points it has and these, the least number first
 C       SCALE   X = P 2**(-SCALE)
 C       NSUPP   supports that there are
 C     RCTL, its doubles:
@@ -303,7 +304,7 @@ C       GRAINS  number of marks for heights over a support: a double
 C               holds them and their roundings
 C       SLIM    no cylinders are used if fewer than an eighth of the
 C               leaves' are below SLIM of their boxes
-C       CELL, CELLS  maximum number of points of a cell, and of cells
+C       MCELL, CELLS  maximum number of points of a cell, and of cells
 C       PLANES  number of hull planes remembered
 C       ASTRAY  steps from a given start after which a location looks
 C               for a better one.  With 8, ordered queries among 100,000
@@ -1799,9 +1800,10 @@ C     OK is 1 if so, or 0.
       REAL LSX(*)
       INTEGER ORD(*), MARK(*), CTL(*), LSID(*), LSI(3,2), V(3), IQ(42),
      $    OK
-      INTEGER TSLIST, TIED, LN, STR, QBEST, QBALL, QBASE, QTIED
-      PARAMETER (TSLIST = 512, TIED = 14, LN = 3, STR = 2, QBEST = 1,
-     $    QBALL = 3, QBASE = 4, QTIED = 8)
+      INTEGER TSLIST, TIED, NCELL, CELL1, LN, STR, QBEST, QBALL, QBASE,
+     $    QTIED
+      PARAMETER (TSLIST = 512, TIED = 14, NCELL = 17, CELL1 = 33,
+     $    LN = 3, STR = 2, QBEST = 1, QBALL = 3, QBASE = 4, QTIED = 8)
       INTEGER TSBINS, N, PLACE(TSLIST+1)
       OK = 0
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0) RETURN
@@ -1809,18 +1811,19 @@ C     OK is 1 if so, or 0.
       IF (N .LT. 0) RETURN
       IF (N .GT. 0) THEN
         IF (IQ(QBALL) .EQ. 1 .AND. CTL(TIED) .EQ. 1) THEN
-          CALL TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD, V,
-     $                IQ, F, FQ, OK)
+          CALL TSNEWC(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL, LSX,
+     $                LSID, LSI, LSD, V, IQ, F, FQ, OK)
           IF (OK .EQ. 1) THEN
-            CALL TSINCE(X, P, ORD, CTL, RCTL, V, IQ(QBEST))
+            CALL TSINCE(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V,
+     $                  IQ(QBEST))
             RETURN
           END IF
         END IF
         CALL TSCALL(X, P, ORD, MARK, CTL, RCTL, SUP, LSID, STR, V, IQ,
      $              F, FQ, N, PLACE)
         IF (IQ(QTIED) .GT. 0 .AND. CTL(TIED) .EQ. 0)
-     $      CALL TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
-     $      V, IQ, F, FQ, OK)
+     $      CALL TSNEWC(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL,
+     $      LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
         CTL(TIED) = MIN(IQ(QTIED), 1)
       END IF
       OK = 0
@@ -2001,19 +2004,18 @@ C       one child alive each: FROM, as the base's star is not complete
 
 C     TSONHU - returns 1 if the facet lies in a plane known to bound the
 C     hull, or 0.
-      INTEGER FUNCTION TSONHU(X, P, ORD, CTL, RCTL, V)
+      INTEGER FUNCTION TSONHU(X, P, ORD, N, PLANE, RCTL, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3)
-      INTEGER NPLANE, PLANE0, T3
-      PARAMETER (NPLANE = 12, PLANE0 = 20, T3 = 1)
-      INTEGER HHPSID, AT, I, K
-      DO 20 I = 1, CTL(NPLANE)
-        AT = PLANE0 + 3*(I - 1)
+      INTEGER ORD(*), N, PLANE(3,*), V(3)
+      INTEGER T3
+      PARAMETER (T3 = 1)
+      INTEGER HHPSID, I, K
+      DO 20 I = 1, N
         DO 10 K = 1, 3
-          IF (V(K) .NE. CTL(AT+1) .AND. V(K) .NE. CTL(AT+2) .AND.
-     $        V(K) .NE. CTL(AT+3)) THEN
-            IF (HHPSID(X, P, ORD, RCTL(T3), CTL(AT+1), CTL(AT+2),
-     $          CTL(AT+3), V(K)) .NE. 0) GO TO 20
+          IF (V(K) .NE. PLANE(1,I) .AND. V(K) .NE. PLANE(2,I) .AND.
+     $        V(K) .NE. PLANE(3,I)) THEN
+            IF (HHPSID(X, P, ORD, RCTL(T3), PLANE(1,I),
+     $          PLANE(2,I), PLANE(3,I), V(K)) .NE. 0) GO TO 20
           END IF
    10   CONTINUE
         TSONHU = 1
@@ -2087,15 +2089,15 @@ C     GUESS holds two positions to try first, or 0.
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(3,2), V(3), GUESS(2), Z
-      INTEGER NP, NPLANE, NEXTPL, PLANE0, NCELL, FUTILE, RBURDN, RPATIE,
-     $    QBEST, QON, QOPEND, PLANES, OPENED
-      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, PLANE0 = 20,
-     $    NCELL = 17, FUTILE = 18, RBURDN = 4, RPATIE = 5, QBEST = 1,
-     $    QON = 6, QOPEND = 10, PLANES = 4, OPENED = 24)
+      INTEGER NP, NPLANE, NEXTPL, PLANE1, NCELL, CELL1, FUTILE, RBURDN,
+     $    RPATIE, QBEST, QON, QOPEND, PLANES, OPENED
+      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, PLANE1 = 21,
+     $    NCELL = 17, CELL1 = 33, FUTILE = 18, RBURDN = 4, RPATIE = 5,
+     $    QBEST = 1, QON = 6, QOPEND = 10, PLANES = 4, OPENED = 24)
       DOUBLE PRECISION F(12), FQ(108), H
       INTEGER TSCURV, TSONHU, AT, G, IQ(42), K, LISTS, OK
       IF (CTL(NCELL) .GT. 0) THEN
-        CALL TSINCE(X, P, ORD, CTL, RCTL, V, Z)
+        CALL TSINCE(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V, Z)
         IF (Z .NE. 0) RETURN
       END IF
       CALL TSPREP(X, P, ORD, MARK, CTL, SUP, V, IQ, F, FQ)
@@ -2122,7 +2124,8 @@ C     a ball that is a support's sphere up to rounding is in no list
 C       before the block's list, which saves lattices a tenth of the
 C       time
         IF (Z .EQ. 0) THEN
-          IF (TSONHU(X, P, ORD, CTL, RCTL, V) .EQ. 1) RETURN
+          IF (TSONHU(X, P, ORD, CTL(NPLANE), CTL(PLANE1), RCTL,
+     $        V) .EQ. 1) RETURN
         END IF
         CALL TSINBL(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
      $              LSI, LSD, V, IQ, F, FQ, OK)
@@ -2143,7 +2146,7 @@ C       time
         END IF
       END IF
       IF (Z .EQ. 0) THEN
-        AT = PLANE0 + 3*(CTL(NEXTPL) - 1)
+        AT = PLANE1 + 3*CTL(NEXTPL) - 4
         DO 20 K = 1, 3
           CTL(AT+K) = V(K)
    20   CONTINUE
@@ -4639,23 +4642,23 @@ C     ball, if all are in the star's list and none is inside.  OK is 1,
 C     or 0 if not, or if there are no ties.  The centre of TSNARR's ball
 C     is off by up to QHI - QLO, too, which matters on the negative
 C     side.
-      SUBROUTINE TSNEWC(X, P, ORD, BOX, CTL, RCTL, LSX, LSID, LSI, LSD,
-     $                  V, IQ, F, FQ, OK)
+      SUBROUTINE TSNEWC(X, P, ORD, BOX, NCELL, CELL, RCTL, LSX, LSID,
+     $                  LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2),
      $    F(12), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2), V(3), IQ(42),
-     $    OK
-      INTEGER NCELL, CELL0, T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI,
-     $    QDC, CELL, CELLS
+      INTEGER ORD(*), NCELL, CELL(0:12,*), LSID(TSLIST+48,2), LSI(3,2),
+     $    V(3), IQ(42), OK
+      INTEGER T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI, QDC, CELLS,
+     $    MCELL
       DOUBLE PRECISION MUCHL
-      PARAMETER (NCELL = 17, CELL0 = 32, T3 = 1, T5 = 2, LMARG = 13,
-     $    STR = 2, QBEST = 1, QLIMBS = 2, QLO = 6, QHI = 7, QDC = 4,
-     $    MUCHL = 1.0D100, CELL = 12, CELLS = 4)
+      PARAMETER (T3 = 1, T5 = 2, LMARG = 13, STR = 2, QBEST = 1,
+     $    QLIMBS = 2, QLO = 6, QHI = 7, QDC = 4, MUCHL = 1.0D100,
+     $    CELLS = 4, MCELL = 12)
       DOUBLE PRECISION WIDE
-      INTEGER HHPBAL, TSBINS, AT, C(CELL), I, M, N, PLACE(TSLIST+1),
+      INTEGER HHPBAL, TSBINS, C(MCELL), I, K, M, N, PLACE(TSLIST+1),
      $    SIDE, Z
       OK = 0
       IF (ABS(FQ(QHI)) .GT. MUCHL) RETURN
@@ -4665,7 +4668,7 @@ C     side.
       FQ(QDC) = FQ(QDC) + WIDE
       IF (TSBINS(BOX, LSD, F, FQ) .EQ. 0) RETURN
       CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
-      IF (N .LE. 0 .OR. N .GT. CELL) RETURN
+      IF (N .LE. 0 .OR. N .GT. MCELL) RETURN
       M = 0
       DO 30 I = 1, N
         Z = LSID(PLACE(I),STR)
@@ -4684,35 +4687,33 @@ C     side.
         END IF
    30 CONTINUE
       IF (M .EQ. 4) RETURN
-      AT = CELL0 + (CELL + 1)*MOD(CTL(NCELL), CELLS) + 1
-      CTL(NCELL) = CTL(NCELL) + 1
-      CTL(AT) = M
+      K = MOD(NCELL, CELLS) + 1
+      NCELL = NCELL + 1
+      CELL(0,K) = M
       DO 40 I = 1, M
-        CTL(AT+I) = C(I)
+        CELL(I,K) = C(I)
    40 CONTINUE
       OK = 1
       END
 
 C     TSINCE - Z is the apex of the facet V if it is in a cell, or 0:
 C     see "Ties".
-      SUBROUTINE TSINCE(X, P, ORD, CTL, RCTL, V, Z)
+      SUBROUTINE TSINCE(X, P, ORD, NCELL, CELL, RCTL, V, Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), Z
-      INTEGER NCELL, CELL0, T3, T5, CELL, CELLS
-      PARAMETER (NCELL = 17, CELL0 = 32, T3 = 1, T5 = 2, CELL = 12,
-     $    CELLS = 4)
-      INTEGER HHPBEA, HHPSID, AT, I, IN, J, K
+      INTEGER ORD(*), NCELL, CELL(0:12,*), V(3), Z
+      INTEGER T3, T5, CELLS
+      PARAMETER (T3 = 1, T5 = 2, CELLS = 4)
+      INTEGER HHPBEA, HHPSID, I, IN, J, K
       Z = 0
-      DO 40 K = 1, MIN(CTL(NCELL), CELLS)
-        AT = CELL0 + (CELL + 1)*(K - 1) + 1
+      DO 40 K = 1, MIN(NCELL, CELLS)
         IN = 0
-        DO 10 I = 1, CTL(AT)
-          J = CTL(AT+I)
+        DO 10 I = 1, CELL(0,K)
+          J = CELL(I,K)
           IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
    10   CONTINUE
         IF (IN .EQ. 2) THEN
-          DO 20 I = 1, CTL(AT)
-            J = CTL(AT+I)
+          DO 20 I = 1, CELL(0,K)
+            J = CELL(I,K)
             IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
               IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), J) .GT.
      $            0) THEN
