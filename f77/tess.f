@@ -402,8 +402,7 @@ C     sample.  The random numbers are the same everywhere.
       SUBROUTINE TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
       DOUBLE PRECISION X(3,*)
       INTEGER ORD(*), LO, HI, MID, AXIS, CHANCE, I
-      DOUBLE PRECISION Q(3)
-      INTEGER TSBEFO, A(33), COUNT, J, K, N, S, STEP, T
+      INTEGER TSBEFO, A(33), COUNT, J, N, S, STEP, T
       COUNT = HI - LO + 1
       STEP = COUNT/1024
       N = 3
@@ -419,10 +418,8 @@ C     sample.  The random numbers are the same everywhere.
         END IF
         J = S
    10   IF (J .GT. 1) THEN
-          DO 20 K = 1, 3
-            Q(K) = X(K,A(J-1))
-   20     CONTINUE
-          IF (TSBEFO(X, ORD, T, AXIS, Q, ORD(A(J-1))) .EQ. 1) THEN
+          IF (TSBEFO(X, ORD, T, AXIS, X(1,A(J-1)), ORD(A(J-1))) .EQ.
+     $        1) THEN
             A(J) = A(J-1)
             J = J - 1
             GO TO 10
@@ -579,8 +576,7 @@ C     TSLSOR - sort the points of a leaf into groups of GROUP.
       INTEGER ORD(*), REP(*), FIRST, LAST
       INTEGER GROUP
       PARAMETER (GROUP = 8)
-      DOUBLE PRECISION Q(3)
-      INTEGER TSBEFO, HALF, HI, I, J, K, LO
+      INTEGER TSBEFO, HALF, HI, I, J, LO
       HALF = FIRST + ((LAST - FIRST + GROUP)/GROUP + 1)/2*GROUP
       IF (HALF .LE. LAST) CALL TSBISE(X, ORD, REP, FIRST, LAST, HALF)
       LO = FIRST
@@ -592,10 +588,8 @@ C     TSLSOR - sort the points of a leaf into groups of GROUP.
         HI = MIN(LO + GROUP - 1, HI)
         DO 40 I = LO + 1, HI
           DO 30 J = I, LO + 1, -1
-            DO 20 K = 1, 3
-              Q(K) = X(K,J-1)
-   20       CONTINUE
-            IF (TSBEFO(X, ORD, J, 1, Q, ORD(J-1)) .EQ. 0) GO TO 40
+            IF (TSBEFO(X, ORD, J, 1, X(1,J-1), ORD(J-1)) .EQ. 0) GO TO
+     $          40
             CALL TSSWAP(X, ORD, J - 1, J)
    30     CONTINUE
    40   CONTINUE
@@ -717,14 +711,8 @@ C     TSLINE - HHLINE of three points: 1, or 0.
       INTEGER FUNCTION TSLINE(P, I, J, K)
       DOUBLE PRECISION P(3,*)
       INTEGER I, J, K
-      DOUBLE PRECISION A(3), B(3), C(3)
-      INTEGER HHLINE, AXIS
-      DO 10 AXIS = 1, 3
-        A(AXIS) = P(AXIS,I)
-        B(AXIS) = P(AXIS,J)
-        C(AXIS) = P(AXIS,K)
-   10 CONTINUE
-      TSLINE = HHLINE(A, B, C)
+      INTEGER HHLINE
+      TSLINE = HHLINE(P(1,I), P(1,J), P(1,K))
       END
 
 C     TSFIRS - find the first facet V: on the hull, with all points on
@@ -1479,12 +1467,9 @@ C     by the other's.
       PARAMETER (T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1, QLIMBS = 2,
      $    QASKED = 5, QON = 6, QTIED = 8, QLO = 6, QHI = 7, QLIMB = 22,
      $    UNSURE = 2, MANY = 6, PLAIN = 16.0D0, WIDE = 1.0D-4, QT = 8)
-      DOUBLE PRECISION HI, LO, Q(3)
+      DOUBLE PRECISION HI, LO
       INTEGER HHPBEA, HHPSID, OPEN, POWER, SGN, SIDE
-      Q(1) = X(1,Z)
-      Q(2) = X(2,Z)
-      Q(3) = X(3,Z)
-      CALL HHLIMI(F, Q, LO, HI, SIDE)
+      CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
       IF (IQ(QON) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, P, ORD, MARK,
      $    SUP, IQ, F, FQ(QT), Z, SIDE, LO, HI)
       SGN = SIDE
@@ -1635,8 +1620,7 @@ C     the roundings of A, B and the products.
       IF (4.0D0*(SQUARE(1) + SQUARE(2) + SQUARE(3)) .LE. MARGIN*MARGIN)
      $    RETURN
       DO 20 K = 1, 3
-        B = MAX((BOX(3+K,1) - F(6+K))*C(K),
-     $      (BOX(K,1) - F(6+K))*C(K))
+        B = MAX((BOX(3+K,1) - F(6+K))*C(K), (BOX(K,1) - F(6+K))*C(K))
         A = SQRT(SQUARE(MOD(K, 3)+1) + SQUARE(MOD(K+1, 3)+1))
         IF (MARGIN*(MARGIN - 2.0D0*A) .GE. 2.0D0*B) RETURN
    20 CONTINUE
@@ -1736,8 +1720,7 @@ C     point, which are on the ball, are four of them.
       N = 0
       DO 10 I = 1, (LSI(LN,LIST) + 3)/4*4
         IN(I) = 0
-        IF (LSX(I,4,LIST) - (D(1)*LSX(I,1,LIST) +
-     $      D(2)*LSX(I,2,LIST) +
+        IF (LSX(I,4,LIST) - (D(1)*LSX(I,1,LIST) + D(2)*LSX(I,2,LIST) +
      $      D(3)*LSX(I,3,LIST)) .LT. D(4)) IN(I) = 1
         N = N + IN(I)
    10 CONTINUE
@@ -2038,7 +2021,7 @@ C     longest edge.
      $    QOPEND = 10, QLO = 6, QHI = 7, QDC = 4, QSIZE = 5,
      $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023, QT = 8,
      $    THIN = 1.0D-6)
-      DOUBLE PRECISION A(3), B(3), C(3), EDGE, LONGST
+      DOUBLE PRECISION EDGE, LONGST
       INTEGER BASE, I, J, K
       BASE = 1
       IQ(QBEST) = 0
@@ -2052,13 +2035,11 @@ C     longest edge.
       FQ(QHI) = HUGE
       FQ(QDC) = 0.0D0
       FQ(QSIZE) = 0.0D0
-   20 DO 30 K = 1, 3
-        FQ(K) = 0.0D0
-        A(K) = X(K,V(BASE))
-        B(K) = X(K,V(MOD(BASE,3)+1))
-        C(K) = X(K,V(MOD(BASE+1,3)+1))
-   30 CONTINUE
-      CALL HHSETU(A, B, C, F)
+      FQ(1) = 0.0D0
+      FQ(2) = 0.0D0
+      FQ(3) = 0.0D0
+   20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
+     $            X(1,V(MOD(BASE+1,3)+1)), F)
       IQ(QBASE) = BASE
       IF (F(10) .GE. 8000.0D0*EPS) THEN
         LONGST = 0.0D0
@@ -3351,8 +3332,7 @@ C     those of the index, if they are still there
       IF (MASKED .EQ. 1 .AND. ROOMY .EQ. 1 .AND. HEADER(6) .GT. 0.0D0)
      $    CTL(ENCLOS) = 1
 C     doubles decide everything if points are in few units
-      IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN)
-     $    RCTL(RPATIE) = BURDEN
+      IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN) RCTL(RPATIE) = BURDEN
       S = 0
       IF (CTL(NT) .GT. 0) THEN
         CALL TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
@@ -3399,8 +3379,7 @@ C     that are known to be valid except for P and the indices in TET.
       LVS = TSLCOU(N)
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
       ROOMY = 0
-      IF (CYLS .GT. 0 .AND. LRW - LRWMIN .GE. CYLS)
-     $    ROOMY = 1
+      IF (CYLS .GT. 0 .AND. LRW - LRWMIN .GE. CYLS) ROOMY = 1
 C     what an index keeps, but for its last place, which is MARK's where
 C     there are no marks
       K = 2*N + 2*LVS + 5
@@ -4169,8 +4148,7 @@ C     facet's support: the height gives the side for a plane, the power
 C     for a sphere.  A plane's g errs by E and some roundings.  The
 C     quotients are of numbers right to 4 EPS of themselves, as is what
 C     is left of a side of more than twice its error: PAD is more.
-      SUBROUTINE TSSHAR(X, P, ORD, MARK, SUP, IQ, F, T, Z, SIDE, LO,
-     $                  HI)
+      SUBROUTINE TSSHAR(X, P, ORD, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
       DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), T(14), LO, HI
       INTEGER ORD(*), MARK(*), IQ(42), Z, SIDE
       INTEGER SSIZE, QON, TH, TDH, TTILT, TDTILT, TG
@@ -4179,7 +4157,7 @@ C     is left of a side of more than twice its error: PAD is more.
      $    FAINT = 1.0D-200, HUGE = (2.0D0 - EPS)*2.0D0**1023,
      $    PAD = 64.0D0*EPS, SMALL = 2.0D0**(-450), TH = 8, TDH = 9,
      $    TTILT = 9, TDTILT = 13, TG = 14)
-      DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, Q(3), SIZE, U
+      DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, SIZE, U
       INTEGER K, OK
       CALL TSHEOV(X, P, ORD, MARK, SUP, IQ(QON), Z, H, ERR, OK)
       IF (OK .EQ. 0) RETURN
@@ -4188,8 +4166,7 @@ C     is left of a side of more than twice its error: PAD is more.
       G = 0.0D0
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        Q(K) = X(K,Z)
-        U = Q(K) - F(6+K)
+        U = X(K,Z) - F(6+K)
         H = H - T(TTILT+K)*U
         G = G + F(K)*U
         SIZE = SIZE + ABS(U)
@@ -4208,7 +4185,7 @@ C     is left of a side of more than twice its error: PAD is more.
         IF (LEAST .LT. SMALL) RETURN
         LOW = -HUGE
         HIGH = HUGE
-        CALL HHRATI(F, Q, LEAST, MOST, LOW, HIGH)
+        CALL HHRATI(F, X(1,Z), LEAST, MOST, LOW, HIGH)
         SIDE = 1
       ELSE
         LEAST = 2.0D0*(G - F(10)*SIZE)
@@ -4578,8 +4555,7 @@ C     underflow, R >= SMALL makes the sum's error greater.
       SQUARE = DBLE(IQ(QBALL))
       FAR = 1.0D10*(1.0D0 - SQUARE)
       ERR = F(10) + 64.0D0*EPS
-      IF (IQ(QBALL) .EQ. 1)
-     $    ERR = 2.0D0*C(QDC) + 128.0D0*EPS*C(QSIZE)
+      IF (IQ(QBALL) .EQ. 1) ERR = 2.0D0*C(QDC) + 128.0D0*EPS*C(QSIZE)
       DO 10 K = 1, 3
         D(K) = 0.5D0*F(K)
         IF (IQ(QBALL) .EQ. 1) D(K) = C(K)
@@ -4754,40 +4730,23 @@ C     TSORIQ - HHORIE of the facet F and the point Q.
       INTEGER FUNCTION TSORIQ(P, F, Q)
       INTEGER F(3)
       DOUBLE PRECISION P(3,*), Q(3)
-      DOUBLE PRECISION A(3), B(3), C(3)
-      INTEGER HHORIE, K
-      DO 10 K = 1, 3
-        A(K) = P(K,F(1))
-        B(K) = P(K,F(2))
-        C(K) = P(K,F(3))
-   10 CONTINUE
-      TSORIQ = HHORIE(A, B, C, Q)
+      INTEGER HHORIE
+      TSORIQ = HHORIE(P(1,F(1)), P(1,F(2)), P(1,F(3)), Q)
       END
 
 C     TSORIP - HHORIE of the facet F and point I.
       INTEGER FUNCTION TSORIP(P, F, I)
       INTEGER F(3), I
       DOUBLE PRECISION P(3,*)
-      DOUBLE PRECISION Q(3)
-      INTEGER TSORIQ, K
-      DO 10 K = 1, 3
-        Q(K) = P(K,I)
-   10 CONTINUE
-      TSORIP = TSORIQ(P, F, Q)
+      INTEGER TSORIQ
+      TSORIP = TSORIQ(P, F, P(1,I))
       END
 
 C     TSFOOT - HHFOOT of the facet F and the point Q.
       SUBROUTINE TSFOOT(P, F, Q, WANT, W, SET)
       INTEGER F(*), WANT, SET
       DOUBLE PRECISION P(3,*), Q(3), W(3)
-      DOUBLE PRECISION A(3), B(3), C(3)
-      INTEGER K
-      DO 10 K = 1, 3
-        A(K) = P(K,F(1))
-        B(K) = P(K,F(2))
-        C(K) = P(K,F(3))
-   10 CONTINUE
-      CALL HHFOOT(A, B, C, Q, WANT, W, SET)
+      CALL HHFOOT(P(1,F(1)), P(1,F(2)), P(1,F(3)), Q, WANT, W, SET)
       END
 
 C     TSQSID - 1 if Q* is outside the facet F, -1 if it is inside,
@@ -4864,8 +4823,8 @@ C     is 0 if the arithmetic cannot hold a point.
       DOUBLE PRECISION P(3,*), Q(3)
       INTEGER NONE
       PARAMETER (NONE = 0)
-      DOUBLE PRECISION A(3,1), HI, LO
-      INTEGER HHHOLD, FIRST, I, K, MANY, OK, T
+      DOUBLE PRECISION HI, LO
+      INTEGER HHHOLD, FIRST, I, MANY, OK, T
       MANY = 1
    10 IF (MANY*MANY .LT. NTET/(MANY*MANY)) THEN
         MANY = MANY + 1
@@ -4878,10 +4837,7 @@ C     is 0 if the arithmetic cannot hold a point.
       DO 30 I = FIRST, MANY
         T = START
         IF (I .GT. 0) T = (I - 1)*(NTET/MANY) + 1
-        DO 20 K = 1, 3
-          A(K,1) = P(K,TET(1,T))
-   20   CONTINUE
-        IF (HHHOLD(1, A) .EQ. 0) THEN
+        IF (HHHOLD(1, P(1,TET(1,T))) .EQ. 0) THEN
           BEST = NONE
           RETURN
         END IF
@@ -5132,22 +5088,18 @@ C     near Q: beyond ASTRAY of these, the sample is used, too.
       DOUBLE PRECISION P(3,*), Q(3), W(4)
       INTEGER NONE, LOST, RANGE, ASTRAY
       PARAMETER (NONE = 0, LOST = 99, RANGE = 6, ASTRAY = 12)
-      DOUBLE PRECISION X(3,1)
       INTEGER HHFINI, HHHOLD, CODE, K, START
       INFO = -2
       IF (NTET .LT. 1) RETURN
-      DO 10 K = 1, 3
-        X(K,1) = Q(K)
-   10 CONTINUE
       INFO = -5
-      IF (HHFINI(1, X) .EQ. 0) RETURN
+      IF (HHFINI(1, Q) .EQ. 0) RETURN
       INFO = -6
       IF (T .LT. NONE .OR. T .GT. NTET) RETURN
       DO 20 K = 1, 4
         W(K) = 0.0D0
    20 CONTINUE
       INFO = RANGE
-      IF (HHHOLD(1, X) .EQ. 0) RETURN
+      IF (HHHOLD(1, Q) .EQ. 0) RETURN
       CODE = LOST
       IF (T .NE. NONE) CALL TSWALK(P, NTET, TET, ADJ, Q, ASTRAY, T,
      $    CODE)
@@ -5204,7 +5156,7 @@ C     are close to each other.
       DOUBLE PRECISION P(3,*), VALUE(*), Q(3,*), OUT(*)
       INTEGER NONE, INTMAX
       PARAMETER (NONE = 0, INTMAX = 2147483647)
-      DOUBLE PRECISION W(4), X(3)
+      DOUBLE PRECISION W(4)
       INTEGER HHFINI, AT, CODE, FROM, I, J, K, LAST
       INFO = -2
       IF (NTET .LT. 1) RETURN
@@ -5222,10 +5174,7 @@ C     are close to each other.
       LAST = NONE
       DO 60 I = 1, NQ
         IF (T(I) .NE. NONE) LAST = ABS(T(I))
-        DO 20 K = 1, 3
-          X(K) = Q(K,I)
-   20   CONTINUE
-        CALL TESSLO(P, NTET, TET, ADJ, X, LAST, W, CODE)
+        CALL TESSLO(P, NTET, TET, ADJ, Q(1,I), LAST, W, CODE)
         IF (CODE .NE. 0 .AND. CODE .NE. 1) THEN
           INFO = CODE
           RETURN
@@ -5362,7 +5311,7 @@ C     TSQUER - TESSQU with the index cut up as TSRUN's workspace.
       INTEGER TSLIST, NP, T3, HFROM, HMOST, NONE, UNSURE, RANGE
       PARAMETER (TSLIST = 512, NP = 1, T3 = 1, HFROM = 7, HMOST = 10,
      $    NONE = 0, UNSURE = 2, RANGE = 6)
-      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,1), XF(3), Y(3,1)
+      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,1), XF(3)
       REAL LSX(TSLIST,4,2)
       INTEGER HHFINI, HHHOLD, HHPSID, TSQSID, TSSLOT, CTL(84), F(3),
      $    G(4,1), H(10), I, K, LAST, LSI(3,2), LSID(TSLIST+48,2), OK, S,
@@ -5370,11 +5319,8 @@ C     TSQUER - TESSQU with the index cut up as TSRUN's workspace.
       CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
-      DO 10 K = 1, 3
-        Y(K,1) = Q(K)
-   10 CONTINUE
       INFO = -5
-      IF (HHFINI(1, Y) .EQ. 0) RETURN
+      IF (HHFINI(1, Q) .EQ. 0) RETURN
       INFO = -6
       STEPS = 0
       IF (V(1,1) .NE. 0) THEN
@@ -5391,7 +5337,7 @@ C     TSQUER - TESSQU with the index cut up as TSRUN's workspace.
         W(K) = 0.0D0
    30 CONTINUE
       INFO = RANGE
-      IF (HHHOLD(1, Y) .EQ. 0) RETURN
+      IF (HHHOLD(1, Q) .EQ. 0) RETURN
       LAST = 5
    40 IF (STEPS .EQ. 0) THEN
         CALL TSDESC(P, ORD, BOX, CTL, Q, S)
@@ -5640,14 +5586,7 @@ C     of T: this relation is symmetric, too, so one side tests it.
       INTEGER NONE, UNSURE, RANGE, BADADJ, BADBAL
       PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6, BADADJ = 14,
      $    BADBAL = 15)
-      DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
-      INTEGER HHINSP, F(3), I, J, K, S, U
-      DO 10 I = 1, 3
-        A(I) = P(I,TET(1,T))
-        B(I) = P(I,TET(2,T))
-        C(I) = P(I,TET(3,T))
-        D(I) = P(I,TET(4,T))
-   10 CONTINUE
+      INTEGER HHINSP, F(3), J, K, S, U
       DO 30 K = 1, 4
         U = ADJ(K,T)
         IF (U .EQ. NONE) GO TO 30
@@ -5658,10 +5597,8 @@ C     of T: this relation is symmetric, too, so one side tests it.
         IF (J .EQ. 5) RETURN
         IF (ADJ(J,U) .NE. T) RETURN
         IF (U .LT. T) GO TO 30
-        DO 20 I = 1, 3
-          E(I) = P(I,TET(J,U))
-   20   CONTINUE
-        S = HHINSP(A, B, C, D, E)
+        S = HHINSP(P(1,TET(1,T)), P(1,TET(2,T)), P(1,TET(3,T)),
+     $      P(1,TET(4,T)), P(1,TET(J,U)))
         INFO = RANGE
         IF (S .EQ. UNSURE) RETURN
         INFO = BADBAL
@@ -5730,15 +5667,11 @@ C     them tests it.
       DOUBLE PRECISION P(3,*)
       INTEGER NONE, UNSURE, RANGE, BADHUL
       PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6, BADHUL = 16)
-      DOUBLE PRECISION Q(3)
       INTEGER TSQSID, C, F(3), I, K, S
-      DO 10 I = 1, 3
-        Q(I) = P(I,TET(1,1))
-   10 CONTINUE
       DO 30 K = 1, 4
         IF (ADJ(K,T) .NE. NONE) GO TO 30
         CALL TSOUTF(TET, T, K, F)
-        S = TSQSID(P, F, Q, TET)
+        S = TSQSID(P, F, P(1,TET(1,1)), TET)
         INFO = RANGE
         IF (S .EQ. UNSURE) RETURN
         INFO = BADHUL
@@ -5760,17 +5693,13 @@ C     TSCHKC - check that tetrahedron T, if not 1, does not contain O.
       DOUBLE PRECISION P(3,*)
       INTEGER UNSURE, RANGE, BADCOV
       PARAMETER (UNSURE = 2, RANGE = 6, BADCOV = 17)
-      DOUBLE PRECISION Q(3)
       INTEGER TSINBO, TSQSID, F(3), K, S
-      DO 10 K = 1, 3
-        Q(K) = P(K,TET(1,1))
-   10 CONTINUE
       INFO = 0
       IF (T .EQ. 1) RETURN
-      IF (TSINBO(P, TET, T, Q) .EQ. 0) RETURN
+      IF (TSINBO(P, TET, T, P(1,TET(1,1))) .EQ. 0) RETURN
       DO 20 K = 1, 4
         CALL TSOUTF(TET, T, K, F)
-        S = TSQSID(P, F, Q, TET)
+        S = TSQSID(P, F, P(1,TET(1,1)), TET)
         INFO = RANGE
         IF (S .EQ. UNSURE) RETURN
         INFO = 0
@@ -5937,22 +5866,19 @@ C     it: less than 32 eps LENGTH.
       PARAMETER (RANGE = 6, EPS = 2.0D0**(-52),
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023, PAD = 64.0D0*EPS,
      $    NORMAL = 2.0D0**(-1022), EMAX = 1024)
-      DOUBLE PRECISION HHLDEX, LENGTH, MOST, Q(3,1), R, T(83), X(3)
+      DOUBLE PRECISION HHLDEX, LENGTH, MOST, R, T(83), X(3)
       INTEGER HHFINI, HHFREX, HHHOLD, E, F(3), I, K, OK
       C(4) = HUGE
       MOST = 0.0D0
       DO 20 I = 4, 1, -1
         INFO = -2
         IF (V(I) .LT. 1) RETURN
-        DO 10 K = 1, 3
-          Q(K,1) = P(K,V(I))
-   10   CONTINUE
         INFO = -1
-        IF (HHFINI(1, Q) .EQ. 0) RETURN
+        IF (HHFINI(1, P(1,V(I))) .EQ. 0) RETURN
         INFO = RANGE
-        IF (HHHOLD(1, Q) .EQ. 0) RETURN
+        IF (HHHOLD(1, P(1,V(I))) .EQ. 0) RETURN
         DO 15 K = 1, 3
-          C(K) = Q(K,1)
+          C(K) = P(K,V(I))
           MOST = MAX(MOST, ABS(C(K)))
    15   CONTINUE
    20 CONTINUE
