@@ -1414,16 +1414,13 @@ static void considerall(const mesh *m, quest *f, const list *l, int n,
 }
 
 /* starball - finds the places of the points of a star's list that may be in the
- * ball, or of all its points without a ball.  Returns their number; 0 if they
- * are only the vertices and the best point, -1 if the ball is too large for the
- * list. */
+ * ball.  Returns their number; 0 if they are only the vertices and the best
+ * point, -1 if the ball is too large for the list. */
 static int starball(const list *l, const quest *f, int *place)
 {
     float d[4];
-    int in[TESS_LIST], n = 0;
+    int in[TESS_LIST];
 
-    for (; !f->ball && n < l->n; n++) place[n] = n;
-    if (!f->ball) return n;
     if (!starcoef(l, f, d)) return -1;
     if (inball(l, d, in) <= 4) return 0;
     return compress(in, l->n, place);
@@ -1438,11 +1435,11 @@ static int instar(mesh *m, quest *f)
     const list *l = &m->around;
     int place[TESS_LIST + 1], n;
 
-    if (f->base != 0 || l->n == 0) return 0;
+    if (f->base != 0 || l->n == 0 || !f->ball) return 0;
     n = starball(l, f, place);
     if (n < 0) return 0;
     if (n > 0) {
-        if (f->ball && m->tied && newcell(m, f)) {
+        if (m->tied && newcell(m, f)) {
             f->best = incell(m, f->v);
             return 1;
         }
@@ -1450,7 +1447,7 @@ static int instar(mesh *m, quest *f)
         if (f->tied > 0 && !m->tied) (void)newcell(m, f);
         m->tied = f->tied > 0;
     }
-    return f->ball && ballinstar(m, f);
+    return ballinstar(m, f);
 }
 
 /* inblock - the same for the block's list.  If the ball has room elsewhere, the

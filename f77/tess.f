@@ -1742,24 +1742,16 @@ C     TSCALL - consider N points of a list.
       END
 
 C     TSSTBA - finds the places of the points of a star's list that may
-C     be in the ball, or of all its points without a ball.  N is their
-C     number; 0 if they are only the vertices and the best point, -1 if
-C     the ball is too large for the list.
-      SUBROUTINE TSSTBA(LSX, LSI, LSD, IQ, C, PLACE, N)
+C     be in the ball.  N is their number; 0 if they are only the vertices
+C     and the best point, -1 if the ball is too large for the list.
+      SUBROUTINE TSSTBA(LSX, LSI, LSD, C, PLACE, N)
       DOUBLE PRECISION LSD(14,2), C(7)
       REAL LSX(*)
-      INTEGER LSI(3,2), IQ(42), PLACE(*), N
-      INTEGER TSLIST, LN, STR, QBALL
-      PARAMETER (TSLIST = 512, LN = 3, STR = 2, QBALL = 3)
+      INTEGER LSI(3,2), PLACE(*), N
+      INTEGER TSLIST, LN, STR
+      PARAMETER (TSLIST = 512, LN = 3, STR = 2)
       REAL D(4)
-      INTEGER I, IN(TSLIST), OK
-      IF (IQ(QBALL) .EQ. 0) THEN
-        N = LSI(LN,STR)
-        DO 10 I = 1, N
-          PLACE(I) = I
-   10   CONTINUE
-        RETURN
-      END IF
+      INTEGER IN(TSLIST), OK
       N = -1
       CALL TSSTAC(LSD, STR, C, D, OK)
       IF (OK .EQ. 0) RETURN
@@ -1789,11 +1781,12 @@ C     OK is 1 if so, or 0.
      $    LN = 3, STR = 2, QBEST = 1, QBALL = 3, QBASE = 4, QTIED = 8)
       INTEGER TSBINS, N, PLACE(TSLIST+1)
       OK = 0
-      IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0) RETURN
-      CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
+      IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0 .OR. IQ(QBALL) .EQ.
+     $    0) RETURN
+      CALL TSSTBA(LSX, LSI, LSD, FQ, PLACE, N)
       IF (N .LT. 0) RETURN
       IF (N .GT. 0) THEN
-        IF (IQ(QBALL) .EQ. 1 .AND. CTL(TIED) .EQ. 1) THEN
+        IF (CTL(TIED) .EQ. 1) THEN
           CALL TSNEWC(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL, LSX,
      $                LSID, LSI, LSD, V, IQ, F, FQ, OK)
           IF (OK .EQ. 1) THEN
@@ -1809,8 +1802,7 @@ C     OK is 1 if so, or 0.
      $      LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
         CTL(TIED) = MIN(IQ(QTIED), 1)
       END IF
-      OK = 0
-      IF (IQ(QBALL) .EQ. 1) OK = TSBINS(BOX, LSD, F, FQ)
+      OK = TSBINS(BOX, LSD, F, FQ)
       END
 
 C     TSINBL - the same for the block's list.  If the ball has room
@@ -4643,7 +4635,7 @@ C     side.
       IF (WIDE .GT. LSD(LMARG,STR)) RETURN
       FQ(QDC) = FQ(QDC) + WIDE
       IF (TSBINS(BOX, LSD, F, FQ) .EQ. 0) RETURN
-      CALL TSSTBA(LSX, LSI, LSD, IQ, FQ, PLACE, N)
+      CALL TSSTBA(LSX, LSI, LSD, FQ, PLACE, N)
       IF (N .LE. 0 .OR. N .GT. MCELL) RETURN
       M = 0
       DO 30 I = 1, N

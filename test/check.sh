@@ -568,10 +568,10 @@ peers() {
         skip "recipes beside CGAL: not installed"
         return
     fi
-    if build recipes g++ "-O2 -frounding-math -I." \
+    if build beside g++ "-O2 -frounding-math -I." \
         test/bench/peers/recipes.cpp build/tess.o build/hhpred.o \
         build/units/usual/points.o -lmpfr -lgmp; then
-        many "recipes beside CGAL" build/recipes
+        many "recipes beside CGAL" build/beside
     else
         fail "recipes beside CGAL: does not compile"
     fi
