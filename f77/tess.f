@@ -1742,8 +1742,9 @@ C     TSCALL - consider N points of a list.
       END
 
 C     TSSTBA - finds the places of the points of a star's list that may
-C     be in the ball.  N is their number; 0 if they are only the vertices
-C     and the best point, -1 if the ball is too large for the list.
+C     be in the ball.  N is their number; 0 if they are only the
+C     vertices and the best point, -1 if the ball is too large for the
+C     list.
       SUBROUTINE TSSTBA(LSX, LSI, LSD, C, PLACE, N)
       DOUBLE PRECISION LSD(14,2), C(7)
       REAL LSX(*)
