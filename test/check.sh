@@ -804,7 +804,7 @@ threads() {
     rm -f build/threads
     $CC $CFLAGS -fopenmp -c -o build/threads.o test/fortran/threads.c
     $LINKF -fopenmp -o build/threads build/threads.o build/units/f77/points.o \
-        build/ftess.o build/fhhpred.o $LIBS >> $LOG 2>&1
+        build/ftess.o build/fhhpred.o $LIBF $LIBS >> $LOG 2>&1
     many "threads: $1" build/threads
 }
 
