@@ -1768,7 +1768,9 @@ C     TSINST - seeks the apex in the star's list.  The ball of a better
 C     point has no more points on the open side than the ball before it
 C     (Lemma 3), and those on the other side do not count.  So one pass
 C     over the list is enough if the last ball has no points elsewhere.
-C     OK is 1 if so, or 0.
+C     OK is 1 if so, or 0.  Without a ball nothing is sought here: on
+C     faces of a cube all sides are exact, which would take twice as
+C     long.
       SUBROUTINE TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
      $                  LSI, LSD, V, IQ, F, FQ, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
@@ -3572,7 +3574,9 @@ C                      For each INFO >= 0 but 6, IW(I) is the position,
 C                      from 1 on, of point I, or of the point that
 C                      represents it, in the sorted order.  Points at
 C                      close positions are close in space
-C       LRW     (in)   length of RW, as TESSWK says, or 3*N + N/2 + 12
+C       LRW     (in)   length of RW, as TESSWK says; or 3*N + N/2 + 12,
+C                      with which parts of surfaces and curves take
+C                      longer
 C       RW      (out)  the index, too
 C       INFO    (out)  0; 3 to 6 as TESS gives: there is no mesh, and
 C                      the calls below give the same; -1 for a bad N, -2
