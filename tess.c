@@ -1430,8 +1430,8 @@ static int starball(const list *l, const quest *f, int *place)
  * no more points on the open side than the ball before it (Lemma 3), and those
  * on the other side do not count.  So one pass over the list is enough if the
  * last ball has no points elsewhere.  Returns 1 if so.  Without a ball nothing
- * is sought here: on faces of a cube all sides are exact, which would take twice
- * as long. */
+ * is sought here: on faces of a cube all sides are exact, which would take
+ * twice as long. */
 static int instar(mesh *m, quest *f)
 {
     const list *l = &m->around;
