@@ -3,10 +3,9 @@
  * Order of the routines, here and in f77/hhpred.f:
  *   exact numbers     nearest zeros blank shift fill split carry signof spread
  *                     lesser product volume cofactors determinant insphere
- *                     leading shares region foot weigh limbs centre certain
- *                     balanced many exact
+ *                     leading shares region foot weigh limbs centre many exact
  *   the arithmetic    hh_finite precise hh_holds held
- *   exact signs       filt3 filt5 filter pack scale robust hh_orient
+ *   exact signs       certain filt3 filt5 filter pack scale robust hh_orient
  *                     hh_insphere hh_flat hh_line closest hh_foot hh_weigh
  *                     hh_wider hh_range apart corners decide hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
@@ -569,71 +568,6 @@ static int centre(int n, const double *x, double *work)
     return first;
 }
 
-/* certain - the sign of det if |det| exceeds its error or det is exact, else
- * UNSURE. */
-static int certain(double det, double perm, double factor, double t)
-{
-    double err = factor * DBL_EPSILON * perm + TINY;
-
-    if (det > err) return 1;
-    if (det < -err) return -1;
-    if (perm <= t) return det > 0.0 ? 1 : det < 0.0 ? -1 : 0;
-    return UNSURE;
-}
-
-/* balanced - volume's or insphere's sign, from the determinant of rows (p, 1)
- * or (p, |p|^2, 1), in double precision, whatever the exponents: rows, then
- * columns are scaled by powers of two to at most 1.  UNSURE where that does not
- * tell: a square has 5 roundings, a minor's term a product and at most 4 sums
- * on each of 5 levels; in all 30 eps of the permanent, doubled as in filt3.
- * det[set], the minor of the first rows and a set of columns, is by its last
- * row. */
-static int balanced(int np, const double *q)
-{
-    double a[25], det[32], perm[32], x, sum;
-    int e[25], i, j, k, most, set, rest, bit, at;
-
-    for (i = 0; i < np; i++, q += 3) {
-        most = INT_MIN;
-        for (j = 0, k = np * i; j < 3; j++, k++) {
-            a[k] = frexp(q[j], e + k);
-            if (a[k] != 0.0 && e[k] > most) most = e[k];
-        }
-        if (most == INT_MIN) most = 0;
-        for (j = 0, sum = 0.0; j < 3; j++) {
-            x = ldexp(q[j], -most);
-            sum += x * x;
-        }
-        a[k] = np == 5 ? sum : 1.0;
-        e[k] = np == 5 ? 2 * most : 0;
-        a[np * i + np - 1] = 1.0;
-        e[np * i + np - 1] = 0;
-        at = most > 0 ? (np - 3) * most : 0;
-        for (j = 0, k = np * i; j < np; j++, k++) e[k] -= at;
-    }
-    for (j = 0; j < np; j++) {
-        most = INT_MIN;
-        for (k = j; k < np * np; k += np)
-            if (a[k] != 0.0 && e[k] > most) most = e[k];
-        for (k = j; k < np * np; k += np)
-            if (a[k] != 0.0) a[k] = ldexp(a[k], e[k] - most);
-    }
-    det[0] = perm[0] = 1.0;
-    for (set = 1; set < 1 << np; set++) {
-        for (rest = set, i = -1; rest > 0; rest &= rest - 1) i++;
-        det[set] = perm[set] = 0.0;
-        at = i;
-        for (j = 0, bit = 1; j < np; j++, bit *= 2) {
-            if (!(set & bit)) continue;
-            x = a[np * i + j];
-            det[set] += (at-- % 2 == 0 ? x : -x) * det[set - bit];
-            perm[set] += fabs(x) * perm[set - bit];
-        }
-    }
-    x = np == 4 ? -det[set - 1] : det[set - 1];
-    return certain(x, perm[set - 1], 64.0, -1.0);
-}
-
 /* many - limbs, with as many as it takes: a routine of its own for the sake of
  * its scratch. */
 static int many(int np, method *of, const double *q, double top, double *w)
@@ -644,8 +578,6 @@ static int many(int np, method *of, const double *q, double top, double *w)
     for (n = HH_FEW; sign == UNSURE && n <= HH_LIMBS; n *= 2) {
         if (2 * n > HH_LIMBS) n = HH_LIMBS;
         sign = limbs(np, of, q, top, n, work, w);
-        if (sign == UNSURE && n == 10 && n < HH_LIMBS && !w)
-            sign = balanced(np, q);
     }
     return sign;
 }
@@ -775,6 +707,18 @@ static int held(int np, const tess_real *const *p)
  * underflowed one, and a permanent of at most t (2^(DBL_MANT_DIG-1) units)
  * means that nothing was rounded at all.
  * --------------------------------------------------------------------- */
+
+/* certain - the sign of det if |det| exceeds its error or det is exact, else
+ * UNSURE. */
+static int certain(double det, double perm, double factor, double t)
+{
+    double err = factor * DBL_EPSILON * perm + TINY;
+
+    if (det > err) return 1;
+    if (det < -err) return -1;
+    if (perm <= t) return det > 0.0 ? 1 : det < 0.0 ? -1 : 0;
+    return UNSURE;
+}
 
 /* filt3 - the sign of det [b-a c-a d-a], or UNSURE. */
 static int filt3(const double *a, const double *b, const double *c,

@@ -28,16 +28,16 @@ C         zeros HHZERO, fill HHFILL, split HHSPLI, carry HHCARR,
 C         signof HHSIGN, spread HHSPRE, product HHPROD, volume HHVOLU,
 C         cofactors HHCOFA, determinant HHDETE, insphere HHISPH,
 C         leading HHLEAD, shares HHSHAR, region HHREGI, foot HHFT,
-C         weigh HHWGH, limbs HHLIMB, centre HHCNTR, certain HHCERT,
-C         balanced HHBALA, many HHMANY, exact HHEXAC
+C         weigh HHWGH, limbs HHLIMB, centre HHCNTR, many HHMANY,
+C         exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
-C       exact signs: filt3 HHFIL3, filt5 HHFIL5, filter HHFILT,
-C         pack HHPACK, scale HHSCAL, robust HHROBU, hh_orient HHORIE,
-C         hh_insphere HHINSP, hh_flat HHFLAT, hh_line HHLINE,
-C         closest HHCLOS, hh_foot HHFOOT, hh_weigh HHWEIG,
-C         hh_wider HHWIDE, hh_range HHRANG, apart HHAPAR,
-C         corners HHCORN, decide HHDECI, hh_pside HHPSID
+C       exact signs: certain HHCERT, filt3 HHFIL3, filt5 HHFIL5,
+C         filter HHFILT, pack HHPACK, scale HHSCAL, robust HHROBU,
+C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
+C         hh_line HHLINE, closest HHCLOS, hh_foot HHFOOT,
+C         hh_weigh HHWEIG, hh_wider HHWIDE, hh_range HHRANG,
+C         apart HHAPAR, corners HHCORN, decide HHDECI, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
@@ -811,122 +811,12 @@ C     two carries reach two limbs up from the first product
       CALL HHCARR(3*N, 1, 1, D)
       END
 
-C     HHCERT - the sign of DET if |DET| exceeds its error or DET is
-C     exact, else UNSURE.
-      INTEGER FUNCTION HHCERT(DET, PERM, FACTOR, T)
-      DOUBLE PRECISION DET, PERM, FACTOR, T
-      INTEGER UNSURE
-      DOUBLE PRECISION EPS, TINY
-      PARAMETER (UNSURE = 2, EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
-      DOUBLE PRECISION ERR
-      ERR = FACTOR*EPS*PERM + TINY
-      IF (DET .GT. ERR) THEN
-        HHCERT = 1
-      ELSE IF (DET .LT. -ERR) THEN
-        HHCERT = -1
-      ELSE IF (PERM .LE. T) THEN
-        HHCERT = 0
-        IF (DET .GT. 0.0D0) HHCERT = 1
-        IF (DET .LT. 0.0D0) HHCERT = -1
-      ELSE
-        HHCERT = UNSURE
-      END IF
-      END
-
-C     HHBALA - HHVOLU's or HHISPH's sign, from the determinant of rows
-C     (p, 1) or (p, |p|**2, 1), in double precision, whatever the
-C     exponents: rows, then columns are scaled by powers of two to at
-C     most 1.  UNSURE where that does not tell: a square has 5
-C     roundings, a minor's term a product and at most 4 sums on each of
-C     5 levels; in all 30 eps of the permanent, doubled as in HHFIL3.
-C     DET(SET), the minor of the first rows and a set of columns (column
-C     J is in it if the binary digit 2**(J-1) of SET is 1), is by its
-C     last row.
-      INTEGER FUNCTION HHBALA(NP, Q)
-      INTEGER NP
-      DOUBLE PRECISION Q(3,*)
-      INTEGER NONE
-      PARAMETER (NONE = -100000)
-      DOUBLE PRECISION HHLDEX, A(5,5), DET(0:31), PERM(0:31), SUM, X
-      INTEGER HHCERT, HHFREX, AT, BIT, E(5,5), I, J, LAST, MOST, REST,
-     $    SET
-      DO 40 I = 1, NP
-        MOST = NONE
-        DO 10 J = 1, 3
-          E(J,I) = 0
-          A(J,I) = Q(J,I)
-          IF (A(J,I) .LT. 0.0D0 .OR. A(J,I) .GT. 0.0D0) THEN
-            E(J,I) = HHFREX(A(J,I))
-            A(J,I) = HHLDEX(A(J,I), -E(J,I))
-            MOST = MAX(MOST, E(J,I))
-          END IF
-   10   CONTINUE
-        IF (MOST .EQ. NONE) MOST = 0
-        IF (NP .EQ. 5) THEN
-          SUM = 0.0D0
-          DO 20 J = 1, 3
-            X = HHLDEX(Q(J,I), -MOST)
-            SUM = SUM + X*X
-   20     CONTINUE
-          A(4,I) = SUM
-          E(4,I) = 2*MOST
-        END IF
-        A(NP,I) = 1.0D0
-        E(NP,I) = 0
-        AT = (NP - 3)*MAX(MOST, 0)
-        DO 30 J = 1, NP
-          E(J,I) = E(J,I) - AT
-   30   CONTINUE
-   40 CONTINUE
-      DO 70 J = 1, NP
-        MOST = NONE
-        DO 50 I = 1, NP
-          IF (A(J,I) .LT. 0.0D0 .OR. A(J,I) .GT. 0.0D0) MOST =
-     $        MAX(MOST, E(J,I))
-   50   CONTINUE
-        DO 60 I = 1, NP
-          IF (A(J,I) .LT. 0.0D0 .OR. A(J,I) .GT. 0.0D0) A(J,I) =
-     $        HHLDEX(A(J,I), E(J,I) - MOST)
-   60   CONTINUE
-   70 CONTINUE
-      DET(0) = 1.0D0
-      PERM(0) = 1.0D0
-      LAST = 15
-      IF (NP .EQ. 5) LAST = 31
-      DO 100 SET = 1, LAST
-        I = 0
-        REST = SET
-   80   IF (REST .GT. 0) THEN
-          I = I + MOD(REST, 2)
-          REST = REST/2
-          GO TO 80
-        END IF
-        DET(SET) = 0.0D0
-        PERM(SET) = 0.0D0
-        AT = I - 1
-        BIT = 1
-        DO 90 J = 1, NP
-          IF (MOD(SET/BIT, 2) .EQ. 1) THEN
-            X = A(J,I)
-            IF (MOD(AT, 2) .EQ. 1) X = -X
-            DET(SET) = DET(SET) + X*DET(SET-BIT)
-            PERM(SET) = PERM(SET) + ABS(X)*PERM(SET-BIT)
-            AT = AT - 1
-          END IF
-          BIT = 2*BIT
-   90   CONTINUE
-  100 CONTINUE
-      IF (NP .EQ. 4) DET(LAST) = -DET(LAST)
-      HHBALA = HHCERT(DET(LAST), PERM(LAST), 64.0D0, -1.0D0)
-      END
-
 C     HHMANY - HHLIMB with as many limbs as it takes: a routine of its
 C     own for the sake of its scratch.
-      SUBROUTINE HHMANY(NP, OF, Q, TOP, WANT, W, SGN)
-      INTEGER NP, WANT, SGN
+      SUBROUTINE HHMANY(NP, OF, Q, TOP, W, SGN)
+      INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), TOP, W(*)
       EXTERNAL OF
-      INTEGER HHBALA
       INTEGER UNSURE, HHLIM
       PARAMETER (UNSURE = 2, HHLIM = 88)
       DOUBLE PRECISION WORK(44*HHLIM)
@@ -934,17 +824,15 @@ C     own for the sake of its scratch.
       N = MIN(10, HHLIM)
    10 IF (2*N .GT. HHLIM) N = HHLIM
       CALL HHLIMB(NP, OF, Q, TOP, N, WORK, W, SGN)
-      IF (SGN .EQ. UNSURE .AND. N .EQ. 10 .AND. N .LT. HHLIM .AND.
-     $    WANT .EQ. 0) SGN = HHBALA(NP, Q)
       N = 2*N
       IF (SGN .EQ. UNSURE .AND. N .LE. HHLIM) GO TO 10
       END
 
 C     HHEXAC - HHLIMB with 3 limbs, which hold ordinary data (70 bits),
 C     or HHMANY; MOST is the largest absolute value of Q, which it
-C     alters.  WANT is 1 if W is wanted, else 0.
-      SUBROUTINE HHEXAC(NP, OF, Q, MOST, WANT, W, SGN)
-      INTEGER NP, WANT, SGN
+C     alters.
+      SUBROUTINE HHEXAC(NP, OF, Q, MOST, W, SGN)
+      INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), MOST, W(*)
       EXTERNAL OF
       INTEGER UNSURE, HHLIM
@@ -955,7 +843,7 @@ C     alters.  WANT is 1 if W is wanted, else 0.
       CALL HHFILL(NP, Q, MOST, FACTOR, TOP)
       CALL HHLIMB(NP, OF, Q, TOP, 3, WORK, W, SGN)
       IF (SGN .EQ. UNSURE .AND. HHLIM .GT. 3)
-     $    CALL HHMANY(NP, OF, Q, TOP, WANT, W, SGN)
+     $    CALL HHMANY(NP, OF, Q, TOP, W, SGN)
       END
 
 C     ------------------------------------------------------------------
@@ -1066,6 +954,28 @@ C     coordinates are integer multiples of some unit, none of them an
 C     underflowed one, and a permanent of at most T (2**52 units) means
 C     that nothing was rounded at all.
 C     ------------------------------------------------------------------
+
+C     HHCERT - the sign of DET if |DET| exceeds its error or DET is
+C     exact, else UNSURE.
+      INTEGER FUNCTION HHCERT(DET, PERM, FACTOR, T)
+      DOUBLE PRECISION DET, PERM, FACTOR, T
+      INTEGER UNSURE
+      DOUBLE PRECISION EPS, TINY
+      PARAMETER (UNSURE = 2, EPS = 2.0D0**(-52), TINY = 2.0D0**(-1000))
+      DOUBLE PRECISION ERR
+      ERR = FACTOR*EPS*PERM + TINY
+      IF (DET .GT. ERR) THEN
+        HHCERT = 1
+      ELSE IF (DET .LT. -ERR) THEN
+        HHCERT = -1
+      ELSE IF (PERM .LE. T) THEN
+        HHCERT = 0
+        IF (DET .GT. 0.0D0) HHCERT = 1
+        IF (DET .LT. 0.0D0) HHCERT = -1
+      ELSE
+        HHCERT = UNSURE
+      END IF
+      END
 
 C     HHFIL3 - the sign of det [B-A C-A D-A], or UNSURE, of points A, B,
 C     C, D of X.
@@ -1244,8 +1154,8 @@ C     above DOWN, what a coordinate is taken for matters less than TINY
       SGN = HHFILT(NP, S, -1.0D0)
       IF (SGN .NE. UNSURE) RETURN
       IF (HHHOLD(NP, P) .EQ. 0) RETURN
-      IF (NP .EQ. 4) CALL HHEXAC(4, HHVOLU, P, MOST, 0, ANY, SGN)
-      IF (NP .EQ. 5) CALL HHEXAC(5, HHISPH, P, MOST, 0, ANY, SGN)
+      IF (NP .EQ. 4) CALL HHEXAC(4, HHVOLU, P, MOST, ANY, SGN)
+      IF (NP .EQ. 5) CALL HHEXAC(5, HHISPH, P, MOST, ANY, SGN)
       END
 
 C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
@@ -1337,7 +1247,7 @@ C     any point on that side will do that needs no more limbs
       Q(AXIS,2) = 0.0D0
       Q(AXIS,3) = 0.0D0
       Q(AXIS,4) = MOST
-      CALL HHEXAC(4, HHVOLU, Q, MOST, 0, ANY, SGN)
+      CALL HHEXAC(4, HHVOLU, Q, MOST, ANY, SGN)
       HHFLAT = SGN
       END
 
@@ -1433,7 +1343,7 @@ C     scratch.
         IF (SET .NE. 0) RETURN
       END IF
       IF (HHHOLD(4, X) .EQ. 0) RETURN
-      CALL HHEXAC(4, HHFT, X, MOST, 1, W, SET)
+      CALL HHEXAC(4, HHFT, X, MOST, W, SET)
       SET = -SET
       IF (SET .EQ. -UNSURE) SET = 0
       END
@@ -1463,7 +1373,7 @@ C     where the limbs do not hold the points (see HHORIE).
       INFO = UNSURE
       IF (HHHOLD(5, X) .EQ. 0) RETURN
       MOST = HHPACK(5, X)
-      CALL HHEXAC(5, HHWGH, X, MOST, 1, W, INFO)
+      CALL HHEXAC(5, HHWGH, X, MOST, W, INFO)
       END
 
 C     HHWIDE - the exact sign of (A-B) - (C-D), for A >= B and C >= D.
@@ -1500,7 +1410,7 @@ C             M**2 ((A-B) - (C-D)).
         Q(2,2) = M
         Q(1,3) = M
         Q(2,4) = M
-        CALL HHEXAC(4, HHVOLU, Q, M, 0, ANY, SGN)
+        CALL HHEXAC(4, HHVOLU, Q, M, ANY, SGN)
       END IF
       HHWIDE = SGN
       END
@@ -1596,8 +1506,8 @@ C         the corners of a box are on one sphere
           IF (M .EQ. 4) SGN = HHFILT(4, UNIT, 64.0D0)
         ELSE
           MOST = HHPACK(M, Q)
-          IF (M .EQ. 4) CALL HHEXAC(4, HHVOLU, Q, MOST, 0, ANY, SGN)
-          IF (M .EQ. 5) CALL HHEXAC(5, HHISPH, Q, MOST, 0, ANY, SGN)
+          IF (M .EQ. 4) CALL HHEXAC(4, HHVOLU, Q, MOST, ANY, SGN)
+          IF (M .EQ. 5) CALL HHEXAC(5, HHISPH, Q, MOST, ANY, SGN)
         END IF
       END IF
       HHDECI = SGN

@@ -72,7 +72,7 @@ data sheets f77,cgal 2000 8000 30000 +100000
 data bumps f77,cgal 2000 8000 30000 +100000
 data ellipsoid f77,cgal 2000 8000 30000 +100000
 data terrain f77,cgal 2000 8000 30000 +100000
-data wide f77,cgal 200 600 2000'
+data wide f77,cgal 50 100 300'
 for family in $SCANS; do
     rows="$rows
 people $family f77,cgal $(grep -c . "$family")"

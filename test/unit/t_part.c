@@ -475,7 +475,7 @@ static long affordable(const char *name, long n)
         const char *family;
         long most;
     } few[] = {
-        { "wide", 12 }, { "moment", 80 }, { "helix", 80 }, { "twolines", 80 },
+        { "wide", 8 }, { "moment", 80 }, { "helix", 80 }, { "twolines", 80 },
         { "prism", 80 }, { "spherenorm", 120 }, { "spiral", 120 },
         { "spherei", 200 }, { "planeone", 200 }, { "planespread", 200 },
         { "cylinder", 200 }
