@@ -84,10 +84,9 @@
  *   pool         outfac facet owner hashkey same find insert erase enter full
  *                cuberoot tablesize quota rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
- *   search       dot powererr prunebox narrow refine challenge
- *                consider ballinbox ballinstar ballcoef starcoef inball
- *                considerall starball instar inblock scanleaf treesearch onhull
- *                prepare apex
+ *   search       dot powererr prunebox narrow refine challenge consider
+ *                ballinbox ballinstar ballcoef listball considerall instar
+ *                inblock scanleaf treesearch onhull prepare apex
  *   one star     exchange settle
  *   star         clearlink renumber push join unlinkedge between glue flush
  *                grow enlist follow gather load complete makeroom begin star
@@ -1341,28 +1340,28 @@ static int ballinstar(const mesh *m, const quest *f)
  *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g.
  * d[3] has room for dc, and for all rounding:
  *   single precision, where |u[i]| <= most[i] <= 2 (1, but for boxes a few last
- *   places wide, whose centre is rounded by as much): |u|^2 <= 12 by at most 8
- *   roundings, two of them of u itself and the last that of the difference; d.u
- *   by at most 6 of each term; d[3] itself; underflow is far below FEPS;
+ *   places wide, whose centre is rounded by as much; 1.1 for a star, whose g is
+ *   0): |u|^2 <= 12 by at most 8 roundings, two of them of u itself and the
+ *   last that of the difference; d.u by at most 6 of each term; d[3] itself;
+ *   underflow is far below FEPS;
  *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
  *   with g, 6 roundings of (1 + |g|) a.
  * Returns 0 when the ball is too large for that. */
-static int ballcoef(const list *l, const quest *f, const double *c, float *d)
+static int ballcoef(const list *l, const quest *f, float *d)
 {
-    double g, cu[3], k = 0.0, size = 0.0, sum = 0.0, off = 0.0, a = 0.0;
+    double g, cu[3], k = 0.0, sum = 0.0, off = 0.0, a = 0.0;
     int i;
 
     for (i = 0; i < 3; i++) {
         g = (f->f[6 + i] - l->centre[i]) * l->unit;
-        cu[i] = c[i] * l->unit;
-        k += g * (g + 2.0 * cu[i]);
-        a += fabs(g) + 2.0 * fabs(cu[i]);
-        cu[i] = 2.0 * (cu[i] + g);
-        size += fabs(cu[i]);
-        sum += fabs(cu[i]) * l->most[i];
+        cu[i] = 2.0 * f->c[i] * l->unit;
+        k += g * (g + cu[i]);
         off += fabs(g);
+        a += fabs(g) + fabs(cu[i]);
+        cu[i] += 2.0 * g;
+        sum += fabs(cu[i]) * l->most[i];
     }
-    if (size > 1e9 || sum > 1e6 || off > 1e9) return 0;
+    if (sum > 1e6 || a > 5e8) return 0;
     for (i = 0; i < 3; i++) d[i] = (float)cu[i];
     d[3] = (float)(FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
                    8.0 * EPS * a * (1.0 + off) +
@@ -1370,38 +1369,23 @@ static int ballcoef(const list *l, const quest *f, const double *c, float *d)
     return 1;
 }
 
-/* starcoef - the same for the list of the base's star.  The list's centre is
- * the base, so g = 0, and its points are less than 1.1 from it in the list's
- * units. */
-static int starcoef(const list *l, const quest *f, float *d)
+/* listball - finds the places of the points of a list that pass ballcoef's
+ * test.  Returns their number; 0 if they are only the vertices of the facet and
+ * the best point, which are on the ball, -1 if that is too large for the
+ * list. */
+static int listball(const list *l, const quest *f, int *place)
 {
-    double cu[3], size = 0.0;
-    int i;
+    float d[4];
+    int in[TESS_LIST], i, n = 0, length = (l->n + 3) / 4 * 4;
 
-    for (i = 0; i < 3; i++) {
-        cu[i] = 2.0 * f->c[i] * l->unit;
-        size += fabs(cu[i]);
-    }
-    if (size > 1e6) return 0;
-    for (i = 0; i < 3; i++) d[i] = (float)cu[i];
-    d[3] = (float)(FEPS * (16.0 + 12.0 * size) + 6.0 * f->dc * l->unit);
-    return 1;
-}
-
-/* inball - sets in[i] = 1 for the points of a list that pass ballcoef's test,
- * and returns how many.  The vertices of the facet and the best point, which
- * are on the ball, are four of them. */
-static int inball(const list *l, const float *d, int *in)
-{
-    float dx = d[0], dy = d[1], dz = d[2], most = d[3];
-    int i, n = 0, length = (l->n + 3) / 4 * 4;
-
+    if (!ballcoef(l, f, d)) return -1;
     COUNT(N_LIST, l->n);
     for (i = 0; i < length; i++) {
-        in[i] = l->r[i] - (dx * l->x[i] + dy * l->y[i] + dz * l->z[i]) < most;
+        in[i] = l->r[i] - (d[0] * l->x[i] + d[1] * l->y[i] + d[2] * l->z[i]) <
+                d[3];
         n += in[i];
     }
-    return n;
+    return n > 4 ? compress(in, l->n, place) : 0;
 }
 
 /* considerall - consider n points of a list. */
@@ -1411,19 +1395,6 @@ static void considerall(const mesh *m, quest *f, const list *l, int n,
     int i;
 
     for (i = 0; i < n; i++) consider(m, f, l->id[place[i]]);
-}
-
-/* starball - finds the places of the points of a star's list that may be in the
- * ball.  Returns their number; 0 if they are only the vertices and the best
- * point, -1 if the ball is too large for the list. */
-static int starball(const list *l, const quest *f, int *place)
-{
-    float d[4];
-    int in[TESS_LIST];
-
-    if (!starcoef(l, f, d)) return -1;
-    if (inball(l, d, in) <= 4) return 0;
-    return compress(in, l->n, place);
 }
 
 /* instar - seeks the apex in the star's list.  The ball of a better point has
@@ -1438,7 +1409,7 @@ static int instar(mesh *m, quest *f)
     int place[TESS_LIST + 1], n;
 
     if (f->base != 0 || l->n == 0 || !f->ball) return 0;
-    n = starball(l, f, place);
+    n = listball(l, f, place);
     if (n < 0) return 0;
     if (n > 0) {
         if (m->tied && newcell(m, f)) {
@@ -1458,14 +1429,12 @@ static int instar(mesh *m, quest *f)
 static int inblock(const mesh *m, quest *f)
 {
     const list *l = &m->block;
-    float d[4];
-    int in[TESS_LIST], place[TESS_LIST + 1];
+    int place[TESS_LIST + 1], n;
 
-    if (l->n == 0) return 0;
-    if (!f->ball || !ballinbox(m, f, l) || !ballcoef(l, f, f->c, d)) return 0;
-    if (inball(l, d, in) > 4)
-        considerall(m, f, l, compress(in, l->n, place), place);
-    return 1;
+    if (l->n == 0 || !f->ball || !ballinbox(m, f, l)) return 0;
+    n = listball(l, f, place);
+    if (n > 0) considerall(m, f, l, n, place);
+    return n >= 0;
 }
 
 /* scanleaf - considers the uncompleted points of a leaf that are not outside
@@ -3341,7 +3310,7 @@ static int newcell(mesh *m, quest *f)
     wide = f->limbs ? 0.0 : f->hi - f->lo;
     if (wide > l->margin) return 0;
     f->dc += wide;
-    n = ballinstar(m, f) ? starball(l, f, place) : 0;
+    n = ballinstar(m, f) ? listball(l, f, place) : 0;
     if (n <= 0 || n > CELL) return 0;
     for (i = c.n = 0; i < n; i++) {
         z = l->id[place[i]];

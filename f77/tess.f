@@ -124,10 +124,9 @@ C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
 C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
 C         starlist TSSTLI
 C       search: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
-C         narrow TSNARR, refine TSREFI,
-C         challenge TSCHAL, consider TSCONS, ballinbox TSBINB,
-C         ballinstar TSBINS, ballcoef TSBALC, starcoef TSSTAC,
-C         inball TSINBA, considerall TSCALL, starball TSSTBA,
+C         narrow TSNARR, refine TSREFI, challenge TSCHAL,
+C         consider TSCONS, ballinbox TSBINB, ballinstar TSBINS,
+C         ballcoef TSBALC, listball TSLIBA, considerall TSCALL,
 C         instar TSINST, inblock TSINBL, scanleaf TSSCAN,
 C         treesearch TSTREE, onhull TSONHU, prepare TSPREP, apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT
@@ -1635,10 +1634,11 @@ C     In the list's units, with g = base - centre, the power of u is
 C         |u-g|**2 - 2 c.(u-g) = |u|**2 - 2 (c+g).u + (g+2c).g.
 C     D(4) has room for dc, and for all rounding:
 C       single precision, where |u(K)| <= most(K) <= 2 (1, but for boxes
-C       a few last places wide, whose centre is rounded by as much):
-C       |u|**2 <= 12 by at most 8 roundings, two of them of u itself and
-C       the last that of the difference; D.u by at most 6 of each term;
-C       D(4) itself; underflow is far below FEPS;
+C       a few last places wide, whose centre is rounded by as much; 1.1
+C       for a star, whose g is 0): |u|**2 <= 12 by at most 8 roundings,
+C       two of them of u itself and the last that of the difference; D.u
+C       by at most 6 of each term; D(4) itself; underflow is far below
+C       FEPS;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
@@ -1650,73 +1650,49 @@ C     OK is 1, or 0 when the ball is too large for that.
       DOUBLE PRECISION EPS, FEPS
       PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, QDC = 4,
      $    EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23))
-      DOUBLE PRECISION A, CG(3), CU, DIST, G, LENGTH, REST, SUM
+      DOUBLE PRECISION A, CU(3), DIST, G, REST, SUM
       INTEGER K
       A = 0.0D0
       REST = 0.0D0
-      LENGTH = 0.0D0
       SUM = 0.0D0
       DIST = 0.0D0
       DO 10 K = 1, 3
         G = (F(6+K) - LSD(LMID+K,LIST))*LSD(LUNIT,LIST)
-        CU = C(K)*LSD(LUNIT,LIST)
-        REST = REST + G*(G + 2.0D0*CU)
-        A = A + ABS(G) + 2.0D0*ABS(CU)
-        CG(K) = 2.0D0*(CU + G)
-        LENGTH = LENGTH + ABS(CG(K))
-        SUM = SUM + ABS(CG(K))*LSD(LMOST+K,LIST)
+        CU(K) = 2.0D0*C(K)*LSD(LUNIT,LIST)
+        REST = REST + G*(G + CU(K))
         DIST = DIST + ABS(G)
+        A = A + ABS(G) + ABS(CU(K))
+        CU(K) = CU(K) + 2.0D0*G
+        SUM = SUM + ABS(CU(K))*LSD(LMOST+K,LIST)
    10 CONTINUE
       OK = 0
-      IF (LENGTH .GT. 1.0D9 .OR. SUM .GT. 1.0D6 .OR.
-     $    DIST .GT. 1.0D9) RETURN
-      D(1) = REAL(CG(1))
-      D(2) = REAL(CG(2))
-      D(3) = REAL(CG(3))
+      IF (SUM .GT. 1.0D6 .OR. A .GT. 5.0D8) RETURN
+      D(1) = REAL(CU(1))
+      D(2) = REAL(CU(2))
+      D(3) = REAL(CU(3))
       D(4) = REAL(FEPS*(128.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
      $    8.0D0*EPS*A*(1.0D0 + DIST) +
      $    2.0D0*C(QDC)*LSD(LUNIT,LIST)*(4.0D0 + DIST) - REST)
       OK = 1
       END
 
-C     TSSTAC - the same for the list of the base's star.  The list's
-C     centre is the base, so g = 0, and its points are less than 1.1
-C     from it in the list's units.
-      SUBROUTINE TSSTAC(LSD, LIST, C, D, OK)
-      DOUBLE PRECISION LSD(14,2), C(7)
-      REAL D(4)
-      INTEGER LIST, OK
-      INTEGER LUNIT, QDC
-      DOUBLE PRECISION FEPS
-      PARAMETER (LUNIT = 14, QDC = 4, FEPS = 2.0D0**(-23))
-      DOUBLE PRECISION CU(3), LENGTH
-      INTEGER K
-      LENGTH = 0.0D0
-      DO 10 K = 1, 3
-        CU(K) = 2.0D0*C(K)*LSD(LUNIT,LIST)
-        LENGTH = LENGTH + ABS(CU(K))
-   10 CONTINUE
-      OK = 0
-      IF (LENGTH .GT. 1.0D6) RETURN
-      D(1) = REAL(CU(1))
-      D(2) = REAL(CU(2))
-      D(3) = REAL(CU(3))
-      D(4) = REAL(FEPS*(16.0D0 + 12.0D0*LENGTH) +
-     $    6.0D0*C(QDC)*LSD(LUNIT,LIST))
-      OK = 1
-      END
-
-C     TSINBA - sets IN(I) = 1 for the points of a list that pass
-C     TSBALC's test, N of them.  The vertices of the facet and the best
-C     point, which are on the ball, are four of them.
-      SUBROUTINE TSINBA(LSX, LSI, LIST, D, IN, N)
+C     TSLIBA - finds the places of the points of a list that pass
+C     TSBALC's test.  N is their number; 0 if they are only the vertices
+C     of the facet and the best point, which are on the ball, -1 if that
+C     is too large for the list.
+      SUBROUTINE TSLIBA(LSX, LSI, LSD, LIST, F, C, PLACE, N)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      REAL LSX(TSLIST,4,2), D(4)
-      INTEGER LSI(3,2), LIST, IN(*), N
+      DOUBLE PRECISION LSD(14,2), F(12), C(7)
+      REAL LSX(TSLIST,4,2)
+      INTEGER LSI(3,2), LIST, PLACE(*), N
       INTEGER LN
       PARAMETER (LN = 3)
-      INTEGER I
+      REAL D(4)
+      INTEGER I, IN(TSLIST), OK
+      N = -1
+      CALL TSBALC(LSD, LIST, F, C, D, OK)
+      IF (OK .EQ. 0) RETURN
       N = 0
       DO 10 I = 1, (LSI(LN,LIST) + 3)/4*4
         IN(I) = 0
@@ -1724,6 +1700,11 @@ C     point, which are on the ball, are four of them.
      $      D(3)*LSX(I,3,LIST)) .LT. D(4)) IN(I) = 1
         N = N + IN(I)
    10 CONTINUE
+      IF (N .LE. 4) THEN
+        N = 0
+      ELSE
+        CALL TSCMPR(IN, LSI(LN,LIST), PLACE, N)
+      END IF
       END
 
 C     TSCALL - consider N points of a list.
@@ -1739,29 +1720,6 @@ C     TSCALL - consider N points of a list.
         Z = LSID(PLACE(I),LIST)
         CALL TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
    10 CONTINUE
-      END
-
-C     TSSTBA - finds the places of the points of a star's list that may
-C     be in the ball.  N is their number; 0 if they are only the
-C     vertices and the best point, -1 if the ball is too large for the
-C     list.
-      SUBROUTINE TSSTBA(LSX, LSI, LSD, C, PLACE, N)
-      DOUBLE PRECISION LSD(14,2), C(7)
-      REAL LSX(*)
-      INTEGER LSI(3,2), PLACE(*), N
-      INTEGER TSLIST, LN, STR
-      PARAMETER (TSLIST = 512, LN = 3, STR = 2)
-      REAL D(4)
-      INTEGER IN(TSLIST), OK
-      N = -1
-      CALL TSSTAC(LSD, STR, C, D, OK)
-      IF (OK .EQ. 0) RETURN
-      CALL TSINBA(LSX, LSI, STR, D, IN, N)
-      IF (N .LE. 4) THEN
-        N = 0
-      ELSE
-        CALL TSCMPR(IN, LSI(LN,STR), PLACE, N)
-      END IF
       END
 
 C     TSINST - seeks the apex in the star's list.  The ball of a better
@@ -1786,7 +1744,7 @@ C     long.
       OK = 0
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0 .OR. IQ(QBALL) .EQ.
      $    0) RETURN
-      CALL TSSTBA(LSX, LSI, LSD, FQ, PLACE, N)
+      CALL TSLIBA(LSX, LSI, LSD, STR, F, FQ, PLACE, N)
       IF (N .LT. 0) RETURN
       IF (N .GT. 0) THEN
         IF (CTL(TIED) .EQ. 1) THEN
@@ -1820,20 +1778,15 @@ C     cost: on surfaces, two of five points that were tested.
       REAL LSX(*)
       INTEGER TSLIST, LN, BLK, QBALL
       PARAMETER (TSLIST = 512, LN = 3, BLK = 1, QBALL = 3)
-      REAL D(4)
-      INTEGER TSBINB, IN(TSLIST), N, PLACE(TSLIST+1)
+      INTEGER TSBINB, N, PLACE(TSLIST+1)
       OK = 0
       IF (LSI(LN,BLK) .EQ. 0) RETURN
       IF (IQ(QBALL) .EQ. 0) RETURN
       IF (TSBINB(BOX, LSI, LSD, BLK, IQ, F, FQ) .EQ. 0) RETURN
-      CALL TSBALC(LSD, BLK, F, FQ, D, OK)
-      IF (OK .EQ. 0) RETURN
-      CALL TSINBA(LSX, LSI, BLK, D, IN, N)
-      IF (N .GT. 4) THEN
-        CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
-        CALL TSCALL(X, P, ORD, MARK, CTL, RCTL, SUP, LSID, BLK, V, IQ,
-     $              F, FQ, N, PLACE)
-      END IF
+      CALL TSLIBA(LSX, LSI, LSD, BLK, F, FQ, PLACE, N)
+      IF (N .GT. 0) CALL TSCALL(X, P, ORD, MARK, CTL, RCTL, SUP, LSID,
+     $    BLK, V, IQ, F, FQ, N, PLACE)
+      IF (N .GE. 0) OK = 1
       END
 
 C     TSSCAN - considers the uncompleted points of a leaf that are not
@@ -4640,7 +4593,7 @@ C     side.
       IF (WIDE .GT. LSD(LMARG,STR)) RETURN
       FQ(QDC) = FQ(QDC) + WIDE
       IF (TSBINS(BOX, LSD, F, FQ) .EQ. 0) RETURN
-      CALL TSSTBA(LSX, LSI, LSD, FQ, PLACE, N)
+      CALL TSLIBA(LSX, LSI, LSD, STR, F, FQ, PLACE, N)
       IF (N .LE. 0 .OR. N .GT. MCELL) RETURN
       M = 0
       DO 30 I = 1, N
