@@ -2,15 +2,15 @@
  *
  * Order of the routines, here and in f77/hhpred.f:
  *   exact numbers     nearest zeros blank shift fill split carry signof spread
- *                     lesser product volume cofactors determinant insphere
- *                     leading shares region foot weigh limbs centre many exact
+ *                     lesser product volume cofactors insphere leading
+ *                     shares region foot weigh limbs centre many exact
  *   the arithmetic    hh_finite precise hh_holds held
  *   exact signs       certain filt3 filt5 filter pack scale robust hh_orient
  *                     hh_insphere hh_flat hh_line closest hh_foot hh_weigh
  *                     hh_wider hh_range apart corners decide hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
- *   balls by limbs    rows cut hh_centre evaluate offset level hh_trial hh_unit
- *                     hh_height hh_thin
+ *   balls by limbs    rows cut hh_centre level hh_trial hh_unit hh_height
+ *                     hh_thin
  *   Householder       house reflec hh_setup hh_ratio hh_limits
  *                     hh_facet hh_side hh_opp hh_lcoord hh_wrap
  */
@@ -74,10 +74,10 @@ typedef long whole;
  * Numbers that are worked on together lie side by side: limb i of number k of
  * w is at w i + k.  Limb 0 of a product weighs BASE times the product of the
  * two limbs 0.  31 products of limbs of at most BASE fit one limb: 10 rows of 2
- * or 3 such products, 5 of 6, or 10 of 4 where both factors have been carried
- * to at most BASE/2.  (Limbs 0 are no exception: they are at most BASE/2 for a
- * minor, 3/4 BASE for a 3 by 3 determinant or a square, as the coordinates' are
- * at most BASE/4.)
+ * or 3 such products, or of 4 where one factor has been carried to at most
+ * BASE/2.  (Limbs 0 are no exception: they are at most BASE/2 for a minor, 3/4
+ * BASE for a 3 by 3 determinant or a square, as the coordinates' are at most
+ * BASE/4.)
  * --------------------------------------------------------------------- */
 
 /* What insphere's sum may err by after HH_ROWS leading rows, which are tried
@@ -133,8 +133,8 @@ static double fill(int n, double *q, double most, double *factor)
     return ldexp(1.0, e + 2 - HH_BITS);
 }
 
-/* split - splits w <= 15 numbers q into n limbs each, side by side.  Limb 0 has
- * the weight top, a power of two, and |q| <= top BASE/4.  Returns the number of
+/* split - splits w numbers q into n limbs each, side by side.  Limb 0 has the
+ * weight top, a power of two, and |q| <= top BASE/4.  Returns the number of
  * limbs in use, or n + 1 if n limbs do not hold the numbers.
  *
  * The remainder of a number after a limb has no bits below the number's own,
@@ -145,30 +145,22 @@ static double fill(int n, double *q, double most, double *factor)
  * limbs. */
 static int split(int w, const double *q, double top, int n, double *limb)
 {
-    double far[15], rest[15], c;
-    int i = 0, k;
+    double least = top * (0.5 / SHIFT), far, rest, c;
+    int used = 1, i, k;
 
-    for (k = 0; k < w; k++) {
-        far[k] = q[k];
-        rest[k] = 0.0;
-    }
-    for (k = 0; i < n && k < w; i++, limb += w) {
-        for (k = 0; k < w && i % SKIP == 0; k++)
-            if (fabs(far[k]) < top * (0.5 / SHIFT))
-                shift(1, far + k);
-            else {
-                rest[k] = far[k] / top;
-                far[k] = 0.0;
-            }
-        for (k = 0; k < w; k++) {
-            c = (double)(whole)(rest[k] + (rest[k] < 0.0 ? -UNDER : UNDER));
-            limb[k] = c;
-            rest[k] = (rest[k] - c) * BASE;
+    zeros(w * n, limb);
+    for (k = 0; k < w; k++, limb++) {
+        far = q[k];
+        for (i = 0; far != 0.0 && fabs(far) < least; i += SKIP) shift(1, &far);
+        for (rest = far / top; rest != 0.0; i++) {
+            if (i >= n) return n + 1;
+            c = (double)(whole)(rest + (rest < 0.0 ? -UNDER : UNDER));
+            limb[w * i] = c;
+            rest = (rest - c) * BASE;
         }
-        for (k = 0; k < w && rest[k] == 0.0 && far[k] == 0.0;) k++;
+        if (i > used) used = i;
     }
-    zeros(w * (n - i), limb);
-    return k < w ? n + 1 : i;
+    return used;
 }
 
 /* carry - reduces the limbs of w numbers, below 2^DBL_MANT_DIG, to at most
@@ -227,31 +219,31 @@ static int lesser(int i, int k)
     return i < k ? i : k;
 }
 
-/* The products that there are of x and y, for limbs i and j of theirs: x.y; the
- * cross product; x times the matrix y of three vectors; of vectors a, b, c, d
- * side by side, x = y, the cross products of a, b and of c, d; a, b times the
- * second of these and c, d times the first; the four squares, for j >= i; of
- * numbers x0 ... x3, x1 y0 - x0 y1 + x3 y2 - x2 y3. */
-enum { DOT, CROSS, MATRIX, PAIRS, TRIPLES, SQUARES, FOUR };
+/* The products that there are of x and y, for limbs i and j of theirs: x.y; of
+ * four numbers each, x1 y0 - x0 y1 + x3 y2 - x2 y3; the cross product; the
+ * vector x times the number y; of vectors a, b, c, d side by side, x = y, the
+ * four squares; with y of two vectors, a and b times the first and c and d
+ * times the second. */
+enum { DOT, FOUR, CROSS, SCALED, SQUARES, TRIPLES };
 
 /* product - adds a product of x and y, of nx and ny limbs, to the wide[kind]
  * numbers r, of n limbs; wx, wy and w doubles lie between two limbs.  Rows
- * behind the n-th are left out.  r is carried where fit[kind] rows have been
- * added, but not at the end. */
+ * behind the n-th are left out.  r is carried where 10 rows have been added,
+ * but not at the end. */
 static void product(int kind, int nx, int wx, const double *x, int ny, int wy,
                     const double *y, int n, int w, double *r)
 {
-    static const int fit[7] = {10, 10, 10, 10, 10, 5, 10};
-    static const int used[7] = {3, 3, 3, 12, 12, 12, 4};
-    static const int wide[7] = {1, 3, 3, 6, 4, 4, 1};
+    static const int used[6] = {3, 4, 3, 3, 12, 12};
+    static const int wide[6] = {1, 1, 3, 3, 4, 4};
+    const int p = kind == SQUARES ? 3 : 0; /* y's 0 1 2 3, or 0 0 1 1 */
     const double *t, *end;
     double a, b, c, d, *s;
-    int i, rows = 0;
+    int rows = 0;
 
-    for (i = 0; i < nx && n > 1; i++, n--, x += wx, r += w) {
+    for (; nx > 0 && n > 1; nx--, n--, x += wx, r += w) {
         a = x[0], b = x[1], c = x[2];
         if (a == 0.0 && b == 0.0 && c == 0.0 && blank(used[kind], x)) continue;
-        if (rows++ == fit[kind]) {
+        if (rows++ == 10) {
             carry(n, wide[kind], w, r);
             rows = 1;
         }
@@ -263,23 +255,10 @@ static void product(int kind, int nx, int wx, const double *x, int ny, int wy,
             for (; t < end; t += wy, s += w)
                 s[0] += a * t[0] + b * t[1] + c * t[2];
             break;
-        case PAIRS:
-            for (; t < end; t += wy, s += w) {
-                s[0] += b * t[5] - c * t[4];
-                s[1] += c * t[3] - a * t[5];
-                s[2] += a * t[4] - b * t[3];
-                s[3] += x[7] * t[11] - x[8] * t[10];
-                s[4] += x[8] * t[9] - x[6] * t[11];
-                s[5] += x[6] * t[10] - x[7] * t[9];
-            }
-            break;
-        case TRIPLES:
-            for (; t < end; t += wy, s += w) {
-                s[0] += a * t[3] + b * t[4] + c * t[5];
-                s[1] += x[3] * t[3] + x[4] * t[4] + x[5] * t[5];
-                s[2] += x[6] * t[0] + x[7] * t[1] + x[8] * t[2];
-                s[3] += x[9] * t[0] + x[10] * t[1] + x[11] * t[2];
-            }
+        case FOUR:
+            d = x[3];
+            for (; t < end; t += wy, s += w)
+                s[0] += b * t[0] - a * t[1] + d * t[2] - c * t[3];
             break;
         case CROSS:
             for (; t < end; t += wy, s += w) {
@@ -288,28 +267,21 @@ static void product(int kind, int nx, int wx, const double *x, int ny, int wy,
                 s[2] += a * t[1] - b * t[0];
             }
             break;
-        case MATRIX:
+        case SCALED:
             for (; t < end; t += wy, s += w) {
-                s[0] += a * t[0] + b * t[3] + c * t[6];
-                s[1] += a * t[1] + b * t[4] + c * t[7];
-                s[2] += a * t[2] + b * t[5] + c * t[8];
-            }
-            break;
-        case SQUARES:
-            s += w * i;
-            d = 1.0;
-            for (t = x; t < end; t += wy, s += w) {
-                s[0] += d * (a * t[0] + b * t[1] + c * t[2]);
-                s[1] += d * (x[3] * t[3] + x[4] * t[4] + x[5] * t[5]);
-                s[2] += d * (x[6] * t[6] + x[7] * t[7] + x[8] * t[8]);
-                s[3] += d * (x[9] * t[9] + x[10] * t[10] + x[11] * t[11]);
-                d = 2.0;
+                s[0] += a * t[0];
+                s[1] += b * t[0];
+                s[2] += c * t[0];
             }
             break;
         default:
-            d = x[3];
-            for (; t < end; t += wy, s += w)
-                s[0] += b * t[0] - a * t[1] + d * t[2] - c * t[3];
+            for (; t < end; t += wy, s += w) {
+                s[0] += a * t[0] + b * t[1] + c * t[2];
+                s[1] += x[3] * t[p] + x[4] * t[p + 1] + x[5] * t[p + 2];
+                s[2] += x[6] * t[p + 3] + x[7] * t[p + 4] + x[8] * t[p + 5];
+                s[3] += x[9] * t[2 * p + 3] + x[10] * t[2 * p + 4] +
+                        x[11] * t[2 * p + 5];
+            }
         }
     }
 }
@@ -342,14 +314,15 @@ static void cofactors(int n, int depth, double *work)
 
     zeros(6 * n2, minor);
     zeros(4 * n3, det);
-    product(PAIRS, n, 15, work, n, 15, work, n2, 6, minor);
+    product(CROSS, n, 15, work + 6, n, 15, work + 9, n2, 6, minor);
+    product(CROSS, n, 15, work, n, 15, work + 3, n2, 6, minor + 3);
     carry(n2, 6, 6, minor);
     product(TRIPLES, n, 15, work, n2, 6, minor, n3, 4, det);
     carry(n3, 4, 4, det);
 }
 
-/* determinant - the sign of the determinant of filt5, from the first depth rows
- * of all products; UNSURE when these do not tell.
+/* insphere - the sign of the determinant of filt5, from the first depth rows of
+ * all products, as few as tell.
  *
  * What is lost, in units of the last of K = depth <= 10 rows: in the row behind
  * it a minor loses 2K products of limbs of at most BASE, so errs by 2K BASE;
@@ -360,28 +333,23 @@ static void cofactors(int n, int depth, double *work)
  * determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3) K BASE = 24K
  * BASE.  What follows all these adds less than a tenth, so that BOUND is
  * ample. */
-static int determinant(int n, int depth, double *work)
-{
-    int n2 = lesser(2 * n, depth), n5 = lesser(5 * n, depth);
-    double *lift = work + 15 * n, *det = lift + 12 * n, *sum = det + 12 * n;
-
-    cofactors(n, depth, work);
-    zeros(4 * n2, lift);
-    zeros(n5, sum);
-    product(SQUARES, n, 15, work, n, 15, work, n2, 4, lift);
-    carry(n2, 4, 4, lift);
-    product(FOUR, n2, 4, lift, lesser(3 * n, depth), 4, det, n5, 1, sum);
-    return signof(n5, n5 < 5 * n ? BOUND : 0.0, sum);
-}
-
-/* insphere - determinant, of as few rows as tell. */
 static int insphere(int n, double *work, double *w)
 {
-    int sign = UNSURE;
+    double *lift = work + 15 * n, *det = lift + 12 * n, *sum = det + 12 * n;
+    int depth = 5 * n > 2 * HH_ROWS ? HH_ROWS : 5 * n, sign = UNSURE, n2;
 
     (void)w;
-    if (5 * n > 2 * HH_ROWS) sign = determinant(n, HH_ROWS, work);
-    return sign == UNSURE ? determinant(n, 5 * n, work) : sign;
+    for (; sign == UNSURE; depth = 5 * n) {
+        cofactors(n, depth, work);
+        n2 = lesser(2 * n, depth);
+        zeros(4 * n2, lift);
+        zeros(depth, sum);
+        product(SQUARES, n, 15, work, n, 15, work, n2, 4, lift);
+        carry(n2, 4, 4, lift);
+        product(FOUR, n2, 4, lift, lesser(3 * n, depth), 4, det, depth, 1, sum);
+        sign = signof(depth, depth < 5 * n ? BOUND : 0.0, sum);
+    }
+    return sign;
 }
 
 /* leading - the value of a carried number, in the weight of its first limb
@@ -536,36 +504,26 @@ static int limbs(int np, method *of, const double *q, double top, int n,
 /* centre - the centre of the ball of four points of n limbs, seen from the last
  * one: of the rows a, b, w of x, without the common limb weights,
  *     C = |a|^2 (b x w) + |b|^2 (w x a) + |w|^2 (a x b)
- * over twice D = a.(b x w).  work: 39n doubles; C, 3 numbers of 4n limbs, is
- * at the beginning of it, then D of 3n limbs, and 9 numbers of 2n limbs, b x w,
- * w x a, a x b.  Returns how many limbs are 0 in all rows. */
-static int centre(int n, const double *x, double *work)
+ * over twice D = w.(a x b).  work: 24n doubles; C and D, 4 numbers of 4n limbs,
+ * are at the beginning of it, then a x b, of 2n limbs, 4 doubles apart.  (The
+ * three products of C need no carry between them: at most 10 rows of each are
+ * not carried, of one product of carried limbs.) */
+static void centre(int n, const double *x, double *work)
 {
-    double *c = work, *d = c + 12 * n, *minor = d + 3 * n;
-    double *lift = minor + 18 * n;
-    int first = 0, low, m, k;
+    double *minor = work + 16 * n, *lift = minor + 3;
+    int k;
 
-    zeros(39 * n, work);
-    for (; first < n - 1 && blank(9, x); x += 12) first++;
-    m = n - first;
+    zeros(16 * n, work);
     for (k = 0; k < 9; k += 3) {
-        product(CROSS, m, 12, x + (k + 3) % 9, m, 12, x + (k + 6) % 9, 2 * m, 9,
-                minor + 18 * first + k);
-        product(DOT, m, 12, x + k, m, 12, x + k, 2 * m, 3,
-                lift + 6 * first + k / 3);
+        zeros(8 * n, minor);
+        product(CROSS, n, 12, x + (k + 3) % 9, n, 12, x + (k + 6) % 9, 2 * n, 4,
+                minor);
+        product(DOT, n, 12, x + k, n, 12, x + k, 2 * n, 4, lift);
+        carry(2 * n, 4, 4, minor);
+        product(SCALED, 2 * n, 4, minor, 2 * n, 4, lift, 4 * n, 4, work);
     }
-    carry(2 * n, 9, 9, minor);
-    carry(2 * n, 3, 3, lift);
-    /* two carries reach two limbs up from the first product */
-    low = first > 0 ? 2 * first - 1 : 0;
-    minor += 9 * low;
-    product(DOT, m, 12, x, 2 * n - low, 9, minor, 3 * n - first - low, 1,
-            d + first + low);
-    product(MATRIX, 2 * n - low, 3, lift + 3 * low, 2 * n - low, 9, minor,
-            4 * n - 2 * low, 3, c + 6 * low);
-    carry(4 * n, 3, 3, c);
-    carry(3 * n, 1, 1, d);
-    return first;
+    product(DOT, n, 12, x + 6, 2 * n, 4, minor, 3 * n, 4, work + 3);
+    carry(4 * n, 4, 4, work);
 }
 
 /* many - limbs, with as many as it takes: a routine of its own for the sake of
@@ -824,14 +782,22 @@ static int scale(int n, double most, const double *q, double *s)
     return e;
 }
 
-/* robust - the exact orientation of np = 4 points p, or sign of I of 5, where
- * the limbs hold them; else UNSURE. */
-static int robust(int np, const tess_real *const *p)
+/* robust - the exact orientation of np = 4 points, or sign of I of 5, where the
+ * limbs hold them; else UNSURE. */
+static int robust(int np, const tess_real *a, const tess_real *b,
+                  const tess_real *c, const tess_real *d, const tess_real *e)
 {
-    double q[15], s[15], most = pack(np, p, q);
+    const tess_real *p[5];
+    double q[15], s[15], most;
     int sign;
 
-    if (!precise(p[0][0] > p[3][0] ? 1 : 3) || (most < SAFE && !held(np, p)))
+    p[0] = a;
+    p[1] = b;
+    p[2] = c;
+    p[3] = d;
+    p[4] = e;
+    most = pack(np, p, q);
+    if (!precise(a[0] > d[0] ? 1 : 3) || (most < SAFE && !held(np, p)))
         return UNSURE;
     scale(3 * np, most, q, s);
     sign = filter(np, s, -1.0);
@@ -843,29 +809,16 @@ static int robust(int np, const tess_real *const *p)
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
               const tess_real *d)
 {
-    const tess_real *p[4];
-
-    p[0] = a;
-    p[1] = b;
-    p[2] = c;
-    p[3] = d;
-    return robust(4, p);
+    return robust(4, a, b, c, d, d);
 }
 
 int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
                 const tess_real *d, const tess_real *e)
 {
-    const tess_real *p[5];
-    int side, sign;
+    int side = hh_orient(a, b, c, d), sign;
 
-    p[0] = a;
-    p[1] = b;
-    p[2] = c;
-    p[3] = d;
-    p[4] = e;
-    side = robust(4, p);
     if (side == 0 || side == UNSURE) return side;
-    sign = robust(5, p);
+    sign = robust(5, a, b, c, d, e);
     return sign == UNSURE ? UNSURE : -side * sign;
 }
 
@@ -1203,20 +1156,15 @@ static int rows(const hh_set *s, const tess_int *v, double *x, double *top,
     return n <= HH_FEW ? n : 0;
 }
 
-/* cut - the HH_ROWS leading rows of three numbers c of m limbs, side by side,
- * step doubles from row to row, and of one number d of nd limbs. */
-static int cut(int m, const double *c, int step, int nd, const double *d,
-               double *row)
+/* cut - the HH_ROWS leading rows of 4 numbers c of m limbs, side by side, from
+ * the first limb on that is not 0 in all of the first wide numbers. */
+static int cut(int m, int wide, const double *c, double *row)
 {
-    int first = 0, i, k;
+    int first = 0, i;
 
-    while (first < m && blank(3, c + step * first) &&
-           (first >= nd || d[first] == 0.0))
-        first++;
-    for (i = first; i < first + HH_ROWS; i++, row += 4) {
-        for (k = 0; k < 3; k++) row[k] = i < m ? c[step * i + k] : 0.0;
-        row[3] = i < nd ? d[i] : 0.0;
-    }
+    while (first < m && blank(wide, c + 4 * first)) first++;
+    for (i = 4 * first; i < 4 * (first + HH_ROWS); i++)
+        *row++ = i < 4 * m ? c[i] : 0.0;
     return first;
 }
 
@@ -1229,7 +1177,7 @@ static int cut(int m, const double *c, int step, int nd, const double *d,
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t)
 {
-    double x[12 * HH_FEW], work[39 * HH_FEW], d;
+    double x[12 * HH_FEW], work[24 * HH_FEW], d;
     tess_int w[4];
     int i, k, n, e, at, dat;
 
@@ -1239,21 +1187,23 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
     w[3] = v[base];
     n = rows(s, w, x, &t->top, &t->factor, &e);
     if (n == 0) return 0;
-    t->first = centre(n, x, work);
+    for (k = 0; k < n - 1 && blank(9, x + 12 * k);) k++;
+    t->first = k;
+    centre(n, x, work);
     t->n = n;
     t->e = e;
     t->most = t->top / t->factor;
     t->most = t->most < DBL_MAX / BASE ? t->most * (BASE / 4.0) : DBL_MAX;
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++) t->base[3 * i + k] = x[12 * i + 9 + k];
-    cut(2 * n, work + 15 * n + 6, 9, 0, work, t->side);
+    t->bits = cut(2 * n, 3, work + 16 * n, t->side);
     if (z == v[base]) return 1;
-    at = cut(4 * n, work, 3, 3 * n, work + 12 * n, t->power);
-    d = 2.0 * leading(3 * n, work + 12 * n, 1, &dat);
+    at = cut(4 * n, 4, work, t->power);
+    d = 2.0 * leading(4 * n, work + 3, 4, &dat);
     if (d == 0.0) return 0;
     t->d = ldexp(0.5 * d, (at - dat) * HH_BITS);
     for (k = 0; k < 3; k++) {
-        c[k] = leading(4 * n, work + k, 3, &at) / d;
+        c[k] = leading(4 * n, work + k, 4, &at) / d;
         if (c[k] == 0.0) continue;
         at = e + (dat + 1 - at) * HH_BITS;
         if (at > CENTRE) return 0;
@@ -1262,68 +1212,47 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
     return fabs(c[0]) + fabs(c[1]) + fabs(c[2]) > HH_SMALL;
 }
 
-/* evaluate - sum = row[3] l - row[0..2].u, of rows cut off from longer numbers,
- * of u of n limbs, of which those before first are 0, and l of 2n, if any
- * row[3] is not 0.
+/* level - sum = the leading limbs of the height of the position z above the
+ * plane of a ball's facet, if plane is 1, else of its power in the ball, with u
+ * and |u|^2 in y as FOUR takes them.  Returns 0 if the ball's limbs do not hold
+ * them.
  *
  * What is lost are products of limbs that weigh less than the last row of the
  * sum: in the row behind it 3n products of at most (BASE/2 + 1) BASE and 2n of
  * (BASE/2 + 1)^2, with all that follow less than CARRY units of the last row,
- * for n <= 10.  No row of the sum has more than 30 products of at most BASE^2 /
- * 2. */
-static void evaluate(const double *row, int n, int first, const double *u,
-                 const double *l, double *sum)
-{
-    int i, k;
-
-    zeros(HH_ROWS + 1, sum);
-    for (k = 0; k < HH_ROWS; k++, row += 4) {
-        for (i = first; i < n && k + i - first < HH_ROWS; i++)
-            sum[k + i - first + 1] -= row[0] * u[3 * i] +
-                                      row[1] * u[3 * i + 1] +
-                                      row[2] * u[3 * i + 2];
-        if (row[3] == 0.0) continue;
-        for (i = first > 0 ? 2 * first - 1 : 0;
-             i < 2 * n && k + i - first < HH_ROWS; i++)
-            sum[k + i - first + 1] += row[3] * l[i];
-    }
-}
-
-/* offset - computes the limbs u of the position z relative to the base of a
- * ball.  Returns 0 if the ball's limbs do not hold them. */
-static int offset(const hh_set *s, const hh_ball *t, tess_int z, double *u)
-{
-    const tess_real *p = s->p + 3 * s->order[z];
-    double q[3];
-    int i, k;
-
-    for (k = 0; k < 3; k++) {
-        if (fabs((double)p[k]) > t->most) return 0;
-        q[k] = t->factor == 1.0 ? p[k] : p[k] * t->factor;
-    }
-    if (split(3, q, t->top, t->n, u) > t->n) return 0;
-    for (i = 0; i < 3 * t->n; i++) {
-        u[i] -= t->base[i];
-        if (i < 3 * t->first && u[i] != 0.0) return 0;
-    }
-    return 1;
-}
-
-/* level - sum = the leading limbs of the height of the position z below the
- * plane of a ball's facet, if plane is 1, else of its power in the ball: see
- * evaluate.  Returns 0 where the limbs do not hold it. */
+ * for n <= 10. */
 static int level(const hh_set *s, const hh_ball *t, tess_int z, int plane,
                  double *sum)
 {
-    double u[3 * HH_FEW], l[2 * HH_FEW];
+    const tess_real *p = s->p + 3 * s->order[z];
+    double q[3], u[3 * HH_FEW], y[8 * HH_FEW];
+    int n = t->n, first = t->first, i;
 
-    if (!offset(s, t, z, u)) return 0;
-    if (!plane) {
-        zeros(2 * t->n, l);
-        product(DOT, t->n, 3, u, t->n, 3, u, 2 * t->n, 1, l);
-        carry(2 * t->n, 1, 1, l);
+    for (i = 0; i < 3; i++) {
+        if (fabs((double)p[i]) > t->most) return 0;
+        q[i] = t->factor == 1.0 ? p[i] : p[i] * t->factor;
     }
-    evaluate(plane ? t->side : t->power, t->n, t->first, u, l, sum);
+    if (split(3, q, t->top, n, u) > n) return 0;
+    for (i = 0; i < 3 * n; i++) {
+        u[i] -= t->base[i];
+        if (i < 3 * first && u[i] != 0.0) return 0;
+    }
+    zeros(HH_ROWS + 1, sum);
+    if (plane)
+        product(DOT, HH_ROWS, 4, t->side, n - first, 3, u + 3 * first,
+                HH_ROWS + 1, 1, sum);
+    else {
+        zeros(8 * n, y);
+        product(DOT, n, 3, u, n, 3, u, 2 * n, 4, y + 2);
+        carry(2 * n, 1, 4, y + 2);
+        for (i = 0; i < n; i++) {
+            y[4 * i] = -u[3 * i + 1];
+            y[4 * i + 1] = u[3 * i];
+            y[4 * i + 3] = u[3 * i + 2];
+        }
+        product(FOUR, HH_ROWS, 4, t->power, 2 * n - first, 4, y + 4 * first,
+                HH_ROWS + 1, 1, sum);
+    }
     return 1;
 }
 
@@ -1338,11 +1267,9 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
     double sum[HH_ROWS + 1];
 
     *power = UNSURE;
-    if (*side == 0) {
+    if (*side == 0)
         *side = level(s, t, z, 1, sum) ? signof(HH_ROWS + 1, CARRY, sum)
                                        : UNSURE;
-        if (*side != UNSURE) *side = -*side;
-    }
     if (*side >= 0 && level(s, t, z, 0, sum))
         *power = signof(HH_ROWS + 1, CARRY, sum);
 }
@@ -1390,7 +1317,7 @@ double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
     h = ldexp(h / t->unit, t->bits - at * HH_BITS);
     *err = 16.0 * DBL_EPSILON * fabs(h) +
            2.0 * fabs(ldexp(CARRY / t->unit, t->bits - HH_ROWS * HH_BITS));
-    return plane ? -h : h;
+    return h;
 }
 
 /* hh_thin - the set-up f of a facet v that is too thin for Householder's
@@ -1409,40 +1336,29 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
     const double *p1 = s->x + 3 * v[base];
     const double *p2 = s->x + 3 * v[(base + 1) % 3];
     const double *p3 = s->x + 3 * v[(base + 2) % 3];
-    double x[12 * HH_FEW], work[39 * HH_FEW], m[3], d[3], a, b, norm, top;
-    double factor, aa = 0.0, bb = 0.0;
-    tess_int w[4];
-    int i, j, k, n, e, at[3], first;
+    double d[3], a, b, norm, aa = 0.0, bb = 0.0;
+    hh_ball t;
+    int i, j, k, e;
 
-    for (k = 0; k < 3; k++) w[k] = v[(base + 1 + k) % 3];
-    w[3] = w[2];
-    n = rows(s, w, x, &top, &factor, &e);
-    if (n == 0) return;
-    centre(n, x, work);
-    for (k = 0; k < 3; k++)
-        m[k] = leading(2 * n, work + 15 * n + 6 + k, 9, at + k);
-    first = lesser(at[0], lesser(at[1], at[2]));
+    if (!hh_centre(s, v, base, v[base], d, &t)) return;
+    e = 2 * t.e + (1 - t.bits) * HH_BITS;
     for (k = 0; k < 3; k++) {
-        m[k] = ldexp(m[k], (first - at[k]) * HH_BITS);
         a = p2[k] - p1[k];
         b = p3[k] - p1[k];
         aa += a * a;
         bb += b * b;
     }
-    norm = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
-    e = 2 * e + (1 - first) * HH_BITS;
     if (e < -CENTRE || aa < HH_SMALL || bb < HH_SMALL) return;
+    hh_unit(&t, 1, f);
+    norm = 2.0 * ldexp(t.unit, e);
     for (k = 0; k < 3; k++) {
-        m[k] /= norm;
         d[k] = bb * (p2[k] - p1[k]) - aa * (p3[k] - p1[k]);
         f[6 + k] = p1[k];
     }
-    norm = 2.0 * ldexp(norm, e);
     for (k = 0; k < 3; k++) {
         i = (k + 1) % 3;
         j = 3 - i - k;
-        f[k] = m[k];
-        f[3 + k] = (m[i] * d[j] - m[j] * d[i]) / norm;
+        f[3 + k] = (f[i] * d[j] - f[j] * d[i]) / norm;
     }
     f[11] = sqrt(f[3] * f[3] + f[4] * f[4] + f[5] * f[5]);
     f[9] = 260.0 * DBL_EPSILON;

@@ -205,7 +205,7 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
 #endif
 
 /* The limbs of balls and thin facets, at most 10; what needs more is not
- * made.  Scratch on the stack: 51 doubles a limb. */
+ * made.  Scratch on the stack: 36 doubles a limb. */
 #if HH_LIMBS <= 6
 #define HH_FEW HH_LIMBS
 #elif DBL_MANT_DIG < 53
@@ -251,9 +251,10 @@ typedef struct hh_set {
  *   n      limbs of u; those before first are 0 for the facet and the point
  *   top    weight of limb 0 of coordinates times factor, which hold most
  *   base   limbs of the base, three coordinates side by side
- *   power  leading rows of C and D, side those of n and 0
+ *   power  leading rows of C and D, side those of n, and a fourth number
  *   d, e   D of the leading row's weight, exponent of limb 0's weight
- *   unit, bits   what hh_height divides by: see hh_unit */
+ *   unit, bits   what hh_height divides by: see hh_unit; bits before it: the
+ *          first row of n */
 typedef struct hh_ball {
     int n, first;
     double top, factor, most;

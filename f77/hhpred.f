@@ -26,10 +26,9 @@ C     The routines of hhpred.c, in its order, and their names here:
 C       exact numbers: frexp HHFREX, ldexp HHLDEX, nearest HHNEAR,
 C         zeros HHZERO, fill HHFILL, split HHSPLI, carry HHCARR,
 C         signof HHSIGN, spread HHSPRE, product HHPROD, volume HHVOLU,
-C         cofactors HHCOFA, determinant HHDETE, insphere HHISPH,
-C         leading HHLEAD, shares HHSHAR, region HHREGI, foot HHFT,
-C         weigh HHWGH, limbs HHLIMB, centre HHCNTR, many HHMANY,
-C         exact HHEXAC
+C         cofactors HHCOFA, insphere HHISPH, leading HHLEAD,
+C         shares HHSHAR, region HHREGI, foot HHFT, weigh HHWGH,
+C         limbs HHLIMB, centre HHCNTR, many HHMANY, exact HHEXAC
 C       the arithmetic: hh_finite HHFINI, precise HHPREC,
 C         hh_holds HHHOLD
 C       exact signs: certain HHCERT, filt3 HHFIL3, filt5 HHFIL5,
@@ -41,9 +40,8 @@ C         apart HHAPAR, corners HHCORN, decide HHDECI, hh_pside HHPSID
 C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
 C         hh_pbeat HHPBEA
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
-C         evaluate HHEVAL, offset HHOFFS, level HHLEVE,
-C         hh_trial HHTRIA, hh_unit HHUNIT, hh_height HHHEIG,
-C         hh_thin HHTHIN
+C         level HHLEVE, hh_trial HHTRIA, hh_unit HHUNIT,
+C         hh_height HHHEIG, hh_thin HHTHIN
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
 C         hh_ratio HHRATI, hh_limits HHLIMI,
 C         hh_facet HHFACE, hh_side HHSIDE, hh_opp HHOPP,
@@ -110,11 +108,11 @@ C
 C     Numbers that are worked on together lie side by side: limb I of
 C     number K of W is at W (I-1) + K.  Limb 1 of a product weighs BASE
 C     times the product of the two limbs 1.  31 products of limbs of at
-C     most BASE fit one limb: 10 rows of 2 or 3 such products, 5 of 6,
-C     or 10 of 4 where both factors have been carried to at most BASE/2.
-C     (Limbs 1 are no exception: they are at most BASE/2 for a minor,
-C     3/4 BASE for a 3 by 3 determinant or a square, as the coordinates'
-C     are at most BASE/4.)
+C     most BASE fit one limb: 10 rows of 2 or 3 such products, or of 4
+C     where one factor has been carried to at most BASE/2.  (Limbs 1 are
+C     no exception: they are at most BASE/2 for a minor, 3/4 BASE for a
+C     3 by 3 determinant or a square, as the coordinates' are at most
+C     BASE/4.)
 C     ------------------------------------------------------------------
 
 C     HHFREX - for C's frexp, which Fortran 77 lacks: the integer E with
@@ -228,10 +226,10 @@ C     the limb.
       TOP = HHLDEX(1.0D0, HHFREX(MOST*FACTOR) + 2 - BITS)
       END
 
-C     HHSPLI - splits W <= 15 numbers Q into N limbs each, side by side.
-C     Limb 1 has the weight TOP, a power of two, and |Q| <= TOP BASE/4.
-C     USED is the number of limbs in use, or N + 1 if N limbs do not
-C     hold the numbers.
+C     HHSPLI - splits W numbers Q into N limbs each, side by side.  Limb
+C     1 has the weight TOP, a power of two, and |Q| <= TOP BASE/4.  USED
+C     is the number of limbs in use, or N + 1 if N limbs do not hold the
+C     numbers.
 C
 C     The remainder of a number after a limb has no bits below the
 C     number's own, and is exact as long as it is no larger than the
@@ -246,42 +244,33 @@ C     limbs are 0 is far below TOP, and is taken up after these limbs.
       DOUBLE PRECISION SHIFT, BASE, UNDER
       PARAMETER (SHIFT = 2.0D0**600, SKIP = 25, BASE = 2.0D0**24,
      $    UNDER = 0.5D0 - 2.0D0**(-54))
-      DOUBLE PRECISION C, FAR(15), REST(15)
-      INTEGER AT, I, K
-      DO 10 K = 1, W
-        FAR(K) = Q(K)
-        REST(K) = 0.0D0
-   10 CONTINUE
-      AT = 0
-      I = 0
-   20 I = I + 1
-      IF (MOD(I - 1, SKIP) .EQ. 0) THEN
-        DO 30 K = 1, W
-          IF (ABS(FAR(K)) .LT. TOP*(0.5D0/SHIFT)) THEN
-            FAR(K) = FAR(K)*SHIFT
-          ELSE
-            REST(K) = FAR(K)/TOP
-            FAR(K) = 0.0D0
-          END IF
-   30   CONTINUE
-      END IF
-      DO 40 K = 1, W
-        C = DBLE(INT(REST(K) + SIGN(UNDER, REST(K))))
-        LIMB(AT+K) = C
-        REST(K) = (REST(K) - C)*BASE
-   40 CONTINUE
-      AT = AT + W
-      USED = I
-      DO 50 K = 1, W
-        IF (MAX(ABS(REST(K)), ABS(FAR(K))) .GT. 0.0D0) THEN
-          IF (I .LT. N) GO TO 20
-          USED = N + 1
-          RETURN
+      DOUBLE PRECISION C, FAR, LEAST, REST
+      INTEGER I, K
+      CALL HHZERO(W*N, LIMB)
+      LEAST = TOP*(0.5D0/SHIFT)
+      USED = 1
+      DO 30 K = 1, W
+        FAR = Q(K)
+        I = 0
+   10   IF (ABS(FAR) .GT. 0.0D0 .AND. ABS(FAR) .LT. LEAST) THEN
+          FAR = FAR*SHIFT
+          I = I + SKIP
+          GO TO 10
         END IF
-   50 CONTINUE
-      DO 60 K = AT + 1, W*N
-        LIMB(K) = 0.0D0
-   60 CONTINUE
+        REST = FAR/TOP
+   20   IF (ABS(REST) .GT. 0.0D0) THEN
+          IF (I .GE. N) THEN
+            USED = N + 1
+            RETURN
+          END IF
+          C = DBLE(INT(REST + SIGN(UNDER, REST)))
+          LIMB(W*I+K) = C
+          REST = (REST - C)*BASE
+          I = I + 1
+          GO TO 20
+        END IF
+        USED = MAX(USED, I)
+   30 CONTINUE
       END
 
 C     HHCARR - reduces the limbs of W numbers, below 2**53, to at most
@@ -337,59 +326,53 @@ C     limbs in use, or N + 1 if N limbs do not hold them.
       SUBROUTINE HHSPRE(NP, Q, TOP, N, X, USED)
       INTEGER NP, N, USED
       DOUBLE PRECISION Q(3,*), TOP, X(*)
-      DOUBLE PRECISION Y(15)
       INTEGER AT, I, LAST, W
       W = 3*NP
-      DO 10 I = 1, NP
-        Y(3*I-2) = Q(1,I)
-        Y(3*I-1) = Q(2,I)
-        Y(3*I) = Q(3,I)
-   10 CONTINUE
-      CALL HHSPLI(W, Y, TOP, N, X, USED)
-      DO 30 I = 1, MIN(USED, N)
+      CALL HHSPLI(W, Q, TOP, N, X, USED)
+      DO 20 I = 1, MIN(USED, N)
         LAST = W*I - 3
-        DO 20 AT = W*(I - 1), LAST - 3, 3
+        DO 10 AT = W*(I - 1), LAST - 3, 3
           X(AT+1) = X(AT+1) - X(LAST+1)
           X(AT+2) = X(AT+2) - X(LAST+2)
           X(AT+3) = X(AT+3) - X(LAST+3)
-   20   CONTINUE
-   30 CONTINUE
+   10   CONTINUE
+   20 CONTINUE
       END
 
 C     HHPROD - adds a product of X and Y, of NX and NY limbs, to the
 C     WIDE(KIND) numbers R, of N limbs; WX, WY and W doubles lie between
 C     two limbs.  Rows behind the N-th are left out.  R is carried where
-C     FIT(KIND) rows have been added, but not at the end.
+C     10 rows have been added, but not at the end.
 C
 C     The products that there are, for limbs I and J of X and Y:
 C       DOT = 1     X.Y
-C       CROSS = 2   the cross product
-C       MATRIX = 3  X times the matrix Y of three vectors
-C       PAIRS = 4   of vectors A, B, C, D side by side, X = Y, the cross
-C                   products of A, B and of C, D
-C       TRIPLE = 5  A, B times the second of these and C, D times the
-C                   first
-C       SQUARE = 6  the four squares, for J >= I
-C       FOUR = 7    of numbers X1 ... X4, X2 Y1 - X1 Y2 + X4 Y3 - X3 Y4
+C       FOUR = 2    of four numbers each, X2 Y1 - X1 Y2 + X4 Y3 - X3 Y4
+C       CROSS = 3   the cross product
+C       SCALED = 4  the vector X times the number Y
+C       SQUARE = 5  of vectors A, B, C, D side by side, X = Y, the four
+C                   squares
+C       TRIPLE = 6  with Y of two vectors, A and B times the first and C
+C                   and D times the second
       SUBROUTINE HHPROD(KIND, NX, WX, X, NY, WY, Y, N, W, R)
       INTEGER KIND, NX, WX, NY, WY, N, W
       DOUBLE PRECISION X(*), Y(*), R(*)
-      INTEGER CROSS, DOT, MATRIX, PAIRS, SQUARE, TRIPLE
-      PARAMETER (CROSS = 2, DOT = 1, MATRIX = 3, PAIRS = 4, SQUARE = 6)
-      PARAMETER (TRIPLE = 5)
+      INTEGER CROSS, DOT, FOUR, SCALED, SQUARE
+      PARAMETER (CROSS = 3, DOT = 1, FOUR = 2, SCALED = 4, SQUARE = 5)
       DOUBLE PRECISION A, B, C, D
-      INTEGER AT, FIT(7), I, J, K, LAST, ROWS, S, T, USED(7), WIDE(7)
-      DATA FIT /10, 10, 10, 10, 10, 5, 10/
-      DATA USED /3, 3, 3, 12, 12, 12, 4/
-      DATA WIDE /1, 3, 3, 6, 4, 4, 1/
+      INTEGER AT, I, J, K, LAST, P, ROWS, S, T, USED(6), WIDE(6)
+      DATA USED /3, 4, 3, 3, 12, 12/
+      DATA WIDE /1, 1, 3, 3, 4, 4/
+C     Y's vectors 1 2 3 4, or 1 1 2 2
+      P = 0
+      IF (KIND .EQ. SQUARE) P = 3
       ROWS = 0
-      DO 100 I = 1, MIN(NX, N - 1)
+      DO 80 I = 1, MIN(NX, N - 1)
         AT = WX*(I - 1)
         DO 10 K = AT + 1, AT + USED(KIND)
           IF (ABS(X(K)) .GT. 0.0D0) GO TO 20
    10   CONTINUE
-        GO TO 100
-   20   IF (ROWS .EQ. FIT(KIND)) THEN
+        GO TO 80
+   20   IF (ROWS .EQ. 10) THEN
           CALL HHCARR(N - I + 1, WIDE(KIND), W, R(W*(I-1)+1))
           ROWS = 0
         END IF
@@ -406,71 +389,46 @@ C       FOUR = 7    of numbers X1 ... X4, X2 Y1 - X1 Y2 + X4 Y3 - X3 Y4
             S = S + W
             T = T + WY
    30     CONTINUE
-        ELSE IF (KIND .EQ. CROSS) THEN
+        ELSE IF (KIND .EQ. FOUR) THEN
+          D = X(AT+4)
           DO 40 J = 1, LAST
+            R(S+1) = R(S+1) +
+     $          (B*Y(T+1) - A*Y(T+2) + D*Y(T+3) - C*Y(T+4))
+            S = S + W
+            T = T + WY
+   40     CONTINUE
+        ELSE IF (KIND .EQ. CROSS) THEN
+          DO 50 J = 1, LAST
             R(S+1) = R(S+1) + (B*Y(T+3) - C*Y(T+2))
             R(S+2) = R(S+2) + (C*Y(T+1) - A*Y(T+3))
             R(S+3) = R(S+3) + (A*Y(T+2) - B*Y(T+1))
             S = S + W
             T = T + WY
-   40     CONTINUE
-        ELSE IF (KIND .EQ. MATRIX) THEN
-          DO 50 J = 1, LAST
-            R(S+1) = R(S+1) + (A*Y(T+1) + B*Y(T+4) + C*Y(T+7))
-            R(S+2) = R(S+2) + (A*Y(T+2) + B*Y(T+5) + C*Y(T+8))
-            R(S+3) = R(S+3) + (A*Y(T+3) + B*Y(T+6) + C*Y(T+9))
-            S = S + W
-            T = T + WY
    50     CONTINUE
-        ELSE IF (KIND .EQ. PAIRS) THEN
+        ELSE IF (KIND .EQ. SCALED) THEN
           DO 60 J = 1, LAST
-            R(S+1) = R(S+1) + (B*Y(T+6) - C*Y(T+5))
-            R(S+2) = R(S+2) + (C*Y(T+4) - A*Y(T+6))
-            R(S+3) = R(S+3) + (A*Y(T+5) - B*Y(T+4))
-            R(S+4) = R(S+4) + (X(AT+8)*Y(T+12) - X(AT+9)*Y(T+11))
-            R(S+5) = R(S+5) + (X(AT+9)*Y(T+10) - X(AT+7)*Y(T+12))
-            R(S+6) = R(S+6) + (X(AT+7)*Y(T+11) - X(AT+8)*Y(T+10))
+            R(S+1) = R(S+1) + A*Y(T+1)
+            R(S+2) = R(S+2) + B*Y(T+1)
+            R(S+3) = R(S+3) + C*Y(T+1)
             S = S + W
             T = T + WY
    60     CONTINUE
-        ELSE IF (KIND .EQ. TRIPLE) THEN
+        ELSE
           DO 70 J = 1, LAST
-            R(S+1) = R(S+1) + (A*Y(T+4) + B*Y(T+5) + C*Y(T+6))
-            R(S+2) = R(S+2) + (X(AT+4)*Y(T+4) + X(AT+5)*Y(T+5) +
-     $                         X(AT+6)*Y(T+6))
-            R(S+3) = R(S+3) + (X(AT+7)*Y(T+1) + X(AT+8)*Y(T+2) +
-     $                         X(AT+9)*Y(T+3))
-            R(S+4) = R(S+4) + (X(AT+10)*Y(T+1) + X(AT+11)*Y(T+2) +
-     $                         X(AT+12)*Y(T+3))
+            K = T + P
+            R(S+1) = R(S+1) + (A*Y(T+1) + B*Y(T+2) + C*Y(T+3))
+            R(S+2) = R(S+2) + (X(AT+4)*Y(K+1) + X(AT+5)*Y(K+2) +
+     $                         X(AT+6)*Y(K+3))
+            R(S+3) = R(S+3) + (X(AT+7)*Y(K+4) + X(AT+8)*Y(K+5) +
+     $                         X(AT+9)*Y(K+6))
+            K = K + P
+            R(S+4) = R(S+4) + (X(AT+10)*Y(K+4) + X(AT+11)*Y(K+5) +
+     $                         X(AT+12)*Y(K+6))
             S = S + W
             T = T + WY
    70     CONTINUE
-        ELSE IF (KIND .EQ. SQUARE) THEN
-          S = S + W*(I - 1)
-          T = AT
-          D = 1.0D0
-          DO 80 J = I, LAST
-            R(S+1) = R(S+1) + D*(A*X(T+1) + B*X(T+2) + C*X(T+3))
-            R(S+2) = R(S+2) + D*(X(AT+4)*X(T+4) + X(AT+5)*X(T+5) +
-     $                           X(AT+6)*X(T+6))
-            R(S+3) = R(S+3) + D*(X(AT+7)*X(T+7) + X(AT+8)*X(T+8) +
-     $                           X(AT+9)*X(T+9))
-            R(S+4) = R(S+4) + D*(X(AT+10)*X(T+10) +
-     $                           X(AT+11)*X(T+11) + X(AT+12)*X(T+12))
-            D = 2.0D0
-            S = S + W
-            T = T + WX
-   80     CONTINUE
-        ELSE
-          D = X(AT+4)
-          DO 90 J = 1, LAST
-            R(S+1) = R(S+1) +
-     $          (B*Y(T+1) - A*Y(T+2) + D*Y(T+3) - C*Y(T+4))
-            S = S + W
-            T = T + WY
-   90     CONTINUE
         END IF
-  100 CONTINUE
+   80 CONTINUE
       END
 
 C     What follows, up to HHWGH, evaluates points by the rows P - last,
@@ -483,7 +441,7 @@ C     the determinant of the rows A-D, B-D, C-D.  W is scratch.
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
       INTEGER CROSS, DOT
-      PARAMETER (CROSS = 2, DOT = 1)
+      PARAMETER (CROSS = 3, DOT = 1)
       INTEGER HHSIGN, D, M
       M = 12*N + 1
       D = 18*N + 1
@@ -502,8 +460,8 @@ C     DEPTH if that is less, the last 12N of 39N doubles.
       SUBROUTINE HHCOFA(N, DEPTH, WORK)
       INTEGER N, DEPTH
       DOUBLE PRECISION WORK(*)
-      INTEGER PAIRS, TRIPLE
-      PARAMETER (PAIRS = 4, TRIPLE = 5)
+      INTEGER CROSS, TRIPLE
+      PARAMETER (CROSS = 3, TRIPLE = 6)
       INTEGER D, M, N2, N3
       M = 15*N + 1
       D = 27*N + 1
@@ -511,14 +469,16 @@ C     DEPTH if that is less, the last 12N of 39N doubles.
       N3 = MIN(3*N, DEPTH)
       CALL HHZERO(6*N2, WORK(M))
       CALL HHZERO(4*N3, WORK(D))
-      CALL HHPROD(PAIRS, N, 15, WORK, N, 15, WORK, N2, 6, WORK(M))
+      CALL HHPROD(CROSS, N, 15, WORK(7), N, 15, WORK(10), N2, 6,
+     $            WORK(M))
+      CALL HHPROD(CROSS, N, 15, WORK, N, 15, WORK(4), N2, 6, WORK(M+3))
       CALL HHCARR(N2, 6, 6, WORK(M))
       CALL HHPROD(TRIPLE, N, 15, WORK, N2, 6, WORK(M), N3, 4, WORK(D))
       CALL HHCARR(N3, 4, 4, WORK(D))
       END
 
-C     HHDETE - the sign of the determinant of HHFIL5, from the first
-C     DEPTH rows of all products; UNSURE when these do not tell.
+C     HHISPH - the sign of the determinant of HHFIL5, from the first
+C     DEPTH rows of all products, as few as tell.  W is scratch.
 C
 C     What is lost, in units of the last of K = DEPTH <= 10 rows: in the
 C     row behind it a minor loses 2K products of limbs of at most BASE,
@@ -530,41 +490,33 @@ C     the errors of a determinant times a square and of a square times a
 C     determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3)
 C     K BASE = 24K BASE.  What follows all these adds less than a tenth,
 C     so that BOUND is ample.
-      SUBROUTINE HHDETE(N, DEPTH, WORK, SGN)
-      INTEGER N, DEPTH, SGN
-      DOUBLE PRECISION WORK(*)
-      INTEGER SQUARE, BROWS, FOUR
-      DOUBLE PRECISION BASE, BOUND
-      PARAMETER (BASE = 2.0D0**24, SQUARE = 6, BROWS = 6, FOUR = 7,
-     $    BOUND = 32*BROWS*BASE)
-      DOUBLE PRECISION ERR
-      INTEGER HHSIGN, D, L, N2, N5, T
-      L = 15*N + 1
-      D = 27*N + 1
-      T = 39*N + 1
-      N2 = MIN(2*N, DEPTH)
-      N5 = MIN(5*N, DEPTH)
-      CALL HHCOFA(N, DEPTH, WORK)
-      CALL HHZERO(4*N2, WORK(L))
-      CALL HHZERO(N5, WORK(T))
-      CALL HHPROD(SQUARE, N, 15, WORK, N, 15, WORK, N2, 4, WORK(L))
-      CALL HHCARR(N2, 4, 4, WORK(L))
-      CALL HHPROD(FOUR, N2, 4, WORK(L), MIN(3*N, DEPTH), 4, WORK(D), N5,
-     $            1, WORK(T))
-      ERR = 0.0D0
-      IF (N5 .LT. 5*N) ERR = BOUND
-      SGN = HHSIGN(N5, ERR, WORK(T))
-      END
-
-C     HHISPH - HHDETE, of as few rows as tell.  W is scratch.
       SUBROUTINE HHISPH(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
-      INTEGER UNSURE, BROWS
-      PARAMETER (UNSURE = 2, BROWS = 6)
-      SGN = UNSURE
-      IF (5*N .GT. 2*BROWS) CALL HHDETE(N, BROWS, WORK, SGN)
-      IF (SGN .EQ. UNSURE) CALL HHDETE(N, 5*N, WORK, SGN)
+      INTEGER UNSURE, SQUARE, BROWS, FOUR
+      DOUBLE PRECISION BASE, BOUND
+      PARAMETER (UNSURE = 2, BASE = 2.0D0**24, SQUARE = 5, BROWS = 6,
+     $    FOUR = 2, BOUND = 32*BROWS*BASE)
+      DOUBLE PRECISION ERR
+      INTEGER HHSIGN, D, DEPTH, L, N2, T
+      L = 15*N + 1
+      D = 27*N + 1
+      T = 39*N + 1
+      DEPTH = 5*N
+      IF (DEPTH .GT. 2*BROWS) DEPTH = BROWS
+   10 CALL HHCOFA(N, DEPTH, WORK)
+      N2 = MIN(2*N, DEPTH)
+      CALL HHZERO(4*N2, WORK(L))
+      CALL HHZERO(DEPTH, WORK(T))
+      CALL HHPROD(SQUARE, N, 15, WORK, N, 15, WORK, N2, 4, WORK(L))
+      CALL HHCARR(N2, 4, 4, WORK(L))
+      CALL HHPROD(FOUR, N2, 4, WORK(L), MIN(3*N, DEPTH), 4, WORK(D),
+     $            DEPTH, 1, WORK(T))
+      ERR = 0.0D0
+      IF (DEPTH .LT. 5*N) ERR = BOUND
+      SGN = HHSIGN(DEPTH, ERR, WORK(T))
+      DEPTH = 5*N
+      IF (SGN .EQ. UNSURE) GO TO 10
       W(1) = 0.0D0
       END
 
@@ -658,7 +610,7 @@ C     of S(K) and of S(I).
       DOUBLE PRECISION WORK(*), W(*)
       INTEGER HHREGI
       INTEGER CROSS, DOT
-      PARAMETER (CROSS = 2, DOT = 1)
+      PARAMETER (CROSS = 3, DOT = 1)
       DOUBLE PRECISION VALUE(12)
       INTEGER A, AT(12), D, FROM(3), I, K, L, PAIR(2,5), R, REST, S, SET
       DATA PAIR /1, 7, 4, 7, 1, 1, 1, 4, 4, 4/
@@ -767,48 +719,28 @@ C     HHCNTR - the centre of the ball of four points of N limbs, seen
 C     from the last one: of the rows A, B, W of X, without the common
 C     limb weights,
 C         C = |A|**2 (B x W) + |B|**2 (W x A) + |W|**2 (A x B)
-C     over twice D = A.(B x W).  C has 3 numbers of 4N limbs, D 3N
-C     limbs, MINOR 9 numbers of 2N limbs, B x W, W x A, A x B.  FIRST is
-C     the first limb that is not 0 in all rows.  Scratch: LIFT 6 doubles
-C     a limb.
-      SUBROUTINE HHCNTR(N, X, C, D, MINOR, LIFT, FIRST)
-      INTEGER N, FIRST
-      DOUBLE PRECISION X(*), C(*), D(*), MINOR(*), LIFT(*)
-      INTEGER CROSS, DOT, MATRIX
-      PARAMETER (CROSS = 2, DOT = 1, MATRIX = 3)
-      INTEGER F, K, L, LOW, M
-      CALL HHZERO(12*N, C)
-      CALL HHZERO(3*N, D)
-      CALL HHZERO(18*N, MINOR)
-      CALL HHZERO(6*N, LIFT)
-      F = 0
-   10 DO 20 K = 12*F + 1, 12*F + 9
-        IF (ABS(X(K)) .GT. 0.0D0) GO TO 30
-   20 CONTINUE
-      IF (F .LT. N - 1) THEN
-        F = F + 1
-        GO TO 10
-      END IF
-   30 FIRST = F + 1
-      M = N - F
-      L = 12*F + 1
-      DO 40 K = 0, 2
-        CALL HHPROD(CROSS, M, 12, X(L+3*MOD(K+1,3)), M, 12,
-     $              X(L+3*MOD(K+2,3)), 2*M, 9, MINOR(18*F+3*K+1))
-        CALL HHPROD(DOT, M, 12, X(L+3*K), M, 12, X(L+3*K), 2*M, 3,
-     $              LIFT(6*F+K+1))
-   40 CONTINUE
-      CALL HHCARR(2*N, 9, 9, MINOR)
-      CALL HHCARR(2*N, 3, 3, LIFT)
-C     two carries reach two limbs up from the first product
-      LOW = MAX(2*F - 1, 0)
-      K = 9*LOW + 1
-      CALL HHPROD(DOT, M, 12, X(L), 2*N - LOW, 9, MINOR(K),
-     $            3*N - F - LOW, 1, D(F+LOW+1))
-      CALL HHPROD(MATRIX, 2*N - LOW, 3, LIFT(3*LOW+1), 2*N - LOW, 9,
-     $            MINOR(K), 4*N - 2*LOW, 3, C(6*LOW+1))
-      CALL HHCARR(4*N, 3, 3, C)
-      CALL HHCARR(3*N, 1, 1, D)
+C     over twice D = W.(A x B).  C and D are 4 numbers of 4N limbs, in
+C     C; MINOR begins with A x B, of 2N limbs, 4 doubles apart, of 8N.
+C     (The three products of C need no carry between them: at most 10
+C     rows of each are not carried, of one product of carried limbs.)
+      SUBROUTINE HHCNTR(N, X, C, MINOR)
+      INTEGER N
+      DOUBLE PRECISION X(*), C(*), MINOR(*)
+      INTEGER CROSS, DOT, SCALED
+      PARAMETER (CROSS = 3, DOT = 1, SCALED = 4)
+      INTEGER K
+      CALL HHZERO(16*N, C)
+      DO 10 K = 0, 2
+        CALL HHZERO(8*N, MINOR)
+        CALL HHPROD(CROSS, N, 12, X(3*MOD(K+1,3)+1), N, 12,
+     $              X(3*MOD(K+2,3)+1), 2*N, 4, MINOR)
+        CALL HHPROD(DOT, N, 12, X(3*K+1), N, 12, X(3*K+1), 2*N, 4,
+     $              MINOR(4))
+        CALL HHCARR(2*N, 4, 4, MINOR)
+        CALL HHPROD(SCALED, 2*N, 4, MINOR, 2*N, 4, MINOR(4), 4*N, 4, C)
+   10 CONTINUE
+      CALL HHPROD(DOT, N, 12, X(7), 2*N, 4, MINOR, 3*N, 4, C(4))
+      CALL HHCARR(4*N, 4, 4, C)
       END
 
 C     HHMANY - HHLIMB with as many limbs as it takes: a routine of its
@@ -1128,34 +1060,43 @@ C     tiny.
       END IF
       END
 
-C     HHROBU - the exact orientation of NP = 4 points P, or sign of I of
-C     5, where the limbs hold them; else UNSURE.  Alters P.
-      SUBROUTINE HHROBU(NP, P, SGN)
-      INTEGER NP, SGN
-      DOUBLE PRECISION P(3,*)
+C     HHROBU - the exact orientation of NP = 4 points, or sign of I of
+C     5, where the limbs hold them; else UNSURE.
+      INTEGER FUNCTION HHROBU(NP, A, B, C, D, E)
+      INTEGER NP
+      DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
       EXTERNAL HHISPH, HHVOLU
       INTEGER HHFILT, HHHOLD, HHPREC
       DOUBLE PRECISION HHPACK
       INTEGER UNSURE
       DOUBLE PRECISION DOWN
       PARAMETER (UNSURE = 2, DOWN = 2.0D0**(-96))
-      DOUBLE PRECISION ANY(4), MOST, S(3,5)
-      INTEGER E, K
-      SGN = UNSURE
+      DOUBLE PRECISION ANY(4), MOST, P(3,5), S(3,5)
+      INTEGER K, LOG2, SGN
+      DO 10 K = 1, 3
+        P(K,1) = A(K)
+        P(K,2) = B(K)
+        P(K,3) = C(K)
+        P(K,4) = D(K)
+        P(K,5) = E(K)
+   10 CONTINUE
+      HHROBU = UNSURE
       K = 1
-      IF (P(1,1) .GT. P(1,4)) K = 3
+      IF (A(1) .GT. D(1)) K = 3
       IF (HHPREC(K) .EQ. 0) RETURN
       MOST = HHPACK(NP, P)
 C     above DOWN, what a coordinate is taken for matters less than TINY
       IF (MOST .LT. DOWN) THEN
         IF (HHHOLD(NP, P) .EQ. 0) RETURN
       END IF
-      CALL HHSCAL(MOST, NP, P, S, E)
+      CALL HHSCAL(MOST, 5, P, S, LOG2)
       SGN = HHFILT(NP, S, -1.0D0)
-      IF (SGN .NE. UNSURE) RETURN
-      IF (HHHOLD(NP, P) .EQ. 0) RETURN
-      IF (NP .EQ. 4) CALL HHEXAC(4, HHVOLU, P, MOST, ANY, SGN)
-      IF (NP .EQ. 5) CALL HHEXAC(5, HHISPH, P, MOST, ANY, SGN)
+      IF (SGN .EQ. UNSURE) THEN
+        IF (HHHOLD(NP, P) .EQ. 0) RETURN
+        IF (NP .EQ. 4) CALL HHEXAC(4, HHVOLU, P, MOST, ANY, SGN)
+        IF (NP .EQ. 5) CALL HHEXAC(5, HHISPH, P, MOST, ANY, SGN)
+      END IF
+      HHROBU = SGN
       END
 
 C     HHORIE - the exact sign of det [B-A C-A D-A]: 1, 0 or -1; 1 when D
@@ -1165,16 +1106,8 @@ C     the default), or the processor flushes a coordinate to zero, or
 C     rounds to fewer bits than a double has.
       INTEGER FUNCTION HHORIE(A, B, C, D)
       DOUBLE PRECISION A(3), B(3), C(3), D(3)
-      DOUBLE PRECISION P(3,4)
-      INTEGER K, SGN
-      DO 10 K = 1, 3
-        P(K,1) = A(K)
-        P(K,2) = B(K)
-        P(K,3) = C(K)
-        P(K,4) = D(K)
-   10 CONTINUE
-      CALL HHROBU(4, P, SGN)
-      HHORIE = SGN
+      INTEGER HHROBU
+      HHORIE = HHROBU(4, A, B, C, D, D)
       END
 
 C     HHINSP - exact: 1 when E is inside the ball of A, B, C, D,
@@ -1184,19 +1117,11 @@ C     or when A, B, C, D are coplanar.  2 as from HHORIE.
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      DOUBLE PRECISION P(3,5)
-      INTEGER HHORIE, K, SGN, SIDE
+      INTEGER HHORIE, HHROBU, SGN, SIDE
       SIDE = HHORIE(A, B, C, D)
       HHINSP = SIDE
       IF (SIDE .EQ. 0 .OR. SIDE .EQ. UNSURE) RETURN
-      DO 10 K = 1, 3
-        P(K,1) = A(K)
-        P(K,2) = B(K)
-        P(K,3) = C(K)
-        P(K,4) = D(K)
-        P(K,5) = E(K)
-   10 CONTINUE
-      CALL HHROBU(5, P, SGN)
+      SGN = HHROBU(5, A, B, C, D, E)
       HHINSP = UNSURE
       IF (SGN .NE. UNSURE) HHINSP = -SIDE*SGN
       END
@@ -1686,35 +1611,28 @@ C     HHPSID's X.  Twice the largest coordinate fits, too.
       END IF
       END
 
-C     HHCUT - the BROWS leading rows of three numbers C of M limbs, side
-C     by side from C(FC) on, STEP doubles from row to row, and of one
-C     number D of ND limbs: ROW, behind AT.  FIRST is the first of them.
-      SUBROUTINE HHCUT(M, C, FC, STEP, ND, D, ROW, AT, FIRST)
-      INTEGER M, FC, STEP, ND, AT, FIRST
-      DOUBLE PRECISION C(*), D(*), ROW(*)
+C     HHCUT - the BROWS leading rows of 4 numbers C of M limbs, side by
+C     side, from the first limb on that is not 0 in all of the first
+C     WIDE numbers, FIRST: ROW, behind AT.
+      SUBROUTINE HHCUT(M, WIDE, C, ROW, AT, FIRST)
+      INTEGER M, WIDE, AT, FIRST
+      DOUBLE PRECISION C(*), ROW(*)
       INTEGER BROWS
       PARAMETER (BROWS = 6)
-      DOUBLE PRECISION SIZE
-      INTEGER I, J, K
+      INTEGER I, K
       FIRST = 1
    10 IF (FIRST .LE. M) THEN
-        J = FC + STEP*(FIRST - 1)
-        SIZE = ABS(C(J)) + ABS(C(J+1)) + ABS(C(J+2))
-        IF (FIRST .LE. ND) SIZE = SIZE + ABS(D(FIRST))
-        IF (SIZE .LE. 0.0D0) THEN
-          FIRST = FIRST + 1
-          GO TO 10
-        END IF
-      END IF
-      DO 30 I = 1, BROWS
-        J = FIRST + I - 1
-        DO 20 K = 1, 4
-          ROW(AT+4*(I-1)+K) = 0.0D0
-          IF (K .LE. 3 .AND. J .LE. M)
-     $        ROW(AT+4*(I-1)+K) = C(FC+STEP*(J-1)+K-1)
+        DO 20 K = 4*FIRST - 3, 4*FIRST - 4 + WIDE
+          IF (ABS(C(K)) .GT. 0.0D0) GO TO 30
    20   CONTINUE
-        IF (J .LE. ND) ROW(AT+4*I) = D(J)
-   30 CONTINUE
+        FIRST = FIRST + 1
+        GO TO 10
+      END IF
+   30 DO 40 K = 1, 4*BROWS
+        I = 4*FIRST - 4 + K
+        ROW(AT+K) = 0.0D0
+        IF (I .LE. 4*M) ROW(AT+K) = C(I)
+   40 CONTINUE
       END
 
 C     HHCENT - the centre C, relative to the position V(BASE) and scaled
@@ -1734,23 +1652,25 @@ C       BTOP    weight of limb 1 of coordinates times BFACT, which hold
 C               BMOST
 C       BBASE   behind it the limbs of the base, three coordinates side
 C               by side
-C       BPOWER  behind it leading rows of C and D; BSIDE: of n and 0
+C       BPOWER  behind it leading rows of C and D; BSIDE: of n, and a
+C               fourth number
 C       BD, BE  D of the leading row's weight, exponent of limb 1's
 C               weight
-C       BUNIT, BBITS  what HHHEIG divides by: see HHUNIT
+C       BUNIT, BBITS  what HHHEIG divides by: see HHUNIT; BBITS before
+C               it: the first row of n
       SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, OK)
       DOUBLE PRECISION P(3,*), C(3), T(*)
       INTEGER ORD(*), SE, V(3), BASE, Z, OK
       INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE, BD,
-     $    BE, BITS, HHFEW, FAR
+     $    BE, BBITS, BITS, HHFEW, FAR
       DOUBLE PRECISION EPS, HUGE, RADIX, SMALL
       PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5,
      $    BBASE = 5, BPOWER = 35, BSIDE = 59, BD = 84, BE = 85,
-     $    BITS = 24, EPS = 2.0D0**(-52), HHFEW = 10, FAR = 300,
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, RADIX = 2.0D0**24,
-     $    SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION HHLDEX, CC(12*HHFEW), D(3*HHFEW), FACTOR,
-     $    LIFT(6*HHFEW), MINOR(18*HHFEW), TOP, VALUE, X(12*HHFEW)
+     $    BBITS = 87, BITS = 24, EPS = 2.0D0**(-52), HHFEW = 10,
+     $    FAR = 300, HUGE = (2.0D0 - EPS)*2.0D0**1023,
+     $    RADIX = 2.0D0**24, SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION HHLDEX, CC(16*HHFEW), FACTOR, MINOR(8*HHFEW),
+     $    TOP, VALUE, X(12*HHFEW)
       INTEGER DAT, E, FIRST, I, K, LAT, N, W(4)
       OK = 0
       W(1) = V(MOD(BASE,3)+1)
@@ -1759,8 +1679,16 @@ C       BUNIT, BBITS  what HHHEIG divides by: see HHUNIT
       W(4) = V(BASE)
       CALL HHROWS(P, ORD, SE, W, X, TOP, FACTOR, E, N)
       IF (N .EQ. 0) RETURN
-      CALL HHCNTR(N, X, CC, D, MINOR, LIFT, FIRST)
-      T(BFIRST) = DBLE(FIRST)
+      FIRST = 1
+   10 DO 20 K = 12*FIRST - 11, 12*FIRST - 3
+        IF (ABS(X(K)) .GT. 0.0D0) GO TO 30
+   20 CONTINUE
+      IF (FIRST .LT. N) THEN
+        FIRST = FIRST + 1
+        GO TO 10
+      END IF
+   30 T(BFIRST) = DBLE(FIRST)
+      CALL HHCNTR(N, X, CC, MINOR)
       T(BN) = DBLE(N)
       T(BE) = DBLE(E)
       T(BTOP) = TOP
@@ -1771,83 +1699,58 @@ C       BUNIT, BBITS  what HHHEIG divides by: see HHUNIT
       ELSE
         T(BMOST) = HUGE
       END IF
-      DO 20 I = 1, N
-        DO 10 K = 1, 3
+      DO 50 I = 1, N
+        DO 40 K = 1, 3
           T(BBASE+3*(I-1)+K) = X(12*(I-1)+9+K)
-   10   CONTINUE
-   20 CONTINUE
-      CALL HHCUT(2*N, MINOR, 7, 9, 0, D, T, BSIDE, LAT)
+   40   CONTINUE
+   50 CONTINUE
+      CALL HHCUT(2*N, 3, MINOR, T, BSIDE, LAT)
+      T(BBITS) = DBLE(LAT)
       OK = 1
       IF (Z .EQ. V(BASE)) RETURN
       OK = 0
-      CALL HHCUT(4*N, CC, 1, 3, 3*N, D, T, BPOWER, LAT)
-      CALL HHLEAD(3*N, D, 1, 1, VALUE, DAT)
+      CALL HHCUT(4*N, 4, CC, T, BPOWER, LAT)
+      CALL HHLEAD(4*N, CC, 4, 4, VALUE, DAT)
       IF (ABS(VALUE) .LE. 0.0D0) RETURN
       T(BD) = HHLDEX(VALUE, (LAT - DAT)*BITS)
-      DO 30 K = 1, 3
-        CALL HHLEAD(4*N, CC, K, 3, C(K), LAT)
+      DO 60 K = 1, 3
+        CALL HHLEAD(4*N, CC, K, 4, C(K), LAT)
         C(K) = C(K)/(2.0D0*VALUE)
         IF (ABS(C(K)) .GT. 0.0D0) THEN
           LAT = E + (DAT + 1 - LAT)*BITS
           IF (LAT .GT. FAR) RETURN
           C(K) = HHLDEX(C(K), MAX(LAT, -2000))
         END IF
-   30 CONTINUE
+   60 CONTINUE
       IF (ABS(C(1)) + ABS(C(2)) + ABS(C(3)) .GT. SMALL) OK = 1
       END
 
-C     HHEVAL - SUM = ROW(4) L - ROW(1..3).U, of rows, behind AT, cut off
-C     from longer numbers, of U of N limbs, of which those before FIRST
-C     are 0, and L of 2N, if any ROW(4) is not 0.
+C     HHLEVE - SUM = the leading limbs of the height of the position Z
+C     above the plane of a ball's facet, if PLANE is 1, else of its
+C     power in the ball T, with u and |u|**2 in Y as FOUR takes them.
+C     OK is 0 if the ball's limbs do not hold them, else 1.
 C
 C     What is lost are products of limbs that weigh less than the last
 C     row of the sum: in the row behind it 3N products of at most
 C     (BASE/2 + 1) BASE and 2N of (BASE/2 + 1)**2, with all that follow
-C     less than CARRY units of the last row, for N <= 10.  No row of the
-C     sum has more than 30 products of at most BASE**2 / 2.
-      SUBROUTINE HHEVAL(ROW, AT, N, FIRST, U, L, SUM)
-      DOUBLE PRECISION ROW(*), U(*), L(*), SUM(*)
-      INTEGER AT, N, FIRST
-      INTEGER BROWS
-      PARAMETER (BROWS = 6)
-      DOUBLE PRECISION R1, R2, R3, R4
-      INTEGER I, K
-      CALL HHZERO(BROWS + 1, SUM)
-      DO 30 K = 1, BROWS
-        R1 = ROW(AT+4*K-3)
-        R2 = ROW(AT+4*K-2)
-        R3 = ROW(AT+4*K-1)
-        R4 = ROW(AT+4*K)
-        DO 10 I = FIRST, MIN(N, BROWS - K + FIRST)
-          SUM(K+I-FIRST+1) = SUM(K+I-FIRST+1) - (R1*U(3*I-2) +
-     $        R2*U(3*I-1) + R3*U(3*I))
-   10   CONTINUE
-        IF (ABS(R4) .GT. 0.0D0) THEN
-          DO 20 I = MAX(2*FIRST - 2, 1), MIN(2*N, BROWS - K + FIRST)
-            SUM(K+I-FIRST+1) = SUM(K+I-FIRST+1) + R4*L(I)
-   20     CONTINUE
-        END IF
-   30 CONTINUE
-      END
-
-C     HHOFFS - computes the limbs U of the position Z relative to the
-C     base of the ball T.  OK is 1, or 0 if the ball's limbs do not hold
-C     them.
-      SUBROUTINE HHOFFS(P, ORD, T, Z, U, OK)
-      DOUBLE PRECISION P(3,*), T(*), U(*)
-      INTEGER ORD(*), Z, OK
-      INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE
+C     less than CARRY units of the last row, for N <= 10.
+      SUBROUTINE HHLEVE(P, ORD, T, Z, PLANE, SUM, OK)
+      DOUBLE PRECISION P(3,*), T(*), SUM(*)
+      INTEGER ORD(*), Z, PLANE, OK
+      INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE,
+     $    BROWS, DOT, FOUR, HHFEW
       PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5,
-     $    BBASE = 5)
-      DOUBLE PRECISION Q(3)
-      INTEGER FIRST, I, K, N
+     $    BBASE = 5, BPOWER = 35, BSIDE = 59, BROWS = 6, DOT = 1,
+     $    FOUR = 2, HHFEW = 10)
+      DOUBLE PRECISION Q(3), U(3*HHFEW), Y(8*HHFEW)
+      INTEGER FIRST, I, N
       N = INT(T(BN))
       FIRST = INT(T(BFIRST))
       OK = 0
-      DO 10 K = 1, 3
-        Q(K) = P(K,ORD(Z))
-        IF (ABS(Q(K)) .GT. T(BMOST)) RETURN
-        Q(K) = Q(K)*T(BFACT)
+      DO 10 I = 1, 3
+        Q(I) = P(I,ORD(Z))
+        IF (ABS(Q(I)) .GT. T(BMOST)) RETURN
+        Q(I) = Q(I)*T(BFACT)
    10 CONTINUE
       CALL HHSPLI(3, Q, T(BTOP), N, U, I)
       IF (I .GT. N) RETURN
@@ -1856,31 +1759,21 @@ C     them.
         IF (I .LT. 3*FIRST - 2 .AND. ABS(U(I)) .GT. 0.0D0) RETURN
    20 CONTINUE
       OK = 1
-      END
-
-C     HHLEVE - SUM = the leading limbs of the height of the position Z
-C     below the plane of a ball's facet, if PLANE is 1, else of its
-C     power in the ball T: see HHEVAL.  OK is 0 where the limbs do not
-C     hold it, else 1.
-      SUBROUTINE HHLEVE(P, ORD, T, Z, PLANE, SUM, OK)
-      DOUBLE PRECISION P(3,*), T(*), SUM(*)
-      INTEGER ORD(*), Z, PLANE, OK
-      INTEGER BN, BFIRST, BPOWER, BSIDE, HHFEW
-      PARAMETER (BN = 1, BFIRST = 2, BPOWER = 35, BSIDE = 59,
-     $    HHFEW = 10)
-      DOUBLE PRECISION L(2*HHFEW), U(3*HHFEW)
-      INTEGER FIRST, N
-      CALL HHOFFS(P, ORD, T, Z, U, OK)
-      IF (OK .EQ. 0) RETURN
-      N = INT(T(BN))
-      FIRST = INT(T(BFIRST))
+      CALL HHZERO(BROWS + 1, SUM)
       IF (PLANE .EQ. 1) THEN
-        CALL HHEVAL(T, BSIDE, N, FIRST, U, U, SUM)
+        CALL HHPROD(DOT, BROWS, 4, T(BSIDE+1), N - FIRST + 1, 3,
+     $              U(3*FIRST-2), BROWS + 1, 1, SUM)
       ELSE
-        CALL HHZERO(2*N, L)
-        CALL HHPROD(1, N, 3, U, N, 3, U, 2*N, 1, L)
-        CALL HHCARR(2*N, 1, 1, L)
-        CALL HHEVAL(T, BPOWER, N, FIRST, U, L, SUM)
+        CALL HHZERO(8*N, Y)
+        CALL HHPROD(DOT, N, 3, U, N, 3, U, 2*N, 4, Y(3))
+        CALL HHCARR(2*N, 1, 4, Y(3))
+        DO 30 I = 1, N
+          Y(4*I-3) = -U(3*I-1)
+          Y(4*I-2) = U(3*I-2)
+          Y(4*I) = U(3*I)
+   30   CONTINUE
+        CALL HHPROD(FOUR, BROWS, 4, T(BPOWER+1), 2*N - FIRST + 1, 4,
+     $              Y(4*FIRST-3), BROWS + 1, 1, SUM)
       END IF
       END
 
@@ -1903,7 +1796,6 @@ C     fourth point on the positive side, as D > 0 then.
         SIDE = UNSURE
         CALL HHLEVE(P, ORD, T, Z, 1, SUM, OK)
         IF (OK .EQ. 1) SIDE = HHSIGN(BROWS + 1, CARRY, SUM)
-        IF (SIDE .NE. UNSURE) SIDE = -SIDE
       END IF
       IF (SIDE .LT. 0) RETURN
       CALL HHLEVE(P, ORD, T, Z, 0, SUM, OK)
@@ -1917,7 +1809,7 @@ C     EPS.  The base gets limbs for points in smaller units than the
 C     ball's own (6371 cos 90 degrees is 4D-13 in double): without them
 C     such points have no height.
       SUBROUTINE HHUNIT(T, PLANE, C)
-      DOUBLE PRECISION T(*), C(3)
+      DOUBLE PRECISION T(*), C(*)
       INTEGER PLANE
       INTEGER BN, BFIRST, BBASE, BSIDE, BD, BE, BUNIT, BBITS, BITS,
      $    BROWS
@@ -1971,7 +1863,6 @@ C     ERR is HUGE if the limbs do not hold it.
       H = HHLDEX(H/T(BUNIT), MAX(E - (LAT - 1)*BITS, -2000))
       ERR = HHLDEX(CARRY/T(BUNIT), MAX(E - BROWS*BITS, -2000))
       ERR = 16.0D0*EPS*ABS(H) + 2.0D0*ABS(ERR)
-      IF (PLANE .EQ. 1) H = -H
       END
 
 C     HHTHIN - the set-up F of a facet V that is too thin for
@@ -1989,48 +1880,38 @@ C     bounds rest.  F is left as it is where numbers might underflow.
       SUBROUTINE HHTHIN(X, P, ORD, SE, V, BASE, F)
       DOUBLE PRECISION X(3,*), P(3,*), F(12)
       INTEGER ORD(*), SE, V(3), BASE
-      INTEGER BITS, HHFEW, FAR
+      INTEGER BE, BUNIT, BBITS, BITS, FAR
       DOUBLE PRECISION EPS, SMALL
-      PARAMETER (BITS = 24, EPS = 2.0D0**(-52), HHFEW = 10, FAR = 300,
-     $    SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION HHLDEX, A(3), AA, B(3), BB, CC(12*HHFEW), D(3),
-     $    DD(3*HHFEW), FACTOR, LIFT(6*HHFEW), M(3), MINOR(18*HHFEW),
-     $    NORM, R(12*HHFEW), TOP
-      INTEGER AT(3), E, FIRST, I, J, K, N, W(4)
-      DO 10 K = 1, 3
-        W(K) = V(MOD(BASE+K-1,3)+1)
-   10 CONTINUE
-      W(4) = W(3)
-      CALL HHROWS(P, ORD, SE, W, R, TOP, FACTOR, E, N)
-      IF (N .EQ. 0) RETURN
-      CALL HHCNTR(N, R, CC, DD, MINOR, LIFT, I)
+      PARAMETER (BE = 85, BUNIT = 86, BBITS = 87, BITS = 24, FAR = 300,
+     $    EPS = 2.0D0**(-52), SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION HHLDEX, A(3), AA, B(3), BB, D(3), NORM, T(87)
+      INTEGER E, I, J, K, P1, P2, P3
+      P1 = V(BASE)
+      P2 = V(MOD(BASE,3)+1)
+      P3 = V(MOD(BASE+1,3)+1)
+      CALL HHCENT(P, ORD, SE, V, BASE, P1, D, T, I)
+      IF (I .EQ. 0) RETURN
+      E = 2*INT(T(BE)) + (2 - INT(T(BBITS)))*BITS
       AA = 0.0D0
       BB = 0.0D0
-      DO 30 K = 1, 3
-        CALL HHLEAD(2*N, MINOR, 6 + K, 9, M(K), AT(K))
-        A(K) = X(K,W(1)) - X(K,W(3))
-        B(K) = X(K,W(2)) - X(K,W(3))
+      DO 10 K = 1, 3
+        A(K) = X(K,P2) - X(K,P1)
+        B(K) = X(K,P3) - X(K,P1)
         AA = AA + A(K)*A(K)
         BB = BB + B(K)*B(K)
-   30 CONTINUE
-      FIRST = MIN(AT(1), AT(2), AT(3))
-      DO 40 K = 1, 3
-        M(K) = HHLDEX(M(K), (FIRST - AT(K))*BITS)
-   40 CONTINUE
-      NORM = SQRT(M(1)*M(1) + M(2)*M(2) + M(3)*M(3))
-      E = 2*E + (2 - FIRST)*BITS
+   10 CONTINUE
       IF (E .LT. -FAR .OR. AA .LT. SMALL .OR. BB .LT. SMALL) RETURN
-      DO 50 K = 1, 3
-        F(K) = M(K)/NORM
-        F(6+K) = X(K,W(3))
+      CALL HHUNIT(T, 1, F)
+      NORM = 2.0D0*HHLDEX(T(BUNIT), E)
+      DO 20 K = 1, 3
         D(K) = BB*A(K) - AA*B(K)
-   50 CONTINUE
-      NORM = 2.0D0*HHLDEX(NORM, E)
-      DO 60 K = 1, 3
+        F(6+K) = X(K,P1)
+   20 CONTINUE
+      DO 30 K = 1, 3
         I = MOD(K, 3) + 1
         J = 6 - I - K
         F(3+K) = (F(I)*D(J) - F(J)*D(I))/NORM
-   60 CONTINUE
+   30 CONTINUE
       F(12) = SQRT(F(4)*F(4) + F(5)*F(5) + F(6)*F(6))
       F(10) = 260.0D0*EPS
       F(11) = 800.0D0*EPS*F(12)
