@@ -91,7 +91,7 @@
  *   star         clearlink renumber push join unlinkedge between glue flush
  *                grow enlist follow gather load complete makeroom begin star
  *                plant stars
- *   results      coords four slot mate
+ *   results      slot mate
  *   preparation  leafcount lengths layout collect inrange rescale units scaled
  *                revive sorted seal opened intact claim restore run badargument
  *   entries      tess_size tess tess_resume tess_index tess_part
@@ -104,8 +104,8 @@
  *   queries      qside inbox
  *   location     closer sample walk hullstep turn nearhull tess_locate
  *                tess_values descend across tess_query
- *   hull, check  tess_hull merge sortpt marks chkpla chkidx chkfac chktet
- *                chkedg chkhul chkcov tess_check
+ *   hull, check  tess_hull sortpt marks chkpla chkidx chkfac chktet chkedg
+ *                chkhul chkcov tess_check
  *   a ball       tess_ball
  */
 #include "tess.h"
@@ -2097,19 +2097,6 @@ static int stars(mesh *m, tess_int s)
 
 /* ---- results: the caller's arrays ---- */
 
-/* coords - the coordinates of point i. */
-static const tess_real *coords(const tess_real *p, tess_int i)
-{
-    return p + 3 * i;
-}
-
-/* four - returns the vertices of tetrahedron t if a is tet, or its neighbours
- * if a is adj. */
-static const tess_int *four(const tess_int *a, tess_int t)
-{
-    return a + 4 * t;
-}
-
 /* slot - returns the first k with v[k] = x, or 4. */
 static int slot(const tess_int *v, tess_int x)
 {
@@ -2125,11 +2112,11 @@ static int slot(const tess_int *v, tess_int x)
  * none. */
 static int mate(const tess_int *tet, tess_int t, int k, tess_int u)
 {
-    const tess_int *v = four(tet, u);
+    const tess_int *v = tet + 4 * u;
     tess_int f[3], g[3];
     int i, j = 0;
 
-    outfac(four(tet, t), k, f);
+    outfac(tet + 4 * t, k, f);
     while (j < 3 && (v[j] == f[0] || v[j] == f[1] || v[j] == f[2])) j++;
     outfac(v, j, g);
     for (i = 0; i < 3; i++)
@@ -2389,16 +2376,16 @@ static int intact(mesh *m, tess_int n)
     for (i = 0; i < 4 * m->ntet; i++)
         if (position[m->tet[i]] == NONE) return -5;
     for (t = 0; t < m->ntet; t++) {
-        for (k = 0; k < 4; k++) v[k] = position[four(m->tet, t)[k]];
+        for (k = 0; k < 4; k++) v[k] = position[m->tet[4 * t + k]];
         if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) <= 0) return -5;
         for (k = 0; k < 4; k++) {
-            u = four(m->adj, t)[k];
+            u = m->adj[4 * t + k];
             if (u <= TESS_NONE) continue;
             j = mate(m->tet, t, k, u);
-            if (j == 4 || four(m->adj, u)[j] != t) return -6;
+            if (j == 4 || m->adj[4 * u + j] != t) return -6;
             if (u > t &&
                 hh_pball(&m->set, v[0], v[1], v[2], v[3],
-                         position[four(m->tet, u)[j]], 1) < 0)
+                         position[m->tet[4 * u + j]], 1) < 0)
                 return -5;
         }
     }
@@ -3374,12 +3361,12 @@ static tess_int incell(const mesh *m, const tess_int *v)
 static int qside(const tess_real *p, const tess_int *f, const tess_real *q,
                   const tess_int *v)
 {
-    const tess_real *a = coords(p, f[0]), *b = coords(p, f[1]);
-    const tess_real *c = coords(p, f[2]);
+    const tess_real *a = p + 3 * f[0], *b = p + 3 * f[1];
+    const tess_real *c = p + 3 * f[2];
     int s = hh_orient(a, b, c, q), k;
 
     for (k = 0; k < 4 && s == 0; k++)
-        s = hh_orient(a, b, c, coords(p, v[k]));
+        s = hh_orient(a, b, c, p + 3 * v[k]);
     return s;
 }
 
@@ -3392,8 +3379,8 @@ static int inbox(const tess_real *p, const tess_int *v, const tess_real *q)
     for (k = 0; k < 3; k++) {
         low = high = 0;
         for (i = 0; i < 4; i++) {
-            if (coords(p, v[i])[k] <= q[k]) low = 1;
-            if (coords(p, v[i])[k] >= q[k]) high = 1;
+            if (p[3 * v[i] + k] <= q[k]) low = 1;
+            if (p[3 * v[i] + k] >= q[k]) high = 1;
         }
         if (low == 0 || high == 0) return 0;
     }
@@ -3440,7 +3427,7 @@ static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
     while (many * many < ntet / (many * many)) many++;
     for (i = t == TESS_NONE ? 0 : -1; i < many; i++) {
         if (i >= 0) t = (tess_int)(i * (ntet / many));
-        a = coords(p, four(tet, t)[0]);
+        a = p + 3 * tet[4 * t];
         if (!hh_holds(1, a)) return TESS_NONE;
         if (closer(a, q, least)) best = t;
     }
@@ -3468,9 +3455,9 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
 
     for (steps = 0; steps < most; steps++) {
         for (k = 0, s = -1; k < 4; k++) {
-            u = four(adj, *t)[k];
+            u = adj[4 * *t + k];
             if (u == last && u != TESS_NONE) continue;
-            outfac(four(tet, *t), k, f);
+            outfac(tet + 4 * *t, k, f);
             s = qside(p, f, q, tet);
             if (s >= 0) break;
         }
@@ -3511,8 +3498,8 @@ typedef struct stroll {
 static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
                     stroll *s, double *w)
 {
-    const tess_real *a = coords(p, g[0]), *b = coords(p, g[1]);
-    const tess_real *c = coords(p, g[2]);
+    const tess_real *a = p + 3 * g[0], *b = p + 3 * g[1];
+    const tess_real *c = p + 3 * g[2];
     int set = hh_foot(a, b, c, q, NULL), rest = set, side, i, k, end = 0;
     int alike = 1, shared = 0, carries;
 
@@ -3533,8 +3520,8 @@ static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
             for (i = 0; i < 3; i++)
                 if (g[i] != s->on[0] && g[i] != s->from) s->stay = g[i];
             if (!end) return 0;
-            set = hh_foot(coords(p, s->f[0]), coords(p, s->f[1]),
-                          coords(p, s->f[2]), q, w);
+            set = hh_foot(p + 3 * s->f[0], p + 3 * s->f[1], p + 3 * s->f[2],
+                          q, w);
             return set == 0 ? TESS_RANGE : 2;
         }
     }
@@ -3564,15 +3551,15 @@ static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
     int i;
 
     for (steps = 0; steps < ntet; steps++) {
-        i = slot(four(tet, *t), z);
+        i = slot(tet + 4 * *t, z);
         if (i == 4) return 0;
-        u = four(adj, *t)[i];
+        u = adj[4 * *t + i];
         if (u == TESS_NONE) {
             *k = i;
             return 1;
         }
         if (u < 0 || u >= ntet) return 0;
-        z = four(tet, *t)[*k];
+        z = tet[4 * *t + *k];
         *k = mate(tet, *t, i, u);
         if (*k == 4) return 0;
         *t = u;
@@ -3595,19 +3582,19 @@ static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
     s.f[0] = s.from = TESS_NONE;
     s.most = 4 * ntet;
     for (k = 0; k < 4; k++) {
-        if (four(adj, u)[k] != TESS_NONE) continue;
-        outfac(four(tet, u), k, g);
+        if (adj[4 * u + k] != TESS_NONE) continue;
+        outfac(tet + 4 * u, k, g);
         if (qside(p, g, q, tet) == 1) break;
     }
     if (k == 4) return -4;
     while (step < 2) {
-        outfac(four(tet, u), k, g);
+        outfac(tet + 4 * u, k, g);
         step = hullstep(p, q, g, &s, x);
         if (step == TESS_RANGE) return step;
         if (step % 2 == 1) *t = u;
         if (step < 2 && !turn(ntet, tet, adj, &u, &k, s.from)) return -4;
     }
-    for (k = 0; k < 3; k++) w[slot(four(tet, *t), s.f[k])] = x[k];
+    for (k = 0; k < 3; k++) w[slot(tet + 4 * *t, s.f[k])] = x[k];
     return 1;
 }
 
@@ -3641,7 +3628,7 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
         code = walk(p, ntet, tet, adj, q, ntet, t);
     }
     if (code == LOST) code = -4;
-    if (code == 0 && hh_weigh(p, four(tet, *t), q, w) != 0) code = TESS_RANGE;
+    if (code == 0 && hh_weigh(p, tet + 4 * *t, q, w) != 0) code = TESS_RANGE;
     if (code == 1) code = nearhull(p, ntet, tet, adj, q, t, w);
     return code;
 }
@@ -3672,7 +3659,7 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
         if (code == 1) outside = 1;
         for (j = 0; j < nv; j++) out[j] = 0.0;
         for (k = 0; k < 4; k++) {
-            v = value + (size_t)nv * (size_t)four(tet, last)[k];
+            v = value + (size_t)nv * (size_t)tet[4 * last + k];
             for (j = 0; j < nv; j++) out[j] += w[k] * v[j];
         }
     }
@@ -3800,8 +3787,8 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
     if (maxfac < 0) return -4;
     for (t = 0; t < ntet; t++)
         for (k = 0; k < 4; k++)
-            if (four(adj, t)[k] <= TESS_NONE) {
-                if (*nfac < maxfac) outfac(four(tet, t), k, fac + 3 * *nfac);
+            if (adj[4 * t + k] <= TESS_NONE) {
+                if (*nfac < maxfac) outfac(tet + 4 * t, k, fac + 3 * *nfac);
                 ++*nfac;
             }
     return *nfac > maxfac ? TESS_MORE : TESS_OK;
@@ -3809,35 +3796,29 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* ---- the check ---- */
 
-/* merge - merge the sorted runs from[lo..mid-1] and from[mid..hi-1] into
- * to[lo..hi-1]; of equal points those of the first run come first. */
-static void merge(const tess_real *p, tess_int lo, tess_int mid, tess_int hi,
-                  const tess_int *from, tess_int *to)
-{
-    tess_int i = lo, j = mid, k;
-
-    for (k = lo; k < hi; k++)
-        if (j == hi || (i < mid && !preced(p + 3 * from[j], p + 3 * from[i])))
-            to[k] = from[i++];
-        else
-            to[k] = from[j++];
-}
-
 /* sortpt - sort the points by their coordinates, equal ones by index: merge
- * runs of 1, 2, 4, ... back and forth between the halves of iw.  Returns where
- * in iw the order begins, 0 or n. */
+ * runs of 1, 2, 4, ... back and forth between the halves of iw, lo ... mid-1
+ * and mid ... hi-1; of equal points those of the first run come first.  Returns
+ * where in iw the order begins, 0 or n. */
 static tess_int sortpt(tess_int n, const tess_real *p, tess_int *iw)
 {
-    tess_int at = 0, run = 1, lo, mid, hi, i;
+    tess_int at = 0, run = 1, lo, mid, hi, i, j, k, *from, *to;
 
     for (i = 0; i < n; i++) iw[i] = i;
     while (run < n) {
-        for (lo = 0; lo < n; lo = hi) {
+        from = iw + at;
+        at = n - at;
+        to = iw + at;
+        for (lo = k = 0; lo < n; lo = hi) {
             mid = run < n - lo ? lo + run : n;
             hi = run < n - mid ? mid + run : n;
-            merge(p, lo, mid, hi, iw + at, iw + n - at);
+            for (i = lo, j = mid; k < hi; k++)
+                if (j == hi ||
+                    (i < mid && !preced(p + 3 * from[j], p + 3 * from[i])))
+                    to[k] = from[i++];
+                else
+                    to[k] = from[j++];
         }
-        at = n - at;
         run = run < n - run ? 2 * run : n;
     }
     return at;
@@ -3904,21 +3885,20 @@ static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
 static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
                   const tess_int *adj, tess_int t)
 {
-    const tess_int *v = four(tet, t);
+    const tess_int *v = tet + 4 * t;
     tess_int u;
     int k, j, s;
 
     for (k = 0; k < 4; k++) {
-        u = four(adj, t)[k];
+        u = adj[4 * t + k];
         if (u == TESS_NONE) continue;
         if (u < 0 || u >= ntet) return TESS_BAD_ADJ;
         j = mate(tet, t, k, u);
-        if (j == 4 || four(adj, u)[j] != t) return TESS_BAD_ADJ;
+        if (j == 4 || adj[4 * u + j] != t) return TESS_BAD_ADJ;
         if (u < t) continue;
-        s = hh_insphere(coords(p, v[0]), coords(p, v[1]), coords(p, v[2]),
-                        coords(p, v[3]), coords(p, four(tet, u)[j]));
-        if (s == UNSURE) return TESS_RANGE;
-        if (s > 0) return TESS_BAD_BALL;
+        s = hh_insphere(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2], p + 3 * v[3],
+                        p + 3 * tet[4 * u + j]);
+        if (s > 0) return s == UNSURE ? TESS_RANGE : TESS_BAD_BALL;
     }
     return TESS_OK;
 }
@@ -3928,14 +3908,12 @@ static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
 static int chktet(const tess_real *p, const tess_int *tet,
                   const tess_int *adj, tess_int t)
 {
-    const tess_int *v = four(tet, t);
+    const tess_int *v = tet + 4 * t;
     int s;
 
-    s = hh_orient(coords(p, v[0]), coords(p, v[1]), coords(p, v[2]),
-                  coords(p, v[3]));
-    if (s == UNSURE) return TESS_RANGE;
-    if (s != 1) return TESS_BAD_SIGN;
-    return slot(four(adj, t), TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
+    s = hh_orient(p + 3 * v[0], p + 3 * v[1], p + 3 * v[2], p + 3 * v[3]);
+    if (s != 1) return s == UNSURE ? TESS_RANGE : TESS_BAD_SIGN;
+    return slot(adj + 4 * t, TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
 }
 
 /* chkedg - from facet k of tetrahedron t, which is on the boundary, turn about
@@ -3950,18 +3928,17 @@ static int chktet(const tess_real *p, const tess_int *tet,
 static int chkedg(const tess_real *p, const tess_int *tet,
                   const tess_int *adj, tess_int t, int k, tess_int c)
 {
-    tess_int f[3], u, w = four(tet, t)[k];
-    int out = slot(four(tet, t), c), s;
+    tess_int f[3], u, w = tet[4 * t + k];
+    int out = slot(tet + 4 * t, c), s;
 
-    outfac(four(tet, t), k, f);
-    while (four(adj, t)[out] != TESS_NONE) {
-        u = four(adj, t)[out];
-        out = slot(four(tet, u), w);
-        w = four(tet, u)[slot(four(adj, u), t)];
+    outfac(tet + 4 * t, k, f);
+    while (adj[4 * t + out] != TESS_NONE) {
+        u = adj[4 * t + out];
+        out = slot(tet + 4 * u, w);
+        w = tet[4 * u + slot(adj + 4 * u, t)];
         t = u;
     }
-    s = hh_orient(coords(p, f[0]), coords(p, f[1]), coords(p, f[2]),
-                  coords(p, w));
+    s = hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], p + 3 * w);
     if (s == UNSURE) return TESS_RANGE;
     return s > 0 ? TESS_BAD_HULL : TESS_OK;
 }
@@ -3976,11 +3953,10 @@ static int chkhul(const tess_real *p, const tess_int *tet,
     int k, i, s, code;
 
     for (k = 0; k < 4; k++) {
-        if (four(adj, t)[k] != TESS_NONE) continue;
-        outfac(four(tet, t), k, f);
-        s = qside(p, f, coords(p, tet[0]), tet);
-        if (s == UNSURE) return TESS_RANGE;
-        if (s > 0) return TESS_BAD_HULL;
+        if (adj[4 * t + k] != TESS_NONE) continue;
+        outfac(tet + 4 * t, k, f);
+        s = qside(p, f, p + 3 * tet[0], tet);
+        if (s > 0) return s == UNSURE ? TESS_RANGE : TESS_BAD_HULL;
         for (i = 0; i < 3; i++)
             if (f[i] < f[(i + 1) % 3]) {
                 code = chkedg(p, tet, adj, t, k, f[(i + 2) % 3]);
@@ -3993,16 +3969,15 @@ static int chkhul(const tess_real *p, const tess_int *tet,
 /* chkcov - check that tetrahedron t, if not 0, does not contain O. */
 static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
 {
-    const tess_real *q = coords(p, tet[0]);
+    const tess_real *q = p + 3 * tet[0];
     tess_int f[3];
     int k, s;
 
-    if (t == 0 || !inbox(p, four(tet, t), q)) return TESS_OK;
+    if (t == 0 || !inbox(p, tet + 4 * t, q)) return TESS_OK;
     for (k = 0; k < 4; k++) {
-        outfac(four(tet, t), k, f);
+        outfac(tet + 4 * t, k, f);
         s = qside(p, f, q, tet);
-        if (s == UNSURE) return TESS_RANGE;
-        if (s > 0) return TESS_OK;
+        if (s > 0) return s == UNSURE ? TESS_RANGE : TESS_OK;
     }
     return TESS_BAD_COVER;
 }
@@ -4075,7 +4050,7 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
     mark = marks(n, p, iw);
     for (pass = 0; pass < 5; pass++)
         for (t = 0; t < ntet; t++) {
-            if (pass == 0) code = chkidx(n, four(tet, t), iw + mark);
+            if (pass == 0) code = chkidx(n, tet + 4 * t, iw + mark);
             if (pass == 1) code = chktet(p, tet, adj, t);
             if (pass == 2) code = chkfac(p, ntet, tet, adj, t);
             if (pass == 3) code = chkhul(p, tet, adj, t);
@@ -4113,7 +4088,7 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
     for (i = 3; i >= 0; i--) {
         if (v[i] < 0) return -2;
         order[i] = v[i];
-        q = coords(p, v[i]);
+        q = p + 3 * v[i];
         if (hh_finite(1, q) < 1) return -1;
         if (!hh_holds(1, q)) return TESS_RANGE;
         for (k = 0; k < 3; k++) {

@@ -159,15 +159,15 @@ C       location: closer TSCLOS, sample TSSAMP, walk TSWALK,
 C         hullstep TSHULL, turn TSTURN, nearhull TSNEAH,
 C         tess_locate TESSLO, tess_values TESSVA, descend TSDESC,
 C         across TSACRO, tess_query TESSQU
-C       hull, check: tess_hull TESSHU, merge TSMERG, sortpt TSSORP,
-C         marks TSMARK, chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF,
-C         chktet TSCHKT, chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
+C       hull, check: tess_hull TESSHU, sortpt TSSORP, marks TSMARK,
+C         chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF, chktet TSCHKT,
+C         chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
 C         tess_check TESSCH
 C       a ball: tess_ball TESSBA
-C     Only in C: point, coords, four.  Only here: TSPDIS (disjoint for a
-C     point), TSLINE (hh_line of points of P), TSMESH, TSINDE, TSQUER
-C     (parts of run, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT
-C     (hh_orient and hh_foot of points of P).
+C     Only in C: point.  Only here: TSPDIS (disjoint for a point),
+C     TSLINE (hh_line of points of P), TSMESH, TSINDE, TSQUER (parts of
+C     run, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT (hh_orient
+C     and hh_foot of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here, passed in one order:
@@ -5398,57 +5398,50 @@ C       UNUSED  a point that stands for itself, in no tetrahedron
 C       USED    the same, in a tetrahedron
 C     ------------------------------------------------------------------
 
-C     TSMERG - merge the sorted runs in places LO+1 ... MID and MID+1
-C     ... HI of FROM into places LO+1 ... HI of TO; of equal points
-C     those of the first run come first.  FROM and TO are offsets in IW.
-      SUBROUTINE TSMERG(P, IW, LO, MID, HI, FROM, TO)
-      INTEGER IW(*), LO, MID, HI, FROM, TO
-      DOUBLE PRECISION P(3,*)
-      INTEGER TSPREC, I, J, K, SECOND
-      I = LO + 1
-      J = MID + 1
-      DO 10 K = LO + 1, HI
-        IF (J .GT. HI) THEN
-          SECOND = 0
-        ELSE IF (I .GT. MID) THEN
-          SECOND = 1
-        ELSE
-          SECOND = TSPREC(P, IW(FROM+J), IW(FROM+I))
-        END IF
-        IF (SECOND .EQ. 0) THEN
-          IW(TO+K) = IW(FROM+I)
-          I = I + 1
-        ELSE
-          IW(TO+K) = IW(FROM+J)
-          J = J + 1
-        END IF
-   10 CONTINUE
-      END
-
 C     TSSORP - sort the points by their coordinates, equal ones by
 C     index: merge runs of 1, 2, 4, ... back and forth between the
-C     halves of IW.  The order begins behind IW(AT); AT is 0 or N.
+C     halves of IW, places LO+1 ... MID and MID+1 ... HI; of equal
+C     points those of the first run come first.  The order begins behind
+C     IW(AT); AT is 0 or N.
       SUBROUTINE TSSORP(N, P, IW, AT)
       INTEGER N, IW(*), AT
       DOUBLE PRECISION P(3,*)
-      INTEGER HI, I, LO, MID, RUN
+      INTEGER TSPREC, FROM, HI, I, J, K, LO, MID, RUN, SECOND
       AT = 0
       DO 10 I = 1, N
         IW(I) = I
    10 CONTINUE
       RUN = 1
    20 IF (RUN .LT. N) THEN
+        FROM = AT
+        AT = N - AT
         LO = 0
    30   IF (LO .LT. N) THEN
           MID = N
           IF (RUN .LT. N - LO) MID = LO + RUN
           HI = N
           IF (RUN .LT. N - MID) HI = MID + RUN
-          CALL TSMERG(P, IW, LO, MID, HI, AT, N - AT)
+          I = LO + 1
+          J = MID + 1
+          DO 40 K = LO + 1, HI
+            IF (J .GT. HI) THEN
+              SECOND = 0
+            ELSE IF (I .GT. MID) THEN
+              SECOND = 1
+            ELSE
+              SECOND = TSPREC(P, IW(FROM+J), IW(FROM+I))
+            END IF
+            IF (SECOND .EQ. 0) THEN
+              IW(AT+K) = IW(FROM+I)
+              I = I + 1
+            ELSE
+              IW(AT+K) = IW(FROM+J)
+              J = J + 1
+            END IF
+   40     CONTINUE
           LO = HI
           GO TO 30
         END IF
-        AT = N - AT
         IF (RUN .LT. N - RUN) THEN
           RUN = 2*RUN
         ELSE

@@ -1093,7 +1093,7 @@ first_half() {
 second_half() {
     sanitizers
     standard
-    twins tess "point|coords|four" \
+    twins tess "point" \
         "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
     twins hhpred "held|blank|shift|lesser" "HHKIND"
     entries
