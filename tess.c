@@ -93,11 +93,13 @@
  *                plant stars
  *   results      slot mate
  *   preparation  leafcount lengths layout collect inrange rescale units scaled
- *                revive sorted seal opened intact claim restore run badargument
+ *                revive sorted seal opened intact claim restore allot run
+ *                badargument
  *   entries      tess_size tess tess_resume tess_index tess_part
  * then what makes searches faster, each where some data need it:
- *   supports     rough marked heightover onsupport curved remember through fit
- *                discover supportof sharpen aim lowest excluded pruneheights
+ *   supports     rough marked heightover onsupport curved remember place erect
+ *                through fit discover digest recall supportof sharpen aim
+ *                lowest excluded pruneheights
  *   cylinders    cylinders makecylinder makecylinders prunecylinders
  *   ties         newcell incell
  * and what needs no mesh under construction:
@@ -167,6 +169,11 @@
  * (few, to save stack, where none is ever sought: see SEEK). */
 #define ENOUGH 500
 #define SOME (TESS_LIST < 128 ? 4 : 32)
+#define RECORD 7
+#define EXPONENT 2000
+/* An index seeks them at up to REGIONS points, for all parts, so sooner. */
+#define REGIONS 32
+#define KEEN (BURDEN / 256.0)
 /* Number of marks for heights over a support: a double holds them and their
  * roundings. */
 #define GRAINS                                                         \
@@ -306,11 +313,12 @@ typedef struct quest {
 #define LEASTOF(code) ((tess_int)((code) / 2 - 1))
 #define ABOVE(code) ((code) % 2)
 typedef struct support {
-    hh_ball t;
+    tess_int *v;              /* what it is, in RECORD integers: see place */
+    tess_int *least;
     int plane;
+    hh_ball t;
     double at[3], c[3], size; /* seen from at: unit normal, or centre; |c|_1 */
     double low, grain;
-    tess_int *least;
 } support;
 
 /* The points exactly on one ball: see incell. */
@@ -1085,6 +1093,8 @@ static int marked(const mesh *m, int j, tess_int z, double *h);
 static int curved(const mesh *m, const quest *f);
 static void remember(quest *f, tess_int z, int open);
 static int discover(mesh *m, quest *f);
+static double digest(const mesh *m);
+static void recall(mesh *m);
 static void supportof(const mesh *m, quest *f);
 static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
                    double *lo, double *hi);
@@ -2157,8 +2167,9 @@ static int lengths(tess_int n, sizes *w)
     w->marks = w->cylinders = 0;
     if (TESS_LIST < 128 || n < ENOUGH) return 1;
     left -= w->pool;
+    w->pool -= SUPPORTS * (RECORD - 1);
     if (2 * SUPPORTS * leafcount(n) < left - n)
-        w->marks = (tess_int)(n + 2 * SUPPORTS * leafcount(n));
+        w->marks = (tess_int)(n + SUPPORTS * (2 * leafcount(n) + RECORD - 1));
     if (32 * (leafcount(n) / 3) < TESS_INT_MOST - w->rw)
         w->cylinders = 32 * (leafcount(n) / 3);
     return 1;
@@ -2176,11 +2187,12 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->set.order = m->order = iw + n;
     m->known = iw + 2 * n;
     m->alive = m->known + KEEP;
+    m->mark = m->alive + 2 * leafcount(n);
     m->link = m->order; /* no star is complete: no entry is DONE */
     m->nplane = m->nextplane = m->tied = m->nsupport = 0;
     m->ncell = m->futile = 0;
     m->enclosed = 0;
-    m->patience = 0.0;
+    m->burden = m->patience = 0.0;
     m->block.first = m->block.last = NONE;
     m->np = 0;
     m->block.n = m->around.n = 0;
@@ -2324,7 +2336,8 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
 /* seal - turn the sorted points into an index, which has a mesh if code is 0.
  * It stores what opened needs besides points and tree: known is the first
  * tetrahedron, or begins with minus the code; np is behind it, and also in the
- * header, so that an index can be recognized. */
+ * header, so that an index can be recognized.  alive[0] is the number of
+ * supports. */
 static void seal(mesh *m, int code)
 {
     double *header = m->box;
@@ -2337,7 +2350,8 @@ static void seal(mesh *m, int code)
     header[2] = m->set.t5;
     header[3] = m->set.e;
     header[4] = m->least;
-    header[5] = (double)m->enclosed;
+    m->alive[0] = m->nsupport;
+    header[5] = m->enclosed ? digest(m) : -digest(m);
 }
 
 /* opened - open an index for reading only.  Returns 0, the code of points
@@ -2358,6 +2372,7 @@ static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
     m->set.t3 = header[1];
     m->set.t5 = header[2];
     m->set.e = (int)header[3];
+    m->enclosed = header[5] > 0.0;
     return hh_holds(header[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
 }
 
@@ -2443,59 +2458,58 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
     return rehash(m, *s, (tess_int)(size + 1)) ? 0 : TESS_POOL;
 }
 
-/* run - tess and tess_resume, or tess_part if mine is given, for arguments that
- * are known to be valid except for p and the indices in tet. */
-static int run(tess_int n, const tess_real *p, const tess_int *mine,
-               tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
-               tess_int liw, tess_int *iw, tess_int lrw, double *rw)
+/* allot - lays out what is left of iw, of length liw: marks, if there are
+ * supports or some may be sought, two lists of all points, and the pool. */
+static void allot(mesh *m, tess_int n, tess_int liw)
 {
-    mesh m;
     sizes w;
-    tess_int i, s = NONE;
-    int code = mine != NULL ? opened(&m, n, p, iw, rw)
-                            : sorted(&m, n, p, iw, lrw, rw);
 
-    if (code > 0) *ntet = 0;
-    if (code != 0) return code;
-    m.head = m.alive + 2 * leafcount(n);
-    m.link = m.head + n;
-    m.pool = m.link + n;
-    m.room = (tess_int)(liw - 4 * n - 2 * leafcount(n) - KEEP);
     (void)lengths(n, &w);
-    /* those of the index, if they are still there */
-    if (mine != NULL) m.enclosed = m.box[5] > 0.0 && lrw - w.rw >= w.cylinders;
-    if (w.marks > 0 && liw - w.iw - w.pool >= w.marks) {
-        m.room -= w.marks;
-        m.mark = m.pool + m.room;
-        m.burden = 0.0;
-        /* doubles decide everything if points are in few units */
-        if (m.set.t5 < PLAIN) m.patience = BURDEN;
-    }
-    m.maxtet = maxtet;
-    m.fresh = m.ntet = *ntet;
-    m.tet = tet;
-    m.adj = adj;
-    m.m = m.nopen = m.low = 0;
-    m.unmet = mine == NULL ? m.np : 0;
-    clearlink(&m);
+    /* doubles decide everything if points are in few units */
+    if (m->patience == 0.0 && m->nsupport < SUPPORTS && m->set.t5 < PLAIN &&
+        w.marks > 0 && liw - w.iw - w.pool >= w.marks)
+        m->patience = BURDEN;
+    if (m->nsupport == 0 && m->patience == 0.0) w.marks = 0;
+    m->head = m->mark + w.marks;
+    m->link = m->head + n;
+    m->pool = m->link + n;
+    m->room = (tess_int)(liw - 4 * n - 2 * leafcount(n) - KEEP - w.marks);
+}
+
+/* run - completes all stars, or those at the points i with mine[i] != 0 if mine
+ * is given, for arguments that are known to be valid except for p and the
+ * indices in tet. */
+static int run(mesh *m, tess_int n, const tess_int *mine, tess_int maxtet,
+               tess_int *ntet, tess_int *tet, tess_int *adj)
+{
+    tess_int i, s = NONE;
+    int code = 0;
+
+    m->maxtet = maxtet;
+    m->fresh = m->ntet = *ntet;
+    m->tet = tet;
+    m->adj = adj;
+    m->m = m->nopen = m->low = 0;
+    m->unmet = mine == NULL ? m->np : 0;
+    clearlink(m);
     /* one over the cube root of the points in a leaf, 24 to 48 in large sets,
      * by a step of Newton's method */
-    m.reach = BLOCKREACH / sqrt(3.0) * 3.0 /
-              (6.4 + (double)m.np / (double)m.leaves / (3.2 * 3.2));
-    for (i = 0; i < m.np; i++) m.link[i] = NEW;
-    if (m.ntet > 0) {
-        code = intact(&m, n);
+    m->reach = BLOCKREACH / sqrt(3.0) * 3.0 /
+               (6.4 + (double)m->np / (double)m->leaves / (3.2 * 3.2));
+    for (i = 0; i < m->np; i++) m->link[i] = NEW;
+    if (m->ntet > 0) {
+        code = intact(m, n);
         if (code != 0) return code;
-        code = restore(&m, &s, n, mine);
+        code = restore(m, &s, n, mine);
     } else {
-        i = claim(&m, n, mine);
-        if (mine == NULL) code = begin(&m, &s);
-        if (code == 0 && !rehash(&m, s, tablesize(i))) code = TESS_POOL;
+        i = claim(m, n, mine);
+        if (mine == NULL) code = begin(m, &s);
+        if (code == 0 && !rehash(m, s, tablesize(i))) code = TESS_POOL;
     }
-    if (code == 0) code = stars(&m, s);
-    if (mine != NULL) revive(&m);
-    for (i = 0; i < 4 * m.ntet; i++) tet[i] = m.order[tet[i]];
-    *ntet = m.ntet;
+    if (code == 0) code = stars(m, s);
+    if (mine != NULL) revive(m);
+    for (i = 0; i < 4 * m->ntet; i++) tet[i] = m->order[tet[i]];
+    *ntet = m->ntet;
     return code;
 }
 
@@ -2547,26 +2561,34 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     int code = badargument(n, p, maxtet, 0, tet, adj, liw, lrw, ntet);
 
     if (code != 0) return code;
-    return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, lrw, rw);
+    return tess_resume(n, p, maxtet, ntet, tet, adj, liw, iw, lrw, rw);
 }
 
 int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
                 tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,
                 tess_int *iw, tess_int lrw, double *rw)
 {
+    mesh m;
     tess_int i;
     int code = badargument(n, p, maxtet, *ntet, tet, adj, liw, lrw, &i);
 
+    if (code == 0) code = sorted(&m, n, p, iw, lrw, rw);
+    if (code > 0) *ntet = 0;
     if (code != 0) return code;
-    return run(n, p, NULL, maxtet, ntet, tet, adj, liw, iw, lrw, rw);
+    allot(&m, n, liw);
+    return run(&m, n, NULL, maxtet, ntet, tet, adj);
 }
 
+/* tess_index - the supports are those that the stars of points of all regions
+ * find (the multiples of the golden ratio are spread evenly); nothing else is
+ * kept of these. */
 int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                tess_int lrw, double *rw)
 {
     static const tess_int guess[2] = {NONE, NONE};
     mesh m;
-    tess_int i, v[4];
+    sizes w;
+    tess_int i, v[4], most = n / 4, left = liw - n - 8 * most, *mine;
     int code = badargument(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw, &i), k;
 
     if (code != 0 && code != -9) return code;
@@ -2578,16 +2600,34 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
         v[3] = apex(&m, v, guess);
         for (k = 0; k < 4; k++) m.known[k] = m.order[v[k]];
     }
+    if (code != TESS_RANGE) {
+        /* rep becomes index -> position: first of the points that stand for
+         * themselves.  These are the i with order[rep[i]] = i, as order holds
+         * no duplicate; a duplicate then takes the position of the point it has
+         * in rep */
+        for (i = 0; i < m.np; i++) m.rep[m.order[i]] = i;
+        for (i = 0; i < n; i++)
+            if (m.rep[i] >= m.np || m.order[m.rep[i]] != i)
+                m.rep[i] = m.rep[m.rep[i]];
+    }
+    (void)lengths(n, &w);
+    if (TESS_LIST >= 128 && code == 0 && w.marks > 0 && m.set.t5 < PLAIN &&
+        left - w.iw >= w.marks) {
+        mine = iw + left;
+        for (k = 1; k <= REGIONS; k++) {
+            if (k % 8 == 1)
+                for (i = 0; i < n; i++) mine[i] = 0;
+            mine[m.order[(tess_int)(0.618 * k * (double)m.np) % m.np]] = 1;
+            if (k % 8 != 0) continue;
+            i = 0;
+            m.patience = KEEN;
+            allot(&m, n, left);
+            (void)run(&m, n, mine, most, &i, mine + n, mine + n + 4 * most);
+            if (m.nsupport == SUPPORTS || (m.burden == 0.0 && m.nsupport == 0))
+                break;
+        }
+    }
     seal(&m, code);
-    if (code == TESS_RANGE) return code;
-    /* rep becomes index -> position: first of the points that stand for
-     * themselves.  These are the i with order[rep[i]] = i, as order holds no
-     * duplicate; a duplicate then takes the position of the point it has in
-     * rep */
-    for (i = 0; i < m.np; i++) m.rep[m.order[i]] = i;
-    for (i = 0; i < n; i++)
-        if (m.rep[i] >= m.np || m.order[m.rep[i]] != i)
-            m.rep[i] = m.rep[m.rep[i]];
     return code;
 }
 
@@ -2595,12 +2635,24 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
               tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
               tess_int liw, tess_int *iw, tess_int lrw, const double *rw)
 {
+    mesh m;
+    sizes w;
     tess_int i;
     int code = badargument(n, NULL, maxtet, *ntet, tet, adj, liw, lrw, &i);
 
-    if (code == 0)
-        code = run(n, p, mine, maxtet, ntet, tet, adj, liw, iw, lrw,
-                   (double *)rw);
+    if (code == 0) code = opened(&m, n, p, iw, rw);
+    if (code > 0) *ntet = 0;
+    if (code == 0) {
+        /* what the index has of these, if it is still there */
+        (void)lengths(n, &w);
+        m.enclosed = m.enclosed && lrw - w.rw >= w.cylinders;
+        if (liw - w.iw >= w.marks && digest(&m) == fabs(m.box[5])) recall(&m);
+        m.alive[0] = m.nsupport;
+        allot(&m, n, liw);
+        code = run(&m, n, mine, maxtet, ntet, tet, adj);
+        /* marks of supports that no index knows */
+        if (m.nsupport > m.alive[0]) m.alive[0] = 0;
+    }
     return code < -1 ? code - 1 : code;
 }
 
@@ -2708,20 +2760,55 @@ static void remember(quest *f, tess_int z, int open)
     if (place < SOME) f->some[place] = z;
 }
 
-/* through - sets up a support through the positions v, a plane or a sphere, for
- * a search's sample, whose extent is wide.  It takes heights of up to 8 times
- * those of three quarters of the sample, or of one quarter if that is FINER
- * times nearer: the points on one of several near sheets.  Returns 0 if that is
- * more than BAND. */
-static int through(const mesh *m, const quest *f, const tess_int *v,
-                   double wide, int plane, support *s)
+/* place - returns support j.  Behind the marks of the points each has RECORD
+ * integers: its four positions, then 1 for a plane, 1 if its normal was turned
+ * round, and grain's exponent; then the nodes' least marks. */
+static support *place(mesh *m, int j)
+{
+    support *s = m->supports + j;
+
+    s->v = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
+    s->least = s->v + RECORD - 1;
+    return s;
+}
+
+/* erect - sets up support s from its record.  Returns 0 if that cannot be
+ * done. */
+static int erect(const mesh *m, support *s)
+{
+    int k;
+
+    s->plane = (int)s->v[4];
+    s->grain = ldexp(1.0, (int)s->v[6] - EXPONENT);
+    s->low = -0.5 * s->grain * (double)GRAINS;
+    if (!hh_centre(&m->set, s->v, 0, s->v[s->plane ? 0 : 3], s->c, &s->t))
+        return 0;
+    hh_unit(&s->t, s->plane, s->c);
+    if (s->v[5] == 1) s->t.unit = -s->t.unit; /* of heights by limbs, too */
+    s->size = 0.0;
+    for (k = 0; k < 3; k++) {
+        s->at[k] = m->x[3 * s->v[0] + k];
+        if (s->v[5] == 1) s->c[k] = -s->c[k];
+        s->size += fabs(s->c[k]);
+    }
+    return 1;
+}
+
+/* through - sets up support s, a plane or a sphere through s->v, for a search's
+ * sample, whose extent is wide.  It takes heights of 8 to 16 times those of
+ * three quarters of the sample, or of one quarter if that is FINER times
+ * nearer: the points on one of several near sheets.  Returns 0 if that is more
+ * than BAND. */
+static int through(const mesh *m, const quest *f, double wide, int plane,
+                   support *s)
 {
     int n = f->opened < SOME ? (int)f->opened : SOME, i, k;
     double h[SOME], x, err, worst = 0.0;
 
-    s->plane = plane;
-    if (!hh_centre(&m->set, v, 0, plane ? v[0] : v[3], s->c, &s->t)) return 0;
-    hh_unit(&s->t, plane, s->c);
+    s->v[4] = plane;
+    s->v[5] = 0;
+    s->v[6] = EXPONENT;
+    if (!erect(m, s)) return 0;
     for (i = 0; i < n; i++) {
         x = fabs(hh_height(&m->set, &s->t, f->some[i], plane, &err));
         if (err > 1.0) return 0;
@@ -2730,10 +2817,10 @@ static int through(const mesh *m, const quest *f, const tess_int *v,
         h[k] = x;
     }
     x = h[n / 4] < h[3 * n / 4] / FINER ? h[n / 4] : h[3 * n / 4];
-    s->grain = 16.0 * x / (double)GRAINS;
-    if (s->grain < 8.0 * worst) s->grain = 8.0 * worst;
-    s->low = -0.5 * s->grain * (double)GRAINS;
-    return -s->low <= (plane ? BAND : ROUGH * wide) * wide;
+    x *= 16.0 / (double)GRAINS;
+    frexp(x > 8.0 * worst ? x : 8.0 * worst, &k);
+    s->v[6] = (tess_int)(EXPONENT + k);
+    return erect(m, s) && -s->low <= (plane ? BAND : ROUGH * wide) * wide;
 }
 
 /* fit - sets up a support through the widest of the points that a search left
@@ -2741,7 +2828,7 @@ static int through(const mesh *m, const quest *f, const tess_int *v,
  * other are one).  Returns 1 if it is set up. */
 static int fit(mesh *m, const quest *f, support *s)
 {
-    tess_int v[4], z;
+    tess_int *v = s->v, z;
     double u[3 * SOME], e[3], wide[3], x, err;
     int n = f->opened < SOME ? (int)f->opened : SOME, far, i, j, k, up = 0;
 
@@ -2762,20 +2849,17 @@ static int fit(mesh *m, const quest *f, support *s)
             for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
                 u[3 * i + k] -= x * e[k];
     }
-    if ((wide[2] < 1e-7 * wide[0] || !through(m, f, v, wide[0], 0, s)) &&
-        !through(m, f, v, wide[0], 1, s))
+    if ((wide[2] < 1e-7 * wide[0] || !through(m, f, wide[0], 0, s)) &&
+        !through(m, f, wide[0], 1, s))
         return 0;
-    s->size = fabs(s->c[0]) + fabs(s->c[1]) + fabs(s->c[2]);
-    for (k = 0; k < 3; k++) s->at[k] = m->x[3 * v[0] + k];
     /* nodes know how far down their points reach, but only that some are above:
      * the side of a plane with more points is turned up */
     for (z = 0; z < m->np && s->plane; z = (tess_int)(z + m->np / 256 + 1)) {
         x = rough(m, s, z, &err);
         up += (x > err - s->low) - (x < s->low - err);
     }
-    for (k = 0; k < 3 && up < 0; k++) s->c[k] = -s->c[k];
-    if (up < 0) s->t.unit = -s->t.unit; /* of heights by limbs, too */
-    return 1;
+    s->v[5] = up < 0;
+    return erect(m, s);
 }
 
 /* discover - seeks a support for the points that a search left open.  It marks
@@ -2786,7 +2870,7 @@ static int fit(mesh *m, const quest *f, support *s)
  * them all.  Returns 1 if it is kept. */
 static int discover(mesh *m, quest *f)
 {
-    support *s = m->supports + m->nsupport;
+    support *s = place(m, m->nsupport);
     tess_int node, i, last, mark, old, least, members = 0, all = 0;
     double h, err, fine, c, hs[3], errs[3];
     int above, across;
@@ -2802,7 +2886,6 @@ static int discover(mesh *m, quest *f)
             remember(f, i, 1);
     if (f->opened > OPENED && !fit(m, f, s)) return 0;
     across = f->on == NONE && onsupport(m, f, m->nsupport, hs, errs);
-    s->least = m->mark + m->np + 2 * m->leaves * m->nsupport;
     for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
         if (node < m->leaves) {
             i = s->least[2 * node];
@@ -2815,7 +2898,6 @@ static int discover(mesh *m, quest *f)
         above = 0;
         span(m, node, &i, &last);
         for (; i < last; i++) {
-            if (m->link[i] == DONE) continue;
             h = rough(m, s, i, &err);
             if (fabs(h) <= err - s->low) {
                 c = hh_height(&m->set, &s->t, i, s->plane, &fine);
@@ -2847,6 +2929,28 @@ static int discover(mesh *m, quest *f)
     }
     if (++m->nsupport == SUPPORTS) m->patience = 0.0;
     return 1;
+}
+
+/* digest - a number that tells, but for chance, whether the marks behind an
+ * index are its own: a copy may end before them. */
+static double digest(const mesh *m)
+{
+    tess_int i, many = m->alive[0];
+    long a = 1, b = 0;
+
+    if (many > 0) many = m->np + many * (2 * m->leaves + RECORD - 1);
+    for (i = 0; i < many; i++) {
+        a = (a + m->mark[i] % 32749) % 32749;
+        b = (b + a) % 32749;
+    }
+    return 32749.0 * (double)b + (double)a;
+}
+
+/* recall - sets up the supports that an index has. */
+static void recall(mesh *m)
+{
+    while (TESS_LIST >= 128 && m->nsupport < m->alive[0])
+        (void)erect(m, place(m, m->nsupport++));
 }
 
 /* supportof - finds the support that the facet is on, if any, and its tilt.
@@ -3726,6 +3830,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
     code = opened(&m, n, p, iw, rw);
     if (code != 0) return code < 0 ? -3 : code;
     if (hh_finite(1, q) < 1) return -5;
+    recall(&m);
     for (k = 0; k < 4 && v[0] != TESS_NONE; k++) {
         if (v[k] < 0 || v[k] >= n) return -6;
         u[k] = m.rep[v[k]];

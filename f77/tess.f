@@ -57,15 +57,15 @@ C                            an index -> position
 C            ORD    N        position -> point
 C            KNOWN  5        see TSSEAL: KNOWN and COUNT
 C            ALIVE  2 L - 1  leaf: uncompleted points; other nodes:
-C                            children alive; behind it one place, MARK
-C                            where there are no marks
+C                            children alive
+C            COUNTS 1        in an index how many supports there are
+C            MARK            for supports, if LIW is what TESSWK gives
 C            HEAD   N        position -> first entry that it owns, 0, or
 C                            FOREIN; at first, in TSINTA, point ->
 C                            position
 C            LINK   N        position -> first edge from it, 0, NEW or
 C                            DONE
 C            POOL   ROOM     see below
-C            MARK            for supports, if LIW is what TESSWK gives
 C       RW   X      3 N      scaled coordinates by position
 C            BOX    12 L     of each node; the last one is the header,
 C                            see TSSEAL
@@ -141,15 +141,16 @@ C       preparation: leafcount TSLCOU, lengths TSLENG, layout TSLAYO,
 C         collect TSCOLL, inrange TSINRA, rescale TSRESC, units TSUNIT,
 C         scaled TSSCAL, revive TSREVI, sorted TSSORT, seal TSSEAL,
 C         opened TSOPEN, intact TSINTA, claim TSCLAI, restore TSREST,
-C         run TSRUN, badargument TSBADA
+C         allot TSALLO, run TSRUN, badargument TSBADA
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
 C     then what makes searches faster, each where some data need it:
 C       supports: rough TSROUG, marked TSMRKD, heightover TSHEOV,
 C         onsupport TSONSU, curved TSCURV, remember TSREME,
-C         through TSTHRO, fit TSFIT, discover TSDISC, supportof TSSUPP,
-C         sharpen TSSHAR, aim TSAIM, lowest TSLOWE, excluded TSEXCL,
-C         pruneheights TSPRHE
+C         place TSPLAC, erect TSEREC, through TSTHRO, fit TSFIT,
+C         discover TSDISC, digest TSDIGE, recall TSRECA,
+C         supportof TSSUPP, sharpen TSSHAR, aim TSAIM, lowest TSLOWE,
+C         excluded TSEXCL, pruneheights TSPRHE
 C       cylinders: cylinders TSCYLI, makecylinder TSMCYL,
 C         makecylinders TSMCYS, prunecylinders TSPRCY
 C       ties: newcell TSNEWC, incell TSINCE
@@ -165,9 +166,9 @@ C         chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
 C         tess_check TESSCH
 C       a ball: tess_ball TESSBA
 C     Only in C: point.  Only here: TSPDIS (disjoint for a point),
-C     TSLINE (hh_line of points of P), TSMESH, TSINDE, TSQUER (parts of
-C     run, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT (hh_orient
-C     and hh_foot of points of P).
+C     TSLINE (hh_line of points of P), TSWORK, TSMESH, TSINDE, TSQUER
+C     (parts of tess_resume and tess_part, tess_index, tess_query),
+C     TSORIQ, TSORIP, TSFOOT (hh_orient and hh_foot of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here, passed in one order:
@@ -185,7 +186,9 @@ C       LINK   first open edge of the link from a vertex; DONE: its star
 C              is complete; NEW: in no tetrahedron yet
 C       POOL   pool and edges
 C       MARK   0, or J + SUPPS*K, of a position with mark K of support
-C              J; behind MARK(NP+2*CTL(LEAVES)*(J-1)) 2 (K + 1) of each
+C              J; behind MARK(TSPLAC(CTL,J)) what support J is: its four
+C              positions, 1 for a plane, 1 if its normal was turned
+C              round, SGRAIN's exponent + EXPON; then 2 (K + 1) of each
 C              node, K the least mark of its points, -1 if one is below
 C              SLOW, GRAINS if all are above; plus 1 if one is above
 C              -SLOW.
@@ -299,6 +302,9 @@ C       FINER   a support with grains FINER times smaller takes over
 C               another's points
 C       ENOUGH  with fewer points no support is sought
 C       SOME    places of the sample
+C       EXPON   offset of a grain's exponent where it is kept
+C       REGIO, KEEN  an index seeks supports at up to REGIO points, for
+C               all parts, so sooner than by BURDEN
 C       GRAINS  number of marks for heights over a support: a double
 C               holds them and their roundings
 C       SLIM    no cylinders are used if fewer than an eighth of the
@@ -2827,7 +2833,8 @@ C     2 TSLCOU(N) < N/12 + 2
       OK = 1
       IF (N .LT. ENOUGH) RETURN
       LEFT = LEFT - POOL
-      IF (2*SUPPS*LVS .LT. LEFT - N) MARKS = N + 2*SUPPS*LVS
+      POOL = POOL - 6*SUPPS
+      IF (2*SUPPS*LVS .LT. LEFT - N) MARKS = N + SUPPS*(2*LVS + 6)
       IF (32*(LVS/3) .LT. INTMAX - LRW) CYLS = 32*(LVS/3)
       END
 
@@ -2837,10 +2844,10 @@ C     cylinders.
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
       INTEGER NP, NPLANE, NEXTPL, TIED, ENCLOS, NCELL, FUTILE, NSUPP,
-     $    RPATIE, LFIRST, LLAST, LN, BLK, STR
+     $    RBURDN, RPATIE, LFIRST, LLAST, LN, BLK, STR
       PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIED = 14,
-     $    ENCLOS = 16, NCELL = 17, FUTILE = 18, NSUPP = 20, RPATIE = 5,
-     $    LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2)
+     $    ENCLOS = 16, NCELL = 17, FUTILE = 18, NSUPP = 20, RBURDN = 4,
+     $    RPATIE = 5, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2)
       CTL(NP) = 0
       CTL(NPLANE) = 0
       CTL(NEXTPL) = 1
@@ -2849,6 +2856,7 @@ C     cylinders.
       CTL(NCELL) = 0
       CTL(FUTILE) = 0
       CTL(NSUPP) = 0
+      RCTL(RBURDN) = 0.0D0
       RCTL(RPATIE) = 0.0D0
       LSI(LFIRST,BLK) = 1
       LSI(LLAST,BLK) = 0
@@ -3041,13 +3049,15 @@ C     TSSEAL - turn the sorted points into an index, which has a mesh if
 C     CODE is 0.  It stores what TSOPEN needs besides points and tree:
 C     KNOWN is the first tetrahedron, or begins with minus the code;
 C     COUNT, behind it, and HEADER(1) are NP, so that an index can be
-C     recognized.
-      SUBROUTINE TSSEAL(HEADER, KNOWN, COUNT, CTL, RCTL, CODE)
-      INTEGER KNOWN(4), COUNT, CTL(*), CODE
+C     recognized.  COUNTS(1) is the number of supports, whose marks are
+C     behind it.
+      SUBROUTINE TSSEAL(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, CODE)
+      INTEGER KNOWN(4), COUNT, COUNTS(*), CTL(*), CODE
       DOUBLE PRECISION HEADER(6), RCTL(*)
-      INTEGER NP, ENCLOS, SCALE, T3, T5, RLEAST
-      PARAMETER (NP = 1, ENCLOS = 16, SCALE = 19, T3 = 1, T5 = 2,
-     $    RLEAST = 6)
+      INTEGER NP, ENCLOS, SCALE, NSUPP, T3, T5, RLEAST
+      PARAMETER (NP = 1, ENCLOS = 16, SCALE = 19, NSUPP = 20, T3 = 1,
+     $    T5 = 2, RLEAST = 6)
+      DOUBLE PRECISION TSDIGE
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
       HEADER(1) = DBLE(CTL(NP))
@@ -3056,7 +3066,9 @@ C     recognized.
       HEADER(3) = RCTL(T5)
       HEADER(4) = DBLE(CTL(SCALE))
       HEADER(5) = RCTL(RLEAST)
-      HEADER(6) = DBLE(CTL(ENCLOS))
+      COUNTS(1) = CTL(NSUPP)
+      HEADER(6) = -TSDIGE(COUNTS, CTL)
+      IF (CTL(ENCLOS) .EQ. 1) HEADER(6) = -HEADER(6)
       END
 
 C     TSOPEN - open an index for reading only.  INFO is 0, the code of
@@ -3065,10 +3077,10 @@ C     points without a mesh, or -8 where there is no index.
      $                  INFO)
       INTEGER N, KNOWN(4), COUNT, CTL(*), LSI(3,2), INFO
       DOUBLE PRECISION P(3,*), HEADER(6), RCTL(*)
-      INTEGER NP, LEAVES, SCALE, T3, T5, RLEAST, RANGE
+      INTEGER NP, LEAVES, ENCLOS, SCALE, T3, T5, RLEAST, RANGE
       DOUBLE PRECISION NORMAL
-      PARAMETER (NP = 1, LEAVES = 4, SCALE = 19, T3 = 1, T5 = 2,
-     $    RLEAST = 6, RANGE = 6, NORMAL = 2.0D0**(-1022))
+      PARAMETER (NP = 1, LEAVES = 4, ENCLOS = 16, SCALE = 19, T3 = 1,
+     $    T5 = 2, RLEAST = 6, RANGE = 6, NORMAL = 2.0D0**(-1022))
       INTEGER HHHOLD, TSLCOU, ALL
       CALL TSLAYO(CTL, RCTL, LSI)
       CTL(NP) = COUNT
@@ -3082,6 +3094,7 @@ C     points without a mesh, or -8 where there is no index.
       RCTL(T5) = HEADER(3)
       CTL(SCALE) = INT(HEADER(4))
       RCTL(RLEAST) = HEADER(5)
+      IF (HEADER(6) .GT. 0.0D0) CTL(ENCLOS) = 1
       ALL = 1
       IF (RCTL(RLEAST) .LT. NORMAL) ALL = N
       INFO = 0
@@ -3224,40 +3237,50 @@ C     its two sides removed each other
       IF (OK .EQ. 0) INFO = FULL
       END
 
-C     TSMESH - TSRUN with its workspace cut up into the arrays that the
-C     structure mesh has in C.
+C     TSALLO - lay out what is left of IW, of length LIW: SPACE marks,
+C     if there are supports or some may be sought, two lists of all
+C     points, and the pool, of LENGTH.
+      SUBROUTINE TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
+      INTEGER N, LIW, CTL(*), SPACE, LENGTH
+      DOUBLE PRECISION RCTL(*)
+      INTEGER NSUPP, T5, RPATIE, SUPPS
+      DOUBLE PRECISION PLAIN, BURDEN
+      PARAMETER (NSUPP = 20, T5 = 2, RPATIE = 5, SUPPS = 8,
+     $    PLAIN = 16.0D0, BURDEN = 1.0D0)
+      INTEGER TSLCOU, CYLS, LIWMIN, LRWMIN, OK, POOL
+      CALL TSLENG(N, LIWMIN, LRWMIN, POOL, SPACE, CYLS, OK)
+C     doubles decide everything if points are in few units
+      IF (RCTL(RPATIE) .LE. 0.0D0 .AND. CTL(NSUPP) .LT. SUPPS .AND.
+     $    RCTL(T5) .LT. PLAIN .AND. SPACE .GT. 0 .AND.
+     $    LIW - LIWMIN - POOL .GE. SPACE) RCTL(RPATIE) = BURDEN
+      IF (CTL(NSUPP) .EQ. 0 .AND. RCTL(RPATIE) .LE. 0.0D0) SPACE = 0
+      LENGTH = LIW - 4*N - 2*TSLCOU(N) - 5 - SPACE
+      END
+
+C     TSRUN - complete all stars, or, if MASKED = 1, those at the points
+C     I with MINE(I) not 0, for arguments that are known to be valid
+C     except for P and the indices in TET.
 C
-C     They are declared with their lengths, so no two of them share an
-C     element of RW or IW, and the standard lets them be altered.
-      SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
-     $                  X, HEADER, BOX, REP, ORD, KNOWN, COUNT, ALIVE,
-     $                  HEAD, LINK, LENGTH, POOL, SPACE, MARK, ROOMY,
-     $                  INFO)
-      INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS,
-     $    REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1), HEAD(N),
-     $    LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE), ROOMY, INFO
-      DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
-      INTEGER TSLIST, NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH,
-     $    LOW, UNMET, ENCLOS, T5, RREACH, RBURDN, RPATIE, NEW, FULL,
-     $    SUPPS
-      DOUBLE PRECISION PLAIN, BREACH, BURDEN
-      PARAMETER (TSLIST = 512, NP = 1, NT = 2, MAXT = 3, LEAVES = 4,
-     $    ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11,
-     $    UNMET = 15, ENCLOS = 16, T5 = 2, RREACH = 3, RBURDN = 4,
-     $    RPATIE = 5, NEW = -2, FULL = 2, PLAIN = 16.0D0, SUPPS = 8,
-     $    BREACH = 2.6D0, BURDEN = 1.0D0)
-      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS)
-      REAL LSX(TSLIST,4,2)
-      INTEGER TSTABL, CTL(84), I, K, LSI(3,2), LSID(TSLIST+48,2), OK,
-     $    OWN, S, T
-      IF (MASKED .EQ. 1) THEN
-        CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
-      ELSE
-        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N,
-     $              ROOMY, INFO)
-      END IF
-      IF (INFO .GT. 0) NTET = 0
-      IF (INFO .NE. 0) RETURN
+C     HEAD, LINK, POOL and MARK are declared with their lengths, so no
+C     two of them share an element of IW, and the standard lets them be
+C     altered.
+      SUBROUTINE TSRUN(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
+     $                 HEAD, LINK, LENGTH, POOL, SPACE, MARK, CTL, RCTL,
+     $                 SUP, LSX, LSID, LSI, LSD, MASKED, MINE, MAXTET,
+     $                 NTET, INFO)
+      INTEGER N, ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
+     $    HEAD(N), LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE),
+     $    CTL(*), LSID(*), LSI(3,2), MASKED, MINE(*), MAXTET, NTET, INFO
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+     $    LSD(14,2)
+      REAL LSX(*)
+      INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW,
+     $    UNMET, RREACH, NEW, FULL
+      DOUBLE PRECISION BREACH
+      PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5,
+     $    MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, UNMET = 15,
+     $    RREACH = 3, NEW = -2, FULL = 2, BREACH = 2.6D0)
+      INTEGER TSTABL, I, K, OK, OWN, S, T
       CTL(ROOM) = LENGTH
       CTL(MAXT) = MAXTET
       CTL(NT) = NTET
@@ -3275,13 +3298,8 @@ C     sets, by a step of Newton's method
       DO 10 I = 1, CTL(NP)
         LINK(I) = NEW
    10 CONTINUE
-      RCTL(RBURDN) = 0.0D0
-C     those of the index, if they are still there
-      IF (MASKED .EQ. 1 .AND. ROOMY .EQ. 1 .AND. HEADER(6) .GT. 0.0D0)
-     $    CTL(ENCLOS) = 1
-C     doubles decide everything if points are in few units
-      IF (SPACE .GT. 1 .AND. RCTL(T5) .LT. PLAIN) RCTL(RPATIE) = BURDEN
       S = 0
+      INFO = 0
       IF (CTL(NT) .GT. 0) THEN
         CALL TSINTA(X, P, ORD, TET, ADJ, HEAD, CTL, RCTL, N, INFO)
         IF (INFO .NE. 0) RETURN
@@ -3306,43 +3324,6 @@ C     doubles decide everything if points are in few units
    20   CONTINUE
    30 CONTINUE
       NTET = CTL(NT)
-      END
-
-C     TSRUN - TESS and TESSRE, or TESSPA if MASKED = 1, for arguments
-C     that are known to be valid except for P and the indices in TET.
-      SUBROUTINE TSRUN(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LIW,
-     $                 IW, LRW, RW, INFO)
-      DOUBLE PRECISION P(3,*), RW(*)
-      INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW,
-     $    IW(*), LRW, INFO
-      INTEGER SINGLE
-      PARAMETER (SINGLE = 5)
-      INTEGER TSLCOU, AT, CYLS, K, LENGTH, LIWMIN, LRWMIN, LVS, MARKS,
-     $    OK, POOL, ROOMY, SPACE
-      IF (N .EQ. 0) THEN
-        NTET = 0
-        INFO = SINGLE
-        RETURN
-      END IF
-      LVS = TSLCOU(N)
-      CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
-      ROOMY = 0
-      IF (CYLS .GT. 0 .AND. LRW - LRWMIN .GE. CYLS) ROOMY = 1
-C     what an index keeps, but for its last place, which is MARK's where
-C     there are no marks
-      K = 2*N + 2*LVS + 5
-      AT = K
-      SPACE = 1
-      LENGTH = LIW - 2*N - K
-      IF (MARKS .GT. 0 .AND. LIW - LIWMIN - POOL .GE. MARKS) THEN
-        LENGTH = LENGTH - MARKS
-        AT = LIW - MARKS + 1
-        SPACE = MARKS
-      END IF
-      CALL TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS, RW,
-     $            RW(3*N+12*LVS-5), RW(3*N+1), IW, IW(N+1), IW(2*N+1),
-     $            IW(2*N+5), IW(2*N+6), IW(K+1), IW(K+N+1), LENGTH,
-     $            IW(K+2*N+1), SPACE, IW(AT), ROOMY, INFO)
       END
 
 C     TSBADA - INFO is the code of a bad argument of TESSRE, or 0; WHICH
@@ -3477,8 +3458,8 @@ C     linear number of tetrahedra.  Section 2 of the paper.
       CALL TSBADA(N, P, 0, MAXTET, 0, TET, ADJ, LIW, LRW, NTET, INFO)
       IF (INFO .NE. 0) RETURN
       ALL(1) = 1
-      CALL TSRUN(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW,
-     $           LRW, RW, INFO)
+      CALL TSWORK(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW, LRW,
+     $            RW, INFO)
       END
 
 C     TESSRE - go on from an unfinished result.
@@ -3511,8 +3492,84 @@ C     but in bounded time and within the arrays.
       CALL TSBADA(N, P, 0, MAXTET, NTET, TET, ADJ, LIW, LRW, I, INFO)
       IF (INFO .NE. 0) RETURN
       ALL(1) = 1
-      CALL TSRUN(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW,
-     $           LRW, RW, INFO)
+      CALL TSWORK(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW, LRW,
+     $            RW, INFO)
+      END
+
+C     TSWORK - TESS, TESSRE and, if MASKED = 1, TESSPA, for arguments
+C     that TSBADA has passed.
+      SUBROUTINE TSWORK(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LIW,
+     $                  IW, LRW, RW, INFO)
+      DOUBLE PRECISION P(3,*), RW(*)
+      INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW,
+     $    IW(*), LRW, INFO
+      INTEGER SINGLE
+      PARAMETER (SINGLE = 5)
+      INTEGER TSLCOU, CYLS, K, LIWMIN, LRWMIN, LVS, MARKS, OK, POOL,
+     $    ROOMY, WHOLE
+      IF (N .EQ. 0) THEN
+        NTET = 0
+        INFO = SINGLE
+        RETURN
+      END IF
+      LVS = TSLCOU(N)
+      CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
+      ROOMY = 0
+      IF (CYLS .GT. 0 .AND. LRW - LRWMIN .GE. CYLS) ROOMY = 1
+      WHOLE = 0
+      IF (LIW - LIWMIN .GE. MARKS) WHOLE = 1
+      K = 2*N + 2*LVS + 5
+      CALL TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS, RW,
+     $            RW(3*N+12*LVS-5), RW(3*N+1), IW, IW(N+1), IW(2*N+1),
+     $            IW(2*N+5), IW(2*N+6), LIW, LIW - K + 1, IW(K), ROOMY,
+     $            WHOLE, INFO)
+      END
+
+C     TSMESH - TSWORK with its workspace cut up into the arrays that the
+C     structure mesh has in C.
+C
+C     They are declared with their lengths, so no two of them share an
+C     element of RW or IW, and the standard lets them be altered.
+      SUBROUTINE TSMESH(N, P, MASKED, MINE, MAXTET, NTET, TET, ADJ, LVS,
+     $                  X, HEADER, BOX, REP, ORD, KNOWN, COUNT, ALIVE,
+     $                  LIW, LEFT, COUNTS, ROOMY, WHOLE, INFO)
+      INTEGER N, MASKED, MINE(*), MAXTET, NTET, TET(4,*), ADJ(*), LVS,
+     $    REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1), LIW, LEFT,
+     $    COUNTS(LEFT), ROOMY, WHOLE, INFO
+      DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
+      INTEGER TSLIST, ENCLOS, NSUPP, SUPPS
+      PARAMETER (TSLIST = 512, ENCLOS = 16, NSUPP = 20, SUPPS = 8)
+      DOUBLE PRECISION TSDIGE, LSD(14,2), RCTL(6), SUP(96,SUPPS)
+      REAL LSX(TSLIST,4,2)
+      INTEGER CTL(84), K, KEPT, LENGTH, LSI(3,2), LSID(TSLIST+48,2),
+     $    SPACE
+      IF (MASKED .EQ. 1) THEN
+        CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
+      ELSE
+        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N,
+     $              ROOMY, INFO)
+      END IF
+      IF (INFO .GT. 0) NTET = 0
+      IF (INFO .NE. 0) RETURN
+      IF (MASKED .EQ. 1) THEN
+C       what the index has of these, if it is still there
+        IF (ROOMY .EQ. 0) CTL(ENCLOS) = 0
+        IF (WHOLE .EQ. 1) THEN
+          IF (ABS(TSDIGE(COUNTS, CTL) - ABS(HEADER(6))) .LE. 0.0D0)
+     $        CALL TSRECA(X, P, ORD, COUNTS, CTL, SUP)
+        END IF
+        COUNTS(1) = CTL(NSUPP)
+      END IF
+      KEPT = CTL(NSUPP)
+      CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
+C     without marks MARK is COUNTS(1), which is left alone
+      K = SPACE + 2
+      CALL TSRUN(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
+     $           COUNTS(K), COUNTS(K+N), LENGTH, COUNTS(K+2*N),
+     $           MAX(SPACE, 1), COUNTS(MIN(K,3)-1), CTL, RCTL, SUP, LSX,
+     $           LSID, LSI, LSD, MASKED, MINE, MAXTET, NTET, INFO)
+C     marks of supports that no index knows
+      IF (MASKED .EQ. 1 .AND. CTL(NSUPP) .GT. KEPT) COUNTS(1) = 0
       END
 
 C     TESSIX - sort the points, for stars and queries without a mesh.
@@ -3542,8 +3599,8 @@ C     Cost: O(N log N), about a tenth of that of the mesh.
       INTEGER N, LIW, IW(*), LRW, INFO
       INTEGER SINGLE, INTMAX, KEEP
       PARAMETER (SINGLE = 5, INTMAX = 2147483647, KEEP = 5)
-      INTEGER TSLCOU, CYLS, I, LIWMIN, LRWMIN, LVS, MARKS, NONE(4,1),
-     $    OK, POOL, ROOMY
+      INTEGER TSLCOU, CYLS, I, K, LEFT, LIWMIN, LRWMIN, LVS, MARKS,
+     $    NONE(4,1), OK, POOL, ROOMY, WHOLE
       NONE(1,1) = 0
       CALL TSBADA(N, P, 0, 0, 0, NONE, NONE, INTMAX, LRW, I, INFO)
       IF (INFO .NE. 0 .AND. INFO .NE. -9) RETURN
@@ -3556,22 +3613,34 @@ C     Cost: O(N log N), about a tenth of that of the mesh.
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
       ROOMY = 0
       IF (CYLS .GT. 0 .AND. LRW - LRWMIN .GE. CYLS) ROOMY = 1
+      LEFT = LIW - N - 8*(N/4)
+      WHOLE = 0
+      IF (MARKS .GT. 0 .AND. LEFT - LIWMIN .GE. MARKS) WHOLE = 1
+      K = 2*N + 2*LVS + KEEP
       CALL TSINDE(N, P, LVS, RW, RW(3*N+12*LVS-5), RW(3*N+1), IW,
-     $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6), ROOMY, INFO)
+     $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6), LEFT,
+     $            LIW - K + 1, IW(K), ROOMY, WHOLE, INFO)
       END
 
-C     TSINDE - TESSIX with its workspace cut up as TSRUN's.
+C     TSINDE - TESSIX with its workspace cut up as TSWORK's.  The
+C     supports are those that the stars of points of all regions find
+C     (the multiples of the golden ratio are spread evenly); nothing
+C     else is kept of these.
       SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
-     $                  COUNT, ALIVE, ROOMY, INFO)
+     $                  COUNT, ALIVE, LIW, LEFT, COUNTS, ROOMY, WHOLE,
+     $                  INFO)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1),
-     $    ROOMY, INFO
+     $    LIW, LEFT, COUNTS(LEFT), ROOMY, WHOLE, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
-      INTEGER TSLIST, NP, RANGE
-      PARAMETER (TSLIST = 512, NP = 1, RANGE = 6)
-      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,1)
+      INTEGER TSLIST, NP, NSUPP, T5, RBURDN, RPATIE, SUPPS, REGIO, RANGE
+      DOUBLE PRECISION PLAIN, KEEN
+      PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T5 = 2, RBURDN = 4,
+     $    RPATIE = 5, SUPPS = 8, REGIO = 32, RANGE = 6, PLAIN = 16.0D0,
+     $    KEEN = 1.0D0/256.0D0)
+      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(84), GUESS(2), I, K, LSI(3,2), LSID(TSLIST+48,2),
-     $    V(3), Z
+      INTEGER CTL(84), CODE, GUESS(2), I, K, LENGTH, LSI(3,2),
+     $    LSID(TSLIST+48,2), MANY, MINE, SPACE, V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, ROOMY,
      $            INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
@@ -3586,23 +3655,49 @@ C       ORD in the place of LINK: no star is complete, no entry is DONE
    10   CONTINUE
         KNOWN(4) = ORD(Z)
       END IF
-      CALL TSSEAL(HEADER, KNOWN, COUNT, CTL, RCTL, INFO)
-      IF (INFO .EQ. RANGE) RETURN
-C     REP becomes number -> position: first of the points that stand for
-C     themselves.  These are the I with ORD(REP(I)) = I, as ORD holds no
-C     duplicate; a duplicate then takes the position of the point it has
-C     in REP
-      DO 20 I = 1, CTL(NP)
-        REP(ORD(I)) = I
-   20 CONTINUE
-      DO 30 I = 1, N
-        K = REP(I)
-        IF (K .GT. CTL(NP)) THEN
-          REP(I) = REP(K)
-        ELSE IF (ORD(K) .NE. I) THEN
-          REP(I) = REP(K)
-        END IF
-   30 CONTINUE
+      IF (INFO .NE. RANGE) THEN
+C       REP becomes number -> position: first of the points that stand
+C       for themselves.  These are the I with ORD(REP(I)) = I, as ORD
+C       holds no duplicate; a duplicate then takes the position of the
+C       point it has in REP
+        DO 20 I = 1, CTL(NP)
+          REP(ORD(I)) = I
+   20   CONTINUE
+        DO 30 I = 1, N
+          K = REP(I)
+          IF (K .GT. CTL(NP)) THEN
+            REP(I) = REP(K)
+          ELSE IF (ORD(K) .NE. I) THEN
+            REP(I) = REP(K)
+          END IF
+   30   CONTINUE
+      END IF
+      IF (INFO .EQ. 0 .AND. WHOLE .EQ. 1 .AND. RCTL(T5) .LT. PLAIN) THEN
+        MINE = LEFT - N - 8*(N/4)
+        DO 50 K = 1, REGIO
+          IF (MOD(K, 8) .EQ. 1) THEN
+            DO 40 I = 1, N
+              COUNTS(MINE+I) = 0
+   40       CONTINUE
+          END IF
+          I = MOD(INT(0.618D0*DBLE(K)*DBLE(CTL(NP))), CTL(NP)) + 1
+          COUNTS(MINE+ORD(I)) = 1
+          IF (MOD(K, 8) .NE. 0) GO TO 50
+          MANY = 0
+          RCTL(RPATIE) = KEEN
+          CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
+          I = SPACE + 2
+          Z = MINE + N + 1
+          CALL TSRUN(N, X, P, ORD, COUNTS(Z), COUNTS(Z+4*(N/4)), BOX,
+     $               ALIVE, REP, KNOWN, COUNTS(I), COUNTS(I+N), LENGTH,
+     $               COUNTS(I+2*N), SPACE, COUNTS(2), CTL, RCTL, SUP,
+     $               LSX, LSID, LSI, LSD, 1, COUNTS(MINE+1), N/4, MANY,
+     $               CODE)
+          IF (CTL(NSUPP) .EQ. SUPPS .OR. (CTL(NSUPP) .EQ. 0 .AND.
+     $        RCTL(RBURDN) .LE. 0.0D0)) GO TO 60
+   50   CONTINUE
+      END IF
+   60 CALL TSSEAL(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, INFO)
       END
 
 C     TESSPA - all tetrahedra of the mesh that have one of certain
@@ -3638,8 +3733,8 @@ C     recipe JOIN makes them one result.
      $    LRW, INFO
       INTEGER I
       CALL TSBADA(N, P, 1, MAXTET, NTET, TET, ADJ, LIW, LRW, I, INFO)
-      IF (INFO .EQ. 0) CALL TSRUN(N, P, 1, MINE, MAXTET, NTET, TET, ADJ,
-     $    LIW, IW, LRW, RW, INFO)
+      IF (INFO .EQ. 0) CALL TSWORK(N, P, 1, MINE, MAXTET, NTET, TET,
+     $    ADJ, LIW, IW, LRW, RW, INFO)
       IF (INFO .LT. -1) INFO = INFO - 1
       END
 C     ------------------------------------------------------------------
@@ -3778,30 +3873,68 @@ C     support.
       IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
       END
 
-C     TSTHRO - sets up the support S through the positions W and Z, a
-C     plane or a sphere, for a search's sample, whose extent is WIDE.
-C     It takes heights of up to 8 times those of three quarters of the
-C     sample, or of one quarter if that is FINER times nearer: the
-C     points on one of several near sheets.  OK is 1, or 0 if that is
-C     more than BAND.
-      SUBROUTINE TSTHRO(P, ORD, CTL, IQ, W, Z, WIDE, PLANE, S, OK)
-      DOUBLE PRECISION P(3,*), WIDE, S(96)
-      INTEGER ORD(*), CTL(*), IQ(42), W(3), Z, PLANE, OK
-      INTEGER SCALE, SC, SSIZE, SLOW, SGRAIN, QOPEND, QSOME, SOME,
-     $    GRAINS
+C     TSPLAC - returns where in MARK the record of support J begins, but
+C     for one.  The nodes' least marks are behind its RECORD integers.
+      INTEGER FUNCTION TSPLAC(CTL, J)
+      INTEGER CTL(*), J
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      TSPLAC = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + 6)
+      END
+
+C     TSEREC - sets up the support S from its record.  OK is 1, or 0 if
+C     that cannot be done.
+      SUBROUTINE TSEREC(X, P, ORD, RECORD, CTL, S, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), S(96)
+      INTEGER ORD(*), RECORD(7), CTL(*), OK
+      INTEGER SCALE, BUNIT, SAT, SC, SSIZE, SLOW, SGRAIN, GRAINS, EXPON
+      PARAMETER (SCALE = 19, BUNIT = 86, SAT = 87, SC = 90, SSIZE = 94,
+     $    SLOW = 95, SGRAIN = 96, GRAINS = 134217728, EXPON = 2000)
+      DOUBLE PRECISION HHLDEX, C(3)
+      INTEGER K, PLANE, Z
+      PLANE = RECORD(5)
+      S(SGRAIN) = HHLDEX(1.0D0, RECORD(7) - EXPON)
+      S(SLOW) = -0.5D0*S(SGRAIN)*DBLE(GRAINS)
+      Z = RECORD(4)
+      IF (PLANE .EQ. 1) Z = RECORD(1)
+      CALL HHCENT(P, ORD, CTL(SCALE), RECORD(1), 1, Z, C, S, OK)
+      IF (OK .EQ. 0) RETURN
+      CALL HHUNIT(S, PLANE, C)
+C     of heights by limbs, too
+      IF (RECORD(6) .EQ. 1) S(BUNIT) = -S(BUNIT)
+      S(SSIZE) = 0.0D0
+      IF (PLANE .EQ. 0) S(SSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
+      DO 10 K = 1, 3
+        S(SAT+K) = X(K,RECORD(1))
+        S(SC+K) = C(K)
+        IF (RECORD(6) .EQ. 1) S(SC+K) = -C(K)
+   10 CONTINUE
+      END
+
+C     TSTHRO - sets up the support S, a plane or a sphere through the
+C     positions at the beginning of RECORD, for a search's sample, whose
+C     extent is WIDE.  It takes heights of 8 to 16 times those of three
+C     quarters of the sample, or of one quarter if that is FINER times
+C     nearer: the points on one of several near sheets.  OK is 1, or 0
+C     if that is more than BAND.
+      SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, WIDE, PLANE, S, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(96)
+      INTEGER ORD(*), RECORD(7), CTL(*), IQ(42), PLANE, OK
+      INTEGER SLOW, QOPEND, QSOME, SOME, GRAINS, EXPON
       DOUBLE PRECISION BAND, FINER, ROUGH
-      PARAMETER (SCALE = 19, SC = 90, SSIZE = 94, SLOW = 95,
-     $    SGRAIN = 96, QOPEND = 10, QSOME = 10, SOME = 32,
-     $    GRAINS = 134217728, BAND = 2.0D-8, FINER = 100.0D0,
-     $    ROUGH = 1.0D-3)
-      DOUBLE PRECISION C(3), D, ERR, H(SOME), WORST
-      INTEGER I, K, N
+      PARAMETER (SLOW = 95, QOPEND = 10, QSOME = 10, SOME = 32,
+     $    GRAINS = 134217728, EXPON = 2000, BAND = 2.0D-8,
+     $    FINER = 100.0D0, ROUGH = 1.0D-3)
+      DOUBLE PRECISION D, ERR, H(SOME), WORST
+      INTEGER HHFREX, I, K, N
       N = MIN(IQ(QOPEND), SOME)
       WORST = 0.0D0
-      CALL HHCENT(P, ORD, CTL(SCALE), W, 1, Z, C, S, OK)
+      RECORD(5) = PLANE
+      RECORD(6) = 0
+      RECORD(7) = EXPON
+      CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
       IF (OK .EQ. 0) RETURN
       OK = 0
-      CALL HHUNIT(S, PLANE, C)
       DO 20 I = 1, N
         CALL HHHEIG(P, ORD, S, IQ(QSOME+I), PLANE, D, ERR)
         D = ABS(D)
@@ -3816,39 +3949,33 @@ C     more than BAND.
    20 CONTINUE
       D = H(3*N/4+1)
       IF (H(N/4+1) .LT. D/FINER) D = H(N/4+1)
-      D = 16.0D0*D/DBLE(GRAINS)
-      S(SGRAIN) = MAX(D, 8.0D0*WORST)
-      S(SLOW) = -0.5D0*S(SGRAIN)*DBLE(GRAINS)
-      S(SSIZE) = 0.0D0
-      IF (PLANE .EQ. 0) S(SSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
-      DO 30 K = 1, 3
-        S(SC+K) = C(K)
-   30 CONTINUE
+      D = D*(16.0D0/DBLE(GRAINS))
+      RECORD(7) = EXPON + HHFREX(MAX(D, 8.0D0*WORST))
+      CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
       D = BAND*WIDE
       IF (PLANE .EQ. 0) D = ROUGH*WIDE*WIDE
-      IF (-S(SLOW) .LE. D) OK = 1
+      IF (-S(SLOW) .GT. D) OK = 0
       END
 
 C     TSFIT - sets up the support S through the widest of the points
 C     that a search left open: a sphere, or a plane where the points are
 C     on none (sheets near each other are one).  OK is 1 if it is set
 C     up, or 0.
-      SUBROUTINE TSFIT(X, P, ORD, CTL, V, IQ, S, OK)
+      SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), S(96)
-      INTEGER ORD(*), CTL(*), V(3), IQ(42), OK
-      INTEGER NP, SAT, SC, SSIZE, SLOW, QOPEND, QSOME, BUNIT, SOME
+      INTEGER ORD(*), RECORD(7), CTL(*), V(3), IQ(42), OK
+      INTEGER NP, SSIZE, SLOW, QOPEND, QSOME, SOME
       DOUBLE PRECISION SMALL
-      PARAMETER (NP = 1, SAT = 87, SC = 90, SSIZE = 94, SLOW = 95,
-     $    QOPEND = 10, QSOME = 10, BUNIT = 86, SMALL = 2.0D0**(-450),
-     $    SOME = 32)
+      PARAMETER (NP = 1, SSIZE = 94, SLOW = 95, QOPEND = 10,
+     $    QSOME = 10, SMALL = 2.0D0**(-450), SOME = 32)
       DOUBLE PRECISION TSDOT, D, E(3), ERR, LOW, U(3,SOME), WIDE(3)
-      INTEGER FAR, I, J, K, N, UP, W(3), Z
+      INTEGER FAR, I, J, K, N, UP, Z
       OK = 0
       N = MIN(IQ(QOPEND), SOME)
-      W(1) = V(1)
+      RECORD(1) = V(1)
       DO 20 I = 1, N
         DO 10 K = 1, 3
-          U(K,I) = X(K,IQ(QSOME+I)) - X(K,W(1))
+          U(K,I) = X(K,IQ(QSOME+I)) - X(K,V(1))
    10   CONTINUE
    20 CONTINUE
 C     the farthest one, and what is left of all
@@ -3858,10 +3985,9 @@ C     the farthest one, and what is left of all
           IF (TSDOT(U(1,I), U(1,I)) .GT. TSDOT(U(1,FAR), U(1,FAR)))
      $        FAR = I
    30   CONTINUE
-        Z = IQ(QSOME+FAR)
+        RECORD(J+1) = IQ(QSOME+FAR)
         WIDE(J) = SQRT(TSDOT(U(1,FAR), U(1,FAR)))
         IF (J .EQ. 3) GO TO 70
-        W(MOD(J,3)+1) = Z
         IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
         DO 40 K = 1, 3
           E(K) = U(K,FAR)/WIDE(J)
@@ -3873,15 +3999,11 @@ C     the farthest one, and what is left of all
    50     CONTINUE
    60   CONTINUE
    70 CONTINUE
-      IF (WIDE(3) .GE. 1.0D-7*WIDE(1)) CALL TSTHRO(P, ORD, CTL, IQ, W,
-     $    Z, WIDE(1), 0, S, OK)
-      IF (OK .EQ. 0) CALL TSTHRO(P, ORD, CTL, IQ, W, W(1), WIDE(1), 1,
+      IF (WIDE(3) .GE. 1.0D-7*WIDE(1)) CALL TSTHRO(X, P, ORD, RECORD,
+     $    CTL, IQ, WIDE(1), 0, S, OK)
+      IF (OK .EQ. 0) CALL TSTHRO(X, P, ORD, RECORD, CTL, IQ, WIDE(1), 1,
      $    S, OK)
-      IF (OK .EQ. 0) RETURN
-      DO 80 K = 1, 3
-        S(SAT+K) = X(K,W(1))
-   80 CONTINUE
-      IF (S(SSIZE) .GT. 0.0D0) RETURN
+      IF (OK .EQ. 0 .OR. S(SSIZE) .GT. 0.0D0) RETURN
 C     nodes know how far down their points reach, but only that some are
 C     above: the side of a plane with more points is turned up
       LOW = S(SLOW)
@@ -3893,11 +4015,8 @@ C     above: the side of a plane with more points is turned up
         IF (D .LT. LOW - ERR) UP = UP - 1
    90 CONTINUE
       IF (UP .GE. 0) RETURN
-      DO 100 K = 1, 3
-        S(SC+K) = -S(SC+K)
-  100 CONTINUE
-C     of heights by limbs, too
-      S(BUNIT) = -S(BUNIT)
+      RECORD(6) = 1
+      CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
       END
 
 C     TSDISC - seeks a support for the points that a search left open.
@@ -3918,8 +4037,8 @@ C     KEPT is 1 if it is kept, or 0.
      $    SGRAIN = 96, QBASE = 4, QON = 6, QOPEND = 10, DONE = -1,
      $    SUPPS = 8, OPENED = 24, GRAINS = 134217728, FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, ERRS(3), FINE, GRAIN, H, HS(3), LOW
-      INTEGER TSCUBE, TSCURV, ACROSS, ALL, FIRST, I, J, K, LAST, LEAST,
-     $    NEAR, NODE, OK, OLD, OVER, PLANE, Z
+      INTEGER TSCUBE, TSCURV, TSPLAC, ACROSS, ALL, AT, FIRST, I, J, K,
+     $    LAST, LEAST, NEAR, NODE, OK, OLD, OVER, PLANE, Z
       KEPT = 0
       J = CTL(NSUPP) + 1
       IF (J .EQ. 1) THEN
@@ -3927,7 +4046,8 @@ C     KEPT is 1 if it is kept, or 0.
           MARK(I) = 0
    10   CONTINUE
       END IF
-      CALL TSFIT(X, P, ORD, CTL, V, IQ, SUP(1,J), OK)
+      AT = TSPLAC(CTL, J)
+      CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
       IF (OK .EQ. 0) RETURN
 C     sample all that is near: the search's points may be from a corner
       IQ(QOPEND) = 0
@@ -3939,7 +4059,7 @@ C     sample all that is near: the search's points may be from a corner
      $      CALL TSREME(IQ, Z, 1)
    15 CONTINUE
       IF (IQ(QOPEND) .GT. OPENED) THEN
-        CALL TSFIT(X, P, ORD, CTL, V, IQ, SUP(1,J), OK)
+        CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
         IF (OK .EQ. 0) RETURN
       END IF
       ACROSS = 0
@@ -3948,7 +4068,7 @@ C     sample all that is near: the search's points may be from a corner
       PLANE = 1 - TSCURV(SUP, J)
       LOW = SUP(SLOW,J)
       GRAIN = SUP(SGRAIN,J)
-      LEAST = CTL(NP) + 2*CTL(LEAVES)*(J - 1)
+      LEAST = AT + 7
       NEAR = 0
       ALL = 0
       DO 30 NODE = 2*CTL(LEAVES) - 1, 1, -1
@@ -3963,7 +4083,6 @@ C     sample all that is near: the search's points may be from a corner
         MARK(LEAST+NODE) = GRAINS
         CALL TSSPAN(CTL, NODE, FIRST, LAST)
         DO 20 I = FIRST, LAST
-          IF (LINK(I) .EQ. DONE) GO TO 20
           Z = I
           CALL TSROUG(X, SUP(1,J), Z, H, ERR)
           IF (ABS(H) .LE. ERR - LOW) THEN
@@ -4002,6 +4121,36 @@ C     sample all that is near: the search's points may be from a corner
       KEPT = 1
       CTL(NSUPP) = J
       IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
+      END
+
+C     TSDIGE - a number that tells, but for chance, whether the marks
+C     behind an index are its own: a copy may end before them.
+      DOUBLE PRECISION FUNCTION TSDIGE(COUNTS, CTL)
+      INTEGER COUNTS(*), CTL(*)
+      INTEGER TSPLAC, A, B, I, MANY
+      MANY = 0
+      IF (COUNTS(1) .GT. 0) MANY = TSPLAC(CTL, COUNTS(1) + 1)
+      A = 1
+      B = 0
+      DO 10 I = 1, MANY
+        A = MOD(A + MOD(COUNTS(1+I), 32749), 32749)
+        B = MOD(B + A, 32749)
+   10 CONTINUE
+      TSDIGE = 32749.0D0*DBLE(B) + DBLE(A)
+      END
+
+C     TSRECA - sets up the supports that an index has.
+      SUBROUTINE TSRECA(X, P, ORD, COUNTS, CTL, SUP)
+      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*)
+      INTEGER ORD(*), COUNTS(*), CTL(*)
+      INTEGER NSUPP
+      PARAMETER (NSUPP = 20)
+      INTEGER TSPLAC, AT, J, OK
+      CTL(NSUPP) = COUNTS(1)
+      DO 10 J = 1, CTL(NSUPP)
+        AT = TSPLAC(CTL, J)
+        CALL TSEREC(X, P, ORD, COUNTS(AT+2), CTL, SUP(1,J), OK)
+   10 CONTINUE
       END
 
 C     TSSUPP - finds the support that the facet is on, if any, and its
@@ -4281,14 +4430,14 @@ C     Where the heights tell nothing, the box alone counts.
       SUBROUTINE TSPRHE(BOX, MARK, CTL, SUP, IQ, F, C, T, NODE, OUT)
       DOUBLE PRECISION BOX(6,*), SUP(96,*), F(12), C(7), T(14)
       INTEGER MARK(*), CTL(*), IQ(42), NODE, OUT
-      INTEGER NP, LEAVES, SLOW, SGRAIN, QON, QAIMED, QHI, TA, GRAINS
-      PARAMETER (NP = 1, LEAVES = 4, SLOW = 95, SGRAIN = 96, QON = 6,
+      INTEGER LEAVES, SLOW, SGRAIN, QON, QAIMED, QHI, TA, GRAINS
+      PARAMETER (LEAVES = 4, SLOW = 95, SGRAIN = 96, QON = 6,
      $    QAIMED = 7, QHI = 7, TA = 6, GRAINS = 134217728)
       DOUBLE PRECISION H, SIZE, SUM
-      INTEGER TSPRUN, CODE, TELLS
+      INTEGER TSPLAC, TSPRUN, CODE, TELLS
       IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F, C(QHI),
      $    T)
-      CODE = MARK(CTL(NP)+2*CTL(LEAVES)*(IQ(QON)-1)+NODE)
+      CODE = MARK(TSPLAC(CTL, IQ(QON))+7+NODE)
       TELLS = 1
       IF (T(TA) .LT. 0.0D0) THEN
         IF (MOD(CODE, 2) .EQ. 1) TELLS = 0
@@ -5183,17 +5332,18 @@ C     TSACRO - replace U by the tetrahedron across its facet K, whose
 C     apex becomes U(4).  OK is 1; or 0, with U unchanged, if that facet
 C     is on the hull.  ORD takes the place of LINK: no star is complete,
 C     no entry is DONE.
-      SUBROUTINE TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, U, K, OK)
+      SUBROUTINE TSACRO(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
+     $                  LSX, LSID, LSI, LSD, U, K, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
      $    LSD(14,2)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), CTL(*), LSID(*), LSI(3,2), U(4,1), K, OK
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(3,2),
+     $    U(4,1), K, OK
       INTEGER F(3), GUESS(2), I, Z
       GUESS(1) = 0
       GUESS(2) = 0
       CALL TSOUTF(U, 1, K, F)
-      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, ORD, CTL, RCTL, SUP, LSX,
+      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP, LSX,
      $            LSID, LSI, LSD, F, GUESS, Z)
       OK = 0
       IF (Z .EQ. 0) RETURN
@@ -5247,23 +5397,24 @@ C     that is passed on the way about an edge of the hull.
       IF (N .EQ. 0) RETURN
       LVS = TSLCOU(N)
       CALL TSQUER(N, P, LVS, RW, RW(3*N+12*LVS-5), RW(3*N+1), IW,
-     $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6), Q, V, W,
-     $            INFO)
+     $            IW(N+1), IW(2*N+1), IW(2*N+5), IW(2*N+6),
+     $            IW(2*N+2*LVS+5), Q, V, W, INFO)
       END
 
-C     TSQUER - TESSQU with the index cut up as TSRUN's workspace.
+C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       SUBROUTINE TSQUER(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
-     $                  COUNT, ALIVE, Q, V, W, INFO)
+     $                  COUNT, ALIVE, COUNTS, Q, V, W, INFO)
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4,1), COUNT, ALIVE(2*LVS-1),
-     $    V(4,1), INFO
+     $    COUNTS(*), V(4,1), INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,2*LVS-1), Q(3),
      $    W(4)
-      INTEGER TSLIST, NP, T3, HFROM, HMOST, NONE, UNSURE, RANGE
-      PARAMETER (TSLIST = 512, NP = 1, T3 = 1, HFROM = 7, HMOST = 10,
-     $    NONE = 0, UNSURE = 2, RANGE = 6)
-      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,1), XF(3)
+      INTEGER TSLIST, NP, NSUPP, T3, HFROM, HMOST, NONE, UNSURE, SUPPS,
+     $    RANGE
+      PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T3 = 1, HFROM = 7,
+     $    HMOST = 10, NONE = 0, UNSURE = 2, SUPPS = 8, RANGE = 6)
+      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS), XF(3)
       REAL LSX(TSLIST,4,2)
-      INTEGER HHFINI, HHHOLD, HHPSID, TSQSID, TSSLOT, CTL(84), F(3),
+      INTEGER HHFINI, HHHOLD, HHPSID, TSQSID, TSSLOT, AT, CTL(84), F(3),
      $    G(4,1), H(10), I, K, LAST, LSI(3,2), LSID(TSLIST+48,2), OK, S,
      $    STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
@@ -5271,6 +5422,10 @@ C     TSQUER - TESSQU with the index cut up as TSRUN's workspace.
       IF (INFO .NE. 0) RETURN
       INFO = -5
       IF (HHFINI(1, Q) .EQ. 0) RETURN
+      CALL TSRECA(X, P, ORD, COUNTS, CTL, SUP)
+C     where the marks are, if there are any
+      AT = 1
+      IF (CTL(NSUPP) .GT. 0) AT = 2
       INFO = -6
       STEPS = 0
       IF (V(1,1) .NE. 0) THEN
@@ -5292,8 +5447,8 @@ C     TSQUER - TESSQU with the index cut up as TSRUN's workspace.
    40 IF (STEPS .EQ. 0) THEN
         CALL TSDESC(P, ORD, BOX, CTL, Q, S)
 C       ORD in the place of LINK: see TSACRO
-        CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, ORD, CTL,
-     $              RCTL, SUP, LSX, LSID, LSI, LSD, S, U)
+        CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, COUNTS(AT),
+     $              CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, U)
         LAST = 5
       END IF
       IF (STEPS .GE. 0) STEPS = STEPS - 1
@@ -5312,8 +5467,8 @@ C       ORD in the place of LINK: see TSACRO
       IF (INFO .NE. 0) INFO = RANGE
       RETURN
    70 LAST = 4
-      CALL TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, U, K, OK)
+      CALL TSACRO(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
+     $            LSX, LSID, LSI, LSD, U, K, OK)
       IF (OK .EQ. 1) GO TO 40
       H(1) = NONE
       H(HFROM) = NONE
@@ -5335,8 +5490,8 @@ C     as TSTURN does
   110 I = TSSLOT(U, 1, Z)
       Z = U(K,1)
       K = 4
-      CALL TSACRO(X, P, ORD, BOX, ALIVE, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, U, I, OK)
+      CALL TSACRO(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
+     $            LSX, LSID, LSI, LSD, U, I, OK)
       IF (OK .EQ. 1) GO TO 110
       K = I
       GO TO 80

@@ -1094,7 +1094,7 @@ second_half() {
     sanitizers
     standard
     twins tess "point" \
-        "TSPDIS|TSLINE|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
+        "TSPDIS|TSLINE|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
     twins hhpred "held|blank|shift|lesser" "HHKIND"
     entries
     parity
