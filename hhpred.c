@@ -1281,21 +1281,20 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
  * in double): without them such points have no height. */
 void hh_unit(hh_ball *t, int plane, double *c)
 {
-    double d = 0.0;
     int k, at;
 
     for (; t->n < HH_ROWS && t->n < HH_FEW; t->n++)
         for (k = 0; k < 3; k++) t->base[3 * t->n + k] = 0.0;
-    t->unit = t->d;
+    t->unit = plane ? 0.0 : t->d;
     t->bits = 2 * t->e + (2 - t->first) * HH_BITS;
     if (!plane) return;
     t->bits = t->e + (1 - t->first) * HH_BITS;
     for (k = 0; k < 3; k++) {
         c[k] = leading(HH_ROWS, t->side + k, 4, &at);
         c[k] = ldexp(c[k], -at * HH_BITS);
-        d += c[k] * c[k];
+        t->unit += c[k] * c[k];
     }
-    t->unit = sqrt(d);
+    t->unit = sqrt(t->unit);
     for (k = 0; k < 3; k++) c[k] /= t->unit;
 }
 

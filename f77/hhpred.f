@@ -1815,23 +1815,23 @@ C     such points have no height.
      $    BROWS
       PARAMETER (BN = 1, BFIRST = 2, BBASE = 5, BSIDE = 59, BD = 84,
      $    BE = 85, BUNIT = 86, BBITS = 87, BITS = 24, BROWS = 6)
-      DOUBLE PRECISION HHLDEX, D
+      DOUBLE PRECISION HHLDEX
       INTEGER K, LAT
       DO 10 K = 3*INT(T(BN)) + 1, 3*BROWS
         T(BBASE+K) = 0.0D0
    10 CONTINUE
       T(BN) = MAX(T(BN), DBLE(BROWS))
-      T(BUNIT) = T(BD)
+      T(BUNIT) = 0.0D0
+      IF (PLANE .EQ. 0) T(BUNIT) = T(BD)
       T(BBITS) = 2.0D0*T(BE) + (3.0D0 - T(BFIRST))*BITS
       IF (PLANE .EQ. 0) RETURN
       T(BBITS) = T(BE) + (2.0D0 - T(BFIRST))*BITS
-      D = 0.0D0
       DO 20 K = 1, 3
         CALL HHLEAD(BROWS, T, BSIDE + K, 4, C(K), LAT)
         C(K) = HHLDEX(C(K), (1 - LAT)*BITS)
-        D = D + C(K)*C(K)
+        T(BUNIT) = T(BUNIT) + C(K)*C(K)
    20 CONTINUE
-      T(BUNIT) = SQRT(D)
+      T(BUNIT) = SQRT(T(BUNIT))
       DO 30 K = 1, 3
         C(K) = C(K)/T(BUNIT)
    30 CONTINUE
