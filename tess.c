@@ -89,8 +89,8 @@
  *                inblock scanleaf treesearch onhull prepare apex
  *   one star     exchange settle
  *   star         clearlink renumber push join unlinkedge between glue flush
- *                grow enlist follow gather load complete makeroom begin star
- *                plant stars
+ *                attach grow enlist follow gather load complete makeroom begin
+ *                star plant stars
  *   results      slot mate
  *   preparation  leafcount lengths layout collect inrange rescale units scaled
  *                revive sorted seal opened intact claim restore allot run
@@ -1846,13 +1846,35 @@ static void flush(mesh *m)
     }
 }
 
+/* attach - put the edge a -> b of the facet code into the link between the
+ * edges prev and after, either of which may be NONE; if its other side is
+ * there, remove that instead.  Returns the edge that ends at b then. */
+static tess_int attach(mesh *m, tess_int code, tess_int a, tess_int b,
+                       tess_int prev, tess_int after)
+{
+    tess_int f = between(m, b, a), last;
+
+    if (f == NONE) {
+        m->adj[code] = TESS_OPEN;
+        f = push(m, code, a, b);
+        join(m, prev, f);
+        join(m, f, after);
+        return f;
+    }
+    glue(m, code, m->pool[f + CODE]);
+    last = m->pool[f + PREV];
+    if (f != prev) join(m, prev, m->pool[f + AFTER]);
+    if (f != after) join(m, last, after);
+    unlinkedge(m, f);
+    return last;
+}
+
 /* grow - store the tetrahedron of s, edge e = a -> b and the apex c.  The
- * edges a -> c and c -> b replace e in the link; if the other side of one is
- * there, that is removed instead. */
+ * edges a -> c and c -> b replace e in the link. */
 static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
 {
     tess_int *p = m->pool + e, a = p[FROM], b = p[TO], prev = p[PREV];
-    tess_int after = p[AFTER], code = p[CODE], t = m->ntet++, *v, f, g;
+    tess_int after = p[AFTER], code = p[CODE], t = m->ntet++, *v, f;
 
     v = m->tet + 4 * t;
     v[0] = s;
@@ -1868,35 +1890,8 @@ static void grow(mesh *m, tess_int s, tess_int e, tess_int c)
     if (m->link[c] == NEW) m->link[c] = NONE;
     unlinkedge(m, e);
     m->adj[4 * t] = TESS_OPEN; /* until flush */
-
-    /* a -> c; prev becomes the edge that ends at c */
-    f = between(m, c, a);
-    if (f == NONE) {
-        m->adj[4 * t + 2] = TESS_OPEN;
-        f = push(m, (tess_int)(4 * t + 2), a, c);
-        join(m, prev, f);
-        prev = f;
-    } else {
-        glue(m, (tess_int)(4 * t + 2), m->pool[f + CODE]);
-        g = m->pool[f + PREV];
-        if (f != prev) join(m, prev, m->pool[f + AFTER]);
-        prev = g;
-        unlinkedge(m, f);
-    }
-    /* c -> b */
-    f = between(m, b, c);
-    if (f == NONE) {
-        m->adj[4 * t + 1] = TESS_OPEN;
-        f = push(m, (tess_int)(4 * t + 1), c, b);
-        join(m, prev, f);
-        join(m, f, after);
-    } else {
-        glue(m, (tess_int)(4 * t + 1), m->pool[f + CODE]);
-        g = m->pool[f + PREV];
-        join(m, prev, m->pool[f + AFTER]);
-        if (f != after) join(m, g, after);
-        unlinkedge(m, f);
-    }
+    prev = attach(m, (tess_int)(4 * t + 2), a, c, prev, NONE);
+    (void)attach(m, (tess_int)(4 * t + 1), c, b, prev, after);
 }
 
 /* enlist - make the open facet of a code an edge of the link, if it has the

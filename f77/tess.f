@@ -132,8 +132,8 @@ C         treesearch TSTREE, onhull TSONHU, prepare TSPREP, apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
 C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
-C         flush TSFLUS, grow TSGROW, enlist TSENLI, follow TSFOLL,
-C         gather TSGATH, load TSLOAD, complete TSCMPL,
+C         flush TSFLUS, attach TSATTA, grow TSGROW, enlist TSENLI,
+C         follow TSFOLL, gather TSGATH, load TSLOAD, complete TSCMPL,
 C         makeroom TSMKRO, begin TSBEGI, star TSSTAR, plant TSPLAN,
 C         stars TSSTRS
 C       results: slot TSSLOT, mate TSMATE
@@ -2369,15 +2369,41 @@ C     their memory accesses.
       CTL(FRESH) = CTL(NT) + 1
       END
 
+C     TSATTA - put the edge A -> B of the facet CODE into the link
+C     between the edges PREV and AFTER, either of which may be 0; if its
+C     other side is there, remove that instead.  LAST is the edge that
+C     ends at B then.
+      SUBROUTINE TSATTA(ADJ, LINK, POOL, CTL, CODE, A, B, PREV, AFTER,
+     $                  LAST)
+      INTEGER ADJ(*), LINK(*), POOL(*), CTL(*), CODE, A, B, PREV, AFTER,
+     $    LAST
+      INTEGER ECODE, EPREV, EAFTER, OPEN
+      PARAMETER (ECODE = 0, EPREV = 3, EAFTER = 4, OPEN = -1)
+      INTEGER TSBETW, F, G
+      F = TSBETW(LINK, POOL, B, A)
+      IF (F .EQ. 0) THEN
+        ADJ(CODE) = OPEN
+        CALL TSPUSH(LINK, POOL, CTL, CODE, A, B, LAST)
+        CALL TSJOIN(POOL, PREV, LAST)
+        CALL TSJOIN(POOL, LAST, AFTER)
+        RETURN
+      END IF
+      CALL TSGLUE(ADJ, CODE, POOL(F+ECODE))
+      LAST = POOL(F+EPREV)
+      G = POOL(F+EAFTER)
+      IF (F .NE. PREV) CALL TSJOIN(POOL, PREV, G)
+      IF (F .NE. AFTER) CALL TSJOIN(POOL, LAST, AFTER)
+      CALL TSUNLI(LINK, POOL, F)
+      END
+
 C     TSGROW - store the tetrahedron of S, edge E = A -> B and the apex
-C     C.  The edges A -> C and C -> B replace E in the link; if the
-C     other side of one is there, that is removed instead.
+C     C.  The edges A -> C and C -> B replace E in the link.
       SUBROUTINE TSGROW(TET, ADJ, LINK, POOL, CTL, S, E, C)
       INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
       INTEGER NT, ECODE, EFROM, ETO, EPREV, EAFTER, OPEN, NEW, START
       PARAMETER (NT = 2, ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3,
      $    EAFTER = 4, OPEN = -1, NEW = -2, START = -1)
-      INTEGER TSBETW, A, AFTER, B, CODE, F, G, H, PREV, T
+      INTEGER TSBETW, A, AFTER, B, CODE, F, G, PREV, T
       CODE = POOL(E+ECODE)
       A = POOL(E+EFROM)
       B = POOL(E+ETO)
@@ -2403,37 +2429,8 @@ C     other side of one is there, that is removed instead.
       CALL TSUNLI(LINK, POOL, E)
 C     until TSFLUS
       ADJ(4*T-3) = OPEN
-
-C     A -> C; PREV becomes the edge that ends at C
-      F = TSBETW(LINK, POOL, C, A)
-      IF (F .EQ. 0) THEN
-        ADJ(4*T-1) = OPEN
-        CALL TSPUSH(LINK, POOL, CTL, 4*T - 1, A, C, F)
-        CALL TSJOIN(POOL, PREV, F)
-        PREV = F
-      ELSE
-        CALL TSGLUE(ADJ, 4*T - 1, POOL(F+ECODE))
-        G = POOL(F+EPREV)
-        H = POOL(F+EAFTER)
-        IF (F .NE. PREV) CALL TSJOIN(POOL, PREV, H)
-        PREV = G
-        CALL TSUNLI(LINK, POOL, F)
-      END IF
-C     C -> B
-      F = TSBETW(LINK, POOL, B, C)
-      IF (F .EQ. 0) THEN
-        ADJ(4*T-2) = OPEN
-        CALL TSPUSH(LINK, POOL, CTL, 4*T - 2, C, B, F)
-        CALL TSJOIN(POOL, PREV, F)
-        CALL TSJOIN(POOL, F, AFTER)
-      ELSE
-        CALL TSGLUE(ADJ, 4*T - 2, POOL(F+ECODE))
-        G = POOL(F+EPREV)
-        H = POOL(F+EAFTER)
-        CALL TSJOIN(POOL, PREV, H)
-        IF (F .NE. AFTER) CALL TSJOIN(POOL, G, AFTER)
-        CALL TSUNLI(LINK, POOL, F)
-      END IF
+      CALL TSATTA(ADJ, LINK, POOL, CTL, 4*T - 1, A, C, PREV, 0, F)
+      CALL TSATTA(ADJ, LINK, POOL, CTL, 4*T - 2, C, B, F, AFTER, G)
       END
 
 C     TSENLI - make the open facet CODE an edge of the link, if it has
