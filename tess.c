@@ -2584,6 +2584,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     mesh m;
     sizes w;
     tess_int i, v[4], most = n / 4, left = liw - n - 8 * most, *mine;
+    double part;
     int code = badargument(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw, &i), k;
 
     if (code != 0 && code != -9) return code;
@@ -2612,14 +2613,15 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
         for (k = 1; k <= REGIONS; k++) {
             if (k % 8 == 1)
                 for (i = 0; i < n; i++) mine[i] = 0;
-            mine[m.order[(tess_int)(0.618 * k * (double)m.np) % m.np]] = 1;
+            part = 0.618 * k;
+            part -= (double)(int)part;
+            mine[m.order[(tess_int)(part * (double)m.np)]] = 1;
             if (k % 8 != 0) continue;
             i = 0;
-            m.patience = KEEN;
+            m.patience = m.nsupport < SUPPORTS ? KEEN : 0.0;
             allot(&m, n, left);
             (void)run(&m, n, mine, most, &i, mine + n, mine + n + 4 * most);
-            if (m.nsupport == SUPPORTS || (m.burden == 0.0 && m.nsupport == 0))
-                break;
+            if (m.burden == 0.0 && m.nsupport == 0) break;
         }
     }
     seal(&m, code);

@@ -3634,7 +3634,7 @@ C     else is kept of these.
       PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T5 = 2, RBURDN = 4,
      $    RPATIE = 5, SUPPS = 8, REGIO = 32, RANGE = 6, PLAIN = 16.0D0,
      $    KEEN = 1.0D0/256.0D0)
-      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS)
+      DOUBLE PRECISION LSD(14,2), PART, RCTL(6), SUP(96,SUPPS)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(84), CODE, GUESS(2), I, K, LENGTH, LSI(3,2),
      $    LSID(TSLIST+48,2), MANY, MINE, SPACE, V(3), Z
@@ -3677,11 +3677,13 @@ C       point it has in REP
               COUNTS(MINE+I) = 0
    40       CONTINUE
           END IF
-          I = MOD(INT(0.618D0*DBLE(K)*DBLE(CTL(NP))), CTL(NP)) + 1
-          COUNTS(MINE+ORD(I)) = 1
+          PART = 0.618D0*DBLE(K)
+          PART = PART - DBLE(INT(PART))
+          COUNTS(MINE+ORD(INT(PART*DBLE(CTL(NP)))+1)) = 1
           IF (MOD(K, 8) .NE. 0) GO TO 50
           MANY = 0
-          RCTL(RPATIE) = KEEN
+          RCTL(RPATIE) = 0.0D0
+          IF (CTL(NSUPP) .LT. SUPPS) RCTL(RPATIE) = KEEN
           CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
           I = SPACE + 2
           Z = MINE + N + 1
@@ -3690,8 +3692,7 @@ C       point it has in REP
      $               COUNTS(I+2*N), SPACE, COUNTS(2), CTL, RCTL, SUP,
      $               LSX, LSID, LSI, LSD, 1, COUNTS(MINE+1), N/4, MANY,
      $               CODE)
-          IF (CTL(NSUPP) .EQ. SUPPS .OR. (CTL(NSUPP) .EQ. 0 .AND.
-     $        RCTL(RBURDN) .LE. 0.0D0)) GO TO 60
+          IF (CTL(NSUPP) .EQ. 0 .AND. RCTL(RBURDN) .LE. 0.0D0) GO TO 60
    50   CONTINUE
       END IF
    60 CALL TSSEAL(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, INFO)
