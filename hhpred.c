@@ -987,25 +987,27 @@ static int apart(const hh_set *s, tess_int i)
     return s->t3 < -1.0 && fabs(x[0]) + fabs(x[1]) + fabs(x[2]) <= DOWN;
 }
 
-/* corners - returns 1 if np points are corners of one box with faces along the
- * axes, that is, if no coordinate has more than two values.  q is then their
- * image when the box becomes the unit cube, which alters no orientation. */
+/* corners - returns 2 if np points are in one plane across an axis; 1 if they
+ * are corners of one box with faces along the axes, that is, if no coordinate
+ * has more than two values: q is then their image when the box becomes the unit
+ * cube, which alters no orientation.  Else it returns 0. */
 static int corners(int np, const tess_real *const *p, double *q)
 {
     tess_real other;
-    int i, k;
+    int i, k, box = 1;
 
     for (k = 0; k < 3; k++) {
         other = p[0][k];
         for (i = 1; i < np; i++)
             if (p[i][k] != p[0][k]) {
                 if (other == p[0][k]) other = p[i][k];
-                if (p[i][k] != other) return 0;
+                if (p[i][k] != other) box = 0;
             }
+        if (other == p[0][k]) return 2;
         for (i = 0; i < np; i++)
             q[3 * i + k] = (p[i][k] == p[0][k]) == (other < p[0][k]);
     }
-    return 1;
+    return box;
 }
 
 /* decide - robust for np positions v of the set s that a filter leaves open, or
@@ -1025,8 +1027,10 @@ static int decide(const hh_set *s, int np, const tess_int *v)
         if (most > 0.0) sign = filter(np, q, -1.0);
         if (sign != UNSURE) return sign;
     }
-    /* the corners of a box are on one sphere */
-    if (corners(np, p, q)) return np == 5 ? 0 : filter(4, q, 64.0);
+    /* no filter tells that four points are in a plane, but most such planes in
+     * data are across an axis; the corners of a box are on one sphere */
+    n = corners(np, p, q);
+    if (n > 0) return n == 2 || np == 5 ? 0 : filter(4, q, 64.0);
     return exact(np, np == 4 ? volume : insphere, q, pack(np, p, q),
                  NULL);
 }

@@ -1507,10 +1507,16 @@ static void treesearch(mesh *m, quest *f)
 {
     tess_int stack[DEPTH], node = m->leaves + leafof(m, f->v[f->base]);
     tess_int top = node, from;
-    const double *b;
+    const double *x = m->x, *b;
     double past[4];
-    int depth = 1, n, fours;
+    int depth = 1, n, fours, flat = 0;
 
+    /* a plane across an axis has no candidates for a facet in it */
+    while (flat < 3 &&
+           (x[3 * f->v[0] + flat] != x[3 * f->v[1] + flat] ||
+            x[3 * f->v[0] + flat] != x[3 * f->v[2] + flat] ||
+            m->set.t3 < -1.0)) /* what underflowed may be equal here alone */
+        flat++;
     fours = ENCLOSED(m) && !LEANING(f) && (f->ball || f->f[9] <= HH_LOOSE);
     stack[0] = node;
     while (depth > 0 || top > 1) {
@@ -1525,7 +1531,12 @@ static void treesearch(mesh *m, quest *f)
             node = top % 2 == 0 ? top + 1 : top - 1;
             top /= 2;
         }
+        b = m->box + 6 * node;
         if (m->alive[node] == 0) continue;
+        if (flat < 3 && b[flat] == b[3 + flat] && b[flat] == f->f[6 + flat]) {
+            HOLDS(barren(m, f, node));
+            continue;
+        }
         if (fours && node < m->leaves) {
             COUNT(N_NODE, 4);
             prunecylinders(m, f, node, past);
@@ -1537,7 +1548,6 @@ static void treesearch(mesh *m, quest *f)
             continue;
         }
         COUNT(N_NODE, 1);
-        b = m->box + 6 * node;
         if (LEANING(f) ? pruneheights(m, f, node) : prunebox(f, b, b + 3)) {
             HOLDS(barren(m, f, node));
         } else if (node >= m->leaves)
@@ -2345,7 +2355,7 @@ static void seal(mesh *m, int code)
     header[2] = m->set.t5;
     header[3] = m->set.e;
     header[4] = m->least;
-    m->alive[0] = m->nsupport;
+    m->alive[0] = (tess_int)m->nsupport;
     header[5] = m->enclosed ? digest(m) : -digest(m);
 }
 
@@ -2583,7 +2593,8 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     static const tess_int guess[2] = {NONE, NONE};
     mesh m;
     sizes w;
-    tess_int i, v[4], most = n / 4, left = liw - n - 8 * most, *mine;
+    tess_int i, v[4], most = (tess_int)(n / 4);
+    tess_int left = (tess_int)(liw - n - 8 * most), *mine;
     double part;
     int code = badargument(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw, &i), k;
 
@@ -2644,7 +2655,7 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
         (void)lengths(n, &w);
         m.enclosed = m.enclosed && lrw - w.rw >= w.cylinders;
         if (liw - w.iw >= w.marks && digest(&m) == fabs(m.box[5])) recall(&m);
-        m.alive[0] = m.nsupport;
+        m.alive[0] = (tess_int)m.nsupport;
         allot(&m, n, liw);
         code = run(&m, n, mine, maxtet, ntet, tet, adj);
         /* marks of supports that no index knows */
@@ -2802,7 +2813,7 @@ static int through(const mesh *m, const quest *f, double wide, int plane,
     int n = f->opened < SOME ? (int)f->opened : SOME, i, k;
     double h[SOME], x, err, worst = 0.0;
 
-    s->v[4] = plane;
+    s->v[4] = (tess_int)plane;
     s->v[5] = 0;
     s->v[6] = EXPONENT;
     if (!erect(m, s)) return 0;
@@ -2935,7 +2946,8 @@ static double digest(const mesh *m)
     tess_int i, many = m->alive[0];
     long a = 1, b = 0;
 
-    if (many > 0) many = m->np + many * (2 * m->leaves + RECORD - 1);
+    if (many > 0)
+        many = (tess_int)(m->np + many * (2 * m->leaves + RECORD - 1));
     for (i = 0; i < many; i++) {
         a = (a + m->mark[i] % 32749) % 32749;
         b = (b + a) % 32749;

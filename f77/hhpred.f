@@ -1372,16 +1372,18 @@ C     else 0.
       IF (ABS(X(1,I)) + ABS(X(2,I)) + ABS(X(3,I)) .LE. DOWN) HHAPAR = 1
       END
 
-C     HHCORN - YES is 1 if NP points P are corners of one box with faces
-C     along the axes, that is, if no coordinate has more than two
-C     values; else 0.  Q is then their image when the box becomes the
-C     unit cube, which alters no orientation.
+C     HHCORN - YES is 2 if NP points are in one plane across an axis; 1
+C     if they are corners of one box with faces along the axes, that is,
+C     if no coordinate has more than two values: Q is then their image
+C     when the box becomes the unit cube, which alters no orientation.
+C     Else it is 0.
       SUBROUTINE HHCORN(NP, P, Q, YES)
       INTEGER NP, YES
       DOUBLE PRECISION P(3,*), Q(3,*)
       DOUBLE PRECISION HIGH, LOW
-      INTEGER I, K
-      YES = 0
+      INTEGER BOX, I, K
+      YES = 2
+      BOX = 1
       DO 30 K = 1, 3
         HIGH = P(K,1)
         LOW = P(K,1)
@@ -1389,13 +1391,14 @@ C     unit cube, which alters no orientation.
           HIGH = MAX(HIGH, P(K,I))
           LOW = MIN(LOW, P(K,I))
    10   CONTINUE
+        IF (HIGH .LE. LOW) RETURN
         DO 20 I = 1, NP
-          IF (LOW .LT. P(K,I) .AND. P(K,I) .LT. HIGH) RETURN
+          IF (LOW .LT. P(K,I) .AND. P(K,I) .LT. HIGH) BOX = 0
           Q(K,I) = 0.0D0
           IF (LOW .LT. P(K,I)) Q(K,I) = 1.0D0
    20   CONTINUE
    30 CONTINUE
-      YES = 1
+      YES = BOX
       END
 
 C     HHDECI - HHROBU for NP positions V of a set of points (see HHPSID)
@@ -1425,10 +1428,12 @@ C     in units of their own.
       END IF
       IF (SGN .EQ. UNSURE) THEN
         CALL HHCORN(M, Q, UNIT, YES)
-        IF (YES .EQ. 1) THEN
-C         the corners of a box are on one sphere
+        IF (YES .GT. 0) THEN
+C         no filter tells that four points are in a plane, but most such
+C         planes in data are across an axis; the corners of a box are on
+C         one sphere
           SGN = 0
-          IF (M .EQ. 4) SGN = HHFILT(4, UNIT, 64.0D0)
+          IF (YES .EQ. 1 .AND. M .EQ. 4) SGN = HHFILT(4, UNIT, 64.0D0)
         ELSE
           MOST = HHPACK(M, Q)
           IF (M .EQ. 4) CALL HHEXAC(4, HHVOLU, Q, MOST, ANY, SGN)

@@ -1881,13 +1881,20 @@ C                                been searched, FROM is where that ended
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
      $    F(12), FQ(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42)
-      INTEGER LEAVES, ENCLOS, QBALL, QBASE, QON, DEPTH, QT
+      INTEGER LEAVES, ENCLOS, T3, QBALL, QBASE, QON, DEPTH, QT
       DOUBLE PRECISION LOOSE
-      PARAMETER (LEAVES = 4, ENCLOS = 16, QBALL = 3, QBASE = 4, QON = 6,
-     $    DEPTH = 96, LOOSE = 0.5D0, QT = 8)
+      PARAMETER (LEAVES = 4, ENCLOS = 16, T3 = 1, QBALL = 3, QBASE = 4,
+     $    QON = 6, DEPTH = 96, LOOSE = 0.5D0, QT = 8)
       DOUBLE PRECISION PAST(4)
-      INTEGER TSCYLI, TSLEAF, TSPRUN, FOURS, FROM, HEIGHT, N, NEAR,
-     $    NODE, OUT, STACK(DEPTH), TOP
+      INTEGER TSCYLI, TSLEAF, TSPRUN, FLAT, FOURS, FROM, HEIGHT, K, N,
+     $    NEAR, NODE, OUT, STACK(DEPTH), TOP
+C     a plane across an axis has no candidates for a facet in it; what
+C     underflowed may be equal here alone
+      FLAT = 0
+      DO 5 K = 3, 1, -1
+        IF (ABS(X(K,V(1)) - X(K,V(2))) + ABS(X(K,V(1)) - X(K,V(3)))
+     $      .LE. 0.0D0 .AND. RCTL(T3) .GE. -1.0D0) FLAT = K
+    5 CONTINUE
       NEAR = IQ(QON)
       FOURS = CTL(ENCLOS)
       IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
@@ -1911,6 +1918,10 @@ C       one child alive each: FROM, as the base's star is not complete
         TOP = TOP/2
       END IF
       IF (ALIVE(NODE) .EQ. 0) GO TO 10
+      IF (FLAT .GT. 0) THEN
+        IF (ABS(BOX(FLAT,NODE) - F(6+FLAT)) +
+     $      ABS(BOX(3+FLAT,NODE) - F(6+FLAT)) .LE. 0.0D0) GO TO 10
+      END IF
       IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
         N = 2*CTL(LEAVES) + 1
         CALL TSPRCY(BOX(1,N), TSCYLI(CTL, NODE), IQ, F, FQ, PAST)
