@@ -81,7 +81,7 @@
  *   sorting      before swap pivot selectmid twin extent bisect leafstart
  *                leafof span leafsort kdsort boxes
  *   first facet  point preced edgeby firstfacet
- *   pool         outfac facet owner hashkey same find insert erase enter full
+ *   pool         outfac facet owner hashkey same find chain erase enter full
  *                cuberoot tablesize quota rehash
  *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
  *   search       dot powererr prunebox narrow refine challenge consider
@@ -443,7 +443,7 @@ static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
     long chance = 1;
     int less;
 
-    while (hi - lo > 1) {
+    while (lo <= mid && hi - lo > 1) {
         i = pivot(m, lo, hi, mid, axis, &chance);
         for (j = 0; j < 3; j++) q[j] = m->x[3 * i + j];
         number = m->order[i];
@@ -466,7 +466,6 @@ static void selectmid(mesh *m, tess_int lo, tess_int hi, tess_int mid, int axis)
             for (j = lo; m->order[j] != number; j++)
                 ;
             swap(m, lo, j);
-            if (mid == lo) return;
             lo++;
         }
     }
@@ -484,16 +483,14 @@ static void twin(mesh *m, tess_int i, tess_int j)
     m->rep[a > b ? a : b] = a > b ? b : a;
 }
 
-/* extent - b = the box of the points first, first + step, ... before last. */
-static void extent(const mesh *m, tess_int first, tess_int last, tess_int step,
-                   double *b)
+/* extent - b = the box of every step-th of n points, the first at x. */
+static void extent(const double *x, tess_int n, tess_int step, double *b)
 {
-    const double *x = m->x + 3 * first;
     tess_int i;
     int k;
 
     for (k = 0; k < 3; k++) b[k] = b[3 + k] = x[k];
-    for (i = first + step, x += 3 * step; i < last; i += step, x += 3 * step)
+    for (i = step, x += 3 * step; i < n; i += step, x += 3 * step)
         for (k = 0; k < 3; k++) {
             if (x[k] < b[k]) b[k] = x[k];
             if (x[k] > b[3 + k]) b[3 + k] = x[k];
@@ -509,7 +506,7 @@ static void bisect(mesh *m, tess_int lo, tess_int hi, tess_int mid)
     tess_int i;
     int k, axis = 0;
 
-    extent(m, lo, hi, (tess_int)((hi - lo) / SAMPLE + 1), b);
+    extent(m->x + 3 * lo, hi - lo, (tess_int)((hi - lo) / SAMPLE + 1), b);
     for (k = 1; k < 3; k++)
         if (hh_wider(b[3 + k], b[k], b[3 + axis], b[axis]) > 0) axis = k;
     selectmid(m, lo, hi, mid, axis);
@@ -591,22 +588,15 @@ static void kdsort(mesh *m)
 static void boxes(mesh *m)
 {
     tess_int node, first, last;
-    double *b, *l, *r;
-    int k;
+    double *b;
 
     for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
         b = m->box + 6 * node;
-        if (node < m->leaves) {
-            l = b + 6 * node;
-            r = l + 6;
-            for (k = 0; k < 3; k++) {
-                b[k] = l[k] < r[k] ? l[k] : r[k];
-                b[3 + k] = l[3 + k] > r[3 + k] ? l[3 + k] : r[3 + k];
-            }
-        } else {
-            span(m, node, &first, &last);
-            extent(m, first, last, 1, b);
-        }
+        span(m, node, &first, &last);
+        if (node < m->leaves)
+            extent(b + 6 * node, 4, 1, b); /* the children's corners */
+        else
+            extent(m->x + 3 * first, last - first, 1, b);
     }
 }
 
@@ -634,15 +624,11 @@ static int preced(const tess_real *a, const tess_real *b)
 static int edgeby(const mesh *m, tess_int a, tess_int i, tess_int j)
 {
     const tess_real *o = point(m, a), *p = point(m, i), *q = point(m, j);
-    int above = p[0] == o[0] && p[1] == o[1], side;
+    int side = hh_flat(2, o, q, p);
 
-    if (above || (q[0] == o[0] && q[1] == o[1])) {
-        if (above != (q[0] == o[0] && q[1] == o[1])) return !above;
-        return p[2] < q[2];
-    }
-    side = hh_flat(2, o, q, p);
     if (side == 0)
-        side = q[0] != o[0] ? -hh_flat(1, o, q, p) : hh_flat(0, o, q, p);
+        side = p[0] > o[0] || q[0] > o[0] ? -hh_flat(1, o, q, p)
+                                          : hh_flat(0, o, q, p);
     return side != 0 ? side < 0 : preced(p, q);
 }
 
@@ -695,11 +681,12 @@ static int firstfacet(const mesh *m, tess_int *v)
 
 /* ---- the pool of open facets: an open-addressing hash ----
  *
- * Entry e: pool[ENTRY*e] the facet's code 4t+k, or NONE; then the next and
- * the previous entry in the list of the facets of the same owner, newest
- * first, NONE at its ends; then the signature of the three vertices.  The
- * owner is the vertex of least position of those whose star is asked for;
- * head[owner] is the first entry; a facet without an owner is left open.
+ * Entry e: pool[ENTRY*e] the facet's code 4t+k, or NONE; then the next entry
+ * in the list of the facets of the same owner, newest first, or NONE; then the
+ * previous one, or -1 - owner in the first; then the signature of the three
+ * vertices.  The owner is the vertex of least position of those whose star is
+ * asked for; head[owner] is the first entry; a facet without an owner is left
+ * open.
  * Linear probing from signature mod m; removal shifts entries back. */
 
 /* outfac - f = the vertices of facet k of the tetrahedron v, the one opposite
@@ -773,36 +760,25 @@ static tess_int find(const mesh *m, const tess_int *v, tess_int sig)
     }
 }
 
-/* insert - enter a facet owned by least at entry e, which find returned
- * unused. */
-static void insert(mesh *m, tess_int e, tess_int code, tess_int least,
-                  tess_int sig)
+/* chain - in the list of the owner of entry p, make next follow what precedes
+ * p, and prev precede what follows p. */
+static void chain(mesh *m, const tess_int *p, tess_int next, tess_int prev)
 {
-    tess_int *p = m->pool + ENTRY * e;
-
-    p[0] = code;
-    p[1] = m->head[least];
-    p[2] = NONE;
-    p[3] = sig;
-    if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = e;
-    m->head[least] = e;
-    m->nopen++;
-    PEAK(N_POOL, m->nopen);
-    if (least < m->low) m->low = least;
+    if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = prev;
+    if (p[2] >= 0)
+        m->pool[ENTRY * p[2] + 1] = next;
+    else
+        m->head[-1 - p[2]] = next;
 }
 
-/* erase - remove entry e, of a facet owned by least. */
-static void erase(mesh *m, tess_int e, tess_int least)
+/* erase - remove entry e. */
+static void erase(mesh *m, tess_int e)
 {
     tess_int *p = m->pool + ENTRY * e, *q;
-    tess_int hole = e, home, v[3];
+    tess_int hole = e, home;
     int k;
 
-    if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = p[2];
-    if (p[2] != NONE)
-        m->pool[ENTRY * p[2] + 1] = p[1];
-    else
-        m->head[least] = p[1];
+    chain(m, p, p[1], p[2]);
     m->nopen--;
     for (;;) {
         if (++e == m->m) e = 0;
@@ -813,13 +789,7 @@ static void erase(mesh *m, tess_int e, tess_int least)
         if (hole <= e ? home <= hole || home > e : home <= hole && home > e) {
             p = m->pool + ENTRY * hole;
             for (k = 0; k < ENTRY; k++) p[k] = q[k];
-            if (p[1] != NONE) m->pool[ENTRY * p[1] + 2] = hole;
-            if (p[2] != NONE)
-                m->pool[ENTRY * p[2] + 1] = hole;
-            else {
-                facet(m, p[0], v);
-                m->head[owner(m, v)] = hole;
-            }
+            chain(m, p, hole, hole);
             hole = e;
         }
     }
@@ -830,19 +800,28 @@ static void erase(mesh *m, tess_int e, tess_int least)
  * other side is there, remove that and return its code. */
 static tess_int enter(mesh *m, tess_int code)
 {
-    tess_int v[3], e, sig, least, other;
+    tess_int v[3], e, sig, least, other, *p;
 
     facet(m, code, v);
     least = owner(m, v);
     if (least == NONE) return NONE;
     sig = hashkey(v);
     e = find(m, v, sig);
-    other = m->pool[ENTRY * e];
-    if (other == NONE)
-        insert(m, e, code, least, sig);
-    else
-        erase(m, e, least);
-    return other;
+    p = m->pool + ENTRY * e;
+    other = p[0];
+    if (other != NONE) {
+        erase(m, e);
+        return other;
+    }
+    p[0] = code;
+    p[1] = m->head[least];
+    p[2] = (tess_int)(-1 - least);
+    p[3] = sig;
+    chain(m, p, e, e);
+    m->nopen++;
+    PEAK(N_POOL, m->nopen);
+    if (least < m->low) m->low = least;
+    return NONE;
 }
 
 /* full - returns 1 if the table may not hold more than so many facets. */
@@ -1961,9 +1940,9 @@ static int load(mesh *m, tess_int s)
         m->nopen -= edges;
         return rehash(m, s, quota(m, edges)) && gather(m, s);
     }
-    for (; e != NONE; e = m->pool[ENTRY * e + 2])
+    for (; e >= 0; e = m->pool[ENTRY * e + 2])
         (void)enlist(m, s, m->pool[ENTRY * e]);
-    while (m->head[s] != NONE) erase(m, m->head[s], s);
+    while (m->head[s] != NONE) erase(m, m->head[s]);
     follow(m);
     return 1;
 }

@@ -117,7 +117,7 @@ C         leafstart TSLFST, leafof TSLEAF, span TSSPAN,
 C         leafsort TSLSOR, kdsort TSKDSO, boxes TSBOXE
 C       first facet: preced TSPREC, edgeby TSEDBY, firstfacet TSFIRS
 C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
-C         hashkey TSHASH, same TSSAME, find TSFIND, insert TSINSE,
+C         hashkey TSHASH, same TSSAME, find TSFIND, chain TSCHAI,
 C         erase TSERAS, enter TSENTE, full TSFULL, cuberoot TSCUBE,
 C         tablesize TSTABL, quota TSQUOT, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
@@ -445,7 +445,7 @@ C     MID precede the one at MID along an axis, and the others do not.
       CHANCE = 1
       LO = FIRST
       HI = LAST
-   10 IF (HI .LE. LO) RETURN
+   10 IF (LO .GT. MID .OR. HI .LE. LO) RETURN
       CALL TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
       DO 20 J = 1, 3
         Q(J) = X(J,I)
@@ -477,7 +477,6 @@ C       the pivot precedes all others: move it to the front
           GO TO 40
         END IF
         CALL TSSWAP(X, ORD, LO, J)
-        IF (MID .EQ. LO) RETURN
         LO = LO + 1
       END IF
       GO TO 10
@@ -494,17 +493,16 @@ C     TSTWIN - if the points at I and J coincide, record it in REP.
       REP(MAX(ORD(I), ORD(J))) = MIN(ORD(I), ORD(J))
       END
 
-C     TSEXTE - B is the box of the points FIRST, FIRST + STEP, ... up to
-C     LAST.
-      SUBROUTINE TSEXTE(X, FIRST, LAST, STEP, B)
+C     TSEXTE - B is the box of every STEP-th of N points.
+      SUBROUTINE TSEXTE(X, N, STEP, B)
       DOUBLE PRECISION X(3,*), B(6)
-      INTEGER FIRST, LAST, STEP
+      INTEGER N, STEP
       INTEGER I, K
       DO 10 K = 1, 3
-        B(K) = X(K,FIRST)
-        B(3+K) = X(K,FIRST)
+        B(K) = X(K,1)
+        B(3+K) = X(K,1)
    10 CONTINUE
-      DO 30 I = FIRST + STEP, LAST, STEP
+      DO 30 I = 1 + STEP, N, STEP
         DO 20 K = 1, 3
           IF (X(K,I) .LT. B(K)) B(K) = X(K,I)
           IF (X(K,I) .GT. B(3+K)) B(3+K) = X(K,I)
@@ -522,7 +520,7 @@ C     duplicate but the least of its set is linked to a smaller number.
       PARAMETER (SAMPLE = 64)
       DOUBLE PRECISION B(6)
       INTEGER HHWIDE, AXIS, I, K
-      CALL TSEXTE(X, LO, HI, (HI - LO + 1)/SAMPLE + 1, B)
+      CALL TSEXTE(X(1,LO), HI - LO + 1, (HI - LO + 1)/SAMPLE + 1, B)
       AXIS = 1
       DO 10 K = 2, 3
         IF (HHWIDE(B(3+K), B(K), B(3+AXIS), B(AXIS)) .GT. 0) AXIS = K
@@ -639,18 +637,16 @@ C     TSBOXE - compute the box of every node, from the leaves up.
       INTEGER CTL(*)
       INTEGER LEAVES
       PARAMETER (LEAVES = 4)
-      INTEGER FIRST, K, LAST, NODE
-      DO 20 NODE = 2*CTL(LEAVES) - 1, 1, -1
+      INTEGER FIRST, LAST, NODE
+      DO 10 NODE = 2*CTL(LEAVES) - 1, 1, -1
+        CALL TSSPAN(CTL, NODE, FIRST, LAST)
         IF (NODE .LT. CTL(LEAVES)) THEN
-          DO 10 K = 1, 3
-            BOX(K,NODE) = MIN(BOX(K,2*NODE), BOX(K,2*NODE+1))
-            BOX(3+K,NODE) = MAX(BOX(3+K,2*NODE), BOX(3+K,2*NODE+1))
-   10     CONTINUE
+C         the children's corners
+          CALL TSEXTE(BOX(1,2*NODE), 4, 1, BOX(1,NODE))
         ELSE
-          CALL TSSPAN(CTL, NODE, FIRST, LAST)
-          CALL TSEXTE(X, FIRST, LAST, 1, BOX(1,NODE))
+          CALL TSEXTE(X(1,FIRST), LAST - FIRST + 1, 1, BOX(1,NODE))
         END IF
-   20 CONTINUE
+   10 CONTINUE
       END
 
 C     ------------------------------------------------------------------
@@ -681,35 +677,23 @@ C     all ends a hull edge that contains no other point.
       DOUBLE PRECISION P(3,*)
       INTEGER ORD(*), A, I, J
       DOUBLE PRECISION O(3), Q(3), Z(3)
-      INTEGER HHFLAT, TSPREC, K, PABOVE, QABOVE, SIDE
+      INTEGER HHFLAT, TSPREC, K, SIDE
       DO 10 K = 1, 3
         O(K) = P(K,ORD(A))
         Z(K) = P(K,ORD(I))
         Q(K) = P(K,ORD(J))
    10 CONTINUE
-      PABOVE = 1
-      QABOVE = 1
-      DO 20 K = 1, 2
-        IF (Z(K) .LT. O(K) .OR. Z(K) .GT. O(K)) PABOVE = 0
-        IF (Q(K) .LT. O(K) .OR. Q(K) .GT. O(K)) QABOVE = 0
-   20 CONTINUE
-      TSEDBY = 0
-      IF (PABOVE .NE. QABOVE) THEN
-        TSEDBY = QABOVE
-      ELSE IF (PABOVE .EQ. 1) THEN
-        IF (Z(3) .LT. Q(3)) TSEDBY = 1
-      ELSE
-        SIDE = HHFLAT(3, O, Q, Z)
-        IF (SIDE .EQ. 0) THEN
-          IF (Q(1) .LT. O(1) .OR. Q(1) .GT. O(1)) THEN
-            SIDE = -HHFLAT(2, O, Q, Z)
-          ELSE
-            SIDE = HHFLAT(1, O, Q, Z)
-          END IF
+      SIDE = HHFLAT(3, O, Q, Z)
+      IF (SIDE .EQ. 0) THEN
+        IF (Z(1) .GT. O(1) .OR. Q(1) .GT. O(1)) THEN
+          SIDE = -HHFLAT(2, O, Q, Z)
+        ELSE
+          SIDE = HHFLAT(1, O, Q, Z)
         END IF
-        IF (SIDE .LT. 0) TSEDBY = 1
-        IF (SIDE .EQ. 0) TSEDBY = TSPREC(P, ORD(I), ORD(J))
       END IF
+      TSEDBY = 0
+      IF (SIDE .LT. 0) TSEDBY = 1
+      IF (SIDE .EQ. 0) TSEDBY = TSPREC(P, ORD(I), ORD(J))
       END
 
 C     TSLINE - HHLINE of three points: 1, or 0.
@@ -789,12 +773,13 @@ C     ------------------------------------------------------------------
 C     The pool of open facets: an open-addressing hash.
 C
 C     Entry E = 1, 2, ..., at POOL(ENTRY*(E-1)+1): the facet's code, or
-C     0; then the next and the previous entry in the list of the facets
-C     of the same owner, newest first, 0 at its ends; then the signature
-C     of the three vertices.  The owner is the vertex of least position
-C     of those whose star is asked for; HEAD(owner) is the first entry;
-C     a facet without an owner is left open.  Linear probing from
-C     signature mod MPOOL; removal shifts entries back.
+C     0; then the next entry in the list of the facets of the same
+C     owner, newest first, or 0; then the previous one, or minus the
+C     owner in the first; then the signature of the three vertices.  The
+C     owner is the vertex of least position of those whose star is asked
+C     for; HEAD(owner) is the first entry; a facet without an owner is
+C     left open.  Linear probing from signature mod MPOOL; removal
+C     shifts entries back.
 C
 C     The code of facet K of tetrahedron T is 4*(T-1)+K: its place in
 C     ADJ.
@@ -882,40 +867,34 @@ C     unused entry where it belongs.
       GO TO 10
       END
 
-C     TSINSE - enter a facet owned by LEAST at entry E, which TSFIND
-C     returned unused.
-      SUBROUTINE TSINSE(HEAD, POOL, CTL, E, CODE, LEAST, SIG)
-      INTEGER HEAD(*), POOL(*), CTL(*), E, CODE, LEAST, SIG
-      INTEGER NOPEN, LOW, ENTRY
-      PARAMETER (NOPEN = 7, LOW = 11, ENTRY = 4)
-      INTEGER AT
-      AT = ENTRY*(E - 1)
-      POOL(AT+1) = CODE
-      POOL(AT+2) = HEAD(LEAST)
-      POOL(AT+3) = 0
-      POOL(AT+4) = SIG
-      IF (HEAD(LEAST) .NE. 0) POOL(ENTRY*(HEAD(LEAST)-1)+3) = E
-      HEAD(LEAST) = E
-      CTL(NOPEN) = CTL(NOPEN) + 1
-      IF (LEAST .LT. CTL(LOW)) CTL(LOW) = LEAST
+C     TSCHAI - in the list of the owner of the entry behind POOL(AT),
+C     make NEXT follow what precedes the entry, and PREV precede what
+C     follows it.
+      SUBROUTINE TSCHAI(HEAD, POOL, AT, NEXT, PREV)
+      INTEGER HEAD(*), POOL(*), AT, NEXT, PREV
+      INTEGER ENTRY
+      PARAMETER (ENTRY = 4)
+      INTEGER AFTER, BEFORE
+      AFTER = POOL(AT+2)
+      BEFORE = POOL(AT+3)
+      IF (AFTER .NE. 0) POOL(ENTRY*(AFTER-1)+3) = PREV
+      IF (BEFORE .GT. 0) THEN
+        POOL(ENTRY*(BEFORE-1)+2) = NEXT
+      ELSE
+        HEAD(-BEFORE) = NEXT
+      END IF
       END
 
-C     TSERAS - remove entry ENT, of a facet owned by LEAST.
-      SUBROUTINE TSERAS(TET, HEAD, POOL, CTL, ENT, LEAST)
-      INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), ENT, LEAST
+C     TSERAS - remove entry ENT.
+      SUBROUTINE TSERAS(HEAD, POOL, CTL, ENT)
+      INTEGER HEAD(*), POOL(*), CTL(*), ENT
       INTEGER MPOOL, NOPEN, ENTRY
       PARAMETER (MPOOL = 6, NOPEN = 7, ENTRY = 4)
-      INTEGER TSOWNE, AFTER, AT, BEFORE, E, FILL, HOLE, HOME, K, TO,
-     $    V(3)
+      INTEGER AFTER, AT, BEFORE, E, FILL, HOLE, HOME, K, TO
       AT = ENTRY*(ENT - 1)
       AFTER = POOL(AT+2)
       BEFORE = POOL(AT+3)
-      IF (AFTER .NE. 0) POOL(ENTRY*(AFTER-1)+3) = BEFORE
-      IF (BEFORE .NE. 0) THEN
-        POOL(ENTRY*(BEFORE-1)+2) = AFTER
-      ELSE
-        HEAD(LEAST) = AFTER
-      END IF
+      CALL TSCHAI(HEAD, POOL, AT, AFTER, BEFORE)
       CTL(NOPEN) = CTL(NOPEN) - 1
       HOLE = ENT
       E = ENT
@@ -934,15 +913,7 @@ C       E may fill the hole if its home is not behind the hole
           DO 20 K = 1, 4
             POOL(TO+K) = POOL(AT+K)
    20     CONTINUE
-          AFTER = POOL(TO+2)
-          BEFORE = POOL(TO+3)
-          IF (AFTER .NE. 0) POOL(ENTRY*(AFTER-1)+3) = HOLE
-          IF (BEFORE .NE. 0) THEN
-            POOL(ENTRY*(BEFORE-1)+2) = HOLE
-          ELSE
-            CALL TSFACE(TET, POOL(TO+1), V)
-            HEAD(TSOWNE(HEAD, V)) = HOLE
-          END IF
+          CALL TSCHAI(HEAD, POOL, TO, HOLE, HOLE)
           HOLE = E
         END IF
         GO TO 10
@@ -955,21 +926,28 @@ C     0; if its other side is there, remove that and set OTHER to its
 C     code.
       SUBROUTINE TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
       INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
-      INTEGER ENTRY
-      PARAMETER (ENTRY = 4)
-      INTEGER TSHASH, TSOWNE, E, LEAST, SIG, V(3)
+      INTEGER NOPEN, LOW, ENTRY
+      PARAMETER (NOPEN = 7, LOW = 11, ENTRY = 4)
+      INTEGER TSHASH, TSOWNE, AT, E, LEAST, SIG, V(3)
       OTHER = 0
       CALL TSFACE(TET, CODE, V)
       LEAST = TSOWNE(HEAD, V)
       IF (LEAST .EQ. 0) RETURN
       SIG = TSHASH(V)
       CALL TSFIND(TET, POOL, CTL, V, SIG, E)
-      OTHER = POOL(ENTRY*(E-1)+1)
-      IF (OTHER .EQ. 0) THEN
-        CALL TSINSE(HEAD, POOL, CTL, E, CODE, LEAST, SIG)
-      ELSE
-        CALL TSERAS(TET, HEAD, POOL, CTL, E, LEAST)
+      AT = ENTRY*(E - 1)
+      OTHER = POOL(AT+1)
+      IF (OTHER .NE. 0) THEN
+        CALL TSERAS(HEAD, POOL, CTL, E)
+        RETURN
       END IF
+      POOL(AT+1) = CODE
+      POOL(AT+2) = HEAD(LEAST)
+      POOL(AT+3) = -LEAST
+      POOL(AT+4) = SIG
+      CALL TSCHAI(HEAD, POOL, AT, E, E)
+      CTL(NOPEN) = CTL(NOPEN) + 1
+      CTL(LOW) = MIN(LEAST, CTL(LOW))
       END
 
 C     TSFULL - 1 if the table may not hold more than MANY facets, else
@@ -2525,7 +2503,7 @@ C     fit beside the table, rebuild the table without them first.
         IF (OK .EQ. 1) CALL TSGATH(TET, ADJ, LINK, POOL, CTL, S, OK)
         RETURN
       END IF
-   20 IF (E .NE. 0) THEN
+   20 IF (E .GT. 0) THEN
         CODE = POOL(ENTRY*(E-1)+1)
         CALL TSENLI(TET, LINK, POOL, CTL, S, CODE, OK)
         E = POOL(ENTRY*(E-1)+3)
@@ -2533,7 +2511,7 @@ C     fit beside the table, rebuild the table without them first.
       END IF
    30 E = HEAD(S)
       IF (E .NE. 0) THEN
-        CALL TSERAS(TET, HEAD, POOL, CTL, E, S)
+        CALL TSERAS(HEAD, POOL, CTL, E)
         GO TO 30
       END IF
       CALL TSFOLL(LINK, POOL, CTL)
