@@ -2352,6 +2352,7 @@ static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
     m->np = m->known[4];
     if (m->np < 0 || m->np > n || header[0] != (double)m->np) return -8;
     if (m->known[0] < 0) return (int)-m->known[0];
+    if (m->alive[0] < 0 || m->alive[0] > SUPPORTS) return -8;
     m->leaves = leafcount(m->np);
     m->set.t3 = header[1];
     m->set.t5 = header[2];

@@ -3059,14 +3059,15 @@ C     behind it.
 
 C     TSOPEN - open an index for reading only.  INFO is 0, the code of
 C     points without a mesh, or -8 where there is no index.
-      SUBROUTINE TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI,
-     $                  INFO)
-      INTEGER N, KNOWN(4), COUNT, CTL(*), LSI(3,2), INFO
+      SUBROUTINE TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL,
+     $                  LSI, INFO)
+      INTEGER N, KNOWN(4), COUNT, COUNTS(*), CTL(*), LSI(3,2), INFO
       DOUBLE PRECISION P(3,*), HEADER(6), RCTL(*)
-      INTEGER NP, LEAVES, ENCLOS, SCALE, T3, T5, RLEAST, RANGE
+      INTEGER NP, LEAVES, ENCLOS, SCALE, T3, T5, RLEAST, RANGE, SUPPS
       DOUBLE PRECISION NORMAL
       PARAMETER (NP = 1, LEAVES = 4, ENCLOS = 16, SCALE = 19, T3 = 1,
-     $    T5 = 2, RLEAST = 6, RANGE = 6, NORMAL = 2.0D0**(-1022))
+     $    T5 = 2, RLEAST = 6, RANGE = 6, SUPPS = 8,
+     $    NORMAL = 2.0D0**(-1022))
       INTEGER HHHOLD, TSLCOU, ALL
       CALL TSLAYO(CTL, RCTL, LSI)
       CTL(NP) = COUNT
@@ -3075,6 +3076,8 @@ C     points without a mesh, or -8 where there is no index.
       IF (ABS(HEADER(1) - DBLE(COUNT)) .GT. 0.0D0) RETURN
       INFO = -KNOWN(1)
       IF (INFO .GE. 0) RETURN
+      INFO = -8
+      IF (COUNTS(1) .LT. 0 .OR. COUNTS(1) .GT. SUPPS) RETURN
       CTL(LEAVES) = TSLCOU(COUNT)
       RCTL(T3) = HEADER(2)
       RCTL(T5) = HEADER(3)
@@ -3530,7 +3533,8 @@ C     element of RW or IW, and the standard lets them be altered.
       INTEGER CTL(84), K, KEPT, LENGTH, LSI(3,2), LSID(TSLIST+48,2),
      $    SPACE
       IF (MASKED .EQ. 1) THEN
-        CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
+        CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,
+     $              INFO)
       ELSE
         CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N,
      $              ROOMY, INFO)
@@ -5404,7 +5408,8 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       INTEGER HHFINI, HHHOLD, HHPSID, TSQSID, TSSLOT, AT, CTL(84), F(3),
      $    G(4,1), H(10), I, K, LAST, LSI(3,2), LSID(TSLIST+48,2), OK, S,
      $    STEPS, U(4,1), Z
-      CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, CTL, RCTL, LSI, INFO)
+      CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,
+     $            INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
       INFO = -5

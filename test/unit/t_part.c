@@ -15,6 +15,9 @@
  *            neighbours, in the order of the whole, is the star of the mesh,
  *            ties too: what processes that share nothing rely on
  *   resume   a part stopped at every tetrahedron, or for want of pool
+ *   supports an index that knows planes and spheres: parts and queries from all
+ *            of it, from a copy that ends before them or has another one's in
+ *            their place, without room for them, after a part that found more
  *   queries  tess_query and tess_locate answer alike: on points, midpoints,
  *            edges, facets, anywhere, from near and from nowhere; outside
  *   balls    no point outside of tess_ball's is inside the exact one
@@ -190,7 +193,8 @@ static void make(whole *m)
     }
 }
 
-/* The points of a family, or the same turned and moved; 0 for none. */
+/* The points of a family, or, if turned is 1, the same turned and moved, or, if
+ * it is 2, half of them, each twice; 0 for none. */
 static int family(whole *m, const char *name, long n, unsigned long seed,
                   int turned)
 {
@@ -201,7 +205,9 @@ static int family(whole *m, const char *name, long n, unsigned long seed,
     if (p == NULL) exit(2);
     m->n = (tess_int)points_make(name, n, seed, p);
     for (i = 0; i < 3 * m->n; i++) size = fabs(p[i]) > size ? fabs(p[i]) : size;
-    if (turned && size > 1e-50 && size < 1e50)
+    for (i = 0; turned == 2 && i < 3 * (m->n / 2); i++)
+        p[3 * (m->n - m->n / 2) + i] = p[i];
+    if (turned == 1 && size > 1e-50 && size < 1e50)
         for (i = 0; i < m->n; i++) {
             x = 0.8 * p[3 * i] - 0.6 * p[3 * i + 1] + 3.1 * size;
             y = 0.6 * p[3 * i] + 0.8 * p[3 * i + 1];
@@ -248,12 +254,13 @@ static void divide(const whole *m, int kind, tess_int many, tess_int *part)
             part[i] = (tess_int)rnd_below((int)many);
 }
 
-/* One part, its arrays of the length that is needed; all must be right. */
-static tess_int one_part(const whole *m, const tess_int *mine, tess_int *iw,
-                         tess_int **tet, tess_int **adj)
+/* One part, its arrays of the length that is needed, but for an iw of length
+ * liw, or 0 for m's; all must be right. */
+static tess_int one_part(const whole *m, const tess_int *mine, tess_int liw,
+                         tess_int *iw, tess_int **tet, tess_int **adj)
 {
     tess_int *asked = ints(m->n), *met = ints(m->ntet), ntet, need = 0, i, t, j;
-    tess_int liw = 4 * m->n + m->n / 12 + 514;
+    tess_int usual = 6 * m->n + 600;
     int k, code, own, hull = 0;
 
     for (i = 0; i < m->n; i++) asked[i] = 0;
@@ -267,11 +274,12 @@ static tess_int one_part(const whole *m, const tess_int *mine, tess_int *iw,
     *adj = ints(4 * need);
     ntet = 0;
     for (i = 0, k = 0; i < m->n; i++) k += mine[i] != 0;
-    liw += (tess_int)TESS_LIW(k);
     /* as join.c says; a vertex may have very many neighbours */
+    usual += (tess_int)TESS_LIW(k);
+    if (usual > m->liw) usual = m->liw;
     code = tess_part(m->n, m->p, mine, need, &ntet, *tet, *adj,
-                     liw < m->liw ? liw : m->liw, iw, m->lrw, m->rw);
-    if (code == TESS_POOL)
+                     liw > 0 ? liw : usual, iw, m->lrw, m->rw);
+    if (code == TESS_POOL && liw == 0)
         code = tess_part(m->n, m->p, mine, need, &ntet, *tet, *adj, m->liw,
                          iw, m->lrw, m->rw);
     require(code == m->code, "the code of a part");
@@ -389,7 +397,7 @@ static void parts(const whole *m, int kind, tess_int many)
         u = 0;
         for (i = 0; i < m->n; i++) u += mine[i] = part[i] == k;
         if (u == 0 && k > 8) continue;
-        one_part(m, mine, iw, &tet, &adj);
+        one_part(m, mine, 0, iw, &tet, &adj);
         ntet = (tess_int)(length_of(narrays - 2) / sizeof(tess_int) / 4);
         u = total + keep(ntet, tet, mine, becomes);
         if (u <= m->ntet) append(ntet, tet, adj, becomes, total, utet, uadj);
@@ -549,7 +557,7 @@ static void test_resume(void)
             divide(&m, kind, 3, mine);
             for (i = 0; i < m.n; i++) mine[i] = mine[i] == 1;
             iw = copy(m.iw, m.liw);
-            one_part(&m, mine, iw, &tet, &adj);
+            one_part(&m, mine, 0, iw, &tet, &adj);
             ntet = (tess_int)(length_of(narrays - 1) / sizeof *tet / 4);
             length = (size_t)(4 * ntet) * sizeof *tet;
             for (step = 1; step < ntet; step = 2 * step + 1) {
@@ -623,7 +631,7 @@ static void test_resume(void)
     mine = ints(m.n);
     for (i = 0; i < m.n; i++) mine[i] = i % 3 == 0;
     iw = copy(m.iw, m.liw);
-    one_part(&m, mine, iw, &tet, &adj);
+    one_part(&m, mine, 0, iw, &tet, &adj);
     ntet = (tess_int)(length_of(narrays - 1) / sizeof *tet / 4);
     t2 = ints(4 * ntet);
     a2 = ints(4 * ntet);
@@ -825,6 +833,209 @@ static void test_astray(void)
     }
     require(good > 100, "it is found all the same, as a rule");
     drop(0);
+    test_result(now, faults);
+}
+
+/* ---- supports: planes and spheres that an index knows ---- */
+
+#if defined(TESS_LIST) && TESS_LIST < 128
+#define SOUGHT 0
+#else
+#define SOUGHT (sizeof(tess_real) == sizeof(double))
+#endif
+
+/* Where an index says how many there are: ahead of the tree's nodes in tess.c,
+ * which counts points from 0, behind them in tess.f, which counts from 1. */
+static tess_int counted(const whole *m, const tess_int *iw)
+{
+    tess_int tree = 2 * m->n + 5, leaves = 1, i = 0;
+
+    while (leaves < (m->n + 47) / 48) leaves *= 2;
+    while (i < iw[tree - 1] && iw[m->n + i] > 0) i++;
+    return i < iw[tree - 1] ? tree : tree + 2 * leaves - 1;
+}
+
+static tess_int supports(const whole *m, const tess_int *iw)
+{
+    return iw[counted(m, iw)];
+}
+
+/* Queries by an index iw. */
+static void ask(whole *m, tess_int *iw)
+{
+    tess_int *was = m->iw, v[4], a, b, i;
+    double q[3];
+    int k;
+
+    m->iw = iw;
+    v[0] = TESS_NONE;
+    for (i = 0; i < 8; i++) {
+        a = (tess_int)rnd_below((int)m->n);
+        b = (tess_int)rnd_below((int)m->n);
+        for (k = 0; k < 3; k++)
+            q[k] = 0.5 * m->p[3 * a + k] + 0.5 * m->p[3 * b + k];
+        query(m, q, v);
+        if (i % 2) v[0] = TESS_NONE;
+    }
+    m->iw = was;
+}
+
+/* Two of many parts by an index iw, the second one stopped and taken up again,
+ * and queries behind each; iw is of length liw. */
+static void serve(whole *m, tess_int many, tess_int liw, tess_int *iw)
+{
+    tess_int *part = ints(m->n), *mine = ints(m->n), *tet, *adj, *t2, *a2;
+    tess_int i, k, ntet, got;
+    size_t length = 0;
+    int mark = narrays, code;
+
+    divide(m, 0, many, part);
+    for (k = 0; k <= many / 3; k += many / 3 + (many < 3)) {
+        for (i = 0; i < m->n; i++) mine[i] = part[i] == k;
+        one_part(m, mine, liw, iw, &tet, &adj);
+        length = length_of(narrays - 1);
+        ask(m, iw);
+        require(memcmp(iw, m->iw, (size_t)(2 * m->n) * sizeof *iw) == 0,
+                "the index after a part");
+    }
+    ntet = (tess_int)(length / sizeof *tet / 4);
+    t2 = ints(4 * ntet);
+    a2 = ints(4 * ntet);
+    got = 0;
+    code = tess_part(m->n, m->p, mine, ntet / 2, &got, t2, a2, liw, iw, m->lrw,
+                     m->rw);
+    require(code == TESS_MORE && got == ntet / 2, "stopped");
+    code = tess_part(m->n, m->p, mine, ntet, &got, t2, a2, liw, iw, m->lrw,
+                     m->rw);
+    require(code == TESS_OK && got == ntet && memcmp(t2, tet, length) == 0 &&
+            memcmp(a2, adj, length) == 0, "a part taken up again");
+    ask(m, iw);
+    drop(mark);
+}
+
+/* An index of length liw of the same points, with an rw of its own, in k. */
+static void reindex(const whole *m, tess_int liw, whole *k)
+{
+    *k = *m;
+    k->liw = liw;
+    k->iw = ints(liw);
+    k->rw = (double *)array((size_t)m->lrw * sizeof(double));
+    require(tess_index(m->n, m->p, liw, k->iw, m->lrw, k->rw) == 0,
+            "an index of another length");
+    require(memcmp(k->iw, m->iw, (size_t)(2 * m->n) * sizeof *k->iw) == 0,
+            "its places");
+}
+
+/* A new array of that length that begins as an index does. */
+static tess_int *begun(const tess_int *a, tess_int used, tess_int length)
+{
+    tess_int *b = ints(length);
+
+    memcpy(b, a, (size_t)used * sizeof *b);
+    return b;
+}
+
+static void test_supports(void)
+{
+    static const struct {
+        const char *name;
+        int turned;
+    } sets[] = {
+        { "globe", 0 }, { "rotcube", 0 }, { "rotcubein", 0 }, { "gridrot", 0 },
+        { "extruded", 0 }, { "near8", 0 }, { "globe", 2 }, { "cubesurf", 1 }
+    };
+    char name[80];
+    tess_int n = 729, all = 4 * n + 32, old = 2 * n + n / 12 + 7, lo, hi, i;
+    tess_int few = 4 * n + n / 12 + 514 + 240; /* the stars of a few points */
+    tess_int many = 5, most = (tess_int)(6 * n + 600 + TESS_LIW(n));
+    tess_int liw = (tess_int)(6 * n + 600 + TESS_LIW(2 * n / many + 2)), *iw;
+    whole other, m, k;
+    size_t s;
+    int mark, inner, more = 0;
+
+    for (s = 0; s < sizeof sets / sizeof sets[0]; s++) {
+        size_t next = (s + 1) % (sizeof sets / sizeof sets[0]);
+
+        faults = 0;
+        sprintf(name, "supports: %s%s", sets[s].name,
+                sets[s].turned == 2 ? ", twice" : "");
+        now = name;
+        if (!family(&other, sets[next].name, n, 4, sets[next].turned) ||
+            !family(&m, sets[s].name, n, 3, sets[s].turned))
+            continue;
+        require(m.n == n && other.n == n, "other points");
+        require(!SOUGHT || supports(&m, m.iw) > 0, "none in the index");
+        mark = narrays;
+        /* all of the index */
+        ask(&m, begun(m.iw, all, all));
+        iw = begun(m.iw, all, liw);
+        serve(&m, many, liw, iw);
+        drop(mark);
+        /* a copy without supports, or with another's in their place */
+        iw = begun(m.iw, old, liw);
+        serve(&m, many, liw, iw);
+        require(!SOUGHT || supports(&m, iw) == 0, "supports of no index");
+        iw = begun(other.iw, all, liw);
+        memcpy(iw, m.iw, (size_t)old * sizeof *iw);
+        serve(&m, many, liw, iw);
+        drop(mark);
+        /* a number that cannot be */
+        for (i = 0; i < 4; i++) {
+            tess_int v[4], ntet = 0, *mine = begun(m.iw, n, n);
+            double w[4];
+
+            iw = begun(m.iw, all, liw);
+            iw[counted(&m, iw)] = i ? 9 << (3 * i - 3) : -1;
+            v[0] = TESS_NONE;
+            require(tess_query(n, m.p, iw, m.rw, m.p, v, w) == -3 &&
+                    tess_part(n, m.p, mine, 0, &ntet, mine, mine, liw, iw,
+                              m.lrw, m.rw) == -9, "too many supports");
+            drop(mark);
+        }
+        /* no room for them */
+        iw = begun(m.iw, all, few);
+        serve(&m, n / 2, few, iw);
+        require(supports(&m, iw) == 0, "supports without room");
+        drop(mark);
+        /* a part of all points may find more, of which the index has no
+         * record */
+        iw = begun(m.iw, all, most);
+        serve(&m, 1, most, iw);
+        more += supports(&m, iw) < supports(&m, m.iw);
+        serve(&m, many, most, iw);
+        drop(mark);
+        /* an index without them, and the least length for one with some */
+        reindex(&m, old, &k);
+        require(supports(&m, k.iw) == 0, "supports in the least index");
+        ask(&k, k.iw);
+        serve(&k, many, liw, begun(k.iw, old, liw));
+        drop(mark);
+        lo = old;
+        hi = 9 * n + 600;
+        reindex(&m, hi, &k);
+        require(!SOUGHT || supports(&m, k.iw) > 0, "none in 9 n + 600");
+        while (SOUGHT && supports(&m, m.iw) > 0 && hi - lo > 1) {
+            inner = narrays;
+            reindex(&m, (tess_int)(lo + (hi - lo) / 2), &k);
+            if (supports(&m, k.iw) > 0) hi = k.liw;
+            else lo = k.liw;
+            drop(inner);
+        }
+        drop(mark);
+        reindex(&m, lo, &k);
+        ask(&k, k.iw);
+        serve(&k, many, liw, begun(k.iw, lo < all ? lo : all, liw));
+        reindex(&m, hi, &k);
+        ask(&k, k.iw);
+        serve(&k, many, liw, begun(k.iw, all, liw));
+        drop(0);
+        test_result(name, faults);
+    }
+    faults = 0;
+    now = "supports: more than the index has";
+#ifndef TESS_LIST
+    require(!SOUGHT || HH_LIMBS < 88 || more > 0, "no part found any");
+#endif
     test_result(now, faults);
 }
 
@@ -1083,6 +1294,30 @@ static void test_codes(void)
                           rw) == expected && ntet == 0, "flat part");
     }
     drop(0);
+    /* the same where supports are sought */
+    for (k = 0; k < 3; k++) {
+        tess_int n = 600, side = k == 2 ? 25 : n;
+
+        p = (tess_real *)array((size_t)(3 * n) * sizeof *p);
+        for (i = 0; i < n; i++) {
+            p[3 * i] = (tess_real)(k == 0 ? 7 : i % side);
+            p[3 * i + 1] = (tess_real)(k == 0 ? 7 : i / side);
+            p[3 * i + 2] = p[3 * i] + p[3 * i + 1];
+        }
+        tess_size(n, 1, &liw, &lrw);
+        iw = ints(liw);
+        rw = (double *)array((size_t)lrw * sizeof *rw);
+        mine = ints(n);
+        for (i = 0; i < n; i++) mine[i] = 1;
+        ntet = 0;
+        v[0] = TESS_NONE;
+        code = k == 0 ? TESS_POINT : k == 1 ? TESS_LINE : TESS_PLANE;
+        require(tess_index(n, p, liw, iw, lrw, rw) == code, "many flat");
+        require(tess_query(n, p, iw, rw, q, v, w) == code, "many flat query");
+        require(tess_part(n, p, mine, 0, &ntet, tet, adj, liw, iw, lrw,
+                          rw) == code && ntet == 0, "many flat part");
+    }
+    drop(0);
     test_result(now, faults);
 }
 
@@ -1096,6 +1331,7 @@ int main(int argc, char **argv)
     test_resume();
     test_parts();
     test_queries();
+    test_supports();
     test_astray();
     return test_end("t_part");
 }
