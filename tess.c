@@ -171,8 +171,10 @@
 #define SOME (TESS_LIST < 128 ? 4 : 32)
 #define RECORD 7
 #define EXPONENT 2000
-/* An index seeks them at up to REGIONS points, for all parts, so sooner. */
+/* An index seeks them in the stars of up to REGIONS points, eight at a time,
+ * with room for STARS tetrahedra; and sooner, as it does so for all parts. */
 #define REGIONS 32
+#define STARS (TESS_LIST < 128 ? 1 : 256)
 #define KEEN (BURDEN / 256.0)
 /* Number of marks for heights over a support: a double holds them and their
  * roundings. */
@@ -2573,8 +2575,8 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     static const tess_int guess[2] = {NONE, NONE};
     mesh m;
     sizes w;
-    tess_int i, v[4], most = (tess_int)(n / 4);
-    tess_int left = (tess_int)(liw - n - 8 * most), *mine;
+    tess_int i, v[4], left = (tess_int)(liw - n), *mine = iw + left;
+    tess_int tet[4 * STARS], adj[4 * STARS];
     double part;
     int code = badargument(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw, &i), k;
 
@@ -2600,7 +2602,6 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     (void)lengths(n, &w);
     if (TESS_LIST >= 128 && code == 0 && w.marks > 0 && m.set.t5 < PLAIN &&
         left - w.iw >= w.marks) {
-        mine = iw + left;
         for (k = 1; k <= REGIONS; k++) {
             if (k % 8 == 1)
                 for (i = 0; i < n; i++) mine[i] = 0;
@@ -2611,7 +2612,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
             i = 0;
             m.patience = m.nsupport < SUPPORTS ? KEEN : 0.0;
             allot(&m, n, left);
-            (void)run(&m, n, mine, most, &i, mine + n, mine + n + 4 * most);
+            (void)run(&m, n, mine, STARS, &i, tet, adj);
             if (m.burden == 0.0 && m.nsupport == 0) break;
         }
     }

@@ -303,8 +303,9 @@ C               another's points
 C       ENOUGH  with fewer points no support is sought
 C       SOME    places of the sample
 C       EXPON   offset of a grain's exponent where it is kept
-C       REGIO, KEEN  an index seeks supports at up to REGIO points, for
-C               all parts, so sooner than by BURDEN
+C       REGIO, STARS, KEEN  an index seeks supports in the stars of up
+C               to REGIO points, eight at a time, with room for STARS
+C               tetrahedra; and sooner, as it does so for all parts
 C       GRAINS  number of marks for heights over a support: a double
 C               holds them and their roundings
 C       SLIM    no cylinders are used if fewer than an eighth of the
@@ -3603,7 +3604,7 @@ C     Cost: O(N log N), about a tenth of that of the mesh.
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
       ROOMY = 0
       IF (CYLS .GT. 0 .AND. LRW - LRWMIN .GE. CYLS) ROOMY = 1
-      LEFT = LIW - N - 8*(N/4)
+      LEFT = LIW - N
       WHOLE = 0
       IF (MARKS .GT. 0 .AND. LEFT - LIWMIN .GE. MARKS) WHOLE = 1
       K = 2*N + 2*LVS + KEEP
@@ -3622,15 +3623,17 @@ C     else is kept of these.
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1),
      $    LIW, LEFT, COUNTS(LEFT), ROOMY, WHOLE, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
-      INTEGER TSLIST, NP, NSUPP, T5, RBURDN, RPATIE, SUPPS, REGIO, RANGE
+      INTEGER TSLIST, NP, NSUPP, T5, RBURDN, RPATIE, SUPPS, REGIO,
+     $    STARS, RANGE
       DOUBLE PRECISION PLAIN, KEEN
       PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T5 = 2, RBURDN = 4,
-     $    RPATIE = 5, SUPPS = 8, REGIO = 32, RANGE = 6, PLAIN = 16.0D0,
-     $    KEEN = 1.0D0/256.0D0)
+     $    RPATIE = 5, SUPPS = 8, REGIO = 32, STARS = 256, RANGE = 6,
+     $    PLAIN = 16.0D0, KEEN = 1.0D0/256.0D0)
       DOUBLE PRECISION LSD(14,2), PART, RCTL(6), SUP(96,SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(84), CODE, GUESS(2), I, K, LENGTH, LSI(3,2),
-     $    LSID(TSLIST+48,2), MANY, MINE, SPACE, V(3), Z
+      INTEGER ADJ(4*STARS), CODE, CTL(84), GUESS(2), I, K, LENGTH,
+     $    LSI(3,2), LSID(TSLIST+48,2), MANY, MINE, SPACE, TET(4,STARS),
+     $    V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, ROOMY,
      $            INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
@@ -3663,7 +3666,7 @@ C       point it has in REP
    30   CONTINUE
       END IF
       IF (INFO .EQ. 0 .AND. WHOLE .EQ. 1 .AND. RCTL(T5) .LT. PLAIN) THEN
-        MINE = LEFT - N - 8*(N/4)
+        MINE = LEFT - N
         DO 50 K = 1, REGIO
           IF (MOD(K, 8) .EQ. 1) THEN
             DO 40 I = 1, N
@@ -3679,12 +3682,10 @@ C       point it has in REP
           IF (CTL(NSUPP) .LT. SUPPS) RCTL(RPATIE) = KEEN
           CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
           I = SPACE + 2
-          Z = MINE + N + 1
-          CALL TSRUN(N, X, P, ORD, COUNTS(Z), COUNTS(Z+4*(N/4)), BOX,
-     $               ALIVE, REP, KNOWN, COUNTS(I), COUNTS(I+N), LENGTH,
-     $               COUNTS(I+2*N), SPACE, COUNTS(2), CTL, RCTL, SUP,
-     $               LSX, LSID, LSI, LSD, 1, COUNTS(MINE+1), N/4, MANY,
-     $               CODE)
+          CALL TSRUN(N, X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
+     $               COUNTS(I), COUNTS(I+N), LENGTH, COUNTS(I+2*N),
+     $               SPACE, COUNTS(2), CTL, RCTL, SUP, LSX, LSID, LSI,
+     $               LSD, 1, COUNTS(MINE+1), STARS, MANY, CODE)
           IF (CTL(NSUPP) .EQ. 0 .AND. RCTL(RBURDN) .LE. 0.0D0) GO TO 60
    50   CONTINUE
       END IF
