@@ -185,8 +185,8 @@
 #define SEEK(m) (TESS_LIST >= 128 && (m)->patience > 0.0)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
 #define LEANING(f) (TESS_LIST >= 128 && (f)->on != NONE)
-/* No cylinders are used if fewer than an eighth of the leaves' are below
- * SLENDER of their boxes. */
+/* No cylinders are used if fewer than one leaf of 64 has one below SLENDER of
+ * its box. */
 #define SLENDER 0.7
 #define ENCLOSED(m) (TESS_LIST >= 128 && (m)->enclosed)
 /* Maximum number of points of a cell, and of cells. */
@@ -1431,17 +1431,20 @@ static int inblock(const mesh *m, quest *f)
 /* scanleaf - considers the uncompleted points of a leaf that are not outside
  * the ball.  Without a ball it considers those not on the negative side: the
  * ball of L = MUCHL / 2 stands for that side, with room for |w|^2.  The powers
- * come first, as vectors, then, group by group, as most groups have none, and
- * without a branch in a group, the places of the points to consider. */
+ * come first, as vectors, then the least of each group, as most groups have no
+ * point to consider.  Stars are completed in the order of positions, by and
+ * large, so the points before the first uncompleted one are most of the
+ * completed ones. */
 static void scanleaf(mesh *m, quest *f, tess_int leaf)
 {
     const double *b = m->box + 6 * leaf, *x;
-    double d[3], power[LEAF], size = 0.0, most, w0, w1, w2;
+    double d[3], power[LEAF], size = 0.0, most, least, w0, w1, w2;
     double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8], d0, d1, d2;
-    tess_int first, last, place[LEAF];
-    int n, i, k, any, passed = 0;
+    tess_int first, last;
+    int n, i, k;
 
     span(m, leaf, &first, &last);
+    while (m->link[first] == DONE) first++;
     x = m->x + 3 * first;
     n = (int)(last - first);
     COUNT(N_LEAF, 1);
@@ -1461,18 +1464,16 @@ static void scanleaf(mesh *m, quest *f, tess_int leaf)
     }
     for (; n % GROUP != 0; n++) power[n] = DBL_MAX;
     for (i = 0; i < n; i += GROUP) {
+        least = DBL_MAX;
         /* cppcheck-suppress uninitvar ; all n are set */
-        for (k = any = 0; k < GROUP; k++) any |= power[i + k] <= most;
-        if (!any) continue;
-        for (k = i; k < i + GROUP; k++) {
-            place[passed] = (tess_int)(first + k);
-            passed += power[k] <= most;
-        }
+        for (k = i; k < i + GROUP; k++)
+            least = least < power[k] ? least : power[k];
+        if (least > most) continue;
+        for (k = i; k < i + GROUP; k++)
+            if (power[k] <= most && m->link[first + k] != DONE)
+                consider(m, f, (tess_int)(first + k));
     }
-    for (k = 0; k < passed; k++)
-        if (m->link[place[k]] != DONE) /* NOLINT: places are set */
-            consider(m, f, place[k]);
-    if (SEEK(m) && m->link[first] != DONE) remember(f, first, 0);
+    if (SEEK(m)) remember(f, first, 0);
 }
 
 /* treesearch - finishes a search in the tree: the leaf of the base first, then
@@ -3287,7 +3288,7 @@ static void makecylinders(mesh *m)
                 if (makecylinder(m, (tess_int)(4 * node + i),
                                  cylinders(m, node) + i))
                     slender++;
-        if (slender < m->leaves / 8) return;
+        if (64 * slender < m->leaves) return;
     }
     m->enclosed = 1;
 }

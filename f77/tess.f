@@ -308,8 +308,8 @@ C               to REGIO points, eight at a time, with room for STARS
 C               tetrahedra; and sooner, as it does so for all parts
 C       GRAINS  number of marks for heights over a support: a double
 C               holds them and their roundings
-C       SLIM    no cylinders are used if fewer than an eighth of the
-C               leaves' are below SLIM of their boxes
+C       SLIM    no cylinders are used if fewer than one leaf of 64 has
+C               one below SLIM of its box
 C       MCELL, CELLS  maximum number of points of a cell, and of cells
 C       PLANES  number of hull planes remembered
 C       ASTRAY  steps from a given start after which a location looks
@@ -1777,9 +1777,11 @@ C     cost: on surfaces, two of five points that were tested.
 C     TSSCAN - considers the uncompleted points of a leaf that are not
 C     outside the ball.  Without a ball it considers those not on the
 C     negative side: the ball of L = MUCHL/2 stands for that side, with
-C     room for |W|**2.  The powers come first, as vectors, then, group
-C     by group, as most groups have none, the places of the points to
-C     consider.
+C     room for |W|**2.  The powers come first, as vectors, then the
+C     least of each group, as most groups have no point to consider.
+C     Stars are completed in the order of positions, by and large, so
+C     the points before the first uncompleted one are most of the
+C     completed ones.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, V,
      $                  IQ, F, FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
@@ -1792,8 +1794,12 @@ C     consider.
      $    MUCHL = 1.0D100, HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
       DOUBLE PRECISION TSPOWE, B1, B2, B3, D(3), D1, D2, D3, MOST,
      $    POWER(LEAF), SIZE, W1, W2, W3
-      INTEGER FIRST, I, J, K, LAST, N, PASSED, PLACE(LEAF)
+      INTEGER FIRST, I, J, K, LAST, N, Z
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
+    5 IF (LINK(FIRST) .EQ. DONE) THEN
+        FIRST = FIRST + 1
+        GO TO 5
+      END IF
       N = LAST - FIRST + 1
       SIZE = 0.0D0
       DO 10 K = 1, 3
@@ -1824,24 +1830,18 @@ C     consider.
         POWER(N) = HUGE
         GO TO 30
       END IF
-      PASSED = 0
       DO 50 J = 1, N, GROUP
         IF (MIN(POWER(J), POWER(J+1), POWER(J+2), POWER(J+3),
      $          POWER(J+4), POWER(J+5), POWER(J+6), POWER(J+7)) .GT.
      $      MOST) GO TO 50
         DO 40 K = J, J + GROUP - 1
-          IF (POWER(K) .LE. MOST) THEN
-            PASSED = PASSED + 1
-            PLACE(PASSED) = I + K
-          END IF
+          IF (POWER(K) .GT. MOST) GO TO 40
+          Z = I + K
+          IF (LINK(Z) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, CTL, RCTL,
+     $        SUP, V, IQ, F, FQ, Z)
    40   CONTINUE
    50 CONTINUE
-      DO 60 K = 1, PASSED
-        IF (LINK(PLACE(K)) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, CTL,
-     $      RCTL, SUP, V, IQ, F, FQ, PLACE(K))
-   60 CONTINUE
-      IF (RCTL(RPATIE) .GT. 0.0D0 .AND. LINK(FIRST) .NE. DONE)
-     $    CALL TSREME(IQ, FIRST, 0)
+      IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, FIRST, 0)
       END
 
 C     TSTREE - finishes a search in the tree: the leaf of the base
@@ -4604,7 +4604,7 @@ C     ones.
             SUM = SUM + SLENDR
    20     CONTINUE
    30   CONTINUE
-        IF (SUM .LT. CTL(LEAVES)/8) RETURN
+        IF (64*SUM .LT. CTL(LEAVES)) RETURN
         LEVEL = LEVEL/4
         GO TO 10
       END IF
