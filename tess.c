@@ -83,10 +83,10 @@
  *   first facet  point preced edgeby firstfacet
  *   pool         outfac facet owner hashkey same find chain erase enter full
  *                cuberoot tablesize quota rehash
- *   lists        disjoint setpoint padlist boxquery leaflist compress starlist
+ *   lists        disjoint setpoints boxquery leaflist compress starlist
  *   search       dot powererr prunebox narrow refine challenge consider
- *                ballinbox ballinstar ballcoef listball considerall instar
- *                inblock scanleaf treesearch onhull prepare apex
+ *                ballinbox ballinstar ballcoef listball instar inblock
+ *                scanleaf treesearch onhull prepare apex
  *   one star     exchange settle
  *   star         clearlink renumber push join unlinkedge between glue flush
  *                attach grow enlist follow gather load complete makeroom begin
@@ -353,8 +353,8 @@ typedef struct mesh {
     tess_int oldest, newest;  /* edges of the link, the newest the lowest */
     tess_int low;             /* no vertex of a smaller position owns facets */
     tess_int unmet;           /* no vertex before it is NEW and asked for */
-    tess_int plane[PLANES][3];
-    int nplane, nextplane;
+    tess_int plane[PLANES][3]; /* the last hull planes met */
+    tess_int nplane;          /* how many were met */
     list block, around;       /* lists of a leaf, and of a star in it */
     int futile;               /* the leaf's latest searches in a row that */
                               /* ended in the tree */
@@ -893,34 +893,27 @@ static int disjoint(const double *alo, const double *ahi, const double *blo,
            (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
 }
 
-/* setpoint - set point i of a list from its position; move it FAR away if its
- * star is complete. */
-static void setpoint(const mesh *m, list *l, int i)
+/* setpoints - set the points of a list from their positions; those whose stars
+ * are complete are FAR away, and so is what pads the list to a multiple of
+ * four: loops over lists go by fours, which every compiler can vectorize. */
+static void setpoints(const mesh *m, list *l)
 {
-    const double *q = m->x + 3 * l->id[i];
-    float x = FAR, y = FAR, z = FAR;
+    const double *q;
+    float x, y, z;
+    int i;
 
-    if (m->link[l->id[i]] != DONE) {
-        x = (float)((q[0] - l->centre[0]) * l->unit);
-        y = (float)((q[1] - l->centre[1]) * l->unit);
-        z = (float)((q[2] - l->centre[2]) * l->unit);
-    }
-    l->x[i] = x;
-    l->y[i] = y;
-    l->z[i] = z;
-    l->r[i] = x * x + y * y + z * z;
-}
-
-/* padlist - pad a list to a multiple of four with points that are FAR away:
- * loops over lists go by fours, which every compiler can vectorize. */
-static void padlist(list *l)
-{
-    int i = l->n;
-
-    while (i % 4 != 0) {
-        l->x[i] = l->y[i] = l->z[i] = FAR;
-        l->r[i] = FAR * FAR;
-        l->id[i++] = NONE;
+    for (i = 0; i < (l->n + 3) / 4 * 4; i++) {
+        x = y = z = FAR;
+        if (i < l->n && m->link[l->id[i]] != DONE) {
+            q = m->x + 3 * l->id[i];
+            x = (float)((q[0] - l->centre[0]) * l->unit);
+            y = (float)((q[1] - l->centre[1]) * l->unit);
+            z = (float)((q[2] - l->centre[2]) * l->unit);
+        }
+        l->x[i] = x;
+        l->y[i] = y;
+        l->z[i] = z;
+        l->r[i] = x * x + y * y + z * z;
     }
 }
 
@@ -997,8 +990,7 @@ static void leaflist(mesh *m, tess_int s)
         }
         margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
     }
-    for (k = 0; k < l->n; k++) setpoint(m, l, k);
-    padlist(l);
+    setpoints(m, l);
 }
 
 /* compress - store in picked the indices i < n with in[i] = 1 (the others are
@@ -1030,7 +1022,7 @@ static void starlist(mesh *m, tess_int s)
     const double *q = m->x + 3 * s, *root = m->box + 6;
     double margin;
     float x, y, z, most;
-    int i, k, n, in[TESS_LIST], which[TESS_LIST + 1];
+    int i, k, in[TESS_LIST], which[TESS_LIST + 1];
 
     if (s < l->first || s >= l->last) leaflist(m, s);
     g->n = 0;
@@ -1058,13 +1050,9 @@ static void starlist(mesh *m, tess_int s)
         in[i] = (l->x[i] - x) * (l->x[i] - x) +
                     (l->y[i] - y) * (l->y[i] - y) +
                     (l->z[i] - z) * (l->z[i] - z) <= most;
-    n = compress(in, l->n, which);
-    for (i = 0; i < n; i++) {
-        g->id[i] = l->id[which[i]];
-        setpoint(m, g, i);
-    }
-    g->n = n;
-    padlist(g);
+    g->n = compress(in, l->n, which);
+    for (i = 0; i < g->n; i++) g->id[i] = l->id[which[i]];
+    setpoints(m, g);
 }
 
 /* ---- the search for the apex of a facet ---- */
@@ -1379,15 +1367,6 @@ static int listball(const list *l, const quest *f, int *place)
     return n > 4 ? compress(in, l->n, place) : 0;
 }
 
-/* considerall - consider n points of a list. */
-static void considerall(const mesh *m, quest *f, const list *l, int n,
-                  const int *place)
-{
-    int i;
-
-    for (i = 0; i < n; i++) consider(m, f, l->id[place[i]]);
-}
-
 /* instar - seeks the apex in the star's list.  The ball of a better point has
  * no more points on the open side than the ball before it (Lemma 3), and those
  * on the other side do not count.  So one pass over the list is enough if the
@@ -1397,7 +1376,7 @@ static void considerall(const mesh *m, quest *f, const list *l, int n,
 static int instar(mesh *m, quest *f)
 {
     const list *l = &m->around;
-    int place[TESS_LIST + 1], n;
+    int place[TESS_LIST + 1], n, i;
 
     if (f->base != 0 || l->n == 0 || !f->ball) return 0;
     n = listball(l, f, place);
@@ -1407,7 +1386,7 @@ static int instar(mesh *m, quest *f)
             f->best = incell(m, f->v);
             return 1;
         }
-        considerall(m, f, l, n, place);
+        for (i = 0; i < n; i++) consider(m, f, l->id[place[i]]);
         if (f->tied > 0 && !m->tied) (void)newcell(m, f);
         m->tied = f->tied > 0;
     }
@@ -1420,11 +1399,11 @@ static int instar(mesh *m, quest *f)
 static int inblock(const mesh *m, quest *f)
 {
     const list *l = &m->block;
-    int place[TESS_LIST + 1], n;
+    int place[TESS_LIST + 1], n, i;
 
     if (l->n == 0 || !f->ball || !ballinbox(m, f, l)) return 0;
     n = listball(l, f, place);
-    if (n > 0) considerall(m, f, l, n, place);
+    for (i = 0; i < n; i++) consider(m, f, l->id[place[i]]);
     return n >= 0;
 }
 
@@ -1547,7 +1526,7 @@ static int onhull(const mesh *m, const quest *f)
     const tess_int *h;
     int i, k;
 
-    for (i = 0; i < m->nplane; i++) {
+    for (i = 0; i < PLANES && i < m->nplane; i++) {
         h = m->plane[i];
         for (k = 0; k < 3; k++)
             if (f->v[k] != h[0] && f->v[k] != h[1] && f->v[k] != h[2] &&
@@ -1564,7 +1543,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
 {
     const double *p[3], *a, *b;
     double edge, longest = 0.0;
-    int k, base;
+    int k;
 
     for (k = 0; k < 3; k++) {
         p[k] = m->x + 3 * v[k];
@@ -1575,9 +1554,8 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     f->on = NONE;
     f->asked = f->limbs = f->tied = f->ball = 0;
     f->opened = 0;
-    f->dc = f->size = 0.0;
     f->hi = DBL_MAX;
-    f->base = base = 0;
+    f->base = 0;
     hh_setup(p[0], p[1], p[2], f->f);
     if (f->f[9] >= 8000.0 * EPS) {
         for (k = 0; k < 3; k++) {
@@ -1588,12 +1566,12 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
                    (a[2] - b[2]) * (a[2] - b[2]);
             if (edge <= longest) continue;
             longest = edge;
-            base = k;
+            f->base = k;
         }
-        if (base != 0)
-            hh_setup(p[base], p[(base + 1) % 3], p[(base + 2) % 3], f->f);
-        f->base = base;
-        if (f->f[9] > THIN) hh_thin(&m->set, v, base, f->f);
+        a = p[(f->base + 1) % 3];
+        b = p[(f->base + 2) % 3];
+        if (f->base != 0) hh_setup(p[f->base], a, b, f->f);
+        if (f->f[9] > THIN) hh_thin(&m->set, v, f->base, f->f);
     }
     if (SUPPORTED(m)) supportof(m, f);
 }
@@ -1640,9 +1618,8 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     }
     if (f.best == NONE) {
         COUNT(N_HULL, 1);
-        for (k = 0; k < 3; k++) m->plane[m->nextplane][k] = v[k];
-        m->nextplane = (m->nextplane + 1) % PLANES;
-        if (m->nplane < PLANES) m->nplane++;
+        for (k = 0; k < 3; k++) m->plane[m->nplane % PLANES][k] = v[k];
+        m->nplane++;
     }
     return f.best;
 }
@@ -1694,7 +1671,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
     int j, k, all, same;
 
     m->block.first = m->block.last = NONE;
-    m->block.n = m->around.n = m->nplane = m->nextplane = m->ncell = 0;
+    m->block.n = m->around.n = m->nplane = m->ncell = 0;
     for (k = 0; k < 4; k++) v[k] = m->rep[m->known[k]];
     for (k = 0; !exchange(m, NULL, v, k, s); k++)
         ;
@@ -2176,7 +2153,7 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->alive = m->known + KEEP;
     m->mark = m->alive + 2 * leafcount(n);
     m->link = m->order; /* no star is complete: no entry is DONE */
-    m->nplane = m->nextplane = m->tied = m->nsupport = 0;
+    m->nplane = m->tied = m->nsupport = 0;
     m->ncell = m->futile = 0;
     m->enclosed = 0;
     m->burden = m->patience = 0.0;

@@ -120,15 +120,14 @@ C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
 C         hashkey TSHASH, same TSSAME, find TSFIND, chain TSCHAI,
 C         erase TSERAS, enter TSENTE, full TSFULL, cuberoot TSCUBE,
 C         tablesize TSTABL, quota TSQUOT, rehash TSREHA
-C       lists: disjoint TSDISJ, setpoint TSSETP, padlist TSPADL,
-C         boxquery TSBOXQ, leaflist TSLFLI, compress TSCMPR,
-C         starlist TSSTLI
+C       lists: disjoint TSDISJ, setpoints TSSETP, boxquery TSBOXQ,
+C         leaflist TSLFLI, compress TSCMPR, starlist TSSTLI
 C       search: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
 C         narrow TSNARR, refine TSREFI, challenge TSCHAL,
 C         consider TSCONS, ballinbox TSBINB, ballinstar TSBINS,
-C         ballcoef TSBALC, listball TSLIBA, considerall TSCALL,
-C         instar TSINST, inblock TSINBL, scanleaf TSSCAN,
-C         treesearch TSTREE, onhull TSONHU, prepare TSPREP, apex TSAPEX
+C         ballcoef TSBALC, listball TSLIBA, instar TSINST,
+C         inblock TSINBL, scanleaf TSSCAN, treesearch TSTREE,
+C         onhull TSONHU, prepare TSPREP, apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
 C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
@@ -201,9 +200,8 @@ C       MPOOL   entries of the pool;  NOPEN those in use
 C       FRESH   from this tetrahedron on, facets 1 are not in the pool
 C       OLDEST, NEWEST  edges of the link, the newest the lowest
 C       LOW     no vertex of a smaller position owns facets
-C       NPLANE  hull planes that are remembered, from PLANE1 on, each
-C               by three points: PLANE(3,PLANES);  NEXTPL the one to be
-C               replaced next
+C       NPLANE  hull planes that were met, the last ones kept from
+C               PLANE1 on, each by three points: PLANE(3,PLANES)
 C       TIED    1: the last search in a star's list that met points met
 C               some exactly on its last ball
 C       UNMET   no vertex before it is NEW and asked for
@@ -1063,53 +1061,35 @@ C     six conditions, not one, spare a branch for each
       IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
       END
 
-C     TSSETP - set point I of a list from its position; move it FAR away
-C     if its star is complete.
-      SUBROUTINE TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
+C     TSSETP - set the points of a list from their positions; those
+C     whose stars are complete are FAR away, and so is what pads the
+C     list to a multiple of four: loops over lists go by fours, which
+C     every compiler can vectorize.
+      SUBROUTINE TSSETP(X, LINK, LSX, LSID, LSI, LSD, LIST)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), LSD(14,2)
       REAL LSX(TSLIST,4,2)
-      INTEGER LINK(*), LSID(TSLIST+48,2), LIST, I
-      INTEGER LMID, LUNIT, DONE
+      INTEGER LINK(*), LSID(TSLIST+48,2), LSI(3,2), LIST
+      INTEGER LN, LMID, LUNIT, DONE
       REAL FAR
-      PARAMETER (LMID = 6, LUNIT = 14, DONE = -1, FAR = 1.0E10)
-      REAL A, B, C
-      INTEGER Z
-      Z = LSID(I,LIST)
-      A = FAR
-      B = FAR
-      C = FAR
-      IF (LINK(Z) .NE. DONE) THEN
-        A = REAL((X(1,Z) - LSD(LMID+1,LIST))*LSD(LUNIT,LIST))
-        B = REAL((X(2,Z) - LSD(LMID+2,LIST))*LSD(LUNIT,LIST))
-        C = REAL((X(3,Z) - LSD(LMID+3,LIST))*LSD(LUNIT,LIST))
-      END IF
-      LSX(I,1,LIST) = A
-      LSX(I,2,LIST) = B
-      LSX(I,3,LIST) = C
-      LSX(I,4,LIST) = A*A + B*B + C*C
-      END
-
-C     TSPADL - pad a list to a multiple of four with points that are FAR
-C     away: loops over lists go by fours, which every compiler can
-C     vectorize.
-      SUBROUTINE TSPADL(LSX, LSID, LSI, LIST)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      REAL LSX(TSLIST,4,2)
-      INTEGER LSID(TSLIST+48,2), LSI(3,2), LIST
-      INTEGER LN
-      REAL FAR
-      PARAMETER (LN = 3, FAR = 1.0E10)
-      INTEGER I
-      DO 10 I = LSI(LN,LIST) + 1, (LSI(LN,LIST) + 3)/4*4
+      PARAMETER (LN = 3, LMID = 6, LUNIT = 14, DONE = -1, FAR = 1.0E10)
+      INTEGER I, K, Z
+      DO 20 I = 1, (LSI(LN,LIST) + 3)/4*4
         LSX(I,1,LIST) = FAR
         LSX(I,2,LIST) = FAR
         LSX(I,3,LIST) = FAR
         LSX(I,4,LIST) = FAR*FAR
-        LSID(I,LIST) = 0
-   10 CONTINUE
+        IF (I .GT. LSI(LN,LIST)) GO TO 20
+        Z = LSID(I,LIST)
+        IF (LINK(Z) .EQ. DONE) GO TO 20
+        DO 10 K = 1, 3
+          LSX(I,K,LIST) = REAL((X(K,Z) - LSD(LMID+K,LIST))*
+     $        LSD(LUNIT,LIST))
+   10   CONTINUE
+        LSX(I,4,LIST) = LSX(I,1,LIST)**2 + LSX(I,2,LIST)**2 +
+     $      LSX(I,3,LIST)**2
+   20 CONTINUE
       END
 
 C     TSBOXQ - append to a list the uncompleted points in its box that
@@ -1219,10 +1199,7 @@ C       no list
         END IF
         GO TO 20
       END IF
-      DO 60 I = 1, LSI(LN,LIST)
-        CALL TSSETP(X, LINK, LSX, LSID, LSD, LIST, I)
-   60 CONTINUE
-      CALL TSPADL(LSX, LSID, LSI, LIST)
+      CALL TSSETP(X, LINK, LSX, LSID, LSI, LSD, LIST)
       END
 
 C     TSCMPR - store in PICKED the I <= N with IN(I) = 1 (the others are
@@ -1264,7 +1241,7 @@ C     at most the distance from S to where the block may lack points.
      $    SLACK = 32.0*2.0**(-23))
       DOUBLE PRECISION MARGIN
       REAL A, B, C, MOST
-      INTEGER I, IN(TSLIST), K, N, PLACE(TSLIST+1)
+      INTEGER I, IN(TSLIST), K, PLACE(TSLIST+1)
       IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK))
      $    CALL TSLFLI(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI,
      $    LSD, BLK, S)
@@ -1295,13 +1272,11 @@ C     no point nearer than margin is missed
      $      (LSX(I,2,BLK) - B)*(LSX(I,2,BLK) - B) +
      $      (LSX(I,3,BLK) - C)*(LSX(I,3,BLK) - C) .LE. MOST) IN(I) = 1
    20 CONTINUE
-      CALL TSCMPR(IN, LSI(LN,BLK), PLACE, N)
-      DO 30 I = 1, N
+      CALL TSCMPR(IN, LSI(LN,BLK), PLACE, LSI(LN,STR))
+      DO 30 I = 1, LSI(LN,STR)
         LSID(I,STR) = LSID(PLACE(I),BLK)
-        CALL TSSETP(X, LINK, LSX, LSID, LSD, STR, I)
    30 CONTINUE
-      LSI(LN,STR) = N
-      CALL TSPADL(LSX, LSID, LSI, STR)
+      CALL TSSETP(X, LINK, LSX, LSID, LSI, LSD, STR)
       END
 
 C     ------------------------------------------------------------------
@@ -1692,21 +1667,6 @@ C     is too large for the list.
       END IF
       END
 
-C     TSCALL - consider N points of a list.
-      SUBROUTINE TSCALL(X, P, ORD, MARK, CTL, RCTL, SUP, LSID, LIST, V,
-     $                  IQ, F, FQ, N, PLACE)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,2), LIST, V(3),
-     $    IQ(42), N, PLACE(*)
-      INTEGER I, Z
-      DO 10 I = 1, N
-        Z = LSID(PLACE(I),LIST)
-        CALL TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
-   10 CONTINUE
-      END
-
 C     TSINST - seeks the apex in the star's list.  The ball of a better
 C     point has no more points on the open side than the ball before it
 C     (Lemma 3), and those on the other side do not count.  So one pass
@@ -1716,16 +1676,17 @@ C     faces of a cube all sides are exact, which would take twice as
 C     long.
       SUBROUTINE TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
      $                  LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
      $    LSD(14,2), F(12), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), MARK(*), CTL(*), LSID(*), LSI(3,2), V(3), IQ(42),
-     $    OK
-      INTEGER TSLIST, TIED, NCELL, CELL1, LN, STR, QBEST, QBALL, QBASE,
-     $    QTIED
-      PARAMETER (TSLIST = 512, TIED = 14, NCELL = 17, CELL1 = 33,
-     $    LN = 3, STR = 2, QBEST = 1, QBALL = 3, QBASE = 4, QTIED = 8)
-      INTEGER TSBINS, N, PLACE(TSLIST+1)
+      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2),
+     $    V(3), IQ(42), OK
+      INTEGER TIED, NCELL, CELL1, LN, STR, QBEST, QBALL, QBASE, QTIED
+      PARAMETER (TIED = 14, NCELL = 17, CELL1 = 33, LN = 3, STR = 2,
+     $    QBEST = 1, QBALL = 3, QBASE = 4, QTIED = 8)
+      INTEGER TSBINS, I, N, PLACE(TSLIST+1), Z
       OK = 0
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0 .OR. IQ(QBALL) .EQ.
      $    0) RETURN
@@ -1741,8 +1702,10 @@ C     long.
             RETURN
           END IF
         END IF
-        CALL TSCALL(X, P, ORD, MARK, CTL, RCTL, SUP, LSID, STR, V, IQ,
-     $              F, FQ, N, PLACE)
+        DO 10 I = 1, N
+          Z = LSID(PLACE(I),STR)
+          CALL TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
+   10   CONTINUE
         IF (IQ(QTIED) .GT. 0 .AND. CTL(TIED) .EQ. 0)
      $      CALL TSNEWC(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL,
      $      LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
@@ -1756,21 +1719,25 @@ C     elsewhere, the tree is searched in any case and the list only adds
 C     cost: on surfaces, two of five points that were tested.
       SUBROUTINE TSINBL(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
      $                  LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
      $    LSD(14,2), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), LSID(*), LSI(3,2), V(3), IQ(42),
-     $    OK
       REAL LSX(*)
-      INTEGER TSLIST, LN, BLK, QBALL
-      PARAMETER (TSLIST = 512, LN = 3, BLK = 1, QBALL = 3)
-      INTEGER TSBINB, N, PLACE(TSLIST+1)
+      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2),
+     $    V(3), IQ(42), OK
+      INTEGER LN, BLK, QBALL
+      PARAMETER (LN = 3, BLK = 1, QBALL = 3)
+      INTEGER TSBINB, I, N, PLACE(TSLIST+1), Z
       OK = 0
       IF (LSI(LN,BLK) .EQ. 0) RETURN
       IF (IQ(QBALL) .EQ. 0) RETURN
       IF (TSBINB(BOX, LSI, LSD, BLK, IQ, F, FQ) .EQ. 0) RETURN
       CALL TSLIBA(LSX, LSI, LSD, BLK, F, FQ, PLACE, N)
-      IF (N .GT. 0) CALL TSCALL(X, P, ORD, MARK, CTL, RCTL, SUP, LSID,
-     $    BLK, V, IQ, F, FQ, N, PLACE)
+      DO 10 I = 1, N
+        Z = LSID(PLACE(I),BLK)
+        CALL TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
+   10 CONTINUE
       IF (N .GE. 0) OK = 1
       END
 
@@ -1934,10 +1901,10 @@ C     hull, or 0.
       INTEGER FUNCTION TSONHU(X, P, ORD, N, PLANE, RCTL, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), N, PLANE(3,*), V(3)
-      INTEGER T3
-      PARAMETER (T3 = 1)
+      INTEGER T3, PLANES
+      PARAMETER (T3 = 1, PLANES = 4)
       INTEGER HHPSID, I, K
-      DO 20 I = 1, N
+      DO 20 I = 1, MIN(N, PLANES)
         DO 10 K = 1, 3
           IF (V(K) .NE. PLANE(1,I) .AND. V(K) .NE. PLANE(2,I) .AND.
      $        V(K) .NE. PLANE(3,I)) THEN
@@ -1958,11 +1925,11 @@ C     longest edge.
       DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42)
       INTEGER SCALE, NSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON,
-     $    QTIED, QOPEND, QLO, QHI, QDC, QSIZE, QT
+     $    QTIED, QOPEND, QLO, QHI, QT
       DOUBLE PRECISION EPS, HUGE, THIN
       PARAMETER (SCALE = 19, NSUPP = 20, QBEST = 1, QLIMBS = 2,
      $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIED = 8,
-     $    QOPEND = 10, QLO = 6, QHI = 7, QDC = 4, QSIZE = 5,
+     $    QOPEND = 10, QLO = 6, QHI = 7,
      $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023, QT = 8,
      $    THIN = 1.0D-6)
       DOUBLE PRECISION EDGE, LONGST
@@ -1977,8 +1944,6 @@ C     longest edge.
       IQ(QTIED) = 0
       FQ(QLO) = -HUGE
       FQ(QHI) = HUGE
-      FQ(QDC) = 0.0D0
-      FQ(QSIZE) = 0.0D0
       FQ(1) = 0.0D0
       FQ(2) = 0.0D0
       FQ(3) = 0.0D0
@@ -2014,9 +1979,9 @@ C     GUESS holds two positions to try first, or 0.
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(3,2), V(3), GUESS(2), Z
-      INTEGER NP, NPLANE, NEXTPL, PLANE1, NCELL, CELL1, FUTILE, RBURDN,
+      INTEGER NP, NPLANE, PLANE1, NCELL, CELL1, FUTILE, RBURDN,
      $    RPATIE, QBEST, QON, QOPEND, PLANES, OPENED
-      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, PLANE1 = 21,
+      PARAMETER (NP = 1, NPLANE = 12, PLANE1 = 21,
      $    NCELL = 17, CELL1 = 33, FUTILE = 18, RBURDN = 4, RPATIE = 5,
      $    QBEST = 1, QON = 6, QOPEND = 10, PLANES = 4, OPENED = 24)
       DOUBLE PRECISION F(12), FQ(108), H
@@ -2071,12 +2036,11 @@ C       time
         END IF
       END IF
       IF (Z .EQ. 0) THEN
-        AT = PLANE1 + 3*CTL(NEXTPL) - 4
+        AT = PLANE1 + 3*MOD(CTL(NPLANE), PLANES) - 1
         DO 20 K = 1, 3
           CTL(AT+K) = V(K)
    20   CONTINUE
-        CTL(NEXTPL) = MOD(CTL(NEXTPL), PLANES) + 1
-        CTL(NPLANE) = MIN(CTL(NPLANE) + 1, PLANES)
+        CTL(NPLANE) = CTL(NPLANE) + 1
       END IF
       END
 
@@ -2140,9 +2104,9 @@ C     uses the tree alone.
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
      $    CTL(*), LSID(*), LSI(3,2), S, V(4)
-      INTEGER LEAVES, NPLANE, NEXTPL, NCELL, T3, LFIRST, LLAST, LN, BLK,
+      INTEGER LEAVES, NPLANE, NCELL, T3, LFIRST, LLAST, LN, BLK,
      $    STR, QBEST
-      PARAMETER (LEAVES = 4, NPLANE = 12, NEXTPL = 13, NCELL = 17,
+      PARAMETER (LEAVES = 4, NPLANE = 12, NCELL = 17,
      $    T3 = 1, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2,
      $    QBEST = 1)
       DOUBLE PRECISION F(12), FQ(108)
@@ -2158,7 +2122,6 @@ C     uses the tree alone.
       LSI(LN,STR) = 0
       CTL(NPLANE) = 0
       CTL(NCELL) = 0
-      CTL(NEXTPL) = 1
       DO 10 K = 1, 4
         V(K) = REP(KNOWN(K))
         R(K) = V(K)
@@ -2830,14 +2793,13 @@ C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI)
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
-      INTEGER NP, NPLANE, NEXTPL, TIED, ENCLOS, NCELL, FUTILE, NSUPP,
+      INTEGER NP, NPLANE, TIED, ENCLOS, NCELL, FUTILE, NSUPP,
      $    RBURDN, RPATIE, LFIRST, LLAST, LN, BLK, STR
-      PARAMETER (NP = 1, NPLANE = 12, NEXTPL = 13, TIED = 14,
+      PARAMETER (NP = 1, NPLANE = 12, TIED = 14,
      $    ENCLOS = 16, NCELL = 17, FUTILE = 18, NSUPP = 20, RBURDN = 4,
      $    RPATIE = 5, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2)
       CTL(NP) = 0
       CTL(NPLANE) = 0
-      CTL(NEXTPL) = 1
       CTL(TIED) = 0
       CTL(ENCLOS) = 0
       CTL(NCELL) = 0
