@@ -92,8 +92,8 @@
  *                attach grow enlist follow gather load complete makeroom begin
  *                star plant stars
  *   results      slot mate
- *   preparation  leafcount lengths layout collect inrange rescale units scaled
- *                revive sorted seal opened intact claim restore allot run
+ *   preparation  leafcount lengths layout collect rescale units scaled revive
+ *                sorted seal opened intact claim restore allot run
  *                badargument
  *   entries      tess_size tess tess_resume tess_index tess_part
  * then what makes searches faster, each where some data need it:
@@ -103,11 +103,11 @@
  *   cylinders    cylinders makecylinder makecylinders prunecylinders
  *   ties         newcell incell
  * and what needs no mesh under construction:
- *   queries      qside inbox
+ *   queries      qside leave inbox
  *   location     closer sample walk hullstep turn nearhull tess_locate
  *                tess_values descend across tess_query
- *   hull, check  tess_hull sortpt marks chkpla chkidx chkfac chktet chkedg
- *                chkhul chkcov tess_check
+ *   hull, check  tess_hull sortpt marks chkpla chkidx chkfac chktet chkhul
+ *                chkcov tess_check
  *   a ball       tess_ball
  */
 #include "tess.h"
@@ -2177,20 +2177,6 @@ static void collect(mesh *m, tess_int n, const tess_real *p)
     m->leaves = leafcount(m->np);
 }
 
-/* inrange - returns 1 if HH_LIMBS limbs can hold all coordinates; most is
- * their largest absolute value. */
-static int inrange(const mesh *m, double most)
-{
-    double least = ldexp(most, (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG);
-    tess_int i, n = 3 * m->np;
-
-    for (i = 0; i < n; i++)
-        if (fabs(m->x[i]) < least && m->x[i] != 0.0 &&
-            hh_range(m->x[i], most) != 0)
-            return 0;
-    return 1;
-}
-
 /* rescale - multiply all coordinates by 2^e, a normal double. */
 static void rescale(mesh *m, int e)
 {
@@ -2220,10 +2206,11 @@ static double units(const mesh *m)
 /* scaled - scale the sorted coordinates to an absolute value of at most 1 by a
  * power of two, in two steps because one might overflow, and find whether they
  * are small multiples of one unit.  They are not if one underflows: its
- * multiple is lost.  Returns 0 or TESS_RANGE. */
+ * multiple is lost.  Returns 0, or TESS_RANGE if HH_LIMBS limbs cannot hold all
+ * of them, which is in doubt for those below few. */
 static int scaled(mesh *m)
 {
-    double most = 0.0, least = DBL_MAX, x, u = 0.0;
+    double most = 0.0, least = DBL_MAX, few, x, u = 0.0;
     tess_int i, n = 3 * m->np;
     int e;
 
@@ -2236,7 +2223,11 @@ static int scaled(mesh *m)
     }
     m->least = least;
     if (most == 0.0) return 0;
-    if (!inrange(m, most)) return TESS_RANGE;
+    few = ldexp(most, (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG);
+    for (i = 0; i < n; i++)
+        if (fabs(m->x[i]) < few && m->x[i] != 0.0 &&
+            hh_range(m->x[i], most) != 0)
+            return TESS_RANGE;
     frexp(most, &e);
     m->set.e = e;
     rescale(m, -(e / 2));
@@ -2256,12 +2247,10 @@ static void revive(mesh *m)
 {
     tess_int i;
 
-    for (i = 1; i < 2 * m->leaves; i++)
-        m->alive[i] =
-            i < m->leaves
-                ? 2
-                : (tess_int)(leafstart(m, (tess_int)(i - m->leaves + 1)) -
-                             leafstart(m, i - m->leaves));
+    for (i = 1; i < m->leaves; i++) m->alive[i] = 2;
+    for (i = 0; i < m->leaves; i++)
+        m->alive[m->leaves + i] =
+            (tess_int)(leafstart(m, (tess_int)(i + 1)) - leafstart(m, i));
 }
 
 /* sorted - prepare n points: sort them, drop the duplicates, build the tree,
@@ -2272,7 +2261,6 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
 {
     sizes w;
     tess_int i;
-    int code;
 
     layout(m, n, p, iw, rw);
     if (n == 0) return TESS_POINT;
@@ -2288,8 +2276,7 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
         collect(m, n, p);
         kdsort(m);
     }
-    code = scaled(m);
-    if (code != 0) return code;
+    if (scaled(m) != 0) return TESS_RANGE;
     boxes(m);
     revive(m);
     (void)lengths(n, &w);
@@ -2478,23 +2465,17 @@ static int run(mesh *m, tess_int n, const tess_int *mine, tess_int maxtet,
     return code;
 }
 
-/* badargument - returns the code of a bad argument of tess_resume, or 0; *which
- * is the point that is not finite, or 0.  p is NULL if the points are known to
- * be finite. */
+/* badargument - returns the code of a bad argument of tess_resume, or 0.  p is
+ * NULL if the points are known to be finite. */
 static int badargument(tess_int n, const tess_real *p, tess_int maxtet,
                  tess_int ntet, const tess_int *tet, const tess_int *adj,
-                 tess_int liw, tess_int lrw, tess_int *which)
+                 tess_int liw, tess_int lrw)
 {
     sizes w;
     tess_int i;
 
-    *which = 0;
     if (!lengths(n, &w)) return -1;
-    i = p == NULL ? n : hh_finite(n, p);
-    if (i < n) {
-        *which = i;
-        return -2;
-    }
+    if (p != NULL && hh_finite(n, p) < n) return -2;
     if (maxtet < 0 || maxtet > (TESS_INT_MOST - 3) / 4) return -3;
     if (ntet < 0 || ntet > maxtet) return -4;
     for (i = 0; i < 4 * ntet; i++)
@@ -2509,7 +2490,7 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
 {
     sizes w;
     int code = badargument(n, NULL, maxtet, 0, NULL, NULL, TESS_INT_MOST,
-                     TESS_INT_MOST, liw);
+                     TESS_INT_MOST);
 
     *liw = *lrw = 0;
     if (code != 0) return code == -1 ? -1 : -2;
@@ -2523,10 +2504,12 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
          tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,
          tess_int lrw, double *rw)
 {
-    int code = badargument(n, p, maxtet, 0, tet, adj, liw, lrw, ntet);
+    int code;
 
-    if (code != 0) return code;
-    return tess_resume(n, p, maxtet, ntet, tet, adj, liw, iw, lrw, rw);
+    *ntet = 0;
+    code = tess_resume(n, p, maxtet, ntet, tet, adj, liw, iw, lrw, rw);
+    if (code == -2) *ntet = hh_finite(n, p);
+    return code;
 }
 
 int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
@@ -2534,8 +2517,7 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
                 tess_int *iw, tess_int lrw, double *rw)
 {
     mesh m;
-    tess_int i;
-    int code = badargument(n, p, maxtet, *ntet, tet, adj, liw, lrw, &i);
+    int code = badargument(n, p, maxtet, *ntet, tet, adj, liw, lrw);
 
     if (code == 0) code = sorted(&m, n, p, iw, lrw, rw);
     if (code > 0) *ntet = 0;
@@ -2556,7 +2538,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     tess_int i, v[4], left = (tess_int)(liw - n), *mine = iw + left;
     tess_int tet[4 * STARS], adj[4 * STARS];
     double part;
-    int code = badargument(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw, &i), k;
+    int code = badargument(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw), k;
 
     if (code != 0 && code != -9) return code;
     if (liw < 2 * n + 2 * leafcount(n) + KEEP) return -3;
@@ -2604,8 +2586,7 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
 {
     mesh m;
     sizes w;
-    tess_int i;
-    int code = badargument(n, NULL, maxtet, *ntet, tet, adj, liw, lrw, &i);
+    int code = badargument(n, NULL, maxtet, *ntet, tet, adj, liw, lrw);
 
     if (code == 0) code = opened(&m, n, p, iw, rw);
     if (code > 0) *ntet = 0;
@@ -3442,6 +3423,25 @@ static int qside(const tess_real *p, const tess_int *f, const tess_real *q,
     return s;
 }
 
+/* leave - returns the first facet of the tetrahedron v, other than from, that
+ * q* is beyond; 4 if there is none, -1 if the limbs do not suffice.  w is
+ * tetrahedron 0. */
+static int leave(const tess_real *p, const tess_int *v, int from,
+                 const tess_real *q, const tess_int *w)
+{
+    tess_int f[3];
+    int k, s;
+
+    for (k = 0; k < 4; k++) {
+        if (k == from) continue;
+        outfac(v, k, f);
+        s = qside(p, f, q, w);
+        if (s == UNSURE) return -1;
+        if (s > 0) return k;
+    }
+    return 4;
+}
+
 /* inbox - returns 1 if q is in the closed box of the tetrahedron v: exact, and
  * much cheaper than orientations. */
 static int inbox(const tess_real *p, const tess_int *v, const tess_real *q)
@@ -3506,10 +3506,10 @@ static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
     return best;
 }
 
-/* walk - walk from *t across facets that q* is beyond.  Returns 0 when there is
- * none: *t holds q*; 1 at a facet of the hull that q is outside of; LOST after
- * most steps; TESS_RANGE when the limbs do not suffice; -4 for a facet that is
- * open, or a neighbour that is out of range.
+/* walk - walk from *t across facets *k that q* is beyond.  Returns 0 when there
+ * is none: *t holds q*; 1 at a facet of the hull that q is outside of; LOST
+ * after most steps; TESS_RANGE when the limbs do not suffice; -4 for a facet
+ * that is open, or a neighbour that is out of range.
  *
  * In a result of tess the walk meets no tetrahedron twice.  Lift each point x
  * to the height |x|^2, lowered as the tie rule says: the tetrahedra are the
@@ -3520,24 +3520,19 @@ static tess_int sample(const tess_real *p, tess_int ntet, const tess_int *tet,
  * cycle.) */
 static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int most,
-                tess_int *t)
+                tess_int *t, int *k)
 {
-    tess_int f[3], last = TESS_NONE, steps, u;
-    int k, s;
+    tess_int steps, u;
+    int from = 4;
 
     for (steps = 0; steps < most; steps++) {
-        for (k = 0, s = -1; k < 4; k++) {
-            u = adj[4 * *t + k];
-            if (u == last && u != TESS_NONE) continue;
-            outfac(tet + 4 * *t, k, f);
-            s = qside(p, f, q, tet);
-            if (s >= 0) break;
-        }
-        if (s == UNSURE) return TESS_RANGE;
-        if (k == 4) return 0;
+        *k = leave(p, tet + 4 * *t, from, q, tet);
+        if (*k < 0) return TESS_RANGE;
+        if (*k == 4) return 0;
+        u = adj[4 * *t + *k];
         if (u == TESS_NONE) return 1;
         if (u < 0 || u >= ntet) return -4;
-        last = *t;
+        from = slot(adj + 4 * u, *t);
         *t = u;
     }
     return LOST;
@@ -3614,24 +3609,25 @@ static int hullstep(const tess_real *p, const tess_real *q, const tess_int *g,
 }
 
 /* turn - turn from the hull facet *k of tetrahedron *t about its edge opposite
- * to the vertex z to the hull facet on the other side of that edge.  Returns 1,
- * or 0 if neighbours are out of range or do not match. */
+ * to the vertex *z to the hull facet on the other side of that edge, whose
+ * vertex opposite to it becomes *z.  Returns 1, or 0 if neighbours are out of
+ * range or do not match. */
 static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
-                tess_int *t, int *k, tess_int z)
+                tess_int *t, int *k, tess_int *z)
 {
     tess_int steps, u;
     int i;
 
     for (steps = 0; steps < ntet; steps++) {
-        i = slot(tet + 4 * *t, z);
+        i = slot(tet + 4 * *t, *z);
         if (i == 4) return 0;
         u = adj[4 * *t + i];
+        *z = tet[4 * *t + *k];
         if (u == TESS_NONE) {
             *k = i;
             return 1;
         }
         if (u < 0 || u >= ntet) return 0;
-        z = tet[4 * *t + *k];
         *k = mate(tet, *t, i, u);
         if (*k == 4) return 0;
         *t = u;
@@ -3639,32 +3635,26 @@ static int turn(tess_int ntet, const tess_int *tet, const tess_int *adj,
     return 0;
 }
 
-/* nearhull - walk from tetrahedron *t, which has a hull facet that q is outside
- * of, to the one with the hull's point nearest to q, and store that point's
- * weights in w, which is 0 on entry.  Returns 1, TESS_RANGE or -4. */
+/* nearhull - walk from tetrahedron *t, whose facet k is a hull facet that q is
+ * outside of, to the one with the hull's point nearest to q, and store that
+ * point's weights in w, which is 0 on entry.  Returns 1, TESS_RANGE or -4. */
 static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
                     const tess_int *adj, const tess_real *q, tess_int *t,
-                    double *w)
+                    int k, double *w)
 {
     double x[3];
     tess_int g[3], u = *t;
     stroll s;
-    int k, step = 0;
+    int step = 0;
 
     s.f[0] = s.from = TESS_NONE;
     s.most = 4 * ntet;
-    for (k = 0; k < 4; k++) {
-        if (adj[4 * u + k] != TESS_NONE) continue;
-        outfac(tet + 4 * u, k, g);
-        if (qside(p, g, q, tet) == 1) break;
-    }
-    if (k == 4) return -4;
     while (step < 2) {
         outfac(tet + 4 * u, k, g);
         step = hullstep(p, q, g, &s, x);
         if (step == TESS_RANGE) return step;
         if (step % 2 == 1) *t = u;
-        if (step < 2 && !turn(ntet, tet, adj, &u, &k, s.from)) return -4;
+        if (step < 2 && !turn(ntet, tet, adj, &u, &k, &s.from)) return -4;
     }
     for (k = 0; k < 3; k++) w[slot(tet + 4 * *t, s.f[k])] = x[k];
     return 1;
@@ -3693,15 +3683,15 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
     if (*t < TESS_NONE || *t >= ntet) return -6;
     for (k = 0; k < 4; k++) w[k] = 0.0;
     if (!hh_holds(1, q)) return TESS_RANGE;
-    if (*t != TESS_NONE) code = walk(p, ntet, tet, adj, q, ASTRAY, t);
+    if (*t != TESS_NONE) code = walk(p, ntet, tet, adj, q, ASTRAY, t, &k);
     if (code == LOST) {
         *t = sample(p, ntet, tet, q, *t);
         if (*t == TESS_NONE) return TESS_RANGE;
-        code = walk(p, ntet, tet, adj, q, ntet, t);
+        code = walk(p, ntet, tet, adj, q, ntet, t, &k);
     }
     if (code == LOST) code = -4;
     if (code == 0 && hh_weigh(p, tet + 4 * *t, q, w) != 0) code = TESS_RANGE;
-    if (code == 1) code = nearhull(p, ntet, tet, adj, q, t, w);
+    if (code == 1) code = nearhull(p, ntet, tet, adj, q, t, k, w);
     return code;
 }
 
@@ -3792,7 +3782,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
     tess_int u[4], f[3], g[4], z, steps = 0;
     double x[3];
     stroll h;
-    int code, i, k, s, last = 4;
+    int code, i, k, s, from = 4;
 
     if (!lengths(n, &unused)) return -1;
     code = opened(&m, n, p, iw, rw);
@@ -3811,18 +3801,13 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
     do {
         if (steps >= 0 && steps-- == 0) {
             settle(&m, descend(&m, q), u);
-            last = 4;
+            from = 4;
         }
         for (k = 0; k < 4; k++) v[k] = m.order[u[k]];
-        for (k = 0, s = -1; k < 4; k++) {
-            if (k == last) continue;
-            outfac(v, k, f);
-            s = qside(p, f, q, m.known);
-            if (s > 0) break;
-        }
-        if (s == UNSURE) return TESS_RANGE;
+        k = leave(p, v, from, q, m.known);
+        if (k < 0) return TESS_RANGE;
         if (k == 4) return hh_weigh(p, v, q, w) == 0 ? 0 : TESS_RANGE;
-        last = 3;
+        from = 3;
     } while (across(&m, u, k));
     h.f[0] = h.from = TESS_NONE;
     h.most = m.np;
@@ -3989,52 +3974,35 @@ static int chktet(const tess_real *p, const tess_int *tet,
     return slot(adj + 4 * t, TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
 }
 
-/* chkedg - from facet k of tetrahedron t, which is on the boundary, turn about
- * its edge opposite to vertex c, through the tetrahedra, to the other boundary
- * facet there, and check that its apex is not outside of the first.
- *
- * Facets are known to be matched in pairs, so a step maps (tetrahedron, facet
- * in, facet out) one-to-one to the next such triple; no step leads to the first
- * triple, so none comes twice and the turn ends.  For the same reason all turns
- * together take at most 6 ntet steps: each edge of each tetrahedron is passed
- * once. */
-static int chkedg(const tess_real *p, const tess_int *tet,
-                  const tess_int *adj, tess_int t, int k, tess_int c)
-{
-    tess_int f[3], u, w = tet[4 * t + k];
-    int out = slot(tet + 4 * t, c), s;
-
-    outfac(tet + 4 * t, k, f);
-    while (adj[4 * t + out] != TESS_NONE) {
-        u = adj[4 * t + out];
-        out = slot(tet + 4 * u, w);
-        w = tet[4 * u + slot(adj + 4 * u, t)];
-        t = u;
-    }
-    s = hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], p + 3 * w);
-    if (s == UNSURE) return TESS_RANGE;
-    return s > 0 ? TESS_BAD_HULL : TESS_OK;
-}
-
 /* chkhul - check the boundary facets of tetrahedron t: O is inside of each, and
- * each is convex with its neighbours.  The two facets at an edge run along it
- * in opposite directions, so that one of them tests it. */
-static int chkhul(const tess_real *p, const tess_int *tet,
+ * the apex of the next boundary facet at each of its edges is not outside of
+ * it.  The two facets at an edge run along it in opposite directions, so that
+ * one of them tests it.
+ *
+ * Facets are known to be matched in pairs, so a step of turn maps (tetrahedron,
+ * facet in, facet out) one-to-one to the next such triple; no step leads to the
+ * first triple, so none comes twice and the turn ends.  For the same reason all
+ * turns together take at most 6 ntet steps: each edge of each tetrahedron is
+ * passed once. */
+static int chkhul(const tess_real *p, tess_int ntet, const tess_int *tet,
                   const tess_int *adj, tess_int t)
 {
-    tess_int f[3];
-    int k, i, s, code;
+    tess_int f[3], u, z;
+    int k, i, j, s;
 
     for (k = 0; k < 4; k++) {
         if (adj[4 * t + k] != TESS_NONE) continue;
         outfac(tet + 4 * t, k, f);
         s = qside(p, f, p + 3 * tet[0], tet);
+        for (i = 0; i < 3 && s <= 0; i++) {
+            if (f[i] > f[(i + 1) % 3]) continue;
+            u = t;
+            j = k;
+            z = f[(i + 2) % 3];
+            (void)turn(ntet, tet, adj, &u, &j, &z);
+            s = hh_orient(p + 3 * f[0], p + 3 * f[1], p + 3 * f[2], p + 3 * z);
+        }
         if (s > 0) return s == UNSURE ? TESS_RANGE : TESS_BAD_HULL;
-        for (i = 0; i < 3; i++)
-            if (f[i] < f[(i + 1) % 3]) {
-                code = chkedg(p, tet, adj, t, k, f[(i + 2) % 3]);
-                if (code != TESS_OK) return code;
-            }
     }
     return TESS_OK;
 }
@@ -4043,16 +4011,12 @@ static int chkhul(const tess_real *p, const tess_int *tet,
 static int chkcov(const tess_real *p, const tess_int *tet, tess_int t)
 {
     const tess_real *q = p + 3 * tet[0];
-    tess_int f[3];
-    int k, s;
+    int k;
 
     if (t == 0 || !inbox(p, tet + 4 * t, q)) return TESS_OK;
-    for (k = 0; k < 4; k++) {
-        outfac(tet + 4 * t, k, f);
-        s = qside(p, f, q, tet);
-        if (s > 0) return s == UNSURE ? TESS_RANGE : TESS_OK;
-    }
-    return TESS_BAD_COVER;
+    k = leave(p, tet + 4 * t, 4, q, tet);
+    if (k < 0) return TESS_RANGE;
+    return k < 4 ? TESS_OK : TESS_BAD_COVER;
 }
 
 /* tess_check - a proof by finitely many exact tests.
@@ -4126,7 +4090,7 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
             if (pass == 0) code = chkidx(n, tet + 4 * t, iw + mark);
             if (pass == 1) code = chktet(p, tet, adj, t);
             if (pass == 2) code = chkfac(p, ntet, tet, adj, t);
-            if (pass == 3) code = chkhul(p, tet, adj, t);
+            if (pass == 3) code = chkhul(p, ntet, tet, adj, t);
             if (pass == 4) code = chkcov(p, tet, t);
             if (code != TESS_OK) {
                 *bad = t;

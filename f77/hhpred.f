@@ -71,7 +71,7 @@ C               return 2 when they do not suffice.  Scratch, in
 C               doubles: 44 a limb; 31 KB for 88 limbs, in a routine
 C               entered only when 3 limbs do not suffice.  To choose
 C               another number change it in HHMANY, HHEXAC, HHRANG and
-C               TSINRA (tess.f).
+C               TSSCAL (tess.f).
 C       BASE    2**BITS;  CARRY = 2**(53-BITS) bounds carries
 C       HALF    2**26: (HALF + 1)**2 needs 53 bits
 C       TINY    an absolute error no smaller than what underflow,

@@ -137,7 +137,7 @@ C         makeroom TSMKRO, begin TSBEGI, star TSSTAR, plant TSPLAN,
 C         stars TSSTRS
 C       results: slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, lengths TSLENG, layout TSLAYO,
-C         collect TSCOLL, inrange TSINRA, rescale TSRESC, units TSUNIT,
+C         collect TSCOLL, rescale TSRESC, units TSUNIT,
 C         scaled TSSCAL, revive TSREVI, sorted TSSORT, seal TSSEAL,
 C         opened TSOPEN, intact TSINTA, claim TSCLAI, restore TSREST,
 C         allot TSALLO, run TSRUN, badargument TSBADA
@@ -154,15 +154,14 @@ C       cylinders: cylinders TSCYLI, makecylinder TSMCYL,
 C         makecylinders TSMCYS, prunecylinders TSPRCY
 C       ties: newcell TSNEWC, incell TSINCE
 C     and what needs no mesh under construction:
-C       queries: qside TSQSID, inbox TSINBO
+C       queries: qside TSQSID, leave TSLEAV, inbox TSINBO
 C       location: closer TSCLOS, sample TSSAMP, walk TSWALK,
 C         hullstep TSHULL, turn TSTURN, nearhull TSNEAH,
 C         tess_locate TESSLO, tess_values TESSVA, descend TSDESC,
 C         across TSACRO, tess_query TESSQU
 C       hull, check: tess_hull TESSHU, sortpt TSSORP, marks TSMARK,
 C         chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF, chktet TSCHKT,
-C         chkedg TSCHKE, chkhul TSCHKH, chkcov TSCHKC,
-C         tess_check TESSCH
+C         chkhul TSCHKH, chkcov TSCHKC, tess_check TESSCH
 C       a ball: tess_ball TESSBA
 C     Only in C: point.  Only here: TSPDIS (disjoint for a point),
 C     TSLINE (hh_line of points of P), TSWORK, TSMESH, TSINDE, TSQUER
@@ -2835,27 +2834,6 @@ C     order.
       CTL(LEAVES) = TSLCOU(J)
       END
 
-C     TSINRA - 1 if HHLIM limbs can hold all coordinates, else 0; TOP is
-C     their largest absolute value.
-      INTEGER FUNCTION TSINRA(X, CTL, TOP)
-      DOUBLE PRECISION X(3,*), TOP
-      INTEGER CTL(*)
-      INTEGER NP, HHLIM, BITS, DIGITS
-      PARAMETER (NP = 1, HHLIM = 88, BITS = 24, DIGITS = 53)
-      DOUBLE PRECISION HHLDEX, BOTTOM
-      INTEGER HHRANG, I, K
-      BOTTOM = HHLDEX(TOP, (3 - HHLIM)*BITS + DIGITS)
-      TSINRA = 0
-      DO 20 I = 1, CTL(NP)
-        DO 10 K = 1, 3
-          IF (ABS(X(K,I)) .LT. BOTTOM .AND. ABS(X(K,I)) .GT. 0.0D0) THEN
-            IF (HHRANG(X(K,I), TOP) .NE. 0) RETURN
-          END IF
-   10   CONTINUE
-   20 CONTINUE
-      TSINRA = 1
-      END
-
 C     TSRESC - multiply all coordinates by 2**E, a normal double.
       SUBROUTINE TSRESC(X, CTL, E)
       DOUBLE PRECISION X(3,*)
@@ -2899,17 +2877,20 @@ C     are multiples of 1/U, or 0 if it exceeds 2**30.
 C     TSSCAL - scale the sorted coordinates to an absolute value of at
 C     most 1 by a power of two, in two steps because one might overflow,
 C     and find whether they are small multiples of one unit.  They are
-C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE.
+C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE
+C     if HHLIM limbs cannot hold all of them, which is in doubt for
+C     those below FEW.
       SUBROUTINE TSSCAL(X, CTL, RCTL, INFO)
       DOUBLE PRECISION X(3,*), RCTL(*)
       INTEGER CTL(*), INFO
-      INTEGER NP, SCALE, T3, T5, RLEAST, RANGE, DIGITS
+      INTEGER NP, SCALE, T3, T5, RLEAST, RANGE, HHLIM, BITS, DIGITS
       DOUBLE PRECISION HUGE, NORMAL, SMALL
       PARAMETER (NP = 1, SCALE = 19, T3 = 1, T5 = 2, RLEAST = 6,
-     $    RANGE = 6, HUGE = 1.7976931348623157D308, DIGITS = 53,
-     $    NORMAL = 2.0D0**(-1022), SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION HHLDEX, TSUNIT, BOTTOM, TOP, U
-      INTEGER HHFREX, TSINRA, E, I, K
+     $    RANGE = 6, HUGE = 1.7976931348623157D308, HHLIM = 88,
+     $    BITS = 24, DIGITS = 53, NORMAL = 2.0D0**(-1022),
+     $    SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION HHLDEX, TSUNIT, BOTTOM, FEW, TOP, U
+      INTEGER HHFREX, HHRANG, E, I, K
       INFO = 0
       RCTL(T3) = -1.0D0
       RCTL(T5) = -1.0D0
@@ -2925,9 +2906,15 @@ C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE.
    20 CONTINUE
       RCTL(RLEAST) = BOTTOM
       IF (TOP .LE. 0.0D0) RETURN
-      INFO = RANGE
-      IF (TSINRA(X, CTL, TOP) .EQ. 0) RETURN
-      INFO = 0
+      FEW = HHLDEX(TOP, (3 - HHLIM)*BITS + DIGITS)
+      DO 40 I = 1, CTL(NP)
+        DO 30 K = 1, 3
+          IF (ABS(X(K,I)) .LT. FEW .AND. ABS(X(K,I)) .GT. 0.0D0) THEN
+            IF (HHRANG(X(K,I), TOP) .NE. 0) INFO = RANGE
+          END IF
+   30   CONTINUE
+   40 CONTINUE
+      IF (INFO .NE. 0) RETURN
       E = HHFREX(TOP)
       CTL(SCALE) = E
       CALL TSRESC(X, CTL, -(E/2))
@@ -3278,27 +3265,22 @@ C     sets, by a step of Newton's method
       NTET = CTL(NT)
       END
 
-C     TSBADA - INFO is the code of a bad argument of TESSRE, or 0; WHICH
-C     is the point that is not finite, or 0.  With MASKED = 1 the points
-C     are known to be finite.
+C     TSBADA - INFO is the code of a bad argument of TESSRE, or 0.  With
+C     MASKED = 1 the points are known to be finite.
       SUBROUTINE TSBADA(N, P, MASKED, MAXTET, NTET, TET, ADJ, LIW, LRW,
-     $                  WHICH, INFO)
+     $                  INFO)
       DOUBLE PRECISION P(3,*)
       INTEGER N, MASKED, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, LRW,
-     $    WHICH, INFO
+     $    INFO
       INTEGER OPEN, INTMAX
       PARAMETER (OPEN = -1, INTMAX = 2147483647)
-      INTEGER HHFINI, CYLS, I, K, LIWMIN, LRWMIN, MARKS, OK, POOL, T
-      WHICH = 0
+      INTEGER HHFINI, CYLS, K, LIWMIN, LRWMIN, MARKS, OK, POOL, T
       INFO = -1
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
       IF (OK .EQ. 0) RETURN
       INFO = -2
-      I = N
-      IF (MASKED .EQ. 0) I = HHFINI(N, P)
-      IF (I .LT. N) THEN
-        WHICH = I + 1
-        RETURN
+      IF (MASKED .EQ. 0) THEN
+        IF (HHFINI(N, P) .LT. N) RETURN
       END IF
       INFO = -3
       IF (MAXTET .LT. 0 .OR. MAXTET .GT. (INTMAX - 3)/4) RETURN
@@ -3406,12 +3388,10 @@ C     linear number of tetrahedra.  Section 2 of the paper.
      $                INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW, INFO
-      INTEGER ALL(1)
-      CALL TSBADA(N, P, 0, MAXTET, 0, TET, ADJ, LIW, LRW, NTET, INFO)
-      IF (INFO .NE. 0) RETURN
-      ALL(1) = 1
-      CALL TSWORK(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW, LRW,
-     $            RW, INFO)
+      INTEGER HHFINI
+      NTET = 0
+      CALL TESSRE(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
+      IF (INFO .EQ. -2) NTET = HHFINI(N, P) + 1
       END
 
 C     TESSRE - go on from an unfinished result.
@@ -3440,8 +3420,8 @@ C     but in bounded time and within the arrays.
      $                  INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), LRW, INFO
-      INTEGER ALL(1), I
-      CALL TSBADA(N, P, 0, MAXTET, NTET, TET, ADJ, LIW, LRW, I, INFO)
+      INTEGER ALL(1)
+      CALL TSBADA(N, P, 0, MAXTET, NTET, TET, ADJ, LIW, LRW, INFO)
       IF (INFO .NE. 0) RETURN
       ALL(1) = 1
       CALL TSWORK(N, P, 0, ALL, MAXTET, NTET, TET, ADJ, LIW, IW, LRW,
@@ -3552,10 +3532,10 @@ C     Cost: O(N log N), about a tenth of that of the mesh.
       INTEGER N, LIW, IW(*), LRW, INFO
       INTEGER SINGLE, INTMAX, KEEP
       PARAMETER (SINGLE = 5, INTMAX = 2147483647, KEEP = 5)
-      INTEGER TSLCOU, CYLS, I, K, LEFT, LIWMIN, LRWMIN, LVS, MARKS,
+      INTEGER TSLCOU, CYLS, K, LEFT, LIWMIN, LRWMIN, LVS, MARKS,
      $    NONE(4,1), OK, POOL, ROOMY, WHOLE
       NONE(1,1) = 0
-      CALL TSBADA(N, P, 0, 0, 0, NONE, NONE, INTMAX, LRW, I, INFO)
+      CALL TSBADA(N, P, 0, 0, 0, NONE, NONE, INTMAX, LRW, INFO)
       IF (INFO .NE. 0 .AND. INFO .NE. -9) RETURN
       LVS = TSLCOU(N)
       IF (INFO .EQ. -9) INFO = -5
@@ -3685,8 +3665,7 @@ C     recipe JOIN makes them one result.
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, MINE(*), MAXTET, NTET, TET(4,*), ADJ(4,*), LIW, IW(*),
      $    LRW, INFO
-      INTEGER I
-      CALL TSBADA(N, P, 1, MAXTET, NTET, TET, ADJ, LIW, LRW, I, INFO)
+      CALL TSBADA(N, P, 1, MAXTET, NTET, TET, ADJ, LIW, LRW, INFO)
       IF (INFO .EQ. 0) CALL TSWORK(N, P, 1, MINE, MAXTET, NTET, TET,
      $    ADJ, LIW, IW, LRW, RW, INFO)
       IF (INFO .LT. -1) INFO = INFO - 1
@@ -4816,6 +4795,26 @@ C     flat. Takes one orientation unless Q is exactly in the plane.
       TSQSID = S
       END
 
+C     TSLEAV - OUT is the first facet of tetrahedron T of TET, other
+C     than FROM, that Q* is beyond; 5 if there is none, 0 if the limbs
+C     do not suffice.  V is tetrahedron 1.
+      SUBROUTINE TSLEAV(P, TET, T, FROM, Q, V, OUT)
+      INTEGER TET(4,*), T, FROM, V(4,*), OUT
+      DOUBLE PRECISION P(3,*), Q(3)
+      INTEGER UNSURE
+      PARAMETER (UNSURE = 2)
+      INTEGER TSQSID, F(3), K, S
+      OUT = 0
+      DO 10 K = 1, 4
+        IF (K .EQ. FROM) GO TO 10
+        CALL TSOUTF(TET, T, K, F)
+        S = TSQSID(P, F, Q, V)
+        IF (S .EQ. UNSURE) RETURN
+        IF (S .GT. 0) GO TO 20
+   10 CONTINUE
+   20 OUT = K
+      END
+
 C     TSINBO - 1 if Q is in the closed box of tetrahedron T, else 0:
 C     exact, and much cheaper than orientations.
       INTEGER FUNCTION TSINBO(P, TET, T, Q)
@@ -4899,7 +4898,7 @@ C     is 0 if the arithmetic cannot hold a point.
    30 CONTINUE
       END
 
-C     TSWALK - walk from T across facets that Q* is beyond.  INFO is 0
+C     TSWALK - walk from T across facets K that Q* is beyond.  INFO is 0
 C     when there is none: T holds Q*; 1 at a facet of the hull that Q is
 C     outside of; LOST after MOST steps; RANGE when the limbs do not
 C     suffice; -4 for a facet that is open, or a neighbour that is out
@@ -4912,33 +4911,27 @@ C     where Q* is beyond the facet from T to U, the plane of U is above
 C     that of T over Q*.  So the height of the current plane over Q*
 C     grows with every step.  (Among cospherical tetrahedra of another
 C     triangulation the height may stay, and the walk may cycle.)
-      SUBROUTINE TSWALK(P, NTET, TET, ADJ, Q, MOST, T, INFO)
-      INTEGER NTET, TET(4,*), ADJ(4,*), MOST, T, INFO
+      SUBROUTINE TSWALK(P, NTET, TET, ADJ, Q, MOST, T, K, INFO)
+      INTEGER NTET, TET(4,*), ADJ(4,*), MOST, T, K, INFO
       DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER NONE, UNSURE, LOST, RANGE
-      PARAMETER (NONE = 0, UNSURE = 2, LOST = 99, RANGE = 6)
-      INTEGER TSQSID, F(3), K, LAST, S, STEPS, U
-      LAST = NONE
-      DO 30 STEPS = 1, MOST
-        DO 10 K = 1, 4
-          U = ADJ(K,T)
-          IF (U .NE. LAST .OR. U .EQ. NONE) THEN
-            CALL TSOUTF(TET, T, K, F)
-            S = TSQSID(P, F, Q, TET)
-            IF (S .GE. 0) GO TO 20
-          END IF
-   10   CONTINUE
+      INTEGER NONE, LOST, RANGE
+      PARAMETER (NONE = 0, LOST = 99, RANGE = 6)
+      INTEGER TSSLOT, FROM, STEPS, U
+      FROM = 5
+      DO 10 STEPS = 1, MOST
+        CALL TSLEAV(P, TET, T, FROM, Q, TET, K)
+        INFO = RANGE
+        IF (K .EQ. 0) RETURN
         INFO = 0
-        RETURN
-   20   INFO = RANGE
-        IF (S .EQ. UNSURE) RETURN
+        IF (K .EQ. 5) RETURN
+        U = ADJ(K,T)
         INFO = 1
         IF (U .EQ. NONE) RETURN
         INFO = -4
         IF (U .LT. 1 .OR. U .GT. NTET) RETURN
-        LAST = T
+        FROM = TSSLOT(ADJ, U, T)
         T = U
-   30 CONTINUE
+   10 CONTINUE
       INFO = LOST
       END
 
@@ -5026,26 +5019,25 @@ C         an edge has one more facet, a vertex a circle of them
 
 C     TSTURN - turn from the hull facet K of tetrahedron T about its
 C     edge opposite to the vertex Z to the hull facet on the other side
-C     of that edge.  OK is 1, or 0 if neighbours are out of range or do
-C     not match.
+C     of that edge, whose vertex opposite to it becomes Z.  OK is 1, or
+C     0 if neighbours are out of range or do not match.
       SUBROUTINE TSTURN(NTET, TET, ADJ, T, K, Z, OK)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, K, Z, OK
       INTEGER NONE
       PARAMETER (NONE = 0)
-      INTEGER TSSLOT, F(3), I, STEPS, U, Y
+      INTEGER TSSLOT, F(3), I, STEPS, U
       OK = 0
-      Y = Z
       DO 10 STEPS = 1, NTET
-        I = TSSLOT(TET, T, Y)
+        I = TSSLOT(TET, T, Z)
         IF (I .EQ. 5) RETURN
         U = ADJ(I,T)
+        Z = TET(K,T)
         IF (U .EQ. NONE) THEN
           K = I
           OK = 1
           RETURN
         END IF
         IF (U .LT. 1 .OR. U .GT. NTET) RETURN
-        Y = TET(K,T)
         CALL TSOUTF(TET, T, I, F)
         CALL TSMATE(TET, F, U, K)
         IF (K .EQ. 5) RETURN
@@ -5053,29 +5045,23 @@ C     not match.
    10 CONTINUE
       END
 
-C     TSNEAH - walk from tetrahedron T, which has a hull facet that Q is
-C     outside of, to the one with the hull's point nearest to Q, and
-C     store that point's weights in W, which is 0 on entry.  INFO is 1,
-C     RANGE or -4.
-      SUBROUTINE TSNEAH(P, NTET, TET, ADJ, Q, T, W, INFO)
-      INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
+C     TSNEAH - walk from tetrahedron T, whose facet START is a hull
+C     facet that Q is outside of, to the one with the hull's point
+C     nearest to Q, and store that point's weights in W, which is 0 on
+C     entry.  INFO is 1, RANGE or -4.
+      SUBROUTINE TSNEAH(P, NTET, TET, ADJ, Q, T, START, W, INFO)
+      INTEGER NTET, TET(4,*), ADJ(4,*), T, START, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
       INTEGER HFROM, HMOST, NONE, RANGE
       PARAMETER (HFROM = 7, HMOST = 10, NONE = 0, RANGE = 6)
       DOUBLE PRECISION X(3)
-      INTEGER TSQSID, TSSLOT, G(3), H(10), K, OK, STEP, U
+      INTEGER TSSLOT, G(3), H(10), K, OK, STEP, U
       U = T
+      K = START
       H(1) = NONE
       H(HFROM) = NONE
       H(HMOST) = 4*NTET
-      DO 10 K = 1, 4
-        IF (ADJ(K,U) .NE. NONE) GO TO 10
-        CALL TSOUTF(TET, U, K, G)
-        IF (TSQSID(P, G, Q, TET) .EQ. 1) GO TO 20
-   10 CONTINUE
-      INFO = -4
-      RETURN
-   20 CALL TSOUTF(TET, U, K, G)
+   10 CALL TSOUTF(TET, U, K, G)
       CALL TSHULL(P, Q, G, H, X, STEP)
       INFO = STEP
       IF (STEP .EQ. RANGE) RETURN
@@ -5084,11 +5070,11 @@ C     RANGE or -4.
         CALL TSTURN(NTET, TET, ADJ, U, K, H(HFROM), OK)
         INFO = -4
         IF (OK .EQ. 0) RETURN
-        GO TO 20
+        GO TO 10
       END IF
-      DO 30 K = 1, 3
+      DO 20 K = 1, 3
         W(TSSLOT(TET, T, H(K))) = X(K)
-   30 CONTINUE
+   20 CONTINUE
       INFO = 1
       END
 
@@ -5155,12 +5141,12 @@ C     near Q: beyond ASTRAY of these, the sample is used, too.
       IF (HHHOLD(1, Q) .EQ. 0) RETURN
       CODE = LOST
       IF (T .NE. NONE) CALL TSWALK(P, NTET, TET, ADJ, Q, ASTRAY, T,
-     $    CODE)
+     $    K, CODE)
       IF (CODE .EQ. LOST) THEN
         START = T
         CALL TSSAMP(P, NTET, TET, Q, START, T)
         IF (T .EQ. NONE) RETURN
-        CALL TSWALK(P, NTET, TET, ADJ, Q, NTET, T, CODE)
+        CALL TSWALK(P, NTET, TET, ADJ, Q, NTET, T, K, CODE)
       END IF
       IF (CODE .EQ. LOST) CODE = -4
       INFO = CODE
@@ -5168,7 +5154,8 @@ C     near Q: beyond ASTRAY of these, the sample is used, too.
         CALL HHWEIG(P, TET, T, Q, W, INFO)
         IF (INFO .NE. 0) INFO = RANGE
       END IF
-      IF (CODE .EQ. 1) CALL TSNEAH(P, NTET, TET, ADJ, Q, T, W, INFO)
+      IF (CODE .EQ. 1) CALL TSNEAH(P, NTET, TET, ADJ, Q, T, K, W,
+     $    INFO)
       END
 
 C     TESSVA - linear interpolation at many points.
@@ -5362,14 +5349,13 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $    COUNTS(*), V(4,1), INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,2*LVS-1), Q(3),
      $    W(4)
-      INTEGER TSLIST, NP, NSUPP, T3, HFROM, HMOST, NONE, UNSURE, SUPPS,
-     $    RANGE
+      INTEGER TSLIST, NP, NSUPP, T3, HFROM, HMOST, NONE, SUPPS, RANGE
       PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T3 = 1, HFROM = 7,
-     $    HMOST = 10, NONE = 0, UNSURE = 2, SUPPS = 8, RANGE = 6)
+     $    HMOST = 10, NONE = 0, SUPPS = 8, RANGE = 6)
       DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS), XF(3)
       REAL LSX(TSLIST,4,2)
-      INTEGER HHFINI, HHHOLD, HHPSID, TSQSID, TSSLOT, AT, CTL(84), F(3),
-     $    G(4,1), H(10), I, K, LAST, LSI(3,2), LSID(TSLIST+48,2), OK, S,
+      INTEGER HHFINI, HHHOLD, HHPSID, TSSLOT, AT, CTL(84), FROM,
+     $    F(3), G(4,1), H(10), I, K, LSI(3,2), LSID(TSLIST+48,2), OK, S,
      $    STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,
      $            INFO)
@@ -5398,61 +5384,57 @@ C     where the marks are, if there are any
    30 CONTINUE
       INFO = RANGE
       IF (HHHOLD(1, Q) .EQ. 0) RETURN
-      LAST = 5
+      FROM = 5
    40 IF (STEPS .EQ. 0) THEN
         CALL TSDESC(P, ORD, BOX, CTL, Q, S)
 C       ORD in the place of LINK: see TSACRO
         CALL TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, ORD, COUNTS(AT),
      $              CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, U)
-        LAST = 5
+        FROM = 5
       END IF
       IF (STEPS .GE. 0) STEPS = STEPS - 1
       DO 50 K = 1, 4
         V(K,1) = ORD(U(K,1))
    50 CONTINUE
-      DO 60 I = 1, 4
-        IF (I .EQ. LAST) GO TO 60
-        K = I
-        CALL TSOUTF(V, 1, K, F)
-        S = TSQSID(P, F, Q, KNOWN)
-        IF (S .EQ. UNSURE) RETURN
-        IF (S .GT. 0) GO TO 70
-   60 CONTINUE
-      CALL HHWEIG(P, V, 1, Q, W, INFO)
-      IF (INFO .NE. 0) INFO = RANGE
-      RETURN
-   70 LAST = 4
+      CALL TSLEAV(P, V, 1, FROM, Q, KNOWN, K)
+      IF (K .EQ. 0) RETURN
+      IF (K .EQ. 5) THEN
+        CALL HHWEIG(P, V, 1, Q, W, INFO)
+        IF (INFO .NE. 0) INFO = RANGE
+        RETURN
+      END IF
+      FROM = 4
       CALL TSACRO(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
      $            LSX, LSID, LSI, LSD, U, K, OK)
       IF (OK .EQ. 1) GO TO 40
       H(1) = NONE
       H(HFROM) = NONE
       H(HMOST) = CTL(NP)
-   80 DO 90 I = 1, 4
+   60 DO 70 I = 1, 4
         G(I,1) = ORD(U(I,1))
-   90 CONTINUE
+   70 CONTINUE
       CALL TSOUTF(G, 1, K, F)
       CALL TSHULL(P, Q, F, H, XF, S)
       IF (S .EQ. RANGE) RETURN
       IF (MOD(S, 2) .EQ. 1) THEN
-        DO 100 I = 1, 4
+        DO 80 I = 1, 4
           V(I,1) = G(I,1)
-  100   CONTINUE
+   80   CONTINUE
       END IF
-      IF (S .GE. 2) GO TO 120
+      IF (S .GE. 2) GO TO 100
 C     as TSTURN does
       Z = REP(H(HFROM))
-  110 I = TSSLOT(U, 1, Z)
+   90 I = TSSLOT(U, 1, Z)
       Z = U(K,1)
       K = 4
       CALL TSACRO(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
      $            LSX, LSID, LSI, LSD, U, I, OK)
-      IF (OK .EQ. 1) GO TO 110
+      IF (OK .EQ. 1) GO TO 90
       K = I
-      GO TO 80
-  120 DO 130 I = 1, 3
+      GO TO 60
+  100 DO 110 I = 1, 3
         W(TSSLOT(V, 1, H(I))) = XF(I)
-  130 CONTINUE
+  110 CONTINUE
       INFO = 1
       END
 
@@ -5679,86 +5661,54 @@ C     no open facet: 0 or the fault.
       IF (S .EQ. UNSURE) TSCHKT = RANGE
       END
 
-C     TSCHKE - from F, facet K of tetrahedron T, which is on the
-C     boundary, turn about its edge opposite to vertex C, through the
-C     tetrahedra, to the other boundary facet there, and check that its
-C     apex is not outside of the first.
+C     TSCHKH - check the boundary facets of tetrahedron T: O is inside
+C     of each, and the apex of the next boundary facet at each of its
+C     edges is not outside of it.  The two facets at an edge run along
+C     it in opposite directions, so that one of them tests it.
 C
-C     Facets are known to be matched in pairs, so a step maps
+C     Facets are known to be matched in pairs, so a step of TSTURN maps
 C     (tetrahedron, facet in, facet out) one-to-one to the next such
 C     triple; no step leads to the first triple, so none comes twice and
 C     the turn ends.  For the same reason all turns together take at
 C     most 6 NTET steps: each edge of each tetrahedron is passed once.
-      SUBROUTINE TSCHKE(P, TET, ADJ, T, K, F, C, INFO)
-      INTEGER TET(4,*), ADJ(4,*), T, K, F(3), C, INFO
+      SUBROUTINE TSCHKH(P, NTET, TET, ADJ, T, INFO)
+      INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
       INTEGER NONE, UNSURE, RANGE, BADHUL
       PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6, BADHUL = 16)
-      INTEGER TSORIP, TSSLOT, AT, NEXT, OUT, S, W
-      AT = T
-      W = TET(K,T)
-      OUT = TSSLOT(TET, T, C)
-   10 IF (ADJ(OUT,AT) .NE. NONE) THEN
-        NEXT = ADJ(OUT,AT)
-        OUT = TSSLOT(TET, NEXT, W)
-        W = TET(TSSLOT(ADJ, NEXT, AT),NEXT)
-        AT = NEXT
-        GO TO 10
-      END IF
-      S = TSORIP(P, F, W)
+      INTEGER TSORIP, TSQSID, F(3), I, J, K, OK, S, U, Z
       INFO = 0
-      IF (S .GT. 0) INFO = BADHUL
-      IF (S .EQ. UNSURE) INFO = RANGE
-      END
-
-C     TSCHKH - check the boundary facets of tetrahedron T: O is inside
-C     of each, and each is convex with its neighbours.  The two facets
-C     at an edge run along it in opposite directions, so that one of
-C     them tests it.
-      SUBROUTINE TSCHKH(P, TET, ADJ, T, INFO)
-      INTEGER TET(4,*), ADJ(4,*), T, INFO
-      DOUBLE PRECISION P(3,*)
-      INTEGER NONE, UNSURE, RANGE, BADHUL
-      PARAMETER (NONE = 0, UNSURE = 2, RANGE = 6, BADHUL = 16)
-      INTEGER TSQSID, C, F(3), I, K, S
-      DO 30 K = 1, 4
-        IF (ADJ(K,T) .NE. NONE) GO TO 30
+      DO 20 K = 1, 4
+        IF (ADJ(K,T) .NE. NONE) GO TO 20
         CALL TSOUTF(TET, T, K, F)
         S = TSQSID(P, F, P(1,TET(1,1)), TET)
-        INFO = RANGE
-        IF (S .EQ. UNSURE) RETURN
-        INFO = BADHUL
-        IF (S .GT. 0) RETURN
-        DO 20 I = 1, 3
-          IF (F(I) .LT. F(MOD(I, 3) + 1)) THEN
-            C = F(MOD(I + 1, 3) + 1)
-            CALL TSCHKE(P, TET, ADJ, T, K, F, C, INFO)
-            IF (INFO .NE. 0) RETURN
-          END IF
-   20   CONTINUE
-   30 CONTINUE
-      INFO = 0
+        DO 10 I = 1, 3
+          IF (S .GT. 0 .OR. F(I) .GT. F(MOD(I, 3) + 1)) GO TO 10
+          U = T
+          J = K
+          Z = F(MOD(I + 1, 3) + 1)
+          CALL TSTURN(NTET, TET, ADJ, U, J, Z, OK)
+          S = TSORIP(P, F, Z)
+   10   CONTINUE
+        IF (S .GT. 0) INFO = BADHUL
+        IF (S .EQ. UNSURE) INFO = RANGE
+        IF (INFO .NE. 0) RETURN
+   20 CONTINUE
       END
 
 C     TSCHKC - check that tetrahedron T, if not 1, does not contain O.
       SUBROUTINE TSCHKC(P, TET, T, INFO)
       INTEGER TET(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
-      INTEGER UNSURE, RANGE, BADCOV
-      PARAMETER (UNSURE = 2, RANGE = 6, BADCOV = 17)
-      INTEGER TSINBO, TSQSID, F(3), K, S
+      INTEGER RANGE, BADCOV
+      PARAMETER (RANGE = 6, BADCOV = 17)
+      INTEGER TSINBO, K
       INFO = 0
       IF (T .EQ. 1) RETURN
       IF (TSINBO(P, TET, T, P(1,TET(1,1))) .EQ. 0) RETURN
-      DO 20 K = 1, 4
-        CALL TSOUTF(TET, T, K, F)
-        S = TSQSID(P, F, P(1,TET(1,1)), TET)
-        INFO = RANGE
-        IF (S .EQ. UNSURE) RETURN
-        INFO = 0
-        IF (S .GT. 0) RETURN
-   20 CONTINUE
-      INFO = BADCOV
+      CALL TSLEAV(P, TET, T, 5, P(1,TET(1,1)), TET, K)
+      IF (K .EQ. 0) INFO = RANGE
+      IF (K .EQ. 5) INFO = BADCOV
       END
 
 C     TESSCH - an exact proof that TET and ADJ are a Delaunay
@@ -5871,7 +5821,7 @@ C     boundary facet.
           IF (PASS .EQ. 1) CALL TSCHKI(N, TET, T, IW, MARK, INFO)
           IF (PASS .EQ. 2) INFO = TSCHKT(P, TET, ADJ, T)
           IF (PASS .EQ. 3) CALL TSCHKF(P, NTET, TET, ADJ, T, INFO)
-          IF (PASS .EQ. 4) CALL TSCHKH(P, TET, ADJ, T, INFO)
+          IF (PASS .EQ. 4) CALL TSCHKH(P, NTET, TET, ADJ, T, INFO)
           IF (PASS .EQ. 5) CALL TSCHKC(P, TET, T, INFO)
           IF (INFO .NE. 0) THEN
             BAD = T
