@@ -270,8 +270,8 @@ typedef struct list {
     tess_int first, last; /* a block's leaf: positions first ... last-1 */
     int n;
     double margin, centre[3], unit;
-    double lo[3], hi[3];  /* a block's box */
-    double most[3];       /* bound on the coordinates in the list */
+    double lo[3], hi[3];  /* a block's box, in the root's */
+    double most[3];       /* bound on the coordinates, but for rounding */
     float x[TESS_LIST], y[TESS_LIST], z[TESS_LIST], r[TESS_LIST];
     tess_int id[TESS_LIST + LEAF];
 } list;
@@ -333,22 +333,14 @@ typedef struct cell {
 
 typedef struct mesh {
     hh_set set;
-    double *x;                /* set.x */
-    tess_int *order;          /* set.order */
+    /* the arrays: see above */
+    tess_int *tet, *adj, *rep, *order, *known, *alive, *head, *link, *pool;
+    tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
+    double *x, *box;
     tess_int np;              /* distinct points */
+    tess_int leaves;          /* of the tree, a power of two */
     tess_int maxtet, ntet;
-    tess_int *tet, *adj;
-    double reach;             /* a block's margin, in its leaf's diagonals */
-    tess_int leaves;          /* a power of two; leaf j is node leaves + j, */
-                              /* node i has the children 2i and 2i+1 */
-    tess_int *alive;          /* leaf: uncompleted points; other nodes: */
-                              /* children alive */
-    double *box;              /* of each node */
-    tess_int *rep;
-    tess_int *known;          /* a tetrahedron; or known[0] is minus a code */
-    tess_int *head;           /* first facet in the pool that a vertex owns */
-    tess_int *link;           /* first open edge of the link from a vertex */
-    tess_int *pool, room;     /* pool and edges, and their length */
+    tess_int room;            /* length of pool */
     tess_int m, nopen;        /* entries of the pool, and those in use */
     tess_int fresh;           /* from this tetrahedron on, facets 0 are not */
                               /* in the pool */
@@ -357,6 +349,7 @@ typedef struct mesh {
     tess_int unmet;           /* no vertex before it is NEW and asked for */
     tess_int plane[PLANES][3]; /* the last hull planes met */
     tess_int nplane;          /* how many were met */
+    double reach;             /* a block's margin, in its leaf's diagonals */
     list block, around;       /* lists of a leaf, and of a star in it */
     int futile;               /* the leaf's latest searches in a row that */
                               /* ended in the tree */
@@ -369,7 +362,6 @@ typedef struct mesh {
     double least;             /* least absolute value above 0 of a coordinate */
     support supports[SUPPORTS];
     int nsupport;             /* how many there are */
-    tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
     double burden, patience;  /* comparisons left open, over all points, and */
                               /* their limit; 0: no more supports are sought */
     int enclosed;             /* 1: there are cylinders */
@@ -716,12 +708,9 @@ static void facet(const mesh *m, tess_int code, tess_int *v)
  * for, or NONE. */
 static tess_int owner(const mesh *m, const tess_int *v)
 {
-    tess_int least = v[0] < v[1] ? v[0] : v[1];
+    tess_int least = m->np;
     int k;
 
-    least = least < v[2] ? least : v[2];
-    if (m->head[least] != FOREIGN) return least;
-    least = m->np;
     for (k = 0; k < 3; k++)
         if (v[k] < least && m->head[v[k]] != FOREIGN) least = v[k];
     return least < m->np ? least : NONE;
@@ -969,22 +958,17 @@ static void leaflist(mesh *m, tess_int s)
     m->futile = 0;
     while (over) {
         for (k = 0; k < 3; k++) {
-            l->lo[k] = b[k] - margin;
-            l->hi[k] = b[3 + k] + margin;
+            x = b[k] - margin;
+            y = b[3 + k] + margin;
+            l->lo[k] = x > root[k] ? x : root[k];
+            l->hi[k] = y < root[3 + k] ? y : root[3 + k];
             l->centre[k] = 0.5 * (l->lo[k] + l->hi[k]);
-            x = 0.5 * (l->hi[k] - l->lo[k]);
-            half = x > half || k == 0 ? x : half;
+            l->most[k] = 0.5 * (l->hi[k] - l->lo[k]);
+            half = l->most[k] > half || k == 0 ? l->most[k] : half;
         }
         l->margin = margin;
         l->unit = half > NARROW ? 1.0 / half : 0.0;
-        for (k = 0; k < 3; k++) {
-            /* the points are inside the root's box, too */
-            x = l->hi[k] < root[3 + k] ? l->hi[k] : root[3 + k];
-            y = l->lo[k] > root[k] ? l->lo[k] : root[k];
-            x -= l->centre[k];
-            y = l->centre[k] - y;
-            l->most[k] = (x > y ? x : y) * l->unit;
-        }
+        for (k = 0; k < 3; k++) l->most[k] *= l->unit;
         l->n = 0;
         for (i = l->first; i < l->last; i++) l->id[l->n++] = i;
         over = !boxquery(m, l, leaf);
@@ -1359,11 +1343,11 @@ static int ballinstar(const mesh *m, const quest *f)
  * In the list's units, with g = base - centre, the power of u is
  *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g.
  * d[3] has room for dc, and for all rounding:
- *   single precision, where |u[i]| <= most[i] <= 2 (1, but for boxes a few last
- *   places wide, whose centre is rounded by as much; 1.1 for a star, whose g is
- *   0): |u|^2 <= 12 by at most 8 roundings, two of them of u itself and the
- *   last that of the difference; d.u by at most 6 of each term; d[3] itself;
- *   underflow is far below FEPS;
+ *   single precision, where |u[i]| <= most[i] (1.1 for a star, whose g is 0,
+ *   else at most 1; but twice as much for boxes a few last places wide, whose
+ *   centre is rounded by as much): |u|^2 <= 12 by at most 8 roundings, two of
+ *   them of u itself and the last that of the difference; d.u by at most 6 of
+ *   each term; d[3] itself; underflow is far below FEPS;
  *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
  *   with g, 6 roundings of (1 + |g|) a.
  * Returns 0 when the ball is too large for that. */
@@ -2048,8 +2032,8 @@ static int star(mesh *m, tess_int s)
         HOLDS(proven(m, v, c));
         if (c == NONE) {
             if (p[CODE] != START) m->adj[p[CODE]] = TESS_NONE;
-            if (p[PREV] != NONE) m->pool[p[PREV] + AFTER] = NONE;
-            if (p[AFTER] != NONE) m->pool[p[AFTER] + PREV] = NONE;
+            join(m, p[PREV], NONE);
+            join(m, NONE, p[AFTER]);
             unlinkedge(m, e);
             continue;
         }

@@ -234,8 +234,9 @@ C       LSX     of each point the offsets x, y, z and their square sum
 C       LSID    its position
 C       LSI     LFIRST, LLAST: a block's leaf, positions LFIRST ...
 C               LLAST; LN points
-C       LSD     behind LLO, LHI, LMID, LMOST: a block's box, the centre,
-C               a bound on the coordinates in the list; LMARG margin;
+C       LSD     behind LLO, LHI, LMID, LMOST: a block's box, in the
+C               root's, the centre, a bound on the coordinates in the
+C               list, but for rounding; LMARG margin;
 C               LUNIT one over the unit
 C     A search for the apex of a facet:
 C       V       its vertices; the open side is positive
@@ -812,9 +813,6 @@ C     asked for, or 0.
       INTEGER FOREIN
       PARAMETER (FOREIN = -1)
       INTEGER K, LEAST
-      LEAST = MIN(V(1), V(2), V(3))
-      TSOWNE = LEAST
-      IF (HEAD(LEAST) .NE. FOREIN) RETURN
       LEAST = 0
       DO 10 K = 1, 3
         IF (HEAD(V(K)) .NE. FOREIN .AND. (LEAST .EQ. 0 .OR.
@@ -1151,7 +1149,7 @@ C     until they fit.
       PARAMETER (LEAVES = 4, FUTILE = 18, RREACH = 3, LFIRST = 1,
      $    LLAST = 2, LN = 3, LLO = 0, LHI = 3, LMID = 6, LMOST = 9,
      $    LMARG = 13, LUNIT = 14, NARROW = 1.0D5*2.0D0**(-450))
-      DOUBLE PRECISION ABOVE, BELOW, HALF, MARGIN, SUM
+      DOUBLE PRECISION HALF, MARGIN, SUM
       INTEGER TSLEAF, TSLFST, FIT, I, K, LEAFS, NODE
       LEAFS = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAFS - 1
@@ -1165,19 +1163,17 @@ C     until they fit.
       CTL(FUTILE) = 0
    20 HALF = 0.0D0
       DO 30 K = 1, 3
-        LSD(LLO+K,LIST) = BOX(K,NODE) - MARGIN
-        LSD(LHI+K,LIST) = BOX(3+K,NODE) + MARGIN
+        LSD(LLO+K,LIST) = MAX(BOX(K,NODE) - MARGIN, BOX(K,1))
+        LSD(LHI+K,LIST) = MIN(BOX(3+K,NODE) + MARGIN, BOX(3+K,1))
         LSD(LMID+K,LIST) = 0.5D0*(LSD(LLO+K,LIST) + LSD(LHI+K,LIST))
-        HALF = MAX(HALF, 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST)))
+        LSD(LMOST+K,LIST) = 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST))
+        HALF = MAX(HALF, LSD(LMOST+K,LIST))
    30 CONTINUE
       LSD(LMARG,LIST) = MARGIN
       LSD(LUNIT,LIST) = 0.0D0
       IF (HALF .GT. NARROW) LSD(LUNIT,LIST) = 1.0D0/HALF
       DO 40 K = 1, 3
-C       the points are inside the root's box, too
-        ABOVE = MIN(LSD(LHI+K,LIST), BOX(3+K,1)) - LSD(LMID+K,LIST)
-        BELOW = LSD(LMID+K,LIST) - MAX(LSD(LLO+K,LIST), BOX(K,1))
-        LSD(LMOST+K,LIST) = MAX(ABOVE, BELOW)*LSD(LUNIT,LIST)
+        LSD(LMOST+K,LIST) = LSD(LMOST+K,LIST)*LSD(LUNIT,LIST)
    40 CONTINUE
       LSI(LN,LIST) = 0
       DO 50 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
@@ -1660,12 +1656,12 @@ C         r - (D(1) x + D(2) y + D(3) z) < D(4).
 C     In the list's units, with g = base - centre, the power of u is
 C         |u-g|**2 - 2 c.(u-g) = |u|**2 - 2 (c+g).u + (g+2c).g.
 C     D(4) has room for dc, and for all rounding:
-C       single precision, where |u(K)| <= most(K) <= 2 (1, but for boxes
-C       a few last places wide, whose centre is rounded by as much; 1.1
-C       for a star, whose g is 0): |u|**2 <= 12 by at most 8 roundings,
-C       two of them of u itself and the last that of the difference; D.u
-C       by at most 6 of each term; D(4) itself; underflow is far below
-C       FEPS;
+C       single precision, where |u(K)| <= most(K) (1.1 for a star, whose
+C       g is 0, else at most 1; but twice as much for boxes a few last
+C       places wide, whose centre is rounded by as much): |u|**2 <= 12
+C       by at most 8 roundings, two of them of u itself and the last
+C       that of the difference; D.u by at most 6 of each term; D(4)
+C       itself; underflow is far below FEPS;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
@@ -2671,8 +2667,8 @@ C     of the link.  INFO is 0, MORE or FULL.
      $              LSX, LSID, LSI, LSD, V, GUESS, C)
         IF (C .EQ. 0) THEN
           IF (POOL(E+ECODE) .NE. START) ADJ(POOL(E+ECODE)) = 0
-          IF (PREV .NE. 0) POOL(PREV+EAFTER) = 0
-          IF (AFTER .NE. 0) POOL(AFTER+EPREV) = 0
+          CALL TSJOIN(POOL, PREV, 0)
+          CALL TSJOIN(POOL, 0, AFTER)
           CALL TSUNLI(LINK, POOL, E)
           GO TO 10
         END IF
