@@ -2560,7 +2560,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     static const tess_int guess[2] = {NONE, NONE};
     mesh m;
     sizes w;
-    tess_int i, v[4], left = (tess_int)(liw - n), *mine = iw + left;
+    tess_int i, v[4], left = (tess_int)(liw - n), *mine;
     tess_int tet[4 * STARS], adj[4 * STARS];
     double part;
     int code = badargument(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw), k;
@@ -2587,6 +2587,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     (void)lengths(n, &w);
     if (TESS_LIST >= 128 && code == 0 && w.marks > 0 && m.set.t5 < PLAIN &&
         left - w.iw >= w.marks) {
+        mine = iw + left;
         for (k = 1; k <= REGIONS; k++) {
             if (k % 8 == 1)
                 for (i = 0; i < n; i++) mine[i] = 0;

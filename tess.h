@@ -263,12 +263,16 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
  *   n       (in)   number of points, >= 0
  *   p       (in)   3*n coordinates; tess_query and tess_part need them
  *                  unchanged
- *   liw     (in)   length of iw, as tess_size says; for tess_query alone 2*n +
- *                  n/12 + 7 suffices
- *   iw      (out)  the index, in its first 2*n + n/12 + 7 places.  For each
- *                  code >= 0 but TESS_RANGE iw[i] is the position, from 0 on,
- *                  of point i, or of the point that represents it, in the
- *                  sorted order.  Points at close positions are close in space
+ *   liw     (in)   length of iw, as tess_size says; 7*n + 600 suffices, too.
+ *                  With less, down to 2*n + n/12 + 7, the index does not know
+ *                  the planes and spheres that many points are near: there
+ *                  parts and queries take longer
+ *   iw      (out)  the index, in its first 4*n + 32 places, or in all if it has
+ *                  fewer; those planes and spheres are behind the first 2*n +
+ *                  n/12 + 7.  For each code >= 0 but TESS_RANGE iw[i] is the
+ *                  position, from 0 on, of point i, or of the point that
+ *                  represents it, in the sorted order.  Points at close
+ *                  positions are close in space
  *   lrw     (in)   length of rw, as tess_size says; or 3*n + n/2 + 12, with
  *                  which parts of surfaces and curves take longer
  *   rw      (out)  the index, too
@@ -276,14 +280,16 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
  * returns TESS_OK; TESS_PLANE, TESS_LINE, TESS_POINT or TESS_RANGE: there is no
  * mesh, and the calls below return the same; -1 for a bad n, -2 for a NaN or
  * infinity in p, -3 and -5 for liw and lrw that are too small.
- * Cost: O(n log n), about a tenth of that of the mesh.
+ * Cost: O(n log n), about a tenth of that of the mesh, a quarter near planes
+ * and spheres.
  */
 int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                tess_int lrw, double *rw);
 
 /* tess_query - the tetrahedron of a mesh that holds a point, without the mesh.
  *
- *   n, p, iw, rw  (in)  points and their index.  Threads may share them
+ *   n, p, iw, rw  (in)  points and their index, of iw the first 4*n + 32
+ *                  places, or all if it has fewer.  Threads may share them
  *   q    (in)      the point: 3 coordinates
  *   v    (in,out)  4 points.  On entry an earlier answer, where the walk
  *                  starts, or v[0] = TESS_NONE for anywhere.  On return the
@@ -300,7 +306,8 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
  * mesh may come back unchanged.)
  * Cost: a search for an apex for each tetrahedron that is crossed, and some 20
  * more from anywhere; for q outside, one more for each that is passed on the
- * way about an edge of the hull.
+ * way about an edge of the hull.  A globe of 20,000 points takes 150 times as
+ * long from an index that does not know its sphere.
  */
 int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w);
@@ -312,9 +319,16 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  *                     with mine[i] != 0, or at the point that represents it
  *   maxtet, ntet, tet, adj   as in tess_resume: *ntet = 0, or the beginning of
  *                     the result
- *   liw     (in)      length of iw, as in tess
- *   iw      (in,out)  the index as tess_index left it, or a copy, and workspace
- *                     behind it.  On return iw is an index again
+ *   liw     (in)      length of iw, at least 4*n + n/12 + 514.  What exceeds
+ *                     that becomes pool; with 6*n + 600 and the pool there is
+ *                     also room for the planes and spheres of the index.
+ *                     TESS_LIW(m) is pool enough for m points asked for, unless
+ *                     one has very many neighbours
+ *   iw      (in,out)  the index as tess_index left it, or a copy of its first
+ *                     4*n + 32 places, and workspace behind it.  Copied without
+ *                     its planes and spheres, 2*n + n/12 + 7 places, or in a
+ *                     short iw, a part seeks its own, if there is room.  On
+ *                     return iw is an index again, but may have lost them
  *   lrw     (in)      length of rw
  *   rw      (in)      the rest of the index.  Threads may share it, each with
  *                     an iw of its own

@@ -3575,13 +3575,18 @@ C
 C       N       (in)   number of points, >= 0
 C       P       (in)   3*N coordinates; TESSQU and TESSPA need them
 C                      unchanged
-C       LIW     (in)   length of IW, as TESSWK says; for TESSQU alone
-C                      2*N + N/12 + 7 suffices
-C       IW      (out)  the index, in its first 2*N + N/12 + 7 places.
-C                      For each INFO >= 0 but 6, IW(I) is the position,
-C                      from 1 on, of point I, or of the point that
-C                      represents it, in the sorted order.  Points at
-C                      close positions are close in space
+C       LIW     (in)   length of IW, as TESSWK says; 7*N + 600
+C                      suffices, too.  With less, down to 2*N + N/12 +
+C                      7, the index does not know the planes and spheres
+C                      that many points are near: there parts and
+C                      queries take longer
+C       IW      (out)  the index, in its first 4*N + 32 places, or in
+C                      all if it has fewer; those planes and spheres are
+C                      behind the first 2*N + N/12 + 7.  For each INFO
+C                      >= 0 but 6, IW(I) is the position, from 1 on, of
+C                      point I, or of the point that represents it, in
+C                      the sorted order.  Points at close positions are
+C                      close in space
 C       LRW     (in)   length of RW, as TESSWK says; or 3*N + N/2 + 12,
 C                      with which parts of surfaces and curves take
 C                      longer
@@ -3591,7 +3596,8 @@ C                      the calls below give the same; -1 for a bad N, -2
 C                      for a NaN or infinity in P, -3 and -5 for LIW and
 C                      LRW that are too small
 C
-C     Cost: O(N log N), about a tenth of that of the mesh.
+C     Cost: O(N log N), about a tenth of that of the mesh, a quarter
+C     near planes and spheres.
       SUBROUTINE TESSIX(N, P, LIW, IW, LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, LIW, IW(*), LRW, INFO
@@ -3708,10 +3714,19 @@ C                         each point I with MINE(I) not 0, or at the
 C                         point that represents it
 C       MAXTET, NTET, TET, ADJ   as in TESSRE: NTET = 0, or the
 C                         beginning of the result
-C       LIW     (in)      length of IW, as in TESS
-C       IW      (in,out)  the index as TESSIX left it, or a copy, and
-C                         workspace behind it.  On return IW is an index
-C                         again
+C       LIW     (in)      length of IW, at least 4*N + N/12 + 514.
+C                         What exceeds that becomes pool; with 6*N + 600
+C                         and the pool there is also room for the planes
+C                         and spheres of the index.  For M points asked
+C                         for 19*M + 1800 is pool enough, unless one has
+C                         very many neighbours
+C       IW      (in,out)  the index as TESSIX left it, or a copy of its
+C                         first 4*N + 32 places, and workspace behind
+C                         it.  Copied without its planes and spheres,
+C                         2*N + N/12 + 7 places, or in a short IW, a
+C                         part seeks its own, if there is room.  On
+C                         return IW is an index again, but may have lost
+C                         them
 C       LRW     (in)      length of RW
 C       RW      (in)      the rest of the index.  Threads may share it,
 C                         each with an IW of its own
@@ -5363,8 +5378,9 @@ C     no entry is DONE.
 C     TESSQU - the tetrahedron of a mesh that holds a point, without the
 C     mesh.
 C
-C       N, P, IW, RW  (in)  points and their index.  Threads may share
-C                      them
+C       N, P, IW, RW  (in)  points and their index, of IW the first
+C                      4*N + 32 places, or all if it has fewer.  Threads
+C                      may share them
 C       Q    (in)      the point: 3 coordinates
 C       V    (in,out)  4 points.  On entry an earlier answer, where the
 C                      walk starts, or V(1) = 0 for anywhere.  On return
@@ -5389,7 +5405,9 @@ C     is no tetrahedron of the mesh the walk might cycle: after NP steps
 C     it starts again from one that is.
 C     Cost: a search for an apex for each tetrahedron that is crossed,
 C     and some 20 more from anywhere; for Q outside, one more for each
-C     that is passed on the way about an edge of the hull.
+C     that is passed on the way about an edge of the hull.  A globe
+C     of 20,000 points takes 150 times as long from an index that does
+C     not know its sphere.
       SUBROUTINE TESSQU(N, P, IW, RW, Q, V, W, INFO)
       DOUBLE PRECISION P(3,*), RW(*), Q(3), W(4)
       INTEGER N, IW(*), V(4,1), INFO

@@ -78,7 +78,7 @@ static void make(part *r, long number, long parts)
 
     r->number = (tess_int)number;
     r->parts = (tess_int)parts;
-    r->liw = 4 * n + n / 12 + 514 + (tess_int)TESS_LIW(m);
+    r->liw = 6 * n + 600 + (tess_int)TESS_LIW(m);
     r->most = 10 * m + 1000;
     r->mine = ints(n);
     r->iw = ints(r->liw);
@@ -104,7 +104,7 @@ static void *compute(void *arg)
     for (i = 0; i < n; i++)
         r->mine[i] = (tess_int)((double)iw[i] * (double)r->parts /
                                 (double)n) == r->number;
-    memcpy(r->iw, iw, (size_t)(2 * n + n / 12 + 7) * sizeof *iw);
+    memcpy(r->iw, iw, (size_t)(4 * n + 32) * sizeof *iw);
     r->ntet = 0;
     r->code = tess_part(n, p, r->mine, r->most, &r->ntet, r->tet, r->adj,
                         r->liw, r->iw, lrw, rw);

@@ -6,7 +6,9 @@
  * For meshes by several threads; parts.c is a program that does it, and join.f
  * the same in FORTRAN 77.
  *
- *   1. tess_index sorts the points.  rw is shared by all, iw copied for each.
+ *   1. tess_index sorts the points, in an iw of 7 n + 600 or what tess_size
+ *      says.  rw is shared by all, the first 4 n + 32 places of iw are copied
+ *      for each.
  *   2. Each thread asks tess_part for the points of a range of places (iw[i]),
  *      of about the same length, so for points near each other.
  *   3. keep tells which of its tetrahedra the part keeps, those whose vertex of
@@ -21,11 +23,11 @@
  * was TESS_OPEN before join and is TESS_NONE behind it be TESS_OPEN again.
  *
  * Workspace.  tess_part needs an iw of 4 n + n/12 + 514 in any case: places, the
- * order, and two lists of all points.  Behind that come open facets, for which
- * TESS_LIW(m) is room enough in a part with m points asked for, but for points
- * that have very many neighbours: TESS_POOL.  So
- *     liw = 4 n + n/12 + 514 + TESS_LIW(m)
- * Points on planes, spheres and other surfaces are faster with TESS_LIW(n).
+ * order, and two lists of all points; up to 6 n + 600 with the planes and spheres
+ * that the index knows.  Behind that come open facets, for which TESS_LIW(m) is
+ * room enough in a part with m points asked for, but for points that have very
+ * many neighbours: TESS_POOL.  So
+ *     liw = 6 n + 600 + TESS_LIW(m)
  */
 #include "tess.h"
 

@@ -8,7 +8,7 @@
  * Each tetrahedron of the mesh is used once, so the sum is the cube's volume.
  * A part that fails can be done again, alone.
  *
- * Arrays: per point 24 bytes of coordinates, 28 in rw, 20 and pool in iw, 4
+ * Arrays: per point 24 bytes of coordinates, 28 in rw, 24 and pool in iw, 4
  * marks; per tetrahedron of the largest part 32, instead of 220 a point.
  */
 #include <math.h>

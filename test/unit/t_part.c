@@ -1011,9 +1011,9 @@ static void test_supports(void)
         serve(&k, many, liw, begun(k.iw, old, liw));
         drop(mark);
         lo = old;
-        hi = 9 * n + 600;
+        hi = 7 * n + 600;
         reindex(&m, hi, &k);
-        require(!SOUGHT || supports(&m, k.iw) > 0, "none in 9 n + 600");
+        require(supports(&m, k.iw) == supports(&m, m.iw), "7 n + 600");
         while (SOUGHT && supports(&m, m.iw) > 0 && hi - lo > 1) {
             inner = narrays;
             reindex(&m, (tess_int)(lo + (hi - lo) / 2), &k);
