@@ -5,7 +5,7 @@
  *                     lesser product volume cofactors insphere leading
  *                     shares region foot weigh limbs centre many exact
  *   the arithmetic    hh_finite precise hh_holds held
- *   exact signs       certain filt3 filt5 filter pack scale robust hh_orient
+ *   exact signs       certain filt3 filt5 filter list pack scale robust hh_orient
  *                     hh_insphere hh_flat hh_line closest hh_foot hh_weigh
  *                     hh_wider hh_range apart corners decide hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
@@ -393,18 +393,17 @@ static void shares(int n, const int *at, double *w)
  * perpendicular from q. */
 static int region(const double *dot, const double *area)
 {
-    static const int one[3] = {1, 2, 4};
     int i, j, k;
 
     for (i = 0; i < 3; i++) {
         k = (i + 2) % 3;
-        if (dot[4 * i] <= 0.0 && dot[3 * k + i] >= 0.0) return one[i];
+        if (dot[4 * i] <= 0.0 && dot[3 * k + i] >= 0.0) return 1 << i;
     }
     for (i = 0; i < 3; i++) {
         j = (i + 1) % 3;
         k = (i + 2) % 3;
         if (area[k] <= 0.0 && dot[4 * i] >= 0.0 && dot[3 * i + j] <= 0.0)
-            return one[i] + one[j];
+            return (1 << i) + (1 << j);
     }
     return 7;
 }
@@ -750,6 +749,17 @@ static int filter(int np, const double *q, double t)
                    : filt5(q, q + 3, q + 6, q + 9, q + 12, t);
 }
 
+/* list - p = the points a, b, c, d, e; those that are not needed are any. */
+static void list(const tess_real **p, const tess_real *a, const tess_real *b,
+                 const tess_real *c, const tess_real *d, const tess_real *e)
+{
+    p[0] = a;
+    p[1] = b;
+    p[2] = c;
+    p[3] = d;
+    p[4] = e;
+}
+
 /* pack - q = the coordinates of np points p.  Returns the largest absolute
  * value. */
 static double pack(int np, const tess_real *const *p, double *q)
@@ -791,11 +801,7 @@ static int robust(int np, const tess_real *a, const tess_real *b,
     double q[15], s[15], most;
     int sign;
 
-    p[0] = a;
-    p[1] = b;
-    p[2] = c;
-    p[3] = d;
-    p[4] = e;
+    list(p, a, b, c, d, e);
     most = pack(np, p, q);
     if (!precise(a[0] > d[0] ? 1 : 3) || (most < SAFE && !held(np, p)))
         return UNSURE;
@@ -828,7 +834,7 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
 int hh_flat(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c)
 {
-    const tess_real *p[3];
+    const tess_real *p[5];
     double q[12], most;
     int i = axis == 2 ? 0 : axis + 1, k = axis == 0 ? 2 : axis - 1;
     double bi = (double)b[i] - a[i], ck = (double)c[k] - a[k];
@@ -842,9 +848,7 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
         if (det > err + 1.0 / SHIFT) return 1;
         if (det < -err - 1.0 / SHIFT) return -1;
     }
-    p[0] = a;
-    p[1] = b;
-    p[2] = c;
+    list(p, a, b, c, c, c);
     if (!held(3, p)) return UNSURE;
     most = pack(3, p, q);
     /* any point on that side will do that needs no more limbs */
@@ -906,14 +910,11 @@ static int closest(const double *s)
 int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
             const tess_real *q, double *w)
 {
-    const tess_real *p[4];
+    const tess_real *p[5];
     double x[12], s[12], any[3], most;
     int set = 0;
 
-    p[0] = b;
-    p[1] = c;
-    p[2] = q;
-    p[3] = a;
+    list(p, b, c, q, a, a);
     most = pack(4, p, x);
     if (!precise(a[0] > q[0] ? 1 : 3) || (most < SAFE && !held(4, p)))
         return 0;
@@ -1094,16 +1095,25 @@ static int tied(const hh_set *s, const tess_int *v, int positive)
     return sign;
 }
 
-/* perturb - the sign of I; where it is 0, rule times that of tied. */
-static int perturb(const hh_set *s, const tess_int *v, int positive, int rule)
+/* perturb - the sign of I for the positions i, j, k, l, m of the set s; where it
+ * is 0, or taken to be (tie = 1), rule times that of tied.  rule = 2: l and m
+ * are on the positive side of i, j, k. */
+static int perturb(const hh_set *s, tess_int i, tess_int j, tess_int k,
+                   tess_int l, tess_int m, int rule, int tie)
 {
-    int sign = UNSURE;
+    tess_int v[5];
+    int sign = tie ? 0 : UNSURE;
 
-    if (!apart(s, v[0]))
-        sign = filt5(s->x + 3 * v[0], s->x + 3 * v[1], s->x + 3 * v[2],
-                     s->x + 3 * v[3], s->x + 3 * v[4], s->t5);
+    v[0] = i;
+    v[1] = j;
+    v[2] = k;
+    v[3] = l;
+    v[4] = m;
+    if (!tie && !apart(s, i))
+        sign = filt5(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k, s->x + 3 * l,
+                     s->x + 3 * m, s->t5);
     if (sign == UNSURE) sign = decide(s, 5, v);
-    return sign != 0 || !rule ? sign : rule * tied(s, v, positive);
+    return sign != 0 || !rule ? sign : rule * tied(s, v, rule == 2);
 }
 
 /* hh_pball - the sign, never 0, of the perturbed determinant I for the
@@ -1113,14 +1123,7 @@ static int perturb(const hh_set *s, const tess_int *v, int positive, int rule)
 int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
              tess_int m, int rule)
 {
-    tess_int v[5];
-
-    v[0] = i;
-    v[1] = j;
-    v[2] = k;
-    v[3] = l;
-    v[4] = m;
-    return perturb(s, v, 0, rule);
+    return perturb(s, i, j, k, l, m, rule, 0);
 }
 
 /* hh_pbeat - negative if b beats a as the apex of the facet v, both on its
@@ -1129,14 +1132,7 @@ int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
 int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
              int tie)
 {
-    tess_int w[5];
-
-    w[0] = v[0];
-    w[1] = v[1];
-    w[2] = v[2];
-    w[3] = a;
-    w[4] = b;
-    return tie ? 2 * tied(s, w, 1) : perturb(s, w, 1, 2);
+    return perturb(s, v[0], v[1], v[2], a, b, 2, tie);
 }
 
 /* rows - the limbs of the rows p - last of 4 positions v of the set s, as
@@ -1535,13 +1531,11 @@ int hh_limits(const double *f, const double *z, double *lo, double *hi)
 int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
              double *f)
 {
-    const tess_real *p[3];
+    const tess_real *p[5];
     double q[9], s[9];
     int e, k;
 
-    p[0] = p1;
-    p[1] = p2;
-    p[2] = p3;
+    list(p, p1, p2, p3, p3, p3);
     e = scale(9, pack(3, p, q), q, s);
     hh_setup(s, s + 3, s + 6, f);
     for (k = 0; k < 3; k++) {
@@ -1582,17 +1576,14 @@ double hh_lcoord(const double *f, const tess_real *z)
 int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
             const tess_real *z, double *c)
 {
-    const tess_real *p[4];
+    const tess_real *p[5];
     double q[12], s[12], a[3], b[3], g[3], v[3], wg, wv, sense;
     frame h;
     int k;
 
     *c = 0.0;
     if (hh_line(p1, p2, p3)) return 1;
-    p[0] = p1;
-    p[1] = p2;
-    p[2] = p3;
-    p[3] = z;
+    list(p, p1, p2, p3, z, z);
     scale(12, pack(4, p, q), q, s);
     for (k = 0; k < 3; k++) {
         a[k] = s[3 + k] - s[k];

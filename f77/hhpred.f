@@ -47,8 +47,9 @@ C         hh_ratio HHRATI, hh_limits HHLIMI,
 C         hh_facet HHFACE, hh_side HHSIDE, hh_opp HHOPP,
 C         hh_lcoord HHLCOO, hh_wrap HHWRAP
 C     Only in C: held (hh_holds for points that are not in one array),
-C     blank, shift (written out here), lesser (MIN here),
-C     the macro HH_POWER, |W|**2 - 2 C.W, written out here.
+C     blank, shift (written out here), lesser (MIN here), list (its
+C     points are copied here), the macro HH_POWER, |W|**2 - 2 C.W,
+C     written out here.
 C     Only here: HHKIND (part of hh_finite and hh_holds).
 C
 C     Where C returns a code beside other results, the last argument
@@ -578,19 +579,16 @@ C     the product of side I and Q - vertex K, D(9+K) that of the weight
 C     of vertex K at the foot of the perpendicular from Q.
       INTEGER FUNCTION HHREGI(D)
       DOUBLE PRECISION D(12)
-      INTEGER I, J, K, ONE(3)
-      ONE(1) = 1
-      ONE(2) = 2
-      ONE(3) = 4
+      INTEGER I, J, K
       DO 10 I = 1, 3
         K = MOD(I + 1, 3) + 1
-        HHREGI = ONE(I)
+        HHREGI = 2**(I-1)
         IF (D(4*I-3) .LE. 0.0D0 .AND. D(3*K-3+I) .GE. 0.0D0) RETURN
    10 CONTINUE
       DO 20 I = 1, 3
         J = MOD(I, 3) + 1
         K = MOD(I + 1, 3) + 1
-        HHREGI = ONE(I) + ONE(J)
+        HHREGI = 2**(I-1) + 2**(J-1)
         IF (D(9+K) .LE. 0.0D0 .AND. D(4*I-3) .GE. 0.0D0 .AND.
      $      D(3*I-3+J) .LE. 0.0D0) RETURN
    20 CONTINUE
@@ -1532,19 +1530,30 @@ C       the determinant of the rows A-D, B-D, C-D is minus HHORIE
    50 HHTIED = SGN
       END
 
-C     HHPERT - the sign of D; where it is 0, RULE times that of HHTIED.
-      INTEGER FUNCTION HHPERT(X, P, ORD, T3, T5, V, POSITV, RULE)
+C     HHPERT - the sign of D for the positions I, J, K, L, M of a set;
+C     where it is 0, or taken to be (TIE = 1), RULE times that of
+C     HHTIED.  RULE = 2: L and M are on the positive side of I, J, K.
+      INTEGER FUNCTION HHPERT(X, P, ORD, T3, T5, I, J, K, L, M, RULE,
+     $                        TIE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
-      INTEGER ORD(*), V(5), POSITV, RULE
+      INTEGER ORD(*), I, J, K, L, M, RULE, TIE
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      INTEGER HHAPAR, HHDECI, HHFIL5, HHTIED, SGN
-      SGN = UNSURE
-      IF (HHAPAR(X, T3, V(1)) .EQ. 0)
-     $    SGN = HHFIL5(X, V(1), V(2), V(3), V(4), V(5), T5)
-      IF (SGN .EQ. UNSURE) SGN = HHDECI(X, P, ORD, T3, 5, V)
+      INTEGER HHAPAR, HHDECI, HHFIL5, HHTIED, SGN, V(5)
+      V(1) = I
+      V(2) = J
+      V(3) = K
+      V(4) = L
+      V(5) = M
+      SGN = 0
+      IF (TIE .EQ. 0) THEN
+        SGN = UNSURE
+        IF (HHAPAR(X, T3, I) .EQ. 0)
+     $      SGN = HHFIL5(X, I, J, K, L, M, T5)
+        IF (SGN .EQ. UNSURE) SGN = HHDECI(X, P, ORD, T3, 5, V)
+      END IF
       IF (SGN .EQ. 0 .AND. RULE .GT. 0)
-     $    SGN = RULE*HHTIED(X, P, ORD, T3, V, POSITV)
+     $    SGN = RULE*HHTIED(X, P, ORD, T3, V, RULE/2)
       HHPERT = SGN
       END
 
@@ -1556,13 +1565,8 @@ C     the five are on one sphere.
       INTEGER FUNCTION HHPBAL(X, P, ORD, T3, T5, I, J, K, L, M, RULE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
       INTEGER ORD(*), I, J, K, L, M, RULE
-      INTEGER HHPERT, V(5)
-      V(1) = I
-      V(2) = J
-      V(3) = K
-      V(4) = L
-      V(5) = M
-      HHPBAL = HHPERT(X, P, ORD, T3, T5, V, 0, RULE)
+      INTEGER HHPERT
+      HHPBAL = HHPERT(X, P, ORD, T3, T5, I, J, K, L, M, RULE, 0)
       END
 
 C     HHPBEA - negative if B beats A as the apex of the facet V, both on
@@ -1572,17 +1576,8 @@ C     without a test.
       INTEGER FUNCTION HHPBEA(X, P, ORD, T3, T5, V, A, B, TIE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
       INTEGER ORD(*), V(3), A, B, TIE
-      INTEGER HHPERT, HHTIED, W(5)
-      W(1) = V(1)
-      W(2) = V(2)
-      W(3) = V(3)
-      W(4) = A
-      W(5) = B
-      IF (TIE .EQ. 1) THEN
-        HHPBEA = 2*HHTIED(X, P, ORD, T3, W, 1)
-      ELSE
-        HHPBEA = HHPERT(X, P, ORD, T3, T5, W, 1, 2)
-      END IF
+      INTEGER HHPERT
+      HHPBEA = HHPERT(X, P, ORD, T3, T5, V(1), V(2), V(3), A, B, 2, TIE)
       END
 
 C     HHROWS - the limbs X of the rows p - last of 4 positions V

@@ -1095,7 +1095,7 @@ second_half() {
     standard
     twins tess "point" \
         "TSPDIS|TSLINE|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
-    twins hhpred "held|blank|shift|lesser" "HHKIND"
+    twins hhpred "held|blank|shift|lesser|list" "HHKIND"
     entries
     parity
     halves
