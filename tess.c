@@ -59,11 +59,11 @@
  *         |     +-------+         |  the ball about s
  *         +-----------------------+
  *
- * The table starts with tablesize entries.  makeroom doubles it when three
- * quarters are in use, and cuts it to its quota when it meets the edges.  It is
- * never more than 7/8 full, so find always meets an unused entry.  push does
- * not resize the table; makeroom ensures room for two edges.  If room still
- * falls short, the code is TESS_POOL.
+ * claim says how many entries the table starts with.  makeroom doubles it when
+ * three quarters are in use, and cuts it to its quota when it meets the edges.
+ * It is never more than 7/8 full, so find always meets an unused entry.  push
+ * does not resize the table; makeroom ensures room for two edges.  If room
+ * still falls short, the code is TESS_POOL.
  *
  * An open facet is in one place at a time: in the link if it contains s, the
  * vertex of the star; otherwise in the table, or, if its tetrahedron is not
@@ -82,7 +82,7 @@
  *                leafof span leafsort kdsort boxes
  *   first facet  point preced edgeby firstfacet
  *   pool         outfac facet owner hashkey same find chain erase enter full
- *                cuberoot tablesize quota rehash
+ *                cuberoot quota rehash
  *   lists        disjoint setpoints boxquery leaflist compress starlist
  *   search       dot powererr prunebox narrow refine exactly challenge
  *                consider ballinbox ballinstar ballcoef listball instar
@@ -832,13 +832,6 @@ static tess_int cuberoot(tess_int n)
 
     while ((double)c * (double)c * (double)c < (double)n) c++;
     return c;
-}
-
-/* tablesize - returns how many entries the pool starts with: a little more than
- * what uniform points need, as a small table stays in the cache. */
-static tess_int tablesize(tess_int n)
-{
-    return (tess_int)(9 * cuberoot(n) * cuberoot(n) + 16);
 }
 
 /* quota - returns how many entries the table may have with room for so many
@@ -2385,16 +2378,18 @@ static int intact(mesh *m, tess_int n)
 }
 
 /* claim - mark in head whose stars are asked for: those of the points i with
- * mine[i] != 0, or all if mine is NULL.  Returns an upper bound of their
- * number. */
+ * mine[i] != 0, or all if mine is NULL.  Returns how many entries the pool's
+ * table starts with for so many: a little more than what uniform points need,
+ * as a small table stays in the cache. */
 static tess_int claim(mesh *m, tess_int n, const tess_int *mine)
 {
-    tess_int i, own = mine == NULL ? m->np : 0;
+    tess_int i, c, own = mine == NULL ? m->np : 0;
 
     for (i = 0; i < m->np; i++) m->head[i] = mine == NULL ? NONE : FOREIGN;
     for (i = 0; i < n && mine != NULL; i++)
         if (mine[i] != 0) m->head[m->rep[i]] = NONE, own++;
-    return own;
+    c = cuberoot(own);
+    return (tess_int)(9 * c * c + 16);
 }
 
 /* restore - resume an unfinished result that intact has passed: convert tet to
@@ -2411,7 +2406,7 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
         m->tet[i] = m->head[m->tet[i]];
         m->link[m->tet[i]] = DONE;
     }
-    size = tablesize(claim(m, n, mine));
+    size = claim(m, n, mine);
     for (i = 0; i < 4 * m->ntet; i++)
         if (m->adj[i] == TESS_OPEN) {
             facet(m, i, v);
@@ -2481,7 +2476,7 @@ static int run(mesh *m, tess_int n, const tess_int *mine, tess_int maxtet,
     } else {
         i = claim(m, n, mine);
         if (mine == NULL) code = begin(m, &s);
-        if (code == 0 && !rehash(m, s, tablesize(i))) code = TESS_POOL;
+        if (code == 0 && !rehash(m, s, i)) code = TESS_POOL;
     }
     if (code == 0) code = stars(m, s);
     if (mine != NULL) revive(m);

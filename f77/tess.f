@@ -89,11 +89,12 @@ C             |     |     ( S )     | STR: those of the block that are
 C             |     +-------+       | in the ball about S
 C             +---------------------+
 C
-C     The table starts with TSTABL entries.  TSMKRO doubles it when
-C     three quarters are in use, and cuts it to its quota when it meets
-C     the edges.  It is never more than 7/8 full, so TSFIND always meets
-C     an unused entry.  TSPUSH does not resize the table; TSMKRO ensures
-C     room for two edges.  If room still falls short, the code is FULL.
+C     TSCLAI says how many entries the table starts with.  TSMKRO
+C     doubles it when three quarters are in use, and cuts it to its
+C     quota when it meets the edges.  It is never more than 7/8 full, so
+C     TSFIND always meets an unused entry.  TSPUSH does not resize the
+C     table; TSMKRO ensures room for two edges.  If room still falls
+C     short, the code is FULL.
 C
 C     An open facet is in one place at a time: in the link if it
 C     contains S, the vertex of the star; otherwise in the table, or, if
@@ -119,7 +120,7 @@ C       first facet: preced TSPREC, edgeby TSEDBY, firstfacet TSFIRS
 C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
 C         hashkey TSHASH, same TSSAME, find TSFIND, chain TSCHAI,
 C         erase TSERAS, enter TSENTE, full TSFULL, cuberoot TSCUBE,
-C         tablesize TSTABL, quota TSQUOT, rehash TSREHA
+C         quota TSQUOT, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoints TSSETP, boxquery TSBOXQ,
 C         leaflist TSLFLI, compress TSCMPR, starlist TSSTLI
 C       search: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
@@ -968,14 +969,6 @@ C     TSCUBE - the least C with C**3 >= N.
         GO TO 10
       END IF
       TSCUBE = C
-      END
-
-C     TSTABL - how many entries the pool starts with: a little more than
-C     what uniform points need, as a small table stays in the cache.
-      INTEGER FUNCTION TSTABL(N)
-      INTEGER N
-      INTEGER TSCUBE
-      TSTABL = 9*TSCUBE(N)**2 + 16
       END
 
 C     TSQUOT - how many entries the table may have with room for EDGES
@@ -3159,25 +3152,26 @@ C     the positions of the points.
 
 
 C     TSCLAI - mark in HEAD whose stars are asked for: with MASKED = 1
-C     those of the points I with MINE(I) not 0, else all.  OWN is an
-C     upper bound of their number.
-      SUBROUTINE TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, OWN)
-      INTEGER REP(*), HEAD(*), CTL(*), N, MASKED, MINE(*), OWN
+C     those of the points I with MINE(I) not 0, else all.  START is how
+C     many entries the pool's table starts with for so many: a little
+C     more than what uniform points need, as a small table stays in the
+C     cache.
+      SUBROUTINE TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, START)
+      INTEGER REP(*), HEAD(*), CTL(*), N, MASKED, MINE(*), START
       INTEGER NP, FOREIN
       PARAMETER (NP = 1, FOREIN = -1)
-      INTEGER I
+      INTEGER TSCUBE, I, OWN
       DO 10 I = 1, CTL(NP)
         HEAD(I) = MASKED*FOREIN
    10 CONTINUE
-      OWN = CTL(NP)
-      IF (MASKED .EQ. 0) RETURN
-      OWN = 0
-      DO 20 I = 1, N
+      OWN = CTL(NP)*(1 - MASKED)
+      DO 20 I = 1, N*MASKED
         IF (MINE(I) .NE. 0) THEN
           HEAD(REP(I)) = 0
           OWN = OWN + 1
         END IF
    20 CONTINUE
+      START = 9*TSCUBE(OWN)**2 + 16
       END
 
 C     TSREST - resume an unfinished result that TSINTA has passed:
@@ -3197,14 +3191,14 @@ C     HEAD has the positions of the points at first.
      $    ENTRY
       PARAMETER (NP = 1, NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7,
      $    OPEN = -1, DONE = -1, FOREIN = -1, FULL = 2, ENTRY = 4)
-      INTEGER TSOWNE, TSTABL, CODE, E, I, K, MANY, OK, OWN, T, V(3)
+      INTEGER TSOWNE, CODE, E, I, K, MANY, OK, START, T, V(3)
       DO 20 T = 1, CTL(NT)
         DO 10 K = 1, 4
           TET(K,T) = HEAD(TET(K,T))
           LINK(TET(K,T)) = DONE
    10   CONTINUE
    20 CONTINUE
-      CALL TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, OWN)
+      CALL TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, START)
       MANY = 0
       DO 40 I = 1, 4*CTL(NT)
         IF (ADJ(I) .EQ. OPEN) THEN
@@ -3234,7 +3228,7 @@ C     its two sides removed each other
       INFO = 0
       S = TET(1,CTL(NT))
       IF (HEAD(S) .EQ. FOREIN) S = 0
-      I = MAX(2*MANY, TSTABL(OWN)) + 1
+      I = MAX(2*MANY, START) + 1
       CTL(MPOOL) = 0
       CALL TSGATH(TET, ADJ, LINK, POOL, CTL, S, OK)
       IF (OK .EQ. 1) CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, I, OK)
@@ -3284,7 +3278,7 @@ C     altered.
       PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5,
      $    MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, UNMET = 15,
      $    RREACH = 3, NEW = -2, FULL = 2, BREACH = 2.6D0)
-      INTEGER TSTABL, I, K, OK, OWN, S, T
+      INTEGER I, K, OK, S, START, T
       CTL(ROOM) = LENGTH
       CTL(MAXT) = MAXTET
       CTL(NT) = NTET
@@ -3310,12 +3304,12 @@ C     sets, by a step of Newton's method
         CALL TSREST(TET, ADJ, ALIVE, REP, HEAD, LINK, POOL, CTL, LSX,
      $              LSI, S, N, MASKED, MINE, INFO)
       ELSE
-        CALL TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, OWN)
+        CALL TSCLAI(REP, HEAD, CTL, N, MASKED, MINE, START)
         IF (MASKED .EQ. 0) CALL TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL,
      $      S, INFO)
         OK = 1
         IF (INFO .EQ. 0) CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S,
-     $      TSTABL(OWN), OK)
+     $      START, OK)
         IF (OK .EQ. 0) INFO = FULL
       END IF
       IF (INFO .EQ. 0) CALL TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP,
