@@ -1257,21 +1257,22 @@ static int level(const hh_set *s, const hh_ball *t, tess_int z, int plane,
 }
 
 /* hh_trial - decides signs by a few leading limbs, in a tenth of the time of
- * the exact signs.  If *side is 0, *side becomes the side of the position z for
- * the facet of hh_centre, or UNSURE.  Unless *side is -1, *power becomes the
- * sign of z's power in the ball, -1 if z is inside, or UNSURE; this requires
- * the ball's fourth point on the positive side, as D > 0 then. */
+ * the exact signs.  If *power is 0, *power becomes the sign of the power of the
+ * position z in the ball of hh_centre, -1 if z is inside, or UNSURE; this
+ * requires the ball's fourth point on the positive side, as D > 0 then.  If
+ * *side is 0, *side becomes the side of z for the facet, or UNSURE, unless
+ * *power is 1: a point outside needs none. */
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power)
 {
     double sum[HH_ROWS + 1];
 
-    *power = UNSURE;
-    if (*side == 0)
+    if (*power == 0)
+        *power = level(s, t, z, 0, sum) ? signof(HH_ROWS + 1, CARRY, sum)
+                                        : UNSURE;
+    if (*side == 0 && *power != 1)
         *side = level(s, t, z, 1, sum) ? signof(HH_ROWS + 1, CARRY, sum)
                                        : UNSURE;
-    if (*side >= 0 && level(s, t, z, 0, sum))
-        *power = signof(HH_ROWS + 1, CARRY, sum);
 }
 
 /* hh_unit - makes a ball ready for hh_height.  What that divides by: D, or, if

@@ -1207,11 +1207,13 @@ static void challenge(mesh *m, quest *f, tess_int z)
         if (SEEK(m)) remember(f, z, 1);
         if (f->limbs) {
             COUNT(N_TRIAL, 1);
+            if (unsure) power = 0;
             hh_trial(&m->set, &f->t, z, &sign, &power);
-            HOLDS(sign == UNSURE ||
-                  sign == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
+            HOLDS(power == 1 ? !better(m, f, z)
+                  : sign == UNSURE ||
+                    sign == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
         }
-        if (sign == 0 || sign == UNSURE) {
+        if (power != 1 && (sign == 0 || sign == UNSURE)) {
             COUNT(N_SIDE, 1);
             sign = m->set.t5 < 0.0
                        ? exactly(m, f, z, 0)

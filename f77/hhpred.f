@@ -1778,11 +1778,12 @@ C     less than CARRY units of the last row, for N <= 10.
       END
 
 C     HHTRIA - decides signs by a few leading limbs, in a tenth of the
-C     time of the exact signs, for the ball T.  If SIDE is 0, SIDE
-C     becomes the side of the position Z for the facet of HHCENT, or
-C     UNSURE.  Unless SIDE is -1, POWER becomes the sign of Z's power in
-C     the ball, -1 if Z is inside, or UNSURE; this requires the ball's
-C     fourth point on the positive side, as D > 0 then.
+C     time of the exact signs, for the ball T.  If POWER is 0, POWER
+C     becomes the sign of the power of the position Z in the ball of
+C     HHCENT, -1 if Z is inside, or UNSURE; this requires the ball's
+C     fourth point on the positive side, as D > 0 then.  If SIDE is 0,
+C     SIDE becomes the side of Z for the facet, or UNSURE, unless POWER
+C     is 1: a point outside needs none.
       SUBROUTINE HHTRIA(P, ORD, T, Z, SIDE, POWER)
       DOUBLE PRECISION P(3,*), T(*)
       INTEGER ORD(*), Z, SIDE, POWER
@@ -1791,15 +1792,16 @@ C     fourth point on the positive side, as D > 0 then.
       PARAMETER (UNSURE = 2, CARRY = 2.0D0**29, BROWS = 6)
       DOUBLE PRECISION SUM(BROWS+1)
       INTEGER HHSIGN, OK
-      POWER = UNSURE
-      IF (SIDE .EQ. 0) THEN
+      IF (POWER .EQ. 0) THEN
+        POWER = UNSURE
+        CALL HHLEVE(P, ORD, T, Z, 0, SUM, OK)
+        IF (OK .EQ. 1) POWER = HHSIGN(BROWS + 1, CARRY, SUM)
+      END IF
+      IF (SIDE .EQ. 0 .AND. POWER .NE. 1) THEN
         SIDE = UNSURE
         CALL HHLEVE(P, ORD, T, Z, 1, SUM, OK)
         IF (OK .EQ. 1) SIDE = HHSIGN(BROWS + 1, CARRY, SUM)
       END IF
-      IF (SIDE .LT. 0) RETURN
-      CALL HHLEVE(P, ORD, T, Z, 0, SUM, OK)
-      IF (OK .EQ. 1) POWER = HHSIGN(BROWS + 1, CARRY, SUM)
       END
 
 C     HHUNIT - makes a ball ready for HHHEIG.  What that divides by: D,

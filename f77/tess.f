@@ -1486,9 +1486,11 @@ C     by the other's.
       END IF
       IF (SIDE .EQ. 0 .OR. OPEN .EQ. 1) THEN
         IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
-        IF (IQ(QLIMBS) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLIMB), Z, SGN,
-     $      POWER)
-        IF (SGN .EQ. 0 .OR. SGN .EQ. UNSURE) THEN
+        IF (IQ(QLIMBS) .EQ. 1) THEN
+          IF (OPEN .EQ. 1) POWER = 0
+          CALL HHTRIA(P, ORD, FQ(QLIMB), Z, SGN, POWER)
+        END IF
+        IF (POWER .NE. 1 .AND. (SGN .EQ. 0 .OR. SGN .EQ. UNSURE)) THEN
           IF (RCTL(T5) .LT. 0.0D0) THEN
             CALL TSEXAC(X, P, ORD, CTL, RCTL, V, IQ(QBEST), Z, 0, SGN)
           ELSE

@@ -556,7 +556,7 @@ static void test_balls(int group, long n)
     long faults = 0, made = 0, tried = 0, i;
     double p[5][3], x[15], c[3], at[3], most, size, sum, power, err, w;
     tess_int order[5], v[3];
-    int base, e, j, k, o, s, side, sign, z;
+    int base, e, j, k, o, s, side, sign, alone, none, z;
     char name[80];
     hh_set set;
     hh_ball ball;
@@ -600,14 +600,18 @@ static void test_balls(int group, long n)
         for (z = 0; z < 5; z++) {
             o = ex_orient(P[v[0]], P[v[1]], P[v[2]], P[z]);
             s = ex_insphere(P[0], P[1], P[2], P[3], P[z]);
-            side = 0;
+            side = sign = 0;
             hh_trial(&set, &ball, (tess_int)z, &side, &sign);
             if (z == 4) tried += sign != 2 || side == -1;
-            if ((side != 2 && side != o) || (sign != 2 && sign != -s) ||
-                (sign != 2 && sign == 0))
+            /* without a power, the side in any case, and the same */
+            alone = 0;
+            none = 2;
+            hh_trial(&set, &ball, (tess_int)z, &alone, &none);
+            if ((alone != 2 && alone != o) || (sign != 2 && sign != -s) ||
+                sign == 0 || none != 2 || side != (sign == 1 ? 0 : alone))
                 if (faults++ < 3) {
-                    printf("point %d: side %d, %d; inside %d, %d:\n", z, side,
-                           o, -sign, s);
+                    printf("point %d: side %d, %d, %d; inside %d, %d:\n", z,
+                           side, alone, o, -sign, s);
                     show(5);
                 }
             power = size = 0.0;
