@@ -1691,7 +1691,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
     int j, k, all, same;
 
     m->block.first = m->block.last = NONE;
-    m->block.n = m->around.n = m->nplane = m->ncell = 0;
+    m->nplane = m->block.n = m->around.n = m->ncell = 0;
     for (k = 0; k < 4; k++) v[k] = m->rep[m->known[k]];
     for (k = 0; !exchange(m, NULL, v, k, s); k++)
         ;
