@@ -1691,7 +1691,8 @@ static void settle(mesh *m, tess_int s, tess_int *v)
     int j, k, all, same;
 
     m->block.first = m->block.last = NONE;
-    m->nplane = m->block.n = m->around.n = m->ncell = 0;
+    m->block.n = m->around.n = m->ncell = 0;
+    m->nplane = 0;
     for (k = 0; k < 4; k++) v[k] = m->rep[m->known[k]];
     for (k = 0; !exchange(m, NULL, v, k, s); k++)
         ;
@@ -2173,12 +2174,12 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->alive = m->known + KEEP;
     m->mark = m->alive + 2 * leafcount(n);
     m->link = m->order; /* no star is complete: no entry is DONE */
-    m->nplane = m->tied = m->nsupport = 0;
+    m->tied = m->nsupport = 0;
     m->ncell = m->nsign = m->futile = 0;
     m->enclosed = 0;
     m->burden = m->patience = 0.0;
     m->block.first = m->block.last = NONE;
-    m->np = 0;
+    m->np = m->nplane = 0;
     m->block.n = m->around.n = 0;
 }
 
