@@ -5,9 +5,9 @@
  *                     lesser product volume cofactors insphere leading
  *                     shares region foot weigh limbs centre many exact
  *   the arithmetic    hh_finite precise hh_holds held
- *   exact signs       certain filt3 filt5 filter list pack scale robust hh_orient
- *                     hh_insphere hh_flat hh_line closest hh_foot hh_weigh
- *                     hh_wider hh_range apart corners decide hh_pside
+ *   exact signs       certain filt3 filt5 filter list pack scale robust
+ *                     hh_orient hh_insphere hh_flat hh_line closest hh_foot
+ *                     hh_weigh hh_wider hh_range apart corners decide hh_pside
  *   the tie rule      tied perturb hh_pball hh_pbeat
  *   balls by limbs    rows cut hh_centre level hh_trial hh_unit hh_height
  *                     hh_thin
@@ -1095,9 +1095,9 @@ static int tied(const hh_set *s, const tess_int *v, int positive)
     return sign;
 }
 
-/* perturb - the sign of I for the positions i, j, k, l, m of the set s; where it
- * is 0, or taken to be (tie = 1), rule times that of tied.  rule = 2: l and m
- * are on the positive side of i, j, k. */
+/* perturb - the sign of I for the positions i, j, k, l, m of the set s; where
+ * it is 0, or taken to be (tie = 1), rule times that of tied.  rule = 2: l and
+ * m are on the positive side of i, j, k. */
 static int perturb(const hh_set *s, tess_int i, tess_int j, tess_int k,
                    tess_int l, tess_int m, int rule, int tie)
 {

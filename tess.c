@@ -106,7 +106,7 @@
  *   queries      qside leave inbox
  *   location     closer sample walk hullstep turn nearhull tess_locate
  *                tess_values descend across tess_query
- *   hull, check  tess_hull sortpt marks chkpla chkidx chkfac chktet chkhul
+ *   hull, check  tess_hull marks chkpla chkidx chkfac chktet chkhul
  *                chkcov tess_check
  *   a ball       tess_ball
  */
@@ -3878,11 +3878,15 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* ---- the check ---- */
 
-/* sortpt - sort the points by their coordinates, equal ones by index: merge
- * runs of 1, 2, 4, ... back and forth between the halves of iw, lo ... mid-1
- * and mid ... hi-1; of equal points those of the first run come first.  Returns
- * where in iw the order begins, 0 or n. */
-static tess_int sortpt(tess_int n, const tess_real *p, tess_int *iw)
+#define TWIN (-1)  /* marks of points: a duplicate of one of lower index */
+#define UNUSED 0   /* a point that stands for itself, in no tetrahedron */
+#define USED 1     /* the same, in a tetrahedron */
+
+/* marks - sort the points by their coordinates, equal ones by index, and mark
+ * each TWIN or UNUSED.  Runs of 1, 2, 4, ... are merged back and forth between
+ * the halves of iw, lo ... mid-1 and mid ... hi-1; of equal points those of the
+ * first run come first.  Returns where in iw the marks begin, 0 or n. */
+static tess_int marks(tess_int n, const tess_real *p, tess_int *iw)
 {
     tess_int at = 0, run = 1, lo, mid, hi, i, j, k, *from, *to;
 
@@ -3903,25 +3907,13 @@ static tess_int sortpt(tess_int n, const tess_real *p, tess_int *iw)
         }
         run = run < n - run ? 2 * run : n;
     }
-    return at;
-}
-
-#define TWIN (-1)  /* marks of points: a duplicate of one of lower index */
-#define UNUSED 0   /* a point that stands for itself, in no tetrahedron */
-#define USED 1     /* the same, in a tetrahedron */
-
-/* marks - sort the points and mark each TWIN or UNUSED.  Returns where in
- * iw the marks begin. */
-static tess_int marks(tess_int n, const tess_real *p, tess_int *iw)
-{
-    tess_int at = sortpt(n, p, iw), mark = n - at, i;
-
+    from = iw + at;
+    to = iw + (n - at);
     for (i = 0; i < n; i++)
-        iw[mark + iw[at + i]] =
-            i == 0 || preced(p + 3 * iw[at + i - 1], p + 3 * iw[at + i])
-                ? UNUSED
-                : TWIN;
-    return mark;
+        to[from[i]] = i == 0 || preced(p + 3 * from[i - 1], p + 3 * from[i])
+                          ? UNUSED
+                          : TWIN;
+    return n - at;
 }
 
 /* chkpla - check that all points are in one plane: that of point 0, of b, a

@@ -160,7 +160,7 @@ C       location: closer TSCLOS, sample TSSAMP, walk TSWALK,
 C         hullstep TSHULL, turn TSTURN, nearhull TSNEAH,
 C         tess_locate TESSLO, tess_values TESSVA, descend TSDESC,
 C         across TSACRO, tess_query TESSQU
-C       hull, check: tess_hull TESSHU, sortpt TSSORP, marks TSMARK,
+C       hull, check: tess_hull TESSHU, marks TSMARK,
 C         chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF, chktet TSCHKT,
 C         chkhul TSCHKH, chkcov TSCHKC, tess_check TESSCH
 C       a ball: tess_ball TESSBA
@@ -5569,15 +5569,17 @@ C       UNUSED  a point that stands for itself, in no tetrahedron
 C       USED    the same, in a tetrahedron
 C     ------------------------------------------------------------------
 
-C     TSSORP - sort the points by their coordinates, equal ones by
-C     index: merge runs of 1, 2, 4, ... back and forth between the
-C     halves of IW, places LO+1 ... MID and MID+1 ... HI; of equal
-C     points those of the first run come first.  The order begins behind
-C     IW(AT); AT is 0 or N.
-      SUBROUTINE TSSORP(N, P, IW, AT)
-      INTEGER N, IW(*), AT
+C     TSMARK - sort the points by their coordinates, equal ones by
+C     index, and mark each TWIN or UNUSED.  Runs of 1, 2, 4, ... are
+C     merged back and forth between the halves of IW, places LO+1 ...
+C     MID and MID+1 ... HI; of equal points those of the first run come
+C     first.  The marks begin behind IW(MARK); MARK is 0 or N.
+      SUBROUTINE TSMARK(N, P, IW, MARK)
+      INTEGER N, IW(*), MARK
       DOUBLE PRECISION P(3,*)
-      INTEGER TSPREC, FROM, HI, I, J, K, LO, MID, RUN, SECOND
+      INTEGER TWIN, UNUSED
+      PARAMETER (TWIN = -1, UNUSED = 0)
+      INTEGER TSPREC, AT, FROM, HI, I, J, K, LO, MID, RUN, SECOND
       AT = 0
       DO 10 I = 1, N
         IW(I) = I
@@ -5620,25 +5622,14 @@ C     IW(AT); AT is 0 or N.
         END IF
         GO TO 20
       END IF
-      END
-
-C     TSMARK - sort the points and mark each TWIN or UNUSED.  The marks
-C     begin behind IW(MARK).
-      SUBROUTINE TSMARK(N, P, IW, MARK)
-      INTEGER N, IW(*), MARK
-      DOUBLE PRECISION P(3,*)
-      INTEGER TWIN, UNUSED
-      PARAMETER (TWIN = -1, UNUSED = 0)
-      INTEGER TSPREC, AT, I
-      CALL TSSORP(N, P, IW, AT)
       MARK = N - AT
-      DO 10 I = 1, N
+      DO 50 I = 1, N
         IW(MARK+IW(AT+I)) = UNUSED
         IF (I .GT. 1) THEN
           IF (TSPREC(P, IW(AT+I-1), IW(AT+I)) .EQ. 0)
      $      IW(MARK+IW(AT+I)) = TWIN
         END IF
-   10 CONTINUE
+   50 CONTINUE
       END
 
 C     TSCHKP - check that all points are in one plane: that of point 1,
