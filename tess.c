@@ -2549,9 +2549,9 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
     return run(&m, n, NULL, maxtet, ntet, tet, adj);
 }
 
-/* tess_index - the supports are those that the stars of points of all regions
- * find (the multiples of the golden ratio are spread evenly); nothing else is
- * kept of these. */
+/* tess_index - the supports are those that the stars of a corner of the hull
+ * and of points of all regions find (the multiples of the golden ratio are
+ * spread evenly); nothing else is kept of these. */
 int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                tess_int lrw, double *rw)
 {
@@ -2592,6 +2592,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
             part = 0.618 * k;
             part -= (double)(int)part;
             mine[m.order[(tess_int)(part * (double)m.np)]] = 1;
+            mine[m.known[0]] = 1;
             if (k % 8 != 0) continue;
             i = 0;
             m.patience = m.nsupport < SUPPORTS ? KEEN : 0.0;

@@ -3623,9 +3623,9 @@ C     near planes and spheres.
       END
 
 C     TSINDE - TESSIX with its workspace cut up as TSWORK's.  The
-C     supports are those that the stars of points of all regions find
-C     (the multiples of the golden ratio are spread evenly); nothing
-C     else is kept of these.
+C     supports are those that the stars of a corner of the hull and of
+C     points of all regions find (the multiples of the golden ratio are
+C     spread evenly); nothing else is kept of these.
       SUBROUTINE TSINDE(N, P, LVS, X, HEADER, BOX, REP, ORD, KNOWN,
      $                  COUNT, ALIVE, LIW, LEFT, COUNTS, ROOMY, WHOLE,
      $                  INFO)
@@ -3685,6 +3685,7 @@ C       point it has in REP
           PART = 0.618D0*DBLE(K)
           PART = PART - DBLE(INT(PART))
           COUNTS(MINE+ORD(INT(PART*DBLE(CTL(NP)))+1)) = 1
+          COUNTS(MINE+KNOWN(1)) = 1
           IF (MOD(K, 8) .NE. 0) GO TO 50
           MANY = 0
           RCTL(RPATIE) = 0.0D0
