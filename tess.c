@@ -1168,6 +1168,7 @@ static int exactly(mesh *m, const quest *f, tess_int z, int beat)
     while (m->nsign < SIGNS) m->signs[m->nsign++][0] = NONE;
     for (i = 0; i < 5; i++) {
         y = i < 3 ? f->v[i] : i == 3 ? z : beat ? f->best : m->np;
+        /* cppcheck-suppress uninitvar ; those before the i-th are set */
         for (k = i; k > 0 && w[k - 1] > y; k--, sign = -sign) w[k] = w[k - 1];
         w[k] = y;
         at += (int)(y % SIGNS);
@@ -1464,8 +1465,8 @@ static void scanleaf(mesh *m, quest *f, tess_int leaf)
     for (; n % GROUP != 0; n++) power[n] = DBL_MAX;
     for (i = 0; i < n; i += GROUP) {
         least = DBL_MAX;
-        /* cppcheck-suppress uninitvar ; all n are set */
         for (k = i; k < i + GROUP; k++)
+            /* cppcheck-suppress uninitvar ; all n are set */
             least = least < power[k] ? least : power[k];
         if (least > most) continue;
         for (k = i; k < i + GROUP; k++)
