@@ -5940,7 +5940,7 @@ C     it: less than 32 eps LENGTH.
       PARAMETER (RANGE = 6, EPS = 2.0D0**(-52),
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023, PAD = 64.0D0*EPS,
      $    NORMAL = 2.0D0**(-1022), EMAX = 1024)
-      DOUBLE PRECISION HHLDEX, LENGTH, MOST, R, T(83), X(3)
+      DOUBLE PRECISION HHLDEX, LENGTH, MOST, R, T(87), X(3)
       INTEGER HHFINI, HHFREX, HHHOLD, E, F(3), I, K, OK
       C(4) = HUGE
       MOST = 0.0D0
