@@ -31,12 +31,12 @@
  *         order  n           position -> index
  *         known  KEEP        see seal
  *         alive  2 L         leaf: uncompleted points; other nodes: children
- *                            alive; place 0 unused
+ *                            alive; place 0, in an index: how many supports
+ *         mark               for supports, if liw is what tess_size gives
  *         head   n           position -> first entry that it owns, NONE, or
  *                            FOREIGN; at first, in intact, index -> position
  *         link   n           position -> first edge from it, NONE, NEW or DONE
  *         pool   room        see below
- *         mark               for supports, if liw is what tess_size gives
  *   rw    x      3 n         scaled coordinates by position
  *         box    12 L        of each node; place 0 is the header, see seal
  *         cylinder           if lrw is what tess_size gives
@@ -203,9 +203,8 @@
 /* Integers in an entry of the pool, and in an edge of the link. */
 #define ENTRY 4
 #define EDGE 6
-/* KEEP: what an index keeps in iw besides places, order and tree, and an
- * integer to spare for Fortran's MARK.  LEAST: that, and the minimum for pool
- * and edges. */
+/* KEEP: what an index keeps in iw besides places, order, tree and marks.  LEAST:
+ * that, and the minimum for pool and edges. */
 #define KEEP 5
 #define LEAST 512
 /* A facet with a greater E is set up by limbs. */
