@@ -203,7 +203,7 @@
 /* Integers in an entry of the pool, and in an edge of the link. */
 #define ENTRY 4
 #define EDGE 6
-/* KEEP: what an index keeps in iw besides places, order, tree and marks.  LEAST:
+/* KEEP: what an index keeps in iw but places, order, tree and marks.  LEAST:
  * that, and the minimum for pool and edges. */
 #define KEEP 5
 #define LEAST 512
@@ -2846,7 +2846,7 @@ static int discover(mesh *m, quest *f)
     support *s = place(m, m->nsupport);
     tess_int node, i, last, mark, old, least, members = 0, all = 0;
     double h, err, fine, c, hs[3], errs[3];
-    int above, across;
+    int above, across, held = 0;
 
     if (m->nsupport == 0)
         for (i = 0; i < m->np; i++) m->mark[i] = 0;
@@ -2855,10 +2855,18 @@ static int discover(mesh *m, quest *f)
     f->opened = 0;
     for (i = 0; i < m->np; i = (tess_int)(i + m->np / 1024 + 1))
         if (m->link[i] != DONE &&
-            fabs(rough(m, s, i, &err)) <= err - 2.0 * s->low)
+            fabs(rough(m, s, i, &err)) <= err - 2.0 * s->low) {
             remember(f, i, 1);
+            old = m->mark[i] - 1;
+            held += old >= 0 &&
+                    m->supports[old % SUPPORTS].grain <= FINER * s->grain;
+        }
     if (f->opened > OPENED && !fit(m, f, s)) return 0;
     across = f->on == NONE && onsupport(m, f, m->nsupport, hs, errs);
+    /* all marks would stay; heights of all points, for nothing, would be most
+     * of a globe's index */
+    if (f->opened > OPENED && held == f->opened && !(across && held >= 64))
+        return 0;
     for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
         if (node < m->leaves) {
             i = s->least[2 * node];

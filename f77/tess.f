@@ -4047,8 +4047,8 @@ C     KEPT is 1 if it is kept, or 0.
      $    SGRAIN = 96, QBASE = 4, QON = 6, QOPEND = 10, DONE = -1,
      $    SUPPS = 8, OPENED = 24, GRAINS = 134217728, FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, ERRS(3), FINE, GRAIN, H, HS(3), LOW
-      INTEGER TSCUBE, TSCURV, TSPLAC, ACROSS, ALL, AT, FIRST, I, J, K,
-     $    LAST, LEAST, NEAR, NODE, OK, OLD, OVER, PLANE, Z
+      INTEGER TSCUBE, TSCURV, TSPLAC, ACROSS, ALL, AT, FIRST, HELD, I,
+     $    J, K, LAST, LEAST, NEAR, NODE, OK, OLD, OVER, PLANE, Z
       KEPT = 0
       J = CTL(NSUPP) + 1
       IF (J .EQ. 1) THEN
@@ -4061,12 +4061,17 @@ C     KEPT is 1 if it is kept, or 0.
       IF (OK .EQ. 0) RETURN
 C     sample all that is near: the search's points may be from a corner
       IQ(QOPEND) = 0
+      HELD = 0
       LOW = SUP(SLOW,J)
+      GRAIN = SUP(SGRAIN,J)
       DO 15 I = 1, CTL(NP), CTL(NP)/1024 + 1
         Z = I
         CALL TSROUG(X, SUP(1,J), Z, H, ERR)
-        IF (LINK(I) .NE. DONE .AND. ABS(H) .LE. ERR - 2.0D0*LOW)
-     $      CALL TSREME(IQ, Z, 1)
+        IF (LINK(I) .EQ. DONE .OR. ABS(H) .GT. ERR - 2.0D0*LOW) GO TO 15
+        CALL TSREME(IQ, Z, 1)
+        IF (MARK(I) .EQ. 0) GO TO 15
+        OLD = MOD(MARK(I) - 1, SUPPS) + 1
+        IF (SUP(SGRAIN,OLD) .LE. FINER*GRAIN) HELD = HELD + 1
    15 CONTINUE
       IF (IQ(QOPEND) .GT. OPENED) THEN
         CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
@@ -4075,6 +4080,10 @@ C     sample all that is near: the search's points may be from a corner
       ACROSS = 0
       IF (IQ(QON) .EQ. 0) CALL TSONSU(X, P, ORD, MARK, SUP, V,
      $    IQ(QBASE), J, HS, ERRS, ACROSS)
+C     all marks would stay; heights of all points, for nothing, would be
+C     most of a globe's index
+      IF (IQ(QOPEND) .GT. OPENED .AND. HELD .EQ. IQ(QOPEND) .AND.
+     $    (ACROSS .EQ. 0 .OR. HELD .LT. 64)) RETURN
       PLANE = 1 - TSCURV(SUP, J)
       LOW = SUP(SLOW,J)
       GRAIN = SUP(SGRAIN,J)
