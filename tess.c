@@ -32,7 +32,8 @@
  *         known  KEEP        see seal
  *         alive  2 L         leaf: uncompleted points; other nodes: children
  *                            alive; place 0, in an index: how many supports
- *         mark               for supports, if liw is what tess_size gives
+ *         mark               for supports, if liw is what tess_size gives: see
+ *                            place and digest
  *         head   n           position -> first entry that it owns, NONE, or
  *                            FOREIGN; at first, in intact, index -> position
  *         link   n           position -> first edge from it, NONE, NEW or DONE
@@ -1042,7 +1043,7 @@ static int marked(const mesh *m, int j, tess_int z, double *h);
 static int curved(const mesh *m, const quest *f);
 static void remember(quest *f, tess_int z, int open);
 static int discover(mesh *m, quest *f);
-static double digest(const mesh *m);
+static int digest(const mesh *m, tess_int n);
 static void recall(mesh *m);
 static void supportof(const mesh *m, quest *f);
 static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
@@ -2152,9 +2153,10 @@ static int lengths(tess_int n, sizes *w)
     w->marks = w->cylinders = 0;
     if (TESS_LIST < 128 || n < ENOUGH) return 1;
     left -= w->pool;
-    w->pool -= SUPPORTS * (RECORD - 1);
+    w->pool -= SUPPORTS * (RECORD - 1) + 2;
     if (2 * SUPPORTS * leafcount(n) < left - n)
-        w->marks = (tess_int)(n + SUPPORTS * (2 * leafcount(n) + RECORD - 1));
+        w->marks = (tess_int)(n + SUPPORTS * (2 * leafcount(n) + RECORD - 1) +
+                              2);
     if (32 * (leafcount(n) / 3) < TESS_INT_MOST - w->rw)
         w->cylinders = 32 * (leafcount(n) / 3);
     return 1;
@@ -2322,8 +2324,8 @@ static void seal(mesh *m, int code)
     header[2] = m->set.t5;
     header[3] = m->set.e;
     header[4] = m->least;
+    header[5] = m->enclosed;
     m->alive[0] = (tess_int)m->nsupport;
-    header[5] = m->enclosed ? digest(m) : -digest(m);
 }
 
 /* opened - open an index for reading only.  Returns 0, the code of points
@@ -2442,7 +2444,8 @@ static void allot(mesh *m, tess_int n, tess_int liw)
     (void)lengths(n, &w);
     /* doubles decide everything if points are in few units */
     if (m->patience == 0.0 && m->nsupport < SUPPORTS && m->set.t5 < PLAIN &&
-        w.marks > 0 && liw - w.iw - w.pool >= w.marks)
+        w.marks > 0 &&
+        (m->nsupport > 0 || liw - w.iw - w.pool >= w.marks))
         m->patience = BURDEN;
     if (m->nsupport == 0 && m->patience == 0.0) w.marks = 0;
     m->head = m->mark + w.marks;
@@ -2602,6 +2605,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
         }
     }
     seal(&m, code);
+    if (code == 0) (void)digest(&m, n);
     return code;
 }
 
@@ -2619,12 +2623,14 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
         /* what the index has of these, if it is still there */
         (void)lengths(n, &w);
         m.enclosed = m.enclosed && lrw - w.rw >= w.cylinders;
-        if (liw - w.iw >= w.marks && digest(&m) == fabs(m.box[5])) recall(&m);
+        if (liw - w.iw >= w.marks && digest(&m, n)) recall(&m);
         m.alive[0] = (tess_int)m.nsupport;
         allot(&m, n, liw);
         code = run(&m, n, mine, maxtet, ntet, tet, adj);
-        /* marks of supports that no index knows */
-        if (m.nsupport > m.alive[0]) m.alive[0] = 0;
+        if (m.nsupport > m.alive[0]) {
+            m.alive[0] = (tess_int)m.nsupport;
+            (void)digest(&m, n);
+        }
     }
     return code < -1 ? code - 1 : code;
 }
@@ -2912,20 +2918,28 @@ static int discover(mesh *m, quest *f)
     return 1;
 }
 
-/* digest - a number that tells, but for chance, whether the marks behind an
- * index are its own: a copy may end before them. */
-static double digest(const mesh *m)
+/* digest - puts behind the marks of an index two numbers that tell, but for
+ * chance, whether these are its own: a copy may end before them.  Returns 1 if
+ * it finds them there. */
+static int digest(const mesh *m, tess_int n)
 {
-    tess_int i, many = m->alive[0];
+    tess_int many = m->np, *d, i;
     long a = 1, b = 0;
+    sizes w;
+    int own;
 
-    if (many > 0)
-        many = (tess_int)(m->np + many * (2 * m->leaves + RECORD - 1));
+    if (m->alive[0] == 0) return 0;
+    many = (tess_int)(many + m->alive[0] * (2 * m->leaves + RECORD - 1));
     for (i = 0; i < many; i++) {
         a = (a + m->mark[i] % 32749) % 32749;
         b = (b + a) % 32749;
     }
-    return 32749.0 * (double)b + (double)a;
+    (void)lengths(n, &w);
+    d = m->mark + w.marks - 2;
+    own = d[0] == a && d[1] == b;
+    d[0] = (tess_int)a;
+    d[1] = (tess_int)b;
+    return own;
 }
 
 /* recall - sets up the supports that an index has. */

@@ -328,7 +328,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  *                     4*n + 32 places, and workspace behind it.  Copied without
  *                     its planes and spheres, 2*n + n/12 + 7 places, or in a
  *                     short iw, a part seeks its own, if there is room.  On
- *                     return iw is an index again, but may have lost them
+ *                     return iw is an index again, with those the part knew
  *   lrw     (in)      length of rw
  *   rw      (in)      the rest of the index.  Threads may share it, each with
  *                     an iw of its own

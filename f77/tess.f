@@ -59,7 +59,8 @@ C            KNOWN  5        see TSSEAL: KNOWN and COUNT
 C            ALIVE  2 L - 1  leaf: uncompleted points; other nodes:
 C                            children alive
 C            COUNTS 1        in an index how many supports there are
-C            MARK            for supports, if LIW is what TESSWK gives
+C            MARK            for supports, if LIW is what TESSWK gives:
+C                            see TSPLAC and TSDIGE
 C            HEAD   N        position -> first entry that it owns, 0, or
 C                            FOREIN; at first, in TSINTA, point ->
 C                            position
@@ -2841,8 +2842,8 @@ C     2 TSLCOU(N) < N/12 + 2
       OK = 1
       IF (N .LT. ENOUGH) RETURN
       LEFT = LEFT - POOL
-      POOL = POOL - 6*SUPPS
-      IF (2*SUPPS*LVS .LT. LEFT - N) MARKS = N + SUPPS*(2*LVS + 6)
+      POOL = POOL - 6*SUPPS - 2
+      IF (2*SUPPS*LVS .LT. LEFT - N) MARKS = N + SUPPS*(2*LVS + 6) + 2
       IF (32*(LVS/3) .LT. INTMAX - LRW) CYLS = 32*(LVS/3)
       END
 
@@ -3053,7 +3054,6 @@ C     behind it.
       INTEGER NP, ENCLOS, SCALE, NSUPP, T3, T5, RLEAST
       PARAMETER (NP = 1, ENCLOS = 16, SCALE = 19, NSUPP = 20, T3 = 1,
      $    T5 = 2, RLEAST = 6)
-      DOUBLE PRECISION TSDIGE
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
       HEADER(1) = DBLE(CTL(NP))
@@ -3062,9 +3062,8 @@ C     behind it.
       HEADER(3) = RCTL(T5)
       HEADER(4) = DBLE(CTL(SCALE))
       HEADER(5) = RCTL(RLEAST)
+      HEADER(6) = DBLE(CTL(ENCLOS))
       COUNTS(1) = CTL(NSUPP)
-      HEADER(6) = -TSDIGE(COUNTS, CTL)
-      IF (CTL(ENCLOS) .EQ. 1) HEADER(6) = -HEADER(6)
       END
 
 C     TSOPEN - open an index for reading only.  INFO is 0, the code of
@@ -3252,7 +3251,8 @@ C     points, and the pool, of LENGTH.
 C     doubles decide everything if points are in few units
       IF (RCTL(RPATIE) .LE. 0.0D0 .AND. CTL(NSUPP) .LT. SUPPS .AND.
      $    RCTL(T5) .LT. PLAIN .AND. SPACE .GT. 0 .AND.
-     $    LIW - LIWMIN - POOL .GE. SPACE) RCTL(RPATIE) = BURDEN
+     $    (CTL(NSUPP) .GT. 0 .OR. LIW - LIWMIN - POOL .GE. SPACE))
+     $    RCTL(RPATIE) = BURDEN
       IF (CTL(NSUPP) .EQ. 0 .AND. RCTL(RPATIE) .LE. 0.0D0) SPACE = 0
       LENGTH = LIW - 4*N - 2*TSLCOU(N) - 5 - SPACE
       END
@@ -3532,9 +3532,9 @@ C     element of RW or IW, and the standard lets them be altered.
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSLIST, ENCLOS, NSUPP, SUPPS
       PARAMETER (TSLIST = 512, ENCLOS = 16, NSUPP = 20, SUPPS = 8)
-      DOUBLE PRECISION TSDIGE, LSD(14,2), RCTL(6), SUP(96,SUPPS)
+      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(853), K, KEPT, LENGTH, LSI(3,2), LSID(TSLIST+48,2),
+      INTEGER CTL(853), K, LENGTH, LSI(3,2), LSID(TSLIST+48,2), OWN,
      $    SPACE
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,
@@ -3548,13 +3548,11 @@ C     element of RW or IW, and the standard lets them be altered.
       IF (MASKED .EQ. 1) THEN
 C       what the index has of these, if it is still there
         IF (ROOMY .EQ. 0) CTL(ENCLOS) = 0
-        IF (WHOLE .EQ. 1) THEN
-          IF (ABS(TSDIGE(COUNTS, CTL) - ABS(HEADER(6))) .LE. 0.0D0)
-     $        CALL TSRECA(X, P, ORD, COUNTS, CTL, SUP)
-        END IF
+        OWN = 0
+        IF (WHOLE .EQ. 1) CALL TSDIGE(N, COUNTS, CTL, OWN)
+        IF (OWN .EQ. 1) CALL TSRECA(X, P, ORD, COUNTS, CTL, SUP)
         COUNTS(1) = CTL(NSUPP)
       END IF
-      KEPT = CTL(NSUPP)
       CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
 C     without marks MARK is COUNTS(1), which is left alone
       K = SPACE + 2
@@ -3562,8 +3560,9 @@ C     without marks MARK is COUNTS(1), which is left alone
      $           COUNTS(K), COUNTS(K+N), LENGTH, COUNTS(K+2*N),
      $           MAX(SPACE, 1), COUNTS(MIN(K,3)-1), CTL, RCTL, SUP, LSX,
      $           LSID, LSI, LSD, MASKED, MINE, MAXTET, NTET, INFO)
-C     marks of supports that no index knows
-      IF (MASKED .EQ. 1 .AND. CTL(NSUPP) .GT. KEPT) COUNTS(1) = 0
+      IF (MASKED .EQ. 0 .OR. CTL(NSUPP) .EQ. COUNTS(1)) RETURN
+      COUNTS(1) = CTL(NSUPP)
+      CALL TSDIGE(N, COUNTS, CTL, OWN)
       END
 
 C     TESSIX - sort the points, for stars and queries without a mesh.
@@ -3641,8 +3640,8 @@ C     spread evenly); nothing else is kept of these.
       DOUBLE PRECISION LSD(14,2), PART, RCTL(6), SUP(96,SUPPS)
       REAL LSX(TSLIST,4,2)
       INTEGER ADJ(4*STARS), CODE, CTL(853), GUESS(2), I, K, LENGTH,
-     $    LSI(3,2), LSID(TSLIST+48,2), MANY, MINE, SPACE, TET(4,STARS),
-     $    V(3), Z
+     $    LSI(3,2), LSID(TSLIST+48,2), MANY, MINE, OWN, SPACE,
+     $    TET(4,STARS), V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, ROOMY,
      $            INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
@@ -3700,6 +3699,7 @@ C       point it has in REP
    50   CONTINUE
       END IF
    60 CALL TSSEAL(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, INFO)
+      IF (INFO .EQ. 0) CALL TSDIGE(N, COUNTS, CTL, OWN)
       END
 
 C     TESSPA - all tetrahedra of the mesh that have one of certain
@@ -3722,8 +3722,8 @@ C                         first 4*N + 32 places, and workspace behind
 C                         it.  Copied without its planes and spheres,
 C                         2*N + N/12 + 7 places, or in a short IW, a
 C                         part seeks its own, if there is room.  On
-C                         return IW is an index again, but may have lost
-C                         them
+C                         return IW is an index again, with those the
+C                         part knew
 C       LRW     (in)      length of RW
 C       RW      (in)      the rest of the index.  Threads may share it,
 C                         each with an IW of its own
@@ -4142,20 +4142,24 @@ C     most of a globe's index
       IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
       END
 
-C     TSDIGE - a number that tells, but for chance, whether the marks
-C     behind an index are its own: a copy may end before them.
-      DOUBLE PRECISION FUNCTION TSDIGE(COUNTS, CTL)
-      INTEGER COUNTS(*), CTL(*)
-      INTEGER TSPLAC, A, B, I, MANY
-      MANY = 0
-      IF (COUNTS(1) .GT. 0) MANY = TSPLAC(CTL, COUNTS(1) + 1)
+C     TSDIGE - puts behind the marks of an index two numbers that tell,
+C     but for chance, whether these are its own: a copy may end before
+C     them.  OWN is 1 if it finds them there, or 0.
+      SUBROUTINE TSDIGE(N, COUNTS, CTL, OWN)
+      INTEGER N, COUNTS(*), CTL(*), OWN
+      INTEGER TSPLAC, A, B, CYLS, I, LIWMIN, LRWMIN, MARKS, OK, POOL
+      OWN = 0
+      IF (COUNTS(1) .EQ. 0) RETURN
       A = 1
       B = 0
-      DO 10 I = 1, MANY
+      DO 10 I = 1, TSPLAC(CTL, COUNTS(1) + 1)
         A = MOD(A + MOD(COUNTS(1+I), 32749), 32749)
         B = MOD(B + A, 32749)
    10 CONTINUE
-      TSDIGE = 32749.0D0*DBLE(B) + DBLE(A)
+      CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
+      IF (COUNTS(MARKS) .EQ. A .AND. COUNTS(MARKS+1) .EQ. B) OWN = 1
+      COUNTS(MARKS) = A
+      COUNTS(MARKS+1) = B
       END
 
 C     TSRECA - sets up the supports that an index has.
