@@ -1,10 +1,11 @@
-/* parts.c - parts FAMILY N [REPEATS]: what a mesh in parts costs, joined by
- * test/examples/join.c.
+/* parts.c - parts FAMILY N [REPEATS [PARTS]]: what a mesh in parts costs, joined
+ * by test/examples/join.c.
  *
  *   cc -O3 -I. -DTHREADS -o parts test/bench/parts.c test/points.c tess.c
  *       hhpred.c -lm -lpthread
  *
- * Prints a line for each number of parts, ranges of the order of tess_index:
+ * Prints a line for each number of parts, ranges of the order of tess_index (1,
+ * 2, 8, 32, 128, and as many as there are processors; or 2 and PARTS):
  *   parts FAMILY n parts tetrahedra time clock how index join
  * tetrahedra: those of all parts over those of the mesh; time: all that is done
  * one after another, over tess; clock: with a thread for each part over tess,
@@ -71,20 +72,25 @@ static long processors(void)
 #endif
 }
 
-/* A part with workspace as join.c says. */
-static void make(part *r, long number, long parts)
+/* A part with workspace as join.c says, and room for the whole mesh; all of it
+ * has been written to, as tess's has. */
+static void make(part *r, long number, long parts, tess_int mesh)
 {
     tess_int m = n / (tess_int)parts + 1;
 
     r->number = (tess_int)number;
     r->parts = (tess_int)parts;
     r->liw = 6 * n + 600 + (tess_int)TESS_LIW(m);
-    r->most = 10 * m + 1000;
+    r->most = mesh;
     r->mine = ints(n);
     r->iw = ints(r->liw);
     r->tet = ints(4.0 * r->most);
     r->adj = ints(4.0 * r->most);
     r->becomes = ints(r->most);
+    memset(r->iw, 0, (size_t)r->liw * sizeof *r->iw);
+    memset(r->tet, 0, 4 * (size_t)r->most * sizeof *r->tet);
+    memset(r->adj, 0, 4 * (size_t)r->most * sizeof *r->adj);
+    memset(r->becomes, 0, (size_t)r->most * sizeof *r->becomes);
 }
 
 static void drop(part *r)
@@ -142,9 +148,7 @@ static pieces serial(long parts, tess_int mesh)
     tess_int ntet = 0;
     long i;
 
-    make(&r, 0, parts);
-    memset(r.tet, 0, 4 * (size_t)r.most * sizeof *r.tet);
-    memset(r.adj, 0, 4 * (size_t)r.most * sizeof *r.adj);
+    make(&r, 0, parts, mesh);
     t = now();
     need(tess_index(n, p, liw, iw, lrw, rw) == 0, "tess_index fails");
     s.all = s.index = later(&t);
@@ -181,7 +185,7 @@ static double parallel(long parts, tess_int mesh)
 
     work[0] = compute;
     work[1] = copy;
-    for (i = 0; i < parts; i++) make(r + i, i, parts);
+    for (i = 0; i < parts; i++) make(r + i, i, parts, mesh);
     start = now();
     need(tess_index(n, p, liw, iw, lrw, rw) == 0, "tess_index fails");
     for (k = 0; k < 2; k++) {
@@ -221,12 +225,12 @@ int main(int argc, char **argv)
     int i, code;
 
     if (asked < 4) {
-        fprintf(stderr, "usage: parts FAMILY N [REPEATS]\n");
+        fprintf(stderr, "usage: parts FAMILY N [REPEATS [PARTS]]\n");
         return 2;
     }
     p = (double *)take(3 * (double)asked, sizeof *p);
     n = (tess_int)points_make(argv[1], asked, 1, p);
-    maxtet = 8 * n + 64;
+    maxtet = 32 * n + 64;
     if (n == 0 || tess_size(n, maxtet, &liw, &lrw) != 0) return 2;
     rw = (double *)take((double)lrw, sizeof *rw);
     iw = ints(liw);
@@ -236,6 +240,11 @@ int main(int argc, char **argv)
     /* that many, too, if it is none of those */
     parts[5] = processors();
     for (i = 0; i < 5; i++) if (parts[i] == processors()) parts[5] = 0;
+    if (argc > 4) {
+        parts[0] = 2;
+        parts[1] = atol(argv[4]);
+        parts[2] = 0;
+    }
     for (round = 0; round < repeats; round++) {
         t = now();
         code = tess(n, p, maxtet, &mesh, tet, adj, liw, iw, lrw, rw);
