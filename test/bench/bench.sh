@@ -454,13 +454,19 @@ echo "less: index and join"
 echo
 echo "| points | n | parts | tetrahedra | time | by the clock | | index | join |"
 echo "| --- | ---: | ---: | ---: | ---: | ---: | --- | ---: | ---: |"
-for size in $sizes; do
-    [ "$size" = 10000 ] && continue
-    build/bench_parts uniform "$size" "$REPEATS" | awk '{
+row() {
+    build/bench_parts "$@" | awk '{
         $1 = "|"
         for (i = 2; i <= NF; i++) $i = $i " |"
         print
     }'
+}
+for size in $sizes; do
+    [ "$size" = 10000 ] && continue
+    row uniform "$size" "$REPEATS"
+    for family in gridrot ellipsoid terrain globe rotcube; do
+        row $family $((size / 5)) "$REPEATS" 8
+    done
 done
 touch build/bench_whole
 ) >build/bench.md || exit 1
