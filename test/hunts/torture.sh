@@ -232,6 +232,7 @@ if [ -z "$CHECK" ]; then
     fi
     LINK=$CC
     if command -v f2c > /dev/null; then
+        LIBS="-lf2c -lm"
         f "f2c" viaf2c
     else
         skip "f2c"
