@@ -1198,6 +1198,63 @@ static long layers(long n, unsigned long *state, double *p)
     return m;
 }
 
+/* k circles of k points one above the other, of different radii. */
+static long rings(long n, unsigned long *state, double *p)
+{
+    double a, r;
+    long i, k = root(n, 2);
+
+    (void)state;
+    for (i = 0; i < k * k; i++) {
+        a = 2 * PI * (double)(i % k) / (double)k;
+        r = 1 + product(0.3, sin((double)(i / k)));
+        put(p + 3 * i, product(r, cos(a)), product(r, sin(a)),
+            6 * (double)(i / k) / (double)k);
+    }
+    turn(k * k, p);
+    return k * k;
+}
+
+/* A circle and one point above its centre. */
+static long hub(long n, unsigned long *state, double *p)
+{
+    double a;
+    long i;
+
+    (void)state;
+    for (i = 0; i < n - 1; i++) {
+        a = 2 * PI * (double)i / (double)(n - 1);
+        put(p + 3 * i, cos(a), sin(a), 0.0);
+    }
+    put(p + 3 * i, 0.0, 0.0, 1.0);
+    return n;
+}
+
+static long hubrot(long n, unsigned long *state, double *p)
+{
+    hub(n, state, p);
+    turn(n, p);
+    return n;
+}
+
+/* Two random squares, two last places of the coordinates apart. */
+static long sheets16(long n, unsigned long *state, double *p)
+{
+    long i;
+
+    uniform(n, state, p);
+    for (i = 0; i < n; i++)
+        p[3 * i + 2] = i % 2 == 0 ? 0.0 : 5e-16;
+    return n;
+}
+
+static long sheet16rot(long n, unsigned long *state, double *p)
+{
+    sheets16(n, state, p);
+    turn(n, p);
+    return n;
+}
+
 /* ---- curves ---- */
 
 static long helix(long n, unsigned long *state, double *p)
@@ -1359,7 +1416,9 @@ static const struct {
     { "survey", survey }, { "boreholes", boreholes }, { "tracks", tracks },
     { "pipes", pipes }, { "horizons", horizons }, { "layers", layers },
     { "latlon", latlon }, { "latlonkm", latlonkm }, { "latlonm", latlonm },
-    { "uvsphere", uvsphere }, { "uvkm", uvkm }, { "uvm", uvm }
+    { "uvsphere", uvsphere }, { "uvkm", uvkm }, { "uvm", uvm },
+    { "rings", rings }, { "hub", hub }, { "hubrot", hubrot },
+    { "sheets16", sheets16 }, { "sheet16rot", sheet16rot }
 };
 
 #define FAMILIES ((int)(sizeof family_table / sizeof family_table[0]))

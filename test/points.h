@@ -93,6 +93,12 @@
  *   latlonkm*, latlonm*   the same with radius 6371, 6378137
  *   uvsphere*    latlon with both poles, each 2k times but for rounding
  *   uvkm*, uvm*  the same with radius 6371, 6378137
+ *   rings*       k circles of k points one above the other, of radii 0.7 to 1.3,
+ *                turned
+ *   hub*         a circle and one point above its centre, as they come
+ *   hubrot*      the same, turned
+ *   sheets16     two random squares 5e-16 apart, as they come
+ *   sheet16rot*  the same, turned
  */
 #ifndef POINTS_H
 #define POINTS_H
