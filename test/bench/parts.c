@@ -14,7 +14,11 @@
  * join: what these two are of tess, which no number of threads makes less.
  * Times are the least of REPEATS (1).
  *
- * Without -DTHREADS all are computed.
+ * Without -DTHREADS all are computed.  With -DTESS_COUNT it prints instead what
+ * searches look at (see watch.h): in the index and eight parts together, over
+ * the tetrahedra of the mesh; and in queries from anywhere, over their number:
+ *   parts FAMILY n candidates ... listed ...
+ *   queries FAMILY n candidates ... listed ...
  */
 #ifdef THREADS
 #define _POSIX_C_SOURCE 200112L
@@ -29,6 +33,10 @@
 #include "../points.h"
 #include "../take.h"
 #include "../examples/join.c"
+#ifdef TESS_COUNT
+#include "../watch.h"
+#include "queries.h"
+#endif
 
 typedef struct part {
     tess_int number, parts, base, kept, ntet, liw, most;
@@ -209,6 +217,52 @@ static double parallel(long parts, tess_int mesh)
 }
 #endif
 
+#ifdef TESS_COUNT
+double tess_count[16];
+
+/* What has been counted, over per. */
+static void counted(const char *what, const char *family, double per)
+{
+    static const struct {
+        const char *name;
+        int which;
+    } event[] = {
+        {"candidates", N_POINT}, {"exact", N_EXACT}, {"sides", N_SIDE},
+        {"trials", N_TRIAL}, {"nodes", N_NODE}, {"leaves", N_LEAF},
+        {"listed", N_LIST}
+    };
+    int i;
+
+    printf("%s %s %ld", what, family, (long)n);
+    for (i = 0; i < 7; i++)
+        printf(" %s %.4f", event[i].name, tess_count[event[i].which] / per);
+    printf("\n");
+}
+
+static void count(const char *family)
+{
+    double *q = (double *)take(3.0 * (double)QUERIES, sizeof *q), w[4];
+    tess_int mesh, v[4];
+    int i, some = 200, code;
+
+    need(tess(n, p, maxtet, &mesh, tet, adj, liw, iw, lrw, rw) == 0,
+         "tess fails");
+    memset(tess_count, 0, sizeof tess_count);
+    serial(8, mesh);
+    counted("parts", family, (double)mesh);
+    need(tess_index(n, p, liw, iw, lrw, rw) == 0, "tess_index fails");
+    queries_make(n, p, 0, q);
+    memset(tess_count, 0, sizeof tess_count);
+    for (i = 0; i < some; i++) {
+        v[0] = TESS_NONE;
+        code = tess_query(n, p, iw, rw, q + 3 * i, v, w);
+        need(code == 0 || code == 1, "tess_query fails");
+    }
+    counted("queries", family, (double)some);
+    free(q);
+}
+#endif
+
 static void least(double *best, double x)
 {
     if (*best == 0.0 || x < *best) *best = x;
@@ -236,6 +290,10 @@ int main(int argc, char **argv)
     iw = ints(liw);
     tet = ints(4.0 * maxtet);
     adj = ints(4.0 * maxtet);
+#ifdef TESS_COUNT
+    count(argv[1]);
+    return 0;
+#endif
     memset(best, 0, sizeof best);
     /* that many, too, if it is none of those */
     parts[5] = processors();
