@@ -1044,7 +1044,7 @@ static int marked(const mesh *m, int j, tess_int z, double *h);
 static int curved(const mesh *m, const quest *f);
 static void remember(quest *f, tess_int z, int open);
 static int discover(mesh *m, quest *f);
-static int digest(const mesh *m, tess_int n);
+static int digest(const mesh *m, tess_int n, int ask);
 static void recall(mesh *m);
 static void supportof(const mesh *m, quest *f);
 static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
@@ -2606,7 +2606,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
         }
     }
     seal(&m, code);
-    if (code == 0) (void)digest(&m, n);
+    if (code == 0) (void)digest(&m, n, 0);
     return code;
 }
 
@@ -2624,13 +2624,13 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
         /* what the index has of these, if it is still there */
         (void)lengths(n, &w);
         m.enclosed = m.enclosed && lrw - w.rw >= w.cylinders;
-        if (liw - w.iw >= w.marks && digest(&m, n)) recall(&m);
+        if (liw - w.iw >= w.marks && digest(&m, n, 1)) recall(&m);
         m.alive[0] = (tess_int)m.nsupport;
         allot(&m, n, liw);
         code = run(&m, n, mine, maxtet, ntet, tet, adj);
         if (m.nsupport > m.alive[0]) {
             m.alive[0] = (tess_int)m.nsupport;
-            (void)digest(&m, n);
+            (void)digest(&m, n, 0);
         }
     }
     return code < -1 ? code - 1 : code;
@@ -2921,13 +2921,12 @@ static int discover(mesh *m, quest *f)
 
 /* digest - puts behind the marks of an index two numbers that tell, but for
  * chance, whether these are its own: a copy may end before them.  Returns 1 if
- * it finds them there. */
-static int digest(const mesh *m, tess_int n)
+ * ask is 1 and they were there. */
+static int digest(const mesh *m, tess_int n, int ask)
 {
     tess_int many = m->np, *d, i;
     long a = 1, b = 0;
     sizes w;
-    int own;
 
     if (m->alive[0] == 0) return 0;
     many = (tess_int)(many + m->alive[0] * (2 * m->leaves + RECORD - 1));
@@ -2937,10 +2936,10 @@ static int digest(const mesh *m, tess_int n)
     }
     (void)lengths(n, &w);
     d = m->mark + w.marks - 2;
-    own = d[0] == a && d[1] == b;
+    ask = ask && d[0] == a && d[1] == b;
     d[0] = (tess_int)a;
     d[1] = (tess_int)b;
-    return own;
+    return ask;
 }
 
 /* recall - sets up the supports that an index has. */

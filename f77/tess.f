@@ -3549,7 +3549,7 @@ C     element of RW or IW, and the standard lets them be altered.
       IF (MASKED .EQ. 1) THEN
 C       what the index has of these, if it is still there
         IF (ROOMY .EQ. 0) CTL(ENCLOS) = 0
-        OWN = 0
+        OWN = WHOLE
         IF (WHOLE .EQ. 1) CALL TSDIGE(N, COUNTS, CTL, OWN)
         IF (OWN .EQ. 1) CALL TSRECA(X, P, ORD, COUNTS, CTL, SUP)
         COUNTS(1) = CTL(NSUPP)
@@ -3563,6 +3563,7 @@ C     without marks MARK is COUNTS(1), which is left alone
      $           LSID, LSI, LSD, MASKED, MINE, MAXTET, NTET, INFO)
       IF (MASKED .EQ. 0 .OR. CTL(NSUPP) .EQ. COUNTS(1)) RETURN
       COUNTS(1) = CTL(NSUPP)
+      OWN = 0
       CALL TSDIGE(N, COUNTS, CTL, OWN)
       END
 
@@ -3700,6 +3701,7 @@ C       point it has in REP
    50   CONTINUE
       END IF
    60 CALL TSSEAL(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, INFO)
+      OWN = 0
       IF (INFO .EQ. 0) CALL TSDIGE(N, COUNTS, CTL, OWN)
       END
 
@@ -4145,11 +4147,11 @@ C     most of a globe's index
 
 C     TSDIGE - puts behind the marks of an index two numbers that tell,
 C     but for chance, whether these are its own: a copy may end before
-C     them.  OWN is 1 if it finds them there, or 0.
+C     them.  OWN, if it was 1, becomes 0 if they were not there.
       SUBROUTINE TSDIGE(N, COUNTS, CTL, OWN)
       INTEGER N, COUNTS(*), CTL(*), OWN
       INTEGER TSPLAC, A, B, CYLS, I, LIWMIN, LRWMIN, MARKS, OK, POOL
-      OWN = 0
+      IF (COUNTS(1) .EQ. 0) OWN = 0
       IF (COUNTS(1) .EQ. 0) RETURN
       A = 1
       B = 0
@@ -4158,7 +4160,9 @@ C     them.  OWN is 1 if it finds them there, or 0.
         B = MOD(B + A, 32749)
    10 CONTINUE
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
-      IF (COUNTS(MARKS) .EQ. A .AND. COUNTS(MARKS+1) .EQ. B) OWN = 1
+      IF (OWN .EQ. 1) THEN
+        IF (COUNTS(MARKS) .NE. A .OR. COUNTS(MARKS+1) .NE. B) OWN = 0
+      END IF
       COUNTS(MARKS) = A
       COUNTS(MARKS+1) = B
       END
