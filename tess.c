@@ -211,11 +211,11 @@
 /* A facet with a greater E is set up by limbs. */
 #define THIN 1e-6
 /* The ball of the best point is found by limbs when the error of its
- * L-coordinate exceeds the coordinate plus the circumradius (a bound of 1e-4
- * times these takes 5 times as long on a plane across an axis with noise of
- * 1e-12), and after MANY exact comparisons; not for points in so few units (t5
- * of hh_set at least PLAIN) that doubles decide these comparisons, which is
- * faster. */
+ * L-coordinate exceeds WIDE times the coordinate plus the circumradius (with
+ * 1e-4 a plane across an axis with noise of 1e-12 takes 5 times as long), and
+ * after MANY exact comparisons; not for points in so few units (t5 of hh_set at
+ * least PLAIN) that doubles decide these comparisons, which is faster. */
+#define WIDE 1.0
 #define MANY 6
 #define PLAIN 16.0
 /* Pool recommended beyond 4 n in any case, up to 8 n. */
@@ -1247,7 +1247,7 @@ static void challenge(mesh *m, quest *f, tess_int z)
     f->limbs = 0;
     narrow(f, hi);
     if (!f->limbs && (side == 0 || f->asked >= MANY ||
-                      hi - lo > f->f[11] + fabs(hi)))
+                      hi - lo > WIDE * (f->f[11] + fabs(hi))))
         refine(m, f);
 }
 

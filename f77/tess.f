@@ -321,11 +321,11 @@ C               unordered ones take 1.4 times as long as with 8
 C       ENTRY, EDGE  integers in an entry of the pool, and in an edge
 C       LEAST   minimum for pool and edges
 C       THIN    a facet with a greater E is set up by limbs
-C       MANY, PLAIN  the ball of the best point is found by limbs when
-C               the error of its L-coordinate exceeds the coordinate
-C               plus the circumradius (a bound of 1e-4 times these takes
-C               5 times as long on a plane across an axis with noise of
-C               1e-12), and after MANY exact comparisons; not for points
+C       WIDE, MANY, PLAIN  the ball of the best point is found by limbs
+C               when the error of its L-coordinate exceeds WIDE times
+C               the coordinate plus the circumradius (with 1e-4 a plane
+C               across an axis with noise of 1e-12 takes 5 times as
+C               long), and after MANY exact comparisons; not for points
 C               in so few units (T5 at least PLAIN) that doubles decide
 C               these comparisons, which is faster
 C       MUCH    pool recommended beyond 4 N in any case, up to 8 N
@@ -1469,10 +1469,10 @@ C     by the other's.
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
       INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QON, QTIED, QLO,
      $    QHI, QLIMB, UNSURE, MANY, QT
-      DOUBLE PRECISION PLAIN
+      DOUBLE PRECISION PLAIN, WIDE
       PARAMETER (T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1, QLIMBS = 2,
      $    QASKED = 5, QON = 6, QTIED = 8, QLO = 6, QHI = 7, QLIMB = 22,
-     $    UNSURE = 2, MANY = 6, PLAIN = 16.0D0, QT = 8)
+     $    UNSURE = 2, MANY = 6, PLAIN = 16.0D0, WIDE = 1.0D0, QT = 8)
       DOUBLE PRECISION HI, LO
       INTEGER HHPBEA, HHPSID, OPEN, POWER, SGN, SIDE
       CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
@@ -1527,7 +1527,7 @@ C     by the other's.
       CALL TSNARR(IQ, F, FQ, HI)
       IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
         CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      ELSE IF (HI - LO .GT. F(12) + ABS(HI)) THEN
+      ELSE IF (HI - LO .GT. WIDE*(F(12) + ABS(HI))) THEN
         CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
       END IF
       END
