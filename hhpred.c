@@ -8,9 +8,9 @@
  *   exact signs       certain filt3 filt5 filter list pack scale robust
  *                     hh_orient hh_insphere hh_flat hh_line closest hh_foot
  *                     hh_weigh hh_wider hh_range apart corners decide hh_pside
- *   the tie rule      tied perturb hh_pball hh_pbeat
- *   balls by limbs    rows cut hh_centre level hh_trial hh_unit hh_height
- *                     hh_thin
+ *   the tie rule      tied hh_pball
+ *   balls by limbs    rows cut hh_centre level hh_trial lift around hh_lifts
+ *                     hh_unit hh_height hh_thin
  *   Householder       house reflec hh_setup hh_ratio hh_limits
  *                     hh_facet hh_side hh_opp hh_lcoord hh_wrap
  */
@@ -80,9 +80,6 @@ typedef long whole;
  * BASE/4.)
  * --------------------------------------------------------------------- */
 
-/* What insphere's sum may err by after HH_ROWS leading rows, which are tried
- * first. */
-#define BOUND (32.0 * HH_ROWS * BASE)
 #define UNDER (0.5 - 0.25 * DBL_EPSILON)
 /* Limbs that hold the value of a number to a double's precision. */
 #define LEADING (DBL_MANT_DIG / HH_BITS + 2)
@@ -304,52 +301,33 @@ static int volume(int n, double *work, double *w)
 }
 
 /* cofactors - computes the determinants of three of the rows a-e, b-e, c-e,
- * d-e, without b, a, d and c in turn, from the first depth rows of all
- * products: four numbers, side by side, of 3n limbs or of depth if that is
- * less, the last 12n of 39n doubles. */
-static void cofactors(int n, int depth, double *work)
+ * d-e, without b, a, d and c in turn: four numbers, side by side, of 3n limbs,
+ * the last 12n of 39n doubles. */
+static void cofactors(int n, double *work)
 {
-    int n2 = lesser(2 * n, depth), n3 = lesser(3 * n, depth);
     double *minor = work + 15 * n, *det = minor + 12 * n;
 
-    zeros(6 * n2, minor);
-    zeros(4 * n3, det);
-    product(CROSS, n, 15, work + 6, n, 15, work + 9, n2, 6, minor);
-    product(CROSS, n, 15, work, n, 15, work + 3, n2, 6, minor + 3);
-    carry(n2, 6, 6, minor);
-    product(TRIPLES, n, 15, work, n2, 6, minor, n3, 4, det);
-    carry(n3, 4, 4, det);
+    zeros(24 * n, minor);
+    product(CROSS, n, 15, work + 6, n, 15, work + 9, 2 * n, 6, minor);
+    product(CROSS, n, 15, work, n, 15, work + 3, 2 * n, 6, minor + 3);
+    carry(2 * n, 6, 6, minor);
+    product(TRIPLES, n, 15, work, 2 * n, 6, minor, 3 * n, 4, det);
+    carry(3 * n, 4, 4, det);
 }
 
-/* insphere - the sign of the determinant of filt5, from the first depth rows of
- * all products, as few as tell.
- *
- * What is lost, in units of the last of K = depth <= 10 rows: in the row behind
- * it a minor loses 2K products of limbs of at most BASE, so errs by 2K BASE;
- * a square by 3K BASE.  A determinant loses 3K products of BASE^2 / 2, and gets
- * the errors of three minors times a difference, of at most BASE/2: 1.5K BASE +
- * 1.5 times 2K BASE.  The sum loses 4K products of at most 3/8 BASE^2, and gets
- * four times the errors of a determinant times a square and of a square times a
- * determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3) K BASE = 24K
- * BASE.  What follows all these adds less than a tenth, so that BOUND is
- * ample. */
+/* insphere - the sign of the determinant of filt5. */
 static int insphere(int n, double *work, double *w)
 {
     double *lift = work + 15 * n, *det = lift + 12 * n, *sum = det + 12 * n;
-    int depth = 5 * n > 2 * HH_ROWS ? HH_ROWS : 5 * n, sign = UNSURE, n2;
 
     (void)w;
-    for (; sign == UNSURE; depth = 5 * n) {
-        cofactors(n, depth, work);
-        n2 = lesser(2 * n, depth);
-        zeros(4 * n2, lift);
-        zeros(depth, sum);
-        product(SQUARES, n, 15, work, n, 15, work, n2, 4, lift);
-        carry(n2, 4, 4, lift);
-        product(FOUR, n2, 4, lift, lesser(3 * n, depth), 4, det, depth, 1, sum);
-        sign = signof(depth, depth < 5 * n ? BOUND : 0.0, sum);
-    }
-    return sign;
+    cofactors(n, work);
+    zeros(8 * n, lift);
+    zeros(5 * n, sum);
+    product(SQUARES, n, 15, work, n, 15, work, 2 * n, 4, lift);
+    carry(2 * n, 4, 4, lift);
+    product(FOUR, 2 * n, 4, lift, 3 * n, 4, det, 5 * n, 1, sum);
+    return signof(5 * n, 0.0, sum);
 }
 
 /* leading - the value of a carried number, in the weight of its first limb
@@ -472,7 +450,7 @@ static int weigh(int n, double *work, double *w)
 {
     int at[4], k;
 
-    cofactors(n, 3 * n, work);
+    cofactors(n, work);
     for (k = 0; k < 4; k++)
         w[k ^ 1] = leading(3 * n, work + 27 * n + k, 4, at + (k ^ 1));
     shares(4, at, w);
@@ -695,17 +673,21 @@ static int filt3(const double *a, const double *b, const double *c,
 }
 
 /* filt5 - the sign of I = det of the rows (q - e, |q - e|^2), q = a, b, c, d,
- * or UNSURE.  e is inside the ball of a, b, c, d iff I and the determinant
- * of the rows a-d, b-d, c-d have the same sign. */
+ * or UNSURE; with h, of the rows (q - e, h), the four numbers h right to 4 eps
+ * of themselves, less than those squares suffer.  e is inside the ball of a, b,
+ * c, d iff I and the determinant of the rows a-d, b-d, c-d have the same sign.
+ * */
 static int filt5(const double *a, const double *b, const double *c,
-                 const double *d, const double *e, double t)
+                 const double *d, const double *e, const double *h, double t)
 {
     double ax = a[0] - e[0], ay = a[1] - e[1], az = a[2] - e[2];
     double bx = b[0] - e[0], by = b[1] - e[1], bz = b[2] - e[2];
     double cx = c[0] - e[0], cy = c[1] - e[1], cz = c[2] - e[2];
     double dx = d[0] - e[0], dy = d[1] - e[1], dz = d[2] - e[2];
-    double la = ax * ax + ay * ay + az * az, lb = bx * bx + by * by + bz * bz;
-    double lc = cx * cx + cy * cy + cz * cz, ld = dx * dx + dy * dy + dz * dz;
+    double la = h != NULL ? h[0] : ax * ax + ay * ay + az * az;
+    double lb = h != NULL ? h[1] : bx * bx + by * by + bz * bz;
+    double lc = h != NULL ? h[2] : cx * cx + cy * cy + cz * cz;
+    double ld = h != NULL ? h[3] : dx * dx + dy * dy + dz * dz;
     double ab1 = ax * by, ab2 = bx * ay, bc1 = bx * cy, bc2 = cx * by;
     double cd1 = cx * dy, cd2 = dx * cy, da1 = dx * ay, da2 = ax * dy;
     double ac1 = ax * cy, ac2 = cx * ay, bd1 = bx * dy, bd2 = dx * by;
@@ -727,10 +709,10 @@ static int filt5(const double *a, const double *b, const double *c,
     bz = fabs(bz);
     cz = fabs(cz);
     dz = fabs(dz);
-    perm = la * (bz * cd + cz * bd + dz * bc) +
-           lb * (az * cd + cz * da + dz * ac) +
-           lc * (az * bd + bz * da + dz * ab) +
-           ld * (az * bc + bz * ac + cz * ab);
+    perm = fabs(la) * (bz * cd + cz * bd + dz * bc) +
+           fabs(lb) * (az * cd + cz * da + dz * ac) +
+           fabs(lc) * (az * bd + bz * da + dz * ab) +
+           fabs(ld) * (az * bc + bz * ac + cz * ab);
     return certain(det, perm, 32.0, t);
 }
 
@@ -746,7 +728,7 @@ static int filt5(const double *a, const double *b, const double *c,
 static int filter(int np, const double *q, double t)
 {
     return np == 4 ? filt3(q, q + 3, q + 6, q + 9, t)
-                   : filt5(q, q + 3, q + 6, q + 9, q + 12, t);
+                   : filt5(q, q + 3, q + 6, q + 9, q + 12, NULL, t);
 }
 
 /* list - p = the points a, b, c, d, e; those that are not needed are any. */
@@ -1095,44 +1077,28 @@ static int tied(const hh_set *s, const tess_int *v, int positive)
     return sign;
 }
 
-/* perturb - the sign of I for the positions i, j, k, l, m of the set s; where
- * it is 0, or taken to be (tie = 1), rule times that of tied.  rule = 2: l and
- * m are on the positive side of i, j, k. */
-static int perturb(const hh_set *s, tess_int i, tess_int j, tess_int k,
-                   tess_int l, tess_int m, int rule, int tie)
+/* hh_pball - the sign of the determinant I of filt5 for the positions v[0..2],
+ * a, b of the set s: b is inside the ball of v and a iff I times hh_pside(v, a)
+ * is negative.  Where I is 0, by rule:
+ *   0   0
+ *   1   the sign, never 0, of the perturbed I
+ *   2   twice that; a and b are on the positive side of v: b beats a as the
+ *       apex of the facet v if the result is negative
+ *   3   the same, and I is taken to be 0, without a test */
+int hh_pball(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
+             int rule)
 {
-    tess_int v[5];
-    int sign = tie ? 0 : UNSURE;
+    const double *x = s->x;
+    tess_int w[5];
+    int sign = rule == 3 ? 0 : UNSURE, k;
 
-    v[0] = i;
-    v[1] = j;
-    v[2] = k;
-    v[3] = l;
-    v[4] = m;
-    if (!tie && !apart(s, i))
-        sign = filt5(s->x + 3 * i, s->x + 3 * j, s->x + 3 * k, s->x + 3 * l,
-                     s->x + 3 * m, s->t5);
-    if (sign == UNSURE) sign = decide(s, 5, v);
-    return sign != 0 || !rule ? sign : rule * tied(s, v, rule == 2);
-}
-
-/* hh_pball - the sign, never 0, of the perturbed determinant I for the
- * positions i, j, k, l, m of the set s: m is inside the ball of i, j, k, l
- * iff I times hh_pside(i, j, k, l) is negative.  Without a rule (rule = 0) the
- * sign of I itself, 0 when the five are on one sphere. */
-int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
-             tess_int m, int rule)
-{
-    return perturb(s, i, j, k, l, m, rule, 0);
-}
-
-/* hh_pbeat - negative if b beats a as the apex of the facet v, both on its
- * positive side, else positive: 1 or -1, or 2 or -2 if the five points are on
- * one sphere.  If tie is 1, they are taken to be, without a test. */
-int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
-             int tie)
-{
-    return perturb(s, v[0], v[1], v[2], a, b, 2, tie);
+    for (k = 0; k < 5; k++) w[k] = k < 3 ? v[k] : k == 3 ? a : b;
+    if (rule != 3 && !apart(s, v[0]))
+        sign = filt5(x + 3 * v[0], x + 3 * v[1], x + 3 * v[2], x + 3 * a,
+                     x + 3 * b, NULL, s->t5);
+    if (sign == UNSURE) sign = decide(s, 5, w);
+    if (sign != 0 || rule == 0) return sign;
+    return rule > 1 ? 2 * tied(s, w, 1) : tied(s, w, 0);
 }
 
 /* rows - the limbs of the rows p - last of 4 positions v of the set s, as
@@ -1273,6 +1239,93 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
     if (*side == 0 && *power != 1)
         *side = level(s, t, z, 1, sum) ? signof(HH_ROWS + 1, CARRY, sum)
                                        : UNSURE;
+}
+
+/* lift - *h = the power of the position z in a sphere, right to 4 eps of
+ * itself: u.(u - twice), u seen from the base, all of it by limbs.  3 HH_LIFT
+ * products of at most BASE and 3/2 BASE fit one limb.  Returns 0, and leaves *h
+ * alone, if HH_LIFT limbs do not hold z. */
+static int lift(const hh_set *s, const hh_sphere *t, tess_int z, double *h)
+{
+    double u[3 * HH_LIFT], y[3 * HH_LIFT], sum[2 * HH_LIFT];
+    int i, k, at;
+
+    if (split(3, s->x + 3 * z, 4.0 / BASE, HH_LIFT, u) > HH_LIFT) return 0;
+    for (i = 0; i < 3 * HH_LIFT; i++) {
+        u[i] -= t->base[i];
+        y[i] = u[i] - t->twice[i];
+    }
+    zeros(2 * HH_LIFT, sum);
+    for (i = 0; i < HH_LIFT; i++)
+        for (k = 0; k < HH_LIFT; k++)
+            sum[i + k + 1] += u[3 * i] * y[3 * k] +
+                              u[3 * i + 1] * y[3 * k + 1] +
+                              u[3 * i + 2] * y[3 * k + 2];
+    carry(2 * HH_LIFT, 1, 1, sum);
+    *h = leading(2 * HH_LIFT, sum, 1, &at);
+    *h = ldexp(*h, 4 - (at + 1) * HH_BITS);
+    return 1;
+}
+
+/* around - sets t to a sphere through the base of the facet v, of set-up f,
+ * about the centre of the ball of L-coordinate l, rounded to multiples of 2^e,
+ * few enough for nearest.  Returns 0 if it is too large, or if limbs do not
+ * hold it or v. */
+static int around(const hh_set *s, const tess_int *v, int base,
+                  const double *f, double l, hh_sphere *t)
+{
+    double c[3], most = 0.0;
+    int k, e;
+
+    t->best = t->last = -1;
+    for (k = 0; k < 3; k++) {
+        c[k] = f[3 + k] + l * f[k];
+        if (fabs(c[k]) > most) most = fabs(c[k]);
+    }
+    if (most > 0.5) return 0;
+    frexp(most, &e);
+    e += HH_BITS + 1 - DBL_MANT_DIG;
+    for (k = 0; k < 3; k++) c[k] = ldexp(nearest(ldexp(c[k], -e)), e + 1);
+    return split(3, s->x + 3 * v[base], 4.0 / BASE, HH_LIFT, t->base) <=
+               HH_LIFT &&
+           split(3, c, 4.0 / BASE, HH_LIFT, t->twice) <= HH_LIFT &&
+           lift(s, t, v[(base + 1) % 3], t->h) &&
+           lift(s, t, v[(base + 2) % 3], t->h + 1);
+}
+
+/* hh_lifts - hh_pball for the positions v[0..2], a, z of the set s, 1 or -1, by
+ * their powers in one sphere near all of them; or UNSURE.  f is the set-up of
+ * the facet v, from v[base]; the sphere in t is that of the L-coordinate l of a
+ * point near which the others are expected, or, if t is ready, an earlier one.
+ *
+ * I does not change if an affine function of q is subtracted from |q|^2.  So
+ * the powers of the points in any one sphere may take the place of |q|^2.
+ * Where the points are near the sphere these are small, but right to a few eps
+ * all the same, so filt5 loses no digits to the points' being near it.  The
+ * base takes the place of e: its power is 0.  Neither that nor a cyclic
+ * exchange of v changes the sign. */
+int hh_lifts(const hh_set *s, const tess_int *v, int base, const double *f,
+             double l, tess_int a, tess_int z, hh_sphere *t)
+{
+    const double *x = s->x;
+    int sign;
+
+    if (t->ready == 0) {
+        if (s->t3 < -1.0 || fabs(l) > 1e3 * f[11]) return UNSURE;
+        sign = filt5(x + 3 * v[0], x + 3 * v[1], x + 3 * v[2], x + 3 * a,
+                     x + 3 * z, NULL, -1.0);
+        if (sign != UNSURE) return sign;
+        t->ready = around(s, v, base, f, l, t) ? 1 : -1;
+    }
+    if (t->ready < 0) return UNSURE;
+    if (t->last == a)
+        t->h[2] = t->h[3];
+    else if (t->best != a && !lift(s, t, a, t->h + 2)) return UNSURE;
+    t->best = a;
+    if (!lift(s, t, z, t->h + 3)) return UNSURE;
+    t->last = z;
+    return filt5(x + 3 * v[(base + 1) % 3], x + 3 * v[(base + 2) % 3],
+                 x + 3 * a, x + 3 * z, x + 3 * v[base], t->h, -1.0);
 }
 
 /* hh_unit - makes a ball ready for hh_height.  What that divides by: D, or, if

@@ -189,8 +189,8 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
 #define hh_limits TESS_AS(hh_limits)
 #define hh_pside TESS_AS(hh_pside)
 #define hh_pball TESS_AS(hh_pball)
-#define hh_pbeat TESS_AS(hh_pbeat)
 #define hh_trial TESS_AS(hh_trial)
+#define hh_lifts TESS_AS(hh_lifts)
 #define hh_unit TESS_AS(hh_unit)
 #define hh_height TESS_AS(hh_height)
 #define hh_thin TESS_AS(hh_thin)
@@ -215,10 +215,12 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
 #else
 #define HH_FEW 10
 #endif
-/* Leading rows of a ball's numbers that are kept, and of an insphere
- * determinant that are tried first: with 5 a third of the signs on a rotated
- * grid came out, with 6 98 %, with 7 99 %. */
+/* Leading rows of a ball's numbers that are kept: with 5 a third of the signs
+ * on a rotated grid came out, with 6 98 %, with 7 99 %. */
 #define HH_ROWS 6
+/* Limbs of a point for hh_lifts.  The first is that of a coordinate of 1, so
+ * they hold all that are above 2^-17 (2^-19 where a double has 24 bits). */
+#define HH_LIFT (DBL_MANT_DIG >= 53 ? 3 : 5)
 /* HH_FEW is the size of a ball, so the name of what makes one tells it. */
 #define HH_AS_2(name, few) name##_##few
 #define HH_AS_1(name, few) HH_AS_2(name, few)
@@ -263,6 +265,18 @@ typedef struct hh_ball {
     int e, bits;
 } hh_ball;
 
+/* hh_sphere - a sphere through the base of a facet, for hh_lifts.
+ *   ready       0: none yet; -1: it cannot be had
+ *   base        limbs of the base
+ *   twice       limbs of twice the centre, seen from the base
+ *   h           powers of the facet's two other vertices and of two points:
+ *   best, last  their positions, or -1 */
+typedef struct hh_sphere {
+    int ready;
+    double base[3 * HH_LIFT], twice[3 * HH_LIFT], h[4];
+    tess_int best, last;
+} hh_sphere;
+
 /* The power |w|^2 - 2 c.w of a point w in the ball of centre c through 0. */
 #define HH_POWER(w0, w1, w2, c)                                        \
     ((w0) * ((w0) - 2.0 * (c)[0]) + (w1) * ((w1) - 2.0 * (c)[1]) +     \
@@ -278,14 +292,14 @@ void hh_ratio(const double *f, const double *z, double least, double most,
               double *lo, double *hi);
 int hh_limits(const double *f, const double *z, double *lo, double *hi);
 int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l);
-int hh_pball(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l,
-             tess_int m, int rule);
-int hh_pbeat(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
-             int tie);
+int hh_pball(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
+             int rule);
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t);
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power);
+int hh_lifts(const hh_set *s, const tess_int *v, int base, const double *f,
+             double l, tess_int a, tess_int z, hh_sphere *t);
 void hh_unit(hh_ball *t, int plane, double *c);
 double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
                  double *err);

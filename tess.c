@@ -75,7 +75,7 @@
  *
  * What depends on the tie rule (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; firstfacet, on a hull face of more
- * than three points; in hh_pbeat, that both candidates are on the positive
+ * than three points; in hh_pball, that both candidates are on the positive
  * side; in walk, that heights are lifted; intact.
  *
  * Order of the routines, here and in f77/tess.f, as things happen:
@@ -85,7 +85,7 @@
  *   pool         outfac facet owner hashkey same find chain erase enter full
  *                cuberoot quota rehash
  *   lists        disjoint setpoints boxquery leaflist compress starlist
- *   search       dot powererr prunebox narrow refine exactly challenge
+ *   search       dot powererr prunebox narrow refine challenge
  *                consider ballinbox ballinstar ballcoef listball instar
  *                inblock scanleaf treesearch onhull prepare apex
  *   one star     exchange settle
@@ -193,8 +193,6 @@
 /* Maximum number of points of a cell, and of cells. */
 #define CELL 12
 #define CELLS 4
-/* Number of exact signs kept. */
-#define SIGNS (TESS_LIST < 128 ? 8 : 128)
 /* Number of hull planes remembered. */
 #define PLANES 4
 /* Steps from a given start after which a location looks for a better one.  With
@@ -295,6 +293,7 @@ typedef struct quest {
     double dc, size;          /* dc; size is |c|_1 */
     int limbs;                /* 1: it was found by limbs: t */
     hh_ball t;
+    hh_sphere sphere;         /* near the points that are compared with it */
     /* the support */
     int on;                   /* its number, or NONE.  On the facet */
     double h, dh;             /* height(w) - h - tilt.w is 0, h being the */
@@ -358,8 +357,6 @@ typedef struct mesh {
                               /* points met some exactly on its last ball */
     cell cells[CELLS];        /* the last ones met in this star */
     int ncell;                /* how many were met */
-    tess_int signs[SIGNS][6]; /* the last exact signs: see exactly */
-    int nsign;                /* its places that are set */
     double least;             /* least absolute value above 0 of a coordinate */
     support supports[SUPPORTS];
     int nsupport;             /* how many there are */
@@ -667,7 +664,7 @@ static int firstfacet(const mesh *m, tess_int *v)
     for (i = 0; i < m->np; i++)
         if (i != v[2] && hh_pside(&m->set, v[0], v[1], v[2], i) == 0 &&
             !hh_line(p, q, point(m, i)) &&
-            hh_pball(&m->set, v[0], v[1], v[2], w, i, 1) < 0)
+            hh_pball(&m->set, v, w, i, 1) < 0)
             v[2] = i;
     while (v[0] > v[1] || v[0] > v[2]) {
         w = v[0];
@@ -1153,44 +1150,14 @@ static void refine(const mesh *m, quest *f)
     if (l + err < f->hi) f->hi = l + err;
 }
 
-/* exactly - the exact side of z or, if beat is 1, hh_pbeat of the best point
- * and z.  Either is the sign of a determinant, perturbed for ties, and changes
- * with each exchange of two points; 2 becomes -2.  The last signs are kept, for
- * the points in order of position.  Grids that have the corners of their cells
- * on a sphere, but for rounding, ask for one in four again: cylindrical ones
- * take 1.1 times the instructions without, spherical ones 1.2.  Where hardly
- * one is asked for again, it takes 0.3 % more; where sums without rounding
- * decide most (t5 of hh_set), 3 %: challenge does not ask here then. */
-static int exactly(mesh *m, const quest *f, tess_int z, int beat)
-{
-    tess_int w[5], *kept, y;
-    int i, k, at = 0, sign = 1;
-
-    while (m->nsign < SIGNS) m->signs[m->nsign++][0] = NONE;
-    for (i = 0; i < 5; i++) {
-        y = i < 3 ? f->v[i] : i == 3 ? z : beat ? f->best : m->np;
-        /* cppcheck-suppress uninitvar ; those before the i-th are set */
-        for (k = i; k > 0 && w[k - 1] > y; k--, sign = -sign) w[k] = w[k - 1];
-        w[k] = y;
-        at += (int)(y % SIGNS);
-    }
-    kept = m->signs[at % SIGNS];
-    for (k = 0; k < 5 && kept[k] == w[k];) k++;
-    if (k == 5) {
-        COUNT(beat ? N_EXACT : N_SIDE, -1);
-    } else {
-        for (k = 0; k < 5; k++) kept[k] = w[k];
-        k = beat ? hh_pbeat(&m->set, f->v, f->best, z, 0)
-                 : hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
-        kept[5] = (tess_int)(sign * k);
-    }
-    return (int)(sign * kept[5]);
-}
-
 /* challenge - takes z if it is on the open side and beats the best point so
  * far: if its L-coordinate is smaller (Theorem 1), ties by the rule of
- * hh_pball.  The Householder bounds decide where they can.  Where they cannot,
- * the better point's limits are tightened by the other's. */
+ * hh_pball.  The Householder bounds decide where they can, then, unless the
+ * last search met ties, hh_lifts.  Its sphere is that of z or of the best
+ * point, but not of a ball by limbs, whose four points are nearly in a plane.
+ * Where it cannot tell, the better point's limits are tightened by the other's.
+ * Without it rotated grids, which have the corners of their cells on a sphere,
+ * but for rounding, take 1.2 to 1.6 times the instructions. */
 static void challenge(mesh *m, quest *f, tess_int z)
 {
     double lo, hi;
@@ -1207,9 +1174,17 @@ static void challenge(mesh *m, quest *f, tess_int z)
     unsure = f->best != NONE && hi >= f->lo;
     if (side == 0 || unsure) {
         if (SEEK(m)) remember(f, z, 1);
+        if (unsure && m->set.t5 < 0.0 && !m->tied) {
+            power = hh_lifts(&m->set, f->v, f->base, f->f,
+                             side == 1 ? hi : f->limbs ? DBL_MAX : f->hi,
+                             f->best, z, &f->sphere);
+            COUNT(N_TRIAL, f->sphere.ready == 1);
+            HOLDS(power == UNSURE ||
+                  power == hh_pball(&m->set, f->v, f->best, z, 0));
+        }
         if (f->limbs) {
-            COUNT(N_TRIAL, 1);
-            if (unsure) power = 0;
+            if (unsure && power == UNSURE) power = 0;
+            COUNT(N_TRIAL, power == 0);
             hh_trial(&m->set, &f->t, z, &sign, &power);
             HOLDS(power == 1 ? !better(m, f, z)
                   : sign == UNSURE ||
@@ -1217,21 +1192,17 @@ static void challenge(mesh *m, quest *f, tess_int z)
         }
         if (power != 1 && (sign == 0 || sign == UNSURE)) {
             COUNT(N_SIDE, 1);
-            sign = m->set.t5 < 0.0
-                       ? exactly(m, f, z, 0)
-                       : hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
+            sign = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
         }
         if (sign <= 0) return;
     }
     if (unsure) {
-        f->asked += m->set.t5 < PLAIN;
         if (power == UNSURE) {
             COUNT(N_EXACT, 1);
-            power = m->set.t5 < 0.0
-                        ? exactly(m, f, z, 1)
-                        : hh_pbeat(&m->set, f->v, f->best, z, 0);
+            f->asked += m->set.t5 < PLAIN;
+            power = hh_pball(&m->set, f->v, f->best, z, 2);
         }
-        HOLDS((power < 0) == (hh_pbeat(&m->set, f->v, f->best, z, 0) < 0));
+        HOLDS((power < 0) == (hh_pball(&m->set, f->v, f->best, z, 2) < 0));
         if (power > 0) {
             f->tied += power == 2;
             if (hi < f->hi) narrow(f, hi);
@@ -1574,7 +1545,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     }
     f->best = NONE;
     f->on = NONE;
-    f->asked = f->limbs = f->tied = f->ball = 0;
+    f->sphere.ready = f->asked = f->limbs = f->tied = f->ball = 0;
     f->opened = 0;
     f->hi = DBL_MAX;
     f->base = 0;
@@ -2178,7 +2149,7 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->mark = m->alive + 2 * leafcount(n);
     m->link = m->order; /* no star is complete: no entry is DONE */
     m->tied = m->nsupport = 0;
-    m->ncell = m->nsign = m->futile = 0;
+    m->ncell = m->futile = 0;
     m->enclosed = 0;
     m->burden = m->patience = 0.0;
     m->block.first = m->block.last = NONE;
@@ -2374,9 +2345,8 @@ static int intact(mesh *m, tess_int n)
             if (u <= TESS_NONE) continue;
             j = mate(m->tet, t, k, u);
             if (j == 4 || m->adj[4 * u + j] != t) return -6;
-            if (u > t &&
-                hh_pball(&m->set, v[0], v[1], v[2], v[3],
-                         position[m->tet[4 * u + j]], 1) < 0)
+            if (u > t && hh_pball(&m->set, v, v[3],
+                                  position[m->tet[4 * u + j]], 1) < 0)
                 return -5;
         }
     }
@@ -3403,7 +3373,7 @@ static int newcell(mesh *m, quest *f)
         z = l->id[place[i]];
         side = 0;
         if (z != v[0] && z != v[1] && z != v[2] && z != f->best)
-            side = hh_pball(&m->set, v[0], v[1], v[2], f->best, z, 0);
+            side = hh_pball(&m->set, v, f->best, z, 0);
         if (side < 0) return 0;
         if (side > 0) continue;
         c.id[c.n++] = z;
@@ -3431,7 +3401,7 @@ static tess_int incell(const mesh *m, const tess_int *v)
             z = c->id[i];
             if (z == v[0] || z == v[1] || z == v[2]) continue;
             if (hh_pside(&m->set, v[0], v[1], v[2], z) > 0 &&
-                (best == NONE || hh_pbeat(&m->set, v, best, z, 1) < 0))
+                (best == NONE || hh_pball(&m->set, v, best, z, 3) < 0))
                 best = z;
             if (i == 0) break;
         }

@@ -37,11 +37,11 @@ C         hh_orient HHORIE, hh_insphere HHINSP, hh_flat HHFLAT,
 C         hh_line HHLINE, closest HHCLOS, hh_foot HHFOOT,
 C         hh_weigh HHWEIG, hh_wider HHWIDE, hh_range HHRANG,
 C         apart HHAPAR, corners HHCORN, decide HHDECI, hh_pside HHPSID
-C       the tie rule: tied HHTIED, perturb HHPERT, hh_pball HHPBAL,
-C         hh_pbeat HHPBEA
+C       the tie rule: tied HHTIED, hh_pball HHPBAL
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
-C         level HHLEVE, hh_trial HHTRIA, hh_unit HHUNIT,
-C         hh_height HHHEIG, hh_thin HHTHIN
+C         level HHLEVE, hh_trial HHTRIA, lift HHLIFT, around HHAROU,
+C         hh_lifts HHLIFS, hh_unit HHUNIT, hh_height HHHEIG,
+C         hh_thin HHTHIN
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
 C         hh_ratio HHRATI, hh_limits HHLIMI,
 C         hh_facet HHFACE, hh_side HHSIDE, hh_opp HHOPP,
@@ -91,9 +91,11 @@ C       FAR     a ball's centre is at most about 2**FAR from its points
 C       HHFEW   (HH_FEW) the limbs of balls and thin facets; with more
 C               they are not made
 C       BROWS   (HH_ROWS) leading rows of a ball's numbers that are
-C               kept, and of an insphere determinant that are tried
-C               first: with 5 a third of the signs on a rotated grid
-C               came out, with 6 98 %, with 7 99 %
+C               kept: with 5 a third of the signs on a rotated grid came
+C               out, with 6 98 %, with 7 99 %
+C       NLIFT   (HH_LIFT) limbs of a point for HHLIFS.  The first is
+C               that of a coordinate of 1, so they hold all that are
+C               above 2**(-17)
 
 C     ------------------------------------------------------------------
 C     Exact numbers.
@@ -455,69 +457,43 @@ C     the determinant of the rows A-D, B-D, C-D.  W is scratch.
       END
 
 C     HHCOFA - computes the determinants of three of the rows A-E, B-E,
-C     C-E, D-E, without B, A, D and C in turn, from the first DEPTH rows
-C     of all products: four numbers, side by side, of 3N limbs or of
-C     DEPTH if that is less, the last 12N of 39N doubles.
-      SUBROUTINE HHCOFA(N, DEPTH, WORK)
-      INTEGER N, DEPTH
+C     C-E, D-E, without B, A, D and C in turn: four numbers, side by
+C     side, of 3N limbs, the last 12N of 39N doubles.
+      SUBROUTINE HHCOFA(N, WORK)
+      INTEGER N
       DOUBLE PRECISION WORK(*)
       INTEGER CROSS, TRIPLE
       PARAMETER (CROSS = 3, TRIPLE = 6)
-      INTEGER D, M, N2, N3
+      INTEGER D, M
       M = 15*N + 1
       D = 27*N + 1
-      N2 = MIN(2*N, DEPTH)
-      N3 = MIN(3*N, DEPTH)
-      CALL HHZERO(6*N2, WORK(M))
-      CALL HHZERO(4*N3, WORK(D))
-      CALL HHPROD(CROSS, N, 15, WORK(7), N, 15, WORK(10), N2, 6,
+      CALL HHZERO(24*N, WORK(M))
+      CALL HHPROD(CROSS, N, 15, WORK(7), N, 15, WORK(10), 2*N, 6,
      $            WORK(M))
-      CALL HHPROD(CROSS, N, 15, WORK, N, 15, WORK(4), N2, 6, WORK(M+3))
-      CALL HHCARR(N2, 6, 6, WORK(M))
-      CALL HHPROD(TRIPLE, N, 15, WORK, N2, 6, WORK(M), N3, 4, WORK(D))
-      CALL HHCARR(N3, 4, 4, WORK(D))
+      CALL HHPROD(CROSS, N, 15, WORK, N, 15, WORK(4), 2*N, 6, WORK(M+3))
+      CALL HHCARR(2*N, 6, 6, WORK(M))
+      CALL HHPROD(TRIPLE, N, 15, WORK, 2*N, 6, WORK(M), 3*N, 4, WORK(D))
+      CALL HHCARR(3*N, 4, 4, WORK(D))
       END
 
-C     HHISPH - the sign of the determinant of HHFIL5, from the first
-C     DEPTH rows of all products, as few as tell.  W is scratch.
-C
-C     What is lost, in units of the last of K = DEPTH <= 10 rows: in the
-C     row behind it a minor loses 2K products of limbs of at most BASE,
-C     so errs by 2K BASE; a square by 3K BASE.  A determinant loses 3K
-C     products of BASE**2/2, and gets the errors of three minors times a
-C     difference, of at most BASE/2: 1.5K BASE + 1.5 times 2K BASE.  The
-C     sum loses 4K products of at most 3/8 BASE**2, and gets four times
-C     the errors of a determinant times a square and of a square times a
-C     determinant, of at most 3/4 BASE each: 1.5K BASE + 3 (4.5 + 3)
-C     K BASE = 24K BASE.  What follows all these adds less than a tenth,
-C     so that BOUND is ample.
+C     HHISPH - the sign of the determinant of HHFIL5.  W is scratch.
       SUBROUTINE HHISPH(N, WORK, W, SGN)
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(*)
-      INTEGER UNSURE, SQUARE, BROWS, FOUR
-      DOUBLE PRECISION BASE, BOUND
-      PARAMETER (UNSURE = 2, BASE = 2.0D0**24, SQUARE = 5, BROWS = 6,
-     $    FOUR = 2, BOUND = 32*BROWS*BASE)
-      DOUBLE PRECISION ERR
-      INTEGER HHSIGN, D, DEPTH, L, N2, T
+      INTEGER SQUARE, FOUR
+      PARAMETER (SQUARE = 5, FOUR = 2)
+      INTEGER HHSIGN, D, L, T
       L = 15*N + 1
       D = 27*N + 1
       T = 39*N + 1
-      DEPTH = 5*N
-      IF (DEPTH .GT. 2*BROWS) DEPTH = BROWS
-   10 CALL HHCOFA(N, DEPTH, WORK)
-      N2 = MIN(2*N, DEPTH)
-      CALL HHZERO(4*N2, WORK(L))
-      CALL HHZERO(DEPTH, WORK(T))
-      CALL HHPROD(SQUARE, N, 15, WORK, N, 15, WORK, N2, 4, WORK(L))
-      CALL HHCARR(N2, 4, 4, WORK(L))
-      CALL HHPROD(FOUR, N2, 4, WORK(L), MIN(3*N, DEPTH), 4, WORK(D),
-     $            DEPTH, 1, WORK(T))
-      ERR = 0.0D0
-      IF (DEPTH .LT. 5*N) ERR = BOUND
-      SGN = HHSIGN(DEPTH, ERR, WORK(T))
-      DEPTH = 5*N
-      IF (SGN .EQ. UNSURE) GO TO 10
+      CALL HHCOFA(N, WORK)
+      CALL HHZERO(8*N, WORK(L))
+      CALL HHZERO(5*N, WORK(T))
+      CALL HHPROD(SQUARE, N, 15, WORK, N, 15, WORK, 2*N, 4, WORK(L))
+      CALL HHCARR(2*N, 4, 4, WORK(L))
+      CALL HHPROD(FOUR, 2*N, 4, WORK(L), 3*N, 4, WORK(D), 5*N, 1,
+     $            WORK(T))
+      SGN = HHSIGN(5*N, 0.0D0, WORK(T))
       W(1) = 0.0D0
       END
 
@@ -673,7 +649,7 @@ C     tetrahedra in which E replaces a vertex.  SGN is 0.
       INTEGER N, SGN
       DOUBLE PRECISION WORK(*), W(4)
       INTEGER AT(4), K, L
-      CALL HHCOFA(N, 3*N, WORK)
+      CALL HHCOFA(N, WORK)
       DO 10 K = 1, 4
         L = K - 1 + 2*MOD(K, 2)
         CALL HHLEAD(3*N, WORK, 27*N + K, 4, W(L), AT(L))
@@ -938,12 +914,14 @@ C     C, D of X.
       END
 
 C     HHFIL5 - the sign of I = det of the rows (Q - E, |Q - E|**2), Q =
-C     A, B, C, D, or UNSURE, of points A, B, C, D, E of X.  E is inside
-C     the ball of A, B, C, D iff I and the determinant of the rows A-D,
-C     B-D, C-D have the same sign.
-      INTEGER FUNCTION HHFIL5(X, A, B, C, D, E, T)
-      INTEGER A, B, C, D, E
-      DOUBLE PRECISION X(3,*), T
+C     A, B, C, D, or UNSURE, of points A, B, C, D, E of X; if LIFT is 1,
+C     of the rows (Q - E, H), the four numbers H right to 4 EPS of
+C     themselves, less than those squares suffer.  E is inside the ball
+C     of A, B, C, D iff I and the determinant of the rows A-D, B-D, C-D
+C     have the same sign.
+      INTEGER FUNCTION HHFIL5(X, A, B, C, D, E, LIFT, H, T)
+      INTEGER A, B, C, D, E, LIFT
+      DOUBLE PRECISION X(3,*), H(4), T
       DOUBLE PRECISION AB, AB1, AB2, AC, AC1, AC2, AX, AY, AZ, BC, BC1,
      $    BC2, BD, BD1, BD2, BX, BY, BZ, CD, CD1, CD2, CX, CY, CZ, DA,
      $    DA1, DA2, DET, DX, DY, DZ, LA, LB, LC, LD, PERM
@@ -964,6 +942,12 @@ C     B-D, C-D have the same sign.
       LB = BX*BX + BY*BY + BZ*BZ
       LC = CX*CX + CY*CY + CZ*CZ
       LD = DX*DX + DY*DY + DZ*DZ
+      IF (LIFT .EQ. 1) THEN
+        LA = H(1)
+        LB = H(2)
+        LC = H(3)
+        LD = H(4)
+      END IF
       AB1 = AX*BY
       AB2 = BX*AY
       BC1 = BX*CY
@@ -995,8 +979,10 @@ C     B-D, C-D have the same sign.
       BZ = ABS(BZ)
       CZ = ABS(CZ)
       DZ = ABS(DZ)
-      PERM = LA*(BZ*CD + CZ*BD + DZ*BC) + LB*(AZ*CD + CZ*DA + DZ*AC) +
-     $       LC*(AZ*BD + BZ*DA + DZ*AB) + LD*(AZ*BC + BZ*AC + CZ*AB)
+      PERM = ABS(LA)*(BZ*CD + CZ*BD + DZ*BC) +
+     $       ABS(LB)*(AZ*CD + CZ*DA + DZ*AC) +
+     $       ABS(LC)*(AZ*BD + BZ*DA + DZ*AB) +
+     $       ABS(LD)*(AZ*BC + BZ*AC + CZ*AB)
       HHFIL5 = HHCERT(DET, PERM, 32.0D0, T)
       END
 
@@ -1009,7 +995,7 @@ C     UNSURE.
       IF (NP .EQ. 4) THEN
         HHFILT = HHFIL3(Q, 1, 2, 3, 4, T)
       ELSE
-        HHFILT = HHFIL5(Q, 1, 2, 3, 4, 5, T)
+        HHFILT = HHFIL5(Q, 1, 2, 3, 4, 5, 0, Q, T)
       END IF
       END
 
@@ -1530,54 +1516,39 @@ C       the determinant of the rows A-D, B-D, C-D is minus HHORIE
    50 HHTIED = SGN
       END
 
-C     HHPERT - the sign of D for the positions I, J, K, L, M of a set;
-C     where it is 0, or taken to be (TIE = 1), RULE times that of
-C     HHTIED.  RULE = 2: L and M are on the positive side of I, J, K.
-      INTEGER FUNCTION HHPERT(X, P, ORD, T3, T5, I, J, K, L, M, RULE,
-     $                        TIE)
+C     HHPBAL - the sign of the determinant I of HHFIL5 for the positions
+C     V(1..3), A, B of a set of points (see HHPSID): B is inside the
+C     ball of V and A iff I times HHPSID of V, A is negative.  Where I
+C     is 0, by RULE:
+C       0   0
+C       1   the sign, never 0, of the perturbed I
+C       2   twice that; A and B are on the positive side of V: B beats A
+C           as the apex of the facet V if the result is negative
+C       3   the same, and I is taken to be 0, without a test
+      INTEGER FUNCTION HHPBAL(X, P, ORD, T3, T5, V, A, B, RULE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
-      INTEGER ORD(*), I, J, K, L, M, RULE, TIE
+      INTEGER ORD(*), V(*), A, B, RULE
       INTEGER UNSURE
       PARAMETER (UNSURE = 2)
-      INTEGER HHAPAR, HHDECI, HHFIL5, HHTIED, SGN, V(5)
-      V(1) = I
-      V(2) = J
-      V(3) = K
-      V(4) = L
-      V(5) = M
+      INTEGER HHAPAR, HHDECI, HHFIL5, HHTIED, K, SGN, W(5)
+      DO 10 K = 1, 3
+        W(K) = V(K)
+   10 CONTINUE
+      W(4) = A
+      W(5) = B
       SGN = 0
-      IF (TIE .EQ. 0) THEN
+      IF (RULE .NE. 3) THEN
         SGN = UNSURE
-        IF (HHAPAR(X, T3, I) .EQ. 0)
-     $      SGN = HHFIL5(X, I, J, K, L, M, T5)
-        IF (SGN .EQ. UNSURE) SGN = HHDECI(X, P, ORD, T3, 5, V)
+        IF (HHAPAR(X, T3, V(1)) .EQ. 0)
+     $      SGN = HHFIL5(X, V(1), V(2), V(3), A, B, 0, X, T5)
+        IF (SGN .EQ. UNSURE) SGN = HHDECI(X, P, ORD, T3, 5, W)
       END IF
-      IF (SGN .EQ. 0 .AND. RULE .GT. 0)
-     $    SGN = RULE*HHTIED(X, P, ORD, T3, V, RULE/2)
-      HHPERT = SGN
-      END
-
-C     HHPBAL - the sign, never 0, of the perturbed determinant D for the
-C     positions I, J, K, L, M of a set of points (see HHPSID): M is
-C     inside the ball of I, J, K, L iff D times HHPSID of I, J, K, L is
-C     negative.  Without a rule (RULE = 0) the sign of D itself, 0 when
-C     the five are on one sphere.
-      INTEGER FUNCTION HHPBAL(X, P, ORD, T3, T5, I, J, K, L, M, RULE)
-      DOUBLE PRECISION X(3,*), P(3,*), T3, T5
-      INTEGER ORD(*), I, J, K, L, M, RULE
-      INTEGER HHPERT
-      HHPBAL = HHPERT(X, P, ORD, T3, T5, I, J, K, L, M, RULE, 0)
-      END
-
-C     HHPBEA - negative if B beats A as the apex of the facet V, both on
-C     its positive side, else positive: 1 or -1, or 2 or -2 if the five
-C     points are on one sphere.  If TIE is 1, they are taken to be,
-C     without a test.
-      INTEGER FUNCTION HHPBEA(X, P, ORD, T3, T5, V, A, B, TIE)
-      DOUBLE PRECISION X(3,*), P(3,*), T3, T5
-      INTEGER ORD(*), V(3), A, B, TIE
-      INTEGER HHPERT
-      HHPBEA = HHPERT(X, P, ORD, T3, T5, V(1), V(2), V(3), A, B, 2, TIE)
+      IF (SGN .EQ. 0 .AND. RULE .EQ. 1) THEN
+        SGN = HHTIED(X, P, ORD, T3, W, 0)
+      ELSE IF (SGN .EQ. 0 .AND. RULE .GT. 1) THEN
+        SGN = 2*HHTIED(X, P, ORD, T3, W, 1)
+      END IF
+      HHPBAL = SGN
       END
 
 C     HHROWS - the limbs X of the rows p - last of 4 positions V
@@ -1802,6 +1773,123 @@ C     is 1: a point outside needs none.
         CALL HHLEVE(P, ORD, T, Z, 1, SUM, OK)
         IF (OK .EQ. 1) SIDE = HHSIGN(BROWS + 1, CARRY, SUM)
       END IF
+      END
+
+C     HHLIFT - number PLACE behind SH = the power of the position Z in
+C     the sphere S (see HHLIFS), right to 4 EPS of itself: U.(U -
+C     twice), U seen from the base, all of it by limbs.  3 NLIFT
+C     products of at most BASE and 3/2 BASE fit one limb.  OK is 0, and
+C     S is left alone, if NLIFT limbs do not hold Z; else it is 1.
+      SUBROUTINE HHLIFT(X, Z, S, PLACE, OK)
+      DOUBLE PRECISION X(3,*), S(*)
+      INTEGER Z, PLACE, OK
+      INTEGER SH, SBASE, STWICE, NLIFT, BITS
+      DOUBLE PRECISION BASE
+      PARAMETER (SH = 3, SBASE = 7, STWICE = 16, NLIFT = 3, BITS = 24,
+     $    BASE = 2.0D0**24)
+      DOUBLE PRECISION HHLDEX, H, SUM(2*NLIFT), U(3*NLIFT), Y(3*NLIFT)
+      INTEGER AT, I, K
+      OK = 0
+      CALL HHSPLI(3, X(1,Z), 4.0D0/BASE, NLIFT, U, I)
+      IF (I .GT. NLIFT) RETURN
+      OK = 1
+      DO 10 I = 1, 3*NLIFT
+        U(I) = U(I) - S(SBASE+I)
+        Y(I) = U(I) - S(STWICE+I)
+   10 CONTINUE
+      CALL HHZERO(2*NLIFT, SUM)
+      DO 30 I = 0, NLIFT - 1
+        DO 20 K = 0, NLIFT - 1
+          SUM(I+K+2) = SUM(I+K+2) + (U(3*I+1)*Y(3*K+1) +
+     $                 U(3*I+2)*Y(3*K+2) + U(3*I+3)*Y(3*K+3))
+   20   CONTINUE
+   30 CONTINUE
+      CALL HHCARR(2*NLIFT, 1, 1, SUM)
+      CALL HHLEAD(2*NLIFT, SUM, 1, 1, H, AT)
+      S(SH+PLACE) = HHLDEX(H, 4 - AT*BITS)
+      END
+
+C     HHAROU - sets S to a sphere through the base of the facet V, of
+C     set-up F, about the centre of the ball of L-coordinate L, rounded
+C     to multiples of 2**E, few enough for HHNEAR.  OK is 0 if it is too
+C     large, or if limbs do not hold it or V; else it is 1.
+      SUBROUTINE HHAROU(X, V, BASE, F, L, S, OK)
+      DOUBLE PRECISION X(3,*), F(12), L, S(*)
+      INTEGER V(3), BASE, OK
+      INTEGER SBEST, SLAST, SBASE, STWICE, NLIFT
+      DOUBLE PRECISION TOP
+      PARAMETER (SBEST = 2, SLAST = 3, SBASE = 7, STWICE = 16,
+     $    NLIFT = 3, TOP = 4.0D0/2.0D0**24)
+      DOUBLE PRECISION HHLDEX, HHNEAR, C(3), MOST
+      INTEGER HHFREX, E, K
+      S(SBEST) = 0.0D0
+      S(SLAST) = 0.0D0
+      MOST = 0.0D0
+      DO 10 K = 1, 3
+        C(K) = F(3+K) + L*F(K)
+        MOST = MAX(MOST, ABS(C(K)))
+   10 CONTINUE
+      OK = 0
+      IF (MOST .GT. 0.5D0) RETURN
+      E = HHFREX(MOST) - 28
+      DO 20 K = 1, 3
+        C(K) = HHLDEX(HHNEAR(HHLDEX(C(K), -E)), E + 1)
+   20 CONTINUE
+      CALL HHSPLI(3, X(1,V(BASE)), TOP, NLIFT, S(SBASE+1), K)
+      IF (K .GT. NLIFT) RETURN
+      CALL HHSPLI(3, C, TOP, NLIFT, S(STWICE+1), K)
+      IF (K .GT. NLIFT) RETURN
+      CALL HHLIFT(X, V(MOD(BASE,3)+1), S, 1, OK)
+      IF (OK .EQ. 1) CALL HHLIFT(X, V(MOD(BASE+1,3)+1), S, 2, OK)
+      END
+
+C     HHLIFS - SGN = HHPBAL for the positions V(1..3), A, Z of a set
+C     (see HHPSID), 1 or -1, by their powers in one sphere near all of
+C     them; or UNSURE.  F is the set-up of the facet V, from V(BASE);
+C     the sphere in S is that of the L-coordinate L of a point near
+C     which the others are expected, or, if S is ready, an earlier one.
+C
+C     I does not change if an affine function of Q is subtracted from
+C     |Q|**2.  So the powers of the points in any one sphere may take
+C     the place of |Q|**2.  Where the points are near the sphere these
+C     are small, but right to a few EPS all the same, so HHFIL5 loses no
+C     digits to the points' being near it.  The base takes the place of
+C     E: its power is 0.  Neither that nor a cyclic exchange of V
+C     changes the sign.
+C
+C     A sphere (hh_sphere in C) through the base of a facet.  In S:
+C       SREADY  0: none yet; -1: it cannot be had
+C       SBASE   behind it limbs of the base
+C       STWICE  behind it limbs of twice the centre, seen from the base
+C       SH      behind it powers of the facet's two other vertices and
+C               of two points: SBEST, SLAST: their positions, or 0
+      SUBROUTINE HHLIFS(X, T3, V, BASE, F, L, A, Z, S, SGN)
+      DOUBLE PRECISION X(3,*), T3, F(12), L, S(*)
+      INTEGER V(3), BASE, A, Z, SGN
+      INTEGER SREADY, SBEST, SLAST, SH, UNSURE
+      PARAMETER (SREADY = 1, SBEST = 2, SLAST = 3, SH = 3, UNSURE = 2)
+      INTEGER HHFIL5, OK
+      SGN = UNSURE
+      IF (INT(S(SREADY)) .EQ. 0) THEN
+        IF (T3 .LT. -1.0D0 .OR. ABS(L) .GT. 1.0D3*F(12)) RETURN
+        SGN = HHFIL5(X, V(1), V(2), V(3), A, Z, 0, X, -1.0D0)
+        IF (SGN .NE. UNSURE) RETURN
+        CALL HHAROU(X, V, BASE, F, L, S, OK)
+        S(SREADY) = DBLE(2*OK - 1)
+      END IF
+      IF (S(SREADY) .LT. 0.0D0) RETURN
+      IF (INT(S(SLAST)) .EQ. A) THEN
+        S(SH+3) = S(SH+4)
+      ELSE IF (INT(S(SBEST)) .NE. A) THEN
+        CALL HHLIFT(X, A, S, 3, OK)
+        IF (OK .EQ. 0) RETURN
+      END IF
+      S(SBEST) = DBLE(A)
+      CALL HHLIFT(X, Z, S, 4, OK)
+      IF (OK .EQ. 0) RETURN
+      S(SLAST) = DBLE(Z)
+      SGN = HHFIL5(X, V(MOD(BASE,3)+1), V(MOD(BASE+1,3)+1), A, Z,
+     $             V(BASE), 1, S(SH+1), -1.0D0)
       END
 
 C     HHUNIT - makes a ball ready for HHHEIG.  What that divides by: D,

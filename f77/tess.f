@@ -107,7 +107,7 @@ C     after TSMKRO, callers must reload OLDEST.
 C
 C     What depends on the tie rule (hhpred): that a facet's apex is one
 C     point for both its sides, so that the pool empties; TSFIRS, on a
-C     hull face of more than three points; in HHPBEA, that both
+C     hull face of more than three points; in HHPBAL, that both
 C     candidates are on the positive side; in TSWALK, that heights are
 C     lifted; TSINTA.
 C
@@ -125,11 +125,11 @@ C         quota TSQUOT, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoints TSSETP, boxquery TSBOXQ,
 C         leaflist TSLFLI, compress TSCMPR, starlist TSSTLI
 C       search: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
-C         narrow TSNARR, refine TSREFI, exactly TSEXAC,
-C         challenge TSCHAL, consider TSCONS, ballinbox TSBINB,
-C         ballinstar TSBINS, ballcoef TSBALC, listball TSLIBA,
-C         instar TSINST, inblock TSINBL, scanleaf TSSCAN,
-C         treesearch TSTREE, onhull TSONHU, prepare TSPREP, apex TSAPEX
+C         narrow TSNARR, refine TSREFI, challenge TSCHAL,
+C         consider TSCONS, ballinbox TSBINB, ballinstar TSBINS,
+C         ballcoef TSBALC, listball TSLIBA, instar TSINST,
+C         inblock TSINBL, scanleaf TSSCAN, treesearch TSTREE,
+C         onhull TSONHU, prepare TSPREP, apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
 C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
@@ -214,7 +214,6 @@ C               kept, from CELL1 on: CELL(0:MCELL,CELLS), each how many
 C               points it has and these, the least number first
 C       SCALE   X = P 2**(-SCALE)
 C       NSUPP   supports that there are
-C       NSIGN   exact signs that have a place, from SIGN1 on: see TSEXAC
 C     RCTL, its doubles:
 C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
@@ -257,7 +256,8 @@ C               relative to F(7..9), wrong by at most QDC; QSIZE:
 C               |C|_1; the best point's L-coordinate is between QLO and
 C               QHI: so far C(7) where the rest is not needed; from QT
 C               on T, in which QQ is TQ; from QLIMB on the ball by limbs
-C               (see HHCENT)
+C               (see HHCENT), from QSPHER on a sphere near the points
+C               that are compared with the best one (see HHLIFS)
 C       T       of the support that the facet is on: TSAIM's test, that
 C               a (height - h) + q |W|**2 - d.W > 0, of which each
 C               coordinate of W is wrong by dd times it, and all by err:
@@ -312,7 +312,6 @@ C               holds them and their roundings
 C       SLIM    no cylinders are used if fewer than one leaf of 64 has
 C               one below SLIM of its box
 C       MCELL, CELLS  maximum number of points of a cell, and of cells
-C       SIGNS   number of exact signs kept
 C       PLANES  number of hull planes remembered
 C       ASTRAY  steps from a given start after which a location looks
 C               for a better one.  With 8, ordered queries among 100,000
@@ -757,8 +756,8 @@ C     tetrahedron.
           IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3),
      $        I) .EQ. 0) THEN
             IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) THEN
-              IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V(1), V(2),
-     $            V(3), W, I, 1) .LT. 0) V(3) = I
+              IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, W, I, 1)
+     $            .LT. 0) V(3) = I
             END IF
           END IF
         END IF
@@ -1403,78 +1402,30 @@ C     place of C, with the error of F(4..6) and one more rounding.
       FQ(QHI) = MIN(FQ(QHI), L + ERR)
       END
 
-C     TSEXAC - SGN = the exact side of Z or, if BEAT is 1, HHPBEA of the
-C     best point and Z.  Either is the sign of a determinant, perturbed
-C     for ties, and changes with each exchange of two points; 2 becomes
-C     -2.  The last signs are kept, for the points in order of position.
-C     Grids that have the corners of their cells on a sphere, but for
-C     rounding, ask for one in four again: cylindrical ones take 1.1
-C     times the instructions without, spherical ones 1.2.  Where hardly
-C     one is asked for again, it takes 0.3 % more; where sums without
-C     rounding decide most (T5), 3 %: TSCHAL does not ask here then.
-      SUBROUTINE TSEXAC(X, P, ORD, CTL, RCTL, V, BEST, Z, BEAT, SGN)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), BEST, Z, BEAT, SGN
-      INTEGER NP, NSIGN, SIGN1, T3, T5, SIGNS
-      PARAMETER (NP = 1, NSIGN = 85, SIGN1 = 86, T3 = 1, T5 = 2,
-     $    SIGNS = 128)
-      INTEGER HHPBEA, HHPSID, AT, I, K, TURN, W(0:5), Y
-      DO 10 K = CTL(NSIGN), SIGNS - 1
-        CTL(SIGN1+6*K) = 0
-   10 CONTINUE
-      CTL(NSIGN) = SIGNS
-      AT = 0
-      TURN = 1
-      W(0) = 0
-      DO 30 I = 1, 5
-        Y = V(MIN(I, 3))
-        IF (I .EQ. 4) Y = Z
-        IF (I .EQ. 5) Y = CTL(NP) + 1
-        IF (I .EQ. 5 .AND. BEAT .EQ. 1) Y = BEST
-        K = I
-   20   IF (W(K-1) .GT. Y) THEN
-          W(K) = W(K-1)
-          K = K - 1
-          TURN = -TURN
-          GO TO 20
-        END IF
-        W(K) = Y
-        AT = AT + MOD(Y, SIGNS)
-   30 CONTINUE
-      AT = SIGN1 - 1 + 6*MOD(AT, SIGNS)
-      DO 40 K = 1, 5
-        IF (CTL(AT+K) .NE. W(K)) GO TO 50
-   40 CONTINUE
-      SGN = TURN*CTL(AT+6)
-      RETURN
-   50 DO 60 K = 1, 5
-        CTL(AT+K) = W(K)
-   60 CONTINUE
-      IF (BEAT .EQ. 1) THEN
-        SGN = HHPBEA(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 0)
-      ELSE
-        SGN = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
-      END IF
-      CTL(AT+6) = TURN*SGN
-      END
-
 C     TSCHAL - takes Z if it is on the open side and beats the best
 C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
-C     the rule of HHPBAL.  The Householder bounds decide where they
-C     can.  Where they cannot, the better point's limits are tightened
-C     by the other's.
+C     the rule of HHPBAL.  The Householder bounds decide where they can,
+C     then, unless the last search met ties, HHLIFS.  Its sphere is that
+C     of Z or of the best point, but not of a ball by limbs, whose four
+C     points are nearly in a plane.  Where it cannot tell, the better
+C     point's limits are tightened by the other's.  Without it rotated
+C     grids, which have the corners of their cells on a sphere, but for
+C     rounding, take 1.2 to 1.6 times the instructions.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
-      INTEGER T3, T5, RPATIE, QBEST, QLIMBS, QASKED, QON, QTIED, QLO,
-     $    QHI, QLIMB, UNSURE, MANY, QT
-      DOUBLE PRECISION PLAIN, WIDE
-      PARAMETER (T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1, QLIMBS = 2,
-     $    QASKED = 5, QON = 6, QTIED = 8, QLO = 6, QHI = 7, QLIMB = 22,
-     $    UNSURE = 2, MANY = 6, PLAIN = 16.0D0, WIDE = 1.0D0, QT = 8)
-      DOUBLE PRECISION HI, LO
-      INTEGER HHPBEA, HHPSID, OPEN, POWER, SGN, SIDE
+      INTEGER TIED, T3, T5, RPATIE, QBEST, QLIMBS, QBASE, QASKED, QON,
+     $    QTIED, QLO, QHI, QLIMB, QSPHER, UNSURE, MANY, QT
+      DOUBLE PRECISION PLAIN, WIDE, EPS, HUGE
+      PARAMETER (TIED = 14, T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1,
+     $    QLIMBS = 2, QBASE = 4, QASKED = 5, QON = 6, QTIED = 8,
+     $    QLO = 6, QHI = 7, QLIMB = 22, QSPHER = 109, UNSURE = 2,
+     $    MANY = 6, PLAIN = 16.0D0, WIDE = 1.0D0, QT = 8,
+     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION HI, L, LO
+      INTEGER BEST, HHPBAL, HHPSID, OPEN, POWER, SGN, SIDE
+      BEST = IQ(QBEST)
       CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
       IF (IQ(QON) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, P, ORD, MARK,
      $    SUP, IQ, F, FQ(QT), Z, SIDE, LO, HI)
@@ -1482,34 +1433,32 @@ C     by the other's.
       POWER = UNSURE
       IF (SIDE .LT. 0) RETURN
       OPEN = 0
-      IF (IQ(QBEST) .NE. 0) THEN
+      IF (BEST .NE. 0) THEN
         IF (LO .GT. FQ(QHI)) RETURN
         IF (HI .GE. FQ(QLO)) OPEN = 1
       END IF
       IF (SIDE .EQ. 0 .OR. OPEN .EQ. 1) THEN
         IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
+        IF (OPEN .EQ. 1 .AND. RCTL(T5) .LT. 0.0D0 .AND. CTL(TIED) .EQ.
+     $      0) THEN
+          L = FQ(QHI)
+          IF (IQ(QLIMBS) .EQ. 1) L = HUGE
+          IF (SIDE .EQ. 1) L = HI
+          CALL HHLIFS(X, RCTL(T3), V, IQ(QBASE), F, L, BEST, Z,
+     $                FQ(QSPHER), POWER)
+        END IF
         IF (IQ(QLIMBS) .EQ. 1) THEN
-          IF (OPEN .EQ. 1) POWER = 0
+          IF (OPEN .EQ. 1 .AND. POWER .EQ. UNSURE) POWER = 0
           CALL HHTRIA(P, ORD, FQ(QLIMB), Z, SGN, POWER)
         END IF
-        IF (POWER .NE. 1 .AND. (SGN .EQ. 0 .OR. SGN .EQ. UNSURE)) THEN
-          IF (RCTL(T5) .LT. 0.0D0) THEN
-            CALL TSEXAC(X, P, ORD, CTL, RCTL, V, IQ(QBEST), Z, 0, SGN)
-          ELSE
-            SGN = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
-          END IF
-        END IF
+        IF (POWER .NE. 1 .AND. (SGN .EQ. 0 .OR. SGN .EQ. UNSURE))
+     $      SGN = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
         IF (SGN .LE. 0) RETURN
       END IF
       IF (OPEN .EQ. 1) THEN
-        IF (RCTL(T5) .LT. PLAIN) IQ(QASKED) = IQ(QASKED) + 1
         IF (POWER .EQ. UNSURE) THEN
-          IF (RCTL(T5) .LT. 0.0D0) THEN
-            CALL TSEXAC(X, P, ORD, CTL, RCTL, V, IQ(QBEST), Z, 1, POWER)
-          ELSE
-            POWER = HHPBEA(X, P, ORD, RCTL(T3), RCTL(T5), V, IQ(QBEST),
-     $        Z, 0)
-          END IF
+          IF (RCTL(T5) .LT. PLAIN) IQ(QASKED) = IQ(QASKED) + 1
+          POWER = HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
         END IF
         IF (ABS(POWER) .EQ. 2) IQ(QTIED) = IQ(QTIED) + 1
         IF (POWER .GT. 0) THEN
@@ -1985,11 +1934,11 @@ C     longest edge.
       DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42)
       INTEGER SCALE, NSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON,
-     $    QTIED, QOPEND, QLO, QHI, QT
+     $    QTIED, QOPEND, QLO, QHI, QSPHER, QT
       DOUBLE PRECISION EPS, HUGE, THIN
       PARAMETER (SCALE = 19, NSUPP = 20, QBEST = 1, QLIMBS = 2,
      $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIED = 8,
-     $    QOPEND = 10, QLO = 6, QHI = 7,
+     $    QOPEND = 10, QLO = 6, QHI = 7, QSPHER = 109,
      $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023, QT = 8,
      $    THIN = 1.0D-6)
       DOUBLE PRECISION EDGE, LONGST
@@ -2002,6 +1951,7 @@ C     longest edge.
       IQ(QON) = 0
       IQ(QOPEND) = 0
       IQ(QTIED) = 0
+      FQ(QSPHER) = 0.0D0
       FQ(QLO) = -HUGE
       FQ(QHI) = HUGE
       FQ(1) = 0.0D0
@@ -2044,7 +1994,7 @@ C     GUESS holds two positions to try first, or 0.
       PARAMETER (NP = 1, NPLANE = 12, PLANE1 = 21,
      $    NCELL = 17, CELL1 = 33, FUTILE = 18, RBURDN = 4, RPATIE = 5,
      $    QBEST = 1, QON = 6, QOPEND = 10, PLANES = 4, OPENED = 24)
-      DOUBLE PRECISION F(12), FQ(108), H
+      DOUBLE PRECISION F(12), FQ(133), H
       INTEGER TSCURV, TSONHU, AT, G, IQ(42), K, LISTS, OK
       IF (CTL(NCELL) .GT. 0) THEN
         CALL TSINCE(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V, Z)
@@ -2169,7 +2119,7 @@ C     uses the tree alone.
       PARAMETER (LEAVES = 4, NPLANE = 12, NCELL = 17,
      $    T3 = 1, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2,
      $    QBEST = 1)
-      DOUBLE PRECISION F(12), FQ(108)
+      DOUBLE PRECISION F(12), FQ(133)
       INTEGER HHPSID, TSLEAF, TSLFST, ALL, FIRST, G(3), GUESS(2), I,
      $    IQ(42), J, K, LEAF, LENGTH, NODE, OK, R(4), SAME, Z
       LEAF = TSLEAF(CTL, S)
@@ -2853,17 +2803,16 @@ C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI)
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
-      INTEGER NP, NPLANE, TIED, ENCLOS, NCELL, FUTILE, NSUPP, NSIGN,
+      INTEGER NP, NPLANE, TIED, ENCLOS, NCELL, FUTILE, NSUPP,
      $    RBURDN, RPATIE, LFIRST, LLAST, LN, BLK, STR
       PARAMETER (NP = 1, NPLANE = 12, TIED = 14, ENCLOS = 16,
-     $    NCELL = 17, FUTILE = 18, NSUPP = 20, NSIGN = 85, RBURDN = 4,
+     $    NCELL = 17, FUTILE = 18, NSUPP = 20, RBURDN = 4,
      $    RPATIE = 5, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2)
       CTL(NP) = 0
       CTL(NPLANE) = 0
       CTL(TIED) = 0
       CTL(ENCLOS) = 0
       CTL(NCELL) = 0
-      CTL(NSIGN) = 0
       CTL(FUTILE) = 0
       CTL(NSUPP) = 0
       RCTL(RBURDN) = 0.0D0
@@ -3142,8 +3091,8 @@ C     the positions of the points.
             IF (ADJ(4*(U-1)+J) .NE. T) RETURN
             INFO = -5
             IF (U .GT. T) THEN
-              IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V(1), V(2),
-     $            V(3), V(4), HEAD(TET(J,U)), 1) .LT. 0) RETURN
+              IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, V(4),
+     $            HEAD(TET(J,U)), 1) .LT. 0) RETURN
             END IF
           END IF
    60   CONTINUE
@@ -3535,7 +3484,7 @@ C     element of RW or IW, and the standard lets them be altered.
       PARAMETER (TSLIST = 512, ENCLOS = 16, NSUPP = 20, SUPPS = 8)
       DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(853), K, LENGTH, LSI(3,2), LSID(TSLIST+48,2), OWN,
+      INTEGER CTL(84), K, LENGTH, LSI(3,2), LSID(TSLIST+48,2), OWN,
      $    SPACE
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,
@@ -3641,7 +3590,7 @@ C     spread evenly); nothing else is kept of these.
      $    PLAIN = 16.0D0, KEEN = 1.0D0/256.0D0)
       DOUBLE PRECISION LSD(14,2), PART, RCTL(6), SUP(96,SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER ADJ(4*STARS), CODE, CTL(853), GUESS(2), I, K, LENGTH,
+      INTEGER ADJ(4*STARS), CODE, CTL(84), GUESS(2), I, K, LENGTH,
      $    LSI(3,2), LSID(TSLIST+48,2), MANY, MINE, OWN, SPACE,
      $    TET(4,STARS), V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, ROOMY,
@@ -4778,7 +4727,7 @@ C     side.
         SIDE = 0
         IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
      $      Z .NE. IQ(QBEST)) SIDE = HHPBAL(X, P, ORD, RCTL(T3),
-     $      RCTL(T5), V(1), V(2), V(3), IQ(QBEST), Z, 0)
+     $      RCTL(T5), V, IQ(QBEST), Z, 0)
         IF (SIDE .LT. 0) RETURN
         IF (SIDE .EQ. 0) THEN
           M = M + 1
@@ -4806,7 +4755,7 @@ C     see "Ties".
       INTEGER ORD(*), NCELL, CELL(0:12,*), V(3), Z
       INTEGER T3, T5, CELLS
       PARAMETER (T3 = 1, T5 = 2, CELLS = 4)
-      INTEGER HHPBEA, HHPSID, I, IN, J, K
+      INTEGER HHPBAL, HHPSID, I, IN, J, K
       Z = 0
       DO 40 K = 1, MIN(NCELL, CELLS)
         IN = 0
@@ -4821,8 +4770,8 @@ C     see "Ties".
               IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), J) .GT.
      $            0) THEN
                 IN = -1
-                IF (Z .NE. 0) IN = HHPBEA(X, P, ORD, RCTL(T3),
-     $              RCTL(T5), V, Z, J, 1)
+                IF (Z .NE. 0) IN = HHPBAL(X, P, ORD, RCTL(T3),
+     $              RCTL(T5), V, Z, J, 3)
                 IF (IN .LT. 0) Z = J
               END IF
               IF (I .EQ. 1) GO TO 30
@@ -5452,7 +5401,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
      $    HMOST = 10, NONE = 0, SUPPS = 8, RANGE = 6)
       DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS), XF(3)
       REAL LSX(TSLIST,4,2)
-      INTEGER HHFINI, HHHOLD, HHPSID, TSSLOT, AT, CTL(853), FROM,
+      INTEGER HHFINI, HHHOLD, HHPSID, TSSLOT, AT, CTL(84), FROM,
      $    F(3), G(4,1), H(10), I, K, LSI(3,2), LSID(TSLIST+48,2), OK, S,
      $    STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,

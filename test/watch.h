@@ -38,7 +38,7 @@ static int better(const mesh *m, const quest *f, tess_int z)
 {
     return z != f->v[0] && z != f->v[1] && z != f->v[2] && z != f->best &&
            hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z) > 0 &&
-           (f->best == NONE || hh_pbeat(&m->set, f->v, f->best, z, 0) < 0);
+           (f->best == NONE || hh_pball(&m->set, f->v, f->best, z, 2) < 0);
 }
 
 /* barren - returns 1 if no point of a node is better than the best point. */
