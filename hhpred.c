@@ -9,8 +9,8 @@
  *                     hh_orient hh_insphere hh_flat hh_line closest hh_foot
  *                     hh_weigh hh_wider hh_range apart corners decide hh_pside
  *   the tie rule      tied hh_pball
- *   balls by limbs    rows cut hh_centre level hh_trial lift around hh_lifts
- *                     hh_unit hh_height hh_thin
+ *   balls by limbs    rows cut hh_centre level hh_trial lift hh_about hh_height
+ *                     around hh_lifts hh_thin
  *   Householder       house reflec hh_setup hh_ratio hh_limits
  *                     hh_facet hh_side hh_opp hh_lcoord hh_wrap
  */
@@ -1242,7 +1242,7 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
 }
 
 /* lift - *h = the power of the position z in a sphere, right to 4 eps of
- * itself: u.(u - twice), u seen from the base, all of it by limbs.  3 HH_LIFT
+ * itself: u.(u - minus), u seen from the base, all of it by limbs.  3 HH_LIFT
  * products of at most BASE and 3/2 BASE fit one limb.  Returns 0, and leaves *h
  * alone, if HH_LIFT limbs do not hold z. */
 static int lift(const hh_set *s, const hh_sphere *t, tess_int z, double *h)
@@ -1253,7 +1253,7 @@ static int lift(const hh_set *s, const hh_sphere *t, tess_int z, double *h)
     if (split(3, s->x + 3 * z, 4.0 / BASE, HH_LIFT, u) > HH_LIFT) return 0;
     for (i = 0; i < 3 * HH_LIFT; i++) {
         u[i] -= t->base[i];
-        y[i] = u[i] - t->twice[i];
+        y[i] = u[i] - t->minus[i];
     }
     zeros(2 * HH_LIFT, sum);
     for (i = 0; i < HH_LIFT; i++)
@@ -1265,6 +1265,60 @@ static int lift(const hh_set *s, const hh_sphere *t, tess_int z, double *h)
     *h = leading(2 * HH_LIFT, sum, 1, &at);
     *h = ldexp(*h, 4 - (at + 1) * HH_BITS);
     return 1;
+}
+
+/* hh_about - sets t to the sphere of centre c, seen from the position from of
+ * the set s, or, if plane is 1, to the plane of normal c: through the position
+ * base.  Returns 0 if the centre is farther than BASE / 4, or limbs do not hold
+ * it. */
+int hh_about(const hh_set *s, tess_int base, tess_int from, int plane,
+             const double *c, hh_sphere *t)
+{
+    double q[9], x[9 * HH_HIGH];
+    int i, k;
+
+    t->plane = plane;
+    t->e = 2 - HH_BITS;
+    for (k = 0; k < 3; k++) {
+        q[k] = s->x[3 * base + k];
+        q[3 + k] = c[k];
+        q[6 + k] = s->x[3 * from + k];
+        while (ldexp(fabs(c[k]), -t->e) > BASE / 4.0) t->e++;
+    }
+    t->n = split(9, q, ldexp(1.0, t->e), HH_HIGH, x);
+    for (i = 0; i < 3 * HH_HIGH; i++) {
+        k = i / 3 * 9 + i % 3;
+        t->base[i] = x[k];
+        t->minus[i] = plane ? -x[k + 3] : 2.0 * (x[k + 3] + x[k + 6] - x[k]);
+    }
+    carry(HH_HIGH, 3, 3, t->minus);
+    return t->n <= HH_HIGH && t->e <= 0;
+}
+
+/* hh_height - returns the height of the position z above a plane, or its power
+ * in a sphere, by limbs as in lift.  *err bounds the error: BASE^2 if limbs do
+ * not hold z, as |z| <= 1 and no centre is farther than BASE.  (7 rows of
+ * products are 30.75 BASE^2 at most: limbs are at most BASE and 3/2 BASE, limbs
+ * 0 BASE/2 and 2 BASE.) */
+double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
+{
+    double u[3 * HH_HIGH], y[3 * HH_HIGH], sum[2 * HH_HIGH], h;
+    int n = split(3, s->x + 3 * z, ldexp(1.0, t->e), HH_HIGH, u), i, at;
+
+    *err = BASE * BASE;
+    if (n > HH_HIGH) return 0.0;
+    if (n < t->n) n = t->n;
+    for (i = 0; i < 3 * HH_HIGH; i++) {
+        u[i] -= t->base[i];
+        y[i] = (t->plane ? 0.0 : u[i]) - t->minus[i];
+    }
+    zeros(2 * n, sum);
+    product(DOT, n, 3, u, n, 3, y, 2 * n, 1, sum);
+    carry(2 * n, 1, 1, sum);
+    h = leading(2 * n, sum, 1, &at);
+    h = ldexp(h, 2 * t->e + (1 - at) * HH_BITS);
+    *err = 8.0 * DBL_EPSILON * fabs(h) + TINY;
+    return h;
 }
 
 /* around - sets t to a sphere through the base of the facet v, of set-up f,
@@ -1288,7 +1342,7 @@ static int around(const hh_set *s, const tess_int *v, int base,
     for (k = 0; k < 3; k++) c[k] = ldexp(nearest(ldexp(c[k], -e)), e + 1);
     return split(3, s->x + 3 * v[base], 4.0 / BASE, HH_LIFT, t->base) <=
                HH_LIFT &&
-           split(3, c, 4.0 / BASE, HH_LIFT, t->twice) <= HH_LIFT &&
+           split(3, c, 4.0 / BASE, HH_LIFT, t->minus) <= HH_LIFT &&
            lift(s, t, v[(base + 1) % 3], t->h) &&
            lift(s, t, v[(base + 2) % 3], t->h + 1);
 }
@@ -1328,51 +1382,6 @@ int hh_lifts(const hh_set *s, const tess_int *v, int base, const double *f,
                  x + 3 * a, x + 3 * z, x + 3 * v[base], t->h, -1.0);
 }
 
-/* hh_unit - makes a ball ready for hh_height.  What that divides by: D, or, if
- * plane is 1, the length of the normal of a ball's facet, both as of the
- * leading rows; c: the normal over it, right to 12 eps.  The base gets limbs
- * for points in smaller units than the ball's own (6371 cos 90 degrees is 4e-13
- * in double): without them such points have no height. */
-void hh_unit(hh_ball *t, int plane, double *c)
-{
-    int k, at;
-
-    for (; t->n < HH_ROWS && t->n < HH_FEW; t->n++)
-        for (k = 0; k < 3; k++) t->base[3 * t->n + k] = 0.0;
-    t->unit = plane ? 0.0 : t->d;
-    t->bits = 2 * t->e + (2 - t->first) * HH_BITS;
-    if (!plane) return;
-    t->bits = t->e + (1 - t->first) * HH_BITS;
-    for (k = 0; k < 3; k++) {
-        c[k] = leading(HH_ROWS, t->side + k, 4, &at);
-        c[k] = ldexp(c[k], -at * HH_BITS);
-        t->unit += c[k] * c[k];
-    }
-    t->unit = sqrt(t->unit);
-    for (k = 0; k < 3; k++) c[k] /= t->unit;
-}
-
-/* hh_height - returns the height of the position z above the plane of a ball's
- * facet if plane is 1, else its power in the ball, scaled as s->x is.  *err
- * bounds the error: the value of the leading limbs errs by 3 eps, the divisor
- * by 3 (by 5 for a normal), the quotient by 1, and the last row of the sum by
- * CARRY units.  *err is DBL_MAX if the limbs do not hold it. */
-double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
-                 double *err)
-{
-    double sum[HH_ROWS + 1], h;
-    int at;
-
-    *err = DBL_MAX;
-    if (!level(s, t, z, plane, sum)) return 0.0;
-    carry(HH_ROWS + 1, 1, 1, sum);
-    h = leading(HH_ROWS + 1, sum, 1, &at);
-    h = ldexp(h / t->unit, t->bits - at * HH_BITS);
-    *err = 16.0 * DBL_EPSILON * fabs(h) +
-           2.0 * fabs(ldexp(CARRY / t->unit, t->bits - HH_ROWS * HH_BITS));
-    return h;
-}
-
 /* hh_thin - the set-up f of a facet v that is too thin for Householder's
  * bounds, its normal by limbs, as good as that of any other; v[base] is
  * opposite to the longest edge.  With the rows a and b from there n = a x b is
@@ -1402,12 +1411,19 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
         bb += b * b;
     }
     if (e < -CENTRE || aa < HH_SMALL || bb < HH_SMALL) return;
-    hh_unit(&t, 1, f);
-    norm = 2.0 * ldexp(t.unit, e);
+    norm = 0.0;
     for (k = 0; k < 3; k++) {
+        f[k] = leading(HH_ROWS, t.side + k, 4, &i);
+        f[k] = ldexp(f[k], -i * HH_BITS);
+        norm += f[k] * f[k];
+    }
+    norm = sqrt(norm);
+    for (k = 0; k < 3; k++) {
+        f[k] /= norm;
         d[k] = bb * (p2[k] - p1[k]) - aa * (p3[k] - p1[k]);
         f[6 + k] = p1[k];
     }
+    norm = 2.0 * ldexp(norm, e);
     for (k = 0; k < 3; k++) {
         i = (k + 1) % 3;
         j = 3 - i - k;

@@ -191,7 +191,7 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
 #define hh_pball TESS_AS(hh_pball)
 #define hh_trial TESS_AS(hh_trial)
 #define hh_lifts TESS_AS(hh_lifts)
-#define hh_unit TESS_AS(hh_unit)
+#define hh_about TESS_AS(hh_about)
 #define hh_height TESS_AS(hh_height)
 #define hh_thin TESS_AS(hh_thin)
 #define hh_flat TESS_AS(hh_flat)
@@ -218,9 +218,12 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
 /* Leading rows of a ball's numbers that are kept: with 5 a third of the signs
  * on a rotated grid came out, with 6 98 %, with 7 99 %. */
 #define HH_ROWS 6
-/* Limbs of a point for hh_lifts.  The first is that of a coordinate of 1, so
- * they hold all that are above 2^-17 (2^-19 where a double has 24 bits). */
+/* Limbs of a point for hh_lifts: the first is that of a coordinate of 1, so
+ * they hold all that are above 2^-17 (2^-19 where a double has 24 bits).  And
+ * for hh_height: at the pole of a unit sphere sin(pi) cos(pi/2) takes them
+ * all. */
 #define HH_LIFT (DBL_MANT_DIG >= 53 ? 3 : 5)
+#define HH_HIGH 7
 /* HH_FEW is the size of a ball, so the name of what makes one tells it. */
 #define HH_AS_2(name, few) name##_##few
 #define HH_AS_1(name, few) HH_AS_2(name, few)
@@ -255,25 +258,26 @@ typedef struct hh_set {
  *   base   limbs of the base, three coordinates side by side
  *   power  leading rows of C and D, side those of n, and a fourth number
  *   d, e   D of the leading row's weight, exponent of limb 0's weight
- *   unit, bits   what hh_height divides by: see hh_unit; bits before it: the
- *          first row of n */
+ *   bits   first row of n */
 typedef struct hh_ball {
     int n, first;
     double top, factor, most;
     double base[3 * HH_FEW], power[4 * HH_ROWS], side[4 * HH_ROWS];
-    double d, unit;
+    double d;
     int e, bits;
 } hh_ball;
 
-/* hh_sphere - a sphere through the base of a facet, for hh_lifts.
- *   ready       0: none yet; -1: it cannot be had
- *   base        limbs of the base
- *   twice       limbs of twice the centre, seen from the base
+/* hh_sphere - a sphere or a plane by limbs, and what hh_lifts keeps.
+ *   base        limbs of a point on it
+ *   minus       limbs of twice the centre, seen from there; of minus the normal
+ *   plane       1: a plane
+ *   n, e        limbs in use; 2^e is the weight of limb 0
+ *   ready       of hh_lifts: 0: none yet; -1: it cannot be had
  *   h           powers of the facet's two other vertices and of two points:
  *   best, last  their positions, or -1 */
 typedef struct hh_sphere {
-    int ready;
-    double base[3 * HH_LIFT], twice[3 * HH_LIFT], h[4];
+    double base[3 * HH_HIGH], minus[3 * HH_HIGH], h[4];
+    int plane, n, e, ready;
     tess_int best, last;
 } hh_sphere;
 
@@ -300,9 +304,9 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power);
 int hh_lifts(const hh_set *s, const tess_int *v, int base, const double *f,
              double l, tess_int a, tess_int z, hh_sphere *t);
-void hh_unit(hh_ball *t, int plane, double *c);
-double hh_height(const hh_set *s, const hh_ball *t, tess_int z, int plane,
-                 double *err);
+int hh_about(const hh_set *s, tess_int base, tess_int from, int plane,
+             const double *c, hh_sphere *t);
+double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err);
 void hh_thin(const hh_set *s, const tess_int *v, int base, double *f);
 int hh_flat(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c);

@@ -85,24 +85,25 @@
  *   pool         outfac facet owner hashkey same find chain erase enter full
  *                cuberoot quota rehash
  *   lists        disjoint setpoints boxquery leaflist compress starlist
- *   search       dot powererr prunebox narrow refine challenge
- *                consider ballinbox ballinstar ballcoef listball instar
- *                inblock scanleaf treesearch onhull prepare apex
+ *   the ball     dot powererr prunebox ballinbox ballinstar ballcoef listball
+ * then what makes searches faster, each where some data need it:
+ *   supports     rough marked heightover onsupport curved remember place erect
+ *                through fit discover recall supportof sharpen aim lowest
+ *                excluded pruneheights
+ *   cylinders    cylinders makecylinder makecylinders prunecylinders
+ *   ties         newcell incell
+ * then the search, and what it is for:
+ *   search       narrow refine challenge consider instar inblock scanleaf
+ *                treesearch onhull prepare apex
  *   one star     exchange settle
  *   star         clearlink renumber push join unlinkedge between glue flush
  *                attach grow enlist follow gather load complete makeroom begin
  *                star plant stars
  *   results      slot mate
  *   preparation  leafcount lengths layout collect rescale units scaled revive
- *                sorted seal opened intact claim restore allot run
+ *                sorted seal opened digest intact claim restore allot run
  *                badargument
  *   entries      tess_size tess tess_resume tess_index tess_part
- * then what makes searches faster, each where some data need it:
- *   supports     rough marked heightover onsupport curved remember place erect
- *                through fit discover digest recall supportof sharpen aim
- *                lowest excluded pruneheights
- *   cylinders    cylinders makecylinder makecylinders prunecylinders
- *   ties         newcell incell
  * and what needs no mesh under construction:
  *   queries      qside leave inbox
  *   location     closer sample walk hullstep turn nearhull tess_locate
@@ -211,8 +212,10 @@
 /* The ball of the best point is found by limbs when the error of its
  * L-coordinate exceeds WIDE times the coordinate plus the circumradius (with
  * 1e-4 a plane across an axis with noise of 1e-12 takes 5 times as long), and
- * after MANY exact comparisons; not for points in so few units (t5 of hh_set at
- * least PLAIN) that doubles decide these comparisons, which is faster. */
+ * after MANY exact comparisons that were no ties: most ties take no time, as
+ * their points are the corners of a box.  PLAIN: no support is sought where
+ * points are in so few units (t5 of hh_set at least that) that doubles decide
+ * all. */
 #define WIDE 1.0
 #define MANY 6
 #define PLAIN 16.0
@@ -286,7 +289,7 @@ typedef struct quest {
     tess_int best;            /* the best point yet, exactly, or NONE */
     double lo, hi;            /* its L-coordinate is between them */
     int tied;                 /* points met that are exactly on its ball */
-    int asked;                /* comparisons left to the exact predicates */
+    int asked;                /* exact comparisons that were no ties */
     /* its ball */
     int ball;                 /* there is one to prune with: its centre c, */
     double c[3];              /* relative to the base, is wrong by at most */
@@ -320,8 +323,9 @@ typedef struct support {
     tess_int *v;              /* what it is, in RECORD integers: see place */
     tess_int *least;
     int plane;
-    hh_ball t;
-    double at[3], c[3], size; /* seen from at: unit normal, or centre; |c|_1 */
+    hh_sphere t;
+    const double *at;         /* its first point; from there */
+    double c[3];              /* the centre, or the unit normal */
     double low, grain;
 } support;
 
@@ -1034,27 +1038,7 @@ static void starlist(mesh *m, tess_int s)
     setpoints(m, g);
 }
 
-/* ---- the search for the apex of a facet ---- */
-
-/* What follows calls these, of supports, cylinders and ties below. */
-static int marked(const mesh *m, int j, tess_int z, double *h);
-static int curved(const mesh *m, const quest *f);
-static void remember(quest *f, tess_int z, int open);
-static int discover(mesh *m, quest *f);
-static int digest(const mesh *m, tess_int n, int ask);
-static void recall(mesh *m);
-static void supportof(const mesh *m, quest *f);
-static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
-                   double *lo, double *hi);
-static void aim(const mesh *m, quest *f);
-static int excluded(const quest *f, double sum, double size, double h,
-                    double dh);
-static int pruneheights(const mesh *m, quest *f, tess_int node);
-static void prunecylinders(const mesh *m, const quest *f, tess_int node,
-                           double *past);
-static void makecylinders(mesh *m);
-static int newcell(mesh *m, quest *f);
-static tess_int incell(const mesh *m, const tess_int *v);
+/* ---- the ball of a search ---- */
 
 /* dot - the product of two vectors. */
 static double dot(const double *a, const double *b)
@@ -1098,155 +1082,6 @@ static int prunebox(const quest *f, const double *lo, const double *hi)
     }
     return (f->ball && power > powererr(f, size)) ||
            (f->f[9] <= HH_LOOSE && side < -f->f[9] * size - FAINT);
-}
-
-/* narrow - records that the best point's L-coordinate is at most l, and sets
- * the ball of L = l. */
-static void narrow(quest *f, double l)
-{
-    f->hi = l;
-    f->aimed = 0;
-    if (f->limbs || l > MUCHL || l < -MUCHL) return;
-    f->ball = 1;
-    /* on the positive side, a better point is in the ball of any L above the
-     * best point's, so the error of L does not count.  It is large where balls
-     * are flat: counting it makes points near a plane take 10 times as long. */
-    f->c[0] = f->f[3] + l * f->f[0];
-    f->c[1] = f->f[4] + l * f->f[1];
-    f->c[2] = f->f[5] + l * f->f[2];
-    f->size = fabs(f->c[0]) + fabs(f->c[1]) + fabs(f->c[2]);
-    f->dc = f->f[10] + fabs(l) * f->f[9] + 4.0 * EPS * f->size;
-}
-
-/* refine - finds the ball of the best point by limbs.  The centre c errs by at
- * most 8 eps |c|.  So its height over the facet's plane, c.v, is L up to the
- * error of v, E |c|, the error of c, and the roundings of three products and
- * two sums, 5 eps |c|_1.  Near a sphere L is counted from f[3..5]: u, the
- * difference, takes the place of c, with the error of f[3..5] and one more
- * rounding. */
-static void refine(const mesh *m, quest *f)
-{
-    double c[3], l = 0.0, u, size = 0.0, err;
-    int k, sphere = curved(m, f);
-
-    COUNT(N_BALL, 1);
-    if (f->f[9] == DBL_MAX ||
-        !hh_centre(&m->set, f->v, f->base, f->best, c, &f->t))
-        return;
-    f->limbs = f->ball = 1;
-    f->aimed = 0;
-    f->size = 0.0;
-    for (k = 0; k < 3; k++) {
-        f->c[k] = c[k];
-        f->size += fabs(c[k]);
-        u = c[k] - (sphere ? f->f[3 + k] : 0.0);
-        size += fabs(u);
-        l += f->f[k] * u;
-    }
-    f->dc = 8.0 * EPS * f->size;
-    if (f->f[9] > HH_LOOSE) return;
-    err = f->f[9] * size + 16.0 * EPS * f->size + (sphere ? f->f[10] : 0.0);
-    if (l - err > f->lo) f->lo = l - err;
-    if (l + err < f->hi) f->hi = l + err;
-}
-
-/* challenge - takes z if it is on the open side and beats the best point so
- * far: if its L-coordinate is smaller (Theorem 1), ties by the rule of
- * hh_pball.  The Householder bounds decide where they can, then, unless the
- * last search met ties, hh_lifts.  Its sphere is that of z or of the best
- * point, but not of a ball by limbs, whose four points are nearly in a plane.
- * Where it cannot tell, the better point's limits are tightened by the other's.
- * Without it rotated grids, which have the corners of their cells on a sphere,
- * but for rounding, take 1.2 to 1.6 times the instructions. */
-static void challenge(mesh *m, quest *f, tess_int z)
-{
-    double lo, hi;
-    int side = hh_limits(f->f, m->x + 3 * z, &lo, &hi), sign, unsure;
-    int power = UNSURE;
-
-    if (LEANING(f) && side >= 0)
-        side = sharpen(m, f, z, side, &lo, &hi);
-    if (side < 0 || (f->best != NONE && lo > f->hi)) {
-        HOLDS(!better(m, f, z));
-        return;
-    }
-    sign = side;
-    unsure = f->best != NONE && hi >= f->lo;
-    if (side == 0 || unsure) {
-        if (SEEK(m)) remember(f, z, 1);
-        if (unsure && m->set.t5 < 0.0 && !m->tied) {
-            power = hh_lifts(&m->set, f->v, f->base, f->f,
-                             side == 1 ? hi : f->limbs ? DBL_MAX : f->hi,
-                             f->best, z, &f->sphere);
-            COUNT(N_TRIAL, f->sphere.ready == 1);
-            HOLDS(power == UNSURE ||
-                  power == hh_pball(&m->set, f->v, f->best, z, 0));
-        }
-        if (f->limbs) {
-            if (unsure && power == UNSURE) power = 0;
-            COUNT(N_TRIAL, power == 0);
-            hh_trial(&m->set, &f->t, z, &sign, &power);
-            HOLDS(power == 1 ? !better(m, f, z)
-                  : sign == UNSURE ||
-                    sign == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
-        }
-        if (power != 1 && (sign == 0 || sign == UNSURE)) {
-            COUNT(N_SIDE, 1);
-            sign = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
-        }
-        if (sign <= 0) return;
-    }
-    if (unsure) {
-        if (power == UNSURE) {
-            COUNT(N_EXACT, 1);
-            f->asked += m->set.t5 < PLAIN;
-            power = hh_pball(&m->set, f->v, f->best, z, 2);
-        }
-        HOLDS((power < 0) == (hh_pball(&m->set, f->v, f->best, z, 2) < 0));
-        if (power > 0) {
-            f->tied += power == 2;
-            if (hi < f->hi) narrow(f, hi);
-            if (f->asked >= MANY && !f->limbs) refine(m, f);
-            return;
-        }
-        if (hi > f->hi) hi = f->hi;
-    }
-    HOLDS(better(m, f, z));
-    f->best = z;
-    f->tied = power == -2 ? f->tied + 1 : 0;
-    f->lo = lo;
-    f->limbs = 0;
-    narrow(f, hi);
-    if (!f->limbs && (side == 0 || f->asked >= MANY ||
-                      hi - lo > WIDE * (f->f[11] + fabs(hi))))
-        refine(m, f);
-}
-
-/* consider - compares z with the best point, unless it is a vertex or provably
- * outside the ball, by its height over the facet's support where that is
- * known. */
-static void consider(mesh *m, quest *f, tess_int z)
-{
-    const double *q = m->x + 3 * z;
-    double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8], h;
-    double size = fabs(w0) + fabs(w1) + fabs(w2);
-    int out;
-
-    COUNT(N_POINT, 1);
-    if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
-    if (LEANING(f) && marked(m, f->on, z, &h)) {
-        if (!f->aimed) aim(m, f);
-        out = excluded(f, w0 * (f->q * w0 - f->d[0]) +
-                            w1 * (f->q * w1 - f->d[1]) +
-                            w2 * (f->q * w2 - f->d[2]),
-                     size, h, m->supports[f->on].grain);
-    } else
-        out = f->ball && HH_POWER(w0, w1, w2, f->c) > powererr(f, size);
-    if (!out)
-        challenge(m, f, z);
-    else {
-        HOLDS(!better(m, f, z));
-    }
 }
 
 /* ballinbox - returns 1 if the part of the ball that may hold points, the part
@@ -1358,6 +1193,946 @@ static int listball(const list *l, const quest *f, int *place)
         n += in[i];
     }
     return n > 4 ? compress(in, l->n, place) : 0;
+}
+
+/* ---- supports ----
+ *
+ * Where many points are near one plane or sphere, the side or the power of each
+ * is noise for a facet of three of them, and no box of points is clear of the
+ * ball.  A support is such a plane or sphere, through points.  Limbs give the
+ * heights of other points over it (over a sphere, their powers) to some eps of
+ * themselves.  Let h be the height of the base of a facet near the support, and
+ * tilt the vector in the facet's plane whose products with the facet's edges
+ * are the differences of heights.  Then
+ *     G(w) = height(w) - h - tilt.w
+ * is 0 at the facet's vertices.  On a plane, G(w) is therefore g times the side
+ * of w, where g is the height of the facet's normal v.  On a sphere whose
+ * centre is at height l over the facet's plane, G(w) is the power of w in the
+ * ball of L = l, and L(w) = l + e, e = G(w) / (2 side).  Heights are that
+ * noise, but known to 1e-7 of it: so they decide, point by point and node by
+ * node.
+ *
+ * Globes, turned boxes and points near a plane need them: 6,000 points take 6
+ * to 8 times the instructions without.  They cost a mark a point, two integers
+ * a node for each, and a few heights by limbs once; nothing until searches turn
+ * out to be long. */
+
+/* rough - returns the height of the position z over a support, in double
+ * precision.  err bounds its error: 8 eps |c| for the centre, and 6
+ * roundings. */
+static double rough(const mesh *m, const support *s, tess_int z, double *err)
+{
+    double h = 0.0, size = 0.0, far = s->plane ? 1.0 : 0.0, u;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        u = m->x[3 * z + k] - s->at[k];
+        h += u * (s->plane ? s->c[k] : u - 2.0 * s->c[k]);
+        size += fabs(u);
+        far += s->plane ? 0.0 : fabs(u) + fabs(s->c[k]);
+    }
+    *err = 32.0 * EPS * size * far + FAINT;
+    return h;
+}
+
+/* marked - returns 1 if the position z has a mark of support j; *h is then its
+ * height, to a grain.  A mark is off by the roundings of discover, EPS GRAINS
+ * grains, and by as little for twice the height's error. */
+static int marked(const mesh *m, int j, tess_int z, double *h)
+{
+    const support *s = m->supports + j;
+    tess_int mark = m->mark[z] - 1, k = mark / SUPPORTS;
+
+    *h = s->low + s->grain * ((double)k + 0.5);
+    return mark >= 0 && mark % SUPPORTS == j;
+}
+
+/* heightover - returns 1 if the position z is near support j; *h is then its
+ * height, from its mark or else by limbs, and *err bounds the error. */
+static int heightover(const mesh *m, int j, tess_int z, double *h, double *err)
+{
+    const support *s = m->supports + j;
+
+    *err = s->grain;
+    if (marked(m, j, z, h)) return 1;
+    *h = rough(m, s, z, err);
+    if (fabs(*h) > *err - s->low) return 0;
+    *h = hh_height(&m->set, &s->t, z, err);
+    return *err <= s->grain && fabs(*h) <= -s->low;
+}
+
+/* onsupport - returns 1 if the facet's vertices are near support j; h are their
+ * heights, the base's first, err the bounds on their errors. */
+static int onsupport(const mesh *m, const quest *f, int j, double *h,
+                     double *err)
+{
+    int k;
+
+    for (k = 0; k < 3; k++)
+        if (!heightover(m, j, f->v[(f->base + k) % 3], h + k, err + k))
+            return 0;
+    return 1;
+}
+
+/* curved - returns 1 if the facet's support is a sphere. */
+static int curved(const mesh *m, const quest *f)
+{
+    return LEANING(f) && !m->supports[f->on].plane;
+}
+
+/* remember - adds z to the sample: points that were left open or, until there
+ * are any, points of leaves that the search visited.  The sample keeps SOME of
+ * them.  Once it is full, a point takes the place of another by chance, but by
+ * the same chance on every machine.  Points with a mark count, too: they may be
+ * on a finer support. */
+static void remember(quest *f, tess_int z, int open)
+{
+    tess_int place;
+
+    if (f->opened == 0 || open > f->open) {
+        f->open = open;
+        f->opened = 0;
+    }
+    if (open < f->open) return;
+    place = f->opened++;
+    if (place >= SOME)
+        place = (tess_int)(z % 30269L * 137 % 30269) % f->opened;
+    if (place < SOME) f->some[place] = z;
+}
+
+/* place - returns support j.  Behind the marks of the points each has RECORD
+ * integers: its four positions, then 1 for a plane, 1 if its normal was turned
+ * round, and grain's exponent; then the nodes' least marks. */
+static support *place(mesh *m, int j)
+{
+    support *s = m->supports + j;
+
+    s->v = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
+    s->least = s->v + RECORD - 1;
+    return s;
+}
+
+/* erect - sets up support s from its record.  Any plane or sphere near its
+ * points will do, so its normal or centre is what doubles hold.  Returns 0 if
+ * that cannot be done. */
+static int erect(const mesh *m, support *s)
+{
+    double f[HH_FACET_LEN];
+    hh_ball t;
+    int k;
+
+    s->plane = (int)s->v[4];
+    s->grain = ldexp(1.0, (int)s->v[6] - EXPONENT);
+    s->low = -0.5 * s->grain * (double)GRAINS;
+    f[9] = DBL_MAX; /* as hh_thin leaves it if there is no normal */
+    if (s->plane) hh_thin(&m->set, s->v, 0, f);
+    if (s->plane ? f[9] == DBL_MAX
+                 : !hh_centre(&m->set, s->v, 0, s->v[3], f, &t))
+        return 0;
+    s->at = m->x + 3 * s->v[0];
+    for (k = 0; k < 3; k++) s->c[k] = s->v[5] == 1 ? -f[k] : f[k];
+    return hh_about(&m->set, s->v[0], s->v[0], s->plane, s->c, &s->t);
+}
+
+/* through - sets up support s, a plane or a sphere through s->v, for a search's
+ * sample, whose extent is wide.  It takes heights of 8 to 16 times those of
+ * three quarters of the sample, or of one quarter if that is FINER times
+ * nearer: the points on one of several near sheets.  Returns 0 if that is more
+ * than BAND. */
+static int through(const mesh *m, const quest *f, double wide, int plane,
+                   support *s)
+{
+    int n = f->opened < SOME ? (int)f->opened : SOME, i, k;
+    double h[SOME], x, err;
+
+    s->v[4] = (tess_int)plane;
+    s->v[5] = 0;
+    s->v[6] = EXPONENT;
+    if (!erect(m, s)) return 0;
+    for (i = 0; i < n; i++) {
+        x = fabs(hh_height(&m->set, &s->t, f->some[i], &err));
+        if (err > 1.0) return 0;
+        for (k = i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
+        h[k] = x;
+    }
+    x = h[n / 4] < h[3 * n / 4] / FINER ? h[n / 4] : h[3 * n / 4];
+    frexp(x * (16.0 / (double)GRAINS) + FAINT, &k);
+    s->v[6] = (tess_int)(EXPONENT + k);
+    return erect(m, s) && -s->low <= (plane ? BAND : ROUGH * wide) * wide;
+}
+
+/* fit - sets up a support through the widest of the points that a search left
+ * open: a sphere, or a plane where the points are on none (sheets near each
+ * other are one).  Returns 1 if it is set up. */
+static int fit(mesh *m, const quest *f, support *s)
+{
+    tess_int *v = s->v, z;
+    double u[3 * SOME], e[3], wide[3], x, err;
+    int n = f->opened < SOME ? (int)f->opened : SOME, far, i, j, k, up = 0;
+
+    v[0] = f->v[0];
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3; k++)
+            u[3 * i + k] = m->x[3 * f->some[i] + k] - m->x[3 * v[0] + k];
+    for (j = 0; j < 3; j++) { /* the farthest one, and what is left of all */
+        for (i = far = 0; i < n; i++)
+            if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * far, u + 3 * far))
+                far = i;
+        v[j + 1] = f->some[far];
+        wide[j] = sqrt(dot(u + 3 * far, u + 3 * far));
+        if (j == 2) break;
+        if (wide[j] <= 1e-6 * wide[0] + HH_SMALL) return 0;
+        for (k = 0; k < 3; k++) e[k] = u[3 * far + k] / wide[j];
+        for (i = 0; i < n; i++)
+            for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
+                u[3 * i + k] -= x * e[k];
+    }
+    if ((wide[2] < 1e-7 * wide[0] || !through(m, f, wide[0], 0, s)) &&
+        !through(m, f, wide[0], 1, s))
+        return 0;
+    /* nodes know how far down their points reach, but only that some are above:
+     * the side of a plane with more points is turned up */
+    for (z = 0; z < m->np && s->plane; z = (tess_int)(z + m->np / 256 + 1)) {
+        x = rough(m, s, z, &err);
+        up += (x > err - s->low) - (x < s->low - err);
+    }
+    s->v[5] = up < 0;
+    return erect(m, s);
+}
+
+/* discover - seeks a support for the points that a search left open.  It marks
+ * the points near the support that have no mark, or one of a support FINER
+ * times coarser, and finds the least height in each node.  The support is kept
+ * if it marks enough points, or if the facet, on no other support, is near it
+ * and so are many points: facets between near sheets lean on a plane that holds
+ * them all.  Returns 1 if it is kept. */
+static int discover(mesh *m, quest *f)
+{
+    support *s = place(m, m->nsupport);
+    tess_int node, i, last, mark, old, least, members = 0, all = 0;
+    double h, err, c, hs[3], errs[3];
+    int above, across, held = 0;
+
+    if (m->nsupport == 0)
+        for (i = 0; i < m->np; i++) m->mark[i] = 0;
+    if (!fit(m, f, s)) return 0;
+    /* sample all that is near: the search's points may be from a corner */
+    f->opened = 0;
+    for (i = 0; i < m->np; i = (tess_int)(i + m->np / 1024 + 1))
+        if (m->link[i] != DONE &&
+            fabs(rough(m, s, i, &err)) <= err - 2.0 * s->low) {
+            remember(f, i, 1);
+            old = m->mark[i] - 1;
+            held += old >= 0 &&
+                    m->supports[old % SUPPORTS].grain <= FINER * s->grain;
+        }
+    if (f->opened > OPENED && !fit(m, f, s)) return 0;
+    across = f->on == NONE && onsupport(m, f, m->nsupport, hs, errs);
+    /* all marks would stay; heights of all points, for nothing, would be most
+     * of a globe's index */
+    if (f->opened > OPENED && held == f->opened && !(across && held >= 64))
+        return 0;
+    for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
+        if (node < m->leaves) {
+            i = s->least[2 * node];
+            last = s->least[2 * node + 1];
+            above = ABOVE(i) || ABOVE(last);
+            s->least[node] = CODED(LEASTOF(i < last ? i : last), above);
+            continue;
+        }
+        least = GRAINS;
+        above = 0;
+        span(m, node, &i, &last);
+        for (; i < last; i++) {
+            h = rough(m, s, i, &err);
+            if (fabs(h) <= err - s->low)
+                h = hh_height(&m->set, &s->t, i, &err);
+            c = (h - err - s->low) / s->grain;
+            mark = c < 0.0 ? -1 : c < GRAINS ? (tess_int)c : GRAINS;
+            if (mark < least) least = mark;
+            if (h + err > -s->low) above = 1;
+            old = m->mark[i] - 1;
+            if (mark < 0 || mark >= GRAINS) continue;
+            all++;
+            if (old < 0 ||
+                m->supports[old % SUPPORTS].grain > FINER * s->grain) {
+                m->mark[i] = (tess_int)(1 + m->nsupport + SUPPORTS * mark);
+                members++;
+            }
+        }
+        s->least[node] = CODED(least, above);
+    }
+    if (members < 2 * cuberoot(m->np) && (!across || all < m->np / 16)) {
+        for (i = 0; i < m->np; i++)
+            if (m->mark[i] > 0 && (m->mark[i] - 1) % SUPPORTS == m->nsupport)
+                m->mark[i] = 0;
+        return 0;
+    }
+    if (++m->nsupport == SUPPORTS) m->patience = 0.0;
+    return 1;
+}
+
+/* recall - sets up the supports that an index has. */
+static void recall(mesh *m)
+{
+    while (TESS_LIST >= 128 && m->nsupport < m->alive[0])
+        (void)erect(m, place(m, m->nsupport++));
+}
+
+/* supportof - finds the support that the facet is on, if any, and its tilt.
+ * Supports that have marked its vertices come first: between sheets 1e-10 apart
+ * searches take 30 times as long otherwise.  A needle, or a facet that stands
+ * on its plane, leans on none.
+ *
+ * dtilt: roundings of the edges take the tilt out of the plane.  In it, the
+ * tilt's products with the edges miss the differences of heights by r0, r1, and
+ * a vector whose products with two unit vectors are r0, r1 is no longer than
+ * (|r0| + |r1|) / sine of the angle between them.  det errs by less than 1/100,
+ * as no needle is let through.  Where two vertices are so near that the marks
+ * leave nothing of the tilt, as at the poles of a globe of meridians, the
+ * differences of heights come by limbs, over the base: right to some eps of
+ * themselves.
+ *
+ * Near a sphere G is |w|^2 - 2 c.w, c = tilt / 2 - o, o = base - centre: the
+ * power in the ball of centre c, which is on the facet's axis.  L is counted
+ * from there: c takes the place of the circumcentre in the set-up.  It errs by
+ * half of dtilt, and by 8 eps of the centre and the roundings of three
+ * differences in any order, each of at most eps (|o| + 2 |at|): these make less
+ * than 8 eps size. */
+static void supportof(const mesh *m, quest *f)
+{
+    const double *b = m->x + 3 * f->v[f->base], *p;
+    const support *s;
+    double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2];
+    double ab, det, size = 0.0, r;
+    hh_sphere own;
+    tess_int mark;
+    int i, k, near = NONE, again;
+
+    if (f->f[9] > 1e-3) return;
+    for (i = 0; i < 3 && near == NONE; i++) {
+        mark = m->mark[f->v[i]] - 1;
+        if (mark >= 0 && onsupport(m, f, (int)(mark % SUPPORTS), h, err))
+            near = (int)(mark % SUPPORTS);
+    }
+    for (i = 0; i < m->nsupport && near == NONE; i++)
+        if (onsupport(m, f, i, h, err)) near = i;
+    if (near == NONE) return;
+    s = m->supports + near;
+    f->g = dot(s->c, f->f);
+    if (s->plane && fabs(f->g) < 0.5) return;
+    for (i = 0; i < 2; i++) {
+        p = m->x + 3 * f->v[(f->base + 1 + i) % 3];
+        for (k = 0; k < 3; k++) a[i][k] = p[k] - b[k];
+        n[i] = dot(a[i], a[i]);
+        err[i + 1] += err[0] + 16.0 * EPS * (fabs(h[i + 1]) + fabs(h[0]));
+        h[i + 1] -= h[0];
+    }
+    ab = dot(a[0], a[1]);
+    det = n[0] * n[1] - ab * ab;
+    if (det < 1e4 * EPS * n[0] * n[1] || det < FAINT) return;
+    f->on = near;
+    f->aimed = 0;
+    f->h = h[0];
+    f->dh = err[0];
+    for (again = 0;; again = 1) {
+        size = 0.0;
+        t[0] = (h[1] * n[1] - h[2] * ab) / det;
+        t[1] = (h[2] * n[0] - h[1] * ab) / det;
+        for (k = 0; k < 3; k++) {
+            f->tilt[k] = t[0] * a[0][k] + t[1] * a[1][k];
+            size += fabs(t[0] * a[0][k]) + fabs(t[1] * a[1][k]);
+        }
+        f->dtilt = 8.0 * EPS * size;
+        for (i = 0; i < 2; i++) {
+            r = h[i + 1] - dot(f->tilt, a[i]);
+            r = fabs(r) + err[i + 1] + 16.0 * EPS * size * sqrt(n[i]);
+            f->dtilt += r * sqrt(1.02 * n[1 - i] / det);
+        }
+        if (again || f->dtilt < size ||
+            !hh_about(&m->set, f->v[f->base], s->v[0], s->plane, s->c, &own))
+            break;
+        for (i = 1; i < 3; i++)
+            h[i] = hh_height(&m->set, &own, f->v[(f->base + i) % 3], err + i);
+    }
+    if (s->plane) return;
+    size = 0.0;
+    for (k = 0; k < 3; k++) {
+        r = f->f[6 + k] - s->at[k];
+        size += fabs(r) + 2.0 * fabs(s->c[k]) + fabs(s->at[k]);
+        f->f[3 + k] = 0.5 * f->tilt[k] - (r - s->c[k]);
+    }
+    f->f[10] = 0.6 * f->dtilt + 8.0 * EPS * size;
+    f->f[11] = sqrt(dot(f->f + 3, f->f + 3));
+}
+
+/* sharpen - sharpens the side of the position z, which hh_limits did not find
+ * negative, and the limits of L, by the height of z over the facet's support:
+ * the height gives the side for a plane, the power for a sphere.  A plane's g
+ * errs by E and some roundings.  The quotients are of numbers right to 4 eps of
+ * themselves, as is what is left of a side of more than twice its error: PAD is
+ * more.  Returns the side. */
+static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
+                   double *lo, double *hi)
+{
+    const support *s = m->supports + f->on;
+    const double *x = m->x + 3 * z;
+    double h, err, low, high, least, most, g = 0.0, size = 0.0, u;
+    int k;
+
+    if (!heightover(m, f->on, z, &h, &err)) return side;
+    err += f->dh + 16.0 * EPS * (fabs(h) + fabs(f->h)) + FAINT;
+    h -= f->h;
+    for (k = 0; k < 3; k++) {
+        u = x[k] - f->f[6 + k];
+        h -= f->tilt[k] * u;
+        g += f->f[k] * u;
+        size += fabs(u);
+        err += 16.0 * EPS * fabs(f->tilt[k] * u);
+    }
+    err += f->dtilt * size;
+    if (s->plane) {
+        if (f->g < 0.0) h = -h;
+        if (h + err < 0.0) return -1;
+        u = f->f[9] + 32.0 * EPS;
+        least = (h - err) / (fabs(f->g) + u) * (1.0 - PAD);
+        most = (h + err) / (fabs(f->g) - u) * (1.0 + PAD);
+        if (least < HH_SMALL) return side;
+        low = -DBL_MAX;
+        high = DBL_MAX;
+        hh_ratio(f->f, x, least, most, &low, &high);
+        side = 1;
+    } else {
+        least = 2.0 * (g - f->f[9] * size);
+        most = 2.0 * (g + f->f[9] * size);
+        if (side <= 0 || least < HH_SMALL) return side;
+        low = (h - err) / (h > err ? most : least);
+        high = (h + err) / (h > -err ? least : most);
+        low -= PAD * fabs(low);
+        high += PAD * fabs(high);
+    }
+    if (low > *lo) *lo = low;
+    if (high < *hi) *hi = high;
+    return side;
+}
+
+/* aim - sets up excluded's test for the best point so far, whose L-coordinate
+ * is at most k.  A better point has side > 0 and N - 2 k side <= 0, where N is
+ * its power in the ball of L = 0, of centre c.  So there is none where
+ *     a (height - h) + q |w|^2 - d.w > 0:
+ *
+ *              by the ball                    without a ball
+ *   plane      N - 2 k side, side = G / g     -side
+ *     a        -2 k / g                       1 or -1, that g a < 0
+ *     q        1                              0
+ *     d        2 c + a tilt                   a tilt
+ *   sphere     G - 2 k side                   -side - q G + q G
+ *     a        1 - q                          -q
+ *     d        a tilt + 2 q c + 2 k v         a tilt + 2 q c + v
+ *
+ * Near a plane k may be greater, so |a| may be greater for k > 0, and smaller
+ * for k < 0.  Near a sphere G = height - h - tilt.w, of which a share q is
+ * taken as |w|^2 - 2 c.w; best is, but for a, the q for which the least of q
+ * |w|^2 - d.w is greatest. Any q is valid, so errors in q do not count.  dd has
+ * room for the errors of c, tilt and v, and for 16 roundings of each term.  err
+ * has room for those of h, of a height of at most -low, and of a, which is
+ * exact but for one rounding. */
+static void aim(const mesh *m, quest *f)
+{
+    const support *s = m->supports + f->on;
+    int ball = f->ball && f->hi <= MUCHL && f->hi >= -MUCHL, k;
+    double b = 0.0, sum = 0.0, u, v, w;
+
+    f->aimed = 1;
+    if (s->plane) {
+        f->q = ball ? 1.0 : 0.0;
+        f->a = ball ? -2.0 * f->hi / f->g : f->g < 0.0 ? 1.0 : -1.0;
+        u = 4.0 * (f->f[9] + 32.0 * EPS) * f->a;
+        if (ball) f->a += f->hi > 0.0 ? u : -u;
+    } else {
+        f->a = ball ? 1.0 : 0.0;
+        b = ball ? 2.0 * f->hi : 1.0;
+        for (k = 0; k < 3; k++)
+            sum -= f->f[3 + k] * (b * f->f[k] + f->a * f->tilt[k]);
+        f->q = sum > 0.0 ? 0.5 * sum / (f->f[11] * f->f[11]) : 0.0;
+        if (ball && f->q > 1.0) f->q = 1.0;
+        f->a -= f->q;
+    }
+    f->dd = fabs(f->a) * f->dtilt + 2.0 * f->q * f->f[10] + fabs(b) * f->f[9];
+    for (k = 0; k < 3; k++) {
+        u = f->a * f->tilt[k];
+        v = 2.0 * f->q * f->f[3 + k];
+        w = b * f->f[k];
+        f->d[k] = u + v + w;
+        f->dd += 16.0 * EPS * (fabs(u) + fabs(v) + fabs(w));
+    }
+    f->err = fabs(f->a) * f->dh +
+             16.0 * EPS * (fabs(f->a) + f->q) * (fabs(f->h) - s->low) + FAINT;
+}
+
+/* lowest - returns the least value of q |w|^2 - d.w in the box lo, hi; *size is
+ * the greatest |w|_1 in it. */
+static double lowest(const quest *f, const double *lo, const double *hi,
+                     double q, const double *d, double *size)
+{
+    double sum = 0.0, half = q > 0.0 ? 0.5 / q : 0.0, l, h, u;
+    int k;
+
+    *size = 0.0;
+    for (k = 0; k < 3; k++) {
+        l = lo[k] - f->f[6 + k];
+        h = hi[k] - f->f[6 + k];
+        u = q > 0.0 ? d[k] * half : d[k] > 0.0 ? h : l;
+        u = u > l ? u : l;
+        u = u < h ? u : h;
+        sum += u * (q * u - d[k]);
+        l = fabs(l);
+        h = fabs(h);
+        *size += l > h ? l : h;
+    }
+    return sum;
+}
+
+/* excluded - returns 1 if aim's test proves that there is no candidate where q
+ * |w|^2 - d.w is at least sum, |w|_1 is at most size, and the height counts as
+ * h, to within dh. */
+static int excluded(const quest *f, double sum, double size, double h,
+                    double dh)
+{
+    return sum + f->a * (h - f->h) >
+           f->err + fabs(f->a) * dh +
+               size * (f->dd + 16.0 * EPS * f->q * size);
+}
+
+/* pruneheights - returns 1 if the heights of a node's points prove that it
+ * holds no candidate.  A leaf is also tested by its box.  Where the heights
+ * tell nothing, the box alone counts. */
+static int pruneheights(const mesh *m, quest *f, tess_int node)
+{
+    const support *s = m->supports + f->on;
+    const double *b = m->box + 6 * node;
+    tess_int least;
+    double h = -s->low, sum, size;
+
+    if (!f->aimed) aim(m, f);
+    least = LEASTOF(s->least[node]);
+    if (f->a < 0.0 ? ABOVE(s->least[node]) : least < 0 || least == GRAINS)
+        return prunebox(f, b, b + 3);
+    if (f->a >= 0.0) h = s->low + s->grain * ((double)least - 0.5);
+    sum = lowest(f, b, b + 3, f->q, f->d, &size);
+    return excluded(f, sum, size, h, 0.0) ||
+           (node >= m->leaves && prunebox(f, b, b + 3));
+}
+
+/* ---- cylinders ----
+ *
+ * On a smooth surface a box sticks out of the surface by as much as it is wide,
+ * so a ball that touches the surface meets many boxes.  Along a curve a box is
+ * as wide as it is long.  A cylinder that holds a node's points (a disc on a
+ * surface, a rod on a curve) is thinner, by the ratio of the node's width to
+ * the radius of curvature, and the ball meets only a few of them, however many
+ * there are.  Cylinders are made for the nodes of every second level from the
+ * leaves up.  The four grandchildren of a node lie side by side and are tested
+ * at once.
+ *
+ * 6,000 points of an ellipsoid take 1.4 times the instructions without, 6,000
+ * of boreholes 1.6, 6,000 near a plane 6 times.  They cost 11 doubles a leaf,
+ * and clouds 1 % more instructions, for nothing. */
+
+/* cylinders - returns the cylinders of the four grandchildren of a node:
+ * centre, unit axis, half length, radius.  The four values of each number are
+ * adjacent. */
+static double *cylinders(const mesh *m, tess_int node)
+{
+    tess_int level = m->leaves / 4, at = 0;
+
+    for (; node < level; level /= 4) at += level;
+    return m->box + 12 * m->leaves + 32 * (at + node - level);
+}
+
+/* makecylinder - makes the cylinder of a node, its numbers four places apart.
+ * The axis is the column of the greatest diagonal element in the matrix of
+ * second moments about the mean (a rod) or in its adjugate (a disc), whichever
+ * gives less volume.  About another point, a plane's would not tell its normal.
+ * Returns 1 if that volume is below SLENDER of the box's.  In units of the sum
+ * of |x[k]|, the differences from the mean err by EPS, their products with the
+ * axis and what is left across it by less than 40 EPS, the centre by 10 EPS:
+ * together less than 64 EPS. */
+static int makecylinder(const mesh *m, tess_int node, double *c)
+{
+    const double *b = m->box + 6 * node, *x;
+    double a[6], q[6], mid[3], y[3], u[3], lo, hi, s, rr, pad = 0.0;
+    double volume = DBL_MAX;
+    tess_int first, last, i;
+    int disc, j, k, l;
+
+    span(m, node, &first, &last);
+    for (k = 0; k < 3; k++) {
+        a[k] = a[3 + k] = mid[k] = 0.0;
+        pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_SMALL;
+    }
+    for (i = first; i < last; i++)
+        for (k = 0; k < 3; k++)
+            mid[k] += m->x[3 * i + k] / (double)(last - first);
+    for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
+        for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
+        for (k = 0; k < 3; k++) {
+            a[k] += y[k] * y[k];
+            a[3 + k] += y[(k + 1) % 3] * y[(k + 2) % 3];
+        }
+    }
+    for (disc = 0; disc < 2; disc++) {
+        for (k = 0; k < 3; k++) {
+            j = (k + 1) % 3;
+            l = (k + 2) % 3;
+            q[k] = disc ? a[j] * a[l] - a[3 + k] * a[3 + k] : a[k];
+            q[3 + k] = disc ? a[3 + j] * a[3 + l] - a[3 + k] * a[k] : a[3 + k];
+        }
+        k = q[1] > q[0];
+        if (q[2] > q[k]) k = 2;
+        u[k] = q[k];
+        u[(k + 1) % 3] = q[3 + (k + 2) % 3];
+        u[(k + 2) % 3] = q[3 + (k + 1) % 3];
+        s = dot(u, u);
+        for (k = 0; k < 3; k++) /* too small to have a direction: any */
+            u[k] = s > FAINT ? u[k] / sqrt(s) : k == 0;
+        lo = DBL_MAX;
+        hi = -DBL_MAX;
+        rr = 0.0;
+        for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
+            for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
+            s = dot(y, u);
+            if (s < lo) lo = s;
+            if (s > hi) hi = s;
+            for (k = 0; k < 3; k++) y[k] -= s * u[k];
+            s = dot(y, y);
+            if (s > rr) rr = s;
+        }
+        if ((hi - lo) * rr >= volume) continue;
+        volume = (hi - lo) * rr;
+        for (k = 0; k < 3; k++) {
+            c[4 * k] = mid[k] + 0.5 * (lo + hi) * u[k];
+            c[12 + 4 * k] = u[k];
+        }
+        c[24] = 0.5 * (hi - lo) + pad;
+        c[28] = sqrt(rr) + pad;
+    }
+    return 3.2 * volume <
+           SLENDER * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
+}
+
+/* makecylinders - makes all cylinders, or none if few leaves have slender ones.
+ * */
+static void makecylinders(mesh *m)
+{
+    tess_int level, node, slender = 0;
+    int i;
+
+    for (level = m->leaves / 4; level > 0; level /= 4) {
+        for (node = level; node < 2 * level; node++)
+            for (i = 0; i < 4; i++)
+                if (makecylinder(m, (tess_int)(4 * node + i),
+                                 cylinders(m, node) + i))
+                    slender++;
+        if (64 * slender < m->leaves) return;
+    }
+    m->enclosed = 1;
+}
+
+/* prunecylinders - tests the cylinders of a node's four grandchildren: past[i]
+ * > 0 if cylinder i provably holds no candidate.
+ *
+ * A point is w + s u + p from the base, where w is the cylinder's centre, u its
+ * axis, |s| <= h, and p is across u, |p| <= r.  With g = w - c, a = |g.u|, and
+ * rho the length of g across u, its power in the ball about c is
+ *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p),
+ * The brackets are at least t (t - 2 a), where t is the lesser of a and h, and
+ * R^2 - 2 R rho, where R is the lesser of rho and r.  So there is no candidate
+ * if the sum without 2 R rho is positive and its square is above 4 R^2 rho^2.
+ * Without a ball the same holds for minus the side v.w, with v / 2 for c,
+ * without any squares, t = h, R = r: then q = 0, and far is more than any
+ * length.
+ *
+ * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r.
+ * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
+ * rho makes 4; the power by 8 (powererr); a by 6 |g|_1, which counts 2 t times;
+ * |u|^2 is 1 but for 8, which tilts p: 9; and some for the sum.  rho^2 errs by
+ * less than 64 EPS |g|^2, with room for the last two products.  Where these
+ * underflow, r >= HH_SMALL makes the sum's error greater. */
+static void prunecylinders(const mesh *m, const quest *f, tess_int node,
+                           double *past)
+{
+    const double *c = cylinders(m, node);
+    double q = f->ball ? 1.0 : 0.0, far = f->ball ? 0.0 : FAR;
+    double err = f->ball ? 2.0 * f->dc + 128.0 * EPS * f->size
+                         : f->f[9] + 64.0 * EPS;
+    double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8];
+    double d0 = f->ball ? f->c[0] : 0.5 * f->f[0];
+    double d1 = f->ball ? f->c[1] : 0.5 * f->f[1];
+    double d2 = f->ball ? f->c[2] : 0.5 * f->f[2];
+    double w0, w1, w2, g0, g1, g2, a, h, r, t, gg, rr, rho, size, sum;
+    int i;
+
+    for (i = 0; i < 4; i++) { /* as vectors */
+        w0 = c[i] - b0;
+        w1 = c[4 + i] - b1;
+        w2 = c[8 + i] - b2;
+        h = c[24 + i];
+        r = c[28 + i];
+        size = fabs(w0) + fabs(w1) + fabs(w2) + 2.0 * (h + r);
+        g0 = q * w0 - d0;
+        g1 = q * w1 - d1;
+        g2 = q * w2 - d2;
+        a = fabs(g0 * c[12 + i] + g1 * c[16 + i] + g2 * c[20 + i]);
+        t = a + far < h ? a + far : h;
+        gg = g0 * g0 + g1 * g1 + g2 * g2;
+        rho = gg - a * a + 64.0 * EPS * gg;
+        rr = rho + far < r * r ? rho + far : r * r;
+        sum = w0 * (g0 - d0) + w1 * (g1 - d1) + w2 * (g2 - d2) +
+              t * (q * t - 2.0 * a) + q * rr -
+              size * (err + q * 64.0 * EPS * size) - FAINT;
+        past[i] = sum * fabs(sum) - 4.0 * rr * rho;
+    }
+}
+
+/* ---- ties ----
+ *
+ * Let T be the points on the sphere of an empty ball, such as that of any
+ * tetrahedron of the mesh.  The tie rule lowers heights, that of first, the
+ * point of T of least number, by far the most.  So
+ *   - among points of T the mesh consists of the facets of T's hull without
+ *     first, each joined to first;
+ *   - a tetrahedron with its vertices in T has first for one of them: first is
+ *     the least vertex of any such tetrahedron that is known;
+ *   - a facet of three points of T without first, which is in T's hull, has no
+ *     point of T on its open side unless first is on it: the apex is first, or
+ *     none of T;
+ *   - a facet (first, a, b) with points of T on its open side has one of them
+ *     as its apex, as the ball is empty.  Of two, c and z, z is better if it is
+ *     beyond the plane (a, b, c) seen from first, and worse if it is on first's
+ *     side; in that plane the lesser e_i decides.
+ * A point of T whose star is complete is in no open facet and is no apex.  If
+ * first's star is complete, all tetrahedra of T are known; so for a new
+ * tetrahedron's T it is not.
+ *
+ * A cell has all uncompleted points of T, the least number first, of a ball
+ * inside the star's list.  Only these are tested for a facet of the star.
+ *
+ * Lattices take 1.4 times the instructions without.  What has no ties never
+ * makes a cell. */
+
+/* newcell - makes a cell of the points exactly on the best point's ball, if all
+ * are in the star's list and none is inside.  Returns 0 if not, or if there are
+ * no ties.  The centre of narrow's ball is off by up to hi - lo, too, which
+ * matters on the negative side. */
+static int newcell(mesh *m, quest *f)
+{
+    const list *l = &m->around;
+    const tess_int *v = f->v;
+    int place[TESS_LIST + 1], n, i, side;
+    double wide;
+    tess_int z;
+    cell c;
+
+    if (fabs(f->hi) > MUCHL) return 0;
+    wide = f->limbs ? 0.0 : f->hi - f->lo;
+    if (wide > l->margin) return 0;
+    f->dc += wide;
+    n = ballinstar(m, f) ? listball(l, f, place) : 0;
+    if (n <= 0 || n > CELL) return 0;
+    for (i = c.n = 0; i < n; i++) {
+        z = l->id[place[i]];
+        side = 0;
+        if (z != v[0] && z != v[1] && z != v[2] && z != f->best)
+            side = hh_pball(&m->set, v, f->best, z, 0);
+        if (side < 0) return 0;
+        if (side > 0) continue;
+        c.id[c.n++] = z;
+        if (m->order[z] > m->order[c.id[0]]) continue;
+        c.id[c.n - 1] = c.id[0];
+        c.id[0] = z;
+    }
+    if (c.n == 4) return 0;
+    m->cells[m->ncell++ % CELLS] = c;
+    return 1;
+}
+
+/* incell - returns the apex of the facet v if it is in a cell, or NONE: see
+ * "ties". */
+static tess_int incell(const mesh *m, const tess_int *v)
+{
+    const cell *c = m->cells;
+    tess_int best = NONE, z;
+    int i, k, in;
+
+    for (k = 0; k < m->ncell && k < CELLS && best == NONE; k++, c++) {
+        for (i = in = 0; i < c->n; i++)
+            in += (c->id[i] == v[1]) + (c->id[i] == v[2]);
+        for (i = 0; i < c->n && in == 2; i++) {
+            z = c->id[i];
+            if (z == v[0] || z == v[1] || z == v[2]) continue;
+            if (hh_pside(&m->set, v[0], v[1], v[2], z) > 0 &&
+                (best == NONE || hh_pball(&m->set, v, best, z, 3) < 0))
+                best = z;
+            if (i == 0) break;
+        }
+    }
+    return best;
+}
+
+/* =====================================================================
+ * What follows needs no mesh under construction, only results.
+ * ===================================================================== */
+
+/* ---- the search for the apex of a facet ---- */
+
+/* narrow - records that the best point's L-coordinate is at most l, and sets
+ * the ball of L = l. */
+static void narrow(quest *f, double l)
+{
+    f->hi = l;
+    f->aimed = 0;
+    if (f->limbs || l > MUCHL || l < -MUCHL) return;
+    f->ball = 1;
+    /* on the positive side, a better point is in the ball of any L above the
+     * best point's, so the error of L does not count.  It is large where balls
+     * are flat: counting it makes points near a plane take 10 times as long. */
+    f->c[0] = f->f[3] + l * f->f[0];
+    f->c[1] = f->f[4] + l * f->f[1];
+    f->c[2] = f->f[5] + l * f->f[2];
+    f->size = fabs(f->c[0]) + fabs(f->c[1]) + fabs(f->c[2]);
+    f->dc = f->f[10] + fabs(l) * f->f[9] + 4.0 * EPS * f->size;
+}
+
+/* refine - finds the ball of the best point by limbs.  The centre c errs by at
+ * most 8 eps |c|.  So its height over the facet's plane, c.v, is L up to the
+ * error of v, E |c|, the error of c, and the roundings of three products and
+ * two sums, 5 eps |c|_1.  Near a sphere L is counted from f[3..5]: u, the
+ * difference, takes the place of c, with the error of f[3..5] and one more
+ * rounding. */
+static void refine(const mesh *m, quest *f)
+{
+    double c[3], l = 0.0, u, size = 0.0, err;
+    int k, sphere = curved(m, f);
+
+    COUNT(N_BALL, 1);
+    if (f->f[9] == DBL_MAX ||
+        !hh_centre(&m->set, f->v, f->base, f->best, c, &f->t))
+        return;
+    f->limbs = f->ball = 1;
+    f->aimed = 0;
+    f->size = 0.0;
+    for (k = 0; k < 3; k++) {
+        f->c[k] = c[k];
+        f->size += fabs(c[k]);
+        u = c[k] - (sphere ? f->f[3 + k] : 0.0);
+        size += fabs(u);
+        l += f->f[k] * u;
+    }
+    f->dc = 8.0 * EPS * f->size;
+    if (f->f[9] > HH_LOOSE) return;
+    err = f->f[9] * size + 16.0 * EPS * f->size + (sphere ? f->f[10] : 0.0);
+    if (l - err > f->lo) f->lo = l - err;
+    if (l + err < f->hi) f->hi = l + err;
+}
+
+/* challenge - takes z if it is on the open side and beats the best point so
+ * far: if its L-coordinate is smaller (Theorem 1), ties by the rule of
+ * hh_pball.  The Householder bounds decide where they can, then, unless the
+ * last search met ties, hh_lifts.  Its sphere is that of z or of the best
+ * point, but not of a ball by limbs, whose four points are nearly in a plane.
+ * Where it cannot tell, the better point's limits are tightened by the other's.
+ * Without it rotated grids, which have the corners of their cells on a sphere,
+ * but for rounding, take 1.2 to 1.6 times the instructions. */
+static void challenge(mesh *m, quest *f, tess_int z)
+{
+    double lo, hi;
+    int side = hh_limits(f->f, m->x + 3 * z, &lo, &hi), sign, unsure;
+    int power = UNSURE;
+
+    if (LEANING(f) && side >= 0)
+        side = sharpen(m, f, z, side, &lo, &hi);
+    if (side < 0 || (f->best != NONE && lo > f->hi)) {
+        HOLDS(!better(m, f, z));
+        return;
+    }
+    sign = side;
+    unsure = f->best != NONE && hi >= f->lo;
+    if (side == 0 || unsure) {
+        if (SEEK(m)) remember(f, z, 1);
+        if (unsure && m->set.t5 < 0.0 && !m->tied) {
+            power = hh_lifts(&m->set, f->v, f->base, f->f,
+                             side == 1 ? hi : f->limbs ? DBL_MAX : f->hi,
+                             f->best, z, &f->sphere);
+            COUNT(N_TRIAL, f->sphere.ready == 1);
+            HOLDS(power == UNSURE ||
+                  power == hh_pball(&m->set, f->v, f->best, z, 0));
+        }
+        if (f->limbs) {
+            if (unsure && power == UNSURE) power = 0;
+            COUNT(N_TRIAL, power == 0);
+            hh_trial(&m->set, &f->t, z, &sign, &power);
+            HOLDS(power == 1 ? !better(m, f, z)
+                  : sign == UNSURE ||
+                    sign == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
+        }
+        if (power != 1 && (sign == 0 || sign == UNSURE)) {
+            COUNT(N_SIDE, 1);
+            sign = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
+        }
+        if (sign <= 0) return;
+    }
+    if (unsure) {
+        if (power == UNSURE) {
+            COUNT(N_EXACT, 1);
+            power = hh_pball(&m->set, f->v, f->best, z, 2);
+            f->asked += power == 1 || power == -1;
+        }
+        HOLDS((power < 0) == (hh_pball(&m->set, f->v, f->best, z, 2) < 0));
+        if (power > 0) {
+            f->tied += power == 2;
+            if (hi < f->hi) narrow(f, hi);
+            if (f->asked >= MANY && !f->limbs) refine(m, f);
+            return;
+        }
+        if (hi > f->hi) hi = f->hi;
+    }
+    HOLDS(better(m, f, z));
+    f->best = z;
+    f->tied = power == -2 ? f->tied + 1 : 0;
+    f->lo = lo;
+    f->limbs = 0;
+    narrow(f, hi);
+    if (!f->limbs && (side == 0 || f->asked >= MANY ||
+                      hi - lo > WIDE * (f->f[11] + fabs(hi))))
+        refine(m, f);
+}
+
+/* consider - compares z with the best point, unless it is a vertex or provably
+ * outside the ball, by its height over the facet's support where that is
+ * known. */
+static void consider(mesh *m, quest *f, tess_int z)
+{
+    const double *q = m->x + 3 * z;
+    double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8], h;
+    double size = fabs(w0) + fabs(w1) + fabs(w2);
+    int out;
+
+    COUNT(N_POINT, 1);
+    if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
+    if (LEANING(f) && marked(m, f->on, z, &h)) {
+        if (!f->aimed) aim(m, f);
+        out = excluded(f, w0 * (f->q * w0 - f->d[0]) +
+                            w1 * (f->q * w1 - f->d[1]) +
+                            w2 * (f->q * w2 - f->d[2]),
+                     size, h, m->supports[f->on].grain);
+    } else
+        out = f->ball && HH_POWER(w0, w1, w2, f->c) > powererr(f, size);
+    if (!out)
+        challenge(m, f, z);
+    else {
+        HOLDS(!better(m, f, z));
+    }
 }
 
 /* instar - seeks the apex in the star's list.  The ball of a better point has
@@ -2323,6 +3098,29 @@ static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
     return hh_holds(header[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
 }
 
+/* digest - puts behind the marks of an index two numbers that tell, but for
+ * chance, whether these are its own: a copy may end before them.  Returns 1 if
+ * ask is 1 and they were there. */
+static int digest(const mesh *m, tess_int n, int ask)
+{
+    tess_int many = m->np, *d, i;
+    long a = 1, b = 0;
+    sizes w;
+
+    if (m->alive[0] == 0) return 0;
+    many = (tess_int)(many + m->alive[0] * (2 * m->leaves + RECORD - 1));
+    for (i = 0; i < many; i++) {
+        a = (a + m->mark[i] % 32749) % 32749;
+        b = (b + a) % 32749;
+    }
+    (void)lengths(n, &w);
+    d = m->mark + w.marks - 2;
+    ask = ask && d[0] == a && d[1] == b;
+    d[0] = (tess_int)a;
+    d[1] = (tess_int)b;
+    return ask;
+}
+
 /* intact - check in one pass that the caller's arrays can be an unfinished
  * result: the vertices of each tetrahedron are no duplicates, and it is
  * positively oriented; each facet is on the hull, open, or matched with its
@@ -2605,813 +3403,6 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
     }
     return code < -1 ? code - 1 : code;
 }
-
-/* ---- supports ----
- *
- * Where many points are near one plane or sphere, the side or the power of each
- * is noise for a facet of three of them, and no box of points is clear of the
- * ball.  A support is such a plane or sphere, through points.  Limbs give the
- * heights of other points over it (over a sphere, their powers) to some eps of
- * themselves.  Let h be the height of the base of a facet near the support, and
- * tilt the vector in the facet's plane whose products with the facet's edges
- * are the differences of heights.  Then
- *     G(w) = height(w) - h - tilt.w
- * is 0 at the facet's vertices.  On a plane, G(w) is therefore g times the side
- * of w, where g is the height of the facet's normal v.  On a sphere whose
- * centre is at height l over the facet's plane, G(w) is the power of w in the
- * ball of L = l, and L(w) = l + e, e = G(w) / (2 side).  Heights are that
- * noise, but known to 1e-7 of it: so they decide, point by point and node by
- * node.
- *
- * Globes, turned boxes and points near a plane need them: 6,000 points take 6
- * to 8 times the instructions without.  They cost a mark a point, two integers
- * a node for each, and a few heights by limbs once; nothing until searches turn
- * out to be long. */
-
-/* rough - returns the height of the position z over a support, in double
- * precision.  err bounds its error: 8 eps |c| for the centre, and 6
- * roundings. */
-static double rough(const mesh *m, const support *s, tess_int z, double *err)
-{
-    double h = 0.0, size = 0.0, u;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        u = m->x[3 * z + k] - s->at[k];
-        h += u * (s->plane ? s->c[k] : u - 2.0 * s->c[k]);
-        size += fabs(u);
-    }
-    *err = 32.0 * EPS * size * (s->plane ? 1.0 : size + s->size) + FAINT;
-    return h;
-}
-
-/* marked - returns 1 if the position z has a mark of support j; *h is then its
- * height, to a grain.  A mark is off by the roundings of discover, EPS GRAINS
- * grains, and by a quarter of a grain for twice the height's error. */
-static int marked(const mesh *m, int j, tess_int z, double *h)
-{
-    const support *s = m->supports + j;
-    tess_int mark = m->mark[z] - 1, k = mark / SUPPORTS;
-
-    *h = s->low + s->grain * ((double)k + 0.5);
-    return mark >= 0 && mark % SUPPORTS == j;
-}
-
-/* heightover - returns 1 if the position z is near support j; *h is then its
- * height, from its mark or else by limbs, and *err bounds the error. */
-static int heightover(const mesh *m, int j, tess_int z, double *h, double *err)
-{
-    const support *s = m->supports + j;
-
-    *err = s->grain;
-    if (marked(m, j, z, h)) return 1;
-    *h = rough(m, s, z, err);
-    if (fabs(*h) > *err - s->low) return 0;
-    *h = hh_height(&m->set, &s->t, z, s->plane, err);
-    return *err <= s->grain && fabs(*h) <= -s->low;
-}
-
-/* onsupport - returns 1 if the facet's vertices are near support j; h are their
- * heights, the base's first, err the bounds on their errors. */
-static int onsupport(const mesh *m, const quest *f, int j, double *h,
-                     double *err)
-{
-    int k;
-
-    for (k = 0; k < 3; k++)
-        if (!heightover(m, j, f->v[(f->base + k) % 3], h + k, err + k))
-            return 0;
-    return 1;
-}
-
-/* curved - returns 1 if the facet's support is a sphere. */
-static int curved(const mesh *m, const quest *f)
-{
-    return LEANING(f) && !m->supports[f->on].plane;
-}
-
-/* remember - adds z to the sample: points that were left open or, until there
- * are any, points of leaves that the search visited.  The sample keeps SOME of
- * them.  Once it is full, a point takes the place of another by chance, but by
- * the same chance on every machine.  Points with a mark count, too: they may be
- * on a finer support. */
-static void remember(quest *f, tess_int z, int open)
-{
-    tess_int place;
-
-    if (f->opened == 0 || open > f->open) {
-        f->open = open;
-        f->opened = 0;
-    }
-    if (open < f->open) return;
-    place = f->opened++;
-    if (place >= SOME)
-        place = (tess_int)(z % 30269L * 137 % 30269) % f->opened;
-    if (place < SOME) f->some[place] = z;
-}
-
-/* place - returns support j.  Behind the marks of the points each has RECORD
- * integers: its four positions, then 1 for a plane, 1 if its normal was turned
- * round, and grain's exponent; then the nodes' least marks. */
-static support *place(mesh *m, int j)
-{
-    support *s = m->supports + j;
-
-    s->v = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
-    s->least = s->v + RECORD - 1;
-    return s;
-}
-
-/* erect - sets up support s from its record.  Returns 0 if that cannot be
- * done. */
-static int erect(const mesh *m, support *s)
-{
-    int k;
-
-    s->plane = (int)s->v[4];
-    s->grain = ldexp(1.0, (int)s->v[6] - EXPONENT);
-    s->low = -0.5 * s->grain * (double)GRAINS;
-    if (!hh_centre(&m->set, s->v, 0, s->v[s->plane ? 0 : 3], s->c, &s->t))
-        return 0;
-    hh_unit(&s->t, s->plane, s->c);
-    if (s->v[5] == 1) s->t.unit = -s->t.unit; /* of heights by limbs, too */
-    s->size = 0.0;
-    for (k = 0; k < 3; k++) {
-        s->at[k] = m->x[3 * s->v[0] + k];
-        if (s->v[5] == 1) s->c[k] = -s->c[k];
-        s->size += fabs(s->c[k]);
-    }
-    return 1;
-}
-
-/* through - sets up support s, a plane or a sphere through s->v, for a search's
- * sample, whose extent is wide.  It takes heights of 8 to 16 times those of
- * three quarters of the sample, or of one quarter if that is FINER times
- * nearer: the points on one of several near sheets.  Returns 0 if that is more
- * than BAND. */
-static int through(const mesh *m, const quest *f, double wide, int plane,
-                   support *s)
-{
-    int n = f->opened < SOME ? (int)f->opened : SOME, i, k;
-    double h[SOME], x, err, worst = 0.0;
-
-    s->v[4] = (tess_int)plane;
-    s->v[5] = 0;
-    s->v[6] = EXPONENT;
-    if (!erect(m, s)) return 0;
-    for (i = 0; i < n; i++) {
-        x = fabs(hh_height(&m->set, &s->t, f->some[i], plane, &err));
-        if (err > 1.0) return 0;
-        if (err > worst) worst = err;
-        for (k = i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
-        h[k] = x;
-    }
-    x = h[n / 4] < h[3 * n / 4] / FINER ? h[n / 4] : h[3 * n / 4];
-    x *= 16.0 / (double)GRAINS;
-    frexp(x > 8.0 * worst ? x : 8.0 * worst, &k);
-    s->v[6] = (tess_int)(EXPONENT + k);
-    return erect(m, s) && -s->low <= (plane ? BAND : ROUGH * wide) * wide;
-}
-
-/* fit - sets up a support through the widest of the points that a search left
- * open: a sphere, or a plane where the points are on none (sheets near each
- * other are one).  Returns 1 if it is set up. */
-static int fit(mesh *m, const quest *f, support *s)
-{
-    tess_int *v = s->v, z;
-    double u[3 * SOME], e[3], wide[3], x, err;
-    int n = f->opened < SOME ? (int)f->opened : SOME, far, i, j, k, up = 0;
-
-    v[0] = f->v[0];
-    for (i = 0; i < n; i++)
-        for (k = 0; k < 3; k++)
-            u[3 * i + k] = m->x[3 * f->some[i] + k] - m->x[3 * v[0] + k];
-    for (j = 0; j < 3; j++) { /* the farthest one, and what is left of all */
-        for (i = far = 0; i < n; i++)
-            if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * far, u + 3 * far))
-                far = i;
-        v[j + 1] = f->some[far];
-        wide[j] = sqrt(dot(u + 3 * far, u + 3 * far));
-        if (j == 2) break;
-        if (wide[j] <= 1e-6 * wide[0] + HH_SMALL) return 0;
-        for (k = 0; k < 3; k++) e[k] = u[3 * far + k] / wide[j];
-        for (i = 0; i < n; i++)
-            for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
-                u[3 * i + k] -= x * e[k];
-    }
-    if ((wide[2] < 1e-7 * wide[0] || !through(m, f, wide[0], 0, s)) &&
-        !through(m, f, wide[0], 1, s))
-        return 0;
-    /* nodes know how far down their points reach, but only that some are above:
-     * the side of a plane with more points is turned up */
-    for (z = 0; z < m->np && s->plane; z = (tess_int)(z + m->np / 256 + 1)) {
-        x = rough(m, s, z, &err);
-        up += (x > err - s->low) - (x < s->low - err);
-    }
-    s->v[5] = up < 0;
-    return erect(m, s);
-}
-
-/* discover - seeks a support for the points that a search left open.  It marks
- * the points near the support that have no mark, or one of a support FINER
- * times coarser, and finds the least height in each node.  The support is kept
- * if it marks enough points, or if the facet, on no other support, is near it
- * and so are many points: facets between near sheets lean on a plane that holds
- * them all.  Returns 1 if it is kept. */
-static int discover(mesh *m, quest *f)
-{
-    support *s = place(m, m->nsupport);
-    tess_int node, i, last, mark, old, least, members = 0, all = 0;
-    double h, err, fine, c, hs[3], errs[3];
-    int above, across, held = 0;
-
-    if (m->nsupport == 0)
-        for (i = 0; i < m->np; i++) m->mark[i] = 0;
-    if (!fit(m, f, s)) return 0;
-    /* sample all that is near: the search's points may be from a corner */
-    f->opened = 0;
-    for (i = 0; i < m->np; i = (tess_int)(i + m->np / 1024 + 1))
-        if (m->link[i] != DONE &&
-            fabs(rough(m, s, i, &err)) <= err - 2.0 * s->low) {
-            remember(f, i, 1);
-            old = m->mark[i] - 1;
-            held += old >= 0 &&
-                    m->supports[old % SUPPORTS].grain <= FINER * s->grain;
-        }
-    if (f->opened > OPENED && !fit(m, f, s)) return 0;
-    across = f->on == NONE && onsupport(m, f, m->nsupport, hs, errs);
-    /* all marks would stay; heights of all points, for nothing, would be most
-     * of a globe's index */
-    if (f->opened > OPENED && held == f->opened && !(across && held >= 64))
-        return 0;
-    for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
-        if (node < m->leaves) {
-            i = s->least[2 * node];
-            last = s->least[2 * node + 1];
-            above = ABOVE(i) || ABOVE(last);
-            s->least[node] = CODED(LEASTOF(i < last ? i : last), above);
-            continue;
-        }
-        least = GRAINS;
-        above = 0;
-        span(m, node, &i, &last);
-        for (; i < last; i++) {
-            h = rough(m, s, i, &err);
-            if (fabs(h) <= err - s->low) {
-                c = hh_height(&m->set, &s->t, i, s->plane, &fine);
-                if (fine < err) {
-                    h = c;
-                    err = fine;
-                }
-            }
-            c = (h - err - s->low) / s->grain;
-            mark = c < 0.0 ? -1 : c < GRAINS ? (tess_int)c : GRAINS;
-            if (mark < least) least = mark;
-            if (h + err > -s->low) above = 1;
-            old = m->mark[i] - 1;
-            if (mark < 0 || mark >= GRAINS || 8.0 * err > s->grain) continue;
-            all++;
-            if (old < 0 ||
-                m->supports[old % SUPPORTS].grain > FINER * s->grain) {
-                m->mark[i] = (tess_int)(1 + m->nsupport + SUPPORTS * mark);
-                members++;
-            }
-        }
-        s->least[node] = CODED(least, above);
-    }
-    if (members < 2 * cuberoot(m->np) && (!across || all < m->np / 16)) {
-        for (i = 0; i < m->np; i++)
-            if (m->mark[i] > 0 && (m->mark[i] - 1) % SUPPORTS == m->nsupport)
-                m->mark[i] = 0;
-        return 0;
-    }
-    if (++m->nsupport == SUPPORTS) m->patience = 0.0;
-    return 1;
-}
-
-/* digest - puts behind the marks of an index two numbers that tell, but for
- * chance, whether these are its own: a copy may end before them.  Returns 1 if
- * ask is 1 and they were there. */
-static int digest(const mesh *m, tess_int n, int ask)
-{
-    tess_int many = m->np, *d, i;
-    long a = 1, b = 0;
-    sizes w;
-
-    if (m->alive[0] == 0) return 0;
-    many = (tess_int)(many + m->alive[0] * (2 * m->leaves + RECORD - 1));
-    for (i = 0; i < many; i++) {
-        a = (a + m->mark[i] % 32749) % 32749;
-        b = (b + a) % 32749;
-    }
-    (void)lengths(n, &w);
-    d = m->mark + w.marks - 2;
-    ask = ask && d[0] == a && d[1] == b;
-    d[0] = (tess_int)a;
-    d[1] = (tess_int)b;
-    return ask;
-}
-
-/* recall - sets up the supports that an index has. */
-static void recall(mesh *m)
-{
-    while (TESS_LIST >= 128 && m->nsupport < m->alive[0])
-        (void)erect(m, place(m, m->nsupport++));
-}
-
-/* supportof - finds the support that the facet is on, if any, and its tilt.
- * Supports that have marked its vertices come first: between sheets 1e-10 apart
- * searches take 30 times as long otherwise.  A needle, or a facet that stands
- * on its plane, leans on none.
- *
- * dtilt: roundings of the edges take the tilt out of the plane.  In it, the
- * tilt's products with the edges miss the differences of heights by r0, r1, and
- * a vector whose products with two unit vectors are r0, r1 is no longer than
- * (|r0| + |r1|) / sine of the angle between them.  det errs by less than 1/100,
- * as no needle is let through.
- *
- * Near a sphere G is |w|^2 - 2 c.w, c = tilt / 2 - o, o = base - centre: the
- * power in the ball of centre c, which is on the facet's axis.  L is counted
- * from there: c takes the place of the circumcentre in the set-up.  It errs by
- * half of dtilt, and by 8 eps of the centre and the roundings of three
- * differences in any order, each of at most eps (|o| + 2 |at|): these make less
- * than 8 eps size. */
-static void supportof(const mesh *m, quest *f)
-{
-    const double *b = m->x + 3 * f->v[f->base], *p;
-    const support *s;
-    double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2];
-    double ab, det, size = 0.0, r;
-    tess_int mark;
-    int i, k, near = NONE;
-
-    if (f->f[9] > 1e-3) return;
-    for (i = 0; i < 3 && near == NONE; i++) {
-        mark = m->mark[f->v[i]] - 1;
-        if (mark >= 0 && onsupport(m, f, (int)(mark % SUPPORTS), h, err))
-            near = (int)(mark % SUPPORTS);
-    }
-    for (i = 0; i < m->nsupport && near == NONE; i++)
-        if (onsupport(m, f, i, h, err)) near = i;
-    if (near == NONE) return;
-    s = m->supports + near;
-    f->g = dot(s->c, f->f);
-    if (s->plane && fabs(f->g) < 0.5) return;
-    for (i = 0; i < 2; i++) {
-        p = m->x + 3 * f->v[(f->base + 1 + i) % 3];
-        for (k = 0; k < 3; k++) a[i][k] = p[k] - b[k];
-        n[i] = dot(a[i], a[i]);
-        h[i + 1] -= h[0];
-    }
-    ab = dot(a[0], a[1]);
-    det = n[0] * n[1] - ab * ab;
-    if (det < 1e4 * EPS * n[0] * n[1] || det < FAINT) return;
-    f->on = near;
-    f->aimed = 0;
-    t[0] = (h[1] * n[1] - h[2] * ab) / det;
-    t[1] = (h[2] * n[0] - h[1] * ab) / det;
-    for (k = 0; k < 3; k++) {
-        f->tilt[k] = t[0] * a[0][k] + t[1] * a[1][k];
-        size += fabs(t[0] * a[0][k]) + fabs(t[1] * a[1][k]);
-    }
-    f->h = h[0];
-    f->dh = err[0];
-    f->dtilt = 8.0 * EPS * size;
-    for (i = 0; i < 2; i++) {
-        r = h[i + 1] - dot(f->tilt, a[i]);
-        f->dtilt += (fabs(r) + err[0] + err[i + 1] +
-                     16.0 * EPS * (fabs(h[i + 1]) + fabs(h[0]) +
-                                   size * sqrt(n[i]))) *
-                    sqrt(1.02 * n[1 - i] / det);
-    }
-    if (s->plane) return;
-    size = 0.0;
-    for (k = 0; k < 3; k++) {
-        r = f->f[6 + k] - s->at[k];
-        size += fabs(r) + 2.0 * fabs(s->c[k]) + fabs(s->at[k]);
-        f->f[3 + k] = 0.5 * f->tilt[k] - (r - s->c[k]);
-    }
-    f->f[10] = 0.6 * f->dtilt + 8.0 * EPS * size;
-    f->f[11] = sqrt(dot(f->f + 3, f->f + 3));
-}
-
-/* sharpen - sharpens the side of the position z, which hh_limits did not find
- * negative, and the limits of L, by the height of z over the facet's support:
- * the height gives the side for a plane, the power for a sphere.  A plane's g
- * errs by E and some roundings.  The quotients are of numbers right to 4 eps of
- * themselves, as is what is left of a side of more than twice its error: PAD is
- * more.  Returns the side. */
-static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
-                   double *lo, double *hi)
-{
-    const support *s = m->supports + f->on;
-    const double *x = m->x + 3 * z;
-    double h, err, low, high, least, most, g = 0.0, size = 0.0, u;
-    int k;
-
-    if (!heightover(m, f->on, z, &h, &err)) return side;
-    err += f->dh + 16.0 * EPS * (fabs(h) + fabs(f->h)) + FAINT;
-    h -= f->h;
-    for (k = 0; k < 3; k++) {
-        u = x[k] - f->f[6 + k];
-        h -= f->tilt[k] * u;
-        g += f->f[k] * u;
-        size += fabs(u);
-        err += 16.0 * EPS * fabs(f->tilt[k] * u);
-    }
-    err += f->dtilt * size;
-    if (s->plane) {
-        if (f->g < 0.0) h = -h;
-        if (h + err < 0.0) return -1;
-        u = f->f[9] + 32.0 * EPS;
-        least = (h - err) / (fabs(f->g) + u) * (1.0 - PAD);
-        most = (h + err) / (fabs(f->g) - u) * (1.0 + PAD);
-        if (least < HH_SMALL) return side;
-        low = -DBL_MAX;
-        high = DBL_MAX;
-        hh_ratio(f->f, x, least, most, &low, &high);
-        side = 1;
-    } else {
-        least = 2.0 * (g - f->f[9] * size);
-        most = 2.0 * (g + f->f[9] * size);
-        if (side <= 0 || least < HH_SMALL) return side;
-        low = (h - err) / (h > err ? most : least);
-        high = (h + err) / (h > -err ? least : most);
-        low -= PAD * fabs(low);
-        high += PAD * fabs(high);
-    }
-    if (low > *lo) *lo = low;
-    if (high < *hi) *hi = high;
-    return side;
-}
-
-/* aim - sets up excluded's test for the best point so far, whose L-coordinate
- * is at most k.  A better point has side > 0 and N - 2 k side <= 0, where N is
- * its power in the ball of L = 0, of centre c.  So there is none where
- *     a (height - h) + q |w|^2 - d.w > 0:
- *
- *              by the ball                    without a ball
- *   plane      N - 2 k side, side = G / g     -side
- *     a        -2 k / g                       1 or -1, that g a < 0
- *     q        1                              0
- *     d        2 c + a tilt                   a tilt
- *   sphere     G - 2 k side                   -side - q G + q G
- *     a        1 - q                          -q
- *     d        a tilt + 2 q c + 2 k v         a tilt + 2 q c + v
- *
- * Near a plane k may be greater, so |a| may be greater for k > 0, and smaller
- * for k < 0.  Near a sphere G = height - h - tilt.w, of which a share q is
- * taken as |w|^2 - 2 c.w; best is, but for a, the q for which the least of q
- * |w|^2 - d.w is greatest. Any q is valid, so errors in q do not count.  dd has
- * room for the errors of c, tilt and v, and for 16 roundings of each term.  err
- * has room for those of h, of a height of at most -low, and of a, which is
- * exact but for one rounding. */
-static void aim(const mesh *m, quest *f)
-{
-    const support *s = m->supports + f->on;
-    int ball = f->ball && f->hi <= MUCHL && f->hi >= -MUCHL, k;
-    double b = 0.0, sum = 0.0, u, v, w;
-
-    f->aimed = 1;
-    if (s->plane) {
-        f->q = ball ? 1.0 : 0.0;
-        f->a = ball ? -2.0 * f->hi / f->g : f->g < 0.0 ? 1.0 : -1.0;
-        u = 4.0 * (f->f[9] + 32.0 * EPS) * f->a;
-        if (ball) f->a += f->hi > 0.0 ? u : -u;
-    } else {
-        f->a = ball ? 1.0 : 0.0;
-        b = ball ? 2.0 * f->hi : 1.0;
-        for (k = 0; k < 3; k++)
-            sum -= f->f[3 + k] * (b * f->f[k] + f->a * f->tilt[k]);
-        f->q = sum > 0.0 ? 0.5 * sum / (f->f[11] * f->f[11]) : 0.0;
-        if (ball && f->q > 1.0) f->q = 1.0;
-        f->a -= f->q;
-    }
-    f->dd = fabs(f->a) * f->dtilt + 2.0 * f->q * f->f[10] + fabs(b) * f->f[9];
-    for (k = 0; k < 3; k++) {
-        u = f->a * f->tilt[k];
-        v = 2.0 * f->q * f->f[3 + k];
-        w = b * f->f[k];
-        f->d[k] = u + v + w;
-        f->dd += 16.0 * EPS * (fabs(u) + fabs(v) + fabs(w));
-    }
-    f->err = fabs(f->a) * f->dh +
-             16.0 * EPS * (fabs(f->a) + f->q) * (fabs(f->h) - s->low) + FAINT;
-}
-
-/* lowest - returns the least value of q |w|^2 - d.w in the box lo, hi; *size is
- * the greatest |w|_1 in it. */
-static double lowest(const quest *f, const double *lo, const double *hi,
-                     double q, const double *d, double *size)
-{
-    double sum = 0.0, half = q > 0.0 ? 0.5 / q : 0.0, l, h, u;
-    int k;
-
-    *size = 0.0;
-    for (k = 0; k < 3; k++) {
-        l = lo[k] - f->f[6 + k];
-        h = hi[k] - f->f[6 + k];
-        u = q > 0.0 ? d[k] * half : d[k] > 0.0 ? h : l;
-        u = u > l ? u : l;
-        u = u < h ? u : h;
-        sum += u * (q * u - d[k]);
-        l = fabs(l);
-        h = fabs(h);
-        *size += l > h ? l : h;
-    }
-    return sum;
-}
-
-/* excluded - returns 1 if aim's test proves that there is no candidate where q
- * |w|^2 - d.w is at least sum, |w|_1 is at most size, and the height counts as
- * h, to within dh. */
-static int excluded(const quest *f, double sum, double size, double h,
-                    double dh)
-{
-    return sum + f->a * (h - f->h) >
-           f->err + fabs(f->a) * dh +
-               size * (f->dd + 16.0 * EPS * f->q * size);
-}
-
-/* pruneheights - returns 1 if the heights of a node's points prove that it
- * holds no candidate.  A leaf is also tested by its box.  Where the heights
- * tell nothing, the box alone counts. */
-static int pruneheights(const mesh *m, quest *f, tess_int node)
-{
-    const support *s = m->supports + f->on;
-    const double *b = m->box + 6 * node;
-    tess_int least;
-    double h = -s->low, sum, size;
-
-    if (!f->aimed) aim(m, f);
-    least = LEASTOF(s->least[node]);
-    if (f->a < 0.0 ? ABOVE(s->least[node]) : least < 0 || least == GRAINS)
-        return prunebox(f, b, b + 3);
-    if (f->a >= 0.0) h = s->low + s->grain * ((double)least - 0.5);
-    sum = lowest(f, b, b + 3, f->q, f->d, &size);
-    return excluded(f, sum, size, h, 0.0) ||
-           (node >= m->leaves && prunebox(f, b, b + 3));
-}
-
-/* ---- cylinders ----
- *
- * On a smooth surface a box sticks out of the surface by as much as it is wide,
- * so a ball that touches the surface meets many boxes.  Along a curve a box is
- * as wide as it is long.  A cylinder that holds a node's points (a disc on a
- * surface, a rod on a curve) is thinner, by the ratio of the node's width to
- * the radius of curvature, and the ball meets only a few of them, however many
- * there are.  Cylinders are made for the nodes of every second level from the
- * leaves up.  The four grandchildren of a node lie side by side and are tested
- * at once.
- *
- * 6,000 points of an ellipsoid take 1.4 times the instructions without, 6,000
- * of boreholes 1.6, 6,000 near a plane 6 times.  They cost 11 doubles a leaf,
- * and clouds 1 % more instructions, for nothing. */
-
-/* cylinders - returns the cylinders of the four grandchildren of a node:
- * centre, unit axis, half length, radius.  The four values of each number are
- * adjacent. */
-static double *cylinders(const mesh *m, tess_int node)
-{
-    tess_int level = m->leaves / 4, at = 0;
-
-    for (; node < level; level /= 4) at += level;
-    return m->box + 12 * m->leaves + 32 * (at + node - level);
-}
-
-/* makecylinder - makes the cylinder of a node, its numbers four places apart.
- * The axis is the column of the greatest diagonal element in the matrix of
- * second moments about the mean (a rod) or in its adjugate (a disc), whichever
- * gives less volume.  About another point, a plane's would not tell its normal.
- * Returns 1 if that volume is below SLENDER of the box's.  In units of the sum
- * of |x[k]|, the differences from the mean err by EPS, their products with the
- * axis and what is left across it by less than 40 EPS, the centre by 10 EPS:
- * together less than 64 EPS. */
-static int makecylinder(const mesh *m, tess_int node, double *c)
-{
-    const double *b = m->box + 6 * node, *x;
-    double a[6], q[6], mid[3], y[3], u[3], lo, hi, s, rr, pad = 0.0;
-    double volume = DBL_MAX;
-    tess_int first, last, i;
-    int disc, j, k, l;
-
-    span(m, node, &first, &last);
-    for (k = 0; k < 3; k++) {
-        a[k] = a[3 + k] = mid[k] = 0.0;
-        pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_SMALL;
-    }
-    for (i = first; i < last; i++)
-        for (k = 0; k < 3; k++)
-            mid[k] += m->x[3 * i + k] / (double)(last - first);
-    for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-        for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
-        for (k = 0; k < 3; k++) {
-            a[k] += y[k] * y[k];
-            a[3 + k] += y[(k + 1) % 3] * y[(k + 2) % 3];
-        }
-    }
-    for (disc = 0; disc < 2; disc++) {
-        for (k = 0; k < 3; k++) {
-            j = (k + 1) % 3;
-            l = (k + 2) % 3;
-            q[k] = disc ? a[j] * a[l] - a[3 + k] * a[3 + k] : a[k];
-            q[3 + k] = disc ? a[3 + j] * a[3 + l] - a[3 + k] * a[k] : a[3 + k];
-        }
-        k = q[1] > q[0];
-        if (q[2] > q[k]) k = 2;
-        u[k] = q[k];
-        u[(k + 1) % 3] = q[3 + (k + 2) % 3];
-        u[(k + 2) % 3] = q[3 + (k + 1) % 3];
-        s = dot(u, u);
-        for (k = 0; k < 3; k++) /* too small to have a direction: any */
-            u[k] = s > FAINT ? u[k] / sqrt(s) : k == 0;
-        lo = DBL_MAX;
-        hi = -DBL_MAX;
-        rr = 0.0;
-        for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-            for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
-            s = dot(y, u);
-            if (s < lo) lo = s;
-            if (s > hi) hi = s;
-            for (k = 0; k < 3; k++) y[k] -= s * u[k];
-            s = dot(y, y);
-            if (s > rr) rr = s;
-        }
-        if ((hi - lo) * rr >= volume) continue;
-        volume = (hi - lo) * rr;
-        for (k = 0; k < 3; k++) {
-            c[4 * k] = mid[k] + 0.5 * (lo + hi) * u[k];
-            c[12 + 4 * k] = u[k];
-        }
-        c[24] = 0.5 * (hi - lo) + pad;
-        c[28] = sqrt(rr) + pad;
-    }
-    return 3.2 * volume <
-           SLENDER * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
-}
-
-/* makecylinders - makes all cylinders, or none if few leaves have slender ones.
- * */
-static void makecylinders(mesh *m)
-{
-    tess_int level, node, slender = 0;
-    int i;
-
-    for (level = m->leaves / 4; level > 0; level /= 4) {
-        for (node = level; node < 2 * level; node++)
-            for (i = 0; i < 4; i++)
-                if (makecylinder(m, (tess_int)(4 * node + i),
-                                 cylinders(m, node) + i))
-                    slender++;
-        if (64 * slender < m->leaves) return;
-    }
-    m->enclosed = 1;
-}
-
-/* prunecylinders - tests the cylinders of a node's four grandchildren: past[i]
- * > 0 if cylinder i provably holds no candidate.
- *
- * A point is w + s u + p from the base, where w is the cylinder's centre, u its
- * axis, |s| <= h, and p is across u, |p| <= r.  With g = w - c, a = |g.u|, and
- * rho the length of g across u, its power in the ball about c is
- *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p),
- * The brackets are at least t (t - 2 a), where t is the lesser of a and h, and
- * R^2 - 2 R rho, where R is the lesser of rho and r.  So there is no candidate
- * if the sum without 2 R rho is positive and its square is above 4 R^2 rho^2.
- * Without a ball the same holds for minus the side v.w, with v / 2 for c,
- * without any squares, t = h, R = r: then q = 0, and far is more than any
- * length.
- *
- * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r.
- * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
- * rho makes 4; the power by 8 (powererr); a by 6 |g|_1, which counts 2 t times;
- * |u|^2 is 1 but for 8, which tilts p: 9; and some for the sum.  rho^2 errs by
- * less than 64 EPS |g|^2, with room for the last two products.  Where these
- * underflow, r >= HH_SMALL makes the sum's error greater. */
-static void prunecylinders(const mesh *m, const quest *f, tess_int node,
-                           double *past)
-{
-    const double *c = cylinders(m, node);
-    double q = f->ball ? 1.0 : 0.0, far = f->ball ? 0.0 : FAR;
-    double err = f->ball ? 2.0 * f->dc + 128.0 * EPS * f->size
-                         : f->f[9] + 64.0 * EPS;
-    double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8];
-    double d0 = f->ball ? f->c[0] : 0.5 * f->f[0];
-    double d1 = f->ball ? f->c[1] : 0.5 * f->f[1];
-    double d2 = f->ball ? f->c[2] : 0.5 * f->f[2];
-    double w0, w1, w2, g0, g1, g2, a, h, r, t, gg, rr, rho, size, sum;
-    int i;
-
-    for (i = 0; i < 4; i++) { /* as vectors */
-        w0 = c[i] - b0;
-        w1 = c[4 + i] - b1;
-        w2 = c[8 + i] - b2;
-        h = c[24 + i];
-        r = c[28 + i];
-        size = fabs(w0) + fabs(w1) + fabs(w2) + 2.0 * (h + r);
-        g0 = q * w0 - d0;
-        g1 = q * w1 - d1;
-        g2 = q * w2 - d2;
-        a = fabs(g0 * c[12 + i] + g1 * c[16 + i] + g2 * c[20 + i]);
-        t = a + far < h ? a + far : h;
-        gg = g0 * g0 + g1 * g1 + g2 * g2;
-        rho = gg - a * a + 64.0 * EPS * gg;
-        rr = rho + far < r * r ? rho + far : r * r;
-        sum = w0 * (g0 - d0) + w1 * (g1 - d1) + w2 * (g2 - d2) +
-              t * (q * t - 2.0 * a) + q * rr -
-              size * (err + q * 64.0 * EPS * size) - FAINT;
-        past[i] = sum * fabs(sum) - 4.0 * rr * rho;
-    }
-}
-
-/* ---- ties ----
- *
- * Let T be the points on the sphere of an empty ball, such as that of any
- * tetrahedron of the mesh.  The tie rule lowers heights, that of first, the
- * point of T of least number, by far the most.  So
- *   - among points of T the mesh consists of the facets of T's hull without
- *     first, each joined to first;
- *   - a tetrahedron with its vertices in T has first for one of them: first is
- *     the least vertex of any such tetrahedron that is known;
- *   - a facet of three points of T without first, which is in T's hull, has no
- *     point of T on its open side unless first is on it: the apex is first, or
- *     none of T;
- *   - a facet (first, a, b) with points of T on its open side has one of them
- *     as its apex, as the ball is empty.  Of two, c and z, z is better if it is
- *     beyond the plane (a, b, c) seen from first, and worse if it is on first's
- *     side; in that plane the lesser e_i decides.
- * A point of T whose star is complete is in no open facet and is no apex.  If
- * first's star is complete, all tetrahedra of T are known; so for a new
- * tetrahedron's T it is not.
- *
- * A cell has all uncompleted points of T, the least number first, of a ball
- * inside the star's list.  Only these are tested for a facet of the star.
- *
- * Lattices take 1.4 times the instructions without.  What has no ties never
- * makes a cell. */
-
-/* newcell - makes a cell of the points exactly on the best point's ball, if all
- * are in the star's list and none is inside.  Returns 0 if not, or if there are
- * no ties.  The centre of narrow's ball is off by up to hi - lo, too, which
- * matters on the negative side. */
-static int newcell(mesh *m, quest *f)
-{
-    const list *l = &m->around;
-    const tess_int *v = f->v;
-    int place[TESS_LIST + 1], n, i, side;
-    double wide;
-    tess_int z;
-    cell c;
-
-    if (fabs(f->hi) > MUCHL) return 0;
-    wide = f->limbs ? 0.0 : f->hi - f->lo;
-    if (wide > l->margin) return 0;
-    f->dc += wide;
-    n = ballinstar(m, f) ? listball(l, f, place) : 0;
-    if (n <= 0 || n > CELL) return 0;
-    for (i = c.n = 0; i < n; i++) {
-        z = l->id[place[i]];
-        side = 0;
-        if (z != v[0] && z != v[1] && z != v[2] && z != f->best)
-            side = hh_pball(&m->set, v, f->best, z, 0);
-        if (side < 0) return 0;
-        if (side > 0) continue;
-        c.id[c.n++] = z;
-        if (m->order[z] > m->order[c.id[0]]) continue;
-        c.id[c.n - 1] = c.id[0];
-        c.id[0] = z;
-    }
-    if (c.n == 4) return 0;
-    m->cells[m->ncell++ % CELLS] = c;
-    return 1;
-}
-
-/* incell - returns the apex of the facet v if it is in a cell, or NONE: see
- * "ties". */
-static tess_int incell(const mesh *m, const tess_int *v)
-{
-    const cell *c = m->cells;
-    tess_int best = NONE, z;
-    int i, k, in;
-
-    for (k = 0; k < m->ncell && k < CELLS && best == NONE; k++, c++) {
-        for (i = in = 0; i < c->n; i++)
-            in += (c->id[i] == v[1]) + (c->id[i] == v[2]);
-        for (i = 0; i < c->n && in == 2; i++) {
-            z = c->id[i];
-            if (z == v[0] || z == v[1] || z == v[2]) continue;
-            if (hh_pside(&m->set, v[0], v[1], v[2], z) > 0 &&
-                (best == NONE || hh_pball(&m->set, v, best, z, 3) < 0))
-                best = z;
-            if (i == 0) break;
-        }
-    }
-    return best;
-}
-
-/* =====================================================================
- * What follows needs no mesh under construction, only results.
- * ===================================================================== */
 
 /* ---- common to the queries ----
  *

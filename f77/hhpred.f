@@ -39,8 +39,8 @@ C         hh_weigh HHWEIG, hh_wider HHWIDE, hh_range HHRANG,
 C         apart HHAPAR, corners HHCORN, decide HHDECI, hh_pside HHPSID
 C       the tie rule: tied HHTIED, hh_pball HHPBAL
 C       balls by limbs: rows HHROWS, cut HHCUT, hh_centre HHCENT,
-C         level HHLEVE, hh_trial HHTRIA, lift HHLIFT, around HHAROU,
-C         hh_lifts HHLIFS, hh_unit HHUNIT, hh_height HHHEIG,
+C         level HHLEVE, hh_trial HHTRIA, lift HHLIFT, hh_about HHABOU,
+C         hh_height HHHEIG, around HHAROU, hh_lifts HHLIFS,
 C         hh_thin HHTHIN
 C       Householder: house HHHOUS, reflec HHREFL, hh_setup HHSETU,
 C         hh_ratio HHRATI, hh_limits HHLIMI,
@@ -93,9 +93,11 @@ C               they are not made
 C       BROWS   (HH_ROWS) leading rows of a ball's numbers that are
 C               kept: with 5 a third of the signs on a rotated grid came
 C               out, with 6 98 %, with 7 99 %
-C       NLIFT   (HH_LIFT) limbs of a point for HHLIFS.  The first is
-C               that of a coordinate of 1, so they hold all that are
-C               above 2**(-17)
+C       NLIFT   (HH_LIFT) limbs of a point for HHLIFS: the first is that
+C               of a coordinate of 1, so they hold all that are above
+C               2**(-17)
+C       NHIGH   (HH_HIGH) and for HHHEIG: at the pole of a unit sphere
+C               sin(pi) cos(pi/2) takes them all
 
 C     ------------------------------------------------------------------
 C     Exact numbers.
@@ -1627,17 +1629,16 @@ C       BPOWER  behind it leading rows of C and D; BSIDE: of n, and a
 C               fourth number
 C       BD, BE  D of the leading row's weight, exponent of limb 1's
 C               weight
-C       BUNIT, BBITS  what HHHEIG divides by: see HHUNIT; BBITS before
-C               it: the first row of n
+C       BBITS   first row of n
       SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, OK)
-      DOUBLE PRECISION P(3,*), C(3), T(*)
+      DOUBLE PRECISION P(3,*), C(*), T(*)
       INTEGER ORD(*), SE, V(3), BASE, Z, OK
       INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE, BD,
      $    BE, BBITS, BITS, HHFEW, FAR
       DOUBLE PRECISION EPS, HUGE, RADIX, SMALL
       PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5,
      $    BBASE = 5, BPOWER = 35, BSIDE = 59, BD = 84, BE = 85,
-     $    BBITS = 87, BITS = 24, EPS = 2.0D0**(-52), HHFEW = 10,
+     $    BBITS = 86, BITS = 24, EPS = 2.0D0**(-52), HHFEW = 10,
      $    FAR = 300, HUGE = (2.0D0 - EPS)*2.0D0**1023,
      $    RADIX = 2.0D0**24, SMALL = 2.0D0**(-450))
       DOUBLE PRECISION HHLDEX, CC(16*HHFEW), FACTOR, MINOR(8*HHFEW),
@@ -1776,16 +1777,16 @@ C     is 1: a point outside needs none.
       END
 
 C     HHLIFT - number PLACE behind SH = the power of the position Z in
-C     the sphere S (see HHLIFS), right to 4 EPS of itself: U.(U -
-C     twice), U seen from the base, all of it by limbs.  3 NLIFT
+C     the sphere S (see HHABOU), right to 4 EPS of itself: U.(U -
+C     minus), U seen from the base, all of it by limbs.  3 NLIFT
 C     products of at most BASE and 3/2 BASE fit one limb.  OK is 0, and
 C     S is left alone, if NLIFT limbs do not hold Z; else it is 1.
       SUBROUTINE HHLIFT(X, Z, S, PLACE, OK)
       DOUBLE PRECISION X(3,*), S(*)
       INTEGER Z, PLACE, OK
-      INTEGER SH, SBASE, STWICE, NLIFT, BITS
+      INTEGER SH, SBASE, SMINUS, NLIFT, BITS
       DOUBLE PRECISION BASE
-      PARAMETER (SH = 3, SBASE = 7, STWICE = 16, NLIFT = 3, BITS = 24,
+      PARAMETER (SH = 3, SBASE = 10, SMINUS = 31, NLIFT = 3, BITS = 24,
      $    BASE = 2.0D0**24)
       DOUBLE PRECISION HHLDEX, H, SUM(2*NLIFT), U(3*NLIFT), Y(3*NLIFT)
       INTEGER AT, I, K
@@ -1795,7 +1796,7 @@ C     S is left alone, if NLIFT limbs do not hold Z; else it is 1.
       OK = 1
       DO 10 I = 1, 3*NLIFT
         U(I) = U(I) - S(SBASE+I)
-        Y(I) = U(I) - S(STWICE+I)
+        Y(I) = U(I) - S(SMINUS+I)
    10 CONTINUE
       CALL HHZERO(2*NLIFT, SUM)
       DO 30 I = 0, NLIFT - 1
@@ -1809,6 +1810,90 @@ C     S is left alone, if NLIFT limbs do not hold Z; else it is 1.
       S(SH+PLACE) = HHLDEX(H, 4 - AT*BITS)
       END
 
+C     HHABOU - sets S to the sphere of centre C, seen from the position
+C     FROM of a set (see HHPSID), or, if PLANE is 1, to the plane of
+C     normal C: through the position BASE.  OK is 0 if the centre is
+C     farther than RADIX / 4, or limbs do not hold it; else it is 1.
+C
+C     A sphere or a plane by limbs (hh_sphere in C), and what HHLIFS
+C     keeps.  In S:
+C       SBASE   behind it limbs of a point on it
+C       SMINUS  behind it limbs of twice the centre, seen from there; of
+C               minus the normal
+C       SPLANE  1: a plane
+C       SN, SE  limbs in use; 2**SE is the weight of limb 1
+C       SREADY  of HHLIFS: 0: none yet; -1: it cannot be had
+C       SH      behind it powers of the facet's two other vertices and
+C               of two points: SBEST, SLAST: their positions, or 0
+      SUBROUTINE HHABOU(X, BASE, FROM, PLANE, C, S, OK)
+      DOUBLE PRECISION X(3,*), C(*), S(*)
+      INTEGER BASE, FROM, PLANE, OK
+      INTEGER SPLANE, SN, SE, SBASE, SMINUS, NHIGH, BITS
+      DOUBLE PRECISION RADIX
+      PARAMETER (SPLANE = 8, SN = 9, SE = 10, SBASE = 10, SMINUS = 31,
+     $    NHIGH = 7, BITS = 24, RADIX = 2.0D0**24)
+      DOUBLE PRECISION HHLDEX, Q(9), Y(9*NHIGH)
+      INTEGER E, I, K, N
+      E = 2 - BITS
+      DO 20 K = 1, 3
+        Q(K) = X(K,BASE)
+        Q(3+K) = C(K)
+        Q(6+K) = X(K,FROM)
+   10   IF (HHLDEX(ABS(C(K)), -E) .GT. RADIX/4.0D0) THEN
+          E = E + 1
+          GO TO 10
+        END IF
+   20 CONTINUE
+      CALL HHSPLI(9, Q, HHLDEX(1.0D0, E), NHIGH, Y, N)
+      DO 30 I = 1, 3*NHIGH
+        K = (I - 1)/3*9 + MOD(I - 1, 3) + 1
+        S(SBASE+I) = Y(K)
+        S(SMINUS+I) = -Y(K+3)
+        IF (PLANE .EQ. 0) S(SMINUS+I) = 2.0D0*(Y(K+3) + Y(K+6) - Y(K))
+   30 CONTINUE
+      CALL HHCARR(NHIGH, 3, 3, S(SMINUS+1))
+      S(SPLANE) = DBLE(PLANE)
+      S(SN) = DBLE(N)
+      S(SE) = DBLE(E)
+      OK = 0
+      IF (N .LE. NHIGH .AND. E .LE. 0) OK = 1
+      END
+
+C     HHHEIG - computes the height H of the position Z above a plane, or
+C     its power in a sphere, S, by limbs as in HHLIFT.  ERR bounds the
+C     error: RADIX**2 if limbs do not hold Z, as |Z| <= 1 and no centre
+C     is farther than RADIX.  (7 rows of products are 30.75 RADIX**2 at
+C     most: limbs are at most RADIX and 3/2 RADIX, limbs 1 RADIX/2 and 2
+C     RADIX.)
+      SUBROUTINE HHHEIG(X, S, Z, H, ERR)
+      DOUBLE PRECISION X(3,*), S(*), H, ERR
+      INTEGER Z
+      INTEGER SPLANE, SN, SE, SBASE, SMINUS, NHIGH, BITS, DOT
+      DOUBLE PRECISION EPS, RADIX, TINY
+      PARAMETER (SPLANE = 8, SN = 9, SE = 10, SBASE = 10, SMINUS = 31,
+     $    NHIGH = 7, BITS = 24, DOT = 1, EPS = 2.0D0**(-52),
+     $    RADIX = 2.0D0**24, TINY = 2.0D0**(-1000))
+      DOUBLE PRECISION HHLDEX, SUM(2*NHIGH), U(3*NHIGH), Y(3*NHIGH)
+      INTEGER E, I, LAT, N
+      E = INT(S(SE))
+      H = 0.0D0
+      ERR = RADIX*RADIX
+      CALL HHSPLI(3, X(1,Z), HHLDEX(1.0D0, E), NHIGH, U, N)
+      IF (N .GT. NHIGH) RETURN
+      N = MAX(N, INT(S(SN)))
+      DO 10 I = 1, 3*NHIGH
+        U(I) = U(I) - S(SBASE+I)
+        Y(I) = -S(SMINUS+I)
+        IF (S(SPLANE) .LE. 0.0D0) Y(I) = U(I) - S(SMINUS+I)
+   10 CONTINUE
+      CALL HHZERO(2*N, SUM)
+      CALL HHPROD(DOT, N, 3, U, N, 3, Y, 2*N, 1, SUM)
+      CALL HHCARR(2*N, 1, 1, SUM)
+      CALL HHLEAD(2*N, SUM, 1, 1, H, LAT)
+      H = HHLDEX(H, 2*E + (2 - LAT)*BITS)
+      ERR = 8.0D0*EPS*ABS(H) + TINY
+      END
+
 C     HHAROU - sets S to a sphere through the base of the facet V, of
 C     set-up F, about the centre of the ball of L-coordinate L, rounded
 C     to multiples of 2**E, few enough for HHNEAR.  OK is 0 if it is too
@@ -1816,9 +1901,9 @@ C     large, or if limbs do not hold it or V; else it is 1.
       SUBROUTINE HHAROU(X, V, BASE, F, L, S, OK)
       DOUBLE PRECISION X(3,*), F(12), L, S(*)
       INTEGER V(3), BASE, OK
-      INTEGER SBEST, SLAST, SBASE, STWICE, NLIFT
+      INTEGER SBEST, SLAST, SBASE, SMINUS, NLIFT
       DOUBLE PRECISION TOP
-      PARAMETER (SBEST = 2, SLAST = 3, SBASE = 7, STWICE = 16,
+      PARAMETER (SBEST = 2, SLAST = 3, SBASE = 10, SMINUS = 31,
      $    NLIFT = 3, TOP = 4.0D0/2.0D0**24)
       DOUBLE PRECISION HHLDEX, HHNEAR, C(3), MOST
       INTEGER HHFREX, E, K
@@ -1837,7 +1922,7 @@ C     large, or if limbs do not hold it or V; else it is 1.
    20 CONTINUE
       CALL HHSPLI(3, X(1,V(BASE)), TOP, NLIFT, S(SBASE+1), K)
       IF (K .GT. NLIFT) RETURN
-      CALL HHSPLI(3, C, TOP, NLIFT, S(STWICE+1), K)
+      CALL HHSPLI(3, C, TOP, NLIFT, S(SMINUS+1), K)
       IF (K .GT. NLIFT) RETURN
       CALL HHLIFT(X, V(MOD(BASE,3)+1), S, 1, OK)
       IF (OK .EQ. 1) CALL HHLIFT(X, V(MOD(BASE+1,3)+1), S, 2, OK)
@@ -1856,13 +1941,6 @@ C     are small, but right to a few EPS all the same, so HHFIL5 loses no
 C     digits to the points' being near it.  The base takes the place of
 C     E: its power is 0.  Neither that nor a cyclic exchange of V
 C     changes the sign.
-C
-C     A sphere (hh_sphere in C) through the base of a facet.  In S:
-C       SREADY  0: none yet; -1: it cannot be had
-C       SBASE   behind it limbs of the base
-C       STWICE  behind it limbs of twice the centre, seen from the base
-C       SH      behind it powers of the facet's two other vertices and
-C               of two points: SBEST, SLAST: their positions, or 0
       SUBROUTINE HHLIFS(X, T3, V, BASE, F, L, A, Z, S, SGN)
       DOUBLE PRECISION X(3,*), T3, F(12), L, S(*)
       INTEGER V(3), BASE, A, Z, SGN
@@ -1892,69 +1970,6 @@ C               of two points: SBEST, SLAST: their positions, or 0
      $             V(BASE), 1, S(SH+1), -1.0D0)
       END
 
-C     HHUNIT - makes a ball ready for HHHEIG.  What that divides by: D,
-C     or, if PLANE is 1, the length of the normal of a ball's facet,
-C     both as of the leading rows; C: the normal over it, right to 12
-C     EPS.  The base gets limbs for points in smaller units than the
-C     ball's own (6371 cos 90 degrees is 4D-13 in double): without them
-C     such points have no height.
-      SUBROUTINE HHUNIT(T, PLANE, C)
-      DOUBLE PRECISION T(*), C(*)
-      INTEGER PLANE
-      INTEGER BN, BFIRST, BBASE, BSIDE, BD, BE, BUNIT, BBITS, BITS,
-     $    BROWS
-      PARAMETER (BN = 1, BFIRST = 2, BBASE = 5, BSIDE = 59, BD = 84,
-     $    BE = 85, BUNIT = 86, BBITS = 87, BITS = 24, BROWS = 6)
-      DOUBLE PRECISION HHLDEX
-      INTEGER K, LAT
-      DO 10 K = 3*INT(T(BN)) + 1, 3*BROWS
-        T(BBASE+K) = 0.0D0
-   10 CONTINUE
-      T(BN) = MAX(T(BN), DBLE(BROWS))
-      T(BUNIT) = 0.0D0
-      IF (PLANE .EQ. 0) T(BUNIT) = T(BD)
-      T(BBITS) = 2.0D0*T(BE) + (3.0D0 - T(BFIRST))*BITS
-      IF (PLANE .EQ. 0) RETURN
-      T(BBITS) = T(BE) + (2.0D0 - T(BFIRST))*BITS
-      DO 20 K = 1, 3
-        CALL HHLEAD(BROWS, T, BSIDE + K, 4, C(K), LAT)
-        C(K) = HHLDEX(C(K), (1 - LAT)*BITS)
-        T(BUNIT) = T(BUNIT) + C(K)*C(K)
-   20 CONTINUE
-      T(BUNIT) = SQRT(T(BUNIT))
-      DO 30 K = 1, 3
-        C(K) = C(K)/T(BUNIT)
-   30 CONTINUE
-      END
-
-C     HHHEIG - computes the height H of the position Z above the plane
-C     of a ball's facet if PLANE is 1, else its power in the ball,
-C     scaled as HHPSID's X is.  ERR bounds the error: the value of the
-C     leading limbs errs by 3 EPS, the divisor by 3 (by 5 for a normal),
-C     the quotient by 1, and the last row of the sum by CARRY units.
-C     ERR is HUGE if the limbs do not hold it.
-      SUBROUTINE HHHEIG(P, ORD, T, Z, PLANE, H, ERR)
-      DOUBLE PRECISION P(3,*), T(*), H, ERR
-      INTEGER ORD(*), Z, PLANE
-      INTEGER BUNIT, BBITS, BITS, BROWS
-      DOUBLE PRECISION CARRY, EPS, HUGE
-      PARAMETER (BUNIT = 86, BBITS = 87, CARRY = 2.0D0**29, BITS = 24,
-     $    BROWS = 6, EPS = 2.0D0**(-52),
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION HHLDEX, SUM(BROWS+1)
-      INTEGER E, LAT, OK
-      H = 0.0D0
-      ERR = HUGE
-      CALL HHLEVE(P, ORD, T, Z, PLANE, SUM, OK)
-      IF (OK .EQ. 0) RETURN
-      CALL HHCARR(BROWS + 1, 1, 1, SUM)
-      CALL HHLEAD(BROWS + 1, SUM, 1, 1, H, LAT)
-      E = INT(T(BBITS))
-      H = HHLDEX(H/T(BUNIT), MAX(E - (LAT - 1)*BITS, -2000))
-      ERR = HHLDEX(CARRY/T(BUNIT), MAX(E - BROWS*BITS, -2000))
-      ERR = 16.0D0*EPS*ABS(H) + 2.0D0*ABS(ERR)
-      END
-
 C     HHTHIN - the set-up F of a facet V that is too thin for
 C     Householder's bounds, its normal by limbs, as good as that of any
 C     other; V(BASE) is opposite to the longest edge.  With the rows A
@@ -1970,11 +1985,11 @@ C     bounds rest.  F is left as it is where numbers might underflow.
       SUBROUTINE HHTHIN(X, P, ORD, SE, V, BASE, F)
       DOUBLE PRECISION X(3,*), P(3,*), F(12)
       INTEGER ORD(*), SE, V(3), BASE
-      INTEGER BE, BUNIT, BBITS, BITS, FAR
+      INTEGER BSIDE, BE, BBITS, BITS, BROWS, FAR
       DOUBLE PRECISION EPS, SMALL
-      PARAMETER (BE = 85, BUNIT = 86, BBITS = 87, BITS = 24, FAR = 300,
-     $    EPS = 2.0D0**(-52), SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION HHLDEX, A(3), AA, B(3), BB, D(3), NORM, T(87)
+      PARAMETER (BSIDE = 59, BE = 85, BBITS = 86, BITS = 24, BROWS = 6,
+     $    FAR = 300, EPS = 2.0D0**(-52), SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION HHLDEX, A(3), AA, B(3), BB, D(3), NORM, T(86)
       INTEGER E, I, J, K, P1, P2, P3
       P1 = V(BASE)
       P2 = V(MOD(BASE,3)+1)
@@ -1991,12 +2006,19 @@ C     bounds rest.  F is left as it is where numbers might underflow.
         BB = BB + B(K)*B(K)
    10 CONTINUE
       IF (E .LT. -FAR .OR. AA .LT. SMALL .OR. BB .LT. SMALL) RETURN
-      CALL HHUNIT(T, 1, F)
-      NORM = 2.0D0*HHLDEX(T(BUNIT), E)
+      NORM = 0.0D0
+      DO 15 K = 1, 3
+        CALL HHLEAD(BROWS, T, BSIDE + K, 4, F(K), I)
+        F(K) = HHLDEX(F(K), (1 - I)*BITS)
+        NORM = NORM + F(K)*F(K)
+   15 CONTINUE
+      NORM = SQRT(NORM)
       DO 20 K = 1, 3
+        F(K) = F(K)/NORM
         D(K) = BB*A(K) - AA*B(K)
         F(6+K) = X(K,P1)
    20 CONTINUE
+      NORM = 2.0D0*HHLDEX(NORM, E)
       DO 30 K = 1, 3
         I = MOD(K, 3) + 1
         J = 6 - I - K

@@ -124,12 +124,24 @@ C         erase TSERAS, enter TSENTE, full TSFULL, cuberoot TSCUBE,
 C         quota TSQUOT, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoints TSSETP, boxquery TSBOXQ,
 C         leaflist TSLFLI, compress TSCMPR, starlist TSSTLI
-C       search: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
-C         narrow TSNARR, refine TSREFI, challenge TSCHAL,
-C         consider TSCONS, ballinbox TSBINB, ballinstar TSBINS,
-C         ballcoef TSBALC, listball TSLIBA, instar TSINST,
-C         inblock TSINBL, scanleaf TSSCAN, treesearch TSTREE,
-C         onhull TSONHU, prepare TSPREP, apex TSAPEX
+C       the ball: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
+C         ballinbox TSBINB, ballinstar TSBINS, ballcoef TSBALC,
+C         listball TSLIBA
+C     then what makes searches faster, each where some data need it:
+C       supports: rough TSROUG, marked TSMRKD, heightover TSHEOV,
+C         onsupport TSONSU, curved TSCURV, remember TSREME,
+C         place TSPLAC, erect TSEREC, through TSTHRO, fit TSFIT,
+C         discover TSDISC, recall TSRECA, supportof TSSUPP,
+C         sharpen TSSHAR, aim TSAIM, lowest TSLOWE, excluded TSEXCL,
+C         pruneheights TSPRHE
+C       cylinders: cylinders TSCYLI, makecylinder TSMCYL,
+C         makecylinders TSMCYS, prunecylinders TSPRCY
+C       ties: newcell TSNEWC, incell TSINCE
+C     then the search, and what it is for:
+C       search: narrow TSNARR, refine TSREFI, challenge TSCHAL,
+C         consider TSCONS, instar TSINST, inblock TSINBL,
+C         scanleaf TSSCAN, treesearch TSTREE, onhull TSONHU,
+C         prepare TSPREP, apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
 C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
@@ -141,20 +153,10 @@ C       results: slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, lengths TSLENG, layout TSLAYO,
 C         collect TSCOLL, rescale TSRESC, units TSUNIT,
 C         scaled TSSCAL, revive TSREVI, sorted TSSORT, seal TSSEAL,
-C         opened TSOPEN, intact TSINTA, claim TSCLAI, restore TSREST,
-C         allot TSALLO, run TSRUN, badargument TSBADA
+C         opened TSOPEN, digest TSDIGE, intact TSINTA, claim TSCLAI,
+C         restore TSREST, allot TSALLO, run TSRUN, badargument TSBADA
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
-C     then what makes searches faster, each where some data need it:
-C       supports: rough TSROUG, marked TSMRKD, heightover TSHEOV,
-C         onsupport TSONSU, curved TSCURV, remember TSREME,
-C         place TSPLAC, erect TSEREC, through TSTHRO, fit TSFIT,
-C         discover TSDISC, digest TSDIGE, recall TSRECA,
-C         supportof TSSUPP, sharpen TSSHAR, aim TSAIM, lowest TSLOWE,
-C         excluded TSEXCL, pruneheights TSPRHE
-C       cylinders: cylinders TSCYLI, makecylinder TSMCYL,
-C         makecylinders TSMCYS, prunecylinders TSPRCY
-C       ties: newcell TSNEWC, incell TSINCE
 C     and what needs no mesh under construction:
 C       queries: qside TSQSID, leave TSLEAV, inbox TSINBO
 C       location: closer TSCLOS, sample TSSAMP, walk TSWALK,
@@ -223,9 +225,9 @@ C       RLEAST  the least absolute value of a coordinate above 0
 C     SUP(.,J), support J: a plane or a sphere that many points are
 C     near.  A point with mark K, 0 ... GRAINS - 1, has a height between
 C     SLOW + (K - 1/2) SGRAIN and SLOW + (K + 3/2) SGRAIN; SLOW < 0.  A
-C     support begins with a ball (see HHCENT):
-C       SAT, SC, SSIZE  seen from what is behind SAT: behind SC the unit
-C               normal, or the centre; |C|_1, or 0 for a plane
+C     support begins with a plane or sphere by limbs (see HHABOU):
+C       SAT, SC  behind SAT its first point; behind SC, from there, the
+C               centre, or the unit normal
 C       SLOW, SGRAIN  as above
 C     Lists of uncompleted points, in single precision.  List BLK, a
 C     block's, has those in a box, as offsets from the box's centre in
@@ -245,8 +247,8 @@ C       F       its Householder set-up (see HHFACE)
 C       IQ      QBEST: the best point yet, exactly, or 0; QTIED: points
 C               met that are exactly on its ball; QLIMBS: 1: its ball
 C               has been found by limbs; QBALL: there is a ball to prune
-C               with; QBASE: V(QBASE) is the base of F; QASKED:
-C               comparisons left to the exact predicates; QON: the
+C               with; QBASE: V(QBASE) is the base of F; QASKED: exact
+C               comparisons that were no ties; QON: the
 C               support that the facet is on, or 0; QAIMED: TSAIM's
 C               test is for the best point so far; behind QSOME a sample
 C               of the points offered to it, QOPEND: QOPEN = 1: points
@@ -320,13 +322,15 @@ C               unordered ones take 1.4 times as long as with 8
 C       ENTRY, EDGE  integers in an entry of the pool, and in an edge
 C       LEAST   minimum for pool and edges
 C       THIN    a facet with a greater E is set up by limbs
-C       WIDE, MANY, PLAIN  the ball of the best point is found by limbs
-C               when the error of its L-coordinate exceeds WIDE times
-C               the coordinate plus the circumradius (with 1e-4 a plane
+C       WIDE, MANY  the ball of the best point is found by limbs when
+C               the error of its L-coordinate exceeds WIDE times the
+C               coordinate plus the circumradius (with 1e-4 a plane
 C               across an axis with noise of 1e-12 takes 5 times as
-C               long), and after MANY exact comparisons; not for points
-C               in so few units (T5 at least PLAIN) that doubles decide
-C               these comparisons, which is faster
+C               long), and after MANY exact comparisons that were no
+C               ties: most ties take no time, as their points are the
+C               corners of a box
+C       PLAIN   no support is sought where points are in so few units
+C               (T5 at least PLAIN) that doubles decide all
 C       MUCH    pool recommended beyond 4 N in any case, up to 8 N
 C       INTMAX  the largest integer
 C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
@@ -1271,7 +1275,7 @@ C     no point nearer than margin is missed
       END
 
 C     ------------------------------------------------------------------
-C     The search for the apex of a facet.
+C     The ball of a search.
 C     ------------------------------------------------------------------
 
 C     TSDOT - the product of two vectors.
@@ -1329,197 +1333,6 @@ C     hold.
       IF (F(10) .LE. LOOSE) THEN
         IF (SIDE .LT. -F(10)*LENGTH - FAINT) TSPRUN = 1
       END IF
-      END
-
-C     TSNARR - records that the best point's L-coordinate is at most L,
-C     and sets the ball of that L.
-      SUBROUTINE TSNARR(IQ, F, FQ, L)
-      DOUBLE PRECISION F(12), FQ(*), L
-      INTEGER IQ(42)
-      INTEGER QLIMBS, QBALL, QAIMED, QHI, QDC, QSIZE
-      DOUBLE PRECISION EPS, MUCHL
-      PARAMETER (QLIMBS = 2, QBALL = 3, QAIMED = 7, QHI = 7, QDC = 4,
-     $    QSIZE = 5, EPS = 2.0D0**(-52), MUCHL = 1.0D100)
-      INTEGER K
-      FQ(QHI) = L
-      IQ(QAIMED) = 0
-      IF (IQ(QLIMBS) .NE. 0 .OR. ABS(L) .GT. MUCHL) RETURN
-      IQ(QBALL) = 1
-C     on the positive side, a better point is in the ball of any L above
-C     the best point's, so the error of L does not count.  It is large
-C     where balls are flat: counting it makes points near a plane take
-C     10 times as long.
-      FQ(QSIZE) = 0.0D0
-      DO 10 K = 1, 3
-        FQ(K) = F(3+K) + L*F(K)
-        FQ(QSIZE) = FQ(QSIZE) + ABS(FQ(K))
-   10 CONTINUE
-      FQ(QDC) = F(11) + ABS(L)*F(10) + 4.0D0*EPS*FQ(QSIZE)
-      END
-
-C     TSREFI - finds the ball of the best point by limbs.  The centre C
-C     errs by at most 8 EPS |C|.  So its height over the facet's plane,
-C     C.V, is L up to the error of V, E |C|, the error of C, and the
-C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
-C     sphere L is counted from F(4..6): U, the difference, takes the
-C     place of C, with the error of F(4..6) and one more rounding.
-      SUBROUTINE TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      DOUBLE PRECISION P(3,*), SUP(96,*), F(12), FQ(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(42)
-      INTEGER SCALE, QBEST, QLIMBS, QBALL, QBASE, QON, QAIMED, QLO, QHI,
-     $    QDC, QSIZE, QLIMB
-      DOUBLE PRECISION EPS, LOOSE, HUGE
-      PARAMETER (SCALE = 19, QBEST = 1, QLIMBS = 2, QBALL = 3,
-     $    QBASE = 4, QON = 6, QAIMED = 7, QLO = 6, QHI = 7, QDC = 4,
-     $    QSIZE = 5, QLIMB = 22, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION C(3), ERR, L, SIZE, U
-      INTEGER TSCURV, K, OK, SPHERE
-      IF (F(10) .GE. HUGE) RETURN
-      CALL HHCENT(P, ORD, CTL(SCALE), V, IQ(QBASE), IQ(QBEST), C,
-     $            FQ(QLIMB), OK)
-      IF (OK .EQ. 0) RETURN
-      SPHERE = TSCURV(SUP, IQ(QON))
-      IQ(QLIMBS) = 1
-      IQ(QBALL) = 1
-      IQ(QAIMED) = 0
-      FQ(QSIZE) = 0.0D0
-      SIZE = 0.0D0
-      L = 0.0D0
-      DO 10 K = 1, 3
-        FQ(K) = C(K)
-        FQ(QSIZE) = FQ(QSIZE) + ABS(C(K))
-        U = C(K)
-        IF (SPHERE .EQ. 1) U = U - F(3+K)
-        SIZE = SIZE + ABS(U)
-        L = L + F(K)*U
-   10 CONTINUE
-      FQ(QDC) = 8.0D0*EPS*FQ(QSIZE)
-      IF (F(10) .GT. LOOSE) RETURN
-      ERR = F(10)*SIZE + 16.0D0*EPS*FQ(QSIZE)
-      IF (SPHERE .EQ. 1) ERR = ERR + F(11)
-      FQ(QLO) = MAX(FQ(QLO), L - ERR)
-      FQ(QHI) = MIN(FQ(QHI), L + ERR)
-      END
-
-C     TSCHAL - takes Z if it is on the open side and beats the best
-C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
-C     the rule of HHPBAL.  The Householder bounds decide where they can,
-C     then, unless the last search met ties, HHLIFS.  Its sphere is that
-C     of Z or of the best point, but not of a ball by limbs, whose four
-C     points are nearly in a plane.  Where it cannot tell, the better
-C     point's limits are tightened by the other's.  Without it rotated
-C     grids, which have the corners of their cells on a sphere, but for
-C     rounding, take 1.2 to 1.6 times the instructions.
-      SUBROUTINE TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
-     $                  Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
-      INTEGER TIED, T3, T5, RPATIE, QBEST, QLIMBS, QBASE, QASKED, QON,
-     $    QTIED, QLO, QHI, QLIMB, QSPHER, UNSURE, MANY, QT
-      DOUBLE PRECISION PLAIN, WIDE, EPS, HUGE
-      PARAMETER (TIED = 14, T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1,
-     $    QLIMBS = 2, QBASE = 4, QASKED = 5, QON = 6, QTIED = 8,
-     $    QLO = 6, QHI = 7, QLIMB = 22, QSPHER = 109, UNSURE = 2,
-     $    MANY = 6, PLAIN = 16.0D0, WIDE = 1.0D0, QT = 8,
-     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION HI, L, LO
-      INTEGER BEST, HHPBAL, HHPSID, OPEN, POWER, SGN, SIDE
-      BEST = IQ(QBEST)
-      CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
-      IF (IQ(QON) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, P, ORD, MARK,
-     $    SUP, IQ, F, FQ(QT), Z, SIDE, LO, HI)
-      SGN = SIDE
-      POWER = UNSURE
-      IF (SIDE .LT. 0) RETURN
-      OPEN = 0
-      IF (BEST .NE. 0) THEN
-        IF (LO .GT. FQ(QHI)) RETURN
-        IF (HI .GE. FQ(QLO)) OPEN = 1
-      END IF
-      IF (SIDE .EQ. 0 .OR. OPEN .EQ. 1) THEN
-        IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
-        IF (OPEN .EQ. 1 .AND. RCTL(T5) .LT. 0.0D0 .AND. CTL(TIED) .EQ.
-     $      0) THEN
-          L = FQ(QHI)
-          IF (IQ(QLIMBS) .EQ. 1) L = HUGE
-          IF (SIDE .EQ. 1) L = HI
-          CALL HHLIFS(X, RCTL(T3), V, IQ(QBASE), F, L, BEST, Z,
-     $                FQ(QSPHER), POWER)
-        END IF
-        IF (IQ(QLIMBS) .EQ. 1) THEN
-          IF (OPEN .EQ. 1 .AND. POWER .EQ. UNSURE) POWER = 0
-          CALL HHTRIA(P, ORD, FQ(QLIMB), Z, SGN, POWER)
-        END IF
-        IF (POWER .NE. 1 .AND. (SGN .EQ. 0 .OR. SGN .EQ. UNSURE))
-     $      SGN = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
-        IF (SGN .LE. 0) RETURN
-      END IF
-      IF (OPEN .EQ. 1) THEN
-        IF (POWER .EQ. UNSURE) THEN
-          IF (RCTL(T5) .LT. PLAIN) IQ(QASKED) = IQ(QASKED) + 1
-          POWER = HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
-        END IF
-        IF (ABS(POWER) .EQ. 2) IQ(QTIED) = IQ(QTIED) + 1
-        IF (POWER .GT. 0) THEN
-          IF (HI .LT. FQ(QHI)) CALL TSNARR(IQ, F, FQ, HI)
-          IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
-     $        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
-          RETURN
-        END IF
-        HI = MIN(HI, FQ(QHI))
-      END IF
-      IQ(QBEST) = Z
-      IF (POWER .NE. -2) IQ(QTIED) = 0
-      FQ(QLO) = LO
-      IQ(QLIMBS) = 0
-      CALL TSNARR(IQ, F, FQ, HI)
-      IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
-        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      ELSE IF (HI - LO .GT. WIDE*(F(12) + ABS(HI))) THEN
-        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      END IF
-      END
-
-C     TSCONS - compares Z with the best point, unless it is a vertex or
-C     provably outside the ball, by its height over the facet's support
-C     where that is known.
-      SUBROUTINE TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
-     $                  Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
-      INTEGER SLOW, SGRAIN, QBEST, QBALL, QON, QAIMED, QHI, QT, QQ,
-     $    SUPPS
-      PARAMETER (SLOW = 95, SGRAIN = 96, QBEST = 1, QBALL = 3, QON = 6,
-     $    QAIMED = 7, QHI = 7, QT = 8, QQ = 11, SUPPS = 8)
-      DOUBLE PRECISION TSPOWE, H, Q, SIZE, SUM, W1, W2, W3
-      INTEGER J, K, OUT
-      IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
-     $    Z .EQ. V(3)) RETURN
-      W1 = X(1,Z) - F(7)
-      W2 = X(2,Z) - F(8)
-      W3 = X(3,Z) - F(9)
-      SIZE = ABS(W1) + ABS(W2) + ABS(W3)
-C     TSMRKD's test and height, without a call for each point
-      J = IQ(QON)
-      K = -1
-      IF (J .NE. 0) K = MARK(Z) - J
-      OUT = 0
-      IF (K .GE. 0 .AND. MOD(K, SUPPS) .EQ. 0) THEN
-        H = SUP(SLOW,J) + SUP(SGRAIN,J)*(DBLE(K/SUPPS) + 0.5D0)
-        IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,J), IQ, F,
-     $      FQ(QHI), FQ(QT))
-        Q = FQ(QQ)
-        SUM = W1*(Q*W1 - FQ(QT)) + W2*(Q*W2 - FQ(QT+1)) +
-     $      W3*(Q*W3 - FQ(QT+2))
-        CALL TSEXCL(FQ(QT), SUM, SIZE, H, SUP(SGRAIN,J), OUT)
-      ELSE IF (IQ(QBALL) .EQ. 1) THEN
-        SUM = W1*(W1 - 2.0D0*FQ(1)) + W2*(W2 - 2.0D0*FQ(2)) +
-     $      W3*(W3 - 2.0D0*FQ(3))
-        IF (SUM .GT. TSPOWE(FQ, SIZE)) OUT = 1
-      END IF
-      IF (OUT .EQ. 0) CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V,
-     $    IQ, F, FQ, Z)
       END
 
 C     TSBINB - returns 1 if the part of the ball that may hold points,
@@ -1676,6 +1489,1274 @@ C     is too large for the list.
       END IF
       END
 
+C     ------------------------------------------------------------------
+C     Supports.
+C
+C     Where many points are near one plane or sphere, the side or the
+C     power of each is noise for a facet of three of them, and no box of
+C     points is clear of the ball.  A support is such a plane or sphere,
+C     through points.  Limbs give the heights of other points over it
+C     (over a sphere, their powers) to some EPS of themselves.  Let h be
+C     the height of the base of a facet near the support, and tilt the
+C     vector in the facet's plane whose products with the facet's edges
+C     are the differences of heights.  Then
+C         G(w) = height(w) - h - tilt.w
+C     is 0 at the facet's vertices.  On a plane, G(w) is therefore g
+C     times the side of w, where g is the height of the facet's normal
+C     v.  On a sphere whose centre is at height l over the facet's
+C     plane, G(w) is the power of w in the ball of L = l, and L(w) = l +
+C     e, e = G(w) / (2 side).  Heights are that noise, but known to 1E-7
+C     of it: so they decide, point by point and node by node.
+C
+C     Globes, turned boxes and points near a plane need them: 6,000
+C     points take 6 to 8 times the instructions without.  They cost a
+C     mark a point, two integers a node for each, and a few heights by
+C     limbs once; nothing until searches turn out to be long.
+C     ------------------------------------------------------------------
+
+C     TSROUG - the height H of the position Z over the support S, in
+C     double precision.  ERR bounds its error: 8 EPS |c| for the centre,
+C     and 6 roundings.
+      SUBROUTINE TSROUG(X, S, Z, H, ERR)
+      DOUBLE PRECISION X(3,*), S(60), H, ERR
+      INTEGER Z
+      INTEGER SPLANE, SAT, SC
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (SPLANE = 8, SAT = 52, SC = 55, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200)
+      DOUBLE PRECISION FAR, SIZE, U
+      INTEGER K
+      H = 0.0D0
+      SIZE = 0.0D0
+      FAR = S(SPLANE)
+      DO 10 K = 1, 3
+        U = X(K,Z) - S(SAT+K)
+        SIZE = SIZE + ABS(U)
+        IF (S(SPLANE) .GT. 0.0D0) THEN
+          H = H + U*S(SC+K)
+        ELSE
+          H = H + U*(U - 2.0D0*S(SC+K))
+          FAR = FAR + (ABS(U) + ABS(S(SC+K)))
+        END IF
+   10 CONTINUE
+      ERR = 32.0D0*EPS*SIZE*FAR + FAINT
+      END
+
+C     TSMRKD - OK is 1 if the position Z has a mark of support J, or 0;
+C     H is then its height, to a grain.  A mark is off by the roundings
+C     of TSDISC, EPS GRAINS grains, and by as little for twice the
+C     height's error.
+      SUBROUTINE TSMRKD(MARK, SUP, J, Z, H, OK)
+      DOUBLE PRECISION SUP(60,*), H
+      INTEGER MARK(*), J, Z, OK
+      INTEGER SLOW, SGRAIN, SUPPS
+      PARAMETER (SLOW = 59, SGRAIN = 60, SUPPS = 8)
+      INTEGER K
+      K = MARK(Z) - J
+      OK = 0
+      IF (K .LT. 0 .OR. MOD(K, SUPPS) .NE. 0) RETURN
+      H = SUP(SLOW,J) + SUP(SGRAIN,J)*(DBLE(K/SUPPS) + 0.5D0)
+      OK = 1
+      END
+
+C     TSHEOV - OK is 1 if the position Z is near support J, or 0; H is
+C     then its height, from its mark or else by limbs, and ERR bounds
+C     the error.
+      SUBROUTINE TSHEOV(X, MARK, SUP, J, Z, H, ERR, OK)
+      DOUBLE PRECISION X(3,*), SUP(60,*), H, ERR
+      INTEGER MARK(*), J, Z, OK
+      INTEGER SLOW, SGRAIN
+      PARAMETER (SLOW = 59, SGRAIN = 60)
+      ERR = SUP(SGRAIN,J)
+      CALL TSMRKD(MARK, SUP, J, Z, H, OK)
+      IF (OK .EQ. 1) RETURN
+      CALL TSROUG(X, SUP(1,J), Z, H, ERR)
+      IF (ABS(H) .GT. ERR - SUP(SLOW,J)) RETURN
+      CALL HHHEIG(X, SUP(1,J), Z, H, ERR)
+      IF (ERR .LE. SUP(SGRAIN,J) .AND. ABS(H) .LE. -SUP(SLOW,J)) OK = 1
+      END
+
+C     TSONSU - OK is 1 if the vertices V of a facet are near support J,
+C     or 0; H are their heights, that of V(BASE) first, ERR the bounds
+C     on their errors.
+      SUBROUTINE TSONSU(X, MARK, SUP, V, BASE, J, H, ERR, OK)
+      DOUBLE PRECISION X(3,*), SUP(60,*), H(3), ERR(3)
+      INTEGER MARK(*), V(3), BASE, J, OK
+      INTEGER K, Z
+      DO 10 K = 1, 3
+        Z = V(MOD(BASE+K-2,3)+1)
+        CALL TSHEOV(X, MARK, SUP, J, Z, H(K), ERR(K), OK)
+        IF (OK .EQ. 0) RETURN
+   10 CONTINUE
+      END
+
+C     TSCURV - returns 1 if support J is a sphere, or 0, also if J is 0.
+      INTEGER FUNCTION TSCURV(SUP, J)
+      INTEGER J
+      DOUBLE PRECISION SUP(60,*)
+      INTEGER SPLANE
+      PARAMETER (SPLANE = 8)
+      TSCURV = 0
+      IF (J .EQ. 0) RETURN
+      IF (SUP(SPLANE,J) .LE. 0.0D0) TSCURV = 1
+      END
+
+C     TSREME - adds Z to the sample: points that were left open or,
+C     until there are any, points of leaves that the search visited.
+C     The sample keeps SOME of them.  Once it is full, a point takes the
+C     place of another by chance, but by the same chance on every
+C     machine.  Points with a mark count, too: they may be on a finer
+C     support.
+      SUBROUTINE TSREME(IQ, Z, OPEN)
+      INTEGER IQ(42), Z, OPEN
+      INTEGER QOPEN, QOPEND, QSOME, SOME
+      PARAMETER (QOPEN = 9, QOPEND = 10, QSOME = 10, SOME = 32)
+      INTEGER PLACE
+      IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
+        IQ(QOPEN) = OPEN
+        IQ(QOPEND) = 0
+      END IF
+      IF (OPEN .LT. IQ(QOPEN)) RETURN
+      IQ(QOPEND) = IQ(QOPEND) + 1
+      PLACE = IQ(QOPEND)
+      IF (PLACE .GT. SOME)
+     $    PLACE = MOD(MOD(MOD(Z, 30269)*137, 30269), IQ(QOPEND)) + 1
+      IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
+      END
+
+C     TSPLAC - returns where in MARK the record of support J begins, but
+C     for one.  The nodes' least marks are behind its RECORD integers.
+      INTEGER FUNCTION TSPLAC(CTL, J)
+      INTEGER CTL(*), J
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      TSPLAC = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + 6)
+      END
+
+C     TSEREC - sets up the support S from its record.  Any plane or
+C     sphere near its points will do, so its normal or centre is what
+C     doubles hold.  OK is 1, or 0 if that cannot be done.
+      SUBROUTINE TSEREC(X, P, ORD, RECORD, CTL, S, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), S(60)
+      INTEGER ORD(*), RECORD(7), CTL(*), OK
+      INTEGER SCALE, SAT, SC, SLOW, SGRAIN, GRAINS, EXPON
+      DOUBLE PRECISION EPS, HUGE
+      PARAMETER (SCALE = 19, SAT = 52, SC = 55, SLOW = 59, SGRAIN = 60,
+     $    GRAINS = 134217728, EXPON = 2000, EPS = 2.0D0**(-52),
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION HHLDEX, F(12), T(86)
+      INTEGER K, PLANE
+      PLANE = RECORD(5)
+      S(SGRAIN) = HHLDEX(1.0D0, RECORD(7) - EXPON)
+      S(SLOW) = -0.5D0*S(SGRAIN)*DBLE(GRAINS)
+C     as HHTHIN leaves it if there is no normal
+      F(10) = HUGE
+      OK = 1
+      IF (PLANE .EQ. 1) THEN
+        CALL HHTHIN(X, P, ORD, CTL(SCALE), RECORD(1), 1, F)
+        IF (F(10) .GE. HUGE) OK = 0
+      ELSE
+        CALL HHCENT(P, ORD, CTL(SCALE), RECORD(1), 1, RECORD(4), F, T,
+     $              OK)
+      END IF
+      IF (OK .EQ. 0) RETURN
+      DO 10 K = 1, 3
+        IF (RECORD(6) .EQ. 1) F(K) = -F(K)
+        S(SAT+K) = X(K,RECORD(1))
+        S(SC+K) = F(K)
+   10 CONTINUE
+      CALL HHABOU(X, RECORD(1), RECORD(1), PLANE, F, S, OK)
+      END
+
+C     TSTHRO - sets up the support S, a plane or a sphere through the
+C     positions at the beginning of RECORD, for a search's sample, whose
+C     extent is WIDE.  It takes heights of 8 to 16 times those of three
+C     quarters of the sample, or of one quarter if that is FINER times
+C     nearer: the points on one of several near sheets.  OK is 1, or 0
+C     if that is more than BAND.
+      SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, WIDE, PLANE, S, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(60)
+      INTEGER ORD(*), RECORD(7), CTL(*), IQ(42), PLANE, OK
+      INTEGER SLOW, QOPEND, QSOME, SOME, GRAINS, EXPON
+      DOUBLE PRECISION BAND, FAINT, FINER, ROUGH
+      PARAMETER (SLOW = 59, QOPEND = 10, QSOME = 10, SOME = 32,
+     $    GRAINS = 134217728, EXPON = 2000, BAND = 2.0D-8,
+     $    FAINT = 1.0D-200, FINER = 100.0D0, ROUGH = 1.0D-3)
+      DOUBLE PRECISION D, ERR, H(SOME)
+      INTEGER HHFREX, I, K, N
+      N = MIN(IQ(QOPEND), SOME)
+      RECORD(5) = PLANE
+      RECORD(6) = 0
+      RECORD(7) = EXPON
+      CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
+      IF (OK .EQ. 0) RETURN
+      OK = 0
+      DO 20 I = 1, N
+        CALL HHHEIG(X, S, IQ(QSOME+I), D, ERR)
+        D = ABS(D)
+        IF (ERR .GT. 1.0D0) RETURN
+        H(I) = D
+        DO 10 K = I, 2, -1
+          IF (H(K-1) .LE. D) GO TO 20
+          H(K) = H(K-1)
+          H(K-1) = D
+   10   CONTINUE
+   20 CONTINUE
+      D = H(3*N/4+1)
+      IF (H(N/4+1) .LT. D/FINER) D = H(N/4+1)
+      RECORD(7) = EXPON + HHFREX(D*(16.0D0/DBLE(GRAINS)) + FAINT)
+      CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
+      D = BAND*WIDE
+      IF (PLANE .EQ. 0) D = ROUGH*WIDE*WIDE
+      IF (-S(SLOW) .GT. D) OK = 0
+      END
+
+C     TSFIT - sets up the support S through the widest of the points
+C     that a search left open: a sphere, or a plane where the points are
+C     on none (sheets near each other are one).  OK is 1 if it is set
+C     up, or 0.
+      SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), S(60)
+      INTEGER ORD(*), RECORD(7), CTL(*), V(3), IQ(42), OK
+      INTEGER NP, SPLANE, SLOW, QOPEND, QSOME, SOME
+      DOUBLE PRECISION SMALL
+      PARAMETER (NP = 1, SPLANE = 8, SLOW = 59, QOPEND = 10, QSOME = 10,
+     $    SMALL = 2.0D0**(-450), SOME = 32)
+      DOUBLE PRECISION TSDOT, D, E(3), ERR, LOW, U(3,SOME), WIDE(3)
+      INTEGER FAR, I, J, K, N, UP, Z
+      OK = 0
+      N = MIN(IQ(QOPEND), SOME)
+      RECORD(1) = V(1)
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
+          U(K,I) = X(K,IQ(QSOME+I)) - X(K,V(1))
+   10   CONTINUE
+   20 CONTINUE
+C     the farthest one, and what is left of all
+      DO 70 J = 1, 3
+        FAR = 1
+        DO 30 I = 1, N
+          IF (TSDOT(U(1,I), U(1,I)) .GT. TSDOT(U(1,FAR), U(1,FAR)))
+     $        FAR = I
+   30   CONTINUE
+        RECORD(J+1) = IQ(QSOME+FAR)
+        WIDE(J) = SQRT(TSDOT(U(1,FAR), U(1,FAR)))
+        IF (J .EQ. 3) GO TO 70
+        IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
+        DO 40 K = 1, 3
+          E(K) = U(K,FAR)/WIDE(J)
+   40   CONTINUE
+        DO 60 I = 1, N
+          D = TSDOT(U(1,I), E)
+          DO 50 K = 1, 3
+            U(K,I) = U(K,I) - D*E(K)
+   50     CONTINUE
+   60   CONTINUE
+   70 CONTINUE
+      IF (WIDE(3) .GE. 1.0D-7*WIDE(1)) CALL TSTHRO(X, P, ORD, RECORD,
+     $    CTL, IQ, WIDE(1), 0, S, OK)
+      IF (OK .EQ. 0) CALL TSTHRO(X, P, ORD, RECORD, CTL, IQ, WIDE(1), 1,
+     $    S, OK)
+      IF (OK .EQ. 0 .OR. S(SPLANE) .LE. 0.0D0) RETURN
+C     nodes know how far down their points reach, but only that some are
+C     above: the side of a plane with more points is turned up
+      LOW = S(SLOW)
+      UP = 0
+      DO 90 I = 1, CTL(NP), CTL(NP)/256 + 1
+        Z = I
+        CALL TSROUG(X, S, Z, D, ERR)
+        IF (D .GT. ERR - LOW) UP = UP + 1
+        IF (D .LT. LOW - ERR) UP = UP - 1
+   90 CONTINUE
+      IF (UP .GE. 0) RETURN
+      RECORD(6) = 1
+      CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
+      END
+
+C     TSDISC - seeks a support for the points that a search left open.
+C     It marks the points near the support that have no mark, or one of
+C     a support FINER times coarser, and finds the least height in each
+C     node.  The support is kept if it marks enough points, or if the
+C     facet, on no other support, is near it and so are many points:
+C     facets between near sheets lean on a plane that holds them all.
+C     KEPT is 1 if it is kept, or 0.
+      SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
+     $                  KEPT)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), KEPT
+      INTEGER NP, LEAVES, NSUPP, RPATIE, SLOW, SGRAIN, QBASE, QON,
+     $    QOPEND, DONE, SUPPS, OPENED, GRAINS
+      DOUBLE PRECISION FINER
+      PARAMETER (NP = 1, LEAVES = 4, NSUPP = 20, RPATIE = 5, SLOW = 59,
+     $    SGRAIN = 60, QBASE = 4, QON = 6, QOPEND = 10, DONE = -1,
+     $    SUPPS = 8, OPENED = 24, GRAINS = 134217728, FINER = 100.0D0)
+      DOUBLE PRECISION C, ERR, ERRS(3), GRAIN, H, HS(3), LOW
+      INTEGER TSCUBE, TSPLAC, ACROSS, ALL, AT, FIRST, HELD, I, J, K,
+     $    LAST, LEAST, NEAR, NODE, OK, OLD, OVER, Z
+      KEPT = 0
+      J = CTL(NSUPP) + 1
+      IF (J .EQ. 1) THEN
+        DO 10 I = 1, CTL(NP)
+          MARK(I) = 0
+   10   CONTINUE
+      END IF
+      AT = TSPLAC(CTL, J)
+      CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
+      IF (OK .EQ. 0) RETURN
+C     sample all that is near: the search's points may be from a corner
+      IQ(QOPEND) = 0
+      HELD = 0
+      LOW = SUP(SLOW,J)
+      GRAIN = SUP(SGRAIN,J)
+      DO 15 I = 1, CTL(NP), CTL(NP)/1024 + 1
+        Z = I
+        CALL TSROUG(X, SUP(1,J), Z, H, ERR)
+        IF (LINK(I) .EQ. DONE .OR. ABS(H) .GT. ERR - 2.0D0*LOW) GO TO 15
+        CALL TSREME(IQ, Z, 1)
+        IF (MARK(I) .EQ. 0) GO TO 15
+        OLD = MOD(MARK(I) - 1, SUPPS) + 1
+        IF (SUP(SGRAIN,OLD) .LE. FINER*GRAIN) HELD = HELD + 1
+   15 CONTINUE
+      IF (IQ(QOPEND) .GT. OPENED) THEN
+        CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
+        IF (OK .EQ. 0) RETURN
+      END IF
+      ACROSS = 0
+      IF (IQ(QON) .EQ. 0) CALL TSONSU(X, MARK, SUP, V, IQ(QBASE), J, HS,
+     $    ERRS, ACROSS)
+C     all marks would stay; heights of all points, for nothing, would be
+C     most of a globe's index
+      IF (IQ(QOPEND) .GT. OPENED .AND. HELD .EQ. IQ(QOPEND) .AND.
+     $    (ACROSS .EQ. 0 .OR. HELD .LT. 64)) RETURN
+      LOW = SUP(SLOW,J)
+      GRAIN = SUP(SGRAIN,J)
+      LEAST = AT + 7
+      NEAR = 0
+      ALL = 0
+      DO 30 NODE = 2*CTL(LEAVES) - 1, 1, -1
+        OVER = 0
+        IF (NODE .LT. CTL(LEAVES)) THEN
+          FIRST = MARK(LEAST+2*NODE)
+          LAST = MARK(LEAST+2*NODE+1)
+          OVER = MAX(MOD(FIRST, 2), MOD(LAST, 2))
+          MARK(LEAST+NODE) = MIN(FIRST, LAST)/2*2 + OVER
+          GO TO 30
+        END IF
+        MARK(LEAST+NODE) = GRAINS
+        CALL TSSPAN(CTL, NODE, FIRST, LAST)
+        DO 20 I = FIRST, LAST
+          Z = I
+          CALL TSROUG(X, SUP(1,J), Z, H, ERR)
+          IF (ABS(H) .LE. ERR - LOW) CALL HHHEIG(X, SUP(1,J), Z, H, ERR)
+          C = (H - ERR - LOW)/GRAIN
+          K = GRAINS
+          IF (C .LT. DBLE(GRAINS)) K = INT(C)
+          IF (C .LT. 0.0D0) K = -1
+          MARK(LEAST+NODE) = MIN(MARK(LEAST+NODE), K)
+          IF (H + ERR .GT. -LOW) OVER = 1
+          IF (K .LT. 0 .OR. K .GE. GRAINS) GO TO 20
+          ALL = ALL + 1
+          IF (MARK(I) .GT. 0) THEN
+            OLD = MOD(MARK(I) - 1, SUPPS) + 1
+            IF (SUP(SGRAIN,OLD) .LE. FINER*GRAIN) GO TO 20
+          END IF
+          MARK(I) = J + SUPPS*K
+          NEAR = NEAR + 1
+   20   CONTINUE
+        MARK(LEAST+NODE) = 2*(MARK(LEAST+NODE) + 1) + OVER
+   30 CONTINUE
+      IF (NEAR .LT. 2*TSCUBE(CTL(NP)) .AND. (ACROSS .EQ. 0 .OR.
+     $    ALL .LT. CTL(NP)/16)) THEN
+        DO 40 I = 1, CTL(NP)
+          IF (MARK(I) .GT. 0 .AND. MOD(MARK(I) - J, SUPPS) .EQ. 0)
+     $        MARK(I) = 0
+   40   CONTINUE
+        RETURN
+      END IF
+      KEPT = 1
+      CTL(NSUPP) = J
+      IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
+      END
+
+C     TSRECA - sets up the supports that an index has.
+      SUBROUTINE TSRECA(X, P, ORD, COUNTS, CTL, SUP)
+      DOUBLE PRECISION X(3,*), P(3,*), SUP(60,*)
+      INTEGER ORD(*), COUNTS(*), CTL(*)
+      INTEGER NSUPP
+      PARAMETER (NSUPP = 20)
+      INTEGER TSPLAC, AT, J, OK
+      CTL(NSUPP) = COUNTS(1)
+      DO 10 J = 1, CTL(NSUPP)
+        AT = TSPLAC(CTL, J)
+        CALL TSEREC(X, P, ORD, COUNTS(AT+2), CTL, SUP(1,J), OK)
+   10 CONTINUE
+      END
+
+C     TSSUPP - finds the support that the facet is on, if any, and its
+C     tilt.  Supports that have marked its vertices come first: between
+C     sheets 1e-10 apart searches take 30 times as long otherwise.  A
+C     needle, or a facet that stands on its plane, leans on none.
+C
+C     The tilt's error: roundings of the edges take the tilt out of the
+C     plane.  In it, the tilt's products with the edges miss the
+C     differences of heights by r0, r1, and a vector whose products with
+C     two unit vectors are r0, r1 is no longer than (|r0| + |r1|) / sine
+C     of the angle between them.  DET errs by less than 1/100, as no
+C     needle is let through.  Where two vertices are so near that the
+C     marks leave nothing of the tilt, as at the poles of a globe of
+C     meridians, the differences of heights come by limbs, over the
+C     base: right to some EPS of themselves.
+C
+C     Near a sphere G is |W|**2 - 2 c.W, c = tilt / 2 - o, o = base -
+C     centre: the power in the ball of centre c, which is on the facet's
+C     axis.  L is counted from there: c takes the place of the
+C     circumcentre in the set-up.  It errs by half of the tilt's error,
+C     and by 8 EPS of the centre and the roundings of three differences
+C     in any order, each of at most EPS (|o| + 2 |at|): these make less
+C     than 8 EPS SIZE.
+      SUBROUTINE TSSUPP(X, MARK, CTL, SUP, V, IQ, F, T)
+      DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14)
+      INTEGER MARK(*), CTL(*), V(3), IQ(42)
+      INTEGER NSUPP, SAT, SC, QBASE, QON, QAIMED, SUPPS, TH, TDH, TTILT,
+     $    TDTILT, TG
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (NSUPP = 20, SAT = 52, SC = 55, QBASE = 4, QON = 6,
+     $    QAIMED = 7, EPS = 2.0D0**(-52), FAINT = 1.0D-200, SUPPS = 8,
+     $    TH = 8, TDH = 9, TTILT = 9, TDTILT = 13, TG = 14)
+      DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
+     $    OWN(52), R, SIZE, T1, T2
+      INTEGER TSCURV, TSPLAC, AGAIN, AT, B, I, J, K, OK, PLANE, Z
+      IF (F(10) .GT. 1.0D-3) RETURN
+      DO 10 I = 1, 3
+        IF (MARK(V(I)) .EQ. 0) GO TO 10
+        J = MOD(MARK(V(I)) - 1, SUPPS) + 1
+        CALL TSONSU(X, MARK, SUP, V, IQ(QBASE), J, H, ERR, OK)
+        IF (OK .EQ. 1) GO TO 40
+   10 CONTINUE
+      DO 20 I = 1, CTL(NSUPP)
+        J = I
+        CALL TSONSU(X, MARK, SUP, V, IQ(QBASE), J, H, ERR, OK)
+        IF (OK .EQ. 1) GO TO 40
+   20 CONTINUE
+      RETURN
+   40 T(TG) = TSDOT(SUP(SC+1,J), F)
+      PLANE = 1 - TSCURV(SUP, J)
+      IF (PLANE .EQ. 1 .AND. ABS(T(TG)) .LT. 0.5D0) RETURN
+      B = V(IQ(QBASE))
+      DO 60 I = 1, 2
+        Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
+        DO 50 K = 1, 3
+          A(K,I) = X(K,Z) - X(K,B)
+   50   CONTINUE
+        N(I) = TSDOT(A(1,I), A(1,I))
+        ERR(I+1) = ERR(I+1) + (ERR(1) + 16.0D0*EPS*(ABS(H(I+1)) +
+     $             ABS(H(1))))
+        H(I+1) = H(I+1) - H(1)
+   60 CONTINUE
+      AB = TSDOT(A(1,1), A(1,2))
+      DET = N(1)*N(2) - AB*AB
+      IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
+      IQ(QON) = J
+      IQ(QAIMED) = 0
+      T(TH) = H(1)
+      T(TDH) = ERR(1)
+      AGAIN = 0
+   70 SIZE = 0.0D0
+      T1 = (H(2)*N(2) - H(3)*AB)/DET
+      T2 = (H(3)*N(1) - H(2)*AB)/DET
+      DO 80 K = 1, 3
+        T(TTILT+K) = T1*A(K,1) + T2*A(K,2)
+        SIZE = SIZE + (ABS(T1*A(K,1)) + ABS(T2*A(K,2)))
+   80 CONTINUE
+      T(TDTILT) = 8.0D0*EPS*SIZE
+      DO 90 I = 1, 2
+        R = H(I+1) - TSDOT(T(TTILT+1), A(1,I))
+        R = ABS(R) + (ERR(I+1) + 16.0D0*EPS*SIZE*SQRT(N(I)))
+        T(TDTILT) = T(TDTILT) + R*SQRT(1.02D0*N(3-I)/DET)
+   90 CONTINUE
+      IF (AGAIN .EQ. 0 .AND. T(TDTILT) .GE. SIZE) THEN
+        AGAIN = 1
+        AT = MARK(TSPLAC(CTL, J)+1)
+        CALL HHABOU(X, B, AT, PLANE, SUP(SC+1,J), OWN, OK)
+        IF (OK .EQ. 1) THEN
+          DO 100 I = 2, 3
+            Z = V(MOD(IQ(QBASE) + I - 2, 3)+1)
+            CALL HHHEIG(X, OWN, Z, H(I), ERR(I))
+  100     CONTINUE
+          GO TO 70
+        END IF
+      END IF
+      IF (PLANE .EQ. 1) RETURN
+      SIZE = 0.0D0
+      DO 110 K = 1, 3
+        R = F(6+K) - SUP(SAT+K,J)
+        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(SUP(SC+K,J)) +
+     $      ABS(SUP(SAT+K,J)))
+        F(3+K) = 0.5D0*T(TTILT+K) - (R - SUP(SC+K,J))
+  110 CONTINUE
+      F(11) = 0.6D0*T(TDTILT) + 8.0D0*EPS*SIZE
+      F(12) = SQRT(TSDOT(F(4), F(4)))
+      END
+
+C     TSSHAR - sharpens SIDE of the position Z, which HHLIMI did not
+C     find negative, and the limits of L, by the height of Z over the
+C     facet's support: the height gives the side for a plane, the power
+C     for a sphere.  A plane's g errs by E and some roundings.  The
+C     quotients are of numbers right to 4 EPS of themselves, as is what
+C     is left of a side of more than twice its error: PAD is more.
+      SUBROUTINE TSSHAR(X, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
+      DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14), LO, HI
+      INTEGER MARK(*), IQ(42), Z, SIDE
+      INTEGER SPLANE, QON, TH, TDH, TTILT, TDTILT, TG
+      DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
+      PARAMETER (SPLANE = 8, QON = 6, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200, HUGE = (2.0D0 - EPS)*2.0D0**1023,
+     $    PAD = 64.0D0*EPS, SMALL = 2.0D0**(-450), TH = 8, TDH = 9,
+     $    TTILT = 9, TDTILT = 13, TG = 14)
+      DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, SIZE, U
+      INTEGER K, OK
+      CALL TSHEOV(X, MARK, SUP, IQ(QON), Z, H, ERR, OK)
+      IF (OK .EQ. 0) RETURN
+      ERR = ERR + (T(TDH) + 16.0D0*EPS*(ABS(H) + ABS(T(TH))) + FAINT)
+      H = H - T(TH)
+      G = 0.0D0
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        U = X(K,Z) - F(6+K)
+        H = H - T(TTILT+K)*U
+        G = G + F(K)*U
+        SIZE = SIZE + ABS(U)
+        ERR = ERR + 16.0D0*EPS*ABS(T(TTILT+K)*U)
+   10 CONTINUE
+      ERR = ERR + T(TDTILT)*SIZE
+      IF (SUP(SPLANE,IQ(QON)) .GT. 0.0D0) THEN
+        IF (T(TG) .LT. 0.0D0) H = -H
+        IF (H + ERR .LT. 0.0D0) THEN
+          SIDE = -1
+          RETURN
+        END IF
+        U = F(10) + 32.0D0*EPS
+        LEAST = (H - ERR)/(ABS(T(TG)) + U)*(1.0D0 - PAD)
+        MOST = (H + ERR)/(ABS(T(TG)) - U)*(1.0D0 + PAD)
+        IF (LEAST .LT. SMALL) RETURN
+        LOW = -HUGE
+        HIGH = HUGE
+        CALL HHRATI(F, X(1,Z), LEAST, MOST, LOW, HIGH)
+        SIDE = 1
+      ELSE
+        LEAST = 2.0D0*(G - F(10)*SIZE)
+        MOST = 2.0D0*(G + F(10)*SIZE)
+        IF (SIDE .LE. 0 .OR. LEAST .LT. SMALL) RETURN
+        LOW = (H - ERR)/LEAST
+        IF (H .GT. ERR) LOW = (H - ERR)/MOST
+        HIGH = (H + ERR)/MOST
+        IF (H .GT. -ERR) HIGH = (H + ERR)/LEAST
+        LOW = LOW - PAD*ABS(LOW)
+        HIGH = HIGH + PAD*ABS(HIGH)
+      END IF
+      LO = MAX(LO, LOW)
+      HI = MIN(HI, HIGH)
+      END
+
+C     TSAIM - sets up TSEXCL's test for the best point so far, whose
+C     L-coordinate is at most k.  A better point has side > 0 and N - 2
+C     k side <= 0, where N is its power in the ball of L = 0, of centre
+C     c.  So there is none where
+C         a (height - h) + q |W|**2 - d.W > 0:
+C
+C                  by the ball                    without a ball
+C       plane      N - 2 k side, side = G / g     -side
+C         a        -2 k / g                       1 or -1, that g a < 0
+C         q        1                              0
+C         d        2 c + a tilt                   a tilt
+C       sphere     G - 2 k side                   -side - q G + q G
+C         a        1 - q                          -q
+C         d        a tilt + 2 q c + 2 k v         a tilt + 2 q c + v
+C
+C     Near a plane k may be greater, so |a| may be greater for k > 0,
+C     and smaller for k < 0.  Near a sphere G = height - h - tilt.W, of
+C     which a share q is taken as |W|**2 - 2 c.W; best is, but for a,
+C     the q for which the least of q |W|**2 - d.W is greatest.
+C     Any q is valid, so errors in q do not count.  dd has room for the
+C     errors of c, tilt and v, and for 16 roundings of each term.  err
+C     has room for those of h, of a height of at most -low, and of a,
+C     which is exact but for one rounding.
+      SUBROUTINE TSAIM(S, IQ, F, HI, T)
+      DOUBLE PRECISION S(60), F(12), HI, T(14)
+      INTEGER IQ(42)
+      INTEGER SPLANE, SLOW, QBALL, QAIMED, TQ, TDD, TA, TERR, TH, TDH,
+     $    TTILT, TDTILT, TG
+      DOUBLE PRECISION EPS, FAINT, MUCHL
+      PARAMETER (SPLANE = 8, SLOW = 59, QBALL = 3, QAIMED = 7, TQ = 4,
+     $    TDD = 5, TA = 6, TERR = 7, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200, MUCHL = 1.0D100, TH = 8, TDH = 9, TTILT = 9,
+     $    TDTILT = 13, TG = 14)
+      DOUBLE PRECISION A, B, DD, Q, SUM, U, V, W
+      INTEGER BALL, K
+      IQ(QAIMED) = 1
+      BALL = IQ(QBALL)
+      IF (ABS(HI) .GT. MUCHL) BALL = 0
+      B = 0.0D0
+      IF (S(SPLANE) .GT. 0.0D0) THEN
+        Q = DBLE(BALL)
+        A = -1.0D0
+        IF (T(TG) .LT. 0.0D0) A = 1.0D0
+        IF (BALL .EQ. 1) THEN
+          A = -2.0D0*HI/T(TG)
+          U = 4.0D0*(F(10) + 32.0D0*EPS)*A
+          IF (HI .LE. 0.0D0) U = -U
+          A = A + U
+        END IF
+      ELSE
+        A = DBLE(BALL)
+        B = 1.0D0
+        IF (BALL .EQ. 1) B = 2.0D0*HI
+        SUM = 0.0D0
+        DO 10 K = 1, 3
+          SUM = SUM - F(3+K)*(B*F(K) + A*T(TTILT+K))
+   10   CONTINUE
+        Q = 0.0D0
+        IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(12)*F(12))
+        IF (BALL .EQ. 1) Q = MIN(Q, 1.0D0)
+        A = A - Q
+      END IF
+      DD = ABS(A)*T(TDTILT) + 2.0D0*Q*F(11) + ABS(B)*F(10)
+      DO 20 K = 1, 3
+        U = A*T(TTILT+K)
+        V = 2.0D0*Q*F(3+K)
+        W = B*F(K)
+        T(K) = U + V + W
+        DD = DD + 16.0D0*EPS*(ABS(U) + ABS(V) + ABS(W))
+   20 CONTINUE
+      T(TQ) = Q
+      T(TDD) = DD
+      T(TA) = A
+      T(TERR) = ABS(A)*T(TDH) + 16.0D0*EPS*(ABS(A) +
+     $    Q)*(ABS(T(TH)) - S(SLOW)) + FAINT
+      END
+
+C     TSLOWE - LEAST is the least value of q |W|**2 - d.W, of the test
+C     T, in the box LO, HI; SIZE is the greatest |W|_1 in it.
+      SUBROUTINE TSLOWE(LO, HI, F, T, LEAST, SIZE)
+      DOUBLE PRECISION LO(*), HI(*), F(12), T(14), LEAST, SIZE
+      INTEGER TQ
+      PARAMETER (TQ = 4)
+      DOUBLE PRECISION D, H, HALF, L, Q, U
+      INTEGER K
+      LEAST = 0.0D0
+      SIZE = 0.0D0
+      Q = T(TQ)
+      HALF = 0.0D0
+      IF (Q .GT. 0.0D0) HALF = 0.5D0/Q
+      DO 10 K = 1, 3
+        L = LO(K) - F(6+K)
+        H = HI(K) - F(6+K)
+        D = T(K)
+        IF (Q .GT. 0.0D0) THEN
+          U = D*HALF
+        ELSE
+          U = L
+          IF (D .GT. 0.0D0) U = H
+        END IF
+        U = MIN(MAX(U, L), H)
+        LEAST = LEAST + U*(Q*U - D)
+        SIZE = SIZE + MAX(ABS(L), ABS(H))
+   10 CONTINUE
+      END
+
+C     TSEXCL - OUT is 1 if TSAIM's test proves that there is no
+C     candidate where q |W|**2 - d.W is at least SUM, |W|_1 is at most
+C     SIZE, and the height counts as H, to within DH; or 0.
+      SUBROUTINE TSEXCL(T, SUM, SIZE, H, DH, OUT)
+      DOUBLE PRECISION T(14), SUM, SIZE, H, DH
+      INTEGER OUT
+      INTEGER TQ, TDD, TA, TERR, TH
+      DOUBLE PRECISION EPS
+      PARAMETER (TQ = 4, TDD = 5, TA = 6, TERR = 7, EPS = 2.0D0**(-52),
+     $    TH = 8)
+      DOUBLE PRECISION A
+      A = T(TA)
+      OUT = 0
+      IF (SUM + A*(H - T(TH)) .GT. T(TERR) + ABS(A)*DH +
+     $    SIZE*(T(TDD) + 16.0D0*EPS*T(TQ)*SIZE)) OUT = 1
+      END
+
+C     TSPRHE - OUT is 1 if the heights of a node's points prove that it
+C     holds no candidate, or 0.  A leaf is also tested by its box.
+C     Where the heights tell nothing, the box alone counts.
+      SUBROUTINE TSPRHE(BOX, MARK, CTL, SUP, IQ, F, C, T, NODE, OUT)
+      DOUBLE PRECISION BOX(6,*), SUP(60,*), F(12), C(7), T(14)
+      INTEGER MARK(*), CTL(*), IQ(42), NODE, OUT
+      INTEGER LEAVES, SLOW, SGRAIN, QON, QAIMED, QHI, TA, GRAINS
+      PARAMETER (LEAVES = 4, SLOW = 59, SGRAIN = 60, QON = 6,
+     $    QAIMED = 7, QHI = 7, TA = 6, GRAINS = 134217728)
+      DOUBLE PRECISION H, SIZE, SUM
+      INTEGER TSPLAC, TSPRUN, CODE, TELLS
+      IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F, C(QHI),
+     $    T)
+      CODE = MARK(TSPLAC(CTL, IQ(QON))+7+NODE)
+      TELLS = 1
+      IF (T(TA) .LT. 0.0D0) THEN
+        IF (MOD(CODE, 2) .EQ. 1) TELLS = 0
+        H = -SUP(SLOW,IQ(QON))
+      ELSE
+        IF (CODE .LT. 2 .OR. CODE/2 .GT. GRAINS) TELLS = 0
+        H = SUP(SLOW,IQ(QON)) + SUP(SGRAIN,IQ(QON))*(DBLE(CODE/2) -
+     $      1.5D0)
+      END IF
+      OUT = 0
+      IF (TELLS .EQ. 1) THEN
+        CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, T, SUM, SIZE)
+        CALL TSEXCL(T, SUM, SIZE, H, 0.0D0, OUT)
+      END IF
+      IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)))
+     $    OUT = TSPRUN(IQ, F, C, BOX, NODE)
+      END
+
+C     ------------------------------------------------------------------
+C     Cylinders.
+C
+C     On a smooth surface a box sticks out of the surface by as much as
+C     it is wide, so a ball that touches the surface meets many boxes.
+C     Along a curve a box is as wide as it is long.  A cylinder that
+C     holds a node's points (a disc on a surface, a rod on a curve) is
+C     thinner, by the ratio of the node's width to the radius of
+C     curvature, and the ball meets only a few of them, however many
+C     there are.  Cylinders are made for the nodes of every second level
+C     from the leaves up.  The four grandchildren of a node lie side by
+C     side and are tested at once.
+C
+C     6,000 points of an ellipsoid take 1.4 times the instructions
+C     without, 6,000 of boreholes 1.6, 6,000 near a plane 6 times.  They
+C     cost 11 doubles a leaf, and clouds 1 % more instructions, for
+C     nothing.
+C     ------------------------------------------------------------------
+
+C     TSCYLI - the number of the cylinders of the four grandchildren of
+C     a node: CYL(.,.,TSCYLI) has their centres, unit axes, half
+C     lengths, radii; of each of these numbers four in a row.
+      INTEGER FUNCTION TSCYLI(CTL, NODE)
+      INTEGER CTL(*), NODE
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER LEVEL
+      LEVEL = CTL(LEAVES)/4
+      TSCYLI = 1
+   10 IF (NODE .LT. LEVEL) THEN
+        TSCYLI = TSCYLI + LEVEL
+        LEVEL = LEVEL/4
+        GO TO 10
+      END IF
+      TSCYLI = TSCYLI + NODE - LEVEL
+      END
+
+C     TSMCYL - makes the cylinder of a node, CYL(J,.,AT).  The axis is
+C     the column of the greatest diagonal element in the matrix of
+C     second moments about the mean (a rod) or in its adjugate (a disc),
+C     whichever gives less volume.  About another point, a plane's would
+C     not tell its normal.  SLENDR is 1 if that volume is below SLIM of
+C     the box's, or 0.  In units of the sum of |X(K)|, the differences
+C     from the mean err by EPS, their products with the axis and what is
+C     left across it by less than 40 EPS, the centre by 10 EPS: together
+C     less than 64 EPS.
+      SUBROUTINE TSMCYL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
+      INTEGER CTL(*), NODE, AT, J, SLENDR
+      DOUBLE PRECISION EPS, FAINT, HUGE, SMALL, SLIM
+      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, SMALL = 2.0D0**(-450),
+     $    SLIM = 0.7D0)
+      DOUBLE PRECISION TSDOT, A(6), HI, LO, MID(3), PAD, Q(6), RR, S,
+     $    U(3), VOLUME, Y(3)
+      INTEGER DISC, FIRST, I, K, L, LAST, M
+      CALL TSSPAN(CTL, NODE, FIRST, LAST)
+      VOLUME = HUGE
+      PAD = 0.0D0
+      DO 10 K = 1, 3
+        A(K) = 0.0D0
+        A(3+K) = 0.0D0
+        MID(K) = 0.0D0
+        PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
+     $      + SMALL
+   10 CONTINUE
+      DO 30 I = FIRST, LAST
+        DO 20 K = 1, 3
+          MID(K) = MID(K) + X(K,I)/DBLE(LAST - FIRST + 1)
+   20   CONTINUE
+   30 CONTINUE
+      DO 60 I = FIRST, LAST
+        DO 40 K = 1, 3
+          Y(K) = X(K,I) - MID(K)
+   40   CONTINUE
+        DO 50 K = 1, 3
+          A(K) = A(K) + Y(K)*Y(K)
+          A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
+   50   CONTINUE
+   60 CONTINUE
+      DO 130 DISC = 0, 1
+        DO 70 K = 1, 3
+          M = MOD(K, 3) + 1
+          L = MOD(K + 1, 3) + 1
+          Q(K) = A(K)
+          Q(3+K) = A(3+K)
+          IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
+          IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
+   70   CONTINUE
+        K = 1
+        IF (Q(2) .GT. Q(1)) K = 2
+        IF (Q(3) .GT. Q(K)) K = 3
+        M = MOD(K, 3) + 1
+        L = MOD(K + 1, 3) + 1
+        U(K) = Q(K)
+        U(M) = Q(3+L)
+        U(L) = Q(3+M)
+        S = TSDOT(U, U)
+C       too small to have a direction: any
+        IF (S .LE. FAINT) THEN
+          U(1) = 1.0D0
+          U(2) = 0.0D0
+          U(3) = 0.0D0
+          S = 1.0D0
+        END IF
+        DO 80 K = 1, 3
+          U(K) = U(K)/SQRT(S)
+   80   CONTINUE
+        LO = HUGE
+        HI = -HUGE
+        RR = 0.0D0
+        DO 110 I = FIRST, LAST
+          DO 90 K = 1, 3
+            Y(K) = X(K,I) - MID(K)
+   90     CONTINUE
+          S = TSDOT(Y, U)
+          LO = MIN(LO, S)
+          HI = MAX(HI, S)
+          DO 100 K = 1, 3
+            Y(K) = Y(K) - S*U(K)
+  100     CONTINUE
+          RR = MAX(RR, TSDOT(Y, Y))
+  110   CONTINUE
+        IF ((HI - LO)*RR .GE. VOLUME) GO TO 130
+        VOLUME = (HI - LO)*RR
+        DO 120 K = 1, 3
+          CYL(J,K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
+          CYL(J,3+K,AT) = U(K)
+  120   CONTINUE
+        CYL(J,7,AT) = 0.5D0*(HI - LO) + PAD
+        CYL(J,8,AT) = SQRT(RR) + PAD
+  130 CONTINUE
+      SLENDR = 0
+      IF (3.2D0*VOLUME .LT. SLIM*(BOX(4,NODE) - BOX(1,NODE))*
+     $    (BOX(5,NODE) - BOX(2,NODE))*(BOX(6,NODE) - BOX(3,NODE)))
+     $    SLENDR = 1
+      END
+
+C     TSMCYS - makes all cylinders, or none if few leaves have slender
+C     ones.
+      SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
+      INTEGER CTL(*)
+      INTEGER LEAVES, ENCLOS
+      PARAMETER (LEAVES = 4, ENCLOS = 16)
+      INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
+      SUM = 0
+      LEVEL = CTL(LEAVES)/4
+   10 IF (LEVEL .GT. 0) THEN
+        DO 30 NODE = LEVEL, 2*LEVEL - 1
+          DO 20 I = 1, 4
+            CALL TSMCYL(X, BOX, CTL, 4*NODE + I - 1, CYL,
+     $                  TSCYLI(CTL, NODE), I, SLENDR)
+            SUM = SUM + SLENDR
+   20     CONTINUE
+   30   CONTINUE
+        IF (64*SUM .LT. CTL(LEAVES)) RETURN
+        LEVEL = LEVEL/4
+        GO TO 10
+      END IF
+      CTL(ENCLOS) = 1
+      END
+
+C     TSPRCY - tests the cylinders of a node's four grandchildren:
+C     PAST(I) > 0 if cylinder I provably holds no candidate.
+C
+C     A point is W + S U + P from the base, where W is the cylinder's
+C     centre, U its axis, |S| <= H, and P is across U, |P| <= R.  With G
+C     = W - C, A = |G.U|, and RHO the length of G across U, its power in
+C     the ball about C is
+C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P),
+C     The brackets are at least T (T - 2 A), where T is the lesser of A
+C     and H, and Q**2 - 2 Q RHO, where Q is the lesser of RHO and R.  So
+C     there is no candidate if the sum without 2 Q RHO is positive and
+C     its square is above 4 Q**2 RHO**2.  Without a ball the same holds
+C     for minus the side v.W, with v / 2 for C, without any squares, T =
+C     H, Q = R: then SQUARE = 0, and FAR is more than any length.
+C
+C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
+C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
+C     power, and with that of G in RHO makes 4; the power by 8 (TSPOWE);
+C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
+C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
+C     |G|**2, with room for the last two products.  Where these
+C     underflow, R >= SMALL makes the sum's error greater.
+      SUBROUTINE TSPRCY(CYL, AT, IQ, F, C, PAST)
+      DOUBLE PRECISION CYL(4,8,*), F(12), C(7), PAST(4)
+      INTEGER AT, IQ(42)
+      INTEGER QBALL, QDC, QSIZE
+      DOUBLE PRECISION EPS, FAINT
+      PARAMETER (QBALL = 3, QDC = 4, QSIZE = 5, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200)
+      DOUBLE PRECISION A, D(3), ERR, FAR, G1, G2, G3, GG, H, R, RHO, RR,
+     $    SIZE, SQUARE, SUM, T, W1, W2, W3
+      INTEGER I, K
+      SQUARE = DBLE(IQ(QBALL))
+      FAR = 1.0D10*(1.0D0 - SQUARE)
+      ERR = F(10) + 64.0D0*EPS
+      IF (IQ(QBALL) .EQ. 1) ERR = 2.0D0*C(QDC) + 128.0D0*EPS*C(QSIZE)
+      DO 10 K = 1, 3
+        D(K) = 0.5D0*F(K)
+        IF (IQ(QBALL) .EQ. 1) D(K) = C(K)
+   10 CONTINUE
+      DO 20 I = 1, 4
+        W1 = CYL(I,1,AT) - F(7)
+        W2 = CYL(I,2,AT) - F(8)
+        W3 = CYL(I,3,AT) - F(9)
+        H = CYL(I,7,AT)
+        R = CYL(I,8,AT)
+        SIZE = ABS(W1) + ABS(W2) + ABS(W3) + 2.0D0*(H + R)
+        G1 = SQUARE*W1 - D(1)
+        G2 = SQUARE*W2 - D(2)
+        G3 = SQUARE*W3 - D(3)
+        A = ABS(G1*CYL(I,4,AT) + G2*CYL(I,5,AT) + G3*CYL(I,6,AT))
+        T = MIN(A + FAR, H)
+        GG = G1*G1 + G2*G2 + G3*G3
+        RHO = GG - A*A + 64.0D0*EPS*GG
+        RR = MIN(RHO + FAR, R*R)
+        SUM = W1*(G1 - D(1)) + W2*(G2 - D(2)) + W3*(G3 - D(3)) +
+     $      T*(SQUARE*T - 2.0D0*A) + SQUARE*RR -
+     $      SIZE*(ERR + SQUARE*64.0D0*EPS*SIZE) - FAINT
+        PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
+   20 CONTINUE
+      END
+
+C     ------------------------------------------------------------------
+C     Ties.
+C
+C     Let S be the points on the sphere of an empty ball, such as that
+C     of any tetrahedron of the mesh.  The tie rule lowers heights, that
+C     of first, the point of S of least number, by far the most.  So
+C       - among points of S the mesh consists of the facets of S's hull
+C         without first, each joined to first;
+C       - a tetrahedron with its vertices in S has first for one of
+C         them: first is the least vertex of any such tetrahedron that
+C         is known;
+C       - a facet of three points of S without first, which is in S's
+C         hull, has no point of S on its open side unless first is on
+C         it: the apex is first, or none of S;
+C       - a facet (first, a, b) with points of S on its open side has
+C         one of them as its apex, as the ball is empty.  Of two, c and
+C         z, z is better if it is beyond the plane (a, b, c) seen from
+C         first, and worse if it is on first's side; in that plane the
+C         lesser e_i decides.
+C     A point of S whose star is complete is in no open facet and is no
+C     apex.  If first's star is complete, all tetrahedra of S are known;
+C     so for a new tetrahedron's S it is not.
+C
+C     A cell has all uncompleted points of S, the least number first, of
+C     a ball inside the star's list.  Only these are tested for a facet
+C     of the star.
+C
+C     Lattices take 1.4 times the instructions without.  What has no
+C     ties never makes a cell.
+C     ------------------------------------------------------------------
+
+C     TSNEWC - makes a cell of the points exactly on the best point's
+C     ball, if all are in the star's list and none is inside.  OK is 1,
+C     or 0 if not, or if there are no ties.  The centre of TSNARR's ball
+C     is off by up to QHI - QLO, too, which matters on the negative
+C     side.
+      SUBROUTINE TSNEWC(X, P, ORD, BOX, NCELL, CELL, RCTL, LSX, LSID,
+     $                  LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2),
+     $    F(12), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), NCELL, CELL(0:12,*), LSID(TSLIST+48,2), LSI(3,2),
+     $    V(3), IQ(42), OK
+      INTEGER T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI, QDC, CELLS,
+     $    MCELL
+      DOUBLE PRECISION MUCHL
+      PARAMETER (T3 = 1, T5 = 2, LMARG = 13, STR = 2, QBEST = 1,
+     $    QLIMBS = 2, QLO = 6, QHI = 7, QDC = 4, MUCHL = 1.0D100,
+     $    CELLS = 4, MCELL = 12)
+      DOUBLE PRECISION WIDE
+      INTEGER HHPBAL, TSBINS, C(MCELL), I, K, M, N, PLACE(TSLIST+1),
+     $    SIDE, Z
+      OK = 0
+      IF (ABS(FQ(QHI)) .GT. MUCHL) RETURN
+      WIDE = 0.0D0
+      IF (IQ(QLIMBS) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
+      IF (WIDE .GT. LSD(LMARG,STR)) RETURN
+      FQ(QDC) = FQ(QDC) + WIDE
+      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 0) RETURN
+      CALL TSLIBA(LSX, LSI, LSD, STR, F, FQ, PLACE, N)
+      IF (N .LE. 0 .OR. N .GT. MCELL) RETURN
+      M = 0
+      DO 30 I = 1, N
+        Z = LSID(PLACE(I),STR)
+        SIDE = 0
+        IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
+     $      Z .NE. IQ(QBEST)) SIDE = HHPBAL(X, P, ORD, RCTL(T3),
+     $      RCTL(T5), V, IQ(QBEST), Z, 0)
+        IF (SIDE .LT. 0) RETURN
+        IF (SIDE .EQ. 0) THEN
+          M = M + 1
+          C(M) = Z
+          IF (ORD(Z) .LT. ORD(C(1))) THEN
+            C(M) = C(1)
+            C(1) = Z
+          END IF
+        END IF
+   30 CONTINUE
+      IF (M .EQ. 4) RETURN
+      K = MOD(NCELL, CELLS) + 1
+      NCELL = NCELL + 1
+      CELL(0,K) = M
+      DO 40 I = 1, M
+        CELL(I,K) = C(I)
+   40 CONTINUE
+      OK = 1
+      END
+
+C     TSINCE - Z is the apex of the facet V if it is in a cell, or 0:
+C     see "Ties".
+      SUBROUTINE TSINCE(X, P, ORD, NCELL, CELL, RCTL, V, Z)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), NCELL, CELL(0:12,*), V(3), Z
+      INTEGER T3, T5, CELLS
+      PARAMETER (T3 = 1, T5 = 2, CELLS = 4)
+      INTEGER HHPBAL, HHPSID, I, IN, J, K
+      Z = 0
+      DO 40 K = 1, MIN(NCELL, CELLS)
+        IN = 0
+        DO 10 I = 1, CELL(0,K)
+          J = CELL(I,K)
+          IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
+   10   CONTINUE
+        IF (IN .EQ. 2) THEN
+          DO 20 I = 1, CELL(0,K)
+            J = CELL(I,K)
+            IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
+              IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), J) .GT.
+     $            0) THEN
+                IN = -1
+                IF (Z .NE. 0) IN = HHPBAL(X, P, ORD, RCTL(T3),
+     $              RCTL(T5), V, Z, J, 3)
+                IF (IN .LT. 0) Z = J
+              END IF
+              IF (I .EQ. 1) GO TO 30
+            END IF
+   20     CONTINUE
+   30     IF (Z .NE. 0) RETURN
+        END IF
+   40 CONTINUE
+      END
+
+C     ------------------------------------------------------------------
+C     The search for the apex of a facet.
+C     ------------------------------------------------------------------
+
+C     TSNARR - records that the best point's L-coordinate is at most L,
+C     and sets the ball of that L.
+      SUBROUTINE TSNARR(IQ, F, FQ, L)
+      DOUBLE PRECISION F(12), FQ(*), L
+      INTEGER IQ(42)
+      INTEGER QLIMBS, QBALL, QAIMED, QHI, QDC, QSIZE
+      DOUBLE PRECISION EPS, MUCHL
+      PARAMETER (QLIMBS = 2, QBALL = 3, QAIMED = 7, QHI = 7, QDC = 4,
+     $    QSIZE = 5, EPS = 2.0D0**(-52), MUCHL = 1.0D100)
+      INTEGER K
+      FQ(QHI) = L
+      IQ(QAIMED) = 0
+      IF (IQ(QLIMBS) .NE. 0 .OR. ABS(L) .GT. MUCHL) RETURN
+      IQ(QBALL) = 1
+C     on the positive side, a better point is in the ball of any L above
+C     the best point's, so the error of L does not count.  It is large
+C     where balls are flat: counting it makes points near a plane take
+C     10 times as long.
+      FQ(QSIZE) = 0.0D0
+      DO 10 K = 1, 3
+        FQ(K) = F(3+K) + L*F(K)
+        FQ(QSIZE) = FQ(QSIZE) + ABS(FQ(K))
+   10 CONTINUE
+      FQ(QDC) = F(11) + ABS(L)*F(10) + 4.0D0*EPS*FQ(QSIZE)
+      END
+
+C     TSREFI - finds the ball of the best point by limbs.  The centre C
+C     errs by at most 8 EPS |C|.  So its height over the facet's plane,
+C     C.V, is L up to the error of V, E |C|, the error of C, and the
+C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
+C     sphere L is counted from F(4..6): U, the difference, takes the
+C     place of C, with the error of F(4..6) and one more rounding.
+      SUBROUTINE TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
+      DOUBLE PRECISION P(3,*), SUP(60,*), F(12), FQ(*)
+      INTEGER ORD(*), CTL(*), V(3), IQ(42)
+      INTEGER SCALE, QBEST, QLIMBS, QBALL, QBASE, QON, QAIMED, QLO, QHI,
+     $    QDC, QSIZE, QLIMB
+      DOUBLE PRECISION EPS, LOOSE, HUGE
+      PARAMETER (SCALE = 19, QBEST = 1, QLIMBS = 2, QBALL = 3,
+     $    QBASE = 4, QON = 6, QAIMED = 7, QLO = 6, QHI = 7, QDC = 4,
+     $    QSIZE = 5, QLIMB = 22, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION C(3), ERR, L, SIZE, U
+      INTEGER TSCURV, K, OK, SPHERE
+      IF (F(10) .GE. HUGE) RETURN
+      CALL HHCENT(P, ORD, CTL(SCALE), V, IQ(QBASE), IQ(QBEST), C,
+     $            FQ(QLIMB), OK)
+      IF (OK .EQ. 0) RETURN
+      SPHERE = TSCURV(SUP, IQ(QON))
+      IQ(QLIMBS) = 1
+      IQ(QBALL) = 1
+      IQ(QAIMED) = 0
+      FQ(QSIZE) = 0.0D0
+      SIZE = 0.0D0
+      L = 0.0D0
+      DO 10 K = 1, 3
+        FQ(K) = C(K)
+        FQ(QSIZE) = FQ(QSIZE) + ABS(C(K))
+        U = C(K)
+        IF (SPHERE .EQ. 1) U = U - F(3+K)
+        SIZE = SIZE + ABS(U)
+        L = L + F(K)*U
+   10 CONTINUE
+      FQ(QDC) = 8.0D0*EPS*FQ(QSIZE)
+      IF (F(10) .GT. LOOSE) RETURN
+      ERR = F(10)*SIZE + 16.0D0*EPS*FQ(QSIZE)
+      IF (SPHERE .EQ. 1) ERR = ERR + F(11)
+      FQ(QLO) = MAX(FQ(QLO), L - ERR)
+      FQ(QHI) = MIN(FQ(QHI), L + ERR)
+      END
+
+C     TSCHAL - takes Z if it is on the open side and beats the best
+C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
+C     the rule of HHPBAL.  The Householder bounds decide where they can,
+C     then, unless the last search met ties, HHLIFS.  Its sphere is that
+C     of Z or of the best point, but not of a ball by limbs, whose four
+C     points are nearly in a plane.  Where it cannot tell, the better
+C     point's limits are tightened by the other's.  Without it rotated
+C     grids, which have the corners of their cells on a sphere, but for
+C     rounding, take 1.2 to 1.6 times the instructions.
+      SUBROUTINE TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
+     $                  Z)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
+      INTEGER TIED, T3, T5, RPATIE, QBEST, QLIMBS, QBASE, QASKED, QON,
+     $    QTIED, QLO, QHI, QLIMB, QSPHER, UNSURE, MANY, QT
+      DOUBLE PRECISION WIDE, EPS, HUGE
+      PARAMETER (TIED = 14, T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1,
+     $    QLIMBS = 2, QBASE = 4, QASKED = 5, QON = 6, QTIED = 8,
+     $    QLO = 6, QHI = 7, QLIMB = 22, QSPHER = 108, UNSURE = 2,
+     $    MANY = 6, WIDE = 1.0D0, QT = 8, EPS = 2.0D0**(-52),
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION HI, L, LO
+      INTEGER BEST, HHPBAL, HHPSID, OPEN, POWER, SGN, SIDE
+      BEST = IQ(QBEST)
+      CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
+      IF (IQ(QON) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, MARK, SUP,
+     $    IQ, F, FQ(QT), Z, SIDE, LO, HI)
+      SGN = SIDE
+      POWER = UNSURE
+      IF (SIDE .LT. 0) RETURN
+      OPEN = 0
+      IF (BEST .NE. 0) THEN
+        IF (LO .GT. FQ(QHI)) RETURN
+        IF (HI .GE. FQ(QLO)) OPEN = 1
+      END IF
+      IF (SIDE .EQ. 0 .OR. OPEN .EQ. 1) THEN
+        IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
+        IF (OPEN .EQ. 1 .AND. RCTL(T5) .LT. 0.0D0 .AND. CTL(TIED) .EQ.
+     $      0) THEN
+          L = FQ(QHI)
+          IF (IQ(QLIMBS) .EQ. 1) L = HUGE
+          IF (SIDE .EQ. 1) L = HI
+          CALL HHLIFS(X, RCTL(T3), V, IQ(QBASE), F, L, BEST, Z,
+     $                FQ(QSPHER), POWER)
+        END IF
+        IF (IQ(QLIMBS) .EQ. 1) THEN
+          IF (OPEN .EQ. 1 .AND. POWER .EQ. UNSURE) POWER = 0
+          CALL HHTRIA(P, ORD, FQ(QLIMB), Z, SGN, POWER)
+        END IF
+        IF (POWER .NE. 1 .AND. (SGN .EQ. 0 .OR. SGN .EQ. UNSURE))
+     $      SGN = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
+        IF (SGN .LE. 0) RETURN
+      END IF
+      IF (OPEN .EQ. 1) THEN
+        IF (POWER .EQ. UNSURE) THEN
+          POWER = HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
+          IF (ABS(POWER) .EQ. 1) IQ(QASKED) = IQ(QASKED) + 1
+        END IF
+        IF (ABS(POWER) .EQ. 2) IQ(QTIED) = IQ(QTIED) + 1
+        IF (POWER .GT. 0) THEN
+          IF (HI .LT. FQ(QHI)) CALL TSNARR(IQ, F, FQ, HI)
+          IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
+     $        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
+          RETURN
+        END IF
+        HI = MIN(HI, FQ(QHI))
+      END IF
+      IQ(QBEST) = Z
+      IF (POWER .NE. -2) IQ(QTIED) = 0
+      FQ(QLO) = LO
+      IQ(QLIMBS) = 0
+      CALL TSNARR(IQ, F, FQ, HI)
+      IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
+        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
+      ELSE IF (HI - LO .GT. WIDE*(F(12) + ABS(HI))) THEN
+        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
+      END IF
+      END
+
+C     TSCONS - compares Z with the best point, unless it is a vertex or
+C     provably outside the ball, by its height over the facet's support
+C     where that is known.
+      SUBROUTINE TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
+     $                  Z)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
+      INTEGER SLOW, SGRAIN, QBEST, QBALL, QON, QAIMED, QHI, QT, QQ,
+     $    SUPPS
+      PARAMETER (SLOW = 59, SGRAIN = 60, QBEST = 1, QBALL = 3, QON = 6,
+     $    QAIMED = 7, QHI = 7, QT = 8, QQ = 11, SUPPS = 8)
+      DOUBLE PRECISION TSPOWE, H, Q, SIZE, SUM, W1, W2, W3
+      INTEGER J, K, OUT
+      IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
+     $    Z .EQ. V(3)) RETURN
+      W1 = X(1,Z) - F(7)
+      W2 = X(2,Z) - F(8)
+      W3 = X(3,Z) - F(9)
+      SIZE = ABS(W1) + ABS(W2) + ABS(W3)
+C     TSMRKD's test and height, without a call for each point
+      J = IQ(QON)
+      K = -1
+      IF (J .NE. 0) K = MARK(Z) - J
+      OUT = 0
+      IF (K .GE. 0 .AND. MOD(K, SUPPS) .EQ. 0) THEN
+        H = SUP(SLOW,J) + SUP(SGRAIN,J)*(DBLE(K/SUPPS) + 0.5D0)
+        IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,J), IQ, F,
+     $      FQ(QHI), FQ(QT))
+        Q = FQ(QQ)
+        SUM = W1*(Q*W1 - FQ(QT)) + W2*(Q*W2 - FQ(QT+1)) +
+     $      W3*(Q*W3 - FQ(QT+2))
+        CALL TSEXCL(FQ(QT), SUM, SIZE, H, SUP(SGRAIN,J), OUT)
+      ELSE IF (IQ(QBALL) .EQ. 1) THEN
+        SUM = W1*(W1 - 2.0D0*FQ(1)) + W2*(W2 - 2.0D0*FQ(2)) +
+     $      W3*(W3 - 2.0D0*FQ(3))
+        IF (SUM .GT. TSPOWE(FQ, SIZE)) OUT = 1
+      END IF
+      IF (OUT .EQ. 0) CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V,
+     $    IQ, F, FQ, Z)
+      END
+
 C     TSINST - seeks the apex in the star's list.  The ball of a better
 C     point has no more points on the open side than the ball before it
 C     (Lemma 3), and those on the other side do not count.  So one pass
@@ -1687,7 +2768,7 @@ C     long.
      $                  LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(14,2), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2),
@@ -1730,7 +2811,7 @@ C     cost: on surfaces, two of five points that were tested.
      $                  LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(14,2), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2),
@@ -1760,7 +2841,7 @@ C     the points before the first uncompleted one are most of the
 C     completed ones.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, V,
      $                  IQ, F, FQ, NODE)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    F(12), FQ(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), NODE
       INTEGER RPATIE, QBALL, DONE, GROUP, LEAF
@@ -1833,7 +2914,7 @@ C         FROM    .    .      .  grandparent: everything below TOP has
 C                                been searched, FROM is where that ended
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    F(12), FQ(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42)
       INTEGER LEAVES, ENCLOS, T3, QBALL, QBASE, QON, DEPTH, QT
@@ -1931,14 +3012,14 @@ C     TSPREP - begins the search for the apex of the facet V.  The base
 C     is V(1) or, if the angle there is small, the vertex opposite the
 C     longest edge.
       SUBROUTINE TSPREP(X, P, ORD, MARK, CTL, SUP, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), FQ(*)
+      DOUBLE PRECISION X(3,*), P(3,*), SUP(60,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42)
       INTEGER SCALE, NSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON,
      $    QTIED, QOPEND, QLO, QHI, QSPHER, QT
       DOUBLE PRECISION EPS, HUGE, THIN
       PARAMETER (SCALE = 19, NSUPP = 20, QBEST = 1, QLIMBS = 2,
      $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIED = 8,
-     $    QOPEND = 10, QLO = 6, QHI = 7, QSPHER = 109,
+     $    QOPEND = 10, QLO = 6, QHI = 7, QSPHER = 108,
      $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023, QT = 8,
      $    THIN = 1.0D-6)
       DOUBLE PRECISION EDGE, LONGST
@@ -1976,15 +3057,15 @@ C     longest edge.
         IF (F(10) .GT. THIN) CALL HHTHIN(X, P, ORD, CTL(SCALE), V, BASE,
      $      F)
       END IF
-      IF (CTL(NSUPP) .GT. 0) CALL TSSUPP(X, P, ORD, MARK, CTL, SUP,
-     $    V, IQ, F, FQ(QT))
+      IF (CTL(NSUPP) .GT. 0) CALL TSSUPP(X, MARK, CTL, SUP, V, IQ, F,
+     $    FQ(QT))
       END
 
 C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
 C     GUESS holds two positions to try first, or 0.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(14,2)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
@@ -1994,7 +3075,7 @@ C     GUESS holds two positions to try first, or 0.
       PARAMETER (NP = 1, NPLANE = 12, PLANE1 = 21,
      $    NCELL = 17, CELL1 = 33, FUTILE = 18, RBURDN = 4, RPATIE = 5,
      $    QBEST = 1, QON = 6, QOPEND = 10, PLANES = 4, OPENED = 24)
-      DOUBLE PRECISION F(12), FQ(133), H
+      DOUBLE PRECISION F(12), FQ(159), H
       INTEGER TSCURV, TSONHU, AT, G, IQ(42), K, LISTS, OK
       IF (CTL(NCELL) .GT. 0) THEN
         CALL TSINCE(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V, Z)
@@ -2109,7 +3190,7 @@ C     Vertices may be complete, and then no list has them: the search
 C     uses the tree alone.
       SUBROUTINE TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(14,2)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
@@ -2119,7 +3200,7 @@ C     uses the tree alone.
       PARAMETER (LEAVES = 4, NPLANE = 12, NCELL = 17,
      $    T3 = 1, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2,
      $    QBEST = 1)
-      DOUBLE PRECISION F(12), FQ(133)
+      DOUBLE PRECISION F(12), FQ(159)
       INTEGER HHPSID, TSLEAF, TSLFST, ALL, FIRST, G(3), GUESS(2), I,
      $    IQ(42), J, K, LEAF, LENGTH, NODE, OK, R(4), SAME, Z
       LEAF = TSLEAF(CTL, S)
@@ -2581,7 +3662,7 @@ C     of the link.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
      $                  POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
      $                  S, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(14,2)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
@@ -2646,7 +3727,7 @@ C     there is no room.
       SUBROUTINE TSPLAN(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, S, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(14,2)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
@@ -2670,7 +3751,7 @@ C     one of the rest, and so on.  INFO is 0, MORE or FULL.
       SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, S, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(14,2)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
@@ -3049,6 +4130,28 @@ C     points without a mesh, or -8 where there is no index.
       IF (HHHOLD(ALL, P) .EQ. 0) INFO = RANGE
       END
 
+C     TSDIGE - puts behind the marks of an index two numbers that tell,
+C     but for chance, whether these are its own: a copy may end before
+C     them.  OWN, if it was 1, becomes 0 if they were not there.
+      SUBROUTINE TSDIGE(N, COUNTS, CTL, OWN)
+      INTEGER N, COUNTS(*), CTL(*), OWN
+      INTEGER TSPLAC, A, B, CYLS, I, LIWMIN, LRWMIN, MARKS, OK, POOL
+      IF (COUNTS(1) .EQ. 0) OWN = 0
+      IF (COUNTS(1) .EQ. 0) RETURN
+      A = 1
+      B = 0
+      DO 10 I = 1, TSPLAC(CTL, COUNTS(1) + 1)
+        A = MOD(A + MOD(COUNTS(1+I), 32749), 32749)
+        B = MOD(B + A, 32749)
+   10 CONTINUE
+      CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
+      IF (OWN .EQ. 1) THEN
+        IF (COUNTS(MARKS) .NE. A .OR. COUNTS(MARKS+1) .NE. B) OWN = 0
+      END IF
+      COUNTS(MARKS) = A
+      COUNTS(MARKS+1) = B
+      END
+
 C     TSINTA - check in one pass that the caller's arrays can be an
 C     unfinished result: the vertices of each tetrahedron are no
 C     duplicates, and it is positively oriented; each facet is on the
@@ -3221,7 +4324,7 @@ C     altered.
       INTEGER N, ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
      $    HEAD(N), LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE),
      $    CTL(*), LSID(*), LSI(3,2), MASKED, MINE(*), MAXTET, NTET, INFO
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(14,2)
       REAL LSX(*)
       INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW,
@@ -3482,7 +4585,7 @@ C     element of RW or IW, and the standard lets them be altered.
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSLIST, ENCLOS, NSUPP, SUPPS
       PARAMETER (TSLIST = 512, ENCLOS = 16, NSUPP = 20, SUPPS = 8)
-      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS)
+      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(60,SUPPS)
       REAL LSX(TSLIST,4,2)
       INTEGER CTL(84), K, LENGTH, LSI(3,2), LSID(TSLIST+48,2), OWN,
      $    SPACE
@@ -3588,7 +4691,7 @@ C     spread evenly); nothing else is kept of these.
       PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T5 = 2, RBURDN = 4,
      $    RPATIE = 5, SUPPS = 8, REGIO = 32, STARS = 256, RANGE = 6,
      $    PLAIN = 16.0D0, KEEN = 1.0D0/256.0D0)
-      DOUBLE PRECISION LSD(14,2), PART, RCTL(6), SUP(96,SUPPS)
+      DOUBLE PRECISION LSD(14,2), PART, RCTL(6), SUP(60,SUPPS)
       REAL LSX(TSLIST,4,2)
       INTEGER ADJ(4*STARS), CODE, CTL(84), GUESS(2), I, K, LENGTH,
      $    LSI(3,2), LSID(TSLIST+48,2), MANY, MINE, OWN, SPACE,
@@ -3699,1089 +4802,6 @@ C     recipe JOIN makes them one result.
      $    ADJ, LIW, IW, LRW, RW, INFO)
       IF (INFO .LT. -1) INFO = INFO - 1
       END
-C     ------------------------------------------------------------------
-C     Supports.
-C
-C     Where many points are near one plane or sphere, the side or the
-C     power of each is noise for a facet of three of them, and no box of
-C     points is clear of the ball.  A support is such a plane or sphere,
-C     through points.  Limbs give the heights of other points over it
-C     (over a sphere, their powers) to some EPS of themselves.  Let h be
-C     the height of the base of a facet near the support, and tilt the
-C     vector in the facet's plane whose products with the facet's edges
-C     are the differences of heights.  Then
-C         G(w) = height(w) - h - tilt.w
-C     is 0 at the facet's vertices.  On a plane, G(w) is therefore g
-C     times the side of w, where g is the height of the facet's normal
-C     v.  On a sphere whose centre is at height l over the facet's
-C     plane, G(w) is the power of w in the ball of L = l, and L(w) = l +
-C     e, e = G(w) / (2 side).  Heights are that noise, but known to 1E-7
-C     of it: so they decide, point by point and node by node.
-C
-C     Globes, turned boxes and points near a plane need them: 6,000
-C     points take 6 to 8 times the instructions without.  They cost a
-C     mark a point, two integers a node for each, and a few heights by
-C     limbs once; nothing until searches turn out to be long.
-C     ------------------------------------------------------------------
-
-C     TSROUG - the height H of the position Z over the support S, in
-C     double precision.  ERR bounds its error: 8 EPS |c| for the centre,
-C     and 6 roundings.
-      SUBROUTINE TSROUG(X, S, Z, H, ERR)
-      DOUBLE PRECISION X(3,*), S(96), H, ERR
-      INTEGER Z
-      INTEGER SAT, SC, SSIZE
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (SAT = 87, SC = 90, SSIZE = 94, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200)
-      DOUBLE PRECISION SIZE, U
-      INTEGER K
-      H = 0.0D0
-      SIZE = 0.0D0
-      DO 10 K = 1, 3
-        U = X(K,Z) - S(SAT+K)
-        IF (S(SSIZE) .LE. 0.0D0) THEN
-          H = H + U*S(SC+K)
-        ELSE
-          H = H + U*(U - 2.0D0*S(SC+K))
-        END IF
-        SIZE = SIZE + ABS(U)
-   10 CONTINUE
-      ERR = 32.0D0*EPS*SIZE
-      IF (S(SSIZE) .GT. 0.0D0) ERR = ERR*(SIZE + S(SSIZE))
-      ERR = ERR + FAINT
-      END
-
-C     TSMRKD - OK is 1 if the position Z has a mark of support J, or 0;
-C     H is then its height, to a grain.  A mark is off by the roundings
-C     of TSDISC, EPS GRAINS grains, and by a quarter of a grain for
-C     twice the height's error.
-      SUBROUTINE TSMRKD(MARK, SUP, J, Z, H, OK)
-      DOUBLE PRECISION SUP(96,*), H
-      INTEGER MARK(*), J, Z, OK
-      INTEGER SLOW, SGRAIN, SUPPS
-      PARAMETER (SLOW = 95, SGRAIN = 96, SUPPS = 8)
-      INTEGER K
-      K = MARK(Z) - J
-      OK = 0
-      IF (K .LT. 0 .OR. MOD(K, SUPPS) .NE. 0) RETURN
-      H = SUP(SLOW,J) + SUP(SGRAIN,J)*(DBLE(K/SUPPS) + 0.5D0)
-      OK = 1
-      END
-
-C     TSHEOV - OK is 1 if the position Z is near support J, or 0; H is
-C     then its height, from its mark or else by limbs, and ERR bounds
-C     the error.
-      SUBROUTINE TSHEOV(X, P, ORD, MARK, SUP, J, Z, H, ERR, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), H, ERR
-      INTEGER ORD(*), MARK(*), J, Z, OK
-      INTEGER SLOW, SGRAIN
-      PARAMETER (SLOW = 95, SGRAIN = 96)
-      INTEGER TSCURV
-      ERR = SUP(SGRAIN,J)
-      CALL TSMRKD(MARK, SUP, J, Z, H, OK)
-      IF (OK .EQ. 1) RETURN
-      CALL TSROUG(X, SUP(1,J), Z, H, ERR)
-      IF (ABS(H) .GT. ERR - SUP(SLOW,J)) RETURN
-      CALL HHHEIG(P, ORD, SUP(1,J), Z, 1 - TSCURV(SUP, J), H, ERR)
-      IF (ERR .LE. SUP(SGRAIN,J) .AND. ABS(H) .LE. -SUP(SLOW,J)) OK = 1
-      END
-
-C     TSONSU - OK is 1 if the vertices V of a facet are near support J,
-C     or 0; H are their heights, that of V(BASE) first, ERR the bounds
-C     on their errors.
-      SUBROUTINE TSONSU(X, P, ORD, MARK, SUP, V, BASE, J, H, ERR, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), H(3), ERR(3)
-      INTEGER ORD(*), MARK(*), V(3), BASE, J, OK
-      INTEGER K, Z
-      DO 10 K = 1, 3
-        Z = V(MOD(BASE+K-2,3)+1)
-        CALL TSHEOV(X, P, ORD, MARK, SUP, J, Z, H(K), ERR(K), OK)
-        IF (OK .EQ. 0) RETURN
-   10 CONTINUE
-      END
-
-C     TSCURV - returns 1 if support J is a sphere, or 0, also if J is 0.
-      INTEGER FUNCTION TSCURV(SUP, J)
-      INTEGER J
-      DOUBLE PRECISION SUP(96,*)
-      INTEGER SSIZE
-      PARAMETER (SSIZE = 94)
-      TSCURV = 0
-      IF (J .EQ. 0) RETURN
-      IF (SUP(SSIZE,J) .GT. 0.0D0) TSCURV = 1
-      END
-
-C     TSREME - adds Z to the sample: points that were left open or,
-C     until there are any, points of leaves that the search visited.
-C     The sample keeps SOME of them.  Once it is full, a point takes the
-C     place of another by chance, but by the same chance on every
-C     machine.  Points with a mark count, too: they may be on a finer
-C     support.
-      SUBROUTINE TSREME(IQ, Z, OPEN)
-      INTEGER IQ(42), Z, OPEN
-      INTEGER QOPEN, QOPEND, QSOME, SOME
-      PARAMETER (QOPEN = 9, QOPEND = 10, QSOME = 10, SOME = 32)
-      INTEGER PLACE
-      IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
-        IQ(QOPEN) = OPEN
-        IQ(QOPEND) = 0
-      END IF
-      IF (OPEN .LT. IQ(QOPEN)) RETURN
-      IQ(QOPEND) = IQ(QOPEND) + 1
-      PLACE = IQ(QOPEND)
-      IF (PLACE .GT. SOME)
-     $    PLACE = MOD(MOD(MOD(Z, 30269)*137, 30269), IQ(QOPEND)) + 1
-      IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
-      END
-
-C     TSPLAC - returns where in MARK the record of support J begins, but
-C     for one.  The nodes' least marks are behind its RECORD integers.
-      INTEGER FUNCTION TSPLAC(CTL, J)
-      INTEGER CTL(*), J
-      INTEGER NP, LEAVES
-      PARAMETER (NP = 1, LEAVES = 4)
-      TSPLAC = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + 6)
-      END
-
-C     TSEREC - sets up the support S from its record.  OK is 1, or 0 if
-C     that cannot be done.
-      SUBROUTINE TSEREC(X, P, ORD, RECORD, CTL, S, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), S(96)
-      INTEGER ORD(*), RECORD(7), CTL(*), OK
-      INTEGER SCALE, BUNIT, SAT, SC, SSIZE, SLOW, SGRAIN, GRAINS, EXPON
-      PARAMETER (SCALE = 19, BUNIT = 86, SAT = 87, SC = 90, SSIZE = 94,
-     $    SLOW = 95, SGRAIN = 96, GRAINS = 134217728, EXPON = 2000)
-      DOUBLE PRECISION HHLDEX, C(3)
-      INTEGER K, PLANE, Z
-      PLANE = RECORD(5)
-      S(SGRAIN) = HHLDEX(1.0D0, RECORD(7) - EXPON)
-      S(SLOW) = -0.5D0*S(SGRAIN)*DBLE(GRAINS)
-      Z = RECORD(4)
-      IF (PLANE .EQ. 1) Z = RECORD(1)
-      CALL HHCENT(P, ORD, CTL(SCALE), RECORD(1), 1, Z, C, S, OK)
-      IF (OK .EQ. 0) RETURN
-      CALL HHUNIT(S, PLANE, C)
-C     of heights by limbs, too
-      IF (RECORD(6) .EQ. 1) S(BUNIT) = -S(BUNIT)
-      S(SSIZE) = 0.0D0
-      IF (PLANE .EQ. 0) S(SSIZE) = ABS(C(1)) + ABS(C(2)) + ABS(C(3))
-      DO 10 K = 1, 3
-        S(SAT+K) = X(K,RECORD(1))
-        S(SC+K) = C(K)
-        IF (RECORD(6) .EQ. 1) S(SC+K) = -C(K)
-   10 CONTINUE
-      END
-
-C     TSTHRO - sets up the support S, a plane or a sphere through the
-C     positions at the beginning of RECORD, for a search's sample, whose
-C     extent is WIDE.  It takes heights of 8 to 16 times those of three
-C     quarters of the sample, or of one quarter if that is FINER times
-C     nearer: the points on one of several near sheets.  OK is 1, or 0
-C     if that is more than BAND.
-      SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, WIDE, PLANE, S, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(96)
-      INTEGER ORD(*), RECORD(7), CTL(*), IQ(42), PLANE, OK
-      INTEGER SLOW, QOPEND, QSOME, SOME, GRAINS, EXPON
-      DOUBLE PRECISION BAND, FINER, ROUGH
-      PARAMETER (SLOW = 95, QOPEND = 10, QSOME = 10, SOME = 32,
-     $    GRAINS = 134217728, EXPON = 2000, BAND = 2.0D-8,
-     $    FINER = 100.0D0, ROUGH = 1.0D-3)
-      DOUBLE PRECISION D, ERR, H(SOME), WORST
-      INTEGER HHFREX, I, K, N
-      N = MIN(IQ(QOPEND), SOME)
-      WORST = 0.0D0
-      RECORD(5) = PLANE
-      RECORD(6) = 0
-      RECORD(7) = EXPON
-      CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
-      IF (OK .EQ. 0) RETURN
-      OK = 0
-      DO 20 I = 1, N
-        CALL HHHEIG(P, ORD, S, IQ(QSOME+I), PLANE, D, ERR)
-        D = ABS(D)
-        IF (ERR .GT. 1.0D0) RETURN
-        WORST = MAX(WORST, ERR)
-        H(I) = D
-        DO 10 K = I, 2, -1
-          IF (H(K-1) .LE. D) GO TO 20
-          H(K) = H(K-1)
-          H(K-1) = D
-   10   CONTINUE
-   20 CONTINUE
-      D = H(3*N/4+1)
-      IF (H(N/4+1) .LT. D/FINER) D = H(N/4+1)
-      D = D*(16.0D0/DBLE(GRAINS))
-      RECORD(7) = EXPON + HHFREX(MAX(D, 8.0D0*WORST))
-      CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
-      D = BAND*WIDE
-      IF (PLANE .EQ. 0) D = ROUGH*WIDE*WIDE
-      IF (-S(SLOW) .GT. D) OK = 0
-      END
-
-C     TSFIT - sets up the support S through the widest of the points
-C     that a search left open: a sphere, or a plane where the points are
-C     on none (sheets near each other are one).  OK is 1 if it is set
-C     up, or 0.
-      SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), S(96)
-      INTEGER ORD(*), RECORD(7), CTL(*), V(3), IQ(42), OK
-      INTEGER NP, SSIZE, SLOW, QOPEND, QSOME, SOME
-      DOUBLE PRECISION SMALL
-      PARAMETER (NP = 1, SSIZE = 94, SLOW = 95, QOPEND = 10,
-     $    QSOME = 10, SMALL = 2.0D0**(-450), SOME = 32)
-      DOUBLE PRECISION TSDOT, D, E(3), ERR, LOW, U(3,SOME), WIDE(3)
-      INTEGER FAR, I, J, K, N, UP, Z
-      OK = 0
-      N = MIN(IQ(QOPEND), SOME)
-      RECORD(1) = V(1)
-      DO 20 I = 1, N
-        DO 10 K = 1, 3
-          U(K,I) = X(K,IQ(QSOME+I)) - X(K,V(1))
-   10   CONTINUE
-   20 CONTINUE
-C     the farthest one, and what is left of all
-      DO 70 J = 1, 3
-        FAR = 1
-        DO 30 I = 1, N
-          IF (TSDOT(U(1,I), U(1,I)) .GT. TSDOT(U(1,FAR), U(1,FAR)))
-     $        FAR = I
-   30   CONTINUE
-        RECORD(J+1) = IQ(QSOME+FAR)
-        WIDE(J) = SQRT(TSDOT(U(1,FAR), U(1,FAR)))
-        IF (J .EQ. 3) GO TO 70
-        IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
-        DO 40 K = 1, 3
-          E(K) = U(K,FAR)/WIDE(J)
-   40   CONTINUE
-        DO 60 I = 1, N
-          D = TSDOT(U(1,I), E)
-          DO 50 K = 1, 3
-            U(K,I) = U(K,I) - D*E(K)
-   50     CONTINUE
-   60   CONTINUE
-   70 CONTINUE
-      IF (WIDE(3) .GE. 1.0D-7*WIDE(1)) CALL TSTHRO(X, P, ORD, RECORD,
-     $    CTL, IQ, WIDE(1), 0, S, OK)
-      IF (OK .EQ. 0) CALL TSTHRO(X, P, ORD, RECORD, CTL, IQ, WIDE(1), 1,
-     $    S, OK)
-      IF (OK .EQ. 0 .OR. S(SSIZE) .GT. 0.0D0) RETURN
-C     nodes know how far down their points reach, but only that some are
-C     above: the side of a plane with more points is turned up
-      LOW = S(SLOW)
-      UP = 0
-      DO 90 I = 1, CTL(NP), CTL(NP)/256 + 1
-        Z = I
-        CALL TSROUG(X, S, Z, D, ERR)
-        IF (D .GT. ERR - LOW) UP = UP + 1
-        IF (D .LT. LOW - ERR) UP = UP - 1
-   90 CONTINUE
-      IF (UP .GE. 0) RETURN
-      RECORD(6) = 1
-      CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
-      END
-
-C     TSDISC - seeks a support for the points that a search left open.
-C     It marks the points near the support that have no mark, or one of
-C     a support FINER times coarser, and finds the least height in each
-C     node.  The support is kept if it marks enough points, or if the
-C     facet, on no other support, is near it and so are many points:
-C     facets between near sheets lean on a plane that holds them all.
-C     KEPT is 1 if it is kept, or 0.
-      SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
-     $                  KEPT)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(96,*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), KEPT
-      INTEGER NP, LEAVES, NSUPP, RPATIE, SLOW, SGRAIN, QBASE, QON,
-     $    QOPEND, DONE, SUPPS, OPENED, GRAINS
-      DOUBLE PRECISION FINER
-      PARAMETER (NP = 1, LEAVES = 4, NSUPP = 20, RPATIE = 5, SLOW = 95,
-     $    SGRAIN = 96, QBASE = 4, QON = 6, QOPEND = 10, DONE = -1,
-     $    SUPPS = 8, OPENED = 24, GRAINS = 134217728, FINER = 100.0D0)
-      DOUBLE PRECISION C, ERR, ERRS(3), FINE, GRAIN, H, HS(3), LOW
-      INTEGER TSCUBE, TSCURV, TSPLAC, ACROSS, ALL, AT, FIRST, HELD, I,
-     $    J, K, LAST, LEAST, NEAR, NODE, OK, OLD, OVER, PLANE, Z
-      KEPT = 0
-      J = CTL(NSUPP) + 1
-      IF (J .EQ. 1) THEN
-        DO 10 I = 1, CTL(NP)
-          MARK(I) = 0
-   10   CONTINUE
-      END IF
-      AT = TSPLAC(CTL, J)
-      CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
-      IF (OK .EQ. 0) RETURN
-C     sample all that is near: the search's points may be from a corner
-      IQ(QOPEND) = 0
-      HELD = 0
-      LOW = SUP(SLOW,J)
-      GRAIN = SUP(SGRAIN,J)
-      DO 15 I = 1, CTL(NP), CTL(NP)/1024 + 1
-        Z = I
-        CALL TSROUG(X, SUP(1,J), Z, H, ERR)
-        IF (LINK(I) .EQ. DONE .OR. ABS(H) .GT. ERR - 2.0D0*LOW) GO TO 15
-        CALL TSREME(IQ, Z, 1)
-        IF (MARK(I) .EQ. 0) GO TO 15
-        OLD = MOD(MARK(I) - 1, SUPPS) + 1
-        IF (SUP(SGRAIN,OLD) .LE. FINER*GRAIN) HELD = HELD + 1
-   15 CONTINUE
-      IF (IQ(QOPEND) .GT. OPENED) THEN
-        CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
-        IF (OK .EQ. 0) RETURN
-      END IF
-      ACROSS = 0
-      IF (IQ(QON) .EQ. 0) CALL TSONSU(X, P, ORD, MARK, SUP, V,
-     $    IQ(QBASE), J, HS, ERRS, ACROSS)
-C     all marks would stay; heights of all points, for nothing, would be
-C     most of a globe's index
-      IF (IQ(QOPEND) .GT. OPENED .AND. HELD .EQ. IQ(QOPEND) .AND.
-     $    (ACROSS .EQ. 0 .OR. HELD .LT. 64)) RETURN
-      PLANE = 1 - TSCURV(SUP, J)
-      LOW = SUP(SLOW,J)
-      GRAIN = SUP(SGRAIN,J)
-      LEAST = AT + 7
-      NEAR = 0
-      ALL = 0
-      DO 30 NODE = 2*CTL(LEAVES) - 1, 1, -1
-        OVER = 0
-        IF (NODE .LT. CTL(LEAVES)) THEN
-          FIRST = MARK(LEAST+2*NODE)
-          LAST = MARK(LEAST+2*NODE+1)
-          OVER = MAX(MOD(FIRST, 2), MOD(LAST, 2))
-          MARK(LEAST+NODE) = MIN(FIRST, LAST)/2*2 + OVER
-          GO TO 30
-        END IF
-        MARK(LEAST+NODE) = GRAINS
-        CALL TSSPAN(CTL, NODE, FIRST, LAST)
-        DO 20 I = FIRST, LAST
-          Z = I
-          CALL TSROUG(X, SUP(1,J), Z, H, ERR)
-          IF (ABS(H) .LE. ERR - LOW) THEN
-            CALL HHHEIG(P, ORD, SUP(1,J), Z, PLANE, C, FINE)
-            IF (FINE .LT. ERR) THEN
-              H = C
-              ERR = FINE
-            END IF
-          END IF
-          C = (H - ERR - LOW)/GRAIN
-          K = GRAINS
-          IF (C .LT. DBLE(GRAINS)) K = INT(C)
-          IF (C .LT. 0.0D0) K = -1
-          MARK(LEAST+NODE) = MIN(MARK(LEAST+NODE), K)
-          IF (H + ERR .GT. -LOW) OVER = 1
-          IF (K .LT. 0 .OR. K .GE. GRAINS .OR. 8.0D0*ERR .GT. GRAIN)
-     $        GO TO 20
-          ALL = ALL + 1
-          IF (MARK(I) .GT. 0) THEN
-            OLD = MOD(MARK(I) - 1, SUPPS) + 1
-            IF (SUP(SGRAIN,OLD) .LE. FINER*GRAIN) GO TO 20
-          END IF
-          MARK(I) = J + SUPPS*K
-          NEAR = NEAR + 1
-   20   CONTINUE
-        MARK(LEAST+NODE) = 2*(MARK(LEAST+NODE) + 1) + OVER
-   30 CONTINUE
-      IF (NEAR .LT. 2*TSCUBE(CTL(NP)) .AND. (ACROSS .EQ. 0 .OR.
-     $    ALL .LT. CTL(NP)/16)) THEN
-        DO 40 I = 1, CTL(NP)
-          IF (MARK(I) .GT. 0 .AND. MOD(MARK(I) - J, SUPPS) .EQ. 0)
-     $        MARK(I) = 0
-   40   CONTINUE
-        RETURN
-      END IF
-      KEPT = 1
-      CTL(NSUPP) = J
-      IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
-      END
-
-C     TSDIGE - puts behind the marks of an index two numbers that tell,
-C     but for chance, whether these are its own: a copy may end before
-C     them.  OWN, if it was 1, becomes 0 if they were not there.
-      SUBROUTINE TSDIGE(N, COUNTS, CTL, OWN)
-      INTEGER N, COUNTS(*), CTL(*), OWN
-      INTEGER TSPLAC, A, B, CYLS, I, LIWMIN, LRWMIN, MARKS, OK, POOL
-      IF (COUNTS(1) .EQ. 0) OWN = 0
-      IF (COUNTS(1) .EQ. 0) RETURN
-      A = 1
-      B = 0
-      DO 10 I = 1, TSPLAC(CTL, COUNTS(1) + 1)
-        A = MOD(A + MOD(COUNTS(1+I), 32749), 32749)
-        B = MOD(B + A, 32749)
-   10 CONTINUE
-      CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
-      IF (OWN .EQ. 1) THEN
-        IF (COUNTS(MARKS) .NE. A .OR. COUNTS(MARKS+1) .NE. B) OWN = 0
-      END IF
-      COUNTS(MARKS) = A
-      COUNTS(MARKS+1) = B
-      END
-
-C     TSRECA - sets up the supports that an index has.
-      SUBROUTINE TSRECA(X, P, ORD, COUNTS, CTL, SUP)
-      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*)
-      INTEGER ORD(*), COUNTS(*), CTL(*)
-      INTEGER NSUPP
-      PARAMETER (NSUPP = 20)
-      INTEGER TSPLAC, AT, J, OK
-      CTL(NSUPP) = COUNTS(1)
-      DO 10 J = 1, CTL(NSUPP)
-        AT = TSPLAC(CTL, J)
-        CALL TSEREC(X, P, ORD, COUNTS(AT+2), CTL, SUP(1,J), OK)
-   10 CONTINUE
-      END
-
-C     TSSUPP - finds the support that the facet is on, if any, and its
-C     tilt.  Supports that have marked its vertices come first: between
-C     sheets 1e-10 apart searches take 30 times as long otherwise.  A
-C     needle, or a facet that stands on its plane, leans on none.
-C
-C     The tilt's error: roundings of the edges take the tilt out of the
-C     plane.  In it, the tilt's products with the edges miss the
-C     differences of heights by r0, r1, and a vector whose products with
-C     two unit vectors are r0, r1 is no longer than (|r0| + |r1|) / sine
-C     of the angle between them.  DET errs by less than 1/100, as no
-C     needle is let through.
-C
-C     Near a sphere G is |W|**2 - 2 c.W, c = tilt / 2 - o, o = base -
-C     centre: the power in the ball of centre c, which is on the facet's
-C     axis.  L is counted from there: c takes the place of the
-C     circumcentre in the set-up.  It errs by half of the tilt's error,
-C     and by 8 EPS of the centre and the roundings of three differences
-C     in any order, each of at most EPS (|o| + 2 |at|): these make less
-C     than 8 EPS SIZE.
-      SUBROUTINE TSSUPP(X, P, ORD, MARK, CTL, SUP, V, IQ, F, T)
-      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), T(14)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42)
-      INTEGER NSUPP, SAT, SC, SSIZE, QBASE, QON, QAIMED, SUPPS, TH, TDH,
-     $    TTILT, TDTILT, TG
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (NSUPP = 20, SAT = 87, SC = 90, SSIZE = 94, QBASE = 4,
-     $    QON = 6, QAIMED = 7, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
-     $    SUPPS = 8, TH = 8, TDH = 9, TTILT = 9, TDTILT = 13, TG = 14)
-      DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2), R,
-     $    SIZE, T1, T2
-      INTEGER B, I, J, K, OK, Z
-      IF (F(10) .GT. 1.0D-3) RETURN
-      DO 10 I = 1, 3
-        IF (MARK(V(I)) .EQ. 0) GO TO 10
-        J = MOD(MARK(V(I)) - 1, SUPPS) + 1
-        CALL TSONSU(X, P, ORD, MARK, SUP, V, IQ(QBASE), J, H, ERR, OK)
-        IF (OK .EQ. 1) GO TO 40
-   10 CONTINUE
-      DO 20 I = 1, CTL(NSUPP)
-        J = I
-        CALL TSONSU(X, P, ORD, MARK, SUP, V, IQ(QBASE), J, H, ERR, OK)
-        IF (OK .EQ. 1) GO TO 40
-   20 CONTINUE
-      RETURN
-   40 T(TG) = TSDOT(SUP(SC+1,J), F)
-      IF (SUP(SSIZE,J) .LE. 0.0D0 .AND. ABS(T(TG)) .LT. 0.5D0) RETURN
-      B = V(IQ(QBASE))
-      DO 60 I = 1, 2
-        Z = V(MOD(IQ(QBASE) + I - 1, 3)+1)
-        DO 50 K = 1, 3
-          A(K,I) = X(K,Z) - X(K,B)
-   50   CONTINUE
-        N(I) = TSDOT(A(1,I), A(1,I))
-        H(I+1) = H(I+1) - H(1)
-   60 CONTINUE
-      AB = TSDOT(A(1,1), A(1,2))
-      DET = N(1)*N(2) - AB*AB
-      IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
-      IQ(QON) = J
-      IQ(QAIMED) = 0
-      T1 = (H(2)*N(2) - H(3)*AB)/DET
-      T2 = (H(3)*N(1) - H(2)*AB)/DET
-      SIZE = 0.0D0
-      DO 70 K = 1, 3
-        T(TTILT+K) = T1*A(K,1) + T2*A(K,2)
-        SIZE = SIZE + (ABS(T1*A(K,1)) + ABS(T2*A(K,2)))
-   70 CONTINUE
-      T(TH) = H(1)
-      T(TDH) = ERR(1)
-      T(TDTILT) = 8.0D0*EPS*SIZE
-      DO 80 I = 1, 2
-        R = H(I+1) - TSDOT(T(TTILT+1), A(1,I))
-        T(TDTILT) = T(TDTILT) + (ABS(R) + ERR(1) + ERR(I+1) +
-     $      16.0D0*EPS*(ABS(H(I+1)) + ABS(H(1)) +
-     $      SIZE*SQRT(N(I))))*SQRT(1.02D0*N(3-I)/DET)
-   80 CONTINUE
-      IF (SUP(SSIZE,J) .LE. 0.0D0) RETURN
-      SIZE = 0.0D0
-      DO 90 K = 1, 3
-        R = F(6+K) - SUP(SAT+K,J)
-        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(SUP(SC+K,J)) +
-     $      ABS(SUP(SAT+K,J)))
-        F(3+K) = 0.5D0*T(TTILT+K) - (R - SUP(SC+K,J))
-   90 CONTINUE
-      F(11) = 0.6D0*T(TDTILT) + 8.0D0*EPS*SIZE
-      F(12) = SQRT(TSDOT(F(4), F(4)))
-      END
-
-C     TSSHAR - sharpens SIDE of the position Z, which HHLIMI did not
-C     find negative, and the limits of L, by the height of Z over the
-C     facet's support: the height gives the side for a plane, the power
-C     for a sphere.  A plane's g errs by E and some roundings.  The
-C     quotients are of numbers right to 4 EPS of themselves, as is what
-C     is left of a side of more than twice its error: PAD is more.
-      SUBROUTINE TSSHAR(X, P, ORD, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
-      DOUBLE PRECISION X(3,*), P(3,*), SUP(96,*), F(12), T(14), LO, HI
-      INTEGER ORD(*), MARK(*), IQ(42), Z, SIDE
-      INTEGER SSIZE, QON, TH, TDH, TTILT, TDTILT, TG
-      DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
-      PARAMETER (SSIZE = 94, QON = 6, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200, HUGE = (2.0D0 - EPS)*2.0D0**1023,
-     $    PAD = 64.0D0*EPS, SMALL = 2.0D0**(-450), TH = 8, TDH = 9,
-     $    TTILT = 9, TDTILT = 13, TG = 14)
-      DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, SIZE, U
-      INTEGER K, OK
-      CALL TSHEOV(X, P, ORD, MARK, SUP, IQ(QON), Z, H, ERR, OK)
-      IF (OK .EQ. 0) RETURN
-      ERR = ERR + (T(TDH) + 16.0D0*EPS*(ABS(H) + ABS(T(TH))) + FAINT)
-      H = H - T(TH)
-      G = 0.0D0
-      SIZE = 0.0D0
-      DO 10 K = 1, 3
-        U = X(K,Z) - F(6+K)
-        H = H - T(TTILT+K)*U
-        G = G + F(K)*U
-        SIZE = SIZE + ABS(U)
-        ERR = ERR + 16.0D0*EPS*ABS(T(TTILT+K)*U)
-   10 CONTINUE
-      ERR = ERR + T(TDTILT)*SIZE
-      IF (SUP(SSIZE,IQ(QON)) .LE. 0.0D0) THEN
-        IF (T(TG) .LT. 0.0D0) H = -H
-        IF (H + ERR .LT. 0.0D0) THEN
-          SIDE = -1
-          RETURN
-        END IF
-        U = F(10) + 32.0D0*EPS
-        LEAST = (H - ERR)/(ABS(T(TG)) + U)*(1.0D0 - PAD)
-        MOST = (H + ERR)/(ABS(T(TG)) - U)*(1.0D0 + PAD)
-        IF (LEAST .LT. SMALL) RETURN
-        LOW = -HUGE
-        HIGH = HUGE
-        CALL HHRATI(F, X(1,Z), LEAST, MOST, LOW, HIGH)
-        SIDE = 1
-      ELSE
-        LEAST = 2.0D0*(G - F(10)*SIZE)
-        MOST = 2.0D0*(G + F(10)*SIZE)
-        IF (SIDE .LE. 0 .OR. LEAST .LT. SMALL) RETURN
-        LOW = (H - ERR)/LEAST
-        IF (H .GT. ERR) LOW = (H - ERR)/MOST
-        HIGH = (H + ERR)/MOST
-        IF (H .GT. -ERR) HIGH = (H + ERR)/LEAST
-        LOW = LOW - PAD*ABS(LOW)
-        HIGH = HIGH + PAD*ABS(HIGH)
-      END IF
-      LO = MAX(LO, LOW)
-      HI = MIN(HI, HIGH)
-      END
-
-C     TSAIM - sets up TSEXCL's test for the best point so far, whose
-C     L-coordinate is at most k.  A better point has side > 0 and N - 2
-C     k side <= 0, where N is its power in the ball of L = 0, of centre
-C     c.  So there is none where
-C         a (height - h) + q |W|**2 - d.W > 0:
-C
-C                  by the ball                    without a ball
-C       plane      N - 2 k side, side = G / g     -side
-C         a        -2 k / g                       1 or -1, that g a < 0
-C         q        1                              0
-C         d        2 c + a tilt                   a tilt
-C       sphere     G - 2 k side                   -side - q G + q G
-C         a        1 - q                          -q
-C         d        a tilt + 2 q c + 2 k v         a tilt + 2 q c + v
-C
-C     Near a plane k may be greater, so |a| may be greater for k > 0,
-C     and smaller for k < 0.  Near a sphere G = height - h - tilt.W, of
-C     which a share q is taken as |W|**2 - 2 c.W; best is, but for a,
-C     the q for which the least of q |W|**2 - d.W is greatest.
-C     Any q is valid, so errors in q do not count.  dd has room for the
-C     errors of c, tilt and v, and for 16 roundings of each term.  err
-C     has room for those of h, of a height of at most -low, and of a,
-C     which is exact but for one rounding.
-      SUBROUTINE TSAIM(S, IQ, F, HI, T)
-      DOUBLE PRECISION S(96), F(12), HI, T(14)
-      INTEGER IQ(42)
-      INTEGER SSIZE, SLOW, QBALL, QAIMED, TQ, TDD, TA, TERR, TH, TDH,
-     $    TTILT, TDTILT, TG
-      DOUBLE PRECISION EPS, FAINT, MUCHL
-      PARAMETER (SSIZE = 94, SLOW = 95, QBALL = 3, QAIMED = 7, TQ = 4,
-     $    TDD = 5, TA = 6, TERR = 7, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200, MUCHL = 1.0D100, TH = 8, TDH = 9, TTILT = 9,
-     $    TDTILT = 13, TG = 14)
-      DOUBLE PRECISION A, B, DD, Q, SUM, U, V, W
-      INTEGER BALL, K
-      IQ(QAIMED) = 1
-      BALL = IQ(QBALL)
-      IF (ABS(HI) .GT. MUCHL) BALL = 0
-      B = 0.0D0
-      IF (S(SSIZE) .LE. 0.0D0) THEN
-        Q = DBLE(BALL)
-        A = -1.0D0
-        IF (T(TG) .LT. 0.0D0) A = 1.0D0
-        IF (BALL .EQ. 1) THEN
-          A = -2.0D0*HI/T(TG)
-          U = 4.0D0*(F(10) + 32.0D0*EPS)*A
-          IF (HI .LE. 0.0D0) U = -U
-          A = A + U
-        END IF
-      ELSE
-        A = DBLE(BALL)
-        B = 1.0D0
-        IF (BALL .EQ. 1) B = 2.0D0*HI
-        SUM = 0.0D0
-        DO 10 K = 1, 3
-          SUM = SUM - F(3+K)*(B*F(K) + A*T(TTILT+K))
-   10   CONTINUE
-        Q = 0.0D0
-        IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(12)*F(12))
-        IF (BALL .EQ. 1) Q = MIN(Q, 1.0D0)
-        A = A - Q
-      END IF
-      DD = ABS(A)*T(TDTILT) + 2.0D0*Q*F(11) + ABS(B)*F(10)
-      DO 20 K = 1, 3
-        U = A*T(TTILT+K)
-        V = 2.0D0*Q*F(3+K)
-        W = B*F(K)
-        T(K) = U + V + W
-        DD = DD + 16.0D0*EPS*(ABS(U) + ABS(V) + ABS(W))
-   20 CONTINUE
-      T(TQ) = Q
-      T(TDD) = DD
-      T(TA) = A
-      T(TERR) = ABS(A)*T(TDH) + 16.0D0*EPS*(ABS(A) +
-     $    Q)*(ABS(T(TH)) - S(SLOW)) + FAINT
-      END
-
-C     TSLOWE - LEAST is the least value of q |W|**2 - d.W, of the test
-C     T, in the box LO, HI; SIZE is the greatest |W|_1 in it.
-      SUBROUTINE TSLOWE(LO, HI, F, T, LEAST, SIZE)
-      DOUBLE PRECISION LO(*), HI(*), F(12), T(14), LEAST, SIZE
-      INTEGER TQ
-      PARAMETER (TQ = 4)
-      DOUBLE PRECISION D, H, HALF, L, Q, U
-      INTEGER K
-      LEAST = 0.0D0
-      SIZE = 0.0D0
-      Q = T(TQ)
-      HALF = 0.0D0
-      IF (Q .GT. 0.0D0) HALF = 0.5D0/Q
-      DO 10 K = 1, 3
-        L = LO(K) - F(6+K)
-        H = HI(K) - F(6+K)
-        D = T(K)
-        IF (Q .GT. 0.0D0) THEN
-          U = D*HALF
-        ELSE
-          U = L
-          IF (D .GT. 0.0D0) U = H
-        END IF
-        U = MIN(MAX(U, L), H)
-        LEAST = LEAST + U*(Q*U - D)
-        SIZE = SIZE + MAX(ABS(L), ABS(H))
-   10 CONTINUE
-      END
-
-C     TSEXCL - OUT is 1 if TSAIM's test proves that there is no
-C     candidate where q |W|**2 - d.W is at least SUM, |W|_1 is at most
-C     SIZE, and the height counts as H, to within DH; or 0.
-      SUBROUTINE TSEXCL(T, SUM, SIZE, H, DH, OUT)
-      DOUBLE PRECISION T(14), SUM, SIZE, H, DH
-      INTEGER OUT
-      INTEGER TQ, TDD, TA, TERR, TH
-      DOUBLE PRECISION EPS
-      PARAMETER (TQ = 4, TDD = 5, TA = 6, TERR = 7, EPS = 2.0D0**(-52),
-     $    TH = 8)
-      DOUBLE PRECISION A
-      A = T(TA)
-      OUT = 0
-      IF (SUM + A*(H - T(TH)) .GT. T(TERR) + ABS(A)*DH +
-     $    SIZE*(T(TDD) + 16.0D0*EPS*T(TQ)*SIZE)) OUT = 1
-      END
-
-C     TSPRHE - OUT is 1 if the heights of a node's points prove that it
-C     holds no candidate, or 0.  A leaf is also tested by its box.
-C     Where the heights tell nothing, the box alone counts.
-      SUBROUTINE TSPRHE(BOX, MARK, CTL, SUP, IQ, F, C, T, NODE, OUT)
-      DOUBLE PRECISION BOX(6,*), SUP(96,*), F(12), C(7), T(14)
-      INTEGER MARK(*), CTL(*), IQ(42), NODE, OUT
-      INTEGER LEAVES, SLOW, SGRAIN, QON, QAIMED, QHI, TA, GRAINS
-      PARAMETER (LEAVES = 4, SLOW = 95, SGRAIN = 96, QON = 6,
-     $    QAIMED = 7, QHI = 7, TA = 6, GRAINS = 134217728)
-      DOUBLE PRECISION H, SIZE, SUM
-      INTEGER TSPLAC, TSPRUN, CODE, TELLS
-      IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F, C(QHI),
-     $    T)
-      CODE = MARK(TSPLAC(CTL, IQ(QON))+7+NODE)
-      TELLS = 1
-      IF (T(TA) .LT. 0.0D0) THEN
-        IF (MOD(CODE, 2) .EQ. 1) TELLS = 0
-        H = -SUP(SLOW,IQ(QON))
-      ELSE
-        IF (CODE .LT. 2 .OR. CODE/2 .GT. GRAINS) TELLS = 0
-        H = SUP(SLOW,IQ(QON)) + SUP(SGRAIN,IQ(QON))*(DBLE(CODE/2) -
-     $      1.5D0)
-      END IF
-      OUT = 0
-      IF (TELLS .EQ. 1) THEN
-        CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, T, SUM, SIZE)
-        CALL TSEXCL(T, SUM, SIZE, H, 0.0D0, OUT)
-      END IF
-      IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)))
-     $    OUT = TSPRUN(IQ, F, C, BOX, NODE)
-      END
-
-C     ------------------------------------------------------------------
-C     Cylinders.
-C
-C     On a smooth surface a box sticks out of the surface by as much as
-C     it is wide, so a ball that touches the surface meets many boxes.
-C     Along a curve a box is as wide as it is long.  A cylinder that
-C     holds a node's points (a disc on a surface, a rod on a curve) is
-C     thinner, by the ratio of the node's width to the radius of
-C     curvature, and the ball meets only a few of them, however many
-C     there are.  Cylinders are made for the nodes of every second level
-C     from the leaves up.  The four grandchildren of a node lie side by
-C     side and are tested at once.
-C
-C     6,000 points of an ellipsoid take 1.4 times the instructions
-C     without, 6,000 of boreholes 1.6, 6,000 near a plane 6 times.  They
-C     cost 11 doubles a leaf, and clouds 1 % more instructions, for
-C     nothing.
-C     ------------------------------------------------------------------
-
-C     TSCYLI - the number of the cylinders of the four grandchildren of
-C     a node: CYL(.,.,TSCYLI) has their centres, unit axes, half
-C     lengths, radii; of each of these numbers four in a row.
-      INTEGER FUNCTION TSCYLI(CTL, NODE)
-      INTEGER CTL(*), NODE
-      INTEGER LEAVES
-      PARAMETER (LEAVES = 4)
-      INTEGER LEVEL
-      LEVEL = CTL(LEAVES)/4
-      TSCYLI = 1
-   10 IF (NODE .LT. LEVEL) THEN
-        TSCYLI = TSCYLI + LEVEL
-        LEVEL = LEVEL/4
-        GO TO 10
-      END IF
-      TSCYLI = TSCYLI + NODE - LEVEL
-      END
-
-C     TSMCYL - makes the cylinder of a node, CYL(J,.,AT).  The axis is
-C     the column of the greatest diagonal element in the matrix of
-C     second moments about the mean (a rod) or in its adjugate (a disc),
-C     whichever gives less volume.  About another point, a plane's would
-C     not tell its normal.  SLENDR is 1 if that volume is below SLIM of
-C     the box's, or 0.  In units of the sum of |X(K)|, the differences
-C     from the mean err by EPS, their products with the axis and what is
-C     left across it by less than 40 EPS, the centre by 10 EPS: together
-C     less than 64 EPS.
-      SUBROUTINE TSMCYL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
-      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
-      INTEGER CTL(*), NODE, AT, J, SLENDR
-      DOUBLE PRECISION EPS, FAINT, HUGE, SMALL, SLIM
-      PARAMETER (EPS = 2.0D0**(-52), FAINT = 1.0D-200,
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, SMALL = 2.0D0**(-450),
-     $    SLIM = 0.7D0)
-      DOUBLE PRECISION TSDOT, A(6), HI, LO, MID(3), PAD, Q(6), RR, S,
-     $    U(3), VOLUME, Y(3)
-      INTEGER DISC, FIRST, I, K, L, LAST, M
-      CALL TSSPAN(CTL, NODE, FIRST, LAST)
-      VOLUME = HUGE
-      PAD = 0.0D0
-      DO 10 K = 1, 3
-        A(K) = 0.0D0
-        A(3+K) = 0.0D0
-        MID(K) = 0.0D0
-        PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
-     $      + SMALL
-   10 CONTINUE
-      DO 30 I = FIRST, LAST
-        DO 20 K = 1, 3
-          MID(K) = MID(K) + X(K,I)/DBLE(LAST - FIRST + 1)
-   20   CONTINUE
-   30 CONTINUE
-      DO 60 I = FIRST, LAST
-        DO 40 K = 1, 3
-          Y(K) = X(K,I) - MID(K)
-   40   CONTINUE
-        DO 50 K = 1, 3
-          A(K) = A(K) + Y(K)*Y(K)
-          A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
-   50   CONTINUE
-   60 CONTINUE
-      DO 130 DISC = 0, 1
-        DO 70 K = 1, 3
-          M = MOD(K, 3) + 1
-          L = MOD(K + 1, 3) + 1
-          Q(K) = A(K)
-          Q(3+K) = A(3+K)
-          IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
-          IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
-   70   CONTINUE
-        K = 1
-        IF (Q(2) .GT. Q(1)) K = 2
-        IF (Q(3) .GT. Q(K)) K = 3
-        M = MOD(K, 3) + 1
-        L = MOD(K + 1, 3) + 1
-        U(K) = Q(K)
-        U(M) = Q(3+L)
-        U(L) = Q(3+M)
-        S = TSDOT(U, U)
-C       too small to have a direction: any
-        IF (S .LE. FAINT) THEN
-          U(1) = 1.0D0
-          U(2) = 0.0D0
-          U(3) = 0.0D0
-          S = 1.0D0
-        END IF
-        DO 80 K = 1, 3
-          U(K) = U(K)/SQRT(S)
-   80   CONTINUE
-        LO = HUGE
-        HI = -HUGE
-        RR = 0.0D0
-        DO 110 I = FIRST, LAST
-          DO 90 K = 1, 3
-            Y(K) = X(K,I) - MID(K)
-   90     CONTINUE
-          S = TSDOT(Y, U)
-          LO = MIN(LO, S)
-          HI = MAX(HI, S)
-          DO 100 K = 1, 3
-            Y(K) = Y(K) - S*U(K)
-  100     CONTINUE
-          RR = MAX(RR, TSDOT(Y, Y))
-  110   CONTINUE
-        IF ((HI - LO)*RR .GE. VOLUME) GO TO 130
-        VOLUME = (HI - LO)*RR
-        DO 120 K = 1, 3
-          CYL(J,K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
-          CYL(J,3+K,AT) = U(K)
-  120   CONTINUE
-        CYL(J,7,AT) = 0.5D0*(HI - LO) + PAD
-        CYL(J,8,AT) = SQRT(RR) + PAD
-  130 CONTINUE
-      SLENDR = 0
-      IF (3.2D0*VOLUME .LT. SLIM*(BOX(4,NODE) - BOX(1,NODE))*
-     $    (BOX(5,NODE) - BOX(2,NODE))*(BOX(6,NODE) - BOX(3,NODE)))
-     $    SLENDR = 1
-      END
-
-C     TSMCYS - makes all cylinders, or none if few leaves have slender
-C     ones.
-      SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
-      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,8,*)
-      INTEGER CTL(*)
-      INTEGER LEAVES, ENCLOS
-      PARAMETER (LEAVES = 4, ENCLOS = 16)
-      INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
-      SUM = 0
-      LEVEL = CTL(LEAVES)/4
-   10 IF (LEVEL .GT. 0) THEN
-        DO 30 NODE = LEVEL, 2*LEVEL - 1
-          DO 20 I = 1, 4
-            CALL TSMCYL(X, BOX, CTL, 4*NODE + I - 1, CYL,
-     $                  TSCYLI(CTL, NODE), I, SLENDR)
-            SUM = SUM + SLENDR
-   20     CONTINUE
-   30   CONTINUE
-        IF (64*SUM .LT. CTL(LEAVES)) RETURN
-        LEVEL = LEVEL/4
-        GO TO 10
-      END IF
-      CTL(ENCLOS) = 1
-      END
-
-C     TSPRCY - tests the cylinders of a node's four grandchildren:
-C     PAST(I) > 0 if cylinder I provably holds no candidate.
-C
-C     A point is W + S U + P from the base, where W is the cylinder's
-C     centre, U its axis, |S| <= H, and P is across U, |P| <= R.  With G
-C     = W - C, A = |G.U|, and RHO the length of G across U, its power in
-C     the ball about C is
-C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P),
-C     The brackets are at least T (T - 2 A), where T is the lesser of A
-C     and H, and Q**2 - 2 Q RHO, where Q is the lesser of RHO and R.  So
-C     there is no candidate if the sum without 2 Q RHO is positive and
-C     its square is above 4 Q**2 RHO**2.  Without a ball the same holds
-C     for minus the side v.W, with v / 2 for C, without any squares, T =
-C     H, Q = R: then SQUARE = 0, and FAR is more than any length.
-C
-C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
-C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
-C     power, and with that of G in RHO makes 4; the power by 8 (TSPOWE);
-C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
-C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
-C     |G|**2, with room for the last two products.  Where these
-C     underflow, R >= SMALL makes the sum's error greater.
-      SUBROUTINE TSPRCY(CYL, AT, IQ, F, C, PAST)
-      DOUBLE PRECISION CYL(4,8,*), F(12), C(7), PAST(4)
-      INTEGER AT, IQ(42)
-      INTEGER QBALL, QDC, QSIZE
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (QBALL = 3, QDC = 4, QSIZE = 5, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200)
-      DOUBLE PRECISION A, D(3), ERR, FAR, G1, G2, G3, GG, H, R, RHO, RR,
-     $    SIZE, SQUARE, SUM, T, W1, W2, W3
-      INTEGER I, K
-      SQUARE = DBLE(IQ(QBALL))
-      FAR = 1.0D10*(1.0D0 - SQUARE)
-      ERR = F(10) + 64.0D0*EPS
-      IF (IQ(QBALL) .EQ. 1) ERR = 2.0D0*C(QDC) + 128.0D0*EPS*C(QSIZE)
-      DO 10 K = 1, 3
-        D(K) = 0.5D0*F(K)
-        IF (IQ(QBALL) .EQ. 1) D(K) = C(K)
-   10 CONTINUE
-      DO 20 I = 1, 4
-        W1 = CYL(I,1,AT) - F(7)
-        W2 = CYL(I,2,AT) - F(8)
-        W3 = CYL(I,3,AT) - F(9)
-        H = CYL(I,7,AT)
-        R = CYL(I,8,AT)
-        SIZE = ABS(W1) + ABS(W2) + ABS(W3) + 2.0D0*(H + R)
-        G1 = SQUARE*W1 - D(1)
-        G2 = SQUARE*W2 - D(2)
-        G3 = SQUARE*W3 - D(3)
-        A = ABS(G1*CYL(I,4,AT) + G2*CYL(I,5,AT) + G3*CYL(I,6,AT))
-        T = MIN(A + FAR, H)
-        GG = G1*G1 + G2*G2 + G3*G3
-        RHO = GG - A*A + 64.0D0*EPS*GG
-        RR = MIN(RHO + FAR, R*R)
-        SUM = W1*(G1 - D(1)) + W2*(G2 - D(2)) + W3*(G3 - D(3)) +
-     $      T*(SQUARE*T - 2.0D0*A) + SQUARE*RR -
-     $      SIZE*(ERR + SQUARE*64.0D0*EPS*SIZE) - FAINT
-        PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
-   20 CONTINUE
-      END
-
-C     ------------------------------------------------------------------
-C     Ties.
-C
-C     Let S be the points on the sphere of an empty ball, such as that
-C     of any tetrahedron of the mesh.  The tie rule lowers heights, that
-C     of first, the point of S of least number, by far the most.  So
-C       - among points of S the mesh consists of the facets of S's hull
-C         without first, each joined to first;
-C       - a tetrahedron with its vertices in S has first for one of
-C         them: first is the least vertex of any such tetrahedron that
-C         is known;
-C       - a facet of three points of S without first, which is in S's
-C         hull, has no point of S on its open side unless first is on
-C         it: the apex is first, or none of S;
-C       - a facet (first, a, b) with points of S on its open side has
-C         one of them as its apex, as the ball is empty.  Of two, c and
-C         z, z is better if it is beyond the plane (a, b, c) seen from
-C         first, and worse if it is on first's side; in that plane the
-C         lesser e_i decides.
-C     A point of S whose star is complete is in no open facet and is no
-C     apex.  If first's star is complete, all tetrahedra of S are known;
-C     so for a new tetrahedron's S it is not.
-C
-C     A cell has all uncompleted points of S, the least number first, of
-C     a ball inside the star's list.  Only these are tested for a facet
-C     of the star.
-C
-C     Lattices take 1.4 times the instructions without.  What has no
-C     ties never makes a cell.
-C     ------------------------------------------------------------------
-
-C     TSNEWC - makes a cell of the points exactly on the best point's
-C     ball, if all are in the star's list and none is inside.  OK is 1,
-C     or 0 if not, or if there are no ties.  The centre of TSNARR's ball
-C     is off by up to QHI - QLO, too, which matters on the negative
-C     side.
-      SUBROUTINE TSNEWC(X, P, ORD, BOX, NCELL, CELL, RCTL, LSX, LSID,
-     $                  LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2),
-     $    F(12), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), NCELL, CELL(0:12,*), LSID(TSLIST+48,2), LSI(3,2),
-     $    V(3), IQ(42), OK
-      INTEGER T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI, QDC, CELLS,
-     $    MCELL
-      DOUBLE PRECISION MUCHL
-      PARAMETER (T3 = 1, T5 = 2, LMARG = 13, STR = 2, QBEST = 1,
-     $    QLIMBS = 2, QLO = 6, QHI = 7, QDC = 4, MUCHL = 1.0D100,
-     $    CELLS = 4, MCELL = 12)
-      DOUBLE PRECISION WIDE
-      INTEGER HHPBAL, TSBINS, C(MCELL), I, K, M, N, PLACE(TSLIST+1),
-     $    SIDE, Z
-      OK = 0
-      IF (ABS(FQ(QHI)) .GT. MUCHL) RETURN
-      WIDE = 0.0D0
-      IF (IQ(QLIMBS) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
-      IF (WIDE .GT. LSD(LMARG,STR)) RETURN
-      FQ(QDC) = FQ(QDC) + WIDE
-      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 0) RETURN
-      CALL TSLIBA(LSX, LSI, LSD, STR, F, FQ, PLACE, N)
-      IF (N .LE. 0 .OR. N .GT. MCELL) RETURN
-      M = 0
-      DO 30 I = 1, N
-        Z = LSID(PLACE(I),STR)
-        SIDE = 0
-        IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
-     $      Z .NE. IQ(QBEST)) SIDE = HHPBAL(X, P, ORD, RCTL(T3),
-     $      RCTL(T5), V, IQ(QBEST), Z, 0)
-        IF (SIDE .LT. 0) RETURN
-        IF (SIDE .EQ. 0) THEN
-          M = M + 1
-          C(M) = Z
-          IF (ORD(Z) .LT. ORD(C(1))) THEN
-            C(M) = C(1)
-            C(1) = Z
-          END IF
-        END IF
-   30 CONTINUE
-      IF (M .EQ. 4) RETURN
-      K = MOD(NCELL, CELLS) + 1
-      NCELL = NCELL + 1
-      CELL(0,K) = M
-      DO 40 I = 1, M
-        CELL(I,K) = C(I)
-   40 CONTINUE
-      OK = 1
-      END
-
-C     TSINCE - Z is the apex of the facet V if it is in a cell, or 0:
-C     see "Ties".
-      SUBROUTINE TSINCE(X, P, ORD, NCELL, CELL, RCTL, V, Z)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), NCELL, CELL(0:12,*), V(3), Z
-      INTEGER T3, T5, CELLS
-      PARAMETER (T3 = 1, T5 = 2, CELLS = 4)
-      INTEGER HHPBAL, HHPSID, I, IN, J, K
-      Z = 0
-      DO 40 K = 1, MIN(NCELL, CELLS)
-        IN = 0
-        DO 10 I = 1, CELL(0,K)
-          J = CELL(I,K)
-          IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
-   10   CONTINUE
-        IF (IN .EQ. 2) THEN
-          DO 20 I = 1, CELL(0,K)
-            J = CELL(I,K)
-            IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
-              IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), J) .GT.
-     $            0) THEN
-                IN = -1
-                IF (Z .NE. 0) IN = HHPBAL(X, P, ORD, RCTL(T3),
-     $              RCTL(T5), V, Z, J, 3)
-                IF (IN .LT. 0) Z = J
-              END IF
-              IF (I .EQ. 1) GO TO 30
-            END IF
-   20     CONTINUE
-   30     IF (Z .NE. 0) RETURN
-        END IF
-   40 CONTINUE
-      END
-
 C     ==================================================================
 C     What follows needs no mesh under construction, only results.
 C     ==================================================================
@@ -5319,7 +5339,7 @@ C     is on the hull.  ORD takes the place of LINK: no star is complete,
 C     no entry is DONE.
       SUBROUTINE TSACRO(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
      $                  LSX, LSID, LSI, LSD, U, K, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(96,*),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(14,2)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(3,2),
@@ -5399,7 +5419,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       INTEGER TSLIST, NP, NSUPP, T3, HFROM, HMOST, NONE, SUPPS, RANGE
       PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T3 = 1, HFROM = 7,
      $    HMOST = 10, NONE = 0, SUPPS = 8, RANGE = 6)
-      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(96,SUPPS), XF(3)
+      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(60,SUPPS), XF(3)
       REAL LSX(TSLIST,4,2)
       INTEGER HHFINI, HHHOLD, HHPSID, TSSLOT, AT, CTL(84), FROM,
      $    F(3), G(4,1), H(10), I, K, LSI(3,2), LSID(TSLIST+48,2), OK, S,
@@ -5907,7 +5927,7 @@ C     it: less than 32 eps LENGTH.
       PARAMETER (RANGE = 6, EPS = 2.0D0**(-52),
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023, PAD = 64.0D0*EPS,
      $    NORMAL = 2.0D0**(-1022), EMAX = 1024)
-      DOUBLE PRECISION HHLDEX, LENGTH, MOST, R, T(87), X(3)
+      DOUBLE PRECISION HHLDEX, LENGTH, MOST, R, T(86), X(3)
       INTEGER HHFINI, HHFREX, HHHOLD, E, F(3), I, K, OK
       C(4) = HUGE
       MOST = 0.0D0
