@@ -210,6 +210,8 @@ C               some exactly on its last ball
 C       UNMET   no vertex before it is NEW and asked for
 C       FUTILE  the leaf's latest searches in a row that ended in the
 C               tree
+C       TIES    searches in a row that met ties in a block's list, and
+C               none that ended in a star's
 C       ENCLOS  1: there are cylinders, behind BOX(6,2*CTL(LEAVES))
 C       NCELL   cells of this star: CELLS at most, the last ones, are
 C               kept, from CELL1 on: CELL(0:MCELL,CELLS), each how many
@@ -293,6 +295,10 @@ C               longer and surveys 3 % less
 C       MAXFUT  a block whose last MAXFUT searches all ended in the tree
 C               makes no more stars' lists: near surfaces they would
 C               cost 3 to 9 %
+C       WIDER   once MAXFUT in a row have met ties in the block's list,
+C               lists are WIDER, so that the stars' lists hold the balls
+C               of a lattice with 27 points a leaf: 24**3 points take
+C               0.4 times as long
 C       SAMPLE  a node is cut across the widest extent of about so many
 C               of its points; with all of them a million points take 3
 C               % longer
@@ -1141,12 +1147,13 @@ C     until they fit.
       REAL LSX(*)
       INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2),
      $    LIST, S
-      INTEGER LEAVES, FUTILE, RREACH, LFIRST, LLAST, LN, LLO, LHI, LMID,
-     $    LMOST, LMARG, LUNIT
-      DOUBLE PRECISION NARROW
-      PARAMETER (LEAVES = 4, FUTILE = 18, RREACH = 3, LFIRST = 1,
-     $    LLAST = 2, LN = 3, LLO = 0, LHI = 3, LMID = 6, LMOST = 9,
-     $    LMARG = 13, LUNIT = 14, NARROW = 1.0D5*2.0D0**(-450))
+      INTEGER LEAVES, TIES, FUTILE, RREACH, LFIRST, LLAST, LN, LLO, LHI,
+     $    LMID, LMOST, LMARG, LUNIT, MAXFUT
+      DOUBLE PRECISION NARROW, WIDER
+      PARAMETER (LEAVES = 4, TIES = 13, FUTILE = 18, RREACH = 3,
+     $    LFIRST = 1, LLAST = 2, LN = 3, LLO = 0, LHI = 3, LMID = 6,
+     $    LMOST = 9, LMARG = 13, LUNIT = 14, MAXFUT = 8,
+     $    NARROW = 1.0D5*2.0D0**(-450), WIDER = 1.2D0)
       DOUBLE PRECISION HALF, MARGIN, SUM
       INTEGER TSLEAF, TSLFST, FIT, I, K, LEAFS, NODE
       LEAFS = TSLEAF(CTL, S)
@@ -1156,6 +1163,7 @@ C     until they fit.
         SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
    10 CONTINUE
       MARGIN = RCTL(RREACH)*SQRT(SUM)
+      IF (CTL(TIES) .GT. MAXFUT) MARGIN = WIDER*MARGIN
       LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
       LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
       CTL(FUTILE) = 0
@@ -1672,8 +1680,9 @@ C     TSTHRO - sets up the support S, a plane or a sphere through the
 C     positions at the beginning of RECORD, for a search's sample, whose
 C     extent is WIDE.  It takes heights of 8 to 16 times those of three
 C     quarters of the sample, or of one quarter if that is FINER times
-C     nearer: the points on one of several near sheets.  OK is 1, or 0
-C     if that is more than BAND.
+C     nearer, but not 0: the points on one of several near sheets.  (Two
+C     exact planes need no finer heights than tell them apart.)  OK is
+C     1, or 0 if that is more than BAND.
       SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, WIDE, PLANE, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(60)
       INTEGER ORD(*), RECORD(7), CTL(*), IQ(42), PLANE, OK
@@ -1703,7 +1712,7 @@ C     if that is more than BAND.
    10   CONTINUE
    20 CONTINUE
       D = H(3*N/4+1)
-      IF (H(N/4+1) .LT. D/FINER) D = H(N/4+1)
+      IF (H(N/4+1) .GT. 0.0D0 .AND. H(N/4+1) .LT. D/FINER) D = H(N/4+1)
       RECORD(7) = EXPON + HHFREX(D*(16.0D0/DBLE(GRAINS)) + FAINT)
       CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
       D = BAND*WIDE
@@ -1917,12 +1926,12 @@ C     than 8 EPS SIZE.
       SUBROUTINE TSSUPP(X, MARK, CTL, SUP, V, IQ, F, T)
       DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14)
       INTEGER MARK(*), CTL(*), V(3), IQ(42)
-      INTEGER NSUPP, SAT, SC, QBASE, QON, QAIMED, SUPPS, TH, TDH, TTILT,
-     $    TDTILT, TG
+      INTEGER NSUPP, SAT, SC, SLOW, QBASE, QON, QAIMED, SUPPS, TH,
+     $    TDH, TTILT, TDTILT, TG
       DOUBLE PRECISION EPS, FAINT
-      PARAMETER (NSUPP = 20, SAT = 52, SC = 55, QBASE = 4, QON = 6,
-     $    QAIMED = 7, EPS = 2.0D0**(-52), FAINT = 1.0D-200, SUPPS = 8,
-     $    TH = 8, TDH = 9, TTILT = 9, TDTILT = 13, TG = 14)
+      PARAMETER (NSUPP = 20, SAT = 52, SC = 55, SLOW = 59, QBASE = 4,
+     $    QON = 6, QAIMED = 7, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+     $    SUPPS = 8, TH = 8, TDH = 9, TTILT = 9, TDTILT = 13, TG = 14)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
      $    OWN(52), R, SIZE, T1, T2
       INTEGER TSCURV, TSPLAC, AGAIN, AT, B, I, J, K, OK, PLANE, Z
@@ -1974,7 +1983,7 @@ C     than 8 EPS SIZE.
         R = ABS(R) + (ERR(I+1) + 16.0D0*EPS*SIZE*SQRT(N(I)))
         T(TDTILT) = T(TDTILT) + R*SQRT(1.02D0*N(3-I)/DET)
    90 CONTINUE
-      IF (AGAIN .EQ. 0 .AND. T(TDTILT) .GE. SIZE) THEN
+      IF (AGAIN .EQ. 0 .AND. T(TDTILT) .GE. SIZE - SUP(SLOW,J)) THEN
         AGAIN = 1
         AT = MARK(TSPLAC(CTL, J)+1)
         CALL HHABOU(X, B, AT, PLANE, SUP(SC+1,J), OWN, OK)
@@ -3070,11 +3079,12 @@ C     GUESS holds two positions to try first, or 0.
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(3,2), V(3), GUESS(2), Z
-      INTEGER NP, NPLANE, PLANE1, NCELL, CELL1, FUTILE, RBURDN,
-     $    RPATIE, QBEST, QON, QOPEND, PLANES, OPENED
-      PARAMETER (NP = 1, NPLANE = 12, PLANE1 = 21,
+      INTEGER NP, NPLANE, PLANE1, TIES, NCELL, CELL1, FUTILE, RBURDN,
+     $    RPATIE, QBEST, QON, QTIED, QOPEND, PLANES, MAXFUT, OPENED
+      PARAMETER (NP = 1, NPLANE = 12, PLANE1 = 21, TIES = 13,
      $    NCELL = 17, CELL1 = 33, FUTILE = 18, RBURDN = 4, RPATIE = 5,
-     $    QBEST = 1, QON = 6, QOPEND = 10, PLANES = 4, OPENED = 24)
+     $    QBEST = 1, QON = 6, QTIED = 8, QOPEND = 10, PLANES = 4,
+     $    MAXFUT = 8, OPENED = 24)
       DOUBLE PRECISION F(12), FQ(159), H
       INTEGER TSCURV, TSONHU, AT, G, IQ(42), K, LISTS, OK
       IF (CTL(NCELL) .GT. 0) THEN
@@ -3100,8 +3110,11 @@ C     a ball that is a support's sphere up to rounding is in no list
         CALL TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
      $              LSI, LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
-        IF (OK .EQ. 1) CTL(FUTILE) = 0
-        IF (OK .EQ. 1) RETURN
+        IF (OK .EQ. 1) THEN
+          CTL(FUTILE) = 0
+          IF (CTL(TIES) .LE. MAXFUT) CTL(TIES) = 0
+          RETURN
+        END IF
 C       before the block's list, which saves lattices a tenth of the
 C       time
         IF (Z .EQ. 0) THEN
@@ -3111,8 +3124,11 @@ C       time
         CALL TSINBL(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
      $              LSI, LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
-        IF (OK .EQ. 1) CTL(FUTILE) = 0
-        IF (OK .EQ. 1) RETURN
+        IF (OK .EQ. 1) THEN
+          CTL(FUTILE) = 0
+          IF (IQ(QTIED) .GT. 0) CTL(TIES) = CTL(TIES) + 1
+          RETURN
+        END IF
       END IF
       CTL(FUTILE) = CTL(FUTILE) + 1
       CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP, V,
@@ -3884,13 +3900,14 @@ C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI)
       INTEGER CTL(*), LSI(3,2)
       DOUBLE PRECISION RCTL(*)
-      INTEGER NP, NPLANE, TIED, ENCLOS, NCELL, FUTILE, NSUPP,
+      INTEGER NP, NPLANE, TIES, TIED, ENCLOS, NCELL, FUTILE, NSUPP,
      $    RBURDN, RPATIE, LFIRST, LLAST, LN, BLK, STR
-      PARAMETER (NP = 1, NPLANE = 12, TIED = 14, ENCLOS = 16,
+      PARAMETER (NP = 1, NPLANE = 12, TIES = 13, TIED = 14, ENCLOS = 16,
      $    NCELL = 17, FUTILE = 18, NSUPP = 20, RBURDN = 4,
      $    RPATIE = 5, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2)
       CTL(NP) = 0
       CTL(NPLANE) = 0
+      CTL(TIES) = 0
       CTL(TIED) = 0
       CTL(ENCLOS) = 0
       CTL(NCELL) = 0
@@ -3934,7 +3951,6 @@ C     TSRESC - multiply all coordinates by 2**E, a normal double.
       PARAMETER (NP = 1)
       DOUBLE PRECISION HHLDEX, FACTOR
       INTEGER I, K
-      IF (E .EQ. 0) RETURN
       FACTOR = HHLDEX(1.0D0, E)
       DO 20 I = 1, CTL(NP)
         DO 10 K = 1, 3

@@ -4,11 +4,12 @@
  *     t_pred [percent [seed]]   percent of the usual number of cases
  *
  * Covered: the signs of hh_orient, hh_insphere, hh_flat, hh_wider, hh_pside
- * and hh_pball; hh_foot's face and weights, and hh_weigh's; hh_facet's codes,
- * normal and centre; the bounds that hhpred.h promises for hh_side, hh_lcoord and
- * hh_limits, and the ones derived below for hh_wrap; the certificates made of
- * these bounds (a side, an order of two L-coordinates) must never be wrong, and
- * must decide nearly all random points.  A failure prints the points in full.
+ * and hh_pball; hh_foot's face and weights, and hh_weigh's; the heights of
+ * hh_height; hh_facet's codes, normal and centre; the bounds that hhpred.h
+ * promises for hh_side, hh_lcoord and hh_limits, and the ones derived below
+ * for hh_wrap; the certificates made of these bounds (a side, an order of two
+ * L-coordinates) must never be wrong, and must decide nearly all random
+ * points.  A failure prints the points in full.
  *
  * Compiled with few limbs (-DHH_LIMBS=3, hhpred.c likewise), the signs may be
  * 2 where the limbs do not suffice, and must be where they cannot.
@@ -546,15 +547,48 @@ static void test_indexed(int group, long n)
     test_result(name, faults);
 }
 
+/* 1 if h is within err of the height of point z: over the plane across c through
+ * point b, or its power in the sphere about c, seen from point a, through b. */
+static int height_right(const double *x, int b, int a, int z, int plane,
+                        const double *c, double h, double err)
+{
+    static ex_num p[3], q[3], t, r, s;
+    int low = EX_NO_LOW, k, units;
+
+    for (k = 0; k < 15; k++) low = ex_low(x[k], low);
+    for (k = 0; k < 3; k++) low = ex_low(c[k], low);
+    for (k = 0; k < 3; k++) {
+        ex_real(p + k, x[3 * z + k], low);
+        ex_real(&t, x[3 * b + k], low);
+        ex_sub(p + k, p + k, &t);
+        ex_real(q + k, c[k], low);
+        if (plane) continue;
+        ex_real(&r, x[3 * a + k], low);
+        ex_sub(&r, &t, &r);
+        ex_sub(&r, &r, q + k);
+        ex_add(&r, &r, &r);
+        ex_add(q + k, p + k, &r);
+    }
+    ex_dot(&r, p, q);
+    units = ex_low(h, ex_low(err, 2 * low));
+    ex_shift(&r, 2 * low - units);
+    ex_real(&s, h, units);
+    ex_sub(&r, &r, &s);
+    r.sign = r.sign < 0 ? 1 : r.sign;
+    ex_real(&t, err, units);
+    return ex_cmp(&r, &t) <= 0;
+}
+
 /* hh_centre, hh_trial and hh_lifts as tess calls them, on the ball of the first
  * four points and the last one: the trial's signs are the exact ones, or UNSURE,
  * and no power by the centre is beyond its error on the wrong side, that of a
  * point on the ball never.  hh_lifts gets a sphere near that ball, or not so
- * near. */
+ * near; hh_height that ball with its centre rounded, and a plane, and all its
+ * heights are within their errors. */
 static void test_balls(int group, long n)
 {
     static tess_real caller[15];
-    long faults = 0, made = 0, tried = 0, lifted = 0, i;
+    long faults = 0, made = 0, tried = 0, lifted = 0, held = 0, i;
     double p[5][3], x[15], c[3], at[3], most, size, sum, power, err, w;
     double f[HH_FACET_LEN];
     tess_int order[5], v[3], a, b;
@@ -617,6 +651,23 @@ static void test_balls(int group, long n)
                 show(5);
             }
         }
+        for (j = 0; j < 2; j++) {
+            a = (tess_int)rnd_below(5);
+            if (!hh_about(&set, a, v[base], j, j == 0 ? c : f, &about))
+                continue;
+            for (z = 0; z < 5; z++) {
+                power = hh_height(&set, &about, (tess_int)z, &err);
+                held += err < 1e-3;
+                if (height_right(x, (int)a, (int)v[base], z, j,
+                                 j == 0 ? c : f, power, err))
+                    continue;
+                if (faults++ < 3) {
+                    printf("point %d: height %g, error %g, plane %d:\n", z,
+                           power, err, j);
+                    show(5);
+                }
+            }
+        }
         for (z = 0; z < 5; z++) {
             o = ex_orient(P[v[0]], P[v[1]], P[v[2]], P[z]);
             s = ex_insphere(P[0], P[1], P[2], P[3], P[z]);
@@ -650,8 +701,9 @@ static void test_balls(int group, long n)
                 }
         }
     }
-    printf("        balls %ld, trials decided %ld, by a sphere %ld\n", made,
-           tried, lifted);
+    printf("        balls %ld, trials decided %ld, by a sphere %ld, "
+           "heights %ld\n", made, tried, lifted, held);
+    if (group == SPHERE) faults += held < 9 * made;
 #ifndef TESS_FLOAT /* the filter decides these in double */
     if (group == SPHERE) faults += lifted < made / 4;
 #endif
