@@ -87,9 +87,9 @@
  *   lists        disjoint setpoints boxquery leaflist compress starlist
  *   the ball     dot powererr prunebox ballinbox ballinstar ballcoef listball
  * then what makes searches faster, each where some data need it:
- *   supports     rough marked heightover onsupport curved remember place erect
- *                through fit discover recall supportof sharpen aim lowest
- *                excluded pruneheights
+ *   supports     rough marked heightover onsupport remember place erect through
+ *                fit discover recall supportof sharpen aim lowest excluded
+ *                pruneheights
  *   cylinders    cylinders makecylinder makecylinders prunecylinders
  *   ties         newcell incell
  * then the search, and what it is for:
@@ -191,6 +191,7 @@
 #define SEEK(m) (TESS_LIST >= 128 && (m)->patience > 0.0)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
 #define LEANING(f) (TESS_LIST >= 128 && (f)->on != NONE)
+#define CURVED(m, f) (LEANING(f) && !(m)->supports[(f)->on].plane)
 /* No cylinders are used if fewer than one leaf of 64 has one below SLENDER of
  * its box. */
 #define SLENDER 0.7
@@ -1248,10 +1249,11 @@ static double rough(const mesh *m, const support *s, tess_int z, double *err)
 static int marked(const mesh *m, int j, tess_int z, double *h)
 {
     const support *s = m->supports + j;
-    tess_int mark = m->mark[z] - 1, k = mark / SUPPORTS;
+    tess_int k = (tess_int)(m->mark[z] - 1 - j);
 
-    *h = s->low + s->grain * ((double)k + 0.5);
-    return mark >= 0 && mark % SUPPORTS == j;
+    if (k < 0 || k % SUPPORTS != 0) return 0;
+    *h = s->low + s->grain * ((double)(k / SUPPORTS) + 0.5);
+    return 1;
 }
 
 /* heightover - returns 1 if the position z is near support j; *h is then its
@@ -1279,12 +1281,6 @@ static int onsupport(const mesh *m, const quest *f, int j, double *h,
         if (!heightover(m, j, f->v[(f->base + k) % 3], h + k, err + k))
             return 0;
     return 1;
-}
-
-/* curved - returns 1 if the facet's support is a sphere. */
-static int curved(const mesh *m, const quest *f)
-{
-    return LEANING(f) && !m->supports[f->on].plane;
 }
 
 /* remember - adds z to the sample: points that were left open or, until there
@@ -1411,15 +1407,13 @@ static int fit(mesh *m, const quest *f, support *s)
 /* discover - seeks a support for the points that a search left open.  It marks
  * the points near the support that have no mark, or one of a support FINER
  * times coarser, and finds the least height in each node.  The support is kept
- * if it marks enough points, or if the facet, on no other support, is near it
- * and so are many points: facets between near sheets lean on a plane that holds
- * them all.  Returns 1 if it is kept. */
+ * if it marks enough points.  Returns 1 if it is kept. */
 static int discover(mesh *m, quest *f)
 {
     support *s = place(m, m->nsupport);
-    tess_int node, i, last, mark, old, least, members = 0, all = 0;
-    double h, err, c, hs[3], errs[3];
-    int above, across, held = 0;
+    tess_int node, i, last, mark, old, least, members = 0;
+    double h, err, c;
+    int above, held = 0;
 
     if (m->nsupport == 0)
         for (i = 0; i < m->np; i++) m->mark[i] = 0;
@@ -1435,11 +1429,9 @@ static int discover(mesh *m, quest *f)
                     m->supports[old % SUPPORTS].grain <= FINER * s->grain;
         }
     if (f->opened > OPENED && !fit(m, f, s)) return 0;
-    across = f->on == NONE && onsupport(m, f, m->nsupport, hs, errs);
     /* all marks would stay; heights of all points, for nothing, would be most
      * of a globe's index */
-    if (f->opened > OPENED && held == f->opened && !(across && held >= 64))
-        return 0;
+    if (f->opened > OPENED && held == f->opened) return 0;
     for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
         if (node < m->leaves) {
             i = s->least[2 * node];
@@ -1453,15 +1445,13 @@ static int discover(mesh *m, quest *f)
         span(m, node, &i, &last);
         for (; i < last; i++) {
             h = rough(m, s, i, &err);
-            if (fabs(h) <= err - s->low)
-                h = hh_height(&m->set, &s->t, i, &err);
+            if (fabs(h) <= err - s->low) h = hh_height(&m->set, &s->t, i, &err);
             c = (h - err - s->low) / s->grain;
             mark = c < 0.0 ? -1 : c < GRAINS ? (tess_int)c : GRAINS;
             if (mark < least) least = mark;
             if (h + err > -s->low) above = 1;
             old = m->mark[i] - 1;
             if (mark < 0 || mark >= GRAINS) continue;
-            all++;
             if (old < 0 ||
                 m->supports[old % SUPPORTS].grain > FINER * s->grain) {
                 m->mark[i] = (tess_int)(1 + m->nsupport + SUPPORTS * mark);
@@ -1470,7 +1460,7 @@ static int discover(mesh *m, quest *f)
         }
         s->least[node] = CODED(least, above);
     }
-    if (members < 2 * cuberoot(m->np) && (!across || all < m->np / 16)) {
+    if (members < 2 * cuberoot(m->np)) {
         for (i = 0; i < m->np; i++)
             if (m->mark[i] > 0 && (m->mark[i] - 1) % SUPPORTS == m->nsupport)
                 m->mark[i] = 0;
@@ -2021,7 +2011,7 @@ static void narrow(quest *f, double l)
 static void refine(const mesh *m, quest *f)
 {
     double c[3], l = 0.0, u, size = 0.0, err;
-    int k, sphere = curved(m, f);
+    int k, sphere = CURVED(m, f);
 
     COUNT(N_BALL, 1);
     if (f->f[9] == DBL_MAX ||
@@ -2117,30 +2107,19 @@ static void challenge(mesh *m, quest *f, tess_int z)
 }
 
 /* consider - compares z with the best point, unless it is a vertex or provably
- * outside the ball, by its height over the facet's support where that is
- * known. */
+ * outside the ball. */
 static void consider(mesh *m, quest *f, tess_int z)
 {
     const double *q = m->x + 3 * z;
-    double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8], h;
+    double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8];
     double size = fabs(w0) + fabs(w1) + fabs(w2);
-    int out;
 
     COUNT(N_POINT, 1);
     if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
-    if (LEANING(f) && marked(m, f->on, z, &h)) {
-        if (!f->aimed) aim(m, f);
-        out = excluded(f, w0 * (f->q * w0 - f->d[0]) +
-                            w1 * (f->q * w1 - f->d[1]) +
-                            w2 * (f->q * w2 - f->d[2]),
-                     size, h, m->supports[f->on].grain);
-    } else
-        out = f->ball && HH_POWER(w0, w1, w2, f->c) > powererr(f, size);
-    if (!out)
-        challenge(m, f, z);
-    else {
+    if (f->ball && HH_POWER(w0, w1, w2, f->c) > powererr(f, size)) {
         HOLDS(!better(m, f, z));
-    }
+    } else
+        challenge(m, f, z);
 }
 
 /* instar - seeks the apex in the star's list.  The ball of a better point has
@@ -2187,13 +2166,13 @@ static int inblock(mesh *m, quest *f)
  * the ball.  Without a ball it considers those not on the negative side: the
  * ball of L = MUCHL / 2 stands for that side, with room for |w|^2.  The powers
  * come first, as vectors, then the least of each group, as most groups have no
- * point to consider.  Stars are completed in the order of positions, by and
- * large, so the points before the first uncompleted one are most of the
- * completed ones. */
+ * point to consider, then heights over the facet's support.  Stars are
+ * completed in the order of positions, by and large, so the points before the
+ * first uncompleted one are most of the completed ones. */
 static void scanleaf(mesh *m, quest *f, tess_int leaf)
 {
     const double *b = m->box + 6 * leaf, *x;
-    double d[3], power[LEAF], size = 0.0, most, least, w0, w1, w2;
+    double d[3], power[LEAF], size = 0.0, most, least, w0, w1, w2, h;
     double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8], d0, d1, d2;
     tess_int first, last;
     int n, i, k;
@@ -2224,6 +2203,21 @@ static void scanleaf(mesh *m, quest *f, tess_int leaf)
             /* cppcheck-suppress uninitvar ; all n are set */
             least = least < power[k] ? least : power[k];
         if (least > most) continue;
+        if (LEANING(f) && !f->aimed) aim(m, f);
+        for (k = i; k < i + GROUP && LEANING(f); k++) {
+            if (power[k] > most || !marked(m, f->on, (tess_int)(first + k), &h))
+                continue;
+            w0 = x[3 * k] - b0;
+            w1 = x[3 * k + 1] - b1;
+            w2 = x[3 * k + 2] - b2;
+            size = fabs(w0) + fabs(w1) + fabs(w2);
+            w0 = w0 * (f->q * w0 - f->d[0]) + w1 * (f->q * w1 - f->d[1]) +
+                 w2 * (f->q * w2 - f->d[2]);
+            if (excluded(f, w0, size, h, m->supports[f->on].grain))
+                power[k] = DBL_MAX;
+            HOLDS(power[k] < DBL_MAX || m->link[first + k] == DONE ||
+                  !better(m, f, (tess_int)(first + k)));
+        }
         for (k = i; k < i + GROUP; k++)
             if (power[k] <= most && m->link[first + k] != DONE)
                 consider(m, f, (tess_int)(first + k));
@@ -2367,7 +2361,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
             guess[k] != f.best)
             challenge(m, &f, guess[k]);
     /* a ball that is a support's sphere up to rounding is in no list */
-    lists = !curved(m, &f) ||
+    lists = !CURVED(m, &f) ||
             (f.best != NONE && !marked(m, f.on, f.best, &h));
     if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);

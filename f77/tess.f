@@ -129,11 +129,10 @@ C         ballinbox TSBINB, ballinstar TSBINS, ballcoef TSBALC,
 C         listball TSLIBA
 C     then what makes searches faster, each where some data need it:
 C       supports: rough TSROUG, marked TSMRKD, heightover TSHEOV,
-C         onsupport TSONSU, curved TSCURV, remember TSREME,
-C         place TSPLAC, erect TSEREC, through TSTHRO, fit TSFIT,
-C         discover TSDISC, recall TSRECA, supportof TSSUPP,
-C         sharpen TSSHAR, aim TSAIM, lowest TSLOWE, excluded TSEXCL,
-C         pruneheights TSPRHE
+C         onsupport TSONSU, remember TSREME, place TSPLAC,
+C         erect TSEREC, through TSTHRO, fit TSFIT, discover TSDISC,
+C         recall TSRECA, supportof TSSUPP, sharpen TSSHAR, aim TSAIM,
+C         lowest TSLOWE, excluded TSEXCL, pruneheights TSPRHE
 C       cylinders: cylinders TSCYLI, makecylinder TSMCYL,
 C         makecylinders TSMCYS, prunecylinders TSPRCY
 C       ties: newcell TSNEWC, incell TSINCE
@@ -168,9 +167,10 @@ C         chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF, chktet TSCHKT,
 C         chkhul TSCHKH, chkcov TSCHKC, tess_check TESSCH
 C       a ball: tess_ball TESSBA
 C     Only in C: point.  Only here: TSPDIS (disjoint for a point),
-C     TSLINE (hh_line of points of P), TSWORK, TSMESH, TSINDE, TSQUER
-C     (parts of tess_resume and tess_part, tess_index, tess_query),
-C     TSORIQ, TSORIP, TSFOOT (hh_orient and hh_foot of points of P).
+C     TSLINE (hh_line of points of P), TSCURV (the macro CURVED),
+C     TSWORK, TSMESH, TSINDE, TSQUER (parts of tess_resume and
+C     tess_part, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT
+C     (hh_orient and hh_foot of points of P).
 C
 C     Everything counts from 1; none is 0.  What tess.c keeps in its
 C     structures are arrays here, passed in one order:
@@ -1785,23 +1785,21 @@ C     above: the side of a plane with more points is turned up
 C     TSDISC - seeks a support for the points that a search left open.
 C     It marks the points near the support that have no mark, or one of
 C     a support FINER times coarser, and finds the least height in each
-C     node.  The support is kept if it marks enough points, or if the
-C     facet, on no other support, is near it and so are many points:
-C     facets between near sheets lean on a plane that holds them all.
-C     KEPT is 1 if it is kept, or 0.
+C     node.  The support is kept if it marks enough points.  KEPT is 1
+C     if it is kept, or 0.
       SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
      $                  KEPT)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), KEPT
-      INTEGER NP, LEAVES, NSUPP, RPATIE, SLOW, SGRAIN, QBASE, QON,
-     $    QOPEND, DONE, SUPPS, OPENED, GRAINS
+      INTEGER NP, LEAVES, NSUPP, RPATIE, SLOW, SGRAIN, QOPEND, DONE,
+     $    SUPPS, OPENED, GRAINS
       DOUBLE PRECISION FINER
       PARAMETER (NP = 1, LEAVES = 4, NSUPP = 20, RPATIE = 5, SLOW = 59,
-     $    SGRAIN = 60, QBASE = 4, QON = 6, QOPEND = 10, DONE = -1,
-     $    SUPPS = 8, OPENED = 24, GRAINS = 134217728, FINER = 100.0D0)
-      DOUBLE PRECISION C, ERR, ERRS(3), GRAIN, H, HS(3), LOW
-      INTEGER TSCUBE, TSPLAC, ACROSS, ALL, AT, FIRST, HELD, I, J, K,
-     $    LAST, LEAST, NEAR, NODE, OK, OLD, OVER, Z
+     $    SGRAIN = 60, QOPEND = 10, DONE = -1, SUPPS = 8, OPENED = 24,
+     $    GRAINS = 134217728, FINER = 100.0D0)
+      DOUBLE PRECISION C, ERR, GRAIN, H, LOW
+      INTEGER TSCUBE, TSPLAC, AT, FIRST, HELD, I, J, K, LAST, LEAST,
+     $    NEAR, NODE, OK, OLD, OVER, Z
       KEPT = 0
       J = CTL(NSUPP) + 1
       IF (J .EQ. 1) THEN
@@ -1830,18 +1828,13 @@ C     sample all that is near: the search's points may be from a corner
         CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
         IF (OK .EQ. 0) RETURN
       END IF
-      ACROSS = 0
-      IF (IQ(QON) .EQ. 0) CALL TSONSU(X, MARK, SUP, V, IQ(QBASE), J, HS,
-     $    ERRS, ACROSS)
 C     all marks would stay; heights of all points, for nothing, would be
 C     most of a globe's index
-      IF (IQ(QOPEND) .GT. OPENED .AND. HELD .EQ. IQ(QOPEND) .AND.
-     $    (ACROSS .EQ. 0 .OR. HELD .LT. 64)) RETURN
+      IF (IQ(QOPEND) .GT. OPENED .AND. HELD .EQ. IQ(QOPEND)) RETURN
       LOW = SUP(SLOW,J)
       GRAIN = SUP(SGRAIN,J)
       LEAST = AT + 7
       NEAR = 0
-      ALL = 0
       DO 30 NODE = 2*CTL(LEAVES) - 1, 1, -1
         OVER = 0
         IF (NODE .LT. CTL(LEAVES)) THEN
@@ -1864,7 +1857,6 @@ C     most of a globe's index
           MARK(LEAST+NODE) = MIN(MARK(LEAST+NODE), K)
           IF (H + ERR .GT. -LOW) OVER = 1
           IF (K .LT. 0 .OR. K .GE. GRAINS) GO TO 20
-          ALL = ALL + 1
           IF (MARK(I) .GT. 0) THEN
             OLD = MOD(MARK(I) - 1, SUPPS) + 1
             IF (SUP(SGRAIN,OLD) .LE. FINER*GRAIN) GO TO 20
@@ -1874,8 +1866,7 @@ C     most of a globe's index
    20   CONTINUE
         MARK(LEAST+NODE) = 2*(MARK(LEAST+NODE) + 1) + OVER
    30 CONTINUE
-      IF (NEAR .LT. 2*TSCUBE(CTL(NP)) .AND. (ACROSS .EQ. 0 .OR.
-     $    ALL .LT. CTL(NP)/16)) THEN
+      IF (NEAR .LT. 2*TSCUBE(CTL(NP))) THEN
         DO 40 I = 1, CTL(NP)
           IF (MARK(I) .GT. 0 .AND. MOD(MARK(I) - J, SUPPS) .EQ. 0)
      $        MARK(I) = 0
@@ -2726,44 +2717,26 @@ C     rounding, take 1.2 to 1.6 times the instructions.
       END
 
 C     TSCONS - compares Z with the best point, unless it is a vertex or
-C     provably outside the ball, by its height over the facet's support
-C     where that is known.
+C     provably outside the ball.
       SUBROUTINE TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
-      INTEGER SLOW, SGRAIN, QBEST, QBALL, QON, QAIMED, QHI, QT, QQ,
-     $    SUPPS
-      PARAMETER (SLOW = 59, SGRAIN = 60, QBEST = 1, QBALL = 3, QON = 6,
-     $    QAIMED = 7, QHI = 7, QT = 8, QQ = 11, SUPPS = 8)
-      DOUBLE PRECISION TSPOWE, H, Q, SIZE, SUM, W1, W2, W3
-      INTEGER J, K, OUT
+      INTEGER QBEST, QBALL
+      PARAMETER (QBEST = 1, QBALL = 3)
+      DOUBLE PRECISION TSPOWE, SIZE, SUM, W1, W2, W3
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
      $    Z .EQ. V(3)) RETURN
-      W1 = X(1,Z) - F(7)
-      W2 = X(2,Z) - F(8)
-      W3 = X(3,Z) - F(9)
-      SIZE = ABS(W1) + ABS(W2) + ABS(W3)
-C     TSMRKD's test and height, without a call for each point
-      J = IQ(QON)
-      K = -1
-      IF (J .NE. 0) K = MARK(Z) - J
-      OUT = 0
-      IF (K .GE. 0 .AND. MOD(K, SUPPS) .EQ. 0) THEN
-        H = SUP(SLOW,J) + SUP(SGRAIN,J)*(DBLE(K/SUPPS) + 0.5D0)
-        IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,J), IQ, F,
-     $      FQ(QHI), FQ(QT))
-        Q = FQ(QQ)
-        SUM = W1*(Q*W1 - FQ(QT)) + W2*(Q*W2 - FQ(QT+1)) +
-     $      W3*(Q*W3 - FQ(QT+2))
-        CALL TSEXCL(FQ(QT), SUM, SIZE, H, SUP(SGRAIN,J), OUT)
-      ELSE IF (IQ(QBALL) .EQ. 1) THEN
+      IF (IQ(QBALL) .EQ. 1) THEN
+        W1 = X(1,Z) - F(7)
+        W2 = X(2,Z) - F(8)
+        W3 = X(3,Z) - F(9)
+        SIZE = ABS(W1) + ABS(W2) + ABS(W3)
         SUM = W1*(W1 - 2.0D0*FQ(1)) + W2*(W2 - 2.0D0*FQ(2)) +
      $      W3*(W3 - 2.0D0*FQ(3))
-        IF (SUM .GT. TSPOWE(FQ, SIZE)) OUT = 1
+        IF (SUM .GT. TSPOWE(FQ, SIZE)) RETURN
       END IF
-      IF (OUT .EQ. 0) CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V,
-     $    IQ, F, FQ, Z)
+      CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
       END
 
 C     TSINST - seeks the apex in the star's list.  The ball of a better
@@ -2844,23 +2817,26 @@ C     TSSCAN - considers the uncompleted points of a leaf that are not
 C     outside the ball.  Without a ball it considers those not on the
 C     negative side: the ball of L = MUCHL/2 stands for that side, with
 C     room for |W|**2.  The powers come first, as vectors, then the
-C     least of each group, as most groups have no point to consider.
-C     Stars are completed in the order of positions, by and large, so
-C     the points before the first uncompleted one are most of the
-C     completed ones.
+C     least of each group, as most groups have no point to consider,
+C     then heights over the facet's support.  Stars are completed in the
+C     order of positions, by and large, so the points before the first
+C     uncompleted one are most of the completed ones.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, V,
      $                  IQ, F, FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    F(12), FQ(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), NODE
-      INTEGER RPATIE, QBALL, DONE, GROUP, LEAF
+      INTEGER RPATIE, SLOW, SGRAIN, QBALL, QON, QAIMED, QHI, QT, QQ,
+     $    SUPPS, DONE, GROUP, LEAF
       DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL, HUGE
-      PARAMETER (RPATIE = 5, QBALL = 3, DONE = -1, GROUP = 8,
-     $    EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0,
-     $    MUCHL = 1.0D100, HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
-      DOUBLE PRECISION TSPOWE, B1, B2, B3, D(3), D1, D2, D3, MOST,
-     $    POWER(LEAF), SIZE, W1, W2, W3
-      INTEGER FIRST, I, J, K, LAST, N, Z
+      PARAMETER (RPATIE = 5, SLOW = 59, SGRAIN = 60, QBALL = 3, QON = 6,
+     $    QAIMED = 7, QHI = 7, QT = 8, QQ = 11, SUPPS = 8, DONE = -1,
+     $    GROUP = 8, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+     $    LOOSE = 0.5D0, MUCHL = 1.0D100,
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
+      DOUBLE PRECISION TSPOWE, B1, B2, B3, D(3), D1, D2, D3, H, MOST,
+     $    POWER(LEAF), Q, SIZE, W1, W2, W3
+      INTEGER FIRST, I, J, K, LAST, N, ON, OUT, Z
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
     5 IF (LINK(FIRST) .EQ. DONE) THEN
         FIRST = FIRST + 1
@@ -2896,17 +2872,36 @@ C     completed ones.
         POWER(N) = HUGE
         GO TO 30
       END IF
-      DO 50 J = 1, N, GROUP
+      ON = IQ(QON)
+      DO 60 J = 1, N, GROUP
         IF (MIN(POWER(J), POWER(J+1), POWER(J+2), POWER(J+3),
      $          POWER(J+4), POWER(J+5), POWER(J+6), POWER(J+7)) .GT.
-     $      MOST) GO TO 50
+     $      MOST) GO TO 60
+        IF (ON .NE. 0 .AND. IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,ON),
+     $      IQ, F, FQ(QHI), FQ(QT))
+C       TSMRKD's test and height, without a call for each point
         DO 40 K = J, J + GROUP - 1
-          IF (POWER(K) .GT. MOST) GO TO 40
+          IF (ON .EQ. 0 .OR. POWER(K) .GT. MOST) GO TO 40
+          Z = MARK(I+K) - ON
+          IF (Z .LT. 0 .OR. MOD(Z, SUPPS) .NE. 0) GO TO 40
+          H = SUP(SLOW,ON) + SUP(SGRAIN,ON)*(DBLE(Z/SUPPS) + 0.5D0)
+          W1 = X(1,I+K) - B1
+          W2 = X(2,I+K) - B2
+          W3 = X(3,I+K) - B3
+          SIZE = ABS(W1) + ABS(W2) + ABS(W3)
+          Q = FQ(QQ)
+          W1 = W1*(Q*W1 - FQ(QT)) + W2*(Q*W2 - FQ(QT+1)) +
+     $        W3*(Q*W3 - FQ(QT+2))
+          CALL TSEXCL(FQ(QT), W1, SIZE, H, SUP(SGRAIN,ON), OUT)
+          IF (OUT .EQ. 1) POWER(K) = HUGE
+   40   CONTINUE
+        DO 50 K = J, J + GROUP - 1
+          IF (POWER(K) .GT. MOST) GO TO 50
           Z = I + K
           IF (LINK(Z) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, CTL, RCTL,
      $        SUP, V, IQ, F, FQ, Z)
-   40   CONTINUE
-   50 CONTINUE
+   50   CONTINUE
+   60 CONTINUE
       IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, FIRST, 0)
       END
 

@@ -668,8 +668,7 @@ twins() {
         awk '/^[A-Z][A-Z0-9]+$/ && last ~ /^[a-z_0-9]+$/ {
             print last, $0 }
             { last = $0 }' > build/twins.txt
-    sed '/^.* What follows calls these/,/^$/d' $1.c |
-        sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*[^;]$/\1/p' |
+    sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*[^;]$/\1/p' $1.c |
         egrep -v "^($2)$" > build/cnames.txt
     sed -n 's/^      [A-Z ]*\(FUNCTION\|SUBROUTINE\) \([A-Z0-9]*\).*/\2/p' \
         f77/$1.f | egrep -v "^($3)$" > build/fnames.txt
@@ -1095,7 +1094,7 @@ second_half() {
     sanitizers
     standard
     twins tess "point" \
-        "TSPDIS|TSLINE|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
+        "TSPDIS|TSLINE|TSCURV|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
     twins hhpred "held|blank|shift|lesser|list" "HHKIND"
     entries
     parity
