@@ -175,7 +175,7 @@
  * (few, to save stack, where none is ever sought: see SEEK). */
 #define ENOUGH 500
 #define SOME (TESS_LIST < 128 ? 4 : 32)
-#define RECORD 7
+#define RECORD 6
 #define EXPONENT 2000
 /* An index seeks them in the stars of up to REGIONS points, eight at a time,
  * with room for STARS tetrahedra; and sooner, as it does so for all parts. */
@@ -318,15 +318,18 @@ typedef struct quest {
 
 /* A support: a plane or a sphere that many points are near.  A point with mark
  * k, 0 ... GRAINS - 1, has a height between low + (k - 1/2) grain and
- * low + (k + 3/2) grain; low < 0.  least[node] is CODED(k, above): k is the
- * least mark of the node's points, -1 if one is below low, GRAINS if all are
- * above -low; above is 1 if one is. */
-#define CODED(k, above) ((tess_int)(2 * ((k) + 1) + (above)))
-#define LEASTOF(code) ((tess_int)((code) / 2 - 1))
-#define ABOVE(code) ((code) % 2)
+ * low + (k + 3/2) grain; low < 0.  range[node] is CODED(k, l): k and l are the
+ * least and the greatest mark of the node's points, over FOLD; k is -1 if a
+ * point may be below low, l is STEPS if one may be above -low; STEPS and -1 for
+ * k and l if all are. */
+#define STEPS ((tess_int)(sizeof(tess_int) > 2 ? 32768L : 128L))
+#define FOLD (GRAINS / STEPS)
+#define CODED(k, l) ((tess_int)(((k) + 1) * (STEPS + 2) + (l) + 1))
+#define LEASTOF(code) ((tess_int)((code) / (STEPS + 2) - 1))
+#define MOSTOF(code) ((tess_int)((code) % (STEPS + 2) - 1))
 typedef struct support {
     tess_int *v;              /* what it is, in RECORD integers: see place */
-    tess_int *least;
+    tess_int *range;
     int plane;
     hh_sphere t;
     const double *at;         /* its first point; from there */
@@ -1304,14 +1307,14 @@ static void remember(quest *f, tess_int z, int open)
 }
 
 /* place - returns support j.  Behind the marks of the points each has RECORD
- * integers: its four positions, then 1 for a plane, 1 if its normal was turned
- * round, and grain's exponent; then the nodes' least marks. */
+ * integers: its four positions, then 1 for a plane, and grain's exponent; then
+ * the nodes' ranges of marks. */
 static support *place(mesh *m, int j)
 {
     support *s = m->supports + j;
 
     s->v = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
-    s->least = s->v + RECORD - 1;
+    s->range = s->v + RECORD - 1;
     return s;
 }
 
@@ -1325,7 +1328,7 @@ static int erect(const mesh *m, support *s)
     int k;
 
     s->plane = (int)s->v[4];
-    s->grain = ldexp(1.0, (int)s->v[6] - EXPONENT);
+    s->grain = ldexp(1.0, (int)s->v[5] - EXPONENT);
     s->low = -0.5 * s->grain * (double)GRAINS;
     f[9] = DBL_MAX; /* as hh_thin leaves it if there is no normal */
     if (s->plane) hh_thin(&m->set, s->v, 0, f);
@@ -1333,7 +1336,7 @@ static int erect(const mesh *m, support *s)
                  : !hh_centre(&m->set, s->v, 0, s->v[3], f, &t))
         return 0;
     s->at = m->x + 3 * s->v[0];
-    for (k = 0; k < 3; k++) s->c[k] = s->v[5] == 1 ? -f[k] : f[k];
+    for (k = 0; k < 3; k++) s->c[k] = f[k];
     return hh_about(&m->set, s->v[0], s->v[0], s->plane, s->c, &s->t);
 }
 
@@ -1350,8 +1353,7 @@ static int through(const mesh *m, const quest *f, double wide, int plane,
     double h[SOME], x, err;
 
     s->v[4] = (tess_int)plane;
-    s->v[5] = 0;
-    s->v[6] = EXPONENT;
+    s->v[5] = EXPONENT;
     if (!erect(m, s)) return 0;
     for (i = 0; i < n; i++) {
         x = fabs(hh_height(&m->set, &s->t, f->some[i], &err));
@@ -1361,18 +1363,18 @@ static int through(const mesh *m, const quest *f, double wide, int plane,
     }
     k = h[n / 4] > 0.0 && h[n / 4] < h[3 * n / 4] / FINER ? n / 4 : 3 * n / 4;
     frexp(h[k] * (16.0 / (double)GRAINS) + FAINT, &k);
-    s->v[6] = (tess_int)(EXPONENT + k);
+    s->v[5] = (tess_int)(EXPONENT + k);
     return erect(m, s) && -s->low <= (plane ? BAND : ROUGH * wide) * wide;
 }
 
 /* fit - sets up a support through the widest of the points that a search left
  * open: a sphere, or a plane where the points are on none (sheets near each
  * other are one).  Returns 1 if it is set up. */
-static int fit(mesh *m, const quest *f, support *s)
+static int fit(const mesh *m, const quest *f, support *s)
 {
-    tess_int *v = s->v, z;
-    double u[3 * SOME], e[3], wide[3], x, err;
-    int n = f->opened < SOME ? (int)f->opened : SOME, far, i, j, k, up = 0;
+    tess_int *v = s->v;
+    double u[3 * SOME], e[3], wide[3], x;
+    int n = f->opened < SOME ? (int)f->opened : SOME, far, i, j, k;
 
     v[0] = f->v[0];
     for (i = 0; i < n; i++)
@@ -1391,29 +1393,20 @@ static int fit(mesh *m, const quest *f, support *s)
             for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
                 u[3 * i + k] -= x * e[k];
     }
-    if ((wide[2] < 1e-7 * wide[0] || !through(m, f, wide[0], 0, s)) &&
-        !through(m, f, wide[0], 1, s))
-        return 0;
-    /* nodes know how far down their points reach, but only that some are above:
-     * the side of a plane with more points is turned up */
-    for (z = 0; z < m->np && s->plane; z = (tess_int)(z + m->np / 256 + 1)) {
-        x = rough(m, s, z, &err);
-        up += (x > err - s->low) - (x < s->low - err);
-    }
-    s->v[5] = up < 0;
-    return erect(m, s);
+    return (wide[2] >= 1e-7 * wide[0] && through(m, f, wide[0], 0, s)) ||
+           through(m, f, wide[0], 1, s);
 }
 
 /* discover - seeks a support for the points that a search left open.  It marks
  * the points near the support that have no mark, or one of a support FINER
- * times coarser, and finds the least height in each node.  The support is kept
+ * times coarser, and finds the range of marks of each node.  The support is kept
  * if it marks enough points.  Returns 1 if it is kept. */
 static int discover(mesh *m, quest *f)
 {
     support *s = place(m, m->nsupport);
-    tess_int node, i, last, mark, old, least, members = 0;
+    tess_int node, i, last, mark, old, least, most, k, members = 0;
     double h, err, c;
-    int above, held = 0;
+    int held = 0;
 
     if (m->nsupport == 0)
         for (i = 0; i < m->np; i++) m->mark[i] = 0;
@@ -1434,22 +1427,24 @@ static int discover(mesh *m, quest *f)
     if (f->opened > OPENED && held == f->opened) return 0;
     for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
         if (node < m->leaves) {
-            i = s->least[2 * node];
-            last = s->least[2 * node + 1];
-            above = ABOVE(i) || ABOVE(last);
-            s->least[node] = CODED(LEASTOF(i < last ? i : last), above);
+            i = s->range[2 * node];
+            last = s->range[2 * node + 1];
+            most = MOSTOF(MOSTOF(i) > MOSTOF(last) ? i : last);
+            s->range[node] = CODED(LEASTOF(i < last ? i : last), most);
             continue;
         }
-        least = GRAINS;
-        above = 0;
+        least = STEPS;
+        most = -1;
         span(m, node, &i, &last);
         for (; i < last; i++) {
             h = rough(m, s, i, &err);
             if (fabs(h) <= err - s->low) h = hh_height(&m->set, &s->t, i, &err);
             c = (h - err - s->low) / s->grain;
             mark = c < 0.0 ? -1 : c < GRAINS ? (tess_int)c : GRAINS;
-            if (mark < least) least = mark;
-            if (h + err > -s->low) above = 1;
+            k = mark < 0 ? -1 : (tess_int)(mark / FOLD);
+            if (k < least) least = k;
+            if (h + err > -s->low) k = STEPS;
+            if (k > most) most = k;
             old = m->mark[i] - 1;
             if (mark < 0 || mark >= GRAINS) continue;
             if (old < 0 ||
@@ -1458,7 +1453,7 @@ static int discover(mesh *m, quest *f)
                 members++;
             }
         }
-        s->least[node] = CODED(least, above);
+        s->range[node] = CODED(least, most);
     }
     if (members < 2 * cuberoot(m->np)) {
         for (i = 0; i < m->np; i++)
@@ -1709,14 +1704,15 @@ static int pruneheights(const mesh *m, quest *f, tess_int node)
 {
     const support *s = m->supports + f->on;
     const double *b = m->box + 6 * node;
-    tess_int least;
-    double h = -s->low, sum, size;
+    double h, sum, size;
+    tess_int k;
 
     if (!f->aimed) aim(m, f);
-    least = LEASTOF(s->least[node]);
-    if (f->a < 0.0 ? ABOVE(s->least[node]) : least < 0 || least == GRAINS)
-        return prunebox(f, b, b + 3);
-    if (f->a >= 0.0) h = s->low + s->grain * ((double)least - 0.5);
+    k = f->a < 0.0 ? MOSTOF(s->range[node]) : LEASTOF(s->range[node]);
+    if (k < 0 || k == STEPS) return prunebox(f, b, b + 3);
+    h = (double)FOLD * (double)k;
+    h += f->a < 0.0 ? (double)FOLD + 0.5 : -0.5;
+    h = s->low + s->grain * h;
     sum = lowest(f, b, b + 3, f->q, f->d, &size);
     return excluded(f, sum, size, h, 0.0) ||
            (node >= m->leaves && prunebox(f, b, b + 3));

@@ -189,11 +189,11 @@ C              is complete; NEW: in no tetrahedron yet
 C       POOL   pool and edges
 C       MARK   0, or J + SUPPS*K, of a position with mark K of support
 C              J; behind MARK(TSPLAC(CTL,J)) what support J is: its four
-C              positions, 1 for a plane, 1 if its normal was turned
-C              round, SGRAIN's exponent + EXPON; then 2 (K + 1) of each
-C              node, K the least mark of its points, -1 if one is below
-C              SLOW, GRAINS if all are above; plus 1 if one is above
-C              -SLOW.
+C              positions, 1 for a plane, SGRAIN's exponent + EXPON; then
+C              (K + 1) (STEPS + 2) + L + 1 of each node, K and L the
+C              least and the greatest mark of its points, over FOLD; K
+C              is -1 if a point may be below SLOW, L is STEPS if one may
+C              be above -SLOW; STEPS and -1 for K and L if all are
 C     CTL, the mesh's integers:
 C       NP      distinct points
 C       NT      tetrahedra;  MAXT room for them
@@ -316,7 +316,8 @@ C       REGIO, STARS, KEEN  an index seeks supports in the stars of up
 C               to REGIO points, eight at a time, with room for STARS
 C               tetrahedra; and sooner, as it does so for all parts
 C       GRAINS  number of marks for heights over a support: a double
-C               holds them and their roundings
+C               holds them and their roundings;  of a node's STEPS, each
+C               of FOLD marks, are kept
 C       SLIM    no cylinders are used if fewer than one leaf of 64 has
 C               one below SLIM of its box
 C       MCELL, CELLS  maximum number of points of a cell, and of cells
@@ -1633,12 +1634,12 @@ C     support.
       END
 
 C     TSPLAC - returns where in MARK the record of support J begins, but
-C     for one.  The nodes' least marks are behind its RECORD integers.
+C     for one.  The nodes' ranges of marks are behind its 6 integers.
       INTEGER FUNCTION TSPLAC(CTL, J)
       INTEGER CTL(*), J
       INTEGER NP, LEAVES
       PARAMETER (NP = 1, LEAVES = 4)
-      TSPLAC = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + 6)
+      TSPLAC = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + 5)
       END
 
 C     TSEREC - sets up the support S from its record.  Any plane or
@@ -1646,7 +1647,7 @@ C     sphere near its points will do, so its normal or centre is what
 C     doubles hold.  OK is 1, or 0 if that cannot be done.
       SUBROUTINE TSEREC(X, P, ORD, RECORD, CTL, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), S(60)
-      INTEGER ORD(*), RECORD(7), CTL(*), OK
+      INTEGER ORD(*), RECORD(6), CTL(*), OK
       INTEGER SCALE, SAT, SC, SLOW, SGRAIN, GRAINS, EXPON
       DOUBLE PRECISION EPS, HUGE
       PARAMETER (SCALE = 19, SAT = 52, SC = 55, SLOW = 59, SGRAIN = 60,
@@ -1655,7 +1656,7 @@ C     doubles hold.  OK is 1, or 0 if that cannot be done.
       DOUBLE PRECISION HHLDEX, F(12), T(86)
       INTEGER K, PLANE
       PLANE = RECORD(5)
-      S(SGRAIN) = HHLDEX(1.0D0, RECORD(7) - EXPON)
+      S(SGRAIN) = HHLDEX(1.0D0, RECORD(6) - EXPON)
       S(SLOW) = -0.5D0*S(SGRAIN)*DBLE(GRAINS)
 C     as HHTHIN leaves it if there is no normal
       F(10) = HUGE
@@ -1669,7 +1670,6 @@ C     as HHTHIN leaves it if there is no normal
       END IF
       IF (OK .EQ. 0) RETURN
       DO 10 K = 1, 3
-        IF (RECORD(6) .EQ. 1) F(K) = -F(K)
         S(SAT+K) = X(K,RECORD(1))
         S(SC+K) = F(K)
    10 CONTINUE
@@ -1685,7 +1685,7 @@ C     exact planes need no finer heights than tell them apart.)  OK is
 C     1, or 0 if that is more than BAND.
       SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, WIDE, PLANE, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(60)
-      INTEGER ORD(*), RECORD(7), CTL(*), IQ(42), PLANE, OK
+      INTEGER ORD(*), RECORD(6), CTL(*), IQ(42), PLANE, OK
       INTEGER SLOW, QOPEND, QSOME, SOME, GRAINS, EXPON
       DOUBLE PRECISION BAND, FAINT, FINER, ROUGH
       PARAMETER (SLOW = 59, QOPEND = 10, QSOME = 10, SOME = 32,
@@ -1695,8 +1695,7 @@ C     1, or 0 if that is more than BAND.
       INTEGER HHFREX, I, K, N
       N = MIN(IQ(QOPEND), SOME)
       RECORD(5) = PLANE
-      RECORD(6) = 0
-      RECORD(7) = EXPON
+      RECORD(6) = EXPON
       CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
       IF (OK .EQ. 0) RETURN
       OK = 0
@@ -1713,7 +1712,7 @@ C     1, or 0 if that is more than BAND.
    20 CONTINUE
       D = H(3*N/4+1)
       IF (H(N/4+1) .GT. 0.0D0 .AND. H(N/4+1) .LT. D/FINER) D = H(N/4+1)
-      RECORD(7) = EXPON + HHFREX(D*(16.0D0/DBLE(GRAINS)) + FAINT)
+      RECORD(6) = EXPON + HHFREX(D*(16.0D0/DBLE(GRAINS)) + FAINT)
       CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
       D = BAND*WIDE
       IF (PLANE .EQ. 0) D = ROUGH*WIDE*WIDE
@@ -1726,13 +1725,13 @@ C     on none (sheets near each other are one).  OK is 1 if it is set
 C     up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), S(60)
-      INTEGER ORD(*), RECORD(7), CTL(*), V(3), IQ(42), OK
-      INTEGER NP, SPLANE, SLOW, QOPEND, QSOME, SOME
+      INTEGER ORD(*), RECORD(6), CTL(*), V(3), IQ(42), OK
+      INTEGER QOPEND, QSOME, SOME
       DOUBLE PRECISION SMALL
-      PARAMETER (NP = 1, SPLANE = 8, SLOW = 59, QOPEND = 10, QSOME = 10,
-     $    SMALL = 2.0D0**(-450), SOME = 32)
-      DOUBLE PRECISION TSDOT, D, E(3), ERR, LOW, U(3,SOME), WIDE(3)
-      INTEGER FAR, I, J, K, N, UP, Z
+      PARAMETER (QOPEND = 10, QSOME = 10, SMALL = 2.0D0**(-450),
+     $    SOME = 32)
+      DOUBLE PRECISION TSDOT, D, E(3), U(3,SOME), WIDE(3)
+      INTEGER FAR, I, J, K, N
       OK = 0
       N = MIN(IQ(QOPEND), SOME)
       RECORD(1) = V(1)
@@ -1766,40 +1765,27 @@ C     the farthest one, and what is left of all
      $    CTL, IQ, WIDE(1), 0, S, OK)
       IF (OK .EQ. 0) CALL TSTHRO(X, P, ORD, RECORD, CTL, IQ, WIDE(1), 1,
      $    S, OK)
-      IF (OK .EQ. 0 .OR. S(SPLANE) .LE. 0.0D0) RETURN
-C     nodes know how far down their points reach, but only that some are
-C     above: the side of a plane with more points is turned up
-      LOW = S(SLOW)
-      UP = 0
-      DO 90 I = 1, CTL(NP), CTL(NP)/256 + 1
-        Z = I
-        CALL TSROUG(X, S, Z, D, ERR)
-        IF (D .GT. ERR - LOW) UP = UP + 1
-        IF (D .LT. LOW - ERR) UP = UP - 1
-   90 CONTINUE
-      IF (UP .GE. 0) RETURN
-      RECORD(6) = 1
-      CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
       END
 
 C     TSDISC - seeks a support for the points that a search left open.
 C     It marks the points near the support that have no mark, or one of
-C     a support FINER times coarser, and finds the least height in each
-C     node.  The support is kept if it marks enough points.  KEPT is 1
-C     if it is kept, or 0.
+C     a support FINER times coarser, and finds the range of marks of
+C     each node.  The support is kept if it marks enough points.  KEPT
+C     is 1 if it is kept, or 0.
       SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
      $                  KEPT)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), KEPT
       INTEGER NP, LEAVES, NSUPP, RPATIE, SLOW, SGRAIN, QOPEND, DONE,
-     $    SUPPS, OPENED, GRAINS
+     $    SUPPS, OPENED, GRAINS, STEPS, FOLD
       DOUBLE PRECISION FINER
       PARAMETER (NP = 1, LEAVES = 4, NSUPP = 20, RPATIE = 5, SLOW = 59,
      $    SGRAIN = 60, QOPEND = 10, DONE = -1, SUPPS = 8, OPENED = 24,
-     $    GRAINS = 134217728, FINER = 100.0D0)
+     $    GRAINS = 134217728, STEPS = 32768, FOLD = GRAINS/STEPS,
+     $    FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, GRAIN, H, LOW
-      INTEGER TSCUBE, TSPLAC, AT, FIRST, HELD, I, J, K, LAST, LEAST,
-     $    NEAR, NODE, OK, OLD, OVER, Z
+      INTEGER TSCUBE, TSPLAC, AT, FIRST, HELD, I, J, K, L, LAST, LEAST,
+     $    MOST, NEAR, NODE, OK, OLD, RANGES, Z
       KEPT = 0
       J = CTL(NSUPP) + 1
       IF (J .EQ. 1) THEN
@@ -1833,18 +1819,19 @@ C     most of a globe's index
       IF (IQ(QOPEND) .GT. OPENED .AND. HELD .EQ. IQ(QOPEND)) RETURN
       LOW = SUP(SLOW,J)
       GRAIN = SUP(SGRAIN,J)
-      LEAST = AT + 7
+      RANGES = AT + 6
       NEAR = 0
       DO 30 NODE = 2*CTL(LEAVES) - 1, 1, -1
-        OVER = 0
         IF (NODE .LT. CTL(LEAVES)) THEN
-          FIRST = MARK(LEAST+2*NODE)
-          LAST = MARK(LEAST+2*NODE+1)
-          OVER = MAX(MOD(FIRST, 2), MOD(LAST, 2))
-          MARK(LEAST+NODE) = MIN(FIRST, LAST)/2*2 + OVER
+          FIRST = MARK(RANGES+2*NODE)
+          LAST = MARK(RANGES+2*NODE+1)
+          LEAST = MIN(FIRST, LAST)/(STEPS + 2)
+          MOST = MAX(MOD(FIRST, STEPS + 2), MOD(LAST, STEPS + 2))
+          MARK(RANGES+NODE) = LEAST*(STEPS + 2) + MOST
           GO TO 30
         END IF
-        MARK(LEAST+NODE) = GRAINS
+        LEAST = STEPS
+        MOST = -1
         CALL TSSPAN(CTL, NODE, FIRST, LAST)
         DO 20 I = FIRST, LAST
           Z = I
@@ -1852,10 +1839,13 @@ C     most of a globe's index
           IF (ABS(H) .LE. ERR - LOW) CALL HHHEIG(X, SUP(1,J), Z, H, ERR)
           C = (H - ERR - LOW)/GRAIN
           K = GRAINS
-          IF (C .LT. DBLE(GRAINS)) K = INT(C)
           IF (C .LT. 0.0D0) K = -1
-          MARK(LEAST+NODE) = MIN(MARK(LEAST+NODE), K)
-          IF (H + ERR .GT. -LOW) OVER = 1
+          IF (C .GE. 0.0D0 .AND. C .LT. DBLE(GRAINS)) K = INT(C)
+          L = -1
+          IF (K .GE. 0) L = K/FOLD
+          LEAST = MIN(LEAST, L)
+          IF (H + ERR .GT. -LOW) L = STEPS
+          MOST = MAX(MOST, L)
           IF (K .LT. 0 .OR. K .GE. GRAINS) GO TO 20
           IF (MARK(I) .GT. 0) THEN
             OLD = MOD(MARK(I) - 1, SUPPS) + 1
@@ -1864,7 +1854,7 @@ C     most of a globe's index
           MARK(I) = J + SUPPS*K
           NEAR = NEAR + 1
    20   CONTINUE
-        MARK(LEAST+NODE) = 2*(MARK(LEAST+NODE) + 1) + OVER
+        MARK(RANGES+NODE) = (LEAST + 1)*(STEPS + 2) + MOST + 1
    30 CONTINUE
       IF (NEAR .LT. 2*TSCUBE(CTL(NP))) THEN
         DO 40 I = 1, CTL(NP)
@@ -2187,30 +2177,29 @@ C     Where the heights tell nothing, the box alone counts.
       SUBROUTINE TSPRHE(BOX, MARK, CTL, SUP, IQ, F, C, T, NODE, OUT)
       DOUBLE PRECISION BOX(6,*), SUP(60,*), F(12), C(7), T(14)
       INTEGER MARK(*), CTL(*), IQ(42), NODE, OUT
-      INTEGER LEAVES, SLOW, SGRAIN, QON, QAIMED, QHI, TA, GRAINS
+      INTEGER LEAVES, SLOW, SGRAIN, QON, QAIMED, QHI, TA, STEPS, FOLD
       PARAMETER (LEAVES = 4, SLOW = 59, SGRAIN = 60, QON = 6,
-     $    QAIMED = 7, QHI = 7, TA = 6, GRAINS = 134217728)
+     $    QAIMED = 7, QHI = 7, TA = 6, STEPS = 32768, FOLD = 4096)
       DOUBLE PRECISION H, SIZE, SUM
-      INTEGER TSPLAC, TSPRUN, CODE, TELLS
+      INTEGER TSPLAC, TSPRUN, K
       IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F, C(QHI),
      $    T)
-      CODE = MARK(TSPLAC(CTL, IQ(QON))+7+NODE)
-      TELLS = 1
+      K = MARK(TSPLAC(CTL, IQ(QON))+6+NODE)
       IF (T(TA) .LT. 0.0D0) THEN
-        IF (MOD(CODE, 2) .EQ. 1) TELLS = 0
-        H = -SUP(SLOW,IQ(QON))
+        K = MOD(K, STEPS + 2) - 1
+        H = DBLE(FOLD)*DBLE(K) + (DBLE(FOLD) + 0.5D0)
       ELSE
-        IF (CODE .LT. 2 .OR. CODE/2 .GT. GRAINS) TELLS = 0
-        H = SUP(SLOW,IQ(QON)) + SUP(SGRAIN,IQ(QON))*(DBLE(CODE/2) -
-     $      1.5D0)
+        K = K/(STEPS + 2) - 1
+        H = DBLE(FOLD)*DBLE(K) - 0.5D0
       END IF
+      H = SUP(SLOW,IQ(QON)) + SUP(SGRAIN,IQ(QON))*H
       OUT = 0
-      IF (TELLS .EQ. 1) THEN
+      IF (K .GE. 0 .AND. K .LT. STEPS) THEN
         CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, T, SUM, SIZE)
         CALL TSEXCL(T, SUM, SIZE, H, 0.0D0, OUT)
+        IF (OUT .EQ. 1 .OR. NODE .LT. CTL(LEAVES)) RETURN
       END IF
-      IF (OUT .EQ. 0 .AND. (TELLS .EQ. 0 .OR. NODE .GE. CTL(LEAVES)))
-     $    OUT = TSPRUN(IQ, F, C, BOX, NODE)
+      OUT = TSPRUN(IQ, F, C, BOX, NODE)
       END
 
 C     ------------------------------------------------------------------
@@ -3885,8 +3874,8 @@ C     2 TSLCOU(N) < N/12 + 2
       OK = 1
       IF (N .LT. ENOUGH) RETURN
       LEFT = LEFT - POOL
-      POOL = POOL - 6*SUPPS - 2
-      IF (2*SUPPS*LVS .LT. LEFT - N) MARKS = N + SUPPS*(2*LVS + 6) + 2
+      POOL = POOL - 5*SUPPS - 2
+      IF (2*SUPPS*LVS .LT. LEFT - N) MARKS = N + SUPPS*(2*LVS + 5) + 2
       IF (32*(LVS/3) .LT. INTMAX - LRW) CYLS = 32*(LVS/3)
       END
 
