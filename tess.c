@@ -322,8 +322,8 @@ typedef struct quest {
  * least and the greatest mark of the node's points, over FOLD; k is -1 if a
  * point may be below low, l is STEPS if one may be above -low; STEPS and -1 for
  * k and l if all are. */
-#define STEPS ((tess_int)(sizeof(tess_int) > 2 ? 32768L : 128L))
-#define FOLD (GRAINS / STEPS)
+#define FOLD ((tess_int)(GRAINS > 2048 ? 4096L : 16L))
+#define STEPS (GRAINS / FOLD)
 #define CODED(k, l) ((tess_int)(((k) + 1) * (STEPS + 2) + (l) + 1))
 #define LEASTOF(code) ((tess_int)((code) / (STEPS + 2) - 1))
 #define MOSTOF(code) ((tess_int)((code) % (STEPS + 2) - 1))
@@ -1255,7 +1255,8 @@ static int marked(const mesh *m, int j, tess_int z, double *h)
     tess_int k = (tess_int)(m->mark[z] - 1 - j);
 
     if (k < 0 || k % SUPPORTS != 0) return 0;
-    *h = s->low + s->grain * ((double)(k / SUPPORTS) + 0.5);
+    k /= SUPPORTS;
+    *h = s->low + s->grain * ((double)k + 0.5);
     return 1;
 }
 
@@ -1361,8 +1362,9 @@ static int through(const mesh *m, const quest *f, double wide, int plane,
         for (k = i; k > 0 && h[k - 1] > x; k--) h[k] = h[k - 1];
         h[k] = x;
     }
-    k = h[n / 4] > 0.0 && h[n / 4] < h[3 * n / 4] / FINER ? n / 4 : 3 * n / 4;
-    frexp(h[k] * (16.0 / (double)GRAINS) + FAINT, &k);
+    x = h[3 * n / 4];
+    if (h[n / 4] > 0.0 && h[n / 4] < x / FINER) x = h[n / 4];
+    frexp(x * (16.0 / (double)GRAINS) + FAINT, &k);
     s->v[5] = (tess_int)(EXPONENT + k);
     return erect(m, s) && -s->low <= (plane ? BAND : ROUGH * wide) * wide;
 }
