@@ -2105,19 +2105,30 @@ static void challenge(mesh *m, quest *f, tess_int z)
 }
 
 /* consider - compares z with the best point, unless it is a vertex or provably
- * outside the ball. */
+ * outside the ball, by its height over the facet's support where that is
+ * known. */
 static void consider(mesh *m, quest *f, tess_int z)
 {
     const double *q = m->x + 3 * z;
-    double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8];
+    double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8], h;
     double size = fabs(w0) + fabs(w1) + fabs(w2);
+    int out;
 
     COUNT(N_POINT, 1);
     if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
-    if (f->ball && HH_POWER(w0, w1, w2, f->c) > powererr(f, size)) {
-        HOLDS(!better(m, f, z));
+    if (LEANING(f) && marked(m, f->on, z, &h)) {
+        if (!f->aimed) aim(m, f);
+        out = excluded(f, w0 * (f->q * w0 - f->d[0]) +
+                            w1 * (f->q * w1 - f->d[1]) +
+                            w2 * (f->q * w2 - f->d[2]),
+                     size, h, m->supports[f->on].grain);
     } else
+        out = f->ball && HH_POWER(w0, w1, w2, f->c) > powererr(f, size);
+    if (!out)
         challenge(m, f, z);
+    else {
+        HOLDS(!better(m, f, z));
+    }
 }
 
 /* instar - seeks the apex in the star's list.  The ball of a better point has
@@ -2164,13 +2175,13 @@ static int inblock(mesh *m, quest *f)
  * the ball.  Without a ball it considers those not on the negative side: the
  * ball of L = MUCHL / 2 stands for that side, with room for |w|^2.  The powers
  * come first, as vectors, then the least of each group, as most groups have no
- * point to consider, then heights over the facet's support.  Stars are
- * completed in the order of positions, by and large, so the points before the
- * first uncompleted one are most of the completed ones. */
+ * point to consider.  Stars are completed in the order of positions, by and
+ * large, so the points before the first uncompleted one are most of the
+ * completed ones. */
 static void scanleaf(mesh *m, quest *f, tess_int leaf)
 {
     const double *b = m->box + 6 * leaf, *x;
-    double d[3], power[LEAF], size = 0.0, most, least, w0, w1, w2, h;
+    double d[3], power[LEAF], size = 0.0, most, least, w0, w1, w2;
     double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8], d0, d1, d2;
     tess_int first, last;
     int n, i, k;
@@ -2201,21 +2212,6 @@ static void scanleaf(mesh *m, quest *f, tess_int leaf)
             /* cppcheck-suppress uninitvar ; all n are set */
             least = least < power[k] ? least : power[k];
         if (least > most) continue;
-        if (LEANING(f) && !f->aimed) aim(m, f);
-        for (k = i; k < i + GROUP && LEANING(f); k++) {
-            if (power[k] > most || !marked(m, f->on, (tess_int)(first + k), &h))
-                continue;
-            w0 = x[3 * k] - b0;
-            w1 = x[3 * k + 1] - b1;
-            w2 = x[3 * k + 2] - b2;
-            size = fabs(w0) + fabs(w1) + fabs(w2);
-            w0 = w0 * (f->q * w0 - f->d[0]) + w1 * (f->q * w1 - f->d[1]) +
-                 w2 * (f->q * w2 - f->d[2]);
-            if (excluded(f, w0, size, h, m->supports[f->on].grain))
-                power[k] = DBL_MAX;
-            HOLDS(power[k] < DBL_MAX || m->link[first + k] == DONE ||
-                  !better(m, f, (tess_int)(first + k)));
-        }
         for (k = i; k < i + GROUP; k++)
             if (power[k] <= most && m->link[first + k] != DONE)
                 consider(m, f, (tess_int)(first + k));

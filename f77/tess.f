@@ -2706,26 +2706,44 @@ C     rounding, take 1.2 to 1.6 times the instructions.
       END
 
 C     TSCONS - compares Z with the best point, unless it is a vertex or
-C     provably outside the ball.
+C     provably outside the ball, by its height over the facet's support
+C     where that is known.
       SUBROUTINE TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
-      INTEGER QBEST, QBALL
-      PARAMETER (QBEST = 1, QBALL = 3)
-      DOUBLE PRECISION TSPOWE, SIZE, SUM, W1, W2, W3
+      INTEGER SLOW, SGRAIN, QBEST, QBALL, QON, QAIMED, QHI, QT, QQ,
+     $    SUPPS
+      PARAMETER (SLOW = 59, SGRAIN = 60, QBEST = 1, QBALL = 3, QON = 6,
+     $    QAIMED = 7, QHI = 7, QT = 8, QQ = 11, SUPPS = 8)
+      DOUBLE PRECISION TSPOWE, H, Q, SIZE, SUM, W1, W2, W3
+      INTEGER J, K, OUT
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
      $    Z .EQ. V(3)) RETURN
-      IF (IQ(QBALL) .EQ. 1) THEN
-        W1 = X(1,Z) - F(7)
-        W2 = X(2,Z) - F(8)
-        W3 = X(3,Z) - F(9)
-        SIZE = ABS(W1) + ABS(W2) + ABS(W3)
+      W1 = X(1,Z) - F(7)
+      W2 = X(2,Z) - F(8)
+      W3 = X(3,Z) - F(9)
+      SIZE = ABS(W1) + ABS(W2) + ABS(W3)
+C     TSMRKD's test and height, without a call for each point
+      J = IQ(QON)
+      K = -1
+      IF (J .NE. 0) K = MARK(Z) - J
+      OUT = 0
+      IF (K .GE. 0 .AND. MOD(K, SUPPS) .EQ. 0) THEN
+        H = SUP(SLOW,J) + SUP(SGRAIN,J)*(DBLE(K/SUPPS) + 0.5D0)
+        IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,J), IQ, F,
+     $      FQ(QHI), FQ(QT))
+        Q = FQ(QQ)
+        SUM = W1*(Q*W1 - FQ(QT)) + W2*(Q*W2 - FQ(QT+1)) +
+     $      W3*(Q*W3 - FQ(QT+2))
+        CALL TSEXCL(FQ(QT), SUM, SIZE, H, SUP(SGRAIN,J), OUT)
+      ELSE IF (IQ(QBALL) .EQ. 1) THEN
         SUM = W1*(W1 - 2.0D0*FQ(1)) + W2*(W2 - 2.0D0*FQ(2)) +
      $      W3*(W3 - 2.0D0*FQ(3))
-        IF (SUM .GT. TSPOWE(FQ, SIZE)) RETURN
+        IF (SUM .GT. TSPOWE(FQ, SIZE)) OUT = 1
       END IF
-      CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
+      IF (OUT .EQ. 0) CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V,
+     $    IQ, F, FQ, Z)
       END
 
 C     TSINST - seeks the apex in the star's list.  The ball of a better
@@ -2806,26 +2824,23 @@ C     TSSCAN - considers the uncompleted points of a leaf that are not
 C     outside the ball.  Without a ball it considers those not on the
 C     negative side: the ball of L = MUCHL/2 stands for that side, with
 C     room for |W|**2.  The powers come first, as vectors, then the
-C     least of each group, as most groups have no point to consider,
-C     then heights over the facet's support.  Stars are completed in the
-C     order of positions, by and large, so the points before the first
-C     uncompleted one are most of the completed ones.
+C     least of each group, as most groups have no point to consider.
+C     Stars are completed in the order of positions, by and large, so
+C     the points before the first uncompleted one are most of the
+C     completed ones.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, V,
      $                  IQ, F, FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    F(12), FQ(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), NODE
-      INTEGER RPATIE, SLOW, SGRAIN, QBALL, QON, QAIMED, QHI, QT, QQ,
-     $    SUPPS, DONE, GROUP, LEAF
+      INTEGER RPATIE, QBALL, DONE, GROUP, LEAF
       DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL, HUGE
-      PARAMETER (RPATIE = 5, SLOW = 59, SGRAIN = 60, QBALL = 3, QON = 6,
-     $    QAIMED = 7, QHI = 7, QT = 8, QQ = 11, SUPPS = 8, DONE = -1,
-     $    GROUP = 8, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
-     $    LOOSE = 0.5D0, MUCHL = 1.0D100,
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
-      DOUBLE PRECISION TSPOWE, B1, B2, B3, D(3), D1, D2, D3, H, MOST,
-     $    POWER(LEAF), Q, SIZE, W1, W2, W3
-      INTEGER FIRST, I, J, K, LAST, N, ON, OUT, Z
+      PARAMETER (RPATIE = 5, QBALL = 3, DONE = -1, GROUP = 8,
+     $    EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0,
+     $    MUCHL = 1.0D100, HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
+      DOUBLE PRECISION TSPOWE, B1, B2, B3, D(3), D1, D2, D3, MOST,
+     $    POWER(LEAF), SIZE, W1, W2, W3
+      INTEGER FIRST, I, J, K, LAST, N, Z
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
     5 IF (LINK(FIRST) .EQ. DONE) THEN
         FIRST = FIRST + 1
@@ -2861,36 +2876,17 @@ C     uncompleted one are most of the completed ones.
         POWER(N) = HUGE
         GO TO 30
       END IF
-      ON = IQ(QON)
-      DO 60 J = 1, N, GROUP
+      DO 50 J = 1, N, GROUP
         IF (MIN(POWER(J), POWER(J+1), POWER(J+2), POWER(J+3),
      $          POWER(J+4), POWER(J+5), POWER(J+6), POWER(J+7)) .GT.
-     $      MOST) GO TO 60
-        IF (ON .NE. 0 .AND. IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,ON),
-     $      IQ, F, FQ(QHI), FQ(QT))
-C       TSMRKD's test and height, without a call for each point
+     $      MOST) GO TO 50
         DO 40 K = J, J + GROUP - 1
-          IF (ON .EQ. 0 .OR. POWER(K) .GT. MOST) GO TO 40
-          Z = MARK(I+K) - ON
-          IF (Z .LT. 0 .OR. MOD(Z, SUPPS) .NE. 0) GO TO 40
-          H = SUP(SLOW,ON) + SUP(SGRAIN,ON)*(DBLE(Z/SUPPS) + 0.5D0)
-          W1 = X(1,I+K) - B1
-          W2 = X(2,I+K) - B2
-          W3 = X(3,I+K) - B3
-          SIZE = ABS(W1) + ABS(W2) + ABS(W3)
-          Q = FQ(QQ)
-          W1 = W1*(Q*W1 - FQ(QT)) + W2*(Q*W2 - FQ(QT+1)) +
-     $        W3*(Q*W3 - FQ(QT+2))
-          CALL TSEXCL(FQ(QT), W1, SIZE, H, SUP(SGRAIN,ON), OUT)
-          IF (OUT .EQ. 1) POWER(K) = HUGE
-   40   CONTINUE
-        DO 50 K = J, J + GROUP - 1
-          IF (POWER(K) .GT. MOST) GO TO 50
+          IF (POWER(K) .GT. MOST) GO TO 40
           Z = I + K
           IF (LINK(Z) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, CTL, RCTL,
      $        SUP, V, IQ, F, FQ, Z)
-   50   CONTINUE
-   60 CONTINUE
+   40   CONTINUE
+   50 CONTINUE
       IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, FIRST, 0)
       END
 
