@@ -1225,8 +1225,8 @@ static int listball(const list *l, const quest *f, int *place)
  *
  * Globes, turned boxes and points near a plane need them: 6,000 points take 6
  * to 8 times the instructions without.  They cost a mark a point, two integers
- * a node for each, and a few heights by limbs once; nothing until searches turn
- * out to be long. */
+ * a leaf for each, and a height by limbs for each point near them, once;
+ * nothing until searches turn out to be long. */
 
 /* rough - returns the height of the position z over a support, in double
  * precision.  err bounds its error: 8 eps |c| for the centre, and 6
@@ -1401,8 +1401,8 @@ static int fit(const mesh *m, const quest *f, support *s)
 
 /* discover - seeks a support for the points that a search left open.  It marks
  * the points near the support that have no mark, or one of a support FINER
- * times coarser, and finds the range of marks of each node.  The support is kept
- * if it marks enough points.  Returns 1 if it is kept. */
+ * times coarser, and finds the range of marks of each node.  The support is
+ * kept if it marks enough points.  Returns 1 if it is kept. */
 static int discover(mesh *m, quest *f)
 {
     support *s = place(m, m->nsupport);

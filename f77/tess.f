@@ -1519,8 +1519,9 @@ C     of it: so they decide, point by point and node by node.
 C
 C     Globes, turned boxes and points near a plane need them: 6,000
 C     points take 6 to 8 times the instructions without.  They cost a
-C     mark a point, two integers a node for each, and a few heights by
-C     limbs once; nothing until searches turn out to be long.
+C     mark a point, two integers a leaf for each, and a height by limbs
+C     for each point near them, once; nothing until searches turn out to
+C     be long.
 C     ------------------------------------------------------------------
 
 C     TSROUG - the height H of the position Z over the support S, in
@@ -1781,7 +1782,7 @@ C     is 1 if it is kept, or 0.
       DOUBLE PRECISION FINER
       PARAMETER (NP = 1, LEAVES = 4, NSUPP = 20, RPATIE = 5, SLOW = 59,
      $    SGRAIN = 60, QOPEND = 10, DONE = -1, SUPPS = 8, OPENED = 24,
-     $    GRAINS = 134217728, STEPS = 32768, FOLD = GRAINS/STEPS,
+     $    GRAINS = 134217728, STEPS = 32768, FOLD = 4096,
      $    FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, GRAIN, H, LOW
       INTEGER TSCUBE, TSPLAC, AT, FIRST, HELD, I, J, K, L, LAST, LEAST,
