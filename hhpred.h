@@ -25,15 +25,21 @@
 #include <limits.h>
 
 /* The integer of all index arrays.  4*maxtet + 3 must not exceed its largest
- * value.  TESS_INT, a type's name of one word, chooses another (short, on a
- * very small machine).  Compile all files with the same: see below. */
+ * value.  TESS_INT, the name of a signed type in one word, chooses another:
+ * short, on a very small machine; ptrdiff_t, with -include stddef.h, for more
+ * than 268 million points (long has 4 bytes in 64-bit Windows).  Compile all
+ * files with the same: see below. */
 #ifdef TESS_INT
-typedef TESS_INT tess_int;
+#if TESS_INT + 0 /* an error here: TESS_INT must be one word; use a typedef */
+#endif
+typedef TESS_INT tess_int; /* unknown here: include its header before */
 #elif INT_MAX >= 2147483647
 typedef int tess_int;
 #else
 typedef long tess_int;
 #endif
+
+typedef char tess_int_must_be_signed[(tess_int)-1 < 0 ? 1 : -1];
 
 /* The largest. */
 #define TESS_INT_MOST \

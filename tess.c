@@ -33,7 +33,7 @@
  *         alive  2 L         leaf: uncompleted points; other nodes: children
  *                            alive; place 0, in an index: how many supports
  *         mark               for supports, if liw is what tess_size gives: see
- *                            place and digest
+ *                            place
  *         head   n           position -> first entry that it owns, NONE, or
  *                            FOREIGN; at first, in intact, index -> position
  *         link   n           position -> first edge from it, NONE, NEW or DONE
@@ -100,8 +100,8 @@
  *                attach grow enlist follow gather load complete makeroom begin
  *                star plant stars
  *   results      slot mate
- *   preparation  leafcount lengths layout collect rescale units scaled revive
- *                sorted seal opened digest intact claim restore allot run
+ *   preparation  leafcount lengths layout collect rescale units fits scaled revive
+ *                sorted seal opened intact claim restore allot run
  *                badargument
  *   entries      tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
@@ -159,7 +159,7 @@
  * points in its sample and these add up to BURDEN times all points; each
  * failure doubles that.  A support with grains FINER times smaller takes over
  * another's points. */
-#define SUPPORTS (TESS_LIST < 128 ? 1 : TESS_LIST < 512 ? TESS_LIST / 64 : 8)
+#define SUPPORTS (TESS_LIST < 128 ? 1 : 8)
 #define OPENED 24
 #define BURDEN 1.0
 #define FINER 100.0
@@ -175,7 +175,11 @@
  * (few, to save stack, where none is ever sought: see SEEK). */
 #define ENOUGH 500
 #define SOME (TESS_LIST < 128 ? 4 : 32)
-#define RECORD 6
+/* Integers in a support's record, digits of a number in it, their base, and
+ * what is added to exponents: see place. */
+#define RECORD 16
+#define DIGITS 4
+#define DIGIT 8192.0
 #define EXPONENT 2000
 /* An index seeks them in the stars of up to REGIONS points, eight at a time,
  * with room for STARS tetrahedra; and sooner, as it does so for all parts. */
@@ -328,8 +332,7 @@ typedef struct quest {
 #define LEASTOF(code) ((tess_int)((code) / (STEPS + 2) - 1))
 #define MOSTOF(code) ((tess_int)((code) % (STEPS + 2) - 1))
 typedef struct support {
-    tess_int *v;              /* what it is, in RECORD integers: see place */
-    tess_int *range;
+    tess_int *record, *range; /* see place */
     int plane;
     hh_sphere t;
     const double *at;         /* its first point; from there */
@@ -1308,54 +1311,79 @@ static void remember(quest *f, tess_int z, int open)
 }
 
 /* place - returns support j.  Behind the marks of the points each has RECORD
- * integers: its four positions, then 1 for a plane, and grain's exponent; then
- * the nodes' ranges of marks. */
+ * integers, then the nodes' ranges of marks, from node 1 on:
+ *   0      the position of its first point
+ *   1      1 for a plane
+ *   2      the exponent of grain, plus EXPONENT
+ *   3      that of the unit of the normal or centre, plus EXPONENT
+ *   4 ...  its three coordinates in these units, DIGITS digits each
+ * So all that a support is made of is read, and comes out alike in all rounding
+ * modes and builds: marks of one sphere say nothing of another. */
 static support *place(mesh *m, int j)
 {
     support *s = m->supports + j;
 
-    s->v = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
-    s->range = s->v + RECORD - 1;
+    s->record = m->mark + m->np + j * (2 * m->leaves + RECORD - 1);
+    s->range = s->record + RECORD - 1;
     return s;
 }
 
-/* erect - sets up support s from its record.  Any plane or sphere near its
- * points will do, so its normal or centre is what doubles hold.  Returns 0 if
- * that cannot be done. */
+/* erect - sets up support s from its record.  Returns 0 if limbs do not hold
+ * it. */
 static int erect(const mesh *m, support *s)
 {
-    double f[HH_FACET_LEN];
-    hh_ball t;
-    int k;
+    const tess_int *r = s->record;
+    int i, k;
 
-    s->plane = (int)s->v[4];
-    s->grain = ldexp(1.0, (int)s->v[5] - EXPONENT);
+    s->plane = (int)r[1];
+    s->grain = ldexp(1.0, (int)r[2] - EXPONENT);
     s->low = -0.5 * s->grain * (double)GRAINS;
-    f[9] = DBL_MAX; /* as hh_thin leaves it if there is no normal */
-    if (s->plane) hh_thin(&m->set, s->v, 0, f);
-    if (s->plane ? f[9] == DBL_MAX
-                 : !hh_centre(&m->set, s->v, 0, s->v[3], f, &t))
-        return 0;
-    s->at = m->x + 3 * s->v[0];
-    for (k = 0; k < 3; k++) s->c[k] = f[k];
-    return hh_about(&m->set, s->v[0], s->v[0], s->plane, s->c, &s->t);
+    s->at = m->x + 3 * r[0];
+    for (k = 0; k < 3; k++) {
+        s->c[k] = 0.0;
+        for (i = 3 + DIGITS * (k + 1); i > 3 + DIGITS * k; i--)
+            s->c[k] = (s->c[k] + (double)r[i]) / DIGIT;
+        s->c[k] = ldexp(s->c[k], (int)r[3] - EXPONENT);
+    }
+    return hh_about(&m->set, r[0], r[0], s->plane, s->c, &s->t);
 }
 
-/* through - sets up support s, a plane or a sphere through s->v, for a search's
- * sample, whose extent is wide.  It takes heights of 8 to 16 times those of
- * three quarters of the sample, or of one quarter if that is FINER times
- * nearer, but not 0: the points on one of several near sheets.  (Two exact
- * planes need no finer heights than tell them apart.)  Returns 0 if that is
- * more than BAND. */
-static int through(const mesh *m, const quest *f, double wide, int plane,
-                   support *s)
+/* through - sets up support s, a plane or a sphere through the points v, for a
+ * search's sample, whose extent is wide.  Any plane or sphere near the points
+ * will do, so its normal or centre is the 52 leading bits of what doubles hold.
+ * It takes heights of 8 to 16 times those of three quarters of the sample, or
+ * of one quarter if that is FINER times nearer, but not 0: the points on one of
+ * several near sheets.  (Two exact planes need no finer heights than tell them
+ * apart.)  Returns 0 if that is more than BAND. */
+static int through(const mesh *m, const quest *f, const tess_int *v,
+                   double wide, int plane, support *s)
 {
     int n = f->opened < SOME ? (int)f->opened : SOME, i, k;
-    double h[SOME], x, err;
+    double c[HH_FACET_LEN], h[SOME], x = 0.0, err;
+    tess_int *r = s->record;
+    hh_ball t;
 
-    s->v[4] = (tess_int)plane;
-    s->v[5] = EXPONENT;
+    c[9] = DBL_MAX; /* as hh_thin leaves it if there is no normal */
+    if (plane) hh_thin(&m->set, v, 0, c);
+    if (plane ? c[9] == DBL_MAX : !hh_centre(&m->set, v, 0, v[3], c, &t))
+        return 0;
+    for (k = 0; k < 3; k++)
+        if (fabs(c[k]) > x) x = fabs(c[k]);
+    frexp(x, &i);
+    r[0] = v[0];
+    r[1] = (tess_int)plane;
+    r[2] = EXPONENT;
+    r[3] = (tess_int)(EXPONENT + i);
+    for (k = 0; k < 3; k++) {
+        x = ldexp(c[k], -i);
+        for (n = 0; n < DIGITS; n++) {
+            x *= DIGIT;
+            r[4 + DIGITS * k + n] = (tess_int)x;
+            x -= (double)r[4 + DIGITS * k + n];
+        }
+    }
     if (!erect(m, s)) return 0;
+    n = f->opened < SOME ? (int)f->opened : SOME;
     for (i = 0; i < n; i++) {
         x = fabs(hh_height(&m->set, &s->t, f->some[i], &err));
         if (err > 1.0) return 0;
@@ -1365,7 +1393,7 @@ static int through(const mesh *m, const quest *f, double wide, int plane,
     x = h[3 * n / 4];
     if (h[n / 4] > 0.0 && h[n / 4] < x / FINER) x = h[n / 4];
     frexp(x * (16.0 / (double)GRAINS) + FAINT, &k);
-    s->v[5] = (tess_int)(EXPONENT + k);
+    r[2] = (tess_int)(EXPONENT + k);
     return erect(m, s) && -s->low <= (plane ? BAND : ROUGH * wide) * wide;
 }
 
@@ -1374,7 +1402,7 @@ static int through(const mesh *m, const quest *f, double wide, int plane,
  * other are one).  Returns 1 if it is set up. */
 static int fit(const mesh *m, const quest *f, support *s)
 {
-    tess_int *v = s->v;
+    tess_int v[4];
     double u[3 * SOME], e[3], wide[3], x;
     int n = f->opened < SOME ? (int)f->opened : SOME, far, i, j, k;
 
@@ -1395,8 +1423,8 @@ static int fit(const mesh *m, const quest *f, support *s)
             for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
                 u[3 * i + k] -= x * e[k];
     }
-    return (wide[2] >= 1e-7 * wide[0] && through(m, f, wide[0], 0, s)) ||
-           through(m, f, wide[0], 1, s);
+    return (wide[2] >= 1e-7 * wide[0] && through(m, f, v, wide[0], 0, s)) ||
+           through(m, f, v, wide[0], 1, s);
 }
 
 /* discover - seeks a support for the points that a search left open.  It marks
@@ -1467,7 +1495,7 @@ static int discover(mesh *m, quest *f)
     return 1;
 }
 
-/* recall - sets up the supports that an index has. */
+/* recall - sets up the supports that an index has, as they were. */
 static void recall(mesh *m)
 {
     while (TESS_LIST >= 128 && m->nsupport < m->alive[0])
@@ -1477,7 +1505,11 @@ static void recall(mesh *m)
 /* supportof - finds the support that the facet is on, if any, and its tilt.
  * Supports that have marked its vertices come first: between sheets 1e-10 apart
  * searches take 30 times as long otherwise.  A needle, or a facet that stands
- * on its plane, leans on none.
+ * on its plane, leans on none; nor does a facet so small that a sphere bends
+ * away from it by less than its points scatter, a sixteenth of the band or so.
+ * Its balls are then far from the sphere, and L, counted from the centre of the
+ * sphere and right to 8 eps of its distance, would tell nothing of them: 20,000
+ * points of a sphere that crowd about a spot take 8 times as long.
  *
  * dtilt: roundings of the edges take the tilt out of the plane.  In it, the
  * tilt's products with the edges miss the differences of heights by r0, r1, and
@@ -1523,6 +1555,7 @@ static void supportof(const mesh *m, quest *f)
         err[i + 1] += err[0] + 16.0 * EPS * (fabs(h[i + 1]) + fabs(h[0]));
         h[i + 1] -= h[0];
     }
+    if (!s->plane && 16.0 * n[0] < -s->low && 16.0 * n[1] < -s->low) return;
     ab = dot(a[0], a[1]);
     det = n[0] * n[1] - ab * ab;
     if (det < 1e4 * EPS * n[0] * n[1] || det < FAINT) return;
@@ -1545,7 +1578,8 @@ static void supportof(const mesh *m, quest *f)
             f->dtilt += r * sqrt(1.02 * n[1 - i] / det);
         }
         if (again || f->dtilt < size - s->low ||
-            !hh_about(&m->set, f->v[f->base], s->v[0], s->plane, s->c, &own))
+            !hh_about(&m->set, f->v[f->base], s->record[0], s->plane, s->c,
+                      &own))
             break;
         for (i = 1; i < 3; i++)
             h[i] = hh_height(&m->set, &own, f->v[(f->base + i) % 3], err + i);
@@ -2897,10 +2931,9 @@ static int lengths(tess_int n, sizes *w)
     w->marks = w->cylinders = 0;
     if (TESS_LIST < 128 || n < ENOUGH) return 1;
     left -= w->pool;
-    w->pool -= SUPPORTS * (RECORD - 1) + 2;
+    w->pool -= SUPPORTS * (RECORD - 1);
     if (2 * SUPPORTS * leafcount(n) < left - n)
-        w->marks = (tess_int)(n + SUPPORTS * (2 * leafcount(n) + RECORD - 1) +
-                              2);
+        w->marks = (tess_int)(n + SUPPORTS * (2 * leafcount(n) + RECORD - 1));
     if (32 * (leafcount(n) / 3) < TESS_INT_MOST - w->rw)
         w->cylinders = 32 * (leafcount(n) / 3);
     return 1;
@@ -2967,14 +3000,32 @@ static double units(const mesh *m)
     return u;
 }
 
+/* fits - returns 1 if HH_LIMBS limbs hold all coordinates of n points p, which
+ * is in doubt for those below few. */
+static int fits(tess_int n, const tess_real *p)
+{
+    double most = 0.0, few, x;
+    tess_int i;
+
+    for (i = 0; i < 3 * n; i++) {
+        x = fabs((double)p[i]);
+        if (x > most) most = x;
+    }
+    few = ldexp(most, (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG);
+    for (i = 0; i < 3 * n; i++) {
+        x = fabs((double)p[i]);
+        if (x > 0.0 && x < few && hh_range(x, most) != 0) return 0;
+    }
+    return 1;
+}
+
 /* scaled - scale the sorted coordinates to an absolute value of at most 1 by a
  * power of two, in two steps because one might overflow, and find whether they
  * are small multiples of one unit.  They are not if one underflows: its
- * multiple is lost.  Returns 0, or TESS_RANGE if HH_LIMBS limbs cannot hold all
- * of them, which is in doubt for those below few. */
-static int scaled(mesh *m)
+ * multiple is lost. */
+static void scaled(mesh *m)
 {
-    double most = 0.0, least = DBL_MAX, few, x, u = 0.0;
+    double most = 0.0, least = DBL_MAX, x, u = 0.0;
     tess_int i, n = 3 * m->np;
     int e;
 
@@ -2986,12 +3037,7 @@ static int scaled(mesh *m)
         if (x < least && x > 0.0) least = x;
     }
     m->least = least;
-    if (most == 0.0) return 0;
-    few = ldexp(most, (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG);
-    for (i = 0; i < n; i++)
-        if (fabs(m->x[i]) < few && m->x[i] != 0.0 &&
-            hh_range(m->x[i], most) != 0)
-            return TESS_RANGE;
+    if (most == 0.0) return;
     frexp(most, &e);
     m->set.e = e;
     rescale(m, -(e / 2));
@@ -3003,7 +3049,6 @@ static int scaled(mesh *m)
         m->set.t3 = ldexp(1.0, DBL_MANT_DIG - 1) / u / u / u;
         m->set.t5 = m->set.t3 / u / u;
     }
-    return 0;
 }
 
 /* revive - put all points back into the tree. */
@@ -3028,7 +3073,7 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
 
     layout(m, n, p, iw, rw);
     if (n == 0) return TESS_POINT;
-    if (!hh_holds(n, p)) return TESS_RANGE;
+    if (!hh_holds(n, p) || !fits(n, p)) return TESS_RANGE;
     for (i = 0; i < n; i++) m->rep[i] = i;
     collect(m, n, p);
     kdsort(m);
@@ -3040,7 +3085,7 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
         collect(m, n, p);
         kdsort(m);
     }
-    if (scaled(m) != 0) return TESS_RANGE;
+    scaled(m);
     boxes(m);
     revive(m);
     (void)lengths(n, &w);
@@ -3052,7 +3097,7 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
  * It stores what opened needs besides points and tree: known is the first
  * tetrahedron, or begins with minus the code; np is behind it, and also in the
  * header, so that an index can be recognized.  alive[0] is the number of
- * supports. */
+ * supports; the sign of the build's limbs tells whether there are cylinders. */
 static void seal(mesh *m, int code)
 {
     double *header = m->box;
@@ -3065,7 +3110,7 @@ static void seal(mesh *m, int code)
     header[2] = m->set.t5;
     header[3] = m->set.e;
     header[4] = m->least;
-    header[5] = m->enclosed;
+    header[5] = m->enclosed ? HH_LIMBS : -HH_LIMBS;
     m->alive[0] = (tess_int)m->nsupport;
 }
 
@@ -3083,36 +3128,15 @@ static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
     m->np = m->known[4];
     if (m->np < 0 || m->np > n || header[0] != (double)m->np) return -8;
     if (m->known[0] < 0) return (int)-m->known[0];
-    if (m->alive[0] < 0 || m->alive[0] > SUPPORTS) return -8;
+    if (m->alive[0] < 0 || (TESS_LIST >= 128 && m->alive[0] > SUPPORTS))
+        return -8;
     m->leaves = leafcount(m->np);
     m->set.t3 = header[1];
     m->set.t5 = header[2];
     m->set.e = (int)header[3];
     m->enclosed = header[5] > 0.0;
+    if (fabs(header[5]) > HH_LIMBS && !fits(n, p)) return TESS_RANGE;
     return hh_holds(header[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
-}
-
-/* digest - puts behind the marks of an index two numbers that tell, but for
- * chance, whether these are its own: a copy may end before them.  Returns 1 if
- * ask is 1 and they were there. */
-static int digest(const mesh *m, tess_int n, int ask)
-{
-    tess_int many = m->np, *d, i;
-    long a = 1, b = 0;
-    sizes w;
-
-    if (m->alive[0] == 0) return 0;
-    many = (tess_int)(many + m->alive[0] * (2 * m->leaves + RECORD - 1));
-    for (i = 0; i < many; i++) {
-        a = (a + m->mark[i] % 32749) % 32749;
-        b = (b + a) % 32749;
-    }
-    (void)lengths(n, &w);
-    d = m->mark + w.marks - 2;
-    ask = ask && d[0] == a && d[1] == b;
-    d[0] = (tess_int)a;
-    d[1] = (tess_int)b;
-    return ask;
 }
 
 /* intact - check in one pass that the caller's arrays can be an unfinished
@@ -3324,7 +3348,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     static const tess_int guess[2] = {NONE, NONE};
     mesh m;
     sizes w;
-    tess_int i, v[4], left = (tess_int)(liw - n), *mine;
+    tess_int i, v[4], left, *mine;
     tess_int tet[4 * STARS], adj[4 * STARS];
     double part;
     int code = badargument(n, p, 0, 0, NULL, NULL, TESS_INT_MOST, lrw), k;
@@ -3349,6 +3373,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                 m.rep[i] = m.rep[m.rep[i]];
     }
     (void)lengths(n, &w);
+    left = (tess_int)(liw - n);
     if (TESS_LIST >= 128 && code == 0 && w.marks > 0 && m.set.t5 < PLAIN &&
         left - w.iw >= w.marks) {
         mine = iw + left;
@@ -3368,7 +3393,6 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
         }
     }
     seal(&m, code);
-    if (code == 0) (void)digest(&m, n, 0);
     return code;
 }
 
@@ -3383,17 +3407,13 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
     if (code == 0) code = opened(&m, n, p, iw, rw);
     if (code > 0) *ntet = 0;
     if (code == 0) {
-        /* what the index has of these, if it is still there */
         (void)lengths(n, &w);
-        m.enclosed = m.enclosed && lrw - w.rw >= w.cylinders;
-        if (liw - w.iw >= w.marks && digest(&m, n, 1)) recall(&m);
-        m.alive[0] = (tess_int)m.nsupport;
+        if (m.alive[0] > 0 && liw - w.iw < w.marks) return -8;
+        if (m.enclosed && lrw - w.rw < w.cylinders) return -10;
+        recall(&m);
         allot(&m, n, liw);
         code = run(&m, n, mine, maxtet, ntet, tet, adj);
-        if (m.nsupport > m.alive[0]) {
-            m.alive[0] = (tess_int)m.nsupport;
-            (void)digest(&m, n, 0);
-        }
+        m.alive[0] = (tess_int)m.nsupport;
     }
     return code < -1 ? code - 1 : code;
 }

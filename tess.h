@@ -70,7 +70,7 @@
 #endif
 
 /* 10000 * major + 100 * minor version; the README says what has changed. */
-#define TESS_VERSION 30000L
+#define TESS_VERSION 40000L
 
 /* TESS_LIST: when tess.c is compiled, the capacity of the two lists of points
  * that a search looks at first: a multiple of 4, 48 to 4096, 512 if not given.
@@ -252,7 +252,8 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  * range: then nothing is written; -4 or TESS_RANGE as from tess_locate: then
  * the queries before that one are done.
  * Cost: that of tess_locate: a few steps per query if successive queries are
- * close to each other.
+ * close to each other.  In random order each takes ten times as long: sort them
+ * first, by the positions that tess_index(nq, q, ...) gives.
  */
 int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, tess_int nv, const double *value,
@@ -267,15 +268,18 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
  *                  With less, down to 2*n + n/12 + 7, the index does not know
  *                  the planes and spheres that many points are near: there
  *                  parts and queries take longer
- *   iw      (out)  the index, in its first 4*n + 32 places, or in all if it has
- *                  fewer; those planes and spheres are behind the first 2*n +
- *                  n/12 + 7.  For each code >= 0 but TESS_RANGE iw[i] is the
+ *   iw      (out)  the index.  For each code >= 0 but TESS_RANGE iw[i] is the
  *                  position, from 0 on, of point i, or of the point that
  *                  represents it, in the sorted order.  Points at close
  *                  positions are close in space
  *   lrw     (in)   length of rw, as tess_size says; or 3*n + n/2 + 12, with
  *                  which parts of surfaces and curves take longer
  *   rw      (out)  the index, too
+ *
+ * An index is whole: a copy has its first 7*n + 600 places of iw, or all if it
+ * has fewer, and all of rw.  It serves in any rounding mode and in any build
+ * with the same tess_int, tess_real and double.  The calls below recognize what
+ * is no index at all; they do not find damage.
  *
  * returns TESS_OK; TESS_PLANE, TESS_LINE, TESS_POINT or TESS_RANGE: there is no
  * mesh, and the calls below return the same; -1 for a bad n, -2 for a NaN or
@@ -288,8 +292,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
 
 /* tess_query - the tetrahedron of a mesh that holds a point, without the mesh.
  *
- *   n, p, iw, rw  (in)  points and their index, of iw the first 4*n + 32
- *                  places, or all if it has fewer.  Threads may share them
+ *   n, p, iw, rw  (in)  points and their index.  Threads may share them
  *   q    (in)      the point: 3 coordinates
  *   v    (in,out)  4 points.  On entry an earlier answer, where the walk
  *                  starts, or v[0] = TESS_NONE for anywhere.  On return the
@@ -319,17 +322,14 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  *                     with mine[i] != 0, or at the point that represents it
  *   maxtet, ntet, tet, adj   as in tess_resume: *ntet = 0, or the beginning of
  *                     the result
- *   liw     (in)      length of iw, at least 4*n + n/12 + 514.  What exceeds
- *                     that becomes pool; with 6*n + 600 and the pool there is
- *                     also room for the planes and spheres of the index.
- *                     TESS_LIW(m) is pool enough for m points asked for, unless
- *                     one has very many neighbours
- *   iw      (in,out)  the index as tess_index left it, or a copy of its first
- *                     4*n + 32 places, and workspace behind it.  Copied without
- *                     its planes and spheres, 2*n + n/12 + 7 places, or in a
- *                     short iw, a part seeks its own, if there is room.  On
- *                     return iw is an index again, with those the part knew
- *   lrw     (in)      length of rw
+ *   liw     (in)      length of iw, at least 4*n + n/12 + 514, and 6*n + 600
+ *                     if the index knows planes or spheres.  What exceeds that
+ *                     becomes pool: 7*n + 600 + TESS_LIW(m) is enough for m
+ *                     points asked for, unless one has very many neighbours
+ *   iw      (in,out)  the index as tess_index left it, or a copy; what is
+ *                     behind it is workspace.  On return an index again, which
+ *                     also knows the planes and spheres that the part found
+ *   lrw     (in)      length of rw, as for tess_index
  *   rw      (in)      the rest of the index.  Threads may share it, each with
  *                     an iw of its own
  *

@@ -60,7 +60,7 @@ C            ALIVE  2 L - 1  leaf: uncompleted points; other nodes:
 C                            children alive
 C            COUNTS 1        in an index how many supports there are
 C            MARK            for supports, if LIW is what TESSWK gives:
-C                            see TSPLAC and TSDIGE
+C                            see TSPLAC
 C            HEAD   N        position -> first entry that it owns, 0, or
 C                            FOREIN; at first, in TSINTA, point ->
 C                            position
@@ -151,8 +151,8 @@ C         stars TSSTRS
 C       results: slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, lengths TSLENG, layout TSLAYO,
 C         collect TSCOLL, rescale TSRESC, units TSUNIT,
-C         scaled TSSCAL, revive TSREVI, sorted TSSORT, seal TSSEAL,
-C         opened TSOPEN, digest TSDIGE, intact TSINTA, claim TSCLAI,
+C         fits TSFITS, scaled TSSCAL, revive TSREVI, sorted TSSORT,
+C         seal TSSEAL, opened TSOPEN, intact TSINTA, claim TSCLAI,
 C         restore TSREST, allot TSALLO, run TSRUN, badargument TSBADA
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
@@ -188,12 +188,11 @@ C       LINK   first open edge of the link from a vertex; DONE: its star
 C              is complete; NEW: in no tetrahedron yet
 C       POOL   pool and edges
 C       MARK   0, or J + SUPPS*K, of a position with mark K of support
-C              J; behind MARK(TSPLAC(CTL,J)) what support J is: its four
-C              positions, 1 for a plane, SGRAIN's exponent + EXPON; then
-C              (K + 1) (STEPS + 2) + L + 1 of each node, K and L the
-C              least and the greatest mark of its points, over FOLD; K
-C              is -1 if a point may be below SLOW, L is STEPS if one may
-C              be above -SLOW; STEPS and -1 for K and L if all are
+C              J; behind MARK(TSPLAC(CTL,J)) the record of support J,
+C              then (K + 1) (STEPS + 2) + L + 1 of each node, K and L
+C              the least and the greatest mark of its points, over FOLD;
+C              K is -1 if a point may be below SLOW, L is STEPS if one
+C              may be above -SLOW; STEPS and -1 for K and L if all are
 C     CTL, the mesh's integers:
 C       NP      distinct points
 C       NT      tetrahedra;  MAXT room for them
@@ -1635,71 +1634,96 @@ C     support.
       END
 
 C     TSPLAC - returns where in MARK the record of support J begins, but
-C     for one.  The nodes' ranges of marks are behind its 6 integers.
+C     for one.  Behind its 16 integers are the nodes' ranges of marks:
+C       1      the position of its first point
+C       2      1 for a plane
+C       3      the exponent of SGRAIN, plus EXPON
+C       4      that of the unit of the normal or centre, plus EXPON
+C       5 ...  its three coordinates in these units, DIGITS digits each
+C     So all that a support is made of is read, and comes out alike in
+C     all rounding modes and builds: marks of one sphere say nothing of
+C     another.
       INTEGER FUNCTION TSPLAC(CTL, J)
       INTEGER CTL(*), J
       INTEGER NP, LEAVES
       PARAMETER (NP = 1, LEAVES = 4)
-      TSPLAC = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + 5)
+      TSPLAC = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + 15)
       END
 
-C     TSEREC - sets up the support S from its record.  Any plane or
-C     sphere near its points will do, so its normal or centre is what
-C     doubles hold.  OK is 1, or 0 if that cannot be done.
-      SUBROUTINE TSEREC(X, P, ORD, RECORD, CTL, S, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), S(60)
-      INTEGER ORD(*), RECORD(6), CTL(*), OK
-      INTEGER SCALE, SAT, SC, SLOW, SGRAIN, GRAINS, EXPON
-      DOUBLE PRECISION EPS, HUGE
-      PARAMETER (SCALE = 19, SAT = 52, SC = 55, SLOW = 59, SGRAIN = 60,
-     $    GRAINS = 134217728, EXPON = 2000, EPS = 2.0D0**(-52),
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION HHLDEX, F(12), T(86)
-      INTEGER K, PLANE
-      PLANE = RECORD(5)
-      S(SGRAIN) = HHLDEX(1.0D0, RECORD(6) - EXPON)
+C     TSEREC - sets up the support S from its record.  OK is 1, or 0 if
+C     limbs do not hold it.
+      SUBROUTINE TSEREC(X, RECORD, S, OK)
+      DOUBLE PRECISION X(3,*), S(60)
+      INTEGER RECORD(16), OK
+      INTEGER SAT, SC, SLOW, SGRAIN, GRAINS, DIGITS, EXPON
+      DOUBLE PRECISION DIGIT
+      PARAMETER (SAT = 52, SC = 55, SLOW = 59, SGRAIN = 60,
+     $    GRAINS = 134217728, DIGITS = 4, EXPON = 2000,
+     $    DIGIT = 8192.0D0)
+      DOUBLE PRECISION HHLDEX, C
+      INTEGER I, K
+      S(SGRAIN) = HHLDEX(1.0D0, RECORD(3) - EXPON)
       S(SLOW) = -0.5D0*S(SGRAIN)*DBLE(GRAINS)
-C     as HHTHIN leaves it if there is no normal
-      F(10) = HUGE
-      OK = 1
-      IF (PLANE .EQ. 1) THEN
-        CALL HHTHIN(X, P, ORD, CTL(SCALE), RECORD(1), 1, F)
-        IF (F(10) .GE. HUGE) OK = 0
-      ELSE
-        CALL HHCENT(P, ORD, CTL(SCALE), RECORD(1), 1, RECORD(4), F, T,
-     $              OK)
-      END IF
-      IF (OK .EQ. 0) RETURN
-      DO 10 K = 1, 3
+      DO 20 K = 1, 3
         S(SAT+K) = X(K,RECORD(1))
-        S(SC+K) = F(K)
-   10 CONTINUE
-      CALL HHABOU(X, RECORD(1), RECORD(1), PLANE, F, S, OK)
+        C = 0.0D0
+        DO 10 I = 4 + DIGITS*K, 5 + DIGITS*(K - 1), -1
+          C = (C + DBLE(RECORD(I)))/DIGIT
+   10   CONTINUE
+        S(SC+K) = HHLDEX(C, RECORD(4) - EXPON)
+   20 CONTINUE
+      CALL HHABOU(X, RECORD(1), RECORD(1), RECORD(2), S(SC+1), S, OK)
       END
 
 C     TSTHRO - sets up the support S, a plane or a sphere through the
-C     positions at the beginning of RECORD, for a search's sample, whose
-C     extent is WIDE.  It takes heights of 8 to 16 times those of three
-C     quarters of the sample, or of one quarter if that is FINER times
-C     nearer, but not 0: the points on one of several near sheets.  (Two
-C     exact planes need no finer heights than tell them apart.)  OK is
-C     1, or 0 if that is more than BAND.
-      SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, WIDE, PLANE, S, OK)
+C     positions Z, for a search's sample, whose extent is WIDE.  Any
+C     plane or sphere near the points will do, so its normal or centre
+C     is the 52 leading bits of what doubles hold.  It takes heights of
+C     8 to 16 times those of three quarters of the sample, or of one
+C     quarter if that is FINER times nearer, but not 0: the points on
+C     one of several near sheets.  (Two exact planes need no finer
+C     heights than tell them apart.)  OK is 1, or 0 if that is more than
+C     BAND.
+      SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
+     $                  OK)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(60)
-      INTEGER ORD(*), RECORD(6), CTL(*), IQ(42), PLANE, OK
-      INTEGER SLOW, QOPEND, QSOME, SOME, GRAINS, EXPON
-      DOUBLE PRECISION BAND, FAINT, FINER, ROUGH
-      PARAMETER (SLOW = 59, QOPEND = 10, QSOME = 10, SOME = 32,
-     $    GRAINS = 134217728, EXPON = 2000, BAND = 2.0D-8,
-     $    FAINT = 1.0D-200, FINER = 100.0D0, ROUGH = 1.0D-3)
-      DOUBLE PRECISION D, ERR, H(SOME)
+      INTEGER ORD(*), RECORD(16), CTL(*), IQ(42), Z(4), PLANE, OK
+      INTEGER SCALE, SLOW, QOPEND, QSOME, SOME, GRAINS, DIGITS, EXPON
+      DOUBLE PRECISION BAND, FAINT, FINER, ROUGH, DIGIT, EPS, HUGE
+      PARAMETER (SCALE = 19, SLOW = 59, QOPEND = 10, QSOME = 10,
+     $    SOME = 32, GRAINS = 134217728, DIGITS = 4, EXPON = 2000,
+     $    BAND = 2.0D-8, FAINT = 1.0D-200, FINER = 100.0D0,
+     $    ROUGH = 1.0D-3, DIGIT = 8192.0D0, EPS = 2.0D0**(-52),
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION HHLDEX, C(12), D, ERR, H(SOME), T(86)
       INTEGER HHFREX, I, K, N
-      N = MIN(IQ(QOPEND), SOME)
-      RECORD(5) = PLANE
-      RECORD(6) = EXPON
-      CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
+C     as HHTHIN leaves it if there is no normal
+      C(10) = HUGE
+      OK = 1
+      IF (PLANE .EQ. 1) THEN
+        CALL HHTHIN(X, P, ORD, CTL(SCALE), Z, 1, C)
+        IF (C(10) .GE. HUGE) OK = 0
+      ELSE
+        CALL HHCENT(P, ORD, CTL(SCALE), Z, 1, Z(4), C, T, OK)
+      END IF
+      IF (OK .EQ. 0) RETURN
+      I = HHFREX(MAX(ABS(C(1)), ABS(C(2)), ABS(C(3))))
+      RECORD(1) = Z(1)
+      RECORD(2) = PLANE
+      RECORD(3) = EXPON
+      RECORD(4) = EXPON + I
+      DO 8 K = 1, 3
+        D = HHLDEX(C(K), -I)
+        DO 4 N = 5 + DIGITS*(K - 1), 4 + DIGITS*K
+          D = D*DIGIT
+          RECORD(N) = INT(D)
+          D = D - DBLE(RECORD(N))
+    4   CONTINUE
+    8 CONTINUE
+      CALL TSEREC(X, RECORD, S, OK)
       IF (OK .EQ. 0) RETURN
       OK = 0
+      N = MIN(IQ(QOPEND), SOME)
       DO 20 I = 1, N
         CALL HHHEIG(X, S, IQ(QSOME+I), D, ERR)
         D = ABS(D)
@@ -1713,8 +1737,8 @@ C     1, or 0 if that is more than BAND.
    20 CONTINUE
       D = H(3*N/4+1)
       IF (H(N/4+1) .GT. 0.0D0 .AND. H(N/4+1) .LT. D/FINER) D = H(N/4+1)
-      RECORD(6) = EXPON + HHFREX(D*(16.0D0/DBLE(GRAINS)) + FAINT)
-      CALL TSEREC(X, P, ORD, RECORD, CTL, S, OK)
+      RECORD(3) = EXPON + HHFREX(D*(16.0D0/DBLE(GRAINS)) + FAINT)
+      CALL TSEREC(X, RECORD, S, OK)
       D = BAND*WIDE
       IF (PLANE .EQ. 0) D = ROUGH*WIDE*WIDE
       IF (-S(SLOW) .GT. D) OK = 0
@@ -1726,16 +1750,16 @@ C     on none (sheets near each other are one).  OK is 1 if it is set
 C     up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), S(60)
-      INTEGER ORD(*), RECORD(6), CTL(*), V(3), IQ(42), OK
+      INTEGER ORD(*), RECORD(16), CTL(*), V(3), IQ(42), OK
       INTEGER QOPEND, QSOME, SOME
       DOUBLE PRECISION SMALL
       PARAMETER (QOPEND = 10, QSOME = 10, SMALL = 2.0D0**(-450),
      $    SOME = 32)
       DOUBLE PRECISION TSDOT, D, E(3), U(3,SOME), WIDE(3)
-      INTEGER FAR, I, J, K, N
+      INTEGER FAR, I, J, K, N, Z(4)
       OK = 0
       N = MIN(IQ(QOPEND), SOME)
-      RECORD(1) = V(1)
+      Z(1) = V(1)
       DO 20 I = 1, N
         DO 10 K = 1, 3
           U(K,I) = X(K,IQ(QSOME+I)) - X(K,V(1))
@@ -1748,7 +1772,7 @@ C     the farthest one, and what is left of all
           IF (TSDOT(U(1,I), U(1,I)) .GT. TSDOT(U(1,FAR), U(1,FAR)))
      $        FAR = I
    30   CONTINUE
-        RECORD(J+1) = IQ(QSOME+FAR)
+        Z(J+1) = IQ(QSOME+FAR)
         WIDE(J) = SQRT(TSDOT(U(1,FAR), U(1,FAR)))
         IF (J .EQ. 3) GO TO 70
         IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
@@ -1763,9 +1787,9 @@ C     the farthest one, and what is left of all
    60   CONTINUE
    70 CONTINUE
       IF (WIDE(3) .GE. 1.0D-7*WIDE(1)) CALL TSTHRO(X, P, ORD, RECORD,
-     $    CTL, IQ, WIDE(1), 0, S, OK)
-      IF (OK .EQ. 0) CALL TSTHRO(X, P, ORD, RECORD, CTL, IQ, WIDE(1), 1,
-     $    S, OK)
+     $    CTL, IQ, Z, WIDE(1), 0, S, OK)
+      IF (OK .EQ. 0) CALL TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE(1),
+     $    1, S, OK)
       END
 
 C     TSDISC - seeks a support for the points that a search left open.
@@ -1820,7 +1844,7 @@ C     most of a globe's index
       IF (IQ(QOPEND) .GT. OPENED .AND. HELD .EQ. IQ(QOPEND)) RETURN
       LOW = SUP(SLOW,J)
       GRAIN = SUP(SGRAIN,J)
-      RANGES = AT + 6
+      RANGES = AT + 16
       NEAR = 0
       DO 30 NODE = 2*CTL(LEAVES) - 1, 1, -1
         IF (NODE .LT. CTL(LEAVES)) THEN
@@ -1869,24 +1893,30 @@ C     most of a globe's index
       IF (J .EQ. SUPPS) RCTL(RPATIE) = 0.0D0
       END
 
-C     TSRECA - sets up the supports that an index has.
-      SUBROUTINE TSRECA(X, P, ORD, COUNTS, CTL, SUP)
-      DOUBLE PRECISION X(3,*), P(3,*), SUP(60,*)
-      INTEGER ORD(*), COUNTS(*), CTL(*)
+C     TSRECA - sets up the supports that an index has, as they were.
+      SUBROUTINE TSRECA(X, COUNTS, CTL, SUP)
+      DOUBLE PRECISION X(3,*), SUP(60,*)
+      INTEGER COUNTS(*), CTL(*)
       INTEGER NSUPP
       PARAMETER (NSUPP = 20)
       INTEGER TSPLAC, AT, J, OK
       CTL(NSUPP) = COUNTS(1)
       DO 10 J = 1, CTL(NSUPP)
         AT = TSPLAC(CTL, J)
-        CALL TSEREC(X, P, ORD, COUNTS(AT+2), CTL, SUP(1,J), OK)
+        CALL TSEREC(X, COUNTS(AT+2), SUP(1,J), OK)
    10 CONTINUE
       END
 
 C     TSSUPP - finds the support that the facet is on, if any, and its
 C     tilt.  Supports that have marked its vertices come first: between
 C     sheets 1e-10 apart searches take 30 times as long otherwise.  A
-C     needle, or a facet that stands on its plane, leans on none.
+C     needle, or a facet that stands on its plane, leans on none; nor
+C     does a facet so small that a sphere bends away from it by less
+C     than its points scatter, a sixteenth of the band or so.  Its balls
+C     are then far from the sphere, and L, counted from the centre of
+C     the sphere and right to 8 EPS of its distance, would tell nothing
+C     of them: 20,000 points of a sphere that crowd about a spot take 8
+C     times as long.
 C
 C     The tilt's error: roundings of the edges take the tilt out of the
 C     plane.  In it, the tilt's products with the edges miss the
@@ -1944,6 +1974,8 @@ C     than 8 EPS SIZE.
      $             ABS(H(1))))
         H(I+1) = H(I+1) - H(1)
    60 CONTINUE
+      IF (PLANE .EQ. 0 .AND. 16.0D0*N(1) .LT. -SUP(SLOW,J) .AND.
+     $    16.0D0*N(2) .LT. -SUP(SLOW,J)) RETURN
       AB = TSDOT(A(1,1), A(1,2))
       DET = N(1)*N(2) - AB*AB
       IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
@@ -2185,7 +2217,7 @@ C     Where the heights tell nothing, the box alone counts.
       INTEGER TSPLAC, TSPRUN, K
       IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F, C(QHI),
      $    T)
-      K = MARK(TSPLAC(CTL, IQ(QON))+6+NODE)
+      K = MARK(TSPLAC(CTL, IQ(QON))+16+NODE)
       IF (T(TA) .LT. 0.0D0) THEN
         K = MOD(K, STEPS + 2) - 1
         H = DBLE(FOLD)*DBLE(K) + (DBLE(FOLD) + 0.5D0)
@@ -3871,8 +3903,8 @@ C     2 TSLCOU(N) < N/12 + 2
       OK = 1
       IF (N .LT. ENOUGH) RETURN
       LEFT = LEFT - POOL
-      POOL = POOL - 5*SUPPS - 2
-      IF (2*SUPPS*LVS .LT. LEFT - N) MARKS = N + SUPPS*(2*LVS + 5) + 2
+      POOL = POOL - 15*SUPPS
+      IF (2*SUPPS*LVS .LT. LEFT - N) MARKS = N + SUPPS*(2*LVS + 15)
       IF (32*(LVS/3) .LT. INTMAX - LRW) CYLS = 32*(LVS/3)
       END
 
@@ -3963,24 +3995,47 @@ C     are multiples of 1/U, or 0 if it exceeds 2**30.
       TSUNIT = U
       END
 
+C     TSFITS - returns 1 if HHLIM limbs hold all coordinates of N points
+C     P, which is in doubt for those below FEW.
+      INTEGER FUNCTION TSFITS(N, P)
+      INTEGER N
+      DOUBLE PRECISION P(3,*)
+      INTEGER HHLIM, BITS, DIGITS
+      PARAMETER (HHLIM = 88, BITS = 24, DIGITS = 53)
+      DOUBLE PRECISION HHLDEX, FEW, TOP
+      INTEGER HHRANG, I, K
+      TOP = 0.0D0
+      DO 20 I = 1, N
+        DO 10 K = 1, 3
+          TOP = MAX(TOP, ABS(P(K,I)))
+   10   CONTINUE
+   20 CONTINUE
+      FEW = HHLDEX(TOP, (3 - HHLIM)*BITS + DIGITS)
+      TSFITS = 0
+      DO 40 I = 1, N
+        DO 30 K = 1, 3
+          IF (ABS(P(K,I)) .LT. FEW .AND. ABS(P(K,I)) .GT. 0.0D0) THEN
+            IF (HHRANG(P(K,I), TOP) .NE. 0) RETURN
+          END IF
+   30   CONTINUE
+   40 CONTINUE
+      TSFITS = 1
+      END
+
 C     TSSCAL - scale the sorted coordinates to an absolute value of at
 C     most 1 by a power of two, in two steps because one might overflow,
 C     and find whether they are small multiples of one unit.  They are
-C     not if one underflows: its multiple is lost.  INFO is 0, or RANGE
-C     if HHLIM limbs cannot hold all of them, which is in doubt for
-C     those below FEW.
-      SUBROUTINE TSSCAL(X, CTL, RCTL, INFO)
+C     not if one underflows: its multiple is lost.
+      SUBROUTINE TSSCAL(X, CTL, RCTL)
       DOUBLE PRECISION X(3,*), RCTL(*)
-      INTEGER CTL(*), INFO
-      INTEGER NP, SCALE, T3, T5, RLEAST, RANGE, HHLIM, BITS, DIGITS
+      INTEGER CTL(*)
+      INTEGER NP, SCALE, T3, T5, RLEAST, DIGITS
       DOUBLE PRECISION HUGE, NORMAL, SMALL
       PARAMETER (NP = 1, SCALE = 19, T3 = 1, T5 = 2, RLEAST = 6,
-     $    RANGE = 6, HUGE = 1.7976931348623157D308, HHLIM = 88,
-     $    BITS = 24, DIGITS = 53, NORMAL = 2.0D0**(-1022),
-     $    SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION HHLDEX, TSUNIT, BOTTOM, FEW, TOP, U
-      INTEGER HHFREX, HHRANG, E, I, K
-      INFO = 0
+     $    DIGITS = 53, HUGE = 1.7976931348623157D308,
+     $    NORMAL = 2.0D0**(-1022), SMALL = 2.0D0**(-450))
+      DOUBLE PRECISION HHLDEX, TSUNIT, BOTTOM, TOP, U
+      INTEGER HHFREX, E, I, K
       RCTL(T3) = -1.0D0
       RCTL(T5) = -1.0D0
       CTL(SCALE) = 0
@@ -3995,15 +4050,6 @@ C     those below FEW.
    20 CONTINUE
       RCTL(RLEAST) = BOTTOM
       IF (TOP .LE. 0.0D0) RETURN
-      FEW = HHLDEX(TOP, (3 - HHLIM)*BITS + DIGITS)
-      DO 40 I = 1, CTL(NP)
-        DO 30 K = 1, 3
-          IF (ABS(X(K,I)) .LT. FEW .AND. ABS(X(K,I)) .GT. 0.0D0) THEN
-            IF (HHRANG(X(K,I), TOP) .NE. 0) INFO = RANGE
-          END IF
-   30   CONTINUE
-   40 CONTINUE
-      IF (INFO .NE. 0) RETURN
       E = HHFREX(TOP)
       CTL(SCALE) = E
       CALL TSRESC(X, CTL, -(E/2))
@@ -4041,10 +4087,12 @@ C     RANGE.
       INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,2), N, ROOMY, INFO
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
-      INTEGER HHHOLD, I
+      INTEGER HHHOLD, TSFITS, I
       CALL TSLAYO(CTL, RCTL, LSI)
       INFO = RANGE
       IF (HHHOLD(N, P) .EQ. 0) RETURN
+      IF (TSFITS(N, P) .EQ. 0) RETURN
+      INFO = 0
       DO 10 I = 1, N
         REP(I) = I
    10 CONTINUE
@@ -4062,8 +4110,7 @@ C         them
           GO TO 40
         END IF
    30 CONTINUE
-   40 CALL TSSCAL(X, CTL, RCTL, INFO)
-      IF (INFO .NE. 0) RETURN
+   40 CALL TSSCAL(X, CTL, RCTL)
       CALL TSBOXE(X, BOX, CTL)
       CALL TSREVI(ALIVE, CTL)
       I = 2*CTL(LEAVES) + 1
@@ -4075,13 +4122,14 @@ C     CODE is 0.  It stores what TSOPEN needs besides points and tree:
 C     KNOWN is the first tetrahedron, or begins with minus the code;
 C     COUNT, behind it, and HEADER(1) are NP, so that an index can be
 C     recognized.  COUNTS(1) is the number of supports, whose marks are
-C     behind it.
+C     behind it; the sign of the build's limbs tells whether there are
+C     cylinders.
       SUBROUTINE TSSEAL(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, CODE)
       INTEGER KNOWN(4), COUNT, COUNTS(*), CTL(*), CODE
       DOUBLE PRECISION HEADER(6), RCTL(*)
-      INTEGER NP, ENCLOS, SCALE, NSUPP, T3, T5, RLEAST
+      INTEGER NP, ENCLOS, SCALE, NSUPP, T3, T5, RLEAST, HHLIM
       PARAMETER (NP = 1, ENCLOS = 16, SCALE = 19, NSUPP = 20, T3 = 1,
-     $    T5 = 2, RLEAST = 6)
+     $    T5 = 2, RLEAST = 6, HHLIM = 88)
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
       HEADER(1) = DBLE(CTL(NP))
@@ -4090,7 +4138,7 @@ C     behind it.
       HEADER(3) = RCTL(T5)
       HEADER(4) = DBLE(CTL(SCALE))
       HEADER(5) = RCTL(RLEAST)
-      HEADER(6) = DBLE(CTL(ENCLOS))
+      HEADER(6) = DBLE((2*CTL(ENCLOS) - 1)*HHLIM)
       COUNTS(1) = CTL(NSUPP)
       END
 
@@ -4100,12 +4148,13 @@ C     points without a mesh, or -8 where there is no index.
      $                  LSI, INFO)
       INTEGER N, KNOWN(4), COUNT, COUNTS(*), CTL(*), LSI(3,2), INFO
       DOUBLE PRECISION P(3,*), HEADER(6), RCTL(*)
-      INTEGER NP, LEAVES, ENCLOS, SCALE, T3, T5, RLEAST, RANGE, SUPPS
+      INTEGER NP, LEAVES, ENCLOS, SCALE, T3, T5, RLEAST, RANGE, SUPPS,
+     $    HHLIM
       DOUBLE PRECISION NORMAL
       PARAMETER (NP = 1, LEAVES = 4, ENCLOS = 16, SCALE = 19, T3 = 1,
-     $    T5 = 2, RLEAST = 6, RANGE = 6, SUPPS = 8,
+     $    T5 = 2, RLEAST = 6, RANGE = 6, SUPPS = 8, HHLIM = 88,
      $    NORMAL = 2.0D0**(-1022))
-      INTEGER HHHOLD, TSLCOU, ALL
+      INTEGER HHHOLD, TSFITS, TSLCOU, ALL
       CALL TSLAYO(CTL, RCTL, LSI)
       CTL(NP) = COUNT
       INFO = -8
@@ -4121,32 +4170,13 @@ C     points without a mesh, or -8 where there is no index.
       CTL(SCALE) = INT(HEADER(4))
       RCTL(RLEAST) = HEADER(5)
       IF (HEADER(6) .GT. 0.0D0) CTL(ENCLOS) = 1
+      INFO = RANGE
+      IF (ABS(HEADER(6)) .GT. DBLE(HHLIM)) THEN
+        IF (TSFITS(N, P) .EQ. 0) RETURN
+      END IF
       ALL = 1
       IF (RCTL(RLEAST) .LT. NORMAL) ALL = N
-      INFO = 0
-      IF (HHHOLD(ALL, P) .EQ. 0) INFO = RANGE
-      END
-
-C     TSDIGE - puts behind the marks of an index two numbers that tell,
-C     but for chance, whether these are its own: a copy may end before
-C     them.  OWN, if it was 1, becomes 0 if they were not there.
-      SUBROUTINE TSDIGE(N, COUNTS, CTL, OWN)
-      INTEGER N, COUNTS(*), CTL(*), OWN
-      INTEGER TSPLAC, A, B, CYLS, I, LIWMIN, LRWMIN, MARKS, OK, POOL
-      IF (COUNTS(1) .EQ. 0) OWN = 0
-      IF (COUNTS(1) .EQ. 0) RETURN
-      A = 1
-      B = 0
-      DO 10 I = 1, TSPLAC(CTL, COUNTS(1) + 1)
-        A = MOD(A + MOD(COUNTS(1+I), 32749), 32749)
-        B = MOD(B + A, 32749)
-   10 CONTINUE
-      CALL TSLENG(N, LIWMIN, LRWMIN, POOL, MARKS, CYLS, OK)
-      IF (OWN .EQ. 1) THEN
-        IF (COUNTS(MARKS) .NE. A .OR. COUNTS(MARKS+1) .NE. B) OWN = 0
-      END IF
-      COUNTS(MARKS) = A
-      COUNTS(MARKS+1) = B
+      IF (HHHOLD(ALL, P) .EQ. 1) INFO = 0
       END
 
 C     TSINTA - check in one pass that the caller's arrays can be an
@@ -4584,8 +4614,7 @@ C     element of RW or IW, and the standard lets them be altered.
       PARAMETER (TSLIST = 512, ENCLOS = 16, NSUPP = 20, SUPPS = 8)
       DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(60,SUPPS)
       REAL LSX(TSLIST,4,2)
-      INTEGER CTL(84), K, LENGTH, LSI(3,2), LSID(TSLIST+48,2), OWN,
-     $    SPACE
+      INTEGER CTL(84), K, LENGTH, LSI(3,2), LSID(TSLIST+48,2), SPACE
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,
      $              INFO)
@@ -4596,12 +4625,10 @@ C     element of RW or IW, and the standard lets them be altered.
       IF (INFO .GT. 0) NTET = 0
       IF (INFO .NE. 0) RETURN
       IF (MASKED .EQ. 1) THEN
-C       what the index has of these, if it is still there
-        IF (ROOMY .EQ. 0) CTL(ENCLOS) = 0
-        OWN = WHOLE
-        IF (WHOLE .EQ. 1) CALL TSDIGE(N, COUNTS, CTL, OWN)
-        IF (OWN .EQ. 1) CALL TSRECA(X, P, ORD, COUNTS, CTL, SUP)
-        COUNTS(1) = CTL(NSUPP)
+        IF (CTL(ENCLOS) .EQ. 1 .AND. ROOMY .EQ. 0) INFO = -9
+        IF (COUNTS(1) .GT. 0 .AND. WHOLE .EQ. 0) INFO = -7
+        IF (INFO .NE. 0) RETURN
+        CALL TSRECA(X, COUNTS, CTL, SUP)
       END IF
       CALL TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
 C     without marks MARK is COUNTS(1), which is left alone
@@ -4610,10 +4637,7 @@ C     without marks MARK is COUNTS(1), which is left alone
      $           COUNTS(K), COUNTS(K+N), LENGTH, COUNTS(K+2*N),
      $           MAX(SPACE, 1), COUNTS(MIN(K,3)-1), CTL, RCTL, SUP, LSX,
      $           LSID, LSI, LSD, MASKED, MINE, MAXTET, NTET, INFO)
-      IF (MASKED .EQ. 0 .OR. CTL(NSUPP) .EQ. COUNTS(1)) RETURN
-      COUNTS(1) = CTL(NSUPP)
-      OWN = 0
-      CALL TSDIGE(N, COUNTS, CTL, OWN)
+      IF (MASKED .EQ. 1) COUNTS(1) = CTL(NSUPP)
       END
 
 C     TESSIX - sort the points, for stars and queries without a mesh.
@@ -4626,13 +4650,10 @@ C                      suffices, too.  With less, down to 2*N + N/12 +
 C                      7, the index does not know the planes and spheres
 C                      that many points are near: there parts and
 C                      queries take longer
-C       IW      (out)  the index, in its first 4*N + 32 places, or in
-C                      all if it has fewer; those planes and spheres are
-C                      behind the first 2*N + N/12 + 7.  For each INFO
-C                      >= 0 but 6, IW(I) is the position, from 1 on, of
-C                      point I, or of the point that represents it, in
-C                      the sorted order.  Points at close positions are
-C                      close in space
+C       IW      (out)  the index.  For each INFO >= 0 but 6, IW(I) is
+C                      the position, from 1 on, of point I, or of the
+C                      point that represents it, in the sorted order.
+C                      Points at close positions are close in space
 C       LRW     (in)   length of RW, as TESSWK says; or 3*N + N/2 + 12,
 C                      with which parts of surfaces and curves take
 C                      longer
@@ -4641,6 +4662,11 @@ C       INFO    (out)  0; 3 to 6 as TESS gives: there is no mesh, and
 C                      the calls below give the same; -1 for a bad N, -2
 C                      for a NaN or infinity in P, -3 and -5 for LIW and
 C                      LRW that are too small
+C
+C     An index is whole: a copy has its first 7*N + 600 places of IW, or
+C     all if it has fewer, and all of RW.  It serves in any rounding
+C     mode and in any build with the same types.  The calls below
+C     recognize what is no index at all; they do not find damage.
 C
 C     Cost: O(N log N), about a tenth of that of the mesh, a quarter
 C     near planes and spheres.
@@ -4691,7 +4717,7 @@ C     spread evenly); nothing else is kept of these.
       DOUBLE PRECISION LSD(14,2), PART, RCTL(6), SUP(60,SUPPS)
       REAL LSX(TSLIST,4,2)
       INTEGER ADJ(4*STARS), CODE, CTL(84), GUESS(2), I, K, LENGTH,
-     $    LSI(3,2), LSID(TSLIST+48,2), MANY, MINE, OWN, SPACE,
+     $    LSI(3,2), LSID(TSLIST+48,2), MANY, MINE, SPACE,
      $    TET(4,STARS), V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, ROOMY,
      $            INFO)
@@ -4750,8 +4776,6 @@ C       point it has in REP
    50   CONTINUE
       END IF
    60 CALL TSSEAL(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, INFO)
-      OWN = 0
-      IF (INFO .EQ. 0) CALL TSDIGE(N, COUNTS, CTL, OWN)
       END
 
 C     TESSPA - all tetrahedra of the mesh that have one of certain
@@ -4763,20 +4787,16 @@ C                         each point I with MINE(I) not 0, or at the
 C                         point that represents it
 C       MAXTET, NTET, TET, ADJ   as in TESSRE: NTET = 0, or the
 C                         beginning of the result
-C       LIW     (in)      length of IW, at least 4*N + N/12 + 514.
-C                         What exceeds that becomes pool; with 6*N + 600
-C                         and the pool there is also room for the planes
-C                         and spheres of the index.  For M points asked
-C                         for 19*M + 1800 is pool enough, unless one has
-C                         very many neighbours
-C       IW      (in,out)  the index as TESSIX left it, or a copy of its
-C                         first 4*N + 32 places, and workspace behind
-C                         it.  Copied without its planes and spheres,
-C                         2*N + N/12 + 7 places, or in a short IW, a
-C                         part seeks its own, if there is room.  On
-C                         return IW is an index again, with those the
-C                         part knew
-C       LRW     (in)      length of RW
+C       LIW     (in)      length of IW, at least 4*N + N/12 + 514, and
+C                         6*N + 600 if the index knows planes or
+C                         spheres.  What exceeds that becomes pool:
+C                         7*N + 600 + 19*M + 1800 is enough for M points
+C                         asked for, unless one has very many neighbours
+C       IW      (in,out)  the index as TESSIX left it, or a copy; what
+C                         is behind it is workspace.  On return an index
+C                         again, which also knows the planes and spheres
+C                         that the part found
+C       LRW     (in)      length of RW, as for TESSIX
 C       RW      (in)      the rest of the index.  Threads may share it,
 C                         each with an IW of its own
 C       INFO    (out)     what TESSRE gives, but -4 for MAXTET, -5, -6,
@@ -5250,7 +5270,8 @@ C     Where there is no start, a walk starts from the last answer: it is
 C     the nearest if the queries are in order, and if not, TESSLO
 C     notices.
 C     Cost: that of TESSLO: a few steps per query if successive queries
-C     are close to each other.
+C     are close to each other.  In random order each takes ten times as
+C     long: sort them first, by the positions that TESSIX gives.
       SUBROUTINE TESSVA(P, NTET, TET, ADJ, NV, VALUE, NQ, Q, T, OUT,
      $                  INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), NV, NQ, T(*), INFO
@@ -5359,9 +5380,8 @@ C     no entry is DONE.
 C     TESSQU - the tetrahedron of a mesh that holds a point, without the
 C     mesh.
 C
-C       N, P, IW, RW  (in)  points and their index, of IW the first
-C                      4*N + 32 places, or all if it has fewer.  Threads
-C                      may share them
+C       N, P, IW, RW  (in)  points and their index.  Threads may share
+C                      them
 C       Q    (in)      the point: 3 coordinates
 C       V    (in,out)  4 points.  On entry an earlier answer, where the
 C                      walk starts, or V(1) = 0 for anywhere.  On return
@@ -5427,7 +5447,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       IF (INFO .NE. 0) RETURN
       INFO = -5
       IF (HHFINI(1, Q) .EQ. 0) RETURN
-      CALL TSRECA(X, P, ORD, COUNTS, CTL, SUP)
+      CALL TSRECA(X, COUNTS, CTL, SUP)
 C     where the marks are, if there are any
       AT = 1
       IF (CTL(NSUPP) .GT. 0) AT = 2

@@ -266,6 +266,11 @@ symbols() {
         "-DTESS_INT=ptrdiff_t -include stddef.h"; do
         mismatch "$o"
     done
+    for word in unsigned:signed "long long:one word" int_least64_t:header; do
+        one "TESS_INT=${word%%:*} is refused" sh -c "! $CC -c -o build/have.o \
+            '-DTESS_INT=${word%%:*}' hhpred.c 2> build/have.txt &&
+            grep '${word##*:}' build/have.txt"
+    done
     for f in tess hhpred; do
         $CC -O1 -DHH_LIMBS=6 -c -o build/other$f.o $f.c >> $LOG 2>&1
     done
@@ -314,6 +319,44 @@ tests() {
     else
         skip "all rounding modes"
     fi
+}
+
+# An index serves in other builds and rounding modes than the one that made it.
+# indexed NAME CC FLAGS: another build to make and to read them.
+indexed() {
+    if ! have "$2" "$3"; then
+        skip "an index of $1"
+        return
+    fi
+    made=`expr $made + 1`
+    if compile "$2" "$3" build/indexed $LIBRARY && build indexed/read$made \
+        "$CC" "$rounding" build/indexed/*.o test/unit/t_index.c test/points.c \
+        test/proof/exact.c && build/indexed/read$made write \
+        build/indexed/$made; then
+        names="$names $1;"
+    else
+        fail "an index of $1"
+    fi
+}
+
+indices() {
+    made=0
+    names=
+    rounding="-O1 -I."
+    have "$CC" "$ROUND" && rounding="$ROUND -I."
+    rm -rf build/indexed
+    indexed "$CC -O2" "$CC" -O2
+    indexed "$CC -Ofast" "$CC" -Ofast
+    indexed "x87" "$CC" "-O2 -mfpmath=387"
+    indexed "short lists" "$CC" "-O1 -DTESS_LIST=48"
+    if [ -n "$ALL" ]; then
+        indexed "clang" clang "-O2 -ffp-contract=fast"
+        indexed "lists of 128" "$CC" "-O2 -DTESS_LIST=128"
+        indexed "10 limbs" "$CC" "-O2 -DHH_LIMBS=10"
+    fi
+    for i in build/indexed/read*; do
+        many "indices of$names by ${i##*read}" $i build/indexed/[0-9]*
+    done
 }
 
 sanitizers() {
@@ -1077,6 +1120,7 @@ first_half() {
     symbols
     tests
     builds
+    indices
     examples
     together
     readme

@@ -88,7 +88,7 @@ static void make(part *r, long number, long parts, tess_int mesh)
 
     r->number = (tess_int)number;
     r->parts = (tess_int)parts;
-    r->liw = 6 * n + 600 + (tess_int)TESS_LIW(m);
+    r->liw = 7 * n + 600 + (tess_int)TESS_LIW(m);
     r->most = mesh;
     r->mine = ints(n);
     r->iw = ints(r->liw);
@@ -118,7 +118,7 @@ static void *compute(void *arg)
     for (i = 0; i < n; i++)
         r->mine[i] = (tess_int)((double)iw[i] * (double)r->parts /
                                 (double)n) == r->number;
-    memcpy(r->iw, iw, (size_t)(4 * n + 32) * sizeof *iw);
+    memcpy(r->iw, iw, (size_t)(7 * n + 600) * sizeof *iw);
     r->ntet = 0;
     r->code = tess_part(n, p, r->mine, r->most, &r->ntet, r->tet, r->adj,
                         r->liw, r->iw, lrw, rw);

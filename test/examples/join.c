@@ -7,7 +7,7 @@
  * the same in FORTRAN 77.
  *
  *   1. tess_index sorts the points, in an iw of 7 n + 600 or what tess_size
- *      says.  rw is shared by all, the first 4 n + 32 places of iw are copied
+ *      says.  rw is shared by all, the first 7 n + 600 places of iw are copied
  *      for each.
  *   2. Each thread asks tess_part for the points of a range of places (iw[i]),
  *      of about the same length, so for points near each other.
@@ -22,12 +22,10 @@
  * passes tess_check.  If a part is missing, tess_resume computes it: let what
  * was TESS_OPEN before join and is TESS_NONE behind it be TESS_OPEN again.
  *
- * Workspace.  tess_part needs an iw of 4 n + n/12 + 514 in any case: places, the
- * order, and two lists of all points; up to 6 n + 600 with the planes and spheres
- * that the index knows.  Behind that come open facets, for which TESS_LIW(m) is
- * room enough in a part with m points asked for, but for points that have very
- * many neighbours: TESS_POOL.  So
- *     liw = 6 n + 600 + TESS_LIW(m)
+ * Workspace.  The copy of the index has room for all that tess_part needs but
+ * open facets, for which TESS_LIW(m) is room enough in a part with m points
+ * asked for, but for points that have very many neighbours: TESS_POOL.  So
+ *     liw = 7 n + 600 + TESS_LIW(m)
  */
 #include "tess.h"
 

@@ -8,8 +8,8 @@ C     For meshes by several threads; parts.f is a program that does it,
 C     and join.c the same in C.
 C
 C       1. TESSIX sorts the points, in an IW of 7*N + 600 or what
-C          TESSWK says.  RW is shared by all, the first 4*N + 32 places
-C          of IW are copied for each thread.
+C          TESSWK says.  RW is shared by all, the first 7*N + 600
+C          places of IW are copied for each thread.
 C       2. Each thread asks TESSPA for the points of a range of places
 C          (IW(I)), of about the same length, so for points near each
 C          other.
@@ -26,7 +26,7 @@ C     order, and passes TESSCH.  If a part is missing, TESSRE computes
 C     it: let what was -1 in ADJ before JOIN and is 0 behind it be -1
 C     again.
 C
-C     Workspace of TESSPA for M points asked for: LIW = 6*N + 600 +
+C     Workspace of TESSPA for M points asked for: LIW = 7*N + 600 +
 C     19*M + 1800.  join.c says why, and when it is too little.
 
 C     KEEP - which tetrahedra of a part are kept?

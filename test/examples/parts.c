@@ -23,8 +23,8 @@
 #define MAXTET (8 * N)
 #define MOST (5 * N)
 /* of the index, of a part; of tess_check and join, of all */
-#define FIXED (4 * N + 32)
-#define LIW (6 * N + 600 + 30 * (N / PARTS + 1))
+#define FIXED (7 * N + 600)
+#define LIW (FIXED + 30 * (N / PARTS + 1))
 #define LRW (4 * N)
 
 static tess_real p[3 * N];

@@ -15,9 +15,10 @@
  *            neighbours, in the order of the whole, is the star of the mesh,
  *            ties too: what processes that share nothing rely on
  *   resume   a part stopped at every tetrahedron, or for want of pool
- *   supports an index that knows planes and spheres: parts and queries from all
- *            of it, from a copy that ends before them or has another one's in
- *            their place, without room for them, after a part that found more
+ *   supports an index that knows planes and spheres: parts and queries from
+ *            it, from a copy, from arrays that held another one before, after a
+ *            part that found more; refused where the arrays are too short for
+ *            what it has
  *   queries  tess_query and tess_locate answer alike: on points, midpoints,
  *            edges, facets, anywhere, from near and from nowhere; outside
  *   balls    no point outside of tess_ball's is inside the exact one
@@ -945,7 +946,7 @@ static void test_supports(void)
         { "extruded", 0 }, { "near8", 0 }, { "globe", 2 }, { "cubesurf", 1 }
     };
     char name[80];
-    tess_int n = 729, all = 4 * n + 32, old = 2 * n + n / 12 + 7, lo, hi, i;
+    tess_int n = 729, all = 7 * n + 600, old = 2 * n + n / 12 + 7, lo, hi, i;
     tess_int few = 4 * n + n / 12 + 514 + 240; /* the stars of a few points */
     tess_int many = 5, most = (tess_int)(6 * n + 600 + TESS_LIW(n));
     tess_int liw = (tess_int)(6 * n + 600 + TESS_LIW(2 * n / many + 2)), *iw;
@@ -971,13 +972,11 @@ static void test_supports(void)
         iw = begun(m.iw, all, liw);
         serve(&m, many, liw, iw);
         drop(mark);
-        /* a copy without supports, or with another's in their place */
-        iw = begun(m.iw, old, liw);
-        serve(&m, many, liw, iw);
-        require(!SOUGHT || supports(&m, iw) == 0, "supports of no index");
-        iw = begun(other.iw, all, liw);
-        memcpy(iw, m.iw, (size_t)old * sizeof *iw);
-        serve(&m, many, liw, iw);
+        /* arrays that held another index before */
+        reindex(&m, liw, &k);
+        require(tess_index(n, other.p, liw, k.iw, m.lrw, k.rw) == 0 &&
+                tess_index(n, m.p, liw, k.iw, m.lrw, k.rw) == 0, "again");
+        serve(&k, many, liw, k.iw);
         drop(mark);
         /* a number that cannot be */
         for (i = 0; i < 4; i++) {
@@ -992,11 +991,15 @@ static void test_supports(void)
                               m.lrw, m.rw) == -9, "too many supports");
             drop(mark);
         }
-        /* no room for them */
-        iw = begun(m.iw, all, few);
-        serve(&m, n / 2, few, iw);
-        require(supports(&m, iw) == 0, "supports without room");
-        drop(mark);
+        /* no room for them, or for cylinders */
+        if (supports(&m, m.iw) > 0) {
+            tess_int ntet = 0, *mine = begun(m.iw, n, n);
+
+            iw = begun(m.iw, few, few);
+            require(tess_part(n, m.p, mine, 0, &ntet, mine, mine, few, iw,
+                              m.lrw, m.rw) == -8, "a short iw");
+            drop(mark);
+        }
         /* a part of all points may find more, which stay in its index */
         iw = begun(m.iw, all, most);
         serve(&m, 1, most, iw);
@@ -1150,6 +1153,7 @@ static void test_codes(void)
     require(tess_index(1, bad, m.liw, iw, m.lrw, rw) == -2, "index -2");
     liw = 2 * m.n + m.n / 12 + 6;
     lrw = 3 * m.n + m.n / 2 + 12;
+    require(tess_index(m.n, p, -TESS_INT_MOST - 1, iw, 0, rw) == -3, "index -3");
     for (i = 0; (code = tess_index(m.n, p, i, iw, -1, rw)) == -3; i++)
         ;
     require(code == -5 && i <= liw && i > 2 * m.n, "index -3");
