@@ -47,7 +47,7 @@ typedef long whole;
 #define LOW 6.2230152778611417e-61     /* 2^-200  */
 #define DOWN (1.0 / (BASE * BASE * BASE * BASE))
 #define DOWNEXP 96
-#define CENTRE 300
+#define CENTRE 300 /* exponent of a centre that is too far for squares */
 #else
 #define BASE 512.0
 #define CARRY 32768.0
@@ -675,8 +675,7 @@ static int filt3(const double *a, const double *b, const double *c,
 /* filt5 - the sign of I = det of the rows (q - e, |q - e|^2), q = a, b, c, d,
  * or UNSURE; with h, of the rows (q - e, h), the four numbers h right to 4 eps
  * of themselves, less than those squares suffer.  e is inside the ball of a, b,
- * c, d iff I and the determinant of the rows a-d, b-d, c-d have the same sign.
- * */
+ * c, d iff I and the determinant of the rows a-d, b-d, c-d have one sign. */
 static int filt5(const double *a, const double *b, const double *c,
                  const double *d, const double *e, const double *h, double t)
 {
@@ -1139,7 +1138,8 @@ static int cut(int m, int wide, const double *c, double *row)
  * 8 eps |c|, as C and D (see centre) are exact and their values, with the
  * division, err by 7.  Returns 0 where that is not to be had: the four in one
  * plane, too many limbs, or a centre that is too near or too far for squares.
- * Else t is made ready for hh_trial. */
+ * Else t is made ready for hh_trial.  With z = v[base] only the facet is, and c
+ * is left alone. */
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t)
 {
@@ -1162,12 +1162,11 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
     t->most = t->most < DBL_MAX / BASE ? t->most * (BASE / 4.0) : DBL_MAX;
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++) t->base[3 * i + k] = x[12 * i + 9 + k];
-    t->bits = cut(2 * n, 3, work + 16 * n, t->side);
+    t->row = cut(2 * n, 3, work + 16 * n, t->side);
     if (z == v[base]) return 1;
-    at = cut(4 * n, 4, work, t->power);
+    (void)cut(4 * n, 4, work, t->power);
     d = 2.0 * leading(4 * n, work + 3, 4, &dat);
     if (d == 0.0) return 0;
-    t->d = ldexp(0.5 * d, (at - dat) * HH_BITS);
     for (k = 0; k < 3; k++) {
         c[k] = leading(4 * n, work + k, 4, &at) / d;
         if (c[k] == 0.0) continue;
@@ -1403,7 +1402,7 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
     int i, j, k, e;
 
     if (!hh_centre(s, v, base, v[base], d, &t)) return;
-    e = 2 * t.e + (1 - t.bits) * HH_BITS;
+    e = 2 * t.e + (1 - t.row) * HH_BITS;
     for (k = 0; k < 3; k++) {
         a = p2[k] - p1[k];
         b = p3[k] - p1[k];

@@ -221,8 +221,8 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
 #else
 #define HH_FEW 10
 #endif
-/* Leading rows of a ball's numbers that are kept: with 5 a third of the signs
- * on a rotated grid came out, with 6 98 %, with 7 99 %. */
+/* Leading rows of a ball's numbers that are kept: 5 rows decide a third of the
+ * signs on a rotated grid, 6 decide 98 %, 7 decide 99 %. */
 #define HH_ROWS 6
 /* Limbs of a point for hh_lifts: the first is that of a coordinate of 1, so
  * they hold all that are above 2^-17 (2^-19 where a double has 24 bits).  And
@@ -230,7 +230,8 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
  * all. */
 #define HH_LIFT (DBL_MANT_DIG >= 53 ? 3 : 5)
 #define HH_HIGH 7
-/* HH_FEW is the size of a ball, so the name of what makes one tells it. */
+/* A ball has HH_FEW limbs, so the name of the routine that makes one ends in
+ * that number: files of other limbs do not link. */
 #define HH_AS_2(name, few) name##_##few
 #define HH_AS_1(name, few) HH_AS_2(name, few)
 #define hh_centre HH_AS_1(TESS_AS(hh_centre), HH_FEW)
@@ -263,14 +264,13 @@ typedef struct hh_set {
  *   top    weight of limb 0 of coordinates times factor, which hold most
  *   base   limbs of the base, three coordinates side by side
  *   power  leading rows of C and D, side those of n, and a fourth number
- *   d, e   D of the leading row's weight, exponent of limb 0's weight
- *   bits   first row of n */
+ *   e      exponent of limb 0's weight
+ *   row    first row of n */
 typedef struct hh_ball {
     int n, first;
     double top, factor, most;
     double base[3 * HH_FEW], power[4 * HH_ROWS], side[4 * HH_ROWS];
-    double d;
-    int e, bits;
+    int e, row;
 } hh_ball;
 
 /* hh_sphere - a sphere or a plane by limbs, and what hh_lifts keeps.

@@ -22,9 +22,10 @@
  * the caller's coordinates, or a predicate of hhpred.  Floating point only
  * chooses where to look, with margins that cover its rounding.
  *
- * The arrays (n points, np of them distinct, L leaves of the tree).  When a
- * call returns, tet holds indices of points again and rep is kept, and so is an
- * index but for head, link and pool; the rest is scratch.
+ * The arrays (n points, np of them distinct; L leaves: leafcount(n) in the
+ * arrays' lengths, leafcount(np) in the tree).  When a call returns, tet holds
+ * indices of points again and rep is kept; an index keeps all but head, link
+ * and pool; the rest is scratch.
  *   tet   positions          adj   as the caller sees it
  *   iw    rep    n           index -> the point of least index that coincides;
  *                            in an index -> position
@@ -76,9 +77,9 @@
  * What depends on the tie rule (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; firstfacet, on a hull face of more
  * than three points; in hh_pball, that both candidates are on the positive
- * side; in walk, that heights are lifted; intact.
+ * side; in walk, that heights are lowered; intact.
  *
- * Order of the routines, here and in f77/tess.f, as things happen:
+ * Order of the routines, here and in f77/tess.f:
  *   sorting      before swap pivot selectmid twin extent bisect leafstart
  *                leafof span leafsort kdsort boxes
  *   first facet  point preced edgeby firstfacet
@@ -100,14 +101,15 @@
  *                attach grow enlist follow gather load complete makeroom begin
  *                star plant stars
  *   results      slot mate
- *   preparation  leafcount lengths layout collect rescale units fits scaled revive
- *                sorted seal opened intact claim restore allot run
+ *   preparation  leafcount lengths layout collect rescale units fits scaled
+ *                revive sorted seal opened intact claim restore allot run
  *                badargument
  *   entries      tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
  *   queries      qside leave inbox
  *   location     closer sample walk hullstep turn nearhull tess_locate
- *                tess_values descend across tess_query
+ *                tess_values
+ *   without a mesh  descend across tess_query
  *   hull, check  tess_hull marks chkpla chkidx chkfac chktet chkhul
  *                chkcov tess_check
  *   a ball       tess_ball
@@ -128,9 +130,9 @@
 #define LEAF 48
 /* Size of the groups that the points of a leaf are sorted into. */
 #define GROUP 8
-/* A block's list extends beyond the leaf's box by BLOCKREACH times the side of
- * a cube that holds one point of the leaf; a star's list extends STARREACH
- * times as far from its vertex.  For uniform points they hold about 240 and 20
+/* A block's list extends beyond the leaf's box by BLOCKREACH times the leaf's
+ * mean point spacing; a star's list extends STARREACH times as far from its
+ * vertex.  For uniform points they hold about 240 and 20
  * points, and 80 to 88 % of the searches end in the star's list, most others in
  * the block's.  Without a star's list they take a quarter longer.  With margins
  * that adapt from list to list, lattices take a tenth longer and surveys 3 %
@@ -155,10 +157,10 @@
 #define SAMPLE 64
 /* Bound on the depth of the tree plus one. */
 #define DEPTH 96
-/* Maximum number of supports.  One is sought when a search has more than OPENED
- * points in its sample and these add up to BURDEN times all points; each
- * failure doubles that.  A support with grains FINER times smaller takes over
- * another's points. */
+/* Maximum number of supports.  Searches that offer more than OPENED points to
+ * their samples count, and once these add up to BURDEN times all points a
+ * support is sought; each failure doubles that.  A support with grains FINER
+ * times smaller takes over another's points. */
 #define SUPPORTS (TESS_LIST < 128 ? 1 : 8)
 #define OPENED 24
 #define BURDEN 1.0
@@ -167,12 +169,12 @@
  * most; about a sphere, over the square of it.  Beyond BAND doubles decide the
  * sides, and cylinders do better: points near a plane rough by 1e-8 take two
  * thirds of the time without a support, by 1e-9 as long, by 1e-10 twice as
- * long.  Spheres have no such bound, as balls are not told apart by cylinders.
- * */
+ * long.  Spheres have a wider one, as balls are not told apart by cylinders. */
 #define BAND 2e-8
 #define ROUGH 1e-3
-/* ENOUGH: with fewer points no support is sought.  SOME: places of the sample
- * (few, to save stack, where none is ever sought: see SEEK). */
+/* ENOUGH: with fewer points there are no supports and no cylinders.  SOME:
+ * places of the sample (few, to save stack, where none is ever sought: see
+ * SEEK). */
 #define ENOUGH 500
 #define SOME (TESS_LIST < 128 ? 4 : 32)
 /* Integers in a support's record, digits of a number in it, their base, and
@@ -191,7 +193,7 @@
 #define GRAINS                                                         \
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
-/* With short lists, for small machines, the code for supports is left out. */
+/* With short lists, for small machines, supports and cylinders are left out. */
 #define SEEK(m) (TESS_LIST >= 128 && (m)->patience > 0.0)
 #define SUPPORTED(m) (TESS_LIST >= 128 && (m)->nsupport > 0)
 #define LEANING(f) (TESS_LIST >= 128 && (f)->on != NONE)
@@ -253,9 +255,10 @@
  * root; below 24 FEPS.  What is computed to be within margin + SLACK is within
  * 1.1 margin, as SLACK is 0.04 FINEST.
  *
- * FAR: where a list puts points that have left it.  No such point passes a
- * filter: its r is at least FAR^2 = 1e20, and ballcoef's limits leave |d.x| <
- * 2e19, d[3] < 3e19 (as dc < 3 |c|).
+ * FAR: where a list puts points that have left it, and in prunecylinders a
+ * length without limit.  No such point passes a filter: its r is at least FAR^2
+ * = 1e20, and ballcoef's limits leave |d.x| < 2e19, d[3] < 3e19 (as dc < 3
+ * |c|).
  *
  * PAD: relative room for the few roundings of a bound. */
 #define EPS DBL_EPSILON
@@ -361,7 +364,8 @@ typedef struct mesh {
                               /* in the pool */
     tess_int oldest, newest;  /* edges of the link, the newest the lowest */
     tess_int low;             /* no vertex of a smaller position owns facets */
-    tess_int unmet;           /* no vertex before it is NEW and asked for */
+    tess_int unmet;           /* of a part: no vertex before it is NEW and */
+                              /* asked for; a whole mesh meets all */
     tess_int plane[PLANES][3]; /* the last hull planes met */
     tess_int nplane;          /* how many were met */
     double reach;             /* a block's margin, in its leaf's diagonals */
@@ -1250,8 +1254,8 @@ static double rough(const mesh *m, const support *s, tess_int z, double *err)
 }
 
 /* marked - returns 1 if the position z has a mark of support j; *h is then its
- * height, to a grain.  A mark is off by the roundings of discover, EPS GRAINS
- * grains, and by as little for twice the height's error. */
+ * height, to a grain.  The roundings of discover shift a mark by EPS GRAINS
+ * grains, and so does the error of the height. */
 static int marked(const mesh *m, int j, tess_int z, double *h)
 {
     const support *s = m->supports + j;
@@ -1292,8 +1296,8 @@ static int onsupport(const mesh *m, const quest *f, int j, double *h,
 
 /* remember - adds z to the sample: points that were left open or, until there
  * are any, points of leaves that the search visited.  The sample keeps SOME of
- * them.  Once it is full, a point takes the place of another by chance, but by
- * the same chance on every machine.  Points with a mark count, too: they may be
+ * them.  Once it is full, a point replaces another at random, by numbers that
+ * are the same on every machine.  Points with a mark count, too: they may be
  * on a finer support. */
 static void remember(quest *f, tess_int z, int open)
 {
@@ -1351,8 +1355,8 @@ static int erect(const mesh *m, support *s)
 /* through - sets up support s, a plane or a sphere through the points v, for a
  * search's sample, whose extent is wide.  Any plane or sphere near the points
  * will do, so its normal or centre is the 52 leading bits of what doubles hold.
- * It takes heights of 8 to 16 times those of three quarters of the sample, or
- * of one quarter if that is FINER times nearer, but not 0: the points on one of
+ * Its band is 8 to 16 times the upper quartile of the sample's heights, or the
+ * lower one if that is FINER times less, but not 0: the points on one of
  * several near sheets.  (Two exact planes need no finer heights than tell them
  * apart.)  Returns 0 if that is more than BAND. */
 static int through(const mesh *m, const quest *f, const tess_int *v,
@@ -1851,8 +1855,7 @@ static int makecylinder(const mesh *m, tess_int node, double *c)
            SLENDER * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
 }
 
-/* makecylinders - makes all cylinders, or none if few leaves have slender ones.
- * */
+/* makecylinders - makes all cylinders, or none if few of them are slender. */
 static void makecylinders(mesh *m)
 {
     tess_int level, node, slender = 0;
@@ -2010,10 +2013,6 @@ static tess_int incell(const mesh *m, const tess_int *v)
     return best;
 }
 
-/* =====================================================================
- * What follows needs no mesh under construction, only results.
- * ===================================================================== */
-
 /* ---- the search for the apex of a facet ---- */
 
 /* narrow - records that the best point's L-coordinate is at most l, and sets
@@ -2138,9 +2137,9 @@ static void challenge(mesh *m, quest *f, tess_int z)
         refine(m, f);
 }
 
-/* consider - compares z with the best point, unless it is a vertex or provably
- * outside the ball, by its height over the facet's support where that is
- * known. */
+/* consider - compares z with the best point, unless z is a vertex of the facet
+ * or provably outside the ball; its height over the facet's support counts
+ * where it is known. */
 static void consider(mesh *m, quest *f, tess_int z)
 {
     const double *q = m->x + 3 * z;
@@ -2191,9 +2190,9 @@ static int instar(mesh *m, quest *f)
     return ballinstar(m, f);
 }
 
-/* inblock - the same for the block's list.  If the ball has room elsewhere, the
- * tree is searched in any case and the list only adds cost: on surfaces, two of
- * five points that were tested. */
+/* inblock - the same for the block's list.  If the ball leaves the block's box,
+ * the tree is searched in any case and the list only adds cost: on surfaces,
+ * two of five points that were tested. */
 static int inblock(mesh *m, quest *f)
 {
     const list *l = &m->block;
@@ -2205,22 +2204,22 @@ static int inblock(mesh *m, quest *f)
     return n >= 0;
 }
 
-/* scanleaf - considers the uncompleted points of a leaf that are not outside
- * the ball.  Without a ball it considers those not on the negative side: the
- * ball of L = MUCHL / 2 stands for that side, with room for |w|^2.  The powers
- * come first, as vectors, then the least of each group, as most groups have no
- * point to consider.  Stars are completed in the order of positions, by and
- * large, so the points before the first uncompleted one are most of the
- * completed ones. */
-static void scanleaf(mesh *m, quest *f, tess_int leaf)
+/* scanleaf - considers the uncompleted points of a leaf, of which there must be
+ * one, that are not outside the ball.  Without a ball it considers those not on
+ * the negative side: the ball of L = MUCHL / 2 stands for that side, with room
+ * for |w|^2.  The powers come first, as vectors, then the least of each group,
+ * as most groups have no point to consider.  Stars are completed in the order
+ * of positions, by and large, so the points before the first uncompleted one
+ * are most of the completed ones. */
+static void scanleaf(mesh *m, quest *f, tess_int node)
 {
-    const double *b = m->box + 6 * leaf, *x;
+    const double *b = m->box + 6 * node, *x;
     double d[3], power[LEAF], size = 0.0, most, least, w0, w1, w2;
     double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8], d0, d1, d2;
     tess_int first, last;
     int n, i, k;
 
-    span(m, leaf, &first, &last);
+    span(m, node, &first, &last);
     while (m->link[first] == DONE) first++;
     x = m->x + 3 * first;
     n = (int)(last - first);
@@ -2519,7 +2518,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
  * boundary short, and grow down from the end of the pool: edge e is pool[e]
  * and the EDGE - 1 integers behind it.
  */
-#define CODE 0  /* the facet's code; START for the first facet; DEAD */
+#define CODE 0  /* the facet's code; START where a star begins; DEAD */
 #define FROM 1  /* a */
 #define TO 2    /* b */
 #define PREV 3  /* an edge that ends where this one begins, or NONE; and */
@@ -2986,7 +2985,7 @@ static void rescale(mesh *m, int e)
 }
 
 /* units - returns the least power of two u for which all scaled coordinates
- * are multiples of 1/u, or 0 if it exceeds 2^30. */
+ * are multiples of 1/u, or 0 if it exceeds 2^29. */
 static double units(const mesh *m)
 {
     tess_int i, n = 3 * m->np;
@@ -3222,8 +3221,9 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
     return rehash(m, *s, (tess_int)(size + 1)) ? 0 : TESS_POOL;
 }
 
-/* allot - lays out what is left of iw, of length liw: marks, if there are
- * supports or some may be sought, two lists of all points, and the pool. */
+/* allot - decides whether supports are sought, and lays out what is left of iw,
+ * of length liw: marks, if there are supports or may be, two lists of all
+ * points, and the pool. */
 static void allot(mesh *m, tess_int n, tess_int liw)
 {
     sizes w;
@@ -3242,8 +3242,7 @@ static void allot(mesh *m, tess_int n, tess_int liw)
 }
 
 /* run - completes all stars, or those at the points i with mine[i] != 0 if mine
- * is given, for arguments that are known to be valid except for p and the
- * indices in tet. */
+ * is given, for arguments that badargument has passed. */
 static int run(mesh *m, tess_int n, const tess_int *mine, tess_int maxtet,
                tess_int *ntet, tess_int *tet, tess_int *adj)
 {
@@ -3417,6 +3416,10 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
     }
     return code < -1 ? code - 1 : code;
 }
+
+/* =====================================================================
+ * What follows needs no mesh under construction, only results.
+ * ===================================================================== */
 
 /* ---- common to the queries ----
  *
@@ -3691,9 +3694,9 @@ static int nearhull(const tess_real *p, tess_int ntet, const tess_int *tet,
  * start decides which of the facets that have the hull's nearest point is
  * found.
  *
- * Cost: proportional to the tetrahedra crossed, about ntet^(1/3) of them from
- * anywhere, fewer from the sampled start, few from a start near q: beyond
- * ASTRAY of these, the sample is used, too. */
+ * Cost: proportional to the tetrahedra crossed, about ntet^(1/3) / 2 of them
+ * from the sampled start, few from a start near q: beyond ASTRAY of these, the
+ * sample is used, too. */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t,
                 double *w)
@@ -3752,8 +3755,8 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
 
 /* ---- queries without a mesh ---- */
 
-/* descend - returns a position near q: goes down the tree by the cuts and
- * takes the point of the leaf that is nearest in the maximum norm.  All
+/* descend - returns a position near q: follows the cuts down to a leaf, and
+ * takes its point nearest to q in the maximum norm.  All
  * comparisons are exact, unless q is far outside, so it is the same
  * everywhere. */
 static tess_int descend(const mesh *m, const tess_real *q)
@@ -3936,7 +3939,7 @@ static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
     return TESS_OK;
 }
 
-/* chkidx - check that the vertices of tetrahedron t are four points, none a
+/* chkidx - check that the vertices of the tetrahedron v are four points, none a
  * duplicate of one of lower index, and mark them as used. */
 static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
 {
@@ -3953,7 +3956,7 @@ static int chkidx(tess_int n, const tess_int *v, tess_int *mark)
 
 /* chkfac - check that each facet of tetrahedron t is on the boundary or
  * matched, and that the neighbour's apex is not inside the ball of t: this
- * relation is symmetric, too, so one side tests it. */
+ * is symmetric, as being matched is, so one of the two tests it. */
 static int chkfac(const tess_real *p, tess_int ntet, const tess_int *tet,
                   const tess_int *adj, tess_int t)
 {

@@ -75,8 +75,8 @@
 /* TESS_LIST: when tess.c is compiled, the capacity of the two lists of points
  * that a search looks at first: a multiple of 4, 48 to 4096, 512 if not given.
  * It affects speed and stack (about 50 bytes per entry), never the result.
- * Below 128 the code for points near planes and spheres is left out; use 48 or
- * 64 on a small machine. */
+ * Below 128 the code for points near planes and spheres, on surfaces and on
+ * curves is left out; use 48 or 64 on a small machine. */
 
 #define TESS_NONE (-1)
 #define TESS_OPEN (-2)
@@ -117,11 +117,11 @@ extern "C" {
  * point).
  *
  * maxtet: 8 n is enough for clouds (6 to 6.8 n), lattices (4.8 to 6 n), points
- * near planes, spheres and most smooth surfaces (2 to 7.2 n).  It is too little
- * for random points on a tube or a torus (9 to 20 n for 1,000 to 60,000
- * points), and for a helix or two lines (up to n^2 / 2).  TESS_MORE costs
- * little: a resumption takes as long as n tetrahedra of a cloud, plus a third
- * of the time that those already there took.
+ * near planes, spheres and most smooth surfaces (2 to 7.2 n).  Random points on
+ * a tube or a torus need more (9 to 20 n for 1,000 to 60,000 points), a helix
+ * or two lines up to n^2 / 2.  TESS_MORE costs little: a resumption takes as
+ * long as n tetrahedra of a cloud, plus a third of the time that the existing
+ * ones took.
  *
  * returns 0; -1 for a bad n, -2 for a bad maxtet: negative, or so large that a
  * length, or 4*maxtet + 3, would exceed the largest tess_int.  The lengths are
@@ -180,10 +180,10 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
  * result is exactly that of one call with enough room.  With *ntet = 0 it is
  * tess; on a finished result it returns TESS_OK and changes nothing but iw, rw.
  *
- * The tetrahedra may be in any order, and need not be those that a call left:
- * any that are in the mesh, each facet between two of them closed on both sides
- * and open where its neighbour is missing, as the recipe join makes them of
- * parts.  Each facet that waits for its other side takes 4 tess_ints of iw.
+ * The tetrahedra may be any of the mesh's, in any order, as the recipe join
+ * puts them together from parts: adj must name both neighbours of a facet
+ * between two of them, and TESS_OPEN where one is missing.  Each open facet
+ * that waits for its other side takes 4 tess_ints of iw.
  *
  * returns what tess returns; -4 for a bad *ntet; -5 and -6 for a fault in tet
  * and adj: an index out of range; a tetrahedron that has a duplicate for a
@@ -200,9 +200,9 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  *
  *   p, ntet, tet, adj  (in)  a result of tess with ntet >= 1
  *   q    (in)      the point: 3 coordinates
- *   t    (in,out)  On entry the tetrahedron where the walk starts, or TESS_NONE
- *                  for anywhere; for q inside, only the speed depends on it.
- *                  On return the one that holds q
+ *   t    (in,out)  On entry the tetrahedron where the walk starts, or
+ *                  TESS_NONE; for a q inside the hull the answer does not
+ *                  depend on it.  On return the one that holds q
  *   w    (out)     4 barycentric weights of q in it; they sum to one:
  *                  sum of w[k] * value[tet[4*t+k]] interpolates linearly
  *
@@ -222,9 +222,9 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * nearest point are decided exactly, and each weight is right to rounding.  Do
  * not extrapolate by the gradient of t: tetrahedra at the hull are often
  * slivers, whose gradients are far steeper than the field's.
- * Cost: a walk of about ntet^(1/3) / 2 steps from anywhere, a few from nearby;
- * a distant start costs little more than none.  Outside, another walk over the
- * facets of the hull.
+ * Cost: a walk of about ntet^(1/3) / 2 steps without a start, of a few from a
+ * near one; a distant start is no worse than none.  For q outside, another walk
+ * over the facets of the hull.
  */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t,
@@ -306,11 +306,11 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
  * returns 0 or 1 as tess_locate does; what tess_index returned, if that was not
  * 0; -1 for a bad n, -3 where iw and rw hold no index, -5 for a NaN or infinity
  * in q, -6 for a v that is no tetrahedron.  (A tetrahedron that is not in the
- * mesh may come back unchanged.)
- * Cost: a search for an apex for each tetrahedron that is crossed, and some 20
- * more from anywhere; for q outside, one more for each that is passed on the
- * way about an edge of the hull.  A globe of 20,000 points takes 150 times as
- * long from an index that does not know its sphere.
+ * mesh may come back unchanged.) Cost: a search for an apex for each
+ * tetrahedron that the walk crosses, and some 20 more without a start; for q
+ * outside, also for each one passed while turning about an edge of the hull.  A
+ * globe of 20,000 points takes 150 times as long from an index that does not
+ * know its sphere.
  */
 int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w);
@@ -356,8 +356,8 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
  *               DBL_MAX, all of space, where the points are in one plane or the
  *               ball cannot be computed
  *
- * returns 0; -1 for a NaN or infinity in the points, -2 for an index that is
- * out of range; TESS_RANGE, with the radius DBL_MAX (see tess).
+ * returns 0; -1 for a NaN or infinity in the points, -2 for a negative
+ * index; TESS_RANGE, with the radius DBL_MAX (see tess).
  */
 int tess_ball(const tess_real *p, const tess_int *v, double *c);
 

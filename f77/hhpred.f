@@ -1627,18 +1627,19 @@ C       BBASE   behind it the limbs of the base, three coordinates side
 C               by side
 C       BPOWER  behind it leading rows of C and D; BSIDE: of n, and a
 C               fourth number
-C       BD, BE  D of the leading row's weight, exponent of limb 1's
-C               weight
-C       BBITS   first row of n
+C       BE      exponent of limb 1's weight
+C       BROW    first row of n
+C     With Z = V(BASE) only the facet is made ready, and C is left
+C     alone.
       SUBROUTINE HHCENT(P, ORD, SE, V, BASE, Z, C, T, OK)
       DOUBLE PRECISION P(3,*), C(*), T(*)
       INTEGER ORD(*), SE, V(3), BASE, Z, OK
-      INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE, BD,
-     $    BE, BBITS, BITS, HHFEW, FAR
+      INTEGER BN, BFIRST, BTOP, BFACT, BMOST, BBASE, BPOWER, BSIDE, BE,
+     $    BROW, BITS, HHFEW, FAR
       DOUBLE PRECISION EPS, HUGE, RADIX, SMALL
       PARAMETER (BN = 1, BFIRST = 2, BTOP = 3, BFACT = 4, BMOST = 5,
-     $    BBASE = 5, BPOWER = 35, BSIDE = 59, BD = 84, BE = 85,
-     $    BBITS = 86, BITS = 24, EPS = 2.0D0**(-52), HHFEW = 10,
+     $    BBASE = 5, BPOWER = 35, BSIDE = 59, BE = 84,
+     $    BROW = 85, BITS = 24, EPS = 2.0D0**(-52), HHFEW = 10,
      $    FAR = 300, HUGE = (2.0D0 - EPS)*2.0D0**1023,
      $    RADIX = 2.0D0**24, SMALL = 2.0D0**(-450))
       DOUBLE PRECISION HHLDEX, CC(16*HHFEW), FACTOR, MINOR(8*HHFEW),
@@ -1677,14 +1678,13 @@ C       BBITS   first row of n
    40   CONTINUE
    50 CONTINUE
       CALL HHCUT(2*N, 3, MINOR, T, BSIDE, LAT)
-      T(BBITS) = DBLE(LAT)
+      T(BROW) = DBLE(LAT)
       OK = 1
       IF (Z .EQ. V(BASE)) RETURN
       OK = 0
       CALL HHCUT(4*N, 4, CC, T, BPOWER, LAT)
       CALL HHLEAD(4*N, CC, 4, 4, VALUE, DAT)
       IF (ABS(VALUE) .LE. 0.0D0) RETURN
-      T(BD) = HHLDEX(VALUE, (LAT - DAT)*BITS)
       DO 60 K = 1, 3
         CALL HHLEAD(4*N, CC, K, 4, C(K), LAT)
         C(K) = C(K)/(2.0D0*VALUE)
@@ -1985,18 +1985,18 @@ C     bounds rest.  F is left as it is where numbers might underflow.
       SUBROUTINE HHTHIN(X, P, ORD, SE, V, BASE, F)
       DOUBLE PRECISION X(3,*), P(3,*), F(12)
       INTEGER ORD(*), SE, V(3), BASE
-      INTEGER BSIDE, BE, BBITS, BITS, BROWS, FAR
+      INTEGER BSIDE, BE, BROW, BITS, BROWS, FAR
       DOUBLE PRECISION EPS, SMALL
-      PARAMETER (BSIDE = 59, BE = 85, BBITS = 86, BITS = 24, BROWS = 6,
+      PARAMETER (BSIDE = 59, BE = 84, BROW = 85, BITS = 24, BROWS = 6,
      $    FAR = 300, EPS = 2.0D0**(-52), SMALL = 2.0D0**(-450))
-      DOUBLE PRECISION HHLDEX, A(3), AA, B(3), BB, D(3), NORM, T(86)
+      DOUBLE PRECISION HHLDEX, A(3), AA, B(3), BB, D(3), NORM, T(85)
       INTEGER E, I, J, K, P1, P2, P3
       P1 = V(BASE)
       P2 = V(MOD(BASE,3)+1)
       P3 = V(MOD(BASE+1,3)+1)
       CALL HHCENT(P, ORD, SE, V, BASE, P1, D, T, I)
       IF (I .EQ. 0) RETURN
-      E = 2*INT(T(BE)) + (2 - INT(T(BBITS)))*BITS
+      E = 2*INT(T(BE)) + (2 - INT(T(BROW)))*BITS
       AA = 0.0D0
       BB = 0.0D0
       DO 10 K = 1, 3

@@ -47,10 +47,10 @@ C     comparison of the caller's coordinates, or a predicate of hhpred.
 C     Floating point only chooses where to look, with margins that cover
 C     its rounding.
 C
-C     The arrays (N points, NP of them distinct, L leaves of the tree).
-C     When a call returns, TET holds numbers of points again and REP is
-C     kept, and so is an index but for HEAD, LINK and POOL; the rest is
-C     scratch.
+C     The arrays (N points, NP of them distinct; L leaves: TSLCOU(N) in
+C     the arrays' lengths, TSLCOU(NP) in the tree).  When a call
+C     returns, TET holds numbers of points again and REP is kept; an
+C     index keeps all but HEAD, LINK and POOL; the rest is scratch.
 C       TET  positions       ADJ  as the caller sees it
 C       IW   REP    N        point -> the least point that coincides; in
 C                            an index -> position
@@ -109,10 +109,9 @@ C     What depends on the tie rule (hhpred): that a facet's apex is one
 C     point for both its sides, so that the pool empties; TSFIRS, on a
 C     hull face of more than three points; in HHPBAL, that both
 C     candidates are on the positive side; in TSWALK, that heights are
-C     lifted; TSINTA.
+C     lowered; TSINTA.
 C
-C     The routines of tess.c, in its order, as things happen, and their
-C     names here:
+C     The routines of tess.c, in its order, and their names here:
 C       sorting: before TSBEFO, swap TSSWAP, pivot TSPIVO,
 C         selectmid TSSELE, twin TSTWIN, extent TSEXTE, bisect TSBISE,
 C         leafstart TSLFST, leafof TSLEAF, span TSSPAN,
@@ -160,8 +159,9 @@ C     and what needs no mesh under construction:
 C       queries: qside TSQSID, leave TSLEAV, inbox TSINBO
 C       location: closer TSCLOS, sample TSSAMP, walk TSWALK,
 C         hullstep TSHULL, turn TSTURN, nearhull TSNEAH,
-C         tess_locate TESSLO, tess_values TESSVA, descend TSDESC,
-C         across TSACRO, tess_query TESSQU
+C         tess_locate TESSLO, tess_values TESSVA
+C       without a mesh: descend TSDESC, across TSACRO,
+C         tess_query TESSQU
 C       hull, check: tess_hull TESSHU, marks TSMARK,
 C         chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF, chktet TSCHKT,
 C         chkhul TSCHKH, chkcov TSCHKC, tess_check TESSCH
@@ -206,7 +206,8 @@ C       NPLANE  hull planes that were met, the last ones kept from
 C               PLANE1 on, each by three points: PLANE(3,PLANES)
 C       TIED    1: the last search in a star's list that met points met
 C               some exactly on its last ball
-C       UNMET   no vertex before it is NEW and asked for
+C       UNMET   of a part: no vertex before it is NEW and asked for; a
+C               whole mesh meets all
 C       FUTILE  the leaf's latest searches in a row that ended in the
 C               tree
 C       TIES    searches in a row that met ties in a block's list, and
@@ -1552,9 +1553,8 @@ C     and 6 roundings.
       END
 
 C     TSMRKD - OK is 1 if the position Z has a mark of support J, or 0;
-C     H is then its height, to a grain.  A mark is off by the roundings
-C     of TSDISC, EPS GRAINS grains, and by as little for twice the
-C     height's error.
+C     H is then its height, to a grain.  The roundings of TSDISC shift a
+C     mark by EPS GRAINS grains, and so does the error of the height.
       SUBROUTINE TSMRKD(MARK, SUP, J, Z, H, OK)
       DOUBLE PRECISION SUP(60,*), H
       INTEGER MARK(*), J, Z, OK
@@ -1612,10 +1612,9 @@ C     TSCURV - returns 1 if support J is a sphere, or 0, also if J is 0.
 
 C     TSREME - adds Z to the sample: points that were left open or,
 C     until there are any, points of leaves that the search visited.
-C     The sample keeps SOME of them.  Once it is full, a point takes the
-C     place of another by chance, but by the same chance on every
-C     machine.  Points with a mark count, too: they may be on a finer
-C     support.
+C     The sample keeps SOME of them.  Once it is full, a point replaces
+C     another at random, by numbers that are the same on every machine.
+C     Points with a mark count, too: they may be on a finer support.
       SUBROUTINE TSREME(IQ, Z, OPEN)
       INTEGER IQ(42), Z, OPEN
       INTEGER QOPEN, QOPEND, QSOME, SOME
@@ -1678,12 +1677,11 @@ C     limbs do not hold it.
 C     TSTHRO - sets up the support S, a plane or a sphere through the
 C     positions Z, for a search's sample, whose extent is WIDE.  Any
 C     plane or sphere near the points will do, so its normal or centre
-C     is the 52 leading bits of what doubles hold.  It takes heights of
-C     8 to 16 times those of three quarters of the sample, or of one
-C     quarter if that is FINER times nearer, but not 0: the points on
-C     one of several near sheets.  (Two exact planes need no finer
-C     heights than tell them apart.)  OK is 1, or 0 if that is more than
-C     BAND.
+C     is the 52 leading bits of what doubles hold.  Its band is 8 to 16
+C     times the upper quartile of the sample's heights, or the lower one
+C     if that is FINER times less, but not 0: the points on one of
+C     several near sheets.  (Two exact planes need no finer heights than
+C     tell them apart.)  OK is 1, or 0 if that is more than BAND.
       SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
      $                  OK)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(60)
@@ -1695,7 +1693,7 @@ C     BAND.
      $    BAND = 2.0D-8, FAINT = 1.0D-200, FINER = 100.0D0,
      $    ROUGH = 1.0D-3, DIGIT = 8192.0D0, EPS = 2.0D0**(-52),
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION HHLDEX, C(12), D, ERR, H(SOME), T(86)
+      DOUBLE PRECISION HHLDEX, C(12), D, ERR, H(SOME), T(85)
       INTEGER HHFREX, I, K, N
 C     as HHTHIN leaves it if there is no normal
       C(10) = HUGE
@@ -2738,9 +2736,9 @@ C     rounding, take 1.2 to 1.6 times the instructions.
       END IF
       END
 
-C     TSCONS - compares Z with the best point, unless it is a vertex or
-C     provably outside the ball, by its height over the facet's support
-C     where that is known.
+C     TSCONS - compares Z with the best point, unless Z is a vertex of
+C     the facet or provably outside the ball; its height over the
+C     facet's support counts where it is known.
       SUBROUTINE TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
@@ -2826,9 +2824,9 @@ C     long.
       OK = TSBINS(BOX, LSD, F, FQ)
       END
 
-C     TSINBL - the same for the block's list.  If the ball has room
-C     elsewhere, the tree is searched in any case and the list only adds
-C     cost: on surfaces, two of five points that were tested.
+C     TSINBL - the same for the block's list.  If the ball leaves the
+C     block's box, the tree is searched in any case and the list only
+C     adds cost: on surfaces, two of five points that were tested.
       SUBROUTINE TSINBL(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
      $                  LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER TSLIST
@@ -2853,14 +2851,14 @@ C     cost: on surfaces, two of five points that were tested.
       IF (N .GE. 0) OK = 1
       END
 
-C     TSSCAN - considers the uncompleted points of a leaf that are not
-C     outside the ball.  Without a ball it considers those not on the
-C     negative side: the ball of L = MUCHL/2 stands for that side, with
-C     room for |W|**2.  The powers come first, as vectors, then the
-C     least of each group, as most groups have no point to consider.
-C     Stars are completed in the order of positions, by and large, so
-C     the points before the first uncompleted one are most of the
-C     completed ones.
+C     TSSCAN - considers the uncompleted points of a leaf, of which
+C     there must be one, that are not outside the ball.  Without a ball
+C     it considers those not on the negative side: the ball of L =
+C     MUCHL/2 stands for that side, with room for |W|**2.  The powers
+C     come first, as vectors, then the least of each group, as most
+C     groups have no point to consider. Stars are completed in the order
+C     of positions, by and large, so the points before the first
+C     uncompleted one are most of the completed ones.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, V,
      $                  IQ, F, FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
@@ -3973,7 +3971,7 @@ C     TSRESC - multiply all coordinates by 2**E, a normal double.
       END
 
 C     TSUNIT - the least power of two U for which all scaled coordinates
-C     are multiples of 1/U, or 0 if it exceeds 2**30.
+C     are multiples of 1/U, or 0 if it exceeds 2**29.
       DOUBLE PRECISION FUNCTION TSUNIT(X, CTL)
       DOUBLE PRECISION X(3,*)
       INTEGER CTL(*)
@@ -4316,9 +4314,9 @@ C     its two sides removed each other
       IF (OK .EQ. 0) INFO = FULL
       END
 
-C     TSALLO - lay out what is left of IW, of length LIW: SPACE marks,
-C     if there are supports or some may be sought, two lists of all
-C     points, and the pool, of LENGTH.
+C     TSALLO - decides whether supports are sought, and lays out what is
+C     left of IW, of length LIW: SPACE marks, if there are supports or
+C     may be, two lists of all points, and the pool, of LENGTH.
       SUBROUTINE TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
       INTEGER N, LIW, CTL(*), SPACE, LENGTH
       DOUBLE PRECISION RCTL(*)
@@ -4338,8 +4336,7 @@ C     doubles decide everything if points are in few units
       END
 
 C     TSRUN - complete all stars, or, if MASKED = 1, those at the points
-C     I with MINE(I) not 0, for arguments that are known to be valid
-C     except for P and the indices in TET.
+C     I with MINE(I) not 0, for arguments that TSBADA has passed.
 C
 C     HEAD, LINK, POOL and MARK are declared with their lengths, so no
 C     two of them share an element of IW, and the standard lets them be
@@ -4544,11 +4541,11 @@ C     does not matter.  The result is exactly that of one call with
 C     enough room.  With NTET = 0 it is TESS; on a finished result INFO
 C     is 0 and nothing changes but IW, RW.
 C
-C     The tetrahedra may be in any order, and need not be those that a
-C     call left: any that are in the mesh, each facet between two of
-C     them closed on both sides and open where its neighbour is missing,
-C     as the recipe JOIN makes them of parts.  Each facet that waits for
-C     its other side takes 4 integers of IW.
+C     The tetrahedra may be any of the mesh's, in any order, as the
+C     recipe JOIN puts them together from parts: ADJ must name both
+C     neighbours of a facet between two of them, and -1 where one is
+C     missing.  Each open facet that waits for its other side takes 4
+C     integers of IW.
 C
 C     INFO is what TESS gives; -4 for a bad NTET; -5 and -6 for a fault
 C     in TET and ADJ: an index out of range; a tetrahedron that has a
@@ -5164,8 +5161,8 @@ C
 C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
 C       Q    (in)      the point: 3 coordinates
 C       T    (in,out)  On entry the tetrahedron where the walk starts,
-C                      or 0 for anywhere; for Q inside, only the speed
-C                      depends on it.  On return the one that holds Q
+C                      or 0; for a Q inside the hull the answer does not
+C                      depend on it.  On return the one that holds Q
 C       W    (out)     4 barycentric weights of Q in it; they sum to
 C                      one: the sum of W(K) * VALUE(TET(K,T))
 C                      interpolates linearly
@@ -5200,9 +5197,9 @@ C     its boundary, and then the answer depends on the points, TET and Q
 C     alone.  For a Q outside, the start decides which of the facets
 C     that have the hull's nearest point is found.
 C
-C     Cost: proportional to the tetrahedra crossed, about NTET**(1/3) of
-C     them from anywhere, fewer from the sampled start, few from a start
-C     near Q: beyond ASTRAY of these, the sample is used, too.
+C     Cost: proportional to the tetrahedra crossed, about NTET**(1/3)/2
+C     of them from the sampled start, few from a start near Q: beyond
+C     ASTRAY of these, the sample is used, too.
       SUBROUTINE TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
@@ -5321,9 +5318,9 @@ C     ------------------------------------------------------------------
 C     Queries without a mesh.
 C     ------------------------------------------------------------------
 
-C     TSDESC - BEST is a position near Q: go down the tree by the cuts
-C     and take the point of the leaf that is nearest in the maximum
-C     norm. All comparisons are exact, unless Q is far outside, so it is
+C     TSDESC - BEST is a position near Q: follows the cuts down to a
+C     leaf, and takes its point nearest to Q in the maximum norm.  All
+C     comparisons are exact, unless Q is far outside, so it is
 C     the same everywhere.
       SUBROUTINE TSDESC(P, ORD, BOX, CTL, Q, BEST)
       DOUBLE PRECISION P(3,*), BOX(6,*), Q(3)
@@ -5404,9 +5401,9 @@ C     for a Q outside that of TSNEAH, so that the answer is that of
 C     TESSLO; neighbours are computed as they are needed.  From a V that
 C     is no tetrahedron of the mesh the walk might cycle: after NP steps
 C     it starts again from one that is.
-C     Cost: a search for an apex for each tetrahedron that is crossed,
-C     and some 20 more from anywhere; for Q outside, one more for each
-C     that is passed on the way about an edge of the hull.  A globe
+C     Cost: a search for an apex for each tetrahedron that the walk
+C     crosses, and some 20 more without a start; for Q outside, also for
+C     each one passed while turning about an edge of the hull.  A globe
 C     of 20,000 points takes 150 times as long from an index that does
 C     not know its sphere.
       SUBROUTINE TESSQU(N, P, IW, RW, Q, V, W, INFO)
@@ -5689,7 +5686,8 @@ C     none a duplicate of one of lower index, and mark them as used.
 
 C     TSCHKF - check that each facet of tetrahedron T is on the boundary
 C     or matched, and that the neighbour's apex is not inside the ball
-C     of T: this relation is symmetric, too, so one side tests it.
+C     of T: this is symmetric, as being matched is, so one of the two
+C     tests it.
       SUBROUTINE TSCHKF(P, NTET, TET, ADJ, T, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*)
@@ -5928,8 +5926,8 @@ C                   tetrahedron of these vertices.  The radius is the
 C                   greatest double, all of space, where the points are
 C                   in one plane or the ball cannot be computed
 C       INFO (out)  0; -1 for a NaN or infinity in the points, -2 for an
-C                   index that is out of range; 6, with the radius the
-C                   greatest double (see TESS)
+C                   index below 1; 6, with the radius the greatest
+C                   double (see TESS)
 C
 C     Computed by limbs, for a set of the four points alone, scaled to
 C     at most 1.  LENGTH is the sum of what is rounded.  The centre errs
@@ -5944,7 +5942,7 @@ C     it: less than 32 eps LENGTH.
       PARAMETER (RANGE = 6, EPS = 2.0D0**(-52),
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023, PAD = 64.0D0*EPS,
      $    NORMAL = 2.0D0**(-1022), EMAX = 1024)
-      DOUBLE PRECISION HHLDEX, LENGTH, MOST, R, T(86), X(3)
+      DOUBLE PRECISION HHLDEX, LENGTH, MOST, R, T(85), X(3)
       INTEGER HHFINI, HHFREX, HHHOLD, E, F(3), I, K, OK
       C(4) = HUGE
       MOST = 0.0D0
