@@ -1380,6 +1380,40 @@ static long wide(long n, unsigned long *state, double *p)
     return n;
 }
 
+/* On the unit sphere, at distances from spots spots of some 2^-k, k = 0 ... 39. */
+static long crowded(long n, unsigned long *state, long spots, double *p)
+{
+    static const double spot[3][3] = {
+        { 0.48, 0.6, 0.64 }, { -0.6, 0.64, -0.48 }, { 0.64, -0.48, -0.6 }
+    };
+    double far, length, *q = p;
+    long i;
+    int k;
+
+    for (i = 0; i < n; i++, q += 3) {
+        direction(state, 3, q);
+        far = ldexp(0.5 + unit(state) / 2, -(int)below(state, 40));
+        length = 0;
+        for (k = 0; k < 3; k++) {
+            q[k] = spot[i % spots][k] + far * q[k];
+            length += q[k] * q[k];
+        }
+        length = sqrt(length);
+        for (k = 0; k < 3; k++) q[k] /= length;
+    }
+    return n;
+}
+
+static long crowd(long n, unsigned long *state, double *p)
+{
+    return crowded(n, state, 1L, p);
+}
+
+static long crowd3(long n, unsigned long *state, double *p)
+{
+    return crowded(n, state, 3L, p);
+}
+
 /* ---- the table ---- */
 
 static const struct {
@@ -1418,7 +1452,8 @@ static const struct {
     { "latlon", latlon }, { "latlonkm", latlonkm }, { "latlonm", latlonm },
     { "uvsphere", uvsphere }, { "uvkm", uvkm }, { "uvm", uvm },
     { "rings", rings }, { "hub", hub }, { "hubrot", hubrot },
-    { "sheets16", sheets16 }, { "sheet16rot", sheet16rot }
+    { "sheets16", sheets16 }, { "sheet16rot", sheet16rot },
+    { "crowd", crowd }, { "crowd3", crowd3 }
 };
 
 #define FAMILIES ((int)(sizeof family_table / sizeof family_table[0]))

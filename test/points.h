@@ -99,6 +99,9 @@
  *   hubrot*      the same, turned
  *   sheets16     two random squares 5e-16 apart, as they come
  *   sheet16rot*  the same, turned
+ *   crowd*       on the unit sphere, most within 1e-6 of one spot, down to
+ *                1e-12
+ *   crowd3*      the same about three spots
  */
 #ifndef POINTS_H
 #define POINTS_H
