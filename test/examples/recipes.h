@@ -70,6 +70,17 @@ void append(tess_int ntet, const tess_int *tet, const tess_int *adj,
 int join(tess_int ntet, const tess_int *tet, tess_int *adj, tess_int lh,
          tess_int *h);
 
+/* many.c */
+#define MANY_LINEAR 0
+#define MANY_SMOOTH 1
+#define MANY_NATURAL 2
+#define MANY_NEAREST 3
+int many(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
+         const tess_int *adj, int method, tess_int nv, const double *value,
+         const double *g, const tess_int *first, const tess_int *list,
+         tess_int nq, const tess_real *q, tess_int *t, double *w, double *out,
+         tess_int most, tess_int *iw, double *rw);
+
 /* periodic.c */
 #define PERIODIC_FEW 20
 void unpack(tess_int number, int *copy);
