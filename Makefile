@@ -3,6 +3,7 @@
 #                  OPTIONS="-cols lon,lat,depth" for more of build/tess
 # make grid        its temperatures at a grid's places, and a section's picture
 # make examples    the programs of test/examples; their times, too
+# make python      build/libtess.so, for test/examples/tess.py
 # make pictures    write test/pictures anew
 # make errors      a table: errors of interpolation, linear and by slopes
 # make check       the tests, about three minutes on two processors
@@ -110,6 +111,17 @@ build/natural.o: test/examples/natural.c tess.h hhpred.h
 build/derived.o: test/examples/derived.c tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/examples/derived.c
+
+# interpolation with the library, for other languages
+FIELD = test/examples/many.c test/examples/slopes.c test/examples/natural.c \
+    test/examples/derived.c tess.c hhpred.c
+FIELD_H = test/examples/recipes.h tess.h hhpred.h
+
+python: build/libtess.so
+
+build/libtess.so: $(FIELD) $(FIELD_H)
+	@mkdir -p build
+	$(LINK) $(CPPFLAGS) -I. -shared -fPIC $(FIELD) $(LDLIBS)
 
 build/read.o: test/program/read.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
@@ -232,5 +244,6 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all always run grid examples pictures errors check check-all torture certify \
-    coverage mutation bench mpi paper reach manual mirror clean help
+.PHONY: all always run grid examples python pictures errors check \
+    check-all torture certify coverage mutation bench mpi paper reach manual \
+    mirror clean help

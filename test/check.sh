@@ -16,6 +16,7 @@ ALL=
 [ "$1" = -all ] && ALL=yes
 CC=${CC:-cc}
 CFLAGS=${CFLAGS:--O2}
+PYTHON=${PYTHON:-python3}
 LIBS=-lm
 LIBRARY="tess.c hhpred.c"
 PASSED=0
@@ -575,22 +576,14 @@ readme() {
     else
         skip "the README's first.c: no build/tess to compare with"
     fi
-    if ! command -v ${PYTHON:-python3} > /dev/null; then
+    if ! command -v $PYTHON > /dev/null; then
         skip "example: first.py: no python3"
-    elif $CC -O2 -shared -fPIC -o build/readme/libtess.so $LIBRARY $LIBS \
-        2>> $LOG; then
-        # as the README says, with this Python
-        sed -n '/^    cc .*libtess.so/{p;n;p;}' README.md |
-            sed "s,python3,${PYTHON:-python3}," > build/readme/commands
-        one "example: first.py" test "`cd build/readme && sh -e commands`" = \
+    elif $CC -shared -fPIC -o build/shared.so hhpred.c $LIBS 2>> $LOG; then
+        # as the README says, with this compiler and Python
+        sed -n '/^    make python$/{p;n;p;}' README.md | sed "s,python3 ,$PYTHON ,
+            s|make|make -s 'CC=$CC' 'CFLAGS=$CFLAGS'|" > build/readme/commands
+        one "example: first.py" test "`sh -e build/readme/commands`" = \
             "${PRINTED#*: }"
-        if ${PYTHON:-python3} -c 'import numpy, scipy' 2>> $LOG; then
-            many "example: tess.py" sh -c "cd build/readme &&
-                PYTHONDONTWRITEBYTECODE=1 exec ${PYTHON:-python3} \
-                test/examples/try_tess.py"
-        else
-            skip "example: tess.py: no numpy, scipy for ${PYTHON:-python3}"
-        fi
     else
         skip "example: first.py: no -shared -fPIC"
     fi
@@ -601,6 +594,18 @@ readme() {
         one "the README's times: `echo "$row" | cut -d '|' -f 2,3`" \
             grep -Fx "$row" test/results/bench.txt
     done < build/times.txt
+}
+
+# ---- NumPy ----
+
+bindings() {
+    if [ ! -f build/libtess.so ] ||
+        ! $PYTHON -c 'import numpy, scipy' 2>> $LOG; then
+        skip "example: tess.py: no library, or no numpy, scipy for $PYTHON"
+        return
+    fi
+    many "example: tess.py" env PYTHONDONTWRITEBYTECODE=1 $PYTHON \
+        test/examples/try_tess.py
 }
 
 # ---- the recipes beside CGAL ----
@@ -1124,6 +1129,7 @@ first_half() {
     examples
     together
     readme
+    bindings
     many "rules" sh test/rules.sh
     many "the driver" env CC="$CC" sh test/program/driver.sh
     many "the driver: values" env CC="$CC" sh test/program/values.sh

@@ -1,10 +1,10 @@
 # first.py - tess from Python, by ctypes: the points of a file.
 #
-#   cc -O3 -shared -fPIC -o libtess.so tess.c hhpred.c -lm
+#   make python
 #   python3 test/examples/first.py
 from ctypes import CDLL, byref, c_double, c_int
 
-tess = CDLL("./libtess.so")
+tess = CDLL("build/libtess.so")
 rows = [r.split() for r in open("test/data/mirror.xyz") if r[0] != "#"]
 n, maxtet = len(rows), 8 * len(rows)
 p = (c_double * (3 * n))(*[float(x) for r in rows for x in r[:3]])
