@@ -4,6 +4,7 @@
 # make grid        its temperatures at a grid's places, and a section's picture
 # make examples    the programs of test/examples; their times, too
 # make python      build/libtess.so, for test/examples/tess.py
+# make octave      what Octave needs, by mkoctfile; then: addpath build
 # make pictures    write test/pictures anew
 # make errors      a table: errors of interpolation, linear and by slopes
 # make check       the tests, about three minutes on two processors
@@ -122,6 +123,14 @@ python: build/libtess.so
 build/libtess.so: $(FIELD) $(FIELD_H)
 	@mkdir -p build
 	$(LINK) $(CPPFLAGS) -I. -shared -fPIC $(FIELD) $(LDLIBS)
+
+octave: build/tess_mex.mex
+	cp test/examples/tessn.m test/examples/tessinterp.m build
+
+build/tess_mex.mex: test/examples/tess_mex.c $(FIELD) $(FIELD_H)
+	@mkdir -p build
+	CC="$(CC)" CFLAGS="$(CFLAGS)" mkoctfile --mex -I. -o $@ \
+	    test/examples/tess_mex.c $(FIELD)
 
 build/read.o: test/program/read.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
@@ -244,6 +253,6 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all always run grid examples python pictures errors check \
+.PHONY: all always run grid examples python octave pictures errors check \
     check-all torture certify coverage mutation bench mpi paper reach manual \
     mirror clean help

@@ -162,7 +162,8 @@ itself() {
 language() {
     if have "$CC" "$STRICT"; then
         one "strict C89: the tests" sh -c "for f in test/*.c test/*/*.c; do
-            case \$f in test/mpi/*) continue;; esac # mpi.h has long long
+            # mpi.h and mex.h are not C89
+            case \$f in test/mpi/*|*_mex.c) continue;; esac
             $CC $STRICT -fsyntax-only -I. \$f || exit 1; done"
         one "strict C89: the paper's programs, all of them" sh -c "cd test/paper
             for f in blas loops time acc backward round; do
@@ -455,7 +456,7 @@ routines() {
 }
 
 together() {
-    recipes=`routines c '^int main'`
+    recipes=`routines c '^int main\|^void mexFunction'`
     if ! have "$CC" "$STRICT -Wmissing-prototypes"; then
         skip "recipes together: $CC does not take the flags"
         return
@@ -596,16 +597,35 @@ readme() {
     done < build/times.txt
 }
 
-# ---- NumPy ----
+# ---- Octave's functions, which leave for tess.py's tests what they give, and
+# NumPy's ----
 
 bindings() {
+    left=
+    rm -f build/tessn.mat
+    if ! command -v mkoctfile > /dev/null || ! command -v octave-cli > /dev/null
+    then
+        skip "example: tessn.m: no octave-cli with mkoctfile"
+    elif make -s "CC=$CC" "CFLAGS=$CFLAGS" octave >> $LOG 2>&1; then
+        many "example: tessn.m" octave-cli --norc --no-history \
+            test/examples/try_tessn.m
+        left=build/tessn.mat
+        # (mex.h itself is not C89)
+        mex=`mkoctfile -p OCTINCLUDEDIR`
+        one "strict C89: tess_mex.c" sh -c "$CC -E -I. -isystem $mex/octave \
+            -isystem $mex test/examples/tess_mex.c > build/mex.i &&
+            $CC $STRICT -fsyntax-only -x cpp-output build/mex.i"
+    else
+        fail "example: tessn.m: make octave"
+    fi
     if [ ! -f build/libtess.so ] ||
         ! $PYTHON -c 'import numpy, scipy' 2>> $LOG; then
         skip "example: tess.py: no library, or no numpy, scipy for $PYTHON"
         return
     fi
+    # shellcheck disable=SC2086
     many "example: tess.py" env PYTHONDONTWRITEBYTECODE=1 $PYTHON \
-        test/examples/try_tess.py
+        test/examples/try_tess.py $left
 }
 
 # ---- the recipes beside CGAL ----
