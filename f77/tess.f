@@ -1659,19 +1659,20 @@ C     limbs do not hold it.
       PARAMETER (SAT = 52, SC = 55, SLOW = 59, SGRAIN = 60,
      $    GRAINS = 134217728, DIGITS = 4, EXPON = 2000,
      $    DIGIT = 8192.0D0)
-      DOUBLE PRECISION HHLDEX, C
+      DOUBLE PRECISION HHLDEX, C(3)
       INTEGER I, K
       S(SGRAIN) = HHLDEX(1.0D0, RECORD(3) - EXPON)
       S(SLOW) = -0.5D0*S(SGRAIN)*DBLE(GRAINS)
       DO 20 K = 1, 3
         S(SAT+K) = X(K,RECORD(1))
-        C = 0.0D0
+        C(K) = 0.0D0
         DO 10 I = 4 + DIGITS*K, 5 + DIGITS*(K - 1), -1
-          C = (C + DBLE(RECORD(I)))/DIGIT
+          C(K) = (C(K) + DBLE(RECORD(I)))/DIGIT
    10   CONTINUE
-        S(SC+K) = HHLDEX(C, RECORD(4) - EXPON)
+        C(K) = HHLDEX(C(K), RECORD(4) - EXPON)
+        S(SC+K) = C(K)
    20 CONTINUE
-      CALL HHABOU(X, RECORD(1), RECORD(1), RECORD(2), S(SC+1), S, OK)
+      CALL HHABOU(X, RECORD(1), RECORD(1), RECORD(2), C, S, OK)
       END
 
 C     TSTHRO - sets up the support S, a plane or a sphere through the
@@ -1699,10 +1700,10 @@ C     as HHTHIN leaves it if there is no normal
       C(10) = HUGE
       OK = 1
       IF (PLANE .EQ. 1) THEN
-        CALL HHTHIN(X, P, ORD, CTL(SCALE), Z, 1, C)
+        CALL HHTHIN(X, P, ORD, CTL(SCALE), Z(1), 1, C)
         IF (C(10) .GE. HUGE) OK = 0
       ELSE
-        CALL HHCENT(P, ORD, CTL(SCALE), Z, 1, Z(4), C, T, OK)
+        CALL HHCENT(P, ORD, CTL(SCALE), Z(1), 1, Z(4), C, T, OK)
       END IF
       IF (OK .EQ. 0) RETURN
       I = HHFREX(MAX(ABS(C(1)), ABS(C(2)), ABS(C(3))))

@@ -1031,7 +1031,7 @@ static void test_supports(void)
         serve(&k, many, liw, begun(k.iw, lo < all ? lo : all, liw));
         reindex(&m, hi, &k);
         ask(&k, k.iw);
-        serve(&k, many, liw, begun(k.iw, all, liw));
+        serve(&k, many, liw, begun(k.iw, hi, liw));
         drop(0);
         test_result(name, faults);
     }
