@@ -349,8 +349,15 @@ typedef struct cell {
     tess_int id[CELL];
 } cell;
 
+/* Lengths for n points: the minimum of iw and rw, and what is recommended
+ * beyond it: in iw pool, and marks for supports; in rw cylinders. */
+typedef struct sizes {
+    tess_int iw, rw, pool, marks, cylinders;
+} sizes;
+
 typedef struct mesh {
     hh_set set;
+    sizes most;               /* lengths for the points that were given */
     /* the arrays: see above */
     tess_int *tet, *adj, *rep, *order, *known, *alive, *head, *link, *pool;
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
@@ -385,12 +392,6 @@ typedef struct mesh {
                               /* their limit; 0: no more supports are sought */
     int enclosed;             /* 1: there are cylinders */
 } mesh;
-
-/* Lengths for n points: the minimum of iw and rw, and what is recommended
- * beyond it: in iw pool, and marks for supports; in rw cylinders. */
-typedef struct sizes {
-    tess_int iw, rw, pool, marks, cylinders;
-} sizes;
 
 /* Builds that count events or prove decisions, for the tests. */
 #if defined(TESS_COUNT) || defined(TESS_PROVE)
@@ -1666,7 +1667,7 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
  * Near a plane k may be greater, so |a| may be greater for k > 0, and smaller
  * for k < 0.  Near a sphere G = height - h - tilt.w, of which a share q is
  * taken as |w|^2 - 2 c.w; best is, but for a, the q for which the least of q
- * |w|^2 - d.w is greatest. Any q is valid, so errors in q do not count.  dd has
+ * |w|^2 - d.w is greatest.  Any q is valid, so errors in q do not count.  dd has
  * room for the errors of c, tilt and v, and for 16 roundings of each term.  err
  * has room for those of h, of a height of at most -low, and of a, which is
  * exact but for one rounding. */
@@ -1688,7 +1689,6 @@ static void aim(const mesh *m, quest *f)
         for (k = 0; k < 3; k++)
             sum -= f->f[3 + k] * (b * f->f[k] + f->a * f->tilt[k]);
         f->q = sum > 0.0 ? 0.5 * sum / (f->f[11] * f->f[11]) : 0.0;
-        if (ball && f->q > 1.0) f->q = 1.0;
         f->a -= f->q;
     }
     f->dd = fabs(f->a) * f->dtilt + 2.0 * f->q * f->f[10] + fabs(b) * f->f[9];
@@ -2943,6 +2943,7 @@ static int lengths(tess_int n, sizes *w)
 static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
                    double *rw)
 {
+    (void)lengths(n, &m->most);
     m->set.x = m->x = rw;
     m->set.p = p;
     m->box = rw + 3 * n;
@@ -3067,7 +3068,6 @@ static void revive(mesh *m)
 static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
                   tess_int lrw, double *rw)
 {
-    sizes w;
     tess_int i;
 
     layout(m, n, p, iw, rw);
@@ -3087,8 +3087,8 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     scaled(m);
     boxes(m);
     revive(m);
-    (void)lengths(n, &w);
-    if (w.cylinders > 0 && lrw - w.rw >= w.cylinders) makecylinders(m);
+    if (m->most.cylinders > 0 && lrw - m->most.rw >= m->most.cylinders)
+        makecylinders(m);
     return 0;
 }
 
@@ -3226,9 +3226,8 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
  * points, and the pool. */
 static void allot(mesh *m, tess_int n, tess_int liw)
 {
-    sizes w;
+    sizes w = m->most;
 
-    (void)lengths(n, &w);
     /* doubles decide everything if points are in few units */
     if (m->patience == 0.0 && m->nsupport < SUPPORTS && m->set.t5 < PLAIN &&
         w.marks > 0 &&
@@ -3346,7 +3345,6 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
 {
     static const tess_int guess[2] = {NONE, NONE};
     mesh m;
-    sizes w;
     tess_int i, v[4], left, *mine;
     tess_int tet[4 * STARS], adj[4 * STARS];
     double part;
@@ -3371,10 +3369,9 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
             if (m.rep[i] >= m.np || m.order[m.rep[i]] != i)
                 m.rep[i] = m.rep[m.rep[i]];
     }
-    (void)lengths(n, &w);
     left = (tess_int)(liw - n);
-    if (TESS_LIST >= 128 && code == 0 && w.marks > 0 && m.set.t5 < PLAIN &&
-        left - w.iw >= w.marks) {
+    if (TESS_LIST >= 128 && code == 0 && m.most.marks > 0 &&
+        m.set.t5 < PLAIN && left - m.most.iw >= m.most.marks) {
         mine = iw + left;
         for (k = 1; k <= REGIONS; k++) {
             if (k % 8 == 1)
@@ -3400,15 +3397,13 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
               tess_int liw, tess_int *iw, tess_int lrw, const double *rw)
 {
     mesh m;
-    sizes w;
     int code = badargument(n, NULL, maxtet, *ntet, tet, adj, liw, lrw);
 
     if (code == 0) code = opened(&m, n, p, iw, rw);
     if (code > 0) *ntet = 0;
     if (code == 0) {
-        (void)lengths(n, &w);
-        if (m.alive[0] > 0 && liw - w.iw < w.marks) return -8;
-        if (m.enclosed && lrw - w.rw < w.cylinders) return -10;
+        if (m.alive[0] > 0 && liw - m.most.iw < m.most.marks) return -8;
+        if (m.enclosed && lrw - m.most.rw < m.most.cylinders) return -10;
         recall(&m);
         allot(&m, n, liw);
         code = run(&m, n, mine, maxtet, ntet, tet, adj);

@@ -2139,7 +2139,6 @@ C     which is exact but for one rounding.
    10   CONTINUE
         Q = 0.0D0
         IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(12)*F(12))
-        IF (BALL .EQ. 1) Q = MIN(Q, 1.0D0)
         A = A - Q
       END IF
       DD = ABS(A)*T(TDTILT) + 2.0D0*Q*F(11) + ABS(B)*F(10)
