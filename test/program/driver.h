@@ -18,10 +18,10 @@
 
 /* ---- what is read ---- */
 
-/* points - what a file holds.  The arrays are the driver's. */
+/* points - what a file holds. */
 typedef struct points {
-    const char *input; /* the file's name */
-    long room, values; /* points that p, values that value has room for */
+    const char *input;   /* the file's name */
+    double room, values; /* points that p, values that value has room for */
     tess_real *p;
     double *value; /* columns of them a point, row by row */
     long *line;    /* of the file, for each point */
@@ -53,13 +53,18 @@ typedef struct mesh {
     double scale[3];    /* 1 if not given */
     const tess_real *p; /* in->p, times scale */
     tess_int ntet, *tet, *adj;
-    tess_int maxtet;    /* tetrahedra that there is room for */
+    tess_int maxtet;    /* tetrahedra that there is room for: tetrahedralize */
     const char *keep;   /* by -alpha: 0 for a tetrahedron that is left out; */
     tess_int kept;      /* 1 for so many; or 0, and ntet: all are in */
-    tess_int liw, *iw;  /* workspace, for whoever is at work */
-    long lrw;
+    tess_int liw, *iw;  /* its workspace; in iw which point stands for each, */
+    tess_int lrw;       /* until keep_values and -check have used it */
     double *rw;
 } mesh;
+
+/* tetrahedralize - make the mesh of n points in m's arrays, which grow to what
+ * it needs.  telling: say every second or so how far it is.  Returns the
+ * code of tess that is left; leaves when there is not enough memory. */
+int tetrahedralize(mesh *m, tess_int n, const tess_real *p, int telling);
 
 /* tetrahedron_volume - in the coordinates given. */
 double tetrahedron_volume(const mesh *m, tess_int t);
@@ -84,12 +89,13 @@ typedef struct choices {
 extern choices chosen;
 
 /* choose_options - read the command line into chosen; leaves the program with
- * a message when it cannot.  capacity: last line of -h. */
-void choose_options(int argc, char **argv, const char *capacity);
+ * a message when it cannot. */
+void choose_options(int argc, char **argv);
 
 /* space - room for so many things of that size, to be freed; leaves if there
- * is none. */
+ * is none.  more_space: for the array a, or 0, whose beginning is kept. */
 void *space(double many, size_t size);
+void *more_space(void *a, double many, size_t size);
 
 /* list_numbers - the numbers in text, with commas between them, at most most of
  * them.  Returns how many, or -1 for what is no such list. */
@@ -101,7 +107,8 @@ int list_numbers(const char *text, int most, double *x);
  * output is bad. */
 void fail(const char *format, ...);
 
-/* too_small - the same: this build's arrays do not suffice. */
+/* too_small - the same: this build's integers do not suffice, or something
+ * computed fails. */
 void too_small(const char *format, ...);
 
 /* warn - print a message on stderr, unless the program is to be quiet. */
@@ -151,14 +158,14 @@ void check_values(void);
  * *places; leaves when that cannot be. */
 void read_places(const points *in, points *places);
 
-/* keep_values - what of the new mesh is needed later on, when iw and rw will
- * hold something else. */
+/* keep_values - what of the new mesh is needed later on, when iw and rw are
+ * gone. */
 void keep_values(const mesh *m);
 
 void write_values(const mesh *m);
 
 /* validate_values - print the table of -validate; the mesh is lost. */
-void validate_values(const mesh *m);
+void validate_values(mesh *m);
 
 /* ---- files of points and tetrahedra (write.c) ---- */
 
@@ -172,9 +179,9 @@ void write_svg(const mesh *m, const char *name);
 
 /* ---- shapes ---- */
 
-/* mark_alpha - set keep[t] and m->keep: 1 for the tetrahedra of the alpha
- * shape of that radius. */
-void mark_alpha(mesh *m, double radius, char *keep);
+/* mark_alpha - set m->keep, m->kept: 1 for the tetrahedra of the alpha shape of
+ * that radius. */
+void mark_alpha(mesh *m, double radius);
 
 /* drop_others - leave the tetrahedra of the alpha shape alone in m. */
 void drop_others(mesh *m);

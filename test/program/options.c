@@ -41,10 +41,9 @@ static const char *const before[] = {
 static const char *const after[] = {
     "exit code: 0  done; also for points that all lie in one plane, which have",
     "              no tetrahedron: a message says so",
-    "           1  this build's arrays do not suffice, or -check found a fault",
-    "           2  wrong usage, unreadable input, unwritable output"};
-
-static const char *capacity;
+    "           1  this build's integers do not suffice, or -check found a fault",
+    "           2  wrong usage, unreadable input, unwritable output, not enough",
+    "              memory"};
 
 int list_numbers(const char *text, int most, double *x)
 {
@@ -292,7 +291,6 @@ static void take_help(const option *o, char **word)
     printf("\n");
     for (k = 0; k < sizeof after / sizeof after[0]; k++)
         printf("%s\n", after[k]);
-    printf("\n%s\n", capacity);
     exit(0);
 }
 
@@ -358,12 +356,11 @@ static void try_outputs(void)
     }
 }
 
-void choose_options(int argc, char **argv, const char *last)
+void choose_options(int argc, char **argv)
 {
     const option *o;
     int a, many;
 
-    capacity = last;
     chosen.view[0] = -400.0;
     for (a = 1; a < argc; a++) {
         if (argv[a][0] == '-' && argv[a][1]) {

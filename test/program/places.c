@@ -462,7 +462,7 @@ void keep_values(const mesh *m)
     }
     if (twins == 0) return;
     mean = (double *)space((double)columns * (double)in->n, sizeof *mean);
-    times = m->rw;
+    times = m->rw; /* (longer than n) */
     for (i = 0; i < (size_t)in->n; i++) {
         r = (size_t)m->iw[i];
         times[i] = 1.0;
@@ -564,7 +564,7 @@ void write_values(const mesh *m)
     values_end();
 }
 
-void validate_values(const mesh *m)
+void validate_values(mesh *m)
 {
     cross_validate(m, same, mean ? mean : in->value, chosen.validate, asked,
                    outside);

@@ -414,18 +414,30 @@ static int word(int k, const char *text)
 
 /* ---------------------------------------------------------------- points */
 
+/* rooms - for so many points, and for so many values. */
+static void rooms(double most, double values)
+{
+    to->p = (tess_real *)more_space(to->p, 3.0 * most, sizeof *to->p);
+    to->line = (long *)more_space(to->line, most, sizeof *to->line);
+    to->value = (double *)more_space(to->value, values, sizeof *to->value);
+    to->room = most;
+    to->values = values;
+}
+
 /* add_point - one more: its coordinates; its values are set by the caller. */
 static void add_point(const double *x)
 {
+    double n = (double)to->n + 1.0, values = n * (double)to->columns;
     int k;
 
-    if (to->n == to->room ||
-        (!to->bare &&
-         (double)to->columns * (double)(to->n + 1) > (double)to->values))
-        too_small("%s, line %ld: more than %ld points with %d values each; "
-                  "build for more: make MAXPTS=%ld",
-                  to->input, line_number, (long)to->n, to->columns,
-                  4 * to->room);
+    if (to->n >= TESS_INT_MOST / 5)
+        too_small("%s, line %ld: more points than a tess_int of %d bytes can "
+                  "number; rebuild with a larger -DTESS_INT=...",
+                  to->input, line_number, (int)sizeof(tess_int));
+    if (to->bare) values = 0.0;
+    if (n > to->room || values > to->values)
+        rooms(n > to->room ? 2.0 * n : to->room,
+              values > to->values ? 2.0 * values : to->values);
     for (k = 0; k < 3; k++) to->p[3 * to->n + k] = (tess_real)x[k];
     to->line[to->n] = line_number;
     to->n++;
@@ -750,20 +762,20 @@ static void lattice(double v[9], const double *origin)
 static void properties(const char *s)
 {
     size_t length;
-    int many_of, k;
+    int most, k;
 
     for (titles = 0;; s++) {
         length = strcspn(s, ":");
-        many_of = s[length] && s[length + 1] && s[length + 2] == ':'
+        most = s[length] && s[length + 1] && s[length + 2] == ':'
                       ? atoi(s + length + 3)
                       : 0;
-        if (length == 0 || many_of < 1 || titles + many_of > COLUMNS)
+        if (length == 0 || most < 1 || titles + most > COLUMNS)
             fail_line("Properties are not as species:S:1:pos:R:3");
-        for (k = 0; k < many_of; k++, titles++)
-            if (length == 3 && many_of == 3 && strncmp(s, "pos", 3) == 0)
+        for (k = 0; k < most; k++, titles++)
+            if (length == 3 && most == 3 && strncmp(s, "pos", 3) == 0)
                 sprintf(title[titles], "%c", 'x' + k);
             else
-                sprintf(title[titles], many_of > 1 ? "%.*s%d" : "%.*s",
+                sprintf(title[titles], most > 1 ? "%.*s%d" : "%.*s",
                         (int)(length < TITLE - 4 ? length : TITLE - 4), s,
                         k + 1);
         s += length + 3;
@@ -1056,6 +1068,8 @@ void read_points(const char *name, points *a)
              "are wanted: %s X,Y,Z%s",
              to->input, dropped, option(), to->bare ? "" : ",VALUE");
     if (to->n == 0) fail("%s: no points", to->input);
+    rooms((double)to->n,
+          to->bare ? 0.0 : (double)to->n * (double)to->columns);
     if (dropped > 0)
         warn("%s: %ld row%s dropped for a number that is missing, the first "
              "in line %ld",

@@ -8,15 +8,27 @@
 #include <math.h>
 #include <stdlib.h>
 
+static tess_int *integers(double many)
+{
+    return (tess_int *)space(many, sizeof(tess_int));
+}
+
+static double *doubles(double many)
+{
+    return (double *)space(many, sizeof(double));
+}
+
 /* ---- alpha shapes ---- */
 
-void mark_alpha(mesh *m, double radius, char *keep)
+void mark_alpha(mesh *m, double radius)
 {
-    tess_int nfac, none[3], t;
+    char *keep = (char *)space((double)m->ntet, sizeof *keep);
+    tess_int *stack = integers((double)m->ntet), nfac, none[3], t;
 
     if (alpha(m->p, m->ntet, m->tet, m->adj, radius, 1, keep, 0, &nfac, none,
-              m->iw) < 0)
+              stack) < 0)
         too_small("-alpha: the tetrahedra's balls cannot be computed");
+    free(stack);
     m->keep = keep;
     for (m->kept = t = 0; t < m->ntet; t++) m->kept += keep[t];
     if (m->kept == 0 && m->ntet > 0)
@@ -26,7 +38,7 @@ void mark_alpha(mesh *m, double radius, char *keep)
 
 void drop_others(mesh *m)
 {
-    tess_int *number = m->iw, many = 0, t, u;
+    tess_int *number = integers((double)m->ntet), many = 0, t, u;
     int k;
 
     for (t = 0; t < m->ntet; t++) number[t] = m->keep[t] ? many++ : TESS_NONE;
@@ -38,6 +50,7 @@ void drop_others(mesh *m)
             m->adj[4 * number[t] + k] = u < 0 ? u : number[u];
         }
     }
+    free(number);
     m->ntet = many;
     m->keep = 0;
 }
@@ -68,26 +81,6 @@ typedef struct cells {
 typedef struct totals {
     double cells, vertices, numbers, volume; /* numbers: VTK's, for CELLS */
 } totals;
-
-void *space(double many, size_t size)
-{
-    void *a = many < (double)((size_t)-1 / 2 / size)
-                  ? malloc((size_t)(many + 1.0) * size)
-                  : (void *)0;
-
-    if (!a) too_small("not enough memory");
-    return a;
-}
-
-static tess_int *integers(double many)
-{
-    return (tess_int *)space(many, sizeof(tess_int));
-}
-
-static double *doubles(double many)
-{
-    return (double *)space(many, sizeof(double));
-}
 
 /* points_box - the box about the points. */
 static void points_box(cells *c)

@@ -56,7 +56,7 @@ void values_end(void);
  *   asked    asked[k] != 0 for the methods k
  *   beyond   OUT_NEAREST: points outside the hull of the others count as well
  */
-void cross_validate(const mesh *m, const tess_int *same, const double *value,
+void cross_validate(mesh *m, const tess_int *same, const double *value,
                     long parts, const int *asked, int beyond);
 
 /* progress - on a terminal, from the third second on: what share is done.

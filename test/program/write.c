@@ -167,7 +167,8 @@ void write_face(const mesh *m, const char *name)
     int obj = length >= 4 && strcmp(name + length - 4, suffix) == 0, k;
     FILE *file = start(name, "w");
     const points *in = m->in;
-    tess_int *place = m->iw, many = 0, i, f, v;
+    tess_int *place = (tess_int *)space((double)in->n, sizeof *place);
+    tess_int many = 0, i, f, v;
 
     for (i = 0; i < in->n; i++) place[i] = obj ? TESS_NONE : i + in->base;
     for (f = 0; f < 4 * m->ntet; f++) {
@@ -193,6 +194,7 @@ void write_face(const mesh *m, const char *name)
                     (long)place[m->tet[f / 4 * 4 + facet[f % 4][k]]]);
         fprintf(file, "\n");
     }
+    free(place);
     finish(file, name);
 }
 
@@ -318,6 +320,7 @@ void write_svg(const mesh *m, const char *name)
     FILE *file = start(name, "w");
     const points *in = m->in;
     tess_int drawn = m->kept, i;
+    double *first = 0; /* value of each point */
     draw_look look;
 
     draw_default(&look);
@@ -332,13 +335,12 @@ void write_svg(const mesh *m, const char *name)
     sprintf(note, "%ld points, %ld tetrahedra%s", (long)in->n, (long)drawn,
             in->columns > 0 ? "" : "; coloured by distance from the middle");
     look.note = note;
-    /* the first value of each point, where the workspace was */
-    if (in->columns > 0)
-        for (i = 0; i < in->n; i++) m->rw[i] = in->value[(long)in->columns * i];
-    if (draw_svg(file, &look, in->n, m->p,
-                 in->columns > 0 ? m->rw : (double *)0, m->ntet, m->tet,
-                 m->adj) != 0)
-        too_small("%s: not enough memory for a picture", name);
+    if (in->columns > 0) first = (double *)space((double)in->n, sizeof *first);
+    for (i = 0; i < in->n && first; i++)
+        first[i] = in->value[(size_t)in->columns * (size_t)i];
+    if (draw_svg(file, &look, in->n, m->p, first, m->ntet, m->tet, m->adj) != 0)
+        fail("not enough memory for a picture");
+    free(first);
     finish(file, name);
 }
 
