@@ -65,6 +65,16 @@ void warn(const char *format, ...)
     va_end(list);
 }
 
+void tell(const char *format, ...)
+{
+    va_list list;
+
+    if (chosen.quiet) return;
+    va_start(list, format);
+    vfprintf(chosen.to_stdout ? stderr : stdout, format, list);
+    va_end(list);
+}
+
 void say(const char *format, ...)
 {
     va_list list;
@@ -131,30 +141,28 @@ static void report(int code, tess_int duplicates, double seconds,
         for (k = 0; k < 4; k++) facets += !kept(made.adj[4 * t + k]);
     }
 
-    printf("points        %ld", (long)in.n);
+    tell("points        %ld", (long)in.n);
     if (in.columns > 0)
-        printf(", each with %d value%s", in.columns,
-               in.columns > 1 ? "s" : "");
-    printf("\n");
-    printf("duplicates    %ld\n", (long)duplicates);
-    printf("tetrahedra    %ld", (long)made.kept);
-    printf(made.keep ? " in the alpha shape, of %ld\n" : "\n",
-           (long)made.ntet);
-    printf(made.keep ? "facets        %ld\n" : "hull facets   %ld\n",
-           facets);
+        tell(", each with %d value%s", in.columns, in.columns > 1 ? "s" : "");
+    tell("\n");
+    tell("duplicates    %ld\n", (long)duplicates);
+    tell("tetrahedra    %ld", (long)made.kept);
+    tell(made.keep ? " in the alpha shape, of %ld\n" : "\n",
+         (long)made.ntet);
+    tell(made.keep ? "facets        %ld\n" : "hull facets   %ld\n", facets);
     if (volume <= DBL_MAX)
-        printf("volume        %.9g\n", volume);
+        tell("volume        %.9g\n", volume);
     else
-        printf("volume        beyond the range of double\n");
-    printf("seconds       %.3f", seconds);
+        tell("volume        beyond the range of double\n");
+    tell("seconds       %.3f", seconds);
     if (made.ntet > 0 && seconds > 0.05)
-        printf(", %.0f ns a tetrahedron", seconds / (double)made.ntet * 1e9);
-    printf("\nworkspace     %.0f bytes, %.1f a point\n", bytes,
-           bytes / (double)in.n);
+        tell(", %.0f ns a tetrahedron", seconds / (double)made.ntet * 1e9);
+    tell("\nworkspace     %.0f bytes, %.1f a point\n", bytes,
+         bytes / (double)in.n);
     if (code == TESS_PLANE) what = "all points lie in one plane";
     if (code == TESS_LINE) what = "all points lie on one line";
     if (code == TESS_POINT) what = "at most one distinct point";
-    if (code != TESS_OK) printf("no tetrahedron: %s\n", what);
+    if (code != TESS_OK) tell("no tetrahedron: %s\n", what);
 }
 
 /* finite3 - are three coordinates? */
@@ -206,10 +214,9 @@ static int prove(void)
                       made.iw, &bad);
     switch (code) {
     case 0:
-        if (!chosen.quiet)
-            printf("check         proven: %s\n",
-                   made.ntet > 0 ? "a Delaunay tetrahedralization of the points"
-                            : "no four points span a tetrahedron");
+        tell("check         proven: %s\n",
+             made.ntet > 0 ? "a Delaunay tetrahedralization of the points"
+                           : "no four points span a tetrahedron");
         return 0;
     case TESS_BAD_INDEX:
         what = "a vertex is out of range, or there twice";
@@ -378,15 +385,17 @@ static void stretch(void)
 /* write_all - what is asked for: first what the whole mesh gives. */
 static void write_all(void)
 {
+    output *o;
+
+    if (made.kept == 0 && next_output(svg_forms, 0))
+        fail("-svg: no picture: there is no tetrahedron to draw%s",
+             made.ntet > 0 ? "" : "; the points lie in one plane");
     if (chosen.values) write_values(&made);
-    if (chosen.cells || chosen.volumes) make_cells(&made);
-    if (chosen.svg) write_svg(&made, chosen.svg);
+    if (chosen.cells) make_cells(&made);
+    for (o = 0; (o = next_output(svg_forms, o)) != 0;) write_svg(&made, o);
     if (made.keep) drop_others(&made);
-    if (chosen.node) write_node(&made, chosen.node);
-    if (chosen.ele) write_four(&made, chosen.ele, "4 0", made.tet);
-    if (chosen.neigh) write_four(&made, chosen.neigh, "4", made.adj);
-    if (chosen.vtk) write_vtk(&made, chosen.vtk);
-    if (chosen.face) write_face(&made, chosen.face);
+    for (o = 0; (o = next_output(0, o)) != 0;)
+        if (o->as->write) o->as->write(&made, o);
 }
 
 int main(int argc, char **argv)

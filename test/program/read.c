@@ -66,13 +66,6 @@ static void fail_empty(long at, int column)
 
 /* ---------------------------------------------------------------- binary */
 
-static int ends_in(const char *name, const char *suffix)
-{
-    size_t a = strlen(name), b = strlen(suffix);
-
-    return a >= b && strcmp(name + a - b, suffix) == 0;
-}
-
 /* more - read on, behind what is not yet taken; 0 if nothing is left. */
 static int more(void)
 {
@@ -104,7 +97,7 @@ static void refuse_binary(void)
     if (!memchr(block, 0, head) || memcmp(block, "\377\376", 2) == 0 ||
         memcmp(block, "\376\377", 2) == 0 || memcmp(block, "ply", 3) == 0)
         return;
-    if (ends_in(to->input, ".stl") || ends_in(to->input, ".STL"))
+    if (ends_in(to->input, ".stl"))
         fail("%s: is binary STL; save it as ASCII STL, or OBJ or OFF",
              to->input);
     fail("%s: is not text (binary STL, perhaps, or an archive)", to->input);
@@ -1025,6 +1018,8 @@ static int pdb(void)
 
 void read_points(const char *name, points *a)
 {
+    const char *off;
+
     to = a;
     filled = taken = 0;
     titles = width = counting = first_open = 0;
@@ -1049,7 +1044,7 @@ void read_points(const char *name, points *a)
             read_node();
         } else if (word(0, "ply"))
             read_ply();
-        else if (ends_in(fields[0].text, "OFF"))
+        else if ((off = strstr(fields[0].text, "OFF")) != 0 && !off[3])
             read_off();
         else if (ends_in(to->input, ".obj") || word(0, "v") ||
                  word(0, "mtllib") || word(0, "o")) {
