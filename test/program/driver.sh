@@ -345,6 +345,19 @@ $TESS -periodic -volumes v.csv skew.xyz > said 2> words
 yes "Lattice: a skew one is refused" test $? -eq 2
 yes "Lattice: why" grep 'not a box along x, y, z' words > /dev/null
 
+for pbc in '"T T F"' '[True, False, True]' '"1 0 1"' F; do
+    sed "2s/\$/ pbc=$pbc/" more.xyz > slab.xyz
+    rm -f v.csv
+    $TESS -q -periodic -volumes v.csv slab.xyz > said 2> words
+    yes "pbc=$pbc: not taken as periodic" test $? -eq 2 -a ! -f v.csv
+    yes "pbc=$pbc: why" grep 'its pbc says' words > /dev/null
+    yes "pbc=$pbc: a box as others are" $TESS -q -volumes v.csv slab.xyz 2> words
+done
+for pbc in '"T T T"' '[True, True, True]' '"1 1 1"' T; do
+    sed "2s/\$/ pbc=$pbc foo=0/" more.xyz > bulk.xyz
+    yes "pbc=$pbc" $TESS -q -periodic -volumes v.csv bulk.xyz 2> words
+done
+
 # ---- plain lines are read at once, all others field by field: the same ----
 
 awk 'BEGIN { srand(3)
@@ -379,7 +392,7 @@ printf '1 2 3\n1 2 3x\n' | refuses glued.txt 'line 2: column 3 is not a number'
 
 # ---- OFF, PLY, OBJ, PDB, .node ----
 
-reads none mesh.off << END
+reads none mesh.off "its faces are left out" << END
 OFF
 5 2 0
 0 0 0
@@ -390,8 +403,9 @@ OFF
 3 0 1 2
 3 0 1 4
 END
-sed '1d; 2s/^/OFF /' mesh.off | reads none - 
-reads two mesh.ply << END
+sed '1d; 2s/^/OFF /' mesh.off | reads none - "its faces are left out"
+sed '2s/2/0/; 8,$d' mesh.off | reads none bare.off
+reads two mesh.ply "its faces are left out" << END
 ply
 format ascii 1.0
 comment made by hand
@@ -458,6 +472,35 @@ solid made by hand
  endfacet
 endsolid
 END
+yes "STL: faces" grep 'its faces are left out' words > /dev/null
+$TESS mesh.obj > said 2> words
+yes "OBJ: faces" grep 'its faces are left out' words > /dev/null
+grep -v '^f ' mesh.obj > bare.obj
+$TESS bare.obj > said 2> words
+yes "OBJ: none" test `grep -c 'its faces' words` = 0
+# CRYST1: the box that repeats itself, no other
+crystal() {
+    printf 'CRYST1%9s%9s%9s%7s%7s%7s %-11s\n' "$@"
+    grep HETATM 1abc.pdb
+    sed -n '/ATOM/p; 6q' 1abc.pdb
+}
+crystal 6.000 7.000 8.000 90.00 90.00 90.00 'P 1' > cell.pdb
+$TESS -periodic -volumes v.csv cell.pdb > said 2> words
+yes "CRYST1: the periodic box" sh -c \
+    'grep "sum to 336; the box.s is 336$" said && ! grep group words' \
+    > /dev/null
+$TESS -volumes v.csv cell.pdb > said 2> words
+yes "CRYST1: cuts no cells" grep "the box's is 0.5\$" said > /dev/null
+crystal 6.000 7.000 8.000 90.00 90.00 90.00 'P 21 21 2' > cell.pdb
+$TESS -periodic -volumes v.csv cell.pdb > said 2> words
+yes "CRYST1: a group of symmetries is said" grep 'P 21 21 2' words > /dev/null
+crystal 6.000 7.000 8.000 90.00 102.50 90.00 'P 1' > cell.pdb
+$TESS -periodic -volumes v.csv cell.pdb > said 2> words
+yes "CRYST1: no right angles" test $? -eq 2
+yes "CRYST1: why" grep 'CRYST1, is not a box' words > /dev/null
+crystal 1.000 1.000 1.000 90.00 90.00 90.00 'P 1' > cell.pdb
+$TESS -periodic -volumes v.csv cell.pdb > said 2> words
+yes "CRYST1 of no crystal" grep 'needs -box' words > /dev/null
 for f in none one two marked; do
     reads $f $f.node < $f
 done

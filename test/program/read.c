@@ -782,7 +782,7 @@ static void properties(const char *s)
 static int extended(void)
 {
     const char *vectors = after("Lattice"), *from = after("Origin");
-    const char *columns_of = after("Properties");
+    const char *columns_of = after("Properties"), *pbc = after("pbc");
     double v[9], origin[3];
 
     origin[0] = origin[1] = origin[2] = 0.0;
@@ -790,6 +790,9 @@ static int extended(void)
     if (vectors) {
         take_numbers(vectors, 9, v, "Lattice");
         lattice(v, origin);
+        /* "T T F", or T,T,0 */
+        to->aperiodic = pbc && strcspn(pbc, "Ff0") <
+                                   strcspn(pbc, pbc[-1] == '=' ? " \t" : "\"'}]");
     }
     if (columns_of) properties(columns_of);
     return vectors || columns_of;
@@ -864,19 +867,26 @@ static void read_text(void)
              option());
 }
 
-/* read_off - OFF, COFF, NOFF: points, and faces that do not matter. */
+/* no_faces - say that the faces of a surface are left out. */
+static void no_faces(void)
+{
+    warn("%s: its faces are left out: the mesh is of the points alone, and "
+         "fills their hull",
+         to->input);
+}
+
+/* read_off - OFF, COFF, NOFF: points, and faces. */
 static void read_off(void)
 {
     double want;
+    int at = many > 1;
 
     if (word(0, "4OFF") || word(0, "nOFF") || word(1, "BINARY"))
         fail_line("not an OFF file of points in space, in ASCII");
-    if (many == 1)
-        need_line();
-    else
-        fields[0] = fields[1];
-    if (!count(0)) fail_line("not the number of points");
-    want = fields[0].x;
+    if (!at) need_line();
+    if (many <= at || !count(at)) fail_line("not the number of points");
+    want = fields[at].x;
+    if (many > at + 1 && fields[at + 1].x > 0.0) no_faces();
     need_line();
     rows(want, 0, 1);
 }
@@ -894,6 +904,7 @@ static void read_ply(void)
                 fail_line("points must be the first element of a PLY file");
             want = fields[2].x;
         } else if (word(0, "element")) {
+            if (word(1, "face") && many > 2 && fields[2].x > 0.0) no_faces();
             while (!word(0, "end_header")) need_line();
             break;
         }
@@ -908,11 +919,14 @@ static void read_ply(void)
  * ASCII STL. */
 static void read_lines(const char *first)
 {
+    int faces = 0;
+
     while (!word(0, first)) need_line();
     fields[0].number = 0;
     shape();
     do {
         if (word(0, first)) row();
+        if ((word(0, "f") || word(0, "facet")) && !faces++) no_faces();
         if (!next_line()) return;
         split();
     } while (1);
@@ -929,8 +943,28 @@ static double column(int from, int last, double fallback)
     sprintf(text, "%.*s", last - from + 1, line + from - 1);
     x = strtod(text, &end);
     while (blank(*end)) end++;
-    if (*end) fail_line("not an atom of a PDB file");
+    if (*end) fail_line("not an atom, or a cell, of a PDB file");
     return end[-1] && strspn(text, " ") < strlen(text) ? x : fallback;
+}
+
+/* crystal - CRYST1: sides and angles of the box that repeats itself.  (A cube of
+ * side 1 is what files have for want of one.) */
+static void crystal(void)
+{
+    static const double origin[3] = {0.0, 0.0, 0.0};
+    const char *group = strlen(line) > 55 ? line + 55 : "P 1";
+    double v[9] = {0.0};
+    int k;
+
+    for (k = 0; k < 3; k++) v[4 * k] = column(7 + 9 * k, 15 + 9 * k, 0.0);
+    if (!chosen.periodic || (v[0] == 1.0 && v[4] == 1.0 && v[8] == 1.0)) return;
+    lattice(v, origin);
+    for (k = 0; k < 3; k++)
+        if (column(34 + 7 * k, 40 + 7 * k, 90.0) != 90.0) to->lattice = SKEW;
+    if (strncmp(group, "P 1        ", strlen(group) < 11 ? strlen(group) : 11))
+        warn("%s, line %ld: the atoms are repeated as they are, without what "
+             "the space group %.11s adds in the cell",
+             to->input, line_number, group);
 }
 
 /* read_pdb - atoms, with their temperature factors; of the first model. */
@@ -947,6 +981,7 @@ static void read_pdb(void)
                  to->input, line_number);
             return;
         }
+        if (strncmp(line, "CRYST1", 6) == 0) crystal();
         if (strncmp(line, "ATOM  ", 6) != 0 && strncmp(line, "HETATM", 6) != 0)
             continue;
         if (strlen(line) < 54) fail_line("not an atom of a PDB file");
