@@ -478,7 +478,7 @@ void keep_values(const mesh *m)
              (long)twins);
 }
 
-/* some - write the values at some places, of which t[0] is a start. */
+/* some - write the values at some places; t has a start for each. */
 static void some(tess_int many, const tess_real *at, const double *scale)
 {
     static tess_real q[3 * FEW];
@@ -486,7 +486,6 @@ static void some(tess_int many, const tess_real *at, const double *scale)
     tess_int i;
     int k;
 
-    for (i = 1; i < many; i++) t[i] = TESS_NONE;
     for (i = 0; i < 3 * many; i++)
         q[i] = (tess_real)((double)at[i] * scale[i % 3]);
     values_at(many, q, t, out);
@@ -512,8 +511,8 @@ static void grid_values(long most, const double *scale)
                     at[3 * i] = (tess_real)place(0, x + i);
                     at[3 * i + 1] = (tess_real)place(1, y);
                     at[3 * i + 2] = (tess_real)place(2, z);
+                    t[i] = i == 0 ? last : TESS_NONE;
                 }
-                t[0] = last;
                 some((tess_int)many, at, scale);
                 last = t[many - 1];
                 if (x == 0) row = t[0];
@@ -523,16 +522,77 @@ static void grid_values(long most, const double *scale)
     }
 }
 
+/* in_order - is each place of a file near the one before it, as a rule? */
+static int in_order(const tess_real *q)
+{
+    double low[3], high[3], x, way = 0.0, box = 0.0;
+    tess_int i;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        low[k] = high[k] = (double)q[k];
+        for (i = 1; i < places->n; i++) {
+            x = (double)q[3 * i + k];
+            way += fabs(x - (double)q[3 * i + k - 3]);
+            if (x < low[k]) low[k] = x;
+            if (x > high[k]) high[k] = x;
+        }
+        box += high[k] - low[k];
+    }
+    /* (where they are at random, a third of the box) */
+    return way <= box * pow((double)places->n, 2.0 / 3.0);
+}
+
+/* find_places - the tetrahedra of a file's places, into start: one after the
+ * other as they are sorted, for walks from place to place are then short, and
+ * what they look at is at hand. */
+static void find_places(const double *scale, tess_int *start)
+{
+    tess_int n = places->n, last = TESS_NONE, liw, lrw, *iw, *order, i;
+    tess_real *q = (tess_real *)space(3.0 * (double)n, sizeof *q);
+    double *rw;
+    int code;
+
+    for (i = 0; i < 3 * n; i++)
+        q[i] = (tess_real)((double)places->p[i] * scale[i % 3]);
+    for (i = 0; i < n; i++) start[i] = TESS_NONE;
+    if (!in_order(q) && tess_size(n, 0, &liw, &lrw) == 0) {
+        iw = (tess_int *)space((double)liw, sizeof *iw);
+        rw = (double *)space((double)lrw, sizeof *rw);
+        order = (tess_int *)space((double)n, sizeof *order);
+        code = tess_index(n, q, liw, iw, lrw, rw);
+        free(rw);
+        for (i = 0; i < n; i++) order[i] = TESS_NONE;
+        for (i = 0; i < n && code >= 0 && code != TESS_RANGE; i++)
+            order[iw[i]] = i;
+        for (i = 0; i < n; i++) {
+            if (order[i] == TESS_NONE) continue;
+            order[i] = last = values_start(q + 3 * order[i], last);
+        }
+        /* (of places that are the same one has been found) */
+        for (i = 0; i < n && code >= 0 && code != TESS_RANGE; i++)
+            start[i] = order[iw[i]];
+        free(iw);
+        free(order);
+    }
+    free(q);
+}
+
 static void query_values(long most, const double *scale)
 {
+    tess_int *start = (tess_int *)space((double)places->n, sizeof *start);
+    tess_int last = TESS_NONE;
     long i, many;
 
-    t[0] = TESS_NONE;
+    find_places(scale, start);
     for (i = 0; i < (long)places->n; i += many) {
         many = (long)places->n - i < most ? (long)places->n - i : most;
+        memcpy(t, start + i, (size_t)many * sizeof *t);
+        if (t[0] == TESS_NONE) t[0] = last;
         some((tess_int)many, places->p + 3 * i, scale);
-        t[0] = t[many - 1];
+        last = t[many - 1];
     }
+    free(start);
 }
 
 void write_values(const mesh *m)

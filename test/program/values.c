@@ -305,6 +305,14 @@ static void closest(const tess_real *q, const tess_int *v, const double *w,
     row(nearest(of->p, of->tet, first, list, q, v[best]), 1.0, out);
 }
 
+tess_int values_start(const tess_real *q, tess_int start)
+{
+    double w[4];
+
+    locate(q, &start, w);
+    return start;
+}
+
 void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
 {
     const tess_int *v;

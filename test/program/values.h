@@ -43,6 +43,10 @@ void values_begin(const field *of, int method, int outside, double number);
  */
 void values_at(tess_int many, const tess_real *q, tess_int *t, double *out);
 
+/* values_start - where the walk to place q may start: its tetrahedron, or one
+ * near to it; found from another one, or from TESS_NONE. */
+tess_int values_start(const tess_real *q, tess_int start);
+
 /* values_end - give back the memory. */
 void values_end(void);
 

@@ -194,7 +194,10 @@ for name, box, size in (
 
 q = random.random((1500, 3)) * 1.2 - 0.1
 order = np.lexsort((np.floor(9 * q[:, 0]), np.floor(9 * q[:, 1])))
-for name, these in ("in no order", q), ("sorted", q[order]):
+flat = q * (1, 1, 0) + (0, 0, .5)
+for name, these in (("in no order", q), ("in a plane", flat),
+                    ("in a line", q * (1, 0, 0) + .5),
+                    ("twice", np.vstack((q, q[::-1]))), ("sorted", q[order])):
     with open("places.csv", "w") as f:
         f.write("id,note,depth,lon,lat\n")
         for i, x in enumerate(these):
