@@ -25,8 +25,6 @@
 # make clean       remove build/
 # make help        this list
 #
-# make MAXPTS=10000000  build/tess for so many points; also with run
-#
 # To use the library copy tess.c tess.h hhpred.c hhpred.h; it needs no make.
 # After changing flags: make clean.  Example: make CC=clang CFLAGS=-O2
 .POSIX:
@@ -38,7 +36,6 @@ LDFLAGS =
 LDLIBS = -lm
 POINTS = test/data/mirror.xyz
 OPTIONS =
-MAXPTS = 1000000
 TIME = 600
 SEED =
 
@@ -47,19 +44,12 @@ LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
 LIBRARY = build/tess.o build/hhpred.o
 all: build/tess
 
-# Static arrays beyond 2 GB, or 4: sets model to what they need.  They come last,
-# lest what is behind them be out of the other files' reach.
-MODEL = model=; if [ $(MAXPTS) -gt 4000000 ]; then \
-	case `$(CC) -dumpmachine` in x86_64*) model=-mcmodel=large;; \
-	aarch64*) model="-mcmodel=large -fno-pie -no-pie";; esac; fi
+PROGRAM = build/driver.o build/options.o build/read.o build/write.o \
+    build/shapes.o build/places.o build/values.o build/slopes.o \
+    build/natural.o build/derived.o build/cells.o build/periodic.o build/draw.o
 
-PROGRAM = build/options.o build/read.o build/write.o build/shapes.o \
-    build/places.o build/values.o build/slopes.o build/natural.o \
-    build/derived.o build/cells.o build/periodic.o build/draw.o
-
-build/tess: $(PROGRAM) $(LIBRARY) build/driver.o
-	@$(MODEL); set -x; $(LINK) $$model $(PROGRAM) $(LIBRARY) build/driver.o \
-	    $(LDLIBS)
+build/tess: $(PROGRAM) $(LIBRARY)
+	$(LINK) $(PROGRAM) $(LIBRARY) $(LDLIBS)
 
 build/tess.o: tess.c tess.h hhpred.h
 	@mkdir -p build
@@ -69,17 +59,9 @@ build/hhpred.o: hhpred.c hhpred.h
 	@mkdir -p build
 	$(COMPILE) hhpred.c
 
-build/driver.o: test/program/driver.c test/program/driver.h tess.h hhpred.h \
-    build/maxpts
-	@$(MODEL); set -x; $(COMPILE) -DMAXPTS=$(MAXPTS)L $$model \
-	    test/program/driver.c
-
-# touched when MAXPTS is another than last time
-build/maxpts: always
+build/driver.o: test/program/driver.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
-	@echo $(MAXPTS) | cmp -s - $@ || echo $(MAXPTS) > $@
-
-always:
+	$(COMPILE) test/program/driver.c
 
 build/options.o: test/program/options.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
@@ -253,6 +235,6 @@ clean:
 help:
 	@sed -n '/^#$$/q;s/^# //p' Makefile
 
-.PHONY: all always run grid examples python octave pictures errors check \
+.PHONY: all run grid examples python octave pictures errors check \
     check-all torture certify coverage mutation bench mpi paper reach manual \
     mirror clean help

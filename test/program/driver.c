@@ -1,10 +1,6 @@
 /* driver.c - the command line program build/tess: reads points, has them
  * tetrahedralized, and writes TetGen and VTK files and pictures.  `tess -h'
  * lists options.
- *
- * All arrays are static: what is never touched costs nothing but address
- * space.  The Makefile's MAXPTS says for how many points, and adds what the
- * compiler needs for static data beyond 2 GB.
  */
 #include <float.h>
 #include <stdarg.h>
@@ -14,38 +10,15 @@
 
 #include "driver.h"
 
-#ifndef MAXPTS
-#define MAXPTS 1000000L
-#endif
-#ifndef MAXTET
-#define MAXTET (7L * (MAXPTS) + 100000L)
-#endif
-#ifndef MAXIW
-#define MAXIW (24L * (MAXPTS) + 100000L) /* TESS_POOL: more */
-#endif
-#ifndef MAXRW
-#define MAXRW (8L * (MAXPTS) + 100000L)
-#endif
-#ifndef MAXVAL
-#define MAXVAL (4L * (MAXPTS) + 100000L)
-#endif
-
 #define UNEVEN 50.0  /* sides so uneven have different units, perhaps       */
 #define LONG_RUN 1e5 /* from this many points on, tell stderr what goes on */
+#define CLOUD 7.0    /* tetrahedra a point that there is room for at first */
+#define GROWTH 4.0   /* times more: to resume takes a third of the time so far */
+#define MOST ((TESS_INT_MOST - 3) / 4) /* tetrahedra that a tess_int numbers */
 
 /* Exit codes. */
 #define FAULT 1
 #define BADUSE 2
-
-static tess_real p[3 * (MAXPTS)];
-static double value[MAXVAL];
-static long line_of[MAXPTS];
-static tess_int tet[4 * (MAXTET)], adj[4 * (MAXTET)], iw[MAXIW];
-static double rw[MAXRW];
-static char keep[MAXTET]; /* the alpha shape */
-static tess_real stretched[3 * (MAXPTS)];
-static tess_real place[3 * (MAXPTS)];
-static long place_line[MAXPTS];
 
 static points in, places;
 static mesh made;
@@ -92,6 +65,16 @@ void warn(const char *format, ...)
     va_end(list);
 }
 
+void tell(const char *format, ...)
+{
+    va_list list;
+
+    if (chosen.quiet) return;
+    va_start(list, format);
+    vfprintf(chosen.to_stdout ? stderr : stdout, format, list);
+    va_end(list);
+}
+
 void say(const char *format, ...)
 {
     va_list list;
@@ -104,11 +87,20 @@ void say(const char *format, ...)
     va_end(list);
 }
 
-/* fit - x, or what a narrow tess_int can hold of it. */
-static tess_int fit(long x)
+void *more_space(void *a, double many, size_t size)
 {
-    while ((long)(tess_int)x != x) x /= 2;
-    return (tess_int)x;
+    a = many < (double)((size_t)-1 / 2 / size)
+            ? realloc(a, (size_t)(many + 1.0) * size)
+            : (void *)0;
+    if (!a)
+        fail("not enough memory: no room for another %.3g MB",
+             many * (double)size / 1e6);
+    return a;
+}
+
+void *space(double many, size_t size)
+{
+    return more_space((void *)0, many, size);
 }
 
 /* ------------------------------------------------------------- reporting */
@@ -146,33 +138,31 @@ static void report(int code, tess_int duplicates, double seconds,
     for (t = 0; t < made.ntet; t++) {
         if (!kept(t)) continue;
         volume += tetrahedron_volume(&made, t);
-        for (k = 0; k < 4; k++) facets += !kept(adj[4 * t + k]);
+        for (k = 0; k < 4; k++) facets += !kept(made.adj[4 * t + k]);
     }
 
-    printf("points        %ld", (long)in.n);
+    tell("points        %ld", (long)in.n);
     if (in.columns > 0)
-        printf(", each with %d value%s", in.columns,
-               in.columns > 1 ? "s" : "");
-    printf("\n");
-    printf("duplicates    %ld\n", (long)duplicates);
-    printf("tetrahedra    %ld", (long)made.kept);
-    printf(made.keep ? " in the alpha shape, of %ld\n" : "\n",
-           (long)made.ntet);
-    printf(made.keep ? "facets        %ld\n" : "hull facets   %ld\n",
-           facets);
+        tell(", each with %d value%s", in.columns, in.columns > 1 ? "s" : "");
+    tell("\n");
+    tell("duplicates    %ld\n", (long)duplicates);
+    tell("tetrahedra    %ld", (long)made.kept);
+    tell(made.keep ? " in the alpha shape, of %ld\n" : "\n",
+         (long)made.ntet);
+    tell(made.keep ? "facets        %ld\n" : "hull facets   %ld\n", facets);
     if (volume <= DBL_MAX)
-        printf("volume        %.9g\n", volume);
+        tell("volume        %.9g\n", volume);
     else
-        printf("volume        beyond the range of double\n");
-    printf("seconds       %.3f", seconds);
+        tell("volume        beyond the range of double\n");
+    tell("seconds       %.3f", seconds);
     if (made.ntet > 0 && seconds > 0.05)
-        printf(", %.0f ns a tetrahedron", seconds / (double)made.ntet * 1e9);
-    printf("\nworkspace     %.0f bytes, %.1f a point\n", bytes,
-           bytes / (double)in.n);
+        tell(", %.0f ns a tetrahedron", seconds / (double)made.ntet * 1e9);
+    tell("\nworkspace     %.0f bytes, %.1f a point\n", bytes,
+         bytes / (double)in.n);
     if (code == TESS_PLANE) what = "all points lie in one plane";
     if (code == TESS_LINE) what = "all points lie on one line";
     if (code == TESS_POINT) what = "at most one distinct point";
-    if (code != TESS_OK) printf("no tetrahedron: %s\n", what);
+    if (code != TESS_OK) tell("no tetrahedron: %s\n", what);
 }
 
 /* finite3 - are three coordinates? */
@@ -185,36 +175,27 @@ static int finite3(const tess_real *x)
 }
 
 /* explain - leave with a sentence for a code that is no result. */
-static void explain(int code, tess_int maxtet, tess_int liw)
+static void explain(int code)
 {
     switch (code) {
     case TESS_MORE:
-        too_small("more than %ld tetrahedra; build for more: make MAXPTS=%ld",
-                  (long)maxtet, 4 * (long)fit(MAXPTS));
-        break;
     case TESS_POOL:
-        too_small("more open facets than %ld integers of workspace hold; "
-                  "build for more: make MAXPTS=%ld",
-                  (long)liw, 4 * (long)fit(MAXPTS));
+        too_small("more tetrahedra than a tess_int of %d bytes can number; "
+                  "rebuild with a larger -DTESS_INT=...",
+                  (int)sizeof(tess_int));
         break;
     case TESS_RANGE:
         too_small("the coordinates differ too much in magnitude for numbers "
                   "of %d limbs; rebuild with a larger -DHH_LIMBS=...",
                   HH_LIMBS);
         break;
-    case -7:
-    case -9:
-        too_small("the workspace does not suffice for %ld points; build for "
-                  "more: make MAXPTS=%ld",
-                  (long)in.n, 4 * (long)fit(MAXPTS));
-        break;
     case -2:
-        if (chosen.scaled && finite3(p + 3 * made.ntet))
+        if (chosen.scaled && finite3(in.p + 3 * made.ntet))
             fail("-scale: point %ld is beyond the range of numbers",
                  (long)(made.ntet + in.base));
         fail("%s, line %ld: point %ld has a coordinate that is not finite "
              "(-skip drops a NaN)",
-             in.input, line_of[made.ntet], (long)(made.ntet + in.base));
+             in.input, in.line[made.ntet], (long)(made.ntet + in.base));
         break;
     default:
         too_small("unexpected code %d", code);
@@ -229,13 +210,13 @@ static int prove(void)
     const char *what;
 
     say("checking ...");
-    code = tess_check(in.n, made.p, made.ntet, tet, adj, fit(MAXIW), iw, &bad);
+    code = tess_check(in.n, made.p, made.ntet, made.tet, made.adj, made.liw,
+                      made.iw, &bad);
     switch (code) {
     case 0:
-        if (!chosen.quiet)
-            printf("check         proven: %s\n",
-                   made.ntet > 0 ? "a Delaunay tetrahedralization of the points"
-                            : "no four points span a tetrahedron");
+        tell("check         proven: %s\n",
+             made.ntet > 0 ? "a Delaunay tetrahedralization of the points"
+                           : "no four points span a tetrahedron");
         return 0;
     case TESS_BAD_INDEX:
         what = "a vertex is out of range, or there twice";
@@ -279,44 +260,75 @@ static int prove(void)
 
 /* ------------------------------------------------------------------ main */
 
-/* tetrahedralize - call tess, and resume it, such that there is something to
- * tell every second or so.  But to resume takes about as long as n tetrahedra
- * of a cloud, and a third of what is there already: slices shall take four
- * times that, lest the telling be the work. */
-static int tetrahedralize(tess_int maxtet, tess_int *liw, tess_int lrw)
+/* room_for - see that the mesh has room for so many tetrahedra, and so long a
+ * workspace, whose contents go. */
+static void room_for(mesh *m, double tetrahedra, double integers, double reals)
+{
+    if (tetrahedra > (double)MOST) tetrahedra = (double)MOST;
+    if (tetrahedra > (double)m->maxtet) {
+        m->tet = (tess_int *)more_space(m->tet, 4.0 * tetrahedra,
+                                        sizeof *m->tet);
+        m->adj = (tess_int *)more_space(m->adj, 4.0 * tetrahedra,
+                                        sizeof *m->adj);
+        m->maxtet = (tess_int)tetrahedra;
+    }
+    if (integers > (double)TESS_INT_MOST) integers = (double)TESS_INT_MOST;
+    if (integers > (double)m->liw) {
+        free(m->iw);
+        m->iw = (tess_int *)space(integers, sizeof *m->iw);
+        m->liw = (tess_int)integers;
+    }
+    if (reals > (double)m->lrw) {
+        free(m->rw);
+        m->rw = (double *)space(reals, sizeof *m->rw);
+        m->lrw = (tess_int)reals;
+    }
+}
+
+/* (To resume takes about as long as n tetrahedra of a cloud, and a third of
+ * what is there already: slices shall take four times that, lest the telling be
+ * the work.) */
+int tetrahedralize(mesh *m, tess_int n, const tess_real *p, int telling)
 {
     clock_t begin = clock(), last = begin;
-    tess_int room = in.n / 4 + 1000, before = 0;
+    tess_int room = n / 4 + 1000, before = 0, liw, lrw;
     double rate, slice, resume;
     int code;
 
-    made.ntet = 0;
+    if (tess_size(n, 0, &liw, &lrw) != 0)
+        too_small("%ld points are too many for a tess_int of %d bytes; "
+                  "rebuild with a larger -DTESS_INT=...",
+                  (long)n, (int)sizeof(tess_int));
+    room_for(m, CLOUD * (double)n + 1e5, (double)liw, (double)lrw);
+    m->ntet = 0;
     for (;;) {
-        if (room > maxtet || chosen.quiet) room = maxtet;
-        code = (made.ntet > 0 ? tess_resume : tess)(in.n, made.p, room,
-                                                    &made.ntet, tet, adj, *liw,
-                                                    iw, lrw, rw);
-        if (code == TESS_POOL && *liw < fit(MAXIW)) {
+        if (room > m->maxtet || !telling) room = m->maxtet;
+        code = (m->ntet > 0 ? tess_resume : tess)(n, p, room, &m->ntet, m->tet,
+                                                  m->adj, m->liw, m->iw,
+                                                  m->lrw, m->rw);
+        if (code == TESS_POOL && m->liw < TESS_INT_MOST) {
             say("more room for open facets ...");
-            *liw = *liw < fit(MAXIW) / 2 ? 2 * *liw : fit(MAXIW);
+            room_for(m, 0.0, 2.0 * (double)m->liw, 0.0);
             continue;
         }
-        if (code != TESS_MORE || room == maxtet) return code;
+        if (code != TESS_MORE || room == MOST) return code;
+        if (room == m->maxtet) room_for(m, GROWTH * (double)room, 0.0, 0.0);
+        if (!telling) continue;
         slice = (double)(clock() - last) / CLOCKS_PER_SEC;
         last = clock();
-        rate = (slice + 1e-9) / (double)(made.ntet - before);
+        rate = (slice + 1e-9) / (double)(m->ntet - before);
         resume = (rate < 1e-6 ? rate : 1e-6) *
-                 ((double)in.n + (double)made.ntet / 3.0);
+                 ((double)n + (double)m->ntet / 3.0);
         slice = 4.0 * resume > 1.0 ? 4.0 * resume : 1.0;
         if (difftime(time((time_t *)0), began) >= 1.0)
             warn("%ld tetrahedra after %.1f s, of about %.0f if the points "
                  "fill a volume",
-                 (long)made.ntet, (double)(last - begin) / CLOCKS_PER_SEC,
-                 6.8 * (double)in.n);
-        before = made.ntet;
+                 (long)m->ntet, (double)(last - begin) / CLOCKS_PER_SEC,
+                 6.8 * (double)n);
+        before = m->ntet;
         slice = slice / rate < 2e9 ? slice / rate : 2e9;
-        if (slice > (double)(maxtet - room))
-            room = maxtet;
+        if (slice > (double)(m->maxtet - room))
+            room = m->maxtet;
         else
             room += (tess_int)slice + 1;
     }
@@ -340,14 +352,17 @@ static double even(const double *side, int k)
 static void stretch(void)
 {
     double low[3], high[3], side[3], x;
+    tess_real *stretched = 0;
     tess_int i;
     int k, longest = 0, shortest = 0;
 
+    if (chosen.scaled)
+        stretched = (tess_real *)space(3.0 * (double)in.n, sizeof *stretched);
     for (k = 0; k < 3; k++) {
         made.scale[k] = chosen.scaled ? chosen.scale[k] : 1.0;
-        low[k] = high[k] = (double)p[k];
+        low[k] = high[k] = (double)in.p[k];
         for (i = 0; i < in.n; i++) {
-            x = (double)p[3 * i + k];
+            x = (double)in.p[3 * i + k];
             if (chosen.scaled)
                 stretched[3 * i + k] = (tess_real)(x * made.scale[k]);
             if (x < low[k]) low[k] = x;
@@ -357,7 +372,7 @@ static void stretch(void)
         if (side[k] > side[longest]) longest = k;
         if (side[k] < side[shortest]) shortest = k;
     }
-    made.p = chosen.scaled ? stretched : p;
+    made.p = chosen.scaled ? stretched : in.p;
     if (!chosen.scaled && side[shortest] > 0.0 && side[longest] <= DBL_MAX &&
         side[longest] / UNEVEN > side[shortest])
         warn("x, y, z extend over %.3g, %.3g, %.3g: if their units differ, "
@@ -370,82 +385,62 @@ static void stretch(void)
 /* write_all - what is asked for: first what the whole mesh gives. */
 static void write_all(void)
 {
+    output *o;
+
+    if (made.kept == 0 && next_output(svg_forms, 0))
+        fail("-svg: no picture: there is no tetrahedron to draw%s",
+             made.ntet > 0 ? "" : "; the points lie in one plane");
     if (chosen.values) write_values(&made);
-    if (chosen.cells || chosen.volumes) make_cells(&made);
-    if (chosen.svg) write_svg(&made, chosen.svg);
+    if (chosen.cells) make_cells(&made);
+    for (o = 0; (o = next_output(svg_forms, o)) != 0;) write_svg(&made, o);
     if (made.keep) drop_others(&made);
-    if (chosen.node) write_node(&made, chosen.node);
-    if (chosen.ele) write_four(&made, chosen.ele, "4 0", tet);
-    if (chosen.neigh) write_four(&made, chosen.neigh, "4", adj);
-    if (chosen.vtk) write_vtk(&made, chosen.vtk);
-    if (chosen.face) write_face(&made, chosen.face);
+    for (o = 0; (o = next_output(0, o)) != 0;)
+        if (o->as->write) o->as->write(&made, o);
 }
 
 int main(int argc, char **argv)
 {
-    tess_int maxtet = fit(MAXTET), liw, lrw, duplicates = 0, i;
+    tess_int duplicates = 0, i;
     int code, status = 0;
     clock_t begin;
     double seconds;
-    char capacity[100];
 
-    sprintf(capacity, "Built for up to %ld points and %ld tetrahedra.",
-            (long)fit(MAXPTS), (long)fit(MAXTET));
-    choose_options(argc, argv, capacity);
+    choose_options(argc, argv);
     began = time((time_t *)0);
-    in.room = (long)fit(MAXPTS);
-    in.values = MAXVAL;
-    in.p = p;
-    in.value = value;
-    in.line = line_of;
     in.cols = chosen.cols;
     in.skip = chosen.skip;
     read_points(chosen.input, &in);
     check_box(&in);
-    places.room = in.room;
-    places.p = place;
-    places.line = place_line;
     places.cols = chosen.qcols;
     places.skip = chosen.skip;
     places.bare = 1;
     read_places(&in, &places);
     made.in = &in;
-    made.tet = tet;
-    made.adj = adj;
-    made.liw = fit(MAXIW);
-    made.iw = iw;
-    made.lrw = MAXRW;
-    made.rw = rw;
     stretch();
-
-    while ((code = tess_size(in.n, maxtet, &liw, &lrw)) == -2 && maxtet > 0)
-        maxtet /= 2;
-    if (code < 0)
-        too_small("%ld points are too many for a tess_int of %d bytes; "
-                  "rebuild with a larger -DTESS_INT=...",
-                  (long)in.n, (int)sizeof(tess_int));
-    if (liw > fit(MAXIW)) liw = fit(MAXIW);
-    if (lrw > fit(MAXRW)) lrw = fit(MAXRW);
-    made.maxtet = maxtet;
     say("tetrahedralizing %ld points, about %.1f s if they fill a volume ...",
         (long)in.n, 2.1e-6 * (double)in.n);
     begin = clock();
-    code = tetrahedralize(maxtet, &liw, lrw);
+    code = tetrahedralize(&made, in.n, made.p, !chosen.quiet);
     seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
     if (code != TESS_OK && code != TESS_PLANE && code != TESS_LINE &&
         code != TESS_POINT)
-        explain(code, maxtet, liw);
+        explain(code);
 
     for (i = 0; i < in.n; i++)
-        if (iw[i] != i) duplicates++;
+        if (made.iw[i] != i) duplicates++;
     made.kept = made.ntet;
     keep_values(&made);
-    if (chosen.alpha > 0.0) mark_alpha(&made, chosen.alpha, keep);
+    if (chosen.alpha > 0.0) mark_alpha(&made, chosen.alpha);
     if (!chosen.quiet)
         report(code, duplicates, seconds,
-               (double)liw * (double)sizeof(tess_int) +
-                   (double)lrw * (double)sizeof(double));
+               (double)made.liw * (double)sizeof(tess_int) +
+                   (double)made.lrw * (double)sizeof(double));
     if (chosen.check) status = prove();
+    free(made.iw);
+    free(made.rw);
+    made.iw = 0;
+    made.rw = 0;
+    made.liw = made.lrw = 0;
     write_all();
     if (chosen.validate) validate_values(&made);
     if (fflush(stdout) || ferror(stdout)) fail("standard output: write error");

@@ -12,16 +12,15 @@
 
 #include "../../tess.h"
 
-#define NAME 1024   /* longest name of a file that is written */
 #define COLUMNS 512 /* most columns of a line                    */
 #define TITLE 40    /* characters of a column's name that matter */
 
 /* ---- what is read ---- */
 
-/* points - what a file holds.  The arrays are the driver's. */
+/* points - what a file holds. */
 typedef struct points {
-    const char *input; /* the file's name */
-    long room, values; /* points that p, values that value has room for */
+    const char *input;   /* the file's name */
+    double room, values; /* points that p, values that value has room for */
     tess_real *p;
     double *value; /* columns of them a point, row by row */
     long *line;    /* of the file, for each point */
@@ -32,7 +31,8 @@ typedef struct points {
     tess_int base;            /* number of the first point in files */
     const char *cols; /* columns asked for, x, y, z first; 0: by the file */
     int skip;         /* drop rows from which numbers are missing */
-    int lattice;      /* has the file a box that repeats itself? */
+    int lattice;      /* has the file a box that may repeat itself? */
+    int aperiodic;    /* does it say that the box does not, along all axes? */
     double box[6];    /* that box: x from, to; y; z */
     int bare;         /* places, of which values do not matter: -qcols */
 } points;
@@ -53,30 +53,58 @@ typedef struct mesh {
     double scale[3];    /* 1 if not given */
     const tess_real *p; /* in->p, times scale */
     tess_int ntet, *tet, *adj;
-    tess_int maxtet;    /* tetrahedra that there is room for */
+    tess_int maxtet;    /* tetrahedra that there is room for: tetrahedralize */
     const char *keep;   /* by -alpha: 0 for a tetrahedron that is left out; */
     tess_int kept;      /* 1 for so many; or 0, and ntet: all are in */
-    tess_int liw, *iw;  /* workspace, for whoever is at work */
-    long lrw;
+    tess_int liw, *iw;  /* its workspace; in iw which point stands for each, */
+    tess_int lrw;       /* until keep_values and -check have used it */
     double *rw;
 } mesh;
+
+/* tetrahedralize - make the mesh of n points in m's arrays, which grow to what
+ * it needs.  telling: say every second or so how far it is.  Returns the
+ * code of tess that is left; leaves when there is not enough memory. */
+int tetrahedralize(mesh *m, tess_int n, const tess_real *p, int telling);
 
 /* tetrahedron_volume - in the coordinates given. */
 double tetrahedron_volume(const mesh *m, tess_int t);
 
 /* ---- what is asked for ---- */
 
+/* output - a file to write. */
+typedef struct output {
+    const char *name;            /* "-": standard output */
+    const struct form *all, *as; /* an option's forms; that of this file */
+    char *partial; /* its name until it is complete; 0: it has no other one */
+    int begun;     /* is that there? */
+} output;
+
+/* form - of a file: what the ending of its name says.  A table of an option's
+ * forms begins with the one for names that have none, and ends with 0. */
+typedef struct form {
+    const char *ending;
+    void (*write)(const mesh *m, output *o); /* what -alpha leaves; 0 for what
+                                              * needs the whole mesh */
+} form;
+
+extern const form values_forms[], cells_forms[], volumes_forms[], svg_forms[];
+
+/* next_output - the file behind o, or the first one if o = 0, in one of these
+ * forms; in any if all = 0.  0 if there is none. */
+output *next_output(const form *all, output *o);
+
 /* choices - what the command line says; the table in options.c says of each
  * option where it goes.  Names of files are 0 if not given. */
 typedef struct choices {
     const char *input, *cols;
-    const char *node, *ele, *neigh, *vtk, *svg, *face, *cells, *volumes;
-    int skip, check, binary, quiet, periodic;
+    int skip, check, binary, quiet, periodic; /* (binary: so are all files) */
     int scaled, boxed; /* are these given? */
+    int values, cells; /* -values; -cells or -volumes */
+    int to_stdout;     /* is a file written to standard output? */
     double scale[3], box[6];
     double alpha;   /* largest circumradius that is kept; 0: any */
     double view[2]; /* azimuth and elevation; less than -360: not given */
-    const char *query, *qcols, *grid, *method, *outside, *values;
+    const char *query, *qcols, *grid, *method, *outside;
     int digits;    /* 0: not given */
     long validate; /* parts; 0: not given */
 } choices;
@@ -84,12 +112,13 @@ typedef struct choices {
 extern choices chosen;
 
 /* choose_options - read the command line into chosen; leaves the program with
- * a message when it cannot.  capacity: last line of -h. */
-void choose_options(int argc, char **argv, const char *capacity);
+ * a message when it cannot. */
+void choose_options(int argc, char **argv);
 
 /* space - room for so many things of that size, to be freed; leaves if there
- * is none. */
+ * is none.  more_space: for the array a, or 0, whose beginning is kept. */
 void *space(double many, size_t size);
+void *more_space(void *a, double many, size_t size);
 
 /* list_numbers - the numbers in text, with commas between them, at most most of
  * them.  Returns how many, or -1 for what is no such list. */
@@ -101,11 +130,16 @@ int list_numbers(const char *text, int most, double *x);
  * output is bad. */
 void fail(const char *format, ...);
 
-/* too_small - the same: this build's arrays do not suffice. */
+/* too_small - the same: this build's integers do not suffice, or something
+ * computed fails. */
 void too_small(const char *format, ...);
 
 /* warn - print a message on stderr, unless the program is to be quiet. */
 void warn(const char *format, ...);
+
+/* tell - print what comes out, on stdout, or stderr if a file goes there; unless
+ * the program is to be quiet. */
+void tell(const char *format, ...);
 
 /* say - tell on stderr what a long run is doing: when there are many points,
  * or the program has run for a second or two. */
@@ -113,13 +147,23 @@ void say(const char *format, ...);
 
 /* ---- files ---- */
 
-/* try_output - leave if no file of that name can be written. */
-void try_output(const char *name);
+/* ends_in - does the name, in small or capital letters? */
+int ends_in(const char *name, const char *suffix);
 
-/* start - open a file to write, one at a time, under another name, which
- * finish changes: so nothing half written is ever there.  mode: "w", "wb". */
-FILE *start(const char *name, const char *mode);
-void finish(FILE *file, const char *name);
+/* same_file - are these names of one file? */
+int same_file(const char *a, const char *b);
+
+/* try_output - leave if the file cannot be written, or had better not. */
+void try_output(output *o);
+
+/* start - open a file to write, under another name, which finish changes: so
+ * nothing half written is ever there.  bytes: about so many; of very many it is
+ * said. */
+FILE *start(output *o, double bytes);
+void finish(FILE *file, output *o);
+
+/* check_written - leave if something could not be written. */
+void check_written(FILE *file, const output *o);
 
 /* put_real - x, which was a float if narrow, with as few digits as give it
  * back; then the character after. */
@@ -129,18 +173,22 @@ void put_real(FILE *file, double x, int narrow, char after);
 void put_point(FILE *file, const points *in, tess_int i, char between,
                char after);
 
-/* put_bytes - the bytes of a number, the most significant first, as VTK's
- * binary files have them. */
-void put_bytes(FILE *file, const void *number, int size);
+/* start_vtk - as start: a legacy VTK file of such a DATASET; binary, for in one
+ * that is text VTK reads no NaN.  most: the largest number of points or the
+ * like, an int for VTK.
+ * put_double, put_int - a number in it, the most significant byte first.
+ * put_scalars - what is before one double a point or cell. */
+FILE *start_vtk(output *o, const char *title, const char *kind, double most,
+                double bytes);
+void put_double(FILE *file, double x);
+void put_int(FILE *file, double i);
+void put_scalars(FILE *file, const char *name);
 
-/* put_double - for VTK: x as bytes, by -binary, or as put_real. */
-void put_double(FILE *file, double x, char after);
+/* vtk_name - of a column of values, none twice; until the next one. */
+const char *vtk_name(const points *in, int column);
 
 /* xml_text - a column's name as a picture takes it, until the next one. */
 const char *xml_text(const char *text);
-
-/* put_name - a column's name as VTK takes it. */
-void put_name(FILE *file, const char *name);
 
 /* ---- values (places.c) ---- */
 
@@ -151,30 +199,30 @@ void check_values(void);
  * *places; leaves when that cannot be. */
 void read_places(const points *in, points *places);
 
-/* keep_values - what of the new mesh is needed later on, when iw and rw will
- * hold something else. */
+/* keep_values - what of the new mesh is needed later on, when iw and rw are
+ * gone. */
 void keep_values(const mesh *m);
 
 void write_values(const mesh *m);
 
 /* validate_values - print the table of -validate; the mesh is lost. */
-void validate_values(const mesh *m);
+void validate_values(mesh *m);
 
 /* ---- files of points and tetrahedra (write.c) ---- */
 
 /* write_... - a file of that format. */
-void write_node(const mesh *m, const char *name);
-void write_four(const mesh *m, const char *name, const char *head,
-                const tess_int *four);
-void write_face(const mesh *m, const char *name);
-void write_vtk(const mesh *m, const char *name);
-void write_svg(const mesh *m, const char *name);
+void write_node(const mesh *m, output *o);
+void write_ele(const mesh *m, output *o);
+void write_neigh(const mesh *m, output *o);
+void write_face(const mesh *m, output *o);
+void write_vtk(const mesh *m, output *o);
+void write_svg(const mesh *m, output *o);
 
 /* ---- shapes ---- */
 
-/* mark_alpha - set keep[t] and m->keep: 1 for the tetrahedra of the alpha
- * shape of that radius. */
-void mark_alpha(mesh *m, double radius, char *keep);
+/* mark_alpha - set m->keep, m->kept: 1 for the tetrahedra of the alpha shape of
+ * that radius. */
+void mark_alpha(mesh *m, double radius);
 
 /* drop_others - leave the tetrahedra of the alpha shape alone in m. */
 void drop_others(mesh *m);

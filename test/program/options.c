@@ -8,15 +8,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define LEFT 14 /* characters of an option in -h before its text */
+#define LEFT 14    /* characters of an option in -h before its text */
+#define OUTPUTS 64 /* most files to write */
 
 choices chosen;
+
+static output outputs[OUTPUTS];
+static int writing; /* of them */
 
 typedef struct option {
     const char *name;
     const char *argument; /* a word for each part between blanks; 0: none */
     void (*take)(const struct option *o, char **word);
-    void *to;         /* of chosen */
+    const void *to;   /* of chosen; or a file's forms */
     const char *help; /* lines; where there is no name: a heading */
 } option;
 
@@ -41,10 +45,9 @@ static const char *const before[] = {
 static const char *const after[] = {
     "exit code: 0  done; also for points that all lie in one plane, which have",
     "              no tetrahedron: a message says so",
-    "           1  this build's arrays do not suffice, or -check found a fault",
-    "           2  wrong usage, unreadable input, unwritable output"};
-
-static const char *capacity;
+    "           1  this build's integers do not suffice, or -check found a fault",
+    "           2  wrong usage, unreadable input, unwritable output, not enough",
+    "              memory"};
 
 int list_numbers(const char *text, int most, double *x)
 {
@@ -60,6 +63,49 @@ int list_numbers(const char *text, int most, double *x)
     }
 }
 
+/* ---- files to write ---- */
+
+const form values_forms[] = {{".csv", 0}, {".npy", 0}, {".vtk", 0},
+                             {".svg", 0}, {0, 0}};
+const form cells_forms[] = {{".vtk", 0}, {0, 0}};
+const form volumes_forms[] = {{".csv", 0}, {0, 0}};
+static const form node_forms[] = {{".node", write_node}, {0, 0}};
+static const form ele_forms[] = {{".ele", write_ele}, {0, 0}};
+static const form neigh_forms[] = {{".neigh", write_neigh}, {0, 0}};
+static const form face_forms[] = {{".face", write_face}, {".obj", write_face},
+                                  {0, 0}};
+static const form vtk_forms[] = {{".vtk", write_vtk}, {0, 0}};
+const form svg_forms[] = {{".svg", 0}, {0, 0}};
+
+/* add_output - one more file, in one of those forms. */
+static void add_output(const char *name, const char *by, const form *all)
+{
+    output *o = outputs + writing++;
+    const char *dot = strrchr(name, '.');
+    char list[80] = "";
+
+    if (writing > OUTPUTS) fail("more than %d files to write", OUTPUTS);
+    if (strcmp(name, "/dev/stdout") == 0) name = "-";
+    o->name = name;
+    o->all = o->as = all;
+    if (!dot || strchr(dot, '/')) return;
+    while (o->as->ending && !ends_in(name, o->as->ending)) o->as++;
+    if (o->as->ending) return;
+    for (; all->ending; all++)
+        strcat(strcat(list, !*list             ? ""
+                            : all[1].ending ? ", "
+                                            : " or "),
+               all->ending);
+    fail("%s %s: the name must end in %s", by, name, list);
+}
+
+output *next_output(const form *all, output *o)
+{
+    for (o = o ? o + 1 : outputs; o < outputs + writing; o++)
+        if (!all || o->all == all) return o;
+    return 0;
+}
+
 /* ---- what is done with an option's words ---- */
 
 static void take_switch(const option *o, char **word)
@@ -68,7 +114,6 @@ static void take_switch(const option *o, char **word)
     *(int *)o->to = 1;
 }
 
-/* take_word - and take_output, for the name of a file that is written. */
 static void take_word(const option *o, char **word)
 {
     *(const char **)o->to = word[0];
@@ -76,7 +121,7 @@ static void take_word(const option *o, char **word)
 
 static void take_output(const option *o, char **word)
 {
-    take_word(o, word);
+    add_output(word[0], o->name, (const form *)o->to);
 }
 
 static void take_length(const option *o, char **word)
@@ -158,22 +203,27 @@ static void take_parts(const option *o, char **word)
 
 static void take_base(const option *o, char **word)
 {
-    static const char *const suffix[4] = {"node", "ele", "neigh", "vtk"};
-    static char made[4][NAME];
+    static const form *const all[] = {node_forms, ele_forms, neigh_forms,
+                                      vtk_forms};
+    char *name;
     int k;
 
-    (void)o;
-    if (strlen(word[0]) + 7 > NAME) fail("the name is too long");
     for (k = 0; k < 4; k++) {
-        strcat(strcat(strcpy(made[k], word[0]), "."), suffix[k]);
+        name = (char *)space((double)strlen(word[0]) + 7.0, 1);
+        strcat(strcpy(name, word[0]), all[k]->ending);
+        add_output(name, o->name, all[k]);
     }
-    chosen.node = made[0];
-    chosen.ele = made[1];
-    chosen.neigh = made[2];
-    chosen.vtk = made[3];
 }
 
 static void take_help(const option *o, char **word);
+
+static void take_version(const option *o, char **word)
+{
+    (void)o;
+    (void)word;
+    printf("tess %ld.%ld\n", TESS_VERSION / 10000, TESS_VERSION / 100 % 100);
+    exit(0);
+}
 
 /* ---- the options ---- */
 
@@ -189,34 +239,34 @@ static const option table[] = {
      "stretch coordinates for the mesh: -scale 1,1,0.01 for\n"
      "degrees and metres.  All that is written has the given\n"
      "ones; -alpha measures in the stretched"},
-    {0, 0, 0, 0, ""},
     {"-check", 0, take_switch, &chosen.check,
      "prove the result, by exact arithmetic"},
-    {"-node", "F", take_output, &chosen.node, "write points, TetGen format"},
-    {"-ele", "F", take_output, &chosen.ele, "write tetrahedra, TetGen format"},
-    {"-neigh", "F", take_output, &chosen.neigh,
+    {0, 0, 0, 0, ""},
+    {0, 0, 0, 0, "Files: F's ending says what it is; - is standard output,"},
+    {0, 0, 0, 0, "and what else is said goes to standard error:"},
+    {"-node", "F", take_output, node_forms, "write points, TetGen format"},
+    {"-ele", "F", take_output, ele_forms, "write tetrahedra, TetGen format"},
+    {"-neigh", "F", take_output, neigh_forms,
      "write neighbours, TetGen format"},
-    {"-face", "F", take_output, &chosen.face,
+    {"-face", "F", take_output, face_forms,
      "write the boundary's triangles, seen counter-clockwise\n"
-     "from outside: as OBJ if F ends in .obj, else in TetGen's\n"
-     ".face format"},
-    {"-vtk", "F", take_output, &chosen.vtk,
-     "write all as a VTK unstructured grid (legacy, ASCII), with\n"
+     "from outside: TetGen's F.face, or F.obj"},
+    {"-vtk", "F", take_output, vtk_forms,
+     "write all as a VTK unstructured grid (legacy, binary), with\n"
      "each tetrahedron's circumradius and volume"},
-    {"-binary", 0, take_switch, &chosen.binary,
-     "let that be binary: faster, half as long, exact"},
-    {"-cells", "F", take_output, &chosen.cells,
+    {"-binary", 0, take_switch, &chosen.binary, 0},
+    {"-cells", "F", take_output, cells_forms,
      "write the Voronoi cells in a box as VTK polyhedra"},
-    {"-volumes", "F.csv", take_output, &chosen.volumes,
+    {"-volumes", "F.csv", take_output, volumes_forms,
      "write each point's x,y,z, its cell's volume, and number\n"
      "of faces; their sum and the box's volume are said"},
     {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
      "that box; if not given, that of an extended XYZ file's\n"
      "Lattice, or the points' own"},
     {"-periodic", 0, take_switch, &chosen.periodic,
-     "the box repeats itself, and the cells are such that they\n"
-     "fit to its copies; all else is of the points alone"},
-    {"-svg", "F", take_output, &chosen.svg,
+     "the box, or a PDB file's CRYST1, repeats itself, and the\n"
+     "cells fit to its copies; all else is of the points alone"},
+    {"-svg", "F", take_output, svg_forms,
      "write a picture: cut open; or moved apart if they are few"},
     {"-alpha", "R", take_length, &chosen.alpha,
      "the alpha shape: write and draw no tetrahedron whose\n"
@@ -238,7 +288,7 @@ static const option table[] = {
      "at the places of a file, which is read like the points"},
     {"-qcols", "X,Y,Z", take_columns, &chosen.qcols,
      "which columns of it are x, y, z"},
-    {"-values", "F", take_output, &chosen.values,
+    {"-values", "F", take_output, values_forms,
      "write them: F.csv, places and values, in a grid x fastest;\n"
      "F.npy for numpy.load, shape (NZ,NY,NX,columns) of a grid,\n"
      "(places,columns) of a file; F.vtk, a grid, for ParaView;\n"
@@ -252,12 +302,13 @@ static const option table[] = {
      "what places outside the hull get: this value, or that at\n"
      "the hull's nearest point; if not given NaN"},
     {"-digits", "N", take_digits, &chosen.digits,
-     "digits in F.csv, or F.vtk without -binary; 17 are exact"},
+     "of values in F.csv; if not given 17, which are exact"},
     {"-validate", "[K]", take_parts, &chosen.validate,
      "leave out every K-th point (10), in turn: print how well\n"
      "the others predict its values by each -method M,M,..."},
     {0, 0, 0, 0, ""},
     {"-q", 0, take_switch, &chosen.quiet, "quiet: print nothing but errors"},
+    {"-version", 0, take_version, 0, "the version of the library"},
     {"-h", 0, take_help, 0, "this text; so do -help and --help"}};
 
 #define OPTIONS (sizeof table / sizeof table[0])
@@ -288,11 +339,11 @@ static void take_help(const option *o, char **word)
     for (k = 0; k < sizeof before / sizeof before[0]; k++)
         printf("%s\n", before[k]);
     printf("\n");
-    for (k = 0; k < OPTIONS; k++) show(table + k);
+    for (k = 0; k < OPTIONS; k++)
+        if (table[k].help) show(table + k);
     printf("\n");
     for (k = 0; k < sizeof after / sizeof after[0]; k++)
         printf("%s\n", after[k]);
-    printf("\n%s\n", capacity);
     exit(0);
 }
 
@@ -301,7 +352,8 @@ static const option *named(const char *name)
 {
     size_t k;
 
-    if (strcmp(name, "-help") == 0 || strcmp(name, "--help") == 0) name = "-h";
+    if (strncmp(name, "--", 2) == 0) name++;
+    if (strcmp(name, "-help") == 0) name = "-h";
     for (k = 0; k < OPTIONS; k++)
         if (table[k].name && strcmp(table[k].name, name) == 0)
             return table + k;
@@ -322,48 +374,35 @@ static int words(const option *o, const char *next)
     return many;
 }
 
-/* output - the file that an option writes; 0 if none. */
-static const char *output(const option *o)
-{
-    return o->take == take_output ? *(const char **)o->to : 0;
-}
-
-/* same_file - are these names of one file, as far as they tell?  0: none. */
-static int same_file(const char *a, const char *b)
-{
-    if (!b) return 0;
-    while (strncmp(a, "./", 2) == 0) a += 2;
-    while (strncmp(b, "./", 2) == 0) b += 2;
-    return strcmp(a, b) == 0;
-}
-
 /* try_outputs - leave if a file cannot be written, or would be written over
  * by another. */
 static void try_outputs(void)
 {
-    const char *name;
-    size_t k, m;
+    output *o, *other;
 
-    for (k = 0; k < OPTIONS; k++) {
-        name = output(table + k);
-        if (!name) continue;
-        if (same_file(name, chosen.input))
-            fail("%s: would overwrite the input", name);
-        if (same_file(name, chosen.query))
-            fail("%s: would overwrite the places", name);
-        for (m = 0; m < k; m++)
-            if (same_file(name, output(table + m)))
-                fail("%s: the name of two outputs", name);
-        try_output(name);
+    for (o = 0; (o = next_output(0, o)) != 0;) {
+        for (other = 0; (other = next_output(0, other)) != o;)
+            if (same_file(o->name, other->name))
+                fail("%s: the name of two outputs", o->name);
+        if (strcmp(o->name, "-") == 0) {
+            chosen.to_stdout = 1;
+            if (chosen.validate)
+                fail("standard output is for the table of -validate");
+            continue;
+        }
+        if (chosen.input && same_file(o->name, chosen.input))
+            fail("%s: would overwrite the input", o->name);
+        if (chosen.query && same_file(o->name, chosen.query))
+            fail("%s: would overwrite the places", o->name);
+        try_output(o);
     }
 }
 
-void choose_options(int argc, char **argv, const char *last)
+void choose_options(int argc, char **argv)
 {
     const option *o;
     int a, many;
 
-    capacity = last;
     chosen.view[0] = -400.0;
     for (a = 1; a < argc; a++) {
         if (argv[a][0] == '-' && argv[a][1]) {
@@ -379,8 +418,10 @@ void choose_options(int argc, char **argv, const char *last)
             chosen.input = argv[a];
         }
     }
+    chosen.values = next_output(values_forms, 0) != 0;
+    chosen.cells = next_output(cells_forms, 0) || next_output(volumes_forms, 0);
     check_values();
-    if ((chosen.boxed || chosen.periodic) && !chosen.cells && !chosen.volumes)
+    if ((chosen.boxed || chosen.periodic) && !chosen.cells)
         warn("-box and -periodic are for -cells and -volumes alone");
     try_outputs();
 }

@@ -1,5 +1,5 @@
-/* places.c - the values at the places of a grid or of a file, into a file:
- * CSV, NumPy's own, or VTK.  They are written as they are computed, some
+/* places.c - the values at the places of a grid or of a file, into files: CSV,
+ * NumPy's own, VTK, or a picture.  They are written as they are computed, some
  * thousand at a time.
  */
 #include <float.h>
@@ -21,7 +21,7 @@
 
 /* What is asked for. */
 static double size[3], corner[6]; /* of the grid: NX, NY, NZ, X0 to Z1 */
-static int boxed, asked[METHODS], method, outside, form;
+static int boxed, asked[METHODS], method, outside;
 static int side[2]; /* of a picture, to the right and up: which axes */
 static double number;
 
@@ -29,25 +29,27 @@ static const points *in;
 static points *places;
 static double *mean;   /* the points' values, where there are duplicates */
 static tess_int *same; /* the points that stand for them */
-static FILE *file, *scratch;
-static double *picture;
 static tess_int t[FEW];
 static double done; /* places */
 
-/* The forms of a file. */
+/* sink - a file that values go to. */
+typedef struct sink {
+    output *to;
+    int form; /* which of values_forms: */
+    FILE *file;
+    FILE *scratch;   /* what VTK must have column by column */
+    double *picture; /* the first column */
+} sink;
+
+static sink *sinks;
+static int files; /* of them */
+
 #define CSV 0
 #define NPY 1
 #define VTK 2
 #define SVG 3
 
 /* --------------------------------------------------------------- options */
-
-static int ends_in(const char *name, const char *suffix)
-{
-    size_t a = strlen(name), b = strlen(suffix);
-
-    return a >= b && strcmp(name + a - b, suffix) == 0;
-}
 
 /* choose_methods - linear, if nothing is asked for. */
 static void choose_methods(void)
@@ -132,18 +134,18 @@ static void choose_slice(void)
         found++;
     }
     if (found != 2)
-        fail("-values %s: a picture is of a slice: one of NX, NY, NZ is 1, "
-             "the others are not",
-             chosen.values);
+        fail("-values F.svg: a picture is of a slice: one of NX, NY, NZ is 1, "
+             "the others are not");
     for (k = 0; k < 2; k++)
         if (size[side[k]] > PIXELS)
-            fail("-values %s: a picture has at most %.0f places a side",
-                 chosen.values, PIXELS);
+            fail("-values F.svg: a picture has at most %.0f places a side",
+                 PIXELS);
 }
 
 void check_values(void)
 {
-    static const char *const ending[] = {".csv", ".npy", ".vtk", ".svg"};
+    output *o;
+    int csv = 0;
 
     if (chosen.grid && chosen.query)
         fail("-grid or -query: choose one of them");
@@ -154,27 +156,23 @@ void check_values(void)
         fail("-values needs places: -grid NX,NY,NZ or -query F");
     if (chosen.qcols && !chosen.query) fail("-qcols is for -query F");
     if (!chosen.values && !chosen.validate) {
-        if (chosen.method || chosen.outside || chosen.digits)
-            fail("%s is for -values%s",
-                 chosen.method    ? "-method"
-                 : chosen.outside ? "-outside"
-                                  : "-digits",
-                 chosen.digits ? "" : " or -validate");
+        if (chosen.method || chosen.outside)
+            fail("%s is for -values or -validate",
+                 chosen.method ? "-method" : "-outside");
+        if (chosen.digits) fail("-digits is for -values F.csv");
         return;
     }
     choose_methods();
     choose_outside();
     if (chosen.grid) choose_grid();
-    if (!chosen.values) return;
-    for (form = CSV; form <= SVG && !ends_in(chosen.values, ending[form]);)
-        form++;
-    if (form > SVG)
-        fail("-values %s: the name must end in .csv, .npy, .vtk or .svg",
-             chosen.values);
-    if (form >= VTK && !chosen.grid)
-        fail("-values %s: %s is for a -grid; choose .csv or .npy",
-             chosen.values, ending[form]);
-    if (form == SVG) choose_slice();
+    for (o = 0; (o = next_output(values_forms, o)) != 0;) {
+        if (o->as - values_forms >= VTK && !chosen.grid)
+            fail("-values %s: %s is for a -grid; choose .csv or .npy", o->name,
+                 o->as->ending);
+        if (o->as - values_forms == SVG) choose_slice();
+        csv |= o->as - values_forms == CSV;
+    }
+    if (chosen.digits && !csv) fail("-digits is for -values F.csv");
     if (chosen.query && strcmp(chosen.query, "-") == 0 &&
         (!chosen.input || strcmp(chosen.input, "-") == 0))
         fail("points and places cannot both be standard input");
@@ -234,6 +232,11 @@ void read_places(const points *points_read, points *query)
              "-skip drops rows with a NaN",
              in->input, bad, bad > 1 ? "s are" : " is");
     if (chosen.grid && !boxed) box();
+    for (k = 0; k < 3 && chosen.grid; k++)
+        if (!(corner[2 * k + 1] - corner[2 * k] <= DBL_MAX))
+            fail("-grid: from %c0 = %g to %c1 = %g is farther than numbers "
+                 "reach: choose less",
+                 "XYZ"[k], corner[2 * k], "XYZ"[k], corner[2 * k + 1]);
     if (!chosen.query) return;
     read_points(chosen.query, places);
     for (i = 0; i < places->n; i++)
@@ -253,13 +256,8 @@ static double places_asked(void)
     return chosen.grid ? size[0] * size[1] * size[2] : (double)places->n;
 }
 
-static int digits(void)
-{
-    return chosen.digits > 0 ? chosen.digits : 17;
-}
-
 /* put_title - a column's name in CSV. */
-static void put_title(const char *s)
+static void put_title(FILE *file, const char *s)
 {
     int quoted = strpbrk(s, ",;\" \t") != 0;
 
@@ -274,7 +272,7 @@ static void put_title(const char *s)
 
 /* npy_head - version 1.0: a text as Python writes a dictionary, such that the
  * numbers begin at a multiple of 64. */
-static void npy_head(void)
+static void npy_head(FILE *file)
 {
     static const double one = 1.0;
     int big = ((const char *)&one)[0] != 0, k, length;
@@ -297,20 +295,13 @@ static void npy_head(void)
     fwrite(text, 1, (size_t)length, file);
 }
 
-static void vtk_head(void)
+static void vtk_head(FILE *file)
 {
     double step;
     int k;
 
-    fprintf(file,
-            "# vtk DataFile Version 3.0\n"
-            "Interpolated values, %s\n"
-            "%s\n"
-            "DATASET STRUCTURED_POINTS\n"
-            "DIMENSIONS %.0f %.0f %.0f\n"
-            "ORIGIN",
-            method_name[method], chosen.binary ? "BINARY" : "ASCII", size[0],
-            size[1], size[2]);
+    fprintf(file, "DIMENSIONS %.0f %.0f %.0f\nORIGIN", size[0], size[1],
+            size[2]);
     for (k = 0; k < 3; k++) fprintf(file, " %.17g", place(k, 0));
     fprintf(file, "\nSPACING");
     for (k = 0; k < 3; k++) {
@@ -321,71 +312,75 @@ static void vtk_head(void)
     fprintf(file, "\nPOINT_DATA %.0f\n", places_asked());
 }
 
-static void vtk_title(int column)
+static void no_scratch(const sink *s)
 {
-    fprintf(file, "SCALARS ");
-    put_name(file, in->name[column]);
-    fprintf(file, " double 1\nLOOKUP_TABLE default\n");
+    fail("%s: no room for a temporary file", s->to->name);
 }
 
-static void vtk_number(double x)
+/* head - open a file, and write what is before the values. */
+static void head(sink *s)
 {
-    if (chosen.binary)
-        put_bytes(file, &x, (int)sizeof x);
-    else
-        fprintf(file, "%.*g\n", digits(), x);
-}
-
-static void head(void)
-{
+    double columns = (double)in->columns;
+    char title[60];
     int k;
 
-    if (form == CSV) {
-        fprintf(file, "x,y,z");
-        for (k = 0; k < in->columns; k++) put_title(in->name[k]);
-        fprintf(file, "\n");
-    } else if (form == NPY) {
-        npy_head();
-    } else if (form == SVG) {
-        picture = (double *)space(places_asked(), sizeof *picture);
-    } else {
-        vtk_head();
+    s->form = (int)(s->to->as - values_forms);
+    if (s->form == VTK) {
+        sprintf(title, "Interpolated values, %s", method_name[method]);
+        s->file = start_vtk(s->to, title, "STRUCTURED_POINTS", 0.0,
+                            8.0 * columns * places_asked());
+        vtk_head(s->file);
         if (in->columns == 1) {
-            vtk_title(0);
-        } else {
-            /* VTK has column by column what is computed place by place */
-            scratch = tmpfile();
-            if (!scratch) fail("%s: no room for a temporary file", chosen.values);
+            put_scalars(s->file, vtk_name(in, 0));
+            return;
         }
+        /* VTK has column by column what is computed place by place */
+        s->scratch = tmpfile();
+        if (!s->scratch) no_scratch(s);
+        return;
+    }
+    s->file = start(s->to, s->form == SVG ? 0.0 : places_asked() *
+                    (s->form == NPY ? 8.0 * columns : 20.0 * (3.0 + columns)));
+    if (s->form == CSV) {
+        fprintf(s->file, "x,y,z");
+        for (k = 0; k < in->columns; k++) put_title(s->file, in->name[k]);
+        putc('\n', s->file);
+    } else if (s->form == NPY) {
+        npy_head(s->file);
+    } else {
+        s->picture = (double *)space(places_asked(), sizeof *s->picture);
     }
 }
 
 /* put - the values at some places. */
-static void put(tess_int many, const tess_real *at, const double *out)
+static void put(const sink *s, tess_int many, const tess_real *at,
+                const double *out)
 {
     size_t numbers = (size_t)many * (size_t)in->columns, i;
-    int k;
+    int narrow = sizeof *at < sizeof(double), k;
 
-    if (form == NPY || scratch) {
-        fwrite(out, sizeof *out, numbers, scratch ? scratch : file);
-    } else if (form == VTK) {
-        for (i = 0; i < numbers; i++) vtk_number(out[i]);
-    } else if (form == SVG) {
+    if (s->form == NPY || s->scratch) {
+        fwrite(out, sizeof *out, numbers, s->scratch ? s->scratch : s->file);
+    } else if (s->form == VTK) {
+        for (i = 0; i < numbers; i++) put_double(s->file, out[i]);
+    } else if (s->form == SVG) {
         for (i = 0; i < (size_t)many; i++)
-            picture[(size_t)done + i] = out[(size_t)in->columns * i];
+            s->picture[(size_t)done + i] = out[(size_t)in->columns * i];
     } else {
         for (; many > 0; many--, at += 3) {
-            fprintf(file, "%.*g,%.*g,%.*g", digits(), (double)at[0], digits(),
-                    (double)at[1], digits(), (double)at[2]);
-            for (k = 0; k < in->columns; k++)
-                fprintf(file, ",%.*g", digits(), *out++);
-            putc('\n', file);
+            for (k = 0; k < 3; k++)
+                put_real(s->file, (double)at[k], narrow, ',');
+            for (k = 1; k <= in->columns; k++)
+                fprintf(s->file, "%.*g%c", chosen.digits ? chosen.digits : 17,
+                        *out++, k < in->columns ? ',' : '\n');
         }
     }
+    check_written(s->file, s->to);
+    if (s->scratch && ferror(s->scratch)) no_scratch(s);
 }
 
 /* draw - the picture of a slice: the first column. */
-static void draw(void)
+static void draw(FILE *file, const double *picture)
 {
     static const char axis[] = "xyz";
     char note[400];
@@ -415,31 +410,31 @@ static void draw(void)
     look.note = note;
     draw_slice(file, &look, (int)size[side[0]], (int)size[side[1]],
                wide * length[0] / length[1], picture);
-    free(picture);
 }
 
 /* tail - VTK's columns, one after the other; or the picture. */
-static void tail(void)
+static void tail(sink *s)
 {
     static double row[COLUMNS];
     size_t columns = (size_t)in->columns;
     double i;
     int k;
 
-    for (k = 0; scratch && k < in->columns; k++) {
-        if (k > 0 && chosen.binary) putc('\n', file);
-        vtk_title(k);
-        rewind(scratch);
+    for (k = 0; s->scratch && k < in->columns; k++) {
+        if (k > 0) putc('\n', s->file);
+        put_scalars(s->file, vtk_name(in, k));
+        rewind(s->scratch);
         for (i = 0.0; i < places_asked(); i += 1.0) {
-            if (fread(row, sizeof *row, columns, scratch) != columns)
-                fail("%s: no room for a temporary file", chosen.values);
-            vtk_number(row[k]);
+            if (fread(row, sizeof *row, columns, s->scratch) != columns)
+                no_scratch(s);
+            put_double(s->file, row[k]);
         }
     }
-    if (form == SVG) draw();
-    if (form == VTK && chosen.binary) putc('\n', file);
-    if (scratch) fclose(scratch);
-    scratch = 0;
+    if (s->form == SVG) draw(s->file, s->picture);
+    if (s->form == VTK) putc('\n', s->file);
+    if (s->scratch) fclose(s->scratch);
+    free(s->picture);
+    finish(s->file, s->to);
 }
 
 /* ---------------------------------------------------------------- values */
@@ -462,7 +457,7 @@ void keep_values(const mesh *m)
     }
     if (twins == 0) return;
     mean = (double *)space((double)columns * (double)in->n, sizeof *mean);
-    times = m->rw;
+    times = m->rw; /* (longer than n) */
     for (i = 0; i < (size_t)in->n; i++) {
         r = (size_t)m->iw[i];
         times[i] = 1.0;
@@ -483,18 +478,18 @@ void keep_values(const mesh *m)
              (long)twins);
 }
 
-/* some - write the values at some places, of which t[0] is a start. */
+/* some - write the values at some places; t has a start for each. */
 static void some(tess_int many, const tess_real *at, const double *scale)
 {
     static tess_real q[3 * FEW];
     static double out[ROOM];
     tess_int i;
+    int k;
 
-    for (i = 1; i < many; i++) t[i] = TESS_NONE;
     for (i = 0; i < 3 * many; i++)
         q[i] = (tess_real)((double)at[i] * scale[i % 3]);
     values_at(many, q, t, out);
-    put(many, at, out);
+    for (k = 0; k < files; k++) put(sinks + k, many, at, out);
     done += (double)many;
     progress(done, places_asked());
 }
@@ -516,8 +511,8 @@ static void grid_values(long most, const double *scale)
                     at[3 * i] = (tess_real)place(0, x + i);
                     at[3 * i + 1] = (tess_real)place(1, y);
                     at[3 * i + 2] = (tess_real)place(2, z);
+                    t[i] = i == 0 ? last : TESS_NONE;
                 }
-                t[0] = last;
                 some((tess_int)many, at, scale);
                 last = t[many - 1];
                 if (x == 0) row = t[0];
@@ -527,21 +522,84 @@ static void grid_values(long most, const double *scale)
     }
 }
 
+/* in_order - is each place of a file near the one before it, as a rule? */
+static int in_order(const tess_real *q)
+{
+    double low[3], high[3], x, way = 0.0, box = 0.0;
+    tess_int i;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        low[k] = high[k] = (double)q[k];
+        for (i = 1; i < places->n; i++) {
+            x = (double)q[3 * i + k];
+            way += fabs(x - (double)q[3 * i + k - 3]);
+            if (x < low[k]) low[k] = x;
+            if (x > high[k]) high[k] = x;
+        }
+        box += high[k] - low[k];
+    }
+    /* (where they are at random, a third of the box) */
+    return way <= box * pow((double)places->n, 2.0 / 3.0);
+}
+
+/* find_places - the tetrahedra of a file's places, into start: one after the
+ * other as they are sorted, for walks from place to place are then short, and
+ * what they look at is at hand. */
+static void find_places(const double *scale, tess_int *start)
+{
+    tess_int n = places->n, last = TESS_NONE, liw, lrw, *iw, *order, i;
+    tess_real *q = (tess_real *)space(3.0 * (double)n, sizeof *q);
+    double *rw;
+    int code;
+
+    for (i = 0; i < 3 * n; i++)
+        q[i] = (tess_real)((double)places->p[i] * scale[i % 3]);
+    for (i = 0; i < n; i++) start[i] = TESS_NONE;
+    if (!in_order(q) && tess_size(n, 0, &liw, &lrw) == 0) {
+        iw = (tess_int *)space((double)liw, sizeof *iw);
+        rw = (double *)space((double)lrw, sizeof *rw);
+        order = (tess_int *)space((double)n, sizeof *order);
+        code = tess_index(n, q, liw, iw, lrw, rw);
+        free(rw);
+        for (i = 0; i < n; i++) order[i] = TESS_NONE;
+        for (i = 0; i < n && code >= 0 && code != TESS_RANGE; i++)
+            order[iw[i]] = i;
+        for (i = 0; i < n; i++) {
+            if (order[i] == TESS_NONE) continue;
+            order[i] = last = values_start(q + 3 * order[i], last);
+        }
+        /* (of places that are the same one has been found) */
+        for (i = 0; i < n && code >= 0 && code != TESS_RANGE; i++)
+            start[i] = order[iw[i]];
+        free(iw);
+        free(order);
+    }
+    free(q);
+}
+
 static void query_values(long most, const double *scale)
 {
+    tess_int *start = (tess_int *)space((double)places->n, sizeof *start);
+    tess_int last = TESS_NONE;
     long i, many;
 
-    t[0] = TESS_NONE;
+    find_places(scale, start);
     for (i = 0; i < (long)places->n; i += many) {
         many = (long)places->n - i < most ? (long)places->n - i : most;
+        memcpy(t, start + i, (size_t)many * sizeof *t);
+        if (t[0] == TESS_NONE) t[0] = last;
         some((tess_int)many, places->p + 3 * i, scale);
-        t[0] = t[many - 1];
+        last = t[many - 1];
     }
+    free(start);
 }
 
 void write_values(const mesh *m)
 {
     field f;
+    output *o;
+    int k;
     long most = ROOM / in->columns < FEW ? ROOM / in->columns : FEW;
 
     f.p = m->p;
@@ -553,18 +611,21 @@ void write_values(const mesh *m)
     f.value = mean ? mean : in->value;
     f.columns = in->columns;
     values_begin(&f, method, outside, number);
-    file = start(chosen.values, form == CSV || form == SVG ? "w" : "wb");
-    head();
+    for (o = 0; (o = next_output(values_forms, o)) != 0;) {
+        sinks = (sink *)more_space(sinks, files + 1.0, sizeof *sinks);
+        memset(sinks + files, 0, sizeof *sinks);
+        sinks[files].to = o;
+        head(sinks + files++);
+    }
     if (chosen.grid)
         grid_values(most, m->scale);
     else
         query_values(most, m->scale);
-    tail();
-    finish(file, chosen.values);
+    for (k = 0; k < files; k++) tail(sinks + k);
     values_end();
 }
 
-void validate_values(const mesh *m)
+void validate_values(mesh *m)
 {
     cross_validate(m, same, mean ? mean : in->value, chosen.validate, asked,
                    outside);

@@ -66,13 +66,6 @@ static void fail_empty(long at, int column)
 
 /* ---------------------------------------------------------------- binary */
 
-static int ends_in(const char *name, const char *suffix)
-{
-    size_t a = strlen(name), b = strlen(suffix);
-
-    return a >= b && strcmp(name + a - b, suffix) == 0;
-}
-
 /* more - read on, behind what is not yet taken; 0 if nothing is left. */
 static int more(void)
 {
@@ -104,7 +97,7 @@ static void refuse_binary(void)
     if (!memchr(block, 0, head) || memcmp(block, "\377\376", 2) == 0 ||
         memcmp(block, "\376\377", 2) == 0 || memcmp(block, "ply", 3) == 0)
         return;
-    if (ends_in(to->input, ".stl") || ends_in(to->input, ".STL"))
+    if (ends_in(to->input, ".stl"))
         fail("%s: is binary STL; save it as ASCII STL, or OBJ or OFF",
              to->input);
     fail("%s: is not text (binary STL, perhaps, or an archive)", to->input);
@@ -414,18 +407,30 @@ static int word(int k, const char *text)
 
 /* ---------------------------------------------------------------- points */
 
+/* rooms - for so many points, and for so many values. */
+static void rooms(double most, double values)
+{
+    to->p = (tess_real *)more_space(to->p, 3.0 * most, sizeof *to->p);
+    to->line = (long *)more_space(to->line, most, sizeof *to->line);
+    to->value = (double *)more_space(to->value, values, sizeof *to->value);
+    to->room = most;
+    to->values = values;
+}
+
 /* add_point - one more: its coordinates; its values are set by the caller. */
 static void add_point(const double *x)
 {
+    double n = (double)to->n + 1.0, values = n * (double)to->columns;
     int k;
 
-    if (to->n == to->room ||
-        (!to->bare &&
-         (double)to->columns * (double)(to->n + 1) > (double)to->values))
-        too_small("%s, line %ld: more than %ld points with %d values each; "
-                  "build for more: make MAXPTS=%ld",
-                  to->input, line_number, (long)to->n, to->columns,
-                  4 * to->room);
+    if (to->n >= TESS_INT_MOST / 5)
+        too_small("%s, line %ld: more points than a tess_int of %d bytes can "
+                  "number; rebuild with a larger -DTESS_INT=...",
+                  to->input, line_number, (int)sizeof(tess_int));
+    if (to->bare) values = 0.0;
+    if (n > to->room || values > to->values)
+        rooms(n > to->room ? 2.0 * n : to->room,
+              values > to->values ? 2.0 * values : to->values);
     for (k = 0; k < 3; k++) to->p[3 * to->n + k] = (tess_real)x[k];
     to->line[to->n] = line_number;
     to->n++;
@@ -750,20 +755,20 @@ static void lattice(double v[9], const double *origin)
 static void properties(const char *s)
 {
     size_t length;
-    int many_of, k;
+    int most, k;
 
     for (titles = 0;; s++) {
         length = strcspn(s, ":");
-        many_of = s[length] && s[length + 1] && s[length + 2] == ':'
+        most = s[length] && s[length + 1] && s[length + 2] == ':'
                       ? atoi(s + length + 3)
                       : 0;
-        if (length == 0 || many_of < 1 || titles + many_of > COLUMNS)
+        if (length == 0 || most < 1 || titles + most > COLUMNS)
             fail_line("Properties are not as species:S:1:pos:R:3");
-        for (k = 0; k < many_of; k++, titles++)
-            if (length == 3 && many_of == 3 && strncmp(s, "pos", 3) == 0)
+        for (k = 0; k < most; k++, titles++)
+            if (length == 3 && most == 3 && strncmp(s, "pos", 3) == 0)
                 sprintf(title[titles], "%c", 'x' + k);
             else
-                sprintf(title[titles], many_of > 1 ? "%.*s%d" : "%.*s",
+                sprintf(title[titles], most > 1 ? "%.*s%d" : "%.*s",
                         (int)(length < TITLE - 4 ? length : TITLE - 4), s,
                         k + 1);
         s += length + 3;
@@ -777,7 +782,7 @@ static void properties(const char *s)
 static int extended(void)
 {
     const char *vectors = after("Lattice"), *from = after("Origin");
-    const char *columns_of = after("Properties");
+    const char *columns_of = after("Properties"), *pbc = after("pbc");
     double v[9], origin[3];
 
     origin[0] = origin[1] = origin[2] = 0.0;
@@ -785,6 +790,9 @@ static int extended(void)
     if (vectors) {
         take_numbers(vectors, 9, v, "Lattice");
         lattice(v, origin);
+        /* "T T F", or T,T,0 */
+        to->aperiodic = pbc && strcspn(pbc, "Ff0") <
+                                   strcspn(pbc, pbc[-1] == '=' ? " \t" : "\"'}]");
     }
     if (columns_of) properties(columns_of);
     return vectors || columns_of;
@@ -859,19 +867,26 @@ static void read_text(void)
              option());
 }
 
-/* read_off - OFF, COFF, NOFF: points, and faces that do not matter. */
+/* no_faces - say that the faces of a surface are left out. */
+static void no_faces(void)
+{
+    warn("%s: its faces are left out: the mesh is of the points alone, and "
+         "fills their hull",
+         to->input);
+}
+
+/* read_off - OFF, COFF, NOFF: points, and faces. */
 static void read_off(void)
 {
     double want;
+    int at = many > 1;
 
     if (word(0, "4OFF") || word(0, "nOFF") || word(1, "BINARY"))
         fail_line("not an OFF file of points in space, in ASCII");
-    if (many == 1)
-        need_line();
-    else
-        fields[0] = fields[1];
-    if (!count(0)) fail_line("not the number of points");
-    want = fields[0].x;
+    if (!at) need_line();
+    if (many <= at || !count(at)) fail_line("not the number of points");
+    want = fields[at].x;
+    if (many > at + 1 && fields[at + 1].x > 0.0) no_faces();
     need_line();
     rows(want, 0, 1);
 }
@@ -889,6 +904,7 @@ static void read_ply(void)
                 fail_line("points must be the first element of a PLY file");
             want = fields[2].x;
         } else if (word(0, "element")) {
+            if (word(1, "face") && many > 2 && fields[2].x > 0.0) no_faces();
             while (!word(0, "end_header")) need_line();
             break;
         }
@@ -903,11 +919,14 @@ static void read_ply(void)
  * ASCII STL. */
 static void read_lines(const char *first)
 {
+    int faces = 0;
+
     while (!word(0, first)) need_line();
     fields[0].number = 0;
     shape();
     do {
         if (word(0, first)) row();
+        if ((word(0, "f") || word(0, "facet")) && !faces++) no_faces();
         if (!next_line()) return;
         split();
     } while (1);
@@ -924,8 +943,28 @@ static double column(int from, int last, double fallback)
     sprintf(text, "%.*s", last - from + 1, line + from - 1);
     x = strtod(text, &end);
     while (blank(*end)) end++;
-    if (*end) fail_line("not an atom of a PDB file");
+    if (*end) fail_line("not an atom, or a cell, of a PDB file");
     return end[-1] && strspn(text, " ") < strlen(text) ? x : fallback;
+}
+
+/* crystal - CRYST1: sides and angles of the box that repeats itself.  (A cube of
+ * side 1 is what files have for want of one.) */
+static void crystal(void)
+{
+    static const double origin[3] = {0.0, 0.0, 0.0};
+    const char *group = strlen(line) > 55 ? line + 55 : "P 1";
+    double v[9] = {0.0};
+    int k;
+
+    for (k = 0; k < 3; k++) v[4 * k] = column(7 + 9 * k, 15 + 9 * k, 0.0);
+    if (!chosen.periodic || (v[0] == 1.0 && v[4] == 1.0 && v[8] == 1.0)) return;
+    lattice(v, origin);
+    for (k = 0; k < 3; k++)
+        if (column(34 + 7 * k, 40 + 7 * k, 90.0) != 90.0) to->lattice = SKEW;
+    if (strncmp(group, "P 1        ", strlen(group) < 11 ? strlen(group) : 11))
+        warn("%s, line %ld: the atoms are repeated as they are, without what "
+             "the space group %.11s adds in the cell",
+             to->input, line_number, group);
 }
 
 /* read_pdb - atoms, with their temperature factors; of the first model. */
@@ -942,6 +981,7 @@ static void read_pdb(void)
                  to->input, line_number);
             return;
         }
+        if (strncmp(line, "CRYST1", 6) == 0) crystal();
         if (strncmp(line, "ATOM  ", 6) != 0 && strncmp(line, "HETATM", 6) != 0)
             continue;
         if (strlen(line) < 54) fail_line("not an atom of a PDB file");
@@ -1013,6 +1053,8 @@ static int pdb(void)
 
 void read_points(const char *name, points *a)
 {
+    const char *off;
+
     to = a;
     filled = taken = 0;
     titles = width = counting = first_open = 0;
@@ -1037,7 +1079,7 @@ void read_points(const char *name, points *a)
             read_node();
         } else if (word(0, "ply"))
             read_ply();
-        else if (ends_in(fields[0].text, "OFF"))
+        else if ((off = strstr(fields[0].text, "OFF")) != 0 && !off[3])
             read_off();
         else if (ends_in(to->input, ".obj") || word(0, "v") ||
                  word(0, "mtllib") || word(0, "o")) {
@@ -1056,6 +1098,8 @@ void read_points(const char *name, points *a)
              "are wanted: %s X,Y,Z%s",
              to->input, dropped, option(), to->bare ? "" : ",VALUE");
     if (to->n == 0) fail("%s: no points", to->input);
+    rooms((double)to->n,
+          to->bare ? 0.0 : (double)to->n * (double)to->columns);
     if (dropped > 0)
         warn("%s: %ld row%s dropped for a number that is missing, the first "
              "in line %ld",

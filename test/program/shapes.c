@@ -8,15 +8,27 @@
 #include <math.h>
 #include <stdlib.h>
 
+static tess_int *integers(double many)
+{
+    return (tess_int *)space(many, sizeof(tess_int));
+}
+
+static double *doubles(double many)
+{
+    return (double *)space(many, sizeof(double));
+}
+
 /* ---- alpha shapes ---- */
 
-void mark_alpha(mesh *m, double radius, char *keep)
+void mark_alpha(mesh *m, double radius)
 {
-    tess_int nfac, none[3], t;
+    char *keep = (char *)space((double)m->ntet, sizeof *keep);
+    tess_int *stack = integers((double)m->ntet), nfac, none[3], t;
 
     if (alpha(m->p, m->ntet, m->tet, m->adj, radius, 1, keep, 0, &nfac, none,
-              m->iw) < 0)
+              stack) < 0)
         too_small("-alpha: the tetrahedra's balls cannot be computed");
+    free(stack);
     m->keep = keep;
     for (m->kept = t = 0; t < m->ntet; t++) m->kept += keep[t];
     if (m->kept == 0 && m->ntet > 0)
@@ -26,7 +38,7 @@ void mark_alpha(mesh *m, double radius, char *keep)
 
 void drop_others(mesh *m)
 {
-    tess_int *number = m->iw, many = 0, t, u;
+    tess_int *number = integers((double)m->ntet), many = 0, t, u;
     int k;
 
     for (t = 0; t < m->ntet; t++) number[t] = m->keep[t] ? many++ : TESS_NONE;
@@ -38,6 +50,7 @@ void drop_others(mesh *m)
             m->adj[4 * number[t] + k] = u < 0 ? u : number[u];
         }
     }
+    free(number);
     m->ntet = many;
     m->keep = 0;
 }
@@ -68,26 +81,6 @@ typedef struct cells {
 typedef struct totals {
     double cells, vertices, numbers, volume; /* numbers: VTK's, for CELLS */
 } totals;
-
-void *space(double many, size_t size)
-{
-    void *a = many < (double)((size_t)-1 / 2 / size)
-                  ? malloc((size_t)(many + 1.0) * size)
-                  : (void *)0;
-
-    if (!a) too_small("not enough memory");
-    return a;
-}
-
-static tess_int *integers(double many)
-{
-    return (tess_int *)space(many, sizeof(tess_int));
-}
-
-static double *doubles(double many)
-{
-    return (double *)space(many, sizeof(double));
-}
 
 /* points_box - the box about the points. */
 static void points_box(cells *c)
@@ -121,15 +114,17 @@ static void choose_box(cells *c)
 
 void check_box(const points *in)
 {
-    if ((!chosen.cells && !chosen.volumes) || chosen.boxed ||
-        in->lattice == RIGHT)
-        return;
+    if (!chosen.cells || chosen.boxed) return;
+    if (chosen.periodic && in->aperiodic)
+        fail("%s: -periodic: its pbc says that the box does not repeat itself "
+             "along all axes", in->input);
+    if (in->lattice == RIGHT) return;
     if (chosen.periodic && in->lattice == SKEW)
-        fail("%s: -periodic: its Lattice is not a box along x, y, z; only such "
-             "boxes can be repeated", in->input);
+        fail("%s: -periodic: its Lattice, or CRYST1, is not a box along x, y, "
+             "z; only such boxes can be repeated", in->input);
     if (chosen.periodic)
         fail("-periodic needs -box X0,X1,Y0,Y1,Z0,Z1, or an extended XYZ file "
-             "with a Lattice");
+             "with a Lattice, or a PDB file with CRYST1");
     if (in->lattice == SKEW)
         warn("%s: its Lattice is not a box along x, y, z: the cells fill the "
              "points' box", in->input);
@@ -390,66 +385,62 @@ static void measure_cells(cells *c, double *volume, tess_int *faces, totals *all
     all->volume += lost;
 }
 
-/* put_faces - the line of a cell in VTK's CELLS; its vertices are numbered
- * from that number on. */
+/* put_faces - a cell in VTK's CELLS; its vertices are numbered from that number
+ * on. */
 static void put_faces(FILE *file, const cells *c, double from)
 {
     tess_int j, k;
 
-    fprintf(file, "%ld %ld", (long)(1 + c->nface + c->begin[c->nface]),
-            (long)c->nface);
+    put_int(file, (double)(1 + c->nface + c->begin[c->nface]));
+    put_int(file, (double)c->nface);
     for (j = 0; j < c->nface; j++) {
-        fprintf(file, " %ld", (long)(c->begin[j + 1] - c->begin[j]));
+        put_int(file, (double)(c->begin[j + 1] - c->begin[j]));
         for (k = c->begin[j]; k < c->begin[j + 1]; k++)
-            fprintf(file, " %.0f", from + (double)c->corner[k]);
+            put_int(file, from + (double)c->corner[k]);
     }
-    fprintf(file, "\n");
 }
 
 /* write_cells - as polyhedra of a VTK unstructured grid. */
-static void write_cells(cells *c, const char *name, const double *volume,
+static void write_cells(cells *c, output *o, const double *volume,
                         const tess_int *faces, const totals *all)
 {
-    FILE *file = start(name, "w");
+    FILE *file = start_vtk(o, "Voronoi cells in a box, by tess",
+                           "UNSTRUCTURED_GRID", all->vertices,
+                           24.0 * all->vertices + 4.0 * all->numbers);
     tess_int n = c->m->in->n, i, v;
     double vertices = 0.0;
 
-    fprintf(file,
-            "# vtk DataFile Version 3.0\n"
-            "Voronoi cells in a box, by tess\n"
-            "ASCII\nDATASET UNSTRUCTURED_GRID\n"
-            "POINTS %.0f double\n",
-            all->vertices);
+    fprintf(file, "POINTS %.0f double\n", all->vertices);
     for (i = 0; i < n; i++) {
         compute(c, i);
-        for (v = 0; v < c->nvert; v++)
-            fprintf(file, "%.17g %.17g %.17g\n", c->vert[3 * v],
-                    c->vert[3 * v + 1], c->vert[3 * v + 2]);
+        for (v = 0; v < 3 * c->nvert; v++) put_double(file, c->vert[v]);
     }
-    fprintf(file, "CELLS %.0f %.0f\n", all->cells, all->numbers);
+    fprintf(file, "\nCELLS %.0f %.0f\n", all->cells, all->numbers);
     for (i = 0; i < n; i++) {
         compute(c, i);
         if (c->nface > 0) put_faces(file, c, vertices);
         vertices += (double)c->nvert;
     }
-    fprintf(file, "CELL_TYPES %.0f\n", all->cells);
+    fprintf(file, "\nCELL_TYPES %.0f\n", all->cells);
     for (i = 0; i < n; i++)
-        if (faces[i] > 0) fprintf(file, "42\n");
+        if (faces[i] > 0) put_int(file, 42.0);
     fprintf(file,
-            "CELL_DATA %.0f\nSCALARS point int 1\nLOOKUP_TABLE default\n",
+            "\nCELL_DATA %.0f\nSCALARS point int 1\nLOOKUP_TABLE default\n",
             all->cells);
     for (i = 0; i < n; i++)
-        if (faces[i] > 0) fprintf(file, "%ld\n", (long)(i + c->m->in->base));
-    fprintf(file, "SCALARS volume double 1\nLOOKUP_TABLE default\n");
+        if (faces[i] > 0) put_int(file, (double)(i + c->m->in->base));
+    fprintf(file, "\n");
+    put_scalars(file, "volume");
     for (i = 0; i < n; i++)
-        if (faces[i] > 0) fprintf(file, "%.17g\n", volume[i]);
-    finish(file, name);
+        if (faces[i] > 0) put_double(file, volume[i]);
+    fprintf(file, "\n");
+    finish(file, o);
 }
 
-static void write_volumes(const mesh *m, const char *name,
-                          const double *volume, const tess_int *faces)
+static void write_volumes(const mesh *m, output *o, const double *volume,
+                          const tess_int *faces)
 {
-    FILE *file = start(name, "w");
+    FILE *file = start(o, 80.0 * (double)m->in->n);
     tess_int i;
 
     fprintf(file, "x,y,z,volume,faces\n");
@@ -457,13 +448,14 @@ static void write_volumes(const mesh *m, const char *name,
         put_point(file, m->in, i, ',', ',');
         fprintf(file, "%.17g,%ld\n", volume[i], (long)faces[i]);
     }
-    finish(file, name);
+    finish(file, o);
 }
 
 void make_cells(const mesh *m)
 {
     cells c;
     totals all;
+    output *o;
     double *volume, whole = 1.0;
     tess_int *faces;
     int k;
@@ -477,13 +469,13 @@ void make_cells(const mesh *m)
     measure_cells(&c, volume, faces, &all);
     for (k = 0; k < 3; k++)
         whole *= (c.box[3 + k] - c.box[k]) / m->scale[k];
-    if (!chosen.quiet) {
-        if (c.tet) printf("periodic      %ld tetrahedra\n", (long)c.periods);
-        printf("cells         %.0f, their volumes sum to %.15g; the box's is "
-               "%.15g\n", all.cells, all.volume, whole);
-    }
-    if (chosen.cells) write_cells(&c, chosen.cells, volume, faces, &all);
-    if (chosen.volumes) write_volumes(m, chosen.volumes, volume, faces);
+    if (c.tet) tell("periodic      %ld tetrahedra\n", (long)c.periods);
+    tell("cells         %.0f, their volumes sum to %.15g; the box's is %.15g\n",
+         all.cells, all.volume, whole);
+    for (o = 0; (o = next_output(cells_forms, o)) != 0;)
+        write_cells(&c, o, volume, faces, &all);
+    for (o = 0; (o = next_output(volumes_forms, o)) != 0;)
+        write_volumes(m, o, volume, faces);
     free(volume);
     free(faces);
     clear(&c);

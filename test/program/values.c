@@ -305,6 +305,14 @@ static void closest(const tess_real *q, const tess_int *v, const double *w,
     row(nearest(of->p, of->tet, first, list, q, v[best]), 1.0, out);
 }
 
+tess_int values_start(const tess_real *q, tess_int start)
+{
+    double w[4];
+
+    locate(q, &start, w);
+    return start;
+}
+
 void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
 {
     const tess_int *v;
@@ -380,19 +388,13 @@ static void count(tally *a, double error, tess_int i)
 }
 
 /* remesh - the mesh of the field's points, where m's was. */
-static void remesh(const mesh *m, field *f, long part)
+static void remesh(mesh *m, field *f, long part)
 {
-    tess_int liw, lrw;
-    int code = tess_size(f->n, m->maxtet, &liw, &lrw);
+    int code = tetrahedralize(m, f->n, f->p, 0);
 
-    f->ntet = 0;
-    if (liw > m->liw) liw = m->liw;
-    if ((long)lrw > m->lrw) lrw = (tess_int)m->lrw;
-    while (code >= 0 &&
-           (code = tess_resume(f->n, f->p, m->maxtet, &f->ntet, m->tet, m->adj,
-                               liw, m->iw, lrw, m->rw)) == TESS_POOL &&
-           liw < m->liw)
-        liw = liw < m->liw / 2 ? 2 * liw : m->liw;
+    f->ntet = m->ntet;
+    f->tet = m->tet;
+    f->adj = m->adj;
     if (code == TESS_PLANE || code == TESS_LINE || code == TESS_POINT)
         fail("-validate: without part %ld no tetrahedron is left; choose more "
              "parts",
@@ -430,7 +432,7 @@ static void print_table(const points *in, const int *asked)
         }
 }
 
-void cross_validate(const mesh *m, const tess_int *same, const double *value,
+void cross_validate(mesh *m, const tess_int *same, const double *value,
                     long parts, const int *asked, int beyond)
 {
     const points *in = m->in;
@@ -446,8 +448,6 @@ void cross_validate(const mesh *m, const tess_int *same, const double *value,
     for (k = 0; k < METHODS; k++)
         for (j = 0; j < in->columns; j++) sums[k][j].where = TESS_NONE;
     f.p = p;
-    f.tet = m->tet;
-    f.adj = m->adj;
     f.keep = 0;
     f.value = v;
     f.columns = in->columns;

@@ -43,6 +43,10 @@ void values_begin(const field *of, int method, int outside, double number);
  */
 void values_at(tess_int many, const tess_real *q, tess_int *t, double *out);
 
+/* values_start - where the walk to place q may start: its tetrahedron, or one
+ * near to it; found from another one, or from TESS_NONE. */
+tess_int values_start(const tess_real *q, tess_int start);
+
 /* values_end - give back the memory. */
 void values_end(void);
 
@@ -56,7 +60,7 @@ void values_end(void);
  *   asked    asked[k] != 0 for the methods k
  *   beyond   OUT_NEAREST: points outside the hull of the others count as well
  */
-void cross_validate(const mesh *m, const tess_int *same, const double *value,
+void cross_validate(mesh *m, const tess_int *same, const double *value,
                     long parts, const int *asked, int beyond);
 
 /* progress - on a terminal, from the third second on: what share is done.

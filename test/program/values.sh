@@ -64,6 +64,11 @@ done
 refuses 'X0 must be less' -grid 2,2,2,1,0,0,1,0,1 -values v.npy points
 refuses 'Z0 must be less' -grid 2,2,2,0,1,0,1,.5,.5 -values v.npy points
 refuses 'Z0 must be less' -grid 2,2,2,0,1,0,1,nan,1 -values v.npy points
+refuses 'X0 = -1.7e+308 .* choose less' -values v.npy points \
+    -grid 3,2,2,-1.7e308,1.7e308,0,1,0,1
+refuses 'Y1 = inf .* choose less' -grid 2,2,2,0,1,0,inf,0,1 -values v.npy points
+printf '0 0 1e308 1\n1 0 0 2\n0 1 0 3\n0 0 -1e308 4\n' > far
+refuses 'Z0 = -1e+308 .* choose less' -grid 2,2,2 -values v.npy far
 refuses 'no values' -grid 2,2,2 -values v.npy bare
 refuses 'no values' -validate bare
 refuses 'needs -values' -grid 2,2,2 points
@@ -73,7 +78,8 @@ refuses 'choose one of them' -grid 2,2,2 -query bare -values v.npy points
 refuses 'is for -query' -qcols 1,2,3 -grid 2,2,2 -values v.npy points
 refuses 'for -values or' -method smooth points
 refuses 'for -values or' -outside 0 points
-refuses 'for -values$' -digits 3 points
+refuses 'for -values F.csv$' -digits 3 points
+refuses 'for -values F.csv$' -digits 3 -grid 2,2,2 -values v.npy points
 refuses 'from 1 to 17' -digits 0 -grid 2,2,2 -values v.csv points
 refuses 'nearest or a number' -outside far -grid 2,2,2 -values v.npy points
 refuses 'must end in .csv, .npy, .vtk or .svg' -grid 2,2,2 -values v.txt points
@@ -88,6 +94,9 @@ refuses 'folder.npy: ' -grid 2,2,2 -values folder.npy points
 mkdir taken.npy.part
 refuses 'taken.npy' -grid 2,2,2 -values taken.npy points
 rmdir taken.npy.part
+refuses 'name of two outputs' -grid 2,2,2 -values v.npy -values ./v.npy points
+refuses 'name of two outputs' -grid 2,2,2 -values - -volumes - points
+refuses 'for the table of -validate' -grid 2,2,2 -values - -validate points
 refuses 'would overwrite' -query bare.csv -values bare.csv points
 refuses 'overwrite the places' -query bare -values v.npy -volumes bare points
 refuses 'overwrite the places' -query ./bare.csv -values bare.csv points
@@ -121,6 +130,19 @@ if (trap '' XFSZ; ulimit -f 1000) 2> /dev/null; then
     else
         fail "a file that cannot be completed: code $code: `cat told`"
     fi
+    # gigabytes are announced; and what cannot be written is noticed at once
+    for end in csv npy vtk; do
+        (trap '' XFSZ; ulimit -f 100; exec $TESS -grid 3000,3000,3000 -values \
+            big.$end points) > said 2> told
+        code=$?
+        if [ $code -eq 2 ] && [ ! -f big.$end ] && grep \
+            "big.$end: about [1-9][0-9.]* GB will be written" told > /dev/null &&
+            grep "big.$end: write error" told > /dev/null; then
+            pass "gigabytes of .$end"
+        else
+            fail "gigabytes of .$end: code $code: `cat told`"
+        fi
+    done
 else
     echo "        skipped: a file that cannot be completed: no ulimit -f"
 fi

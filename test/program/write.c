@@ -3,94 +3,143 @@
  * Each is written under another name, which it changes for its own when it is
  * complete.
  */
+#if defined(__unix__) || defined(__APPLE__)
+#define _POSIX_C_SOURCE 200112L
+#include <sys/stat.h>
+#define POSIX
+#endif
+
 #include "draw.h"
 #include "driver.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <float.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define FEW 200 /* tetrahedra that are drawn apart */
-
-static char partial[NAME + 8]; /* name of what is being written, or "" */
+#define FEW 200    /* tetrahedra that are drawn apart      */
+#define MUCH 1e9   /* bytes: from there on it is said      */
+#define WIDTH 18.0 /* bytes of a number in a text, about   */
 
 /* ---- files ---- */
 
-/* device - /dev/null, /dev/stdout and the like are written as they are. */
-static int device(const char *name)
+int ends_in(const char *name, const char *suffix)
 {
-    return strncmp(name, "/dev/", 5) == 0;
+    size_t a = strlen(name), b = strlen(suffix);
+
+    if (a < b) return 0;
+    for (name += a - b; *suffix && tolower((unsigned char)*name) == *suffix;)
+        name++, suffix++;
+    return !*suffix;
 }
 
-static void name_partial(const char *name)
+/* What a name may be of: nothing, a file, a symbolic link, something else. */
+enum { NOTHING, REGULAR, LINK, OTHER };
+
+static int kind(const char *name)
 {
-    if (strlen(name) > NAME) fail("%.40s...: the name is too long", name);
-    strcat(strcpy(partial, name), ".part");
+#ifdef POSIX
+    struct stat s;
+
+    if (lstat(name, &s) != 0) return NOTHING;
+    if (S_ISLNK(s.st_mode)) return LINK;
+    return S_ISREG(s.st_mode) || S_ISDIR(s.st_mode) ? REGULAR : OTHER;
+#else
+    FILE *file = fopen(name, "rb");
+
+    if (file) fclose(file);
+    return file ? REGULAR : NOTHING;
+#endif
 }
 
-/* discard - what leaving the program does to a file that is not complete. */
+int same_file(const char *a, const char *b)
+{
+#ifdef POSIX
+    struct stat s, t;
+
+    if (stat(a, &s) == 0 && stat(b, &t) == 0)
+        return s.st_dev == t.st_dev && s.st_ino == t.st_ino &&
+               S_ISREG(s.st_mode);
+#endif
+    while (strncmp(a, "./", 2) == 0) a += 2;
+    while (strncmp(b, "./", 2) == 0) b += 2;
+    return strcmp(a, b) == 0;
+}
+
+/* discard - what leaving the program does to files that are not complete. */
 static void discard(void)
 {
-    if (partial[0]) remove(partial);
+    output *o = 0;
+
+    while ((o = next_output(0, o)) != 0)
+        if (o->begun) remove(o->partial);
 }
 
-void try_output(const char *name)
+/* open_output - to write. */
+static FILE *open_output(output *o)
 {
-    FILE *file;
+    FILE *file = fopen(o->partial ? o->partial : o->name, "wb");
 
-    if (device(name)) return;
-    file = fopen(name, "rb");
-    if (file) {
-        fclose(file);
-        /* a directory, or protected */
-        file = fopen(name, "r+b");
-        if (!file) fail("%s: cannot be written over", name);
-        fclose(file);
-    }
-    name_partial(name);
-    file = fopen(partial, "wb");
-    if (!file) {
-        partial[0] = '\0';
-        fail("%s: %s", name, strerror(errno));
-    }
-    fclose(file);
-    remove(partial);
-    partial[0] = '\0';
-}
-
-FILE *start(const char *name, const char *mode)
-{
-    static int begun;
-    FILE *file;
-
-    if (!begun) atexit(discard);
-    begun = 1;
-    if (!device(name)) name_partial(name);
-    file = fopen(partial[0] ? partial : name, mode);
-    if (!file) {
-        partial[0] = '\0';
-        fail("%s: %s", name, strerror(errno));
-    }
-    say("writing %s ...", name);
+    if (!file) fail("%s: %s", o->name, strerror(errno));
+    o->begun = o->partial != 0;
     return file;
 }
 
-void finish(FILE *file, const char *name)
+void try_output(output *o)
 {
-    int bad = ferror(file);
+    FILE *file;
 
-    if (fclose(file) || bad) fail("%s: write error", name);
-    /* (where rename replaces no file, it has to go before) */
-    if (partial[0] && rename(partial, name) != 0 &&
-        (remove(name) != 0 || rename(partial, name) != 0))
-        fail("%s: %s", name, strerror(errno));
-    partial[0] = '\0';
-    if (!chosen.quiet) printf("written       %s\n", name);
+    /* standard output, /dev/null, pipes: written as they are */
+    if (strcmp(o->name, "-") == 0 || strncmp(o->name, "/dev/", 5) == 0 ||
+        kind(o->name) == OTHER)
+        return;
+    o->partial = (char *)space((double)strlen(o->name) + 6.0, 1);
+    strcat(strcpy(o->partial, o->name), ".part");
+    if (kind(o->name) == LINK || kind(o->partial) == LINK)
+        fail("%s: is a symbolic link, which stays as it is: name the file that "
+             "it points to",
+             kind(o->name) == LINK ? o->name : o->partial);
+    if (kind(o->name) == REGULAR) {
+        /* (a directory, or protected) */
+        file = fopen(o->name, "r+b");
+        if (!file) fail("%s: cannot be written over", o->name);
+        fclose(file);
+    }
+    fclose(open_output(o));
+    remove(o->partial);
+    o->begun = 0;
 }
 
-/* put_real - x, which was a float if narrow, with as few digits as give it
- * back. */
+FILE *start(output *o, double bytes)
+{
+    static int begun;
+
+    if (!begun++) atexit(discard);
+    if (bytes > MUCH)
+        warn("%s: about %.1f GB will be written", o->name, bytes / 1e9);
+    say("writing %s ...", o->name);
+    return strcmp(o->name, "-") == 0 ? stdout : open_output(o);
+}
+
+void check_written(FILE *file, const output *o)
+{
+    if (ferror(file)) fail("%s: write error", o->name);
+}
+
+void finish(FILE *file, output *o)
+{
+    fflush(file);
+    check_written(file, o);
+    if (file != stdout && fclose(file)) fail("%s: write error", o->name);
+    /* (where rename replaces no file, it has to go before) */
+    if (o->begun && rename(o->partial, o->name) != 0 &&
+        (remove(o->name) != 0 || rename(o->partial, o->name) != 0))
+        fail("%s: %s", o->name, strerror(errno));
+    o->begun = 0;
+    tell("written       %s\n", o->name);
+}
+
 void put_real(FILE *file, double x, int narrow, char after)
 {
     char text[64];
@@ -116,11 +165,12 @@ void put_point(FILE *file, const points *in, tess_int i, char between,
     put_real(file, (double)p[2], narrow, after);
 }
 
-void write_node(const mesh *m, const char *name)
+void write_node(const mesh *m, output *o)
 {
-    FILE *file = start(name, "w");
     const points *in = m->in;
     const double *v = in->value;
+    FILE *file =
+        start(o, (double)in->n * (4.0 + (double)in->columns) * WIDTH);
     tess_int i;
     int k;
 
@@ -132,14 +182,14 @@ void write_node(const mesh *m, const char *name)
         for (k = 1; k <= in->columns; k++)
             put_real(file, *v++, 0, k < in->columns ? ' ' : '\n');
     }
-    finish(file, name);
+    finish(file, o);
 }
 
-/* write_four - .ele or .neigh: four numbers a tetrahedron. */
-void write_four(const mesh *m, const char *name, const char *head,
-                const tess_int *four)
+/* write_four - four numbers a tetrahedron. */
+static void write_four(const mesh *m, output *o, const char *head,
+                       const tess_int *four)
 {
-    FILE *file = start(name, "w");
+    FILE *file = start(o, (double)m->ntet * 2.0 * WIDTH);
     tess_int t;
     int k;
 
@@ -152,7 +202,17 @@ void write_four(const mesh *m, const char *name, const char *head,
                                       : (long)(four[4 * t + k] + m->in->base));
         fprintf(file, "\n");
     }
-    finish(file, name);
+    finish(file, o);
+}
+
+void write_ele(const mesh *m, output *o)
+{
+    write_four(m, o, "4 0", m->tet);
+}
+
+void write_neigh(const mesh *m, output *o)
+{
+    write_four(m, o, "4", m->adj);
 }
 
 /* Vertices of the facet opposite to each, counter-clockwise from outside. */
@@ -160,14 +220,13 @@ static const int facet[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
 
 /* write_face - the boundary's triangles: TetGen's .face, whose points are those
  * of .node; or OBJ, with the boundary's points alone. */
-void write_face(const mesh *m, const char *name)
+void write_face(const mesh *m, output *o)
 {
-    static const char suffix[] = ".obj";
-    size_t length = strlen(name);
-    int obj = length >= 4 && strcmp(name + length - 4, suffix) == 0, k;
-    FILE *file = start(name, "w");
+    int obj = ends_in(o->as->ending, ".obj"), k;
+    FILE *file = start(o, (double)m->in->n * 5.0 * WIDTH);
     const points *in = m->in;
-    tess_int *place = m->iw, many = 0, i, f, v;
+    tess_int *place = (tess_int *)space((double)in->n, sizeof *place);
+    tess_int many = 0, i, f, v;
 
     for (i = 0; i < in->n; i++) place[i] = obj ? TESS_NONE : i + in->base;
     for (f = 0; f < 4 * m->ntet; f++) {
@@ -193,110 +252,110 @@ void write_face(const mesh *m, const char *name)
                     (long)place[m->tet[f / 4 * 4 + facet[f % 4][k]]]);
         fprintf(file, "\n");
     }
-    finish(file, name);
+    free(place);
+    finish(file, o);
 }
 
-/* put_bytes - the bytes of a number, the most significant first, as VTK's
- * binary files have them. */
-void put_bytes(FILE *file, const void *number, int size)
+/* ---- VTK ---- */
+
+FILE *start_vtk(output *o, const char *title, const char *kind_of, double most,
+                double bytes)
+{
+    FILE *file;
+
+    if (most > 2147483647.0)
+        fail("%s: %.0f is beyond the integers of a .vtk file", o->name, most);
+    file = start(o, bytes);
+    fprintf(file, "# vtk DataFile Version 3.0\n%s\nBINARY\nDATASET %s\n",
+            title, kind_of);
+    return file;
+}
+
+void put_double(FILE *file, double x)
 {
     static const int one = 1;
-    const char *byte = (const char *)number;
-    int little = *(const char *)&one, k;
+    const char *byte = (const char *)&x;
+    size_t last = *(const char *)&one ? sizeof x - 1 : 0, k;
 
-    for (k = 0; k < size; k++) putc(byte[little ? size - 1 - k : k], file);
+    for (k = 0; k < sizeof x; k++) putc(byte[last ? last - k : k], file);
 }
 
-void put_double(FILE *file, double x, char after)
-{
-    if (chosen.binary)
-        put_bytes(file, &x, (int)sizeof x);
-    else
-        put_real(file, x, 0, after);
-}
-
-/* put_int - VTK's int has 4 bytes. */
-static void put_int(FILE *file, tess_int i, char after)
+void put_int(FILE *file, double i)
 {
     unsigned long bits = (unsigned long)i;
     int shift;
 
-    if (!chosen.binary)
-        fprintf(file, "%ld%c", (long)i, after);
-    else
-        for (shift = 24; shift >= 0; shift -= 8)
-            putc((int)(bits >> shift & 255), file);
+    for (shift = 24; shift >= 0; shift -= 8)
+        putc((int)(bits >> shift & 255), file);
 }
 
-void put_name(FILE *file, const char *name)
+void put_scalars(FILE *file, const char *name)
 {
-    for (; *name; name++)
-        putc(*name > ' ' && *name <= '~' && *name != '"' ? *name : '_', file);
+    fprintf(file, "SCALARS %s double 1\nLOOKUP_TABLE default\n", name);
 }
 
-/* write_sizes - VTK's data of each tetrahedron. */
-static void write_sizes(FILE *file, const mesh *m, const char *end)
+const char *vtk_name(const points *in, int column)
 {
-    tess_int t;
-    double c[4];
+    static char text[3 * TITLE + 20];
+    const char *s = in->name[column];
+    char *c = text;
+    int k;
 
-    fprintf(file,
-            "CELL_DATA %ld\nSCALARS circumradius double 1\n"
-            "LOOKUP_TABLE default\n",
-            (long)m->ntet);
-    for (t = 0; t < m->ntet; t++) {
-        tess_ball(m->p, m->tet + 4 * t, c);
-        put_double(file, c[3], '\n');
-    }
-    fprintf(file, "%sSCALARS volume double 1\nLOOKUP_TABLE default\n", end);
-    for (t = 0; t < m->ntet; t++)
-        put_double(file, tetrahedron_volume(m, t), '\n');
-    fprintf(file, "%s", end);
+    for (; *s; s++)
+        c += sprintf(c, *s > ' ' && *s <= '~' && !strchr("\"%", *s) ? "%c"
+                                                                    : "%%%02X",
+                     (unsigned char)*s);
+    for (k = 0; k < column && strcmp(in->name[k], in->name[column]) != 0;) k++;
+    if (k < column) sprintf(c, "_%d", column + 1);
+    return text;
 }
 
-void write_vtk(const mesh *m, const char *name)
+void write_vtk(const mesh *m, output *o)
 {
-    FILE *file = start(name, chosen.binary ? "wb" : "w");
-    const char *end = chosen.binary ? "\n" : ""; /* of a block */
     const points *in = m->in;
+    double n = (double)in->n, ntet = (double)m->ntet, c[4];
+    FILE *file = start_vtk(o, "Delaunay tetrahedralization",
+                           "UNSTRUCTURED_GRID", n > ntet ? n : ntet,
+                           n * 8.0 * (double)(3 + in->columns) + 40.0 * ntet);
     tess_int i;
     int k;
 
-    fprintf(file,
-            "# vtk DataFile Version 3.0\n"
-            "Delaunay tetrahedralization\n"
-            "%s\n"
-            "DATASET UNSTRUCTURED_GRID\n"
-            "POINTS %ld double\n",
-            chosen.binary ? "BINARY" : "ASCII", (long)in->n);
+    fprintf(file, "POINTS %.0f double\n", n);
     for (i = 0; i < in->n; i++)
-        if (chosen.binary)
-            for (k = 0; k < 3; k++)
-                put_double(file, (double)in->p[3 * i + k], 0);
-        else
-            put_point(file, in, i, ' ', '\n');
-    fprintf(file, "%sCELLS %ld %.0f\n", end, (long)m->ntet,
-            5.0 * (double)m->ntet);
+        for (k = 0; k < 3; k++) put_double(file, (double)in->p[3 * i + k]);
+    fprintf(file, "\nCELLS %.0f %.0f\n", ntet, 5.0 * ntet);
     for (i = 0; i < m->ntet; i++) {
-        put_int(file, 4, ' ');
-        for (k = 0; k < 4; k++)
-            put_int(file, m->tet[4 * i + k], k < 3 ? ' ' : '\n');
+        put_int(file, 4.0);
+        for (k = 0; k < 4; k++) put_int(file, (double)m->tet[4 * i + k]);
     }
-    fprintf(file, "%sCELL_TYPES %ld\n", end, (long)m->ntet);
-    for (i = 0; i < m->ntet; i++) put_int(file, 10, '\n');
-    fprintf(file, "%s", end);
-    if (in->columns > 0) fprintf(file, "POINT_DATA %ld\n", (long)in->n);
+    fprintf(file, "\nCELL_TYPES %.0f\n", ntet);
+    for (i = 0; i < m->ntet; i++) put_int(file, 10.0);
+    fprintf(file, "\n");
+    if (in->columns > 0) fprintf(file, "POINT_DATA %.0f\n", n);
     for (k = 0; k < in->columns; k++) {
-        fprintf(file, "SCALARS ");
-        put_name(file, in->name[k]);
-        fprintf(file, " double 1\nLOOKUP_TABLE default\n");
+        put_scalars(file, vtk_name(in, k));
         for (i = 0; i < in->n; i++)
-            put_double(file, in->value[(long)in->columns * i + k], '\n');
-        fprintf(file, "%s", end);
+            put_double(file,
+                       in->value[(size_t)in->columns * (size_t)i + (size_t)k]);
+        fprintf(file, "\n");
     }
-    if (m->ntet > 0) write_sizes(file, m, end);
-    finish(file, name);
+    if (m->ntet > 0) {
+        fprintf(file, "CELL_DATA %.0f\n", ntet);
+        put_scalars(file, "circumradius");
+        for (i = 0; i < m->ntet; i++) {
+            tess_ball(m->p, m->tet + 4 * i, c);
+            put_double(file, c[3]);
+        }
+        fprintf(file, "\n");
+        put_scalars(file, "volume");
+        for (i = 0; i < m->ntet; i++)
+            put_double(file, tetrahedron_volume(m, i));
+        fprintf(file, "\n");
+    }
+    finish(file, o);
 }
+
+/* ---- pictures ---- */
 
 const char *xml_text(const char *text)
 {
@@ -312,12 +371,13 @@ const char *xml_text(const char *text)
     return safe;
 }
 
-void write_svg(const mesh *m, const char *name)
+void write_svg(const mesh *m, output *o)
 {
     static char note[120];
-    FILE *file = start(name, "w");
+    FILE *file = start(o, 0.0);
     const points *in = m->in;
     tess_int drawn = m->kept, i;
+    double *first = 0; /* value of each point */
     draw_look look;
 
     draw_default(&look);
@@ -332,13 +392,12 @@ void write_svg(const mesh *m, const char *name)
     sprintf(note, "%ld points, %ld tetrahedra%s", (long)in->n, (long)drawn,
             in->columns > 0 ? "" : "; coloured by distance from the middle");
     look.note = note;
-    /* the first value of each point, where the workspace was */
-    if (in->columns > 0)
-        for (i = 0; i < in->n; i++) m->rw[i] = in->value[(long)in->columns * i];
-    if (draw_svg(file, &look, in->n, m->p,
-                 in->columns > 0 ? m->rw : (double *)0, m->ntet, m->tet,
-                 m->adj) != 0)
-        too_small("%s: not enough memory for a picture", name);
-    finish(file, name);
+    if (in->columns > 0) first = (double *)space((double)in->n, sizeof *first);
+    for (i = 0; i < in->n && first; i++)
+        first[i] = in->value[(size_t)in->columns * (size_t)i];
+    if (draw_svg(file, &look, in->n, m->p, first, m->ntet, m->tet, m->adj) != 0)
+        fail("not enough memory for a picture");
+    free(first);
+    finish(file, o);
 }
 
