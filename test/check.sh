@@ -172,8 +172,8 @@ language() {
         for d in -O2 -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long \
             "-DHH_LIMBS=3 -DTESS_LIST=64"; do
             for f in $LIBRARY; do
-                one "strict C89: $f $d" $CC $STRICT -O1 $d -c -o build/strict.o \
-                    $f
+                one "strict C89: $f $d" $CC $STRICT -Wdouble-promotion -O1 $d \
+                    -c -o build/strict.o $f
             done
         done
         one "strict C89: programs for small machines" sh -c "for f in \
@@ -206,9 +206,41 @@ END
         for f in $LIBRARY; do
             one "C++: $f" g++ -x c++ -Wall -Wextra -Werror -c -o build/strict.o $f
         done
+        for d in "" -DTESS_INT=short "-DTESS_INT=long -DTESS_FLOAT"; do
+            one "C++: the headers in a namespace $d" spaced "$d"
+        done
     else
         skip "C++: no g++"
     fi
+}
+
+# spaced FLAGS: tess.h and recipes.h inside a namespace, their macros outside
+spaced() {
+    cat > build/spaced.c <<END
+#include <stdio.h>
+namespace a {
+#include "tess.h"
+#include "test/examples/recipes.h"
+}
+static a::tess_int iw[TESS_LIW(5)], tet[32], adj[32], first[6], list[32], ntet;
+static double rw[TESS_LRW(5L)];
+static const a::tess_real p[15] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
+int main()
+{
+    int code = a::tess(5, p, 8, &ntet, tet, adj, TESS_LIW(5), iw, TESS_LRW(5),
+                       rw);
+    a::stars(5, ntet, tet, first, list);
+    return code != 0 || ntet < 2 || first[5] != 4 * ntet || TESS_INT_MOST < ntet;
+}
+END
+    # shellcheck disable=SC2086
+    g++ -x c++ -pedantic -Wall -Wextra -Wconversion -Wold-style-cast -Werror \
+        $1 -I. -c -o build/spaced.o build/spaced.c || return
+    rm -f build/spaced
+    # shellcheck disable=SC2086
+    $CC $1 -O1 -I. -c -o build/derived1.o test/examples/derived.c &&
+        $CC $1 -O1 -o build/spaced build/spaced.o build/derived1.o $LIBRARY \
+            $LIBS && build/spaced
 }
 
 # ---- the names: the library asks for nothing but the C89 maths functions, has
