@@ -494,11 +494,11 @@ together() {
         return
     fi
     H=test/examples/recipes.h
-    rm -rf build/recipes
+    rm -rf build/recipes build/recipes1
     # the prototypes of recipes.h are those of the recipes, and all of them
     # shellcheck disable=SC2086
     one "recipes: strict C89, as recipes.h declares them" compile "$CC" \
-        "$STRICT -Wmissing-prototypes -I. -include $H" build/recipes $recipes
+        "$STRICT -Wmissing-prototypes -I." build/recipes $recipes
     nm build/recipes/*.o > build/nm.txt
     grep ' [bBdDcCgGsS] ' build/nm.txt > build/data.txt
     cat build/data.txt >> $LOG
@@ -507,7 +507,21 @@ together() {
     cat build/defined.txt build/names.txt | cut -c1-6 | tr A-Z a-z | sort | uniq -d > build/six.txt
     cat build/six.txt >> $LOG
     one "recipes: unique in six characters" test ! -s build/six.txt
-    { echo "#include \"../$H\""
+    for d in -DTESS_INT=short -DTESS_INT=long -DTESS_FLOAT; do
+        # shellcheck disable=SC2086
+        one "recipes: strict C89 $d" compile "$CC" "$STRICT -Wdouble-promotion \
+            -Wmissing-prototypes $d -I." build/recipes1 $recipes
+        nm build/recipes1/*.o | sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort \
+            > build/other.txt
+        one "recipes: no name is the same: $d" sh -c "test -s build/other.txt &&
+            ! comm -12 build/defined.txt build/other.txt | grep ."
+    done
+    # shellcheck disable=SC2086
+    one "recipes: -Djoin=my_join" compile "$CC" "$STRICT -Djoin=my_join -I." \
+        build/recipes1 $recipes
+    one "recipes: my_join, no join" sh -c "nm build/recipes1/*.o |
+        grep ' T _*my_join\$' && ! nm build/recipes1/*.o | grep ' T _*join\$'"
+    { echo "#include \"$H\""
       echo 'typedef void (*routine)(void);'
       echo 'int main(void) { static const routine all[] = {'
       sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*/(routine)\1,/p' $H
@@ -518,7 +532,7 @@ together() {
     have g++ "-x c++" || return
     # shellcheck disable=SC2086
     one "recipes: C++" compile g++ "-x c++ -Wall -Wextra -Wconversion -Werror \
-        -Wmissing-declarations -I. -include $H" build/recipes $recipes
+        -Wmissing-declarations -I." build/recipes $recipes
     one "recipes: one program in C++" sh -c "g++ -I. -o build/together \
         -x c++ build/together.c tess.c hhpred.c -x none build/recipes/*.o $LIBS &&
         build/together"

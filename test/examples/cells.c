@@ -2,10 +2,10 @@
  *
  *   cell      the Voronoi cell of a point: a polyhedron, its vertices, faces
  *             and neighbours, its volume; clipped to a box
- *             (stars' rows; most3, height, neighbours, begin, meet, flood,
- *             divide, cut, along, measured, numbered, outlined)
+ *             (stars' rows; proper, most3, height, neighbours, begin, meet,
+ *             flood, divide, cut, along, measured, numbered, outlined)
  *   clipped   for finite volumes: all cells' volumes, and the areas of their
- *             faces, clipped to a box                       (stars' rows; cell)
+ *             faces, clipped to a box               (stars' rows; proper, cell)
  *   alpha     the part of the mesh whose tetrahedra have small balls, and its
  *             boundary
  *
@@ -13,10 +13,17 @@
  * FORTRAN 77.
  */
 #include <math.h>
+#include <stddef.h>
 
-#include "tess.h"
+#include "recipes.h"
 
 /* ---- cell ---- */
+
+/* proper - 1 for a box. */
+static int proper(const double *box)
+{
+    return box[0] <= box[1] && box[2] <= box[3] && box[4] <= box[5];
+}
 
 static double most3(const double *a)
 {
@@ -75,12 +82,12 @@ static int neighbours(const tess_real *p, const tess_int *tet,
 static void begin(const double *side, double *plane, double *vert,
                   tess_int *tri, tess_int *next)
 {
-    tess_int a, v;
+    tess_int a, v, bit;
     int k, m, odd;
 
     for (a = 0; a < 6; a++) {
         for (k = 0; k < 3; k++) plane[4 * a + k] = 0.0;
-        plane[4 * a + (int)(a % 3)] = a < 3 ? -1.0 : 1.0;
+        plane[4 * a + a / 2] = a % 2 ? 1.0 : -1.0;
         plane[4 * a + 3] = side[a];
     }
     /* The upper sides of corner v are the bits set in it.  The order x, y, z is
@@ -89,10 +96,11 @@ static void begin(const double *side, double *plane, double *vert,
         odd = (int)((v + v / 2 + v / 4) % 2);
         for (k = 0; k < 3; k++) {
             m = odd || k == 2 ? k : 1 - k;
-            a = (v >> m) % 2 ? m + 3 : m;
-            vert[3 * v + m] = a < 3 ? -side[a] : side[a];
+            bit = (tess_int)(1 << m);
+            a = (tess_int)(2 * m + (v / bit) % 2);
+            vert[3 * v + m] = a % 2 ? side[a] : -side[a];
             tri[3 * v + k] = a;
-            next[3 * v + (k + 1) % 3] = a < 3 ? v + (1 << m) : v - (1 << m);
+            next[3 * v + (k + 1) % 3] = (tess_int)(a % 2 ? v - bit : v + bit);
         }
     }
 }
@@ -362,13 +370,14 @@ static tess_int outlined(tess_int planes, const tess_int *tri,
  *
  *   p, tet, adj, first, list  (in)  points, mesh, and stars of it
  *   i       (in)   the point
- *   box     (in)   lower x, y, z and upper x, y, z: the cell is clipped to
- *                  it.  box[0] > box[3]: not at all.  Need not hold the point
+ *   box     (in)   x0, x1, y0, y1, z0, z1: the cell is clipped to what is
+ *                  between; need not hold the point.  A null pointer: not
+ *                  clipped
  *   most    (in)   faces that there is room for; 8 more than tetrahedra at i
  *                  suffice
  *   nface   (out)  number of faces
  *   whose   (out)  most: the neighbour across each, or -1 ... -6 for the box's
- *                  side at lower x, y, z, upper x, y, z
+ *                  side at x0, x1, y0, y1, z0, z1
  *   area    (out)  most: of each face
  *   volume  (out)  of the cell
  *   start   (out)  most + 1: face f has the vertices corner[start[f]] ...
@@ -384,7 +393,7 @@ static tess_int outlined(tess_int planes, const tess_int *tri,
  * times as far away as neighbours, which rounding does not tell; 3 where
  * rounding leaves no polyhedron, or a neighbour is nearer than 1e-100 or
  * farther than 1e100: a double holds no such volumes; TESS_BAD_OPEN at an open
- * facet.  A duplicate has no tetrahedra: its cell is that of iw[i], and nface =
+ * facet; -7 for a box with x0 > x1, or a NaN.  A duplicate has no tetrahedra: its cell is that of iw[i], and nface =
  * 0, volume = 0 here.
  * Cost: some 25 microseconds in a cloud; O(m^2) for m neighbours.
  *
@@ -407,14 +416,15 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
     tess_int *queue = iwork + 21 * most, *last = iwork + 24 * most;
     tess_int planes, many, j, v, a;
     double *plane = work, *d = work + 4 * most, side[6], limit, near;
-    int open = !(box[0] <= box[3]), outer, code, k;
+    int open = box == NULL, outer, code, k;
 
     *nface = *nvert = 0;
     *volume = 0.0;
     start[0] = 0;
+    if (!open && !proper(box)) return -7;
     if (first[i + 1] == first[i]) return 0;
     if (most < first[i + 1] - first[i] + 8) {
-        *nface = first[i + 1] - first[i] + 8;
+        *nface = (tess_int)(first[i + 1] - first[i] + 8);
         return TESS_MORE;
     }
     code = neighbours(p, tet, adj, first, list, i, open, &planes, whose, plane);
@@ -422,11 +432,11 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
     limit = 4.0 * plane[4 * planes - 1];
     do {
         for (a = 0; a < 6; a++) {
-            whose[a] = -1 - a;
+            whose[a] = (tess_int)(-1 - a);
             side[a] = limit;
             if (open) continue;
-            side[a] = box[a] - (double)p[3 * i + a % 3];
-            if (a < 3) side[a] = -side[a];
+            side[a] = box[a] - (double)p[3 * i + a / 2];
+            if (a % 2 == 0) side[a] = -side[a];
         }
         begin(side, plane, vert, tri, next);
         for (many = 8, j = 6; j < planes && many > 0; j++) {
@@ -464,7 +474,7 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
  * box that they fill.
  *
  *   n, p, tet, adj, first, list  (in)  points, mesh, and stars of it
- *   box     (in)   lower x, y, z and upper x, y, z
+ *   box     (in)   x0, x1, y0, y1, z0, z1
  *   maxrow  (in)   faces that there is room for: 16 a point in a cloud
  *   nrow    (out)  number of faces, each of which comes from both sides; but
  *                  for code -13 a most that suffices
@@ -479,24 +489,22 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
  *   work    (out)  17*most doubles
  *
  * returns 0; TESS_MORE when maxrow is too small: nrow is then the number
- * needed; -7 for a box that is none; -13 when most is too small; what cell
- * returns.
+ * needed; -13 when most is too small; what cell returns.
  *
  * All areas and volumes are at least 0, unlike those of `dual' at the hull, and
  * the volumes' sum is the box's.  The face of i and j is at right angles to
  * p_j - p_i and midway. */
 int clipped(tess_int n, const tess_real *p, const tess_int *tet,
-                   const tess_int *adj, const tess_int *first,
-                   const tess_int *list, const double *box, tess_int maxrow,
-                   tess_int *nrow, tess_int *row, tess_int *other,
-                   double *area, double *volume, tess_int most,
-                   tess_int *iwork, double *work)
+            const tess_int *adj, const tess_int *first, const tess_int *list,
+            const double *box, tess_int maxrow, tess_int *nrow, tess_int *row,
+            tess_int *other, double *area, double *volume, tess_int most,
+            tess_int *iwork, double *work)
 {
     tess_int i, j, nface, nvert;
     int code;
 
     *nrow = 0;
-    if (!(box[0] <= box[3])) return -7;
+    if (box == NULL || !proper(box)) return -7;
     for (i = 0; i < n; i++) {
         row[i] = *nrow;
         code = cell(p, tet, adj, first, list, i, box, most, &nface, iwork,
@@ -535,9 +543,8 @@ int clipped(tess_int n, const tess_real *p, const tess_int *tet,
  * TESS_BAD_ADJ for a neighbour that is out of range, TESS_BAD_OPEN for an
  * unfinished mesh; what tess_ball returns.  Cost: O(ntet). */
 int alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
-                 const tess_int *adj, double radius, int voids, char *keep,
-                 tess_int maxfac, tess_int *nfac, tess_int *fac,
-                 tess_int *stack)
+          const tess_int *adj, double radius, int voids, char *keep,
+          tess_int maxfac, tess_int *nfac, tess_int *fac, tess_int *stack)
 {
     static const int facet[4][3] = {
         {1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};

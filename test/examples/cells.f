@@ -3,10 +3,12 @@ C     recipes to copy.
 C
 C       CELL    the Voronoi cell of a point: a polyhedron, its vertices,
 C               faces and neighbours, its volume; clipped to a box
-C               (STARS' rows; CLMOST, CLHEIG, CLNEIG, CLBEGI, CLMEET,
-C               CLFLOO, CLDIVI, CLCUT, CLALON, CLMEAS, CLNUMB, CLOUTL)
+C               (STARS' rows; CLPROP, CLMOST, CLHEIG, CLNEIG, CLBEGI,
+C               CLMEET, CLFLOO, CLDIVI, CLCUT, CLALON, CLMEAS, CLNUMB,
+C               CLOUTL)
 C       CLIPPE  for finite volumes: all cells' volumes, and the areas of
-C               their faces, clipped to a box  (STARS' rows; CELL)
+C               their faces, clipped to a box
+C               (STARS' rows; CLPROP, CELL)
 C       ALPHA   the part of the mesh whose tetrahedra have small balls,
 C               and its boundary
 C
@@ -14,6 +16,14 @@ C     STARS is of derived.f.  try_cells.f tests them; cells.c is the
 C     same in C.
 
 C     ---- cell ----
+
+C     CLPROP - 1 for a box, else 0.
+      INTEGER FUNCTION CLPROP(BOX)
+      DOUBLE PRECISION BOX(6)
+      CLPROP = 0
+      IF (BOX(1) .LE. BOX(2) .AND. BOX(3) .LE. BOX(4) .AND.
+     1    BOX(5) .LE. BOX(6)) CLPROP = 1
+      END
 
       DOUBLE PRECISION FUNCTION CLMOST(A)
       DOUBLE PRECISION A(3)
@@ -85,14 +95,14 @@ C     it.
       DOUBLE PRECISION SIDE(6), PLANE(4,*), VERT(3,*)
       INTEGER TRI(3,*), NEXT(3,*)
       INTEGER A, V, K, M, ODD, BIT(3)
-      DO 20 A = 1, 6
-         DO 10 K = 1, 3
-            PLANE(K,A) = 0.0D0
+      DO 20 K = 1, 3
+         DO 10 A = 2*K - 1, 2*K
+            PLANE(1,A) = 0.0D0
+            PLANE(2,A) = 0.0D0
+            PLANE(3,A) = 0.0D0
+            PLANE(K,A) = DBLE(1 - 2*MOD(A, 2))
+            PLANE(4,A) = SIDE(A)
    10    CONTINUE
-         K = MOD(A - 1, 3) + 1
-         PLANE(K,A) = 1.0D0
-         IF (A .LE. 3) PLANE(K,A) = -1.0D0
-         PLANE(4,A) = SIDE(A)
    20 CONTINUE
 C     The upper sides of corner V are the bits set in V - 1.  The order
 C     X, Y, Z is counter-clockwise where their number is odd.
@@ -105,9 +115,8 @@ C     X, Y, Z is counter-clockwise where their number is odd.
          DO 40 K = 1, 3
             M = K
             IF (ODD .EQ. 0 .AND. K .LT. 3) M = 3 - K
-            A = M + 3*BIT(M)
-            VERT(M,V) = SIDE(A)
-            IF (A .LE. 3) VERT(M,V) = -SIDE(A)
+            A = 2*M - 1 + BIT(M)
+            VERT(M,V) = DBLE(2*BIT(M) - 1)*SIDE(A)
             TRI(K,V) = A
             NEXT(MOD(K, 3) + 1,V) = V + (1 - 2*BIT(M))*2**(M - 1)
    40    CONTINUE
@@ -461,15 +470,14 @@ C     any other.
 C
 C       P, TET, ADJ, FIRST, LIST  (in)  points, mesh, and stars of it
 C       I       (in)   the point
-C       BOX     (in)   lower X, Y, Z and upper X, Y, Z: the cell is
-C                      clipped to it.  BOX(1) > BOX(4): not at all.
-C                      Need not hold the point
+C       BOX     (in)   (6): X0, X1, Y0, Y1, Z0, Z1: the cell is clipped
+C                      to what is between; need not hold the point
+C       BOXED   (in)   0: the cell is not clipped, and BOX not looked at
 C       MOST    (in)   faces that there is room for; 8 more than
 C                      tetrahedra at I suffice
 C       NFACE   (out)  number of faces
 C       WHOSE   (out)  (MOST): the neighbour across each, or -1 ... -6
-C                      for the box's side at lower X, Y, Z, upper X, Y,
-C                      Z
+C                      for the box's side at X0, X1, Y0, Y1, Z0, Z1
 C       AREA    (out)  (MOST): of each face
 C       VOLUME  (out)  of the cell
 C       START   (out)  (MOST+1): face F has the vertices
@@ -488,7 +496,7 @@ C                      away as neighbours, which rounding does not tell;
 C                      3 where rounding leaves no polyhedron, or a
 C                      neighbour is nearer than 1D-100 or farther than
 C                      1D100: a number holds no such volumes; 13 at an
-C                      open facet
+C                      open facet; -7 for a box with X0 > X1, or a NaN
 C
 C     A duplicate has no tetrahedra: its cell is that of IW(I), and
 C     NFACE = 0, VOLUME = 0 here.
@@ -505,16 +513,17 @@ C     that only touches the cell, as in a lattice, cuts nothing, and at
 C     the end edges shorter than 1D-13 of their distance shrink to a
 C     vertex, and faces of fewer than three go, unless the rest would be
 C     no polyhedron.
-      SUBROUTINE CELL(P, TET, ADJ, FIRST, LIST, I, BOX, MOST, NFACE,
-     1                WHOSE, AREA, VOLUME, START, CORNER, NVERT, VERT,
-     2                IWORK, WORK, INFO)
-      INTEGER TET(4,*), ADJ(4,*), FIRST(*), LIST(*), I, MOST, NFACE
-      INTEGER WHOSE(*), START(*), CORNER(*), NVERT, IWORK(*), INFO
+      SUBROUTINE CELL(P, TET, ADJ, FIRST, LIST, I, BOX, BOXED, MOST,
+     1                NFACE, WHOSE, AREA, VOLUME, START, CORNER, NVERT,
+     2                VERT, IWORK, WORK, INFO)
+      INTEGER TET(4,*), ADJ(4,*), FIRST(*), LIST(*), I, BOXED, MOST
+      INTEGER NFACE, WHOSE(*), START(*), CORNER(*), NVERT, IWORK(*)
+      INTEGER INFO
       DOUBLE PRECISION P(3,*), BOX(6), AREA(*), VOLUME, VERT(3,*)
       DOUBLE PRECISION WORK(*)
       DOUBLE PRECISION SIDE(6), LIMIT, NEAR, FAR
       INTEGER TRI, NEXT, SAME, QUEUE, LAST, D, PLANES, MANY, J, V, A
-      INTEGER FREE, OUTER, K
+      INTEGER FREE, OUTER, K, CLPROP
       TRI = 1
       NEXT = 9*MOST + 1
       SAME = 18*MOST + 1
@@ -525,6 +534,12 @@ C     no polyhedron.
       NVERT = 0
       VOLUME = 0.0D0
       START(1) = 1
+      FREE = 0
+      IF (BOXED .EQ. 0) FREE = 1
+      INFO = -7
+      IF (FREE .EQ. 0) THEN
+         IF (CLPROP(BOX) .EQ. 0) RETURN
+      END IF
       INFO = 0
       IF (FIRST(I+1) .EQ. FIRST(I)) RETURN
       INFO = 1
@@ -532,8 +547,6 @@ C     no polyhedron.
          NFACE = FIRST(I+1) - FIRST(I) + 8
          RETURN
       END IF
-      FREE = 0
-      IF (.NOT. (BOX(1) .LE. BOX(4))) FREE = 1
       V = I
       CALL CLNEIG(P, TET, ADJ, FIRST, LIST, V, FREE, PLANES, WHOSE,
      1            WORK, INFO)
@@ -545,8 +558,8 @@ C     no polyhedron.
          WHOSE(A) = -A
          SIDE(A) = LIMIT
          IF (FREE .EQ. 1) GO TO 20
-         SIDE(A) = BOX(A) - P(MOD(A - 1, 3) + 1,I)
-         IF (A .LE. 3) SIDE(A) = -SIDE(A)
+         SIDE(A) = BOX(A) - P((A + 1)/2,I)
+         IF (MOD(A, 2) .EQ. 1) SIDE(A) = -SIDE(A)
    20 CONTINUE
       CALL CLBEGI(SIDE, WORK, VERT, IWORK(TRI), IWORK(NEXT))
       MANY = 8
@@ -606,7 +619,7 @@ C     CLIPPE - for finite volumes: the Voronoi cells of all points,
 C     clipped to a box that they fill.
 C
 C       N, P, TET, ADJ, FIRST, LIST  (in)  points, mesh, and stars of it
-C       BOX     (in)   lower X, Y, Z and upper X, Y, Z
+C       BOX     (in)   (6): X0, X1, Y0, Y1, Z0, Z1
 C       MAXROW  (in)   faces that there is room for: 16 a point in a
 C                      cloud
 C       NROW    (out)  number of faces, each of which comes from both
@@ -622,8 +635,8 @@ C                      8
 C       IWORK   (out)  (33*MOST+1)
 C       WORK    (out)  (17*MOST)
 C       INFO    (out)  0; 1 when MAXROW is too small: NROW is then the
-C                      number needed; -7 for a box that is none; -13
-C                      when MOST is too small; what CELL returns
+C                      number needed; -13 when MOST is too small; what
+C                      CELL returns
 C
 C     All areas and volumes are at least 0, unlike those of DUAL at the
 C     hull, and the volumes' sum is the box's.  The face of I and J is
@@ -634,13 +647,13 @@ C     at right angles to P(J) - P(I) and midway.
       INTEGER N, TET(4,*), ADJ(4,*), FIRST(*), LIST(*), MAXROW, NROW
       INTEGER ROW(*), OTHER(*), MOST, IWORK(*), INFO
       DOUBLE PRECISION P(3,*), BOX(6), AREA(*), VOLUME(*), WORK(*)
-      INTEGER I, J, NFACE, NVERT
+      INTEGER I, J, NFACE, NVERT, CLPROP
       NROW = 0
       INFO = -7
-      IF (.NOT. (BOX(1) .LE. BOX(4))) RETURN
+      IF (CLPROP(BOX) .EQ. 0) RETURN
       ROW(1) = 1
       DO 20 I = 1, N
-         CALL CELL(P, TET, ADJ, FIRST, LIST, I, BOX, MOST, NFACE,
+         CALL CELL(P, TET, ADJ, FIRST, LIST, I, BOX, 1, MOST, NFACE,
      1             IWORK(1), WORK(1), VOLUME(I), IWORK(MOST+1),
      2             IWORK(2*MOST+2), NVERT, WORK(MOST+1),
      3             IWORK(8*MOST+2), WORK(10*MOST+1), INFO)

@@ -19,7 +19,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "tess.h"
+#include "recipes.h"
 
 /* ---- edges ---- */
 
@@ -144,7 +144,7 @@ void stars(tess_int n, tess_int ntet, const tess_int *tet, tess_int *first,
     for (i = 0; i < 4 * ntet; i++) first[tet[i]]++;
     for (i = 1; i <= n; i++) first[i] += first[i - 1];
     /* each row is filled from its end, and its end becomes its beginning */
-    for (i = 4 * ntet - 1; i >= 0; i--) list[--first[tet[i]]] = i / 4;
+    for (i = (tess_int)(4 * ntet - 1); i >= 0; i--) list[--first[tet[i]]] = i / 4;
 }
 
 /* nearest - the point of p nearest to q.
