@@ -2,8 +2,9 @@
  *
  *   cell      the Voronoi cell of a point: a polyhedron, its vertices, faces
  *             and neighbours, its volume; clipped to a box
- *             (stars' rows; proper, most3, height, neighbours, begin, meet,
- *             flood, divide, cut, along, measured, numbered, outlined)
+ *             (stars' rows; proper, most3, norm, height, neighbours, begin,
+ *             meet, flood, divide, cut, along, measured, numbered, outlined,
+ *             closed)
  *   clipped   for finite volumes: all cells' volumes, and the areas of their
  *             faces, clipped to a box               (stars' rows; proper, cell)
  *   alpha     the part of the mesh whose tetrahedra have small balls, and its
@@ -19,6 +20,9 @@
 
 /* ---- cell ---- */
 
+/* Coordinates less than this can be added, and multiplied by 1e10. */
+#define FARTHEST 1e290
+
 /* proper - 1 for a box. */
 static int proper(const double *box)
 {
@@ -31,6 +35,18 @@ static double most3(const double *a)
 
     if (fabs(a[1]) > b) b = fabs(a[1]);
     return fabs(a[2]) > b ? fabs(a[2]) : b;
+}
+
+/* norm - the length of a, whose square may be beyond doubles. */
+static double norm(const double *a)
+{
+    double most = most3(a), x, y, z;
+
+    if (!(most > 0.0)) return most;
+    x = a[0] / most;
+    y = a[1] / most;
+    z = a[2] / most;
+    return most * sqrt(x * x + y * y + z * z);
 }
 
 /* height - of x over a plane, that is a unit normal and an offset. */
@@ -62,8 +78,8 @@ static int neighbours(const tess_real *p, const tess_int *tet,
             if (a < *planes) continue;
             for (l = 0; l < 3; l++)
                 e[l] = (double)p[3 * v + l] - (double)p[3 * i + l];
-            r = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
-            if (!(r > 1e-100 && r < 1e100)) return 3;
+            r = norm(e);
+            if (!(r > 0.0 && r < FARTHEST)) return 3;
             for (a = *planes; a > 6 && plane[4 * a - 1] > r / 2.0; a--) {
                 whose[a] = whose[a - 1];
                 for (l = 0; l < 4; l++)
@@ -304,7 +320,7 @@ static double measured(tess_int planes, const double *plane, tess_int many,
             }
             v = w;
         }
-        area[j] = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+        area[j] = norm(x);
         volume += area[j] * plane[4 * j + 3] / 3.0;
     }
     return volume > 0.0 ? volume : 0.0;
@@ -366,6 +382,27 @@ static tess_int outlined(tess_int planes, const tess_int *tri,
     return count;
 }
 
+/* closed - 1 if the faces are those of a polyhedron: Euler's formula holds, no
+ * vertex is twice in a face, and no edge, in its direction, in two faces. */
+static int closed(tess_int nvert, tess_int nface, const tess_int *start,
+                  const tess_int *corner)
+{
+    tess_int f, g, a, b, to;
+
+    if (2 * (nvert + nface) != 4 + start[nface]) return 0;
+    for (f = 0; f < nface; f++)
+        for (a = start[f]; a < start[f + 1]; a++) {
+            to = corner[a + 1 < start[f + 1] ? a + 1 : start[f]];
+            for (g = 0; g <= f; g++)
+                for (b = start[g]; b < start[g + 1] && b < a; b++)
+                    if (corner[b] == corner[a] &&
+                        (g == f || to == corner[b + 1 < start[g + 1]
+                                                    ? b + 1 : start[g]]))
+                        return 0;
+        }
+    return 1;
+}
+
 /* cell - the Voronoi cell of point i: what is nearer to it than to any other.
  *
  *   p, tet, adj, first, list  (in)  points, mesh, and stars of it
@@ -391,10 +428,11 @@ static tess_int outlined(tess_int planes, const tess_int *tri,
  * returns 0; TESS_MORE when most is too small: nface is then a number that
  * suffices; 2 where there is no box and the cell has no end, or one some 1e9
  * times as far away as neighbours, which rounding does not tell; 3 where
- * rounding leaves no polyhedron, or a neighbour is nearer than 1e-100 or
- * farther than 1e100: a double holds no such volumes; TESS_BAD_OPEN at an open
- * facet; -7 for a box with x0 > x1, or a NaN.  A duplicate has no tetrahedra: its cell is that of iw[i], and nface =
- * 0, volume = 0 here.
+ * rounding leaves no polyhedron, where the cell's farthest vertex is less than
+ * 1e-102 or more than 1e102 away, so that a double does not hold the volume, or
+ * a neighbour or the box reaches farther than 1e290; TESS_BAD_OPEN at an open
+ * facet; -7 for a box with x0 > x1, or a NaN.  A duplicate has no tetrahedra:
+ * its cell is that of iw[i], and nface = 0, volume = 0 here.
  * Cost: some 25 microseconds in a cloud; O(m^2) for m neighbours.
  *
  * The box, or one that is made larger until nothing is left of its sides, is
@@ -415,7 +453,7 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
     tess_int *tri = iwork, *next = iwork + 9 * most, *same = iwork + 18 * most;
     tess_int *queue = iwork + 21 * most, *last = iwork + 24 * most;
     tess_int planes, many, j, v, a;
-    double *plane = work, *d = work + 4 * most, side[6], limit, near;
+    double *plane = work, *d = work + 4 * most, side[6], limit, near, far = 0.0;
     int open = box == NULL, outer, code, k;
 
     *nface = *nvert = 0;
@@ -437,6 +475,7 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
             if (open) continue;
             side[a] = box[a] - (double)p[3 * i + a / 2];
             if (a % 2 == 0) side[a] = -side[a];
+            if (!(fabs(side[a]) < FARTHEST)) return 3;
         }
         begin(side, plane, vert, tri, next);
         for (many = 8, j = 6; j < planes && many > 0; j++) {
@@ -448,12 +487,14 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
         limit *= 16.0;
         if (outer && limit > 1e10 * plane[4 * planes - 1]) return 2;
     } while (outer);
+    for (v = 0; v < many; v++)
+        if (most3(vert + 3 * v) > far) far = most3(vert + 3 * v);
+    if (far > 0.0 && !(far > 1e-102 && far < 1e102)) return 3;
     *volume = measured(planes, plane, many, vert, tri, next, last, area);
     for (near = 1e-13;; near = 0.0) {
         *nvert = numbered(many, vert, next, near, same, queue);
         *nface = outlined(planes, tri, next, last, same, start, corner, queue);
-        /* a polyhedron, by Euler's formula? */
-        if (near == 0.0 || 2 * (*nvert + *nface) == 4 + start[*nface]) break;
+        if (*nvert == many || closed(*nvert, *nface, start, corner)) break;
     }
     for (j = 0; j < *nface; j++) {
         area[j] = area[queue[j]];

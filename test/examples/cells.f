@@ -3,9 +3,9 @@ C     recipes to copy.
 C
 C       CELL    the Voronoi cell of a point: a polyhedron, its vertices,
 C               faces and neighbours, its volume; clipped to a box
-C               (STARS' rows; CLPROP, CLMOST, CLHEIG, CLNEIG, CLBEGI,
-C               CLMEET, CLFLOO, CLDIVI, CLCUT, CLALON, CLMEAS, CLNUMB,
-C               CLOUTL)
+C               (STARS' rows; CLPROP, CLMOST, CLNORM, CLHEIG, CLNEIG,
+C               CLBEGI, CLMEET, CLFLOO, CLDIVI, CLCUT, CLALON, CLMEAS,
+C               CLNUMB, CLOUTL, CLCLOS)
 C       CLIPPE  for finite volumes: all cells' volumes, and the areas of
 C               their faces, clipped to a box
 C               (STARS' rows; CLPROP, CELL)
@@ -30,6 +30,16 @@ C     CLPROP - 1 for a box, else 0.
       CLMOST = MAX(ABS(A(1)), ABS(A(2)), ABS(A(3)))
       END
 
+C     CLNORM - the length of A, whose square may be beyond numbers.
+      DOUBLE PRECISION FUNCTION CLNORM(A)
+      DOUBLE PRECISION A(3)
+      DOUBLE PRECISION MOST, CLMOST
+      MOST = CLMOST(A)
+      CLNORM = MOST
+      IF (MOST .GT. 0.0D0) CLNORM = MOST*
+     1   SQRT((A(1)/MOST)**2 + (A(2)/MOST)**2 + (A(3)/MOST)**2)
+      END
+
 C     CLHEIG - the height of X over a plane, that is a unit normal and
 C     an offset.
       DOUBLE PRECISION FUNCTION CLHEIG(PLANE, X)
@@ -45,7 +55,9 @@ C     codes.
       INTEGER TET(4,*), ADJ(4,*), FIRST(*), LIST(*), I, FREE, PLANES
       INTEGER WHOSE(*), INFO
       DOUBLE PRECISION P(3,*), PLANE(4,*)
-      DOUBLE PRECISION E(3), R
+      DOUBLE PRECISION FAREST
+      PARAMETER (FAREST = 1.0D290)
+      DOUBLE PRECISION E(3), R, CLNORM
       INTEGER A, J, K, L, T, V
       PLANES = 6
       DO 70 J = FIRST(I), FIRST(I+1) - 1
@@ -63,9 +75,9 @@ C     codes.
             DO 20 L = 1, 3
                E(L) = P(L,V) - P(L,I)
    20       CONTINUE
-            R = SQRT(E(1)**2 + E(2)**2 + E(3)**2)
+            R = CLNORM(E)
             INFO = 3
-            IF (.NOT. (R .GT. 1.0D-100 .AND. R .LT. 1.0D100)) RETURN
+            IF (.NOT. (R .GT. 0.0D0 .AND. R .LT. FAREST)) RETURN
             PLANES = PLANES + 1
             A = PLANES
    30       CONTINUE
@@ -351,7 +363,7 @@ C     where TRI(K,V) is plane J, or 0 where it has no face.
      1                  AREA, VOLUME)
       INTEGER PLANES, MANY, TRI(3,*), NEXT(3,*), LAST(*)
       DOUBLE PRECISION PLANE(4,*), VERT(3,*), AREA(*), VOLUME
-      DOUBLE PRECISION X(3)
+      DOUBLE PRECISION X(3), CLNORM
       INTEGER A, B, C, J, K, L, M, AT
       VOLUME = 0.0D0
       DO 10 J = 1, PLANES
@@ -385,7 +397,7 @@ C     where TRI(K,V) is plane J, or 0 where it has no face.
    50       CONTINUE
             GO TO 40
          END IF
-         AREA(J) = SQRT(X(1)**2 + X(2)**2 + X(3)**2)
+         AREA(J) = CLNORM(X)
          VOLUME = VOLUME + AREA(J)*PLANE(4,J) / 3.0D0
    70 CONTINUE
       VOLUME = MAX(VOLUME, 0.0D0)
@@ -465,6 +477,31 @@ C     many there are.
    30 CONTINUE
       END
 
+C     CLCLOS - 1 if the faces are those of a polyhedron: Euler's formula
+C     holds, no vertex is twice in a face, and no edge, in its
+C     direction, in two faces.
+      INTEGER FUNCTION CLCLOS(NVERT, NFACE, START, CORNER)
+      INTEGER NVERT, NFACE, START(*), CORNER(*)
+      INTEGER F, G, A, B, TO, TOO
+      CLCLOS = 0
+      IF (2*(NVERT + NFACE) .NE. 3 + START(NFACE+1)) RETURN
+      DO 40 F = 1, NFACE
+         DO 30 A = START(F), START(F+1) - 1
+            TO = CORNER(START(F))
+            IF (A + 1 .LT. START(F+1)) TO = CORNER(A+1)
+            DO 20 G = 1, F
+               DO 10 B = START(G), MIN(START(G+1), A) - 1
+                  IF (CORNER(B) .NE. CORNER(A)) GO TO 10
+                  TOO = CORNER(START(G))
+                  IF (B + 1 .LT. START(G+1)) TOO = CORNER(B+1)
+                  IF (G .EQ. F .OR. TO .EQ. TOO) RETURN
+   10          CONTINUE
+   20       CONTINUE
+   30    CONTINUE
+   40 CONTINUE
+      CLCLOS = 1
+      END
+
 C     CELL - the Voronoi cell of point I: what is nearer to it than to
 C     any other.
 C
@@ -493,10 +530,12 @@ C       INFO    (out)  0; 1 when MOST is too small: NFACE is then a
 C                      number that suffices; 2 where there is no box and
 C                      the cell has no end, or one some 1D9 times as far
 C                      away as neighbours, which rounding does not tell;
-C                      3 where rounding leaves no polyhedron, or a
-C                      neighbour is nearer than 1D-100 or farther than
-C                      1D100: a number holds no such volumes; 13 at an
-C                      open facet; -7 for a box with X0 > X1, or a NaN
+C                      3 where rounding leaves no polyhedron, where the
+C                      cell's farthest vertex is less than 1D-102 or
+C                      more than 1D102 away, so that a number does not
+C                      hold the volume, or a neighbour or the box
+C                      reaches farther than 1D290; 13 at an open facet;
+C                      -7 for a box with X0 > X1, or a NaN
 C
 C     A duplicate has no tetrahedra: its cell is that of IW(I), and
 C     NFACE = 0, VOLUME = 0 here.
@@ -521,9 +560,13 @@ C     no polyhedron.
       INTEGER INFO
       DOUBLE PRECISION P(3,*), BOX(6), AREA(*), VOLUME, VERT(3,*)
       DOUBLE PRECISION WORK(*)
-      DOUBLE PRECISION SIDE(6), LIMIT, NEAR, FAR
+C     Coordinates less than FAREST can be added, and multiplied by
+C     1D10.
+      DOUBLE PRECISION FAREST
+      PARAMETER (FAREST = 1.0D290)
+      DOUBLE PRECISION SIDE(6), LIMIT, NEAR, FAR, CLMOST
       INTEGER TRI, NEXT, SAME, QUEUE, LAST, D, PLANES, MANY, J, V, A
-      INTEGER FREE, OUTER, K, CLPROP
+      INTEGER FREE, OUTER, K, CLPROP, CLCLOS
       TRI = 1
       NEXT = 9*MOST + 1
       SAME = 18*MOST + 1
@@ -560,7 +603,10 @@ C     no polyhedron.
          IF (FREE .EQ. 1) GO TO 20
          SIDE(A) = BOX(A) - P((A + 1)/2,I)
          IF (MOD(A, 2) .EQ. 1) SIDE(A) = -SIDE(A)
+         INFO = 3
+         IF (.NOT. (ABS(SIDE(A)) .LT. FAREST)) RETURN
    20 CONTINUE
+      INFO = 0
       CALL CLBEGI(SIDE, WORK, VERT, IWORK(TRI), IWORK(NEXT))
       MANY = 8
       DO 30 J = 7, PLANES
@@ -583,6 +629,13 @@ C     no polyhedron.
          IF (LIMIT .GT. 1.0D10*FAR) RETURN
          GO TO 10
       END IF
+      FAR = 0.0D0
+      DO 45 V = 1, MANY
+         FAR = MAX(FAR, CLMOST(VERT(1,V)))
+   45 CONTINUE
+      INFO = 3
+      IF (FAR .GT. 0.0D0 .AND. .NOT. (FAR .GT. 1.0D-102 .AND.
+     1    FAR .LT. 1.0D102)) RETURN
       CALL CLMEAS(PLANES, WORK, MANY, VERT, IWORK(TRI), IWORK(NEXT),
      1            IWORK(LAST), AREA, VOLUME)
       NEAR = 1.0D-13
@@ -591,11 +644,9 @@ C     no polyhedron.
      1            IWORK(QUEUE), NVERT)
       CALL CLOUTL(PLANES, IWORK(TRI), IWORK(NEXT), IWORK(LAST),
      1            IWORK(SAME), START, CORNER, IWORK(QUEUE), NFACE)
-C     A polyhedron, by Euler's formula?
-      IF (NEAR .GT. 0.0D0 .AND.
-     1    2*(NVERT + NFACE) .NE. 3 + START(NFACE+1)) THEN
+      IF (NVERT .LT. MANY) THEN
          NEAR = 0.0D0
-         GO TO 50
+         IF (CLCLOS(NVERT, NFACE, START, CORNER) .EQ. 0) GO TO 50
       END IF
       DO 60 J = 1, NFACE
          A = IWORK(QUEUE+J-1)

@@ -42,6 +42,7 @@ static int copies(tess_int n, const tess_real *p, const double *box,
                   double margin, tess_int maxcop, tess_int *ncop, tess_real *x,
                   tess_int *who, tess_int *copy, tess_int *mine)
 {
+    const int narrow = sizeof *x < sizeof(double);
     double size = 0.0, unit, r[3], side[3];
     tess_int i;
     int first[3], last[3], a[3], k;
@@ -50,8 +51,10 @@ static int copies(tess_int n, const tess_real *p, const double *box,
         unit = fabs(box[2 * k]) + (REACH + 1) * (box[2 * k + 1] - box[2 * k]);
         if (unit > size) size = unit;
     }
+    if (!(size <= (narrow ? (double)FLT_MAX : DBL_MAX))) return TESS_RANGE;
     frexp(size, &k);
-    unit = ldexp(1.0, k - (sizeof *x > 4 ? DBL_MANT_DIG : FLT_MANT_DIG));
+    unit = ldexp(1.0, k - (narrow ? FLT_MANT_DIG : DBL_MANT_DIG));
+    if (!(unit >= (narrow ? (double)FLT_MIN : DBL_MIN))) return TESS_RANGE;
     for (k = 0; k < 3; k++)
         side[k] = rounded(box[2 * k + 1] - box[2 * k], unit);
     for (*ncop = i = 0; i < n; i++) {
@@ -82,15 +85,17 @@ static int copies(tess_int n, const tess_real *p, const double *box,
 }
 
 /* ball - of the tetrahedron v: tess_ball's where that is so flat that 3 digits
- * of its centre are lost, else from its edges, which is ten times as fast. */
-static int ball(const tess_real *x, const tess_int *v, double *c)
+ * of its centre are lost, else from its edges, which is ten times as fast; these
+ * in units of a length, or products would be beyond doubles. */
+static int ball(const tess_real *x, const tess_int *v, double unit, double *c)
 {
     double e[3][3], f[3], square[3], det = 0.0, sum = 0.0;
     int a, b, i, k;
 
     for (i = 0; i < 3; i++) {
         for (k = 0; k < 3; k++)
-            e[i][k] = (double)x[3 * v[i + 1] + k] - (double)x[3 * v[0] + k];
+            e[i][k] = ((double)x[3 * v[i + 1] + k] -
+                       (double)x[3 * v[0] + k]) / unit;
         square[i] = e[i][0] * e[i][0] + e[i][1] * e[i][1] + e[i][2] * e[i][2];
         c[i] = 0.0;
     }
@@ -109,9 +114,9 @@ static int ball(const tess_real *x, const tess_int *v, double *c)
     for (k = 0; k < 3; k++) {
         c[k] /= 2.0 * det;
         sum += c[k] * c[k];
-        c[k] += (double)x[3 * v[0] + k];
+        c[k] = c[k] * unit + (double)x[3 * v[0] + k];
     }
-    c[3] = sqrt(sum);
+    c[3] = sqrt(sum) * unit;
     return 0;
 }
 
@@ -125,7 +130,7 @@ static int certified(const tess_real *x, tess_int ntet, const tess_int *tet,
     int k;
 
     for (t = 0; t < ntet; t++) {
-        if (ball(x, tet + 4 * t, c) != 0) return 0;
+        if (ball(x, tet + 4 * t, margin, c) != 0) return 0;
         for (k = 0; k < 3; k++)
             if (!(c[k] - c[3] > box[2 * k] - 0.999 * margin &&
                   c[k] + c[3] < box[2 * k + 1] + 0.999 * margin))
@@ -190,8 +195,9 @@ static int facing(const tess_int *tet, const tess_int *move, tess_int f,
  * returns 0; TESS_MORE, maxcop being too small, with ncop = maxcop, or maxtet;
  * TESS_POOL as tess; PERIODIC_FEW where so few points are in a box so long that
  * tetrahedra reach farther than REACH boxes; -1 for n < 1, -2 for a point that
- * is not in the box, or NaN; -3 for a box that is none; what tess_index and
- * tess_part return.
+ * is not in the box, or NaN; -3 for a box that is none; TESS_RANGE for one so
+ * large that tess_real does not hold its copies, or so small that these would
+ * have to be rounded; what tess_index and tess_part return.
  *
  * A margin about the box is filled with copies, and those tetrahedra computed
  * that have a point of the box itself.  Where a ball is within the margin no

@@ -29,12 +29,16 @@ C     copies need no rounding.
       DOUBLE PRECISION P(3,*), BOX(2,3), MARGIN, X(3,*)
       DOUBLE PRECISION SIZE, UNIT, R(3), SIDE(3)
       INTEGER I, K, FIRST(3), LAST(3), A, B, C, REACH
-      PARAMETER (REACH = 7)
+      DOUBLE PRECISION LEAST, MOST
+      PARAMETER (REACH = 7, LEAST = 2.0D0**(-970))
+      PARAMETER (MOST = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       SIZE = 0.0D0
       DO 10 K = 1, 3
          SIZE = MAX(SIZE,
      1              ABS(BOX(1,K)) + (REACH + 1)*(BOX(2,K) - BOX(1,K)))
    10 CONTINUE
+      INFO = 6
+      IF (.NOT. (SIZE .GE. LEAST .AND. SIZE .LE. MOST)) RETURN
 C     2**(K-1) <= SIZE < 2**K: the logarithm may be wrong by one.
       K = INT(LOG(SIZE) / LOG(2.0D0) + 1075.0D0) - 1074
       IF (2.0D0**K .LE. SIZE) K = K + 1
@@ -81,15 +85,16 @@ C     2**(K-1) <= SIZE < 2**K: the logarithm may be wrong by one.
 
 C     PEBALL - of the tetrahedron V: TESSBA's where it is so flat that
 C     three digits of its centre are lost, else from its edges, which is
-C     ten times as fast.
-      SUBROUTINE PEBALL(X, V, C, INFO)
-      DOUBLE PRECISION X(3,*), C(4)
+C     ten times as fast; these in units of a length, or products would
+C     be beyond numbers.
+      SUBROUTINE PEBALL(X, V, UNIT, C, INFO)
+      DOUBLE PRECISION X(3,*), UNIT, C(4)
       INTEGER V(4), INFO
       DOUBLE PRECISION E(3,3), F(3), SQUARE(3), DET
       INTEGER A, B, I, K
       DO 20 I = 1, 3
          DO 10 K = 1, 3
-            E(K,I) = X(K,V(I+1)) - X(K,V(1))
+            E(K,I) = (X(K,V(I+1)) - X(K,V(1))) / UNIT
    10    CONTINUE
          SQUARE(I) = E(1,I)**2 + E(2,I)**2 + E(3,I)**2
          C(I) = 0.0D0
@@ -115,9 +120,9 @@ C     ten times as fast.
       DO 50 K = 1, 3
          C(K) = C(K) / (2.0D0*DET)
          C(4) = C(4) + C(K)**2
-         C(K) = C(K) + X(K,V(1))
+         C(K) = C(K)*UNIT + X(K,V(1))
    50 CONTINUE
-      C(4) = SQRT(C(4))
+      C(4) = SQRT(C(4))*UNIT
       END
 
 C     PECERT - GOOD = 1 if all copies that could be in a tetrahedron's
@@ -130,7 +135,7 @@ C     roundings.
       INTEGER K, T, INFO
       GOOD = 0
       DO 20 T = 1, NTET
-         CALL PEBALL(X, TET(1,T), C, INFO)
+         CALL PEBALL(X, TET(1,T), MARGIN, C, INFO)
          IF (INFO .NE. 0) RETURN
          DO 10 K = 1, 3
             IF (.NOT. (C(K) - C(4) .GT. BOX(1,K) - 0.999D0*MARGIN .AND.
@@ -212,8 +217,10 @@ C                       MAXCOP, or MAXTET; 2 as TESS; 20 where so few
 C                       points are in a box so long that tetrahedra
 C                       reach farther than REACH boxes; -1 for N < 1, -2
 C                       for a point that is not in the box, or NaN; -3
-C                       for a box that is none; what TESSIX and TESSPA
-C                       return
+C                       for a box that is none; 6 for one so large that
+C                       its copies are beyond numbers, or so small that
+C                       these would have to be rounded; what TESSIX and
+C                       TESSPA return
 C
 C     A margin about the box is filled with copies, and those tetrahedra
 C     computed that have a point of the box itself.  Where a ball is

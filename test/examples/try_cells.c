@@ -331,28 +331,39 @@ static int test_alpha(void)
     return bad;
 }
 
-/* Coordinates times powers of two: volumes times their cubes; or, where these
- * are beyond doubles, the code. */
+/* Coordinates times powers of two: volumes and areas times theirs; or, where
+ * these are beyond doubles, the code. */
 static int test_sizes(void)
 {
-    double scale, v, w;
+    double scale, one_area, v, w;
     tess_int i;
     int j, k, bad = 0;
 
     for (j = -1; j < 2 && sizeof(tess_real) == sizeof(double); j += 2) {
         bad |= make(0);
-        scale = ldexp(1.0, 166 * j);
+        scale = ldexp(1.0, 332 * j);
         bad |= one(7, box, &v) != 0;
+        one_area = area[1];
         for (i = 0; i < 3 * n; i++) p[i] = (tess_real)((double)p[i] * scale);
         for (k = 0; k < 6; k++) box[k] *= scale;
         bad |= mesh();
         bad |= one(7, box, &w) != 0 ||
-               !(fabs(w / scale / scale / scale - v) <= 1e-14);
+               !(fabs(w / scale / scale / scale - v) <= 1e-14) ||
+               !(fabs(area[1] / scale / scale - one_area) <= 1e-14);
+        bad |= clipped(n, p, tet, adj, first, list, box, MAXROW, &i, row,
+                       other, size, volume, MOST, iwork, work) != 0;
+        for (w = 0.0, i = 0; i < n; i++)
+            w += volume[i] / scale / scale / scale;
+        for (v = 1.0, k = 0; k < 6; k += 2) v *= (box[k + 1] - box[k]) / scale;
+        bad |= !(fabs(w - v) <= 1e-12 * v);
         bad |= alpha(p, ntet, tet, adj, 0.3 * scale, 1, left, 4 * MAXTET, &i,
                      fac, stack) != 0 || i < 4;
-        for (i = 0; i < 3 * n; i++)
-            p[i] = (tess_real)((double)p[i] * scale * scale);
+        scale = ldexp(1.0, 30 * j);
+        for (i = 0; i < 3 * n; i++) p[i] = (tess_real)((double)p[i] * scale);
+        for (k = 0; k < 6; k++) box[k] *= scale;
         bad |= mesh() || one(7, box, &w) != 3;
+        for (k = 0; k < 6; k++) box[k] = k % 2 ? 1e300 : -1e300;
+        bad |= one(7, box, &w) != 3;
     }
     return bad;
 }
@@ -407,7 +418,7 @@ int main(void)
         "cell: polyhedra, Voronoi's, and fill the box:   ",
         "clipped: the same from both sides, fill the box:",
         "alpha: volumes by tetrahedra and triangles:     ",
-        "sizes: coordinates of 1e-50 and 1e50:           ",
+        "sizes: coordinates of 1e-100 and 1e100:         ",
         "codes: short arrays, damage, unfinished meshes: "};
     clock_t begin;
     int k, wrong, bad = 0;

@@ -16,7 +16,7 @@ C     try_cells.c is the same in C; both write the same text.
      1   'cell: polyhedra, Voronoi''s, and fill the box:   ',
      2   'clipped: the same from both sides, fill the box:',
      3   'alpha: volumes by tetrahedra and triangles:     ',
-     4   'sizes: coordinates of 1e-50 and 1e50:           ',
+     4   'sizes: coordinates of 1e-100 and 1e100:         ',
      5   'codes: short arrays, damage, unfinished meshes: '/
       DO 10 I = 1, 5
          BAD(I) = 0
@@ -503,8 +503,8 @@ C     half.  Inside 8 lack one and 24 two, of 64; at the edge 2 and 2.
      1           1.0D-13)) BAD = 1
       END
 
-C     TSIZES - coordinates times powers of two: volumes times their
-C     cubes; or, where these are beyond numbers, the code.
+C     TSIZES - coordinates times powers of two: volumes and areas times
+C     theirs; or, where these are beyond numbers, the code.
       SUBROUTINE TSIZES(SEED, BAD)
       INTEGER N, MAXTET, LIW, LRW, MAXROW, MOST
       PARAMETER (N = 343, MAXTET = 10*N, LIW = 19*N + 1800)
@@ -520,14 +520,15 @@ C     cubes; or, where these are beyond numbers, the code.
       COMMON /WHOLES/ TET, ADJ, IW, FIRST, LIST, WHOSE, START, CORNER,
      1                IWORK, ROW, OTHER, FAC, HULL, STACK, KEEP
       INTEGER SEED, BAD
-      DOUBLE PRECISION SCALE, V, W
+      DOUBLE PRECISION SCALE, A, V, W
       INTEGER M, NTET, I, J, K, NFACE, NVERT, INFO
-      DO 40 J = 1, 2
+      DO 50 J = 1, 2
          CALL MAKE(1, SEED, M, NTET, BAD)
-         SCALE = 2.0D0**166
+         SCALE = 2.0D0**332
          IF (J .EQ. 2) SCALE = 1.0D0 / SCALE
          CALL ONE(8, 1, NFACE, NVERT, V, INFO)
          IF (INFO .NE. 0) BAD = 1
+         A = AREA(2)
          DO 20 I = 1, M
             DO 10 K = 1, 3
                P(K,I) = P(K,I)*SCALE
@@ -540,18 +541,41 @@ C     cubes; or, where these are beyond numbers, the code.
          CALL ONE(8, 1, NFACE, NVERT, W, INFO)
          IF (INFO .NE. 0 .OR. .NOT.
      1       (ABS(W / SCALE / SCALE / SCALE - V) .LE. 1.0D-14)) BAD = 1
+         IF (.NOT. (ABS(AREA(2) / SCALE / SCALE - A) .LE. 1.0D-14))
+     1      BAD = 1
+         CALL CLIPPE(M, P, TET, ADJ, FIRST, LIST, BOX, MAXROW, I, ROW,
+     1               OTHER, FACES, VOLUME, MOST, IWORK, WORK, INFO)
+         IF (INFO .NE. 0) BAD = 1
+         W = 0.0D0
+         DO 32 I = 1, M
+            W = W + VOLUME(I) / SCALE / SCALE / SCALE
+   32    CONTINUE
+         V = (BOX(2) - BOX(1)) / SCALE*((BOX(4) - BOX(3)) / SCALE)*
+     1       ((BOX(6) - BOX(5)) / SCALE)
+         IF (.NOT. (ABS(W - V) .LE. 1.0D-12*V)) BAD = 1
          CALL ALPHA(P, NTET, TET, ADJ, 0.3D0*SCALE, 1, KEEP, 4*MAXTET,
      1              I, FAC, STACK, INFO)
          IF (INFO .NE. 0 .OR. I .LT. 4) BAD = 1
+         SCALE = 2.0D0**30
+         IF (J .EQ. 2) SCALE = 1.0D0 / SCALE
          DO 36 I = 1, M
             DO 34 K = 1, 3
-               P(K,I) = P(K,I)*SCALE*SCALE
+               P(K,I) = P(K,I)*SCALE
    34       CONTINUE
    36    CONTINUE
+         DO 38 K = 1, 6
+            BOX(K) = BOX(K)*SCALE
+   38    CONTINUE
          CALL MESH(M, NTET, BAD)
          CALL ONE(8, 1, NFACE, NVERT, W, INFO)
          IF (INFO .NE. 3) BAD = 1
-   40 CONTINUE
+         DO 40 K = 1, 5, 2
+            BOX(K) = -1.0D300
+            BOX(K+1) = 1.0D300
+   40    CONTINUE
+         CALL ONE(8, 1, NFACE, NVERT, W, INFO)
+         IF (INFO .NE. 3) BAD = 1
+   50 CONTINUE
       END
 
 C     TCODES - arrays that are too short, damaged and unfinished meshes.

@@ -154,25 +154,33 @@ static int proven(tess_int ntet, const double *length)
 /* few - 1 if a long box, points outside and short arrays get their codes. */
 static int few(tess_int liw, tess_int lrw)
 {
-    static const int wanted[7] = {PERIODIC_FEW, -2, TESS_MORE, -1, -3, -3, -3};
+    static const int wanted[9] = {PERIODIC_FEW, -2, TESS_MORE, -1, -3, -3, -3,
+                                  TESS_RANGE, TESS_RANGE};
     double box[6];
     tess_int ncop, ntet;
-    int k, good = 1;
+    int i, k, good = 1;
 
     for (k = 0; k < 3; k++) {
         p[k] = (tess_real)low[k];
         box[2 * k] = low[k];
         box[2 * k + 1] = low[k] + (k == 0 ? 64.0 : 1.0);
     }
-    for (k = 0; k < 7; k++) {
+    for (k = 0; k < 9; k++) {
         if (k == 1) p[0] = (tess_real)(low[0] - 1.0);
         if (k == 2) p[0] = (tess_real)low[0];
         if (k == 2) box[1] = low[0] + 1.0;
-        if (k > 3) box[2 * k - 7] = box[2 * k - 8];
+        if (k > 3 && k < 7) box[2 * k - 7] = box[2 * k - 8];
+        /* boxes of 1e-300 or 1e308, of floats 1e-36 or 1e38, about the point */
+        for (i = 0; k > 6 && i < 6; i++) {
+            p[i / 2] = 0;
+            box[i] = (double)(i % 2) *
+                     (sizeof *p > 4 ? k == 7 ? 1e-300 : 1e308
+                                    : k == 7 ? 1e-36 : 1e38);
+        }
         good &= periodic(k == 3 ? 0 : 1, p, box, k == 2 ? 9 : MAXCOP, &ncop, x,
                          cw, MAXTET, &ntet, tet, move, adj, shift, liw, iw,
                          lrw, rw) == wanted[k];
-        if (k > 3) box[2 * k - 7] += 1.0;
+        if (k > 3 && k < 7) box[2 * k - 7] += 1.0;
     }
     return good;
 }

@@ -215,6 +215,9 @@ static void make_periodic(cells *c)
             fail("-periodic: so few points in so long a box that tetrahedra "
                  "reach across many copies of it; repeat the points along its "
                  "short sides");
+        if (code == TESS_RANGE)
+            fail("-periodic: the box is so large or small that its copies "
+                 "cannot be numbers: use other units, as by -scale");
         if (code != TESS_MORE && code != TESS_POOL)
             too_small("-periodic: unexpected code %d", code);
         if (code == TESS_POOL)
@@ -286,8 +289,9 @@ static void compute(cells *c, tess_int i)
                 c->area, &c->volume, c->begin, c->corner, &c->nvert, c->vert,
                 c->iwork, c->work);
     if (code != 0)
-        too_small("the cell of point %ld cannot be computed (code %d)",
-                  (long)(i + m->in->base), code);
+        fail("the cell of point %ld cannot be computed: it may be smaller than "
+             "1e-102 or larger than 1e102; use other units, as by -scale",
+             (long)(i + m->in->base));
     for (v = 0; v < c->nvert; v++)
         for (k = 0; k < 3; k++) {
             if (c->tet) c->vert[3 * v + k] += (double)m->p[3 * i + k];
@@ -474,6 +478,9 @@ void make_cells(const mesh *m)
     measure_cells(&c, volume, faces, &all);
     for (k = 0; k < 3; k++)
         whole *= (c.box[2 * k + 1] - c.box[2 * k]) / m->scale[k];
+    if (!(whole > 0.0 && fabs(all.volume - whole) <= 1e-9 * whole))
+        fail("the cells' volumes sum to %.15g, but the box's is %.15g: use "
+             "other units, as by -scale, or a smaller box", all.volume, whole);
     if (!chosen.quiet) {
         if (c.tet) printf("periodic      %ld tetrahedra\n", (long)c.periods);
         printf("cells         %.0f, their volumes sum to %.15g; the box's is "

@@ -83,9 +83,9 @@ static int mesh(void)
     return 0;
 }
 
-/* closed - by Euler's formula, each edge being there once in both directions,
+/* sealed - by Euler's formula, each edge being there once in both directions,
  * and no vertex twice in a face. */
-static int closed(void)
+static int sealed(void)
 {
     static char seen[6 * N][6 * N];
     tess_int a, b, f, j;
@@ -184,7 +184,7 @@ static int filled(void)
             if (nface != 0 || volume != 0.0) bad |= 2;
             continue;
         }
-        if (!closed() || !(volume >= 0.0)) bad |= 2;
+        if (!sealed() || !(volume >= 0.0)) bad |= 2;
         for (f = 0; f < nface; f++)
             if (!(area[f] >= 0.0)) bad |= 2;
         if (!within(i)) bad |= 4;
@@ -193,7 +193,7 @@ static int filled(void)
          * less */
         code = one(i, NULL, &whole);
         if (code != (outer(i) ? 2 : 0) && (code != 2 || !distant(i))) bad |= 1;
-        if (code == 0 && !closed()) bad |= 2;
+        if (code == 0 && !sealed()) bad |= 2;
         if (code == 0 && !(whole >= volume - 1e-12 * all)) bad |= 8;
     }
     return fabs(sum - all) <= 1e-12 * all ? bad : bad | 8;
@@ -291,7 +291,7 @@ static void speck(void)
     good = mesh() == 0;
     for (k = 0; k < 6; k++) box[k] = 0.5 + (k % 2 ? ldexp(1.0, -48) : 0.0);
     for (i = 0; i < n && good; i++) {
-        good = one(i, box, &volume) == 0 && (nface == 0 || closed());
+        good = one(i, box, &volume) == 0 && (nface == 0 || sealed());
         some += nface > 0;
     }
     check(good && some > 0, "a speck", "polyhedra");
