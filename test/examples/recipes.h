@@ -33,6 +33,7 @@
 #define keep TESS_AS(keep)
 #define append TESS_AS(append)
 #define join TESS_AS(join)
+#define many TESS_AS(many)
 #define unpack TESS_AS(unpack)
 #define periodic TESS_AS(periodic)
 #define planar TESS_AS(planar)
