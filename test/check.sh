@@ -833,6 +833,13 @@ entries() {
     sed -n 's/^      [A-Z ]*\(SUBROUTINE\|FUNCTION\) \([A-Z]*\)(.*/\2/p' \
         f77/README | tr A-Z a-z | sort > build/manual.txt
     one "entries: the manual's descriptions" diff build/list.txt build/manual.txt
+    sed -n 's/^      [A-Z ]*\(SUBROUTINE\|FUNCTION\) \([A-Z0-9]*\).*/\2/p' \
+        $F77 | tr A-Z a-z | sort | comm -23 - build/list.txt > build/own.txt
+    tr -cs A-Z '\012' < f77/README | tr A-Z a-z | sort -u |
+        comm -12 - build/own.txt > build/named.txt
+    cat build/named.txt >> $LOG
+    one "f77/README names no routine of the library's own" sh -c \
+        'test -s build/own.txt && ! grep . build/named.txt'
     one "f77/README is what the sources say" sh -c \
         'sh test/fortran/manual.sh | cmp - f77/README'
 }
@@ -985,6 +992,13 @@ interface() {
     else
         fail "interfaces, $1: do not compile"
     fi
+    # each synopsis of the manual is FORTRAN and declares all arguments
+    awk '/^-----/ { at = 1; next } at && /^$/ { print "      END"; at = 0 }
+        at { print }' f77/README > build/synopses.f
+    one "f77/README's synopses, $1" sh -c "gfortran -std=f95 -pedantic $2 \
+        -fimplicit-none -fsyntax-only build/synopses.f &&
+        test \`grep -c '^      END' build/synopses.f\` -eq \
+        \`wc -l < build/list.txt\`"
     for wrong in `sed -n 's/.* WRONG == \([0-9]*\)$/\1/p' \
         test/fortran/iface.f90`; do
         one "interfaces, $1: wrong call $wrong" sh -c "! gfortran $module \
@@ -995,6 +1009,20 @@ interface() {
     gfortran $2 -o build/grid build/grid.f build/ftess.o build/fhhpred.o \
         $LIBS >> $LOG 2>&1
     one "f77/README's program, $1" test "`build/grid`" = " 14.5000"
+    # where DOUBLE PRECISION has not 64 bits INFO says so; coordinates of all
+    # bits
+    sed 's/P(\([123]\),I) = .*/P(\1,I) = ABS(MOD(1D4*SIN(DBLE(\1*I)), 1D0))/
+        s/ STOP .TESS.*/ WRITE (*, *) INFO/' build/grid.f > build/wide.f
+    for wide in "-fdefault-real-8 -fdefault-double-8" -fdefault-real-8 \
+        -freal-8-real-10; do
+        rm -f build/wide
+        # shellcheck disable=SC2086
+        gfortran $2 -frecursive $wide -o build/wide build/wide.f $F77 $LIBS \
+            >> $LOG 2>&1
+        case $wide in *double*) code=;; *) code=6;; esac
+        one "f77/README's program, $1 $wide" test \
+            "`build/wide 2>> $LOG | sed -n 's/^ *\(6\) *$/\1/p'`" = "$code"
+    done
     # (its arrays are not on the stack)
     sed 's/(N = 1000)/(N = 200000)/' build/grid.f > build/large.f
     rm -f build/grid
@@ -1124,6 +1152,13 @@ halves() {
         fortran "f2c" "" "$quick" viaf2c
         text "f2c"
         threads "f2c"
+        # the manual's command, where the C half is
+        rm -rf build/beside
+        mkdir build/beside
+        cp $LIBRARY $F77 build/beside
+        one "f77/README's f2c" sh -c "(cd build/beside &&
+            `sed -n 's/^    \(mkdir c .*f2c .*\)/\1/p' f77/README`) &&
+            cmp tess.c build/beside/tess.c && test -s build/beside/c/hhpred.c"
         onef f2c -lf2c "f2c -A -a -u all.f && $CC -O1 -c all.c"
     else
         skip "the FORTRAN 77 half through f2c: no f2c"
