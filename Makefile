@@ -83,15 +83,18 @@ build/values.o: test/program/values.c test/program/values.h \
 	$(COMPILE) test/program/values.c
 
 # recipes
-build/slopes.o: test/examples/slopes.c tess.h hhpred.h
+build/slopes.o: test/examples/slopes.c test/examples/recipes.h tess.h \
+    hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/examples/slopes.c
 
-build/natural.o: test/examples/natural.c tess.h hhpred.h
+build/natural.o: test/examples/natural.c test/examples/recipes.h tess.h \
+    hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/examples/natural.c
 
-build/derived.o: test/examples/derived.c tess.h hhpred.h
+build/derived.o: test/examples/derived.c test/examples/recipes.h tess.h \
+    hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/examples/derived.c
 
@@ -118,11 +121,13 @@ build/read.o: test/program/read.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/read.c
 
-build/cells.o: test/examples/cells.c tess.h hhpred.h
+build/cells.o: test/examples/cells.c test/examples/recipes.h tess.h \
+    hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/examples/cells.c
 
-build/periodic.o: test/examples/periodic.c tess.h hhpred.h
+build/periodic.o: test/examples/periodic.c test/examples/recipes.h tess.h \
+    hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/examples/periodic.c
 

@@ -605,7 +605,7 @@ int hh_holds(tess_int n, const tess_real *p)
         value = p[i];
         if (fabs((double)value) >= DBL_MIN) continue;
         if (value != 0) {
-            once = one * value;
+            once = one * (double)value;
             if (once == 0.0 || ldexp((double)value, e) == 0.0) return 0;
             continue;
         }
@@ -750,7 +750,7 @@ static double pack(int np, const tess_real *const *p, double *q)
 
     for (i = 0; i < np; i++)
         for (k = 0; k < 3; k++) {
-            *q = p[i][k];
+            *q = (double)p[i][k];
             most = fabs(*q) > most ? fabs(*q) : most;
             q++;
         }
@@ -818,8 +818,8 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
     const tess_real *p[5];
     double q[12], most;
     int i = axis == 2 ? 0 : axis + 1, k = axis == 0 ? 2 : axis - 1;
-    double bi = (double)b[i] - a[i], ck = (double)c[k] - a[k];
-    double bk = (double)b[k] - a[k], ci = (double)c[i] - a[i];
+    double bi = (double)b[i] - (double)a[i], ck = (double)c[k] - (double)a[k];
+    double bk = (double)b[k] - (double)a[k], ci = (double)c[i] - (double)a[i];
     double det = bi * ck - bk * ci;
     double err = 8.0 * DBL_EPSILON * (fabs(bi * ck) + fabs(bk * ci));
 
@@ -1195,7 +1195,7 @@ static int level(const hh_set *s, const hh_ball *t, tess_int z, int plane,
 
     for (i = 0; i < 3; i++) {
         if (fabs((double)p[i]) > t->most) return 0;
-        q[i] = t->factor == 1.0 ? p[i] : p[i] * t->factor;
+        q[i] = t->factor == 1.0 ? (double)p[i] : (double)p[i] * t->factor;
     }
     if (split(3, q, t->top, n, u) > n) return 0;
     for (i = 0; i < 3 * n; i++) {
@@ -1609,7 +1609,7 @@ int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
     hh_setup(s, s + 3, s + 6, f);
     for (k = 0; k < 3; k++) {
         f[3 + k] = ldexp(f[3 + k], e);
-        f[6 + k] = p1[k];
+        f[6 + k] = (double)p1[k];
     }
     f[11] = ldexp(f[11], e);
     if (f[10] < DBL_MAX) f[10] = ldexp(f[10], e);
@@ -1622,7 +1622,8 @@ int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
 
 double hh_side(const double *f, const tess_real *z)
 {
-    return f[0] * (z[0] - f[6]) + f[1] * (z[1] - f[7]) + f[2] * (z[2] - f[8]);
+    return f[0] * ((double)z[0] - f[6]) + f[1] * ((double)z[1] - f[7]) +
+           f[2] * ((double)z[2] - f[8]);
 }
 
 int hh_opp(const double *f, const tess_real *z1, const tess_real *z2)
@@ -1634,7 +1635,8 @@ int hh_opp(const double *f, const tess_real *z1, const tess_real *z2)
 
 double hh_lcoord(const double *f, const tess_real *z)
 {
-    double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
+    double w0 = (double)z[0] - f[6], w1 = (double)z[1] - f[7];
+    double w2 = (double)z[2] - f[8];
     double side = f[0] * w0 + f[1] * w1 + f[2] * w2;
     double power = HH_POWER(w0, w1, w2, f + 3);
 

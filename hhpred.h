@@ -39,11 +39,24 @@ typedef int tess_int;
 typedef long tess_int;
 #endif
 
-typedef char tess_int_must_be_signed[(tess_int)-1 < 0 ? 1 : -1];
+/* x as another type, without a warning in C++ either. */
+#ifdef __cplusplus
+#define TESS_TO(type, x) static_cast<type>(x)
+#else
+#define TESS_TO(type, x) ((type)(x))
+#endif
 
-/* The largest. */
+typedef char tess_int_must_be_signed[TESS_TO(tess_int, -1) < 0 ? 1 : -1];
+
+/* The largest.  (No macro names tess_int, which might be in a namespace.) */
+#ifdef TESS_INT
 #define TESS_INT_MOST \
-    ((((tess_int)1 << (sizeof(tess_int) * CHAR_BIT - 2)) - 1) * 2 + 1)
+    (((TESS_TO(TESS_INT, 1) << (sizeof(TESS_INT) * CHAR_BIT - 2)) - 1) * 2 + 1)
+#elif INT_MAX >= 2147483647
+#define TESS_INT_MOST INT_MAX
+#else
+#define TESS_INT_MOST LONG_MAX
+#endif
 
 /* The coordinates; all arithmetic is in double. */
 #ifdef TESS_FLOAT

@@ -1189,7 +1189,7 @@ static int ballcoef(const list *l, const quest *f, float *d)
     }
     if (sum > 1e6 || a > 5e8) return 0;
     for (i = 0; i < 3; i++) d[i] = (float)cu[i];
-    d[3] = (float)(FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
+    d[3] = (float)((double)FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
                    8.0 * EPS * a * (1.0 + off) +
                    2.0 * f->dc * l->unit * (4.0 + off) - k);
     return 1;
@@ -1896,7 +1896,7 @@ static void prunecylinders(const mesh *m, const quest *f, tess_int node,
                            double *past)
 {
     const double *c = cylinders(m, node);
-    double q = f->ball ? 1.0 : 0.0, far = f->ball ? 0.0 : FAR;
+    double q = f->ball ? 1.0 : 0.0, far = f->ball ? 0.0 : (double)FAR;
     double err = f->ball ? 2.0 * f->dc + 128.0 * EPS * f->size
                          : f->f[9] + 64.0 * EPS;
     double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8];
@@ -2969,7 +2969,8 @@ static void collect(mesh *m, tess_int n, const tess_real *p)
     m->np = 0;
     for (i = 0; i < n; i++)
         if (m->rep[i] == i) {
-            for (k = 0; k < 3; k++) m->x[3 * m->np + k] = p[3 * i + k];
+            for (k = 0; k < 3; k++)
+                m->x[3 * m->np + k] = (double)p[3 * i + k];
             m->order[m->np++] = i;
         }
     m->leaves = leafcount(m->np);
@@ -3118,7 +3119,8 @@ static void seal(mesh *m, int code)
 static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
                   const double *rw)
 {
-    double normal = sizeof(tess_real) < sizeof(double) ? FLT_MIN : DBL_MIN;
+    double normal = sizeof(tess_real) < sizeof(double) ? (double)FLT_MIN
+                                                       : DBL_MIN;
     const double *header;
 
     if (n == 0) return TESS_POINT;
@@ -3491,8 +3493,8 @@ static int closer(const tess_real *a, const tess_real *q, double *least)
     int k;
 
     for (k = 0; k < 3; k++) {
-        h = a[k] > q[k] ? a[k] : q[k];
-        l = a[k] > q[k] ? q[k] : a[k];
+        h = (double)(a[k] > q[k] ? a[k] : q[k]);
+        l = (double)(a[k] > q[k] ? q[k] : a[k]);
         if (hh_wider(h, l, hi, lo) > 0) {
             hi = h;
             lo = l;
@@ -4141,7 +4143,7 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
         if (hh_finite(1, q) < 1) return -1;
         if (!hh_holds(1, q)) return TESS_RANGE;
         for (k = 0; k < 3; k++) {
-            c[k] = q[k];
+            c[k] = (double)q[k];
             if (fabs(c[k]) > most) most = fabs(c[k]);
         }
     }

@@ -410,13 +410,14 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
  *   TESS_LRW   per point TESS_LR for itself, 1/2 for the tree; plus TESS_LC for
  *              points on surfaces and curves */
 #define TESS_LR 3
-#define TESS_LRW(n) \
-    (TESS_LR * (long)(n) + 6 * ((long)(n) / 12 + 2) + TESS_LC((long)(n)))
+#define TESS_LRW(n)                                                \
+    (TESS_LR * TESS_TO(long, n) + 6 * (TESS_TO(long, n) / 12 + 2) + \
+     TESS_LC(TESS_TO(long, n)))
 #define TESS_LC(n) ((n) < 500 ? 0 : 16 * ((n) / 36 + 1))
 #define TESS_LIW(n)                                                \
-    ((n) > TESS_INT_MOST / 11 || TESS_LI((long)(n)) > TESS_INT_MOST \
-         ? (long)TESS_INT_MOST                                     \
-         : TESS_LI((long)(n)))
+    ((n) > TESS_INT_MOST / 11 || TESS_LI(TESS_TO(long, n)) > TESS_INT_MOST \
+         ? TESS_TO(long, TESS_INT_MOST)                                    \
+         : TESS_LI(TESS_TO(long, n)))
 #define TESS_LI(n) (8 * (n) + (n) / 12 + 514 + TESS_LP(n) + TESS_LS(n))
 #define TESS_LS(n) ((n) < 500 ? 0 : (n) / 3 * 5 + 24)
 #define TESS_LP(n)             \

@@ -759,15 +759,17 @@ C     The arithmetic: what numbers are, and what becomes of them here.
 C     ------------------------------------------------------------------
 
 C     HHKIND - 2 for an infinity or a NaN, 1 for a subnormal number, -1
-C     for a zero, 0 for all others.
+C     for a zero, 0 for all others; 3 where the compiler was told to
+C     make DOUBLE PRECISION something else than 64 bits.
 C
 C     The test is by bits, seen as integers: a compiler that was told
 C     that there are no NaNs may drop any comparison that looks for
 C     them, and a processor may take subnormal numbers for zero.  The
 C     least normal number has the exponent 1 and no other bits: that
 C     tells which integer has the exponent, and where in it.  2**1023
-C     has the greatest exponent of a finite number.  Where an integer is
-C     as long as a double, the second one is that of the 0 behind it.
+C     has the greatest exponent of a finite number, 2046.  Where an
+C     integer is as long as a double, the second one is that of the 0
+C     behind it.
       INTEGER FUNCTION HHKIND(X)
       DOUBLE PRECISION X
       DOUBLE PRECISION NORMAL
@@ -783,6 +785,9 @@ C     as long as a double, the second one is that of the 0 behind it.
       MOST(1) = 2.0D0**1023
       HIGH = 1
       IF (ILEAST(1) .EQ. 0) HIGH = 2
+      HHKIND = 3
+      IF (ILEAST(HIGH) .EQ. 0) RETURN
+      IF (IMOST(HIGH)/ILEAST(HIGH) .NE. 2046) RETURN
       SIZE = I(HIGH)
 C     without the sign
       IF (SIZE .LT. 0) SIZE = SIZE - (IMINUS(HIGH) - ILEAST(HIGH))
@@ -823,19 +828,22 @@ C     evaluate the test beforehand.
      $    DBLE(M*M)) .LE. 0.0D0) HHPREC = 1
       END
 
-C     HHHOLD - 1 if the arithmetic is precise and takes no nonzero
-C     coordinate of N points P for 0, else 0.  A processor may have been
-C     set to do that to subnormal operands, or to subnormal results.
+C     HHHOLD - 1 if DOUBLE PRECISION has 64 bits, the arithmetic is
+C     precise and takes no nonzero coordinate of N points P for 0, else
+C     0.  A processor may have been set to do that to subnormal
+C     operands, or to subnormal results.
       INTEGER FUNCTION HHHOLD(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
-      INTEGER HHKIND, HHPREC, I, K, M
+      INTEGER HHKIND, HHPREC, I, K, KIND, M
       HHHOLD = 0
       M = 1 + 2*MOD(N, 2)
       IF (HHPREC(M) .EQ. 0) RETURN
       DO 20 I = 1, N
         DO 10 K = 1, 3
-          IF (HHKIND(P(K,I)) .EQ. 1) THEN
+          KIND = HHKIND(P(K,I))
+          IF (KIND .EQ. 3) RETURN
+          IF (KIND .EQ. 1) THEN
 C           one of the products is that by 1
             IF (HHKIND(P(K,I)*DBLE(M)) .EQ. -1) RETURN
             IF (HHKIND(P(K,I)*DBLE(4 - M)) .EQ. -1) RETURN
@@ -2245,14 +2253,15 @@ C           F(11)     dc:  bound of the error of C - P1
 C           F(12)     rho: |C - P1|
 C       INFO        (out)  0, or 1 when the points are exactly
 C                          collinear: then V, C - P1 and rho are zero, E
-C                          and dc are HUGE, so that nothing is certain.
+C                          and dc are HUGE, the largest number, so that
+C                          nothing is certain.
 C
 C     With g = |V.W| - E |W|, L the L-coordinate and rho, dc as above,
 C     the computed L is wrong by at most
 C         dL = |W| (EPS (3 |W| + 5 rho) + dc + |L| E) / g + 4 EPS |L|,
-C     derived above.  These bounds hold as long as E <= 1/2 (LOOSE), and
-C     |W| and the facet's edges stay between about 2**(-450) and 2**450;
-C     a circumcentre beyond HUGE is infinite.
+C     EPS = 2**(-52); derived in hhpred.f.  These bounds hold as long as
+C     E <= 1/2, and |W| and the facet's edges stay between about
+C     2**(-450) and 2**450; a circumcentre beyond HUGE is infinite.
       SUBROUTINE HHFACE(P1, P2, P3, F, INFO)
       DOUBLE PRECISION P1(3), P2(3), P3(3), F(12)
       INTEGER INFO

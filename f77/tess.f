@@ -5188,8 +5188,12 @@ C     are decided exactly, and each weight is right to rounding.  Do not
 C     extrapolate by the gradient of T: tetrahedra at the hull are often
 C     slivers, whose gradients are far steeper than the field's.
 C
-C     A walk (see TSWALK); then, for a Q outside, a walk over the hull
-C     (see TSHULL).
+C     Cost: a walk of about NTET**(1/3)/2 steps without a start, of a
+C     few from a near one; a distant start is no worse than none.  For Q
+C     outside, another walk over the facets of the hull.
+C
+C     How: a walk (see TSWALK); then, for a Q outside, a walk over the
+C     hull (see TSHULL).
 C
 C     It is Q*, not Q, that is located.  The hull is convex and Q* is
 C     nearer to its inside, so Q* is inside of it when Q is inside or on
@@ -5197,9 +5201,8 @@ C     its boundary, and then the answer depends on the points, TET and Q
 C     alone.  For a Q outside, the start decides which of the facets
 C     that have the hull's nearest point is found.
 C
-C     Cost: proportional to the tetrahedra crossed, about NTET**(1/3)/2
-C     of them from the sampled start, few from a start near Q: beyond
-C     ASTRAY of these, the sample is used, too.
+C     Beyond ASTRAY tetrahedra from a start, the sampled start is used,
+C     too.
       SUBROUTINE TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, INFO
       DOUBLE PRECISION P(3,*), Q(3), W(4)
@@ -5260,15 +5263,14 @@ C                       of range: then nothing is written; -4 or 6 as
 C                       from TESSLO: then the queries before that one
 C                       are done
 C
-C     VALUE and OUT are declared as vectors, since NV may be 0; each may
-C     have as many numbers as the largest integer.
-C
-C     Where there is no start, a walk starts from the last answer: it is
-C     the nearest if the queries are in order, and if not, TESSLO
-C     notices.
+C     (VALUE and OUT are declared as vectors, since NV may be 0.)
 C     Cost: that of TESSLO: a few steps per query if successive queries
 C     are close to each other.  In random order each takes ten times as
 C     long: sort them first, by the positions that TESSIX gives.
+C
+C     How: where there is no start, a walk starts from the last answer:
+C     it is the nearest if the queries are in order, and if not, TESSLO
+C     notices.
       SUBROUTINE TESSVA(P, NTET, TET, ADJ, NV, VALUE, NQ, Q, T, OUT,
      $                  INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), NV, NQ, T(*), INFO
@@ -5396,19 +5398,20 @@ C     The answer is that of TESSLO in the mesh that TESS gives.  Only
 C     the order of the vertices may differ and, for Q outside, which of
 C     the hull facets that have the nearest point is found.
 C
-C     The walk of TSWALK, with Q* moved into the same tetrahedron, and
-C     for a Q outside that of TSNEAH, so that the answer is that of
-C     TESSLO; neighbours are computed as they are needed.  From a V that
-C     is no tetrahedron of the mesh the walk might cycle: after NP steps
-C     it starts again from one that is.
 C     Cost: a search for an apex for each tetrahedron that the walk
 C     crosses, and some 20 more without a start; for Q outside, also for
 C     each one passed while turning about an edge of the hull.  A globe
 C     of 20,000 points takes 150 times as long from an index that does
 C     not know its sphere.
+C
+C     How: the walk of TSWALK, with Q* moved into the same tetrahedron,
+C     and for a Q outside that of TSNEAH, so that the answer is that of
+C     TESSLO; neighbours are computed as they are needed.  From a V that
+C     is no tetrahedron of the mesh the walk might cycle: after NP steps
+C     it starts again from one that is.
       SUBROUTINE TESSQU(N, P, IW, RW, Q, V, W, INFO)
       DOUBLE PRECISION P(3,*), RW(*), Q(3), W(4)
-      INTEGER N, IW(*), V(4,1), INFO
+      INTEGER N, IW(*), V(4), INFO
       INTEGER SINGLE
       PARAMETER (SINGLE = 5)
       INTEGER TSLCOU, CYLS, LIW, LRW, LVS, MARKS, OK, POOL
@@ -5536,7 +5539,7 @@ C       INFO    (out)  0; 1 when FAC is too small: NFAC is then the
 C                      number needed and the first MAXFAC triangles are
 C                      set; -1 for NTET < 0, -4 for MAXFAC < 0
 C
-C     One pass over all facets.
+C     Cost: one pass over all facets.
       SUBROUTINE TESSHU(NTET, TET, ADJ, MAXFAC, NFAC, FAC, INFO)
       INTEGER NTET, TET(4,*), ADJ(4,*), MAXFAC, NFAC, FAC(3,*), INFO
       INTEGER MORE
@@ -5785,7 +5788,7 @@ C     TSCHKC - check that tetrahedron T, if not 1, does not contain O.
       END
 
 C     TESSCH - an exact proof that TET and ADJ are a Delaunay
-C     tetrahedralization of P, by finitely many exact tests.
+C     tetrahedralization of P.
 C
 C       N, P, NTET, TET, ADJ  (in)  points and result
 C       LIW   (in)   length of IW, at least 2 N
@@ -5808,9 +5811,14 @@ C                    NTET = 0 passes when all points lie in one plane,
 C                    else INFO is 18.  -1 for a bad N, -2 for a NaN or
 C                    infinity in P, -3 for a bad NTET, -6 for LIW < 2 N
 C
-C     Let O be Q* for Q = the first vertex of tetrahedron 1 (see "Common
-C     to the queries"): a point in the interior of tetrahedron 1 and on
-C     no facet's plane.  Tested are:
+C     Cost: O(N log N) for sorting; one orientation and two inspheres
+C     for each tetrahedron, and about three orientations for each
+C     boundary facet.
+C
+C     How: by finitely many exact tests.  Let O be Q* for Q = the first
+C     vertex of tetrahedron 1 (see "Common to the queries"): a point in
+C     the interior of tetrahedron 1 and on no facet's plane.  Tested
+C     are:
 C       1  each tetrahedron has four points as vertices, none a
 C          duplicate of a point of lower index, and is positively
 C          oriented;
@@ -5861,10 +5869,6 @@ C
 C     Nothing is relied on before it is tested: indices before points
 C     are read, the matching of all facets before a turn.  INFO is 6
 C     when the limbs do not suffice for a test.
-C
-C     Cost: O(N log N) for sorting; one orientation and two inspheres
-C     for each tetrahedron, and about three orientations for each
-C     boundary facet.
       SUBROUTINE TESSCH(N, P, NTET, TET, ADJ, LIW, IW, BAD, INFO)
       INTEGER N, NTET, TET(4,*), ADJ(4,*), LIW, IW(*), BAD, INFO
       DOUBLE PRECISION P(3,*)
@@ -5929,8 +5933,8 @@ C       INFO (out)  0; -1 for a NaN or infinity in the points, -2 for an
 C                   index below 1; 6, with the radius the greatest
 C                   double (see TESS)
 C
-C     Computed by limbs, for a set of the four points alone, scaled to
-C     at most 1.  LENGTH is the sum of what is rounded.  The centre errs
+C     How: by limbs, for a set of the four points alone, scaled to at
+C     most 1.  LENGTH is the sum of what is rounded.  The centre errs
 C     by 8 eps of its length (see HHCENT); the radius must cover that,
 C     its own error of 12 eps, and the roundings of the sum, 1 eps of
 C     it: less than 32 eps LENGTH.

@@ -172,8 +172,8 @@ language() {
         for d in -O2 -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long \
             "-DHH_LIMBS=3 -DTESS_LIST=64"; do
             for f in $LIBRARY; do
-                one "strict C89: $f $d" $CC $STRICT -O1 $d -c -o build/strict.o \
-                    $f
+                one "strict C89: $f $d" $CC $STRICT -Wdouble-promotion -O1 $d \
+                    -c -o build/strict.o $f
             done
         done
         one "strict C89: programs for small machines" sh -c "for f in \
@@ -206,9 +206,42 @@ END
         for f in $LIBRARY; do
             one "C++: $f" g++ -x c++ -Wall -Wextra -Werror -c -o build/strict.o $f
         done
+        for d in "" -DTESS_INT=short "-DTESS_INT=long -DTESS_FLOAT"; do
+            one "C++: the headers in a namespace $d" spaced "$d"
+        done
     else
         skip "C++: no g++"
     fi
+}
+
+# spaced FLAGS: tess.h and recipes.h inside a namespace, their macros outside
+spaced() {
+    cat > build/spaced.c <<END
+#include <stdio.h>
+namespace a {
+#include "tess.h"
+#include "test/examples/recipes.h"
+}
+static a::tess_int iw[TESS_LIW(5)], tet[32], adj[32], first[6], list[32], ntet;
+static double rw[TESS_LRW(5L)];
+static const a::tess_real p[15] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 1, 1, 1};
+int main()
+{
+    int code = a::tess(5, p, 8, &ntet, tet, adj, TESS_LIW(5), iw, TESS_LRW(5),
+                       rw);
+    a::stars(5, ntet, tet, first, list);
+    return code != 0 || ntet < 2 || ntet > TESS_INT_MOST ||
+           first[5] != 4 * ntet;
+}
+END
+    # shellcheck disable=SC2086
+    g++ -x c++ -pedantic -Wall -Wextra -Wconversion -Wold-style-cast -Werror \
+        $1 -I. -c -o build/spaced.o build/spaced.c || return
+    rm -f build/spaced
+    # shellcheck disable=SC2086
+    $CC $1 -O1 -I. -c -o build/derived1.o test/examples/derived.c &&
+        $CC $1 -O1 -o build/spaced build/spaced.o build/derived1.o $LIBRARY \
+            $LIBS && build/spaced
 }
 
 # ---- the names: the library asks for nothing but the C89 maths functions, has
@@ -462,11 +495,11 @@ together() {
         return
     fi
     H=test/examples/recipes.h
-    rm -rf build/recipes
+    rm -rf build/recipes build/recipes1
     # the prototypes of recipes.h are those of the recipes, and all of them
     # shellcheck disable=SC2086
     one "recipes: strict C89, as recipes.h declares them" compile "$CC" \
-        "$STRICT -Wmissing-prototypes -I. -include $H" build/recipes $recipes
+        "$STRICT -Wmissing-prototypes -I." build/recipes $recipes
     nm build/recipes/*.o > build/nm.txt
     grep ' [bBdDcCgGsS] ' build/nm.txt > build/data.txt
     cat build/data.txt >> $LOG
@@ -475,7 +508,21 @@ together() {
     cat build/defined.txt build/names.txt | cut -c1-6 | tr A-Z a-z | sort | uniq -d > build/six.txt
     cat build/six.txt >> $LOG
     one "recipes: unique in six characters" test ! -s build/six.txt
-    { echo "#include \"../$H\""
+    for d in -DTESS_INT=short -DTESS_INT=long -DTESS_FLOAT; do
+        # shellcheck disable=SC2086
+        one "recipes: strict C89 $d" compile "$CC" "$STRICT -Wdouble-promotion \
+            -Wmissing-prototypes $d -I." build/recipes1 $recipes
+        nm build/recipes1/*.o | sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort \
+            > build/other.txt
+        one "recipes: no name is the same: $d" sh -c "test -s build/other.txt &&
+            ! comm -12 build/defined.txt build/other.txt | grep ."
+    done
+    # shellcheck disable=SC2086
+    one "recipes: -Djoin=my_join" compile "$CC" "$STRICT -Djoin=my_join -I." \
+        build/recipes1 $recipes
+    one "recipes: my_join, no join" sh -c "nm build/recipes1/*.o |
+        grep ' T _*my_join\$' && ! nm build/recipes1/*.o | grep ' T _*join\$'"
+    { echo "#include \"$H\""
       echo 'typedef void (*routine)(void);'
       echo 'int main(void) { static const routine all[] = {'
       sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*/(routine)\1,/p' $H
@@ -486,7 +533,7 @@ together() {
     have g++ "-x c++" || return
     # shellcheck disable=SC2086
     one "recipes: C++" compile g++ "-x c++ -Wall -Wextra -Wconversion -Werror \
-        -Wmissing-declarations -I. -include $H" build/recipes $recipes
+        -Wmissing-declarations -I." build/recipes $recipes
     one "recipes: one program in C++" sh -c "g++ -I. -o build/together \
         -x c++ build/together.c tess.c hhpred.c -x none build/recipes/*.o $LIBS &&
         build/together"
@@ -786,6 +833,13 @@ entries() {
     sed -n 's/^      [A-Z ]*\(SUBROUTINE\|FUNCTION\) \([A-Z]*\)(.*/\2/p' \
         f77/README | tr A-Z a-z | sort > build/manual.txt
     one "entries: the manual's descriptions" diff build/list.txt build/manual.txt
+    sed -n 's/^      [A-Z ]*\(SUBROUTINE\|FUNCTION\) \([A-Z0-9]*\).*/\2/p' \
+        $F77 | tr A-Z a-z | sort | comm -23 - build/list.txt > build/own.txt
+    tr -cs A-Z '\012' < f77/README | tr A-Z a-z | sort -u |
+        comm -12 - build/own.txt > build/named.txt
+    cat build/named.txt >> $LOG
+    one "f77/README names no routine of the library's own" sh -c \
+        'test -s build/own.txt && ! grep . build/named.txt'
     one "f77/README is what the sources say" sh -c \
         'sh test/fortran/manual.sh | cmp - f77/README'
 }
@@ -938,6 +992,13 @@ interface() {
     else
         fail "interfaces, $1: do not compile"
     fi
+    # each synopsis of the manual is FORTRAN and declares all arguments
+    awk '/^-----/ { at = 1; next } at && /^$/ { print "      END"; at = 0 }
+        at { print }' f77/README > build/synopses.f
+    one "f77/README's synopses, $1" sh -c "gfortran -std=f95 -pedantic $2 \
+        -fimplicit-none -fsyntax-only build/synopses.f &&
+        test \`grep -c '^      END' build/synopses.f\` -eq \
+        \`wc -l < build/list.txt\`"
     for wrong in `sed -n 's/.* WRONG == \([0-9]*\)$/\1/p' \
         test/fortran/iface.f90`; do
         one "interfaces, $1: wrong call $wrong" sh -c "! gfortran $module \
@@ -948,6 +1009,20 @@ interface() {
     gfortran $2 -o build/grid build/grid.f build/ftess.o build/fhhpred.o \
         $LIBS >> $LOG 2>&1
     one "f77/README's program, $1" test "`build/grid`" = " 14.5000"
+    # where DOUBLE PRECISION has not 64 bits INFO says so; coordinates of all
+    # bits
+    sed 's/P(\([123]\),I) = .*/P(\1,I) = ABS(MOD(1D4*SIN(DBLE(\1*I)), 1D0))/
+        s/ STOP .TESS.*/ WRITE (*, *) INFO/' build/grid.f > build/wide.f
+    for wide in "-fdefault-real-8 -fdefault-double-8" -fdefault-real-8 \
+        -freal-8-real-10; do
+        rm -f build/wide
+        # shellcheck disable=SC2086
+        gfortran $2 -frecursive $wide -o build/wide build/wide.f $F77 $LIBS \
+            >> $LOG 2>&1
+        case $wide in *double*) code=;; *) code=6;; esac
+        one "f77/README's program, $1 $wide" test \
+            "`build/wide 2>> $LOG | sed -n 's/^ *\(6\) *$/\1/p'`" = "$code"
+    done
     # (its arrays are not on the stack)
     sed 's/(N = 1000)/(N = 200000)/' build/grid.f > build/large.f
     rm -f build/grid
@@ -1077,6 +1152,13 @@ halves() {
         fortran "f2c" "" "$quick" viaf2c
         text "f2c"
         threads "f2c"
+        # the manual's command, where the C half is
+        rm -rf build/beside
+        mkdir build/beside
+        cp $LIBRARY $F77 build/beside
+        one "f77/README's f2c" sh -c "(cd build/beside &&
+            `sed -n 's/^    \(mkdir c .*f2c .*\)/\1/p' f77/README`) &&
+            cmp tess.c build/beside/tess.c && test -s build/beside/c/hhpred.c"
         onef f2c -lf2c "f2c -A -a -u all.f && $CC -O1 -c all.c"
     else
         skip "the FORTRAN 77 half through f2c: no f2c"

@@ -83,6 +83,14 @@ sed -n 's/^| \(`[^|]*`\) | `\([a-z]*\)` |.*/\2 \1/p' README.md | tr -d '`,' |
     done
 test -s $B/routines || echo none > $B/out
 told "recipes: the README's are where it says, and routines alone" $B/out
+# (each of them has a second name for other types)
+sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*/\1/p' test/examples/recipes.h \
+    > $B/prototypes
+sed -n 's/^#define \([a-z_0-9]*\) TESS_AS(\1)$/\1/p' test/examples/recipes.h \
+    > $B/second
+sort $B/prototypes > $B/sorted
+sort $B/second | diff $B/sorted - > $B/out
+told "recipes: prototypes, and second names for other types" $B/out
 # each file of routines alone is there, and each row says what it needs
 for f in test/examples/*.c; do
     grep '^int main\|^void mexFunction' $f > /dev/null ||

@@ -2,10 +2,11 @@
  *
  *   cell      the Voronoi cell of a point: a polyhedron, its vertices, faces
  *             and neighbours, its volume; clipped to a box
- *             (stars' rows; most3, height, neighbours, begin, meet, flood,
- *             divide, cut, along, measured, numbered, outlined)
+ *             (stars' rows; proper, most3, norm, height, neighbours, begin,
+ *             meet, flood, divide, cut, along, measured, numbered, outlined,
+ *             closed)
  *   clipped   for finite volumes: all cells' volumes, and the areas of their
- *             faces, clipped to a box                       (stars' rows; cell)
+ *             faces, clipped to a box               (stars' rows; proper, cell)
  *   alpha     the part of the mesh whose tetrahedra have small balls, and its
  *             boundary
  *
@@ -13,10 +14,20 @@
  * FORTRAN 77.
  */
 #include <math.h>
+#include <stddef.h>
 
-#include "tess.h"
+#include "recipes.h"
 
 /* ---- cell ---- */
+
+/* Coordinates less than this can be added, and multiplied by 1e10. */
+#define FARTHEST 1e290
+
+/* proper - 1 for a box. */
+static int proper(const double *box)
+{
+    return box[0] <= box[1] && box[2] <= box[3] && box[4] <= box[5];
+}
 
 static double most3(const double *a)
 {
@@ -24,6 +35,18 @@ static double most3(const double *a)
 
     if (fabs(a[1]) > b) b = fabs(a[1]);
     return fabs(a[2]) > b ? fabs(a[2]) : b;
+}
+
+/* norm - the length of a, whose square may be beyond doubles. */
+static double norm(const double *a)
+{
+    double most = most3(a), x, y, z;
+
+    if (!(most > 0.0)) return most;
+    x = a[0] / most;
+    y = a[1] / most;
+    z = a[2] / most;
+    return most * sqrt(x * x + y * y + z * z);
 }
 
 /* height - of x over a plane, that is a unit normal and an offset. */
@@ -55,8 +78,8 @@ static int neighbours(const tess_real *p, const tess_int *tet,
             if (a < *planes) continue;
             for (l = 0; l < 3; l++)
                 e[l] = (double)p[3 * v + l] - (double)p[3 * i + l];
-            r = sqrt(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]);
-            if (!(r > 1e-100 && r < 1e100)) return 3;
+            r = norm(e);
+            if (!(r > 0.0 && r < FARTHEST)) return 3;
             for (a = *planes; a > 6 && plane[4 * a - 1] > r / 2.0; a--) {
                 whose[a] = whose[a - 1];
                 for (l = 0; l < 4; l++)
@@ -75,12 +98,12 @@ static int neighbours(const tess_real *p, const tess_int *tet,
 static void begin(const double *side, double *plane, double *vert,
                   tess_int *tri, tess_int *next)
 {
-    tess_int a, v;
+    tess_int a, v, bit;
     int k, m, odd;
 
     for (a = 0; a < 6; a++) {
         for (k = 0; k < 3; k++) plane[4 * a + k] = 0.0;
-        plane[4 * a + (int)(a % 3)] = a < 3 ? -1.0 : 1.0;
+        plane[4 * a + a / 2] = a % 2 ? 1.0 : -1.0;
         plane[4 * a + 3] = side[a];
     }
     /* The upper sides of corner v are the bits set in it.  The order x, y, z is
@@ -89,10 +112,11 @@ static void begin(const double *side, double *plane, double *vert,
         odd = (int)((v + v / 2 + v / 4) % 2);
         for (k = 0; k < 3; k++) {
             m = odd || k == 2 ? k : 1 - k;
-            a = (v >> m) % 2 ? m + 3 : m;
-            vert[3 * v + m] = a < 3 ? -side[a] : side[a];
+            bit = (tess_int)(1 << m);
+            a = (tess_int)(2 * m + (v / bit) % 2);
+            vert[3 * v + m] = a % 2 ? side[a] : -side[a];
             tri[3 * v + k] = a;
-            next[3 * v + (k + 1) % 3] = a < 3 ? v + (1 << m) : v - (1 << m);
+            next[3 * v + (k + 1) % 3] = (tess_int)(a % 2 ? v - bit : v + bit);
         }
     }
 }
@@ -296,7 +320,7 @@ static double measured(tess_int planes, const double *plane, tess_int many,
             }
             v = w;
         }
-        area[j] = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
+        area[j] = norm(x);
         volume += area[j] * plane[4 * j + 3] / 3.0;
     }
     return volume > 0.0 ? volume : 0.0;
@@ -358,17 +382,39 @@ static tess_int outlined(tess_int planes, const tess_int *tri,
     return count;
 }
 
+/* closed - 1 if the faces are those of a polyhedron: Euler's formula holds, no
+ * vertex is twice in a face, and no edge, in its direction, in two faces. */
+static int closed(tess_int nvert, tess_int nface, const tess_int *start,
+                  const tess_int *corner)
+{
+    tess_int f, g, a, b, to;
+
+    if (2 * (nvert + nface) != 4 + start[nface]) return 0;
+    for (f = 0; f < nface; f++)
+        for (a = start[f]; a < start[f + 1]; a++) {
+            to = corner[a + 1 < start[f + 1] ? a + 1 : start[f]];
+            for (g = 0; g <= f; g++)
+                for (b = start[g]; b < start[g + 1] && b < a; b++)
+                    if (corner[b] == corner[a] &&
+                        (g == f || to == corner[b + 1 < start[g + 1]
+                                                    ? b + 1 : start[g]]))
+                        return 0;
+        }
+    return 1;
+}
+
 /* cell - the Voronoi cell of point i: what is nearer to it than to any other.
  *
  *   p, tet, adj, first, list  (in)  points, mesh, and stars of it
  *   i       (in)   the point
- *   box     (in)   lower x, y, z and upper x, y, z: the cell is clipped to
- *                  it.  box[0] > box[3]: not at all.  Need not hold the point
+ *   box     (in)   x0, x1, y0, y1, z0, z1: the cell is clipped to what is
+ *                  between; need not hold the point.  A null pointer: not
+ *                  clipped
  *   most    (in)   faces that there is room for; 8 more than tetrahedra at i
  *                  suffice
  *   nface   (out)  number of faces
  *   whose   (out)  most: the neighbour across each, or -1 ... -6 for the box's
- *                  side at lower x, y, z, upper x, y, z
+ *                  side at x0, x1, y0, y1, z0, z1
  *   area    (out)  most: of each face
  *   volume  (out)  of the cell
  *   start   (out)  most + 1: face f has the vertices corner[start[f]] ...
@@ -382,10 +428,11 @@ static tess_int outlined(tess_int planes, const tess_int *tri,
  * returns 0; TESS_MORE when most is too small: nface is then a number that
  * suffices; 2 where there is no box and the cell has no end, or one some 1e9
  * times as far away as neighbours, which rounding does not tell; 3 where
- * rounding leaves no polyhedron, or a neighbour is nearer than 1e-100 or
- * farther than 1e100: a double holds no such volumes; TESS_BAD_OPEN at an open
- * facet.  A duplicate has no tetrahedra: its cell is that of iw[i], and nface =
- * 0, volume = 0 here.
+ * rounding leaves no polyhedron, where the cell's farthest vertex is less than
+ * 1e-102 or more than 1e102 away, so that a double does not hold the volume, or
+ * a neighbour or the box reaches farther than 1e290; TESS_BAD_OPEN at an open
+ * facet; -7 for a box with x0 > x1, or a NaN.  A duplicate has no tetrahedra:
+ * its cell is that of iw[i], and nface = 0, volume = 0 here.
  * Cost: some 25 microseconds in a cloud; O(m^2) for m neighbours.
  *
  * The box, or one that is made larger until nothing is left of its sides, is
@@ -406,15 +453,16 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
     tess_int *tri = iwork, *next = iwork + 9 * most, *same = iwork + 18 * most;
     tess_int *queue = iwork + 21 * most, *last = iwork + 24 * most;
     tess_int planes, many, j, v, a;
-    double *plane = work, *d = work + 4 * most, side[6], limit, near;
-    int open = !(box[0] <= box[3]), outer, code, k;
+    double *plane = work, *d = work + 4 * most, side[6], limit, near, far = 0.0;
+    int open = box == NULL, outer, code, k;
 
     *nface = *nvert = 0;
     *volume = 0.0;
     start[0] = 0;
+    if (!open && !proper(box)) return -7;
     if (first[i + 1] == first[i]) return 0;
     if (most < first[i + 1] - first[i] + 8) {
-        *nface = first[i + 1] - first[i] + 8;
+        *nface = (tess_int)(first[i + 1] - first[i] + 8);
         return TESS_MORE;
     }
     code = neighbours(p, tet, adj, first, list, i, open, &planes, whose, plane);
@@ -422,11 +470,12 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
     limit = 4.0 * plane[4 * planes - 1];
     do {
         for (a = 0; a < 6; a++) {
-            whose[a] = -1 - a;
+            whose[a] = (tess_int)(-1 - a);
             side[a] = limit;
             if (open) continue;
-            side[a] = box[a] - (double)p[3 * i + a % 3];
-            if (a < 3) side[a] = -side[a];
+            side[a] = box[a] - (double)p[3 * i + a / 2];
+            if (a % 2 == 0) side[a] = -side[a];
+            if (!(fabs(side[a]) < FARTHEST)) return 3;
         }
         begin(side, plane, vert, tri, next);
         for (many = 8, j = 6; j < planes && many > 0; j++) {
@@ -438,12 +487,14 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
         limit *= 16.0;
         if (outer && limit > 1e10 * plane[4 * planes - 1]) return 2;
     } while (outer);
+    for (v = 0; v < many; v++)
+        if (most3(vert + 3 * v) > far) far = most3(vert + 3 * v);
+    if (far > 0.0 && !(far > 1e-102 && far < 1e102)) return 3;
     *volume = measured(planes, plane, many, vert, tri, next, last, area);
     for (near = 1e-13;; near = 0.0) {
         *nvert = numbered(many, vert, next, near, same, queue);
         *nface = outlined(planes, tri, next, last, same, start, corner, queue);
-        /* a polyhedron, by Euler's formula? */
-        if (near == 0.0 || 2 * (*nvert + *nface) == 4 + start[*nface]) break;
+        if (*nvert == many || closed(*nvert, *nface, start, corner)) break;
     }
     for (j = 0; j < *nface; j++) {
         area[j] = area[queue[j]];
@@ -464,7 +515,7 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
  * box that they fill.
  *
  *   n, p, tet, adj, first, list  (in)  points, mesh, and stars of it
- *   box     (in)   lower x, y, z and upper x, y, z
+ *   box     (in)   x0, x1, y0, y1, z0, z1
  *   maxrow  (in)   faces that there is room for: 16 a point in a cloud
  *   nrow    (out)  number of faces, each of which comes from both sides; but
  *                  for code -13 a most that suffices
@@ -479,24 +530,22 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
  *   work    (out)  17*most doubles
  *
  * returns 0; TESS_MORE when maxrow is too small: nrow is then the number
- * needed; -7 for a box that is none; -13 when most is too small; what cell
- * returns.
+ * needed; -13 when most is too small; what cell returns.
  *
  * All areas and volumes are at least 0, unlike those of `dual' at the hull, and
  * the volumes' sum is the box's.  The face of i and j is at right angles to
  * p_j - p_i and midway. */
 int clipped(tess_int n, const tess_real *p, const tess_int *tet,
-                   const tess_int *adj, const tess_int *first,
-                   const tess_int *list, const double *box, tess_int maxrow,
-                   tess_int *nrow, tess_int *row, tess_int *other,
-                   double *area, double *volume, tess_int most,
-                   tess_int *iwork, double *work)
+            const tess_int *adj, const tess_int *first, const tess_int *list,
+            const double *box, tess_int maxrow, tess_int *nrow, tess_int *row,
+            tess_int *other, double *area, double *volume, tess_int most,
+            tess_int *iwork, double *work)
 {
     tess_int i, j, nface, nvert;
     int code;
 
     *nrow = 0;
-    if (!(box[0] <= box[3])) return -7;
+    if (box == NULL || !proper(box)) return -7;
     for (i = 0; i < n; i++) {
         row[i] = *nrow;
         code = cell(p, tet, adj, first, list, i, box, most, &nface, iwork,
@@ -535,9 +584,8 @@ int clipped(tess_int n, const tess_real *p, const tess_int *tet,
  * TESS_BAD_ADJ for a neighbour that is out of range, TESS_BAD_OPEN for an
  * unfinished mesh; what tess_ball returns.  Cost: O(ntet). */
 int alpha(const tess_real *p, tess_int ntet, const tess_int *tet,
-                 const tess_int *adj, double radius, int voids, char *keep,
-                 tess_int maxfac, tess_int *nfac, tess_int *fac,
-                 tess_int *stack)
+          const tess_int *adj, double radius, int voids, char *keep,
+          tess_int maxfac, tess_int *nfac, tess_int *fac, tess_int *stack)
 {
     static const int facet[4][3] = {
         {1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};

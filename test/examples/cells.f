@@ -3,10 +3,12 @@ C     recipes to copy.
 C
 C       CELL    the Voronoi cell of a point: a polyhedron, its vertices,
 C               faces and neighbours, its volume; clipped to a box
-C               (STARS' rows; CLMOST, CLHEIG, CLNEIG, CLBEGI, CLMEET,
-C               CLFLOO, CLDIVI, CLCUT, CLALON, CLMEAS, CLNUMB, CLOUTL)
+C               (STARS' rows; CLPROP, CLMOST, CLNORM, CLHEIG, CLNEIG,
+C               CLBEGI, CLMEET, CLFLOO, CLDIVI, CLCUT, CLALON, CLMEAS,
+C               CLNUMB, CLOUTL, CLCLOS)
 C       CLIPPE  for finite volumes: all cells' volumes, and the areas of
-C               their faces, clipped to a box  (STARS' rows; CELL)
+C               their faces, clipped to a box
+C               (STARS' rows; CLPROP, CELL)
 C       ALPHA   the part of the mesh whose tetrahedra have small balls,
 C               and its boundary
 C
@@ -15,9 +17,27 @@ C     same in C.
 
 C     ---- cell ----
 
+C     CLPROP - 1 for a box, else 0.
+      INTEGER FUNCTION CLPROP(BOX)
+      DOUBLE PRECISION BOX(6)
+      CLPROP = 0
+      IF (BOX(1) .LE. BOX(2) .AND. BOX(3) .LE. BOX(4) .AND.
+     1    BOX(5) .LE. BOX(6)) CLPROP = 1
+      END
+
       DOUBLE PRECISION FUNCTION CLMOST(A)
       DOUBLE PRECISION A(3)
       CLMOST = MAX(ABS(A(1)), ABS(A(2)), ABS(A(3)))
+      END
+
+C     CLNORM - the length of A, whose square may be beyond numbers.
+      DOUBLE PRECISION FUNCTION CLNORM(A)
+      DOUBLE PRECISION A(3)
+      DOUBLE PRECISION MOST, CLMOST
+      MOST = CLMOST(A)
+      CLNORM = MOST
+      IF (MOST .GT. 0.0D0) CLNORM = MOST*
+     1   SQRT((A(1)/MOST)**2 + (A(2)/MOST)**2 + (A(3)/MOST)**2)
       END
 
 C     CLHEIG - the height of X over a plane, that is a unit normal and
@@ -35,7 +55,9 @@ C     codes.
       INTEGER TET(4,*), ADJ(4,*), FIRST(*), LIST(*), I, FREE, PLANES
       INTEGER WHOSE(*), INFO
       DOUBLE PRECISION P(3,*), PLANE(4,*)
-      DOUBLE PRECISION E(3), R
+      DOUBLE PRECISION FAREST
+      PARAMETER (FAREST = 1.0D290)
+      DOUBLE PRECISION E(3), R, CLNORM
       INTEGER A, J, K, L, T, V
       PLANES = 6
       DO 70 J = FIRST(I), FIRST(I+1) - 1
@@ -53,9 +75,9 @@ C     codes.
             DO 20 L = 1, 3
                E(L) = P(L,V) - P(L,I)
    20       CONTINUE
-            R = SQRT(E(1)**2 + E(2)**2 + E(3)**2)
+            R = CLNORM(E)
             INFO = 3
-            IF (.NOT. (R .GT. 1.0D-100 .AND. R .LT. 1.0D100)) RETURN
+            IF (.NOT. (R .GT. 0.0D0 .AND. R .LT. FAREST)) RETURN
             PLANES = PLANES + 1
             A = PLANES
    30       CONTINUE
@@ -85,14 +107,14 @@ C     it.
       DOUBLE PRECISION SIDE(6), PLANE(4,*), VERT(3,*)
       INTEGER TRI(3,*), NEXT(3,*)
       INTEGER A, V, K, M, ODD, BIT(3)
-      DO 20 A = 1, 6
-         DO 10 K = 1, 3
-            PLANE(K,A) = 0.0D0
+      DO 20 K = 1, 3
+         DO 10 A = 2*K - 1, 2*K
+            PLANE(1,A) = 0.0D0
+            PLANE(2,A) = 0.0D0
+            PLANE(3,A) = 0.0D0
+            PLANE(K,A) = DBLE(1 - 2*MOD(A, 2))
+            PLANE(4,A) = SIDE(A)
    10    CONTINUE
-         K = MOD(A - 1, 3) + 1
-         PLANE(K,A) = 1.0D0
-         IF (A .LE. 3) PLANE(K,A) = -1.0D0
-         PLANE(4,A) = SIDE(A)
    20 CONTINUE
 C     The upper sides of corner V are the bits set in V - 1.  The order
 C     X, Y, Z is counter-clockwise where their number is odd.
@@ -105,9 +127,8 @@ C     X, Y, Z is counter-clockwise where their number is odd.
          DO 40 K = 1, 3
             M = K
             IF (ODD .EQ. 0 .AND. K .LT. 3) M = 3 - K
-            A = M + 3*BIT(M)
-            VERT(M,V) = SIDE(A)
-            IF (A .LE. 3) VERT(M,V) = -SIDE(A)
+            A = 2*M - 1 + BIT(M)
+            VERT(M,V) = DBLE(2*BIT(M) - 1)*SIDE(A)
             TRI(K,V) = A
             NEXT(MOD(K, 3) + 1,V) = V + (1 - 2*BIT(M))*2**(M - 1)
    40    CONTINUE
@@ -342,7 +363,7 @@ C     where TRI(K,V) is plane J, or 0 where it has no face.
      1                  AREA, VOLUME)
       INTEGER PLANES, MANY, TRI(3,*), NEXT(3,*), LAST(*)
       DOUBLE PRECISION PLANE(4,*), VERT(3,*), AREA(*), VOLUME
-      DOUBLE PRECISION X(3)
+      DOUBLE PRECISION X(3), CLNORM
       INTEGER A, B, C, J, K, L, M, AT
       VOLUME = 0.0D0
       DO 10 J = 1, PLANES
@@ -376,7 +397,7 @@ C     where TRI(K,V) is plane J, or 0 where it has no face.
    50       CONTINUE
             GO TO 40
          END IF
-         AREA(J) = SQRT(X(1)**2 + X(2)**2 + X(3)**2)
+         AREA(J) = CLNORM(X)
          VOLUME = VOLUME + AREA(J)*PLANE(4,J) / 3.0D0
    70 CONTINUE
       VOLUME = MAX(VOLUME, 0.0D0)
@@ -456,20 +477,44 @@ C     many there are.
    30 CONTINUE
       END
 
+C     CLCLOS - 1 if the faces are those of a polyhedron: Euler's formula
+C     holds, no vertex is twice in a face, and no edge, in its
+C     direction, in two faces.
+      INTEGER FUNCTION CLCLOS(NVERT, NFACE, START, CORNER)
+      INTEGER NVERT, NFACE, START(*), CORNER(*)
+      INTEGER F, G, A, B, TO, TOO
+      CLCLOS = 0
+      IF (2*(NVERT + NFACE) .NE. 3 + START(NFACE+1)) RETURN
+      DO 40 F = 1, NFACE
+         DO 30 A = START(F), START(F+1) - 1
+            TO = CORNER(START(F))
+            IF (A + 1 .LT. START(F+1)) TO = CORNER(A+1)
+            DO 20 G = 1, F
+               DO 10 B = START(G), MIN(START(G+1), A) - 1
+                  IF (CORNER(B) .NE. CORNER(A)) GO TO 10
+                  TOO = CORNER(START(G))
+                  IF (B + 1 .LT. START(G+1)) TOO = CORNER(B+1)
+                  IF (G .EQ. F .OR. TO .EQ. TOO) RETURN
+   10          CONTINUE
+   20       CONTINUE
+   30    CONTINUE
+   40 CONTINUE
+      CLCLOS = 1
+      END
+
 C     CELL - the Voronoi cell of point I: what is nearer to it than to
 C     any other.
 C
 C       P, TET, ADJ, FIRST, LIST  (in)  points, mesh, and stars of it
 C       I       (in)   the point
-C       BOX     (in)   lower X, Y, Z and upper X, Y, Z: the cell is
-C                      clipped to it.  BOX(1) > BOX(4): not at all.
-C                      Need not hold the point
+C       BOX     (in)   (6): X0, X1, Y0, Y1, Z0, Z1: the cell is clipped
+C                      to what is between; need not hold the point
+C       BOXED   (in)   0: the cell is not clipped, and BOX not looked at
 C       MOST    (in)   faces that there is room for; 8 more than
 C                      tetrahedra at I suffice
 C       NFACE   (out)  number of faces
 C       WHOSE   (out)  (MOST): the neighbour across each, or -1 ... -6
-C                      for the box's side at lower X, Y, Z, upper X, Y,
-C                      Z
+C                      for the box's side at X0, X1, Y0, Y1, Z0, Z1
 C       AREA    (out)  (MOST): of each face
 C       VOLUME  (out)  of the cell
 C       START   (out)  (MOST+1): face F has the vertices
@@ -485,10 +530,12 @@ C       INFO    (out)  0; 1 when MOST is too small: NFACE is then a
 C                      number that suffices; 2 where there is no box and
 C                      the cell has no end, or one some 1D9 times as far
 C                      away as neighbours, which rounding does not tell;
-C                      3 where rounding leaves no polyhedron, or a
-C                      neighbour is nearer than 1D-100 or farther than
-C                      1D100: a number holds no such volumes; 13 at an
-C                      open facet
+C                      3 where rounding leaves no polyhedron, where the
+C                      cell's farthest vertex is less than 1D-102 or
+C                      more than 1D102 away, so that a number does not
+C                      hold the volume, or a neighbour or the box
+C                      reaches farther than 1D290; 13 at an open facet;
+C                      -7 for a box with X0 > X1, or a NaN
 C
 C     A duplicate has no tetrahedra: its cell is that of IW(I), and
 C     NFACE = 0, VOLUME = 0 here.
@@ -505,16 +552,21 @@ C     that only touches the cell, as in a lattice, cuts nothing, and at
 C     the end edges shorter than 1D-13 of their distance shrink to a
 C     vertex, and faces of fewer than three go, unless the rest would be
 C     no polyhedron.
-      SUBROUTINE CELL(P, TET, ADJ, FIRST, LIST, I, BOX, MOST, NFACE,
-     1                WHOSE, AREA, VOLUME, START, CORNER, NVERT, VERT,
-     2                IWORK, WORK, INFO)
-      INTEGER TET(4,*), ADJ(4,*), FIRST(*), LIST(*), I, MOST, NFACE
-      INTEGER WHOSE(*), START(*), CORNER(*), NVERT, IWORK(*), INFO
+      SUBROUTINE CELL(P, TET, ADJ, FIRST, LIST, I, BOX, BOXED, MOST,
+     1                NFACE, WHOSE, AREA, VOLUME, START, CORNER, NVERT,
+     2                VERT, IWORK, WORK, INFO)
+      INTEGER TET(4,*), ADJ(4,*), FIRST(*), LIST(*), I, BOXED, MOST
+      INTEGER NFACE, WHOSE(*), START(*), CORNER(*), NVERT, IWORK(*)
+      INTEGER INFO
       DOUBLE PRECISION P(3,*), BOX(6), AREA(*), VOLUME, VERT(3,*)
       DOUBLE PRECISION WORK(*)
-      DOUBLE PRECISION SIDE(6), LIMIT, NEAR, FAR
+C     Coordinates less than FAREST can be added, and multiplied by
+C     1D10.
+      DOUBLE PRECISION FAREST
+      PARAMETER (FAREST = 1.0D290)
+      DOUBLE PRECISION SIDE(6), LIMIT, NEAR, FAR, CLMOST
       INTEGER TRI, NEXT, SAME, QUEUE, LAST, D, PLANES, MANY, J, V, A
-      INTEGER FREE, OUTER, K
+      INTEGER FREE, OUTER, K, CLPROP, CLCLOS
       TRI = 1
       NEXT = 9*MOST + 1
       SAME = 18*MOST + 1
@@ -525,6 +577,12 @@ C     no polyhedron.
       NVERT = 0
       VOLUME = 0.0D0
       START(1) = 1
+      FREE = 0
+      IF (BOXED .EQ. 0) FREE = 1
+      INFO = -7
+      IF (FREE .EQ. 0) THEN
+         IF (CLPROP(BOX) .EQ. 0) RETURN
+      END IF
       INFO = 0
       IF (FIRST(I+1) .EQ. FIRST(I)) RETURN
       INFO = 1
@@ -532,8 +590,6 @@ C     no polyhedron.
          NFACE = FIRST(I+1) - FIRST(I) + 8
          RETURN
       END IF
-      FREE = 0
-      IF (.NOT. (BOX(1) .LE. BOX(4))) FREE = 1
       V = I
       CALL CLNEIG(P, TET, ADJ, FIRST, LIST, V, FREE, PLANES, WHOSE,
      1            WORK, INFO)
@@ -545,9 +601,12 @@ C     no polyhedron.
          WHOSE(A) = -A
          SIDE(A) = LIMIT
          IF (FREE .EQ. 1) GO TO 20
-         SIDE(A) = BOX(A) - P(MOD(A - 1, 3) + 1,I)
-         IF (A .LE. 3) SIDE(A) = -SIDE(A)
+         SIDE(A) = BOX(A) - P((A + 1)/2,I)
+         IF (MOD(A, 2) .EQ. 1) SIDE(A) = -SIDE(A)
+         INFO = 3
+         IF (.NOT. (ABS(SIDE(A)) .LT. FAREST)) RETURN
    20 CONTINUE
+      INFO = 0
       CALL CLBEGI(SIDE, WORK, VERT, IWORK(TRI), IWORK(NEXT))
       MANY = 8
       DO 30 J = 7, PLANES
@@ -570,6 +629,13 @@ C     no polyhedron.
          IF (LIMIT .GT. 1.0D10*FAR) RETURN
          GO TO 10
       END IF
+      FAR = 0.0D0
+      DO 45 V = 1, MANY
+         FAR = MAX(FAR, CLMOST(VERT(1,V)))
+   45 CONTINUE
+      INFO = 3
+      IF (FAR .GT. 0.0D0 .AND. .NOT. (FAR .GT. 1.0D-102 .AND.
+     1    FAR .LT. 1.0D102)) RETURN
       CALL CLMEAS(PLANES, WORK, MANY, VERT, IWORK(TRI), IWORK(NEXT),
      1            IWORK(LAST), AREA, VOLUME)
       NEAR = 1.0D-13
@@ -578,11 +644,9 @@ C     no polyhedron.
      1            IWORK(QUEUE), NVERT)
       CALL CLOUTL(PLANES, IWORK(TRI), IWORK(NEXT), IWORK(LAST),
      1            IWORK(SAME), START, CORNER, IWORK(QUEUE), NFACE)
-C     A polyhedron, by Euler's formula?
-      IF (NEAR .GT. 0.0D0 .AND.
-     1    2*(NVERT + NFACE) .NE. 3 + START(NFACE+1)) THEN
+      IF (NVERT .LT. MANY) THEN
          NEAR = 0.0D0
-         GO TO 50
+         IF (CLCLOS(NVERT, NFACE, START, CORNER) .EQ. 0) GO TO 50
       END IF
       DO 60 J = 1, NFACE
          A = IWORK(QUEUE+J-1)
@@ -606,7 +670,7 @@ C     CLIPPE - for finite volumes: the Voronoi cells of all points,
 C     clipped to a box that they fill.
 C
 C       N, P, TET, ADJ, FIRST, LIST  (in)  points, mesh, and stars of it
-C       BOX     (in)   lower X, Y, Z and upper X, Y, Z
+C       BOX     (in)   (6): X0, X1, Y0, Y1, Z0, Z1
 C       MAXROW  (in)   faces that there is room for: 16 a point in a
 C                      cloud
 C       NROW    (out)  number of faces, each of which comes from both
@@ -622,8 +686,8 @@ C                      8
 C       IWORK   (out)  (33*MOST+1)
 C       WORK    (out)  (17*MOST)
 C       INFO    (out)  0; 1 when MAXROW is too small: NROW is then the
-C                      number needed; -7 for a box that is none; -13
-C                      when MOST is too small; what CELL returns
+C                      number needed; -13 when MOST is too small; what
+C                      CELL returns
 C
 C     All areas and volumes are at least 0, unlike those of DUAL at the
 C     hull, and the volumes' sum is the box's.  The face of I and J is
@@ -634,13 +698,13 @@ C     at right angles to P(J) - P(I) and midway.
       INTEGER N, TET(4,*), ADJ(4,*), FIRST(*), LIST(*), MAXROW, NROW
       INTEGER ROW(*), OTHER(*), MOST, IWORK(*), INFO
       DOUBLE PRECISION P(3,*), BOX(6), AREA(*), VOLUME(*), WORK(*)
-      INTEGER I, J, NFACE, NVERT
+      INTEGER I, J, NFACE, NVERT, CLPROP
       NROW = 0
       INFO = -7
-      IF (.NOT. (BOX(1) .LE. BOX(4))) RETURN
+      IF (CLPROP(BOX) .EQ. 0) RETURN
       ROW(1) = 1
       DO 20 I = 1, N
-         CALL CELL(P, TET, ADJ, FIRST, LIST, I, BOX, MOST, NFACE,
+         CALL CELL(P, TET, ADJ, FIRST, LIST, I, BOX, 1, MOST, NFACE,
      1             IWORK(1), WORK(1), VOLUME(I), IWORK(MOST+1),
      2             IWORK(2*MOST+2), NVERT, WORK(MOST+1),
      3             IWORK(8*MOST+2), WORK(10*MOST+1), INFO)

@@ -19,7 +19,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "tess.h"
+#include "recipes.h"
 
 /* ---- edges ---- */
 
@@ -144,7 +144,8 @@ void stars(tess_int n, tess_int ntet, const tess_int *tet, tess_int *first,
     for (i = 0; i < 4 * ntet; i++) first[tet[i]]++;
     for (i = 1; i <= n; i++) first[i] += first[i - 1];
     /* each row is filled from its end, and its end becomes its beginning */
-    for (i = 4 * ntet - 1; i >= 0; i--) list[--first[tet[i]]] = i / 4;
+    for (i = (tess_int)(4 * ntet - 1); i >= 0; i--)
+        list[--first[tet[i]]] = i / 4;
 }
 
 /* nearest - the point of p nearest to q.
@@ -205,16 +206,23 @@ static void cross(const double *a, const double *b, double *c)
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
+/* No product of more than three lengths is computed: of 1e100 or 1e-100 it
+ * would be beyond doubles. */
+
 /* circle - centre of the circle through 0, u, v. */
 static void circle(const double *u, const double *v, double *middle)
 {
-    double normal[3], x[3], size;
+    double a[3], b[3], normal[3], x[3], size;
+    double lu = sqrt(dot(u, u)), lv = sqrt(dot(v, v));
     int k;
 
-    cross(u, v, normal);
+    for (k = 0; k < 3; k++) {
+        a[k] = u[k] / lu;
+        b[k] = v[k] / lv;
+    }
+    cross(a, b, normal);
     size = 2.0 * dot(normal, normal);
-    for (k = 0; k < 3; k++)
-        x[k] = (dot(u, u) * v[k] - dot(v, v) * u[k]) / size;
+    for (k = 0; k < 3; k++) x[k] = (lu * b[k] - lv * a[k]) / size;
     cross(x, normal, middle);
 }
 
@@ -231,13 +239,14 @@ static void centre(const double *u, const double *v, const double *w,
     cross(w, u, wu);
     cross(u, v, uv);
     det = dot(u, vw);
-    if (det <= 1e-13 * sqrt(dot(u, u) * dot(v, v) * dot(w, w))) {
+    if (det <= 1e-13 * sqrt(dot(u, u)) * sqrt(dot(v, v)) * sqrt(dot(w, w))) {
         circle(u, v, c);
         return;
     }
+    det *= 2.0;
     for (k = 0; k < 3; k++)
-        c[k] = (dot(u, u) * vw[k] + dot(v, v) * wu[k] + dot(w, w) * uv[k]) /
-               (2.0 * det);
+        c[k] = dot(u, u) / det * vw[k] + dot(v, v) / det * wu[k] +
+               dot(w, w) / det * uv[k];
 }
 
 /* measure - a tetrahedron's volume and ball.

@@ -237,16 +237,24 @@ C     ---- measures ----
       C(3) = A(1)*B(2) - A(2)*B(1)
       END
 
+C     No product of more than three lengths is computed: of 1D100 or
+C     1D-100 it would be beyond numbers.
+
 C     DERCIR - centre of the circle through 0, U, V.
       SUBROUTINE DERCIR(U, V, C)
       DOUBLE PRECISION U(3), V(3), C(3)
-      DOUBLE PRECISION NORMAL(3), X(3), DERDOT
+      DOUBLE PRECISION A(3), B(3), NORMAL(3), X(3), LU, LV, DERDOT
       INTEGER K
-      CALL DERCRO(U, V, NORMAL)
+      LU = SQRT(DERDOT(U, U))
+      LV = SQRT(DERDOT(V, V))
       DO 10 K = 1, 3
-         X(K) = (DERDOT(U, U)*V(K) - DERDOT(V, V)*U(K)) /
-     1          (2.0D0*DERDOT(NORMAL, NORMAL))
+         A(K) = U(K) / LU
+         B(K) = V(K) / LV
    10 CONTINUE
+      CALL DERCRO(A, B, NORMAL)
+      DO 20 K = 1, 3
+         X(K) = (LU*B(K) - LV*A(K)) / (2.0D0*DERDOT(NORMAL, NORMAL))
+   20 CONTINUE
       CALL DERCRO(X, NORMAL, C)
       END
 
@@ -264,12 +272,13 @@ C     of the circle through three of them will do.
       UU = DERDOT(U, U)
       VV = DERDOT(V, V)
       WW = DERDOT(W, W)
-      IF (DET .LE. 1.0D-13*SQRT(UU*VV*WW)) THEN
+      IF (DET .LE. 1.0D-13*SQRT(UU)*SQRT(VV)*SQRT(WW)) THEN
          CALL DERCIR(U, V, C)
          RETURN
       END IF
+      DET = 2.0D0*DET
       DO 10 K = 1, 3
-         C(K) = (UU*VW(K) + VV*WU(K) + WW*UV(K)) / (2.0D0*DET)
+         C(K) = UU/DET*VW(K) + VV/DET*WU(K) + WW/DET*UV(K)
    10 CONTINUE
       END
 

@@ -10,7 +10,7 @@
  * Points much denser in one direction: stretch that direction, of p and of the
  * box.
  */
-#include "tess.h"
+#include "recipes.h"
 
 /* ongrid - values at the places of a grid.
  *

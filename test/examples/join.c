@@ -27,7 +27,7 @@
  * asked for, but for points that have very many neighbours: TESS_POOL.  So
  *     liw = 7 n + 600 + TESS_LIW(m)
  */
-#include "tess.h"
+#include "recipes.h"
 
 /* keep - which tetrahedra of a part are kept?
  *
@@ -114,9 +114,9 @@ int join(tess_int ntet, const tess_int *tet, tess_int *adj, tess_int lh,
     tess_int i, at, size, open = 0, v[3], w[3];
     int side, other;
 
-    for (i = 0; i < 4 * ntet; i++) open += adj[i] == TESS_OPEN;
+    for (i = 0; i < 4 * ntet; i++) if (adj[i] == TESS_OPEN) open++;
     if (lh <= open) return -4;
-    size = open < lh / 2 ? 2 * open + 1 : lh;
+    size = open < lh / 2 ? (tess_int)(2 * open + 1) : lh;
     for (i = 0; i < size; i++) h[i] = TESS_NONE;
     for (i = 0; i < 4 * ntet; i++) {
         if (adj[i] != TESS_OPEN) continue;

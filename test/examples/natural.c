@@ -10,7 +10,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "tess.h"
+#include "recipes.h"
 
 /* ---- weights ---- */
 
@@ -98,7 +98,7 @@ static tess_int slot(tess_int size, const tess_int *table, const tess_int *key,
 {
     tess_int i = k % size;
 
-    while (table[i] >= 0 && key[table[i]] != k) i = (i + 1) % size;
+    while (table[i] >= 0 && key[table[i]] != k) i = (tess_int)((i + 1) % size);
     return i;
 }
 
@@ -319,7 +319,7 @@ int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
     if (code == 0 && w[0] < 1.0 && w[1] < 1.0 && w[2] < 1.0 && w[3] < 1.0) {
         list[0] = *t;
         code = region(p, ntet, tet, adj, q, most, &nlist, list, side, corner,
-                      nn, nbr, 2 * most + 7, corner + 4 * most);
+                      nn, nbr, (tess_int)(2 * most + 7), corner + 4 * most);
         if (code != 0) {
             *nn = 0;
             return code;

@@ -10,13 +10,12 @@
 #include <float.h>
 #include <math.h>
 
-#include "tess.h"
+#include "recipes.h"
 
 /* Copies of the box are numbered 1024 a + 32 b + c, a, b, c = -REACH ... REACH
  * box lengths along the axes: numbers add up as the copies do, and ascend in
  * an order that no translation alters. */
 #define REACH 7
-#define PERIODIC_FEW 20 /* REACH is too short */
 
 /* unpack - a, b, c of a copy. */
 void unpack(tess_int number, int *copy)
@@ -39,31 +38,34 @@ static double rounded(double x, double unit)
 /* copies - of all points that are less than margin from the box, ordered by
  * point, then by copy.  Points and lengths are rounded to multiples of a power
  * of two that is so large that the copies need no rounding. */
-static int copies(tess_int n, const tess_real *p, const double *low,
-                  const double *length, double margin, tess_int maxcop,
-                  tess_int *ncop, tess_real *x, tess_int *who, tess_int *copy,
-                  tess_int *mine)
+static int copies(tess_int n, const tess_real *p, const double *box,
+                  double margin, tess_int maxcop, tess_int *ncop, tess_real *x,
+                  tess_int *who, tess_int *copy, tess_int *mine)
 {
+    const int narrow = sizeof *x < sizeof(double);
     double size = 0.0, unit, r[3], side[3];
     tess_int i;
     int first[3], last[3], a[3], k;
 
     for (k = 0; k < 3; k++) {
-        unit = fabs(low[k]) + (REACH + 1) * length[k];
+        unit = fabs(box[2 * k]) + (REACH + 1) * (box[2 * k + 1] - box[2 * k]);
         if (unit > size) size = unit;
     }
+    if (!(size <= (narrow ? (double)FLT_MAX : DBL_MAX))) return TESS_RANGE;
     frexp(size, &k);
-    unit = ldexp(1.0, k - (sizeof *x > 4 ? DBL_MANT_DIG : FLT_MANT_DIG));
-    for (k = 0; k < 3; k++) side[k] = rounded(length[k], unit);
+    unit = ldexp(1.0, k - (narrow ? FLT_MANT_DIG : DBL_MANT_DIG));
+    if (!(unit >= (narrow ? (double)FLT_MIN : DBL_MIN))) return TESS_RANGE;
+    for (k = 0; k < 3; k++)
+        side[k] = rounded(box[2 * k + 1] - box[2 * k], unit);
     for (*ncop = i = 0; i < n; i++) {
         for (k = 0; k < 3; k++) {
             r[k] = (double)p[3 * i + k];
-            if (!(r[k] >= low[k] && r[k] <= low[k] + length[k])) return -2;
+            if (!(r[k] >= box[2 * k] && r[k] <= box[2 * k + 1])) return -2;
             r[k] = rounded(r[k], unit);
-            size = (r[k] - low[k] + margin) / side[k];
+            size = (r[k] - box[2 * k] + margin) / side[k];
             if (!(size < REACH + 1)) return PERIODIC_FEW;
             first[k] = -(int)floor(size);
-            size = (low[k] + length[k] + margin - r[k]) / side[k];
+            size = (box[2 * k + 1] + margin - r[k]) / side[k];
             if (!(size < REACH + 1)) return PERIODIC_FEW;
             last[k] = (int)floor(size);
         }
@@ -74,7 +76,7 @@ static int copies(tess_int n, const tess_real *p, const double *low,
                     for (k = 0; k < 3; k++)
                         x[3 * *ncop + k] = (tess_real)(r[k] + a[k] * side[k]);
                     who[*ncop] = i;
-                    copy[*ncop] = 1024 * a[0] + 32 * a[1] + a[2];
+                    copy[*ncop] = (tess_int)(1024 * a[0] + 32 * a[1] + a[2]);
                     mine[*ncop] = copy[*ncop] == 0;
                     ++*ncop;
                 }
@@ -83,15 +85,17 @@ static int copies(tess_int n, const tess_real *p, const double *low,
 }
 
 /* ball - of the tetrahedron v: tess_ball's where that is so flat that 3 digits
- * of its centre are lost, else from its edges, which is ten times as fast. */
-static int ball(const tess_real *x, const tess_int *v, double *c)
+ * of its centre are lost, else from its edges, which is ten times as fast; these
+ * in units of a length, or products would be beyond doubles. */
+static int ball(const tess_real *x, const tess_int *v, double unit, double *c)
 {
     double e[3][3], f[3], square[3], det = 0.0, sum = 0.0;
     int a, b, i, k;
 
     for (i = 0; i < 3; i++) {
         for (k = 0; k < 3; k++)
-            e[i][k] = (double)x[3 * v[i + 1] + k] - (double)x[3 * v[0] + k];
+            e[i][k] = ((double)x[3 * v[i + 1] + k] -
+                       (double)x[3 * v[0] + k]) / unit;
         square[i] = e[i][0] * e[i][0] + e[i][1] * e[i][1] + e[i][2] * e[i][2];
         c[i] = 0.0;
     }
@@ -110,27 +114,26 @@ static int ball(const tess_real *x, const tess_int *v, double *c)
     for (k = 0; k < 3; k++) {
         c[k] /= 2.0 * det;
         sum += c[k] * c[k];
-        c[k] += (double)x[3 * v[0] + k];
+        c[k] = c[k] * unit + (double)x[3 * v[0] + k];
     }
-    c[3] = sqrt(sum);
+    c[3] = sqrt(sum) * unit;
     return 0;
 }
 
 /* certified - 1 if all copies that could be in a tetrahedron's ball are there;
  * a part in a thousand of the margin is for roundings. */
 static int certified(const tess_real *x, tess_int ntet, const tess_int *tet,
-                     const tess_int *adj, const double *low,
-                     const double *length, double margin)
+                     const tess_int *adj, const double *box, double margin)
 {
     double c[4];
     tess_int t;
     int k;
 
     for (t = 0; t < ntet; t++) {
-        if (ball(x, tet + 4 * t, c) != 0) return 0;
+        if (ball(x, tet + 4 * t, margin, c) != 0) return 0;
         for (k = 0; k < 3; k++)
-            if (!(c[k] - c[3] > low[k] - 0.999 * margin &&
-                  c[k] + c[3] < low[k] + length[k] + 0.999 * margin))
+            if (!(c[k] - c[3] > box[2 * k] - 0.999 * margin &&
+                  c[k] + c[3] < box[2 * k + 1] + 0.999 * margin))
                 return 0;
         for (k = 0; k < 4; k++)
             if (adj[4 * t + k] == TESS_NONE) return 0;
@@ -153,7 +156,7 @@ static int facing(const tess_int *tet, const tess_int *move, tess_int f,
     for (m = 0; m < 2; m++) {
         for (j = 0, k = 0; k < 4; k++) {
             if (k == (int)(h[m] % 4)) continue;
-            s = h[m] / 4 * 4 + k;
+            s = (tess_int)(h[m] / 4 * 4 + k);
             for (i = j++; i > 0 && (tet[v[m][i - 1]] > tet[s] ||
                                     (tet[v[m][i - 1]] == tet[s] &&
                                      move[v[m][i - 1]] > move[s])); i--)
@@ -173,7 +176,7 @@ static int facing(const tess_int *tet, const tess_int *move, tess_int f,
  * that are copies of each other.
  *
  *   n, p     (in)   n >= 1 points in the box, its boundary included
- *   low, length  (in)   the box: low[k] <= p[3*i+k] <= low[k] + length[k]
+ *   box      (in)   x0, x1, y0, y1, z0, z1, x0 < x1
  *   maxcop   (in)   copies that there is room for: 3 n if n is large, 343 for
  *                   one point
  *   ncop     (out)  copies made
@@ -192,7 +195,9 @@ static int facing(const tess_int *tet, const tess_int *move, tess_int f,
  * returns 0; TESS_MORE, maxcop being too small, with ncop = maxcop, or maxtet;
  * TESS_POOL as tess; PERIODIC_FEW where so few points are in a box so long that
  * tetrahedra reach farther than REACH boxes; -1 for n < 1, -2 for a point that
- * is not in the box, or NaN; what tess_index and tess_part return.
+ * is not in the box, or NaN; -3 for a box that is none; TESS_RANGE for one so
+ * large that tess_real does not hold its copies, or so small that these would
+ * have to be rounded; what tess_index and tess_part return.
  *
  * A margin about the box is filled with copies, and those tetrahedra computed
  * that have a point of the box itself.  Where a ball is within the margin no
@@ -209,25 +214,28 @@ static int facing(const tess_int *tet, const tess_int *move, tess_int f,
  *
  * Cost: 1.7 times that of tess for 10,000 points, less for more: the margin is
  * about three points wide. */
-int periodic(tess_int n, const tess_real *p, const double *low,
-             const double *length, tess_int maxcop, tess_int *ncop,
-             tess_real *x, tess_int *cw, tess_int maxtet, tess_int *ntet,
-             tess_int *tet, tess_int *move, tess_int *adj, tess_int *shift,
-             tess_int liw, tess_int *iw, tess_int lrw, double *rw)
+int periodic(tess_int n, const tess_real *p, const double *box,
+             tess_int maxcop, tess_int *ncop, tess_real *x, tess_int *cw,
+             tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *move,
+             tess_int *adj, tess_int *shift, tess_int liw, tess_int *iw,
+             tess_int lrw, double *rw)
 {
     tess_int *who = cw, *copy = cw + maxcop, *head = copy + maxcop;
     tess_int f, g, *from, i, first, kept = 0, t, s = 0;
-    double margin;
+    double margin, length;
     int code, k;
 
     *ntet = 0;
     if (n < 1) return -1;
     /* (the box's volume could be too large or too small for a double) */
     margin = 3.0 * pow((double)n, -1.0 / 3.0);
-    for (k = 0; k < 3; k++) margin *= pow(length[k], 1.0 / 3.0);
+    for (k = 0; k < 3; k++) {
+        length = box[2 * k + 1] - box[2 * k];
+        if (!(length > 0.0)) return -3;
+        margin *= pow(length, 1.0 / 3.0);
+    }
     for (;; margin *= 1.5) {
-        code = copies(n, p, low, length, margin, maxcop, ncop, x, who, copy,
-                      head);
+        code = copies(n, p, box, margin, maxcop, ncop, x, who, copy, head);
         if (code != 0) return code;
         code = tess_index(*ncop, x, liw, iw, lrw, rw);
         if (code >= TESS_PLANE && code <= TESS_POINT) continue;
@@ -239,7 +247,7 @@ int periodic(tess_int n, const tess_real *p, const double *low,
             *ntet = 0;
             return code;
         }
-        if (certified(x, *ntet, tet, adj, low, length, margin)) break;
+        if (certified(x, *ntet, tet, adj, box, margin)) break;
     }
     for (t = 0; t < *ntet; t++) {
         for (first = tet[4 * t], k = 1; k < 4; k++)
@@ -258,7 +266,8 @@ int periodic(tess_int n, const tess_real *p, const double *low,
     for (i = 0; i < n; i++) head[i] = -1;
     for (f = 0; f < 4 * kept; f++) {
         for (i = 0, k = 0; k < 4; k++)
-            if (k != (int)(f % 4)) i = (i + tet[f / 4 * 4 + k]) % n;
+            if (k != (int)(f % 4))
+                i = (tess_int)((i + tet[f / 4 * 4 + k]) % n);
         for (from = head + i; (g = *from) >= 0; from = adj + g)
             if (facing(tet, move, f, g, &s)) break;
         if (g < 0) {

@@ -23,38 +23,43 @@ C     PECOPI - of all points that are less than MARGIN from the box,
 C     ordered by point, then by copy.  Points and lengths are rounded to
 C     multiples of a power of two, UNIT, that is so large that the
 C     copies need no rounding.
-      SUBROUTINE PECOPI(N, P, LOW, LENGTH, MARGIN, MAXCOP, NCOP, X, WHO,
-     1                  COPY, MINE, INFO)
+      SUBROUTINE PECOPI(N, P, BOX, MARGIN, MAXCOP, NCOP, X, WHO, COPY,
+     1                  MINE, INFO)
       INTEGER N, MAXCOP, NCOP, WHO(*), COPY(*), MINE(*), INFO
-      DOUBLE PRECISION P(3,*), LOW(3), LENGTH(3), MARGIN, X(3,*)
+      DOUBLE PRECISION P(3,*), BOX(2,3), MARGIN, X(3,*)
       DOUBLE PRECISION SIZE, UNIT, R(3), SIDE(3)
       INTEGER I, K, FIRST(3), LAST(3), A, B, C, REACH
-      PARAMETER (REACH = 7)
+      DOUBLE PRECISION LEAST, MOST
+      PARAMETER (REACH = 7, LEAST = 2.0D0**(-970))
+      PARAMETER (MOST = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       SIZE = 0.0D0
       DO 10 K = 1, 3
-         SIZE = MAX(SIZE, ABS(LOW(K)) + (REACH + 1)*LENGTH(K))
+         SIZE = MAX(SIZE,
+     1              ABS(BOX(1,K)) + (REACH + 1)*(BOX(2,K) - BOX(1,K)))
    10 CONTINUE
+      INFO = 6
+      IF (.NOT. (SIZE .GE. LEAST .AND. SIZE .LE. MOST)) RETURN
 C     2**(K-1) <= SIZE < 2**K: the logarithm may be wrong by one.
       K = INT(LOG(SIZE) / LOG(2.0D0) + 1075.0D0) - 1074
       IF (2.0D0**K .LE. SIZE) K = K + 1
       IF (2.0D0**(K-1) .GT. SIZE) K = K - 1
       UNIT = 2.0D0**(K-53)
       DO 20 K = 1, 3
-         SIDE(K) = ANINT(LENGTH(K) / UNIT)*UNIT
+         SIDE(K) = ANINT((BOX(2,K) - BOX(1,K)) / UNIT)*UNIT
    20 CONTINUE
       NCOP = 0
       DO 80 I = 1, N
          DO 30 K = 1, 3
             R(K) = P(K,I)
             INFO = -2
-            IF (.NOT. (R(K) .GE. LOW(K) .AND.
-     1          R(K) .LE. LOW(K) + LENGTH(K))) RETURN
+            IF (.NOT. (R(K) .GE. BOX(1,K) .AND. R(K) .LE. BOX(2,K)))
+     1         RETURN
             R(K) = ANINT(R(K) / UNIT)*UNIT
             INFO = 20
-            SIZE = (R(K) - LOW(K) + MARGIN) / SIDE(K)
+            SIZE = (R(K) - BOX(1,K) + MARGIN) / SIDE(K)
             IF (.NOT. (SIZE .LT. REACH + 1)) RETURN
             FIRST(K) = -INT(SIZE)
-            SIZE = (LOW(K) + LENGTH(K) + MARGIN - R(K)) / SIDE(K)
+            SIZE = (BOX(2,K) + MARGIN - R(K)) / SIDE(K)
             IF (.NOT. (SIZE .LT. REACH + 1)) RETURN
             LAST(K) = INT(SIZE)
    30    CONTINUE
@@ -80,15 +85,16 @@ C     2**(K-1) <= SIZE < 2**K: the logarithm may be wrong by one.
 
 C     PEBALL - of the tetrahedron V: TESSBA's where it is so flat that
 C     three digits of its centre are lost, else from its edges, which is
-C     ten times as fast.
-      SUBROUTINE PEBALL(X, V, C, INFO)
-      DOUBLE PRECISION X(3,*), C(4)
+C     ten times as fast; these in units of a length, or products would
+C     be beyond numbers.
+      SUBROUTINE PEBALL(X, V, UNIT, C, INFO)
+      DOUBLE PRECISION X(3,*), UNIT, C(4)
       INTEGER V(4), INFO
       DOUBLE PRECISION E(3,3), F(3), SQUARE(3), DET
       INTEGER A, B, I, K
       DO 20 I = 1, 3
          DO 10 K = 1, 3
-            E(K,I) = X(K,V(I+1)) - X(K,V(1))
+            E(K,I) = (X(K,V(I+1)) - X(K,V(1))) / UNIT
    10    CONTINUE
          SQUARE(I) = E(1,I)**2 + E(2,I)**2 + E(3,I)**2
          C(I) = 0.0D0
@@ -114,27 +120,26 @@ C     ten times as fast.
       DO 50 K = 1, 3
          C(K) = C(K) / (2.0D0*DET)
          C(4) = C(4) + C(K)**2
-         C(K) = C(K) + X(K,V(1))
+         C(K) = C(K)*UNIT + X(K,V(1))
    50 CONTINUE
-      C(4) = SQRT(C(4))
+      C(4) = SQRT(C(4))*UNIT
       END
 
 C     PECERT - GOOD = 1 if all copies that could be in a tetrahedron's
 C     ball are there; a part in a thousand of the margin is for
 C     roundings.
-      SUBROUTINE PECERT(X, NTET, TET, ADJ, LOW, LENGTH, MARGIN, GOOD)
-      DOUBLE PRECISION X(3,*), LOW(3), LENGTH(3), MARGIN
+      SUBROUTINE PECERT(X, NTET, TET, ADJ, BOX, MARGIN, GOOD)
+      DOUBLE PRECISION X(3,*), BOX(2,3), MARGIN
       INTEGER NTET, TET(4,*), ADJ(4,*), GOOD
       DOUBLE PRECISION C(4)
       INTEGER K, T, INFO
       GOOD = 0
       DO 20 T = 1, NTET
-         CALL PEBALL(X, TET(1,T), C, INFO)
+         CALL PEBALL(X, TET(1,T), MARGIN, C, INFO)
          IF (INFO .NE. 0) RETURN
          DO 10 K = 1, 3
-            IF (.NOT. (C(K) - C(4) .GT. LOW(K) - 0.999D0*MARGIN .AND.
-     1          C(K) + C(4) .LT. LOW(K) + LENGTH(K) + 0.999D0*MARGIN))
-     2         RETURN
+            IF (.NOT. (C(K) - C(4) .GT. BOX(1,K) - 0.999D0*MARGIN .AND.
+     1          C(K) + C(4) .LT. BOX(2,K) + 0.999D0*MARGIN)) RETURN
    10    CONTINUE
          IF (ADJ(1,T) .EQ. 0 .OR. ADJ(2,T) .EQ. 0 .OR. ADJ(3,T) .EQ. 0
      1       .OR. ADJ(4,T) .EQ. 0) RETURN
@@ -189,8 +194,7 @@ C     PERIOD - the tetrahedra of the points and all their copies, one of
 C     each that are copies of each other.
 C
 C       N, P     (in)   N >= 1 points in the box, its boundary included
-C       LOW, LENGTH  (in)   (3): the box, LOW(K) <= P(K,I) <= LOW(K) +
-C                       LENGTH(K)
+C       BOX      (in)   (6): X0, X1, Y0, Y1, Z0, Z1, X0 < X1
 C       MAXCOP   (in)   copies that there is room for: 3*N if N is
 C                       large, 343 for one point
 C       NCOP     (out)  copies made
@@ -212,8 +216,11 @@ C       INFO     (out)  0; 1, MAXCOP being too small, with NCOP =
 C                       MAXCOP, or MAXTET; 2 as TESS; 20 where so few
 C                       points are in a box so long that tetrahedra
 C                       reach farther than REACH boxes; -1 for N < 1, -2
-C                       for a point that is not in the box, or NaN; what
-C                       TESSIX and TESSPA return
+C                       for a point that is not in the box, or NaN; -3
+C                       for a box that is none; 6 for one so large that
+C                       its copies are beyond numbers, or so small that
+C                       these would have to be rounded; what TESSIX and
+C                       TESSPA return
 C
 C     A margin about the box is filled with copies, and those tetrahedra
 C     computed that have a point of the box itself.  Where a ball is
@@ -232,12 +239,11 @@ C     reason copies must not be rounded one by one.
 C
 C     Cost: 1.7 times that of TESS for 10,000 points, less for more: the
 C     margin is about three points wide.
-      SUBROUTINE PERIOD(N, P, LOW, LENGTH, MAXCOP, NCOP, X, CW, MAXTET,
-     1                  NTET, TET, MOVE, ADJ, SHIFT, LIW, IW, LRW, RW,
-     2                  INFO)
+      SUBROUTINE PERIOD(N, P, BOX, MAXCOP, NCOP, X, CW, MAXTET, NTET,
+     1                  TET, MOVE, ADJ, SHIFT, LIW, IW, LRW, RW, INFO)
       INTEGER N, MAXCOP, NCOP, CW(MAXCOP,3), MAXTET, NTET, TET(4,*)
       INTEGER MOVE(4,*), ADJ(4,*), SHIFT(4,*), LIW, IW(*), LRW, INFO
-      DOUBLE PRECISION P(3,*), LOW(3), LENGTH(3), X(3,*), RW(*)
+      DOUBLE PRECISION P(3,*), BOX(2,3), X(3,*), RW(*)
       DOUBLE PRECISION MARGIN
       INTEGER F, G, I, K, L, T, U, S, FROM, KEPT, GOOD
       NTET = 0
@@ -246,11 +252,13 @@ C     margin is about three points wide.
 C     (The box's volume could be too large or too small for a double.)
       MARGIN = 3.0D0*DBLE(N)**(-1.0D0 / 3.0D0)
       DO 5 K = 1, 3
-         MARGIN = MARGIN*LENGTH(K)**(1.0D0 / 3.0D0)
+         INFO = -3
+         IF (.NOT. (BOX(1,K) .LT. BOX(2,K))) RETURN
+         MARGIN = MARGIN*(BOX(2,K) - BOX(1,K))**(1.0D0 / 3.0D0)
     5 CONTINUE
    10 CONTINUE
-      CALL PECOPI(N, P, LOW, LENGTH, MARGIN, MAXCOP, NCOP, X, CW,
-     1            CW(1,2), CW(1,3), INFO)
+      CALL PECOPI(N, P, BOX, MARGIN, MAXCOP, NCOP, X, CW, CW(1,2),
+     1            CW(1,3), INFO)
       IF (INFO .NE. 0) RETURN
       CALL TESSIX(NCOP, X, LIW, IW, LRW, RW, INFO)
       NTET = 0
@@ -262,7 +270,7 @@ C     (The box's volume could be too large or too small for a double.)
             NTET = 0
             RETURN
          END IF
-         CALL PECERT(X, NTET, TET, ADJ, LOW, LENGTH, MARGIN, GOOD)
+         CALL PECERT(X, NTET, TET, ADJ, BOX, MARGIN, GOOD)
       END IF
       IF (GOOD .EQ. 0) THEN
          MARGIN = 1.5D0*MARGIN

@@ -9,7 +9,7 @@
  * The points are (x, y, 0).  Of points in a plane askew to the axes take the
  * coordinates in that plane first.
  */
-#include "tess.h"
+#include "recipes.h"
 
 /* planar - the Delaunay triangles of n points (x, y, 0).
  *

@@ -1,11 +1,46 @@
 /* recipes.h - prototypes of the recipes: C files of this name say what they do.
- * For programs that are linked from several; take of it what you need. */
+ * For the recipes and for programs that are linked from them; take of it what
+ * you need.
+ *
+ * A name that is taken in your program, such as join: compile all files with
+ * -Djoin=my_join.  With other types than the default ones (see hhpred.h) the
+ * names are others, so that what is compiled differently does not link; they
+ * are macros then, so include this file behind those of C++.
+ */
 #ifndef RECIPES_H
 #define RECIPES_H
 
 #include <stdio.h>
 
-#include "../../tess.h"
+#include "tess.h"
+
+#ifdef TESS_OTHER
+#define slopes TESS_AS(slopes)
+#define bent TESS_AS(bent)
+#define natural TESS_AS(natural)
+#define blend TESS_AS(blend)
+#define edges TESS_AS(edges)
+#define faces TESS_AS(faces)
+#define stars TESS_AS(stars)
+#define nearest TESS_AS(nearest)
+#define measure TESS_AS(measure)
+#define dual TESS_AS(dual)
+#define gradient TESS_AS(gradient)
+#define cell TESS_AS(cell)
+#define clipped TESS_AS(clipped)
+#define alpha TESS_AS(alpha)
+#define ongrid TESS_AS(ongrid)
+#define keep TESS_AS(keep)
+#define append TESS_AS(append)
+#define join TESS_AS(join)
+#define many TESS_AS(many)
+#define unpack TESS_AS(unpack)
+#define periodic TESS_AS(periodic)
+#define planar TESS_AS(planar)
+#define enclosed TESS_AS(enclosed)
+#define putobj TESS_AS(putobj)
+#define putstl TESS_AS(putstl)
+#endif
 
 #ifdef __cplusplus
 extern "C" {
@@ -82,13 +117,13 @@ int many(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
          tess_int most, tess_int *iw, double *rw);
 
 /* periodic.c */
-#define PERIODIC_FEW 20
+#define PERIODIC_FEW 20 /* a code: tetrahedra reach too far */
 void unpack(tess_int number, int *copy);
-int periodic(tess_int n, const tess_real *p, const double *low,
-             const double *length, tess_int maxcop, tess_int *ncop,
-             tess_real *x, tess_int *cw, tess_int maxtet, tess_int *ntet,
-             tess_int *tet, tess_int *move, tess_int *adj, tess_int *shift,
-             tess_int liw, tess_int *iw, tess_int lrw, double *rw);
+int periodic(tess_int n, const tess_real *p, const double *box,
+             tess_int maxcop, tess_int *ncop, tess_real *x, tess_int *cw,
+             tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *move,
+             tess_int *adj, tess_int *shift, tess_int liw, tess_int *iw,
+             tess_int lrw, double *rw);
 
 /* planar.c */
 int planar(tess_int n, tess_real *p, tess_int maxtri, tess_int *ntri,

@@ -55,7 +55,8 @@ static void number(long n)
 
 static double field(const tess_real *q)
 {
-    return 20.0 + 0.25 * q[0] - 0.125 * q[1] + 0.5 * q[2];
+    return 20.0 + 0.25 * (double)q[0] - 0.125 * (double)q[1] +
+           0.5 * (double)q[2];
 }
 
 int main(void)

@@ -14,7 +14,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "tess.h"
+#include "recipes.h"
 
 /* ---- slopes ---- */
 

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "tess.h"
+#include "recipes.h"
 
 /* normal - c = the cross product of two edges of triangle v: outwards, of twice
  * its area. */

@@ -83,8 +83,8 @@ static int make(int set)
         for (k = 0; k < 3; k++) p[3 * i + k] = (tess_real)x[k];
     }
     for (k = 0; k < 3; k++) {
-        box[3 + k] = set == 1 ? 7.0 / 16.0 : 1.0 + 0.1 * k;
-        box[k] = set == 1 ? -7.0 / 16.0 : -1.125;
+        box[2 * k + 1] = set == 1 ? 7.0 / 16.0 : 1.0 + 0.1 * k;
+        box[2 * k] = set == 1 ? -7.0 / 16.0 : -1.125;
     }
     return mesh();
 }
@@ -130,7 +130,7 @@ static int sound(tess_int i, int boxed)
             if (j >= 0)
                 d = away(vert + 3 * at, j) - r;
             else if (boxed)
-                d = vert[3 * at + (-1 - j) % 3] - box[-1 - j];
+                d = vert[3 * at + (-1 - j) / 2] - box[-1 - j];
             else
                 bad = 1;
             bad |= !(fabs(d) <= 1e-11);
@@ -139,15 +139,15 @@ static int sound(tess_int i, int boxed)
         r = away(vert + 3 * a, i);
         for (j = 0; j < n; j++) bad |= !(away(vert + 3 * a, j) >= r - 1e-11);
         for (k = 0; k < 3 && boxed; k++)
-            bad |= !(vert[3 * a + k] >= box[k] - 1e-12 &&
-                     vert[3 * a + k] <= box[3 + k] + 1e-12);
+            bad |= !(vert[3 * a + k] >= box[2 * k] - 1e-12 &&
+                     vert[3 * a + k] <= box[2 * k + 1] + 1e-12);
     }
     for (f = 0; f < nface; f++) {
         j = whose[f];
         bad |= !(area[f] >= 0.0);
         for (k = 0; k < 3; k++) {
             if (j < 0)
-                d = (-1 - j) % 3 == k ? (j > -4 ? -1.0 : 1.0) : 0.0;
+                d = (-1 - j) / 2 == k ? (j % 2 ? -1.0 : 1.0) : 0.0;
             else
                 d = ((double)p[3 * j + k] - (double)p[3 * i + k]) /
                     (r = sqrt(pow((double)p[3 * j] - (double)p[3 * i], 2.0) +
@@ -179,14 +179,13 @@ static int outer(tess_int i)
  * of six faces and eight vertices; their volumes sum to the box's. */
 static int test_cell(void)
 {
-    static const double none[6] = {1.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     double v, u, sum, all;
     tess_int i;
     int set, k, bad = 0;
 
     for (set = 0; set < SETS; set++) {
         bad |= make(set);
-        for (all = 1.0, k = 0; k < 3; k++) all *= box[3 + k] - box[k];
+        for (all = 1.0, k = 0; k < 6; k += 2) all *= box[k + 1] - box[k];
         for (sum = 0.0, i = 0; i < n; i++) {
             bad |= one(i, box, &v) != 0;
             if (iw[i] != i) {
@@ -198,7 +197,7 @@ static int test_cell(void)
             if (set == 1)
                 bad |= nface != 6 || nvert != 8 ||
                        !(fabs(v - 1.0 / 512.0) <= 1e-15);
-            k = one(i, none, &u);
+            k = one(i, NULL, &u);
             bad |= outer(i) ? k != 2 : k != 0 && set != 2;
             if (k != 0) continue;
             bad |= sound(i, 0) || !(u >= v - 1e-12);
@@ -224,10 +223,10 @@ static int test_clipped(void)
             bad |= make(set);
             if (part == 1) box[0] = 0.1;
             if (part == 2)
-                for (m = 0; m < 3; m++) box[m] += 10.0, box[3 + m] += 20.0;
+                for (m = 0; m < 6; m++) box[m] += m % 2 ? 20.0 : 10.0;
             bad |= clipped(n, p, tet, adj, first, list, box, MAXROW, &nrow,
                            row, other, size, volume, MOST, iwork, work) != 0;
-            for (all = 1.0, m = 0; m < 3; m++) all *= box[3 + m] - box[m];
+            for (all = 1.0, m = 0; m < 6; m += 2) all *= box[m + 1] - box[m];
             for (m = 0; m < 6; m++) side[m] = 0.0;
             for (sum = 0.0, i = 0; i < n; i++) {
                 sum += volume[i];
@@ -247,8 +246,8 @@ static int test_clipped(void)
             }
             bad |= !(fabs(sum - all) <= 1e-12 * all);
             for (m = 0; m < 6; m++)
-                bad |= !(fabs(side[m] * (box[3 + m % 3] - box[m % 3]) - all) <=
-                         1e-12 * all);
+                bad |= !(fabs(side[m] * (box[m / 2 * 2 + 1] -
+                                         box[m / 2 * 2]) - all) <= 1e-12 * all);
         }
     return bad;
 }
@@ -332,28 +331,39 @@ static int test_alpha(void)
     return bad;
 }
 
-/* Coordinates times powers of two: volumes times their cubes; or, where these
- * are beyond doubles, the code. */
+/* Coordinates times powers of two: volumes and areas times theirs; or, where
+ * these are beyond doubles, the code. */
 static int test_sizes(void)
 {
-    double scale, v, w;
+    double scale, one_area, v, w;
     tess_int i;
     int j, k, bad = 0;
 
     for (j = -1; j < 2 && sizeof(tess_real) == sizeof(double); j += 2) {
         bad |= make(0);
-        scale = ldexp(1.0, 166 * j);
+        scale = ldexp(1.0, 332 * j);
         bad |= one(7, box, &v) != 0;
+        one_area = area[1];
         for (i = 0; i < 3 * n; i++) p[i] = (tess_real)((double)p[i] * scale);
         for (k = 0; k < 6; k++) box[k] *= scale;
         bad |= mesh();
         bad |= one(7, box, &w) != 0 ||
-               !(fabs(w / scale / scale / scale - v) <= 1e-14);
+               !(fabs(w / scale / scale / scale - v) <= 1e-14) ||
+               !(fabs(area[1] / scale / scale - one_area) <= 1e-14);
+        bad |= clipped(n, p, tet, adj, first, list, box, MAXROW, &i, row,
+                       other, size, volume, MOST, iwork, work) != 0;
+        for (w = 0.0, i = 0; i < n; i++)
+            w += volume[i] / scale / scale / scale;
+        for (v = 1.0, k = 0; k < 6; k += 2) v *= (box[k + 1] - box[k]) / scale;
+        bad |= !(fabs(w - v) <= 1e-12 * v);
         bad |= alpha(p, ntet, tet, adj, 0.3 * scale, 1, left, 4 * MAXTET, &i,
                      fac, stack) != 0 || i < 4;
-        for (i = 0; i < 3 * n; i++)
-            p[i] = (tess_real)((double)p[i] * scale * scale);
+        scale = ldexp(1.0, 30 * j);
+        for (i = 0; i < 3 * n; i++) p[i] = (tess_real)((double)p[i] * scale);
+        for (k = 0; k < 6; k++) box[k] *= scale;
         bad |= mesh() || one(7, box, &w) != 3;
+        for (k = 0; k < 6; k++) box[k] = k % 2 ? 1e300 : -1e300;
+        bad |= one(7, box, &w) != 3;
     }
     return bad;
 }
@@ -377,9 +387,14 @@ static int test_codes(void)
                    size, volume, MOST, iwork, work) != 0;
     bad |= clipped(n, p, tet, adj, first, list, box, MAXROW, &nrow, row, other,
                    size, volume, 10, iwork, work) != -13;
-    box[3] = box[0] - 1.0;
-    bad |= clipped(n, p, tet, adj, first, list, box, MAXROW, &nrow, row, other,
-                   size, volume, MOST, iwork, work) != -7;
+    for (i = 0; i < 6; i++) {
+        v = box[i];
+        box[i] = i % 2 ? box[i - 1] - 1.0 : box[i + 1] + 1.0;
+        bad |= one(5, box, volume) != -7 ||
+               clipped(n, p, tet, adj, first, list, box, MAXROW, &nrow, row,
+                       other, size, volume, MOST, iwork, work) != -7;
+        box[i] = v;
+    }
     held = adj[9];
     adj[9] = ntet;
     bad |= alpha(p, ntet, tet, adj, 1.0, 1, left, 4 * MAXTET, &need, fac,
@@ -403,7 +418,7 @@ int main(void)
         "cell: polyhedra, Voronoi's, and fill the box:   ",
         "clipped: the same from both sides, fill the box:",
         "alpha: volumes by tetrahedra and triangles:     ",
-        "sizes: coordinates of 1e-50 and 1e50:           ",
+        "sizes: coordinates of 1e-100 and 1e100:         ",
         "codes: short arrays, damage, unfinished meshes: "};
     clock_t begin;
     int k, wrong, bad = 0;

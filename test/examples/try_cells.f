@@ -16,7 +16,7 @@ C     try_cells.c is the same in C; both write the same text.
      1   'cell: polyhedra, Voronoi''s, and fill the box:   ',
      2   'clipped: the same from both sides, fill the box:',
      3   'alpha: volumes by tetrahedra and triangles:     ',
-     4   'sizes: coordinates of 1e-50 and 1e50:           ',
+     4   'sizes: coordinates of 1e-100 and 1e100:         ',
      5   'codes: short arrays, damage, unfinished meshes: '/
       DO 10 I = 1, 5
          BAD(I) = 0
@@ -97,11 +97,11 @@ C     are cubes.
    50    CONTINUE
    60 CONTINUE
       DO 70 K = 1, 3
-         BOX(K+3) = 0.9D0 + 0.1D0*K
-         BOX(K) = -1.125D0
+         BOX(2*K) = 0.9D0 + 0.1D0*K
+         BOX(2*K-1) = -1.125D0
          IF (SET .EQ. 2) THEN
-            BOX(K+3) = 7.0D0 / 16.0D0
-            BOX(K) = -7.0D0 / 16.0D0
+            BOX(2*K) = 7.0D0 / 16.0D0
+            BOX(2*K-1) = -7.0D0 / 16.0D0
          END IF
    70 CONTINUE
       CALL MESH(M, NTET, BAD)
@@ -146,14 +146,9 @@ C     ONE - the cell of point I; BOXED = 0: without the box.
      1                IWORK, ROW, OTHER, FAC, HULL, STACK, KEEP
       INTEGER I, BOXED, NFACE, NVERT, INFO
       DOUBLE PRECISION V
-      DOUBLE PRECISION CLIP(6)
-      INTEGER K
-      DO 10 K = 1, 6
-         CLIP(K) = BOX(K)
-   10 CONTINUE
-      IF (BOXED .EQ. 0) CLIP(1) = CLIP(4) + 1.0D0
-      CALL CELL(P, TET, ADJ, FIRST, LIST, I, CLIP, MOST, NFACE, WHOSE,
-     1          AREA, V, START, CORNER, NVERT, VERT, IWORK, WORK, INFO)
+      CALL CELL(P, TET, ADJ, FIRST, LIST, I, BOX, BOXED, MOST, NFACE,
+     1          WHOSE, AREA, V, START, CORNER, NVERT, VERT, IWORK, WORK,
+     2          INFO)
       END
 
       DOUBLE PRECISION FUNCTION AWAY(X, Y)
@@ -202,7 +197,7 @@ C     the box; the faces' normals times areas sum to 0.
             IF (J .GE. 1) THEN
                D = AWAY(VERT(1,C), P(1,J)) - AWAY(VERT(1,C), P(1,I))
             ELSE
-               D = VERT(MOD(-J-1, 3) + 1,C) - BOX(-J)
+               D = VERT((-J+1)/2,C) - BOX(-J)
                IF (BOXED .EQ. 0) BAD = 1
             END IF
             IF (.NOT. (ABS(D) .LE. 1.0D-11)) BAD = 1
@@ -215,8 +210,8 @@ C     the box; the faces' normals times areas sum to 0.
    50    CONTINUE
          DO 60 K = 1, 3
             IF (BOXED .EQ. 1 .AND. .NOT.
-     1          (VERT(K,A) .GE. BOX(K) - 1.0D-12 .AND.
-     2           VERT(K,A) .LE. BOX(K+3) + 1.0D-12)) BAD = 1
+     1          (VERT(K,A) .GE. BOX(2*K-1) - 1.0D-12 .AND.
+     2           VERT(K,A) .LE. BOX(2*K) + 1.0D-12)) BAD = 1
    60    CONTINUE
    70 CONTINUE
       DO 90 K = 1, 3
@@ -224,8 +219,8 @@ C     the box; the faces' normals times areas sum to 0.
          DO 80 F = 1, NFACE
             J = WHOSE(F)
             D = 0.0D0
-            IF (J .EQ. -K) D = -1.0D0
-            IF (J .EQ. -K-3) D = 1.0D0
+            IF (J .EQ. 1 - 2*K) D = -1.0D0
+            IF (J .EQ. -2*K) D = 1.0D0
             IF (J .GE. 1) D = (P(K,J) - P(K,I)) / AWAY(P(1,J), P(1,I))
             SUM(K) = SUM(K) + AREA(F)*D
             IF (.NOT. (AREA(F) .GE. 0.0D0)) BAD = 1
@@ -281,7 +276,7 @@ C     volumes sum to the box's.
       DO 30 SET = 1, 6
          I = SET
          CALL MAKE(I, SEED, M, NTET, BAD)
-         ALL = (BOX(4) - BOX(1))*(BOX(5) - BOX(2))*(BOX(6) - BOX(3))
+         ALL = (BOX(2) - BOX(1))*(BOX(4) - BOX(3))*(BOX(6) - BOX(5))
          SUM = 0.0D0
          DO 20 I = 1, M
             K = I
@@ -338,15 +333,15 @@ C     sides are filled.
             I = SET
             CALL MAKE(I, SEED, M, NTET, BAD)
             IF (PART .EQ. 2) BOX(1) = 0.1D0
-            DO 10 K = 1, 3
+            DO 10 K = 1, 5, 2
                IF (PART .EQ. 3) BOX(K) = BOX(K) + 10.0D0
-               IF (PART .EQ. 3) BOX(K+3) = BOX(K+3) + 20.0D0
+               IF (PART .EQ. 3) BOX(K+1) = BOX(K+1) + 20.0D0
    10       CONTINUE
             CALL CLIPPE(M, P, TET, ADJ, FIRST, LIST, BOX, MAXROW, NROW,
      1                  ROW, OTHER, FACES, VOLUME, MOST, IWORK, WORK,
      2                  INFO)
             IF (INFO .NE. 0) BAD = 1
-            ALL = (BOX(4) - BOX(1))*(BOX(5) - BOX(2))*(BOX(6) - BOX(3))
+            ALL = (BOX(2) - BOX(1))*(BOX(4) - BOX(3))*(BOX(6) - BOX(5))
             SLACK = 1.0D-12*ALL
             IF (SET .EQ. 5) SLACK = 1.0D-8*ALL
             DO 20 K = 1, 6
@@ -372,8 +367,8 @@ C     sides are filled.
    50       CONTINUE
             IF (.NOT. (ABS(SUM - ALL) .LE. 1.0D-12*ALL)) BAD = 1
             DO 55 K = 1, 6
-               L = MOD(K-1, 3) + 1
-               IF (.NOT. (ABS(SIDE(K)*(BOX(L+3) - BOX(L)) - ALL) .LE.
+               L = 2*((K+1)/2)
+               IF (.NOT. (ABS(SIDE(K)*(BOX(L) - BOX(L-1)) - ALL) .LE.
      1                    1.0D-12*ALL)) BAD = 1
    55       CONTINUE
    60    CONTINUE
@@ -508,8 +503,8 @@ C     half.  Inside 8 lack one and 24 two, of 64; at the edge 2 and 2.
      1           1.0D-13)) BAD = 1
       END
 
-C     TSIZES - coordinates times powers of two: volumes times their
-C     cubes; or, where these are beyond numbers, the code.
+C     TSIZES - coordinates times powers of two: volumes and areas times
+C     theirs; or, where these are beyond numbers, the code.
       SUBROUTINE TSIZES(SEED, BAD)
       INTEGER N, MAXTET, LIW, LRW, MAXROW, MOST
       PARAMETER (N = 343, MAXTET = 10*N, LIW = 19*N + 1800)
@@ -525,14 +520,15 @@ C     cubes; or, where these are beyond numbers, the code.
       COMMON /WHOLES/ TET, ADJ, IW, FIRST, LIST, WHOSE, START, CORNER,
      1                IWORK, ROW, OTHER, FAC, HULL, STACK, KEEP
       INTEGER SEED, BAD
-      DOUBLE PRECISION SCALE, V, W
+      DOUBLE PRECISION SCALE, A, V, W
       INTEGER M, NTET, I, J, K, NFACE, NVERT, INFO
-      DO 40 J = 1, 2
+      DO 50 J = 1, 2
          CALL MAKE(1, SEED, M, NTET, BAD)
-         SCALE = 2.0D0**166
+         SCALE = 2.0D0**332
          IF (J .EQ. 2) SCALE = 1.0D0 / SCALE
          CALL ONE(8, 1, NFACE, NVERT, V, INFO)
          IF (INFO .NE. 0) BAD = 1
+         A = AREA(2)
          DO 20 I = 1, M
             DO 10 K = 1, 3
                P(K,I) = P(K,I)*SCALE
@@ -545,18 +541,41 @@ C     cubes; or, where these are beyond numbers, the code.
          CALL ONE(8, 1, NFACE, NVERT, W, INFO)
          IF (INFO .NE. 0 .OR. .NOT.
      1       (ABS(W / SCALE / SCALE / SCALE - V) .LE. 1.0D-14)) BAD = 1
+         IF (.NOT. (ABS(AREA(2) / SCALE / SCALE - A) .LE. 1.0D-14))
+     1      BAD = 1
+         CALL CLIPPE(M, P, TET, ADJ, FIRST, LIST, BOX, MAXROW, I, ROW,
+     1               OTHER, FACES, VOLUME, MOST, IWORK, WORK, INFO)
+         IF (INFO .NE. 0) BAD = 1
+         W = 0.0D0
+         DO 32 I = 1, M
+            W = W + VOLUME(I) / SCALE / SCALE / SCALE
+   32    CONTINUE
+         V = (BOX(2) - BOX(1)) / SCALE*((BOX(4) - BOX(3)) / SCALE)*
+     1       ((BOX(6) - BOX(5)) / SCALE)
+         IF (.NOT. (ABS(W - V) .LE. 1.0D-12*V)) BAD = 1
          CALL ALPHA(P, NTET, TET, ADJ, 0.3D0*SCALE, 1, KEEP, 4*MAXTET,
      1              I, FAC, STACK, INFO)
          IF (INFO .NE. 0 .OR. I .LT. 4) BAD = 1
+         SCALE = 2.0D0**30
+         IF (J .EQ. 2) SCALE = 1.0D0 / SCALE
          DO 36 I = 1, M
             DO 34 K = 1, 3
-               P(K,I) = P(K,I)*SCALE*SCALE
+               P(K,I) = P(K,I)*SCALE
    34       CONTINUE
    36    CONTINUE
+         DO 38 K = 1, 6
+            BOX(K) = BOX(K)*SCALE
+   38    CONTINUE
          CALL MESH(M, NTET, BAD)
          CALL ONE(8, 1, NFACE, NVERT, W, INFO)
          IF (INFO .NE. 3) BAD = 1
-   40 CONTINUE
+         DO 40 K = 1, 5, 2
+            BOX(K) = -1.0D300
+            BOX(K+1) = 1.0D300
+   40    CONTINUE
+         CALL ONE(8, 1, NFACE, NVERT, W, INFO)
+         IF (INFO .NE. 3) BAD = 1
+   50 CONTINUE
       END
 
 C     TCODES - arrays that are too short, damaged and unfinished meshes.
@@ -575,27 +594,38 @@ C     TCODES - arrays that are too short, damaged and unfinished meshes.
       COMMON /WHOLES/ TET, ADJ, IW, FIRST, LIST, WHOSE, START, CORNER,
      1                IWORK, ROW, OTHER, FAC, HULL, STACK, KEEP
       INTEGER SEED, BAD
-      DOUBLE PRECISION V
+      DOUBLE PRECISION V, SIDE
       INTEGER M, NTET, HELD, NEED, NROW, NFACE, NVERT, I, K, INFO(9)
       INTEGER WANT(9)
       SAVE WANT
-      DATA WANT /1, 0, 1, 0, -13, -7, 14, 1, 13/
+      DATA WANT /1, 0, 1, 0, -13, 0, 14, 1, 13/
       CALL MAKE(1, SEED, M, NTET, BAD)
-      CALL CELL(P, TET, ADJ, FIRST, LIST, 6, BOX, 10, NEED, WHOSE, AREA,
-     1          V, START, CORNER, NVERT, VERT, IWORK, WORK, INFO(1))
+      CALL CELL(P, TET, ADJ, FIRST, LIST, 6, BOX, 1, 10, NEED, WHOSE,
+     1          AREA, V, START, CORNER, NVERT, VERT, IWORK, WORK,
+     2          INFO(1))
       IF (NEED .LE. MOST)
-     1   CALL CELL(P, TET, ADJ, FIRST, LIST, 6, BOX, NEED, NFACE, WHOSE,
-     2             AREA, V, START, CORNER, NVERT, VERT, IWORK, WORK,
-     3             INFO(2))
+     1   CALL CELL(P, TET, ADJ, FIRST, LIST, 6, BOX, 1, NEED, NFACE,
+     2             WHOSE, AREA, V, START, CORNER, NVERT, VERT, IWORK,
+     3             WORK, INFO(2))
       CALL CLIPPE(M, P, TET, ADJ, FIRST, LIST, BOX, 100, NROW, ROW,
      1            OTHER, FACES, VOLUME, MOST, IWORK, WORK, INFO(3))
       CALL CLIPPE(M, P, TET, ADJ, FIRST, LIST, BOX, NROW, NEED, ROW,
      1            OTHER, FACES, VOLUME, MOST, IWORK, WORK, INFO(4))
       CALL CLIPPE(M, P, TET, ADJ, FIRST, LIST, BOX, MAXROW, NROW, ROW,
      1            OTHER, FACES, VOLUME, 10, IWORK, WORK, INFO(5))
-      BOX(4) = BOX(1) - 1.0D0
-      CALL CLIPPE(M, P, TET, ADJ, FIRST, LIST, BOX, MAXROW, NROW, ROW,
-     1            OTHER, FACES, VOLUME, MOST, IWORK, WORK, INFO(6))
+      DO 5 I = 1, 6
+         SIDE = BOX(I)
+         IF (MOD(I, 2) .EQ. 1) BOX(I) = BOX(I+1) + 1.0D0
+         IF (MOD(I, 2) .EQ. 0) BOX(I) = BOX(I-1) - 1.0D0
+         CALL ONE(6, 1, NFACE, NVERT, V, INFO(6))
+         IF (INFO(6) .NE. -7) BAD = 1
+         CALL CLIPPE(M, P, TET, ADJ, FIRST, LIST, BOX, MAXROW, NROW,
+     1               ROW, OTHER, FACES, VOLUME, MOST, IWORK, WORK,
+     2               INFO(6))
+         INFO(6) = INFO(6) + 7
+         IF (INFO(6) .NE. 0) BAD = 1
+         BOX(I) = SIDE
+    5 CONTINUE
       HELD = ADJ(2,3)
       ADJ(2,3) = NTET + 1
       CALL ALPHA(P, NTET, TET, ADJ, 1.0D0, 1, KEEP, 4*MAXTET, NEED, FAC,

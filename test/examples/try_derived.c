@@ -253,6 +253,38 @@ static int test_dual(int lattice)
     return bad || (lattice && inner != 125) || fabs(sum - whole()) > ROUNDING;
 }
 
+/* Points times a power of two have balls and cells times it. */
+static int test_sizes(void)
+{
+    static double areas[MAXEDG], regions[N];
+    double volume[2], c[2][3], radius[2], scale;
+    tess_int t, i;
+    int j, k, bad = 0;
+
+    for (j = -1; j < 2 && sizeof(tess_real) == sizeof(double); j += 2) {
+        scale = ldexp(1.0, 300 * j);
+        for (t = 0; t < ntet; t++) {
+            for (k = 0; k < 2; k++) {
+                measure(p, tet + 4 * t, volume + k, c[k], radius + k);
+                for (i = 0; i < 12; i++)
+                    p[3 * tet[4 * t + i / 3] + i % 3] *=
+                        (tess_real)(k == 0 ? scale : 1.0 / scale);
+            }
+            bad |= !(volume[0] == volume[1] / scale / scale / scale) ||
+                   !(radius[0] == radius[1] / scale);
+            for (k = 0; k < 3; k++) bad |= !(c[0][k] == c[1][k] / scale);
+        }
+        for (i = 0; i < 3 * n; i++) p[i] *= (tess_real)scale;
+        dual(n, p, tet, adj, nedge, edge, at, areas, regions, outer);
+        for (i = 0; i < 3 * n; i++) p[i] /= (tess_real)scale;
+        for (i = 0; i < nedge; i++)
+            bad |= !(areas[i] / scale / scale == area[i]);
+        for (i = 0; i < n; i++)
+            bad |= !(regions[i] / scale / scale / scale == region[i]);
+    }
+    return bad;
+}
+
 /* A linear field's gradient comes out as it is. */
 static int test_gradient(void)
 {
@@ -313,7 +345,8 @@ int main(void)
                (long)cells);
         bad |= test_edges() | test_faces() << 1 | test_stars() << 2 |
                test_nearest() << 3 | test_measure() << 4 |
-               test_dual(set == 1) << 5 | test_gradient() << 6;
+               test_dual(set == 1) << 5 | test_gradient() << 6 |
+               test_sizes() << 7;
     }
     printf("edges: those of brute force; Euler's formula:     %s\n"
            "faces: each once, of both tetrahedra:             %s\n"
@@ -321,10 +354,11 @@ int main(void)
            "nearest: as brute force:                          %s\n"
            "measure: volumes fill the hull, balls are empty:  %s\n"
            "dual: cells are closed and fill the hull:         %s\n"
-           "gradient: of linear fields, and along edges:      %s\n",
+           "gradient: of linear fields, and along edges:      %s\n"
+           "sizes: balls and cells of 1e-90 and 1e90:         %s\n",
            bad & 1 ? "NO" : "yes", bad & 2 ? "NO" : "yes",
            bad & 4 ? "NO" : "yes", bad & 8 ? "NO" : "yes",
            bad & 16 ? "NO" : "yes", bad & 32 ? "NO" : "yes",
-           bad & 64 ? "NO" : "yes");
+           bad & 64 ? "NO" : "yes", bad & 128 ? "NO" : "yes");
     return bad != 0;
 }

@@ -10,14 +10,14 @@ C
       PARAMETER (N = 343, MAXTET = 12*N, MAXEDG = 2*MAXTET)
       PARAMETER (MAXFAC = 4*MAXTET, LIW = 19*N + 1800, LRW = 4*N + 12)
       DOUBLE PRECISION P(3,N), RW(LRW), AREA(MAXEDG), CELL(N), FLUX(3,N)
-      DOUBLE PRECISION VALUE(N)
+      DOUBLE PRECISION VALUE(N), AREAS(MAXEDG), CELLV(N)
       INTEGER TET(4,MAXTET), ADJ(4,MAXTET), IW(LIW), EDGE(2,MAXEDG)
       INTEGER AT(MAXEDG), FACE(3,MAXFAC), BOTH(2,MAXFAC)
       INTEGER HULL(3,MAXFAC), FIRST(N+1), LIST(4*MAXTET), OUTER(N)
-      INTEGER SEEN(N,N), BAD(7), SET, M, NTET, NEDGE, NFACE, NHULL
+      INTEGER SEEN(N,N), BAD(8), SET, M, NTET, NEDGE, NFACE, NHULL
       INTEGER CELLS, INFO, INFO1, INFO2, INFO3, I, SEED
       CHARACTER*7 NAME(3)
-      CHARACTER*50 TESTED(7)
+      CHARACTER*50 TESTED(8)
       CHARACTER*3 ANSWER(0:1)
       DATA NAME /'random', 'lattice', 'shell'/
       DATA ANSWER /'yes', 'NO'/
@@ -28,9 +28,10 @@ C
      4   'nearest: as brute force:                          ',
      5   'measure: volumes fill the hull, balls are empty:  ',
      6   'dual: cells are closed and fill the hull:         ',
-     7   'gradient: of linear fields, and along edges:      '/
+     7   'gradient: of linear fields, and along edges:      ',
+     8   'sizes: balls and cells of 1e-90 and 1e90:         '/
       SEED = 1
-      DO 10 I = 1, 7
+      DO 10 I = 1, 8
          BAD(I) = 0
    10 CONTINUE
       WRITE (*, 50)
@@ -60,8 +61,10 @@ C
          CALL TDUAL(M, P, SET, NEDGE, EDGE, AREA, CELL, OUTER, NHULL,
      1              HULL, FLUX, BAD(6))
          CALL TGRADI(M, P, NTET, TET, VALUE, SEED, BAD(7))
+         CALL TSIZES(M, P, NTET, TET, ADJ, NEDGE, EDGE, AT, AREA, CELL,
+     1               OUTER, AREAS, CELLV, BAD(8))
    30 CONTINUE
-      DO 40 I = 1, 7
+      DO 40 I = 1, 8
          WRITE (*, 70) TESTED(I), ANSWER(BAD(I))
    40 CONTINUE
    50 FORMAT ('set      points  tetrahedra  edges  faces  ',
@@ -339,4 +342,54 @@ C     gradient times an edge is the difference along it.
      1          .GT. 1.0D-14 / VOLUME) BAD = 1
    50    CONTINUE
    60 CONTINUE
+      END
+
+C     TSIZES - points times a power of two have balls and cells times
+C     it.
+      SUBROUTINE TSIZES(N, P, NTET, TET, ADJ, NEDGE, EDGE, AT, AREA,
+     1                  CELL, OUTER, AREAS, CELLV, BAD)
+      INTEGER N, NTET, TET(4,*), ADJ(4,*), NEDGE, EDGE(2,*), AT(*)
+      INTEGER OUTER(*), BAD
+      DOUBLE PRECISION P(3,*), AREA(*), CELL(*), AREAS(*), CELLV(*)
+      DOUBLE PRECISION VOLUME(2), C(3,2), RADIUS(2), SCALE, S
+      INTEGER I, J, K, T
+      DO 90 J = 1, 2
+         SCALE = 2.0D0**300
+         IF (J .EQ. 2) SCALE = 1.0D0 / SCALE
+         DO 40 T = 1, NTET
+            S = SCALE
+            DO 20 K = 1, 2
+               CALL MEASUR(P, TET(1,T), VOLUME(K), C(1,K), RADIUS(K))
+               DO 10 I = 1, 4
+                  P(1,TET(I,T)) = P(1,TET(I,T))*S
+                  P(2,TET(I,T)) = P(2,TET(I,T))*S
+                  P(3,TET(I,T)) = P(3,TET(I,T))*S
+   10          CONTINUE
+               S = 1.0D0 / SCALE
+   20       CONTINUE
+            IF (VOLUME(1) .NE. VOLUME(2) / SCALE / SCALE / SCALE)
+     1         BAD = 1
+            IF (RADIUS(1) .NE. RADIUS(2) / SCALE) BAD = 1
+            DO 30 K = 1, 3
+               IF (C(K,1) .NE. C(K,2) / SCALE) BAD = 1
+   30       CONTINUE
+   40    CONTINUE
+         DO 50 I = 1, N
+            P(1,I) = P(1,I)*SCALE
+            P(2,I) = P(2,I)*SCALE
+            P(3,I) = P(3,I)*SCALE
+   50    CONTINUE
+         CALL DUAL(N, P, TET, ADJ, NEDGE, EDGE, AT, AREAS, CELLV, OUTER)
+         DO 60 I = 1, N
+            P(1,I) = P(1,I) / SCALE
+            P(2,I) = P(2,I) / SCALE
+            P(3,I) = P(3,I) / SCALE
+   60    CONTINUE
+         DO 70 I = 1, NEDGE
+            IF (AREAS(I) / SCALE / SCALE .NE. AREA(I)) BAD = 1
+   70    CONTINUE
+         DO 80 I = 1, N
+            IF (CELLV(I) / SCALE / SCALE / SCALE .NE. CELL(I)) BAD = 1
+   80    CONTINUE
+   90 CONTINUE
       END

@@ -154,26 +154,41 @@ static int proven(tess_int ntet, const double *length)
 /* few - 1 if a long box, points outside and short arrays get their codes. */
 static int few(tess_int liw, tess_int lrw)
 {
-    static const double length[3] = {64.0, 1.0, 1.0}, cube[3] = {1.0, 1.0, 1.0};
+    static const int wanted[9] = {PERIODIC_FEW, -2, TESS_MORE, -1, -3, -3, -3,
+                                  TESS_RANGE, TESS_RANGE};
+    double box[6];
     tess_int ncop, ntet;
-    int code[4], k;
+    int i, k, good = 1;
 
-    for (k = 0; k < 3; k++) p[k] = (tess_real)low[k];
-    for (k = 0; k < 4; k++) {
+    for (k = 0; k < 3; k++) {
+        p[k] = (tess_real)low[k];
+        box[2 * k] = low[k];
+        box[2 * k + 1] = low[k] + (k == 0 ? 64.0 : 1.0);
+    }
+    for (k = 0; k < 9; k++) {
         if (k == 1) p[0] = (tess_real)(low[0] - 1.0);
         if (k == 2) p[0] = (tess_real)low[0];
-        code[k] = periodic(k == 3 ? 0 : 1, p, low, k == 2 ? cube : length,
-                           k == 2 ? 9 : MAXCOP, &ncop, x, cw, MAXTET, &ntet,
-                           tet, move, adj, shift, liw, iw, lrw, rw);
+        if (k == 2) box[1] = low[0] + 1.0;
+        if (k > 3 && k < 7) box[2 * k - 7] = box[2 * k - 8];
+        /* boxes of 1e-300 or 1e308, of floats 1e-36 or 1e38, about the point */
+        for (i = 0; k > 6 && i < 6; i++) {
+            p[i / 2] = 0;
+            box[i] = (double)(i % 2) *
+                     (sizeof *p > 4 ? k == 7 ? 1e-300 : 1e308
+                                    : k == 7 ? 1e-36 : 1e38);
+        }
+        good &= periodic(k == 3 ? 0 : 1, p, box, k == 2 ? 9 : MAXCOP, &ncop, x,
+                         cw, MAXTET, &ntet, tet, move, adj, shift, liw, iw,
+                         lrw, rw) == wanted[k];
+        if (k > 3 && k < 7) box[2 * k - 7] += 1.0;
     }
-    return code[0] == PERIODIC_FEW && code[1] == -2 && code[2] == TESS_MORE &&
-           code[3] == -1;
+    return good;
 }
 
 int main(void)
 {
     const char *name;
-    double length[3], corner[3], scale;
+    double length[3], box[6], scale;
     tess_int i, n, ncop, ntet, nedge, used;
     int set, code, good, k, bad = 0;
 
@@ -185,11 +200,12 @@ int main(void)
         scale = set < 6 ? 1.0 : ldexp(1.0, set == 6 ? k : -k);
         for (i = 0; i < 3 * n; i++) p[i] = (tess_real)((double)p[i] * scale);
         for (k = 0; k < 3; k++) {
-            corner[k] = low[k] * scale;
             length[k] *= scale;
+            box[2 * k] = low[k] * scale;
+            box[2 * k + 1] = low[k] * scale + length[k];
         }
-        code = periodic(n, p, corner, length, MAXCOP, &ncop, x, cw, MAXTET,
-                        &ntet, tet, move, adj, shift, TESS_LIW(MAXCOP), iw,
+        code = periodic(n, p, box, MAXCOP, &ncop, x, cw, MAXTET, &ntet, tet,
+                        move, adj, shift, TESS_LIW(MAXCOP), iw,
                         TESS_LRW(MAXCOP), rw);
         if (code != 0) {
             printf("%s: code %d\n", name, code);

@@ -15,12 +15,13 @@ C     try_periodic.c is the same in C; both write the same text.
       INTEGER CW(MAXCOP,3), TET(4,MAXTET), MOVE(4,MAXTET)
       INTEGER ADJ(4,MAXTET), SHIFT(4,MAXTET), IW(LIW)
       INTEGER LIST(12*MAXTET,3), SEED, SET, N, I, K, NCOP, NTET, NEDGE
-      INTEGER USED, INFO, GOOD
-      DOUBLE PRECISION CORNER(3), SCALE
+      INTEGER USED, INFO, GOOD, WANTED(9)
+      DOUBLE PRECISION BOX(2,3), SCALE
       CHARACTER*8 NAME(8)
       CHARACTER*3 ANSWER(0:1)
       COMMON /LARGE/ P, X, RW, CW, TET, MOVE, ADJ, SHIFT, IW, LIST
       DATA LOW /-1.0D0, 0.0D0, 2.0D0/
+      DATA WANTED /20, -2, 1, -1, -3, -3, -3, 6, 6/
       DATA NAME /'random', 'lattice', 'clusters', 'one', 'three',
      1           'twice', 'huge', 'tiny'/
       DATA ANSWER /'NO', 'yes'/
@@ -33,15 +34,15 @@ C        A power of two alters nothing else.
          IF (SET .EQ. 7) SCALE = 2.0D0**400
          IF (SET .EQ. 8) SCALE = 0.5D0**400
          DO 8 K = 1, 3
-            CORNER(K) = LOW(K)*SCALE
             LENGTH(K) = LENGTH(K)*SCALE
+            BOX(1,K) = LOW(K)*SCALE
+            BOX(2,K) = LOW(K)*SCALE + LENGTH(K)
             DO 6 I = 1, N
                P(K,I) = P(K,I)*SCALE
     6       CONTINUE
     8    CONTINUE
-         CALL PERIOD(N, P, CORNER, LENGTH, MAXCOP, NCOP, X, CW, MAXTET,
-     1               NTET, TET, MOVE, ADJ, SHIFT, LIW, IW, LRW, RW,
-     2               INFO)
+         CALL PERIOD(N, P, BOX, MAXCOP, NCOP, X, CW, MAXTET, NTET, TET,
+     1               MOVE, ADJ, SHIFT, LIW, IW, LRW, RW, INFO)
          IF (INFO .NE. 0) THEN
             WRITE (*, *) NAME(SET), ': code ', INFO
             STOP
@@ -59,24 +60,33 @@ C           Duplicates have no edges.
    20 CONTINUE
 C     A long box, points outside and short arrays get their codes.
       GOOD = 1
-      LENGTH(1) = 64.0D0
-      LENGTH(2) = 1.0D0
-      LENGTH(3) = 1.0D0
-      DO 26 I = 1, 4
-         DO 24 K = 1, 3
-            P(K,1) = LOW(K)
-   24    CONTINUE
+      DO 24 K = 1, 3
+         P(K,1) = LOW(K)
+         BOX(1,K) = LOW(K)
+         BOX(2,K) = LOW(K) + 1.0D0
+   24 CONTINUE
+      BOX(2,1) = LOW(1) + 64.0D0
+      DO 26 I = 1, 9
          IF (I .EQ. 2) P(1,1) = LOW(1) - 1.0D0
-         IF (I .EQ. 3) LENGTH(1) = 1.0D0
+         IF (I .EQ. 3) P(1,1) = LOW(1)
+         IF (I .EQ. 3) BOX(2,1) = LOW(1) + 1.0D0
+         IF (I .GT. 4 .AND. I .LT. 8) BOX(2,I-4) = BOX(1,I-4)
+C        Boxes of 1D-300 or 1D308 about the point.
+         DO 25 K = 1, 3
+            IF (I .LT. 8) GO TO 25
+            P(K,1) = 0.0D0
+            BOX(1,K) = 0.0D0
+            BOX(2,K) = 1.0D-300
+            IF (I .EQ. 9) BOX(2,K) = 1.0D308
+   25    CONTINUE
          NCOP = MAXCOP
          IF (I .EQ. 3) NCOP = 9
-         CALL PERIOD(1 - I/4, P, LOW, LENGTH, NCOP, K, X, CW,
-     1               MAXTET, NTET, TET, MOVE, ADJ, SHIFT, LIW, IW, LRW,
-     2               RW, INFO)
-         IF (I .EQ. 1 .AND. INFO .NE. 20) GOOD = 0
-         IF (I .EQ. 2 .AND. INFO .NE. -2) GOOD = 0
-         IF (I .EQ. 3 .AND. INFO .NE. 1) GOOD = 0
-         IF (I .EQ. 4 .AND. INFO .NE. -1) GOOD = 0
+         N = 1
+         IF (I .EQ. 4) N = 0
+         CALL PERIOD(N, P, BOX, NCOP, K, X, CW, MAXTET, NTET, TET, MOVE,
+     1               ADJ, SHIFT, LIW, IW, LRW, RW, INFO)
+         IF (INFO .NE. WANTED(I)) GOOD = 0
+         IF (I .GT. 4 .AND. I .LT. 8) BOX(2,I-4) = BOX(1,I-4) + 1.0D0
    26 CONTINUE
       WRITE (*, 50) ANSWER(GOOD)
    30 FORMAT ('set       points  tetrahedra  edges  Euler  proven')

@@ -11,7 +11,10 @@ both with your program:
     gfortran -O3 -frecursive mine.f tess.f hhpred.f
 
 -frecursive (f2c: -a) keeps local arrays on the stack; without it only one
-thread at a time may call.
+thread at a time may call. f2c writes tess.c and hhpred.c, which are the names of
+the C half's files: give it another directory,
+
+    mkdir c && f2c -a -dc tess.f hhpred.f
 
     entry    what it does
     TESSWK   recommended lengths of the workspace
@@ -94,6 +97,9 @@ stay those of 4 bytes: 4*MAXTET + 3 is at most 2147483647. If the caller alone
 is compiled so, INFO and NTET may look right, but TET and ADJ hold numbers
 beyond 2**32, two indices in each; the other way round INFO is negative.
 
+REAL of 8 bytes. gfortran -fdefault-real-8 makes DOUBLE PRECISION 16 bytes long:
+add -fdefault-double-8, or INFO is 6.
+
 Warnings. With -std=f2018 gfortran calls labelled DO and EQUIVALENCE
 obsolescent, which they are; nothing is wrong. Without -std, or with
 -std=legacy, there are no warnings.
@@ -110,10 +116,14 @@ for entry in TESSWK TESS TESSRE `sed -n 's/^C     \(TESS[A-Z]*\) - .*/\1/p' \
     HHWRAP HHORIE HHINSP; do
     awk -v entry=$entry '
         $1 == "C" && $2 == entry && $3 == "-" { text = 1; n = 0 }
-        text == 1 && /^C     (A walk|Let O be)/ { text = 2 }
+        text == 1 && /^C     How: / { text = 2 }
         text == 1 && /^C/ { line[n++] = substr($0, 7) }
         text && !/^C/ { text = 3 }
-        text == 3 && /^     [^ ]/ { head = head "\n" $0; next }
+        # a line that goes on belongs to the one before it
+        text == 3 && /^     [^ ]/ {
+            if (types == "") head = head "\n" $0; else types = types "\n" $0
+            next
+        }
         text == 3 && /(SUBROUTINE|FUNCTION)/ {
             head = $0
             next

@@ -913,6 +913,17 @@ $TESS -q -cells cells.vtk -box -.5,3.5,0,3.25,0,3 some
 yes "-cells -box: they fill that box" fills 564 39
 $TESS -q -cells cells.vtk -periodic -box 0,4,0,4,0,4 some
 yes "-cells -periodic: they fill the box" fills 564 64
+# of any size: also where squares of areas are beyond doubles
+for e in -100 -80 80 100; do
+    awk '{ printf "%.17g %.17g %.17g\n", $1 * s, $2 * s, $3 * s }' s=1e$e some \
+        > sized
+    rm -f cells.vtk
+    $TESS -q -cells cells.vtk sized
+    yes "-cells: they fill the box, 1e$e" fills 564 27e`expr $e \* 3`
+    rm -f cells.vtk
+    $TESS -q -cells cells.vtk -periodic -box 0,4e$e,0,4e$e,0,4e$e sized
+    yes "-cells -periodic: they fill the box, 1e$e" fills 564 64e`expr $e \* 3`
+done
 cat > voronoi.py << END
 import sys, itertools, numpy
 from scipy.spatial import Voronoi, ConvexHull
@@ -990,6 +1001,26 @@ yes "-periodic without a box: before anything is computed" test ! -s said
 printf '0 0 0\n' > lone
 OPTIONS="-volumes no.csv -periodic -box 0,64,0,1,0,1"
 refuses lone1 'so few points in so long a box' < lone
+OPTIONS="-volumes no.csv"
+for e in -110 110; do
+    awk '{ print $1 e, $2 e, $3 e }' e=e$e some |
+        refuses sized 'use other units'
+done
+OPTIONS="-volumes no.csv -periodic -box 0,4e-300,0,4e-300,0,4e-300"
+awk '{ print $1 e, $2 e, $3 e }' e=e-300 some | refuses sized 'use other units'
+# a build whose volumes are wrong by 1e-8
+sed 's,  *volume += area.j.,& * 1.00000001,' "$TOP"/test/examples/cells.c \
+    > wrong.c
+(cd "$TOP" && $CC -O1 -I. -Itest/examples -c -o build/driver/wrong.o \
+    build/driver/wrong.c && $CC -o build/driver/wrong build/driver/wrong.o \
+    `sed -n '/^PROGRAM = /,/[^\\]$/p' Makefile | tr ' ' '\n' |
+        grep '\.o' | grep -v cells` build/driver.o build/tess.o \
+    build/hhpred.o -lm)
+RIGHT=$TESS
+TESS=./wrong
+OPTIONS="-volumes no.csv"
+refuses boxed3 "volumes sum to .* but the box's is" < boxed
+TESS=$RIGHT
 OPTIONS=
 yes "nothing of what is refused is written" test ! -f no.csv
 

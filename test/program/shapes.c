@@ -60,7 +60,7 @@ void drop_others(mesh *m)
 /* cells - of all points: what cell is given, and gives of one. */
 typedef struct cells {
     const mesh *m;
-    double box[6];          /* what the cells fill, or a period */
+    double box[6];          /* what the cells fill, or a period: x0, x1, ... */
     tess_int *first, *list; /* of each point tetrahedra; or, where the box
                              * repeats itself, vertices of them: */
     tess_int *tet, *move;   /* the periodic mesh; or 0 */
@@ -89,11 +89,11 @@ static void points_box(cells *c)
     tess_int i;
     int k;
 
-    for (k = 0; k < 6; k++) c->box[k] = (double)p[k % 3];
+    for (k = 0; k < 6; k++) c->box[k] = (double)p[k / 2];
     for (i = 0; i < 3 * c->m->in->n; i++) {
-        k = (int)(i % 3);
+        k = (int)(i % 3) * 2;
         if ((double)p[i] < c->box[k]) c->box[k] = (double)p[i];
-        if ((double)p[i] > c->box[3 + k]) c->box[3 + k] = (double)p[i];
+        if ((double)p[i] > c->box[k + 1]) c->box[k + 1] = (double)p[i];
     }
 }
 
@@ -105,8 +105,7 @@ static void choose_box(cells *c)
     int k;
 
     if (chosen.boxed || in->lattice == RIGHT) {
-        for (k = 0; k < 6; k++)
-            c->box[k] = box[k % 3 * 2 + k / 3] * c->m->scale[k % 3];
+        for (k = 0; k < 6; k++) c->box[k] = box[k] * c->m->scale[k / 2];
         return;
     }
     points_box(c);
@@ -136,19 +135,19 @@ static void wrap(cells *c)
     const mesh *m = c->m;
     tess_int i, moved = 0;
     int k, out;
-    double x, low, length;
+    double x, low, high;
 
     c->at = (tess_real *)space(3.0 * (double)m->in->n, sizeof *c->at);
     for (i = 0; i < m->in->n; i++) {
         for (out = k = 0; k < 3; k++) {
             x = (double)m->p[3 * i + k];
-            low = c->box[k];
-            length = c->box[3 + k] - low;
-            if (x < low || x > low + length) {
+            low = c->box[2 * k];
+            high = c->box[2 * k + 1];
+            if (x < low || x > high) {
                 out = 1;
-                x -= length * floor((x - low) / length);
+                x -= (high - low) * floor((x - low) / (high - low));
                 if (!(x >= low)) x = low;
-                if (!(x <= low + length)) x = low + length;
+                if (!(x <= high)) x = high;
             }
             c->at[3 * i + k] = (tess_real)x;
         }
@@ -166,11 +165,10 @@ static int try_periodic(cells *c, double maxcop, double maxtet, double pool,
                         tess_int *ncop)
 {
     tess_int *cw, *adj, *shift, *iw, liw, lrw;
-    double length[3], *rw;
+    double *rw;
     tess_real *x;
-    int code, k;
+    int code;
 
-    for (k = 0; k < 3; k++) length[k] = c->box[3 + k] - c->box[k];
     if (maxtet > (double)TESS_INT_MOST / 4.0 - 1.0 ||
         tess_size((tess_int)maxcop, (tess_int)maxtet, &liw, &lrw) != 0 ||
         pool * (double)liw > (double)TESS_INT_MOST)
@@ -184,9 +182,9 @@ static int try_periodic(cells *c, double maxcop, double maxtet, double pool,
     shift = integers(4.0 * maxtet);
     iw = integers((double)liw);
     rw = doubles((double)lrw);
-    code = periodic(c->m->in->n, c->at, c->box, length, (tess_int)maxcop, ncop,
-                    x, cw, (tess_int)maxtet, &c->periods, c->tet, c->move, adj,
-                    shift, liw, iw, lrw, rw);
+    code = periodic(c->m->in->n, c->at, c->box, (tess_int)maxcop, ncop, x, cw,
+                    (tess_int)maxtet, &c->periods, c->tet, c->move, adj, shift,
+                    liw, iw, lrw, rw);
     free(x);
     free(cw);
     free(adj);
@@ -212,6 +210,9 @@ static void make_periodic(cells *c)
             fail("-periodic: so few points in so long a box that tetrahedra "
                  "reach across many copies of it; repeat the points along its "
                  "short sides");
+        if (code == TESS_RANGE)
+            fail("-periodic: the box is so large or small that its copies "
+                 "cannot be numbers: use other units, as by -scale");
         if (code != TESS_MORE && code != TESS_POOL)
             too_small("-periodic: unexpected code %d", code);
         if (code == TESS_POOL)
@@ -261,7 +262,7 @@ static void gather(cells *c, tess_int i)
             for (m = 0; m < 3; m++)
                 c->around[3 * j + m] = (tess_real)(
                     ((double)c->at[3 * v + m] - (double)c->at[3 * i + m]) +
-                    away[m] * (c->box[3 + m] - c->box[m]));
+                    away[m] * (c->box[2 * m + 1] - c->box[2 * m]));
         }
     }
 }
@@ -269,7 +270,6 @@ static void gather(cells *c, tess_int i)
 /* compute - the cell of point i: in *c, its vertices where they are written. */
 static void compute(cells *c, tess_int i)
 {
-    static const double endless[6] = {1.0, 1.0, 1.0, -1.0, -1.0, -1.0};
     const mesh *m = c->m;
     tess_int range[2], v;
     int code, k;
@@ -280,12 +280,13 @@ static void compute(cells *c, tess_int i)
     code = cell(c->tet ? c->around : m->p, c->tet ? c->star : m->tet,
                 c->tet ? c->beside : m->adj, c->tet ? range : c->first,
                 c->tet ? c->count : c->list, c->tet ? 0 : i,
-                c->tet ? endless : c->box, c->most, &c->nface, c->whose,
+                c->tet ? NULL : c->box, c->most, &c->nface, c->whose,
                 c->area, &c->volume, c->begin, c->corner, &c->nvert, c->vert,
                 c->iwork, c->work);
     if (code != 0)
-        too_small("the cell of point %ld cannot be computed (code %d)",
-                  (long)(i + m->in->base), code);
+        fail("the cell of point %ld cannot be computed: it may be smaller than "
+             "1e-102 or larger than 1e102; use other units, as by -scale",
+             (long)(i + m->in->base));
     for (v = 0; v < c->nvert; v++)
         for (k = 0; k < 3; k++) {
             if (c->tet) c->vert[3 * v + k] += (double)m->p[3 * i + k];
@@ -468,7 +469,10 @@ void make_cells(const mesh *m)
     say("computing %ld cells ...", (long)m->in->n);
     measure_cells(&c, volume, faces, &all);
     for (k = 0; k < 3; k++)
-        whole *= (c.box[3 + k] - c.box[k]) / m->scale[k];
+        whole *= (c.box[2 * k + 1] - c.box[2 * k]) / m->scale[k];
+    if (!(whole > 0.0 && fabs(all.volume - whole) <= 1e-9 * whole))
+        fail("the cells' volumes sum to %.15g, but the box's is %.15g: use "
+             "other units, as by -scale, or a smaller box", all.volume, whole);
     if (c.tet) tell("periodic      %ld tetrahedra\n", (long)c.periods);
     tell("cells         %.0f, their volumes sum to %.15g; the box's is %.15g\n",
          all.cells, all.volume, whole);

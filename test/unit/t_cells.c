@@ -33,16 +33,17 @@ static void check(int good, const char *set, const char *what)
 
 #ifdef FORTRAN
 extern void cell_(double *p, int *tet, int *adj, int *first, int *list, int *i,
-                  double *box, int *most, int *nface, int *whose, double *area,
-                  double *volume, int *start, int *corner, int *nvert,
-                  double *vert, int *iwork, double *work, int *info);
+                  double *box, int *boxed, int *most, int *nface, int *whose,
+                  double *area, double *volume, int *start, int *corner,
+                  int *nvert, double *vert, int *iwork, double *work,
+                  int *info);
 
 static int one(tess_int i, const double *clip, double *volume)
 {
     static int tet1[4 * MAXTET], adj1[4 * MAXTET], first1[N + 1];
     static int list1[4 * MAXTET];
     double box1[6];
-    int k, info, number = i + 1, most = MOST;
+    int k, info, number = i + 1, most = MOST, boxed = clip != NULL;
 
     if (i == 0)
         for (k = 0; k < 4 * ntet; k++) {
@@ -51,9 +52,9 @@ static int one(tess_int i, const double *clip, double *volume)
             list1[k] = list[k] + 1;
         }
     for (k = 0; i == 0 && k <= n; k++) first1[k] = first[k] + 1;
-    memcpy(box1, clip, sizeof box1);
-    cell_(p, tet1, adj1, first1, list1, &number, box1, &most, &nface, whose,
-          area, volume, start, corner, &nvert, vert, iwork, work, &info);
+    for (k = 0; k < 6; k++) box1[k] = boxed ? clip[k] : 0.0;
+    cell_(p, tet1, adj1, first1, list1, &number, box1, &boxed, &most, &nface,
+          whose, area, volume, start, corner, &nvert, vert, iwork, work, &info);
     for (k = 0; k < start[nface] - 1; k++) corner[k]--;
     for (k = 0; k <= nface; k++) start[k]--;
     for (k = 0; k < nface; k++) whose[k] -= whose[k] > 0;
@@ -82,9 +83,9 @@ static int mesh(void)
     return 0;
 }
 
-/* closed - by Euler's formula, each edge being there once in both directions,
+/* sealed - by Euler's formula, each edge being there once in both directions,
  * and no vertex twice in a face. */
-static int closed(void)
+static int sealed(void)
 {
     static char seen[6 * N][6 * N];
     tess_int a, b, f, j;
@@ -113,13 +114,14 @@ static int within(tess_int i)
     int k;
 
     for (k = 0; k < 3; k++) {
-        if (box[3 + k] - box[k] > size) size = box[3 + k] - box[k];
-        if (fabs(box[k]) > 1e3 * size) size = 1e-3 * fabs(box[k]);
+        if (box[2 * k + 1] - box[2 * k] > size)
+            size = box[2 * k + 1] - box[2 * k];
+        if (fabs(box[2 * k]) > 1e3 * size) size = 1e-3 * fabs(box[2 * k]);
     }
     for (v = 0; v < nvert; v++) {
         for (k = 0; k < 3; k++)
-            if (!(vert[3 * v + k] >= box[k] - 1e-12 * size &&
-                  vert[3 * v + k] <= box[3 + k] + 1e-12 * size))
+            if (!(vert[3 * v + k] >= box[2 * k] - 1e-12 * size &&
+                  vert[3 * v + k] <= box[2 * k + 1] + 1e-12 * size))
                 return 0;
         for (f = 4 * first[i]; f < 4 * first[i + 1]; f++) {
             j = tet[4 * list[f / 4] + f % 4];
@@ -171,28 +173,27 @@ static int distant(tess_int i)
  * it. */
 static int filled(void)
 {
-    static const double endless[6] = {1.0, 0.0, 0.0, -1.0, 0.0, 0.0};
     double sum = 0.0, all = 1.0, volume, whole;
     tess_int i, f;
     int bad = 0, code, k;
 
-    for (k = 0; k < 3; k++) all *= box[3 + k] - box[k];
+    for (k = 0; k < 3; k++) all *= box[2 * k + 1] - box[2 * k];
     for (i = 0; i < n; i++) {
         if (one(i, box, &volume) != 0) return 1;
         if (iw[i] != i) {
             if (nface != 0 || volume != 0.0) bad |= 2;
             continue;
         }
-        if (!closed() || !(volume >= 0.0)) bad |= 2;
+        if (!sealed() || !(volume >= 0.0)) bad |= 2;
         for (f = 0; f < nface; f++)
             if (!(area[f] >= 0.0)) bad |= 2;
         if (!within(i)) bad |= 4;
         sum += volume;
         /* without the box the cell has no end, or what the box holds of it is
          * less */
-        code = one(i, endless, &whole);
+        code = one(i, NULL, &whole);
         if (code != (outer(i) ? 2 : 0) && (code != 2 || !distant(i))) bad |= 1;
-        if (code == 0 && !closed()) bad |= 2;
+        if (code == 0 && !sealed()) bad |= 2;
         if (code == 0 && !(whole >= volume - 1e-12 * all)) bad |= 8;
     }
     return fabs(sum - all) <= 1e-12 * all ? bad : bad | 8;
@@ -288,9 +289,9 @@ static void speck(void)
 
     n = (tess_int)points_make("uniform", N, 1, p);
     good = mesh() == 0;
-    for (k = 0; k < 6; k++) box[k] = 0.5 + (k < 3 ? 0.0 : ldexp(1.0, -48));
+    for (k = 0; k < 6; k++) box[k] = 0.5 + (k % 2 ? ldexp(1.0, -48) : 0.0);
     for (i = 0; i < n && good; i++) {
-        good = one(i, box, &volume) == 0 && (nface == 0 || closed());
+        good = one(i, box, &volume) == 0 && (nface == 0 || sealed());
         some += nface > 0;
     }
     check(good && some > 0, "a speck", "polyhedra");
@@ -321,7 +322,7 @@ int main(void)
     int j, k, s, bad;
 
     for (j = 0; j < (int)(sizeof set / sizeof *set); j++) {
-        for (k = 0; k < 6; k++) box[k] = k < 3 ? -2.0 : 2.0;
+        for (k = 0; k < 6; k++) box[k] = k % 2 ? 2.0 : -2.0;
         for (bad = 0, s = 0; s < set[j].sets; s++) {
             make(set[j].kind, set[j].many);
             bad |= mesh() == 0 ? filled() : 1;
@@ -337,8 +338,8 @@ int main(void)
                 if ((double)p[3 * i + k] < low) low = (double)p[3 * i + k];
                 if ((double)p[3 * i + k] > high) high = (double)p[3 * i + k];
             }
-            box[k] = low - 0.125 * (high - low);
-            box[3 + k] = high + 0.25 * (high - low);
+            box[2 * k] = low - 0.125 * (high - low);
+            box[2 * k + 1] = high + 0.25 * (high - low);
         }
         bad = filled();
         /* its coordinates go beyond doubles' volumes */

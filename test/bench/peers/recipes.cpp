@@ -12,7 +12,7 @@
 #include <map>
 #include <vector>
 #include "../../points.h"
-#include "tess.h"
+#include "../../examples/recipes.h"
 
 #define main example
 namespace one {
@@ -95,15 +95,15 @@ static void periodic(const char *family, long most)
 {
     std::vector<double> p(3 * most);
     long n = points_make(family, most, 1, p.data()), copies = 30 * n;
-    const double low[3] = {0, 0, 0}, length[3] = {1, 1, 1};
+    const double box[6] = {0, 1, 0, 1, 0, 1};
     std::vector<tess_int> tet(80 * n), move(80 * n), adj(80 * n), shift(80 * n);
     std::vector<tess_int> cw(3 * copies), iw(TESS_LIW(copies));
     std::vector<double> x(3 * copies), rw(TESS_LRW(copies));
     std::vector<Point> points;
     tess_int ncop, ntet = 0;
 
-    check(two::periodic((tess_int)n, p.data(), low, length, (tess_int)copies,
-                        &ncop, x.data(), cw.data(), (tess_int)(20 * n), &ntet,
+    check(two::periodic((tess_int)n, p.data(), box, (tess_int)copies, &ncop,
+                        x.data(), cw.data(), (tess_int)(20 * n), &ntet,
                         tet.data(), move.data(), adj.data(), shift.data(),
                         (tess_int)iw.size(), iw.data(), (tess_int)rw.size(),
                         rw.data()) == 0, family, n, "periodic");
