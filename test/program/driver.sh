@@ -1014,7 +1014,7 @@ sed 's,  *volume += area.j.,& * 1.00000001,' "$TOP"/test/examples/cells.c \
 (cd "$TOP" && $CC -O1 -I. -Itest/examples -c -o build/driver/wrong.o \
     build/driver/wrong.c && $CC -o build/driver/wrong build/driver/wrong.o \
     `sed -n '/^PROGRAM = /,/[^\\]$/p' Makefile | tr ' ' '\n' |
-        grep '\.o' | grep -v cells` build/driver.o build/tess.o \
+        grep '\.o' | grep -v cells` build/tess.o \
     build/hhpred.o -lm)
 RIGHT=$TESS
 TESS=./wrong
