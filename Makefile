@@ -140,11 +140,6 @@ build/draw.o: test/program/draw.c test/program/draw.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/draw.c
 
-build/picture: test/program/picture.c test/program/draw.h \
-    test/examples/recipes.h build/slopes.o build/draw.o $(LIBRARY)
-	$(LINK) $(CPPFLAGS) -I. test/program/picture.c build/slopes.o \
-	    build/draw.o $(LIBRARY) $(LDLIBS)
-
 build/mirror: test/data/mirror.c
 	@mkdir -p build
 	$(LINK) $(CPPFLAGS) test/data/mirror.c $(LDLIBS)
@@ -179,10 +174,19 @@ examples: $(LIBRARY)
 	cat build/$$name.out; \
 	diff test/examples/$$name.out build/$$name.out; done
 
-pictures: build/picture grid
+# cube: a grid of 27 points, of which corners stay, and the others move at random
+# along their edge, in their face or inside
+pictures: grid
 	cp build/mirror.svg test/pictures/slice.svg
-	build/picture test/data/mirror.xyz test/pictures/mirror.svg \
-	    test/pictures/section.svg test/pictures/cube.svg
+	build/tess -q -scale 1,1,4 -alpha 0.6 -view -71.25 28 \
+	    -svg test/pictures/mirror.svg test/data/mirror.xyz
+	awk 'BEGIN { for (seed = 5; n < 27; n++) \
+	    for (k = 0; k < 3; k++) { \
+	        seed = (1664525 * seed + 1013904223) % 4294967296; \
+	        at = int(n / 3 ^ k) % 3; \
+	        printf "%.17g%s", at == 1 ? 0.35 + 0.3 * seed / 4294967296 : at / 2, \
+	            k < 2 ? " " : "\n" } }' | \
+	    build/tess -q -view -62 24 -svg test/pictures/cube.svg -
 
 errors: $(LIBRARY)
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o build/slopes -I. test/examples/*slopes.c $(LIBRARY) $(LDLIBS)

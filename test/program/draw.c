@@ -412,7 +412,6 @@ static void project(drawing *d, tess_int n, const tess_real *p,
         for (k = 0; k < 3; k++)
             x[k] = ((double)p[3 * i + k] / most - lo[k] / 2.0 - hi[k] / 2.0) /
                    size;
-        x[2] *= d->look->stretch;
         for (j = 0; j < 3; j++)
             d->q[DIM * i + j] =
                 axis[j][0] * x[0] + axis[j][1] * x[1] + axis[j][2] * x[2];
@@ -441,14 +440,12 @@ static void choose_place(drawing *d, double width, double height)
     double room[2];
 
     room[0] = d->look->width - 50.0 - (d->plain ? 0.0 : 105.0);
-    room[1] = d->look->height - 50.0 - (d->look->title ? 40.0 : 0.0) -
-              (d->look->note ? 25.0 : 0.0);
+    room[1] = d->look->height - 75.0;
     d->unit = 1e30;
     if (d->unit * width > 10.0 * room[0]) d->unit = 10.0 * room[0] / width;
     if (d->unit * height > 10.0 * room[1]) d->unit = 10.0 * room[1] / height;
     d->shift[0] = 250.0 + (10.0 * room[0] - d->unit * width) / 2.0;
-    d->shift[1] = (d->look->title ? 650.0 : 250.0) +
-                  (10.0 * room[1] - d->unit * height) / 2.0;
+    d->shift[1] = 250.0 + (10.0 * room[1] - d->unit * height) / 2.0;
 }
 
 /* scale - choose the bands, and the unit and place of the tetrahedra. */
@@ -518,18 +515,11 @@ static void head(const drawing *d)
             "font-family=\"Helvetica,Arial,sans-serif\" fill=\"#222\">\n",
             d->look->width, d->look->height, d->look->width, d->look->height);
     if (d->tet) styles(d);
-    fprintf(d->file, "<rect width=\"100%%\" height=\"100%%\" "
-                     "fill=\"#fff\"/>\n");
-    if (d->look->title)
-        fprintf(d->file,
-                "<text x=\"250\" y=\"430\" font-size=\"210\" "
-                "font-weight=\"bold\">%s</text>\n",
-                d->look->title);
-    if (d->look->note)
-        fprintf(d->file,
-                "<text x=\"250\" y=\"%d0\" font-size=\"140\" "
-                "fill=\"#555\">%s</text>\n",
-                d->look->height - 22, d->look->note);
+    fprintf(d->file,
+            "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
+            "<text x=\"250\" y=\"%d0\" font-size=\"140\" "
+            "fill=\"#555\">%s</text>\n",
+            d->look->height - 22, d->look->note);
 }
 
 /* bar - the colour bar: its bands are those of the picture. */
@@ -571,10 +561,9 @@ static void bar(const drawing *d)
         else
             fprintf(d->file, "%.3g</text>\n", level);
     }
-    if (d->look->label)
-        fprintf(d->file,
-                "<text x=\"%.0f\" y=\"%.0f\" font-size=\"160\">%s</text>\n",
-                x, y - 110.0, d->look->label);
+    fprintf(d->file,
+            "<text x=\"%.0f\" y=\"%.0f\" font-size=\"160\">%s</text>\n", x,
+            y - 110.0, d->look->label);
 }
 
 void draw_default(draw_look *look)
@@ -583,13 +572,10 @@ void draw_default(draw_look *look)
     look->height = 640;
     look->azimuth = -68.0;
     look->elevation = 28.0;
-    look->stretch = 1.0;
     look->shrink = 1.0;
     look->cut = 0;
     look->keep = 0;
-    look->title = 0;
-    look->note = 0;
-    look->label = 0;
+    look->note = look->label = "";
 }
 
 int draw_svg(FILE *file, const draw_look *look, tess_int n,

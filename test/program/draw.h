@@ -19,14 +19,12 @@ typedef struct draw_look {
     int width, height; /* pixels */
     double azimuth;    /* where the viewer is, in degrees: from x towards y, */
     double elevation;  /* and above the plane of x and y */
-    double stretch;    /* z is multiplied by it */
     double shrink;     /* each tetrahedron towards its centroid: 1 leaves it.
                         * Less shows an exploded view: to move tetrahedra
                         * apart and then zoom out is to shrink each of them */
     int cut;           /* 1: leave out the quarter that faces the viewer */
     const char *keep;  /* keep[t] = 0: leave out tetrahedron t; or 0 */
-    const char *title; /* texts, in XML; or 0 */
-    const char *note;
+    const char *note;  /* a text below, in XML */
     const char *label; /* of the colour bar */
 } draw_look;
 
