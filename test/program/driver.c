@@ -409,6 +409,7 @@ int main(int argc, char **argv)
     began = time((time_t *)0);
     in.cols = chosen.cols;
     in.skip = chosen.skip;
+    in.decimal = places.decimal = chosen.decimal;
     read_points(chosen.input, &in);
     check_box(&in);
     places.cols = chosen.qcols;

@@ -31,6 +31,7 @@ typedef struct points {
     tess_int base;            /* number of the first point in files */
     const char *cols; /* columns asked for, x, y, z first; 0: by the file */
     int skip;         /* drop rows from which numbers are missing */
+    int decimal;      /* ',' where numbers have decimal commas */
     int lattice;      /* has the file a box that may repeat itself? */
     int aperiodic;    /* does it say that the box does not, along all axes? */
     double box[6];    /* that box: x from, to; y; z */
@@ -98,6 +99,7 @@ output *next_output(const form *all, output *o);
 typedef struct choices {
     const char *input, *cols;
     int skip, check, binary, quiet, periodic; /* (binary: so are all files) */
+    int decimal; /* ',' or '.'; 0: not given */
     int scaled, boxed; /* are these given? */
     int values, cells; /* -values; -cells or -volumes */
     int to_stdout;     /* is a file written to standard output? */

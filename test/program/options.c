@@ -33,8 +33,8 @@ static const char *const before[] = {
     "  lines     x y z and any values; blanks, tabs, commas or semicolons",
     "            between them; a first line of names, of which x, y, z say which",
     "            columns those are; a column of words is skipped.  # begins a",
-    "            comment; so do % ! and two slashes.  1.34D-01 is 1.34E-01; a",
-    "            decimal comma is an error",
+    "            comment; so do % ! and two slashes.  1.34D-01 is 1.34E-01; for",
+    "            decimal commas see -decimal",
     "  a count   before such lines, or Qhull's dimension and number",
     "  .xyz      of atoms: number, comment, lines `element x y z'",
     "  .node     TetGen's; .off, .ply (ASCII), .obj: the points; PDB: the atoms",
@@ -201,6 +201,14 @@ static void take_parts(const option *o, char **word)
     *(long *)o->to = (long)x;
 }
 
+/* take_decimal - the sign itself. */
+static void take_decimal(const option *o, char **word)
+{
+    if (strcmp(word[0], ",") != 0 && strcmp(word[0], ".") != 0)
+        fail("%s needs the sign, a comma or a point: -decimal ,", o->name);
+    *(int *)o->to = word[0][0];
+}
+
 static void take_base(const option *o, char **word)
 {
     static const form *const all[] = {node_forms, ele_forms, neigh_forms,
@@ -235,6 +243,9 @@ static const option table[] = {
     {"-skip", 0, take_switch, &chosen.skip,
      "drop rows from which a number is missing: an empty cell,\n"
      "NA, N/A, NaN, null, none, - or --; how many is said"},
+    {"-decimal", ",", take_decimal, &chosen.decimal,
+     "numbers have decimal commas, and no points; between them are\n"
+     "semicolons, tabs or blanks, or commas if numbers are in quotes"},
     {"-scale", "SX,SY,SZ", take_scale, chosen.scale,
      "stretch coordinates for the mesh: -scale 1,1,0.01 for\n"
      "degrees and metres.  All that is written has the given\n"

@@ -21,7 +21,7 @@
 typedef struct field {
     char *text;
     int number; /* is it one?  With -skip a missing value counts as one */
-    int missing;
+    int missing, quoted;
     double x;
 } field;
 
@@ -33,11 +33,14 @@ static char line[LINE + 1];
 static long line_number;
 static field fields[COLUMNS];
 static int many;                   /* fields */
-static int doubtful;               /* is there a decimal comma in the line? */
+static int decimals;               /* is a comma between digits a decimal one? */
+static int apart;                  /* not so: those are in quotes */
+static char doubt[160];            /* why the line may have one, or "" */
 static int open_end;               /* is its last character a separator? */
 static char separator;             /* other than blanks; or 0 */
 static char title[COLUMNS][TITLE]; /* of the columns, from a header */
 static int titles;
+static char suspect[160]; /* why, perhaps, no line is a point, or "" */
 static long first_line; /* of the points; does it end with a separator? */
 static int first_open;
 static int width;       /* columns of a line of points; and which they are: */
@@ -57,6 +60,9 @@ static void fail_line(const char *what)
 {
     fail("%s, line %ld: %s", to->input, line_number, what);
 }
+
+/* fail_cell - the same for field k, which is no number. */
+static void fail_cell(int k);
 
 static void fail_empty(long at, int column)
 {
@@ -173,10 +179,10 @@ static int next_line(void)
     return 0;
 }
 
-/* number - the number at s, as C or Fortran writes it: 1.34D-01, and 1.34-101
- * where three digits leave no room for the letter.  *end is s if there is
- * none. */
-static double number(const char *s, char **end)
+/* point_number - the number at s, as C or Fortran writes it: 1.34D-01, and
+ * 1.34-101 where three digits leave no room for the letter.  *end is s if there
+ * is none. */
+static double point_number(const char *s, char **end)
 {
     double x = strtod(s, end);
     const char *e = *end;
@@ -198,35 +204,110 @@ static double number(const char *s, char **end)
     return x;
 }
 
-/* decimal_comma - may the line, not yet split, have one?  A comma between
- * digits, in quotes, or where something else separates, too. */
+/* separates - is the comma at s, in no quotes, one between columns? */
+static int separates(const char *s)
+{
+    if (!decimals || apart || !digit(s[1])) return 1;
+    return s > line && !digit(s[-1]) && !blank(s[-1]) && !strchr("+-;", s[-1]);
+}
+
+/* number - the same, or with decimal commas a number that may have one, and has
+ * no point. */
+static double number(const char *s, char **end)
+{
+    char text[80], *stop;
+    size_t length = 0;
+    int quoted = s > line && s[-1] == '"';
+    double x;
+
+    if (!decimals) return point_number(s, end);
+    *end = (char *)s;
+    while (s[length] && !strchr(" \t;\"", s[length]) &&
+           (s[length] != ',' || quoted || !separates(s + length)))
+        length++;
+    if (length >= sizeof text || memchr(s, '.', length)) return 0.0;
+    sprintf(text, "%.*s", (int)length, s);
+    stop = strchr(text, ',');
+    if (stop) *stop = '.';
+    x = point_number(text, &stop);
+    *end += stop - text;
+    return x;
+}
+
+/* begins_number - as far as its first digit, does s? */
+static int begins_number(const char *s)
+{
+    s += *s == '+' || *s == '-';
+    s += *s == '.';
+    return digit(*s);
+}
+
+/* hint - what to do about a text that is a number but for its commas; or its
+ * points, if commas are decimal.  0 for any other.  Points may be a date's. */
+static const char *hint(const char *text, int quoted)
+{
+    static const char figures[] = "0123456789";
+    const char *s = text + (*text == '+' || *text == '-'), *first = s;
+    const char *end = s + strspn(s, "0123456789,.");
+    int signs = 0, commas = 0, behind = 0, threes = *s != '0';
+    char sign = decimals ? '.' : ',';
+
+    if (!strpbrk(text, figures) ||
+        (*end && (!strchr("eEdD", *end) || !begins_number(end + 1))))
+        return 0;
+    for (; s < end; s++) {
+        if (digit(*s)) continue;
+        commas += *s == ',';
+        behind += signs > 0 && *s != sign;
+        if (*s != sign) continue;
+        threes = threes && strspn(s + 1, figures) == 3 &&
+                 (signs > 0 || (s > first && s - first < 4));
+        signs++;
+    }
+    if (decimals && (signs == 1 || (signs > 1 && threes)))
+        return " (with -decimal , numbers have no points)";
+    if (decimals)
+        return signs == 0 && commas > 1
+                   ? " (with -decimal , commas between digits are decimal)"
+                   : 0;
+    if (signs > 0 && threes && (signs > 1 || behind > 0))
+        return " (commas between thousands must go)";
+    if (signs == 1 && behind == 0)
+        return threes && quoted
+                   ? " (a comma between thousands must go; see also -decimal)"
+                   : " (a decimal comma?  -decimal , reads it)";
+    return 0;
+}
+
+/* decimal_comma - may the line, not yet split, have one where nothing is in
+ * quotes, and commas separate if they are none?  One between digits, where
+ * something else separates, too. */
 static int decimal_comma(void)
 {
     const char *s;
-    int quoted = 0, glued = 0, spaced = 0, other = 0, point = 0, inside = 0;
+    int quoted = 0, glued = 0, spaced = 0, other = 0, point = 0;
 
     for (s = line; *s; s++) {
         if (*s == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (*s == ';') return 0;
         if (*s == '.') point = 1;
-        if (*s == ';' || *s == '\t') other |= !quoted;
+        if (*s == '\t') other = 1;
         if (s == line) continue;
         if (*s == ',' && digit(s[-1])) {
             glued |= digit(s[1]);
-            inside |= quoted && digit(s[1]);
             spaced |= blank(s[1]);
         }
-        if (blank(*s) && !quoted && (digit(s[-1]) || s[-1] == '.'))
-            other |= s[1] != ',' && s[1] != ';' && !blank(s[1]);
+        if (blank(*s) && (digit(s[-1]) || s[-1] == '.'))
+            other |= begins_number(s + strspn(s, " \t"));
     }
-    return inside || (glued && (other || (spaced && !point)));
+    return glued && (other || (spaced && !point));
 }
 
 /* refuse - leave if the line may have a decimal comma. */
 static void refuse(void)
 {
-    if (doubtful)
-        fail_line("a decimal comma?  Numbers need points, and columns "
-                  "either commas or something else between them");
+    if (doubt[0]) fail_line(doubt);
 }
 
 /* missing - is the text what files have in place of a number that is not
@@ -245,22 +326,45 @@ static int missing(const char *text)
     return 0;
 }
 
-/* split - the line's fields.  What separates is a semicolon; or else a comma;
- * and blanks: behind a number always, behind a word if there is none of these
- * and no tab.  With -skip, which looks for empty cells, each tab separates. */
-static void split(void)
+/* mark_of - what separates the line's fields: a semicolon; or else a comma, or
+ * a tab, of which the tab comes first if commas are decimal; or 0, blanks. */
+static char mark_of(void)
 {
     char *s, *end, mark = 0;
     int quoted = 0;
 
-    doubtful = decimal_comma();
     for (s = line; *s; s++) {
         if (*s == '"') quoted = !quoted;
+        if (*s == '"' && quoted && decimals) {
+            number(s + 1, &end);
+            if (*end == '"' && memchr(s, ',', (size_t)(end - s)) &&
+                (end[1] == ',' || (s > line && s[-1] == ',')))
+                apart = 1;
+        }
         if (quoted) continue;
-        if (*s == ';' || (*s == ',' && mark != ';') || (*s == '\t' && !mark))
+        if (*s == ';' || (*s == '\t' && (!mark || (decimals && mark == ','))))
             mark = *s;
+        if (*s == ',' && separates(s) && mark != ';' &&
+            (mark != '\t' || !decimals))
+            mark = ',';
     }
-    s = line;
+    return mark;
+}
+
+/* ends - does the separator stand at s? */
+static int ends(const char *s, char mark)
+{
+    return *s && *s == mark && (mark != ',' || separates(s));
+}
+
+/* cut - the line's fields.  Blanks separate behind a number always, unless the
+ * cell goes on with a unit; behind a word if there is no other separator.  With
+ * -skip, which looks for empty cells, each tab separates. */
+static void cut(void)
+{
+    char *s = line, *end, *after, mark = mark_of();
+    int quoted;
+
     separator = mark;
     open_end = 0;
     for (many = 0;; many++) {
@@ -274,8 +378,9 @@ static void split(void)
         quoted = *s == '"';
         s += quoted;
         fields[many].text = s;
+        fields[many].quoted = quoted;
         end = s;
-        fields[many].x = *s == mark ? 0.0 : number(s, &end);
+        fields[many].x = ends(s, mark) ? 0.0 : number(s, &end);
         if (quoted) {
             while (blank(*end)) end++;
             fields[many].number = end > s && *end == '"';
@@ -283,20 +388,25 @@ static void split(void)
             end = s + (*s != '\0');
             *s = '\0';
             s = end;
-            while (*s && *s != mark && !blank(*s)) s++;
+            while (*s && !ends(s, mark) && !blank(*s)) s++;
             end = s;
         } else {
+            for (after = end; blank(*after) && !ends(after, mark);) after++;
             fields[many].number =
-                end > s && (!*end || *end == mark || blank(*end));
+                end > s && (!*after || ends(after, mark) ||
+                            (after > end &&
+                             (!mark || (many > 0 && !open_end) ||
+                              *after == '"' || *after == '-' ||
+                              begins_number(after))));
             if (!fields[many].number)
-                for (end = s; *end && *end != mark;) {
+                for (end = s; *end && !ends(end, mark);) {
                     if (blank(*end) && !mark) break;
                     end++;
                 }
             s = end;
         }
         while (blank(*s) && !(to->skip && *s == mark)) s++;
-        open_end = *s && *s == mark;
+        open_end = ends(s, mark);
         s += open_end;
         if (!quoted) {
             while (end > fields[many].text && blank(end[-1])) end--;
@@ -305,6 +415,29 @@ static void split(void)
         fields[many].missing = to->skip && missing(fields[many].text);
         if (fields[many].missing) fields[many].number = 1;
     }
+}
+
+/* split - the same; and doubt, if the line has numbers once commas are taken
+ * for decimal ones. */
+static void split(void)
+{
+    static char copy[LINE + 1];
+    const char *why = 0;
+    int k;
+
+    doubt[0] = '\0';
+    if (!decimals && decimal_comma()) {
+        strcpy(copy, line);
+        decimals = 1;
+        cut();
+        decimals = apart = 0;
+        for (k = 0; k < many && !why; k++)
+            if ((why = hint(fields[k].text, 0)) != 0)
+                sprintf(doubt, "column %d is not a number: %.20s%s", k + 1,
+                        fields[k].text, why);
+        strcpy(line, copy);
+    }
+    cut();
 }
 
 /* numbers - how many of the fields are numbers. */
@@ -332,6 +465,7 @@ static int quick(void)
     char *s, *end, *stop, mark = 0;
     int k, glued = 0, spaced = 0, tabs = 0, blanks = 0, words = 0;
 
+    if (decimals) return 0;
     if (filled - taken < LINE) more();
     s = block + taken;
     stop = (char *)memchr(
@@ -370,8 +504,21 @@ static int quick(void)
     taken = (size_t)(stop + 1 - block);
     line_number++;
     many = width;
-    doubtful = open_end = 0;
+    open_end = 0;
+    doubt[0] = '\0';
     return 1;
+}
+
+static void fail_cell(int k)
+{
+    const char *why = hint(fields[k].text, fields[k].quoted);
+    int named = titles == many && title[k][0];
+
+    if (!why)
+        why = missing(fields[k].text) ? " (-skip drops such lines)" : "";
+    fail("%s, line %ld: column %d%s%s%s is not a number: %.30s%s", to->input,
+         line_number, k + 1, named ? ", " : "", named ? title[k] : "",
+         named ? "," : "", fields[k].text, why);
 }
 
 /* lacking - is a number missing in a column that is asked for? */
@@ -515,9 +662,7 @@ static int choose(int *at)
                  titles > 0 ? "" : ", and no line of names before them");
         if (!fields[k].number && !fields[k].text[0])
             fail_empty(line_number, k + 1);
-        if (!fields[k].number)
-            fail("%s, line %ld: %s: column %d is not a number: %.30s",
-                 to->input, line_number, option(), k + 1, fields[k].text);
+        if (!fields[k].number) fail_cell(k);
         if (part[k] != UNUSED || found == COLUMNS)
             fail("%s: column %.*s twice", option(), (int)length, s);
         part[k] = found < 3 ? found : VALUE;
@@ -546,6 +691,7 @@ static void columns(void)
         if (a < 0 || at[a] >= 0) continue;
         if (!fields[k].text[0] && !fields[k].number)
             fail_empty(line_number, k + 1);
+        if (!fields[k].number && begins_number(fields[k].text)) fail_cell(k);
         if (!fields[k].number) continue;
         at[a] = k;
         found++;
@@ -607,10 +753,7 @@ static void row(void)
             continue;
         if (!fields[k].number && !fields[k].text[0])
             fail_empty(line_number, k + 1);
-        if (!fields[k].number)
-            fail("%s, line %ld: column %d is not a number: %.30s%s",
-                 to->input, line_number, k + 1, fields[k].text,
-                 missing(fields[k].text) ? " (-skip drops such lines)" : "");
+        if (!fields[k].number) fail_cell(k);
         if (part[k] < LABEL) x[part[k]] = fields[k].x;
     }
     add_point(x);
@@ -629,14 +772,16 @@ static void shape(void)
     count_from = fields[0].x;
     counting = count(0) && count_from <= 1.0;
     for (k = 0; k < many && !to->cols; k++)
-        if (part[k] == LABEL || part[k] == HOLLOW)
+        if (part[k] == LABEL && hint(fields[k].text, fields[k].quoted))
+            fail_cell(k);
+        else if (part[k] == LABEL || part[k] == HOLLOW)
             warn("%s: column %d (%.20s) is not a number: skipped", to->input,
                  k + 1, part[k] == LABEL ? fields[k].text : "empty");
     /* 0,13,0,84,0,5: to tell is beyond a program */
     for (k = 0; k < many && count(k); k++) continue;
-    if (many >= 6 && many % 2 == 0 && k == many)
+    if (many >= 6 && many % 2 == 0 && k == many && separator == ',')
         warn("%s: whole numbers in %d columns; if commas are decimal signs, "
-             "write points",
+             "put something else between columns, and see -decimal",
              to->input, many);
 }
 
@@ -695,8 +840,37 @@ static void rows(double want, int perhaps, int rest)
 
 static void need_line(void)
 {
-    if (!next_line()) fail("%s: ends before the first point", to->input);
+    if (!next_line())
+        fail("%s: ends before the first point%s", to->input, suspect);
     split();
+}
+
+/* suspects - of a line that is none of a point: leave if it seems to be one but
+ * for a cell; and keep in mind what else begins as a number. */
+static void suspects(void)
+{
+    const char *why;
+    int named = titles == many && separator && numbers() > 0;
+    int k, bad = -1, found = numbers(), strange = 0, begun = 0;
+
+    for (k = 0; k < many; k++) {
+        if (fields[k].number || !fields[k].text[0]) continue;
+        why = hint(fields[k].text, fields[k].quoted);
+        strange += why != 0;
+        begun += begins_number(fields[k].text);
+        if (begins_number(fields[k].text) && !suspect[0])
+            sprintf(suspect, "; line %ld: column %d is not a number: %.30s%s",
+                    line_number, k + 1, fields[k].text, why ? why : "");
+        if (bad < 0 && (why || begins_number(fields[k].text) ||
+                        (named && axis(title[k]) >= 0)))
+            bad = k;
+    }
+    if (bad >= 0 && (named || found + strange >= 3 ||
+                     (found > 1 && found + begun >= 3)))
+        fail_cell(bad);
+    if (found > 1 && titles != many)
+        warn("%s, line %ld: is taken for names, or a comment, not for a point",
+             to->input, line_number);
 }
 
 /* after - what is behind `key=' in the line, and behind a quote or bracket
@@ -805,15 +979,16 @@ static void read_text(void)
     long first = line_number;
     int perhaps = 0, named, words, hollow, at[3], k;
 
+    refuse();
     if (many == 2 && count(0) && count(1) &&
         (fields[0].x == 3.0 || fields[1].x == 3.0)) {
         /* Qhull's dimension and number, in any order */
         want = fields[fields[0].x == 3.0].x;
         need_line();
     } else if (count(0) &&
-               (many == 1 ||
-                (!fields[1].number &&
-                 numbers() < (word(1, "") ? 2 : word(1, "rbox") ? many : 3)))) {
+               (many == 1 || (word(1, "") && numbers() < 2) ||
+                (!fields[1].number && !separator &&
+                 numbers() < (word(1, "rbox") ? many : 3)))) {
         want = fields[0].x;
         if (!next_line()) fail("%s: ends before the first point", to->input);
         named = line_number == first + 1 && extended();
@@ -833,6 +1008,7 @@ static void read_text(void)
     }
     while (numbers() < 3) {
         refuse();
+        suspects();
         if (numbers() == many) fail_line("fewer than three numbers");
         for (k = words = 0; k < many; k++) words += !fields[k].number;
         for (k = hollow = 0; k < many; k++)
@@ -1057,7 +1233,9 @@ void read_points(const char *name, points *a)
 
     to = a;
     filled = taken = 0;
-    titles = width = counting = first_open = 0;
+    titles = width = counting = first_open = apart = 0;
+    suspect[0] = '\0';
+    decimals = to->decimal == ',';
     line_number = first_line = dropped = 0;
     to->input = "standard input";
     file = stdin;
