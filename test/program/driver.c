@@ -410,6 +410,8 @@ int main(int argc, char **argv)
     in.cols = chosen.cols;
     in.skip = chosen.skip;
     in.decimal = places.decimal = chosen.decimal;
+    in.nodata = chosen.nodata;
+    in.voids = chosen.voids;
     read_points(chosen.input, &in);
     check_box(&in);
     places.cols = chosen.qcols;

@@ -13,6 +13,7 @@
 #include "../../tess.h"
 
 #define COLUMNS 512 /* most columns of a line                    */
+#define VOIDS 16    /* most values of -nodata                    */
 #define TITLE 40    /* characters of a column's name that matter */
 
 /* ---- what is read ---- */
@@ -32,6 +33,8 @@ typedef struct points {
     const char *cols; /* columns asked for, x, y, z first; 0: by the file */
     int skip;         /* drop rows from which numbers are missing */
     int decimal;      /* ',' where numbers have decimal commas */
+    int voids;        /* values that stand for a missing one: so many, these */
+    const double *nodata;
     int lattice;      /* has the file a box that may repeat itself? */
     int aperiodic;    /* does it say that the box does not, along all axes? */
     double box[6];    /* that box: x from, to; y; z */
@@ -100,6 +103,8 @@ typedef struct choices {
     const char *input, *cols;
     int skip, check, binary, quiet, periodic; /* (binary: so are all files) */
     int decimal; /* ',' or '.'; 0: not given */
+    int voids;   /* numbers of nodata */
+    double nodata[VOIDS];
     int scaled, boxed; /* are these given? */
     int values, cells; /* -values; -cells or -volumes */
     int to_stdout;     /* is a file written to standard output? */

@@ -339,6 +339,44 @@ OPTIONS="-skip -cols 1,2,3,4"
 reads one hollow2.csv < hollow.csv
 OPTIONS=
 
+# ---- values that stand for a missing one: -nodata ----
+
+cat > voids.csv << END
+x,y,z,T,u
+0,0,0,0,0.5
+9,9,9,-9999,1
+1,0,0,10,1.5
+9,9,9,7,-9999.00
+0,1.5,0,20,2.5
+9,9,9,-9.999E3,-9999
+0,0,-2,30,3.5
+0.134,0.25,-0.5,40,4.5
+END
+fewer='fewer if -cols X,Y,Z,VALUE asks for one'
+OPTIONS="-nodata -9999"
+reads two voids1.csv "3 rows dropped .* the first in line 3; $fewer" < voids.csv
+sed 1d voids.csv | reads two voids.txt '3 rows dropped .* line 2'
+OPTIONS="-nodata -9999 -cols x,y,z,T"
+sed 5d voids.csv | reads one voids2.csv '2 rows dropped .* the first in line 3$'
+OPTIONS="-nodata -1,7,99,-9999"
+sed 's/^9.*1$/9,9,9,-1,3/; s/^9.*-9999$/9,9,9,7,5/' voids.csv |
+    reads two voids3.csv '3 rows dropped'
+OPTIONS="-nodata -9999 -decimal ,"
+sed 's/,/;/g; s/\./,/g' voids.csv | reads two voids4.csv '3 rows dropped'
+OPTIONS="-nodata -9999"
+reads one never.csv 'no value is such a number' < plain.csv
+sed 's/^0.134/-9999/' plain.csv > moved.csv
+$TESS $OPTIONS moved.csv > said 2> words
+yes "a coordinate that is such a number is kept, and said" \
+    grep '1 coordinate is a number of -nodata.*not dropped' words > /dev/null
+OPTIONS="-nodata 0,10,20,30,40"
+refuses all.csv 'no points: -nodata drops all 5 rows' < plain.csv
+for value in x 1, nan 1,nan; do
+    OPTIONS="-nodata $value"
+    refuses value.csv '-nodata needs a number' < plain.csv
+done
+OPTIONS=
+
 # ---- .xyz, counts, Qhull ----
 
 reads none atoms.xyz "column 1 (C) is not a number" << END
@@ -561,6 +599,15 @@ for f in none one two marked; do
 done
 awk 'NR > 1 { $1++ } { print }' marked > marked1
 reads marked1 from1.node < marked1
+OPTIONS="-nodata -9999"
+awk 'NR == 1 { print 7, 3, 2, 1; next }
+    NR == 4 { print n++, 9, 9, 9, 0, -9999, 1 }
+    { $1 = n++; print } END { print n, 9, 9, 9, -9999, 0, 1 }' marked > voids
+reads marked voids.node '2 rows dropped .* the first in line 4; ' < voids
+OPTIONS="-nodata 99.99"
+sed '5p; 5s/ 0.000/ 9.000/; 5s/10.00/99.99/' 1abc.pdb |
+    reads one 2abc.pdb '1 row dropped .* the first in line 6'
+OPTIONS=
 
 # ---- what is no file of points ----
 

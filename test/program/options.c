@@ -33,8 +33,8 @@ static const char *const before[] = {
     "  lines     x y z and any values; blanks, tabs, commas or semicolons",
     "            between them; a first line of names, of which x, y, z say which",
     "            columns those are; a column of words is skipped.  # begins a",
-    "            comment; so do % ! and two slashes.  1.34D-01 is 1.34E-01; for",
-    "            decimal commas see -decimal",
+    "            comment; so do % ! and two slashes.  1.34D-01 is 1.34E-01;",
+    "            for decimal commas see -decimal",
     "  a count   before such lines, or Qhull's dimension and number",
     "  .xyz      of atoms: number, comment, lines `element x y z'",
     "  .node     TetGen's; .off, .ply (ASCII), .obj: the points; PDB: the atoms",
@@ -209,6 +209,20 @@ static void take_decimal(const option *o, char **word)
     *(int *)o->to = word[0][0];
 }
 
+static void take_nodata(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+    int k;
+
+    chosen.voids = list_numbers(word[0], VOIDS, x);
+    for (k = 0; k < chosen.voids; k++)
+        if (x[k] != x[k]) chosen.voids = -1;
+    if (chosen.voids < 0)
+        fail("%s needs a number, or some with commas between them; NaN is what "
+             "-skip drops",
+             o->name);
+}
+
 static void take_base(const option *o, char **word)
 {
     static const form *const all[] = {node_forms, ele_forms, neigh_forms,
@@ -243,6 +257,9 @@ static const option table[] = {
     {"-skip", 0, take_switch, &chosen.skip,
      "drop rows from which a number is missing: an empty cell,\n"
      "NA, N/A, NaN, null, none, - or --; how many is said"},
+    {"-nodata", "V[,V...]", take_nodata, chosen.nodata,
+     "drop rows of which a value is this number, as -9999: any\n"
+     "value, or with -cols X,Y,Z,V... any that is named there"},
     {"-decimal", ",", take_decimal, &chosen.decimal,
      "numbers have decimal commas, and no points; between them are\n"
      "semicolons, tabs or blanks, or commas if numbers are in quotes"},

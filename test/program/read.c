@@ -33,7 +33,7 @@ static char line[LINE + 1];
 static long line_number;
 static field fields[COLUMNS];
 static int many;                   /* fields */
-static int decimals;               /* is a comma between digits a decimal one? */
+static int decimals;               /* are commas between digits decimal? */
 static int apart;                  /* not so: those are in quotes */
 static char doubt[160];            /* why the line may have one, or "" */
 static int open_end;               /* is its last character a separator? */
@@ -45,7 +45,8 @@ static long first_line; /* of the points; does it end with a separator? */
 static int first_open;
 static int width;       /* columns of a line of points; and which they are: */
 static int part[COLUMNS];
-static long dropped, first_dropped; /* rows, by -skip; the first one's line */
+static long dropped, first_dropped; /* rows; the first one's line */
+static long voided, misplaced;      /* by -nodata; of such a coordinate */
 static int counting; /* is the first column 0, 1, 2, ... or 1, 2, 3, ...? */
 static double count_from;
 
@@ -521,19 +522,34 @@ static void fail_cell(int k)
          named ? "," : "", fields[k].text, why);
 }
 
+/* void_value - is x what stands for a missing value, by -nodata? */
+static int void_value(double x)
+{
+    int k;
+
+    for (k = 0; k < to->voids && x != to->nodata[k]; k++) continue;
+    return k < to->voids;
+}
+
 /* lacking - is a number missing in a column that is asked for? */
 static int lacking(void)
 {
     int k;
 
-    for (k = 0; k < many; k++)
+    for (k = 0; k < many; k++) {
         if (fields[k].missing && (width != many || part[k] < LABEL ||
                                   part[k] == VALUE))
             return 1;
+        if (width != many || part[k] != VALUE || !fields[k].number ||
+            !void_value(fields[k].x))
+            continue;
+        voided++;
+        return 1;
+    }
     return 0;
 }
 
-/* drop - leave the line out, by -skip. */
+/* drop - leave the line out, by -skip or -nodata. */
 static void drop(void)
 {
     if (dropped++ == 0) first_dropped = line_number;
@@ -754,7 +770,9 @@ static void row(void)
         if (!fields[k].number && !fields[k].text[0])
             fail_empty(line_number, k + 1);
         if (!fields[k].number) fail_cell(k);
-        if (part[k] < LABEL) x[part[k]] = fields[k].x;
+        if (part[k] >= LABEL) continue;
+        x[part[k]] = fields[k].x;
+        misplaced += void_value(fields[k].x);
     }
     add_point(x);
     v = to->value + to->columns * (long)(to->n - 1);
@@ -1146,7 +1164,7 @@ static void crystal(void)
 /* read_pdb - atoms, with their temperature factors; of the first model. */
 static void read_pdb(void)
 {
-    double x[3];
+    double x[3], factor;
     int k;
 
     to->columns = 1;
@@ -1163,8 +1181,14 @@ static void read_pdb(void)
         if (strlen(line) < 54) fail_line("not an atom of a PDB file");
         for (k = 0; k < 3; k++)
             x[k] = column(31 + 8 * k, 38 + 8 * k, 0.0);
+        factor = column(61, 66, 0.0);
+        if (void_value(factor)) {
+            voided++;
+            drop();
+            continue;
+        }
         add_point(x);
-        if (!to->bare) to->value[to->n - 1] = column(61, 66, 0.0);
+        if (!to->bare) to->value[to->n - 1] = factor;
     } while (next_line());
 }
 
@@ -1187,18 +1211,24 @@ static void read_node(void)
     for (k = 0; k < attributes; k++)
         sprintf(to->name[k], k > 0 ? "value%d" : "value", k + 1);
     if (to->marker) strcpy(to->name[attributes], "marker");
-    while ((double)to->n < want) {
+    while ((double)to->n + (double)dropped < want) {
         if (!next_line())
-            fail("%s: ends after %ld of %.0f points", to->input, (long)to->n,
-                 want);
+            fail("%s: ends after %ld of %.0f points", to->input,
+                 (long)to->n + dropped, want);
         split();
         if (numbers() < 4 + to->columns || numbers() < many)
             fail("%s, line %ld: not %d numbers", to->input, line_number,
                  4 + to->columns);
-        if (to->n == 0 && fields[0].x == 1.0) to->base = 1;
-        if (fields[0].x != (double)(to->n + to->base))
+        if (to->n + dropped == 0 && fields[0].x == 1.0) to->base = 1;
+        if (fields[0].x != (double)to->n + (double)dropped + (double)to->base)
             fail_line("points are not numbered one after the other from 0 "
                       "or 1");
+        for (k = 0; k < attributes && !void_value(fields[k + 4].x);) k++;
+        if (k < attributes) {
+            voided++;
+            drop();
+            continue;
+        }
         for (k = 0; k < 3; k++) x[k] = fields[k + 1].x;
         add_point(x);
         for (k = 0; k < to->columns && !to->bare; k++)
@@ -1236,7 +1266,7 @@ void read_points(const char *name, points *a)
     titles = width = counting = first_open = apart = 0;
     suspect[0] = '\0';
     decimals = to->decimal == ',';
-    line_number = first_line = dropped = 0;
+    line_number = first_line = dropped = voided = misplaced = 0;
     to->input = "standard input";
     file = stdin;
     if (name && strcmp(name, "-") != 0) {
@@ -1272,15 +1302,25 @@ void read_points(const char *name, points *a)
             read_text();
     }
     if (to->n == 0 && dropped > 0)
-        fail("%s: no points: -skip drops all %ld rows; name the columns that "
-             "are wanted: %s X,Y,Z%s",
-             to->input, dropped, option(), to->bare ? "" : ",VALUE");
+        fail("%s: no points: %s drops all %ld rows; name the columns that are "
+             "wanted: %s X,Y,Z%s",
+             to->input, to->skip ? "-skip" : "-nodata", dropped, option(),
+             to->bare ? "" : ",VALUE");
     if (to->n == 0) fail("%s: no points", to->input);
     rooms((double)to->n,
           to->bare ? 0.0 : (double)to->n * (double)to->columns);
     if (dropped > 0)
         warn("%s: %ld row%s dropped for a number that is missing, the first "
-             "in line %ld",
-             to->input, dropped, dropped > 1 ? "s" : "", first_dropped);
+             "in line %ld%s",
+             to->input, dropped, dropped > 1 ? "s" : "", first_dropped,
+             to->columns > 1
+                 ? "; fewer if -cols X,Y,Z,VALUE asks for one column's values"
+                 : "");
+    if (to->voids > 0 && voided == 0)
+        warn("%s: -nodata: no value is such a number", to->input);
+    if (misplaced > 0)
+        warn("%s: %ld coordinate%s a number of -nodata, which is for values: "
+             "not dropped",
+             to->input, misplaced, misplaced > 1 ? "s are" : " is");
     if (file != stdin) fclose(file);
 }

@@ -471,6 +471,36 @@ test("a NaN among the values: it is said", "1 value is not finite" in tess.said)
 test("a NaN among the values: the others come out as they are",
      near(np.load("h.npy"), np.column_stack((hole, U)), 0.0))
 
+# a value that stands for a missing one
+void = random.permutation(2000)[:70]
+codes = T.copy()
+codes[void] = -9999
+save("codes.csv", p, codes)
+q = random.random((500, 3))
+save("inside.csv", q)
+tess("-nodata", -9999, "-query", "inside.csv", "-values", "v.npy", "codes.csv")
+rest = np.delete(np.arange(2000), void)
+test("-nodata: as without these rows", near(
+    np.load("v.npy")[:, 0], LinearNDInterpolator(p[rest], T[rest])(q), 1e-12))
+test("-nodata: it is said", "70 rows dropped" in tess.said and
+     "far from" not in tess.said)
+for name, f, words in (
+        ("frequent", codes, "70 values of T are -9999, far from"),
+        ("nines", np.where(np.arange(2000) == 7, 999, 99 * T),
+         "1 value of T is 999, far from"),
+        ("huge", np.where(np.arange(2000) < 2, np.float32(1e20), T),
+         "-nodata 1.00000002004088e+20"),
+        ("others", np.where(np.arange(2000) < 2, -50.1, T),
+         "-nodata -50.1"),
+        ("once", np.where(np.arange(2000) == 7, -50.1, T), ""),
+        ("none", T, ""), ("one value", 0 * T, ""),
+        ("two values", np.round(random.random(2000)), ""),
+        ("its own tail", np.exp(5 * random.standard_normal(2000)), "")):
+    save("far.csv", p, f)
+    tess("-grid", "2,2,2", "-values", "v.npy", "far.csv")
+    test("values far from all others are said: " + name,
+         words in tess.said if words else "far from" not in tess.said)
+
 # ---- cross-validation, by a direct leave-out ----
 
 def table(*arguments):
