@@ -25,6 +25,7 @@
 #define ROUNDS 3 /* of slopes                                      */
 #define STEPS 40 /* of the walk: tess_locate knows better starts   */
 #define MOST 60  /* tetrahedra about a natural neighbour, at first */
+#define FAR 290  /* exponents of two that the recipes cannot do with */
 
 const char *const method_name[METHODS] = {"linear", "smooth", "natural",
                                           "nearest"};
@@ -33,8 +34,14 @@ static const field *of;
 static int method, outside;
 static double number;
 
-/* smooth: for each point and column the value and its gradient */
-static double *bundle;
+/* for all but linear: the points times unit, which is 1 but for coordinates near
+ * the ends of the range, whose products would overflow or vanish */
+static const tess_real *at;
+static tess_real *scaled;
+static double unit;
+
+/* smooth: for each point and column the value, by much, and its gradient */
+static double *bundle, much[COLUMNS];
 
 /* nearest: the tetrahedra at each point */
 static tess_int *first, *list;
@@ -45,9 +52,22 @@ static double *sibson, *laplace, *work;
 
 /* ---------------------------------------------------------------- memory */
 
+/* no_room - what natural had. */
+static void no_room(void)
+{
+    free(neighbour);
+    free(sibson);
+    free(laplace);
+    free(iwork);
+    free(work);
+    sibson = laplace = work = 0;
+    neighbour = iwork = 0;
+}
+
 /* room - arrays for natural. */
 static void room(tess_int tetrahedra)
 {
+    no_room();
     most = tetrahedra;
     neighbour = (tess_int *)space((double)most + 3.0, sizeof *neighbour);
     sibson = (double *)space((double)most + 3.0, sizeof *sibson);
@@ -58,16 +78,14 @@ static void room(tess_int tetrahedra)
 
 void values_end(void)
 {
+    no_room();
+    free(scaled);
     free(bundle);
     free(first);
     free(list);
-    free(neighbour);
-    free(sibson);
-    free(laplace);
-    free(iwork);
-    free(work);
-    bundle = sibson = laplace = work = 0;
-    first = list = neighbour = iwork = 0;
+    scaled = 0;
+    bundle = 0;
+    first = list = 0;
 }
 
 /* ------------------------------------------------------------------ walk */
@@ -196,22 +214,65 @@ static void recipe(const char *name, int code)
                   code, name);
 }
 
+/* factor - 1, or for numbers near the ends of the range the power of two that
+ * brings the largest one near 1. */
+static double factor(double largest)
+{
+    int power;
+
+    frexp(largest, &power);
+    if (power > -FAR && power < FAR) return 1.0;
+    /* (with its reciprocal in the range) */
+    return ldexp(1.0, power > 1000 ? -1000 : power < -1000 ? 1000 : -power);
+}
+
+/* scale_points - see unit; leave if that alters them. */
+static void scale_points(void)
+{
+    size_t many = 3 * (size_t)of->n, i;
+    double largest = 0.0;
+
+    for (i = 0; i < many; i++)
+        if (fabs((double)of->p[i]) > largest) largest = fabs((double)of->p[i]);
+    at = of->p;
+    unit = factor(largest);
+    if (unit == 1.0) return;
+    at = scaled = (tess_real *)space((double)many, sizeof *scaled);
+    for (i = 0; i < many; i++) {
+        scaled[i] = (tess_real)((double)of->p[i] * unit);
+        if ((double)scaled[i] / unit != (double)of->p[i])
+            fail("-method %s: the coordinates differ too much in magnitude; "
+                 "choose linear",
+                 method_name[method]);
+    }
+}
+
 /* gradients - of each column, beside its values. */
 static void gradients(void)
 {
-    double n = (double)of->n, *column, *g, *b;
+    double n = (double)of->n, *column, *g, *b, largest;
     tess_int i;
-    int code, j, k;
+    int code, finite, j, k;
 
     bundle = (double *)space(4.0 * n * (double)of->columns, sizeof *bundle);
     column = (double *)space(n, sizeof *column);
     g = (double *)space(3.0 * n, sizeof *g);
     work = (double *)space(9.0 * n, sizeof *work);
     for (j = 0; j < of->columns; j++) {
-        for (i = 0; i < of->n; i++)
+        for (largest = 0.0, finite = 1, i = 0; i < of->n; i++) {
             column[i] = of->value[(size_t)of->columns * (size_t)i + (size_t)j];
-        code = slopes(of->n, of->p, of->ntet, of->tet, of->adj, column, ROUNDS,
-                      g, work);
+            if (!(fabs(column[i]) <= DBL_MAX))
+                finite = 0;
+            else if (fabs(column[i]) > largest)
+                largest = fabs(column[i]);
+        }
+        much[j] = 1.0 / factor(largest);
+        for (i = 0; i < of->n; i++) column[i] /= much[j];
+        code = slopes(of->n, at, of->ntet, of->tet, of->adj, column, ROUNDS, g,
+                      work);
+        if (code == TESS_RANGE && finite)
+            fail("-method smooth: gradients are beyond the range of numbers; "
+                 "choose another method");
         /* what is no number makes places near it so */
         if (code != TESS_RANGE) recipe("slopes", code);
         for (i = 0; i < of->n; i++) {
@@ -233,6 +294,7 @@ void values_begin(const field *what, int by, int beyond, double otherwise)
     outside = beyond;
     number = otherwise;
     seen.t = TESS_NONE;
+    if (method != LINEAR) scale_points();
     if (method == SMOOTH) gradients();
     if (method == NATURAL) room(MOST);
     if (method == NEAREST) {
@@ -257,7 +319,7 @@ static void row(tess_int i, double w, double *out)
 static void smooth(const tess_real *q, int beyond, const tess_int *v,
                    const double *w, double *out)
 {
-    const tess_real *a = of->p + 3 * (size_t)v[0], *b;
+    const tess_real *a = at + 3 * (size_t)v[0], *b;
     const double *f;
     double x[3], h[3];
     int i, j, k;
@@ -265,16 +327,17 @@ static void smooth(const tess_real *q, int beyond, const tess_int *v,
     for (k = 0; k < 3; k++) {
         x[k] = beyond ? (double)a[k] : (double)q[k];
         for (i = 1; i < 4 && beyond; i++)
-            x[k] += w[i] * ((double)of->p[3 * (size_t)v[i] + (size_t)k] -
-                            (double)a[k]);
+            x[k] += w[i] *
+                    ((double)at[3 * (size_t)v[i] + (size_t)k] - (double)a[k]);
     }
     for (i = 0; i < 4; i++) {
-        b = of->p + 3 * (size_t)v[i];
+        b = at + 3 * (size_t)v[i];
         f = bundle + 4 * (size_t)of->columns * (size_t)v[i];
         for (k = 0; k < 3; k++) h[k] = (x[k] - (double)b[k]) / 2.0;
         for (j = 0; j < of->columns; j++, f += 4)
             out[j] += w[i] * (f[0] + h[0] * f[1] + h[1] * f[2] + h[2] * f[3]);
     }
+    for (j = 0; j < of->columns; j++) out[j] *= much[j];
 }
 
 /* sibsons - the sum by Sibson's weights. */
@@ -283,13 +346,10 @@ static void sibsons(const tess_real *q, tess_int t, double *out)
     tess_int many, i;
     int code;
 
-    while ((code = natural(of->p, of->ntet, of->tet, of->adj, q, &t, most,
+    while ((code = natural(at, of->ntet, of->tet, of->adj, q, &t, most,
                            &many, neighbour, sibson, laplace, iwork, work)) ==
-           TESS_POOL) {
-        i = 2 * most;
-        values_end();
-        room(i);
-    }
+           TESS_POOL)
+        room(2 * most);
     recipe("natural", code);
     for (i = 0; i < many; i++) row(neighbour[i], sibson[i], out);
 }
@@ -302,7 +362,7 @@ static void closest(const tess_real *q, const tess_int *v, const double *w,
 
     for (k = 1; k < 4; k++)
         if (w[k] > w[best]) best = k;
-    row(nearest(of->p, of->tet, first, list, q, v[best]), 1.0, out);
+    row(nearest(at, of->tet, first, list, q, v[best]), 1.0, out);
 }
 
 tess_int values_start(const tess_real *q, tess_int start)
@@ -317,6 +377,7 @@ void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
 {
     const tess_int *v;
     tess_int last = TESS_NONE, i;
+    tess_real near[3]; /* q, times unit */
     double w[4];
     int beyond, j, k;
 
@@ -329,12 +390,14 @@ void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
             out[j] = beyond && outside == OUT_VALUE ? number : 0.0;
         if (beyond && outside == OUT_VALUE) continue;
         v = of->tet + 4 * (size_t)last;
+        for (k = 0; k < 3 && method != LINEAR; k++)
+            near[k] = unit == 1.0 ? q[k] : (tess_real)((double)q[k] * unit);
         if (method == SMOOTH)
-            smooth(q, beyond, v, w, out);
+            smooth(near, beyond, v, w, out);
         else if (method == NATURAL && !beyond)
-            sibsons(q, last, out);
+            sibsons(near, last, out);
         else if (method == NEAREST)
-            closest(q, v, w, out);
+            closest(near, v, w, out);
         else
             for (k = 0; k < 4; k++) row(v[k], w[k], out);
     }

@@ -251,14 +251,23 @@ for method in METHODS[:3]:
 
 # where double precision does not locate: units beyond its range, needles, and
 # facets that places are in but for rounding
-tess("-q", "-query", "inside.csv", "-values", "one.npy", "points.csv")
-one = np.load("one.npy")
-for power in -1000, -345, -340, 340, 1000:
-    save("far.csv", p * 2.0 ** power, T, U)
-    save("there.csv", q * 2.0 ** power)
-    tess("-q", "-query", "there.csv", "-values", "far.npy", "far.csv")
-    test("linear: coordinates times 2^%d" % power,
-         near(np.load("far.npy"), one, 1e-12))
+for method in METHODS:
+    o = ["-q", "-query", "inside.csv", "-method", method, "-values"]
+    tess(*o, "one.npy", "points.csv")
+    one = np.load("one.npy")
+    for power in -1000, -345, -340, 340, 1000:
+        save("far.csv", p * 2.0 ** power, T, U)
+        save("there.csv", q * 2.0 ** power)
+        o[2] = "there.csv"
+        tess(*o, "far.npy", "far.csv")
+        test("%s: coordinates times 2^%d" % (method, power),
+             near(np.load("far.npy"), one, 1e-12))
+    for power in -1000, 1010:
+        save("far.csv", p, np.ldexp(T, power), np.ldexp(U, power))
+        o[2] = "inside.csv"
+        tess(*o, "far.npy", "far.csv")
+        test("%s: values times 2^%d" % (method, power),
+             near(np.ldexp(np.load("far.npy"), -power), one, 1e-12))
 thin = p * (1, 1e-6, 1e-12)
 save("thin.csv", thin, linear(p))
 tess("-q", "-grid", "21,21,21", "-values", "thin.npy", "thin.csv")
@@ -489,7 +498,7 @@ for name, f, words in (
         ("nines", np.where(np.arange(2000) == 7, 999, 99 * T),
          "1 value of T is 999, far from"),
         ("huge", np.where(np.arange(2000) < 2, np.float32(1e20), T),
-         "-nodata 1.00000002004088e+20"),
+         "-nodata " + repr(float(np.float32(1e20)))),
         ("others", np.where(np.arange(2000) < 2, -50.1, T),
          "-nodata -50.1"),
         ("once", np.where(np.arange(2000) == 7, -50.1, T), ""),
