@@ -412,6 +412,7 @@ int main(int argc, char **argv)
     in.decimal = places.decimal = chosen.decimal;
     in.nodata = chosen.nodata;
     in.voids = chosen.voids;
+    in.by = chosen.by;
     read_points(chosen.input, &in);
     check_box(&in);
     places.cols = chosen.qcols;

@@ -4,6 +4,7 @@
  *   driver.c    the arrays, the mesh, messages     write.c   files
  *   shapes.c    alpha shapes, cells                draw.c    pictures
  *   values.c    interpolation                      places.c  where, into files
+ *   validate.c  its errors
  */
 #ifndef DRIVER_H
 #define DRIVER_H
@@ -39,6 +40,8 @@ typedef struct points {
     int aperiodic;    /* does it say that the box does not, along all axes? */
     double box[6];    /* that box: x from, to; y; z */
     int bare;         /* places, of which values do not matter: -qcols */
+    const char *by;   /* column that tells groups apart; 0: none */
+    tess_int *group;  /* of each point, from 0 on; 0: none */
 } points;
 
 /* What the lattice is: there is none; a box along the axes; any other. */
@@ -91,7 +94,8 @@ typedef struct form {
                                               * needs the whole mesh */
 } form;
 
-extern const form values_forms[], cells_forms[], volumes_forms[], svg_forms[];
+extern const form values_forms[], errors_forms[], cells_forms[],
+    volumes_forms[], svg_forms[];
 
 /* next_output - the file behind o, or the first one if o = 0, in one of these
  * forms; in any if all = 0.  0 if there is none. */
@@ -114,6 +118,7 @@ typedef struct choices {
     const char *query, *qcols, *grid, *method, *outside;
     int digits;    /* 0: not given */
     long validate; /* parts; 0: not given */
+    const char *by;
 } choices;
 
 extern choices chosen;
@@ -196,6 +201,9 @@ const char *vtk_name(const points *in, int column);
 
 /* xml_text - a column's name as a picture takes it, until the next one. */
 const char *xml_text(const char *text);
+
+/* put_title - a comma, and a column's name as CSV takes it. */
+void put_title(FILE *file, const char *name);
 
 /* ---- values (places.c) ---- */
 

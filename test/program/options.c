@@ -67,6 +67,7 @@ int list_numbers(const char *text, int most, double *x)
 
 const form values_forms[] = {{".csv", 0}, {".npy", 0}, {".vtk", 0},
                              {".svg", 0}, {0, 0}};
+const form errors_forms[] = {{".csv", 0}, {0, 0}};
 const form cells_forms[] = {{".vtk", 0}, {0, 0}};
 const form volumes_forms[] = {{".csv", 0}, {0, 0}};
 static const form node_forms[] = {{".node", write_node}, {0, 0}};
@@ -332,8 +333,16 @@ static const option table[] = {
     {"-digits", "N", take_digits, &chosen.digits,
      "of values in F.csv; if not given 17, which are exact"},
     {"-validate", "[K]", take_parts, &chosen.validate,
-     "leave out every K-th point (10), in turn: print how well\n"
-     "the others predict its values by each -method M,M,..."},
+     "leave out K parts (10) of the points in turn, drawn by\n"
+     "chance, the same everywhere: print how well the others\n"
+     "predict their values by each -method M,M,..., which is\n"
+     "best, and how many values are beyond the data's range"},
+    {"-by", "COLUMN", take_word, &chosen.by,
+     "leave out together what this column, of numbers or words,\n"
+     "says is one: boreholes, lines, flights.  Else neighbours\n"
+     "in one tell of each other, and errors look too small"},
+    {"-errors", "F.csv", take_output, errors_forms,
+     "write -validate's x,y,z, part, values, and errors"},
     {0, 0, 0, 0, ""},
     {"-q", 0, take_switch, &chosen.quiet, "quiet: print nothing but errors"},
     {"-version", 0, take_version, 0, "the version of the library"},

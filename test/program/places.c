@@ -78,13 +78,19 @@ static void choose_methods(void)
         fail("-values: choose one -method; a list of them is for -validate");
 }
 
+double no_number(void)
+{
+    char *end;
+    double x = strtod("nan", &end); /* if it knows that */
+
+    return *end ? 0.0 * strtod("1e999", &end) : x;
+}
+
 static void choose_outside(void)
 {
     char *end;
 
-    /* a NaN without a sign, where strtod knows it */
-    number = strtod("nan", &end);
-    if (*end) number = 0.0 * strtod("1e999", &end);
+    number = no_number();
     if (!chosen.outside) return;
     if (strcmp(chosen.outside, "nearest") == 0) {
         outside = OUT_NEAREST;
@@ -157,6 +163,8 @@ void check_values(void)
     if (chosen.values && !chosen.grid && !chosen.query)
         fail("-values needs places: -grid NX,NY,NZ or -query F");
     if (chosen.qcols && !chosen.query) fail("-qcols is for -query F");
+    if (!chosen.validate && (chosen.by || next_output(errors_forms, 0)))
+        fail("%s is for -validate", chosen.by ? "-by" : "-errors");
     if (!chosen.values && !chosen.validate) {
         if (chosen.method || chosen.outside)
             fail("%s is for -values or -validate",
@@ -264,7 +272,7 @@ void read_places(const points *points_read, points *query)
         fail("%s: the points have no values to interpolate (-cols X,Y,Z,V "
              "names columns)",
              in->input);
-    if (chosen.validate > (long)in->n)
+    if (chosen.validate > (long)in->n && !chosen.by)
         fail("-validate %ld: there are only %ld points", chosen.validate,
              (long)in->n);
     for (i = 0; i < in->n; i++)
@@ -305,8 +313,7 @@ static double places_asked(void)
     return chosen.grid ? size[0] * size[1] * size[2] : (double)places->n;
 }
 
-/* put_title - a column's name in CSV. */
-static void put_title(FILE *file, const char *s)
+void put_title(FILE *file, const char *s)
 {
     int quoted = strpbrk(s, ",;\" \t") != 0;
 

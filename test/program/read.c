@@ -47,6 +47,10 @@ static int width;       /* columns of a line of points; and which they are: */
 static int part[COLUMNS];
 static long dropped, first_dropped; /* rows; the first one's line */
 static long voided, misplaced;      /* by -nodata; of such a coordinate */
+static int by;       /* the column of -by, or -1 */
+static char *labels; /* of groups; group[i] is where the one of point i begins */
+static size_t labelled, labels_room;
+static size_t *label; /* of each point, in labels */
 static int counting; /* is the first column 0, 1, 2, ... or 1, 2, 3, ...? */
 static double count_from;
 
@@ -466,7 +470,7 @@ static int quick(void)
     char *s, *end, *stop, mark = 0;
     int k, glued = 0, spaced = 0, tabs = 0, blanks = 0, words = 0;
 
-    if (decimals) return 0;
+    if (decimals || by >= 0) return 0;
     if (filled - taken < LINE) more();
     s = block + taken;
     stop = (char *)memchr(
@@ -538,7 +542,7 @@ static int lacking(void)
 
     for (k = 0; k < many; k++) {
         if (fields[k].missing && (width != many || part[k] < LABEL ||
-                                  part[k] == VALUE))
+                                  part[k] == VALUE || k == by))
             return 1;
         if (width != many || part[k] != VALUE || !fields[k].number ||
             !void_value(fields[k].x))
@@ -601,6 +605,53 @@ static void add_point(const double *x)
         say("reading %s: %ld points", to->input, (long)to->n);
 }
 
+/* add_group - the label of the last point's group. */
+static void add_group(const char *text)
+{
+    tess_int i = to->n - 1;
+    size_t length = strlen(text) + 1;
+
+    /* (where i is a power of two, or 0) */
+    if ((i & (i - 1)) == 0)
+        label = (size_t *)more_space(label, 2.0 * (double)i + 1.0,
+                                     sizeof *label);
+    if (i > 0 && strcmp(labels + label[i - 1], text) == 0) {
+        label[i] = label[i - 1];
+        return;
+    }
+    if (labelled + length > labels_room) {
+        labels_room = 2 * (labels_room + length);
+        labels = (char *)more_space(labels, (double)labels_room, 1);
+    }
+    label[i] = labelled;
+    strcpy(labels + labelled, text);
+    labelled += length;
+}
+
+/* earlier - for qsort: by labels. */
+static int earlier(const void *a, const void *b)
+{
+    return strcmp(labels + label[*(const tess_int *)a],
+                  labels + label[*(const tess_int *)b]);
+}
+
+/* number_groups - in the order of their labels, from 0 on. */
+static void number_groups(void)
+{
+    tess_int *list = (tess_int *)space((double)to->n, sizeof *list), i, g = 0;
+
+    to->group = (tess_int *)space((double)to->n, sizeof *to->group);
+    for (i = 0; i < to->n; i++) list[i] = i;
+    qsort(list, (size_t)to->n, sizeof *list, earlier);
+    for (i = 0; i < to->n; i++) {
+        g += i > 0 && earlier(list + i - 1, list + i) != 0;
+        to->group[list[i]] = g;
+    }
+    free(list);
+    free(labels);
+    free(label);
+}
+
 /* axis - 0, 1, 2 for a column named x, y, z, else -1. */
 static int axis(const char *name)
 {
@@ -657,6 +708,22 @@ static const char *option(void)
     return to->bare ? "-qcols" : "-cols";
 }
 
+/* find - the column that is named, by number or by name; for that option. */
+static int find(const char *s, size_t length, const char *of)
+{
+    int k = many;
+
+    if (strspn(s, "0123456789") < length)
+        k = called(s, length);
+    else if (length > 0 && length < 5 && *s != '0')
+        k = atoi(s) - 1;
+    if (k >= many)
+        fail("%s, line %ld: %s: no column %.*s among %d%s", to->input,
+             line_number, of, (int)length, s, many,
+             titles > 0 ? "" : ", and no line of names before them");
+    return k;
+}
+
 /* choose - the columns that -cols names: x, y, z, then values.  Returns how
  * many. */
 static int choose(int *at)
@@ -667,15 +734,7 @@ static int choose(int *at)
 
     for (;;) {
         length = strcspn(s, ",");
-        k = many;
-        if (strspn(s, "0123456789") < length)
-            k = called(s, length);
-        else if (length > 0 && length < 5 && *s != '0')
-            k = atoi(s) - 1;
-        if (k >= many)
-            fail("%s, line %ld: %s: no column %.*s among %d%s", to->input,
-                 line_number, option(), (int)length, s, many,
-                 titles > 0 ? "" : ", and no line of names before them");
+        k = find(s, length, option());
         if (!fields[k].number && !fields[k].text[0])
             fail_empty(line_number, k + 1);
         if (!fields[k].number) fail_cell(k);
@@ -700,6 +759,7 @@ static void columns(void)
     if (titles != many) titles = 0;
     at[0] = at[1] = at[2] = -1;
     for (k = 0; k < many; k++) part[k] = UNUSED;
+    if (to->by) by = find(to->by, strlen(to->by), "-by");
     if (to->cols) found = choose(at);
     for (k = 0; k < titles && !to->cols; k++) {
         int a = axis(title[k]);
@@ -714,12 +774,13 @@ static void columns(void)
     }
     if (found < 3)
         for (k = found = 0; k < many && found < 3; k++)
-            if (fields[k].number) at[found++] = k;
+            if (fields[k].number && k != by) at[found++] = k;
     if (found < 3) fail_line("fewer than three numbers");
     for (k = 0; k < 3; k++) part[at[k]] = k;
     for (k = 0; k < many; k++) {
         if (!fields[k].number) part[k] = fields[k].text[0] ? LABEL : HOLLOW;
-        if (part[k] == UNUSED && found == 3 && !to->bare) part[k] = VALUE;
+        if (k == by && part[k] >= LABEL && part[k] != VALUE) part[k] = UNUSED;
+        else if (part[k] == UNUSED && found == 3 && !to->bare) part[k] = VALUE;
         if (part[k] != VALUE) continue;
         if (titles > 0 && title[k][0])
             strcpy(to->name[to->columns], title[k]);
@@ -762,6 +823,7 @@ static void row(void)
         drop();
         return;
     }
+    if (by >= 0 && !fields[by].text[0]) fail_empty(line_number, by + 1);
     for (k = 0; k < many; k++) {
         if (part[k] == HOLLOW && fields[k].number)
             fail_empty(first_line, k + 1);
@@ -775,6 +837,7 @@ static void row(void)
         misplaced += void_value(fields[k].x);
     }
     add_point(x);
+    if (by >= 0) add_group(fields[by].text);
     v = to->value + to->columns * (long)(to->n - 1);
     for (k = 0; k < many; k++)
         if (part[k] == VALUE) *v++ = fields[k].x;
@@ -842,6 +905,7 @@ static void rows(double want, int perhaps, int rest)
             for (k = 0; k < to->columns * (long)(to->n - 1); k++)
                 to->value[k] = to->value[k + to->columns];
             for (i = 1; i < to->n; i++) to->line[i - 1] = to->line[i];
+            for (i = 1; i < to->n && by >= 0; i++) label[i - 1] = label[i];
             to->n--;
             row();
             break;
@@ -1239,9 +1303,9 @@ static void read_node(void)
 /* fixed - leave if -cols is given for a format that has no choice. */
 static void fixed(const char *format)
 {
-    if (to->cols)
-        fail("%s: %s is for lines of numbers, not for %s", to->input, option(),
-             format);
+    if (to->cols || to->by)
+        fail("%s: %s is for lines of numbers, not for %s", to->input,
+             to->cols ? option() : "-by", format);
 }
 
 /* pdb - does the line begin as those of a PDB file do? */
@@ -1265,6 +1329,7 @@ void read_points(const char *name, points *a)
     filled = taken = 0;
     titles = width = counting = first_open = apart = 0;
     suspect[0] = '\0';
+    by = -1;
     decimals = to->decimal == ',';
     line_number = first_line = dropped = voided = misplaced = 0;
     to->input = "standard input";
@@ -1309,6 +1374,7 @@ void read_points(const char *name, points *a)
     if (to->n == 0) fail("%s: no points", to->input);
     rooms((double)to->n,
           to->bare ? 0.0 : (double)to->n * (double)to->columns);
+    if (by >= 0) number_groups();
     if (dropped > 0)
         warn("%s: %ld row%s dropped for a number that is missing, the first "
              "in line %ld%s",
