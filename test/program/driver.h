@@ -119,6 +119,7 @@ typedef struct choices {
     int digits;    /* 0: not given */
     long validate; /* parts; 0: not given */
     const char *by;
+    int clip;
 } choices;
 
 extern choices chosen;

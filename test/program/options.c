@@ -330,6 +330,8 @@ static const option table[] = {
     {"-outside", "nearest|VALUE", take_word, &chosen.outside,
      "what places outside the hull get: this value, or that at\n"
      "the hull's nearest point; if not given NaN"},
+    {"-clip", 0, take_switch, &chosen.clip,
+     "hold each column's values within the range of the points'"},
     {"-digits", "N", take_digits, &chosen.digits,
      "of values in F.csv; if not given 17, which are exact"},
     {"-validate", "[K]", take_parts, &chosen.validate,

@@ -166,9 +166,11 @@ void check_values(void)
     if (!chosen.validate && (chosen.by || next_output(errors_forms, 0)))
         fail("%s is for -validate", chosen.by ? "-by" : "-errors");
     if (!chosen.values && !chosen.validate) {
-        if (chosen.method || chosen.outside)
+        if (chosen.method || chosen.outside || chosen.clip)
             fail("%s is for -values or -validate",
-                 chosen.method ? "-method" : "-outside");
+                 chosen.method    ? "-method"
+                 : chosen.outside ? "-outside"
+                                  : "-clip");
         if (chosen.digits) fail("-digits is for -values F.csv");
         return;
     }

@@ -269,7 +269,7 @@ static void print_beyond(const points *in, const int *asked)
             a = sums[k] + j;
             if (a->beyond == 0.0) continue;
             printf("beyond the data's range: %s for %s: %.0f of %.0f values, "
-                   "%.6g to %.6g; the data %.6g to %.6g\n",
+                   "%.6g to %.6g; the data %.6g to %.6g (see -clip)\n",
                    method_name[k], in->name[j], a->beyond, counted[k],
                    a->least, a->most, low[j], high[j]);
             some = 1;

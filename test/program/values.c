@@ -43,6 +43,8 @@ static double unit;
 /* smooth: for each point and column the value, by much, and its gradient */
 static double *bundle, much[COLUMNS];
 
+/* -clip: each column's range */
+static double low[COLUMNS], high[COLUMNS];
 
 /* nearest: the tetrahedra at each point */
 static tess_int *first, *list;
@@ -288,6 +290,24 @@ static void gradients(void)
     work = 0;
 }
 
+/* limits - of each column's values, which values are held within. */
+static void limits(void)
+{
+    double x;
+    tess_int i;
+    int j;
+
+    for (j = 0; j < of->columns; j++) {
+        low[j] = DBL_MAX;
+        high[j] = -DBL_MAX;
+        for (i = 0; i < of->n; i++) {
+            x = of->value[(size_t)of->columns * (size_t)i + (size_t)j];
+            if (x < low[j] && x >= -DBL_MAX) low[j] = x;
+            if (x > high[j] && x <= DBL_MAX) high[j] = x;
+        }
+    }
+}
+
 void values_begin(const field *what, int by, int beyond, double otherwise)
 {
     of = what;
@@ -295,6 +315,7 @@ void values_begin(const field *what, int by, int beyond, double otherwise)
     outside = beyond;
     number = otherwise;
     seen.t = TESS_NONE;
+    if (chosen.clip) limits();
     if (method != LINEAR) scale_points();
     if (method == SMOOTH) gradients();
     if (method == NATURAL) room(MOST);
@@ -401,6 +422,10 @@ void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
             closest(near, v, w, out);
         else
             for (k = 0; k < 4; k++) row(v[k], w[k], out);
+        for (j = 0; j < of->columns && chosen.clip; j++) {
+            if (out[j] < low[j]) out[j] = low[j];
+            if (out[j] > high[j]) out[j] = high[j];
+        }
     }
 }
 

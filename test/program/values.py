@@ -528,7 +528,7 @@ def table(*arguments):
             assert not table.beyond
         elif r.startswith("beyond the data's range: "):
             m = re.match(r".*: (\w+) for (.*): (\d+) of (\d+) values, (\S+) "
-                         r"to (\S+); the data (\S+) to (\S+)$", r)
+                         r"to (\S+); the data (\S+) to (\S+) \(see -clip\)$", r)
             table.beyond[m.group(1), m.group(2)] = [
                 float(a) for a in m.groups()[2:]]
         elif w:
@@ -694,7 +694,7 @@ test("-by: a place of two groups is said, and counts once",
      "1 point is at a place of another group" in tess.said and
      len(list(open("b.csv"))) == 1 + len(x))
 
-# values beyond the data's range
+# values beyond the data's range; -clip holds them
 x = random.random((600, 3))
 f = np.exp(2 * random.standard_normal(600))
 g = linear(x)
@@ -709,6 +709,25 @@ want = [many, inside.sum(), s.min(), s.max(), f.min(), f.max()]
 test("-validate: values beyond the data's range: smooth, log-normal",
      list(table.beyond) == [("smooth", "T")] and many > 20 and
      np.allclose(table.beyond["smooth", "T"], want, rtol=1e-5, atol=0))
+clipped = s.copy()
+for r in range(5):
+    at = part[inside] == r
+    clipped[at] = np.clip(s[at], f[part != r].min(), f[part != r].max())
+found = table("-validate", 5, "-method", "smooth,linear", "-clip", "grades.csv")
+test("-clip: no value of -validate is beyond", table.beyond == {})
+test("-clip: the table of clipped values", alike(found["smooth", "T"], judged(
+    clipped - f[inside], x[inside], (~inside).sum())))
+save("inside.csv", random.random((3000, 3)))
+for outside in [], ["-outside", "nearest"], ["-outside", -7]:
+    o = ["-q", "-query", "inside.csv", "-method", "smooth", *outside]
+    tess(*o, "-values", "s.npy", "grades.csv")
+    tess(*o, "-clip", "-values", "c.npy", "grades.csv")
+    s = np.load("s.npy")
+    out = np.isnan(np.load("s.npy")) | (s == -7)
+    test("-clip: values in the data's range, %s" % outside, near(
+        np.load("c.npy"), np.where(out, s, np.clip(
+            s, data.min(0), data.max(0))), 0.0) and s[~out].min() < f.min())
+
 # units near the ends of the range of numbers: the errors of usual ones, scaled
 x = random.random((200, 3)) - 0.5
 f = bent(x)

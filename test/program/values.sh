@@ -83,6 +83,7 @@ refuses 'choose one of them' -grid 2,2,2 -query bare -values v.npy points
 refuses 'is for -query' -qcols 1,2,3 -grid 2,2,2 -values v.npy points
 refuses 'for -values or' -method smooth points
 refuses 'for -values or' -outside 0 points
+refuses 'for -values or' -clip points
 refuses '-by is for -validate' -by x points
 refuses '-errors is for -validate' -errors e.csv points
 refuses '-by: no column hole among 4$' -validate -by hole points
