@@ -675,8 +675,8 @@ rm -f ../x.csv.* ../x.xyz.* ../stdin.* ../numbers.txt.*
 
 $TESS -h > help && $TESS --help | cmp - help
 yes "--help is -h" test $? -eq 0
-yes "-h names the options" sh -c 'for o in -cols -skip -scale -box \
-    -periodic -cells -volumes -alpha -q; do grep -e "^  $o " help || exit 1; done' \
+yes "-h names the options" sh -c 'for o in -cols -skip -nodata -decimal -scale -box \
+    -periodic -cells -volumes -alpha -clip -by -errors -q; do grep -e "^  $o " help || exit 1; done' \
     > /dev/null
 yes "--version: the library's" test "`$TESS --version`" = "tess `sed -n \
     's/^#define TESS_VERSION \([0-9]*\)0\([0-9]\)00L/\1.\2/p' "$TOP"/tess.h`"

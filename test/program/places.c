@@ -174,6 +174,8 @@ void check_values(void)
         if (chosen.digits) fail("-digits is for -values F.csv");
         return;
     }
+    if (chosen.validate && chosen.alpha > 0.0)
+        warn("-validate is of the whole hull, -alpha of what is written");
     choose_methods();
     choose_outside();
     if (chosen.grid) choose_grid();

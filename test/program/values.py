@@ -680,7 +680,10 @@ test("-by: fewer groups than parts: each alone, it is said",
      "23 parts, each of one group" in tess.said and
      sorted(np.bincount(read_errors("e.csv")["part"].astype(int))[1:]) ==
      sorted(deep))
-tess("-q", "-validate", 4, "-by", "hole", "-errors", "e.csv", "holes.csv")
+tess("-validate", 4, "-by", "hole", "-alpha", 1, "-errors", "e.csv",
+     "holes.csv")
+test("-validate: -alpha does not matter, which is said",
+     "-validate is of the whole hull" in tess.said)
 open("bare.csv", "w").write("".join(list(open("holes.csv"))[1:]))
 tess("-q", "-validate", 4, "-by", 5, "-errors", "b.csv", "bare.csv")
 test("-by: a column by number, without names",
@@ -693,6 +696,14 @@ tess("-validate", 4, "-by", 5, "-errors", "b.csv", "both.csv")
 test("-by: a place of two groups is said, and counts once",
      "1 point is at a place of another group" in tess.said and
      len(list(open("b.csv"))) == 1 + len(x))
+
+lines = list(open("holes.csv"))
+with open("lost.csv", "w") as out:
+    for i, line in enumerate(lines):
+        out.write(line if i % 5 else re.sub(",[^,]*$", ",NA\n", line))
+tess("-validate", 4, "-skip", "-by", 5, "-errors", "b.csv", "lost.csv")
+test("-by, -skip: a row without a group is dropped",
+     len(list(open("b.csv"))) == 1 + sum(i % 5 > 0 for i in range(len(lines))))
 
 # values beyond the data's range; -clip holds them
 x = random.random((600, 3))
