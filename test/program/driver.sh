@@ -213,14 +213,21 @@ sed 's/,/\t/g; s/\./,/g' plain.csv | reads one tabs.txt
 sed 's/,/ /g; s/\./,/g' plain.csv | reads one blanks.txt
 sed 's/,/, /g; s/\([0-9]\)\.\([0-9]\)/\1,\2/g' plain.csv | reads one both.txt
 sed 's/,$//; s/[^,]*/"&"/g; s/\./,/g' plain.csv | reads one quotes.csv
-sed 's/[-0-9]*\.[0-9]*/"&"/g; s/\./,/g' plain.csv | tail -n +3 > some.csv
-(cat some.csv; head -n 2 plain.csv) > partly.csv
-sed 's/[^,;]*/&/; s/wind, m.s/wind, m/; s/\./,/g' semicolon.csv > wind.csv
-sed '1s/,5//' wind.csv | reads two wind2.csv
-sed 's/^/31.12.2024;/; 1s/.*;x/date;x/' wind.csv |
+# in quotes where there is one, else whole numbers
+sed '1s/^0/0.0/; s/[-0-9]*\.[0-9]*/"&"/g; s/\./,/g' plain.csv |
+    reads one partly.csv
+(echo 7,7,7,7; cat partly.csv) |
+    refuses whole.csv 'line 1: .*7,7,7,7 (.*commas between digits are decimal'
+sed 's/\./,/g' semicolon.csv | reads two german.csv
+sed 's/^/31.12.2024;/; 1s/.*;x/date;x/' german.csv |
     reads two dates.csv 'column 1 (31.12.2024) is not a number: skipped'
-printf '0;0;0;0\n10e-1;0;0;1E1\n0;1,5D0;0;20\n0;0;-,2e1;30\n,134;0,25;-,5;40\n' |
-    reads one exponents.csv
+reads one exponents.csv << END
+0;0;0;0
+10e-1;0;0;1E1
+0;1,5D0;0;20
+0;0;-,2e1;30
+,134;0,25;-,5;40
+END
 points='(with -decimal , numbers have no points)'
 printf '1;2;3\n1,5;2.5;3\n' |
     refuses point.csv "line 2: column 2 is not a number: 2.5 $points"
@@ -478,7 +485,8 @@ yes "lines with a number in place of a word" cmp slow.node quick.node
 sed 's/^/7,/' quick.csv > asked.csv
 $TESS -q -cols 2,3,4,5 -node quick.node asked.csv
 yes "lines with a number that is not asked for" cmp slow.node quick.node
-printf '1,2,3,4\n1,5, 2,5\n' | refuses mixed.csv "line 2: column 1 .*1,5 ($comma"
+printf '1,2,3,4\n1,5, 2,5\n' |
+    refuses mixed.csv "line 2: column 1 .*1,5 ($comma"
 printf '1,2,3\n\t1,2,4,5\n' | refuses tabbed.csv 'line 2: 4 columns'
 printf '1 2 3\n1 2 3 4\n' | refuses fourth.txt 'line 2: 4 columns'
 printf '1 2 3\n1 2 3x\n' | refuses glued.txt 'line 2: column 3 is not a number'
@@ -675,9 +683,9 @@ rm -f ../x.csv.* ../x.xyz.* ../stdin.* ../numbers.txt.*
 
 $TESS -h > help && $TESS --help | cmp - help
 yes "--help is -h" test $? -eq 0
-yes "-h names the options" sh -c 'for o in -cols -skip -nodata -decimal -scale -box \
-    -periodic -cells -volumes -alpha -clip -by -errors -q; do grep -e "^  $o " help || exit 1; done' \
-    > /dev/null
+yes "-h names the options" sh -c 'for o in -cols -skip -nodata -decimal -scale \
+    -box -periodic -cells -volumes -alpha -clip -by -errors -q; do
+    grep -e "^  $o " help || exit 1; done' > /dev/null
 yes "--version: the library's" test "`$TESS --version`" = "tess `sed -n \
     's/^#define TESS_VERSION \([0-9]*\)0\([0-9]\)00L/\1.\2/p' "$TOP"/tess.h`"
 $TESS -none > said 2> words

@@ -938,7 +938,8 @@ static void suspects(void)
     for (k = 0; k < many; k++) {
         if (fields[k].number || !fields[k].text[0]) continue;
         why = hint(fields[k].text, fields[k].quoted);
-        strange += why != 0;
+        /* (with -decimal , one cell, where commas should separate) */
+        strange += why ? (many == 1 ? 3 : 1) : 0;
         begun += begins_number(fields[k].text);
         if (begins_number(fields[k].text) && !suspect[0])
             sprintf(suspect, "; line %ld: column %d is not a number: %.30s%s",
