@@ -45,8 +45,9 @@ LIBRARY = build/tess.o build/hhpred.o
 all: build/tess
 
 PROGRAM = build/driver.o build/options.o build/read.o build/write.o \
-    build/shapes.o build/places.o build/values.o build/slopes.o \
-    build/natural.o build/derived.o build/cells.o build/periodic.o build/draw.o
+    build/shapes.o build/places.o build/values.o build/validate.o \
+    build/slopes.o build/natural.o build/derived.o build/cells.o \
+    build/periodic.o build/draw.o
 
 build/tess: $(PROGRAM) $(LIBRARY)
 	$(LINK) $(PROGRAM) $(LIBRARY) $(LDLIBS)
@@ -81,6 +82,11 @@ build/values.o: test/program/values.c test/program/values.h \
     test/program/driver.h test/examples/recipes.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/values.c
+
+build/validate.o: test/program/validate.c test/program/values.h \
+    test/program/driver.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/validate.c
 
 # recipes
 build/slopes.o: test/examples/slopes.c test/examples/recipes.h tess.h \

@@ -409,6 +409,10 @@ int main(int argc, char **argv)
     began = time((time_t *)0);
     in.cols = chosen.cols;
     in.skip = chosen.skip;
+    in.decimal = places.decimal = chosen.decimal;
+    in.nodata = chosen.nodata;
+    in.voids = chosen.voids;
+    in.by = chosen.by;
     read_points(chosen.input, &in);
     check_box(&in);
     places.cols = chosen.qcols;

@@ -4,6 +4,7 @@
  *   driver.c    the arrays, the mesh, messages     write.c   files
  *   shapes.c    alpha shapes, cells                draw.c    pictures
  *   values.c    interpolation                      places.c  where, into files
+ *   validate.c  its errors
  */
 #ifndef DRIVER_H
 #define DRIVER_H
@@ -13,6 +14,7 @@
 #include "../../tess.h"
 
 #define COLUMNS 512 /* most columns of a line                    */
+#define VOIDS 16    /* most values of -nodata                    */
 #define TITLE 40    /* characters of a column's name that matter */
 
 /* ---- what is read ---- */
@@ -31,10 +33,15 @@ typedef struct points {
     tess_int base;            /* number of the first point in files */
     const char *cols; /* columns asked for, x, y, z first; 0: by the file */
     int skip;         /* drop rows from which numbers are missing */
+    int decimal;      /* ',' where numbers have decimal commas */
+    int voids;        /* values that stand for a missing one: so many, these */
+    const double *nodata;
     int lattice;      /* has the file a box that may repeat itself? */
     int aperiodic;    /* does it say that the box does not, along all axes? */
     double box[6];    /* that box: x from, to; y; z */
     int bare;         /* places, of which values do not matter: -qcols */
+    const char *by;   /* column that tells groups apart; 0: none */
+    tess_int *group;  /* of each point, from 0 on; 0: none */
 } points;
 
 /* What the lattice is: there is none; a box along the axes; any other. */
@@ -87,7 +94,8 @@ typedef struct form {
                                               * needs the whole mesh */
 } form;
 
-extern const form values_forms[], cells_forms[], volumes_forms[], svg_forms[];
+extern const form values_forms[], errors_forms[], cells_forms[],
+    volumes_forms[], svg_forms[];
 
 /* next_output - the file behind o, or the first one if o = 0, in one of these
  * forms; in any if all = 0.  0 if there is none. */
@@ -98,6 +106,9 @@ output *next_output(const form *all, output *o);
 typedef struct choices {
     const char *input, *cols;
     int skip, check, binary, quiet, periodic; /* (binary: so are all files) */
+    int decimal; /* ',' or '.'; 0: not given */
+    int voids;   /* numbers of nodata */
+    double nodata[VOIDS];
     int scaled, boxed; /* are these given? */
     int values, cells; /* -values; -cells or -volumes */
     int to_stdout;     /* is a file written to standard output? */
@@ -107,6 +118,8 @@ typedef struct choices {
     const char *query, *qcols, *grid, *method, *outside;
     int digits;    /* 0: not given */
     long validate; /* parts; 0: not given */
+    const char *by;
+    int clip;
 } choices;
 
 extern choices chosen;
@@ -189,6 +202,9 @@ const char *vtk_name(const points *in, int column);
 
 /* xml_text - a column's name as a picture takes it, until the next one. */
 const char *xml_text(const char *text);
+
+/* put_title - a comma, and a column's name as CSV takes it. */
+void put_title(FILE *file, const char *name);
 
 /* ---- values (places.c) ---- */
 

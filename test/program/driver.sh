@@ -164,19 +164,81 @@ A4;0;0;-2
 A5;0.134;0.25;-0.5
 END
 
-# ---- a decimal comma is no separator ----
+# ---- a decimal comma is no separator: the cell is named ----
 
-printf '0,13;0,84;0,5\n' | refuses semicolons.csv 'line 1: a decimal comma'
-printf 'x;y;z\n1;2;3\n0,13;0,84;0,5\n' |
-    refuses later.csv 'line 3: a decimal comma'
-printf '0,13 0,84 0,5\n' | refuses blanks.txt 'a decimal comma'
-printf '0,13\t0,84\t0,5\n' | refuses tabs.txt 'a decimal comma'
-printf '0,13, 0,84, 0,5\n' | refuses both.txt 'a decimal comma'
-printf '"0,13","0,84","0,5"\n' | refuses quotes.csv 'a decimal comma'
-printf '1.234,5 2.345,6 3.456,7\n' | refuses thousands.txt 'a decimal comma'
+comma='a decimal comma?  -decimal , reads it'
+printf '0,13;0,84;0,5\n' |
+    refuses semicolons.csv "line 1: column 1 is not a number: 0,13 ($comma"
+printf 'x;y;z\n1;2;3\n0;0,84;0,5\n' |
+    refuses later.csv "line 3: column 2, y, is not a number: 0,84 ($comma"
+printf '0,13 0,84 0,5\n' | refuses blanks.txt "line 1: column 1 .*0,13 ($comma"
+printf '0,13\t0,84\t0,5\n' | refuses tabs.txt "line 1: column 1 .*0,13 ($comma"
+printf '0,13, 0,84, 0,5\n' | refuses both.txt "line 1: column 1 .*0,13 ($comma"
+printf '"0,13","0,84","0,5"\n' |
+    refuses quotes.csv "line 1: column 1 .*0,13 ($comma"
+printf '1.234,5 2.345,6 3.456,7\n' |
+    refuses points.txt "line 1: column 1 .*1.234,5 ($comma"
 printf '0,13,0,84,0,5\n1,13,0,84,0,5\n' > commas.csv
 $TESS commas.csv > said 2> words
 yes "commas alone: a warning" grep 'if commas are decimal' words > /dev/null
+# what is no decimal comma is not called so
+for row in '1,2,4,5 m/column 4, T, is not a number: 5 m$' \
+    '1,2,4,"1,000"/column 4, T, is not a number: 1,000 (a comma between thou' \
+    '1,2,"12,345,678",4/column 3, z, is .*: 12,345,678 (commas between thou' \
+    '1,2,4,"1,234.5"/column 4, T, is not a number: 1,234.5 (commas between t' \
+    '1,2 m,3,4/column 2, y, is not a number: 2 m$'; do
+    printf 'x,y,z,T\n1,2,3,4\n%s\n' "${row%/*}" |
+        refuses cell.csv "line 3: ${row##*/}"
+    yes "no word of decimals" sh -c '! grep "decimal comma" words' > /dev/null
+done
+printf '1,234.5 2,345.6 3,456.7\n' |
+    refuses thousands.txt 'line 1: column 1 .*1,234.5 (commas between thousands'
+printf 'x,y,z\n5 m,6,7\n8,9,10\n' |
+    refuses unit.csv 'line 2: column 1, x, is not a number: 5 m'
+printf '5 m,6 m,7 m\n8 m,9 m,10 m\n' |
+    refuses units.txt 'ends before .*line 1: column 1 is not a number: 5 m'
+OPTIONS="-cols 1,2,3,4"
+printf '1,2,3,12.5 m\n' | refuses asked.csv 'column 4 is not a number: 12.5 m'
+OPTIONS=
+awk 'NR > 1 { print "2024-01-31 10:30," $2 "," $3 "," $4 }' none |
+    reads none times.csv 'column 1 (2024-01-31 10:30) is not a number'
+printf 'x,y,z\n1,here,3\n4,5,6\n' |
+    refuses here.csv 'line 2: column 2, y, is not a number: here'
+
+# ---- -decimal ,: it is read, with something else between columns ----
+
+OPTIONS="-decimal ,"
+sed 's/,/;/g; s/\./,/g' plain.csv | reads one semicolons.csv
+sed 's/,/\t/g; s/\./,/g' plain.csv | reads one tabs.txt
+sed 's/,/ /g; s/\./,/g' plain.csv | reads one blanks.txt
+sed 's/,/, /g; s/\([0-9]\)\.\([0-9]\)/\1,\2/g' plain.csv | reads one both.txt
+sed 's/,$//; s/[^,]*/"&"/g; s/\./,/g' plain.csv | reads one quotes.csv
+# in quotes where there is one, else whole numbers
+sed '1s/^0/0.0/; s/[-0-9]*\.[0-9]*/"&"/g; s/\./,/g' plain.csv |
+    reads one partly.csv
+(echo 7,7,7,7; cat partly.csv) |
+    refuses whole.csv 'line 1: .*7,7,7,7 (.*commas between digits are decimal'
+sed 's/\./,/g' semicolon.csv | reads two german.csv
+sed 's/^/31.12.2024;/; 1s/.*;x/date;x/' german.csv |
+    reads two dates.csv 'column 1 (31.12.2024) is not a number: skipped'
+reads one exponents.csv << END
+0;0;0;0
+10e-1;0;0;1E1
+0;1,5D0;0;20
+0;0;-,2e1;30
+,134;0,25;-,5;40
+END
+points='(with -decimal , numbers have no points)'
+printf '1;2;3\n1,5;2.5;3\n' |
+    refuses point.csv "line 2: column 2 is not a number: 2.5 $points"
+printf '1.234,5;2;3\n' |
+    refuses grouped.csv "line 1: column 1 is not a number: 1.234,5 $points"
+refuses alone.txt 'column 1 .*commas between digits are decimal' < commas.csv
+OPTIONS="-decimal ;"
+refuses sign.csv '-decimal needs the sign' < commas.csv
+OPTIONS="-decimal ."
+reads one point2.csv < plain.csv
+OPTIONS=
 
 # ---- x, y, z elsewhere: -cols; a first column that numbers ----
 
@@ -227,7 +289,7 @@ refuses nameless.txt 'no column lon .*no line of names' < numbers.txt
 OPTIONS="-cols 2,3,7"
 refuses seventh.csv 'no column 7 among 6' < ocean.csv
 OPTIONS="-cols 2,3,6"
-refuses words.csv 'column 6 is not a number: a' < ocean.csv
+refuses words.csv 'column 6, note, is not a number: a' < ocean.csv
 OPTIONS="-cols 2,3,lat"
 refuses twice.csv 'column lat twice' < ocean.csv
 OPTIONS="-cols 2,3"
@@ -282,6 +344,44 @@ sed '/^9/d; /^,/d; 1s/$/,note/; 2,$s/$/,/' gaps.csv > hollow.csv
 refuses hollow1.csv 'drops all 5 rows; name the columns' < hollow.csv
 OPTIONS="-skip -cols 1,2,3,4"
 reads one hollow2.csv < hollow.csv
+OPTIONS=
+
+# ---- values that stand for a missing one: -nodata ----
+
+cat > voids.csv << END
+x,y,z,T,u
+0,0,0,0,0.5
+9,9,9,-9999,1
+1,0,0,10,1.5
+9,9,9,7,-9999.00
+0,1.5,0,20,2.5
+9,9,9,-9.999E3,-9999
+0,0,-2,30,3.5
+0.134,0.25,-0.5,40,4.5
+END
+fewer='fewer if -cols X,Y,Z,VALUE asks for one'
+OPTIONS="-nodata -9999"
+reads two voids1.csv "3 rows dropped .* the first in line 3; $fewer" < voids.csv
+sed 1d voids.csv | reads two voids.txt '3 rows dropped .* line 2'
+OPTIONS="-nodata -9999 -cols x,y,z,T"
+sed 5d voids.csv | reads one voids2.csv '2 rows dropped .* the first in line 3$'
+OPTIONS="-nodata -1,7,99,-9999"
+sed 's/^9.*1$/9,9,9,-1,3/; s/^9.*-9999$/9,9,9,7,5/' voids.csv |
+    reads two voids3.csv '3 rows dropped'
+OPTIONS="-nodata -9999 -decimal ,"
+sed 's/,/;/g; s/\./,/g' voids.csv | reads two voids4.csv '3 rows dropped'
+OPTIONS="-nodata -9999"
+reads one never.csv 'no value is such a number' < plain.csv
+sed 's/^0.134/-9999/' plain.csv > moved.csv
+$TESS $OPTIONS moved.csv > said 2> words
+yes "a coordinate that is such a number is kept, and said" \
+    grep '1 coordinate is a number of -nodata.*not dropped' words > /dev/null
+OPTIONS="-nodata 0,10,20,30,40"
+refuses all.csv 'no points: -nodata drops all 5 rows' < plain.csv
+for value in x 1, nan 1,nan; do
+    OPTIONS="-nodata $value"
+    refuses value.csv '-nodata needs a number' < plain.csv
+done
 OPTIONS=
 
 # ---- .xyz, counts, Qhull ----
@@ -385,8 +485,9 @@ yes "lines with a number in place of a word" cmp slow.node quick.node
 sed 's/^/7,/' quick.csv > asked.csv
 $TESS -q -cols 2,3,4,5 -node quick.node asked.csv
 yes "lines with a number that is not asked for" cmp slow.node quick.node
-printf '1,2,3,4\n1,5, 2,5\n' | refuses mixed.csv 'line 2: a decimal comma'
-printf '1,2,3\n\t1,2,3\n' | refuses tabbed.csv 'line 2: a decimal comma'
+printf '1,2,3,4\n1,5, 2,5\n' |
+    refuses mixed.csv "line 2: column 1 .*1,5 ($comma"
+printf '1,2,3\n\t1,2,4,5\n' | refuses tabbed.csv 'line 2: 4 columns'
 printf '1 2 3\n1 2 3 4\n' | refuses fourth.txt 'line 2: 4 columns'
 printf '1 2 3\n1 2 3x\n' | refuses glued.txt 'line 2: column 3 is not a number'
 
@@ -506,6 +607,15 @@ for f in none one two marked; do
 done
 awk 'NR > 1 { $1++ } { print }' marked > marked1
 reads marked1 from1.node < marked1
+OPTIONS="-nodata -9999"
+awk 'NR == 1 { print 7, 3, 2, 1; next }
+    NR == 4 { print n++, 9, 9, 9, 0, -9999, 1 }
+    { $1 = n++; print } END { print n, 9, 9, 9, -9999, 0, 1 }' marked > voids
+reads marked voids.node '2 rows dropped .* the first in line 4; ' < voids
+OPTIONS="-nodata 99.99"
+sed '5p; 5s/ 0.000/ 9.000/; 5s/10.00/99.99/' 1abc.pdb |
+    reads one 2abc.pdb '1 row dropped .* the first in line 6'
+OPTIONS=
 
 # ---- what is no file of points ----
 
@@ -573,9 +683,9 @@ rm -f ../x.csv.* ../x.xyz.* ../stdin.* ../numbers.txt.*
 
 $TESS -h > help && $TESS --help | cmp - help
 yes "--help is -h" test $? -eq 0
-yes "-h names the options" sh -c 'for o in -cols -skip -scale -box \
-    -periodic -cells -volumes -alpha -q; do grep -e "^  $o " help || exit 1; done' \
-    > /dev/null
+yes "-h names the options" sh -c 'for o in -cols -skip -nodata -decimal -scale \
+    -box -periodic -cells -volumes -alpha -clip -by -errors -q; do
+    grep -e "^  $o " help || exit 1; done' > /dev/null
 yes "--version: the library's" test "`$TESS --version`" = "tess `sed -n \
     's/^#define TESS_VERSION \([0-9]*\)0\([0-9]\)00L/\1.\2/p' "$TOP"/tess.h`"
 $TESS -none > said 2> words

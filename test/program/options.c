@@ -33,8 +33,8 @@ static const char *const before[] = {
     "  lines     x y z and any values; blanks, tabs, commas or semicolons",
     "            between them; a first line of names, of which x, y, z say which",
     "            columns those are; a column of words is skipped.  # begins a",
-    "            comment; so do % ! and two slashes.  1.34D-01 is 1.34E-01; a",
-    "            decimal comma is an error",
+    "            comment; so do % ! and two slashes.  1.34D-01 is 1.34E-01;",
+    "            for decimal commas see -decimal",
     "  a count   before such lines, or Qhull's dimension and number",
     "  .xyz      of atoms: number, comment, lines `element x y z'",
     "  .node     TetGen's; .off, .ply (ASCII), .obj: the points; PDB: the atoms",
@@ -67,6 +67,7 @@ int list_numbers(const char *text, int most, double *x)
 
 const form values_forms[] = {{".csv", 0}, {".npy", 0}, {".vtk", 0},
                              {".svg", 0}, {0, 0}};
+const form errors_forms[] = {{".csv", 0}, {0, 0}};
 const form cells_forms[] = {{".vtk", 0}, {0, 0}};
 const form volumes_forms[] = {{".csv", 0}, {0, 0}};
 static const form node_forms[] = {{".node", write_node}, {0, 0}};
@@ -201,6 +202,28 @@ static void take_parts(const option *o, char **word)
     *(long *)o->to = (long)x;
 }
 
+/* take_decimal - the sign itself. */
+static void take_decimal(const option *o, char **word)
+{
+    if (strcmp(word[0], ",") != 0 && strcmp(word[0], ".") != 0)
+        fail("%s needs the sign, a comma or a point: -decimal ,", o->name);
+    *(int *)o->to = word[0][0];
+}
+
+static void take_nodata(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+    int k;
+
+    chosen.voids = list_numbers(word[0], VOIDS, x);
+    for (k = 0; k < chosen.voids; k++)
+        if (x[k] != x[k]) chosen.voids = -1;
+    if (chosen.voids < 0)
+        fail("%s needs a number, or some with commas between them; NaN is what "
+             "-skip drops",
+             o->name);
+}
+
 static void take_base(const option *o, char **word)
 {
     static const form *const all[] = {node_forms, ele_forms, neigh_forms,
@@ -235,6 +258,12 @@ static const option table[] = {
     {"-skip", 0, take_switch, &chosen.skip,
      "drop rows from which a number is missing: an empty cell,\n"
      "NA, N/A, NaN, null, none, - or --; how many is said"},
+    {"-nodata", "V[,V...]", take_nodata, chosen.nodata,
+     "drop rows of which a value is this number, as -9999: any\n"
+     "value, or with -cols X,Y,Z,V... any that is named there"},
+    {"-decimal", ",", take_decimal, &chosen.decimal,
+     "numbers have decimal commas, and no points; between them are\n"
+     "semicolons, tabs or blanks, or commas if numbers are in quotes"},
     {"-scale", "SX,SY,SZ", take_scale, chosen.scale,
      "stretch coordinates for the mesh: -scale 1,1,0.01 for\n"
      "degrees and metres.  All that is written has the given\n"
@@ -301,11 +330,21 @@ static const option table[] = {
     {"-outside", "nearest|VALUE", take_word, &chosen.outside,
      "what places outside the hull get: this value, or that at\n"
      "the hull's nearest point; if not given NaN"},
+    {"-clip", 0, take_switch, &chosen.clip,
+     "hold each column's values within the range of the points'"},
     {"-digits", "N", take_digits, &chosen.digits,
      "of values in F.csv; if not given 17, which are exact"},
     {"-validate", "[K]", take_parts, &chosen.validate,
-     "leave out every K-th point (10), in turn: print how well\n"
-     "the others predict its values by each -method M,M,..."},
+     "leave out K parts (10) of the points in turn, drawn by\n"
+     "chance, the same everywhere: print how well the others\n"
+     "predict their values by each -method M,M,..., which is\n"
+     "best, and how many values are beyond the data's range"},
+    {"-by", "COLUMN", take_word, &chosen.by,
+     "leave out together what this column, of numbers or words,\n"
+     "says is one: boreholes, lines, flights.  Else neighbours\n"
+     "in one tell of each other, and errors look too small"},
+    {"-errors", "F.csv", take_output, errors_forms,
+     "write -validate's x,y,z, part, values, and errors"},
     {0, 0, 0, 0, ""},
     {"-q", 0, take_switch, &chosen.quiet, "quiet: print nothing but errors"},
     {"-version", 0, take_version, 0, "the version of the library"},

@@ -17,6 +17,8 @@
 #define ROOM 32768L /* and values                */
 #define MOST 1e12   /* places of a grid          */
 #define PIXELS 2000.0 /* of a picture's side     */
+#define FAR 3.0     /* ranges between a value and others that it is far from */
+#define HUGE_NUMBER 1e10 /* a value that may be none, but stand for one */
 #define LONGER 5.0  /* sides more uneven are drawn with this ratio */
 
 /* What is asked for. */
@@ -76,13 +78,19 @@ static void choose_methods(void)
         fail("-values: choose one -method; a list of them is for -validate");
 }
 
+double no_number(void)
+{
+    char *end;
+    double x = strtod("nan", &end); /* if it knows that */
+
+    return *end ? 0.0 * strtod("1e999", &end) : x;
+}
+
 static void choose_outside(void)
 {
     char *end;
 
-    /* a NaN without a sign, where strtod knows it */
-    number = strtod("nan", &end);
-    if (*end) number = 0.0 * strtod("1e999", &end);
+    number = no_number();
     if (!chosen.outside) return;
     if (strcmp(chosen.outside, "nearest") == 0) {
         outside = OUT_NEAREST;
@@ -155,13 +163,19 @@ void check_values(void)
     if (chosen.values && !chosen.grid && !chosen.query)
         fail("-values needs places: -grid NX,NY,NZ or -query F");
     if (chosen.qcols && !chosen.query) fail("-qcols is for -query F");
+    if (!chosen.validate && (chosen.by || next_output(errors_forms, 0)))
+        fail("%s is for -validate", chosen.by ? "-by" : "-errors");
     if (!chosen.values && !chosen.validate) {
-        if (chosen.method || chosen.outside)
+        if (chosen.method || chosen.outside || chosen.clip)
             fail("%s is for -values or -validate",
-                 chosen.method ? "-method" : "-outside");
+                 chosen.method    ? "-method"
+                 : chosen.outside ? "-outside"
+                                  : "-clip");
         if (chosen.digits) fail("-digits is for -values F.csv");
         return;
     }
+    if (chosen.validate && chosen.alpha > 0.0)
+        warn("-validate is of the whole hull, -alpha of what is written");
     choose_methods();
     choose_outside();
     if (chosen.grid) choose_grid();
@@ -206,6 +220,49 @@ static void box(void)
         }
 }
 
+/* warn_far - where the least value of a column, or with sign -1 the largest, is
+ * far from all others, and there more than once or such as stands for a missing
+ * one: nines alone, or a huge number. */
+static void warn_far(int column, double sign)
+{
+    double least = 0.0, next = 0.0, most = 0.0, x, nines;
+    char text[40];
+    long times = 0, others = 0;
+    tess_int i;
+
+    for (i = 0; i < in->n; i++) {
+        x = sign * in->value[(size_t)in->columns * (size_t)i + (size_t)column];
+        if (!(fabs(x) <= DBL_MAX)) continue;
+        if (times > 0 && x < least) {
+            next = least;
+            others += times;
+            if (others == times) most = least;
+            times = 0;
+        }
+        if (times == 0 || x == least) {
+            least = x;
+            times++;
+            continue;
+        }
+        if (others == 0 || x < next) next = x;
+        if (others == 0 || x > most) most = x;
+        others++;
+    }
+    for (nines = 999.0; nines < fabs(least);) nines = 10.0 * nines + 9.0;
+    x = nines == fabs(least) || fabs(least) >= HUGE_NUMBER ? 1.0 : FAR;
+    if (others == 0 || !(next < most) || (times < 2 && x > 1.0) ||
+        !(next - least > x * (most - next)))
+        return;
+    sprintf(text, "%.15g", sign * least);
+    if (strtod(text, (char **)0) != sign * least)
+        sprintf(text, "%.17g", sign * least);
+    warn("%s: %ld value%s of %s %s %s, far from all others, %.6g to %.6g; if "
+         "that stands for a missing value: -nodata %s",
+         in->input, times, times > 1 ? "s" : "", in->name[column],
+         times > 1 ? "are" : "is", text, sign > 0.0 ? next : -most,
+         sign > 0.0 ? most : -next, text);
+}
+
 void read_places(const points *points_read, points *query)
 {
     tess_int i;
@@ -219,7 +276,7 @@ void read_places(const points *points_read, points *query)
         fail("%s: the points have no values to interpolate (-cols X,Y,Z,V "
              "names columns)",
              in->input);
-    if (chosen.validate > (long)in->n)
+    if (chosen.validate > (long)in->n && !chosen.by)
         fail("-validate %ld: there are only %ld points", chosen.validate,
              (long)in->n);
     for (i = 0; i < in->n; i++)
@@ -231,6 +288,10 @@ void read_places(const points *points_read, points *query)
         warn("%s: %ld value%s not finite, and so is what is computed from them; "
              "-skip drops rows with a NaN",
              in->input, bad, bad > 1 ? "s are" : " is");
+    for (k = 0; k < in->columns; k++) {
+        warn_far(k, 1.0);
+        warn_far(k, -1.0);
+    }
     if (chosen.grid && !boxed) box();
     for (k = 0; k < 3 && chosen.grid; k++)
         if (!(corner[2 * k + 1] - corner[2 * k] <= DBL_MAX))
@@ -256,8 +317,7 @@ static double places_asked(void)
     return chosen.grid ? size[0] * size[1] * size[2] : (double)places->n;
 }
 
-/* put_title - a column's name in CSV. */
-static void put_title(FILE *file, const char *s)
+void put_title(FILE *file, const char *s)
 {
     int quoted = strpbrk(s, ",;\" \t") != 0;
 

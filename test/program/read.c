@@ -21,7 +21,7 @@
 typedef struct field {
     char *text;
     int number; /* is it one?  With -skip a missing value counts as one */
-    int missing;
+    int missing, quoted;
     double x;
 } field;
 
@@ -33,16 +33,24 @@ static char line[LINE + 1];
 static long line_number;
 static field fields[COLUMNS];
 static int many;                   /* fields */
-static int doubtful;               /* is there a decimal comma in the line? */
+static int decimals;               /* are commas between digits decimal? */
+static int apart;                  /* not so: those are in quotes */
+static char doubt[160];            /* why the line may have one, or "" */
 static int open_end;               /* is its last character a separator? */
 static char separator;             /* other than blanks; or 0 */
 static char title[COLUMNS][TITLE]; /* of the columns, from a header */
 static int titles;
+static char suspect[160]; /* why, perhaps, no line is a point, or "" */
 static long first_line; /* of the points; does it end with a separator? */
 static int first_open;
 static int width;       /* columns of a line of points; and which they are: */
 static int part[COLUMNS];
-static long dropped, first_dropped; /* rows, by -skip; the first one's line */
+static long dropped, first_dropped; /* rows; the first one's line */
+static long voided, misplaced;      /* by -nodata; of such a coordinate */
+static int by;       /* the column of -by, or -1 */
+static char *labels; /* of groups; group[i] is where the one of point i begins */
+static size_t labelled, labels_room;
+static size_t *label; /* of each point, in labels */
 static int counting; /* is the first column 0, 1, 2, ... or 1, 2, 3, ...? */
 static double count_from;
 
@@ -57,6 +65,9 @@ static void fail_line(const char *what)
 {
     fail("%s, line %ld: %s", to->input, line_number, what);
 }
+
+/* fail_cell - the same for field k, which is no number. */
+static void fail_cell(int k);
 
 static void fail_empty(long at, int column)
 {
@@ -173,10 +184,10 @@ static int next_line(void)
     return 0;
 }
 
-/* number - the number at s, as C or Fortran writes it: 1.34D-01, and 1.34-101
- * where three digits leave no room for the letter.  *end is s if there is
- * none. */
-static double number(const char *s, char **end)
+/* point_number - the number at s, as C or Fortran writes it: 1.34D-01, and
+ * 1.34-101 where three digits leave no room for the letter.  *end is s if there
+ * is none. */
+static double point_number(const char *s, char **end)
 {
     double x = strtod(s, end);
     const char *e = *end;
@@ -198,35 +209,110 @@ static double number(const char *s, char **end)
     return x;
 }
 
-/* decimal_comma - may the line, not yet split, have one?  A comma between
- * digits, in quotes, or where something else separates, too. */
+/* separates - is the comma at s, in no quotes, one between columns? */
+static int separates(const char *s)
+{
+    if (!decimals || apart || !digit(s[1])) return 1;
+    return s > line && !digit(s[-1]) && !blank(s[-1]) && !strchr("+-;", s[-1]);
+}
+
+/* number - the same, or with decimal commas a number that may have one, and has
+ * no point. */
+static double number(const char *s, char **end)
+{
+    char text[80], *stop;
+    size_t length = 0;
+    int quoted = s > line && s[-1] == '"';
+    double x;
+
+    if (!decimals) return point_number(s, end);
+    *end = (char *)s;
+    while (s[length] && !strchr(" \t;\"", s[length]) &&
+           (s[length] != ',' || quoted || !separates(s + length)))
+        length++;
+    if (length >= sizeof text || memchr(s, '.', length)) return 0.0;
+    sprintf(text, "%.*s", (int)length, s);
+    stop = strchr(text, ',');
+    if (stop) *stop = '.';
+    x = point_number(text, &stop);
+    *end += stop - text;
+    return x;
+}
+
+/* begins_number - as far as its first digit, does s? */
+static int begins_number(const char *s)
+{
+    s += *s == '+' || *s == '-';
+    s += *s == '.';
+    return digit(*s);
+}
+
+/* hint - what to do about a text that is a number but for its commas; or its
+ * points, if commas are decimal.  0 for any other.  Points may be a date's. */
+static const char *hint(const char *text, int quoted)
+{
+    static const char figures[] = "0123456789";
+    const char *s = text + (*text == '+' || *text == '-'), *first = s;
+    const char *end = s + strspn(s, "0123456789,.");
+    int signs = 0, commas = 0, behind = 0, threes = *s != '0';
+    char sign = decimals ? '.' : ',';
+
+    if (!strpbrk(text, figures) ||
+        (*end && (!strchr("eEdD", *end) || !begins_number(end + 1))))
+        return 0;
+    for (; s < end; s++) {
+        if (digit(*s)) continue;
+        commas += *s == ',';
+        behind += signs > 0 && *s != sign;
+        if (*s != sign) continue;
+        threes = threes && strspn(s + 1, figures) == 3 &&
+                 (signs > 0 || (s > first && s - first < 4));
+        signs++;
+    }
+    if (decimals && (signs == 1 || (signs > 1 && threes)))
+        return " (with -decimal , numbers have no points)";
+    if (decimals)
+        return signs == 0 && commas > 1
+                   ? " (with -decimal , commas between digits are decimal)"
+                   : 0;
+    if (signs > 0 && threes && (signs > 1 || behind > 0))
+        return " (commas between thousands must go)";
+    if (signs == 1 && behind == 0)
+        return threes && quoted
+                   ? " (a comma between thousands must go; see also -decimal)"
+                   : " (a decimal comma?  -decimal , reads it)";
+    return 0;
+}
+
+/* decimal_comma - may the line, not yet split, have one where nothing is in
+ * quotes, and commas separate if they are none?  One between digits, where
+ * something else separates, too. */
 static int decimal_comma(void)
 {
     const char *s;
-    int quoted = 0, glued = 0, spaced = 0, other = 0, point = 0, inside = 0;
+    int quoted = 0, glued = 0, spaced = 0, other = 0, point = 0;
 
     for (s = line; *s; s++) {
         if (*s == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (*s == ';') return 0;
         if (*s == '.') point = 1;
-        if (*s == ';' || *s == '\t') other |= !quoted;
+        if (*s == '\t') other = 1;
         if (s == line) continue;
         if (*s == ',' && digit(s[-1])) {
             glued |= digit(s[1]);
-            inside |= quoted && digit(s[1]);
             spaced |= blank(s[1]);
         }
-        if (blank(*s) && !quoted && (digit(s[-1]) || s[-1] == '.'))
-            other |= s[1] != ',' && s[1] != ';' && !blank(s[1]);
+        if (blank(*s) && (digit(s[-1]) || s[-1] == '.'))
+            other |= begins_number(s + strspn(s, " \t"));
     }
-    return inside || (glued && (other || (spaced && !point)));
+    return glued && (other || (spaced && !point));
 }
 
 /* refuse - leave if the line may have a decimal comma. */
 static void refuse(void)
 {
-    if (doubtful)
-        fail_line("a decimal comma?  Numbers need points, and columns "
-                  "either commas or something else between them");
+    if (doubt[0]) fail_line(doubt);
 }
 
 /* missing - is the text what files have in place of a number that is not
@@ -245,22 +331,45 @@ static int missing(const char *text)
     return 0;
 }
 
-/* split - the line's fields.  What separates is a semicolon; or else a comma;
- * and blanks: behind a number always, behind a word if there is none of these
- * and no tab.  With -skip, which looks for empty cells, each tab separates. */
-static void split(void)
+/* mark_of - what separates the line's fields: a semicolon; or else a comma, or
+ * a tab, of which the tab comes first if commas are decimal; or 0, blanks. */
+static char mark_of(void)
 {
     char *s, *end, mark = 0;
     int quoted = 0;
 
-    doubtful = decimal_comma();
     for (s = line; *s; s++) {
         if (*s == '"') quoted = !quoted;
+        if (*s == '"' && quoted && decimals) {
+            number(s + 1, &end);
+            if (*end == '"' && memchr(s, ',', (size_t)(end - s)) &&
+                (end[1] == ',' || (s > line && s[-1] == ',')))
+                apart = 1;
+        }
         if (quoted) continue;
-        if (*s == ';' || (*s == ',' && mark != ';') || (*s == '\t' && !mark))
+        if (*s == ';' || (*s == '\t' && (!mark || (decimals && mark == ','))))
             mark = *s;
+        if (*s == ',' && separates(s) && mark != ';' &&
+            (mark != '\t' || !decimals))
+            mark = ',';
     }
-    s = line;
+    return mark;
+}
+
+/* ends - does the separator stand at s? */
+static int ends(const char *s, char mark)
+{
+    return *s && *s == mark && (mark != ',' || separates(s));
+}
+
+/* cut - the line's fields.  Blanks separate behind a number always, unless the
+ * cell goes on with a unit; behind a word if there is no other separator.  With
+ * -skip, which looks for empty cells, each tab separates. */
+static void cut(void)
+{
+    char *s = line, *end, *after, mark = mark_of();
+    int quoted;
+
     separator = mark;
     open_end = 0;
     for (many = 0;; many++) {
@@ -274,8 +383,9 @@ static void split(void)
         quoted = *s == '"';
         s += quoted;
         fields[many].text = s;
+        fields[many].quoted = quoted;
         end = s;
-        fields[many].x = *s == mark ? 0.0 : number(s, &end);
+        fields[many].x = ends(s, mark) ? 0.0 : number(s, &end);
         if (quoted) {
             while (blank(*end)) end++;
             fields[many].number = end > s && *end == '"';
@@ -283,20 +393,25 @@ static void split(void)
             end = s + (*s != '\0');
             *s = '\0';
             s = end;
-            while (*s && *s != mark && !blank(*s)) s++;
+            while (*s && !ends(s, mark) && !blank(*s)) s++;
             end = s;
         } else {
+            for (after = end; blank(*after) && !ends(after, mark);) after++;
             fields[many].number =
-                end > s && (!*end || *end == mark || blank(*end));
+                end > s && (!*after || ends(after, mark) ||
+                            (after > end &&
+                             (!mark || (many > 0 && !open_end) ||
+                              *after == '"' || *after == '-' ||
+                              begins_number(after))));
             if (!fields[many].number)
-                for (end = s; *end && *end != mark;) {
+                for (end = s; *end && !ends(end, mark);) {
                     if (blank(*end) && !mark) break;
                     end++;
                 }
             s = end;
         }
         while (blank(*s) && !(to->skip && *s == mark)) s++;
-        open_end = *s && *s == mark;
+        open_end = ends(s, mark);
         s += open_end;
         if (!quoted) {
             while (end > fields[many].text && blank(end[-1])) end--;
@@ -305,6 +420,29 @@ static void split(void)
         fields[many].missing = to->skip && missing(fields[many].text);
         if (fields[many].missing) fields[many].number = 1;
     }
+}
+
+/* split - the same; and doubt, if the line has numbers once commas are taken
+ * for decimal ones. */
+static void split(void)
+{
+    static char copy[LINE + 1];
+    const char *why = 0;
+    int k;
+
+    doubt[0] = '\0';
+    if (!decimals && decimal_comma()) {
+        strcpy(copy, line);
+        decimals = 1;
+        cut();
+        decimals = apart = 0;
+        for (k = 0; k < many && !why; k++)
+            if ((why = hint(fields[k].text, 0)) != 0)
+                sprintf(doubt, "column %d is not a number: %.20s%s", k + 1,
+                        fields[k].text, why);
+        strcpy(line, copy);
+    }
+    cut();
 }
 
 /* numbers - how many of the fields are numbers. */
@@ -332,6 +470,7 @@ static int quick(void)
     char *s, *end, *stop, mark = 0;
     int k, glued = 0, spaced = 0, tabs = 0, blanks = 0, words = 0;
 
+    if (decimals || by >= 0) return 0;
     if (filled - taken < LINE) more();
     s = block + taken;
     stop = (char *)memchr(
@@ -370,8 +509,30 @@ static int quick(void)
     taken = (size_t)(stop + 1 - block);
     line_number++;
     many = width;
-    doubtful = open_end = 0;
+    open_end = 0;
+    doubt[0] = '\0';
     return 1;
+}
+
+static void fail_cell(int k)
+{
+    const char *why = hint(fields[k].text, fields[k].quoted);
+    int named = titles == many && title[k][0];
+
+    if (!why)
+        why = missing(fields[k].text) ? " (-skip drops such lines)" : "";
+    fail("%s, line %ld: column %d%s%s%s is not a number: %.30s%s", to->input,
+         line_number, k + 1, named ? ", " : "", named ? title[k] : "",
+         named ? "," : "", fields[k].text, why);
+}
+
+/* void_value - is x what stands for a missing value, by -nodata? */
+static int void_value(double x)
+{
+    int k;
+
+    for (k = 0; k < to->voids && x != to->nodata[k]; k++) continue;
+    return k < to->voids;
 }
 
 /* lacking - is a number missing in a column that is asked for? */
@@ -379,14 +540,20 @@ static int lacking(void)
 {
     int k;
 
-    for (k = 0; k < many; k++)
+    for (k = 0; k < many; k++) {
         if (fields[k].missing && (width != many || part[k] < LABEL ||
-                                  part[k] == VALUE))
+                                  part[k] == VALUE || k == by))
             return 1;
+        if (width != many || part[k] != VALUE || !fields[k].number ||
+            !void_value(fields[k].x))
+            continue;
+        voided++;
+        return 1;
+    }
     return 0;
 }
 
-/* drop - leave the line out, by -skip. */
+/* drop - leave the line out, by -skip or -nodata. */
 static void drop(void)
 {
     if (dropped++ == 0) first_dropped = line_number;
@@ -436,6 +603,53 @@ static void add_point(const double *x)
     to->n++;
     if (to->n == 100000 || to->n % 1000000 == 0)
         say("reading %s: %ld points", to->input, (long)to->n);
+}
+
+/* add_group - the label of the last point's group. */
+static void add_group(const char *text)
+{
+    tess_int i = to->n - 1;
+    size_t length = strlen(text) + 1;
+
+    /* (where i is a power of two, or 0) */
+    if ((i & (i - 1)) == 0)
+        label = (size_t *)more_space(label, 2.0 * (double)i + 1.0,
+                                     sizeof *label);
+    if (i > 0 && strcmp(labels + label[i - 1], text) == 0) {
+        label[i] = label[i - 1];
+        return;
+    }
+    if (labelled + length > labels_room) {
+        labels_room = 2 * (labels_room + length);
+        labels = (char *)more_space(labels, (double)labels_room, 1);
+    }
+    label[i] = labelled;
+    strcpy(labels + labelled, text);
+    labelled += length;
+}
+
+/* earlier - for qsort: by labels. */
+static int earlier(const void *a, const void *b)
+{
+    return strcmp(labels + label[*(const tess_int *)a],
+                  labels + label[*(const tess_int *)b]);
+}
+
+/* number_groups - in the order of their labels, from 0 on. */
+static void number_groups(void)
+{
+    tess_int *list = (tess_int *)space((double)to->n, sizeof *list), i, g = 0;
+
+    to->group = (tess_int *)space((double)to->n, sizeof *to->group);
+    for (i = 0; i < to->n; i++) list[i] = i;
+    qsort(list, (size_t)to->n, sizeof *list, earlier);
+    for (i = 0; i < to->n; i++) {
+        g += i > 0 && earlier(list + i - 1, list + i) != 0;
+        to->group[list[i]] = g;
+    }
+    free(list);
+    free(labels);
+    free(label);
 }
 
 /* axis - 0, 1, 2 for a column named x, y, z, else -1. */
@@ -494,6 +708,22 @@ static const char *option(void)
     return to->bare ? "-qcols" : "-cols";
 }
 
+/* find - the column that is named, by number or by name; for that option. */
+static int find(const char *s, size_t length, const char *of)
+{
+    int k = many;
+
+    if (strspn(s, "0123456789") < length)
+        k = called(s, length);
+    else if (length > 0 && length < 5 && *s != '0')
+        k = atoi(s) - 1;
+    if (k >= many)
+        fail("%s, line %ld: %s: no column %.*s among %d%s", to->input,
+             line_number, of, (int)length, s, many,
+             titles > 0 ? "" : ", and no line of names before them");
+    return k;
+}
+
 /* choose - the columns that -cols names: x, y, z, then values.  Returns how
  * many. */
 static int choose(int *at)
@@ -504,20 +734,10 @@ static int choose(int *at)
 
     for (;;) {
         length = strcspn(s, ",");
-        k = many;
-        if (strspn(s, "0123456789") < length)
-            k = called(s, length);
-        else if (length > 0 && length < 5 && *s != '0')
-            k = atoi(s) - 1;
-        if (k >= many)
-            fail("%s, line %ld: %s: no column %.*s among %d%s", to->input,
-                 line_number, option(), (int)length, s, many,
-                 titles > 0 ? "" : ", and no line of names before them");
+        k = find(s, length, option());
         if (!fields[k].number && !fields[k].text[0])
             fail_empty(line_number, k + 1);
-        if (!fields[k].number)
-            fail("%s, line %ld: %s: column %d is not a number: %.30s",
-                 to->input, line_number, option(), k + 1, fields[k].text);
+        if (!fields[k].number) fail_cell(k);
         if (part[k] != UNUSED || found == COLUMNS)
             fail("%s: column %.*s twice", option(), (int)length, s);
         part[k] = found < 3 ? found : VALUE;
@@ -539,6 +759,7 @@ static void columns(void)
     if (titles != many) titles = 0;
     at[0] = at[1] = at[2] = -1;
     for (k = 0; k < many; k++) part[k] = UNUSED;
+    if (to->by) by = find(to->by, strlen(to->by), "-by");
     if (to->cols) found = choose(at);
     for (k = 0; k < titles && !to->cols; k++) {
         int a = axis(title[k]);
@@ -546,18 +767,20 @@ static void columns(void)
         if (a < 0 || at[a] >= 0) continue;
         if (!fields[k].text[0] && !fields[k].number)
             fail_empty(line_number, k + 1);
+        if (!fields[k].number && begins_number(fields[k].text)) fail_cell(k);
         if (!fields[k].number) continue;
         at[a] = k;
         found++;
     }
     if (found < 3)
         for (k = found = 0; k < many && found < 3; k++)
-            if (fields[k].number) at[found++] = k;
+            if (fields[k].number && k != by) at[found++] = k;
     if (found < 3) fail_line("fewer than three numbers");
     for (k = 0; k < 3; k++) part[at[k]] = k;
     for (k = 0; k < many; k++) {
         if (!fields[k].number) part[k] = fields[k].text[0] ? LABEL : HOLLOW;
-        if (part[k] == UNUSED && found == 3 && !to->bare) part[k] = VALUE;
+        if (k == by && part[k] >= LABEL && part[k] != VALUE) part[k] = UNUSED;
+        else if (part[k] == UNUSED && found == 3 && !to->bare) part[k] = VALUE;
         if (part[k] != VALUE) continue;
         if (titles > 0 && title[k][0])
             strcpy(to->name[to->columns], title[k]);
@@ -600,6 +823,7 @@ static void row(void)
         drop();
         return;
     }
+    if (by >= 0 && !fields[by].text[0]) fail_empty(line_number, by + 1);
     for (k = 0; k < many; k++) {
         if (part[k] == HOLLOW && fields[k].number)
             fail_empty(first_line, k + 1);
@@ -607,13 +831,13 @@ static void row(void)
             continue;
         if (!fields[k].number && !fields[k].text[0])
             fail_empty(line_number, k + 1);
-        if (!fields[k].number)
-            fail("%s, line %ld: column %d is not a number: %.30s%s",
-                 to->input, line_number, k + 1, fields[k].text,
-                 missing(fields[k].text) ? " (-skip drops such lines)" : "");
-        if (part[k] < LABEL) x[part[k]] = fields[k].x;
+        if (!fields[k].number) fail_cell(k);
+        if (part[k] >= LABEL) continue;
+        x[part[k]] = fields[k].x;
+        misplaced += void_value(fields[k].x);
     }
     add_point(x);
+    if (by >= 0) add_group(fields[by].text);
     v = to->value + to->columns * (long)(to->n - 1);
     for (k = 0; k < many; k++)
         if (part[k] == VALUE) *v++ = fields[k].x;
@@ -629,14 +853,16 @@ static void shape(void)
     count_from = fields[0].x;
     counting = count(0) && count_from <= 1.0;
     for (k = 0; k < many && !to->cols; k++)
-        if (part[k] == LABEL || part[k] == HOLLOW)
+        if (part[k] == LABEL && hint(fields[k].text, fields[k].quoted))
+            fail_cell(k);
+        else if (part[k] == LABEL || part[k] == HOLLOW)
             warn("%s: column %d (%.20s) is not a number: skipped", to->input,
                  k + 1, part[k] == LABEL ? fields[k].text : "empty");
     /* 0,13,0,84,0,5: to tell is beyond a program */
     for (k = 0; k < many && count(k); k++) continue;
-    if (many >= 6 && many % 2 == 0 && k == many)
+    if (many >= 6 && many % 2 == 0 && k == many && separator == ',')
         warn("%s: whole numbers in %d columns; if commas are decimal signs, "
-             "write points",
+             "put something else between columns, and see -decimal",
              to->input, many);
 }
 
@@ -679,6 +905,7 @@ static void rows(double want, int perhaps, int rest)
             for (k = 0; k < to->columns * (long)(to->n - 1); k++)
                 to->value[k] = to->value[k + to->columns];
             for (i = 1; i < to->n; i++) to->line[i - 1] = to->line[i];
+            for (i = 1; i < to->n && by >= 0; i++) label[i - 1] = label[i];
             to->n--;
             row();
             break;
@@ -695,8 +922,38 @@ static void rows(double want, int perhaps, int rest)
 
 static void need_line(void)
 {
-    if (!next_line()) fail("%s: ends before the first point", to->input);
+    if (!next_line())
+        fail("%s: ends before the first point%s", to->input, suspect);
     split();
+}
+
+/* suspects - of a line that is none of a point: leave if it seems to be one but
+ * for a cell; and keep in mind what else begins as a number. */
+static void suspects(void)
+{
+    const char *why;
+    int named = titles == many && separator && numbers() > 0;
+    int k, bad = -1, found = numbers(), strange = 0, begun = 0;
+
+    for (k = 0; k < many; k++) {
+        if (fields[k].number || !fields[k].text[0]) continue;
+        why = hint(fields[k].text, fields[k].quoted);
+        /* (with -decimal , one cell, where commas should separate) */
+        strange += why ? (many == 1 ? 3 : 1) : 0;
+        begun += begins_number(fields[k].text);
+        if (begins_number(fields[k].text) && !suspect[0])
+            sprintf(suspect, "; line %ld: column %d is not a number: %.30s%s",
+                    line_number, k + 1, fields[k].text, why ? why : "");
+        if (bad < 0 && (why || begins_number(fields[k].text) ||
+                        (named && axis(title[k]) >= 0)))
+            bad = k;
+    }
+    if (bad >= 0 && (named || found + strange >= 3 ||
+                     (found > 1 && found + begun >= 3)))
+        fail_cell(bad);
+    if (found > 1 && titles != many)
+        warn("%s, line %ld: is taken for names, or a comment, not for a point",
+             to->input, line_number);
 }
 
 /* after - what is behind `key=' in the line, and behind a quote or bracket
@@ -805,15 +1062,16 @@ static void read_text(void)
     long first = line_number;
     int perhaps = 0, named, words, hollow, at[3], k;
 
+    refuse();
     if (many == 2 && count(0) && count(1) &&
         (fields[0].x == 3.0 || fields[1].x == 3.0)) {
         /* Qhull's dimension and number, in any order */
         want = fields[fields[0].x == 3.0].x;
         need_line();
     } else if (count(0) &&
-               (many == 1 ||
-                (!fields[1].number &&
-                 numbers() < (word(1, "") ? 2 : word(1, "rbox") ? many : 3)))) {
+               (many == 1 || (word(1, "") && numbers() < 2) ||
+                (!fields[1].number && !separator &&
+                 numbers() < (word(1, "rbox") ? many : 3)))) {
         want = fields[0].x;
         if (!next_line()) fail("%s: ends before the first point", to->input);
         named = line_number == first + 1 && extended();
@@ -833,6 +1091,7 @@ static void read_text(void)
     }
     while (numbers() < 3) {
         refuse();
+        suspects();
         if (numbers() == many) fail_line("fewer than three numbers");
         for (k = words = 0; k < many; k++) words += !fields[k].number;
         for (k = hollow = 0; k < many; k++)
@@ -970,7 +1229,7 @@ static void crystal(void)
 /* read_pdb - atoms, with their temperature factors; of the first model. */
 static void read_pdb(void)
 {
-    double x[3];
+    double x[3], factor;
     int k;
 
     to->columns = 1;
@@ -987,8 +1246,14 @@ static void read_pdb(void)
         if (strlen(line) < 54) fail_line("not an atom of a PDB file");
         for (k = 0; k < 3; k++)
             x[k] = column(31 + 8 * k, 38 + 8 * k, 0.0);
+        factor = column(61, 66, 0.0);
+        if (void_value(factor)) {
+            voided++;
+            drop();
+            continue;
+        }
         add_point(x);
-        if (!to->bare) to->value[to->n - 1] = column(61, 66, 0.0);
+        if (!to->bare) to->value[to->n - 1] = factor;
     } while (next_line());
 }
 
@@ -1011,18 +1276,24 @@ static void read_node(void)
     for (k = 0; k < attributes; k++)
         sprintf(to->name[k], k > 0 ? "value%d" : "value", k + 1);
     if (to->marker) strcpy(to->name[attributes], "marker");
-    while ((double)to->n < want) {
+    while ((double)to->n + (double)dropped < want) {
         if (!next_line())
-            fail("%s: ends after %ld of %.0f points", to->input, (long)to->n,
-                 want);
+            fail("%s: ends after %ld of %.0f points", to->input,
+                 (long)to->n + dropped, want);
         split();
         if (numbers() < 4 + to->columns || numbers() < many)
             fail("%s, line %ld: not %d numbers", to->input, line_number,
                  4 + to->columns);
-        if (to->n == 0 && fields[0].x == 1.0) to->base = 1;
-        if (fields[0].x != (double)(to->n + to->base))
+        if (to->n + dropped == 0 && fields[0].x == 1.0) to->base = 1;
+        if (fields[0].x != (double)to->n + (double)dropped + (double)to->base)
             fail_line("points are not numbered one after the other from 0 "
                       "or 1");
+        for (k = 0; k < attributes && !void_value(fields[k + 4].x);) k++;
+        if (k < attributes) {
+            voided++;
+            drop();
+            continue;
+        }
         for (k = 0; k < 3; k++) x[k] = fields[k + 1].x;
         add_point(x);
         for (k = 0; k < to->columns && !to->bare; k++)
@@ -1033,9 +1304,9 @@ static void read_node(void)
 /* fixed - leave if -cols is given for a format that has no choice. */
 static void fixed(const char *format)
 {
-    if (to->cols)
-        fail("%s: %s is for lines of numbers, not for %s", to->input, option(),
-             format);
+    if (to->cols || to->by)
+        fail("%s: %s is for lines of numbers, not for %s", to->input,
+             to->cols ? option() : "-by", format);
 }
 
 /* pdb - does the line begin as those of a PDB file do? */
@@ -1057,8 +1328,11 @@ void read_points(const char *name, points *a)
 
     to = a;
     filled = taken = 0;
-    titles = width = counting = first_open = 0;
-    line_number = first_line = dropped = 0;
+    titles = width = counting = first_open = apart = 0;
+    suspect[0] = '\0';
+    by = -1;
+    decimals = to->decimal == ',';
+    line_number = first_line = dropped = voided = misplaced = 0;
     to->input = "standard input";
     file = stdin;
     if (name && strcmp(name, "-") != 0) {
@@ -1094,15 +1368,26 @@ void read_points(const char *name, points *a)
             read_text();
     }
     if (to->n == 0 && dropped > 0)
-        fail("%s: no points: -skip drops all %ld rows; name the columns that "
-             "are wanted: %s X,Y,Z%s",
-             to->input, dropped, option(), to->bare ? "" : ",VALUE");
+        fail("%s: no points: %s drops all %ld rows; name the columns that are "
+             "wanted: %s X,Y,Z%s",
+             to->input, to->skip ? "-skip" : "-nodata", dropped, option(),
+             to->bare ? "" : ",VALUE");
     if (to->n == 0) fail("%s: no points", to->input);
     rooms((double)to->n,
           to->bare ? 0.0 : (double)to->n * (double)to->columns);
+    if (by >= 0) number_groups();
     if (dropped > 0)
         warn("%s: %ld row%s dropped for a number that is missing, the first "
-             "in line %ld",
-             to->input, dropped, dropped > 1 ? "s" : "", first_dropped);
+             "in line %ld%s",
+             to->input, dropped, dropped > 1 ? "s" : "", first_dropped,
+             to->columns > 1
+                 ? "; fewer if -cols X,Y,Z,VALUE asks for one column's values"
+                 : "");
+    if (to->voids > 0 && voided == 0)
+        warn("%s: -nodata: no value is such a number", to->input);
+    if (misplaced > 0)
+        warn("%s: %ld coordinate%s a number of -nodata, which is for values: "
+             "not dropped",
+             to->input, misplaced, misplaced > 1 ? "s are" : " is");
     if (file != stdin) fclose(file);
 }

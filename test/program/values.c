@@ -25,6 +25,7 @@
 #define ROUNDS 3 /* of slopes                                      */
 #define STEPS 40 /* of the walk: tess_locate knows better starts   */
 #define MOST 60  /* tetrahedra about a natural neighbour, at first */
+#define FAR 290  /* exponents of two that the recipes cannot do with */
 
 const char *const method_name[METHODS] = {"linear", "smooth", "natural",
                                           "nearest"};
@@ -33,8 +34,17 @@ static const field *of;
 static int method, outside;
 static double number;
 
-/* smooth: for each point and column the value and its gradient */
-static double *bundle;
+/* for all but linear: the points times unit, which is 1 but for coordinates near
+ * the ends of the range, whose products would overflow or vanish */
+static const tess_real *at;
+static tess_real *scaled;
+static double unit;
+
+/* smooth: for each point and column the value, by much, and its gradient */
+static double *bundle, much[COLUMNS];
+
+/* -clip: each column's range */
+static double low[COLUMNS], high[COLUMNS];
 
 /* nearest: the tetrahedra at each point */
 static tess_int *first, *list;
@@ -45,9 +55,22 @@ static double *sibson, *laplace, *work;
 
 /* ---------------------------------------------------------------- memory */
 
+/* no_room - what natural had. */
+static void no_room(void)
+{
+    free(neighbour);
+    free(sibson);
+    free(laplace);
+    free(iwork);
+    free(work);
+    sibson = laplace = work = 0;
+    neighbour = iwork = 0;
+}
+
 /* room - arrays for natural. */
 static void room(tess_int tetrahedra)
 {
+    no_room();
     most = tetrahedra;
     neighbour = (tess_int *)space((double)most + 3.0, sizeof *neighbour);
     sibson = (double *)space((double)most + 3.0, sizeof *sibson);
@@ -58,16 +81,14 @@ static void room(tess_int tetrahedra)
 
 void values_end(void)
 {
+    no_room();
+    free(scaled);
     free(bundle);
     free(first);
     free(list);
-    free(neighbour);
-    free(sibson);
-    free(laplace);
-    free(iwork);
-    free(work);
-    bundle = sibson = laplace = work = 0;
-    first = list = neighbour = iwork = 0;
+    scaled = 0;
+    bundle = 0;
+    first = list = 0;
 }
 
 /* ------------------------------------------------------------------ walk */
@@ -196,22 +217,65 @@ static void recipe(const char *name, int code)
                   code, name);
 }
 
+/* factor - 1, or for numbers near the ends of the range the power of two that
+ * brings the largest one near 1. */
+static double factor(double largest)
+{
+    int power;
+
+    frexp(largest, &power);
+    if (power > -FAR && power < FAR) return 1.0;
+    /* (with its reciprocal in the range) */
+    return ldexp(1.0, power > 1000 ? -1000 : power < -1000 ? 1000 : -power);
+}
+
+/* scale_points - see unit; leave if that alters them. */
+static void scale_points(void)
+{
+    size_t many = 3 * (size_t)of->n, i;
+    double largest = 0.0;
+
+    for (i = 0; i < many; i++)
+        if (fabs((double)of->p[i]) > largest) largest = fabs((double)of->p[i]);
+    at = of->p;
+    unit = factor(largest);
+    if (unit == 1.0) return;
+    at = scaled = (tess_real *)space((double)many, sizeof *scaled);
+    for (i = 0; i < many; i++) {
+        scaled[i] = (tess_real)((double)of->p[i] * unit);
+        if ((double)scaled[i] / unit != (double)of->p[i])
+            fail("-method %s: the coordinates differ too much in magnitude; "
+                 "choose linear",
+                 method_name[method]);
+    }
+}
+
 /* gradients - of each column, beside its values. */
 static void gradients(void)
 {
-    double n = (double)of->n, *column, *g, *b;
+    double n = (double)of->n, *column, *g, *b, largest;
     tess_int i;
-    int code, j, k;
+    int code, finite, j, k;
 
     bundle = (double *)space(4.0 * n * (double)of->columns, sizeof *bundle);
     column = (double *)space(n, sizeof *column);
     g = (double *)space(3.0 * n, sizeof *g);
     work = (double *)space(9.0 * n, sizeof *work);
     for (j = 0; j < of->columns; j++) {
-        for (i = 0; i < of->n; i++)
+        for (largest = 0.0, finite = 1, i = 0; i < of->n; i++) {
             column[i] = of->value[(size_t)of->columns * (size_t)i + (size_t)j];
-        code = slopes(of->n, of->p, of->ntet, of->tet, of->adj, column, ROUNDS,
-                      g, work);
+            if (!(fabs(column[i]) <= DBL_MAX))
+                finite = 0;
+            else if (fabs(column[i]) > largest)
+                largest = fabs(column[i]);
+        }
+        much[j] = 1.0 / factor(largest);
+        for (i = 0; i < of->n; i++) column[i] /= much[j];
+        code = slopes(of->n, at, of->ntet, of->tet, of->adj, column, ROUNDS, g,
+                      work);
+        if (code == TESS_RANGE && finite)
+            fail("-method smooth: gradients are beyond the range of numbers; "
+                 "choose another method");
         /* what is no number makes places near it so */
         if (code != TESS_RANGE) recipe("slopes", code);
         for (i = 0; i < of->n; i++) {
@@ -226,6 +290,24 @@ static void gradients(void)
     work = 0;
 }
 
+/* limits - of each column's values, which values are held within. */
+static void limits(void)
+{
+    double x;
+    tess_int i;
+    int j;
+
+    for (j = 0; j < of->columns; j++) {
+        low[j] = DBL_MAX;
+        high[j] = -DBL_MAX;
+        for (i = 0; i < of->n; i++) {
+            x = of->value[(size_t)of->columns * (size_t)i + (size_t)j];
+            if (x < low[j] && x >= -DBL_MAX) low[j] = x;
+            if (x > high[j] && x <= DBL_MAX) high[j] = x;
+        }
+    }
+}
+
 void values_begin(const field *what, int by, int beyond, double otherwise)
 {
     of = what;
@@ -233,6 +315,8 @@ void values_begin(const field *what, int by, int beyond, double otherwise)
     outside = beyond;
     number = otherwise;
     seen.t = TESS_NONE;
+    if (chosen.clip) limits();
+    if (method != LINEAR) scale_points();
     if (method == SMOOTH) gradients();
     if (method == NATURAL) room(MOST);
     if (method == NEAREST) {
@@ -257,7 +341,7 @@ static void row(tess_int i, double w, double *out)
 static void smooth(const tess_real *q, int beyond, const tess_int *v,
                    const double *w, double *out)
 {
-    const tess_real *a = of->p + 3 * (size_t)v[0], *b;
+    const tess_real *a = at + 3 * (size_t)v[0], *b;
     const double *f;
     double x[3], h[3];
     int i, j, k;
@@ -265,16 +349,17 @@ static void smooth(const tess_real *q, int beyond, const tess_int *v,
     for (k = 0; k < 3; k++) {
         x[k] = beyond ? (double)a[k] : (double)q[k];
         for (i = 1; i < 4 && beyond; i++)
-            x[k] += w[i] * ((double)of->p[3 * (size_t)v[i] + (size_t)k] -
-                            (double)a[k]);
+            x[k] += w[i] *
+                    ((double)at[3 * (size_t)v[i] + (size_t)k] - (double)a[k]);
     }
     for (i = 0; i < 4; i++) {
-        b = of->p + 3 * (size_t)v[i];
+        b = at + 3 * (size_t)v[i];
         f = bundle + 4 * (size_t)of->columns * (size_t)v[i];
         for (k = 0; k < 3; k++) h[k] = (x[k] - (double)b[k]) / 2.0;
         for (j = 0; j < of->columns; j++, f += 4)
             out[j] += w[i] * (f[0] + h[0] * f[1] + h[1] * f[2] + h[2] * f[3]);
     }
+    for (j = 0; j < of->columns; j++) out[j] *= much[j];
 }
 
 /* sibsons - the sum by Sibson's weights. */
@@ -283,13 +368,10 @@ static void sibsons(const tess_real *q, tess_int t, double *out)
     tess_int many, i;
     int code;
 
-    while ((code = natural(of->p, of->ntet, of->tet, of->adj, q, &t, most,
+    while ((code = natural(at, of->ntet, of->tet, of->adj, q, &t, most,
                            &many, neighbour, sibson, laplace, iwork, work)) ==
-           TESS_POOL) {
-        i = 2 * most;
-        values_end();
-        room(i);
-    }
+           TESS_POOL)
+        room(2 * most);
     recipe("natural", code);
     for (i = 0; i < many; i++) row(neighbour[i], sibson[i], out);
 }
@@ -302,7 +384,7 @@ static void closest(const tess_real *q, const tess_int *v, const double *w,
 
     for (k = 1; k < 4; k++)
         if (w[k] > w[best]) best = k;
-    row(nearest(of->p, of->tet, first, list, q, v[best]), 1.0, out);
+    row(nearest(at, of->tet, first, list, q, v[best]), 1.0, out);
 }
 
 tess_int values_start(const tess_real *q, tess_int start)
@@ -317,6 +399,7 @@ void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
 {
     const tess_int *v;
     tess_int last = TESS_NONE, i;
+    tess_real near[3]; /* q, times unit */
     double w[4];
     int beyond, j, k;
 
@@ -329,14 +412,20 @@ void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
             out[j] = beyond && outside == OUT_VALUE ? number : 0.0;
         if (beyond && outside == OUT_VALUE) continue;
         v = of->tet + 4 * (size_t)last;
+        for (k = 0; k < 3 && method != LINEAR; k++)
+            near[k] = unit == 1.0 ? q[k] : (tess_real)((double)q[k] * unit);
         if (method == SMOOTH)
-            smooth(q, beyond, v, w, out);
+            smooth(near, beyond, v, w, out);
         else if (method == NATURAL && !beyond)
-            sibsons(q, last, out);
+            sibsons(near, last, out);
         else if (method == NEAREST)
-            closest(q, v, w, out);
+            closest(near, v, w, out);
         else
             for (k = 0; k < 4; k++) row(v[k], w[k], out);
+        for (j = 0; j < of->columns && chosen.clip; j++) {
+            if (out[j] < low[j]) out[j] = low[j];
+            if (out[j] > high[j]) out[j] = high[j];
+        }
     }
 }
 
@@ -361,124 +450,4 @@ void progress(double done, double total)
                 difftime(now, began) * (total / (done + 1e-9) - 1.0));
         fflush(stderr);
     }
-}
-
-/* ------------------------------------------------------ cross-validation */
-
-/* What is known of a method's errors in a column. */
-typedef struct tally {
-    double sum, absolute, square, worst;
-    tess_int where;
-} tally;
-
-static tally sums[METHODS][COLUMNS];
-static double counted[METHODS], missed[METHODS]; /* points; those outside */
-
-static void count(tally *a, double error, tess_int i)
-{
-    a->sum += error;
-    a->absolute += fabs(error);
-    a->square += error * error;
-    /* (a NaN is the worst) */
-    if (a->where != TESS_NONE &&
-        (a->worst != a->worst || fabs(error) <= fabs(a->worst)))
-        return;
-    a->worst = error;
-    a->where = i;
-}
-
-/* remesh - the mesh of the field's points, where m's was. */
-static void remesh(mesh *m, field *f, long part)
-{
-    int code = tetrahedralize(m, f->n, f->p, 0);
-
-    f->ntet = m->ntet;
-    f->tet = m->tet;
-    f->adj = m->adj;
-    if (code == TESS_PLANE || code == TESS_LINE || code == TESS_POINT)
-        fail("-validate: without part %ld no tetrahedron is left; choose more "
-             "parts",
-             part + 1);
-    if (code != TESS_OK)
-        too_small("-validate: code %d of tess for the points without part %ld",
-                  code, part + 1);
-}
-
-static void print_table(const points *in, const int *asked)
-{
-    const tally *a;
-    const tess_real *x;
-    int k, j, width = 6;
-
-    for (j = 0; j < in->columns; j++)
-        if ((int)strlen(in->name[j]) > width) width = (int)strlen(in->name[j]);
-    printf("%-8s %-*s %13s %13s %13s %13s %9s  %s\n", "method", width,
-           "column", "bias", "mean error", "rms error", "worst", "outside",
-           "worst at");
-    for (k = 0; k < METHODS; k++)
-        for (j = 0; j < in->columns && asked[k]; j++) {
-            a = sums[k] + j;
-            printf("%-8s %-*s", method_name[k], width, in->name[j]);
-            if (a->where == TESS_NONE) {
-                printf(" %13s %13s %13s %13s %9.0f  -\n", "-", "-", "-", "-",
-                       missed[k]);
-                continue;
-            }
-            x = in->p + 3 * (size_t)a->where;
-            printf(" %13.6g %13.6g %13.6g %13.6g %9.0f  %.9g,%.9g,%.9g\n",
-                   a->sum / counted[k], a->absolute / counted[k],
-                   sqrt(a->square / counted[k]), a->worst, missed[k],
-                   (double)x[0], (double)x[1], (double)x[2]);
-        }
-}
-
-void cross_validate(mesh *m, const tess_int *same, const double *value,
-                    long parts, const int *asked, int beyond)
-{
-    const points *in = m->in;
-    size_t columns = (size_t)in->columns;
-    double *v = (double *)space((double)columns * (double)in->n, sizeof *v);
-    tess_real *p = (tess_real *)space(3.0 * (double)in->n, sizeof *p);
-    double out[COLUMNS];
-    tess_int i, t;
-    field f;
-    long part;
-    int k, j;
-
-    for (k = 0; k < METHODS; k++)
-        for (j = 0; j < in->columns; j++) sums[k][j].where = TESS_NONE;
-    f.p = p;
-    f.keep = 0;
-    f.value = v;
-    f.columns = in->columns;
-    for (part = 0; part < parts; part++) {
-        for (f.n = i = 0; i < in->n; i++) {
-            if (same[i] != i || (long)i % parts == part) continue;
-            memcpy(p + 3 * (size_t)f.n, m->p + 3 * (size_t)i, 3 * sizeof *p);
-            memcpy(v + columns * (size_t)f.n, value + columns * (size_t)i,
-                   columns * sizeof *v);
-            f.n++;
-        }
-        remesh(m, &f, part);
-        for (k = 0; k < METHODS; k++) {
-            if (!asked[k]) continue;
-            values_begin(&f, k, beyond, 0.0);
-            t = TESS_NONE;
-            for (i = (tess_int)part; i < in->n; i += (tess_int)parts) {
-                if (same[i] != i) continue;
-                values_at(1, m->p + 3 * (size_t)i, &t, out);
-                missed[k] += t < 0;
-                if (t < 0 && beyond != OUT_NEAREST) continue;
-                counted[k] += 1.0;
-                for (j = 0; j < in->columns; j++)
-                    count(sums[k] + j,
-                          out[j] - value[columns * (size_t)i + (size_t)j], i);
-            }
-            values_end();
-        }
-        progress((double)(part + 1), (double)parts);
-    }
-    print_table(in, asked);
-    free(v);
-    free(p);
 }

@@ -1,5 +1,5 @@
-/* values.h - the values of a field at any places, by four methods; and what
- * errors they have, by cross-validation. */
+/* values.h - the values of a field at any places, by four methods (values.c);
+ * and what errors they have, by cross-validation (validate.c). */
 #ifndef VALUES_H
 #define VALUES_H
 
@@ -50,9 +50,13 @@ tess_int values_start(const tess_real *q, tess_int start);
 /* values_end - give back the memory. */
 void values_end(void);
 
-/* cross_validate - leave out the points i mod parts = 0, then 1, and so on: the
- * mesh of the others predicts their values by each method; print a table of
- * the errors.
+/* no_number - a NaN without a sign. */
+double no_number(void);
+
+/* cross_validate - deal the points to parts by chance, the same on every
+ * machine; or, by -by, groups of them.  Leave out one part after the other: the
+ * mesh of the others predicts its values by each method.  Print a table of the
+ * errors, and write them, by -errors.
  *
  *   m        the points, and arrays for the others' mesh: what m holds is lost
  *   same     same[i] is the point that stands for i; no other one counts

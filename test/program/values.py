@@ -251,14 +251,23 @@ for method in METHODS[:3]:
 
 # where double precision does not locate: units beyond its range, needles, and
 # facets that places are in but for rounding
-tess("-q", "-query", "inside.csv", "-values", "one.npy", "points.csv")
-one = np.load("one.npy")
-for power in -1000, -345, -340, 340, 1000:
-    save("far.csv", p * 2.0 ** power, T, U)
-    save("there.csv", q * 2.0 ** power)
-    tess("-q", "-query", "there.csv", "-values", "far.npy", "far.csv")
-    test("linear: coordinates times 2^%d" % power,
-         near(np.load("far.npy"), one, 1e-12))
+for method in METHODS:
+    o = ["-q", "-query", "inside.csv", "-method", method, "-values"]
+    tess(*o, "one.npy", "points.csv")
+    one = np.load("one.npy")
+    for power in -1000, -345, -340, 340, 1000:
+        save("far.csv", p * 2.0 ** power, T, U)
+        save("there.csv", q * 2.0 ** power)
+        o[2] = "there.csv"
+        tess(*o, "far.npy", "far.csv")
+        test("%s: coordinates times 2^%d" % (method, power),
+             near(np.load("far.npy"), one, 1e-12))
+    for power in -1000, 1010:
+        save("far.csv", p, np.ldexp(T, power), np.ldexp(U, power))
+        o[2] = "inside.csv"
+        tess(*o, "far.npy", "far.csv")
+        test("%s: values times 2^%d" % (method, power),
+             near(np.ldexp(np.load("far.npy"), -power), one, 1e-12))
 thin = p * (1, 1e-6, 1e-12)
 save("thin.csv", thin, linear(p))
 tess("-q", "-grid", "21,21,21", "-values", "thin.npy", "thin.csv")
@@ -471,16 +480,59 @@ test("a NaN among the values: it is said", "1 value is not finite" in tess.said)
 test("a NaN among the values: the others come out as they are",
      near(np.load("h.npy"), np.column_stack((hole, U)), 0.0))
 
+# a value that stands for a missing one
+void = random.permutation(2000)[:70]
+codes = T.copy()
+codes[void] = -9999
+save("codes.csv", p, codes)
+q = random.random((500, 3))
+save("inside.csv", q)
+tess("-nodata", -9999, "-query", "inside.csv", "-values", "v.npy", "codes.csv")
+rest = np.delete(np.arange(2000), void)
+test("-nodata: as without these rows", near(
+    np.load("v.npy")[:, 0], LinearNDInterpolator(p[rest], T[rest])(q), 1e-12))
+test("-nodata: it is said", "70 rows dropped" in tess.said and
+     "far from" not in tess.said)
+for name, f, words in (
+        ("frequent", codes, "70 values of T are -9999, far from"),
+        ("nines", np.where(np.arange(2000) == 7, 999, 99 * T),
+         "1 value of T is 999, far from"),
+        ("huge", np.where(np.arange(2000) < 2, np.float32(1e20), T),
+         "-nodata " + repr(float(np.float32(1e20)))),
+        ("others", np.where(np.arange(2000) < 2, -50.1, T),
+         "-nodata -50.1"),
+        ("once", np.where(np.arange(2000) == 7, -50.1, T), ""),
+        ("none", T, ""), ("one value", 0 * T, ""),
+        ("two values", np.round(random.random(2000)), ""),
+        ("its own tail", np.exp(5 * random.standard_normal(2000)), "")):
+    save("far.csv", p, f)
+    tess("-grid", "2,2,2", "-values", "v.npy", "far.csv")
+    test("values far from all others are said: " + name,
+         words in tess.said if words else "far from" not in tess.said)
+
 # ---- cross-validation, by a direct leave-out ----
 
 def table(*arguments):
+    """What -validate prints; table.best and table.beyond, its last lines."""
     rows = tess("-q", *arguments).split("\n")
     names = rows[0].split()
     assert rows[0].split()[:2] == ["method", "column"], names
-    found = {}
+    found, table.best, table.beyond = {}, {}, {}
     for r in rows[1:]:
         w = r.split()
-        if w:
+        if r.startswith("best by rms error: "):
+            for choice in r[len("best by rms error: "):].split(", "):
+                method, column = choice.split(" for ")
+                table.best[column] = method
+        elif r.startswith("beyond the data's range: none"):
+            assert not table.beyond
+        elif r.startswith("beyond the data's range: "):
+            m = re.match(r".*: (\w+) for (.*): (\d+) of (\d+) values, (\S+) "
+                         r"to (\S+); the data (\S+) to (\S+) \(see -clip\)$", r)
+            table.beyond[m.group(1), m.group(2)] = [
+                float(a) for a in m.groups()[2:]]
+        elif w:
+            assert w[0] in METHODS
             found[w[0], w[1]] = [float(a) for a in w[2:7]] + [
                 [float(a) for a in w[7].split(",")]]
     return found
@@ -499,33 +551,215 @@ def alike(a, b):
         near(np.array(a[5]), np.array(b[5]), 1e-8)
 
 
+def by_chance(n, k):
+    """The part of each of n points, by the generator of Park and Miller."""
+    order, part, seed = list(range(n)), np.zeros(n, int), 1
+    for i in range(n - 1, 0, -1):
+        seed = seed * 16807 % (2 ** 31 - 1)
+        j = seed % (i + 1)
+        order[i], order[j] = order[j], order[i]
+    part[order] = np.arange(n) % k
+    return part
+
+
+def predict(x, data, part, methods, *options):
+    """What the other parts' points predict of each part, by method."""
+    predicted = {m: np.full(data.shape, np.nan) for m in methods}
+    for r in set(part):
+        out = part == r
+        for m in methods:
+            if m == "linear":
+                predicted[m][out] = LinearNDInterpolator(
+                    x[~out], data[~out])(x[out])
+            elif m == "nearest":
+                predicted[m][out] = data[~out][
+                    cKDTree(x[~out]).query(x[out])[1]]
+            else:
+                save("others.csv", x[~out], data[~out])
+                save("out.csv", x[out])
+                tess("-q", "-query", "out.csv", "-method", m, *options,
+                     "-values", "o.npy", "others.csv")
+                predicted[m][out] = np.load("o.npy")
+    inside = ~np.isnan(LinearNDInterpolator(x, data[:, 0])(x))
+    if "linear" in methods:
+        inside = ~np.isnan(predicted["linear"][:, 0])
+    return predicted, inside
+
+
+def read_errors(name):
+    head = open(name).readline().strip().split(",")
+    return {h: c for h, c in zip(head, np.genfromtxt(
+        name, delimiter=",", skip_header=1).T)}
+
+
 x = random.random((200, 3))
 f, g = bent(x), 100 * linear(x) ** 2
+data = np.column_stack((f, g))
 save("left.csv", x, f, g)
 for k in 10, 7, 200:
-    predicted = {m: np.full((200, 2), np.nan) for m in METHODS}
-    inside = np.zeros(200, bool)
-    for r in range(k):
-        out = np.arange(200) % k == r
-        data = np.column_stack((f, g))[~out]
-        predicted["linear"][out] = LinearNDInterpolator(x[~out], data)(x[out])
-        predicted["nearest"][out] = data[cKDTree(x[~out]).query(x[out])[1]]
-        if k == 7:
-            save("others.csv", x[~out], f[~out], g[~out])
-            save("out.csv", x[out])
-            for m in "smooth", "natural":
-                tess("-q", "-query", "out.csv", "-method", m, "-values",
-                     "o.npy", "others.csv")
-                predicted[m][out] = np.load("o.npy")
-    inside = ~np.isnan(predicted["linear"][:, 0])
     which = METHODS if k == 7 else ["linear", "nearest"]
-    found = table("-validate", k, "-method", ",".join(which), "left.csv")
+    found = table("-validate", k, "-method", ",".join(which), "-errors",
+                  "e.csv", "left.csv")
+    errors = read_errors("e.csv")
+    part = errors["part"].astype(int) - 1
+    sizes = np.bincount(part, minlength=k)
+    test("-validate %d: parts of one size, but for one point" % k,
+         len(sizes) == k and sizes.max() - sizes.min() <= (200 % k > 0))
+    test("-validate %d: the parts are by chance, as everywhere" % k,
+         list(part) == list(by_chance(200, k)))
+    predicted, inside = predict(x, data, part, which)
     for m in which:
         for j, name in enumerate("TU"):
-            want = judged((predicted[m][:, j] - (f, g)[j])[inside], x[inside],
-                          (~inside).sum())
-            test("-validate %d: %s, %s" % (k, m, name),
-                 alike(found[m, name], want))
+            error = (predicted[m] - data)[:, j]
+            test("-validate %d: %s, %s" % (k, m, name), alike(
+                found[m, name],
+                judged(error[inside], x[inside], (~inside).sum())))
+            test("-errors: those of %s, %s" % (m, name), near(
+                errors[m + "-" + name], np.where(inside, error, np.nan),
+                1e-11 * np.abs(data[:, j]).max()))
+    test("-errors: places and values", near(np.column_stack(
+        [errors[h] for h in "xyzTU"]), np.column_stack((x, data)), 0.0))
+    test("-validate %d: the best" % k, table.best == {
+        name: min(which, key=lambda m: np.mean(
+            (predicted[m] - data)[inside, j] ** 2))
+        for j, name in enumerate("TU")})
+
+# a lattice, listed x fastest: its planes are not left out as such
+lattice = places((0, 0, 0), (9, 9, 9), (10, 10, 10)).reshape(-1, 3)
+h = np.sin(lattice[:, 0] / 2) + np.cos(lattice[:, 1] / 3) * lattice[:, 2]
+save("lattice.csv", lattice, h)
+found = table("-validate", 10, "-method", "linear,nearest", "-errors", "e.csv",
+              "lattice.csv")
+part = read_errors("e.csv")["part"]
+test("-validate: parts of a lattice are no planes",
+     all(len(set(lattice[part == r, k])) > 5 for r in set(part)
+         for k in range(3)))
+
+# groups: boreholes, words and numbers, as GroupKFold deals them
+holes, deep = 23, random.integers(8, 30, 23)
+hole = np.repeat(np.arange(holes), deep)
+x = np.column_stack((random.random((holes, 2))[hole] +
+                     1e-3 * random.random((len(hole), 2)),
+                     -np.concatenate([np.arange(n) / 30 for n in deep])))
+f = bent(3 * x)
+for words in True, False:
+    label = ["%s %d" % ("bh" if k % 2 else "BH", k) if words else "%d" % (k + 5)
+             for k in hole]
+    with open("holes.csv", "w") as out:
+        out.write("hole,x,y,z,T\n" if words else "x,y,z,T,hole\n")
+        for i in random.permutation(len(hole)):
+            row = "%.17g,%.17g,%.17g,%.17g" % (tuple(x[i]) + (f[i],))
+            out.write("%s,%s\n" % ((label[i], row) if words
+                                   else (row, label[i])))
+    for k in 10, 4:
+        found = table("-validate", k, "-by", "hole", "-method",
+                      "linear,nearest", "-errors", "e.csv", "holes.csv")
+        e = read_errors("e.csv")
+        test("-by: the column is no value", list(e) == [
+            "x", "y", "z", "part", "T", "linear-T", "nearest-T"])
+        at = cKDTree(x).query(np.column_stack([e[h] for h in "xyz"]))[1]
+        part = np.zeros(len(x), int)
+        part[at] = e["part"]
+        test("-by: no group is in two parts, %d" % k,
+             all(len(set(part[hole == i])) == 1 for i in range(holes)))
+        filled = np.zeros(k, int)
+        for n in sorted(deep)[::-1]:
+            filled[np.argmin(filled)] += n
+        test("-by: parts as large as GroupKFold's, %d" % k,
+             sorted(np.bincount(part)[1:]) == sorted(filled))
+        predicted, inside = predict(x, f[:, None], part, ["linear", "nearest"])
+        for m in predicted:
+            error = predicted[m][:, 0] - f
+            test("-by: %s, %d" % (m, k), alike(found[m, "T"], judged(
+                error[inside], x[inside], (~inside).sum())))
+    test("-by: larger errors than without", found["linear", "T"][2] >
+         1.5 * table("-validate", 4, "-cols", "x,y,z,T", "holes.csv")
+         ["linear", "T"][2])
+tess("-validate", 30, "-by", "hole", "-errors", "e.csv", "holes.csv")
+test("-by: fewer groups than parts: each alone, it is said",
+     "23 parts, each of one group" in tess.said and
+     sorted(np.bincount(read_errors("e.csv")["part"].astype(int))[1:]) ==
+     sorted(deep))
+tess("-validate", 4, "-by", "hole", "-alpha", 1, "-errors", "e.csv",
+     "holes.csv")
+test("-validate: -alpha does not matter, which is said",
+     "-validate is of the whole hull" in tess.said)
+open("bare.csv", "w").write("".join(list(open("holes.csv"))[1:]))
+tess("-q", "-validate", 4, "-by", 5, "-errors", "b.csv", "bare.csv")
+test("-by: a column by number, without names",
+     list(open("b.csv"))[1:] == list(open("e.csv"))[1:])
+with open("both.csv", "w") as out:
+    for i, at in enumerate(x):
+        out.write("%.17g,%.17g,%.17g,%.17g,%d\n" % (*at, f[i], hole[i]))
+    out.write("%.17g,%.17g,%.17g,%.17g,%d\n" % (*x[0], f[0], hole[-1]))
+tess("-validate", 4, "-by", 5, "-errors", "b.csv", "both.csv")
+test("-by: a place of two groups is said, and counts once",
+     "1 point is at a place of another group" in tess.said and
+     len(list(open("b.csv"))) == 1 + len(x))
+
+lines = list(open("holes.csv"))
+with open("lost.csv", "w") as out:
+    for i, line in enumerate(lines):
+        out.write(line if i % 5 else re.sub(",[^,]*$", ",NA\n", line))
+tess("-validate", 4, "-skip", "-by", 5, "-errors", "b.csv", "lost.csv")
+test("-by, -skip: a row without a group is dropped",
+     len(list(open("b.csv"))) == 1 + sum(i % 5 > 0 for i in range(len(lines))))
+
+# values beyond the data's range; -clip holds them
+x = random.random((600, 3))
+f = np.exp(2 * random.standard_normal(600))
+g = linear(x)
+data = np.column_stack((f, g))
+save("grades.csv", x, f, g)
+found = table("-validate", 5, "-method", "smooth,linear", "grades.csv")
+part = by_chance(600, 5)
+predicted, inside = predict(x, data, part, ["linear", "smooth"])
+s = predicted["smooth"][inside, 0]
+many = ((s < f.min()) | (s > f.max())).sum()
+want = [many, inside.sum(), s.min(), s.max(), f.min(), f.max()]
+test("-validate: values beyond the data's range: smooth, log-normal",
+     list(table.beyond) == [("smooth", "T")] and many > 20 and
+     np.allclose(table.beyond["smooth", "T"], want, rtol=1e-5, atol=0))
+clipped = s.copy()
+for r in range(5):
+    at = part[inside] == r
+    clipped[at] = np.clip(s[at], f[part != r].min(), f[part != r].max())
+found = table("-validate", 5, "-method", "smooth,linear", "-clip", "grades.csv")
+test("-clip: no value of -validate is beyond", table.beyond == {})
+test("-clip: the table of clipped values", alike(found["smooth", "T"], judged(
+    clipped - f[inside], x[inside], (~inside).sum())))
+save("inside.csv", random.random((3000, 3)))
+for outside in [], ["-outside", "nearest"], ["-outside", -7]:
+    o = ["-q", "-query", "inside.csv", "-method", "smooth", *outside]
+    tess(*o, "-values", "s.npy", "grades.csv")
+    tess(*o, "-clip", "-values", "c.npy", "grades.csv")
+    s = np.load("s.npy")
+    out = np.isnan(np.load("s.npy")) | (s == -7)
+    test("-clip: values in the data's range, %s" % outside, near(
+        np.load("c.npy"), np.where(out, s, np.clip(
+            s, data.min(0), data.max(0))), 0.0) and s[~out].min() < f.min())
+
+# units near the ends of the range of numbers: the errors of usual ones, scaled
+x = random.random((200, 3)) - 0.5
+f = bent(x)
+save("one.csv", x, f)
+one = table("-validate", "-method", ",".join(METHODS), "one.csv")
+for there, by in ((0, 1022), (0, -1000), (1023, 0), (-1000, 0), (1000, 1000),
+                  (-1000, -1000), (-1000, 1000)):
+    save("far.csv", np.ldexp(x, there), np.ldexp(f, by))
+    found = table("-validate", "-method", ",".join(METHODS), "far.csv")
+    test("-validate: coordinates times 2^%d, values times 2^%d" % (there, by),
+         all(alike([np.ldexp(a, -by) for a in found[k][:4]] + [found[k][4]] +
+                   [[np.ldexp(a, -there) for a in found[k][5]]], one[k])
+             for k in one))
+save("far.csv", np.vstack((np.ldexp(x, 1020), np.ldexp(x[:9], -600))),
+     np.concatenate((f, f[:9])))
+done = subprocess.run([TESS, "-q", "-validate", "-method", "smooth", "far.csv"],
+                      stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+test("-validate: what cannot be scaled is refused", done.returncode == 2 and
+     b"differ too much" in done.stderr and not done.stdout)
+x = random.random((200, 3))
+f, g = bent(x), 100 * linear(x) ** 2
 test("-validate: 10, if no number is given",
      table("-validate", "left.csv") == table("left.csv", "-validate", 10))
 inside = table("-validate", "-outside", "nearest", "left.csv")["linear", "T"]
@@ -534,9 +768,12 @@ save("shell.csv", np.vstack((corners, x)),
 test("-validate, -outside nearest: points outside count, too",
      inside[1] > table("-validate", "left.csv")["linear", "T"][1])
 save("twins.csv", np.repeat(x, 2, axis=0), np.repeat(f, 2))
-twins = table("-validate", 400, "-method", "nearest", "twins.csv")
+twins = table("-validate", 200, "-method", "nearest", "twins.csv")
 test("-validate: a duplicate does not predict its twin",
      twins["nearest", "T"][1] > 0.01)
+tess("-validate", 400, "twins.csv")
+test("-validate: fewer places than parts: it is said",
+     "200 parts, each of one place" in tess.said)
 save("hole.csv", x, np.where(np.arange(200) == 70, np.nan, f), g)
 found = table("-validate", "hole.csv")
 test("-validate: a NaN is the worst error",

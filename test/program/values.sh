@@ -42,6 +42,11 @@ cut -d, -f1-3 points > bare
 printf '0.5 0.5 0.5\n0.1 nan 0.2\n' > notfinite
 printf '0.5 0.5 0.5\n0.1 here 0.2\n' > word
 awk '{ print NR % 7, NR * NR % 11, 0, NR }' bare > plane
+printf '5 3 2 0\n0 0 0 0 1 7\n1 1 0 0 2 7\n2 0 1 0 3 7\n3 0 0 1 4 7\n4 1 1 1 5 7
+' > four.node
+printf '0,0,0,a\n1,0,0,b\n0,1,0,\n0,0,1,c\n' > hollow
+tail -n +2 four.node | cut -d' ' -f2- > single
+awk '{ print $1, $2, $3, $4, NR % 2 }' single > holes
 printf '0 0 0 1\n1 0 0 2\n0 1 0 3\n0 0 1 4\n' > four
 : > empty
 : > said; : > told; : > before; : > after
@@ -78,6 +83,15 @@ refuses 'choose one of them' -grid 2,2,2 -query bare -values v.npy points
 refuses 'is for -query' -qcols 1,2,3 -grid 2,2,2 -values v.npy points
 refuses 'for -values or' -method smooth points
 refuses 'for -values or' -outside 0 points
+refuses 'for -values or' -clip points
+refuses '-by is for -validate' -by x points
+refuses '-errors is for -validate' -errors e.csv points
+refuses '-by: no column hole among 4$' -validate -by hole points
+refuses 'by: no column 5 among 4$' -validate -by 5 points
+refuses 'line 3: column 4 is empty' -validate -by 4 hollow
+refuses 'is for lines of numbers, not for .node' -validate -by 1 four.node
+refuses 'all points are in one group' -q -validate -by 5 single
+refuses 'overwrite the input' -validate -errors points.csv points.csv
 refuses 'for -values F.csv$' -digits 3 points
 refuses 'for -values F.csv$' -digits 3 -grid 2,2,2 -values v.npy points
 refuses 'from 1 to 17' -digits 0 -grid 2,2,2 -values v.csv points
@@ -116,7 +130,9 @@ refuses 'knows the hull' -outside nearest -alpha 1 -grid 2,2,2 -values v.npy \
 # found when the mesh is there
 refuses 'lie in one plane' -q -grid 2,2,2 -values v.npy plane
 refuses 'lie in one plane' -q -validate plane
-refuses 'no tetrahedron is left' -q -validate 2 four
+refuses 'no tetrahedron is left; choose more parts' -q -validate 2 four
+refuses 'no tetrahedron is left; choose smaller groups' -q -validate 2 -by 5 \
+    holes
 
 # a file that cannot be completed is not there; one that was stays as it was
 if (trap '' XFSZ; ulimit -f 1000) 2> /dev/null; then

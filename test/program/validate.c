@@ -1,0 +1,385 @@
+/* validate.c - what errors the methods have, by cross-validation: see values.h.
+ */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "driver.h"
+#include "values.h"
+
+/* A value counts as beyond the data's range if it is by more than rounding. */
+#define ROUNDING 1e-12
+
+/* What is known of a method's errors in a column.  They are in units of
+ * 2^power[column], lest squares overflow or vanish. */
+typedef struct tally {
+    double sum, absolute, square, worst;
+    tess_int where;
+    double beyond, least, most; /* values beyond the data's range; all values */
+} tally;
+
+static tally sums[METHODS][COLUMNS];
+static double counted[METHODS], missed[METHODS]; /* points; those outside */
+static int power[COLUMNS];
+static double low[COLUMNS], high[COLUMNS]; /* the data's range */
+
+static long parts;
+static tess_int *part; /* of each point; TESS_NONE for one that does not count */
+static tess_int *size, *rank; /* of groups */
+static double *errors;  /* for the file: by point, asked method, column */
+
+/* ---------------------------------------------------------------- parts */
+
+/* chance - a number from 0 to below - 1.  Park and Miller's generator, in
+ * Schrage's form, whose products fit in 32 bits: the same on every machine. */
+static tess_int chance(tess_int below)
+{
+    static long seed = 1;
+
+    seed = 16807L * (seed % 127773L) - 2836L * (seed / 127773L);
+    if (seed <= 0) seed += 2147483647L;
+    return (tess_int)(seed % (long)below);
+}
+
+static void shuffle(tess_int *list, tess_int many)
+{
+    tess_int i, j, k;
+
+    for (i = many - 1; i > 0; i--) {
+        j = chance(i + 1);
+        k = list[i];
+        list[i] = list[j];
+        list[j] = k;
+    }
+}
+
+/* fewer - there are not so many parts as asked for. */
+static void fewer(tess_int many, const char *what)
+{
+    if ((long)many >= parts) return;
+    warn("-validate: %ld parts, each of one %s: there are no more", (long)many,
+         what);
+    parts = (long)many;
+}
+
+/* deal_points - parts by chance, which differ by one point at most. */
+static void deal_points(const points *in, tess_int *list)
+{
+    tess_int i, many = 0;
+
+    for (i = 0; i < in->n; i++)
+        if (part[i] != TESS_NONE) list[many++] = i;
+    fewer(many, "place");
+    shuffle(list, many);
+    for (i = 0; i < many; i++) part[list[i]] = (tess_int)((long)i % parts);
+}
+
+/* larger - for qsort: the larger group first, else that of lower rank. */
+static int larger(const void *x, const void *y)
+{
+    tess_int a = *(const tess_int *)x, b = *(const tess_int *)y;
+
+    if (size[a] != size[b]) return size[a] > size[b] ? -1 : 1;
+    return rank[a] < rank[b] ? -1 : 1;
+}
+
+/* deal_groups - the largest group first, each to the part that has the fewest
+ * points; groups of one size in an order by chance. */
+static void deal_groups(const points *in, tess_int *list)
+{
+    tess_int i, many = 0, *filled, *of;
+    long k, least;
+
+    size = (tess_int *)space((double)in->n, sizeof *size);
+    rank = (tess_int *)space((double)in->n, sizeof *rank);
+    of = (tess_int *)space((double)in->n, sizeof *of);
+    for (i = 0; i < in->n; i++) size[i] = 0;
+    for (i = 0; i < in->n; i++)
+        if (part[i] != TESS_NONE && size[in->group[i]]++ == 0)
+            list[many++] = in->group[i];
+    if (many < 2) fail("-by %s: all points are in one group", chosen.by);
+    fewer(many, "group");
+    shuffle(list, many);
+    for (i = 0; i < many; i++) rank[list[i]] = i;
+    qsort(list, (size_t)many, sizeof *list, larger);
+    filled = (tess_int *)space((double)parts, sizeof *filled);
+    for (k = 0; k < parts; k++) filled[k] = 0;
+    for (i = 0; i < many; i++) {
+        least = (long)i;
+        if (least >= parts)
+            for (least = 0, k = 1; k < parts; k++)
+                if (filled[k] < filled[least]) least = k;
+        filled[least] += size[list[i]];
+        of[list[i]] = (tess_int)least;
+    }
+    for (i = 0; i < in->n; i++)
+        if (part[i] != TESS_NONE) part[i] = of[in->group[i]];
+    free(size);
+    free(rank);
+    free(of);
+    free(filled);
+}
+
+/* deal - each place to a part.  Where points lie at one place, which is left out
+ * once, the first one's group counts. */
+static void deal(const points *in, const tess_int *same)
+{
+    tess_int *list = (tess_int *)space((double)in->n, sizeof *list), i;
+    long both = 0;
+
+    part = (tess_int *)space((double)in->n, sizeof *part);
+    for (i = 0; i < in->n; i++) {
+        part[i] = same[i] == i ? 0 : TESS_NONE;
+        both += in->group && in->group[i] != in->group[same[i]];
+    }
+    if (both > 0)
+        warn("-by %s: %ld point%s at a place of another group: left out with "
+             "that, not with %s own",
+             chosen.by, both, both > 1 ? "s are" : " is",
+             both > 1 ? "their" : "its");
+    if (in->group)
+        deal_groups(in, list);
+    else
+        deal_points(in, list);
+    free(list);
+}
+
+/* --------------------------------------------------------------- errors */
+
+/* ranges - of the data, and the unit of errors. */
+static void ranges(const points *in, const double *value)
+{
+    double x, most;
+    tess_int i;
+    int j;
+
+    for (j = 0; j < in->columns; j++) {
+        low[j] = DBL_MAX;
+        high[j] = -DBL_MAX;
+        for (i = 0; i < in->n; i++) {
+            x = value[(size_t)in->columns * (size_t)i + (size_t)j];
+            if (part[i] == TESS_NONE || !(fabs(x) <= DBL_MAX)) continue;
+            if (x < low[j]) low[j] = x;
+            if (x > high[j]) high[j] = x;
+        }
+        most = fabs(low[j]) > fabs(high[j]) ? fabs(low[j]) : fabs(high[j]);
+        frexp(most, power + j);
+    }
+}
+
+/* count - that x was predicted for point i, whose value in column j is given. */
+static void count(tally *a, int j, double x, double given, tess_int i)
+{
+    double error = ldexp(x, -power[j]) - ldexp(given, -power[j]);
+    double slack = ROUNDING * (high[j] > -low[j] ? high[j] : -low[j]);
+
+    a->beyond += x < low[j] - slack || x > high[j] + slack;
+    if (a->where == TESS_NONE || x < a->least) a->least = x;
+    if (a->where == TESS_NONE || x > a->most) a->most = x;
+    a->sum += error;
+    a->absolute += fabs(error);
+    a->square += error * error;
+    /* (a NaN is the worst) */
+    if (a->where != TESS_NONE &&
+        (a->worst != a->worst || fabs(error) <= fabs(a->worst)))
+        return;
+    a->worst = error;
+    a->where = i;
+}
+
+static double rms(int method, int j)
+{
+    return ldexp(sqrt(sums[method][j].square / counted[method]), power[j]);
+}
+
+/* remesh - the mesh of the field's points, where m's was. */
+static void remesh(mesh *m, field *f, long without)
+{
+    int code = tetrahedralize(m, f->n, f->p, 0);
+
+    f->ntet = m->ntet;
+    f->tet = m->tet;
+    f->adj = m->adj;
+    if (code == TESS_PLANE || code == TESS_LINE || code == TESS_POINT)
+        fail("-validate: without part %ld of %ld no tetrahedron is left; choose "
+             "%s",
+             without + 1, parts, chosen.by ? "smaller groups" : "more parts");
+    if (code != TESS_OK)
+        too_small("-validate: code %d of tess for the points without part %ld",
+                  code, without + 1);
+}
+
+/* -------------------------------------------------------------- results */
+
+static void print_table(const points *in, const int *asked)
+{
+    const tally *a;
+    const tess_real *x;
+    int k, j, width = 6;
+
+    for (j = 0; j < in->columns; j++)
+        if ((int)strlen(in->name[j]) > width) width = (int)strlen(in->name[j]);
+    printf("%-8s %-*s %13s %13s %13s %13s %9s  %s\n", "method", width,
+           "column", "bias", "mean error", "rms error", "worst", "outside",
+           "worst at");
+    for (k = 0; k < METHODS; k++)
+        for (j = 0; j < in->columns && asked[k]; j++) {
+            a = sums[k] + j;
+            printf("%-8s %-*s", method_name[k], width, in->name[j]);
+            if (a->where == TESS_NONE) {
+                printf(" %13s %13s %13s %13s %9.0f  -\n", "-", "-", "-", "-",
+                       missed[k]);
+                continue;
+            }
+            x = in->p + 3 * (size_t)a->where;
+            printf(" %13.6g %13.6g %13.6g %13.6g %9.0f  %.9g,%.9g,%.9g\n",
+                   ldexp(a->sum / counted[k], power[j]),
+                   ldexp(a->absolute / counted[k], power[j]), rms(k, j),
+                   ldexp(a->worst, power[j]), missed[k], (double)x[0],
+                   (double)x[1], (double)x[2]);
+        }
+}
+
+/* print_best - the method of least error for each column. */
+static void print_best(const points *in, const int *asked)
+{
+    int k, j, best;
+
+    printf("best by rms error:");
+    for (j = 0; j < in->columns; j++) {
+        for (best = -1, k = 0; k < METHODS; k++)
+            if (asked[k] && counted[k] > 0.0 && rms(k, j) <= DBL_MAX &&
+                (best < 0 || rms(k, j) < rms(best, j)))
+                best = k;
+        printf("%s %s for %s", j > 0 ? "," : "",
+               best < 0 ? "none" : method_name[best], in->name[j]);
+    }
+    printf("\n");
+}
+
+/* print_beyond - how many values are beyond the data's range. */
+static void print_beyond(const points *in, const int *asked)
+{
+    const tally *a;
+    int k, j, some = 0;
+
+    for (k = 0; k < METHODS; k++)
+        for (j = 0; j < in->columns && asked[k]; j++) {
+            a = sums[k] + j;
+            if (a->beyond == 0.0) continue;
+            printf("beyond the data's range: %s for %s: %.0f of %.0f values, "
+                   "%.6g to %.6g; the data %.6g to %.6g (see -clip)\n",
+                   method_name[k], in->name[j], a->beyond, counted[k],
+                   a->least, a->most, low[j], high[j]);
+            some = 1;
+        }
+    if (!some) printf("beyond the data's range: none\n");
+}
+
+/* write_errors - of each place, with its values. */
+static void write_errors(const points *in, const double *value,
+                         const int *asked, output *o)
+{
+    double numbers = 4.0 + 2.0 * (double)in->columns;
+    FILE *file = start(o, 20.0 * numbers * (double)in->n);
+    char title[TITLE + 20];
+    const double *e = errors;
+    tess_int i;
+    int k, j;
+
+    fprintf(file, "x,y,z,part");
+    for (j = 0; j < in->columns; j++) put_title(file, in->name[j]);
+    for (k = 0; k < METHODS; k++)
+        for (j = 0; j < in->columns && asked[k]; j++) {
+            sprintf(title, "%s-%s", method_name[k], in->name[j]);
+            put_title(file, title);
+        }
+    fprintf(file, "\n");
+    for (i = 0; i < in->n; i++, value += in->columns) {
+        if (part[i] != TESS_NONE) {
+            put_point(file, in, i, ',', ',');
+            fprintf(file, "%ld", (long)part[i] + 1);
+            for (j = 0; j < in->columns; j++) fprintf(file, ",%.17g", value[j]);
+        }
+        for (k = 0; k < METHODS; k++)
+            for (j = 0; j < in->columns && asked[k]; j++, e++)
+                if (part[i] != TESS_NONE) fprintf(file, ",%.17g", *e);
+        if (part[i] != TESS_NONE) putc('\n', file);
+    }
+    finish(file, o);
+}
+
+void cross_validate(mesh *m, const tess_int *same, const double *value,
+                    long asked_parts, const int *asked, int beyond)
+{
+    const points *in = m->in;
+    const double *given;
+    size_t columns = (size_t)in->columns;
+    double *v = (double *)space((double)columns * (double)in->n, sizeof *v);
+    tess_real *p = (tess_real *)space(3.0 * (double)in->n, sizeof *p);
+    double out[COLUMNS];
+    size_t each = 0, at;
+    tess_int i, t;
+    field f;
+    output *o;
+    long k;
+    int j, method;
+
+    parts = asked_parts;
+    deal(in, same);
+    ranges(in, value);
+    for (method = 0; method < METHODS; method++) {
+        each += asked[method] ? columns : 0;
+        for (j = 0; j < in->columns; j++) sums[method][j].where = TESS_NONE;
+    }
+    if (next_output(errors_forms, 0)) {
+        errors = (double *)space((double)each * (double)in->n, sizeof *errors);
+        for (at = 0; at < each * (size_t)in->n; at++)
+            errors[at] = no_number();
+    }
+    f.p = p;
+    f.keep = 0;
+    f.value = v;
+    f.columns = in->columns;
+    for (k = 0; k < parts; k++) {
+        for (f.n = i = 0; i < in->n; i++) {
+            if (part[i] == TESS_NONE || (long)part[i] == k) continue;
+            memcpy(p + 3 * (size_t)f.n, m->p + 3 * (size_t)i, 3 * sizeof *p);
+            memcpy(v + columns * (size_t)f.n, value + columns * (size_t)i,
+                   columns * sizeof *v);
+            f.n++;
+        }
+        remesh(m, &f, k);
+        for (at = 0, method = 0; method < METHODS; method++) {
+            if (!asked[method]) continue;
+            values_begin(&f, method, beyond, 0.0);
+            t = TESS_NONE;
+            for (i = 0; i < in->n; i++) {
+                if (part[i] == TESS_NONE || (long)part[i] != k) continue;
+                values_at(1, m->p + 3 * (size_t)i, &t, out);
+                missed[method] += t < 0;
+                if (t < 0 && beyond != OUT_NEAREST) continue;
+                counted[method] += 1.0;
+                given = value + columns * (size_t)i;
+                for (j = 0; j < in->columns; j++)
+                    count(sums[method] + j, j, out[j], given[j], i);
+                for (j = 0; j < in->columns && errors; j++)
+                    errors[each * (size_t)i + at + (size_t)j] =
+                        out[j] - given[j];
+            }
+            at += columns;
+            values_end();
+        }
+        progress((double)(k + 1), (double)parts);
+    }
+    print_table(in, asked);
+    if (each > columns) print_best(in, asked);
+    print_beyond(in, asked);
+    for (o = 0; (o = next_output(errors_forms, o)) != 0;)
+        write_errors(in, value, asked, o);
+    free(errors);
+    free(part);
+    free(v);
+    free(p);
+}
