@@ -641,6 +641,8 @@ readme() {
             sed -n 's/^tetrahedra *//p')
         one "the README's first.c: what build/tess proves" \
             test "$says" = "code 0, $count tetrahedra"
+        one "the README's times: tess's tetrahedra" \
+            grep "^| mirror.xyz | 3600 | $count |" test/results/bench.txt
     else
         skipped "the README's first.c: no build/tess to compare with"
     fi

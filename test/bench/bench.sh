@@ -260,7 +260,8 @@ BEGIN {
     work[at] = $9
     total[at] = $10
     if (good[at]) {
-        tetrahedra[key] = $6
+        # (where points lie on one sphere others have other ones)
+        if ($3 == "tess") tetrahedra[key] = $6
         points[key] = $5
         if (!($1 $4 $3 in least)) least[$1 $4 $3] = key
         else if (least[$1 $4 $3] != key) grows[$1] = 1
