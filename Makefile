@@ -1,29 +1,30 @@
-# make, make all   build/tess, a program that tetrahedralizes a file of points
-# make run         try it: POINTS=file for points other than a mirror's sensors,
-#                  OPTIONS="-cols lon,lat,depth" for more of build/tess
-# make grid        its temperatures at a grid's places, and a section's picture
-# make examples    the programs of test/examples; their times, too
-# make python      build/libtess.so, for test/examples/tess.py
-# make octave      what Octave needs, by mkoctfile; then: addpath build
-# make pictures    write test/pictures anew
-# make errors      a table: errors of interpolation, linear and by slopes
-# make check       the tests, about three minutes on two processors
-# make check-all   more of each, all builds, machines and processes
-# make torture     a hunt for faults: TIME=600 seconds, SEED=1
-# make certify     the same for the bounds of the search alone: TIME, SEED
-# make coverage    which lines of the library the tests run (gcov)
-# make mutation    which changes of it they notice: sh test/hunts/mutate.sh
-# make bench       the timings: test/results/bench.txt; FAMILY=globe of these
-#                  points alone, SIZES=all of large sets, too;
-#                  test/bench/bench.sh says more
-# make paper       the experiments of the paper: test/paper/results.txt
-# make reach       other machines and compilers: test/results/reach.txt
-# make manual      write f77/README anew, from f77/tess.f and hhpred.f
-# make mpi         build/mesh, for processes that share nothing: test/mpi/mesh.c
-#                  sh test/mpi/hunt.sh [SECONDS [SEED]]: sets by chance
-# make mirror      write test/data/mirror.xyz anew
-# make clean       remove build/
-# make help        this list
+# make            build/tess, a program that tetrahedralizes a file of points
+# make run        try it: a mirror's sensors; POINTS=file for your own points,
+#                 OPTIONS="-cols lon,lat,depth" for more of build/tess
+# make grid       its temperatures at a grid's places, and a section's picture
+# make check      the tests, about three minutes on two processors; ONLY=cells:
+#                 those of that name
+# make t_tess     a test of test/unit alone; ARGS=-quick
+# make python     build/libtess.so, for test/examples/tess.py
+# make octave     what Octave needs, by mkoctfile; then: addpath build
+# make examples   the programs of test/examples; their times, too
+# make bench      the timings: test/results/bench.txt; FAMILY=globe of these
+#                 points alone, SIZES=all of large sets, too
+# make clean      remove build/
+#
+# For those who change it:
+# make check-all  more tests, all builds, machines and processes
+# make torture    a hunt for faults: TIME=600 seconds, SEED=1
+# make certify    the same for the bounds of the search alone: TIME, SEED
+# make coverage   which lines of the library the tests run (gcov)
+# make mutation   which changes of it they notice: sh test/hunts/mutate.sh
+# make errors     a table: errors of interpolation, linear and by slopes
+# make reach      other machines and compilers: test/results/reach.txt
+# make mpi        build/mesh, for processes that share nothing: test/mpi/mesh.c
+# make paper      the experiments of the paper: test/paper/results.txt
+# make pictures   write test/pictures anew
+# make manual     write f77/README anew, from f77/tess.f and hhpred.f
+# make mirror     write test/data/mirror.xyz anew
 #
 # To use the library copy tess.c tess.h hhpred.c hhpred.h; it needs no make.
 # After changing flags: make clean.  Example: make CC=clang CFLAGS=-O2
@@ -198,11 +199,21 @@ errors: $(LIBRARY)
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o build/slopes -I. test/examples/*slopes.c $(LIBRARY) $(LDLIBS)
 	build/slopes table
 
+CHECK = CC="$(CC)" CFLAGS="$(CFLAGS)" ONLY="$(ONLY)" \
+    COMPLETE="$(COMPLETE)" sh test/check.sh
 check: all
-	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/check.sh
+	$(CHECK)
 
 check-all: all
-	CC="$(CC)" CFLAGS="$(CFLAGS)" sh test/check.sh -all
+	$(CHECK) -all
+
+UNITS = brute t_cells t_natural t_part t_pred t_size t_tess
+$(UNITS):
+	@$(CHECK) -unit $@ $(ARGS)
+
+t_index:
+	@$(CHECK) -unit $@ write build/index
+	@$(CHECK) -unit $@ build/index
 
 torture:
 	CC="$(CC)" sh test/hunts/torture.sh $(TIME) $(SEED)
@@ -248,8 +259,8 @@ clean:
 	rm -rf build
 
 help:
-	@sed -n '/^#$$/q;s/^# //p' Makefile
+	@sed -n '/^[^#]/q;s/^# \{0,1\}//p' Makefile
 
 .PHONY: all run grid examples python octave pictures errors check \
-    check-all torture certify coverage mutation bench mpi paper reach manual \
-    mirror clean help
+    check-all $(UNITS) t_index torture certify coverage mutation bench mpi \
+    paper reach manual mirror clean help

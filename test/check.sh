@@ -1,5 +1,6 @@
 #!/bin/sh
 # check.sh [-all] - the tests; run from the top directory.
+# check.sh -unit NAME [ARGUMENTS] - a program of test/unit alone.
 #
 # Without -all what a change wants most: strict C89, the unit tests, brute
 # force, both halves' parity, sanitizers, the examples and the program.  With
@@ -7,42 +8,59 @@
 # hunts.
 # test/README says what is where.
 #
-# Takes CC and CFLAGS from the environment, builds into build/, and ends with
-# the line `N passed, N failed'.  The programs' full output is in
-# build/check.log.  What a machine lacks (compilers, sanitizers, Fortran) is
-# skipped, and said.  Where there are two processors two halves run at the same
-# time, the second one's output behind the first one's; PROCESSORS=1: in turn.
+# Takes from the environment, and builds into build/:
+#   CC, CFLAGS      the compiler and its options
+#   ONLY=WORD       only what has this word in its name; of a group of tests, as
+#                   `recipes: ', in the group's
+#   COMPLETE=yes    what is skipped has failed
+#   PROCESSORS=1    all in turn; where there are two processors two halves run at
+#                   the same time, the second one's output behind the first one's
+# Ends with the line `N passed, N failed, N skipped'.  The programs' full output
+# is in build/check.log.  What a machine lacks (compilers, sanitizers, Fortran)
+# is skipped, and said.
+. test/tests.sh
 ALL=
 [ "$1" = -all ] && ALL=yes
-CC=${CC:-cc}
 CFLAGS=${CFLAGS:--O2}
-PYTHON=${PYTHON:-python3}
 LIBS=-lm
 LIBRARY="tess.c hhpred.c"
-PASSED=0
-FAILED=0
 LOG=build/check.log
 OUT=build/out.$$
-PROCESSORS=${PROCESSORS:-`getconf _NPROCESSORS_ONLN 2> /dev/null`}
+PROCESSORS=${PROCESSORS:-$(getconf _NPROCESSORS_ONLN 2> /dev/null)}
 STRICT="-std=c89 -pedantic-errors -Wall -Wextra -Wshadow -Wconversion -Werror"
 
-mkdir -p build
+begin check
 : > $LOG
 
-pass() { PASSED=`expr $PASSED + 1`; echo "ok      $1"; }
-fail() { FAILED=`expr $FAILED + 1`; echo "FAILED  $1"; }
-skip() { echo "        skipped: $1"; }
+# wanted NAME: has it ONLY in it?
+wanted() {
+    case $1 in *"$ONLY"*) return 0;; esac
+    return 1
+}
+
+# group NAME: may a test of this group be wanted, whose names begin so?
+group() {
+    wanted "$1" && return
+    case $ONLY in *"$1"*) return 0;; esac
+    return 1
+}
+
+# skipped NAME: what the machine lacks
+skipped() {
+    wanted "$1" || return 0
+    if [ -z "$COMPLETE" ]; then skip "$1"; else fail "$1: skipped"; fi
+}
 
 # one NAME COMMAND...: a test that is passed when the command succeeds.
 one() {
-    name=$1
-    shift
-    echo "== $name: $*" >> $LOG
-    if "$@" >> $LOG 2>&1; then pass "$name"; else fail "$name"; fi
+    wanted "$1" || return 0
+    echo "== $*" >> $LOG
+    yes "$@" >> $LOG 2>&1
 }
 
 # shown NAME COMMAND...: the same for one that writes what differs
 shown() {
+    wanted "$1" || return 0
     name=$1
     shift
     if "$@" > $OUT 2>&1; then
@@ -55,32 +73,33 @@ shown() {
 }
 
 # many NAME PROGRAM...: a program that counts its own tests and ends with
-# `program: N passed, N failed'.
+# `program: N passed, N failed'; what it skips it says.
 many() {
+    wanted "$1" || return 0
     name=$1
     shift
-    alone="(cd `pwd` && $*)"
+    alone="(cd $(pwd) && $*)"
     echo "== $name: $*" >> $LOG
-    # a program that never ends fails too
-    (ulimit -t 300; exec "$@") > $OUT 2>&1
+    limited 300 "$@" > $OUT 2>&1
     code=$?
     cat $OUT >> $LOG
-    last=`tail -n 1 $OUT`
-    set -- `echo "$last" |
-        sed -n 's/^[a-z_0-9]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p'`
+    tail -n 1 $OUT > $OUT.last
+    sed -n 's/^        skipped: //p' $OUT > $OUT.skipped
+    while read -r line; do skipped "$name: $line"; done < $OUT.skipped
+    # shellcheck disable=SC2046 # two numbers
+    set -- $(counted $OUT.last)
     if [ $# -ne 2 ]; then
         fail "$name: stopped with code $code; its last lines:"
         tail -n 8 $OUT | sed 's/^/        | /'
         echo "        run it alone: $alone"
         return
     fi
-    PASSED=`expr $PASSED + $1`
-    FAILED=`expr $FAILED + $2`
-    if [ "$2" -eq 0 ] && [ $code -eq 0 ]; then
+    [ "$2" -gt 0 ] || [ $code -eq 0 ] || set -- "$1" 1
+    count "$1" "$2" 0
+    if [ "$2" -eq 0 ]; then
         echo "ok      $name: $1"
     else
-        [ "$2" -eq 0 ] && FAILED=`expr $FAILED + 1`
-        echo "FAILED  $name: $2 of `expr $1 + $2`"
+        echo "FAILED  $name: $2 of $(($1 + $2))"
         grep -v '^ok ' $OUT | grep -v '^        ' | head -n 30
         echo "        run it alone: $alone"
     fi
@@ -105,55 +124,92 @@ compile() {
     mkdir -p $dir
     for f in "$@"; do
         echo "== $cc $flags -c $f" >> $LOG
-        $cc $flags -c -o $dir/`basename $f .c`.o $f >> $LOG 2>&1 || return 1
+        $cc $flags -c -o "$dir/$(basename $f .c).o" $f >> $LOG 2>&1 || return 1
     done
 }
 
-# have CC FLAGS: does this compiler take these flags, and its programs run?
-have() {
-    echo 'int main(void) { return 0; }' > build/have.c
-    $1 $2 -o build/have build/have.c $LIBS > /dev/null 2>&1 && build/have
-}
-
-# units NAME CC FLAGS TEST...: unit tests with the library, all compiled so;
-# each TEST is a program of test/unit and its arguments
+# unit NAME CC FLAGS PROGRAM: that program of test/unit and the library, all
+# compiled so, into $here; the library once
 COMMON="test/points.c test/proof/*.c test/hunts/hard.c test/unit/damage.c
     test/unit/guard.c"
+MADE=
+unit() {
+    here=build/units/$(echo "$1" | tr -cd 'a-zA-Z0-9')
+    case $MADE in
+    *" $here "*) ;;
+    *)
+        rm -rf $here
+        compile "$2" "$3" $here $LIBRARY $COMMON || return
+        MADE="$MADE $here "
+        ;;
+    esac
+    $2 $3 -I. -c -o $here/_$4.o test/unit/$4.c >> $LOG 2>&1 &&
+        $2 $3 -o $here/$4 $here/_$4.o $here/[!_]*.o $LIBS >> $LOG 2>&1
+}
+
+# usual PROGRAM: build/units/usual/PROGRAM; ONLY may have left it out
+usual() {
+    case $MADE in *" build/units/usual "*)
+        [ -x build/units/usual/$1 ] && return;;
+    esac
+    unit usual "$CC" "$CFLAGS" $1
+}
+
+# units NAME CC FLAGS TEST...: each TEST is a program of test/unit and its
+# arguments
 units() {
     tag=$1
     compiler=$2
     options=$3
     shift 3
-    here=build/units/`echo "$tag" | tr -cd 'a-zA-Z0-9'`
-    rm -rf $here
-    if ! compile "$compiler" "$options" $here $LIBRARY $COMMON; then
-        fail "$tag: does not compile"
-        return
-    fi
     for t in "$@"; do
-        program=${t%% *}
-        objects="$here/[!_]*.o"
-        if $compiler $options -I. -c -o $here/_$program.o \
-            test/unit/$program.c >> $LOG 2>&1 && $compiler $options -o $here/$program \
-            $here/_$program.o $objects $LIBS >> $LOG 2>&1; then
+        wanted "$t, $tag" || continue
+        if unit "$tag" "$compiler" "$options" ${t%% *}; then
             many "$t, $tag" $here/$t
         else
-            fail "$program, $tag: does not compile"
+            fail "$t, $tag: does not compile"
         fi
     done
 }
 
-# itself: a program that stops or fails is shown, and how to run it
+if [ "$1" = -unit ]; then
+    shift
+    program=$1
+    if [ ! -f "test/unit/$1.c" ]; then
+        echo "no test/unit/$1.c"
+        exit 1
+    fi
+    if ! unit usual "$CC" "$CFLAGS" "$1"; then
+        tail -n 20 $LOG
+        exit 1
+    fi
+    shift
+    exec $here/$program "$@"
+fi
+
+# itself: a program that stops or fails is shown, and how to run it; what is
+# skipped, and whether that is a failure; ONLY
 itself() {
     echo 'echo so far; exit 7' > build/stops
     echo 'echo "FAILED  a line"; echo "x: 1 passed, 1 failed"; exit 1' \
         > build/fails
-    (many stops sh build/stops; many fails sh build/fails) > build/itself.txt
+    echo 'echo "        skipped: this"; echo "x: 2 passed, 0 failed"' \
+        > build/skips
+    # those NAMES: the programs, and the counts
+    those() {
+        begin itself
+        for t in $1; do many $t sh build/$t; done
+        counts
+    }
+    { (ONLY=; COMPLETE=; those "stops fails skips")
+      (ONLY=kip; COMPLETE=yes; those "stops fails skips"); } > build/itself.txt
     for line in "FAILED  stops: stopped with code 7; its last lines:" \
-        "        | so far" "        run it alone: (cd `pwd` && sh build/stops)" \
+        "        | so far" "        run it alone: (cd $(pwd) && sh build/stops)" \
         "FAILED  fails: 1 of 2" "FAILED  a line" \
-        "        run it alone: (cd `pwd` && sh build/fails)"; do
-        one "a failure: $line" grep -Fx "$line" build/itself.txt
+        "        run it alone: (cd $(pwd) && sh build/fails)" \
+        "        skipped: skips: this" "3 2 1" \
+        "FAILED  skips: this: skipped" "2 1 0"; do
+        one "itself: $line" grep -Fx "$line" build/itself.txt
     done
 }
 
@@ -179,10 +235,10 @@ language() {
         one "strict C89: programs for small machines" sh -c "for f in \
             test/machines/tiny.c test/examples/embedded.c \
             test/examples/sensor.c test/unit/t_size.c test/unit/t_pred.c \
-            test/unit/brute.c `echo $COMMON`; do
+            test/unit/brute.c $(echo $COMMON); do
             $CC $STRICT -DTESS_INT=short -fsyntax-only -I. \$f || exit 1; done"
     else
-        skip "strict C89: $CC does not take the flags"
+        skipped "strict C89: $CC does not take the flags"
     fi
     # the program at the head of tess.h
     sed -n '/^ \*     #include "tess.h"/,/^ \*     }$/s/^ \* *//p' tess.h > build/head.c
@@ -210,7 +266,7 @@ END
             one "C++: the headers in a namespace $d" spaced "$d"
         done
     else
-        skip "C++: no g++"
+        skipped "C++: no g++"
     fi
 }
 
@@ -250,31 +306,32 @@ END
 
 # mismatch OPTIONS
 mismatch() {
+    group "linking, $1: " || return
     for f in tess hhpred; do
         $CC -O1 $1 -c -o build/other$f.o $f.c >> $LOG 2>&1
     done
-    one "links with the same options: $1" \
+    one "linking, $1: the same options" \
         $CC $1 -I. -o build/other build/caller.c build/othertess.o \
         build/otherhhpred.o $LIBS
-    one "no link with other options: $1" \
+    one "linking, $1: no other options" \
         sh -c "! $CC -I. -o build/other build/caller.c build/othertess.o \
         build/otherhhpred.o $LIBS"
     # (of a library of mixed files, either)
-    one "no link of mixed files: $1" sh -c "! $CC $1 -I. -o build/other \
+    one "linking, $1: no mixed files" sh -c "! $CC $1 -I. -o build/other \
         build/caller.c build/othertess.o build/hhpred.o $LIBS"
     nm build/othertess.o build/otherhhpred.o |
         sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort > build/other.txt
-    one "no name is the same: $1" sh -c \
+    one "linking, $1: no name is the same" sh -c \
         "test -s build/other.txt && ! comm -12 build/names.txt build/other.txt |
         grep ."
-    one "unique in six characters: $1" sh -c \
+    one "linking, $1: unique in six characters" sh -c \
         "! cut -c1-6 build/other.txt | tr A-Z a-z | sort | uniq -d | grep ."
 }
 
 symbols() {
     compile "$CC" "$CFLAGS" build $LIBRARY
     if ! nm build/tess.o > build/nm.txt 2> /dev/null; then
-        skip "symbols: no nm"
+        skipped "symbols: no nm"
         return
     fi
     nm build/hhpred.o >> build/nm.txt
@@ -306,10 +363,11 @@ symbols() {
             '-DTESS_INT=${word%%:*}' hhpred.c 2> build/have.txt &&
             grep '${word##*:}' build/have.txt"
     done
+    group "linking, -DHH_LIMBS=6: " || return
     for f in tess hhpred; do
         $CC -O1 -DHH_LIMBS=6 -c -o build/other$f.o $f.c >> $LOG 2>&1
     done
-    one "no link of mixed files: -DHH_LIMBS=6" sh -c "! $CC -I. \
+    one "linking, -DHH_LIMBS=6: no mixed files" sh -c "! $CC -I. \
         -o build/other build/caller.c build/othertess.o build/hhpred.o $LIBS"
 }
 
@@ -352,7 +410,7 @@ tests() {
     if have "$CC" "$ROUND"; then
         units "all rounding modes" "$CC" "$ROUND" "t_pred 10"
     else
-        skip "all rounding modes"
+        skipped "all rounding modes"
     fi
 }
 
@@ -360,21 +418,22 @@ tests() {
 # indexed NAME CC FLAGS: another build to make and to read them.
 indexed() {
     if ! have "$2" "$3"; then
-        skip "an index of $1"
+        skipped "indices: $1"
         return
     fi
-    made=`expr $made + 1`
+    made=$((made + 1))
     if compile "$2" "$3" build/indexed $LIBRARY && build indexed/read$made \
         "$CC" "$rounding" build/indexed/*.o test/unit/t_index.c test/points.c \
         test/proof/exact.c && build/indexed/read$made write \
         build/indexed/$made; then
         names="$names $1;"
     else
-        fail "an index of $1"
+        fail "indices: $1"
     fi
 }
 
 indices() {
+    group "indices: " || return
     made=0
     names=
     rounding="-O1 -I."
@@ -390,7 +449,7 @@ indices() {
         indexed "10 limbs" "$CC" "-O2 -DHH_LIMBS=10"
     fi
     for i in build/indexed/read*; do
-        many "indices of$names by ${i##*read}" $i build/indexed/[0-9]*
+        many "indices: of$names by ${i##*read}" $i build/indexed/[0-9]*
     done
 }
 
@@ -399,7 +458,7 @@ sanitizers() {
         units sanitizers "$CC" "$SANITIZE" "brute 50" "t_tess -quick" \
             "t_part -quick"
     else
-        skip "sanitizers"
+        skipped "sanitizers"
     fi
 }
 
@@ -411,8 +470,9 @@ sanitizers() {
 # same NAME CC FLAGS
 same() {
     name="same result: $1"
+    wanted "$name" || return
     if ! have "$2" "$3"; then
-        skip "$name"
+        skipped "$name"
         return
     fi
     if ! build sums1 "$2" "$3" $SUMS $LIBRARY; then
@@ -424,20 +484,22 @@ same() {
 }
 
 builds() {
+    group "same result: " || return
+    usual t_tess
     build/units/usual/t_tess -sums > build/sums.txt
-    one "checksums of `wc -l < build/sums.txt` results" test -s build/sums.txt
+    one "same result: checksums" test -s build/sums.txt
     SUMS=build/units/usual/_t_tess.o
     for f in $COMMON; do
-        SUMS="$SUMS build/units/usual/`basename $f .c`.o"
+        SUMS="$SUMS build/units/usual/$(basename $f .c).o"
     done
     same "$CC -Ofast -march=native" "$CC" "-Ofast -march=native"
     same "$CC -mfpmath=387" "$CC" "-O2 -mfpmath=387"
     [ -z "$ALL" ] && return
     # at this size a list's bounds are rounded in view of the points
-    many "t_tess, a narrow cluster" build/units/usual/t_tess -one lastplaces \
+    many "same result: t_tess, a narrow cluster" build/units/usual/t_tess -one lastplaces \
         1500 1
     # what only a processor that takes subnormal numbers for zero brings about
-    many "t_tess, subnormal numbers flushed" build/sums1 -quick
+    many "same result: t_tess, subnormal numbers flushed" build/sums1 -quick
     same "$CC -O0" "$CC" "-O0"
     same "$CC -O2" "$CC" "-O2"
     same "$CC -O3 -funroll-loops -ffp-contract=fast -march=native" "$CC" \
@@ -463,15 +525,16 @@ linked() {
 }
 
 examples() {
-    for f in `grep -l '^int main' test/examples/*.c`; do
-        example=`basename $f .c`
+    for f in $(grep -l '^int main' test/examples/*.c); do
+        example=$(basename $f .c)
         case $example in fortran) continue;; esac # with the FORTRAN half
-        # shellcheck disable=SC2046
+        wanted "example: $example, its output" || continue
+        # shellcheck disable=SC2046 # a list of files
         if build "$example" "$CC" "$CFLAGS -I." build/tess.o build/hhpred.o \
-            `linked $f`; then
+            $(linked $f); then
             (cd build && ./$example $example.obj $example.stl) \
                 > build/$example.out 2>> $LOG
-            one "example: $example" test $? -eq 0
+            one "example: $example, its code" test $? -eq 0
             one "example: $example, its output" \
                 cmp test/examples/$example.out build/$example.out
         else
@@ -489,9 +552,10 @@ routines() {
 }
 
 together() {
-    recipes=`routines c '^int main\|^void mexFunction'`
+    group "recipes: " || return
+    recipes=$(routines c '^int main\|^void mexFunction')
     if ! have "$CC" "$STRICT -Wmissing-prototypes"; then
-        skip "recipes together: $CC does not take the flags"
+        skipped "recipes: $CC does not take the flags"
         return
     fi
     H=test/examples/recipes.h
@@ -544,6 +608,7 @@ together() {
 # printed LANGUAGE NAME PROGRAM: the program, and what is printed below it as
 # commands, into build/readme; they are run, and what they print is in $PRINTED
 printed() {
+    group "the README's $2: " || return
     mkdir -p build/readme
     for f in tess.c tess.h hhpred.c hhpred.h f77 test; do
         [ -e build/readme/$f ] || ln -s ../../$f build/readme
@@ -555,8 +620,8 @@ printed() {
         at == 2 && /^    / { print }
         at == 2 && /^[^ ]/ { exit }' README.md > build/readme/commands
     one "the README's $2: its commands" \
-        test `wc -l < build/readme/commands` -eq 2
-    PRINTED=`(cd build/readme && sh -e commands) 2>> $LOG`
+        test "$(wc -l < build/readme/commands)" -eq 2
+    PRINTED=$( (cd build/readme && sh -e commands) 2>> $LOG)
     one "the README's $2: prints what is said" said "$PRINTED"
     # lines that are no points: a heading, a number of points, another one's line
     { echo x,y,z; sed 's/^#/3600/' test/data/mirror.xyz; echo "p 1 2 3"; } \
@@ -581,8 +646,8 @@ said() {
 
 # told NAME WORDS PROGRAM FILE: fed with the file the program prints these words
 told() {
-    words=`$3 < $4 2>&1 | tr -s ' \012' ' '`
-    one "the README's $1: $2 (`basename $4`)" \
+    words=$($3 < $4 2>&1 | tr -s ' \012' ' ')
+    one "the README's $1: $2 ($(basename $4))" \
         sh -c 'echo "$1" | grep -F "$2"' sh "$words" "$2"
 }
 
@@ -609,6 +674,7 @@ outside() {
 }
 
 readme() {
+    wanted "the README's sizes" && usual t_size
     one "the README's sizes" sh -c 'build/units/usual/t_size -bytes |
         grep . > build/bytes.txt && tr "\012" " " < README.md |
         grep -F "`cat build/bytes.txt`"'
@@ -616,30 +682,35 @@ readme() {
     strict=
     have "$CC" "$STRICT" && strict=$STRICT
     outside "$strict"
+    says=$(sed -n 's/.*It prints `[^`]*: \(code [^`]*\)`.*/\1/p' README.md)
     if [ -x build/tess ]; then
-        count=`build/tess -check test/data/mirror.xyz |
-            sed -n 's/^tetrahedra *//p'`
+        count=$(build/tess -check test/data/mirror.xyz |
+            sed -n 's/^tetrahedra *//p')
         one "the README's first.c: what build/tess proves" \
-            test "${PRINTED#*: }" = "code 0, $count tetrahedra"
+            test "$says" = "code 0, $count tetrahedra"
+        one "the README's times: tess's tetrahedra" \
+            grep "^| mirror.xyz | 3600 | $count |" test/results/bench.txt
     else
-        skip "the README's first.c: no build/tess to compare with"
+        skipped "the README's first.c: no build/tess to compare with"
     fi
-    if ! command -v $PYTHON > /dev/null; then
-        skip "example: first.py: no python3"
+    if ! wanted "example: first.py"; then
+        :
+    elif ! command -v $PYTHON > /dev/null; then
+        skipped "example: first.py: no python3"
     elif $CC -shared -fPIC -o build/shared.so hhpred.c $LIBS 2>> $LOG; then
         # as the README says, with this compiler and Python
         sed -n '/^    make python$/{p;n;p;}' README.md | sed "s,python3 ,$PYTHON ,
             s|make|make -s 'CC=$CC' 'CFLAGS=$CFLAGS'|" > build/readme/commands
-        one "example: first.py" test "`sh -e build/readme/commands`" = \
-            "${PRINTED#*: }"
+        one "example: first.py" test \
+            "$(sh -e build/readme/commands)" = "$says"
     else
-        skip "example: first.py: no -shared -fPIC"
+        skipped "example: first.py: no -shared -fPIC"
     fi
     # the README's times are rows of what make bench has written
     sed -n '/^## How fast/,/^## Changes/p' README.md | grep '^| [a-z].*[0-9]' |
         grep -v '@FIG@' > build/times.txt
     while read -r row; do
-        one "the README's times: `echo "$row" | cut -d '|' -f 2,3`" \
+        one "the README's times: $(echo "$row" | cut -d '|' -f 2,3)" \
             grep -Fx "$row" test/results/bench.txt
     done < build/times.txt
 }
@@ -650,16 +721,18 @@ readme() {
 bindings() {
     left=
     rm -f build/tessn.mat
-    if ! command -v mkoctfile > /dev/null || ! command -v octave-cli > /dev/null
+    if ! group "example: tess"; then
+        return
+    elif ! command -v mkoctfile > /dev/null || ! command -v octave-cli > /dev/null
     then
-        skip "example: tessn.m: no octave-cli with mkoctfile"
+        skipped "example: tessn.m: no octave-cli with mkoctfile"
     elif make -s "CC=$CC" "CFLAGS=$CFLAGS" octave >> $LOG 2>&1; then
         many "example: tessn.m" octave-cli --norc --no-history \
             test/examples/try_tessn.m
         left=build/tessn.mat
         # (mex.h itself is not C89)
-        mex=`mkoctfile -p OCTINCLUDEDIR`
-        one "strict C89: tess_mex.c" sh -c "$CC -E -I. -isystem $mex/octave \
+        mex=$(mkoctfile -p OCTINCLUDEDIR)
+        one "example: tess_mex.c, strict C89" sh -c "$CC -E -I. -isystem $mex/octave \
             -isystem $mex test/examples/tess_mex.c > build/mex.i &&
             $CC $STRICT -fsyntax-only -x cpp-output build/mex.i"
     else
@@ -667,7 +740,7 @@ bindings() {
     fi
     if [ ! -f build/libtess.so ] ||
         ! $PYTHON -c 'import numpy, scipy' 2>> $LOG; then
-        skip "example: tess.py: no library, or no numpy, scipy for $PYTHON"
+        skipped "example: tess.py: no library, or no numpy, scipy for $PYTHON"
         return
     fi
     # shellcheck disable=SC2086
@@ -678,17 +751,18 @@ bindings() {
 # ---- the recipes beside CGAL ----
 
 peers() {
+    group "beside CGAL: " || return
     if ! echo '#include <CGAL/natural_neighbor_coordinates_3.h>' |
         g++ -x c++ -E - > /dev/null 2>&1; then
-        skip "recipes beside CGAL: not installed"
+        skipped "beside CGAL: not installed"
         return
     fi
     if build beside g++ "-O2 -frounding-math -I." \
         test/bench/peers/recipes.cpp build/tess.o build/hhpred.o \
         build/units/usual/points.o -lmpfr -lgmp; then
-        many "recipes beside CGAL" build/beside
+        many "beside CGAL: recipes" build/beside
     else
-        fail "recipes beside CGAL: does not compile"
+        fail "beside CGAL: recipes: does not compile"
     fi
     if build volumes g++ "-O1 -frounding-math" test/bench/peers/volumes.cpp \
         -lmpfr -lgmp; then
@@ -697,19 +771,20 @@ peers() {
             > build/cube
         build/tess -q -periodic -box 0,2,0,2,0,2 -volumes build/cube.csv \
             build/cube
-        many "build/tess -periodic -volumes beside CGAL" sh -c \
+        many "beside CGAL: build/tess -periodic -volumes" sh -c \
             'build/volumes 2 < build/cube.csv'
     else
-        fail "build/tess -periodic -volumes beside CGAL: does not compile"
+        fail "beside CGAL: build/tess -periodic -volumes: does not compile"
     fi
 }
 
 # ---- points spread over processes ----
 
 processes() {
+    wanted MPI || return
     if ! command -v mpicc > /dev/null ||
         ! mpirun --version 2> /dev/null | grep "Open MPI" > /dev/null; then
-        skip "MPI: no Open MPI"
+        skipped "MPI: no Open MPI"
         return
     fi
     # (mpi.h itself has long long)
@@ -740,16 +815,17 @@ CHEK="ftnchek -f77=all -declare -sixchar"
 CHEKS="$CHEK -array=no-dimensions -usage=no-arg-array-alias"
 
 standard() {
-    one "FORTRAN 77: no line past column 72" \
+    one "ftnchek: no line past column 72" \
         sh -c '! grep -n "^.\{73\}" f77/*.f test/*/*.f'
+    group "ftnchek: " || return
     if ! command -v ftnchek > /dev/null; then
-        skip "ftnchek: not installed"
+        skipped "ftnchek: not installed"
         return
     fi
     $CHEKS $F77 > build/ftnchek.txt 2>&1
     cat build/ftnchek.txt >> $LOG
     one "ftnchek: both files read" test \
-        `grep -c '^ 0 syntax errors detected' build/ftnchek.txt` -eq 2
+        "$(grep -c '^ 0 syntax errors detected' build/ftnchek.txt)" -eq 2
     one "ftnchek: no warning" sh -c '! grep -i warning build/ftnchek.txt'
     $CHEK $F77 > build/ftnchek.txt 2>&1
     egrep -i warning build/ftnchek.txt |
@@ -761,15 +837,16 @@ standard() {
     one "ftnchek: warnings of parts of arrays alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
     for f in test/fortran/*.f test/examples/*.f; do
+        # shellcheck disable=SC2046 # lists of files
         case $f in
         */parity.f) $CHEKS $F77 $f;; # it calls all entries
-        */parts.f) $CHEKS -noextern `linked $f`;; # and OpenMP
-        *) $CHEKS -library $F77 `linked $f`;;
+        */parts.f) $CHEKS -noextern $(linked $f);; # and OpenMP
+        *) $CHEKS -library $F77 $(linked $f);;
         esac > build/ftnchek.txt 2>&1
         one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
     done
-    # shellcheck disable=SC2046
-    $CHEKS -library $F77 `routines f '^      PROGRAM'` > build/ftnchek.txt 2>&1
+    # shellcheck disable=SC2046 # a list of files
+    $CHEKS -library $F77 $(routines f '^      PROGRAM') > build/ftnchek.txt 2>&1
     one "ftnchek: the recipes together" sh -c \
         '! grep -i warning build/ftnchek.txt'
 }
@@ -846,22 +923,6 @@ entries() {
 
 # ---- the same results as the C half ----
 
-# gfortran -std=f95 -pedantic knows of no extension of FORTRAN 77 that is not
-# in Fortran 90; -fcheck=all stops at a subscript out of bounds.
-gfort() {
-    for f in tess hhpred; do
-        gfortran -frecursive -Wall -Wextra -Werror -std=f95 -pedantic "$@" -c \
-            -o build/f$f.o f77/$f.f || return 1
-    done
-}
-viaf2c() {
-    mkdir -p build/f2c &&
-        f2c -A -a -u -dbuild/f2c $F77 test/fortran/parity.f > build/f2c.txt \
-            2>&1 && ! grep -i warning build/f2c.txt &&
-        $CC -O2 -c -o build/ftess.o build/f2c/tess.c &&
-        $CC -O2 -c -o build/fhhpred.o build/f2c/hhpred.c &&
-        $CC -O2 -c -o build/fparity.o build/f2c/parity.c
-}
 # few limbs: the same codes 2 and 6 as from C
 fewlimbs() {
     for half in tess hhpred; do
@@ -870,41 +931,52 @@ fewlimbs() {
     done
 }
 
-# fortran NAME OPTIONS TESTS COMPILE...: compile the half, and run the unit tests
-# with it in the place of the C half, by way of shim.c
+# half COMPILE...: what compiles the half; it does when a test first asks for it,
+# by compiled
+half() {
+    HALF=$*
+    HALFS=
+}
+compiled() {
+    [ -n "$HALFS" ] && return
+    echo "== FORTRAN 77: $HALF" >> $LOG
+    rm -f build/ftess.o build/fhhpred.o
+    $HALF >> $LOG 2>&1 || return
+    HALFS=yes
+}
+
+# fortran NAME OPTIONS TESTS COMPILE...: the unit tests with the half in the
+# place of the C half, by way of shim.c
 fortran() {
     tag=$1
     options=$2
-    list=$3
+    echo "$3" | tr , '\012' > build/list
     shift 3
-    echo "== FORTRAN 77, $tag" >> $LOG
-    rm -f build/ftess.o build/fhhpred.o
+    half "$@"
     here=build/units/f77
     rm -rf $here
-    if ! "$@" >> $LOG 2>&1 || ! compile "$CC" "-O1 $options" $here $COMMON \
-        test/fortran/shim.c; then
-        fail "FORTRAN 77, $tag: does not compile"
-        return 1
-    fi
-    echo "$list" | tr , '\012' > build/list
-    while read t; do
+    while read -r t; do
+        wanted "FORTRAN 77, $tag: $t" || continue
         program=${t%% *}
-        if $CC -O1 $options -I. -c -o $here/_$program.o test/unit/$program.c \
+        if compiled && { [ -f $here/shim.o ] || compile "$CC" "-O1 $options" \
+            $here $COMMON test/fortran/shim.c; } &&
+            $CC -O1 $options -I. -c -o $here/_$program.o test/unit/$program.c \
             >> $LOG 2>&1 && $LINKF -o $here/$program $here/_$program.o \
             $here/[!_]*.o build/ftess.o build/fhhpred.o $LIBF $LIBS \
             >> $LOG 2>&1; then
             many "FORTRAN 77, $tag: $t" $here/$t
         else
-            fail "FORTRAN 77, $tag: $program does not link"
+            fail "FORTRAN 77, $tag: $t: does not compile"
         fi
     done < build/list
 }
 
-# text NAME: link the Fortran program with the half just compiled, and compare
-# its text with the C program's, as parity has left it.
+# text NAME: link the Fortran program with the half, and compare its text with
+# the C program's, as parity has left it.
 text() {
+    wanted "parity: $1" || return
     rm -f build/parityf
-    if $LINKF -o build/parityf build/fparity.o build/ftess.o build/fhhpred.o \
+    if compiled && $LINKF -o build/parityf build/fparity.o build/ftess.o build/fhhpred.o \
         $LIBF $LIBS >> $LOG 2>&1
     then
         build/parityf > build/parityf.txt
@@ -914,16 +986,19 @@ text() {
     fi
 }
 
-# threads NAME: link the half just compiled with a program of several threads.
+# threads NAME: link the half with a program of several threads.
 # Local arrays must be on the stack: -frecursive, f2c -a.
 OMP_NUM_THREADS=4
 export OMP_NUM_THREADS
 threads() {
+    wanted "threads: $1" || return
     if ! have "$CC" -fopenmp; then
-        skip "threads: no OpenMP"
+        skipped "threads: $1: no OpenMP"
         return
     fi
     rm -f build/threads
+    compiled
+    compile "$CC" -O1 build/units/f77 test/points.c
     $CC $CFLAGS -fopenmp -c -o build/threads.o test/fortran/threads.c
     $LINKF -fopenmp -o build/threads build/threads.o build/units/f77/points.o \
         build/ftess.o build/fhhpred.o $LIBF $LIBS >> $LOG 2>&1
@@ -931,42 +1006,47 @@ threads() {
 }
 
 # FORTRAN programs that tell by their text whether all is well.
-# programs NAME FLAGS: with the half just compiled
+# programs NAME FLAGS: with the half
 programs() {
-    for f in `grep -l '^      PROGRAM' test/fortran/sizes.f test/examples/*.f`
+    for f in $(grep -l '^      PROGRAM' test/fortran/sizes.f test/examples/*.f)
     do
-        rm -f build/program
         case $f in */parts.f) continue;; esac # below
-        # shellcheck disable=SC2046
-        gfortran -frecursive $2 -o build/program `linked $f` build/ftess.o \
+        wanted "$f, $1" || continue
+        compiled
+        rm -f build/program
+        # shellcheck disable=SC2046 # a list of files
+        gfortran -frecursive $2 -o build/program $(linked $f) build/ftess.o \
             build/fhhpred.o $LIBS >> $LOG 2>&1
         case $f in
         test/examples/*)
             build/program > build/program.txt
-            one "$f, $1" cmp `echo $f | sed 's/f$/out/'` build/program.txt;;
+            one "$f, $1" cmp "${f%f}out" build/program.txt;;
         *) many "$f, $1" build/program;;
         esac
     done
 }
 
-# onef NAME LIBRARIES COMPILE...: all recipes, and the half just compiled
+# onef NAME LIBRARIES COMPILE...: all recipes, and the half
 onef() {
     name=$1
+    wanted "recipes: one program, $name" || return
+    compiled
     libraries=$2
     shift 2
     rm -rf build/recipesf
     mkdir build/recipesf
-    { for f in `routines f '^      PROGRAM'`; do cat $f; done
+    { for f in $(routines f '^      PROGRAM'); do cat $f; done
       printf '      PROGRAM ALL\n      END\n'; } > build/recipesf/all.f
     one "recipes: one program, $name" sh -c "cd build/recipesf && $* &&
         $LINKF -o all all.o ../ftess.o ../fhhpred.o $libraries $LIBS && ./all"
 }
 
-# recipe FILE NAME: test/unit/t_FILE, of test/examples/FILE.f, with the half just
-# compiled
+# recipe FILE NAME: test/unit/t_FILE, of test/examples/FILE.f, with the half
 recipe() {
-    compile "$CC" "-O1" build/units/f77 $LIBRARY
-    if gfortran -O2 -frecursive -c -o build/f$1.o test/examples/$1.f \
+    wanted "t_$1, $1.f, $2" || return
+    compile "$CC" "-O1" build/units/f77 $LIBRARY test/points.c \
+        test/proof/exact.c
+    if compiled && gfortran -O2 -frecursive -c -o build/f$1.o test/examples/$1.f \
         >> $LOG 2>&1 && $CC -O1 -DFORTRAN -I. -c -o build/t_$1.o \
         test/unit/t_$1.c >> $LOG 2>&1 && gfortran -o build/t_$1 \
         build/t_$1.o build/f$1.o build/ftess.o build/fhhpred.o \
@@ -975,13 +1055,21 @@ recipe() {
     then
         many "t_$1, $1.f, $2" build/t_$1
     else
-        fail "$1.f, $2: does not compile"
+        fail "t_$1, $1.f, $2: does not compile"
     fi
+}
+
+# small_stack COMMAND...: in the eight megabytes that are usual
+small_stack() {
+    # shellcheck disable=SC3045 # all shells that there are know -s
+    (ulimit -s 8192; exec "$@")
 }
 
 # interface NAME FLAGS: the module for Fortran 90, and that with it wrong calls
 # do not compile; f77/README's program
 interface() {
+    group "interfaces, $1" || group "f77/README's program, $1" || return
+    compiled
     (cd build && gfortran -std=f95 -pedantic -Wall -Wextra -Werror $2 -c \
         -o module.o ../f77/tess.f90) >> $LOG 2>&1
     module="-cpp -Ibuild -Jbuild $2"
@@ -997,10 +1085,10 @@ interface() {
         at { print }' f77/README > build/synopses.f
     one "f77/README's synopses, $1" sh -c "gfortran -std=f95 -pedantic $2 \
         -fimplicit-none -fsyntax-only build/synopses.f &&
-        test \`grep -c '^      END' build/synopses.f\` -eq \
-        \`wc -l < build/list.txt\`"
-    for wrong in `sed -n 's/.* WRONG == \([0-9]*\)$/\1/p' \
-        test/fortran/iface.f90`; do
+        test \$(grep -c '^      END' build/synopses.f) -eq \
+        \$(wc -l < build/list.txt)"
+    for wrong in $(sed -n 's/.* WRONG == \([0-9]*\)$/\1/p' \
+        test/fortran/iface.f90); do
         one "interfaces, $1: wrong call $wrong" sh -c "! gfortran $module \
             -DWRONG=$wrong -c -o build/module.o test/fortran/iface.f90"
     done
@@ -1008,7 +1096,7 @@ interface() {
     rm -f build/grid
     gfortran $2 -o build/grid build/grid.f build/ftess.o build/fhhpred.o \
         $LIBS >> $LOG 2>&1
-    one "f77/README's program, $1" test "`build/grid`" = " 14.5000"
+    one "f77/README's program, $1" test "$(build/grid)" = " 14.5000"
     # where DOUBLE PRECISION has not 64 bits INFO says so; coordinates of all
     # bits
     sed 's/P(\([123]\),I) = .*/P(\1,I) = ABS(MOD(1D4*SIN(DBLE(\1*I)), 1D0))/
@@ -1021,19 +1109,21 @@ interface() {
             >> $LOG 2>&1
         case $wide in *double*) code=;; *) code=6;; esac
         one "f77/README's program, $1 $wide" test \
-            "`build/wide 2>> $LOG | sed -n 's/^ *\(6\) *$/\1/p'`" = "$code"
+            "$(build/wide 2>> $LOG | sed -n 's/^ *\(6\) *$/\1/p')" = "$code"
     done
     # (its arrays are not on the stack)
     sed 's/(N = 1000)/(N = 200000)/' build/grid.f > build/large.f
     rm -f build/grid
     gfortran $2 -frecursive -o build/grid build/large.f build/ftess.o \
         build/fhhpred.o $LIBS >> $LOG 2>&1
-    one "f77/README's program, 200,000 points, $1" \
-        test "`ulimit -s 8192; build/grid`" = " 14.5000"
+    one "f77/README's program, $1, 200,000 points" \
+        test "$(small_stack build/grid)" = " 14.5000"
 }
 
 # mixed: a C program that calls the FORTRAN half, and the reverse
 mixed() {
+    group "example: fortran" || return
+    compiled
     one "example: fortran.c" sh -c "$CC -O2 -c -o build/mixed.o \
         test/examples/fortran.c &&
         gfortran -o build/mixed build/mixed.o build/ftess.o build/fhhpred.o &&
@@ -1052,6 +1142,7 @@ mixed() {
 # as the lengths of the workspace: sh test/fortran/sums.sh build/parity.txt >
 # test/fortran/parity.txt.)
 parity() {
+    group "parity: " || return
     if build parity "$CC" "$CFLAGS -DPROVE" test/fortran/parity.c \
         test/proof/*.c $LIBRARY; then
         build/parity > build/parity.txt 2> build/prove.txt
@@ -1070,7 +1161,7 @@ parity() {
             test "`grep "^= " build/sums.txt`" = "`grep "^= cube .* 9$" \
             build/parity.txt`" && grep "^TESSHU 1" build/sums.txt'
     else
-        fail "parity.c does not compile"
+        fail "parity: parity.c does not compile"
     fi
     # (what makes infinities and NaNs must not be compiled with -Ofast)
     $CC $CFLAGS -c -o build/parity.o test/fortran/parity.c
@@ -1084,23 +1175,35 @@ parity() {
             build/parity1 > build/parity1.txt
             shown "parity: $c" diff build/parity.txt build/parity1.txt
         else
-            skip "parity: $c"
+            skipped "parity: $c"
         fi
     done
+}
+
+# large: the README's first.f, whose arrays are not on the stack
+large() {
+    group "the README's first.f: " || return
+    sed 's/MAXN = 4000/MAXN = 200000/' build/readme/first.f > build/large.f
+    rm -f build/large
+    gfortran -O3 -frecursive -o build/large build/large.f $F77 >> $LOG 2>&1
+    awk 'BEGIN { for (srand(1); n++ < 200000;) print rand(), rand(), rand() }' \
+        > build/readme/200000
+    told first.f "200000 points, 0 other lines: code 0," \
+        "small_stack build/large" build/readme/200000
 }
 
 halves() {
     LINKF=gfortran
     LIBF=
     if ! command -v gfortran > /dev/null; then
-        skip "the FORTRAN 77 half and its examples: no gfortran"
+        skipped "the FORTRAN 77 half and its examples: no gfortran"
     else
         # (values that must be the same are compared)
-        gfortran -std=legacy -frecursive -O1 -fcheck=all -Wall -Wextra -Werror \
+        group "parity: " && gfortran -std=legacy -frecursive -O1 -fcheck=all -Wall -Wextra -Werror \
             -Wno-compare-reals -Wno-do-subscript -c -o build/fparity.o \
             test/fortran/parity.f >> $LOG 2>&1
         quick="brute 50,t_tess -quick,t_part -quick"
-        fortran "gfortran -fcheck=all" "" "$quick" gfort -O1 -fcheck=all
+        fortran "gfortran -fcheck=all" "" "$quick" gfort build/f -O1 -fcheck=all
         text "gfortran -fcheck=all"
         programs "gfortran -fcheck=all" "-std=legacy -O1 -fcheck=all"
         onef gfortran "" "gfortran -frecursive -std=f95 -pedantic -Wall -Wextra \
@@ -1109,38 +1212,31 @@ halves() {
         interface "gfortran -fcheck=all"
         mixed
         printed fortran first.f firstf
-        # (its arrays are not on the stack)
-        sed 's/MAXN = 4000/MAXN = 200000/' build/readme/first.f \
-            > build/large.f
-        rm -f build/large
-        gfortran -O3 -frecursive -o build/large build/large.f $F77 >> $LOG 2>&1
-        awk 'BEGIN { for (srand(1); n++ < 200000;) print rand(), rand(), rand() }' \
-            > build/readme/200000
-        ulimit -s 8192
-        told first.f "200000 points, 0 other lines: code 0," build/large \
-            build/readme/200000
+        large
     fi
     [ -z "$ALL" ] && return
     if command -v gfortran > /dev/null; then
-        fortran "gfortran -O0" "" "$quick" gfort -O0
+        fortran "gfortran -O0" "" "$quick" gfort build/f -O0
         text "gfortran -O0"
-        fortran "gfortran -O3" "" "brute,t_tess -quick,t_part -quick" gfort -O3
+        fortran "gfortran -O3" "" "brute,t_tess -quick,t_part -quick" gfort build/f -O3
         text "gfortran -O3"
         threads "gfortran -O3"
         recipe natural "gfortran -O3"
-        gfort -Ofast -march=native >> $LOG 2>&1
+        half gfort build/f -Ofast -march=native
         text "gfortran -Ofast -march=native"
         # integers of 8 bytes
-        fortran "INTEGER*8" -DTESS_INT=long "brute 50" gfort -O2 \
+        fortran "INTEGER*8" -DTESS_INT=long "brute 50" gfort build/f -O2 \
             -fdefault-integer-8
         programs "INTEGER*8" "-std=legacy -fdefault-integer-8"
         interface "INTEGER*8" -fdefault-integer-8
         fortran "gfortran, 3 limbs" -DHH_LIMBS=3 \
             "brute 100,t_tess -range,t_part -quick" fewlimbs
         for omp in "" -fopenmp; do
+            wanted "example: parts.f $omp" || continue
             rm -f build/partsf
+            # shellcheck disable=SC2046 # a list of files
             gfortran -O2 -frecursive $omp -o build/partsf \
-                `linked test/examples/parts.f` $F77 >> $LOG 2>&1
+                $(linked test/examples/parts.f) $F77 >> $LOG 2>&1
             build/partsf > build/partsf.out 2>> $LOG
             one "example: parts.f $omp" cmp test/examples/parts.out \
                 build/partsf.out
@@ -1149,7 +1245,8 @@ halves() {
     if command -v f2c > /dev/null; then
         LINKF=$CC
         LIBF=-lf2c
-        fortran "f2c" "" "$quick" viaf2c
+        fortran "f2c" "" "$quick" viaf2c build/f \
+            test/fortran/parity.f
         text "f2c"
         threads "f2c"
         # the manual's command, where the C half is
@@ -1161,7 +1258,7 @@ halves() {
             cmp tess.c build/beside/tess.c && test -s build/beside/c/hhpred.c"
         onef f2c -lf2c "f2c -A -a -u all.f && $CC -O1 -c all.c"
     else
-        skip "the FORTRAN 77 half through f2c: no f2c"
+        skipped "the FORTRAN 77 half through f2c: no f2c"
     fi
 }
 
@@ -1170,6 +1267,7 @@ halves() {
 # cross COMPILER EMULATOR MACHINE
 cross() {
     name="same result: $3"
+    wanted "$name" || return
     if command -v $1 > /dev/null && command -v $2 > /dev/null; then
         if build cross $1 "-O2 -static" test/fortran/parity.c $LIBRARY; then
             $2 build/cross > build/cross.txt 2>> $LOG
@@ -1178,19 +1276,20 @@ cross() {
             fail "$name: does not compile"
         fi
     else
-        skip "$name: no $1 with $2"
+        skipped "$name: no $1 with $2"
     fi
 }
 
 # avr NAME FLAGS FILE: compile for an ATmega1284P, and run; what it writes to
 # build/avr.txt
 avr() {
+    wanted "$1" || return
     if ! build avr.elf avr-gcc "-std=gnu89 -mmcu=atmega1284p $2" $3 $LIBRARY
     then
         fail "$1: does not compile"
         return 1
     fi
-    (ulimit -t 100; exec simavr -m atmega1284p -f 16000000 build/avr.elf) 2>&1 |
+    limited 100 simavr -m atmega1284p -f 16000000 build/avr.elf 2>&1 |
         sed -n 's/[^ -~]\[[0-9]*m//g; s/\.$//p' > build/avr.txt
 }
 
@@ -1204,13 +1303,14 @@ machines() {
     # simulator's: simavr 1.6 takes an adiw or sbiw by 12 to 15, modulo 16, that
     # is to be skipped for two words.)
     if ! command -v avr-gcc > /dev/null || ! command -v simavr > /dev/null; then
-        skip "AVR: no avr-gcc with simavr"
+        skipped "AVR: no avr-gcc with simavr"
         return
     fi
     build tiny "$CC" "-O2 -DTESS_FLOAT" test/machines/tiny.c $LIBRARY &&
         build/tiny > build/tiny.txt
     # each line begins with the code 0
-    one "tiny: 4 sets" test `grep -c '^0 1 0' build/tiny.txt` -eq 4
+    one "same result: AVR: 4 sets" test \
+        "$(grep -c '^0 1 0' build/tiny.txt)" -eq 4
     avr "same result: AVR" "-Os -DTESS_INT=short -DTESS_LIST=64" \
         test/machines/tiny.c &&
         one "same result: AVR" cmp build/tiny.txt build/avr.txt
@@ -1270,17 +1370,17 @@ if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then
     done
     (
         cd $HALF || exit
+        begin second
         second_half
-        echo $PASSED $FAILED > build/counts
+        counts > build/counts
     ) > $HALF/out 2>&1 &
-    trap "kill $! 2> /dev/null; exit 1" INT TERM
+    trap 'kill $! 2> /dev/null; exit 1' INT TERM
     first_half
     wait $!
     cat $HALF/out
     cat $HALF/$LOG >> $LOG
-    if read passed failed < $HALF/build/counts; then
-        PASSED=`expr $PASSED + $passed`
-        FAILED=`expr $FAILED + $failed`
+    if read -r passed failed missing < $HALF/build/counts; then
+        count "$passed" "$failed" "$missing"
     else
         fail "the second half: stopped"
     fi
@@ -1288,7 +1388,13 @@ else
     first_half
     second_half
 fi
-rm -f $OUT
+rm -f $OUT*
 
-echo "$PASSED passed, $FAILED failed"
-test $FAILED -eq 0
+counts > build/counts
+read -r passed failed missing < build/counts
+echo "$passed passed, $failed failed, $missing skipped"
+if [ "$((passed + failed + missing))" -eq 0 ]; then
+    echo "no test has '$ONLY' in its name"
+    exit 1
+fi
+test "$failed" -eq 0

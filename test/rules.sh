@@ -1,20 +1,14 @@
 #!/bin/sh
 # rules.sh - the rules of test/README that a machine can check; run from the top
 # directory.  Ends with `rules: N passed, N failed'.
-PASSED=0
-FAILED=0
+. test/tests.sh
+begin rules
 B=build/rules
 mkdir -p $B
 
 # told WHAT FILE: passed when the file is empty; it lists what is missing
 told() {
-    if [ -s $2 ]; then
-        FAILED=`expr $FAILED + 1`
-        echo "FAILED  $1: `tr '\n' ' ' < $2`"
-    else
-        PASSED=`expr $PASSED + 1`
-        echo "ok      $1"
-    fi
+    if [ -s $2 ]; then fail "$1: $(tr '\n' ' ' < $2)"; else pass "$1"; fi
 }
 
 # lacking FILE...: of the names in standard input those that are a word in none
@@ -149,5 +143,13 @@ sed -n 's/^\([a-z-]*\):.*/\1/p' Makefile | sort -u > $B/targets
 comm -23 $B/names $B/targets | grep -vx takes > $B/out
 told "READMEs: targets that there are" $B/out
 
-echo "rules: $PASSED passed, $FAILED failed"
-test $FAILED -eq 0
+# ---- shell ----
+
+if command -v shellcheck > /dev/null; then
+    shellcheck -S warning -f gcc test/*.sh test/*/*.sh > $B/out
+    told "shellcheck: no warning" $B/out
+else
+    skip "shellcheck: not installed"
+fi
+
+ended rules

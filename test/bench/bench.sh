@@ -29,11 +29,11 @@ PEERS=${PEERS-"f77 cgal tetgen qhull"}
 REPEATS=${REPEATS:-3}
 SEED=${SEED:-1}
 LIMIT=${LIMIT:-60}
-CC=${CC:-cc}
 CFLAGS=${CFLAGS:--O3}
 CXX=${CXX:-g++}
 FC=${FC:-gfortran}
 FFLAGS=${FFLAGS:--O3}
+. test/tests.sh
 mkdir -p build
 
 # table, family, peers, numbers of points; those with + for SIZES=all
@@ -173,7 +173,7 @@ run() {
     *" $4 $3 "*) return ;;
     *" $4 cut "*) line= ;;
     *)
-        (ulimit -t "$LIMIT" && exec "build/bench_$4" "$2" "$3" 1 "$SEED") \
+        limited "$LIMIT" "build/bench_$4" "$2" "$3" 1 "$SEED" \
             >build/bench.out 2>/dev/null
         # the signal for too much time
         case $? in 137 | 152) past="$past $4 cut " ;; esac
@@ -260,7 +260,8 @@ BEGIN {
     work[at] = $9
     total[at] = $10
     if (good[at]) {
-        tetrahedra[key] = $6
+        # (where points lie on one sphere others have other ones)
+        if ($3 == "tess") tetrahedra[key] = $6
         points[key] = $5
         if (!($1 $4 $3 in least)) least[$1 $4 $3] = key
         else if (least[$1 $4 $3] != key) grows[$1] = 1

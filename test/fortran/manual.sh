@@ -1,7 +1,7 @@
 #!/bin/sh
 # manual.sh - write f77/README, the manual of the FORTRAN entries, from what
 # stands before each of them in tess.f and hhpred.f.  `make manual' calls it.
-cat << 'END'
+cat << 'TEXT'
 tess in FORTRAN 77: the manual
 ==============================
 
@@ -110,7 +110,7 @@ HH_LIMBS in ../hhpred.h.
 C. A C program may call these entries, and a Fortran 2003 program the C half:
 ../test/examples/fortran.c and fortran.f90.
 
-END
+TEXT
 for entry in TESSWK TESS TESSRE `sed -n 's/^C     \(TESS[A-Z]*\) - .*/\1/p' \
     f77/tess.f | grep -v 'TESS$\|TESSWK\|TESSRE'` HHFACE HHSIDE HHOPP HHLCOO \
     HHWRAP HHORIE HHINSP; do

@@ -12,15 +12,14 @@
 # that alter arithmetic.  What the machine lacks is skipped, and said.
 LOW="LEAF=8 MANY=1 WIDE=0.0 THIN=1e-15 OPENED=2 BURDEN=0.02
     ENOUGH=1 SLENDER=1e9"
-CC=${CC:-cc}
+. test/tests.sh
+begin certify
 DIR=build/certify.d
 CHECK=
 TIME=${1:-600}
 case $TIME in -check | -quick) CHECK=$TIME;; esac
-SEED=${2:-`date +%s`}
+SEED=${2:-$(date +%s)}
 [ -n "$CHECK" ] && SEED=1
-PASSED=0
-FAILED=0
 BUILDS=14 # about, for the shares
 
 rm -rf $DIR
@@ -32,10 +31,7 @@ done
 for name in $LOW; do
     value=${name#*=}
     name=${name%=*}
-    if ! grep "^#define $name " tess.c > /dev/null; then
-        echo "FAILED  tess.c has no $name"
-        FAILED=1
-    fi
+    grep "^#define $name " tess.c > /dev/null || fail "tess.c has no $name"
     sed "s/^#define $name .*/#define $name $value/" $DIR/low/tess.c > $DIR/c
     mv $DIR/c $DIR/low/tess.c
 done
@@ -43,19 +39,17 @@ done
 # tell PROGRAM ARGUMENTS: run it, count its tests, show faults
 tell() {
     "$@" > $DIR/out 2>&1
-    set -- $1 `sed -n \
-        's/^[a-z_]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' $DIR/out`
-    echo "$1: `sed -n 's/^ *\(.* sets, .* certificates\)$/\1/p' $DIR/out`"
+    # shellcheck disable=SC2046 # two numbers
+    set -- "$1" $(counted $DIR/out)
+    echo "$1: $(sed -n 's/^ *\(.* sets, .* certificates\)$/\1/p' $DIR/out)"
     [ "$3" = 0 ] || tail -n 20 $DIR/out
-    PASSED=`expr $PASSED + ${2:-0}`
-    FAILED=`expr $FAILED + ${3:-1}`
+    count "${2:-0}" "${3:-1}" 0
 }
 
 # both NAME CC FLAGS DEFINITIONS: the library so compiled, in both trees
 both() {
-    echo 'int main(void) { return 0; }' > $DIR/have.c
-    if ! $2 $3 -o $DIR/have $DIR/have.c > /dev/null 2>&1 || ! $DIR/have; then
-        echo "        skipped: $1"
+    if ! have "$2" "$3"; then
+        skip "$1"
         return
     fi
     for tree in usual low; do
@@ -73,15 +67,14 @@ both() {
         if [ -n "$CHECK" ]; then
             tell $t/$1 40 $SEED
         else
-            tell $t/$1 -time `expr $TIME / $BUILDS + 1` 1 $SEED
+            tell $t/$1 -time $((TIME / BUILDS + 1)) 1 $SEED
         fi
     done
 }
 
 both O2 $CC -O2 ""
 if [ "$CHECK" = -quick ]; then
-    echo "certify: $PASSED passed, $FAILED failed"
-    test $FAILED -eq 0
+    ended certify
     exit
 fi
 both float $CC -O2 -DTESS_FLOAT
@@ -92,5 +85,4 @@ if [ -z "$CHECK" ]; then
     both clang_Ofast clang -Ofast ""
     both limbs $CC -O2 -DHH_LIMBS=3
 fi
-echo "certify: $PASSED passed, $FAILED failed"
-test $FAILED -eq 0
+ended certify

@@ -8,7 +8,7 @@
 # no test has run.  Several builds count together: all limbs; few, as only
 # those answer that they do not suffice; lists as short as they may be; and a
 # program that sets the processor to take subnormal numbers for zero.
-CC=${CC:-cc}
+. test/tests.sh
 GCOV=${GCOV:-gcov}
 DIR=build/coverage
 
@@ -17,12 +17,14 @@ say() { echo "coverage.sh: $1" >&2; exit 1; }
 command -v $GCOV > /dev/null || say "no $GCOV: nothing is measured"
 rm -rf $DIR
 mkdir -p $DIR
-echo 'int main(void) { return 0; }' > $DIR/have.c
-(cd $DIR && $CC --coverage -o have have.c && ./have) > /dev/null 2>&1 ||
-    say "$CC does not take --coverage: nothing is measured"
+have "$CC" --coverage || say "$CC does not take --coverage: nothing is measured"
 
 # ran PROGRAM ARGS...: where gcov's files are
-ran() { ./"$@" > out.txt 2>&1 || say "$* fails"; }
+ran() {
+    program=./$1
+    shift
+    $program "$@" > out.txt 2>&1 || say "$program $* fails"
+}
 
 # measure NAME FLAGS LINK: the tests built with FLAGS and linked with LINK
 measure() {
@@ -83,6 +85,9 @@ measure flush "" -Ofast
 
 # A line has run if it has in one of the builds.
 for f in tess hhpred; do
+    files=
+    for b in $BUILDS; do files="$files $DIR/$b/$f.c.gcov"; done
+    # shellcheck disable=SC2086
     awk -v file=$f.c -v branches="$1" '
         /^ *[-#=0-9*]+: *[0-9]+:/ {
             split($0, part, ":")
@@ -122,5 +127,5 @@ for f in tess hhpred; do
             for (i = 1; i <= n; i++) print "    not run:" missed[i]
             if (branches != "")
                 for (i = 1; i <= m; i++) print "    not taken: " never[i]
-        }' `for b in $BUILDS; do echo $DIR/$b/$f.c.gcov; done`
+        }' $files
 done

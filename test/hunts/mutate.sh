@@ -16,8 +16,8 @@
 #
 # Run from the top directory; takes CC.  The last line is
 # `mutation: N changes, C caught, E look elsewhere, S survived'.
+. test/tests.sh
 set -f
-CC=${CC:-cc}
 DIR=build/mutation
 N=100
 SEED=1
@@ -30,7 +30,7 @@ mkdir -p $DIR/new $DIR/counts
 TEST="brute t_pred certify t_tess t_part parity"
 for f in proof/exact hunts/hard hunts/certify points proof/verify bench/bench \
     unit/damage unit/guard unit/brute unit/t_pred unit/t_tess unit/t_part fortran/parity; do
-    $CC -O2 -I. -c -o $DIR/`basename $f`.o test/$f.c || say "$f.c does not compile"
+    $CC -O2 -I. -c -o "$DIR/$(basename $f).o" test/$f.c || say "$f.c does not compile"
 done
 $CC -O2 -o $DIR/mutant test/hunts/mutant.c || say "mutant.c does not compile"
 
@@ -63,6 +63,7 @@ passes() {
     *) args=;;
     esac
     links $1 $2 2> /dev/null || return 1
+    # shellcheck disable=SC3045 # all shells that there are know -t
     (ulimit -t $LIMIT; ulimit -f 20000; ulimit -v 4000000 2> /dev/null
         exec $1/$2 $args) > $1/out 2> /dev/null || return 1
     [ $2 != parity ] || sh test/fortran/sums.sh $1/out test/fortran/parity.txt \
@@ -76,7 +77,7 @@ counts() {
     for f in "uniform 20000" "lattice 4000" "aniso 5000" "planenoise 5000" \
         "clusters 5000" "spherejit 2000" "planespread 2000" "cubesurf 3000" \
         "ellipsoid 4000" "torus 3000"; do
-        (ulimit -t $LIMIT; exec $1/count $f 1)
+        limited $LIMIT $1/count $f 1
     done | grep '^count'
 }
 

@@ -11,7 +11,8 @@
 # start, which torture.c does itself around the calls.  What the machine lacks
 # is skipped, and said.  Ends with `torture: N sets, M faults', or with -check
 # `torture: N passed, M failed'.
-CC=${CC:-cc}
+. test/tests.sh
+begin torture
 LIBS=-lm
 DIR=build/torture.d
 CHECK=
@@ -20,12 +21,10 @@ if [ "$TIME" = -check ]; then
     CHECK=yes
     TIME=0
 fi
-SEED=${2:-`date +%s`}
+SEED=${2:-$(date +%s)}
 [ -n "$CHECK" ] && SEED=1
 SETS=0
 FAULTS=0
-PASSED=0
-FAILED=0
 BUILDS=20 # about, for the shares
 
 mkdir -p $DIR
@@ -33,23 +32,15 @@ LOG=$DIR/log
 : > $LOG
 rm -f $DIR/sums.txt
 
-skip() { echo "        skipped: $1"; }
-
-# have CC FLAGS: does this compiler take these flags, and its programs run?
-have() {
-    echo 'int main(void) { return 0; }' > $DIR/have.c
-    $1 $2 -o $DIR/have $DIR/have.c $LIBS > /dev/null 2>&1 && $DIR/have
-}
-
 # harness TAG DEFINITIONS: its objects, H says which; compiled once
 harness() {
     H=
     for c in hunts/torture hunts/hard proof/verify proof/exact unit/damage \
         unit/guard; do
-        f=`basename $c`
+        f=$(basename $c)
         o=$DIR/$1-$f.o
         H="$H $o"
-        [ -f $o ] && [ -z "`find test tess.h hhpred.h -newer $o -name '*.[ch]'`" ] &&
+        [ -f $o ] && [ -z "$(find test tess.h hhpred.h -newer $o -name '*.[ch]')" ] &&
             continue
         # C99's fenv.h where it is to be had
         { [ $f = torture ] && $CC -std=c99 -DTEST_ROUNDING -O1 $2 -c -o $o \
@@ -60,29 +51,28 @@ harness() {
 
 # tally NAME: of the output in $DIR/out count sets, faults, tests
 tally() {
-    sets=`sed -n 's/^ *\([0-9]*\) sets, .*/\1/p' $DIR/out | tail -n 1`
-    set -- "$1" "${sets:-0}" \
-        `sed -n 's/^[a-z]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' $DIR/out`
+    sets=$(sed -n 's/^ *\([0-9]*\) sets, .*/\1/p' $DIR/out | tail -n 1)
+    # shellcheck disable=SC2046 # two numbers
+    set -- "$1" "${sets:-0}" $(counted $DIR/out)
     if [ $# -ne 4 ]; then
         # it did not come to its end
         set -- "$1" $2 0 1
         echo "FAILED  $1: stopped with code $code"
     fi
-    bad=`grep -c '^FAILED  .* (' $DIR/out`
-    [ $bad -eq 0 ] && bad=$4
-    echo "$1: $2 sets, $bad faults`sed -n 's/^ .* faults; /; /p' $DIR/out`"
+    bad=$(grep -c '^FAILED  .* (' $DIR/out)
+    [ "$bad" -eq 0 ] && bad=$4
+    echo "$1: $2 sets, $bad faults$(sed -n 's/^ .* faults; /; /p' $DIR/out)"
     egrep '^FAILED.* \(|^        [-0-9]' $DIR/out | grep -v ' sets, ' | head -n 40
-    SETS=`expr $SETS + $2`
-    FAULTS=`expr $FAULTS + $bad`
-    PASSED=`expr $PASSED + $3`
-    FAILED=`expr $FAILED + $4`
+    SETS=$((SETS + $2))
+    FAULTS=$((FAULTS + bad))
+    count "$3" "$4" 0
 }
 
-# limited COMMAND...: its output to $DIR/out, the code in $code; in no more
-# than the processor time that it may take
-limited() {
+# run COMMAND...: its output to $DIR/out, the code in $code; in no more than the
+# processor time that it may take
+run() {
     echo "== $*" >> $LOG
-    (ulimit -t `expr $TIME + 200`; exec "$@") > $DIR/out 2>&1
+    limited $((TIME + 200)) "$@" > $DIR/out 2>&1
     code=$?
     cat $DIR/out >> $LOG
 }
@@ -90,36 +80,34 @@ limited() {
 # hunt NAME OPTIONS: the harness $H linked with the library $L
 hunt() {
     if ! $LINK -o $DIR/torture $H $L $LIBS >> $LOG 2>&1; then
-        echo "FAILED  $1: does not link"
-        FAILED=`expr $FAILED + 1`
+        fail "$1: does not link"
         return
     fi
     # to see a fault again: the program of each build stays
-    file=torture-`echo "$1" | tr -cs 'a-zA-Z0-9=\n' _`
+    file=torture-$(echo "$1" | tr -cs 'a-zA-Z0-9=\n' _)
     mv $DIR/torture $DIR/$file
     if [ -n "$CHECK" ]; then
         few=40
         many=1
     else
-        few="-time `expr $TIME / $BUILDS '*' 2 / 3 + 1` 1 $SEED"
-        many="-time `expr $TIME / $BUILDS / 3 + 1` 1 $SEED"
+        few="-time $((TIME / BUILDS * 2 / 3 + 1)) 1 $SEED"
+        many="-time $((TIME / BUILDS / 3 + 1)) 1 $SEED"
     fi
-    limited $DIR/$file $2 $few
+    run $DIR/$file $2 $few
     tally "$1"
-    limited $DIR/$file $2 -many $many
+    run $DIR/$file $2 -many $many
     tally "$1, many points"
     echo "        $DIR/$file"
     # with enough limbs all results are the same
     case "$1" in *limbs*|*float*) return;; esac
-    limited $DIR/$file $2 -sums `expr 4 + $TIME / 10` $SEED
+    run $DIR/$file $2 -sums $((4 + TIME / 10)) $SEED
     if [ ! -f $DIR/sums.txt ]; then
         mv $DIR/out $DIR/sums.txt
     elif cmp $DIR/out $DIR/sums.txt >> $LOG 2>&1; then
-        PASSED=`expr $PASSED + 1`
+        count 1 0 0
     else
-        FAILED=`expr $FAILED + 1`
-        FAULTS=`expr $FAULTS + 1`
-        echo "FAILED  $1: -sums differ: `diff $DIR/out $DIR/sums.txt | head -n 4`"
+        FAULTS=$((FAULTS + 1))
+        fail "$1: -sums differ: $(diff $DIR/out $DIR/sums.txt | head -n 4)"
     fi
 }
 
@@ -135,29 +123,20 @@ c() {
         L="$L $DIR/$f.o"
     done
     LINK=$CC
-    harness "h`echo "$4" | tr -cd 'a-zA-Z0-9'`" "$4"
+    harness "h$(echo "$4" | tr -cd 'a-zA-Z0-9')" "$4"
     hunt "$1" "$5"
 }
 
-# f NAME COMPILE...: the Fortran half, by way of shim.c
+# f NAME COMPILE...: the FORTRAN half, by way of shim.c
 f() {
-    name=$1
+    build=$1
     shift
     rm -f $DIR/tess.o $DIR/hhpred.o
     "$@" >> $LOG 2>&1
     $CC -O1 -c -o $DIR/shim.o test/fortran/shim.c >> $LOG 2>&1
     L="$DIR/shim.o $DIR/tess.o $DIR/hhpred.o"
     harness h ""
-    hunt "$name" ""
-}
-gfort() {
-    for f in tess hhpred; do
-        gfortran -frecursive "$@" -c -o $DIR/$f.o f77/$f.f || return
-    done
-}
-viaf2c() {
-    f2c -A -a -u -d$DIR f77/tess.f f77/hhpred.f
-    for f in tess hhpred; do $CC -O2 -c -o $DIR/$f.o $DIR/$f.c; done
+    hunt "$build" ""
 }
 
 SAN="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
@@ -173,27 +152,27 @@ fuzz() {
     if [ -z "$CHECK" ] && clang $SAN -fsanitize=fuzzer -o $DIR/$name \
         test/hunts/$name.c $D tess.c hhpred.c $M $LIBS >> $LOG 2>&1; then
         mkdir -p $DIR/$name.corpus
-        limited $DIR/$name -max_total_time=`expr $TIME / $BUILDS + 1` \
+        run $DIR/$name -max_total_time=$((TIME / BUILDS + 1)) \
             -timeout=20 -max_len=300 -seed=$SEED -print_final_stats=1 \
             -artifact_prefix=$DIR/$name- $DIR/$name.corpus
-        runs=`sed -n 's/^Done \([0-9]*\) runs.*/\1/p' $DIR/out`
+        runs=$(sed -n 's/^Done \([0-9]*\) runs.*/\1/p' $DIR/out)
         if [ $code -eq 0 ]; then
             echo "$name, libFuzzer: ${runs:-0} sets, 0 faults"
         else
-            FAULTS=`expr $FAULTS + 1`
+            FAULTS=$((FAULTS + 1))
             echo "$name, libFuzzer: 1 fault"
             egrep '^FAILED|^[-0-9.e]* [-0-9.e]* [-0-9.e]*$|^SUMMARY|^==.*ERROR|Test unit written' \
                 $DIR/out | head -n 20
         fi
-        SETS=`expr $SETS + ${runs:-0}`
+        SETS=$((SETS + ${runs:-0}))
         return
     fi
     [ -z "$CHECK" ] && skip "$name with libFuzzer"
     if have "$CC" "$SAN" && $CC $SAN -DSTANDALONE -o $DIR/$name \
         test/hunts/$name.c $D tess.c hhpred.c $M $LIBS >> $LOG 2>&1; then
         sets=200
-        [ -z "$CHECK" ] && sets=`expr $TIME '*' 10`
-        limited $DIR/$name $sets $SEED
+        [ -z "$CHECK" ] && sets=$((TIME * 10))
+        run $DIR/$name $sets $SEED
         tally "$name, sanitizers"
     else
         skip "$name, sanitizers"
@@ -212,7 +191,7 @@ c "long" $CC "-O1" -DTESS_INT=long ""
 fuzz fuzz
 if command -v gfortran > /dev/null; then
     LINK=gfortran
-    f "gfortran -Ofast" gfort -Ofast
+    f "gfortran -Ofast" gfort $DIR/ -Ofast
 else
     skip "gfortran"
 fi
@@ -227,22 +206,23 @@ if [ -z "$CHECK" ]; then
     c "float -Ofast" $CC "-Ofast -march=native" -DTESS_FLOAT ""
     if command -v gfortran > /dev/null; then
         LINK=gfortran
-        f "gfortran -O0" gfort -O0
-        f "gfortran -fcheck=all" gfort -O1 -fcheck=all
+        f "gfortran -O0" gfort $DIR/ -O0
+        f "gfortran -fcheck=all" gfort $DIR/ -O1 -fcheck=all
     fi
     LINK=$CC
     if command -v f2c > /dev/null; then
         LIBS="-lf2c -lm"
-        f "f2c" viaf2c
+        f "f2c" viaf2c $DIR/
     else
         skip "f2c"
     fi
 fi
 
+ended torture > $DIR/out
+code=$?
 if [ -n "$CHECK" ]; then
-    echo "torture: $PASSED passed, $FAILED failed"
+    cat $DIR/out
 else
     echo "torture: $SETS sets, $FAULTS faults"
-    [ $FAILED -eq 0 ] || FAULTS=1
 fi
-test $FAILED -eq 0 && test $FAULTS -eq 0
+[ $code -eq 0 ] && [ $FAULTS -eq 0 ]

@@ -8,14 +8,14 @@
 #   gcc clang tcc pcc g++ qemu-user qemu-system-arm simavr
 #   gcc-{i686,m68k,alpha,powerpc64,arm,aarch64}-linux-gnu{,hf} with their libc
 #   gcc-arm-none-eabi libnewlib-arm-none-eabi gcc-avr avr-libc
-CC=${CC:-cc}
+. test/tests.sh
 LIBRARY="tess.c hhpred.c"
 B=build/reach
 BAD=0
 rm -rf $B
 mkdir -p $B
 
-have() { command -v "$1" > /dev/null; }
+there() { command -v "$1" > /dev/null; }
 checksum() { cksum < "$1" | sed 's/ .*//'; }
 
 # What all must write: the arrays of tiny.c's four sets, and of parity.c's many.
@@ -30,7 +30,7 @@ row() {
     name=$1
     run=$2
     shift 2
-    if ! have "$1" || { [ -n "$run" ] && ! have "$run"; }; then
+    if ! there "$1" || { [ -n "$run" ] && ! there "$run"; }; then
         echo "| $name | not to be had | | |"
         return
     fi
@@ -100,8 +100,8 @@ bare() {
     case $machine in
     avr)
         $AVR -DPAINT "$@" -o $B/bare test/machines/tiny.c $LIBRARY -lm 2>> $B/log &&
-            (ulimit -t 200; exec simavr -m atmega1284p -f 16000000 $B/bare) \
-                2>&1 | sed -n 's/[^ -~]\[[0-9]*m//g; s/\.$//p' > $file;;
+            limited 200 simavr -m atmega1284p -f 16000000 $B/bare 2>&1 |
+                sed -n 's/[^ -~]\[[0-9]*m//g; s/\.$//p' > $file;;
     *)
         case $machine in
         m0) cc=$M0 board=microbit size=0x4000;;
@@ -111,8 +111,8 @@ bare() {
         $cc -DPAINT "$@" -nostartfiles --specs=nano.specs -T test/machines/bare/cortex.ld \
             -Wl,--defsym=MEMORY_SIZE=$size -o $B/bare test/machines/tiny.c \
             test/machines/bare/cortex.c $LIBRARY -lm 2>> $B/log &&
-            (ulimit -t 100; exec qemu-system-arm -M $board -nographic \
-                -semihosting -kernel $B/bare) > $file 2>&1;;
+            limited 100 qemu-system-arm -M $board -nographic \
+                -semihosting -kernel $B/bare > $file 2>&1;;
     esac
 }
 
@@ -147,8 +147,8 @@ flash() {
     fi
     with="-r -nostdlib"
     [ $3 = linked ] && with="-nostartfiles"
-    $cc $with -Wl,--gc-sections -Wl,-e,`entry` -Wl,-u,`entry` \
-        -Wl,-u,`locate` -o $B/called.o $B/tess.o $B/hhpred.o -lm 2>> $B/log
+    $cc $with -Wl,--gc-sections -Wl,-e,"$(entry)" -Wl,-u,"$(entry)" \
+        -Wl,-u,"$(locate)" -o $B/called.o $B/tess.o $B/hhpred.o -lm 2>> $B/log
     $size $B/called.o | awk 'NR > 1 { print $1 }'
 }
 
@@ -165,7 +165,7 @@ usage() {
     for f in tess hhpred; do
         $cc -Os $2 -fcallgraph-info=su -c -o $B/$f.o $f.c 2>> $B/log
     done
-    awk -v entry=`entry` '
+    awk -v entry="$(entry)" '
         function deep(f, list, k, n, d, most) {
             if (f in known) return known[f]
             n = split(callees[f], list, " ")
@@ -196,7 +196,7 @@ locate() {
 machine_table() {
     echo "| machine | options | flash, tess and tess_locate | linked | flash, all | stack | painted | arrays |"
     echo "| --- | --- | ---: | ---: | ---: | ---: | ---: | --- |"
-    if have arm-none-eabi-gcc && have qemu-system-arm; then
+    if there arm-none-eabi-gcc && there qemu-system-arm; then
         small "Cortex-M4" m4 ""
         small "Cortex-M4" m4 "-DTESS_LIST=64"
         small "Cortex-M4" m4 "$SMALL"
@@ -207,7 +207,7 @@ machine_table() {
     else
         echo "| Cortex-M | not to be had | | | | | | |"
     fi
-    if have avr-gcc && have simavr; then
+    if there avr-gcc && there simavr; then
         # (double is float, tess_int long; 3 limbs, of 9 bits here, do not do)
         small "AVR, ATmega1284P" avr "-DTESS_LIST=64 -DHH_LIMBS=6"
         small "AVR, ATmega1284P" avr \
@@ -278,7 +278,7 @@ limbs() {
     echo "Written by: make reach"
     echo "Machine: `uname -sm`; the others are simulated"
     for c in gcc clang qemu-m68k qemu-system-arm arm-none-eabi-gcc avr-gcc; do
-        have $c && $c --version | head -n 1
+        there $c && $c --version | head -n 1
     done
     echo
     echo "The same arrays everywhere: checksums, by cksum, of what programs write"

@@ -4,24 +4,17 @@
 # each failure, and how many cases passed; returns 1 if any failed.
 # PYTHON=python3 with the modules numpy and vtk reads .vtu files back.
 PYTHON=${PYTHON:-/usr/bin/python3}
+. test/tests.sh
+begin mpi
 run="mpirun --oversubscribe --allow-run-as-root"
 # who never ends, at work or asleep, has failed
 MPIEXEC_TIMEOUT=300
 export MPIEXEC_TIMEOUT
 dir=build/mpi
-bad=0
-good=0
 mkdir -p $dir
 
 # result NAME STATUS
-result() {
-    if [ "$2" = 0 ]; then
-        good=$((good + 1))
-    else
-        bad=$((bad + 1))
-        echo "FAILED: MPI: $1"
-    fi
-}
+result() { yes "MPI: $1" test "$2" = 0; }
 
 # mesh R CODE ARGUMENTS
 mesh() {
@@ -29,7 +22,7 @@ mesh() {
     code=$2
     shift 2
     rm -f $dir/o.*
-    (ulimit -t 20; exec $run -np "$processes" build/mesh -o $dir/o "$@") \
+    limited 20 $run -np "$processes" build/mesh -o $dir/o "$@" \
         >$dir/out 2>$dir/err </dev/null
     [ $? = "$code" ]
 }
@@ -109,7 +102,7 @@ paraboloid 244 7
 sheets 336 4
 END
 sh test/mpi/hunt.sh 20 1 >$dir/hunt.out
-result "the hunt: `tail -n 1 $dir/hunt.out`" $?
+result "the hunt: $(tail -n 1 $dir/hunt.out)" $?
 grep FAILED $dir/hunt.out
 
 # From a few extreme points alone: all else by agreement.
@@ -188,8 +181,7 @@ END
     $PYTHON $dir/vtu.py $dir 3
     result "VTK reads .pvtu, .vtu" $?
 else
-    echo "MPI: skipped: .vtu files: no numpy, vtk for $PYTHON"
+    skip "MPI: .vtu files are not read back: no numpy, vtk for $PYTHON"
 fi
 
-echo "mpi: $good passed, $bad failed"
-[ $bad = 0 ]
+ended mpi

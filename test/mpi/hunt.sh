@@ -8,7 +8,9 @@
 # line tells the seed; a set that fails is kept in build/mpi.hunt, and its
 # command printed.  Returns 1 if any failed.
 TIME=${1:-600}
-SEED=${2:-`date +%s`}
+SEED=${2:-$(date +%s)}
+. test/tests.sh
+begin hunt
 run="mpirun --oversubscribe --allow-run-as-root"
 MPIEXEC_TIMEOUT=300
 export MPIEXEC_TIMEOUT
@@ -60,11 +62,9 @@ mixed() {
     }'
 }
 
-good=0
-bad=0
-end=`expr \`date +%s\` + $TIME`
-while read number processes n what seed; do
-    [ `date +%s` -ge $end ] && break
+end=$(($(date +%s) + TIME))
+while read -r number processes n what seed; do
+    [ "$(date +%s)" -ge $end ] && break
     name=$what
     if [ $what = mixed ]; then
         mixed $n $seed > $dir/mixed
@@ -72,20 +72,17 @@ while read number processes n what seed; do
     fi
     build/same -write $dir/p.raw $name $n > /dev/null 2>&1 || continue
     rm -f $dir/o.*
-    (ulimit -t 20; exec $run -np $processes build/mesh -raw $dir/p.raw \
-        -o $dir/o) > $dir/out 2> $dir/err < /dev/null
+    limited 20 $run -np $processes build/mesh -raw $dir/p.raw -o $dir/o > $dir/out 2> $dir/err < /dev/null
     code=$?
     if [ $code -le 5 ] && [ $code -ne 1 ] && build/same $dir/o $processes \
         $dir/p.raw > $dir/same.out 2>&1; then
-        good=`expr $good + 1`
+        count 1 0 0
     elif [ $code -ge 3 ] && [ $code -le 5 ]; then
-        good=`expr $good + 1` # no tetrahedra: check.sh tests these codes
+        count 1 0 0 # no tetrahedra: check.sh tests these codes
     else
-        bad=`expr $bad + 1`
         cp $dir/p.raw $dir/failed.$number.raw
-        echo "FAILED: $what $n, code $code: mpirun -np $processes build/mesh" \
-            "-raw $dir/failed.$number.raw -o $dir/o"
+        fail "$what $n, code $code: mpirun -np $processes build/mesh -raw \
+$dir/failed.$number.raw -o $dir/o"
     fi
 done < $dir/list
-echo "hunt: $good passed, $bad failed"
-[ $bad = 0 ]
+ended hunt

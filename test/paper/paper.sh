@@ -18,7 +18,7 @@
 # the program is then bound to.
 
 cd "$(dirname "$0")/../.." || exit 1
-CC=${CC:-cc}
+. test/tests.sh
 CFLAGS=${CFLAGS:--O3}
 FFLAGS=${FFLAGS:--O3}
 HERE=test/paper
@@ -168,8 +168,7 @@ fi
 # ---- the short form ----
 
 if [ "$1" = -check ]; then
-    passed=0
-    failed=0
+    begin paper
     # program NAME COMMAND...: its own tests
     program() {
         name=$1
@@ -178,15 +177,13 @@ if [ "$1" = -check ]; then
         "$@" >$OUT/out 2>&1
         code=$?
         cat $OUT/out
-        # shellcheck disable=SC2046
-        set -- $(sed -n '$s/^[a-z]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' $OUT/out)
-        if [ $# -ne 2 ]; then
-            echo "FAILED  $name: stopped with code $code"
-            failed=$((failed + 1))
-            return
+        # shellcheck disable=SC2046 # two numbers
+        set -- $(counted $OUT/out)
+        if [ $# -eq 2 ]; then
+            count "$1" "$2" 0
+        else
+            fail "$name: stopped with code $code"
         fi
-        passed=$((passed + $1))
-        failed=$((failed + $2))
     }
     program "accuracy" $OUT/acc -check
     program "errors" $OUT/backward -check 3000
@@ -194,9 +191,9 @@ if [ "$1" = -check ]; then
     program "loops of the timings" $OUT/time_own -check
     [ -n "$refblas" ] && program "with reference BLAS" $OUT/time_ref -check
     [ -n "$openblas" ] && program "with OpenBLAS" $OUT/time_open -check
-    [ -z "$refblas$openblas" ] && echo "        BLAS: not installed"
+    [ -z "$refblas$openblas" ] && skip "BLAS: not installed"
     if [ "$FC" = none ]; then
-        echo "        no Fortran compiler"
+        skip "no Fortran compiler"
     else
         program "errors, FORTRAN 77" $OUT/backward_f -check 3000
         echo "== FORTRAN 77"
@@ -204,16 +201,10 @@ if [ "$1" = -check ]; then
         $OUT/acc -once || part='/32-bit/,/64-bit/p'
         $OUT/acc | sed -n "$part" >$OUT/acc.txt
         $OUT/acc_f | sed -n "$part" >$OUT/acc_f.txt
-        if [ -s $OUT/acc.txt ] && cmp $OUT/acc.txt $OUT/acc_f.txt; then
-            echo "ok      acc.f prints what acc.c does"
-            passed=$((passed + 1))
-        else
-            echo "FAILED  acc.f does not print what acc.c does"
-            failed=$((failed + 1))
-        fi
+        test -s $OUT/acc.txt && cmp $OUT/acc.txt $OUT/acc_f.txt
+        yes "acc.f prints what acc.c does" test $? -eq 0
     fi
-    echo "paper: $passed passed, $failed failed"
-    [ $failed -eq 0 ]
+    ended paper
     exit
 fi
 

@@ -4,26 +4,13 @@
 # Run from the top directory, after `make'.  Each file made here holds the same
 # five points; what tess writes of them is compared with what is written here.
 # Ends with `driver: N passed, M failed'.
-CC=${CC:-cc}
-PYTHON=${PYTHON:-python3}
-TESS=`pwd`/build/tess
-TOP=`pwd`
+. test/tests.sh
+begin driver
+TOP=$(pwd)
+TESS=$TOP/build/tess
 rm -rf build/driver
 mkdir -p build/driver
 cd build/driver || exit 1
-
-# (to a file: behind a pipe no variable can be set; to 3: where the output of
-# what is tested goes nowhere)
-exec 3>&1
-pass() { echo "ok      $1" | tee -a results >&3; }
-fail() { echo "FAILED  $1" | tee -a results >&3; }
-
-# yes NAME COMMAND...: passed when it succeeds
-yes() {
-    name=$1
-    shift
-    if "$@"; then pass "$name"; else fail "$name"; fi
-}
 
 # The points, with one value, two, none; the last with a marker.
 cat > none << END
@@ -837,7 +824,7 @@ for reader in meshio vtk; do
     if $PYTHON -c "import $reader" 2> words; then
         yes "VTK, read by $reader" $PYTHON read.py $reader
     else
-        echo "        skipped: VTK files: no $reader for $PYTHON"
+        skip "VTK files: no $reader for $PYTHON"
     fi
 done
 
@@ -889,7 +876,7 @@ yes "sides that differ: a warning" grep -e '-scale 1,1,0.008 ' words > /dev/null
 for width in '49 0' '51 1'; do
     printf '0 0 0\n1 0 0\n0 1 0\n0 0 %s\n' ${width% *} > wide
     $TESS wide > said 2> words
-    yes "the warning from 1:50 on" test `grep -c scale words` = ${width#* }
+    yes "the warning from 1:50 on" test "$(grep -c scale words)" = ${width#* }
 done
 $TESS -scale 1,1,1 wide > said 2> words
 yes "no warning with -scale" test ! -s words
@@ -1076,7 +1063,7 @@ if $PYTHON -c 'import scipy.spatial' 2> words; then
             0,1,0,2,-1,2
     done
 else
-    echo "        skipped: -volumes beside scipy's: no scipy for $PYTHON"
+    skip "-volumes beside scipy's: no scipy for $PYTHON"
 fi
 awk '{ printf "%.17g %.17g %.17g\n", $1 + NR % 3 - 1, $2 - 2 * (NR % 2),
     $3 + 6 }' boxed > far
@@ -1176,7 +1163,7 @@ fi
 
 # after a second: a set that takes several
 awk 'BEGIN { srand(2); c = cos(0.5); s = sin(0.5)
-    for (i = 0; i < 60000; i++) {
+    for (i = 0; i < 400000; i++) {
         x = rand() - 0.5; y = rand() - 0.5; z = rand() - 0.5
         r = 1 / sqrt(x * x + y * y + z * z); x *= r; y *= r; z *= r
         printf "%.17g %.17g %.17g\n", x, y, z } }' > slow
@@ -1184,7 +1171,7 @@ $TESS slow > said 2> words
 if awk '/^seconds/ { exit !($2 > 3) }' said; then
     yes "it says how far it is" grep 'tetrahedra after' words > /dev/null
 else
-    echo "        skipped: what it says after a second: too fast"
+    skip "what it says after a second: too fast"
 fi
 
 # ---- make bench: a family that there is not, a small run ----
@@ -1194,13 +1181,11 @@ yes "make bench FAMILY=nosuch: an error" test $? -ne 0
 yes "make bench FAMILY=nosuch: the families" grep -w globe words > /dev/null
 (cd "$TOP" && make bench FAMILY=no/such CC="$CC" CFLAGS=-O0) > said 2> words
 yes "make bench FAMILY=no/such: an error" test $? -ne 0
-(cd "$TOP" && PEERS= REPEATS=1 SIZES="50 100" FAMILY=prism CFLAGS=-O0 \
+(cd "$TOP" && PEERS="" REPEATS=1 SIZES="50 100" FAMILY=prism CFLAGS=-O0 \
     sh test/bench/bench.sh) > said 2> words
-yes "make bench: a family's rows" test `grep -c '^| prism | [0-9]* | [0-9]* |' \
-    said` -eq 2
+yes "make bench: a family's rows" test \
+    "$(grep -c '^| prism | [0-9]* | [0-9]* |' said)" -eq 2
 yes "make bench: the load is said" grep '^Load average: [0-9.]* before, at most [0-9.]* ' \
     said > /dev/null
 
-failed=`grep -c '^FAILED' results`
-echo "driver: `grep -c '^ok' results` passed, $failed failed"
-test $failed -eq 0
+ended driver

@@ -4,16 +4,13 @@
 # Run from the top directory, after `make'.  values.py compares values with
 # those of NumPy and SciPy, where $PYTHON (python3) has them; what is here is
 # what is refused.  Ends with `values: N passed, M failed'.
-CC=${CC:-cc}
-PYTHON=${PYTHON:-python3}
-TESS=`pwd`/build/tess
-TOP=`pwd`
+. test/tests.sh
+begin values
+TOP=$(pwd)
+TESS=$TOP/build/tess
 rm -rf build/values
 mkdir -p build/values
 cd build/values || exit 1
-
-pass() { echo "ok      $1" | tee -a results; }
-fail() { echo "FAILED  $1" | tee -a results; }
 
 # refuses WORDS OPTIONS...: exit code 2, one line on standard error that says
 # WORDS, nothing on standard output, and no file
@@ -24,7 +21,7 @@ refuses() {
     $TESS "$@" < points > said 2> told
     code=$?
     ls > after
-    if [ $code -ne 2 ] || [ -s said ] || [ `wc -l < told` -ne 1 ]; then
+    if [ $code -ne 2 ] || [ -s said ] || [ "$(wc -l < told)" -ne 1 ]; then
         fail "not refused, or not in one line: $* (code $code): `cat told`"
     elif ! grep -e "$words" told > /dev/null; then
         fail "$*: not said: $words: `cat told`"
@@ -56,14 +53,14 @@ refuses 'linear, smooth, natural or nearest' -grid 2,2,2 -method cubic \
     -values v.npy points
 refuses 'linear, smooth, natural or nearest' -grid 2,2,2 -method '' \
     -values v.npy points
-refuses 'linear, smooth, natural or nearest' -validate -method linear, points
+refuses 'linear, smooth, natural or nearest' -validate -method "linear," points
 refuses 'choose one -method' -grid 2,2,2 -method linear,smooth -values v.npy \
     points
 for grid in 0,2,2 2,-1,2 2,2,2.5 1e99,1,1 nan,2,2 99999999999,1,1; do
     refuses 'whole numbers' -grid $grid -values v.npy points
 done
 refuses 'places are more' -grid 100000,100000,1000 -values v.npy points
-for grid in '' 2 2,2 2,2,2, 2,2,2,0,1 2,2,2,0,1,0,1,0,1,0 2,2,x; do
+for grid in '' 2 2,2 '2,2,2,' 2,2,2,0,1 2,2,2,0,1,0,1,0,1,0 2,2,x; do
     refuses 'needs NX,NY,NZ' -grid "$grid" -values v.npy points
 done
 refuses 'X0 must be less' -grid 2,2,2,1,0,0,1,0,1 -values v.npy points
@@ -160,12 +157,12 @@ if (trap '' XFSZ; ulimit -f 1000) 2> /dev/null; then
         fi
     done
 else
-    echo "        skipped: a file that cannot be completed: no ulimit -f"
+    skip "a file that cannot be completed: no ulimit -f"
 fi
 
 # places from standard input; no progress where there is no terminal
 tail -n +2 bare | $TESS -q -query - -values in.csv points 2> told
-if [ `wc -l < in.csv` -eq 201 ] && [ ! -s told ]; then
+if [ "$(wc -l < in.csv)" -eq 201 ] && [ ! -s told ]; then
     pass "-query -: places from standard input"
 else
     fail "-query -: `cat told`"
@@ -192,18 +189,17 @@ if $PYTHON -c 'import numpy, scipy' 2> told; then
     then
         library=./recipes.so
     else
-        echo "        skipped: the recipes beside build/tess: no -shared -fPIC"
+        skip "the recipes beside build/tess: no -shared -fPIC"
     fi
     $PYTHON "$TOP"/test/program/values.py $TESS $library > numbers 2> told
     code=$?
-    cat numbers | tee -a results
+    cat numbers
+    count "$(grep -c '^ok' numbers)" "$(grep -c '^FAILED' numbers)" 0
     if [ $code -ne 0 ] || [ -s told ]; then
         fail "values.py: code $code: `tail -n 1 told`"
     fi
 else
-    echo "        skipped: values beside SciPy: no numpy, scipy for $PYTHON"
+    skip "values beside SciPy: no numpy, scipy for $PYTHON"
 fi
 
-failed=`grep -c '^FAILED' results`
-echo "values: `grep -c '^ok' results` passed, $failed failed"
-test $failed -eq 0
+ended values

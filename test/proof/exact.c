@@ -553,6 +553,14 @@ void test_result(const char *name, long faults)
     fflush(stdout);
 }
 
+void test_that(int good, const char *of, const char *what)
+{
+    char name[120];
+
+    sprintf(name, "%.60s: %.50s", of, what);
+    test_result(name, good ? 0L : 1L);
+}
+
 int test_end(const char *program)
 {
     printf("%s: %ld passed, %ld failed\n", program, passed, failed);

@@ -86,8 +86,9 @@ int rnd_below(int n);
 void test_modes(void (*all)(void));
 
 /* test_result - count and print one test of that name, passed if it had no
- * fault.  test_end - print the counts; the exit code of the program. */
+ * fault; test_that - if it is good, and the name has two parts.  test_end - print the counts; the exit code of the program. */
 void test_result(const char *name, long faults);
+void test_that(int good, const char *of, const char *what);
 int test_end(const char *program);
 
 #endif

@@ -23,14 +23,6 @@ static tess_int iwork[25 * MOST];
 static double rw[TESS_LRW(N)], area[MOST], vert[9 * MOST], work[7 * MOST];
 static double box[6];
 
-static void check(int good, const char *set, const char *what)
-{
-    char name[80];
-
-    sprintf(name, "%s: %s", set, what);
-    test_result(name, good ? 0L : 1L);
-}
-
 #ifdef FORTRAN
 extern void cell_(double *p, int *tet, int *adj, int *first, int *list, int *i,
                   double *box, int *boxed, int *most, int *nface, int *whose,
@@ -201,10 +193,10 @@ static int filled(void)
 
 static void told(const char *set, int bad)
 {
-    check(!(bad & 1), set, "codes");
-    check(!(bad & 2), set, "polyhedra");
-    check(!(bad & 4), set, "inside their planes and the box");
-    check(!(bad & 8), set, "volumes fill the box to 1e-12");
+    test_that(!(bad & 1), set, "codes");
+    test_that(!(bad & 2), set, "polyhedra");
+    test_that(!(bad & 4), set, "inside their planes and the box");
+    test_that(!(bad & 8), set, "volumes fill the box to 1e-12");
 }
 
 /* turn - the points about no axis in particular. */
@@ -294,7 +286,7 @@ static void speck(void)
         good = one(i, box, &volume) == 0 && (nface == 0 || sealed());
         some += nface > 0;
     }
-    check(good && some > 0, "a speck", "polyhedra");
+    test_that(good && some > 0, "a speck", "polyhedra");
 }
 
 int main(void)

@@ -24,14 +24,6 @@ static tess_int nn, nbr[MOST + 3], work[WORK];
 static double rw[TESS_LRW(N)], real[WORK], value[N], g[3 * N];
 static double weights[2][MOST + 3];
 
-static void check(int good, const char *family, const char *what)
-{
-    char name[80];
-
-    sprintf(name, "%s: %s", family, what);
-    test_result(name, good ? 0L : 1L);
-}
-
 #ifdef FORTRAN
 extern void natura_(double *p, int *ntet, int *tet, int *adj, double *q,
                     int *t, int *most, int *nn, int *nbr, double *sibson,
@@ -58,7 +50,7 @@ static int both(tess_real *q, tess_int *t, tess_int most)
     for (k = 0; k < nn && i; k++)
         i = nbr1[k] == nbr[k] + 1 && fabs(weights[0][k] - other[0][k]) < 1e-9 &&
             fabs(weights[1][k] - other[1][k]) < 1e-9;
-    if (!i) check(0, "FORTRAN", "as C");
+    if (!i) test_that(0, "FORTRAN", "as C");
     return info;
 }
 
@@ -75,7 +67,7 @@ static double smooth(const double *w)
     }
     blend_(p, &nn, nbr1, w1, value, g, &out);
     if (!(fabs(out - blend(p, nn, nbr, w, value, g)) <= 1e-12 * fabs(out)))
-        check(0, "FORTRAN", "blend as C's");
+        test_that(0, "FORTRAN", "blend as C's");
     return out;
 }
 #else
@@ -148,7 +140,7 @@ static void family(const char *name, int turned)
 
     n = (tess_int)points_make(name, N, 1, p);
     code = n > 0 ? mesh(turned, 1.0) : -1;
-    check(code == 0, name, "mesh");
+    test_that(code == 0, name, "mesh");
     if (code != 0) return;
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++)
@@ -217,12 +209,12 @@ static void family(const char *name, int turned)
                 good[4] = 0;
         if (smooth(weights[0]) != value[iw[i]]) good[5] = 0;
     }
-    check(good[0], name, "the codes of tess_locate");
-    check(good[1], name, "inside");
-    check(good[2], name, "at the hull, and beyond");
-    check(good[3], name, "blend: a + b.x + c |x|^2");
-    check(good[4], name, "weight 1 at the points");
-    check(good[5], name, "blend at the points");
+    test_that(good[0], name, "the codes of tess_locate");
+    test_that(good[1], name, "inside");
+    test_that(good[2], name, "at the hull, and beyond");
+    test_that(good[3], name, "blend: a + b.x + c |x|^2");
+    test_that(good[4], name, "weight 1 at the points");
+    test_that(good[5], name, "blend at the points");
 }
 
 /* Sets where roundings hide cells: points in n[k] steps along axis k, at random
@@ -280,7 +272,7 @@ static void hide(int set)
             p[3 * i + k] = (tess_real)(hidden[set].size[k] * x[k]);
     }
     code = mesh(hidden[set].turned, 1.0);
-    check(code == 0, hidden[set].name, "mesh");
+    test_that(code == 0, hidden[set].name, "mesh");
     if (code != 0) return;
     for (i = 0; i < 3 * n; i++)
         if (fabs((double)p[i] - (double)p[i % 3]) > box)
@@ -307,8 +299,8 @@ static void hide(int set)
                 if (nbr[j] < hidden[set].away && weights[m][j] > 1e-7)
                     near = 0;
     }
-    check(good, hidden[set].name, "sum 1, and q the mean");
-    check(near, hidden[set].name, "no weight far away");
+    test_that(good, hidden[set].name, "sum 1, and q the mean");
+    test_that(near, hidden[set].name, "no weight far away");
 }
 
 /* Between the points (0,0,0) and (1,0,0) of the integer lattice q's cell is
@@ -334,9 +326,9 @@ static void lattice(int turned, double scale)
     mesh(turned, scale);
     n--;
     memcpy(saved, p + 3 * n, sizeof saved);
-    check(tess(n, p, MAXTET, &ntet, tet, adj, TESS_LIW(N), iw, TESS_LRW(N),
-               rw) == 0, "lattice", "mesh");
-    check(both(saved, &t, MOST) == 0, "lattice", "code");
+    test_that(tess(n, p, MAXTET, &ntet, tet, adj, TESS_LIW(N), iw, TESS_LRW(N),
+                   rw) == 0, "lattice", "mesh");
+    test_that(both(saved, &t, MOST) == 0, "lattice", "code");
     for (end = 0; end < 2; end++) {
         r = end ? 1.0 - s : s;
         want[0][end][0] = (1.0 - r) / 2.0;
@@ -358,7 +350,7 @@ static void lattice(int turned, double scale)
             if (!(fabs(weights[m][j] - r) < 1e-13)) good = 0;
         }
     }
-    check(good && nn >= 18, "lattice", "weights in closed form");
+    test_that(good && nn >= 18, "lattice", "weights in closed form");
 }
 
 /* The kink of a field along a line through a point and off it: the sum of the
@@ -371,7 +363,7 @@ static void kinks(void)
     int k, m, side, rounds = 0, good = 1;
 
     n = (tess_int)points_make("uniform", N, 1, p);
-    check(mesh(0, 1.0) == 0, "uniform", "mesh");
+    test_that(mesh(0, 1.0) == 0, "uniform", "mesh");
     for (i = 0; i < n; i++) {
         value[i] = sin(9.0 * (double)p[3 * i]) + (double)p[3 * i + 1];
         for (k = 0; k < 3; k++) g[3 * i + k] = 0.0;
@@ -402,9 +394,9 @@ static void kinks(void)
             for (k = 0; k < 2; k++) kink[k][m] += fabs(jump[k]) / step;
         }
     }
-    check(good && rounds > 50, "uniform", "codes of steps");
-    check(kink[0][1] < 0.01 * kink[0][0], "uniform", "blend has no kinks");
-    check(kink[1][1] > 0.5 * kink[1][0], "uniform", "linear ones have");
+    test_that(good && rounds > 50, "uniform", "codes of steps");
+    test_that(kink[0][1] < 0.01 * kink[0][0], "uniform", "blend has no kinks");
+    test_that(kink[1][1] > 0.5 * kink[1][0], "uniform", "linear ones have");
 }
 
 /* Too little room; open facets; damage; bad arguments; four points. */
@@ -417,23 +409,24 @@ static void codes(void)
     double w[4];
 
     n = (tess_int)points_make("uniform", N, 1, p);
-    check(mesh(0, 1.0) == 0, "codes", "mesh");
+    test_that(mesh(0, 1.0) == 0, "codes", "mesh");
     for (k = 0; k < 3; k++) q[k] = (tess_real)(0.45 + 0.02 * k);
     t = TESS_NONE;
-    check(both(q, &t, MOST) == 0, "codes", "room");
+    test_that(both(q, &t, MOST) == 0, "codes", "room");
     whole = nn;
     for (good = 1, most = 1; most < 200; most++) {
         code = both(q, &t, most);
         if (code == 0) break;
         if (code != TESS_POOL || nn != 0) good = 0;
     }
-    check(good && code == 0 && nn == whole && most > 4, "codes", "TESS_POOL");
-    check(both(q, &t, 0) == -7, "codes", "most");
+    test_that(good && code == 0 && nn == whole && most > 4, "codes",
+              "TESS_POOL");
+    test_that(both(q, &t, 0) == -7, "codes", "most");
     t = ntet;
-    check(both(q, &t, MOST) == -6, "codes", "start");
+    test_that(both(q, &t, MOST) == -6, "codes", "start");
     t = 0;
     q[1] = (tess_real)HUGE_VAL;
-    check(both(q, &t, MOST) == -5, "codes", "infinity");
+    test_that(both(q, &t, MOST) == -5, "codes", "infinity");
     memcpy(kept, adj, sizeof kept);
     for (good = 1, seen = 0, i = 0; i < 400; i++) {
         memcpy(adj, kept, sizeof kept);
@@ -449,7 +442,7 @@ static void codes(void)
         if (code != (i % 4 == 0 ? TESS_BAD_OPEN : -4)) good = 0;
         seen++;
     }
-    check(good && seen > 100, "codes", "open facets and damage");
+    test_that(good && seen > 100, "codes", "open facets and damage");
     /* an unfinished result, and damage anywhere: a code, weights or not, but
      * an end, and nothing out of bounds */
     for (i = 0; i < 400; i++) {
@@ -469,9 +462,9 @@ static void codes(void)
         good += code == TESS_BAD_OPEN;
         if (code == 0 && !weigh(q, 1e-7)) good = -1000;
     }
-    check(good > 10, "codes", "unfinished");
+    test_that(good > 10, "codes", "unfinished");
     n = 4;
-    check(mesh(1, 1.0) == 0, "four points", "mesh");
+    test_that(mesh(1, 1.0) == 0, "four points", "mesh");
     for (good = 1, i = 0; i < 100; i++) {
         for (w[3] = 1.0, k = 0; k < 3; k++)
             w[3] -= w[k] = rnd_unit() / 3.0;
@@ -483,7 +476,7 @@ static void codes(void)
         t = 0;
         if (both(q, &t, MOST) != 0 || !weigh(q, 1e-14)) good = 0;
     }
-    check(good, "four points", "weights");
+    test_that(good, "four points", "weights");
 }
 
 int main(void)

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "../../tess.h"
+#include "../proof/exact.h"
 
 /* what cannot be a constant expression does not compile */
 #define TEN 10
@@ -22,30 +23,37 @@ static double rw10[TESS_LRW(TEN)];
 #define UNUSED(length) 0
 #endif
 
-static long passed, failed;
+/* What is claimed of all n: a test each. */
+enum { TAKEN, LIW_LONG, LRW_LONG, LIW_SHORT, LRW_SHORT, REFUSED, TETS, LEAST,
+       LESS_LIW, LESS_LRW, CLAIMS };
+static const char *const claim[CLAIMS] = {
+    "tess_size takes n", "TESS_LIW is long enough", "TESS_LRW is long enough",
+    "TESS_LIW is no longer than it need be",
+    "TESS_LRW is no longer than it need be",
+    "tess_size refuses n, and its lengths are 0", "tess by TESS_LIW, TESS_LRW",
+    "the least lengths suffice", "a shorter iw is refused",
+    "a shorter rw is refused"
+};
+static long faults[CLAIMS];
 
-static void test(int ok, const char *what, long n)
+static void test(int ok, int which, long n)
 {
-    if (ok) {
-        passed++;
-        return;
-    }
-    failed++;
-    if (failed < 20) printf("FAILED  %s, n = %ld\n", what, n);
+    if (!ok && faults[which]++ < 5)
+        printf("        not for n = %ld: %s\n", n, claim[which]);
 }
 
 static void sizes(tess_int n)
 {
     tess_int liw, lrw;
 
-    test(tess_size(n, 0, &liw, &lrw) == 0, "tess_size", (long)n);
-    test(TESS_LIW(n) >= liw, "TESS_LIW is too small", (long)n);
-    test(TESS_LRW(n) >= lrw, "TESS_LRW is too small", (long)n);
+    test(tess_size(n, 0, &liw, &lrw) == 0, TAKEN, (long)n);
+    test(TESS_LIW(n) >= liw, LIW_LONG, (long)n);
+    test(TESS_LRW(n) >= lrw, LRW_LONG, (long)n);
     test(TESS_LIW(n) - UNUSED(TESS_LS((long)n)) - liw <= 1210 + liw / 10 ||
              TESS_LIW(n) == TESS_INT_MOST,
-         "TESS_LIW is too large", (long)n);
+         LIW_SHORT, (long)n);
     test(TESS_LRW(n) - UNUSED(TESS_LC((long)n)) - lrw <= 40 + lrw / 7,
-         "TESS_LRW is too large", (long)n);
+         LRW_SHORT, (long)n);
 }
 
 /* bytes - the README's bytes a point: of the workspace, and with tetrahedra. */
@@ -78,11 +86,11 @@ static void least(void)
         liw = (tess_int)(4 * n + n / 12 + 514);
         lrw = (tess_int)(3 * n + n / 2 + 12);
         test(tess(n, p, 1, &ntet, tet, adj, liw, iw, lrw, rw) == TESS_POINT,
-             "the least lengths", (long)n);
+             LEAST, (long)n);
         test(tess(n, p, 1, &ntet, tet, adj, (tess_int)(liw - n / 24 - 3), iw,
-                  lrw, rw) == -7, "a shorter iw", (long)n);
+                  lrw, rw) == -7, LESS_LIW, (long)n);
         test(tess(n, p, 1, &ntet, tet, adj, liw, iw,
-                  (tess_int)(lrw - n / 4 - 13), rw) == -9, "a shorter rw",
+                  (tess_int)(lrw - n / 4 - 13), rw) == -9, LESS_LRW,
              (long)n);
     }
 }
@@ -111,12 +119,12 @@ int main(int argc, char **argv)
     while (tess_size(n, 0, &liw, &lrw) == 0) sizes(n++);
     for (; n < TESS_INT_MOST - n / 9; n += n / 9)
         test(tess_size(n, 0, &liw, &lrw) == -1 && liw == 0 && lrw == 0,
-             "tess_size", (long)n);
+             REFUSED, (long)n);
     for (i = 0; i < 30; i++) q[i] = (tess_real)p[i];
     test(tess(10, q, 80, &ntet, tet, adj, (tess_int)TESS_LIW(TEN), iw10,
               (tess_int)TESS_LRW(TEN), rw10) == 0,
-         "tess", 10);
+         TETS, 10);
     least();
-    printf("t_size: %ld passed, %ld failed\n", passed, failed);
-    return failed > 0;
+    for (i = 0; i < CLAIMS; i++) test_result(claim[i], faults[i]);
+    return test_end("t_size");
 }

@@ -1,0 +1,83 @@
+# shellcheck shell=sh
+# tests.sh - what scripts of tests share: each reads it by `. test/tests.sh', in
+# the top directory.  Takes CC and PYTHON from the environment.
+CC=${CC:-cc}
+PYTHON=${PYTHON:-python3}
+
+# begin NAME: count anew.  (In a file, as behind a pipe no variable can be set;
+# to 3, as the output of what is tested goes elsewhere.)
+begin() {
+    mkdir -p build
+    RESULTS=$(pwd)/build/results.$1
+    : > "$RESULTS"
+    exec 3>&1
+}
+
+# count PASSED FAILED SKIPPED
+count() { echo "$*" >> "$RESULTS"; }
+pass() { count 1 0 0; echo "ok      $1" >&3; }
+fail() { count 0 1 0; echo "FAILED  $1" >&3; }
+skip() { count 0 0 1; echo "        skipped: $1" >&3; }
+
+# counts: how many passed, failed, were skipped
+counts() {
+    awk '{ p += $1; f += $2; s += $3 } END { print p + 0, f + 0, s + 0 }' \
+        "$RESULTS"
+}
+
+# ended NAME: the last line of a script that others count
+ended() {
+    counts | {
+        read -r passed failed _
+        echo "$1: $passed passed, $failed failed"
+        [ "$failed" -eq 0 ]
+    }
+}
+
+# counted FILE: of such a line in a program's output the two numbers
+counted() {
+    sed -n 's/^[a-z_0-9]*: \([0-9]*\) passed, \([0-9]*\) failed$/\1 \2/p' "$1"
+}
+
+# yes NAME COMMAND...: passed when it succeeds
+yes() {
+    name=$1
+    shift
+    if "$@"; then pass "$name"; else fail "$name"; fi
+}
+
+# have CC FLAGS: does this compiler take these flags, and its programs run?
+have() {
+    echo 'int main(void) { return 0; }' > build/have.c
+    # shellcheck disable=SC2086
+    $1 $2 -o build/have build/have.c -lm > /dev/null 2>&1 && build/have
+}
+
+# limited SECONDS COMMAND...: a program that never ends fails, too
+limited() {
+    # shellcheck disable=SC3045 # all shells that there are know -t
+    (ulimit -t "$1"; shift; exec "$@")
+}
+
+# gfort PREFIX FLAGS: the FORTRAN half, objects PREFIXtess.o and PREFIXhhpred.o.
+# -std=f95 -pedantic knows of no extension of FORTRAN 77 that is not in Fortran
+# 90.
+gfort() {
+    prefix=$1
+    shift
+    for half in tess hhpred; do
+        gfortran -frecursive -Wall -Wextra -Werror -std=f95 -pedantic "$@" -c \
+            -o "$prefix$half.o" f77/$half.f || return 1
+    done
+}
+
+# viaf2c PREFIX [FILE]: the same by f2c, and FILE
+viaf2c() {
+    mkdir -p build/f2c
+    f2c -A -a -u -dbuild/f2c f77/tess.f f77/hhpred.f ${2:+"$2"} \
+        > build/f2c.txt 2>&1 && ! grep -i warning build/f2c.txt || return
+    for source in f77/tess f77/hhpred ${2:+"${2%.f}"}; do
+        half=${source##*/}
+        $CC -O2 -c -o "$1$half.o" "build/f2c/$half.c" || return
+    done
+}
