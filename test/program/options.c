@@ -262,8 +262,9 @@ static const option table[] = {
      "drop rows of which a value is this number, as -9999: any\n"
      "value, or with -cols X,Y,Z,V... any that is named there"},
     {"-decimal", ",", take_decimal, &chosen.decimal,
-     "numbers have decimal commas, and no points; between them are\n"
-     "semicolons, tabs or blanks, or commas if numbers are in quotes"},
+     "numbers that are read have decimal commas, no points; what\n"
+     "separates them is a semicolon, a tab, or blanks; or a comma\n"
+     "where numbers are in quotes"},
     {"-scale", "SX,SY,SZ", take_scale, chosen.scale,
      "stretch coordinates for the mesh: -scale 1,1,0.01 for\n"
      "degrees and metres.  All that is written has the given\n"

@@ -48,9 +48,9 @@ static int part[COLUMNS];
 static long dropped, first_dropped; /* rows; the first one's line */
 static long voided, misplaced;      /* by -nodata; of such a coordinate */
 static int by;       /* the column of -by, or -1 */
-static char *labels; /* of groups; group[i] is where the one of point i begins */
+static char *labels; /* of groups, one after the other */
 static size_t labelled, labels_room;
-static size_t *label; /* of each point, in labels */
+static size_t *label; /* where that of each point begins */
 static int counting; /* is the first column 0, 1, 2, ... or 1, 2, 3, ...? */
 static double count_from;
 

@@ -25,7 +25,7 @@ static int power[COLUMNS];
 static double low[COLUMNS], high[COLUMNS]; /* the data's range */
 
 static long parts;
-static tess_int *part; /* of each point; TESS_NONE for one that does not count */
+static tess_int *part; /* of each point; TESS_NONE: it does not count */
 static tess_int *size, *rank; /* of groups */
 static double *errors;  /* for the file: by point, asked method, column */
 
@@ -121,8 +121,8 @@ static void deal_groups(const points *in, tess_int *list)
     free(filled);
 }
 
-/* deal - each place to a part.  Where points lie at one place, which is left out
- * once, the first one's group counts. */
+/* deal - each place to a part.  Where points lie at one place, which is left
+ * out once, the first one's group counts. */
 static void deal(const points *in, const tess_int *same)
 {
     tess_int *list = (tess_int *)space((double)in->n, sizeof *list), i;
@@ -168,15 +168,15 @@ static void ranges(const points *in, const double *value)
     }
 }
 
-/* count - that x was predicted for point i, whose value in column j is given. */
+/* count - that x was predicted for point i, whose value is given. */
 static void count(tally *a, int j, double x, double given, tess_int i)
 {
     double error = ldexp(x, -power[j]) - ldexp(given, -power[j]);
     double slack = ROUNDING * (high[j] > -low[j] ? high[j] : -low[j]);
 
     a->beyond += x < low[j] - slack || x > high[j] + slack;
-    if (a->where == TESS_NONE || x < a->least) a->least = x;
-    if (a->where == TESS_NONE || x > a->most) a->most = x;
+    if (x < a->least) a->least = x;
+    if (x > a->most) a->most = x;
     a->sum += error;
     a->absolute += fabs(error);
     a->square += error * error;
@@ -202,8 +202,8 @@ static void remesh(mesh *m, field *f, long without)
     f->tet = m->tet;
     f->adj = m->adj;
     if (code == TESS_PLANE || code == TESS_LINE || code == TESS_POINT)
-        fail("-validate: without part %ld of %ld no tetrahedron is left; choose "
-             "%s",
+        fail("-validate: without part %ld of %ld no tetrahedron is left; "
+             "choose %s",
              without + 1, parts, chosen.by ? "smaller groups" : "more parts");
     if (code != TESS_OK)
         too_small("-validate: code %d of tess for the points without part %ld",
@@ -331,7 +331,11 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
     ranges(in, value);
     for (method = 0; method < METHODS; method++) {
         each += asked[method] ? columns : 0;
-        for (j = 0; j < in->columns; j++) sums[method][j].where = TESS_NONE;
+        for (j = 0; j < in->columns; j++) {
+            sums[method][j].where = TESS_NONE;
+            sums[method][j].least = DBL_MAX;
+            sums[method][j].most = -DBL_MAX;
+        }
     }
     if (next_output(errors_forms, 0)) {
         errors = (double *)space((double)each * (double)in->n, sizeof *errors);

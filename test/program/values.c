@@ -34,14 +34,16 @@ static const field *of;
 static int method, outside;
 static double number;
 
-/* for all but linear: the points times unit, which is 1 but for coordinates near
- * the ends of the range, whose products would overflow or vanish */
+/* for all but linear: the points times unit, which is 1 but for coordinates
+ * near the ends of the range, whose products would overflow or vanish */
 static const tess_real *at;
 static tess_real *scaled;
 static double unit;
 
-/* smooth: for each point and column the value, by much, and its gradient */
+/* smooth: for each point and column the value, by much, and its gradient; is
+ * each value of a column a number? */
 static double *bundle, much[COLUMNS];
+static int whole[COLUMNS];
 
 /* -clip: each column's range */
 static double low[COLUMNS], high[COLUMNS];
@@ -255,17 +257,17 @@ static void gradients(void)
 {
     double n = (double)of->n, *column, *g, *b, largest;
     tess_int i;
-    int code, finite, j, k;
+    int code, j, k;
 
     bundle = (double *)space(4.0 * n * (double)of->columns, sizeof *bundle);
     column = (double *)space(n, sizeof *column);
     g = (double *)space(3.0 * n, sizeof *g);
     work = (double *)space(9.0 * n, sizeof *work);
     for (j = 0; j < of->columns; j++) {
-        for (largest = 0.0, finite = 1, i = 0; i < of->n; i++) {
+        for (whole[j] = 1, largest = 0.0, i = 0; i < of->n; i++) {
             column[i] = of->value[(size_t)of->columns * (size_t)i + (size_t)j];
             if (!(fabs(column[i]) <= DBL_MAX))
-                finite = 0;
+                whole[j] = 0;
             else if (fabs(column[i]) > largest)
                 largest = fabs(column[i]);
         }
@@ -273,7 +275,7 @@ static void gradients(void)
         for (i = 0; i < of->n; i++) column[i] /= much[j];
         code = slopes(of->n, at, of->ntet, of->tet, of->adj, column, ROUNDS, g,
                       work);
-        if (code == TESS_RANGE && finite)
+        if (code == TESS_RANGE && whole[j])
             fail("-method smooth: gradients are beyond the range of numbers; "
                  "choose another method");
         /* what is no number makes places near it so */
@@ -359,7 +361,12 @@ static void smooth(const tess_real *q, int beyond, const tess_int *v,
         for (j = 0; j < of->columns; j++, f += 4)
             out[j] += w[i] * (f[0] + h[0] * f[1] + h[1] * f[2] + h[2] * f[3]);
     }
-    for (j = 0; j < of->columns; j++) out[j] *= much[j];
+    for (j = 0; j < of->columns; j++) {
+        out[j] *= much[j];
+        if (whole[j] && !(fabs(out[j]) <= DBL_MAX))
+            fail("-method smooth: a value is beyond the range of numbers; "
+                 "divide the points' values by ten");
+    }
 }
 
 /* sibsons - the sum by Sibson's weights. */

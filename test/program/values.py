@@ -758,6 +758,12 @@ done = subprocess.run([TESS, "-q", "-validate", "-method", "smooth", "far.csv"],
                       stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 test("-validate: what cannot be scaled is refused", done.returncode == 2 and
      b"differ too much" in done.stderr and not done.stdout)
+save("far.csv", x, np.where(random.random(200) < .5, -1.7e308, 1.7e308))
+done = subprocess.run([TESS, "-q", "-validate", "-method", "smooth", "far.csv"],
+                      stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+test("-validate: values beyond the range of numbers are none",
+     done.returncode == 2 and not done.stdout and
+     b"divide the points' values by ten" in done.stderr)
 x = random.random((200, 3))
 f, g = bent(x), 100 * linear(x) ** 2
 test("-validate: 10, if no number is given",
