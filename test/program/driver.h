@@ -61,7 +61,7 @@ typedef struct mesh {
     const tess_real *p; /* in->p, times scale */
     tess_int ntet, *tet, *adj;
     tess_int maxtet;    /* tetrahedra that there is room for: tetrahedralize */
-    const char *keep;   /* by -alpha: 0 for a tetrahedron that is left out; */
+    char *keep;         /* by -alpha: 0 for a tetrahedron that is left out; */
     tess_int kept;      /* 1 for so many; or 0, and ntet: all are in */
     tess_int liw, *iw;  /* its workspace; in iw which point stands for each, */
     tess_int lrw;       /* until keep_values and -check have used it */
@@ -178,8 +178,10 @@ void finish(FILE *file, output *o);
 /* check_written - leave if something could not be written. */
 void check_written(FILE *file, const output *o);
 
-/* put_real - x, which was a float if narrow, with as few digits as give it
- * back; then the character after. */
+/* real_text - x, which was a float if narrow, with as few digits as give it
+ * back.  put_real: and the character after. */
+#define REAL 32
+void real_text(char *text, double x, int narrow);
 void put_real(FILE *file, double x, int narrow, char after);
 
 /* put_point - the coordinates of a point. */

@@ -347,7 +347,7 @@ static const option table[] = {
     {"-errors", "F.csv", take_output, errors_forms,
      "write -validate's x,y,z, part, values, and errors"},
     {0, 0, 0, 0, ""},
-    {"-q", 0, take_switch, &chosen.quiet, "quiet: print nothing but errors"},
+    {"-q", 0, take_switch, &chosen.quiet, "quiet: nothing but errors, and of files of gigabytes"},
     {"-version", 0, take_version, 0, "the version of the library"},
     {"-h", 0, take_help, 0, "this text; so do -help and --help"}};
 

@@ -417,7 +417,9 @@ static void put(const sink *s, tess_int many, const tess_real *at,
                 const double *out)
 {
     size_t numbers = (size_t)many * (size_t)in->columns, i;
-    int narrow = sizeof *at < sizeof(double), k;
+    static char text[3][REAL]; /* of coordinates: in a grid most come again */
+    static tess_real written[3];
+    int k;
 
     if (s->form == NPY || s->scratch) {
         fwrite(out, sizeof *out, numbers, s->scratch ? s->scratch : s->file);
@@ -428,8 +430,13 @@ static void put(const sink *s, tess_int many, const tess_real *at,
             s->picture[(size_t)done + i] = out[(size_t)in->columns * i];
     } else {
         for (; many > 0; many--, at += 3) {
-            for (k = 0; k < 3; k++)
-                put_real(s->file, (double)at[k], narrow, ',');
+            for (k = 0; k < 3; k++) {
+                if (!*text[k] || at[k] != written[k])
+                    real_text(text[k], (double)at[k],
+                              sizeof *at < sizeof(double));
+                written[k] = at[k];
+                fprintf(s->file, "%s,", text[k]);
+            }
             for (k = 1; k <= in->columns; k++)
                 fprintf(s->file, "%.*g%c", chosen.digits ? chosen.digits : 17,
                         *out++, k < in->columns ? ',' : '\n');

@@ -51,6 +51,7 @@ void drop_others(mesh *m)
         }
     }
     free(number);
+    free(m->keep);
     m->ntet = many;
     m->keep = 0;
 }

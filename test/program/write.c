@@ -116,8 +116,10 @@ FILE *start(output *o, double bytes)
     static int begun;
 
     if (!begun++) atexit(discard);
+    /* (even by -q: it is too late when the disk is full) */
     if (bytes > MUCH)
-        warn("%s: about %.1f GB will be written", o->name, bytes / 1e9);
+        fprintf(stderr, "tess: %s: about %.1f GB will be written\n", o->name,
+                bytes / 1e9);
     say("writing %s ...", o->name);
     return strcmp(o->name, "-") == 0 ? stdout : open_output(o);
 }
@@ -140,9 +142,8 @@ void finish(FILE *file, output *o)
     tell("written       %s\n", o->name);
 }
 
-void put_real(FILE *file, double x, int narrow, char after)
+void real_text(char *text, double x, int narrow)
 {
-    char text[64];
     double back;
     int digits = narrow ? FLT_DIG : DBL_DIG, most = digits + 3;
 
@@ -151,6 +152,13 @@ void put_real(FILE *file, double x, int narrow, char after)
         back = strtod(text, (char **)0);
         if (narrow) back = (double)(float)back;
     } while (back != x && digits++ < most);
+}
+
+void put_real(FILE *file, double x, int narrow, char after)
+{
+    char text[REAL];
+
+    real_text(text, x, narrow);
     fprintf(file, "%s%c", text, after);
 }
 
