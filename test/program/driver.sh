@@ -565,7 +565,7 @@ $TESS mesh.obj > said 2> words
 yes "OBJ: faces" grep 'its faces are left out' words > /dev/null
 grep -v '^f ' mesh.obj > bare.obj
 $TESS bare.obj > said 2> words
-yes "OBJ: none" test `grep -c 'its faces' words` = 0
+yes "OBJ: none" test "$(grep -c 'its faces' words)" = 0
 # CRYST1: the box that repeats itself, no other
 crystal() {
     printf 'CRYST1%9s%9s%9s%7s%7s%7s %-11s\n' "$@"
@@ -673,8 +673,8 @@ yes "--help is -h" test $? -eq 0
 yes "-h names the options" sh -c 'for o in -cols -skip -nodata -decimal -scale \
     -box -periodic -cells -volumes -alpha -clip -by -errors -q; do
     grep -e "^  $o " help || exit 1; done' > /dev/null
-yes "--version: the library's" test "`$TESS --version`" = "tess `sed -n \
-    's/^#define TESS_VERSION \([0-9]*\)0\([0-9]\)00L/\1.\2/p' "$TOP"/tess.h`"
+yes "--version: the library's" test "$($TESS --version)" = "tess $(sed -n \
+    's/^#define TESS_VERSION \([0-9]*\)0\([0-9]\)00L/\1.\2/p' "$TOP"/tess.h)"
 $TESS -none > said 2> words
 yes "an unknown option" test $? -eq 2
 $TESS -box > said 2> words
@@ -727,8 +727,8 @@ yes "-svg of points in a plane: why" grep 'the points lie in one plane' words \
 # names' endings; several files of one option; standard output
 for wrong in '-vtk h.vtu' '-vtk h.msh' '-face h.ply' '-node h.txt' '-ele h.node' \
     '-neigh h.ele' '-cells h.csv' '-volumes h.vtk' '-svg h.png'; do
-    $TESS $wrong cube.node > said 2> words
-    yes "$wrong: refused" test $? -eq 2 -a ! -s said -a ! -f ${wrong#* }
+    $TESS "${wrong% *}" "${wrong#* }" cube.node > said 2> words
+    yes "$wrong: refused" test $? -eq 2 -a ! -s said -a ! -f "${wrong#* }"
     yes "$wrong: which are known" grep -e "${wrong%.*}.*the name must end in \." \
         words > /dev/null
 done
@@ -741,8 +741,8 @@ $TESS -q -ele cube.ele -neigh cube.neigh -svg cube.svg -cells ccube.vtk \
     -volumes cube.csv cube.node
 for f in c.node cube.ele cube.neigh cube.face one.vtk cube.svg; do
     option=-${f#*.}
-    $TESS $option - -check cube.node > said 2> words
-    yes "$option -: standard output has that alone" cmp said $f
+    $TESS "$option" - -check cube.node > said 2> words
+    yes "$option -: standard output has that alone" cmp said "$f"
     yes "$option -: all else is on standard error" grep -w proven words > /dev/null
 done
 $TESS -cells - cube.node 2> words | cmp ccube.vtk -
@@ -762,7 +762,7 @@ for link in link hanging; do
     yes "a $link as output" test $? -eq 2 -a -h $link.node -a ! -f nothing
     yes "a $link as output: why" grep 'is a symbolic link' words > /dev/null
 done
-yes "a link as output: its file" test "`cat target.node`" = kept
+yes "a link as output: its file" test "$(cat target.node)" = kept
 for name in "`pwd`/cube.node" ../driver/cube.node; do
     $TESS -node "$name" cube.node > said 2> words
     yes "the input by another name" grep 'overwrite the input' words > /dev/null
@@ -999,7 +999,7 @@ assert abs(volume.sum() - whole) <= 1e-12 * whole
 END
 fills() {
     if $PYTHON -c "import numpy, vtk" 2> words; then
-        $PYTHON fills.py $1 $2
+        $PYTHON fills.py "$1" "$2"
     else
         echo "        skipped: cells.vtk: no numpy, vtk for $PYTHON"
     fi
@@ -1156,7 +1156,7 @@ if (ulimit -v 40000) 2> words; then
     (ulimit -v 40000; $TESS -q many) > said 2> words
     yes "not enough memory: exit code 2" test $? -eq 2
     yes "not enough memory: one line says so" test \
-        "`cut -c1-23 words`" = "tess: not enough memory"
+        "$(cut -c1-23 words)" = "tess: not enough memory"
 else
     echo "        skipped: not enough memory: no ulimit -v"
 fi

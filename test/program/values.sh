@@ -153,7 +153,7 @@ if (trap '' XFSZ; ulimit -f 1000) 2> /dev/null; then
             grep "big.$end: write error" told > /dev/null; then
             pass "gigabytes of .$end"
         else
-            fail "gigabytes of .$end: code $code: `cat told`"
+            fail "gigabytes of .$end: code $code: $(cat told)"
         fi
     done
 else
