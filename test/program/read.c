@@ -1012,20 +1012,20 @@ static void lattice(double v[9], const double *origin)
 static void properties(const char *s)
 {
     size_t length;
-    int most, k;
+    int many_of, k;
 
     for (titles = 0;; s++) {
         length = strcspn(s, ":");
-        most = s[length] && s[length + 1] && s[length + 2] == ':'
+        many_of = s[length] && s[length + 1] && s[length + 2] == ':'
                       ? atoi(s + length + 3)
                       : 0;
-        if (length == 0 || most < 1 || titles + most > COLUMNS)
+        if (length == 0 || many_of < 1 || titles + many_of > COLUMNS)
             fail_line("Properties are not as species:S:1:pos:R:3");
-        for (k = 0; k < most; k++, titles++)
-            if (length == 3 && most == 3 && strncmp(s, "pos", 3) == 0)
+        for (k = 0; k < many_of; k++, titles++)
+            if (length == 3 && many_of == 3 && strncmp(s, "pos", 3) == 0)
                 sprintf(title[titles], "%c", 'x' + k);
             else
-                sprintf(title[titles], most > 1 ? "%.*s%d" : "%.*s",
+                sprintf(title[titles], many_of > 1 ? "%.*s%d" : "%.*s",
                         (int)(length < TITLE - 4 ? length : TITLE - 4), s,
                         k + 1);
         s += length + 3;
