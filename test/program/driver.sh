@@ -999,27 +999,27 @@ assert abs(volume.sum() - whole) <= 1e-12 * whole
 END
 fills() {
     if $PYTHON -c "import numpy, vtk" 2> words; then
-        $PYTHON fills.py "$1" "$2"
+        yes "$1" $PYTHON fills.py "$2" "$3"
     else
-        echo "        skipped: cells.vtk: no numpy, vtk for $PYTHON"
+        skip "$1: no numpy, vtk for $PYTHON"
     fi
 }
 $TESS -q -cells cells.vtk some
-yes "-cells: as many as points, and they fill the box" fills 564 27
+fills "-cells: as many as points, and they fill the box" 564 27
 $TESS -q -cells cells.vtk -box -.5,3.5,0,3.25,0,3 some
-yes "-cells -box: they fill that box" fills 564 39
+fills "-cells -box: they fill that box" 564 39
 $TESS -q -cells cells.vtk -periodic -box 0,4,0,4,0,4 some
-yes "-cells -periodic: they fill the box" fills 564 64
+fills "-cells -periodic: they fill the box" 564 64
 # of any size: also where squares of areas are beyond doubles
 for e in -100 -80 80 100; do
     awk '{ printf "%.17g %.17g %.17g\n", $1 * s, $2 * s, $3 * s }' s=1e$e some \
         > sized
     rm -f cells.vtk
     $TESS -q -cells cells.vtk sized
-    yes "-cells: they fill the box, 1e$e" fills 564 27e`expr $e \* 3`
+    fills "-cells: they fill the box, 1e$e" 564 27e$((3 * e))
     rm -f cells.vtk
     $TESS -q -cells cells.vtk -periodic -box 0,4e$e,0,4e$e,0,4e$e sized
-    yes "-cells -periodic: they fill the box, 1e$e" fills 564 64e`expr $e \* 3`
+    fills "-cells -periodic: they fill the box, 1e$e" 564 64e$((3 * e))
 done
 cat > voronoi.py << END
 import sys, itertools, numpy
@@ -1108,10 +1108,11 @@ awk '{ print $1 e, $2 e, $3 e }' e=e-300 some | refuses sized 'use other units'
 # a build whose volumes are wrong by 1e-8
 sed 's,  *volume += area.j.,& * 1.00000001,' "$TOP"/test/examples/cells.c \
     > wrong.c
+# shellcheck disable=SC2046 # a list of files
 (cd "$TOP" && $CC -O1 -I. -Itest/examples -c -o build/driver/wrong.o \
     build/driver/wrong.c && $CC -o build/driver/wrong build/driver/wrong.o \
-    `sed -n '/^PROGRAM = /,/[^\\]$/p' Makefile | tr ' ' '\n' |
-        grep '\.o' | grep -v cells` build/tess.o \
+    $(sed -n '/^PROGRAM = /,/[^\\]$/p' Makefile | tr ' ' '\n' |
+        grep '\.o' | grep -v cells) build/tess.o \
     build/hhpred.o -lm)
 RIGHT=$TESS
 TESS=./wrong
@@ -1150,6 +1151,7 @@ awk 'BEGIN { for (i = 0; i < 900; i++) print i, i * i, i * i * i }' > moment
 $TESS -check moment > said 2> words
 yes "tetrahedra: 448 a point" sh -c 'grep "^tetrahedra *402753$" said &&
     grep proven said' > /dev/null
+# shellcheck disable=SC3045 # where there is no -v it is skipped
 if (ulimit -v 40000) 2> words; then
     (ulimit -v 40000; $TESS -q moment) > said 2> words
     yes "few points take little memory" test $? -eq 0
@@ -1158,7 +1160,7 @@ if (ulimit -v 40000) 2> words; then
     yes "not enough memory: one line says so" test \
         "$(cut -c1-23 words)" = "tess: not enough memory"
 else
-    echo "        skipped: not enough memory: no ulimit -v"
+    skip "not enough memory: no ulimit -v"
 fi
 
 # after a second: a set that takes several

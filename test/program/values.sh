@@ -145,7 +145,7 @@ if (trap '' XFSZ; ulimit -f 1000) 2> /dev/null; then
     fi
     # gigabytes are announced; and what cannot be written is noticed at once
     for end in csv npy vtk; do
-        (trap '' XFSZ; ulimit -f 100; ulimit -t 60; exec $TESS -q -grid \
+        (trap '' XFSZ; ulimit -f 100; limited 60 $TESS -q -grid \
             3000,3000,3000 -values big.$end points) > said 2> told
         code=$?
         if [ $code -eq 2 ] && [ ! -f big.$end ] && grep \
