@@ -72,10 +72,15 @@ const form cells_forms[] = {{".vtk", 0}, {0, 0}};
 const form volumes_forms[] = {{".csv", 0}, {0, 0}};
 static const form node_forms[] = {{".node", write_node}, {0, 0}};
 static const form ele_forms[] = {{".ele", write_ele}, {0, 0}};
-static const form neigh_forms[] = {{".neigh", write_neigh}, {0, 0}};
-static const form face_forms[] = {{".face", write_face}, {".obj", write_face},
-                                  {0, 0}};
+static const form neigh_forms[] = {{".neigh", write_ele}, {0, 0}};
 static const form vtk_forms[] = {{".vtk", write_vtk}, {0, 0}};
+static const form mesh_forms[] = {
+    {".vtk", write_vtk},   {".vtu", write_vtu}, {".msh", write_msh},
+    {".node", write_node}, {".ele", write_ele}, {".neigh", write_ele}, {0, 0}};
+const form face_forms[] = {
+    {".face", write_face}, {".obj", write_obj}, {".off", write_off},
+    {".ply", write_ply},   {".stl", write_stl}, {".vtk", write_vtk},
+    {".vtu", write_vtu},   {0, 0}};
 const form svg_forms[] = {{".svg", 0}, {0, 0}};
 
 /* add_output - one more file, in one of those forms. */
@@ -274,16 +279,20 @@ static const option table[] = {
     {0, 0, 0, 0, ""},
     {0, 0, 0, 0, "Files: F's ending says what it is; - is standard output,"},
     {0, 0, 0, 0, "and what else is said goes to standard error:"},
-    {"-node", "F", take_output, node_forms, "write points, TetGen format"},
-    {"-ele", "F", take_output, ele_forms, "write tetrahedra, TetGen format"},
-    {"-neigh", "F", take_output, neigh_forms,
-     "write neighbours, TetGen format"},
+    {"-mesh", "F", take_output, mesh_forms,
+     "write the tetrahedra and their points' values: F.vtk and\n"
+     "F.vtu, for ParaView, with circumradii and volumes; F.msh,\n"
+     "Gmsh's 4.1; F.node, the points, F.ele, the tetrahedra, or\n"
+     "F.neigh, their neighbours, as TetGen (so do -vtk F, -node F,\n"
+     "-ele F, -neigh F)"},
     {"-face", "F", take_output, face_forms,
      "write the boundary's triangles, seen counter-clockwise\n"
-     "from outside: TetGen's F.face, or F.obj"},
-    {"-vtk", "F", take_output, vtk_forms,
-     "write all as a VTK unstructured grid (legacy, binary), with\n"
-     "each tetrahedron's circumradius and volume"},
+     "from outside: F.obj, F.off, F.ply, with values, F.stl, in\n"
+     "words, F.vtk, F.vtu; or F.face, TetGen's, of .node's points"},
+    {"-vtk", "F", take_output, vtk_forms, 0},
+    {"-node", "F", take_output, node_forms, 0},
+    {"-ele", "F", take_output, ele_forms, 0},
+    {"-neigh", "F", take_output, neigh_forms, 0},
     {"-binary", 0, take_switch, &chosen.binary, 0},
     {"-cells", "F", take_output, cells_forms,
      "write the Voronoi cells in a box as VTK polyhedra"},
