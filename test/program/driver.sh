@@ -604,6 +604,73 @@ sed '5p; 5s/ 0.000/ 9.000/; 5s/10.00/99.99/' 1abc.pdb |
     reads one 2abc.pdb '1 row dropped .* the first in line 6'
 OPTIONS=
 
+# ---- binary PLY, STL, .npy, by NumPy and meshio ----
+
+cat > packed.py << END
+import os, struct, subprocess, sys
+import meshio
+import numpy as np
+random = np.random.default_rng(1)
+p = random.random((50, 5)) * (1, 2, 3, 100, -7)
+def tess(name, *options):
+    done = subprocess.run([sys.argv[1], '-q', '-node', 'p.node', *options,
+                           name], stderr=subprocess.PIPE, text=True)
+    if done.returncode: return done.stderr
+    return np.array([l.split()[1:] for l in open('p.node')][1:], float)
+def same(a, b): return a.shape == b.shape and (a == b).all()
+for kind in ('<f8 >f8 <f4 >f4 i1 u1 <i2 >i2 <u2 >u2 <i4 >i4 <u4 >u4 <i8 >i8'
+             ' <u8 >u8').split():
+    a = p.astype(kind) if 'f' in kind else random.integers(
+        -99 * ('i' in kind), 99, p.shape).astype(kind)
+    np.save('p.npy', a)
+    assert same(tess('p.npy'), a.astype(float)), kind
+with open('p.npy', 'wb') as f: np.lib.format.write_array(f, p, (2, 0))
+assert same(tess('p.npy', '-cols', '3,1,2,5'), p[:, [2, 0, 1, 4]])
+p[3:5, 3] = np.nan
+np.save('p.npy', p)
+assert same(tess('p.npy', '-skip'), np.delete(p, (3, 4), 0))
+p = p[:, :3]
+for bad in (np.asfortranarray(p), p[:, 0], p.reshape(5, 10, 3), p + 1j,
+            p.astype('f2'), p != 0):
+    np.save('p.npy', bad)
+    assert 'p.npy: not a .npy file' in tess('p.npy')
+np.save('p.npy', p)
+for size, why in (1000, 'ends after 36 of 50'), (40, 'not a'), (7, 'not a'):
+    os.truncate('p.npy', size)
+    assert why in tess('p.npy'), size
+m = meshio.Mesh(p, [('triangle', random.integers(
+    0, 50, (9, 3), 'i4'))])
+corners = p[m.cells[0].data].reshape(-1, 3).astype('f4').astype(float)
+meshio.write('p.stl', m, binary=True)
+assert same(tess('p.stl'), corners)
+meshio.write('p.ply', m, binary=True)
+assert same(tess('p.ply'), p)
+for order, of in ('<', 'little'), ('>', 'big'):
+    names = 'x y z red k'.split()
+    kinds = 'f8 f4 i2 u1 u4'.split()
+    types = 'double float32 short uchar uint32'.split()
+    a = np.zeros(50, [(n, order + k) for n, k in zip(names, kinds)])
+    for k in range(5):
+        a[names[k]] = random.integers(0, 2 ** 8, 50) - 99 * (k < 3)
+    a['x'] += .1; a['k'] += 2 ** 32 - 300
+    head = 'ply\nformat binary_%s_endian 1.0\nelement vertex 50\n' % of
+    for both in zip(types, names): head += 'property %s %s\n' % both
+    with open('p.ply', 'wb') as f:
+        f.write((head + 'element face 1\nproperty list uchar int vertex_index\n'
+                 'end_header\n').encode() + a.tobytes() + b'\3\n\n\n')
+    assert same(tess('p.ply'), np.array(a.tolist()))
+    with open('p.stl', 'wb') as f:
+        f.write(b'solid'.ljust(80) + struct.pack(order + 'I', 9))
+        for t in corners.reshape(9, 9):
+            f.write(struct.pack(order + '12fH', 0, 0, 0, *t, 7))
+    assert same(tess('p.stl'), corners)
+END
+if $PYTHON -c 'import meshio, numpy' 2> words; then
+    yes "binary PLY, STL, .npy" $PYTHON packed.py $TESS
+else
+    skip "binary PLY, STL, .npy: no meshio, numpy for $PYTHON"
+fi
+
 # ---- what is no file of points ----
 
 printf '' | refuses empty.txt empty
@@ -629,7 +696,11 @@ OPTIONS="-cols y,x,z"
 printf 'x,y,z\n,2,3\n' | refuses cols.csv "line 2: column 1 $empty"
 OPTIONS=
 printf '9\n1 2 3\n4 5 6\n' | refuses few.txt 'ends after 2 of 9'
-printf 'ply\nformat binary_little_endian 1.0\n' | refuses binary.ply binary
+big='format binary_big_endian 1.0\nelement vertex 9\nproperty'
+for ply in 'format binary 1.0/2: not a format of PLY' "$big half x/4: not a" \
+    "$big i1 x/4: not a prop" "$big list int int x/4: not a prop"; do
+    printf "ply\n${ply%/*}\n" | refuses binary.ply "line ${ply#*/}"
+done
 printf '2024-11 1 2 3\n2024-12 4 5\n' | refuses dates.txt 'line 2: 3 columns'
 printf '1 2 nan\n' | refuses nan.txt 'line 1: point 0 .*not finite'
 printf '1 2 3\n4 5 1D400\n' | refuses huge.txt 'line 2: point 1 .*not finite'
@@ -638,10 +709,10 @@ gzip < none.node | refuses none.xyz.gz 'compressed by gzip'
 gzip < none.node | refuses none.node 'compressed by gzip'
 cp none none.node
 printf 'PK\003\004...' | refuses table.xlsx 'a zip archive'
-(printf '%-80s\002\000\000\000' solid; printf '%100s' '') |
-    refuses part.stl 'binary STL'
-(printf '%-80s\002\000\000\000' part; printf '%100s' '') |
-    refuses part.STL 'binary STL; save it as ASCII'
+(printf '%-80s\002\000\000\000' solid; printf '%90s' '') |
+    refuses part.stl 'ends after 5 of 6 points'
+printf 'few\000' | refuses few.STL 'no points'
+printf 'few\000' | refuses few.dat 'binary STL is known by a name that ends'
 printf '0\000' | refuses zero.dat 'is not text'
 $TESS -node none.node none.node > said 2> words
 yes "the input is not overwritten" test $? -eq 2
@@ -863,15 +934,16 @@ printf 'x,y,z,T (%%),50%%20 a,T (%%)\n0,0,0,0,1,2\n1,0,0,3,4,5\n0,1,0,6,7,8
 $TESS -q -node v.node -ele v.ele -face v.face v0.node
 meshes='v.vtk v.vtu v.msh'
 for f in $meshes f.vtk f.vtu f.obj f.off f.ply f.stl; do
-    case $f in v*) $TESS -q -mesh $f v0.node;; *) $TESS -q -face $f v0.node;; esac
+    case $f in v*) option=-mesh;; *) option=-face;; esac
+    $TESS -q $option $f v0.node
 done
 for end in vtk vtu msh; do $TESS -q -mesh n.$end names.csv; done
 yes "a .node file written is read again as it was" sh -c \
     "$TESS -q -node v2.node v.node && cmp v.node v2.node"
 # by_others READER FILES FILES-WITH-NAMES
 by_others() {
-    if $PYTHON -c "import numpy, $1" 2> words; then
-        yes "$2, read by $1" $PYTHON read.py "$1" "$2" "$3"
+    if $PYTHON -c "import numpy, $1" > said 2>&1; then
+        yes "$2, read by $1" $PYTHON read.py "$1" "$2" "$3" > said
     else
         skip "$2: no $1 for $PYTHON"
     fi
@@ -881,8 +953,8 @@ by_others vtk 'v.vtk v.vtu f.vtk f.vtu f.obj f.ply f.stl' 'n.vtk n.vtu'
 by_others gmsh v.msh n.msh
 printf 'x,y,z,T (\260C)\n0,0,0,1\n' > latin.csv
 $TESS -q -mesh latin.msh -mesh latin.vtu latin.csv
-yes "a name that is not UTF-8" test \
-    "`grep -c "T (?C)" latin.msh latin.vtu | tr "\n" " "`" = "latin.msh:1 latin.vtu:1 "
+yes "a name that is not UTF-8" test "`cat latin.msh latin.vtu |
+    grep -c 'T (?C)'`" -eq 2
 $TESS -q -mesh m.node -mesh m.ele -mesh m.neigh -neigh v.neigh v0.node
 yes "-mesh: TetGen's" sh -c \
     'for e in node ele neigh; do cmp m.$e v.$e || exit; done'

@@ -37,8 +37,8 @@ static const char *const before[] = {
     "            for decimal commas see -decimal",
     "  a count   before such lines, or Qhull's dimension and number",
     "  .xyz      of atoms: number, comment, lines `element x y z'",
-    "  .node     TetGen's; .off, .ply (ASCII), .obj: the points; PDB: the atoms",
-    "  .stl      ASCII STL: the triangles' corners",
+    "  .node     TetGen's; .off, .ply, .obj: the points; PDB: the atoms",
+    "  .stl      the triangles' corners; .npy: NumPy's array, a row a point",
     "All further columns, attributes and markers are values, which go to the",
     "output; the picture shows the first."};
 
