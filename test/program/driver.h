@@ -158,6 +158,11 @@ void tell(const char *format, ...);
  * or the program has run for a second or two. */
 void say(const char *format, ...);
 
+/* progress - say on stderr how far is what takes longer than two seconds, later
+ * ever more seldom.  total: 0 if not known, done then are bytes.  done = total:
+ * it has ended. */
+void progress(const char *what, double done, double total);
+
 /* ---- files ---- */
 
 /* ends_in - does the name, in small or capital letters? */

@@ -1292,6 +1292,28 @@ else
     echo "        skipped: not enough memory: no ulimit -v"
 fi
 
+# it says how far it is, once by its clock, here one that runs, there are two
+# seconds
+printf '#include <time.h>\ntime_t tick(time_t *t);\ntime_t tick(time_t *t)
+{ static time_t now; (void)t; return ++now; }\n' > tick.c
+(cd "$TOP" && $CC -Dtime=tick -I. -o build/driver/ticking build/driver/tick.c \
+    test/program/driver.c `sed -n '/^PROGRAM = /,/[^\\]$/p' Makefile |
+        tr ' ' '\n' | grep '\.o' | grep -v driver` build/tess.o \
+    build/hhpred.o -lm)
+awk 'BEGIN { srand(6); for (i = 0; i < 20000; i++) print rand(), rand(), rand(),
+    i }' > long
+OPTIONS="-volumes long.csv -grid 50,50,50 -values long.npy -method natural"
+./ticking $OPTIONS -validate 5 long > said 2> words
+yes "it says how far it is" sh -c "for part in reading values cells -validate
+    do grep -e \"^tess: \$part: [1-9][0-9]* %, about [0-9]* s more\$\" words ||
+    exit; done" > /dev/null
+./ticking - < long > said 2> words
+yes "it says how much it has read of a pipe" \
+    grep '^tess: reading: [0-9]* MB$' words > /dev/null
+./ticking -q $OPTIONS long > said 2> words
+yes "-q: it says nothing" test ! -s words
+OPTIONS=
+
 # after a second: a set that takes several
 awk 'BEGIN { srand(2); c = cos(0.5); s = sin(0.5)
     for (i = 0; i < 400000; i++) {

@@ -65,8 +65,8 @@ int list_numbers(const char *text, int most, double *x)
 
 /* ---- files to write ---- */
 
-const form values_forms[] = {{".csv", 0}, {".npy", 0}, {".vtk", 0},
-                             {".svg", 0}, {0, 0}};
+const form values_forms[] = {{".csv", 0}, {".npy", 0}, {".vtu", 0},
+                             {".vtk", 0}, {".svg", 0}, {0, 0}};
 const form errors_forms[] = {{".csv", 0}, {0, 0}};
 const form cells_forms[] = {{".vtk", 0}, {0, 0}};
 const form volumes_forms[] = {{".csv", 0}, {0, 0}};
@@ -330,8 +330,8 @@ static const option table[] = {
     {"-values", "F", take_output, values_forms,
      "write them: F.csv, places and values, in a grid x fastest;\n"
      "F.npy for numpy.load, shape (NZ,NY,NX,columns) of a grid,\n"
-     "(places,columns) of a file; F.vtk, a grid, for ParaView;\n"
-     "F.svg, the picture of a slice: its first column"},
+     "(places,columns) of a file; for ParaView F.vtu, or of a\n"
+     "grid F.vtk; F.svg, the picture of a slice: its first column"},
     {"-method", "M", take_word, &chosen.method,
      "linear in each tetrahedron, if not given; smooth, with\n"
      "gradients estimated at the points; natural, by Sibson's\n"

@@ -31,6 +31,7 @@ static FILE *file;
 static char block[BLOCK + 1]; /* a part of the file, and '\0' */
 static size_t filled, taken;  /* of it */
 static double file_size;      /* in bytes; 0: not known */
+static double passed;         /* bytes before block */
 static char line[LINE + 1];
 static long line_number;
 static field fields[COLUMNS];
@@ -91,6 +92,7 @@ static void fail_empty(long at, int column)
 static int more(void)
 {
     filled -= taken;
+    passed += (double)taken;
     memmove(block, block + taken, filled);
     taken = 0;
     filled += fread(block + filled, 1, BLOCK - filled, file);
@@ -660,8 +662,8 @@ static void add_point(const double *x)
     for (k = 0; k < 3; k++) to->p[3 * to->n + k] = (tess_real)x[k];
     to->line[to->n] = line_number;
     to->n++;
-    if (to->n == 100000 || to->n % 1000000 == 0)
-        say("reading %s: %ld points", to->input, (long)to->n);
+    if (to->n % 4096 == 0)
+        progress("reading", passed + (double)taken, file_size);
 }
 
 /* add_group - the label of the last point's group. */
@@ -1494,7 +1496,7 @@ void read_points(const char *name, points *a)
     decimals = to->decimal == ',';
     line_number = first_line = dropped = voided = misplaced = 0;
     packed.columns = packed.big = packed.facets = 0;
-    file_size = 0.0;
+    file_size = passed = 0.0;
     to->input = "standard input";
     file = stdin;
     if (name && strcmp(name, "-") != 0) {
@@ -1561,4 +1563,5 @@ void read_points(const char *name, points *a)
              "not dropped",
              to->input, misplaced, misplaced > 1 ? "s are" : " is");
     if (file != stdin) fclose(file);
+    progress("reading", 1.0, 1.0);
 }
