@@ -87,6 +87,29 @@ void say(const char *format, ...)
     va_end(list);
 }
 
+void progress(const char *what, double done, double total)
+{
+    static const char *last;
+    static time_t since;
+    static double wait;
+    time_t now = time((time_t *)0);
+    double past;
+
+    if (what != last) {
+        since = now;
+        wait = 2.0;
+    }
+    last = done == total ? (const char *)0 : what;
+    past = difftime(now, since);
+    if (past < wait || done == total) return;
+    wait = 1.3 * past;
+    if (total > 0.0)
+        warn("%s: %.0f %%, about %.0f s more", what, 100.0 * done / total,
+             past * (total / done - 1.0));
+    else
+        warn("%s: %.0f MB", what, done / 1e6);
+}
+
 void *more_space(void *a, double many, size_t size)
 {
     a = many < (double)((size_t)-1 / 2 / size)

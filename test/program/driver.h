@@ -95,7 +95,7 @@ typedef struct form {
 } form;
 
 extern const form values_forms[], errors_forms[], cells_forms[],
-    volumes_forms[], svg_forms[];
+    volumes_forms[], svg_forms[], face_forms[];
 
 /* next_output - the file behind o, or the first one if o = 0, in one of these
  * forms; in any if all = 0.  0 if there is none. */
@@ -158,6 +158,11 @@ void tell(const char *format, ...);
  * or the program has run for a second or two. */
 void say(const char *format, ...);
 
+/* progress - say on stderr how far is what takes longer than two seconds, later
+ * ever more seldom.  total: 0 if not known, done then are bytes.  done = total:
+ * it has ended. */
+void progress(const char *what, double done, double total);
+
 /* ---- files ---- */
 
 /* ends_in - does the name, in small or capital letters? */
@@ -199,6 +204,17 @@ void put_double(FILE *file, double x);
 void put_int(FILE *file, double i);
 void put_scalars(FILE *file, const char *name);
 
+/* start_vtu - as start_vtk: a .vtu file of so many points, with in's columns of
+ * values, and cells, with so many sizes each; what follows are the blocks, each
+ * behind put_long of its bytes: points (whose put_long is done), corners,
+ * put_types, values, sizes, end_vtu.
+ * put_long - a number of eight bytes, the most significant one first. */
+FILE *start_vtu(output *o, double n, double cells, int corners,
+                const points *in, int sizes);
+void put_long(FILE *file, double i);
+void put_types(FILE *file, double cells, int corners, int type);
+void end_vtu(FILE *file);
+
 /* vtk_name - of a column of values, none twice; until the next one. */
 const char *vtk_name(const points *in, int column);
 
@@ -231,9 +247,14 @@ void validate_values(mesh *m);
 /* write_... - a file of that format. */
 void write_node(const mesh *m, output *o);
 void write_ele(const mesh *m, output *o);
-void write_neigh(const mesh *m, output *o);
 void write_face(const mesh *m, output *o);
+void write_obj(const mesh *m, output *o);
+void write_off(const mesh *m, output *o);
+void write_ply(const mesh *m, output *o);
+void write_stl(const mesh *m, output *o);
+void write_msh(const mesh *m, output *o);
 void write_vtk(const mesh *m, output *o);
+void write_vtu(const mesh *m, output *o);
 void write_svg(const mesh *m, output *o);
 
 /* ---- shapes ---- */

@@ -37,8 +37,8 @@ static const char *const before[] = {
     "            for decimal commas see -decimal",
     "  a count   before such lines, or Qhull's dimension and number",
     "  .xyz      of atoms: number, comment, lines `element x y z'",
-    "  .node     TetGen's; .off, .ply (ASCII), .obj: the points; PDB: the atoms",
-    "  .stl      ASCII STL: the triangles' corners",
+    "  .node     TetGen's; .off, .ply, .obj: the points; PDB: the atoms",
+    "  .stl      the triangles' corners; .npy: NumPy's array, a row a point",
     "All further columns, attributes and markers are values, which go to the",
     "output; the picture shows the first."};
 
@@ -65,17 +65,22 @@ int list_numbers(const char *text, int most, double *x)
 
 /* ---- files to write ---- */
 
-const form values_forms[] = {{".csv", 0}, {".npy", 0}, {".vtk", 0},
-                             {".svg", 0}, {0, 0}};
+const form values_forms[] = {{".csv", 0}, {".npy", 0}, {".vtu", 0},
+                             {".vtk", 0}, {".svg", 0}, {0, 0}};
 const form errors_forms[] = {{".csv", 0}, {0, 0}};
 const form cells_forms[] = {{".vtk", 0}, {0, 0}};
 const form volumes_forms[] = {{".csv", 0}, {0, 0}};
 static const form node_forms[] = {{".node", write_node}, {0, 0}};
 static const form ele_forms[] = {{".ele", write_ele}, {0, 0}};
-static const form neigh_forms[] = {{".neigh", write_neigh}, {0, 0}};
-static const form face_forms[] = {{".face", write_face}, {".obj", write_face},
-                                  {0, 0}};
+static const form neigh_forms[] = {{".neigh", write_ele}, {0, 0}};
 static const form vtk_forms[] = {{".vtk", write_vtk}, {0, 0}};
+static const form mesh_forms[] = {
+    {".vtk", write_vtk},   {".vtu", write_vtu}, {".msh", write_msh},
+    {".node", write_node}, {".ele", write_ele}, {".neigh", write_ele}, {0, 0}};
+const form face_forms[] = {
+    {".face", write_face}, {".obj", write_obj}, {".off", write_off},
+    {".ply", write_ply},   {".stl", write_stl}, {".vtk", write_vtk},
+    {".vtu", write_vtu},   {0, 0}};
 const form svg_forms[] = {{".svg", 0}, {0, 0}};
 
 /* add_output - one more file, in one of those forms. */
@@ -274,16 +279,20 @@ static const option table[] = {
     {0, 0, 0, 0, ""},
     {0, 0, 0, 0, "Files: F's ending says what it is; - is standard output,"},
     {0, 0, 0, 0, "and what else is said goes to standard error:"},
-    {"-node", "F", take_output, node_forms, "write points, TetGen format"},
-    {"-ele", "F", take_output, ele_forms, "write tetrahedra, TetGen format"},
-    {"-neigh", "F", take_output, neigh_forms,
-     "write neighbours, TetGen format"},
+    {"-mesh", "F", take_output, mesh_forms,
+     "write the tetrahedra and their points' values: F.vtk and\n"
+     "F.vtu, for ParaView, with circumradii and volumes; F.msh,\n"
+     "Gmsh's 4.1; F.node, the points, F.ele, the tetrahedra, or\n"
+     "F.neigh, their neighbours, as TetGen (so do -vtk F, -node F,\n"
+     "-ele F, -neigh F)"},
     {"-face", "F", take_output, face_forms,
      "write the boundary's triangles, seen counter-clockwise\n"
-     "from outside: TetGen's F.face, or F.obj"},
-    {"-vtk", "F", take_output, vtk_forms,
-     "write all as a VTK unstructured grid (legacy, binary), with\n"
-     "each tetrahedron's circumradius and volume"},
+     "from outside: F.obj, F.off, F.ply, with values, F.stl, in\n"
+     "words, F.vtk, F.vtu; or F.face, TetGen's, of .node's points"},
+    {"-vtk", "F", take_output, vtk_forms, 0},
+    {"-node", "F", take_output, node_forms, 0},
+    {"-ele", "F", take_output, ele_forms, 0},
+    {"-neigh", "F", take_output, neigh_forms, 0},
     {"-binary", 0, take_switch, &chosen.binary, 0},
     {"-cells", "F", take_output, cells_forms,
      "write the Voronoi cells in a box as VTK polyhedra"},
@@ -321,8 +330,8 @@ static const option table[] = {
     {"-values", "F", take_output, values_forms,
      "write them: F.csv, places and values, in a grid x fastest;\n"
      "F.npy for numpy.load, shape (NZ,NY,NX,columns) of a grid,\n"
-     "(places,columns) of a file; F.vtk, a grid, for ParaView;\n"
-     "F.svg, the picture of a slice: its first column"},
+     "(places,columns) of a file; for ParaView F.vtu, or of a\n"
+     "grid F.vtk; F.svg, the picture of a slice: its first column"},
     {"-method", "M", take_word, &chosen.method,
      "linear in each tetrahedron, if not given; smooth, with\n"
      "gradients estimated at the points; natural, by Sibson's\n"

@@ -48,8 +48,9 @@ static int files; /* of them */
 
 #define CSV 0
 #define NPY 1
-#define VTK 2
-#define SVG 3
+#define VTU 2
+#define VTK 3
+#define SVG 4
 
 /* --------------------------------------------------------------- options */
 
@@ -181,8 +182,8 @@ void check_values(void)
     if (chosen.grid) choose_grid();
     for (o = 0; (o = next_output(values_forms, o)) != 0;) {
         if (o->as - values_forms >= VTK && !chosen.grid)
-            fail("-values %s: %s is for a -grid; choose .csv or .npy", o->name,
-                 o->as->ending);
+            fail("-values %s: %s is for a -grid; choose .csv, .npy or .vtu",
+                 o->name, o->as->ending);
         if (o->as - values_forms == SVG) choose_slice();
         csv |= o->as - values_forms == CSV;
     }
@@ -372,9 +373,69 @@ static void vtk_head(FILE *file)
     fprintf(file, "\nPOINT_DATA %.0f\n", places_asked());
 }
 
+/* put_corners - of cell i of the grid, which has step[k] places from each one
+ * to the next along axis k. */
+static void put_corners(FILE *file, const double *cell, const double *step,
+                        int corners)
+{
+    double at;
+    int c, k, bit;
+
+    for (c = 0; c < corners; c++) {
+        for (at = 0.0, bit = c, k = 0; k < 3; k++) {
+            at += step[k] * (cell[k] + (size[k] > 1.0 && bit & 1));
+            if (size[k] > 1.0) bit >>= 1;
+        }
+        put_long(file, at);
+    }
+}
+
+/* vtu_head - the places; and as cells those of the grid, voxels, pixels or
+ * lines, or the places themselves. */
+static FILE *vtu_head(output *o)
+{
+    static const int type[] = {1, 3, 8, 11};
+    double cells = 1.0, x[3], step[3], most[3], i;
+    int sides = 0, k;
+    FILE *file;
+
+    for (k = 0; k < 3 && chosen.grid; k++) {
+        sides += size[k] > 1.0;
+        most[k] = size[k] > 1.0 ? size[k] - 1.0 : 1.0;
+        cells *= most[k];
+        step[k] = k > 0 ? step[k - 1] * size[k - 1] : 1.0;
+    }
+    if (!chosen.grid) cells = (double)places->n;
+    file = start_vtu(o, places_asked(), cells, 1 << sides, in, 0);
+    for (i = 0.0; i < 3.0 * places_asked() && !chosen.grid; i += 1.0)
+        put_double(file, (double)places->p[(size_t)i]);
+    for (x[2] = 0.0; x[2] < size[2]; x[2] += 1.0)
+        for (x[1] = 0.0; x[1] < size[1]; x[1] += 1.0)
+            for (x[0] = 0.0; x[0] < size[0]; x[0] += 1.0)
+                for (k = 0; k < 3; k++)
+                    put_double(file, (double)(tess_real)place(k, (long)x[k]));
+    put_long(file, 8.0 * (1 << sides) * cells);
+    for (i = 0.0; i < cells && !chosen.grid; i += 1.0) put_long(file, i);
+    for (x[2] = 0.0; chosen.grid && x[2] < most[2]; x[2] += 1.0)
+        for (x[1] = 0.0; x[1] < most[1]; x[1] += 1.0)
+            for (x[0] = 0.0; x[0] < most[0]; x[0] += 1.0)
+                put_corners(file, x, step, 1 << sides);
+    put_types(file, cells, 1 << sides, type[sides]);
+    return file;
+}
+
 static void no_scratch(const sink *s)
 {
     fail("%s: no room for a temporary file", s->to->name);
+}
+
+/* column_head - what is before a column of values. */
+static void column_head(const sink *s, int column)
+{
+    if (s->form == VTK)
+        put_scalars(s->file, vtk_name(in, column));
+    else
+        put_long(s->file, 8.0 * places_asked());
 }
 
 /* head - open a file, and write what is before the values. */
@@ -390,8 +451,12 @@ static void head(sink *s)
         s->file = start_vtk(s->to, title, "STRUCTURED_POINTS", 0.0,
                             8.0 * columns * places_asked());
         vtk_head(s->file);
+    } else if (s->form == VTU) {
+        s->file = vtu_head(s->to);
+    }
+    if (s->file) {
         if (in->columns == 1) {
-            put_scalars(s->file, vtk_name(in, 0));
+            column_head(s, 0);
             return;
         }
         /* VTK has column by column what is computed place by place */
@@ -423,7 +488,7 @@ static void put(const sink *s, tess_int many, const tess_real *at,
 
     if (s->form == NPY || s->scratch) {
         fwrite(out, sizeof *out, numbers, s->scratch ? s->scratch : s->file);
-    } else if (s->form == VTK) {
+    } else if (s->form == VTK || s->form == VTU) {
         for (i = 0; i < numbers; i++) put_double(s->file, out[i]);
     } else if (s->form == SVG) {
         for (i = 0; i < (size_t)many; i++)
@@ -488,8 +553,8 @@ static void tail(sink *s)
     int k;
 
     for (k = 0; s->scratch && k < in->columns; k++) {
-        if (k > 0) putc('\n', s->file);
-        put_scalars(s->file, vtk_name(in, k));
+        if (k > 0 && s->form == VTK) putc('\n', s->file);
+        column_head(s, k);
         rewind(s->scratch);
         for (i = 0.0; i < places_asked(); i += 1.0) {
             if (fread(row, sizeof *row, columns, s->scratch) != columns)
@@ -499,6 +564,7 @@ static void tail(sink *s)
     }
     if (s->form == SVG) draw(s->file, s->picture);
     if (s->form == VTK) putc('\n', s->file);
+    if (s->form == VTU) end_vtu(s->file);
     if (s->scratch) fclose(s->scratch);
     free(s->picture);
     finish(s->file, s->to);
@@ -558,7 +624,7 @@ static void some(tess_int many, const tess_real *at, const double *scale)
     values_at(many, q, t, out);
     for (k = 0; k < files; k++) put(sinks + k, many, at, out);
     done += (double)many;
-    progress(done, places_asked());
+    progress("values", done, places_asked());
 }
 
 /* grid_values - row by row, each from where the row before it began. */

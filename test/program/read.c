@@ -17,6 +17,7 @@
 #define LINE 8192   /* most characters of a line */
 #define HEAD 512    /* characters by which a file that is no text is told */
 #define BLOCK 65536 /* characters that are read at once */
+#define NUMPY "\223NUMPY" /* how a .npy file begins */
 
 typedef struct field {
     char *text;
@@ -29,6 +30,8 @@ static points *to;
 static FILE *file;
 static char block[BLOCK + 1]; /* a part of the file, and '\0' */
 static size_t filled, taken;  /* of it */
+static double file_size;      /* in bytes; 0: not known */
+static double passed;         /* bytes before block */
 static char line[LINE + 1];
 static long line_number;
 static field fields[COLUMNS];
@@ -53,6 +56,14 @@ static size_t labelled, labels_room;
 static size_t *label; /* where that of each point begins */
 static int counting; /* is the first column 0, 1, 2, ... or 1, 2, 3, ...? */
 static double count_from;
+
+/* packed - of a file that is no text: rows of so many numbers, or 0. */
+static struct {
+    int columns, big; /* is the most significant byte the first one? */
+    int facets;       /* are they binary STL's corners? */
+    char kind[COLUMNS]; /* as NumPy says it: f, i, u; of so many bytes: */
+    int bytes[COLUMNS];
+} packed;
 
 /* What a column is: 0, 1, 2 a coordinate, LABEL, UNUSED, VALUE; or HOLLOW, a
  * label for want of something in the first line. */
@@ -81,6 +92,7 @@ static void fail_empty(long at, int column)
 static int more(void)
 {
     filled -= taken;
+    passed += (double)taken;
     memmove(block, block + taken, filled);
     taken = 0;
     filled += fread(block + filled, 1, BLOCK - filled, file);
@@ -91,7 +103,7 @@ static int more(void)
 /* refuse_binary - begin to read the file; leave if it is not text. */
 static void refuse_binary(void)
 {
-    static const char *const packed[][2] = {
+    static const char *const archive[][2] = {
         {"\037\213", "compressed by gzip; unpack it first: gunzip -c"},
         {"BZh", "compressed by bzip2; unpack it first: bunzip2 -c"},
         {"\3757zXZ", "compressed by xz; unpack it first: xz -dc"},
@@ -100,24 +112,73 @@ static void refuse_binary(void)
 
     more();
     head = filled < HEAD ? filled : HEAD;
-    for (k = 0; k < sizeof packed / sizeof packed[0]; k++)
-        if (head > strlen(packed[k][0]) &&
-            memcmp(block, packed[k][0], strlen(packed[k][0])) == 0)
-            fail("%s: is %s ... | tess", to->input, packed[k][1]);
-    /* next_line knows UTF-16, read_ply its own binary form */
+    for (k = 0; k < sizeof archive / sizeof archive[0]; k++)
+        if (head > strlen(archive[k][0]) &&
+            memcmp(block, archive[k][0], strlen(archive[k][0])) == 0)
+            fail("%s: is %s ... | tess", to->input, archive[k][1]);
+    /* next_line knows UTF-16, and some readers binary forms */
     if (!memchr(block, 0, head) || memcmp(block, "\377\376", 2) == 0 ||
-        memcmp(block, "\376\377", 2) == 0 || memcmp(block, "ply", 3) == 0)
+        memcmp(block, "\376\377", 2) == 0 || memcmp(block, "ply", 3) == 0 ||
+        memcmp(block, NUMPY, 6) == 0)
         return;
-    if (ends_in(to->input, ".stl"))
-        fail("%s: is binary STL; save it as ASCII STL, or OBJ or OFF",
-             to->input);
-    fail("%s: is not text (binary STL, perhaps, or an archive)", to->input);
+    packed.facets = ends_in(to->input, ".stl");
+    if (!packed.facets)
+        fail("%s: is not text (an archive, perhaps; binary STL is known by a "
+             "name that ends in .stl)", to->input);
 }
 
 static int next_char(void)
 {
     if (taken == filled && !more()) return EOF;
     return (unsigned char)block[taken++];
+}
+
+/* take_number - the next one of a packed file, *x; 0 at the end. */
+static int take_number(char kind, int bytes, double *x)
+{
+    static const int one = 1;
+    unsigned char byte[sizeof(double)]; /* as this machine has them */
+    int little = *(const char *)&one, c, k;
+    float narrow;
+
+    for (k = 0; k < bytes; k++) {
+        c = next_char();
+        if (c == EOF) return 0;
+        byte[packed.big == little ? bytes - 1 - k : k] = (unsigned char)c;
+    }
+    if (kind == 'f' && bytes == sizeof narrow) {
+        memcpy(&narrow, byte, sizeof narrow);
+        *x = (double)narrow;
+    } else if (kind == 'f') {
+        memcpy(x, byte, sizeof *x);
+    } else {
+        c = byte[little ? bytes - 1 : 0];
+        *x = kind == 'i' && c > 127 ? c - 256 : c;
+        for (k = 1; k < bytes; k++)
+            *x = 256.0 * *x + byte[little ? bytes - 1 - k : k];
+    }
+    return 1;
+}
+
+/* packed_row - the next row of a packed file, as fields; its number is that of
+ * the line.  Returns 0 at the end. */
+static int packed_row(void)
+{
+    int k = line_number > 0 ? 14 : 12; /* behind a facet, and before the next */
+
+    for (; packed.facets && line_number % 3 == 0 && k > 0; k--) next_char();
+    line[0] = '\0';
+    for (k = 0; k < packed.columns; k++) {
+        if (!take_number(packed.kind[k], packed.bytes[k], &fields[k].x))
+            return 0;
+        fields[k].text = line;
+        fields[k].number = 1;
+        fields[k].quoted = 0;
+        fields[k].missing = to->skip && fields[k].x != fields[k].x;
+    }
+    many = packed.columns;
+    line_number++;
+    return 1;
 }
 
 /* ---------------------------------------------------------------- fields */
@@ -601,8 +662,8 @@ static void add_point(const double *x)
     for (k = 0; k < 3; k++) to->p[3 * to->n + k] = (tess_real)x[k];
     to->line[to->n] = line_number;
     to->n++;
-    if (to->n == 100000 || to->n % 1000000 == 0)
-        say("reading %s: %ld points", to->input, (long)to->n);
+    if (to->n % 4096 == 0)
+        progress("reading", passed + (double)taken, file_size);
 }
 
 /* add_group - the label of the last point's group. */
@@ -823,6 +884,8 @@ static void row(void)
         drop();
         return;
     }
+    if (by >= 0 && packed.columns > 0)
+        sprintf(fields[by].text, "%.17g", fields[by].x);
     if (by >= 0 && !fields[by].text[0]) fail_empty(line_number, by + 1);
     for (k = 0; k < many; k++) {
         if (part[k] == HOLLOW && fields[k].number)
@@ -888,7 +951,9 @@ static void rows(double want, int perhaps, int rest)
         if (want >= 0.0 && (double)to->n + (double)dropped == want &&
             !perhaps)
             break;
-        if (perhaps || !quick()) {
+        if (packed.columns > 0) {
+            if (!packed_row()) break;
+        } else if (perhaps || !quick()) {
             if (!next_line()) break;
             split();
         }
@@ -925,6 +990,18 @@ static void need_line(void)
     if (!next_line())
         fail("%s: ends before the first point%s", to->input, suspect);
     split();
+}
+
+/* packed_rows - as rows, of a packed file, from where it is read. */
+static void packed_rows(double want)
+{
+    line_number = 0;
+    separator = '\0';
+    open_end = 0;
+    doubt[0] = '\0';
+    if (want > 0.0 && !packed_row())
+        fail("%s: ends before the first point", to->input);
+    rows(want, 0, 1);
 }
 
 /* suspects - of a line that is none of a point: leave if it seems to be one but
@@ -1150,14 +1227,36 @@ static void read_off(void)
     rows(want, 0, 1);
 }
 
+/* packed_type - the next column of a binary PLY file: its type is field 1. */
+static void packed_type(void)
+{
+    static const char types[] =
+        " char=i1 int8=i1 uchar=u1 uint8=u1 short=i2 int16=i2 ushort=u2 "
+        "uint16=u2 int=i4 int32=i4 uint=u4 uint32=u4 float=f4 float32=f4 "
+        "double=f8 float64=f8";
+    char name[20];
+    const char *at;
+
+    sprintf(name, " %.9s=", fields[1].text);
+    at = strstr(types, name);
+    if (!at || many != 3 || packed.columns == COLUMNS)
+        fail_line("not a property that points of a PLY file may have");
+    packed.kind[packed.columns] = at[strlen(name)];
+    packed.bytes[packed.columns++] = at[strlen(name) + 1] - '0';
+}
+
 static void read_ply(void)
 {
     double want = -1.0;
+    int binary = 0;
 
     titles = 0;
     for (need_line(); !word(0, "end_header"); need_line()) {
-        if (word(0, "format") && !word(1, "ascii"))
-            fail_line("this PLY file is binary; save it as ascii");
+        packed.big |= word(1, "binary_big_endian");
+        if (word(0, "format")) binary = !word(1, "ascii");
+        if (word(0, "format") && binary && !packed.big &&
+            !word(1, "binary_little_endian"))
+            fail_line("not a format of PLY files");
         if (word(0, "element") && want < 0.0) {
             if (!word(1, "vertex") || many != 3 || !count(2))
                 fail_line("points must be the first element of a PLY file");
@@ -1167,11 +1266,74 @@ static void read_ply(void)
             while (!word(0, "end_header")) need_line();
             break;
         }
+        if (word(0, "property") && binary) packed_type();
         if (word(0, "property") && many == 3 && titles < COLUMNS)
             sprintf(title[titles++], "%.*s", TITLE - 1, fields[2].text);
     }
+    if (binary) {
+        packed_rows(want);
+        return;
+    }
     need_line();
     rows(want, 0, 1);
+}
+
+/* read_npy - NumPy's: a row for each point. */
+static void read_npy(void)
+{
+    char order = 0, kind = 0, end = 0;
+    double n = 0.0, columns = 0.0;
+    const char *descr, *shape;
+    int version, bytes = 0, size, k;
+
+    for (k = 0; k < 6; k++) next_char();
+    version = next_char();
+    next_char();
+    size = next_char();
+    size += 256 * next_char();
+    for (k = 0; version > 1 && k < 2; k++) next_char();
+    for (k = 0; k < size && k < LINE; k++) line[k] = (char)next_char();
+    line[k] = '\0';
+    descr = strstr(line, "'descr'");
+    shape = strstr(line, "'shape'");
+    if (!descr || !shape || !strstr(line, "False") || k < size ||
+        sscanf(descr, "'descr' : '%c%c%d'", &order, &kind, &bytes) != 3 ||
+        sscanf(shape, "'shape' : ( %lf , %lf %c", &n, &columns, &end) != 3 ||
+        end != ')' || columns < 1.0 || columns > (double)COLUMNS ||
+        (kind == 'f' ? bytes != 4 && bytes != 8
+                     : (kind != 'i' && kind != 'u') || bytes < 1 || bytes > 8))
+        fail("%s: not a .npy file of rows of at most %d float32, float64 or "
+             "integers: numpy.save(F, numpy.ascontiguousarray(rows, float)) "
+             "writes one", to->input, COLUMNS);
+    packed.big = order == '>';
+    for (; packed.columns < (int)columns; packed.columns++) {
+        packed.kind[packed.columns] = kind;
+        packed.bytes[packed.columns] = bytes;
+    }
+    packed_rows(n);
+}
+
+/* read_stl - binary STL: 80 characters, and the number of facets; the file's
+ * size says which order of its bytes is right. */
+static void read_stl(void)
+{
+    const unsigned char *byte = (const unsigned char *)block + 80;
+    double little = 0.0, big = 0.0;
+    int k;
+
+    for (k = 0; k < 4; k++) {
+        little = 256.0 * little + byte[3 - k];
+        big = 256.0 * big + byte[k];
+    }
+    packed.big = file_size != 84.0 + 50.0 * little &&
+                 file_size == 84.0 + 50.0 * big;
+    for (k = 0; k < 84; k++) next_char();
+    while (packed.columns < 3) {
+        packed.kind[packed.columns] = 'f';
+        packed.bytes[packed.columns++] = 4;
+    }
+    if (filled > 84) no_faces();
+    packed_rows(3.0 * (packed.big ? big : little));
 }
 
 /* read_lines - those that begin with this word: v of Wavefront's, vertex of
@@ -1333,17 +1495,28 @@ void read_points(const char *name, points *a)
     by = -1;
     decimals = to->decimal == ',';
     line_number = first_line = dropped = voided = misplaced = 0;
+    packed.columns = packed.big = packed.facets = 0;
+    file_size = passed = 0.0;
     to->input = "standard input";
     file = stdin;
     if (name && strcmp(name, "-") != 0) {
         to->input = name;
-        file = fopen(name, "r");
+        file = fopen(name, "rb");
         if (!file) fail("%s: %s", name, strerror(errno));
+        if (fseek(file, 0L, SEEK_END) == 0) file_size = (double)ftell(file);
+        rewind(file);
     } else if (!name)
         warn("reading points from standard input");
     refuse_binary();
-    if (!next_line()) fail("%s: empty", to->input);
-    if (ends_in(to->input, ".pdb") || ends_in(to->input, ".ent") || pdb()) {
+    if (memcmp(block, NUMPY, 6) == 0)
+        read_npy();
+    else if (packed.facets) {
+        fixed("STL");
+        read_stl();
+    } else if (!next_line())
+        fail("%s: empty", to->input);
+    else if (ends_in(to->input, ".pdb") || ends_in(to->input, ".ent") ||
+             pdb()) {
         fixed("PDB");
         read_pdb();
     } else {
@@ -1390,4 +1563,5 @@ void read_points(const char *name, points *a)
              "not dropped",
              to->input, misplaced, misplaced > 1 ? "s are" : " is");
     if (file != stdin) fclose(file);
+    progress("reading", 1.0, 1.0);
 }

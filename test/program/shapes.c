@@ -275,6 +275,7 @@ static void compute(cells *c, tess_int i)
     tess_int range[2], v;
     int code, k;
 
+    progress("cells", (double)i + 1.0, (double)m->in->n);
     if (c->tet) gather(c, i);
     range[0] = 0;
     range[1] = c->first[i + 1] - c->first[i];

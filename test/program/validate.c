@@ -375,7 +375,7 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
             at += columns;
             values_end();
         }
-        progress((double)(k + 1), (double)parts);
+        progress("-validate", (double)(k + 1), (double)parts);
     }
     print_table(in, asked);
     if (each > columns) print_best(in, asked);

@@ -9,14 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-
-#if defined(__unix__) || defined(__APPLE__)
-#include <unistd.h>
-#define TERMINAL isatty(2)
-#else
-#define TERMINAL 0
-#endif
 
 #include "../examples/recipes.h"
 #include "driver.h"
@@ -433,28 +425,5 @@ void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
             if (out[j] < low[j]) out[j] = low[j];
             if (out[j] > high[j]) out[j] = high[j];
         }
-    }
-}
-
-/* -------------------------------------------------------------- progress */
-
-void progress(double done, double total)
-{
-    static time_t began, last;
-    static int shown;
-    time_t now = time((time_t *)0);
-
-    if (began == 0) began = last = now;
-    if (done >= total) {
-        if (shown) fprintf(stderr, "\r%40s\r", "");
-        began = 0;
-        shown = 0;
-    } else if (TERMINAL && !chosen.quiet && difftime(now, began) > 2.0 &&
-               difftime(now, last) >= 1.0) {
-        last = now;
-        shown = 1;
-        fprintf(stderr, "\rtess: %.0f %%, %.0f s more   ", 100.0 * done / total,
-                difftime(now, began) * (total / (done + 1e-9) - 1.0));
-        fflush(stderr);
     }
 }

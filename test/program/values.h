@@ -67,8 +67,4 @@ double no_number(void);
 void cross_validate(mesh *m, const tess_int *same, const double *value,
                     long parts, const int *asked, int beyond);
 
-/* progress - on a terminal, from the third second on: what share is done.
- * done = total: the line goes. */
-void progress(double done, double total);
-
 #endif

@@ -101,12 +101,20 @@ test("-digits: values, and no coordinates",
 
 
 def by_vtk(name):
-    """What VTK reads in a file: its places, and the arrays by their names."""
-    reader = vtk.vtkStructuredPointsReader()
+    """What VTK reads in a file: its places, and the arrays by their names; and,
+    of .vtu, the type and size of its cells."""
+    xml = name.endswith(".vtu")
+    reader = (vtk.vtkXMLUnstructuredGridReader if xml
+              else vtk.vtkStructuredPointsReader)()
     reader.SetFileName(name)
-    reader.ReadAllScalarsOn()
+    if not xml:
+        reader.ReadAllScalarsOn()
     reader.Update()
     m = reader.GetOutput()
+    by_vtk.cells = [
+        (m.GetCellType(i), np.diff(np.reshape(m.GetCell(i).GetBounds(),
+                                              (3, 2)))[:, 0])
+        for i in range(m.GetNumberOfCells() if xml else 0)]
     d = m.GetPointData()
     return (np.array([m.GetPoint(i) for i in range(m.GetNumberOfPoints())]),
             {d.GetArrayName(k): vtk_to_numpy(d.GetArray(k))
@@ -130,6 +138,31 @@ try:
          "points.csv")
     test(".vtk, read by VTK: one column",
          near(by_vtk("u.vtk")[1]["U"], arrays["U"], 0.0))
+    low, high = p.min(0), p.max(0)
+    for kind, size in ((11, (23, 11, 17)), (8, (9, 7, 1)), (8, (9, 1, 7)),
+                       (8, (1, 9, 7)), (3, (1, 1, 5)), (3, (5, 1, 1)),
+                       (1, (1, 1, 1))):
+        tess("-q", "-grid", "%d,%d,%d" % size, "-values", "g.vtu", "-values",
+             "v.npy", "points.csv")
+        x, arrays = by_vtk("g.vtu")
+        step = (high - low) / np.maximum(np.array(size) - 1, 1) * (
+            np.array(size) > 1)
+        test(".vtu, read by VTK: %s: places, values, cells" % (size,),
+             near(x, places(low, high, size).reshape(-1, 3), 1e-15) and
+             near(np.column_stack([arrays["T"], arrays["U"]]),
+                  np.load("v.npy").reshape(-1, 2), 0.0) and
+             len(by_vtk.cells) == np.prod(np.maximum(np.array(size) - 1, 1)) and
+             all(k == kind and near(s, step, 1e-15) for k, s in by_vtk.cells))
+    q = np.random.default_rng(8).random((100, 3)) * 1.2
+    save("q.csv", q)
+    for columns in "x,y,z,T,U", "x,y,z,U":
+        tess("-q", "-cols", columns, "-query", "q.csv", "-values", "g.vtu",
+             "-values", "v.npy", "points.csv")
+        x, arrays = by_vtk("g.vtu")
+        test(".vtu, read by VTK: places of a file, " + columns, near(x, q, 0.0)
+             and list(arrays) == columns[6:].split(",") and
+             near(np.column_stack(list(arrays.values())), np.load("v.npy"), 0.0)
+             and [k for k, _ in by_vtk.cells] == [1] * 100)
     # by `make grid'
     x, arrays = by_vtk("../mirror.vtk")
     tess("-q", "-alpha", "0.5", "-method", "smooth", "-grid", "200,200,20",

@@ -93,7 +93,8 @@ refuses 'for -values F.csv$' -digits 3 points
 refuses 'for -values F.csv$' -digits 3 -grid 2,2,2 -values v.npy points
 refuses 'from 1 to 17' -digits 0 -grid 2,2,2 -values v.csv points
 refuses 'nearest or a number' -outside far -grid 2,2,2 -values v.npy points
-refuses 'must end in .csv, .npy, .vtk or .svg' -grid 2,2,2 -values v.txt points
+refuses 'must end in .csv, .npy, .vtu, .vtk or .svg' -grid 2,2,2 -values v.txt \
+    points
 refuses 'is for a -grid' -query bare -values v.vtk points
 refuses 'is for a -grid' -query bare -values v.svg points
 refuses 'is of a slice' -grid 2,2,2 -values v.svg points
@@ -158,6 +159,21 @@ if (trap '' XFSZ; ulimit -f 1000) 2> /dev/null; then
     done
 else
     skip "a file that cannot be completed: no ulimit -f"
+fi
+
+# ten million places take no memory of their own
+if (ulimit -v 20000) 2> told; then
+    (ulimit -v 20000; exec $TESS -q -grid 250,200,200 -values ten.npy points \
+        ) > said 2> told
+    code=$?
+    if [ $code -eq 0 ] && [ "$(wc -c < ten.npy)" -eq 80000128 ]; then
+        pass "ten million places in 20 MB"
+    else
+        fail "ten million places in 20 MB: code $code: `cat told`"
+    fi
+    rm -f ten.npy
+else
+    skip "ten million places: no ulimit -v"
 fi
 
 # places from standard input; no progress where there is no terminal
