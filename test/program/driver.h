@@ -40,6 +40,8 @@ typedef struct points {
     int aperiodic;    /* does it say that the box does not, along all axes? */
     double box[6];    /* that box: x from, to; y; z */
     int bare;         /* places, of which values do not matter: -qcols */
+    double all;       /* so many; n of them at a time, by next_places, */
+    FILE *scratch;    /* from a file of their own; or 0, and n are all */
     const char *by;   /* column that tells groups apart; 0: none */
     tess_int *group;  /* of each point, from 0 on; 0: none */
 } points;
@@ -50,6 +52,10 @@ enum { NO_LATTICE, RIGHT, SKEW };
 /* read_points - read the file into *a; leaves the program with a message when
  * it cannot.  name: 0 or "-" for standard input. */
 void read_points(const char *name, points *a);
+
+/* next_places - the next ones of bare points that have been read, or the first
+ * ones, into a->p, a->n. */
+void next_places(points *a, int first);
 
 /* ---- what is made ---- */
 

@@ -301,21 +301,13 @@ void read_places(const points *points_read, points *query)
                  "XYZ"[k], corner[2 * k], "XYZ"[k], corner[2 * k + 1]);
     if (!chosen.query) return;
     read_points(chosen.query, places);
-    for (i = 0; i < places->n; i++)
-        for (k = 0; k < 3; k++) {
-            double x = (double)places->p[3 * (size_t)i + (size_t)k];
-
-            if (!(x >= -DBL_MAX && x <= DBL_MAX))
-                fail("%s, line %ld: a coordinate is not finite",
-                     places->input, places->line[i]);
-        }
 }
 
 /* ----------------------------------------------------------------- files */
 
 static double places_asked(void)
 {
-    return chosen.grid ? size[0] * size[1] * size[2] : (double)places->n;
+    return chosen.grid ? size[0] * size[1] * size[2] : places->all;
 }
 
 void put_title(FILE *file, const char *s)
@@ -345,7 +337,7 @@ static void npy_head(FILE *file)
     if (chosen.grid)
         for (k = 2; k >= 0; k--) length += sprintf(text + length, "%.0f, ", size[k]);
     else
-        length += sprintf(text + length, "%ld, ", (long)places->n);
+        length += sprintf(text + length, "%.0f, ", places->all);
     length += sprintf(text + length, "%d), }", in->columns);
     while ((10 + length + 1) % 64 != 0) text[length++] = ' ';
     text[length++] = '\n';
@@ -397,6 +389,7 @@ static FILE *vtu_head(output *o)
     static const int type[] = {1, 3, 8, 11};
     double cells = 1.0, x[3], step[3], most[3], i;
     int sides = 0, k;
+    size_t j;
     FILE *file;
 
     for (k = 0; k < 3 && chosen.grid; k++) {
@@ -405,10 +398,13 @@ static FILE *vtu_head(output *o)
         cells *= most[k];
         step[k] = k > 0 ? step[k - 1] * size[k - 1] : 1.0;
     }
-    if (!chosen.grid) cells = (double)places->n;
+    if (!chosen.grid) cells = places->all;
     file = start_vtu(o, places_asked(), cells, 1 << sides, in, 0);
-    for (i = 0.0; i < 3.0 * places_asked() && !chosen.grid; i += 1.0)
-        put_double(file, (double)places->p[(size_t)i]);
+    for (i = 0.0; i < cells && !chosen.grid; i += (double)places->n) {
+        next_places(places, i == 0.0);
+        for (j = 0; j < 3 * (size_t)places->n; j++)
+            put_double(file, (double)places->p[j]);
+    }
     for (x[2] = 0.0; x[2] < size[2]; x[2] += 1.0)
         for (x[1] = 0.0; x[1] < size[1]; x[1] += 1.0)
             for (x[0] = 0.0; x[0] < size[0]; x[0] += 1.0)
@@ -713,19 +709,22 @@ static void find_places(const double *scale, tess_int *start)
 
 static void query_values(long most, const double *scale)
 {
-    tess_int *start = (tess_int *)space((double)places->n, sizeof *start);
-    tess_int last = TESS_NONE;
+    tess_int last = TESS_NONE, *start;
     long i, many;
 
-    find_places(scale, start);
-    for (i = 0; i < (long)places->n; i += many) {
-        many = (long)places->n - i < most ? (long)places->n - i : most;
-        memcpy(t, start + i, (size_t)many * sizeof *t);
-        if (t[0] == TESS_NONE) t[0] = last;
-        some((tess_int)many, places->p + 3 * i, scale);
-        last = t[many - 1];
+    while (done < places->all) {
+        next_places(places, done == 0.0);
+        start = (tess_int *)space((double)places->n, sizeof *start);
+        find_places(scale, start);
+        for (i = 0; i < (long)places->n; i += many) {
+            many = (long)places->n - i < most ? (long)places->n - i : most;
+            memcpy(t, start + i, (size_t)many * sizeof *t);
+            if (t[0] == TESS_NONE) t[0] = last;
+            some((tess_int)many, places->p + 3 * i, scale);
+            last = t[many - 1];
+        }
+        free(start);
     }
-    free(start);
 }
 
 void write_values(const mesh *m)

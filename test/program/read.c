@@ -10,6 +10,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <float.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,6 +18,7 @@
 #define LINE 8192   /* most characters of a line */
 #define HEAD 512    /* characters by which a file that is no text is told */
 #define BLOCK 65536 /* characters that are read at once */
+#define SPILL 131072 /* places that are kept at once, if there are more */
 #define NUMPY "\223NUMPY" /* how a .npy file begins */
 
 typedef struct field {
@@ -31,6 +33,8 @@ static FILE *file;
 static char block[BLOCK + 1]; /* a part of the file, and '\0' */
 static size_t filled, taken;  /* of it */
 static double file_size;      /* in bytes; 0: not known */
+static int unsure;            /* whether the first line is a point: rows */
+static tess_int spilled;      /* places that are in the file of their own */
 static double passed;         /* bytes before block */
 static char line[LINE + 1];
 static long line_number;
@@ -645,22 +649,50 @@ static void rooms(double most, double values)
     to->values = values;
 }
 
+/* spill - places, of which there are many, into a file of their own. */
+static void spill(void)
+{
+    size_t here = (size_t)(to->n - spilled);
+
+    if (!to->scratch) to->scratch = tmpfile();
+    if (!to->scratch || fwrite(to->p, 3 * sizeof *to->p, here, to->scratch) !=
+                            here)
+        fail("%s: no room for a temporary file", to->input);
+    spilled = to->n;
+}
+
+void next_places(points *a, int first)
+{
+    if (!a->scratch) return;
+    if (first) rewind(a->scratch);
+    a->n = (tess_int)fread(a->p, 3 * sizeof *a->p, SPILL, a->scratch);
+    if (a->n == 0) fail("%s: a temporary file cannot be read", a->input);
+}
+
 /* add_point - one more: its coordinates; its values are set by the caller. */
 static void add_point(const double *x)
 {
-    double n = (double)to->n + 1.0, values = n * (double)to->columns;
+    double n, values;
+    tess_int at;
     int k;
 
     if (to->n >= TESS_INT_MOST / 5)
         too_small("%s, line %ld: more points than a tess_int of %d bytes can "
                   "number; rebuild with a larger -DTESS_INT=...",
                   to->input, line_number, (int)sizeof(tess_int));
-    if (to->bare) values = 0.0;
+    if (to->bare && !unsure && to->n - spilled >= SPILL) spill();
+    at = to->n - spilled;
+    n = (double)at + 1.0;
+    values = to->bare ? 0.0 : n * (double)to->columns;
     if (n > to->room || values > to->values)
         rooms(n > to->room ? 2.0 * n : to->room,
               values > to->values ? 2.0 * values : to->values);
-    for (k = 0; k < 3; k++) to->p[3 * to->n + k] = (tess_real)x[k];
-    to->line[to->n] = line_number;
+    for (k = 0; k < 3; k++) {
+        to->p[3 * at + k] = (tess_real)x[k];
+        if (to->bare && !(fabs((double)to->p[3 * at + k]) <= DBL_MAX))
+            fail_line("a coordinate is not finite");
+    }
+    to->line[at] = line_number;
     to->n++;
     if (to->n % 4096 == 0)
         progress("reading", passed + (double)taken, file_size);
@@ -939,27 +971,28 @@ static void rows(double want, int perhaps, int rest)
     long k;
 
     if (want == 0.0) fail("%s: no points", to->input);
+    unsure = perhaps;
     shape();
     for (;;) {
-        if (perhaps && to->n + dropped == 1 && !like()) {
-            perhaps = 0;
+        if (unsure && to->n + dropped == 1 && !like()) {
+            unsure = 0;
             to->n = 0;
             dropped = 0;
             shape();
         }
         row();
         if (want >= 0.0 && (double)to->n + (double)dropped == want &&
-            !perhaps)
+            !unsure)
             break;
         if (packed.columns > 0) {
             if (!packed_row()) break;
-        } else if (perhaps || !quick()) {
+        } else if (unsure || !quick()) {
             if (!next_line()) break;
             split();
         }
-        if (perhaps && (double)to->n + (double)dropped == want) {
+        if (unsure && (double)to->n + (double)dropped == want) {
             /* not so, if all points are there already */
-            perhaps = 0;
+            unsure = 0;
             if (!like()) break;
             if (dropped > 0 && first_dropped == first_line) {
                 dropped--;
@@ -1497,6 +1530,8 @@ void read_points(const char *name, points *a)
     line_number = first_line = dropped = voided = misplaced = 0;
     packed.columns = packed.big = packed.facets = 0;
     file_size = passed = 0.0;
+    spilled = 0;
+    unsure = 0;
     to->input = "standard input";
     file = stdin;
     if (name && strcmp(name, "-") != 0) {
@@ -1546,8 +1581,11 @@ void read_points(const char *name, points *a)
              to->input, to->skip ? "-skip" : "-nodata", dropped, option(),
              to->bare ? "" : ",VALUE");
     if (to->n == 0) fail("%s: no points", to->input);
-    rooms((double)to->n,
-          to->bare ? 0.0 : (double)to->n * (double)to->columns);
+    to->all = (double)to->n;
+    if (to->scratch)
+        spill();
+    else
+        rooms(to->all, to->bare ? 0.0 : to->all * (double)to->columns);
     if (by >= 0) number_groups();
     if (dropped > 0)
         warn("%s: %ld row%s dropped for a number that is missing, the first "

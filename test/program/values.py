@@ -153,16 +153,17 @@ try:
                   np.load("v.npy").reshape(-1, 2), 0.0) and
              len(by_vtk.cells) == np.prod(np.maximum(np.array(size) - 1, 1)) and
              all(k == kind and near(s, step, 1e-15) for k, s in by_vtk.cells))
-    q = np.random.default_rng(8).random((100, 3)) * 1.2
-    save("q.csv", q)
-    for columns in "x,y,z,T,U", "x,y,z,U":
+    # (so many that they are kept in a file)
+    for columns, many in ("x,y,z,T,U", 100), ("x,y,z,U", 140000):
+        q = np.random.default_rng(8).random((many, 3)) * 1.2
+        save("q.csv", q)
         tess("-q", "-cols", columns, "-query", "q.csv", "-values", "g.vtu",
              "-values", "v.npy", "points.csv")
         x, arrays = by_vtk("g.vtu")
         test(".vtu, read by VTK: places of a file, " + columns, near(x, q, 0.0)
              and list(arrays) == columns[6:].split(",") and
              near(np.column_stack(list(arrays.values())), np.load("v.npy"), 0.0)
-             and [k for k, _ in by_vtk.cells] == [1] * 100)
+             and [k for k, _ in by_vtk.cells] == [1] * many)
     # by `make grid'
     x, arrays = by_vtk("../mirror.vtk")
     tess("-q", "-alpha", "0.5", "-method", "smooth", "-grid", "200,200,20",

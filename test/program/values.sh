@@ -172,6 +172,26 @@ if (ulimit -v 20000) 2> told; then
         fail "ten million places in 20 MB: code $code: `cat told`"
     fi
     rm -f ten.npy
+    # many of a file; where the first line might be one, but for the number
+    awk 'BEGIN { srand(4); for (i = 0; i < 1000000; i++)
+        print rand(), rand(), rand() }' > some
+    (ulimit -v 32000; exec $TESS -q -query some -values some.npy points) \
+        > said 2> told
+    code=$?
+    (echo 1000000; echo 0 0 0; cat some) > titled
+    $TESS -q -query titled -values titled.npy points || code=1
+    split -l 100000 some piece.
+    for piece in piece.a?; do
+        $TESS -q -query $piece -values part.npy points
+        tail -c +129 part.npy
+    done > pieces
+    if [ $code -eq 0 ] && cmp -s some.npy titled.npy &&
+        tail -c +129 some.npy | cmp -s - pieces; then
+        pass "a million places of a file in 32 MB, as their parts"
+    else
+        fail "a million places of a file in 32 MB: code $code: `cat told`"
+    fi
+    rm -f some titled pieces piece.*
 else
     skip "ten million places: no ulimit -v"
 fi

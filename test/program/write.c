@@ -397,7 +397,8 @@ static const char *name_again(const points *in, int column)
     int k;
 
     for (k = 0; k < column && strcmp(in->name[k], in->name[column]) != 0;) k++;
-    sprintf(text, k < column ? "_%d" : "", column + 1);
+    text[0] = '\0';
+    if (k < column) sprintf(text, "_%d", column + 1);
     return text;
 }
 
