@@ -1298,6 +1298,7 @@ fi
 # seconds
 printf '#include <time.h>\ntime_t tick(time_t *t);\ntime_t tick(time_t *t)
 { static time_t now; (void)t; return ++now; }\n' > tick.c
+# shellcheck disable=SC2046 # a list of files
 (cd "$TOP" && $CC -Dtime=tick -I. -o build/driver/ticking build/driver/tick.c \
     test/program/driver.c `sed -n '/^PROGRAM = /,/[^\\]$/p' Makefile |
         tr ' ' '\n' | grep '\.o' | grep -v driver` build/tess.o \

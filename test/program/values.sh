@@ -162,6 +162,7 @@ else
 fi
 
 # ten million places take no memory of their own
+# shellcheck disable=SC3045 # where there is no -v it is skipped
 if (ulimit -v 20000) 2> told; then
     (ulimit -v 20000; exec $TESS -q -grid 250,200,200 -values ten.npy points \
         ) > said 2> told
