@@ -459,7 +459,7 @@ void make_cells(const mesh *m)
     cells c;
     totals all;
     output *o;
-    double *volume, whole = 1.0;
+    double *volume, whole = 1.0, slack, side[3], longest = 0.0;
     tess_int *faces;
     int k;
 
@@ -470,9 +470,15 @@ void make_cells(const mesh *m)
     faces = integers((double)m->in->n);
     say("computing %ld cells ...", (long)m->in->n);
     measure_cells(&c, volume, faces, &all);
-    for (k = 0; k < 3; k++)
-        whole *= (c.box[2 * k + 1] - c.box[2 * k]) / m->scale[k];
-    if (!(whole > 0.0 && fabs(all.volume - whole) <= 1e-9 * whole))
+    for (k = 0; k < 3; k++) {
+        side[k] = (c.box[2 * k + 1] - c.box[2 * k]) / m->scale[k];
+        if (side[k] > longest) longest = side[k];
+        whole *= side[k];
+    }
+    /* volumes are right but for roundings of lengths times surfaces */
+    slack = 1e-15 * longest * (side[0] * side[1] + side[1] * side[2] +
+                               side[2] * side[0]);
+    if (!(whole > 0.0 && fabs(all.volume - whole) <= 1e-9 * whole + slack))
         fail("the cells' volumes sum to %.15g, but the box's is %.15g: use "
              "other units, as by -scale, or a smaller box", all.volume, whole);
     if (c.tet) tell("periodic      %ld tetrahedra\n", (long)c.periods);
