@@ -148,11 +148,15 @@ static void take_scale(const option *o, char **word)
 {
     double *x = (double *)o->to;
 
-    if (list_numbers(word[0], 3, x) != 3 || !(x[0] > 0.0) || !(x[1] > 0.0) ||
-        !(x[2] > 0.0) || x[0] > DBL_MAX || x[1] > DBL_MAX || x[2] > DBL_MAX)
-        fail("%s needs three numbers above 0, as 1,1,0.01 (tess -h helps)",
-             o->name);
-    chosen.scaled = 1;
+    int many;
+
+    x[2] = 1.0;
+    many = list_numbers(word[0], 3, x);
+    if (many < 2 || !(x[0] > 0.0) || !(x[1] > 0.0) || !(x[2] > 0.0) ||
+        x[0] > DBL_MAX || x[1] > DBL_MAX || x[2] > DBL_MAX)
+        fail("%s needs three numbers above 0, as 1,1,0.01, or two of points in "
+             "a plane (tess -h helps)", o->name);
+    chosen.scaled = many;
 }
 
 static void take_box(const option *o, char **word)
@@ -175,8 +179,10 @@ static void take_columns(const option *o, char **word)
     int commas = 0;
 
     for (c = word[0]; *c; c++) commas += *c == ',';
-    if (commas < 2 || (commas > 2 && o->to == &chosen.qcols))
-        fail("%s needs three columns, as 2,3,4 (tess -h helps)", o->name);
+    if (commas < 1 || (commas > 2 && o->to == &chosen.qcols))
+        fail("%s needs three columns, as 2,3,4, or two of points in a plane "
+             "(tess -h helps)", o->name);
+    if (commas == 1) chosen.plane = 1;
     take_word(o, word);
 }
 
@@ -255,6 +261,13 @@ static const option table[] = {
      "the columns that are x, y, z, by number, from 1, or by\n"
      "name: -cols 2,3,4, -cols lon,lat,depth.  -cols X,Y,Z,V...\n"
      "names those, too, that are values; else all others are"},
+    {"-plane", 0, take_switch, &chosen.plane,
+     "points in a plane: the first two columns of -cols, or of\n"
+     "all, or those named x, y, are coordinates, the others\n"
+     "values.  So it is, too, by -cols X,Y; -qcols X,Y;\n"
+     "-grid NX,NY; places of two numbers a line, in -query F;\n"
+     "or if -validate had no values else.  (Points in space that\n"
+     "lie in one plane have values there: of a place's foot)"},
     {"-skip", 0, take_switch, &chosen.skip,
      "drop rows from which a number is missing: an empty cell,\n"
      "NA, N/A, NaN, null, none, - or --; how many is said"},
@@ -264,10 +277,10 @@ static const option table[] = {
     {"-decimal", ",", take_decimal, &chosen.decimal,
      "numbers have decimal commas, and no points; between them are\n"
      "semicolons, tabs or blanks, or commas if numbers are in quotes"},
-    {"-scale", "SX,SY,SZ", take_scale, chosen.scale,
+    {"-scale", "SX,SY[,SZ]", take_scale, chosen.scale,
      "stretch coordinates for the mesh: -scale 1,1,0.01 for\n"
-     "degrees and metres.  All that is written has the given\n"
-     "ones; -alpha measures in the stretched"},
+     "degrees and metres, SX,SY in a plane.  All that is written\n"
+     "has the given ones; -alpha measures in the stretched"},
     {"-check", 0, take_switch, &chosen.check,
      "prove the result, by exact arithmetic"},
     {0, 0, 0, 0, ""},
@@ -308,11 +321,11 @@ static const option table[] = {
      "write BASE.node BASE.ele BASE.neigh BASE.vtk"},
     {0, 0, 0, 0, ""},
     {0, 0, 0, 0, "The columns' values at other places:"},
-    {"-grid", "NX,NY,NZ[,X0,X1,Y0,Y1,Z0,Z1]", take_word, &chosen.grid,
+    {"-grid", "NX,NY[,NZ][,X0,X1,Y0,Y1[,Z0,Z1]]", take_word, &chosen.grid,
      "at so many places along x, y, z, from X0 to X1 and so on;\n"
      "if not given, from side to side of the points' box.  One\n"
      "place is in the middle: NZ = 1 is a slice, Z0 = Z1 says\n"
-     "where"},
+     "where.  NX,NY and X0,X1,Y0,Y1 are for points in a plane"},
     {"-query", "F", take_word, &chosen.query,
      "at the places of a file, which is read like the points"},
     {"-qcols", "X,Y,Z", take_columns, &chosen.qcols,
@@ -320,8 +333,9 @@ static const option table[] = {
     {"-values", "F", take_output, values_forms,
      "write them: F.csv, places and values, in a grid x fastest;\n"
      "F.npy for numpy.load, shape (NZ,NY,NX,columns) of a grid,\n"
-     "(places,columns) of a file; F.vtk, a grid, for ParaView;\n"
-     "F.svg, the picture of a slice: its first column"},
+     "(NY,NX,columns) in a plane, (places,columns) of a file;\n"
+     "F.vtk, a grid, for ParaView; F.svg, the picture of a slice:\n"
+     "its first column"},
     {"-method", "M", take_word, &chosen.method,
      "linear in each tetrahedron, if not given; smooth, with\n"
      "gradients estimated at the points; natural, by Sibson's\n"
