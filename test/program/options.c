@@ -301,7 +301,9 @@ static const option table[] = {
      "write the Voronoi cells in a box as VTK polyhedra"},
     {"-volumes", "F.csv", take_output, volumes_forms,
      "write each point's x,y,z, its cell's volume, and number\n"
-     "of faces; their sum and the box's volume are said"},
+     "of faces, the point's number, the cell's area, neighbours\n"
+     "(the box's sides x0 to z1 are -1 to -6, if it repeats\n"
+     "itself none), values; the volumes' sum is said"},
     {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
      "that box; if not given, that of an extended XYZ file's\n"
      "Lattice, or the points' own"},
