@@ -436,12 +436,17 @@ int main(int argc, char **argv)
     in.nodata = chosen.nodata;
     in.voids = chosen.voids;
     in.by = chosen.by;
-    read_points(chosen.input, &in);
-    check_box(&in);
     places.cols = chosen.qcols;
     places.skip = chosen.skip;
     places.bare = 1;
-    read_places(&in, &places);
+    read_places(&places);
+    if (chosen.scaled == 2 && !chosen.plane)
+        fail("-scale needs three numbers above 0; two are of points in a "
+             "plane");
+    in.axes = chosen.plane ? 2 : chosen.validate && !chosen.values ? 0 : 3;
+    read_points(chosen.input, &in);
+    check_box(&in);
+    check_points(&in);
     made.in = &in;
     stretch();
     say("tetrahedralizing %ld points, about %.1f s if they fill a volume ...",

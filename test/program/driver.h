@@ -4,7 +4,7 @@
  *   driver.c    the arrays, the mesh, messages     write.c   files
  *   shapes.c    alpha shapes, cells                draw.c    pictures
  *   values.c    interpolation                      places.c  where, into files
- *   validate.c  its errors
+ *   validate.c  its errors                         plane.c   in a plane
  */
 #ifndef DRIVER_H
 #define DRIVER_H
@@ -31,6 +31,7 @@ typedef struct points {
     char name[COLUMNS][TITLE]; /* of the values */
     int marker;               /* 1: the last value is a .node file's marker */
     tess_int base;            /* number of the first point in files */
+    int axes; /* coordinates, 3, or 2 in a plane; 0: what the file has */
     const char *cols; /* columns asked for, x, y, z first; 0: by the file */
     int skip;         /* drop rows from which numbers are missing */
     int decimal;      /* ',' where numbers have decimal commas */
@@ -67,6 +68,7 @@ typedef struct mesh {
     const tess_real *p; /* in->p, times scale */
     tess_int ntet, *tet, *adj;
     tess_int maxtet;    /* tetrahedra that there is room for: tetrahedralize */
+    int flat;           /* are p coordinates in a plane, by plane.c? */
     char *keep;         /* by -alpha: 0 for a tetrahedron that is left out; */
     tess_int kept;      /* 1 for so many; or 0, and ntet: all are in */
     tess_int liw, *iw;  /* its workspace; in iw which point stands for each, */
@@ -115,7 +117,8 @@ typedef struct choices {
     int decimal; /* ',' or '.'; 0: not given */
     int voids;   /* numbers of nodata */
     double nodata[VOIDS];
-    int scaled, boxed; /* are these given? */
+    int plane;         /* have the points two coordinates? */
+    int scaled, boxed; /* are these given?  (scaled: numbers of it) */
     int values, cells; /* -values; -cells or -volumes */
     int to_stdout;     /* is a file written to standard output? */
     double scale[3], box[6];
@@ -235,9 +238,10 @@ void put_title(FILE *file, const char *name);
 /* check_values - leave if the options of values do not fit together. */
 void check_values(void);
 
-/* read_places - what is wanted of the points, and the places of -query, into
- * *places; leaves when that cannot be. */
-void read_places(const points *in, points *places);
+/* read_places - the places of -query, into *places; leaves when that cannot
+ * be.  check_points - leave if what is wanted of the points cannot be. */
+void read_places(points *places);
+void check_points(const points *in);
 
 /* keep_values - what of the new mesh is needed later on, when iw and rw are
  * gone. */
@@ -247,6 +251,36 @@ void write_values(const mesh *m);
 
 /* validate_values - print the table of -validate; the mesh is lost. */
 void validate_values(mesh *m);
+
+/* ---- points in a plane ---- */
+
+/* find_plane - do all points lie in one plane, but for rounding, and not on one
+ * line?  Then it is that of the next three. */
+int find_plane(const mesh *m);
+
+/* to_plane - the coordinates in the plane, and 0, of a place's foot there. */
+void to_plane(const tess_real *x, tess_real *foot);
+
+/* lay_flat - *m becomes the mesh of n points in the plane and of two points off
+ * it, for which p has room; these have the numbers n and n + 1.  Returns as
+ * tetrahedralize. */
+int lay_flat(mesh *m, tess_int n, tess_real *p, int telling);
+
+/* natural_flat - Sibson's weights in the plane.
+ *
+ *   p, tet, adj  (in)   that mesh
+ *   q, t         (in)   a place, and a tetrahedron that holds it
+ *   most         (in)   neighbours that there is room for
+ *   nn, nbr      (out)  their number, most at most, and which points they are;
+ *                       0 where rounding leaves no digits, as on a side of the
+ *                       hull: the linear weights then are theirs
+ *   weight       (out)  most + 1: their weights
+ *   iw, rw       (out)  3*most integers, 3*most doubles
+ *
+ * returns 0, or TESS_POOL where most is too small. */
+int natural_flat(const tess_real *p, const tess_int *tet, const tess_int *adj,
+                 const tess_real *q, tess_int t, tess_int most, tess_int *nn,
+                 tess_int *nbr, double *weight, tess_int *iw, double *rw);
 
 /* ---- files of points and tetrahedra (write.c) ---- */
 

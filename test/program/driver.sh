@@ -280,7 +280,7 @@ refuses words.csv 'column 6, note, is not a number: a' < ocean.csv
 OPTIONS="-cols 2,3,lat"
 refuses twice.csv 'column lat twice' < ocean.csv
 OPTIONS="-cols 2,3"
-refuses two.csv '-cols needs three columns' < ocean.csv
+refuses two.csv '-cols needs three columns: points in a plane' < ocean.csv
 OPTIONS="-cols 2,3,4"
 refuses cols.node '-cols is for lines of numbers, not for .node' < none
 OPTIONS=
@@ -1157,26 +1157,42 @@ import sys, itertools, numpy
 from scipy.spatial import Voronoi, ConvexHull
 periodic = sys.argv[1] == 'periodic'
 box = numpy.array([float(x) for x in sys.argv[2].split(',')]).reshape(3, 2)
-a = numpy.loadtxt('cells.csv', delimiter=',', skiprows=1)
-assert open('cells.csv').readline() == 'x,y,z,volume,faces\n'
+rows = [l.split(',') for l in open('cells.csv').read().splitlines()]
+assert rows.pop(0) == ['x', 'y', 'z', 'volume', 'faces', 'point', 'area',
+                       'neighbours', 'value']
+a = numpy.array([r[:7] + r[8:] for r in rows], float)
+assert (a[:, 5] == range(len(a))).all()
+assert (a[:, 7] == 5 * a[:, 5]).all()
 p = a[:, :3]
 assert (p == numpy.loadtxt('boxed')).all()
 all, n = p, len(p)
+who = numpy.arange(n)
 for k in range(3):
     more = [all]
+    name = [who]
     for side in 0, 1:
         other = all.copy()
         if periodic: other[:, k] += (2 * side - 1) * (box[k, 1] - box[k, 0])
         else: other[:, k] = 2 * box[k, side] - all[:, k]
         more.append(other)
+        name.append(who if periodic else 0 * who - 1 - 2 * k - side)
     all = numpy.concatenate(more)
+    who = numpy.concatenate(name)
 v = Voronoi(all)
 faces = numpy.zeros(n, int)
+beside = [[] for i in range(n)]
 for i, j in v.ridge_points:
-    if i < n: faces[i] += 1
-    if j < n: faces[j] += 1
-volume = [ConvexHull(v.vertices[v.regions[v.point_region[i]]]).volume
-          for i in range(n)]
+    for i, j in (i, j), (j, i):
+        if i < n:
+            faces[i] += 1
+            beside[i].append(who[j])
+hull = [ConvexHull(v.vertices[v.regions[v.point_region[i]]])
+        for i in range(n)]
+volume = [h.volume for h in hull]
+area = numpy.array([h.area for h in hull])
+assert abs(a[:, 6] / area - 1).max() < 1e-9, abs(a[:, 6] / area - 1).max()
+for i in range(n):
+    assert sorted(int(j) for j in rows[i][7].split()) == sorted(beside[i]), i
 assert abs(a[:, 3] / volume - 1).max() < 1e-9, abs(a[:, 3] / volume - 1).max()
 assert (a[:, 4] == faces).all()
 whole = (box[:, 1] - box[:, 0]).prod()
@@ -1189,7 +1205,8 @@ awk 'BEGIN { srand(8)
 if $PYTHON -c 'import scipy.spatial' 2> words; then
     for kind in periodic clipped; do
         option=`echo -$kind | grep periodic`
-        $TESS -volumes cells.csv $option -box 0,1,0,2,-1,2 boxed > said
+        awk '{ print $0, 5 * (NR - 1) }' boxed > valued
+        $TESS -volumes cells.csv $option -box 0,1,0,2,-1,2 valued > said
         yes "-volumes: as scipy has them: $kind" $PYTHON voronoi.py $kind \
             0,1,0,2,-1,2
     done
@@ -1210,7 +1227,7 @@ yes "-periodic: points outside the box have copies inside" awk -F, '
 (cat some; sed -n 5p some) > twin
 $TESS -q -volumes twin.csv twin
 yes "-volumes: a duplicate has no cell" sh -c \
-    'tail -n 1 twin.csv | grep ",0,0$"' > /dev/null
+    'tail -n 1 twin.csv | grep ",0,0,564,0,$"' > /dev/null
 $TESS -periodic -box 0,2,0,2,0,1 -volumes flat.csv flat > said 2> words
 yes "-periodic: points in a plane" grep 'sum to 4; the box.s is 4$' said \
     > /dev/null

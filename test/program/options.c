@@ -153,11 +153,15 @@ static void take_scale(const option *o, char **word)
 {
     double *x = (double *)o->to;
 
-    if (list_numbers(word[0], 3, x) != 3 || !(x[0] > 0.0) || !(x[1] > 0.0) ||
-        !(x[2] > 0.0) || x[0] > DBL_MAX || x[1] > DBL_MAX || x[2] > DBL_MAX)
-        fail("%s needs three numbers above 0, as 1,1,0.01 (tess -h helps)",
-             o->name);
-    chosen.scaled = 1;
+    int many;
+
+    x[2] = 1.0;
+    many = list_numbers(word[0], 3, x);
+    if (many < 2 || !(x[0] > 0.0) || !(x[1] > 0.0) || !(x[2] > 0.0) ||
+        x[0] > DBL_MAX || x[1] > DBL_MAX || x[2] > DBL_MAX)
+        fail("%s needs three numbers above 0, as 1,1,0.01, or two of points in "
+             "a plane (tess -h helps)", o->name);
+    chosen.scaled = many;
 }
 
 static void take_box(const option *o, char **word)
@@ -180,8 +184,10 @@ static void take_columns(const option *o, char **word)
     int commas = 0;
 
     for (c = word[0]; *c; c++) commas += *c == ',';
-    if (commas < 2 || (commas > 2 && o->to == &chosen.qcols))
-        fail("%s needs three columns, as 2,3,4 (tess -h helps)", o->name);
+    if (commas < 1 || (commas > 2 && o->to == &chosen.qcols))
+        fail("%s needs three columns, as 2,3,4, or two of points in a plane "
+             "(tess -h helps)", o->name);
+    if (commas == 1) chosen.plane = 1;
     take_word(o, word);
 }
 
@@ -260,6 +266,13 @@ static const option table[] = {
      "the columns that are x, y, z, by number, from 1, or by\n"
      "name: -cols 2,3,4, -cols lon,lat,depth.  -cols X,Y,Z,V...\n"
      "names those, too, that are values; else all others are"},
+    {"-plane", 0, take_switch, &chosen.plane,
+     "points in a plane: the first two columns of -cols, or of\n"
+     "all, or those named x, y, are coordinates, the others\n"
+     "values.  So it is, too, by -cols X,Y; -qcols X,Y;\n"
+     "-grid NX,NY; places of two numbers a line, in -query F;\n"
+     "or if -validate had no values else.  (Points in space that\n"
+     "lie in one plane have values there: of a place's foot)"},
     {"-skip", 0, take_switch, &chosen.skip,
      "drop rows from which a number is missing: an empty cell,\n"
      "NA, N/A, NaN, null, none, - or --; how many is said"},
@@ -270,10 +283,10 @@ static const option table[] = {
      "numbers that are read have decimal commas, no points; what\n"
      "separates them is a semicolon, a tab, or blanks; or a comma\n"
      "where numbers are in quotes"},
-    {"-scale", "SX,SY,SZ", take_scale, chosen.scale,
+    {"-scale", "SX,SY[,SZ]", take_scale, chosen.scale,
      "stretch coordinates for the mesh: -scale 1,1,0.01 for\n"
-     "degrees and metres.  All that is written has the given\n"
-     "ones; -alpha measures in the stretched"},
+     "degrees and metres, SX,SY in a plane.  All that is written\n"
+     "has the given ones; -alpha measures in the stretched"},
     {"-check", 0, take_switch, &chosen.check,
      "prove the result, by exact arithmetic"},
     {0, 0, 0, 0, ""},
@@ -298,7 +311,9 @@ static const option table[] = {
      "write the Voronoi cells in a box as VTK polyhedra"},
     {"-volumes", "F.csv", take_output, volumes_forms,
      "write each point's x,y,z, its cell's volume, and number\n"
-     "of faces; their sum and the box's volume are said"},
+     "of faces, the point's number, the cell's area, neighbours\n"
+     "(the box's sides x0 to z1 are -1 to -6, if it repeats\n"
+     "itself none), values; the volumes' sum is said"},
     {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
      "that box; if not given, that of an extended XYZ file's\n"
      "Lattice, or the points' own"},
@@ -318,11 +333,11 @@ static const option table[] = {
      "write BASE.node BASE.ele BASE.neigh BASE.vtk"},
     {0, 0, 0, 0, ""},
     {0, 0, 0, 0, "The columns' values at other places:"},
-    {"-grid", "NX,NY,NZ[,X0,X1,Y0,Y1,Z0,Z1]", take_word, &chosen.grid,
+    {"-grid", "NX,NY[,NZ][,X0,X1,Y0,Y1[,Z0,Z1]]", take_word, &chosen.grid,
      "at so many places along x, y, z, from X0 to X1 and so on;\n"
      "if not given, from side to side of the points' box.  One\n"
      "place is in the middle: NZ = 1 is a slice, Z0 = Z1 says\n"
-     "where"},
+     "where.  NX,NY and X0,X1,Y0,Y1 are for points in a plane"},
     {"-query", "F", take_word, &chosen.query,
      "at the places of a file, which is read like the points"},
     {"-qcols", "X,Y,Z", take_columns, &chosen.qcols,
@@ -330,8 +345,9 @@ static const option table[] = {
     {"-values", "F", take_output, values_forms,
      "write them: F.csv, places and values, in a grid x fastest;\n"
      "F.npy for numpy.load, shape (NZ,NY,NX,columns) of a grid,\n"
-     "(places,columns) of a file; for ParaView F.vtu, or of a\n"
-     "grid F.vtk; F.svg, the picture of a slice: its first column"},
+     "(NY,NX,columns) in a plane, (places,columns) of a file; for\n"
+     "ParaView F.vtu, or of a grid F.vtk; F.svg, the picture of a\n"
+     "slice: its first column"},
     {"-method", "M", take_word, &chosen.method,
      "linear in each tetrahedron, if not given; smooth, with\n"
      "gradients estimated at the points; natural, by Sibson's\n"

@@ -29,6 +29,7 @@ static double number;
 
 static const points *in;
 static points *places;
+static mesh flat;      /* of points in a plane */
 static double *mean;   /* the points' values, where there are duplicates */
 static tess_int *same; /* the points that stand for them */
 static tess_int t[FEW];
@@ -110,8 +111,19 @@ static void choose_grid(void)
     double x[9];
     int many = list_numbers(chosen.grid, 9, x), k;
 
-    if (many != 3 && many != 9)
-        fail("-grid needs NX,NY,NZ, or NX,NY,NZ,X0,X1,Y0,Y1,Z0,Z1");
+    if (many != 3 && many != 9 && many != 2 && many != 6)
+        fail("-grid needs NX,NY,NZ, or NX,NY,NZ,X0,X1,Y0,Y1,Z0,Z1; for points "
+             "in a plane NX,NY, or NX,NY,X0,X1,Y0,Y1");
+    if (many == 2 || many == 6) {
+        chosen.plane = 1;
+        for (k = 6; k > 2; k--) x[k] = x[k - 1];
+        x[2] = 1.0;
+        x[7] = x[8] = 0.0;
+        many = many == 2 ? 3 : 9;
+    } else if (chosen.plane) {
+        fail("-grid NX,NY,NZ is for points in space: -grid NX,NY if two columns "
+             "are their coordinates");
+    }
     for (k = 0; k < 3; k++) {
         if (!(x[k] >= 1.0 && x[k] <= (double)INT_MAX) ||
             x[k] != (double)(int)x[k])
@@ -167,6 +179,10 @@ void check_values(void)
     if (!chosen.validate && (chosen.by || next_output(errors_forms, 0)))
         fail("%s is for -validate", chosen.by ? "-by" : "-errors");
     if (!chosen.values && !chosen.validate) {
+        if (chosen.plane)
+            fail("%s needs three columns: points in a plane have values, by "
+                 "-values or -validate, but no tetrahedra",
+                 chosen.cols ? "-cols" : "-plane");
         if (chosen.method || chosen.outside || chosen.clip)
             fail("%s is for -values or -validate",
                  chosen.method    ? "-method"
@@ -180,6 +196,8 @@ void check_values(void)
     choose_methods();
     choose_outside();
     if (chosen.grid) choose_grid();
+    if (chosen.plane && chosen.alpha > 0.0)
+        fail("-alpha is for points in space, not for those in a plane");
     for (o = 0; (o = next_output(values_forms, o)) != 0;) {
         if (o->as - values_forms >= VTK && !chosen.grid)
             fail("-values %s: %s is for a -grid; choose .csv, .npy or .vtu",
@@ -264,18 +282,30 @@ static void warn_far(int column, double sign)
          sign > 0.0 ? most : -next, text);
 }
 
-void read_places(const points *points_read, points *query)
+void read_places(points *query)
+{
+    places = query;
+    if (!chosen.query) return;
+    query->axes = chosen.plane ? 2 : chosen.qcols ? 3 : 0;
+    read_points(chosen.query, query);
+    if (query->axes == 2 && !chosen.plane)
+        warn("%s: places in a plane: so are the points, whose first two "
+             "numbers are coordinates, all others values",
+             query->input);
+    if (query->axes == 2) chosen.plane = 1;
+}
+
+void check_points(const points *points_read)
 {
     tess_int i;
     long bad = 0;
     int k;
 
     in = points_read;
-    places = query;
     if (!chosen.values && !chosen.validate) return;
     if (in->columns == 0)
         fail("%s: the points have no values to interpolate (-cols X,Y,Z,V "
-             "names columns)",
+             "names columns; in a plane -cols X,Y)",
              in->input);
     if (chosen.validate > (long)in->n && !chosen.by)
         fail("-validate %ld: there are only %ld points", chosen.validate,
@@ -299,8 +329,6 @@ void read_places(const points *points_read, points *query)
             fail("-grid: from %c0 = %g to %c1 = %g is farther than numbers "
                  "reach: choose less",
                  "XYZ"[k], corner[2 * k], "XYZ"[k], corner[2 * k + 1]);
-    if (!chosen.query) return;
-    read_points(chosen.query, places);
 }
 
 /* ----------------------------------------------------------------- files */
@@ -335,7 +363,8 @@ static void npy_head(FILE *file)
                            "'shape': (",
                      big ? '>' : '<', (int)sizeof(double));
     if (chosen.grid)
-        for (k = 2; k >= 0; k--) length += sprintf(text + length, "%.0f, ", size[k]);
+        for (k = in->axes - 1; k >= 0; k--)
+            length += sprintf(text + length, "%.0f, ", size[k]);
     else
         length += sprintf(text + length, "%.0f, ", places->all);
     length += sprintf(text + length, "%d), }", in->columns);
@@ -463,7 +492,7 @@ static void head(sink *s)
     s->file = start(s->to, s->form == SVG ? 0.0 : places_asked() *
                     (s->form == NPY ? 8.0 * columns : 20.0 * (3.0 + columns)));
     if (s->form == CSV) {
-        fprintf(s->file, "x,y,z");
+        fprintf(s->file, in->axes == 2 ? "x,y" : "x,y,z");
         for (k = 0; k < in->columns; k++) put_title(s->file, in->name[k]);
         putc('\n', s->file);
     } else if (s->form == NPY) {
@@ -491,7 +520,7 @@ static void put(const sink *s, tess_int many, const tess_real *at,
             s->picture[(size_t)done + i] = out[(size_t)in->columns * i];
     } else {
         for (; many > 0; many--, at += 3) {
-            for (k = 0; k < 3; k++) {
+            for (k = 0; k < in->axes; k++) {
                 if (!*text[k] || at[k] != written[k])
                     real_text(text[k], (double)at[k],
                               sizeof *at < sizeof(double));
@@ -529,8 +558,9 @@ static void draw(FILE *file, const double *picture)
     for (k = 0; k < 2; k++)
         at += sprintf(note + at, "%c %.6g to %.6g, ", axis[side[k]],
                       corner[2 * side[k]], corner[2 * side[k] + 1]);
-    at += sprintf(note + at, "%c = %.6g; %s", axis[third], place(third, 0),
-                  method_name[method]);
+    if (in->axes == 3)
+        at += sprintf(note + at, "%c = %.6g, ", axis[third], place(third, 0));
+    at += sprintf(note + at - 2, "; %s", method_name[method]) - 2;
     wide *= length[1] / length[0];
     if (wide < 0.999 || wide > 1.001)
         sprintf(note + at, "; %c is drawn %.3g times as large",
@@ -568,6 +598,25 @@ static void tail(sink *s)
 
 /* ---------------------------------------------------------------- values */
 
+/* mesh_in_plane - that of the points, which lie in one. */
+static const mesh *mesh_in_plane(const mesh *m)
+{
+    tess_real *p = (tess_real *)space(3.0 * (double)in->n + 6.0, sizeof *p);
+    tess_int i;
+
+    if (chosen.alpha > 0.0)
+        fail("%s: the points lie in one plane, where -alpha is nothing",
+             in->input);
+    if (in->axes == 3)
+        warn("%s: the points lie in one plane: values are those of the place "
+             "there that is nearest",
+             in->input);
+    for (i = 0; i < in->n; i++) to_plane(m->p + 3 * i, p + 3 * i);
+    flat.in = m->in;
+    lay_flat(&flat, in->n, p, !chosen.quiet);
+    return &flat;
+}
+
 void keep_values(const mesh *m)
 {
     double *times, lost = 0.0;
@@ -575,8 +624,9 @@ void keep_values(const mesh *m)
     tess_int twins = 0, j;
 
     if (!chosen.values && !chosen.validate) return;
+    if (find_plane(m)) m = mesh_in_plane(m);
     if (m->ntet < 1)
-        fail("%s: the points lie in one plane, which has no tetrahedron to "
+        fail("%s: the points lie on one line, where there is nothing to "
              "interpolate in",
              in->input);
     for (j = 0; j < in->n; j++) twins += m->iw[j] != j;
@@ -584,8 +634,9 @@ void keep_values(const mesh *m)
         same = (tess_int *)space((double)in->n, sizeof *same);
         memcpy(same, m->iw, (size_t)in->n * sizeof *same);
     }
-    if (twins == 0) return;
-    mean = (double *)space((double)columns * (double)in->n, sizeof *mean);
+    if (twins == 0 && !m->flat) return;
+    mean = (double *)space((double)columns * ((double)in->n + 2.0),
+                           sizeof *mean);
     times = m->rw; /* (longer than n) */
     for (i = 0; i < (size_t)in->n; i++) {
         r = (size_t)m->iw[i];
@@ -601,10 +652,23 @@ void keep_values(const mesh *m)
                                       mean[columns * r + k]) / times[r];
         }
     }
+    for (k = 0; k < 2 * columns; k++)
+        mean[columns * (size_t)in->n + k] = mean[k % columns];
     if (lost > 0.0)
         warn("%ld of the points lie where another one does: the mean of their "
              "values is interpolated",
              (long)twins);
+}
+
+/* stretch - some places as they are in the mesh. */
+static void stretch(tess_int many, const tess_real *from, const double *scale,
+                    tess_real *q)
+{
+    tess_int i;
+
+    for (i = 0; i < 3 * many; i++)
+        q[i] = (tess_real)((double)from[i] * scale[i % 3]);
+    for (i = 0; i < many && flat.flat; i++) to_plane(q + 3 * i, q + 3 * i);
 }
 
 /* some - write the values at some places; t has a start for each. */
@@ -612,11 +676,9 @@ static void some(tess_int many, const tess_real *at, const double *scale)
 {
     static tess_real q[3 * FEW];
     static double out[ROOM];
-    tess_int i;
     int k;
 
-    for (i = 0; i < 3 * many; i++)
-        q[i] = (tess_real)((double)at[i] * scale[i % 3]);
+    stretch(many, at, scale, q);
     values_at(many, q, t, out);
     for (k = 0; k < files; k++) put(sinks + k, many, at, out);
     done += (double)many;
@@ -682,8 +744,7 @@ static void find_places(const double *scale, tess_int *start)
     double *rw;
     int code;
 
-    for (i = 0; i < 3 * n; i++)
-        q[i] = (tess_real)((double)places->p[i] * scale[i % 3]);
+    stretch(n, places->p, scale, q);
     for (i = 0; i < n; i++) start[i] = TESS_NONE;
     if (!in_order(q) && tess_size(n, 0, &liw, &lrw) == 0) {
         iw = (tess_int *)space((double)liw, sizeof *iw);
@@ -729,19 +790,22 @@ static void query_values(long most, const double *scale)
 
 void write_values(const mesh *m)
 {
+    const double *scale = m->scale;
     field f;
     output *o;
     int k;
     long most = ROOM / in->columns < FEW ? ROOM / in->columns : FEW;
 
+    if (flat.flat) m = &flat;
     f.p = m->p;
-    f.n = in->n;
+    f.n = in->n + 2 * m->flat;
     f.ntet = m->ntet;
     f.tet = m->tet;
     f.adj = m->adj;
     f.keep = m->keep;
     f.value = mean ? mean : in->value;
     f.columns = in->columns;
+    f.flat = m->flat;
     values_begin(&f, method, outside, number);
     for (o = 0; (o = next_output(values_forms, o)) != 0;) {
         sinks = (sink *)more_space(sinks, files + 1.0, sizeof *sinks);
@@ -750,15 +814,15 @@ void write_values(const mesh *m)
         head(sinks + files++);
     }
     if (chosen.grid)
-        grid_values(most, m->scale);
+        grid_values(most, scale);
     else
-        query_values(most, m->scale);
+        query_values(most, scale);
     for (k = 0; k < files; k++) tail(sinks + k);
     values_end();
 }
 
 void validate_values(mesh *m)
 {
-    cross_validate(m, same, mean ? mean : in->value, chosen.validate, asked,
-                   outside);
+    cross_validate(flat.flat ? &flat : m, same, mean ? mean : in->value,
+                   chosen.validate, asked, outside);
 }

@@ -1,9 +1,10 @@
 /* read.c - reads points from the files that people have: see `tess -h'.
  *
  * A line is split into fields, numbers and words.  The first line that has
- * three numbers says what each column is: x, y, z; a value; or, where it has a
- * word, a label, which is skipped.  All further lines must be like it: what is
- * no point, or might be meant otherwise, is an error that names the line.
+ * three numbers, or two of points in a plane, says what each column is: x, y,
+ * z; a value; or, where it has a word, a label, which is skipped.  All further
+ * lines must be like it: what is no point, or might be meant otherwise, is an
+ * error that names the line.
  */
 #include "driver.h"
 
@@ -50,6 +51,7 @@ static int titles;
 static char suspect[160]; /* why, perhaps, no line is a point, or "" */
 static long first_line; /* of the points; does it end with a separator? */
 static int first_open;
+static int axes;        /* coordinates of a point */
 static int width;       /* columns of a line of points; and which they are: */
 static int part[COLUMNS];
 static long dropped, first_dropped; /* rows; the first one's line */
@@ -833,17 +835,25 @@ static int choose(int *at)
         if (!fields[k].number) fail_cell(k);
         if (part[k] != UNUSED || found == COLUMNS)
             fail("%s: column %.*s twice", option(), (int)length, s);
-        part[k] = found < 3 ? found : VALUE;
+        part[k] = found < axes ? found : VALUE;
         at[found++] = k;
         s += length;
         if (!*s++) return found;
     }
 }
 
+/* least - the numbers of a line that may be a point's. */
+static int least(void)
+{
+    return to->axes == 2 || (to->axes == 0 && to->bare && many == 2) ? 2 : 3;
+}
+
 /* columns - what the columns of this line are, and with it of all others. */
 static void columns(void)
 {
-    int at[COLUMNS], k, found = 0;
+    int at[COLUMNS], k, found = 0, others = 0;
+
+    axes = least();
 
     width = many;
     first_line = line_number;
@@ -854,10 +864,17 @@ static void columns(void)
     for (k = 0; k < many; k++) part[k] = UNUSED;
     if (to->by) by = find(to->by, strlen(to->by), "-by");
     if (to->cols) found = choose(at);
+    for (k = 0; k < many; k++)
+        others += fields[k].number && part[k] == UNUSED && k != by;
+    if (to->axes == 0 && !to->bare && found == 3 && others == 0) {
+        /* the third one is all that can be a value */
+        axes = 2;
+        part[at[2]] = VALUE;
+    }
     for (k = 0; k < titles && !to->cols; k++) {
         int a = axis(title[k]);
 
-        if (a < 0 || at[a] >= 0) continue;
+        if (a < 0 || a >= axes || at[a] >= 0) continue;
         if (!fields[k].text[0] && !fields[k].number)
             fail_empty(line_number, k + 1);
         if (!fields[k].number && begins_number(fields[k].text)) fail_cell(k);
@@ -865,15 +882,16 @@ static void columns(void)
         at[a] = k;
         found++;
     }
-    if (found < 3)
-        for (k = found = 0; k < many && found < 3; k++)
+    if (found < axes)
+        for (k = found = 0; k < many && found < axes; k++)
             if (fields[k].number && k != by) at[found++] = k;
-    if (found < 3) fail_line("fewer than three numbers");
-    for (k = 0; k < 3; k++) part[at[k]] = k;
+    if (found < axes) fail_line("fewer than three numbers");
+    for (k = 0; k < axes; k++) part[at[k]] = k;
     for (k = 0; k < many; k++) {
         if (!fields[k].number) part[k] = fields[k].text[0] ? LABEL : HOLLOW;
         if (k == by && part[k] >= LABEL && part[k] != VALUE) part[k] = UNUSED;
-        else if (part[k] == UNUSED && found == 3 && !to->bare) part[k] = VALUE;
+        else if (part[k] == UNUSED && found == axes && !to->bare)
+            part[k] = VALUE;
         if (part[k] != VALUE) continue;
         if (titles > 0 && title[k][0])
             strcpy(to->name[to->columns], title[k]);
@@ -931,6 +949,7 @@ static void row(void)
         x[part[k]] = fields[k].x;
         misplaced += void_value(fields[k].x);
     }
+    if (axes == 2) x[2] = 0.0;
     add_point(x);
     if (by >= 0) add_group(fields[by].text);
     v = to->value + to->columns * (long)(to->n - 1);
@@ -1173,7 +1192,7 @@ static void read_text(void)
     int perhaps = 0, named, words, hollow, at[3], k;
 
     refuse();
-    if (many == 2 && count(0) && count(1) &&
+    if (least() == 3 && many == 2 && count(0) && count(1) &&
         (fields[0].x == 3.0 || fields[1].x == 3.0)) {
         /* Qhull's dimension and number, in any order */
         want = fields[fields[0].x == 3.0].x;
@@ -1181,7 +1200,7 @@ static void read_text(void)
     } else if (count(0) &&
                (many == 1 || (word(1, "") && numbers() < 2) ||
                 (!fields[1].number && !separator &&
-                 numbers() < (word(1, "rbox") ? many : 3)))) {
+                 numbers() < (word(1, "rbox") ? many : least())))) {
         want = fields[0].x;
         if (!next_line()) fail("%s: ends before the first point", to->input);
         named = line_number == first + 1 && extended();
@@ -1189,17 +1208,17 @@ static void read_text(void)
             need_line();
         else
             split();
-        if (line_number == first + 1 && numbers() >= 3)
+        if (line_number == first + 1 && numbers() >= least())
             perhaps = 1;
         else if (line_number == first + 1) {
             other = many == 1 && count(0) ? fields[0].x : -1.0;
             need_line();
             /* Qhull, unless it is a file of 3 atoms */
             if (other >= 0.0 && fields[0].number)
-                want = want == 3.0 ? other : want;
+                want = want == (double)least() ? other : want;
         }
     }
-    while (numbers() < 3) {
+    while (numbers() < least()) {
         refuse();
         suspects();
         if (numbers() == many) fail_line("fewer than three numbers");
@@ -1222,18 +1241,23 @@ static void read_text(void)
     for (k = 0; k < width; k++)
         if (part[k] < LABEL) at[part[k]] = k;
     named = titles > 0 && axis(title[at[0]]) == 0;
-    if (titles > 0 &&
+    if (axes == 2 && titles > 0 && (at[0] + 1 != at[1] || !named))
+        warn("%s: x, y are the columns %d, %d (%s, %s); %s chooses others",
+             to->input, at[0] + 1, at[1] + 1, title[at[0]], title[at[1]],
+             option());
+    if (axes == 3 && titles > 0 &&
         (at[0] > at[1] || at[1] > at[2] || at[2] - at[0] > 2 || !named))
         warn("%s: x, y, z are the columns %d, %d, %d (%s, %s, %s); %s "
              "chooses others",
              to->input, at[0] + 1, at[1] + 1, at[2] + 1, title[at[0]],
              title[at[1]], title[at[2]], option());
-    if (counting && !named && (to->columns > 0 || (to->bare && width > 3)) &&
+    if (counting && !named &&
+        (to->columns > 0 || (to->bare && width > axes)) &&
         to->n >= 4)
         warn("%s: column 1 is %.0f, %.0f, %.0f, ... and was taken for x; if "
-             "it numbers the points: %s 2,3,4",
+             "it numbers the points: %s 2,3%s",
              to->input, count_from, count_from + 1.0, count_from + 2.0,
-             option());
+             option(), axes == 2 ? "" : ",4");
 }
 
 /* no_faces - say that the faces of a surface are left out. */
@@ -1499,6 +1523,9 @@ static void read_node(void)
 /* fixed - leave if -cols is given for a format that has no choice. */
 static void fixed(const char *format)
 {
+    if (to->axes == 2)
+        fail("%s: coordinates in a plane are read from lines of numbers, not "
+             "from %s", to->input, format);
     if (to->cols || to->by)
         fail("%s: %s is for lines of numbers, not for %s", to->input,
              to->cols ? option() : "-by", format);
@@ -1526,6 +1553,7 @@ void read_points(const char *name, points *a)
     titles = width = counting = first_open = apart = 0;
     suspect[0] = '\0';
     by = -1;
+    axes = 3;
     decimals = to->decimal == ',';
     line_number = first_line = dropped = voided = misplaced = 0;
     packed.columns = packed.big = packed.facets = 0;
@@ -1581,6 +1609,7 @@ void read_points(const char *name, points *a)
              to->input, to->skip ? "-skip" : "-nodata", dropped, option(),
              to->bare ? "" : ",VALUE");
     if (to->n == 0) fail("%s: no points", to->input);
+    to->axes = axes;
     to->all = (double)to->n;
     if (to->scratch)
         spill();

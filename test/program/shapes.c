@@ -440,16 +440,59 @@ static void write_cells(cells *c, output *o, const double *volume,
     finish(file, o);
 }
 
-static void write_volumes(const mesh *m, output *o, const double *volume,
+/* surface - of the cell, in the coordinates given: of each face the length of
+ * the vectors' sum that are normal to its triangles. */
+static double surface(const cells *c)
+{
+    const double *o, *a, *b;
+    double sum = 0.0, n[3];
+    tess_int f, v;
+    int k;
+
+    for (f = 0; f < c->nface; f++) {
+        o = c->vert + 3 * c->corner[c->begin[f]];
+        n[0] = n[1] = n[2] = 0.0;
+        for (v = c->begin[f] + 2; v < c->begin[f + 1]; v++) {
+            a = c->vert + 3 * c->corner[v - 1];
+            b = c->vert + 3 * c->corner[v];
+            for (k = 0; k < 3; k++)
+                n[k] += (a[(k + 1) % 3] - o[(k + 1) % 3]) *
+                            (b[(k + 2) % 3] - o[(k + 2) % 3]) -
+                        (a[(k + 2) % 3] - o[(k + 2) % 3]) *
+                            (b[(k + 1) % 3] - o[(k + 1) % 3]);
+        }
+        sum += sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2.0;
+    }
+    return sum;
+}
+
+static void write_volumes(cells *c, output *o, const double *volume,
                           const tess_int *faces)
 {
-    FILE *file = start(o, 80.0 * (double)m->in->n);
-    tess_int i;
+    const points *in = c->m->in;
+    FILE *file = start(o, (150.0 + 20.0 * (double)in->columns) *
+                              (double)in->n);
+    tess_int i, j, v;
+    int k;
 
-    fprintf(file, "x,y,z,volume,faces\n");
-    for (i = 0; i < m->in->n; i++) {
-        put_point(file, m->in, i, ',', ',');
-        fprintf(file, "%.17g,%ld\n", volume[i], (long)faces[i]);
+    fprintf(file, "x,y,z,volume,faces,point,area,neighbours");
+    for (k = 0; k < in->columns; k++) put_title(file, in->name[k]);
+    putc('\n', file);
+    for (i = 0; i < in->n; i++) {
+        compute(c, i);
+        put_point(file, in, i, ',', ',');
+        fprintf(file, "%.17g,%ld,%ld,%.17g,", volume[i], (long)faces[i],
+                (long)(i + in->base), surface(c));
+        for (j = 0; j < c->nface; j++) {
+            v = c->whose[j];
+            if (c->tet) v = c->who[v];
+            fprintf(file, "%s%ld", j > 0 ? " " : "",
+                    (long)(v < 0 ? v : v + in->base));
+        }
+        for (k = 0; k < in->columns; k++)
+            fprintf(file, ",%.17g",
+                    in->value[(size_t)in->columns * (size_t)i + (size_t)k]);
+        putc('\n', file);
     }
     finish(file, o);
 }
@@ -487,7 +530,7 @@ void make_cells(const mesh *m)
     for (o = 0; (o = next_output(cells_forms, o)) != 0;)
         write_cells(&c, o, volume, faces, &all);
     for (o = 0; (o = next_output(volumes_forms, o)) != 0;)
-        write_volumes(m, o, volume, faces);
+        write_volumes(&c, o, volume, faces);
     free(volume);
     free(faces);
     clear(&c);

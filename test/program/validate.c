@@ -193,11 +193,21 @@ static double rms(int method, int j)
     return ldexp(sqrt(sums[method][j].square / counted[method]), power[j]);
 }
 
-/* remesh - the mesh of the field's points, where m's was. */
-static void remesh(mesh *m, field *f, long without)
+/* remesh - the mesh of the field's points p, where m's was; in a plane of two
+ * more, with values v. */
+static void remesh(mesh *m, field *f, tess_real *p, double *v, long without)
 {
-    int code = tetrahedralize(m, f->n, f->p, 0);
+    const tess_real *all = m->p;
+    size_t columns = (size_t)f->columns;
+    int code = m->flat ? lay_flat(m, f->n, p, 0)
+                       : tetrahedralize(m, f->n, p, 0);
 
+    m->p = all;
+    if (m->flat) {
+        memcpy(v + columns * (size_t)f->n, v, columns * sizeof *v);
+        memcpy(v + columns * (size_t)f->n + columns, v, columns * sizeof *v);
+        f->n += 2;
+    }
     f->ntet = m->ntet;
     f->tet = m->tet;
     f->adj = m->adj;
@@ -233,11 +243,13 @@ static void print_table(const points *in, const int *asked)
                 continue;
             }
             x = in->p + 3 * (size_t)a->where;
-            printf(" %13.6g %13.6g %13.6g %13.6g %9.0f  %.9g,%.9g,%.9g\n",
+            printf(" %13.6g %13.6g %13.6g %13.6g %9.0f  %.9g,%.9g",
                    ldexp(a->sum / counted[k], power[j]),
                    ldexp(a->absolute / counted[k], power[j]), rms(k, j),
                    ldexp(a->worst, power[j]), missed[k], (double)x[0],
-                   (double)x[1], (double)x[2]);
+                   (double)x[1]);
+            if (in->axes == 3) printf(",%.9g", (double)x[2]);
+            printf("\n");
         }
 }
 
@@ -316,8 +328,9 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
     const points *in = m->in;
     const double *given;
     size_t columns = (size_t)in->columns;
-    double *v = (double *)space((double)columns * (double)in->n, sizeof *v);
-    tess_real *p = (tess_real *)space(3.0 * (double)in->n, sizeof *p);
+    double n = (double)in->n + 2.0; /* (two for a plane) */
+    double *v = (double *)space((double)columns * n, sizeof *v);
+    tess_real *p = (tess_real *)space(3.0 * n, sizeof *p);
     double out[COLUMNS];
     size_t each = 0, at;
     tess_int i, t;
@@ -346,6 +359,7 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
     f.keep = 0;
     f.value = v;
     f.columns = in->columns;
+    f.flat = m->flat;
     for (k = 0; k < parts; k++) {
         for (f.n = i = 0; i < in->n; i++) {
             if (part[i] == TESS_NONE || (long)part[i] == k) continue;
@@ -354,7 +368,7 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
                    columns * sizeof *v);
             f.n++;
         }
-        remesh(m, &f, k);
+        remesh(m, &f, p, v, k);
         for (at = 0, method = 0; method < METHODS; method++) {
             if (!asked[method]) continue;
             values_begin(&f, method, beyond, 0.0);

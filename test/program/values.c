@@ -361,17 +361,23 @@ static void smooth(const tess_real *q, int beyond, const tess_int *v,
     }
 }
 
-/* sibsons - the sum by Sibson's weights. */
-static void sibsons(const tess_real *q, tess_int t, double *out)
+/* sibsons - the sum by Sibson's weights; w are the linear ones. */
+static void sibsons(const tess_real *q, tess_int t, const double *w,
+                    double *out)
 {
     tess_int many, i;
     int code;
 
-    while ((code = natural(at, of->ntet, of->tet, of->adj, q, &t, most,
-                           &many, neighbour, sibson, laplace, iwork, work)) ==
-           TESS_POOL)
+    while ((code = of->flat
+                       ? natural_flat(at, of->tet, of->adj, q, t, most, &many,
+                                      neighbour, sibson, iwork, work)
+                       : natural(at, of->ntet, of->tet, of->adj, q, &t, most,
+                                 &many, neighbour, sibson, laplace, iwork,
+                                 work)) == TESS_POOL)
         room(2 * most);
     recipe("natural", code);
+    for (i = 0; i < 4 && many == 0; i++)
+        row(of->tet[4 * (size_t)t + (size_t)i], w[i], out);
     for (i = 0; i < many; i++) row(neighbour[i], sibson[i], out);
 }
 
@@ -416,7 +422,7 @@ void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
         if (method == SMOOTH)
             smooth(near, beyond, v, w, out);
         else if (method == NATURAL && !beyond)
-            sibsons(near, last, out);
+            sibsons(near, last, w, out);
         else if (method == NEAREST)
             closest(near, v, w, out);
         else

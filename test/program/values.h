@@ -13,6 +13,7 @@ typedef struct field {
     const char *keep;    /* where keep[t] = 0 counts as outside; or 0 */
     const double *value; /* columns a point, row by row */
     int columns;
+    int flat; /* as of a mesh */
 } field;
 
 /* The methods.  Smooth: by gradients at the points; natural: Sibson's natural

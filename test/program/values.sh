@@ -45,6 +45,8 @@ printf '0,0,0,a\n1,0,0,b\n0,1,0,\n0,0,1,c\n' > hollow
 tail -n +2 four.node | cut -d' ' -f2- > single
 awk '{ print $1, $2, $3, $4, NR % 2 }' single > holes
 printf '0 0 0 1\n1 0 0 2\n0 1 0 3\n0 0 1 4\n' > four
+awk '{ print $1, 2 * $1, 3 * $1, $4 }' plane > line
+cut -d, -f1,2 bare > flat
 : > empty
 : > said; : > told; : > before; : > after
 mkdir folder.npy
@@ -60,7 +62,7 @@ for grid in 0,2,2 2,-1,2 2,2,2.5 1e99,1,1 nan,2,2 99999999999,1,1; do
     refuses 'whole numbers' -grid $grid -values v.npy points
 done
 refuses 'places are more' -grid 100000,100000,1000 -values v.npy points
-for grid in '' 2 2,2 '2,2,2,' 2,2,2,0,1 2,2,2,0,1,0,1,0,1,0 2,2,x; do
+for grid in '' 2 '2,2,' '2,2,2,' 2,2,2,0,1 2,2,2,0,1,0,1,0,1,0 2,2,x; do
     refuses 'needs NX,NY,NZ' -grid "$grid" -values v.npy points
 done
 refuses 'X0 must be less' -grid 2,2,2,1,0,0,1,0,1 -values v.npy points
@@ -77,6 +79,16 @@ refuses 'needs -values' -grid 2,2,2 points
 refuses 'needs -values' -query bare points
 refuses 'needs places' -values v.npy points
 refuses 'choose one of them' -grid 2,2,2 -query bare -values v.npy points
+# in a plane
+refuses 'Y0 must be less' -grid 2,2,0,1,1,0 -values v.npy points
+refuses '-scale needs three numbers' -scale 1,2 -validate points
+refuses 'is for points in space' -cols x,y -grid 2,2,2 -values v.npy points
+refuses '-cols needs three columns' -cols x,y points
+refuses '-plane needs three columns' -plane points
+refuses 'in space, not' -alpha 1 -grid 2,2 -values v.npy points
+refuses 'from lines of numbers' -plane -validate four.node
+refuses 'fewer than three numbers' -query flat -qcols 1,2,2 -values v.npy points
+refuses 'no values' -plane -validate flat
 refuses 'is for -query' -qcols 1,2,3 -grid 2,2,2 -values v.npy points
 refuses 'for -values or' -method smooth points
 refuses 'for -values or' -outside 0 points
@@ -126,8 +138,10 @@ refuses 'only 200 points' -validate 201 points
 refuses 'knows the hull' -outside nearest -alpha 1 -grid 2,2,2 -values v.npy \
     points
 # found when the mesh is there
-refuses 'lie in one plane' -q -grid 2,2,2 -values v.npy plane
-refuses 'lie in one plane' -q -validate plane
+refuses 'lie on one line' -q -grid 2,2,2 -values v.npy line
+refuses 'lie on one line' -q -validate line
+refuses 'lie on one line' -q -plane -grid 2,2 -values v.npy line
+refuses 'in one plane, where -alpha' -q -alpha 1 -grid 2,2,2 -values v.npy plane
 refuses 'no tetrahedron is left; choose more parts' -q -validate 2 four
 refuses 'no tetrahedron is left; choose smaller groups' -q -validate 2 -by 5 \
     holes
