@@ -87,8 +87,8 @@ C       lists +---------------------+ BLK: the points of the leaf of S,
 C             |     +-------+       | then all others in its box, which
 C             |     | leaf  |(star) | is wider by its margin;
 C             |     |     ( S )     | STR: those of the block that are
-C             |     +-------+       | in the ball about S
-C             +---------------------+
+C             |     +-------+       | in the ball about S; near lists
+C             +---------------------+ have balls of their own, anywhere
 C
 C     TSCLAI says how many entries the table starts with.  TSMKRO
 C     doubles it when three quarters are in use, and cuts it to its
@@ -122,7 +122,8 @@ C         hashkey TSHASH, same TSSAME, find TSFIND, chain TSCHAI,
 C         erase TSERAS, enter TSENTE, full TSFULL, cuberoot TSCUBE,
 C         quota TSQUOT, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoints TSSETP, boxquery TSBOXQ,
-C         leaflist TSLFLI, compress TSCMPR, starlist TSSTLI
+C         frame TSFRAM, leaflist TSLFLI, forget TSFORG,
+C         compress TSCMPR, starlist TSSTLI
 C       the ball: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
 C         ballinbox TSBINB, ballinstar TSBINS, ballcoef TSBALC,
 C         listball TSLIBA
@@ -138,8 +139,9 @@ C       ties: newcell TSNEWC, incell TSINCE
 C     then the search, and what it is for:
 C       search: narrow TSNARR, refine TSREFI, challenge TSCHAL,
 C         consider TSCONS, instar TSINST, inblock TSINBL,
-C         scanleaf TSSCAN, treesearch TSTREE, onhull TSONHU,
-C         prepare TSPREP, apex TSAPEX
+C         inflate TSINFL, admit TSADMI, scanleaf TSSCAN,
+C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
+C         inball TSINBA, nearlist TSNEAL, innear TSINNE, apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
 C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
@@ -218,12 +220,18 @@ C               kept, from CELL1 on: CELL(0:MCELL,CELLS), each how many
 C               points it has and these, the least number first
 C       SCALE   X = P 2**(-SCALE)
 C       NSUPP   supports that there are
+C       EVEN    1: the last exact comparison was a tie
+C       IDLE    1: the purse of the near lists was empty
+C       RECENT  behind it the near lists, from the one used last on
 C     RCTL, its doubles:
 C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
 C       RBURDN  comparisons left open, over NP;  RPATIE their limit; 0:
 C               no more supports are sought
 C       RLEAST  the least absolute value of a coordinate above 0
+C       RSKIN   skin of the next near list
+C       RFUND, RUSUAL  the purse of the near lists; nodes of a search in
+C               the tree
 C     SUP(.,J), support J: a plane or a sphere that many points are
 C     near.  A point with mark K, 0 ... GRAINS - 1, has a height between
 C     SLOW + (K - 1/2) SGRAIN and SLOW + (K + 3/2) SGRAIN; SLOW < 0.  A
@@ -234,34 +242,41 @@ C       SLOW, SGRAIN  as above
 C     Lists of uncompleted points, in single precision.  List BLK, a
 C     block's, has those in a box, as offsets from the box's centre in
 C     units of its half width; list STR, a star's, those nearer to its
-C     vertex than LMARG, as offsets from it in units of LMARG.
+C     vertex than LMARG, as offsets from it in units of LMARG; a near
+C     list, the BALLS - 1 behind STR, those nearer to a point than
+C     LMARG, in units of their own box.
 C       LSX     of each point the offsets x, y, z and their square sum
 C       LSID    its position
 C       LSI     LFIRST, LLAST: a block's leaf, positions LFIRST ...
 C               LLAST; LN points
-C       LSD     behind LLO, LHI, LMID, LMOST: a block's box, in the
+C       LSD     behind LLO, LHI, LMID, LMOST: the box, a block's in the
 C               root's, the centre, a bound on the coordinates in the
-C               list, but for rounding; LMARG margin;
-C               LUNIT one over the unit
+C               list, but for rounding; LMARG margin; LUNIT one over the
+C               unit; behind LAT a near list's point
 C     A search for the apex of a facet:
 C       V       its vertices; the open side is positive
 C       F       its Householder set-up (see HHFACE)
 C       IQ      QBEST: the best point yet, exactly, or 0; QTIED: points
 C               met that are exactly on its ball; QLIMBS: 1: its ball
 C               has been found by limbs; QBALL: there is a ball to prune
-C               with; QBASE: V(QBASE) is the base of F; QASKED: exact
-C               comparisons that were no ties; QON: the
+C               with; QBASE: V(QBASE) is the base of F; QASKED: see
+C               MANY; QON: the
 C               support that the facet is on, or 0; QAIMED: TSAIM's
 C               test is for the best point so far; behind QSOME a sample
 C               of the points offered to it, QOPEND: QOPEN = 1: points
-C               left open, 0: of leaves
+C               left open, 0: of leaves; QWORK, QINTO: see below
 C       FQ      FQ(1..3): the centre C of the best point's ball,
 C               relative to F(7..9), wrong by at most QDC; QSIZE:
 C               |C|_1; the best point's L-coordinate is between QLO and
-C               QHI: so far C(7) where the rest is not needed; from QT
-C               on T, in which QQ is TQ; from QLIMB on the ball by limbs
-C               (see HHCENT), from QSPHER on a sphere near the points
-C               that are compared with the best one (see HHLIFS)
+C               QHI; QROOM: so far C(8) where the rest is not needed;
+C               from QT on T, in which QQ is TQ; from QLIMB on the ball
+C               by limbs (see HHCENT), from QSPHER on a sphere near the
+C               points that are compared with the best one (see HHLIFS)
+C               A search that makes a near list, IQ(QINTO), puts into it
+C               all points whose power is below QROOM; else QINTO is 0
+C               and QROOM is FAINT.  QSKIN, QTHICK: thickness of the
+C               skin, adapted and as it is.  IQ(QWORK): nodes that were
+C               looked at
 C       T       of the support that the facet is on: TSAIM's test, that
 C               a (height - h) + q |W|**2 - d.W > 0, of which each
 C               coordinate of W is wrong by dd times it, and all by err:
@@ -321,6 +336,22 @@ C               of FOLD marks, are kept
 C       SLIM    no cylinders are used if fewer than one leaf of 64 has
 C               one below SLIM of its box
 C       MCELL, CELLS  maximum number of points of a cell, and of cells
+C       BALLS   number of balls' lists: a star's and the near lists.  A
+C               near list holds the points in a search's ball and in a
+C               skin about it
+C       SHRINK, THINST  the skin is SHRINK times as thick while they
+C               exceed TSLIST, down to THINST
+C       FEW, THICKR, THICKT  if they were less than FEW the next skin is
+C               THICKR times as thick, up to THICKT
+C       GIANT   no near list is made for a ball of this size
+C       MAKING, TAKING, CHECK  the purse of the near lists, in nodes of
+C               the tree: a list costs MAKING, and TAKING for each node
+C               that was looked at to make it; a search that ends in one
+C               earns what searches in the tree take, by and large, less
+C               CHECK for each point considered
+C       TAX, GRANT, FUND  an empty purse rests until one in TAX of the
+C               nodes of the tree's searches have filled it to GRANT; it
+C               holds no more than FUND
 C       PLANES  number of hull planes remembered
 C       ASTRAY  steps from a given start after which a location looks
 C               for a better one.  With 8, ordered queries among 100,000
@@ -329,13 +360,13 @@ C               unordered ones take 1.4 times as long as with 8
 C       ENTRY, EDGE  integers in an entry of the pool, and in an edge
 C       LEAST   minimum for pool and edges
 C       THIN    a facet with a greater E is set up by limbs
-C       WIDE, MANY  the ball of the best point is found by limbs when
-C               the error of its L-coordinate exceeds WIDE times the
-C               coordinate plus the circumradius (with 1e-4 a plane
+C       WIDE, MANY, EXACT  the ball of the best point is found by limbs
+C               when the error of its L-coordinate exceeds WIDE times
+C               the coordinate plus the circumradius (with 1e-4 a plane
 C               across an axis with noise of 1e-12 takes 5 times as
-C               long), and after MANY exact comparisons that were no
-C               ties: most ties take no time, as their points are the
-C               corners of a box
+C               long), and after MANY comparisons by HHLIFS, of which an
+C               exact one that was no tie counts as EXACT: most ties
+C               take no time, as their points are the corners of a box
 C       PLAIN   no support is sought where points are in so few units
 C               (T5 at least PLAIN) that doubles decide all
 C       MUCH    pool recommended beyond 4 N in any case, up to 8 N
@@ -1036,7 +1067,7 @@ C     ------------------------------------------------------------------
 C     TSDISJ - 1 if the boxes of a list and a node have no point in
 C     common, else 0.
       INTEGER FUNCTION TSDISJ(BOX, LSD, LIST, NODE)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2)
+      DOUBLE PRECISION BOX(6,*), LSD(17,8)
       INTEGER LIST, NODE
       INTEGER LLO, LHI
       PARAMETER (LLO = 0, LHI = 3)
@@ -1051,7 +1082,7 @@ C     common, else 0.
 
 C     TSPDIS - 1 if position I is outside the box of a list, else 0.
       INTEGER FUNCTION TSPDIS(X, LSD, LIST, I)
-      DOUBLE PRECISION X(3,*), LSD(14,2)
+      DOUBLE PRECISION X(3,*), LSD(17,8)
       INTEGER LIST, I
       INTEGER LLO, LHI
       PARAMETER (LLO = 0, LHI = 3)
@@ -1072,9 +1103,9 @@ C     every compiler can vectorize.
       SUBROUTINE TSSETP(X, LINK, LSX, LSID, LSI, LSD, LIST)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER LINK(*), LSID(TSLIST+48,2), LSI(3,2), LIST
+      DOUBLE PRECISION X(3,*), LSD(17,8)
+      REAL LSX(TSLIST,4,8)
+      INTEGER LINK(*), LSID(TSLIST+48,8), LSI(3,8), LIST
       INTEGER LN, LMID, LUNIT, DONE
       REAL FAR
       PARAMETER (LN = 3, LMID = 6, LUNIT = 14, DONE = -1, FAR = 1.0E10)
@@ -1102,8 +1133,8 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
      $                  OWN, FIT)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(14,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2),
+      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(17,8)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,8), LSI(3,8),
      $    LIST, OWN, FIT
       INTEGER LEAVES, LN, DONE, DEPTH
       PARAMETER (LEAVES = 4, LN = 3, DONE = -1, DEPTH = 64)
@@ -1137,6 +1168,32 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
       FIT = 0
       END
 
+C     TSFRAM - sets the box of a list, LO, HI and its margin about it,
+C     as far as it is in the root's, and its units.  HALF is the box's
+C     half width.
+      SUBROUTINE TSFRAM(BOX, LSD, LIST, LO, HI, HALF)
+      DOUBLE PRECISION BOX(6,*), LSD(17,8), LO(3), HI(3), HALF
+      INTEGER LIST
+      INTEGER LLO, LHI, LMID, LMOST, LMARG, LUNIT
+      DOUBLE PRECISION NARROW
+      PARAMETER (LLO = 0, LHI = 3, LMID = 6, LMOST = 9, LMARG = 13,
+     $    LUNIT = 14, NARROW = 1.0D5*2.0D0**(-450))
+      INTEGER K
+      HALF = 0.0D0
+      DO 10 K = 1, 3
+        LSD(LLO+K,LIST) = MAX(LO(K) - LSD(LMARG,LIST), BOX(K,1))
+        LSD(LHI+K,LIST) = MIN(HI(K) + LSD(LMARG,LIST), BOX(3+K,1))
+        LSD(LMID+K,LIST) = 0.5D0*(LSD(LLO+K,LIST) + LSD(LHI+K,LIST))
+        LSD(LMOST+K,LIST) = 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST))
+        HALF = MAX(HALF, LSD(LMOST+K,LIST))
+   10 CONTINUE
+      LSD(LUNIT,LIST) = 0.0D0
+      IF (HALF .GT. NARROW) LSD(LUNIT,LIST) = 1.0D0/HALF
+      DO 20 K = 1, 3
+        LSD(LMOST+K,LIST) = LSD(LMOST+K,LIST)*LSD(LUNIT,LIST)
+   20 CONTINUE
+      END
+
 C     TSLFLI - make the list of the leaf of star S: its points, in
 C     order, then the uncompleted ones around it.  The margin shrinks
 C     until they fit.
@@ -1144,17 +1201,16 @@ C     until they fit.
      $                  LSD, LIST, S)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(17,8)
       REAL LSX(*)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2),
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,8), LSI(3,8),
      $    LIST, S
-      INTEGER LEAVES, TIES, FUTILE, RREACH, LFIRST, LLAST, LN, LLO, LHI,
-     $    LMID, LMOST, LMARG, LUNIT, MAXFUT
-      DOUBLE PRECISION NARROW, WIDER
+      INTEGER LEAVES, TIES, FUTILE, RREACH, LFIRST, LLAST, LN, LMARG,
+     $    LUNIT, MAXFUT
+      DOUBLE PRECISION WIDER
       PARAMETER (LEAVES = 4, TIES = 13, FUTILE = 18, RREACH = 3,
-     $    LFIRST = 1, LLAST = 2, LN = 3, LLO = 0, LHI = 3, LMID = 6,
-     $    LMOST = 9, LMARG = 13, LUNIT = 14, MAXFUT = 8,
-     $    NARROW = 1.0D5*2.0D0**(-450), WIDER = 1.2D0)
+     $    LFIRST = 1, LLAST = 2, LN = 3, LMARG = 13, LUNIT = 14,
+     $    MAXFUT = 8, WIDER = 1.2D0)
       DOUBLE PRECISION HALF, MARGIN, SUM
       INTEGER TSLEAF, TSLFST, FIT, I, K, LEAFS, NODE
       LEAFS = TSLEAF(CTL, S)
@@ -1168,25 +1224,13 @@ C     until they fit.
       LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
       LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
       CTL(FUTILE) = 0
-   20 HALF = 0.0D0
-      DO 30 K = 1, 3
-        LSD(LLO+K,LIST) = MAX(BOX(K,NODE) - MARGIN, BOX(K,1))
-        LSD(LHI+K,LIST) = MIN(BOX(3+K,NODE) + MARGIN, BOX(3+K,1))
-        LSD(LMID+K,LIST) = 0.5D0*(LSD(LLO+K,LIST) + LSD(LHI+K,LIST))
-        LSD(LMOST+K,LIST) = 0.5D0*(LSD(LHI+K,LIST) - LSD(LLO+K,LIST))
-        HALF = MAX(HALF, LSD(LMOST+K,LIST))
-   30 CONTINUE
-      LSD(LMARG,LIST) = MARGIN
-      LSD(LUNIT,LIST) = 0.0D0
-      IF (HALF .GT. NARROW) LSD(LUNIT,LIST) = 1.0D0/HALF
-      DO 40 K = 1, 3
-        LSD(LMOST+K,LIST) = LSD(LMOST+K,LIST)*LSD(LUNIT,LIST)
-   40 CONTINUE
+   20 LSD(LMARG,LIST) = MARGIN
+      CALL TSFRAM(BOX, LSD, LIST, BOX(1,NODE), BOX(4,NODE), HALF)
       LSI(LN,LIST) = 0
-      DO 50 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
+      DO 30 I = LSI(LFIRST,LIST), LSI(LLAST,LIST)
         LSI(LN,LIST) = LSI(LN,LIST) + 1
         LSID(LSI(LN,LIST),LIST) = I
-   50 CONTINUE
+   30 CONTINUE
       CALL TSBOXQ(X, BOX, ALIVE, LINK, CTL, LSID, LSI, LSD, LIST,
      $            LEAFS, FIT)
       IF (LSD(LUNIT,LIST) .LE. 0.0D0 .OR. (FIT .EQ. 0 .AND.
@@ -1204,6 +1248,28 @@ C       no list
         GO TO 20
       END IF
       CALL TSSETP(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      END
+
+C     TSFORG - there are no lists any more, nor cells nor planes of the
+C     hull.
+      SUBROUTINE TSFORG(CTL, LSI, LSD)
+      INTEGER CTL(*), LSI(3,8)
+      DOUBLE PRECISION LSD(17,8)
+      INTEGER NPLANE, NCELL, RECENT, LFIRST, LLAST, LN, LMARG, BLK,
+     $    BALLS
+      PARAMETER (NPLANE = 12, NCELL = 17, RECENT = 86, LFIRST = 1,
+     $    LLAST = 2, LN = 3, LMARG = 13, BLK = 1, BALLS = 7)
+      INTEGER I
+      CTL(NPLANE) = 0
+      CTL(NCELL) = 0
+      LSI(LFIRST,BLK) = 1
+      LSI(LLAST,BLK) = 0
+      LSI(LN,BLK) = 0
+      LSD(LMARG,BLK) = 0.0D0
+      DO 10 I = 1, BALLS
+        LSI(LN,BLK+I) = 0
+        IF (I .LT. BALLS) CTL(RECENT+I) = BLK + I + 1
+   10 CONTINUE
       END
 
 C     TSCMPR - store in PICKED the I <= N with IN(I) = 1 (the others are
@@ -1232,9 +1298,9 @@ C     at most the distance from S to where the block may lack points.
      $                  LSD, S)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(14,2)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2), S
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(17,8)
+      REAL LSX(TSLIST,4,8)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,8), LSI(3,8), S
       INTEGER FUTILE, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG,
      $    LUNIT, BLK, STR, MAXFUT
       DOUBLE PRECISION SREACH, FINEST
@@ -1299,13 +1365,12 @@ C     suffers at most 6 roundings, counting that of W(K) twice and those
 C     of the sum, each of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).
 C     LENGTH and this bound may come out too small by a few EPS.
       DOUBLE PRECISION FUNCTION TSPOWE(C, LENGTH)
-      DOUBLE PRECISION C(7), LENGTH
-      INTEGER QDC, QSIZE
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (QDC = 4, QSIZE = 5, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200)
+      DOUBLE PRECISION C(8), LENGTH
+      INTEGER QDC, QSIZE, QROOM
+      DOUBLE PRECISION EPS
+      PARAMETER (QDC = 4, QSIZE = 5, QROOM = 8, EPS = 2.0D0**(-52))
       TSPOWE = LENGTH*(2.0D0*C(QDC) + 8.0D0*EPS*(LENGTH +
-     $    2.0D0*C(QSIZE))) + FAINT
+     $    2.0D0*C(QSIZE))) + C(QROOM)
       END
 
 C     TSPRUN - returns 1 if the box of a node provably holds no
@@ -1317,8 +1382,8 @@ C     rounding of the side, too.  Both are taken at a point whose
 C     coordinates are the box's own doubles, so the bounds for points
 C     hold.
       INTEGER FUNCTION TSPRUN(IQ, F, C, BOX, NODE)
-      DOUBLE PRECISION F(12), C(7), BOX(6,*)
-      INTEGER IQ(42), NODE
+      DOUBLE PRECISION F(12), C(8), BOX(6,*)
+      INTEGER IQ(44), NODE
       INTEGER QBALL
       DOUBLE PRECISION FAINT, LOOSE
       PARAMETER (QBALL = 3, FAINT = 1.0D-200, LOOSE = 0.5D0)
@@ -1350,8 +1415,8 @@ C     The centre of the true ball is within dc of C, and both balls pass
 C     through the base.  So the radius is at most |C| + dc, and along an
 C     axis the ball ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, C)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), C(7)
-      INTEGER LSI(3,2), LIST, IQ(42)
+      DOUBLE PRECISION BOX(6,*), LSD(17,8), F(12), C(8)
+      INTEGER LSI(3,8), LIST, IQ(44)
       INTEGER LN, LLO, LHI, QDC
       DOUBLE PRECISION PAD
       PARAMETER (LN = 3, LLO = 0, LHI = 3, QDC = 4,
@@ -1393,7 +1458,7 @@ C     than margin if margin (margin - 2 A - 2 dc) >= 2 B.  The test puts
 C     margin - 2 dc for the first factor, too.  PAD times margin exceeds
 C     the roundings of A, B and the products.
       INTEGER FUNCTION TSBINS(BOX, LSD, F, C)
-      DOUBLE PRECISION BOX(6,*), LSD(14,2), F(12), C(7)
+      DOUBLE PRECISION BOX(6,*), LSD(17,8), F(12), C(8)
       INTEGER LMARG, STR, QDC
       DOUBLE PRECISION PAD
       PARAMETER (LMARG = 13, STR = 2, QDC = 4,
@@ -1434,7 +1499,7 @@ C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
       SUBROUTINE TSBALC(LSD, LIST, F, C, D, OK)
-      DOUBLE PRECISION LSD(14,2), F(12), C(7)
+      DOUBLE PRECISION LSD(17,8), F(12), C(8)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LMID, LMOST, LUNIT, QDC
@@ -1474,9 +1539,9 @@ C     is too large for the list.
       SUBROUTINE TSLIBA(LSX, LSI, LSD, LIST, F, C, PLACE, N)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION LSD(14,2), F(12), C(7)
-      REAL LSX(TSLIST,4,2)
-      INTEGER LSI(3,2), LIST, PLACE(*), N
+      DOUBLE PRECISION LSD(17,8), F(12), C(8)
+      REAL LSX(TSLIST,4,8)
+      INTEGER LSI(3,8), LIST, PLACE(*), N
       INTEGER LN
       PARAMETER (LN = 3)
       REAL D(4)
@@ -1616,7 +1681,7 @@ C     The sample keeps SOME of them.  Once it is full, a point replaces
 C     another at random, by numbers that are the same on every machine.
 C     Points with a mark count, too: they may be on a finer support.
       SUBROUTINE TSREME(IQ, Z, OPEN)
-      INTEGER IQ(42), Z, OPEN
+      INTEGER IQ(44), Z, OPEN
       INTEGER QOPEN, QOPEND, QSOME, SOME
       PARAMETER (QOPEN = 9, QOPEND = 10, QSOME = 10, SOME = 32)
       INTEGER PLACE
@@ -1686,7 +1751,7 @@ C     tell them apart.)  OK is 1, or 0 if that is more than BAND.
       SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
      $                  OK)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(60)
-      INTEGER ORD(*), RECORD(16), CTL(*), IQ(42), Z(4), PLANE, OK
+      INTEGER ORD(*), RECORD(16), CTL(*), IQ(44), Z(4), PLANE, OK
       INTEGER SCALE, SLOW, QOPEND, QSOME, SOME, GRAINS, DIGITS, EXPON
       DOUBLE PRECISION BAND, FAINT, FINER, ROUGH, DIGIT, EPS, HUGE
       PARAMETER (SCALE = 19, SLOW = 59, QOPEND = 10, QSOME = 10,
@@ -1749,7 +1814,7 @@ C     on none (sheets near each other are one).  OK is 1 if it is set
 C     up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), S(60)
-      INTEGER ORD(*), RECORD(16), CTL(*), V(3), IQ(42), OK
+      INTEGER ORD(*), RECORD(16), CTL(*), V(3), IQ(44), OK
       INTEGER QOPEND, QSOME, SOME
       DOUBLE PRECISION SMALL
       PARAMETER (QOPEND = 10, QSOME = 10, SMALL = 2.0D0**(-450),
@@ -1799,7 +1864,7 @@ C     is 1 if it is kept, or 0.
       SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
      $                  KEPT)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), KEPT
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(44), KEPT
       INTEGER NP, LEAVES, NSUPP, RPATIE, SLOW, SGRAIN, QOPEND, DONE,
      $    SUPPS, OPENED, GRAINS, STEPS, FOLD
       DOUBLE PRECISION FINER
@@ -1936,7 +2001,7 @@ C     in any order, each of at most EPS (|o| + 2 |at|): these make less
 C     than 8 EPS SIZE.
       SUBROUTINE TSSUPP(X, MARK, CTL, SUP, V, IQ, F, T)
       DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14)
-      INTEGER MARK(*), CTL(*), V(3), IQ(42)
+      INTEGER MARK(*), CTL(*), V(3), IQ(44)
       INTEGER NSUPP, SAT, SC, SLOW, QBASE, QON, QAIMED, SUPPS, TH,
      $    TDH, TTILT, TDTILT, TG
       DOUBLE PRECISION EPS, FAINT
@@ -2028,7 +2093,7 @@ C     quotients are of numbers right to 4 EPS of themselves, as is what
 C     is left of a side of more than twice its error: PAD is more.
       SUBROUTINE TSSHAR(X, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
       DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14), LO, HI
-      INTEGER MARK(*), IQ(42), Z, SIDE
+      INTEGER MARK(*), IQ(44), Z, SIDE
       INTEGER SPLANE, QON, TH, TDH, TTILT, TDTILT, TG
       DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
       PARAMETER (SPLANE = 8, QON = 6, EPS = 2.0D0**(-52),
@@ -2105,7 +2170,7 @@ C     has room for those of h, of a height of at most -low, and of a,
 C     which is exact but for one rounding.
       SUBROUTINE TSAIM(S, IQ, F, HI, T)
       DOUBLE PRECISION S(60), F(12), HI, T(14)
-      INTEGER IQ(42)
+      INTEGER IQ(44)
       INTEGER SPLANE, SLOW, QBALL, QAIMED, TQ, TDD, TA, TERR, TH, TDH,
      $    TTILT, TDTILT, TG
       DOUBLE PRECISION EPS, FAINT, MUCHL
@@ -2206,8 +2271,8 @@ C     TSPRHE - OUT is 1 if the heights of a node's points prove that it
 C     holds no candidate, or 0.  A leaf is also tested by its box.
 C     Where the heights tell nothing, the box alone counts.
       SUBROUTINE TSPRHE(BOX, MARK, CTL, SUP, IQ, F, C, T, NODE, OUT)
-      DOUBLE PRECISION BOX(6,*), SUP(60,*), F(12), C(7), T(14)
-      INTEGER MARK(*), CTL(*), IQ(42), NODE, OUT
+      DOUBLE PRECISION BOX(6,*), SUP(60,*), F(12), C(8), T(14)
+      INTEGER MARK(*), CTL(*), IQ(44), NODE, OUT
       INTEGER LEAVES, SLOW, SGRAIN, QON, QAIMED, QHI, TA, STEPS, FOLD
       PARAMETER (LEAVES = 4, SLOW = 59, SGRAIN = 60, QON = 6,
      $    QAIMED = 7, QHI = 7, TA = 6, STEPS = 32768, FOLD = 4096)
@@ -2419,12 +2484,12 @@ C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
 C     |G|**2, with room for the last two products.  Where these
 C     underflow, R >= SMALL makes the sum's error greater.
       SUBROUTINE TSPRCY(CYL, AT, IQ, F, C, PAST)
-      DOUBLE PRECISION CYL(4,8,*), F(12), C(7), PAST(4)
-      INTEGER AT, IQ(42)
-      INTEGER QBALL, QDC, QSIZE
-      DOUBLE PRECISION EPS, FAINT
-      PARAMETER (QBALL = 3, QDC = 4, QSIZE = 5, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200)
+      DOUBLE PRECISION CYL(4,8,*), F(12), C(8), PAST(4)
+      INTEGER AT, IQ(44)
+      INTEGER QBALL, QDC, QSIZE, QROOM
+      DOUBLE PRECISION EPS
+      PARAMETER (QBALL = 3, QDC = 4, QSIZE = 5, QROOM = 8,
+     $    EPS = 2.0D0**(-52))
       DOUBLE PRECISION A, D(3), ERR, FAR, G1, G2, G3, GG, H, R, RHO, RR,
      $    SIZE, SQUARE, SUM, T, W1, W2, W3
       INTEGER I, K
@@ -2453,7 +2518,7 @@ C     underflow, R >= SMALL makes the sum's error greater.
         RR = MIN(RHO + FAR, R*R)
         SUM = W1*(G1 - D(1)) + W2*(G2 - D(2)) + W3*(G3 - D(3)) +
      $      T*(SQUARE*T - 2.0D0*A) + SQUARE*RR -
-     $      SIZE*(ERR + SQUARE*64.0D0*EPS*SIZE) - FAINT
+     $      SIZE*(ERR + SQUARE*64.0D0*EPS*SIZE) - C(QROOM)
         PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
    20 CONTINUE
       END
@@ -2498,11 +2563,11 @@ C     side.
      $                  LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(14,2),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(17,8),
      $    F(12), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), NCELL, CELL(0:12,*), LSID(TSLIST+48,2), LSI(3,2),
-     $    V(3), IQ(42), OK
+      INTEGER ORD(*), NCELL, CELL(0:12,*), LSID(TSLIST+48,8), LSI(3,8),
+     $    V(3), IQ(44), OK
       INTEGER T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI, QDC, CELLS,
      $    MCELL
       DOUBLE PRECISION MUCHL
@@ -2590,7 +2655,7 @@ C     TSNARR - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L.
       SUBROUTINE TSNARR(IQ, F, FQ, L)
       DOUBLE PRECISION F(12), FQ(*), L
-      INTEGER IQ(42)
+      INTEGER IQ(44)
       INTEGER QLIMBS, QBALL, QAIMED, QHI, QDC, QSIZE
       DOUBLE PRECISION EPS, MUCHL
       PARAMETER (QLIMBS = 2, QBALL = 3, QAIMED = 7, QHI = 7, QDC = 4,
@@ -2620,13 +2685,13 @@ C     sphere L is counted from F(4..6): U, the difference, takes the
 C     place of C, with the error of F(4..6) and one more rounding.
       SUBROUTINE TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
       DOUBLE PRECISION P(3,*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(42)
+      INTEGER ORD(*), CTL(*), V(3), IQ(44)
       INTEGER SCALE, QBEST, QLIMBS, QBALL, QBASE, QON, QAIMED, QLO, QHI,
      $    QDC, QSIZE, QLIMB
       DOUBLE PRECISION EPS, LOOSE, HUGE
       PARAMETER (SCALE = 19, QBEST = 1, QLIMBS = 2, QBALL = 3,
      $    QBASE = 4, QON = 6, QAIMED = 7, QLO = 6, QHI = 7, QDC = 4,
-     $    QSIZE = 5, QLIMB = 22, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
+     $    QSIZE = 5, QLIMB = 23, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
       INTEGER TSCURV, K, OK, SPHERE
@@ -2660,24 +2725,25 @@ C     place of C, with the error of F(4..6) and one more rounding.
 C     TSCHAL - takes Z if it is on the open side and beats the best
 C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
 C     the rule of HHPBAL.  The Householder bounds decide where they can,
-C     then, unless the last search met ties, HHLIFS.  Its sphere is that
-C     of Z or of the best point, but not of a ball by limbs, whose four
-C     points are nearly in a plane.  Where it cannot tell, the better
-C     point's limits are tightened by the other's.  Without it rotated
-C     grids, which have the corners of their cells on a sphere, but for
-C     rounding, take 1.2 to 1.6 times the instructions.
+C     then, unless the last exact comparison was a tie, HHLIFS.  Its
+C     sphere is that of Z or of the best point, but not of a ball by
+C     limbs, whose four points are nearly in a plane.  Where it cannot
+C     tell, the better point's limits are tightened by the other's.
+C     Without it rotated grids, which have the corners of their cells on
+C     a sphere, but for rounding, take 1.2 to 1.6 times the
+C     instructions.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
-      INTEGER TIED, T3, T5, RPATIE, QBEST, QLIMBS, QBASE, QASKED, QON,
-     $    QTIED, QLO, QHI, QLIMB, QSPHER, UNSURE, MANY, QT
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(44), Z
+      INTEGER EVEN, T3, T5, RPATIE, QBEST, QLIMBS, QBASE, QASKED, QON,
+     $    QTIED, QLO, QHI, QLIMB, QSPHER, UNSURE, MANY, EXACT, QT
       DOUBLE PRECISION WIDE, EPS, HUGE
-      PARAMETER (TIED = 14, T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1,
+      PARAMETER (EVEN = 85, T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1,
      $    QLIMBS = 2, QBASE = 4, QASKED = 5, QON = 6, QTIED = 8,
-     $    QLO = 6, QHI = 7, QLIMB = 22, QSPHER = 108, UNSURE = 2,
-     $    MANY = 6, WIDE = 1.0D0, QT = 8, EPS = 2.0D0**(-52),
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
+     $    QLO = 6, QHI = 7, QLIMB = 23, QSPHER = 109, UNSURE = 2,
+     $    MANY = 96, EXACT = 16, WIDE = 1.0D0, QT = 9,
+     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION HI, L, LO
       INTEGER BEST, HHPBAL, HHPSID, OPEN, POWER, SGN, SIDE
       BEST = IQ(QBEST)
@@ -2694,7 +2760,7 @@ C     rounding, take 1.2 to 1.6 times the instructions.
       END IF
       IF (SIDE .EQ. 0 .OR. OPEN .EQ. 1) THEN
         IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
-        IF (OPEN .EQ. 1 .AND. RCTL(T5) .LT. 0.0D0 .AND. CTL(TIED) .EQ.
+        IF (OPEN .EQ. 1 .AND. RCTL(T5) .LT. 0.0D0 .AND. CTL(EVEN) .EQ.
      $      0) THEN
           L = FQ(QHI)
           IF (IQ(QLIMBS) .EQ. 1) L = HUGE
@@ -2713,7 +2779,10 @@ C     rounding, take 1.2 to 1.6 times the instructions.
       IF (OPEN .EQ. 1) THEN
         IF (POWER .EQ. UNSURE) THEN
           POWER = HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
-          IF (ABS(POWER) .EQ. 1) IQ(QASKED) = IQ(QASKED) + 1
+          CTL(EVEN) = ABS(POWER) - 1
+          IQ(QASKED) = IQ(QASKED) + EXACT*(1 - CTL(EVEN))
+        ELSE
+          IQ(QASKED) = IQ(QASKED) + 1
         END IF
         IF (ABS(POWER) .EQ. 2) IQ(QTIED) = IQ(QTIED) + 1
         IF (POWER .GT. 0) THEN
@@ -2742,11 +2811,11 @@ C     facet's support counts where it is known.
       SUBROUTINE TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42), Z
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(44), Z
       INTEGER SLOW, SGRAIN, QBEST, QBALL, QON, QAIMED, QHI, QT, QQ,
      $    SUPPS
       PARAMETER (SLOW = 59, SGRAIN = 60, QBEST = 1, QBALL = 3, QON = 6,
-     $    QAIMED = 7, QHI = 7, QT = 8, QQ = 11, SUPPS = 8)
+     $    QAIMED = 7, QHI = 7, QT = 9, QQ = 12, SUPPS = 8)
       DOUBLE PRECISION TSPOWE, H, Q, SIZE, SUM, W1, W2, W3
       INTEGER J, K, OUT
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
@@ -2789,10 +2858,10 @@ C     long.
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(14,2), F(12), FQ(*)
+     $    LSD(17,8), F(12), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2),
-     $    V(3), IQ(42), OK
+      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,8), LSI(3,8),
+     $    V(3), IQ(44), OK
       INTEGER TIED, NCELL, CELL1, LN, STR, QBEST, QBALL, QBASE, QTIED
       PARAMETER (TIED = 14, NCELL = 17, CELL1 = 33, LN = 3, STR = 2,
      $    QBEST = 1, QBALL = 3, QBASE = 4, QTIED = 8)
@@ -2832,10 +2901,10 @@ C     adds cost: on surfaces, two of five points that were tested.
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(14,2), F(12), FQ(*)
+     $    LSD(17,8), F(12), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,2), LSI(3,2),
-     $    V(3), IQ(42), OK
+      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,8), LSI(3,8),
+     $    V(3), IQ(44), OK
       INTEGER LN, BLK, QBALL
       PARAMETER (LN = 3, BLK = 1, QBALL = 3)
       INTEGER TSBINB, I, N, PLACE(TSLIST+1), Z
@@ -2851,6 +2920,68 @@ C     adds cost: on surfaces, two of five points that were tested.
       IF (N .GE. 0) OK = 1
       END
 
+C     TSINFL - sets the thickness of the skin about a search's ball, in
+C     margins of a block; about larger balls it is thinner, as there are
+C     more points in it.  The power of a point in the skin is below
+C     room.
+      SUBROUTINE TSINFL(MARGIN, FQ)
+      DOUBLE PRECISION MARGIN, FQ(*)
+      INTEGER QROOM, QSKIN, QTHICK
+      DOUBLE PRECISION THINST, FAINT, MUCHL
+      PARAMETER (QROOM = 8, QSKIN = 161, QTHICK = 162, THINST = 0.05D0,
+     $    FAINT = 1.0D-200, MUCHL = 1.0D100)
+      DOUBLE PRECISION TSDOT, R
+      R = SQRT(TSDOT(FQ, FQ))
+      FQ(QTHICK) = FQ(QSKIN)*MARGIN
+      IF (R .GT. MARGIN) FQ(QTHICK) = FQ(QTHICK)*SQRT(MARGIN/R)
+      FQ(QROOM) = FQ(QTHICK)*(2.0D0*R + FQ(QTHICK)) + FAINT
+      IF (FQ(QSKIN) .LT. THINST) FQ(QROOM) = -MUCHL
+      END
+
+C     TSADMI - puts points of a leaf into the list that a search makes:
+C     of N, the first at position FIRST, the uncompleted ones whose
+C     power is at most MOST.  While they are too many, the skin shrinks:
+C     then those stay whose power may be below room.  They are in the
+C     ball before, so |W|_1 is at most 4 times its radius, and single
+C     precision changes a power by less than FEPS of it.  Powers are
+C     where the list's coordinates will be.
+      SUBROUTINE TSADMI(LINK, LSX, LSID, LSI, LSD, LIST, FQ, FIRST, N,
+     $                  POWER, MOST)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      REAL LSX(4*TSLIST,8)
+      INTEGER LINK(*), LSID(TSLIST+48,8), LSI(3,8), LIST, FIRST, N
+      DOUBLE PRECISION LSD(17,8), FQ(*), POWER(*), MOST
+      INTEGER LN, LMARG, BLK, QSKIN, QTHICK, DONE
+      DOUBLE PRECISION SHRINK, FEPS
+      PARAMETER (LN = 3, LMARG = 13, BLK = 1, QSKIN = 161, QTHICK = 162,
+     $    DONE = -1, SHRINK = 0.4D0, FEPS = 2.0D0**(-23))
+      DOUBLE PRECISION TSDOT, TSPOWE, LIMIT
+      INTEGER I, K, M
+      M = LSI(LN,LIST)
+      DO 10 I = 1, N
+        LSID(M+1,LIST) = FIRST + I - 1
+        LSX(M+1,LIST) = REAL(POWER(I))
+        IF (POWER(I) .LE. MOST .AND. LINK(FIRST+I-1) .NE. DONE)
+     $      M = M + 1
+   10 CONTINUE
+   20 IF (M .GT. TSLIST) THEN
+        FQ(QSKIN) = SHRINK*FQ(QSKIN)
+        LIMIT = 8.0D0*(SQRT(TSDOT(FQ, FQ)) + FQ(QTHICK))
+        CALL TSINFL(LSD(LMARG,BLK), FQ)
+        LIMIT = TSPOWE(FQ, LIMIT)*(1.0D0 + 4.0D0*FEPS)
+        K = M
+        M = 0
+        DO 30 I = 1, K
+          LSID(M+1,LIST) = LSID(I,LIST)
+          LSX(M+1,LIST) = LSX(I,LIST)
+          IF (DBLE(LSX(I,LIST)) .LE. LIMIT) M = M + 1
+   30   CONTINUE
+        GO TO 20
+      END IF
+      LSI(LN,LIST) = M
+      END
+
 C     TSSCAN - considers the uncompleted points of a leaf, of which
 C     there must be one, that are not outside the ball.  Without a ball
 C     it considers those not on the negative side: the ball of L =
@@ -2859,16 +2990,19 @@ C     come first, as vectors, then the least of each group, as most
 C     groups have no point to consider. Stars are completed in the order
 C     of positions, by and large, so the points before the first
 C     uncompleted one are most of the completed ones.
-      SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, V,
-     $                  IQ, F, FQ, NODE)
+      SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    F(12), FQ(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42), NODE
-      INTEGER RPATIE, QBALL, DONE, GROUP, LEAF
+     $    LSD(17,8), F(12), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,8), V(3),
+     $    IQ(44), NODE
+      INTEGER RPATIE, QBALL, QINTO, DONE, GROUP, LEAF
       DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL, HUGE
-      PARAMETER (RPATIE = 5, QBALL = 3, DONE = -1, GROUP = 8,
-     $    EPS = 2.0D0**(-52), FAINT = 1.0D-200, LOOSE = 0.5D0,
-     $    MUCHL = 1.0D100, HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
+      PARAMETER (RPATIE = 5, QBALL = 3, QINTO = 44, DONE = -1,
+     $    GROUP = 8, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+     $    LOOSE = 0.5D0, MUCHL = 1.0D100,
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
       DOUBLE PRECISION TSPOWE, B1, B2, B3, D(3), D1, D2, D3, MOST,
      $    POWER(LEAF), SIZE, W1, W2, W3
       INTEGER FIRST, I, J, K, LAST, N, Z
@@ -2902,6 +3036,11 @@ C     uncompleted one are most of the completed ones.
         W3 = X(3,I+K) - B3
         POWER(K) = W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3)
    20 CONTINUE
+      IF (IQ(QINTO) .NE. 0) THEN
+        CALL TSADMI(LINK, LSX, LSID, LSI, LSD, IQ(QINTO), FQ, FIRST, N,
+     $              POWER, MOST)
+        RETURN
+      END IF
    30 IF (MOD(N, GROUP) .NE. 0) THEN
         N = N + 1
         POWER(N) = HUGE
@@ -2933,14 +3072,18 @@ C           /    \      /    \   TOP's sibling is next, or TOP's
 C         FROM    .    .      .  grandparent: everything below TOP has
 C                                been searched, FROM is where that ended
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, V, IQ, F, FQ)
+     $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    F(12), FQ(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), V(3), IQ(42)
-      INTEGER LEAVES, ENCLOS, T3, QBALL, QBASE, QON, DEPTH, QT
+     $    LSD(17,8), F(12), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(3,8), V(3), IQ(44)
+      INTEGER LEAVES, ENCLOS, T3, QBALL, QBASE, QON, QWORK, QINTO,
+     $    DEPTH, QT
       DOUBLE PRECISION LOOSE
       PARAMETER (LEAVES = 4, ENCLOS = 16, T3 = 1, QBALL = 3, QBASE = 4,
-     $    QON = 6, DEPTH = 96, LOOSE = 0.5D0, QT = 8)
+     $    QON = 6, QWORK = 43, QINTO = 44, DEPTH = 96, LOOSE = 0.5D0,
+     $    QT = 9)
       DOUBLE PRECISION PAST(4)
       INTEGER TSCYLI, TSLEAF, TSPRUN, FLAT, FOURS, FROM, HEIGHT, K, N,
      $    NEAR, NODE, OUT, STACK(DEPTH), TOP
@@ -2951,6 +3094,7 @@ C     underflowed may be equal here alone
         IF (ABS(X(K,V(1)) - X(K,V(2))) + ABS(X(K,V(1)) - X(K,V(3)))
      $      .LE. 0.0D0 .AND. RCTL(T3) .GE. -1.0D0) FLAT = K
     5 CONTINUE
+      IF (IQ(QINTO) .NE. 0) FLAT = 0
       NEAR = IQ(QON)
       FOURS = CTL(ENCLOS)
       IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
@@ -2959,6 +3103,7 @@ C     underflowed may be equal here alone
       HEIGHT = 1
       STACK(1) = TOP
    10 FROM = TOP
+      IQ(QWORK) = IQ(QWORK) + 1
       IF (HEIGHT .GT. 0) THEN
         NODE = STACK(HEIGHT)
         HEIGHT = HEIGHT - 1
@@ -2996,8 +3141,8 @@ C       one child alive each: FROM, as the base's star is not complete
       END IF
       IF (OUT .EQ. 1) GO TO 10
       IF (NODE .GE. CTL(LEAVES)) THEN
-        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, V, IQ,
-     $              F, FQ, NODE)
+        CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $              LSID, LSI, LSD, V, IQ, F, FQ, NODE)
         GO TO 10
       END IF
       STACK(HEIGHT+1) = 2*NODE
@@ -3033,14 +3178,15 @@ C     is V(1) or, if the angle there is small, the vertex opposite the
 C     longest edge.
       SUBROUTINE TSPREP(X, P, ORD, MARK, CTL, SUP, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(42)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(44)
       INTEGER SCALE, NSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON,
-     $    QTIED, QOPEND, QLO, QHI, QSPHER, QT
-      DOUBLE PRECISION EPS, HUGE, THIN
+     $    QTIED, QOPEND, QWORK, QINTO, QLO, QHI, QROOM, QSPHER, QT
+      DOUBLE PRECISION EPS, FAINT, HUGE, THIN
       PARAMETER (SCALE = 19, NSUPP = 20, QBEST = 1, QLIMBS = 2,
      $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIED = 8,
-     $    QOPEND = 10, QLO = 6, QHI = 7, QSPHER = 108,
-     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023, QT = 8,
+     $    QOPEND = 10, QWORK = 43, QINTO = 44, QLO = 6, QHI = 7,
+     $    QROOM = 8, QSPHER = 109, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200, HUGE = (2.0D0 - EPS)*2.0D0**1023, QT = 9,
      $    THIN = 1.0D-6)
       DOUBLE PRECISION EDGE, LONGST
       INTEGER BASE, I, J, K
@@ -3052,6 +3198,9 @@ C     longest edge.
       IQ(QON) = 0
       IQ(QOPEND) = 0
       IQ(QTIED) = 0
+      IQ(QWORK) = 0
+      IQ(QINTO) = 0
+      FQ(QROOM) = FAINT
       FQ(QSPHER) = 0.0D0
       FQ(QLO) = -HUGE
       FQ(QHI) = HUGE
@@ -3081,23 +3230,195 @@ C     longest edge.
      $    FQ(QT))
       END
 
+C     Near lists.  On surfaces and lines most searches begin with the
+C     final ball, or nearly so, and prove it empty.  It is larger than
+C     the star's list and the block's, but nearly that of a search just
+C     before.  So a near list keeps the neighbourhood of a ball for the
+C     next ones.  Surfaces take 0.6 to 0.9 of the time.  Where few
+C     searches end in the same list, lists do not pay: see MAKING.
+
+C     TSINBA - returns 1 if the points that may be better than the best
+C     one, those of its ball that are on the open side, lie inside a
+C     near list's ball; or 0.
+C
+C     All balls about centres C0 + H V, V the facet's normal, pass
+C     through its vertices; on the open side each contains those of
+C     lower H.  So any H >= L will do, and for L <= 0 the best is that
+C     of the foot G of the list's centre on the axis.  Let U lead from
+C     the list's centre to C = C0 + H V, and P from C to such a point:
+C     |P|**2 <= R**2 = |C|**2, relative to the base.  For the ball of L
+C     itself, |P.U| <= R |U|.  For H > L, U is across the axis; if L <=
+C     0 no point of the ball's part on the open side is farther from the
+C     axis than RHO, so |P.U| <= RHO |U|.  The distance from the list's
+C     centre is at most margin if
+C         |U|**2 + R**2 + 2 R |U| <= margin**2, or with RHO for the last
+C     R.
+C
+C     Let ERR bound the error of C, as in TSNARR.  R and RHO are wrong
+C     by it, U by twice as much, but for EPS (1 + margin): the list's
+C     centre and its distance to the base have two roundings.  Where U
+C     is across, U.V is wrong by E (R + |U|) more, and E R <= ERR, as
+C     F(11) > E RHO.  As R, RHO and |U| are at most margin, all that
+C     is less than 24 ERR margin.  PAD exceeds the other roundings, and
+C     those of TSNEAL.
+      INTEGER FUNCTION TSINBA(LSI, LSD, LIST, F, FQ)
+      INTEGER LSI(3,8), LIST
+      DOUBLE PRECISION LSD(17,8), F(12), FQ(*)
+      INTEGER LN, LMARG, LAT, QHI
+      DOUBLE PRECISION EPS, PAD
+      PARAMETER (LN = 3, LMARG = 13, LAT = 14, QHI = 7,
+     $    EPS = 2.0D0**(-52), PAD = 64.0D0*EPS)
+      DOUBLE PRECISION TSDOT, C, ERR, G(3), H, MARGIN, ROOM, RR, SIZE,
+     $    UU
+      INTEGER K
+      TSINBA = 0
+      RR = 0.0D0
+      UU = 0.0D0
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        G(K) = LSD(LAT+K,LIST) - F(6+K)
+   10 CONTINUE
+      H = MAX(TSDOT(G, F), FQ(QHI))
+      IF (FQ(QHI) .GT. 0.0D0) H = FQ(QHI)
+      DO 20 K = 1, 3
+        C = F(3+K) + H*F(K)
+        SIZE = SIZE + ABS(C)
+        RR = RR + C*C
+        UU = UU + (C - G(K))*(C - G(K))
+   20 CONTINUE
+      ERR = F(11) + ABS(H)*F(10) + 4.0D0*EPS*SIZE
+      MARGIN = LSD(LMARG,LIST)
+      ROOM = MARGIN*(MARGIN - 32.0D0*ERR - PAD*(1.0D0 + MARGIN)) - RR -
+     $    UU
+      IF (H .GT. FQ(QHI)) RR = F(12)*F(12)
+      IF (LSI(LN,LIST) .GT. 0 .AND. ROOM .GT. 0.0D0 .AND.
+     $    ROOM*ROOM .GE. 4.0D0*RR*UU) TSINBA = 1
+      END
+
+C     TSNEAL - makes a near list of the ball of a search and a skin
+C     about it, of points on either side of the facet.  OK is 1, or 0 if
+C     they are too many.
+      SUBROUTINE TSNEAL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
+     $                  OK)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
+     $    LSD(17,8), F(12), FQ(162)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(3,8), LIST, V(3), IQ(44), OK
+      INTEGER RSKIN, RFUND, LN, LMARG, LAT, BLK, QWORK, QINTO, QSKIN,
+     $    QTHICK, FEW
+      DOUBLE PRECISION MAKING, TAKING, THICKR, THICKT
+      PARAMETER (RSKIN = 7, RFUND = 8, LN = 3, LMARG = 13, LAT = 14,
+     $    BLK = 1, QWORK = 43, QINTO = 44, QSKIN = 161, QTHICK = 162,
+     $    FEW = 204, MAKING = 20.0D0, TAKING = 1.5D0,
+     $    THICKR = 1.3D0, THICKT = 8.0D0)
+      DOUBLE PRECISION TSDOT, AT(3), G(12), GQ(162), HALF
+      INTEGER JQ(44), K
+      DO 10 K = 1, 44
+        JQ(K) = IQ(K)
+   10 CONTINUE
+      DO 20 K = 1, 12
+        G(K) = F(K)
+   20 CONTINUE
+      DO 30 K = 1, 8
+        GQ(K) = FQ(K)
+   30 CONTINUE
+      LSI(LN,LIST) = 0
+      JQ(QINTO) = LIST
+      G(10) = 1.0D0
+      GQ(QSKIN) = RCTL(RSKIN)
+      CALL TSINFL(LSD(LMARG,BLK), GQ)
+      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $            LSX, LSID, LSI, LSD, V, JQ, G, GQ)
+      RCTL(RFUND) = RCTL(RFUND) - (MAKING + TAKING*DBLE(JQ(QWORK)))
+      OK = 0
+      IF (LSI(LN,LIST) .EQ. 0) RETURN
+      OK = 1
+      RCTL(RSKIN) = GQ(QSKIN)
+      IF (LSI(LN,LIST) .LT. FEW .AND. GQ(QSKIN) .LT. THICKT)
+     $    RCTL(RSKIN) = THICKR*GQ(QSKIN)
+      LSD(LMARG,LIST) = SQRT(TSDOT(FQ, FQ)) + GQ(QTHICK)
+      DO 40 K = 1, 3
+        AT(K) = F(6+K) + FQ(K)
+        LSD(LAT+K,LIST) = AT(K)
+   40 CONTINUE
+      CALL TSFRAM(BOX, LSD, LIST, AT, AT, HALF)
+      CALL TSSETP(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      END
+
+C     TSINNE - seeks the apex in a near list, which is made if there is
+C     none.  No list is made for L <= 0, as half of the ball is on the
+C     other side or more, nor for a ball that single precision cannot
+C     tell from a half-space.  OK is 1 if the apex is known, or 0.
+      SUBROUTINE TSINNE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
+     $    LSD(17,8), F(12), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*),
+     $    LSID(TSLIST+48,8), LSI(3,8), V(3), IQ(44), OK
+      INTEGER RECENT, RFUND, RUSUAL, QHI, QSIZE, BALLS, DONE
+      DOUBLE PRECISION GIANT, CHECK, FUND
+      PARAMETER (RECENT = 86, RFUND = 8, RUSUAL = 9, QHI = 7, QSIZE = 5,
+     $    BALLS = 7, DONE = -1, GIANT = 1.0D4, CHECK = 0.5D0,
+     $    FUND = 2000.0D0)
+      INTEGER TSINBA, FOUND, I, K, LIST, N, PLACE(TSLIST+1), Z
+      K = 0
+   10 K = K + 1
+      LIST = CTL(RECENT+K)
+      FOUND = TSINBA(LSI, LSD, LIST, F, FQ)
+      IF (FOUND .EQ. 0 .AND. K .LT. BALLS - 1) GO TO 10
+      OK = 0
+      IF (FOUND .EQ. 0) THEN
+        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(QSIZE) .GT. GIANT) RETURN
+        CALL TSNEAL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ, OK)
+        IF (OK .EQ. 1) OK = TSINBA(LSI, LSD, LIST, F, FQ)
+        IF (OK .EQ. 0) RETURN
+        OK = 0
+      END IF
+   20 IF (K .GT. 1) THEN
+        CTL(RECENT+K) = CTL(RECENT+K-1)
+        K = K - 1
+        GO TO 20
+      END IF
+      CTL(RECENT+1) = LIST
+      CALL TSLIBA(LSX, LSI, LSD, LIST, F, FQ, PLACE, N)
+      IF (N .LT. 0) RETURN
+      OK = 1
+      IF (FOUND .EQ. 1) RCTL(RFUND) = MIN(FUND, RCTL(RFUND) +
+     $    RCTL(RUSUAL) - CHECK*DBLE(N))
+      DO 30 I = 1, N
+        Z = LSID(PLACE(I),LIST)
+        IF (LINK(Z) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, CTL, RCTL,
+     $      SUP, V, IQ, F, FQ, Z)
+   30 CONTINUE
+      END
+
 C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
 C     GUESS holds two positions to try first, or 0.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(14,2)
+     $    LSD(17,8)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,2), V(3), GUESS(2), Z
-      INTEGER NP, NPLANE, PLANE1, TIES, NCELL, CELL1, FUTILE, RBURDN,
-     $    RPATIE, QBEST, QON, QTIED, QOPEND, PLANES, MAXFUT, OPENED
+     $    LSI(3,8), V(3), GUESS(2), Z
+      INTEGER NP, NPLANE, PLANE1, TIES, NCELL, CELL1, FUTILE, IDLE,
+     $    RBURDN, RPATIE, RFUND, RUSUAL, LMARG, BLK, QBEST, QBALL, QON,
+     $    QTIED, QOPEND, QWORK, QHI, PLANES, MAXFUT, OPENED
+      DOUBLE PRECISION TAX, GRANT, MUCHL
       PARAMETER (NP = 1, NPLANE = 12, PLANE1 = 21, TIES = 13,
-     $    NCELL = 17, CELL1 = 33, FUTILE = 18, RBURDN = 4, RPATIE = 5,
-     $    QBEST = 1, QON = 6, QTIED = 8, QOPEND = 10, PLANES = 4,
-     $    MAXFUT = 8, OPENED = 24)
-      DOUBLE PRECISION F(12), FQ(159), H
-      INTEGER TSCURV, TSONHU, AT, G, IQ(42), K, LISTS, OK
+     $    NCELL = 17, CELL1 = 33, FUTILE = 18, IDLE = 86, RBURDN = 4,
+     $    RPATIE = 5, RFUND = 8, RUSUAL = 9, LMARG = 13, BLK = 1,
+     $    QBEST = 1, QBALL = 3, QON = 6, QTIED = 8, QOPEND = 10,
+     $    QWORK = 43, QHI = 7, PLANES = 4, MAXFUT = 8, OPENED = 24,
+     $    TAX = 64.0D0, GRANT = 500.0D0, MUCHL = 1.0D100)
+      DOUBLE PRECISION F(12), FQ(162), H
+      INTEGER TSCURV, TSONHU, AT, G, IQ(44), K, LISTS, NEAR, OK
       IF (CTL(NCELL) .GT. 0) THEN
         CALL TSINCE(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V, Z)
         IF (Z .NE. 0) RETURN
@@ -3142,8 +3463,24 @@ C       time
         END IF
       END IF
       CTL(FUTILE) = CTL(FUTILE) + 1
-      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP, V,
-     $            IQ, F, FQ)
+      NEAR = 0
+      IF (IQ(QBALL) .EQ. 1 .AND. FQ(QHI) .LE. MUCHL .AND.
+     $    IQ(QON) .EQ. 0 .AND. LSD(LMARG,BLK) .GT. 0.0D0) NEAR = 1
+      IF (RCTL(RFUND) .LE. 0.0D0) CTL(IDLE) = 1
+      IF (RCTL(RFUND) .GT. GRANT) CTL(IDLE) = 0
+      OK = 0
+      IF (NEAR .EQ. 1 .AND. CTL(IDLE) .EQ. 0) CALL TSINNE(X, P, ORD,
+     $    BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
+     $    V, IQ, F, FQ, OK)
+      IF (OK .EQ. 0) THEN
+        CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, V, IQ, F, FQ)
+        IF (NEAR .EQ. 1) THEN
+          RCTL(RFUND) = RCTL(RFUND) + DBLE(IQ(QWORK))/TAX
+          RCTL(RUSUAL) = RCTL(RUSUAL) + (DBLE(IQ(QWORK)) -
+     $        RCTL(RUSUAL))/16.0D0
+        END IF
+      END IF
       Z = IQ(QBEST)
       IF (IQ(QOPEND) .GT. OPENED .AND. RCTL(RPATIE) .GT. 0.0D0) THEN
         RCTL(RBURDN) = RCTL(RBURDN) + DBLE(IQ(QOPEND))/DBLE(CTL(NP))
@@ -3218,28 +3555,20 @@ C     uses the tree alone.
       SUBROUTINE TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(14,2)
+     $    LSD(17,8)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
-     $    CTL(*), LSID(*), LSI(3,2), S, V(4)
-      INTEGER LEAVES, NPLANE, NCELL, T3, LFIRST, LLAST, LN, BLK,
-     $    STR, QBEST
-      PARAMETER (LEAVES = 4, NPLANE = 12, NCELL = 17,
-     $    T3 = 1, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2,
-     $    QBEST = 1)
-      DOUBLE PRECISION F(12), FQ(159)
+     $    CTL(*), LSID(*), LSI(3,8), S, V(4)
+      INTEGER LEAVES, T3, QBEST
+      PARAMETER (LEAVES = 4, T3 = 1, QBEST = 1)
+      DOUBLE PRECISION F(12), FQ(162)
       INTEGER HHPSID, TSLEAF, TSLFST, ALL, FIRST, G(3), GUESS(2), I,
-     $    IQ(42), J, K, LEAF, LENGTH, NODE, OK, R(4), SAME, Z
+     $    IQ(44), J, K, LEAF, LENGTH, NODE, OK, R(4), SAME, Z
       LEAF = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAF - 1
       FIRST = TSLFST(CTL, LEAF)
       LENGTH = TSLFST(CTL, LEAF + 1) - FIRST
-      LSI(LFIRST,BLK) = 1
-      LSI(LLAST,BLK) = 0
-      LSI(LN,BLK) = 0
-      LSI(LN,STR) = 0
-      CTL(NPLANE) = 0
-      CTL(NCELL) = 0
+      CALL TSFORG(CTL, LSI, LSD)
       DO 10 K = 1, 4
         V(K) = REP(KNOWN(K))
         R(K) = V(K)
@@ -3283,8 +3612,8 @@ C     uses the tree alone.
           CALL TSPREP(X, P, ORD, MARK, CTL, SUP, G, IQ, F, FQ)
           CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, G, IQ, F, FQ,
      $                GUESS(1))
-          CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, G, IQ,
-     $                F, FQ, NODE)
+          CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                LSID, LSI, LSD, G, IQ, F, FQ, NODE)
           Z = IQ(QBEST)
         END IF
         SAME = SAME + 1
@@ -3604,8 +3933,8 @@ C     block's list.
       SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(3,2), S
+      REAL LSX(TSLIST,4,8)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(3,8), S
       INTEGER LEAVES, LFIRST, LLAST, LN, BLK, DONE
       REAL FAR
       PARAMETER (LEAVES = 4, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1,
@@ -3690,10 +4019,10 @@ C     of the link.  INFO is 0, MORE or FULL.
      $                  POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
      $                  S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(14,2)
+     $    LSD(17,8)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
-     $    POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,2), S, INFO
+     $    POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,8), S, INFO
       INTEGER NT, MAXT, OLDEST, NEWEST, NCELL, ECODE, EFROM, ETO, EPREV,
      $    EAFTER, START, DEAD, MORE, FULL, EDGE
       PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, NCELL = 17,
@@ -3755,10 +4084,10 @@ C     there is no room.
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(14,2)
+     $    LSD(17,8)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,2),
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,8),
      $    S, OK
       INTEGER START
       PARAMETER (START = -1)
@@ -3779,10 +4108,10 @@ C     one of the rest, and so on.  INFO is 0, MORE or FULL.
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(14,2)
+     $    LSD(17,8)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,2),
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,8),
      $    S, INFO
       INTEGER NP, OLDEST, NEWEST, LOW, UNMET, FOREIN, NEW, FULL
       PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, UNMET = 15,
@@ -3908,28 +4237,29 @@ C     2 TSLCOU(N) < N/12 + 2
 
 C     TSLAYO - start from nothing: no points, no lists, no supports, no
 C     cylinders.
-      SUBROUTINE TSLAYO(CTL, RCTL, LSI)
-      INTEGER CTL(*), LSI(3,2)
-      DOUBLE PRECISION RCTL(*)
-      INTEGER NP, NPLANE, TIES, TIED, ENCLOS, NCELL, FUTILE, NSUPP,
-     $    RBURDN, RPATIE, LFIRST, LLAST, LN, BLK, STR
-      PARAMETER (NP = 1, NPLANE = 12, TIES = 13, TIED = 14, ENCLOS = 16,
-     $    NCELL = 17, FUTILE = 18, NSUPP = 20, RBURDN = 4,
-     $    RPATIE = 5, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1, STR = 2)
+      SUBROUTINE TSLAYO(CTL, RCTL, LSI, LSD)
+      INTEGER CTL(*), LSI(3,8)
+      DOUBLE PRECISION RCTL(*), LSD(17,8)
+      INTEGER NP, TIES, TIED, ENCLOS, FUTILE, NSUPP, EVEN, IDLE, RBURDN,
+     $    RPATIE, RSKIN, RFUND, RUSUAL
+      DOUBLE PRECISION FUND
+      PARAMETER (NP = 1, TIES = 13, TIED = 14, ENCLOS = 16, FUTILE = 18,
+     $    NSUPP = 20, EVEN = 85, IDLE = 86, RBURDN = 4, RPATIE = 5,
+     $    RSKIN = 7, RFUND = 8, RUSUAL = 9, FUND = 2000.0D0)
       CTL(NP) = 0
-      CTL(NPLANE) = 0
       CTL(TIES) = 0
       CTL(TIED) = 0
       CTL(ENCLOS) = 0
-      CTL(NCELL) = 0
       CTL(FUTILE) = 0
       CTL(NSUPP) = 0
+      CTL(EVEN) = 0
+      CTL(IDLE) = 0
       RCTL(RBURDN) = 0.0D0
       RCTL(RPATIE) = 0.0D0
-      LSI(LFIRST,BLK) = 1
-      LSI(LLAST,BLK) = 0
-      LSI(LN,BLK) = 0
-      LSI(LN,STR) = 0
+      RCTL(RSKIN) = 1.0D0
+      RCTL(RFUND) = FUND
+      RCTL(RUSUAL) = 0.0D0
+      CALL TSFORG(CTL, LSI, LSD)
       END
 
 C     TSCOLL - copy the points that represent themselves, in their
@@ -4079,14 +4409,14 @@ C     TSREVI - put all points back into the tree.
 C     TSSORT - prepare N > 0 points: sort them, drop the duplicates,
 C     build the tree, and make cylinders if ROOMY is 1.  INFO is 0, or
 C     RANGE.
-      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N,
-     $                  ROOMY, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,2), N, ROOMY, INFO
+      SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD,
+     $                  N, ROOMY, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(17,8)
+      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,8), N, ROOMY, INFO
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
       INTEGER HHHOLD, TSFITS, I
-      CALL TSLAYO(CTL, RCTL, LSI)
+      CALL TSLAYO(CTL, RCTL, LSI, LSD)
       INFO = RANGE
       IF (HHHOLD(N, P) .EQ. 0) RETURN
       IF (TSFITS(N, P) .EQ. 0) RETURN
@@ -4143,9 +4473,9 @@ C     cylinders.
 C     TSOPEN - open an index for reading only.  INFO is 0, the code of
 C     points without a mesh, or -8 where there is no index.
       SUBROUTINE TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL,
-     $                  LSI, INFO)
-      INTEGER N, KNOWN(4), COUNT, COUNTS(*), CTL(*), LSI(3,2), INFO
-      DOUBLE PRECISION P(3,*), HEADER(6), RCTL(*)
+     $                  LSI, LSD, INFO)
+      INTEGER N, KNOWN(4), COUNT, COUNTS(*), CTL(*), LSI(3,8), INFO
+      DOUBLE PRECISION P(3,*), HEADER(6), RCTL(*), LSD(17,8)
       INTEGER NP, LEAVES, ENCLOS, SCALE, T3, T5, RLEAST, RANGE, SUPPS,
      $    HHLIM
       DOUBLE PRECISION NORMAL
@@ -4153,7 +4483,7 @@ C     points without a mesh, or -8 where there is no index.
      $    T5 = 2, RLEAST = 6, RANGE = 6, SUPPS = 8, HHLIM = 88,
      $    NORMAL = 2.0D0**(-1022))
       INTEGER HHHOLD, TSFITS, TSLCOU, ALL
-      CALL TSLAYO(CTL, RCTL, LSI)
+      CALL TSLAYO(CTL, RCTL, LSI, LSD)
       CTL(NP) = COUNT
       INFO = -8
       IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
@@ -4265,7 +4595,7 @@ C     HEAD has the positions of the points at first.
      $                  LSX, LSI, S, N, MASKED, MINE, INFO)
       REAL LSX(*)
       INTEGER TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*), LINK(*),
-     $    POOL(*), CTL(*), LSI(3,2), S, N, MASKED, MINE(*), INFO
+     $    POOL(*), CTL(*), LSI(3,8), S, N, MASKED, MINE(*), INFO
       INTEGER NP, NT, ROOM, MPOOL, NOPEN, OPEN, DONE, FOREIN, FULL,
      $    ENTRY
       PARAMETER (NP = 1, NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7,
@@ -4347,9 +4677,9 @@ C     altered.
      $                 NTET, INFO)
       INTEGER N, ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
      $    HEAD(N), LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE),
-     $    CTL(*), LSID(*), LSI(3,2), MASKED, MINE(*), MAXTET, NTET, INFO
+     $    CTL(*), LSID(*), LSI(3,8), MASKED, MINE(*), MAXTET, NTET, INFO
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(14,2)
+     $    LSD(17,8)
       REAL LSX(*)
       INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW,
      $    UNMET, RREACH, NEW, FULL
@@ -4619,14 +4949,14 @@ C     element of RW or IW, and the standard lets them be altered.
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSLIST, ENCLOS, NSUPP, SUPPS
       PARAMETER (TSLIST = 512, ENCLOS = 16, NSUPP = 20, SUPPS = 8)
-      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(60,SUPPS)
-      REAL LSX(TSLIST,4,2)
-      INTEGER CTL(84), K, LENGTH, LSI(3,2), LSID(TSLIST+48,2), SPACE
+      DOUBLE PRECISION LSD(17,8), RCTL(9), SUP(60,SUPPS)
+      REAL LSX(TSLIST,4,8)
+      INTEGER CTL(92), K, LENGTH, LSI(3,8), LSID(TSLIST+48,8), SPACE
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,
-     $              INFO)
+     $              LSD, INFO)
       ELSE
-        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N,
+        CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD, N,
      $              ROOMY, INFO)
       END IF
       IF (INFO .GT. 0) NTET = 0
@@ -4723,13 +5053,13 @@ C     spread evenly); nothing else is kept of these.
       PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T5 = 2, RBURDN = 4,
      $    RPATIE = 5, SUPPS = 8, REGIO = 32, STARS = 256, RANGE = 6,
      $    PLAIN = 16.0D0, KEEN = 1.0D0/256.0D0)
-      DOUBLE PRECISION LSD(14,2), PART, RCTL(6), SUP(60,SUPPS)
-      REAL LSX(TSLIST,4,2)
-      INTEGER ADJ(4*STARS), CODE, CTL(84), GUESS(2), I, K, LENGTH,
-     $    LSI(3,2), LSID(TSLIST+48,2), MANY, MINE, SPACE,
+      DOUBLE PRECISION LSD(17,8), PART, RCTL(9), SUP(60,SUPPS)
+      REAL LSX(TSLIST,4,8)
+      INTEGER ADJ(4*STARS), CODE, CTL(92), GUESS(2), I, K, LENGTH,
+     $    LSI(3,8), LSID(TSLIST+48,8), MANY, MINE, SPACE,
      $    TET(4,STARS), V(3), Z
-      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, N, ROOMY,
-     $            INFO)
+      CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD, N,
+     $            ROOMY, INFO)
       IF (INFO .EQ. 0) CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
       IF (INFO .EQ. 0) THEN
         GUESS(1) = 0
@@ -5381,9 +5711,9 @@ C     no entry is DONE.
       SUBROUTINE TSACRO(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
      $                  LSX, LSID, LSI, LSD, U, K, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(14,2)
+     $    LSD(17,8)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(3,2),
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(3,8),
      $    U(4,1), K, OK
       INTEGER F(3), GUESS(2), I, Z
       GUESS(1) = 0
@@ -5461,13 +5791,13 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       INTEGER TSLIST, NP, NSUPP, T3, HFROM, HMOST, NONE, SUPPS, RANGE
       PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T3 = 1, HFROM = 7,
      $    HMOST = 10, NONE = 0, SUPPS = 8, RANGE = 6)
-      DOUBLE PRECISION LSD(14,2), RCTL(6), SUP(60,SUPPS), XF(3)
-      REAL LSX(TSLIST,4,2)
-      INTEGER HHFINI, HHHOLD, HHPSID, TSSLOT, AT, CTL(84), FROM,
-     $    F(3), G(4,1), H(10), I, K, LSI(3,2), LSID(TSLIST+48,2), OK, S,
+      DOUBLE PRECISION LSD(17,8), RCTL(9), SUP(60,SUPPS), XF(3)
+      REAL LSX(TSLIST,4,8)
+      INTEGER HHFINI, HHHOLD, HHPSID, TSSLOT, AT, CTL(92), FROM,
+     $    F(3), G(4,1), H(10), I, K, LSI(3,8), LSID(TSLIST+48,8), OK, S,
      $    STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,
-     $            INFO)
+     $            LSD, INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
       INFO = -5

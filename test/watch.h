@@ -26,6 +26,8 @@ extern double tess_count[];
 #define N_BALL 12  /* balls found by limbs                  */
 #define N_TRIAL 13 /* comparisons tried by a few limbs      */
 #define N_LEAF 14  /* leaves whose points were tested       */
+#define N_NEAR 15  /* ended in a near list                  */
+#define N_MADE 16  /* near lists made                       */
 
 #ifdef TESS_PROVE
 extern void tess_prove(int fact);
@@ -46,11 +48,27 @@ static int barren(const mesh *m, const quest *f, tess_int node)
 {
     tess_int i, last = node;
 
+    if (f->into != NULL) return 1;
     for (; node < m->leaves; node *= 2) last = 2 * last + 1;
     i = leafstart(m, node - m->leaves);
     last = leafstart(m, last - m->leaves + 1);
     for (; i < last; i++)
         if (m->link[i] != DONE && better(m, f, i)) return 0;
+    return 1;
+}
+
+/* listed - returns 1 if a list holds all points better than the best one. */
+static int listed(const mesh *m, const quest *f, const list *l)
+{
+    tess_int z;
+    int i;
+
+    for (z = 0; z < m->np; z++) {
+        if (m->link[z] == DONE || !better(m, f, z)) continue;
+        for (i = 0; i < l->n && l->id[i] != z; i++)
+            ;
+        if (i == l->n) return 0;
+    }
     return 1;
 }
 
