@@ -46,6 +46,18 @@ yes() {
     if "$@"; then pass "$name"; else fail "$name"; fi
 }
 
+# lines COMMAND...: a program that prints `ok ...' or `FAILED ...' for each of its
+# tests, and nothing on standard error
+lines() {
+    "$@" > numbers 2> told
+    code=$?
+    cat numbers
+    count "$(grep -c '^ok' numbers)" "$(grep -c '^FAILED' numbers)" 0
+    if [ $code -ne 0 ] || [ -s told ]; then
+        fail "$*: code $code: $(tail -n 1 told)"
+    fi
+}
+
 # have CC FLAGS: does this compiler take these flags, and its programs run?
 have() {
     echo 'int main(void) { return 0; }' > build/have.c

@@ -3,6 +3,7 @@
  * lists options.
  */
 #include <float.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -359,7 +360,7 @@ static void stretch(void)
     if (chosen.scaled)
         stretched = (tess_real *)space(3.0 * (double)in.n, sizeof *stretched);
     for (k = 0; k < 3; k++) {
-        made.scale[k] = chosen.scaled ? chosen.scale[k] : 1.0;
+        made.scale[k] = chosen.scaled ? fabs(chosen.scale[k]) : 1.0;
         low[k] = high[k] = (double)in.p[k];
         for (i = 0; i < in.n; i++) {
             x = (double)in.p[3 * i + k];

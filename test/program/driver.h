@@ -16,6 +16,8 @@
 #define COLUMNS 512 /* most columns of a line                    */
 #define VOIDS 16    /* most values of -nodata                    */
 #define TITLE 40    /* characters of a column's name that matter */
+#define LONGER 4.0  /* pictures stretch sides that the longest is so many times; */
+#define LONGEST 20.0 /* by -scale those that would hardly be seen */
 
 /* ---- what is read ---- */
 
@@ -29,6 +31,7 @@ typedef struct points {
     tess_int n;
     int columns;              /* values a point */
     char name[COLUMNS][TITLE]; /* of the values */
+    char axis[3][TITLE];       /* of the coordinates */
     int marker;               /* 1: the last value is a .node file's marker */
     tess_int base;            /* number of the first point in files */
     const char *cols; /* columns asked for, x, y, z first; 0: by the file */
@@ -115,6 +118,9 @@ typedef struct choices {
     double scale[3], box[6];
     double alpha;   /* largest circumradius that is kept; 0: any */
     double view[2]; /* azimuth and elevation; less than -360: not given */
+    double pixels[2]; /* a picture's width and height; 0: not given */
+    const char *draw, *title, *unit;
+    int bare; /* of a picture nothing but what is drawn */
     const char *query, *qcols, *grid, *method, *outside;
     int digits;    /* 0: not given */
     long validate; /* parts; 0: not given */
@@ -200,9 +206,6 @@ void put_scalars(FILE *file, const char *name);
 /* vtk_name - of a column of values, none twice; until the next one. */
 const char *vtk_name(const points *in, int column);
 
-/* xml_text - a column's name as a picture takes it, until the next one. */
-const char *xml_text(const char *text);
-
 /* put_title - a comma, and a column's name as CSV takes it. */
 void put_title(FILE *file, const char *name);
 
@@ -225,6 +228,10 @@ void write_values(const mesh *m);
 void validate_values(mesh *m);
 
 /* ---- files of points and tetrahedra (write.c) ---- */
+
+/* begin_look - what the options say of all pictures. */
+struct draw_look;
+void begin_look(const points *in, struct draw_look *look);
 
 /* write_... - a file of that format. */
 void write_node(const mesh *m, output *o);

@@ -841,10 +841,34 @@ for o in -O0 -O2; do
     (cd "$TOP"/test/examples && $CC $o -I"$TOP" -o "$TOP/build/driver/tess$o" \
         ../program/*.c slopes.c natural.c derived.c cells.c periodic.c \
         "$TOP"/tess.c "$TOP"/hhpred.c -lm)
-    ./tess$o -q -alpha 0.5 -svg m$o.svg "$TOP"/test/data/mirror.xyz
+    ./tess$o -q -alpha 0.5 -svg m$o.svg -grid 40,1,30 -values s$o.svg \
+        "$TOP"/test/data/mirror.xyz
     ./tess$o -q -svg c$o.svg none.node
 done
-yes "pictures: the same bytes" sh -c 'cmp m-O0.svg m-O2.svg && cmp c-O0.svg c-O2.svg'
+for f in m c s; do
+    yes "pictures: the same bytes, $f" cmp $f-O0.svg $f-O2.svg
+done
+if $PYTHON -c 'import numpy' 2> words; then
+    lines $PYTHON "$TOP"/test/program/pictures.py $TESS
+else
+    skip "pictures, read back: no numpy for $PYTHON"
+fi
+for wrong in '-draw all/choose points, whole, cut, field or apart' \
+    '-size 900/a width and a height' '-size 99,200/a width and a height'; do
+    OPTIONS="-svg no.svg ${wrong%/*}"
+    refuses pictured "${wrong#*/}" < none.node
+done
+OPTIONS=
+# those of the front page say what is so now
+(cd "$TOP" && sh test/pictures/pictures.sh build/driver) > said 2>&1
+for f in strip cube methods; do
+    for g in "$TOP"/test/pictures/$f.svg $f.svg; do
+        grep -o '>[^<>]*</text\|^rms.*' $g
+    done > words
+    yes "pictures: test/pictures/$f.svg says what is so" test \
+        "$(head -n $(($(wc -l < words) / 2)) words)" = \
+        "$(tail -n $(($(wc -l < words) / 2)) words)" -a -s $f.svg
+done
 
 # ---- -scale ----
 
@@ -866,6 +890,11 @@ $TESS -q -node thin2.node -vtk thin.vtk -face thin.face thin.node
 yes "-scale: their own coordinates" sh -c 'cmp thin2.node a.node &&
     head -c 7300 thin.vtk > v1 && head -c 7300 a.vtk | cmp v1 -'
 yes "-scale: nothing else is said" test ! -s words
+$TESS -q -scale 1,2,-.0078125 -ele b.ele -neigh b.neigh -node b.node -vtk b.vtk \
+    -volumes b.csv thin.node
+for f in ele neigh node vtk csv; do
+    yes "-scale below 0: the same .$f" cmp a.$f b.$f
+done
 $TESS thin.node > said2 2> words
 yes "-scale: the volume is not stretched" sh -c \
     'grep ^volume said > v1 && grep ^volume said2 | cmp - v1'
@@ -883,9 +912,9 @@ yes "no warning with -scale" test ! -s words
 printf '0 0 0\n100 0 0\n0 1 0\n' > wide
 $TESS wide > said 2> words
 yes "no warning for a plane" test ! -s words
-for scale in 1,1 1,1,0 1,1,-1 1,1,x 1,1,nan 1,1,1,1 1,1,inf; do
+for scale in 1,1 1,1,0 1,1,x 1,1,nan 1,1,1,1 1,1,inf; do
     OPTIONS="-scale $scale"
-    refuses scaled.txt '-scale needs three numbers above 0' < even.node
+    refuses scaled.txt '-scale needs three numbers, none of them 0' < even.node
 done
 OPTIONS="-scale 1,1,1e300"
 printf '0 0 1e100\n1 0 0\n0 1 0\n1 1 1\n' |

@@ -148,11 +148,34 @@ static void take_scale(const option *o, char **word)
 {
     double *x = (double *)o->to;
 
-    if (list_numbers(word[0], 3, x) != 3 || !(x[0] > 0.0) || !(x[1] > 0.0) ||
-        !(x[2] > 0.0) || x[0] > DBL_MAX || x[1] > DBL_MAX || x[2] > DBL_MAX)
-        fail("%s needs three numbers above 0, as 1,1,0.01 (tess -h helps)",
-             o->name);
+    int k, good = list_numbers(word[0], 3, x) == 3;
+
+    for (k = 0; k < 3; k++)
+        good = good && x[k] != 0.0 && x[k] >= -DBL_MAX && x[k] <= DBL_MAX;
+    if (!good)
+        fail("%s needs three numbers, none of them 0, as 1,1,0.01 (tess -h "
+             "helps)", o->name);
     chosen.scaled = 1;
+}
+
+static void take_pixels(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+    int k, good = list_numbers(word[0], 2, x) == 2;
+
+    for (k = 0; k < 2; k++) good = good && x[k] >= 100.0 && x[k] <= 10000.0;
+    if (!good)
+        fail("%s needs a width and a height in pixels, as 900,640", o->name);
+}
+
+static void take_draw(const option *o, char **word)
+{
+    if (strcmp(word[0], "points") != 0 && strcmp(word[0], "whole") != 0 &&
+        strcmp(word[0], "cut") != 0 && strcmp(word[0], "field") != 0 &&
+        strcmp(word[0], "apart") != 0)
+        fail("%s %s: choose points, whole, cut, field or apart", o->name,
+             word[0]);
+    take_word(o, word);
 }
 
 static void take_box(const option *o, char **word)
@@ -267,7 +290,8 @@ static const option table[] = {
     {"-scale", "SX,SY,SZ", take_scale, chosen.scale,
      "stretch coordinates for the mesh: -scale 1,1,0.01 for\n"
      "degrees and metres.  All that is written has the given\n"
-     "ones; -alpha measures in the stretched"},
+     "ones; -alpha measures in the stretched.  1,1,-0.01: the\n"
+     "same, and pictures show z downwards, as depth"},
     {"-check", 0, take_switch, &chosen.check,
      "prove the result, by exact arithmetic"},
     {0, 0, 0, 0, ""},
@@ -296,7 +320,10 @@ static const option table[] = {
      "the box, or a PDB file's CRYST1, repeats itself, and the\n"
      "cells fit to its copies; all else is of the points alone"},
     {"-svg", "F", take_output, svg_forms,
-     "write a picture: cut open; or moved apart if they are few"},
+     "write a picture"},
+    {"-draw", "points|whole|cut|field|apart", take_draw, &chosen.draw,
+     "of that: points; tetrahedra, all, cut open, or so without\n"
+     "edges, or moved apart; if not given cut, or apart if few"},
     {"-alpha", "R", take_length, &chosen.alpha,
      "the alpha shape: write and draw no tetrahedron whose\n"
      "circumradius exceeds R; so there are the holes and hollows\n"
@@ -304,6 +331,13 @@ static const option table[] = {
     {"-view", "A E", take_view, chosen.view,
      "draw as seen from azimuth A, from x to y, and elevation E\n"
      "above that plane, both in degrees; if not given, -68 28"},
+    {"-title", "TEXT", take_word, &chosen.title,
+     "above pictures, those of -values, too"},
+    {"-unit", "V[,X[,Y,Z]]", take_word, &chosen.unit,
+     "units of the first value and of x, y, z: -unit C,m"},
+    {"-size", "W,H", take_pixels, chosen.pixels, "of pictures, in pixels"},
+    {"-bare", 0, take_switch, &chosen.bare,
+     "pictures without axes, colour bar, and texts"},
     {"-o", "BASE", take_base, 0,
      "write BASE.node BASE.ele BASE.neigh BASE.vtk"},
     {0, 0, 0, 0, ""},

@@ -19,7 +19,6 @@
 #define PIXELS 2000.0 /* of a picture's side     */
 #define FAR 3.0     /* ranges between a value and others that it is far from */
 #define HUGE_NUMBER 1e10 /* a value that may be none, but stand for one */
-#define LONGER 5.0  /* sides more uneven are drawn with this ratio */
 
 /* What is asked for. */
 static double size[3], corner[6]; /* of the grid: NX, NY, NZ, X0 to Z1 */
@@ -40,11 +39,14 @@ typedef struct sink {
     int form; /* which of values_forms: */
     FILE *file;
     FILE *scratch;   /* what VTK must have column by column */
-    double *picture; /* the first column */
+    double *picture; /* the first column; least, most of what is inside */
+    double range[2];
 } sink;
 
 static sink *sinks;
 static int files; /* of them */
+static int uncut; /* places outside have values until they are drawn: a picture
+                   * ends where the tetrahedra do, not at a place */
 
 #define CSV 0
 #define NPY 1
@@ -409,11 +411,13 @@ static void head(sink *s)
         npy_head(s->file);
     } else {
         s->picture = (double *)space(places_asked(), sizeof *s->picture);
+        s->range[0] = DBL_MAX;
+        s->range[1] = -DBL_MAX;
     }
 }
 
 /* put - the values at some places. */
-static void put(const sink *s, tess_int many, const tess_real *at,
+static void put(sink *s, tess_int many, const tess_real *at,
                 const double *out)
 {
     size_t numbers = (size_t)many * (size_t)in->columns, i;
@@ -424,8 +428,12 @@ static void put(const sink *s, tess_int many, const tess_real *at,
     } else if (s->form == VTK) {
         for (i = 0; i < numbers; i++) put_double(s->file, out[i]);
     } else if (s->form == SVG) {
-        for (i = 0; i < (size_t)many; i++)
-            s->picture[(size_t)done + i] = out[(size_t)in->columns * i];
+        for (i = 0; i < (size_t)many; i++, out += in->columns) {
+            s->picture[(size_t)done + i] = *out;
+            if ((uncut && t[i] < 0) || !(fabs(*out) <= 1e300)) continue;
+            if (*out < s->range[0]) s->range[0] = *out;
+            if (*out > s->range[1]) s->range[1] = *out;
+        }
     } else {
         for (; many > 0; many--, at += 3) {
             for (k = 0; k < 3; k++)
@@ -440,40 +448,38 @@ static void put(const sink *s, tess_int many, const tess_real *at,
 }
 
 /* draw - the picture of a slice: the first column. */
-static void draw(FILE *file, const double *picture)
+static void draw(const sink *s, const mesh *m)
 {
-    static const char axis[] = "xyz";
     char note[400];
     draw_look look;
-    double length[2], wide;
-    int k, third = 3 - side[0] - side[1], at = 0;
+    const char *name;
+    double length[3], plane[6];
+    int k, axis[3], many[2];
 
-    for (k = 0; k < 2; k++)
-        length[k] = corner[2 * side[k] + 1] - corner[2 * side[k]];
-    wide = length[0] / length[1];
-    if (!(wide < LONGER)) wide = LONGER;
-    if (!(wide > 1.0 / LONGER)) wide = 1.0 / LONGER;
-    draw_default(&look);
-    look.label = xml_text(in->name[0]);
-    look.height = 90 + (int)((look.width - 155.0) / wide);
-    if (look.height > 640) look.height = 640;
-    if (look.height < 300) look.height = 300;
-    for (k = 0; k < 2; k++)
-        at += sprintf(note + at, "%c %.6g to %.6g, ", axis[side[k]],
-                      corner[2 * side[k]], corner[2 * side[k] + 1]);
-    at += sprintf(note + at, "%c = %.6g; %s", axis[third], place(third, 0),
-                  method_name[method]);
-    wide *= length[1] / length[0];
-    if (wide < 0.999 || wide > 1.001)
-        sprintf(note + at, "; %c is drawn %.3g times as large",
-                axis[side[wide < 1.0]], wide < 1.0 ? 1.0 / wide : wide);
+    begin_look(in, &look);
+    axis[2] = 3 - side[0] - side[1];
+    length[axis[2]] = 0.0;
+    for (k = 0; k < 2; k++) {
+        axis[k] = side[k];
+        many[k] = (int)size[side[k]];
+        length[side[k]] = corner[2 * side[k] + 1] - corner[2 * side[k]];
+    }
+    for (k = 0; k < 6; k++)
+        plane[k] = k / 2 == axis[2] ? place(axis[2], 0) : corner[k];
+    name = look.name[axis[2]];
+    k = (int)strcspn(name, ",");
+    sprintf(note, "%.*s = %.6g%.50s; %s", k, name, place(axis[2], 0),
+            name + k + (name[k] != 0), method_name[method]);
+    draw_even(&look, length, chosen.scaled ? LONGEST : LONGER, note);
     look.note = note;
-    draw_slice(file, &look, (int)size[side[0]], (int)size[side[1]],
-               wide * length[0] / length[1], picture);
+    if (draw_slice(s->file, &look, axis, many, plane, s->picture, s->range,
+                   m->in->p, uncut ? m->ntet : 0, m->tet, m->adj,
+                   m->keep) != 0)
+        fail("not enough memory for a picture");
 }
 
 /* tail - VTK's columns, one after the other; or the picture. */
-static void tail(sink *s)
+static void tail(sink *s, const mesh *m)
 {
     static double row[COLUMNS];
     size_t columns = (size_t)in->columns;
@@ -490,7 +496,7 @@ static void tail(sink *s)
             put_double(s->file, row[k]);
         }
     }
-    if (s->form == SVG) draw(s->file, s->picture);
+    if (s->form == SVG) draw(s, m);
     if (s->form == VTK) putc('\n', s->file);
     if (s->scratch) fclose(s->scratch);
     free(s->picture);
@@ -549,7 +555,13 @@ static void some(tess_int many, const tess_real *at, const double *scale)
     for (i = 0; i < 3 * many; i++)
         q[i] = (tess_real)((double)at[i] * scale[i % 3]);
     values_at(many, q, t, out);
-    for (k = 0; k < files; k++) put(sinks + k, many, at, out);
+    for (k = 0; k < files; k++)
+        if (sinks[k].form == SVG) put(sinks + k, many, at, out);
+    for (i = 0; i < many && uncut; i++)
+        for (k = 0; k < in->columns && t[i] < 0; k++)
+            out[(long)in->columns * i + k] = number;
+    for (k = 0; k < files; k++)
+        if (sinks[k].form != SVG) put(sinks + k, many, at, out);
     done += (double)many;
     progress(done, places_asked());
 }
@@ -670,18 +682,20 @@ void write_values(const mesh *m)
     f.keep = m->keep;
     f.value = mean ? mean : in->value;
     f.columns = in->columns;
-    values_begin(&f, method, outside, number);
     for (o = 0; (o = next_output(values_forms, o)) != 0;) {
         sinks = (sink *)more_space(sinks, files + 1.0, sizeof *sinks);
         memset(sinks + files, 0, sizeof *sinks);
         sinks[files].to = o;
-        head(sinks + files++);
+        head(sinks + files);
+        if (sinks[files++].form == SVG)
+            uncut = outside == OUT_VALUE && number != number;
     }
+    values_begin(&f, method, uncut ? OUT_NEAREST : outside, number);
     if (chosen.grid)
         grid_values(most, m->scale);
     else
         query_values(most, m->scale);
-    for (k = 0; k < files; k++) tail(sinks + k);
+    for (k = 0; k < files; k++) tail(sinks + k, m);
     values_end();
 }
 

@@ -776,7 +776,10 @@ static void columns(void)
         for (k = found = 0; k < many && found < 3; k++)
             if (fields[k].number && k != by) at[found++] = k;
     if (found < 3) fail_line("fewer than three numbers");
-    for (k = 0; k < 3; k++) part[at[k]] = k;
+    for (k = 0; k < 3; k++) {
+        part[at[k]] = k;
+        if (titles > 0 && title[at[k]][0]) strcpy(to->axis[k], title[at[k]]);
+    }
     for (k = 0; k < many; k++) {
         if (!fields[k].number) part[k] = fields[k].text[0] ? LABEL : HOLLOW;
         if (k == by && part[k] >= LABEL && part[k] != VALUE) part[k] = UNUSED;
