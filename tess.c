@@ -1363,7 +1363,7 @@ static int erect(const mesh *m, support *s)
 static int through(const mesh *m, const quest *f, const tess_int *v,
                    double wide, int plane, support *s)
 {
-    int n = f->opened < SOME ? (int)f->opened : SOME, i, k;
+    int n, i, k;
     double c[HH_FACET_LEN], h[SOME], x = 0.0, err;
     tess_int *r = s->record;
     hh_ball t;

@@ -291,13 +291,14 @@ static tess_int along(const tess_int *tri, const tess_int *next, tess_int at)
     return to;
 }
 
-/* measured - the planes' areas, and the volume; last[j] is a place of plane j
- * in tri, or -1 where it has no face. */
+/* measured - the planes' areas, and the volume, computed in a unit; last[j] is
+ * a place of plane j in tri, or -1 where it has no face. */
 static double measured(tess_int planes, const double *plane, tess_int many,
                        const double *vert, const tess_int *tri,
-                       const tess_int *next, tess_int *last, double *area)
+                       const tess_int *next, double unit, tess_int *last,
+                       double *area)
 {
-    double x[3], volume = 0.0;
+    double x[3], volume = 0.0, inverse = 1.0 / unit;
     tess_int j, v, w;
     const double *a, *b, *c;
     int k, l, m;
@@ -315,15 +316,16 @@ static double measured(tess_int planes, const double *plane, tess_int many,
             for (k = 0; k < 3; k++) {
                 l = (k + 1) % 3;
                 m = (k + 2) % 3;
-                x[k] += ((b[l] - a[l]) * (c[m] - a[m]) -
-                         (b[m] - a[m]) * (c[l] - a[l])) / 2.0;
+                x[k] += (b[l] - a[l]) * inverse * ((c[m] - a[m]) * inverse) -
+                        (b[m] - a[m]) * inverse * ((c[l] - a[l]) * inverse);
             }
             v = w;
         }
-        area[j] = norm(x);
-        volume += area[j] * plane[4 * j + 3] / 3.0;
+        area[j] = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) / 2.0;
+        volume += area[j] * (plane[4 * j + 3] * inverse) / 3.0;
+        area[j] *= unit * unit;
     }
-    return volume > 0.0 ? volume : 0.0;
+    return volume > 0.0 ? volume * unit * unit * unit : 0.0;
 }
 
 /* numbered - the vertices' numbers; those are one that edges connect which are
@@ -490,7 +492,11 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
     for (v = 0; v < many; v++)
         if (most3(vert + 3 * v) > far) far = most3(vert + 3 * v);
     if (far > 0.0 && !(far > 1e-102 && far < 1e102)) return 3;
-    *volume = measured(planes, plane, many, vert, tri, next, last, area);
+    /* a power of two, which alters nothing else: small products are not lost
+     * where subnormal numbers are flushed to 0 */
+    frexp(far, &k);
+    *volume = measured(planes, plane, many, vert, tri, next, ldexp(1.0, k),
+                       last, area);
     for (near = 1e-13;; near = 0.0) {
         *nvert = numbered(many, vert, next, near, same, queue);
         *nface = outlined(planes, tri, next, last, same, start, corner, queue);

@@ -357,15 +357,17 @@ C     follow on a face, counter-clockwise.
       K = 3
       END
 
-C     CLMEAS - the planes' areas, and the volume; LAST(J) is 3*(V-1) + K
-C     where TRI(K,V) is plane J, or 0 where it has no face.
-      SUBROUTINE CLMEAS(PLANES, PLANE, MANY, VERT, TRI, NEXT, LAST,
-     1                  AREA, VOLUME)
+C     CLMEAS - the planes' areas, and the volume, computed in a unit;
+C     LAST(J) is 3*(V-1) + K where TRI(K,V) is plane J, or 0 where it
+C     has no face.
+      SUBROUTINE CLMEAS(PLANES, PLANE, MANY, VERT, TRI, NEXT, UNIT,
+     1                  LAST, AREA, VOLUME)
       INTEGER PLANES, MANY, TRI(3,*), NEXT(3,*), LAST(*)
-      DOUBLE PRECISION PLANE(4,*), VERT(3,*), AREA(*), VOLUME
-      DOUBLE PRECISION X(3), CLNORM
+      DOUBLE PRECISION PLANE(4,*), VERT(3,*), UNIT, AREA(*), VOLUME
+      DOUBLE PRECISION X(3), INVERS
       INTEGER A, B, C, J, K, L, M, AT
       VOLUME = 0.0D0
+      INVERS = 1.0D0 / UNIT
       DO 10 J = 1, PLANES
          LAST(J) = 0
    10 CONTINUE
@@ -390,17 +392,18 @@ C     where TRI(K,V) is plane J, or 0 where it has no face.
             DO 50 K = 1, 3
                L = MOD(K, 3) + 1
                M = MOD(K + 1, 3) + 1
-               X(K) = X(K) +
-     1            ((VERT(L,B) - VERT(L,A))*(VERT(M,C) - VERT(M,A)) -
-     2             (VERT(M,B) - VERT(M,A))*(VERT(L,C) - VERT(L,A))) /
-     3            2.0D0
+               X(K) = X(K) + (VERT(L,B) - VERT(L,A))*INVERS*
+     1                       ((VERT(M,C) - VERT(M,A))*INVERS) -
+     2                       (VERT(M,B) - VERT(M,A))*INVERS*
+     3                       ((VERT(L,C) - VERT(L,A))*INVERS)
    50       CONTINUE
             GO TO 40
          END IF
-         AREA(J) = CLNORM(X)
-         VOLUME = VOLUME + AREA(J)*PLANE(4,J) / 3.0D0
+         AREA(J) = SQRT(X(1)**2 + X(2)**2 + X(3)**2) / 2.0D0
+         VOLUME = VOLUME + AREA(J)*(PLANE(4,J)*INVERS) / 3.0D0
+         AREA(J) = AREA(J)*UNIT*UNIT
    70 CONTINUE
-      VOLUME = MAX(VOLUME, 0.0D0)
+      VOLUME = MAX(VOLUME, 0.0D0)*UNIT*UNIT*UNIT
       END
 
 C     CLNUMB - the vertices' numbers; those are one that edges connect
@@ -564,7 +567,7 @@ C     Coordinates less than FAREST can be added, and multiplied by
 C     1D10.
       DOUBLE PRECISION FAREST
       PARAMETER (FAREST = 1.0D290)
-      DOUBLE PRECISION SIDE(6), LIMIT, NEAR, FAR, CLMOST
+      DOUBLE PRECISION SIDE(6), LIMIT, NEAR, FAR, UNIT, CLMOST
       INTEGER TRI, NEXT, SAME, QUEUE, LAST, D, PLANES, MANY, J, V, A
       INTEGER FREE, OUTER, K, CLPROP, CLCLOS
       TRI = 1
@@ -636,8 +639,12 @@ C     1D10.
       INFO = 3
       IF (FAR .GT. 0.0D0 .AND. .NOT. (FAR .GT. 1.0D-102 .AND.
      1    FAR .LT. 1.0D102)) RETURN
+C     A power of two, which alters nothing else: small products are not
+C     lost where subnormal numbers are flushed to 0.
+      UNIT = 1.0D0
+      IF (FAR .GT. 0.0D0) UNIT = 2.0D0**INT(LOG(FAR) / LOG(2.0D0))
       CALL CLMEAS(PLANES, WORK, MANY, VERT, IWORK(TRI), IWORK(NEXT),
-     1            IWORK(LAST), AREA, VOLUME)
+     1            UNIT, IWORK(LAST), AREA, VOLUME)
       NEAR = 1.0D-13
    50 CONTINUE
       CALL CLNUMB(MANY, VERT, IWORK(NEXT), NEAR, IWORK(SAME),

@@ -9,9 +9,9 @@
  *   stars     for each point the tetrahedra that have it, in compressed rows
  *   nearest   the point of p nearest to another one           (stars' rows)
  *   measure   volume, circumcentre and circumradius of a tetrahedron
- *             (minus, dot, cross, circle, centre)
+ *             (minus, dot, cross, shrink, circle, centre)
  *   dual      area of each edge's dual face and volume of each point's cell
- *             in the Voronoi diagram                (turn, and measure's five)
+ *             in the Voronoi diagram                (turn, and measure's six)
  *   gradient  of a field linear on each tetrahedron    (minus, dot, cross)
  *
  * derived.f is the same in FORTRAN 77.
@@ -206,23 +206,31 @@ static void cross(const double *a, const double *b, double *c)
     c[2] = a[0] * b[1] - a[1] * b[0];
 }
 
-/* No product of more than three lengths is computed: of 1e100 or 1e-100 it
- * would be beyond doubles. */
+/* shrink - three vectors to a length of about 1: products of many of 1e100
+ * or 1e-100 would be beyond doubles.  Returns the unit, a power of two. */
+static double shrink(double e[3][3])
+{
+    double most = 0.0, unit;
+    int k;
+
+    for (k = 0; k < 9; k++)
+        if (fabs(e[k / 3][k % 3]) > most) most = fabs(e[k / 3][k % 3]);
+    frexp(most, &k);
+    unit = ldexp(1.0, k);
+    for (k = 0; k < 9; k++) e[k / 3][k % 3] /= unit;
+    return unit;
+}
 
 /* circle - centre of the circle through 0, u, v. */
 static void circle(const double *u, const double *v, double *middle)
 {
-    double a[3], b[3], normal[3], x[3], size;
-    double lu = sqrt(dot(u, u)), lv = sqrt(dot(v, v));
+    double normal[3], x[3], size;
     int k;
 
-    for (k = 0; k < 3; k++) {
-        a[k] = u[k] / lu;
-        b[k] = v[k] / lv;
-    }
-    cross(a, b, normal);
+    cross(u, v, normal);
     size = 2.0 * dot(normal, normal);
-    for (k = 0; k < 3; k++) x[k] = (lu * b[k] - lv * a[k]) / size;
+    for (k = 0; k < 3; k++)
+        x[k] = (dot(u, u) * v[k] - dot(v, v) * u[k]) / size;
     cross(x, normal, middle);
 }
 
@@ -239,14 +247,13 @@ static void centre(const double *u, const double *v, const double *w,
     cross(w, u, wu);
     cross(u, v, uv);
     det = dot(u, vw);
-    if (det <= 1e-13 * sqrt(dot(u, u)) * sqrt(dot(v, v)) * sqrt(dot(w, w))) {
+    if (det <= 1e-13 * sqrt(dot(u, u) * dot(v, v) * dot(w, w))) {
         circle(u, v, c);
         return;
     }
-    det *= 2.0;
     for (k = 0; k < 3; k++)
-        c[k] = dot(u, u) / det * vw[k] + dot(v, v) / det * wu[k] +
-               dot(w, w) / det * uv[k];
+        c[k] = (dot(u, u) * vw[k] + dot(v, v) * wu[k] + dot(w, w) * uv[k]) /
+               (2.0 * det);
 }
 
 /* measure - a tetrahedron's volume and ball.
@@ -261,15 +268,16 @@ static void centre(const double *u, const double *v, const double *w,
 void measure(const tess_real *p, const tess_int *v, double *volume,
              double *middle, double *radius)
 {
-    double e[3][3], c[3];
+    double e[3][3], c[3], unit;
     int k;
 
     for (k = 0; k < 3; k++) minus(p + 3 * v[k + 1], p + 3 * v[0], e[k]);
     cross(e[1], e[2], c);
     *volume = dot(e[0], c) / 6.0;
+    unit = shrink(e);
     centre(e[0], e[1], e[2], c);
-    for (k = 0; k < 3; k++) middle[k] = (double)p[3 * v[0] + k] + c[k];
-    *radius = sqrt(dot(c, c));
+    for (k = 0; k < 3; k++) middle[k] = (double)p[3 * v[0] + k] + c[k] * unit;
+    *radius = sqrt(dot(c, c)) * unit;
 }
 
 /* ---- the Voronoi diagram ---- */
@@ -295,9 +303,9 @@ void dual(tess_int n, const tess_real *p, const tess_int *tet,
           const tess_int *adj, tess_int nedge, const tess_int *edge,
           const tess_int *at, double *area, double *cell, tess_int *outer)
 {
-    double u[3], v[3], w[3], c[3], f[2][3], x[3], length;
+    double e[3][3], c[3], f[2][3], x[3], length, unit;
     tess_int i, a, b, t;
-    int e, k, side, out;
+    int j, k, side, out;
 
     for (i = 0; i < n; i++) {
         cell[i] = 0.0;
@@ -306,37 +314,39 @@ void dual(tess_int n, const tess_real *p, const tess_int *tet,
     for (i = 0; i < nedge; i++) {
         a = edge[2 * i];
         b = edge[2 * i + 1];
-        minus(p + 3 * b, p + 3 * a, u);
-        length = sqrt(dot(u, u));
+        minus(p + 3 * b, p + 3 * a, x);
+        length = sqrt(dot(x, x));
         area[i] = 0.0;
         for (side = 2, t = -1; side < 4 && t < 0; side++) {
             t = at[i];
-            for (e = 0; tet[4 * t + around[e][0]] != a ||
-                        tet[4 * t + around[e][1]] != b;)
-                e++;
-            out = around[e][side];
+            for (j = 0; tet[4 * t + around[j][0]] != a ||
+                        tet[4 * t + around[j][1]] != b;)
+                j++;
+            out = around[j][side];
             /* the first tetrahedron was on the first side already */
             if (side == 3) turn(tet, adj, a, b, &t, &out);
             while (t >= 0) {
                 const tess_int *s = tet + 4 * t;
 
                 /* the edge from s[j] = a to b, or from b to a */
-                for (e = 0; (s[around[e][0]] != a || s[around[e][1]] != b) &&
-                            (s[around[e][0]] != b || s[around[e][1]] != a);)
-                    e++;
-                k = s[around[e][0]] == b;
-                minus(p + 3 * s[around[e][2 + k]], p + 3 * a, v);
-                minus(p + 3 * s[around[e][3 - k]], p + 3 * a, w);
-                circle(u, v, f[0]);
-                circle(u, w, f[1]);
-                centre(u, v, w, c);
+                for (j = 0; (s[around[j][0]] != a || s[around[j][1]] != b) &&
+                            (s[around[j][0]] != b || s[around[j][1]] != a);)
+                    j++;
+                k = s[around[j][0]] == b;
+                minus(p + 3 * b, p + 3 * a, e[0]);
+                minus(p + 3 * s[around[j][2 + k]], p + 3 * a, e[1]);
+                minus(p + 3 * s[around[j][3 - k]], p + 3 * a, e[2]);
+                unit = shrink(e);
+                circle(e[0], e[1], f[0]);
+                circle(e[0], e[2], f[1]);
+                centre(e[0], e[1], e[2], c);
                 for (k = 0; k < 3; k++) {
                     f[0][k] -= f[1][k];
-                    c[k] -= u[k] / 2.0;
+                    c[k] -= e[0][k] / 2.0;
                 }
                 /* from a quadrangle's diagonals */
                 cross(f[0], c, x);
-                area[i] += dot(x, u) / (2.0 * length);
+                area[i] += dot(x, e[0]) / (2.0 * length / unit) * unit * unit;
                 turn(tet, adj, a, b, &t, &out);
                 if (t == at[i]) break;
             }

@@ -11,10 +11,10 @@ C       FACES   each facet once, and the tetrahedra on both sides
 C       STARS   for each point the tetrahedra that have it, in rows
 C       NEARPT  the point of P nearest to another one   (STARS' rows)
 C       MEASUR  volume, circumcentre and circumradius of a tetrahedron
-C               (DERMIN, DERDOT, DERCRO, DERCIR, DERCEN)
+C               (DERMIN, DERDOT, DERCRO, DERSHR, DERCIR, DERCEN)
 C       DUAL    area of each edge's dual face and volume of each point's
 C               cell in the Voronoi diagram  (DERTUR, DERARO, and
-C               MEASUR's five)
+C               MEASUR's six)
 C       GRADIE  of a field linear on a tetrahedron  (DERMIN, DERDOT,
 C               DERCRO)
 C
@@ -237,24 +237,38 @@ C     ---- measures ----
       C(3) = A(1)*B(2) - A(2)*B(1)
       END
 
-C     No product of more than three lengths is computed: of 1D100 or
-C     1D-100 it would be beyond numbers.
+C     DERSHR - three vectors, to a length of about 1: products of many
+C     of 1D100 or 1D-100 would be beyond numbers.  UNIT is a power of
+C     two.
+      SUBROUTINE DERSHR(E, UNIT)
+      DOUBLE PRECISION E(3,3), UNIT
+      DOUBLE PRECISION MOST
+      INTEGER I, K
+      MOST = 0.0D0
+      DO 20 I = 1, 3
+         DO 10 K = 1, 3
+            MOST = MAX(MOST, ABS(E(K,I)))
+   10    CONTINUE
+   20 CONTINUE
+      UNIT = 1.0D0
+      IF (MOST .GT. 0.0D0) UNIT = 2.0D0**INT(LOG(MOST) / LOG(2.0D0))
+      DO 40 I = 1, 3
+         DO 30 K = 1, 3
+            E(K,I) = E(K,I) / UNIT
+   30    CONTINUE
+   40 CONTINUE
+      END
 
 C     DERCIR - centre of the circle through 0, U, V.
       SUBROUTINE DERCIR(U, V, C)
       DOUBLE PRECISION U(3), V(3), C(3)
-      DOUBLE PRECISION A(3), B(3), NORMAL(3), X(3), LU, LV, DERDOT
+      DOUBLE PRECISION NORMAL(3), X(3), DERDOT
       INTEGER K
-      LU = SQRT(DERDOT(U, U))
-      LV = SQRT(DERDOT(V, V))
+      CALL DERCRO(U, V, NORMAL)
       DO 10 K = 1, 3
-         A(K) = U(K) / LU
-         B(K) = V(K) / LV
+         X(K) = (DERDOT(U, U)*V(K) - DERDOT(V, V)*U(K)) /
+     1          (2.0D0*DERDOT(NORMAL, NORMAL))
    10 CONTINUE
-      CALL DERCRO(A, B, NORMAL)
-      DO 20 K = 1, 3
-         X(K) = (LU*B(K) - LV*A(K)) / (2.0D0*DERDOT(NORMAL, NORMAL))
-   20 CONTINUE
       CALL DERCRO(X, NORMAL, C)
       END
 
@@ -272,13 +286,12 @@ C     of the circle through three of them will do.
       UU = DERDOT(U, U)
       VV = DERDOT(V, V)
       WW = DERDOT(W, W)
-      IF (DET .LE. 1.0D-13*SQRT(UU)*SQRT(VV)*SQRT(WW)) THEN
+      IF (DET .LE. 1.0D-13*SQRT(UU*VV*WW)) THEN
          CALL DERCIR(U, V, C)
          RETURN
       END IF
-      DET = 2.0D0*DET
       DO 10 K = 1, 3
-         C(K) = UU/DET*VW(K) + VV/DET*WU(K) + WW/DET*UV(K)
+         C(K) = (UU*VW(K) + VV*WU(K) + WW*UV(K)) / (2.0D0*DET)
    10 CONTINUE
       END
 
@@ -295,18 +308,19 @@ C     For a ball that is right to rounding: TESSBA.
       SUBROUTINE MEASUR(P, V, VOLUME, MIDDLE, RADIUS)
       DOUBLE PRECISION P(3,*), VOLUME, MIDDLE(3), RADIUS
       INTEGER V(4)
-      DOUBLE PRECISION E(3,3), C(3), DERDOT
+      DOUBLE PRECISION E(3,3), C(3), UNIT, DERDOT
       INTEGER K
       DO 10 K = 1, 3
          CALL DERMIN(P(1,V(K+1)), P(1,V(1)), E(1,K))
    10 CONTINUE
       CALL DERCRO(E(1,2), E(1,3), C)
       VOLUME = DERDOT(E(1,1), C) / 6.0D0
+      CALL DERSHR(E, UNIT)
       CALL DERCEN(E(1,1), E(1,2), E(1,3), C)
       DO 20 K = 1, 3
-         MIDDLE(K) = P(K,V(1)) + C(K)
+         MIDDLE(K) = P(K,V(1)) + C(K)*UNIT
    20 CONTINUE
-      RADIUS = SQRT(DERDOT(C, C))
+      RADIUS = SQRT(DERDOT(C, C))*UNIT
       END
 
 C     ---- the Voronoi diagram ----
@@ -335,8 +349,8 @@ C     Cost: each edge's ring once.
      1                OUTER)
       INTEGER N, TET(4,*), ADJ(4,*), NEDGE, EDGE(2,*), AT(*), OUTER(*)
       DOUBLE PRECISION P(3,*), AREA(*), CELL(*)
-      DOUBLE PRECISION U(3), V(3), W(3), C(3), F(3), G(3), X(3)
-      DOUBLE PRECISION LENGTH, DERDOT
+      DOUBLE PRECISION U(3,3), C(3), F(3), G(3), X(3), LENGTH, UNIT
+      DOUBLE PRECISION DERDOT
       INTEGER M, A, B, T, E, I, J, K, L, H, SIDE, OUT
       DO 10 M = 1, N
          CELL(M) = 0.0D0
@@ -345,8 +359,8 @@ C     Cost: each edge's ring once.
       DO 90 M = 1, NEDGE
          A = EDGE(1,M)
          B = EDGE(2,M)
-         CALL DERMIN(P(1,B), P(1,A), U)
-         LENGTH = SQRT(DERDOT(U, U))
+         CALL DERMIN(P(1,B), P(1,A), X)
+         LENGTH = SQRT(DERDOT(X, X))
          AREA(M) = 0.0D0
          DO 70 SIDE = 1, 2
             T = AT(M)
@@ -375,18 +389,21 @@ C           The edge from A to B, or from B to A.
                END IF
    50       CONTINUE
    60       CONTINUE
-            CALL DERMIN(P(1,TET(K,T)), P(1,A), V)
-            CALL DERMIN(P(1,TET(L,T)), P(1,A), W)
-            CALL DERCIR(U, V, F)
-            CALL DERCIR(U, W, G)
-            CALL DERCEN(U, V, W, C)
+            CALL DERMIN(P(1,B), P(1,A), U(1,1))
+            CALL DERMIN(P(1,TET(K,T)), P(1,A), U(1,2))
+            CALL DERMIN(P(1,TET(L,T)), P(1,A), U(1,3))
+            CALL DERSHR(U, UNIT)
+            CALL DERCIR(U(1,1), U(1,2), F)
+            CALL DERCIR(U(1,1), U(1,3), G)
+            CALL DERCEN(U(1,1), U(1,2), U(1,3), C)
             DO 65 K = 1, 3
                F(K) = F(K) - G(K)
-               C(K) = C(K) - U(K) / 2.0D0
+               C(K) = C(K) - U(K,1) / 2.0D0
    65       CONTINUE
 C           From a quadrangle's diagonals.
             CALL DERCRO(F, C, X)
-            AREA(M) = AREA(M) + DERDOT(X, U) / (2.0D0*LENGTH)
+            AREA(M) = AREA(M) +
+     1         DERDOT(X, U(1,1)) / (2.0D0*LENGTH/UNIT)*UNIT*UNIT
             CALL DERTUR(TET, ADJ, A, B, T, OUT)
             IF (T .NE. AT(M)) GO TO 40
             GO TO 80

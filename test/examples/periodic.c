@@ -43,18 +43,21 @@ static int copies(tess_int n, const tess_real *p, const double *box,
                   tess_int *who, tess_int *copy, tess_int *mine)
 {
     const int narrow = sizeof *x < sizeof(double);
+    const double most = (narrow ? (double)FLT_MAX : DBL_MAX) / 64.0;
+    const double least = narrow ? (double)FLT_MIN : DBL_MIN;
     double size = 0.0, unit, r[3], side[3];
     tess_int i;
     int first[3], last[3], a[3], k;
 
+    for (k = 0; k < 6; k++)
+        if (!(fabs(box[k]) < most)) return TESS_RANGE;
     for (k = 0; k < 3; k++) {
         unit = fabs(box[2 * k]) + (REACH + 1) * (box[2 * k + 1] - box[2 * k]);
         if (unit > size) size = unit;
     }
-    if (!(size <= (narrow ? (double)FLT_MAX : DBL_MAX))) return TESS_RANGE;
     frexp(size, &k);
     unit = ldexp(1.0, k - (narrow ? FLT_MANT_DIG : DBL_MANT_DIG));
-    if (!(unit >= (narrow ? (double)FLT_MIN : DBL_MIN))) return TESS_RANGE;
+    if (!(unit >= least)) return TESS_RANGE;
     for (k = 0; k < 3; k++)
         side[k] = rounded(box[2 * k + 1] - box[2 * k], unit);
     for (*ncop = i = 0; i < n; i++) {

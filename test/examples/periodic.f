@@ -31,14 +31,16 @@ C     copies need no rounding.
       INTEGER I, K, FIRST(3), LAST(3), A, B, C, REACH
       DOUBLE PRECISION LEAST, MOST
       PARAMETER (REACH = 7, LEAST = 2.0D0**(-970))
-      PARAMETER (MOST = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
+      PARAMETER (MOST = 2.0D0**1018)
+      INFO = 6
       SIZE = 0.0D0
       DO 10 K = 1, 3
+         IF (.NOT. (ABS(BOX(1,K)) .LT. MOST .AND.
+     1       ABS(BOX(2,K)) .LT. MOST)) RETURN
          SIZE = MAX(SIZE,
      1              ABS(BOX(1,K)) + (REACH + 1)*(BOX(2,K) - BOX(1,K)))
    10 CONTINUE
-      INFO = 6
-      IF (.NOT. (SIZE .GE. LEAST .AND. SIZE .LE. MOST)) RETURN
+      IF (.NOT. (SIZE .GE. LEAST)) RETURN
 C     2**(K-1) <= SIZE < 2**K: the logarithm may be wrong by one.
       K = INT(LOG(SIZE) / LOG(2.0D0) + 1075.0D0) - 1074
       IF (2.0D0**K .LE. SIZE) K = K + 1

@@ -9,6 +9,7 @@
  * keep the order.
  */
 #include "draw.h"
+#include "driver.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -522,8 +523,8 @@ static void choose_bands(drawing *d, double low, double high)
 #define TOP 25.0
 #define BOTTOM 60.0
 #define BAR 110.0
-#define TITLE 40.0
-#define NOTE 25.0
+#define ABOVE 40.0
+#define BELOW 25.0
 #define ALONE 8.0 /* where there are none */
 #define HIGHEST 640.0
 #define LOWEST 300
@@ -536,8 +537,8 @@ static void choose_place(drawing *d, double width, double height)
 
     margin[0] = look->bare ? ALONE : LEFT;
     margin[1] = look->bare ? ALONE : RIGHT + (d->plain ? 0.0 : BAR);
-    margin[2] = look->bare ? ALONE : TOP + (look->title ? TITLE : 0.0);
-    margin[3] = look->bare ? ALONE : BOTTOM + NOTE;
+    margin[2] = look->bare ? ALONE : TOP + (look->title ? ABOVE : 0.0);
+    margin[3] = look->bare ? ALONE : BOTTOM + BELOW;
     room[0] = 10.0 * (look->width - margin[0] - margin[1]);
     room[1] = 10.0 * (HIGHEST - margin[2] - margin[3]);
     if (height * room[0] < width * room[1]) room[1] = height * room[0] / width;
@@ -552,27 +553,6 @@ static void choose_place(drawing *d, double width, double height)
     d->shift[1] = 10.0 * margin[2] + (room[1] - d->unit * height) / 2.0;
 }
 
-/* put_text - as XML: UTF-8, and for what is not one of its characters that of
- * Latin-1. */
-static void put_text(FILE *file, const char *text)
-{
-    const unsigned char *c = (const unsigned char *)text;
-    int more, k;
-
-    for (; *c; c++) {
-        more = *c < 0xc2 || *c > 0xf4 ? 0 : *c < 0xe0 ? 1 : *c < 0xf0 ? 2 : 3;
-        for (k = 1; k <= more && (c[k] & 0xc0) == 0x80; k++) continue;
-        if (more > 0 && k > more)
-            for (k = 0; k < more; k++) putc(*c++, file);
-        else if (*c >= 0x80)
-            more = -1;
-        if (more < 0 || strchr("<>&\"", *c))
-            fprintf(file, "&#%d;", *c);
-        else
-            putc(*c < ' ' ? ' ' : *c, file);
-    }
-}
-
 /* write_at - a text, of that size, in tenths of pixels; anchor: start, middle,
  * end. */
 static void write_at(const drawing *d, double x, double y, int size,
@@ -582,9 +562,7 @@ static void write_at(const drawing *d, double x, double y, int size,
             size);
     if (strcmp(anchor, "start") != 0)
         fprintf(d->file, " text-anchor=\"%s\"", anchor);
-    fprintf(d->file, ">");
-    put_text(d->file, text);
-    fprintf(d->file, "</text>\n");
+    fprintf(d->file, ">%s</text>\n", xml_text(text));
 }
 
 /* put_number - a multiple of step, with the digits that tells it. */

@@ -88,6 +88,29 @@ void say(const char *format, ...)
     va_end(list);
 }
 
+void progress(const char *what, double done, double total)
+{
+    static const char *last;
+    static time_t since;
+    static double wait;
+    time_t now = time((time_t *)0);
+    double past;
+
+    if (what != last) {
+        since = now;
+        wait = 2.0;
+    }
+    last = done == total ? (const char *)0 : what;
+    past = difftime(now, since);
+    if (past < wait || done == total) return;
+    wait = 1.3 * past;
+    if (total > 0.0)
+        warn("%s: %.0f %%, about %.0f s more", what, 100.0 * done / total,
+             past * (total / done - 1.0));
+    else
+        warn("%s: %.0f MB", what, done / 1e6);
+}
+
 void *more_space(void *a, double many, size_t size)
 {
     a = many < (double)((size_t)-1 / 2 / size)
@@ -414,12 +437,17 @@ int main(int argc, char **argv)
     in.nodata = chosen.nodata;
     in.voids = chosen.voids;
     in.by = chosen.by;
-    read_points(chosen.input, &in);
-    check_box(&in);
     places.cols = chosen.qcols;
     places.skip = chosen.skip;
     places.bare = 1;
-    read_places(&in, &places);
+    read_places(&places);
+    if (chosen.scaled == 2 && !chosen.plane)
+        fail("-scale needs three numbers above 0; two are of points in a "
+             "plane");
+    in.axes = chosen.plane ? 2 : chosen.validate && !chosen.values ? 0 : 3;
+    read_points(chosen.input, &in);
+    check_box(&in);
+    check_points(&in);
     made.in = &in;
     stretch();
     say("tetrahedralizing %ld points, about %.1f s if they fill a volume ...",

@@ -4,7 +4,7 @@
  *   driver.c    the arrays, the mesh, messages     write.c   files
  *   shapes.c    alpha shapes, cells                draw.c    pictures
  *   values.c    interpolation                      places.c  where, into files
- *   validate.c  its errors
+ *   validate.c  its errors                         plane.c   in a plane
  */
 #ifndef DRIVER_H
 #define DRIVER_H
@@ -34,6 +34,7 @@ typedef struct points {
     char axis[3][TITLE];       /* of the coordinates */
     int marker;               /* 1: the last value is a .node file's marker */
     tess_int base;            /* number of the first point in files */
+    int axes; /* coordinates, 3, or 2 in a plane; 0: what the file has */
     const char *cols; /* columns asked for, x, y, z first; 0: by the file */
     int skip;         /* drop rows from which numbers are missing */
     int decimal;      /* ',' where numbers have decimal commas */
@@ -43,6 +44,8 @@ typedef struct points {
     int aperiodic;    /* does it say that the box does not, along all axes? */
     double box[6];    /* that box: x from, to; y; z */
     int bare;         /* places, of which values do not matter: -qcols */
+    double all;       /* so many; n of them at a time, by next_places, */
+    FILE *scratch;    /* from a file of their own; or 0, and n are all */
     const char *by;   /* column that tells groups apart; 0: none */
     tess_int *group;  /* of each point, from 0 on; 0: none */
 } points;
@@ -54,6 +57,10 @@ enum { NO_LATTICE, RIGHT, SKEW };
  * it cannot.  name: 0 or "-" for standard input. */
 void read_points(const char *name, points *a);
 
+/* next_places - the next ones of bare points that have been read, or the first
+ * ones, into a->p, a->n. */
+void next_places(points *a, int first);
+
 /* ---- what is made ---- */
 
 /* mesh - the tetrahedralization.  It is of points that -scale stretches; all
@@ -64,7 +71,8 @@ typedef struct mesh {
     const tess_real *p; /* in->p, times scale */
     tess_int ntet, *tet, *adj;
     tess_int maxtet;    /* tetrahedra that there is room for: tetrahedralize */
-    const char *keep;   /* by -alpha: 0 for a tetrahedron that is left out; */
+    int flat;           /* are p coordinates in a plane, by plane.c? */
+    char *keep;         /* by -alpha: 0 for a tetrahedron that is left out; */
     tess_int kept;      /* 1 for so many; or 0, and ntet: all are in */
     tess_int liw, *iw;  /* its workspace; in iw which point stands for each, */
     tess_int lrw;       /* until keep_values and -check have used it */
@@ -98,7 +106,7 @@ typedef struct form {
 } form;
 
 extern const form values_forms[], errors_forms[], cells_forms[],
-    volumes_forms[], svg_forms[];
+    volumes_forms[], svg_forms[], face_forms[];
 
 /* next_output - the file behind o, or the first one if o = 0, in one of these
  * forms; in any if all = 0.  0 if there is none. */
@@ -112,7 +120,8 @@ typedef struct choices {
     int decimal; /* ',' or '.'; 0: not given */
     int voids;   /* numbers of nodata */
     double nodata[VOIDS];
-    int scaled, boxed; /* are these given? */
+    int plane;         /* have the points two coordinates? */
+    int scaled, boxed; /* are these given?  (scaled: numbers of it) */
     int values, cells; /* -values; -cells or -volumes */
     int to_stdout;     /* is a file written to standard output? */
     double scale[3], box[6];
@@ -164,6 +173,11 @@ void tell(const char *format, ...);
  * or the program has run for a second or two. */
 void say(const char *format, ...);
 
+/* progress - say on stderr how far is what takes longer than two seconds, later
+ * ever more seldom.  total: 0 if not known, done then are bytes.  done = total:
+ * it has ended. */
+void progress(const char *what, double done, double total);
+
 /* ---- files ---- */
 
 /* ends_in - does the name, in small or capital letters? */
@@ -184,8 +198,10 @@ void finish(FILE *file, output *o);
 /* check_written - leave if something could not be written. */
 void check_written(FILE *file, const output *o);
 
-/* put_real - x, which was a float if narrow, with as few digits as give it
- * back; then the character after. */
+/* real_text - x, which was a float if narrow, with as few digits as give it
+ * back.  put_real: and the character after. */
+#define REAL 32
+void real_text(char *text, double x, int narrow);
 void put_real(FILE *file, double x, int narrow, char after);
 
 /* put_point - the coordinates of a point. */
@@ -203,6 +219,17 @@ void put_double(FILE *file, double x);
 void put_int(FILE *file, double i);
 void put_scalars(FILE *file, const char *name);
 
+/* start_vtu - as start_vtk: a .vtu file of so many points, with in's columns of
+ * values, and cells, with so many sizes each; what follows are the blocks, each
+ * behind put_long of its bytes: points (whose put_long is done), corners,
+ * put_types, values, sizes, end_vtu.
+ * put_long - a number of eight bytes, the most significant one first. */
+FILE *start_vtu(output *o, double n, double cells, int corners,
+                const points *in, int sizes);
+void put_long(FILE *file, double i);
+void put_types(FILE *file, double cells, int corners, int type);
+void end_vtu(FILE *file);
+
 /* vtk_name - of a column of values, none twice; until the next one. */
 const char *vtk_name(const points *in, int column);
 
@@ -214,9 +241,10 @@ void put_title(FILE *file, const char *name);
 /* check_values - leave if the options of values do not fit together. */
 void check_values(void);
 
-/* read_places - what is wanted of the points, and the places of -query, into
- * *places; leaves when that cannot be. */
-void read_places(const points *in, points *places);
+/* read_places - the places of -query, into *places; leaves when that cannot
+ * be.  check_points - leave if what is wanted of the points cannot be. */
+void read_places(points *places);
+void check_points(const points *in);
 
 /* keep_values - what of the new mesh is needed later on, when iw and rw are
  * gone. */
@@ -227,7 +255,42 @@ void write_values(const mesh *m);
 /* validate_values - print the table of -validate; the mesh is lost. */
 void validate_values(mesh *m);
 
+/* ---- points in a plane ---- */
+
+/* find_plane - do all points lie in one plane, but for rounding, and not on one
+ * line?  Then it is that of the next three. */
+int find_plane(const mesh *m);
+
+/* to_plane - the coordinates in the plane, and 0, of a place's foot there. */
+void to_plane(const tess_real *x, tess_real *foot);
+
+/* lay_flat - *m becomes the mesh of n points in the plane and of two points off
+ * it, for which p has room; these have the numbers n and n + 1.  Returns as
+ * tetrahedralize. */
+int lay_flat(mesh *m, tess_int n, tess_real *p, int telling);
+
+/* natural_flat - Sibson's weights in the plane.
+ *
+ *   p, tet, adj  (in)   that mesh
+ *   q, t         (in)   a place, and a tetrahedron that holds it
+ *   most         (in)   neighbours that there is room for
+ *   nn, nbr      (out)  their number, most at most, and which points they are;
+ *                       0 where rounding leaves no digits, as on a side of the
+ *                       hull: the linear weights then are theirs
+ *   weight       (out)  most + 1: their weights
+ *   iw, rw       (out)  3*most integers, 3*most doubles
+ *
+ * returns 0, or TESS_POOL where most is too small. */
+int natural_flat(const tess_real *p, const tess_int *tet, const tess_int *adj,
+                 const tess_real *q, tess_int t, tess_int most, tess_int *nn,
+                 tess_int *nbr, double *weight, tess_int *iw, double *rw);
+
 /* ---- files of points and tetrahedra (write.c) ---- */
+
+/* xml_text - a text of less than TEXT bytes as XML takes it, until the next one:
+ * UTF-8, or if it is not that Latin-1. */
+#define TEXT 600
+const char *xml_text(const char *text);
 
 /* begin_look - what the options say of all pictures. */
 struct draw_look;
@@ -236,9 +299,14 @@ void begin_look(const points *in, struct draw_look *look);
 /* write_... - a file of that format. */
 void write_node(const mesh *m, output *o);
 void write_ele(const mesh *m, output *o);
-void write_neigh(const mesh *m, output *o);
 void write_face(const mesh *m, output *o);
+void write_obj(const mesh *m, output *o);
+void write_off(const mesh *m, output *o);
+void write_ply(const mesh *m, output *o);
+void write_stl(const mesh *m, output *o);
+void write_msh(const mesh *m, output *o);
 void write_vtk(const mesh *m, output *o);
+void write_vtu(const mesh *m, output *o);
 void write_svg(const mesh *m, output *o);
 
 /* ---- shapes ---- */

@@ -280,7 +280,7 @@ refuses words.csv 'column 6, note, is not a number: a' < ocean.csv
 OPTIONS="-cols 2,3,lat"
 refuses twice.csv 'column lat twice' < ocean.csv
 OPTIONS="-cols 2,3"
-refuses two.csv '-cols needs three columns' < ocean.csv
+refuses two.csv '-cols needs three columns: points in a plane' < ocean.csv
 OPTIONS="-cols 2,3,4"
 refuses cols.node '-cols is for lines of numbers, not for .node' < none
 OPTIONS=
@@ -365,7 +365,7 @@ yes "a coordinate that is such a number is kept, and said" \
     grep '1 coordinate is a number of -nodata.*not dropped' words > /dev/null
 OPTIONS="-nodata 0,10,20,30,40"
 refuses all.csv 'no points: -nodata drops all 5 rows' < plain.csv
-for value in x '1,' nan 1,nan; do
+for value in x "1," nan 1,nan; do
     OPTIONS="-nodata $value"
     refuses value.csv '-nodata needs a number' < plain.csv
 done
@@ -604,6 +604,73 @@ sed '5p; 5s/ 0.000/ 9.000/; 5s/10.00/99.99/' 1abc.pdb |
     reads one 2abc.pdb '1 row dropped .* the first in line 6'
 OPTIONS=
 
+# ---- binary PLY, STL, .npy, by NumPy and meshio ----
+
+cat > packed.py << END
+import os, struct, subprocess, sys
+import meshio
+import numpy as np
+random = np.random.default_rng(1)
+p = random.random((50, 5)) * (1, 2, 3, 100, -7)
+def tess(name, *options):
+    done = subprocess.run([sys.argv[1], '-q', '-node', 'p.node', *options,
+                           name], stderr=subprocess.PIPE, text=True)
+    if done.returncode: return done.stderr
+    return np.array([l.split()[1:] for l in open('p.node')][1:], float)
+def same(a, b): return a.shape == b.shape and (a == b).all()
+for kind in ('<f8 >f8 <f4 >f4 i1 u1 <i2 >i2 <u2 >u2 <i4 >i4 <u4 >u4 <i8 >i8'
+             ' <u8 >u8').split():
+    a = p.astype(kind) if 'f' in kind else random.integers(
+        -99 * ('i' in kind), 99, p.shape).astype(kind)
+    np.save('p.npy', a)
+    assert same(tess('p.npy'), a.astype(float)), kind
+with open('p.npy', 'wb') as f: np.lib.format.write_array(f, p, (2, 0))
+assert same(tess('p.npy', '-cols', '3,1,2,5'), p[:, [2, 0, 1, 4]])
+p[3:5, 3] = np.nan
+np.save('p.npy', p)
+assert same(tess('p.npy', '-skip'), np.delete(p, (3, 4), 0))
+p = p[:, :3]
+for bad in (np.asfortranarray(p), p[:, 0], p.reshape(5, 10, 3), p + 1j,
+            p.astype('f2'), p != 0):
+    np.save('p.npy', bad)
+    assert 'p.npy: not a .npy file' in tess('p.npy')
+np.save('p.npy', p)
+for size, why in (1000, 'ends after 36 of 50'), (40, 'not a'), (7, 'not a'):
+    os.truncate('p.npy', size)
+    assert why in tess('p.npy'), size
+m = meshio.Mesh(p, [('triangle', random.integers(
+    0, 50, (9, 3), 'i4'))])
+corners = p[m.cells[0].data].reshape(-1, 3).astype('f4').astype(float)
+meshio.write('p.stl', m, binary=True)
+assert same(tess('p.stl'), corners)
+meshio.write('p.ply', m, binary=True)
+assert same(tess('p.ply'), p)
+for order, of in ('<', 'little'), ('>', 'big'):
+    names = 'x y z red k'.split()
+    kinds = 'f8 f4 i2 u1 u4'.split()
+    types = 'double float32 short uchar uint32'.split()
+    a = np.zeros(50, [(n, order + k) for n, k in zip(names, kinds)])
+    for k in range(5):
+        a[names[k]] = random.integers(0, 2 ** 8, 50) - 99 * (k < 3)
+    a['x'] += .1; a['k'] += 2 ** 32 - 300
+    head = 'ply\nformat binary_%s_endian 1.0\nelement vertex 50\n' % of
+    for both in zip(types, names): head += 'property %s %s\n' % both
+    with open('p.ply', 'wb') as f:
+        f.write((head + 'element face 1\nproperty list uchar int vertex_index\n'
+                 'end_header\n').encode() + a.tobytes() + b'\3\n\n\n')
+    assert same(tess('p.ply'), np.array(a.tolist()))
+    with open('p.stl', 'wb') as f:
+        f.write(b'solid'.ljust(80) + struct.pack(order + 'I', 9))
+        for t in corners.reshape(9, 9):
+            f.write(struct.pack(order + '12fH', 0, 0, 0, *t, 7))
+    assert same(tess('p.stl'), corners)
+END
+if $PYTHON -c 'import meshio, numpy' 2> words; then
+    yes "binary PLY, STL, .npy" $PYTHON packed.py $TESS
+else
+    skip "binary PLY, STL, .npy: no meshio, numpy for $PYTHON"
+fi
+
 # ---- what is no file of points ----
 
 printf '' | refuses empty.txt empty
@@ -629,7 +696,11 @@ OPTIONS="-cols y,x,z"
 printf 'x,y,z\n,2,3\n' | refuses cols.csv "line 2: column 1 $empty"
 OPTIONS=
 printf '9\n1 2 3\n4 5 6\n' | refuses few.txt 'ends after 2 of 9'
-printf 'ply\nformat binary_little_endian 1.0\n' | refuses binary.ply binary
+big='format binary_big_endian 1.0\nelement vertex 9\nproperty'
+for ply in 'format binary 1.0/2: not a format of PLY' "$big half x/4: not a" \
+    "$big i1 x/4: not a prop" "$big list int int x/4: not a prop"; do
+    printf "ply\n${ply%/*}\n" | refuses binary.ply "line ${ply#*/}"
+done
 printf '2024-11 1 2 3\n2024-12 4 5\n' | refuses dates.txt 'line 2: 3 columns'
 printf '1 2 nan\n' | refuses nan.txt 'line 1: point 0 .*not finite'
 printf '1 2 3\n4 5 1D400\n' | refuses huge.txt 'line 2: point 1 .*not finite'
@@ -638,10 +709,10 @@ gzip < none.node | refuses none.xyz.gz 'compressed by gzip'
 gzip < none.node | refuses none.node 'compressed by gzip'
 cp none none.node
 printf 'PK\003\004...' | refuses table.xlsx 'a zip archive'
-(printf '%-80s\002\000\000\000' solid; printf '%100s' '') |
-    refuses part.stl 'binary STL'
-(printf '%-80s\002\000\000\000' part; printf '%100s' '') |
-    refuses part.STL 'binary STL; save it as ASCII'
+(printf '%-80s\002\000\000\000' solid; printf '%90s' '') |
+    refuses part.stl 'ends after 5 of 6 points'
+printf 'few\000' | refuses few.STL 'no points'
+printf 'few\000' | refuses few.dat 'binary STL is known by a name that ends'
 printf '0\000' | refuses zero.dat 'is not text'
 $TESS -node none.node none.node > said 2> words
 yes "the input is not overwritten" test $? -eq 2
@@ -673,8 +744,8 @@ yes "--help is -h" test $? -eq 0
 yes "-h names the options" sh -c 'for o in -cols -skip -nodata -decimal -scale \
     -box -periodic -cells -volumes -alpha -clip -by -errors -q; do
     grep -e "^  $o " help || exit 1; done' > /dev/null
-yes "--version: the library's" test "`$TESS --version`" = "tess `sed -n \
-    's/^#define TESS_VERSION \([0-9]*\)0\([0-9]\)00L/\1.\2/p' "$TOP"/tess.h`"
+yes "--version: the library's" test "$($TESS --version)" = "tess $(sed -n \
+    's/^#define TESS_VERSION \([0-9]*\)0\([0-9]\)00L/\1.\2/p' "$TOP"/tess.h)"
 $TESS -none > said 2> words
 yes "an unknown option" test $? -eq 2
 $TESS -box > said 2> words
@@ -725,15 +796,15 @@ yes "-svg of points in a plane: why" grep 'the points lie in one plane' words \
     > /dev/null
 
 # names' endings; several files of one option; standard output
-for wrong in '-vtk h.vtu' '-vtk h.msh' '-face h.ply' '-node h.txt' '-ele h.node' \
+for wrong in '-vtk h.vtu' '-mesh h.obj' '-face h.msh' '-node h.txt' '-ele h.node' \
     '-neigh h.ele' '-cells h.csv' '-volumes h.vtk' '-svg h.png'; do
-    $TESS $wrong cube.node > said 2> words
-    yes "$wrong: refused" test $? -eq 2 -a ! -s said -a ! -f ${wrong#* }
+    $TESS "${wrong% *}" "${wrong#* }" cube.node > said 2> words
+    yes "$wrong: refused" test $? -eq 2 -a ! -s said -a ! -f "${wrong#* }"
     yes "$wrong: which are known" grep -e "${wrong%.*}.*the name must end in \." \
         words > /dev/null
 done
-yes "-face: both of them" sh -c "$TESS -face h.ply 2>&1 |
-    grep 'must end in .face or .obj'" > /dev/null
+yes "-mesh: all of them" sh -c "$TESS -mesh h.ply 2>&1 | grep \
+    'must end in .vtk, .vtu, .msh, .node, .ele or .neigh$'" > /dev/null
 $TESS -q -vtk one.vtk -face one.obj -vtk two.VTK -face two.face cube.node
 yes "an option twice: both are written" sh -c 'cmp one.vtk two.VTK &&
     cmp one.obj cube.obj && cmp two.face cube.face'
@@ -741,8 +812,8 @@ $TESS -q -ele cube.ele -neigh cube.neigh -svg cube.svg -cells ccube.vtk \
     -volumes cube.csv cube.node
 for f in c.node cube.ele cube.neigh cube.face one.vtk cube.svg; do
     option=-${f#*.}
-    $TESS $option - -check cube.node > said 2> words
-    yes "$option -: standard output has that alone" cmp said $f
+    $TESS "$option" - -check cube.node > said 2> words
+    yes "$option -: standard output has that alone" cmp said "$f"
     yes "$option -: all else is on standard error" grep -w proven words > /dev/null
 done
 $TESS -cells - cube.node 2> words | cmp ccube.vtk -
@@ -762,53 +833,97 @@ for link in link hanging; do
     yes "a $link as output" test $? -eq 2 -a -h $link.node -a ! -f nothing
     yes "a $link as output: why" grep 'is a symbolic link' words > /dev/null
 done
-yes "a link as output: its file" test "`cat target.node`" = kept
+yes "a link as output: its file" test "$(cat target.node)" = kept
 for name in "`pwd`/cube.node" ../driver/cube.node; do
     $TESS -node "$name" cube.node > said 2> words
     yes "the input by another name" grep 'overwrite the input' words > /dev/null
 done
 
-# VTK files, read by others: points, tetrahedra, values, NaN among them, names
+# files for others, read by them: points, cells, values, NaN among them, names
 cat > read.py << END
-import sys
-def numbers(name):
-    return [[float(x) for x in l.split()][1:] for l in open(name)
-            if l[0] != '#'][1:]
-if sys.argv[1] == 'meshio':
-    import meshio
-    def read(name):
-        m = meshio.read(name)
-        return (m.points, m.cells[0].data, [v.ravel() for v in
-                m.point_data.values()], list(m.point_data))
-else:
-    import vtk
+import importlib, sys
+import numpy as np
+reader = sys.argv[1]
+tool = importlib.import_module(reader)
+if reader == 'vtk':
     from vtk.util.numpy_support import vtk_to_numpy as array
-    def read(name):
-        r = vtk.vtkUnstructuredGridReader()
-        r.SetFileName(name)
-        r.ReadAllScalarsOn()
-        r.Update()
-        m = r.GetOutput()
-        d = m.GetPointData()
-        all = range(d.GetNumberOfArrays())
-        return (array(m.GetPoints().GetData()),
-                array(m.GetCells().GetConnectivityArray()).reshape(-1, 4),
-                [array(d.GetArray(i)) for i in all],
-                [d.GetArrayName(i) for i in all])
-node = numbers('v.node')
-ele = numbers('v.ele')
-base = min(min(e) for e in ele)
-p, t, v, names = read('v.vtk')
-assert [list(a) for a in p] == [r[:3] for r in node]
-assert [list(a) for a in t] == [[int(x - base) for x in r] for r in ele]
-# (a NaN equals none, but as a text)
-v = [[float(x) for x in a] for a in zip(*v)]
-assert str(v) == str([r[3:] for r in node]) and 'nan' in str(v), v
-assert names == ['value', 'value2', 'marker'], names
-if sys.argv[1] == 'vtk':
-    v, names = read('names.vtk')[2:]
-    assert names == ['T (%)', '50%20 a', 'T (%)_3'], names
-    assert [list(a) for a in v] == [[0, 3, 6, 9], [1, 4, 7, 10], [2, 5, 8, 11]]
+def rows(name):
+    lines = [l.split()[1:] for l in open(name) if l[0] != '#']
+    return np.array(lines[1:], float)
+def by_meshio(name):
+    m = tool.read(name)
+    sizes = {k: v[0] for k, v in m.cell_data.items() if k in size}
+    values = {k: v.ravel() for k, v in m.point_data.items() if ':' not in k}
+    return m.points, m.cells[0].data, values, sizes
+def by_vtk(name):
+    r = {'vtk': tool.vtkUnstructuredGridReader, 'obj': tool.vtkOBJReader,
+         'vtu': tool.vtkXMLUnstructuredGridReader, 'ply': tool.vtkPLYReader,
+         'stl': tool.vtkSTLReader}[name[-3:]]()
+    r.SetFileName(name)
+    if name.endswith('.vtk'): r.ReadAllScalarsOn()
+    r.Update()
+    m = r.GetOutput()
+    flat = m.IsA('vtkPolyData')
+    assert flat or set(array(m.GetCellTypesArray())) <= {5, 10}
+    c = m.GetPolys() if flat else m.GetCells()
+    columns = [{d.GetArrayName(i): array(d.GetArray(i))
+                for i in range(d.GetNumberOfArrays())}
+               for d in (m.GetPointData(), m.GetCellData())]
+    return (array(m.GetPoints().GetData()), array(c.GetConnectivityArray())
+            .reshape(m.GetNumberOfCells(), -1), *columns)
+def by_gmsh(name):
+    tool.initialize()
+    tool.option.setNumber('General.Terminal', 0)
+    tool.open(name)
+    tags, x, _ = tool.model.mesh.getNodes()
+    kinds, _, c = tool.model.mesh.getElements()
+    assert list(tags) == list(range(1, len(tags) + 1)) and list(kinds) == [4]
+    values = {}
+    for view in tool.view.getTags():
+        name = tool.option.getString('View[%d].Name' % len(values))
+        kind, at, v = tool.view.getModelData(view, 0)[:3]
+        assert kind == 'NodeData' and list(at) == list(tags)
+        values[name] = np.ravel(v)
+    tool.finalize()
+    return x.reshape(-1, 3), c[0].reshape(-1, 4) - 1, values, {}
+read = globals()['by_' + reader]
+def same(a, b):
+    a, b = np.asarray(a), np.asarray(b)
+    # (these readers round)
+    if float32: a, b = a.astype('f4'), b.astype('f4')
+    return a.shape == b.shape and ((a == b) | (a != a) & (b != b)).all()
+node, ele, face = (rows('v.' + kind) for kind in ('node', 'ele', 'face'))
+first = int(ele.min())
+titles = ['value', 'value2', 'marker']
+size = {}
+float32 = False
+for name in sys.argv[2].split():
+    p, c, v, sizes = read(name)
+    if name[0] == 'v':
+        assert same(p, node[:, :3]) and same(c, ele - first), name
+        corners = node[ele.astype(int) - first]
+        size = size or sizes
+        assert list(sizes) == list(size) or reader == 'gmsh' or '.msh' in name
+        assert all(same(sizes[k], size[k]) for k in sizes), name
+    else:
+        float32 = reader == 'vtk' and name[-3:] in ('ply', 'stl', 'obj')
+        corners = node[face.astype(int) - first]
+        assert same(np.asarray(p)[c], corners[:, :, :3]), name
+        assert len(p) == len(np.unique(face))
+    if name[-3:] not in ('obj', 'off', 'stl') and (name[-3:], reader) != (
+            'ply', 'vtk'):
+        assert list(v) == titles, (name, list(v))
+        for k, t in enumerate(titles):
+            assert same(np.asarray(v[t])[c], corners[:, :, 3 + k]), (name, t)
+            assert '.' not in name or np.isnan(v['value']).any()
+for name, titles in (('n.vtk', ['T (%)', '50%20 a', 'T (%)_3']),
+                     ('n.vtu', ['T (%)', '50%20 a', 'T (%)_3']),
+                     ('n.msh', ['T (%)', '50%20 a', 'T (%)_3'])):
+    if name not in sys.argv[3].split(): continue
+    v = read(name)[2]
+    assert list(v) == titles, (name, list(v))
+    assert [list(v[t]) for t in titles] == [[0, 3, 6, 9], [1, 4, 7, 10],
+                                            [2, 5, 8, 11]]
 END
 awk 'BEGIN { srand(1); print 60, 3, 2, 1
     for (i = 1; i <= 60; i++)
@@ -816,17 +931,33 @@ awk 'BEGIN { srand(1); print 60, 3, 2, 1
             i % 9 ? rand() - 0.5 : "nan", i, -i }' > v0.node
 printf 'x,y,z,T (%%),50%%20 a,T (%%)\n0,0,0,0,1,2\n1,0,0,3,4,5\n0,1,0,6,7,8
 0,0,1,9,10,11\n' > names.csv
-$TESS -q -node v.node -ele v.ele -vtk v.vtk v0.node
-$TESS -q -vtk names.vtk names.csv
+$TESS -q -node v.node -ele v.ele -face v.face v0.node
+meshes='v.vtk v.vtu v.msh'
+for f in $meshes f.vtk f.vtu f.obj f.off f.ply f.stl; do
+    case $f in v*) option=-mesh;; *) option=-face;; esac
+    $TESS -q $option $f v0.node
+done
+for end in vtk vtu msh; do $TESS -q -mesh n.$end names.csv; done
 yes "a .node file written is read again as it was" sh -c \
     "$TESS -q -node v2.node v.node && cmp v.node v2.node"
-for reader in meshio vtk; do
-    if $PYTHON -c "import $reader" 2> words; then
-        yes "VTK, read by $reader" $PYTHON read.py $reader
+# by_others READER FILES FILES-WITH-NAMES
+by_others() {
+    if $PYTHON -c "import numpy, $1" > said 2>&1; then
+        yes "$2, read by $1" $PYTHON read.py "$1" "$2" "$3" > said
     else
-        skip "VTK files: no $reader for $PYTHON"
+        skip "$2: no $1 for $PYTHON"
     fi
-done
+}
+by_others meshio "$meshes f.vtk f.vtu f.obj f.off f.ply f.stl" 'n.vtu n.msh'
+by_others vtk 'v.vtk v.vtu f.vtk f.vtu f.obj f.ply f.stl' 'n.vtk n.vtu'
+by_others gmsh v.msh n.msh
+printf 'x,y,z,T (\260C)\n0,0,0,1\n' > latin.csv
+$TESS -q -mesh latin.msh -mesh latin.vtu latin.csv
+yes "a name that is not UTF-8" test "`cat latin.msh latin.vtu |
+    grep -c 'T (?C)'`" -eq 2
+$TESS -q -mesh m.node -mesh m.ele -mesh m.neigh -neigh v.neigh v0.node
+yes "-mesh: TetGen's" sh -c \
+    'for e in node ele neigh; do cmp m.$e v.$e || exit; done'
 
 # ---- pictures ----
 
@@ -914,7 +1045,7 @@ $TESS wide > said 2> words
 yes "no warning for a plane" test ! -s words
 for scale in 1,1 1,1,0 1,1,x 1,1,nan 1,1,1,1 1,1,inf; do
     OPTIONS="-scale $scale"
-    refuses scaled.txt '-scale needs three numbers, none of them 0' < even.node
+    refuses scaled.txt '-scale needs three numbers' < even.node
 done
 OPTIONS="-scale 1,1,1e300"
 printf '0 0 1e100\n1 0 0\n0 1 0\n1 1 1\n' |
@@ -1055,26 +1186,42 @@ import sys, itertools, numpy
 from scipy.spatial import Voronoi, ConvexHull
 periodic = sys.argv[1] == 'periodic'
 box = numpy.array([float(x) for x in sys.argv[2].split(',')]).reshape(3, 2)
-a = numpy.loadtxt('cells.csv', delimiter=',', skiprows=1)
-assert open('cells.csv').readline() == 'x,y,z,volume,faces\n'
+rows = [l.split(',') for l in open('cells.csv').read().splitlines()]
+assert rows.pop(0) == ['x', 'y', 'z', 'volume', 'faces', 'point', 'area',
+                       'neighbours', 'value']
+a = numpy.array([r[:7] + r[8:] for r in rows], float)
+assert (a[:, 5] == range(len(a))).all()
+assert (a[:, 7] == 5 * a[:, 5]).all()
 p = a[:, :3]
 assert (p == numpy.loadtxt('boxed')).all()
 all, n = p, len(p)
+who = numpy.arange(n)
 for k in range(3):
     more = [all]
+    name = [who]
     for side in 0, 1:
         other = all.copy()
         if periodic: other[:, k] += (2 * side - 1) * (box[k, 1] - box[k, 0])
         else: other[:, k] = 2 * box[k, side] - all[:, k]
         more.append(other)
+        name.append(who if periodic else 0 * who - 1 - 2 * k - side)
     all = numpy.concatenate(more)
+    who = numpy.concatenate(name)
 v = Voronoi(all)
 faces = numpy.zeros(n, int)
+beside = [[] for i in range(n)]
 for i, j in v.ridge_points:
-    if i < n: faces[i] += 1
-    if j < n: faces[j] += 1
-volume = [ConvexHull(v.vertices[v.regions[v.point_region[i]]]).volume
-          for i in range(n)]
+    for i, j in (i, j), (j, i):
+        if i < n:
+            faces[i] += 1
+            beside[i].append(who[j])
+hull = [ConvexHull(v.vertices[v.regions[v.point_region[i]]])
+        for i in range(n)]
+volume = [h.volume for h in hull]
+area = numpy.array([h.area for h in hull])
+assert abs(a[:, 6] / area - 1).max() < 1e-9, abs(a[:, 6] / area - 1).max()
+for i in range(n):
+    assert sorted(int(j) for j in rows[i][7].split()) == sorted(beside[i]), i
 assert abs(a[:, 3] / volume - 1).max() < 1e-9, abs(a[:, 3] / volume - 1).max()
 assert (a[:, 4] == faces).all()
 whole = (box[:, 1] - box[:, 0]).prod()
@@ -1087,7 +1234,8 @@ awk 'BEGIN { srand(8)
 if $PYTHON -c 'import scipy.spatial' 2> words; then
     for kind in periodic clipped; do
         option=`echo -$kind | grep periodic`
-        $TESS -volumes cells.csv $option -box 0,1,0,2,-1,2 boxed > said
+        awk '{ print $0, 5 * (NR - 1) }' boxed > valued
+        $TESS -volumes cells.csv $option -box 0,1,0,2,-1,2 valued > said
         yes "-volumes: as scipy has them: $kind" $PYTHON voronoi.py $kind \
             0,1,0,2,-1,2
     done
@@ -1108,7 +1256,7 @@ yes "-periodic: points outside the box have copies inside" awk -F, '
 (cat some; sed -n 5p some) > twin
 $TESS -q -volumes twin.csv twin
 yes "-volumes: a duplicate has no cell" sh -c \
-    'tail -n 1 twin.csv | grep ",0,0$"' > /dev/null
+    'tail -n 1 twin.csv | grep ",0,0,564,0,$"' > /dev/null
 $TESS -periodic -box 0,2,0,2,0,1 -volumes flat.csv flat > said 2> words
 yes "-periodic: points in a plane" grep 'sum to 4; the box.s is 4$' said \
     > /dev/null
@@ -1187,10 +1335,33 @@ if (ulimit -v 40000) 2> words; then
     (ulimit -v 40000; $TESS -q many) > said 2> words
     yes "not enough memory: exit code 2" test $? -eq 2
     yes "not enough memory: one line says so" test \
-        "`cut -c1-23 words`" = "tess: not enough memory"
+        "$(cut -c1-23 words)" = "tess: not enough memory"
 else
     skip "not enough memory: no ulimit -v"
 fi
+
+# it says how far it is, once by its clock, here one that runs, there are two
+# seconds
+printf '#include <time.h>\ntime_t tick(time_t *t);\ntime_t tick(time_t *t)
+{ static time_t now; (void)t; return ++now; }\n' > tick.c
+# shellcheck disable=SC2046 # a list of files
+(cd "$TOP" && $CC -Dtime=tick -I. -o build/driver/ticking build/driver/tick.c \
+    test/program/driver.c `sed -n '/^PROGRAM = /,/[^\\]$/p' Makefile |
+        tr ' ' '\n' | grep '\.o' | grep -v driver` build/tess.o \
+    build/hhpred.o -lm)
+awk 'BEGIN { srand(6); for (i = 0; i < 20000; i++) print rand(), rand(), rand(),
+    i }' > long
+OPTIONS="-volumes long.csv -grid 50,50,50 -values long.npy -method natural"
+./ticking $OPTIONS -validate 5 long > said 2> words
+yes "it says how far it is" sh -c "for part in reading values cells -validate
+    do grep -e \"^tess: \$part: [1-9][0-9]* %, about [0-9]* s more\$\" words ||
+    exit; done" > /dev/null
+./ticking - < long > said 2> words
+yes "it says how much it has read of a pipe" \
+    grep '^tess: reading: [0-9]* MB$' words > /dev/null
+./ticking -q $OPTIONS long > said 2> words
+yes "-q: it says nothing" test ! -s words
+OPTIONS=
 
 # after a second: a set that takes several
 awk 'BEGIN { srand(2); c = cos(0.5); s = sin(0.5)

@@ -37,8 +37,8 @@ static const char *const before[] = {
     "            for decimal commas see -decimal",
     "  a count   before such lines, or Qhull's dimension and number",
     "  .xyz      of atoms: number, comment, lines `element x y z'",
-    "  .node     TetGen's; .off, .ply (ASCII), .obj: the points; PDB: the atoms",
-    "  .stl      ASCII STL: the triangles' corners",
+    "  .node     TetGen's; .off, .ply, .obj: the points; PDB: the atoms",
+    "  .stl      the triangles' corners; .npy: NumPy's array, a row a point",
     "All further columns, attributes and markers are values, which go to the",
     "output; the picture shows the first."};
 
@@ -65,17 +65,22 @@ int list_numbers(const char *text, int most, double *x)
 
 /* ---- files to write ---- */
 
-const form values_forms[] = {{".csv", 0}, {".npy", 0}, {".vtk", 0},
-                             {".svg", 0}, {0, 0}};
+const form values_forms[] = {{".csv", 0}, {".npy", 0}, {".vtu", 0},
+                             {".vtk", 0}, {".svg", 0}, {0, 0}};
 const form errors_forms[] = {{".csv", 0}, {0, 0}};
 const form cells_forms[] = {{".vtk", 0}, {0, 0}};
 const form volumes_forms[] = {{".csv", 0}, {0, 0}};
 static const form node_forms[] = {{".node", write_node}, {0, 0}};
 static const form ele_forms[] = {{".ele", write_ele}, {0, 0}};
-static const form neigh_forms[] = {{".neigh", write_neigh}, {0, 0}};
-static const form face_forms[] = {{".face", write_face}, {".obj", write_face},
-                                  {0, 0}};
+static const form neigh_forms[] = {{".neigh", write_ele}, {0, 0}};
 static const form vtk_forms[] = {{".vtk", write_vtk}, {0, 0}};
+static const form mesh_forms[] = {
+    {".vtk", write_vtk},   {".vtu", write_vtu}, {".msh", write_msh},
+    {".node", write_node}, {".ele", write_ele}, {".neigh", write_ele}, {0, 0}};
+const form face_forms[] = {
+    {".face", write_face}, {".obj", write_obj}, {".off", write_off},
+    {".ply", write_ply},   {".stl", write_stl}, {".vtk", write_vtk},
+    {".vtu", write_vtu},   {0, 0}};
 const form svg_forms[] = {{".svg", 0}, {0, 0}};
 
 /* add_output - one more file, in one of those forms. */
@@ -148,14 +153,17 @@ static void take_scale(const option *o, char **word)
 {
     double *x = (double *)o->to;
 
-    int k, good = list_numbers(word[0], 3, x) == 3;
+    int many, k, good;
 
+    x[2] = 1.0;
+    many = list_numbers(word[0], 3, x);
+    good = many >= 2;
     for (k = 0; k < 3; k++)
         good = good && x[k] != 0.0 && x[k] >= -DBL_MAX && x[k] <= DBL_MAX;
     if (!good)
-        fail("%s needs three numbers, none of them 0, as 1,1,0.01 (tess -h "
-             "helps)", o->name);
-    chosen.scaled = 1;
+        fail("%s needs three numbers, none of them 0, as 1,1,0.01, or two of "
+             "points in a plane (tess -h helps)", o->name);
+    chosen.scaled = many;
 }
 
 static void take_pixels(const option *o, char **word)
@@ -175,6 +183,13 @@ static void take_draw(const option *o, char **word)
         strcmp(word[0], "apart") != 0)
         fail("%s %s: choose points, whole, cut, field or apart", o->name,
              word[0]);
+    take_word(o, word);
+}
+
+static void take_title(const option *o, char **word)
+{
+    if (strlen(word[0]) >= TEXT)
+        fail("%s: at most %d characters", o->name, TEXT - 1);
     take_word(o, word);
 }
 
@@ -198,8 +213,10 @@ static void take_columns(const option *o, char **word)
     int commas = 0;
 
     for (c = word[0]; *c; c++) commas += *c == ',';
-    if (commas < 2 || (commas > 2 && o->to == &chosen.qcols))
-        fail("%s needs three columns, as 2,3,4 (tess -h helps)", o->name);
+    if (commas < 1 || (commas > 2 && o->to == &chosen.qcols))
+        fail("%s needs three columns, as 2,3,4, or two of points in a plane "
+             "(tess -h helps)", o->name);
+    if (commas == 1) chosen.plane = 1;
     take_word(o, word);
 }
 
@@ -278,6 +295,13 @@ static const option table[] = {
      "the columns that are x, y, z, by number, from 1, or by\n"
      "name: -cols 2,3,4, -cols lon,lat,depth.  -cols X,Y,Z,V...\n"
      "names those, too, that are values; else all others are"},
+    {"-plane", 0, take_switch, &chosen.plane,
+     "points in a plane: the first two columns of -cols, or of\n"
+     "all, or those named x, y, are coordinates, the others\n"
+     "values.  So it is, too, by -cols X,Y; -qcols X,Y;\n"
+     "-grid NX,NY; places of two numbers a line, in -query F;\n"
+     "or if -validate had no values else.  (Points in space that\n"
+     "lie in one plane have values there: of a place's foot)"},
     {"-skip", 0, take_switch, &chosen.skip,
      "drop rows from which a number is missing: an empty cell,\n"
      "NA, N/A, NaN, null, none, - or --; how many is said"},
@@ -285,34 +309,41 @@ static const option table[] = {
      "drop rows of which a value is this number, as -9999: any\n"
      "value, or with -cols X,Y,Z,V... any that is named there"},
     {"-decimal", ",", take_decimal, &chosen.decimal,
-     "numbers have decimal commas, and no points; between them are\n"
-     "semicolons, tabs or blanks, or commas if numbers are in quotes"},
-    {"-scale", "SX,SY,SZ", take_scale, chosen.scale,
+     "numbers that are read have decimal commas, no points; what\n"
+     "separates them is a semicolon, a tab, or blanks; or a comma\n"
+     "where numbers are in quotes"},
+    {"-scale", "SX,SY[,SZ]", take_scale, chosen.scale,
      "stretch coordinates for the mesh: -scale 1,1,0.01 for\n"
-     "degrees and metres.  All that is written has the given\n"
-     "ones; -alpha measures in the stretched.  1,1,-0.01: the\n"
-     "same, and pictures show z downwards, as depth"},
+     "degrees and metres, SX,SY in a plane.  All that is written\n"
+     "has the given ones; -alpha measures in the stretched.  By\n"
+     "1,1,-0.01 pictures show z downwards; else it is the same"},
     {"-check", 0, take_switch, &chosen.check,
      "prove the result, by exact arithmetic"},
     {0, 0, 0, 0, ""},
     {0, 0, 0, 0, "Files: F's ending says what it is; - is standard output,"},
     {0, 0, 0, 0, "and what else is said goes to standard error:"},
-    {"-node", "F", take_output, node_forms, "write points, TetGen format"},
-    {"-ele", "F", take_output, ele_forms, "write tetrahedra, TetGen format"},
-    {"-neigh", "F", take_output, neigh_forms,
-     "write neighbours, TetGen format"},
+    {"-mesh", "F", take_output, mesh_forms,
+     "write the tetrahedra and their points' values: F.vtk and\n"
+     "F.vtu, for ParaView, with circumradii and volumes; F.msh,\n"
+     "Gmsh's 4.1; F.node, the points, F.ele, the tetrahedra, or\n"
+     "F.neigh, their neighbours, as TetGen (so do -vtk F, -node F,\n"
+     "-ele F, -neigh F)"},
     {"-face", "F", take_output, face_forms,
      "write the boundary's triangles, seen counter-clockwise\n"
-     "from outside: TetGen's F.face, or F.obj"},
-    {"-vtk", "F", take_output, vtk_forms,
-     "write all as a VTK unstructured grid (legacy, binary), with\n"
-     "each tetrahedron's circumradius and volume"},
+     "from outside: F.obj, F.off, F.ply, with values, F.stl, in\n"
+     "words, F.vtk, F.vtu; or F.face, TetGen's, of .node's points"},
+    {"-vtk", "F", take_output, vtk_forms, 0},
+    {"-node", "F", take_output, node_forms, 0},
+    {"-ele", "F", take_output, ele_forms, 0},
+    {"-neigh", "F", take_output, neigh_forms, 0},
     {"-binary", 0, take_switch, &chosen.binary, 0},
     {"-cells", "F", take_output, cells_forms,
      "write the Voronoi cells in a box as VTK polyhedra"},
     {"-volumes", "F.csv", take_output, volumes_forms,
      "write each point's x,y,z, its cell's volume, and number\n"
-     "of faces; their sum and the box's volume are said"},
+     "of faces, the point's number, the cell's area, neighbours\n"
+     "(the box's sides x0 to z1 are -1 to -6, if it repeats\n"
+     "itself none), values; the volumes' sum is said"},
     {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
      "that box; if not given, that of an extended XYZ file's\n"
      "Lattice, or the points' own"},
@@ -331,9 +362,9 @@ static const option table[] = {
     {"-view", "A E", take_view, chosen.view,
      "draw as seen from azimuth A, from x to y, and elevation E\n"
      "above that plane, both in degrees; if not given, -68 28"},
-    {"-title", "TEXT", take_word, &chosen.title,
+    {"-title", "TEXT", take_title, &chosen.title,
      "above pictures, those of -values, too"},
-    {"-unit", "V[,X[,Y,Z]]", take_word, &chosen.unit,
+    {"-unit", "V[,X[,Y,Z]]", take_title, &chosen.unit,
      "units of the first value and of x, y, z: -unit C,m"},
     {"-size", "W,H", take_pixels, chosen.pixels, "of pictures, in pixels"},
     {"-bare", 0, take_switch, &chosen.bare,
@@ -342,11 +373,11 @@ static const option table[] = {
      "write BASE.node BASE.ele BASE.neigh BASE.vtk"},
     {0, 0, 0, 0, ""},
     {0, 0, 0, 0, "The columns' values at other places:"},
-    {"-grid", "NX,NY,NZ[,X0,X1,Y0,Y1,Z0,Z1]", take_word, &chosen.grid,
+    {"-grid", "NX,NY[,NZ][,X0,X1,Y0,Y1[,Z0,Z1]]", take_word, &chosen.grid,
      "at so many places along x, y, z, from X0 to X1 and so on;\n"
      "if not given, from side to side of the points' box.  One\n"
      "place is in the middle: NZ = 1 is a slice, Z0 = Z1 says\n"
-     "where"},
+     "where.  NX,NY and X0,X1,Y0,Y1 are for points in a plane"},
     {"-query", "F", take_word, &chosen.query,
      "at the places of a file, which is read like the points"},
     {"-qcols", "X,Y,Z", take_columns, &chosen.qcols,
@@ -354,8 +385,9 @@ static const option table[] = {
     {"-values", "F", take_output, values_forms,
      "write them: F.csv, places and values, in a grid x fastest;\n"
      "F.npy for numpy.load, shape (NZ,NY,NX,columns) of a grid,\n"
-     "(places,columns) of a file; F.vtk, a grid, for ParaView;\n"
-     "F.svg, the picture of a slice: its first column"},
+     "(NY,NX,columns) in a plane, (places,columns) of a file; for\n"
+     "ParaView F.vtu, or of a grid F.vtk; F.svg, the picture of a\n"
+     "slice: its first column"},
     {"-method", "M", take_word, &chosen.method,
      "linear in each tetrahedron, if not given; smooth, with\n"
      "gradients estimated at the points; natural, by Sibson's\n"
@@ -380,7 +412,7 @@ static const option table[] = {
     {"-errors", "F.csv", take_output, errors_forms,
      "write -validate's x,y,z, part, values, and errors"},
     {0, 0, 0, 0, ""},
-    {"-q", 0, take_switch, &chosen.quiet, "quiet: print nothing but errors"},
+    {"-q", 0, take_switch, &chosen.quiet, "quiet: nothing but errors, and of files of gigabytes"},
     {"-version", 0, take_version, 0, "the version of the library"},
     {"-h", 0, take_help, 0, "this text; so do -help and --help"}};
 

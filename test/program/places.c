@@ -28,6 +28,7 @@ static double number;
 
 static const points *in;
 static points *places;
+static mesh flat;      /* of points in a plane */
 static double *mean;   /* the points' values, where there are duplicates */
 static tess_int *same; /* the points that stand for them */
 static tess_int t[FEW];
@@ -50,8 +51,9 @@ static int uncut; /* places outside have values until they are drawn: a picture
 
 #define CSV 0
 #define NPY 1
-#define VTK 2
-#define SVG 3
+#define VTU 2
+#define VTK 3
+#define SVG 4
 
 /* --------------------------------------------------------------- options */
 
@@ -111,8 +113,19 @@ static void choose_grid(void)
     double x[9];
     int many = list_numbers(chosen.grid, 9, x), k;
 
-    if (many != 3 && many != 9)
-        fail("-grid needs NX,NY,NZ, or NX,NY,NZ,X0,X1,Y0,Y1,Z0,Z1");
+    if (many != 3 && many != 9 && many != 2 && many != 6)
+        fail("-grid needs NX,NY,NZ, or NX,NY,NZ,X0,X1,Y0,Y1,Z0,Z1; for points "
+             "in a plane NX,NY, or NX,NY,X0,X1,Y0,Y1");
+    if (many == 2 || many == 6) {
+        chosen.plane = 1;
+        for (k = 6; k > 2; k--) x[k] = x[k - 1];
+        x[2] = 1.0;
+        x[7] = x[8] = 0.0;
+        many = many == 2 ? 3 : 9;
+    } else if (chosen.plane) {
+        fail("-grid NX,NY,NZ is for points in space: -grid NX,NY if two columns "
+             "are their coordinates");
+    }
     for (k = 0; k < 3; k++) {
         if (!(x[k] >= 1.0 && x[k] <= (double)INT_MAX) ||
             x[k] != (double)(int)x[k])
@@ -168,6 +181,10 @@ void check_values(void)
     if (!chosen.validate && (chosen.by || next_output(errors_forms, 0)))
         fail("%s is for -validate", chosen.by ? "-by" : "-errors");
     if (!chosen.values && !chosen.validate) {
+        if (chosen.plane)
+            fail("%s needs three columns: points in a plane have values, by "
+                 "-values or -validate, but no tetrahedra",
+                 chosen.cols ? "-cols" : "-plane");
         if (chosen.method || chosen.outside || chosen.clip)
             fail("%s is for -values or -validate",
                  chosen.method    ? "-method"
@@ -181,10 +198,12 @@ void check_values(void)
     choose_methods();
     choose_outside();
     if (chosen.grid) choose_grid();
+    if (chosen.plane && chosen.alpha > 0.0)
+        fail("-alpha is for points in space, not for those in a plane");
     for (o = 0; (o = next_output(values_forms, o)) != 0;) {
         if (o->as - values_forms >= VTK && !chosen.grid)
-            fail("-values %s: %s is for a -grid; choose .csv or .npy", o->name,
-                 o->as->ending);
+            fail("-values %s: %s is for a -grid; choose .csv, .npy or .vtu",
+                 o->name, o->as->ending);
         if (o->as - values_forms == SVG) choose_slice();
         csv |= o->as - values_forms == CSV;
     }
@@ -265,18 +284,30 @@ static void warn_far(int column, double sign)
          sign > 0.0 ? most : -next, text);
 }
 
-void read_places(const points *points_read, points *query)
+void read_places(points *query)
+{
+    places = query;
+    if (!chosen.query) return;
+    query->axes = chosen.plane ? 2 : chosen.qcols ? 3 : 0;
+    read_points(chosen.query, query);
+    if (query->axes == 2 && !chosen.plane)
+        warn("%s: places in a plane: so are the points, whose first two "
+             "numbers are coordinates, all others values",
+             query->input);
+    if (query->axes == 2) chosen.plane = 1;
+}
+
+void check_points(const points *points_read)
 {
     tess_int i;
     long bad = 0;
     int k;
 
     in = points_read;
-    places = query;
     if (!chosen.values && !chosen.validate) return;
     if (in->columns == 0)
         fail("%s: the points have no values to interpolate (-cols X,Y,Z,V "
-             "names columns)",
+             "names columns; in a plane -cols X,Y)",
              in->input);
     if (chosen.validate > (long)in->n && !chosen.by)
         fail("-validate %ld: there are only %ld points", chosen.validate,
@@ -300,23 +331,13 @@ void read_places(const points *points_read, points *query)
             fail("-grid: from %c0 = %g to %c1 = %g is farther than numbers "
                  "reach: choose less",
                  "XYZ"[k], corner[2 * k], "XYZ"[k], corner[2 * k + 1]);
-    if (!chosen.query) return;
-    read_points(chosen.query, places);
-    for (i = 0; i < places->n; i++)
-        for (k = 0; k < 3; k++) {
-            double x = (double)places->p[3 * (size_t)i + (size_t)k];
-
-            if (!(x >= -DBL_MAX && x <= DBL_MAX))
-                fail("%s, line %ld: a coordinate is not finite",
-                     places->input, places->line[i]);
-        }
 }
 
 /* ----------------------------------------------------------------- files */
 
 static double places_asked(void)
 {
-    return chosen.grid ? size[0] * size[1] * size[2] : (double)places->n;
+    return chosen.grid ? size[0] * size[1] * size[2] : places->all;
 }
 
 void put_title(FILE *file, const char *s)
@@ -344,9 +365,10 @@ static void npy_head(FILE *file)
                            "'shape': (",
                      big ? '>' : '<', (int)sizeof(double));
     if (chosen.grid)
-        for (k = 2; k >= 0; k--) length += sprintf(text + length, "%.0f, ", size[k]);
+        for (k = in->axes - 1; k >= 0; k--)
+            length += sprintf(text + length, "%.0f, ", size[k]);
     else
-        length += sprintf(text + length, "%ld, ", (long)places->n);
+        length += sprintf(text + length, "%.0f, ", places->all);
     length += sprintf(text + length, "%d), }", in->columns);
     while ((10 + length + 1) % 64 != 0) text[length++] = ' ';
     text[length++] = '\n';
@@ -374,9 +396,73 @@ static void vtk_head(FILE *file)
     fprintf(file, "\nPOINT_DATA %.0f\n", places_asked());
 }
 
+/* put_corners - of cell i of the grid, which has step[k] places from each one
+ * to the next along axis k. */
+static void put_corners(FILE *file, const double *cell, const double *step,
+                        int corners)
+{
+    double at;
+    int c, k, bit;
+
+    for (c = 0; c < corners; c++) {
+        for (at = 0.0, bit = c, k = 0; k < 3; k++) {
+            at += step[k] * (cell[k] + (size[k] > 1.0 && bit & 1));
+            if (size[k] > 1.0) bit >>= 1;
+        }
+        put_long(file, at);
+    }
+}
+
+/* vtu_head - the places; and as cells those of the grid, voxels, pixels or
+ * lines, or the places themselves. */
+static FILE *vtu_head(output *o)
+{
+    static const int type[] = {1, 3, 8, 11};
+    double cells = 1.0, x[3], step[3], most[3], i;
+    int sides = 0, k;
+    size_t j;
+    FILE *file;
+
+    for (k = 0; k < 3 && chosen.grid; k++) {
+        sides += size[k] > 1.0;
+        most[k] = size[k] > 1.0 ? size[k] - 1.0 : 1.0;
+        cells *= most[k];
+        step[k] = k > 0 ? step[k - 1] * size[k - 1] : 1.0;
+    }
+    if (!chosen.grid) cells = places->all;
+    file = start_vtu(o, places_asked(), cells, 1 << sides, in, 0);
+    for (i = 0.0; i < cells && !chosen.grid; i += (double)places->n) {
+        next_places(places, i == 0.0);
+        for (j = 0; j < 3 * (size_t)places->n; j++)
+            put_double(file, (double)places->p[j]);
+    }
+    for (x[2] = 0.0; x[2] < size[2]; x[2] += 1.0)
+        for (x[1] = 0.0; x[1] < size[1]; x[1] += 1.0)
+            for (x[0] = 0.0; x[0] < size[0]; x[0] += 1.0)
+                for (k = 0; k < 3; k++)
+                    put_double(file, (double)(tess_real)place(k, (long)x[k]));
+    put_long(file, 8.0 * (1 << sides) * cells);
+    for (i = 0.0; i < cells && !chosen.grid; i += 1.0) put_long(file, i);
+    for (x[2] = 0.0; chosen.grid && x[2] < most[2]; x[2] += 1.0)
+        for (x[1] = 0.0; x[1] < most[1]; x[1] += 1.0)
+            for (x[0] = 0.0; x[0] < most[0]; x[0] += 1.0)
+                put_corners(file, x, step, 1 << sides);
+    put_types(file, cells, 1 << sides, type[sides]);
+    return file;
+}
+
 static void no_scratch(const sink *s)
 {
     fail("%s: no room for a temporary file", s->to->name);
+}
+
+/* column_head - what is before a column of values. */
+static void column_head(const sink *s, int column)
+{
+    if (s->form == VTK)
+        put_scalars(s->file, vtk_name(in, column));
+    else
+        put_long(s->file, 8.0 * places_asked());
 }
 
 /* head - open a file, and write what is before the values. */
@@ -392,8 +478,12 @@ static void head(sink *s)
         s->file = start_vtk(s->to, title, "STRUCTURED_POINTS", 0.0,
                             8.0 * columns * places_asked());
         vtk_head(s->file);
+    } else if (s->form == VTU) {
+        s->file = vtu_head(s->to);
+    }
+    if (s->file) {
         if (in->columns == 1) {
-            put_scalars(s->file, vtk_name(in, 0));
+            column_head(s, 0);
             return;
         }
         /* VTK has column by column what is computed place by place */
@@ -404,7 +494,7 @@ static void head(sink *s)
     s->file = start(s->to, s->form == SVG ? 0.0 : places_asked() *
                     (s->form == NPY ? 8.0 * columns : 20.0 * (3.0 + columns)));
     if (s->form == CSV) {
-        fprintf(s->file, "x,y,z");
+        fprintf(s->file, in->axes == 2 ? "x,y" : "x,y,z");
         for (k = 0; k < in->columns; k++) put_title(s->file, in->name[k]);
         putc('\n', s->file);
     } else if (s->form == NPY) {
@@ -421,11 +511,13 @@ static void put(sink *s, tess_int many, const tess_real *at,
                 const double *out)
 {
     size_t numbers = (size_t)many * (size_t)in->columns, i;
-    int narrow = sizeof *at < sizeof(double), k;
+    static char text[3][REAL]; /* of coordinates: in a grid most come again */
+    static tess_real written[3];
+    int k;
 
     if (s->form == NPY || s->scratch) {
         fwrite(out, sizeof *out, numbers, s->scratch ? s->scratch : s->file);
-    } else if (s->form == VTK) {
+    } else if (s->form == VTK || s->form == VTU) {
         for (i = 0; i < numbers; i++) put_double(s->file, out[i]);
     } else if (s->form == SVG) {
         for (i = 0; i < (size_t)many; i++, out += in->columns) {
@@ -436,8 +528,13 @@ static void put(sink *s, tess_int many, const tess_real *at,
         }
     } else {
         for (; many > 0; many--, at += 3) {
-            for (k = 0; k < 3; k++)
-                put_real(s->file, (double)at[k], narrow, ',');
+            for (k = 0; k < in->axes; k++) {
+                if (!*text[k] || at[k] != written[k])
+                    real_text(text[k], (double)at[k],
+                              sizeof *at < sizeof(double));
+                written[k] = at[k];
+                fprintf(s->file, "%s,", text[k]);
+            }
             for (k = 1; k <= in->columns; k++)
                 fprintf(s->file, "%.*g%c", chosen.digits ? chosen.digits : 17,
                         *out++, k < in->columns ? ',' : '\n');
@@ -454,6 +551,8 @@ static void draw(const sink *s, const mesh *m)
     draw_look look;
     const char *name;
     double length[3], plane[6];
+    tess_real *p = 0;
+    size_t i;
     int k, axis[3], many[2];
 
     begin_look(in, &look);
@@ -468,14 +567,24 @@ static void draw(const sink *s, const mesh *m)
         plane[k] = k / 2 == axis[2] ? place(axis[2], 0) : corner[k];
     name = look.name[axis[2]];
     k = (int)strcspn(name, ",");
-    sprintf(note, "%.*s = %.6g%.50s; %s", k, name, place(axis[2], 0),
-            name + k + (name[k] != 0), method_name[method]);
+    note[0] = '\0';
+    if (in->axes == 3)
+        sprintf(note, "%.*s = %.6g%.50s; ", k, name, place(axis[2], 0),
+                name + k + (name[k] != 0));
+    strcat(note, method_name[method]);
     draw_even(&look, length, chosen.scaled ? LONGEST : LONGER, note);
     look.note = note;
+    if (m->flat) {
+        /* the two points off the plane, too */
+        p = (tess_real *)space(3.0 * ((double)in->n + 2.0), sizeof *p);
+        for (i = 0; i < 3 * ((size_t)in->n + 2); i++)
+            p[i] = (tess_real)((double)m->p[i] / m->scale[i % 3]);
+    }
     if (draw_slice(s->file, &look, axis, many, plane, s->picture, s->range,
-                   m->in->p, uncut ? m->ntet : 0, m->tet, m->adj,
+                   p ? p : in->p, uncut ? m->ntet : 0, m->tet, m->adj,
                    m->keep) != 0)
         fail("not enough memory for a picture");
+    free(p);
 }
 
 /* tail - VTK's columns, one after the other; or the picture. */
@@ -487,8 +596,8 @@ static void tail(sink *s, const mesh *m)
     int k;
 
     for (k = 0; s->scratch && k < in->columns; k++) {
-        if (k > 0) putc('\n', s->file);
-        put_scalars(s->file, vtk_name(in, k));
+        if (k > 0 && s->form == VTK) putc('\n', s->file);
+        column_head(s, k);
         rewind(s->scratch);
         for (i = 0.0; i < places_asked(); i += 1.0) {
             if (fread(row, sizeof *row, columns, s->scratch) != columns)
@@ -498,12 +607,33 @@ static void tail(sink *s, const mesh *m)
     }
     if (s->form == SVG) draw(s, m);
     if (s->form == VTK) putc('\n', s->file);
+    if (s->form == VTU) end_vtu(s->file);
     if (s->scratch) fclose(s->scratch);
     free(s->picture);
     finish(s->file, s->to);
 }
 
 /* ---------------------------------------------------------------- values */
+
+/* mesh_in_plane - that of the points, which lie in one. */
+static const mesh *mesh_in_plane(const mesh *m)
+{
+    tess_real *p = (tess_real *)space(3.0 * (double)in->n + 6.0, sizeof *p);
+    tess_int i;
+
+    if (chosen.alpha > 0.0)
+        fail("%s: the points lie in one plane, where -alpha is nothing",
+             in->input);
+    if (in->axes == 3)
+        warn("%s: the points lie in one plane: values are those of the place "
+             "there that is nearest",
+             in->input);
+    for (i = 0; i < in->n; i++) to_plane(m->p + 3 * i, p + 3 * i);
+    flat.in = m->in;
+    memcpy(flat.scale, m->scale, sizeof flat.scale);
+    lay_flat(&flat, in->n, p, !chosen.quiet);
+    return &flat;
+}
 
 void keep_values(const mesh *m)
 {
@@ -512,8 +642,9 @@ void keep_values(const mesh *m)
     tess_int twins = 0, j;
 
     if (!chosen.values && !chosen.validate) return;
+    if (find_plane(m)) m = mesh_in_plane(m);
     if (m->ntet < 1)
-        fail("%s: the points lie in one plane, which has no tetrahedron to "
+        fail("%s: the points lie on one line, where there is nothing to "
              "interpolate in",
              in->input);
     for (j = 0; j < in->n; j++) twins += m->iw[j] != j;
@@ -521,8 +652,9 @@ void keep_values(const mesh *m)
         same = (tess_int *)space((double)in->n, sizeof *same);
         memcpy(same, m->iw, (size_t)in->n * sizeof *same);
     }
-    if (twins == 0) return;
-    mean = (double *)space((double)columns * (double)in->n, sizeof *mean);
+    if (twins == 0 && !m->flat) return;
+    mean = (double *)space((double)columns * ((double)in->n + 2.0),
+                           sizeof *mean);
     times = m->rw; /* (longer than n) */
     for (i = 0; i < (size_t)in->n; i++) {
         r = (size_t)m->iw[i];
@@ -538,10 +670,23 @@ void keep_values(const mesh *m)
                                       mean[columns * r + k]) / times[r];
         }
     }
+    for (k = 0; k < 2 * columns; k++)
+        mean[columns * (size_t)in->n + k] = mean[k % columns];
     if (lost > 0.0)
         warn("%ld of the points lie where another one does: the mean of their "
              "values is interpolated",
              (long)twins);
+}
+
+/* stretch - some places as they are in the mesh. */
+static void stretch(tess_int many, const tess_real *from, const double *scale,
+                    tess_real *q)
+{
+    tess_int i;
+
+    for (i = 0; i < 3 * many; i++)
+        q[i] = (tess_real)((double)from[i] * scale[i % 3]);
+    for (i = 0; i < many && flat.flat; i++) to_plane(q + 3 * i, q + 3 * i);
 }
 
 /* some - write the values at some places; t has a start for each. */
@@ -552,8 +697,7 @@ static void some(tess_int many, const tess_real *at, const double *scale)
     tess_int i;
     int k;
 
-    for (i = 0; i < 3 * many; i++)
-        q[i] = (tess_real)((double)at[i] * scale[i % 3]);
+    stretch(many, at, scale, q);
     values_at(many, q, t, out);
     for (k = 0; k < files; k++)
         if (sinks[k].form == SVG) put(sinks + k, many, at, out);
@@ -563,7 +707,7 @@ static void some(tess_int many, const tess_real *at, const double *scale)
     for (k = 0; k < files; k++)
         if (sinks[k].form != SVG) put(sinks + k, many, at, out);
     done += (double)many;
-    progress(done, places_asked());
+    progress("values", done, places_asked());
 }
 
 /* grid_values - row by row, each from where the row before it began. */
@@ -625,8 +769,7 @@ static void find_places(const double *scale, tess_int *start)
     double *rw;
     int code;
 
-    for (i = 0; i < 3 * n; i++)
-        q[i] = (tess_real)((double)places->p[i] * scale[i % 3]);
+    stretch(n, places->p, scale, q);
     for (i = 0; i < n; i++) start[i] = TESS_NONE;
     if (!in_order(q) && tess_size(n, 0, &liw, &lrw) == 0) {
         iw = (tess_int *)space((double)liw, sizeof *iw);
@@ -652,55 +795,62 @@ static void find_places(const double *scale, tess_int *start)
 
 static void query_values(long most, const double *scale)
 {
-    tess_int *start = (tess_int *)space((double)places->n, sizeof *start);
-    tess_int last = TESS_NONE;
+    tess_int last = TESS_NONE, *start;
     long i, many;
 
-    find_places(scale, start);
-    for (i = 0; i < (long)places->n; i += many) {
-        many = (long)places->n - i < most ? (long)places->n - i : most;
-        memcpy(t, start + i, (size_t)many * sizeof *t);
-        if (t[0] == TESS_NONE) t[0] = last;
-        some((tess_int)many, places->p + 3 * i, scale);
-        last = t[many - 1];
+    while (done < places->all) {
+        next_places(places, done == 0.0);
+        start = (tess_int *)space((double)places->n, sizeof *start);
+        find_places(scale, start);
+        for (i = 0; i < (long)places->n; i += many) {
+            many = (long)places->n - i < most ? (long)places->n - i : most;
+            memcpy(t, start + i, (size_t)many * sizeof *t);
+            if (t[0] == TESS_NONE) t[0] = last;
+            some((tess_int)many, places->p + 3 * i, scale);
+            last = t[many - 1];
+        }
+        free(start);
     }
-    free(start);
 }
 
 void write_values(const mesh *m)
 {
+    const double *scale = m->scale;
     field f;
     output *o;
     int k;
     long most = ROOM / in->columns < FEW ? ROOM / in->columns : FEW;
 
+    if (flat.flat) m = &flat;
     f.p = m->p;
-    f.n = in->n;
+    f.n = in->n + 2 * m->flat;
     f.ntet = m->ntet;
     f.tet = m->tet;
     f.adj = m->adj;
     f.keep = m->keep;
     f.value = mean ? mean : in->value;
     f.columns = in->columns;
+    f.flat = m->flat;
     for (o = 0; (o = next_output(values_forms, o)) != 0;) {
         sinks = (sink *)more_space(sinks, files + 1.0, sizeof *sinks);
         memset(sinks + files, 0, sizeof *sinks);
         sinks[files].to = o;
         head(sinks + files);
         if (sinks[files++].form == SVG)
-            uncut = outside == OUT_VALUE && number != number;
+            uncut = outside == OUT_VALUE && number != number &&
+                    (!m->flat || in->axes == 2);
     }
     values_begin(&f, method, uncut ? OUT_NEAREST : outside, number);
     if (chosen.grid)
-        grid_values(most, m->scale);
+        grid_values(most, scale);
     else
-        query_values(most, m->scale);
+        query_values(most, scale);
     for (k = 0; k < files; k++) tail(sinks + k, m);
     values_end();
 }
 
 void validate_values(mesh *m)
 {
-    cross_validate(m, same, mean ? mean : in->value, chosen.validate, asked,
-                   outside);
+    cross_validate(flat.flat ? &flat : m, same, mean ? mean : in->value,
+                   chosen.validate, asked, outside);
 }

@@ -1,15 +1,17 @@
 /* read.c - reads points from the files that people have: see `tess -h'.
  *
  * A line is split into fields, numbers and words.  The first line that has
- * three numbers says what each column is: x, y, z; a value; or, where it has a
- * word, a label, which is skipped.  All further lines must be like it: what is
- * no point, or might be meant otherwise, is an error that names the line.
+ * three numbers, or two of points in a plane, says what each column is: x, y,
+ * z; a value; or, where it has a word, a label, which is skipped.  All further
+ * lines must be like it: what is no point, or might be meant otherwise, is an
+ * error that names the line.
  */
 #include "driver.h"
 
 #include <ctype.h>
 #include <errno.h>
 #include <float.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,6 +19,8 @@
 #define LINE 8192   /* most characters of a line */
 #define HEAD 512    /* characters by which a file that is no text is told */
 #define BLOCK 65536 /* characters that are read at once */
+#define SPILL 131072 /* places that are kept at once, if there are more */
+#define NUMPY "\223NUMPY" /* how a .npy file begins */
 
 typedef struct field {
     char *text;
@@ -29,6 +33,10 @@ static points *to;
 static FILE *file;
 static char block[BLOCK + 1]; /* a part of the file, and '\0' */
 static size_t filled, taken;  /* of it */
+static double file_size;      /* in bytes; 0: not known */
+static int unsure;            /* whether the first line is a point: rows */
+static tess_int spilled;      /* places that are in the file of their own */
+static double passed;         /* bytes before block */
 static char line[LINE + 1];
 static long line_number;
 static field fields[COLUMNS];
@@ -43,16 +51,25 @@ static int titles;
 static char suspect[160]; /* why, perhaps, no line is a point, or "" */
 static long first_line; /* of the points; does it end with a separator? */
 static int first_open;
+static int axes;        /* coordinates of a point */
 static int width;       /* columns of a line of points; and which they are: */
 static int part[COLUMNS];
 static long dropped, first_dropped; /* rows; the first one's line */
 static long voided, misplaced;      /* by -nodata; of such a coordinate */
 static int by;       /* the column of -by, or -1 */
-static char *labels; /* of groups; group[i] is where the one of point i begins */
+static char *labels; /* of groups, one after the other */
 static size_t labelled, labels_room;
-static size_t *label; /* of each point, in labels */
+static size_t *label; /* where that of each point begins */
 static int counting; /* is the first column 0, 1, 2, ... or 1, 2, 3, ...? */
 static double count_from;
+
+/* packed - of a file that is no text: rows of so many numbers, or 0. */
+static struct {
+    int columns, big; /* is the most significant byte the first one? */
+    int facets;       /* are they binary STL's corners? */
+    char kind[COLUMNS]; /* as NumPy says it: f, i, u; of so many bytes: */
+    int bytes[COLUMNS];
+} packed;
 
 /* What a column is: 0, 1, 2 a coordinate, LABEL, UNUSED, VALUE; or HOLLOW, a
  * label for want of something in the first line. */
@@ -81,6 +98,7 @@ static void fail_empty(long at, int column)
 static int more(void)
 {
     filled -= taken;
+    passed += (double)taken;
     memmove(block, block + taken, filled);
     taken = 0;
     filled += fread(block + filled, 1, BLOCK - filled, file);
@@ -91,7 +109,7 @@ static int more(void)
 /* refuse_binary - begin to read the file; leave if it is not text. */
 static void refuse_binary(void)
 {
-    static const char *const packed[][2] = {
+    static const char *const archive[][2] = {
         {"\037\213", "compressed by gzip; unpack it first: gunzip -c"},
         {"BZh", "compressed by bzip2; unpack it first: bunzip2 -c"},
         {"\3757zXZ", "compressed by xz; unpack it first: xz -dc"},
@@ -100,24 +118,73 @@ static void refuse_binary(void)
 
     more();
     head = filled < HEAD ? filled : HEAD;
-    for (k = 0; k < sizeof packed / sizeof packed[0]; k++)
-        if (head > strlen(packed[k][0]) &&
-            memcmp(block, packed[k][0], strlen(packed[k][0])) == 0)
-            fail("%s: is %s ... | tess", to->input, packed[k][1]);
-    /* next_line knows UTF-16, read_ply its own binary form */
+    for (k = 0; k < sizeof archive / sizeof archive[0]; k++)
+        if (head > strlen(archive[k][0]) &&
+            memcmp(block, archive[k][0], strlen(archive[k][0])) == 0)
+            fail("%s: is %s ... | tess", to->input, archive[k][1]);
+    /* next_line knows UTF-16, and some readers binary forms */
     if (!memchr(block, 0, head) || memcmp(block, "\377\376", 2) == 0 ||
-        memcmp(block, "\376\377", 2) == 0 || memcmp(block, "ply", 3) == 0)
+        memcmp(block, "\376\377", 2) == 0 || memcmp(block, "ply", 3) == 0 ||
+        memcmp(block, NUMPY, 6) == 0)
         return;
-    if (ends_in(to->input, ".stl"))
-        fail("%s: is binary STL; save it as ASCII STL, or OBJ or OFF",
-             to->input);
-    fail("%s: is not text (binary STL, perhaps, or an archive)", to->input);
+    packed.facets = ends_in(to->input, ".stl");
+    if (!packed.facets)
+        fail("%s: is not text (an archive, perhaps; binary STL is known by a "
+             "name that ends in .stl)", to->input);
 }
 
 static int next_char(void)
 {
     if (taken == filled && !more()) return EOF;
     return (unsigned char)block[taken++];
+}
+
+/* take_number - the next one of a packed file, *x; 0 at the end. */
+static int take_number(char kind, int bytes, double *x)
+{
+    static const int one = 1;
+    unsigned char byte[sizeof(double)]; /* as this machine has them */
+    int little = *(const char *)&one, c, k;
+    float narrow;
+
+    for (k = 0; k < bytes; k++) {
+        c = next_char();
+        if (c == EOF) return 0;
+        byte[packed.big == little ? bytes - 1 - k : k] = (unsigned char)c;
+    }
+    if (kind == 'f' && bytes == sizeof narrow) {
+        memcpy(&narrow, byte, sizeof narrow);
+        *x = (double)narrow;
+    } else if (kind == 'f') {
+        memcpy(x, byte, sizeof *x);
+    } else {
+        c = byte[little ? bytes - 1 : 0];
+        *x = kind == 'i' && c > 127 ? c - 256 : c;
+        for (k = 1; k < bytes; k++)
+            *x = 256.0 * *x + byte[little ? bytes - 1 - k : k];
+    }
+    return 1;
+}
+
+/* packed_row - the next row of a packed file, as fields; its number is that of
+ * the line.  Returns 0 at the end. */
+static int packed_row(void)
+{
+    int k = line_number > 0 ? 14 : 12; /* behind a facet, and before the next */
+
+    for (; packed.facets && line_number % 3 == 0 && k > 0; k--) next_char();
+    line[0] = '\0';
+    for (k = 0; k < packed.columns; k++) {
+        if (!take_number(packed.kind[k], packed.bytes[k], &fields[k].x))
+            return 0;
+        fields[k].text = line;
+        fields[k].number = 1;
+        fields[k].quoted = 0;
+        fields[k].missing = to->skip && fields[k].x != fields[k].x;
+    }
+    many = packed.columns;
+    line_number++;
+    return 1;
 }
 
 /* ---------------------------------------------------------------- fields */
@@ -584,25 +651,53 @@ static void rooms(double most, double values)
     to->values = values;
 }
 
+/* spill - places, of which there are many, into a file of their own. */
+static void spill(void)
+{
+    size_t here = (size_t)(to->n - spilled);
+
+    if (!to->scratch) to->scratch = tmpfile();
+    if (!to->scratch || fwrite(to->p, 3 * sizeof *to->p, here, to->scratch) !=
+                            here)
+        fail("%s: no room for a temporary file", to->input);
+    spilled = to->n;
+}
+
+void next_places(points *a, int first)
+{
+    if (!a->scratch) return;
+    if (first) rewind(a->scratch);
+    a->n = (tess_int)fread(a->p, 3 * sizeof *a->p, SPILL, a->scratch);
+    if (a->n == 0) fail("%s: a temporary file cannot be read", a->input);
+}
+
 /* add_point - one more: its coordinates; its values are set by the caller. */
 static void add_point(const double *x)
 {
-    double n = (double)to->n + 1.0, values = n * (double)to->columns;
+    double n, values;
+    tess_int at;
     int k;
 
     if (to->n >= TESS_INT_MOST / 5)
         too_small("%s, line %ld: more points than a tess_int of %d bytes can "
                   "number; rebuild with a larger -DTESS_INT=...",
                   to->input, line_number, (int)sizeof(tess_int));
-    if (to->bare) values = 0.0;
+    if (to->bare && !unsure && to->n - spilled >= SPILL) spill();
+    at = to->n - spilled;
+    n = (double)at + 1.0;
+    values = to->bare ? 0.0 : n * (double)to->columns;
     if (n > to->room || values > to->values)
         rooms(n > to->room ? 2.0 * n : to->room,
               values > to->values ? 2.0 * values : to->values);
-    for (k = 0; k < 3; k++) to->p[3 * to->n + k] = (tess_real)x[k];
-    to->line[to->n] = line_number;
+    for (k = 0; k < 3; k++) {
+        to->p[3 * at + k] = (tess_real)x[k];
+        if (to->bare && !(fabs((double)to->p[3 * at + k]) <= DBL_MAX))
+            fail_line("a coordinate is not finite");
+    }
+    to->line[at] = line_number;
     to->n++;
-    if (to->n == 100000 || to->n % 1000000 == 0)
-        say("reading %s: %ld points", to->input, (long)to->n);
+    if (to->n % 4096 == 0)
+        progress("reading", passed + (double)taken, file_size);
 }
 
 /* add_group - the label of the last point's group. */
@@ -740,17 +835,25 @@ static int choose(int *at)
         if (!fields[k].number) fail_cell(k);
         if (part[k] != UNUSED || found == COLUMNS)
             fail("%s: column %.*s twice", option(), (int)length, s);
-        part[k] = found < 3 ? found : VALUE;
+        part[k] = found < axes ? found : VALUE;
         at[found++] = k;
         s += length;
         if (!*s++) return found;
     }
 }
 
+/* least - the numbers of a line that may be a point's. */
+static int least(void)
+{
+    return to->axes == 2 || (to->axes == 0 && to->bare && many == 2) ? 2 : 3;
+}
+
 /* columns - what the columns of this line are, and with it of all others. */
 static void columns(void)
 {
-    int at[COLUMNS], k, found = 0;
+    int at[COLUMNS], k, found = 0, others = 0;
+
+    axes = least();
 
     width = many;
     first_line = line_number;
@@ -761,10 +864,17 @@ static void columns(void)
     for (k = 0; k < many; k++) part[k] = UNUSED;
     if (to->by) by = find(to->by, strlen(to->by), "-by");
     if (to->cols) found = choose(at);
+    for (k = 0; k < many; k++)
+        others += fields[k].number && part[k] == UNUSED && k != by;
+    if (to->axes == 0 && !to->bare && found == 3 && others == 0) {
+        /* the third one is all that can be a value */
+        axes = 2;
+        part[at[2]] = VALUE;
+    }
     for (k = 0; k < titles && !to->cols; k++) {
         int a = axis(title[k]);
 
-        if (a < 0 || at[a] >= 0) continue;
+        if (a < 0 || a >= axes || at[a] >= 0) continue;
         if (!fields[k].text[0] && !fields[k].number)
             fail_empty(line_number, k + 1);
         if (!fields[k].number && begins_number(fields[k].text)) fail_cell(k);
@@ -772,18 +882,19 @@ static void columns(void)
         at[a] = k;
         found++;
     }
-    if (found < 3)
-        for (k = found = 0; k < many && found < 3; k++)
+    if (found < axes)
+        for (k = found = 0; k < many && found < axes; k++)
             if (fields[k].number && k != by) at[found++] = k;
-    if (found < 3) fail_line("fewer than three numbers");
-    for (k = 0; k < 3; k++) {
+    if (found < axes) fail_line("fewer than three numbers");
+    for (k = 0; k < axes; k++) {
         part[at[k]] = k;
         if (titles > 0 && title[at[k]][0]) strcpy(to->axis[k], title[at[k]]);
     }
     for (k = 0; k < many; k++) {
         if (!fields[k].number) part[k] = fields[k].text[0] ? LABEL : HOLLOW;
         if (k == by && part[k] >= LABEL && part[k] != VALUE) part[k] = UNUSED;
-        else if (part[k] == UNUSED && found == 3 && !to->bare) part[k] = VALUE;
+        else if (part[k] == UNUSED && found == axes && !to->bare)
+            part[k] = VALUE;
         if (part[k] != VALUE) continue;
         if (titles > 0 && title[k][0])
             strcpy(to->name[to->columns], title[k]);
@@ -826,6 +937,8 @@ static void row(void)
         drop();
         return;
     }
+    if (by >= 0 && packed.columns > 0)
+        sprintf(fields[by].text, "%.17g", fields[by].x);
     if (by >= 0 && !fields[by].text[0]) fail_empty(line_number, by + 1);
     for (k = 0; k < many; k++) {
         if (part[k] == HOLLOW && fields[k].number)
@@ -839,6 +952,7 @@ static void row(void)
         x[part[k]] = fields[k].x;
         misplaced += void_value(fields[k].x);
     }
+    if (axes == 2) x[2] = 0.0;
     add_point(x);
     if (by >= 0) add_group(fields[by].text);
     v = to->value + to->columns * (long)(to->n - 1);
@@ -879,25 +993,28 @@ static void rows(double want, int perhaps, int rest)
     long k;
 
     if (want == 0.0) fail("%s: no points", to->input);
+    unsure = perhaps;
     shape();
     for (;;) {
-        if (perhaps && to->n + dropped == 1 && !like()) {
-            perhaps = 0;
+        if (unsure && to->n + dropped == 1 && !like()) {
+            unsure = 0;
             to->n = 0;
             dropped = 0;
             shape();
         }
         row();
         if (want >= 0.0 && (double)to->n + (double)dropped == want &&
-            !perhaps)
+            !unsure)
             break;
-        if (perhaps || !quick()) {
+        if (packed.columns > 0) {
+            if (!packed_row()) break;
+        } else if (unsure || !quick()) {
             if (!next_line()) break;
             split();
         }
-        if (perhaps && (double)to->n + (double)dropped == want) {
+        if (unsure && (double)to->n + (double)dropped == want) {
             /* not so, if all points are there already */
-            perhaps = 0;
+            unsure = 0;
             if (!like()) break;
             if (dropped > 0 && first_dropped == first_line) {
                 dropped--;
@@ -928,6 +1045,18 @@ static void need_line(void)
     if (!next_line())
         fail("%s: ends before the first point%s", to->input, suspect);
     split();
+}
+
+/* packed_rows - as rows, of a packed file, from where it is read. */
+static void packed_rows(double want)
+{
+    line_number = 0;
+    separator = '\0';
+    open_end = 0;
+    doubt[0] = '\0';
+    if (want > 0.0 && !packed_row())
+        fail("%s: ends before the first point", to->input);
+    rows(want, 0, 1);
 }
 
 /* suspects - of a line that is none of a point: leave if it seems to be one but
@@ -1015,20 +1144,20 @@ static void lattice(double v[9], const double *origin)
 static void properties(const char *s)
 {
     size_t length;
-    int most, k;
+    int many_of, k;
 
     for (titles = 0;; s++) {
         length = strcspn(s, ":");
-        most = s[length] && s[length + 1] && s[length + 2] == ':'
+        many_of = s[length] && s[length + 1] && s[length + 2] == ':'
                       ? atoi(s + length + 3)
                       : 0;
-        if (length == 0 || most < 1 || titles + most > COLUMNS)
+        if (length == 0 || many_of < 1 || titles + many_of > COLUMNS)
             fail_line("Properties are not as species:S:1:pos:R:3");
-        for (k = 0; k < most; k++, titles++)
-            if (length == 3 && most == 3 && strncmp(s, "pos", 3) == 0)
+        for (k = 0; k < many_of; k++, titles++)
+            if (length == 3 && many_of == 3 && strncmp(s, "pos", 3) == 0)
                 sprintf(title[titles], "%c", 'x' + k);
             else
-                sprintf(title[titles], most > 1 ? "%.*s%d" : "%.*s",
+                sprintf(title[titles], many_of > 1 ? "%.*s%d" : "%.*s",
                         (int)(length < TITLE - 4 ? length : TITLE - 4), s,
                         k + 1);
         s += length + 3;
@@ -1066,7 +1195,7 @@ static void read_text(void)
     int perhaps = 0, named, words, hollow, at[3], k;
 
     refuse();
-    if (many == 2 && count(0) && count(1) &&
+    if (least() == 3 && many == 2 && count(0) && count(1) &&
         (fields[0].x == 3.0 || fields[1].x == 3.0)) {
         /* Qhull's dimension and number, in any order */
         want = fields[fields[0].x == 3.0].x;
@@ -1074,7 +1203,7 @@ static void read_text(void)
     } else if (count(0) &&
                (many == 1 || (word(1, "") && numbers() < 2) ||
                 (!fields[1].number && !separator &&
-                 numbers() < (word(1, "rbox") ? many : 3)))) {
+                 numbers() < (word(1, "rbox") ? many : least())))) {
         want = fields[0].x;
         if (!next_line()) fail("%s: ends before the first point", to->input);
         named = line_number == first + 1 && extended();
@@ -1082,17 +1211,17 @@ static void read_text(void)
             need_line();
         else
             split();
-        if (line_number == first + 1 && numbers() >= 3)
+        if (line_number == first + 1 && numbers() >= least())
             perhaps = 1;
         else if (line_number == first + 1) {
             other = many == 1 && count(0) ? fields[0].x : -1.0;
             need_line();
             /* Qhull, unless it is a file of 3 atoms */
             if (other >= 0.0 && fields[0].number)
-                want = want == 3.0 ? other : want;
+                want = want == (double)least() ? other : want;
         }
     }
-    while (numbers() < 3) {
+    while (numbers() < least()) {
         refuse();
         suspects();
         if (numbers() == many) fail_line("fewer than three numbers");
@@ -1115,18 +1244,23 @@ static void read_text(void)
     for (k = 0; k < width; k++)
         if (part[k] < LABEL) at[part[k]] = k;
     named = titles > 0 && axis(title[at[0]]) == 0;
-    if (titles > 0 &&
+    if (axes == 2 && titles > 0 && (at[0] + 1 != at[1] || !named))
+        warn("%s: x, y are the columns %d, %d (%s, %s); %s chooses others",
+             to->input, at[0] + 1, at[1] + 1, title[at[0]], title[at[1]],
+             option());
+    if (axes == 3 && titles > 0 &&
         (at[0] > at[1] || at[1] > at[2] || at[2] - at[0] > 2 || !named))
         warn("%s: x, y, z are the columns %d, %d, %d (%s, %s, %s); %s "
              "chooses others",
              to->input, at[0] + 1, at[1] + 1, at[2] + 1, title[at[0]],
              title[at[1]], title[at[2]], option());
-    if (counting && !named && (to->columns > 0 || (to->bare && width > 3)) &&
+    if (counting && !named &&
+        (to->columns > 0 || (to->bare && width > axes)) &&
         to->n >= 4)
         warn("%s: column 1 is %.0f, %.0f, %.0f, ... and was taken for x; if "
-             "it numbers the points: %s 2,3,4",
+             "it numbers the points: %s 2,3%s",
              to->input, count_from, count_from + 1.0, count_from + 2.0,
-             option());
+             option(), axes == 2 ? "" : ",4");
 }
 
 /* no_faces - say that the faces of a surface are left out. */
@@ -1153,14 +1287,36 @@ static void read_off(void)
     rows(want, 0, 1);
 }
 
+/* packed_type - the next column of a binary PLY file: its type is field 1. */
+static void packed_type(void)
+{
+    static const char types[] =
+        " char=i1 int8=i1 uchar=u1 uint8=u1 short=i2 int16=i2 ushort=u2 "
+        "uint16=u2 int=i4 int32=i4 uint=u4 uint32=u4 float=f4 float32=f4 "
+        "double=f8 float64=f8";
+    char name[20];
+    const char *at;
+
+    sprintf(name, " %.9s=", fields[1].text);
+    at = strstr(types, name);
+    if (!at || many != 3 || packed.columns == COLUMNS)
+        fail_line("not a property that points of a PLY file may have");
+    packed.kind[packed.columns] = at[strlen(name)];
+    packed.bytes[packed.columns++] = at[strlen(name) + 1] - '0';
+}
+
 static void read_ply(void)
 {
     double want = -1.0;
+    int binary = 0;
 
     titles = 0;
     for (need_line(); !word(0, "end_header"); need_line()) {
-        if (word(0, "format") && !word(1, "ascii"))
-            fail_line("this PLY file is binary; save it as ascii");
+        packed.big |= word(1, "binary_big_endian");
+        if (word(0, "format")) binary = !word(1, "ascii");
+        if (word(0, "format") && binary && !packed.big &&
+            !word(1, "binary_little_endian"))
+            fail_line("not a format of PLY files");
         if (word(0, "element") && want < 0.0) {
             if (!word(1, "vertex") || many != 3 || !count(2))
                 fail_line("points must be the first element of a PLY file");
@@ -1170,11 +1326,74 @@ static void read_ply(void)
             while (!word(0, "end_header")) need_line();
             break;
         }
+        if (word(0, "property") && binary) packed_type();
         if (word(0, "property") && many == 3 && titles < COLUMNS)
             sprintf(title[titles++], "%.*s", TITLE - 1, fields[2].text);
     }
+    if (binary) {
+        packed_rows(want);
+        return;
+    }
     need_line();
     rows(want, 0, 1);
+}
+
+/* read_npy - NumPy's: a row for each point. */
+static void read_npy(void)
+{
+    char order = 0, kind = 0, end = 0;
+    double n = 0.0, columns = 0.0;
+    const char *descr, *shape;
+    int version, bytes = 0, size, k;
+
+    for (k = 0; k < 6; k++) next_char();
+    version = next_char();
+    next_char();
+    size = next_char();
+    size += 256 * next_char();
+    for (k = 0; version > 1 && k < 2; k++) next_char();
+    for (k = 0; k < size && k < LINE; k++) line[k] = (char)next_char();
+    line[k] = '\0';
+    descr = strstr(line, "'descr'");
+    shape = strstr(line, "'shape'");
+    if (!descr || !shape || !strstr(line, "False") || k < size ||
+        sscanf(descr, "'descr' : '%c%c%d'", &order, &kind, &bytes) != 3 ||
+        sscanf(shape, "'shape' : ( %lf , %lf %c", &n, &columns, &end) != 3 ||
+        end != ')' || columns < 1.0 || columns > (double)COLUMNS ||
+        (kind == 'f' ? bytes != 4 && bytes != 8
+                     : (kind != 'i' && kind != 'u') || bytes < 1 || bytes > 8))
+        fail("%s: not a .npy file of rows of at most %d float32, float64 or "
+             "integers: numpy.save(F, numpy.ascontiguousarray(rows, float)) "
+             "writes one", to->input, COLUMNS);
+    packed.big = order == '>';
+    for (; packed.columns < (int)columns; packed.columns++) {
+        packed.kind[packed.columns] = kind;
+        packed.bytes[packed.columns] = bytes;
+    }
+    packed_rows(n);
+}
+
+/* read_stl - binary STL: 80 characters, and the number of facets; the file's
+ * size says which order of its bytes is right. */
+static void read_stl(void)
+{
+    const unsigned char *byte = (const unsigned char *)block + 80;
+    double little = 0.0, big = 0.0;
+    int k;
+
+    for (k = 0; k < 4; k++) {
+        little = 256.0 * little + byte[3 - k];
+        big = 256.0 * big + byte[k];
+    }
+    packed.big = file_size != 84.0 + 50.0 * little &&
+                 file_size == 84.0 + 50.0 * big;
+    for (k = 0; k < 84; k++) next_char();
+    while (packed.columns < 3) {
+        packed.kind[packed.columns] = 'f';
+        packed.bytes[packed.columns++] = 4;
+    }
+    if (filled > 84) no_faces();
+    packed_rows(3.0 * (packed.big ? big : little));
 }
 
 /* read_lines - those that begin with this word: v of Wavefront's, vertex of
@@ -1307,6 +1526,9 @@ static void read_node(void)
 /* fixed - leave if -cols is given for a format that has no choice. */
 static void fixed(const char *format)
 {
+    if (to->axes == 2)
+        fail("%s: coordinates in a plane are read from lines of numbers, not "
+             "from %s", to->input, format);
     if (to->cols || to->by)
         fail("%s: %s is for lines of numbers, not for %s", to->input,
              to->cols ? option() : "-by", format);
@@ -1334,19 +1556,33 @@ void read_points(const char *name, points *a)
     titles = width = counting = first_open = apart = 0;
     suspect[0] = '\0';
     by = -1;
+    axes = 3;
     decimals = to->decimal == ',';
     line_number = first_line = dropped = voided = misplaced = 0;
+    packed.columns = packed.big = packed.facets = 0;
+    file_size = passed = 0.0;
+    spilled = 0;
+    unsure = 0;
     to->input = "standard input";
     file = stdin;
     if (name && strcmp(name, "-") != 0) {
         to->input = name;
-        file = fopen(name, "r");
+        file = fopen(name, "rb");
         if (!file) fail("%s: %s", name, strerror(errno));
+        if (fseek(file, 0L, SEEK_END) == 0) file_size = (double)ftell(file);
+        rewind(file);
     } else if (!name)
         warn("reading points from standard input");
     refuse_binary();
-    if (!next_line()) fail("%s: empty", to->input);
-    if (ends_in(to->input, ".pdb") || ends_in(to->input, ".ent") || pdb()) {
+    if (memcmp(block, NUMPY, 6) == 0)
+        read_npy();
+    else if (packed.facets) {
+        fixed("STL");
+        read_stl();
+    } else if (!next_line())
+        fail("%s: empty", to->input);
+    else if (ends_in(to->input, ".pdb") || ends_in(to->input, ".ent") ||
+             pdb()) {
         fixed("PDB");
         read_pdb();
     } else {
@@ -1376,8 +1612,12 @@ void read_points(const char *name, points *a)
              to->input, to->skip ? "-skip" : "-nodata", dropped, option(),
              to->bare ? "" : ",VALUE");
     if (to->n == 0) fail("%s: no points", to->input);
-    rooms((double)to->n,
-          to->bare ? 0.0 : (double)to->n * (double)to->columns);
+    to->axes = axes;
+    to->all = (double)to->n;
+    if (to->scratch)
+        spill();
+    else
+        rooms(to->all, to->bare ? 0.0 : to->all * (double)to->columns);
     if (by >= 0) number_groups();
     if (dropped > 0)
         warn("%s: %ld row%s dropped for a number that is missing, the first "
@@ -1393,4 +1633,5 @@ void read_points(const char *name, points *a)
              "not dropped",
              to->input, misplaced, misplaced > 1 ? "s are" : " is");
     if (file != stdin) fclose(file);
+    progress("reading", 1.0, 1.0);
 }

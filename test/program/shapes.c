@@ -51,6 +51,7 @@ void drop_others(mesh *m)
         }
     }
     free(number);
+    free(m->keep);
     m->ntet = many;
     m->keep = 0;
 }
@@ -274,6 +275,7 @@ static void compute(cells *c, tess_int i)
     tess_int range[2], v;
     int code, k;
 
+    progress("cells", (double)i + 1.0, (double)m->in->n);
     if (c->tet) gather(c, i);
     range[0] = 0;
     range[1] = c->first[i + 1] - c->first[i];
@@ -438,16 +440,59 @@ static void write_cells(cells *c, output *o, const double *volume,
     finish(file, o);
 }
 
-static void write_volumes(const mesh *m, output *o, const double *volume,
+/* surface - of the cell, in the coordinates given: of each face the length of
+ * the vectors' sum that are normal to its triangles. */
+static double surface(const cells *c)
+{
+    const double *o, *a, *b;
+    double sum = 0.0, n[3];
+    tess_int f, v;
+    int k;
+
+    for (f = 0; f < c->nface; f++) {
+        o = c->vert + 3 * c->corner[c->begin[f]];
+        n[0] = n[1] = n[2] = 0.0;
+        for (v = c->begin[f] + 2; v < c->begin[f + 1]; v++) {
+            a = c->vert + 3 * c->corner[v - 1];
+            b = c->vert + 3 * c->corner[v];
+            for (k = 0; k < 3; k++)
+                n[k] += (a[(k + 1) % 3] - o[(k + 1) % 3]) *
+                            (b[(k + 2) % 3] - o[(k + 2) % 3]) -
+                        (a[(k + 2) % 3] - o[(k + 2) % 3]) *
+                            (b[(k + 1) % 3] - o[(k + 1) % 3]);
+        }
+        sum += sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2.0;
+    }
+    return sum;
+}
+
+static void write_volumes(cells *c, output *o, const double *volume,
                           const tess_int *faces)
 {
-    FILE *file = start(o, 80.0 * (double)m->in->n);
-    tess_int i;
+    const points *in = c->m->in;
+    FILE *file = start(o, (150.0 + 20.0 * (double)in->columns) *
+                              (double)in->n);
+    tess_int i, j, v;
+    int k;
 
-    fprintf(file, "x,y,z,volume,faces\n");
-    for (i = 0; i < m->in->n; i++) {
-        put_point(file, m->in, i, ',', ',');
-        fprintf(file, "%.17g,%ld\n", volume[i], (long)faces[i]);
+    fprintf(file, "x,y,z,volume,faces,point,area,neighbours");
+    for (k = 0; k < in->columns; k++) put_title(file, in->name[k]);
+    putc('\n', file);
+    for (i = 0; i < in->n; i++) {
+        compute(c, i);
+        put_point(file, in, i, ',', ',');
+        fprintf(file, "%.17g,%ld,%ld,%.17g,", volume[i], (long)faces[i],
+                (long)(i + in->base), surface(c));
+        for (j = 0; j < c->nface; j++) {
+            v = c->whose[j];
+            if (c->tet) v = c->who[v];
+            fprintf(file, "%s%ld", j > 0 ? " " : "",
+                    (long)(v < 0 ? v : v + in->base));
+        }
+        for (k = 0; k < in->columns; k++)
+            fprintf(file, ",%.17g",
+                    in->value[(size_t)in->columns * (size_t)i + (size_t)k]);
+        putc('\n', file);
     }
     finish(file, o);
 }
@@ -457,7 +502,7 @@ void make_cells(const mesh *m)
     cells c;
     totals all;
     output *o;
-    double *volume, whole = 1.0;
+    double *volume, whole = 1.0, slack, side[3], longest = 0.0;
     tess_int *faces;
     int k;
 
@@ -468,9 +513,15 @@ void make_cells(const mesh *m)
     faces = integers((double)m->in->n);
     say("computing %ld cells ...", (long)m->in->n);
     measure_cells(&c, volume, faces, &all);
-    for (k = 0; k < 3; k++)
-        whole *= (c.box[2 * k + 1] - c.box[2 * k]) / m->scale[k];
-    if (!(whole > 0.0 && fabs(all.volume - whole) <= 1e-9 * whole))
+    for (k = 0; k < 3; k++) {
+        side[k] = (c.box[2 * k + 1] - c.box[2 * k]) / m->scale[k];
+        if (side[k] > longest) longest = side[k];
+        whole *= side[k];
+    }
+    /* volumes are right but for roundings of lengths times surfaces */
+    slack = 1e-15 * longest * (side[0] * side[1] + side[1] * side[2] +
+                               side[2] * side[0]);
+    if (!(whole > 0.0 && fabs(all.volume - whole) <= 1e-9 * whole + slack))
         fail("the cells' volumes sum to %.15g, but the box's is %.15g: use "
              "other units, as by -scale, or a smaller box", all.volume, whole);
     if (c.tet) tell("periodic      %ld tetrahedra\n", (long)c.periods);
@@ -479,7 +530,7 @@ void make_cells(const mesh *m)
     for (o = 0; (o = next_output(cells_forms, o)) != 0;)
         write_cells(&c, o, volume, faces, &all);
     for (o = 0; (o = next_output(volumes_forms, o)) != 0;)
-        write_volumes(m, o, volume, faces);
+        write_volumes(&c, o, volume, faces);
     free(volume);
     free(faces);
     clear(&c);

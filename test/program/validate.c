@@ -25,7 +25,7 @@ static int power[COLUMNS];
 static double low[COLUMNS], high[COLUMNS]; /* the data's range */
 
 static long parts;
-static tess_int *part; /* of each point; TESS_NONE for one that does not count */
+static tess_int *part; /* of each point; TESS_NONE: it does not count */
 static tess_int *size, *rank; /* of groups */
 static double *errors;  /* for the file: by point, asked method, column */
 
@@ -121,8 +121,8 @@ static void deal_groups(const points *in, tess_int *list)
     free(filled);
 }
 
-/* deal - each place to a part.  Where points lie at one place, which is left out
- * once, the first one's group counts. */
+/* deal - each place to a part.  Where points lie at one place, which is left
+ * out once, the first one's group counts. */
 static void deal(const points *in, const tess_int *same)
 {
     tess_int *list = (tess_int *)space((double)in->n, sizeof *list), i;
@@ -168,15 +168,15 @@ static void ranges(const points *in, const double *value)
     }
 }
 
-/* count - that x was predicted for point i, whose value in column j is given. */
+/* count - that x was predicted for point i, whose value is given. */
 static void count(tally *a, int j, double x, double given, tess_int i)
 {
     double error = ldexp(x, -power[j]) - ldexp(given, -power[j]);
     double slack = ROUNDING * (high[j] > -low[j] ? high[j] : -low[j]);
 
     a->beyond += x < low[j] - slack || x > high[j] + slack;
-    if (a->where == TESS_NONE || x < a->least) a->least = x;
-    if (a->where == TESS_NONE || x > a->most) a->most = x;
+    if (x < a->least) a->least = x;
+    if (x > a->most) a->most = x;
     a->sum += error;
     a->absolute += fabs(error);
     a->square += error * error;
@@ -193,17 +193,27 @@ static double rms(int method, int j)
     return ldexp(sqrt(sums[method][j].square / counted[method]), power[j]);
 }
 
-/* remesh - the mesh of the field's points, where m's was. */
-static void remesh(mesh *m, field *f, long without)
+/* remesh - the mesh of the field's points p, where m's was; in a plane of two
+ * more, with values v. */
+static void remesh(mesh *m, field *f, tess_real *p, double *v, long without)
 {
-    int code = tetrahedralize(m, f->n, f->p, 0);
+    const tess_real *all = m->p;
+    size_t columns = (size_t)f->columns;
+    int code = m->flat ? lay_flat(m, f->n, p, 0)
+                       : tetrahedralize(m, f->n, p, 0);
 
+    m->p = all;
+    if (m->flat) {
+        memcpy(v + columns * (size_t)f->n, v, columns * sizeof *v);
+        memcpy(v + columns * (size_t)f->n + columns, v, columns * sizeof *v);
+        f->n += 2;
+    }
     f->ntet = m->ntet;
     f->tet = m->tet;
     f->adj = m->adj;
     if (code == TESS_PLANE || code == TESS_LINE || code == TESS_POINT)
-        fail("-validate: without part %ld of %ld no tetrahedron is left; choose "
-             "%s",
+        fail("-validate: without part %ld of %ld no tetrahedron is left; "
+             "choose %s",
              without + 1, parts, chosen.by ? "smaller groups" : "more parts");
     if (code != TESS_OK)
         too_small("-validate: code %d of tess for the points without part %ld",
@@ -233,11 +243,13 @@ static void print_table(const points *in, const int *asked)
                 continue;
             }
             x = in->p + 3 * (size_t)a->where;
-            printf(" %13.6g %13.6g %13.6g %13.6g %9.0f  %.9g,%.9g,%.9g\n",
+            printf(" %13.6g %13.6g %13.6g %13.6g %9.0f  %.9g,%.9g",
                    ldexp(a->sum / counted[k], power[j]),
                    ldexp(a->absolute / counted[k], power[j]), rms(k, j),
                    ldexp(a->worst, power[j]), missed[k], (double)x[0],
-                   (double)x[1], (double)x[2]);
+                   (double)x[1]);
+            if (in->axes == 3) printf(",%.9g", (double)x[2]);
+            printf("\n");
         }
 }
 
@@ -316,8 +328,9 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
     const points *in = m->in;
     const double *given;
     size_t columns = (size_t)in->columns;
-    double *v = (double *)space((double)columns * (double)in->n, sizeof *v);
-    tess_real *p = (tess_real *)space(3.0 * (double)in->n, sizeof *p);
+    double n = (double)in->n + 2.0; /* (two for a plane) */
+    double *v = (double *)space((double)columns * n, sizeof *v);
+    tess_real *p = (tess_real *)space(3.0 * n, sizeof *p);
     double out[COLUMNS];
     size_t each = 0, at;
     tess_int i, t;
@@ -331,7 +344,11 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
     ranges(in, value);
     for (method = 0; method < METHODS; method++) {
         each += asked[method] ? columns : 0;
-        for (j = 0; j < in->columns; j++) sums[method][j].where = TESS_NONE;
+        for (j = 0; j < in->columns; j++) {
+            sums[method][j].where = TESS_NONE;
+            sums[method][j].least = DBL_MAX;
+            sums[method][j].most = -DBL_MAX;
+        }
     }
     if (next_output(errors_forms, 0)) {
         errors = (double *)space((double)each * (double)in->n, sizeof *errors);
@@ -342,6 +359,7 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
     f.keep = 0;
     f.value = v;
     f.columns = in->columns;
+    f.flat = m->flat;
     for (k = 0; k < parts; k++) {
         for (f.n = i = 0; i < in->n; i++) {
             if (part[i] == TESS_NONE || (long)part[i] == k) continue;
@@ -350,7 +368,7 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
                    columns * sizeof *v);
             f.n++;
         }
-        remesh(m, &f, k);
+        remesh(m, &f, p, v, k);
         for (at = 0, method = 0; method < METHODS; method++) {
             if (!asked[method]) continue;
             values_begin(&f, method, beyond, 0.0);
@@ -371,7 +389,7 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
             at += columns;
             values_end();
         }
-        progress((double)(k + 1), (double)parts);
+        progress("-validate", (double)(k + 1), (double)parts);
     }
     print_table(in, asked);
     if (each > columns) print_best(in, asked);

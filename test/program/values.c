@@ -9,14 +9,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
-
-#if defined(__unix__) || defined(__APPLE__)
-#include <unistd.h>
-#define TERMINAL isatty(2)
-#else
-#define TERMINAL 0
-#endif
 
 #include "../examples/recipes.h"
 #include "driver.h"
@@ -34,14 +26,16 @@ static const field *of;
 static int method, outside;
 static double number;
 
-/* for all but linear: the points times unit, which is 1 but for coordinates near
- * the ends of the range, whose products would overflow or vanish */
+/* for all but linear: the points times unit, which is 1 but for coordinates
+ * near the ends of the range, whose products would overflow or vanish */
 static const tess_real *at;
 static tess_real *scaled;
 static double unit;
 
-/* smooth: for each point and column the value, by much, and its gradient */
+/* smooth: for each point and column the value, by much, and its gradient; is
+ * each value of a column a number? */
 static double *bundle, much[COLUMNS];
+static int whole[COLUMNS];
 
 /* -clip: each column's range */
 static double low[COLUMNS], high[COLUMNS];
@@ -255,17 +249,17 @@ static void gradients(void)
 {
     double n = (double)of->n, *column, *g, *b, largest;
     tess_int i;
-    int code, finite, j, k;
+    int code, j, k;
 
     bundle = (double *)space(4.0 * n * (double)of->columns, sizeof *bundle);
     column = (double *)space(n, sizeof *column);
     g = (double *)space(3.0 * n, sizeof *g);
     work = (double *)space(9.0 * n, sizeof *work);
     for (j = 0; j < of->columns; j++) {
-        for (largest = 0.0, finite = 1, i = 0; i < of->n; i++) {
+        for (whole[j] = 1, largest = 0.0, i = 0; i < of->n; i++) {
             column[i] = of->value[(size_t)of->columns * (size_t)i + (size_t)j];
             if (!(fabs(column[i]) <= DBL_MAX))
-                finite = 0;
+                whole[j] = 0;
             else if (fabs(column[i]) > largest)
                 largest = fabs(column[i]);
         }
@@ -273,7 +267,7 @@ static void gradients(void)
         for (i = 0; i < of->n; i++) column[i] /= much[j];
         code = slopes(of->n, at, of->ntet, of->tet, of->adj, column, ROUNDS, g,
                       work);
-        if (code == TESS_RANGE && finite)
+        if (code == TESS_RANGE && whole[j])
             fail("-method smooth: gradients are beyond the range of numbers; "
                  "choose another method");
         /* what is no number makes places near it so */
@@ -359,20 +353,31 @@ static void smooth(const tess_real *q, int beyond, const tess_int *v,
         for (j = 0; j < of->columns; j++, f += 4)
             out[j] += w[i] * (f[0] + h[0] * f[1] + h[1] * f[2] + h[2] * f[3]);
     }
-    for (j = 0; j < of->columns; j++) out[j] *= much[j];
+    for (j = 0; j < of->columns; j++) {
+        out[j] *= much[j];
+        if (whole[j] && !(fabs(out[j]) <= DBL_MAX))
+            fail("-method smooth: a value is beyond the range of numbers; "
+                 "divide the points' values by ten");
+    }
 }
 
-/* sibsons - the sum by Sibson's weights. */
-static void sibsons(const tess_real *q, tess_int t, double *out)
+/* sibsons - the sum by Sibson's weights; w are the linear ones. */
+static void sibsons(const tess_real *q, tess_int t, const double *w,
+                    double *out)
 {
     tess_int many, i;
     int code;
 
-    while ((code = natural(at, of->ntet, of->tet, of->adj, q, &t, most,
-                           &many, neighbour, sibson, laplace, iwork, work)) ==
-           TESS_POOL)
+    while ((code = of->flat
+                       ? natural_flat(at, of->tet, of->adj, q, t, most, &many,
+                                      neighbour, sibson, iwork, work)
+                       : natural(at, of->ntet, of->tet, of->adj, q, &t, most,
+                                 &many, neighbour, sibson, laplace, iwork,
+                                 work)) == TESS_POOL)
         room(2 * most);
     recipe("natural", code);
+    for (i = 0; i < 4 && many == 0; i++)
+        row(of->tet[4 * (size_t)t + (size_t)i], w[i], out);
     for (i = 0; i < many; i++) row(neighbour[i], sibson[i], out);
 }
 
@@ -417,7 +422,7 @@ void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
         if (method == SMOOTH)
             smooth(near, beyond, v, w, out);
         else if (method == NATURAL && !beyond)
-            sibsons(near, last, out);
+            sibsons(near, last, w, out);
         else if (method == NEAREST)
             closest(near, v, w, out);
         else
@@ -426,28 +431,5 @@ void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
             if (out[j] < low[j]) out[j] = low[j];
             if (out[j] > high[j]) out[j] = high[j];
         }
-    }
-}
-
-/* -------------------------------------------------------------- progress */
-
-void progress(double done, double total)
-{
-    static time_t began, last;
-    static int shown;
-    time_t now = time((time_t *)0);
-
-    if (began == 0) began = last = now;
-    if (done >= total) {
-        if (shown) fprintf(stderr, "\r%40s\r", "");
-        began = 0;
-        shown = 0;
-    } else if (TERMINAL && !chosen.quiet && difftime(now, began) > 2.0 &&
-               difftime(now, last) >= 1.0) {
-        last = now;
-        shown = 1;
-        fprintf(stderr, "\rtess: %.0f %%, %.0f s more   ", 100.0 * done / total,
-                difftime(now, began) * (total / (done + 1e-9) - 1.0));
-        fflush(stderr);
     }
 }

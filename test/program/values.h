@@ -13,6 +13,7 @@ typedef struct field {
     const char *keep;    /* where keep[t] = 0 counts as outside; or 0 */
     const double *value; /* columns a point, row by row */
     int columns;
+    int flat; /* as of a mesh */
 } field;
 
 /* The methods.  Smooth: by gradients at the points; natural: Sibson's natural
@@ -66,9 +67,5 @@ double no_number(void);
  */
 void cross_validate(mesh *m, const tess_int *same, const double *value,
                     long parts, const int *asked, int beyond);
-
-/* progress - on a terminal, from the third second on: what share is done.
- * done = total: the line goes. */
-void progress(double done, double total);
 
 #endif

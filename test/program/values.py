@@ -100,12 +100,20 @@ test("-digits: values, and no coordinates",
 
 
 def by_vtk(name):
-    """What VTK reads in a file: its places, and the arrays by their names."""
-    reader = vtk.vtkStructuredPointsReader()
+    """What VTK reads in a file: its places, and the arrays by their names; and,
+    of .vtu, the type and size of its cells."""
+    xml = name.endswith(".vtu")
+    reader = (vtk.vtkXMLUnstructuredGridReader if xml
+              else vtk.vtkStructuredPointsReader)()
     reader.SetFileName(name)
-    reader.ReadAllScalarsOn()
+    if not xml:
+        reader.ReadAllScalarsOn()
     reader.Update()
     m = reader.GetOutput()
+    by_vtk.cells = [
+        (m.GetCellType(i), np.diff(np.reshape(m.GetCell(i).GetBounds(),
+                                              (3, 2)))[:, 0])
+        for i in range(m.GetNumberOfCells() if xml else 0)]
     d = m.GetPointData()
     return (np.array([m.GetPoint(i) for i in range(m.GetNumberOfPoints())]),
             {d.GetArrayName(k): vtk_to_numpy(d.GetArray(k))
@@ -129,6 +137,32 @@ try:
          "points.csv")
     test(".vtk, read by VTK: one column",
          near(by_vtk("u.vtk")[1]["U"], arrays["U"], 0.0))
+    low, high = p.min(0), p.max(0)
+    for kind, size in ((11, (23, 11, 17)), (8, (9, 7, 1)), (8, (9, 1, 7)),
+                       (8, (1, 9, 7)), (3, (1, 1, 5)), (3, (5, 1, 1)),
+                       (1, (1, 1, 1))):
+        tess("-q", "-grid", "%d,%d,%d" % size, "-values", "g.vtu", "-values",
+             "v.npy", "points.csv")
+        x, arrays = by_vtk("g.vtu")
+        step = (high - low) / np.maximum(np.array(size) - 1, 1) * (
+            np.array(size) > 1)
+        test(".vtu, read by VTK: %s: places, values, cells" % (size,),
+             near(x, places(low, high, size).reshape(-1, 3), 1e-15) and
+             near(np.column_stack([arrays["T"], arrays["U"]]),
+                  np.load("v.npy").reshape(-1, 2), 0.0) and
+             len(by_vtk.cells) == np.prod(np.maximum(np.array(size) - 1, 1)) and
+             all(k == kind and near(s, step, 1e-15) for k, s in by_vtk.cells))
+    # (so many that they are kept in a file)
+    for columns, many in ("x,y,z,T,U", 100), ("x,y,z,U", 140000):
+        q = np.random.default_rng(8).random((many, 3)) * 1.2
+        save("q.csv", q)
+        tess("-q", "-cols", columns, "-query", "q.csv", "-values", "g.vtu",
+             "-values", "v.npy", "points.csv")
+        x, arrays = by_vtk("g.vtu")
+        test(".vtu, read by VTK: places of a file, " + columns, near(x, q, 0.0)
+             and list(arrays) == columns[6:].split(",") and
+             near(np.column_stack(list(arrays.values())), np.load("v.npy"), 0.0)
+             and [k for k, _ in by_vtk.cells] == [1] * many)
     # by `make grid'
     x, arrays = by_vtk("../mirror.vtk")
     tess("-q", "-alpha", "0.5", "-method", "smooth", "-grid", "200,200,20",
@@ -199,6 +233,212 @@ test("-query, .csv: the places as they were read", near(rows[:, :3], q[order],
                                                        0.0))
 test("-query, .csv: the values of .npy", near(rows[:, 3:], np.load("q.npy"),
                                               0.0))
+
+# ---- points in a plane ----
+
+f = random.random((2000, 2)) * (360, 180) - (180, 90)
+V = np.sin(f[:, 0] / 20) * np.cos(f[:, 1] / 15)
+W = 3 + 2 * f[:, 0] - f[:, 1] / 2
+b = np.stack((f.min(0), f.max(0)))
+save("flat.csv", f, V, W, names="lon,lat,temp,w")
+save("three.csv", f, V, names="lon,lat,temp")
+save("few.csv", f[:200], V[:200], names="lon,lat,temp")
+x = np.stack(np.meshgrid(np.linspace(*b[:, 0], 40), np.linspace(*b[:, 1], 30)),
+             -1)
+want = LinearNDInterpolator(f, np.column_stack((V, W)))(x)
+for name, options in (("-cols lon,lat,temp", ("-cols", "lon,lat,temp")),
+                      ("-cols lon,lat", ("-cols", "lon,lat")),
+                      ("no -cols", ())):
+    n = 1 if "temp" in name else 2
+    tess("-q", *options, "-grid", "40,30", "-values", "f.npy", "-values",
+         "f.csv", "-values", "f.vtk", "-values", "f.svg", "flat.csv")
+    got = np.load("f.npy")
+    test("plane, %s: shape (NY,NX,columns), LinearNDInterpolator's" % name,
+         got.shape == (30, 40, n) and near(got, want[..., :n], 1e-12))
+rows = np.genfromtxt("f.csv", delimiter=",", skip_header=1)
+test("plane, .csv: names, places, values",
+     open("f.csv").readline() == "x,y,temp,w\n" and
+     near(rows[:, :2], x.reshape(-1, 2), 1e-13) and
+     near(rows[:, 2:], got.reshape(-1, 2), 0.0))
+test("plane, .svg: x to the right, y upwards, nothing of z",
+     "x -1" in open("f.svg").read() and "z = " not in open("f.svg").read())
+try:
+    at, arrays = by_vtk("f.vtk")
+    test("plane, .vtk, read by VTK: the values of .npy",
+         near(at[:, :2], x.reshape(-1, 2), 1e-12) and
+         near(arrays["w"], got[..., 1].ravel(), 0.0))
+except NameError:
+    print("        skipped: plane, .vtk: no vtk")
+tess("-q", "-cols", "lon,lat,temp", "-grid", "5,7,-20,20,-30,40", "-values",
+     "f.npy", "flat.csv")
+test("plane: -grid NX,NY,X0,X1,Y0,Y1", near(
+    np.load("f.npy")[..., 0], LinearNDInterpolator(f, V)(
+        *np.meshgrid(np.linspace(-20, 20, 5), np.linspace(-30, 40, 7))), 1e-12))
+tess("-q", "-scale", "1,5", "-grid", "40,30", "-values", "f.npy", "flat.csv")
+test("plane: -scale SX,SY", near(np.load("f.npy"), LinearNDInterpolator(
+    f * (1, 5), np.column_stack((V, W)))(x * (1, 5)), 1e-12))
+
+
+def by_voronoi(p, v, q):
+    """Sibson's natural neighbours: what a cell takes of the others' areas."""
+    def areas(points):
+        voronoi = Voronoi(points)
+        regions = [voronoi.regions[r] for r in voronoi.point_region]
+        return np.array([0 if -1 in r else
+                         ConvexHull(voronoi.vertices[r]).volume
+                         for r in regions])
+
+    size = np.abs(p).max()
+    p = np.vstack((p, 60 * size * np.array([[1, 1], [1, -1], [-1, 1],
+                                            [-1, -1]])))
+    before, out = areas(p), []
+    for place in q:
+        after = areas(np.vstack((p, place)))
+        taken = before - after[:-1]
+        taken[np.abs(taken) < 1e-10 * size ** 2] = 0
+        out.append(taken[:len(v)] @ v / after[-1])
+    return np.array(out)
+
+
+def by_slopes(p, v, q):
+    """-method smooth, as the recipe slopes says, but in the plane: a side of two
+    triangles counts 4 times; two points far off it add to the diagonal alone."""
+    mesh = Delaunay(p)
+    # (the first point's value is that of the two)
+    often = np.ones(len(p))
+    often[0] = 3
+    far = np.sqrt(often)[:, None]
+    g = np.linalg.lstsq(far * np.column_stack((p, np.ones(len(p)))),
+                        far[:, 0] * v, rcond=None)[0][:2]
+    g = np.tile(g, (len(p), 1))
+    sides = np.vstack([mesh.simplices[:, [k, k - 1]] for k in range(3)])
+    a, c = np.vstack((sides, sides[:, ::-1])).T
+    e = p[c] - p[a]
+    w = 2 / (e ** 2).sum(1)
+    m = np.zeros((len(p), 2, 2))
+    np.add.at(m, a, w[:, None, None] * e[:, :, None] * e[:, None, :])
+    size = np.trace(m, axis1=1, axis2=2) + 2 * np.bincount(
+        mesh.simplices.ravel(), minlength=len(p))
+    m += 1e-4 * size[:, None, None] * np.eye(2)
+    for k in range(4):
+        s = (g[a] * e).sum(1)
+        if k > 0:
+            s = (s + (g[c] * e).sum(1)) / 2
+        r = np.zeros(p.shape)
+        np.add.at(r, a, (w * (v[c] - v[a] - s))[:, None] * e)
+        g = g + (1.8 if k else 1) * np.linalg.solve(m, r[:, :, None])[:, :, 0]
+    t = mesh.find_simplex(q)
+    u = np.einsum("ijk,ik->ij", mesh.transform[t, :2],
+                  q - mesh.transform[t, 2])
+    u = np.column_stack((u, 1 - u.sum(1)))
+    i = mesh.simplices[t]
+    return (u * (v[i] + ((q[:, None] - p[i]) * g[i]).sum(2) / 2)).sum(1)
+
+
+x = random.random((1500, 2)) * (400, 200) - (200, 100)
+save("lonlat.csv", x, names="lon,lat")
+where = LinearNDInterpolator(f, np.column_stack((V, W)))(x)
+out = np.isnan(where[:, 0])
+inner = np.flatnonzero((np.abs(x) < (150, 70)).all(1))
+for method in METHODS:
+    tess("-q", "-cols", "lon,lat,temp,w", "-query", "lonlat.csv", "-method",
+         method, "-values", "f.npy", "-values", "f.csv", "flat.csv")
+    got = np.load("f.npy")
+    test("plane, %s: NaN outside the hull" % method, out.sum() > 100 and
+         bool(np.all(np.isnan(got).any(1) == out)))
+    if method != "nearest":
+        test("plane, %s: a linear field comes out as it is" % method,
+             near(got[:, 1], where[:, 1], 1e-11))
+    if method == "linear":
+        test("plane, -query: LinearNDInterpolator's", near(got, where, 1e-12))
+        test("plane, -query, .csv: two coordinates", near(
+            np.genfromtxt("f.csv", delimiter=",", skip_header=1)[:, :2], x, 0.0))
+    if method == "nearest":
+        want = np.where(out, np.nan, V[cKDTree(f).query(x)[1]])
+        test("plane, nearest: the k-d tree's", near(got[:, 0], want, 0.0))
+    if method == "natural":
+        want = by_voronoi(f, V, x[inner[:9]])
+        test("plane, natural: areas of SciPy's Voronoi cells",
+             near(got[inner[:9], 0], want, 1e-7))
+    if method == "smooth":
+        want = by_slopes(f, V, x[inner])
+        test("plane, smooth: slopes in the plane, by NumPy",
+             near(got[inner, 0], want, 1e-9))
+    tess("-q", "-plane", "-query", "flat.csv", "-method", method, "-values",
+         "f.npy", "flat.csv")
+    test("plane, %s: the values at the points themselves" % method,
+         near(np.load("f.npy"), np.column_stack((V, W)), 0.0))
+# as a mesh in space of the same columns would not
+tess("-cols", "lon,lat,temp", "-query", "lonlat.csv", "-values", "f.npy",
+     "three.csv")
+test("plane: places of two numbers a line, which is said",
+     near(np.load("f.npy"), where[:, :1], 1e-12) and
+     "in a plane" in tess.said)
+for i, these in enumerate((f, np.vstack((f, f[::7])))):
+    v = np.concatenate((V, V[::7] + 1))[:len(these)]
+    mean = V + (np.arange(2000) % 7 == 0) * i / 2
+    save("twins.csv", these, v, names="x,y,v")
+    tess("-q", "-plane", "-outside", "nearest", "-query", "lonlat.csv",
+         "-values", "f.npy", "twins.csv")
+    got = np.load("f.npy")[:, 0]
+    want = LinearNDInterpolator(f, mean)(x)
+    test("plane: points at one place have their mean, %d" % i,
+         near(np.where(out, np.nan, got), want, 1e-12) and
+         not np.isnan(got).any())
+# the hull's nearest point, by its sides
+h = f[ConvexHull(f).vertices]
+side = np.roll(h, -1, 0) - h
+s = np.clip(((x[:, None] - h) * side).sum(2) / (side ** 2).sum(1), 0, 1)
+foot = h + s[..., None] * side
+foot = foot[np.arange(len(x)),
+            ((foot - x[:, None]) ** 2).sum(2).argmin(1)][out]
+tess("-q", "-plane", "-outside", "nearest", "-query", "lonlat.csv", "-values",
+     "f.npy", "flat.csv")
+test("plane, -outside nearest: the hull's nearest point",
+     near(np.load("f.npy")[out, 1], 3 + 2 * foot[:, 0] - foot[:, 1] / 2, 1e-10))
+
+
+def lines(table):
+    return [line.split() for line in table.splitlines()
+            if line.split()[0] in METHODS]
+
+
+for options in (("-cols", "lon,lat,temp"), ("-plane",), ("-cols", "lon,lat")):
+    table = lines(tess("-q", *options, "-validate", "-method",
+                       ",".join(METHODS), "few.csv"))
+    error = []
+    for i in range(200):
+        others = np.arange(200) != i
+        error.append(LinearNDInterpolator(f[:200][others], V[:200][others])(
+            f[i:i + 1])[0] - V[i])
+    tess("-q", *options, "-validate", 200, "-errors", "e.csv", "few.csv")
+    got = np.genfromtxt("e.csv", delimiter=",", skip_header=1)[:, -1]
+    test("plane, -validate: each left out, LinearNDInterpolator's errors, %s" %
+         options[0], len(table) == 4 and near(got, np.array(error), 1e-12))
+
+# a plane of space: askew to the axes, and along each
+for name, frame in (("askew", np.linalg.qr(random.random((3, 3)))[0][:2]),
+                    ("z", np.eye(3)[:2]), ("y", np.eye(3)[::2]),
+                    ("x", np.eye(3)[1:])):
+    u, y = random.random((500, 2)), random.random((800, 2)) * 1.2 - .1
+    save("tilted.csv", u @ frame + (3, 4, 5), bent(np.c_[u, u[:, :1]]))
+    save("tilted.txt", y @ frame + (3, 4, 5))
+    want = LinearNDInterpolator(u, bent(np.c_[u, u[:, :1]]))(y)
+    for method in METHODS:
+        tess("-query", "tilted.txt", "-method", method, "-values", "f.npy",
+             "tilted.csv")
+        got = np.load("f.npy")[:, 0]
+        test("a plane in space, %s, %s" % (name, method),
+             "lie in one plane" in tess.said and
+             bool(np.all(np.isnan(got) == np.isnan(want))) and
+             (method != "linear" or near(got, want, 1e-12)) and
+             (method != "nearest" or near(got, np.where(
+                 np.isnan(want), np.nan, bent(np.c_[u, u[:, :1]])[
+                     cKDTree(u).query(y)[1]]), 0.0)))
+# but one nearly so is none
+save("nearly.csv", np.c_[u, 1e-9 * random.random(500)] + (0, 0, 1), u[:, 0])
+tess("-q", "-grid", "9,9,1", "-values", "f.npy", "nearly.csv")
+test("a thin layer is no plane", "lie in one plane" not in tess.said)
 
 # ---- the methods ----
 
@@ -744,6 +984,12 @@ done = subprocess.run([TESS, "-q", "-validate", "-method", "smooth", "far.csv"],
                       stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 test("-validate: what cannot be scaled is refused", done.returncode == 2 and
      b"differ too much" in done.stderr and not done.stdout)
+save("far.csv", x, np.where(random.random(200) < .5, -1.7e308, 1.7e308))
+done = subprocess.run([TESS, "-q", "-validate", "-method", "smooth", "far.csv"],
+                      stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+test("-validate: values beyond the range of numbers are none",
+     done.returncode == 2 and not done.stdout and
+     b"divide the points' values by ten" in done.stderr)
 x = random.random((200, 3))
 f, g = bent(x), 100 * linear(x) ** 2
 test("-validate: 10, if no number is given",

@@ -45,6 +45,8 @@ printf '0,0,0,a\n1,0,0,b\n0,1,0,\n0,0,1,c\n' > hollow
 tail -n +2 four.node | cut -d' ' -f2- > single
 awk '{ print $1, $2, $3, $4, NR % 2 }' single > holes
 printf '0 0 0 1\n1 0 0 2\n0 1 0 3\n0 0 1 4\n' > four
+awk '{ print $1, 2 * $1, 3 * $1, $4 }' plane > line
+cut -d, -f1,2 bare > flat
 : > empty
 : > said; : > told; : > before; : > after
 mkdir folder.npy
@@ -60,7 +62,7 @@ for grid in 0,2,2 2,-1,2 2,2,2.5 1e99,1,1 nan,2,2 99999999999,1,1; do
     refuses 'whole numbers' -grid $grid -values v.npy points
 done
 refuses 'places are more' -grid 100000,100000,1000 -values v.npy points
-for grid in '' 2 2,2 '2,2,2,' 2,2,2,0,1 2,2,2,0,1,0,1,0,1,0 2,2,x; do
+for grid in '' 2 '2,2,' '2,2,2,' 2,2,2,0,1 2,2,2,0,1,0,1,0,1,0 2,2,x; do
     refuses 'needs NX,NY,NZ' -grid "$grid" -values v.npy points
 done
 refuses 'X0 must be less' -grid 2,2,2,1,0,0,1,0,1 -values v.npy points
@@ -77,6 +79,16 @@ refuses 'needs -values' -grid 2,2,2 points
 refuses 'needs -values' -query bare points
 refuses 'needs places' -values v.npy points
 refuses 'choose one of them' -grid 2,2,2 -query bare -values v.npy points
+# in a plane
+refuses 'Y0 must be less' -grid 2,2,0,1,1,0 -values v.npy points
+refuses '-scale needs three numbers' -scale 1,2 -validate points
+refuses 'is for points in space' -cols x,y -grid 2,2,2 -values v.npy points
+refuses '-cols needs three columns' -cols x,y points
+refuses '-plane needs three columns' -plane points
+refuses 'in space, not' -alpha 1 -grid 2,2 -values v.npy points
+refuses 'from lines of numbers' -plane -validate four.node
+refuses 'fewer than three numbers' -query flat -qcols 1,2,2 -values v.npy points
+refuses 'no values' -plane -validate flat
 refuses 'is for -query' -qcols 1,2,3 -grid 2,2,2 -values v.npy points
 refuses 'for -values or' -method smooth points
 refuses 'for -values or' -outside 0 points
@@ -93,7 +105,8 @@ refuses 'for -values F.csv$' -digits 3 points
 refuses 'for -values F.csv$' -digits 3 -grid 2,2,2 -values v.npy points
 refuses 'from 1 to 17' -digits 0 -grid 2,2,2 -values v.csv points
 refuses 'nearest or a number' -outside far -grid 2,2,2 -values v.npy points
-refuses 'must end in .csv, .npy, .vtk or .svg' -grid 2,2,2 -values v.txt points
+refuses 'must end in .csv, .npy, .vtu, .vtk or .svg' -grid 2,2,2 -values v.txt \
+    points
 refuses 'is for a -grid' -query bare -values v.vtk points
 refuses 'is for a -grid' -query bare -values v.svg points
 refuses 'is of a slice' -grid 2,2,2 -values v.svg points
@@ -125,8 +138,10 @@ refuses 'only 200 points' -validate 201 points
 refuses 'knows the hull' -outside nearest -alpha 1 -grid 2,2,2 -values v.npy \
     points
 # found when the mesh is there
-refuses 'lie in one plane' -q -grid 2,2,2 -values v.npy plane
-refuses 'lie in one plane' -q -validate plane
+refuses 'lie on one line' -q -grid 2,2,2 -values v.npy line
+refuses 'lie on one line' -q -validate line
+refuses 'lie on one line' -q -plane -grid 2,2 -values v.npy line
+refuses 'in one plane, where -alpha' -q -alpha 1 -grid 2,2,2 -values v.npy plane
 refuses 'no tetrahedron is left; choose more parts' -q -validate 2 four
 refuses 'no tetrahedron is left; choose smaller groups' -q -validate 2 -by 5 \
     holes
@@ -145,7 +160,7 @@ if (trap '' XFSZ; ulimit -f 1000) 2> /dev/null; then
     fi
     # gigabytes are announced; and what cannot be written is noticed at once
     for end in csv npy vtk; do
-        (trap '' XFSZ; ulimit -f 100; limited 60 $TESS -grid \
+        (trap '' XFSZ; ulimit -f 100; limited 60 $TESS -q -grid \
             3000,3000,3000 -values big.$end points) > said 2> told
         code=$?
         if [ $code -eq 2 ] && [ ! -f big.$end ] && grep \
@@ -153,11 +168,47 @@ if (trap '' XFSZ; ulimit -f 1000) 2> /dev/null; then
             grep "big.$end: write error" told > /dev/null; then
             pass "gigabytes of .$end"
         else
-            fail "gigabytes of .$end: code $code: `cat told`"
+            fail "gigabytes of .$end: code $code: $(cat told)"
         fi
     done
 else
     skip "a file that cannot be completed: no ulimit -f"
+fi
+
+# ten million places take no memory of their own
+# shellcheck disable=SC3045 # where there is no -v it is skipped
+if (ulimit -v 20000) 2> told; then
+    (ulimit -v 20000; exec $TESS -q -grid 250,200,200 -values ten.npy points \
+        ) > said 2> told
+    code=$?
+    if [ $code -eq 0 ] && [ "$(wc -c < ten.npy)" -eq 80000128 ]; then
+        pass "ten million places in 20 MB"
+    else
+        fail "ten million places in 20 MB: code $code: `cat told`"
+    fi
+    rm -f ten.npy
+    # many of a file; where the first line might be one, but for the number
+    awk 'BEGIN { srand(4); for (i = 0; i < 1000000; i++)
+        print rand(), rand(), rand() }' > some
+    (ulimit -v 32000; exec $TESS -q -query some -values some.npy points) \
+        > said 2> told
+    code=$?
+    (echo 1000000; echo 0 0 0; cat some) > titled
+    $TESS -q -query titled -values titled.npy points || code=1
+    split -l 100000 some piece.
+    for piece in piece.a?; do
+        $TESS -q -query $piece -values part.npy points
+        tail -c +129 part.npy
+    done > pieces
+    if [ $code -eq 0 ] && cmp -s some.npy titled.npy &&
+        tail -c +129 some.npy | cmp -s - pieces; then
+        pass "a million places of a file in 32 MB, as their parts"
+    else
+        fail "a million places of a file in 32 MB: code $code: `cat told`"
+    fi
+    rm -f some titled pieces piece.*
+else
+    skip "ten million places: no ulimit -v"
 fi
 
 # places from standard input; no progress where there is no terminal

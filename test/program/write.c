@@ -15,6 +15,7 @@
 #include <ctype.h>
 #include <errno.h>
 #include <float.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -116,8 +117,10 @@ FILE *start(output *o, double bytes)
     static int begun;
 
     if (!begun++) atexit(discard);
+    /* (even by -q: it is too late when the disk is full) */
     if (bytes > MUCH)
-        warn("%s: about %.1f GB will be written", o->name, bytes / 1e9);
+        fprintf(stderr, "tess: %s: about %.1f GB will be written\n", o->name,
+                bytes / 1e9);
     say("writing %s ...", o->name);
     return strcmp(o->name, "-") == 0 ? stdout : open_output(o);
 }
@@ -140,9 +143,8 @@ void finish(FILE *file, output *o)
     tell("written       %s\n", o->name);
 }
 
-void put_real(FILE *file, double x, int narrow, char after)
+void real_text(char *text, double x, int narrow)
 {
-    char text[64];
     double back;
     int digits = narrow ? FLT_DIG : DBL_DIG, most = digits + 3;
 
@@ -151,6 +153,13 @@ void put_real(FILE *file, double x, int narrow, char after)
         back = strtod(text, (char **)0);
         if (narrow) back = (double)(float)back;
     } while (back != x && digits++ < most);
+}
+
+void put_real(FILE *file, double x, int narrow, char after)
+{
+    char text[REAL];
+
+    real_text(text, x, narrow);
     fprintf(file, "%s%c", text, after);
 }
 
@@ -165,95 +174,278 @@ void put_point(FILE *file, const points *in, tess_int i, char between,
     put_real(file, (double)p[2], narrow, after);
 }
 
-void write_node(const mesh *m, output *o)
-{
-    const points *in = m->in;
-    const double *v = in->value;
-    FILE *file =
-        start(o, (double)in->n * (4.0 + (double)in->columns) * WIDTH);
-    tess_int i;
-    int k;
+/* ---- the mesh, or its boundary ---- */
 
-    fprintf(file, "%ld 3 %d %d\n", (long)in->n, in->columns - in->marker,
-            in->marker);
-    for (i = 0; i < in->n; i++) {
-        fprintf(file, "%ld ", (long)(i + in->base));
-        put_point(file, in, i, ' ', in->columns > 0 ? ' ' : '\n');
-        for (k = 1; k <= in->columns; k++)
-            put_real(file, *v++, 0, k < in->columns ? ' ' : '\n');
+/* part - what a file has of a mesh: cells, of that many corners, and points, of
+ * which these; or 0: all. */
+typedef struct part {
+    const points *in;
+    tess_int points, cells, *point, *cell;
+    int corners;
+} part;
+
+/* boundary - its triangles, seen counter-clockwise from outside; own: between
+ * their own points, numbered anew. */
+static part boundary(const mesh *m, int own)
+{
+    part a;
+    double n = (double)m->in->n;
+    tess_int *place = (tess_int *)space(n, sizeof *place), *v;
+
+    a.in = m->in;
+    a.corners = 3;
+    tess_hull(m->ntet, m->tet, m->adj, 0, &a.cells, place);
+    a.cell = (tess_int *)space(3.0 * (double)a.cells, sizeof *a.cell);
+    tess_hull(m->ntet, m->tet, m->adj, a.cells, &a.cells, a.cell);
+    a.point = (tess_int *)space(n, sizeof *a.point);
+    for (a.points = 0; a.points < a.in->n;) place[a.points++] = TESS_NONE;
+    a.points = 0;
+    for (v = a.cell; own && v < a.cell + 3 * (size_t)a.cells; v++) {
+        if (place[*v] < 0) {
+            a.point[a.points] = *v;
+            place[*v] = a.points++;
+        }
+        *v = place[*v];
     }
+    free(place);
+    return a;
+}
+
+/* part_of - what that file has. */
+static part part_of(const mesh *m, const output *o)
+{
+    part a;
+
+    if (o->all == face_forms) return boundary(m, 1);
+    a.in = m->in;
+    a.points = a.in->n;
+    a.cells = m->ntet;
+    a.corners = 4;
+    a.point = 0;
+    a.cell = m->tet;
+    return a;
+}
+
+/* end_part - the file is complete. */
+static void end_part(FILE *file, output *o, part *a)
+{
+    if (a->corners == 3) free(a->cell);
+    free(a->point);
     finish(file, o);
 }
 
-/* write_four - four numbers a tetrahedron. */
-static void write_four(const mesh *m, output *o, const char *head,
-                       const tess_int *four)
+static tess_int point_of(const part *a, tess_int i)
 {
-    FILE *file = start(o, (double)m->ntet * 2.0 * WIDTH);
-    tess_int t;
+    return a->point ? a->point[i] : i;
+}
+
+static double value_of(const part *a, tess_int i, int column)
+{
+    return a->in->value[(size_t)a->in->columns * (size_t)point_of(a, i) +
+                        (size_t)column];
+}
+
+/* text_size - about so many bytes, in a text with columns of values. */
+static double text_size(const part *a, int columns)
+{
+    return WIDTH *
+           ((4.0 + columns) * (double)a->points + 2.0 * (double)a->cells);
+}
+
+/* put_before - what a line of a text begins with: that, or if 0 a number. */
+static void put_before(FILE *file, const char *before, tess_int number)
+{
+    if (before)
+        fprintf(file, "%s", before);
+    else
+        fprintf(file, "%ld ", (long)number);
+}
+
+/* put_points - as lines: each one's number, from base on, or what is before it;
+ * coordinates; values of so many columns. */
+static void put_points(FILE *file, const part *a, const char *before,
+                       tess_int base, int columns)
+{
+    tess_int i;
     int k;
 
-    fprintf(file, "%ld %s\n", (long)m->ntet, head);
-    for (t = 0; t < m->ntet; t++) {
-        fprintf(file, "%ld", (long)(t + m->in->base));
-        for (k = 0; k < 4; k++)
-            fprintf(file, " %ld", four[4 * t + k] < 0
-                                      ? -1L
-                                      : (long)(four[4 * t + k] + m->in->base));
-        fprintf(file, "\n");
+    for (i = 0; i < a->points; i++) {
+        put_before(file, before, i + base);
+        put_point(file, a->in, point_of(a, i), ' ', columns > 0 ? ' ' : '\n');
+        for (k = 1; k <= columns; k++)
+            put_real(file, value_of(a, i, k - 1), 0, k < columns ? ' ' : '\n');
     }
-    finish(file, o);
+}
+
+/* put_cells - the same of cells; corners' numbers, too, are from base on. */
+static void put_cells(FILE *file, const part *a, const char *before,
+                      tess_int base)
+{
+    const tess_int *v = a->cell;
+    tess_int i;
+    int k;
+
+    for (i = 0; i < a->cells; i++) {
+        put_before(file, before, i + base);
+        for (k = 1; k <= a->corners; k++, v++)
+            fprintf(file, k < a->corners ? "%ld " : "%ld\n",
+                    *v < 0 ? -1L : (long)(*v + base));
+    }
+}
+
+void write_node(const mesh *m, output *o)
+{
+    part a = part_of(m, o);
+    int columns = a.in->columns;
+    FILE *file = start(o, text_size(&a, columns));
+
+    fprintf(file, "%ld 3 %d %d\n", (long)a.points, columns - a.in->marker,
+            a.in->marker);
+    put_points(file, &a, 0, a.in->base, columns);
+    end_part(file, o, &a);
 }
 
 void write_ele(const mesh *m, output *o)
 {
-    write_four(m, o, "4 0", m->tet);
+    part a = part_of(m, o);
+    int neighbours = ends_in(o->as->ending, ".neigh");
+    FILE *file = start(o, text_size(&a, 0));
+
+    if (neighbours) a.cell = m->adj;
+    fprintf(file, "%ld 4%s\n", (long)a.cells, neighbours ? "" : " 0");
+    put_cells(file, &a, 0, a.in->base);
+    end_part(file, o, &a);
 }
 
-void write_neigh(const mesh *m, output *o)
-{
-    write_four(m, o, "4", m->adj);
-}
-
-/* Vertices of the facet opposite to each, counter-clockwise from outside. */
-static const int facet[4][3] = {{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}};
-
-/* write_face - the boundary's triangles: TetGen's .face, whose points are those
- * of .node; or OBJ, with the boundary's points alone. */
 void write_face(const mesh *m, output *o)
 {
-    int obj = ends_in(o->as->ending, ".obj"), k;
-    FILE *file = start(o, (double)m->in->n * 5.0 * WIDTH);
-    const points *in = m->in;
-    tess_int *place = (tess_int *)space((double)in->n, sizeof *place);
-    tess_int many = 0, i, f, v;
+    part a = boundary(m, 0);
+    FILE *file = start(o, text_size(&a, 0));
 
-    for (i = 0; i < in->n; i++) place[i] = obj ? TESS_NONE : i + in->base;
-    for (f = 0; f < 4 * m->ntet; f++) {
-        if (m->adj[f] >= 0) continue;
-        if (!obj) many++;
-        for (k = 0; k < 3 && obj; k++) {
-            v = m->tet[f / 4 * 4 + facet[f % 4][k]];
-            if (place[v] >= 0) continue;
-            place[v] = ++many;
-            fprintf(file, "v ");
-            put_point(file, in, v, ' ', '\n');
+    fprintf(file, "%ld 0\n", (long)a.cells);
+    put_cells(file, &a, 0, a.in->base);
+    end_part(file, o, &a);
+}
+
+void write_obj(const mesh *m, output *o)
+{
+    part a = part_of(m, o);
+    FILE *file = start(o, text_size(&a, 0));
+
+    put_points(file, &a, "v ", 0, 0);
+    put_cells(file, &a, "f ", 1);
+    end_part(file, o, &a);
+}
+
+void write_off(const mesh *m, output *o)
+{
+    part a = part_of(m, o);
+    FILE *file = start(o, text_size(&a, 0));
+
+    fprintf(file, "OFF\n%ld %ld 0\n", (long)a.points, (long)a.cells);
+    put_points(file, &a, "", 0, 0);
+    put_cells(file, &a, "3 ", 0);
+    end_part(file, o, &a);
+}
+
+void write_ply(const mesh *m, output *o)
+{
+    part a = part_of(m, o);
+    FILE *file = start(o, text_size(&a, a.in->columns));
+    int k;
+
+    fprintf(file, "ply\nformat ascii 1.0\nelement vertex %ld\nproperty double x"
+                  "\nproperty double y\nproperty double z\n", (long)a.points);
+    for (k = 0; k < a.in->columns; k++)
+        fprintf(file, "property double %s\n", vtk_name(a.in, k));
+    fprintf(file, "element face %ld\nproperty list uchar int vertex_indices\n"
+                  "end_header\n", (long)a.cells);
+    put_points(file, &a, "", 0, a.in->columns);
+    put_cells(file, &a, "3 ", 0);
+    end_part(file, o, &a);
+}
+
+/* write_stl - as text: the binary form would round coordinates. */
+void write_stl(const mesh *m, output *o)
+{
+    part a = boundary(m, 0);
+    FILE *file = start(o, 14.0 * WIDTH * (double)a.cells);
+    const tess_int *v;
+    double f[HH_FACET_LEN];
+    int k;
+
+    fprintf(file, "solid tess\n");
+    for (v = a.cell; v < a.cell + 3 * (size_t)a.cells;) {
+        hh_facet(a.in->p + 3 * (size_t)v[0], a.in->p + 3 * (size_t)v[1],
+                 a.in->p + 3 * (size_t)v[2], f);
+        fprintf(file, "facet normal %.9g %.9g %.9g\nouter loop\n", f[0], f[1],
+                f[2]);
+        for (k = 0; k < 3; k++) {
+            fprintf(file, "vertex ");
+            put_point(file, a.in, *v++, ' ', '\n');
         }
+        fprintf(file, "endloop\nendfacet\n");
     }
-    if (!obj) fprintf(file, "%ld 0\n", (long)many);
-    for (i = in->base, f = 0; f < 4 * m->ntet; f++) {
-        if (m->adj[f] >= 0) continue;
-        if (obj)
-            fprintf(file, "f");
-        else
-            fprintf(file, "%ld", (long)i++);
-        for (k = 0; k < 3; k++)
-            fprintf(file, " %ld",
-                    (long)place[m->tet[f / 4 * 4 + facet[f % 4][k]]]);
-        fprintf(file, "\n");
+    fprintf(file, "endsolid tess\n");
+    end_part(file, o, &a);
+}
+
+/* name_again - of a column whose name an earlier one has, what follows it. */
+static const char *name_again(const points *in, int column)
+{
+    static char text[20];
+    int k;
+
+    for (k = 0; k < column && strcmp(in->name[k], in->name[column]) != 0;) k++;
+    text[0] = '\0';
+    if (k < column) sprintf(text, "_%d", column + 1);
+    return text;
+}
+
+/* utf8 - bytes of the character at s; 0 if it is none of UTF-8. */
+static int utf8(const char *s)
+{
+    int c = (unsigned char)*s, k;
+    int most = c < 128 ? 1 : c < 194 ? 0 : c < 224 ? 2 : c < 240 ? 3 : 4;
+
+    for (k = 1; k < most; k++)
+        if (((unsigned char)s[k] & 192) != 128) return 0;
+    return c < 245 ? most : 0;
+}
+
+/* write_msh - Gmsh's 4.1, as text: one volume, or surface, numbered 1. */
+void write_msh(const mesh *m, output *o)
+{
+    part a = part_of(m, o);
+    long n = (long)a.points, cells = (long)a.cells, i;
+    FILE *file = start(o, text_size(&a, 2 * a.in->columns));
+    const char *s;
+    int bytes, k;
+
+    fprintf(file, "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 %ld 1 %ld\n"
+                  "3 1 0 %ld\n", n, n, n);
+    for (i = 1; i <= n; i++) fprintf(file, "%ld\n", i);
+    put_points(file, &a, "", 0, 0);
+    fprintf(file, "$EndNodes\n$Elements\n1 %ld 1 %ld\n3 1 4 %ld\n", cells,
+            cells, cells);
+    put_cells(file, &a, 0, 1);
+    fprintf(file, "$EndElements\n");
+    for (k = 0; k < a.in->columns; k++) {
+        fprintf(file, "$NodeData\n1\n\"");
+        for (s = a.in->name[k]; *s; s += bytes ? bytes : 1) {
+            bytes = utf8(s);
+            fprintf(file, "%.*s", bytes, *s == '"' ? "'" : s);
+            if (bytes == 0) putc('?', file);
+        }
+        fprintf(file, "%s\"\n1\n0\n3\n0\n1\n%ld\n", name_again(a.in, k),
+                n);
+        for (i = 0; i < n; i++) {
+            put_before(file, 0, (tess_int)(i + 1));
+            put_real(file, value_of(&a, (tess_int)i, k), 0, '\n');
+        }
+        fprintf(file, "$EndNodeData\n");
     }
-    free(place);
-    finish(file, o);
+    end_part(file, o, &a);
 }
 
 /* ---- VTK ---- */
@@ -299,66 +491,196 @@ const char *vtk_name(const points *in, int column)
     static char text[3 * TITLE + 20];
     const char *s = in->name[column];
     char *c = text;
-    int k;
 
     for (; *s; s++)
         c += sprintf(c, *s > ' ' && *s <= '~' && !strchr("\"%", *s) ? "%c"
                                                                     : "%%%02X",
                      (unsigned char)*s);
-    for (k = 0; k < column && strcmp(in->name[k], in->name[column]) != 0;) k++;
-    if (k < column) sprintf(c, "_%d", column + 1);
+    strcpy(c, name_again(in, column));
     return text;
 }
 
+/* put_coordinates, put_column, put_size - of all points; their values; of all
+ * tetrahedra the circumradius, or the volume. */
+static void put_coordinates(FILE *file, const part *a)
+{
+    const tess_real *p;
+    tess_int i;
+    int k;
+
+    for (i = 0; i < a->points; i++) {
+        p = a->in->p + 3 * (size_t)point_of(a, i);
+        for (k = 0; k < 3; k++) put_double(file, (double)p[k]);
+    }
+}
+
+static void put_column(FILE *file, const part *a, int column)
+{
+    tess_int i;
+
+    for (i = 0; i < a->points; i++) put_double(file, value_of(a, i, column));
+}
+
+static void put_size(FILE *file, const mesh *m, int volume)
+{
+    double c[4];
+    tess_int t;
+
+    for (t = 0; t < m->ntet; t++) {
+        if (!volume) tess_ball(m->p, m->tet + 4 * t, c);
+        put_double(file, volume ? tetrahedron_volume(m, t) : c[3]);
+    }
+}
+
+static const char *const size_name[] = {"circumradius", "volume"};
+
 void write_vtk(const mesh *m, output *o)
 {
-    const points *in = m->in;
-    double n = (double)in->n, ntet = (double)m->ntet, c[4];
+    part a = part_of(m, o);
+    double n = (double)a.points, cells = (double)a.cells;
     FILE *file = start_vtk(o, "Delaunay tetrahedralization",
-                           "UNSTRUCTURED_GRID", n > ntet ? n : ntet,
-                           n * 8.0 * (double)(3 + in->columns) + 40.0 * ntet);
+                           "UNSTRUCTURED_GRID", n > cells ? n : cells,
+                           n * 8.0 * (3.0 + a.in->columns) + 40.0 * cells);
+    const tess_int *v = a.cell;
     tess_int i;
     int k;
 
     fprintf(file, "POINTS %.0f double\n", n);
-    for (i = 0; i < in->n; i++)
-        for (k = 0; k < 3; k++) put_double(file, (double)in->p[3 * i + k]);
-    fprintf(file, "\nCELLS %.0f %.0f\n", ntet, 5.0 * ntet);
-    for (i = 0; i < m->ntet; i++) {
-        put_int(file, 4.0);
-        for (k = 0; k < 4; k++) put_int(file, (double)m->tet[4 * i + k]);
+    put_coordinates(file, &a);
+    fprintf(file, "\nCELLS %.0f %.0f\n", cells, (1.0 + a.corners) * cells);
+    for (i = 0; i < a.cells; i++) {
+        put_int(file, (double)a.corners);
+        for (k = 0; k < a.corners; k++) put_int(file, (double)*v++);
     }
-    fprintf(file, "\nCELL_TYPES %.0f\n", ntet);
-    for (i = 0; i < m->ntet; i++) put_int(file, 10.0);
+    fprintf(file, "\nCELL_TYPES %.0f\n", cells);
+    for (i = 0; i < a.cells; i++) put_int(file, a.corners == 4 ? 10.0 : 5.0);
     fprintf(file, "\n");
-    if (in->columns > 0) fprintf(file, "POINT_DATA %.0f\n", n);
-    for (k = 0; k < in->columns; k++) {
-        put_scalars(file, vtk_name(in, k));
-        for (i = 0; i < in->n; i++)
-            put_double(file,
-                       in->value[(size_t)in->columns * (size_t)i + (size_t)k]);
+    if (a.in->columns > 0) fprintf(file, "POINT_DATA %.0f\n", n);
+    for (k = 0; k < a.in->columns; k++) {
+        put_scalars(file, vtk_name(a.in, k));
+        put_column(file, &a, k);
         fprintf(file, "\n");
     }
-    if (m->ntet > 0) {
-        fprintf(file, "CELL_DATA %.0f\n", ntet);
-        put_scalars(file, "circumradius");
-        for (i = 0; i < m->ntet; i++) {
-            tess_ball(m->p, m->tet + 4 * i, c);
-            put_double(file, c[3]);
-        }
-        fprintf(file, "\n");
-        put_scalars(file, "volume");
-        for (i = 0; i < m->ntet; i++)
-            put_double(file, tetrahedron_volume(m, i));
+    if (cells > 0.0 && a.corners == 4) fprintf(file, "CELL_DATA %.0f\n", cells);
+    for (k = 0; k < 2 && cells > 0.0 && a.corners == 4; k++) {
+        put_scalars(file, size_name[k]);
+        put_size(file, m, k);
         fprintf(file, "\n");
     }
-    finish(file, o);
+    end_part(file, o, &a);
+}
+
+void put_long(FILE *file, double i)
+{
+    put_int(file, floor(i / 4294967296.0));
+    put_int(file, fmod(i, 4294967296.0));
+}
+
+/* put_array - the head of one of a .vtu file's arrays: its bytes, behind their
+ * number, are from *at on. */
+static void put_array(FILE *file, const char *type, const char *name,
+                      const char *again, int components, double bytes,
+                      double *at)
+{
+    fprintf(file, "<DataArray type=\"%s\" Name=\"%s%s\" NumberOfComponents=\""
+                  "%d\" format=\"appended\" offset=\"%.0f\"/>\n",
+            type, name, again, components, *at);
+    *at += 8.0 + bytes;
+}
+
+FILE *start_vtu(output *o, double n, double cells, int corners,
+                const points *in, int sizes)
+{
+    double at = 0.0;
+    FILE *file = start(o, n * 8.0 * (3.0 + in->columns) +
+                              cells * (8.0 * (1 + corners + sizes) + 1.0));
+    int k;
+
+    fprintf(file, "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" "
+                  "version=\"1.0\" byte_order=\"BigEndian\" "
+                  "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece "
+                  "NumberOfPoints=\"%.0f\" NumberOfCells=\"%.0f\">\n<Points>\n",
+            n, cells);
+    put_array(file, "Float64", "Points", "", 3, 24.0 * n, &at);
+    fprintf(file, "</Points>\n<Cells>\n");
+    put_array(file, "Int64", "connectivity", "", 1, 8.0 * corners * cells, &at);
+    put_array(file, "Int64", "offsets", "", 1, 8.0 * cells, &at);
+    put_array(file, "UInt8", "types", "", 1, cells, &at);
+    fprintf(file, "</Cells>\n<PointData>\n");
+    for (k = 0; k < in->columns; k++)
+        put_array(file, "Float64", xml_text(in->name[k]), name_again(in, k), 1,
+                  8.0 * n, &at);
+    fprintf(file, "</PointData>\n<CellData>\n");
+    for (k = 0; k < sizes; k++)
+        put_array(file, "Float64", size_name[k], "", 1, 8.0 * cells, &at);
+    fprintf(file, "</CellData>\n</Piece>\n</UnstructuredGrid>\n"
+                  "<AppendedData encoding=\"raw\">\n_");
+    put_long(file, 24.0 * n);
+    return file;
+}
+
+void put_types(FILE *file, double cells, int corners, int type)
+{
+    double i;
+
+    put_long(file, 8.0 * cells);
+    for (i = 1.0; i <= cells; i += 1.0) put_long(file, i * corners);
+    put_long(file, cells);
+    for (i = 1.0; i <= cells; i += 1.0) putc(type, file);
+}
+
+void end_vtu(FILE *file)
+{
+    fprintf(file, "\n</AppendedData>\n</VTKFile>\n");
+}
+
+void write_vtu(const mesh *m, output *o)
+{
+    part a = part_of(m, o);
+    double n = (double)a.points, cells = (double)a.cells;
+    int sizes = a.corners == 4 ? 2 : 0, k;
+    FILE *file = start_vtu(o, n, cells, a.corners, a.in, sizes);
+    size_t i;
+
+    put_coordinates(file, &a);
+    put_long(file, 8.0 * a.corners * cells);
+    for (i = 0; i < (size_t)a.corners * (size_t)a.cells; i++)
+        put_long(file, (double)a.cell[i]);
+    put_types(file, cells, a.corners, a.corners == 4 ? 10 : 5);
+    for (k = 0; k < a.in->columns; k++) {
+        put_long(file, 8.0 * n);
+        put_column(file, &a, k);
+    }
+    for (k = 0; k < sizes; k++) {
+        put_long(file, 8.0 * cells);
+        put_size(file, m, k);
+    }
+    end_vtu(file);
+    end_part(file, o, &a);
 }
 
 /* ---- pictures ---- */
 
-/* part - number k of the texts in a list with commas; length: of it, or 0. */
-static const char *part(const char *list, int k, int *length)
+const char *xml_text(const char *text)
+{
+    static char safe[6 * TEXT];
+    char *c = safe;
+    int k;
+
+    for (; *text && c < safe + sizeof safe - 6; text++)
+        if ((k = utf8(text)) > 1) {
+            *c++ = *text;
+            for (; k > 1; k--) *c++ = *++text;
+        } else if (k == 0 || strchr("<>&\"", *text))
+            c += sprintf(c, "&#%d;", (unsigned char)*text);
+        else
+            *c++ = *text < ' ' ? ' ' : *text;
+    *c = '\0';
+    return safe;
+}
+
+/* piece - number k of the texts in a list with commas; length: of it, or 0. */
+static const char *piece(const char *list, int k, int *length)
 {
     for (*length = 0; list; list += *length + 1, k--) {
         *length = (int)strcspn(list, ",");
@@ -377,9 +699,9 @@ void begin_look(const points *in, draw_look *look)
 
     draw_default(look);
     for (k = 0; k < 4; k++) {
-        unit = part(chosen.unit, k, &length);
+        unit = piece(chosen.unit, k, &length);
         /* (one for all axes) */
-        if (k > 1 && length == 0) unit = part(chosen.unit, 1, &length);
+        if (k > 1 && length == 0) unit = piece(chosen.unit, 1, &length);
         if (length > TITLE) length = TITLE;
         name = k > 0 ? in->axis[k - 1] : in->columns > 0 ? in->name[0] : "";
         if (k > 0 && !name[0]) name = look->name[k - 1];
