@@ -183,7 +183,8 @@ examples: $(LIBRARY)
 	    egrep '^test/examples/[a-z_]*[.]c$$|^-l' | sort -ru`; \
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -I. -o build/$$name $(LIBRARY) \
 	    $$with $(LDLIBS); \
-	(cd build && ./$$name $$name.obj $$name.stl) > build/$$name.out || \
+	(cd build && ./$$name $$name.obj $$name.stl) < test/data/mirror.xyz \
+	    > build/$$name.out || \
 	    { cat build/$$name.out; exit 1; }; \
 	cat build/$$name.out; \
 	diff test/examples/$$name.out build/$$name.out; done

@@ -4516,12 +4516,22 @@ C
 C     Cospherical points: the triangulation is the pulling triangulation
 C     in the order of the points' numbers; no tetrahedron is flat.
 C     Cost: about linear in N for points that fill a volume or, but for
-C     rounding, lie near up to eight planes and spheres; somewhat more
-C     between parallel sheets and on other smooth surfaces, up to
-C     N**1.5 on tubes and between curved sheets, nearly N**2 near planes
-C     that cross at a tiny angle; at worst, as with exponents hundreds
-C     apart or thousands of points exactly on one sphere, O(N**2) for a
-C     linear number of tetrahedra.  Section 2 of the paper.
+C     rounding, lie near up to eight planes and spheres.  More, for a
+C     linear number of tetrahedra:
+C       - on smooth surfaces and between parallel sheets somewhat more;
+C         on tubes, tori and the two sides of a thin curved sheet about
+C         N**1.5;
+C       - near planes that cross at a tiny angle, on a slanted line,
+C         between sheets 1E-6 or 1E-8 apart beyond 20,000 points, almost
+C         N**2;
+C       - thousands of points exactly on one sphere, as integers can be,
+C         O(N**2): 8,000 take seconds;
+C       - exponents hundreds apart, O(N**2): 300 points with random ones
+C         take seconds, 1,000 a minute; 2,000 with one fill value, as
+C         1.7D308, seconds;
+C       - points near planes and spheres (faces of a turned box, globes,
+C         noisy terrain) with an IW shorter than TESSWK says.
+C     Section 2 of the paper.
       SUBROUTINE TESS(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -4666,7 +4676,9 @@ C     mode and in any build with the same types.  The calls below
 C     recognize what is no index at all; they do not find damage.
 C
 C     Cost: O(N log N), about a tenth of that of the mesh, a quarter
-C     near planes and spheres.
+C     near planes and spheres.  With integers of 4 bytes IW and RW take
+C     36 bytes a point at the least, 56 with room for planes and
+C     spheres.
       SUBROUTINE TESSIX(N, P, LIW, IW, LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
       INTEGER N, LIW, IW(*), LRW, INFO
@@ -5263,6 +5275,18 @@ C                       of range: then nothing is written; -4 or 6 as
 C                       from TESSLO: then the queries before that one
 C                       are done
 C
+C     Continuous, and never beyond the data.  For another value outside:
+C
+C           DO 10 I = 1, NQ
+C              T(I) = 0
+C        10 CONTINUE
+C           CALL TESSVA(P, NTET, TET, ADJ, 1, VALUE, NQ, Q, T, OUT,
+C          $            INFO)
+C           DO 20 I = 1, NQ
+C              IF (T(I) .LT. 0) OUT(I) = OUTSID
+C        20 CONTINUE
+C
+C     Smoother and more accurate: the recipes SLOPES and BENT.
 C     (VALUE and OUT are declared as vectors, since NV may be 0.)
 C     Cost: that of TESSLO: a few steps per query if successive queries
 C     are close to each other.  In random order each takes ten times as
@@ -5400,9 +5424,10 @@ C     the hull facets that have the nearest point is found.
 C
 C     Cost: a search for an apex for each tetrahedron that the walk
 C     crosses, and some 20 more without a start; for Q outside, also for
-C     each one passed while turning about an edge of the hull.  A globe
-C     of 20,000 points takes 150 times as long from an index that does
-C     not know its sphere.
+C     each one passed while turning about an edge of the hull.  A mesh
+C     is faster from some N/5 queries on if they are scattered, N/2 if
+C     each is close to the one before.  A globe of 20,000 points takes
+C     150 times as long from an index that does not know its sphere.
 C
 C     How: the walk of TSWALK, with Q* moved into the same tetrahedron,
 C     and for a Q outside that of TSNEAH, so that the answer is that of

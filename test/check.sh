@@ -348,9 +348,8 @@ symbols() {
     sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/names.txt
     one "unique in six characters" sh -c \
         "! cut -c1-6 build/names.txt | tr A-Z a-z | sort | uniq -d | grep ."
-    sed -n '/^```c$/,/^```$/p' README.md |
-        sed '/^```/d;s/double p/tess_real p/;s/sscanf.* != 3/n < 1/' \
-            > build/caller.c
+    # (a caller with the types' names)
+    fenced c | sed 's/double p/tess_real p/' > build/caller.c
     mismatch -DTESS_INT=long
     [ -z "$ALL" ] && return
     for o in -DTESS_INT=short -DTESS_FLOAT "-DTESS_FLOAT -DTESS_INT=short" \
@@ -533,7 +532,7 @@ examples() {
         if build "$example" "$CC" "$CFLAGS -I." build/tess.o build/hhpred.o \
             $(linked $f); then
             (cd build && ./$example $example.obj $example.stl) \
-                > build/$example.out 2>> $LOG
+                < test/data/mirror.xyz > build/$example.out 2>> $LOG
             one "example: $example, its code" test $? -eq 0
             one "example: $example, its output" \
                 cmp test/examples/$example.out build/$example.out
@@ -562,8 +561,8 @@ together() {
     rm -rf build/recipes build/recipes1
     # the prototypes of recipes.h are those of the recipes, and all of them
     # shellcheck disable=SC2086
-    one "recipes: strict C89, as recipes.h declares them" compile "$CC" \
-        "$STRICT -Wmissing-prototypes -I." build/recipes $recipes
+    compile "$CC" "$STRICT -Wmissing-prototypes -I." build/recipes $recipes
+    one "recipes: strict C89, as recipes.h declares them" test $? -eq 0
     nm build/recipes/*.o > build/nm.txt
     grep ' [bBdDcCgGsS] ' build/nm.txt > build/data.txt
     cat build/data.txt >> $LOG
@@ -572,6 +571,17 @@ together() {
     cat build/defined.txt build/names.txt | cut -c1-6 | tr A-Z a-z | sort | uniq -d > build/six.txt
     cat build/six.txt >> $LOG
     one "recipes: unique in six characters" test ! -s build/six.txt
+    for f in $recipes; do
+        nm -u "build/recipes/$(basename $f .c).o" |
+            sed -n 's/^.* U _*\([A-Za-z]\)/\1/p' | sort |
+            comm -12 - build/defined.txt | while read -r name; do
+                grep "^| .* | \[.*\]($f) | .* takes .*\`$name\`" README.md \
+                    >> $LOG || echo "$f: $name"
+            done
+    done > build/calls.txt
+    cat build/calls.txt >> $LOG
+    one "recipes: what each calls its row in the README has" \
+        test ! -s build/calls.txt
     for d in -DTESS_INT=short -DTESS_INT=long -DTESS_FLOAT; do
         # shellcheck disable=SC2086
         one "recipes: strict C89 $d" compile "$CC" "$STRICT -Wdouble-promotion \
@@ -603,45 +613,52 @@ together() {
         build/together"
 }
 
-# The README's programs and their commands, exactly as printed there, on the data
-# that are there; what it says they print is what build/tess proves.
-# printed LANGUAGE NAME PROGRAM: the program, and what is printed below it as
-# commands, into build/readme; they are run, and what they print is in $PRINTED
-printed() {
-    group "the README's $2: " || return
+# The READMEs' programs and commands, exactly as printed there, in build/readme,
+# where what they need is; what they say is printed is what build/tess proves.
+desk() {
     mkdir -p build/readme
-    for f in tess.c tess.h hhpred.c hhpred.h f77 test; do
+    for f in Makefile tess.c tess.h hhpred.c hhpred.h f77 test build; do
         [ -e build/readme/$f ] || ln -s ../../$f build/readme
     done
-    sed -n '/^```'$1'$/,/^```$/p' README.md | sed '/^```/d' > build/readme/$2
-    awk -v language=$1 '
-        $0 == "```" language { at = 1 }
-        at == 1 && $0 == "```" { at = 2; next }
-        at == 2 && /^    / { print }
-        at == 2 && /^[^ ]/ { exit }' README.md > build/readme/commands
-    one "the README's $2: its commands" \
-        test "$(wc -l < build/readme/commands)" -eq 2
-    PRINTED=$( (cd build/readme && sh -e commands) 2>> $LOG)
-    one "the README's $2: prints what is said" said "$PRINTED"
-    # lines that are no points: a heading, a number of points, another one's line
-    { echo x,y,z; sed 's/^#/3600/' test/data/mirror.xyz; echo "p 1 2 3"; } \
-        > build/readme/others
-    told $2 "3600 points, 7 other lines: code 0," build/readme/$3 \
-        build/readme/others
-    awk 'BEGIN { while (n++ < 4001) print n, n * n % 97, n * n % 89 }' \
-        > build/readme/many
-    told $2 "more than" build/readme/$3 build/readme/many
-    sed 1d build/readme/many > build/readme/most
-    told $2 "4000 points, 0 other lines: code 0," build/readme/$3 \
-        build/readme/most
 }
 
-# said TEXT: the README says that it is printed.  (As words: FORTRAN puts blanks
-# before numbers.)
+# fenced LANGUAGE: the README's program in it
+fenced() { sed -n '/^```'$1'$/,/^```$/p' README.md | sed '/^```/d'; }
+
+# commands WORD [FILE]: lines of four blanks with that word
+commands() {
+    sed '/^```/,/^```$/d' "${2:-README.md}" | grep '^    [^ ]' | grep "$1"
+}
+
+# runs WHAT COMMANDS: what they print is in $PRINTED.  (make has this compiler)
+runs() {
+    echo "$2" | sed "s|^ *make|make -s 'CC=$CC' 'CFLAGS=$CFLAGS'|" \
+        > build/readme/commands
+    PRINTED=$( (cd build/readme && grep -q . commands && sh -e commands) \
+        2>> $LOG)
+    one "the README's $1: its commands" test $? -eq 0
+}
+
+# said TEXT [FILE]: the README says that it is printed.  (As words: FORTRAN puts
+# blanks before numbers.)
 said() {
+    file=${2:-README.md}
     # shellcheck disable=SC2086
     set -- $1
-    grep -F "It prints \`$*\`" README.md
+    tr '\n' ' ' < $file | grep -q -F -e "rints \`$*\`" -e "rints \`$*'"
+}
+
+# reads NAME PROGRAM: it counts lines that are no points, a heading, a number of
+# points and another one's line; too many points are said
+reads() {
+    { echo x,y,z; sed 's/^#/3600/' test/data/mirror.xyz; echo "p 1 2 3"; } \
+        > build/readme/others
+    told $1 "3600 points, 7 other lines: code 0," $2 build/readme/others
+    awk 'BEGIN { while (n++ < 4001) print n, n * n % 97, n * n % 89 }' \
+        > build/readme/many
+    told $1 "more than" $2 build/readme/many
+    sed 1d build/readme/many > build/readme/most
+    told $1 "4000 points, 0 other lines: code 0," $2 build/readme/most
 }
 
 # told NAME WORDS PROGRAM FILE: fed with the file the program prints these words
@@ -651,7 +668,7 @@ told() {
         sh -c 'echo "$1" | grep -F "$2"' sh "$words" "$2"
 }
 
-# outside: the README's lines on places outside the hull, in a program
+# outside: tess.h's lines on places outside the hull, in a program
 outside() {
     {
         echo '#include "tess.h"'
@@ -664,55 +681,136 @@ outside() {
         echo '  double outside = -7.0;'
         echo '  int code = tess(4, p, 8, &ntet, tet, adj, TESS_LIW(4), iw,'
         echo '    TESS_LRW(4), rw);'
-        sed -n '/^    for .* t\[i\] = TESS_NONE/,/^$/p' README.md
+        sed -n 's/^ \* //;/^    for .* t\[i\] = TESS_NONE/,/^ \*$/p' tess.h |
+            sed '/\*/d'
         echo '  return !(code == 1 && out[0] == 1.0 && out[1] == -7.0 &&'
         echo '    out[2] == 0.0); }'
     } > build/outside.c
-    one "the README's lines on places outside" sh -c "$CC $1 -I. \
+    one "tess.h's lines on places outside" sh -c "$CC $1 -I. \
         -o build/outside build/outside.c build/tess.o build/hhpred.o $LIBS &&
         build/outside"
 }
 
-readme() {
-    wanted "the README's sizes" && usual t_size
-    one "the README's sizes" sh -c 'build/units/usual/t_size -bytes |
-        grep . > build/bytes.txt && tr "\012" " " < README.md |
-        grep -F "`cat build/bytes.txt`"'
-    printed c first.c first
+# c_programs: the README's first program, and first.c
+c_programs() {
     strict=
     have "$CC" "$STRICT" && strict=$STRICT
     outside "$strict"
-    says=$(sed -n 's/.*It prints `[^`]*: \(code [^`]*\)`.*/\1/p' README.md)
-    if [ -x build/tess ]; then
-        count=$(build/tess -check test/data/mirror.xyz |
-            sed -n 's/^tetrahedra *//p')
-        one "the README's first.c: what build/tess proves" \
-            test "$says" = "code 0, $count tetrahedra"
-        one "the README's times: tess's tetrahedra" \
-            grep "^| mirror.xyz | 3600 | $count |" test/results/bench.txt
-    else
-        skipped "the README's first.c: no build/tess to compare with"
+    group "the README's " || return
+    desk
+    fenced c > build/readme/cube.c
+    runs cube.c "$(sed -n 's/^`\(cc [^`]*\)` prints .*/\1/p' README.md)"
+    one "the README's cube.c: prints what is said" said "$PRINTED"
+    runs first.c "$(commands first | grep -v gfortran)"
+    one "the README's first.c: prints what is said" said "$PRINTED"
+    reads first.c build/readme/first
+}
+
+# f_program: the manual's first.f, by the README's command; the README's line of
+# it.  (Its arrays are not on the stack.)
+f_program() {
+    group "the README's first.f: " || return
+    desk
+    awk '/^      PROGRAM FIRST/,/^      END$/' f77/README > build/readme/first.f
+    fenced fortran > build/readme/call
+    one "the README's first.f: its call" sh -c "test -s build/readme/call &&
+        grep -Fxf build/readme/call build/readme/first.f"
+    runs first.f "$(commands gfortran; commands mirror f77/README)"
+    one "the README's first.f: prints what is said" said "$PRINTED" f77/README
+    one "the README's first.f: the manual's command" \
+        test "$(commands "first\.f" f77/README)" = "$(commands gfortran)"
+    reads first.f build/readme/first
+    sed 's/MAXN = 4000/MAXN = 200000/' build/readme/first.f > build/large.f
+    rm -f build/large
+    gfortran -O3 -frecursive -o build/large build/large.f $F77 >> $LOG 2>&1
+    awk 'BEGIN { for (srand(1); n++ < 200000;) print rand(), rand(), rand() }' \
+        > build/readme/200000
+    told first.f "200000 points, 0 other lines: code 0," \
+        "small_stack build/large" build/readme/200000
+}
+
+# tries: what the README says to try, with a file of such columns
+tries() {
+    says=$(sed -n 's/.*rints `[^`]*: \(code [^`]*\)`.*/\1/p' README.md)
+    if [ ! -x build/tess ]; then
+        skipped "the README's commands: no build/tess"
+        return
     fi
-    if ! wanted "example: first.py"; then
-        :
+    count=$(build/tess -check test/data/mirror.xyz 2>> $LOG |
+        sed -n 's/^tetrahedra *//p')
+    one "the README's first.c: what build/tess proves" \
+        test "$says" = "code 0, $count tetrahedra"
+    one "the README's times: tess's tetrahedra" \
+        grep "^| mirror.xyz | 3600 | $count |" test/results/bench.txt
+    group "the README's commands" || return
+    desk
+    awk 'BEGIN { srand(1); print "lon,lat,depth,hole,t"
+        while (n++ < 400) printf "%.3f,%.3f,%d,%d,%.2f\n", 10 + rand(),
+            50 + rand(), 500 * rand(), n % 20, 20 * rand() }' \
+        > build/readme/mine.csv
+    rm -f build/readme/out.vtk build/*.svg build/mirror.xyz.vtk build/mirror.vtk
+    runs "commands to try" "$(commands 'make run\|make grid\|build/tess')"
+    # what both of its lines say, of the mirror
+    kept=$(echo "$PRINTED" |
+        sed -n "s/^tetrahedra *\([0-9]*\) in the alpha shape, of $count\$/\1/p")
+    one "the README's commands: the mirror's tetrahedra" sh -c "tr '\n' ' ' \
+        < README.md | grep 'have $count tetrahedra;.* keeps the $kept of '"
+    for f in mirror.xyz.svg mirror.xyz.vtk mirror.svg mirror.vtk mine.csv.svg \
+        mine.csv.vtk readme/out.vtk; do
+        one "the README's commands: $f" test -s build/$f
+    done
+    # the grid's places have values, the table a line for each method
+    one "the README's commands: values" \
+        grep -a '^POINT_DATA 22500$' build/readme/out.vtk
+    one "the README's commands: a table" test "$(echo "$PRINTED" |
+        grep -c '^\(linear\|smooth\|natural\) *t ')" -eq 3
+    # each command that is printed is one of those above, or below
+    commands '' | grep -v 'make run\|make grid\|build/tess\|gfortran\|first' \
+        > build/readme/untested
+    one "the README's commands: each is tested" \
+        test ! -s build/readme/untested
+}
+
+# snakes: the README's program in Python, and first.py
+snakes() {
+    if ! wanted "example: first.py" && ! group "the README's Python"; then
+        return
     elif ! command -v $PYTHON > /dev/null; then
         skipped "example: first.py: no python3"
-    elif $CC -shared -fPIC -o build/shared.so hhpred.c $LIBS 2>> $LOG; then
-        # as the README says, with this compiler and Python
-        sed -n '/^    make python$/{p;n;p;}' README.md | sed "s,python3 ,$PYTHON ,
-            s|make|make -s 'CC=$CC' 'CFLAGS=$CFLAGS'|" > build/readme/commands
-        one "example: first.py" test \
-            "$(sh -e build/readme/commands)" = "$says"
-    else
+        return
+    elif ! $CC -shared -fPIC -o build/shared.so hhpred.c $LIBS 2>> $LOG; then
         skipped "example: first.py: no -shared -fPIC"
+        return
     fi
-    # the README's times are rows of what make bench has written
-    sed -n '/^## How fast/,/^## Changes/p' README.md | grep '^| [a-z].*[0-9]' |
-        grep -v '@FIG@' > build/times.txt
-    while read -r row; do
-        one "the README's times: $(echo "$row" | cut -d '|' -f 2,3)" \
-            grep -Fx "$row" test/results/bench.txt
-    done < build/times.txt
+    desk
+    runs Python "$(grep -o '`make python`' README.md | tr -d '`')"
+    one "example: first.py" test "$($PYTHON test/examples/first.py)" = "$says"
+    if ! $PYTHON -c 'import numpy' 2>> $LOG; then
+        skipped "the README's Python: no numpy for $PYTHON"
+        return
+    fi
+    fenced python > build/readme/mine.py
+    place=$(sed -n 's/.* f(\[\(.*\)\]).*/\1/p' build/readme/mine.py)
+    echo "$place" > build/readme/place
+    # what it prints, as its comment says; and what build/tess gives there
+    PRINTED=$(cd build/readme && PYTHONDONTWRITEBYTECODE=1 \
+        PYTHONPATH=test/examples $PYTHON mine.py 2>> ../../$LOG)
+    one "the README's Python: prints what is said" test -n "$PRINTED" -a \
+        "$PRINTED" = "$(sed -n 's/^print.* # //p' build/readme/mine.py)"
+    one "the README's Python: what build/tess gives" test "$PRINTED" = \
+        "$count $(build/tess -q -method smooth -query build/readme/place \
+        -values - test/data/mirror.xyz | awk -F , '{ v = $4 }
+            END { printf "%.3f", v }')"
+}
+
+readme() {
+    wanted "tess.h's sizes" && usual t_size
+    one "tess.h's sizes" sh -c 'build/units/usual/t_size -bytes |
+        grep . > build/bytes.txt && sed "s/^ \*//" tess.h | tr -s "\012 " "  " |
+        grep -F "`cat build/bytes.txt`"'
+    c_programs
+    tries
+    snakes
 }
 
 # ---- Octave's functions, which leave for tess.py's tests what they give, and
@@ -729,6 +827,10 @@ bindings() {
     elif make -s "CC=$CC" "CFLAGS=$CFLAGS" octave >> $LOG 2>&1; then
         many "example: tessn.m" octave-cli --norc --no-history \
             test/examples/try_tessn.m
+        fenced octave > build/mine.m
+        one "the README's Octave: prints what is said" test \
+            "$(octave-cli --norc --no-history build/mine.m | tr -d ' \n')" = \
+            "v=$(sed -n 's/.* % //p' build/mine.m)"
         left=build/tessn.mat
         # (mex.h itself is not C89)
         mex=$(mkoctfile -p OCTINCLUDEDIR)
@@ -1180,18 +1282,6 @@ parity() {
     done
 }
 
-# large: the README's first.f, whose arrays are not on the stack
-large() {
-    group "the README's first.f: " || return
-    sed 's/MAXN = 4000/MAXN = 200000/' build/readme/first.f > build/large.f
-    rm -f build/large
-    gfortran -O3 -frecursive -o build/large build/large.f $F77 >> $LOG 2>&1
-    awk 'BEGIN { for (srand(1); n++ < 200000;) print rand(), rand(), rand() }' \
-        > build/readme/200000
-    told first.f "200000 points, 0 other lines: code 0," \
-        "small_stack build/large" build/readme/200000
-}
-
 halves() {
     LINKF=gfortran
     LIBF=
@@ -1211,8 +1301,7 @@ halves() {
         recipe cells "gfortran -fcheck=all"
         interface "gfortran -fcheck=all"
         mixed
-        printed fortran first.f firstf
-        large
+        f_program
     fi
     [ -z "$ALL" ] && return
     if command -v gfortran > /dev/null; then

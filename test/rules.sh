@@ -48,7 +48,7 @@ lacking test/fortran/parity.f < $B/twins
 told "entries: called by parity.f" $B/out
 lacking test/unit/t_tess.c test/unit/t_part.c < $B/entries
 told "entries: tested by t_tess.c or t_part.c" $B/out
-sed -n 's/^| `\(tess[_a-z]*\)(.*| `\([A-Z]*\)` |.*/\1 \2/p' README.md > $B/rows
+sed -n 's/^| `\(tess[_a-z]*\)` | `\([A-Z]*\)` | [a-z].*/\1 \2/p' README.md > $B/rows
 paste -d ' ' $B/entries $B/twins | sort > $B/pairs
 sort $B/rows | diff $B/pairs - > $B/out
 told "entries: a row of the README, with the twin" $B/out
@@ -60,13 +60,15 @@ for f in test/examples/*.*; do
     name=`basename $f`
     case $name in *.out | *.h | try_*) continue;; esac
     # its row, or its name
-    grep "\`\(test/examples/\)*$name\`\||\ \`${name%.*}\` |" README.md \
-        > /dev/null || echo $name >> $B/out
+    grep "\[\`$name\`\](\|| \[\`${name%.*}\`\](" README.md > /dev/null ||
+        echo $name >> $B/out
 done
 told "examples: named in the README" $B/out
 : > $B/out
 : > $B/routines
-sed -n 's/^| \(`[^|]*`\) | `\([a-z]*\)` |.*/\2 \1/p' README.md | tr -d '`,' |
+# file and names of each row
+sed -n 's,^| \(`[^|]*`\) | \[`\([a-z]*\)`\](test/examples/\2\.c) | .*,\2 \1,p' \
+    README.md | tr -d '`,' |
     while read -r file names; do
         for name in $names; do
             echo $name >> $B/routines
@@ -85,14 +87,18 @@ sed -n 's/^#define \([a-z_0-9]*\) TESS_AS(\1)$/\1/p' test/examples/recipes.h \
 sort $B/prototypes > $B/sorted
 sort $B/second | diff $B/sorted - > $B/out
 told "recipes: prototypes, and second names for other types" $B/out
-# each file of routines alone is there, and each row says what it needs
+# each file of routines alone has a row
 for f in test/examples/*.c; do
     grep '^int main\|^void mexFunction' $f > /dev/null ||
-        awk -F '|' -v name=" \`$(basename $f .c)\` " '$3 == name && $4 ~ /[a-z]/ {
-            found = 1 } $3 == name && $4 !~ /[a-z]/ { bad = 1 }
-            END { exit bad || !found }' README.md || echo $f
+        grep "^| .* | \[.*\]($f) | [a-zA-Z]" README.md > /dev/null || echo $f
 done > $B/out
-told "recipes: a row of the README says what each needs" $B/out
+told "recipes: a row of the README for each file" $B/out
+# what a row says that it takes is a recipe or an entry
+sed -n 's/^| .* takes\{0,1\} \(`.*`\) |$/\1/p' README.md | tr -d '`,' |
+    tr ' ' '\n' | sort -u > $B/takes
+sort -u $B/routines $B/entries | comm -23 $B/takes - > $B/out
+test -s $B/takes || echo none > $B/out
+told "recipes: a row of the README for what others take" $B/out
 # a recipe's comment begins with its name and lists its arguments.  (region and
 # cut are parts of natural and cells.)
 sort -u $B/routines > $B/words
@@ -131,16 +137,36 @@ while read -r name; do
     ls -d test/${name%.}* > /dev/null 2>&1 || echo $name
 done < $B/names > $B/out
 told "test/README: files that there are" $B/out
-egrep -o '(test|f77)/[a-zA-Z0-9_./]+[a-z0-9]' README.md | grep -v NAME | sort -u > $B/names
+# README.md without programs and commands: links are files that there are, or
+# headings; a name between back quotes that is a file's is a link
+sed '/^```/,/^```$/d;/^    /d' README.md > $B/text
+grep -o '](#[a-z-]*)' $B/text | tr -d ']()#' > $B/names
+sed -n 's/^#* //p' $B/text | tr 'A-Z ' 'a-z-' | tr -d ',' > $B/headings
+lacking_line() { sort -u | while read -r line; do grep -Fxq -- "$line" "$1" ||
+    echo "$line"; done; }
+lacking_line $B/headings < $B/names > $B/out
+grep -o '][(][^#)][^)]*)' $B/text | tr -d ']()' | sort -u > $B/names
 while read -r name; do
-    [ -e $name ] || echo $name
-done < $B/names > $B/out
-told "README.md: files that there are" $B/out
+    case $name in http*) ;; *) [ -e "$name" ] || echo "$name";; esac
+done < $B/names >> $B/out
+test -s $B/names || echo none > $B/out
+told "README.md: links to what there is" $B/out
+git ls-files 2> /dev/null > $B/files
+test -s $B/files || find . -type f | sed 's,^\./,,' > $B/files
+sed 's,.*/,,' $B/files | cat - $B/files | sort -u > $B/names
+sed 's/\[`[^`]*`\](/(/g' $B/text | grep -o '`[^`]*`' | tr -d '`' | sort -u |
+    comm -12 - $B/names > $B/out
+# (the manual is said to be one of the files that are linked just before)
+sed -i.old '/^tess\.h$/d' $B/out
+told "README.md: files are links" $B/out
+{ [ "$(wc -l < README.md)" -le 200 ] || wc -l README.md
+  [ "$(wc -w < README.md)" -le 1700 ] || wc -w README.md; } > $B/out
+told "README.md: at most 200 lines, 1700 words" $B/out
 # the make targets that both name
-egrep -o 'make [a-z]+(-all)?' README.md test/README | sed 's/.*make //' |
-    sort -u > $B/names
+grep -o 'make [a-z]*\(-all\)\{0,1\}[`) ]' README.md test/README |
+    sed 's/.*make //;s/.$//' | sort -u > $B/names
 sed -n 's/^\([a-z-]*\):.*/\1/p' Makefile | sort -u > $B/targets
-comm -23 $B/names $B/targets | grep -vx takes > $B/out
+comm -23 $B/names $B/targets | grep -vx 'takes' > $B/out
 told "READMEs: targets that there are" $B/out
 
 # ---- the chart of times, which make pictures draws ----
@@ -157,6 +183,76 @@ else
     skip "pictures: speed.svg: no matplotlib for $PYTHON"
 fi
 
+# ---- the README's figures, of test/results ----
+
+R=test/results
+tr '\n' ' ' < README.md | tr -s ' ' > $B/joined
+# figure WHAT PHRASE: the README says so; what it should say is told.  (Two blanks
+# or no digit: no figure.)
+figure() {
+    case $2 in
+    *"  "* | " "*) false;;
+    *[0-9]*) grep -F -e "$2" $B/joined > /dev/null;;
+    *) false;;
+    esac || echo "$2" > $B/out
+    told "README.md, as test/results: $1" $B/out
+    : > $B/out
+}
+: > $B/out
+commas() { sed -e ':a' -e 's/\([0-9]\)\([0-9]\{3\}\)\($\|,\)/\1,\2\3/' -e ta; }
+
+# cell TABLE ROW NUMBER COLUMN: in bench.txt's first table behind a line that
+# begins so
+cell() {
+    awk -F ' *[|] *' -v table="$1" -v name="$2" -v n="$3" -v column="$4" '
+        index($0, table) == 1 { at = 1 }
+        at && !c { for (i = 2; i < NF; i++) if ($i == column) c = i }
+        c && $2 == name && $3 == n { print $c; exit }' $R/bench.txt
+}
+# row TABLE: of its programs
+row() {
+    printf '|'
+    for p in tess CGAL TetGen Qhull; do
+        printf ' %s |' "$(cell "$1" uniform 100000 $p)"
+    done
+}
+figure times "| nanoseconds a tetrahedron $(row 'Nanoseconds of CPU time')"
+figure "time and memory" "100,000 points take $(
+    awk -v n="$(cell 'Nanoseconds of CPU time' uniform 100000 tetrahedra)" \
+        -v t="$(cell 'Nanoseconds of CPU time' uniform 100000 tess)" \
+        -v m="$(cell 'Bytes per point' uniform 100000 tess)" \
+        'BEGIN { printf "%.2f seconds and %.0f MB", n * t / 1e9, m / 10 }')."
+figure memory "| bytes a point $(row 'Bytes per point')"
+figure "CGAL is ahead" "up to $(awk -F ' *[|] *' '
+    /^The same times of data that people have/ { at = 1 }
+    at && /^[|] [a-z]*[.a-z]* [|] [0-9]/ && $(NF-1) > most { most = $(NF-1) }
+    at && /^The same times of data that lie/ { printf "%.1f", most; exit }
+    ' $R/bench.txt) times as fast"
+figure threads "Two threads take $(awk -F ' *[|] *' '/^Parts, joined/ { at = 1 }
+    at && $2 == "uniform" && $4 == 2 { print $7; exit }' $R/bench.txt) of the time"
+figure machine "($(sed -n 's/^Machine: .* processors, //;s/(R)//g
+    s/ Processor$//p' $R/bench.txt), gcc $(sed -n 's/^cc .* //p' $R/bench.txt))"
+sed -n '/^## How fast/,/^## Limits/p' README.md | grep '^| [a-z].*[0-9]' \
+    > $B/rows
+test -s $B/rows || echo none > $B/out
+lacking_line $R/bench.txt < $B/rows >> $B/out
+told "README.md, as test/results: rows of times" $B/out
+
+# small KEY COLUMN DIVISOR FORMAT: of reach.txt's row that begins so
+small() {
+    awk -F ' *[|] *' -v key="$1" -v c="$2" -v by="$3" -v form="$4" '
+        index($0, key) == 1 { printf form, $c / by; exit }' $R/reach.txt
+}
+M4='| Cortex-M4 | `-DTESS_FLOAT -DTESS_INT=short -DTESS_LIST=64 -DHH_LIMBS=6` |'
+: > $B/out
+figure machines "$(awk -F '|' 'NF == 6 && /[|] the same [|]$/ { n++ }
+    END { print n }' $R/reach.txt) compilers and machines"
+grep -F '**another**' $R/reach.txt > $B/out
+told "test/results/reach.txt: the same everywhere" $B/out
+figure flash "from $(small "$M4" 4 1000 %.0f) KB of flash"
+figure stack "$(small "$M4" 7 1000 %.0f) KB of stack, \
+$(small "$M4" 4 1000 %.0f) KB of flash; $(small '| 100 |' 5 1000 %.1f) KB of \
+arrays for 100 points, $(small '| 100 |' 8 1000 %.1f) KB without a mesh"
 # ---- shell ----
 
 if command -v shellcheck > /dev/null; then

@@ -293,7 +293,10 @@ void measure(const tess_real *p, const tess_int *v, double *volume,
  *                  volume is the part in its tetrahedra, and so are the areas
  *                  of edges on the hull: pieces count as negative where a
  *                  centre is beyond the hull, so that the volumes' sum is the
- *                  hull's in any case.  All others are exact but for rounding
+ *                  hull's in any case.  All others are exact but for rounding.
+ *                  A volume at the hull may be huge or negative, as those of
+ *                  102 of the 144 hull points of 30,000 random ones: if that
+ *                  hurts take `clipped', of cells.c
  *
  * A tetrahedron's piece of the face: from the edge's middle to the centres of
  * the two facets at it, and from these to the tetrahedron's own.  A cell is

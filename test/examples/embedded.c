@@ -9,9 +9,11 @@
  * checks the answers, prints anything.
  *
  * To save memory, compile all files with -DTESS_FLOAT (coordinates) and
- * -DTESS_INT=short (indices); to save stack, see TESS_LIST in tess.c and
- * HH_LIMBS in hhpred.h: -DTESS_LIST=64 -DHH_LIMBS=6.  Six limbs hold
- * coordinates from 1e-12 to 1e6; for others there is TESS_RANGE.
+ * -DTESS_INT=short (indices, for up to 1,100 points); to save stack, see
+ * TESS_LIST in tess.h and HH_LIMBS in hhpred.h: -DTESS_LIST=64 -DHH_LIMBS=6.
+ * Six limbs hold coordinates from 1e-12 to 1e6; for others there is TESS_RANGE.
+ * To save flash: -Os -ffunction-sections, and -Wl,--gc-sections to link, which
+ * leaves out what is not called.  test/results/reach.txt has tables.
  */
 #include <float.h>
 #include <math.h>

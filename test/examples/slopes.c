@@ -9,6 +9,22 @@
  * twentieth of it.  At the hull, where tetrahedra are long and flat, no
  * interpolation that looks at four points alone is good.
  *
+ * Which interpolation?
+ *   - bent for accuracy: continuous, and exact for quadratic fields where the
+ *     slopes are.  `make errors' prints a table: with 8,000 random points and
+ *     three rounds its rms error in Franke's field is 0.14 of linear's, 0.25
+ *     with what is within 0.01 of the hull.  It may leave the data's range, by
+ *     little: there at 8 of 39,378 places, by 0.011 of it at most.  Outside the
+ *     hull it gives the value at the hull's nearest point, or goes on along the
+ *     points' slopes.
+ *   - tess_values, linear, stays within the data.
+ *   - natural and blend, of natural.c, are smooth, not more accurate than
+ *     linear, and take fifty times as long.
+ *   - nearest, of derived.c, where values must not be mixed, as numbers of
+ *     kinds.
+ *   - The data tell: build/tess -validate -method linear,smooth,natural.
+ * many, of many.c, does all four at any number of places, in any order.
+ *
  * slopes.f is the same in FORTRAN 77.
  */
 #include <float.h>

@@ -10,7 +10,7 @@ C     BENT costs a query what linear interpolation does.  Its error is
 C     of third order where linear interpolation's is of second: inside a
 C     cloud a fifth to a twentieth of it.  At the hull, where tetrahedra
 C     are long and flat, no interpolation that looks at four points
-C     alone is good.
+C     alone is good.  Which interpolation is best where: slopes.c.
 C
 C     slopes.c is the same in C.
 

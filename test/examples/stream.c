@@ -6,7 +6,9 @@
  * computes the tetrahedra at a range of places; those whose vertex of least
  * index is in the range are used, here to sum up volumes, and forgotten.
  * Each tetrahedron of the mesh is used once, so the sum is the cube's volume.
- * A part that fails can be done again, alone.
+ * A part that fails can be done again, alone.  The stars of a part reach into
+ * others: for a million points in 64 parts 1.14 times the mesh's tetrahedra are
+ * computed.
  *
  * Arrays: per point 24 bytes of coordinates, 28 in rw, 24 and pool in iw, 4
  * marks; per tetrahedron of the largest part 32, instead of 220 a point.

@@ -48,10 +48,42 @@ what TESSWK gives (beyond 28000 points LIW = 11*N + 226000 suffices):
 INFO, the last argument: 0 done; 1 TET and ADJ are full, 2 the pool in IW is
 full: what TET and ADJ hold is right, and TESSRE goes on with longer arrays;
 3, 4, 5 all points lie in one plane, on one line, in one place: there is no
-tetrahedron; 6 the arithmetic cannot hold the coordinates; -k the k-th argument
-is bad.
+tetrahedron; 6 the arithmetic cannot hold the coordinates; -k argument k is
+invalid. Whatever TET and ADJ hold, damaged or not, a call ends and stays within
+the arrays.
 
-A complete program:
+A program that reads lines `x y z' and counts those that are no points:
+
+      PROGRAM FIRST
+      INTEGER N, MAXN, MAXT, NTET, LIW, LRW, INFO, I, IO, OTHER
+      PARAMETER (MAXN = 4000, MAXT = 8*MAXN)
+      PARAMETER (LIW = 19*MAXN + 1800, LRW = 4*MAXN + 12)
+      DOUBLE PRECISION P(3,MAXN+1), RW(LRW)
+      INTEGER TET(4,MAXT), ADJ(4,MAXT), IW(LIW)
+      CHARACTER*1000 LINE
+      SAVE
+      DATA N, OTHER /0, 0/
+   10 READ (*, '(A)', END=20) LINE
+      READ (LINE, *, IOSTAT=IO) (P(I,N+1), I = 1, 3)
+      IF (IO .NE. 0) OTHER = OTHER + 1
+      IF (IO .EQ. 0) N = N + 1
+      IF (N .LE. MAXN) GO TO 10
+      STOP 'more than MAXN points'
+   20 CALL TESS(N, P, MAXT, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
+      WRITE (*,30) N, OTHER, INFO, NTET
+   30 FORMAT (I8, ' points,', I8, ' other lines: code', I3, ',', I8,
+     $        ' tetrahedra')
+      END
+
+In the directory above:
+
+    gfortran -O3 -frecursive -o first first.f f77/tess.f f77/hhpred.f
+    ./first < test/data/mirror.xyz
+
+It prints `3600 points, 5 other lines: code 0, 19298 tetrahedra'. SAVE keeps the
+program's arrays off the stack.
+
+A program that asks for a value between the points:
 
       PROGRAM GRID
       INTEGER N, MAXTET, LIW, LRW

@@ -13,7 +13,7 @@ trap 'rm -rf $D' EXIT
 awk -v d=$D 'NR == 1 || /^= / { close(f); f = d "/" sprintf("s%04d", NR) }
     { print > f }' "$1"
 for f in $D/s*; do
-    printf '%s %d %s\n' "$(head -n 1 $f)" "$(wc -l < $f)" \
+    printf '%s %d %s\n' "$(head -n 1 $f | tr -s ' ')" "$(wc -l < $f)" \
         "$(cksum < $f | sed 's/ .*//')"
 done > $D/all
 if [ -z "$2" ]; then

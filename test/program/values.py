@@ -261,7 +261,8 @@ test("plane, .csv: names, places, values",
      near(rows[:, :2], x.reshape(-1, 2), 1e-13) and
      near(rows[:, 2:], got.reshape(-1, 2), 0.0))
 test("plane, .svg: x to the right, y upwards, nothing of z",
-     "x -1" in open("f.svg").read() and "z = " not in open("f.svg").read())
+     ">lon<" in open("f.svg").read() and ">lat<" in open("f.svg").read() and
+     "z = " not in open("f.svg").read())
 try:
     at, arrays = by_vtk("f.vtk")
     test("plane, .vtk, read by VTK: the values of .npy",

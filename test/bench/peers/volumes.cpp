@@ -26,8 +26,10 @@ int main(int argc, char **argv)
     std::vector<long> faces;
     long n, face, good = 0;
 
-    if (std::scanf("x,y,z,volume,faces") != 0) return 2;
-    while (std::scanf("%lf,%lf,%lf,%lf,%ld", &x, &y, &z, &volume, &face) == 5) {
+    /* further columns follow */
+    if (std::scanf("x,y,z,volume,faces%*[^\n]") != 0) return 2;
+    while (std::scanf("%lf,%lf,%lf,%lf,%ld%*[^\n]", &x, &y, &z, &volume,
+                      &face) == 5) {
         vertex.push_back(theirs.insert(Kernel::Point_3(x, y, z)));
         volumes.push_back(volume);
         faces.push_back(face);
