@@ -351,10 +351,10 @@ static const option table[] = {
      "the box, or a PDB file's CRYST1, repeats itself, and the\n"
      "cells fit to its copies; all else is of the points alone"},
     {"-svg", "F", take_output, svg_forms,
-     "write a picture"},
+     "write a picture: cut open, or moved apart if they are few"},
     {"-draw", "points|whole|cut|field|apart", take_draw, &chosen.draw,
-     "of that: points; tetrahedra, all, cut open, or so without\n"
-     "edges, or moved apart; if not given cut, or apart if few"},
+     "draw points; or tetrahedra: all, cut open, that without\n"
+     "their edges, or moved apart"},
     {"-alpha", "R", take_length, &chosen.alpha,
      "the alpha shape: write and draw no tetrahedron whose\n"
      "circumradius exceeds R; so there are the holes and hollows\n"
