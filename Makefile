@@ -48,7 +48,7 @@ all: build/tess
 PROGRAM = build/driver.o build/options.o build/read.o build/write.o \
     build/shapes.o build/places.o build/values.o build/validate.o \
     build/slopes.o build/natural.o build/derived.o build/cells.o \
-    build/periodic.o build/draw.o build/plane.o
+    build/periodic.o build/draw.o build/plane.o build/repeat.o
 
 build/tess: $(PROGRAM) $(LIBRARY)
 	$(LINK) $(PROGRAM) $(LIBRARY) $(LDLIBS)
@@ -82,6 +82,11 @@ build/places.o: test/program/places.c test/program/values.h \
 build/plane.o: test/program/plane.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/plane.c
+
+build/repeat.o: test/program/repeat.c test/program/values.h \
+    test/program/driver.h test/examples/recipes.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/repeat.c
 
 build/values.o: test/program/values.c test/program/values.h \
     test/program/driver.h test/examples/recipes.h tess.h hhpred.h

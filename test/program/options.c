@@ -342,14 +342,15 @@ static const option table[] = {
     {"-volumes", "F.csv", take_output, volumes_forms,
      "write each point's x,y,z, its cell's volume, and number\n"
      "of faces, the point's number, the cell's area, neighbours\n"
-     "(the box's sides x0 to z1 are -1 to -6, if it repeats\n"
+     "(the box's sides x0 to z1 are -1 to -6, where it repeats\n"
      "itself none), values; the volumes' sum is said"},
     {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
      "that box; if not given, that of an extended XYZ file's\n"
      "Lattice, or the points' own"},
     {"-periodic", 0, take_switch, &chosen.periodic,
-     "the box, or a PDB file's CRYST1, repeats itself, and the\n"
-     "cells fit to its copies; all else is of the points alone"},
+     "the box repeats itself, or what a file's Lattice, CRYST1\n"
+     "spans, of any shape, along the vectors that its pbc says:\n"
+     "so do mesh, values and cells"},
     {"-svg", "F", take_output, svg_forms,
      "write a picture: cut open, or moved apart if they are few"},
     {"-draw", "points|whole|cut|field|apart", take_draw, &chosen.draw,
@@ -526,7 +527,7 @@ void choose_options(int argc, char **argv)
     chosen.values = next_output(values_forms, 0) != 0;
     chosen.cells = next_output(cells_forms, 0) || next_output(volumes_forms, 0);
     check_values();
-    if ((chosen.boxed || chosen.periodic) && !chosen.cells)
-        warn("-box and -periodic are for -cells and -volumes alone");
+    if (chosen.boxed && !chosen.cells && !chosen.periodic)
+        warn("-box is for -cells, -volumes and -periodic alone");
     try_outputs();
 }

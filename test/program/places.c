@@ -226,7 +226,8 @@ static double place(int k, long i)
                : low + (high - low) * ((double)i / (size[k] - 1.0));
 }
 
-/* box - the points' box, for a grid that has none. */
+/* box - for a grid that has none: that of the points, or of the cell that
+ * repeats itself. */
 static void box(void)
 {
     double x;
@@ -239,6 +240,7 @@ static void box(void)
             if (i == 0 || x < corner[2 * k]) corner[2 * k] = x;
             if (i == 0 || x > corner[2 * k + 1]) corner[2 * k + 1] = x;
         }
+    if (chosen.periodic) cell_box(corner);
 }
 
 /* warn_far - where the least value of a column, or with sign -1 the largest, is
@@ -642,6 +644,7 @@ void keep_values(const mesh *m)
     tess_int twins = 0, j;
 
     if (!chosen.values && !chosen.validate) return;
+    in = m->in; /* (of a cell that repeats itself: with copies) */
     if (find_plane(m)) m = mesh_in_plane(m);
     if (m->ntet < 1)
         fail("%s: the points lie on one line, where there is nothing to "
@@ -687,6 +690,7 @@ static void stretch(tess_int many, const tess_real *from, const double *scale,
     for (i = 0; i < 3 * many; i++)
         q[i] = (tess_real)((double)from[i] * scale[i % 3]);
     for (i = 0; i < many && flat.flat; i++) to_plane(q + 3 * i, q + 3 * i);
+    for (i = 0; i < many && chosen.periodic; i++) into_cell(q + 3 * i);
 }
 
 /* some - write the values at some places; t has a start for each. */
@@ -838,7 +842,7 @@ void write_values(const mesh *m)
         head(sinks + files);
         if (sinks[files++].form == SVG)
             uncut = outside == OUT_VALUE && number != number &&
-                    (!m->flat || in->axes == 2);
+                    (!m->flat || in->axes == 2) && !chosen.periodic;
     }
     values_begin(&f, method, uncut ? OUT_NEAREST : outside, number);
     if (chosen.grid)
