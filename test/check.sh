@@ -1387,6 +1387,21 @@ machines() {
     cross arm-linux-gnueabihf-gcc qemu-arm "32-bit ARM"
     cross i686-linux-gnu-gcc qemu-i386 "x87"
     cross m68k-linux-gnu-gcc qemu-m68k "big-endian with an 80-bit unit (68k)"
+    # WebAssembly, without a C library but for what run.js has
+    if command -v wasm-ld > /dev/null && command -v node > /dev/null &&
+        command -v clang > /dev/null; then
+        for d in -DTESS_FLOAT ""; do
+            # shellcheck disable=SC2086 # lists of flags, of files
+            one "same result: wasm32 $d" sh -c "$CC -O2 $d -o build/tiny \
+                test/machines/tiny.c $LIBRARY $LIBS &&
+                build/tiny > build/tiny.txt &&
+                $WASM $d -o build/tiny.wasm test/machines/tiny.c $LIBRARY &&
+                node test/machines/wasm/run.js build/tiny.wasm |
+                    cmp - build/tiny.txt"
+        done
+    else
+        skipped "wasm32: no clang with wasm-ld (lld) and node"
+    fi
     # int of 16 bits and double of 24, in 16 kilobytes of memory: once indices of
     # 16 bits and -Os, once of 32 bits and -O2.  (A difference may be the
     # simulator's: simavr 1.6 takes an adiw or sbiw by 12 to 15, modulo 16, that

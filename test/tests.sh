@@ -3,6 +3,11 @@
 # the top directory.  Takes CC and PYTHON from the environment.
 CC=${CC:-cc}
 PYTHON=${PYTHON:-python3}
+# a compiler for WebAssembly, whose programs node runs, by machines/wasm/run.js
+# shellcheck disable=SC2034 # for those that read this
+WASM="clang --target=wasm32 -O2 -ffreestanding -nostdlib -Itest/machines/wasm \
+    -Wl,--no-entry -Wl,--export=main -Wl,--allow-undefined \
+    -Wl,-z,stack-size=1048576"
 
 # begin NAME: count anew.  (In a file, as behind a pipe no variable can be set;
 # to 3, as the output of what is tested goes elsewhere.)

@@ -353,8 +353,8 @@ static int once(const tess_real *x, const tess_int *home, const double *side,
 {
     tess_real v[4][3], at[3], q[3];
     double middle[3], e[3], low, high, s;
-    tess_int t, found = 0;
-    int from[3], to[3], a[3], j, k;
+    tess_int t;
+    int from[3], to[3], a[3], found = 0, j, k;
 
     for (t = 0; t < ntet; t++) {
         corners(x, home, side, tet, move, t, v);

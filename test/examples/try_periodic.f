@@ -240,7 +240,7 @@ C     OUTER - GOOD = 0 if a point, or a copy, is beyond facet K of the
 C     tetrahedron V: unless the vectors are in its plane.
       SUBROUTINE OUTER(N, P, V, K, CELL, WAYS, GOOD)
       INTEGER N, K, WAYS(3), GOOD
-      DOUBLE PRECISION P(3,*), V(3,4), CELL(3,4)
+      DOUBLE PRECISION P(3,*), V(3,*), CELL(3,4)
       DOUBLE PRECISION W(3,4)
       INTEGER I, J, L, HHORIE
       DO 20 J = 1, 4
