@@ -540,6 +540,20 @@ examples() {
             fail "example: $example does not compile"
         fi
     done
+    # the threads of OpenMP
+    group "example: team -fopenmp, " || return
+    if have "$CC" -fopenmp; then
+        # shellcheck disable=SC2046 # a list of files
+        build team "$CC" "$CFLAGS -fopenmp -I." $LIBRARY \
+            $(linked test/examples/team.c)
+        for threads in 1 2 4; do
+            one "example: team -fopenmp, $threads threads" sh -c "
+                OMP_NUM_THREADS=$threads build/team |
+                    cmp - test/examples/team.out"
+        done
+    else
+        skipped "example: team -fopenmp"
+    fi
 }
 
 # The recipes: all of them, and nothing but routines, in one program.
@@ -1199,6 +1213,20 @@ interface() {
     gfortran $2 -o build/grid build/grid.f build/ftess.o build/fhhpred.o \
         $LIBS >> $LOG 2>&1
     one "f77/README's program, $1" test "$(build/grid)" = " 14.5000"
+    # the other one takes slices of 1500; in one there are as many
+    awk '/^      PROGRAM SLICES/,/^      END$/' f77/README > build/slices.f
+    sed 's/ROOM = 1500/ROOM = MAXTET/' build/slices.f > build/whole.f
+    for f in slices whole; do
+        rm -f build/$f
+        gfortran $2 -o build/$f build/$f.f build/ftess.o build/fhhpred.o \
+            $LIBS >> $LOG 2>&1
+        build/$f > build/$f.txt 2>> $LOG
+    done
+    one "f77/README's program of slices, $1" sh -c "
+        awk '{ for (all = \$1; n < all - 1500;) print n += 1500, 1
+            print all, \$5 }' build/whole.txt > build/slices1.txt &&
+        grep 1500 build/slices1.txt &&
+        awk '{ print \$1, \$5 }' build/slices.txt | cmp - build/slices1.txt"
     # where DOUBLE PRECISION has not 64 bits INFO says so; coordinates of all
     # bits
     sed 's/P(\([123]\),I) = .*/P(\1,I) = ABS(MOD(1D4*SIN(DBLE(\1*I)), 1D0))/
