@@ -220,7 +220,7 @@ static tess_int *integers(double many)
 static int attempt(tess_int n, double maxcop, double maxtet, double pool,
                    tess_int *ncop)
 {
-    tess_int *cw, *iw, liw, lrw;
+    tess_int *cw, *iw, liw = 0, lrw = 0;
     double *rw;
     tess_real *x;
     int code;
