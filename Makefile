@@ -48,7 +48,7 @@ all: build/tess
 PROGRAM = build/driver.o build/options.o build/read.o build/write.o \
     build/shapes.o build/places.o build/values.o build/validate.o \
     build/slopes.o build/natural.o build/derived.o build/cells.o \
-    build/periodic.o build/draw.o build/plane.o
+    build/periodic.o build/draw.o build/plane.o build/repeat.o
 
 build/tess: $(PROGRAM) $(LIBRARY)
 	$(LINK) $(PROGRAM) $(LIBRARY) $(LDLIBS)
@@ -82,6 +82,11 @@ build/places.o: test/program/places.c test/program/values.h \
 build/plane.o: test/program/plane.c test/program/driver.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/plane.c
+
+build/repeat.o: test/program/repeat.c test/program/values.h \
+    test/program/driver.h test/examples/recipes.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/repeat.c
 
 build/values.o: test/program/values.c test/program/values.h \
     test/program/driver.h test/examples/recipes.h tess.h hhpred.h
@@ -155,16 +160,19 @@ build/mirror: test/data/mirror.c
 	@mkdir -p build
 	$(LINK) $(CPPFLAGS) test/data/mirror.c $(LDLIBS)
 
+# degrees C, metres
+UNIT = `printf '\302\260C,m'`
 # The hull of the mirror's sensors fills its hole, of radius 0.6; the picture
 # shall not.
 run: build/tess
 	@file=`basename "$(POINTS)"`; look=; \
-	case "$$file" in mirror.xyz) look="-alpha 0.5";; -) file=stdin;; esac; \
-	name="build/$$file"; set -x; \
+	case "$$file" in mirror.xyz) look="-alpha 0.5 -unit $(UNIT)";; \
+	-) file=stdin;; esac; name="build/$$file"; set -x; \
 	build/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look $(OPTIONS) \
 	    "$(POINTS)"
 
-MIRROR = build/tess -q -alpha 0.5 -method smooth test/data/mirror.xyz
+MIRROR = build/tess -q -alpha 0.5 -unit $(UNIT) -method smooth \
+    test/data/mirror.xyz
 grid: build/tess
 	$(MIRROR) -grid 200,200,20 -values build/mirror.vtk
 	$(MIRROR) -grid 400,1,120 -values build/mirror.svg
@@ -186,19 +194,13 @@ examples: $(LIBRARY)
 	cat build/$$name.out; \
 	diff test/examples/$$name.out build/$$name.out; done
 
-# cube: a grid of 27 points, of which corners stay, and the others move at random
-# along their edge, in their face or inside
-pictures: grid
-	cp build/mirror.svg test/pictures/slice.svg
-	build/tess -q -scale 1,1,4 -alpha 0.6 -view -71.25 28 \
-	    -svg test/pictures/mirror.svg test/data/mirror.xyz
-	awk 'BEGIN { for (seed = 5; n < 27; n++) \
-	    for (k = 0; k < 3; k++) { \
-	        seed = (1664525 * seed + 1013904223) % 4294967296; \
-	        at = int(n / 3 ^ k) % 3; \
-	        printf "%.17g%s", at == 1 ? 0.35 + 0.3 * seed / 4294967296 : at / 2, \
-	            k < 2 ? " " : "\n" } }' | \
-	    build/tess -q -view -62 24 -svg test/pictures/cube.svg -
+pictures: build/tess
+	sh test/pictures/pictures.sh
+	@python=$${PYTHON:-python3}; \
+	if $$python -c 'import matplotlib' 2> build/pictures/words; then set -x; \
+	$$python test/pictures/speed.py test/results/bench.txt \
+	    test/pictures/speed.svg; else \
+	echo "no matplotlib for $$python: test/pictures/speed.svg is as it was"; fi
 
 errors: $(LIBRARY)
 	$(CC) $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o build/slopes -I. test/examples/*slopes.c $(LIBRARY) $(LDLIBS)

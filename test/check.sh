@@ -540,6 +540,20 @@ examples() {
             fail "example: $example does not compile"
         fi
     done
+    # the threads of OpenMP
+    group "example: team -fopenmp, " || return
+    if have "$CC" -fopenmp; then
+        # shellcheck disable=SC2046 # a list of files
+        build team "$CC" "$CFLAGS -fopenmp -I." $LIBRARY \
+            $(linked test/examples/team.c)
+        for threads in 1 2 4; do
+            one "example: team -fopenmp, $threads threads" sh -c "
+                OMP_NUM_THREADS=$threads build/team |
+                    cmp - test/examples/team.out"
+        done
+    else
+        skipped "example: team -fopenmp"
+    fi
 }
 
 # The recipes: all of them, and nothing but routines, in one program.
@@ -1199,6 +1213,20 @@ interface() {
     gfortran $2 -o build/grid build/grid.f build/ftess.o build/fhhpred.o \
         $LIBS >> $LOG 2>&1
     one "f77/README's program, $1" test "$(build/grid)" = " 14.5000"
+    # the other one takes slices of 1500; in one there are as many
+    awk '/^      PROGRAM SLICES/,/^      END$/' f77/README > build/slices.f
+    sed 's/ROOM = 1500/ROOM = MAXTET/' build/slices.f > build/whole.f
+    for f in slices whole; do
+        rm -f build/$f
+        gfortran $2 -o build/$f build/$f.f build/ftess.o build/fhhpred.o \
+            $LIBS >> $LOG 2>&1
+        build/$f > build/$f.txt 2>> $LOG
+    done
+    one "f77/README's program of slices, $1" sh -c "
+        awk '{ for (all = \$1; n < all - 1500;) print n += 1500, 1
+            print all, \$5 }' build/whole.txt > build/slices1.txt &&
+        grep 1500 build/slices1.txt &&
+        awk '{ print \$1, \$5 }' build/slices.txt | cmp - build/slices1.txt"
     # where DOUBLE PRECISION has not 64 bits INFO says so; coordinates of all
     # bits
     sed 's/P(\([123]\),I) = .*/P(\1,I) = ABS(MOD(1D4*SIN(DBLE(\1*I)), 1D0))/
@@ -1387,6 +1415,21 @@ machines() {
     cross arm-linux-gnueabihf-gcc qemu-arm "32-bit ARM"
     cross i686-linux-gnu-gcc qemu-i386 "x87"
     cross m68k-linux-gnu-gcc qemu-m68k "big-endian with an 80-bit unit (68k)"
+    # WebAssembly, without a C library but for what run.js has
+    if command -v wasm-ld > /dev/null && command -v node > /dev/null &&
+        command -v clang > /dev/null; then
+        for d in -DTESS_FLOAT ""; do
+            # shellcheck disable=SC2086 # lists of flags, of files
+            one "same result: wasm32 $d" sh -c "$CC -O2 $d -o build/tiny \
+                test/machines/tiny.c $LIBRARY $LIBS &&
+                build/tiny > build/tiny.txt &&
+                $WASM $d -o build/tiny.wasm test/machines/tiny.c $LIBRARY &&
+                node test/machines/wasm/run.js build/tiny.wasm |
+                    cmp - build/tiny.txt"
+        done
+    else
+        skipped "wasm32: no clang with wasm-ld (lld) and node"
+    fi
     # int of 16 bits and double of 24, in 16 kilobytes of memory: once indices of
     # 16 bits and -Os, once of 32 bits and -O2.  (A difference may be the
     # simulator's: simavr 1.6 takes an adiw or sbiw by 12 to 15, modulo 16, that

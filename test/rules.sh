@@ -169,6 +169,20 @@ sed -n 's/^\([a-z-]*\):.*/\1/p' Makefile | sort -u > $B/targets
 comm -23 $B/names $B/targets | grep -vx 'takes' > $B/out
 told "READMEs: targets that there are" $B/out
 
+# ---- the chart of times, which make pictures draws ----
+
+if $PYTHON -c 'import matplotlib' 2> $B/words; then
+    $PYTHON test/pictures/speed.py test/results/bench.txt $B/speed.svg
+    for f in $B/speed.svg test/pictures/speed.svg; do
+        grep -o '>[^<>]*</text' $f > $B/${f%%/*}.texts
+    done
+    diff $B/build.texts $B/test.texts > $B/out
+    [ -s $B/test.texts ] || echo nothing > $B/out
+    told "pictures: speed.svg shows what test/results/bench.txt says" $B/out
+else
+    skip "pictures: speed.svg: no matplotlib for $PYTHON"
+fi
+
 # ---- the README's figures, of test/results ----
 
 R=test/results

@@ -3,6 +3,11 @@
 # the top directory.  Takes CC and PYTHON from the environment.
 CC=${CC:-cc}
 PYTHON=${PYTHON:-python3}
+# a compiler for WebAssembly, whose programs node runs, by machines/wasm/run.js
+# shellcheck disable=SC2034 # for those that read this
+WASM="clang --target=wasm32 -O2 -ffreestanding -nostdlib -Itest/machines/wasm \
+    -Wl,--no-entry -Wl,--export=main -Wl,--allow-undefined \
+    -Wl,-z,stack-size=1048576"
 
 # begin NAME: count anew.  (In a file, as behind a pipe no variable can be set;
 # to 3, as the output of what is tested goes elsewhere.)
@@ -44,6 +49,18 @@ yes() {
     name=$1
     shift
     if "$@"; then pass "$name"; else fail "$name"; fi
+}
+
+# lines COMMAND...: a program that prints `ok ...' or `FAILED ...' for each of its
+# tests, and nothing on standard error
+lines() {
+    "$@" > numbers 2> told
+    code=$?
+    cat numbers
+    count "$(grep -c '^ok' numbers)" "$(grep -c '^FAILED' numbers)" 0
+    if [ $code -ne 0 ] || [ -s told ]; then
+        fail "$*: code $code: $(tail -n 1 told)"
+    fi
 }
 
 # have CC FLAGS: does this compiler take these flags, and its programs run?

@@ -36,7 +36,8 @@ FFLAGS=${FFLAGS:--O3}
 . test/tests.sh
 mkdir -p build
 
-# table, family, peers, numbers of points; those with + for SIZES=all
+# table, family, peers, numbers of points; those with + for SIZES=all.  What is
+# in peers is in another table, too.
 rows='
 clouds uniform f77,cgal,tetgen,qhull 10000 100000 +1000000
 clouds decimal3 f77,cgal,tetgen,qhull 10000 100000 +1000000
@@ -72,7 +73,11 @@ data sheets f77,cgal 2000 8000 30000 +100000
 data bumps f77,cgal 2000 8000 30000 +100000
 data ellipsoid f77,cgal 2000 8000 30000 +100000
 data terrain f77,cgal 2000 8000 30000 +100000
-data wide f77,cgal 50 100 300'
+data wide f77,cgal 50 100 300
+peers terrain cgal,tetgen,qhull 50000
+peers boreholes cgal,tetgen,qhull 20000
+peers gridrot cgal,tetgen,qhull 27000
+peers globe cgal,tetgen,qhull 30000'
 for family in $SCANS; do
     rows="$rows
 people $family f77,cgal $(grep -c . "$family")"
@@ -213,8 +218,8 @@ echo "$rows" | while read -r table family peers sizes; do
             done
             round=$((round + 1))
         done
-        case $past in
-        *" tess cut "*) ;;
+        case $table$past in
+        peers* | *" tess cut "*) ;;
         *) build/bench_count "$family" "$size" 1 "$SEED" |
             grep '^count' >>build/bench_counts.txt ;;
         esac
@@ -341,6 +346,25 @@ function few(   i, k, at, head, first) {
             ratio(at, key " cgal")
     }
 }
+# sets of those tables beside all
+function peers(   i, k, head, first) {
+    first = 1
+    for (i = 1; i <= rows; i++) {
+        key = order[i]
+        if (table[key] == "clouds" || !(key " tetgen" in time) &&
+            !(key " qhull" in time)) continue
+        if (first) {
+            print "\nSome of these beside all\n"
+            heading("| points | n | tetrahedra | tess | CGAL | TetGen | Qhull |")
+            first = 0
+        }
+        head = "| " family[key] " | " points[key] " | " tetrahedra[key] " |"
+        for (k = 1; k <= many; k++)
+            if (program[k] != "f77")
+                head = head " " value(key " " program[k], time, "%.0f") " |"
+        print head
+    }
+}
 function memory(which,   i, k, head) {
     heading("| points | n | tess, workspace alone |" programs(which))
     for (i = 1; i <= rows; i++) {
@@ -372,6 +396,7 @@ END {
             "\nsurfaces and curves, and of others that are hard\n"
         times("data")
     }
+    peers()
     few()
 }' build/bench.txt
 

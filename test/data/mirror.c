@@ -32,13 +32,16 @@ static void put(double x, char after)
 }
 
 /* temperature - degrees C; depth is 0 at the front surface, which faces the
- * cold sky, and 1 at the back. */
+ * cold sky, and 1 at the back.  The wind cools one side, and between three warm
+ * supports the rim. */
 static double temperature(double x, double y, double depth)
 {
     double up = 1.0 - depth;
 
-    return 11.0 - 1.5 * up * up + 0.2 * x / OUTER +
-           0.4 * (x * x + y * y) / (OUTER * OUTER);
+    x /= OUTER;
+    y /= OUTER;
+    return 11.2 - 0.8 * up * up + 0.45 * x + 0.3 * (x * x + y * y) +
+           (0.18 + 0.42 * up) * x * (x * x - 3.0 * y * y);
 }
 
 int main(void)

@@ -9,6 +9,8 @@
  *
  * Points much denser in one direction: stretch that direction, of p and of the
  * box.
+ *
+ * try_interp.c tests it; interp.f is the same in FORTRAN 77.
  */
 #include "recipes.h"
 

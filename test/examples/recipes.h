@@ -35,7 +35,9 @@
 #define join TESS_AS(join)
 #define many TESS_AS(many)
 #define unpack TESS_AS(unpack)
+#define triclinic TESS_AS(triclinic)
 #define periodic TESS_AS(periodic)
+#define reduce TESS_AS(reduce)
 #define planar TESS_AS(planar)
 #define enclosed TESS_AS(enclosed)
 #define putobj TESS_AS(putobj)
@@ -119,11 +121,17 @@ int many(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
 /* periodic.c */
 #define PERIODIC_FEW 20 /* a code: tetrahedra reach too far */
 void unpack(tess_int number, int *copy);
+int triclinic(tess_int n, const tess_real *p, const double *cell,
+              const tess_int *ways, tess_int maxcop, tess_int *ncop,
+              tess_real *x, tess_int *cw, tess_int maxtet, tess_int *ntet,
+              tess_int *tet, tess_int *move, tess_int *adj, tess_int *shift,
+              tess_int liw, tess_int *iw, tess_int lrw, double *rw);
 int periodic(tess_int n, const tess_real *p, const double *box,
              tess_int maxcop, tess_int *ncop, tess_real *x, tess_int *cw,
              tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *move,
              tess_int *adj, tess_int *shift, tess_int liw, tess_int *iw,
              tess_int lrw, double *rw);
+void reduce(double *cell, const tess_int *ways);
 
 /* planar.c */
 int planar(tess_int n, tess_real *p, tess_int maxtri, tess_int *ntri,

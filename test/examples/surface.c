@@ -7,6 +7,8 @@
  * Programs for drawing and for printing in three dimensions read both.
  * The triangles are those of tess_hull, or of any other closed surface, as the
  * recipe alpha gives: counter-clockwise as seen from outside.
+ *
+ * try_surface.c tests them; surface.f is the same in FORTRAN 77.
  */
 #include <math.h>
 #include <stdio.h>

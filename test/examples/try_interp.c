@@ -9,6 +9,8 @@
  * the glass: the error is within the bound that interp.c names, and falls with
  * the square of the spacing; a linear field comes out as it is; and at those
  * outside the hull, that they are said to be.
+ *
+ * try_interp.f is the same in FORTRAN 77; both write the same text.
  */
 #include <math.h>
 #include <stdio.h>

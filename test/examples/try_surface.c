@@ -4,6 +4,8 @@
  *       test/examples/surface.c tess.c hhpred.c -lm
  *   try_surface [hull.obj [hull.stl [points.xyz]]]
  *
+ * try_surface.f is the same in FORTRAN 77; both write the same text.
+ *
  * Without a file of points (three numbers a line): points on an ellipsoid and
  * some inside of it.
  *
@@ -94,7 +96,7 @@ static int read_points(const char *name)
 
 /* ----------------------------------------------------------------- files */
 
-/* written - is the surface, once more in another form?  Tells so. */
+/* written - is the surface, once more in another form? */
 static int written(const char *name, int stl)
 {
     FILE *file = fopen(name, "w");
@@ -103,9 +105,7 @@ static int written(const char *name, int stl)
     if (!file) return 0;
     bad = stl ? putstl(file, p, nfac, fac, 9)
               : putobj(file, n, p, nfac, fac, 9, number);
-    if (fclose(file) || bad) return 0;
-    printf("written            %s\n", name);
-    return 1;
+    return fclose(file) == 0 && !bad;
 }
 
 /* ---------------------------------------------------------------- volume */
@@ -300,7 +300,7 @@ int main(int argc, char **argv)
     printf("tetrahedra         %ld\n", (long)ntet);
     printf("surface            %ld vertices, %ld edges, %ld triangles\n",
            (long)v, (long)e, (long)nfac);
-    printf("volume             %.6g\n", volume);
+    printf("volume             %.4f\n", volume);
     if (!closed()) bad |= 1;
     if (v - e + nfac != 2) bad |= 2;
     if (fabs(volume - filled()) > 1e-12 * volume) bad |= 4;
@@ -309,7 +309,7 @@ int main(int argc, char **argv)
         ball = 16.0 / 3.0 * atan(1.0) * axis[0] * axis[1] * axis[2];
         low = ball * least * least * least;
         high = ball * most * most * most;
-        printf("ellipsoids         %.6g inside, %.6g outside\n", low, high);
+        printf("ellipsoids         %.4f inside, %.4f outside\n", low, high);
         if (volume < low || volume > high || high > ball * (1.0 + 1e-5))
             bad |= 8;
         if (wrong != 0) bad |= 16;

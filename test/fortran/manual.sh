@@ -116,6 +116,34 @@ C     a lattice, and at each of its points 1 + X + 2 Y + 3 Z
       WRITE (*, '(F8.4)') V
       END
 
+A program whose arrays are in COMMON, and that says how far it is: with room for
+some tetrahedra more TESSRE goes on, as often as INFO is 1.
+
+      PROGRAM SLICES
+      INTEGER N, MAXTET, LIW, LRW
+      PARAMETER (N = 1000)
+      PARAMETER (MAXTET = 8*N, LIW = 19*N + 1800, LRW = 4*N + 12)
+      DOUBLE PRECISION P(3,N), RW(LRW)
+      INTEGER TET(4,MAXTET), ADJ(4,MAXTET), IW(LIW)
+      COMMON /MESH/ P, RW, TET, ADJ, IW
+      INTEGER NTET, INFO, I, ROOM
+C     a lattice
+      DO 10 I = 1, N
+         P(1,I) = MOD(I-1, 10)
+         P(2,I) = MOD((I-1)/10, 10)
+         P(3,I) = (I-1)/100
+   10 CONTINUE
+      ROOM = 1500
+      CALL TESS(N, P, ROOM, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
+   20 CONTINUE
+      WRITE (*, '(I8, A, I2)') NTET, ' tetrahedra: INFO =', INFO
+      IF (INFO .EQ. 1 .AND. ROOM .LT. MAXTET) THEN
+         ROOM = MIN(ROOM + 1500, MAXTET)
+         CALL TESSRE(N, P, ROOM, NTET, TET, ADJ, LIW, IW, LRW, RW, INFO)
+         GO TO 20
+      END IF
+      END
+
 Fortran 90 and later. tess.f90 has interfaces of all entries:
 
     gfortran -c tess.f90        then, in each caller:    use tess_interface

@@ -7,7 +7,7 @@
 #
 #   gcc clang tcc pcc g++ qemu-user qemu-system-arm simavr
 #   gcc-{i686,m68k,alpha,powerpc64,arm,aarch64}-linux-gnu{,hf} with their libc
-#   gcc-arm-none-eabi libnewlib-arm-none-eabi gcc-avr avr-libc
+#   gcc-arm-none-eabi libnewlib-arm-none-eabi gcc-avr avr-libc lld nodejs
 . test/tests.sh
 LIBRARY="tess.c hhpred.c"
 B=build/reach
@@ -81,6 +81,18 @@ PowerPC_64,big-endian powerpc64-linux-gnu ppc64 -O2 -ffp-contract=fast
 ARM arm-linux-gnueabihf arm -O2
 ARM_64,FMA aarch64-linux-gnu aarch64 -O3 -ffp-contract=fast
 END
+    # (parity.c writes by stdio, which there is none of)
+    tiny="not to be had" same=
+    if there clang && there wasm-ld && there node; then
+        # shellcheck disable=SC2086 # lists of flags, of files
+        $WASM -DTESS_FLOAT -o $B/out.wasm test/machines/tiny.c $LIBRARY \
+            2>> $B/log &&
+            node test/machines/wasm/run.js $B/out.wasm > $B/out.txt 2>> $B/log
+        tiny=`checksum $B/out.txt`
+        same="the same"
+        [ "$tiny" = $SUM ] || { same="**another**"; BAD=1; }
+    fi
+    echo "| clang -O2, WebAssembly (wasm32), no C library | $tiny | | $same |"
 }
 
 # ---- small machines ----

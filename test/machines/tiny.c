@@ -4,9 +4,9 @@
  * Writes the same with every compiler.  On an AVR, where int has 16 bits and
  * double 24, it writes to the first serial port and then sleeps with the
  * interrupts off, which ends simavr; see check.sh.  On a Cortex-M cortex.c
- * writes.  With -DPAINT on both the last line is the bytes of stack in use at
- * most, what has been painted before and is no longer, with a set besides that
- * takes all the limbs there are.
+ * writes, in WebAssembly run.js.  With -DPAINT, but there, the last line is the
+ * bytes of stack in use at most, what has been painted before and is no longer,
+ * with a set besides that takes all the limbs there are.
  */
 #include "../../tess.h"
 
@@ -20,7 +20,7 @@ extern char LOW[];
 #define COLOUR 0x5a
 #endif
 
-#if defined(__arm__) && !defined(__linux__)
+#if (defined(__arm__) && !defined(__linux__)) || defined(__wasm__)
 void put(char c);
 #elif defined(__AVR__)
 #include <avr/interrupt.h>

@@ -9,13 +9,17 @@
  * keep the order.
  */
 #include "draw.h"
+#include "driver.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #define DEGREE 0.017453292519943295
 #define CORNERS 16 /* a triangle, clipped by two planes and two values: 7 */
 #define TINT 5     /* shades of each colour */
+#define GREY "#767c85" /* of equal contrast to white and to a dark page */
+#define EXPLODED 0.72  /* size of a tetrahedron that is moved apart */
 
 /* A corner of a polygon: x to the right, y up, z to the viewer, value. */
 enum { X, Y, Z, V, DIM };
@@ -30,14 +34,21 @@ typedef struct drawing {
     const draw_look *look;
     double *q;            /* DIM a point: what a corner has */
     const tess_int *tet, *adj;
-    tess_int ntet;
+    tess_int n, ntet;
+    const char *keep;
     int plain;            /* no values */
+    double turn[3][3];    /* from coordinates to X, Y, Z: rows; */
+    int height;           /* of the picture */
+    double most, middle[3], side[3], /* what is done to them before; */
+        factor[3], hand;  /* -1: that makes left hands of right ones */
     double left, top;     /* of what is drawn, in the units of q */
     double unit;          /* tenths of a pixel a unit of q */
     double shift[2];      /* tenths of a pixel */
     double low, step;     /* band k: low + k * step ... */
     int bands;
-    int letter, band;     /* style of the path that is being written */
+    int letter, band;     /* style of the path that is being written; of its */
+    int corners;          /* outline so many, the last one here, and the line */
+    long at[2], line[2];  /* that leads there, not yet written */
     double plane[2][DIM]; /* the cut leaves out where both are positive */
 } drawing;
 
@@ -53,13 +64,21 @@ static int channel(double x)
 
 /* colour - number x, 0 ... 1, of a scale from cold violet to warm yellow:
  * even steps of lightness and hue in the perceptual space Oklab, so that equal
- * differences look equal, in grey and to the colour-blind too. */
+ * differences look equal, in grey and to the colour-blind too.  Below 0: a
+ * greyish blue. */
 static void colour(double x, double shade, int *rgb)
 {
-    double l = 0.36 + 0.56 * x, hue = (282.0 + 180.0 * x) * DEGREE;
+    double l = 0.46 + 0.46 * x, hue = (282.0 + 180.0 * x) * DEGREE;
     double chroma = 0.145 + 0.06 * sin(180.0 * x * DEGREE);
-    double a = chroma * cos(hue), b = chroma * sin(hue), r, g, s;
+    double a, b, r, g, s;
 
+    if (x < 0.0) {
+        l = 0.82;
+        chroma = 0.04;
+        hue = 258.0 * DEGREE;
+    }
+    a = chroma * cos(hue);
+    b = chroma * sin(hue);
     r = l + 0.3963377774 * a + 0.2158037573 * b;
     g = l - 0.1055613458 * a - 0.0638541728 * b;
     s = l - 0.0894841775 * a - 1.2914855480 * b;
@@ -156,28 +175,73 @@ static void section(const double v[4][DIM], const double *plane, polygon *a)
 
 /* -------------------------------------------------------------- painting */
 
-/* outline - the polygon as SVG path data: whole tenths of pixels, the first
- * corner absolute, the others relative to the one before.  Corners that fall
- * together are left out. */
-static void outline(const drawing *d, const polygon *a)
+/* put_line - the line that waits, if any. */
+static void put_line(drawing *d)
 {
-    long x, y, lastx = 0, lasty = 0;
-    int i, n = 0;
+    const long *to = d->line;
 
-    for (i = 0; i < a->n; i++) {
-        x = (long)floor(d->shift[0] + d->unit * (a->at[i][X] - d->left) + 0.5);
-        y = (long)floor(d->shift[1] + d->unit * (d->top - a->at[i][Y]) + 0.5);
-        if (n > 0 && x == lastx && y == lasty) continue;
-        if (n == 0)
-            fprintf(d->file, "M%ld %ldl", x, y);
-        else
-            fprintf(d->file, n > 1 && x >= lastx ? " %ld%s%ld" : "%ld%s%ld",
-                    x - lastx, y >= lasty ? " " : "", y - lasty);
-        lastx = x;
-        lasty = y;
-        n++;
+    if (to[0] == 0 && to[1] == 0) return;
+    fprintf(d->file, d->corners > 2 && to[0] >= 0 ? " %ld%s%ld" : "%ld%s%ld",
+            to[0], to[1] >= 0 ? " " : "", to[1]);
+}
+
+/* corner - of an outline, in tenths of pixels, of which whole ones are written:
+ * as SVG path data, the first corner absolute, the others relative to the one
+ * before.  Corners that fall together, or into a line, are left out. */
+static void corner(drawing *d, double x, double y)
+{
+    long to[2], step[2];
+    int k;
+
+    to[0] = (long)floor(x + 0.5);
+    to[1] = (long)floor(y + 0.5);
+    for (k = 0; k < 2; k++) step[k] = d->corners ? to[k] - d->at[k] : 0;
+    if (d->corners == 0) {
+        fprintf(d->file, "M%ld %ldl", to[0], to[1]);
+        d->line[0] = d->line[1] = 0;
+    } else if (step[0] == 0 && step[1] == 0) {
+        return;
+    } else if (d->line[0] * step[1] == d->line[1] * step[0] &&
+               d->line[0] * step[0] + d->line[1] * step[1] > 0) {
+        for (k = 0; k < 2; k++) step[k] += d->line[k];
+        d->corners--;
+    } else {
+        put_line(d);
     }
-    fprintf(d->file, n > 1 ? "z" : "0 0z");
+    d->corners++;
+    for (k = 0; k < 2; k++) {
+        d->at[k] = to[k];
+        d->line[k] = step[k];
+    }
+}
+
+/* close_outline - and begin another one. */
+static void close_outline(drawing *d)
+{
+    if (d->corners == 0) return;
+    put_line(d);
+    fprintf(d->file, d->corners > 1 ? "z" : "0 0z");
+    d->corners = 0;
+}
+
+/* across, down - where in the picture: tenths of pixels. */
+static double across(const drawing *d, double x)
+{
+    return d->shift[0] + d->unit * (x - d->left);
+}
+
+static double down(const drawing *d, double y)
+{
+    return d->shift[1] + d->unit * (d->top - y);
+}
+
+static void outline(drawing *d, const polygon *a)
+{
+    int i;
+
+    for (i = 0; i < a->n; i++)
+        corner(d, across(d, a->at[i][X]), down(d, a->at[i][Y]));
+    close_outline(d);
 }
 
 /* style - begin a path of a style, unless the last one has it too: letter A
@@ -218,7 +282,7 @@ static void paint(drawing *d, const polygon *a, int tint)
 {
     double least, most, speck = 80.0 / (d->unit * d->unit);
     polygon part;
-    int i, k, from, to;
+    int edges = d->look->what != DRAW_FIELD, i, k, from, to;
 
     if (a->n < 3) return;
     least = most = a->at[0][V];
@@ -235,16 +299,16 @@ static void paint(drawing *d, const polygon *a, int tint)
         part = *a;
         if (k > from) clip_value(&part, d->low + k * d->step);
         if (k > from && area(&part) < speck) break;
-        style(d, (from == to ? "ABCDE" : "abcde")[tint], k);
+        style(d, (from == to && edges ? "ABCDE" : "abcde")[tint], k);
         outline(d, &part);
     }
-    if (from == to || area(a) < speck) return;
+    if (from == to || !edges || area(a) < speck) return;
     style(d, 'z', 0);
     outline(d, a);
 }
 
 /* lit - the shade of a triangle, 0 ... TINT - 1. */
-static int lit(const polygon *a)
+static int lit(const drawing *d, const polygon *a)
 {
     static const double light[3] = {-0.36, 0.66, 0.66};
     double u[3], v[3], normal[3], size, cosine;
@@ -258,7 +322,7 @@ static int lit(const polygon *a)
         normal[k] = u[(k + 1) % 3] * v[(k + 2) % 3] -
                     u[(k + 2) % 3] * v[(k + 1) % 3];
     size = sqrt(dot(normal, normal));
-    cosine = size > 0.0 ? dot(normal, light) / size : 0.0;
+    cosine = size > 0.0 ? d->hand * dot(normal, light) / size : 0.0;
     return cosine <= 0.0 ? 0 : (int)(cosine * (TINT - 1) + 0.5);
 }
 
@@ -275,16 +339,16 @@ static void corners(const drawing *d, tess_int t, double v[4][DIM])
             middle[k] += v[i][k] / 4.0;
         }
     }
-    for (i = 0; i < 4; i++)
+    for (i = 0; i < 4 && d->look->what == DRAW_APART; i++)
         for (k = 0; k < DIM; k++)
-            v[i][k] = middle[k] + d->look->shrink * (v[i][k] - middle[k]);
-    if (d->plain)
+            v[i][k] = middle[k] + EXPLODED * (v[i][k] - middle[k]);
+    if (d->plain && d->look->what == DRAW_APART)
         for (i = 0; i < 4; i++) v[i][V] = sqrt(dot(middle, middle));
 }
 
 static int kept(const drawing *d, tess_int t)
 {
-    return t >= 0 && (!d->look->keep || d->look->keep[t]);
+    return t >= 0 && (!d->keep || d->keep[t]);
 }
 
 /* The facet opposite to vertex k, counter-clockwise from outside. */
@@ -297,24 +361,25 @@ static void tetrahedron(drawing *d, tess_int t)
 {
     double v[4][DIM];
     polygon a;
+    int cut = d->look->what == DRAW_CUT || d->look->what == DRAW_FIELD;
     int piece, i, j, k, tint;
 
     corners(d, t, v);
-    for (piece = 0; piece <= d->look->cut; piece++) {
+    for (piece = 0; piece <= cut; piece++) {
         for (k = 0; k < 4; k++) {
-            if (d->look->shrink >= 1.0 && kept(d, d->adj[4 * t + k]))
+            if (d->look->what != DRAW_APART && kept(d, d->adj[4 * t + k]))
                 continue;
             a.n = 3;
             for (i = 0; i < 3; i++)
                 for (j = 0; j < DIM; j++) a.at[i][j] = v[facet[k][i]][j];
-            if (facing(a.at[0], a.at[1], a.at[2]) <= 0.0) continue;
-            tint = lit(&a);
-            if (d->look->cut)
+            if (d->hand * facing(a.at[0], a.at[1], a.at[2]) <= 0.0) continue;
+            tint = lit(d, &a);
+            if (cut)
                 clip_plane(&a, d->plane[0], piece == 0 ? -1.0 : 1.0);
             if (piece == 1) clip_plane(&a, d->plane[1], -1.0);
             paint(d, &a, tint);
         }
-        if (d->look->cut) {
+        if (cut) {
             section((const double(*)[DIM])v, d->plane[piece], &a);
             clip_plane(&a, d->plane[1 - piece], 1.0);
             paint(d, &a, TINT - 1);
@@ -328,7 +393,7 @@ static void tetrahedron(drawing *d, tess_int t)
 static int nearer(const drawing *d, tess_int t, int k)
 {
     tess_int v[3], swap;
-    double seen, sign = 1.0;
+    double seen, sign = d->hand;
     int i, j;
 
     for (i = 0; i < 3; i++) v[i] = d->tet[4 * t + facet[k][i]];
@@ -376,45 +441,62 @@ static void back_to_front(const drawing *d, char *behind, tess_int *order)
 
 /* ----------------------------------------------------------- the picture */
 
-/* project - fill q: the bounding box's centre becomes the origin. */
-static void project(drawing *d, tess_int n, const tess_real *p,
-                    const double *value)
+/* see - where a point of these coordinates, divided by d->most, is in q. */
+static void see(const drawing *d, const double *x, double *at)
+{
+    double y[3];
+    int j, k;
+
+    for (k = 0; k < 3; k++) y[k] = (x[k] - d->middle[k]) * d->factor[k];
+    for (j = 0; j < 3; j++)
+        at[j] = d->turn[j][0] * y[0] + d->turn[j][1] * y[1] +
+                d->turn[j][2] * y[2];
+}
+
+/* project - fill q: the bounding box's centre becomes the origin, its longest
+ * side 1. */
+static void project(drawing *d, const tess_real *p, const double *value)
 {
     double a = d->look->azimuth * DEGREE, e = d->look->elevation * DEGREE;
-    double axis[3][3], lo[3], hi[3], x[3], most = 0.0, size = 0.0;
+    double lo, hi, x[3], size = 0.0;
+    const double *scale = d->look->scale;
     tess_int i;
     int j, k;
 
-    axis[X][0] = -sin(a);
-    axis[X][1] = cos(a);
-    axis[X][2] = 0.0;
-    axis[Y][0] = -sin(e) * cos(a);
-    axis[Y][1] = -sin(e) * sin(a);
-    axis[Y][2] = cos(e);
-    axis[Z][0] = cos(e) * cos(a);
-    axis[Z][1] = cos(e) * sin(a);
-    axis[Z][2] = sin(e);
-    for (i = 0; i < 3 * n; i++)
-        if (fabs((double)p[i]) > most) most = fabs((double)p[i]);
-    if (most == 0.0) most = 1.0;
+    d->turn[X][0] = -sin(a);
+    d->turn[X][1] = cos(a);
+    d->turn[X][2] = 0.0;
+    d->turn[Y][0] = -sin(e) * cos(a);
+    d->turn[Y][1] = -sin(e) * sin(a);
+    d->turn[Y][2] = cos(e);
+    d->turn[Z][0] = cos(e) * cos(a);
+    d->turn[Z][1] = cos(e) * sin(a);
+    d->turn[Z][2] = sin(e);
+    d->most = 0.0;
+    for (i = 0; i < 3 * d->n; i++)
+        if (fabs((double)p[i]) > d->most) d->most = fabs((double)p[i]);
+    if (d->most == 0.0) d->most = 1.0;
     for (k = 0; k < 3; k++) {
-        lo[k] = 1.0;
-        hi[k] = -1.0;
-        for (i = 0; i < n; i++) {
-            x[k] = (double)p[3 * i + k] / most;
-            if (x[k] < lo[k]) lo[k] = x[k];
-            if (x[k] > hi[k]) hi[k] = x[k];
+        lo = 1.0;
+        hi = -1.0;
+        for (i = 0; i < d->n; i++) {
+            x[k] = (double)p[3 * i + k] / d->most;
+            if (x[k] < lo) lo = x[k];
+            if (x[k] > hi) hi = x[k];
         }
-        if (hi[k] - lo[k] > size) size = hi[k] - lo[k];
+        d->middle[k] = lo / 2.0 + hi / 2.0;
+        d->side[k] = hi - lo;
+        if (d->side[k] * fabs(scale[k]) > size)
+            size = d->side[k] * fabs(scale[k]);
     }
-    if (!(size > 0.0)) size = 1.0;
-    for (i = 0; i < n; i++) {
-        for (k = 0; k < 3; k++)
-            x[k] = ((double)p[3 * i + k] / most - lo[k] / 2.0 - hi[k] / 2.0) /
-                   size;
-        for (j = 0; j < 3; j++)
-            d->q[DIM * i + j] =
-                axis[j][0] * x[0] + axis[j][1] * x[1] + axis[j][2] * x[2];
+    d->hand = 1.0;
+    for (k = 0; k < 3; k++) {
+        d->factor[k] = size > 0.0 ? scale[k] / size : scale[k];
+        if (scale[k] < 0.0) d->hand = -d->hand;
+    }
+    for (i = 0; i < d->n; i++) {
+        for (k = 0; k < 3; k++) x[k] = (double)p[3 * i + k] / d->most;
+        see(d, x, d->q + DIM * i);
         x[0] = value ? value[i] : 0.0;
         d->q[DIM * i + V] = x[0] > -1e300 && x[0] < 1e300 ? x[0] : 0.0;
     }
@@ -434,42 +516,123 @@ static void choose_bands(drawing *d, double low, double high)
     d->bands = (int)ceil((high - d->low) / d->step - 1e-9);
 }
 
+/* ---------------------------------------------------------- around it */
+
+#define LEFT 70.0 /* pixels beside a picture, for axes and texts */
+#define RIGHT 30.0
+#define TOP 25.0
+#define BOTTOM 60.0
+#define BAR 110.0
+#define ABOVE 40.0
+#define BELOW 25.0
+#define ALONE 8.0 /* where there are none */
+#define HIGHEST 640.0
+#define LOWEST 300
+
 /* choose_place - the unit and place of a drawing of that width and height. */
 static void choose_place(drawing *d, double width, double height)
 {
-    double room[2];
+    const draw_look *look = d->look;
+    double margin[4], room[2];
 
-    room[0] = d->look->width - 50.0 - (d->plain ? 0.0 : 105.0);
-    room[1] = d->look->height - 75.0;
+    margin[0] = look->bare ? ALONE : LEFT;
+    margin[1] = look->bare ? ALONE : RIGHT + (d->plain ? 0.0 : BAR);
+    margin[2] = look->bare ? ALONE : TOP + (look->title ? ABOVE : 0.0);
+    margin[3] = look->bare ? ALONE : BOTTOM + BELOW;
+    room[0] = 10.0 * (look->width - margin[0] - margin[1]);
+    room[1] = 10.0 * (HIGHEST - margin[2] - margin[3]);
+    if (height * room[0] < width * room[1]) room[1] = height * room[0] / width;
+    d->height = (int)(room[1] / 10.0 + margin[2] + margin[3] + 0.5);
+    if (d->height < LOWEST) d->height = LOWEST;
+    if (look->height > 0) d->height = look->height;
+    room[1] = 10.0 * (d->height - margin[2] - margin[3]);
     d->unit = 1e30;
-    if (d->unit * width > 10.0 * room[0]) d->unit = 10.0 * room[0] / width;
-    if (d->unit * height > 10.0 * room[1]) d->unit = 10.0 * room[1] / height;
-    d->shift[0] = 250.0 + (10.0 * room[0] - d->unit * width) / 2.0;
-    d->shift[1] = 250.0 + (10.0 * room[1] - d->unit * height) / 2.0;
+    if (d->unit * width > room[0]) d->unit = room[0] / width;
+    if (d->unit * height > room[1]) d->unit = room[1] / height;
+    d->shift[0] = 10.0 * margin[0] + (room[0] - d->unit * width) / 2.0;
+    d->shift[1] = 10.0 * margin[2] + (room[1] - d->unit * height) / 2.0;
 }
 
-/* scale - choose the bands, and the unit and place of the tetrahedra. */
-static void scale(drawing *d)
+/* write_at - a text, of that size, in tenths of pixels; anchor: start, middle,
+ * end. */
+static void write_at(const drawing *d, double x, double y, int size,
+                     const char *anchor, const char *text)
 {
-    double lo[DIM], hi[DIM], v[4][DIM];
-    tess_int t;
-    int i, k, any = 0;
+    fprintf(d->file, "<text x=\"%.0f\" y=\"%.0f\" font-size=\"%d\"", x, y,
+            size);
+    if (strcmp(anchor, "start") != 0)
+        fprintf(d->file, " text-anchor=\"%s\"", anchor);
+    fprintf(d->file, ">%s</text>\n", xml_text(text));
+}
 
-    for (k = 0; k < DIM; k++) lo[k] = hi[k] = 0.0;
-    for (t = 0; t < d->ntet; t++) {
-        if (!kept(d, t)) continue;
-        corners(d, t, v);
-        for (i = 0; i < 4; i++)
-            for (k = 0; k < DIM; k++) {
-                if (!any || v[i][k] < lo[k]) lo[k] = v[i][k];
-                if (!any || v[i][k] > hi[k]) hi[k] = v[i][k];
-                if (k == V) any = 1;
-            }
+/* put_number - a multiple of step, with the digits that tells it. */
+static void put_number(char *text, double x, double step)
+{
+    double digits = -floor(log10(step) + 1e-9);
+
+    if (fabs(x) < step / 2.0) x = 0.0;
+    if (digits >= -5.0 && digits <= 5.0 && fabs(x) < 1e9)
+        sprintf(text, "%.*f", digits > 0.0 ? (int)digits : 0, x);
+    else
+        sprintf(text, "%.6g", x);
+}
+
+/* draw_axis - from a point of the picture to another one, for numbers from low
+ * to high, with ticks and texts in the direction out. */
+static void draw_axis(const drawing *d, const double *from, const double *to,
+                      double low, double high, const double *out,
+                      const char *name)
+{
+    double length = sqrt((to[0] - from[0]) * (to[0] - from[0]) +
+                         (to[1] - from[1]) * (to[1] - from[1]));
+    double step, first, x, y, s, wide = 0.0;
+    const char *anchor = out[0] < -0.3 ? "end" : out[0] > 0.3 ? "start"
+                                                              : "middle";
+    char text[40];
+    int i;
+
+    if (length < 300.0 || !(high > low)) return;
+    step = nice((high - low) * (350.0 + 250.0 * fabs(out[1])) / length);
+    first = ceil(low / step - 1e-6);
+    fprintf(d->file, "<path d=\"M%.0f %.0fL%.0f %.0f", from[0], from[1], to[0],
+            to[1]);
+    for (i = 0; i < 40 && (first + i) * step <= high + 1e-6 * step; i++) {
+        s = ((first + i) * step - low) / (high - low);
+        fprintf(d->file, "M%.0f %.0fl%.0f %.0f",
+                from[0] + s * (to[0] - from[0]),
+                from[1] + s * (to[1] - from[1]), 60.0 * out[0], 60.0 * out[1]);
     }
-    choose_bands(d, lo[V], hi[V]);
-    choose_place(d, hi[X] - lo[X], hi[Y] - lo[Y]);
-    d->left = lo[X];
-    d->top = hi[Y];
+    fprintf(d->file, "\"/>\n");
+    for (i = 0; i < 40 && (first + i) * step <= high + 1e-6 * step; i++) {
+        put_number(text, (first + i) * step, step);
+        if (78.0 * (double)strlen(text) > wide)
+            wide = 78.0 * (double)strlen(text);
+        s = ((first + i) * step - low) / (high - low);
+        x = from[0] + s * (to[0] - from[0]) + 110.0 * out[0];
+        y = from[1] + s * (to[1] - from[1]) + 110.0 * out[1];
+        write_at(d, x, y + 50.0 + 50.0 * out[1], 140, anchor, text);
+    }
+    x = (from[0] + to[0]) / 2.0;
+    y = (from[1] + to[1]) / 2.0;
+    s = 220.0 + wide * fabs(out[0]) + 130.0 * fabs(out[1]);
+    if (fabs(out[0]) < 0.95 || s > 10.0 * LEFT)
+        write_at(d, x + s * out[0], y + s * out[1] + 50.0 + 50.0 * out[1], 150,
+                 anchor, name);
+    else {
+        fprintf(d->file, "<g transform=\"translate(%.0f %.0f) rotate(-90)\">\n",
+                x + s * out[0] + 40.0, y);
+        write_at(d, 0.0, 0.0, 150, "middle", name);
+        fprintf(d->file, "</g>\n");
+    }
+}
+
+/* begin_axes - their group. */
+static void begin_axes(const drawing *d)
+{
+    fprintf(d->file, "<g class=\"axes\" stroke=\"none\">\n");
+    fprintf(d->file,
+            "<style>.axes path{stroke:" GREY ";stroke-width:10;fill:none}"
+            "</style>\n");
 }
 
 static void hex(FILE *file, double x, double shade)
@@ -480,19 +643,214 @@ static void hex(FILE *file, double x, double shade)
     fprintf(file, "#%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
 }
 
-/* styles - a class for each colour and shade. */
+/* share - band k among all, 0 ... 1; less where there are no values. */
+static double share(const drawing *d, int k)
+{
+    if (d->plain && d->look->what != DRAW_APART) return -1.0;
+    return d->bands > 1 ? k / (d->bands - 1.0) : 0.5;
+}
+
+/* head - the start of the file: title and note. */
+static void head(const drawing *d)
+{
+    const draw_look *look = d->look;
+
+    fprintf(d->file,
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" "
+            "height=\"%d\" viewBox=\"0 0 %d0 %d0\" "
+            "font-family=\"Helvetica,Arial,sans-serif\" fill=\"" GREY "\">\n",
+            look->width, d->height, look->width, d->height);
+    if (look->bare) return;
+    if (look->title) {
+        fprintf(d->file, "<g font-weight=\"bold\">\n");
+        write_at(d, 250.0, 430.0, 210, "start", look->title);
+        fprintf(d->file, "</g>\n");
+    }
+    if (look->note)
+        write_at(d, 250.0, 10.0 * d->height - 180.0, 140, "start",
+                 look->note);
+}
+
+/* bar - the colour bar: its bands are those of the picture. */
+static void bar(const drawing *d)
+{
+    double tick = 5.0 * d->step, tall, x, y, level;
+    const char *label = d->look->label;
+    char text[40];
+    int k;
+
+    if (d->plain || d->look->bare) return;
+    tall = 6.4 * d->height;
+    x = 10.0 * d->look->width - 1000.0;
+    y = (10.0 * d->height - tall) / 2.0 + 120.0;
+    fprintf(d->file, "<g class=\"bar\">\n");
+    for (k = 0; k < d->bands; k++) {
+        fprintf(d->file,
+                "<rect x=\"%.0f\" y=\"%.0f\" width=\"220\" height=\"%.0f\" "
+                "fill=\"",
+                x, y + tall * (d->bands - 1 - k) / d->bands,
+                tall / d->bands + (k > 0 ? 5.0 : 0.0));
+        hex(d->file, share(d, k), 1.0);
+        fprintf(d->file, "\"/>\n");
+    }
+    for (k = 0; k <= d->bands; k++) {
+        level = d->low + k * d->step;
+        if (fabs(level / tick - floor(level / tick + 0.5)) > 1e-6) continue;
+        put_number(text, tick * floor(level / tick + 0.5), tick);
+        write_at(d, x + 270.0, y + tall * (d->bands - k) / d->bands + 52.0, 140,
+                 "start", text);
+    }
+    if (label && strlen(label) > 10)
+        write_at(d, 10.0 * d->look->width - 100.0, y - 110.0, 150, "end",
+                 label);
+    else if (label)
+        write_at(d, x, y - 110.0, 150, "start", label);
+    fprintf(d->file, "</g>\n");
+}
+
+void draw_default(draw_look *look)
+{
+    int k;
+
+    memset(look, 0, sizeof *look);
+    look->width = 900;
+    look->what = DRAW_WHOLE;
+    look->azimuth = -68.0;
+    look->elevation = 28.0;
+    look->title = look->note = look->label = 0;
+    for (k = 0; k < 3; k++) {
+        look->scale[k] = 1.0;
+        look->name[k] = &"x\0y\0z"[2 * k];
+    }
+}
+
+void draw_even(draw_look *look, const double *length, double most, char *note)
+{
+    double longest = 0.0, side;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        side = length[k] * fabs(look->scale[k]);
+        if (side > longest) longest = side;
+    }
+    for (k = 0; k < 3; k++) {
+        side = length[k] * fabs(look->scale[k]);
+        if (!(side > 0.0) || side * most >= longest) continue;
+        look->scale[k] *= longest / most / side;
+        sprintf(note + strlen(note), "; %.*s is drawn %.3g times as large",
+                (int)strcspn(look->name[k], ","), look->name[k],
+                longest / most / side);
+    }
+}
+
+/* --------------------------------------------------------- tetrahedra */
+
+/* larger - make the range hold a corner. */
+static void larger(const double *v, double *lo, double *hi, int dimensions)
+{
+    int k;
+
+    for (k = 0; k < dimensions; k++) {
+        if (v[k] < lo[k]) lo[k] = v[k];
+        if (v[k] > hi[k]) hi[k] = v[k];
+    }
+}
+
+/* ends - of the box's edge along axis k that has an axis, in q: of those below
+ * the drawing the one nearer to the viewer; for z the one on the left. */
+static void ends(const drawing *d, int k, double end[2][DIM])
+{
+    double x[3], at[2][DIM], best = 0.0, much;
+    int corner, j, m, found = 0;
+
+    for (corner = 0; corner < 8; corner++) {
+        if (corner >> k & 1) continue;
+        for (m = 0; m < 2; m++) {
+            for (j = 0; j < 3; j++)
+                x[j] = d->middle[j] +
+                       d->side[j] * ((corner >> j & 1) - 0.5 + (j == k) * m);
+            see(d, x, at[m]);
+        }
+        much = k == 2 ? -at[0][X] - at[1][X] : -at[0][Y] - at[1][Y];
+        if (found++ && much <= best + 1e-9) continue;
+        best = much;
+        memcpy(end[0], at[0], sizeof at);
+    }
+}
+
+/* scale - choose the bands, and the unit and place of what is drawn. */
+static void scale(drawing *d)
+{
+    double lo[DIM], hi[DIM], v[4][DIM];
+    tess_int t;
+    int i, k, any = 0;
+
+    for (k = 0; k < DIM; k++) {
+        lo[k] = 1e300;
+        hi[k] = -1e300;
+    }
+    if (d->look->what == DRAW_POINTS)
+        for (t = 0; t < d->n; t++, any++) larger(d->q + DIM * t, lo, hi, DIM);
+    else
+        for (t = 0; t < d->ntet; t++) {
+            if (!kept(d, t)) continue;
+            any = 1;
+            corners(d, t, v);
+            for (i = 0; i < 4; i++) larger(v[i], lo, hi, DIM);
+        }
+    if (!any) lo[V] = hi[V] = 0.0;
+    choose_bands(d, lo[V], hi[V]);
+    for (k = 0; k < 3 && !d->look->bare; k++) {
+        ends(d, k, v);
+        for (i = 0; i < 2; i++) larger(v[i], lo, hi, 2);
+    }
+    choose_place(d, hi[X] - lo[X], hi[Y] - lo[Y]);
+    d->left = lo[X];
+    d->top = hi[Y];
+}
+
+/* axes - along three edges of the box. */
+static void axes(const drawing *d)
+{
+    double end[2][DIM], at[2][2], out[2], length, low, high;
+    int k, m;
+
+    if (d->look->bare) return;
+    begin_axes(d);
+    for (k = 0; k < 3; k++) {
+        ends(d, k, end);
+        for (m = 0; m < 2; m++) {
+            at[m][0] = across(d, end[m][X]);
+            at[m][1] = down(d, end[m][Y]);
+        }
+        /* away from the middle of the box, which is at 0, 0 */
+        out[0] = at[1][1] - at[0][1];
+        out[1] = at[0][0] - at[1][0];
+        length = sqrt(out[0] * out[0] + out[1] * out[1]);
+        if (length < 1.0) continue;
+        if (out[0] * (at[0][0] - across(d, 0.0)) +
+                out[1] * (at[0][1] - down(d, 0.0)) < 0.0)
+            length = -length;
+        for (m = 0; m < 2; m++) out[m] /= length;
+        low = d->most * (d->middle[k] - d->side[k] / 2.0);
+        high = d->most * (d->middle[k] + d->side[k] / 2.0);
+        draw_axis(d, at[0], at[1], low, high, out, d->look->name[k]);
+    }
+    fprintf(d->file, "</g>\n");
+}
+
+/* styles - a class for each colour and shade, and a second one with edges: to
+ * be seen they are lighter than what is dark. */
 static void styles(const drawing *d)
 {
     double dark = d->plain ? 0.42 : 0.76, x, shade;
-    int apart = d->look->shrink < 1.0, k, tint;
+    int apart = d->look->what == DRAW_APART, k, tint;
 
     fprintf(d->file,
-            "<style>path{stroke-width:%d;stroke-linejoin:round}"
-            ".z0{fill:none;stroke:#000;stroke-opacity:.2}\n",
-            apart ? 8 : 6);
+            "<style>.z0{fill:none;stroke:#000;stroke-opacity:.35}\n");
     for (k = 0; k < d->bands; k++)
         for (tint = 0; tint < TINT; tint++) {
-            x = d->bands > 1 ? k / (d->bands - 1.0) : 0.5;
+            x = share(d, k);
             shade = dark + (1.0 - dark) * tint / (TINT - 1.0);
             fprintf(d->file, ".%c%d,.%c%d{fill:", 'A' + tint, k, 'a' + tint,
                     k);
@@ -500,174 +858,312 @@ static void styles(const drawing *d)
             fprintf(d->file, ";stroke:");
             hex(d->file, x, shade);
             fprintf(d->file, "}.%c%d{stroke:", 'A' + tint, k);
-            hex(d->file, x, shade * (apart ? 0.2 : d->plain ? 0.45 : 0.62));
+            hex(d->file, x, shade * (apart ? 0.2 : 0.3));
             fprintf(d->file, "}%s", tint == TINT - 1 ? "\n" : "");
         }
     fprintf(d->file, "</style>\n");
 }
 
-/* head - the start of the file. */
-static void head(const drawing *d)
+/* by_depth - for qsort: what is farther from the viewer comes first. */
+static int by_depth(const void *a, const void *b)
 {
-    fprintf(d->file,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" "
-            "height=\"%d\" viewBox=\"0 0 %d0 %d0\" "
-            "font-family=\"Helvetica,Arial,sans-serif\" fill=\"#222\">\n",
-            d->look->width, d->look->height, d->look->width, d->look->height);
-    if (d->tet) styles(d);
-    fprintf(d->file,
-            "<rect width=\"100%%\" height=\"100%%\" fill=\"#fff\"/>\n"
-            "<text x=\"250\" y=\"%d0\" font-size=\"140\" "
-            "fill=\"#555\">%s</text>\n",
-            d->look->height - 22, d->look->note);
+    const double *p = *(const double *const *)a, *q = *(const double *const *)b;
+
+    return p[Z] < q[Z] ? -1 : p[Z] > q[Z];
 }
 
-/* bar - the colour bar: its bands are those of the picture. */
-static void bar(const drawing *d)
+/* dots - the points, those that are farther away darker; sorted is room for n
+ * pointers. */
+static void dots(drawing *d, const double **sorted)
 {
-    double tick = 5.0 * d->step, tall, x, y, level;
-    double digits = -floor(log10(tick) + 1e-9);
-    int k;
+    double range;
+    tess_int i;
+    int band;
 
-    tall = 6.4 * d->look->height;
-    x = 10.0 * d->look->width - 1000.0;
-    y = (10.0 * d->look->height - tall) / 2.0 + 120.0;
-    for (k = 0; k < d->bands; k++) {
-        fprintf(d->file,
-                "<rect x=\"%.0f\" y=\"%.0f\" width=\"220\" height=\"%.0f\" "
-                "fill=\"",
-                x, y + tall * (d->bands - 1 - k) / d->bands,
-                tall / d->bands + (k > 0 ? 5.0 : 0.0));
-        hex(d->file, d->bands > 1 ? k / (d->bands - 1.0) : 0.5, 1.0);
-        fprintf(d->file, "\"/>\n");
+    for (i = 0; i < d->n; i++) sorted[i] = d->q + DIM * i;
+    qsort(sorted, (size_t)d->n, sizeof *sorted, by_depth);
+    range = sorted[d->n - 1][Z] - sorted[0][Z];
+    for (i = 0; i < d->n; i++) {
+        band = (int)((sorted[i][V] - d->low) / d->step);
+        if (band > d->bands - 1) band = d->bands - 1;
+        style(d, 'a' + (int)((TINT - 0.01) * (range > 0.0
+                  ? (sorted[i][Z] - sorted[0][Z]) / range : 1.0)), band);
+        corner(d, across(d, sorted[i][X]), down(d, sorted[i][Y]));
+        close_outline(d);
     }
-    fprintf(d->file,
-            "<rect x=\"%.0f\" y=\"%.0f\" width=\"220\" height=\"%.0f\" "
-            "fill=\"none\" stroke=\"#555\" stroke-width=\"8\"/>\n",
-            x, y, tall);
-    for (k = 0; k <= d->bands; k++) {
-        level = d->low + k * d->step;
-        if (fabs(level / tick - floor(level / tick + 0.5)) > 1e-6) continue;
-        level = tick * floor(level / tick + 0.5);
-        fprintf(d->file,
-                "<path d=\"M%.0f %.0fh60\" stroke=\"#555\" "
-                "stroke-width=\"8\"/><text x=\"%.0f\" y=\"%.0f\" "
-                "font-size=\"150\">",
-                x + 220.0, y + tall * (d->bands - k) / d->bands, x + 320.0,
-                y + tall * (d->bands - k) / d->bands + 52.0);
-        if (digits >= -5.0 && digits <= 5.0)
-            fprintf(d->file, "%.*f</text>\n",
-                    digits > 0.0 ? (int)digits : 0, level);
-        else
-            fprintf(d->file, "%.3g</text>\n", level);
-    }
-    fprintf(d->file,
-            "<text x=\"%.0f\" y=\"%.0f\" font-size=\"160\">%s</text>\n", x,
-            y - 110.0, d->look->label);
-}
-
-void draw_default(draw_look *look)
-{
-    look->width = 900;
-    look->height = 640;
-    look->azimuth = -68.0;
-    look->elevation = 28.0;
-    look->shrink = 1.0;
-    look->cut = 0;
-    look->keep = 0;
-    look->note = look->label = "";
 }
 
 int draw_svg(FILE *file, const draw_look *look, tess_int n,
              const tess_real *p, const double *value, tess_int ntet,
-             const tess_int *tet, const tess_int *adj)
+             const tess_int *tet, const tess_int *adj, const char *keep)
 {
     drawing d;
     tess_int *order = (tess_int *)malloc(((size_t)ntet + 1) * sizeof *order);
     char *behind = (char *)malloc((size_t)ntet + 1);
+    const double **sorted =
+        (const double **)malloc(((size_t)n + 1) * sizeof *sorted);
+    double thick = look->what == DRAW_APART ? 8.0 : 6.0;
     tess_int i;
     int bad;
 
     d.q = (double *)malloc(((size_t)n + 1) * DIM * sizeof *d.q);
-    bad = !order || !behind || !d.q;
+    bad = !order || !behind || !d.q || !sorted;
     if (!bad) {
         d.file = file;
         d.look = look;
         d.tet = tet;
         d.adj = adj;
+        d.n = n;
         d.ntet = ntet;
+        d.keep = keep;
         d.plain = !value;
-        d.letter = d.band = 0;
-        project(&d, n, p, value);
+        d.letter = d.band = d.corners = 0;
+        project(&d, p, value);
         scale(&d);
         head(&d);
+        styles(&d);
+        axes(&d);
+        if (look->what == DRAW_POINTS) {
+            thick = 4.0 * sqrt((double)look->width * d.height / n);
+            thick = thick < 20.0 ? 20.0 : thick > 90.0 ? 90.0 : thick;
+        }
+        fprintf(file, "<g stroke-width=\"%.0f\" stroke-linejoin=\"round\" "
+                "stroke-linecap=\"round\">\n", thick);
         back_to_front(&d, behind, order);
-        for (i = 0; i < ntet; i++)
+        for (i = 0; i < ntet && look->what != DRAW_POINTS; i++)
             if (kept(&d, order[i])) tetrahedron(&d, order[i]);
+        if (look->what == DRAW_POINTS) dots(&d, sorted);
         style(&d, 0, 0);
-        if (value) bar(&d);
+        fprintf(file, "</g>\n");
+        bar(&d);
         fprintf(file, "</svg>\n");
     }
     free(order);
     free(behind);
+    free((void *)sorted);
     free(d.q);
     return bad;
 }
 
-/* band_of - the band that a value is in; -1 for none. */
-static int band_of(const drawing *d, double x)
-{
-    double k = floor((x - d->low) / d->step);
+/* -------------------------------------------------------------- a plane */
 
-    if (!(x >= -1e300 && x <= 1e300)) return -1;
-    return k < 0.0 ? 0 : k >= d->bands ? d->bands - 1 : (int)k;
+/* plane - a plane grid. */
+typedef struct plane {
+    const int *axis, *many;
+    const double *box, *value;
+    double side[2]; /* as they are drawn; below 0: backwards */
+} plane;
+
+/* spot - where in the picture place i along axis k of the grid is. */
+static double spot(const drawing *d, const plane *g, int k, double i)
+{
+    double s = i / (g->many[k] - 1.0);
+
+    if (g->side[k] < 0.0) s = 1.0 - s;
+    s *= fabs(g->side[k]);
+    return k == 0 ? across(d, s) : down(d, s);
 }
 
-void draw_slice(FILE *file, const draw_look *look, int across, int up,
-                double wide, const double *value)
+/* high - is place i, j there, and its value at least that? */
+static int high(const plane *g, int i, int j, double least)
 {
-    double low = 0.0, high = 0.0, x, y;
-    drawing d;
-    long many = (long)across * up, i;
-    int any = 0, band, column, line, from;
+    return i >= 0 && j >= 0 && i < g->many[0] && j < g->many[1] &&
+           g->value[(long)j * g->many[0] + i] >= least &&
+           g->value[(long)j * g->many[0] + i] <= 1e300;
+}
 
-    for (i = 0; i < many; i++) {
-        if (!(value[i] >= -1e300 && value[i] <= 1e300)) continue;
-        if (!any || value[i] < low) low = value[i];
-        if (!any || value[i] > high) high = value[i];
-        any = 1;
+/* The corners of a square of places, and its sides: from corner k to k + 1. */
+static const int step[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+
+/* crossing - where side k of the square at i, j meets the contour: as far from
+ * its high end as the values say; there, if the other end has none. */
+static void crossing(drawing *d, const plane *g, int i, int j, int k,
+                     double least)
+{
+    const int *a = step[k], *b = step[(k + 1) % 4];
+    double s = 0.0, x = 0.0, y;
+
+    if (!high(g, i + a[0], j + a[1], least)) {
+        a = b;
+        b = step[k];
     }
+    if (high(g, i + b[0], j + b[1], -1e300)) {
+        x = g->value[(long)(j + a[1]) * g->many[0] + i + a[0]];
+        y = g->value[(long)(j + b[1]) * g->many[0] + i + b[0]];
+        s = (x - least) / (x - y);
+    }
+    corner(d, spot(d, g, 0, i + a[0] + s * (b[0] - a[0])),
+           spot(d, g, 1, j + a[1] + s * (b[1] - a[1])));
+}
+
+/* turn - the side by which a contour leaves the square at i, j, with what is
+ * high to its left, that enters it by side k.  Where two corners across are
+ * high, the mean of all tells whether they are joined. */
+static int turn(const plane *g, int i, int j, int k, double least)
+{
+    int at[4], m;
+    double sum = 0.0;
+
+    for (m = 0; m < 4; m++) {
+        at[m] = high(g, i + step[m][0], j + step[m][1], least);
+        if (high(g, i + step[m][0], j + step[m][1], -1e300))
+            sum += g->value[(long)(j + step[m][1]) * g->many[0] + i +
+                            step[m][0]] - least;
+        else
+            sum = -1e300;
+    }
+    if (at[k] && !at[(k + 1) % 4] && at[(k + 2) % 4] && !at[(k + 3) % 4])
+        return (k + (sum >= 0.0 ? 1 : 3)) % 4;
+    for (m = k + 1; at[m % 4] || !at[(m + 1) % 4]; m++) continue;
+    return m % 4;
+}
+
+/* contours - round what has at least that value, as one path.  seen has a byte
+ * for each square, also of those that are half outside the grid. */
+static void contours(drawing *d, const plane *g, double least, char *seen)
+{
+    long wide = g->many[0] + 1L;
+    char *at;
+    int i, j, k, m, x, y;
+
+    memset(seen, 0, (size_t)(wide * (g->many[1] + 1L)));
+    for (j = -1; j < g->many[1]; j++)
+        for (i = -1; i < g->many[0]; i++)
+            for (k = 0; k < 4; k++) {
+                x = i;
+                y = j;
+                m = k;
+                while (!(seen[(y + 1) * wide + x + 1] >> m & 1) &&
+                       high(g, x + step[m][0], y + step[m][1], least) &&
+                       !high(g, x + step[(m + 1) % 4][0],
+                             y + step[(m + 1) % 4][1], least)) {
+                    at = seen + (y + 1) * wide + x + 1;
+                    *at = (char)(*at | 1 << m);
+                    crossing(d, g, x, y, m, least);
+                    m = turn(g, x, y, m, least);
+                    x += (m == 1) - (m == 3);
+                    y += (m == 2) - (m == 0);
+                    m = (m + 2) % 4;
+                }
+                close_outline(d);
+            }
+}
+
+/* cross - where the plane meets the edge from u to v, in the picture: the same
+ * for both tetrahedra at each side of it. */
+static void cross(const drawing *d, const plane *g, const tess_real *p,
+                  tess_int u, tess_int v, double *at)
+{
+    const tess_real *a = p + 3 * (u < v ? u : v), *b = p + 3 * (u < v ? v : u);
+    double s, t, x, low;
+    int k, m = g->axis[2];
+
+    s = (double)a[m] - g->box[2 * m];
+    t = (double)b[m] - g->box[2 * m];
+    s /= s - t;
+    for (k = 0; k < 2; k++) {
+        m = g->axis[k];
+        low = g->box[2 * m];
+        x = (double)a[m] + s * ((double)b[m] - (double)a[m]);
+        at[k] = spot(d, g, k, (g->many[k] - 1) * (x - low) /
+                                  (g->box[2 * m + 1] - low));
+    }
+}
+
+/* clip_to - draw only inside of the tetrahedra.  What is left of their boundary
+ * in the plane are lines.  Between each and the lower edge of the picture is an
+ * area, gone round one way or the other; and these areas cancel but where there
+ * are tetrahedra. */
+static void clip_to(drawing *d, const plane *g, const tess_real *p)
+{
+    double at[2][2], edge = 10.0 * d->height, x[3];
+    tess_int t, v[3];
+    int i, k;
+
+    fprintf(d->file, "<mask id=\"inside\"><path fill=\"#fff\" d=\"");
+    for (t = 0; t < d->ntet; t++)
+        for (k = 0; k < 4; k++) {
+            if (!kept(d, t) || kept(d, d->adj[4 * t + k])) continue;
+            for (i = 0; i < 3; i++) {
+                v[i] = d->tet[4 * t + facet[k][i]];
+                x[i] = (double)p[3 * v[i] + g->axis[2]] -
+                       g->box[2 * g->axis[2]];
+            }
+            if ((x[0] < 0.0) == (x[1] < 0.0) && (x[1] < 0.0) == (x[2] < 0.0))
+                continue;
+            for (i = 0; i < 3; i++)
+                if ((x[i] < 0.0) != (x[(i + 1) % 3] < 0.0))
+                    cross(d, g, p, v[i], v[(i + 1) % 3], at[x[i] < 0.0]);
+            if (floor(at[0][0] + 0.5) == floor(at[1][0] + 0.5)) continue;
+            corner(d, at[0][0], edge);
+            corner(d, at[0][0], at[0][1]);
+            corner(d, at[1][0], at[1][1]);
+            corner(d, at[1][0], edge);
+            close_outline(d);
+        }
+    fprintf(d->file, "\"/></mask>\n");
+}
+
+int draw_slice(FILE *file, const draw_look *look, const int *axis,
+               const int *many, const double *box, const double *value,
+               const double *range, const tess_real *p, tess_int ntet,
+               const tess_int *tet, const tess_int *adj, const char *keep)
+{
+    static const double out[2][2] = {{0.0, 1.0}, {-1.0, 0.0}};
+    char *seen = (char *)malloc(((size_t)many[0] + 1) * ((size_t)many[1] + 1));
+    int any = range[0] <= range[1], band, k, m;
+    double end[2][2];
+    drawing d;
+    plane g;
+
+    if (!seen) return 1;
     d.file = file;
     d.look = look;
-    d.tet = 0;
+    d.tet = tet;
+    d.adj = adj;
+    d.ntet = ntet;
+    d.keep = keep;
     d.plain = !any;
-    choose_bands(&d, low, high);
-    choose_place(&d, wide, 1.0);
+    d.corners = 0;
+    d.left = 0.0;
+    g.axis = axis;
+    g.many = many;
+    g.box = box;
+    g.value = value;
+    for (k = 0; k < 2; k++)
+        g.side[k] = (box[2 * axis[k] + 1] - box[2 * axis[k]]) *
+                    look->scale[axis[k]];
+    d.top = fabs(g.side[1]);
+    choose_bands(&d, any ? range[0] : 0.0, any ? range[1] : 0.0);
+    choose_place(&d, fabs(g.side[0]), d.top);
     head(&d);
-    x = d.unit * wide / across;
-    y = d.unit / up;
-    fprintf(file, "<g transform=\"translate(%.1f %.1f) scale(%.4f %.4f)\">\n",
-            d.shift[0], d.shift[1], x, y);
-    /* a path for each band: where it is or a higher one, so that no gaps show */
-    for (band = 0; band < d.bands; band++) {
+    if (ntet > 0) clip_to(&d, &g, p);
+    fprintf(file, ntet > 0 ? "<g mask=\"url(#inside)\">\n" : "<g>\n");
+    /* a path for each band: where it or a higher one is, lest gaps show */
+    for (band = 0; band < d.bands && any; band++) {
         fprintf(file, "<path fill=\"");
-        hex(file, d.bands > 1 ? band / (d.bands - 1.0) : 0.5, 1.0);
+        hex(file, share(&d, band), 1.0);
         fprintf(file, "\" d=\"");
-        for (line = 0; line < up; line++) {
-            const double *row = value + (long)across * (up - 1 - line);
-
-            for (column = 0; column < across; column++) {
-                if (band_of(&d, row[column]) < band) continue;
-                for (from = column;
-                     column < across && band_of(&d, row[column]) >= band;)
-                    column++;
-                fprintf(file, "M%d %dh%dv1h-%dz", from, line, column - from,
-                        column - from);
-            }
-        }
+        contours(&d, &g, band > 0 ? d.low + band * d.step : -1e300, seen);
         fprintf(file, "\"/>\n");
     }
     fprintf(file, "</g>\n");
-    if (any) bar(&d);
+    if (!look->bare) {
+        begin_axes(&d);
+        for (k = 0; k < 2; k++) {
+            for (m = 0; m < 2; m++) {
+                end[m][0] = spot(&d, &g, 0, k == 0 ? m * (many[0] - 1.0)
+                                 : g.side[0] < 0.0 ? many[0] - 1.0 : 0.0);
+                end[m][1] = spot(&d, &g, 1, k == 1 ? m * (many[1] - 1.0)
+                                 : g.side[1] < 0.0 ? many[1] - 1.0 : 0.0);
+            }
+            draw_axis(&d, end[0], end[1], box[2 * axis[k]],
+                      box[2 * axis[k] + 1], out[k], look->name[axis[k]]);
+        }
+        fprintf(file, "</g>\n");
+    }
+    bar(&d);
     fprintf(file, "</svg>\n");
+    free(seen);
+    return 0;
 }

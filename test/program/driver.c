@@ -3,9 +3,11 @@
  * lists options.
  */
 #include <float.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 #include "driver.h"
@@ -22,6 +24,7 @@
 
 static points in, places;
 static mesh made;
+static const mesh *valued; /* the mesh between whose points values are */
 static time_t began;
 
 /* ---------------------------------------------------------------- errors */
@@ -180,8 +183,10 @@ static void report(int code, tess_int duplicates, double seconds,
     tell("seconds       %.3f", seconds);
     if (made.ntet > 0 && seconds > 0.05)
         tell(", %.0f ns a tetrahedron", seconds / (double)made.ntet * 1e9);
-    tell("\nworkspace     %.0f bytes, %.1f a point\n", bytes,
-         bytes / (double)in.n);
+    tell("\n");
+    if (bytes > 0.0)
+        tell("workspace     %.0f bytes, %.1f a point\n", bytes,
+             bytes / (double)in.n);
     if (code == TESS_PLANE) what = "all points lie in one plane";
     if (code == TESS_LINE) what = "all points lie on one line";
     if (code == TESS_POINT) what = "at most one distinct point";
@@ -232,6 +237,12 @@ static int prove(void)
     int code;
     const char *what;
 
+    if (chosen.periodic) {
+        /* (triclinic has found so) */
+        tell("check         proven: a Delaunay tetrahedralization of the points,"
+             " rounded to\n              1e-15 of the box, and all copies\n");
+        return 0;
+    }
     say("checking ...");
     code = tess_check(in.n, made.p, made.ntet, made.tet, made.adj, made.liw,
                       made.iw, &bad);
@@ -382,7 +393,7 @@ static void stretch(void)
     if (chosen.scaled)
         stretched = (tess_real *)space(3.0 * (double)in.n, sizeof *stretched);
     for (k = 0; k < 3; k++) {
-        made.scale[k] = chosen.scaled ? chosen.scale[k] : 1.0;
+        made.scale[k] = chosen.scaled ? fabs(chosen.scale[k]) : 1.0;
         low[k] = high[k] = (double)in.p[k];
         for (i = 0; i < in.n; i++) {
             x = (double)in.p[3 * i + k];
@@ -413,8 +424,8 @@ static void write_all(void)
     if (made.kept == 0 && next_output(svg_forms, 0))
         fail("-svg: no picture: there is no tetrahedron to draw%s",
              made.ntet > 0 ? "" : "; the points lie in one plane");
-    if (chosen.values) write_values(&made);
-    if (chosen.cells) make_cells(&made);
+    if (chosen.values) write_values(valued);
+    if (chosen.cells) make_cells(chosen.periodic ? &repetition()->of : &made);
     for (o = 0; (o = next_output(svg_forms, o)) != 0;) write_svg(&made, o);
     if (made.keep) drop_others(&made);
     for (o = 0; (o = next_output(0, o)) != 0;)
@@ -452,16 +463,22 @@ int main(int argc, char **argv)
     say("tetrahedralizing %ld points, about %.1f s if they fill a volume ...",
         (long)in.n, 2.1e-6 * (double)in.n);
     begin = clock();
-    code = tetrahedralize(&made, in.n, made.p, !chosen.quiet);
+    code = chosen.periodic
+               ? repeat(&made, &duplicates)
+               : tetrahedralize(&made, in.n, made.p, !chosen.quiet);
     seconds = (double)(clock() - begin) / CLOCKS_PER_SEC;
     if (code != TESS_OK && code != TESS_PLANE && code != TESS_LINE &&
         code != TESS_POINT)
         explain(code);
 
-    for (i = 0; i < in.n; i++)
+    for (i = 0; i < in.n && !chosen.periodic; i++)
         if (made.iw[i] != i) duplicates++;
     made.kept = made.ntet;
-    keep_values(&made);
+    valued = &made;
+    if (chosen.periodic && chosen.values)
+        valued = repeat_around(chosen.method &&
+                               strcmp(chosen.method, "smooth") == 0);
+    keep_values(valued);
     if (chosen.alpha > 0.0) mark_alpha(&made, chosen.alpha);
     if (!chosen.quiet)
         report(code, duplicates, seconds,

@@ -5,6 +5,7 @@
  *   shapes.c    alpha shapes, cells                draw.c    pictures
  *   values.c    interpolation                      places.c  where, into files
  *   validate.c  its errors                         plane.c   in a plane
+ *   repeat.c    cells that repeat themselves
  */
 #ifndef DRIVER_H
 #define DRIVER_H
@@ -16,6 +17,8 @@
 #define COLUMNS 512 /* most columns of a line                    */
 #define VOIDS 16    /* most values of -nodata                    */
 #define TITLE 40    /* characters of a column's name that matter */
+#define LONGER 4.0  /* pictures stretch sides that the longest is so many times; */
+#define LONGEST 20.0 /* by -scale those that would hardly be seen */
 
 /* ---- what is read ---- */
 
@@ -29,6 +32,7 @@ typedef struct points {
     tess_int n;
     int columns;              /* values a point */
     char name[COLUMNS][TITLE]; /* of the values */
+    char axis[3][TITLE];       /* of the coordinates */
     int marker;               /* 1: the last value is a .node file's marker */
     tess_int base;            /* number of the first point in files */
     int axes; /* coordinates, 3, or 2 in a plane; 0: what the file has */
@@ -38,8 +42,9 @@ typedef struct points {
     int voids;        /* values that stand for a missing one: so many, these */
     const double *nodata;
     int lattice;      /* has the file a box that may repeat itself? */
-    int aperiodic;    /* does it say that the box does not, along all axes? */
-    double box[6];    /* that box: x from, to; y; z */
+    double box[6];    /* that box, if along the axes: x from, to; y; z; */
+    double cell[12];  /* any: its vectors, and a corner; */
+    int ways[3];      /* and does it repeat itself along them? */
     int bare;         /* places, of which values do not matter: -qcols */
     double all;       /* so many; n of them at a time, by next_places, */
     FILE *scratch;    /* from a file of their own; or 0, and n are all */
@@ -124,6 +129,9 @@ typedef struct choices {
     double scale[3], box[6];
     double alpha;   /* largest circumradius that is kept; 0: any */
     double view[2]; /* azimuth and elevation; less than -360: not given */
+    double pixels[2]; /* a picture's width and height; 0: not given */
+    const char *draw, *title, *unit;
+    int bare; /* of a picture nothing but what is drawn */
     const char *query, *qcols, *grid, *method, *outside;
     int digits;    /* 0: not given */
     long validate; /* parts; 0: not given */
@@ -227,9 +235,6 @@ void end_vtu(FILE *file);
 /* vtk_name - of a column of values, none twice; until the next one. */
 const char *vtk_name(const points *in, int column);
 
-/* xml_text - a column's name as a picture takes it, until the next one. */
-const char *xml_text(const char *text);
-
 /* put_title - a comma, and a column's name as CSV takes it. */
 void put_title(FILE *file, const char *name);
 
@@ -284,6 +289,15 @@ int natural_flat(const tess_real *p, const tess_int *tet, const tess_int *adj,
 
 /* ---- files of points and tetrahedra (write.c) ---- */
 
+/* xml_text - a text of less than TEXT bytes as XML takes it, until the next one:
+ * UTF-8, or if it is not that Latin-1. */
+#define TEXT 600
+const char *xml_text(const char *text);
+
+/* begin_look - what the options say of all pictures. */
+struct draw_look;
+void begin_look(const points *in, struct draw_look *look);
+
 /* write_... - a file of that format. */
 void write_node(const mesh *m, output *o);
 void write_ele(const mesh *m, output *o);
@@ -306,11 +320,45 @@ void mark_alpha(mesh *m, double radius);
 /* drop_others - leave the tetrahedra of the alpha shape alone in m. */
 void drop_others(mesh *m);
 
-/* check_box - leave if the points' file has no box that can be repeated, but
- * one is needed. */
-void check_box(const points *in);
-
 /* make_cells - the Voronoi cells: write what is asked for. */
 void make_cells(const mesh *m);
+
+/* ---- what repeats itself, by -periodic (repeat.c) ---- */
+
+/* repeated - points and all their copies, as triclinic has them. */
+typedef struct repeated {
+    mesh of;         /* the points */
+    double cell[12]; /* stretched, by -scale: short vectors, at right angles to
+                      * those along which nothing repeats itself; a corner */
+    double inverse[9]; /* the k-th part times x - corner: so many of its vector
+                        * k is x away */
+    tess_int ways[3], ntet, *tet, *move, *adj, *shift;
+    tess_real *at;   /* the points, stretched, in the cell */
+    double volume;   /* the cell's, not stretched */
+    int sides;       /* has it some where nothing repeats itself? */
+    long beyond;     /* points beyond those */
+} repeated;
+
+const repeated *repetition(void);
+
+/* check_box - leave if there is no box that can be repeated, but one is
+ * needed. */
+void check_box(const points *in);
+
+/* cell_box - the box about the cell, not stretched; where that is flat, as
+ * before. */
+void cell_box(double *box);
+
+/* repeat - as tetrahedralize: make *m, which has points, the mesh of them and
+ * all their copies: of it one tetrahedron of each class, with what they need of
+ * copies behind the points.  Where they do not share a facet as they are
+ * written adj has no neighbour. */
+int repeat(mesh *m, tess_int *duplicates);
+
+/* repeat_around - the mesh of so many copies as a value in the cell depends on:
+ * smooth: by gradients, too.
+ * into_cell - move a stretched place into the cell. */
+const mesh *repeat_around(int smooth);
+void into_cell(tess_real *q);
 
 #endif

@@ -428,15 +428,21 @@ sed 's/Lattice=.*/Lattice=[[9,0,0],[0,9,0],[0,0,9]]/' more.xyz > nested.xyz
 $TESS -volumes v.csv nested.xyz > said 2> words
 yes "Lattice: in brackets" grep "the box's is 729" said > /dev/null
 sed 's/Lattice="9 0/Lattice="9 1/' more.xyz > skew.xyz
+$TESS -volumes v.csv skew.xyz > said 2> words
+yes "Lattice: a skew one clips no cells" grep 'not a box along x, y, z' words \
+    > /dev/null
 $TESS -periodic -volumes v.csv skew.xyz > said 2> words
-yes "Lattice: a skew one is refused" test $? -eq 2
-yes "Lattice: why" grep 'not a box along x, y, z' words > /dev/null
+yes "Lattice: a skew one" grep "sum to 729; the box's is 729\$" said > /dev/null
+sed 's/9 0 0 0 9 0/9 0 0 9 0 0/' more.xyz > none.xyz
+$TESS -periodic none.xyz > said 2> words
+yes "Lattice: vectors that span nothing" test $? -eq 2
+yes "Lattice: why" grep 'vectors are in a plane' words > /dev/null
 
 for pbc in '"T T F"' '[True, False, True]' '"1 0 1"' F; do
     sed "2s/\$/ pbc=$pbc/" more.xyz > slab.xyz
     rm -f v.csv
-    $TESS -q -periodic -volumes v.csv slab.xyz > said 2> words
-    yes "pbc=$pbc: not taken as periodic" test $? -eq 2 -a ! -f v.csv
+    $TESS -q -periodic -box 0,9,0,9,0,9 -volumes v.csv slab.xyz > said 2> words
+    yes "pbc=$pbc: not as a box" test $? -eq 2 -a ! -f v.csv
     yes "pbc=$pbc: why" grep 'its pbc says' words > /dev/null
     yes "pbc=$pbc: a box as others are" $TESS -q -volumes v.csv slab.xyz 2> words
 done
@@ -584,8 +590,14 @@ $TESS -periodic -volumes v.csv cell.pdb > said 2> words
 yes "CRYST1: a group of symmetries is said" grep 'P 21 21 2' words > /dev/null
 crystal 6.000 7.000 8.000 90.00 102.50 90.00 'P 1' > cell.pdb
 $TESS -periodic -volumes v.csv cell.pdb > said 2> words
-yes "CRYST1: no right angles" test $? -eq 2
-yes "CRYST1: why" grep 'CRYST1, is not a box' words > /dev/null
+yes "CRYST1: no right angles" $PYTHON -c 'import math
+said = [l for l in open("said") if l.startswith("cells")][0].split()
+whole = 336 * math.sin(math.radians(102.5))
+assert abs(float(said[6][:-1]) / whole - 1) < 1e-12
+assert abs(float(said[10]) / whole - 1) < 1e-12'
+crystal 6.000 7.000 8.000 10.00 90.00 120.00 'P 1' > cell.pdb
+$TESS -periodic cell.pdb > said 2> words
+yes "CRYST1: angles of nothing" grep 'the angles are none' words > /dev/null
 crystal 1.000 1.000 1.000 90.00 90.00 90.00 'P 1' > cell.pdb
 $TESS -periodic -volumes v.csv cell.pdb > said 2> words
 yes "CRYST1 of no crystal" grep 'needs -box' words > /dev/null
@@ -953,8 +965,8 @@ by_others vtk 'v.vtk v.vtu f.vtk f.vtu f.obj f.ply f.stl' 'n.vtk n.vtu'
 by_others gmsh v.msh n.msh
 printf 'x,y,z,T (\260C)\n0,0,0,1\n' > latin.csv
 $TESS -q -mesh latin.msh -mesh latin.vtu latin.csv
-yes "a name that is not UTF-8" test "`cat latin.msh latin.vtu |
-    grep -c 'T (?C)'`" -eq 2
+yes "a name that is not UTF-8" sh -c \
+    'grep "T (?C)" latin.msh && grep "T (&#176;C)" latin.vtu' > /dev/null
 $TESS -q -mesh m.node -mesh m.ele -mesh m.neigh -neigh v.neigh v0.node
 yes "-mesh: TetGen's" sh -c \
     'for e in node ele neigh; do cmp m.$e v.$e || exit; done'
@@ -972,10 +984,34 @@ for o in -O0 -O2; do
     (cd "$TOP"/test/examples && $CC $o -I"$TOP" -o "$TOP/build/driver/tess$o" \
         ../program/*.c slopes.c natural.c derived.c cells.c periodic.c \
         "$TOP"/tess.c "$TOP"/hhpred.c -lm)
-    ./tess$o -q -alpha 0.5 -svg m$o.svg "$TOP"/test/data/mirror.xyz
+    ./tess$o -q -alpha 0.5 -svg m$o.svg -grid 40,1,30 -values s$o.svg \
+        "$TOP"/test/data/mirror.xyz
     ./tess$o -q -svg c$o.svg none.node
 done
-yes "pictures: the same bytes" sh -c 'cmp m-O0.svg m-O2.svg && cmp c-O0.svg c-O2.svg'
+for f in m c s; do
+    yes "pictures: the same bytes, $f" cmp $f-O0.svg $f-O2.svg
+done
+if $PYTHON -c 'import numpy' 2> words; then
+    lines $PYTHON "$TOP"/test/program/pictures.py $TESS
+else
+    skip "pictures, read back: no numpy for $PYTHON"
+fi
+for wrong in '-draw all/choose points, whole, cut, field or apart' \
+    '-size 900/a width and a height' '-size 99,200/a width and a height'; do
+    OPTIONS="-svg no.svg ${wrong%/*}"
+    refuses pictured "${wrong#*/}" < none.node
+done
+OPTIONS=
+# those of the front page say what is so now
+(cd "$TOP" && sh test/pictures/pictures.sh build/driver) > said 2>&1
+for f in strip cube methods; do
+    for g in "$TOP"/test/pictures/$f.svg $f.svg; do
+        grep -o '>[^<>]*</text\|^rms.*' $g
+    done > words
+    yes "pictures: test/pictures/$f.svg says what is so" test \
+        "$(head -n $(($(wc -l < words) / 2)) words)" = \
+        "$(tail -n $(($(wc -l < words) / 2)) words)" -a -s $f.svg
+done
 
 # ---- -scale ----
 
@@ -997,6 +1033,11 @@ $TESS -q -node thin2.node -vtk thin.vtk -face thin.face thin.node
 yes "-scale: their own coordinates" sh -c 'cmp thin2.node a.node &&
     head -c 7300 thin.vtk > v1 && head -c 7300 a.vtk | cmp v1 -'
 yes "-scale: nothing else is said" test ! -s words
+$TESS -q -scale 1,2,-.0078125 -ele b.ele -neigh b.neigh -node b.node -vtk b.vtk \
+    -volumes b.csv thin.node
+for f in ele neigh node vtk csv; do
+    yes "-scale below 0: the same .$f" cmp a.$f b.$f
+done
 $TESS thin.node > said2 2> words
 yes "-scale: the volume is not stretched" sh -c \
     'grep ^volume said > v1 && grep ^volume said2 | cmp - v1'
@@ -1014,9 +1055,9 @@ yes "no warning with -scale" test ! -s words
 printf '0 0 0\n100 0 0\n0 1 0\n' > wide
 $TESS wide > said 2> words
 yes "no warning for a plane" test ! -s words
-for scale in 1,1 1,1,0 1,1,-1 1,1,x 1,1,nan 1,1,1,1 1,1,inf; do
+for scale in 1,1 1,1,0 1,1,x 1,1,nan 1,1,1,1 1,1,inf; do
     OPTIONS="-scale $scale"
-    refuses scaled.txt '-scale needs three numbers above 0' < even.node
+    refuses scaled.txt '-scale needs three numbers' < even.node
 done
 OPTIONS="-scale 1,1,1e300"
 printf '0 0 1e100\n1 0 0\n0 1 0\n1 1 1\n' |
@@ -1231,8 +1272,140 @@ yes "-volumes: a duplicate has no cell" sh -c \
 $TESS -periodic -box 0,2,0,2,0,1 -volumes flat.csv flat > said 2> words
 yes "-periodic: points in a plane" grep 'sum to 4; the box.s is 4$' said \
     > /dev/null
-$TESS -periodic boxed > said 2> words
-yes "-periodic without cells" grep 'are for -cells and -volumes' words > /dev/null
+$TESS -box 0,1,0,1,0,1 boxed > said 2> words
+yes "-box without cells" grep 'for -cells, -volumes and -periodic' words \
+    > /dev/null
+for o in "-alpha 1" "-validate 5" "-grid 3,3 -values no.csv"; do
+    yes "-periodic $o" sh -c \
+        "! $TESS -periodic -box 0,1,0,2,-1,2 $o boxed > said 2> words &&
+        grep -e '-periodic' words > /dev/null"
+done
+# cells of any shape, along some vectors or all: cells and their mesh, values
+# by all methods, beside scipy's of the copies about them
+cat > repeat.py << END
+import itertools, subprocess, sys, numpy
+from scipy.interpolate import LinearNDInterpolator
+from scipy.spatial import Voronoi, ConvexHull, cKDTree
+def tess(*options):
+    subprocess.run(sys.argv[1:2] + ['-q'] + list(options), check=True)
+def read(name):
+    return numpy.genfromtxt(name, delimiter=',', skip_header=1)
+random = numpy.random.default_rng(3)
+short = numpy.array([[2, 0, 0], [.9, 1.8, 0], [-.5, .6, 1.7]])
+n = int(sys.argv[2])
+ways = numpy.array([int(w) for w in sys.argv[3]])
+origin = numpy.array([-1, .5, 3.])
+p = random.random((n, 3)) @ short + origin
+q = random.random((400, 3)) @ short + origin
+value = random.random(n)
+# the same lattice, by long vectors; points some of them away; upright ones
+# where nothing repeats itself, so that the cells' sides stay the same
+vectors = short.copy()
+if ways.all():
+    vectors[1] += 7 * vectors[0]
+    vectors[2] -= 5 * vectors[1]
+away = random.integers(-3, 4, (n, 3)) * ways @ short
+with open('repeat.xyz', 'w') as f:
+    f.write('%d\\nLattice="%s" Origin="%s" pbc="%s" Properties=pos:R:3:u:R:1\\n' %
+            (n, ' '.join(map(repr, map(float, vectors.flat))),
+             ' '.join(map(str, origin)), ' '.join('FT'[w] for w in ways)))
+    numpy.savetxt(f, numpy.c_[p + away, value], fmt='%.17g')
+numpy.savetxt('places', q + random.integers(-9, 9, (400, 3)) * ways @ short,
+              fmt='%.17g')
+tess('-periodic', '-volumes', 'v.csv', '-node', 'r.node', '-ele', 'r.ele',
+     'repeat.xyz')
+shift = [s for s in itertools.product(range(-3, 4), repeat=3)
+         if not ((1 - ways) * s).any()]
+shift.sort(key=lambda s: numpy.abs(s).sum())
+copies = (p + (numpy.array(shift) @ short)[:, None]).reshape(-1, 3)
+mirrored = [copies]
+for k in numpy.flatnonzero(1 - ways):
+    normal = numpy.linalg.inv(vectors)[:, k]
+    height = (copies - origin) @ normal
+    for side in 0, 1:
+        mirrored.append(copies - 2 * (height - side)[:, None] * normal /
+                        (normal @ normal))
+v = Voronoi(numpy.concatenate(mirrored))
+cells = [ConvexHull(v.vertices[v.regions[v.point_region[i]]])
+         for i in range(n)]
+a = numpy.atleast_2d(numpy.genfromtxt('v.csv', delimiter=',', skip_header=1,
+                                      usecols=(3, 6)))
+for k, right in enumerate(([c.volume for c in cells], [c.area for c in cells])):
+    assert abs(a[:, k] / right - 1).max() < 1e-9, abs(a[:, k] / right - 1).max()
+whole = abs(numpy.linalg.det(short))
+assert abs(a[:, 0].sum() / whole - 1) < 1e-12
+# the mesh: balls without points, as large as the cell
+node = numpy.loadtxt('r.node', skiprows=1)[:, 1:4]
+assert (node[:n] == p + away).all()
+x = node[numpy.loadtxt('r.ele', skiprows=1, ndmin=2)[:, 1:5].astype(int)]
+edge = x[:, 1:] - x[:, :1]
+volume = numpy.linalg.det(edge) / 6
+assert (volume > 0).all()
+if ways.all(): assert abs(volume.sum() / whole - 1) < 1e-12, volume.sum()
+if ways.all():
+    middle = numpy.linalg.solve(edge, (edge ** 2).sum(2)[:, :, None] / 2)[:, :, 0]
+    radius = numpy.sqrt((middle ** 2).sum(1))
+    middle += x[:, 0] - origin
+    middle -= numpy.floor(middle @ numpy.linalg.inv(short)) @ short
+    near = cKDTree(copies).query(middle + origin)[0]
+    assert abs(near / radius - 1).max() < 1e-9, abs(near / radius - 1).max()
+# values
+many = numpy.tile(value, len(shift))
+numpy.savetxt('copies', numpy.c_[copies, many], fmt='%.17g')
+numpy.savetxt('inside', q, fmt='%.17g')
+for method in 'linear', 'natural', 'nearest', 'smooth':
+    # (gradients depend on points many edges away)
+    if method == 'smooth' and (n < 100 or not ways.all()): continue
+    tess('-periodic', '-query', 'places', '-qcols', '1,2,3', '-values',
+         'here.csv', '-method', method, 'repeat.xyz')
+    here = read('here.csv')[:, 3]
+    assert not numpy.isnan(here).any() or not ways.all()
+    if method == 'linear':
+        there = LinearNDInterpolator(copies, many)(q)
+    elif method == 'nearest':
+        there = many[cKDTree(copies).query(q)[1]]
+        there[numpy.isnan(here)] = numpy.nan
+    else:
+        tess('-query', 'inside', '-qcols', '1,2,3', '-values', 'there.csv',
+             '-method', method, '-cols', '1,2,3,4', 'copies')
+        there = read('there.csv')[:, 3]
+    assert (numpy.isnan(here) == numpy.isnan(there)).all()
+    # (a gradient has 1e-4 of the one that suits all copies)
+    limit = 1e-10 if method != 'smooth' else 1e-5
+    worst = numpy.nanmax(abs(here - there))
+    assert worst < limit, (method, worst)
+tess('-periodic', '-grid', '5,6,7', '-values', 'grid.csv', 'repeat.xyz')
+grid = read('grid.csv')[:, :3]
+low = numpy.minimum(vectors, 0).sum(0) + origin
+high = numpy.maximum(vectors, 0).sum(0) + origin
+assert abs(grid.min(0) - low).max() < 1e-12 * abs(high - low).max()
+assert abs(grid.max(0) - high).max() < 1e-12 * abs(high - low).max()
+END
+if $PYTHON -c 'import scipy.spatial' 2> words; then
+    for n in 2 3 120; do
+        for ways in 111 110 001; do
+            [ $n$ways = 2001 ] || [ $n$ways = 2110 ] || [ $n$ways = 3001 ] ||
+                yes "-periodic: $n points, ways $ways, beside scipy's" \
+                    $PYTHON repeat.py "$TESS" $n $ways
+        done
+    done
+else
+    skip "-periodic beside scipy's: no scipy for $PYTHON"
+fi
+# lattices, of which all is a tie: primitive cells of 1 point
+for v in '0 1 1 1 0 1 1 1 0:2' '-1 1 1 1 -1 1 1 1 -1:4' \
+    '2 0 0 1 2 0 0 1 2:8' '3 0 0 0 3 0 0 0 3:27'; do
+    printf '1\nLattice="%s" Properties=pos:R:3:u:R:1\n.3 .2 .1 7\n' \
+        "${v%:*}" > f.xyz
+    $TESS -periodic -check -volumes v.csv -grid 9,9,9 -values f.csv f.xyz > said
+    yes "-periodic: the lattice $v" awk -F, -v whole="${v#*:}" '
+        FNR == 1 { f++; next }
+        f == 1 { off = $4 - whole }
+        f == 2 { places++; off = $4 - 7 }
+        off > 1e-12 || off < -1e-12 { bad = 1 }
+        END { exit bad || places != 729 }' v.csv f.csv
+    yes "-check: proven" grep proven said > /dev/null
+done
 # refusals
 OPTIONS="-volumes no.csv"
 refuses flat1 'no cells: the points do not span space' < flat

@@ -153,15 +153,44 @@ static void take_scale(const option *o, char **word)
 {
     double *x = (double *)o->to;
 
-    int many;
+    int many, k, good;
 
     x[2] = 1.0;
     many = list_numbers(word[0], 3, x);
-    if (many < 2 || !(x[0] > 0.0) || !(x[1] > 0.0) || !(x[2] > 0.0) ||
-        x[0] > DBL_MAX || x[1] > DBL_MAX || x[2] > DBL_MAX)
-        fail("%s needs three numbers above 0, as 1,1,0.01, or two of points in "
-             "a plane (tess -h helps)", o->name);
+    good = many >= 2;
+    for (k = 0; k < 3; k++)
+        good = good && x[k] != 0.0 && x[k] >= -DBL_MAX && x[k] <= DBL_MAX;
+    if (!good)
+        fail("%s needs three numbers, none of them 0, as 1,1,0.01, or two of "
+             "points in a plane (tess -h helps)", o->name);
     chosen.scaled = many;
+}
+
+static void take_pixels(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+    int k, good = list_numbers(word[0], 2, x) == 2;
+
+    for (k = 0; k < 2; k++) good = good && x[k] >= 100.0 && x[k] <= 10000.0;
+    if (!good)
+        fail("%s needs a width and a height in pixels, as 900,640", o->name);
+}
+
+static void take_draw(const option *o, char **word)
+{
+    if (strcmp(word[0], "points") != 0 && strcmp(word[0], "whole") != 0 &&
+        strcmp(word[0], "cut") != 0 && strcmp(word[0], "field") != 0 &&
+        strcmp(word[0], "apart") != 0)
+        fail("%s %s: choose points, whole, cut, field or apart", o->name,
+             word[0]);
+    take_word(o, word);
+}
+
+static void take_title(const option *o, char **word)
+{
+    if (strlen(word[0]) >= TEXT)
+        fail("%s: at most %d characters", o->name, TEXT - 1);
+    take_word(o, word);
 }
 
 static void take_box(const option *o, char **word)
@@ -286,7 +315,8 @@ static const option table[] = {
     {"-scale", "SX,SY[,SZ]", take_scale, chosen.scale,
      "stretch coordinates for the mesh: -scale 1,1,0.01 for\n"
      "degrees and metres, SX,SY in a plane.  All that is written\n"
-     "has the given ones; -alpha measures in the stretched"},
+     "has the given ones; -alpha measures in the stretched.  By\n"
+     "1,1,-0.01 pictures show z downwards; else it is the same"},
     {"-check", 0, take_switch, &chosen.check,
      "prove the result, by exact arithmetic"},
     {0, 0, 0, 0, ""},
@@ -312,16 +342,20 @@ static const option table[] = {
     {"-volumes", "F.csv", take_output, volumes_forms,
      "write each point's x,y,z, its cell's volume, and number\n"
      "of faces, the point's number, the cell's area, neighbours\n"
-     "(the box's sides x0 to z1 are -1 to -6, if it repeats\n"
+     "(the box's sides x0 to z1 are -1 to -6, where it repeats\n"
      "itself none), values; the volumes' sum is said"},
     {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
      "that box; if not given, that of an extended XYZ file's\n"
      "Lattice, or the points' own"},
     {"-periodic", 0, take_switch, &chosen.periodic,
-     "the box, or a PDB file's CRYST1, repeats itself, and the\n"
-     "cells fit to its copies; all else is of the points alone"},
+     "the box repeats itself, or what a file's Lattice, CRYST1\n"
+     "spans, of any shape, along the vectors that its pbc says:\n"
+     "so do mesh, values and cells"},
     {"-svg", "F", take_output, svg_forms,
-     "write a picture: cut open; or moved apart if they are few"},
+     "write a picture: cut open, or moved apart if they are few"},
+    {"-draw", "points|whole|cut|field|apart", take_draw, &chosen.draw,
+     "draw points; or tetrahedra: all, cut open, that without\n"
+     "their edges, or moved apart"},
     {"-alpha", "R", take_length, &chosen.alpha,
      "the alpha shape: write and draw no tetrahedron whose\n"
      "circumradius exceeds R; so there are the holes and hollows\n"
@@ -329,6 +363,13 @@ static const option table[] = {
     {"-view", "A E", take_view, chosen.view,
      "draw as seen from azimuth A, from x to y, and elevation E\n"
      "above that plane, both in degrees; if not given, -68 28"},
+    {"-title", "TEXT", take_title, &chosen.title,
+     "above pictures, those of -values, too"},
+    {"-unit", "V[,X[,Y,Z]]", take_title, &chosen.unit,
+     "units of the first value and of x, y, z: -unit C,m"},
+    {"-size", "W,H", take_pixels, chosen.pixels, "of pictures, in pixels"},
+    {"-bare", 0, take_switch, &chosen.bare,
+     "pictures without axes, colour bar, and texts"},
     {"-o", "BASE", take_base, 0,
      "write BASE.node BASE.ele BASE.neigh BASE.vtk"},
     {0, 0, 0, 0, ""},
@@ -486,7 +527,7 @@ void choose_options(int argc, char **argv)
     chosen.values = next_output(values_forms, 0) != 0;
     chosen.cells = next_output(cells_forms, 0) || next_output(volumes_forms, 0);
     check_values();
-    if ((chosen.boxed || chosen.periodic) && !chosen.cells)
-        warn("-box and -periodic are for -cells and -volumes alone");
+    if (chosen.boxed && !chosen.cells && !chosen.periodic)
+        warn("-box is for -cells, -volumes and -periodic alone");
     try_outputs();
 }

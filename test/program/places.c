@@ -19,7 +19,6 @@
 #define PIXELS 2000.0 /* of a picture's side     */
 #define FAR 3.0     /* ranges between a value and others that it is far from */
 #define HUGE_NUMBER 1e10 /* a value that may be none, but stand for one */
-#define LONGER 5.0  /* sides more uneven are drawn with this ratio */
 
 /* What is asked for. */
 static double size[3], corner[6]; /* of the grid: NX, NY, NZ, X0 to Z1 */
@@ -41,11 +40,14 @@ typedef struct sink {
     int form; /* which of values_forms: */
     FILE *file;
     FILE *scratch;   /* what VTK must have column by column */
-    double *picture; /* the first column */
+    double *picture; /* the first column; least, most of what is inside */
+    double range[2];
 } sink;
 
 static sink *sinks;
 static int files; /* of them */
+static int uncut; /* places outside have values until they are drawn: a picture
+                   * ends where the tetrahedra do, not at a place */
 
 #define CSV 0
 #define NPY 1
@@ -224,7 +226,8 @@ static double place(int k, long i)
                : low + (high - low) * ((double)i / (size[k] - 1.0));
 }
 
-/* box - the points' box, for a grid that has none. */
+/* box - for a grid that has none: that of the points, or of the cell that
+ * repeats itself. */
 static void box(void)
 {
     double x;
@@ -237,6 +240,7 @@ static void box(void)
             if (i == 0 || x < corner[2 * k]) corner[2 * k] = x;
             if (i == 0 || x > corner[2 * k + 1]) corner[2 * k + 1] = x;
         }
+    if (chosen.periodic) cell_box(corner);
 }
 
 /* warn_far - where the least value of a column, or with sign -1 the largest, is
@@ -499,11 +503,13 @@ static void head(sink *s)
         npy_head(s->file);
     } else {
         s->picture = (double *)space(places_asked(), sizeof *s->picture);
+        s->range[0] = DBL_MAX;
+        s->range[1] = -DBL_MAX;
     }
 }
 
 /* put - the values at some places. */
-static void put(const sink *s, tess_int many, const tess_real *at,
+static void put(sink *s, tess_int many, const tess_real *at,
                 const double *out)
 {
     size_t numbers = (size_t)many * (size_t)in->columns, i;
@@ -516,8 +522,12 @@ static void put(const sink *s, tess_int many, const tess_real *at,
     } else if (s->form == VTK || s->form == VTU) {
         for (i = 0; i < numbers; i++) put_double(s->file, out[i]);
     } else if (s->form == SVG) {
-        for (i = 0; i < (size_t)many; i++)
-            s->picture[(size_t)done + i] = out[(size_t)in->columns * i];
+        for (i = 0; i < (size_t)many; i++, out += in->columns) {
+            s->picture[(size_t)done + i] = *out;
+            if ((uncut && t[i] < 0) || !(fabs(*out) <= 1e300)) continue;
+            if (*out < s->range[0]) s->range[0] = *out;
+            if (*out > s->range[1]) s->range[1] = *out;
+        }
     } else {
         for (; many > 0; many--, at += 3) {
             for (k = 0; k < in->axes; k++) {
@@ -537,41 +547,50 @@ static void put(const sink *s, tess_int many, const tess_real *at,
 }
 
 /* draw - the picture of a slice: the first column. */
-static void draw(FILE *file, const double *picture)
+static void draw(const sink *s, const mesh *m)
 {
-    static const char axis[] = "xyz";
     char note[400];
     draw_look look;
-    double length[2], wide;
-    int k, third = 3 - side[0] - side[1], at = 0;
+    const char *name;
+    double length[3], plane[6];
+    tess_real *p = 0;
+    size_t i;
+    int k, axis[3], many[2];
 
-    for (k = 0; k < 2; k++)
-        length[k] = corner[2 * side[k] + 1] - corner[2 * side[k]];
-    wide = length[0] / length[1];
-    if (!(wide < LONGER)) wide = LONGER;
-    if (!(wide > 1.0 / LONGER)) wide = 1.0 / LONGER;
-    draw_default(&look);
-    look.label = xml_text(in->name[0]);
-    look.height = 90 + (int)((look.width - 155.0) / wide);
-    if (look.height > 640) look.height = 640;
-    if (look.height < 300) look.height = 300;
-    for (k = 0; k < 2; k++)
-        at += sprintf(note + at, "%c %.6g to %.6g, ", axis[side[k]],
-                      corner[2 * side[k]], corner[2 * side[k] + 1]);
+    begin_look(in, &look);
+    axis[2] = 3 - side[0] - side[1];
+    length[axis[2]] = 0.0;
+    for (k = 0; k < 2; k++) {
+        axis[k] = side[k];
+        many[k] = (int)size[side[k]];
+        length[side[k]] = corner[2 * side[k] + 1] - corner[2 * side[k]];
+    }
+    for (k = 0; k < 6; k++)
+        plane[k] = k / 2 == axis[2] ? place(axis[2], 0) : corner[k];
+    name = look.name[axis[2]];
+    k = (int)strcspn(name, ",");
+    note[0] = '\0';
     if (in->axes == 3)
-        at += sprintf(note + at, "%c = %.6g, ", axis[third], place(third, 0));
-    at += sprintf(note + at - 2, "; %s", method_name[method]) - 2;
-    wide *= length[1] / length[0];
-    if (wide < 0.999 || wide > 1.001)
-        sprintf(note + at, "; %c is drawn %.3g times as large",
-                axis[side[wide < 1.0]], wide < 1.0 ? 1.0 / wide : wide);
+        sprintf(note, "%.*s = %.6g%.50s; ", k, name, place(axis[2], 0),
+                name + k + (name[k] != 0));
+    strcat(note, method_name[method]);
+    draw_even(&look, length, chosen.scaled ? LONGEST : LONGER, note);
     look.note = note;
-    draw_slice(file, &look, (int)size[side[0]], (int)size[side[1]],
-               wide * length[0] / length[1], picture);
+    if (m->flat) {
+        /* the two points off the plane, too */
+        p = (tess_real *)space(3.0 * ((double)in->n + 2.0), sizeof *p);
+        for (i = 0; i < 3 * ((size_t)in->n + 2); i++)
+            p[i] = (tess_real)((double)m->p[i] / m->scale[i % 3]);
+    }
+    if (draw_slice(s->file, &look, axis, many, plane, s->picture, s->range,
+                   p ? p : in->p, uncut ? m->ntet : 0, m->tet, m->adj,
+                   m->keep) != 0)
+        fail("not enough memory for a picture");
+    free(p);
 }
 
 /* tail - VTK's columns, one after the other; or the picture. */
-static void tail(sink *s)
+static void tail(sink *s, const mesh *m)
 {
     static double row[COLUMNS];
     size_t columns = (size_t)in->columns;
@@ -588,7 +607,7 @@ static void tail(sink *s)
             put_double(s->file, row[k]);
         }
     }
-    if (s->form == SVG) draw(s->file, s->picture);
+    if (s->form == SVG) draw(s, m);
     if (s->form == VTK) putc('\n', s->file);
     if (s->form == VTU) end_vtu(s->file);
     if (s->scratch) fclose(s->scratch);
@@ -613,6 +632,7 @@ static const mesh *mesh_in_plane(const mesh *m)
              in->input);
     for (i = 0; i < in->n; i++) to_plane(m->p + 3 * i, p + 3 * i);
     flat.in = m->in;
+    memcpy(flat.scale, m->scale, sizeof flat.scale);
     lay_flat(&flat, in->n, p, !chosen.quiet);
     return &flat;
 }
@@ -624,6 +644,7 @@ void keep_values(const mesh *m)
     tess_int twins = 0, j;
 
     if (!chosen.values && !chosen.validate) return;
+    in = m->in; /* (of a cell that repeats itself: with copies) */
     if (find_plane(m)) m = mesh_in_plane(m);
     if (m->ntet < 1)
         fail("%s: the points lie on one line, where there is nothing to "
@@ -669,6 +690,7 @@ static void stretch(tess_int many, const tess_real *from, const double *scale,
     for (i = 0; i < 3 * many; i++)
         q[i] = (tess_real)((double)from[i] * scale[i % 3]);
     for (i = 0; i < many && flat.flat; i++) to_plane(q + 3 * i, q + 3 * i);
+    for (i = 0; i < many && chosen.periodic; i++) into_cell(q + 3 * i);
 }
 
 /* some - write the values at some places; t has a start for each. */
@@ -676,11 +698,18 @@ static void some(tess_int many, const tess_real *at, const double *scale)
 {
     static tess_real q[3 * FEW];
     static double out[ROOM];
+    tess_int i;
     int k;
 
     stretch(many, at, scale, q);
     values_at(many, q, t, out);
-    for (k = 0; k < files; k++) put(sinks + k, many, at, out);
+    for (k = 0; k < files; k++)
+        if (sinks[k].form == SVG) put(sinks + k, many, at, out);
+    for (i = 0; i < many && uncut; i++)
+        for (k = 0; k < in->columns && t[i] < 0; k++)
+            out[(long)in->columns * i + k] = number;
+    for (k = 0; k < files; k++)
+        if (sinks[k].form != SVG) put(sinks + k, many, at, out);
     done += (double)many;
     progress("values", done, places_asked());
 }
@@ -806,18 +835,21 @@ void write_values(const mesh *m)
     f.value = mean ? mean : in->value;
     f.columns = in->columns;
     f.flat = m->flat;
-    values_begin(&f, method, outside, number);
     for (o = 0; (o = next_output(values_forms, o)) != 0;) {
         sinks = (sink *)more_space(sinks, files + 1.0, sizeof *sinks);
         memset(sinks + files, 0, sizeof *sinks);
         sinks[files].to = o;
-        head(sinks + files++);
+        head(sinks + files);
+        if (sinks[files++].form == SVG)
+            uncut = outside == OUT_VALUE && number != number &&
+                    (!m->flat || in->axes == 2) && !chosen.periodic;
     }
+    values_begin(&f, method, uncut ? OUT_NEAREST : outside, number);
     if (chosen.grid)
         grid_values(most, scale);
     else
         query_values(most, scale);
-    for (k = 0; k < files; k++) tail(sinks + k);
+    for (k = 0; k < files; k++) tail(sinks + k, m);
     values_end();
 }
 

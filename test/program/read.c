@@ -886,7 +886,10 @@ static void columns(void)
         for (k = found = 0; k < many && found < axes; k++)
             if (fields[k].number && k != by) at[found++] = k;
     if (found < axes) fail_line("fewer than three numbers");
-    for (k = 0; k < axes; k++) part[at[k]] = k;
+    for (k = 0; k < axes; k++) {
+        part[at[k]] = k;
+        if (titles > 0 && title[at[k]][0]) strcpy(to->axis[k], title[at[k]]);
+    }
     for (k = 0; k < many; k++) {
         if (!fields[k].number) part[k] = fields[k].text[0] ? LABEL : HOLLOW;
         if (k == by && part[k] >= LABEL && part[k] != VALUE) part[k] = UNUSED;
@@ -1122,7 +1125,9 @@ static void lattice(double v[9], const double *origin)
     int along, across, k, l;
 
     to->lattice = RIGHT;
+    for (k = 0; k < 12; k++) to->cell[k] = k < 9 ? v[k] : origin[k - 9];
     for (k = 0; k < 3; k++) {
+        to->ways[k] = 1;
         side = 0.0;
         for (along = across = l = 0; l < 3; l++) {
             along += v[3 * l + k] != 0.0;
@@ -1169,16 +1174,23 @@ static int extended(void)
 {
     const char *vectors = after("Lattice"), *from = after("Origin");
     const char *columns_of = after("Properties"), *pbc = after("pbc");
+    const char *next, *end;
     double v[9], origin[3];
+    int k;
 
     origin[0] = origin[1] = origin[2] = 0.0;
     if (from && vectors) take_numbers(from, 3, origin, "Origin");
     if (vectors) {
         take_numbers(vectors, 9, v, "Lattice");
         lattice(v, origin);
-        /* "T T F", or T,T,0 */
-        to->aperiodic = pbc && strcspn(pbc, "Ff0") <
-                                   strcspn(pbc, pbc[-1] == '=' ? " \t" : "\"'}]");
+        /* "T T F", or T,T,0, or F; the last one is for all that follow */
+        end = pbc ? pbc + strcspn(pbc, pbc[-1] == '=' ? " \t" : "\"'}]") : 0;
+        for (k = 0; k < 3 && pbc; k++) {
+            to->ways[k] = !*pbc || !strchr("Ff0", *pbc);
+            next = pbc + strcspn(pbc, " \t,");
+            next += strspn(next, " \t,");
+            if (next < end) pbc = next;
+        }
     }
     if (columns_of) properties(columns_of);
     return vectors || columns_of;
@@ -1431,14 +1443,27 @@ static void crystal(void)
 {
     static const double origin[3] = {0.0, 0.0, 0.0};
     const char *group = strlen(line) > 55 ? line + 55 : "P 1";
-    double v[9] = {0.0};
+    double v[9] = {0.0}, angle, c[3], side[3];
     int k;
 
     for (k = 0; k < 3; k++) v[4 * k] = column(7 + 9 * k, 15 + 9 * k, 0.0);
     if (!chosen.periodic || (v[0] == 1.0 && v[4] == 1.0 && v[8] == 1.0)) return;
+    for (k = 0; k < 3; k++) {
+        side[k] = v[4 * k];
+        angle = column(34 + 7 * k, 40 + 7 * k, 90.0);
+        c[k] = angle == 90.0 ? 0.0 : cos(angle * atan(1.0) / 45.0);
+    }
+    /* the first vector is along x, the second in the plane of x, y */
+    angle = sqrt(1.0 - c[2] * c[2]);
+    v[3] = side[1] * c[2];
+    v[4] = side[1] * angle;
+    v[6] = side[2] * c[1];
+    v[7] = c[0] - c[1] * c[2] == 0.0 ? 0.0
+                                     : side[2] * (c[0] - c[1] * c[2]) / angle;
+    v[8] = sqrt(side[2] * side[2] - v[6] * v[6] - v[7] * v[7]);
+    if (v[6] == 0.0 && v[7] == 0.0) v[8] = side[2];
+    if (!(v[8] > 0.0)) fail_line("the angles are none of a cell");
     lattice(v, origin);
-    for (k = 0; k < 3; k++)
-        if (column(34 + 7 * k, 40 + 7 * k, 90.0) != 90.0) to->lattice = SKEW;
     if (strncmp(group, "P 1        ", strlen(group) < 11 ? strlen(group) : 11))
         warn("%s, line %ld: the atoms are repeated as they are, without what "
              "the space group %.11s adds in the cell",

@@ -61,12 +61,10 @@ void drop_others(mesh *m)
 /* cells - of all points: what cell is given, and gives of one. */
 typedef struct cells {
     const mesh *m;
-    double box[6];          /* what the cells fill, or a period: x0, x1, ... */
-    tess_int *first, *list; /* of each point tetrahedra; or, where the box
-                             * repeats itself, vertices of them: */
-    tess_int *tet, *move;   /* the periodic mesh; or 0 */
-    tess_int periods;       /* its tetrahedra */
-    tess_real *at;          /* the points, all in the box */
+    const repeated *again;  /* the mesh that repeats itself; or 0, and: */
+    double box[6];          /* what the cells fill: x0, x1, ... */
+    tess_int *first, *list; /* of each point tetrahedra; or vertices of those
+                             * that repeat themselves */
     /* a point's star in it: vertices, as seen from the point, and whose copies
      * they are; tetrahedra, neighbours (that there are some), 0, 1, 2, ... */
     tess_real *around;
@@ -112,135 +110,50 @@ static void choose_box(cells *c)
     points_box(c);
 }
 
-void check_box(const points *in)
-{
-    if (!chosen.cells || chosen.boxed) return;
-    if (chosen.periodic && in->aperiodic)
-        fail("%s: -periodic: its pbc says that the box does not repeat itself "
-             "along all axes", in->input);
-    if (in->lattice == RIGHT) return;
-    if (chosen.periodic && in->lattice == SKEW)
-        fail("%s: -periodic: its Lattice, or CRYST1, is not a box along x, y, "
-             "z; only such boxes can be repeated", in->input);
-    if (chosen.periodic)
-        fail("-periodic needs -box X0,X1,Y0,Y1,Z0,Z1, or an extended XYZ file "
-             "with a Lattice, or a PDB file with CRYST1");
-    if (in->lattice == SKEW)
-        warn("%s: its Lattice is not a box along x, y, z: the cells fill the "
-             "points' box", in->input);
-}
-
-/* wrap - the points, each moved into the box by whole lengths of it. */
-static void wrap(cells *c)
-{
-    const mesh *m = c->m;
-    tess_int i, moved = 0;
-    int k, out;
-    double x, low, high;
-
-    c->at = (tess_real *)space(3.0 * (double)m->in->n, sizeof *c->at);
-    for (i = 0; i < m->in->n; i++) {
-        for (out = k = 0; k < 3; k++) {
-            x = (double)m->p[3 * i + k];
-            low = c->box[2 * k];
-            high = c->box[2 * k + 1];
-            if (x < low || x > high) {
-                out = 1;
-                x -= (high - low) * floor((x - low) / (high - low));
-                if (!(x >= low)) x = low;
-                if (!(x <= high)) x = high;
-            }
-            c->at[3 * i + k] = (tess_real)x;
-        }
-        moved += out;
-    }
-    if (moved > 0)
-        warn("%ld point%s outside the box: taken where the box's copies bring "
-             "them into it", (long)moved, moved > 1 ? "s are" : " is");
-}
-
-/* try_periodic - make the mesh of the box that repeats itself, with room for so
- * many copies of points and so many tetrahedra, and so many times the usual pool
- * of facets.  Returns periodic's code. */
-static int try_periodic(cells *c, double maxcop, double maxtet, double pool,
-                        tess_int *ncop)
-{
-    tess_int *cw, *adj, *shift, *iw, liw, lrw;
-    double *rw;
-    tess_real *x;
-    int code;
-
-    if (maxtet > (double)TESS_INT_MOST / 4.0 - 1.0 ||
-        tess_size((tess_int)maxcop, (tess_int)maxtet, &liw, &lrw) != 0 ||
-        pool * (double)liw > (double)TESS_INT_MOST)
-        too_small("-periodic: more tetrahedra than a tess_int can number");
-    liw = (tess_int)(pool * (double)liw);
-    x = (tess_real *)space(3.0 * maxcop, sizeof *x);
-    cw = integers(3.0 * maxcop);
-    c->tet = integers(4.0 * maxtet);
-    c->move = integers(4.0 * maxtet);
-    adj = integers(4.0 * maxtet);
-    shift = integers(4.0 * maxtet);
-    iw = integers((double)liw);
-    rw = doubles((double)lrw);
-    code = periodic(c->m->in->n, c->at, c->box, (tess_int)maxcop, ncop, x, cw,
-                    (tess_int)maxtet, &c->periods, c->tet, c->move, adj, shift,
-                    liw, iw, lrw, rw);
-    free(x);
-    free(cw);
-    free(adj);
-    free(shift);
-    free(iw);
-    free(rw);
-    return code;
-}
-
-/* make_periodic - that mesh, with as much room as it needs. */
-static void make_periodic(cells *c)
-{
-    double maxcop = 3.0 * (double)c->m->in->n + 1000.0, pool = 1.0;
-    double maxtet = 10.0 * (double)c->m->in->n + 1000.0;
-    tess_int ncop = 0;
-    int code;
-
-    wrap(c);
-    while ((code = try_periodic(c, maxcop, maxtet, pool, &ncop)) != 0) {
-        free(c->tet);
-        free(c->move);
-        if (code == PERIODIC_FEW)
-            fail("-periodic: so few points in so long a box that tetrahedra "
-                 "reach across many copies of it; repeat the points along its "
-                 "short sides");
-        if (code == TESS_RANGE)
-            fail("-periodic: the box is so large or small that its copies "
-                 "cannot be numbers: use other units, as by -scale");
-        if (code != TESS_MORE && code != TESS_POOL)
-            too_small("-periodic: unexpected code %d", code);
-        if (code == TESS_POOL)
-            pool *= 2.0;
-        else if ((double)ncop >= maxcop)
-            maxcop *= 2.0;
-        else
-            maxtet *= 2.0;
-    }
-}
-
 /* list_corners - for each point where in the periodic mesh it is a vertex. */
 static void list_corners(cells *c)
 {
     tess_int i, *first = c->first;
 
     for (i = 0; i <= c->m->in->n; i++) first[i] = 0;
-    for (i = 0; i < 4 * c->periods; i++) first[c->tet[i]]++;
+    for (i = 0; i < 4 * c->again->ntet; i++) first[c->again->tet[i]]++;
     for (i = 1; i <= c->m->in->n; i++) first[i] += first[i - 1];
-    for (i = 4 * c->periods - 1; i >= 0; i--) c->list[--first[c->tet[i]]] = i;
+    for (i = 4 * c->again->ntet - 1; i >= 0; i--)
+        c->list[--first[c->again->tet[i]]] = i;
+}
+
+/* mirror - point i, where nothing repeats itself along vector k, in the cell's
+ * sides there, as points j and j + 1: so its own cell ends there.  The star
+ * gets a tetrahedron of them, number t.  (On a side it is a hair's breadth
+ * within.) */
+static void mirror(cells *c, tess_int i, int k, tess_int t, tess_int j)
+{
+    const repeated *r = c->again;
+    const double *g = r->inverse + 3 * k;
+    double size = sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]), s = 0.0, by;
+    int l, side;
+
+    for (l = 0; l < 3; l++)
+        s += ((double)r->at[3 * i + l] - r->cell[9 + l]) * g[l];
+    for (side = 0; side < 2; side++) {
+        by = side ? 1.0 - s : s;
+        if (!(by > 1e-30)) by = 1e-30;
+        for (l = 0; l < 3; l++)
+            c->around[3 * (j + side) + l] =
+                (tess_real)(2.0 * (side ? by : -by) * (g[l] / size) / size);
+        c->who[j + side] = (tess_int)(-1 - 2 * k - side);
+        c->star[4 * t + side] = j + side;
+        c->star[4 * t + 2 + side] = 0;
+    }
 }
 
 /* gather - the star of point i in the periodic mesh, as a mesh of its own in
  * which i is point 0, at the origin: a difference of points and its opposite
- * have the same rounding, so that neighbours agree on the face between them. */
-static void gather(cells *c, tess_int i)
+ * have the same rounding, so that neighbours agree on the face between them.
+ * Returns how many tetrahedra it has. */
+static tess_int gather(cells *c, tess_int i)
 {
+    const repeated *r = c->again;
     tess_int f, t, j, v, move, many = 1;
     int away[3], k, m;
 
@@ -250,8 +163,8 @@ static void gather(cells *c, tess_int i)
     for (f = c->first[i]; f < c->first[i + 1]; f++) {
         t = c->list[f] / 4 * 4;
         for (k = 0; k < 4; k++) {
-            v = c->tet[t + k];
-            move = c->move[t + k] - c->move[c->list[f]];
+            v = r->tet[t + k];
+            move = r->move[t + k] - r->move[c->list[f]];
             for (j = 0; j < many && (c->who[j] != v || c->copy[j] != move);)
                 j++;
             c->star[4 * (f - c->first[i]) + k] = j;
@@ -262,10 +175,18 @@ static void gather(cells *c, tess_int i)
             unpack(move, away);
             for (m = 0; m < 3; m++)
                 c->around[3 * j + m] = (tess_real)(
-                    ((double)c->at[3 * v + m] - (double)c->at[3 * i + m]) +
-                    away[m] * (c->box[2 * m + 1] - c->box[2 * m]));
+                    ((double)r->at[3 * v + m] - (double)r->at[3 * i + m]) +
+                    (away[0] * r->cell[m] + away[1] * r->cell[3 + m] +
+                     away[2] * r->cell[6 + m]));
         }
     }
+    f -= c->first[i];
+    for (k = 0; k < 3 && f > 0; k++) {
+        if (r->ways[k]) continue;
+        mirror(c, i, k, f++, many);
+        many += 2;
+    }
+    return f;
 }
 
 /* compute - the cell of point i: in *c, its vertices where they are written. */
@@ -273,16 +194,15 @@ static void compute(cells *c, tess_int i)
 {
     const mesh *m = c->m;
     tess_int range[2], v;
-    int code, k;
+    int again = c->again != 0, code, k;
 
     progress("cells", (double)i + 1.0, (double)m->in->n);
-    if (c->tet) gather(c, i);
     range[0] = 0;
-    range[1] = c->first[i + 1] - c->first[i];
-    code = cell(c->tet ? c->around : m->p, c->tet ? c->star : m->tet,
-                c->tet ? c->beside : m->adj, c->tet ? range : c->first,
-                c->tet ? c->count : c->list, c->tet ? 0 : i,
-                c->tet ? NULL : c->box, c->most, &c->nface, c->whose,
+    range[1] = again ? gather(c, i) : 0;
+    code = cell(again ? c->around : m->p, again ? c->star : m->tet,
+                again ? c->beside : m->adj, again ? range : c->first,
+                again ? c->count : c->list, again ? 0 : i,
+                again ? NULL : c->box, c->most, &c->nface, c->whose,
                 c->area, &c->volume, c->begin, c->corner, &c->nvert, c->vert,
                 c->iwork, c->work);
     if (code != 0)
@@ -291,7 +211,7 @@ static void compute(cells *c, tess_int i)
              (long)(i + m->in->base));
     for (v = 0; v < c->nvert; v++)
         for (k = 0; k < 3; k++) {
-            if (c->tet) c->vert[3 * v + k] += (double)m->p[3 * i + k];
+            if (again) c->vert[3 * v + k] += (double)m->p[3 * i + k];
             c->vert[3 * v + k] /= m->scale[k];
         }
     for (k = 0; k < 3; k++) c->volume /= m->scale[k];
@@ -335,57 +255,35 @@ static void prepare(cells *c, const mesh *m)
     tess_int n = m->in->n, i, most = 0;
 
     c->m = m;
-    c->tet = c->move = 0;
-    c->at = 0;
-    choose_box(c);
-    if (chosen.periodic) make_periodic(c);
+    c->again = chosen.periodic ? repetition() : 0;
+    if (!c->again) choose_box(c);
+    if (c->again && !(c->again->sides && c->again->volume > 0.0))
+        fail("no cells: the box has no sides where nothing repeats itself: "
+             "give Lattice three vectors that span one");
+    if (c->again && c->again->beyond > 0)
+        fail("no cells: %ld times a point is outside the box where nothing "
+             "repeats itself: give a Lattice, and Origin, that hold all points",
+             c->again->beyond);
     c->first = integers((double)n + 1.0);
-    c->list = integers(4.0 * (double)(c->tet ? c->periods : m->ntet));
-    if (c->tet)
+    c->list = integers(4.0 * (double)(c->again ? c->again->ntet : m->ntet));
+    if (c->again)
         list_corners(c);
     else
         stars(n, m->ntet, m->tet, c->first, c->list);
     for (i = 0; i < n; i++)
         if (c->first[i + 1] - c->first[i] > most)
             most = c->first[i + 1] - c->first[i];
-    take_room(c, most + 8);
+    take_room(c, most + 14); /* (of an open star, and four of mirror) */
 }
 
 /* clear - what prepare took. */
 static void clear(cells *c)
 {
-    free(c->tet);
-    free(c->move);
-    free(c->at);
     free(c->first);
     free(c->list);
     free(c->around);
     free(c->integer);
     free(c->real);
-}
-
-/* measure_cells - each cell's volume and number of faces, and what they are in
- * all. */
-static void measure_cells(cells *c, double *volume, tess_int *faces, totals *all)
-{
-    double lost = 0.0, sum, v;
-    tess_int i;
-
-    all->cells = all->vertices = all->numbers = all->volume = 0.0;
-    for (i = 0; i < c->m->in->n; i++) {
-        compute(c, i);
-        v = volume[i] = c->volume;
-        faces[i] = c->nface;
-        if (c->nface == 0) continue;
-        all->cells += 1.0;
-        all->vertices += (double)c->nvert;
-        all->numbers += 2.0 + (double)c->nface + (double)c->begin[c->nface];
-        /* what a sum of many loses is added at the end */
-        sum = all->volume + v;
-        lost += v - (sum - all->volume);
-        all->volume = sum;
-    }
-    all->volume += lost;
 }
 
 /* put_faces - a cell in VTK's CELLS; its vertices are numbered from that number
@@ -466,35 +364,65 @@ static double surface(const cells *c)
     return sum;
 }
 
-static void write_volumes(cells *c, output *o, const double *volume,
-                          const tess_int *faces)
+static FILE *start_volumes(const points *in, output *o)
 {
-    const points *in = c->m->in;
     FILE *file = start(o, (150.0 + 20.0 * (double)in->columns) *
                               (double)in->n);
-    tess_int i, j, v;
     int k;
 
     fprintf(file, "x,y,z,volume,faces,point,area,neighbours");
     for (k = 0; k < in->columns; k++) put_title(file, in->name[k]);
     putc('\n', file);
-    for (i = 0; i < in->n; i++) {
-        compute(c, i);
-        put_point(file, in, i, ',', ',');
-        fprintf(file, "%.17g,%ld,%ld,%.17g,", volume[i], (long)faces[i],
-                (long)(i + in->base), surface(c));
-        for (j = 0; j < c->nface; j++) {
-            v = c->whose[j];
-            if (c->tet) v = c->who[v];
-            fprintf(file, "%s%ld", j > 0 ? " " : "",
-                    (long)(v < 0 ? v : v + in->base));
-        }
-        for (k = 0; k < in->columns; k++)
-            fprintf(file, ",%.17g",
-                    in->value[(size_t)in->columns * (size_t)i + (size_t)k]);
-        putc('\n', file);
+    return file;
+}
+
+/* put_volume - the row of point i, whose cell *c holds. */
+static void put_volume(FILE *file, const cells *c, tess_int i)
+{
+    const points *in = c->m->in;
+    tess_int j, v;
+    int k;
+
+    put_point(file, in, i, ',', ',');
+    fprintf(file, "%.17g,%ld,%ld,%.17g,", c->volume, (long)c->nface,
+            (long)(i + in->base), surface(c));
+    for (j = 0; j < c->nface; j++) {
+        v = c->whose[j];
+        if (c->again) v = c->who[v];
+        fprintf(file, "%s%ld", j > 0 ? " " : "",
+                (long)(v < 0 ? v : v + in->base));
     }
-    finish(file, o);
+    for (k = 0; k < in->columns; k++)
+        fprintf(file, ",%.17g",
+                in->value[(size_t)in->columns * (size_t)i + (size_t)k]);
+    putc('\n', file);
+}
+
+/* measure_cells - each cell's volume and number of faces, and what they are in
+ * all; rows of them into some files. */
+static void measure_cells(cells *c, double *volume, tess_int *faces,
+                          totals *all, FILE **file, int files)
+{
+    double lost = 0.0, sum, v;
+    tess_int i;
+    int k;
+
+    all->cells = all->vertices = all->numbers = all->volume = 0.0;
+    for (i = 0; i < c->m->in->n; i++) {
+        compute(c, i);
+        v = volume[i] = c->volume;
+        faces[i] = c->nface;
+        for (k = 0; k < files; k++) put_volume(file[k], c, i);
+        if (c->nface == 0) continue;
+        all->cells += 1.0;
+        all->vertices += (double)c->nvert;
+        all->numbers += 2.0 + (double)c->nface + (double)c->begin[c->nface];
+        /* what a sum of many loses is added at the end */
+        sum = all->volume + v;
+        lost += v - (sum - all->volume);
+        all->volume = sum;
+    }
+    all->volume += lost;
 }
 
 void make_cells(const mesh *m)
@@ -502,9 +430,10 @@ void make_cells(const mesh *m)
     cells c;
     totals all;
     output *o;
+    FILE **file = 0;
     double *volume, whole = 1.0, slack, side[3], longest = 0.0;
     tess_int *faces;
-    int k;
+    int files = 0, k;
 
     if (m->ntet == 0 && !chosen.periodic)
         fail("no cells: the points do not span space");
@@ -512,25 +441,34 @@ void make_cells(const mesh *m)
     volume = doubles((double)m->in->n);
     faces = integers((double)m->in->n);
     say("computing %ld cells ...", (long)m->in->n);
-    measure_cells(&c, volume, faces, &all);
+    for (o = 0; (o = next_output(volumes_forms, o)) != 0;) {
+        file = (FILE **)more_space(file, files + 1.0, sizeof *file);
+        file[files++] = start_volumes(m->in, o);
+    }
+    measure_cells(&c, volume, faces, &all, file, files);
     for (k = 0; k < 3; k++) {
-        side[k] = (c.box[2 * k + 1] - c.box[2 * k]) / m->scale[k];
+        side[k] = c.box[2 * k + 1] - c.box[2 * k];
+        if (c.again)
+            side[k] = fabs(c.again->cell[k]) + fabs(c.again->cell[3 + k]) +
+                      fabs(c.again->cell[6 + k]);
+        side[k] /= m->scale[k];
         if (side[k] > longest) longest = side[k];
         whole *= side[k];
     }
+    if (c.again) whole = c.again->volume;
     /* volumes are right but for roundings of lengths times surfaces */
     slack = 1e-15 * longest * (side[0] * side[1] + side[1] * side[2] +
                                side[2] * side[0]);
     if (!(whole > 0.0 && fabs(all.volume - whole) <= 1e-9 * whole + slack))
         fail("the cells' volumes sum to %.15g, but the box's is %.15g: use "
              "other units, as by -scale, or a smaller box", all.volume, whole);
-    if (c.tet) tell("periodic      %ld tetrahedra\n", (long)c.periods);
     tell("cells         %.0f, their volumes sum to %.15g; the box's is %.15g\n",
          all.cells, all.volume, whole);
     for (o = 0; (o = next_output(cells_forms, o)) != 0;)
         write_cells(&c, o, volume, faces, &all);
-    for (o = 0; (o = next_output(volumes_forms, o)) != 0;)
-        write_volumes(&c, o, volume, faces);
+    for (o = 0, k = 0; (o = next_output(volumes_forms, o)) != 0;)
+        finish(file[k++], o);
+    free(file);
     free(volume);
     free(faces);
     clear(&c);

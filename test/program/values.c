@@ -14,7 +14,6 @@
 #include "driver.h"
 #include "values.h"
 
-#define ROUNDS 3 /* of slopes                                      */
 #define STEPS 40 /* of the walk: tess_locate knows better starts   */
 #define MOST 60  /* tetrahedra about a natural neighbour, at first */
 #define FAR 290  /* exponents of two that the recipes cannot do with */

@@ -24,6 +24,8 @@ typedef struct field {
 #define NEAREST 3
 #define METHODS 4
 
+#define ROUNDS 3 /* of slopes, for SMOOTH */
+
 /* What a place outside is given. */
 #define OUT_VALUE 0   /* a number that is given, or NaN               */
 #define OUT_NEAREST 1 /* what the hull's point nearest to it is given */

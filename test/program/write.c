@@ -663,48 +663,106 @@ void write_vtu(const mesh *m, output *o)
 
 const char *xml_text(const char *text)
 {
-    static char safe[6 * TITLE];
+    static char safe[6 * TEXT];
     char *c = safe;
     int k;
 
     for (; *text && c < safe + sizeof safe - 6; text++)
-        if ((k = utf8(text)) != 1) {
-            /* (or no reader takes the file) */
-            *c++ = k ? *text : '?';
-            for (; k > 1; k--) *c++ = *++text;
-        } else if (strchr("<>&\"", *text) || (*text > 0 && *text < ' '))
-            c += sprintf(c, "&#%d;", *text < ' ' ? ' ' : *text);
-        else
+        if ((k = utf8(text)) > 1) {
             *c++ = *text;
+            for (; k > 1; k--) *c++ = *++text;
+        } else if (k == 0 || strchr("<>&\"", *text))
+            c += sprintf(c, "&#%d;", (unsigned char)*text);
+        else
+            *c++ = *text < ' ' ? ' ' : *text;
     *c = '\0';
     return safe;
 }
 
+/* piece - number k of the texts in a list with commas; length: of it, or 0. */
+static const char *piece(const char *list, int k, int *length)
+{
+    for (*length = 0; list; list += *length + 1, k--) {
+        *length = (int)strcspn(list, ",");
+        if (k == 0) return list;
+        if (!list[*length]) break;
+    }
+    *length = 0;
+    return "";
+}
+
+void begin_look(const points *in, draw_look *look)
+{
+    static char text[4][2 * TITLE + 10];
+    const char *unit, *name;
+    int k, length;
+
+    draw_default(look);
+    for (k = 0; k < 4; k++) {
+        unit = piece(chosen.unit, k, &length);
+        /* (one for all axes) */
+        if (k > 1 && length == 0) unit = piece(chosen.unit, 1, &length);
+        if (length > TITLE) length = TITLE;
+        name = k > 0 ? in->axis[k - 1] : in->columns > 0 ? in->name[0] : "";
+        if (k > 0 && !name[0]) name = look->name[k - 1];
+        /* (what has no name, but a unit) */
+        if (k == 0 && length > 0 && strcmp(name, "value") == 0) name = "";
+        sprintf(text[k], "%s%s%.*s", name, name[0] && length > 0 ? ", " : "",
+                length, unit);
+        if (k > 0) look->name[k - 1] = text[k];
+        if (k > 0 && chosen.scaled) look->scale[k - 1] = chosen.scale[k - 1];
+    }
+    look->label = text[0];
+    look->title = chosen.title;
+    look->bare = chosen.bare;
+    if (chosen.pixels[0] > 0.0) {
+        look->width = (int)chosen.pixels[0];
+        look->height = (int)chosen.pixels[1];
+    }
+}
+
 void write_svg(const mesh *m, output *o)
 {
-    static char note[120];
+    static const char *const what[] = {"points", "whole", "cut",
+                                       "field", "apart"};
+    static char note[400];
     FILE *file = start(o, 0.0);
     const points *in = m->in;
-    tess_int drawn = m->kept, i;
     double *first = 0; /* value of each point */
+    double side[3], low, high, x;
+    tess_int i;
     draw_look look;
+    int k;
 
-    draw_default(&look);
+    begin_look(in, &look);
     if (chosen.view[0] >= -360.0) {
         look.azimuth = chosen.view[0];
         look.elevation = chosen.view[1];
     }
-    look.keep = m->keep;
-    look.shrink = drawn > FEW ? 1.0 : 0.72;
-    look.cut = drawn > FEW;
-    look.label = xml_text(in->name[0]);
-    sprintf(note, "%ld points, %ld tetrahedra%s", (long)in->n, (long)drawn,
-            in->columns > 0 ? "" : "; coloured by distance from the middle");
+    look.what = m->kept > FEW ? DRAW_CUT : DRAW_APART;
+    for (k = 0; k < 5 && chosen.draw; k++)
+        if (strcmp(chosen.draw, what[k]) == 0) look.what = k;
+    sprintf(note, "%ld points", (long)in->n);
+    if (look.what != DRAW_POINTS)
+        sprintf(note + strlen(note), ", %ld tetrahedra", (long)m->kept);
+    if (in->columns == 0 && look.what == DRAW_APART)
+        strcat(note, "; coloured by distance from the middle");
+    for (k = 0; k < 3; k++) {
+        low = high = (double)in->p[k];
+        for (i = 1; i < in->n; i++) {
+            x = (double)in->p[3 * i + k];
+            if (x < low) low = x;
+            if (x > high) high = x;
+        }
+        side[k] = high / 2.0 - low / 2.0;
+    }
+    draw_even(&look, side, chosen.scaled ? LONGEST : LONGER, note);
     look.note = note;
     if (in->columns > 0) first = (double *)space((double)in->n, sizeof *first);
     for (i = 0; i < in->n && first; i++)
         first[i] = in->value[(size_t)in->columns * (size_t)i];
-    if (draw_svg(file, &look, in->n, m->p, first, m->ntet, m->tet, m->adj) != 0)
+    if (draw_svg(file, &look, in->n, in->p, first, m->ntet, m->tet, m->adj,
+                 m->keep) != 0)
         fail("not enough memory for a picture");
     free(first);
     finish(file, o);

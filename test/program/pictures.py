@@ -1,0 +1,306 @@
+# pictures.py - the pictures of build/tess, read back and compared with what
+# NumPy computes; driver.sh runs it.
+#
+#   python3 pictures.py TESS
+#
+# In the current directory, where it leaves its files.  Prints `ok ...' or
+# `FAILED ...' for each test.
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as xml
+
+import numpy as np
+
+TESS = sys.argv[1]
+SVG = "{http://www.w3.org/2000/svg}"
+random = np.random.default_rng(3)
+
+
+def test(name, good):
+    print("ok      " + name if good else "FAILED  " + name, flush=True)
+
+
+def tess(*arguments):
+    """The program's picture, p.svg."""
+    subprocess.run([TESS, "-q"] + [str(a) for a in arguments], check=True,
+                   timeout=200)
+    return xml.parse("p.svg").getroot()
+
+
+def loops(path):
+    """A path's outlines, an array of corners each."""
+    found = []
+    for command, numbers in re.findall(r"([MLl])([-\d. ]+)", path):
+        xy = np.array([float(x) for x in re.findall(r"-?[\d.]+", numbers)])
+        xy = xy.reshape(-1, 2)
+        if command == "M":
+            found.append(xy)
+        else:
+            if command == "l":
+                xy = found[-1][-1] + np.cumsum(xy, 0)
+            found[-1] = np.vstack((found[-1], xy))
+    return found
+
+
+def winding(outlines, at):
+    """How often these go round each of the places."""
+    turns = np.zeros(len(at), int)
+    for a in outlines:
+        b = np.roll(a, -1, 0)
+        for (x0, y0), (x1, y1) in zip(a, b):
+            if y0 == y1:
+                continue
+            side = (x1 - x0) * (at[:, 1] - y0) - (at[:, 0] - x0) * (y1 - y0)
+            up = (y0 <= at[:, 1]) & (at[:, 1] < y1) & (side < 0)
+            down = (y1 <= at[:, 1]) & (at[:, 1] < y0) & (side > 0)
+            turns += up.astype(int) - down.astype(int)
+    return turns
+
+
+def axes(svg):
+    """Of each axis its name, the numbers at its ticks, where these are."""
+    group = [g for g in svg.iter(SVG + "g") if g.get("class") == "axes"][0]
+    found, texts = [], []
+    for part in group.iter():
+        if part.tag == SVG + "path":
+            line = loops(part.get("d"))
+            found.append([None, [], np.array([a[0] for a in line[1:]])])
+        elif part.tag == SVG + "text":
+            axis = found[-1]
+            if len(axis[1]) < len(axis[2]):
+                axis[1].append(float(part.text))
+            else:
+                axis[0] = part.text
+    return [(name, np.array(numbers), at) for name, numbers, at in found]
+
+
+def save(name, p, *columns, names="x,y,z,T"):
+    rows = np.column_stack((p,) + columns)
+    np.savetxt(name, rows, fmt="%.17g", delimiter=",", comments="",
+               header=",".join(names.split(",")[:rows.shape[1]]))
+
+
+def texts(svg):
+    return [t.text for t in svg.iter(SVG + "text")]
+
+
+# ---- slices ----
+
+def field(x, z):
+    return np.sin(3 * x) * np.cos(2 * z) + 0.3 * x
+
+
+def slice_fits(options, many, scale):
+    """Is each place of the grid in as many bands as its value says, where the
+    axes say it is?  Are lengths along these as scale says?"""
+    svg = tess("-grid", "%d,1,%d" % many, "-values", "p.svg", "-values",
+               "p.csv", *options)
+    rows = np.genfromtxt("p.csv", delimiter=",", skip_header=1)
+    value = rows[:, 3].reshape(many[1], many[0])
+    place = []
+    for (name, numbers, at), k, m in zip(axes(svg), (0, 2), (0, 1)):
+        # from coordinates to the picture: a line through the ticks
+        a, b = np.polyfit(numbers, at[:, m], 1)
+        if np.abs(a * numbers + b - at[:, m]).max() > 1.0 or len(numbers) < 3:
+            return False
+        if np.sign(a) != (1, -1)[m] * np.sign(scale[k]):
+            return False
+        place.append((a, b))
+    wide = abs(place[1][0] / place[0][0])
+    if abs(wide * abs(scale[0] / scale[2]) - 1) > 1e-2:
+        return False
+    at = np.column_stack([a * rows[:, k] + b
+                          for (a, b), k in zip(place, (0, 2))])
+    bands = [p for p in svg.iter(SVG + "path")
+             if len(p.get("fill", "")) == 7 and p.get("d")]
+    group = [g for g in svg.iter(SVG + "g") if g.get("class") == "bar"][0]
+    ticks = np.array([float(t.text) for t in group.iter(SVG + "text")
+                      if re.fullmatch(r"[-\d.]+", t.text)])
+    step = (ticks[1] - ticks[0]) / 5
+    inside = sum((winding(loops(p.get("d")), at) != 0).astype(int)
+                 for p in bands).reshape(value.shape)
+    seen = value[np.isfinite(value)]
+    least = step * np.floor(seen.min() / step + 1e-9)
+    want = np.floor((value - least) / step) + 1
+    # (but for places where a contour is near, and the rim, where outlines end)
+    sure = np.abs((value - least) / step % 1 - 0.5) < 0.45
+    sure[[0, -1]] = sure[:, [0, -1]] = False
+    rim = np.vstack(loops(bands[0].get("d")))
+    # corners of contours: where their level is between two places
+    for k, band in enumerate(bands[1:], 1):
+        i, j = [np.abs((np.vstack(loops(band.get("d")))[:, m] - b) / a - low) /
+                (high - low) * (n - 1) for m, (a, b), low, high, n in
+                zip((0, 1), place, rows[0, [0, 2]], rows[-1, [0, 2]], many)]
+        x, y = np.round(i).astype(int), np.round(j).astype(int)
+        across = np.abs(j - y) < np.abs(i - x)
+        m = np.where(across, np.floor(i), x).astype(int).clip(0, many[0] - 1)
+        n = np.where(across, y, np.floor(j)).astype(int).clip(0, many[1] - 1)
+        a = value[n, m]
+        b = value[(n + ~across).clip(0, many[1] - 1),
+                  (m + across).clip(0, many[0] - 1)]
+        s = np.where(across, i - m, j - n)
+        off = np.abs(a + s * (b - a) - least - k * step)
+        inner = (i > .1) & (j > .1) & (i < many[0] - 1.1) & \
+            (j < many[1] - 1.1) & (np.abs(i - x) + np.abs(j - y) > 0.03)
+        if (off > 0.012 * np.abs(b - a) + 1e-9)[inner].any():
+            return False
+    return len(bands) > 9 and sure.sum() > 0.75 * value.size and \
+        np.array_equal(inside[sure], want[sure]) and \
+        np.abs(rim.max(0) - at.max(0)).max() < 2 and \
+        np.abs(rim.min(0) - at.min(0)).max() < 2
+
+
+p = random.random((400, 3)) * (2, 1, 1)
+corners = np.array([[x, y, z] for x in (0, 2) for y in (0, 1) for z in (0, 1)])
+p = np.vstack((corners, p))
+save("box.csv", p, field(p[:, 0], p[:, 2]))
+for scale in (1, 1, 1), (1, 1, -1), (-1, 1, 1), (2, 1, -3):
+    test("slice: bands, axes, aspect, -scale %g,%g,%g" % scale, slice_fits(
+        ["-scale", "%g,%g,%g" % scale, "box.csv"], (41, 31), scale))
+test("slice: a method that is smooth", slice_fits(
+    ["-method", "smooth", "box.csv"], (60, 40), (1, 1, 1)))
+
+# a saddle: what is high, or low, is joined as the mean of four says
+save("saddle.csv", corners, corners[:, 0] / 2 == corners[:, 2])
+svg = tess("-grid", "2,1,2", "-values", "p.svg", "saddle.csv")
+middle = np.array([[at[:, k].mean() for k, (_, _, at) in enumerate(axes(svg))]])
+joined = [winding(loops(p.get("d")), middle)[0] != 0
+          for p in svg.iter(SVG + "path") if len(p.get("fill", "")) == 7]
+test("slice: a saddle", joined == [True] * 13 + [False] * 12)
+
+# a ball with a hollow: what is drawn ends where the tetrahedra do
+x = random.normal(size=(3000, 3))
+x /= np.linalg.norm(x, axis=1)[:, None]
+x *= np.cbrt(random.random(3000) * 7 + 1)[:, None]
+save("ball.csv", x, x[:, 0])
+for options in [], ["-alpha", "0.35"], ["-scale", "1,1,-1", "-alpha", "0.35"]:
+    svg = tess("-grid", "80,60,1", "-values", "p.svg", "-values", "p.csv",
+               *options, "ball.csv")
+    rows = np.genfromtxt("p.csv", delimiter=",", skip_header=1)
+    lines = [np.polyfit(n, at[:, k], 1)
+             for k, (_, n, at) in enumerate(axes(svg))]
+    at = np.column_stack([a * rows[:, k] + b for k, (a, b) in enumerate(lines)])
+    mask = [m for m in svg.iter(SVG + "mask")][0]
+    outlines = loops(mask[0].get("d"))
+    inside = winding(outlines, at)
+    want = ~np.isnan(rows[:, 3])
+    # (but for places at the rim)
+    near = [winding(outlines, at + d) != inside
+            for d in ((2, 0), (-2, 0), (0, 2), (0, -2))]
+    sure = ~np.any(near, axis=0)
+    test("slice: where the tetrahedra end, %s" % " ".join(options),
+         set(inside[sure]) <= {0, 1, -1} and sure.sum() > 4500 and
+         np.array_equal((inside != 0)[sure], want[sure]) and
+         want.sum() > 1000 and (~want).sum() > 1000)
+
+# a number outside is drawn as any other; one place is said with its unit
+svg = tess("-outside", "-3", "-grid", "80,60,1", "-values", "p.svg", "ball.csv")
+test("slice: -outside VALUE", not list(svg.iter(SVG + "mask")) and
+     {"-3", "-3.0"} & set(texts(svg)))
+svg = tess("-unit", "K,m", "-title", "a<b & c", "-grid", "9,1,9,-1,1,.5,.5,-1,1",
+           "-values", "p.svg", "ball.csv")
+test("slice: -title, -unit, names of axes", {"a<b & c", "T, K", "x, m", "z, m"}
+     <= set(texts(svg)) and any("y = 0.5 m; linear" in t for t in texts(svg)))
+save("thin.csv", p * (1, 1, 1e-3), p[:, 0], names="lon,lat,depth,T")
+svg = tess("-scale", "1,1,1000", "-cols", "lon,lat,depth,T", "-grid", "9,1,9",
+           "-values", "p.svg", "thin.csv")
+test("slice: the column's name, and nothing drawn otherwise than -scale says",
+     {"lon", "depth"} <= set(texts(svg)) and
+     not any("times" in t for t in texts(svg)))
+svg = tess("-cols", "lon,lat,depth,T", "-grid", "9,1,9", "-values", "p.svg",
+           "thin.csv")
+(_, a, at), (_, b, bt) = axes(svg)
+times = [re.search("depth is drawn ([0-9]+) times", t) for t in texts(svg)]
+times = [float(t.group(1)) for t in times if t]
+test("slice: a thin one is drawn larger, and it is said", len(times) == 1 and
+     abs(np.polyfit(b, bt[:, 1], 1)[0] / np.polyfit(a, at[:, 0], 1)[0] /
+         -times[0] - 1) < 0.02)
+
+# ---- points and tetrahedra ----
+
+def rows_of(azimuth, elevation):
+    a, e = np.radians(azimuth), np.radians(elevation)
+    return np.array([[-np.sin(a), np.cos(a), 0],
+                     [-np.sin(e) * np.cos(a), -np.sin(e) * np.sin(a),
+                      np.cos(e)],
+                     [np.cos(e) * np.cos(a), np.cos(e) * np.sin(a),
+                      np.sin(e)]])
+
+
+few = random.random((40, 3)) * (3, 2, 1)
+save("few.csv", few, few[:, 0] * few[:, 1])
+for azimuth, elevation, scale in ((-68, 28, (1, 1, 1)), (200, -35, (1, 1, 1)),
+                                  (20, 60, (1, 2, -1)), (-68, 28, (-1, 1, -1))):
+    name = "-view %g %g -scale %g,%g,%g" % ((azimuth, elevation) + scale)
+    options = ["-view", azimuth, elevation, "-scale", "%g,%g,%g" % scale,
+               "few.csv", "-svg", "p.svg"]
+    svg = tess("-draw", "points", *options)
+    turn = rows_of(azimuth, elevation) * scale
+    dots = [(a[0], int(path.get("class")[1:]))
+            for path in svg.iter(SVG + "path") if path.get("class")
+            for a in loops(path.get("d"))]
+    order = np.argsort(few @ turn[2])
+    at = np.array([d[0] for d in dots])
+    seen = few[order] @ turn[:2].T * (1, -1)
+    size = np.ptp(at, 0)[0] / np.ptp(seen, 0)[0]
+    shift = (at - size * seen).mean(0)
+    test("points: where they are, from back to front, " + name,
+         len(at) == 40 and np.abs(at - size * seen - shift).max() < 1.1)
+    value = (few[:, 0] * few[:, 1])[order]
+    band = np.array([d[1] for d in dots])
+    test("points: colours, " + name, all(
+        value[band == k].max() <= value[band == k + 1].min()
+        for k in range(band.max()) if (band == k).any() and
+        (band == k + 1).any()) and len(set(band)) > 9)
+    low, high = few.min(0), few.max(0)
+    good = []
+    for k, (title, numbers, ticks) in enumerate(axes(svg)):
+        # ticks are at one of the box's four edges along this axis
+        fits = []
+        for m in range(4):
+            x = np.where([m & 1, m & 1, m & 1], low, high)
+            others = [j for j in range(3) if j != k]
+            x[others[1]] = (low, high)[m >> 1][others[1]]
+            x = np.tile(x, (len(numbers), 1))
+            x[:, k] = numbers
+            want = x @ turn[:2].T * (1, -1) * size + shift
+            fits.append(np.abs(want - ticks).max() < 2)
+        good.append(sum(fits) == 1 and title == "xyz"[k] and len(numbers) > 0)
+    test("points: axes, " + name, good == [True] * 3)
+    # one tetrahedron: the facets that face the viewer, and no other
+    four = few[:4]
+    np.savetxt("four", four, fmt="%.17g")
+    svg = tess("-draw", "whole", "-view", azimuth, elevation, "-scale",
+               "%g,%g,%g" % scale, "four", "-svg", "p.svg")
+    drawn = [a for path in svg.iter(SVG + "path") if path.get("class")
+             for a in loops(path.get("d"))]
+    flat = four @ turn[:2].T * (1, -1)
+    low = np.vstack(drawn).min(0)
+    place = flat - flat.min(0)
+    place *= np.ptp(np.vstack(drawn), 0)[0] / place[:, 0].max()
+    want = []
+    for k in range(4):
+        face = np.delete(four * scale, k, 0)
+        normal = np.cross(face[1] - face[0], face[2] - face[0])
+        outward = normal * np.sign(normal @ (face[0] - four[k] * scale))
+        if outward @ rows_of(azimuth, elevation)[2] > 0:
+            want.append(k)
+    got = [[i for i in range(4) if np.abs(a - low - place[i]).max(1).min() > 2]
+           for a in drawn]
+    test("tetrahedra: the facets that are seen, " + name,
+         sorted(got) == [[k] for k in want])
+
+svg = tess("-draw", "points", "-bare", "-size", "300,200", "few.csv", "-svg",
+           "p.svg")
+test("-bare, -size", texts(svg) == [] and svg.get("width") == "300" and
+     svg.get("height") == "200" and not [
+         g for g in svg.iter(SVG + "g") if g.get("class")])
+open("latin.csv", "wb").write(
+    b"x,y,z,\xb0C\n" + b"".join(b"%f,%f,%f,1\n" % tuple(r) for r in few))
+svg = tess("-title", "\u00e9 \u2192", "latin.csv", "-svg", "p.svg")
+test("texts: Latin-1 and UTF-8", {"\u00b0C", "\u00e9 \u2192"} <= set(texts(svg)))
+svg = tess("-draw", "field", "ball.csv", "-svg", "p.svg")
+classes = {path.get("class", "")[:1] for path in svg.iter(SVG + "path")}
+test("-draw field: no edges", classes <= set("abcde") | {""} and
+     len(classes) > 3)
