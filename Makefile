@@ -17,6 +17,7 @@
 # make torture    a hunt for faults: TIME=600 seconds, SEED=1
 # make certify    the same for the bounds of the search alone: TIME, SEED
 # make coverage   which lines of the library the tests run (gcov)
+# make evidence   that, and TIME seconds of each hunt: test/results/evidence.txt
 # make mutation   which changes of it they notice: sh test/hunts/mutate.sh
 # make errors     a table: errors of interpolation, linear and by slopes
 # make reach      other machines and compilers: test/results/reach.txt
@@ -226,6 +227,9 @@ certify:
 coverage:
 	CC="$(CC)" sh test/hunts/coverage.sh
 
+evidence:
+	CC="$(CC)" sh test/hunts/evidence.sh $(TIME) $(SEED)
+
 mutation:
 	CC="$(CC)" sh test/hunts/mutate.sh
 
@@ -264,5 +268,5 @@ help:
 	@sed -n '/^[^#]/q;s/^# \{0,1\}//p' Makefile
 
 .PHONY: all run grid examples python octave pictures errors check \
-    check-all $(UNITS) t_index torture certify coverage mutation bench mpi \
+    check-all $(UNITS) t_index torture certify coverage evidence mutation bench mpi \
     paper reach manual mirror clean help
