@@ -18,7 +18,8 @@
 # make certify    the same for the bounds of the search alone: TIME, SEED
 # make coverage   which lines of the library the tests run (gcov)
 # make evidence   that, and TIME seconds of each hunt: test/results/evidence.txt
-# make mutation   which changes of it they notice: sh test/hunts/mutate.sh
+# make mutation   which changes of it they notice: N=100 changes, SEED=1;
+#                 test/results/mutation.txt
 # make errors     a table: errors of interpolation, linear and by slopes
 # make reach      other machines and compilers: test/results/reach.txt
 # make mpi        build/mesh, for processes that share nothing: test/mpi/mesh.c
@@ -40,6 +41,7 @@ POINTS = test/data/mirror.xyz
 OPTIONS =
 TIME = 600
 SEED =
+N = 100
 
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
@@ -231,7 +233,7 @@ evidence:
 	CC="$(CC)" sh test/hunts/evidence.sh $(TIME) $(SEED)
 
 mutation:
-	CC="$(CC)" sh test/hunts/mutate.sh
+	CC="$(CC)" sh test/hunts/mutate.sh $(N) $(SEED)
 
 bench: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" FAMILY="$(FAMILY)" SIZES="$(SIZES)" \
@@ -268,5 +270,5 @@ help:
 	@sed -n '/^[^#]/q;s/^# \{0,1\}//p' Makefile
 
 .PHONY: all run grid examples python octave pictures errors check \
-    check-all $(UNITS) t_index torture certify coverage evidence mutation bench mpi \
-    paper reach manual mirror clean help
+    check-all $(UNITS) t_index torture certify coverage evidence mutation \
+    bench mpi paper reach manual mirror clean help
