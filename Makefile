@@ -17,7 +17,9 @@
 # make torture    a hunt for faults: TIME=600 seconds, SEED=1
 # make certify    the same for the bounds of the search alone: TIME, SEED
 # make coverage   which lines of the library the tests run (gcov)
-# make mutation   which changes of it they notice: sh test/hunts/mutate.sh
+# make evidence   that, and TIME seconds of each hunt: test/results/evidence.txt
+# make mutation   which changes of it they notice: N=100 changes, SEED=1;
+#                 test/results/mutation.txt
 # make errors     a table: errors of interpolation, linear and by slopes
 # make reach      other machines and compilers: test/results/reach.txt
 # make mpi        build/mesh, for processes that share nothing: test/mpi/mesh.c
@@ -39,6 +41,7 @@ POINTS = test/data/mirror.xyz
 OPTIONS =
 TIME = 600
 SEED =
+N = 100
 
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
@@ -231,8 +234,11 @@ certify:
 coverage:
 	CC="$(CC)" sh test/hunts/coverage.sh
 
+evidence:
+	CC="$(CC)" sh test/hunts/evidence.sh $(TIME) $(SEED)
+
 mutation:
-	CC="$(CC)" sh test/hunts/mutate.sh
+	CC="$(CC)" sh test/hunts/mutate.sh $(N) $(SEED)
 
 bench: all
 	CC="$(CC)" CFLAGS="$(CFLAGS)" FAMILY="$(FAMILY)" SIZES="$(SIZES)" \
@@ -269,5 +275,5 @@ help:
 	@sed -n '/^[^#]/q;s/^# \{0,1\}//p' Makefile
 
 .PHONY: all run grid examples python octave pictures errors check \
-    check-all $(UNITS) t_index torture certify coverage mutation bench mpi \
-    paper reach manual mirror clean help
+    check-all $(UNITS) t_index torture certify coverage evidence mutation \
+    bench mpi paper reach manual mirror clean help

@@ -199,7 +199,7 @@ figure() {
     : > $B/out
 }
 : > $B/out
-commas() { sed -e ':a' -e 's/\([0-9]\)\([0-9]\{3\}\)\($\|,\)/\1,\2\3/' -e ta; }
+commas() { sed -e :a -e 's/\([0-9]\)\([0-9]\{3\}\)\($\|,\)/\1,\2\3/' -e ta; }
 
 # cell TABLE ROW NUMBER COLUMN: in bench.txt's first table behind a line that
 # begins so
@@ -253,6 +253,14 @@ figure flash "from $(small "$M4" 4 1000 %.0f) KB of flash"
 figure stack "$(small "$M4" 7 1000 %.0f) KB of stack, \
 $(small "$M4" 4 1000 %.0f) KB of flash; $(small '| 100 |' 5 1000 %.1f) KB of \
 arrays for 100 points, $(small '| 100 |' 8 1000 %.1f) KB without a mesh"
+figure coverage "run $(awk '$2 == "lines" { ran += $3; all += $5 }
+    END { print ran, all }' $R/evidence.txt | tr ' ' '\n' | commas |
+    paste -s -d : - | sed 's/:/ of /') lines"
+figure bounds "$(awk '/^certify: .* certificates$/ { printf "%.1f", $(NF-1) / 1e6 }
+    ' $R/evidence.txt) million bounds"
+figure sets "results of $(sed -n 's/^torture: \([0-9]*\) sets, 0 faults$/\1/p' \
+    $R/evidence.txt | commas) hard sets"
+
 # ---- shell ----
 
 if command -v shellcheck > /dev/null; then

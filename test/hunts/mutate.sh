@@ -8,14 +8,16 @@
 #         changes of which LIST has a line each, FILE K: all tests, or TEST.
 #         The last one is kept in build/mutation/new
 #
-# A change that leaves the object code as it is, or does not compile, is left
-# out, and not counted in N nor in SKIP.  Caught is what fails a test, crashes,
-# or takes four times as long as the library does or more.  Of a change that
-# survives is said whether it alters what a search looks at (the counts of
-# TESS_COUNT): "elsewhere" if so, "survived" if those are the same, too.
+# A change that leaves the object code as it is, or does not compile, or is in
+# test/hunts/equivalents, is left out, and not counted in N nor in SKIP.  Caught
+# is what fails a test, crashes, or takes four times as long as the library does
+# or more.  Of a change that survives is said whether it alters what a search
+# looks at (the counts of TESS_COUNT): "elsewhere" if so, "survived" if those
+# are the same, too.
 #
 # Run from the top directory; takes CC.  The last line is
-# `mutation: N changes, C caught, E look elsewhere, S survived'.
+# `mutation: N changes, C caught, E look elsewhere, S survived'; without SKIP
+# all is written to test/results/mutation.txt.
 . test/tests.sh
 set -f
 DIR=build/mutation
@@ -111,6 +113,28 @@ change() {
     return 0
 }
 
+# entry FILE LINE K: as in equivalents.  A change that a line allows more than
+# once has (2), (3) ... behind it.
+entry() {
+    echo "$1: $(sed -n "$2{s/^ *//;s/ *\$//;p;}" "$1")"
+    awk -v f="$1" -v line="$2" -v k="$3" '$1 == f && $3 == line {
+        what = $0
+        for (i = 0; i < 3; i++) sub(/^[^ ]* /, "", what)
+        n = ++seen[what]
+        if ($2 == k) print what (n > 1 ? " (" n ")" : "")
+    }' $DIR/all.txt
+}
+
+# equivalent FILE LINE K: is it said to be so?
+equivalent() {
+    entry "$1" "$2" "$3" > $DIR/entry
+    awk 'NR == FNR { want[NR] = $0; next }
+        { sub(/^ */, "") }
+        $0 == want[1] { at = FNR }
+        at && FNR == at + 1 && $0 == want[2] { found = 1; exit }
+        END { exit !found }' $DIR/entry test/hunts/equivalents
+}
+
 # verdict FILE: which test catches it, or what survives
 verdict() {
     for t in $TEST; do
@@ -127,6 +151,10 @@ verdict() {
         echo elsewhere
     fi
 }
+
+for f in tess.c hhpred.c; do
+    $DIR/mutant $f | sed "s/^/$f /"
+done > $DIR/all.txt
 
 if [ "$1" = -those ]; then
     [ -z "$3" ] || TEST=$3
@@ -147,44 +175,59 @@ fi
 [ -z "$1" ] || N=$1
 [ -z "$2" ] || SEED=$2
 [ -z "$3" ] || SKIP=$3
-for f in tess.c hhpred.c; do
-    $DIR/mutant $f | sed "s/^/$f /"
-done > $DIR/all.txt
 total=`wc -l < $DIR/all.txt`
 $DIR/mutant -draw $total $SEED > $DIR/draw.txt
 
-done=0
-caught=0
-elsewhere=0
-survived=0
-same=0
-broken=0
-while [ $done -lt $N ] && read k; do
-    what=`sed -n ${k}p $DIR/all.txt`
-    set -- $what
-    file=$1
-    place=$2
-    line=$3
-    shift 3
-    change $file $place
-    case $? in
-    1) broken=`expr $broken + 1`; continue;;
-    2) same=`expr $same + 1`; continue;;
-    esac
-    if [ $SKIP -gt 0 ]; then
-        SKIP=`expr $SKIP - 1`
-        continue
-    fi
-    answer=`verdict $file`
-    done=`expr $done + 1`
-    case $answer in
-    caught*) caught=`expr $caught + 1`;;
-    elsewhere) elsewhere=`expr $elsewhere + 1`;;
-    *) survived=`expr $survived + 1`;;
-    esac
-    # (not *: the shell would put the names of files there)
-    printf '%s\n' "$file:$line ($place) $answer: ${what#* * * }"
-done < $DIR/draw.txt
-echo "        the same object code $same, does not compile $broken"
-echo "mutation: $done changes, $caught caught," \
-    "$elsewhere look elsewhere, $survived survived"
+# hunt: the changes drawn, a line each
+hunt() {
+    done=0
+    caught=0
+    elsewhere=0
+    survived=0
+    same=0
+    broken=0
+    equal=0
+    while [ $done -lt $N ] && read k; do
+        what=`sed -n ${k}p $DIR/all.txt`
+        set -- $what
+        file=$1
+        place=$2
+        line=$3
+        shift 3
+        change $file $place
+        case $? in
+        1) broken=`expr $broken + 1`; continue;;
+        2) same=`expr $same + 1`; continue;;
+        esac
+        if equivalent $file $line $place; then
+            equal=`expr $equal + 1`
+            continue
+        fi
+        if [ $SKIP -gt 0 ]; then
+            SKIP=`expr $SKIP - 1`
+            continue
+        fi
+        answer=`verdict $file`
+        done=`expr $done + 1`
+        case $answer in
+        caught*) caught=`expr $caught + 1`;;
+        elsewhere) elsewhere=`expr $elsewhere + 1`;;
+        *) survived=`expr $survived + 1`;;
+        esac
+        printf '%s\n' "$file:$line ($place) $answer: ${what#* * * }"
+        case $answer in
+        caught*) ;;
+        *) entry $file $line $place | sed 's/^/        /';;
+        esac
+    done < $DIR/draw.txt
+    echo "        the same object code $same, does not compile $broken," \
+        "equivalent $equal"
+    echo "mutation: $done changes, $caught caught," \
+        "$elsewhere look elsewhere, $survived survived"
+}
+hunt | tee $DIR/report
+[ $SKIP != 0 ] || {
+    echo "Written by: make mutation N=$N SEED=$SEED"
+    echo
+    cat $DIR/report
+} > test/results/mutation.txt

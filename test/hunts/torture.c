@@ -55,7 +55,7 @@
 #define LENGTH 80000
 #define GUARD 16    /* words beyond each end of an array */
 #define FEW 12      /* points */
-#define LIMIT 20    /* seconds of the processor that a call may take */
+#define LIMIT 100   /* seconds of the processor that a call may take */
 #define HUNG 77
 #ifdef TESS_FLOAT
 #define NORMAL FLT_MIN

@@ -229,6 +229,38 @@ machine_table() {
     fi
 }
 
+# instructions NAME COMPILER BOARD: a row of the table of instructions
+instructions() {
+    $2 -Os $SMALL -nostartfiles --specs=nano.specs \
+        -T test/machines/bare/cortex.ld -Wl,--defsym=MEMORY_SIZE=0x40000 \
+        -o $B/count test/machines/count.c test/machines/bare/cortex.c $LIBRARY \
+        -lm 2>> $B/log &&
+        limited 100 qemu-system-arm -M "$3" -nographic -semihosting \
+            -icount shift=10,sleep=off -kernel $B/count > $B/count.txt 2>> $B/log
+    read -r loop mesh place index query found < $B/count.txt
+    # the loop's 2000, and the few about it
+    if [ "0 0 0 0 0 $found" = "$(cat $B/counted.txt)" ] &&
+        [ "$loop" -ge 2000 ] && [ "$loop" -lt 2040 ]; then
+        echo "| $1 | $mesh | $place | $index | $query |"
+    else
+        echo "| $1 | **another** result | | | |"
+    fi
+}
+
+count_table() {
+    # shellcheck disable=SC2086
+    $CC -O1 $SMALL -o $B/counted test/machines/count.c $LIBRARY -lm &&
+        $B/counted > $B/counted.txt
+    echo "| machine | tess | tess_locate | tess_index | tess_query |"
+    echo "| --- | ---: | ---: | ---: | ---: |"
+    if there arm-none-eabi-gcc && there qemu-system-arm; then
+        instructions "Cortex-M4" "$M4" mps2-an386
+        instructions "Cortex-M0" "$M0" mps2-an385
+    else
+        echo "| Cortex-M | not to be had | | | |"
+    fi
+}
+
 # ram: bytes of all arrays, p too, for 7 n tetrahedra, and without a mesh
 ram() {
     echo "| n | double, int | float, int | float, short | AVR: long | AVR: short | no mesh: float, short | no mesh, AVR: short |"
@@ -318,6 +350,15 @@ test/examples/sensor.c:
 
 END
     ram
+    cat << END
+
+Instructions for 64 sensors, by qemu-system-arm -icount, with -Os and
+\`$SMALL\`: the mesh; a place in
+it, found without a start, the mean of 100; and without a mesh the index and such
+a place:
+
+END
+    count_table
     cat << 'END'
 
 Limbs that suffice, by trial of 20 sets of 60 random points each:

@@ -34,14 +34,14 @@ def tables(name):
 
 def number(row, program):
     """What the row says of a program; None if that is nothing; what was ended
-    because it took too long, as > 60 s, is more than all."""
+    because it took too long, as > 60 s, is more than all, and a failure nan."""
     text = row.get(program, "")
     if text.startswith(">"):
         return float("inf")
     try:
         return float(text)
     except ValueError:
-        return None
+        return float("nan") if text else None
 
 
 def largest(rows, family):
@@ -64,10 +64,13 @@ def bars(axes, groups, highest, form):
             if program not in group:
                 continue
             x, y = i + (k - 1.5) * wide, group[program]
+            text = form(y) + " \u2191" * (y > highest)
+            if y == float("inf"):
+                text = "too long \u2191"
+            elif y != y:
+                text, y = "fails", 0
             axes.bar(x, min(y, highest), 0.92 * wide, color=colour)
-            text = form(y) if y < float("inf") else "too long"
-            axes.annotate(text + (" \u2191" if y > highest else ""),
-                          (x, min(y, highest)), (0, 3),
+            axes.annotate(text, (x, min(y, highest)), (0, 3),
                           textcoords="offset points", ha="center", fontsize=8.5,
                           rotation=90 if len(groups) > 1 else 0, color=GREY)
     axes.set_xlim(-0.5, max(len(groups), 1) - 0.5)
@@ -89,20 +92,23 @@ def main():
     sets = [s for s in sets if s[0][0]]
     memory, _ = largest(bytes_, "uniform")
     figure, (left, right) = plt.subplots(
-        1, 2, figsize=(10.8, 3.4), width_ratios=[len(sets) or 1, 1])
+        1, 2, figsize=(9.2, 3.2), width_ratios=[len(sets) or 1, 1])
     bars(left, [s[0][0] for s in sets], HIGHEST, "{:,.0f}".format)
-    left.set_ylim(0, 1.3 * HIGHEST)
+    left.set_ylim(0, 1.36 * HIGHEST)
     left.set_xticks(range(len(sets)), [
         "%s\n%s" % (name, "{:,} points".format(n)) for (_, n), name in sets])
-    left.set_title("nanoseconds per tetrahedron", loc="left", fontsize=11)
+    left.set_title("nanoseconds per tetrahedron: less is better", loc="left",
+                   fontsize=11)
     bars(right, [memory], max(memory.values(), default=1.0),
          "{:,.0f}".format)
-    right.set_ylim(0, 1.3 * max(memory.values(), default=1.0))
+    right.set_ylim(0, 1.36 * max(memory.values(), default=1.0))
     right.set_xticks([0], ["random points\nin a cube\n"])
     right.set_title("bytes per point", loc="left", fontsize=11)
     left.legend([plt.Rectangle((0, 0), 1, 1, color=c) for _, c in PROGRAMS],
-                [p for p, _ in PROGRAMS], loc="upper center", frameon=False,
-                ncols=len(PROGRAMS), bbox_to_anchor=(0.68, 1.12))
+                [p.replace("Qhull", "Qhull, scipy") for p, _ in PROGRAMS],
+                loc="upper right", bbox_to_anchor=(1.02, 1.16),
+                frameon=False, ncols=len(PROGRAMS), handlelength=1.2,
+                columnspacing=1.2)
     figure.tight_layout()
     figure.savefig(sys.argv[2], transparent=True, metadata={"Date": None})
 
