@@ -217,14 +217,12 @@
 #define THICKEST 8.0
 #define FEW (TESS_LIST * 2 / 5)
 #define GIANT 1e4
-/* The purse of the near lists, in nodes of the tree: a list costs MAKING, and
- * TAKING for each node that was looked at to make it; a search that ends in one
- * earns what searches in the tree take, by and large, less CHECKING for each
- * point considered.  An empty purse rests until one in TAX of the nodes of the
- * tree's searches have filled it to GRANT; it holds no more than FUND. */
-#define MAKING 20.0
-#define TAKING 1.5
-#define CHECKING 0.5
+/* The purse of the near lists, in nodes of the tree.  A search that looks for a
+ * list costs 1; to make one costs 30, and 1.75 for each node that is looked at;
+ * a search that ends in one earns what searches in the tree take, by and large,
+ * less 4, and less 1/2 for each point considered.  An empty purse rests until
+ * one in TAX of the nodes of the tree's searches have filled it to GRANT; it
+ * holds no more than FUND. */
 #define TAX 64.0
 #define GRANT 500.0
 #define FUND 2000.0
@@ -2491,8 +2489,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
  * or nearly so, and prove it empty.  It is larger than the star's list and the
  * block's, but nearly that of a search just before.  So a near list keeps the
  * neighbourhood of a ball for the next ones.  Surfaces take 0.6 to 0.9 of the
- * time.  Where few searches end in the same list, lists do not pay: see
- * MAKING. */
+ * time.  Where few searches end in the same list, lists do not pay: see TAX. */
 
 /* inball - returns 1 if the points that may be better than the best one, those
  * of its ball that are on the open side, lie inside a near list's ball.
@@ -2548,7 +2545,7 @@ static int nearlist(mesh *m, const quest *f, list *l)
     q.skin = m->skin;
     inflate(m, &q);
     treesearch(m, &q);
-    m->fund -= MAKING + TAKING * (double)q.work;
+    m->fund -= 30.0 + 1.75 * (double)q.work;
     if (l->n == 0) return 0;
     m->skin = l->n < FEW && q.skin < THICKEST ? THICKER * q.skin : q.skin;
     l->margin = sqrt(dot(q.c, q.c)) + q.thick;
@@ -2566,6 +2563,7 @@ static int innear(mesh *m, quest *f)
     int place[TESS_LIST + 1], n, i, k = 0, found;
     list *l;
 
+    m->fund -= 1.0;
     do {
         l = m->balls + m->recent[++k];
         found = inball(f, l);
@@ -2580,7 +2578,7 @@ static int innear(mesh *m, quest *f)
     if (n < 0) return 0;
     if (found) {
         COUNT(N_NEAR, 1);
-        m->fund += m->usual - CHECKING * n;
+        m->fund += m->usual - 4.0 - 0.5 * n;
         if (m->fund > FUND) m->fund = FUND;
     }
     for (i = 0; i < n; i++)
@@ -3181,7 +3179,7 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->nsupport = m->futile = m->ties = m->enclosed = 0;
     m->burden = m->patience = m->usual = 0.0;
     m->skin = 1.0;
-    m->fund = FUND;
+    m->fund = GRANT;
     m->np = 0;
     forget(m);
 }

@@ -344,14 +344,14 @@ C               exceed TSLIST, down to THINST
 C       FEW, THICKR, THICKT  if they were less than FEW the next skin is
 C               THICKR times as thick, up to THICKT
 C       GIANT   no near list is made for a ball of this size
-C       MAKING, TAKING, CHECK  the purse of the near lists, in nodes of
-C               the tree: a list costs MAKING, and TAKING for each node
-C               that was looked at to make it; a search that ends in one
-C               earns what searches in the tree take, by and large, less
-C               CHECK for each point considered
-C       TAX, GRANT, FUND  an empty purse rests until one in TAX of the
-C               nodes of the tree's searches have filled it to GRANT; it
-C               holds no more than FUND
+C       TAX, GRANT, FUND  the purse of the near lists, in nodes of the
+C               tree.  A search that looks for a list costs 1; to make
+C               one costs 30, and 1.75 for each node that is looked at;
+C               a search that ends in one earns what searches in the
+C               tree take, by and large, less 4, and less 1/2 for each
+C               point considered.  An empty purse rests until one in TAX
+C               of the nodes of the tree's searches have filled it to
+C               GRANT; it holds no more than FUND
 C       PLANES  number of hull planes remembered
 C       ASTRAY  steps from a given start after which a location looks
 C               for a better one.  With 8, ordered queries among 100,000
@@ -3235,7 +3235,7 @@ C     final ball, or nearly so, and prove it empty.  It is larger than
 C     the star's list and the block's, but nearly that of a search just
 C     before.  So a near list keeps the neighbourhood of a ball for the
 C     next ones.  Surfaces take 0.6 to 0.9 of the time.  Where few
-C     searches end in the same list, lists do not pay: see MAKING.
+C     searches end in the same list, lists do not pay: see TAX.
 
 C     TSINBA - returns 1 if the points that may be better than the best
 C     one, those of its ball that are on the open side, lie inside a
@@ -3308,11 +3308,10 @@ C     they are too many.
      $    LSI(3,8), LIST, V(3), IQ(44), OK
       INTEGER RSKIN, RFUND, LN, LMARG, LAT, BLK, QWORK, QINTO, QSKIN,
      $    QTHICK, FEW
-      DOUBLE PRECISION MAKING, TAKING, THICKR, THICKT
+      DOUBLE PRECISION THICKR, THICKT
       PARAMETER (RSKIN = 7, RFUND = 8, LN = 3, LMARG = 13, LAT = 14,
      $    BLK = 1, QWORK = 43, QINTO = 44, QSKIN = 161, QTHICK = 162,
-     $    FEW = 204, MAKING = 20.0D0, TAKING = 1.5D0,
-     $    THICKR = 1.3D0, THICKT = 8.0D0)
+     $    FEW = 204, THICKR = 1.3D0, THICKT = 8.0D0)
       DOUBLE PRECISION TSDOT, AT(3), G(12), GQ(162), HALF
       INTEGER JQ(44), K
       DO 10 K = 1, 44
@@ -3331,7 +3330,7 @@ C     they are too many.
       CALL TSINFL(LSD(LMARG,BLK), GQ)
       CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
      $            LSX, LSID, LSI, LSD, V, JQ, G, GQ)
-      RCTL(RFUND) = RCTL(RFUND) - (MAKING + TAKING*DBLE(JQ(QWORK)))
+      RCTL(RFUND) = RCTL(RFUND) - (30.0D0 + 1.75D0*DBLE(JQ(QWORK)))
       OK = 0
       IF (LSI(LN,LIST) .EQ. 0) RETURN
       OK = 1
@@ -3361,11 +3360,11 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*),
      $    LSID(TSLIST+48,8), LSI(3,8), V(3), IQ(44), OK
       INTEGER RECENT, RFUND, RUSUAL, QHI, QSIZE, BALLS, DONE
-      DOUBLE PRECISION GIANT, CHECK, FUND
+      DOUBLE PRECISION GIANT, FUND
       PARAMETER (RECENT = 86, RFUND = 8, RUSUAL = 9, QHI = 7, QSIZE = 5,
-     $    BALLS = 7, DONE = -1, GIANT = 1.0D4, CHECK = 0.5D0,
-     $    FUND = 2000.0D0)
+     $    BALLS = 7, DONE = -1, GIANT = 1.0D4, FUND = 2000.0D0)
       INTEGER TSINBA, FOUND, I, K, LIST, N, PLACE(TSLIST+1), Z
+      RCTL(RFUND) = RCTL(RFUND) - 1.0D0
       K = 0
    10 K = K + 1
       LIST = CTL(RECENT+K)
@@ -3390,7 +3389,7 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
       IF (N .LT. 0) RETURN
       OK = 1
       IF (FOUND .EQ. 1) RCTL(RFUND) = MIN(FUND, RCTL(RFUND) +
-     $    RCTL(RUSUAL) - CHECK*DBLE(N))
+     $    (RCTL(RUSUAL) - 4.0D0 - 0.5D0*DBLE(N)))
       DO 30 I = 1, N
         Z = LSID(PLACE(I),LIST)
         IF (LINK(Z) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, CTL, RCTL,
@@ -4242,10 +4241,10 @@ C     cylinders.
       DOUBLE PRECISION RCTL(*), LSD(17,8)
       INTEGER NP, TIES, TIED, ENCLOS, FUTILE, NSUPP, EVEN, IDLE, RBURDN,
      $    RPATIE, RSKIN, RFUND, RUSUAL
-      DOUBLE PRECISION FUND
+      DOUBLE PRECISION GRANT
       PARAMETER (NP = 1, TIES = 13, TIED = 14, ENCLOS = 16, FUTILE = 18,
      $    NSUPP = 20, EVEN = 85, IDLE = 86, RBURDN = 4, RPATIE = 5,
-     $    RSKIN = 7, RFUND = 8, RUSUAL = 9, FUND = 2000.0D0)
+     $    RSKIN = 7, RFUND = 8, RUSUAL = 9, GRANT = 500.0D0)
       CTL(NP) = 0
       CTL(TIES) = 0
       CTL(TIED) = 0
@@ -4257,7 +4256,7 @@ C     cylinders.
       RCTL(RBURDN) = 0.0D0
       RCTL(RPATIE) = 0.0D0
       RCTL(RSKIN) = 1.0D0
-      RCTL(RFUND) = FUND
+      RCTL(RFUND) = GRANT
       RCTL(RUSUAL) = 0.0D0
       CALL TSFORG(CTL, LSI, LSD)
       END
