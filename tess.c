@@ -210,7 +210,7 @@
  * points in a search's ball and in a skin about it; the skin is SHRINK times as
  * thick while they exceed TESS_LIST, down to THINNEST, and THICKER for the next
  * list if they were less than FEW. */
-#define BALLS (TESS_LIST < 128 ? 1 : 7)
+#define BALLS (TESS_LIST < 128 ? 1 : 6)
 #define SHRINK 0.4
 #define THICKER 1.3
 #define THINNEST 0.05

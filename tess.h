@@ -27,7 +27,7 @@
  *   a proof that a mesh is right                tess_check
  *   a tetrahedron's circumscribed ball          tess_ball
  *
- * Memory: nothing but the caller's arrays and a bounded stack (about 70 KB at
+ * Memory: nothing but the caller's arrays and a bounded stack (about 125 KB at
  * the default capacities; see TESS_LIST below and HH_LIMBS in hhpred.h).
  *
  *   tet, adj   4*maxtet tess_int each; a uniform cloud of n points has about
@@ -77,9 +77,9 @@
 /* 10000 * major + 100 * minor version; the README says what has changed. */
 #define TESS_VERSION 40000L
 
-/* TESS_LIST: when tess.c is compiled, the capacity of the two lists of points
- * that a search looks at first: a multiple of 4, 48 to 4096, 512 if not given.
- * It affects speed and stack (about 50 bytes per entry), never the result.
+/* TESS_LIST: when tess.c is compiled, the capacity of the lists of points that a
+ * search looks at first: a multiple of 4, 48 to 4096, 512 if not given.  It
+ * affects speed and stack (about 160 bytes per entry), never the result.
  * Below 128 the code for points near planes and spheres, on surfaces and on
  * curves is left out; use 48 or 64 on a small machine. */
 

@@ -1067,7 +1067,7 @@ C     ------------------------------------------------------------------
 C     TSDISJ - 1 if the boxes of a list and a node have no point in
 C     common, else 0.
       INTEGER FUNCTION TSDISJ(BOX, LSD, LIST, NODE)
-      DOUBLE PRECISION BOX(6,*), LSD(17,8)
+      DOUBLE PRECISION BOX(6,*), LSD(17,7)
       INTEGER LIST, NODE
       INTEGER LLO, LHI
       PARAMETER (LLO = 0, LHI = 3)
@@ -1082,7 +1082,7 @@ C     common, else 0.
 
 C     TSPDIS - 1 if position I is outside the box of a list, else 0.
       INTEGER FUNCTION TSPDIS(X, LSD, LIST, I)
-      DOUBLE PRECISION X(3,*), LSD(17,8)
+      DOUBLE PRECISION X(3,*), LSD(17,7)
       INTEGER LIST, I
       INTEGER LLO, LHI
       PARAMETER (LLO = 0, LHI = 3)
@@ -1103,9 +1103,9 @@ C     every compiler can vectorize.
       SUBROUTINE TSSETP(X, LINK, LSX, LSID, LSI, LSD, LIST)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), LSD(17,8)
-      REAL LSX(TSLIST,4,8)
-      INTEGER LINK(*), LSID(TSLIST+48,8), LSI(3,8), LIST
+      DOUBLE PRECISION X(3,*), LSD(17,7)
+      REAL LSX(TSLIST,4,7)
+      INTEGER LINK(*), LSID(TSLIST+48,7), LSI(3,7), LIST
       INTEGER LN, LMID, LUNIT, DONE
       REAL FAR
       PARAMETER (LN = 3, LMID = 6, LUNIT = 14, DONE = -1, FAR = 1.0E10)
@@ -1133,8 +1133,8 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
      $                  OWN, FIT)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(17,8)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,8), LSI(3,8),
+      DOUBLE PRECISION X(3,*), BOX(6,*), LSD(17,7)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,7), LSI(3,7),
      $    LIST, OWN, FIT
       INTEGER LEAVES, LN, DONE, DEPTH
       PARAMETER (LEAVES = 4, LN = 3, DONE = -1, DEPTH = 64)
@@ -1172,7 +1172,7 @@ C     TSFRAM - sets the box of a list, LO, HI and its margin about it,
 C     as far as it is in the root's, and its units.  HALF is the box's
 C     half width.
       SUBROUTINE TSFRAM(BOX, LSD, LIST, LO, HI, HALF)
-      DOUBLE PRECISION BOX(6,*), LSD(17,8), LO(3), HI(3), HALF
+      DOUBLE PRECISION BOX(6,*), LSD(17,7), LO(3), HI(3), HALF
       INTEGER LIST
       INTEGER LLO, LHI, LMID, LMOST, LMARG, LUNIT
       DOUBLE PRECISION NARROW
@@ -1201,9 +1201,9 @@ C     until they fit.
      $                  LSD, LIST, S)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(17,8)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(17,7)
       REAL LSX(*)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,8), LSI(3,8),
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,7), LSI(3,7),
      $    LIST, S
       INTEGER LEAVES, TIES, FUTILE, RREACH, LFIRST, LLAST, LN, LMARG,
      $    LUNIT, MAXFUT
@@ -1253,12 +1253,12 @@ C       no list
 C     TSFORG - there are no lists any more, nor cells nor planes of the
 C     hull.
       SUBROUTINE TSFORG(CTL, LSI, LSD)
-      INTEGER CTL(*), LSI(3,8)
-      DOUBLE PRECISION LSD(17,8)
+      INTEGER CTL(*), LSI(3,7)
+      DOUBLE PRECISION LSD(17,7)
       INTEGER NPLANE, NCELL, RECENT, LFIRST, LLAST, LN, LMARG, BLK,
      $    BALLS
       PARAMETER (NPLANE = 12, NCELL = 17, RECENT = 86, LFIRST = 1,
-     $    LLAST = 2, LN = 3, LMARG = 13, BLK = 1, BALLS = 7)
+     $    LLAST = 2, LN = 3, LMARG = 13, BLK = 1, BALLS = 6)
       INTEGER I
       CTL(NPLANE) = 0
       CTL(NCELL) = 0
@@ -1298,9 +1298,9 @@ C     at most the distance from S to where the block may lack points.
      $                  LSD, S)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(17,8)
-      REAL LSX(TSLIST,4,8)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,8), LSI(3,8), S
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), LSD(17,7)
+      REAL LSX(TSLIST,4,7)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,7), LSI(3,7), S
       INTEGER FUTILE, LFIRST, LLAST, LN, LLO, LHI, LMID, LMOST, LMARG,
      $    LUNIT, BLK, STR, MAXFUT
       DOUBLE PRECISION SREACH, FINEST
@@ -1415,8 +1415,8 @@ C     The centre of the true ball is within dc of C, and both balls pass
 C     through the base.  So the radius is at most |C| + dc, and along an
 C     axis the ball ends within |C| + 2 dc of C.
       INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, C)
-      DOUBLE PRECISION BOX(6,*), LSD(17,8), F(12), C(8)
-      INTEGER LSI(3,8), LIST, IQ(44)
+      DOUBLE PRECISION BOX(6,*), LSD(17,7), F(12), C(8)
+      INTEGER LSI(3,7), LIST, IQ(44)
       INTEGER LN, LLO, LHI, QDC
       DOUBLE PRECISION PAD
       PARAMETER (LN = 3, LLO = 0, LHI = 3, QDC = 4,
@@ -1458,7 +1458,7 @@ C     than margin if margin (margin - 2 A - 2 dc) >= 2 B.  The test puts
 C     margin - 2 dc for the first factor, too.  PAD times margin exceeds
 C     the roundings of A, B and the products.
       INTEGER FUNCTION TSBINS(BOX, LSD, F, C)
-      DOUBLE PRECISION BOX(6,*), LSD(17,8), F(12), C(8)
+      DOUBLE PRECISION BOX(6,*), LSD(17,7), F(12), C(8)
       INTEGER LMARG, STR, QDC
       DOUBLE PRECISION PAD
       PARAMETER (LMARG = 13, STR = 2, QDC = 4,
@@ -1499,7 +1499,7 @@ C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
       SUBROUTINE TSBALC(LSD, LIST, F, C, D, OK)
-      DOUBLE PRECISION LSD(17,8), F(12), C(8)
+      DOUBLE PRECISION LSD(17,7), F(12), C(8)
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LMID, LMOST, LUNIT, QDC
@@ -1539,9 +1539,9 @@ C     is too large for the list.
       SUBROUTINE TSLIBA(LSX, LSI, LSD, LIST, F, C, PLACE, N)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION LSD(17,8), F(12), C(8)
-      REAL LSX(TSLIST,4,8)
-      INTEGER LSI(3,8), LIST, PLACE(*), N
+      DOUBLE PRECISION LSD(17,7), F(12), C(8)
+      REAL LSX(TSLIST,4,7)
+      INTEGER LSI(3,7), LIST, PLACE(*), N
       INTEGER LN
       PARAMETER (LN = 3)
       REAL D(4)
@@ -2563,10 +2563,10 @@ C     side.
      $                  LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(17,8),
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(17,7),
      $    F(12), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), NCELL, CELL(0:12,*), LSID(TSLIST+48,8), LSI(3,8),
+      INTEGER ORD(*), NCELL, CELL(0:12,*), LSID(TSLIST+48,7), LSI(3,7),
      $    V(3), IQ(44), OK
       INTEGER T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI, QDC, CELLS,
      $    MCELL
@@ -2858,9 +2858,9 @@ C     long.
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8), F(12), FQ(*)
+     $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,8), LSI(3,8),
+      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,7), LSI(3,7),
      $    V(3), IQ(44), OK
       INTEGER TIED, NCELL, CELL1, LN, STR, QBEST, QBALL, QBASE, QTIED
       PARAMETER (TIED = 14, NCELL = 17, CELL1 = 33, LN = 3, STR = 2,
@@ -2901,9 +2901,9 @@ C     adds cost: on surfaces, two of five points that were tested.
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8), F(12), FQ(*)
+     $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,8), LSI(3,8),
+      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,7), LSI(3,7),
      $    V(3), IQ(44), OK
       INTEGER LN, BLK, QBALL
       PARAMETER (LN = 3, BLK = 1, QBALL = 3)
@@ -2949,9 +2949,9 @@ C     where the list's coordinates will be.
      $                  POWER, MOST)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      REAL LSX(4*TSLIST,8)
-      INTEGER LINK(*), LSID(TSLIST+48,8), LSI(3,8), LIST, FIRST, N
-      DOUBLE PRECISION LSD(17,8), FQ(*), POWER(*), MOST
+      REAL LSX(4*TSLIST,7)
+      INTEGER LINK(*), LSID(TSLIST+48,7), LSI(3,7), LIST, FIRST, N
+      DOUBLE PRECISION LSD(17,7), FQ(*), POWER(*), MOST
       INTEGER LN, LMARG, BLK, QSKIN, QTHICK, DONE
       DOUBLE PRECISION SHRINK, FEPS
       PARAMETER (LN = 3, LMARG = 13, BLK = 1, QSKIN = 161, QTHICK = 162,
@@ -2993,9 +2993,9 @@ C     uncompleted one are most of the completed ones.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8), F(12), FQ(*)
+     $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,8), V(3),
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
      $    IQ(44), NODE
       INTEGER RPATIE, QBALL, QINTO, DONE, GROUP, LEAF
       DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL, HUGE
@@ -3074,10 +3074,10 @@ C                                been searched, FROM is where that ended
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8), F(12), FQ(*)
+     $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,8), V(3), IQ(44)
+     $    LSI(3,7), V(3), IQ(44)
       INTEGER LEAVES, ENCLOS, T3, QBALL, QBASE, QON, QWORK, QINTO,
      $    DEPTH, QT
       DOUBLE PRECISION LOOSE
@@ -3262,8 +3262,8 @@ C     F(11) > E RHO.  As R, RHO and |U| are at most margin, all that
 C     is less than 24 ERR margin.  PAD exceeds the other roundings, and
 C     those of TSNEAL.
       INTEGER FUNCTION TSINBA(LSI, LSD, LIST, F, FQ)
-      INTEGER LSI(3,8), LIST
-      DOUBLE PRECISION LSD(17,8), F(12), FQ(*)
+      INTEGER LSI(3,7), LIST
+      DOUBLE PRECISION LSD(17,7), F(12), FQ(*)
       INTEGER LN, LMARG, LAT, QHI
       DOUBLE PRECISION EPS, PAD
       PARAMETER (LN = 3, LMARG = 13, LAT = 14, QHI = 7,
@@ -3302,10 +3302,10 @@ C     they are too many.
      $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
      $                  OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8), F(12), FQ(162)
+     $    LSD(17,7), F(12), FQ(162)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,8), LIST, V(3), IQ(44), OK
+     $    LSI(3,7), LIST, V(3), IQ(44), OK
       INTEGER RSKIN, RFUND, LN, LMARG, LAT, BLK, QWORK, QINTO, QSKIN,
      $    QTHICK, FEW
       DOUBLE PRECISION THICKR, THICKT
@@ -3355,14 +3355,14 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8), F(12), FQ(*)
+     $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*),
-     $    LSID(TSLIST+48,8), LSI(3,8), V(3), IQ(44), OK
+     $    LSID(TSLIST+48,7), LSI(3,7), V(3), IQ(44), OK
       INTEGER RECENT, RFUND, RUSUAL, QHI, QSIZE, BALLS, DONE
       DOUBLE PRECISION GIANT, FUND
       PARAMETER (RECENT = 86, RFUND = 8, RUSUAL = 9, QHI = 7, QSIZE = 5,
-     $    BALLS = 7, DONE = -1, GIANT = 1.0D4, FUND = 2000.0D0)
+     $    BALLS = 6, DONE = -1, GIANT = 1.0D4, FUND = 2000.0D0)
       INTEGER TSINBA, FOUND, I, K, LIST, N, PLACE(TSLIST+1), Z
       RCTL(RFUND) = RCTL(RFUND) - 1.0D0
       K = 0
@@ -3402,10 +3402,10 @@ C     GUESS holds two positions to try first, or 0.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8)
+     $    LSD(17,7)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,8), V(3), GUESS(2), Z
+     $    LSI(3,7), V(3), GUESS(2), Z
       INTEGER NP, NPLANE, PLANE1, TIES, NCELL, CELL1, FUTILE, IDLE,
      $    RBURDN, RPATIE, RFUND, RUSUAL, LMARG, BLK, QBEST, QBALL, QON,
      $    QTIED, QOPEND, QWORK, QHI, PLANES, MAXFUT, OPENED
@@ -3554,10 +3554,10 @@ C     uses the tree alone.
       SUBROUTINE TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8)
+     $    LSD(17,7)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
-     $    CTL(*), LSID(*), LSI(3,8), S, V(4)
+     $    CTL(*), LSID(*), LSI(3,7), S, V(4)
       INTEGER LEAVES, T3, QBEST
       PARAMETER (LEAVES = 4, T3 = 1, QBEST = 1)
       DOUBLE PRECISION F(12), FQ(162)
@@ -3932,8 +3932,8 @@ C     block's list.
       SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
-      REAL LSX(TSLIST,4,8)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(3,8), S
+      REAL LSX(TSLIST,4,7)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(3,7), S
       INTEGER LEAVES, LFIRST, LLAST, LN, BLK, DONE
       REAL FAR
       PARAMETER (LEAVES = 4, LFIRST = 1, LLAST = 2, LN = 3, BLK = 1,
@@ -4018,10 +4018,10 @@ C     of the link.  INFO is 0, MORE or FULL.
      $                  POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
      $                  S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8)
+     $    LSD(17,7)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
-     $    POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,8), S, INFO
+     $    POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,7), S, INFO
       INTEGER NT, MAXT, OLDEST, NEWEST, NCELL, ECODE, EFROM, ETO, EPREV,
      $    EAFTER, START, DEAD, MORE, FULL, EDGE
       PARAMETER (NT = 2, MAXT = 3, OLDEST = 9, NEWEST = 10, NCELL = 17,
@@ -4083,10 +4083,10 @@ C     there is no room.
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8)
+     $    LSD(17,7)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,8),
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,7),
      $    S, OK
       INTEGER START
       PARAMETER (START = -1)
@@ -4107,10 +4107,10 @@ C     one of the rest, and so on.  INFO is 0, MORE or FULL.
      $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, S, INFO)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8)
+     $    LSD(17,7)
       REAL LSX(*)
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,8),
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,7),
      $    S, INFO
       INTEGER NP, OLDEST, NEWEST, LOW, UNMET, FOREIN, NEW, FULL
       PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, UNMET = 15,
@@ -4237,8 +4237,8 @@ C     2 TSLCOU(N) < N/12 + 2
 C     TSLAYO - start from nothing: no points, no lists, no supports, no
 C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI, LSD)
-      INTEGER CTL(*), LSI(3,8)
-      DOUBLE PRECISION RCTL(*), LSD(17,8)
+      INTEGER CTL(*), LSI(3,7)
+      DOUBLE PRECISION RCTL(*), LSD(17,7)
       INTEGER NP, TIES, TIED, ENCLOS, FUTILE, NSUPP, EVEN, IDLE, RBURDN,
      $    RPATIE, RSKIN, RFUND, RUSUAL
       DOUBLE PRECISION GRANT
@@ -4410,8 +4410,8 @@ C     build the tree, and make cylinders if ROOMY is 1.  INFO is 0, or
 C     RANGE.
       SUBROUTINE TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD,
      $                  N, ROOMY, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(17,8)
-      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,8), N, ROOMY, INFO
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), LSD(17,7)
+      INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,7), N, ROOMY, INFO
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
       INTEGER HHHOLD, TSFITS, I
@@ -4473,8 +4473,8 @@ C     TSOPEN - open an index for reading only.  INFO is 0, the code of
 C     points without a mesh, or -8 where there is no index.
       SUBROUTINE TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL,
      $                  LSI, LSD, INFO)
-      INTEGER N, KNOWN(4), COUNT, COUNTS(*), CTL(*), LSI(3,8), INFO
-      DOUBLE PRECISION P(3,*), HEADER(6), RCTL(*), LSD(17,8)
+      INTEGER N, KNOWN(4), COUNT, COUNTS(*), CTL(*), LSI(3,7), INFO
+      DOUBLE PRECISION P(3,*), HEADER(6), RCTL(*), LSD(17,7)
       INTEGER NP, LEAVES, ENCLOS, SCALE, T3, T5, RLEAST, RANGE, SUPPS,
      $    HHLIM
       DOUBLE PRECISION NORMAL
@@ -4594,7 +4594,7 @@ C     HEAD has the positions of the points at first.
      $                  LSX, LSI, S, N, MASKED, MINE, INFO)
       REAL LSX(*)
       INTEGER TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*), LINK(*),
-     $    POOL(*), CTL(*), LSI(3,8), S, N, MASKED, MINE(*), INFO
+     $    POOL(*), CTL(*), LSI(3,7), S, N, MASKED, MINE(*), INFO
       INTEGER NP, NT, ROOM, MPOOL, NOPEN, OPEN, DONE, FOREIN, FULL,
      $    ENTRY
       PARAMETER (NP = 1, NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7,
@@ -4676,9 +4676,9 @@ C     altered.
      $                 NTET, INFO)
       INTEGER N, ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
      $    HEAD(N), LINK(N), LENGTH, POOL(LENGTH), SPACE, MARK(SPACE),
-     $    CTL(*), LSID(*), LSI(3,8), MASKED, MINE(*), MAXTET, NTET, INFO
+     $    CTL(*), LSID(*), LSI(3,7), MASKED, MINE(*), MAXTET, NTET, INFO
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8)
+     $    LSD(17,7)
       REAL LSX(*)
       INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW,
      $    UNMET, RREACH, NEW, FULL
@@ -4948,9 +4948,9 @@ C     element of RW or IW, and the standard lets them be altered.
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSLIST, ENCLOS, NSUPP, SUPPS
       PARAMETER (TSLIST = 512, ENCLOS = 16, NSUPP = 20, SUPPS = 8)
-      DOUBLE PRECISION LSD(17,8), RCTL(9), SUP(60,SUPPS)
-      REAL LSX(TSLIST,4,8)
-      INTEGER CTL(92), K, LENGTH, LSI(3,8), LSID(TSLIST+48,8), SPACE
+      DOUBLE PRECISION LSD(17,7), RCTL(9), SUP(60,SUPPS)
+      REAL LSX(TSLIST,4,7)
+      INTEGER CTL(91), K, LENGTH, LSI(3,7), LSID(TSLIST+48,7), SPACE
       IF (MASKED .EQ. 1) THEN
         CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,
      $              LSD, INFO)
@@ -5052,10 +5052,10 @@ C     spread evenly); nothing else is kept of these.
       PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T5 = 2, RBURDN = 4,
      $    RPATIE = 5, SUPPS = 8, REGIO = 32, STARS = 256, RANGE = 6,
      $    PLAIN = 16.0D0, KEEN = 1.0D0/256.0D0)
-      DOUBLE PRECISION LSD(17,8), PART, RCTL(9), SUP(60,SUPPS)
-      REAL LSX(TSLIST,4,8)
-      INTEGER ADJ(4*STARS), CODE, CTL(92), GUESS(2), I, K, LENGTH,
-     $    LSI(3,8), LSID(TSLIST+48,8), MANY, MINE, SPACE,
+      DOUBLE PRECISION LSD(17,7), PART, RCTL(9), SUP(60,SUPPS)
+      REAL LSX(TSLIST,4,7)
+      INTEGER ADJ(4*STARS), CODE, CTL(91), GUESS(2), I, K, LENGTH,
+     $    LSI(3,7), LSID(TSLIST+48,7), MANY, MINE, SPACE,
      $    TET(4,STARS), V(3), Z
       CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD, N,
      $            ROOMY, INFO)
@@ -5710,9 +5710,9 @@ C     no entry is DONE.
       SUBROUTINE TSACRO(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
      $                  LSX, LSID, LSI, LSD, U, K, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
-     $    LSD(17,8)
+     $    LSD(17,7)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(3,8),
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(3,7),
      $    U(4,1), K, OK
       INTEGER F(3), GUESS(2), I, Z
       GUESS(1) = 0
@@ -5790,10 +5790,10 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       INTEGER TSLIST, NP, NSUPP, T3, HFROM, HMOST, NONE, SUPPS, RANGE
       PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T3 = 1, HFROM = 7,
      $    HMOST = 10, NONE = 0, SUPPS = 8, RANGE = 6)
-      DOUBLE PRECISION LSD(17,8), RCTL(9), SUP(60,SUPPS), XF(3)
-      REAL LSX(TSLIST,4,8)
-      INTEGER HHFINI, HHHOLD, HHPSID, TSSLOT, AT, CTL(92), FROM,
-     $    F(3), G(4,1), H(10), I, K, LSI(3,8), LSID(TSLIST+48,8), OK, S,
+      DOUBLE PRECISION LSD(17,7), RCTL(9), SUP(60,SUPPS), XF(3)
+      REAL LSX(TSLIST,4,7)
+      INTEGER HHFINI, HHHOLD, HHPSID, TSSLOT, AT, CTL(91), FROM,
+     $    F(3), G(4,1), H(10), I, K, LSI(3,7), LSID(TSLIST+48,7), OK, S,
      $    STEPS, U(4,1), Z
       CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,
      $            LSD, INFO)

@@ -19,10 +19,11 @@
 #include <time.h>
 #include "../points.h"
 #include "../take.h"
+#include "../watch.h"
 #include "../fortran/f77.h"
 
 #ifdef TESS_COUNT
-double tess_count[16];
+double tess_count[N_ALL];
 #endif
 
 #ifdef BENCH_F77
@@ -58,7 +59,7 @@ int main(int argc, char **argv)
 #ifdef TESS_COUNT
     static const char *name[] = {"facets", "star", "block", "tree",
         "nodes", "candidates", "exact", "listed", "pool", "hull", "probes",
-        "sides", "balls", "trials", "leaves"};
+        "sides", "balls", "trials", "leaves", "near", "made"};
     int i;
 #endif
 
@@ -101,7 +102,7 @@ int main(int argc, char **argv)
             calls = 0;
             do {
 #ifdef TESS_COUNT
-                for (i = 0; i < 16; i++)
+                for (i = 0; i < N_ALL; i++)
                     tess_count[i] = 0;
 #endif
                 code = run_tess(n, p, maxtet, &ntet, tet, adj, liw, iw, lrw,
@@ -133,9 +134,9 @@ int main(int argc, char **argv)
            work / (double)n, total / (double)n, code);
 #ifdef TESS_COUNT
     printf("count %s %ld", argv[1], (long)n);
-    for (i = 0; i < 15; i++)
+    for (i = 0; i < N_ALL; i++)
         printf(" %s %.4f", name[i],
-            i == 8 ? tess_count[i] : tess_count[i] / (double)ntet);
+            i == N_POOL ? tess_count[i] : tess_count[i] / (double)ntet);
     printf("\n");
 #endif
     free(p);

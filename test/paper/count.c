@@ -15,9 +15,10 @@
 #include "../proof/exact.h"
 #include "../points.h"
 #include "../take.h"
+#include "../watch.h"
 #include "../../tess.h"
 
-double tess_count[16];
+double tess_count[N_ALL];
 
 /* as in tess.c */
 enum { SEARCHES = 0, NODES = 4, CANDIDATES = 5, EXACT = 6, LISTED = 7,
