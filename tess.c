@@ -95,8 +95,9 @@
  *   cylinders    cylinders makecylinder makecylinders prunecylinders
  *   ties         newcell incell
  * then the search, and what it is for:
- *   search       narrow refine challenge consider instar inblock inflate admit
- *                scanleaf treesearch onhull prepare inball nearlist innear apex
+ *   search       narrow refine challenge consider look instar inblock inflate
+ *                admit scanleaf treesearch onhull prepare inball nearlist innear
+ *                apex
  *   one star     exchange settle
  *   star         clearlink renumber push join unlinkedge between glue flush
  *                attach grow enlist follow gather load complete makeroom begin
@@ -2228,6 +2229,20 @@ static void consider(mesh *m, quest *f, tess_int z)
     }
 }
 
+/* look - considers the points of a list that may be in the ball.  Returns what
+ * listball does. */
+static int look(mesh *m, quest *f, const list *l)
+{
+    int place[TESS_LIST + 1], n = listball(l, f, place), i;
+    tess_int z;
+
+    for (i = 0; i < n; i++) {
+        z = l->id[place[i]];
+        if (m->link[z] != DONE) consider(m, f, z);
+    }
+    return n;
+}
+
 /* instar - seeks the apex in the star's list.  The ball of a better point has
  * no more points on the open side than the ball before it (Lemma 3), and those
  * on the other side do not count.  So one pass over the list is enough if the
@@ -2236,18 +2251,16 @@ static void consider(mesh *m, quest *f, tess_int z)
  * twice as long. */
 static int instar(mesh *m, quest *f)
 {
-    const list *l = m->balls;
-    int place[TESS_LIST + 1], n, i;
+    int n;
 
-    if (f->base != 0 || l->n == 0 || !f->ball) return 0;
-    n = listball(l, f, place);
+    if (f->base != 0 || m->balls[0].n == 0 || !f->ball) return 0;
+    if (m->tied && newcell(m, f)) {
+        f->best = incell(m, f->v);
+        return 1;
+    }
+    n = look(m, f, m->balls);
     if (n < 0) return 0;
     if (n > 0) {
-        if (m->tied && newcell(m, f)) {
-            f->best = incell(m, f->v);
-            return 1;
-        }
-        for (i = 0; i < n; i++) consider(m, f, l->id[place[i]]);
         if (f->tied > 0 && !m->tied) (void)newcell(m, f);
         m->tied = f->tied > 0;
     }
@@ -2259,13 +2272,8 @@ static int instar(mesh *m, quest *f)
  * two of five points that were tested. */
 static int inblock(mesh *m, quest *f)
 {
-    const list *l = &m->block;
-    int place[TESS_LIST + 1], n, i;
-
-    if (l->n == 0 || !f->ball || !ballinbox(m, f, l)) return 0;
-    n = listball(l, f, place);
-    for (i = 0; i < n; i++) consider(m, f, l->id[place[i]]);
-    return n >= 0;
+    return m->block.n > 0 && f->ball && ballinbox(m, f, &m->block) &&
+           look(m, f, &m->block) >= 0;
 }
 
 /* inflate - sets the thickness of the skin about a search's ball, in margins of
@@ -2560,7 +2568,7 @@ static int nearlist(mesh *m, const quest *f, list *l)
  * nor for a ball that single precision cannot tell from a half-space. */
 static int innear(mesh *m, quest *f)
 {
-    int place[TESS_LIST + 1], n, i, k = 0, found;
+    int n, k = 0, found;
     list *l;
 
     m->fund -= 1.0;
@@ -2571,20 +2579,18 @@ static int innear(mesh *m, quest *f)
     if (!found && (f->hi <= 0.0 || f->size > GIANT || !nearlist(m, f, l) ||
                    !inball(f, l)))
         return 0;
-    for (; k > 1; k--) m->recent[k] = m->recent[k - 1];
-    m->recent[1] = (int)(l - m->balls);
+    for (; k > 1; k--) {
+        m->recent[k] = m->recent[k - 1];
+        m->recent[k - 1] = (int)(l - m->balls);
+    }
     HOLDS(listed(m, f, l));
-    n = listball(l, f, place);
-    if (n < 0) return 0;
-    if (found) {
+    n = look(m, f, l);
+    if (found && n >= 0) {
         COUNT(N_NEAR, 1);
         m->fund += m->usual - 4.0 - 0.5 * n;
         if (m->fund > FUND) m->fund = FUND;
     }
-    for (i = 0; i < n; i++)
-        if (m->link[l->id[place[i]]] != DONE)
-            consider(m, f, l->id[place[i]]);
-    return 1;
+    return n >= 0;
 }
 
 /* apex - returns the apex of the facet v on its positive side, or NONE.  guess

@@ -138,7 +138,7 @@ C         makecylinders TSMCYS, prunecylinders TSPRCY
 C       ties: newcell TSNEWC, incell TSINCE
 C     then the search, and what it is for:
 C       search: narrow TSNARR, refine TSREFI, challenge TSCHAL,
-C         consider TSCONS, instar TSINST, inblock TSINBL,
+C         consider TSCONS, look TSLOOK, instar TSINST, inblock TSINBL,
 C         inflate TSINFL, admit TSADMI, scanleaf TSSCAN,
 C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
 C         inball TSINBA, nearlist TSNEAL, innear TSINNE, apex TSAPEX
@@ -2846,6 +2846,28 @@ C     TSMRKD's test and height, without a call for each point
      $    IQ, F, FQ, Z)
       END
 
+C     TSLOOK - considers the points of a list that may be in the ball.
+C     N is what TSLIBA gives.
+      SUBROUTINE TSLOOK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, LIST, V, IQ, F, FQ, N)
+      INTEGER TSLIST
+      PARAMETER (TSLIST = 512)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), LSD(17,7),
+     $    F(12), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(TSLIST+48,7),
+     $    LSI(3,7), LIST, V(3), IQ(44), N
+      INTEGER DONE
+      PARAMETER (DONE = -1)
+      INTEGER I, PLACE(TSLIST+1), Z
+      CALL TSLIBA(LSX, LSI, LSD, LIST, F, FQ, PLACE, N)
+      DO 10 I = 1, N
+        Z = LSID(PLACE(I),LIST)
+        IF (LINK(Z) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, CTL, RCTL,
+     $      SUP, V, IQ, F, FQ, Z)
+   10 CONTINUE
+      END
+
 C     TSINST - seeks the apex in the star's list.  The ball of a better
 C     point has no more points on the open side than the ball before it
 C     (Lemma 3), and those on the other side do not count.  So one pass
@@ -2853,38 +2875,33 @@ C     over the list is enough if the last ball has no points elsewhere.
 C     OK is 1 if so, or 0.  Without a ball nothing is sought here: on
 C     faces of a cube all sides are exact, which would take twice as
 C     long.
-      SUBROUTINE TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
-     $                  LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
+      SUBROUTINE TSINST(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,7), LSI(3,7),
-     $    V(3), IQ(44), OK
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
+     $    IQ(44), OK
       INTEGER TIED, NCELL, CELL1, LN, STR, QBEST, QBALL, QBASE, QTIED
       PARAMETER (TIED = 14, NCELL = 17, CELL1 = 33, LN = 3, STR = 2,
      $    QBEST = 1, QBALL = 3, QBASE = 4, QTIED = 8)
-      INTEGER TSBINS, I, N, PLACE(TSLIST+1), Z
+      INTEGER TSBINS, N
       OK = 0
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0 .OR. IQ(QBALL) .EQ.
      $    0) RETURN
-      CALL TSLIBA(LSX, LSI, LSD, STR, F, FQ, PLACE, N)
+      IF (CTL(TIED) .EQ. 1) THEN
+        CALL TSNEWC(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL, LSX,
+     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
+        IF (OK .EQ. 1) THEN
+          CALL TSINCE(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V,
+     $                IQ(QBEST))
+          RETURN
+        END IF
+      END IF
+      CALL TSLOOK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $            LSD, STR, V, IQ, F, FQ, N)
       IF (N .LT. 0) RETURN
       IF (N .GT. 0) THEN
-        IF (CTL(TIED) .EQ. 1) THEN
-          CALL TSNEWC(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL, LSX,
-     $                LSID, LSI, LSD, V, IQ, F, FQ, OK)
-          IF (OK .EQ. 1) THEN
-            CALL TSINCE(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V,
-     $                  IQ(QBEST))
-            RETURN
-          END IF
-        END IF
-        DO 10 I = 1, N
-          Z = LSID(PLACE(I),STR)
-          CALL TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
-   10   CONTINUE
         IF (IQ(QTIED) .GT. 0 .AND. CTL(TIED) .EQ. 0)
      $      CALL TSNEWC(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL,
      $      LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
@@ -2896,27 +2913,22 @@ C     long.
 C     TSINBL - the same for the block's list.  If the ball leaves the
 C     block's box, the tree is searched in any case and the list only
 C     adds cost: on surfaces, two of five points that were tested.
-      SUBROUTINE TSINBL(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
-     $                  LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
+      SUBROUTINE TSINBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), MARK(*), CTL(*), LSID(TSLIST+48,7), LSI(3,7),
-     $    V(3), IQ(44), OK
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
+     $    IQ(44), OK
       INTEGER LN, BLK, QBALL
       PARAMETER (LN = 3, BLK = 1, QBALL = 3)
-      INTEGER TSBINB, I, N, PLACE(TSLIST+1), Z
+      INTEGER TSBINB, N
       OK = 0
       IF (LSI(LN,BLK) .EQ. 0) RETURN
       IF (IQ(QBALL) .EQ. 0) RETURN
       IF (TSBINB(BOX, LSI, LSD, BLK, IQ, F, FQ) .EQ. 0) RETURN
-      CALL TSLIBA(LSX, LSI, LSD, BLK, F, FQ, PLACE, N)
-      DO 10 I = 1, N
-        Z = LSID(PLACE(I),BLK)
-        CALL TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
-   10 CONTINUE
+      CALL TSLOOK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $            LSD, BLK, V, IQ, F, FQ, N)
       IF (N .GE. 0) OK = 1
       END
 
@@ -3352,18 +3364,16 @@ C     other side or more, nor for a ball that single precision cannot
 C     tell from a half-space.  OK is 1 if the apex is known, or 0.
       SUBROUTINE TSINNE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER TSLIST
-      PARAMETER (TSLIST = 512)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*),
-     $    LSID(TSLIST+48,7), LSI(3,7), V(3), IQ(44), OK
-      INTEGER RECENT, RFUND, RUSUAL, QHI, QSIZE, BALLS, DONE
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(3,7), V(3), IQ(44), OK
+      INTEGER RECENT, RFUND, RUSUAL, QHI, QSIZE, BALLS
       DOUBLE PRECISION GIANT, FUND
       PARAMETER (RECENT = 86, RFUND = 8, RUSUAL = 9, QHI = 7, QSIZE = 5,
-     $    BALLS = 6, DONE = -1, GIANT = 1.0D4, FUND = 2000.0D0)
-      INTEGER TSINBA, FOUND, I, K, LIST, N, PLACE(TSLIST+1), Z
+     $    BALLS = 6, GIANT = 1.0D4, FUND = 2000.0D0)
+      INTEGER TSINBA, FOUND, K, LIST, N
       RCTL(RFUND) = RCTL(RFUND) - 1.0D0
       K = 0
    10 K = K + 1
@@ -3381,20 +3391,16 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
       END IF
    20 IF (K .GT. 1) THEN
         CTL(RECENT+K) = CTL(RECENT+K-1)
+        CTL(RECENT+K-1) = LIST
         K = K - 1
         GO TO 20
       END IF
-      CTL(RECENT+1) = LIST
-      CALL TSLIBA(LSX, LSI, LSD, LIST, F, FQ, PLACE, N)
+      CALL TSLOOK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $            LSD, LIST, V, IQ, F, FQ, N)
       IF (N .LT. 0) RETURN
       OK = 1
       IF (FOUND .EQ. 1) RCTL(RFUND) = MIN(FUND, RCTL(RFUND) +
      $    (RCTL(RUSUAL) - 4.0D0 - 0.5D0*DBLE(N)))
-      DO 30 I = 1, N
-        Z = LSID(PLACE(I),LIST)
-        IF (LINK(Z) .NE. DONE) CALL TSCONS(X, P, ORD, MARK, CTL, RCTL,
-     $      SUP, V, IQ, F, FQ, Z)
-   30 CONTINUE
       END
 
 C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
@@ -3438,8 +3444,8 @@ C     a ball that is a support's sphere up to rounding is in no list
         LISTS = 1 - OK
       END IF
       IF (LISTS .EQ. 1) THEN
-        CALL TSINST(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
-     $              LSI, LSD, V, IQ, F, FQ, OK)
+        CALL TSINST(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) THEN
           CTL(FUTILE) = 0
@@ -3452,8 +3458,8 @@ C       time
           IF (TSONHU(X, P, ORD, CTL(NPLANE), CTL(PLANE1), RCTL,
      $        V) .EQ. 1) RETURN
         END IF
-        CALL TSINBL(X, P, ORD, BOX, MARK, CTL, RCTL, SUP, LSX, LSID,
-     $              LSI, LSD, V, IQ, F, FQ, OK)
+        CALL TSINBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
         Z = IQ(QBEST)
         IF (OK .EQ. 1) THEN
           CTL(FUTILE) = 0
