@@ -82,7 +82,7 @@
  * Order of the routines, here and in f77/tess.f:
  *   sorting      before swap pivot selectmid twin extent bisect leafstart
  *                leafof span leafsort kdsort boxes
- *   first facet  point preced edgeby firstfacet
+ *   first facet  point precedes edgeby firstfacet
  *   pool         outfac facet owner hashkey same find chain erase enter full
  *                cuberoot quota rehash
  *   lists        disjoint setpoints boxquery frame leaflist forget compress
@@ -96,16 +96,16 @@
  *   ties         newcell incell
  * then the search, and what it is for:
  *   search       narrow refine challenge consider look instar inblock inflate
- *                admit scanleaf treesearch onhull prepare inball nearlist innear
- *                apex
+ *                admit scanleaf treesearch onhull prepare inball nearlist
+ *                innear apex
  *   one star     exchange settle
  *   star         clearlink renumber push join unlinkedge between glue flush
  *                attach grow enlist follow gather load complete makeroom begin
  *                star plant stars
  *   results      slot mate
- *   preparation  leafcount lengths layout collect rescale units fits scaled
- *                revive sorted seal opened intact claim restore allot run
- *                badargument
+ *   preparation  leafcount lengths layout collect rescale units fits scale
+ *                revive sortpoints seal openindex intact claim restore allot
+ *                run badargument
  *   entries      tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
  *   queries      qside leave inbox
@@ -661,9 +661,9 @@ static const tess_real *point(const mesh *m, tess_int i)
     return m->set.p + 3 * m->order[i];
 }
 
-/* preced - returns 1 if point a comes strictly before point b: by x, then y,
+/* precedes - returns 1 if point a comes strictly before point b: by x, then y,
  * z. */
-static int preced(const tess_real *a, const tess_real *b)
+static int precedes(const tess_real *a, const tess_real *b)
 {
     int k = 0;
 
@@ -683,7 +683,7 @@ static int edgeby(const mesh *m, tess_int a, tess_int i, tess_int j)
     if (side == 0)
         side = p[0] > o[0] || q[0] > o[0] ? -hh_flat(1, o, q, p)
                                           : hh_flat(0, o, q, p);
-    return side != 0 ? side < 0 : preced(p, q);
+    return side != 0 ? side < 0 : precedes(p, q);
 }
 
 /* firstfacet - find the first facet v: on the hull, with all points on its
@@ -701,7 +701,7 @@ static int firstfacet(const mesh *m, tess_int *v)
     if (m->np < 2) return TESS_POINT;
     v[0] = 0;
     for (i = 1; i < m->np; i++)
-        if (preced(point(m, i), point(m, v[0]))) v[0] = i;
+        if (precedes(point(m, i), point(m, v[0]))) v[0] = i;
     v[1] = v[0] == 0 ? 1 : 0;
     for (i = 0; i < m->np; i++)
         if (i != v[0] && i != v[1] && edgeby(m, v[0], i, v[1])) v[1] = i;
@@ -1729,9 +1729,9 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
  * Near a plane k may be greater, so |a| may be greater for k > 0, and smaller
  * for k < 0.  Near a sphere G = height - h - tilt.w, of which a share q is
  * taken as |w|^2 - 2 c.w; best is, but for a, the q for which the least of q
- * |w|^2 - d.w is greatest.  Any q is valid, so errors in q do not count.  dd has
- * room for the errors of c, tilt and v, and for 16 roundings of each term.  err
- * has room for those of h, of a height of at most -low, and of a, which is
+ * |w|^2 - d.w is greatest.  Any q is valid, so errors in q do not count.  dd
+ * has room for the errors of c, tilt and v, and for 16 roundings of each term.
+ * err has room for those of h, of a height of at most -low, and of a, which is
  * exact but for one rounding. */
 static void aim(const mesh *m, quest *f)
 {
@@ -2509,7 +2509,8 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
  * to such a point: |p|^2 <= r^2 = |c|^2, relative to the base.  For the ball of
  * L itself, |p.u| <= r |u|.  For h > L, u is across the axis; if L <= 0 no
  * point of the ball's part on the open side is farther from the axis than rho,
- * so |p.u| <= rho |u|.  The distance from the list's centre is at most margin if
+ * so |p.u| <= rho |u|.  The distance from the list's centre is at most margin
+ * if
  *     |u|^2 + r^2 + 2 r |u| <= margin^2, or with rho for the last r.
  *
  * Let err bound the error of c, as in narrow.  r and rho are wrong by it, u by
@@ -3250,11 +3251,11 @@ static int fits(tess_int n, const tess_real *p)
     return 1;
 }
 
-/* scaled - scale the sorted coordinates to an absolute value of at most 1 by a
+/* scale - scale the sorted coordinates to an absolute value of at most 1 by a
  * power of two, in two steps because one might overflow, and find whether they
  * are small multiples of one unit.  They are not if one underflows: its
  * multiple is lost. */
-static void scaled(mesh *m)
+static void scale(mesh *m)
 {
     double most = 0.0, least = DBL_MAX, x, u = 0.0;
     tess_int i, n = 3 * m->np;
@@ -3293,11 +3294,11 @@ static void revive(mesh *m)
             (tess_int)(leafstart(m, (tess_int)(i + 1)) - leafstart(m, i));
 }
 
-/* sorted - prepare n points: sort them, drop the duplicates, build the tree,
+/* sortpoints - prepare n points: sort them, drop duplicates, build the tree,
  * and make cylinders if lrw has room for them.  Returns 0, TESS_POINT or
  * TESS_RANGE. */
-static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
-                  tess_int lrw, double *rw)
+static int sortpoints(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
+                      tess_int lrw, double *rw)
 {
     tess_int i;
 
@@ -3315,7 +3316,7 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
         collect(m, n, p);
         kdsort(m);
     }
-    scaled(m);
+    scale(m);
     boxes(m);
     revive(m);
     if (m->most.cylinders > 0 && lrw - m->most.rw >= m->most.cylinders)
@@ -3324,7 +3325,7 @@ static int sorted(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
 }
 
 /* seal - turn the sorted points into an index, which has a mesh if code is 0.
- * It stores what opened needs besides points and tree: known is the first
+ * It stores what openindex needs besides points and tree: known is the first
  * tetrahedron, or begins with minus the code; np is behind it, and also in the
  * header, so that an index can be recognized.  alive[0] is the number of
  * supports; the sign of the build's limbs tells whether there are cylinders. */
@@ -3344,10 +3345,10 @@ static void seal(mesh *m, int code)
     m->alive[0] = (tess_int)m->nsupport;
 }
 
-/* opened - open an index for reading only.  Returns 0, the code of points
+/* openindex - open an index for reading only.  Returns 0, the code of points
  * without a mesh, or -8 where there is no index. */
-static int opened(mesh *m, tess_int n, const tess_real *p, const tess_int *iw,
-                  const double *rw)
+static int openindex(mesh *m, tess_int n, const tess_real *p,
+                     const tess_int *iw, const double *rw)
 {
     double normal = sizeof(tess_real) < sizeof(double) ? (double)FLT_MIN
                                                        : DBL_MIN;
@@ -3562,7 +3563,7 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
     mesh m;
     int code = badargument(n, p, maxtet, *ntet, tet, adj, liw, lrw);
 
-    if (code == 0) code = sorted(&m, n, p, iw, lrw, rw);
+    if (code == 0) code = sortpoints(&m, n, p, iw, lrw, rw);
     if (code > 0) *ntet = 0;
     if (code != 0) return code;
     allot(&m, n, liw);
@@ -3585,7 +3586,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     if (code != 0 && code != -9) return code;
     if (liw < 2 * n + 2 * leafcount(n) + KEEP) return -3;
     if (code != 0) return -5;
-    code = sorted(&m, n, p, iw, lrw, rw);
+    code = sortpoints(&m, n, p, iw, lrw, rw);
     if (code == 0) code = firstfacet(&m, v);
     if (code == 0) {
         v[3] = apex(&m, v, guess);
@@ -3631,7 +3632,7 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
     mesh m;
     int code = badargument(n, NULL, maxtet, *ntet, tet, adj, liw, lrw);
 
-    if (code == 0) code = opened(&m, n, p, iw, rw);
+    if (code == 0) code = openindex(&m, n, p, iw, rw);
     if (code > 0) *ntet = 0;
     if (code == 0) {
         if (m.alive[0] > 0 && liw - m.most.iw < m.most.marks) return -8;
@@ -4037,7 +4038,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
     int code, i, k, s, from = 4;
 
     if (!lengths(n, &unused)) return -1;
-    code = opened(&m, n, p, iw, rw);
+    code = openindex(&m, n, p, iw, rw);
     if (code != 0) return code < 0 ? -3 : code;
     if (hh_finite(1, q) < 1) return -5;
     recall(&m);
@@ -4128,7 +4129,7 @@ static tess_int marks(tess_int n, const tess_real *p, tess_int *iw)
             hi = run < n - mid ? mid + run : n;
             for (i = lo, j = mid; k < hi; k++)
                 if (j == hi ||
-                    (i < mid && !preced(p + 3 * from[j], p + 3 * from[i])))
+                    (i < mid && !precedes(p + 3 * from[j], p + 3 * from[i])))
                     to[k] = from[i++];
                 else
                     to[k] = from[j++];
@@ -4138,7 +4139,7 @@ static tess_int marks(tess_int n, const tess_real *p, tess_int *iw)
     from = iw + at;
     to = iw + (n - at);
     for (i = 0; i < n; i++)
-        to[from[i]] = i == 0 || preced(p + 3 * from[i - 1], p + 3 * from[i])
+        to[from[i]] = i == 0 || precedes(p + 3 * from[i - 1], p + 3 * from[i])
                           ? UNUSED
                           : TWIN;
     return n - at;
@@ -4161,7 +4162,7 @@ static int chkpla(tess_int n, const tess_real *p, tess_int *bad)
             return s == UNSURE ? TESS_RANGE : TESS_BAD_POINT;
         }
         if (c == NULL && !hh_line(p, b, q)) c = q;
-        if (preced(p, b) == preced(b, p)) b = q;
+        if (precedes(p, b) == precedes(b, p)) b = q;
     }
     return TESS_OK;
 }

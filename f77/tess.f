@@ -116,7 +116,7 @@ C       sorting: before TSBEFO, swap TSSWAP, pivot TSPIVO,
 C         selectmid TSSELE, twin TSTWIN, extent TSEXTE, bisect TSBISE,
 C         leafstart TSLFST, leafof TSLEAF, span TSSPAN,
 C         leafsort TSLSOR, kdsort TSKDSO, boxes TSBOXE
-C       first facet: preced TSPREC, edgeby TSEDBY, firstfacet TSFIRS
+C       first facet: precedes TSPREC, edgeby TSEDBY, firstfacet TSFIRS
 C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
 C         hashkey TSHASH, same TSSAME, find TSFIND, chain TSCHAI,
 C         erase TSERAS, enter TSENTE, full TSFULL, cuberoot TSCUBE,
@@ -152,9 +152,9 @@ C         stars TSSTRS
 C       results: slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, lengths TSLENG, layout TSLAYO,
 C         collect TSCOLL, rescale TSRESC, units TSUNIT,
-C         fits TSFITS, scaled TSSCAL, revive TSREVI, sorted TSSORT,
-C         seal TSSEAL, opened TSOPEN, intact TSINTA, claim TSCLAI,
-C         restore TSREST, allot TSALLO, run TSRUN, badargument TSBADA
+C         fits TSFITS, scale TSSCAL, revive TSREVI,
+C         sortpoints TSSORT, seal TSSEAL, openindex TSOPEN,
+C         intact TSINTA, claim TSCLAI, restore TSREST, allot TSALLO, run TSRUN, badargument TSBADA
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
 C     and what needs no mesh under construction:
