@@ -154,7 +154,8 @@ C       preparation: leafcount TSLCOU, lengths TSLENG, layout TSLAYO,
 C         collect TSCOLL, rescale TSRESC, units TSUNIT,
 C         fits TSFITS, scale TSSCAL, revive TSREVI,
 C         sortpoints TSSORT, seal TSSEAL, openindex TSOPEN,
-C         intact TSINTA, claim TSCLAI, restore TSREST, allot TSALLO, run TSRUN, badargument TSBADA
+C         intact TSINTA, claim TSCLAI, restore TSREST, allot TSALLO,
+C         run TSRUN, badargument TSBADA
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
 C     and what needs no mesh under construction:
