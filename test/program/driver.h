@@ -17,8 +17,8 @@
 #define COLUMNS 512 /* most columns of a line                    */
 #define VOIDS 16    /* most values of -nodata                    */
 #define TITLE 40    /* characters of a column's name that matter */
-#define LONGER 4.0  /* pictures stretch sides that the longest is so many times; */
-#define LONGEST 20.0 /* by -scale those that would hardly be seen */
+#define LONGER 4.0   /* pictures stretch sides that the longest is so often; */
+#define LONGEST 20.0 /* by -scale those that would hardly be seen           */
 
 /* ---- what is read ---- */
 
@@ -167,8 +167,8 @@ void too_small(const char *format, ...);
 /* warn - print a message on stderr, unless the program is to be quiet. */
 void warn(const char *format, ...);
 
-/* tell - print what comes out, on stdout, or stderr if a file goes there; unless
- * the program is to be quiet. */
+/* tell - print what comes out, on stdout, or stderr if a file goes there;
+ * unless the program is to be quiet. */
 void tell(const char *format, ...);
 
 /* say - tell on stderr what a long run is doing: when there are many points,
@@ -289,8 +289,8 @@ int natural_flat(const tess_real *p, const tess_int *tet, const tess_int *adj,
 
 /* ---- files of points and tetrahedra (write.c) ---- */
 
-/* xml_text - a text of less than TEXT bytes as XML takes it, until the next one:
- * UTF-8, or if it is not that Latin-1. */
+/* xml_text - a text of less than TEXT bytes as XML takes it, until the next
+ * one: UTF-8, or if it is not that Latin-1. */
 #define TEXT 600
 const char *xml_text(const char *text);
 

@@ -31,10 +31,10 @@ static const char *const before[] = {
     "",
     "points: a file of points, or - or nothing for standard input.  It may be",
     "  lines     x y z and any values; blanks, tabs, commas or semicolons",
-    "            between them; a first line of names, of which x, y, z say which",
-    "            columns those are; a column of words is skipped.  # begins a",
-    "            comment; so do % ! and two slashes.  1.34D-01 is 1.34E-01;",
-    "            for decimal commas see -decimal",
+    "            between them; a first line of names, of which x, y, z say",
+    "            which columns those are; a column of words is skipped.",
+    "            # begins a comment; so do % ! and two slashes.  1.34D-01 is",
+    "            1.34E-01; for decimal commas see -decimal",
     "  a count   before such lines, or Qhull's dimension and number",
     "  .xyz      of atoms: number, comment, lines `element x y z'",
     "  .node     TetGen's; .off, .ply, .obj: the points; PDB: the atoms",
@@ -45,9 +45,10 @@ static const char *const before[] = {
 static const char *const after[] = {
     "exit code: 0  done; also for points that all lie in one plane, which have",
     "              no tetrahedron: a message says so",
-    "           1  this build's integers do not suffice, or -check found a fault",
-    "           2  wrong usage, unreadable input, unwritable output, not enough",
-    "              memory"};
+    "           1  this build's integers do not suffice, or -check found a",
+    "              fault",
+    "           2  wrong usage, unreadable input, unwritable output, not",
+    "              enough memory"};
 
 int list_numbers(const char *text, int most, double *x)
 {
@@ -413,7 +414,8 @@ static const option table[] = {
     {"-errors", "F.csv", take_output, errors_forms,
      "write -validate's x,y,z, part, values, and errors"},
     {0, 0, 0, 0, ""},
-    {"-q", 0, take_switch, &chosen.quiet, "quiet: nothing but errors, and of files of gigabytes"},
+    {"-q", 0, take_switch, &chosen.quiet,
+     "quiet: nothing but errors, and of files of gigabytes"},
     {"-version", 0, take_version, 0, "the version of the library"},
     {"-h", 0, take_help, 0, "this text; so do -help and --help"}};
 

@@ -123,8 +123,8 @@ static void choose_grid(void)
         x[7] = x[8] = 0.0;
         many = many == 2 ? 3 : 9;
     } else if (chosen.plane) {
-        fail("-grid NX,NY,NZ is for points in space: -grid NX,NY if two columns "
-             "are their coordinates");
+        fail("-grid NX,NY,NZ is for points in space: -grid NX,NY if two "
+             "columns are their coordinates");
     }
     for (k = 0; k < 3; k++) {
         if (!(x[k] >= 1.0 && x[k] <= (double)INT_MAX) ||
@@ -301,7 +301,7 @@ void read_places(points *query)
 
 void check_points(const points *points_read)
 {
-    tess_int i;
+    size_t j;
     long bad = 0;
     int k;
 
@@ -314,14 +314,11 @@ void check_points(const points *points_read)
     if (chosen.validate > (long)in->n && !chosen.by)
         fail("-validate %ld: there are only %ld points", chosen.validate,
              (long)in->n);
-    for (i = 0; i < in->n; i++)
-        for (k = 0; k < in->columns; k++)
-            if (!(fabs(in->value[(size_t)in->columns * (size_t)i + (size_t)k]) <=
-                  DBL_MAX))
-                bad++;
+    for (j = 0; j < (size_t)in->columns * (size_t)in->n; j++)
+        bad += !(fabs(in->value[j]) <= DBL_MAX);
     if (bad > 0)
-        warn("%s: %ld value%s not finite, and so is what is computed from them; "
-             "-skip drops rows with a NaN",
+        warn("%s: %ld value%s not finite, and so is what is computed from "
+             "them; -skip drops rows with a NaN",
              in->input, bad, bad > 1 ? "s are" : " is");
     for (k = 0; k < in->columns; k++) {
         warn_far(k, 1.0);

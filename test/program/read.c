@@ -1437,8 +1437,8 @@ static double column(int from, int last, double fallback)
     return end[-1] && strspn(text, " ") < strlen(text) ? x : fallback;
 }
 
-/* crystal - CRYST1: sides and angles of the box that repeats itself.  (A cube of
- * side 1 is what files have for want of one.) */
+/* crystal - CRYST1: sides and angles of the box that repeats itself.  (A cube
+ * of side 1 is what files have for want of one.) */
 static void crystal(void)
 {
     static const double origin[3] = {0.0, 0.0, 0.0};
