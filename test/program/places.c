@@ -395,8 +395,9 @@ static void vtk_head(FILE *file)
     fprintf(file, "\nPOINT_DATA %.0f\n", places_asked());
 }
 
-/* put_corners - of cell i of the grid, which has step[k] places from each one
- * to the next along axis k. */
+/* put_corners - of a cell of the grid, which has step[k] places from each one
+ * to the next along axis k: as VTK orders those of hexahedra, once around and
+ * once above, since pixels and voxels, which ascend, others do not read. */
 static void put_corners(FILE *file, const double *cell, const double *step,
                         int corners)
 {
@@ -404,7 +405,7 @@ static void put_corners(FILE *file, const double *cell, const double *step,
     int c, k, bit;
 
     for (c = 0; c < corners; c++) {
-        for (at = 0.0, bit = c, k = 0; k < 3; k++) {
+        for (at = 0.0, bit = c ^ (c >> 1 & 1), k = 0; k < 3; k++) {
             at += step[k] * (cell[k] + (size[k] > 1.0 && bit & 1));
             if (size[k] > 1.0) bit >>= 1;
         }
@@ -412,11 +413,11 @@ static void put_corners(FILE *file, const double *cell, const double *step,
     }
 }
 
-/* vtu_head - the places; and as cells those of the grid, voxels, pixels or
- * lines, or the places themselves. */
+/* vtu_head - the places; and as cells those of the grid, hexahedra,
+ * quadrangles or lines, or the places themselves. */
 static FILE *vtu_head(output *o)
 {
-    static const int type[] = {1, 3, 8, 11};
+    static const int type[] = {1, 3, 9, 12};
     double cells = 1.0, x[3], step[3], most[3], i;
     int sides = 0, k;
     size_t j;
