@@ -448,6 +448,7 @@ int main(int argc, char **argv)
     in.nodata = chosen.nodata;
     in.voids = chosen.voids;
     in.by = chosen.by;
+    in.named = !chosen.by && next_output(volumes_forms, 0);
     places.cols = chosen.qcols;
     places.skip = chosen.skip;
     places.bare = 1;

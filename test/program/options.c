@@ -71,6 +71,7 @@ const form values_forms[] = {{".csv", 0}, {".npy", 0}, {".vtu", 0},
 const form errors_forms[] = {{".csv", 0}, {0, 0}};
 const form cells_forms[] = {{".vtk", 0}, {0, 0}};
 const form volumes_forms[] = {{".csv", 0}, {0, 0}};
+const form faces_forms[] = {{".csv", 0}, {0, 0}};
 static const form node_forms[] = {{".node", write_node}, {0, 0}};
 static const form ele_forms[] = {{".ele", write_ele}, {0, 0}};
 static const form neigh_forms[] = {{".neigh", write_ele}, {0, 0}};
@@ -344,7 +345,14 @@ static const option table[] = {
      "write each point's x,y,z, its cell's volume, and number\n"
      "of faces, the point's number, the cell's area, neighbours\n"
      "(the box's sides x0 to z1 are -1 to -6, where it repeats\n"
-     "itself none), values; the volumes' sum is said"},
+     "itself none), values, the cell's centroid, and the name, a\n"
+     "column of words as an atom's species, if the file has one;\n"
+     "the volumes' sum is said"},
+    {"-faces", "F.csv", take_output, faces_forms,
+     "write each face between cells once: point, neighbour (or\n"
+     "side, as above), area, centroid, unit normal to it from the\n"
+     "point, and what is added to the neighbour's place where the\n"
+     "box repeats itself, in lengths"},
     {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
      "that box; if not given, that of an extended XYZ file's\n"
      "Lattice, or the points' own"},
@@ -527,9 +535,10 @@ void choose_options(int argc, char **argv)
         }
     }
     chosen.values = next_output(values_forms, 0) != 0;
-    chosen.cells = next_output(cells_forms, 0) || next_output(volumes_forms, 0);
+    chosen.cells = next_output(cells_forms, 0) ||
+                   next_output(volumes_forms, 0) || next_output(faces_forms, 0);
     check_values();
     if (chosen.boxed && !chosen.cells && !chosen.periodic)
-        warn("-box is for -cells, -volumes and -periodic alone");
+        warn("-box is for -cells, -volumes, -faces and -periodic alone");
     try_outputs();
 }
