@@ -221,6 +221,10 @@ language() {
             # mpi.h and mex.h are not C89
             case \$f in test/mpi/*|*_mex.c) continue;; esac
             $CC $STRICT -fsyntax-only -I. \$f || exit 1; done"
+        for d in -DTESS_FLOAT -DTESS_INT=long; do
+            one "strict C89: build/tess $d" sh -c "for f in test/program/*.c; do
+                $CC $STRICT $d -fsyntax-only -I. \$f || exit 1; done"
+        done
         one "strict C89: the paper's programs, all of them" sh -c "cd test/paper
             for f in blas loops time acc backward round; do
             $CC $STRICT -fsyntax-only -I. -DCBLAS -DFORTRAN -DSINGLE -DPLAIN \

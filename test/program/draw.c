@@ -924,7 +924,8 @@ int draw_svg(FILE *file, const draw_look *look, tess_int n,
         styles(&d);
         axes(&d);
         if (look->what == DRAW_POINTS) {
-            thick = 4.0 * sqrt((double)look->width * d.height / n);
+            thick = 4.0 * sqrt((double)look->width * d.height /
+                                (double)n);
             thick = thick < 20.0 ? 20.0 : thick > 90.0 ? 90.0 : thick;
         }
         fprintf(file, "<g stroke-width=\"%.0f\" stroke-linejoin=\"round\" "

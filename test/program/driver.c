@@ -15,7 +15,7 @@
 #define UNEVEN 50.0  /* sides so uneven have different units, perhaps       */
 #define LONG_RUN 1e5 /* from this many points on, tell stderr what goes on */
 #define CLOUD 7.0    /* tetrahedra a point that there is room for at first */
-#define GROWTH 4.0   /* times more: to resume takes a third of the time so far */
+#define GROWTH 4.0   /* times more: to resume takes a third of that so far */
 #define MOST ((TESS_INT_MOST - 3) / 4) /* tetrahedra that a tess_int numbers */
 
 /* Exit codes. */
@@ -239,8 +239,9 @@ static int prove(void)
 
     if (chosen.periodic) {
         /* (triclinic has found so) */
-        tell("check         proven: a Delaunay tetrahedralization of the points,"
-             " rounded to\n              1e-15 of the box, and all copies\n");
+        tell("check         proven: a Delaunay tetrahedralization of the "
+             "points, rounded to\n              1e-15 of the box, and all "
+             "copies\n");
         return 0;
     }
     say("checking ...");
@@ -447,6 +448,7 @@ int main(int argc, char **argv)
     in.nodata = chosen.nodata;
     in.voids = chosen.voids;
     in.by = chosen.by;
+    in.named = !chosen.by && next_output(volumes_forms, 0);
     places.cols = chosen.qcols;
     places.skip = chosen.skip;
     places.bare = 1;

@@ -17,8 +17,8 @@
 #define COLUMNS 512 /* most columns of a line                    */
 #define VOIDS 16    /* most values of -nodata                    */
 #define TITLE 40    /* characters of a column's name that matter */
-#define LONGER 4.0  /* pictures stretch sides that the longest is so many times; */
-#define LONGEST 20.0 /* by -scale those that would hardly be seen */
+#define LONGER 4.0   /* pictures stretch sides that the longest is so often; */
+#define LONGEST 20.0 /* by -scale those that would hardly be seen           */
 
 /* ---- what is read ---- */
 
@@ -50,6 +50,10 @@ typedef struct points {
     FILE *scratch;    /* from a file of their own; or 0, and n are all */
     const char *by;   /* column that tells groups apart; 0: none */
     tess_int *group;  /* of each point, from 0 on; 0: none */
+    int named;        /* keep the points' names, a column of words? */
+    char labelled[TITLE]; /* the column's; "": there are none; they are */
+    char *labels;         /* all here, */
+    size_t *label;        /* each point's from there on */
 } points;
 
 /* What the lattice is: there is none; a box along the axes; any other. */
@@ -108,7 +112,7 @@ typedef struct form {
 } form;
 
 extern const form values_forms[], errors_forms[], cells_forms[],
-    volumes_forms[], svg_forms[], face_forms[];
+    volumes_forms[], faces_forms[], svg_forms[], face_forms[];
 
 /* next_output - the file behind o, or the first one if o = 0, in one of these
  * forms; in any if all = 0.  0 if there is none. */
@@ -124,7 +128,7 @@ typedef struct choices {
     double nodata[VOIDS];
     int plane;         /* have the points two coordinates? */
     int scaled, boxed; /* are these given?  (scaled: numbers of it) */
-    int values, cells; /* -values; -cells or -volumes */
+    int values, cells; /* -values; -cells, -volumes, -faces */
     int to_stdout;     /* is a file written to standard output? */
     double scale[3], box[6];
     double alpha;   /* largest circumradius that is kept; 0: any */
@@ -167,8 +171,8 @@ void too_small(const char *format, ...);
 /* warn - print a message on stderr, unless the program is to be quiet. */
 void warn(const char *format, ...);
 
-/* tell - print what comes out, on stdout, or stderr if a file goes there; unless
- * the program is to be quiet. */
+/* tell - print what comes out, on stdout, or stderr if a file goes there;
+ * unless the program is to be quiet. */
 void tell(const char *format, ...);
 
 /* say - tell on stderr what a long run is doing: when there are many points,
@@ -289,8 +293,8 @@ int natural_flat(const tess_real *p, const tess_int *tet, const tess_int *adj,
 
 /* ---- files of points and tetrahedra (write.c) ---- */
 
-/* xml_text - a text of less than TEXT bytes as XML takes it, until the next one:
- * UTF-8, or if it is not that Latin-1. */
+/* xml_text - a text of less than TEXT bytes as XML takes it, until the next
+ * one: UTF-8, or if it is not that Latin-1. */
 #define TEXT 600
 const char *xml_text(const char *text);
 
@@ -333,7 +337,8 @@ typedef struct repeated {
     double inverse[9]; /* the k-th part times x - corner: so many of its vector
                         * k is x away */
     tess_int ways[3], ntet, *tet, *move, *adj, *shift;
-    tess_real *at;   /* the points, stretched, in the cell */
+    tess_real *at;   /* the points, stretched, in the cell, */
+    int *away;       /* to which so many of its vectors bring each */
     double volume;   /* the cell's, not stretched */
     int sides;       /* has it some where nothing repeats itself? */
     long beyond;     /* points beyond those */

@@ -424,6 +424,9 @@ sed 's/9 0 0 0 9/0 9 0 9 0/; s/0 0 9"/0 0 -9" Origin="-1 -2 7"/' more.xyz \
 $TESS -periodic -volumes v.csv turned.xyz > said 2> words
 yes "Lattice: vectors along other axes, an origin" sh -c \
     "grep 'sum to 729; the box.s is 729' said && ! grep outside words" > /dev/null
+yes "species go with the cells" test "$(sed 's/.*,//' v.csv | tr '\n' ' ')" = \
+    "species C H H O Fe "
+yes "species are not skipped" sh -c '! grep skipped words' > /dev/null
 sed 's/Lattice=.*/Lattice=[[9,0,0],[0,9,0],[0,0,9]]/' more.xyz > nested.xyz
 $TESS -volumes v.csv nested.xyz > said 2> words
 yes "Lattice: in brackets" grep "the box's is 729" said > /dev/null
@@ -585,6 +588,8 @@ yes "CRYST1: the periodic box" sh -c \
     > /dev/null
 $TESS -volumes v.csv cell.pdb > said 2> words
 yes "CRYST1: cuts no cells" grep "the box's is 0.5\$" said > /dev/null
+yes "PDB: the atoms' names" test "$(sed 's/.*,//' v.csv | tr '\n' ' ')" = \
+    "name FE O N CA "
 crystal 6.000 7.000 8.000 90.00 90.00 90.00 'P 21 21 2' > cell.pdb
 $TESS -periodic -volumes v.csv cell.pdb > said 2> words
 yes "CRYST1: a group of symmetries is said" grep 'P 21 21 2' words > /dev/null
@@ -754,7 +759,7 @@ rm -f ../x.csv.* ../x.xyz.* ../stdin.* ../numbers.txt.*
 $TESS -h > help && $TESS --help | cmp - help
 yes "--help is -h" test $? -eq 0
 yes "-h names the options" sh -c 'for o in -cols -skip -nodata -decimal -scale \
-    -box -periodic -cells -volumes -alpha -clip -by -errors -q; do
+    -box -periodic -cells -volumes -faces -alpha -clip -by -errors -q; do
     grep -e "^  $o " help || exit 1; done' > /dev/null
 yes "--version: the library's" test "$($TESS --version)" = "tess $(sed -n \
     's/^#define TESS_VERSION \([0-9]*\)0\([0-9]\)00L/\1.\2/p' "$TOP"/tess.h)"
@@ -809,7 +814,8 @@ yes "-svg of points in a plane: why" grep 'the points lie in one plane' words \
 
 # names' endings; several files of one option; standard output
 for wrong in '-vtk h.vtu' '-mesh h.obj' '-face h.msh' '-node h.txt' '-ele h.node' \
-    '-neigh h.ele' '-cells h.csv' '-volumes h.vtk' '-svg h.png'; do
+    '-neigh h.ele' '-cells h.csv' '-volumes h.vtk' '-faces h.obj' \
+    '-svg h.png'; do
     $TESS "${wrong% *}" "${wrong#* }" cube.node > said 2> words
     yes "$wrong: refused" test $? -eq 2 -a ! -s said -a ! -f "${wrong#* }"
     yes "$wrong: which are known" grep -e "${wrong%.*}.*the name must end in \." \
@@ -1025,7 +1031,7 @@ awk 'NR == 1 { print } NR > 1 { printf "%d %.17g %.17g %.17g\n", $1, $2, 2 * $3,
     $4 / 128 }' thin.node > even.node
 $TESS -q -ele even.ele -neigh even.neigh even.node
 $TESS -scale 1,2,.0078125 -check -ele a.ele -neigh a.neigh -node a.node -vtk \
-    a.vtk -volumes a.csv thin.node > said 2> words
+    a.vtk -volumes a.csv -faces af.csv thin.node > said 2> words
 yes "-scale: the mesh of stretched points" sh -c \
     'cmp even.ele a.ele && cmp even.neigh a.neigh && grep -w proven said' \
     > /dev/null
@@ -1034,7 +1040,8 @@ yes "-scale: their own coordinates" sh -c 'cmp thin2.node a.node &&
     head -c 7300 thin.vtk > v1 && head -c 7300 a.vtk | cmp v1 -'
 yes "-scale: nothing else is said" test ! -s words
 $TESS -q -scale 1,2,-.0078125 -ele b.ele -neigh b.neigh -node b.node -vtk b.vtk \
-    -volumes b.csv thin.node
+    -volumes b.csv -faces bf.csv thin.node
+yes "-scale below 0: the same faces" cmp af.csv bf.csv
 for f in ele neigh node vtk csv; do
     yes "-scale below 0: the same .$f" cmp a.$f b.$f
 done
@@ -1183,11 +1190,17 @@ fills "-cells -box: they fill that box" 564 39
 $TESS -q -cells cells.vtk -periodic -box 0,4,0,4,0,4 some
 fills "-cells -periodic: they fill the box" 564 64
 # of any size: also where squares of areas are beyond doubles
+$TESS -q -volumes some.csv some
 for e in -100 -80 80 100; do
     awk '{ printf "%.17g %.17g %.17g\n", $1 * s, $2 * s, $3 * s }' s=1e$e some \
         > sized
     rm -f cells.vtk
-    $TESS -q -cells cells.vtk sized
+    $TESS -q -cells cells.vtk -volumes sized.csv sized
+    yes "-volumes: areas are right, 1e$e" awk -F, -v s=1e$((2 * e)) '
+        FNR == 1 { next }
+        NR == FNR { a[FNR] = $7 * s; next }
+        !($7 > a[FNR] * (1 - 1e-9) && $7 < a[FNR] * (1 + 1e-9)) { bad = 1 }
+        END { exit bad || FNR != 565 }' some.csv sized.csv
     fills "-cells: they fill the box, 1e$e" 564 27e$((3 * e))
     rm -f cells.vtk
     $TESS -q -cells cells.vtk -periodic -box 0,4e$e,0,4e$e,0,4e$e sized
@@ -1198,9 +1211,11 @@ import sys, itertools, numpy
 from scipy.spatial import Voronoi, ConvexHull
 periodic = sys.argv[1] == 'periodic'
 box = numpy.array([float(x) for x in sys.argv[2].split(',')]).reshape(3, 2)
+scale = numpy.array([float(x) for x in sys.argv[3].split(',')])
 rows = [l.split(',') for l in open('cells.csv').read().splitlines()]
 assert rows.pop(0) == ['x', 'y', 'z', 'volume', 'faces', 'point', 'area',
-                       'neighbours', 'value']
+                       'neighbours', 'value', 'cx', 'cy', 'cz', 'name']
+assert [r.pop() for r in rows] == ['"a %d"' % i for i in range(len(rows))]
 a = numpy.array([r[:7] + r[8:] for r in rows], float)
 assert (a[:, 5] == range(len(a))).all()
 assert (a[:, 7] == 5 * a[:, 5]).all()
@@ -1219,16 +1234,42 @@ for k in range(3):
         name.append(who if periodic else 0 * who - 1 - 2 * k - side)
     all = numpy.concatenate(more)
     who = numpy.concatenate(name)
-v = Voronoi(all)
+v = Voronoi(all * scale)
+vertices = v.vertices / scale
 faces = numpy.zeros(n, int)
 beside = [[] for i in range(n)]
-for i, j in v.ridge_points:
+def key(i, j, s):
+    return (int(i), int(j)) + tuple(int(k) for k in numpy.rint(s))
+wall = {}
+for (i, j), corners in zip(v.ridge_points, v.ridge_vertices):
     for i, j in (i, j), (j, i):
         if i < n:
             faces[i] += 1
             beside[i].append(who[j])
-hull = [ConvexHull(v.vertices[v.regions[v.point_region[i]]])
-        for i in range(n)]
+            q = vertices[corners]
+            normal = numpy.cross(q - q[0], numpy.roll(q, -1, 0) - q[0]) / 2
+            size = numpy.linalg.norm(normal, axis=1)
+            normal = normal.sum(0)
+            normal *= numpy.sign(normal.dot(q[0] - p[i]))
+            middle = (q + numpy.roll(q, -1, 0) + q[0]) / 3
+            away = all[j] - p[who[j]] if periodic else numpy.zeros(3)
+            wall[key(i, who[j], away)] = (normal,
+                                          middle.T.dot(size) / size.sum())
+f = numpy.loadtxt('faces.csv', delimiter=',', skiprows=1)
+once = [key(r[0], r[1], r[9:]) for r in f]
+again = [key(r[1], r[0], -r[9:]) for r in f if r[1] >= 0]
+assert len(once) + len(again) == len(wall) and set(once + again) == set(wall)
+for r, k in zip(f, once):
+    normal, middle = wall[k]
+    assert abs(r[2] * r[6:9] - normal).max() < 1e-12
+    assert abs(r[2] * (r[3:6] - middle)).max() < 1e-12
+    assert abs(numpy.linalg.norm(r[6:9]) - 1) < 1e-15
+hull = [ConvexHull(vertices[v.regions[v.point_region[i]]]) for i in range(n)]
+for h, centre in zip(hull, a[:, 8:]):
+    q = h.points[h.simplices] - h.points.mean(0)
+    size = abs(numpy.linalg.det(q))
+    middle = (q.sum(1) / 4).T.dot(size) / size.sum() + h.points.mean(0)
+    assert abs(centre - middle).max() < 1e-12, (centre, middle)
 volume = [h.volume for h in hull]
 area = numpy.array([h.area for h in hull])
 assert abs(a[:, 6] / area - 1).max() < 1e-9, abs(a[:, 6] / area - 1).max()
@@ -1244,15 +1285,19 @@ END
 awk 'BEGIN { srand(8)
     for (i = 0; i < 150; i++) print rand(), 2 * rand(), 3 * rand() - 1 }' > boxed
 if $PYTHON -c 'import scipy.spatial' 2> words; then
+    awk '{ print $1, $2, $3, 5 * (NR - 1), "a " (NR - 1) }' OFS=, boxed \
+        > valued.csv
     for kind in periodic clipped; do
-        option=`echo -$kind | grep periodic`
-        awk '{ print $0, 5 * (NR - 1) }' boxed > valued
-        $TESS -volumes cells.csv $option -box 0,1,0,2,-1,2 valued > said
-        yes "-volumes: as scipy has them: $kind" $PYTHON voronoi.py $kind \
-            0,1,0,2,-1,2
+        for scale in 1,1,1 2,1,0.25; do
+            option=`echo -$kind | grep periodic`
+            $TESS -volumes cells.csv -faces faces.csv $option -scale $scale \
+                -box 0,1,0,2,-1,2 valued.csv > said
+            yes "-volumes, -faces: as scipy has them: $kind, $scale" \
+                $PYTHON voronoi.py $kind 0,1,0,2,-1,2 $scale
+        done
     done
 else
-    skip "-volumes beside scipy's: no scipy for $PYTHON"
+    skip "-volumes, -faces beside scipy's: no scipy for $PYTHON"
 fi
 awk '{ printf "%.17g %.17g %.17g\n", $1 + NR % 3 - 1, $2 - 2 * (NR % 2),
     $3 + 6 }' boxed > far
@@ -1268,12 +1313,12 @@ yes "-periodic: points outside the box have copies inside" awk -F, '
 (cat some; sed -n 5p some) > twin
 $TESS -q -volumes twin.csv twin
 yes "-volumes: a duplicate has no cell" sh -c \
-    'tail -n 1 twin.csv | grep ",0,0,564,0,$"' > /dev/null
+    'tail -n 1 twin.csv | grep ",0,0,564,0,,nan,nan,nan$"' > /dev/null
 $TESS -periodic -box 0,2,0,2,0,1 -volumes flat.csv flat > said 2> words
 yes "-periodic: points in a plane" grep 'sum to 4; the box.s is 4$' said \
     > /dev/null
 $TESS -box 0,1,0,1,0,1 boxed > said 2> words
-yes "-box without cells" grep 'for -cells, -volumes and -periodic' words \
+yes "-box without cells" grep 'for -cells, -volumes, -faces and -per' words \
     > /dev/null
 for o in "-alpha 1" "-validate 5" "-grid 3,3 -values no.csv"; do
     yes "-periodic $o" sh -c \
@@ -1313,7 +1358,7 @@ with open('repeat.xyz', 'w') as f:
 numpy.savetxt('places', q + random.integers(-9, 9, (400, 3)) * ways @ short,
               fmt='%.17g')
 tess('-periodic', '-volumes', 'v.csv', '-node', 'r.node', '-ele', 'r.ele',
-     'repeat.xyz')
+     '-faces', 'f.csv', 'repeat.xyz')
 shift = [s for s in itertools.product(range(-3, 4), repeat=3)
          if not ((1 - ways) * s).any()]
 shift.sort(key=lambda s: numpy.abs(s).sum())
@@ -1334,6 +1379,25 @@ for k, right in enumerate(([c.volume for c in cells], [c.area for c in cells])):
     assert abs(a[:, k] / right - 1).max() < 1e-9, abs(a[:, k] / right - 1).max()
 whole = abs(numpy.linalg.det(short))
 assert abs(a[:, 0].sum() / whole - 1) < 1e-12
+# of faces, which come once, those of a cell close it, around its volume; the
+# neighbour, a lattice vector away from where it is given, is beyond
+closed = numpy.zeros((n, 4))
+for row in numpy.loadtxt('f.csv', delimiter=',', skiprows=1):
+    i, j = row[:2].astype(int)
+    area, x, normal, s = row[2], row[3:6], row[6:9], row[9:]
+    at = (p + away)[[i, max(j, 0)]]
+    closed[i] += numpy.append(area * normal, area * normal.dot(x - at[0]) / 3)
+    if j < 0:
+        assert (s == 0).all() and not ways[(-1 - j) // 2]
+        continue
+    at[1] += s
+    closed[j] += numpy.append(-area * normal, area * normal.dot(at[1] - x) / 3)
+    count = s @ numpy.linalg.inv(short)
+    assert abs(count - numpy.rint(count)).max() < 1e-12
+    assert abs(numpy.cross(at[1] - at[0], normal)).max() < 1e-13
+    assert abs(area * normal.dot(2 * x - at[0] - at[1])) < 1e-12
+closed[:, 3] -= a[:, 0]
+assert abs(closed).max() < 1e-12, abs(closed).max()
 # the mesh: balls without points, as large as the cell
 node = numpy.loadtxt('r.node', skiprows=1)[:, 1:4]
 assert (node[:n] == p + away).all()

@@ -31,10 +31,10 @@ static const char *const before[] = {
     "",
     "points: a file of points, or - or nothing for standard input.  It may be",
     "  lines     x y z and any values; blanks, tabs, commas or semicolons",
-    "            between them; a first line of names, of which x, y, z say which",
-    "            columns those are; a column of words is skipped.  # begins a",
-    "            comment; so do % ! and two slashes.  1.34D-01 is 1.34E-01;",
-    "            for decimal commas see -decimal",
+    "            between them; a first line of names, of which x, y, z say",
+    "            which columns those are; a column of words is skipped.",
+    "            # begins a comment; so do % ! and two slashes.  1.34D-01 is",
+    "            1.34E-01; for decimal commas see -decimal",
     "  a count   before such lines, or Qhull's dimension and number",
     "  .xyz      of atoms: number, comment, lines `element x y z'",
     "  .node     TetGen's; .off, .ply, .obj: the points; PDB: the atoms",
@@ -45,9 +45,10 @@ static const char *const before[] = {
 static const char *const after[] = {
     "exit code: 0  done; also for points that all lie in one plane, which have",
     "              no tetrahedron: a message says so",
-    "           1  this build's integers do not suffice, or -check found a fault",
-    "           2  wrong usage, unreadable input, unwritable output, not enough",
-    "              memory"};
+    "           1  this build's integers do not suffice, or -check found a",
+    "              fault",
+    "           2  wrong usage, unreadable input, unwritable output, not",
+    "              enough memory"};
 
 int list_numbers(const char *text, int most, double *x)
 {
@@ -70,6 +71,7 @@ const form values_forms[] = {{".csv", 0}, {".npy", 0}, {".vtu", 0},
 const form errors_forms[] = {{".csv", 0}, {0, 0}};
 const form cells_forms[] = {{".vtk", 0}, {0, 0}};
 const form volumes_forms[] = {{".csv", 0}, {0, 0}};
+const form faces_forms[] = {{".csv", 0}, {0, 0}};
 static const form node_forms[] = {{".node", write_node}, {0, 0}};
 static const form ele_forms[] = {{".ele", write_ele}, {0, 0}};
 static const form neigh_forms[] = {{".neigh", write_ele}, {0, 0}};
@@ -343,7 +345,14 @@ static const option table[] = {
      "write each point's x,y,z, its cell's volume, and number\n"
      "of faces, the point's number, the cell's area, neighbours\n"
      "(the box's sides x0 to z1 are -1 to -6, where it repeats\n"
-     "itself none), values; the volumes' sum is said"},
+     "itself none), values, the cell's centroid, and the name, a\n"
+     "column of words as an atom's species, if the file has one;\n"
+     "the volumes' sum is said"},
+    {"-faces", "F.csv", take_output, faces_forms,
+     "write each face between cells once: point, neighbour (or\n"
+     "side, as above), area, centroid, unit normal to it from the\n"
+     "point, and what is added to the neighbour's place where the\n"
+     "box repeats itself, in lengths"},
     {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
      "that box; if not given, that of an extended XYZ file's\n"
      "Lattice, or the points' own"},
@@ -413,7 +422,8 @@ static const option table[] = {
     {"-errors", "F.csv", take_output, errors_forms,
      "write -validate's x,y,z, part, values, and errors"},
     {0, 0, 0, 0, ""},
-    {"-q", 0, take_switch, &chosen.quiet, "quiet: nothing but errors, and of files of gigabytes"},
+    {"-q", 0, take_switch, &chosen.quiet,
+     "quiet: nothing but errors, and of files of gigabytes"},
     {"-version", 0, take_version, 0, "the version of the library"},
     {"-h", 0, take_help, 0, "this text; so do -help and --help"}};
 
@@ -525,9 +535,10 @@ void choose_options(int argc, char **argv)
         }
     }
     chosen.values = next_output(values_forms, 0) != 0;
-    chosen.cells = next_output(cells_forms, 0) || next_output(volumes_forms, 0);
+    chosen.cells = next_output(cells_forms, 0) ||
+                   next_output(volumes_forms, 0) || next_output(faces_forms, 0);
     check_values();
     if (chosen.boxed && !chosen.cells && !chosen.periodic)
-        warn("-box is for -cells, -volumes and -periodic alone");
+        warn("-box is for -cells, -volumes, -faces and -periodic alone");
     try_outputs();
 }

@@ -123,8 +123,8 @@ static void choose_grid(void)
         x[7] = x[8] = 0.0;
         many = many == 2 ? 3 : 9;
     } else if (chosen.plane) {
-        fail("-grid NX,NY,NZ is for points in space: -grid NX,NY if two columns "
-             "are their coordinates");
+        fail("-grid NX,NY,NZ is for points in space: -grid NX,NY if two "
+             "columns are their coordinates");
     }
     for (k = 0; k < 3; k++) {
         if (!(x[k] >= 1.0 && x[k] <= (double)INT_MAX) ||
@@ -301,7 +301,7 @@ void read_places(points *query)
 
 void check_points(const points *points_read)
 {
-    tess_int i;
+    size_t j;
     long bad = 0;
     int k;
 
@@ -314,14 +314,11 @@ void check_points(const points *points_read)
     if (chosen.validate > (long)in->n && !chosen.by)
         fail("-validate %ld: there are only %ld points", chosen.validate,
              (long)in->n);
-    for (i = 0; i < in->n; i++)
-        for (k = 0; k < in->columns; k++)
-            if (!(fabs(in->value[(size_t)in->columns * (size_t)i + (size_t)k]) <=
-                  DBL_MAX))
-                bad++;
+    for (j = 0; j < (size_t)in->columns * (size_t)in->n; j++)
+        bad += !(fabs(in->value[j]) <= DBL_MAX);
     if (bad > 0)
-        warn("%s: %ld value%s not finite, and so is what is computed from them; "
-             "-skip drops rows with a NaN",
+        warn("%s: %ld value%s not finite, and so is what is computed from "
+             "them; -skip drops rows with a NaN",
              in->input, bad, bad > 1 ? "s are" : " is");
     for (k = 0; k < in->columns; k++) {
         warn_far(k, 1.0);
@@ -398,8 +395,9 @@ static void vtk_head(FILE *file)
     fprintf(file, "\nPOINT_DATA %.0f\n", places_asked());
 }
 
-/* put_corners - of cell i of the grid, which has step[k] places from each one
- * to the next along axis k. */
+/* put_corners - of a cell of the grid, which has step[k] places from each one
+ * to the next along axis k: as VTK orders those of hexahedra, once around and
+ * once above, since pixels and voxels, which ascend, others do not read. */
 static void put_corners(FILE *file, const double *cell, const double *step,
                         int corners)
 {
@@ -407,7 +405,7 @@ static void put_corners(FILE *file, const double *cell, const double *step,
     int c, k, bit;
 
     for (c = 0; c < corners; c++) {
-        for (at = 0.0, bit = c, k = 0; k < 3; k++) {
+        for (at = 0.0, bit = c ^ (c >> 1 & 1), k = 0; k < 3; k++) {
             at += step[k] * (cell[k] + (size[k] > 1.0 && bit & 1));
             if (size[k] > 1.0) bit >>= 1;
         }
@@ -415,11 +413,11 @@ static void put_corners(FILE *file, const double *cell, const double *step,
     }
 }
 
-/* vtu_head - the places; and as cells those of the grid, voxels, pixels or
- * lines, or the places themselves. */
+/* vtu_head - the places; and as cells those of the grid, hexahedra,
+ * quadrangles or lines, or the places themselves. */
 static FILE *vtu_head(output *o)
 {
-    static const int type[] = {1, 3, 8, 11};
+    static const int type[] = {1, 3, 9, 12};
     double cells = 1.0, x[3], step[3], most[3], i;
     int sides = 0, k;
     size_t j;

@@ -56,8 +56,8 @@ static int width;       /* columns of a line of points; and which they are: */
 static int part[COLUMNS];
 static long dropped, first_dropped; /* rows; the first one's line */
 static long voided, misplaced;      /* by -nodata; of such a coordinate */
-static int by;       /* the column of -by, or -1 */
-static char *labels; /* of groups, one after the other */
+static int by;       /* the column of -by, or of names that are kept, or -1 */
+static char *labels; /* those, one after the other */
 static size_t labelled, labels_room;
 static size_t *label; /* where that of each point begins */
 static int counting; /* is the first column 0, 1, 2, ... or 1, 2, 3, ...? */
@@ -700,7 +700,7 @@ static void add_point(const double *x)
         progress("reading", passed + (double)taken, file_size);
 }
 
-/* add_group - the label of the last point's group. */
+/* add_group - the label of the last point's group, or its name. */
 static void add_group(const char *text)
 {
     tess_int i = to->n - 1;
@@ -862,7 +862,7 @@ static void columns(void)
     if (titles != many) titles = 0;
     at[0] = at[1] = at[2] = -1;
     for (k = 0; k < many; k++) part[k] = UNUSED;
-    if (to->by) by = find(to->by, strlen(to->by), "-by");
+    by = to->by ? find(to->by, strlen(to->by), "-by") : -1;
     if (to->cols) found = choose(at);
     for (k = 0; k < many; k++)
         others += fields[k].number && part[k] == UNUSED && k != by;
@@ -903,6 +903,14 @@ static void columns(void)
                     to->columns > 0 ? "value%d" : "value", to->columns + 1);
         to->columns++;
     }
+    if (!to->named) return;
+    for (k = many - 1; k >= 0; k--)
+        if (part[k] == LABEL && (by < 0 || titles == 0 ||
+                                 strcmp(title[by], "species") != 0))
+            by = k;
+    to->labelled[0] = '\0';
+    if (by >= 0)
+        strcpy(to->labelled, titles > 0 && title[by][0] ? title[by] : "name");
 }
 
 /* like - has the line the form of the first one? */
@@ -939,7 +947,7 @@ static void row(void)
     }
     if (by >= 0 && packed.columns > 0)
         sprintf(fields[by].text, "%.17g", fields[by].x);
-    if (by >= 0 && !fields[by].text[0]) fail_empty(line_number, by + 1);
+    if (to->by && !fields[by].text[0]) fail_empty(line_number, by + 1);
     for (k = 0; k < many; k++) {
         if (part[k] == HOLLOW && fields[k].number)
             fail_empty(first_line, k + 1);
@@ -972,7 +980,7 @@ static void shape(void)
     for (k = 0; k < many && !to->cols; k++)
         if (part[k] == LABEL && hint(fields[k].text, fields[k].quoted))
             fail_cell(k);
-        else if (part[k] == LABEL || part[k] == HOLLOW)
+        else if ((part[k] == LABEL && k != by) || part[k] == HOLLOW)
             warn("%s: column %d (%.20s) is not a number: skipped", to->input,
                  k + 1, part[k] == LABEL ? fields[k].text : "empty");
     /* 0,13,0,84,0,5: to tell is beyond a program */
@@ -1437,8 +1445,8 @@ static double column(int from, int last, double fallback)
     return end[-1] && strspn(text, " ") < strlen(text) ? x : fallback;
 }
 
-/* crystal - CRYST1: sides and angles of the box that repeats itself.  (A cube of
- * side 1 is what files have for want of one.) */
+/* crystal - CRYST1: sides and angles of the box that repeats itself.  (A cube
+ * of side 1 is what files have for want of one.) */
 static void crystal(void)
 {
     static const double origin[3] = {0.0, 0.0, 0.0};
@@ -1474,8 +1482,10 @@ static void crystal(void)
 static void read_pdb(void)
 {
     double x[3], factor;
+    char text[5], name[5];
     int k;
 
+    if (to->named) strcpy(to->labelled, "name");
     to->columns = 1;
     strcpy(to->name[0], "B");
     do {
@@ -1498,6 +1508,9 @@ static void read_pdb(void)
         }
         add_point(x);
         if (!to->bare) to->value[to->n - 1] = factor;
+        sprintf(text, "%.4s", line + 12);
+        if (sscanf(text, "%4s", name) != 1) name[0] = '\0';
+        if (to->named) add_group(name);
     } while (next_line());
 }
 
@@ -1640,7 +1653,11 @@ void read_points(const char *name, points *a)
         spill();
     else
         rooms(to->all, to->bare ? 0.0 : to->all * (double)to->columns);
-    if (by >= 0) number_groups();
+    if (to->by) number_groups();
+    else {
+        to->labels = labels;
+        to->label = label;
+    }
     if (dropped > 0)
         warn("%s: %ld row%s dropped for a number that is missing, the first "
              "in line %ld%s",

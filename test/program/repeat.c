@@ -19,7 +19,6 @@
 
 static repeated rep;
 static double given[12];  /* the cell as it is given: vectors, corner */
-static int *away;         /* 3 a point: of them, to bring it near the cell */
 
 const repeated *repetition(void)
 {
@@ -176,7 +175,7 @@ static void begin_cell(const mesh *m)
     s = inverted(rep.cell, rep.inverse);
     if (!(fabs(s) > 0.0)) no_vectors();
     rep.at = (tess_real *)space(3.0 * (double)m->in->n, sizeof *rep.at);
-    away = (int *)space(3.0 * (double)m->in->n, sizeof *away);
+    rep.away = (int *)space(3.0 * (double)m->in->n, sizeof *rep.away);
     for (i = 0; i < m->in->n; i++) {
         for (k = 0; k < 3; k++)
             x[k] = (double)m->p[3 * i + k] - rep.cell[9 + k];
@@ -190,7 +189,7 @@ static void begin_cell(const mesh *m)
             if (!(fabs(s) < FARTHEST) && rep.ways[k])
                 fail("-periodic: point %ld is more than %g boxes away",
                      (long)(i + m->in->base), FARTHEST);
-            away[3 * i + k] =
+            rep.away[3 * i + k] =
                 rep.ways[k] && (s < -ROUNDING || s > 1.0 + ROUNDING)
                     ? -(int)floor(s) : 0;
         }
@@ -198,7 +197,7 @@ static void begin_cell(const mesh *m)
         for (k = 0; k < 3; k++) {
             x[k] += rep.cell[9 + k];
             for (j = 0; j < 3; j++)
-                x[k] += away[3 * i + j] * rep.cell[3 * j + k];
+                x[k] += rep.away[3 * i + j] * rep.cell[3 * j + k];
             rep.at[3 * i + k] = (tess_real)x[k];
         }
     }
@@ -294,8 +293,8 @@ static void corner_away(tess_int f, int *a)
     unpack(rep.move[f], a);
     unpack(rep.move[first], b);
     for (k = 0; k < 3; k++)
-        a[k] += away[3 * rep.tet[f] + k] - b[k] -
-                away[3 * rep.tet[first] + k];
+        a[k] += rep.away[3 * rep.tet[f] + k] - b[k] -
+                rep.away[3 * rep.tet[first] + k];
 }
 
 /* joined - does the tetrahedron across facet f share it where both are
@@ -310,8 +309,8 @@ static int joined(tess_int f)
     unpack(rep.move[t], a);
     unpack(rep.move[u], b);
     for (k = 0; k < 3; k++)
-        same &= s[k] == a[k] + away[3 * rep.tet[t] + k] - b[k] -
-                            away[3 * rep.tet[u] + k];
+        same &= s[k] == a[k] + rep.away[3 * rep.tet[t] + k] - b[k] -
+                            rep.away[3 * rep.tet[u] + k];
     return same;
 }
 

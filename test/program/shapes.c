@@ -72,6 +72,7 @@ typedef struct cells {
     /* a cell, and workspace */
     tess_int most, nface, nvert, *whose, *begin, *corner, *iwork;
     double volume, *area, *vert, *work;
+    double surface, centre[3], *middle; /* by sizes; in work */
     tess_int *integer; /* where these are */
     double *real;
 } cells;
@@ -244,7 +245,7 @@ static void take_room(cells *c, tess_int most)
     c->real = doubles(17.0 * (double)most);
     c->area = c->real;
     c->vert = c->real + most;
-    c->work = c->real + 10 * most;
+    c->work = c->middle = c->real + 10 * most;
     c->around =
         (tess_real *)space(12.0 * (double)most, sizeof *c->around);
 }
@@ -286,9 +287,9 @@ static void clear(cells *c)
     free(c->real);
 }
 
-/* put_faces - a cell in VTK's CELLS; its vertices are numbered from that number
- * on. */
-static void put_faces(FILE *file, const cells *c, double from)
+/* put_polyhedron - a cell in VTK's CELLS; its vertices are numbered from that
+ * number on. */
+static void put_polyhedron(FILE *file, const cells *c, double from)
 {
     tess_int j, k;
 
@@ -319,7 +320,7 @@ static void write_cells(cells *c, output *o, const double *volume,
     fprintf(file, "\nCELLS %.0f %.0f\n", all->cells, all->numbers);
     for (i = 0; i < n; i++) {
         compute(c, i);
-        if (c->nface > 0) put_faces(file, c, vertices);
+        if (c->nface > 0) put_polyhedron(file, c, vertices);
         vertices += (double)c->nvert;
     }
     fprintf(file, "\nCELL_TYPES %.0f\n", all->cells);
@@ -338,42 +339,82 @@ static void write_cells(cells *c, output *o, const double *volume,
     finish(file, o);
 }
 
-/* surface - of the cell, in the coordinates given: of each face the length of
- * the vectors' sum that are normal to its triangles. */
-static double surface(const cells *c)
+/* sizes - of the cell, in the coordinates given: c->area, c->middle, the faces'
+ * areas and centroids; its own.  Lengths are in a unit, so that their products
+ * are not beyond doubles. */
+static void sizes(cells *c)
 {
-    const double *o, *a, *b;
-    double sum = 0.0, n[3];
-    tess_int f, v;
-    int k;
+    double far = 0.0, unit, inside = 0.0, area, w, s, n[3], x[3][3];
+    tess_int f, v, at[3];
+    int k, m;
 
+    for (v = 0; v < 3 * c->nvert; v++)
+        if (fabs(c->vert[v] - c->vert[v % 3]) > far)
+            far = fabs(c->vert[v] - c->vert[v % 3]);
+    frexp(far, &k);
+    unit = ldexp(1.0, k);
+    c->centre[0] = c->centre[1] = c->centre[2] = c->surface = 0.0;
     for (f = 0; f < c->nface; f++) {
-        o = c->vert + 3 * c->corner[c->begin[f]];
-        n[0] = n[1] = n[2] = 0.0;
+        double *middle = c->middle + 3 * f;
+
+        middle[0] = middle[1] = middle[2] = area = 0.0;
+        at[0] = c->corner[c->begin[f]];
         for (v = c->begin[f] + 2; v < c->begin[f + 1]; v++) {
-            a = c->vert + 3 * c->corner[v - 1];
-            b = c->vert + 3 * c->corner[v];
+            at[1] = c->corner[v - 1];
+            at[2] = c->corner[v];
+            for (m = 0; m < 3; m++)
+                for (k = 0; k < 3; k++)
+                    x[m][k] = (c->vert[3 * at[m] + k] - c->vert[k]) / unit;
             for (k = 0; k < 3; k++)
-                n[k] += (a[(k + 1) % 3] - o[(k + 1) % 3]) *
-                            (b[(k + 2) % 3] - o[(k + 2) % 3]) -
-                        (a[(k + 2) % 3] - o[(k + 2) % 3]) *
-                            (b[(k + 1) % 3] - o[(k + 1) % 3]);
+                n[k] = (x[1][(k + 1) % 3] - x[0][(k + 1) % 3]) *
+                           (x[2][(k + 2) % 3] - x[0][(k + 2) % 3]) -
+                       (x[1][(k + 2) % 3] - x[0][(k + 2) % 3]) *
+                           (x[2][(k + 1) % 3] - x[0][(k + 1) % 3]);
+            w = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+            s = n[0] * x[0][0] + n[1] * x[0][1] + n[2] * x[0][2];
+            area += w;
+            inside += s;
+            for (k = 0; k < 3; k++) {
+                middle[k] += w * (x[0][k] + x[1][k] + x[2][k]) / 3.0;
+                c->centre[k] += s * (x[0][k] + x[1][k] + x[2][k]) / 4.0;
+            }
         }
-        sum += sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2.0;
+        for (k = 0; k < 3; k++)
+            middle[k] = c->vert[k] +
+                        unit * (area > 0.0 ? middle[k] / area : x[0][k]);
+        c->area[f] = area / 2.0 * unit * unit;
+        c->surface += c->area[f];
     }
-    return sum;
+    for (k = 0; k < 3 && c->nface > 0; k++)
+        c->centre[k] = c->vert[k] +
+                       unit * (inside > 0.0 ? c->centre[k] / inside : 0.0);
 }
 
-static FILE *start_volumes(const points *in, output *o)
+static FILE *start_rows(const points *in, output *o)
 {
-    FILE *file = start(o, (150.0 + 20.0 * (double)in->columns) *
+    int faces = o->all == faces_forms, k;
+    FILE *file = start(o, (faces ? 1600.0 : 210.0 + 20.0 * in->columns) *
                               (double)in->n);
-    int k;
 
-    fprintf(file, "x,y,z,volume,faces,point,area,neighbours");
-    for (k = 0; k < in->columns; k++) put_title(file, in->name[k]);
+    fprintf(file, faces ? "point,neighbour,area,x,y,z,nx,ny,nz,sx,sy,sz"
+                        : "x,y,z,volume,faces,point,area,neighbours");
+    for (k = 0; k < in->columns && !faces; k++) put_title(file, in->name[k]);
+    if (!faces) fprintf(file, ",cx,cy,cz");
+    if (!faces && in->labelled[0]) put_title(file, in->labelled);
     putc('\n', file);
     return file;
+}
+
+static void put_three(FILE *file, const double *x)
+{
+    /* (no -0) */
+    fprintf(file, ",%.17g,%.17g,%.17g", x[0] + 0.0, x[1] + 0.0, x[2] + 0.0);
+}
+
+/* beyond - who is beyond face f: a point's number, or -1, ... for a side. */
+static tess_int beyond(const cells *c, tess_int f)
+{
+    return c->again ? c->who[c->whose[f]] : c->whose[f];
 }
 
 /* put_volume - the row of point i, whose cell *c holds. */
@@ -385,23 +426,83 @@ static void put_volume(FILE *file, const cells *c, tess_int i)
 
     put_point(file, in, i, ',', ',');
     fprintf(file, "%.17g,%ld,%ld,%.17g,", c->volume, (long)c->nface,
-            (long)(i + in->base), surface(c));
+            (long)(i + in->base), c->surface);
     for (j = 0; j < c->nface; j++) {
-        v = c->whose[j];
-        if (c->again) v = c->who[v];
+        v = beyond(c, j);
         fprintf(file, "%s%ld", j > 0 ? " " : "",
                 (long)(v < 0 ? v : v + in->base));
     }
     for (k = 0; k < in->columns; k++)
         fprintf(file, ",%.17g",
                 in->value[(size_t)in->columns * (size_t)i + (size_t)k]);
+    if (c->nface > 0)
+        put_three(file, c->centre);
+    else
+        fprintf(file, ",nan,nan,nan");
+    if (in->labelled[0]) put_title(file, in->labels + in->label[i]);
     putc('\n', file);
 }
 
+/* normal - n, from point i to the cell beyond, which is whose's v: where
+ * stretched, it is at right angles to what leads there. */
+static void normal(const cells *c, tess_int i, tess_int v, double *n)
+{
+    const mesh *m = c->m;
+    double most = 0.0, length;
+    int side = (int)(-1 - v), k;
+
+    for (k = 0; k < 3; k++) {
+        if (c->again)
+            n[k] = (double)c->around[3 * v + k];
+        else if (v >= 0)
+            n[k] = (double)m->p[3 * v + k] - (double)m->p[3 * i + k];
+        else
+            n[k] = k != side / 2 ? 0.0 : side % 2 ? 1.0 : -1.0;
+        n[k] *= m->scale[k];
+        if (fabs(n[k]) > most) most = fabs(n[k]);
+    }
+    for (k = 0; k < 3; k++) n[k] /= most;
+    length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    for (k = 0; k < 3; k++) n[k] /= length;
+}
+
+/* put_faces - the rows of those faces of point i's cell that are not another's
+ * already: of a side, a point of a higher number, or an image of its own in
+ * one half of space. */
+static void put_faces(FILE *file, const cells *c, tess_int i)
+{
+    const repeated *r = c->again;
+    double x[3];
+    tess_int f, v, w, base = c->m->in->base;
+    int away[3], k, l;
+
+    for (f = 0; f < c->nface; f++) {
+        v = c->whose[f];
+        w = beyond(c, f);
+        if (w >= 0 && (w < i || (w == i && c->copy[v] < 0))) continue;
+        fprintf(file, "%ld,%ld,%.17g", (long)(i + base),
+                (long)(w < 0 ? w : w + base), c->area[f]);
+        put_three(file, c->middle + 3 * f);
+        normal(c, i, v, x);
+        put_three(file, x);
+        x[0] = x[1] = x[2] = 0.0;
+        if (r && w >= 0) {
+            unpack(c->copy[v], away);
+            for (k = 0; k < 3; k++)
+                away[k] += r->away[3 * w + k] - r->away[3 * i + k];
+            for (k = 0; k < 3; k++)
+                for (l = 0; l < 3; l++)
+                    x[l] += away[k] * r->cell[3 * k + l] / c->m->scale[l];
+        }
+        put_three(file, x);
+        putc('\n', file);
+    }
+}
+
 /* measure_cells - each cell's volume and number of faces, and what they are in
- * all; rows of them into some files. */
+ * all; rows of cells into some files, of faces into the others. */
 static void measure_cells(cells *c, double *volume, tess_int *faces,
-                          totals *all, FILE **file, int files)
+                          totals *all, FILE **file, int volumes, int files)
 {
     double lost = 0.0, sum, v;
     tess_int i;
@@ -412,7 +513,9 @@ static void measure_cells(cells *c, double *volume, tess_int *faces,
         compute(c, i);
         v = volume[i] = c->volume;
         faces[i] = c->nface;
-        for (k = 0; k < files; k++) put_volume(file[k], c, i);
+        if (files > 0) sizes(c);
+        for (k = 0; k < files; k++)
+            (k < volumes ? put_volume : put_faces)(file[k], c, i);
         if (c->nface == 0) continue;
         all->cells += 1.0;
         all->vertices += (double)c->nvert;
@@ -433,7 +536,8 @@ void make_cells(const mesh *m)
     FILE **file = 0;
     double *volume, whole = 1.0, slack, side[3], longest = 0.0;
     tess_int *faces;
-    int files = 0, k;
+    const form *const rows[2] = {volumes_forms, faces_forms};
+    int files = 0, volumes = 0, k;
 
     if (m->ntet == 0 && !chosen.periodic)
         fail("no cells: the points do not span space");
@@ -441,11 +545,13 @@ void make_cells(const mesh *m)
     volume = doubles((double)m->in->n);
     faces = integers((double)m->in->n);
     say("computing %ld cells ...", (long)m->in->n);
-    for (o = 0; (o = next_output(volumes_forms, o)) != 0;) {
-        file = (FILE **)more_space(file, files + 1.0, sizeof *file);
-        file[files++] = start_volumes(m->in, o);
-    }
-    measure_cells(&c, volume, faces, &all, file, files);
+    for (k = 0; k < 2; k++)
+        for (o = 0; (o = next_output(rows[k], o)) != 0;) {
+            file = (FILE **)more_space(file, files + 1.0, sizeof *file);
+            file[files++] = start_rows(m->in, o);
+            volumes += k == 0;
+        }
+    measure_cells(&c, volume, faces, &all, file, volumes, files);
     for (k = 0; k < 3; k++) {
         side[k] = c.box[2 * k + 1] - c.box[2 * k];
         if (c.again)
@@ -466,8 +572,9 @@ void make_cells(const mesh *m)
          all.cells, all.volume, whole);
     for (o = 0; (o = next_output(cells_forms, o)) != 0;)
         write_cells(&c, o, volume, faces, &all);
-    for (o = 0, k = 0; (o = next_output(volumes_forms, o)) != 0;)
-        finish(file[k++], o);
+    for (k = files = 0; k < 2; k++)
+        for (o = 0; (o = next_output(rows[k], o)) != 0;)
+            finish(file[files++], o);
     free(file);
     free(volume);
     free(faces);

@@ -135,8 +135,8 @@ static void look(tess_int t)
     }
 }
 
-/* within - is q on that side of the facet opposite to vertex k of tetrahedron t,
- * or in its plane?  Exact. */
+/* within - is q on that side of the facet opposite to vertex k of tetrahedron
+ * t, or in its plane?  Exact. */
 static int within(const tess_real *q, tess_int t, int k)
 {
     const tess_int *v = of->tet + 4 * (size_t)t;

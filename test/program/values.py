@@ -138,8 +138,15 @@ try:
     test(".vtk, read by VTK: one column",
          near(by_vtk("u.vtk")[1]["U"], arrays["U"], 0.0))
     low, high = p.min(0), p.max(0)
-    for kind, size in ((11, (23, 11, 17)), (8, (9, 7, 1)), (8, (9, 1, 7)),
-                       (8, (1, 9, 7)), (3, (1, 1, 5)), (3, (5, 1, 1)),
+    corner = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0],
+                       [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]])
+    try:
+        import meshio
+    except ImportError:
+        meshio = None
+        print("        skipped: .vtu of a grid, read by meshio: no meshio")
+    for kind, size in ((12, (23, 11, 17)), (9, (9, 7, 1)), (9, (9, 1, 7)),
+                       (9, (1, 9, 7)), (3, (1, 1, 5)), (3, (5, 1, 1)),
                        (1, (1, 1, 1))):
         tess("-q", "-grid", "%d,%d,%d" % size, "-values", "g.vtu", "-values",
              "v.npy", "points.csv")
@@ -152,6 +159,22 @@ try:
                   np.load("v.npy").reshape(-1, 2), 0.0) and
              len(by_vtk.cells) == np.prod(np.maximum(np.array(size) - 1, 1)) and
              all(k == kind and near(s, step, 1e-15) for k, s in by_vtk.cells))
+        if not meshio:
+            continue
+        # corners in their order: once around, then above; along the axes
+        # that the grid has
+        m = meshio.read("g.vtu")
+        cells = m.cells[0].data
+        axes = [k for k in range(3) if size[k] > 1]
+        around = np.zeros((2 ** len(axes), 3))
+        around[:, axes] = corner[:2 ** len(axes), :len(axes)]
+        test(".vtu, read by meshio: %s: cells, values" % (size,),
+             len(m.cells) == 1 and len(cells) == len(by_vtk.cells) and
+             m.cells[0].type == {12: "hexahedron", 9: "quad", 3: "line",
+                                 1: "vertex"}[kind] and
+             near(m.points[cells] - m.points[cells][:, :1],
+                  np.tile(around * step, (len(cells), 1, 1)), 1e-15) and
+             near(m.point_data["U"].ravel(), arrays["U"], 0.0))
     # (so many that they are kept in a file)
     for columns, many in ("x,y,z,T,U", 100), ("x,y,z,U", 140000):
         q = np.random.default_rng(8).random((many, 3)) * 1.2
