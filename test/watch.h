@@ -28,6 +28,7 @@ extern double tess_count[];
 #define N_LEAF 14  /* leaves whose points were tested       */
 #define N_NEAR 15  /* ended in a near list                  */
 #define N_MADE 16  /* near lists made                       */
+#define KINDS 17   /* how many these are: length of tess_count */
 
 #ifdef TESS_PROVE
 extern void tess_prove(int fact);

@@ -22,7 +22,9 @@
 #include "../fortran/f77.h"
 
 #ifdef TESS_COUNT
-double tess_count[16];
+#include "../watch.h"
+
+double tess_count[KINDS];
 #endif
 
 #ifdef BENCH_F77

@@ -218,7 +218,7 @@ static double parallel(long parts, tess_int mesh)
 #endif
 
 #ifdef TESS_COUNT
-double tess_count[16];
+double tess_count[KINDS];
 
 /* What has been counted, over per. */
 static void counted(const char *what, const char *family, double per)

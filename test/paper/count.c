@@ -16,15 +16,16 @@
 #include "../points.h"
 #include "../take.h"
 #include "../../tess.h"
+#include "../watch.h"
 
-double tess_count[16];
+double tess_count[KINDS];
 
 /* as in tess.c */
 enum { SEARCHES = 0, NODES = 4, CANDIDATES = 5, EXACT = 6, LISTED = 7,
        POOL = 8, PROBES = 10 };
 
 typedef struct result {
-    double n, ntet, hull, work, count[16];
+    double n, ntet, hull, work, count[KINDS];
     int code, proven;
 } result;
 
