@@ -1,14 +1,15 @@
+#!/bin/sh
 # counts.sh - what searches look at, beside what they looked at before
 #
-#     sh test/bench/counts.sh [TREE]   fails where a count of the library in TREE,
-#                                      else here, is more than a tenth above that
-#                                      of test/results/counts.txt
+#     sh test/bench/counts.sh [TREE]   fails where a count of the library in
+#                                      TREE, else here, is more than a tenth
+#                                      above that of test/results/counts.txt
 #     sh test/bench/counts.sh -write   writes that file
 #
-# Its limits are close, so that it notices what makes some searches slower; those
-# of .ci/stricter hold for sets of all sizes.  Which searches end in which list
-# is no cost, and not compared.  Takes CC; run from the top directory.
-CC=${CC:-cc}
+# Its limits are close, to notice what makes some searches slower; those of
+# .ci/stricter hold for sets of all sizes.  Which searches end in which list is
+# no cost, and not compared.  Takes CC; run from the top directory.
+. test/tests.sh
 USUAL=test/results/counts.txt
 NEW=build/counts
 mkdir -p $NEW
@@ -38,13 +39,13 @@ each() {
         boreholes,2000 latlon,1800 latlonkm,1800 latlonm,1800 uvsphere,1800 \
         uvkm,1800 uvm,1800 rings,2000 hub,1000 hubrot,1000 sheets16,2000 \
         sheet16rot,2000 crowd,2000 crowd3,2000; do
-        (ulimit -t 20; $NEW/bench "${set%,*}" "${set#*,}" 1 | grep '^count')
+        limited 20 $NEW/bench "${set%,*}" "${set#*,}" 1
     done
     for family in uniform gridrot ellipsoid terrain globe rotcube; do
-        (ulimit -t 20; $NEW/parts $family 2000)
+        limited 20 $NEW/parts $family 2000
     done
 }
-each > $NEW/all.txt 2> /dev/null
+each 2> /dev/null | grep -v '^tess' > $NEW/all.txt
 if [ "$1" = -write ]; then
     cp $NEW/all.txt $USUAL
     exit
