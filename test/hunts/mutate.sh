@@ -10,10 +10,10 @@
 #
 # A change that leaves the object code as it is, or does not compile, or is in
 # test/hunts/equivalents, is left out, and not counted in N nor in SKIP.  Caught
-# is what fails a test, crashes, or takes four times as long as the library does
-# or more.  Of a change that survives is said whether it alters what a search
-# looks at (the counts of TESS_COUNT): "elsewhere" if so, "survived" if those
-# are the same, too.
+# is what fails a test (few is t_pred with 3 limbs), crashes, takes four times as
+# long as the library does or more, or makes searches look at a tenth more
+# (bench/counts.sh).  Of a change that survives is said whether it alters what
+# they look at: "elsewhere" if so, "survived" if that is the same, too.
 #
 # Run from the top directory; takes CC.  The last line is
 # `mutation: N changes, C caught, E look elsewhere, S survived'; without SKIP
@@ -25,15 +25,17 @@ N=100
 SEED=1
 SKIP=0
 LIMIT=12
+LONG=40
 
 say() { echo "mutate.sh: $1" >&2; exit 2; }
 
-mkdir -p $DIR/new $DIR/counts
-TEST="brute t_pred certify t_tess t_part parity"
-for f in proof/exact hunts/hard hunts/certify points proof/verify bench/bench \
+mkdir -p $DIR/new
+TEST="brute parity t_pred few certify t_tess t_part"
+for f in proof/exact hunts/hard hunts/certify points proof/verify \
     unit/damage unit/guard unit/brute unit/t_pred unit/t_tess unit/t_part fortran/parity; do
     $CC -O2 -I. -c -o "$DIR/$(basename $f).o" test/$f.c || say "$f.c does not compile"
 done
+$CC -O2 -I. -DHH_LIMBS=3 -c -o $DIR/few.o test/unit/t_pred.c
 $CC -O2 -o $DIR/mutant test/hunts/mutant.c || say "mutant.c does not compile"
 
 # compile TREE: the objects of the library in TREE
@@ -47,6 +49,8 @@ compile() {
 links() {
     case $2 in
     t_pred) $CC -o $1/$2 $DIR/$2.o $1/hhpred.o $DIR/exact.o $DIR/points.o -lm;;
+    few) $CC -I. -O1 -DHH_LIMBS=3 -o $1/$2 $DIR/$2.o $1/hhpred.c $DIR/exact.o \
+        $DIR/points.o -lm;;
     certify) $CC -I. -O1 -DTESS_PROVE -o $1/$2 $DIR/$2.o $1/tess.c $1/hhpred.o \
         $DIR/exact.o $DIR/hard.o -lm;;
     *) $CC -o $1/$2 $DIR/$2.o $1/tess.o $1/hhpred.o $DIR/exact.o \
@@ -54,33 +58,28 @@ links() {
     esac
 }
 
-# passes TREE TEST: 0 if so.  A change may make a program run for ever, fill
-# memory, or print without end.
-passes() {
-    case $2 in
-    brute) args=60;;
-    t_pred) args=15;;
-    certify) args=60;;
-    t_tess | t_part) args=-quick;;
-    *) args=;;
-    esac
-    links $1 $2 2> /dev/null || return 1
+# runs SECONDS PROGRAM ARGUMENT...: a change may make it run for ever, fill
+# memory, or print without end
+runs() {
     # shellcheck disable=SC3045 # all shells that there are know -t
-    (ulimit -t $LIMIT; ulimit -f 20000; ulimit -v 4000000 2> /dev/null
-        exec $1/$2 $args) > $1/out 2> /dev/null || return 1
-    [ $2 != parity ] || sh test/fortran/sums.sh $1/out test/fortran/parity.txt \
-        > /dev/null
+    (ulimit -t $1; ulimit -f 20000; ulimit -v 4000000 2> /dev/null
+        shift; exec "$@")
 }
 
-# counts TREE: what the searches look at
-counts() {
-    $CC -I. -O1 -DTESS_COUNT -o $1/count $DIR/bench.o $1/tess.c $1/hhpred.c \
-        $DIR/points.o -lm || return 1
-    for f in "uniform 20000" "lattice 4000" "aniso 5000" "planenoise 5000" \
-        "clusters 5000" "spherejit 2000" "planespread 2000" "cubesurf 3000" \
-        "ellipsoid 4000" "torus 3000"; do
-        limited $LIMIT $1/count $f 1
-    done | grep '^count'
+# passes TREE TEST: 0 if so; the first test that fails ends the long programs
+passes() {
+    links $1 $2 2> /dev/null || return 1
+    case $2 in
+    brute) runs $LIMIT $1/$2 60;;
+    t_pred) runs $LIMIT $1/$2 15;;
+    few) runs $LIMIT $1/$2 5;;
+    certify) runs $LIMIT $1/$2 60;;
+    t_tess | t_part) runs $LONG $1/$2 -quick | awk '{ last = $0 }
+        /^FAILED/ { exit }
+        END { exit last !~ / passed, 0 failed$/ }';;
+    parity) runs $LIMIT $1/$2 > $1/out &&
+        sh test/fortran/sums.sh $1/out test/fortran/parity.txt;;
+    esac > /dev/null 2>&1
 }
 
 # fresh TREE: the library
@@ -96,9 +95,8 @@ compile $OLD || say "the library does not compile"
 for t in $TEST; do
     passes $OLD $t || say "$t fails without a change"
 done
-$CC -O2 -DTESS_COUNT -c -o $DIR/bench.o test/bench/bench.c
-counts $OLD > $DIR/counts.txt
-[ -s $DIR/counts.txt ] || say "no counts"
+sh test/bench/counts.sh $OLD || say "counts are up without a change"
+mv build/counts/all.txt $DIR/counts.txt
 
 NEW=$DIR/new
 # change FILE K: make it; 1 when it does not compile, 2 when that is the same
@@ -138,14 +136,16 @@ equivalent() {
 # verdict FILE: which test catches it, or what survives
 verdict() {
     for t in $TEST; do
-        [ $1 = hhpred.c ] || [ $t != t_pred ] || continue
+        case $1$t in tess.ct_pred | tess.cfew) continue;; esac
         [ $1 = tess.c ] || [ $t != certify ] || continue
         if ! passes $NEW $t; then
             echo "caught by $t"
             return
         fi
     done
-    if counts $NEW 2> /dev/null | cmp -s - $DIR/counts.txt; then
+    if ! sh test/bench/counts.sh $NEW > /dev/null 2>&1; then
+        echo caught by counts
+    elif cmp -s build/counts/all.txt $DIR/counts.txt; then
         echo survived
     else
         echo elsewhere

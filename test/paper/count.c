@@ -15,8 +15,8 @@
 #include "../proof/exact.h"
 #include "../points.h"
 #include "../take.h"
-#include "../watch.h"
 #include "../../tess.h"
+#include "../watch.h"
 
 double tess_count[N_ALL];
 
@@ -25,7 +25,7 @@ enum { SEARCHES = 0, NODES = 4, CANDIDATES = 5, EXACT = 6, LISTED = 7,
        POOL = 8, PROBES = 10 };
 
 typedef struct result {
-    double n, ntet, hull, work, count[16];
+    double n, ntet, hull, work, count[N_ALL];
     int code, proven;
 } result;
 

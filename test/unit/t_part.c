@@ -1277,6 +1277,20 @@ static void test_codes(void)
     require(tess_ball(bad, v, c) == -1, "ball -1");
     require(tess_ball(p, v, c) == 0 && c[3] == DBL_MAX, "a point's ball");
     drop(0);
+    /* without supports marks need no room, however many points there are */
+    family(&m, "uniform", 600, 1, 0);
+    mine = ints(m.n);
+    tet = ints(4 * m.ntet);
+    adj = ints(4 * m.ntet);
+    for (i = 0; i < m.n; i++) mine[i] = i < 1;
+    for (liw = 4 * m.n;; liw++) {
+        ntet = 0;
+        code = tess_part(m.n, m.p, mine, m.ntet, &ntet, tet, adj, liw, m.iw,
+                         m.lrw, m.rw);
+        if (code != -8) break;
+    }
+    require(code == 0 && ntet > 0 && liw <= 5 * m.n + 512, "the least length");
+    drop(0);
     /* no mesh */
     for (k = 0; k < 5; k++) {
         tess_real f[12];

@@ -2772,6 +2772,7 @@ int main(int argc, char **argv)
     }
     quick = argc > 1 && strcmp(argv[1], "-quick") == 0;
     rnd_seed(1);
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     test_flat();
     test_bad_arguments();
     test_size();
