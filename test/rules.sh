@@ -260,6 +260,9 @@ figure bounds "$(awk '/^certify: .* certificates$/ { printf "%.1f", $(NF-1) / 1e
     ' $R/evidence.txt) million bounds"
 figure sets "results of $(sed -n 's/^torture: \([0-9]*\) sets, 0 faults$/\1/p' \
     $R/evidence.txt | commas) hard sets"
+figure faults "they notice $(sed -n \
+    's/^mutation: \([0-9]*\) changes, \([0-9]*\) caught.*/\2 of \1/p' \
+    $R/mutation.txt) [planted faults]"
 
 # ---- shell ----
 

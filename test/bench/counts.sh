@@ -11,7 +11,7 @@
 # no cost, and not compared.  Takes CC; run from the top directory.
 . test/tests.sh
 USUAL=test/results/counts.txt
-NEW=build/counts
+NEW=build/looks
 mkdir -p $NEW
 [ "$1" = -write ] || TREE=$1
 

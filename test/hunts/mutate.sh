@@ -96,7 +96,7 @@ for t in $TEST; do
     passes $OLD $t || say "$t fails without a change"
 done
 sh test/bench/counts.sh $OLD || say "counts are up without a change"
-mv build/counts/all.txt $DIR/counts.txt
+mv build/looks/all.txt $DIR/counts.txt
 
 NEW=$DIR/new
 # change FILE K: make it; 1 when it does not compile, 2 when that is the same
@@ -145,7 +145,7 @@ verdict() {
     done
     if ! sh test/bench/counts.sh $NEW > /dev/null 2>&1; then
         echo caught by counts
-    elif cmp -s build/counts/all.txt $DIR/counts.txt; then
+    elif cmp -s build/looks/all.txt $DIR/counts.txt; then
         echo survived
     else
         echo elsewhere
