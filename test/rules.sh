@@ -230,8 +230,8 @@ figure "CGAL is ahead" "up to $(awk -F ' *[|] *' '
     ' $R/bench.txt) times as fast"
 figure threads "Two threads take $(awk -F ' *[|] *' '/^Parts, joined/ { at = 1 }
     at && $2 == "uniform" && $4 == 2 { print $7; exit }' $R/bench.txt) of the time"
-figure machine "($(sed -n 's/^Machine: .* processors, //;s/(R)//g
-    s/ Processor$//p' $R/bench.txt), gcc $(sed -n 's/^cc .* //p' $R/bench.txt))"
+figure machine "($(sed -n '/^Machine: /{s/.* processors, //;s/(R)//g
+    s/ Processor$//;p;}' $R/bench.txt), gcc $(sed -n 's/^cc .* //p' $R/bench.txt))"
 sed -n '/^## How fast/,/^## Limits/p' README.md | grep '^| [a-z].*[0-9]' \
     > $B/rows
 test -s $B/rows || echo none > $B/out
