@@ -2524,6 +2524,7 @@ static int inball(const quest *f, const list *l)
     double g[3], c, h, err, rr = 0.0, uu = 0.0, size = 0.0, room;
     int k;
 
+    if (l->n == 0) return 0;
     for (k = 0; k < 3; k++) g[k] = l->at[k] - f->f[6 + k];
     h = dot(g, f->f);
     if (f->hi > 0.0 || h < f->hi) h = f->hi;
@@ -2537,7 +2538,7 @@ static int inball(const quest *f, const list *l)
     room = l->margin * (l->margin - 32.0 * err - PAD * (1.0 + l->margin)) -
            rr - uu;
     if (h > f->hi) rr = f->f[11] * f->f[11];
-    return l->n > 0 && room > 0.0 && room * room >= 4.0 * rr * uu;
+    return room > 0.0 && room * room >= 4.0 * rr * uu;
 }
 
 /* nearlist - makes a near list of the ball of a search and a skin about it, of

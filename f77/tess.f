@@ -3285,6 +3285,7 @@ C     those of TSNEAL.
      $    UU
       INTEGER K
       TSINBA = 0
+      IF (LSI(LN,LIST) .EQ. 0) RETURN
       RR = 0.0D0
       UU = 0.0D0
       SIZE = 0.0D0
@@ -3304,8 +3305,7 @@ C     those of TSNEAL.
       ROOM = MARGIN*(MARGIN - 32.0D0*ERR - PAD*(1.0D0 + MARGIN)) - RR -
      $    UU
       IF (H .GT. FQ(QHI)) RR = F(12)*F(12)
-      IF (LSI(LN,LIST) .GT. 0 .AND. ROOM .GT. 0.0D0 .AND.
-     $    ROOM*ROOM .GE. 4.0D0*RR*UU) TSINBA = 1
+      IF (ROOM .GT. 0.0D0 .AND. ROOM*ROOM .GE. 4.0D0*RR*UU) TSINBA = 1
       END
 
 C     TSNEAL - makes a near list of the ball of a search and a skin

@@ -1628,7 +1628,7 @@ static void test_known(void)
     static const tess_real out[3] = { 2, 2, 0 }, low[3] = { 0, 0, -1 };
     static const tess_real two[3] = { 2, 0, 0 }, up[3] = { 0.5, 0.5, 1.5 };
     double f[HH_FACET_LEN], c = 7.0, tiny = 8.0 * DBL_EPSILON;
-    tess_real thin[3] = { 0.5, 0, 0 }, near[3] = { 0.25, 0.25, 0 };
+    tess_real flat[3] = { 0.5, 0, 0 }, near[3] = { 0.25, 0.25, 0 };
     double w[3];
     long faults = 0;
 
@@ -1661,9 +1661,9 @@ static void test_known(void)
     faults += hh_facet(o, x, two, f) != 1 || hh_facet(o, o, two, f) != 1 ||
               hh_facet(o, o, o, f) != 1;
     /* too thin for bounds, or a line where that is 0 */
-    thin[1] = (tess_real)(0.25 * HH_SMALL);
+    flat[1] = (tess_real)(0.25 * HH_SMALL);
     f[10] = 0.0;
-    faults += hh_facet(o, x, thin, f) != (thin[1] == 0);
+    faults += hh_facet(o, x, flat, f) != (flat[1] == 0);
     faults += f[9] != DBL_MAX || f[10] != DBL_MAX || f[3] != 0.0 ||
               f[4] != 0.0 || f[5] != 0.0 || f[11] != 0.0;
     faults += hh_orient(o, x, y, z) != 1 || hh_orient(o, y, x, z) != -1 ||
