@@ -30,6 +30,10 @@ const env = {
     by = Math.max(exponent + by, -1075);
     return by < -1074 ? 0 * part : part * 2 * 2 ** Math.min(by - 1, 1024);
   },
+  memcpy: (to, from, many) => {
+    new Uint8Array(memory.buffer).copyWithin(to, from, from + many);
+    return to;
+  },
   memset: (to, value, many) => {
     new Uint8Array(memory.buffer).fill(value, to, to + many);
     return to;
