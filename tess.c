@@ -210,7 +210,8 @@
 /* Number of balls' lists: a star's and the near lists.  A near list holds the
  * points in a search's ball and in a skin about it; the skin is SHRINK times as
  * thick while they exceed TESS_LIST, down to THINNEST, and THICKER for the next
- * list if they were less than FEW. */
+ * list, up to THICKEST, if they were less than FEW.  GIANT: the size of a ball
+ * that gets none.  No result depends on these. */
 #define BALLS (TESS_LIST < 128 ? 1 : 6)
 #define SHRINK 0.4
 #define THICKER 1.3
@@ -302,14 +303,14 @@
 /* A list of uncompleted points, in single precision.  A block's has those in
  * a box, as offsets from the box's centre in units of its half width; a star's
  * those nearer to its vertex than margin, as offsets from it in units of
- * margin; a near list those nearer to a point than margin, in units of their
- * own box. */
+ * margin; a near list those nearer to a point than margin, as a block's of its
+ * ball's box. */
 typedef struct list {
     tess_int first, last; /* a block's leaf: positions first ... last-1 */
     int n;
     double margin, centre[3], unit;
     double at[3];         /* that point */
-    double lo[3], hi[3];  /* the box; a block's is in the root's */
+    double lo[3], hi[3];  /* the box, as far as it is in the root's */
     double most[3];       /* bound on the coordinates, but for rounding */
     float x[TESS_LIST], y[TESS_LIST], z[TESS_LIST], r[TESS_LIST + LEAF];
     tess_int id[TESS_LIST + LEAF];
@@ -2496,7 +2497,7 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
 /* Near lists.  On surfaces and lines most searches begin with the final ball,
  * or nearly so, and prove it empty.  It is larger than the star's list and the
  * block's, but nearly that of a search just before.  So a near list keeps the
- * neighbourhood of a ball for the next ones.  Surfaces take 0.6 to 0.9 of the
+ * neighbourhood of a ball for the next ones.  Surfaces take 0.7 to 0.95 of the
  * time.  Where few searches end in the same list, lists do not pay: see TAX. */
 
 /* inball - returns 1 if the points that may be better than the best one, those
@@ -2542,7 +2543,11 @@ static int inball(const quest *f, const list *l)
 }
 
 /* nearlist - makes a near list of the ball of a search and a skin about it, of
- * points on either side of the facet.  Returns 0 if they are too many. */
+ * points on either side of the facet.  Returns 0 if they are too many.
+ *
+ * What is nearer than margin, but for inball's PAD, has a power below room, so
+ * admit took it, and is in the box, so ballcoef's bound holds for it.  What is
+ * not may be in the list as well: no search that inball admits needs it. */
 static int nearlist(mesh *m, const quest *f, list *l)
 {
     quest q = *f;
@@ -2551,7 +2556,7 @@ static int nearlist(mesh *m, const quest *f, list *l)
     COUNT(N_MADE, 1);
     l->n = 0;
     q.into = l;
-    q.f[9] = 1.0;
+    q.f[9] = 1.0; /* no side is certain */
     q.skin = m->skin;
     inflate(m, &q);
     treesearch(m, &q);

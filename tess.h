@@ -79,7 +79,7 @@
 
 /* TESS_LIST: when tess.c is compiled, the capacity of the lists of points that a
  * search looks at first: a multiple of 4, 48 to 4096, 512 if not given.  It
- * affects speed and stack (about 160 bytes per entry), never the result.
+ * affects speed and stack (about 145 bytes per entry), never the result.
  * Below 128 the code for points near planes and spheres, on surfaces and on
  * curves is left out; use 48 or 64 on a small machine. */
 

@@ -245,15 +245,15 @@ C     block's, has those in a box, as offsets from the box's centre in
 C     units of its half width; list STR, a star's, those nearer to its
 C     vertex than LMARG, as offsets from it in units of LMARG; a near
 C     list, the BALLS - 1 behind STR, those nearer to a point than
-C     LMARG, in units of their own box.
+C     LMARG, as a block's of its ball's box.
 C       LSX     of each point the offsets x, y, z and their square sum
 C       LSID    its position
 C       LSI     LFIRST, LLAST: a block's leaf, positions LFIRST ...
 C               LLAST; LN points
-C       LSD     behind LLO, LHI, LMID, LMOST: the box, a block's in the
-C               root's, the centre, a bound on the coordinates in the
-C               list, but for rounding; LMARG margin; LUNIT one over the
-C               unit; behind LAT a near list's point
+C       LSD     behind LLO, LHI, LMID, LMOST: the box, as far as it is
+C               in the root's, the centre, a bound on the coordinates in
+C               the list, but for rounding; LMARG margin; LUNIT one over
+C               the unit; behind LAT a near list's point
 C     A search for the apex of a facet:
 C       V       its vertices; the open side is positive
 C       F       its Householder set-up (see HHFACE)
@@ -261,18 +261,18 @@ C       IQ      QBEST: the best point yet, exactly, or 0; QTIED: points
 C               met that are exactly on its ball; QLIMBS: 1: its ball
 C               has been found by limbs; QBALL: there is a ball to prune
 C               with; QBASE: V(QBASE) is the base of F; QASKED: see
-C               MANY; QON: the
-C               support that the facet is on, or 0; QAIMED: TSAIM's
-C               test is for the best point so far; behind QSOME a sample
-C               of the points offered to it, QOPEND: QOPEN = 1: points
-C               left open, 0: of leaves; QWORK, QINTO: see below
+C               MANY; QON: the support that the facet is on, or 0;
+C               QAIMED: TSAIM's test is for the best point so far;
+C               behind QSOME a sample of the points offered to it,
+C               QOPEND: QOPEN = 1: points left open, 0: of leaves;
+C               QWORK, QINTO: see below
 C       FQ      FQ(1..3): the centre C of the best point's ball,
 C               relative to F(7..9), wrong by at most QDC; QSIZE:
 C               |C|_1; the best point's L-coordinate is between QLO and
 C               QHI; QROOM: so far C(8) where the rest is not needed;
 C               from QT on T, in which QQ is TQ; from QLIMB on the ball
 C               by limbs (see HHCENT), from QSPHER on a sphere near the
-C               points that are compared with the best one (see HHLIFS)
+C               points that are compared with the best one (see HHLIFS).
 C               A search that makes a near list, IQ(QINTO), puts into it
 C               all points whose power is below QROOM; else QINTO is 0
 C               and QROOM is FAINT.  QSKIN, QTHICK: thickness of the
@@ -344,7 +344,8 @@ C       SHRINK, THINST  the skin is SHRINK times as thick while they
 C               exceed TSLIST, down to THINST
 C       FEW, THICKR, THICKT  if they were less than FEW the next skin is
 C               THICKR times as thick, up to THICKT
-C       GIANT   no near list is made for a ball of this size
+C       GIANT   size of a ball that gets no near list.  No result
+C               depends on these
 C       TAX, GRANT, FUND  the purse of the near lists, in nodes of the
 C               tree.  A search that looks for a list costs 1; to make
 C               one costs 30, and 1.75 for each node that is looked at;
@@ -3247,7 +3248,7 @@ C     Near lists.  On surfaces and lines most searches begin with the
 C     final ball, or nearly so, and prove it empty.  It is larger than
 C     the star's list and the block's, but nearly that of a search just
 C     before.  So a near list keeps the neighbourhood of a ball for the
-C     next ones.  Surfaces take 0.6 to 0.9 of the time.  Where few
+C     next ones.  Surfaces take 0.7 to 0.95 of the time.  Where few
 C     searches end in the same list, lists do not pay: see TAX.
 
 C     TSINBA - returns 1 if the points that may be better than the best
@@ -3311,6 +3312,11 @@ C     those of TSNEAL.
 C     TSNEAL - makes a near list of the ball of a search and a skin
 C     about it, of points on either side of the facet.  OK is 1, or 0 if
 C     they are too many.
+C
+C     What is nearer than margin, but for TSINBA's PAD, has a power
+C     below room, so TSADMI took it, and is in the box, so TSBALC's
+C     bound holds for it.  What is not may be in the list as well: no
+C     search that TSINBA admits needs it.
       SUBROUTINE TSNEAL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
      $                  OK)
@@ -3338,6 +3344,7 @@ C     they are too many.
    30 CONTINUE
       LSI(LN,LIST) = 0
       JQ(QINTO) = LIST
+C     no side is certain
       G(10) = 1.0D0
       GQ(QSKIN) = RCTL(RSKIN)
       CALL TSINFL(LSD(LMARG,BLK), GQ)
