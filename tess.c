@@ -87,11 +87,11 @@
  *                cuberoot quota rehash
  *   lists        disjoint setpoints boxquery frame leaflist forget compress
  *                starlist
- *   the ball     dot powererr prunebox ballinbox ballinstar ballcoef listball
+ *   the ball     dot powererr openside prunebox ballinbox ballinstar ballcoef
+ *                listball
  * then what makes searches faster, each where some data need it:
  *   supports     rough marked heightover onsupport remember place erect through
- *                fit discover recall supportof sharpen aim lowest excluded
- *                pruneheights
+ *                fit discover recall supportof sharpen aim prunenode
  *   cylinders    cylinders makecylinder makecylinders prunecylinders
  *   ties         newcell incell
  * then the search, and what it is for:
@@ -316,8 +316,16 @@ typedef struct list {
     tess_int id[TESS_LIST + LEAF];
 } list;
 
-/* A search for the apex of one facet.  w is a point relative to the base,
- * height(w) its height over the support that the facet leans on. */
+/* A sieve: no candidate is where
+ *     |w|^2 - 2 c.w + a (height(w) - h) > err + size (2 dc + 16 EPS (size + sc)),
+ * w being a point relative to the base, size >= |w|_1, height(w) its height over
+ * the support that the facet leans on.  See powererr. */
+typedef struct sieve {
+    double c[3], dc, sc;      /* c is wrong by at most dc; sc is |c|_1 */
+    double a, h, err;
+} sieve;
+
+/* A search for the apex of one facet. */
 typedef struct quest {
     /* the facet */
     tess_int v[3];            /* its vertices; the open side is positive */
@@ -329,27 +337,23 @@ typedef struct quest {
     int tied;                 /* points met that are exactly on its ball */
     int asked;                /* see MANY */
     /* its ball */
-    int ball;                 /* there is one to prune with: its centre c, */
-    double c[3];              /* relative to the base, is wrong by at most */
-    double dc, size;          /* dc; size is |c|_1 */
+    int ball;                 /* there is one to prune with: */
+    sieve plain;              /* c is its centre; or else the open side */
     int limbs;                /* 1: it was found by limbs: t */
     hh_ball t;
     hh_sphere sphere;         /* near the points that are compared with it */
     /* the support */
     int on;                   /* its number, or NONE.  On the facet */
-    double h, dh;             /* height(w) - h - tilt.w is 0, h being the */
-    double tilt[3], dtilt;    /* base's height; dh, dtilt bound the errors */
+    sieve tall;               /* height(w) - h - tilt.w is 0, h being the */
+    double dh;                /* base's height, wrong by at most dh */
+    double tilt[3], dtilt;
     double g;                 /* a plane: the height of the facet's normal */
-    int aimed;                /* aim's test is for this ball: no candidate */
-    double a, q, d[3];        /* where a (height - h) + q |w|^2 - d.w > 0; */
-    double dd, err;           /* each w[k] is wrong by dd w[k], all by err */
     /* the sample of points, for a support */
     int open;                 /* 1: of points left open; 0: of leaves' */
     tess_int opened;          /* how many were offered to the sample; */
     tess_int some[SOME];      /* those of them that it keeps */
     /* the near list that it makes */
-    list *into;               /* gets all whose power is below room, or NULL: */
-    double room;              /* then room is FAINT */
+    list *into;               /* gets all that pass the plain sieve, or NULL */
     double skin, thick;       /* thickness of the skin, adapted and as it is */
     tess_int work;            /* nodes that were looked at */
 } quest;
@@ -1128,33 +1132,49 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* powererr - bound on the error of the power |w|^2 - 2 c.w for |w|_1 <= size.
- * c errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
- * roundings, counting that of w[k] twice and those of the sum, each of at most
- * EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too small
- * by a few EPS. */
-static double powererr(const quest *f, double size)
+/* powererr - the bound of a sieve for |w|_1 <= size.  c errs by at most dc.
+ * Each term w[k] (w[k] - 2 c[k]) suffers at most 6 roundings, counting that of
+ * w[k] twice and those of the sum, each of at most EPS |w[k]| (|w[k]| + 2
+ * |c[k]|).  size and this bound may come out too small by a few EPS. */
+static double powererr(const sieve *s, double size)
 {
-    return size * (2.0 * f->dc + 8.0 * EPS * (size + 2.0 * f->size)) + f->room;
+    return size * (2.0 * s->dc + 16.0 * EPS * (size + s->sc)) + s->err;
 }
 
-/* prunebox - returns 1 if the box lo, hi provably holds no candidate: no point
- * inside or on the ball of the search, if there is one, or none on the positive
- * side.  It compares the least power |w|^2 - 2 c.w and the greatest side in the
- * box with the bounds on their errors: powererr, and E |w|, which covers the
- * rounding of the side, too.  Both are taken at a point whose coordinates are
- * the box's own doubles, so the bounds for points hold. */
-static int prunebox(const quest *f, const double *lo, const double *hi)
+/* openside - the open side as a sieve: the ball of L = MUCHL / 2 about the
+ * normal.  Its dc has room for |w|^2, and is so large that all pass where the
+ * normal is not known. */
+static void openside(quest *f)
 {
-    double power = 0.0, side = 0.0, size = 0.0, l, h, u, v;
+    sieve *s = &f->plain;
+    int k;
+
+    s->sc = 0.0;
+    for (k = 0; k < 3; k++) {
+        s->c[k] = 0.5 * MUCHL * f->f[k];
+        s->sc += fabs(s->c[k]);
+    }
+    s->dc = MUCHL * (f->f[9] <= HH_LOOSE ? 0.5 * f->f[9] + 4.0 * EPS : 2.0);
+}
+
+/* prunebox - returns 1 if the box lo, hi provably holds no candidate: it passes
+ * no sieve, to whose power the heights in the box add at least power, or it is
+ * on the negative side.  It compares the least power and the greatest side in
+ * the box with the bounds on their errors: powererr, and E |w|, which covers
+ * the rounding of the side, too.  Both are taken at a point whose coordinates
+ * are the box's own doubles, so the bounds for points hold. */
+static int prunebox(const quest *f, const sieve *s, const double *lo,
+                    const double *hi, double power)
+{
+    double side = 0.0, size = 0.0, l, h, u, v;
     int k;
 
     for (k = 0; k < 3; k++) {
         l = lo[k] - f->f[6 + k];
         h = hi[k] - f->f[6 + k];
-        u = f->c[k] > l ? f->c[k] : l;
+        u = s->c[k] > l ? s->c[k] : l;
         u = u < h ? u : h;
-        power += u * (u - 2.0 * f->c[k]);
+        power += u * (u - 2.0 * s->c[k]);
         u = l * f->f[k];
         v = h * f->f[k];
         side += u > v ? u : v;
@@ -1162,7 +1182,7 @@ static int prunebox(const quest *f, const double *lo, const double *hi)
         h = fabs(h);
         size += l > h ? l : h;
     }
-    return (f->ball && power > powererr(f, size)) ||
+    return power > powererr(s, size) ||
            (f->f[9] <= HH_LOOSE && side < -f->f[9] * size - FAINT);
 }
 
@@ -1173,22 +1193,22 @@ static int prunebox(const quest *f, const double *lo, const double *hi)
  * c. */
 static int ballinbox(const mesh *m, const quest *f, const list *l)
 {
-    const double *root = m->box + 6;
-    double r = sqrt(dot(f->c, f->c)), part[6];
+    const double *root = m->box + 6, *c = f->plain.c;
+    double r = sqrt(dot(c, c)), part[6];
     int i, k, side;
 
     if (l->n == 0) return 0;
-    r = r * (1.0 + PAD) + 2.0 * f->dc;
+    r = r * (1.0 + PAD) + 2.0 * f->plain.dc;
     for (i = 0; i < 6; i++) part[i] = root[i];
     for (i = 0; i < 6; i++) {
         k = i % 3;
-        if (i < 3 ? f->c[k] - r >= l->lo[k] - f->f[6 + k]
-                  : f->c[k] + r <= l->hi[k] - f->f[6 + k])
+        if (i < 3 ? c[k] - r >= l->lo[k] - f->f[6 + k]
+                  : c[k] + r <= l->hi[k] - f->f[6 + k])
             continue;
         /* the part of the root's box beyond this side of the list's */
         side = i < 3 ? 3 + k : k;
         part[side] = i < 3 ? l->lo[k] : l->hi[k];
-        if (part[k] < part[3 + k] && !prunebox(f, part, part + 3)) return 0;
+        if (part[k] < part[3 + k] && !prunebox(f, &f->plain, part, part + 3, 0.0)) return 0;
         part[side] = root[side];
     }
     return 1;
@@ -1204,17 +1224,16 @@ static int ballinbox(const mesh *m, const quest *f, const list *l)
  * products. */
 static int ballinstar(const mesh *m, const quest *f)
 {
-    const double *root = m->box + 6;
-    double margin = m->balls[0].margin * (1.0 - PAD) - 2.0 * f->dc, a, b, low;
-    double xx = f->c[0] * f->c[0], yy = f->c[1] * f->c[1];
-    double zz = f->c[2] * f->c[2];
+    const double *root = m->box + 6, *c = f->plain.c;
+    double margin = m->balls[0].margin * (1.0 - PAD) - 2.0 * f->plain.dc;
+    double xx = c[0] * c[0], yy = c[1] * c[1], zz = c[2] * c[2], a, b, low;
     int k;
 
     if (margin <= 0.0) return 0;
     if (4.0 * (xx + yy + zz) <= margin * margin) return 1;
     for (k = 0; k < 3; k++) {
-        low = (root[k] - f->f[6 + k]) * f->c[k];
-        b = (root[3 + k] - f->f[6 + k]) * f->c[k];
+        low = (root[k] - f->f[6 + k]) * c[k];
+        b = (root[3 + k] - f->f[6 + k]) * c[k];
         if (b < low) b = low;
         a = sqrt(k == 0 ? yy + zz : k == 1 ? xx + zz : xx + yy);
         if (margin * (margin - 2.0 * a) >= 2.0 * b) return 1;
@@ -1243,7 +1262,7 @@ static int ballcoef(const list *l, const quest *f, float *d)
 
     for (i = 0; i < 3; i++) {
         g = (f->f[6 + i] - l->centre[i]) * l->unit;
-        cu[i] = 2.0 * f->c[i] * l->unit;
+        cu[i] = 2.0 * f->plain.c[i] * l->unit;
         k += g * (g + cu[i]);
         off += fabs(g);
         a += fabs(g) + fabs(cu[i]);
@@ -1254,7 +1273,7 @@ static int ballcoef(const list *l, const quest *f, float *d)
     for (i = 0; i < 3; i++) d[i] = (float)cu[i];
     d[3] = (float)((double)FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
                    8.0 * EPS * a * (1.0 + off) +
-                   2.0 * f->dc * l->unit * (4.0 + off) - k);
+                   2.0 * f->plain.dc * l->unit * (4.0 + off) - k);
     return 1;
 }
 
@@ -1628,8 +1647,7 @@ static void supportof(const mesh *m, quest *f)
     det = n[0] * n[1] - ab * ab;
     if (det < 1e4 * EPS * n[0] * n[1] || det < FAINT) return;
     f->on = near;
-    f->aimed = 0;
-    f->h = h[0];
+    f->tall.h = h[0];
     f->dh = err[0];
     for (again = 0;; again = 1) {
         size = 0.0;
@@ -1678,8 +1696,8 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
     int k;
 
     if (!heightover(m, f->on, z, &h, &err)) return side;
-    err += f->dh + 16.0 * EPS * (fabs(h) + fabs(f->h)) + FAINT;
-    h -= f->h;
+    err += f->dh + 16.0 * EPS * (fabs(h) + fabs(f->tall.h)) + FAINT;
+    h -= f->tall.h;
     for (k = 0; k < 3; k++) {
         u = x[k] - f->f[6 + k];
         h -= f->tilt[k] * u;
@@ -1713,112 +1731,80 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
     return side;
 }
 
-/* aim - sets up excluded's test for the best point so far, whose L-coordinate
- * is at most k.  A better point has side > 0 and N - 2 k side <= 0, where N is
- * its power in the ball of L = 0, of centre c.  So there is none where
- *     a (height - h) + q |w|^2 - d.w > 0:
+/* aim - sets up the tall sieve for the best point so far, whose L-coordinate is
+ * at most k.  A better point has side > 0 and N - 2 k side <= 0, where N is its
+ * power in the ball of L = 0, of centre c.  Without a ball k is MUCHL / 2, with
+ * room for N.  So with v, the facet's normal, there is none where
+ *     q |w|^2 - d.w + a (height - h) > 0:
  *
- *              by the ball                    without a ball
- *   plane      N - 2 k side, side = G / g     -side
- *     a        -2 k / g                       1 or -1, that g a < 0
- *     q        1                              0
- *     d        2 c + a tilt                   a tilt
- *   sphere     G - 2 k side                   -side - q G + q G
- *     a        1 - q                          -q
- *     d        a tilt + 2 q c + 2 k v         a tilt + 2 q c + v
+ *              plane: side = G / g            sphere: N = G, of which 1 - q are
+ *     q        1                              taken as height - h - tilt.w
+ *     d        2 c + a tilt                   2 q c + a tilt + 2 k v
+ *     a        -2 k / g                       1 - q
  *
  * Near a plane k may be greater, so |a| may be greater for k > 0, and smaller
- * for k < 0.  Near a sphere G = height - h - tilt.w, of which a share q is
- * taken as |w|^2 - 2 c.w; best is, but for a, the q for which the least of q
- * |w|^2 - d.w is greatest.  Any q is valid, so errors in q do not count.  dd
- * has room for the errors of c, tilt and v, and for 16 roundings of each term.
- * err has room for those of h, of a height of at most -low, and of a, which is
- * exact but for one rounding. */
+ * for k < 0.  Near a sphere the best q is, but for a, that for which the least
+ * of q |w|^2 - d.w is greatest.  Any q > 0 is valid, so errors in q do not
+ * count.  dd has room for the errors of c, tilt and v, and for 8 roundings of
+ * each term; err for those of h, of a height of at most -low, and of a, which
+ * is exact but for one rounding.  The sieve is all that over q. */
 static void aim(const mesh *m, quest *f)
 {
     const support *s = m->supports + f->on;
-    int ball = f->ball && f->hi <= MUCHL && f->hi >= -MUCHL, k;
-    double b = 0.0, sum = 0.0, u, v, w;
+    sieve *t = &f->tall;
+    int ball = f->ball && fabs(f->hi) <= MUCHL, k;
+    double l = ball ? f->hi : 0.5 * MUCHL, a = 1.0, q = 1.0, b = 0.0;
+    double dd = ball ? 0.0 : 4.0 + 4.0 * f->f[11], sum = 0.0, u, v, w;
 
-    f->aimed = 1;
     if (s->plane) {
-        f->q = ball ? 1.0 : 0.0;
-        f->a = ball ? -2.0 * f->hi / f->g : f->g < 0.0 ? 1.0 : -1.0;
-        u = 4.0 * (f->f[9] + 32.0 * EPS) * f->a;
-        if (ball) f->a += f->hi > 0.0 ? u : -u;
+        a = -2.0 * l / f->g;
+        u = 4.0 * (f->f[9] + 32.0 * EPS) * a;
+        a += l > 0.0 ? u : -u;
     } else {
-        f->a = ball ? 1.0 : 0.0;
-        b = ball ? 2.0 * f->hi : 1.0;
+        b = 2.0 * l;
         for (k = 0; k < 3; k++)
-            sum -= f->f[3 + k] * (b * f->f[k] + f->a * f->tilt[k]);
-        f->q = sum > 0.0 ? 0.5 * sum / (f->f[11] * f->f[11]) : 0.0;
-        f->a -= f->q;
+            sum -= f->f[3 + k] * (b * f->f[k] + f->tilt[k]);
+        q = sum > 0.0 ? 0.5 * sum / (f->f[11] * f->f[11]) : 0.0;
+        if (q < 1.0 / MUCHL) q = 1.0 / MUCHL;
+        a -= q;
     }
-    f->dd = fabs(f->a) * f->dtilt + 2.0 * f->q * f->f[10] + fabs(b) * f->f[9];
+    dd += fabs(a) * f->dtilt + 2.0 * q * f->f[10] + fabs(b) * f->f[9];
+    t->sc = 0.0;
     for (k = 0; k < 3; k++) {
-        u = f->a * f->tilt[k];
-        v = 2.0 * f->q * f->f[3 + k];
+        u = a * f->tilt[k];
+        v = 2.0 * q * f->f[3 + k];
         w = b * f->f[k];
-        f->d[k] = u + v + w;
-        f->dd += 16.0 * EPS * (fabs(u) + fabs(v) + fabs(w));
+        dd += 8.0 * EPS * (fabs(u) + fabs(v) + fabs(w));
+        t->c[k] = 0.5 * (u + v + w) / q;
+        t->sc += fabs(t->c[k]);
     }
-    f->err = fabs(f->a) * f->dh +
-             16.0 * EPS * (fabs(f->a) + f->q) * (fabs(f->h) - s->low) + FAINT;
+    t->dc = 0.5 * dd / q;
+    t->a = a / q;
+    t->err = (fabs(a) * f->dh +
+              16.0 * EPS * (fabs(a) + q) * (fabs(t->h) - s->low) + FAINT) / q;
 }
 
-/* lowest - returns the least value of q |w|^2 - d.w in the box lo, hi; *size is
- * the greatest |w|_1 in it. */
-static double lowest(const quest *f, const double *lo, const double *hi,
-                     double q, const double *d, double *size)
+/* prunenode - returns 1 if a node provably holds no candidate, by the marks of
+ * its points, or where they tell nothing, and for a leaf, by its box alone. */
+static int prunenode(const mesh *m, const quest *f, tess_int node)
 {
-    double sum = 0.0, half = q > 0.0 ? 0.5 / q : 0.0, l, h, u;
-    int k;
-
-    *size = 0.0;
-    for (k = 0; k < 3; k++) {
-        l = lo[k] - f->f[6 + k];
-        h = hi[k] - f->f[6 + k];
-        u = q > 0.0 ? d[k] * half : d[k] > 0.0 ? h : l;
-        u = u > l ? u : l;
-        u = u < h ? u : h;
-        sum += u * (q * u - d[k]);
-        l = fabs(l);
-        h = fabs(h);
-        *size += l > h ? l : h;
-    }
-    return sum;
-}
-
-/* excluded - returns 1 if aim's test proves that there is no candidate where q
- * |w|^2 - d.w is at least sum, |w|_1 is at most size, and the height counts as
- * h, to within dh. */
-static int excluded(const quest *f, double sum, double size, double h,
-                    double dh)
-{
-    return sum + f->a * (h - f->h) >
-           f->err + fabs(f->a) * dh +
-               size * (f->dd + 16.0 * EPS * f->q * size);
-}
-
-/* pruneheights - returns 1 if the heights of a node's points prove that it
- * holds no candidate.  A leaf is also tested by its box.  Where the heights
- * tell nothing, the box alone counts. */
-static int pruneheights(const mesh *m, quest *f, tess_int node)
-{
-    const support *s = m->supports + f->on;
     const double *b = m->box + 6 * node;
-    double h, sum, size;
+    const support *s = m->supports + f->on;
+    const sieve *t = &f->tall;
+    double h;
     tess_int k;
 
-    if (!f->aimed) aim(m, f);
-    k = f->a < 0.0 ? MOSTOF(s->range[node]) : LEASTOF(s->range[node]);
-    if (k < 0 || k == STEPS) return prunebox(f, b, b + 3);
-    h = (double)FOLD * (double)k;
-    h += f->a < 0.0 ? (double)FOLD + 0.5 : -0.5;
-    h = s->low + s->grain * h;
-    sum = lowest(f, b, b + 3, f->q, f->d, &size);
-    return excluded(f, sum, size, h, 0.0) ||
-           (node >= m->leaves && prunebox(f, b, b + 3));
+    if (LEANING(f)) {
+        k = t->a < 0.0 ? MOSTOF(s->range[node]) : LEASTOF(s->range[node]);
+        if (k >= 0 && k < STEPS) {
+            h = (double)FOLD * (double)k;
+            h += t->a < 0.0 ? (double)FOLD + 0.5 : -0.5;
+            h = s->low + s->grain * h;
+            if (prunebox(f, t, b, b + 3, t->a * (h - t->h))) return 1;
+            if (node < m->leaves) return 0;
+        }
+    }
+    return prunebox(f, &f->plain, b, b + 3, 0.0);
 }
 
 /* ---- cylinders ----
@@ -1945,9 +1931,6 @@ static void makecylinders(mesh *m)
  * The brackets are at least t (t - 2 a), where t is the lesser of a and h, and
  * R^2 - 2 R rho, where R is the lesser of rho and r.  So there is no candidate
  * if the sum without 2 R rho is positive and its square is above 4 R^2 rho^2.
- * Without a ball the same holds for minus the side v.w, with v / 2 for c,
- * without any squares, t = h, R = r: then q = 0, and far is more than any
- * length.
  *
  * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r.
  * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
@@ -1959,15 +1942,10 @@ static void prunecylinders(const mesh *m, const quest *f, tess_int node,
                            double *past)
 {
     const double *c = cylinders(m, node);
-    double q = f->ball ? 1.0 : 0.0, far = f->ball ? 0.0 : (double)FAR;
-    double err = f->ball ? 2.0 * f->dc + 128.0 * EPS * f->size
-                         : f->f[9] + 64.0 * EPS;
+    const sieve *s = &f->plain;
     double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8];
-    double d0 = f->ball ? f->c[0] : 0.5 * f->f[0];
-    double d1 = f->ball ? f->c[1] : 0.5 * f->f[1];
-    double d2 = f->ball ? f->c[2] : 0.5 * f->f[2];
+    double err = 2.0 * s->dc + 128.0 * EPS * s->sc, room = s->err;
     double w0, w1, w2, g0, g1, g2, a, h, r, t, gg, rr, rho, size, sum;
-    double room = f->room;
     int i;
 
     for (i = 0; i < 4; i++) { /* as vectors */
@@ -1977,17 +1955,17 @@ static void prunecylinders(const mesh *m, const quest *f, tess_int node,
         h = c[24 + i];
         r = c[28 + i];
         size = fabs(w0) + fabs(w1) + fabs(w2) + 2.0 * (h + r);
-        g0 = q * w0 - d0;
-        g1 = q * w1 - d1;
-        g2 = q * w2 - d2;
+        g0 = w0 - s->c[0];
+        g1 = w1 - s->c[1];
+        g2 = w2 - s->c[2];
         a = fabs(g0 * c[12 + i] + g1 * c[16 + i] + g2 * c[20 + i]);
-        t = a + far < h ? a + far : h;
+        t = a < h ? a : h;
         gg = g0 * g0 + g1 * g1 + g2 * g2;
         rho = gg - a * a + 64.0 * EPS * gg;
-        rr = rho + far < r * r ? rho + far : r * r;
-        sum = w0 * (g0 - d0) + w1 * (g1 - d1) + w2 * (g2 - d2) +
-              t * (q * t - 2.0 * a) + q * rr -
-              size * (err + q * 64.0 * EPS * size) - room;
+        rr = rho < r * r ? rho : r * r;
+        sum = w0 * (g0 - s->c[0]) + w1 * (g1 - s->c[1]) +
+              w2 * (g2 - s->c[2]) + t * (t - 2.0 * a) + rr -
+              size * (err + 64.0 * EPS * size) - room;
         past[i] = sum * fabs(sum) - 4.0 * rr * rho;
     }
 }
@@ -2034,7 +2012,7 @@ static int newcell(mesh *m, quest *f)
     if (fabs(f->hi) > MUCHL) return 0;
     wide = f->limbs ? 0.0 : f->hi - f->lo;
     if (wide > l->margin) return 0;
-    f->dc += wide;
+    f->plain.dc += wide;
     n = ballinstar(m, f) ? listball(l, f, place) : 0;
     if (n <= 0 || n > CELL) return 0;
     for (i = c.n = 0; i < n; i++) {
@@ -2081,20 +2059,26 @@ static tess_int incell(const mesh *m, const tess_int *v)
 
 /* narrow - records that the best point's L-coordinate is at most l, and sets
  * the ball of L = l. */
-static void narrow(quest *f, double l)
+static void narrow(const mesh *m, quest *f, double l)
 {
+    sieve *s = &f->plain;
+    int k;
+
     f->hi = l;
-    f->aimed = 0;
-    if (f->limbs || l > MUCHL || l < -MUCHL) return;
-    f->ball = 1;
-    /* on the positive side, a better point is in the ball of any L above the
-     * best point's, so the error of L does not count.  It is large where balls
-     * are flat: counting it makes points near a plane take 10 times as long. */
-    f->c[0] = f->f[3] + l * f->f[0];
-    f->c[1] = f->f[4] + l * f->f[1];
-    f->c[2] = f->f[5] + l * f->f[2];
-    f->size = fabs(f->c[0]) + fabs(f->c[1]) + fabs(f->c[2]);
-    f->dc = f->f[10] + fabs(l) * f->f[9] + 4.0 * EPS * f->size;
+    if (!f->limbs && fabs(l) <= MUCHL) {
+        f->ball = 1;
+        s->sc = 0.0;
+        for (k = 0; k < 3; k++) {
+            s->c[k] = f->f[3 + k] + l * f->f[k];
+            s->sc += fabs(s->c[k]);
+        }
+        /* on the positive side, a better point is in the ball of any L above
+         * the best point's, so the error of L does not count.  It is large
+         * where balls are flat: counting it makes points near a plane take 10
+         * times as long. */
+        s->dc = f->f[10] + fabs(l) * f->f[9] + 4.0 * EPS * s->sc;
+    }
+    if (LEANING(f)) aim(m, f);
 }
 
 /* refine - finds the ball of the best point by limbs.  The centre c errs by at
@@ -2105,6 +2089,7 @@ static void narrow(quest *f, double l)
  * rounding. */
 static void refine(const mesh *m, quest *f)
 {
+    sieve *s = &f->plain;
     double c[3], l = 0.0, u, size = 0.0, err;
     int k, sphere = CURVED(m, f);
 
@@ -2113,20 +2098,19 @@ static void refine(const mesh *m, quest *f)
         !hh_centre(&m->set, f->v, f->base, f->best, c, &f->t))
         return;
     f->limbs = f->ball = 1;
-    f->aimed = 0;
-    f->size = 0.0;
+    s->sc = 0.0;
     for (k = 0; k < 3; k++) {
-        f->c[k] = c[k];
-        f->size += fabs(c[k]);
+        s->c[k] = c[k];
+        s->sc += fabs(c[k]);
         u = c[k] - (sphere ? f->f[3 + k] : 0.0);
         size += fabs(u);
         l += f->f[k] * u;
     }
-    f->dc = 8.0 * EPS * f->size;
-    if (f->f[9] > HH_LOOSE) return;
-    err = f->f[9] * size + 16.0 * EPS * f->size + (sphere ? f->f[10] : 0.0);
-    if (l - err > f->lo) f->lo = l - err;
-    if (l + err < f->hi) f->hi = l + err;
+    s->dc = 8.0 * EPS * s->sc;
+    err = f->f[9] * size + 16.0 * EPS * s->sc + (sphere ? f->f[10] : 0.0);
+    if (f->f[9] <= HH_LOOSE && l - err > f->lo) f->lo = l - err;
+    if (f->f[9] <= HH_LOOSE && l + err < f->hi) f->hi = l + err;
+    if (LEANING(f)) aim(m, f);
 }
 
 /* challenge - takes z if it is on the open side and beats the best point so
@@ -2186,7 +2170,7 @@ static void challenge(mesh *m, quest *f, tess_int z)
         HOLDS((power < 0) == (hh_pball(&m->set, f->v, f->best, z, 2) < 0));
         if (power > 0) {
             f->tied += power == 2;
-            if (hi < f->hi) narrow(f, hi);
+            if (hi < f->hi) narrow(m, f, hi);
             if (f->asked >= MANY && !f->limbs) refine(m, f);
             return;
         }
@@ -2197,33 +2181,30 @@ static void challenge(mesh *m, quest *f, tess_int z)
     f->tied = power == -2 ? f->tied + 1 : 0;
     f->lo = lo;
     f->limbs = 0;
-    narrow(f, hi);
+    narrow(m, f, hi);
     if (!f->limbs && (side == 0 || f->asked >= MANY ||
                       hi - lo > WIDE * (f->f[11] + fabs(hi))))
         refine(m, f);
 }
 
-/* consider - compares z with the best point, unless z is a vertex of the facet
- * or provably outside the ball; its height over the facet's support counts
- * where it is known. */
+/* consider - compares z with the best point, unless it is a vertex of the facet
+ * or does not pass the sieve: the tall one if its height over the facet's
+ * support is known. */
 static void consider(mesh *m, quest *f, tess_int z)
 {
     const double *q = m->x + 3 * z;
     double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8], h;
-    double size = fabs(w0) + fabs(w1) + fabs(w2);
-    int out;
+    double power = 0.0;
+    const sieve *s = &f->plain;
 
     COUNT(N_POINT, 1);
     if (z == f->best || z == f->v[0] || z == f->v[1] || z == f->v[2]) return;
     if (LEANING(f) && marked(m, f->on, z, &h)) {
-        if (!f->aimed) aim(m, f);
-        out = excluded(f, w0 * (f->q * w0 - f->d[0]) +
-                            w1 * (f->q * w1 - f->d[1]) +
-                            w2 * (f->q * w2 - f->d[2]),
-                     size, h, m->supports[f->on].grain);
-    } else
-        out = f->ball && HH_POWER(w0, w1, w2, f->c) > powererr(f, size);
-    if (!out)
+        s = &f->tall;
+        power = s->a * (h - s->h) - fabs(s->a) * m->supports[f->on].grain;
+    }
+    power += HH_POWER(w0, w1, w2, s->c);
+    if (power <= powererr(s, fabs(w0) + fabs(w1) + fabs(w2)))
         challenge(m, f, z);
     else {
         HOLDS(!better(m, f, z));
@@ -2279,14 +2260,14 @@ static int inblock(mesh *m, quest *f)
 
 /* inflate - sets the thickness of the skin about a search's ball, in margins of
  * a block; about larger balls it is thinner, as there are more points in it.
- * The power of a point in the skin is below room. */
+ * The points in the skin pass the sieve then. */
 static void inflate(const mesh *m, quest *f)
 {
-    double r = sqrt(dot(f->c, f->c)), margin = m->block.margin;
+    double r = sqrt(dot(f->plain.c, f->plain.c)), margin = m->block.margin;
 
     f->thick = f->skin * (r > margin ? margin * sqrt(margin / r) : margin);
-    f->room = f->skin < THINNEST ? -MUCHL
-                                 : f->thick * (2.0 * r + f->thick) + FAINT;
+    f->plain.err = f->skin < THINNEST
+                       ? -MUCHL : f->thick * (2.0 * r + f->thick) + FAINT;
 }
 
 /* admit - puts points of a leaf into the list that a search makes: of n, the
@@ -2307,9 +2288,9 @@ static void admit(const mesh *m, quest *f, tess_int first, int n,
     }
     while (l->n > TESS_LIST) {
         f->skin *= SHRINK;
-        most = 8.0 * (sqrt(dot(f->c, f->c)) + f->thick);
+        most = 8.0 * (sqrt(dot(f->plain.c, f->plain.c)) + f->thick);
         inflate(m, f);
-        most = powererr(f, most) * (1.0 + 4.0 * (double)FEPS);
+        most = powererr(&f->plain, most) * (1.0 + 4.0 * (double)FEPS);
         n = l->n;
         for (i = l->n = 0; i < n; i++) {
             l->id[l->n] = l->id[i];
@@ -2320,16 +2301,15 @@ static void admit(const mesh *m, quest *f, tess_int first, int n,
 }
 
 /* scanleaf - considers the uncompleted points of a leaf, of which there must be
- * one, that are not outside the ball.  Without a ball it considers those not on
- * the negative side: the ball of L = MUCHL / 2 stands for that side, with room
- * for |w|^2.  The powers come first, as vectors, then the least of each group,
+ * one, that pass the plain sieve.  The powers come first, as vectors, then the least of each group,
  * as most groups have no point to consider.  Stars are completed in the order
  * of positions, by and large, so the points before the first uncompleted one
  * are most of the completed ones. */
 static void scanleaf(mesh *m, quest *f, tess_int node)
 {
     const double *b = m->box + 6 * node, *x;
-    double d[3], power[LEAF], size = 0.0, most, least, w0, w1, w2;
+    const sieve *s = &f->plain;
+    double power[LEAF], size = 0.0, most, least, w0, w1, w2;
     double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8], d0, d1, d2;
     tess_int first, last;
     int n, i, k;
@@ -2340,13 +2320,10 @@ static void scanleaf(mesh *m, quest *f, tess_int node)
     n = (int)(last - first);
     COUNT(N_LEAF, 1);
     COUNT(N_LIST, n);
-    for (k = 0; k < 3; k++) {
-        d[k] = f->ball ? 2.0 * f->c[k] : MUCHL * f->f[k];
+    for (k = 0; k < 3; k++)
         size += fabs(b[k] - f->f[6 + k]) + fabs(b[3 + k] - f->f[6 + k]);
-    }
-    most = f->f[9] <= HH_LOOSE ? f->f[9] + 16.0 * EPS : 2.0;
-    most = f->ball ? powererr(f, size) : MUCHL * (size * most + FAINT);
-    d0 = d[0], d1 = d[1], d2 = d[2];
+    most = powererr(s, size);
+    d0 = 2.0 * s->c[0], d1 = 2.0 * s->c[1], d2 = 2.0 * s->c[2];
     for (k = 0; k < n; k++) {
         w0 = x[3 * k] - b0;
         w1 = x[3 * k + 1] - b1;
@@ -2394,7 +2371,7 @@ static void treesearch(mesh *m, quest *f)
             x[3 * f->v[0] + flat] != x[3 * f->v[2] + flat] ||
             m->set.t3 < -1.0)) /* what underflowed may be equal here alone */
         flat++;
-    fours = ENCLOSED(m) && !LEANING(f) && (f->ball || f->f[9] <= HH_LOOSE);
+    fours = ENCLOSED(m) && !LEANING(f);
     stack[0] = node;
     while (depth > 0 || top > 1) {
         from = top;
@@ -2426,7 +2403,7 @@ static void treesearch(mesh *m, quest *f)
             continue;
         }
         COUNT(N_NODE, 1);
-        if (LEANING(f) ? pruneheights(m, f, node) : prunebox(f, b, b + 3)) {
+        if (prunenode(m, f, node)) {
             HOLDS(barren(m, f, node));
         } else if (node >= m->leaves)
             scanleaf(m, f, node);
@@ -2454,9 +2431,11 @@ static int onhull(const mesh *m, const quest *f)
     return 0;
 }
 
-/* prepare - begins the search for the apex of the facet v.  The base is v[0],
+/* prepare - begins the search for the apex of the facet v, and tries the two
+ * positions guess, unless that is NULL; either may be NONE.  The base is v[0],
  * or, if the angle there is small, the vertex opposite the longest edge. */
-static void prepare(const mesh *m, quest *f, const tess_int *v)
+static void prepare(mesh *m, quest *f, const tess_int *v,
+                    const tess_int *guess)
 {
     const double *p[3], *a, *b;
     double edge, longest = 0.0;
@@ -2465,14 +2444,13 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
     for (k = 0; k < 3; k++) {
         p[k] = m->x + 3 * v[k];
         f->v[k] = v[k];
-        f->c[k] = 0.0;
     }
     f->best = NONE;
     f->on = NONE;
     f->sphere.ready = f->asked = f->limbs = f->tied = f->ball = f->base = 0;
     f->opened = f->work = 0;
     f->into = NULL;
-    f->room = FAINT;
+    f->plain.err = FAINT;
     f->hi = DBL_MAX;
     hh_setup(p[0], p[1], p[2], f->f);
     if (f->f[9] >= 8000.0 * EPS) {
@@ -2492,6 +2470,12 @@ static void prepare(const mesh *m, quest *f, const tess_int *v)
         if (f->f[9] > THIN) hh_thin(&m->set, v, f->base, f->f);
     }
     if (SUPPORTED(m)) supportof(m, f);
+    for (k = 0; k < 2 && guess != NULL; k++)
+        if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
+            guess[k] != f->best)
+            challenge(m, f, guess[k]);
+    if (!f->ball) openside(f);
+    if (!f->ball && LEANING(f)) aim(m, f);
 }
 
 /* Near lists.  On surfaces and lines most searches begin with the final ball,
@@ -2563,8 +2547,8 @@ static int nearlist(mesh *m, const quest *f, list *l)
     m->fund -= 30.0 + 1.75 * (double)q.work;
     if (l->n == 0) return 0;
     m->skin = l->n < FEW && q.skin < THICKEST ? THICKER * q.skin : q.skin;
-    l->margin = sqrt(dot(q.c, q.c)) + q.thick;
-    for (k = 0; k < 3; k++) l->at[k] = q.f[6 + k] + q.c[k];
+    l->margin = sqrt(dot(q.plain.c, q.plain.c)) + q.thick;
+    for (k = 0; k < 3; k++) l->at[k] = q.f[6 + k] + q.plain.c[k];
     (void)frame(m, l, l->at, l->at);
     setpoints(m, l);
     return 1;
@@ -2583,7 +2567,7 @@ static int innear(mesh *m, quest *f)
         l = m->balls + m->recent[++k];
         found = inball(f, l);
     } while (!found && k < BALLS - 1);
-    if (!found && (f->hi <= 0.0 || f->size > GIANT || !nearlist(m, f, l) ||
+    if (!found && (f->hi <= 0.0 || f->plain.sc > GIANT || !nearlist(m, f, l) ||
                    !inball(f, l)))
         return 0;
     for (; k > 1; k--) {
@@ -2600,8 +2584,8 @@ static int innear(mesh *m, quest *f)
     return n >= 0;
 }
 
-/* apex - returns the apex of the facet v on its positive side, or NONE.  guess
- * holds two positions to try first, or NONE. */
+/* apex - returns the apex of the facet v on its positive side, or NONE.  guess:
+ * see prepare. */
 static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 {
     quest f;
@@ -2610,11 +2594,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 
     COUNT(N_FACET, 1);
     if (m->ncell > 0 && (f.best = incell(m, v)) != NONE) return f.best;
-    prepare(m, &f, v);
-    for (k = 0; k < 2; k++)
-        if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
-            guess[k] != f.best)
-            challenge(m, &f, guess[k]);
+    prepare(m, &f, v, guess);
     /* a ball that is a support's sphere up to rounding is in no list */
     lists = !CURVED(m, &f) ||
             (f.best != NONE && !marked(m, f.on, f.best, &h));
@@ -2733,8 +2713,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
             if (all)
                 z = apex(m, f, guess);
             else {
-                prepare(m, &search, f);
-                challenge(m, &search, z);
+                prepare(m, &search, f, guess);
                 scanleaf(m, &search, m->leaves + leaf);
                 z = search.best;
             }
@@ -3582,7 +3561,6 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
 int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                tess_int lrw, double *rw)
 {
-    static const tess_int guess[2] = {NONE, NONE};
     mesh m;
     tess_int i, v[4], left, *mine;
     tess_int tet[4 * STARS], adj[4 * STARS];
@@ -3595,7 +3573,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
     code = sortpoints(&m, n, p, iw, lrw, rw);
     if (code == 0) code = firstfacet(&m, v);
     if (code == 0) {
-        v[3] = apex(&m, v, guess);
+        v[3] = apex(&m, v, NULL);
         for (k = 0; k < 4; k++) m.known[k] = m.order[v[k]];
     }
     if (code != TESS_RANGE) {
@@ -4017,11 +3995,10 @@ static tess_int descend(const mesh *m, const tess_real *q)
  * u[3]; returns 0 and leaves u if that facet is on the hull. */
 static int across(mesh *m, tess_int *u, int k)
 {
-    static const tess_int guess[2] = {NONE, NONE};
     tess_int f[3], a;
 
     outfac(u, k, f);
-    a = apex(m, f, guess);
+    a = apex(m, f, NULL);
     if (a == NONE) return 0;
     for (k = 0; k < 3; k++) u[k] = f[k];
     u[3] = a;

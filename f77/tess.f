@@ -124,15 +124,15 @@ C         quota TSQUOT, rehash TSREHA
 C       lists: disjoint TSDISJ, setpoints TSSETP, boxquery TSBOXQ,
 C         frame TSFRAM, leaflist TSLFLI, forget TSFORG,
 C         compress TSCMPR, starlist TSSTLI
-C       the ball: dot TSDOT, powererr TSPOWE, prunebox TSPRUN,
-C         ballinbox TSBINB, ballinstar TSBINS, ballcoef TSBALC,
-C         listball TSLIBA
+C       the ball: dot TSDOT, powererr TSPOWE, openside TSOSID,
+C         prunebox TSPRUN, ballinbox TSBINB, ballinstar TSBINS,
+C         ballcoef TSBALC, listball TSLIBA
 C     then what makes searches faster, each where some data need it:
 C       supports: rough TSROUG, marked TSMRKD, heightover TSHEOV,
 C         onsupport TSONSU, remember TSREME, place TSPLAC,
 C         erect TSEREC, through TSTHRO, fit TSFIT, discover TSDISC,
 C         recall TSRECA, supportof TSSUPP, sharpen TSSHAR, aim TSAIM,
-C         lowest TSLOWE, excluded TSEXCL, pruneheights TSPRHE
+C         prunenode TSPNOD
 C       cylinders: cylinders TSCYLI, makecylinder TSMCYL,
 C         makecylinders TSMCYS, prunecylinders TSPRCY
 C       ties: newcell TSNEWC, incell TSINCE
@@ -254,6 +254,13 @@ C       LSD     behind LLO, LHI, LMID, LMOST: the box, as far as it is
 C               in the root's, the centre, a bound on the coordinates in
 C               the list, but for rounding; LMARG margin; LUNIT one over
 C               the unit; behind LAT a near list's point
+C     A sieve S: no candidate is where
+C         |W|**2 - 2 C.W + a (height(W) - h) > err +
+C             SIZE (2 dc + 16 EPS (SIZE + sc)),
+C     W being a point relative to the base, SIZE >= |W|_1, height(W) its
+C     height over the support that the facet leans on.  See TSPOWE.
+C       S       S(1..3): C, wrong by at most VDC; VSC: |C|_1; VA, VH,
+C               VERR: a, h, err
 C     A search for the apex of a facet:
 C       V       its vertices; the open side is positive
 C       F       its Householder set-up (see HHFACE)
@@ -262,29 +269,24 @@ C               met that are exactly on its ball; QLIMBS: 1: its ball
 C               has been found by limbs; QBALL: there is a ball to prune
 C               with; QBASE: V(QBASE) is the base of F; QASKED: see
 C               MANY; QON: the support that the facet is on, or 0;
-C               QAIMED: TSAIM's test is for the best point so far;
 C               behind QSOME a sample of the points offered to it,
 C               QOPEND: QOPEN = 1: points left open, 0: of leaves;
 C               QWORK, QINTO: see below
-C       FQ      FQ(1..3): the centre C of the best point's ball,
-C               relative to F(7..9), wrong by at most QDC; QSIZE:
-C               |C|_1; the best point's L-coordinate is between QLO and
-C               QHI; QROOM: so far C(8) where the rest is not needed;
-C               from QT on T, in which QQ is TQ; from QLIMB on the ball
+C       FQ      begins with the plain sieve, C being the ball's centre,
+C               or else that of the open side; a is 0, and its place and
+C               that of h are QLO and QHI: the best point's L-coordinate
+C               is between them.  From QT on T; from QLIMB on the ball
 C               by limbs (see HHCENT), from QSPHER on a sphere near the
 C               points that are compared with the best one (see HHLIFS).
 C               A search that makes a near list, IQ(QINTO), puts into it
-C               all points whose power is below QROOM; else QINTO is 0
-C               and QROOM is FAINT.  QSKIN, QTHICK: thickness of the
-C               skin, adapted and as it is.  IQ(QWORK): nodes that were
-C               looked at
-C       T       of the support that the facet is on: TSAIM's test, that
-C               a (height - h) + q |W|**2 - d.W > 0, of which each
-C               coordinate of W is wrong by dd times it, and all by err:
-C               T(1..3): d; TQ, TDD, TA, TERR: q, dd, a, err; G = height
-C               - TH - tilt.W is 0 on the facet, the tilt behind TTILT;
-C               TDH, TDTILT their errors; TG: of a plane, the height of
-C               the facet's normal
+C               all points that pass the plain sieve; else QINTO is 0.
+C               QSKIN, QTHICK: thickness of the skin, adapted and as it
+C               is.  IQ(QWORK): nodes that were looked at
+C       T       of the support that the facet is on: it begins with the
+C               tall sieve, see TSAIM; G = height - h - tilt.W is 0 on
+C               the facet, the tilt behind TTILT; TDH, TDTILT the errors
+C               of h and tilt; TG: of a plane, the height of the facet's
+C               normal
 C     A walk over the hull:
 C       H       H(1..3): the facet nearest to Q so far; behind HON the
 C               vertices of the edge that has its nearest point, or the
@@ -1361,51 +1363,67 @@ C     TSDOT - the product of two vectors.
       TSDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
       END
 
-C     TSPOWE - bound on the error of the power |W|**2 - 2 C.W for |W|_1
-C     <= LENGTH.  C errs by at most dc.  Each term W(K) (W(K) - 2 C(K))
-C     suffers at most 6 roundings, counting that of W(K) twice and those
-C     of the sum, each of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).
-C     LENGTH and this bound may come out too small by a few EPS.
-      DOUBLE PRECISION FUNCTION TSPOWE(C, LENGTH)
-      DOUBLE PRECISION C(8), LENGTH
-      INTEGER QDC, QSIZE, QROOM
+C     TSPOWE - the bound of the sieve S for |W|_1 <= LENGTH.  C errs by
+C     at most dc.  Each term W(K) (W(K) - 2 C(K)) suffers at most 6
+C     roundings, counting that of W(K) twice and those of the sum, each
+C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).  LENGTH and this bound
+C     may come out too small by a few EPS.
+      DOUBLE PRECISION FUNCTION TSPOWE(S, LENGTH)
+      DOUBLE PRECISION S(8), LENGTH
+      INTEGER VDC, VSC, VERR
       DOUBLE PRECISION EPS
-      PARAMETER (QDC = 4, QSIZE = 5, QROOM = 8, EPS = 2.0D0**(-52))
-      TSPOWE = LENGTH*(2.0D0*C(QDC) + 8.0D0*EPS*(LENGTH +
-     $    2.0D0*C(QSIZE))) + C(QROOM)
+      PARAMETER (VDC = 4, VSC = 5, VERR = 8, EPS = 2.0D0**(-52))
+      TSPOWE = LENGTH*(2.0D0*S(VDC) + 16.0D0*EPS*(LENGTH + S(VSC))) +
+     $    S(VERR)
+      END
+
+C     TSOSID - the open side as a sieve: the ball of L = MUCHL / 2 about
+C     the normal.  Its dc has room for |W|**2, and is so large that all
+C     pass where the normal is not known.
+      SUBROUTINE TSOSID(F, S)
+      DOUBLE PRECISION F(12), S(8)
+      INTEGER VDC, VSC
+      DOUBLE PRECISION EPS, LOOSE, MUCHL
+      PARAMETER (VDC = 4, VSC = 5, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
+     $    MUCHL = 1.0D100)
+      INTEGER K
+      S(VSC) = 0.0D0
+      DO 10 K = 1, 3
+        S(K) = 0.5D0*MUCHL*F(K)
+        S(VSC) = S(VSC) + ABS(S(K))
+   10 CONTINUE
+      S(VDC) = MUCHL*2.0D0
+      IF (F(10) .LE. LOOSE) S(VDC) = MUCHL*(0.5D0*F(10) + 4.0D0*EPS)
       END
 
 C     TSPRUN - returns 1 if the box of a node provably holds no
-C     candidate: no point inside or on the ball of the search, if there
-C     is one, or none on the positive side; or 0.  It compares the least
-C     power |W|**2 - 2 C.W and the greatest side in the box with the
+C     candidate: it passes no sieve, to whose power the heights in the
+C     box add at least HIGH, or it is on the negative side; or 0.  It
+C     compares the least power and the greatest side in the box with the
 C     bounds on their errors: TSPOWE, and E |W|, which covers the
 C     rounding of the side, too.  Both are taken at a point whose
 C     coordinates are the box's own doubles, so the bounds for points
 C     hold.
-      INTEGER FUNCTION TSPRUN(IQ, F, C, BOX, NODE)
-      DOUBLE PRECISION F(12), C(8), BOX(6,*)
-      INTEGER IQ(44), NODE
-      INTEGER QBALL
+      INTEGER FUNCTION TSPRUN(F, S, BOX, NODE, HIGH)
+      DOUBLE PRECISION F(12), S(*), BOX(6,*), HIGH
+      INTEGER NODE
       DOUBLE PRECISION FAINT, LOOSE
-      PARAMETER (QBALL = 3, FAINT = 1.0D-200, LOOSE = 0.5D0)
+      PARAMETER (FAINT = 1.0D-200, LOOSE = 0.5D0)
       DOUBLE PRECISION TSPOWE, H, L, LENGTH, POWER, SIDE, U
       INTEGER K
-      POWER = 0.0D0
+      POWER = HIGH
       SIDE = 0.0D0
       LENGTH = 0.0D0
       DO 10 K = 1, 3
         L = BOX(K,NODE) - F(6+K)
         H = BOX(3+K,NODE) - F(6+K)
-        U = MIN(MAX(C(K), L), H)
-        POWER = POWER + U*(U - 2.0D0*C(K))
+        U = MIN(MAX(S(K), L), H)
+        POWER = POWER + U*(U - 2.0D0*S(K))
         SIDE = SIDE + MAX(L*F(K), H*F(K))
         LENGTH = LENGTH + MAX(ABS(L), ABS(H))
    10 CONTINUE
       TSPRUN = 0
-      IF (IQ(QBALL) .EQ. 1) THEN
-        IF (POWER .GT. TSPOWE(C, LENGTH)) TSPRUN = 1
-      END IF
+      IF (POWER .GT. TSPOWE(S, LENGTH)) TSPRUN = 1
       IF (F(10) .LE. LOOSE) THEN
         IF (SIDE .LT. -F(10)*LENGTH - FAINT) TSPRUN = 1
       END IF
@@ -1416,19 +1434,19 @@ C     the part in the root's box, lies inside the box of a list, or 0.
 C     The centre of the true ball is within dc of C, and both balls pass
 C     through the base.  So the radius is at most |C| + dc, and along an
 C     axis the ball ends within |C| + 2 dc of C.
-      INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, IQ, F, C)
+      INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, F, C)
       DOUBLE PRECISION BOX(6,*), LSD(17,7), F(12), C(8)
-      INTEGER LSI(3,7), LIST, IQ(44)
-      INTEGER LN, LLO, LHI, QDC
+      INTEGER LSI(3,7), LIST
+      INTEGER LN, LLO, LHI, VDC
       DOUBLE PRECISION PAD
-      PARAMETER (LN = 3, LLO = 0, LHI = 3, QDC = 4,
+      PARAMETER (LN = 3, LLO = 0, LHI = 3, VDC = 4,
      $    PAD = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION PART(6,1), R
       INTEGER TSPRUN, I, K, OUT
       TSBINB = 0
       IF (LSI(LN,LIST) .EQ. 0) RETURN
       R = SQRT(C(1)*C(1) + C(2)*C(2) + C(3)*C(3))
-      R = R*(1.0D0 + PAD) + 2.0D0*C(QDC)
+      R = R*(1.0D0 + PAD) + 2.0D0*C(VDC)
       DO 10 I = 1, 6
         PART(I,1) = BOX(I,1)
    10 CONTINUE
@@ -1444,7 +1462,7 @@ C     axis the ball ends within |C| + 2 dc of C.
 C       the part of the root's box beyond this side of the list's
         PART(OUT,1) = LSD(I,LIST)
         IF (PART(K,1) .LT. PART(3+K,1)) THEN
-          IF (TSPRUN(IQ, F, C, PART, 1) .EQ. 0) RETURN
+          IF (TSPRUN(F, C, PART, 1, 0.0D0) .EQ. 0) RETURN
         END IF
         PART(OUT,1) = BOX(OUT,1)
    20 CONTINUE
@@ -1461,14 +1479,14 @@ C     margin - 2 dc for the first factor, too.  PAD times margin exceeds
 C     the roundings of A, B and the products.
       INTEGER FUNCTION TSBINS(BOX, LSD, F, C)
       DOUBLE PRECISION BOX(6,*), LSD(17,7), F(12), C(8)
-      INTEGER LMARG, STR, QDC
+      INTEGER LMARG, STR, VDC
       DOUBLE PRECISION PAD
-      PARAMETER (LMARG = 13, STR = 2, QDC = 4,
+      PARAMETER (LMARG = 13, STR = 2, VDC = 4,
      $    PAD = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION A, B, MARGIN, SQUARE(3)
       INTEGER K
       TSBINS = 0
-      MARGIN = LSD(LMARG,STR)*(1.0D0 - PAD) - 2.0D0*C(QDC)
+      MARGIN = LSD(LMARG,STR)*(1.0D0 - PAD) - 2.0D0*C(VDC)
       DO 10 K = 1, 3
         SQUARE(K) = C(K)*C(K)
    10 CONTINUE
@@ -1504,9 +1522,9 @@ C     OK is 1, or 0 when the ball is too large for that.
       DOUBLE PRECISION LSD(17,7), F(12), C(8)
       REAL D(4)
       INTEGER LIST, OK
-      INTEGER LMID, LMOST, LUNIT, QDC
+      INTEGER LMID, LMOST, LUNIT, VDC
       DOUBLE PRECISION EPS, FEPS
-      PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, QDC = 4,
+      PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, VDC = 4,
      $    EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23))
       DOUBLE PRECISION A, CU(3), DIST, G, REST, SUM
       INTEGER K
@@ -1530,7 +1548,7 @@ C     OK is 1, or 0 when the ball is too large for that.
       D(3) = REAL(CU(3))
       D(4) = REAL(FEPS*(128.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
      $    8.0D0*EPS*A*(1.0D0 + DIST) +
-     $    2.0D0*C(QDC)*LSD(LUNIT,LIST)*(4.0D0 + DIST) - REST)
+     $    2.0D0*C(VDC)*LSD(LUNIT,LIST)*(4.0D0 + DIST) - REST)
       OK = 1
       END
 
@@ -1683,9 +1701,9 @@ C     The sample keeps SOME of them.  Once it is full, a point replaces
 C     another at random, by numbers that are the same on every machine.
 C     Points with a mark count, too: they may be on a finer support.
       SUBROUTINE TSREME(IQ, Z, OPEN)
-      INTEGER IQ(44), Z, OPEN
+      INTEGER IQ(43), Z, OPEN
       INTEGER QOPEN, QOPEND, QSOME, SOME
-      PARAMETER (QOPEN = 9, QOPEND = 10, QSOME = 10, SOME = 32)
+      PARAMETER (QOPEN = 8, QOPEND = 9, QSOME = 9, SOME = 32)
       INTEGER PLACE
       IF (IQ(QOPEND) .EQ. 0 .OR. OPEN .GT. IQ(QOPEN)) THEN
         IQ(QOPEN) = OPEN
@@ -1753,10 +1771,10 @@ C     tell them apart.)  OK is 1, or 0 if that is more than BAND.
       SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
      $                  OK)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(60)
-      INTEGER ORD(*), RECORD(16), CTL(*), IQ(44), Z(4), PLANE, OK
+      INTEGER ORD(*), RECORD(16), CTL(*), IQ(43), Z(4), PLANE, OK
       INTEGER SCALE, SLOW, QOPEND, QSOME, SOME, GRAINS, DIGITS, EXPON
       DOUBLE PRECISION BAND, FAINT, FINER, ROUGH, DIGIT, EPS, HUGE
-      PARAMETER (SCALE = 19, SLOW = 59, QOPEND = 10, QSOME = 10,
+      PARAMETER (SCALE = 19, SLOW = 59, QOPEND = 9, QSOME = 9,
      $    SOME = 32, GRAINS = 134217728, DIGITS = 4, EXPON = 2000,
      $    BAND = 2.0D-8, FAINT = 1.0D-200, FINER = 100.0D0,
      $    ROUGH = 1.0D-3, DIGIT = 8192.0D0, EPS = 2.0D0**(-52),
@@ -1816,10 +1834,10 @@ C     on none (sheets near each other are one).  OK is 1 if it is set
 C     up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), S(60)
-      INTEGER ORD(*), RECORD(16), CTL(*), V(3), IQ(44), OK
+      INTEGER ORD(*), RECORD(16), CTL(*), V(3), IQ(43), OK
       INTEGER QOPEND, QSOME, SOME
       DOUBLE PRECISION SMALL
-      PARAMETER (QOPEND = 10, QSOME = 10, SMALL = 2.0D0**(-450),
+      PARAMETER (QOPEND = 9, QSOME = 9, SMALL = 2.0D0**(-450),
      $    SOME = 32)
       DOUBLE PRECISION TSDOT, D, E(3), U(3,SOME), WIDE(3)
       INTEGER FAR, I, J, K, N, Z(4)
@@ -1866,12 +1884,12 @@ C     is 1 if it is kept, or 0.
       SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
      $                  KEPT)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(44), KEPT
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43), KEPT
       INTEGER NP, LEAVES, NSUPP, RPATIE, SLOW, SGRAIN, QOPEND, DONE,
      $    SUPPS, OPENED, GRAINS, STEPS, FOLD
       DOUBLE PRECISION FINER
       PARAMETER (NP = 1, LEAVES = 4, NSUPP = 20, RPATIE = 5, SLOW = 59,
-     $    SGRAIN = 60, QOPEND = 10, DONE = -1, SUPPS = 8, OPENED = 24,
+     $    SGRAIN = 60, QOPEND = 9, DONE = -1, SUPPS = 8, OPENED = 24,
      $    GRAINS = 134217728, STEPS = 32768, FOLD = 4096,
      $    FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, GRAIN, H, LOW
@@ -2003,13 +2021,13 @@ C     in any order, each of at most EPS (|o| + 2 |at|): these make less
 C     than 8 EPS SIZE.
       SUBROUTINE TSSUPP(X, MARK, CTL, SUP, V, IQ, F, T)
       DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14)
-      INTEGER MARK(*), CTL(*), V(3), IQ(44)
-      INTEGER NSUPP, SAT, SC, SLOW, QBASE, QON, QAIMED, SUPPS, TH,
-     $    TDH, TTILT, TDTILT, TG
+      INTEGER MARK(*), CTL(*), V(3), IQ(43)
+      INTEGER NSUPP, SAT, SC, SLOW, QBASE, QON, SUPPS, VH, TDH,
+     $    TTILT, TDTILT, TG
       DOUBLE PRECISION EPS, FAINT
       PARAMETER (NSUPP = 20, SAT = 52, SC = 55, SLOW = 59, QBASE = 4,
-     $    QON = 6, QAIMED = 7, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
-     $    SUPPS = 8, TH = 8, TDH = 9, TTILT = 9, TDTILT = 13, TG = 14)
+     $    QON = 6, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+     $    SUPPS = 8, VH = 7, TDH = 9, TTILT = 9, TDTILT = 13, TG = 14)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
      $    OWN(52), R, SIZE, T1, T2
       INTEGER TSCURV, TSPLAC, AGAIN, AT, B, I, J, K, OK, PLANE, Z
@@ -2046,8 +2064,7 @@ C     than 8 EPS SIZE.
       DET = N(1)*N(2) - AB*AB
       IF (DET .LT. 1.0D4*EPS*N(1)*N(2) .OR. DET .LT. FAINT) RETURN
       IQ(QON) = J
-      IQ(QAIMED) = 0
-      T(TH) = H(1)
+      T(VH) = H(1)
       T(TDH) = ERR(1)
       AGAIN = 0
    70 SIZE = 0.0D0
@@ -2095,19 +2112,19 @@ C     quotients are of numbers right to 4 EPS of themselves, as is what
 C     is left of a side of more than twice its error: PAD is more.
       SUBROUTINE TSSHAR(X, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
       DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14), LO, HI
-      INTEGER MARK(*), IQ(44), Z, SIDE
-      INTEGER SPLANE, QON, TH, TDH, TTILT, TDTILT, TG
+      INTEGER MARK(*), IQ(43), Z, SIDE
+      INTEGER SPLANE, QON, VH, TDH, TTILT, TDTILT, TG
       DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
       PARAMETER (SPLANE = 8, QON = 6, EPS = 2.0D0**(-52),
      $    FAINT = 1.0D-200, HUGE = (2.0D0 - EPS)*2.0D0**1023,
-     $    PAD = 64.0D0*EPS, SMALL = 2.0D0**(-450), TH = 8, TDH = 9,
+     $    PAD = 64.0D0*EPS, SMALL = 2.0D0**(-450), VH = 7, TDH = 9,
      $    TTILT = 9, TDTILT = 13, TG = 14)
       DOUBLE PRECISION ERR, G, H, HIGH, LEAST, LOW, MOST, SIZE, U
       INTEGER K, OK
       CALL TSHEOV(X, MARK, SUP, IQ(QON), Z, H, ERR, OK)
       IF (OK .EQ. 0) RETURN
-      ERR = ERR + (T(TDH) + 16.0D0*EPS*(ABS(H) + ABS(T(TH))) + FAINT)
-      H = H - T(TH)
+      ERR = ERR + (T(TDH) + 16.0D0*EPS*(ABS(H) + ABS(T(VH))) + FAINT)
+      H = H - T(VH)
       G = 0.0D0
       SIZE = 0.0D0
       DO 10 K = 1, 3
@@ -2147,157 +2164,104 @@ C     is left of a side of more than twice its error: PAD is more.
       HI = MIN(HI, HIGH)
       END
 
-C     TSAIM - sets up TSEXCL's test for the best point so far, whose
+C     TSAIM - sets up the tall sieve for the best point so far, whose
 C     L-coordinate is at most k.  A better point has side > 0 and N - 2
 C     k side <= 0, where N is its power in the ball of L = 0, of centre
-C     c.  So there is none where
-C         a (height - h) + q |W|**2 - d.W > 0:
+C     c.  Without a ball k is MUCHL / 2, with room for N.  So with v,
+C     the facet's normal, there is none where
+C         q |W|**2 - d.W + a (height - h) > 0:
 C
-C                  by the ball                    without a ball
-C       plane      N - 2 k side, side = G / g     -side
-C         a        -2 k / g                       1 or -1, that g a < 0
-C         q        1                              0
-C         d        2 c + a tilt                   a tilt
-C       sphere     G - 2 k side                   -side - q G + q G
-C         a        1 - q                          -q
-C         d        a tilt + 2 q c + 2 k v         a tilt + 2 q c + v
+C              plane: side = G / g        sphere: N = G, of which 1 - q
+C       q      1                          are taken as height - h -
+C       d      2 c + a tilt               tilt.W; 2 q c + a tilt + 2 k v
+C       a      -2 k / g                   1 - q
 C
 C     Near a plane k may be greater, so |a| may be greater for k > 0,
-C     and smaller for k < 0.  Near a sphere G = height - h - tilt.W, of
-C     which a share q is taken as |W|**2 - 2 c.W; best is, but for a,
-C     the q for which the least of q |W|**2 - d.W is greatest.
-C     Any q is valid, so errors in q do not count.  dd has room for the
-C     errors of c, tilt and v, and for 16 roundings of each term.  err
-C     has room for those of h, of a height of at most -low, and of a,
-C     which is exact but for one rounding.
-      SUBROUTINE TSAIM(S, IQ, F, HI, T)
+C     and smaller for k < 0.  Near a sphere the best q is, but for a,
+C     that for which the least of q |W|**2 - d.W is greatest.  Any q > 0
+C     is valid, so errors in q do not count.  dd has room for the errors
+C     of c, tilt and v, and for 8 roundings of each term; err for those
+C     of h, of a height of at most -low, and of a, which is exact but
+C     for one rounding.  The sieve is all that over q.
+      SUBROUTINE TSAIM(S, BALL, F, HI, T)
       DOUBLE PRECISION S(60), F(12), HI, T(14)
-      INTEGER IQ(44)
-      INTEGER SPLANE, SLOW, QBALL, QAIMED, TQ, TDD, TA, TERR, TH, TDH,
-     $    TTILT, TDTILT, TG
+      INTEGER BALL
+      INTEGER SPLANE, SLOW, VDC, VSC, VA, VH, VERR, TDH, TTILT, TDTILT,
+     $    TG
       DOUBLE PRECISION EPS, FAINT, MUCHL
-      PARAMETER (SPLANE = 8, SLOW = 59, QBALL = 3, QAIMED = 7, TQ = 4,
-     $    TDD = 5, TA = 6, TERR = 7, EPS = 2.0D0**(-52),
-     $    FAINT = 1.0D-200, MUCHL = 1.0D100, TH = 8, TDH = 9, TTILT = 9,
-     $    TDTILT = 13, TG = 14)
-      DOUBLE PRECISION A, B, DD, Q, SUM, U, V, W
-      INTEGER BALL, K
-      IQ(QAIMED) = 1
-      BALL = IQ(QBALL)
-      IF (ABS(HI) .GT. MUCHL) BALL = 0
+      PARAMETER (SPLANE = 8, SLOW = 59, VDC = 4, VSC = 5, VA = 6,
+     $    VH = 7, VERR = 8, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+     $    MUCHL = 1.0D100, TDH = 9, TTILT = 9, TDTILT = 13, TG = 14)
+      DOUBLE PRECISION A, B, DD, L, Q, SUM, U, V, W
+      INTEGER K
+      L = 0.5D0*MUCHL
+      DD = 4.0D0 + 4.0D0*F(12)
+      IF (BALL .EQ. 1 .AND. ABS(HI) .LE. MUCHL) THEN
+        L = HI
+        DD = 0.0D0
+      END IF
+      A = 1.0D0
+      Q = 1.0D0
       B = 0.0D0
       IF (S(SPLANE) .GT. 0.0D0) THEN
-        Q = DBLE(BALL)
-        A = -1.0D0
-        IF (T(TG) .LT. 0.0D0) A = 1.0D0
-        IF (BALL .EQ. 1) THEN
-          A = -2.0D0*HI/T(TG)
-          U = 4.0D0*(F(10) + 32.0D0*EPS)*A
-          IF (HI .LE. 0.0D0) U = -U
-          A = A + U
-        END IF
+        A = -2.0D0*L/T(TG)
+        U = 4.0D0*(F(10) + 32.0D0*EPS)*A
+        IF (L .LE. 0.0D0) U = -U
+        A = A + U
       ELSE
-        A = DBLE(BALL)
-        B = 1.0D0
-        IF (BALL .EQ. 1) B = 2.0D0*HI
+        B = 2.0D0*L
         SUM = 0.0D0
         DO 10 K = 1, 3
-          SUM = SUM - F(3+K)*(B*F(K) + A*T(TTILT+K))
+          SUM = SUM - F(3+K)*(B*F(K) + T(TTILT+K))
    10   CONTINUE
         Q = 0.0D0
         IF (SUM .GT. 0.0D0) Q = 0.5D0*SUM/(F(12)*F(12))
+        Q = MAX(Q, 1.0D0/MUCHL)
         A = A - Q
       END IF
-      DD = ABS(A)*T(TDTILT) + 2.0D0*Q*F(11) + ABS(B)*F(10)
+      DD = DD + (ABS(A)*T(TDTILT) + 2.0D0*Q*F(11) + ABS(B)*F(10))
+      T(VSC) = 0.0D0
       DO 20 K = 1, 3
         U = A*T(TTILT+K)
         V = 2.0D0*Q*F(3+K)
         W = B*F(K)
-        T(K) = U + V + W
-        DD = DD + 16.0D0*EPS*(ABS(U) + ABS(V) + ABS(W))
+        DD = DD + 8.0D0*EPS*(ABS(U) + ABS(V) + ABS(W))
+        T(K) = 0.5D0*(U + V + W)/Q
+        T(VSC) = T(VSC) + ABS(T(K))
    20 CONTINUE
-      T(TQ) = Q
-      T(TDD) = DD
-      T(TA) = A
-      T(TERR) = ABS(A)*T(TDH) + 16.0D0*EPS*(ABS(A) +
-     $    Q)*(ABS(T(TH)) - S(SLOW)) + FAINT
+      T(VDC) = 0.5D0*DD/Q
+      T(VA) = A/Q
+      T(VERR) = (ABS(A)*T(TDH) + 16.0D0*EPS*(ABS(A) +
+     $    Q)*(ABS(T(VH)) - S(SLOW)) + FAINT)/Q
       END
 
-C     TSLOWE - LEAST is the least value of q |W|**2 - d.W, of the test
-C     T, in the box LO, HI; SIZE is the greatest |W|_1 in it.
-      SUBROUTINE TSLOWE(LO, HI, F, T, LEAST, SIZE)
-      DOUBLE PRECISION LO(*), HI(*), F(12), T(14), LEAST, SIZE
-      INTEGER TQ
-      PARAMETER (TQ = 4)
-      DOUBLE PRECISION D, H, HALF, L, Q, U
-      INTEGER K
-      LEAST = 0.0D0
-      SIZE = 0.0D0
-      Q = T(TQ)
-      HALF = 0.0D0
-      IF (Q .GT. 0.0D0) HALF = 0.5D0/Q
-      DO 10 K = 1, 3
-        L = LO(K) - F(6+K)
-        H = HI(K) - F(6+K)
-        D = T(K)
-        IF (Q .GT. 0.0D0) THEN
-          U = D*HALF
-        ELSE
-          U = L
-          IF (D .GT. 0.0D0) U = H
-        END IF
-        U = MIN(MAX(U, L), H)
-        LEAST = LEAST + U*(Q*U - D)
-        SIZE = SIZE + MAX(ABS(L), ABS(H))
-   10 CONTINUE
-      END
-
-C     TSEXCL - OUT is 1 if TSAIM's test proves that there is no
-C     candidate where q |W|**2 - d.W is at least SUM, |W|_1 is at most
-C     SIZE, and the height counts as H, to within DH; or 0.
-      SUBROUTINE TSEXCL(T, SUM, SIZE, H, DH, OUT)
-      DOUBLE PRECISION T(14), SUM, SIZE, H, DH
-      INTEGER OUT
-      INTEGER TQ, TDD, TA, TERR, TH
-      DOUBLE PRECISION EPS
-      PARAMETER (TQ = 4, TDD = 5, TA = 6, TERR = 7, EPS = 2.0D0**(-52),
-     $    TH = 8)
-      DOUBLE PRECISION A
-      A = T(TA)
-      OUT = 0
-      IF (SUM + A*(H - T(TH)) .GT. T(TERR) + ABS(A)*DH +
-     $    SIZE*(T(TDD) + 16.0D0*EPS*T(TQ)*SIZE)) OUT = 1
-      END
-
-C     TSPRHE - OUT is 1 if the heights of a node's points prove that it
-C     holds no candidate, or 0.  A leaf is also tested by its box.
-C     Where the heights tell nothing, the box alone counts.
-      SUBROUTINE TSPRHE(BOX, MARK, CTL, SUP, IQ, F, C, T, NODE, OUT)
+C     TSPNOD - returns 1 if a node provably holds no candidate, by the
+C     marks of its points, or where they tell nothing, and for a leaf,
+C     by its box alone; or 0.
+      INTEGER FUNCTION TSPNOD(BOX, MARK, CTL, SUP, ON, F, C, T, NODE)
       DOUBLE PRECISION BOX(6,*), SUP(60,*), F(12), C(8), T(14)
-      INTEGER MARK(*), CTL(*), IQ(44), NODE, OUT
-      INTEGER LEAVES, SLOW, SGRAIN, QON, QAIMED, QHI, TA, STEPS, FOLD
-      PARAMETER (LEAVES = 4, SLOW = 59, SGRAIN = 60, QON = 6,
-     $    QAIMED = 7, QHI = 7, TA = 6, STEPS = 32768, FOLD = 4096)
-      DOUBLE PRECISION H, SIZE, SUM
+      INTEGER MARK(*), CTL(*), ON, NODE
+      INTEGER LEAVES, SLOW, SGRAIN, VA, VH, STEPS, FOLD
+      PARAMETER (LEAVES = 4, SLOW = 59, SGRAIN = 60, VA = 6, VH = 7,
+     $    STEPS = 32768, FOLD = 4096)
+      DOUBLE PRECISION H
       INTEGER TSPLAC, TSPRUN, K
-      IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ, F, C(QHI),
-     $    T)
-      K = MARK(TSPLAC(CTL, IQ(QON))+16+NODE)
-      IF (T(TA) .LT. 0.0D0) THEN
-        K = MOD(K, STEPS + 2) - 1
-        H = DBLE(FOLD)*DBLE(K) + (DBLE(FOLD) + 0.5D0)
-      ELSE
-        K = K/(STEPS + 2) - 1
-        H = DBLE(FOLD)*DBLE(K) - 0.5D0
+      IF (ON .NE. 0) THEN
+        K = MARK(TSPLAC(CTL, ON)+16+NODE)
+        IF (T(VA) .LT. 0.0D0) THEN
+          K = MOD(K, STEPS + 2) - 1
+          H = DBLE(FOLD)*DBLE(K) + (DBLE(FOLD) + 0.5D0)
+        ELSE
+          K = K/(STEPS + 2) - 1
+          H = DBLE(FOLD)*DBLE(K) - 0.5D0
+        END IF
+        IF (K .GE. 0 .AND. K .LT. STEPS) THEN
+          H = SUP(SLOW,ON) + SUP(SGRAIN,ON)*H
+          TSPNOD = TSPRUN(F, T, BOX, NODE, T(VA)*(H - T(VH)))
+          IF (TSPNOD .EQ. 1 .OR. NODE .LT. CTL(LEAVES)) RETURN
+        END IF
       END IF
-      H = SUP(SLOW,IQ(QON)) + SUP(SGRAIN,IQ(QON))*H
-      OUT = 0
-      IF (K .GE. 0 .AND. K .LT. STEPS) THEN
-        CALL TSLOWE(BOX(1,NODE), BOX(4,NODE), F, T, SUM, SIZE)
-        CALL TSEXCL(T, SUM, SIZE, H, 0.0D0, OUT)
-        IF (OUT .EQ. 1 .OR. NODE .LT. CTL(LEAVES)) RETURN
-      END IF
-      OUT = TSPRUN(IQ, F, C, BOX, NODE)
+      TSPNOD = TSPRUN(F, C, BOX, NODE, 0.0D0)
       END
 
 C     ------------------------------------------------------------------
@@ -2474,9 +2438,7 @@ C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P),
 C     The brackets are at least T (T - 2 A), where T is the lesser of A
 C     and H, and Q**2 - 2 Q RHO, where Q is the lesser of RHO and R.  So
 C     there is no candidate if the sum without 2 Q RHO is positive and
-C     its square is above 4 Q**2 RHO**2.  Without a ball the same holds
-C     for minus the side v.W, with v / 2 for C, without any squares, T =
-C     H, Q = R: then SQUARE = 0, and FAR is more than any length.
+C     its square is above 4 Q**2 RHO**2.
 C
 C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
 C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
@@ -2485,24 +2447,16 @@ C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
 C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
 C     |G|**2, with room for the last two products.  Where these
 C     underflow, R >= SMALL makes the sum's error greater.
-      SUBROUTINE TSPRCY(CYL, AT, IQ, F, C, PAST)
+      SUBROUTINE TSPRCY(CYL, AT, F, C, PAST)
       DOUBLE PRECISION CYL(4,8,*), F(12), C(8), PAST(4)
-      INTEGER AT, IQ(44)
-      INTEGER QBALL, QDC, QSIZE, QROOM
+      INTEGER AT
+      INTEGER VDC, VSC, VERR
       DOUBLE PRECISION EPS
-      PARAMETER (QBALL = 3, QDC = 4, QSIZE = 5, QROOM = 8,
-     $    EPS = 2.0D0**(-52))
-      DOUBLE PRECISION A, D(3), ERR, FAR, G1, G2, G3, GG, H, R, RHO, RR,
-     $    SIZE, SQUARE, SUM, T, W1, W2, W3
-      INTEGER I, K
-      SQUARE = DBLE(IQ(QBALL))
-      FAR = 1.0D10*(1.0D0 - SQUARE)
-      ERR = F(10) + 64.0D0*EPS
-      IF (IQ(QBALL) .EQ. 1) ERR = 2.0D0*C(QDC) + 128.0D0*EPS*C(QSIZE)
-      DO 10 K = 1, 3
-        D(K) = 0.5D0*F(K)
-        IF (IQ(QBALL) .EQ. 1) D(K) = C(K)
-   10 CONTINUE
+      PARAMETER (VDC = 4, VSC = 5, VERR = 8, EPS = 2.0D0**(-52))
+      DOUBLE PRECISION A, ERR, G1, G2, G3, GG, H, R, RHO, RR, SIZE, SUM,
+     $    T, W1, W2, W3
+      INTEGER I
+      ERR = 2.0D0*C(VDC) + 128.0D0*EPS*C(VSC)
       DO 20 I = 1, 4
         W1 = CYL(I,1,AT) - F(7)
         W2 = CYL(I,2,AT) - F(8)
@@ -2510,17 +2464,17 @@ C     underflow, R >= SMALL makes the sum's error greater.
         H = CYL(I,7,AT)
         R = CYL(I,8,AT)
         SIZE = ABS(W1) + ABS(W2) + ABS(W3) + 2.0D0*(H + R)
-        G1 = SQUARE*W1 - D(1)
-        G2 = SQUARE*W2 - D(2)
-        G3 = SQUARE*W3 - D(3)
+        G1 = W1 - C(1)
+        G2 = W2 - C(2)
+        G3 = W3 - C(3)
         A = ABS(G1*CYL(I,4,AT) + G2*CYL(I,5,AT) + G3*CYL(I,6,AT))
-        T = MIN(A + FAR, H)
+        T = MIN(A, H)
         GG = G1*G1 + G2*G2 + G3*G3
         RHO = GG - A*A + 64.0D0*EPS*GG
-        RR = MIN(RHO + FAR, R*R)
-        SUM = W1*(G1 - D(1)) + W2*(G2 - D(2)) + W3*(G3 - D(3)) +
-     $      T*(SQUARE*T - 2.0D0*A) + SQUARE*RR -
-     $      SIZE*(ERR + SQUARE*64.0D0*EPS*SIZE) - C(QROOM)
+        RR = MIN(RHO, R*R)
+        SUM = W1*(G1 - C(1)) + W2*(G2 - C(2)) + W3*(G3 - C(3)) +
+     $      T*(T - 2.0D0*A) + RR - SIZE*(ERR + 64.0D0*EPS*SIZE) -
+     $      C(VERR)
         PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
    20 CONTINUE
       END
@@ -2569,12 +2523,12 @@ C     side.
      $    F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), NCELL, CELL(0:12,*), LSID(TSLIST+48,7), LSI(3,7),
-     $    V(3), IQ(44), OK
-      INTEGER T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI, QDC, CELLS,
+     $    V(3), IQ(43), OK
+      INTEGER T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI, VDC, CELLS,
      $    MCELL
       DOUBLE PRECISION MUCHL
       PARAMETER (T3 = 1, T5 = 2, LMARG = 13, STR = 2, QBEST = 1,
-     $    QLIMBS = 2, QLO = 6, QHI = 7, QDC = 4, MUCHL = 1.0D100,
+     $    QLIMBS = 2, QLO = 6, QHI = 7, VDC = 4, MUCHL = 1.0D100,
      $    CELLS = 4, MCELL = 12)
       DOUBLE PRECISION WIDE
       INTEGER HHPBAL, TSBINS, C(MCELL), I, K, M, N, PLACE(TSLIST+1),
@@ -2584,7 +2538,7 @@ C     side.
       WIDE = 0.0D0
       IF (IQ(QLIMBS) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
       IF (WIDE .GT. LSD(LMARG,STR)) RETURN
-      FQ(QDC) = FQ(QDC) + WIDE
+      FQ(VDC) = FQ(VDC) + WIDE
       IF (TSBINS(BOX, LSD, F, FQ) .EQ. 0) RETURN
       CALL TSLIBA(LSX, LSI, LSD, STR, F, FQ, PLACE, N)
       IF (N .LE. 0 .OR. N .GT. MCELL) RETURN
@@ -2655,28 +2609,30 @@ C     ------------------------------------------------------------------
 
 C     TSNARR - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L.
-      SUBROUTINE TSNARR(IQ, F, FQ, L)
-      DOUBLE PRECISION F(12), FQ(*), L
-      INTEGER IQ(44)
-      INTEGER QLIMBS, QBALL, QAIMED, QHI, QDC, QSIZE
+      SUBROUTINE TSNARR(SUP, IQ, F, FQ, L)
+      DOUBLE PRECISION SUP(60,*), F(12), FQ(*), L
+      INTEGER IQ(43)
+      INTEGER QLIMBS, QBALL, QON, QHI, VDC, VSC, QT
       DOUBLE PRECISION EPS, MUCHL
-      PARAMETER (QLIMBS = 2, QBALL = 3, QAIMED = 7, QHI = 7, QDC = 4,
-     $    QSIZE = 5, EPS = 2.0D0**(-52), MUCHL = 1.0D100)
+      PARAMETER (QLIMBS = 2, QBALL = 3, QON = 6, QHI = 7, VDC = 4,
+     $    VSC = 5, QT = 9, EPS = 2.0D0**(-52), MUCHL = 1.0D100)
       INTEGER K
       FQ(QHI) = L
-      IQ(QAIMED) = 0
-      IF (IQ(QLIMBS) .NE. 0 .OR. ABS(L) .GT. MUCHL) RETURN
-      IQ(QBALL) = 1
-C     on the positive side, a better point is in the ball of any L above
-C     the best point's, so the error of L does not count.  It is large
-C     where balls are flat: counting it makes points near a plane take
-C     10 times as long.
-      FQ(QSIZE) = 0.0D0
-      DO 10 K = 1, 3
-        FQ(K) = F(3+K) + L*F(K)
-        FQ(QSIZE) = FQ(QSIZE) + ABS(FQ(K))
-   10 CONTINUE
-      FQ(QDC) = F(11) + ABS(L)*F(10) + 4.0D0*EPS*FQ(QSIZE)
+      IF (IQ(QLIMBS) .EQ. 0 .AND. ABS(L) .LE. MUCHL) THEN
+        IQ(QBALL) = 1
+        FQ(VSC) = 0.0D0
+        DO 10 K = 1, 3
+          FQ(K) = F(3+K) + L*F(K)
+          FQ(VSC) = FQ(VSC) + ABS(FQ(K))
+   10   CONTINUE
+C       on the positive side, a better point is in the ball of any L
+C       above the best point's, so the error of L does not count.  It is
+C       large where balls are flat: counting it makes points near a
+C       plane take 10 times as long.
+        FQ(VDC) = F(11) + ABS(L)*F(10) + 4.0D0*EPS*FQ(VSC)
+      END IF
+      IF (IQ(QON) .NE. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ(QBALL), F, L,
+     $    FQ(QT))
       END
 
 C     TSREFI - finds the ball of the best point by limbs.  The centre C
@@ -2687,13 +2643,13 @@ C     sphere L is counted from F(4..6): U, the difference, takes the
 C     place of C, with the error of F(4..6) and one more rounding.
       SUBROUTINE TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
       DOUBLE PRECISION P(3,*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(44)
-      INTEGER SCALE, QBEST, QLIMBS, QBALL, QBASE, QON, QAIMED, QLO, QHI,
-     $    QDC, QSIZE, QLIMB
+      INTEGER ORD(*), CTL(*), V(3), IQ(43)
+      INTEGER SCALE, QBEST, QLIMBS, QBALL, QBASE, QON, QLO, QHI, VDC,
+     $    VSC, QT, QLIMB
       DOUBLE PRECISION EPS, LOOSE, HUGE
       PARAMETER (SCALE = 19, QBEST = 1, QLIMBS = 2, QBALL = 3,
-     $    QBASE = 4, QON = 6, QAIMED = 7, QLO = 6, QHI = 7, QDC = 4,
-     $    QSIZE = 5, QLIMB = 23, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
+     $    QBASE = 4, QON = 6, QLO = 6, QHI = 7, VDC = 4, VSC = 5,
+     $    QT = 9, QLIMB = 23, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
       INTEGER TSCURV, K, OK, SPHERE
@@ -2704,24 +2660,26 @@ C     place of C, with the error of F(4..6) and one more rounding.
       SPHERE = TSCURV(SUP, IQ(QON))
       IQ(QLIMBS) = 1
       IQ(QBALL) = 1
-      IQ(QAIMED) = 0
-      FQ(QSIZE) = 0.0D0
+      FQ(VSC) = 0.0D0
       SIZE = 0.0D0
       L = 0.0D0
       DO 10 K = 1, 3
         FQ(K) = C(K)
-        FQ(QSIZE) = FQ(QSIZE) + ABS(C(K))
+        FQ(VSC) = FQ(VSC) + ABS(C(K))
         U = C(K)
         IF (SPHERE .EQ. 1) U = U - F(3+K)
         SIZE = SIZE + ABS(U)
         L = L + F(K)*U
    10 CONTINUE
-      FQ(QDC) = 8.0D0*EPS*FQ(QSIZE)
-      IF (F(10) .GT. LOOSE) RETURN
-      ERR = F(10)*SIZE + 16.0D0*EPS*FQ(QSIZE)
+      FQ(VDC) = 8.0D0*EPS*FQ(VSC)
+      ERR = F(10)*SIZE + 16.0D0*EPS*FQ(VSC)
       IF (SPHERE .EQ. 1) ERR = ERR + F(11)
-      FQ(QLO) = MAX(FQ(QLO), L - ERR)
-      FQ(QHI) = MIN(FQ(QHI), L + ERR)
+      IF (F(10) .LE. LOOSE) THEN
+        FQ(QLO) = MAX(FQ(QLO), L - ERR)
+        FQ(QHI) = MIN(FQ(QHI), L + ERR)
+      END IF
+      L = FQ(QHI)
+      IF (IQ(QON) .NE. 0) CALL TSAIM(SUP(1,IQ(QON)), 1, F, L, FQ(QT))
       END
 
 C     TSCHAL - takes Z if it is on the open side and beats the best
@@ -2737,12 +2695,12 @@ C     instructions.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(44), Z
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(43), Z
       INTEGER EVEN, T3, T5, RPATIE, QBEST, QLIMBS, QBASE, QASKED, QON,
      $    QTIED, QLO, QHI, QLIMB, QSPHER, UNSURE, MANY, EXACT, QT
       DOUBLE PRECISION WIDE, EPS, HUGE
       PARAMETER (EVEN = 85, T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1,
-     $    QLIMBS = 2, QBASE = 4, QASKED = 5, QON = 6, QTIED = 8,
+     $    QLIMBS = 2, QBASE = 4, QASKED = 5, QON = 6, QTIED = 7,
      $    QLO = 6, QHI = 7, QLIMB = 23, QSPHER = 109, UNSURE = 2,
      $    MANY = 96, EXACT = 16, WIDE = 1.0D0, QT = 9,
      $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023)
@@ -2788,7 +2746,7 @@ C     instructions.
         END IF
         IF (ABS(POWER) .EQ. 2) IQ(QTIED) = IQ(QTIED) + 1
         IF (POWER .GT. 0) THEN
-          IF (HI .LT. FQ(QHI)) CALL TSNARR(IQ, F, FQ, HI)
+          IF (HI .LT. FQ(QHI)) CALL TSNARR(SUP, IQ, F, FQ, HI)
           IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
      $        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
           RETURN
@@ -2799,7 +2757,7 @@ C     instructions.
       IF (POWER .NE. -2) IQ(QTIED) = 0
       FQ(QLO) = LO
       IQ(QLIMBS) = 0
-      CALL TSNARR(IQ, F, FQ, HI)
+      CALL TSNARR(SUP, IQ, F, FQ, HI)
       IF (SIDE .EQ. 0 .OR. IQ(QASKED) .GE. MANY) THEN
         CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
       ELSE IF (HI - LO .GT. WIDE*(F(12) + ABS(HI))) THEN
@@ -2807,45 +2765,39 @@ C     instructions.
       END IF
       END
 
-C     TSCONS - compares Z with the best point, unless Z is a vertex of
-C     the facet or provably outside the ball; its height over the
-C     facet's support counts where it is known.
+C     TSCONS - compares Z with the best point, unless it is a vertex of
+C     the facet or does not pass the sieve: the tall one if its height
+C     over the facet's support is known.
       SUBROUTINE TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(44), Z
-      INTEGER SLOW, SGRAIN, QBEST, QBALL, QON, QAIMED, QHI, QT, QQ,
-     $    SUPPS
-      PARAMETER (SLOW = 59, SGRAIN = 60, QBEST = 1, QBALL = 3, QON = 6,
-     $    QAIMED = 7, QHI = 7, QT = 9, QQ = 12, SUPPS = 8)
-      DOUBLE PRECISION TSPOWE, H, Q, SIZE, SUM, W1, W2, W3
-      INTEGER J, K, OUT
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(43), Z
+      INTEGER SLOW, SGRAIN, QBEST, QON, QT, VA, VH, SUPPS
+      PARAMETER (SLOW = 59, SGRAIN = 60, QBEST = 1, QON = 6, QT = 9,
+     $    VA = 6, VH = 7, SUPPS = 8)
+      DOUBLE PRECISION TSPOWE, A, H, POWER, W1, W2, W3
+      INTEGER J, K, S
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
      $    Z .EQ. V(3)) RETURN
       W1 = X(1,Z) - F(7)
       W2 = X(2,Z) - F(8)
       W3 = X(3,Z) - F(9)
-      SIZE = ABS(W1) + ABS(W2) + ABS(W3)
+      POWER = 0.0D0
+      S = 1
 C     TSMRKD's test and height, without a call for each point
       J = IQ(QON)
       K = -1
       IF (J .NE. 0) K = MARK(Z) - J
-      OUT = 0
       IF (K .GE. 0 .AND. MOD(K, SUPPS) .EQ. 0) THEN
+        S = QT
         H = SUP(SLOW,J) + SUP(SGRAIN,J)*(DBLE(K/SUPPS) + 0.5D0)
-        IF (IQ(QAIMED) .EQ. 0) CALL TSAIM(SUP(1,J), IQ, F,
-     $      FQ(QHI), FQ(QT))
-        Q = FQ(QQ)
-        SUM = W1*(Q*W1 - FQ(QT)) + W2*(Q*W2 - FQ(QT+1)) +
-     $      W3*(Q*W3 - FQ(QT+2))
-        CALL TSEXCL(FQ(QT), SUM, SIZE, H, SUP(SGRAIN,J), OUT)
-      ELSE IF (IQ(QBALL) .EQ. 1) THEN
-        SUM = W1*(W1 - 2.0D0*FQ(1)) + W2*(W2 - 2.0D0*FQ(2)) +
-     $      W3*(W3 - 2.0D0*FQ(3))
-        IF (SUM .GT. TSPOWE(FQ, SIZE)) OUT = 1
+        A = FQ(QT-1+VA)
+        POWER = A*(H - FQ(QT-1+VH)) - ABS(A)*SUP(SGRAIN,J)
       END IF
-      IF (OUT .EQ. 0) CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V,
-     $    IQ, F, FQ, Z)
+      POWER = POWER + (W1*(W1 - 2.0D0*FQ(S)) + W2*(W2 - 2.0D0*FQ(S+1)) +
+     $    W3*(W3 - 2.0D0*FQ(S+2)))
+      IF (POWER .LE. TSPOWE(FQ(S), ABS(W1) + ABS(W2) + ABS(W3)))
+     $    CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
       END
 
 C     TSLOOK - considers the points of a list that may be in the ball.
@@ -2858,7 +2810,7 @@ C     N is what TSLIBA gives.
      $    F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(TSLIST+48,7),
-     $    LSI(3,7), LIST, V(3), IQ(44), N
+     $    LSI(3,7), LIST, V(3), IQ(43), N
       INTEGER DONE
       PARAMETER (DONE = -1)
       INTEGER I, PLACE(TSLIST+1), Z
@@ -2883,10 +2835,10 @@ C     long.
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
-     $    IQ(44), OK
+     $    IQ(43), OK
       INTEGER TIED, NCELL, CELL1, LN, STR, QBEST, QBALL, QBASE, QTIED
       PARAMETER (TIED = 14, NCELL = 17, CELL1 = 33, LN = 3, STR = 2,
-     $    QBEST = 1, QBALL = 3, QBASE = 4, QTIED = 8)
+     $    QBEST = 1, QBALL = 3, QBASE = 4, QTIED = 7)
       INTEGER TSBINS, N
       OK = 0
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0 .OR. IQ(QBALL) .EQ.
@@ -2921,14 +2873,14 @@ C     adds cost: on surfaces, two of five points that were tested.
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
-     $    IQ(44), OK
+     $    IQ(43), OK
       INTEGER LN, BLK, QBALL
       PARAMETER (LN = 3, BLK = 1, QBALL = 3)
       INTEGER TSBINB, N
       OK = 0
       IF (LSI(LN,BLK) .EQ. 0) RETURN
       IF (IQ(QBALL) .EQ. 0) RETURN
-      IF (TSBINB(BOX, LSI, LSD, BLK, IQ, F, FQ) .EQ. 0) RETURN
+      IF (TSBINB(BOX, LSI, LSD, BLK, F, FQ) .EQ. 0) RETURN
       CALL TSLOOK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
      $            LSD, BLK, V, IQ, F, FQ, N)
       IF (N .GE. 0) OK = 1
@@ -2936,20 +2888,19 @@ C     adds cost: on surfaces, two of five points that were tested.
 
 C     TSINFL - sets the thickness of the skin about a search's ball, in
 C     margins of a block; about larger balls it is thinner, as there are
-C     more points in it.  The power of a point in the skin is below
-C     room.
+C     more points in it.  The points in the skin pass the sieve then.
       SUBROUTINE TSINFL(MARGIN, FQ)
       DOUBLE PRECISION MARGIN, FQ(*)
-      INTEGER QROOM, QSKIN, QTHICK
+      INTEGER VERR, QSKIN, QTHICK
       DOUBLE PRECISION THINST, FAINT, MUCHL
-      PARAMETER (QROOM = 8, QSKIN = 161, QTHICK = 162, THINST = 0.05D0,
+      PARAMETER (VERR = 8, QSKIN = 161, QTHICK = 162, THINST = 0.05D0,
      $    FAINT = 1.0D-200, MUCHL = 1.0D100)
       DOUBLE PRECISION TSDOT, R
       R = SQRT(TSDOT(FQ, FQ))
       FQ(QTHICK) = FQ(QSKIN)*MARGIN
       IF (R .GT. MARGIN) FQ(QTHICK) = FQ(QTHICK)*SQRT(MARGIN/R)
-      FQ(QROOM) = FQ(QTHICK)*(2.0D0*R + FQ(QTHICK)) + FAINT
-      IF (FQ(QSKIN) .LT. THINST) FQ(QROOM) = -MUCHL
+      FQ(VERR) = FQ(QTHICK)*(2.0D0*R + FQ(QTHICK)) + FAINT
+      IF (FQ(QSKIN) .LT. THINST) FQ(VERR) = -MUCHL
       END
 
 C     TSADMI - puts points of a leaf into the list that a search makes:
@@ -2997,12 +2948,10 @@ C     where the list's coordinates will be.
       END
 
 C     TSSCAN - considers the uncompleted points of a leaf, of which
-C     there must be one, that are not outside the ball.  Without a ball
-C     it considers those not on the negative side: the ball of L =
-C     MUCHL/2 stands for that side, with room for |W|**2.  The powers
-C     come first, as vectors, then the least of each group, as most
-C     groups have no point to consider. Stars are completed in the order
-C     of positions, by and large, so the points before the first
+C     there must be one, that pass the plain sieve.  The powers come
+C     first, as vectors, then the least of each group, as most groups
+C     have no point to consider. Stars are completed in the order of
+C     positions, by and large, so the points before the first
 C     uncompleted one are most of the completed ones.
       SUBROUTINE TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
@@ -3010,14 +2959,13 @@ C     uncompleted one are most of the completed ones.
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
-     $    IQ(44), NODE
-      INTEGER RPATIE, QBALL, QINTO, DONE, GROUP, LEAF
-      DOUBLE PRECISION EPS, FAINT, LOOSE, MUCHL, HUGE
-      PARAMETER (RPATIE = 5, QBALL = 3, QINTO = 44, DONE = -1,
-     $    GROUP = 8, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
-     $    LOOSE = 0.5D0, MUCHL = 1.0D100,
-     $    HUGE = (2.0D0 - EPS)*2.0D0**1023, LEAF = 48)
-      DOUBLE PRECISION TSPOWE, B1, B2, B3, D(3), D1, D2, D3, MOST,
+     $    IQ(43), NODE
+      INTEGER RPATIE, QINTO, DONE, GROUP, LEAF
+      DOUBLE PRECISION EPS, HUGE
+      PARAMETER (RPATIE = 5, QINTO = 43, DONE = -1, GROUP = 8,
+     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023,
+     $    LEAF = 48)
+      DOUBLE PRECISION TSPOWE, B1, B2, B3, D1, D2, D3, MOST,
      $    POWER(LEAF), SIZE, W1, W2, W3
       INTEGER FIRST, I, J, K, LAST, N, Z
       CALL TSSPAN(CTL, NODE, FIRST, LAST)
@@ -3028,18 +2976,13 @@ C     uncompleted one are most of the completed ones.
       N = LAST - FIRST + 1
       SIZE = 0.0D0
       DO 10 K = 1, 3
-        D(K) = MUCHL*F(K)
-        IF (IQ(QBALL) .EQ. 1) D(K) = 2.0D0*FQ(K)
         SIZE = SIZE + ABS(BOX(K,NODE) - F(6+K)) +
      $      ABS(BOX(3+K,NODE) - F(6+K))
    10 CONTINUE
-      MOST = 2.0D0
-      IF (F(10) .LE. LOOSE) MOST = F(10) + 16.0D0*EPS
-      MOST = MUCHL*(SIZE*MOST + FAINT)
-      IF (IQ(QBALL) .EQ. 1) MOST = TSPOWE(FQ, SIZE)
-      D1 = D(1)
-      D2 = D(2)
-      D3 = D(3)
+      MOST = TSPOWE(FQ, SIZE)
+      D1 = 2.0D0*FQ(1)
+      D2 = 2.0D0*FQ(2)
+      D3 = 2.0D0*FQ(3)
       B1 = F(7)
       B2 = F(8)
       B3 = F(9)
@@ -3091,16 +3034,13 @@ C                                been searched, FROM is where that ended
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,7), V(3), IQ(44)
-      INTEGER LEAVES, ENCLOS, T3, QBALL, QBASE, QON, QWORK, QINTO,
-     $    DEPTH, QT
-      DOUBLE PRECISION LOOSE
-      PARAMETER (LEAVES = 4, ENCLOS = 16, T3 = 1, QBALL = 3, QBASE = 4,
-     $    QON = 6, QWORK = 43, QINTO = 44, DEPTH = 96, LOOSE = 0.5D0,
-     $    QT = 9)
+     $    LSI(3,7), V(3), IQ(43)
+      INTEGER LEAVES, ENCLOS, T3, QBASE, QON, QWORK, QINTO, DEPTH, QT
+      PARAMETER (LEAVES = 4, ENCLOS = 16, T3 = 1, QBASE = 4, QON = 6,
+     $    QWORK = 42, QINTO = 43, DEPTH = 96, QT = 9)
       DOUBLE PRECISION PAST(4)
-      INTEGER TSCYLI, TSLEAF, TSPRUN, FLAT, FOURS, FROM, HEIGHT, K, N,
-     $    NEAR, NODE, OUT, STACK(DEPTH), TOP
+      INTEGER TSCYLI, TSLEAF, TSPNOD, FLAT, FOURS, FROM, HEIGHT, K, N,
+     $    NODE, STACK(DEPTH), TOP
 C     a plane across an axis has no candidates for a facet in it; what
 C     underflowed may be equal here alone
       FLAT = 0
@@ -3109,10 +3049,8 @@ C     underflowed may be equal here alone
      $      .LE. 0.0D0 .AND. RCTL(T3) .GE. -1.0D0) FLAT = K
     5 CONTINUE
       IF (IQ(QINTO) .NE. 0) FLAT = 0
-      NEAR = IQ(QON)
       FOURS = CTL(ENCLOS)
-      IF (NEAR .NE. 0 .OR. (IQ(QBALL) .EQ. 0 .AND. F(10) .GT. LOOSE))
-     $    FOURS = 0
+      IF (IQ(QON) .NE. 0) FOURS = 0
       TOP = CTL(LEAVES) + TSLEAF(CTL, V(IQ(QBASE))) - 1
       HEIGHT = 1
       STACK(1) = TOP
@@ -3139,7 +3077,7 @@ C       one child alive each: FROM, as the base's star is not complete
       END IF
       IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
         N = 2*CTL(LEAVES) + 1
-        CALL TSPRCY(BOX(1,N), TSCYLI(CTL, NODE), IQ, F, FQ, PAST)
+        CALL TSPRCY(BOX(1,N), TSCYLI(CTL, NODE), F, FQ, PAST)
         DO 20 N = 4, 1, -1
           IF (PAST(N) .LE. 0.0D0 .AND. 4*NODE + N - 1 .NE. FROM) THEN
             HEIGHT = HEIGHT + 1
@@ -3148,12 +3086,8 @@ C       one child alive each: FROM, as the base's star is not complete
    20   CONTINUE
         GO TO 10
       END IF
-      IF (NEAR .NE. 0) THEN
-        CALL TSPRHE(BOX, MARK, CTL, SUP, IQ, F, FQ, FQ(QT), NODE, OUT)
-      ELSE
-        OUT = TSPRUN(IQ, F, FQ, BOX, NODE)
-      END IF
-      IF (OUT .EQ. 1) GO TO 10
+      IF (TSPNOD(BOX, MARK, CTL, SUP, IQ(QON), F, FQ, FQ(QT),
+     $    NODE) .EQ. 1) GO TO 10
       IF (NODE .GE. CTL(LEAVES)) THEN
         CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $              LSID, LSI, LSD, V, IQ, F, FQ, NODE)
@@ -3187,19 +3121,20 @@ C     hull, or 0.
       TSONHU = 0
       END
 
-C     TSPREP - begins the search for the apex of the facet V.  The base
-C     is V(1) or, if the angle there is small, the vertex opposite the
-C     longest edge.
-      SUBROUTINE TSPREP(X, P, ORD, MARK, CTL, SUP, V, IQ, F, FQ)
-      DOUBLE PRECISION X(3,*), P(3,*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(44)
+C     TSPREP - begins the search for the apex of the facet V, and tries
+C     the two positions GUESS; either may be 0.  The base is V(1) or, if
+C     the angle there is small, the vertex opposite the longest edge.
+      SUBROUTINE TSPREP(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
+     $                  F, FQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(43)
       INTEGER SCALE, NSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON,
-     $    QTIED, QOPEND, QWORK, QINTO, QLO, QHI, QROOM, QSPHER, QT
+     $    QTIED, QOPEND, QWORK, QINTO, QLO, QHI, VERR, QSPHER, QT
       DOUBLE PRECISION EPS, FAINT, HUGE, THIN
       PARAMETER (SCALE = 19, NSUPP = 20, QBEST = 1, QLIMBS = 2,
-     $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIED = 8,
-     $    QOPEND = 10, QWORK = 43, QINTO = 44, QLO = 6, QHI = 7,
-     $    QROOM = 8, QSPHER = 109, EPS = 2.0D0**(-52),
+     $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIED = 7,
+     $    QOPEND = 9, QWORK = 42, QINTO = 43, QLO = 6, QHI = 7,
+     $    VERR = 8, QSPHER = 109, EPS = 2.0D0**(-52),
      $    FAINT = 1.0D-200, HUGE = (2.0D0 - EPS)*2.0D0**1023, QT = 9,
      $    THIN = 1.0D-6)
       DOUBLE PRECISION EDGE, LONGST
@@ -3214,13 +3149,10 @@ C     longest edge.
       IQ(QTIED) = 0
       IQ(QWORK) = 0
       IQ(QINTO) = 0
-      FQ(QROOM) = FAINT
+      FQ(VERR) = FAINT
       FQ(QSPHER) = 0.0D0
       FQ(QLO) = -HUGE
       FQ(QHI) = HUGE
-      FQ(1) = 0.0D0
-      FQ(2) = 0.0D0
-      FQ(3) = 0.0D0
    20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
      $            X(1,V(MOD(BASE+1,3)+1)), F)
       IQ(QBASE) = BASE
@@ -3242,6 +3174,17 @@ C     longest edge.
       END IF
       IF (CTL(NSUPP) .GT. 0) CALL TSSUPP(X, MARK, CTL, SUP, V, IQ, F,
      $    FQ(QT))
+      DO 50 K = 1, 2
+        I = GUESS(K)
+        IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
+     $      I .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL,
+     $      SUP, V, IQ, F, FQ, I)
+   50 CONTINUE
+      IF (IQ(QBALL) .EQ. 0) THEN
+        CALL TSOSID(F, FQ)
+        IF (IQ(QON) .NE. 0) CALL TSAIM(SUP(1,IQ(QON)), 0, F, HUGE,
+     $      FQ(QT))
+      END IF
       END
 
 C     Near lists.  On surfaces and lines most searches begin with the
@@ -3324,16 +3267,16 @@ C     search that TSINBA admits needs it.
      $    LSD(17,7), F(12), FQ(162)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,7), LIST, V(3), IQ(44), OK
+     $    LSI(3,7), LIST, V(3), IQ(43), OK
       INTEGER RSKIN, RFUND, LN, LMARG, LAT, BLK, QWORK, QINTO, QSKIN,
      $    QTHICK, FEW
       DOUBLE PRECISION THICKR, THICKT
       PARAMETER (RSKIN = 7, RFUND = 8, LN = 3, LMARG = 13, LAT = 14,
-     $    BLK = 1, QWORK = 43, QINTO = 44, QSKIN = 161, QTHICK = 162,
+     $    BLK = 1, QWORK = 42, QINTO = 43, QSKIN = 161, QTHICK = 162,
      $    FEW = 204, THICKR = 1.3D0, THICKT = 8.0D0)
       DOUBLE PRECISION TSDOT, AT(3), G(12), GQ(162), HALF
-      INTEGER JQ(44), K
-      DO 10 K = 1, 44
+      INTEGER JQ(43), K
+      DO 10 K = 1, 43
         JQ(K) = IQ(K)
    10 CONTINUE
       DO 20 K = 1, 12
@@ -3376,10 +3319,10 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,7), V(3), IQ(44), OK
-      INTEGER RECENT, RFUND, RUSUAL, QHI, QSIZE, BALLS
+     $    LSI(3,7), V(3), IQ(43), OK
+      INTEGER RECENT, RFUND, RUSUAL, QHI, VSC, BALLS
       DOUBLE PRECISION GIANT, FUND
-      PARAMETER (RECENT = 86, RFUND = 8, RUSUAL = 9, QHI = 7, QSIZE = 5,
+      PARAMETER (RECENT = 86, RFUND = 8, RUSUAL = 9, QHI = 7, VSC = 5,
      $    BALLS = 6, GIANT = 1.0D4, FUND = 2000.0D0)
       INTEGER TSINBA, FOUND, K, LIST, N
       RCTL(RFUND) = RCTL(RFUND) - 1.0D0
@@ -3390,7 +3333,7 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
       IF (FOUND .EQ. 0 .AND. K .LT. BALLS - 1) GO TO 10
       OK = 0
       IF (FOUND .EQ. 0) THEN
-        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(QSIZE) .GT. GIANT) RETURN
+        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(VSC) .GT. GIANT) RETURN
         CALL TSNEAL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
      $              LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ, OK)
         IF (OK .EQ. 1) OK = TSINBA(LSI, LSD, LIST, F, FQ)
@@ -3412,7 +3355,7 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
       END
 
 C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
-C     GUESS holds two positions to try first, or 0.
+C     GUESS: see TSPREP.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
@@ -3427,22 +3370,16 @@ C     GUESS holds two positions to try first, or 0.
       PARAMETER (NP = 1, NPLANE = 12, PLANE1 = 21, TIES = 13,
      $    NCELL = 17, CELL1 = 33, FUTILE = 18, IDLE = 86, RBURDN = 4,
      $    RPATIE = 5, RFUND = 8, RUSUAL = 9, LMARG = 13, BLK = 1,
-     $    QBEST = 1, QBALL = 3, QON = 6, QTIED = 8, QOPEND = 10,
-     $    QWORK = 43, QHI = 7, PLANES = 4, MAXFUT = 8, OPENED = 24,
+     $    QBEST = 1, QBALL = 3, QON = 6, QTIED = 7, QOPEND = 9,
+     $    QWORK = 42, QHI = 7, PLANES = 4, MAXFUT = 8, OPENED = 24,
      $    TAX = 64.0D0, GRANT = 500.0D0, MUCHL = 1.0D100)
       DOUBLE PRECISION F(12), FQ(162), H
-      INTEGER TSCURV, TSONHU, AT, G, IQ(44), K, LISTS, NEAR, OK
+      INTEGER TSCURV, TSONHU, AT, IQ(43), K, LISTS, NEAR, OK
       IF (CTL(NCELL) .GT. 0) THEN
         CALL TSINCE(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V, Z)
         IF (Z .NE. 0) RETURN
       END IF
-      CALL TSPREP(X, P, ORD, MARK, CTL, SUP, V, IQ, F, FQ)
-      DO 10 K = 1, 2
-        G = GUESS(K)
-        IF (G .NE. 0 .AND. G .NE. V(2) .AND. G .NE. V(3) .AND.
-     $      G .NE. IQ(QBEST)) CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL,
-     $      SUP, V, IQ, F, FQ, G)
-   10 CONTINUE
+      CALL TSPREP(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ, F, FQ)
       Z = IQ(QBEST)
 C     a ball that is a support's sphere up to rounding is in no list
       LISTS = 1
@@ -3576,7 +3513,7 @@ C     uses the tree alone.
       PARAMETER (LEAVES = 4, T3 = 1, QBEST = 1)
       DOUBLE PRECISION F(12), FQ(162)
       INTEGER HHPSID, TSLEAF, TSLFST, ALL, FIRST, G(3), GUESS(2), I,
-     $    IQ(44), J, K, LEAF, LENGTH, NODE, OK, R(4), SAME, Z
+     $    IQ(43), J, K, LEAF, LENGTH, NODE, OK, R(4), SAME, Z
       LEAF = TSLEAF(CTL, S)
       NODE = CTL(LEAVES) + LEAF - 1
       FIRST = TSLFST(CTL, LEAF)
@@ -3622,9 +3559,8 @@ C     uses the tree alone.
           CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
      $                LSX, LSID, LSI, LSD, G, GUESS, Z)
         ELSE
-          CALL TSPREP(X, P, ORD, MARK, CTL, SUP, G, IQ, F, FQ)
-          CALL TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, G, IQ, F, FQ,
-     $                GUESS(1))
+          CALL TSPREP(X, P, ORD, MARK, CTL, RCTL, SUP, G, GUESS, IQ, F,
+     $                FQ)
           CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                LSID, LSI, LSD, G, IQ, F, FQ, NODE)
           Z = IQ(QBEST)

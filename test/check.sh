@@ -952,7 +952,7 @@ standard() {
         egrep -v 'argument arrayness mismatch' | egrep -v \
         'Subprogram (HHPROD|TSAIM|TSAPEX|TSINDE|TSMCYS|TSMESH) argument usage' |
         egrep -v 'Subprogram (TSCMPR|TSEXTE|TSLEAV|TSRUN) argument usage' |
-        egrep -v 'Subprogram (TSNEWC|TSPRHE|TSQUER|TSSETT|TSTHRO) argument usage' \
+        egrep -v 'Subprogram (TSNEWC|TSQUER|TSSETT|TSTHRO) argument usage' \
         > build/ftnwarn.txt
     one "ftnchek: warnings of parts of arrays alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
