@@ -1081,8 +1081,8 @@ static int tied(const hh_set *s, const tess_int *v, int positive)
  * is negative.  Where I is 0, by rule:
  *   0   0
  *   1   the sign, never 0, of the perturbed I
- *   2   twice that; a and b are on the positive side of v: b beats a as the
- *       apex of the facet v if the result is negative
+ *   2   HH_TIE times that; a and b are on the positive side of v: b beats a as
+ *       the apex of the facet v if the result is negative
  *   3   the same, and I is taken to be 0, without a test */
 int hh_pball(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
              int rule)
@@ -1097,7 +1097,7 @@ int hh_pball(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
                      x + 3 * b, NULL, s->t5);
     if (sign == UNSURE) sign = decide(s, 5, w);
     if (sign != 0 || rule == 0) return sign;
-    return rule > 1 ? 2 * tied(s, w, 1) : tied(s, w, 0);
+    return rule > 1 ? HH_TIE * tied(s, w, 1) : tied(s, w, 0);
 }
 
 /* rows - the limbs of the rows p - last of 4 positions v of the set s, as
@@ -1221,23 +1221,20 @@ static int level(const hh_set *s, const hh_ball *t, tess_int z, int plane,
     return 1;
 }
 
-/* hh_trial - decides signs by a few leading limbs, in a tenth of the time of
- * the exact signs.  If *power is 0, *power becomes the sign of the power of the
- * position z in the ball of hh_centre, -1 if z is inside, or UNSURE; this
- * requires the ball's fourth point on the positive side, as D > 0 then.  If
- * *side is 0, *side becomes the side of z for the facet, or UNSURE, unless
- * *power is 1: a point outside needs none. */
+/* hh_trial - decides signs that are UNSURE by a few leading limbs, in a tenth of
+ * the time of the exact signs, where these suffice: *power, that of the power
+ * of the position z in the ball of hh_centre, -1 if z is inside, which requires
+ * the ball's fourth point on the positive side, as D > 0 then; and *side, the
+ * side of z for the facet, unless *power is 1: a point outside needs none. */
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power)
 {
     double sum[HH_ROWS + 1];
 
-    if (*power == 0)
-        *power = level(s, t, z, 0, sum) ? signof(HH_ROWS + 1, CARRY, sum)
-                                        : UNSURE;
-    if (*side == 0 && *power != 1)
-        *side = level(s, t, z, 1, sum) ? signof(HH_ROWS + 1, CARRY, sum)
-                                       : UNSURE;
+    if (*power == UNSURE && level(s, t, z, 0, sum))
+        *power = signof(HH_ROWS + 1, CARRY, sum);
+    if (*side == UNSURE && *power != 1 && level(s, t, z, 1, sum))
+        *side = signof(HH_ROWS + 1, CARRY, sum);
 }
 
 /* lift - *h = the power of the position z in a sphere, right to 4 eps of

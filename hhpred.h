@@ -249,6 +249,9 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
 #define HH_AS_1(name, few) HH_AS_2(name, few)
 #define hh_centre HH_AS_1(TESS_AS(hh_centre), HH_FEW)
 
+/* hh_pball's sign of a tie. */
+#define HH_TIE 3
+
 /* hh_set - the points as tess keeps them.  Position i is place i in the
  * sorted order; duplicates are gone.
  *   x      3 doubles a position: the coordinates times one power of two, of

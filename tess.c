@@ -95,7 +95,7 @@
  *   cylinders    cylinders makecylinder makecylinders prunecylinders
  *   ties         newcell incell
  * then the search, and what it is for:
- *   search       narrow refine challenge consider look instar inblock inflate
+ *   search       narrow refine contest challenge consider look instar inblock inflate
  *                admit scanleaf treesearch onhull prepare inball nearlist
  *                innear apex
  *   one star     exchange settle
@@ -122,6 +122,9 @@
 
 #define NONE (-1)
 #define UNSURE 2  /* returned by hh_orient and hh_insphere out of range */
+#define BEATS (-1) /* returned by contest, as by hh_pball: z is better */
+#define LOSES 1    /* than the best point; it is not; */
+#define OUT 0      /* nor is it, and perhaps it is not on the open side */
 #define LOST 99   /* returned by walk when its steps are used up */
 #define DONE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
@@ -317,9 +320,10 @@ typedef struct list {
 } list;
 
 /* A sieve: no candidate is where
- *     |w|^2 - 2 c.w + a (height(w) - h) > err + size (2 dc + 16 EPS (size + sc)),
- * w being a point relative to the base, size >= |w|_1, height(w) its height over
- * the support that the facet leans on.  See powererr. */
+ *     |w|^2 - 2 c.w + a (height(w) - h)
+ *         > err + size (2 dc + 16 EPS (size + sc)),
+ * w being a point relative to the base, size >= |w|_1, height(w) its height
+ * over the support that the facet leans on.  See powererr. */
 typedef struct sieve {
     double c[3], dc, sc;      /* c is wrong by at most dc; sc is |c|_1 */
     double a, h, err;
@@ -1208,7 +1212,9 @@ static int ballinbox(const mesh *m, const quest *f, const list *l)
         /* the part of the root's box beyond this side of the list's */
         side = i < 3 ? 3 + k : k;
         part[side] = i < 3 ? l->lo[k] : l->hi[k];
-        if (part[k] < part[3 + k] && !prunebox(f, &f->plain, part, part + 3, 0.0)) return 0;
+        if (part[k] < part[3 + k] &&
+            !prunebox(f, &f->plain, part, part + 3, 0.0))
+            return 0;
         part[side] = root[side];
     }
     return 1;
@@ -2113,72 +2119,81 @@ static void refine(const mesh *m, quest *f)
     if (LEANING(f)) aim(m, f);
 }
 
+/* contest - compares z with the best point where the bounds leave open what is
+ * UNSURE: power, or the side, or both.  hh_lifts comes first, unless the last
+ * exact comparison was a tie: rotated grids, which have the corners of their
+ * cells on a sphere, but for rounding, take 1.2 to 1.6 times the instructions
+ * without it.  Its sphere is that of z or of the best point, but not of a ball
+ * by limbs, whose four points are nearly in a plane.  Then come the limbs of
+ * such a ball, then the exact signs.  Returns BEATS, LOSES, HH_TIE
+ * times that for a tie, or OUT. */
+static int contest(mesh *m, quest *f, tess_int z, int side, int power,
+                   double hi)
+{
+    int open = power == UNSURE;
+
+    if (open && m->set.t5 < 0.0 && !m->even) {
+        power = hh_lifts(&m->set, f->v, f->base, f->f,
+                         side == 1 ? hi : f->limbs ? DBL_MAX : f->hi, f->best,
+                         z, &f->sphere);
+        COUNT(N_TRIAL, f->sphere.ready == 1);
+        HOLDS(power == UNSURE ||
+              power == hh_pball(&m->set, f->v, f->best, z, 0));
+    }
+    if (f->limbs) {
+        COUNT(N_TRIAL, power == UNSURE);
+        hh_trial(&m->set, &f->t, z, &side, &power);
+        HOLDS(power == LOSES ? !better(m, f, z)
+              : side == UNSURE ||
+                side == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
+    }
+    if (side == UNSURE && power != LOSES) {
+        COUNT(N_SIDE, 1);
+        side = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
+    }
+    if (side != 1) return OUT;
+    if (open && power == UNSURE) {
+        COUNT(N_EXACT, 1);
+        power = hh_pball(&m->set, f->v, f->best, z, 2);
+        m->even = power == HH_TIE || power == -HH_TIE;
+        f->asked += m->even ? 0 : EXACT;
+    } else
+        f->asked += open;
+    return power;
+}
+
 /* challenge - takes z if it is on the open side and beats the best point so
  * far: if its L-coordinate is smaller (Theorem 1), ties by the rule of
- * hh_pball.  The Householder bounds decide where they can, then, unless the
- * last exact comparison was a tie, hh_lifts.  Its sphere is that of z or of the
- * best point, but not of a ball by limbs, whose four points are nearly in a
- * plane.  Where it cannot tell, the better point's limits are tightened by the
- * other's.  Without it rotated grids, which have the corners of their cells on
- * a sphere, but for rounding, take 1.2 to 1.6 times the instructions. */
+ * hh_pball.  The Householder bounds decide where they can, else contest; then
+ * the better point's limits are tightened by the other's. */
 static void challenge(mesh *m, quest *f, tess_int z)
 {
     double lo, hi;
-    int side = hh_limits(f->f, m->x + 3 * z, &lo, &hi), sign, unsure;
-    int power = UNSURE;
+    int side = hh_limits(f->f, m->x + 3 * z, &lo, &hi), power;
 
     if (LEANING(f) && side >= 0)
         side = sharpen(m, f, z, side, &lo, &hi);
-    if (side < 0 || (f->best != NONE && lo > f->hi)) {
+    power = f->best == NONE || hi < f->lo ? BEATS : lo > f->hi ? LOSES : UNSURE;
+    if (side < 0 || power == LOSES) {
         HOLDS(!better(m, f, z));
         return;
     }
-    sign = side;
-    unsure = f->best != NONE && hi >= f->lo;
-    if (side == 0 || unsure) {
+    if (side == 0 || power == UNSURE) {
         if (SEEK(m)) remember(f, z, 1);
-        if (unsure && m->set.t5 < 0.0 && !m->even) {
-            power = hh_lifts(&m->set, f->v, f->base, f->f,
-                             side == 1 ? hi : f->limbs ? DBL_MAX : f->hi,
-                             f->best, z, &f->sphere);
-            COUNT(N_TRIAL, f->sphere.ready == 1);
-            HOLDS(power == UNSURE ||
-                  power == hh_pball(&m->set, f->v, f->best, z, 0));
-        }
-        if (f->limbs) {
-            if (unsure && power == UNSURE) power = 0;
-            COUNT(N_TRIAL, power == 0);
-            hh_trial(&m->set, &f->t, z, &sign, &power);
-            HOLDS(power == 1 ? !better(m, f, z)
-                  : sign == UNSURE ||
-                    sign == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
-        }
-        if (power != 1 && (sign == 0 || sign == UNSURE)) {
-            COUNT(N_SIDE, 1);
-            sign = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
-        }
-        if (sign <= 0) return;
+        power = contest(m, f, z, side == 1 ? 1 : UNSURE, power, hi);
+        HOLDS((power < 0) == better(m, f, z));
+        if (power == OUT) return;
     }
-    if (unsure) {
-        if (power == UNSURE) {
-            COUNT(N_EXACT, 1);
-            power = hh_pball(&m->set, f->v, f->best, z, 2);
-            m->even = power == 2 || power == -2;
-            f->asked += m->even ? 0 : EXACT;
-        } else
-            f->asked++;
-        HOLDS((power < 0) == (hh_pball(&m->set, f->v, f->best, z, 2) < 0));
-        if (power > 0) {
-            f->tied += power == 2;
-            if (hi < f->hi) narrow(m, f, hi);
-            if (f->asked >= MANY && !f->limbs) refine(m, f);
-            return;
-        }
-        if (hi > f->hi) hi = f->hi;
+    if (power > 0) {
+        f->tied += power == HH_TIE;
+        if (hi < f->hi) narrow(m, f, hi);
+        if (f->asked >= MANY && !f->limbs) refine(m, f);
+        return;
     }
     HOLDS(better(m, f, z));
+    if (hi > f->hi) hi = f->hi;
     f->best = z;
-    f->tied = power == -2 ? f->tied + 1 : 0;
+    f->tied = power == -HH_TIE ? f->tied + 1 : 0;
     f->lo = lo;
     f->limbs = 0;
     narrow(m, f, hi);
@@ -2187,8 +2202,8 @@ static void challenge(mesh *m, quest *f, tess_int z)
         refine(m, f);
 }
 
-/* consider - compares z with the best point, unless it is a vertex of the facet
- * or does not pass the sieve: the tall one if its height over the facet's
+/* consider - compares z with the best point, unless it is a vertex of the
+ * facet or does not pass the sieve: the tall one if its height over the facet's
  * support is known. */
 static void consider(mesh *m, quest *f, tess_int z)
 {
@@ -2301,10 +2316,10 @@ static void admit(const mesh *m, quest *f, tess_int first, int n,
 }
 
 /* scanleaf - considers the uncompleted points of a leaf, of which there must be
- * one, that pass the plain sieve.  The powers come first, as vectors, then the least of each group,
- * as most groups have no point to consider.  Stars are completed in the order
- * of positions, by and large, so the points before the first uncompleted one
- * are most of the completed ones. */
+ * one, that pass the plain sieve.  The powers come first, as vectors, then the
+ * least of each group, as most groups have no point to consider.  Stars are
+ * completed in the order of positions, by and large, so the points before the
+ * first uncompleted one are most of the completed ones. */
 static void scanleaf(mesh *m, quest *f, tess_int node)
 {
     const double *b = m->box + 6 * node, *x;

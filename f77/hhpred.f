@@ -1532,14 +1532,14 @@ C     ball of V and A iff I times HHPSID of V, A is negative.  Where I
 C     is 0, by RULE:
 C       0   0
 C       1   the sign, never 0, of the perturbed I
-C       2   twice that; A and B are on the positive side of V: B beats A
-C           as the apex of the facet V if the result is negative
+C       2   TIE times that; A and B are on the positive side of V: B
+C           beats A as the apex of the facet V if the result is negative
 C       3   the same, and I is taken to be 0, without a test
       INTEGER FUNCTION HHPBAL(X, P, ORD, T3, T5, V, A, B, RULE)
       DOUBLE PRECISION X(3,*), P(3,*), T3, T5
       INTEGER ORD(*), V(*), A, B, RULE
-      INTEGER UNSURE
-      PARAMETER (UNSURE = 2)
+      INTEGER UNSURE, TIE
+      PARAMETER (UNSURE = 2, TIE = 3)
       INTEGER HHAPAR, HHDECI, HHFIL5, HHTIED, K, SGN, W(5)
       DO 10 K = 1, 3
         W(K) = V(K)
@@ -1556,7 +1556,7 @@ C       3   the same, and I is taken to be 0, without a test
       IF (SGN .EQ. 0 .AND. RULE .EQ. 1) THEN
         SGN = HHTIED(X, P, ORD, T3, W, 0)
       ELSE IF (SGN .EQ. 0 .AND. RULE .GT. 1) THEN
-        SGN = 2*HHTIED(X, P, ORD, T3, W, 1)
+        SGN = TIE*HHTIED(X, P, ORD, T3, W, 1)
       END IF
       HHPBAL = SGN
       END
@@ -1757,13 +1757,12 @@ C     less than CARRY units of the last row, for N <= 10.
       END IF
       END
 
-C     HHTRIA - decides signs by a few leading limbs, in a tenth of the
-C     time of the exact signs, for the ball T.  If POWER is 0, POWER
-C     becomes the sign of the power of the position Z in the ball of
-C     HHCENT, -1 if Z is inside, or UNSURE; this requires the ball's
-C     fourth point on the positive side, as D > 0 then.  If SIDE is 0,
-C     SIDE becomes the side of Z for the facet, or UNSURE, unless POWER
-C     is 1: a point outside needs none.
+C     HHTRIA - decides signs that are UNSURE by a few leading limbs, in
+C     a tenth of the time of the exact signs, where these suffice:
+C     POWER, that of the power of the position Z in the ball T of
+C     HHCENT, -1 if Z is inside, which requires the ball's fourth point
+C     on the positive side, as D > 0 then; and SIDE, the side of Z for
+C     the facet, unless POWER is 1: a point outside needs none.
       SUBROUTINE HHTRIA(P, ORD, T, Z, SIDE, POWER)
       DOUBLE PRECISION P(3,*), T(*)
       INTEGER ORD(*), Z, SIDE, POWER
@@ -1772,13 +1771,11 @@ C     is 1: a point outside needs none.
       PARAMETER (UNSURE = 2, CARRY = 2.0D0**29, BROWS = 6)
       DOUBLE PRECISION SUM(BROWS+1)
       INTEGER HHSIGN, OK
-      IF (POWER .EQ. 0) THEN
-        POWER = UNSURE
+      IF (POWER .EQ. UNSURE) THEN
         CALL HHLEVE(P, ORD, T, Z, 0, SUM, OK)
         IF (OK .EQ. 1) POWER = HHSIGN(BROWS + 1, CARRY, SUM)
       END IF
-      IF (SIDE .EQ. 0 .AND. POWER .NE. 1) THEN
-        SIDE = UNSURE
+      IF (SIDE .EQ. UNSURE .AND. POWER .NE. 1) THEN
         CALL HHLEVE(P, ORD, T, Z, 1, SUM, OK)
         IF (OK .EQ. 1) SIDE = HHSIGN(BROWS + 1, CARRY, SUM)
       END IF

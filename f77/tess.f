@@ -137,11 +137,12 @@ C       cylinders: cylinders TSCYLI, makecylinder TSMCYL,
 C         makecylinders TSMCYS, prunecylinders TSPRCY
 C       ties: newcell TSNEWC, incell TSINCE
 C     then the search, and what it is for:
-C       search: narrow TSNARR, refine TSREFI, challenge TSCHAL,
-C         consider TSCONS, look TSLOOK, instar TSINST, inblock TSINBL,
-C         inflate TSINFL, admit TSADMI, scanleaf TSSCAN,
-C         treesearch TSTREE, onhull TSONHU, prepare TSPREP,
-C         inball TSINBA, nearlist TSNEAL, innear TSINNE, apex TSAPEX
+C       search: narrow TSNARR, refine TSREFI, contest TSCONT,
+C         challenge TSCHAL, consider TSCONS, look TSLOOK,
+C         instar TSINST, inblock TSINBL, inflate TSINFL,
+C         admit TSADMI, scanleaf TSSCAN, treesearch TSTREE,
+C         onhull TSONHU, prepare TSPREP, inball TSINBA,
+C         nearlist TSNEAL, innear TSINNE, apex TSAPEX
 C       one star: exchange TSEXCH, settle TSSETT
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
 C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
@@ -375,6 +376,10 @@ C       PLAIN   no support is sought where points are in so few units
 C               (T5 at least PLAIN) that doubles decide all
 C       MUCH    pool recommended beyond 4 N in any case, up to 8 N
 C       INTMAX  the largest integer
+C       UNSURE  returned by predicates out of range
+C       BEATS, LOSES, OUT  given by TSCONT, as by HHPBAL: the point is
+C               better than the best one; it is not; nor is it, and
+C               perhaps it is not on the open side.  TIE: see HHPBAL
 C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
 C       MORE, FULL, PLANAR, LINEAR, SINGLE, RANGE  the codes 1 to 6 of
 C               TESS
@@ -2682,79 +2687,101 @@ C     place of C, with the error of F(4..6) and one more rounding.
       IF (IQ(QON) .NE. 0) CALL TSAIM(SUP(1,IQ(QON)), 1, F, L, FQ(QT))
       END
 
+C     TSCONT - compares Z with the best point where the bounds leave
+C     open what is UNSURE: POWER, or SIDE, or both.  HHLIFS comes first,
+C     unless the last exact comparison was a tie: rotated grids, which
+C     have the corners of their cells on a sphere, but for rounding,
+C     take 1.2 to 1.6 times the instructions without it.  Its sphere is
+C     that of Z or of the best point, but not of a ball by limbs, whose
+C     four points are nearly in a plane.  Then come the limbs of such a
+C     ball, then the exact signs.  POWER becomes BEATS, LOSES, TIE times
+C     that for a tie, or OUT.
+      SUBROUTINE TSCONT(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
+     $                  POWER)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(*), HI
+      INTEGER ORD(*), CTL(*), V(3), IQ(43), Z, SIDE, POWER
+      INTEGER EVEN, T3, T5, QBEST, QLIMBS, QBASE, QASKED, QHI, QLIMB,
+     $    QSPHER, UNSURE, LOSES, OUT, TIE, EXACT
+      DOUBLE PRECISION EPS, HUGE
+      PARAMETER (EVEN = 85, T3 = 1, T5 = 2, QBEST = 1, QLIMBS = 2,
+     $    QBASE = 4, QASKED = 5, QHI = 7, QLIMB = 23, QSPHER = 109,
+     $    UNSURE = 2, LOSES = 1, OUT = 0, TIE = 3, EXACT = 16,
+     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION L
+      INTEGER BEST, HHPBAL, HHPSID, OPEN
+      BEST = IQ(QBEST)
+      OPEN = 0
+      IF (POWER .EQ. UNSURE) OPEN = 1
+      IF (OPEN .EQ. 1 .AND. RCTL(T5) .LT. 0.0D0 .AND. CTL(EVEN) .EQ.
+     $    0) THEN
+        L = FQ(QHI)
+        IF (IQ(QLIMBS) .EQ. 1) L = HUGE
+        IF (SIDE .EQ. 1) L = HI
+        CALL HHLIFS(X, RCTL(T3), V, IQ(QBASE), F, L, BEST, Z,
+     $              FQ(QSPHER), POWER)
+      END IF
+      IF (IQ(QLIMBS) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLIMB), Z, SIDE,
+     $    POWER)
+      IF (SIDE .EQ. UNSURE .AND. POWER .NE. LOSES)
+     $    SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
+      IF (SIDE .NE. 1) THEN
+        POWER = OUT
+      ELSE IF (OPEN .EQ. 1 .AND. POWER .EQ. UNSURE) THEN
+        POWER = HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
+        CTL(EVEN) = ABS(POWER)/TIE
+        IQ(QASKED) = IQ(QASKED) + EXACT*(1 - CTL(EVEN))
+      ELSE
+        IQ(QASKED) = IQ(QASKED) + OPEN
+      END IF
+      END
+
 C     TSCHAL - takes Z if it is on the open side and beats the best
 C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
 C     the rule of HHPBAL.  The Householder bounds decide where they can,
-C     then, unless the last exact comparison was a tie, HHLIFS.  Its
-C     sphere is that of Z or of the best point, but not of a ball by
-C     limbs, whose four points are nearly in a plane.  Where it cannot
-C     tell, the better point's limits are tightened by the other's.
-C     Without it rotated grids, which have the corners of their cells on
-C     a sphere, but for rounding, take 1.2 to 1.6 times the
-C     instructions.
+C     else TSCONT; then the better point's limits are tightened by the
+C     other's.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(43), Z
-      INTEGER EVEN, T3, T5, RPATIE, QBEST, QLIMBS, QBASE, QASKED, QON,
-     $    QTIED, QLO, QHI, QLIMB, QSPHER, UNSURE, MANY, EXACT, QT
-      DOUBLE PRECISION WIDE, EPS, HUGE
-      PARAMETER (EVEN = 85, T3 = 1, T5 = 2, RPATIE = 5, QBEST = 1,
-     $    QLIMBS = 2, QBASE = 4, QASKED = 5, QON = 6, QTIED = 7,
-     $    QLO = 6, QHI = 7, QLIMB = 23, QSPHER = 109, UNSURE = 2,
-     $    MANY = 96, EXACT = 16, WIDE = 1.0D0, QT = 9,
-     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023)
-      DOUBLE PRECISION HI, L, LO
-      INTEGER BEST, HHPBAL, HHPSID, OPEN, POWER, SGN, SIDE
-      BEST = IQ(QBEST)
+      INTEGER RPATIE, QBEST, QLIMBS, QASKED, QON, QTIED, QLO, QHI, QT,
+     $    UNSURE, BEATS, LOSES, OUT, TIE, MANY
+      DOUBLE PRECISION WIDE
+      PARAMETER (RPATIE = 5, QBEST = 1, QLIMBS = 2, QASKED = 5, QON = 6,
+     $    QTIED = 7, QLO = 6, QHI = 7, QT = 9, UNSURE = 2, BEATS = -1,
+     $    LOSES = 1, OUT = 0, TIE = 3, MANY = 96, WIDE = 1.0D0)
+      DOUBLE PRECISION HI, LO
+      INTEGER POWER, SGN, SIDE
       CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
       IF (IQ(QON) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, MARK, SUP,
      $    IQ, F, FQ(QT), Z, SIDE, LO, HI)
-      SGN = SIDE
       POWER = UNSURE
-      IF (SIDE .LT. 0) RETURN
-      OPEN = 0
-      IF (BEST .NE. 0) THEN
-        IF (LO .GT. FQ(QHI)) RETURN
-        IF (HI .GE. FQ(QLO)) OPEN = 1
+      IF (IQ(QBEST) .EQ. 0) THEN
+        POWER = BEATS
+      ELSE IF (HI .LT. FQ(QLO)) THEN
+        POWER = BEATS
+      ELSE IF (LO .GT. FQ(QHI)) THEN
+        POWER = LOSES
       END IF
-      IF (SIDE .EQ. 0 .OR. OPEN .EQ. 1) THEN
+      IF (SIDE .LT. 0 .OR. POWER .EQ. LOSES) RETURN
+      IF (SIDE .EQ. 0 .OR. POWER .EQ. UNSURE) THEN
         IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
-        IF (OPEN .EQ. 1 .AND. RCTL(T5) .LT. 0.0D0 .AND. CTL(EVEN) .EQ.
-     $      0) THEN
-          L = FQ(QHI)
-          IF (IQ(QLIMBS) .EQ. 1) L = HUGE
-          IF (SIDE .EQ. 1) L = HI
-          CALL HHLIFS(X, RCTL(T3), V, IQ(QBASE), F, L, BEST, Z,
-     $                FQ(QSPHER), POWER)
-        END IF
-        IF (IQ(QLIMBS) .EQ. 1) THEN
-          IF (OPEN .EQ. 1 .AND. POWER .EQ. UNSURE) POWER = 0
-          CALL HHTRIA(P, ORD, FQ(QLIMB), Z, SGN, POWER)
-        END IF
-        IF (POWER .NE. 1 .AND. (SGN .EQ. 0 .OR. SGN .EQ. UNSURE))
-     $      SGN = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
-        IF (SGN .LE. 0) RETURN
+        SGN = UNSURE
+        IF (SIDE .EQ. 1) SGN = 1
+        CALL TSCONT(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SGN, HI,
+     $              POWER)
+        IF (POWER .EQ. OUT) RETURN
       END IF
-      IF (OPEN .EQ. 1) THEN
-        IF (POWER .EQ. UNSURE) THEN
-          POWER = HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
-          CTL(EVEN) = ABS(POWER) - 1
-          IQ(QASKED) = IQ(QASKED) + EXACT*(1 - CTL(EVEN))
-        ELSE
-          IQ(QASKED) = IQ(QASKED) + 1
-        END IF
-        IF (ABS(POWER) .EQ. 2) IQ(QTIED) = IQ(QTIED) + 1
-        IF (POWER .GT. 0) THEN
-          IF (HI .LT. FQ(QHI)) CALL TSNARR(SUP, IQ, F, FQ, HI)
-          IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
-     $        CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
-          RETURN
-        END IF
-        HI = MIN(HI, FQ(QHI))
+      IF (ABS(POWER) .EQ. TIE) IQ(QTIED) = IQ(QTIED) + 1
+      IF (POWER .GT. 0) THEN
+        IF (HI .LT. FQ(QHI)) CALL TSNARR(SUP, IQ, F, FQ, HI)
+        IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
+     $      CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
+        RETURN
       END IF
+      HI = MIN(HI, FQ(QHI))
       IQ(QBEST) = Z
-      IF (POWER .NE. -2) IQ(QTIED) = 0
+      IF (POWER .NE. -TIE) IQ(QTIED) = 0
       FQ(QLO) = LO
       IQ(QLIMBS) = 0
       CALL TSNARR(SUP, IQ, F, FQ, HI)

@@ -525,8 +525,8 @@ static void test_indexed(int group, long n)
         if (r == 2) r = s;
         if (b == 2) b = s;
 #else
-        if (b != s && (b != 2 * s || r != 0)) faults++;
-        if (s != 0 && b == 2 * s && hh_pball(&set, facet, 3, 4, 3) != b)
+        if (b != s && (b != HH_TIE * s || r != 0)) faults++;
+        if (s != 0 && b == HH_TIE * s && hh_pball(&set, facet, 3, 4, 3) != b)
             faults++;
 #endif
         if (r != 0 ? r != s : o != 0 && ex_insphere(q[0], q[1], q[2], q[3],
@@ -671,15 +671,15 @@ static void test_balls(int group, long n)
         for (z = 0; z < 5; z++) {
             o = ex_orient(P[v[0]], P[v[1]], P[v[2]], P[z]);
             s = ex_insphere(P[0], P[1], P[2], P[3], P[z]);
-            side = sign = 0;
+            side = sign = 2;
             hh_trial(&set, &ball, (tess_int)z, &side, &sign);
             if (z == 4) tried += sign != 2 || side == -1;
             /* without a power, the side in any case, and the same */
-            alone = 0;
-            none = 2;
+            alone = 2;
+            none = -1;
             hh_trial(&set, &ball, (tess_int)z, &alone, &none);
             if ((alone != 2 && alone != o) || (sign != 2 && sign != -s) ||
-                sign == 0 || none != 2 || side != (sign == 1 ? 0 : alone))
+                sign == 0 || none != -1 || side != (sign == 1 ? 2 : alone))
                 if (faults++ < 3) {
                     printf("point %d: side %d, %d, %d; inside %d, %d:\n", z,
                            side, alone, o, -sign, s);
