@@ -43,7 +43,7 @@
  *         box    12 L        of each node; place 0 is the header, see seal
  *         cylinder           if lrw is what tess_size gives
  *
- *   pool  0               ENTRY m           newest          oldest      room
+ *   pool  0               ENTRY slots       newest          oldest      room
  *         | entries of the table -->| free |<-- edges of the link | dead |
  *
  *   head[v] --> entry <--> entry <--> entry    facets that v owns
@@ -91,14 +91,15 @@
  *                listball
  * then what makes searches faster, each where some data need it:
  *   supports     rough marked heightover onsupport remember place erect through
- *                fit discover recall supportof sharpen aim prunenode
+ *                fit markleaf discover recall nearsupport recentre supportof
+ *                sharpen aim prunenode
  *   cylinders    cylinders makecylinder makecylinders prunecylinders
  *   ties         newcell incell
  * then the search, and what it is for:
- *   search       narrow refine contest challenge consider look instar inblock inflate
- *                admit scanleaf treesearch onhull prepare inball nearlist
- *                innear apex
- *   one star     exchange settle
+ *   search       narrow refine contest challenge consider look instar inblock
+ *                inflate admit scanleaf treesearch onhull prepare inball
+ *                nearlist innear apex
+ *   one star     exchange encloses corner settle
  *   star         clearlink renumber push join unlinkedge between glue flush
  *                attach grow enlist follow gather load complete makeroom begin
  *                star plant stars
@@ -333,18 +334,18 @@ typedef struct sieve {
 typedef struct quest {
     /* the facet */
     tess_int v[3];            /* its vertices; the open side is positive */
-    double f[HH_FACET_LEN];   /* its Householder set-up, */
+    double hh[HH_FACET_LEN];  /* its Householder set-up, */
     int base;                 /* of which v[base] is the base */
     /* the best point */
     tess_int best;            /* the best point yet, exactly, or NONE */
     double lo, hi;            /* its L-coordinate is between them */
-    int tied;                 /* points met that are exactly on its ball */
+    int ties;                 /* points met that are exactly on its ball */
     int asked;                /* see MANY */
     /* its ball */
     int ball;                 /* there is one to prune with: */
     sieve plain;              /* c is its centre; or else the open side */
-    int limbs;                /* 1: it was found by limbs: t */
-    hh_ball t;
+    int limbs;                /* 1: it was found by limbs: */
+    hh_ball sharp;
     hh_sphere sphere;         /* near the points that are compared with it */
     /* the support */
     int on;                   /* its number, or NONE.  On the facet */
@@ -405,11 +406,11 @@ typedef struct mesh {
     tess_int leaves;          /* of the tree, a power of two */
     tess_int maxtet, ntet;
     tess_int room;            /* length of pool */
-    tess_int m, nopen;        /* entries of the pool, and those in use */
+    tess_int slots, nopen;    /* entries of the table, and those in use */
     tess_int fresh;           /* from this tetrahedron on, facets 0 are not */
                               /* in the pool */
     tess_int oldest, newest;  /* edges of the link, the newest the lowest */
-    tess_int low;             /* no vertex of a smaller position owns facets */
+    tess_int lowest;          /* no vertex of a smaller position owns facets */
     tess_int unmet;           /* of a part: no vertex before it is NEW and */
                               /* asked for; a whole mesh meets all */
     tess_int plane[PLANES][3]; /* the last hull planes met */
@@ -423,9 +424,9 @@ typedef struct mesh {
     int idle;                 /* 1: it was empty */
     int futile;               /* the leaf's latest searches in a row that */
                               /* ended in the tree */
-    int ties;                 /* searches in a row that met ties in a block's */
+    int tiedblocks;           /* searches in a row that met ties in a block's */
                               /* list, and none that ended in a star's */
-    int tied;                 /* 1: the last search in a star's list that met */
+    int tiedstar;             /* 1: the last search in a star's list that met */
                               /* points met some exactly on its last ball */
     cell cells[CELLS];        /* the last ones met in this star */
     int ncell;                /* how many were met */
@@ -750,7 +751,7 @@ static int firstfacet(const mesh *m, tess_int *v)
  * vertices.  The owner is the vertex of least position of those whose star is
  * asked for; head[owner] is the first entry; a facet without an owner is left
  * open.
- * Linear probing from signature mod m; removal shifts entries back. */
+ * Linear probing from signature mod slots; removal shifts entries back. */
 
 /* outfac - f = the vertices of facet k of the tetrahedron v, the one opposite
  * to v[k], counter-clockwise from outside if v is positively oriented. */
@@ -805,7 +806,7 @@ static int same(const tess_int *v, const tess_int *w)
  * where it belongs. */
 static tess_int find(const mesh *m, const tess_int *v, tess_int sig)
 {
-    tess_int e = sig % m->m, w[3];
+    tess_int e = sig % m->slots, w[3];
     const tess_int *p;
 
     for (;;) {
@@ -816,7 +817,7 @@ static tess_int find(const mesh *m, const tess_int *v, tess_int sig)
             facet(m, p[0], w);
             if (same(v, w)) return e;
         }
-        if (++e == m->m) e = 0;
+        if (++e == m->slots) e = 0;
     }
 }
 
@@ -841,10 +842,10 @@ static void erase(mesh *m, tess_int e)
     chain(m, p, p[1], p[2]);
     m->nopen--;
     for (;;) {
-        if (++e == m->m) e = 0;
+        if (++e == m->slots) e = 0;
         q = m->pool + ENTRY * e;
         if (q[0] == NONE) break;
-        home = q[3] % m->m;
+        home = q[3] % m->slots;
         /* e may fill the hole if its home is not behind the hole */
         if (hole <= e ? home <= hole || home > e : home <= hole && home > e) {
             p = m->pool + ENTRY * hole;
@@ -880,14 +881,14 @@ static tess_int enter(mesh *m, tess_int code)
     chain(m, p, e, e);
     m->nopen++;
     PEAK(N_POOL, m->nopen);
-    if (least < m->low) m->low = least;
+    if (least < m->lowest) m->lowest = least;
     return NONE;
 }
 
 /* full - returns 1 if the table may not hold more than so many facets. */
 static int full(const mesh *m, tess_int many)
 {
-    return many > m->m - m->m / 8 - 1;
+    return many > m->slots - m->slots / 8 - 1;
 }
 
 /* cuberoot - returns the least c with c^3 >= n. */
@@ -918,10 +919,10 @@ static int rehash(mesh *m, tess_int s, tess_int wanted)
 {
     tess_int i, v[3], most = quota(m, 2);
 
-    m->m = wanted < most ? wanted : most;
+    m->slots = wanted < most ? wanted : most;
     m->nopen = 0;
-    if (m->m < 1) return 0;
-    for (i = 0; i < m->m; i++) m->pool[ENTRY * i] = NONE;
+    if (m->slots < 1) return 0;
+    for (i = 0; i < m->slots; i++) m->pool[ENTRY * i] = NONE;
     for (i = 0; i < m->np; i++)
         if (m->head[i] != FOREIGN) m->head[i] = NONE;
     for (i = 0; i < 4 * m->fresh; i++) {
@@ -1029,7 +1030,7 @@ static void leaflist(mesh *m, tess_int s)
     const double *b = m->box + 6 * (m->leaves + leaf);
     double x = b[3] - b[0], y = b[4] - b[1], z = b[5] - b[2], half;
     double margin = m->reach * sqrt(x * x + y * y + z * z) *
-                    (m->ties > MAXFUTILE ? WIDER : 1.0);
+                    (m->tiedblocks > MAXFUTILE ? WIDER : 1.0);
     list *l = &m->block;
     int over = 1;
 
@@ -1155,10 +1156,10 @@ static void openside(quest *f)
 
     s->sc = 0.0;
     for (k = 0; k < 3; k++) {
-        s->c[k] = 0.5 * MUCHL * f->f[k];
+        s->c[k] = 0.5 * MUCHL * f->hh[k];
         s->sc += fabs(s->c[k]);
     }
-    s->dc = MUCHL * (f->f[9] <= HH_LOOSE ? 0.5 * f->f[9] + 4.0 * EPS : 2.0);
+    s->dc = MUCHL * (f->hh[9] <= HH_LOOSE ? 0.5 * f->hh[9] + 4.0 * EPS : 2.0);
 }
 
 /* prunebox - returns 1 if the box lo, hi provably holds no candidate: it passes
@@ -1174,20 +1175,20 @@ static int prunebox(const quest *f, const sieve *s, const double *lo,
     int k;
 
     for (k = 0; k < 3; k++) {
-        l = lo[k] - f->f[6 + k];
-        h = hi[k] - f->f[6 + k];
+        l = lo[k] - f->hh[6 + k];
+        h = hi[k] - f->hh[6 + k];
         u = s->c[k] > l ? s->c[k] : l;
         u = u < h ? u : h;
         power += u * (u - 2.0 * s->c[k]);
-        u = l * f->f[k];
-        v = h * f->f[k];
+        u = l * f->hh[k];
+        v = h * f->hh[k];
         side += u > v ? u : v;
         l = fabs(l);
         h = fabs(h);
         size += l > h ? l : h;
     }
     return power > powererr(s, size) ||
-           (f->f[9] <= HH_LOOSE && side < -f->f[9] * size - FAINT);
+           (f->hh[9] <= HH_LOOSE && side < -f->hh[9] * size - FAINT);
 }
 
 /* ballinbox - returns 1 if the part of the ball that may hold points, the part
@@ -1206,8 +1207,8 @@ static int ballinbox(const mesh *m, const quest *f, const list *l)
     for (i = 0; i < 6; i++) part[i] = root[i];
     for (i = 0; i < 6; i++) {
         k = i % 3;
-        if (i < 3 ? c[k] - r >= l->lo[k] - f->f[6 + k]
-                  : c[k] + r <= l->hi[k] - f->f[6 + k])
+        if (i < 3 ? c[k] - r >= l->lo[k] - f->hh[6 + k]
+                  : c[k] + r <= l->hi[k] - f->hh[6 + k])
             continue;
         /* the part of the root's box beyond this side of the list's */
         side = i < 3 ? 3 + k : k;
@@ -1238,8 +1239,8 @@ static int ballinstar(const mesh *m, const quest *f)
     if (margin <= 0.0) return 0;
     if (4.0 * (xx + yy + zz) <= margin * margin) return 1;
     for (k = 0; k < 3; k++) {
-        low = (root[k] - f->f[6 + k]) * c[k];
-        b = (root[3 + k] - f->f[6 + k]) * c[k];
+        low = (root[k] - f->hh[6 + k]) * c[k];
+        b = (root[3 + k] - f->hh[6 + k]) * c[k];
         if (b < low) b = low;
         a = sqrt(k == 0 ? yy + zz : k == 1 ? xx + zz : xx + yy);
         if (margin * (margin - 2.0 * a) >= 2.0 * b) return 1;
@@ -1267,7 +1268,7 @@ static int ballcoef(const list *l, const quest *f, float *d)
     int i;
 
     for (i = 0; i < 3; i++) {
-        g = (f->f[6 + i] - l->centre[i]) * l->unit;
+        g = (f->hh[6 + i] - l->centre[i]) * l->unit;
         cu[i] = 2.0 * f->plain.c[i] * l->unit;
         k += g * (g + cu[i]);
         off += fabs(g);
@@ -1520,21 +1521,49 @@ static int fit(const mesh *m, const quest *f, support *s)
            through(m, f, v, wide[0], 1, s);
 }
 
-/* discover - seeks a support for the points that a search left open.  It marks
- * the points near the support that have no mark, or one of a support FINER
- * times coarser, and finds the range of marks of each node.  The support is
- * kept if it marks enough points.  Returns 1 if it is kept. */
+/* markleaf - marks the points of a leaf that are near support j and have no
+ * mark yet, or one of a support FINER times coarser, and stores the leaf's
+ * range of marks.  Returns how many it marked. */
+static tess_int markleaf(mesh *m, int j, tess_int leaf)
+{
+    support *s = m->supports + j;
+    tess_int i, last, mark, old, least = STEPS, most = -1, k, members = 0;
+    double h, err, c;
+
+    for (span(m, leaf, &i, &last); i < last; i++) {
+        h = rough(m, s, i, &err);
+        if (fabs(h) <= err - s->low) h = hh_height(&m->set, &s->t, i, &err);
+        c = (h - err - s->low) / s->grain;
+        mark = c < 0.0 ? -1 : c < GRAINS ? (tess_int)c : GRAINS;
+        k = mark < 0 ? -1 : (tess_int)(mark / FOLD);
+        if (k < least) least = k;
+        if (h + err > -s->low) k = STEPS;
+        if (k > most) most = k;
+        old = m->mark[i] - 1;
+        if (mark >= 0 && mark < GRAINS &&
+            (old < 0 ||
+             m->supports[old % SUPPORTS].grain > FINER * s->grain)) {
+            m->mark[i] = (tess_int)(1 + j + SUPPORTS * mark);
+            members++;
+        }
+    }
+    s->range[leaf] = CODED(least, most);
+    return members;
+}
+
+/* discover - seeks a support for the points that a search left open: one
+ * through these, then one through all that are near it, as they may be from a
+ * corner.  It is kept if it marks enough points.  Returns 1 if it is kept. */
 static int discover(mesh *m, quest *f)
 {
     support *s = place(m, m->nsupport);
-    tess_int node, i, last, mark, old, least, most, k, members = 0;
-    double h, err, c;
+    tess_int node, i, j, old, most, members = 0;
+    double err;
     int held = 0;
 
     if (m->nsupport == 0)
         for (i = 0; i < m->np; i++) m->mark[i] = 0;
     if (!fit(m, f, s)) return 0;
-    /* sample all that is near: the search's points may be from a corner */
     f->opened = 0;
     for (i = 0; i < m->np; i = (tess_int)(i + m->np / 1024 + 1))
         if (m->link[i] != DONE &&
@@ -1548,35 +1577,13 @@ static int discover(mesh *m, quest *f)
     /* all marks would stay; heights of all points, for nothing, would be most
      * of a globe's index */
     if (f->opened > OPENED && held == f->opened) return 0;
-    for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
-        if (node < m->leaves) {
-            i = s->range[2 * node];
-            last = s->range[2 * node + 1];
-            most = MOSTOF(MOSTOF(i) > MOSTOF(last) ? i : last);
-            s->range[node] = CODED(LEASTOF(i < last ? i : last), most);
-            continue;
-        }
-        least = STEPS;
-        most = -1;
-        span(m, node, &i, &last);
-        for (; i < last; i++) {
-            h = rough(m, s, i, &err);
-            if (fabs(h) <= err - s->low) h = hh_height(&m->set, &s->t, i, &err);
-            c = (h - err - s->low) / s->grain;
-            mark = c < 0.0 ? -1 : c < GRAINS ? (tess_int)c : GRAINS;
-            k = mark < 0 ? -1 : (tess_int)(mark / FOLD);
-            if (k < least) least = k;
-            if (h + err > -s->low) k = STEPS;
-            if (k > most) most = k;
-            old = m->mark[i] - 1;
-            if (mark < 0 || mark >= GRAINS) continue;
-            if (old < 0 ||
-                m->supports[old % SUPPORTS].grain > FINER * s->grain) {
-                m->mark[i] = (tess_int)(1 + m->nsupport + SUPPORTS * mark);
-                members++;
-            }
-        }
-        s->range[node] = CODED(least, most);
+    for (node = (tess_int)(2 * m->leaves - 1); node >= m->leaves; node--)
+        members += markleaf(m, m->nsupport, node);
+    for (; node > 0; node--) {
+        i = s->range[2 * node];
+        j = s->range[2 * node + 1];
+        most = MOSTOF(MOSTOF(i) > MOSTOF(j) ? i : j);
+        s->range[node] = CODED(LEASTOF(i < j ? i : j), most);
     }
     if (members < 2 * cuberoot(m->np)) {
         for (i = 0; i < m->np; i++)
@@ -1595,14 +1602,52 @@ static void recall(mesh *m)
         (void)erect(m, place(m, m->nsupport++));
 }
 
-/* supportof - finds the support that the facet is on, if any, and its tilt.
+/* nearsupport - returns the support that the facet's vertices are near, or
+ * NONE; h are their heights, the base's first, err the bounds on their errors.
  * Supports that have marked its vertices come first: between sheets 1e-10 apart
- * searches take 30 times as long otherwise.  A needle, or a facet that stands
- * on its plane, leans on none; nor does a facet so small that a sphere bends
- * away from it by less than its points scatter, a sixteenth of the band or so.
- * Its balls are then far from the sphere, and L, counted from the centre of the
- * sphere and right to 8 eps of its distance, would tell nothing of them: 20,000
- * points of a sphere that crowd about a spot take 8 times as long.
+ * searches take 30 times as long otherwise. */
+static int nearsupport(const mesh *m, const quest *f, double *h, double *err)
+{
+    tess_int mark;
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        mark = m->mark[f->v[i]] - 1;
+        if (mark >= 0 && onsupport(m, f, (int)(mark % SUPPORTS), h, err))
+            return (int)(mark % SUPPORTS);
+    }
+    for (i = 0; i < m->nsupport; i++)
+        if (onsupport(m, f, i, h, err)) return i;
+    return NONE;
+}
+
+/* recentre - counts L from the centre of the facet's support, a sphere, in
+ * place of the circumcentre.  G is |w|^2 - 2 c.w, c = tilt / 2 - o, o = base -
+ * centre: the power in the ball of centre c, which is on the facet's axis.  c
+ * errs by half of dtilt, and by 8 eps of the centre and the roundings of three
+ * differences in any order, each of at most eps (|o| + 2 |at|): these make less
+ * than 8 eps size. */
+static void recentre(const support *s, quest *f)
+{
+    double size = 0.0, r;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        r = f->hh[6 + k] - s->at[k];
+        size += fabs(r) + 2.0 * fabs(s->c[k]) + fabs(s->at[k]);
+        f->hh[3 + k] = 0.5 * f->tilt[k] - (r - s->c[k]);
+    }
+    f->hh[10] = 0.6 * f->dtilt + 8.0 * EPS * size;
+    f->hh[11] = sqrt(dot(f->hh + 3, f->hh + 3));
+}
+
+/* supportof - finds the support that the facet leans on, if any, and its tilt.
+ * A needle, or a facet that stands on its plane, leans on none; nor does a
+ * facet so small that a sphere bends away from it by less than its points
+ * scatter, a sixteenth of the band or so.  Its balls are then far from the
+ * sphere, and L, counted from the centre of the sphere and right to 8 eps of
+ * its distance, would tell nothing of them: 20,000 points of a sphere that
+ * crowd about a spot take 8 times as long.
  *
  * dtilt: roundings of the edges take the tilt out of the plane.  In it, the
  * tilt's products with the edges miss the differences of heights by r0, r1, and
@@ -1611,35 +1656,20 @@ static void recall(mesh *m)
  * as no needle is let through.  Where two vertices are so near that the marks
  * leave nothing of the tilt, as at the poles of a globe of meridians, the
  * differences of heights come by limbs, over the base: right to some eps of
- * themselves.
- *
- * Near a sphere G is |w|^2 - 2 c.w, c = tilt / 2 - o, o = base - centre: the
- * power in the ball of centre c, which is on the facet's axis.  L is counted
- * from there: c takes the place of the circumcentre in the set-up.  It errs by
- * half of dtilt, and by 8 eps of the centre and the roundings of three
- * differences in any order, each of at most eps (|o| + 2 |at|): these make less
- * than 8 eps size. */
+ * themselves. */
 static void supportof(const mesh *m, quest *f)
 {
     const double *b = m->x + 3 * f->v[f->base], *p;
     const support *s;
     double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2];
-    double ab, det, size = 0.0, r;
+    double ab, det, size, r;
     hh_sphere own;
-    tess_int mark;
-    int i, k, near = NONE, again;
+    int i, k, near, again;
 
-    if (f->f[9] > 1e-3) return;
-    for (i = 0; i < 3 && near == NONE; i++) {
-        mark = m->mark[f->v[i]] - 1;
-        if (mark >= 0 && onsupport(m, f, (int)(mark % SUPPORTS), h, err))
-            near = (int)(mark % SUPPORTS);
-    }
-    for (i = 0; i < m->nsupport && near == NONE; i++)
-        if (onsupport(m, f, i, h, err)) near = i;
+    near = f->hh[9] > 1e-3 ? NONE : nearsupport(m, f, h, err);
     if (near == NONE) return;
     s = m->supports + near;
-    f->g = dot(s->c, f->f);
+    f->g = dot(s->c, f->hh);
     if (s->plane && fabs(f->g) < 0.5) return;
     for (i = 0; i < 2; i++) {
         p = m->x + 3 * f->v[(f->base + 1 + i) % 3];
@@ -1676,15 +1706,7 @@ static void supportof(const mesh *m, quest *f)
         for (i = 1; i < 3; i++)
             h[i] = hh_height(&m->set, &own, f->v[(f->base + i) % 3], err + i);
     }
-    if (s->plane) return;
-    size = 0.0;
-    for (k = 0; k < 3; k++) {
-        r = f->f[6 + k] - s->at[k];
-        size += fabs(r) + 2.0 * fabs(s->c[k]) + fabs(s->at[k]);
-        f->f[3 + k] = 0.5 * f->tilt[k] - (r - s->c[k]);
-    }
-    f->f[10] = 0.6 * f->dtilt + 8.0 * EPS * size;
-    f->f[11] = sqrt(dot(f->f + 3, f->f + 3));
+    if (!s->plane) recentre(s, f);
 }
 
 /* sharpen - sharpens the side of the position z, which hh_limits did not find
@@ -1705,9 +1727,9 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
     err += f->dh + 16.0 * EPS * (fabs(h) + fabs(f->tall.h)) + FAINT;
     h -= f->tall.h;
     for (k = 0; k < 3; k++) {
-        u = x[k] - f->f[6 + k];
+        u = x[k] - f->hh[6 + k];
         h -= f->tilt[k] * u;
-        g += f->f[k] * u;
+        g += f->hh[k] * u;
         size += fabs(u);
         err += 16.0 * EPS * fabs(f->tilt[k] * u);
     }
@@ -1715,17 +1737,17 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
     if (s->plane) {
         if (f->g < 0.0) h = -h;
         if (h + err < 0.0) return -1;
-        u = f->f[9] + 32.0 * EPS;
+        u = f->hh[9] + 32.0 * EPS;
         least = (h - err) / (fabs(f->g) + u) * (1.0 - PAD);
         most = (h + err) / (fabs(f->g) - u) * (1.0 + PAD);
         if (least < HH_SMALL) return side;
         low = -DBL_MAX;
         high = DBL_MAX;
-        hh_ratio(f->f, x, least, most, &low, &high);
+        hh_ratio(f->hh, x, least, most, &low, &high);
         side = 1;
     } else {
-        least = 2.0 * (g - f->f[9] * size);
-        most = 2.0 * (g + f->f[9] * size);
+        least = 2.0 * (g - f->hh[9] * size);
+        most = 2.0 * (g + f->hh[9] * size);
         if (side <= 0 || least < HH_SMALL) return side;
         low = (h - err) / (h > err ? most : least);
         high = (h + err) / (h > -err ? least : most);
@@ -1760,26 +1782,26 @@ static void aim(const mesh *m, quest *f)
     sieve *t = &f->tall;
     int ball = f->ball && fabs(f->hi) <= MUCHL, k;
     double l = ball ? f->hi : 0.5 * MUCHL, a = 1.0, q = 1.0, b = 0.0;
-    double dd = ball ? 0.0 : 4.0 + 4.0 * f->f[11], sum = 0.0, u, v, w;
+    double dd = ball ? 0.0 : 4.0 + 4.0 * f->hh[11], sum = 0.0, u, v, w;
 
     if (s->plane) {
         a = -2.0 * l / f->g;
-        u = 4.0 * (f->f[9] + 32.0 * EPS) * a;
+        u = 4.0 * (f->hh[9] + 32.0 * EPS) * a;
         a += l > 0.0 ? u : -u;
     } else {
         b = 2.0 * l;
         for (k = 0; k < 3; k++)
-            sum -= f->f[3 + k] * (b * f->f[k] + f->tilt[k]);
-        q = sum > 0.0 ? 0.5 * sum / (f->f[11] * f->f[11]) : 0.0;
+            sum -= f->hh[3 + k] * (b * f->hh[k] + f->tilt[k]);
+        q = sum > 0.0 ? 0.5 * sum / (f->hh[11] * f->hh[11]) : 0.0;
         if (q < 1.0 / MUCHL) q = 1.0 / MUCHL;
         a -= q;
     }
-    dd += fabs(a) * f->dtilt + 2.0 * q * f->f[10] + fabs(b) * f->f[9];
+    dd += fabs(a) * f->dtilt + 2.0 * q * f->hh[10] + fabs(b) * f->hh[9];
     t->sc = 0.0;
     for (k = 0; k < 3; k++) {
         u = a * f->tilt[k];
-        v = 2.0 * q * f->f[3 + k];
-        w = b * f->f[k];
+        v = 2.0 * q * f->hh[3 + k];
+        w = b * f->hh[k];
         dd += 8.0 * EPS * (fabs(u) + fabs(v) + fabs(w));
         t->c[k] = 0.5 * (u + v + w) / q;
         t->sc += fabs(t->c[k]);
@@ -1949,7 +1971,7 @@ static void prunecylinders(const mesh *m, const quest *f, tess_int node,
 {
     const double *c = cylinders(m, node);
     const sieve *s = &f->plain;
-    double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8];
+    double b0 = f->hh[6], b1 = f->hh[7], b2 = f->hh[8];
     double err = 2.0 * s->dc + 128.0 * EPS * s->sc, room = s->err;
     double w0, w1, w2, g0, g1, g2, a, h, r, t, gg, rr, rho, size, sum;
     int i;
@@ -2075,14 +2097,14 @@ static void narrow(const mesh *m, quest *f, double l)
         f->ball = 1;
         s->sc = 0.0;
         for (k = 0; k < 3; k++) {
-            s->c[k] = f->f[3 + k] + l * f->f[k];
+            s->c[k] = f->hh[3 + k] + l * f->hh[k];
             s->sc += fabs(s->c[k]);
         }
         /* on the positive side, a better point is in the ball of any L above
          * the best point's, so the error of L does not count.  It is large
          * where balls are flat: counting it makes points near a plane take 10
          * times as long. */
-        s->dc = f->f[10] + fabs(l) * f->f[9] + 4.0 * EPS * s->sc;
+        s->dc = f->hh[10] + fabs(l) * f->hh[9] + 4.0 * EPS * s->sc;
     }
     if (LEANING(f)) aim(m, f);
 }
@@ -2100,22 +2122,22 @@ static void refine(const mesh *m, quest *f)
     int k, sphere = CURVED(m, f);
 
     COUNT(N_BALL, 1);
-    if (f->f[9] == DBL_MAX ||
-        !hh_centre(&m->set, f->v, f->base, f->best, c, &f->t))
+    if (f->hh[9] == DBL_MAX ||
+        !hh_centre(&m->set, f->v, f->base, f->best, c, &f->sharp))
         return;
     f->limbs = f->ball = 1;
     s->sc = 0.0;
     for (k = 0; k < 3; k++) {
         s->c[k] = c[k];
         s->sc += fabs(c[k]);
-        u = c[k] - (sphere ? f->f[3 + k] : 0.0);
+        u = c[k] - (sphere ? f->hh[3 + k] : 0.0);
         size += fabs(u);
-        l += f->f[k] * u;
+        l += f->hh[k] * u;
     }
     s->dc = 8.0 * EPS * s->sc;
-    err = f->f[9] * size + 16.0 * EPS * s->sc + (sphere ? f->f[10] : 0.0);
-    if (f->f[9] <= HH_LOOSE && l - err > f->lo) f->lo = l - err;
-    if (f->f[9] <= HH_LOOSE && l + err < f->hi) f->hi = l + err;
+    err = f->hh[9] * size + 16.0 * EPS * s->sc + (sphere ? f->hh[10] : 0.0);
+    if (f->hh[9] <= HH_LOOSE && l - err > f->lo) f->lo = l - err;
+    if (f->hh[9] <= HH_LOOSE && l + err < f->hi) f->hi = l + err;
     if (LEANING(f)) aim(m, f);
 }
 
@@ -2133,7 +2155,7 @@ static int contest(mesh *m, quest *f, tess_int z, int side, int power,
     int open = power == UNSURE;
 
     if (open && m->set.t5 < 0.0 && !m->even) {
-        power = hh_lifts(&m->set, f->v, f->base, f->f,
+        power = hh_lifts(&m->set, f->v, f->base, f->hh,
                          side == 1 ? hi : f->limbs ? DBL_MAX : f->hi, f->best,
                          z, &f->sphere);
         COUNT(N_TRIAL, f->sphere.ready == 1);
@@ -2142,7 +2164,7 @@ static int contest(mesh *m, quest *f, tess_int z, int side, int power,
     }
     if (f->limbs) {
         COUNT(N_TRIAL, power == UNSURE);
-        hh_trial(&m->set, &f->t, z, &side, &power);
+        hh_trial(&m->set, &f->sharp, z, &side, &power);
         HOLDS(power == LOSES ? !better(m, f, z)
               : side == UNSURE ||
                 side == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
@@ -2169,7 +2191,7 @@ static int contest(mesh *m, quest *f, tess_int z, int side, int power,
 static void challenge(mesh *m, quest *f, tess_int z)
 {
     double lo, hi;
-    int side = hh_limits(f->f, m->x + 3 * z, &lo, &hi), power;
+    int side = hh_limits(f->hh, m->x + 3 * z, &lo, &hi), power;
 
     if (LEANING(f) && side >= 0)
         side = sharpen(m, f, z, side, &lo, &hi);
@@ -2185,7 +2207,7 @@ static void challenge(mesh *m, quest *f, tess_int z)
         if (power == OUT) return;
     }
     if (power > 0) {
-        f->tied += power == HH_TIE;
+        f->ties += power == HH_TIE;
         if (hi < f->hi) narrow(m, f, hi);
         if (f->asked >= MANY && !f->limbs) refine(m, f);
         return;
@@ -2193,12 +2215,12 @@ static void challenge(mesh *m, quest *f, tess_int z)
     HOLDS(better(m, f, z));
     if (hi > f->hi) hi = f->hi;
     f->best = z;
-    f->tied = power == -HH_TIE ? f->tied + 1 : 0;
+    f->ties = power == -HH_TIE ? f->ties + 1 : 0;
     f->lo = lo;
     f->limbs = 0;
     narrow(m, f, hi);
     if (!f->limbs && (side == 0 || f->asked >= MANY ||
-                      hi - lo > WIDE * (f->f[11] + fabs(hi))))
+                      hi - lo > WIDE * (f->hh[11] + fabs(hi))))
         refine(m, f);
 }
 
@@ -2208,7 +2230,7 @@ static void challenge(mesh *m, quest *f, tess_int z)
 static void consider(mesh *m, quest *f, tess_int z)
 {
     const double *q = m->x + 3 * z;
-    double w0 = q[0] - f->f[6], w1 = q[1] - f->f[7], w2 = q[2] - f->f[8], h;
+    double w0 = q[0] - f->hh[6], w1 = q[1] - f->hh[7], w2 = q[2] - f->hh[8], h;
     double power = 0.0;
     const sieve *s = &f->plain;
 
@@ -2251,15 +2273,15 @@ static int instar(mesh *m, quest *f)
     int n;
 
     if (f->base != 0 || m->balls[0].n == 0 || !f->ball) return 0;
-    if (m->tied && newcell(m, f)) {
+    if (m->tiedstar && newcell(m, f)) {
         f->best = incell(m, f->v);
         return 1;
     }
     n = look(m, f, m->balls);
     if (n < 0) return 0;
     if (n > 0) {
-        if (f->tied > 0 && !m->tied) (void)newcell(m, f);
-        m->tied = f->tied > 0;
+        if (f->ties > 0 && !m->tiedstar) (void)newcell(m, f);
+        m->tiedstar = f->ties > 0;
     }
     return ballinstar(m, f);
 }
@@ -2325,7 +2347,7 @@ static void scanleaf(mesh *m, quest *f, tess_int node)
     const double *b = m->box + 6 * node, *x;
     const sieve *s = &f->plain;
     double power[LEAF], size = 0.0, most, least, w0, w1, w2;
-    double b0 = f->f[6], b1 = f->f[7], b2 = f->f[8], d0, d1, d2;
+    double b0 = f->hh[6], b1 = f->hh[7], b2 = f->hh[8], d0, d1, d2;
     tess_int first, last;
     int n, i, k;
 
@@ -2336,7 +2358,7 @@ static void scanleaf(mesh *m, quest *f, tess_int node)
     COUNT(N_LEAF, 1);
     COUNT(N_LIST, n);
     for (k = 0; k < 3; k++)
-        size += fabs(b[k] - f->f[6 + k]) + fabs(b[3 + k] - f->f[6 + k]);
+        size += fabs(b[k] - f->hh[6 + k]) + fabs(b[3 + k] - f->hh[6 + k]);
     most = powererr(s, size);
     d0 = 2.0 * s->c[0], d1 = 2.0 * s->c[1], d2 = 2.0 * s->c[2];
     for (k = 0; k < n; k++) {
@@ -2403,7 +2425,7 @@ static void treesearch(mesh *m, quest *f)
         }
         b = m->box + 6 * node;
         if (m->alive[node] == 0) continue;
-        if (flat < 3 && b[flat] == b[3 + flat] && b[flat] == f->f[6 + flat]) {
+        if (flat < 3 && b[flat] == b[3 + flat] && b[flat] == f->hh[6 + flat]) {
             HOLDS(barren(m, f, node));
             continue;
         }
@@ -2462,13 +2484,13 @@ static void prepare(mesh *m, quest *f, const tess_int *v,
     }
     f->best = NONE;
     f->on = NONE;
-    f->sphere.ready = f->asked = f->limbs = f->tied = f->ball = f->base = 0;
+    f->sphere.ready = f->asked = f->limbs = f->ties = f->ball = f->base = 0;
     f->opened = f->work = 0;
     f->into = NULL;
     f->plain.err = FAINT;
     f->hi = DBL_MAX;
-    hh_setup(p[0], p[1], p[2], f->f);
-    if (f->f[9] >= 8000.0 * EPS) {
+    hh_setup(p[0], p[1], p[2], f->hh);
+    if (f->hh[9] >= 8000.0 * EPS) {
         for (k = 0; k < 3; k++) {
             a = p[(k + 1) % 3];
             b = p[(k + 2) % 3];
@@ -2481,8 +2503,8 @@ static void prepare(mesh *m, quest *f, const tess_int *v,
         }
         a = p[(f->base + 1) % 3];
         b = p[(f->base + 2) % 3];
-        if (f->base != 0) hh_setup(p[f->base], a, b, f->f);
-        if (f->f[9] > THIN) hh_thin(&m->set, v, f->base, f->f);
+        if (f->base != 0) hh_setup(p[f->base], a, b, f->hh);
+        if (f->hh[9] > THIN) hh_thin(&m->set, v, f->base, f->hh);
     }
     if (SUPPORTED(m)) supportof(m, f);
     for (k = 0; k < 2 && guess != NULL; k++)
@@ -2525,19 +2547,19 @@ static int inball(const quest *f, const list *l)
     int k;
 
     if (l->n == 0) return 0;
-    for (k = 0; k < 3; k++) g[k] = l->at[k] - f->f[6 + k];
-    h = dot(g, f->f);
+    for (k = 0; k < 3; k++) g[k] = l->at[k] - f->hh[6 + k];
+    h = dot(g, f->hh);
     if (f->hi > 0.0 || h < f->hi) h = f->hi;
     for (k = 0; k < 3; k++) {
-        c = f->f[3 + k] + h * f->f[k];
+        c = f->hh[3 + k] + h * f->hh[k];
         size += fabs(c);
         rr += c * c;
         uu += (c - g[k]) * (c - g[k]);
     }
-    err = f->f[10] + fabs(h) * f->f[9] + 4.0 * EPS * size;
+    err = f->hh[10] + fabs(h) * f->hh[9] + 4.0 * EPS * size;
     room = l->margin * (l->margin - 32.0 * err - PAD * (1.0 + l->margin)) -
            rr - uu;
-    if (h > f->hi) rr = f->f[11] * f->f[11];
+    if (h > f->hi) rr = f->hh[11] * f->hh[11];
     return room > 0.0 && room * room >= 4.0 * rr * uu;
 }
 
@@ -2555,7 +2577,7 @@ static int nearlist(mesh *m, const quest *f, list *l)
     COUNT(N_MADE, 1);
     l->n = 0;
     q.into = l;
-    q.f[9] = 1.0; /* no side is certain */
+    q.hh[9] = 1.0; /* no side is certain */
     q.skin = m->skin;
     inflate(m, &q);
     treesearch(m, &q);
@@ -2563,7 +2585,7 @@ static int nearlist(mesh *m, const quest *f, list *l)
     if (l->n == 0) return 0;
     m->skin = l->n < FEW && q.skin < THICKEST ? THICKER * q.skin : q.skin;
     l->margin = sqrt(dot(q.plain.c, q.plain.c)) + q.thick;
-    for (k = 0; k < 3; k++) l->at[k] = q.f[6 + k] + q.plain.c[k];
+    for (k = 0; k < 3; k++) l->at[k] = q.hh[6 + k] + q.plain.c[k];
     (void)frame(m, l, l->at, l->at);
     setpoints(m, l);
     return 1;
@@ -2616,7 +2638,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     if (lists && instar(m, &f)) {
         COUNT(N_STAR, 1);
         m->futile = 0;
-        if (m->ties <= MAXFUTILE) m->ties = 0;
+        if (m->tiedblocks <= MAXFUTILE) m->tiedblocks = 0;
         return f.best;
     }
     /* before the block's list, which saves lattices a tenth of the time */
@@ -2624,7 +2646,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     if (lists && inblock(m, &f)) {
         COUNT(N_BLOCK, 1);
         m->futile = 0;
-        m->ties += f.tied > 0;
+        m->tiedblocks += f.ties > 0;
         return f.best;
     }
     m->futile++;
@@ -2656,59 +2678,48 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 
 /* ---- a star on its own ---- */
 
-/* exchange - replace v[k] by z if the result is not flat; given r, only if it
- * is positively oriented and contains s*.  s* is s = v[0] = r[0] moved by an
- * infinitesimal step into the tetrahedron r (as q* in the queries below), so it
- * is on no plane through three points.  Returns 1 if replaced. */
-static int exchange(const mesh *m, const tess_int *r, tess_int *v, int k,
-                    tess_int z)
+/* exchange - replace v[k] by z, unless the result is flat.  Returns 1 if
+ * replaced. */
+static int exchange(const mesh *m, tess_int *v, int k, tess_int z)
 {
     tess_int old = v[k];
-    int i, j, side;
 
     v[k] = z;
-    side = hh_pside(&m->set, v[0], v[1], v[2], v[3]);
-    if (r == NULL && side < 0) side = 1;
-    for (j = 1; j < 4 && side > 0 && r != NULL; j++)
+    if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) != 0) return 1;
+    v[k] = old;
+    return 0;
+}
+
+/* encloses - returns 1 if v is positively oriented and contains s*, which is
+ * s = v[0] = r[0] moved by an infinitesimal step into the tetrahedron r (as q*
+ * in the queries below), so it is on no plane through three points. */
+static int encloses(const mesh *m, const tess_int *r, const tess_int *v)
+{
+    int i, j, side = hh_pside(&m->set, v[0], v[1], v[2], v[3]);
+
+    for (j = 1; j < 4 && side > 0; j++)
         for (i = 1, side = 0; i < 4 && side == 0; i++)
             side = hh_pside(&m->set, v[0], v[j % 3 + 1], v[(j + 1) % 3 + 1],
                             r[i]);
-    if (side <= 0) v[k] = old;
     return side > 0;
 }
 
-/* settle - find v, a tetrahedron of the mesh at v[0] = s.
- *
- * Start with any tetrahedron r at s, made of nearby points as far as these are
- * not in one plane, and with s* in it.  While v holds s* and its ball is not
- * empty, each point in the ball is on the inner side of one of the three facets
- * at s, since whatever is outside all three is beyond the ball's tangent plane
- * at s.  So the apex z of that facet on that side is not v's vertex there.  The
- * five points have two triangulations, and v is not part of the one whose
- * lifted facets are the lower ones; so the tetrahedron of that one that holds
- * s* is v with z in place of a vertex.  Each such step lowers the height over
- * s*; three searches in a row without a step end it.  This is done with the
- * points of the leaf alone, and then with all: without the former, a query from
- * anywhere takes three times as long.
- *
- * Vertices may be complete, and then no list has them: the search uses the tree
- * alone. */
-static void settle(mesh *m, tess_int s, tess_int *v)
+/* corner - v = a tetrahedron at v[0] = s, of points of its leaf as far as these
+ * are not in one plane, else of vertices of known. */
+static void corner(const mesh *m, tess_int s, tess_int *v)
 {
-    tess_int leaf = leafof(m, s), first = leafstart(m, leaf), i, z;
-    tess_int size = leafstart(m, leaf + 1) - first, r[4], f[3], guess[2];
-    quest search;
-    int j, k, all, same;
+    tess_int first = leafstart(m, leafof(m, s)), i, z;
+    tess_int size = leafstart(m, leafof(m, s) + 1) - first;
+    int k;
 
-    forget(m);
     for (k = 0; k < 4; k++) v[k] = m->rep[m->known[k]];
-    for (k = 0; !exchange(m, NULL, v, k, s); k++)
+    for (k = 0; !exchange(m, v, k, s); k++)
         ;
     v[k] = v[0];
     v[0] = s;
     for (k = 1; k < 4; k++)
         for (i = 1; i < size; i++)
-            if (exchange(m, NULL, v, k,
+            if (exchange(m, v, k,
                          (tess_int)(first + (s - first + i) % size)))
                 break;
     if (hh_pside(&m->set, v[0], v[1], v[2], v[3]) < 0) {
@@ -2716,11 +2727,42 @@ static void settle(mesh *m, tess_int s, tess_int *v)
         v[1] = v[2];
         v[2] = z;
     }
+}
+
+/* settle - find v, a tetrahedron of the mesh at v[0] = s.
+ *
+ *      b---z         b---z    In the plane: z is in the ball of (s, a, b).
+ *      |\  .         |  /|    Of the four points' two triangulations the
+ *      | \ .   -->   | / |    lower one has the edge s z in place of a b, so
+ *      |  \.         |/  |    s* is in (s, a, z) or in (s, z, b): z replaces
+ *      s---a         s---a    b, or a.
+ *
+ * Start with any tetrahedron r at s, and with s* in it.  While v holds s* and
+ * its ball is not empty, each point in the ball is on the inner side of one of
+ * the three facets at s, since whatever is outside all three is beyond the
+ * ball's tangent plane at s.  So the apex z of that facet on that side is not
+ * v's vertex there.  The five points have two triangulations, and v is not part
+ * of the one whose lifted facets are the lower ones; so the tetrahedron of that
+ * one that holds s* is v with z in place of a vertex.  Each such step lowers
+ * the height over s*; three searches in a row without a step end it.  This is
+ * done with the points of the leaf alone, and then with all: without the
+ * former, a query from anywhere takes three times as long.
+ *
+ * Vertices may be complete, and then no list has them: the search uses the tree
+ * alone. */
+static void settle(mesh *m, tess_int s, tess_int *v)
+{
+    tess_int r[4], f[3], guess[2], old, z;
+    quest search;
+    int j, k, all, still;
+
+    forget(m);
+    corner(m, s, v);
     for (k = 0; k < 4; k++) r[k] = v[k];
     guess[1] = NONE;
     k = 1;
     for (all = 0; all < 2; all++)
-        for (same = 0; same < 3; k = k % 3 + 1) {
+        for (still = 0; still < 3; k = k % 3 + 1) {
             f[0] = s;
             f[1] = v[k % 3 + 1];
             f[2] = v[(k + 1) % 3 + 1];
@@ -2729,14 +2771,19 @@ static void settle(mesh *m, tess_int s, tess_int *v)
                 z = apex(m, f, guess);
             else {
                 prepare(m, &search, f, guess);
-                scanleaf(m, &search, m->leaves + leaf);
+                scanleaf(m, &search, m->leaves + leafof(m, s));
                 z = search.best;
             }
-            same++;
+            still++;
             if (z == v[k]) continue;
-            for (j = 1; !exchange(m, r, v, j, z); j++)
-                ;
-            same = j == k;
+            for (j = 1; j < 4; j++) {
+                old = v[j];
+                v[j] = z;
+                if (encloses(m, r, v)) break;
+                v[j] = old;
+            }
+            HOLDS(j < 4);
+            still = j == k;
         }
 }
 
@@ -2786,7 +2833,7 @@ static tess_int push(mesh *m, tess_int code, tess_int a, tess_int b)
 {
     tess_int e = m->newest - EDGE, *p = m->pool + e;
 
-    if (e < ENTRY * m->m) return NONE;
+    if (e < ENTRY * m->slots) return NONE;
     p[CODE] = code;
     p[FROM] = a;
     p[TO] = b;
@@ -2944,7 +2991,7 @@ static int load(mesh *m, tess_int s)
 
     if (e == NONE) return 1;
     for (; m->pool[ENTRY * e + 1] != NONE; edges++) e = m->pool[ENTRY * e + 1];
-    if (ENTRY * m->m > m->newest - EDGE * edges) {
+    if (ENTRY * m->slots > m->newest - EDGE * edges) {
         m->nopen -= edges;
         return rehash(m, s, quota(m, edges)) && gather(m, s);
     }
@@ -2974,7 +3021,7 @@ static void complete(mesh *m, tess_int s)
 /* makeroom - make room for another tetrahedron's facets in the table and in
  * the link of s; returns 0 if there is none.  Callers must reload oldest.
  *
- *              0        ENTRY m      newest       oldest   room
+ *              0        ENTRY slots  newest       oldest   room
  *   before     | table      | free   | edges      | dead   |
  *   renumber   | table      | free            | edges      |
  *   rehash     | longer, or shorter table | free | edges   |
@@ -2984,19 +3031,19 @@ static void complete(mesh *m, tess_int s)
  * changes it by a sixteenth, so both are rare. */
 static int makeroom(mesh *m, tess_int s)
 {
-    tess_int most, change = m->m / 16;
+    tess_int most, change = m->slots / 16;
 
-    if (4 * (m->nopen + m->ntet - m->fresh) < 3 * m->m &&
-        ENTRY * m->m <= m->newest - 2 * EDGE)
+    if (4 * (m->nopen + m->ntet - m->fresh) < 3 * m->slots &&
+        ENTRY * m->slots <= m->newest - 2 * EDGE)
         return 1;
     flush(m);
     if (m->room - m->oldest > (m->room - m->newest) / 8) renumber(m);
     most = quota(m, 2);
-    if (most > 2 * m->m + 1) most = (tess_int)(2 * m->m + 1);
-    if ((4 * m->nopen >= 3 * m->m && most > m->m + change) ||
-        (ENTRY * m->m > m->newest - 2 * EDGE && most < m->m - change))
+    if (most > 2 * m->slots + 1) most = (tess_int)(2 * m->slots + 1);
+    if ((4 * m->nopen >= 3 * m->slots && most > m->slots + change) ||
+        (ENTRY * m->slots > m->newest - 2 * EDGE && most < m->slots - change))
         (void)rehash(m, s, most);
-    return !full(m, m->nopen + 1) && ENTRY * m->m <= m->newest - 2 * EDGE;
+    return !full(m, m->nopen + 1) && ENTRY * m->slots <= m->newest - 2 * EDGE;
 }
 
 /* begin - put the first facet into the link of s, its vertex of least
@@ -3077,14 +3124,14 @@ static int stars(mesh *m, tess_int s)
             code = star(m, s);
             if (code != 0) return code;
         }
-        s = m->low;
+        s = m->lowest;
         while (s < m->np && m->head[s] < 0) {
             /* no open facet has a vertex of smaller position than low, so
              * one that was met before and owns none is complete */
             if (m->link[s] == NONE && m->head[s] == NONE) complete(m, s);
             s++;
         }
-        m->low = s;
+        m->lowest = s;
         if (s < m->np) {
             if (!load(m, s)) return TESS_POOL;
             continue;
@@ -3182,8 +3229,8 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->alive = m->known + KEEP;
     m->mark = m->alive + 2 * leafcount(n);
     m->link = m->order; /* no star is complete: no entry is DONE */
-    m->tied = m->even = m->idle = 0;
-    m->nsupport = m->futile = m->ties = m->enclosed = 0;
+    m->tiedstar = m->even = m->idle = 0;
+    m->nsupport = m->futile = m->tiedblocks = m->enclosed = 0;
     m->burden = m->patience = m->usual = 0.0;
     m->skin = 1.0;
     m->fund = GRANT;
@@ -3448,7 +3495,7 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
     if (m->nopen < open) return -6; /* its two sides removed each other */
     *s = m->tet[4 * (m->ntet - 1)];
     if (m->head[*s] == FOREIGN) *s = NONE;
-    m->m = 0;
+    m->slots = 0;
     if (!gather(m, *s)) return TESS_POOL;
     if (2 * open > size) size = (tess_int)(2 * open);
     return rehash(m, *s, (tess_int)(size + 1)) ? 0 : TESS_POOL;
@@ -3485,7 +3532,7 @@ static int run(mesh *m, tess_int n, const tess_int *mine, tess_int maxtet,
     m->fresh = m->ntet = *ntet;
     m->tet = tet;
     m->adj = adj;
-    m->m = m->nopen = m->low = 0;
+    m->slots = m->nopen = m->lowest = 0;
     m->unmet = mine == NULL ? m->np : 0;
     clearlink(m);
     /* one over the cube root of the points in a leaf, 24 to 48 in large sets,

@@ -72,7 +72,7 @@ C            BOX    12 L     of each node; the last one is the header,
 C                            see TSSEAL
 C            the rest        cylinders, if LRW is what TESSWK gives
 C
-C       POOL 1             ENTRY*MPOOL    NEWEST       OLDEST      ROOM
+C       POOL 1             ENTRY*SLOTS    NEWEST       OLDEST      ROOM
 C            | entries of the table ->|free|<- edges of the link | dead|
 C
 C       HEAD(V) --> entry <--> entry <--> entry   facets that V owns
@@ -130,8 +130,9 @@ C         ballcoef TSBALC, listball TSLIBA
 C     then what makes searches faster, each where some data need it:
 C       supports: rough TSROUG, marked TSMRKD, heightover TSHEOV,
 C         onsupport TSONSU, remember TSREME, place TSPLAC,
-C         erect TSEREC, through TSTHRO, fit TSFIT, discover TSDISC,
-C         recall TSRECA, supportof TSSUPP, sharpen TSSHAR, aim TSAIM,
+C         erect TSEREC, through TSTHRO, fit TSFIT, markleaf TSMLEA,
+C         discover TSDISC, recall TSRECA, nearsupport TSNEAS,
+C         recentre TSCENT, supportof TSSUPP, sharpen TSSHAR, aim TSAIM,
 C         prunenode TSPNOD
 C       cylinders: cylinders TSCYLI, makecylinder TSMCYL,
 C         makecylinders TSMCYS, prunecylinders TSPRCY
@@ -143,7 +144,8 @@ C         instar TSINST, inblock TSINBL, inflate TSINFL,
 C         admit TSADMI, scanleaf TSSCAN, treesearch TSTREE,
 C         onhull TSONHU, prepare TSPREP, inball TSINBA,
 C         nearlist TSNEAL, innear TSINNE, apex TSAPEX
-C       one star: exchange TSEXCH, settle TSSETT
+C       one star: exchange TSEXCH, encloses TSENCL, corner TSCORN,
+C         settle TSSETT
 C       star: clearlink TSCLRL, renumber TSRENU, push TSPUSH,
 C         join TSJOIN, unlinkedge TSUNLI, between TSBETW, glue TSGLUE,
 C         flush TSFLUS, attach TSATTA, grow TSGROW, enlist TSENLI,
@@ -202,19 +204,19 @@ C       NP      distinct points
 C       NT      tetrahedra;  MAXT room for them
 C       LEAVES  of the tree, a power of two
 C       ROOM    length of POOL
-C       MPOOL   entries of the pool;  NOPEN those in use
+C       SLOTS   entries of the pool;  NOPEN those in use
 C       FRESH   from this tetrahedron on, facets 1 are not in the pool
 C       OLDEST, NEWEST  edges of the link, the newest the lowest
-C       LOW     no vertex of a smaller position owns facets
+C       LOWEST  no vertex of a smaller position owns facets
 C       NPLANE  hull planes that were met, the last ones kept from
 C               PLANE1 on, each by three points: PLANE(3,PLANES)
-C       TIED    1: the last search in a star's list that met points met
+C       TIEDST  1: the last search in a star's list that met points met
 C               some exactly on its last ball
 C       UNMET   of a part: no vertex before it is NEW and asked for; a
 C               whole mesh meets all
 C       FUTILE  the leaf's latest searches in a row that ended in the
 C               tree
-C       TIES    searches in a row that met ties in a block's list, and
+C       TIEDBL  searches in a row that met ties in a block's list, and
 C               none that ended in a star's
 C       ENCLOS  1: there are cylinders, behind BOX(6,2*CTL(LEAVES))
 C       NCELL   cells of this star: CELLS at most, the last ones, are
@@ -265,7 +267,7 @@ C               VERR: a, h, err
 C     A search for the apex of a facet:
 C       V       its vertices; the open side is positive
 C       F       its Householder set-up (see HHFACE)
-C       IQ      QBEST: the best point yet, exactly, or 0; QTIED: points
+C       IQ      QBEST: the best point yet, exactly, or 0; QTIES: points
 C               met that are exactly on its ball; QLIMBS: 1: its ball
 C               has been found by limbs; QBALL: there is a ball to prune
 C               with; QBASE: V(QBASE) is the base of F; QASKED: see
@@ -832,7 +834,7 @@ C     owner, newest first, or 0; then the previous one, or minus the
 C     owner in the first; then the signature of the three vertices.  The
 C     owner is the vertex of least position of those whose star is asked
 C     for; HEAD(owner) is the first entry; a facet without an owner is
-C     left open.  Linear probing from signature mod MPOOL; removal
+C     left open.  Linear probing from signature mod SLOTS; removal
 C     shifts entries back.
 C
 C     The code of facet K of tetrahedron T is 4*(T-1)+K: its place in
@@ -902,10 +904,10 @@ C     TSFIND - E is the entry of the facet with vertices V, or the
 C     unused entry where it belongs.
       SUBROUTINE TSFIND(TET, POOL, CTL, V, SIG, E)
       INTEGER TET(4,*), POOL(*), CTL(*), V(3), SIG, E
-      INTEGER MPOOL, ENTRY
-      PARAMETER (MPOOL = 6, ENTRY = 4)
+      INTEGER SLOTS, ENTRY
+      PARAMETER (SLOTS = 6, ENTRY = 4)
       INTEGER TSSAME, AT, CODE, W(3)
-      E = MOD(SIG, CTL(MPOOL)) + 1
+      E = MOD(SIG, CTL(SLOTS)) + 1
    10 AT = ENTRY*(E - 1)
       CODE = POOL(AT+1)
       IF (CODE .EQ. 0) RETURN
@@ -914,7 +916,7 @@ C     unused entry where it belongs.
         IF (TSSAME(V, W) .EQ. 1) RETURN
       END IF
       E = E + 1
-      IF (E .GT. CTL(MPOOL)) E = 1
+      IF (E .GT. CTL(SLOTS)) E = 1
       GO TO 10
       END
 
@@ -939,8 +941,8 @@ C     follows it.
 C     TSERAS - remove entry ENT.
       SUBROUTINE TSERAS(HEAD, POOL, CTL, ENT)
       INTEGER HEAD(*), POOL(*), CTL(*), ENT
-      INTEGER MPOOL, NOPEN, ENTRY
-      PARAMETER (MPOOL = 6, NOPEN = 7, ENTRY = 4)
+      INTEGER SLOTS, NOPEN, ENTRY
+      PARAMETER (SLOTS = 6, NOPEN = 7, ENTRY = 4)
       INTEGER AFTER, AT, BEFORE, E, FILL, HOLE, HOME, K, TO
       AT = ENTRY*(ENT - 1)
       AFTER = POOL(AT+2)
@@ -950,10 +952,10 @@ C     TSERAS - remove entry ENT.
       HOLE = ENT
       E = ENT
    10 E = E + 1
-      IF (E .GT. CTL(MPOOL)) E = 1
+      IF (E .GT. CTL(SLOTS)) E = 1
       AT = ENTRY*(E - 1)
       IF (POOL(AT+1) .NE. 0) THEN
-        HOME = MOD(POOL(AT+4), CTL(MPOOL)) + 1
+        HOME = MOD(POOL(AT+4), CTL(SLOTS)) + 1
 C       E may fill the hole if its home is not behind the hole
         FILL = 0
         IF (HOME .LE. HOLE) FILL = 1
@@ -977,8 +979,8 @@ C     0; if its other side is there, remove that and set OTHER to its
 C     code.
       SUBROUTINE TSENTE(TET, HEAD, POOL, CTL, CODE, OTHER)
       INTEGER TET(4,*), HEAD(*), POOL(*), CTL(*), CODE, OTHER
-      INTEGER NOPEN, LOW, ENTRY
-      PARAMETER (NOPEN = 7, LOW = 11, ENTRY = 4)
+      INTEGER NOPEN, LOWEST, ENTRY
+      PARAMETER (NOPEN = 7, LOWEST = 11, ENTRY = 4)
       INTEGER TSHASH, TSOWNE, AT, E, LEAST, SIG, V(3)
       OTHER = 0
       CALL TSFACE(TET, CODE, V)
@@ -998,17 +1000,17 @@ C     code.
       POOL(AT+4) = SIG
       CALL TSCHAI(HEAD, POOL, AT, E, E)
       CTL(NOPEN) = CTL(NOPEN) + 1
-      CTL(LOW) = MIN(LEAST, CTL(LOW))
+      CTL(LOWEST) = MIN(LEAST, CTL(LOWEST))
       END
 
 C     TSFULL - 1 if the table may not hold more than MANY facets, else
 C     0.
       INTEGER FUNCTION TSFULL(CTL, MANY)
       INTEGER CTL(*), MANY
-      INTEGER MPOOL
-      PARAMETER (MPOOL = 6)
+      INTEGER SLOTS
+      PARAMETER (SLOTS = 6)
       TSFULL = 0
-      IF (MANY .GT. CTL(MPOOL) - CTL(MPOOL)/8 - 1) TSFULL = 1
+      IF (MANY .GT. CTL(SLOTS) - CTL(SLOTS)/8 - 1) TSFULL = 1
       END
 
 C     TSCUBE - the least C with C**3 >= N.
@@ -1044,15 +1046,15 @@ C     facets come from TET and ADJ: the open ones without the vertex S.
 C     (Those with it are edges of its link.)
       SUBROUTINE TSREHA(TET, ADJ, HEAD, POOL, CTL, S, WANTED, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*), S, WANTED, OK
-      INTEGER NP, MPOOL, NOPEN, FRESH, OPEN, FOREIN, ENTRY
-      PARAMETER (NP = 1, MPOOL = 6, NOPEN = 7, FRESH = 8, OPEN = -1,
+      INTEGER NP, SLOTS, NOPEN, FRESH, OPEN, FOREIN, ENTRY
+      PARAMETER (NP = 1, SLOTS = 6, NOPEN = 7, FRESH = 8, OPEN = -1,
      $    FOREIN = -1, ENTRY = 4)
       INTEGER TSFULL, TSQUOT, CODE, I, OTHER, V(3)
       OK = 0
-      CTL(MPOOL) = MIN(WANTED, TSQUOT(CTL, 2))
+      CTL(SLOTS) = MIN(WANTED, TSQUOT(CTL, 2))
       CTL(NOPEN) = 0
-      IF (CTL(MPOOL) .LT. 1) RETURN
-      DO 10 I = 1, CTL(MPOOL)
+      IF (CTL(SLOTS) .LT. 1) RETURN
+      DO 10 I = 1, CTL(SLOTS)
         POOL(ENTRY*(I-1)+1) = 0
    10 CONTINUE
       DO 20 I = 1, CTL(NP)
@@ -1214,10 +1216,10 @@ C     until they fit.
       REAL LSX(*)
       INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,7), LSI(3,7),
      $    LIST, S
-      INTEGER LEAVES, TIES, FUTILE, RREACH, LFIRST, LLAST, LN, LMARG,
+      INTEGER LEAVES, TIEDBL, FUTILE, RREACH, LFIRST, LLAST, LN, LMARG,
      $    LUNIT, MAXFUT
       DOUBLE PRECISION WIDER
-      PARAMETER (LEAVES = 4, TIES = 13, FUTILE = 18, RREACH = 3,
+      PARAMETER (LEAVES = 4, TIEDBL = 13, FUTILE = 18, RREACH = 3,
      $    LFIRST = 1, LLAST = 2, LN = 3, LMARG = 13, LUNIT = 14,
      $    MAXFUT = 8, WIDER = 1.2D0)
       DOUBLE PRECISION HALF, MARGIN, SUM
@@ -1229,7 +1231,7 @@ C     until they fit.
         SUM = SUM + (BOX(3+K,NODE) - BOX(K,NODE))**2
    10 CONTINUE
       MARGIN = RCTL(RREACH)*SQRT(SUM)
-      IF (CTL(TIES) .GT. MAXFUT) MARGIN = WIDER*MARGIN
+      IF (CTL(TIEDBL) .GT. MAXFUT) MARGIN = WIDER*MARGIN
       LSI(LFIRST,LIST) = TSLFST(CTL, LEAFS)
       LSI(LLAST,LIST) = TSLFST(CTL, LEAFS + 1) - 1
       CTL(FUTILE) = 0
@@ -1881,25 +1883,65 @@ C     the farthest one, and what is left of all
      $    1, S, OK)
       END
 
-C     TSDISC - seeks a support for the points that a search left open.
-C     It marks the points near the support that have no mark, or one of
-C     a support FINER times coarser, and finds the range of marks of
-C     each node.  The support is kept if it marks enough points.  KEPT
+C     TSMLEA - marks the points of a leaf that are near support J and
+C     have no mark yet, or one of a support FINER times coarser, and
+C     stores the leaf's range of marks.  NEAR increases by how many it
+C     marked.
+      SUBROUTINE TSMLEA(X, MARK, CTL, SUP, J, LEAF, NEAR)
+      DOUBLE PRECISION X(3,*), SUP(60,*)
+      INTEGER MARK(*), CTL(*), J, LEAF, NEAR
+      INTEGER SLOW, SGRAIN, SUPPS, GRAINS, STEPS, FOLD
+      DOUBLE PRECISION FINER
+      PARAMETER (SLOW = 59, SGRAIN = 60, SUPPS = 8, GRAINS = 134217728,
+     $    STEPS = 32768, FOLD = 4096, FINER = 100.0D0)
+      DOUBLE PRECISION C, ERR, GRAIN, H, LOW
+      INTEGER TSPLAC, FIRST, I, K, L, LAST, LEAST, MOST, OLD, Z
+      LOW = SUP(SLOW,J)
+      GRAIN = SUP(SGRAIN,J)
+      LEAST = STEPS
+      MOST = -1
+      CALL TSSPAN(CTL, LEAF, FIRST, LAST)
+      DO 20 I = FIRST, LAST
+        Z = I
+        CALL TSROUG(X, SUP(1,J), Z, H, ERR)
+        IF (ABS(H) .LE. ERR - LOW) CALL HHHEIG(X, SUP(1,J), Z, H, ERR)
+        C = (H - ERR - LOW)/GRAIN
+        K = GRAINS
+        IF (C .LT. 0.0D0) K = -1
+        IF (C .GE. 0.0D0 .AND. C .LT. DBLE(GRAINS)) K = INT(C)
+        L = -1
+        IF (K .GE. 0) L = K/FOLD
+        LEAST = MIN(LEAST, L)
+        IF (H + ERR .GT. -LOW) L = STEPS
+        MOST = MAX(MOST, L)
+        IF (K .LT. 0 .OR. K .GE. GRAINS) GO TO 20
+        IF (MARK(I) .GT. 0) THEN
+          OLD = MOD(MARK(I) - 1, SUPPS) + 1
+          IF (SUP(SGRAIN,OLD) .LE. FINER*GRAIN) GO TO 20
+        END IF
+        MARK(I) = J + SUPPS*K
+        NEAR = NEAR + 1
+   20 CONTINUE
+      MARK(TSPLAC(CTL, J)+16+LEAF) = (LEAST + 1)*(STEPS + 2) + MOST + 1
+      END
+
+C     TSDISC - seeks a support for the points that a search left open:
+C     one through these, then one through all that are near it, as they
+C     may be from a corner.  It is kept if it marks enough points.  KEPT
 C     is 1 if it is kept, or 0.
       SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
      $                  KEPT)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43), KEPT
       INTEGER NP, LEAVES, NSUPP, RPATIE, SLOW, SGRAIN, QOPEND, DONE,
-     $    SUPPS, OPENED, GRAINS, STEPS, FOLD
+     $    SUPPS, OPENED, STEPS
       DOUBLE PRECISION FINER
       PARAMETER (NP = 1, LEAVES = 4, NSUPP = 20, RPATIE = 5, SLOW = 59,
      $    SGRAIN = 60, QOPEND = 9, DONE = -1, SUPPS = 8, OPENED = 24,
-     $    GRAINS = 134217728, STEPS = 32768, FOLD = 4096,
-     $    FINER = 100.0D0)
-      DOUBLE PRECISION C, ERR, GRAIN, H, LOW
-      INTEGER TSCUBE, TSPLAC, AT, FIRST, HELD, I, J, K, L, LAST, LEAST,
-     $    MOST, NEAR, NODE, OK, OLD, RANGES, Z
+     $    STEPS = 32768, FINER = 100.0D0)
+      DOUBLE PRECISION ERR, H
+      INTEGER TSCUBE, TSPLAC, AT, FIRST, HELD, I, J, LAST, LEAST, MOST,
+     $    NEAR, NODE, OK, OLD, RANGES, Z
       KEPT = 0
       J = CTL(NSUPP) + 1
       IF (J .EQ. 1) THEN
@@ -1910,19 +1952,18 @@ C     is 1 if it is kept, or 0.
       AT = TSPLAC(CTL, J)
       CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
       IF (OK .EQ. 0) RETURN
-C     sample all that is near: the search's points may be from a corner
       IQ(QOPEND) = 0
       HELD = 0
-      LOW = SUP(SLOW,J)
-      GRAIN = SUP(SGRAIN,J)
       DO 15 I = 1, CTL(NP), CTL(NP)/1024 + 1
         Z = I
         CALL TSROUG(X, SUP(1,J), Z, H, ERR)
-        IF (LINK(I) .EQ. DONE .OR. ABS(H) .GT. ERR - 2.0D0*LOW) GO TO 15
+        IF (LINK(I) .EQ. DONE .OR. ABS(H) .GT. ERR -
+     $      2.0D0*SUP(SLOW,J)) GO TO 15
         CALL TSREME(IQ, Z, 1)
         IF (MARK(I) .EQ. 0) GO TO 15
         OLD = MOD(MARK(I) - 1, SUPPS) + 1
-        IF (SUP(SGRAIN,OLD) .LE. FINER*GRAIN) HELD = HELD + 1
+        IF (SUP(SGRAIN,OLD) .LE. FINER*SUP(SGRAIN,J))
+     $      HELD = HELD + 1
    15 CONTINUE
       IF (IQ(QOPEND) .GT. OPENED) THEN
         CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
@@ -1931,44 +1972,18 @@ C     sample all that is near: the search's points may be from a corner
 C     all marks would stay; heights of all points, for nothing, would be
 C     most of a globe's index
       IF (IQ(QOPEND) .GT. OPENED .AND. HELD .EQ. IQ(QOPEND)) RETURN
-      LOW = SUP(SLOW,J)
-      GRAIN = SUP(SGRAIN,J)
-      RANGES = AT + 16
       NEAR = 0
-      DO 30 NODE = 2*CTL(LEAVES) - 1, 1, -1
-        IF (NODE .LT. CTL(LEAVES)) THEN
-          FIRST = MARK(RANGES+2*NODE)
-          LAST = MARK(RANGES+2*NODE+1)
-          LEAST = MIN(FIRST, LAST)/(STEPS + 2)
-          MOST = MAX(MOD(FIRST, STEPS + 2), MOD(LAST, STEPS + 2))
-          MARK(RANGES+NODE) = LEAST*(STEPS + 2) + MOST
-          GO TO 30
-        END IF
-        LEAST = STEPS
-        MOST = -1
-        CALL TSSPAN(CTL, NODE, FIRST, LAST)
-        DO 20 I = FIRST, LAST
-          Z = I
-          CALL TSROUG(X, SUP(1,J), Z, H, ERR)
-          IF (ABS(H) .LE. ERR - LOW) CALL HHHEIG(X, SUP(1,J), Z, H, ERR)
-          C = (H - ERR - LOW)/GRAIN
-          K = GRAINS
-          IF (C .LT. 0.0D0) K = -1
-          IF (C .GE. 0.0D0 .AND. C .LT. DBLE(GRAINS)) K = INT(C)
-          L = -1
-          IF (K .GE. 0) L = K/FOLD
-          LEAST = MIN(LEAST, L)
-          IF (H + ERR .GT. -LOW) L = STEPS
-          MOST = MAX(MOST, L)
-          IF (K .LT. 0 .OR. K .GE. GRAINS) GO TO 20
-          IF (MARK(I) .GT. 0) THEN
-            OLD = MOD(MARK(I) - 1, SUPPS) + 1
-            IF (SUP(SGRAIN,OLD) .LE. FINER*GRAIN) GO TO 20
-          END IF
-          MARK(I) = J + SUPPS*K
-          NEAR = NEAR + 1
-   20   CONTINUE
-        MARK(RANGES+NODE) = (LEAST + 1)*(STEPS + 2) + MOST + 1
+      DO 20 NODE = 2*CTL(LEAVES) - 1, CTL(LEAVES), -1
+        I = NODE
+        CALL TSMLEA(X, MARK, CTL, SUP, J, I, NEAR)
+   20 CONTINUE
+      RANGES = AT + 16
+      DO 30 NODE = CTL(LEAVES) - 1, 1, -1
+        FIRST = MARK(RANGES+2*NODE)
+        LAST = MARK(RANGES+2*NODE+1)
+        LEAST = MIN(FIRST, LAST)/(STEPS + 2)
+        MOST = MAX(MOD(FIRST, STEPS + 2), MOD(LAST, STEPS + 2))
+        MARK(RANGES+NODE) = LEAST*(STEPS + 2) + MOST
    30 CONTINUE
       IF (NEAR .LT. 2*TSCUBE(CTL(NP))) THEN
         DO 40 I = 1, CTL(NP)
@@ -1996,16 +2011,64 @@ C     TSRECA - sets up the supports that an index has, as they were.
    10 CONTINUE
       END
 
-C     TSSUPP - finds the support that the facet is on, if any, and its
-C     tilt.  Supports that have marked its vertices come first: between
-C     sheets 1e-10 apart searches take 30 times as long otherwise.  A
-C     needle, or a facet that stands on its plane, leans on none; nor
-C     does a facet so small that a sphere bends away from it by less
-C     than its points scatter, a sixteenth of the band or so.  Its balls
-C     are then far from the sphere, and L, counted from the centre of
-C     the sphere and right to 8 EPS of its distance, would tell nothing
-C     of them: 20,000 points of a sphere that crowd about a spot take 8
-C     times as long.
+C     TSNEAS - J is the support that the facet's vertices are near, or
+C     0; H are their heights, the base's first, ERR the bounds on their
+C     errors.  Supports that have marked its vertices come first:
+C     between sheets 1e-10 apart searches take 30 times as long
+C     otherwise.
+      SUBROUTINE TSNEAS(X, MARK, CTL, SUP, V, BASE, J, H, ERR)
+      DOUBLE PRECISION X(3,*), SUP(60,*), H(3), ERR(3)
+      INTEGER MARK(*), CTL(*), V(3), BASE, J
+      INTEGER NSUPP, SUPPS
+      PARAMETER (NSUPP = 20, SUPPS = 8)
+      INTEGER I, OK
+      DO 10 I = 1, 3
+        IF (MARK(V(I)) .EQ. 0) GO TO 10
+        J = MOD(MARK(V(I)) - 1, SUPPS) + 1
+        CALL TSONSU(X, MARK, SUP, V, BASE, J, H, ERR, OK)
+        IF (OK .EQ. 1) RETURN
+   10 CONTINUE
+      DO 20 I = 1, CTL(NSUPP)
+        J = I
+        CALL TSONSU(X, MARK, SUP, V, BASE, J, H, ERR, OK)
+        IF (OK .EQ. 1) RETURN
+   20 CONTINUE
+      J = 0
+      END
+
+C     TSCENT - counts L from the centre of the facet's support S, a
+C     sphere, in place of the circumcentre.  G is |W|**2 - 2 c.W, c =
+C     tilt / 2 - o, o = base - centre: the power in the ball of centre
+C     c, which is on the facet's axis.  c errs by half of the tilt's
+C     error, and by 8 EPS of the centre and the roundings of three
+C     differences in any order, each of at most EPS (|o| + 2 |at|):
+C     these make less than 8 EPS SIZE.
+      SUBROUTINE TSCENT(S, F, T)
+      DOUBLE PRECISION S(60), F(12), T(14)
+      INTEGER SAT, SC, TTILT, TDTILT
+      DOUBLE PRECISION EPS
+      PARAMETER (SAT = 52, SC = 55, TTILT = 9, TDTILT = 13,
+     $    EPS = 2.0D0**(-52))
+      DOUBLE PRECISION TSDOT, R, SIZE
+      INTEGER K
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        R = F(6+K) - S(SAT+K)
+        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(S(SC+K)) + ABS(S(SAT+K)))
+        F(3+K) = 0.5D0*T(TTILT+K) - (R - S(SC+K))
+   10 CONTINUE
+      F(11) = 0.6D0*T(TDTILT) + 8.0D0*EPS*SIZE
+      F(12) = SQRT(TSDOT(F(4), F(4)))
+      END
+
+C     TSSUPP - finds the support that the facet leans on, if any, and
+C     its tilt.  A needle, or a facet that stands on its plane, leans on
+C     none; nor does a facet so small that a sphere bends away from it
+C     by less than its points scatter, a sixteenth of the band or so.
+C     Its balls are then far from the sphere, and L, counted from the
+C     centre of the sphere and right to 8 EPS of its distance, would
+C     tell nothing of them: 20,000 points of a sphere that crowd about a
+C     spot take 8 times as long.
 C
 C     The tilt's error: roundings of the edges take the tilt out of the
 C     plane.  In it, the tilt's products with the edges miss the
@@ -2016,40 +2079,21 @@ C     needle is let through.  Where two vertices are so near that the
 C     marks leave nothing of the tilt, as at the poles of a globe of
 C     meridians, the differences of heights come by limbs, over the
 C     base: right to some EPS of themselves.
-C
-C     Near a sphere G is |W|**2 - 2 c.W, c = tilt / 2 - o, o = base -
-C     centre: the power in the ball of centre c, which is on the facet's
-C     axis.  L is counted from there: c takes the place of the
-C     circumcentre in the set-up.  It errs by half of the tilt's error,
-C     and by 8 EPS of the centre and the roundings of three differences
-C     in any order, each of at most EPS (|o| + 2 |at|): these make less
-C     than 8 EPS SIZE.
       SUBROUTINE TSSUPP(X, MARK, CTL, SUP, V, IQ, F, T)
       DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14)
       INTEGER MARK(*), CTL(*), V(3), IQ(43)
-      INTEGER NSUPP, SAT, SC, SLOW, QBASE, QON, SUPPS, VH, TDH,
-     $    TTILT, TDTILT, TG
+      INTEGER SC, SLOW, QBASE, QON, VH, TDH, TTILT, TDTILT, TG
       DOUBLE PRECISION EPS, FAINT
-      PARAMETER (NSUPP = 20, SAT = 52, SC = 55, SLOW = 59, QBASE = 4,
-     $    QON = 6, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
-     $    SUPPS = 8, VH = 7, TDH = 9, TTILT = 9, TDTILT = 13, TG = 14)
+      PARAMETER (SC = 55, SLOW = 59, QBASE = 4, QON = 6, VH = 7,
+     $    TDH = 9, TTILT = 9, TDTILT = 13, TG = 14, EPS = 2.0D0**(-52),
+     $    FAINT = 1.0D-200)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
      $    OWN(52), R, SIZE, T1, T2
       INTEGER TSCURV, TSPLAC, AGAIN, AT, B, I, J, K, OK, PLANE, Z
       IF (F(10) .GT. 1.0D-3) RETURN
-      DO 10 I = 1, 3
-        IF (MARK(V(I)) .EQ. 0) GO TO 10
-        J = MOD(MARK(V(I)) - 1, SUPPS) + 1
-        CALL TSONSU(X, MARK, SUP, V, IQ(QBASE), J, H, ERR, OK)
-        IF (OK .EQ. 1) GO TO 40
-   10 CONTINUE
-      DO 20 I = 1, CTL(NSUPP)
-        J = I
-        CALL TSONSU(X, MARK, SUP, V, IQ(QBASE), J, H, ERR, OK)
-        IF (OK .EQ. 1) GO TO 40
-   20 CONTINUE
-      RETURN
-   40 T(TG) = TSDOT(SUP(SC+1,J), F)
+      CALL TSNEAS(X, MARK, CTL, SUP, V, IQ(QBASE), J, H, ERR)
+      IF (J .EQ. 0) RETURN
+      T(TG) = TSDOT(SUP(SC+1,J), F)
       PLANE = 1 - TSCURV(SUP, J)
       IF (PLANE .EQ. 1 .AND. ABS(T(TG)) .LT. 0.5D0) RETURN
       B = V(IQ(QBASE))
@@ -2097,16 +2141,7 @@ C     than 8 EPS SIZE.
           GO TO 70
         END IF
       END IF
-      IF (PLANE .EQ. 1) RETURN
-      SIZE = 0.0D0
-      DO 110 K = 1, 3
-        R = F(6+K) - SUP(SAT+K,J)
-        SIZE = SIZE + (ABS(R) + 2.0D0*ABS(SUP(SC+K,J)) +
-     $      ABS(SUP(SAT+K,J)))
-        F(3+K) = 0.5D0*T(TTILT+K) - (R - SUP(SC+K,J))
-  110 CONTINUE
-      F(11) = 0.6D0*T(TDTILT) + 8.0D0*EPS*SIZE
-      F(12) = SQRT(TSDOT(F(4), F(4)))
+      IF (PLANE .EQ. 0) CALL TSCENT(SUP(1,J), F, T)
       END
 
 C     TSSHAR - sharpens SIDE of the position Z, which HHLIMI did not
@@ -2744,11 +2779,11 @@ C     other's.
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(43), Z
-      INTEGER RPATIE, QBEST, QLIMBS, QASKED, QON, QTIED, QLO, QHI, QT,
+      INTEGER RPATIE, QBEST, QLIMBS, QASKED, QON, QTIES, QLO, QHI, QT,
      $    UNSURE, BEATS, LOSES, OUT, TIE, MANY
       DOUBLE PRECISION WIDE
       PARAMETER (RPATIE = 5, QBEST = 1, QLIMBS = 2, QASKED = 5, QON = 6,
-     $    QTIED = 7, QLO = 6, QHI = 7, QT = 9, UNSURE = 2, BEATS = -1,
+     $    QTIES = 7, QLO = 6, QHI = 7, QT = 9, UNSURE = 2, BEATS = -1,
      $    LOSES = 1, OUT = 0, TIE = 3, MANY = 96, WIDE = 1.0D0)
       DOUBLE PRECISION HI, LO
       INTEGER POWER, SGN, SIDE
@@ -2772,7 +2807,7 @@ C     other's.
      $              POWER)
         IF (POWER .EQ. OUT) RETURN
       END IF
-      IF (ABS(POWER) .EQ. TIE) IQ(QTIED) = IQ(QTIED) + 1
+      IF (ABS(POWER) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
       IF (POWER .GT. 0) THEN
         IF (HI .LT. FQ(QHI)) CALL TSNARR(SUP, IQ, F, FQ, HI)
         IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
@@ -2781,7 +2816,7 @@ C     other's.
       END IF
       HI = MIN(HI, FQ(QHI))
       IQ(QBEST) = Z
-      IF (POWER .NE. -TIE) IQ(QTIED) = 0
+      IF (POWER .NE. -TIE) IQ(QTIES) = 0
       FQ(QLO) = LO
       IQ(QLIMBS) = 0
       CALL TSNARR(SUP, IQ, F, FQ, HI)
@@ -2863,14 +2898,14 @@ C     long.
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
      $    IQ(43), OK
-      INTEGER TIED, NCELL, CELL1, LN, STR, QBEST, QBALL, QBASE, QTIED
-      PARAMETER (TIED = 14, NCELL = 17, CELL1 = 33, LN = 3, STR = 2,
-     $    QBEST = 1, QBALL = 3, QBASE = 4, QTIED = 7)
+      INTEGER TIEDST, NCELL, CELL1, LN, STR, QBEST, QBALL, QBASE, QTIES
+      PARAMETER (TIEDST = 14, NCELL = 17, CELL1 = 33, LN = 3, STR = 2,
+     $    QBEST = 1, QBALL = 3, QBASE = 4, QTIES = 7)
       INTEGER TSBINS, N
       OK = 0
       IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0 .OR. IQ(QBALL) .EQ.
      $    0) RETURN
-      IF (CTL(TIED) .EQ. 1) THEN
+      IF (CTL(TIEDST) .EQ. 1) THEN
         CALL TSNEWC(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL, LSX,
      $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
         IF (OK .EQ. 1) THEN
@@ -2883,10 +2918,10 @@ C     long.
      $            LSD, STR, V, IQ, F, FQ, N)
       IF (N .LT. 0) RETURN
       IF (N .GT. 0) THEN
-        IF (IQ(QTIED) .GT. 0 .AND. CTL(TIED) .EQ. 0)
+        IF (IQ(QTIES) .GT. 0 .AND. CTL(TIEDST) .EQ. 0)
      $      CALL TSNEWC(X, P, ORD, BOX, CTL(NCELL), CTL(CELL1), RCTL,
      $      LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        CTL(TIED) = MIN(IQ(QTIED), 1)
+        CTL(TIEDST) = MIN(IQ(QTIES), 1)
       END IF
       OK = TSBINS(BOX, LSD, F, FQ)
       END
@@ -3156,10 +3191,10 @@ C     the angle there is small, the vertex opposite the longest edge.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(43)
       INTEGER SCALE, NSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON,
-     $    QTIED, QOPEND, QWORK, QINTO, QLO, QHI, VERR, QSPHER, QT
+     $    QTIES, QOPEND, QWORK, QINTO, QLO, QHI, VERR, QSPHER, QT
       DOUBLE PRECISION EPS, FAINT, HUGE, THIN
       PARAMETER (SCALE = 19, NSUPP = 20, QBEST = 1, QLIMBS = 2,
-     $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIED = 7,
+     $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIES = 7,
      $    QOPEND = 9, QWORK = 42, QINTO = 43, QLO = 6, QHI = 7,
      $    VERR = 8, QSPHER = 109, EPS = 2.0D0**(-52),
      $    FAINT = 1.0D-200, HUGE = (2.0D0 - EPS)*2.0D0**1023, QT = 9,
@@ -3173,7 +3208,7 @@ C     the angle there is small, the vertex opposite the longest edge.
       IQ(QASKED) = 0
       IQ(QON) = 0
       IQ(QOPEND) = 0
-      IQ(QTIED) = 0
+      IQ(QTIES) = 0
       IQ(QWORK) = 0
       IQ(QINTO) = 0
       FQ(VERR) = FAINT
@@ -3390,14 +3425,14 @@ C     GUESS: see TSPREP.
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(3,7), V(3), GUESS(2), Z
-      INTEGER NP, NPLANE, PLANE1, TIES, NCELL, CELL1, FUTILE, IDLE,
+      INTEGER NP, NPLANE, PLANE1, TIEDBL, NCELL, CELL1, FUTILE, IDLE,
      $    RBURDN, RPATIE, RFUND, RUSUAL, LMARG, BLK, QBEST, QBALL, QON,
-     $    QTIED, QOPEND, QWORK, QHI, PLANES, MAXFUT, OPENED
+     $    QTIES, QOPEND, QWORK, QHI, PLANES, MAXFUT, OPENED
       DOUBLE PRECISION TAX, GRANT, MUCHL
-      PARAMETER (NP = 1, NPLANE = 12, PLANE1 = 21, TIES = 13,
+      PARAMETER (NP = 1, NPLANE = 12, PLANE1 = 21, TIEDBL = 13,
      $    NCELL = 17, CELL1 = 33, FUTILE = 18, IDLE = 86, RBURDN = 4,
      $    RPATIE = 5, RFUND = 8, RUSUAL = 9, LMARG = 13, BLK = 1,
-     $    QBEST = 1, QBALL = 3, QON = 6, QTIED = 7, QOPEND = 9,
+     $    QBEST = 1, QBALL = 3, QON = 6, QTIES = 7, QOPEND = 9,
      $    QWORK = 42, QHI = 7, PLANES = 4, MAXFUT = 8, OPENED = 24,
      $    TAX = 64.0D0, GRANT = 500.0D0, MUCHL = 1.0D100)
       DOUBLE PRECISION F(12), FQ(162), H
@@ -3421,7 +3456,7 @@ C     a ball that is a support's sphere up to rounding is in no list
         Z = IQ(QBEST)
         IF (OK .EQ. 1) THEN
           CTL(FUTILE) = 0
-          IF (CTL(TIES) .LE. MAXFUT) CTL(TIES) = 0
+          IF (CTL(TIEDBL) .LE. MAXFUT) CTL(TIEDBL) = 0
           RETURN
         END IF
 C       before the block's list, which saves lattices a tenth of the
@@ -3435,7 +3470,7 @@ C       time
         Z = IQ(QBEST)
         IF (OK .EQ. 1) THEN
           CTL(FUTILE) = 0
-          IF (IQ(QTIED) .GT. 0) CTL(TIES) = CTL(TIES) + 1
+          IF (IQ(QTIES) .GT. 0) CTL(TIEDBL) = CTL(TIEDBL) + 1
           RETURN
         END IF
       END IF
@@ -3480,23 +3515,33 @@ C     ------------------------------------------------------------------
 C     A star on its own.
 C     ------------------------------------------------------------------
 
-C     TSEXCH - replace V(K) by Z if the result is not flat; with TRUE =
-C     1, only if it is positively oriented and contains S*.  S* is S =
-C     V(1) = R(1) moved by an infinitesimal step into the tetrahedron R
-C     (as Q* in the queries below), so it is on no plane through three
-C     points.  OK is 1 if replaced, else 0.
-      SUBROUTINE TSEXCH(X, P, ORD, RCTL, TRUE, R, V, K, Z, OK)
+C     TSEXCH - replace V(K) by Z, unless the result is flat.  OK is 1 if
+C     replaced, else 0.
+      SUBROUTINE TSEXCH(X, P, ORD, RCTL, V, K, Z, OK)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), TRUE, R(4), V(4), K, Z, OK
+      INTEGER ORD(*), V(4), K, Z, OK
       INTEGER T3
       PARAMETER (T3 = 1)
-      INTEGER HHPSID, A, B, I, J, OLD, SIDE
+      INTEGER HHPSID, OLD
       OLD = V(K)
       V(K) = Z
+      OK = ABS(HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4)))
+      IF (OK .EQ. 0) V(K) = OLD
+      END
+
+C     TSENCL - returns 1 if V is positively oriented and contains S*,
+C     which is S = V(1) = R(1) moved by an infinitesimal step into the
+C     tetrahedron R (as Q* in the queries below), so it is on no plane
+C     through three points; or 0.
+      INTEGER FUNCTION TSENCL(X, P, ORD, RCTL, R, V)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), R(4), V(4)
+      INTEGER T3
+      PARAMETER (T3 = 1)
+      INTEGER HHPSID, A, B, I, J, SIDE
       SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4))
-      IF (TRUE .EQ. 0) SIDE = ABS(SIDE)
       DO 20 J = 1, 3
-        IF (SIDE .GT. 0 .AND. TRUE .EQ. 1) THEN
+        IF (SIDE .GT. 0) THEN
           A = V(MOD(J,3)+2)
           B = V(MOD(J+1,3)+2)
           SIDE = 0
@@ -3506,26 +3551,66 @@ C     points.  OK is 1 if replaced, else 0.
    10     CONTINUE
         END IF
    20 CONTINUE
-      OK = 0
-      IF (SIDE .GT. 0) OK = 1
-      IF (OK .EQ. 0) V(K) = OLD
+      TSENCL = MAX(SIDE, 0)
+      END
+
+C     TSCORN - V = a tetrahedron at V(1) = S, of points of its leaf as
+C     far as these are not in one plane, else of vertices of KNOWN.
+      SUBROUTINE TSCORN(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), REP(*), KNOWN(4), CTL(*), S, V(4)
+      INTEGER T3
+      PARAMETER (T3 = 1)
+      INTEGER HHPSID, TSLEAF, TSLFST, FIRST, I, J, K, LENGTH, OK, Z
+      FIRST = TSLFST(CTL, TSLEAF(CTL, S))
+      LENGTH = TSLFST(CTL, TSLEAF(CTL, S) + 1) - FIRST
+      DO 10 K = 1, 4
+        V(K) = REP(KNOWN(K))
+   10 CONTINUE
+      K = 0
+   20 K = K + 1
+      J = K
+      CALL TSEXCH(X, P, ORD, RCTL, V, J, S, OK)
+      IF (OK .EQ. 0) GO TO 20
+      V(K) = V(1)
+      V(1) = S
+      DO 40 K = 2, 4
+        J = K
+        DO 30 I = 1, LENGTH - 1
+          Z = FIRST + MOD(S - FIRST + I, LENGTH)
+          CALL TSEXCH(X, P, ORD, RCTL, V, J, Z, OK)
+          IF (OK .EQ. 1) GO TO 40
+   30   CONTINUE
+   40 CONTINUE
+      IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4)) .LT.
+     $    0) THEN
+        Z = V(2)
+        V(2) = V(3)
+        V(3) = Z
+      END IF
       END
 
 C     TSSETT - find V, a tetrahedron of the mesh at V(1) = S.
 C
-C     Start with any tetrahedron R at S, made of nearby points as far as
-C     these are not in one plane, and with S* in it.  While V holds S*
-C     and its ball is not empty, each point in the ball is on the inner
-C     side of one of the three facets at S, since whatever is outside
-C     all three is beyond the ball's tangent plane at S.  So the apex Z
-C     of that facet on that side is not V's vertex there.  The five
-C     points have two triangulations, and V is not part of the one whose
-C     lifted facets are the lower ones; so the tetrahedron of that one
-C     that holds S* is V with Z in place of a vertex.  Each such step
-C     lowers the height over S*; three searches in a row without a step
-C     end it.  This is done with the points of the leaf alone, and then
-C     with all: without the former, a query from anywhere takes three
-C     times as long.
+C          B---Z         B---Z   In the plane: Z is in the ball of
+C          |\  .         |  /|   (S, A, B).  Of the four points' two
+C          | \ .   -->   | / |   triangulations the lower one has the
+C          |  \.         |/  |   edge S Z in place of A B, so S* is in
+C          S---A         S---A   (S, A, Z) or in (S, Z, B): Z replaces
+C                                B, or A.
+C
+C     Start with any tetrahedron R at S, and with S* in it.  While V
+C     holds S* and its ball is not empty, each point in the ball is on
+C     the inner side of one of the three facets at S, since whatever is
+C     outside all three is beyond the ball's tangent plane at S.  So the
+C     apex Z of that facet on that side is not V's vertex there.  The
+C     five points have two triangulations, and V is not part of the one
+C     whose lifted facets are the lower ones; so the tetrahedron of that
+C     one that holds S* is V with Z in place of a vertex.  Each such
+C     step lowers the height over S*; three searches in a row without a
+C     step end it.  This is done with the points of the leaf alone, and
+C     then with all: without the former, a query from anywhere takes
+C     three times as long.
 C
 C     Vertices may be complete, and then no list has them: the search
 C     uses the tree alone.
@@ -3536,49 +3621,22 @@ C     uses the tree alone.
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
      $    CTL(*), LSID(*), LSI(3,7), S, V(4)
-      INTEGER LEAVES, T3, QBEST
-      PARAMETER (LEAVES = 4, T3 = 1, QBEST = 1)
+      INTEGER LEAVES, QBEST
+      PARAMETER (LEAVES = 4, QBEST = 1)
       DOUBLE PRECISION F(12), FQ(162)
-      INTEGER HHPSID, TSLEAF, TSLFST, ALL, FIRST, G(3), GUESS(2), I,
-     $    IQ(43), J, K, LEAF, LENGTH, NODE, OK, R(4), SAME, Z
-      LEAF = TSLEAF(CTL, S)
-      NODE = CTL(LEAVES) + LEAF - 1
-      FIRST = TSLFST(CTL, LEAF)
-      LENGTH = TSLFST(CTL, LEAF + 1) - FIRST
+      INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(43), J, K, NODE,
+     $    OLD, R(4), STILL, Z
       CALL TSFORG(CTL, LSI, LSD)
+      CALL TSCORN(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
       DO 10 K = 1, 4
-        V(K) = REP(KNOWN(K))
         R(K) = V(K)
    10 CONTINUE
-      K = 0
-   20 K = K + 1
-      J = K
-      CALL TSEXCH(X, P, ORD, RCTL, 0, R, V, J, S, OK)
-      IF (OK .EQ. 0) GO TO 20
-      V(K) = V(1)
-      V(1) = S
-      DO 50 K = 2, 4
-        J = K
-        DO 30 I = 1, LENGTH - 1
-          Z = FIRST + MOD(S - FIRST + I, LENGTH)
-          CALL TSEXCH(X, P, ORD, RCTL, 0, R, V, J, Z, OK)
-          IF (OK .EQ. 1) GO TO 50
-   30   CONTINUE
-   50 CONTINUE
-      IF (HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), V(4)) .LT.
-     $    0) THEN
-        Z = V(2)
-        V(2) = V(3)
-        V(3) = Z
-      END IF
-      DO 60 K = 1, 4
-        R(K) = V(K)
-   60 CONTINUE
+      NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
       GUESS(2) = 0
       K = 1
-      DO 90 ALL = 0, 1
-        SAME = 0
-   70   G(1) = S
+      DO 50 ALL = 0, 1
+        STILL = 0
+   20   G(1) = S
         G(2) = V(MOD(K,3)+2)
         G(3) = V(MOD(K+1,3)+2)
         GUESS(1) = V(K+1)
@@ -3592,18 +3650,20 @@ C     uses the tree alone.
      $                LSID, LSI, LSD, G, IQ, F, FQ, NODE)
           Z = IQ(QBEST)
         END IF
-        SAME = SAME + 1
+        STILL = STILL + 1
         IF (Z .NE. V(K+1)) THEN
-          J = 1
-   80     J = J + 1
-          CALL TSEXCH(X, P, ORD, RCTL, 1, R, V, J, Z, OK)
-          IF (OK .EQ. 0) GO TO 80
-          SAME = 0
-          IF (J .EQ. K + 1) SAME = 1
+          DO 30 J = 2, 4
+            OLD = V(J)
+            V(J) = Z
+            IF (TSENCL(X, P, ORD, RCTL, R, V) .EQ. 1) GO TO 40
+            V(J) = OLD
+   30     CONTINUE
+   40     STILL = 0
+          IF (J .EQ. K + 1) STILL = 1
         END IF
         K = MOD(K,3) + 1
-        IF (SAME .LT. 3) GO TO 70
-   90 CONTINUE
+        IF (STILL .LT. 3) GO TO 20
+   50 CONTINUE
       END
 
 C     ------------------------------------------------------------------
@@ -3658,12 +3718,12 @@ C     TSPUSH - add an edge A -> B without neighbours.  E is its number,
 C     or 0 if there is no room.
       SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
       INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
-      INTEGER MPOOL, NEWEST, ECODE, EFROM, ETO, EPREV, EAFTER, ECHAIN,
+      INTEGER SLOTS, NEWEST, ECODE, EFROM, ETO, EPREV, EAFTER, ECHAIN,
      $    ENTRY, EDGE
-      PARAMETER (MPOOL = 6, NEWEST = 10, ECODE = 0, EFROM = 1, ETO = 2,
+      PARAMETER (SLOTS = 6, NEWEST = 10, ECODE = 0, EFROM = 1, ETO = 2,
      $    EPREV = 3, EAFTER = 4, ECHAIN = 5, ENTRY = 4, EDGE = 6)
       E = CTL(NEWEST) - EDGE
-      IF (E .LE. ENTRY*CTL(MPOOL)) THEN
+      IF (E .LE. ENTRY*CTL(SLOTS)) THEN
         E = 0
         RETURN
       END IF
@@ -3871,8 +3931,8 @@ C     oldest first.  OK is 1, or 0 if there is no room.  If they do not
 C     fit beside the table, rebuild the table without them first.
       SUBROUTINE TSLOAD(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER MPOOL, NOPEN, NEWEST, ENTRY, EDGE
-      PARAMETER (MPOOL = 6, NOPEN = 7, NEWEST = 10, ENTRY = 4, EDGE = 6)
+      INTEGER SLOTS, NOPEN, NEWEST, ENTRY, EDGE
+      PARAMETER (SLOTS = 6, NOPEN = 7, NEWEST = 10, ENTRY = 4, EDGE = 6)
       INTEGER TSQUOT, CODE, E, EDGES
       OK = 1
       E = HEAD(S)
@@ -3883,7 +3943,7 @@ C     fit beside the table, rebuild the table without them first.
         EDGES = EDGES + 1
         GO TO 10
       END IF
-      IF (ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - EDGE*EDGES) THEN
+      IF (ENTRY*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - EDGE*EDGES) THEN
         CTL(NOPEN) = CTL(NOPEN) - EDGES
         CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, TSQUOT(CTL, EDGES),
      $              OK)
@@ -3950,25 +4010,25 @@ C     table is resized if that changes it by a sixteenth, so both are
 C     rare.
       SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER NT, ROOM, MPOOL, NOPEN, FRESH, OLDEST, NEWEST, ENTRY, EDGE
-      PARAMETER (NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7, FRESH = 8,
+      INTEGER NT, ROOM, SLOTS, NOPEN, FRESH, OLDEST, NEWEST, ENTRY, EDGE
+      PARAMETER (NT = 2, ROOM = 5, SLOTS = 6, NOPEN = 7, FRESH = 8,
      $    OLDEST = 9, NEWEST = 10, ENTRY = 4, EDGE = 6)
       INTEGER TSFULL, TSQUOT, CHANGE, MOST
-      CHANGE = CTL(MPOOL)/16
+      CHANGE = CTL(SLOTS)/16
       OK = 1
       IF (4*(CTL(NOPEN) + CTL(NT) - CTL(FRESH) + 1) .LT.
-     $    3*CTL(MPOOL) .AND. ENTRY*CTL(MPOOL) .LE.
+     $    3*CTL(SLOTS) .AND. ENTRY*CTL(SLOTS) .LE.
      $    CTL(NEWEST) - 1 - 2*EDGE) RETURN
       CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
       IF (CTL(ROOM) + 1 - CTL(OLDEST) .GT.
      $    (CTL(ROOM) + 1 - CTL(NEWEST))/8) CALL TSRENU(LINK, POOL, CTL)
-      MOST = MIN(TSQUOT(CTL, 2), 2*CTL(MPOOL) + 1)
-      IF ((4*CTL(NOPEN) .GE. 3*CTL(MPOOL) .AND.
-     $    MOST .GT. CTL(MPOOL) + CHANGE) .OR. (ENTRY*CTL(MPOOL) .GT.
-     $    CTL(NEWEST) - 1 - 2*EDGE .AND. MOST .LT. CTL(MPOOL) - CHANGE))
+      MOST = MIN(TSQUOT(CTL, 2), 2*CTL(SLOTS) + 1)
+      IF ((4*CTL(NOPEN) .GE. 3*CTL(SLOTS) .AND.
+     $    MOST .GT. CTL(SLOTS) + CHANGE) .OR. (ENTRY*CTL(SLOTS) .GT.
+     $    CTL(NEWEST) - 1 - 2*EDGE .AND. MOST .LT. CTL(SLOTS) - CHANGE))
      $    CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, MOST, OK)
       OK = 1 - TSFULL(CTL, CTL(NOPEN) + 1)
-      IF (ENTRY*CTL(MPOOL) .GT. CTL(NEWEST) - 1 - 2*EDGE) OK = 0
+      IF (ENTRY*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*EDGE) OK = 0
       END
 
 C     TSBEGI - put the first facet into the link of S, its vertex of
@@ -4089,23 +4149,23 @@ C     one of the rest, and so on.  INFO is 0, MORE or FULL.
       INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
      $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(3,7),
      $    S, INFO
-      INTEGER NP, OLDEST, NEWEST, LOW, UNMET, FOREIN, NEW, FULL
-      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOW = 11, UNMET = 15,
-     $    FOREIN = -1, NEW = -2, FULL = 2)
+      INTEGER NP, OLDEST, NEWEST, LOWEST, UNMET, FOREIN, NEW, FULL
+      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOWEST = 11,
+     $    UNMET = 15, FOREIN = -1, NEW = -2, FULL = 2)
       INTEGER OK
    10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
         CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
      $              MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, INFO)
         IF (INFO .NE. 0) RETURN
       END IF
-      DO 20 S = CTL(LOW), CTL(NP)
+      DO 20 S = CTL(LOWEST), CTL(NP)
         IF (HEAD(S) .GT. 0) GO TO 30
-C       no open facet has a vertex of smaller position than LOW, so one
-C       that was met before and owns none is complete
+C       no open facet has a vertex of smaller position than LOWEST, so
+C       one that was met before and owns none is complete
         IF (LINK(S) .EQ. 0 .AND. HEAD(S) .EQ. 0) CALL TSCMPL(ALIVE,
      $      LINK, CTL, LSX, LSI, S)
    20 CONTINUE
-   30 CTL(LOW) = S
+   30 CTL(LOWEST) = S
       IF (S .LE. CTL(NP)) THEN
         CALL TSLOAD(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
       ELSE
@@ -4216,15 +4276,15 @@ C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI, LSD)
       INTEGER CTL(*), LSI(3,7)
       DOUBLE PRECISION RCTL(*), LSD(17,7)
-      INTEGER NP, TIES, TIED, ENCLOS, FUTILE, NSUPP, EVEN, IDLE, RBURDN,
-     $    RPATIE, RSKIN, RFUND, RUSUAL
+      INTEGER NP, TIEDBL, TIEDST, ENCLOS, FUTILE, NSUPP, EVEN, IDLE,
+     $    RBURDN, RPATIE, RSKIN, RFUND, RUSUAL
       DOUBLE PRECISION GRANT
-      PARAMETER (NP = 1, TIES = 13, TIED = 14, ENCLOS = 16, FUTILE = 18,
-     $    NSUPP = 20, EVEN = 85, IDLE = 86, RBURDN = 4, RPATIE = 5,
-     $    RSKIN = 7, RFUND = 8, RUSUAL = 9, GRANT = 500.0D0)
+      PARAMETER (NP = 1, TIEDBL = 13, TIEDST = 14, ENCLOS = 16,
+     $    FUTILE = 18, NSUPP = 20, EVEN = 85, IDLE = 86, RBURDN = 4,
+     $    RPATIE = 5, RSKIN = 7, RFUND = 8, RUSUAL = 9, GRANT = 500.0D0)
       CTL(NP) = 0
-      CTL(TIES) = 0
-      CTL(TIED) = 0
+      CTL(TIEDBL) = 0
+      CTL(TIEDST) = 0
       CTL(ENCLOS) = 0
       CTL(FUTILE) = 0
       CTL(NSUPP) = 0
@@ -4572,9 +4632,9 @@ C     HEAD has the positions of the points at first.
       REAL LSX(*)
       INTEGER TET(4,*), ADJ(*), ALIVE(*), REP(*), HEAD(*), LINK(*),
      $    POOL(*), CTL(*), LSI(3,7), S, N, MASKED, MINE(*), INFO
-      INTEGER NP, NT, ROOM, MPOOL, NOPEN, OPEN, DONE, FOREIN, FULL,
+      INTEGER NP, NT, ROOM, SLOTS, NOPEN, OPEN, DONE, FOREIN, FULL,
      $    ENTRY
-      PARAMETER (NP = 1, NT = 2, ROOM = 5, MPOOL = 6, NOPEN = 7,
+      PARAMETER (NP = 1, NT = 2, ROOM = 5, SLOTS = 6, NOPEN = 7,
      $    OPEN = -1, DONE = -1, FOREIN = -1, FULL = 2, ENTRY = 4)
       INTEGER TSOWNE, CODE, E, I, K, MANY, OK, START, T, V(3)
       DO 20 T = 1, CTL(NT)
@@ -4614,7 +4674,7 @@ C     its two sides removed each other
       S = TET(1,CTL(NT))
       IF (HEAD(S) .EQ. FOREIN) S = 0
       I = MAX(2*MANY, START) + 1
-      CTL(MPOOL) = 0
+      CTL(SLOTS) = 0
       CALL TSGATH(TET, ADJ, LINK, POOL, CTL, S, OK)
       IF (OK .EQ. 1) CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, I, OK)
       IF (OK .EQ. 0) INFO = FULL
@@ -4657,20 +4717,20 @@ C     altered.
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7)
       REAL LSX(*)
-      INTEGER NP, NT, MAXT, LEAVES, ROOM, MPOOL, NOPEN, FRESH, LOW,
+      INTEGER NP, NT, MAXT, LEAVES, ROOM, SLOTS, NOPEN, FRESH, LOWEST,
      $    UNMET, RREACH, NEW, FULL
       DOUBLE PRECISION BREACH
       PARAMETER (NP = 1, NT = 2, MAXT = 3, LEAVES = 4, ROOM = 5,
-     $    MPOOL = 6, NOPEN = 7, FRESH = 8, LOW = 11, UNMET = 15,
+     $    SLOTS = 6, NOPEN = 7, FRESH = 8, LOWEST = 11, UNMET = 15,
      $    RREACH = 3, NEW = -2, FULL = 2, BREACH = 2.6D0)
       INTEGER I, K, OK, S, START, T
       CTL(ROOM) = LENGTH
       CTL(MAXT) = MAXTET
       CTL(NT) = NTET
       CTL(FRESH) = NTET + 1
-      CTL(MPOOL) = 0
+      CTL(SLOTS) = 0
       CTL(NOPEN) = 0
-      CTL(LOW) = 1
+      CTL(LOWEST) = 1
       CTL(UNMET) = 1
       IF (MASKED .EQ. 0) CTL(UNMET) = CTL(NP) + 1
       CALL TSCLRL(CTL)
