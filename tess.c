@@ -23,25 +23,37 @@
  * chooses where to look, with margins that cover its rounding.
  *
  * The arrays (n points, np of them distinct; L leaves: leafcount(n) in the
- * arrays' lengths, leafcount(np) in the tree).  When a call returns, tet holds
- * indices of points again and rep is kept; an index keeps all but head, link
- * and pool; the rest is scratch.
- *   tet   positions          adj   as the caller sees it
- *   iw    rep    n           index -> the point of least index that coincides;
- *                            in an index -> position
- *         order  n           position -> index
- *         known  KEEP        see seal
- *         alive  2 L         leaf: uncompleted points; other nodes: children
- *                            alive; place 0, in an index: how many supports
- *         mark               for supports, if liw is what tess_size gives: see
- *                            place
- *         head   n           position -> first entry that it owns, NONE, or
- *                            FOREIGN; at first, in intact, index -> position
- *         link   n           position -> first edge from it, NONE, NEW or DONE
- *         pool   room        see below
- *   rw    x      3 n         scaled coordinates by position
- *         box    12 L        of each node; place 0 is the header, see seal
- *         cylinder           if lrw is what tess_size gives
+ * arrays' lengths, leafcount(np) in the tree).  tet holds positions during a
+ * call, indices of points again when it returns; adj is as the caller sees it.
+ * An index is what is left in iw and rw but for scratch:
+ *
+ *   iw at              length    during a call             when it returns
+ *   0           rep    n         index -> the point of     the same; in an
+ *                                least index that          index -> position
+ *                                coincides
+ *   n           order  n         position -> index         the same
+ *   2 n         known  KEEP      nothing, in an index      see seal
+ *                                as it was
+ *   + KEEP      alive  2 L       leaf: uncompleted points; all points are back;
+ *                                other nodes: children     place 0: how many
+ *                                alive                     supports
+ *   + 2 L       mark   0 or      of supports, if liw is    the same
+ *                      marks     what tess_size gives:
+ *                                see place
+ *   + marks     head   n         position -> first entry   scratch
+ *                                that it owns, NONE, or
+ *                                FOREIGN; in intact,
+ *                                index -> position
+ *   + n         link   n         position -> first edge    scratch
+ *                                from it, NONE, NEW, DONE
+ *   + n         pool   room      see below                 scratch
+ *   rw at
+ *   0           x      3 n       scaled coordinates by     the same
+ *                                position
+ *   3 n         box    12 L      of each node              the same; place 0 is
+ *                                                          the header: see seal
+ *   + 12 L      cylinders        if lrw is what tess_size  the same
+ *                                gives
  *
  *   pool  0               ENTRY slots       newest          oldest      room
  *         | entries of the table -->| free |<-- edges of the link | dead |
@@ -61,8 +73,13 @@
  *         |     +-------+         |  the ball about s; near lists have balls of
  *         +-----------------------+  their own, anywhere
  *
- * claim says how many entries the table starts with.  makeroom doubles it when
- * three quarters are in use, and cuts it to its quota when it meets the edges.
+ *   the table is     by        with so many slots, at most its quota
+ *   set up           run       what claim says, for uniform points
+ *   doubled          makeroom  2 slots + 1, when three quarters are in use
+ *   cut              makeroom  its quota, when it meets the edges
+ *   cut              load      its quota without facets that become edges
+ *   set up again     restore   as by run, or twice its facets
+ *
  * It is never more than 7/8 full, so find always meets an unused entry.  push
  * does not resize the table; makeroom ensures room for two edges.  If room
  * still falls short, the code is TESS_POOL.
@@ -3123,6 +3140,7 @@ static int stars(mesh *m, tess_int s)
         if (m->oldest >= m->newest) {
             code = star(m, s);
             if (code != 0) return code;
+            HOLDS(filed(m));
         }
         s = m->lowest;
         while (s < m->np && m->head[s] < 0) {

@@ -48,29 +48,42 @@ C     Floating point only chooses where to look, with margins that cover
 C     its rounding.
 C
 C     The arrays (N points, NP of them distinct; L leaves: TSLCOU(N) in
-C     the arrays' lengths, TSLCOU(NP) in the tree).  When a call
-C     returns, TET holds numbers of points again and REP is kept; an
-C     index keeps all but HEAD, LINK and POOL; the rest is scratch.
-C       TET  positions       ADJ  as the caller sees it
-C       IW   REP    N        point -> the least point that coincides; in
-C                            an index -> position
-C            ORD    N        position -> point
-C            KNOWN  5        see TSSEAL: KNOWN and COUNT
-C            ALIVE  2 L - 1  leaf: uncompleted points; other nodes:
-C                            children alive
-C            COUNTS 1        in an index how many supports there are
-C            MARK            for supports, if LIW is what TESSWK gives:
-C                            see TSPLAC
-C            HEAD   N        position -> first entry that it owns, 0, or
-C                            FOREIN; at first, in TSINTA, point ->
-C                            position
-C            LINK   N        position -> first edge from it, 0, NEW or
-C                            DONE
-C            POOL   ROOM     see below
-C       RW   X      3 N      scaled coordinates by position
-C            BOX    12 L     of each node; the last one is the header,
-C                            see TSSEAL
-C            the rest        cylinders, if LRW is what TESSWK gives
+C     the arrays' lengths, TSLCOU(NP) in the tree).  TET holds positions
+C     during a call, numbers of points again when it returns; ADJ is as
+C     the caller sees it.  An index is what is left in IW and RW but for
+C     scratch:
+C
+C       IW behind        length   during a call           on return
+C       0         REP    N        point -> the least      the same; in
+C                                 point that coincides    an index ->
+C                                                         position
+C       N         ORD    N        position -> point       the same
+C       2 N       KNOWN  5        nothing, in an index    see TSSEAL:
+C                                 as it was               and COUNT
+C       + 5       ALIVE  2 L - 1  leaf: uncompleted       all points
+C                                 points; other nodes:    are back
+C                                 children alive
+C       + 2 L - 1 COUNTS 1        nothing, in an index    how many
+C                                 as it was               supports
+C       + 1       MARK   0 or     of supports, if LIW     the same
+C                        marks    is what TESSWK gives:
+C                                 see TSPLAC
+C       + marks   HEAD   N        position -> first       scratch
+C                                 entry that it owns, 0,
+C                                 or FOREIN; in TSINTA,
+C                                 point -> position
+C       + N       LINK   N        position -> first edge  scratch
+C                                 from it, 0, NEW, DONE
+C       + N       POOL   ROOM     see below               scratch
+C       RW behind
+C       0         X      3 N      scaled coordinates by   the same
+C                                 position
+C       3 N       BOX    12 L     of each node            the same; the
+C                                                         last one is
+C                                                         the header:
+C                                                         see TSSEAL
+C       + 12 L    cylinders       if LRW is what TESSWK   the same
+C                                 gives
 C
 C       POOL 1             ENTRY*SLOTS    NEWEST       OLDEST      ROOM
 C            | entries of the table ->|free|<- edges of the link | dead|
@@ -90,12 +103,16 @@ C             |     |     ( S )     | STR: those of the block that are
 C             |     +-------+       | in the ball about S; near lists
 C             +---------------------+ have balls of their own, anywhere
 C
-C     TSCLAI says how many entries the table starts with.  TSMKRO
-C     doubles it when three quarters are in use, and cuts it to its
-C     quota when it meets the edges.  It is never more than 7/8 full, so
-C     TSFIND always meets an unused entry.  TSPUSH does not resize the
-C     table; TSMKRO ensures room for two edges.  If room still falls
-C     short, the code is FULL.
+C       the table is  by      with so many slots, at most its quota
+C       set up        TSRUN   what TSCLAI says, for uniform points
+C       doubled       TSMKRO  2 slots + 1, when 3/4 are in use
+C       cut           TSMKRO  its quota, when it meets the edges
+C       cut           TSLOAD  its quota without facets that become edges
+C       set up again  TSREST  as by TSRUN, or twice its facets
+C
+C     It is never more than 7/8 full, so TSFIND always meets an unused
+C     entry.  TSPUSH does not resize the table; TSMKRO ensures room for
+C     two edges.  If room still falls short, the code is FULL.
 C
 C     An open facet is in one place at a time: in the link if it
 C     contains S, the vertex of the star; otherwise in the table, or, if

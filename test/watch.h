@@ -35,6 +35,10 @@ extern void tess_prove(int fact);
 #define HOLDS(fact) tess_prove(fact)
 
 static tess_int leafstart(const mesh *m, tess_int leaf);
+static void facet(const mesh *m, tess_int code, tess_int *v);
+static tess_int owner(const mesh *m, const tess_int *v);
+static tess_int hashkey(const tess_int *v);
+static tess_int find(const mesh *m, const tess_int *v, tess_int sig);
 
 /* better - returns 1 if z is better than the best point. */
 static int better(const mesh *m, const quest *f, tess_int z)
@@ -86,6 +90,23 @@ static int proven(const mesh *m, const tess_int *v, tess_int c)
     for (z = 0; z < m->np; z++)
         if (better(m, &f, z)) return 0;
     return 1;
+}
+
+/* filed - returns 1 if, between two stars, the table holds each open facet
+ * whose star is asked for, and no other. */
+static int filed(const mesh *m)
+{
+    tess_int i, v[3], open = 0;
+
+    if (m->np > 500) return 1; /* it takes as long as all else */
+    for (i = 0; i < 4 * m->ntet; i++) {
+        if (m->adj[i] != TESS_OPEN) continue;
+        facet(m, i, v);
+        if (owner(m, v) == NONE) continue;
+        if (m->pool[ENTRY * find(m, v, hashkey(v))] != i) return 0;
+        open++;
+    }
+    return open == m->nopen;
 }
 #else
 #define HOLDS(fact)
