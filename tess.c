@@ -300,10 +300,9 @@
  * root; below 24 FEPS.  What is computed to be within margin + SLACK is within
  * 1.1 margin, as SLACK is 0.04 FINEST.
  *
- * FAR: where a list puts points that have left it, and in prunecylinders a
- * length without limit.  No such point passes a filter: its r is at least FAR^2
- * = 1e20, and ballcoef's limits leave |d.x| < 2e19, d[3] < 3e19 (as dc < 3
- * |c|).
+ * FAR: where a list puts points that have left it.  No such point passes a
+ * filter: its r is at least FAR^2 = 1e20, and ballcoef's limits leave |d.x| <
+ * 2e19, d[3] < 1e18.
  *
  * PAD: relative room for the few roundings of a bound. */
 #define EPS DBL_EPSILON
@@ -1293,7 +1292,7 @@ static int ballcoef(const list *l, const quest *f, float *d)
         cu[i] += 2.0 * g;
         sum += fabs(cu[i]) * l->most[i];
     }
-    if (sum > 1e6 || a > 5e8) return 0;
+    if (sum > 1e6 || a + 2.0 * f->plain.dc * l->unit > 5e8) return 0;
     for (i = 0; i < 3; i++) d[i] = (float)cu[i];
     d[3] = (float)((double)FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
                    8.0 * EPS * a * (1.0 + off) +
@@ -1834,12 +1833,13 @@ static void aim(const mesh *m, quest *f)
 static int prunenode(const mesh *m, const quest *f, tess_int node)
 {
     const double *b = m->box + 6 * node;
-    const support *s = m->supports + f->on;
+    const support *s;
     const sieve *t = &f->tall;
     double h;
     tess_int k;
 
     if (LEANING(f)) {
+        s = m->supports + f->on;
         k = t->a < 0.0 ? MOSTOF(s->range[node]) : LEASTOF(s->range[node]);
         if (k >= 0 && k < STEPS) {
             h = (double)FOLD * (double)k;
@@ -2434,8 +2434,12 @@ static void treesearch(mesh *m, quest *f)
             node = stack[--depth];
         else if (fours && top > 3) {
             node = top /= 4;
-            /* one child alive each: from, as the base's star is not complete */
-            if (m->alive[from / 2] + m->alive[node] == 2) continue;
+            /* one child alive each, and from is: nothing else */
+            if (m->alive[from] > 0 &&
+                m->alive[from / 2] + m->alive[node] == 2) {
+                HOLDS(barren(m, f, node));
+                continue;
+            }
         } else {
             node = top % 2 == 0 ? top + 1 : top - 1;
             top /= 2;
@@ -2800,8 +2804,10 @@ static void settle(mesh *m, tess_int s, tess_int *v)
                 v[j] = old;
             }
             HOLDS(j < 4);
+            /* if v[k] was replaced, this was a search of its facet */
             still = j == k;
         }
+    HOLDS(empty(m, v));
 }
 
 /* ---- the star of a vertex ----

@@ -429,8 +429,7 @@ C               be within margin + SLACK is within 1.1 margin, as SLACK
 C               is 0.04 FINEST
 C       FAR     where a list puts points that have left it.  No such
 C               point passes a filter: its r is at least FAR**2 = 1E20,
-C               and TSBALC's limits leave |D.x| < 2E19, D(4) < 3E19 (as
-C               dc < 3 |C|)
+C               and TSBALC's limits leave |D.x| < 2E19, D(4) < 1E18
 C       PAD     relative room for the few roundings of a bound
 
 C     ------------------------------------------------------------------
@@ -1566,7 +1565,8 @@ C     OK is 1, or 0 when the ball is too large for that.
         SUM = SUM + ABS(CU(K))*LSD(LMOST+K,LIST)
    10 CONTINUE
       OK = 0
-      IF (SUM .GT. 1.0D6 .OR. A .GT. 5.0D8) RETURN
+      IF (SUM .GT. 1.0D6 .OR. A + 2.0D0*C(VDC)*LSD(LUNIT,LIST) .GT.
+     $    5.0D8) RETURN
       D(1) = REAL(CU(1))
       D(2) = REAL(CU(2))
       D(3) = REAL(CU(3))
@@ -1737,7 +1737,7 @@ C     Points with a mark count, too: they may be on a finer support.
       IQ(QOPEND) = IQ(QOPEND) + 1
       PLACE = IQ(QOPEND)
       IF (PLACE .GT. SOME)
-     $    PLACE = MOD(MOD(MOD(Z, 30269)*137, 30269), IQ(QOPEND)) + 1
+     $    PLACE = MOD(MOD(MOD(Z - 1, 30269)*137, 30269), IQ(QOPEND)) + 1
       IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
       END
 
@@ -3133,18 +3133,18 @@ C     underflowed may be equal here alone
       TOP = CTL(LEAVES) + TSLEAF(CTL, V(IQ(QBASE))) - 1
       HEIGHT = 1
       STACK(1) = TOP
-   10 FROM = TOP
+   10 IF (HEIGHT .EQ. 0 .AND. TOP .EQ. 1) RETURN
+      FROM = TOP
       IQ(QWORK) = IQ(QWORK) + 1
       IF (HEIGHT .GT. 0) THEN
         NODE = STACK(HEIGHT)
         HEIGHT = HEIGHT - 1
-      ELSE IF (TOP .EQ. 1) THEN
-        RETURN
       ELSE IF (FOURS .EQ. 1 .AND. TOP .GT. 3) THEN
         TOP = TOP/4
         NODE = TOP
-C       one child alive each: FROM, as the base's star is not complete
-        IF (ALIVE(FROM/2) + ALIVE(NODE) .EQ. 2) GO TO 10
+C       one child alive each, and FROM is: nothing else
+        IF (ALIVE(FROM) .GT. 0 .AND. ALIVE(FROM/2) + ALIVE(NODE) .EQ. 2)
+     $      GO TO 10
       ELSE
         NODE = TOP + 1 - 2*MOD(TOP, 2)
         TOP = TOP/2

@@ -92,6 +92,18 @@ static int proven(const mesh *m, const tess_int *v, tess_int c)
     return 1;
 }
 
+/* empty - returns 1 if no point is in the ball of the tetrahedron v. */
+static int empty(const mesh *m, const tess_int *v)
+{
+    tess_int z;
+
+    for (z = 0; z < m->np; z++)
+        if (z != v[0] && z != v[1] && z != v[2] && z != v[3] &&
+            hh_pball(&m->set, v, v[3], z, 1) < 0)
+            return 0;
+    return 1;
+}
+
 /* filed - returns 1 if, between two stars, the table holds each open facet
  * whose star is asked for, and no other. */
 static int filed(const mesh *m)

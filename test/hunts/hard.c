@@ -453,6 +453,26 @@ static void coincide(point *p, int n)
     }
 }
 
+int hard_lines(double (*p)[3], int most, int *line)
+{
+    int lines = draw(11, 14), i;
+    double x = 0.0, y = 0.0, z = 0.0, step = 0.0;
+
+    *line = draw((500 + lines - 1) / lines, most / lines);
+    for (i = 0; i < lines * *line; i++) {
+        if (i % *line == 0) {
+            x = 0.02 * rnd_unit() + (i / *line == lines - 1 ? 1.5 : 0.0);
+            y = 0.02 * rnd_unit();
+            z = 0.3 * rnd_unit();
+            step = (0.5 + rnd_unit()) / *line;
+        }
+        p[i][0] = x;
+        p[i][1] = y;
+        p[i][2] = z + step * (i % *line);
+    }
+    return i;
+}
+
 int hard_near(double (*p)[3], int most)
 {
     int n = draw(12, rnd_below(2) && most > 48 ? 48 : most);

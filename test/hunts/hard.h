@@ -21,5 +21,9 @@ int hard_many(double (*p)[3], int most);
  * or by 1e-16 to 1e-8, far from the origin or near to it, of any scale; some
  * somewhere else, some on others but for last places, in rows or clusters. */
 int hard_near(double (*p)[3], int most);
+/* 500 ... most points on 11 to 14 vertical lines, in order: all lines but the
+ * last, which is far from the others, in a small part of space.  *line is how
+ * many a line has. */
+int hard_lines(double (*p)[3], int most, int *line);
 
 #endif
