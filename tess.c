@@ -139,10 +139,12 @@
 #include <stddef.h>
 
 #define NONE (-1)
-#define UNSURE 2  /* returned by hh_orient and hh_insphere out of range */
-#define BEATS (-1) /* returned by contest, as by hh_pball: z is better */
-#define LOSES 1    /* than the best point; it is not; */
-#define OUT 0      /* nor is it, and perhaps it is not on the open side */
+#define UNSURE 2  /* a sign that bounds, or too few limbs, leave undecided */
+/* Returned by contest, and by hh_pball but for OUT: z is better than the best
+ * point; it is not; it is not, or z is not on the open side. */
+#define BEATS (-1)
+#define LOSES 1
+#define OUT 0
 #define LOST 99   /* returned by walk when its steps are used up */
 #define DONE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
@@ -178,7 +180,8 @@
 /* A node is cut across the widest extent of about so many of its points; with
  * all of them a million points take 3 % longer. */
 #define SAMPLE 64
-/* Bound on the depth of the tree plus one. */
+/* Bound on the depth of the tree plus one, and on three halves of it: with
+ * cylinders a search keeps three nodes for every second level. */
 #define DEPTH 96
 /* Maximum number of supports.  Searches that offer more than OPENED points to
  * their samples count, and once these add up to BURDEN times all points a
@@ -287,7 +290,8 @@
  * DBL_MIN, and so may be each product; |w| < 4, and |c| is at most 2 MUCHL:
  * narrow gives no ball for an L-coordinate beyond MUCHL (nor may anything
  * overflow there), a circumradius is below 0.02/EPS by hh_setup, and hh_thin's
- * and hh_centre's are below MUCHL.
+ * and hh_centre's are below MUCHL.  The tall sieve is all that over q; where q
+ * is so great that FAINT/q underflows, 16 EPS size (size + sc) covers it.
  *
  * NARROW: a box narrower than this has no list.  A list's coordinates are then
  * right to far less than FEPS, and a star's margin is above HH_SMALL, so that
@@ -343,7 +347,7 @@ typedef struct list {
  * over the support that the facet leans on.  See powererr. */
 typedef struct sieve {
     double c[3], dc, sc;      /* c is wrong by at most dc; sc is |c|_1 */
-    double a, h, err;
+    double a, h, err;         /* the plain sieve has no a and h */
 } sieve;
 
 /* A search for the apex of one facet. */
@@ -450,8 +454,8 @@ typedef struct mesh {
     double least;             /* least absolute value above 0 of a coordinate */
     support supports[SUPPORTS];
     int nsupport;             /* how many there are */
-    double burden, patience;  /* comparisons left open, over all points, and */
-                              /* their limit; 0: no more supports are sought */
+    double burden, patience;  /* what was offered to samples, over np, and */
+                              /* its limit; 0: no more supports are sought */
     int enclosed;             /* 1: there are cylinders */
 } mesh;
 
@@ -1162,7 +1166,7 @@ static double powererr(const sieve *s, double size)
     return size * (2.0 * s->dc + 16.0 * EPS * (size + s->sc)) + s->err;
 }
 
-/* openside - the open side as a sieve: the ball of L = MUCHL / 2 about the
+/* openside - the open side as a sieve: the ball of L = MUCHL / 2 along the
  * normal.  Its dc has room for |w|^2, and is so large that all pass where the
  * normal is not known. */
 static void openside(quest *f)
@@ -1178,12 +1182,12 @@ static void openside(quest *f)
     s->dc = MUCHL * (f->hh[9] <= HH_LOOSE ? 0.5 * f->hh[9] + 4.0 * EPS : 2.0);
 }
 
-/* prunebox - returns 1 if the box lo, hi provably holds no candidate: it passes
- * no sieve, to whose power the heights in the box add at least power, or it is
- * on the negative side.  It compares the least power and the greatest side in
+/* prunebox - returns 1 if no point of the box lo, hi can be a candidate: none
+ * passes the sieve s, whose sum their heights raise by at least power, or all
+ * are on the negative side.  It compares the least sum and the greatest side in
  * the box with the bounds on their errors: powererr, and E |w|, which covers
  * the rounding of the side, too.  Both are taken at a point whose coordinates
- * are the box's own doubles, so the bounds for points hold. */
+ * are the box's own doubles, or c's, so the bounds for points hold. */
 static int prunebox(const quest *f, const sieve *s, const double *lo,
                     const double *hi, double power)
 {
@@ -1218,7 +1222,6 @@ static int ballinbox(const mesh *m, const quest *f, const list *l)
     double r = sqrt(dot(c, c)), part[6];
     int i, k, side;
 
-    if (l->n == 0) return 0;
     r = r * (1.0 + PAD) + 2.0 * f->plain.dc;
     for (i = 0; i < 6; i++) part[i] = root[i];
     for (i = 0; i < 6; i++) {
@@ -1590,8 +1593,8 @@ static int discover(mesh *m, quest *f)
                     m->supports[old % SUPPORTS].grain <= FINER * s->grain;
         }
     if (f->opened > OPENED && !fit(m, f, s)) return 0;
-    /* all marks would stay; heights of all points, for nothing, would be most
-     * of a globe's index */
+    /* all marks would stay: computing the heights of all points in vain would
+     * take most of the time of a globe's index */
     if (f->opened > OPENED && held == f->opened) return 0;
     for (node = (tess_int)(2 * m->leaves - 1); node >= m->leaves; node--)
         members += markleaf(m, m->nsupport, node);
@@ -1776,22 +1779,22 @@ static int sharpen(const mesh *m, const quest *f, tess_int z, int side,
 }
 
 /* aim - sets up the tall sieve for the best point so far, whose L-coordinate is
- * at most k.  A better point has side > 0 and N - 2 k side <= 0, where N is its
- * power in the ball of L = 0, of centre c.  Without a ball k is MUCHL / 2, with
+ * at most l.  A better point has side > 0 and N - 2 l side <= 0, where N is its
+ * power in the ball of L = 0, of centre c.  Without a ball l is MUCHL / 2, with
  * room for N.  So with v, the facet's normal, there is none where
  *     q |w|^2 - d.w + a (height - h) > 0:
  *
  *              plane: side = G / g            sphere: N = G, of which 1 - q are
  *     q        1                              taken as height - h - tilt.w
- *     d        2 c + a tilt                   2 q c + a tilt + 2 k v
- *     a        -2 k / g                       1 - q
+ *     d        2 c + a tilt                   2 q c + a tilt + 2 l v
+ *     a        -2 l / g                       1 - q
  *
- * Near a plane k may be greater, so |a| may be greater for k > 0, and smaller
- * for k < 0.  Near a sphere the best q is, but for a, that for which the least
- * of q |w|^2 - d.w is greatest.  Any q > 0 is valid, so errors in q do not
- * count.  dd has room for the errors of c, tilt and v, and for 8 roundings of
- * each term; err for those of h, of a height of at most -low, and of a, which
- * is exact but for one rounding.  The sieve is all that over q. */
+ * Near a plane l may be greater, so |a| may be greater for l > 0, and smaller
+ * for l < 0.  Near a sphere q makes |d| least, if it can; any q > 0 is valid,
+ * so errors in q do not count.  dd has room for the errors of c, tilt and v,
+ * and for 8 roundings of each term; err for those of h, of a height of at most
+ * -low, and of a, which is exact but for one rounding.  The sieve is all that
+ * over q. */
 static void aim(const mesh *m, quest *f)
 {
     const support *s = m->supports + f->on;
@@ -1972,7 +1975,7 @@ static void makecylinders(mesh *m)
  * A point is w + s u + p from the base, where w is the cylinder's centre, u its
  * axis, |s| <= h, and p is across u, |p| <= r.  With g = w - c, a = |g.u|, and
  * rho the length of g across u, its power in the ball about c is
- *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p),
+ *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p).
  * The brackets are at least t (t - 2 a), where t is the lesser of a and h, and
  * R^2 - 2 R rho, where R is the lesser of rho and r.  So there is no candidate
  * if the sum without 2 R rho is positive and its square is above 4 R^2 rho^2.
@@ -2129,8 +2132,8 @@ static void narrow(const mesh *m, quest *f, double l)
 /* refine - finds the ball of the best point by limbs.  The centre c errs by at
  * most 8 eps |c|.  So its height over the facet's plane, c.v, is L up to the
  * error of v, E |c|, the error of c, and the roundings of three products and
- * two sums, 5 eps |c|_1.  Near a sphere L is counted from f[3..5]: u, the
- * difference, takes the place of c, with the error of f[3..5] and one more
+ * two sums, 5 eps |c|_1.  Near a sphere L is counted from hh[3..5]: u, the
+ * difference, takes the place of c, with the error of hh[3..5] and one more
  * rounding. */
 static void refine(const mesh *m, quest *f)
 {
@@ -2191,7 +2194,7 @@ static int contest(mesh *m, quest *f, tess_int z, int side, int power,
         side = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
     }
     if (side != 1) return OUT;
-    if (open && power == UNSURE) {
+    if (power == UNSURE) {
         COUNT(N_EXACT, 1);
         power = hh_pball(&m->set, f->v, f->best, z, 2);
         m->even = power == HH_TIE || power == -HH_TIE;
@@ -2326,8 +2329,8 @@ static void inflate(const mesh *m, quest *f)
 
 /* admit - puts points of a leaf into the list that a search makes: of n, the
  * first at position first, the uncompleted ones whose power is at most most.
- * While they are too many, the skin shrinks: then those stay whose power may be
- * below room.  They are in the ball before, so |w|_1 is at most 4 times its
+ * While they are too many, the skin shrinks: then those stay that may still
+ * pass the sieve.  They are in the ball before, so |w|_1 is at most 4 times its
  * radius, and single precision changes a power by less than FEPS of it. */
 static void admit(const mesh *m, quest *f, tess_int first, int n,
                   const double *power, double most)
@@ -2559,7 +2562,7 @@ static void prepare(mesh *m, quest *f, const tess_int *v,
  * Let err bound the error of c, as in narrow.  r and rho are wrong by it, u by
  * twice as much, but for EPS (1 + margin): at and its distance to the base have
  * two roundings.  Where u is across, u.v is wrong by E (r + |u|) more, and E r
- * <= err, as f[10] > E rho.  As r, rho and |u| are at most margin, all that is
+ * <= err, as hh[10] > E rho.  As r, rho and |u| are at most margin, all that is
  * less than 24 err margin.  PAD exceeds the other roundings, and those of
  * nearlist. */
 static int inball(const quest *f, const list *l)
@@ -2587,8 +2590,8 @@ static int inball(const quest *f, const list *l)
 /* nearlist - makes a near list of the ball of a search and a skin about it, of
  * points on either side of the facet.  Returns 0 if they are too many.
  *
- * What is nearer than margin, but for inball's PAD, has a power below room, so
- * admit took it, and is in the box, so ballcoef's bound holds for it.  What is
+ * What is nearer than margin, but for inball's PAD, passes the sieve, so admit
+ * took it, and is in the box, so ballcoef's bound holds for it.  What is
  * not may be in the list as well: no search that inball admits needs it. */
 static int nearlist(mesh *m, const quest *f, list *l)
 {
@@ -3150,7 +3153,7 @@ static int stars(mesh *m, tess_int s)
         }
         s = m->lowest;
         while (s < m->np && m->head[s] < 0) {
-            /* no open facet has a vertex of smaller position than low, so
+            /* no open facet has a vertex of smaller position than lowest, so
              * one that was met before and owns none is complete */
             if (m->link[s] == NONE && m->head[s] == NONE) complete(m, s);
             s++;
@@ -3688,6 +3691,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
             m.patience = m.nsupport < SUPPORTS ? KEEN : 0.0;
             allot(&m, n, left);
             (void)run(&m, n, mine, STARS, &i, tet, adj);
+            /* no search was long: others will not be */
             if (m.burden == 0.0 && m.nsupport == 0) break;
         }
     }

@@ -247,8 +247,8 @@ C       RECENT  behind it the near lists, from the one used last on
 C     RCTL, its doubles:
 C       T3, T5  see HHFIL3, HHFIL5
 C       RREACH  a block's margin, in its leaf's diagonals
-C       RBURDN  comparisons left open, over NP;  RPATIE their limit; 0:
-C               no more supports are sought
+C       RBURDN  what was offered to samples, over NP;  RPATIE its limit;
+C               0: no more supports are sought
 C       RLEAST  the least absolute value of a coordinate above 0
 C       RSKIN   skin of the next near list
 C       RFUND, RUSUAL  the purse of the near lists; nodes of a search in
@@ -340,7 +340,9 @@ C               0.4 times as long
 C       SAMPLE  a node is cut across the widest extent of about so many
 C               of its points; with all of them a million points take 3
 C               % longer
-C       DEPTH   bound on the depth of the tree plus one
+C       DEPTH   bound on the depth of the tree plus one, and on three
+C               halves of it: with cylinders a search keeps three nodes
+C               for every second level
 C       SUPPS   maximum number of supports
 C       OPENED, BURDEN  one is sought when a search has more than OPENED
 C               points in its sample and these add up to BURDEN times
@@ -395,10 +397,10 @@ C       PLAIN   no support is sought where points are in so few units
 C               (T5 at least PLAIN) that doubles decide all
 C       MUCH    pool recommended beyond 4 N in any case, up to 8 N
 C       INTMAX  the largest integer
-C       UNSURE  returned by predicates out of range
-C       BEATS, LOSES, OUT  given by TSCONT, as by HHPBAL: the point is
-C               better than the best one; it is not; nor is it, and
-C               perhaps it is not on the open side.  TIE: see HHPBAL
+C       UNSURE  a sign that bounds, or too few limbs, leave undecided
+C       BEATS, LOSES, OUT  given by TSCONT, and by HHPBAL but for OUT:
+C               the point is better than the best one; it is not; it is
+C               not, or is not on the open side.  TIE: see HHPBAL
 C       HHLIM, BITS, DIGITS  see hhpred.f; bits of a double
 C       MORE, FULL, PLANAR, LINEAR, SINGLE, RANGE  the codes 1 to 6 of
 C               TESS
@@ -414,7 +416,9 @@ C               and so may be each product; |W| < 4, and |C| is at most
 C               2 MUCHL: TSNARR gives no ball for an L-coordinate beyond
 C               MUCHL (nor may anything overflow there), a circumradius
 C               is below 0.02/EPS by HHSETU, and HHTHIN's and HHCENT's
-C               are below MUCHL
+C               are below MUCHL.  The tall sieve is all that over q;
+C               where q is so great that FAINT/q underflows, 16 EPS SIZE
+C               (SIZE + sc) covers it
 C       NARROW  a box narrower than this has no list.  A list's
 C               coordinates are then right to far less than FEPS, and a
 C               star's margin is above SMALL, so that no product in
@@ -1400,7 +1404,7 @@ C     may come out too small by a few EPS.
      $    S(VERR)
       END
 
-C     TSOSID - the open side as a sieve: the ball of L = MUCHL / 2 about
+C     TSOSID - the open side as a sieve: the ball of L = MUCHL / 2 along
 C     the normal.  Its dc has room for |W|**2, and is so large that all
 C     pass where the normal is not known.
       SUBROUTINE TSOSID(F, S)
@@ -1419,14 +1423,13 @@ C     pass where the normal is not known.
       IF (F(10) .LE. LOOSE) S(VDC) = MUCHL*(0.5D0*F(10) + 4.0D0*EPS)
       END
 
-C     TSPRUN - returns 1 if the box of a node provably holds no
-C     candidate: it passes no sieve, to whose power the heights in the
-C     box add at least HIGH, or it is on the negative side; or 0.  It
-C     compares the least power and the greatest side in the box with the
-C     bounds on their errors: TSPOWE, and E |W|, which covers the
-C     rounding of the side, too.  Both are taken at a point whose
-C     coordinates are the box's own doubles, so the bounds for points
-C     hold.
+C     TSPRUN - returns 1 if no point of a node's box can be a candidate:
+C     none passes the sieve S, whose sum their heights raise by at least
+C     HIGH, or all are on the negative side; or 0.  It compares the
+C     least sum and the greatest side in the box with the bounds on
+C     their errors: TSPOWE, and E |W|, which covers the rounding of the
+C     side, too.  Both are taken at a point whose coordinates are the
+C     box's own doubles, or C's, so the bounds for points hold.
       INTEGER FUNCTION TSPRUN(F, S, BOX, NODE, HIGH)
       DOUBLE PRECISION F(12), S(*), BOX(6,*), HIGH
       INTEGER NODE
@@ -1457,17 +1460,15 @@ C     the part in the root's box, lies inside the box of a list, or 0.
 C     The centre of the true ball is within dc of C, and both balls pass
 C     through the base.  So the radius is at most |C| + dc, and along an
 C     axis the ball ends within |C| + 2 dc of C.
-      INTEGER FUNCTION TSBINB(BOX, LSI, LSD, LIST, F, C)
+      INTEGER FUNCTION TSBINB(BOX, LSD, LIST, F, C)
       DOUBLE PRECISION BOX(6,*), LSD(17,7), F(12), C(8)
-      INTEGER LSI(3,7), LIST
-      INTEGER LN, LLO, LHI, VDC
+      INTEGER LIST
+      INTEGER LLO, LHI, VDC
       DOUBLE PRECISION PAD
-      PARAMETER (LN = 3, LLO = 0, LHI = 3, VDC = 4,
-     $    PAD = 64.0D0*2.0D0**(-52))
+      PARAMETER (LLO = 0, LHI = 3, VDC = 4, PAD = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION PART(6,1), R
       INTEGER TSPRUN, I, K, OUT
       TSBINB = 0
-      IF (LSI(LN,LIST) .EQ. 0) RETURN
       R = SQRT(C(1)*C(1) + C(2)*C(2) + C(3)*C(3))
       R = R*(1.0D0 + PAD) + 2.0D0*C(VDC)
       DO 10 I = 1, 6
@@ -1986,8 +1987,8 @@ C     is 1 if it is kept, or 0.
         CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
         IF (OK .EQ. 0) RETURN
       END IF
-C     all marks would stay; heights of all points, for nothing, would be
-C     most of a globe's index
+C     all marks would stay: computing the heights of all points in vain
+C     would take most of the time of a globe's index
       IF (IQ(QOPEND) .GT. OPENED .AND. HELD .EQ. IQ(QOPEND)) RETURN
       NEAR = 0
       DO 20 NODE = 2*CTL(LEAVES) - 1, CTL(LEAVES), -1
@@ -2222,24 +2223,23 @@ C     is left of a side of more than twice its error: PAD is more.
       END
 
 C     TSAIM - sets up the tall sieve for the best point so far, whose
-C     L-coordinate is at most k.  A better point has side > 0 and N - 2
-C     k side <= 0, where N is its power in the ball of L = 0, of centre
-C     c.  Without a ball k is MUCHL / 2, with room for N.  So with v,
+C     L-coordinate is at most l.  A better point has side > 0 and N - 2
+C     l side <= 0, where N is its power in the ball of L = 0, of centre
+C     c.  Without a ball l is MUCHL / 2, with room for N.  So with v,
 C     the facet's normal, there is none where
 C         q |W|**2 - d.W + a (height - h) > 0:
 C
 C              plane: side = G / g        sphere: N = G, of which 1 - q
 C       q      1                          are taken as height - h -
-C       d      2 c + a tilt               tilt.W; 2 q c + a tilt + 2 k v
-C       a      -2 k / g                   1 - q
+C       d      2 c + a tilt               tilt.W; 2 q c + a tilt + 2 l v
+C       a      -2 l / g                   1 - q
 C
-C     Near a plane k may be greater, so |a| may be greater for k > 0,
-C     and smaller for k < 0.  Near a sphere the best q is, but for a,
-C     that for which the least of q |W|**2 - d.W is greatest.  Any q > 0
-C     is valid, so errors in q do not count.  dd has room for the errors
-C     of c, tilt and v, and for 8 roundings of each term; err for those
-C     of h, of a height of at most -low, and of a, which is exact but
-C     for one rounding.  The sieve is all that over q.
+C     Near a plane l may be greater, so |a| may be greater for l > 0,
+C     and smaller for l < 0.  Near a sphere q makes |d| least, if it
+C     can; any q > 0 is valid, so errors in q do not count.  dd has room
+C     for the errors of c, tilt and v, and for 8 roundings of each term;
+C     err for those of h, of a height of at most -low, and of a, which
+C     is exact but for one rounding.  The sieve is all that over q.
       SUBROUTINE TSAIM(S, BALL, F, HI, T)
       DOUBLE PRECISION S(60), F(12), HI, T(14)
       INTEGER BALL
@@ -2491,7 +2491,7 @@ C     A point is W + S U + P from the base, where W is the cylinder's
 C     centre, U its axis, |S| <= H, and P is across U, |P| <= R.  With G
 C     = W - C, A = |G.U|, and RHO the length of G across U, its power in
 C     the ball about C is
-C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P),
+C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P).
 C     The brackets are at least T (T - 2 A), where T is the lesser of A
 C     and H, and Q**2 - 2 Q RHO, where Q is the lesser of RHO and R.  So
 C     there is no candidate if the sum without 2 Q RHO is positive and
@@ -2778,7 +2778,7 @@ C     that for a tie, or OUT.
      $    SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
       IF (SIDE .NE. 1) THEN
         POWER = OUT
-      ELSE IF (OPEN .EQ. 1 .AND. POWER .EQ. UNSURE) THEN
+      ELSE IF (POWER .EQ. UNSURE) THEN
         POWER = HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
         CTL(EVEN) = ABS(POWER)/TIE
         IQ(QASKED) = IQ(QASKED) + EXACT*(1 - CTL(EVEN))
@@ -2959,7 +2959,7 @@ C     adds cost: on surfaces, two of five points that were tested.
       OK = 0
       IF (LSI(LN,BLK) .EQ. 0) RETURN
       IF (IQ(QBALL) .EQ. 0) RETURN
-      IF (TSBINB(BOX, LSI, LSD, BLK, F, FQ) .EQ. 0) RETURN
+      IF (TSBINB(BOX, LSD, BLK, F, FQ) .EQ. 0) RETURN
       CALL TSLOOK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
      $            LSD, BLK, V, IQ, F, FQ, N)
       IF (N .GE. 0) OK = 1
@@ -2985,7 +2985,7 @@ C     more points in it.  The points in the skin pass the sieve then.
 C     TSADMI - puts points of a leaf into the list that a search makes:
 C     of N, the first at position FIRST, the uncompleted ones whose
 C     power is at most MOST.  While they are too many, the skin shrinks:
-C     then those stay whose power may be below room.  They are in the
+C     then those stay that may still pass the sieve.  They are in the
 C     ball before, so |W|_1 is at most 4 times its radius, and single
 C     precision changes a power by less than FEPS of it.  Powers are
 C     where the list's coordinates will be.
@@ -3335,8 +3335,8 @@ C     TSNEAL - makes a near list of the ball of a search and a skin
 C     about it, of points on either side of the facet.  OK is 1, or 0 if
 C     they are too many.
 C
-C     What is nearer than margin, but for TSINBA's PAD, has a power
-C     below room, so TSADMI took it, and is in the box, so TSBALC's
+C     What is nearer than margin, but for TSINBA's PAD, passes the
+C     sieve, so TSADMI took it, and is in the box, so TSBALC's
 C     bound holds for it.  What is not may be in the list as well: no
 C     search that TSINBA admits needs it.
       SUBROUTINE TSNEAL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
