@@ -415,6 +415,11 @@ tests() {
     else
         skipped "all rounding modes"
     fi
+    if have "$CC" -mfpmath=387; then
+        units x87 "$CC" "-O2 -mfpmath=387" "t_pred 10"
+    else
+        skipped "x87"
+    fi
 }
 
 # An index serves in other builds and rounding modes than the one that made it.
