@@ -53,10 +53,10 @@ take() {
     case $HALF in
     c)
         FILES="tess.c hhpred.c"
-        TEST="brute parity t_pred few x87 certify t_tess t_part asan";;
+        TEST="brute parity t_pred few x87 calls certify t_tess t_part asan";;
     f)
         FILES="tess.f hhpred.f"
-        TEST="brute parity t_tess t_part";;
+        TEST="brute parity calls t_tess t_part";;
     esac
 }
 
@@ -79,6 +79,7 @@ compile() {
 # links TREE TEST: the test with the library in TREE
 links() {
     case $HALF$2 in
+    ?calls) ;;
     ct_pred) $CC -o $1/$2 $DIR/$2.o $1/hhpred.c.o $DIR/exact.o $DIR/points.o -lm;;
     cfew) $CC -I. -O1 -DHH_LIMBS=3 -o $1/$2 $DIR/$2.o $1/hhpred.c $DIR/exact.o \
         $DIR/points.o -lm;;
@@ -113,6 +114,7 @@ passes() {
     t_pred) runs $LIMIT $1/$2 15;;
     few | x87) runs $LIMIT $1/$2 5;;
     certify) runs $LIMIT $1/$2 60;;
+    calls) sh test/fortran/calls.sh $1 && cp build/calls/all.txt $1/calls;;
     asan) limited $LONG $1/$2 -quick;;
     t_tess | t_part) runs $LONG $1/$2 -quick | awk '{ last = $0 }
         /^FAILED/ { exit }
@@ -130,11 +132,10 @@ fresh() {
     [ $HALF != c ] || cp tess.h hhpred.h $1
 }
 
-# looks TREE: 1 if searches look at more, or call more; the counts in TREE/looks
+# looks TREE: 1 if searches look at more; what is counted in TREE/looks
 looks() {
-    sh test/fortran/calls.sh $1 || return
     [ $HALF != c ] || sh test/bench/counts.sh $1 || return
-    cp build/calls/all.txt $1/looks
+    cp $1/calls $1/looks
     [ $HALF != c ] || cat build/looks/all.txt >> $1/looks
 }
 
