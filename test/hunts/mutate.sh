@@ -18,8 +18,8 @@
 # that survives is said whether it alters what searches look at: "elsewhere" if
 # so, "survived" if that is the same, too.
 #
-# equivalents has three parts.  Changes of the second, which only cost time, and
-# of the third, bounds that are less than proven, are left out, too.
+# Those of the second part of equivalents, which only cost a little, are left out,
+# too.
 #
 # Run from the top directory; takes CC.  The last line is
 # `mutation: N changes, C caught, E look elsewhere, S survived'; without SKIP,
