@@ -415,6 +415,11 @@ tests() {
     else
         skipped "all rounding modes"
     fi
+    if have "$CC" -mfpmath=387; then
+        units x87 "$CC" "-O2 -mfpmath=387" "t_pred 10"
+    else
+        skipped "x87"
+    fi
 }
 
 # An index serves in other builds and rounding modes than the one that made it.
@@ -1324,7 +1329,8 @@ halves() {
         group "parity: " && gfortran -std=legacy -frecursive -O1 -fcheck=all -Wall -Wextra -Werror \
             -Wno-compare-reals -Wno-do-subscript -c -o build/fparity.o \
             test/fortran/parity.f >> $LOG 2>&1
-        quick="brute 50,t_tess -quick,t_part -quick"
+        # (so many points have cylinders on several levels)
+        quick="brute 50,t_tess -quick,t_tess -one ellipsoid 6000 1,t_part -quick"
         fortran "gfortran -fcheck=all" "" "$quick" gfort build/f -O1 -fcheck=all
         text "gfortran -fcheck=all"
         programs "gfortran -fcheck=all" "-std=legacy -O1 -fcheck=all"
@@ -1345,6 +1351,11 @@ halves() {
         recipe natural "gfortran -O3"
         half gfort build/f -Ofast -march=native
         text "gfortran -Ofast -march=native"
+        # (a subscript may be right for the array that a caller has passed on)
+        LIBF=-fsanitize=address
+        half gfort build/f -O1 -fsanitize=address
+        text "gfortran -fsanitize=address"
+        LIBF=
         # integers of 8 bytes
         fortran "INTEGER*8" -DTESS_INT=long "brute 50" gfort build/f -O2 \
             -fdefault-integer-8

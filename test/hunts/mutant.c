@@ -1,4 +1,5 @@
-/* mutant.c - break a C file in one place at a time; see mutate.sh.
+/* mutant.c - break a file in one place at a time, in C or, if its name ends in .f,
+ * in FORTRAN 77; see mutate.sh.
  *
  *     mutant FILE          a line for each change: its number, the line in
  *                          FILE, and what it does
@@ -10,24 +11,26 @@
  * constant one more or less; a floating one doubled, halved or 0; a condition
  * of if, while or for negated; a statement left out, or a jump.  Not touched:
  * what the preprocessor reads, but for the values of macros, and the lengths
- * of declared arrays.
+ * of declared arrays; in FORTRAN labels and all declarations but PARAMETER.
+ * (Lines may be longer than 72 columns then.)
  */
 #include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define LONGEST 400000
-#define TOKENS 100000
+#define LONGEST 500000
+#define TOKENS 200000
 #define CHANGES 40000
 
 static char text[LONGEST + 1];
 static long length;
+static int fortran;
 
 static struct token {
     long from, to;
     int line;
-    int named; /* it begins the value of a macro */
+    int first; /* it begins the value of a macro, or a statement in FORTRAN */
 } token[TOKENS + 1];
 static int ntoken;
 
@@ -65,9 +68,10 @@ static int is_name(int i)
 
 static int is_number(int i)
 {
-    const char *s = text + token[i].from;
+    const char *s;
 
     if (i < 0 || i >= ntoken) return 0;
+    s = text + token[i].from;
     return isdigit((unsigned char)*s) ||
            (*s == '.' && isdigit((unsigned char)s[1]));
 }
@@ -116,20 +120,39 @@ static void replace(int i, const char *by)
     add(token[i].from, token[i].to, token[i].line, 0, by, "", " -> ");
 }
 
+/* Is what begins at i a line of comment in FORTRAN?  Else *first says whether it
+ * begins a statement. */
+static int comment(long i, int *first)
+{
+    if (text[i] == 'C' || text[i] == '\n') return 1;
+    *first = text[i + 5] == ' ';
+    return 0;
+}
+
 /* Cut the text into tokens: no comments, of the preprocessor's lines only the
- * values of macros. */
+ * values of macros; no labels. */
 static void cut(void)
 {
     static const char *const two[] = {
         "<=", ">=", "==", "!=", "&&", "||", "+=", "-=", "*=", "/=", "++",
         "--", "->", "<<", ">>", "|=", "&=", NULL
     };
+    static const char *const power[] = { "**", NULL };
+    const char *const *pair = fortran ? power : two;
     long i = 0, from;
-    int line = 1, fresh = 1, named = 0, k;
+    int line = 1, fresh = 1, first = 0, k;
 
     while (i < length) {
         char c = text[i];
 
+        if (fortran && fresh) {
+            fresh = 0;
+            if (comment(i, &first))
+                while (text[i] != '\n') i++;
+            else
+                i += 6;
+            continue;
+        }
         if (c == '\n') {
             line++;
             fresh = 1;
@@ -159,7 +182,7 @@ static void cut(void)
                     while (text[i] != ')') i++;
                     i++;
                 }
-                named = 1;
+                first = 1;
             } else
                 while (text[i] != '\n') {
                     if (text[i] == '\\' && text[i + 1] == '\n') {
@@ -178,15 +201,18 @@ static void cut(void)
                  (c == '.' && isdigit((unsigned char)text[i + 1])))
             while (isalnum((unsigned char)text[i]) || text[i] == '.' ||
                    ((text[i] == '-' || text[i] == '+') &&
-                    text[i - 1] == 'e'))
+                    strchr("eED", text[i - 1]) != NULL))
                 i++;
+        else if (fortran && c == '.')
+            for (i++; text[i - 1] != '.' || i == from + 1; i++)
+                ;
         else if (c == '"' || c == '\'') {
             for (i++; text[i] != c; i++) i += text[i] == '\\';
             i++;
         } else {
             i++;
-            for (k = 0; two[k] != NULL; k++)
-                if (c == two[k][0] && text[i] == two[k][1]) {
+            for (k = 0; pair[k] != NULL; k++)
+                if (c == pair[k][0] && text[i] == pair[k][1]) {
                     i++;
                     break;
                 }
@@ -195,8 +221,8 @@ static void cut(void)
         token[ntoken].from = from;
         token[ntoken].to = i;
         token[ntoken].line = line;
-        token[ntoken++].named = named;
-        named = 0;
+        token[ntoken++].first = first;
+        first = 0;
     }
 }
 
@@ -218,7 +244,9 @@ static void operators(int i)
     static const char *const swap[] = {
         "<", "<=", "<=", "<", ">", ">=", ">=", ">", "==", "!=", "!=", "==",
         "&&", "||", "||", "&&", "+=", "-=", "-=", "+=", "*=", "/=", "/=",
-        "*=", "++", "--", "--", "++", "|", "&", NULL
+        "*=", "++", "--", "--", "++", "|", "&", ".LT.", ".LE.", ".LE.",
+        ".LT.", ".GT.", ".GE.", ".GE.", ".GT.", ".EQ.", ".NE.", ".NE.",
+        ".EQ.", ".AND.", ".OR.", ".OR.", ".AND.", NULL
     };
     /* after a name, a number or a bracket an operator has two operands */
     int k, binary = (is_name(i - 1) && !is_type(i - 1) &&
@@ -227,7 +255,7 @@ static void operators(int i)
 
     for (k = 0; swap[k] != NULL; k += 2)
         if (is(i, swap[k])) replace(i, swap[k + 1]);
-    if (binary && !token[i].named) {
+    if (binary && !token[i].first) {
         if (is(i, "+")) replace(i, "-");
         if (is(i, "-")) replace(i, "+");
         if (is(i, "*")) replace(i, "/");
@@ -236,30 +264,34 @@ static void operators(int i)
         if (is(i, "&")) replace(i, "|");
     } else if (is(i, "-"))
         replace(i, " ");
-    if (is(i, "!")) replace(i, " ");
+    if (is(i, "!") || is(i, ".NOT.")) replace(i, " ");
 }
 
 static void constant(int i)
 {
     char s[40], by[60];
+    const char *suffix = "";
     long n = token[i].to - token[i].from;
 
     if (n > 30) return;
     memcpy(s, text + token[i].from, (size_t)n);
     s[n] = '\0';
     if (strchr(s, '.') != NULL || strchr(s, 'e') != NULL) {
-        int single = s[n - 1] == 'f';
-        double x = atof(s);
-
-        if (x == 0.0) {
-            replace(i, single ? "1.0f" : "1.0");
+        if (fortran)
+            suffix = strchr(s, 'D') != NULL ? "D0" : "E0";
+        else if (s[n - 1] == 'f')
+            suffix = "f";
+        if (atof(s) == 0.0) {
+            sprintf(by, "1.0%s", suffix);
+            replace(i, by);
             return;
         }
-        sprintf(by, "(2.0%s * %s)", single ? "f" : "", s);
+        sprintf(by, "(2.0%s * %s)", suffix, s);
         replace(i, by);
-        sprintf(by, "(0.5%s * %s)", single ? "f" : "", s);
+        sprintf(by, "(0.5%s * %s)", suffix, s);
         replace(i, by);
-        replace(i, single ? "0.0f" : "0.0");
+        sprintf(by, "0.0%s", suffix);
+        replace(i, by);
     } else {
         sprintf(by, "(%s + 1)", s);
         replace(i, by);
@@ -276,6 +308,12 @@ static void conditions(int i)
     end = closing(i + 1);
     a = i + 2;
     b = end;
+    if (fortran) {
+        if (is(i, "IF"))
+            add(token[a].from, token[b].from, token[i].line, 1, ".NOT.(", ")",
+                " negated");
+        return;
+    }
     if (is(i, "for")) {
         while (a < end && !is(a, ";")) a++;
         for (b = ++a; b < end && !is(b, ";"); b++)
@@ -320,7 +358,7 @@ static void all(void)
         if (is(i, "if") || is(i, "while") || is(i, "for"))
             last = closing(i + 1);
         conditions(i);
-        if (start && depth > 0 && !token[i].named) statement(i);
+        if (start && depth > 0 && !token[i].first) statement(i);
         /* the length of an array that is declared */
         if (is(i, "[") && parens == 0 && (declares || depth == 0) &&
             (is_type(i - 2) || is(i - 2, "*") || is(i - 2, ",") ||
@@ -331,6 +369,36 @@ static void all(void)
         }
         operators(i);
         if (is_number(i)) constant(i);
+    }
+}
+
+static void all_fortran(void)
+{
+    static const char *const declares[] = {
+        "INTEGER", "REAL", "DOUBLE", "DATA", "EQUIVALENCE", "EXTERNAL",
+        "SUBROUTINE", NULL
+    };
+    static const char *const other[] = {
+        "PARAMETER", "IF", "ELSE", "END", "DO", "CONTINUE", "THEN", NULL
+    };
+    int i = 0, k, last = -1;
+
+    while (i < ntoken) {
+        for (k = i + 1; k < ntoken && !token[k].first; k++)
+            ;
+        if (token[i].first && among(i, declares)) {
+            i = k;
+            continue;
+        }
+        if ((token[i].first || i == last) && !among(i, other))
+            add(token[i].from, token[k - 1].to, token[i].line, 0, "CONTINUE",
+                "", " -> ");
+        if (is(i, "IF") && is(i + 1, "(")) last = closing(i + 1) + 1;
+        conditions(i);
+        operators(i);
+        if (is_number(i) && !is(i - 1, "TO") && !is(i - 1, "DO"))
+            constant(i);
+        i++;
     }
 }
 
@@ -369,8 +437,13 @@ int main(int argc, char **argv)
     }
     length = (long)fread(text, 1, LONGEST, in);
     fclose(in);
+    fortran = strlen(argv[1]) > 2 &&
+              strcmp(argv[1] + strlen(argv[1]) - 2, ".f") == 0;
     cut();
-    all();
+    if (fortran)
+        all_fortran();
+    else
+        all();
     if (argc == 2) {
         for (i = 0; i < nchange; i++)
             printf("%d %d %s\n", i + 1, change[i].line, change[i].what);

@@ -1,60 +1,107 @@
 #!/bin/sh
-# mutate.sh - do the tests notice?  Breaks tess.c or hhpred.c in one place at a
-# time (mutant.c), and runs tests that take a few seconds.
+# mutate.sh - do the tests notice?  Breaks the library in one place at a time
+# (mutant.c), and runs tests that take a few seconds.
 #
 #     sh test/hunts/mutate.sh [N [SEED [SKIP]]]
-#         N changes, 100, drawn by SEED, 1, without the first SKIP drawn
+#         N changes of each half, 100, drawn by SEED, 1, without the first SKIP
+#         drawn; HALVES=c or HALVES=f of C or of FORTRAN alone
 #     sh test/hunts/mutate.sh -those LIST [TEST]
 #         changes of which LIST has a line each, FILE K: all tests, or TEST.
 #         The last one is kept in build/mutation/new
 #
 # A change that leaves the object code as it is, or does not compile, or is in
 # test/hunts/equivalents, is left out, and not counted in N nor in SKIP.  Caught
-# is what fails a test (few is t_pred with 3 limbs), crashes, takes four times as
-# long as the library does or more, or makes searches look at a tenth more
-# (bench/counts.sh).  Of a change that survives is said whether it alters what
-# they look at: "elsewhere" if so, "survived" if that is the same, too.
+# is what fails a test (few is t_pred with 3 limbs, x87 that in an x87 unit, asan
+# t_tess, or parity.f, with sanitizers), crashes, takes four times as long as the
+# library does or more, makes searches look at a tenth more (bench/counts.sh), or
+# calls a routine more often than its twin does (fortran/calls.sh).  Of a change
+# that survives is said whether it alters what searches look at: "elsewhere" if
+# so, "survived" if that is the same, too.
+#
+# Those of the second part of equivalents, which only cost a little, are left out,
+# too.
 #
 # Run from the top directory; takes CC.  The last line is
-# `mutation: N changes, C caught, E look elsewhere, S survived'; without SKIP
-# all is written to test/results/mutation.txt.
+# `mutation: N changes, C caught, E look elsewhere, S survived'; without SKIP,
+# and of both halves, all is written to test/results/mutation.txt.
 . test/tests.sh
 set -f
 DIR=build/mutation
+HALVES=${HALVES:-c f}
 N=100
 SEED=1
 SKIP=0
 LIMIT=12
-LONG=40
+LONG=60
 
 say() { echo "mutate.sh: $1" >&2; exit 2; }
 
 mkdir -p $DIR/new
-TEST="brute parity t_pred few certify t_tess t_part"
-for f in proof/exact hunts/hard hunts/certify points proof/verify \
-    unit/damage unit/guard unit/brute unit/t_pred unit/t_tess unit/t_part fortran/parity; do
+for f in proof/exact hunts/hard hunts/certify points proof/verify unit/damage \
+    unit/guard unit/brute unit/t_pred unit/t_tess unit/t_part fortran/parity \
+    fortran/shim; do
     $CC -O2 -I. -c -o "$DIR/$(basename $f).o" test/$f.c || say "$f.c does not compile"
 done
 $CC -O2 -I. -DHH_LIMBS=3 -c -o $DIR/few.o test/unit/t_pred.c
+$CC -O2 -I. -mfpmath=387 -c -o $DIR/x87.o test/unit/t_pred.c
 $CC -O2 -o $DIR/mutant test/hunts/mutant.c || say "mutant.c does not compile"
+case $HALVES in *f*)
+    gfortran -std=legacy -frecursive -O1 -c -o $DIR/parityf.o \
+        test/fortran/parity.f || say "parity.f does not compile";;
+esac
 
-# compile TREE: the objects of the library in TREE
+# take HALF: its files, its tests
+take() {
+    HALF=$1
+    case $HALF in
+    c)
+        FILES="tess.c hhpred.c"
+        TEST="brute parity t_pred few x87 calls certify t_tess t_part asan";;
+    f)
+        FILES="tess.f hhpred.f"
+        TEST="brute parity large asan calls t_tess t_part";;
+    esac
+}
+
+# of FILE: the half that it belongs to, and where it is
+of() { echo ${1#*.}; }
+path() { case $1 in *.f) echo f77/$1;; *) echo $1;; esac; }
+
+# compile TREE: the objects of the half in TREE.  (What a check of bounds says
+# must not tell the trees apart.)
 compile() {
-    for half in tess hhpred; do
-        [ -f $1/$half.o ] || $CC -O1 -c -o $1/$half.o $1/$half.c || return 1
+    for f in $FILES; do
+        [ -f $1/$f.o ] || case $f in
+        *.c) $CC -O1 -c -o $1/$f.o $1/$f;;
+        *.f) (cd $1 && gfortran -w -frecursive -fcheck=all -O1 \
+            -ffixed-line-length-none -c -o $f.o $f);;
+        esac || return 1
     done
 }
 
 # links TREE TEST: the test with the library in TREE
 links() {
-    case $2 in
-    t_pred) $CC -o $1/$2 $DIR/$2.o $1/hhpred.o $DIR/exact.o $DIR/points.o -lm;;
-    few) $CC -I. -O1 -DHH_LIMBS=3 -o $1/$2 $DIR/$2.o $1/hhpred.c $DIR/exact.o \
+    case $HALF$2 in
+    ?calls) ;;
+    ct_pred) $CC -o $1/$2 $DIR/$2.o $1/hhpred.c.o $DIR/exact.o $DIR/points.o -lm;;
+    cfew) $CC -I. -O1 -DHH_LIMBS=3 -o $1/$2 $DIR/$2.o $1/hhpred.c $DIR/exact.o \
         $DIR/points.o -lm;;
-    certify) $CC -I. -O1 -DTESS_PROVE -o $1/$2 $DIR/$2.o $1/tess.c $1/hhpred.o \
-        $DIR/exact.o $DIR/hard.o -lm;;
-    *) $CC -o $1/$2 $DIR/$2.o $1/tess.o $1/hhpred.o $DIR/exact.o \
+    cx87) $CC -I. -O1 -mfpmath=387 -o $1/$2 $DIR/$2.o $1/hhpred.c $DIR/exact.o \
+        $DIR/points.o -lm;;
+    ccertify) $CC -I. -O1 -DTESS_PROVE -o $1/$2 $DIR/$2.o $1/tess.c \
+        $1/hhpred.c.o $DIR/exact.o $DIR/hard.o -lm;;
+    casan) $CC -I. -O1 -fsanitize=address,undefined -fno-sanitize-recover=all \
+        -o $1/$2 test/unit/t_tess.c $1/tess.c $1/hhpred.c $DIR/exact.o \
         $DIR/points.o $DIR/verify.o $DIR/damage.o $DIR/guard.o -lm;;
+    fasan) gfortran -w -std=legacy -frecursive -O1 -fsanitize=address \
+        -ffixed-line-length-none -o $1/$2 test/fortran/parity.f $1/tess.f \
+        $1/hhpred.f;;
+    flarge) links $1 t_tess && cp $1/t_tess $1/$2;;
+    fparity) gfortran -o $1/$2 $DIR/parityf.o $1/tess.f.o $1/hhpred.f.o;;
+    c*) $CC -o $1/$2 $DIR/$2.o $1/tess.c.o $1/hhpred.c.o $DIR/exact.o \
+        $DIR/points.o $DIR/verify.o $DIR/damage.o $DIR/guard.o -lm;;
+    f*) gfortran -o $1/$2 $DIR/$2.o $DIR/shim.o $1/tess.f.o $1/hhpred.f.o \
+        $DIR/exact.o $DIR/points.o $DIR/verify.o $DIR/damage.o $DIR/guard.o -lm;;
     esac
 }
 
@@ -72,8 +119,12 @@ passes() {
     case $2 in
     brute) runs $LIMIT $1/$2 60;;
     t_pred) runs $LIMIT $1/$2 15;;
-    few) runs $LIMIT $1/$2 5;;
+    few | x87) runs $LIMIT $1/$2 5;;
     certify) runs $LIMIT $1/$2 60;;
+    large) runs $LIMIT $1/$2 -one ellipsoid 6000 1;;
+    calls) sh test/fortran/calls.sh $1 && cp build/calls/all.txt $1/calls;;
+    asan) limited $LONG $1/$2 -quick > $1/out && { [ $HALF = c ] ||
+        sh test/fortran/sums.sh $1/out test/fortran/parity.txt; };;
     t_tess | t_part) runs $LONG $1/$2 -quick | awk '{ last = $0 }
         /^FAILED/ { exit }
         END { exit last !~ / passed, 0 failed$/ }';;
@@ -82,45 +133,60 @@ passes() {
     esac > /dev/null 2>&1
 }
 
-# fresh TREE: the library
+# fresh TREE: the half
 fresh() {
+    rm -rf $1
     mkdir -p $1
-    cp tess.c tess.h hhpred.c hhpred.h $1
-    rm -f $1/tess.o $1/hhpred.o
+    for f in $FILES; do cp "$(path $f)" $1; done
+    [ $HALF != c ] || cp tess.h hhpred.h $1
 }
 
-OLD=$DIR/old
-fresh $OLD
-compile $OLD || say "the library does not compile"
-for t in $TEST; do
-    passes $OLD $t || say "$t fails without a change"
+# looks TREE: 1 if searches look at more; what is counted in TREE/looks
+looks() {
+    [ $HALF != c ] || sh test/bench/counts.sh $1 || return
+    cp $1/calls $1/looks
+    [ $HALF != c ] || cat build/looks/all.txt >> $1/looks
+}
+
+for half in $HALVES; do
+    take $half
+    OLD=$DIR/old.$HALF
+    fresh $OLD
+    compile $OLD || say "the library does not compile"
+    for t in $TEST; do
+        passes $OLD $t || say "$t fails without a change"
+    done
+    looks $OLD || say "counts are up without a change"
+    for f in $FILES; do
+        $DIR/mutant "$(path $f)" | sed "s/^/$f /"
+    done > $DIR/all.$HALF
 done
-sh test/bench/counts.sh $OLD || say "counts are up without a change"
-mv build/looks/all.txt $DIR/counts.txt
 
 NEW=$DIR/new
 # change FILE K: make it; 1 when it does not compile, 2 when that is the same
 change() {
+    take "$(of $1)"
+    OLD=$DIR/old.$HALF
     fresh $NEW
-    $DIR/mutant $1 $2 > $NEW/$1 || return 1
-    for half in tess hhpred; do
-        [ $half.c = $1 ] || cp $OLD/$half.o $NEW
+    $DIR/mutant "$(path $1)" $2 > $NEW/$1 || return 1
+    for f in $FILES; do
+        [ $f = $1 ] || cp $OLD/$f.o $NEW
     done
     compile $NEW 2> /dev/null || return 1
-    cmp -s $NEW/${1%.c}.o $OLD/${1%.c}.o && return 2
+    cmp -s $NEW/$1.o $OLD/$1.o && return 2
     return 0
 }
 
 # entry FILE LINE K: as in equivalents.  A change that a line allows more than
 # once has (2), (3) ... behind it.
 entry() {
-    echo "$1: $(sed -n "$2{s/^ *//;s/ *\$//;p;}" "$1")"
+    echo "$1: $(sed -n "$2{s/^ *//;s/ *\$//;p;}" "$(path $1)")"
     awk -v f="$1" -v line="$2" -v k="$3" '$1 == f && $3 == line {
         what = $0
         for (i = 0; i < 3; i++) sub(/^[^ ]* /, "", what)
         n = ++seen[what]
         if ($2 == k) print what (n > 1 ? " (" n ")" : "")
-    }' $DIR/all.txt
+    }' $DIR/all.$HALF
 }
 
 # equivalent FILE LINE K: is it said to be so?
@@ -136,25 +202,20 @@ equivalent() {
 # verdict FILE: which test catches it, or what survives
 verdict() {
     for t in $TEST; do
-        case $1$t in tess.ct_pred | tess.cfew) continue;; esac
-        [ $1 = tess.c ] || [ $t != certify ] || continue
+        case $1$t in tess.ct_pred | tess.cfew | tess.cx87 | hhpred.ccertify) continue;; esac
         if ! passes $NEW $t; then
             echo "caught by $t"
             return
         fi
     done
-    if ! sh test/bench/counts.sh $NEW > /dev/null 2>&1; then
+    if ! looks $NEW > /dev/null 2>&1; then
         echo caught by counts
-    elif cmp -s build/looks/all.txt $DIR/counts.txt; then
+    elif cmp -s $NEW/looks $OLD/looks; then
         echo survived
     else
         echo elsewhere
     fi
 }
-
-for f in tess.c hhpred.c; do
-    $DIR/mutant $f | sed "s/^/$f /"
-done > $DIR/all.txt
 
 if [ "$1" = -those ]; then
     [ -z "$3" ] || TEST=$3
@@ -165,7 +226,7 @@ if [ "$1" = -those ]; then
         2) answer="the same object code";;
         *) answer=`verdict $file`;;
         esac
-        what=`$DIR/mutant $file | awk -v k=$place '$1 == k'`
+        what=`$DIR/mutant "$(path $file)" | awk -v k=$place '$1 == k'`
         set -- $what
         printf '%s\n' "$file:$2 ($place) $answer: ${what#* * }"
     done < $2
@@ -175,11 +236,11 @@ fi
 [ -z "$1" ] || N=$1
 [ -z "$2" ] || SEED=$2
 [ -z "$3" ] || SKIP=$3
-total=`wc -l < $DIR/all.txt`
-$DIR/mutant -draw $total $SEED > $DIR/draw.txt
 
-# hunt: the changes drawn, a line each
+# hunt HALF: the changes drawn, a line each
 hunt() {
+    take $1
+    $DIR/mutant -draw "$(wc -l < $DIR/all.$HALF)" $SEED > $DIR/draw.txt
     done=0
     caught=0
     elsewhere=0
@@ -187,8 +248,9 @@ hunt() {
     same=0
     broken=0
     equal=0
+    skip=$SKIP
     while [ $done -lt $N ] && read k; do
-        what=`sed -n ${k}p $DIR/all.txt`
+        what=`sed -n ${k}p $DIR/all.$HALF`
         set -- $what
         file=$1
         place=$2
@@ -203,8 +265,8 @@ hunt() {
             equal=`expr $equal + 1`
             continue
         fi
-        if [ $SKIP -gt 0 ]; then
-            SKIP=`expr $SKIP - 1`
+        if [ $skip -gt 0 ]; then
+            skip=`expr $skip - 1`
             continue
         fi
         answer=`verdict $file`
@@ -222,11 +284,14 @@ hunt() {
     done < $DIR/draw.txt
     echo "        the same object code $same, does not compile $broken," \
         "equivalent $equal"
-    echo "mutation: $done changes, $caught caught," \
+    echo "$HALF: $done changes, $caught caught," \
         "$elsewhere look elsewhere, $survived survived"
 }
-hunt | tee $DIR/report
-[ $SKIP != 0 ] || {
+for half in $HALVES; do hunt $half; done | tee $DIR/report
+awk '/^[cf]: / { n += $2; c += $4; e += $6; s += $9 }
+    END { print "mutation: " n " changes, " c " caught, " e " look elsewhere, " \
+        s " survived" }' $DIR/report | tee -a $DIR/report
+[ $SKIP != 0 ] || [ "$HALVES" != "c f" ] || {
     echo "Written by: make mutation N=$N SEED=$SEED"
     echo
     cat $DIR/report

@@ -88,7 +88,7 @@ static const char *const kinds[] = {
     "plane sets", "lines and points", "body-centred lattice",
     "tenths of a lattice, far away", "zeros of both signs", "two lines",
     "large integer spheres", "large integers in a plane",
-    "cocircular in a hull face"
+    "a lattice sheared: volumes of 1", "cocircular in a hull face"
 };
 #define KINDS ((int)(sizeof kinds / sizeof kinds[0]))
 
@@ -244,6 +244,14 @@ static void make(int kind)
                 p[i][k] = a * u[k] + b * v[k];
         }
         p[rnd_below(n)][rnd_below(3)] += 1000.0;
+        break;
+    case 20:
+        /* by consecutive Fibonacci numbers, whose products sum to just below
+         * what doubles hold: each volume is what it was */
+        lattice(3);
+        for (i = 0; i < n; i++)
+            set(i, 5702887.0 * p[i][0] + 9227465.0 * p[i][1],
+                9227465.0 * p[i][0] + 14930352.0 * p[i][1], p[i][2]);
         break;
     default:
         /* the circle as a face, other points on one side of it */

@@ -22,6 +22,18 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+/* What a processor can be set to: to take subnormal numbers for zero, or to
+ * round to fewer bits than a double has.  (Where gcc computes by an x87 unit, it
+ * says 2.) */
+#if defined(__GNUC__) && defined(__SSE2__)
+#define TEST_STATE
+#endif
+#if defined(TEST_STATE) && defined(__FLT_EVAL_METHOD__)
+#define BY_X87 (__FLT_EVAL_METHOD__ == 2)
+#else
+#define BY_X87 0
+#endif
+
 #ifdef TESS_FLOAT
 #define REAL_EPS FLT_EPSILON
 #define REAL_MAX FLT_MAX
@@ -1682,11 +1694,63 @@ static void test_known(void)
     test_result("values known by hand", faults);
 }
 
+#ifdef TEST_STATE
+/* hh_holds of n points p while bits of the SSE unit's state are set, and the x87
+ * unit's precision is 0 (24 bits), 2 or 3 (64). */
+static int holds(tess_int n, const tess_real *p, unsigned bits,
+                 unsigned precision)
+{
+    unsigned sse, with;
+    unsigned short x87, narrow;
+    int k;
+
+    __asm__ __volatile__("stmxcsr %0" : "=m"(sse));
+    __asm__ __volatile__("fnstcw %0" : "=m"(x87));
+    with = sse | bits;
+    narrow = (unsigned short)((x87 & ~0x300u) | precision << 8);
+    __asm__ __volatile__("ldmxcsr %0" : : "m"(with));
+    __asm__ __volatile__("fldcw %0" : : "m"(narrow));
+    k = hh_holds(n, p);
+    __asm__ __volatile__("fldcw %0" : : "m"(x87));
+    __asm__ __volatile__("ldmxcsr %0" : : "m"(sse));
+    return k;
+}
+
+/* Arithmetic that is not a double's must be noticed, at any place. */
+static void test_holds(void)
+{
+    tess_real p[9];
+    long faults = 0;
+    int i, n;
+
+    for (n = 0; n <= 3; n++) {
+        for (i = 0; i < 9; i++) p[i] = 1;
+        faults += !holds(n, p, 0, 2) || holds(n, p, 0, 0) == BY_X87;
+        for (i = 0; i < 9 && !BY_X87; i++) {
+            p[i] = (tess_real)(3.0 * DBL_MIN / 8.0);
+#ifdef TESS_FLOAT
+            p[i] = (tess_real)(3.0 * FLT_MIN / 8.0);
+#else
+            faults += holds(n, p, 0x8000, 3) != (i >= 3 * n);
+#endif
+            faults += holds(n, p, 0x40, 3) != (i >= 3 * n);
+            p[i] = 0;
+            faults += !flushes() && !holds(n, p, 0x8040, 3);
+            p[i] = 1;
+        }
+    }
+    test_result("a processor's state is noticed", faults);
+}
+#endif
+
 static void all(void)
 {
     int group;
 
     test_known();
+#ifdef TEST_STATE
+    test_holds();
+#endif
     test_exact();
     for (group = 0; group < CLASSES; group++) {
         long n = 20000;

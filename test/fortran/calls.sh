@@ -1,0 +1,93 @@
+#!/bin/sh
+# calls.sh - are the twins called as often?  Counts, by gcov, the calls of each
+# routine of both halves while they do the same: what parity.c and parity.f ask
+# for, and t_tess, by way of shim.c, of some families.  A routine called more
+# often than its twin belongs to a half that searches or decides more than it
+# need.
+#
+#     sh test/fortran/calls.sh [TREE]    the files of the library that are in
+#                                        TREE in the place of those here
+#
+# Twins that are one call in one half and several in the other, or written out
+# there, are not compared.  How often each is called is in build/calls/all.txt.
+# Takes CC (gcc's, for gcov); run from the top directory.
+. test/tests.sh
+GCOV=${GCOV:-gcov}
+DIR=build/calls
+ALONE="badargument cuberoot disjoint dot forget hh_holds join layout leafcount
+lengths marked openindex place precise rough seal slot sortpoints zeros"
+# as long as the twins' samples and purses of near lists differ: else 0, and
+# tracks and crowd, too
+MARGIN=${MARGIN:-0.1}
+FAMILIES=${FAMILIES:-latlon ellipsoid rotcube near6 hub}
+rm -rf $DIR
+mkdir -p $DIR
+cp tess.[ch] hhpred.[ch] f77/*.f $DIR
+[ -z "$1" ] || for f in tess.c hhpred.c tess.f hhpred.f; do
+    [ ! -f "$1/$f" ] || cp "$1/$f" $DIR
+done
+for f in fortran/parity fortran/shim unit/t_tess unit/damage unit/guard points \
+    proof/exact proof/verify; do
+    $CC -I. -c -o "$DIR/$(basename $f).o" test/$f.c || exit
+done
+gfortran -std=legacy -frecursive -c -o $DIR/parityf.o test/fortran/parity.f ||
+    exit
+cd $DIR || exit
+TESTS="t_tess.o damage.o guard.o points.o exact.o verify.o"
+
+# ran LANGUAGE SET PROGRAM ARGUMENT...: lines SET LANGUAGE FILE ROUTINE CALLS
+ran() {
+    language=$1
+    set=$2
+    shift 2
+    limited 60 "$@" > out || return
+    for f in tess hhpred; do
+        $GCOV -b -o $f.o $f.$language > /dev/null || return
+        awk -v s="$set $language $f" '$1 == "function" && $3 == "called" {
+            sub(/(_|_10)$/, "", $2) # hh_centre_10: see HH_LIMBS
+            print s, toupper($2), $4 }' $f.$language.gcov
+    done >> calls.txt
+    rm -f ./*.gcda
+}
+# half LANGUAGE OBJECTS COMPILER FLAGS
+half() {
+    language=$1
+    parity=$2
+    tests=$3
+    shift 3
+    for f in tess hhpred; do
+        "$@" -O0 -ffp-contract=off --coverage -c -o $f.o $f.$language || return
+    done
+    $1 --coverage -o parity $parity tess.o hhpred.o -lm &&
+        $1 --coverage -o t_tess $tests tess.o hhpred.o -lm &&
+        ran $language parity ./parity || return
+    for family in $FAMILIES; do
+        ran $language $family ./t_tess -one $family 600 1 || return
+    done
+}
+half c parity.o "$TESTS" "$CC" && half f parityf.o "shim.o $TESTS" gfortran -w \
+    -frecursive -ffixed-line-length-none || exit
+for f in tess hhpred; do
+    sed -n '/The routines of/,/^C$/p' $f.f | sed '/Only in C/,$d' |
+        tr -cs 'a-zA-Z0-9_' '\012' | awk -v f=$f '
+        /^[A-Z][A-Z0-9]+$/ && last ~ /^[a-z_0-9]+$/ { print f, last, $0 }
+        { last = $0 }'
+done > twins.txt
+# shellcheck disable=SC2086 # a line
+awk -v alone=" $(echo $ALONE) " -v margin="$MARGIN" '
+    FILENAME == "calls.txt" { calls[$1, $2, $3, $4] = $5; sets[$1]; next }
+    {
+        for (s in sets) {
+            c = calls[s, "c", $1, toupper($2)]
+            f = calls[s, "f", $1, $3]
+            print s, $2, c + 0, $3, f + 0 > "all.txt"
+            if (c == "" || f == "" || index(alone, " " $2 " ")) continue
+            n++
+            least = c < f ? c : f
+            if (c + f - 2 * least > margin * least) {
+                print "calls differ: " s, $2, c, $3, f
+                bad = 1
+            }
+        }
+    }
+    END { exit bad || n < 800 }' calls.txt twins.txt
