@@ -6,6 +6,7 @@
  * it: only numbers that the call is promised to read or to write, so that
  * words it must not touch stay what they are.  Not for several threads at once,
  * as arrays that the caller sees as constant are altered meanwhile. */
+#include "count.h"
 #include "f77.h"
 
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
@@ -33,20 +34,6 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
 int hh_range(double x, double most)
 {
     return (int)hhrang_(&x, &most);
-}
-
-static void count(tess_int *a, tess_int n, tess_int by)
-{
-    tess_int i;
-
-    for (i = 0; i < n; i++) a[i] += by;
-}
-
-static void both(const tess_int *tet, const tess_int *adj, tess_int ntet,
-                 tess_int by)
-{
-    count((tess_int *)tet, 4 * ntet, by);
-    count((tess_int *)adj, 4 * ntet, by);
 }
 
 int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
@@ -183,11 +170,11 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
 {
     tess_int info, m = indexed(n);
 
-    count((tess_int *)iw, m, 1);
+    count(iw, m, 1);
     count(v, 4, 1);
     tessqu_(&n, p, (tess_int *)iw, rw, q, v, w, &info);
     count(v, 4, -1);
-    count((tess_int *)iw, m, -1);
+    count(iw, m, -1);
     return (int)info;
 }
 
