@@ -1169,7 +1169,7 @@ recipes77() {
     dir=build/recipes77
     rm -rf $dir
     mkdir -p $dir
-    for r in cells derived interp natural periodic slopes; do
+    for r in cells derived interp natural periodic slopes surface; do
         gfortran -frecursive $2 -c -o $dir/f$r.o test/examples/$r.f >> $LOG 2>&1
         # (what is const in C is so in none of these)
         gfortran $2 -fsyntax-only -fc-prototypes-external test/examples/$r.f |
@@ -1180,7 +1180,7 @@ recipes77() {
         $LIBRARY test/points.c test/proof/exact.c test/fortran/recipes.c
     for t in unit/t_cells unit/t_natural examples/try_cells \
         examples/try_derived examples/try_interp examples/try_periodic \
-        examples/try_slopes; do
+        examples/try_slopes examples/try_surface; do
         f=test/$t.c
         t=${t#*/}
         wanted "recipes in FORTRAN, $1: $t" || continue
@@ -1190,7 +1190,8 @@ recipes77() {
         case $t in
         t_*) many "recipes in FORTRAN, $1: $t" $dir/$t;;
         *)
-            limited 300 $dir/$t > $dir/$t.txt 2>> $LOG
+            (cd $dir && GFORTRAN_UNBUFFERED_ALL=y limited 300 ./$t $t.obj \
+                $t.stl) > $dir/$t.txt 2>> $LOG
             one "recipes in FORTRAN, $1: $t" cmp test/examples/$t.out $dir/$t.txt;;
         esac
     done
