@@ -36,6 +36,38 @@ int hh_range(double x, double most)
     return (int)hhrang_(&x, &most);
 }
 
+int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
+             double *f)
+{
+    tess_int info;
+
+    hhface_(p1, p2, p3, f, &info);
+    return (int)info;
+}
+
+double hh_side(const double *f, const tess_real *z)
+{
+    return hhside_(f, z);
+}
+
+double hh_lcoord(const double *f, const tess_real *z)
+{
+    return hhlcoo_(f, z);
+}
+
+void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
+{
+    hhsetu_(p1, p2, p3, f);
+}
+
+int hh_limits(const double *f, const double *z, double *lo, double *hi)
+{
+    tess_int side;
+
+    hhlimi_(f, z, lo, hi, &side);
+    return (int)side;
+}
+
 int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
 {
     tess_int info;
