@@ -133,7 +133,9 @@ int bent(const tess_real *p, tess_int ntet, const tess_int *tet,
 {
     tess_int info;
 
-    if (tet != given || (ntet > 0 && tet[0] != tet1[0] - 1)) abort();
+    if (tet != given ||
+        (ntet > 0 && (tet[0] != tet1[0] - 1 || adj[0] != adj1[0] - 1)))
+        abort();
     count(t, 1, 1);
     bent_(p, &ntet, tet1, adj1, value, g, &beyond, q, t, f, &info);
     count(t, 1, -1);
