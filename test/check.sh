@@ -218,8 +218,8 @@ itself() {
 language() {
     if have "$CC" "$STRICT"; then
         one "strict C89: the tests" sh -c "for f in test/*.c test/*/*.c; do
-            # mpi.h and mex.h are not C89
-            case \$f in test/mpi/*|*_mex.c) continue;; esac
+            # mpi.h and mex.h are not C89; recipes77.h is not made yet
+            case \$f in test/mpi/*|*_mex.c|*/fortran/recipes.c) continue;; esac
             $CC $STRICT -fsyntax-only -I. \$f || exit 1; done"
         for d in -DTESS_FLOAT -DTESS_INT=long; do
             one "strict C89: build/tess $d" sh -c "for f in test/program/*.c; do
@@ -1166,22 +1166,42 @@ onef() {
         $LINKF -o all all.o ../ftess.o ../fhhpred.o $libraries $LIBS && ./all"
 }
 
-# recipe FILE NAME: test/unit/t_FILE, of test/examples/FILE.f, with the half
-recipe() {
-    wanted "t_$1, $1.f, $2" || return
-    compile "$CC" "-O1" build/units/f77 $LIBRARY test/points.c \
-        test/proof/exact.c
-    if compiled && gfortran -O2 -frecursive -c -o build/f$1.o test/examples/$1.f \
-        >> $LOG 2>&1 && $CC -O1 -DFORTRAN -I. -c -o build/t_$1.o \
-        test/unit/t_$1.c >> $LOG 2>&1 && gfortran -o build/t_$1 \
-        build/t_$1.o build/f$1.o build/ftess.o build/fhhpred.o \
-        build/units/f77/tess.o build/units/f77/hhpred.o \
-        build/units/f77/points.o build/units/f77/exact.o $LIBS >> $LOG 2>&1
-    then
-        many "t_$1, $1.f, $2" build/t_$1
-    else
-        fail "t_$1, $1.f, $2: does not compile"
-    fi
+# recipes77 NAME FLAGS CFLAGS: the tests in C of recipes, of those in FORTRAN:
+# fortran/recipes.c is linked
+recipes77() {
+    group "recipes in FORTRAN, $1: " || return
+    compiled
+    dir=build/recipes77
+    rm -rf $dir
+    mkdir -p $dir
+    for r in cells derived interp natural periodic slopes surface; do
+        gfortran -frecursive $2 -c -o $dir/f$r.o test/examples/$r.f >> $LOG 2>&1
+        # (what is const in C is so in none of these)
+        gfortran $2 -fsyntax-only -fc-prototypes-external test/examples/$r.f |
+            sed -n '/ \*/s/\(int\|long\|double\) \*/const &/gp' |
+            grep '_ (' >> $dir/recipes77.h
+    done
+    compile "$CC" "-O1 -I. -I$dir -Werror=incompatible-pointer-types $3" $dir \
+        $LIBRARY test/points.c test/proof/exact.c test/fortran/recipes.c
+    have "$CC" "$STRICT" && one "recipes in FORTRAN, $1: strict C89" \
+        $CC $STRICT $3 -fsyntax-only -I. -I$dir test/fortran/recipes.c
+    for t in unit/t_cells unit/t_natural examples/try_cells \
+        examples/try_derived examples/try_interp examples/try_periodic \
+        examples/try_slopes examples/try_surface; do
+        f=test/$t.c
+        t=${t#*/}
+        wanted "recipes in FORTRAN, $1: $t" || continue
+        $CC -O1 -DFORTRAN $3 -I. -c -o $dir/_$t.o $f >> $LOG 2>&1 &&
+            gfortran -o $dir/$t $dir/_$t.o $dir/[!_]*.o build/ftess.o \
+                build/fhhpred.o $LIBS >> $LOG 2>&1
+        case $t in
+        t_*) many "recipes in FORTRAN, $1: $t" $dir/$t;;
+        *)
+            (cd $dir && GFORTRAN_UNBUFFERED_ALL=y limited 300 ./$t $t.obj \
+                $t.stl) > $dir/$t.txt 2>> $LOG
+            one "recipes in FORTRAN, $1: $t" cmp test/examples/$t.out $dir/$t.txt;;
+        esac
+    done
 }
 
 # small_stack COMMAND...: in the eight megabytes that are usual
@@ -1336,7 +1356,7 @@ halves() {
         programs "gfortran -fcheck=all" "-std=legacy -O1 -fcheck=all"
         onef gfortran "" "gfortran -frecursive -std=f95 -pedantic -Wall -Wextra \
             -Werror -Wno-compare-reals -Wno-do-subscript -c all.f"
-        recipe cells "gfortran -fcheck=all"
+        recipes77 "gfortran -fcheck=all" "-std=legacy -O1 -fcheck=all" ""
         interface "gfortran -fcheck=all"
         mixed
         f_program
@@ -1348,7 +1368,6 @@ halves() {
         fortran "gfortran -O3" "" "brute,t_tess -quick,t_part -quick" gfort build/f -O3
         text "gfortran -O3"
         threads "gfortran -O3"
-        recipe natural "gfortran -O3"
         half gfort build/f -Ofast -march=native
         text "gfortran -Ofast -march=native"
         # (a subscript may be right for the array that a caller has passed on)
@@ -1360,6 +1379,7 @@ halves() {
         fortran "INTEGER*8" -DTESS_INT=long "brute 50" gfort build/f -O2 \
             -fdefault-integer-8
         programs "INTEGER*8" "-std=legacy -fdefault-integer-8"
+        recipes77 "INTEGER*8" "-std=legacy -fdefault-integer-8" -DTESS_INT=long
         interface "INTEGER*8" -fdefault-integer-8
         fortran "gfortran, 3 limbs" -DHH_LIMBS=3 \
             "brute 100,t_tess -range,t_part -quick" fewlimbs

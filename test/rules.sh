@@ -253,6 +253,10 @@ figure flash "from $(small "$M4" 4 1000 %.0f) KB of flash"
 figure stack "$(small "$M4" 7 1000 %.0f) KB of stack, \
 $(small "$M4" 4 1000 %.0f) KB of flash; $(small '| 100 |' 5 1000 %.1f) KB of \
 arrays for 100 points, $(small '| 100 |' 8 1000 %.1f) KB without a mesh"
+figure instructions "takes $(small '| 64, Cortex-M4 |' 3 1e6 %.1f) million instructions \
+on a Cortex-M4, locating a place $(small '| 64, Cortex-M4 |' 4 1000 %.0f),000; on a \
+Cortex-M0 $(small '| 64, Cortex-M0 |' 3 1e6 %.1f) million and \
+$(small '| 64, Cortex-M0 |' 4 1000 %.0f),000"
 figure coverage "run $(awk '$2 == "lines" { ran += $3; all += $5 }
     END { print ran, all }' $R/evidence.txt | tr ' ' '\n' | commas |
     paste -s -d : - | sed 's/:/ of /') lines"

@@ -12,7 +12,7 @@ C               (STARS' rows; CLPROP, CELL)
 C       ALPHA   the part of the mesh whose tetrahedra have small balls,
 C               and its boundary
 C
-C     STARS is of derived.f.  try_cells.f tests them; cells.c is the
+C     STARS is of derived.f.  try_cells.c tests them; cells.c is the
 C     same in C.
 
 C     ---- cell ----

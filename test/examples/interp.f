@@ -11,7 +11,7 @@ C
 C     Points much denser in one direction: stretch that direction, of P
 C     and of the box.
 C
-C     try_interp.f tests it; interp.c is the same in C.
+C     try_interp.c tests it; interp.c is the same in C.
 
 C     ONGRID - values at the places of a grid.
 C

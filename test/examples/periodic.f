@@ -8,7 +8,7 @@ C       TRICLI  the same of a cell                  (all but for REDUCE)
 C       REDUCE  short vectors that span the same lattice  (PEDOT)
 C       UNPACK  the copy of the box from its number
 C
-C     try_periodic.f tests them; periodic.c is the same in C.
+C     try_periodic.c tests them; periodic.c is the same in C.
 
 C     UNPACK - copies of the box are numbered 1024*A + 32*B + C; A, B, C
 C     = -REACH ... REACH box lengths along the axes: numbers add up as

@@ -10,7 +10,7 @@ C     both.  The triangles are those of TESSHU, or of any other closed
 C     surface, as the recipe ALPHA gives: counter-clockwise as seen from
 C     outside.
 C
-C     try_surface.f tests them; surface.c is the same in C.
+C     try_surface.c tests them; surface.c is the same in C.
 
 C     SUNORM - C = the cross product of two edges of triangle V:
 C     outwards, of twice its area.

@@ -4,7 +4,7 @@
  *   cc -O2 -I. -o try_cells test/examples/try_cells.c test/examples/cells.c \
  *       test/examples/derived.c tess.c hhpred.c -lm
  *
- * try_cells.f is the same in FORTRAN 77; both write the same text.
+ * Linked with fortran/recipes.c it tests cells.f.
  */
 #include <float.h>
 #include <math.h>

@@ -1,5 +1,5 @@
 /* try_derived.c - tests of derived.c: against brute force, and by identities that
- * hold for any set of points.  try_derived.f is the same in FORTRAN 77.
+ * hold for any set of points.  Linked with fortran/recipes.c it tests derived.f.
  *
  *   cc -O2 -I. -o try_derived test/examples/try_derived.c \
  *       test/examples/derived.c tess.c hhpred.c -lm

@@ -10,7 +10,7 @@
  * the square of the spacing; a linear field comes out as it is; and at those
  * outside the hull, that they are said to be.
  *
- * try_interp.f is the same in FORTRAN 77; both write the same text.
+ * Linked with fortran/recipes.c it tests interp.f.
  */
 #include <math.h>
 #include <stdio.h>

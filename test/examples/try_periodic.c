@@ -5,7 +5,7 @@
  *   cc -O2 -I. -o try_periodic test/examples/try_periodic.c \
  *       test/examples/periodic.c tess.c hhpred.c -lm
  *
- * try_periodic.f is the same in FORTRAN 77; both write the same text.
+ * Linked with fortran/recipes.c it tests periodic.f.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,5 @@
 /* try_slopes.c - tests of slopes.c: what its header promises.  `try_slopes table'
- * writes a table of errors.  try_slopes.f is the same in FORTRAN 77, but for
- * that.
+ * writes a table of errors.  Linked with fortran/recipes.c it tests slopes.f.
  *
  *   cc -O2 -I. -o try_slopes test/examples/try_slopes.c \
  *       test/examples/slopes.c tess.c hhpred.c -lm

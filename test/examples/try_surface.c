@@ -4,7 +4,7 @@
  *       test/examples/surface.c tess.c hhpred.c -lm
  *   try_surface [hull.obj [hull.stl [points.xyz]]]
  *
- * try_surface.f is the same in FORTRAN 77; both write the same text.
+ * Linked with fortran/recipes.c it tests surface.f.
  *
  * Without a file of points (three numbers a line): points on an ellipsoid and
  * some inside of it.

@@ -36,6 +36,13 @@ tess_int hhinsp_(const tess_real *a, const tess_real *b, const tess_real *c,
 void hhfoot_(const tess_real *a, const tess_real *b, const tess_real *c,
              const tess_real *q, tess_int *want, double *w, tess_int *set);
 tess_int hhrang_(double *x, double *most);
+void hhface_(const tess_real *p1, const tess_real *p2, const tess_real *p3,
+             double *f, INFO);
+double hhside_(const double *f, const tess_real *z);
+double hhlcoo_(const double *f, const tess_real *z);
+void hhsetu_(const double *p1, const double *p2, const double *p3, double *f);
+void hhlimi_(const double *f, const double *z, double *lo, double *hi,
+             tess_int *side);
 
 #ifdef __cplusplus
 }

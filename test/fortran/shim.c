@@ -6,6 +6,7 @@
  * it: only numbers that the call is promised to read or to write, so that
  * words it must not touch stay what they are.  Not for several threads at once,
  * as arrays that the caller sees as constant are altered meanwhile. */
+#include "count.h"
 #include "f77.h"
 
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
@@ -35,18 +36,36 @@ int hh_range(double x, double most)
     return (int)hhrang_(&x, &most);
 }
 
-static void count(tess_int *a, tess_int n, tess_int by)
+int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
+             double *f)
 {
-    tess_int i;
+    tess_int info;
 
-    for (i = 0; i < n; i++) a[i] += by;
+    hhface_(p1, p2, p3, f, &info);
+    return (int)info;
 }
 
-static void both(const tess_int *tet, const tess_int *adj, tess_int ntet,
-                 tess_int by)
+double hh_side(const double *f, const tess_real *z)
 {
-    count((tess_int *)tet, 4 * ntet, by);
-    count((tess_int *)adj, 4 * ntet, by);
+    return hhside_(f, z);
+}
+
+double hh_lcoord(const double *f, const tess_real *z)
+{
+    return hhlcoo_(f, z);
+}
+
+void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
+{
+    hhsetu_(p1, p2, p3, f);
+}
+
+int hh_limits(const double *f, const double *z, double *lo, double *hi)
+{
+    tess_int side;
+
+    hhlimi_(f, z, lo, hi, &side);
+    return (int)side;
 }
 
 int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
@@ -183,11 +202,11 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
 {
     tess_int info, m = indexed(n);
 
-    count((tess_int *)iw, m, 1);
+    count(iw, m, 1);
     count(v, 4, 1);
     tessqu_(&n, p, (tess_int *)iw, rw, q, v, w, &info);
     count(v, 4, -1);
-    count((tess_int *)iw, m, -1);
+    count(iw, m, -1);
     return (int)info;
 }
 

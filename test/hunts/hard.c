@@ -273,22 +273,6 @@ static void stretch(point *p, int from, int to, int k, int e)
     for (i = from; i < to; i++) p[i][k] = ldexp(p[i][k], e);
 }
 
-/* In random order. */
-static void mix(point *p, int n)
-{
-    double x;
-    int i, j, k;
-
-    for (i = n - 1; i > 0; i--) {
-        j = rnd_below(i + 1);
-        for (k = 0; k < 3; k++) {
-            x = p[i][k];
-            p[i][k] = p[j][k];
-            p[j][k] = x;
-        }
-    }
-}
-
 static void change(point *p, int n)
 {
     double x;
@@ -329,7 +313,7 @@ static void change(point *p, int n)
             p[i][k] = x;
         }
     }
-    mix(p, n);
+    rnd_mix(p, n);
 }
 
 int hard_few(double (*p)[3])
@@ -522,6 +506,6 @@ int hard_near(double (*p)[3], int most)
         for (k = 0; k < 3; k++) stretch(p, 0, n, k, e);
     }
     confine(p, n);
-    mix(p, n);
+    rnd_mix(p, n);
     return n;
 }

@@ -11,21 +11,18 @@
  * counts are 0.  See reach.sh.
  */
 #include "../../tess.h"
+#include "number.h"
 
 #if defined(__arm__) && !defined(__linux__)
-void put(char c);
-
 #define TIMER ((volatile unsigned *)0x40000000) /* counts down */
 
-/* since - instructions since the last call. */
+/* since - instructions since the last call, which set the timer to its start. */
 static long since(void)
 {
-    static unsigned last;
-    unsigned now = TIMER[1], passed = last - now;
+    unsigned passed = 0xffffffffU - TIMER[1];
 
-    TIMER[2] = 0xffffffffU; /* where it starts after 0 */
+    TIMER[2] = 0xffffffffU; /* its value, too */
     TIMER[0] = 1;           /* it runs */
-    last = now;
     return (long)(passed / 128 * 5 + passed % 128 * 5 / 128);
 }
 
@@ -39,13 +36,6 @@ static void loop(void)
                      : "cc");
 }
 #else
-#include <stdio.h>
-
-static void put(char c)
-{
-    putchar(c);
-}
-
 static long since(void)
 {
     return 0;
@@ -63,19 +53,6 @@ static void loop(void)
 static tess_real p[3 * N], q[3 * PLACES];
 static tess_int tet[4 * TETS], adj[4 * TETS], iw[TESS_LIW(N)], ntet;
 static double rw[TESS_LRW(N)];
-
-static void number(long n)
-{
-    char digits[12];
-    int k = 0;
-
-    do {
-        digits[k++] = (char)('0' + n % 10);
-        n /= 10;
-    } while (n > 0);
-    while (k > 0) put(digits[--k]);
-    put(' ');
-}
 
 /* places - in a block of 100 x 100 x 30, as in sensor.c. */
 static void places(int n, tess_real *x, unsigned long *state)

@@ -236,10 +236,11 @@ instructions() {
         -o $B/count test/machines/count.c test/machines/bare/cortex.c $LIBRARY \
         -lm 2>> $B/log &&
         limited 100 qemu-system-arm -M "$3" -nographic -semihosting \
-            -icount shift=10,sleep=off -kernel $B/count > $B/count.txt 2>> $B/log
+            -icount shift=10,sleep=off -kernel $B/count > $B/count.txt 2>&1
     read -r loop mesh place index query found < $B/count.txt
+    read -r _ _ _ _ _ counted < $B/counted.txt
     # the loop's 2000, and the few about it
-    if [ "0 0 0 0 0 $found" = "$(cat $B/counted.txt)" ] &&
+    if [ -n "$found" ] && [ "$found" = "$counted" ] &&
         [ "$loop" -ge 2000 ] && [ "$loop" -lt 2040 ]; then
         echo "| $1 | $mesh | $place | $index | $query |"
     else
@@ -251,11 +252,11 @@ count_table() {
     # shellcheck disable=SC2086
     $CC -O1 $SMALL -o $B/counted test/machines/count.c $LIBRARY -lm &&
         $B/counted > $B/counted.txt
-    echo "| machine | tess | tess_locate | tess_index | tess_query |"
+    echo "| sensors, machine | tess | tess_locate | tess_index | tess_query |"
     echo "| --- | ---: | ---: | ---: | ---: |"
     if there arm-none-eabi-gcc && there qemu-system-arm; then
-        instructions "Cortex-M4" "$M4" mps2-an386
-        instructions "Cortex-M0" "$M0" mps2-an385
+        instructions "64, Cortex-M4" "$M4" mps2-an386
+        instructions "64, Cortex-M0" "$M0" mps2-an385
     else
         echo "| Cortex-M | not to be had | | | |"
     fi
@@ -352,10 +353,11 @@ END
     ram
     cat << END
 
-Instructions for 64 sensors, by qemu-system-arm -icount, with -Os and
-\`$SMALL\`: the mesh; a place in
-it, found without a start, the mean of 100; and without a mesh the index and such
-a place:
+Instructions (not cycles, of which each takes one or more) for 64 sensors, counted
+by qemu-system-arm -icount, with -Os and
+\`$SMALL\`: the mesh; a place,
+in it or outside, found without a start, the mean of 100; and without a mesh the
+index and such a place:
 
 END
     count_table

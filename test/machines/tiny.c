@@ -20,9 +20,7 @@ extern char LOW[];
 #define COLOUR 0x5a
 #endif
 
-#if (defined(__arm__) && !defined(__linux__)) || defined(__wasm__)
-void put(char c);
-#elif defined(__AVR__)
+#ifdef __AVR__
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>
@@ -33,14 +31,8 @@ static void put(char c)
         ;
     UDR0 = (unsigned char)c;
 }
-#else
-#include <stdio.h>
-
-static void put(char c)
-{
-    putchar(c);
-}
 #endif
+#include "number.h"
 
 #define POINTS 24
 #define TETS 90
@@ -50,23 +42,6 @@ static void put(char c)
 static tess_real p[3 * POINTS];
 static tess_int tet[4 * TETS], adj[4 * TETS], iw[LIW];
 static double rw[LRW];
-
-static void number(long n)
-{
-    char digits[12];
-    int k = 0;
-
-    if (n < 0) {
-        put('-');
-        n = -n;
-    }
-    do {
-        digits[k++] = (char)('0' + n % 10);
-        n /= 10;
-    } while (n > 0);
-    while (k > 0) put(digits[--k]);
-    put(' ');
-}
 
 /* points - kind 0 general, 1 of a lattice with duplicates, 2 flat, 3 with
  * fractions, 4 of magnitudes far apart. */

@@ -10,10 +10,9 @@
  * Without -check it prints two tables: one problem, as in the paper, and how
  * many of 1000 random problems each method gets wrong.  With -check it tests
  * what must hold whatever the machine.  With -blas, in a build with -DCBLAS,
- * it prints what Householder by BLAS calls in float does.  With -once it
- * returns 0 if the 64-bit arithmetic is rounded once.
+ * it prints what Householder by BLAS calls in float does.
  *
- * The twin of acc.f, which prints the same tables.
+ * Linked with fortran/shim.c and f77/hhpred.f it prints the same.
  */
 #include <math.h>
 #include <stdio.h>
@@ -426,11 +425,6 @@ int main(int argc, char **argv)
         return 0;
     }
 #endif
-    if (argc > 1 && strcmp(argv[1], "-once") == 0) {
-        /* 1 + 2^-53 + 2^-66 is 1 if it is rounded to 64 bits, then to 53 */
-        ra_bits(53);
-        return ra_add(1.0, ldexp(1.0, -53) + ldexp(1.0, -66)) == 1.0;
-    }
     if (!check) printf(" 3. The test point approaches the origin\n");
     approach(24, !check);
     approach(53, !check);

@@ -19,8 +19,8 @@
  * doubles to a number, sums and products with their rounding errors found by
  * further operations (Knuth, Dekker).
  *
- * With -DFORTRAN the bounds are those of f77/hhpred.f, which it is linked
- * with.
+ * With -DFORTRAN, which is for f77/hhpred.f by way of fortran/shim.c, these
+ * alone.
  */
 #include <math.h>
 #include <stdio.h>
@@ -29,39 +29,6 @@
 #include "../../hhpred.h"
 #include "../proof/exact.h"
 #include "round.h"
-
-#ifdef FORTRAN
-extern void hhface_(double *p1, double *p2, double *p3, double *f, int *info);
-extern double hhside_(double *f, double *z);
-extern double hhlcoo_(double *f, double *z);
-extern void hhsetu_(double *p1, double *p2, double *p3, double *f);
-extern void hhlimi_(double *f, double *z, double *lo, double *hi, int *side);
-
-static int facet(double *p1, double *p2, double *p3, double *f)
-{
-    int info;
-
-    hhface_(p1, p2, p3, f, &info);
-    return info;
-}
-
-static int limits(double *f, double *z, double *lo, double *hi)
-{
-    int side;
-
-    hhlimi_(f, z, lo, hi, &side);
-    return side;
-}
-#define SETUP hhsetu_
-#define SIDE hhside_
-#define LCOORD hhlcoo_
-#else
-#define facet hh_facet
-#define limits hh_limits
-#define SETUP hh_setup
-#define SIDE hh_side
-#define LCOORD hh_lcoord
-#endif
 
 /* ---- pairs of doubles ---- */
 
@@ -351,7 +318,7 @@ static void forward(double p[4][3], largest *m)
     pair a[3], b[3], d[3], n[3], c[3], u[3], nn, norm, aa, bb, wn, power, t;
     int i, k;
 
-    if (facet(p[0], p[1], p[2], f) || f[9] >= 1.0) return;
+    if (hh_facet(p[0], p[1], p[2], f) || f[9] >= 1.0) return;
     ra_bits(53);
     ra_facet(p[0], p[1], p[2], g);
     m->facets++;
@@ -378,13 +345,13 @@ static void forward(double p[4][3], largest *m)
     if (w == 0.0) return;
     wn = dot(d, n);
     t = quot(wn, norm);
-    l = SIDE(f, p[3]);
+    l = hh_side(f, p[3]);
     most(&m->side, fabs(sub(of(l), t).h) / (f[9] * w));
     gap = fabs(l) - f[9] * w;
     power = sub(mul(dot(d, d), nn), dot(u, d));
     if (gap > 0.0) {
         t = quot(power, mul(norm, add(wn, wn)));
-        l = LCOORD(f, p[3]);
+        l = hh_lcoord(f, p[3]);
         dl = w * (DBL_EPSILON * (3.0 * w + 5.0 * f[11]) + f[10] +
                   fabs(l) * f[9]) / gap + 4.0 * DBL_EPSILON * fabs(l);
         m->points++;
@@ -399,8 +366,8 @@ static void forward(double p[4][3], largest *m)
     size = ldexp(1.0, -i);
     for (i = 0; i < 4; i++)
         for (k = 0; k < 3; k++) q[i][k] = size * p[i][k];
-    SETUP(q[0], q[1], q[2], f);
-    if (limits(f, q[3], &lo, &hi) == 1) {
+    hh_setup(q[0], q[1], q[2], f);
+    if (hh_limits(f, q[3], &lo, &hi) == 1) {
         t = quot(power, mul(norm, add(wn, wn)));
         t.h *= size;
         t.l *= size;

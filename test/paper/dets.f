@@ -1,5 +1,5 @@
-C     dets.f - the insphere determinant by minors: RAMINO and RADET of
-C     round.f in ordinary double precision, for the timings.
+C     dets.f - the insphere determinant by minors: ra_minors and ra_det
+C     of round.c in ordinary double precision, for the timings.
 
 C     DTMIN3 - the determinant of the columns I, J, K of the rows NA,
 C     NB, NC of R

@@ -12,8 +12,6 @@
  * arithmetic is rounded twice; the 32-bit arithmetic never differs.)
  *
  * Compiled with -DPLAIN it is ordinary arithmetic in double.
- *
- * The twin of round.f, routine by routine.
  */
 #ifndef ROUND_H
 #define ROUND_H

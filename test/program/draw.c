@@ -318,9 +318,7 @@ static int lit(const drawing *d, const polygon *a)
         u[k] = a->at[1][k] - a->at[0][k];
         v[k] = a->at[2][k] - a->at[0][k];
     }
-    for (k = 0; k < 3; k++)
-        normal[k] = u[(k + 1) % 3] * v[(k + 2) % 3] -
-                    u[(k + 2) % 3] * v[(k + 1) % 3];
+    normal_to(u, v, normal);
     size = sqrt(dot(normal, normal));
     cosine = size > 0.0 ? d->hand * dot(normal, light) / size : 0.0;
     return cosine <= 0.0 ? 0 : (int)(cosine * (TINT - 1) + 0.5);

@@ -315,6 +315,9 @@ void write_vtk(const mesh *m, output *o);
 void write_vtu(const mesh *m, output *o);
 void write_svg(const mesh *m, output *o);
 
+/* normal_to - c = a x b (plane.c). */
+void normal_to(const double *a, const double *b, double *c);
+
 /* ---- shapes ---- */
 
 /* mark_alpha - set m->keep, m->kept: 1 for the tetrahedra of the alpha shape of

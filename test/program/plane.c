@@ -36,7 +36,7 @@ static double apart(const double *x, const double *y, double *d)
     return sqrt(sum);
 }
 
-static void cross(const double *a, const double *b, double *c)
+void normal_to(const double *a, const double *b, double *c)
 {
     int k;
 
@@ -59,7 +59,7 @@ static tess_int farthest(const mesh *m, double unit, int pass, double *most)
         for (k = 0; k < 3; k++) x[k] = (double)m->p[3 * i + k] * unit;
         far = apart(x, origin, d);
         if (pass == 1) {
-            cross(along[0], d, c);
+            normal_to(along[0], d, c);
             for (k = 0; k < 3; k++) x[k] = 0.0;
             far = apart(c, x, d);
         } else if (pass == 2) {
@@ -92,7 +92,7 @@ int find_plane(const mesh *m)
         for (j = 0; j < 3; j++) x[j] = (double)m->p[3 * i + j] * unit;
         length = apart(x, origin, d);
         if (k == 1) {
-            cross(along[0], d, x);
+            normal_to(along[0], d, x);
             length = apart(x, zero, d);
         }
         for (j = 0; j < 3; j++) along[k][j] = d[j] / length;
@@ -112,7 +112,7 @@ int find_plane(const mesh *m)
         axis[1] = 2 - (k == 2);
     }
     for (k = 0; k < 3; k++) x[k] = along[1][k];
-    cross(x, along[0], along[1]);
+    normal_to(x, along[0], along[1]);
     return 1;
 }
 

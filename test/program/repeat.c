@@ -30,15 +30,6 @@ static double dot(const double *a, const double *b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static void cross(const double *a, const double *b, double *c)
-{
-    int k;
-
-    for (k = 0; k < 3; k++)
-        c[k] = a[(k + 1) % 3] * b[(k + 2) % 3] -
-               a[(k + 2) % 3] * b[(k + 1) % 3];
-}
-
 /* ---- the cell ---- */
 
 void check_box(const points *in)
@@ -104,7 +95,7 @@ static double inverted(const double *cell, double *g)
         if (fabs(cell[k]) > most) most = fabs(cell[k]);
     for (k = 0; k < 9; k++) u[k] = cell[k] / most;
     for (k = 0; k < 3; k++)
-        cross(u + 3 * ((k + 1) % 3), u + 3 * ((k + 2) % 3), g + 3 * k);
+        normal_to(u + 3 * ((k + 1) % 3), u + 3 * ((k + 2) % 3), g + 3 * k);
     det = dot(u, g);
     for (k = 0; k < 9; k++) g[k] = g[k] / det / most;
     return det * most * most * most;
@@ -125,7 +116,7 @@ static void upright(double *v, const tess_int *ways)
         a = (k + 1) % 3;
         b = (k + 2) % 3;
         if (open == 1) {
-            cross(v + 3 * a, v + 3 * b, n);
+            normal_to(v + 3 * a, v + 3 * b, n);
             s = dot(n, n);
             s = s > 0.0 ? dot(n, v + 3 * k) / s : 0.0;
             if (!(s * s * dot(n, n) > 1e-12 * dot(v + 3 * k, v + 3 * k)))
@@ -142,7 +133,7 @@ static void upright(double *v, const tess_int *ways)
     for (a = 0; !ways[a];) a++;
     b = (a + 1) % 3;
     k = (a + 2) % 3;
-    cross(v + 3 * b, v + 3 * k, n);
+    normal_to(v + 3 * b, v + 3 * k, n);
     if (dot(n, n) > 1e-12 * dot(v + 3 * b, v + 3 * b) *
                         dot(v + 3 * k, v + 3 * k)) return;
     rep.sides = 0;
@@ -150,8 +141,8 @@ static void upright(double *v, const tess_int *ways)
     for (j = 0; j < 3; j++)
         if (fabs(v[3 * a + j]) < fabs(v[3 * a + (int)s])) s = j;
     n[(int)s] = 1.0;
-    cross(v + 3 * a, n, v + 3 * b);
-    cross(v + 3 * a, v + 3 * b, v + 3 * k);
+    normal_to(v + 3 * a, n, v + 3 * b);
+    normal_to(v + 3 * a, v + 3 * b, v + 3 * k);
 }
 
 static void no_vectors(void)
@@ -455,7 +446,7 @@ static int hull_planes(double (*plane)[4])
             a[k] = (double)v[3 * ((j + 1) % 4) + k] - (double)v[3 * j + k];
             b[k] = (double)v[3 * ((j + 2) % 4) + k] - (double)v[3 * j + k];
         }
-        cross(a, b, n);
+        normal_to(a, b, n);
         s = sqrt(dot(n, n));
         for (k = 0; k < 3; k++) {
             a[k] = (double)v[3 * (f % 4) + k] - (double)v[3 * j + k];

@@ -521,6 +521,21 @@ int rnd_below(int n)
     return (int)(rnd_bits() % (unsigned long)n);
 }
 
+void rnd_mix(double (*p)[3], int n)
+{
+    double x;
+    int i, j, k;
+
+    for (i = n - 1; i > 0; i--) {
+        j = rnd_below(i + 1);
+        for (k = 0; k < 3; k++) {
+            x = p[i][k];
+            p[i][k] = p[j][k];
+            p[j][k] = x;
+        }
+    }
+}
+
 void test_modes(void (*all)(void))
 {
 #ifdef TEST_ROUNDING

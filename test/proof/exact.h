@@ -75,11 +75,13 @@ int ex_nearest(int m, const double *const *v, const double *q, long n,
 int ex_collinear(const double *a, const double *b, const double *c);
 
 /* Reproducible random numbers: rnd_bits gives 32 bits, rnd_unit a value in
- * [0, 1) with 53 bits, rnd_below one of 0 ... n-1. */
+ * [0, 1) with 53 bits, rnd_below one of 0 ... n-1; rnd_mix puts n points into
+ * random order. */
 void rnd_seed(unsigned long seed);
 unsigned long rnd_bits(void);
 double rnd_unit(void);
 int rnd_below(int n);
+void rnd_mix(double (*p)[3], int n);
 
 /* test_modes - call all; with -DTEST_ROUNDING, and C99's fenv.h, in each of the
  * four rounding modes. */

@@ -41,21 +41,6 @@ static void set(int i, double x, double y, double z)
     p[i][2] = z;
 }
 
-static void shuffle(void)
-{
-    int i, j, k;
-    double x;
-
-    for (i = n - 1; i > 0; i--) {
-        j = rnd_below(i + 1);
-        for (k = 0; k < 3; k++) {
-            x = p[i][k];
-            p[i][k] = p[j][k];
-            p[j][k] = x;
-        }
-    }
-}
-
 /* n points of the integer lattice {0 .. size-1}^3 */
 static void lattice(int size)
 {
@@ -116,7 +101,7 @@ static void make(int kind)
             set(i, 2 * (i & 1), 2 * (i >> 1 & 1), 2 * (i >> 2));
         n = 8 + rnd_below(2);
         set(8, rnd_below(3), rnd_below(3), 1);
-        shuffle();
+        rnd_mix(p, n);
         break;
     case 3:
         n = 10;
@@ -127,7 +112,7 @@ static void make(int kind)
             set(i, i == 0 ? 1 : -(i == 1), i == 2 ? 1 : -(i == 3),
                 i == 4 ? 1 : -(i == 5));
         n = 6 + rnd_below(5);
-        shuffle();
+        rnd_mix(p, n);
         break;
     case 4:
         sphere(9);
@@ -140,7 +125,7 @@ static void make(int kind)
         n = 10;
         for (i = 0; i < 9; i++) set(i, i / 3, i % 3, 1);
         set(9, rnd_below(4), rnd_below(4), rnd_below(2) * 2);
-        shuffle();
+        rnd_mix(p, n);
         n = 10 - rnd_below(4);
         break;
     case 7:
@@ -149,7 +134,7 @@ static void make(int kind)
         for (i = 0; i < n; i++)
             set(i, i % 2, i / 2 % 2, i / 4);
         for (i = 0; i < n; i++) p[i][rnd_below(3)] *= a - 1;
-        shuffle();
+        rnd_mix(p, n);
         break;
     case 8:
         n = 10;
@@ -221,7 +206,7 @@ static void make(int kind)
             if (i % 2) set(i, i, 0, 0);
             else set(i, 0, i, 1);
         }
-        shuffle();
+        rnd_mix(p, n);
         break;
     case 18:
         /* as large as exact ties in double precision may be, and larger */
@@ -262,7 +247,7 @@ static void make(int kind)
             if (i < 6) set(i, circle[j][0], circle[j][1], 0);
             else set(i, rnd_below(3) - 1, rnd_below(3) - 1, 1 + rnd_below(2));
         }
-        shuffle();
+        rnd_mix(p, n);
         n -= rnd_below(3);
         break;
     }

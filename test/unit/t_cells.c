@@ -2,12 +2,18 @@
  * do, or there are any: all cells are polyhedra, inside their planes, and
  * fill a box to 1e-12.
  *
- * With -DFORTRAN linked with cells.f, f77/tess.f and f77/hhpred.f: CELL is
- * tested instead. */
+ * With -DFORTRAN linked with fortran/recipes.c and cells.f: CELL is tested
+ * instead. */
 #include <stdio.h>
 #include <string.h>
 
+#ifdef FORTRAN
+#include <math.h>
+
+#include "../examples/recipes.h"
+#else
 #include "../examples/cells.c"
+#endif
 #include "../points.h"
 #include "../proof/exact.h"
 
@@ -23,42 +29,11 @@ static tess_int iwork[25 * MOST];
 static double rw[TESS_LRW(N)], area[MOST], vert[9 * MOST], work[7 * MOST];
 static double box[6];
 
-#ifdef FORTRAN
-extern void cell_(double *p, int *tet, int *adj, int *first, int *list, int *i,
-                  double *box, int *boxed, int *most, int *nface, int *whose,
-                  double *area, double *volume, int *start, int *corner,
-                  int *nvert, double *vert, int *iwork, double *work,
-                  int *info);
-
-static int one(tess_int i, const double *clip, double *volume)
-{
-    static int tet1[4 * MAXTET], adj1[4 * MAXTET], first1[N + 1];
-    static int list1[4 * MAXTET];
-    double box1[6];
-    int k, info, number = i + 1, most = MOST, boxed = clip != NULL;
-
-    if (i == 0)
-        for (k = 0; k < 4 * ntet; k++) {
-            tet1[k] = tet[k] + 1;
-            adj1[k] = adj[k] + 1;
-            list1[k] = list[k] + 1;
-        }
-    for (k = 0; i == 0 && k <= n; k++) first1[k] = first[k] + 1;
-    for (k = 0; k < 6; k++) box1[k] = boxed ? clip[k] : 0.0;
-    cell_(p, tet1, adj1, first1, list1, &number, box1, &boxed, &most, &nface,
-          whose, area, volume, start, corner, &nvert, vert, iwork, work, &info);
-    for (k = 0; k < start[nface] - 1; k++) corner[k]--;
-    for (k = 0; k <= nface; k++) start[k]--;
-    for (k = 0; k < nface; k++) whose[k] -= whose[k] > 0;
-    return info;
-}
-#else
 static int one(tess_int i, const double *clip, double *volume)
 {
     return cell(p, tet, adj, first, list, i, clip, MOST, &nface, whose, area,
                 volume, start, corner, &nvert, vert, iwork, work);
 }
-#endif
 
 /* mesh - of the points, and the tetrahedra at each. */
 static int mesh(void)

@@ -25,18 +25,19 @@ static double rw[TESS_LRW(N)], real[WORK], value[N], g[3 * N];
 static double weights[2][MOST + 3];
 
 #ifdef FORTRAN
-extern void natura_(double *p, int *ntet, int *tet, int *adj, double *q,
-                    int *t, int *most, int *nn, int *nbr, double *sibson,
-                    double *laplac, int *iw, double *rw, int *info);
-extern void blend_(double *p, int *nn, int *nbr, double *w, double *value,
-                   double *g, double *out);
+extern void natura_(double *p, tess_int *ntet, tess_int *tet, tess_int *adj,
+                    double *q, tess_int *t, tess_int *most, tess_int *nn,
+                    tess_int *nbr, double *sibson, double *laplac,
+                    tess_int *iw, double *rw, tess_int *info);
+extern void blend_(double *p, tess_int *nn, tess_int *nbr, double *w,
+                   double *value, double *g, double *out);
 
 /* both - FORTRAN's weights, and whether C's are the same. */
 static int both(tess_real *q, tess_int *t, tess_int most)
 {
-    static int tet1[4 * MAXTET], adj1[4 * MAXTET], nbr1[MOST + 3];
+    static tess_int tet1[4 * MAXTET], adj1[4 * MAXTET], nbr1[MOST + 3];
     static double other[2][MOST + 3];
-    int i, k, code, info, start = *t + 1, nn1;
+    tess_int i, k, code, info, start = *t + 1, nn1;
 
     for (i = 0; i < 4 * ntet; i++) {
         tet1[i] = tet[i] + 1;
@@ -51,15 +52,15 @@ static int both(tess_real *q, tess_int *t, tess_int most)
         i = nbr1[k] == nbr[k] + 1 && fabs(weights[0][k] - other[0][k]) < 1e-9 &&
             fabs(weights[1][k] - other[1][k]) < 1e-9;
     if (!i) test_that(0, "FORTRAN", "as C");
-    return info;
+    return (int)info;
 }
 
 static double smooth(const double *w)
 {
-    static int nbr1[MOST + 3];
+    static tess_int nbr1[MOST + 3];
     static double w1[MOST + 3];
     double out;
-    int i;
+    tess_int i;
 
     for (i = 0; i < nn; i++) {
         nbr1[i] = nbr[i] + 1;
