@@ -2776,7 +2776,7 @@ static void corner(const mesh *m, tess_int s, tess_int *v)
  * alone. */
 static void settle(mesh *m, tess_int s, tess_int *v)
 {
-    tess_int r[4], f[3], guess[2], old, z;
+    tess_int r[4], f[3], guess[2], node = m->leaves + leafof(m, s), old, z;
     quest search;
     int j, k, all, still;
 
@@ -2795,7 +2795,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
                 z = apex(m, f, guess);
             else {
                 prepare(m, &search, f, guess);
-                scanleaf(m, &search, m->leaves + leafof(m, s));
+                scanleaf(m, &search, node);
                 z = search.best;
             }
             still++;
