@@ -291,7 +291,8 @@
  * narrow gives no ball for an L-coordinate beyond MUCHL (nor may anything
  * overflow there), a circumradius is below 0.02/EPS by hh_setup, and hh_thin's
  * and hh_centre's are below MUCHL.  The tall sieve is all that over q; where q
- * is so great that FAINT/q underflows, 16 EPS size (size + sc) covers it.
+ * is so great that FAINT/q underflows, 8 EPS size (size + 2 sc) covers
+ * it.
  *
  * NARROW: a box narrower than this has no list.  A list's coordinates are then
  * right to far less than FEPS, and a star's margin is above HH_SMALL, so that
@@ -342,7 +343,7 @@ typedef struct list {
 
 /* A sieve: no candidate is where
  *     |w|^2 - 2 c.w + a (height(w) - h)
- *         > err + size (2 dc + 16 EPS (size + sc)),
+ *         > err + size (2 dc + 8 EPS (size + 2 sc)),
  * w being a point relative to the base, size >= |w|_1, height(w) its height
  * over the support that the facet leans on.  See powererr. */
 typedef struct sieve {
@@ -1163,7 +1164,7 @@ static double dot(const double *a, const double *b)
  * |c[k]|).  size and this bound may come out too small by a few EPS. */
 static double powererr(const sieve *s, double size)
 {
-    return size * (2.0 * s->dc + 16.0 * EPS * (size + s->sc)) + s->err;
+    return size * (2.0 * s->dc + 8.0 * EPS * (size + 2.0 * s->sc)) + s->err;
 }
 
 /* openside - the open side as a sieve: the ball of L = MUCHL / 2 along the

@@ -276,7 +276,7 @@ C               the list, but for rounding; LMARG margin; LUNIT one over
 C               the unit; behind LAT a near list's point
 C     A sieve S: no candidate is where
 C         |W|**2 - 2 C.W + a (height(W) - h) > err +
-C             SIZE (2 dc + 16 EPS (SIZE + sc)),
+C             SIZE (2 dc + 8 EPS (SIZE + 2 sc)),
 C     W being a point relative to the base, SIZE >= |W|_1, height(W) its
 C     height over the support that the facet leans on.  See TSPOWE.
 C       S       S(1..3): C, wrong by at most VDC; VSC: |C|_1; VA, VH,
@@ -417,8 +417,8 @@ C               2 MUCHL: TSNARR gives no ball for an L-coordinate beyond
 C               MUCHL (nor may anything overflow there), a circumradius
 C               is below 0.02/EPS by HHSETU, and HHTHIN's and HHCENT's
 C               are below MUCHL.  The tall sieve is all that over q;
-C               where q is so great that FAINT/q underflows, 16 EPS SIZE
-C               (SIZE + sc) covers it
+C               where q is so great that FAINT/q underflows, 8 EPS SIZE
+C               (SIZE + 2 sc) covers it
 C       NARROW  a box narrower than this has no list.  A list's
 C               coordinates are then right to far less than FEPS, and a
 C               star's margin is above SMALL, so that no product in
@@ -1400,8 +1400,8 @@ C     may come out too small by a few EPS.
       INTEGER VDC, VSC, VERR
       DOUBLE PRECISION EPS
       PARAMETER (VDC = 4, VSC = 5, VERR = 8, EPS = 2.0D0**(-52))
-      TSPOWE = LENGTH*(2.0D0*S(VDC) + 16.0D0*EPS*(LENGTH + S(VSC))) +
-     $    S(VERR)
+      TSPOWE = LENGTH*(2.0D0*S(VDC) + 8.0D0*EPS*(LENGTH +
+     $    2.0D0*S(VSC))) + S(VERR)
       END
 
 C     TSOSID - the open side as a sieve: the ball of L = MUCHL / 2 along
