@@ -1697,7 +1697,7 @@ static void test_known(void)
 #ifdef TEST_STATE
 /* hh_holds of n points p while bits of the SSE unit's state are set, and the x87
  * unit's precision is 0 (24 bits), 2 or 3 (64). */
-static int holds(tess_int n, const tess_real *p, unsigned bits,
+static int holds(int n, const tess_real *p, unsigned bits,
                  unsigned precision)
 {
     unsigned sse, with;
@@ -1710,7 +1710,7 @@ static int holds(tess_int n, const tess_real *p, unsigned bits,
     narrow = (unsigned short)((x87 & ~0x300u) | precision << 8);
     __asm__ __volatile__("ldmxcsr %0" : : "m"(with));
     __asm__ __volatile__("fldcw %0" : : "m"(narrow));
-    k = hh_holds(n, p);
+    k = hh_holds((tess_int)n, p);
     __asm__ __volatile__("fldcw %0" : : "m"(x87));
     __asm__ __volatile__("ldmxcsr %0" : : "m"(sse));
     return k;
