@@ -75,7 +75,7 @@
 #endif
 
 /* 10000 * major + 100 * minor version; the README says what has changed. */
-#define TESS_VERSION 40100L
+#define TESS_VERSION 40200L
 
 /* TESS_LIST: when tess.c is compiled, the capacity of the lists of points that a
  * search looks at first: a multiple of 4, 48 to 4096, 512 if not given.  It
