@@ -2791,7 +2791,7 @@ static void settle(mesh *m, tess_int s, tess_int *v)
             f[0] = s;
             f[1] = v[k % 3 + 1];
             f[2] = v[(k + 1) % 3 + 1];
-            guess[0] = z = v[k];
+            guess[0] = v[k];
             if (all)
                 z = apex(m, f, guess);
             else {
