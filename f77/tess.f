@@ -3676,6 +3676,7 @@ C     uses the tree alone.
             V(J) = OLD
    30     CONTINUE
    40     STILL = 0
+C         if V(K+1) was replaced, this was a search of its facet
           IF (J .EQ. K + 1) STILL = 1
         END IF
         K = MOD(K,3) + 1
@@ -5164,6 +5165,7 @@ C       point it has in REP
      $               COUNTS(I), COUNTS(I+N), LENGTH, COUNTS(I+2*N),
      $               SPACE, COUNTS(2), CTL, RCTL, SUP, LSX, LSID, LSI,
      $               LSD, 1, COUNTS(MINE+1), STARS, MANY, CODE)
+C         no search was long: others will not be
           IF (CTL(NSUPP) .EQ. 0 .AND. RCTL(RBURDN) .LE. 0.0D0) GO TO 60
    50   CONTINUE
       END IF
