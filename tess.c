@@ -1833,7 +1833,7 @@ static void aim(const mesh *m, quest *f)
 }
 
 /* prunenode - returns 1 if a node provably holds no candidate, by the marks of
- * its points, or where they tell nothing, and for a leaf, by its box alone. */
+ * its points, or where they tell nothing by its box alone. */
 static int prunenode(const mesh *m, const quest *f, tess_int node)
 {
     const double *b = m->box + 6 * node;
@@ -1849,8 +1849,7 @@ static int prunenode(const mesh *m, const quest *f, tess_int node)
             h = (double)FOLD * (double)k;
             h += t->a < 0.0 ? (double)FOLD + 0.5 : -0.5;
             h = s->low + s->grain * h;
-            if (prunebox(f, t, b, b + 3, t->a * (h - t->h))) return 1;
-            if (node < m->leaves) return 0;
+            return prunebox(f, t, b, b + 3, t->a * (h - t->h));
         }
     }
     return prunebox(f, &f->plain, b, b + 3, 0.0);

@@ -2293,14 +2293,14 @@ C     is exact but for one rounding.  The sieve is all that over q.
       END
 
 C     TSPNOD - returns 1 if a node provably holds no candidate, by the
-C     marks of its points, or where they tell nothing, and for a leaf,
-C     by its box alone; or 0.
+C     marks of its points, or where they tell nothing by its box alone;
+C     or 0.
       INTEGER FUNCTION TSPNOD(BOX, MARK, CTL, SUP, ON, F, C, T, NODE)
       DOUBLE PRECISION BOX(6,*), SUP(60,*), F(12), C(8), T(14)
       INTEGER MARK(*), CTL(*), ON, NODE
-      INTEGER LEAVES, SLOW, SGRAIN, VA, VH, STEPS, FOLD
-      PARAMETER (LEAVES = 4, SLOW = 59, SGRAIN = 60, VA = 6, VH = 7,
-     $    STEPS = 32768, FOLD = 4096)
+      INTEGER SLOW, SGRAIN, VA, VH, STEPS, FOLD
+      PARAMETER (SLOW = 59, SGRAIN = 60, VA = 6, VH = 7, STEPS = 32768,
+     $    FOLD = 4096)
       DOUBLE PRECISION H
       INTEGER TSPLAC, TSPRUN, K
       IF (ON .NE. 0) THEN
@@ -2315,7 +2315,7 @@ C     by its box alone; or 0.
         IF (K .GE. 0 .AND. K .LT. STEPS) THEN
           H = SUP(SLOW,ON) + SUP(SGRAIN,ON)*H
           TSPNOD = TSPRUN(F, T, BOX, NODE, T(VA)*(H - T(VH)))
-          IF (TSPNOD .EQ. 1 .OR. NODE .LT. CTL(LEAVES)) RETURN
+          RETURN
         END IF
       END IF
       TSPNOD = TSPRUN(F, C, BOX, NODE, 0.0D0)
