@@ -32,8 +32,8 @@
  *                                least index that          index -> position
  *                                coincides
  *   n           order  n         position -> index         the same
- *   2 n         known  KEEP      nothing, in an index      see seal
- *                                as it was
+ *   2 n         known  KEEP      in an index as it was,    see seal
+ *                                else place 4 is 0
  *   + KEEP      alive  2 L       leaf: uncompleted points; all points are back;
  *                                other nodes: children     place 0: how many
  *                                alive                     supports
@@ -3434,7 +3434,8 @@ static int openindex(mesh *m, tess_int n, const tess_real *p,
     m->np = m->known[4];
     if (m->np < 0 || m->np > n || header[0] != (double)m->np) return -8;
     if (m->known[0] < 0) return (int)-m->known[0];
-    if (m->alive[0] < 0 || (TESS_LIST >= 128 && m->alive[0] > SUPPORTS))
+    /* four points have a mesh: arrays of zeros are no index */
+    if (m->np < 4 || m->alive[0] < 0 || (TESS_LIST >= 128 && m->alive[0] > SUPPORTS))
         return -8;
     m->leaves = leafcount(m->np);
     m->set.t3 = header[1];
@@ -3640,6 +3641,7 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
     if (code == 0) code = sortpoints(&m, n, p, iw, lrw, rw);
     if (code > 0) *ntet = 0;
     if (code != 0) return code;
+    m.known[4] = 0; /* what is left in iw is no index */
     allot(&m, n, liw);
     return run(&m, n, NULL, maxtet, ntet, tet, adj);
 }
@@ -4029,8 +4031,7 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, tess_int nv, const double *value,
                 tess_int nq, const tess_real *q, tess_int *t, double *out)
 {
-    const double *v;
-    double w[4];
+    double w[4], v, sum, low, high;
     tess_int i, j, last = TESS_NONE;
     int code, k, outside = 0;
 
@@ -4046,10 +4047,18 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
         if (code != 0 && code != 1) return code;
         t[i] = code == 1 ? -2 - last : last;
         if (code == 1) outside = 1;
-        for (j = 0; j < nv; j++) out[j] = 0.0;
-        for (k = 0; k < 4; k++) {
-            v = value + (size_t)nv * (size_t)tet[4 * last + k];
-            for (j = 0; j < nv; j++) out[j] += w[k] * v[j];
+        for (j = 0; j < nv; j++) {
+            sum = 0.0;
+            low = DBL_MAX;
+            high = -DBL_MAX;
+            for (k = 0; k < 4; k++) {
+                v = value[(size_t)nv * (size_t)tet[4 * last + k] + (size_t)j];
+                sum += w[k] * v;
+                if (v < low) low = v;
+                if (v > high) high = v;
+            }
+            /* not beyond them by a rounding */
+            out[j] = sum < low ? low : sum > high ? high : sum;
         }
     }
     return outside;

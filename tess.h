@@ -75,7 +75,7 @@
 #endif
 
 /* 10000 * major + 100 * minor version; the README says what has changed. */
-#define TESS_VERSION 40200L
+#define TESS_VERSION 40300L
 
 /* TESS_LIST: when tess.c is compiled, the capacity of the lists of points that a
  * search looks at first: a multiple of 4, 48 to 4096, 512 if not given.  It
@@ -144,21 +144,21 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
  *                  -2) the index of the first point that has one
  *   tet     (out)  4*maxtet; the first 4*ntet are set
  *   adj     (out)  4*maxtet; the first 4*ntet are set
- *   liw     (in)   length of iw, at least 4*n + n/12 + 514.  What exceeds that
- *                  becomes pool; with the length that tess_size gives there is
- *                  also room for planes and spheres
+ *   liw     (in)   length of iw: 4*n + n/12 + 514 suffices.  The rest becomes
+ *                  pool; with the length that tess_size gives there is also
+ *                  room for planes and spheres
  *   iw      (out)  workspace.  On return, for each code >= 0 but TESS_RANGE,
  *                  iw[i] is the point that represents point i: i itself, or
  *                  for a duplicate the least index with the same coordinates
  *                  (-0.0 equals 0.0)
- *   lrw     (in)   length of rw, at least 3*n + n/2 + 12
+ *   lrw     (in)   length of rw: 3*n + n/2 + 12 suffices
  *   rw      (out)  workspace
  *
  * returns TESS_OK; TESS_MORE or TESS_POOL (what tet and adj hold is right: go
  * on with tess_resume); TESS_PLANE, TESS_LINE, TESS_POINT or TESS_RANGE (ntet =
  * 0); or -k: -1 for n < 0, -2 for a NaN or infinity in p, -3 for a maxtet that
- * is negative or too large for tess_int, -7 and -9 for liw and lrw below the
- * minimum.  After -k nothing is written but ntet.
+ * is negative or too large for tess_int, -7 and -9 for liw and lrw that are
+ * too small.  After -k nothing is written but ntet.
  *
  * TESS_RANGE has three causes: the coordinates need more limbs than HH_LIMBS
  * (impossible with the default); a coordinate is subnormal, and the processor
@@ -348,9 +348,9 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  *                     with mine[i] != 0, or at the point that represents it
  *   maxtet, ntet, tet, adj   as in tess_resume: *ntet = 0, or the beginning of
  *                     the result
- *   liw     (in)      length of iw, at least 4*n + n/12 + 514, and 6*n + 600
- *                     if the index knows planes or spheres.  What exceeds that
- *                     becomes pool: 7*n + 600 + TESS_LIW(m) is enough for m
+ *   liw     (in)      length of iw: 4*n + n/12 + 514 suffices, and 6*n + 600 if
+ *                     the index knows planes or spheres.  The rest becomes
+ *                     pool: 7*n + 600 + TESS_LIW(m) is enough for m
  *                     points asked for, unless one has very many neighbours
  *   iw      (in,out)  the index as tess_index left it, or a copy; what is
  *                     behind it is workspace.  On return an index again, which

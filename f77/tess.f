@@ -58,8 +58,8 @@ C       0         REP    N        point -> the least      the same; in
 C                                 point that coincides    an index ->
 C                                                         position
 C       N         ORD    N        position -> point       the same
-C       2 N       KNOWN  5        nothing, in an index    see TSSEAL:
-C                                 as it was               and COUNT
+C       2 N       KNOWN  5        in an index as it was,  see TSSEAL:
+C                                 else COUNT is 0         and COUNT
 C       + 5       ALIVE  2 L - 1  leaf: uncompleted       all points
 C                                 points; other nodes:    are back
 C                                 children alive
@@ -4542,9 +4542,9 @@ C     points without a mesh, or -8 where there is no index.
       INFO = -8
       IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
       IF (ABS(HEADER(1) - DBLE(COUNT)) .GT. 0.0D0) RETURN
-      INFO = -KNOWN(1)
-      IF (INFO .GE. 0) RETURN
-      INFO = -8
+      IF (KNOWN(1) .LT. 0) INFO = -KNOWN(1)
+C     four points have a mesh: arrays of zeros are no index
+      IF (INFO .GT. 0 .OR. COUNT .LT. 4) RETURN
       IF (COUNTS(1) .LT. 0 .OR. COUNTS(1) .GT. SUPPS) RETURN
       CTL(LEAVES) = TSLCOU(COUNT)
       RCTL(T3) = HEADER(2)
@@ -4870,15 +4870,14 @@ C       NTET    (out)  number of tetrahedra; for a NaN or infinity in P
 C                      (INFO = -2) the first point that has one
 C       TET     (out)  4*MAXTET; the first 4*NTET are set
 C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
-C       LIW     (in)   length of IW, at least 4*N + N/12 + 514.  What
-C                      exceeds that becomes pool; with the length that
-C                      TESSWK gives there is also room for planes and
-C                      spheres
+C       LIW     (in)   length of IW: 4*N + N/12 + 514 suffices.  The
+C                      rest becomes pool; with the length that TESSWK
+C                      gives there is also room for planes and spheres
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
 C                      IW(I) is the point that represents point I: I
 C                      itself, or for a duplicate the least one with the
 C                      same coordinates (-0.0 equals 0.0)
-C       LRW     (in)   length of RW, at least 3*N + N/2 + 12
+C       LRW     (in)   length of RW: 3*N + N/2 + 12 suffices
 C       RW      (out)  workspace
 C       INFO    (out)  0 done; 1 (TET and ADJ are full) or 2 (the pool
 C                      is full): what TET and ADJ hold is right, go on
@@ -4887,8 +4886,8 @@ C                      line, 5 at most one distinct point, 6 coordinates
 C                      that the arithmetic cannot hold (NTET = 0); or
 C                      -k: -1 for N < 0, -2 for a NaN or infinity in P,
 C                      -3 for a MAXTET that is negative or too large for
-C                      the integers, -7 and -9 for LIW and LRW below the
-C                      minimum.  After -k nothing is written but NTET,
+C                      the integers, -7 and -9 for LIW and LRW that are
+C                      too small.  After -k nothing is written but NTET,
 C                      INFO.
 C
 C     INFO is 6 when the coordinates need more limbs than HHLIM
@@ -5012,6 +5011,8 @@ C     element of RW or IW, and the standard lets them be altered.
       ELSE
         CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD, N,
      $              ROOMY, INFO)
+C       what is left in IW is no index
+        IF (INFO .EQ. 0) COUNT = 0
       END IF
       IF (INFO .GT. 0) NTET = 0
       IF (INFO .NE. 0) RETURN
@@ -5181,9 +5182,9 @@ C                         each point I with MINE(I) not 0, or at the
 C                         point that represents it
 C       MAXTET, NTET, TET, ADJ   as in TESSRE: NTET = 0, or the
 C                         beginning of the result
-C       LIW     (in)      length of IW, at least 4*N + N/12 + 514, and
+C       LIW     (in)      length of IW: 4*N + N/12 + 514 suffices, and
 C                         6*N + 600 if the index knows planes or
-C                         spheres.  What exceeds that becomes pool:
+C                         spheres.  The rest becomes pool:
 C                         7*N + 600 + 19*M + 1800 is enough for M points
 C                         asked for, unless one has very many neighbours
 C       IW      (in,out)  the index as TESSIX left it, or a copy; what
@@ -5685,9 +5686,11 @@ C     notices.
       INTEGER NTET, TET(4,*), ADJ(4,*), NV, NQ, T(*), INFO
       DOUBLE PRECISION P(3,*), VALUE(*), Q(3,*), OUT(*)
       INTEGER NONE, INTMAX
-      PARAMETER (NONE = 0, INTMAX = 2147483647)
-      DOUBLE PRECISION W(4)
-      INTEGER HHFINI, AT, CODE, FROM, I, J, K, LAST
+      DOUBLE PRECISION EPS, HUGE
+      PARAMETER (NONE = 0, INTMAX = 2147483647, EPS = 2.0D0**(-52),
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      DOUBLE PRECISION HIGH, LOW, SUM, V, W(4)
+      INTEGER HHFINI, CODE, I, J, K, LAST
       INFO = -2
       IF (NTET .LT. 1) RETURN
       INFO = -5
@@ -5712,15 +5715,20 @@ C     notices.
         T(I) = LAST
         IF (CODE .EQ. 1) T(I) = -LAST
         IF (CODE .EQ. 1) INFO = 1
-        AT = NV*(I - 1)
-        DO 30 J = 1, NV
-          OUT(AT+J) = 0.0D0
-   30   CONTINUE
-        DO 50 K = 1, 4
-          FROM = NV*(TET(K,LAST) - 1)
-          DO 40 J = 1, NV
-            OUT(AT+J) = OUT(AT+J) + W(K)*VALUE(FROM+J)
+        DO 50 J = 1, NV
+          SUM = 0.0D0
+          LOW = HUGE
+          HIGH = -HUGE
+          DO 40 K = 1, 4
+            V = VALUE(NV*(TET(K,LAST) - 1) + J)
+            SUM = SUM + W(K)*V
+            IF (V .LT. LOW) LOW = V
+            IF (V .GT. HIGH) HIGH = V
    40     CONTINUE
+C         not beyond them by a rounding
+          IF (SUM .LT. LOW) SUM = LOW
+          IF (SUM .GT. HIGH) SUM = HIGH
+          OUT(NV*(I-1)+J) = SUM
    50   CONTINUE
    60 CONTINUE
       END

@@ -1173,6 +1173,23 @@ static void test_codes(void)
     v[0] = TESS_NONE;
     require(tess_query(-1, p, iw, rw, q, v, w) == -1, "query -1");
     require(tess_query(m.n, p, ints(m.liw), rw, q, v, w) == -3, "query -3");
+    /* nor are zeros an index, nor what tess leaves where one was */
+    for (k = 0; k < 2; k++) {
+        tess_int *other = begun(iw, m.liw, m.liw);
+        double *rest = (double *)array((size_t)m.lrw * sizeof *rest);
+
+        memcpy(rest, rw, (size_t)m.lrw * sizeof *rest);
+        if (k == 0) {
+            memset(other, 0, (size_t)m.liw * sizeof *other);
+            memset(rest, 0, (size_t)m.lrw * sizeof *rest);
+        } else
+            require(tess(m.n, p, big, &ntet, tet, adj, m.liw, other, m.lrw,
+                         rest) == 0, "tess in an index");
+        require(tess_query(m.n, p, other, rest, q, v, w) == -3, "no index");
+        ntet = 0;
+        require(tess_part(m.n, p, mine, big, &ntet, tet, adj, m.liw, other,
+                          m.lrw, rest) == -9 && ntet == 0, "a part of none");
+    }
     require(tess_query(m.n, p, iw, rw, bad, v, w) == -5, "query -5");
     for (k = 0; k < 6; k++) {
         for (i = 0; i < 4; i++) v[i] = m.tet[i];

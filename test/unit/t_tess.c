@@ -1521,6 +1521,8 @@ static void one_values(const result *r, const tess_real *q, tess_int nv,
     int single[PLACES];
 
     for (i = 0; i < nv * r->n; i++) value[i] = 2.0 * rnd_unit() - 1.0;
+    /* a constant, which no rounding may alter */
+    for (i = 0; i < r->n && nv > 1; i++) value[nv * i] = 0.1;
     memcpy(t, start, PLACES * sizeof *t);
     code = tess_values(r->p, r->ntet, r->tet, r->adj, nv, value, PLACES, q, t,
                        out);
@@ -1571,6 +1573,8 @@ static void one_values(const result *r, const tess_real *q, tess_int nv,
                     "tess_values' value");
             require(c == 1 || out[nv * i + j] == again[nv * i + j],
                     "tess_values from its own t");
+            require(j > 0 || nv == 1 || out[nv * i] == 0.1,
+                    "tess_values of a constant");
         }
     }
     require(code == outer, "tess_values' code");
