@@ -217,19 +217,20 @@ row() {
     done
 }
 figure times "| nanoseconds a tetrahedron $(row 'Nanoseconds of CPU time')"
-figure "time and memory" "100,000 points take $(
+figure "time and memory" "100,000 points: $(
     awk -v n="$(cell 'Nanoseconds of CPU time' uniform 100000 tetrahedra)" \
         -v t="$(cell 'Nanoseconds of CPU time' uniform 100000 tess)" \
         -v m="$(cell 'Bytes per point' uniform 100000 tess)" \
-        'BEGIN { printf "%.2f seconds and %.0f MB", n * t / 1e9, m / 10 }')."
+        'BEGIN { printf "%.2f seconds on one processor, %.0f MB besides them",
+            n * t / 1e9, m / 10 }')."
 figure memory "| bytes a point $(row 'Bytes per point')"
 figure "CGAL is ahead" "up to $(awk -F ' *[|] *' '
     /^The same times of data that people have/ { at = 1 }
     at && /^[|] [a-z]*[.a-z]* [|] [0-9]/ && $(NF-1) > most { most = $(NF-1) }
     at && /^The same times of data that lie/ { printf "%.1f", most; exit }
     ' $R/bench.txt) times as fast"
-figure threads "Two threads take $(awk -F ' *[|] *' '/^Parts, joined/ { at = 1 }
-    at && $2 == "uniform" && $4 == 2 { print $7; exit }' $R/bench.txt) of the time"
+figure threads "Two threads are $(awk -F ' *[|] *' '/^Parts, joined/ { at = 1 }
+    at && $2 == "uniform" && $4 == 2 { printf "%.1f", 1 / $7; exit }' $R/bench.txt) times as fast"
 figure machine "($(sed -n '/^Machine: /{s/.* processors, //;s/(R)//g
     s/ Processor$//;p;}' $R/bench.txt), gcc $(sed -n 's/^cc .* //p' $R/bench.txt))"
 sed -n '/^## How fast/,/^## Limits/p' README.md | grep '^| [a-z].*[0-9]' \

@@ -22,7 +22,7 @@
 #   SEED      of the random points (1)
 #   LIMIT     seconds of the processor after which a run is cut (60)
 #   CC, CFLAGS, CXX  compilers, and options for tess (-O3); peers have -O3
-#   FC, FFLAGS       the same for the FORTRAN 77 half (gfortran, -O3)
+#   FC, FFLAGS       the same for the FORTRAN 77 half (gfortran, -O3 -flto)
 
 cd "$(dirname "$0")/../.." || exit 1
 PEERS=${PEERS-"f77 cgal tetgen qhull"}
@@ -32,7 +32,7 @@ LIMIT=${LIMIT:-60}
 CFLAGS=${CFLAGS:--O3}
 CXX=${CXX:-g++}
 FC=${FC:-gfortran}
-FFLAGS=${FFLAGS:--O3}
+FFLAGS=${FFLAGS:--O3 -flto}
 . test/tests.sh
 mkdir -p build
 
@@ -333,7 +333,7 @@ function few(   i, k, at, head, first) {
         sub(".*/", "", name)
         if (!index(" uniform:100000 lattice:97336 gridrot:27000 " \
             "globe:30000 rotcube:30000 terrain:50000 ellipsoid:50000 " \
-            "boreholes:20000 ", " " name ":" points[key] " ")) continue
+            "boreholes:20000 tracks:8000 ", " " name ":" points[key] " ")) continue
         if (first) {
             print "\nThe rows of the README\n"
             heading("| points | n | tetrahedra | tess | FORTRAN/tess |" \

@@ -77,7 +77,7 @@ A program that reads lines `x y z' and counts those that are no points:
 
 In the directory above:
 
-    gfortran -O3 -frecursive -o first first.f f77/tess.f f77/hhpred.f
+    gfortran -O3 -flto -frecursive -o first first.f f77/tess.f f77/hhpred.f
     ./first < test/data/mirror.xyz
 
 It prints `3600 points, 5 other lines: code 0, 19298 tetrahedra'. SAVE keeps the
