@@ -39,7 +39,7 @@
  *                                alive                     supports
  *   + 2 L       mark   0 or      of supports, if liw is    the same
  *                      marks     what tess_size gives:
- *                                see place
+ *                                see recordof
  *   + marks     head   n         position -> first entry   scratch
  *                                that it owns, NONE, or
  *                                FOREIGN; in intact,
@@ -107,9 +107,9 @@
  *   the ball     dot powererr openside prunebox ballinbox ballinstar ballcoef
  *                listball
  * then what makes searches faster, each where some data need it:
- *   supports     rough marked heightover onsupport remember place erect through
- *                fit markleaf discover recall nearsupport recentre supportof
- *                sharpen aim prunenode
+ *   supports     rough marked heightover onsupport remember recordof erect
+ *                through fit markleaf discover recall nearsupport recentre
+ *                supportof sharpen aim prunenode
  *   cylinders    cylinders makecylinder makecylinders prunecylinders
  *   ties         newcell incell
  * then the search, and what it is for:
@@ -121,7 +121,7 @@
  *                attach grow enlist follow gather load complete makeroom begin
  *                star plant stars
  *   results      slot mate
- *   preparation  leafcount lengths layout collect rescale units fits scale
+ *   preparation  leafcount lengths layout collect rescale units inlimbs scale
  *                revive sortpoints seal openindex intact claim restore allot
  *                run badargument
  *   entries      tess_size tess tess_resume tess_index tess_part
@@ -204,7 +204,7 @@
 #define ENOUGH 500
 #define SOME (TESS_LIST < 128 ? 4 : 32)
 /* Integers in a support's record, digits of a number in it, their base, and
- * what is added to exponents: see place. */
+ * what is added to exponents: see recordof. */
 #define RECORD 16
 #define DIGITS 4
 #define DIGIT 8192.0
@@ -396,7 +396,7 @@ typedef struct quest {
 #define LEASTOF(code) ((tess_int)((code) / (STEPS + 2) - 1))
 #define MOSTOF(code) ((tess_int)((code) % (STEPS + 2) - 1))
 typedef struct support {
-    tess_int *record, *range; /* see place */
+    tess_int *record, *range; /* see recordof */
     int plane;
     hh_sphere t;
     const double *at;         /* its first point; from there */
@@ -418,7 +418,7 @@ typedef struct sizes {
 
 typedef struct mesh {
     hh_set set;
-    sizes most;               /* lengths for the points that were given */
+    sizes needs;              /* lengths for the points that were given */
     /* the arrays: see above */
     tess_int *tet, *adj, *rep, *order, *known, *alive, *head, *link, *pool;
     tess_int *mark;           /* 0, or 1 + support + SUPPORTS mark */
@@ -1350,16 +1350,16 @@ static int listball(const list *l, const quest *f, int *place)
  * roundings. */
 static double rough(const mesh *m, const support *s, tess_int z, double *err)
 {
-    double h = 0.0, size = 0.0, far = s->plane ? 1.0 : 0.0, u;
+    double h = 0.0, size = 0.0, spread = s->plane ? 1.0 : 0.0, u;
     int k;
 
     for (k = 0; k < 3; k++) {
         u = m->x[3 * z + k] - s->at[k];
         h += u * (s->plane ? s->c[k] : u - 2.0 * s->c[k]);
         size += fabs(u);
-        far += s->plane ? 0.0 : fabs(u) + fabs(s->c[k]);
+        spread += s->plane ? 0.0 : fabs(u) + fabs(s->c[k]);
     }
-    *err = 32.0 * EPS * size * far + FAINT;
+    *err = 32.0 * EPS * size * spread + FAINT;
     return h;
 }
 
@@ -1424,8 +1424,9 @@ static void remember(quest *f, tess_int z, int open)
     if (place < SOME) f->some[place] = z;
 }
 
-/* place - returns support j.  Behind the marks of the points each has RECORD
- * integers, then the nodes' ranges of marks, from node 1 on:
+/* recordof - returns support j, with the place of its record.  Behind the marks
+ * of the points each has RECORD integers, then the nodes' ranges of marks, from
+ * node 1 on:
  *   0      the position of its first point
  *   1      1 for a plane
  *   2      the exponent of grain, plus EXPONENT
@@ -1433,7 +1434,7 @@ static void remember(quest *f, tess_int z, int open)
  *   4 ...  its three coordinates in these units, DIGITS digits each
  * So all that a support is made of is read, and comes out alike in all rounding
  * modes and builds: marks of one sphere say nothing of another. */
-static support *place(mesh *m, int j)
+static support *recordof(mesh *m, int j)
 {
     support *s = m->supports + j;
 
@@ -1518,21 +1519,21 @@ static int fit(const mesh *m, const quest *f, support *s)
 {
     tess_int v[4];
     double u[3 * SOME], e[3], wide[3], x;
-    int n = f->opened < SOME ? (int)f->opened : SOME, far, i, j, k;
+    int n = f->opened < SOME ? (int)f->opened : SOME, widest, i, j, k;
 
     v[0] = f->v[0];
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++)
             u[3 * i + k] = m->x[3 * f->some[i] + k] - m->x[3 * v[0] + k];
     for (j = 0; j < 3; j++) { /* the farthest one, and what is left of all */
-        for (i = far = 0; i < n; i++)
-            if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * far, u + 3 * far))
-                far = i;
-        v[j + 1] = f->some[far];
-        wide[j] = sqrt(dot(u + 3 * far, u + 3 * far));
+        for (i = widest = 0; i < n; i++)
+            if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * widest, u + 3 * widest))
+                widest = i;
+        v[j + 1] = f->some[widest];
+        wide[j] = sqrt(dot(u + 3 * widest, u + 3 * widest));
         if (j == 2) break;
         if (wide[j] <= 1e-6 * wide[0] + HH_SMALL) return 0;
-        for (k = 0; k < 3; k++) e[k] = u[3 * far + k] / wide[j];
+        for (k = 0; k < 3; k++) e[k] = u[3 * widest + k] / wide[j];
         for (i = 0; i < n; i++)
             for (x = dot(u + 3 * i, e), k = 0; k < 3; k++)
                 u[3 * i + k] -= x * e[k];
@@ -1576,7 +1577,7 @@ static tess_int markleaf(mesh *m, int j, tess_int leaf)
  * corner.  It is kept if it marks enough points.  Returns 1 if it is kept. */
 static int discover(mesh *m, quest *f)
 {
-    support *s = place(m, m->nsupport);
+    support *s = recordof(m, m->nsupport);
     tess_int node, i, j, old, most, members = 0;
     double err;
     int held = 0;
@@ -1619,7 +1620,7 @@ static int discover(mesh *m, quest *f)
 static void recall(mesh *m)
 {
     while (TESS_LIST >= 128 && m->nsupport < m->alive[0])
-        (void)erect(m, place(m, m->nsupport++));
+        (void)erect(m, recordof(m, m->nsupport++));
 }
 
 /* nearsupport - returns the support that the facet's vertices are near, or
@@ -1684,11 +1685,11 @@ static void supportof(const mesh *m, quest *f)
     double a[2][3], h[3] = {0.0, 0.0, 0.0}, err[3], n[2], t[2];
     double ab, det, size, r;
     hh_sphere own;
-    int i, k, near, again;
+    int i, k, which, again;
 
-    near = f->hh[9] > 1e-3 ? NONE : nearsupport(m, f, h, err);
-    if (near == NONE) return;
-    s = m->supports + near;
+    which = f->hh[9] > 1e-3 ? NONE : nearsupport(m, f, h, err);
+    if (which == NONE) return;
+    s = m->supports + which;
     f->g = dot(s->c, f->hh);
     if (s->plane && fabs(f->g) < 0.5) return;
     for (i = 0; i < 2; i++) {
@@ -1702,7 +1703,7 @@ static void supportof(const mesh *m, quest *f)
     ab = dot(a[0], a[1]);
     det = n[0] * n[1] - ab * ab;
     if (det < 1e4 * EPS * n[0] * n[1] || det < FAINT) return;
-    f->on = near;
+    f->on = which;
     f->tall.h = h[0];
     f->dh = err[0];
     for (again = 0;; again = 1) {
@@ -1992,7 +1993,7 @@ static void prunecylinders(const mesh *m, const quest *f, tess_int node,
     const double *c = cylinders(m, node);
     const sieve *s = &f->plain;
     double b0 = f->hh[6], b1 = f->hh[7], b2 = f->hh[8];
-    double err = 2.0 * s->dc + 128.0 * EPS * s->sc, room = s->err;
+    double err = 2.0 * s->dc + 128.0 * EPS * s->sc, skin = s->err;
     double w0, w1, w2, g0, g1, g2, a, h, r, t, gg, rr, rho, size, sum;
     int i;
 
@@ -2013,7 +2014,7 @@ static void prunecylinders(const mesh *m, const quest *f, tess_int node,
         rr = rho < r * r ? rho : r * r;
         sum = w0 * (g0 - s->c[0]) + w1 * (g1 - s->c[1]) +
               w2 * (g2 - s->c[2]) + t * (t - 2.0 * a) + rr -
-              size * (err + 64.0 * EPS * size) - room;
+              size * (err + 64.0 * EPS * size) - skin;
         past[i] = sum * fabs(sum) - 4.0 * rr * rho;
     }
 }
@@ -2162,46 +2163,46 @@ static void refine(const mesh *m, quest *f)
 }
 
 /* contest - compares z with the best point where the bounds leave open what is
- * UNSURE: power, or the side, or both.  hh_lifts comes first, unless the last
+ * UNSURE: verdict, or side, or both.  hh_lifts comes first, unless the last
  * exact comparison was a tie: rotated grids, which have the corners of their
  * cells on a sphere, but for rounding, take 1.2 to 1.6 times the instructions
  * without it.  Its sphere is that of z or of the best point, but not of a ball
  * by limbs, whose four points are nearly in a plane.  Then come the limbs of
  * such a ball, then the exact signs.  Returns BEATS, LOSES, HH_TIE
  * times that for a tie, or OUT. */
-static int contest(mesh *m, quest *f, tess_int z, int side, int power,
+static int contest(mesh *m, quest *f, tess_int z, int side, int verdict,
                    double hi)
 {
-    int open = power == UNSURE;
+    int unsure = verdict == UNSURE;
 
-    if (open && m->set.t5 < 0.0 && !m->even) {
-        power = hh_lifts(&m->set, f->v, f->base, f->hh,
-                         side == 1 ? hi : f->limbs ? DBL_MAX : f->hi, f->best,
-                         z, &f->sphere);
+    if (unsure && m->set.t5 < 0.0 && !m->even) {
+        verdict = hh_lifts(&m->set, f->v, f->base, f->hh,
+                           side == 1 ? hi : f->limbs ? DBL_MAX : f->hi,
+                           f->best, z, &f->sphere);
         COUNT(N_TRIAL, f->sphere.ready == 1);
-        HOLDS(power == UNSURE ||
-              power == hh_pball(&m->set, f->v, f->best, z, 0));
+        HOLDS(verdict == UNSURE ||
+              verdict == hh_pball(&m->set, f->v, f->best, z, 0));
     }
     if (f->limbs) {
-        COUNT(N_TRIAL, power == UNSURE);
-        hh_trial(&m->set, &f->sharp, z, &side, &power);
-        HOLDS(power == LOSES ? !better(m, f, z)
+        COUNT(N_TRIAL, verdict == UNSURE);
+        hh_trial(&m->set, &f->sharp, z, &side, &verdict);
+        HOLDS(verdict == LOSES ? !better(m, f, z)
               : side == UNSURE ||
                 side == hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z));
     }
-    if (side == UNSURE && power != LOSES) {
+    if (side == UNSURE && verdict != LOSES) {
         COUNT(N_SIDE, 1);
         side = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
     }
     if (side != 1) return OUT;
-    if (power == UNSURE) {
+    if (verdict == UNSURE) {
         COUNT(N_EXACT, 1);
-        power = hh_pball(&m->set, f->v, f->best, z, 2);
-        m->even = power == HH_TIE || power == -HH_TIE;
+        verdict = hh_pball(&m->set, f->v, f->best, z, 2);
+        m->even = verdict == HH_TIE || verdict == -HH_TIE;
         f->asked += m->even ? 0 : EXACT;
     } else
-        f->asked += open;
-    return power;
+        f->asked += unsure;
+    return verdict;
 }
 
 /* challenge - takes z if it is on the open side and beats the best point so
@@ -2211,23 +2212,24 @@ static int contest(mesh *m, quest *f, tess_int z, int side, int power,
 static void challenge(mesh *m, quest *f, tess_int z)
 {
     double lo, hi;
-    int side = hh_limits(f->hh, m->x + 3 * z, &lo, &hi), power;
+    int side = hh_limits(f->hh, m->x + 3 * z, &lo, &hi), verdict;
 
     if (LEANING(f) && side >= 0)
         side = sharpen(m, f, z, side, &lo, &hi);
-    power = f->best == NONE || hi < f->lo ? BEATS : lo > f->hi ? LOSES : UNSURE;
-    if (side < 0 || power == LOSES) {
+    verdict = f->best == NONE || hi < f->lo ? BEATS
+              : lo > f->hi ? LOSES : UNSURE;
+    if (side < 0 || verdict == LOSES) {
         HOLDS(!better(m, f, z));
         return;
     }
-    if (side == 0 || power == UNSURE) {
+    if (side == 0 || verdict == UNSURE) {
         if (SEEK(m)) remember(f, z, 1);
-        power = contest(m, f, z, side == 1 ? 1 : UNSURE, power, hi);
-        HOLDS((power < 0) == better(m, f, z));
-        if (power == OUT) return;
+        verdict = contest(m, f, z, side == 1 ? 1 : UNSURE, verdict, hi);
+        HOLDS((verdict < 0) == better(m, f, z));
+        if (verdict == OUT) return;
     }
-    if (power > 0) {
-        f->ties += power == HH_TIE;
+    if (verdict > 0) {
+        f->ties += verdict == HH_TIE;
         if (hi < f->hi) narrow(m, f, hi);
         if (f->asked >= MANY && !f->limbs) refine(m, f);
         return;
@@ -2235,7 +2237,7 @@ static void challenge(mesh *m, quest *f, tess_int z)
     HOLDS(better(m, f, z));
     if (hi > f->hi) hi = f->hi;
     f->best = z;
-    f->ties = power == -HH_TIE ? f->ties + 1 : 0;
+    f->ties = verdict == -HH_TIE ? f->ties + 1 : 0;
     f->lo = lo;
     f->limbs = 0;
     narrow(m, f, hi);
@@ -2567,7 +2569,7 @@ static void prepare(mesh *m, quest *f, const tess_int *v,
  * nearlist. */
 static int inball(const quest *f, const list *l)
 {
-    double g[3], c, h, err, rr = 0.0, uu = 0.0, size = 0.0, room;
+    double g[3], c, h, err, rr = 0.0, uu = 0.0, size = 0.0, gap;
     int k;
 
     if (l->n == 0) return 0;
@@ -2581,10 +2583,10 @@ static int inball(const quest *f, const list *l)
         uu += (c - g[k]) * (c - g[k]);
     }
     err = f->hh[10] + fabs(h) * f->hh[9] + 4.0 * EPS * size;
-    room = l->margin * (l->margin - 32.0 * err - PAD * (1.0 + l->margin)) -
+    gap = l->margin * (l->margin - 32.0 * err - PAD * (1.0 + l->margin)) -
            rr - uu;
     if (h > f->hi) rr = f->hh[11] * f->hh[11];
-    return room > 0.0 && room * room >= 4.0 * rr * uu;
+    return gap > 0.0 && gap * gap >= 4.0 * rr * uu;
 }
 
 /* nearlist - makes a near list of the ball of a search and a skin about it, of
@@ -2651,7 +2653,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
 {
     quest f;
     double h;
-    int k, lists, near;
+    int k, lists, suited;
 
     COUNT(N_FACET, 1);
     if (m->ncell > 0 && (f.best = incell(m, v)) != NONE) return f.best;
@@ -2674,13 +2676,13 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
         return f.best;
     }
     m->futile++;
-    near = BALLS > 1 && f.ball && f.hi <= MUCHL && !LEANING(&f) &&
+    suited = BALLS > 1 && f.ball && f.hi <= MUCHL && !LEANING(&f) &&
            m->block.margin > 0.0;
     if (m->fund <= 0.0 || m->fund > GRANT) m->idle = m->fund <= 0.0;
-    if (!near || m->idle || !innear(m, &f)) {
+    if (!suited || m->idle || !innear(m, &f)) {
         COUNT(N_TREE, 1);
         treesearch(m, &f);
-        if (near) {
+        if (suited) {
             m->fund += (double)f.work / TAX;
             m->usual += ((double)f.work - m->usual) / 16.0;
         }
@@ -3246,7 +3248,7 @@ static int lengths(tess_int n, sizes *w)
 static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
                    double *rw)
 {
-    (void)lengths(n, &m->most);
+    (void)lengths(n, &m->needs);
     m->set.x = m->x = rw;
     m->set.p = p;
     m->box = rw + 3 * n;
@@ -3306,9 +3308,9 @@ static double units(const mesh *m)
     return u;
 }
 
-/* fits - returns 1 if HH_LIMBS limbs hold all coordinates of n points p, which
- * is in doubt for those below few. */
-static int fits(tess_int n, const tess_real *p)
+/* inlimbs - returns 1 if HH_LIMBS limbs hold all coordinates of n points p,
+ * which is in doubt for those below few. */
+static int inlimbs(tess_int n, const tess_real *p)
 {
     double most = 0.0, few, x;
     tess_int i;
@@ -3378,7 +3380,7 @@ static int sortpoints(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
 
     layout(m, n, p, iw, rw);
     if (n == 0) return TESS_POINT;
-    if (!hh_holds(n, p) || !fits(n, p)) return TESS_RANGE;
+    if (!hh_holds(n, p) || !inlimbs(n, p)) return TESS_RANGE;
     for (i = 0; i < n; i++) m->rep[i] = i;
     collect(m, n, p);
     kdsort(m);
@@ -3393,7 +3395,7 @@ static int sortpoints(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     scale(m);
     boxes(m);
     revive(m);
-    if (m->most.cylinders > 0 && lrw - m->most.rw >= m->most.cylinders)
+    if (m->needs.cylinders > 0 && lrw - m->needs.rw >= m->needs.cylinders)
         makecylinders(m);
     return 0;
 }
@@ -3435,14 +3437,15 @@ static int openindex(mesh *m, tess_int n, const tess_real *p,
     if (m->np < 0 || m->np > n || header[0] != (double)m->np) return -8;
     if (m->known[0] < 0) return (int)-m->known[0];
     /* four points have a mesh: arrays of zeros are no index */
-    if (m->np < 4 || m->alive[0] < 0 || (TESS_LIST >= 128 && m->alive[0] > SUPPORTS))
+    if (m->np < 4 || m->alive[0] < 0 ||
+        (TESS_LIST >= 128 && m->alive[0] > SUPPORTS))
         return -8;
     m->leaves = leafcount(m->np);
     m->set.t3 = header[1];
     m->set.t5 = header[2];
     m->set.e = (int)header[3];
     m->enclosed = header[5] > 0.0;
-    if (fabs(header[5]) > HH_LIMBS && !fits(n, p)) return TESS_RANGE;
+    if (fabs(header[5]) > HH_LIMBS && !inlimbs(n, p)) return TESS_RANGE;
     return hh_holds(header[4] < normal ? n : 1, p) ? 0 : TESS_RANGE;
 }
 
@@ -3534,7 +3537,7 @@ static int restore(mesh *m, tess_int *s, tess_int n, const tess_int *mine)
  * points, and the pool. */
 static void allot(mesh *m, tess_int n, tess_int liw)
 {
-    sizes w = m->most;
+    sizes w = m->needs;
 
     /* doubles decide everything if points are in few units */
     if (m->patience == 0.0 && m->nsupport < SUPPORTS && m->set.t5 < PLAIN &&
@@ -3678,8 +3681,8 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                 m.rep[i] = m.rep[m.rep[i]];
     }
     left = (tess_int)(liw - n);
-    if (TESS_LIST >= 128 && code == 0 && m.most.marks > 0 &&
-        m.set.t5 < PLAIN && left - m.most.iw >= m.most.marks) {
+    if (TESS_LIST >= 128 && code == 0 && m.needs.marks > 0 &&
+        m.set.t5 < PLAIN && left - m.needs.iw >= m.needs.marks) {
         mine = iw + left;
         for (k = 1; k <= REGIONS; k++) {
             if (k % 8 == 1)
@@ -3711,8 +3714,8 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
     if (code == 0) code = openindex(&m, n, p, iw, rw);
     if (code > 0) *ntet = 0;
     if (code == 0) {
-        if (m.alive[0] > 0 && liw - m.most.iw < m.most.marks) return -8;
-        if (m.enclosed && lrw - m.most.rw < m.most.cylinders) return -10;
+        if (m.alive[0] > 0 && liw - m.needs.iw < m.needs.marks) return -8;
+        if (m.enclosed && lrw - m.needs.rw < m.needs.cylinders) return -10;
         recall(&m);
         allot(&m, n, liw);
         code = run(&m, n, mine, maxtet, ntet, tet, adj);

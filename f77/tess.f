@@ -67,7 +67,7 @@ C       + 2 L - 1 COUNTS 1        nothing, in an index    how many
 C                                 as it was               supports
 C       + 1       MARK   0 or     of supports, if LIW     the same
 C                        marks    is what TESSWK gives:
-C                                 see TSPLAC
+C                                 see TSRCRD
 C       + marks   HEAD   N        position -> first       scratch
 C                                 entry that it owns, 0,
 C                                 or FOREIN; in TSINTA,
@@ -146,7 +146,7 @@ C         prunebox TSPRUN, ballinbox TSBINB, ballinstar TSBINS,
 C         ballcoef TSBALC, listball TSLIBA
 C     then what makes searches faster, each where some data need it:
 C       supports: rough TSROUG, marked TSMRKD, heightover TSHEOV,
-C         onsupport TSONSU, remember TSREME, place TSPLAC,
+C         onsupport TSONSU, remember TSREME, recordof TSRCRD,
 C         erect TSEREC, through TSTHRO, fit TSFIT, markleaf TSMLEA,
 C         discover TSDISC, recall TSRECA, nearsupport TSNEAS,
 C         recentre TSCENT, supportof TSSUPP, sharpen TSSHAR, aim TSAIM,
@@ -172,7 +172,7 @@ C         stars TSSTRS
 C       results: slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, lengths TSLENG, layout TSLAYO,
 C         collect TSCOLL, rescale TSRESC, units TSUNIT,
-C         fits TSFITS, scale TSSCAL, revive TSREVI,
+C         inlimbs TSINLI, scale TSSCAL, revive TSREVI,
 C         sortpoints TSSORT, seal TSSEAL, openindex TSOPEN,
 C         intact TSINTA, claim TSCLAI, restore TSREST, allot TSALLO,
 C         run TSRUN, badargument TSBADA
@@ -211,7 +211,7 @@ C       LINK   first open edge of the link from a vertex; DONE: its star
 C              is complete; NEW: in no tetrahedron yet
 C       POOL   pool and edges
 C       MARK   0, or J + SUPPS*K, of a position with mark K of support
-C              J; behind MARK(TSPLAC(CTL,J)) the record of support J,
+C              J; behind MARK(TSRCRD(CTL,J)) the record of support J,
 C              then (K + 1) (STEPS + 2) + L + 1 of each node, K and L
 C              the least and the greatest mark of its points, over FOLD;
 C              K is -1 if a point may be below SLOW, L is STEPS if one
@@ -1644,11 +1644,11 @@ C     and 6 roundings.
       DOUBLE PRECISION EPS, FAINT
       PARAMETER (SPLANE = 8, SAT = 52, SC = 55, EPS = 2.0D0**(-52),
      $    FAINT = 1.0D-200)
-      DOUBLE PRECISION FAR, SIZE, U
+      DOUBLE PRECISION SPREAD, SIZE, U
       INTEGER K
       H = 0.0D0
       SIZE = 0.0D0
-      FAR = S(SPLANE)
+      SPREAD = S(SPLANE)
       DO 10 K = 1, 3
         U = X(K,Z) - S(SAT+K)
         SIZE = SIZE + ABS(U)
@@ -1656,10 +1656,10 @@ C     and 6 roundings.
           H = H + U*S(SC+K)
         ELSE
           H = H + U*(U - 2.0D0*S(SC+K))
-          FAR = FAR + (ABS(U) + ABS(S(SC+K)))
+          SPREAD = SPREAD + (ABS(U) + ABS(S(SC+K)))
         END IF
    10 CONTINUE
-      ERR = 32.0D0*EPS*SIZE*FAR + FAINT
+      ERR = 32.0D0*EPS*SIZE*SPREAD + FAINT
       END
 
 C     TSMRKD - OK is 1 if the position Z has a mark of support J, or 0;
@@ -1742,7 +1742,7 @@ C     Points with a mark count, too: they may be on a finer support.
       IF (PLACE .LE. SOME) IQ(QSOME+PLACE) = Z
       END
 
-C     TSPLAC - returns where in MARK the record of support J begins, but
+C     TSRCRD - returns where in MARK the record of support J begins, but
 C     for one.  Behind its 16 integers are the nodes' ranges of marks:
 C       1      the position of its first point
 C       2      1 for a plane
@@ -1752,11 +1752,11 @@ C       5 ...  its three coordinates in these units, DIGITS digits each
 C     So all that a support is made of is read, and comes out alike in
 C     all rounding modes and builds: marks of one sphere say nothing of
 C     another.
-      INTEGER FUNCTION TSPLAC(CTL, J)
+      INTEGER FUNCTION TSRCRD(CTL, J)
       INTEGER CTL(*), J
       INTEGER NP, LEAVES
       PARAMETER (NP = 1, LEAVES = 4)
-      TSPLAC = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + 15)
+      TSRCRD = CTL(NP) + (J - 1)*(2*CTL(LEAVES) + 15)
       END
 
 C     TSEREC - sets up the support S from its record.  OK is 1, or 0 if
@@ -1865,7 +1865,7 @@ C     up, or 0.
       PARAMETER (QOPEND = 9, QSOME = 9, SMALL = 2.0D0**(-450),
      $    SOME = 32)
       DOUBLE PRECISION TSDOT, D, E(3), U(3,SOME), WIDE(3)
-      INTEGER FAR, I, J, K, N, Z(4)
+      INTEGER WIDEST, I, J, K, N, Z(4)
       OK = 0
       N = MIN(IQ(QOPEND), SOME)
       Z(1) = V(1)
@@ -1876,17 +1876,17 @@ C     up, or 0.
    20 CONTINUE
 C     the farthest one, and what is left of all
       DO 70 J = 1, 3
-        FAR = 1
+        WIDEST = 1
         DO 30 I = 1, N
-          IF (TSDOT(U(1,I), U(1,I)) .GT. TSDOT(U(1,FAR), U(1,FAR)))
-     $        FAR = I
+          IF (TSDOT(U(1,I), U(1,I)) .GT.
+     $        TSDOT(U(1,WIDEST), U(1,WIDEST))) WIDEST = I
    30   CONTINUE
-        Z(J+1) = IQ(QSOME+FAR)
-        WIDE(J) = SQRT(TSDOT(U(1,FAR), U(1,FAR)))
+        Z(J+1) = IQ(QSOME+WIDEST)
+        WIDE(J) = SQRT(TSDOT(U(1,WIDEST), U(1,WIDEST)))
         IF (J .EQ. 3) GO TO 70
         IF (WIDE(J) .LE. 1.0D-6*WIDE(1) + SMALL) RETURN
         DO 40 K = 1, 3
-          E(K) = U(K,FAR)/WIDE(J)
+          E(K) = U(K,WIDEST)/WIDE(J)
    40   CONTINUE
         DO 60 I = 1, N
           D = TSDOT(U(1,I), E)
@@ -1913,7 +1913,7 @@ C     marked.
       PARAMETER (SLOW = 59, SGRAIN = 60, SUPPS = 8, GRAINS = 134217728,
      $    STEPS = 32768, FOLD = 4096, FINER = 100.0D0)
       DOUBLE PRECISION C, ERR, GRAIN, H, LOW
-      INTEGER TSPLAC, FIRST, I, K, L, LAST, LEAST, MOST, OLD, Z
+      INTEGER TSRCRD, FIRST, I, K, L, LAST, LEAST, MOST, OLD, Z
       LOW = SUP(SLOW,J)
       GRAIN = SUP(SGRAIN,J)
       LEAST = STEPS
@@ -1940,7 +1940,7 @@ C     marked.
         MARK(I) = J + SUPPS*K
         NEAR = NEAR + 1
    20 CONTINUE
-      MARK(TSPLAC(CTL, J)+16+LEAF) = (LEAST + 1)*(STEPS + 2) + MOST + 1
+      MARK(TSRCRD(CTL, J)+16+LEAF) = (LEAST + 1)*(STEPS + 2) + MOST + 1
       END
 
 C     TSDISC - seeks a support for the points that a search left open:
@@ -1958,7 +1958,7 @@ C     is 1 if it is kept, or 0.
      $    SGRAIN = 60, QOPEND = 9, DONE = -1, SUPPS = 8, OPENED = 24,
      $    STEPS = 32768, FINER = 100.0D0)
       DOUBLE PRECISION ERR, H
-      INTEGER TSCUBE, TSPLAC, AT, FIRST, HELD, I, J, LAST, LEAST, MOST,
+      INTEGER TSCUBE, TSRCRD, AT, FIRST, HELD, I, J, LAST, LEAST, MOST,
      $    NEAR, NODE, OK, OLD, RANGES, Z
       KEPT = 0
       J = CTL(NSUPP) + 1
@@ -1967,7 +1967,7 @@ C     is 1 if it is kept, or 0.
           MARK(I) = 0
    10   CONTINUE
       END IF
-      AT = TSPLAC(CTL, J)
+      AT = TSRCRD(CTL, J)
       CALL TSFIT(X, P, ORD, MARK(AT+1), CTL, V, IQ, SUP(1,J), OK)
       IF (OK .EQ. 0) RETURN
       IQ(QOPEND) = 0
@@ -2021,10 +2021,10 @@ C     TSRECA - sets up the supports that an index has, as they were.
       INTEGER COUNTS(*), CTL(*)
       INTEGER NSUPP
       PARAMETER (NSUPP = 20)
-      INTEGER TSPLAC, AT, J, OK
+      INTEGER TSRCRD, AT, J, OK
       CTL(NSUPP) = COUNTS(1)
       DO 10 J = 1, CTL(NSUPP)
-        AT = TSPLAC(CTL, J)
+        AT = TSRCRD(CTL, J)
         CALL TSEREC(X, COUNTS(AT+2), SUP(1,J), OK)
    10 CONTINUE
       END
@@ -2107,7 +2107,7 @@ C     base: right to some EPS of themselves.
      $    FAINT = 1.0D-200)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
      $    OWN(52), R, SIZE, T1, T2
-      INTEGER TSCURV, TSPLAC, AGAIN, AT, B, I, J, K, OK, PLANE, Z
+      INTEGER TSCURV, TSRCRD, AGAIN, AT, B, I, J, K, OK, PLANE, Z
       IF (F(10) .GT. 1.0D-3) RETURN
       CALL TSNEAS(X, MARK, CTL, SUP, V, IQ(QBASE), J, H, ERR)
       IF (J .EQ. 0) RETURN
@@ -2149,7 +2149,7 @@ C     base: right to some EPS of themselves.
    90 CONTINUE
       IF (AGAIN .EQ. 0 .AND. T(TDTILT) .GE. SIZE - SUP(SLOW,J)) THEN
         AGAIN = 1
-        AT = MARK(TSPLAC(CTL, J)+1)
+        AT = MARK(TSRCRD(CTL, J)+1)
         CALL HHABOU(X, B, AT, PLANE, SUP(SC+1,J), OWN, OK)
         IF (OK .EQ. 1) THEN
           DO 100 I = 2, 3
@@ -2302,9 +2302,9 @@ C     or 0.
       PARAMETER (SLOW = 59, SGRAIN = 60, VA = 6, VH = 7, STEPS = 32768,
      $    FOLD = 4096)
       DOUBLE PRECISION H
-      INTEGER TSPLAC, TSPRUN, K
+      INTEGER TSRCRD, TSPRUN, K
       IF (ON .NE. 0) THEN
-        K = MARK(TSPLAC(CTL, ON)+16+NODE)
+        K = MARK(TSRCRD(CTL, ON)+16+NODE)
         IF (T(VA) .LT. 0.0D0) THEN
           K = MOD(K, STEPS + 2) - 1
           H = DBLE(FOLD)*DBLE(K) + (DBLE(FOLD) + 0.5D0)
@@ -2740,18 +2740,18 @@ C     place of C, with the error of F(4..6) and one more rounding.
       END
 
 C     TSCONT - compares Z with the best point where the bounds leave
-C     open what is UNSURE: POWER, or SIDE, or both.  HHLIFS comes first,
+C     open what is UNSURE: VERDIC, or SIDE, or both.  HHLIFS is first,
 C     unless the last exact comparison was a tie: rotated grids, which
 C     have the corners of their cells on a sphere, but for rounding,
 C     take 1.2 to 1.6 times the instructions without it.  Its sphere is
 C     that of Z or of the best point, but not of a ball by limbs, whose
 C     four points are nearly in a plane.  Then come the limbs of such a
-C     ball, then the exact signs.  POWER becomes BEATS, LOSES, TIE times
-C     that for a tie, or OUT.
+C     ball, then the exact signs.  VERDIC becomes BEATS, LOSES, TIE
+C     times that for a tie, or OUT.
       SUBROUTINE TSCONT(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
-     $                  POWER)
+     $                  VERDIC)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(*), HI
-      INTEGER ORD(*), CTL(*), V(3), IQ(43), Z, SIDE, POWER
+      INTEGER ORD(*), CTL(*), V(3), IQ(43), Z, SIDE, VERDIC
       INTEGER EVEN, T3, T5, QBEST, QLIMBS, QBASE, QASKED, QHI, QLIMB,
      $    QSPHER, UNSURE, LOSES, OUT, TIE, EXACT
       DOUBLE PRECISION EPS, HUGE
@@ -2760,30 +2760,30 @@ C     that for a tie, or OUT.
      $    UNSURE = 2, LOSES = 1, OUT = 0, TIE = 3, EXACT = 16,
      $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION L
-      INTEGER BEST, HHPBAL, HHPSID, OPEN
+      INTEGER BEST, HHPBAL, HHPSID, DOUBT
       BEST = IQ(QBEST)
-      OPEN = 0
-      IF (POWER .EQ. UNSURE) OPEN = 1
-      IF (OPEN .EQ. 1 .AND. RCTL(T5) .LT. 0.0D0 .AND. CTL(EVEN) .EQ.
+      DOUBT = 0
+      IF (VERDIC .EQ. UNSURE) DOUBT = 1
+      IF (DOUBT .EQ. 1 .AND. RCTL(T5) .LT. 0.0D0 .AND. CTL(EVEN) .EQ.
      $    0) THEN
         L = FQ(QHI)
         IF (IQ(QLIMBS) .EQ. 1) L = HUGE
         IF (SIDE .EQ. 1) L = HI
         CALL HHLIFS(X, RCTL(T3), V, IQ(QBASE), F, L, BEST, Z,
-     $              FQ(QSPHER), POWER)
+     $              FQ(QSPHER), VERDIC)
       END IF
       IF (IQ(QLIMBS) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLIMB), Z, SIDE,
-     $    POWER)
-      IF (SIDE .EQ. UNSURE .AND. POWER .NE. LOSES)
+     $    VERDIC)
+      IF (SIDE .EQ. UNSURE .AND. VERDIC .NE. LOSES)
      $    SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
       IF (SIDE .NE. 1) THEN
-        POWER = OUT
-      ELSE IF (POWER .EQ. UNSURE) THEN
-        POWER = HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
-        CTL(EVEN) = ABS(POWER)/TIE
+        VERDIC = OUT
+      ELSE IF (VERDIC .EQ. UNSURE) THEN
+        VERDIC = HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
+        CTL(EVEN) = ABS(VERDIC)/TIE
         IQ(QASKED) = IQ(QASKED) + EXACT*(1 - CTL(EVEN))
       ELSE
-        IQ(QASKED) = IQ(QASKED) + OPEN
+        IQ(QASKED) = IQ(QASKED) + DOUBT
       END IF
       END
 
@@ -2803,29 +2803,29 @@ C     other's.
      $    QTIES = 7, QLO = 6, QHI = 7, QT = 9, UNSURE = 2, BEATS = -1,
      $    LOSES = 1, OUT = 0, TIE = 3, MANY = 96, WIDE = 1.0D0)
       DOUBLE PRECISION HI, LO
-      INTEGER POWER, SGN, SIDE
+      INTEGER VERDIC, SGN, SIDE
       CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
       IF (IQ(QON) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, MARK, SUP,
      $    IQ, F, FQ(QT), Z, SIDE, LO, HI)
-      POWER = UNSURE
+      VERDIC = UNSURE
       IF (IQ(QBEST) .EQ. 0) THEN
-        POWER = BEATS
+        VERDIC = BEATS
       ELSE IF (HI .LT. FQ(QLO)) THEN
-        POWER = BEATS
+        VERDIC = BEATS
       ELSE IF (LO .GT. FQ(QHI)) THEN
-        POWER = LOSES
+        VERDIC = LOSES
       END IF
-      IF (SIDE .LT. 0 .OR. POWER .EQ. LOSES) RETURN
-      IF (SIDE .EQ. 0 .OR. POWER .EQ. UNSURE) THEN
+      IF (SIDE .LT. 0 .OR. VERDIC .EQ. LOSES) RETURN
+      IF (SIDE .EQ. 0 .OR. VERDIC .EQ. UNSURE) THEN
         IF (RCTL(RPATIE) .GT. 0.0D0) CALL TSREME(IQ, Z, 1)
         SGN = UNSURE
         IF (SIDE .EQ. 1) SGN = 1
         CALL TSCONT(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SGN, HI,
-     $              POWER)
-        IF (POWER .EQ. OUT) RETURN
+     $              VERDIC)
+        IF (VERDIC .EQ. OUT) RETURN
       END IF
-      IF (ABS(POWER) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
-      IF (POWER .GT. 0) THEN
+      IF (ABS(VERDIC) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
+      IF (VERDIC .GT. 0) THEN
         IF (HI .LT. FQ(QHI)) CALL TSNARR(SUP, IQ, F, FQ, HI)
         IF (IQ(QASKED) .GE. MANY .AND. IQ(QLIMBS) .EQ. 0)
      $      CALL TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
@@ -2833,7 +2833,7 @@ C     other's.
       END IF
       HI = MIN(HI, FQ(QHI))
       IQ(QBEST) = Z
-      IF (POWER .NE. -TIE) IQ(QTIES) = 0
+      IF (VERDIC .NE. -TIE) IQ(QTIES) = 0
       FQ(QLO) = LO
       IQ(QLIMBS) = 0
       CALL TSNARR(SUP, IQ, F, FQ, HI)
@@ -3304,7 +3304,7 @@ C     those of TSNEAL.
       DOUBLE PRECISION EPS, PAD
       PARAMETER (LN = 3, LMARG = 13, LAT = 14, QHI = 7,
      $    EPS = 2.0D0**(-52), PAD = 64.0D0*EPS)
-      DOUBLE PRECISION TSDOT, C, ERR, G(3), H, MARGIN, ROOM, RR, SIZE,
+      DOUBLE PRECISION TSDOT, C, ERR, G(3), H, MARGIN, GAP, RR, SIZE,
      $    UU
       INTEGER K
       TSINBA = 0
@@ -3325,10 +3325,10 @@ C     those of TSNEAL.
    20 CONTINUE
       ERR = F(11) + ABS(H)*F(10) + 4.0D0*EPS*SIZE
       MARGIN = LSD(LMARG,LIST)
-      ROOM = MARGIN*(MARGIN - 32.0D0*ERR - PAD*(1.0D0 + MARGIN)) - RR -
+      GAP = MARGIN*(MARGIN - 32.0D0*ERR - PAD*(1.0D0 + MARGIN)) - RR -
      $    UU
       IF (H .GT. FQ(QHI)) RR = F(12)*F(12)
-      IF (ROOM .GT. 0.0D0 .AND. ROOM*ROOM .GE. 4.0D0*RR*UU) TSINBA = 1
+      IF (GAP .GT. 0.0D0 .AND. GAP*GAP .GE. 4.0D0*RR*UU) TSINBA = 1
       END
 
 C     TSNEAL - makes a near list of the ball of a search and a skin
@@ -3453,7 +3453,7 @@ C     GUESS: see TSPREP.
      $    QWORK = 42, QHI = 7, PLANES = 4, MAXFUT = 8, OPENED = 24,
      $    TAX = 64.0D0, GRANT = 500.0D0, MUCHL = 1.0D100)
       DOUBLE PRECISION F(12), FQ(162), H
-      INTEGER TSCURV, TSONHU, AT, IQ(43), K, LISTS, NEAR, OK
+      INTEGER TSCURV, TSONHU, AT, IQ(43), K, LISTS, SUITED, OK
       IF (CTL(NCELL) .GT. 0) THEN
         CALL TSINCE(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V, Z)
         IF (Z .NE. 0) RETURN
@@ -3492,19 +3492,19 @@ C       time
         END IF
       END IF
       CTL(FUTILE) = CTL(FUTILE) + 1
-      NEAR = 0
+      SUITED = 0
       IF (IQ(QBALL) .EQ. 1 .AND. FQ(QHI) .LE. MUCHL .AND.
-     $    IQ(QON) .EQ. 0 .AND. LSD(LMARG,BLK) .GT. 0.0D0) NEAR = 1
+     $    IQ(QON) .EQ. 0 .AND. LSD(LMARG,BLK) .GT. 0.0D0) SUITED = 1
       IF (RCTL(RFUND) .LE. 0.0D0) CTL(IDLE) = 1
       IF (RCTL(RFUND) .GT. GRANT) CTL(IDLE) = 0
       OK = 0
-      IF (NEAR .EQ. 1 .AND. CTL(IDLE) .EQ. 0) CALL TSINNE(X, P, ORD,
+      IF (SUITED .EQ. 1 .AND. CTL(IDLE) .EQ. 0) CALL TSINNE(X, P, ORD,
      $    BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
      $    V, IQ, F, FQ, OK)
       IF (OK .EQ. 0) THEN
         CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
      $              LSX, LSID, LSI, LSD, V, IQ, F, FQ)
-        IF (NEAR .EQ. 1) THEN
+        IF (SUITED .EQ. 1) THEN
           RCTL(RFUND) = RCTL(RFUND) + DBLE(IQ(QWORK))/TAX
           RCTL(RUSUAL) = RCTL(RUSUAL) + (DBLE(IQ(QWORK)) -
      $        RCTL(RUSUAL))/16.0D0
@@ -4377,9 +4377,9 @@ C     are multiples of 1/U, or 0 if it exceeds 2**29.
       TSUNIT = U
       END
 
-C     TSFITS - returns 1 if HHLIM limbs hold all coordinates of N points
+C     TSINLI - returns 1 if HHLIM limbs hold all coordinates of N points
 C     P, which is in doubt for those below FEW.
-      INTEGER FUNCTION TSFITS(N, P)
+      INTEGER FUNCTION TSINLI(N, P)
       INTEGER N
       DOUBLE PRECISION P(3,*)
       INTEGER HHLIM, BITS, DIGITS
@@ -4393,7 +4393,7 @@ C     P, which is in doubt for those below FEW.
    10   CONTINUE
    20 CONTINUE
       FEW = HHLDEX(TOP, (3 - HHLIM)*BITS + DIGITS)
-      TSFITS = 0
+      TSINLI = 0
       DO 40 I = 1, N
         DO 30 K = 1, 3
           IF (ABS(P(K,I)) .LT. FEW .AND. ABS(P(K,I)) .GT. 0.0D0) THEN
@@ -4401,7 +4401,7 @@ C     P, which is in doubt for those below FEW.
           END IF
    30   CONTINUE
    40 CONTINUE
-      TSFITS = 1
+      TSINLI = 1
       END
 
 C     TSSCAL - scale the sorted coordinates to an absolute value of at
@@ -4469,11 +4469,11 @@ C     RANGE.
       INTEGER ORD(*), ALIVE(*), REP(*), CTL(*), LSI(3,7), N, ROOMY, INFO
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
-      INTEGER HHHOLD, TSFITS, I
+      INTEGER HHHOLD, TSINLI, I
       CALL TSLAYO(CTL, RCTL, LSI, LSD)
       INFO = RANGE
       IF (HHHOLD(N, P) .EQ. 0) RETURN
-      IF (TSFITS(N, P) .EQ. 0) RETURN
+      IF (TSINLI(N, P) .EQ. 0) RETURN
       INFO = 0
       DO 10 I = 1, N
         REP(I) = I
@@ -4536,7 +4536,7 @@ C     points without a mesh, or -8 where there is no index.
       PARAMETER (NP = 1, LEAVES = 4, ENCLOS = 16, SCALE = 19, T3 = 1,
      $    T5 = 2, RLEAST = 6, RANGE = 6, SUPPS = 8, HHLIM = 88,
      $    NORMAL = 2.0D0**(-1022))
-      INTEGER HHHOLD, TSFITS, TSLCOU, ALL
+      INTEGER HHHOLD, TSINLI, TSLCOU, ALL
       CALL TSLAYO(CTL, RCTL, LSI, LSD)
       CTL(NP) = COUNT
       INFO = -8
@@ -4554,7 +4554,7 @@ C     four points have a mesh: arrays of zeros are no index
       IF (HEADER(6) .GT. 0.0D0) CTL(ENCLOS) = 1
       INFO = RANGE
       IF (ABS(HEADER(6)) .GT. DBLE(HHLIM)) THEN
-        IF (TSFITS(N, P) .EQ. 0) RETURN
+        IF (TSINLI(N, P) .EQ. 0) RETURN
       END IF
       ALL = 1
       IF (RCTL(RLEAST) .LT. NORMAL) ALL = N
