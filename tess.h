@@ -237,7 +237,7 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * not extrapolate by the gradient of t: tetrahedra at the hull are often
  * slivers, whose gradients are far steeper than the field's.
  * Cost: a walk of about ntet^(1/3) / 2 steps without a start, of a few from a
- * near one; a distant start is no worse than none.  For q outside, another walk
+ * near one; a bad start costs no more than none.  For q outside, another walk
  * over the facets of the hull.
  */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
@@ -360,10 +360,11 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  *                     an iw of its own
  *
  * Each tetrahedron appears once.  A facet without a marked vertex stays
- * TESS_OPEN.  Parts are computed independently, yet agree on everything, ties
- * included.  If each point is marked in exactly one part, and from each part
- * those tetrahedra are taken whose vertex of least index is marked there,
- * together they are the mesh.  The recipe join makes them one result.
+ * TESS_OPEN.  Parts are computed independently, yet agree on everything, also
+ * where points are cospherical.  If each point is marked in exactly one part,
+ * and from each part those tetrahedra are taken whose vertex of least index is
+ * marked there, together they are the mesh.  The recipe join makes them one
+ * result.
  *
  * returns what tess_resume returns, but -4 for maxtet, -5, -6, -7 for *ntet,
  * tet, adj, -8 and -10 for liw and lrw, -9 where iw and rw hold no index.

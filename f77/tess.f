@@ -5200,10 +5200,10 @@ C                         LRW, -9 where IW and RW hold no index
 C
 C     Each tetrahedron appears once.  A facet without a marked vertex
 C     stays open.  Parts are computed independently, yet agree on
-C     everything, ties included.  If each point is marked in exactly one
-C     part, and from each part those tetrahedra are taken whose vertex
-C     of least number is marked there, together they are the mesh.  The
-C     recipe JOIN makes them one result.
+C     everything, also where points are cospherical.  If each point is
+C     marked in exactly one part, and from each part those tetrahedra
+C     are taken whose vertex of least number is marked there, together
+C     they are the mesh.  The recipe JOIN makes them one result.
       SUBROUTINE TESSPA(N, P, MINE, MAXTET, NTET, TET, ADJ, LIW, IW,
      $                  LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -5587,7 +5587,7 @@ C     extrapolate by the gradient of T: tetrahedra at the hull are often
 C     slivers, whose gradients are far steeper than the field's.
 C
 C     Cost: a walk of about NTET**(1/3)/2 steps without a start, of a
-C     few from a near one; a distant start is no worse than none.  For Q
+C     few from a near one; a bad start costs no more than none.  For Q
 C     outside, another walk over the facets of the hull.
 C
 C     How: a walk (see TSWALK); then, for a Q outside, a walk over the
@@ -6223,8 +6223,9 @@ C           15  the neighbour's apex is inside the ball
 C           16  boundary not closed, or not convex
 C           17  the hull is covered more than once
 C           18  a point is in no tetrahedron
-C                    6 when a build's HHLIM limbs do not suffice.  Any
-C                    valid triangulation of cospherical points passes.
+C                    6 when the arithmetic cannot hold the points (see
+C                    TESS).  Any valid triangulation of cospherical
+C                    points passes.
 C                    NTET = 0 passes when all points lie in one plane,
 C                    else INFO is 18.  -1 for a bad N, -2 for a NaN or
 C                    infinity in P, -3 for a bad NTET, -6 for LIW < 2 N
