@@ -15,7 +15,7 @@
 GCOV=${GCOV:-gcov}
 DIR=build/calls
 ALONE="badargument cuberoot disjoint dot forget hh_holds join layout leafcount
-lengths marked openindex place precise rough seal slot sortpoints zeros"
+lengths marked openindex precise recordof rough seal slot sortpoints zeros"
 MARGIN=${MARGIN:-0}
 FAMILIES=${FAMILIES:-latlon ellipsoid rotcube near6 hub crowd tracks}
 rm -rf $DIR
