@@ -575,6 +575,19 @@ yes "OBJ: faces" grep 'its faces are left out' words > /dev/null
 grep -v '^f ' mesh.obj > bare.obj
 $TESS bare.obj > said 2> words
 yes "OBJ: none" test "$(grep -c 'its faces' words)" = 0
+sed '/^[mo]/d' mesh.obj | reads none - 'its faces are left out'
+# a column may have the name that such a file begins with
+awk 'NR == 1 { print "5 3 1 0" } NR > 1 { print $0, 7 }' none > seven
+for word in v o ply solid OFF CUTOFF HEADER 'MODEL ' data_a '"v"' '"ply"'; do
+    for mark in ',' ';' '\t' ' '; do
+        # (in a PDB file blanks follow)
+        case $mark$word in ' HEADER' | ' MODEL ') continue;; esac
+        awk -v w="$word" 'NR == 1 { print w ";x;y;z" }
+            NR > 1 { print "7;" $2 ";" $3 ";" $4 }' none | tr ';' "$mark" > named
+        reads seven named.csv < named
+        reads seven - < named
+    done
+done
 # CRYST1: the box that repeats itself, no other
 crystal() {
     printf 'CRYST1%9s%9s%9s%7s%7s%7s %-11s\n' "$@"

@@ -1569,7 +1569,8 @@ static void fixed(const char *format)
              to->cols ? option() : "-by", format);
 }
 
-/* pdb - does the line begin as those of a PDB file do? */
+/* pdb, obj, off, stl - is the line, split but for pdb and stl, the first one of
+ * such a file?  A column may have the name that this begins with. */
 static int pdb(void)
 {
     static const char *const record[] = {
@@ -1578,14 +1579,38 @@ static int pdb(void)
     size_t k;
 
     for (k = 0; k < sizeof record / sizeof record[0]; k++)
-        if (strncmp(line, record[k], 6) == 0) return 1;
+        if (strncmp(line, record[k], 6) == 0)
+            return !line[6] || !strchr(",;\t", line[6 + strspn(line + 6, " ")]);
     return 0;
+}
+
+static int obj(void)
+{
+    int k;
+
+    if (separator == ',' || separator == ';') return 0;
+    if (word(0, "mtllib")) return 1;
+    if (word(0, "o")) return many == 2;
+    for (k = 1; k < many && fields[k].number; k++) continue;
+    return word(0, "v") && k == many && many > 3;
+}
+
+static int off(void)
+{
+    const char *name = fields[0].text + strspn(fields[0].text, "STCN4n");
+
+    return strcmp(name, "OFF") == 0 && !separator &&
+           (many == 1 || count(1) || word(1, "BINARY"));
+}
+
+static int stl(void)
+{
+    return strncmp(line, "solid", 5) == 0 && (!line[5] || blank(line[5])) &&
+           strstr(block + taken, "facet");
 }
 
 void read_points(const char *name, points *a)
 {
-    const char *off;
-
     to = a;
     filled = taken = 0;
     titles = width = counting = first_open = apart = 0;
@@ -1620,23 +1645,23 @@ void read_points(const char *name, points *a)
              pdb()) {
         fixed("PDB");
         read_pdb();
+    } else if (stl()) {
+        fixed("STL");
+        split();
+        read_lines("vertex");
     } else {
         split();
         if (ends_in(to->input, ".node")) {
             fixed(".node files");
             read_node();
-        } else if (word(0, "ply"))
+        } else if (word(0, "ply") && many == 1)
             read_ply();
-        else if ((off = strstr(fields[0].text, "OFF")) != 0 && !off[3])
+        else if (off())
             read_off();
-        else if (ends_in(to->input, ".obj") || word(0, "v") ||
-                 word(0, "mtllib") || word(0, "o")) {
+        else if (ends_in(to->input, ".obj") || obj()) {
             fixed("OBJ");
             read_lines("v");
-        } else if (word(0, "solid")) {
-            fixed("STL");
-            read_lines("vertex");
-        } else if (strncmp(fields[0].text, "data_", 5) == 0)
+        } else if (strncmp(fields[0].text, "data_", 5) == 0 && many == 1)
             fail_line("mmCIF is not read; save it as PDB or xyz");
         else
             read_text();
