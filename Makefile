@@ -155,7 +155,8 @@ build/shapes.o: test/program/shapes.c test/program/driver.h \
 	@mkdir -p build
 	$(COMPILE) test/program/shapes.c
 
-build/draw.o: test/program/draw.c test/program/draw.h tess.h hhpred.h
+build/draw.o: test/program/draw.c test/program/draw.h test/program/driver.h \
+    tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/draw.c
 

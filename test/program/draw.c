@@ -45,7 +45,7 @@ typedef struct drawing {
     double unit;          /* tenths of a pixel a unit of q */
     double shift[2];      /* tenths of a pixel */
     double low, step;     /* band k: low + k * step ... */
-    int bands;
+    int bands, lost; /* is there a value that is no number?  Band bands */
     int letter, band;     /* style of the path that is being written; of its */
     int corners;          /* outline so many, the last one here, and the line */
     long at[2], line[2];  /* that leads there, not yet written */
@@ -65,16 +65,16 @@ static int channel(double x)
 /* colour - number x, 0 ... 1, of a scale from cold violet to warm yellow:
  * even steps of lightness and hue in the perceptual space Oklab, so that equal
  * differences look equal, in grey and to the colour-blind too.  Below 0: a
- * greyish blue. */
+ * greyish blue; above 1: a grey, of what is no number. */
 static void colour(double x, double shade, int *rgb)
 {
     double l = 0.46 + 0.46 * x, hue = (282.0 + 180.0 * x) * DEGREE;
     double chroma = 0.145 + 0.06 * sin(180.0 * x * DEGREE);
     double a, b, r, g, s;
 
-    if (x < 0.0) {
-        l = 0.82;
-        chroma = 0.04;
+    if (x < 0.0 || x > 1.0) {
+        l = x < 0.0 ? 0.82 : 0.72;
+        chroma = x < 0.0 ? 0.04 : 0.0;
         hue = 258.0 * DEGREE;
     }
     a = chroma * cos(hue);
@@ -275,26 +275,34 @@ static double area(const polygon *a)
     return fabs(sum);
 }
 
+/* band_of - the number of the value's band. */
+static int band_of(const drawing *d, double value)
+{
+    int k;
+
+    if (value != value) return d->bands;
+    k = (int)((value - d->low) / d->step);
+    return k < 0 ? 0 : k < d->bands ? k : d->bands - 1;
+}
+
 /* paint - the polygon and its edges.  Each band is painted with all above it,
  * which then cover it: no gaps show, and what is too small to be seen can be
  * left out. */
 static void paint(drawing *d, const polygon *a, int tint)
 {
-    double least, most, speck = 80.0 / (d->unit * d->unit);
+    double least, most, sum, speck = 80.0 / (d->unit * d->unit);
     polygon part;
     int edges = d->look->what != DRAW_FIELD, i, k, from, to;
 
     if (a->n < 3) return;
-    least = most = a->at[0][V];
+    least = most = sum = a->at[0][V];
     for (i = 1; i < a->n; i++) {
+        sum += a->at[i][V];
         if (a->at[i][V] < least) least = a->at[i][V];
         if (a->at[i][V] > most) most = a->at[i][V];
     }
-    from = (int)((least - d->low) / d->step);
-    to = (int)((most - d->low) / d->step);
-    if (from < 0) from = 0;
-    if (to > d->bands - 1) to = d->bands - 1;
-    if (from > to) from = to;
+    from = band_of(d, sum == sum ? least : sum);
+    to = band_of(d, sum == sum ? most : sum);
     for (k = from; k <= to; k++) {
         part = *a;
         if (k > from) clip_value(&part, d->low + k * d->step);
@@ -471,6 +479,7 @@ static void project(drawing *d, const tess_real *p, const double *value)
     d->turn[Z][1] = cos(e) * sin(a);
     d->turn[Z][2] = sin(e);
     d->most = 0.0;
+    d->lost = 0;
     for (i = 0; i < 3 * d->n; i++)
         if (fabs((double)p[i]) > d->most) d->most = fabs((double)p[i]);
     if (d->most == 0.0) d->most = 1.0;
@@ -495,8 +504,8 @@ static void project(drawing *d, const tess_real *p, const double *value)
     for (i = 0; i < d->n; i++) {
         for (k = 0; k < 3; k++) x[k] = (double)p[3 * i + k] / d->most;
         see(d, x, d->q + DIM * i);
-        x[0] = value ? value[i] : 0.0;
-        d->q[DIM * i + V] = x[0] > -1e300 && x[0] < 1e300 ? x[0] : 0.0;
+        d->q[DIM * i + V] = value ? value[i] : 0.0;
+        d->lost |= value && value[i] != value[i];
     }
     for (j = 0; j < 2; j++) {
         d->plane[j][X] = (j == 0 ? 1.0 : -1.0) * sin(45.0 * DEGREE);
@@ -641,9 +650,11 @@ static void hex(FILE *file, double x, double shade)
     fprintf(file, "#%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
 }
 
-/* share - band k among all, 0 ... 1; less where there are no values. */
+/* share - band k among all, 0 ... 1; less where there are no values, more for
+ * no number. */
 static double share(const drawing *d, int k)
 {
+    if (k == d->bands) return 2.0;
     if (d->plain && d->look->what != DRAW_APART) return -1.0;
     return d->bands > 1 ? k / (d->bands - 1.0) : 0.5;
 }
@@ -781,22 +792,21 @@ static void scale(drawing *d)
 {
     double lo[DIM], hi[DIM], v[4][DIM];
     tess_int t;
-    int i, k, any = 0;
+    int i, k;
 
     for (k = 0; k < DIM; k++) {
         lo[k] = 1e300;
         hi[k] = -1e300;
     }
     if (d->look->what == DRAW_POINTS)
-        for (t = 0; t < d->n; t++, any++) larger(d->q + DIM * t, lo, hi, DIM);
+        for (t = 0; t < d->n; t++) larger(d->q + DIM * t, lo, hi, DIM);
     else
         for (t = 0; t < d->ntet; t++) {
             if (!kept(d, t)) continue;
-            any = 1;
             corners(d, t, v);
             for (i = 0; i < 4; i++) larger(v[i], lo, hi, DIM);
         }
-    if (!any) lo[V] = hi[V] = 0.0;
+    if (lo[V] > hi[V]) lo[V] = hi[V] = 0.0;
     choose_bands(d, lo[V], hi[V]);
     for (k = 0; k < 3 && !d->look->bare; k++) {
         ends(d, k, v);
@@ -846,7 +856,7 @@ static void styles(const drawing *d)
 
     fprintf(d->file,
             "<style>.z0{fill:none;stroke:#000;stroke-opacity:.35}\n");
-    for (k = 0; k < d->bands; k++)
+    for (k = 0; k < d->bands + d->lost; k++)
         for (tint = 0; tint < TINT; tint++) {
             x = share(d, k);
             shade = dark + (1.0 - dark) * tint / (TINT - 1.0);
@@ -876,16 +886,14 @@ static void dots(drawing *d, const double **sorted)
 {
     double range;
     tess_int i;
-    int band;
 
     for (i = 0; i < d->n; i++) sorted[i] = d->q + DIM * i;
     qsort(sorted, (size_t)d->n, sizeof *sorted, by_depth);
     range = sorted[d->n - 1][Z] - sorted[0][Z];
     for (i = 0; i < d->n; i++) {
-        band = (int)((sorted[i][V] - d->low) / d->step);
-        if (band > d->bands - 1) band = d->bands - 1;
         style(d, 'a' + (int)((TINT - 0.01) * (range > 0.0
-                  ? (sorted[i][Z] - sorted[0][Z]) / range : 1.0)), band);
+                  ? (sorted[i][Z] - sorted[0][Z]) / range : 1.0)),
+              band_of(d, sorted[i][V]));
         corner(d, across(d, sorted[i][X]), down(d, sorted[i][Y]));
         close_outline(d);
     }

@@ -48,8 +48,9 @@ void draw_even(draw_look *look, const double *length, double most, char *note);
 
 /* draw_svg - draw a result of tess.
  *
- *   value   one a point, or 0: there is then no colour bar; what is moved
- *           apart has the distance from the middle for a colour, all else one
+ *   value   one a point, of at most 1e300, or a NaN, which is grey; or 0:
+ *           there is then no colour bar; what is moved apart has the distance
+ *           from the middle for a colour, all else one
  *   keep    keep[t] = 0: leave out tetrahedron t; or 0
  *
  * returns 0, or 1 when there is not enough memory.  Errors in writing: see

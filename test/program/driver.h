@@ -244,6 +244,9 @@ void put_title(FILE *file, const char *name);
 
 /* ---- values (places.c) ---- */
 
+/* no_number - a NaN without a sign. */
+double no_number(void);
+
 /* check_values - leave if the options of values do not fit together. */
 void check_values(void);
 

@@ -304,3 +304,52 @@ svg = tess("-draw", "field", "ball.csv", "-svg", "p.svg")
 classes = {path.get("class", "")[:1] for path in svg.iter(SVG + "path")}
 test("-draw field: no edges", classes <= set("abcde") | {""} and
      len(classes) > 3)
+
+# ---- values that are no numbers: not in the scale, and grey ----
+
+def greys(svg):
+    """Classes whose colour is a grey."""
+    style = "".join(t.text for t in svg.iter(SVG + "style"))
+    return {c for names, colour in re.findall(
+                r"((?:\.[a-zA-Z]\d+,?)+)\{fill:#(\w{6})", style)
+            if len({colour[k:k + 2] for k in (0, 2, 4)}) == 1
+            for c in names.replace(".", "").split(",")}
+
+
+def bar(svg):
+    return [t.text for g in svg.iter(SVG + "g") if g.get("class") == "bar"
+            for t in g.iter(SVG + "text")]
+
+
+value = few[:, 0] + 40
+holes = value.copy()
+holes[3], holes[20], holes[30] = np.nan, np.inf, -np.inf
+value[[3, 20, 30]] = value.mean()
+save("whole.csv", few, value)
+save("holes.csv", few, holes)
+save("none.csv", few, few[:, 0] * np.nan)
+for what in "points", "whole", "cut", "field", "apart":
+    full = tess("-draw", what, "whole.csv", "-svg", "p.svg")
+    svg = tess("-draw", what, "holes.csv", "-svg", "p.svg")
+    test("no numbers: the scale, -draw " + what,
+         bar(svg) == bar(full) and len(bar(full)) > 3 and not greys(full))
+    # what is grey has a hole for a corner, or is cut from what has
+    drawn = [(path.get("class") in greys(svg), a)
+             for path in svg.iter(SVG + "path") if path.get("class")
+             for a in loops(path.get("d"))]
+    grey = sum(g for g, a in drawn)
+    test("no numbers: grey, -draw " + what, grey == 3 if what == "points"
+         else 0 < grey < len(drawn))
+    svg = tess("-draw", what, "none.csv", "-svg", "p.svg")
+    test("no numbers at all: no scale, -draw " + what, bar(svg) == [])
+four = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [1, 1, 1]])
+save("four.csv", four, [0, 1, 2, 3, np.nan])
+svg = tess("-draw", "whole", "-view", 45, 80, "four.csv", "-svg", "p.svg")
+drawn = [path.get("class") in greys(svg) for path in svg.iter(SVG + "path")
+         if path.get("class") for a in loops(path.get("d"))]
+test("no numbers: the facets at that corner", drawn == [True] * len(drawn) and
+     len(drawn) == 2)
+done = subprocess.run([TESS, "holes.csv", "-svg", "p.svg", "-svg", "p2.svg"],
+                      capture_output=True, text=True)
+test("no numbers: said once, and how many", done.stderr.count("\n") == 1 and
+     "holes.csv: 3 values of T are no numbers: not in" in done.stderr)

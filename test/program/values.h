@@ -53,9 +53,6 @@ tess_int values_start(const tess_real *q, tess_int start);
 /* values_end - give back the memory. */
 void values_end(void);
 
-/* no_number - a NaN without a sign. */
-double no_number(void);
-
 /* cross_validate - deal the points to parts by chance, the same on every
  * machine; or, by -by, groups of them.  Leave out one part after the other: the
  * mesh of the others predicts its values by each method.  Print a table of the

@@ -732,6 +732,7 @@ void write_svg(const mesh *m, output *o)
     double side[3], low, high, x;
     tess_int i;
     draw_look look;
+    long lost = 0;
     int k;
 
     begin_look(in, &look);
@@ -745,7 +746,22 @@ void write_svg(const mesh *m, output *o)
     sprintf(note, "%ld points", (long)in->n);
     if (look.what != DRAW_POINTS)
         sprintf(note + strlen(note), ", %ld tetrahedra", (long)m->kept);
-    if (in->columns == 0 && look.what == DRAW_APART)
+    if (in->columns > 0) first = (double *)space((double)in->n, sizeof *first);
+    for (i = 0; i < in->n && first; i++) {
+        first[i] = in->value[(size_t)in->columns * (size_t)i];
+        if (fabs(first[i]) <= 1e300) continue;
+        first[i] = no_number();
+        lost++;
+    }
+    if (lost > 0 && o == next_output(svg_forms, 0))
+        warn("%s: %ld value%s of %s %s: not in the picture's scale, and grey",
+             in->input, lost, lost > 1 ? "s" : "", in->name[0],
+             lost > 1 ? "are no numbers" : "is no number");
+    if (lost == (long)in->n) {
+        free(first);
+        first = 0;
+    }
+    if (!first && look.what == DRAW_APART)
         strcat(note, "; coloured by distance from the middle");
     for (k = 0; k < 3; k++) {
         low = high = (double)in->p[k];
@@ -758,9 +774,6 @@ void write_svg(const mesh *m, output *o)
     }
     draw_even(&look, side, chosen.scaled ? LONGEST : LONGER, note);
     look.note = note;
-    if (in->columns > 0) first = (double *)space((double)in->n, sizeof *first);
-    for (i = 0; i < in->n && first; i++)
-        first[i] = in->value[(size_t)in->columns * (size_t)i];
     if (draw_svg(file, &look, in->n, in->p, first, m->ntet, m->tet, m->adj,
                  m->keep) != 0)
         fail("not enough memory for a picture");
