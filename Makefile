@@ -4,7 +4,8 @@
 # make grid       its temperatures at a grid's places, and a section's picture
 # make check      the tests, about three minutes on two processors; ONLY=cells:
 #                 those of that name
-# make t_tess     a test of test/unit alone; ARGS=-quick
+# make t_tess     a test of test/unit alone; ARGS=-quick, as for t_part;
+#                 brute ARGS=SETS, t_pred ARGS=PERCENT of cases
 # make python     build/libtess.so, for test/examples/tess.py
 # make octave     what Octave needs, by mkoctfile; then: addpath build
 # make examples   the programs of test/examples; their times, too

@@ -380,7 +380,20 @@ symbols() {
 ROUND="-std=c99 -frounding-math -DTEST_ROUNDING -O2"
 SANITIZE="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 
+# arguments: what a program of test/unit does not take it refuses
+arguments() {
+    for t in "brute -quick" "brute 0" "brute 9 9 9" "brute -one 99 1" \
+        "t_cells 9" "t_natural -quick" "t_part quick" "t_part -quick 9" \
+        "t_pred -quick" "t_pred 0" "t_pred 9x" "t_size -quick" "t_tess quick" \
+        "t_tess -sums 0" "t_tess -one uniform" "t_index -quick"; do
+        usual "${t%% *}" || return
+        limited 60 build/units/usual/$t > $OUT 2>&1
+        [ $? -eq 2 ] && grep '^usage: ' $OUT || return
+    done
+}
+
 tests() {
+    one "units: arguments that are refused" arguments
     if [ -z "$ALL" ]; then
         units usual "$CC" "$CFLAGS" "t_pred 20" brute "t_tess -quick" \
             "t_part -quick" t_size t_natural t_cells

@@ -576,6 +576,22 @@ void test_that(int good, const char *of, const char *what)
     test_result(name, good ? 0L : 1L);
 }
 
+void test_usage(const char *program, const char *arguments)
+{
+    printf("usage: %s %s\n", program, arguments);
+    exit(2);
+}
+
+long test_number(const char *text, long least, char **argv,
+                 const char *arguments)
+{
+    char *end;
+    long number = strtol(text, &end, 10);
+
+    if (end == text || *end || number < least) test_usage(argv[0], arguments);
+    return number;
+}
+
 int test_end(const char *program)
 {
     printf("%s: %ld passed, %ld failed\n", program, passed, failed);

@@ -88,9 +88,16 @@ void rnd_mix(double (*p)[3], int n);
 void test_modes(void (*all)(void));
 
 /* test_result - count and print one test of that name, passed if it had no
- * fault; test_that - if it is good, and the name has two parts.  test_end - print the counts; the exit code of the program. */
+ * fault; test_that - if it is good, and the name has two parts.  test_end -
+ * print the counts; the exit code of the program. */
 void test_result(const char *name, long faults);
 void test_that(int good, const char *of, const char *what);
 int test_end(const char *program);
+
+/* test_usage - say which arguments the program takes, and leave with code 2.
+ * test_number - a whole number from least on; or the same, for text is none. */
+void test_usage(const char *program, const char *arguments);
+long test_number(const char *text, long least, char **argv,
+                 const char *arguments);
 
 #endif

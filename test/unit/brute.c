@@ -300,18 +300,19 @@ static int run(int kind, unsigned long seed, int full)
 
 int main(int argc, char **argv)
 {
-    long sets = 800, i, faults, solid;
-    unsigned long seed = 1;
-    int kind;
+    static const char usage[] = "[sets [seed] | -one kind seed]";
+    long sets = 800, seed = 1, i, faults, solid;
+    int kind, one = argc == 4 && strcmp(argv[1], "-one") == 0;
 
-    if (argc > 3 && strcmp(argv[1], "-one") == 0)
-        return !run(atoi(argv[2]), (unsigned long)atol(argv[3]), 1);
-    if (argc > 1) sets = atol(argv[1]);
-    if (argc > 2) seed = (unsigned long)atol(argv[2]);
+    if (argc > 3 && !one) test_usage(argv[0], usage);
+    if (argc > 1 + one) sets = test_number(argv[1 + one], !one, argv, usage);
+    if (argc > 2 + one) seed = test_number(argv[2 + one], 0, argv, usage);
+    if (one && sets >= KINDS) test_usage(argv[0], usage);
+    if (one) return !run((int)sets, (unsigned long)seed, 1);
     for (kind = 0; kind < KINDS; kind++) {
         faults = solid = 0;
         for (i = 0; i < sets && faults < 5; i++) {
-            faults += !run(kind, seed + (unsigned long)i, 0);
+            faults += !run(kind, (unsigned long)(seed + i), 0);
             solid += code == TESS_OK;
         }
         printf("        of %ld sets %ld with tetrahedra\n", i, solid);

@@ -264,7 +264,7 @@ static void speck(void)
     test_that(good && some > 0, "a speck", "polyhedra");
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
     static const struct {
         const char *name;
@@ -288,6 +288,7 @@ int main(void)
     tess_int i;
     int j, k, s, bad;
 
+    if (argc > 1) test_usage(argv[0], "");
     for (j = 0; j < (int)(sizeof set / sizeof *set); j++) {
         for (k = 0; k < 6; k++) box[k] = k % 2 ? 2.0 : -2.0;
         for (bad = 0, s = 0; s < set[j].sets; s++) {

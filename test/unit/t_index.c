@@ -119,7 +119,7 @@ int main(int argc, char **argv)
     int s, m, k, f, writes = argc > 2 && strcmp(argv[1], "write") == 0;
     tess_int t, length;
 
-    if (argc < 2) return 2;
+    if (argc < 2) test_usage(argv[0], "[write] file...");
     p = (double *)take(3.0 * MOST, sizeof *p);
     liw = (tess_int)TESS_LIW(MOST) + LENGTH;
     lrw = (tess_int)TESS_LRW(MOST);
@@ -135,7 +135,7 @@ int main(int argc, char **argv)
     other = (tess_int *)take(4.0 * MAXTET, sizeof *tet);
     for (f = writes ? 2 : 1; f < argc; f++) {
         file = fopen(argv[f], writes ? "wb" : "rb");
-        if (file == NULL) return 2;
+        if (file == NULL) test_usage(argv[0], "[write] file...");
         for (s = 0; s < SETS; s++) {
             n = points(sets[s], p);
             length = (tess_int)(7 * n + 600);

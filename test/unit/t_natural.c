@@ -480,7 +480,7 @@ static void codes(void)
     test_that(good, "four points", "weights");
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
     static const char *const families[] = {"uniform", "clusters", "lattice",
         "jitlattice", "bcc", "fcc", "lattice01", "spherenorm", "cylinder",
@@ -489,6 +489,7 @@ int main(void)
         "pairs", "twoscale", "decimal3", 0};
     int i;
 
+    if (argc > 1) test_usage(argv[0], "");
     lattice(0, 1.0);
     lattice(1, 1.0);
     lattice(1, 1e50);

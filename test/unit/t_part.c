@@ -1359,7 +1359,8 @@ static void test_codes(void)
 
 int main(int argc, char **argv)
 {
-    quick = argc > 1 && strcmp(argv[1], "-quick") == 0;
+    quick = argc == 2 && strcmp(argv[1], "-quick") == 0;
+    if (argc > 1 + quick) test_usage(argv[0], "[-quick]");
     rnd_seed(1);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     test_codes();

@@ -104,10 +104,11 @@ int main(int argc, char **argv)
     tess_int tet[4 * 80], adj[4 * 80], ntet, liw, lrw, n, step;
     int i;
 
-    if (argc > 1 && strcmp(argv[1], "-bytes") == 0) {
+    if (argc == 2 && strcmp(argv[1], "-bytes") == 0) {
         bytes();
         return 0;
     }
+    if (argc > 1) test_usage(argv[0], "[-bytes]");
     for (n = 0; (double)n < 1e5 && n < TESS_INT_MOST / 5 - 200; n++) sizes(n);
     if ((double)n >= 1e5)
         for (; n < TESS_INT_MOST / 5 - 200; n += step) {

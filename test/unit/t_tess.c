@@ -2760,21 +2760,26 @@ static void sums(long n)
 
 int main(int argc, char **argv)
 {
-    if (argc > 1 && strcmp(argv[1], "-sums") == 0) {
-        sums(argc > 2 ? atol(argv[2]) : 1000);
+    static const char usage[] =
+        "[-quick | -sums [n] | -range | -one family n seed]";
+
+    if ((argc == 2 || argc == 3) && strcmp(argv[1], "-sums") == 0) {
+        sums(argc == 3 ? test_number(argv[2], 1, argv, usage) : 1000);
         return faults > 0;
     }
-    if (argc > 1 && strcmp(argv[1], "-range") == 0) {
+    if (argc == 2 && strcmp(argv[1], "-range") == 0) {
         test_range();
         test_limbs();
         return test_end("t_tess");
     }
-    if (argc > 4 && strcmp(argv[1], "-one") == 0) {
-        one_family(argv[2], atol(argv[3]), (unsigned long)atol(argv[4]));
+    if (argc == 5 && strcmp(argv[1], "-one") == 0) {
+        one_family(argv[2], test_number(argv[3], 1, argv, usage),
+                   (unsigned long)test_number(argv[4], 0, argv, usage));
         test_result(argv[2], faults);
         return test_end("t_tess");
     }
-    quick = argc > 1 && strcmp(argv[1], "-quick") == 0;
+    quick = argc == 2 && strcmp(argv[1], "-quick") == 0;
+    if (argc > 1 + quick) test_usage(argv[0], usage);
     rnd_seed(1);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     test_flat();
