@@ -25,6 +25,7 @@
 static points in, places;
 static mesh made;
 static const mesh *valued; /* the mesh between whose points values are */
+static const char *none;   /* why there is no tetrahedron; 0: there are */
 static time_t began;
 
 /* ---------------------------------------------------------------- errors */
@@ -152,13 +153,11 @@ static int kept(tess_int t)
     return t >= 0 && (!made.keep || made.keep[t]);
 }
 
-static void report(int code, tess_int duplicates, double seconds,
-                   double bytes)
+static void report(tess_int duplicates, double seconds, double bytes)
 {
     tess_int t;
     long facets = 0;
     double volume = 0.0;
-    const char *what = "";
     int k;
 
     for (t = 0; t < made.ntet; t++) {
@@ -187,10 +186,7 @@ static void report(int code, tess_int duplicates, double seconds,
     if (bytes > 0.0)
         tell("workspace     %.0f bytes, %.1f a point\n", bytes,
              bytes / (double)in.n);
-    if (code == TESS_PLANE) what = "all points lie in one plane";
-    if (code == TESS_LINE) what = "all points lie on one line";
-    if (code == TESS_POINT) what = "at most one distinct point";
-    if (code != TESS_OK) tell("no tetrahedron: %s\n", what);
+    if (none) tell("no tetrahedron: %s\n", none);
 }
 
 /* finite3 - are three coordinates? */
@@ -420,14 +416,18 @@ static void stretch(void)
 /* write_all - what is asked for: first what the whole mesh gives. */
 static void write_all(void)
 {
+    int dots = chosen.draw && strcmp(chosen.draw, "points") == 0;
     output *o;
 
-    if (made.kept == 0 && next_output(svg_forms, 0))
-        fail("-svg: no picture: there is no tetrahedron to draw%s",
-             made.ntet > 0 ? "" : "; the points lie in one plane");
     if (chosen.values) write_values(valued);
     if (chosen.cells) make_cells(chosen.periodic ? &repetition()->of : &made);
-    for (o = 0; (o = next_output(svg_forms, o)) != 0;) write_svg(&made, o);
+    for (o = 0; (o = next_output(svg_forms, o)) != 0;)
+        if (made.kept > 0 || dots)
+            write_svg(&made, o);
+        else /* (even by -q: it is not written) */
+            fprintf(stderr, "tess: %s: no picture of a mesh: %s; -draw points "
+                            "draws the points\n",
+                    o->name, none ? none : "-alpha leaves no tetrahedron");
     if (made.keep) drop_others(&made);
     for (o = 0; (o = next_output(0, o)) != 0;)
         if (o->as->write) o->as->write(&made, o);
@@ -472,6 +472,9 @@ int main(int argc, char **argv)
     if (code != TESS_OK && code != TESS_PLANE && code != TESS_LINE &&
         code != TESS_POINT)
         explain(code);
+    if (code == TESS_PLANE) none = "all points lie in one plane";
+    if (code == TESS_LINE) none = "all points lie on one line";
+    if (code == TESS_POINT) none = "at most one distinct point";
 
     for (i = 0; i < in.n && !chosen.periodic; i++)
         if (made.iw[i] != i) duplicates++;
@@ -483,7 +486,7 @@ int main(int argc, char **argv)
     keep_values(valued);
     if (chosen.alpha > 0.0) mark_alpha(&made, chosen.alpha);
     if (!chosen.quiet)
-        report(code, duplicates, seconds,
+        report(duplicates, seconds,
                (double)made.liw * (double)sizeof(tess_int) +
                    (double)made.lrw * (double)sizeof(double));
     if (chosen.check) status = prove();

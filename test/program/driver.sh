@@ -819,11 +819,28 @@ printf '0 0 0\n1 0 0\n0 1 0\n1 1 0\n' > flat
 $TESS -q -face flat.face flat
 yes "-face of points in a plane: none" test "`cat flat.face`" = "0 0"
 
-$TESS -svg flat.svg flat > said 2> words
-yes "-svg of points in a plane: exit code 2, no file" test $? -eq 2 -a \
-    ! -f flat.svg
-yes "-svg of points in a plane: why" grep 'the points lie in one plane' words \
-    > /dev/null
+# no tetrahedron: no picture of any, all else
+awk 'BEGIN { for (i = 0; i < 9; i++) print i, 2 * i, 3 * i }' > straight
+printf '1 2 3\n1 2 3\n' > alone
+for set in 'flat/lie in one plane' 'straight/lie on one line' \
+    'alone/at most one distinct point' 'cube.node/-alpha leaves no'; do
+    f=${set%%/*}
+    option="-alpha 0.001"
+    [ $f = cube.node ] || option=
+    rm -f p.svg p.vtu p.ele
+    $TESS -q -svg p.svg -mesh p.vtu -mesh p.ele $option $f > said 2> words
+    yes "-svg of $f: no such file, all others, exit code 0" test $? -eq 0 -a \
+        ! -f p.svg -a -s p.vtu -a "$(cat p.ele)" = "0 4 0"
+    yes "-svg of $f: why" grep "p.svg: no picture of a mesh: .*${set#*/}" \
+        words > /dev/null
+    $TESS -svg p.svg -draw points $option $f > said 2> words
+    yes "-svg of $f: -draw points" test $? -eq 0 -a -s p.svg
+    yes "-svg of $f: as many dots as points" test "$(grep -o 'M[0-9]* [0-9]*l0' \
+        p.svg | wc -l)" -eq "$(sed -n 's/^points *//p' said)"
+done
+(cd "$TOP" && make run POINTS=build/driver/flat) > said 2>&1
+yes "make run: points in a plane" test $? -eq 0 -a -s ../flat.vtk
+rm -f ../flat.*
 
 # names' endings; several files of one option; standard output
 for wrong in '-vtk h.vtu' '-mesh h.obj' '-face h.msh' '-node h.txt' '-ele h.node' \

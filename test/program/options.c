@@ -43,8 +43,8 @@ static const char *const before[] = {
     "output; the picture shows the first."};
 
 static const char *const after[] = {
-    "exit code: 0  done; also for points that all lie in one plane, which have",
-    "              no tetrahedron: a message says so",
+    "exit code: 0  done; also for points that all lie in one plane, or on one",
+    "              line, which have no tetrahedron: a message says so",
     "           1  this build's integers do not suffice, or -check found a",
     "              fault",
     "           2  wrong usage, unreadable input, unwritable output, not",
