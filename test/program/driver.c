@@ -24,7 +24,7 @@
 
 static points in, places;
 static mesh made;
-static const mesh *valued; /* the mesh between whose points values are */
+static const mesh *valued; /* by keep_values */
 static const char *none;   /* why there is no tetrahedron; 0: there are */
 static time_t began;
 
@@ -171,14 +171,18 @@ static void report(tess_int duplicates, double seconds, double bytes)
         tell(", each with %d value%s", in.columns, in.columns > 1 ? "s" : "");
     tell("\n");
     tell("duplicates    %ld\n", (long)duplicates);
-    tell("tetrahedra    %ld", (long)made.kept);
-    tell(made.keep ? " in the alpha shape, of %ld\n" : "\n",
-         (long)made.ntet);
-    tell(made.keep ? "facets        %ld\n" : "hull facets   %ld\n", facets);
-    if (volume <= DBL_MAX)
-        tell("volume        %.9g\n", volume);
-    else
-        tell("volume        beyond the range of double\n");
+    /* (each of these has one tetrahedron on either side) */
+    if (valued->flat) tell("triangles     %ld\n", (long)valued->ntet / 2);
+    if (in.axes == 3) {
+        tell("tetrahedra    %ld", (long)made.kept);
+        tell(made.keep ? " in the alpha shape, of %ld\n" : "\n",
+             (long)made.ntet);
+        tell(made.keep ? "facets        %ld\n" : "hull facets   %ld\n",
+             facets);
+        tell(volume <= DBL_MAX ? "volume        %.9g\n"
+                               : "volume        beyond the range of double\n",
+             volume);
+    }
     tell("seconds       %.3f", seconds);
     if (made.ntet > 0 && seconds > 0.05)
         tell(", %.0f ns a tetrahedron", seconds / (double)made.ntet * 1e9);
@@ -186,7 +190,7 @@ static void report(tess_int duplicates, double seconds, double bytes)
     if (bytes > 0.0)
         tell("workspace     %.0f bytes, %.1f a point\n", bytes,
              bytes / (double)in.n);
-    if (none) tell("no tetrahedron: %s\n", none);
+    if (none && in.axes == 3) tell("no tetrahedron: %s\n", none);
 }
 
 /* finite3 - are three coordinates? */
@@ -483,7 +487,7 @@ int main(int argc, char **argv)
     if (chosen.periodic && chosen.values)
         valued = repeat_around(chosen.method &&
                                strcmp(chosen.method, "smooth") == 0);
-    keep_values(valued);
+    valued = keep_values(valued);
     if (chosen.alpha > 0.0) mark_alpha(&made, chosen.alpha);
     if (!chosen.quiet)
         report(duplicates, seconds,

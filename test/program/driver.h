@@ -256,8 +256,9 @@ void read_places(points *places);
 void check_points(const points *in);
 
 /* keep_values - what of the new mesh is needed later on, when iw and rw are
- * gone. */
-void keep_values(const mesh *m);
+ * gone.  Returns that between whose points write_values' values are: of points
+ * that lie in a plane, another one. */
+const mesh *keep_values(const mesh *m);
 
 void write_values(const mesh *m);
 

@@ -280,7 +280,7 @@ refuses words.csv 'column 6, note, is not a number: a' < ocean.csv
 OPTIONS="-cols 2,3,lat"
 refuses twice.csv 'column lat twice' < ocean.csv
 OPTIONS="-cols 2,3"
-refuses two.csv '-cols needs three columns: points in a plane' < ocean.csv
+refuses two.csv '-cols: points in a plane have no tetrahedra' < ocean.csv
 OPTIONS="-cols 2,3,4"
 refuses cols.node '-cols is for lines of numbers, not for .node' < none
 OPTIONS=
@@ -707,7 +707,12 @@ printf '' | refuses empty.txt empty
 printf '\n# nothing\n' | refuses comment.txt empty
 printf 'x,y,z\n' | refuses header.txt 'before the first point'
 printf '0 3 0 0\n' | refuses empty.node 'no points'
-printf '1 2\n3 4\n' | refuses plane.txt 'line 1: fewer than three numbers'
+plane='fewer than three numbers; for points in a plane, x, y and values, see -pl'
+printf '1 2\n3 4\n' | refuses plane.txt "line 1: $plane"
+printf 'x,y\n1,2\n3,4\n' | refuses plane.csv "line 2: $plane"
+OPTIONS="-plane -validate"
+printf '1.5\n3.5\n' | refuses lone.txt 'line 1: fewer than two numbers'
+OPTIONS=
 printf '1 2 3\n1 2\n' | refuses short.txt 'line 2: 2 columns, but line 1 has 3'
 printf '1 2 3\n1 x 3\n' | refuses word.txt 'line 2: column 2 is not a number: x'
 printf '1,2,3,4\n1,2,3\n' | refuses missing.csv 'line 2: 3 columns'
@@ -816,6 +821,7 @@ yes "-face: TetGen's, the same triangles" awk '
     }
     END { exit bad || i != 12 || m != 12 }' c.node cube.obj cube.face
 printf '0 0 0\n1 0 0\n0 1 0\n1 1 0\n' > flat
+sed 's/$/ 1/' flat > flat.csv
 $TESS -q -face flat.face flat
 yes "-face of points in a plane: none" test "`cat flat.face`" = "0 0"
 
@@ -841,6 +847,17 @@ done
 (cd "$TOP" && make run POINTS=build/driver/flat) > said 2>&1
 yes "make run: points in a plane" test $? -eq 0 -a -s ../flat.vtk
 rm -f ../flat.*
+
+# of a square's 4 points in the plane, two triangles
+printf '0 0 1\n3 0 2\n0 3 3\n2 2 4\n' > square
+$TESS -plane -grid 2,2 -values - square 2> words > said
+yes "points in a plane: triangles, of no tetrahedron a word" sh -c \
+    'grep "^triangles *2$" words && ! grep "tetrahedr\|volume\|facets" words' \
+    > /dev/null
+$TESS -grid 2,2,1 -values v.csv flat.csv > said 2> words
+yes "points of space in a plane: those, and why no tetrahedron" sh -c \
+    'grep "^triangles *2$" said && grep "tetrahedron: .* one plane$" said' \
+    > /dev/null
 
 # names' endings; several files of one option; standard output
 for wrong in '-vtk h.vtu' '-mesh h.obj' '-face h.msh' '-node h.txt' '-ele h.node' \

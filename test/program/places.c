@@ -182,9 +182,10 @@ void check_values(void)
         fail("%s is for -validate", chosen.by ? "-by" : "-errors");
     if (!chosen.values && !chosen.validate) {
         if (chosen.plane)
-            fail("%s needs three columns: points in a plane have values, by "
-                 "-values or -validate, but no tetrahedra",
-                 chosen.cols ? "-cols" : "-plane");
+            fail("%s: points in a plane have no tetrahedra, but values: add "
+                 "-grid NX,NY -values F, -query P -values F or -validate%s",
+                 chosen.cols ? "-cols" : "-plane",
+                 chosen.cols ? "; for points in space three columns" : "");
         if (chosen.method || chosen.outside || chosen.clip)
             fail("%s is for -values or -validate",
                  chosen.method    ? "-method"
@@ -635,13 +636,13 @@ static const mesh *mesh_in_plane(const mesh *m)
     return &flat;
 }
 
-void keep_values(const mesh *m)
+const mesh *keep_values(const mesh *m)
 {
     double *times, lost = 0.0;
     size_t columns = (size_t)in->columns, i, r, k;
     tess_int twins = 0, j;
 
-    if (!chosen.values && !chosen.validate) return;
+    if (!chosen.values && !chosen.validate) return m;
     in = m->in; /* (of a cell that repeats itself: with copies) */
     if (find_plane(m)) m = mesh_in_plane(m);
     if (m->ntet < 1)
@@ -653,7 +654,7 @@ void keep_values(const mesh *m)
         same = (tess_int *)space((double)in->n, sizeof *same);
         memcpy(same, m->iw, (size_t)in->n * sizeof *same);
     }
-    if (twins == 0 && !m->flat) return;
+    if (twins == 0 && !m->flat) return m;
     mean = (double *)space((double)columns * ((double)in->n + 2.0),
                            sizeof *mean);
     times = m->rw; /* (longer than n) */
@@ -677,6 +678,7 @@ void keep_values(const mesh *m)
         warn("%ld of the points lie where another one does: the mean of their "
              "values is interpolated",
              (long)twins);
+    return m;
 }
 
 /* stretch - some places as they are in the mesh. */
@@ -823,7 +825,6 @@ void write_values(const mesh *m)
     int k;
     long most = ROOM / in->columns < FEW ? ROOM / in->columns : FEW;
 
-    if (flat.flat) m = &flat;
     f.p = m->p;
     f.n = in->n + 2 * m->flat;
     f.ntet = m->ntet;

@@ -848,6 +848,16 @@ static int least(void)
     return to->axes == 2 || (to->axes == 0 && to->bare && many == 2) ? 2 : 3;
 }
 
+/* too_few - numbers for a point. */
+static void too_few(void)
+{
+    fail_line(least() == 2 ? "fewer than two numbers"
+              : to->bare || numbers() != 2
+                  ? "fewer than three numbers"
+                  : "fewer than three numbers; for points in a plane, x, y and "
+                    "values, see -plane");
+}
+
 /* columns - what the columns of this line are, and with it of all others. */
 static void columns(void)
 {
@@ -885,7 +895,7 @@ static void columns(void)
     if (found < axes)
         for (k = found = 0; k < many && found < axes; k++)
             if (fields[k].number && k != by) at[found++] = k;
-    if (found < axes) fail_line("fewer than three numbers");
+    if (found < axes) too_few();
     for (k = 0; k < axes; k++) {
         part[at[k]] = k;
         if (titles > 0 && title[at[k]][0]) strcpy(to->axis[k], title[at[k]]);
@@ -1241,7 +1251,7 @@ static void read_text(void)
     while (numbers() < least()) {
         refuse();
         suspects();
-        if (numbers() == many) fail_line("fewer than three numbers");
+        if (numbers() == many) too_few();
         for (k = words = 0; k < many; k++) words += !fields[k].number;
         for (k = hollow = 0; k < many; k++)
             hollow += !fields[k].number && !fields[k].text[0];

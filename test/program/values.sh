@@ -83,8 +83,9 @@ refuses 'choose one of them' -grid 2,2,2 -query bare -values v.npy points
 refuses 'Y0 must be less' -grid 2,2,0,1,1,0 -values v.npy points
 refuses '-scale needs three numbers' -scale 1,2 -validate points
 refuses 'is for points in space' -cols x,y -grid 2,2,2 -values v.npy points
-refuses '-cols needs three columns' -cols x,y points
-refuses '-plane needs three columns' -plane points
+refuses '-cols: points in a plane .* add -grid.*or -validate; for points in' \
+    -cols x,y points
+refuses '-plane: points in a plane .* add -grid.*or -validate$' -plane points
 refuses 'in space, not' -alpha 1 -grid 2,2 -values v.npy points
 refuses 'from lines of numbers' -plane -validate four.node
 refuses 'fewer than three numbers' -query flat -qcols 1,2,2 -values v.npy points
