@@ -121,9 +121,9 @@ x,y,z,T (%),"wind, m/s"
 0,0,-2,30,3.5
 0.134,0.25,-0.5,40,4.5
 END
-sed 's/[^,]*$/"&"/' header.csv | reads two quoted.csv
+sed '2,$s/[^,]*$/"&"/' header.csv | reads two quoted.csv
 tr , ';' < header.csv | reads two semicolon.csv
-tr , '\t' < header.csv | sed 's/"//g' | reads two tabs.tsv
+sed 's/, m/ m/; s/"//g' header.csv | tr , '\t' | reads two tabs.tsv
 reads two pandas.csv "columns 4, 2, 5" << END
 ,Y [m],T,x,Z (m)
 0,0,0.5,0,0
@@ -265,6 +265,24 @@ a,b,c,value
 0,0,-2,30
 0.134,0.25,-0.5,40
 END
+# also where some have another name
+for names in x,y,v x,q,z q,y,z; do
+    says="columns 1, 2, 3 ($(echo $names | sed 's/,/, /g')); -cols chooses others"
+    [ $names = x,y,v ] && says="$says; if they are in a plane: -plane"
+    awk -v n=$names 'NR == 1 { print n } NR > 1 { print $2 "," $3 "," $4 }' none |
+        reads none named.csv "$says\$"
+done
+awk 'NR == 1 { print "x,y,level,T" } NR > 1 { print $2 "," $3 "," $4 "," $5 }' \
+    one > level.csv
+reads one named.csv 'columns 1, 2, 3 (x, y, level); -cols chooses others$' \
+    < level.csv
+$TESS -query level.csv -values v.csv level.csv > said 2> words
+yes "-query: where its coordinates are" grep \
+    'level); -qcols chooses others; if they are in a plane: -qcols X,Y$' words \
+    > /dev/null
+# names that are not the columns'
+sed 's/,[^,]*$//; 1s/$/,T,u/' level.csv |
+    reads none fewer.csv 'line 2: 3 columns, but 5 names before them, which are not'
 # 1, 2, 3 that x is by name, or that has no values beside it, is none
 printf 'x,y,z,T\n1,0,0,1\n2,3,0,1\n3,0,1,1\n4,4,4,1\n' > x.csv
 $TESS x.csv > said 2> words

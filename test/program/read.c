@@ -869,6 +869,10 @@ static void columns(void)
     first_line = line_number;
     first_open = open_end;
     to->columns = 0;
+    if (titles > 1 && titles != many)
+        warn("%s, line %ld: %d columns, but %d names before them, which are "
+             "not used",
+             to->input, line_number, many, titles);
     if (titles != many) titles = 0;
     at[0] = at[1] = at[2] = -1;
     for (k = 0; k < many; k++) part[k] = UNUSED;
@@ -1220,6 +1224,7 @@ static void read_text(void)
     double want = -1.0, other;
     long first = line_number;
     int perhaps = 0, named, words, hollow, at[3], k;
+    const char *plane = "";
 
     refuse();
     if (least() == 3 && many == 2 && count(0) && count(1) &&
@@ -1270,18 +1275,24 @@ static void read_text(void)
     /* a header says where x, y, z are; it might be misread */
     for (k = 0; k < width; k++)
         if (part[k] < LABEL) at[part[k]] = k;
-    named = titles > 0 && axis(title[at[0]]) == 0;
-    if (axes == 2 && titles > 0 && (at[0] + 1 != at[1] || !named))
+    for (named = k = 0; k < axes && titles > 0; k++)
+        named |= (axis(title[at[k]]) == k) << k;
+    if (named == 3 && axes == 3 && to->columns == 0)
+        plane = to->bare ? "; if they are in a plane: -qcols X,Y"
+                         : "; if they are in a plane: -plane";
+    words = titles > 0 &&
+            (named != (1 << axes) - 1 || at[0] > at[1] ||
+             at[1] > at[axes - 1] || at[axes - 1] - at[0] >= axes);
+    if (axes == 2 && words)
         warn("%s: x, y are the columns %d, %d (%s, %s); %s chooses others",
              to->input, at[0] + 1, at[1] + 1, title[at[0]], title[at[1]],
              option());
-    if (axes == 3 && titles > 0 &&
-        (at[0] > at[1] || at[1] > at[2] || at[2] - at[0] > 2 || !named))
+    if (axes == 3 && words)
         warn("%s: x, y, z are the columns %d, %d, %d (%s, %s, %s); %s "
-             "chooses others",
+             "chooses others%s",
              to->input, at[0] + 1, at[1] + 1, at[2] + 1, title[at[0]],
-             title[at[1]], title[at[2]], option());
-    if (counting && !named &&
+             title[at[1]], title[at[2]], option(), plane);
+    if (counting && !(named & 1) &&
         (to->columns > 0 || (to->bare && width > axes)) &&
         to->n >= 4)
         warn("%s: column 1 is %.0f, %.0f, %.0f, ... and was taken for x; if "
