@@ -524,14 +524,14 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
  *   box     (in)   x0, x1, y0, y1, z0, z1
  *   maxrow  (in)   faces that there is room for: 16 a point in a cloud
  *   nrow    (out)  number of faces, each of which comes from both sides; but
- *                  for code -13 a most that suffices
+ *                  for code -13 the least most that suffices
  *   row     (out)  n + 1: the faces of point i's cell are row[i] ...
  *                  row[i+1] - 1.  A duplicate has none
  *   other   (out)  maxrow: the point across each face, or -1 ... -6 for the
  *                  box's sides, as in cell
  *   area    (out)  maxrow: of each
  *   volume  (out)  n: of the cells
- *   most    (in)   the largest number of tetrahedra at a point, and 8
+ *   most    (in)   the largest number of tetrahedra at a point, plus 8
  *   iwork   (out)  33*most + 1 tess_ints
  *   work    (out)  17*most doubles
  *
@@ -558,8 +558,14 @@ int clipped(tess_int n, const tess_real *p, const tess_int *tet,
                     work, volume + i, iwork + most, iwork + 2 * most + 1,
                     &nvert, work + most, iwork + 8 * most + 1,
                     work + 10 * most);
-        if (code == TESS_MORE) *nrow = nface;
-        if (code != 0) return code == TESS_MORE ? -13 : code;
+        if (code == TESS_MORE) {
+            /* for the others, too, not only for this cell */
+            for (*nrow = nface; i < n; i++)
+                if (first[i + 1] - first[i] > *nrow - 8)
+                    *nrow = (tess_int)(first[i + 1] - first[i] + 8);
+            return -13;
+        }
+        if (code != 0) return code;
         for (j = 0; j < nface; j++, ++*nrow)
             if (*nrow < maxrow) {
                 other[*nrow] = iwork[j];

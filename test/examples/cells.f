@@ -681,15 +681,16 @@ C       BOX     (in)   (6): X0, X1, Y0, Y1, Z0, Z1
 C       MAXROW  (in)   faces that there is room for: 16 a point in a
 C                      cloud
 C       NROW    (out)  number of faces, each of which comes from both
-C                      sides; but for code -13 a MOST that suffices
+C                      sides; but for code -13 the least MOST that
+C                      suffices
 C       ROW     (out)  (N+1): the faces of point I's cell are ROW(I) ...
 C                      ROW(I+1) - 1.  A duplicate has none
 C       OTHER   (out)  (MAXROW): the point across each face, or
 C                      -1 ... -6 for the box's sides, as in CELL
 C       AREA    (out)  (MAXROW): of each
 C       VOLUME  (out)  (N): of the cells
-C       MOST    (in)   the largest number of tetrahedra at a point, and
-C                      8
+C       MOST    (in)   the largest number of tetrahedra at a point,
+C                      plus 8
 C       IWORK   (out)  (33*MOST+1)
 C       WORK    (out)  (17*MOST)
 C       INFO    (out)  0; 1 when MAXROW is too small: NROW is then the
@@ -716,7 +717,11 @@ C     at right angles to P(J) - P(I) and midway.
      2             IWORK(2*MOST+2), NVERT, WORK(MOST+1),
      3             IWORK(8*MOST+2), WORK(10*MOST+1), INFO)
          IF (INFO .EQ. 1) THEN
+C           For the others, too, not only for this cell.
             NROW = NFACE
+            DO 5 J = I, N
+               NROW = MAX(NROW, FIRST(J+1) - FIRST(J) + 8)
+    5       CONTINUE
             INFO = -13
          END IF
          IF (INFO .NE. 0) RETURN

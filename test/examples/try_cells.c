@@ -387,6 +387,12 @@ static int test_codes(void)
                    size, volume, MOST, iwork, work) != 0;
     bad |= clipped(n, p, tet, adj, first, list, box, MAXROW, &nrow, row, other,
                    size, volume, 10, iwork, work) != -13;
+    bad |= nrow > MOST ||
+           clipped(n, p, tet, adj, first, list, box, MAXROW, &need, row, other,
+                   size, volume, nrow, iwork, work) != 0;
+    bad |= clipped(n, p, tet, adj, first, list, box, MAXROW, &need, row, other,
+                   size, volume, (tess_int)(nrow - 1), iwork, work) != -13 ||
+           need != nrow;
     for (i = 0; i < 6; i++) {
         v = box[i];
         box[i] = i % 2 ? box[i - 1] - 1.0 : box[i + 1] + 1.0;
