@@ -540,7 +540,7 @@ end_header
 40 0.134 0.25 -0.5 4.5
 3 0 1 2
 END
-reads none mesh.obj "column 1 (v)" << END
+reads none mesh.obj "its faces are left out" << END
 # a surface
 mtllib none
 o thing
@@ -569,7 +569,7 @@ ATOM      1  N   LYS A   1       9.000   0.000   0.000  1.00  0.00           N
 ENDMDL
 END
 reads one 1abc.ent "the first model" < 1abc.pdb
-reads corners mesh.stl "column 1 (vertex)" << END
+reads corners mesh.stl "its faces are left out" << END
 solid made by hand
  facet normal 0 0 1
   outer loop
@@ -587,12 +587,13 @@ solid made by hand
  endfacet
 endsolid
 END
-yes "STL: faces" grep 'its faces are left out' words > /dev/null
-$TESS mesh.obj > said 2> words
-yes "OBJ: faces" grep 'its faces are left out' words > /dev/null
-grep -v '^f ' mesh.obj > bare.obj
-$TESS bare.obj > said 2> words
-yes "OBJ: none" test "$(grep -c 'its faces' words)" = 0
+yes "STL: nothing else is said" test "$(wc -l < words)" -eq 1
+grep -v '^f ' mesh.obj | reads none bare.obj
+# what tess writes, but does not read
+for f in m.vtk m.vtu m.msh; do
+    $TESS -q -mesh $f plain.csv
+    refuses unread "is not read: lines of numbers, CSV, .xyz, .node, .*" < $f
+done
 sed '/^[mo]/d' mesh.obj | reads none - 'its faces are left out'
 # a column may have the name that such a file begins with
 awk 'NR == 1 { print "5 3 1 0" } NR > 1 { print $0, 7 }' none > seven
@@ -739,6 +740,12 @@ printf '1,2,3,4\n0,1,0,\n' | refuses last.csv "line 2: column 4 $empty"
 printf '0,1,0,\n1,2,3,4\n' | refuses first.csv "line 1: column 4 $empty"
 printf 'x,y,z,T\n0,1,0,\n1,2,3,4\n' |
     refuses named.csv "line 2: column 4 $empty"
+yes "an empty cell: nothing else is said" test "$(wc -l < words)" -eq 1
+printf 'x,y,z,T\n0,1,0,\n' > hollow4.csv
+$TESS hollow4.csv > said 2> words
+yes "an empty column: it is skipped" grep '^points *1$' said > /dev/null
+yes "an empty column: it is said" grep 'column 4 (empty) is not a number: skip' \
+    words > /dev/null
 printf '1,2,3,4,5\n1,2,3,,5\n' | refuses hole.csv "line 2: column 4 $empty"
 printf '1,2,,4,5\n1,2,3,4,5\n' | refuses top.csv "line 1: column 3 $empty"
 printf 'x,y,z,T\n1,,3,4\n1,2,3,4\n' | refuses y.csv "line 2: column 2 $empty"

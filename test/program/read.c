@@ -20,6 +20,8 @@
 #define HEAD 512    /* characters by which a file that is no text is told */
 #define BLOCK 65536 /* characters that are read at once */
 #define SPILL 131072 /* places that are kept at once, if there are more */
+#define READ ": lines of numbers, CSV, .xyz, .node, .off, .ply, .obj, .stl, " \
+             ".npy and PDB are"
 #define NUMPY "\223NUMPY" /* how a .npy file begins */
 
 typedef struct field {
@@ -106,22 +108,28 @@ static int more(void)
     return filled > 0;
 }
 
-/* refuse_binary - begin to read the file; leave if it is not text. */
-static void refuse_binary(void)
+/* refuse_others - begin to read the file; leave if it is one of those that are
+ * known not to be read, or not text. */
+static void refuse_others(void)
 {
-    static const char *const archive[][2] = {
-        {"\037\213", "compressed by gzip; unpack it first: gunzip -c"},
-        {"BZh", "compressed by bzip2; unpack it first: bunzip2 -c"},
-        {"\3757zXZ", "compressed by xz; unpack it first: xz -dc"},
-        {"PK\003\004", "a zip archive; unpack it first: unzip -p"}};
+    static const char *const other[][2] = {
+        {"\037\213",
+         "compressed by gzip; unpack it first: gunzip -c ... | tess"},
+        {"BZh", "compressed by bzip2; unpack it first: bunzip2 -c ... | tess"},
+        {"\3757zXZ", "compressed by xz; unpack it first: xz -dc ... | tess"},
+        {"PK\003\004", "a zip archive; unpack it first: unzip -p ... | tess"},
+        {"<?xml", "XML, as .vtu, which is not read" READ},
+        {"<VTKFile", "VTK's, which is not read" READ},
+        {"# vtk", "VTK's, which is not read" READ},
+        {"$MeshFormat", "Gmsh's, which is not read" READ}};
     size_t k, head;
 
     more();
     head = filled < HEAD ? filled : HEAD;
-    for (k = 0; k < sizeof archive / sizeof archive[0]; k++)
-        if (head > strlen(archive[k][0]) &&
-            memcmp(block, archive[k][0], strlen(archive[k][0])) == 0)
-            fail("%s: is %s ... | tess", to->input, archive[k][1]);
+    for (k = 0; k < sizeof other / sizeof other[0]; k++)
+        if (head > strlen(other[k][0]) &&
+            memcmp(block, other[k][0], strlen(other[k][0])) == 0)
+            fail("%s: is %s", to->input, other[k][1]);
     /* next_line knows UTF-16, and some readers binary forms */
     if (!memchr(block, 0, head) || memcmp(block, "\377\376", 2) == 0 ||
         memcmp(block, "\376\377", 2) == 0 || memcmp(block, "ply", 3) == 0 ||
@@ -982,8 +990,9 @@ static void row(void)
         if (part[k] == VALUE) *v++ = fields[k].x;
 }
 
-/* shape - the first point's line: what it skips is said. */
-static void shape(void)
+/* shape - the first point's line: what it skips is said, from that column on;
+ * what is empty there at the end, when it is known to be so in all lines. */
+static void shape(int from)
 {
     int k;
 
@@ -991,12 +1000,12 @@ static void shape(void)
     columns();
     count_from = fields[0].x;
     counting = count(0) && count_from <= 1.0;
-    for (k = 0; k < many && !to->cols; k++)
+    for (k = from; k < many && !to->cols; k++)
         if (part[k] == LABEL && hint(fields[k].text, fields[k].quoted))
             fail_cell(k);
-        else if ((part[k] == LABEL && k != by) || part[k] == HOLLOW)
+        else if (part[k] == LABEL && k != by)
             warn("%s: column %d (%.20s) is not a number: skipped", to->input,
-                 k + 1, part[k] == LABEL ? fields[k].text : "empty");
+                 k + 1, fields[k].text);
     /* 0,13,0,84,0,5: to tell is beyond a program */
     for (k = 0; k < many && count(k); k++) continue;
     if (many >= 6 && many % 2 == 0 && k == many && separator == ',')
@@ -1016,13 +1025,13 @@ static void rows(double want, int perhaps, int rest)
 
     if (want == 0.0) fail("%s: no points", to->input);
     unsure = perhaps;
-    shape();
+    shape(0);
     for (;;) {
         if (unsure && to->n + dropped == 1 && !like()) {
             unsure = 0;
             to->n = 0;
             dropped = 0;
-            shape();
+            shape(0);
         }
         row();
         if (want >= 0.0 && (double)to->n + (double)dropped == want &&
@@ -1056,6 +1065,10 @@ static void rows(double want, int perhaps, int rest)
     if (want >= 0.0 && (double)to->n + (double)dropped < want)
         fail("%s: ends after %ld of %.0f points", to->input,
              (long)to->n + dropped, want);
+    for (k = 0; k < width && !to->cols; k++)
+        if (part[k] == HOLLOW)
+            warn("%s: column %ld (empty) is not a number: skipped", to->input,
+                 k + 1);
     if (!rest && want >= 0.0 && next_line())
         warn("%s, line %ld: more than the %.0f points announced: the rest is "
              "not read",
@@ -1442,7 +1455,7 @@ static void read_lines(const char *first)
 
     while (!word(0, first)) need_line();
     fields[0].number = 0;
-    shape();
+    shape(1);
     do {
         if (word(0, first)) row();
         if ((word(0, "f") || word(0, "facet")) && !faces++) no_faces();
@@ -1654,7 +1667,7 @@ void read_points(const char *name, points *a)
         rewind(file);
     } else if (!name)
         warn("reading points from standard input");
-    refuse_binary();
+    refuse_others();
     if (memcmp(block, NUMPY, 6) == 0)
         read_npy();
     else if (packed.facets) {
