@@ -1,7 +1,8 @@
 # make            build/tess, a program that tetrahedralizes a file of points
 # make run        try it: a mirror's sensors; POINTS=file for your own points,
 #                 OPTIONS="-cols lon,lat,depth" for more of build/tess
-# make grid       its temperatures at a grid's places, and a section's picture
+# make grid       its temperatures, or POINTS' values, at a grid's places, and a
+#                 section's picture
 # make check      the tests, about three minutes on two processors; ONLY=cells:
 #                 those of that name
 # make t_tess     a test of test/unit alone; ARGS=-quick, as for t_part;
@@ -176,11 +177,14 @@ run: build/tess
 	build/tess -check -vtk "$$name.vtk" -svg "$$name.svg" $$look $(OPTIONS) \
 	    "$(POINTS)"
 
-MIRROR = build/tess -q -alpha 0.5 -unit $(UNIT) -method smooth \
-    test/data/mirror.xyz
 grid: build/tess
-	$(MIRROR) -grid 200,200,20 -values build/mirror.vtk
-	$(MIRROR) -grid 400,1,120 -values build/mirror.svg
+	@file=`basename "$(POINTS)"`; look=; name="build/$$file.grid"; \
+	case "$$file" in mirror.xyz) look="-alpha 0.5 -unit $(UNIT)"; \
+	name=build/mirror;; esac; look="-q -method smooth $$look"; set -ex; \
+	build/tess $$look -grid 200,200,20 -values "$$name.vtk" $(OPTIONS) \
+	    "$(POINTS)"; \
+	build/tess $$look -grid 400,1,120 -values "$$name.svg" $(OPTIONS) \
+	    "$(POINTS)"
 
 # a program of test/examples names the files that it is linked from, and
 # libraries, in its first comment

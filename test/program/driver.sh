@@ -795,6 +795,10 @@ make run POINTS=build/driver/numbers.txt \
 yes "make run OPTIONS=..." cmp numbered run.node
 yes "make run: names that do not collide" test -s ../x.csv.svg -a \
     -s ../x.xyz.svg -a -s ../stdin.svg
+(cd "$TOP" && make grid POINTS=build/driver/numbers.txt \
+    OPTIONS="-cols 2,3,4,5") > said 2>&1
+yes "make grid POINTS=..." test -s ../numbers.txt.grid.svg -a \
+    "$(head -c 200 ../numbers.txt.grid.vtk | grep -a ORIGIN)" = "ORIGIN 0 0 -2"
 rm -f ../x.csv.* ../x.xyz.* ../stdin.* ../numbers.txt.*
 
 # ---- the command line ----
