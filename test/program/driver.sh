@@ -879,10 +879,23 @@ rm -f ../flat.*
 
 # of a square's 4 points in the plane, two triangles
 printf '0 0 1\n3 0 2\n0 3 3\n2 2 4\n' > square
+awk '{ print $1, $2, NR % 2, $3 }' square > square3
 $TESS -plane -grid 2,2 -values - square 2> words > said
 yes "points in a plane: triangles, of no tetrahedron a word" sh -c \
     'grep "^triangles *2$" words && ! grep "tetrahedr\|volume\|facets" words' \
     > /dev/null
+sed '1s/^/lon lat depth T\n/' square3 > lon.csv
+$TESS -q -grid 2,2,1 -values v.csv lon.csv
+yes "-values: the columns' names" test "$(head -n 1 v.csv)" = lon,lat,depth,T
+$TESS -q -plane -cols lon,depth -grid 2,2 -values v.csv lon.csv
+yes "-values: names in a plane" test "$(head -n 1 v.csv)" = lon,depth,lat,T
+sed '$s/4$/nan/' lon.csv > nan.csv
+for method in smooth linear; do
+    $TESS -method $method -grid 2,2,1 -values v.csv nan.csv > said 2> words
+    yes "a NaN: what that means for -method $method" test "$(grep -c \
+        'not finite.* by -method smooth all of the column;' words)" -eq \
+        "$(echo $method | grep -c smooth)"
+done
 $TESS -grid 2,2,1 -values v.csv flat.csv > said 2> words
 yes "points of space in a plane: those, and why no tetrahedron" sh -c \
     'grep "^triangles *2$" said && grep "tetrahedron: .* one plane$" said' \

@@ -402,7 +402,8 @@ static const option table[] = {
      "linear in each tetrahedron, if not given; smooth, with\n"
      "gradients estimated at the points; natural, by Sibson's\n"
      "natural neighbours; nearest, the nearest point's value.\n"
-     "Points at one place count as one, with their values' mean"},
+     "Points at one place count as one, with their values' mean\n"
+     "(Python's and Octave's ways take the first one's value)"},
     {"-outside", "nearest|VALUE", take_word, &chosen.outside,
      "what places outside the hull get: this value, or that at\n"
      "the hull's nearest point; if not given NaN"},

@@ -319,8 +319,9 @@ void check_points(const points *points_read)
         bad += !(fabs(in->value[j]) <= DBL_MAX);
     if (bad > 0)
         warn("%s: %ld value%s not finite, and so is what is computed from "
-             "them; -skip drops rows with a NaN",
-             in->input, bad, bad > 1 ? "s are" : " is");
+             "them%s; -skip drops rows with a NaN",
+             in->input, bad, bad > 1 ? "s are" : " is",
+             asked[SMOOTH] ? ", by -method smooth all of the column" : "");
     for (k = 0; k < in->columns; k++) {
         warn_far(k, 1.0);
         warn_far(k, -1.0);
@@ -340,17 +341,23 @@ static double places_asked(void)
     return chosen.grid ? size[0] * size[1] * size[2] : places->all;
 }
 
-void put_title(FILE *file, const char *s)
+/* put_name - as CSV takes it. */
+static void put_name(FILE *file, const char *s)
 {
     int quoted = strpbrk(s, ",;\" \t") != 0;
 
-    putc(',', file);
     if (quoted) putc('"', file);
     for (; *s; s++) {
         if (*s == '"') putc('"', file);
         putc(*s, file);
     }
     if (quoted) putc('"', file);
+}
+
+void put_title(FILE *file, const char *name)
+{
+    putc(',', file);
+    put_name(file, name);
 }
 
 /* npy_head - version 1.0: a text as Python writes a dictionary, such that the
@@ -495,7 +502,10 @@ static void head(sink *s)
     s->file = start(s->to, s->form == SVG ? 0.0 : places_asked() *
                     (s->form == NPY ? 8.0 * columns : 20.0 * (3.0 + columns)));
     if (s->form == CSV) {
-        fprintf(s->file, in->axes == 2 ? "x,y" : "x,y,z");
+        for (k = 0; k < in->axes; k++) {
+            if (k > 0) putc(',', s->file);
+            put_name(s->file, in->axis[k][0] ? in->axis[k] : &"x\0y\0z"[2 * k]);
+        }
         for (k = 0; k < in->columns; k++) put_title(s->file, in->name[k]);
         putc('\n', s->file);
     } else if (s->form == NPY) {

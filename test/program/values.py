@@ -280,7 +280,7 @@ for name, options in (("-cols lon,lat,temp", ("-cols", "lon,lat,temp")),
          got.shape == (30, 40, n) and near(got, want[..., :n], 1e-12))
 rows = np.genfromtxt("f.csv", delimiter=",", skip_header=1)
 test("plane, .csv: names, places, values",
-     open("f.csv").readline() == "x,y,temp,w\n" and
+     open("f.csv").readline() == "lon,lat,temp,w\n" and
      near(rows[:, :2], x.reshape(-1, 2), 1e-13) and
      near(rows[:, 2:], got.reshape(-1, 2), 0.0))
 test("plane, .svg: x to the right, y upwards, nothing of z",
