@@ -349,6 +349,10 @@ drawn = [path.get("class") in greys(svg) for path in svg.iter(SVG + "path")
          if path.get("class") for a in loops(path.get("d"))]
 test("no numbers: the facets at that corner", drawn == [True] * len(drawn) and
      len(drawn) == 2)
+done = subprocess.run(
+    [TESS, "-periodic", "-box", "0,9,0,9,0,9", "holes.csv", "-svg", "p.svg"],
+    capture_output=True, text=True)
+test("no numbers: copies are not counted", "3 values of T are" in done.stderr)
 done = subprocess.run([TESS, "holes.csv", "-svg", "p.svg", "-svg", "p2.svg"],
                       capture_output=True, text=True)
 test("no numbers: said once, and how many", done.stderr.count("\n") == 1 and

@@ -728,7 +728,8 @@ void write_svg(const mesh *m, output *o)
     static char note[400];
     FILE *file = start(o, 0.0);
     const points *in = m->in;
-    double *first = 0; /* value of each point */
+    const tess_int own = chosen.periodic ? repetition()->of.in->n : in->n;
+    double *first = 0; /* value of each point; behind the own ones, of copies */
     double side[3], low, high, x;
     tess_int i;
     draw_look look;
@@ -751,13 +752,13 @@ void write_svg(const mesh *m, output *o)
         first[i] = in->value[(size_t)in->columns * (size_t)i];
         if (fabs(first[i]) <= 1e300) continue;
         first[i] = no_number();
-        lost++;
+        lost += i < own;
     }
     if (lost > 0 && o == next_output(svg_forms, 0))
         warn("%s: %ld value%s of %s %s: not in the picture's scale, and grey",
              in->input, lost, lost > 1 ? "s" : "", in->name[0],
              lost > 1 ? "are no numbers" : "is no number");
-    if (lost == (long)in->n) {
+    if (lost == (long)own) {
         free(first);
         first = 0;
     }
