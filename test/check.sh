@@ -1363,7 +1363,8 @@ halves() {
             -Wno-compare-reals -Wno-do-subscript -c -o build/fparity.o \
             test/fortran/parity.f >> $LOG 2>&1
         # (so many points have cylinders on several levels)
-        quick="brute 50,t_tess -quick,t_tess -one ellipsoid 6000 1,t_part -quick"
+        quick="t_pred 20,brute 50,t_tess -quick,t_tess -one ellipsoid 6000 1"
+        quick="$quick,t_part -quick"
         fortran "gfortran -fcheck=all" "" "$quick" gfort build/f -O1 -fcheck=all
         text "gfortran -fcheck=all"
         programs "gfortran -fcheck=all" "-std=legacy -O1 -fcheck=all"
@@ -1389,13 +1390,13 @@ halves() {
         text "gfortran -fsanitize=address"
         LIBF=
         # integers of 8 bytes
-        fortran "INTEGER*8" -DTESS_INT=long "brute 50" gfort build/f -O2 \
+        fortran "INTEGER*8" -DTESS_INT=long "t_pred 10,brute 50" gfort build/f -O2 \
             -fdefault-integer-8
         programs "INTEGER*8" "-std=legacy -fdefault-integer-8"
         recipes77 "INTEGER*8" "-std=legacy -fdefault-integer-8" -DTESS_INT=long
         interface "INTEGER*8" -fdefault-integer-8
         fortran "gfortran, 3 limbs" -DHH_LIMBS=3 \
-            "brute 100,t_tess -range,t_part -quick" fewlimbs
+            "t_pred 10,brute 100,t_tess -range,t_part -quick" fewlimbs
         for omp in "" -fopenmp; do
             wanted "example: parts.f $omp" || continue
             rm -f build/partsf

@@ -1,6 +1,6 @@
-/* shim.c - the calls of tess.h that the tests make, by way of the FORTRAN half:
- * a test in C linked with f77/tess.f and f77/hhpred.f in the place of tess.c and
- * hhpred.c.
+/* shim.c - the calls of tess.h and hhpred.h that the tests make, by way of the
+ * FORTRAN half: a test in C linked with f77/tess.f and f77/hhpred.f in place of
+ * tess.c and hhpred.c.
  *
  * Arrays that a call reads are counted from 1 before it, and all from 0 after
  * it: only numbers that the call is promised to read or to write, so that
@@ -67,6 +67,159 @@ int hh_limits(const double *f, const double *z, double *lo, double *hi)
     hhlimi_(f, z, lo, hi, &side);
     return (int)side;
 }
+
+int hh_opp(const double *f, const tess_real *z1, const tess_real *z2)
+{
+    return (int)hhopp_(f, z1, z2);
+}
+
+int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
+            const tess_real *z, double *c)
+{
+    tess_int info;
+
+    hhwrap_(p1, p2, p3, z, c, &info);
+    return (int)info;
+}
+
+int hh_flat(int axis, const tess_real *a, const tess_real *b,
+            const tess_real *c)
+{
+    tess_int k = axis + 1;
+
+    return (int)hhflat_(&k, a, b, c);
+}
+
+int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
+             double *w)
+{
+    tess_int info, one = 1, u[4];
+    int k;
+
+    for (k = 0; k < 4; k++) u[k] = v[k] + 1;
+    hhweig_(p, u, &one, q, w, &info);
+    return (int)info;
+}
+
+int hh_wider(double a, double b, double c, double d)
+{
+    return (int)hhwide_(&a, &b, &c, &d);
+}
+
+int hh_holds(tess_int n, const tess_real *p)
+{
+    return (int)hhhold_(&n, p);
+}
+
+/* ---- sets: those of t_pred, of at most 5 points ----
+ *
+ * The ball and the sphere that a call makes are kept here, for the calls that
+ * get them: one of each at a time. */
+static double ball[85], sphere[52];
+static tess_int places[5], facet[3];
+
+static const tess_int *order(const hh_set *s, tess_int n)
+{
+    tess_int i;
+
+    for (i = 0; i < n; i++) places[i] = s->order[i] + 1;
+    return places;
+}
+
+static const tess_int *vertices(const tess_int *v)
+{
+    int i;
+
+    for (i = 0; i < 3; i++) facet[i] = v[i] + 1;
+    return facet;
+}
+
+int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
+{
+    ++i;
+    ++j;
+    ++k;
+    ++l;
+    return (int)hhpsid_(s->x, s->p, order(s, 5), &s->t3, &i, &j, &k, &l);
+}
+
+int hh_pball(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
+             int rule)
+{
+    tess_int r = rule;
+
+    ++a;
+    ++b;
+    return (int)hhpbal_(s->x, s->p, order(s, 5), &s->t3, &s->t5, vertices(v),
+                        &a, &b, &r);
+}
+
+int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
+              double *c, hh_ball *t)
+{
+    tess_int e = s->e, from = base + 1, ok;
+
+    (void)t;
+    ++z;
+    hhcent_(s->p, order(s, 5), &e, vertices(v), &from, &z, c, ball, &ok);
+    return (int)ok;
+}
+
+void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
+              int *power)
+{
+    tess_int a = *side, b = *power;
+
+    (void)t;
+    ++z;
+    hhtria_(s->p, order(s, 5), ball, &z, &a, &b);
+    *side = (int)a;
+    *power = (int)b;
+}
+
+int hh_lifts(const hh_set *s, const tess_int *v, int base, const double *f,
+             double l, tess_int a, tess_int z, hh_sphere *t)
+{
+    tess_int from = base + 1, sign;
+
+    ++a;
+    ++z;
+    sphere[0] = t->ready;
+    hhlifs_(s->x, &s->t3, vertices(v), &from, f, &l, &a, &z, sphere, &sign);
+    t->ready = (int)sphere[0];
+    return (int)sign;
+}
+
+int hh_about(const hh_set *s, tess_int base, tess_int from, int plane,
+             const double *c, hh_sphere *t)
+{
+    tess_int flat = plane, ok;
+
+    (void)t;
+    ++base;
+    ++from;
+    hhabou_(s->x, &base, &from, &flat, c, sphere, &ok);
+    return (int)ok;
+}
+
+double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
+{
+    double h;
+
+    (void)t;
+    ++z;
+    hhheig_(s->x, sphere, &z, &h, err);
+    return h;
+}
+
+void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
+{
+    tess_int e = s->e, from = base + 1;
+
+    hhthin_(s->x, s->p, order(s, 3), &e, vertices(v), &from, f);
+}
+
+/* ---- tess.h ---- */
 
 int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
 {
