@@ -12,11 +12,11 @@
 # A change that leaves the object code as it is, or does not compile, or is in
 # test/hunts/equivalents, is left out, and not counted in N nor in SKIP.  Caught
 # is what fails a test (few is t_pred with 3 limbs, x87 that in an x87 unit, asan
-# t_tess, or parity.f, with sanitizers), crashes, takes four times as long as the
-# library does or more, makes searches look at a tenth more (bench/counts.sh), or
-# calls a routine more often than its twin does (fortran/calls.sh).  Of a change
-# that survives is said whether it alters what searches look at: "elsewhere" if
-# so, "survived" if that is the same, too.
+# t_tess, or parity.f and t_pred, with sanitizers), crashes, takes four times as
+# long as the library does or more, makes searches look at a tenth more
+# (bench/counts.sh), or calls a routine more often than its twin does
+# (fortran/calls.sh).  Of a change that survives is said whether it alters what
+# searches look at: "elsewhere" if so, "survived" if that is the same, too.
 #
 # Those of the second part of equivalents, which only cost a little, are left out,
 # too.
@@ -93,9 +93,13 @@ links() {
     casan) $CC -I. -O1 -fsanitize=address,undefined -fno-sanitize-recover=all \
         -o $1/$2 test/unit/t_tess.c $1/tess.c $1/hhpred.c $DIR/exact.o \
         $DIR/points.o $DIR/verify.o $DIR/damage.o $DIR/guard.o -lm;;
-    fasan) gfortran -w -std=legacy -frecursive -O1 -fsanitize=address \
-        -ffixed-line-length-none -o $1/$2 test/fortran/parity.f $1/tess.f \
-        $1/hhpred.f;;
+    fasan)
+        set -- $1 $2 "gfortran -w -std=legacy -frecursive -O1 -fsanitize=address
+            -ffixed-line-length-none"
+        $3 -c -o $1/asan.o $1/hhpred.f &&
+            $3 -o $1/$2 test/fortran/parity.f $1/tess.f $1/asan.o &&
+            $3 -o $1/pred $DIR/t_pred.o $DIR/shim.o $DIR/exact.o \
+                $DIR/points.o $1/tess.f.o $1/asan.o -lm;;
     flarge) links $1 t_tess && cp $1/t_tess $1/$2;;
     fparity) gfortran -o $1/$2 $DIR/parityf.o $1/tess.f.o $1/hhpred.f.o;;
     c*) $CC -o $1/$2 $DIR/$2.o $1/tess.c.o $1/hhpred.c.o $DIR/exact.o \
@@ -123,8 +127,9 @@ passes() {
     certify) runs $LIMIT $1/$2 60;;
     large) runs $LIMIT $1/$2 -one ellipsoid 6000 1;;
     calls) sh test/fortran/calls.sh $1 && cp build/calls/all.txt $1/calls;;
-    asan) limited $LONG $1/$2 -quick > $1/out && { [ $HALF = c ] ||
-        sh test/fortran/sums.sh $1/out test/fortran/parity.txt; };;
+    asan) limited $LONG $1/$2 -quick > $1/out && { [ $HALF = c ] || {
+        sh test/fortran/sums.sh $1/out test/fortran/parity.txt &&
+            limited $LIMIT $1/pred 5; }; };;
     t_tess | t_part) runs $LONG $1/$2 -quick | awk '{ last = $0 }
         /^FAILED/ { exit }
         END { exit last !~ / passed, 0 failed$/ }';;
@@ -218,10 +223,12 @@ verdict() {
 }
 
 if [ "$1" = -those ]; then
-    [ -z "$3" ] || TEST=$3
+    only=$3
     while read file place rest; do
         change $file $place
-        case $? in
+        code=$?
+        [ -z "$only" ] || TEST=$only
+        case $code in
         1) answer="does not compile";;
         2) answer="the same object code";;
         *) answer=`verdict $file`;;

@@ -600,7 +600,7 @@ static int height_right(const double *x, int b, int a, int z, int plane,
 static void test_balls(int group, long n)
 {
     static tess_real caller[15];
-    long faults = 0, made = 0, tried = 0, lifted = 0, held = 0, i;
+    long faults = 0, made = 0, tried = 0, sided = 0, lifted = 0, held = 0, i;
     double p[5][3], x[15], c[3], at[3], most, size, sum, power, err, w;
     double f[HH_FACET_LEN];
     tess_int order[5], v[3], a, b;
@@ -690,6 +690,7 @@ static void test_balls(int group, long n)
             alone = 2;
             none = -1;
             hh_trial(&set, &ball, (tess_int)z, &alone, &none);
+            if (z == 4) sided += alone != 2;
             if ((alone != 2 && alone != o) || (sign != 2 && sign != -s) ||
                 sign == 0 || none != -1 || side != (sign == 1 ? 2 : alone))
                 if (faults++ < 3) {
@@ -713,9 +714,12 @@ static void test_balls(int group, long n)
                 }
         }
     }
-    printf("        balls %ld, trials decided %ld, by a sphere %ld, "
-           "heights %ld\n", made, tried, lifted, held);
-    if (group == SPHERE) faults += held < 9 * made;
+    printf("        balls %ld, trials decided %ld, sides %ld, by a sphere %ld, "
+           "heights %ld\n", made, tried, sided, lifted, held);
+    if (group == RANDOM)
+        faults += made < n / 2 || tried < made - 1 - made / 100 ||
+                  sided < made - 1 - made / 100;
+    if (group == SPHERE) faults += held < 9 * made || tried < made / 2;
 #ifndef TESS_FLOAT /* the filter decides these in double */
     if (group == SPHERE) faults += lifted < made / 4;
 #endif
@@ -1694,25 +1698,69 @@ static void test_known(void)
     test_result("values known by hand", faults);
 }
 
+/* hh_height of one of two points, ever nearer, above a plane and a sphere through
+ * the other.  At the pole of a globe sin(pi) cos(pi/2), of 53 bits from 2^-107 on,
+ * is a coordinate: that must be held, and any error known. */
+static void test_heights(void)
+{
+    static const double c[3] = { 1.0, 0.0, 0.0 };
+    static const tess_int order[2] = { 0, 1 };
+    double x[15], h, err = 0.0;
+    long faults = 0;
+    int e, plane, base, k;
+    tess_real p[6];
+    hh_set set;
+    hh_sphere about;
+
+    for (k = 0; k < 6; k++) p[k] = 0;
+    for (k = 0; k < 15; k++) x[k] = 0.0;
+    set.x = x;
+    set.p = p;
+    set.order = order;
+    set.t3 = set.t5 = -1.0;
+    set.e = 0;
+    for (e = 1; e < 300 && e < -DBL_MIN_EXP; e++)
+        for (k = 0; k < 4; k++) {
+            plane = k / 2;
+            base = k % 2;
+            x[3] = ldexp(2.0 - DBL_EPSILON, -e);
+            err = 1.0;
+            if (hh_about(&set, base, 0, plane, c, &about)) {
+                h = hh_height(&set, &about, 1 - base, &err);
+                faults += !height_right(x, base, 0, 1 - base, plane, c, h, err);
+            }
+            faults += DBL_MANT_DIG >= 53 && e <= 107 && err > 1e-3;
+        }
+    test_result("hh_height, ever nearer", faults);
+}
+
 #ifdef TEST_STATE
-/* hh_holds of n points p while bits of the SSE unit's state are set, and the x87
- * unit's precision is 0 (24 bits), 2 or 3 (64). */
+/* Sets bits of the SSE unit's state, and the x87 unit's precision to 0 (24 bits),
+ * 2 or 3 (64); or, if back, all to what it was. */
+static void state(int back, unsigned bits, unsigned precision)
+{
+    static unsigned sse, with;
+    static unsigned short x87, narrow;
+
+    if (!back) {
+        __asm__ __volatile__("stmxcsr %0" : "=m"(sse));
+        __asm__ __volatile__("fnstcw %0" : "=m"(x87));
+    }
+    with = back ? sse : sse | bits;
+    narrow = back ? x87 : (unsigned short)((x87 & ~0x300u) | precision << 8);
+    __asm__ __volatile__("ldmxcsr %0" : : "m"(with));
+    __asm__ __volatile__("fldcw %0" : : "m"(narrow));
+}
+
+/* hh_holds of n points p in that state. */
 static int holds(int n, const tess_real *p, unsigned bits,
                  unsigned precision)
 {
-    unsigned sse, with;
-    unsigned short x87, narrow;
     int k;
 
-    __asm__ __volatile__("stmxcsr %0" : "=m"(sse));
-    __asm__ __volatile__("fnstcw %0" : "=m"(x87));
-    with = sse | bits;
-    narrow = (unsigned short)((x87 & ~0x300u) | precision << 8);
-    __asm__ __volatile__("ldmxcsr %0" : : "m"(with));
-    __asm__ __volatile__("fldcw %0" : : "m"(narrow));
+    state(0, bits, precision);
     k = hh_holds((tess_int)n, p);
-    __asm__ __volatile__("fldcw %0" : : "m"(x87));
-    __asm__ __volatile__("ldmxcsr %0" : : "m"(sse));
+    state(1, 0, 0);
     return k;
 }
 
@@ -1741,6 +1789,50 @@ static void test_holds(void)
     }
     test_result("a processor's state is noticed", faults);
 }
+
+/* What takes a coordinate for zero, any of any point, must say so: hh_foot with
+ * weights and hh_weigh always, signs and hh_foot without where all are small, and
+ * signs of points in a plane. */
+static void test_flushed(void)
+{
+    static const int at[15] = { 1, 2, 3, 5, 1, 2, 2, 6, 1, 1, 1, 9, 2, 3, 4 };
+    static const tess_int v[4] = { 0, 1, 2, 3 };
+    tess_real p[15], s[15], flat[12];
+    double w[4];
+    long faults = 0;
+    int found[6], flush, i, k;
+
+    for (i = 0; i < 15; i++)
+        for (flush = 0; flush < 2; flush++) {
+            for (k = 0; k < 15; k++) {
+                p[k] = (tess_real)at[k];
+                s[k] = (tess_real)ldexp((double)at[k], -100);
+                if (k < 12) flat[k] = k % 3 == 2 ? 0 : p[k];
+            }
+            p[i] = (tess_real)(3.0 * DBL_MIN / 8.0);
+#ifdef TESS_FLOAT
+            p[i] = (tess_real)(3.0 * FLT_MIN / 8.0);
+#endif
+            s[i] = p[i];
+            if (i < 12) flat[i] = p[i];
+            state(0, flush ? 0x40 : 0, 3);
+            found[0] = hh_foot(p, p + 3, p + 6, p + 9, w);
+            found[1] = hh_foot(s, s + 3, s + 6, s + 9, NULL);
+            found[2] = hh_weigh(p, v, p + 12, w);
+            found[3] = hh_orient(s, s + 3, s + 6, s + 9);
+            found[4] = hh_insphere(s, s + 3, s + 6, s + 9, s + 12);
+            found[5] = hh_orient(flat, flat + 3, flat + 6, flat + 9);
+            state(1, 0, 0);
+            if (!flush && (HH_LIMBS < 88 || flushes())) continue;
+            faults += i < 12 && (found[0] == 0) != flush;
+            faults += i < 12 && (found[1] == 0) != flush;
+            faults += (found[2] == 2) != flush;
+            faults += i < 12 && (found[3] == 2) != flush;
+            faults += (found[4] == 2) != flush;
+            faults += i < 12 && (found[5] == 2) != flush;
+        }
+    test_result("a coordinate taken for zero is noticed", faults);
+}
 #endif
 
 static void all(void)
@@ -1748,8 +1840,10 @@ static void all(void)
     int group;
 
     test_known();
+    test_heights();
 #ifdef TEST_STATE
     test_holds();
+    if (!BY_X87) test_flushed();
 #endif
     test_exact();
     for (group = 0; group < CLASSES; group++) {
