@@ -1308,6 +1308,14 @@ static void test_codes(void)
     }
     require(code == 0 && ntet > 0 && liw <= 5 * m.n + 512, "the least length");
     drop(0);
+    /* what tess_size gives has cylinders, which a part reads */
+    family(&m, "ellipsoid", 1000, 1, 0);
+    mine = begun(m.iw, m.n, m.n);
+    ntet = 0;
+    code = tess_part(m.n, m.p, mine, 0, &ntet, mine, mine, m.liw, m.iw,
+                     m.lrw - 1, m.rw);
+    require(code == -10 && ntet == 0, "a short rw");
+    drop(0);
     /* no mesh */
     for (k = 0; k < 5; k++) {
         tess_real f[12];
