@@ -554,6 +554,28 @@ void test_modes(void (*all)(void))
 #endif
 }
 
+int test_state(int back, unsigned bits, unsigned precision)
+{
+#if defined(__GNUC__) && defined(__SSE2__)
+    static unsigned sse, with;
+    static unsigned short x87, narrow;
+
+    if (!back) {
+        __asm__ __volatile__("stmxcsr %0" : "=m"(sse));
+        __asm__ __volatile__("fnstcw %0" : "=m"(x87));
+    }
+    with = back ? sse : sse | bits;
+    narrow = back ? x87 : (unsigned short)((x87 & ~0x300u) | precision << 8);
+    __asm__ __volatile__("ldmxcsr %0" : : "m"(with));
+    __asm__ __volatile__("fldcw %0" : : "m"(narrow));
+    return 1;
+#else
+    (void)bits;
+    (void)precision;
+    return back;
+#endif
+}
+
 static long passed, failed;
 
 void test_result(const char *name, long faults)

@@ -87,6 +87,12 @@ void rnd_mix(double (*p)[3], int n);
  * four rounding modes. */
 void test_modes(void (*all)(void));
 
+/* test_state - what a processor can be set to: bits of an SSE unit's state are
+ * set, 0x40 to take subnormal operands for zero, 0x8000 subnormal results, and
+ * an x87 unit's precision is 0 (24 bits), 2 (53) or 3 (64); with back, all is
+ * what it was before.  0 on other machines. */
+int test_state(int back, unsigned bits, unsigned precision);
+
 /* test_result - count and print one test of that name, passed if it had no
  * fault; test_that - if it is good, and the name has two parts.  test_end -
  * print the counts; the exit code of the program. */

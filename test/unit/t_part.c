@@ -22,7 +22,8 @@
  *   queries  tess_query and tess_locate answer alike: on points, midpoints,
  *            edges, facets, anywhere, from near and from nowhere; outside
  *   balls    no point outside of tess_ball's is inside the exact one
- *   codes    bad input, flat input
+ *   codes    bad input, flat input; an index with a coordinate that is now taken
+ *            for zero
  */
 #include "../../tess.h"
 #include "../examples/join.c"
@@ -1365,6 +1366,50 @@ static void test_codes(void)
     test_result(now, faults);
 }
 
+/* An index of points, any of their coordinates subnormal, where that is kept: it
+ * is of no use where that is taken for zero; without one it is. */
+static void test_flushed(void)
+{
+    volatile double x = DBL_MIN;
+    tess_real tiny = (tess_real)(3.0 * DBL_MIN / 8.0), was, q[3];
+    tess_int v[4], ntet, *mine, i;
+    double w[4];
+    whole m;
+    int flushes, answer, part, k;
+
+    faults = 0;
+    now = "an index where numbers are flushed";
+#ifdef TESS_FLOAT
+    tiny = (tess_real)(3.0 * FLT_MIN / 8.0);
+#endif
+    x *= 0.5;
+    flushes = x == 0.0;
+    for (k = 0; k < 3; k++) q[k] = (tess_real)0.25;
+    family(&m, "uniform", 40, 1, 0);
+    mine = begun(m.iw, m.n, m.n);
+    for (i = -1; i < 3 * m.n && !flushes && test_state(0, 0, 2); i++) {
+        test_state(1, 0, 0);
+        was = m.p[i < 0 ? 0 : i];
+        if (i >= 0) m.p[i] = tiny;
+        require(tess_index(m.n, m.p, m.liw, m.iw, m.lrw, m.rw) == 0, "kept");
+        ntet = 0;
+        v[0] = TESS_NONE;
+        test_state(0, 0x40, 3);
+        x = DBL_MIN / 2.0;
+        x *= 2.0;
+        k = i >= 0 && x != DBL_MIN;
+        answer = tess_query(m.n, m.p, m.iw, m.rw, q, v, w);
+        part = tess_part(m.n, m.p, mine, 0, &ntet, mine, mine, m.liw, m.iw,
+                         m.lrw, m.rw);
+        test_state(1, 0, 0);
+        require(k ? answer == TESS_RANGE : answer < 2, "a query, flushed");
+        require(part == (k ? TESS_RANGE : TESS_MORE), "a part, flushed");
+        m.p[i < 0 ? 0 : i] = was;
+    }
+    drop(0);
+    test_result(now, faults);
+}
+
 int main(int argc, char **argv)
 {
     quick = argc == 2 && strcmp(argv[1], "-quick") == 0;
@@ -1372,6 +1417,7 @@ int main(int argc, char **argv)
     rnd_seed(1);
     setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
     test_codes();
+    test_flushed();
     test_balls();
     test_resume();
     test_parts();

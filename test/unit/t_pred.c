@@ -22,13 +22,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* What a processor can be set to: to take subnormal numbers for zero, or to
- * round to fewer bits than a double has.  (Where gcc computes by an x87 unit, it
- * says 2.) */
-#if defined(__GNUC__) && defined(__SSE2__)
-#define TEST_STATE
-#endif
-#if defined(TEST_STATE) && defined(__FLT_EVAL_METHOD__)
+/* Where gcc computes by an x87 unit, it says 2. */
+#ifdef __FLT_EVAL_METHOD__
 #define BY_X87 (__FLT_EVAL_METHOD__ == 2)
 #else
 #define BY_X87 0
@@ -1734,33 +1729,15 @@ static void test_heights(void)
     test_result("hh_height, ever nearer", faults);
 }
 
-#ifdef TEST_STATE
-/* Sets bits of the SSE unit's state, and the x87 unit's precision to 0 (24 bits),
- * 2 or 3 (64); or, if back, all to what it was. */
-static void state(int back, unsigned bits, unsigned precision)
-{
-    static unsigned sse, with;
-    static unsigned short x87, narrow;
-
-    if (!back) {
-        __asm__ __volatile__("stmxcsr %0" : "=m"(sse));
-        __asm__ __volatile__("fnstcw %0" : "=m"(x87));
-    }
-    with = back ? sse : sse | bits;
-    narrow = back ? x87 : (unsigned short)((x87 & ~0x300u) | precision << 8);
-    __asm__ __volatile__("ldmxcsr %0" : : "m"(with));
-    __asm__ __volatile__("fldcw %0" : : "m"(narrow));
-}
-
-/* hh_holds of n points p in that state. */
+/* hh_holds of n points p in a state: see test_state. */
 static int holds(int n, const tess_real *p, unsigned bits,
                  unsigned precision)
 {
     int k;
 
-    state(0, bits, precision);
+    test_state(0, bits, precision);
     k = hh_holds((tess_int)n, p);
-    state(1, 0, 0);
+    test_state(1, 0, 0);
     return k;
 }
 
@@ -1815,14 +1792,14 @@ static void test_flushed(void)
 #endif
             s[i] = p[i];
             if (i < 12) flat[i] = p[i];
-            state(0, flush ? 0x40 : 0, 3);
+            test_state(0, flush ? 0x40 : 0, 3);
             found[0] = hh_foot(p, p + 3, p + 6, p + 9, w);
             found[1] = hh_foot(s, s + 3, s + 6, s + 9, NULL);
             found[2] = hh_weigh(p, v, p + 12, w);
             found[3] = hh_orient(s, s + 3, s + 6, s + 9);
             found[4] = hh_insphere(s, s + 3, s + 6, s + 9, s + 12);
             found[5] = hh_orient(flat, flat + 3, flat + 6, flat + 9);
-            state(1, 0, 0);
+            test_state(1, 0, 0);
             if (!flush && (HH_LIMBS < 88 || flushes())) continue;
             faults += i < 12 && (found[0] == 0) != flush;
             faults += i < 12 && (found[1] == 0) != flush;
@@ -1833,7 +1810,6 @@ static void test_flushed(void)
         }
     test_result("a coordinate taken for zero is noticed", faults);
 }
-#endif
 
 static void all(void)
 {
@@ -1841,10 +1817,11 @@ static void all(void)
 
     test_known();
     test_heights();
-#ifdef TEST_STATE
-    test_holds();
-    if (!BY_X87) test_flushed();
-#endif
+    if (test_state(0, 0, 2)) {
+        test_state(1, 0, 0);
+        test_holds();
+        if (!BY_X87) test_flushed();
+    }
     test_exact();
     for (group = 0; group < CLASSES; group++) {
         long n = 20000;
