@@ -1385,9 +1385,9 @@ static void test_flushed(void)
     x *= 0.5;
     flushes = x == 0.0;
     for (k = 0; k < 3; k++) q[k] = (tess_real)0.25;
-    family(&m, "uniform", 40, 1, 0);
+    family(&m, "ellipsoid", 600, 1, 0);
     mine = begun(m.iw, m.n, m.n);
-    for (i = -1; i < 3 * m.n && !flushes && test_state(0, 0, 2); i++) {
+    for (i = -1; i < 3 * m.n && !flushes && test_state(0, 0, 2); i += 59) {
         test_state(1, 0, 0);
         was = m.p[i < 0 ? 0 : i];
         if (i >= 0) m.p[i] = tiny;
