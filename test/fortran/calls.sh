@@ -17,7 +17,7 @@ DIR=build/calls
 ALONE="badargument cuberoot disjoint dot forget hh_holds join layout leafcount
 lengths marked openindex precise recordof rough seal slot sortpoints zeros"
 MARGIN=${MARGIN:-0}
-FAMILIES=${FAMILIES:-latlon ellipsoid rotcube near6 hub crowd tracks}
+FAMILIES=${FAMILIES:-latlon ellipsoid rotcube near6 hub crowd tracks uvsphere}
 rm -rf $DIR
 mkdir -p $DIR
 cp tess.[ch] hhpred.[ch] f77/*.f $DIR
