@@ -1224,6 +1224,7 @@ static int ballinbox(const mesh *m, const quest *f, const list *l)
     int i, k, side;
 
     r = r * (1.0 + PAD) + 2.0 * f->plain.dc;
+    HOLDS(within(m, f, r));
     for (i = 0; i < 6; i++) part[i] = root[i];
     for (i = 0; i < 6; i++) {
         k = i % 3;

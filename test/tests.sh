@@ -76,6 +76,22 @@ limited() {
     (ulimit -t "$1"; shift; exec "$@")
 }
 
+# lowered FILE: tess.c with thresholds, LOW, such that few points bring about what
+# else only many do; 1 if it lacks one
+LOW="LEAF=8 MANY=1 WIDE=0.0 THIN=1e-15 OPENED=2 BURDEN=0.02
+    ENOUGH=1 SLENDER=1e9 TAX=0.01"
+lowered() {
+    # shellcheck disable=SC2086 # a line each
+    printf '%s\n' $LOW | awk -F = 'NR == FNR { low[$1] = $2; n++; next }
+        $1 ~ /^#define / { split($1, word, " ") }
+        $1 ~ /^#define / && word[2] in low {
+            $0 = "#define " word[2] " " low[word[2]]
+            n--
+        }
+        { print }
+        END { exit n != 0 }' - "$1"
+}
+
 # gfort PREFIX FLAGS: the FORTRAN half, objects PREFIXtess.o and PREFIXhhpred.o.
 # -std=f95 -pedantic knows of no extension of FORTRAN 77 that is not in Fortran
 # 90.

@@ -77,6 +77,30 @@ static int listed(const mesh *m, const quest *f, const list *l)
     return 1;
 }
 
+/* within - returns 1 if no place farther than r from the ball's centre along an
+ * axis, in the one direction that is tried, is better than the best point. */
+static int within(const mesh *m, const quest *f, double r)
+{
+    const tess_real *p[4];
+    tess_real q[3];
+    double x;
+    int k, way = (int)((f->v[0] + f->v[1] + f->v[2]) % 6);
+
+    for (k = 0; k < 3; k++) {
+        x = f->hh[6 + k] + f->plain.c[k];
+        if (k == way % 3) {
+            r += DBL_EPSILON * (fabs(x) + fabs(f->hh[6 + k]) + r);
+            x += way < 3 ? -r : r;
+        }
+        q[k] = (tess_real)ldexp(x, m->set.e);
+        if (ldexp((double)q[k], -m->set.e) != x) return 1;
+    }
+    for (k = 0; k < 4; k++)
+        p[k] = m->set.p + 3 * m->order[k < 3 ? f->v[k] : f->best];
+    return hh_orient(p[0], p[1], p[2], q) != 1 ||
+           hh_insphere(p[0], p[1], p[2], p[3], q) != 1;
+}
+
 /* proven - returns 1 if c, or none, is the apex of the facet v, against all
  * points. */
 static int proven(const mesh *m, const tess_int *v, tess_int c)

@@ -7,11 +7,9 @@
 #     sh test/hunts/certify.sh -check            a few sets each: for check.sh
 #     sh test/hunts/certify.sh -quick            with one build alone
 #
-# Every second build has thresholds of tess.c, LOW, set so that few points bring
-# about what else only many do.  The harness is compiled without optimizations
-# that alter arithmetic.  What the machine lacks is skipped, and said.
-LOW="LEAF=8 MANY=1 WIDE=0.0 THIN=1e-15 OPENED=2 BURDEN=0.02
-    ENOUGH=1 SLENDER=1e9 TAX=0.01"
+# Every second build has low thresholds (lowered, in tests.sh).  The harness is
+# compiled without optimizations that alter arithmetic.  What the machine lacks is
+# skipped, and said.
 . test/tests.sh
 begin certify
 DIR=build/certify.d
@@ -28,13 +26,7 @@ for tree in usual low; do
     cp tess.c tess.h hhpred.c hhpred.h $DIR/$tree
     cp -r test/hunts test/proof test/watch.h $DIR/$tree/test
 done
-for name in $LOW; do
-    value=${name#*=}
-    name=${name%=*}
-    grep "^#define $name " tess.c > /dev/null || fail "tess.c has no $name"
-    sed "s/^#define $name .*/#define $name $value/" $DIR/low/tess.c > $DIR/c
-    mv $DIR/c $DIR/low/tess.c
-done
+lowered tess.c > $DIR/low/tess.c || fail "tess.c lacks a threshold of LOW"
 
 # tell PROGRAM ARGUMENTS: run it, count its tests, show faults
 tell() {
