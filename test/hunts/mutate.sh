@@ -14,10 +14,11 @@
 # is what fails a test (few is t_pred with 3 limbs, x87 that in an x87 unit, low
 # certify with low thresholds, asan t_tess, or parity.f and t_pred, with
 # sanitizers), crashes, takes four times as long as the library does or more,
-# makes searches look at a tenth more (bench/counts.sh), or calls a routine more
-# often than its twin does (fortran/calls.sh).  Of a change that survives is said
-# whether it alters what searches look at: "elsewhere" if so, "survived" if that
-# is the same, too.
+# makes searches look at a tenth more (bench/counts.sh), calls a routine more
+# often than its twin does (fortran/calls.sh), or alters a constant in one routine
+# alone (fortran/constants.sh).  Of a change that survives is said whether it
+# alters what searches look at: "elsewhere" if so, "survived" if that is the same,
+# too.
 #
 # Those of the second part of equivalents, which only cost a little, are left out,
 # too.
@@ -60,7 +61,7 @@ take() {
         TEST="brute parity t_pred few x87 calls certify low t_tess t_part asan";;
     f)
         FILES="tess.f hhpred.f"
-        TEST="brute parity t_pred large asan calls t_tess t_part";;
+        TEST="constants brute parity t_pred large asan calls t_tess t_part";;
     esac
 }
 
@@ -83,7 +84,7 @@ compile() {
 # links TREE TEST: the test with the library in TREE
 links() {
     case $HALF$2 in
-    ?calls) ;;
+    ?calls | fconstants) ;;
     ct_pred) $CC -o $1/$2 $DIR/$2.o $1/hhpred.c.o $DIR/exact.o $DIR/points.o -lm;;
     cfew) $CC -I. -O1 -DHH_LIMBS=3 -o $1/$2 $DIR/$2.o $1/hhpred.c $DIR/exact.o \
         $DIR/points.o -lm;;
@@ -130,6 +131,7 @@ passes() {
     certify) runs $LIMIT $1/$2 60;;
     low) runs $LIMIT $1/$2 8 32;;
     large) runs $LIMIT $1/$2 -one ellipsoid 6000 1;;
+    constants) sh test/fortran/constants.sh $1;;
     calls) sh test/fortran/calls.sh $1 && cp build/calls/all.txt $1/calls;;
     asan) limited $LONG $1/$2 -quick > $1/out && { [ $HALF = c ] || {
         sh test/fortran/sums.sh $1/out test/fortran/parity.txt &&
