@@ -1158,8 +1158,11 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
     centre(n, x, work);
     t->n = n;
     t->e = e;
-    t->most = t->top / t->factor;
-    t->most = t->most < DBL_MAX / BASE ? t->most * (BASE / 4.0) : DBL_MAX;
+    t->most = DBL_MAX;
+    if (t->factor > 1.0) /* in this order nothing is rounded, up from 0 */
+        t->most = t->top * (BASE / 4.0) / t->factor;
+    else if (t->top < DBL_MAX / BASE)
+        t->most = t->top * (BASE / 4.0);
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++) t->base[3 * i + k] = x[12 * i + 9 + k];
     t->row = cut(2 * n, 3, work + 16 * n, t->side);

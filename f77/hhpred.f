@@ -1674,11 +1674,12 @@ C     alone.
       T(BE) = DBLE(E)
       T(BTOP) = TOP
       T(BFACT) = FACTOR
-      T(BMOST) = TOP/FACTOR
-      IF (T(BMOST) .LT. HUGE/RADIX) THEN
-        T(BMOST) = T(BMOST)*(RADIX/4.0D0)
-      ELSE
-        T(BMOST) = HUGE
+      T(BMOST) = HUGE
+      IF (FACTOR .GT. 1.0D0) THEN
+C       in this order nothing is rounded, up from 0
+        T(BMOST) = TOP*(RADIX/4.0D0)/FACTOR
+      ELSE IF (TOP .LT. HUGE/RADIX) THEN
+        T(BMOST) = TOP*(RADIX/4.0D0)
       END IF
       DO 50 I = 1, N
         DO 40 K = 1, 3

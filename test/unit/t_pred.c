@@ -607,7 +607,13 @@ static void test_balls(int group, long n)
 
     for (i = 0; i < n; i++) {
         make(group, p);
-        if (rnd_below(2)) {
+        if (group == SUBNORMAL && rnd_below(2)) {
+            /* the last one is larger than the facet's limbs hold */
+            for (j = 0; j < 15; j++)
+                p[j / 3][j % 3] = ldexp((rnd_below(4096) - 2048) * DBL_MIN *
+                                            DBL_EPSILON,
+                                        j < 12 ? 0 : rnd_below(20));
+        } else if (rnd_below(2)) {
             /* small beside where they are: their leading limbs agree */
             most = 0.0;
             for (j = 0; j < 15; j++)
@@ -1702,7 +1708,8 @@ static void test_heights(void)
     static const tess_int order[2] = { 0, 1 };
     double x[15], h, err = 0.0;
     long faults = 0;
-    int e, plane, base, k;
+    tess_int base;
+    int e, plane, k;
     tess_real p[6];
     hh_set set;
     hh_sphere about;
@@ -1717,12 +1724,13 @@ static void test_heights(void)
     for (e = 1; e < 300 && e < -DBL_MIN_EXP; e++)
         for (k = 0; k < 4; k++) {
             plane = k / 2;
-            base = k % 2;
+            base = (tess_int)(k % 2);
             x[3] = ldexp(2.0 - DBL_EPSILON, -e);
             err = 1.0;
             if (hh_about(&set, base, 0, plane, c, &about)) {
-                h = hh_height(&set, &about, 1 - base, &err);
-                faults += !height_right(x, base, 0, 1 - base, plane, c, h, err);
+                h = hh_height(&set, &about, (tess_int)(1 - base), &err);
+                faults += !height_right(x, (int)base, 0, (int)(1 - base), plane,
+                                        c, h, err);
             }
             faults += DBL_MANT_DIG >= 53 && e <= 107 && err > 1e-3;
         }
