@@ -33,7 +33,7 @@
  *                                coincides
  *   n           order  n         position -> index         the same
  *   2 n         known  KEEP      in an index as it was,    see seal
- *                                else place 4 is 0
+ *                                else places 0, 4 are 0
  *   + KEEP      alive  2 L       leaf: uncompleted points; all points are back;
  *                                other nodes: children     place 0: how many
  *                                alive                     supports
@@ -360,8 +360,8 @@ typedef struct quest {
     /* the best point */
     tess_int best;            /* the best point yet, exactly, or NONE */
     double lo, hi;            /* its L-coordinate is between them */
-    int ties;                 /* points met that are exactly on its ball */
-    int asked;                /* see MANY */
+    long ties;                /* points met that are exactly on its ball */
+    long asked;               /* see MANY */
     /* its ball */
     int ball;                 /* there is one to prune with: */
     sieve plain;              /* c is its centre; or else the open side */
@@ -443,9 +443,9 @@ typedef struct mesh {
     double skin;              /* of the next one */
     double fund, usual;       /* their purse; nodes of a search in the tree */
     int idle;                 /* 1: it was empty */
-    int futile;               /* the leaf's latest searches in a row that */
+    long futile;              /* the leaf's latest searches in a row that */
                               /* ended in the tree */
-    int tiedblocks;           /* searches in a row that met ties in a block's */
+    long tiedblocks;          /* searches in a row that met ties in a block's */
                               /* list, and none that ended in a star's */
     int tiedstar;             /* 1: the last search in a star's list that met */
                               /* points met some exactly on its last ball */
@@ -2511,7 +2511,8 @@ static void prepare(mesh *m, quest *f, const tess_int *v,
     }
     f->best = NONE;
     f->on = NONE;
-    f->sphere.ready = f->asked = f->limbs = f->ties = f->ball = f->base = 0;
+    f->sphere.ready = f->limbs = f->ball = f->base = 0;
+    f->asked = f->ties = 0;
     f->opened = f->work = 0;
     f->into = NULL;
     f->plain.err = FAINT;
@@ -2740,7 +2741,7 @@ static void corner(const mesh *m, tess_int s, tess_int *v)
     int k;
 
     for (k = 0; k < 4; k++) v[k] = m->rep[m->known[k]];
-    for (k = 0; !exchange(m, v, k, s); k++)
+    for (k = 0; k < 3 && !exchange(m, v, k, s); k++)
         ;
     v[k] = v[0];
     v[0] = s;
@@ -3260,7 +3261,8 @@ static void layout(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
     m->mark = m->alive + 2 * leafcount(n);
     m->link = m->order; /* no star is complete: no entry is DONE */
     m->tiedstar = m->even = m->idle = 0;
-    m->nsupport = m->futile = m->tiedblocks = m->enclosed = 0;
+    m->nsupport = m->enclosed = 0;
+    m->futile = m->tiedblocks = 0;
     m->burden = m->patience = m->usual = 0.0;
     m->skin = 1.0;
     m->fund = GRANT;
@@ -3353,7 +3355,8 @@ static void scale(mesh *m)
     rescale(m, -(e - e / 2));
     if (ldexp(least, -e) < HH_SMALL) m->set.t3 = -2.0;
     if (ldexp(least, -e) >= DBL_MIN) u = units(m);
-    if (u > 0.0) {
+    /* nor if a product of five does: of doubles with 24 bits it may */
+    if (u > 0.0 && 1.0 / u / u / u / u / u >= DBL_MIN) {
         /* up to 2^(DBL_MANT_DIG - 1) units of the determinant's degree */
         m->set.t3 = ldexp(1.0, DBL_MANT_DIG - 1) / u / u / u;
         m->set.t5 = m->set.t3 / u / u;
@@ -3404,8 +3407,10 @@ static int sortpoints(mesh *m, tess_int n, const tess_real *p, tess_int *iw,
 /* seal - turn the sorted points into an index, which has a mesh if code is 0.
  * It stores what openindex needs besides points and tree: known is the first
  * tetrahedron, or begins with minus the code; np is behind it, and also in the
- * header, so that an index can be recognized.  alive[0] is the number of
- * supports; the sign of the build's limbs tells whether there are cylinders. */
+ * header, so that an index can be recognized: arrays of zeros, or of what is
+ * left of an index that tess has overwritten, are none.  alive[0] is the number
+ * of supports; the sign of the build's limbs tells whether there are
+ * cylinders. */
 static void seal(mesh *m, int code)
 {
     double *header = m->box;
@@ -3430,16 +3435,23 @@ static int openindex(mesh *m, tess_int n, const tess_real *p,
     double normal = sizeof(tess_real) < sizeof(double) ? (double)FLT_MIN
                                                        : DBL_MIN;
     const double *header;
+    tess_int i, z;
+    int k;
 
     if (n == 0) return TESS_POINT;
     layout(m, n, p, (tess_int *)iw, (double *)rw);
     header = m->box;
     m->np = m->known[4];
     if (m->np < 0 || m->np > n || header[0] != (double)m->np) return -8;
-    if (m->known[0] < 0) return (int)-m->known[0];
-    /* four points have a mesh: arrays of zeros are no index */
-    if (m->np < 4 || m->alive[0] < 0 ||
-        (TESS_LIST >= 128 && m->alive[0] > SUPPORTS))
+    for (k = TESS_PLANE; k <= TESS_RANGE; k++)
+        if (m->known[0] == -k) return k;
+    for (k = 0; k < 4; k++) {
+        i = m->known[k];
+        if (i < 0 || i >= n || slot(m->known, i) < k) return -8;
+        z = m->rep[i];
+        if (z < 0 || z >= m->np || m->order[z] != i) return -8;
+    }
+    if (m->alive[0] < 0 || (TESS_LIST >= 128 && m->alive[0] > SUPPORTS))
         return -8;
     m->leaves = leafcount(m->np);
     m->set.t3 = header[1];
@@ -3645,7 +3657,7 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
     if (code == 0) code = sortpoints(&m, n, p, iw, lrw, rw);
     if (code > 0) *ntet = 0;
     if (code != 0) return code;
-    m.known[4] = 0; /* what is left in iw is no index */
+    m.known[0] = m.known[4] = 0; /* what is left in iw is no index */
     allot(&m, n, liw);
     return run(&m, n, NULL, maxtet, ntet, tet, adj);
 }
@@ -3712,6 +3724,7 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
     mesh m;
     int code = badargument(n, NULL, maxtet, *ntet, tet, adj, liw, lrw);
 
+    if (code == 0 && mine == NULL) return -3;
     if (code == 0) code = openindex(&m, n, p, iw, rw);
     if (code > 0) *ntet = 0;
     if (code == 0) {

@@ -40,7 +40,9 @@
  *
  * No routine allocates, reads, writes, keeps state between calls or stops
  * the program; all may be called from any number of threads at once.  Whatever
- * tet and adj hold, damaged or not, a call ends and stays within the arrays.
+ * tet and adj hold, damaged or not, a call ends and stays within the arrays;
+ * tess_locate and tess_values, which do not know n, need indices of points in
+ * tet.
  *
  * Arrays, the same in all routines:
  *   p      point i has the coordinates p[3*i], p[3*i+1], p[3*i+2]: any finite
@@ -301,8 +303,9 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
  *
  * An index is whole: a copy has its first 7*n + 600 places of iw, or all if it
  * has fewer, and all of rw.  It serves in any rounding mode and in any build
- * with the same tess_int, tess_real and double.  The calls below recognize what
- * is no index at all; they do not find damage.
+ * with the same tess_int, tess_real and double.  tess and tess_resume in its
+ * arrays end it.  The calls below recognize what is no index at all; they do
+ * not find damage, nor points that have changed, with which they may not end.
  *
  * returns TESS_OK; TESS_PLANE, TESS_LINE, TESS_POINT or TESS_RANGE: there is no
  * mesh, and the calls below return the same; -1 for a bad n, -2 for a NaN or

@@ -59,7 +59,8 @@ C                                 point that coincides    an index ->
 C                                                         position
 C       N         ORD    N        position -> point       the same
 C       2 N       KNOWN  5        in an index as it was,  see TSSEAL:
-C                                 else COUNT is 0         and COUNT
+C                                 else COUNT, KNOWN(1)    and COUNT
+C                                 are 0
 C       + 5       ALIVE  2 L - 1  leaf: uncompleted       all points
 C                                 points; other nodes:    are back
 C                                 children alive
@@ -3587,7 +3588,8 @@ C     far as these are not in one plane, else of vertices of KNOWN.
       K = 0
    20 K = K + 1
       J = K
-      CALL TSEXCH(X, P, ORD, RCTL, V, J, S, OK)
+      OK = 1
+      IF (K .LT. 4) CALL TSEXCH(X, P, ORD, RCTL, V, J, S, OK)
       IF (OK .EQ. 0) GO TO 20
       V(K) = V(1)
       V(1) = S
@@ -4503,9 +4505,10 @@ C     TSSEAL - turn the sorted points into an index, which has a mesh if
 C     CODE is 0.  It stores what TSOPEN needs besides points and tree:
 C     KNOWN is the first tetrahedron, or begins with minus the code;
 C     COUNT, behind it, and HEADER(1) are NP, so that an index can be
-C     recognized.  COUNTS(1) is the number of supports, whose marks are
-C     behind it; the sign of the build's limbs tells whether there are
-C     cylinders.
+C     recognized: arrays of zeros, or of what is left of an index that
+C     TESS has overwritten, are none.  COUNTS(1) is the number of
+C     supports, whose marks are behind it; the sign of the build's limbs
+C     tells whether there are cylinders.
       SUBROUTINE TSSEAL(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, CODE)
       INTEGER KNOWN(4), COUNT, COUNTS(*), CTL(*), CODE
       DOUBLE PRECISION HEADER(6), RCTL(*)
@@ -4526,25 +4529,36 @@ C     cylinders.
 
 C     TSOPEN - open an index for reading only.  INFO is 0, the code of
 C     points without a mesh, or -8 where there is no index.
-      SUBROUTINE TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL,
-     $                  LSI, LSD, INFO)
-      INTEGER N, KNOWN(4), COUNT, COUNTS(*), CTL(*), LSI(3,7), INFO
+      SUBROUTINE TSOPEN(N, P, HEADER, REP, ORD, KNOWN, COUNT, COUNTS,
+     $                  CTL, RCTL, LSI, LSD, INFO)
+      INTEGER N, REP(*), ORD(*), KNOWN(4), COUNT, COUNTS(*), CTL(*),
+     $    LSI(3,7), INFO
       DOUBLE PRECISION P(3,*), HEADER(6), RCTL(*), LSD(17,7)
-      INTEGER NP, LEAVES, ENCLOS, SCALE, T3, T5, RLEAST, RANGE, SUPPS,
-     $    HHLIM
+      INTEGER NP, LEAVES, ENCLOS, SCALE, T3, T5, RLEAST, PLANAR, RANGE,
+     $    SUPPS, HHLIM
       DOUBLE PRECISION NORMAL
       PARAMETER (NP = 1, LEAVES = 4, ENCLOS = 16, SCALE = 19, T3 = 1,
-     $    T5 = 2, RLEAST = 6, RANGE = 6, SUPPS = 8, HHLIM = 88,
-     $    NORMAL = 2.0D0**(-1022))
-      INTEGER HHHOLD, TSINLI, TSLCOU, ALL
+     $    T5 = 2, RLEAST = 6, PLANAR = 3, RANGE = 6, SUPPS = 8,
+     $    HHLIM = 88, NORMAL = 2.0D0**(-1022))
+      INTEGER HHHOLD, TSINLI, TSLCOU, TSSLOT, ALL, I, K, Z
       CALL TSLAYO(CTL, RCTL, LSI, LSD)
       CTL(NP) = COUNT
       INFO = -8
       IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
-      IF (ABS(HEADER(1) - DBLE(COUNT)) .GT. 0.0D0) RETURN
-      IF (KNOWN(1) .LT. 0) INFO = -KNOWN(1)
-C     four points have a mesh: arrays of zeros are no index
-      IF (INFO .GT. 0 .OR. COUNT .LT. 4) RETURN
+C     (not so for a NaN either)
+      IF (.NOT. ABS(HEADER(1) - DBLE(COUNT)) .LE. 0.0D0) RETURN
+      IF (KNOWN(1) .LE. -PLANAR .AND. KNOWN(1) .GE. -RANGE) THEN
+        INFO = -KNOWN(1)
+        RETURN
+      END IF
+      DO 10 K = 1, 4
+        I = KNOWN(K)
+        IF (I .LT. 1 .OR. I .GT. N) RETURN
+        IF (TSSLOT(KNOWN, 1, I) .LT. K) RETURN
+        Z = REP(I)
+        IF (Z .LT. 1 .OR. Z .GT. COUNT) RETURN
+        IF (ORD(Z) .NE. I) RETURN
+   10 CONTINUE
       IF (COUNTS(1) .LT. 0 .OR. COUNTS(1) .GT. SUPPS) RETURN
       CTL(LEAVES) = TSLCOU(COUNT)
       RCTL(T3) = HEADER(2)
@@ -5006,13 +5020,16 @@ C     element of RW or IW, and the standard lets them be altered.
       REAL LSX(TSLIST,4,7)
       INTEGER CTL(91), K, LENGTH, LSI(3,7), LSID(TSLIST+48,7), SPACE
       IF (MASKED .EQ. 1) THEN
-        CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,
-     $              LSD, INFO)
+        CALL TSOPEN(N, P, HEADER, REP, ORD, KNOWN, COUNT, COUNTS, CTL,
+     $              RCTL, LSI, LSD, INFO)
       ELSE
         CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD, N,
      $              ROOMY, INFO)
 C       what is left in IW is no index
-        IF (INFO .EQ. 0) COUNT = 0
+        IF (INFO .EQ. 0) THEN
+          COUNT = 0
+          KNOWN(1) = 0
+        END IF
       END IF
       IF (INFO .GT. 0) NTET = 0
       IF (INFO .NE. 0) RETURN
@@ -5057,8 +5074,10 @@ C                      LRW that are too small
 C
 C     An index is whole: a copy has its first 7*N + 600 places of IW, or
 C     all if it has fewer, and all of RW.  It serves in any rounding
-C     mode and in any build with the same types.  The calls below
-C     recognize what is no index at all; they do not find damage.
+C     mode and in any build with the same types.  TESS and TESSRE in its
+C     arrays end it.  The calls below recognize what is no index at all;
+C     they do not find damage, nor points that have changed, with which
+C     they may not end.
 C
 C     Cost: O(N log N), about a tenth of that of the mesh, a quarter
 C     near planes and spheres.  With integers of 4 bytes IW and RW take
@@ -5859,8 +5878,8 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       INTEGER HHFINI, HHHOLD, HHPSID, TSSLOT, AT, CTL(91), FROM,
      $    F(3), G(4,1), H(10), I, K, LSI(3,7), LSID(TSLIST+48,7), OK, S,
      $    STEPS, U(4,1), Z
-      CALL TSOPEN(N, P, HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, LSI,
-     $            LSD, INFO)
+      CALL TSOPEN(N, P, HEADER, REP, ORD, KNOWN, COUNT, COUNTS, CTL,
+     $            RCTL, LSI, LSD, INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
       INFO = -5

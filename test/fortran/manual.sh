@@ -50,7 +50,7 @@ full: what TET and ADJ hold is right, and TESSRE goes on with longer arrays;
 3, 4, 5 all points lie in one plane, on one line, in one place: there is no
 tetrahedron; 6 the arithmetic cannot hold the coordinates; -k argument k is
 invalid. Whatever TET and ADJ hold, damaged or not, a call ends and stays within
-the arrays.
+the arrays; TESSLO and TESSVA, which do not know N, need points in TET.
 
 A program that reads lines `x y z' and counts those that are no points:
 

@@ -342,6 +342,7 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
     tess_int info, old = *ntet < 0 || *ntet > maxtet ? 0 : *ntet;
     tess_int m = liw < n ? 0 : indexed(n);
 
+    if (!mine) return -3; /* which FORTRAN cannot say */
     both(tet, adj, old, 1);
     count(iw, m, 1);
     tesspa_(&n, p, mine, &maxtet, ntet, tet, adj, &liw, iw, &lrw, (double *)rw,

@@ -1174,17 +1174,24 @@ static void test_codes(void)
     v[0] = TESS_NONE;
     require(tess_query(-1, p, iw, rw, q, v, w) == -1, "query -1");
     require(tess_query(m.n, p, ints(m.liw), rw, q, v, w) == -3, "query -3");
-    /* nor are zeros an index, nor what tess leaves where one was */
-    for (k = 0; k < 2; k++) {
-        tess_int *other = begun(iw, m.liw, m.liw);
+    require(tess_part(m.n, p, NULL, big, &ntet, tet, adj, m.liw, iw, m.lrw,
+                      rw) == -3, "a part of what is not said");
+    /* nor are zeros an index, nor what tess leaves where one was: of the same
+     * points, or of fewer; nor are integers below 0, or others, beside zeros */
+    for (k = 0; k < 6; k++) {
+        tess_int *other = begun(iw, m.liw, m.liw), few = k == 2 ? 6 : m.n;
         double *rest = (double *)array((size_t)m.lrw * sizeof *rest);
 
         memcpy(rest, rw, (size_t)m.lrw * sizeof *rest);
-        if (k == 0) {
-            memset(other, 0, (size_t)m.liw * sizeof *other);
-            memset(rest, 0, (size_t)m.lrw * sizeof *rest);
+        if (k == 0 || k > 2) {
+            for (i = 0; i < m.liw && k != 5; i++)
+                other[i] = (tess_int)(k == 4 ? -1 - i % 99 : 0);
+            for (i = 0; i < m.lrw && k != 5; i++) rest[i] = 0.0;
+            if (k == 3) other[2 * m.n + 4] = (tess_int)(rest[3 * m.n] = 5);
+            if (k == 4) other[2 * m.n + 4] = 0;
+            if (k == 5) other[other[2 * m.n]] = other[other[2 * m.n + 1]];
         } else
-            require(tess(m.n, p, big, &ntet, tet, adj, m.liw, other, m.lrw,
+            require(tess(few, p, big, &ntet, tet, adj, m.liw, other, m.lrw,
                          rest) == 0, "tess in an index");
         require(tess_query(m.n, p, other, rest, q, v, w) == -3, "no index");
         ntet = 0;
