@@ -1391,8 +1391,8 @@ halves() {
         text "gfortran -fsanitize=address"
         LIBF=
         # integers of 8 bytes
-        fortran "INTEGER*8" -DTESS_INT=long "t_pred 10,brute 50" gfort build/f -O2 \
-            -fdefault-integer-8
+        fortran "INTEGER*8" -DTESS_INT=long "t_pred 10,brute 50" gfort build/f \
+            -O2 -fdefault-integer-8
         programs "INTEGER*8" "-std=legacy -fdefault-integer-8"
         recipes77 "INTEGER*8" "-std=legacy -fdefault-integer-8" -DTESS_INT=long
         interface "INTEGER*8" -fdefault-integer-8

@@ -76,8 +76,8 @@ limited() {
     (ulimit -t "$1"; shift; exec "$@")
 }
 
-# lowered FILE: tess.c with thresholds, LOW, such that few points bring about what
-# else only many do; 1 if it lacks one
+# lowered FILE: tess.c with thresholds, LOW, such that few points bring about
+# what else only many do; 1 if it lacks one
 LOW="LEAF=8 MANY=1 WIDE=0.0 THIN=1e-15 OPENED=2 BURDEN=0.02
     ENOUGH=1 SLENDER=1e9 TAX=0.01"
 lowered() {

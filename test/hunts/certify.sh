@@ -8,8 +8,8 @@
 #     sh test/hunts/certify.sh -quick            with one build alone
 #
 # Every second build has low thresholds (lowered, in tests.sh).  The harness is
-# compiled without optimizations that alter arithmetic.  What the machine lacks is
-# skipped, and said.
+# compiled without optimizations that alter arithmetic.  What the machine lacks
+# is skipped, and said.
 . test/tests.sh
 begin certify
 DIR=build/certify.d

@@ -15,10 +15,10 @@
 # certify with low thresholds, asan t_tess, or parity.f and t_pred, with
 # sanitizers), crashes, takes four times as long as the library does or more,
 # makes searches look at a tenth more (bench/counts.sh), calls a routine more
-# often than its twin does (fortran/calls.sh), or alters a constant in one routine
-# alone (fortran/constants.sh).  Of a change that survives is said whether it
-# alters what searches look at: "elsewhere" if so, "survived" if that is the same,
-# too.
+# often than its twin does (fortran/calls.sh), or alters a constant in one
+# routine alone (fortran/constants.sh).  Of a change that survives is said
+# whether it alters what searches look at: "elsewhere" if so, "survived" if that
+# is the same, too.
 #
 # Those of the second part of equivalents, which only cost a little, are left out,
 # too.
@@ -58,7 +58,9 @@ take() {
     case $HALF in
     c)
         FILES="tess.c hhpred.c"
-        TEST="brute parity t_pred few x87 calls certify low t_tess t_part asan";;
+        TEST="brute parity t_pred few x87 calls certify low"
+        TEST="$TEST t_tess t_part asan"
+        ;;
     f)
         FILES="tess.f hhpred.f"
         TEST="constants brute parity t_pred large asan calls t_tess t_part";;

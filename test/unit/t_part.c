@@ -22,8 +22,8 @@
  *   queries  tess_query and tess_locate answer alike: on points, midpoints,
  *            edges, facets, anywhere, from near and from nowhere; outside
  *   balls    no point outside of tess_ball's is inside the exact one
- *   codes    bad input, flat input; an index with a coordinate that is now taken
- *            for zero
+ *   codes    bad input, flat input; an index with a coordinate that is taken for
+ *            zero by now
  */
 #include "../../tess.h"
 #include "../examples/join.c"
@@ -1373,8 +1373,8 @@ static void test_codes(void)
     test_result(now, faults);
 }
 
-/* An index of points, any of their coordinates subnormal, where that is kept: it
- * is of no use where that is taken for zero; without one it is. */
+/* An index of points, any of their coordinates subnormal, where that is kept:
+ * it is of no use where that is taken for zero; without one it is. */
 static void test_flushed(void)
 {
     volatile double x = DBL_MIN;
