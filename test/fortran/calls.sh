@@ -18,7 +18,7 @@ ALONE="badargument cuberoot disjoint dot forget hh_holds join layout leafcount
 lengths marked openindex precise recordof rough seal slot sortpoints zeros"
 MARGIN=${MARGIN:-0}
 FAMILIES=${FAMILIES:-latlon ellipsoid rotcube near6 hub crowd tracks uvsphere
-    sheets16}
+    sheets16 gradedrot}
 rm -rf $DIR
 mkdir -p $DIR
 cp tess.[ch] hhpred.[ch] f77/*.f $DIR
