@@ -75,9 +75,9 @@ typedef long whole;
  * w is at w i + k.  Limb 0 of a product weighs BASE times the product of the
  * two limbs 0.  31 products of limbs of at most BASE fit one limb: 10 rows of 2
  * or 3 such products, or of 4 where one factor has been carried to at most
- * BASE/2.  (Limbs 0 are no exception: they are at most BASE/2 for a minor, 3/4
- * BASE for a 3 by 3 determinant or a square, as the coordinates' are at most
- * BASE/4.)
+ * BASE/2 + 1.  (Limbs 0 are no exception: they are at most BASE/2 for a minor,
+ * 3/4 BASE for a 3 by 3 determinant or a square, as the coordinates' are at
+ * most BASE/4.)
  * --------------------------------------------------------------------- */
 
 #define UNDER (0.5 - 0.25 * DBL_EPSILON)
@@ -1384,8 +1384,8 @@ int hh_lifts(const hh_set *s, const tess_int *v, int base, const double *f,
 /* hh_thin - the set-up f of a facet v that is too thin for Householder's
  * bounds, its normal by limbs, as good as that of any other; v[base] is
  * opposite to the longest edge.  With the rows a and b from there n = a x b is
- * exact but for 3 eps of each component, and, after division by its length, 10
- * eps; so the side of z errs by less than 16 eps |w|.
+ * exact but for 3 eps of its length, and, after division by that, 10 eps; so
+ * the side of z errs by less than 16 eps |w|.
  *     c - p1 = n x (|b|^2 a - |a|^2 b) / (2 |n|^2)
  * The vector in parentheses is |a| |b| |a-b| long, where |a| + |b| <= 2 |a-b|:
  * nothing cancels, it errs by less than 20 eps of itself, c - p1 by less than

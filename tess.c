@@ -301,9 +301,10 @@
  * FINEST: a star whose margin is less, in its block's units, has no list: the
  * block cannot tell such points apart.  SLACK: in these units a distance is
  * wrong by less than this: 2 FEPS for each of two coordinates of at most 2
- * rounded twice, times sqrt(3), and as much for the square, its bound and the
- * root; below 24 FEPS.  What is computed to be within margin + SLACK is within
- * 1.1 margin, as SLACK is 0.04 FINEST.
+ * rounded twice, times sqrt(3), below 7; and 5 roundings of a distance below
+ * 3.5, of the difference, the square, the sum and the bound: below 25 FEPS.
+ * What is computed to be within margin + SLACK is within 1.1 margin, as SLACK
+ * is 0.04 FINEST.
  *
  * FAR: where a list puts points that have left it.  No such point passes a
  * filter: its r is at least FAR^2 = 1e20, and ballcoef's limits leave |d.x| <
@@ -1365,8 +1366,8 @@ static double rough(const mesh *m, const support *s, tess_int z, double *err)
 }
 
 /* marked - returns 1 if the position z has a mark of support j; *h is then its
- * height, to a grain.  The roundings of discover shift a mark by EPS GRAINS
- * grains, and so does the error of the height. */
+ * height, to a grain.  The roundings of discover and the error of the height
+ * shift a mark by less than 8 EPS GRAINS grains. */
 static int marked(const mesh *m, int j, tess_int z, double *h)
 {
     const support *s = m->supports + j;
@@ -2122,10 +2123,10 @@ static void narrow(const mesh *m, quest *f, double l)
             s->c[k] = f->hh[3 + k] + l * f->hh[k];
             s->sc += fabs(s->c[k]);
         }
-        /* on the positive side, a better point is in the ball of any L above
-         * the best point's, so the error of L does not count.  It is large
-         * where balls are flat: counting it makes points near a plane take 10
-         * times as long. */
+        /* a better point, on the positive side, is in the ball of any L that
+         * is not below the best point's: so only the error of c for this l
+         * counts, not that of l.  That is large where balls are flat: counting
+         * it makes points near a plane take 10 times as long. */
         s->dc = f->hh[10] + fabs(l) * f->hh[9] + 4.0 * EPS * s->sc;
     }
     if (LEANING(f)) aim(m, f);

@@ -114,10 +114,10 @@ C     Numbers that are worked on together lie side by side: limb I of
 C     number K of W is at W (I-1) + K.  Limb 1 of a product weighs BASE
 C     times the product of the two limbs 1.  31 products of limbs of at
 C     most BASE fit one limb: 10 rows of 2 or 3 such products, or of 4
-C     where one factor has been carried to at most BASE/2.  (Limbs 1 are
-C     no exception: they are at most BASE/2 for a minor, 3/4 BASE for a
-C     3 by 3 determinant or a square, as the coordinates' are at most
-C     BASE/4.)
+C     where one factor has been carried to at most BASE/2 + 1.  (Limbs 1
+C     are no exception: they are at most BASE/2 for a minor, 3/4 BASE
+C     for a 3 by 3 determinant or a square, as the coordinates' are at
+C     most BASE/4.)
 C     ------------------------------------------------------------------
 
 C     HHFREX - for C's frexp, which Fortran 77 lacks: the integer E with
@@ -1979,9 +1979,9 @@ C     changes the sign.
 C     HHTHIN - the set-up F of a facet V that is too thin for
 C     Householder's bounds, its normal by limbs, as good as that of any
 C     other; V(BASE) is opposite to the longest edge.  With the rows A
-C     and B from there n = A x B is exact but for 3 EPS of each
-C     component, and, after division by its length, 10 EPS; so the side
-C     of Z errs by less than 16 EPS |W|.
+C     and B from there n = A x B is exact but for 3 EPS of its length,
+C     and, after division by that, 10 EPS; so the side of Z errs by less
+C     than 16 EPS |W|.
 C         C - P1 = n x (|B|**2 A - |A|**2 B) / (2 |n|**2)
 C     The vector in parentheses is |A| |B| |A-B| long, where |A| + |B|
 C     <= 2 |A-B|: nothing cancels, it errs by less than 20 EPS of

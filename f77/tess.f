@@ -428,8 +428,9 @@ C       FINEST  a star whose margin is less, in its block's units, has
 C               no list: the block cannot tell such points apart
 C       SLACK   in these units a distance is wrong by less than this: 2
 C               FEPS for each of two coordinates of at most 2 rounded
-C               twice, times sqrt(3), and as much for the square, its
-C               bound and the root; below 24 FEPS.  What is computed to
+C               twice, times sqrt(3), below 7; and 5 roundings of a
+C               distance below 3.5, of the difference, the square, the
+C               sum and the bound: below 25 FEPS.  What is computed to
 C               be within margin + SLACK is within 1.1 margin, as SLACK
 C               is 0.04 FINEST
 C       FAR     where a list puts points that have left it.  No such
@@ -1664,8 +1665,8 @@ C     and 6 roundings.
       END
 
 C     TSMRKD - OK is 1 if the position Z has a mark of support J, or 0;
-C     H is then its height, to a grain.  The roundings of TSDISC shift a
-C     mark by EPS GRAINS grains, and so does the error of the height.
+C     H is then its height, to a grain.  The roundings of TSDISC and the
+C     error of the height shift a mark by less than 8 EPS GRAINS grains.
       SUBROUTINE TSMRKD(MARK, SUP, J, Z, H, OK)
       DOUBLE PRECISION SUP(60,*), H
       INTEGER MARK(*), J, Z, OK
@@ -2683,10 +2684,11 @@ C     and sets the ball of that L.
           FQ(K) = F(3+K) + L*F(K)
           FQ(VSC) = FQ(VSC) + ABS(FQ(K))
    10   CONTINUE
-C       on the positive side, a better point is in the ball of any L
-C       above the best point's, so the error of L does not count.  It is
-C       large where balls are flat: counting it makes points near a
-C       plane take 10 times as long.
+C       a better point, on the positive side, is in the ball of any L
+C       that is not below the best point's: so only the error of C for
+C       this L counts, not that of L.  That is large where balls are
+C       flat: counting it makes points near a plane take 10 times as
+C       long.
         FQ(VDC) = F(11) + ABS(L)*F(10) + 4.0D0*EPS*FQ(VSC)
       END IF
       IF (IQ(QON) .NE. 0) CALL TSAIM(SUP(1,IQ(QON)), IQ(QBALL), F, L,

@@ -1699,9 +1699,9 @@ static void test_known(void)
     test_result("values known by hand", faults);
 }
 
-/* hh_height of one of two points, ever nearer, above a plane and a sphere through
- * the other.  At the pole of a globe sin(pi) cos(pi/2), of 53 bits from 2^-107 on,
- * is a coordinate: that must be held, and any error known. */
+/* hh_height of one of two points, ever nearer, above a plane and a sphere
+ * through the other.  At the pole of a globe sin(pi) cos(pi/2), of 53 bits from
+ * 2^-107 on, is a coordinate: that must be held, and any error known. */
 static void test_heights(void)
 {
     static const double c[3] = { 1.0, 0.0, 0.0 };
@@ -1776,8 +1776,8 @@ static void test_holds(void)
 }
 
 /* What takes a coordinate for zero, any of any point, must say so: hh_foot with
- * weights and hh_weigh always, signs and hh_foot without where all are small, and
- * signs of points in a plane. */
+ * weights and hh_weigh always, signs and hh_foot without where all are small,
+ * and signs of points in a plane. */
 static void test_flushed(void)
 {
     static const int at[15] = { 1, 2, 3, 5, 1, 2, 2, 6, 1, 1, 1, 9, 2, 3, 4 };
