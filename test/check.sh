@@ -394,6 +394,13 @@ arguments() {
 
 tests() {
     one "units: arguments that are refused" arguments
+    if have "$CC" "-include test/machines/short.h"; then
+        one "units: doubles of 24 bits, flushed" sh -c "$CC -O1 -include \
+            test/machines/short.h -o build/short test/machines/short.c \
+            $LIBRARY -lm && build/short"
+    else
+        skipped "units: doubles of 24 bits, flushed"
+    fi
     if [ -z "$ALL" ]; then
         units usual "$CC" "$CFLAGS" "t_pred 20" brute "t_tess -quick" \
             "t_part -quick" t_size t_natural t_cells
