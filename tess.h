@@ -369,8 +369,9 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  * marked there, together they are the mesh.  The recipe join makes them one
  * result.
  *
- * returns what tess_resume returns, but -4 for maxtet, -5, -6, -7 for *ntet,
- * tet, adj, -8 and -10 for liw and lrw, -9 where iw and rw hold no index.
+ * returns what tess_resume returns, but -3 for a NULL mine, -4 for maxtet, -5,
+ * -6, -7 for *ntet, tet, adj, -8 and -10 for liw and lrw, -9 where iw and rw
+ * hold no index.
  */
 int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
               tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
