@@ -1995,7 +1995,7 @@ static void prunecylinders(const mesh *m, const quest *f, tess_int node,
     const double *c = cylinders(m, node);
     const sieve *s = &f->plain;
     double b0 = f->hh[6], b1 = f->hh[7], b2 = f->hh[8];
-    double err = 2.0 * s->dc + 128.0 * EPS * s->sc, skin = s->err;
+    double err = 2.0 * s->dc + 128.0 * EPS * s->sc, slack = s->err;
     double w0, w1, w2, g0, g1, g2, a, h, r, t, gg, rr, rho, size, sum;
     int i;
 
@@ -2016,7 +2016,7 @@ static void prunecylinders(const mesh *m, const quest *f, tess_int node,
         rr = rho < r * r ? rho : r * r;
         sum = w0 * (g0 - s->c[0]) + w1 * (g1 - s->c[1]) +
               w2 * (g2 - s->c[2]) + t * (t - 2.0 * a) + rr -
-              size * (err + 64.0 * EPS * size) - skin;
+              size * (err + 64.0 * EPS * size) - slack;
         past[i] = sum * fabs(sum) - 4.0 * rr * rho;
     }
 }

@@ -4547,7 +4547,7 @@ C     points without a mesh, or -8 where there is no index.
       CTL(NP) = COUNT
       INFO = -8
       IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
-C     (not so for a NaN either)
+C     a NaN is no number of points, either
       IF (.NOT. ABS(HEADER(1) - DBLE(COUNT)) .LE. 0.0D0) RETURN
       IF (KNOWN(1) .LE. -PLANAR .AND. KNOWN(1) .GE. -RANGE) THEN
         INFO = -KNOWN(1)
