@@ -273,6 +273,25 @@ static void stretch(point *p, int from, int to, int k, int e)
     for (i = from; i < to; i++) p[i][k] = ldexp(p[i][k], e);
 }
 
+/* Numbers that stand for none in coordinates of some points: one or two, along
+ * an axis or all, of points together or one by one. */
+static void absent(point *p, int n)
+{
+    static const double none[] = {
+        -3.4028234663852886e38, 9.969209968386869e36, -1e30, -1e20, 1e12, -9999.0
+    };
+    double x[2];
+    int axis = draw(0, 3), one = draw(2, 12), together = rnd_below(2), i, k;
+
+    for (i = 0; i < 2; i++)
+        x[i] = rnd_below(6) ? none[rnd_below((int)(sizeof none / sizeof *none))]
+                            : sign() * ldexp(1.0, exponent());
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3 && (!together || i % one == 0); k++)
+            if ((axis == k || axis == 3) && (together || rnd_below(one) == 0))
+                p[i][k] = x[rnd_below(2)];
+}
+
 static void change(point *p, int n)
 {
     double x;
@@ -313,6 +332,7 @@ static void change(point *p, int n)
             p[i][k] = x;
         }
     }
+    if (rnd_below(6) == 0) absent(p, n);
     rnd_mix(p, n);
 }
 
