@@ -1,5 +1,20 @@
 C     hhpred.f - predicates for a handful of points in space.
 C
+C     SPDX-License-Identifier: 0BSD
+C     Copyright (c) 2026 the tess authors
+C
+C     Permission to use, copy, modify, and/or distribute this software
+C     for any purpose with or without fee is hereby granted.
+C
+C     THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL
+C     WARRANTIES WITH REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED
+C     WARRANTIES OF MERCHANTABILITY AND FITNESS. IN NO EVENT SHALL THE
+C     AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT, INDIRECT, OR
+C     CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+C     LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT,
+C     NEGLIGENCE OR OTHER TORTIOUS ACTION, ARISING OUT OF OR IN
+C     CONNECTION WITH THE USE OR PERFORMANCE OF THIS SOFTWARE.
+C
 C     Part of tess, Delaunay tetrahedralization after C. Hazlewood,
 C     "Facet-Based Tetrahedralization Software" (1995), Section 3.
 C

@@ -1,5 +1,20 @@
 C     tess.f - Delaunay tetrahedralization of points in space.
 C
+C     SPDX-License-Identifier: 0BSD
+C     Copyright (c) 2026 the tess authors
+C
+C     Permission to use, copy, modify, and/or distribute this software
+C     for any purpose with or without fee is hereby granted.
+C
+C     THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL
+C     WARRANTIES WITH REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED
+C     WARRANTIES OF MERCHANTABILITY AND FITNESS. IN NO EVENT SHALL THE
+C     AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT, INDIRECT, OR
+C     CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+C     LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT,
+C     NEGLIGENCE OR OTHER TORTIOUS ACTION, ARISING OUT OF OR IN
+C     CONNECTION WITH THE USE OR PERFORMANCE OF THIS SOFTWARE.
+C
 C     After C. Hazlewood, "Facet-Based Tetrahedralization Software"
 C     (1995).  The twin of tess.c, routine by routine; its predicates
 C     are those of hhpred.f.
