@@ -29,6 +29,9 @@
  *                     hh_facet hh_side hh_opp hh_lcoord hh_wrap
  */
 #include "hhpred.h"
+#if HH_VERSION != 50000L
+#error hhpred.c and hhpred.h are of different versions
+#endif
 #include <math.h>
 #include <stddef.h>
 

@@ -146,9 +146,12 @@
  *   without a mesh  descend across tess_query
  *   hull, check  tess_hull marks chkpla chkidx chkfac chktet chkhul
  *                chkcov tess_check
- *   a ball       tess_ball
+ *   a ball, version  tess_ball tess_edition
  */
 #include "tess.h"
+#if TESS_VERSION != 50000L
+#error tess.c and tess.h are of different versions
+#endif
 #include <math.h>
 #include <stddef.h>
 
@@ -458,9 +461,9 @@ typedef struct mesh {
     double skin;              /* of the next one */
     double fund, usual;       /* their purse; nodes of a search in the tree */
     int idle;                 /* 1: it was empty */
-    long futile;              /* the leaf's latest searches in a row that */
+    tess_int futile;          /* the leaf's latest searches in a row that */
                               /* ended in the tree */
-    long tiedblocks;          /* searches in a row that met ties in a block's */
+    tess_int tiedblocks;      /* searches in a row that met ties in a block's */
                               /* list, and none that ended in a star's */
     int tiedstar;             /* 1: the last search in a star's list that met */
                               /* points met some exactly on its last ball */
@@ -2689,7 +2692,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     if (lists && inblock(m, &f)) {
         COUNT(N_BLOCK, 1);
         m->futile = 0;
-        m->tiedblocks += f.ties > 0;
+        if (f.ties > 0) m->tiedblocks++;
         return f.best;
     }
     m->futile++;
@@ -4508,4 +4511,9 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
     for (k = 0; k < 3; k++) c[k] = ldexp(x[k], set.e);
     c[3] = ldexp(r, set.e) + 4.0 * DBL_MIN;
     return TESS_OK;
+}
+
+long tess_edition(void)
+{
+    return TESS_VERSION;
 }

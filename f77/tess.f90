@@ -103,6 +103,9 @@ module tess_interface
       integer, intent(out) :: info
     end subroutine tessba
 
+    integer function tessed()
+    end function tessed
+
     subroutine hhface(p1, p2, p3, f, info)
       double precision, intent(in) :: p1(3), p2(3), p3(3)
       double precision, intent(out) :: f(12)

@@ -1024,7 +1024,7 @@ twins() {
 entries() {
     # the public ones of hhpred.f, by hhpred.h's names cut to six characters
     sed '/---- for tess/,$d' hhpred.h |
-        sed -n 's/^[a-z][a-z_ ]* [*]*hh_\([a-z]*\)(.*/hh\1/p' | cut -c1-6 |
+        sed -n 's/^TESS_API [a-z_ ]* [*]*hh_\([a-z]*\)(.*/hh\1/p' | cut -c1-6 |
         sort > build/hh.txt
     # head FILE: each name with its arguments, in small letters
     head() {
@@ -1040,7 +1040,7 @@ entries() {
     sed 's/(.*//' build/entries.txt | sort > build/list.txt
     one "entries: tess.f has those of tess.h" sh -c \
         "test \`grep -c '^tess' build/list.txt\` -eq \
-        \`grep -c '^int tess[_a-z]*(' tess.h\`"
+        \`grep -c '^TESS_API [a-z]* tess[_a-z]*(' tess.h\`"
     one "entries: hhpred.f has those of hhpred.h" sh -c \
         "grep '^hh' build/list.txt | cmp - build/hh.txt && test -s build/hh.txt"
     # a line that ends in & goes on
@@ -1072,7 +1072,7 @@ entries() {
 # few limbs: the same codes 2 and 6 as from C
 fewlimbs() {
     for half in tess hhpred; do
-        sed 's/HHLIM = 88/HHLIM = 3/' f77/$half.f > build/few$half.f
+        sed 's/HHLIM = 88/HHLIM = 3/;s/HHL088/HHL003/' f77/$half.f > build/few$half.f
         gfortran -frecursive -O1 -c -o build/f$half.o build/few$half.f || return
     done
 }
@@ -1536,7 +1536,7 @@ second_half() {
     standard
     twins tess "point" \
         "TSPDIS|TSLINE|TSCURV|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
-    twins hhpred "held|blank|shift|lesser|list" "HHKIND"
+    twins hhpred "held|blank|shift|lesser|list" "HHKIND|HHV500|HHL088"
     entries
     parity
     halves

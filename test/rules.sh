@@ -20,8 +20,8 @@ lacking() {
 
 # ---- an entry ----
 
-sed -n 's/^int \(tess[_a-z]*\)(.*/\1/p' tess.h | sort > $B/entries
-sed -n 's/^[a-z][a-z_ ]* [*]*\(hh_[a-z]*\)(.*/\1/p' hhpred.h > $B/predicates
+sed -n 's/^TESS_API [a-z]* \(tess[_a-z]*\)(.*/\1/p' tess.h | sort > $B/entries
+sed -n 's/^[a-zA-Z_ ]* [*]*\(hh_[a-z]*\)(.*/\1/p' hhpred.h > $B/predicates
 # the name in FORTRAN: six letters, but for two
 six() { sed 's/_index$/ix/;s/_size$/wk/' | tr -d _ | cut -c1-6; }
 test -s $B/entries && test -s $B/predicates || echo nothing > $B/none
@@ -29,7 +29,7 @@ told "tess.h and hhpred.h declare entries" $B/none
 for h in tess hhpred; do
     list=entries
     [ $h = tess ] || list=predicates
-    sed -n "s/^#define \([a-z_]*\) .*TESS_AS(.*/\1/p" $h.h > $B/second
+    sed -n "s/^#define \([a-z_]*\) .*_AS(.*/\1/p" $h.h > $B/second
     lacking $B/second < $B/$list
     told "entries: a second name for other types, $h.h" $B/out
     sed '/\*\/$/q' $h.c > $B/head
