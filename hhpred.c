@@ -159,14 +159,14 @@ static double fill(int n, double *q, double most, double *factor)
  * limbs. */
 static int split(int w, const double *q, double top, int n, double *limb)
 {
-    double least = top * (0.5 / SHIFT), far, rest, c;
+    double least = top * (0.5 / SHIFT), x, rest, c;
     int used = 1, i, k;
 
     zeros(w * n, limb);
     for (k = 0; k < w; k++, limb++) {
-        far = q[k];
-        for (i = 0; far != 0.0 && fabs(far) < least; i += SKIP) shift(1, &far);
-        for (rest = far / top; rest != 0.0; i++) {
+        x = q[k];
+        for (i = 0; x != 0.0 && fabs(x) < least; i += SKIP) shift(1, &x);
+        for (rest = x / top; rest != 0.0; i++) {
             if (i >= n) return n + 1;
             c = (double)(whole)(rest + (rest < 0.0 ? -UNDER : UNDER));
             limb[w * i] = c;
