@@ -1522,6 +1522,7 @@ first_half() {
     readme
     bindings
     many "rules" sh test/rules.sh
+    many "packages" env CC="$CC" sh test/package.sh
     many "the driver" env CC="$CC" sh test/program/driver.sh
     many "the driver: values" env CC="$CC" sh test/program/values.sh
     [ -z "$ALL" ] && return
