@@ -1195,7 +1195,7 @@ recipes77() {
     dir=build/recipes77
     rm -rf $dir
     mkdir -p $dir
-    for r in cells derived interp natural periodic slopes surface; do
+    for r in cells derived interp natural periodic planar slopes surface; do
         gfortran -frecursive $2 -c -o $dir/f$r.o test/examples/$r.f >> $LOG 2>&1
         # (what is const in C is so in none of these)
         gfortran $2 -fsyntax-only -fc-prototypes-external test/examples/$r.f |
@@ -1208,7 +1208,7 @@ recipes77() {
         $CC $STRICT $3 -fsyntax-only -I. -I$dir test/fortran/recipes.c
     for t in unit/t_cells unit/t_natural examples/try_cells \
         examples/try_derived examples/try_interp examples/try_periodic \
-        examples/try_slopes examples/try_surface; do
+        examples/try_planar examples/try_slopes examples/try_surface; do
         f=test/$t.c
         t=${t#*/}
         wanted "recipes in FORTRAN, $1: $t" || continue
