@@ -1302,16 +1302,47 @@ interface() {
 
 # mixed: a C program that calls the FORTRAN half, and the reverse
 mixed() {
-    group "example: fortran" || return
+    group "example: fortran" || group "example: tess_c" || return
     compiled
     one "example: fortran.c" sh -c "$CC -O2 -c -o build/mixed.o \
         test/examples/fortran.c &&
         gfortran -o build/mixed build/mixed.o build/ftess.o build/fhhpred.o &&
         build/mixed | cmp - test/examples/fortran.out"
     compile "$CC" "$CFLAGS" build $LIBRARY
-    one "example: fortran.f90" sh -c "gfortran -std=f2003 -Wall -o build/mixed \
+    module="-std=f2003 -Wall -Wextra -Jbuild test/examples/tess_c.f90"
+    one "example: fortran.f90" sh -c "gfortran $module -o build/mixed \
         test/examples/fortran.f90 build/tess.o build/hhpred.o $LIBS &&
         build/mixed | cmp - test/examples/fortran.out"
+    # all routines of the headers, with as many arguments
+    for f in hhpred.h tess.h; do
+        sed '/---- for tess/,$d' $f
+    done | awk '/^TESS_API/ { text = "" } { text = text $0 }
+        text ~ /^TESS_API.*;$/ {
+            name = text
+            sub(/\(.*/, "", name)
+            sub(/.*[ *]/, "", name)
+            many = text ~ /\(void\)/ ? 0 : gsub(/,/, "", text) + 1
+            print name, many
+            text = ""
+        }' | sort > build/wanted.txt
+    sed -e ':more' -e '/&$/{N;s/&\n *//;b more' -e '}' \
+        test/examples/tess_c.f90 | awk '/^    .* function .*bind\(c\)/ {
+            name = text = $0
+            sub(/\(([^(]*)\) *bind.*/, "", name)
+            sub(/.* /, "", name)
+            sub(/.* function [a-z_]*\(/, "", text)
+            sub(/\).*/, "", text)
+            many = text == "" ? 0 : gsub(/,/, "", text) + 1
+            print name, many
+        }' | sort > build/bound.txt
+    one "example: tess_c.f90: all routines of the headers" sh -c \
+        "test -s build/wanted.txt && diff build/wanted.txt build/bound.txt"
+    if gfortran $module -o build/module test/fortran/module.f90 build/tess.o \
+        build/hhpred.o $LIBS >> $LOG 2>&1; then
+        many "example: tess_c.f90" build/module
+    else
+        fail "example: tess_c.f90: does not compile"
+    fi
 }
 
 # parity.c and parity.f write the same text, compared byte by byte.  parity.txt
