@@ -27,7 +27,7 @@
 # make errors     a table: errors of interpolation, linear and by slopes
 # make reach      other machines and compilers: test/results/reach.txt
 # make mpi        build/mesh, for processes that share nothing: test/mpi/mesh.c
-# make paper      the experiments of the paper: test/paper/results.txt
+# make paper      the experiments of the paper: build/paper/results.txt
 # make pictures   write test/pictures anew
 # make manual     write f77/README anew, from f77/tess.f and hhpred.f
 # make mirror     write test/data/mirror.xyz anew

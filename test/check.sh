@@ -226,7 +226,7 @@ language() {
                 $CC $STRICT $d -fsyntax-only -I. \$f || exit 1; done"
         done
         one "strict C89: the paper's programs, all of them" sh -c "cd test/paper
-            for f in blas loops time acc backward round; do
+            for f in blas loops time acc backward round figure4; do
             $CC $STRICT -fsyntax-only -I. -DCBLAS -DFORTRAN -DSINGLE -DPLAIN \
             \$f.c || exit 1; done"
         for d in -O2 -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long \
