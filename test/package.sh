@@ -310,6 +310,12 @@ if command -v $mingw > /dev/null; then
             >> $LOG 2>&1 || echo $f
     done > $B/out
     empty "behind windows.h all compile, but for" $B/out
+    # a long has 4 bytes there: lengths must be those of tess_int
+    echo '#include "tess.h"
+typedef char right[TESS_LIW(300000000) / 1000 > 3000000 &&
+                   TESS_LRW(900000000) / 1000 > 3000000 ? 1 : -1];' > $B/wide.c
+    yes "64-bit Windows: lengths for 300 million points" $mingw -I. \
+        -include stddef.h -DTESS_INT=ptrdiff_t -Werror -c -o $B/w.o $B/wide.c
 else
     skip "behind windows.h: no $mingw"
 fi
