@@ -9,6 +9,8 @@
 #                 brute ARGS=SETS, t_pred ARGS=PERCENT of cases
 # make python     build/libtess.so, for test/examples/tess.py
 # make octave     what Octave needs, by mkoctfile; then: addpath build
+# make install    libtess.a, libtess.so, the headers and tess.pc, for pkg-config;
+#                 PREFIX=/usr/local, LIBDIR=/usr/local/lib, DESTDIR=
 # make examples   the programs of test/examples; their times, too
 # make bench      the timings: test/results/bench.txt; FAMILY=globe of these
 #                 points alone, SIZES=all of large sets, too
@@ -25,7 +27,7 @@
 # make errors     a table: errors of interpolation, linear and by slopes
 # make reach      other machines and compilers: test/results/reach.txt
 # make mpi        build/mesh, for processes that share nothing: test/mpi/mesh.c
-# make paper      the experiments of the paper: test/paper/results.txt
+# make paper      the experiments of the paper: build/paper/results.txt
 # make pictures   write test/pictures anew
 # make manual     write f77/README anew, from f77/tess.f and hhpred.f
 # make mirror     write test/data/mirror.xyz anew
@@ -44,6 +46,12 @@ OPTIONS =
 TIME = 600
 SEED =
 N = 100
+DESTDIR =
+PREFIX = /usr/local
+LIBDIR = $(PREFIX)/lib
+# of a shared library that shows the public names alone
+SHARED = -shared -fPIC -fvisibility=hidden -Wl,-soname,libtess.so.5 \
+    -DTESS_API='__attribute__((visibility("default")))'
 
 COMPILE = $(CC) $(CPPFLAGS) $(CFLAGS) -I. -c -o $@
 LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
@@ -129,6 +137,33 @@ python: build/libtess.so
 build/libtess.so: $(FIELD) $(FIELD_H)
 	@mkdir -p build
 	$(LINK) $(CPPFLAGS) -I. -shared -fPIC $(FIELD) $(LDLIBS)
+
+build/lib/libtess.a: $(LIBRARY)
+	@mkdir -p build/lib
+	rm -f $@
+	$(AR) rc $@ $(LIBRARY)
+
+build/lib/libtess.so.5: tess.c hhpred.c tess.h hhpred.h
+	@mkdir -p build/lib
+	$(LINK) $(CPPFLAGS) $(SHARED) tess.c hhpred.c $(LDLIBS)
+
+# (what alters the library's types its callers must be told)
+install: build/lib/libtess.a build/lib/libtess.so.5
+	mkdir -p "$(DESTDIR)$(PREFIX)/include" "$(DESTDIR)$(LIBDIR)/pkgconfig"
+	cp tess.h hhpred.h "$(DESTDIR)$(PREFIX)/include"
+	cp build/lib/libtess.a build/lib/libtess.so.5 "$(DESTDIR)$(LIBDIR)"
+	ln -sf libtess.so.5 "$(DESTDIR)$(LIBDIR)/libtess.so"
+	@types=`echo $(CPPFLAGS) $(CFLAGS) | tr ' ' '\012' | \
+	    egrep '^-DTESS_(INT=|FLOAT)' | tr '\012' ' '`; \
+	awk -v prefix="$(PREFIX)" -v libdir="$(LIBDIR)" -v types="$$types" ' \
+	    $$1 == "#define" && $$2 == "TESS_VERSION" { v = $$3 + 0; \
+	    print "prefix=" prefix "\nincludedir=$${prefix}/include"; \
+	    print "libdir=" libdir "\n\nName: tess"; \
+	    print "Description: Delaunay tetrahedralization of points in space"; \
+	    printf "Version: %d.%d.%d\n", v / 10000, v / 100 % 100, v % 100; \
+	    print "Cflags: -I$${includedir} " types "\nLibs: -L$${libdir} -ltess"; \
+	    print "Libs.private: -lm" }' tess.h \
+	    > "$(DESTDIR)$(LIBDIR)/pkgconfig/tess.pc"
 
 octave: build/tess_mex.mex
 	cp test/examples/tessn.m test/examples/tessinterp.m build
@@ -280,6 +315,6 @@ clean:
 help:
 	@sed -n '/^[^#]/q;s/^# \{0,1\}//p' Makefile
 
-.PHONY: all run grid examples python octave pictures errors check \
+.PHONY: all run grid examples python octave install pictures errors check \
     check-all $(UNITS) t_index torture certify coverage evidence mutation \
     bench mpi paper reach manual mirror clean help

@@ -1,5 +1,19 @@
 /* hhpred.c - predicates for a handful of points in space; see hhpred.h.
  *
+ * SPDX-License-Identifier: 0BSD
+ * Copyright (c) 2026 the tess authors
+ *
+ * Permission to use, copy, modify, and/or distribute this software for any
+ * purpose with or without fee is hereby granted.
+ *
+ * THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+ * REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
+ * AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+ * INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+ * LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
+ * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
+ * PERFORMANCE OF THIS SOFTWARE.
+ *
  * Order of the routines, here and in f77/hhpred.f:
  *   exact numbers     nearest zeros blank shift fill split carry signof spread
  *                     lesser product volume cofactors insphere leading
@@ -15,6 +29,9 @@
  *                     hh_facet hh_side hh_opp hh_lcoord hh_wrap
  */
 #include "hhpred.h"
+#if HH_VERSION != 50000L
+#error hhpred.c and hhpred.h are of different versions
+#endif
 #include <math.h>
 #include <stddef.h>
 
@@ -142,14 +159,14 @@ static double fill(int n, double *q, double most, double *factor)
  * limbs. */
 static int split(int w, const double *q, double top, int n, double *limb)
 {
-    double least = top * (0.5 / SHIFT), far, rest, c;
+    double least = top * (0.5 / SHIFT), x, rest, c;
     int used = 1, i, k;
 
     zeros(w * n, limb);
     for (k = 0; k < w; k++, limb++) {
-        far = q[k];
-        for (i = 0; far != 0.0 && fabs(far) < least; i += SKIP) shift(1, &far);
-        for (rest = far / top; rest != 0.0; i++) {
+        x = q[k];
+        for (i = 0; x != 0.0 && fabs(x) < least; i += SKIP) shift(1, &x);
+        for (rest = x / top; rest != 0.0; i++) {
             if (i >= n) return n + 1;
             c = (double)(whole)(rest + (rest < 0.0 ? -UNDER : UNDER));
             limb[w * i] = c;

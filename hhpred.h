@@ -1,5 +1,19 @@
 /* hhpred.h - predicates for a handful of points in space.
  *
+ * SPDX-License-Identifier: 0BSD
+ * Copyright (c) 2026 the tess authors
+ *
+ * Permission to use, copy, modify, and/or distribute this software for any
+ * purpose with or without fee is hereby granted.
+ *
+ * THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+ * REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
+ * AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+ * INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+ * LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
+ * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
+ * PERFORMANCE OF THIS SOFTWARE.
+ *
  * Part of tess, Delaunay tetrahedralization after C. Hazlewood,
  * "Facet-Based Tetrahedralization Software" (1995), Section 3.
  *
@@ -24,11 +38,23 @@
 #include <float.h>
 #include <limits.h>
 
+/* The version of this file: TESS_VERSION of its tess.h. */
+#define HH_VERSION 50000L
+
+/* Stands before each public declaration: nothing, or what exports from a shared
+ * library.  With gcc and clang -fvisibility=hidden and
+ *     -DTESS_API='__attribute__((visibility("default")))'
+ * for 64-bit Windows -DTESS_API='__declspec(dllexport)', and dllimport for the
+ * library's callers. */
+#ifndef TESS_API
+#define TESS_API
+#endif
+
 /* The integer of all index arrays.  4*maxtet + 3 must not exceed its largest
  * value.  TESS_INT, the name of a signed type in one word, chooses another:
- * short, on a very small machine; ptrdiff_t, with -include stddef.h, for more
- * than 268 million points (long has 4 bytes in 64-bit Windows).  Compile all
- * files with the same: see below. */
+ * short, on a very small machine; long for more than 268 million points, and
+ * where long has 4 bytes, as in 64-bit Windows, ptrdiff_t with -include
+ * stddef.h.  Compile all files with the same: see below. */
 #ifdef TESS_INT
 #if TESS_INT + 0 /* an error here: TESS_INT must be one word; use a typedef */
 #endif
@@ -65,11 +91,14 @@ typedef float tess_real;
 typedef double tess_real;
 #endif
 
-/* A caller compiled with other types than the library would get nonsense.
- * So types other than the default ones change the external names, and the
- * linker finds tess, or tess__long, undefined: each name ends in the type that
- * TESS_INT names, and in float for TESS_FLOAT.  Programs use the names of the
- * manual all the same. */
+/* Objects that do not belong together do not link: the linker finds a name
+ * undefined.
+ *   - A caller and a library of other types: types that are not the default
+ *     ones end all external names, in the word that TESS_INT names, and in
+ *     float for TESS_FLOAT: tess_long, tess__float.
+ *   - tess.c and hhpred.c of other versions, limbs or types: the names that are
+ *     tess's own, below, also end in HH_VERSION and HH_LIMBS.
+ * Programs use the names of the manual all the same. */
 #if defined(TESS_INT) || defined(TESS_FLOAT)
 #define TESS_OTHER
 #ifndef TESS_FLOAT
@@ -96,7 +125,8 @@ typedef double tess_real;
  * The default holds every finite double beside every other.  Where fewer do
  * not suffice hh_orient and hh_insphere return 2, and tess returns
  * TESS_RANGE.  Scratch on the stack: 44 doubles a limb, 31 KB for 88 limbs,
- * in a routine that is called only where 3 limbs do not suffice. */
+ * in a routine that is called only where 3 limbs do not suffice.  A number in
+ * digits alone, as it is a part of names. */
 #if DBL_MANT_DIG >= 53
 #define HH_BITS 24
 #else
@@ -152,22 +182,22 @@ extern "C" {
  *   E <= 1/2 (HH_LOOSE), and |w| and the facet's edges stay between about
  *   2^-450 and 2^450; a circumcentre beyond DBL_MAX is infinite.
  */
-int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
-             double *f);
+TESS_API int hh_facet(const tess_real *p1, const tess_real *p2,
+                      const tess_real *p3, double *f);
 
 /* hh_side - the signed distance (z - p1).v of z from the facet's plane:
  * positive where p1, p2, p3 are seen counter-clockwise (Section 3.1). */
-double hh_side(const double *f, const tess_real *z);
+TESS_API double hh_side(const double *f, const tess_real *z);
 
 /* hh_opp - the paper's opp test (Section 3.1): 1 when z1 and z2 are on the
  * same side of the facet's plane, by the computed signs, else 0 (0 too when
  * one of them is computed to lie in the plane). */
-int hh_opp(const double *f, const tess_real *z1, const tess_real *z2);
+TESS_API int hh_opp(const double *f, const tess_real *z1, const tess_real *z2);
 
 /* hh_lcoord - the L-coordinate of z (Section 3.2): the centre of the ball
  * through p1, p2, p3, z is c + L v.  For z computed to lie in the plane:
  * DBL_MAX when it is outside the facet's circle or on it, else -DBL_MAX. */
-double hh_lcoord(const double *f, const tess_real *z);
+TESS_API double hh_lcoord(const double *f, const tess_real *z);
 
 /* hh_wrap - the gift-wrapping primitive about the edge p1 p2 of the facet
  * p1, p2, p3 (Section 3): *c = -(w.g) / (w.v), w = z - p1, v the facet's unit
@@ -177,21 +207,22 @@ double hh_lcoord(const double *f, const tess_real *z);
  *   returns 0; 1 when p1, p2, p3 are exactly collinear; 2 when z is computed
  *   to lie in the plane; *c is then 0.
  */
-int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
-            const tess_real *z, double *c);
+TESS_API int hh_wrap(const tess_real *p1, const tess_real *p2,
+                     const tess_real *p3, const tess_real *z, double *c);
 
 /* hh_orient - the exact sign of det [b-a c-a d-a]: 1, 0 or -1; 1 when d is
  * on the side of a, b, c from which they are seen counter-clockwise.  2 when
  * HH_LIMBS limbs do not suffice (never, with the default), or the processor
  * flushes a coordinate to zero, or rounds to fewer bits than a double has. */
-int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
-              const tess_real *d);
+TESS_API int hh_orient(const tess_real *a, const tess_real *b,
+                       const tess_real *c, const tess_real *d);
 
 /* hh_insphere - exact: 1 when e is inside the ball of a, b, c, d, whatever
  * their orientation, -1 when it is outside, 0 on the sphere or when a, b, c,
  * d are coplanar.  2 as from hh_orient. */
-int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
-                const tess_real *d, const tess_real *e);
+TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
+                         const tess_real *c, const tess_real *d,
+                         const tess_real *e);
 
 #ifdef __cplusplus
 }
@@ -202,26 +233,28 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
  * What follows is tess's own, and may change.
  * ===================================================================== */
 
-#ifdef TESS_OTHER
-#define hh_setup TESS_AS(hh_setup)
-#define hh_ratio TESS_AS(hh_ratio)
-#define hh_limits TESS_AS(hh_limits)
-#define hh_pside TESS_AS(hh_pside)
-#define hh_pball TESS_AS(hh_pball)
-#define hh_trial TESS_AS(hh_trial)
-#define hh_lifts TESS_AS(hh_lifts)
-#define hh_about TESS_AS(hh_about)
-#define hh_height TESS_AS(hh_height)
-#define hh_thin TESS_AS(hh_thin)
-#define hh_flat TESS_AS(hh_flat)
-#define hh_line TESS_AS(hh_line)
-#define hh_foot TESS_AS(hh_foot)
-#define hh_weigh TESS_AS(hh_weigh)
-#define hh_wider TESS_AS(hh_wider)
-#define hh_range TESS_AS(hh_range)
-#define hh_finite TESS_AS(hh_finite)
-#define hh_holds TESS_AS(hh_holds)
-#endif
+#define HH_AS_2(name, version, limbs) name##_##version##_##limbs
+#define HH_AS_1(name, version, limbs) HH_AS_2(name, version, limbs)
+#define HH_AS(name) HH_AS_1(TESS_AS(name), HH_VERSION, HH_LIMBS)
+#define hh_setup HH_AS(hh_setup)
+#define hh_ratio HH_AS(hh_ratio)
+#define hh_limits HH_AS(hh_limits)
+#define hh_pside HH_AS(hh_pside)
+#define hh_pball HH_AS(hh_pball)
+#define hh_centre HH_AS(hh_centre)
+#define hh_trial HH_AS(hh_trial)
+#define hh_lifts HH_AS(hh_lifts)
+#define hh_about HH_AS(hh_about)
+#define hh_height HH_AS(hh_height)
+#define hh_thin HH_AS(hh_thin)
+#define hh_flat HH_AS(hh_flat)
+#define hh_line HH_AS(hh_line)
+#define hh_foot HH_AS(hh_foot)
+#define hh_weigh HH_AS(hh_weigh)
+#define hh_wider HH_AS(hh_wider)
+#define hh_range HH_AS(hh_range)
+#define hh_finite HH_AS(hh_finite)
+#define hh_holds HH_AS(hh_holds)
 
 /* The limbs of balls and thin facets, at most 10; what needs more is not
  * made.  Scratch on the stack: 36 doubles a limb. */
@@ -243,11 +276,6 @@ int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
  * all. */
 #define HH_LIFT (DBL_MANT_DIG >= 53 ? 3 : 5)
 #define HH_HIGH 7
-/* A ball has HH_FEW limbs, so the name of the routine that makes one ends in
- * that number: files of other limbs do not link. */
-#define HH_AS_2(name, few) name##_##few
-#define HH_AS_1(name, few) HH_AS_2(name, few)
-#define hh_centre HH_AS_1(TESS_AS(hh_centre), HH_FEW)
 
 /* hh_pball's sign of a tie. */
 #define HH_TIE 3

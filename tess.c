@@ -1,5 +1,19 @@
 /* tess.c - Delaunay tetrahedralization of points in space; see tess.h.
  *
+ * SPDX-License-Identifier: 0BSD
+ * Copyright (c) 2026 the tess authors
+ *
+ * Permission to use, copy, modify, and/or distribute this software for any
+ * purpose with or without fee is hereby granted.
+ *
+ * THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+ * REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
+ * AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+ * INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+ * LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
+ * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
+ * PERFORMANCE OF THIS SOFTWARE.
+ *
  * The algorithm (Section 2 of the paper): keep a pool of open facets, each the
  * facet of one known tetrahedron.  Take one, find the apex of the unknown
  * tetrahedron on its other side, store that tetrahedron, and put its new facets
@@ -133,19 +147,22 @@
  *   without a mesh  descend across tess_query
  *   hull, check  tess_hull marks chkpla chkidx chkfac chktet chkhul
  *                chkcov tess_check
- *   a ball       tess_ball
+ *   a ball, version  tess_ball tess_edition
  */
 #include "tess.h"
+#if TESS_VERSION != 50000L
+#error tess.c and tess.h are of different versions
+#endif
 #include <math.h>
 #include <stddef.h>
 
 #define NONE (-1)
 #define UNSURE 2  /* a sign that bounds, or too few limbs, leave undecided */
-/* Returned by contest, and by hh_pball but for OUT: z is better than the best
- * point; it is not; it is not, or z is not on the open side. */
+/* Returned by contest, and by hh_pball but for NOT_OPEN_SIDE: z is better than
+ * the best point; it is not; it is not, or z is not on the open side. */
 #define BEATS (-1)
 #define LOSES 1
-#define OUT 0
+#define NOT_OPEN_SIDE 0
 #define LOST 99   /* returned by walk when its steps are used up */
 #define DONE (-2) /* in link: the star is complete */
 #define NEW (-3)  /* in link: in no tetrahedron yet */
@@ -254,7 +271,7 @@
 #define GRANT 500.0
 #define FUND 2000.0
 /* Number of hull planes remembered. */
-#define PLANES 4
+#define HULL_PLANES 4
 /* Steps from a given start after which a location looks for a better one.  With
  * 8, ordered queries among 100,000 points take a quarter longer than with 16;
  * with 32, unordered ones take 1.4 times as long as with 8. */
@@ -311,9 +328,9 @@
  * What is computed to be within margin + SLACK is within 1.1 margin, as SLACK
  * is 0.04 FINEST.
  *
- * FAR: where a list puts points that have left it.  No such point passes a
- * filter: its r is at least FAR^2 = 1e20, and ballcoef's limits leave |d.x| <
- * 2e19, d[3] < 1e18.
+ * LEFT_LIST: where a list puts points that have left it.  No such point passes
+ * a filter: its r is at least LEFT_LIST^2 = 1e20, and ballcoef's limits leave
+ * |d.x| < 2e19, d[3] < 1e18.
  *
  * PAD: relative room for the few roundings of a bound. */
 #define EPS DBL_EPSILON
@@ -328,7 +345,7 @@
 #define NARROW (HH_SMALL * 1e5)
 #define FINEST 1e-4
 #define SLACK (32.0f * FEPS)
-#define FAR 1e10f
+#define LEFT_LIST 1e10f
 #define PAD (64.0 * EPS)
 
 /* A list of uncompleted points, in single precision.  A block's has those in
@@ -442,7 +459,7 @@ typedef struct mesh {
     tess_int lowest;          /* no vertex of a smaller position owns facets */
     tess_int unmet;           /* of a part: no vertex before it is NEW and */
                               /* asked for; a whole mesh meets all */
-    tess_int plane[PLANES][3]; /* the last hull planes met */
+    tess_int plane[HULL_PLANES][3]; /* the last hull planes met */
     tess_int nplane;          /* how many were met */
     double reach;             /* a block's margin, in its leaf's diagonals */
     list block;               /* the list of a leaf; those of balls: */
@@ -451,9 +468,9 @@ typedef struct mesh {
     double skin;              /* of the next one */
     double fund, usual;       /* their purse; nodes of a search in the tree */
     int idle;                 /* 1: it was empty */
-    long futile;              /* the leaf's latest searches in a row that */
+    tess_int futile;          /* the leaf's latest searches in a row that */
                               /* ended in the tree */
-    long tiedblocks;          /* searches in a row that met ties in a block's */
+    tess_int tiedblocks;      /* searches in a row that met ties in a block's */
                               /* list, and none that ended in a star's */
     int tiedstar;             /* 1: the last search in a star's list that met */
                               /* points met some exactly on its last ball */
@@ -982,8 +999,8 @@ static int disjoint(const double *alo, const double *ahi, const double *blo,
 }
 
 /* setpoints - set the points of a list from their positions; those whose stars
- * are complete are FAR away, and so is what pads the list to a multiple of
- * four: loops over lists go by fours, which every compiler can vectorize. */
+ * are complete are LEFT_LIST away, and so is what pads the list to a multiple
+ * of four: loops over lists go by fours, which every compiler can vectorize. */
 static void setpoints(const mesh *m, list *l)
 {
     const double *q;
@@ -991,7 +1008,7 @@ static void setpoints(const mesh *m, list *l)
     int i;
 
     for (i = 0; i < (l->n + 3) / 4 * 4; i++) {
-        x = y = z = FAR;
+        x = y = z = LEFT_LIST;
         if (i < l->n && m->link[l->id[i]] != DONE) {
             q = m->x + 3 * l->id[i];
             x = (float)((q[0] - l->centre[0]) * l->unit);
@@ -2251,7 +2268,7 @@ static void refine(const mesh *m, quest *f)
  * without it.  Its sphere is that of z or of the best point, but not of a ball
  * by limbs, whose four points are nearly in a plane.  Then come the limbs of
  * such a ball, then the exact signs.  Returns BEATS, LOSES, HH_TIE
- * times that for a tie, or OUT. */
+ * times that for a tie, or NOT_OPEN_SIDE. */
 static int contest(mesh *m, quest *f, tess_int z, int side, int verdict,
                    double hi)
 {
@@ -2263,7 +2280,7 @@ static int contest(mesh *m, quest *f, tess_int z, int side, int verdict,
         HOLDS(seen < 0 ? !better(m, f, z)
               : seen == 0 || hh_pside(&m->set, f->v[0], f->v[1], f->v[2],
                                       z) == 1);
-        if (seen < 0) return OUT;
+        if (seen < 0) return NOT_OPEN_SIDE;
         if (seen > 0) side = 1;
     }
     if (unsure && m->set.t5 < 0.0 && !m->even) {
@@ -2287,7 +2304,7 @@ static int contest(mesh *m, quest *f, tess_int z, int side, int verdict,
         side = hh_pside(&m->set, f->v[0], f->v[1], f->v[2], z);
     }
     if (side < 1) f->behind = z;
-    if (side != 1) return OUT;
+    if (side != 1) return NOT_OPEN_SIDE;
     if (verdict == UNSURE) {
         COUNT(N_EXACT, 1);
         verdict = hh_pball(&m->set, f->v, f->best, z, 2);
@@ -2320,7 +2337,7 @@ static void challenge(mesh *m, quest *f, tess_int z)
         if (SEEK(m)) remember(f, z, 1);
         verdict = contest(m, f, z, side == 1 ? 1 : UNSURE, verdict, hi);
         HOLDS((verdict < 0) == better(m, f, z));
-        if (verdict == OUT) return;
+        if (verdict == NOT_OPEN_SIDE) return;
     }
     if (verdict > 0) {
         f->ties += verdict == HH_TIE;
@@ -2577,7 +2594,7 @@ static int onhull(const mesh *m, const quest *f)
     const tess_int *h;
     int i, k;
 
-    for (i = 0; i < PLANES && i < m->nplane; i++) {
+    for (i = 0; i < HULL_PLANES && i < m->nplane; i++) {
         h = m->plane[i];
         for (k = 0; k < 3; k++)
             if (f->v[k] != h[0] && f->v[k] != h[1] && f->v[k] != h[2] &&
@@ -2768,7 +2785,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     if (lists && inblock(m, &f)) {
         COUNT(N_BLOCK, 1);
         m->futile = 0;
-        m->tiedblocks += f.ties > 0;
+        if (f.ties > 0) m->tiedblocks++;
         return f.best;
     }
     m->futile++;
@@ -2792,7 +2809,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     }
     if (f.best == NONE) {
         COUNT(N_HULL, 1);
-        for (k = 0; k < 3; k++) m->plane[m->nplane % PLANES][k] = v[k];
+        for (k = 0; k < 3; k++) m->plane[m->nplane % HULL_PLANES][k] = v[k];
         m->nplane++;
     }
     return f.best;
@@ -3138,8 +3155,8 @@ static void complete(mesh *m, tess_int s)
     m->link[s] = DONE;
     while (node > 0 && --m->alive[node] == 0) node /= 2;
     if (s < l->first || s >= l->last || l->n == 0) return;
-    l->x[i] = l->y[i] = l->z[i] = FAR;
-    l->r[i] = FAR * FAR;
+    l->x[i] = l->y[i] = l->z[i] = LEFT_LIST;
+    l->r[i] = LEFT_LIST * LEFT_LIST;
 }
 
 /* makeroom - make room for another tetrahedron's facets in the table and in
@@ -4608,4 +4625,9 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
     for (k = 0; k < 3; k++) c[k] = ldexp(x[k], set.e);
     c[3] = ldexp(r, set.e) + 4.0 * DBL_MIN;
     return TESS_OK;
+}
+
+long tess_edition(void)
+{
+    return TESS_VERSION;
 }

@@ -1,5 +1,19 @@
 /* tess.h - Delaunay tetrahedralization of points in space.
  *
+ * SPDX-License-Identifier: 0BSD
+ * Copyright (c) 2026 the tess authors
+ *
+ * Permission to use, copy, modify, and/or distribute this software for any
+ * purpose with or without fee is hereby granted.
+ *
+ * THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+ * REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
+ * AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+ * INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+ * LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
+ * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
+ * PERFORMANCE OF THIS SOFTWARE.
+ *
  * After C. Hazlewood, "Facet-Based Tetrahedralization Software" (1995).
  *
  *     #include "tess.h"
@@ -26,6 +40,7 @@
  *   a mesh in parts, by threads or processes    tess_index, tess_part
  *   a proof that a mesh is right                tess_check
  *   a tetrahedron's circumscribed ball          tess_ball
+ *   the version of the compiled library         tess_edition
  *
  * Memory: nothing but the caller's arrays and a bounded stack (about 125 KB at
  * the default capacities; see TESS_LIST below and HH_LIMBS in hhpred.h).
@@ -74,10 +89,18 @@
 #define tess_part TESS_AS(tess_part)
 #define tess_ball TESS_AS(tess_ball)
 #define tess_values TESS_AS(tess_values)
+#define tess_edition TESS_AS(tess_edition)
 #endif
 
-/* 10000 * major + 100 * minor version; the README says what has changed. */
-#define TESS_VERSION 40300L
+/* 10000 * major + 100 * minor + patch; the README says what has changed.  Files
+ * of different versions do not compile, or, as objects, link: see hhpred.h. */
+#define TESS_VERSION 50000L
+#if TESS_VERSION != HH_VERSION
+#error tess.h and hhpred.h are of different versions
+#endif
+
+/* External names: tess and all that begin with tess_ or hh_ are the library's,
+ * now and later; macros and types: TESS_, HH_, tess_ and hh_. */
 
 /* TESS_LIST: when tess.c is compiled, the capacity of the lists of points that a
  * search looks at first: a multiple of 4, 48 to 4096, 512 if not given.  It
@@ -135,7 +158,8 @@ extern "C" {
  * length, or 4*maxtet + 3, would exceed the largest tess_int.  The lengths are
  * then 0.
  */
-int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
+TESS_API int tess_size(tess_int n, tess_int maxtet, tess_int *liw,
+                       tess_int *lrw);
 
 /* tess - the Delaunay tetrahedralization of n points.
  *
@@ -184,9 +208,9 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw);
  *     terrain) with an iw shorter than tess_size says.
  * Section 2 of the paper.
  */
-int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
-         tess_int *tet, tess_int *adj, tess_int liw, tess_int *iw,
-         tess_int lrw, double *rw);
+TESS_API int tess(tess_int n, const tess_real *p, tess_int maxtet,
+                  tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,
+                  tess_int *iw, tess_int lrw, double *rw);
 
 /* tess_resume - go on from an unfinished result.
  *
@@ -208,9 +232,9 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
  * *ntet, tet and adj are unchanged.  Damage that one pass cannot find gives a
  * wrong result, but in bounded time and within the arrays.
  */
-int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
-                tess_int *ntet, tess_int *tet, tess_int *adj, tess_int liw,
-                tess_int *iw, tess_int lrw, double *rw);
+TESS_API int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
+                         tess_int *ntet, tess_int *tet, tess_int *adj,
+                         tess_int liw, tess_int *iw, tess_int lrw, double *rw);
 
 /* tess_locate - the tetrahedron that holds a point.
  *
@@ -242,9 +266,9 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
  * near one; a bad start costs no more than none.  For q outside, another walk
  * over the facets of the hull.
  */
-int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
-                const tess_int *adj, const tess_real *q, tess_int *t,
-                double *w);
+TESS_API int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
+                         const tess_int *adj, const tess_real *q, tess_int *t,
+                         double *w);
 
 /* tess_values - linear interpolation at many points.
  *
@@ -280,9 +304,10 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
  * close to each other.  In random order each takes ten times as long: sort them
  * first, by the positions that tess_index(nq, q, ...) gives.
  */
-int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
-                const tess_int *adj, tess_int nv, const double *value,
-                tess_int nq, const tess_real *q, tess_int *t, double *out);
+TESS_API int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
+                         const tess_int *adj, tess_int nv, const double *value,
+                         tess_int nq, const tess_real *q, tess_int *t,
+                         double *out);
 
 /* tess_index - sort the points, for stars and queries without a mesh.
  *
@@ -314,8 +339,8 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
  * and spheres.  With integers of 4 bytes iw and rw take 36 bytes a point at the
  * least, 56 with room for planes and spheres.
  */
-int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
-               tess_int lrw, double *rw);
+TESS_API int tess_index(tess_int n, const tess_real *p, tess_int liw,
+                        tess_int *iw, tess_int lrw, double *rw);
 
 /* tess_query - the tetrahedron of a mesh that holds a point, without the mesh.
  *
@@ -341,8 +366,9 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
  * 20,000 points takes 150 times as long from an index that does not know its
  * sphere.
  */
-int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
-               const double *rw, const tess_real *q, tess_int *v, double *w);
+TESS_API int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
+                        const double *rw, const tess_real *q, tess_int *v,
+                        double *w);
 
 /* tess_part - all tetrahedra of the mesh that have one of certain vertices.
  *
@@ -373,9 +399,10 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
  * -6, -7 for *ntet, tet, adj, -8 and -10 for liw and lrw, -9 where iw and rw
  * hold no index.
  */
-int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
-              tess_int maxtet, tess_int *ntet, tess_int *tet, tess_int *adj,
-              tess_int liw, tess_int *iw, tess_int lrw, const double *rw);
+TESS_API int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
+                       tess_int maxtet, tess_int *ntet, tess_int *tet,
+                       tess_int *adj, tess_int liw, tess_int *iw, tess_int lrw,
+                       const double *rw);
 
 /* tess_ball - the ball of a tetrahedron.
  *
@@ -390,7 +417,7 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
  * returns 0; -1 for a NaN or infinity in the points, -2 for a negative
  * index; TESS_RANGE, with the radius DBL_MAX (see tess).
  */
-int tess_ball(const tess_real *p, const tess_int *v, double *c);
+TESS_API int tess_ball(const tess_real *p, const tess_int *v, double *c);
 
 /* tess_hull - the boundary triangles.
  *
@@ -404,8 +431,8 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c);
  * returns 0; TESS_MORE when fac is too small: nfac is then the number needed
  * and the first maxfac triangles are set; -1 for ntet < 0, -4 for maxfac < 0.
  */
-int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
-              tess_int maxfac, tess_int *nfac, tess_int *fac);
+TESS_API int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
+                       tess_int maxfac, tess_int *nfac, tess_int *fac);
 
 /* tess_check - an exact proof that tet and adj are a Delaunay
  * tetrahedralization of p.
@@ -423,9 +450,13 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
  * infinity in p, -3 for a bad ntet, -6 for liw < 2*n.
  * Cost: O(ntet + n log n).
  */
-int tess_check(tess_int n, const tess_real *p, tess_int ntet,
-               const tess_int *tet, const tess_int *adj, tess_int liw,
-               tess_int *iw, tess_int *bad);
+TESS_API int tess_check(tess_int n, const tess_real *p, tess_int ntet,
+                        const tess_int *tet, const tess_int *adj, tess_int liw,
+                        tess_int *iw, tess_int *bad);
+
+/* tess_edition - TESS_VERSION of the compiled library: a program that is linked
+ * with a shared one may compare it with its own. */
+TESS_API long tess_edition(void);
 
 #ifdef __cplusplus
 }
@@ -441,14 +472,16 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
  *   TESS_LRW   per point TESS_LR for itself, 1/2 for the tree; plus TESS_LC for
  *              points on surfaces and curves */
 #define TESS_LR 3
-#define TESS_LRW(n)                                                \
-    (TESS_LR * TESS_TO(long, n) + 6 * (TESS_TO(long, n) / 12 + 2) + \
-     TESS_LC(TESS_TO(long, n)))
+#define TESS_LRW(n)                                          \
+    (TESS_LR * TESS_WIDE(n) + 6 * (TESS_WIDE(n) / 12 + 2) +  \
+     TESS_LC(TESS_WIDE(n)))
 #define TESS_LC(n) ((n) < 500 ? 0 : 16 * ((n) / 36 + 1))
-#define TESS_LIW(n)                                                \
-    ((n) > TESS_INT_MOST / 11 || TESS_LI(TESS_TO(long, n)) > TESS_INT_MOST \
-         ? TESS_TO(long, TESS_INT_MOST)                                    \
-         : TESS_LI(TESS_TO(long, n)))
+#define TESS_LIW(n)                                                        \
+    ((n) > TESS_INT_MOST / 11 || TESS_LI(TESS_WIDE(n)) > TESS_INT_MOST     \
+         ? TESS_WIDE(TESS_INT_MOST)                                        \
+         : TESS_LI(TESS_WIDE(n)))
+/* n in the widest of its type, tess_int's and long */
+#define TESS_WIDE(n) (1 ? (n) : 0L + TESS_INT_MOST)
 #define TESS_LI(n) (8 * (n) + (n) / 12 + 514 + TESS_LP(n) + TESS_LS(n))
 #define TESS_LS(n) ((n) < 500 ? 0 : (n) / 3 * 5 + 24)
 #define TESS_LP(n)             \

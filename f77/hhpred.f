@@ -1,5 +1,20 @@
 C     hhpred.f - predicates for a handful of points in space.
 C
+C     SPDX-License-Identifier: 0BSD
+C     Copyright (c) 2026 the tess authors
+C
+C     Permission to use, copy, modify, and/or distribute this software
+C     for any purpose with or without fee is hereby granted.
+C
+C     THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL
+C     WARRANTIES WITH REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED
+C     WARRANTIES OF MERCHANTABILITY AND FITNESS. IN NO EVENT SHALL THE
+C     AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT, INDIRECT, OR
+C     CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+C     LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT,
+C     NEGLIGENCE OR OTHER TORTIOUS ACTION, ARISING OUT OF OR IN
+C     CONNECTION WITH THE USE OR PERFORMANCE OF THIS SOFTWARE.
+C
 C     Part of tess, Delaunay tetrahedralization after C. Hazlewood,
 C     "Facet-Based Tetrahedralization Software" (1995), Section 3.
 C
@@ -50,7 +65,10 @@ C     Only in C: held (hh_holds for points that are not in one array),
 C     blank, shift (written out here), lesser (MIN here), list (its
 C     points are copied here), the macro HH_POWER, |W|**2 - 2 C.W,
 C     written out here.
-C     Only here: HHKIND (part of hh_finite and hh_holds).
+C     Only here: HHKIND (part of hh_finite and hh_holds); HHV500,
+C     HHL088 (the macro HH_AS): what TSSORT (tess.f) calls by these
+C     names alone, so that tess.f does not link with a hhpred.f of
+C     another version, here 5.0.0, or of other limbs.
 C
 C     Where C returns a code beside other results, the last argument
 C     has it; a function alters no argument.  Axes, positions and
@@ -71,8 +89,8 @@ C               every other.  With fewer, 3 at least, HHORIE and HHINSP
 C               return 2 when they do not suffice.  Scratch, in
 C               doubles: 44 a limb; 31 KB for 88 limbs, in a routine
 C               entered only when 3 limbs do not suffice.  To choose
-C               another number change it in HHMANY, HHEXAC, HHRANG and
-C               TSSCAL (tess.f).
+C               another number change each HHLIM = 88 and HHL088, here
+C               and in tess.f.
 C       BASE    2**BITS;  CARRY = 2**(53-BITS) bounds carries
 C       HALF    2**26: (HALF + 1)**2 needs 53 bits
 C       TINY    an absolute error no smaller than what underflow,
@@ -757,6 +775,16 @@ C     alters.
 C     ------------------------------------------------------------------
 C     The arithmetic: what numbers are, and what becomes of them here.
 C     ------------------------------------------------------------------
+
+C     HHV500 - the version; does nothing.
+      SUBROUTINE HHV500
+      RETURN
+      END
+
+C     HHL088 - the limbs; does nothing.
+      SUBROUTINE HHL088
+      RETURN
+      END
 
 C     HHKIND - 2 for an infinity or a NaN, 1 for a subnormal number, -1
 C     for a zero, 0 for all others; 3 where the compiler was told to

@@ -1,5 +1,20 @@
 C     tess.f - Delaunay tetrahedralization of points in space.
 C
+C     SPDX-License-Identifier: 0BSD
+C     Copyright (c) 2026 the tess authors
+C
+C     Permission to use, copy, modify, and/or distribute this software
+C     for any purpose with or without fee is hereby granted.
+C
+C     THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL
+C     WARRANTIES WITH REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED
+C     WARRANTIES OF MERCHANTABILITY AND FITNESS. IN NO EVENT SHALL THE
+C     AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT, INDIRECT, OR
+C     CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+C     LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT,
+C     NEGLIGENCE OR OTHER TORTIOUS ACTION, ARISING OUT OF OR IN
+C     CONNECTION WITH THE USE OR PERFORMANCE OF THIS SOFTWARE.
+C
 C     After C. Hazlewood, "Facet-Based Tetrahedralization Software"
 C     (1995).  The twin of tess.c, routine by routine; its predicates
 C     are those of hhpred.f.
@@ -189,7 +204,7 @@ C         tess_query TESSQU
 C       hull, check: tess_hull TESSHU, marks TSMARK,
 C         chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF, chktet TSCHKT,
 C         chkhul TSCHKH, chkcov TSCHKC, tess_check TESSCH
-C       a ball: tess_ball TESSBA
+C       a ball, version: tess_ball TESSBA, tess_edition TESSED
 C     Only in C: point.  Only here: TSPDIS (disjoint for a point),
 C     TSLINE (hh_line of points of P), TSCURV (the macro CURVED),
 C     TSWORK, TSMESH, TSINDE, TSQUER (parts of tess_resume and
@@ -4602,6 +4617,8 @@ C     RANGE.
       INTEGER LEAVES, RANGE
       PARAMETER (LEAVES = 4, RANGE = 6)
       INTEGER HHHOLD, TSINLI, I
+      CALL HHV500
+      CALL HHL088
       CALL TSLAYO(CTL, RCTL, LSI, LSD)
       INFO = RANGE
       IF (HHHOLD(N, P) .EQ. 0) RETURN
@@ -6561,4 +6578,11 @@ C     it: less than 32 eps LENGTH.
         C(K) = HHLDEX(X(K), E)
    50 CONTINUE
       C(4) = HHLDEX(R, E) + 4.0D0*NORMAL
+      END
+
+C     TESSED - the version of the compiled library: 10000 times the
+C     major one plus 100 times the minor one plus the patch.
+C     A tess.f and a hhpred.f of different versions do not link.
+      INTEGER FUNCTION TESSED()
+      TESSED = 50000
       END

@@ -3,6 +3,20 @@
 ! rank or number, and REAL arrays above all.  Optional: tess.f and hhpred.f need
 ! it not.  What the arguments mean: README.
 !
+! SPDX-License-Identifier: 0BSD
+! Copyright (c) 2026 the tess authors
+!
+! Permission to use, copy, modify, and/or distribute this software for any
+! purpose with or without fee is hereby granted.
+!
+! THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
+! REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
+! AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+! INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
+! LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
+! OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
+! PERFORMANCE OF THIS SOFTWARE.
+!
 !     use tess_interface
 module tess_interface
   implicit none
@@ -88,6 +102,9 @@ module tess_interface
       double precision, intent(inout) :: c(4)
       integer, intent(out) :: info
     end subroutine tessba
+
+    integer function tessed()
+    end function tessed
 
     subroutine hhface(p1, p2, p3, f, info)
       double precision, intent(in) :: p1(3), p2(3), p3(3)

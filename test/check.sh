@@ -226,7 +226,7 @@ language() {
                 $CC $STRICT $d -fsyntax-only -I. \$f || exit 1; done"
         done
         one "strict C89: the paper's programs, all of them" sh -c "cd test/paper
-            for f in blas loops time acc backward round; do
+            for f in blas loops time acc backward round figure4; do
             $CC $STRICT -fsyntax-only -I. -DCBLAS -DFORTRAN -DSINGLE -DPLAIN \
             \$f.c || exit 1; done"
         for d in -O2 -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long \
@@ -1024,7 +1024,7 @@ twins() {
 entries() {
     # the public ones of hhpred.f, by hhpred.h's names cut to six characters
     sed '/---- for tess/,$d' hhpred.h |
-        sed -n 's/^[a-z][a-z_ ]* [*]*hh_\([a-z]*\)(.*/hh\1/p' | cut -c1-6 |
+        sed -n 's/^TESS_API [a-z_ ]* [*]*hh_\([a-z]*\)(.*/hh\1/p' | cut -c1-6 |
         sort > build/hh.txt
     # head FILE: each name with its arguments, in small letters
     head() {
@@ -1040,7 +1040,7 @@ entries() {
     sed 's/(.*//' build/entries.txt | sort > build/list.txt
     one "entries: tess.f has those of tess.h" sh -c \
         "test \`grep -c '^tess' build/list.txt\` -eq \
-        \`grep -c '^int tess[_a-z]*(' tess.h\`"
+        \`grep -c '^TESS_API [a-z]* tess[_a-z]*(' tess.h\`"
     one "entries: hhpred.f has those of hhpred.h" sh -c \
         "grep '^hh' build/list.txt | cmp - build/hh.txt && test -s build/hh.txt"
     # a line that ends in & goes on
@@ -1072,7 +1072,7 @@ entries() {
 # few limbs: the same codes 2 and 6 as from C
 fewlimbs() {
     for half in tess hhpred; do
-        sed 's/HHLIM = 88/HHLIM = 3/' f77/$half.f > build/few$half.f
+        sed 's/HHLIM = 88/HHLIM = 3/;s/HHL088/HHL003/' f77/$half.f > build/few$half.f
         gfortran -frecursive -O1 -c -o build/f$half.o build/few$half.f || return
     done
 }
@@ -1195,7 +1195,7 @@ recipes77() {
     dir=build/recipes77
     rm -rf $dir
     mkdir -p $dir
-    for r in cells derived interp natural periodic slopes surface; do
+    for r in cells derived interp natural periodic planar slopes surface; do
         gfortran -frecursive $2 -c -o $dir/f$r.o test/examples/$r.f >> $LOG 2>&1
         # (what is const in C is so in none of these)
         gfortran $2 -fsyntax-only -fc-prototypes-external test/examples/$r.f |
@@ -1208,7 +1208,7 @@ recipes77() {
         $CC $STRICT $3 -fsyntax-only -I. -I$dir test/fortran/recipes.c
     for t in unit/t_cells unit/t_natural examples/try_cells \
         examples/try_derived examples/try_interp examples/try_periodic \
-        examples/try_slopes examples/try_surface; do
+        examples/try_planar examples/try_slopes examples/try_surface; do
         f=test/$t.c
         t=${t#*/}
         wanted "recipes in FORTRAN, $1: $t" || continue
@@ -1302,16 +1302,47 @@ interface() {
 
 # mixed: a C program that calls the FORTRAN half, and the reverse
 mixed() {
-    group "example: fortran" || return
+    group "example: fortran" || group "example: tess_c" || return
     compiled
     one "example: fortran.c" sh -c "$CC -O2 -c -o build/mixed.o \
         test/examples/fortran.c &&
         gfortran -o build/mixed build/mixed.o build/ftess.o build/fhhpred.o &&
         build/mixed | cmp - test/examples/fortran.out"
     compile "$CC" "$CFLAGS" build $LIBRARY
-    one "example: fortran.f90" sh -c "gfortran -std=f2003 -Wall -o build/mixed \
+    module="-std=f2003 -Wall -Wextra -Jbuild test/examples/tess_c.f90"
+    one "example: fortran.f90" sh -c "gfortran $module -o build/mixed \
         test/examples/fortran.f90 build/tess.o build/hhpred.o $LIBS &&
         build/mixed | cmp - test/examples/fortran.out"
+    # all routines of the headers, with as many arguments
+    for f in hhpred.h tess.h; do
+        sed '/---- for tess/,$d' $f
+    done | awk '/^TESS_API/ { text = "" } { text = text $0 }
+        text ~ /^TESS_API.*;$/ {
+            name = text
+            sub(/\(.*/, "", name)
+            sub(/.*[ *]/, "", name)
+            many = text ~ /\(void\)/ ? 0 : gsub(/,/, "", text) + 1
+            print name, many
+            text = ""
+        }' | sort > build/wanted.txt
+    sed -e ':more' -e '/&$/{N;s/&\n *//;b more' -e '}' \
+        test/examples/tess_c.f90 | awk '/^    .* function .*bind\(c\)/ {
+            name = text = $0
+            sub(/\(([^(]*)\) *bind.*/, "", name)
+            sub(/.* /, "", name)
+            sub(/.* function [a-z_]*\(/, "", text)
+            sub(/\).*/, "", text)
+            many = text == "" ? 0 : gsub(/,/, "", text) + 1
+            print name, many
+        }' | sort > build/bound.txt
+    one "example: tess_c.f90: all routines of the headers" sh -c \
+        "test -s build/wanted.txt && diff build/wanted.txt build/bound.txt"
+    if gfortran $module -o build/module test/fortran/module.f90 build/tess.o \
+        build/hhpred.o $LIBS >> $LOG 2>&1; then
+        many "example: tess_c.f90" build/module
+    else
+        fail "example: tess_c.f90: does not compile"
+    fi
 }
 
 # parity.c and parity.f write the same text, compared byte by byte.  parity.txt
@@ -1522,6 +1553,7 @@ first_half() {
     readme
     bindings
     many "rules" sh test/rules.sh
+    many "packages" env CC="$CC" sh test/package.sh
     many "the driver" env CC="$CC" sh test/program/driver.sh
     many "the driver: values" env CC="$CC" sh test/program/values.sh
     [ -z "$ALL" ] && return
@@ -1536,7 +1568,7 @@ second_half() {
     standard
     twins tess "point" \
         "TSPDIS|TSLINE|TSCURV|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
-    twins hhpred "held|blank|shift|lesser|list" "HHKIND"
+    twins hhpred "held|blank|shift|lesser|list" "HHKIND|HHV500|HHL088"
     entries
     parity
     halves

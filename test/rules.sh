@@ -20,8 +20,8 @@ lacking() {
 
 # ---- an entry ----
 
-sed -n 's/^int \(tess[_a-z]*\)(.*/\1/p' tess.h | sort > $B/entries
-sed -n 's/^[a-z][a-z_ ]* [*]*\(hh_[a-z]*\)(.*/\1/p' hhpred.h > $B/predicates
+sed -n 's/^TESS_API [a-z]* \(tess[_a-z]*\)(.*/\1/p' tess.h | sort > $B/entries
+sed -n 's/^[a-zA-Z_ ]* [*]*\(hh_[a-z]*\)(.*/\1/p' hhpred.h > $B/predicates
 # the name in FORTRAN: six letters, but for two
 six() { sed 's/_index$/ix/;s/_size$/wk/' | tr -d _ | cut -c1-6; }
 test -s $B/entries && test -s $B/predicates || echo nothing > $B/none
@@ -29,7 +29,7 @@ told "tess.h and hhpred.h declare entries" $B/none
 for h in tess hhpred; do
     list=entries
     [ $h = tess ] || list=predicates
-    sed -n "s/^#define \([a-z_]*\) .*TESS_AS(.*/\1/p" $h.h > $B/second
+    sed -n "s/^#define \([a-z_]*\) .*_AS(.*/\1/p" $h.h > $B/second
     lacking $B/second < $B/$list
     told "entries: a second name for other types, $h.h" $B/out
     sed '/\*\/$/q' $h.c > $B/head
@@ -224,6 +224,9 @@ figure "time and memory" "100,000 points: $(
         'BEGIN { printf "%.2f seconds on one processor, %.0f MB besides them",
             n * t / 1e9, m / 10 }')."
 figure memory "| bytes a point $(row 'Bytes per point')"
+figure options "C with \`$(sed -n 's/^Options: \(.*\), FORTRAN .*/\1/p' \
+    $R/bench.txt)\`, FORTRAN with \`$(sed -n \
+    's/^Options: .*, FORTRAN \(.*\), peers .*/\1/p' $R/bench.txt)\`"
 figure "CGAL is ahead" "up to $(awk -F ' *[|] *' '
     /^The same times of data that people have/ { at = 1 }
     at && /^[|] [a-z]*[.a-z]* [|] [0-9]/ && $(NF-1) > most { most = $(NF-1) }
@@ -246,8 +249,8 @@ small() {
 }
 M4='| Cortex-M4 | `-DTESS_FLOAT -DTESS_INT=short -DTESS_LIST=64 -DHH_LIMBS=6` |'
 : > $B/out
-figure machines "$(awk -F '|' 'NF == 6 && /[|] the same [|]$/ { n++ }
-    END { print n }' $R/reach.txt) compilers and machines"
+figure machines "$(sed -n '/^These are /{s/^These are //;s/ ([^()]*)//g;p;}' \
+    $R/reach.txt)"
 grep -F '**another**' $R/reach.txt > $B/out
 told "test/results/reach.txt: the same everywhere" $B/out
 figure flash "from $(small "$M4" 4 1000 %.0f) KB of flash"

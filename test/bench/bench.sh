@@ -6,9 +6,11 @@
 # that the ratios hold where the nanoseconds do not.  Prints tables in
 # markdown: times and memory of clouds; times of the data that people have, at
 # fixed sizes; of those near planes, spheres and other surfaces, at three; counts;
-# location; values; parts.  About nine minutes, without SIZES.
+# location; values; parts.  About ten minutes, without SIZES.
 # A run of all families that comes to its end writes them to
-# test/results/bench.txt, too; the README's figures are from there.  Raw lines,
+# test/results/bench.txt, too, with the commit, the options and code.sh's sum; the
+# README's figures are from there: `make check ONLY=rules' then tells what it
+# should say.  Raw lines,
 # as bench.c describes them, go to standard error and to build/bench.txt, each
 # after its table's name and the number asked for.
 #
@@ -53,6 +55,9 @@ people boreholes f77,cgal 20000
 people tracks f77,cgal 8000
 people pipes f77,cgal 20000
 people torus f77,cgal 20000
+people torus cgal 100000
+people cylinderrnd cgal 100000
+people crowd cgal 8000
 people ellipsoid f77,cgal 50000
 people ./test/data/mirror.xyz f77,cgal 3600
 data gridrot f77,cgal 1000 8000 27000 +64000 +216000
@@ -230,6 +235,9 @@ rm -f build/bench.out build/bench_probe.*
 rm -f build/bench_whole
 (
 echo "Written by: make bench${SIZES:+ SIZES=\"$SIZES\"}"
+commit=$(git rev-parse --short=12 HEAD 2>/dev/null || echo unknown)
+git diff --quiet HEAD -- ./*.[ch] f77 2>/dev/null || commit="$commit, and changes"
+echo "Commit: $commit; code $(sh test/bench/code.sh), by test/bench/code.sh"
 echo "Machine: $(uname -sm), $(getconf _NPROCESSORS_ONLN 2>/dev/null)" \
     "processors,$(sed -n 's/^model name[^:]*:/ /p' /proc/cpuinfo 2>/dev/null |
         head -n 1 | tr -s ' ')"

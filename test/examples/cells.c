@@ -195,7 +195,7 @@ static double divide(tess_int many, const double *vert, const tess_int *next,
                      tess_int *queue)
 {
     tess_int low = -1, high = -1, v;
-    double far, size, wrong = 0.0;
+    double reach, size, wrong = 0.0;
 
     for (v = 0; v < many; v++) {
         mark[v] = d[v] > band * most3(vert + 3 * v);
@@ -208,9 +208,9 @@ static double divide(tess_int many, const double *vert, const tess_int *next,
     if (high >= 0) flood(next, high, 3, mark, queue);
     for (v = 0; v < many; v++) {
         if (mark[v] == 1) mark[v] = 2;
-        far = mark[v] == 3 ? -d[v] : d[v];
+        reach = mark[v] == 3 ? -d[v] : d[v];
         size = most3(vert + 3 * v);
-        if (far > wrong * size) wrong = far / size;
+        if (reach > wrong * size) wrong = reach / size;
     }
     return wrong;
 }
@@ -329,9 +329,9 @@ static double measured(tess_int planes, const double *plane, tess_int many,
 }
 
 /* numbered - the vertices' numbers; those are one that edges connect which are
- * shorter than near, times their distance.  Returns how many there are. */
+ * shorter than within, times their distance.  Returns how many there are. */
 static tess_int numbered(tess_int many, const double *vert,
-                         const tess_int *next, double near, tess_int *same,
+                         const tess_int *next, double within, tess_int *same,
                          tess_int *queue)
 {
     tess_int count = 0, top, t, u, v;
@@ -349,7 +349,7 @@ static tess_int numbered(tess_int many, const double *vert,
                 if (same[t] >= 0) continue;
                 for (l = 0; l < 3; l++)
                     e[l] = vert[3 * t + l] - vert[3 * u + l];
-                if (!(most3(e) < near * most3(vert + 3 * u))) continue;
+                if (!(most3(e) < within * most3(vert + 3 * u))) continue;
                 same[t] = count;
                 queue[top++] = t;
             }
@@ -455,7 +455,8 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
     tess_int *tri = iwork, *next = iwork + 9 * most, *same = iwork + 18 * most;
     tess_int *queue = iwork + 21 * most, *last = iwork + 24 * most;
     tess_int planes, many, j, v, a;
-    double *plane = work, *d = work + 4 * most, side[6], limit, near, far = 0.0;
+    double *plane = work, *d = work + 4 * most, side[6], limit, within;
+    double reach = 0.0;
     int open = box == NULL, outer, code, k;
 
     *nface = *nvert = 0;
@@ -490,15 +491,15 @@ int cell(const tess_real *p, const tess_int *tet, const tess_int *adj,
         if (outer && limit > 1e10 * plane[4 * planes - 1]) return 2;
     } while (outer);
     for (v = 0; v < many; v++)
-        if (most3(vert + 3 * v) > far) far = most3(vert + 3 * v);
-    if (far > 0.0 && !(far > 1e-102 && far < 1e102)) return 3;
+        if (most3(vert + 3 * v) > reach) reach = most3(vert + 3 * v);
+    if (reach > 0.0 && !(reach > 1e-102 && reach < 1e102)) return 3;
     /* a power of two, which alters nothing else: small products are not lost
      * where subnormal numbers are flushed to 0 */
-    frexp(far, &k);
+    frexp(reach, &k);
     *volume = measured(planes, plane, many, vert, tri, next, ldexp(1.0, k),
                        last, area);
-    for (near = 1e-13;; near = 0.0) {
-        *nvert = numbered(many, vert, next, near, same, queue);
+    for (within = 1e-13;; within = 0.0) {
+        *nvert = numbered(many, vert, next, within, same, queue);
         *nface = outlined(planes, tri, next, last, same, start, corner, queue);
         if (*nvert == many || closed(*nvert, *nface, start, corner)) break;
     }

@@ -165,11 +165,11 @@ tess_int nearest(const tess_real *p, const tess_int *tet,
                  const tess_real *q, tess_int v)
 {
     double least = DBL_MAX, d, x;
-    tess_int from, i, near = v, w;
+    tess_int from, i, found = v, w;
     int j, k;
 
     do {
-        from = near;
+        from = found;
         for (i = first[from]; i < first[from + 1]; i++)
             for (k = 0; k < 4; k++) {
                 w = tet[4 * list[i] + k];
@@ -179,10 +179,10 @@ tess_int nearest(const tess_real *p, const tess_int *tet,
                 }
                 if (d >= least) continue;
                 least = d;
-                near = w;
+                found = w;
             }
-    } while (near != from);
-    return near;
+    } while (found != from);
+    return found;
 }
 
 /* ---- measures ---- */

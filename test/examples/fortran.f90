@@ -1,46 +1,26 @@
 ! fortran.f90 - a Fortran 2003 program that calls the C half.
 !
 !   cc -O2 -c tess.c hhpred.c
-!   gfortran -O2 -o fortran test/examples/fortran.f90 tess.o hhpred.o -lm
+!   gfortran -O2 -o fortran test/examples/tess_c.f90 \
+!       test/examples/fortran.f90 tess.o hhpred.o -lm
 !
 ! Points and tetrahedra count from 0, as in C, and none is -1: here TET has 1
 ! added before it is used for a subscript.  For the reverse see fortran.c.
 program fortran
-  use iso_c_binding, only: c_int, c_double
+  use tess_c
   implicit none
 
-  interface
-    integer(c_int) function tess(n, p, maxtet, ntet, tet, adj, liw, iw, lrw, &
-      rw) bind(c)
-      import c_int, c_double
-      integer(c_int), value :: n, maxtet, liw, lrw
-      real(c_double), intent(in) :: p(3, *)
-      integer(c_int), intent(out) :: ntet
-      integer(c_int), intent(inout) :: tet(4, *), adj(4, *), iw(*)
-      real(c_double), intent(inout) :: rw(*)
-    end function tess
-
-    integer(c_int) function tess_locate(p, ntet, tet, adj, q, t, w) bind(c)
-      import c_int, c_double
-      integer(c_int), value :: ntet
-      integer(c_int), intent(in) :: tet(4, *), adj(4, *)
-      real(c_double), intent(in) :: p(3, *), q(3)
-      integer(c_int), intent(inout) :: t
-      real(c_double), intent(out) :: w(4)
-    end function tess_locate
-  end interface
-
-  integer(c_int), parameter :: n = 9, maxtet = 8*n
-  integer(c_int), parameter :: liw = 19*n + 1800, lrw = 4*n + 12
-  real(c_double) :: p(3, n), rw(lrw), w(4), q(3) = (/0.25d0, 0.5d0, 0.625d0/)
-  integer(c_int) :: tet(4, maxtet), adj(4, maxtet), iw(liw), ntet, t, v(4), i
+  integer(tess_int), parameter :: n = 9, maxtet = 8*n
+  integer(tess_int), parameter :: liw = 19*n + 1800, lrw = 4*n + 12
+  real(tess_real) :: p(3, n), rw(lrw), w(4), q(3) = (/0.25d0, 0.5d0, 0.625d0/)
+  integer(tess_int) :: tet(4, maxtet), adj(4, maxtet), iw(liw), ntet, t, v(4), i
 
   do i = 1, 8
     p(:, i) = (/mod(i - 1, 2), mod((i - 1)/2, 2), (i - 1)/4/)
   end do
   p(:, 9) = 0.5d0
   if (tess(n, p, maxtet, ntet, tet, adj, liw, iw, lrw, rw) /= 0) stop 1
-  t = -1
+  t = tess_none
   if (tess_locate(p, ntet, tet, adj, q, t, w) /= 0) stop 1
   v = tet(:, t + 1) + 1
   print '(i0, " tetrahedra, value ", f8.6)', ntet, &

@@ -306,7 +306,7 @@ int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
 {
     tess_int *list = iw, *side = list + most, *corner = side + 4 * most;
     double *c = rw, *x = c + 4 * most, *y = x + 6 * most + 6, *a, *b;
-    double w[4], e[3], s, near = 0.0, doubt = 0.0, all[2] = {0.0, 0.0};
+    double w[4], e[3], s, longest = 0.0, doubt = 0.0, all[2] = {0.0, 0.0};
     tess_int nlist = 0, i, j, m, u;
     int code, h, k;
 
@@ -329,7 +329,7 @@ int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
     for (i = 0; i < *nn; i++) {
         minus(p + 3 * nbr[i], q, y + 3 * i);
         s = dot(y + 3 * i, y + 3 * i);
-        if (s > near) near = s;
+        if (s > longest) longest = s;
         sibson[i] = laplace[i] = 0.0;
     }
     for (m = 0; m < nlist; m++) centre(p, tet + 4 * list[m], q, c + 4 * m);
@@ -377,7 +377,7 @@ int natural(const tess_real *p, tess_int ntet, const tess_int *tet,
     s = 1.0;
     if (all[0] > 0.0 && all[1] > 0.0 && all[0] <= DBL_MAX &&
         all[1] <= DBL_MAX) {
-        doubt *= DBL_EPSILON * sqrt(near);
+        doubt *= DBL_EPSILON * sqrt(longest);
         s = (doubt / all[0] / DOUBT - 1.0) / 9.0;
     }
     for (i = 0; i < *nn && s < 1.0; i++) {
@@ -419,7 +419,7 @@ double blend(const tess_real *p, tess_int nn, const tess_int *nbr,
              const double *w, const double *value, const double *g)
 {
     double at[3] = {0.0, 0.0, 0.0}, d[3], r, plane;
-    double linear = 0.0, slopes = 0.0, near = 0.0, first = 0.0, second = 0.0;
+    double linear = 0.0, slopes = 0.0, inverse = 0.0, first = 0.0, second = 0.0;
     tess_int i;
     int k;
 
@@ -435,10 +435,10 @@ double blend(const tess_real *p, tess_int nn, const tess_int *nbr,
         plane = value[nbr[i]] + dot(g + 3 * nbr[i], d);
         linear += w[i] * value[nbr[i]];
         slopes += w[i] / r * plane;
-        near += w[i] / r;
+        inverse += w[i] / r;
         first += w[i] * r;
         second += w[i] * r * r;
     }
-    /* the weights of the two: first / near and second */
-    return (first * linear + second * slopes) / (first + second * near);
+    /* the weights of the two: first / inverse and second */
+    return (first * linear + second * slopes) / (first + second * inverse);
 }

@@ -400,7 +400,7 @@ static double guess(tess_int n, const tess_real *p, const double *cell,
                     const tess_int *ways, const double *g,
                     const double *height)
 {
-    double e[3], s[3], thick = 0.0, near = 1.0, far = 1.0, along = 0.0;
+    double e[3], s[3], thick = 0.0, filled = 1.0, spread = 1.0, along = 0.0;
     tess_int i;
     int j, k;
 
@@ -416,12 +416,12 @@ static double guess(tess_int n, const tess_real *p, const double *cell,
     }
     for (k = 0; k < 3; k++) {
         /* (a cell's volume could be too large or too small for a double) */
-        near *= pow(ways[k] ? height[k] : thick, 1.0 / 3.0);
-        if (ways[k]) far *= pow(height[k], 1.0 / along);
+        filled *= pow(ways[k] ? height[k] : thick, 1.0 / 3.0);
+        if (ways[k]) spread *= pow(height[k], 1.0 / along);
     }
-    near *= 3.0 * pow((double)n, -1.0 / 3.0);
-    far *= 3.0 * pow((double)n, -1.0 / along);
-    return along < 3.0 && near < far ? far : near;
+    filled *= 3.0 * pow((double)n, -1.0 / 3.0);
+    spread *= 3.0 * pow((double)n, -1.0 / along);
+    return along < 3.0 && filled < spread ? spread : filled;
 }
 
 /* triclinic - as periodic, below, of a cell of any three vectors, that repeats

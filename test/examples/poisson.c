@@ -254,12 +254,12 @@ static double plane(tess_int i)
  * functions exactly. */
 static void node(tess_int t, int i, double *w, double *q)
 {
-    double near = 0.5854101966249685, far = 0.1381966011250105;
+    double own = 0.5854101966249685, others = 0.1381966011250105;
     int j, k;
 
     for (k = 0; k < 3; k++) q[k] = 0.0;
     for (j = 0; j < 4; j++) {
-        w[j] = i == j ? near : far;
+        w[j] = i == j ? own : others;
         for (k = 0; k < 3; k++)
             q[k] += w[j] * (double)p[3 * tet[4 * t + j] + k];
     }

@@ -43,7 +43,7 @@ ran() {
     for f in tess hhpred; do
         $GCOV -b -o $f.o $f.$language > /dev/null || return
         awk -v s="$set $language $f" '$1 == "function" && $3 == "called" {
-            sub(/(_|_10)$/, "", $2) # hh_centre_10: see HH_LIMBS
+            sub(/(_[0-9]+L_[0-9]+|_)$/, "", $2) # see HH_AS
             print s, toupper($2), $4 }' $f.$language.gcov
     done >> calls.txt
     rm -f ./*.gcda

@@ -31,6 +31,7 @@ void tesspa_(POINTS, const tess_int *mine, tess_int *maxtet, MESH, SPACE, INFO);
 void tessqu_(POINTS, tess_int *iw, const double *rw, const tess_real *q,
              tess_int *v, double *w, INFO);
 void tessba_(const tess_real *p, tess_int *v, double *c, INFO);
+tess_int tessed_(void);
 tess_int hhorie_(const tess_real *a, const tess_real *b, const tess_real *c,
                  const tess_real *d);
 tess_int hhinsp_(const tess_real *a, const tess_real *b, const tess_real *c,

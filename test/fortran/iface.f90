@@ -79,6 +79,7 @@ program iface
   call test(info == 0 .and. all(abs(w(:3) - 0.5d0) < 1d-14) .and. &
     w(4) >= sqrt(0.75d0) .and. w(4) < 1d-12 + sqrt(0.75d0))
 
+  call test(tessed() == 50000)
   call hhface(p(:, 1), p(:, 2), p(:, 3), f, info)
   call test(info == 0)
   call test(abs(hhside(f, p(:, 9)) - 2d0) < 1d-15)

@@ -28,10 +28,18 @@ the C half's files: give it another directory,
     TESSQU   the tetrahedron that holds a point, without a mesh
     TESSPA   all tetrahedra that have one of certain vertices
     TESSBA   the ball of a tetrahedron
+    TESSED   the version of the library
     HHFACE, HHSIDE, HHOPP, HHLCOO, HHWRAP
              facets in Householder floating point
     HHORIE, HHINSP
              exact signs: side of a plane, inside of a ball
+
+Names. All external names that begin with TS or HH, and those that begin with
+TESS, are the library's, now and later: give your own routines and COMMON blocks
+others.
+
+Versions. tess.f links with the hhpred.f of its own version alone, and of as
+many limbs; TESSED tells the version.
 
 Arrays. All coordinates, weights and workspace RW are DOUBLE PRECISION; a REAL
 array gives nonsense, and a FORTRAN 77 compiler need not notice (see tess.f90
@@ -165,7 +173,8 @@ obsolescent, which they are; nothing is wrong. Without -std, or with
 -std=legacy, there are no warnings.
 
 Fewer limbs. HHLIM = 88 in both files holds coordinates of any magnitude; see
-HH_LIMBS in ../hhpred.h.
+HH_LIMBS in ../hhpred.h. For 12 change each HHLIM = 88 in both, and each HHL088
+to HHL012, so that they do not link with others.
 
 C. A C program may call these entries, and a Fortran 2003 program the C half:
 ../test/examples/fortran.c and fortran.f90.

@@ -658,6 +658,7 @@ static void badarg(void)
     v[0] = -1;
     code = tess_ball(p, v, w);
     tell("TESSBA V", code, -2, 0);
+    tell("TESSED", (tess_int)(tess_edition() - TESS_VERSION), 0, 0);
 
     code = tess_check(-1, p, ntet, tet, adj, LIW, iw, &bad);
     tell("TESSCH N < 0", code, -1, bad + 1);

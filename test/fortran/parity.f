@@ -589,7 +589,7 @@ C     BADARG - arguments that are bad.
       DOUBLE PRECISION SEV(3,2)
       INTEGER ADJ(4,MAXTET), BAD, FAC(3,MAXTET), I, INFO, IW(LIW)
       INTEGER J, K, L, LEN1, LEN2, NFAC, NT, NTET, T, TET(4,MAXTET)
-      INTEGER T2(2), V(4), WANT(6), WANTVA(7)
+      INTEGER T2(2), TESSED, V(4), WANT(6), WANTVA(7)
       DATA WANT /-1, -5, -5, -6, -8, -10/
       DATA WANTVA /-2, -5, -7, -7, -8, -9, -9/
       CALL TESSWK(-1, 5, I, J, INFO)
@@ -776,6 +776,7 @@ C     BADARG - arguments that are bad.
       V(1) = 0
       CALL TESSBA(P, V, W, INFO)
       CALL TELL('TESSBA V', INFO, -2, 0)
+      CALL TELL('TESSED', TESSED() - 50000, 0, 0)
 
       CALL TESSCH(-1, P, NTET, TET, ADJ, LIW, IW, BAD, INFO)
       CALL TELL('TESSCH N < 0', INFO, -1, BAD)

@@ -278,6 +278,22 @@ void reduce(double *cell, const tess_int *ways)
     reduce_(cell, ways);
 }
 
+/* ---- planar.f ---- */
+
+int planar(tess_int n, tess_real *p, tess_int maxtri, tess_int *ntri,
+           tess_int *triangle, tess_int *beside, tess_int liw, tess_int *iw,
+           tess_int lrw, double *rw)
+{
+    tess_int info;
+
+    planar_(&n, p, &maxtri, ntri, triangle, beside, &liw, iw, &lrw, rw, &info);
+    if (info == -2) --*ntri;
+    if (n > 0 && info >= 0 && info != TESS_RANGE) count(iw, n, -1);
+    if (info == 0) count(triangle, 3 * *ntri, -1);
+    if (info == 0) count(beside, 3 * *ntri, -1);
+    return (int)info;
+}
+
 /* ---- surface.f ---- */
 
 double enclosed(const tess_real *p, tess_int nfac, const tess_int *fac)

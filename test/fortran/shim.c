@@ -373,3 +373,8 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
     tessba_(p, u, c, &info);
     return (int)info;
 }
+
+long tess_edition(void)
+{
+    return (long)tessed_();
+}

@@ -3,7 +3,10 @@
 # fuzzers; run from the top directory.
 #
 #     sh test/hunts/torture.sh [SECONDS [SEED]]  each build for its share of
-#                                                the time
+#                                                the time by the clock, that of
+#                                                compilers included; a short one
+#                                                does not reach all builds, and
+#                                                the seed tells which is first
 #     sh test/hunts/torture.sh -check            a few sets each: for check.sh
 #
 # The harness is compiled without optimizations that alter arithmetic, and so
@@ -25,12 +28,42 @@ SEED=${2:-$(date +%s)}
 [ -n "$CHECK" ] && SEED=1
 SETS=0
 FAULTS=0
-BUILDS=20 # about, for the shares
+BUILDS=18 # with the fuzzer
+START=$(date +%s)
+TURN=0
+FIRST=$((SEED % BUILDS))
 
 mkdir -p $DIR
 LOG=$DIR/log
 : > $LOG
 rm -f $DIR/sums.txt
+
+# left: seconds
+left() { echo $((START + TIME - $(date +%s))); }
+
+# share PARTS: that of the time left, at least a second
+share() {
+    seconds=$(($(left) / $1))
+    [ $seconds -gt 0 ] || seconds=1
+    echo $seconds
+}
+
+# due NAME: is it this build's turn, and is there time?  (The builds are gone
+# through twice: from the first one to the last, then those before it.)
+due() {
+    TURN=$((TURN + 1))
+    if [ -z "$CHECK" ]; then
+        case $ROUND in
+        1) [ $TURN -gt $FIRST ] || return;;
+        2) [ $TURN -le $FIRST ] || return;;
+        esac
+        BUILDS=$((BUILDS - 1))
+        if [ "$(left)" -le 0 ]; then
+            skip "$1: no time left"
+            return 1
+        fi
+    fi
+}
 
 # harness TAG DEFINITIONS: its objects, H says which; compiled once
 harness() {
@@ -90,8 +123,10 @@ hunt() {
         few=40
         many=1
     else
-        few="-time $((TIME / BUILDS * 2 / 3 + 1)) 1 $SEED"
-        many="-time $((TIME / BUILDS / 3 + 1)) 1 $SEED"
+        # (as much again is for compilers, results' sums and the last set)
+        each=$(share $((2 * BUILDS + 2)))
+        few="-time $(((2 * each + 2) / 3)) 1 $SEED"
+        many="-time $(((each + 2) / 3)) 1 $SEED"
     fi
     run $DIR/$file $2 $few
     tally "$1"
@@ -100,7 +135,8 @@ hunt() {
     echo "        $DIR/$file"
     # with enough limbs all results are the same
     case "$1" in *limbs*|*float*) return;; esac
-    run $DIR/$file $2 -sums $((4 + TIME / 10)) $SEED
+    [ -n "$CHECK" ] || [ "$(left)" -gt 0 ] || return
+    run $DIR/$file $2 -sums $((4 + TIME / 20)) $SEED
     if [ ! -f $DIR/sums.txt ]; then
         mv $DIR/out $DIR/sums.txt
     elif cmp $DIR/out $DIR/sums.txt >> $LOG 2>&1; then
@@ -113,6 +149,7 @@ hunt() {
 
 # c NAME CC FLAGS DEFINITIONS OPTIONS: the C library
 c() {
+    due "$1" || return
     if ! have $2 "$3"; then
         skip "$1"
         return
@@ -129,6 +166,7 @@ c() {
 
 # f NAME COMPILE...: the FORTRAN half, by way of shim.c
 f() {
+    due "$1" || return
     build=$1
     shift
     rm -f $DIR/tess.o $DIR/hhpred.o
@@ -143,6 +181,7 @@ SAN="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 
 # fuzz NAME FILES...
 fuzz() {
+    due "$1" || return
     name=$1
     shift
     # truth and proofs take their time: they are left as they are
@@ -152,7 +191,7 @@ fuzz() {
     if [ -z "$CHECK" ] && clang $SAN -fsanitize=fuzzer -o $DIR/$name \
         test/hunts/$name.c $D tess.c hhpred.c $M $LIBS >> $LOG 2>&1; then
         mkdir -p $DIR/$name.corpus
-        run $DIR/$name -max_total_time=$((TIME / BUILDS + 1)) \
+        run $DIR/$name "-max_total_time=$(share $((BUILDS + 1)))" \
             -timeout=20 -max_len=300 -seed=$SEED -print_final_stats=1 \
             -artifact_prefix=$DIR/$name- $DIR/$name.corpus
         runs=$(sed -n 's/^Done \([0-9]*\) runs.*/\1/p' $DIR/out)
@@ -171,7 +210,7 @@ fuzz() {
     if have "$CC" "$SAN" && $CC $SAN -DSTANDALONE -o $DIR/$name \
         test/hunts/$name.c $D tess.c hhpred.c $M $LIBS >> $LOG 2>&1; then
         sets=200
-        [ -z "$CHECK" ] && sets=$((TIME * 10))
+        [ -z "$CHECK" ] && sets=$((200 * $(share $((BUILDS + 1)))))
         run $DIR/$name $sets $SEED
         tally "$name, sanitizers"
     else
@@ -181,42 +220,52 @@ fuzz() {
 
 [ -z "$CHECK" ] && echo "torture: $TIME s, seed $SEED"
 
-c "$CC -O2" $CC -O2 "" ""
-c "gcc -Ofast -march=native" gcc "-Ofast -march=native" "" ""
-c "clang -Ofast" clang -Ofast "" ""
-c "x87" $CC "-O2 -mfpmath=387" "" -x87
-c "short lists" $CC "-O1" -DTESS_LIST=48 ""
-c "3 limbs" $CC "-O1" -DHH_LIMBS=3 ""
-c "long" $CC "-O1" -DTESS_INT=long ""
-fuzz fuzz
-if command -v gfortran > /dev/null; then
-    LINK=gfortran
-    f "gfortran -Ofast" gfort $DIR/ -Ofast
-else
-    skip "gfortran"
-fi
-if [ -z "$CHECK" ]; then
-    c "clang -O2 -march=native" clang "-O2 -march=native" "" ""
-    # without vectors, which would be SSE's: what that unit flushes an x87 unit
-    # holds, and no test of one tells of the other
-    c "x87 -Ofast" $CC "-Ofast -mfpmath=387 -fno-tree-vectorize" "" -x87
-    c "6 limbs" $CC "-O2" -DHH_LIMBS=6 ""
-    c "10 limbs" $CC "-Ofast" -DHH_LIMBS=10 ""
-    c "float" $CC "-O2" -DTESS_FLOAT ""
-    c "float -Ofast" $CC "-Ofast -march=native" -DTESS_FLOAT ""
+# all: each build
+all() {
+    TURN=0
+    LIBS=-lm
+    c "$CC -O2" $CC -O2 "" ""
+    c "gcc -Ofast -march=native" gcc "-Ofast -march=native" "" ""
+    c "clang -Ofast" clang -Ofast "" ""
+    c "x87" $CC "-O2 -mfpmath=387" "" -x87
+    c "short lists" $CC "-O1" -DTESS_LIST=48 ""
+    c "3 limbs" $CC "-O1" -DHH_LIMBS=3 ""
+    c "long" $CC "-O1" -DTESS_INT=long ""
+    fuzz fuzz
     if command -v gfortran > /dev/null; then
         LINK=gfortran
-        f "gfortran -O0" gfort $DIR/ -O0
-        f "gfortran -fcheck=all" gfort $DIR/ -O1 -fcheck=all
-    fi
-    LINK=$CC
-    if command -v f2c > /dev/null; then
-        LIBS="-lf2c -lm"
-        f "f2c" viaf2c $DIR/
+        f "gfortran -Ofast" gfort $DIR/ -Ofast
     else
-        skip "f2c"
+        skip "gfortran"
     fi
-fi
+    if [ -z "$CHECK" ]; then
+        c "clang -O2 -march=native" clang "-O2 -march=native" "" ""
+        # without vectors, which would be SSE's: what that unit flushes an x87 unit
+        # holds, and no test of one tells of the other
+        c "x87 -Ofast" $CC "-Ofast -mfpmath=387 -fno-tree-vectorize" "" -x87
+        c "6 limbs" $CC "-O2" -DHH_LIMBS=6 ""
+        c "10 limbs" $CC "-Ofast" -DHH_LIMBS=10 ""
+        c "float" $CC "-O2" -DTESS_FLOAT ""
+        c "float -Ofast" $CC "-Ofast -march=native" -DTESS_FLOAT ""
+        if command -v gfortran > /dev/null; then
+            LINK=gfortran
+            f "gfortran -O0" gfort $DIR/ -O0
+            f "gfortran -fcheck=all" gfort $DIR/ -O1 -fcheck=all
+        fi
+        LINK=$CC
+        if command -v f2c > /dev/null; then
+            LIBS="-lf2c -lm"
+            f "f2c" viaf2c $DIR/
+        else
+            skip "f2c"
+        fi
+    fi
+}
+
+for ROUND in 1 2; do
+    all
+    [ -z "$CHECK" ] || break
+done
 
 ended torture > $DIR/out
 code=$?

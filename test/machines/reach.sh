@@ -5,8 +5,9 @@
 # Run from the top directory: make reach.  Toolchains are Debian's; the packages
 # are named in .ci/run and below.  One that is missing is a row that says so.
 #
-#   gcc clang tcc pcc g++ qemu-user qemu-system-arm simavr
-#   gcc-{i686,m68k,alpha,powerpc64,arm,aarch64}-linux-gnu{,hf} with their libc
+#   gcc clang tcc pcc g++ gfortran flang-19 qemu-user qemu-system-arm simavr
+#   gcc-{i686,m68k,alpha,powerpc64,arm,aarch64,riscv64}-linux-gnu{,hf} with
+#   their libc; gcc-mingw-w64-x86-64 wine64 wine
 #   gcc-arm-none-eabi libnewlib-arm-none-eabi gcc-avr avr-libc lld nodejs
 . test/tests.sh
 LIBRARY="tess.c hhpred.c"
@@ -25,6 +26,33 @@ $CC -O0 -o $B/parity test/fortran/parity.c $LIBRARY -lm && $B/parity > $B/parity
 PARITY=`checksum $B/parity.txt`
 sh test/fortran/sums.sh $B/parity.txt test/fortran/parity.txt || BAD=1
 
+# ran PROGRAM FILE: what it prints, lines ended as here
+ran() {
+    # (mingw's programs have another name)
+    [ ! -f "$1.exe" ] || mv "$1.exe" "$1"
+    # shellcheck disable=SC2086
+    $run "$1" 2>> $B/log | tr -d '\r' > "$2"
+}
+
+# agree: is what has been run the same? Counts the compiler, but its
+# architecture's prefix, and the architecture
+: > $B/compilers
+: > $B/architectures
+agree() {
+    if [ "$tiny" != $SUM ] || [ "$parity" != $PARITY ]; then
+        BAD=1
+        same="**another**"
+        return
+    fi
+    same="the same"
+    echo "$ARCHITECTURE" >> $B/architectures
+    case $1 in
+    *gcc | *g++) echo gcc;;
+    *flang*) echo flang;;
+    *) echo "$1";;
+    esac >> $B/compilers
+}
+
 # row NAME RUNNER COMPILE...: a row of the table of machines
 row() {
     name=$1
@@ -34,10 +62,10 @@ row() {
         echo "| $name | not to be had | | |"
         return
     fi
-    [ -n "$run" ] && run="$run -L $SYSROOT"
+    case $run in qemu*) run="$run -L $SYSROOT";; esac
     rm -f $B/out*
     "$@" -DTESS_FLOAT -o $B/out test/machines/tiny.c $LIBRARY -lm 2>> $B/log &&
-        $run $B/out > $B/out.txt 2>> $B/log
+        ran $B/out $B/out.txt
     tiny=`checksum $B/out.txt`
     # -Ofast makes no infinities and NaNs
     parity=test/fortran/parity.c
@@ -45,15 +73,29 @@ row() {
         parity=$B/parity.o
         $1 -O1 -c -o $parity test/fortran/parity.c;;
     esac
-    "$@" -o $B/out2 $parity $LIBRARY -lm 2>> $B/log &&
-        $run $B/out2 > $B/out2.txt 2>> $B/log
+    "$@" -o $B/out2 $parity $LIBRARY -lm 2>> $B/log && ran $B/out2 $B/out2.txt
     parity=`checksum $B/out2.txt`
-    same="the same"
-    if [ "$tiny" != $SUM ] || [ "$parity" != $PARITY ]; then
-        same="**another**"
-        BAD=1
-    fi
+    agree "$1"
     echo "| $name | $tiny | $parity | $same |"
+}
+
+# frow NAME COMPILE...: the same of the FORTRAN half, by parity.f
+frow() {
+    name=$1
+    shift
+    if ! there "$1"; then
+        echo "| $name | not to be had | | |"
+        return
+    fi
+    rm -f $B/out*
+    (cd $B && "$@" -o out2 ../../test/fortran/parity.f ../../f77/tess.f \
+        ../../f77/hhpred.f) 2>> $B/log
+    run=
+    ran $B/out2 $B/out2.txt
+    parity=`checksum $B/out2.txt`
+    tiny=$SUM
+    agree "$1"
+    echo "| $name | | $parity | $same |"
 }
 
 machines() {
@@ -61,6 +103,7 @@ machines() {
         tr -d ' '` lines of results | |"
     echo "| --- | ---: | ---: | --- |"
     SYSROOT=
+    ARCHITECTURE=x86-64
     for o in -O0 -O1 -O2 -O3 -Os "-Ofast -march=native"; do
             row "gcc $o, x86-64" "" gcc $o
     done
@@ -70,8 +113,20 @@ machines() {
     row "pcc, x86-64" "" pcc
     row "g++ -O2, x86-64" "" g++ -x c++ -O2 -Wno-deprecated
     row "gcc -O2, x87 unit of x86-64" "" gcc -O2 -mfpmath=387
+    frow "gfortran -O2, x86-64" gfortran -std=legacy -O2 -frecursive
+    for c in flang flang-19 flang-new-19; do there $c && break; done
+    frow "flang -O2, x86-64" $c -O2 -w
+    # (a long has 4 bytes there; wine makes its directory first)
+    WINEPREFIX=`pwd`/$B/wine WINEDEBUG=-all
+    export WINEPREFIX WINEDEBUG
+    mingw=x86_64-w64-mingw32-gcc
+    there wine && wine hostname > /dev/null 2>&1
+    row "gcc -O2, 64-bit Windows (mingw, wine)" wine $mingw -O2
+    row "gcc -O2 -DTESS_INT=long, 64-bit Windows (mingw, wine)" wine $mingw \
+        -O2 -DTESS_INT=long
     while read -r name triple qemu flags; do
         SYSROOT=/usr/$triple
+        ARCHITECTURE=$qemu
             row "gcc $flags, `echo $name | sed 's/,/, /g; s/_/ /g'`" qemu-$qemu $triple-gcc $flags
     done << END
 i686,x87_unit i686-linux-gnu i386 -O2
@@ -80,6 +135,7 @@ Alpha alpha-linux-gnu alpha -O2 -mieee
 PowerPC_64,big-endian powerpc64-linux-gnu ppc64 -O2 -ffp-contract=fast
 ARM arm-linux-gnueabihf arm -O2
 ARM_64,FMA aarch64-linux-gnu aarch64 -O3 -ffp-contract=fast
+RISC-V_64,FMA riscv64-linux-gnu riscv64 -O3 -ffp-contract=fast
 END
     # (parity.c writes by stdio, which there is none of)
     tiny="not to be had" same=
@@ -89,8 +145,9 @@ END
             2>> $B/log &&
             node test/machines/wasm/run.js $B/out.wasm > $B/out.txt 2>> $B/log
         tiny=`checksum $B/out.txt`
-        same="the same"
-        [ "$tiny" = $SUM ] || { same="**another**"; BAD=1; }
+        parity=$PARITY
+        ARCHITECTURE=wasm32
+        agree clang
     fi
     echo "| clang -O2, WebAssembly (wasm32), no C library | $tiny | | $same |"
 }
@@ -330,6 +387,11 @@ limbs() {
     echo
     machines > $B/machines.md
     cat $B/machines.md
+    echo
+    echo "These are `sort -u $B/compilers | wc -l | tr -d ' '` compilers" \
+        "(`sort -u $B/compilers | paste -s -d ' ' -`)," \
+        "`sort -u $B/architectures | wc -l | tr -d ' '` architectures" \
+        "(`sort -u $B/architectures | paste -s -d ' ' -`)"
     cat << 'END'
 
 Small machines: flash with -Os, of the library alone, in bytes; the stack on the

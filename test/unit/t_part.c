@@ -1301,6 +1301,7 @@ static void test_codes(void)
     v[0] = v[1] = v[2] = v[3] = 0;
     require(tess_ball(bad, v, c) == -1, "ball -1");
     require(tess_ball(p, v, c) == 0 && c[3] == DBL_MAX, "a point's ball");
+    require(tess_edition() == TESS_VERSION, "the version");
     drop(0);
     /* without supports marks need no room, however many points there are */
     family(&m, "uniform", 600, 1, 0);
