@@ -481,6 +481,149 @@ indices() {
     done
 }
 
+# ---- floating-point flags, and the stack ----
+
+# flags NAME LINK OBJECT...: t_flags with that half, or a skipped test
+FENV="-std=gnu99 -DTEST_FLAGS -O1 -I."
+flags() {
+    flagged=$1
+    linker=$2
+    shift 2
+    if $linker -o build/flags/t_flags build/flags/test/*.o "$@" $LIBS >> $LOG 2>&1
+    then
+        many "flags: $flagged" build/flags/t_flags
+    else
+        fail "flags: $flagged: does not link"
+    fi
+}
+
+# flagtest: what is linked to each half; 1 where it cannot be had
+flagtest() {
+    echo '#include <fenv.h>
+int main(void) { return feenableexcept(FE_INVALID) == -1; }' > build/have.c
+    $CC $FENV -D_GNU_SOURCE -o build/have build/have.c -lm >> $LOG 2>&1 &&
+        build/have && compile "$CC" "$FENV" build/flags/test \
+        test/unit/t_flags.c $COMMON
+}
+
+flagged() {
+    group "flags: " || return
+    if ! flagtest; then
+        skipped "flags: no fenv.h, or no traps"
+        return
+    fi
+    for c in "$CC -O2" "$CC -O3" "clang -O2" "clang -O3"; do
+        wanted "flags: $c" || continue
+        if ! have "${c% *}" "${c##* }"; then
+            skipped "flags: $c"
+        elif compile "${c% *}" "${c##* }" build/flags/c $LIBRARY; then
+            flags "$c" "$CC" build/flags/c/*.o
+        else
+            fail "flags: $c: does not compile"
+        fi
+    done
+}
+
+# the FORTRAN half
+flagged77() {
+    group "flags: FORTRAN 77" || return
+    if ! flagtest; then
+        skipped "flags: FORTRAN 77: no fenv.h, or no traps"
+        return
+    fi
+    compile "$CC" -O1 build/flags test/fortran/shim.c
+    for o in -O2 -O3; do
+        wanted "flags: FORTRAN 77, gfortran $o" || continue
+        if gfort build/flags/f $o -ffpe-trap=invalid,zero,overflow \
+            >> $LOG 2>&1; then
+            flags "FORTRAN 77, gfortran $o" gfortran build/flags/shim.o \
+                build/flags/ftess.o build/flags/fhhpred.o
+        else
+            fail "flags: FORTRAN 77, gfortran $o: does not compile"
+        fi
+    done
+}
+
+# stacktest OPTIONS: t_stack by $CC, and whether this is the machine that the
+# manuals' figures are for; 1 where it cannot be had
+stacktest() {
+    echo '#ifdef __clang__
+#error
+#endif
+int main(void) { return !(__GNUC__ && __x86_64__); }' > build/have.c
+    $CC -pthread -o build/have build/have.c >> $LOG 2>&1 && build/have &&
+        compile "$CC" "-O2 -pthread -DTEST_STACK $1" build/stack/test \
+        test/unit/t_stack.c test/points.c test/proof/exact.c
+}
+
+# stack NAME USUAL ANY COMPILER OBJECT...: the figures that a manual has, in KB
+# of 1000 bytes, bound what is measured, and are not far above
+stack() {
+    name="stack: $1: $2 KB, $3 KB"
+    usual=$2
+    any=$3
+    linker=$4
+    shift 4
+    $linker -pthread -o build/stack/t_stack build/stack/test/*.o "$@" $LIBS \
+        >> $LOG 2>&1 && build/stack/t_stack > build/stack.txt
+    cat build/stack.txt >> $LOG
+    shown "$name" awk -v usual="$usual" -v any="$any" '
+        function fits(said, is) {
+            return is <= 1000 * said && 1000 * said <= 1.08 * is + 1000
+        }
+        { print }
+        $1 == "most" { good = fits(usual, $2) && fits(any, $3) }
+        END { exit !good }' build/stack.txt
+}
+
+# stacks FILE: of the manual's table the figures, and what they are for
+stacks() {
+    sed -n 's/^[ *]*\([^ ].*[^ ]\)  *\([0-9]*\) KB  *\([0-9]*\) KB$/\2 \3 \1/p' $1
+}
+
+stacked() {
+    group "stack: " || return
+    stacks tess.h > build/stacks.txt
+    one "stack: tess.h's figures" test "$(wc -l < build/stacks.txt)" -eq 3
+    while read -r usual any options; do
+        [ "$options" = none ] && options=
+        if ! stacktest "$options"; then
+            skipped "stack: no gcc with threads on x86-64"
+            return
+        fi
+        rm -f build/stack/*.o
+        compile "$CC" "-O2 $options" build/stack $LIBRARY
+        stack "$CC -O2 $options" $usual $any "$CC" build/stack/*.o
+    done < build/stacks.txt
+}
+
+stacked77() {
+    group "stack: FORTRAN 77" || return
+    stacks f77/README > build/stacks.txt
+    one "stack: FORTRAN 77: the manual's figures" \
+        test "$(wc -l < build/stacks.txt)" -eq 3
+    while read -r usual any parameters; do
+        case $parameters in *HHLIM*) options=-DHH_LIMBS=${parameters##* };;
+        *) options=;; esac
+        if ! stacktest "$options"; then
+            skipped "stack: FORTRAN 77: no gcc with threads on x86-64"
+            return
+        fi
+        rm -f build/stack/*.o
+        compile "$CC" "-O2 $options" build/stack test/fortran/shim.c
+        echo "$parameters" | tr , '\012' |
+            sed -n 's/^ *\([A-Z]*\) = \([0-9]*\)$/s,\1 = [0-9]*,\1 = \2,/p' \
+            > build/stacks.sed
+        for half in tess hhpred; do
+            sed -f build/stacks.sed f77/$half.f > build/stack/$half.f
+            gfortran -frecursive -O2 -c -o build/stack/f$half.o \
+                build/stack/$half.f >> $LOG 2>&1
+        done
+        stack "FORTRAN 77, gfortran -O2, $parameters" $usual $any gfortran \
+            build/stack/*.o
+    done < build/stacks.txt
+}
+
 sanitizers() {
     if have "$CC" "$SANITIZE"; then
         units sanitizers "$CC" "$SANITIZE" "brute 50" "t_tess -quick" \
@@ -1382,6 +1525,8 @@ halves() {
         interface "gfortran -fcheck=all"
         mixed
         f_program
+        flagged77
+        stacked77
     fi
     [ -z "$ALL" ] && return
     if command -v gfortran > /dev/null; then
@@ -1515,6 +1660,8 @@ first_half() {
     language
     symbols
     tests
+    flagged
+    stacked
     builds
     indices
     examples

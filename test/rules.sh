@@ -254,6 +254,14 @@ figure flash "from $(small "$M4" 4 1000 %.0f) KB of flash"
 figure stack "$(small "$M4" 7 1000 %.0f) KB of stack, \
 $(small "$M4" 4 1000 %.0f) KB of flash; $(small '| 100 |' 5 1000 %.1f) KB of \
 arrays for 100 points, $(small '| 100 |' 8 1000 %.1f) KB without a mesh"
+# (tess.h's, which check.sh measures)
+stacks=`sed -n 's/^ [*]  *\(none\|-D[^ ].*[^ ]\)  *\([0-9]*\) KB  *\([0-9]*\) KB$/\2 \3 \1/p' tess.h |
+    awk 'NR == 1 { printf "%d KB, on hard points %d", $1, $2; next }
+        { any = $2 > $1 ? ", " $2 : ""
+        usual = $1
+        sub(/^[0-9]* [0-9]* /, "")
+        printf "; \140%s\140: %d%s", $0, usual, any }'`
+figure "stack by options" "**Stack**: $stacks."
 figure instructions "takes $(small '| 64, Cortex-M4 |' 3 1e6 %.1f) million instructions \
 on a Cortex-M4, locating a place $(small '| 64, Cortex-M4 |' 4 1000 %.0f),000; on a \
 Cortex-M0 $(small '| 64, Cortex-M0 |' 3 1e6 %.1f) million and \

@@ -1,12 +1,12 @@
 /* t_stack.c - the stack that a call takes.
  *
- *     t_stack          each routine's bytes, the last line the most of all
- *     t_stack SIZE     all calls run through in a thread of SIZE bytes
+ *     t_stack
  *
- * Each call is made by a thread whose stack was painted; what is no longer
- * painted it has used.  The sets are such that the longest paths are taken:
- * exponents far apart, so that signs are decided by all the limbs there are, and
- * surfaces, whose searches have lists of their own.
+ * Writes a line for each routine, and one for all, `most': the bytes that a call
+ * takes on usual points, and on any.  Each call is made by a thread whose stack
+ * was painted; what is no longer painted it has used.  The sets are such that
+ * the longest paths are taken: surfaces, whose searches have lists of their own,
+ * and exponents far apart, where all the limbs there are decide signs.
  *
  * Needs POSIX threads: -DTEST_STACK says that they are there.
  */
@@ -25,11 +25,11 @@
 
 #ifdef TEST_STACK
 
-#define MOST 700
+#define MOST 600
 #define MAXTET (16 * MOST)
 #define LIW (40 * MOST + 4000)
 #define LRW (8 * MOST + 1000)
-#define ASKED 60
+#define ASKED 30
 #define PAINTED 400000
 #define COLOUR 0x5a
 
@@ -153,7 +153,7 @@ static const struct {
 };
 #define CALLS ((int)(sizeof calls / sizeof calls[0]))
 
-static long used[CALLS], size = PAINTED;
+static long used[CALLS][2]; /* on usual points, on any */
 static char *area;
 static char *volatile top;
 
@@ -175,21 +175,21 @@ static long taken(void (*call)(void))
     pthread_t thread;
     long i;
 
-    memset(area, COLOUR, (size_t)size);
+    memset(area, COLOUR, (size_t)PAINTED);
     if (pthread_attr_init(&how) != 0 ||
-        pthread_attr_setstack(&how, area, (size_t)size) != 0 ||
+        pthread_attr_setstack(&how, area, (size_t)PAINTED) != 0 ||
         pthread_create(&thread, &how, threaded, &call) != 0 ||
         pthread_join(thread, NULL) != 0) {
-        fprintf(stderr, "no thread with a stack of %ld bytes\n", size);
+        fprintf(stderr, "no thread with a stack of its own\n");
         exit(1);
     }
     pthread_attr_destroy(&how);
-    for (i = 0; i < size && area[i] == COLOUR; i++)
+    for (i = 0; i < PAINTED && area[i] == COLOUR; i++)
         ;
     return (long)(top - (area + i));
 }
 
-static void all(void)
+static void all(int usual)
 {
     long bytes, empty = taken(nothing);
     tess_int i;
@@ -205,7 +205,8 @@ static void all(void)
     for (k = 0; k < CALLS; k++) {
         if (calls[k].of_mesh && code != TESS_OK) continue;
         bytes = taken(calls[k].call) - empty;
-        if (bytes > used[k]) used[k] = bytes;
+        if (bytes > used[k][1]) used[k][1] = bytes;
+        if (usual && bytes > used[k][0]) used[k][0] = bytes;
     }
 }
 
@@ -221,48 +222,62 @@ static void apart(int spread)
                                 -rnd_below(spread + 1));
 }
 
-static void sets(void)
+static void usual(void)
 {
     static const char *const families[] = {
-        "rotcube", "globe", "gridrot", "sheets", "pipes", "uvsphere", "wide",
-        "latticeshuf", "lastplaces", "tracks", "crowd", "near8"
+        "uniform", "rotcube", "globe", "sheets", "pipes", "gridrot"
     };
     size_t k;
     tess_int i;
-    int seed, most = (HH_LIMBS - 3) * HH_BITS;
 
     for (k = 0; k < sizeof families / sizeof families[0]; k++) {
-        n = (tess_int)points_make(families[k],
-                                  strcmp(families[k], "wide") ? MOST : 24, 1, x);
+        n = (tess_int)points_make(families[k], MOST, 1, x);
         for (i = 0; i < 3 * n; i++) p[i] = (tess_real)x[i];
-        all();
+        all(1);
+    }
+}
+
+static void hard(void)
+{
+    static const char *const families[] = { "wide", "uvsphere" };
+    int seed, k, most = (HH_LIMBS - 3) * HH_BITS;
+    tess_int i;
+
+    for (k = 0; k < 2; k++) {
+        n = (tess_int)points_make(families[k], k == 0 ? 24 : MOST, 1, x);
+        for (i = 0; i < 3 * n; i++) p[i] = (tess_real)x[i];
+        all(0);
     }
     for (seed = 0; seed < 24; seed++) {
         rnd_seed((unsigned long)seed);
         n = 12 + seed;
-        apart(seed % 4 == 0 ? 40 : seed % 4 == 1 ? most / 4 : seed % 4 == 2 ? most / 2 : most);
+        apart(seed % 4 == 0 ? 40 : seed % 4 == 1 ? most / 4
+              : seed % 4 == 2 ? most / 2 : most);
         if (seed % 3 == 0) /* nearly flat */
-            for (i = 2; i < 3 * n; i += 3) p[i] = (tess_real)ldexp(p[i], -most / 2);
-        all();
+            for (i = 2; i < 3 * n; i += 3)
+                p[i] = (tess_real)ldexp(p[i], -most / 2);
+        all(0);
     }
 }
 
 int main(int argc, char **argv)
 {
-    long most = 0;
-    int k;
+    long most[2];
+    int k, j;
 
-    if (argc > 2) test_usage(argv[0], "[SIZE]");
-    if (argc == 2) size = test_number(argv[1], 16384, argv, "[SIZE]");
-    area = (char *)malloc((size_t)size + 4096);
+    if (argc > 1) test_usage(argv[0], "");
+    area = (char *)malloc(PAINTED + 4096);
     if (!area) return 1;
-    while ((size_t)(area - (char *)0) % 4096) area++;
-    sets();
+    area += 4096 - (area - (char *)0) % 4096;
+    usual();
+    hard();
+    most[0] = most[1] = 0;
     for (k = 0; k < CALLS; k++) {
-        printf("%-12s %ld\n", calls[k].name, used[k]);
-        if (used[k] > most) most = used[k];
+        printf("%-12s %7ld %7ld\n", calls[k].name, used[k][0], used[k][1]);
+        for (j = 0; j < 2; j++)
+            if (used[k][j] > most[j]) most[j] = used[k][j];
     }
-    printf("most %ld\n", most);
+    printf("%-12s %7ld %7ld\n", "most", most[0], most[1]);
     return 0;
 }
 
