@@ -512,7 +512,8 @@ flagged() {
         skipped "flags: no fenv.h, or no traps"
         return
     fi
-    for c in "$CC -O2" "$CC -O3" "clang -O2" "clang -O3"; do
+    for c in "$CC -O2" "clang -O2" "$CC -O3" "clang -O3"; do
+        case $c$ALL in *-O3) return;; esac
         wanted "flags: $c" || continue
         if ! have "${c% *}" "${c##* }"; then
             skipped "flags: $c"
@@ -533,6 +534,7 @@ flagged77() {
     fi
     compile "$CC" -O1 build/flags test/fortran/shim.c
     for o in -O2 -O3; do
+        [ $o$ALL = -O3 ] && return
         wanted "flags: FORTRAN 77, gfortran $o" || continue
         if gfort build/flags/f $o -ffpe-trap=invalid,zero,overflow \
             >> $LOG 2>&1; then
@@ -1169,14 +1171,14 @@ entries() {
     sed '/---- for tess/,$d' hhpred.h |
         sed -n 's/^[a-z][a-z_ ]* [*]*hh_\([a-z]*\)(.*/hh\1/p' | cut -c1-6 |
         sort > build/hh.txt
-    # head FILE: each name with its arguments, in small letters
-    head() {
+    # calls FILE: each name with its arguments, in small letters
+    calls() {
         awk '/^     [^ ]/ { text = text substr($0, 7); next }
             { print text; text = $0 }
             END { print text }' $1 | tr A-Z a-z | tr -d ' &' |
             sed -n 's/.*\(subroutine\|function\)\(\(tess\|hh\)[a-z]*(.*)\)$/\2/p'
     }
-    for f in $F77; do head $f; done | sort > build/heads.txt
+    for f in $F77; do calls $f; done | sort > build/heads.txt
     { grep '^tess' build/heads.txt
       while read name; do grep "^$name(" build/heads.txt; done < build/hh.txt
     } | sort > build/entries.txt
@@ -1189,7 +1191,7 @@ entries() {
     # a line that ends in & goes on
     sed -e ':more' -e '/&$/{N;s/&\n *//;b more' -e '}' f77/tess.f90 |
         grep -v 'end \(function\|subroutine\)' > build/module.txt
-    head build/module.txt | sort > build/module2.txt
+    calls build/module.txt | sort > build/module2.txt
     one "entries: the module's are tess.f's, with the same arguments" \
         diff build/entries.txt build/module2.txt
     sed -n '/^    entry/,/^Arrays/s/^    \([A-Z ,]*\)  .*/\1/p

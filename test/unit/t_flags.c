@@ -113,11 +113,11 @@ static void trap(int number)
 /* ---- a set of points, and all that is called for it ---- */
 
 #define MOST 900
-#define FEW 150
+#define FEW 90
 #define MAXTET (16 * MOST)
 #define LIW (40 * MOST + 4000)
 #define LRW (8 * MOST + 1000)
-#define ASKED 40
+#define ASKED 30
 
 static tess_int n;
 static double x[3 * MOST];
@@ -367,12 +367,12 @@ static void hard_data(void)
 
     families(0);
     for (kind = 0; kind < KINDS; kind++)
-        for (k = 0; k < 8; k++) {
+        for (k = 0; k < 6; k++) {
             sprintf(now, "hard, kind %d, set %d", kind, k);
             rnd_seed((unsigned long)(100 * kind + k));
-            n = 4 + rnd_below(12);
+            n = 4 + 2 * k;
             for (i = 0; i < 3 * n; i++)
-                p[i] = k < 4 || i % 3 == 2 ? number(kind) : (tess_real)rnd_unit();
+                p[i] = k < 3 || i % 3 == 2 ? number(kind) : (tess_real)rnd_unit();
             calls(0);
         }
 }
