@@ -57,6 +57,13 @@ paste -d ' ' $B/entries $B/twins | sort > $B/pairs
 sort $B/rows | diff $B/pairs - > $B/out
 told "entries: a row of the README, with the twin" $B/out
 
+# ---- constants of the library's that a test needs ----
+
+grep '^#define \(BLOCKREACH\|STARREACH\) ' tess.c > $B/words
+grep '^#define \(BLOCKREACH\|STARREACH\) ' test/unit/brute.c | diff $B/words - > $B/out
+[ "$(wc -l < $B/words)" -eq 2 ] || echo none > $B/out
+told "constants: brute.c's are tess.c's" $B/out
+
 # ---- a recipe ----
 
 : > $B/out
