@@ -1657,45 +1657,49 @@ machines() {
 
 # ---- two halves, neither of which needs what the other one builds ----
 
-first_half() {
-    itself
-    language
-    symbols
-    tests
-    flagged
-    stacked
-    builds
-    indices
-    examples
-    together
-    readme
-    bindings
-    many "rules" sh test/rules.sh
-    many "the driver" env CC="$CC" sh test/program/driver.sh
-    many "the driver: values" env CC="$CC" sh test/program/values.sh
-    [ -z "$ALL" ] && return
-    peers
-    processes
-    # the certificates of the search, with builds of their own
-    many "certify" env CC="$CC" sh test/hunts/certify.sh -check
+# parts NAME...: these functions in turn; the log says what each one took, in
+# seconds of processors
+parts() {
+    for p in "$@"; do
+        # (in a subshell they would be its own)
+        times > $OUT.times
+        $p
+        times >> $OUT.times
+        tr 'ms' '  ' < $OUT.times | awk -v part="$p" '
+            { for (i = 1; i < NF; i += 2) t[++n] = 60 * $i + $(i + 1) }
+            END { printf "== %s took %.1f s\n", part,
+                t[5] + t[6] + t[7] + t[8] - t[1] - t[2] - t[3] - t[4] }' >> $LOG
+    done
 }
-
-second_half() {
-    sanitizers
-    standard
+rules() { many "rules" sh test/rules.sh; }
+driver() { many "the driver" env CC="$CC" sh test/program/driver.sh; }
+values() { many "the driver: values" env CC="$CC" sh test/program/values.sh; }
+# the certificates of the search, with builds of their own
+certificates() { many "certify" env CC="$CC" sh test/hunts/certify.sh -check; }
+# hard sets in hard circumstances, likewise
+hard() { many "torture" env CC="$CC" sh test/hunts/torture.sh -check; }
+# the facts of the paper's Section 4
+paper() {
+    many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
+        sh test/paper/paper.sh -check
+}
+all_twins() {
     twins tess "point" \
         "TSPDIS|TSLINE|TSCURV|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
     twins hhpred "held|blank|shift|lesser|list" "HHKIND"
-    entries
-    parity
-    halves
+}
+
+first_half() {
+    parts itself language symbols tests flagged stacked builds indices \
+        examples together readme bindings rules driver values
     [ -z "$ALL" ] && return
-    machines
-    # hard sets in hard circumstances, with builds of their own
-    many "torture" env CC="$CC" sh test/hunts/torture.sh -check
-    # the facts of the paper's Section 4
-    many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
-        sh test/paper/paper.sh -check
+    parts peers processes certificates
+}
+
+second_half() {
+    parts sanitizers standard all_twins entries parity halves
+    [ -z "$ALL" ] && return
+    parts machines hard paper
 }
 
 if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then
