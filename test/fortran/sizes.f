@@ -17,8 +17,8 @@ C     TESSWK: for all N to 100000, and further apart to 100 million.
       N = N + STEP
       IF (N .LE. 100000000) GO TO 10
       WRITE (*, 20) BAD
-   20 FORMAT (' for so many N TESSWK fails:', I10, ', LIW is short:', I10,
-     $    ', LRW:', I10)
+   20 FORMAT (' for so many N TESSWK fails:', I7, ', LIW is short:',
+     $    I7, ', LRW:', I7)
       GOOD = 0
       DO 30 I = 1, 3
         IF (BAD(I) .EQ. 0) GOOD = GOOD + 1
