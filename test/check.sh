@@ -129,7 +129,9 @@ compile() {
 }
 
 # unit NAME CC FLAGS PROGRAM: that program of test/unit and the library, all
-# compiled so, into $here; the library once
+# compiled so, into $here; the library once.  (With HARNESS the points and the
+# proofs have these flags.)
+HARNESS=
 COMMON="test/points.c test/proof/*.c test/hunts/hard.c test/unit/damage.c
     test/unit/guard.c"
 MADE=
@@ -139,7 +141,8 @@ unit() {
     *" $here "*) ;;
     *)
         rm -rf $here
-        compile "$2" "$3" $here $LIBRARY $COMMON || return
+        compile "$2" "$3" $here $LIBRARY &&
+            compile "$2" "${HARNESS:-$3}" $here $COMMON || return
         MADE="$MADE $here "
         ;;
     esac
@@ -402,8 +405,8 @@ tests() {
         skipped "units: doubles of 24 bits, flushed"
     fi
     if [ -z "$ALL" ]; then
-        units usual "$CC" "$CFLAGS" "t_pred 20" brute "t_tess -quick" \
-            "t_part -quick" t_size t_natural t_cells
+        # (t_tess and t_part run with sanitizers)
+        units usual "$CC" "$CFLAGS" "t_pred 20" brute t_size t_natural t_cells
         many "certify" env CC="$CC" sh test/hunts/certify.sh -quick
         # few limbs: code 2 or TESS_RANGE where they do not suffice
         units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
@@ -628,10 +631,13 @@ stacked77() {
 
 sanitizers() {
     if have "$CC" "$SANITIZE"; then
+        HARNESS=-O2
         units sanitizers "$CC" "$SANITIZE" "brute 50" "t_tess -quick" \
             "t_part -quick"
+        HARNESS=
     else
         skipped "sanitizers"
+        units usual "$CC" "$CFLAGS" "t_tess -quick" "t_part -quick"
     fi
 }
 

@@ -401,7 +401,7 @@ static const char *queries(void)
                 : p[rnd_below(n)][k]);
         a = rnd_below((int)ntet);
         for (k = 0; k < 4; k++)
-            v[k] = i == 0 ? tet[4 * a + k] : rnd_below(n);
+            v[k] = i == 0 ? tet[4 * a + k] : (tess_int)rnd_below(n);
         if (i == 1) v[0] = TESS_NONE;
         fault = query(q, v);
     }
