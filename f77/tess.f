@@ -133,7 +133,7 @@ C     The routines of tess.c, in its order, and their names here:
 C       sorting: before TSBEFO, swap TSSWAP, pivot TSPIVO,
 C         selectmid TSSELE, twin TSTWIN, extent TSEXTE, bisect TSBISE,
 C         leafstart TSLFST, leafof TSLEAF, span TSSPAN,
-C         leafsort TSLSOR, kdsort TSKDSO, boxes TSBOXE
+C         leafsort TSLSOR, kdsort TSKDSO, width TSWIDT, boxes TSBOXE
 C       first facet: precedes TSPREC, edgeby TSEDBY, firstfacet TSFIRS
 C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
 C         hashkey TSHASH, same TSSAME, find TSFIND, chain TSCHAI,
@@ -151,7 +151,7 @@ C         onsupport TSONSU, remember TSREME, recordof TSRCRD,
 C         erect TSEREC, through TSTHRO, fit TSFIT, markleaf TSMLEA,
 C         discover TSDISC, recall TSRECA, nearsupport TSNEAS,
 C         recentre TSCENT, supportof TSSUPP, sharpen TSSHAR, aim TSAIM,
-C         prunenode TSPNOD
+C         seenfrom TSSEEN, prunenode TSPNOD
 C       cylinders: cylinders TSCYLI, makecylinder TSMCYL,
 C         makecylinders TSMCYS, prunecylinders TSPRCY
 C       ties: newcell TSNEWC, incell TSINCE
@@ -173,7 +173,7 @@ C         stars TSSTRS
 C       results: slot TSSLOT, mate TSMATE
 C       preparation: leafcount TSLCOU, lengths TSLENG, layout TSLAYO,
 C         collect TSCOLL, rescale TSRESC, units TSUNIT,
-C         inlimbs TSINLI, scale TSSCAL, revive TSREVI,
+C         inlimbs TSINLI, scale TSSCAL, clumps TSCLUM, revive TSREVI,
 C         sortpoints TSSORT, seal TSSEAL, openindex TSOPEN,
 C         intact TSINTA, claim TSCLAI, restore TSREST, allot TSALLO,
 C         run TSRUN, badargument TSBADA
@@ -251,6 +251,7 @@ C       RREACH  a block's margin, in its leaf's diagonals
 C       RBURDN  what was offered to samples, over NP;  RPATIE its limit;
 C               0: no more supports are sought
 C       RLEAST  the least absolute value of a coordinate above 0
+C       RCLUMP  boxes narrower than this are clumps, 0: none
 C       RSKIN   skin of the next near list
 C       RFUND, RUSUAL  the purse of the near lists; nodes of a search in
 C               the tree
@@ -292,7 +293,9 @@ C               with; QBASE: V(QBASE) is the base of F; QASKED: see
 C               MANY; QON: the support that the facet is on, or 0;
 C               behind QSOME a sample of the points offered to it,
 C               QOPEND: QOPEN = 1: points left open, 0: of leaves;
-C               QWORK, QINTO: see below
+C               QWORK, QINTO: see below; QOUT: a point that is not in
+C               the ball by limbs, or 0; QBEHI: one that is not on the
+C               open side, or 0: see TSSEEN
 C       FQ      begins with the plain sieve, C being the ball's centre,
 C               or else that of the open side; a is 0, and its place and
 C               that of h are QLO and QHI: the best point's L-coordinate
@@ -396,6 +399,10 @@ C               exact one that was no tie counts as EXACT: most ties
 C               take no time, as their points are the corners of a box
 C       PLAIN   no support is sought where points are in so few units
 C               (T5 at least PLAIN) that doubles decide all
+C       CLUMP   a node is a clump if its box is narrower than CLUMP of
+C               the root's.  Among points 10 apart coordinates of -1E10
+C               are no reason for TSSEEN; with -1E14 it takes 0.6 of the
+C               time, with -1E18 a fiftieth
 C       MUCH    pool recommended beyond 4 N in any case, up to 8 N
 C       INTMAX  the largest integer
 C       UNSURE  a sign that bounds, or too few limbs, leave undecided
@@ -707,6 +714,12 @@ C       0 after the last leaf
         IF (NODE .GT. 0) NODE = NODE + 1
       END IF
       IF (NODE .GT. 0) GO TO 10
+      END
+
+C     TSWIDT - the sum of a box's extents.
+      DOUBLE PRECISION FUNCTION TSWIDT(B)
+      DOUBLE PRECISION B(6)
+      TSWIDT = (B(4) - B(1)) + (B(5) - B(2)) + (B(6) - B(3))
       END
 
 C     TSBOXE - compute the box of every node, from the leaves up.
@@ -1728,7 +1741,7 @@ C     The sample keeps SOME of them.  Once it is full, a point replaces
 C     another at random, by numbers that are the same on every machine.
 C     Points with a mark count, too: they may be on a finer support.
       SUBROUTINE TSREME(IQ, Z, OPEN)
-      INTEGER IQ(43), Z, OPEN
+      INTEGER IQ(45), Z, OPEN
       INTEGER QOPEN, QOPEND, QSOME, SOME
       PARAMETER (QOPEN = 8, QOPEND = 9, QSOME = 9, SOME = 32)
       INTEGER PLACE
@@ -1798,7 +1811,7 @@ C     tell them apart.)  OK is 1, or 0 if that is more than BAND.
       SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
      $                  OK)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(60)
-      INTEGER ORD(*), RECORD(16), CTL(*), IQ(43), Z(4), PLANE, OK
+      INTEGER ORD(*), RECORD(16), CTL(*), IQ(45), Z(4), PLANE, OK
       INTEGER SCALE, SLOW, QOPEND, QSOME, SOME, GRAINS, DIGITS, EXPON
       DOUBLE PRECISION BAND, FAINT, FINER, ROUGH, DIGIT, EPS, HUGE
       PARAMETER (SCALE = 19, SLOW = 59, QOPEND = 9, QSOME = 9,
@@ -1861,7 +1874,7 @@ C     on none (sheets near each other are one).  OK is 1 if it is set
 C     up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
       DOUBLE PRECISION X(3,*), P(3,*), S(60)
-      INTEGER ORD(*), RECORD(16), CTL(*), V(3), IQ(43), OK
+      INTEGER ORD(*), RECORD(16), CTL(*), V(3), IQ(45), OK
       INTEGER QOPEND, QSOME, SOME
       DOUBLE PRECISION SMALL
       PARAMETER (QOPEND = 9, QSOME = 9, SMALL = 2.0D0**(-450),
@@ -1952,7 +1965,7 @@ C     is 1 if it is kept, or 0.
       SUBROUTINE TSDISC(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
      $                  KEPT)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(43), KEPT
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(45), KEPT
       INTEGER NP, LEAVES, NSUPP, RPATIE, SLOW, SGRAIN, QOPEND, DONE,
      $    SUPPS, OPENED, STEPS
       DOUBLE PRECISION FINER
@@ -2101,7 +2114,7 @@ C     meridians, the differences of heights come by limbs, over the
 C     base: right to some EPS of themselves.
       SUBROUTINE TSSUPP(X, MARK, CTL, SUP, V, IQ, F, T)
       DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14)
-      INTEGER MARK(*), CTL(*), V(3), IQ(43)
+      INTEGER MARK(*), CTL(*), V(3), IQ(45)
       INTEGER SC, SLOW, QBASE, QON, VH, TDH, TTILT, TDTILT, TG
       DOUBLE PRECISION EPS, FAINT
       PARAMETER (SC = 55, SLOW = 59, QBASE = 4, QON = 6, VH = 7,
@@ -2172,7 +2185,7 @@ C     quotients are of numbers right to 4 EPS of themselves, as is what
 C     is left of a side of more than twice its error: PAD is more.
       SUBROUTINE TSSHAR(X, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
       DOUBLE PRECISION X(3,*), SUP(60,*), F(12), T(14), LO, HI
-      INTEGER MARK(*), IQ(43), Z, SIDE
+      INTEGER MARK(*), IQ(45), Z, SIDE
       INTEGER SPLANE, QON, VH, TDH, TTILT, TDTILT, TG
       DOUBLE PRECISION EPS, FAINT, HUGE, PAD, SMALL
       PARAMETER (SPLANE = 8, QON = 6, EPS = 2.0D0**(-52),
@@ -2294,17 +2307,87 @@ C     is exact but for one rounding.  The sieve is all that over q.
      $    Q)*(ABS(T(VH)) - S(SLOW)) + FAINT)/Q
       END
 
+C     TSSEEN - tells of the box LOW, HIGH what does not show from the
+C     base.  Returns -1 if it holds no candidate, 1 if it is a point
+C     that is certainly on the open side (of a wider box that tells
+C     nothing), else 0.
+C
+C     What is near another vertex has a side and a power that are lost
+C     in the roundings of its distance from the base, where that is so
+C     much greater.  Seen from that vertex, or from the best point, both
+C     are sums of small terms.  Let P be a point whose power in the ball
+C     of centre C is known to be 0, or not negative.  With U = Z - P and
+C     D = C - P, both from the base, the power of Z is at least |U|**2 -
+C     2 D.U.  So Z is no candidate if that is positive: as in TSPRUN,
+C     the least sum in the box less its error.  Likewise for the side of
+C     Z if that of P is 0 or negative, with the product of the normal
+C     and U.
+C
+C     Each coordinate of HHCENT's C is right to 8 EPS of itself, and P
+C     to 1 EPS: D errs by 9 EPS |C| + 2 EPS |P|, which counts twice; U
+C     by EPS |U|, which counts for 2 EPS (|U| + |D|); four roundings for
+C     4 EPS (|U| + 2 |D|).  All that times |U| is less than 8 EPS |U|
+C     (|U| + 4 (|C| + |P|)), coordinate by coordinate: where points
+C     differ from P only in coordinates in which the ball is small, they
+C     are told apart, however large it is in the others.
+      INTEGER FUNCTION TSSEEN(X, V, IQ, F, C, LOW, HIGH)
+      DOUBLE PRECISION X(3,*), F(12), C(3), LOW(3), HIGH(3)
+      INTEGER V(3), IQ(45)
+      INTEGER QBEST, QLIMBS, QBASE, QOUT, QBEHI
+      DOUBLE PRECISION EPS, FAINT, LOOSE
+      PARAMETER (QBEST = 1, QLIMBS = 2, QBASE = 4, QOUT = 44,
+     $    QBEHI = 45, EPS = 2.0D0**(-52), FAINT = 1.0D-200,
+     $    LOOSE = 0.5D0)
+      DOUBLE PRECISION D, ERR, H, L, P, POWER, SIDE, SIZE, U
+      INTEGER FROM(5), I, K
+      FROM(1) = V(MOD(IQ(QBASE),3)+1)
+      FROM(2) = V(MOD(IQ(QBASE)+1,3)+1)
+      FROM(3) = IQ(QBEHI)
+      FROM(4) = IQ(QLIMBS)*IQ(QOUT)
+      FROM(5) = IQ(QLIMBS)*IQ(QBEST)
+      TSSEEN = 0
+      DO 20 K = 1, 5
+        IF (FROM(K) .EQ. 0) GO TO 20
+        POWER = 0.0D0
+        SIDE = 0.0D0
+        SIZE = 0.0D0
+        ERR = FAINT
+        DO 10 I = 1, 3
+          P = X(I,FROM(K)) - F(6+I)
+          D = C(I) - P
+          L = LOW(I) - X(I,FROM(K))
+          H = HIGH(I) - X(I,FROM(K))
+          U = MIN(MAX(D, L), H)
+          POWER = POWER + U*(U - 2.0D0*D)
+          SIDE = SIDE + MAX(L*F(I), H*F(I))
+          U = MAX(ABS(L), ABS(H))
+          SIZE = SIZE + U
+          ERR = ERR + 8.0D0*EPS*U*(U + 4.0D0*(ABS(C(I)) + ABS(P)))
+   10   CONTINUE
+        IF (K .NE. 3 .AND. IQ(QLIMBS) .EQ. 1 .AND. POWER .GT. ERR)
+     $      GO TO 30
+        IF (K .GT. 3 .OR. F(10) .GT. LOOSE) GO TO 20
+        IF (SIDE .LT. -F(10)*SIZE - FAINT) GO TO 30
+        IF (K .LT. 3 .AND. SIDE .GT. F(10)*SIZE + FAINT) TSSEEN = 1
+   20 CONTINUE
+      RETURN
+   30 TSSEEN = -1
+      END
+
 C     TSPNOD - returns 1 if a node provably holds no candidate, by the
 C     marks of its points, or where they tell nothing by its box alone;
-C     or 0.
-      INTEGER FUNCTION TSPNOD(BOX, MARK, CTL, SUP, ON, F, C, T, NODE)
-      DOUBLE PRECISION BOX(6,*), SUP(60,*), F(12), C(8), T(14)
-      INTEGER MARK(*), CTL(*), ON, NODE
-      INTEGER SLOW, SGRAIN, VA, VH, STEPS, FOLD
-      PARAMETER (SLOW = 59, SGRAIN = 60, VA = 6, VH = 7, STEPS = 32768,
-     $    FOLD = 4096)
-      DOUBLE PRECISION H
-      INTEGER TSRCRD, TSPRUN, K
+C     a clump's also as seen from other points; or 0.
+      INTEGER FUNCTION TSPNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
+     $                        T, NODE)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(60,*), F(12),
+     $    C(8), T(14)
+      INTEGER MARK(*), CTL(*), V(3), IQ(45), NODE
+      INTEGER RCLUMP, SLOW, SGRAIN, QON, QINTO, VA, VH, STEPS, FOLD
+      PARAMETER (RCLUMP = 10, SLOW = 59, SGRAIN = 60, QON = 6,
+     $    QINTO = 43, VA = 6, VH = 7, STEPS = 32768, FOLD = 4096)
+      DOUBLE PRECISION TSWIDT, H
+      INTEGER TSRCRD, TSPRUN, TSSEEN, K, ON
+      ON = IQ(QON)
       IF (ON .NE. 0) THEN
         K = MARK(TSRCRD(CTL, ON)+16+NODE)
         IF (T(VA) .LT. 0.0D0) THEN
@@ -2321,6 +2404,10 @@ C     or 0.
         END IF
       END IF
       TSPNOD = TSPRUN(F, C, BOX, NODE, 0.0D0)
+      IF (TSPNOD .EQ. 1 .OR. IQ(QINTO) .NE. 0) RETURN
+      IF (TSWIDT(BOX(1,NODE)) .GE. RCTL(RCLUMP)) RETURN
+      IF (TSSEEN(X, V, IQ, F, C, BOX(1,NODE), BOX(4,NODE)) .LT. 0)
+     $    TSPNOD = 1
       END
 
 C     ------------------------------------------------------------------
@@ -2582,7 +2669,7 @@ C     side.
      $    F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), NCELL, CELL(0:12,*), LSID(TSLIST+48,7), LSI(3,7),
-     $    V(3), IQ(43), OK
+     $    V(3), IQ(45), OK
       INTEGER T3, T5, LMARG, STR, QBEST, QLIMBS, QLO, QHI, VDC, CELLS,
      $    MCELL
       DOUBLE PRECISION MUCHL
@@ -2670,7 +2757,7 @@ C     TSNARR - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L.
       SUBROUTINE TSNARR(SUP, IQ, F, FQ, L)
       DOUBLE PRECISION SUP(60,*), F(12), FQ(*), L
-      INTEGER IQ(43)
+      INTEGER IQ(45)
       INTEGER QLIMBS, QBALL, QON, QHI, VDC, VSC, QT
       DOUBLE PRECISION EPS, MUCHL
       PARAMETER (QLIMBS = 2, QBALL = 3, QON = 6, QHI = 7, VDC = 4,
@@ -2703,13 +2790,14 @@ C     sphere L is counted from F(4..6): U, the difference, takes the
 C     place of C, with the error of F(4..6) and one more rounding.
       SUBROUTINE TSREFI(P, ORD, CTL, SUP, V, IQ, F, FQ)
       DOUBLE PRECISION P(3,*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(43)
-      INTEGER SCALE, QBEST, QLIMBS, QBALL, QBASE, QON, QLO, QHI, VDC,
-     $    VSC, QT, QLIMB
+      INTEGER ORD(*), CTL(*), V(3), IQ(45)
+      INTEGER SCALE, QBEST, QLIMBS, QBALL, QBASE, QON, QOUT, QLO, QHI,
+     $    VDC, VSC, QT, QLIMB
       DOUBLE PRECISION EPS, LOOSE, HUGE
       PARAMETER (SCALE = 19, QBEST = 1, QLIMBS = 2, QBALL = 3,
-     $    QBASE = 4, QON = 6, QLO = 6, QHI = 7, VDC = 4, VSC = 5,
-     $    QT = 9, QLIMB = 23, EPS = 2.0D0**(-52), LOOSE = 0.5D0,
+     $    QBASE = 4, QON = 6, QOUT = 44, QLO = 6, QHI = 7, VDC = 4,
+     $    VSC = 5, QT = 9, QLIMB = 23, EPS = 2.0D0**(-52),
+     $    LOOSE = 0.5D0,
      $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
       INTEGER TSCURV, K, OK, SPHERE
@@ -2720,6 +2808,7 @@ C     place of C, with the error of F(4..6) and one more rounding.
       SPHERE = TSCURV(SUP, IQ(QON))
       IQ(QLIMBS) = 1
       IQ(QBALL) = 1
+      IQ(QOUT) = 0
       FQ(VSC) = 0.0D0
       SIZE = 0.0D0
       L = 0.0D0
@@ -2754,19 +2843,29 @@ C     times that for a tie, or OUT.
       SUBROUTINE TSCONT(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
      $                  VERDIC)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(12), FQ(*), HI
-      INTEGER ORD(*), CTL(*), V(3), IQ(43), Z, SIDE, VERDIC
-      INTEGER EVEN, T3, T5, QBEST, QLIMBS, QBASE, QASKED, QHI, QLIMB,
-     $    QSPHER, UNSURE, LOSES, OUT, TIE, EXACT
+      INTEGER ORD(*), CTL(*), V(3), IQ(45), Z, SIDE, VERDIC
+      INTEGER EVEN, T3, T5, RCLUMP, QBEST, QLIMBS, QBASE, QASKED, QOUT,
+     $    QBEHI, QHI, QLIMB, QSPHER, UNSURE, LOSES, OUT, TIE, EXACT
       DOUBLE PRECISION EPS, HUGE
-      PARAMETER (EVEN = 85, T3 = 1, T5 = 2, QBEST = 1, QLIMBS = 2,
-     $    QBASE = 4, QASKED = 5, QHI = 7, QLIMB = 23, QSPHER = 109,
-     $    UNSURE = 2, LOSES = 1, OUT = 0, TIE = 3, EXACT = 16,
-     $    EPS = 2.0D0**(-52), HUGE = (2.0D0 - EPS)*2.0D0**1023)
+      PARAMETER (EVEN = 85, T3 = 1, T5 = 2, RCLUMP = 10, QBEST = 1,
+     $    QLIMBS = 2, QBASE = 4, QASKED = 5, QOUT = 44, QBEHI = 45,
+     $    QHI = 7, QLIMB = 23, QSPHER = 109, UNSURE = 2, LOSES = 1,
+     $    OUT = 0, TIE = 3, EXACT = 16, EPS = 2.0D0**(-52),
+     $    HUGE = (2.0D0 - EPS)*2.0D0**1023)
       DOUBLE PRECISION L
-      INTEGER BEST, HHPBAL, HHPSID, DOUBT
+      INTEGER BEST, HHPBAL, HHPSID, TSSEEN, DOUBT, SEEN
       BEST = IQ(QBEST)
       DOUBT = 0
       IF (VERDIC .EQ. UNSURE) DOUBT = 1
+      IF (RCTL(RCLUMP) .GT. 0.0D0 .AND. (SIDE .EQ. UNSURE .OR.
+     $    IQ(QLIMBS) .EQ. 1)) THEN
+        SEEN = TSSEEN(X, V, IQ, F, FQ, X(1,Z), X(1,Z))
+        IF (SEEN .LT. 0) THEN
+          VERDIC = OUT
+          RETURN
+        END IF
+        IF (SEEN .GT. 0) SIDE = 1
+      END IF
       IF (DOUBT .EQ. 1 .AND. RCTL(T5) .LT. 0.0D0 .AND. CTL(EVEN) .EQ.
      $    0) THEN
         L = FQ(QHI)
@@ -2777,13 +2876,16 @@ C     times that for a tie, or OUT.
       END IF
       IF (IQ(QLIMBS) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLIMB), Z, SIDE,
      $    VERDIC)
+      IF (VERDIC .EQ. LOSES) IQ(QOUT) = Z
       IF (SIDE .EQ. UNSURE .AND. VERDIC .NE. LOSES)
      $    SIDE = HHPSID(X, P, ORD, RCTL(T3), V(1), V(2), V(3), Z)
+      IF (SIDE .LT. 1) IQ(QBEHI) = Z
       IF (SIDE .NE. 1) THEN
         VERDIC = OUT
       ELSE IF (VERDIC .EQ. UNSURE) THEN
         VERDIC = HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), V, BEST, Z, 2)
         CTL(EVEN) = ABS(VERDIC)/TIE
+        IF (VERDIC .GT. 0) IQ(QOUT) = Z
         IQ(QASKED) = IQ(QASKED) + EXACT*(1 - CTL(EVEN))
       ELSE
         IQ(QASKED) = IQ(QASKED) + DOUBT
@@ -2798,7 +2900,7 @@ C     other's.
       SUBROUTINE TSCHAL(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(43), Z
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(45), Z
       INTEGER RPATIE, QBEST, QLIMBS, QASKED, QON, QTIES, QLO, QHI, QT,
      $    UNSURE, BEATS, LOSES, OUT, TIE, MANY
       DOUBLE PRECISION WIDE
@@ -2853,7 +2955,7 @@ C     over the facet's support is known.
       SUBROUTINE TSCONS(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(43), Z
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(45), Z
       INTEGER SLOW, SGRAIN, QBEST, QON, QT, VA, VH, SUPPS
       PARAMETER (SLOW = 59, SGRAIN = 60, QBEST = 1, QON = 6, QT = 9,
      $    VA = 6, VH = 7, SUPPS = 8)
@@ -2892,7 +2994,7 @@ C     N is what TSLIBA gives.
      $    F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(TSLIST+48,7),
-     $    LSI(3,7), LIST, V(3), IQ(43), N
+     $    LSI(3,7), LIST, V(3), IQ(45), N
       INTEGER DONE
       PARAMETER (DONE = -1)
       INTEGER I, PLACE(TSLIST+1), Z
@@ -2917,7 +3019,7 @@ C     long.
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
-     $    IQ(43), OK
+     $    IQ(45), OK
       INTEGER TIEDST, NCELL, CELL1, LN, STR, QBEST, QBALL, QBASE, QTIES
       PARAMETER (TIEDST = 14, NCELL = 17, CELL1 = 33, LN = 3, STR = 2,
      $    QBEST = 1, QBALL = 3, QBASE = 4, QTIES = 7)
@@ -2955,7 +3057,7 @@ C     adds cost: on surfaces, two of five points that were tested.
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
-     $    IQ(43), OK
+     $    IQ(45), OK
       INTEGER LN, BLK, QBALL
       PARAMETER (LN = 3, BLK = 1, QBALL = 3)
       INTEGER TSBINB, N
@@ -3041,7 +3143,7 @@ C     uncompleted one are most of the completed ones.
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(3,7), V(3),
-     $    IQ(43), NODE
+     $    IQ(45), NODE
       INTEGER RPATIE, QINTO, DONE, GROUP, LEAF
       DOUBLE PRECISION EPS, HUGE
       PARAMETER (RPATIE = 5, QINTO = 43, DONE = -1, GROUP = 8,
@@ -3116,7 +3218,7 @@ C                                been searched, FROM is where that ended
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,7), V(3), IQ(43)
+     $    LSI(3,7), V(3), IQ(45)
       INTEGER LEAVES, ENCLOS, T3, QBASE, QON, QWORK, QINTO, DEPTH, QT
       PARAMETER (LEAVES = 4, ENCLOS = 16, T3 = 1, QBASE = 4, QON = 6,
      $    QWORK = 42, QINTO = 43, DEPTH = 96, QT = 9)
@@ -3168,7 +3270,7 @@ C       one child alive each, and FROM is: nothing else
    20   CONTINUE
         GO TO 10
       END IF
-      IF (TSPNOD(BOX, MARK, CTL, SUP, IQ(QON), F, FQ, FQ(QT),
+      IF (TSPNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, FQ(QT),
      $    NODE) .EQ. 1) GO TO 10
       IF (NODE .GE. CTL(LEAVES)) THEN
         CALL TSSCAN(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
@@ -3209,14 +3311,15 @@ C     the angle there is small, the vertex opposite the longest edge.
       SUBROUTINE TSPREP(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
      $                  F, FQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(60,*), F(12), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(43)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(45)
       INTEGER SCALE, NSUPP, QBEST, QLIMBS, QBALL, QBASE, QASKED, QON,
-     $    QTIES, QOPEND, QWORK, QINTO, QLO, QHI, VERR, QSPHER, QT
+     $    QTIES, QOPEND, QWORK, QINTO, QOUT, QBEHI, QLO, QHI, VERR,
+     $    QSPHER, QT
       DOUBLE PRECISION EPS, FAINT, HUGE, THIN
       PARAMETER (SCALE = 19, NSUPP = 20, QBEST = 1, QLIMBS = 2,
      $    QBALL = 3, QBASE = 4, QASKED = 5, QON = 6, QTIES = 7,
-     $    QOPEND = 9, QWORK = 42, QINTO = 43, QLO = 6, QHI = 7,
-     $    VERR = 8, QSPHER = 109, EPS = 2.0D0**(-52),
+     $    QOPEND = 9, QWORK = 42, QINTO = 43, QOUT = 44, QBEHI = 45,
+     $    QLO = 6, QHI = 7, VERR = 8, QSPHER = 109, EPS = 2.0D0**(-52),
      $    FAINT = 1.0D-200, HUGE = (2.0D0 - EPS)*2.0D0**1023, QT = 9,
      $    THIN = 1.0D-6)
       DOUBLE PRECISION EDGE, LONGST
@@ -3231,6 +3334,8 @@ C     the angle there is small, the vertex opposite the longest edge.
       IQ(QTIES) = 0
       IQ(QWORK) = 0
       IQ(QINTO) = 0
+      IQ(QOUT) = 0
+      IQ(QBEHI) = 0
       FQ(VERR) = FAINT
       FQ(QSPHER) = 0.0D0
       FQ(QLO) = -HUGE
@@ -3349,7 +3454,7 @@ C     search that TSINBA admits needs it.
      $    LSD(17,7), F(12), FQ(162)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,7), LIST, V(3), IQ(43), OK
+     $    LSI(3,7), LIST, V(3), IQ(45), OK
       INTEGER RSKIN, RFUND, LN, LMARG, LAT, BLK, QWORK, QINTO, QSKIN,
      $    QTHICK, FEW
       DOUBLE PRECISION THICKR, THICKT
@@ -3357,8 +3462,8 @@ C     search that TSINBA admits needs it.
      $    BLK = 1, QWORK = 42, QINTO = 43, QSKIN = 161, QTHICK = 162,
      $    FEW = 204, THICKR = 1.3D0, THICKT = 8.0D0)
       DOUBLE PRECISION TSDOT, AT(3), G(12), GQ(162), HALF
-      INTEGER JQ(43), K
-      DO 10 K = 1, 43
+      INTEGER JQ(45), K
+      DO 10 K = 1, 45
         JQ(K) = IQ(K)
    10 CONTINUE
       DO 20 K = 1, 12
@@ -3401,7 +3506,7 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
      $    LSD(17,7), F(12), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(3,7), V(3), IQ(43), OK
+     $    LSI(3,7), V(3), IQ(45), OK
       INTEGER RECENT, RFUND, RUSUAL, QHI, VSC, BALLS
       DOUBLE PRECISION GIANT, FUND
       PARAMETER (RECENT = 86, RFUND = 8, RUSUAL = 9, QHI = 7, VSC = 5,
@@ -3456,7 +3561,7 @@ C     GUESS: see TSPREP.
      $    QWORK = 42, QHI = 7, PLANES = 4, MAXFUT = 8, OPENED = 24,
      $    TAX = 64.0D0, GRANT = 500.0D0, MUCHL = 1.0D100)
       DOUBLE PRECISION F(12), FQ(162), H
-      INTEGER TSCURV, TSONHU, AT, IQ(43), K, LISTS, SUITED, OK
+      INTEGER TSCURV, TSONHU, AT, IQ(45), K, LISTS, SUITED, OK
       IF (CTL(NCELL) .GT. 0) THEN
         CALL TSINCE(X, P, ORD, CTL(NCELL), CTL(CELL1), RCTL, V, Z)
         IF (Z .NE. 0) RETURN
@@ -3645,7 +3750,7 @@ C     uses the tree alone.
       INTEGER LEAVES, QBEST
       PARAMETER (LEAVES = 4, QBEST = 1)
       DOUBLE PRECISION F(12), FQ(162)
-      INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(43), J, K, NODE,
+      INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(45), J, K, NODE,
      $    OLD, R(4), STILL, Z
       CALL TSFORG(CTL, LSI, LSD)
       CALL TSCORN(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
@@ -4299,11 +4404,12 @@ C     cylinders.
       INTEGER CTL(*), LSI(3,7)
       DOUBLE PRECISION RCTL(*), LSD(17,7)
       INTEGER NP, TIEDBL, TIEDST, ENCLOS, FUTILE, NSUPP, EVEN, IDLE,
-     $    RBURDN, RPATIE, RSKIN, RFUND, RUSUAL
+     $    RBURDN, RPATIE, RSKIN, RFUND, RUSUAL, RCLUMP
       DOUBLE PRECISION GRANT
       PARAMETER (NP = 1, TIEDBL = 13, TIEDST = 14, ENCLOS = 16,
      $    FUTILE = 18, NSUPP = 20, EVEN = 85, IDLE = 86, RBURDN = 4,
-     $    RPATIE = 5, RSKIN = 7, RFUND = 8, RUSUAL = 9, GRANT = 500.0D0)
+     $    RPATIE = 5, RSKIN = 7, RFUND = 8, RUSUAL = 9, RCLUMP = 10,
+     $    GRANT = 500.0D0)
       CTL(NP) = 0
       CTL(TIEDBL) = 0
       CTL(TIEDST) = 0
@@ -4317,6 +4423,7 @@ C     cylinders.
       RCTL(RSKIN) = 1.0D0
       RCTL(RFUND) = GRANT
       RCTL(RUSUAL) = 0.0D0
+      RCTL(RCLUMP) = 0.0D0
       CALL TSFORG(CTL, LSI, LSD)
       END
 
@@ -4450,6 +4557,27 @@ C       up to 2**52 units of the determinant's degree
       END IF
       END
 
+C     TSCLUM - sets the width below which a box is a clump: CLUMP of the
+C     root's, if that holds for 4 of 16 leaves.  So it is where a
+C     coordinate of many points is a number that stands for none, like
+C     -3.4E38; else there are no clumps, and TSSEEN costs nothing.
+      SUBROUTINE TSCLUM(BOX, CTL, RCTL)
+      DOUBLE PRECISION BOX(6,*), RCTL(*)
+      INTEGER CTL(*)
+      INTEGER LEAVES, RCLUMP
+      DOUBLE PRECISION CLUMP
+      PARAMETER (LEAVES = 4, RCLUMP = 10, CLUMP = 1.0D-8)
+      DOUBLE PRECISION TSWIDT
+      INTEGER K, LEAF, N
+      RCTL(RCLUMP) = CLUMP*TSWIDT(BOX(1,1))
+      N = 0
+      DO 10 K = 0, 15
+        LEAF = CTL(LEAVES)/16*K + MOD(CTL(LEAVES), 16)*K/16
+        IF (TSWIDT(BOX(1,CTL(LEAVES)+LEAF)) .LT. RCTL(RCLUMP)) N = N + 1
+   10 CONTINUE
+      IF (N .LT. 4) RCTL(RCLUMP) = 0.0D0
+      END
+
 C     TSREVI - put all points back into the tree.
       SUBROUTINE TSREVI(ALIVE, CTL)
       INTEGER ALIVE(*), CTL(*)
@@ -4498,6 +4626,7 @@ C         them
    30 CONTINUE
    40 CALL TSSCAL(X, CTL, RCTL)
       CALL TSBOXE(X, BOX, CTL)
+      CALL TSCLUM(BOX, CTL, RCTL)
       CALL TSREVI(ALIVE, CTL)
       I = 2*CTL(LEAVES) + 1
       IF (ROOMY .EQ. 1) CALL TSMCYS(X, BOX, BOX(1,I), CTL)
@@ -4510,13 +4639,14 @@ C     COUNT, behind it, and HEADER(1) are NP, so that an index can be
 C     recognized: arrays of zeros, or of what is left of an index that
 C     TESS has overwritten, are none.  COUNTS(1) is the number of
 C     supports, whose marks are behind it; the sign of the build's limbs
-C     tells whether there are cylinders.
+C     tells whether there are cylinders, that of the least coordinate
+C     whether there are clumps.
       SUBROUTINE TSSEAL(HEADER, KNOWN, COUNT, COUNTS, CTL, RCTL, CODE)
       INTEGER KNOWN(4), COUNT, COUNTS(*), CTL(*), CODE
       DOUBLE PRECISION HEADER(6), RCTL(*)
-      INTEGER NP, ENCLOS, SCALE, NSUPP, T3, T5, RLEAST, HHLIM
+      INTEGER NP, ENCLOS, SCALE, NSUPP, T3, T5, RLEAST, RCLUMP, HHLIM
       PARAMETER (NP = 1, ENCLOS = 16, SCALE = 19, NSUPP = 20, T3 = 1,
-     $    T5 = 2, RLEAST = 6, HHLIM = 88)
+     $    T5 = 2, RLEAST = 6, RCLUMP = 10, HHLIM = 88)
       IF (CODE .NE. 0) KNOWN(1) = -CODE
       COUNT = CTL(NP)
       HEADER(1) = DBLE(CTL(NP))
@@ -4525,17 +4655,18 @@ C     tells whether there are cylinders.
       HEADER(3) = RCTL(T5)
       HEADER(4) = DBLE(CTL(SCALE))
       HEADER(5) = RCTL(RLEAST)
+      IF (RCTL(RCLUMP) .GT. 0.0D0) HEADER(5) = -RCTL(RLEAST)
       HEADER(6) = DBLE((2*CTL(ENCLOS) - 1)*HHLIM)
       COUNTS(1) = CTL(NSUPP)
       END
 
 C     TSOPEN - open an index for reading only.  INFO is 0, the code of
 C     points without a mesh, or -8 where there is no index.
-      SUBROUTINE TSOPEN(N, P, HEADER, REP, ORD, KNOWN, COUNT, COUNTS,
-     $                  CTL, RCTL, LSI, LSD, INFO)
+      SUBROUTINE TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT,
+     $                  COUNTS, CTL, RCTL, LSI, LSD, INFO)
       INTEGER N, REP(*), ORD(*), KNOWN(4), COUNT, COUNTS(*), CTL(*),
      $    LSI(3,7), INFO
-      DOUBLE PRECISION P(3,*), HEADER(6), RCTL(*), LSD(17,7)
+      DOUBLE PRECISION P(3,*), HEADER(6), BOX(6,*), RCTL(*), LSD(17,7)
       INTEGER NP, LEAVES, ENCLOS, SCALE, T3, T5, RLEAST, PLANAR, RANGE,
      $    SUPPS, HHLIM
       DOUBLE PRECISION NORMAL
@@ -4566,7 +4697,8 @@ C     a NaN is no number of points, either
       RCTL(T3) = HEADER(2)
       RCTL(T5) = HEADER(3)
       CTL(SCALE) = INT(HEADER(4))
-      RCTL(RLEAST) = HEADER(5)
+      RCTL(RLEAST) = ABS(HEADER(5))
+      IF (HEADER(5) .LT. 0.0D0) CALL TSCLUM(BOX, CTL, RCTL)
       IF (HEADER(6) .GT. 0.0D0) CTL(ENCLOS) = 1
       INFO = RANGE
       IF (ABS(HEADER(6)) .GT. DBLE(HHLIM)) THEN
@@ -4714,21 +4846,24 @@ C     its two sides removed each other
       IF (OK .EQ. 0) INFO = FULL
       END
 
-C     TSALLO - decides whether supports are sought, and lays out what is
-C     left of IW, of length LIW: SPACE marks, if there are supports or
-C     may be, two lists of all points, and the pool, of LENGTH.
+C     TSALLO - decides whether supports are sought (not among clumps,
+C     whose far ones are near spheres that no search needs), and lays
+C     out what is left of IW, of length LIW: SPACE marks, if there are
+C     supports or may be, two lists of all points, and the pool, of
+C     LENGTH.
       SUBROUTINE TSALLO(N, LIW, CTL, RCTL, SPACE, LENGTH)
       INTEGER N, LIW, CTL(*), SPACE, LENGTH
       DOUBLE PRECISION RCTL(*)
-      INTEGER NSUPP, T5, RPATIE, SUPPS
+      INTEGER NSUPP, T5, RPATIE, RCLUMP, SUPPS
       DOUBLE PRECISION PLAIN, BURDEN
-      PARAMETER (NSUPP = 20, T5 = 2, RPATIE = 5, SUPPS = 8,
+      PARAMETER (NSUPP = 20, T5 = 2, RPATIE = 5, RCLUMP = 10, SUPPS = 8,
      $    PLAIN = 16.0D0, BURDEN = 1.0D0)
       INTEGER TSLCOU, CYLS, LIWMIN, LRWMIN, OK, POOL
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, SPACE, CYLS, OK)
 C     doubles decide everything if points are in few units
       IF (RCTL(RPATIE) .LE. 0.0D0 .AND. CTL(NSUPP) .LT. SUPPS .AND.
-     $    RCTL(T5) .LT. PLAIN .AND. SPACE .GT. 0 .AND.
+     $    RCTL(T5) .LT. PLAIN .AND. RCTL(RCLUMP) .LE. 0.0D0 .AND.
+     $    SPACE .GT. 0 .AND.
      $    (CTL(NSUPP) .GT. 0 .OR. LIW - LIWMIN - POOL .GE. SPACE))
      $    RCTL(RPATIE) = BURDEN
       IF (CTL(NSUPP) .EQ. 0 .AND. RCTL(RPATIE) .LE. 0.0D0) SPACE = 0
@@ -5018,12 +5153,12 @@ C     element of RW or IW, and the standard lets them be altered.
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
       INTEGER TSLIST, ENCLOS, NSUPP, SUPPS
       PARAMETER (TSLIST = 512, ENCLOS = 16, NSUPP = 20, SUPPS = 8)
-      DOUBLE PRECISION LSD(17,7), RCTL(9), SUP(60,SUPPS)
+      DOUBLE PRECISION LSD(17,7), RCTL(10), SUP(60,SUPPS)
       REAL LSX(TSLIST,4,7)
       INTEGER CTL(91), K, LENGTH, LSI(3,7), LSID(TSLIST+48,7), SPACE
       IF (MASKED .EQ. 1) THEN
-        CALL TSOPEN(N, P, HEADER, REP, ORD, KNOWN, COUNT, COUNTS, CTL,
-     $              RCTL, LSI, LSD, INFO)
+        CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
+     $              CTL, RCTL, LSI, LSD, INFO)
       ELSE
         CALL TSSORT(X, P, ORD, BOX, ALIVE, REP, CTL, RCTL, LSI, LSD, N,
      $              ROOMY, INFO)
@@ -5123,13 +5258,14 @@ C     spread evenly); nothing else is kept of these.
       INTEGER N, LVS, REP(N), ORD(N), KNOWN(4), COUNT, ALIVE(2*LVS-1),
      $    LIW, LEFT, COUNTS(LEFT), ROOMY, WHOLE, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(6), BOX(6,*)
-      INTEGER TSLIST, NP, NSUPP, T5, RBURDN, RPATIE, SUPPS, REGIO,
-     $    STARS, RANGE
+      INTEGER TSLIST, NP, NSUPP, T5, RBURDN, RPATIE, RCLUMP, SUPPS,
+     $    REGIO, STARS, RANGE
       DOUBLE PRECISION PLAIN, KEEN
       PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T5 = 2, RBURDN = 4,
-     $    RPATIE = 5, SUPPS = 8, REGIO = 32, STARS = 256, RANGE = 6,
+     $    RPATIE = 5, RCLUMP = 10, SUPPS = 8, REGIO = 32, STARS = 256,
+     $    RANGE = 6,
      $    PLAIN = 16.0D0, KEEN = 1.0D0/256.0D0)
-      DOUBLE PRECISION LSD(17,7), PART, RCTL(9), SUP(60,SUPPS)
+      DOUBLE PRECISION LSD(17,7), PART, RCTL(10), SUP(60,SUPPS)
       REAL LSX(TSLIST,4,7)
       INTEGER ADJ(4*STARS), CODE, CTL(91), GUESS(2), I, K, LENGTH,
      $    LSI(3,7), LSID(TSLIST+48,7), MANY, MINE, SPACE,
@@ -5165,7 +5301,8 @@ C       point it has in REP
           END IF
    30   CONTINUE
       END IF
-      IF (INFO .EQ. 0 .AND. WHOLE .EQ. 1 .AND. RCTL(T5) .LT. PLAIN) THEN
+      IF (INFO .EQ. 0 .AND. WHOLE .EQ. 1 .AND. RCTL(T5) .LT. PLAIN .AND.
+     $    RCTL(RCLUMP) .LE. 0.0D0) THEN
         MINE = LEFT - N
         DO 50 K = 1, REGIO
           IF (MOD(K, 8) .EQ. 1) THEN
@@ -5875,13 +6012,13 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       INTEGER TSLIST, NP, NSUPP, T3, HFROM, HMOST, NONE, SUPPS, RANGE
       PARAMETER (TSLIST = 512, NP = 1, NSUPP = 20, T3 = 1, HFROM = 7,
      $    HMOST = 10, NONE = 0, SUPPS = 8, RANGE = 6)
-      DOUBLE PRECISION LSD(17,7), RCTL(9), SUP(60,SUPPS), XF(3)
+      DOUBLE PRECISION LSD(17,7), RCTL(10), SUP(60,SUPPS), XF(3)
       REAL LSX(TSLIST,4,7)
       INTEGER HHFINI, HHHOLD, HHPSID, TSSLOT, AT, CTL(91), FROM,
      $    F(3), G(4,1), H(10), I, K, LSI(3,7), LSID(TSLIST+48,7), OK, S,
      $    STEPS, U(4,1), Z
-      CALL TSOPEN(N, P, HEADER, REP, ORD, KNOWN, COUNT, COUNTS, CTL,
-     $            RCTL, LSI, LSD, INFO)
+      CALL TSOPEN(N, P, HEADER, BOX, REP, ORD, KNOWN, COUNT, COUNTS,
+     $            CTL, RCTL, LSI, LSD, INFO)
       IF (INFO .LT. 0) INFO = -3
       IF (INFO .NE. 0) RETURN
       INFO = -5
