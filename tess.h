@@ -42,8 +42,13 @@
  *   a tetrahedron's circumscribed ball          tess_ball
  *   the version of the compiled library         tess_edition
  *
- * Memory: nothing but the caller's arrays and a bounded stack (about 125 KB at
- * the default capacities; see TESS_LIST below and HH_LIMBS in hhpred.h).
+ * Memory: nothing but the caller's arrays and a bounded stack: by gcc -O2 on
+ * x86-64, with options that affect it (TESS_LIST below, HH_LIMBS in hhpred.h),
+ *
+ *     options                          usual points    any points
+ *     none                                  101 KB        129 KB
+ *     -DTESS_LIST=128                        47 KB         75 KB
+ *     -DTESS_LIST=64 -DHH_LIMBS=12           16 KB         16 KB
  *
  *   tet, adj   4*maxtet tess_int each; a uniform cloud of n points has about
  *              6.8 n tetrahedra (more: see tess_size)

@@ -129,7 +129,9 @@ compile() {
 }
 
 # unit NAME CC FLAGS PROGRAM: that program of test/unit and the library, all
-# compiled so, into $here; the library once
+# compiled so, into $here; the library once.  (With HARNESS the points and the
+# proofs have these flags.)
+HARNESS=
 COMMON="test/points.c test/proof/*.c test/hunts/hard.c test/unit/damage.c
     test/unit/guard.c"
 MADE=
@@ -139,7 +141,8 @@ unit() {
     *" $here "*) ;;
     *)
         rm -rf $here
-        compile "$2" "$3" $here $LIBRARY $COMMON || return
+        compile "$2" "$3" $here $LIBRARY &&
+            compile "$2" "${HARNESS:-$3}" $here $COMMON || return
         MADE="$MADE $here "
         ;;
     esac
@@ -232,8 +235,11 @@ language() {
         for d in -O2 -DTESS_FLOAT -DTESS_INT=short -DTESS_INT=long \
             "-DHH_LIMBS=3 -DTESS_LIST=64"; do
             for f in $LIBRARY; do
-                one "strict C89: $f $d" $CC $STRICT -Wdouble-promotion -O1 $d \
-                    -c -o build/strict.o $f
+                # (what a compiler finds when it optimizes it finds in one)
+                how="-O1 -c -o build/strict.o"
+                [ "$d" = -O2 ] || how=-fsyntax-only
+                one "strict C89: $f $d" $CC $STRICT -Wdouble-promotion $d \
+                    $how $f
             done
         done
         one "strict C89: programs for small machines" sh -c "for f in \
@@ -383,7 +389,7 @@ SANITIZE="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 # arguments: what a program of test/unit does not take it refuses
 arguments() {
     for t in "brute -quick" "brute 0" "brute 9 9 9" "brute -one 99 1" \
-        "t_cells 9" "t_natural -quick" "t_part quick" "t_part -quick 9" \
+        "t_cells 9" "t_natural quick" "t_part quick" "t_part -quick 9" \
         "t_pred -quick" "t_pred 0" "t_pred 9x" "t_size -quick" "t_tess quick" \
         "t_tess -sums 0" "t_tess -one uniform" "t_index -quick"; do
         usual "${t%% *}" || return
@@ -402,8 +408,8 @@ tests() {
         skipped "units: doubles of 24 bits, flushed"
     fi
     if [ -z "$ALL" ]; then
-        units usual "$CC" "$CFLAGS" "t_pred 20" brute "t_tess -quick" \
-            "t_part -quick" t_size t_natural t_cells
+        # (t_tess and t_part run with sanitizers)
+        units usual "$CC" "$CFLAGS" "t_pred 20" brute t_size t_natural t_cells
         many "certify" env CC="$CC" sh test/hunts/certify.sh -quick
         # few limbs: code 2 or TESS_RANGE where they do not suffice
         units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
@@ -481,12 +487,160 @@ indices() {
     done
 }
 
+# ---- floating-point flags, and the stack ----
+
+# flags NAME LINK OBJECT...: t_flags with that half, or a skipped test
+FENV="-std=gnu99 -DTEST_FLAGS -O1 -I."
+flags() {
+    flagged=$1
+    linker=$2
+    shift 2
+    if $linker -o build/flags/t_flags build/flags/test/*.o "$@" $LIBS >> $LOG 2>&1
+    then
+        many "flags: $flagged" build/flags/t_flags
+    else
+        fail "flags: $flagged: does not link"
+    fi
+}
+
+# flagtest: what is linked to each half; 1 where it cannot be had
+flagtest() {
+    echo '#include <fenv.h>
+int main(void) { return feenableexcept(FE_INVALID) == -1; }' > build/have.c
+    $CC $FENV -D_GNU_SOURCE -o build/have build/have.c -lm >> $LOG 2>&1 &&
+        build/have && compile "$CC" "$FENV" build/flags/test \
+        test/unit/t_flags.c $COMMON
+}
+
+flagged() {
+    group "flags: " || return
+    if ! flagtest; then
+        skipped "flags: no fenv.h, or no traps"
+        return
+    fi
+    for c in "$CC -O2" "clang -O2" "$CC -O3" "clang -O3"; do
+        case $c$ALL in *-O3) return;; esac
+        wanted "flags: $c" || continue
+        if ! have "${c% *}" "${c##* }"; then
+            skipped "flags: $c"
+        elif compile "${c% *}" "${c##* }" build/flags/c $LIBRARY; then
+            flags "$c" "$CC" build/flags/c/*.o
+        else
+            fail "flags: $c: does not compile"
+        fi
+    done
+}
+
+# the FORTRAN half
+flagged77() {
+    group "flags: FORTRAN 77" || return
+    if ! flagtest; then
+        skipped "flags: FORTRAN 77: no fenv.h, or no traps"
+        return
+    fi
+    compile "$CC" -O1 build/flags test/fortran/shim.c
+    for o in -O2 -O3; do
+        [ $o$ALL = -O3 ] && return
+        wanted "flags: FORTRAN 77, gfortran $o" || continue
+        if gfort build/flags/f $o -ffpe-trap=invalid,zero,overflow \
+            >> $LOG 2>&1; then
+            flags "FORTRAN 77, gfortran $o" gfortran build/flags/shim.o \
+                build/flags/ftess.o build/flags/fhhpred.o
+        else
+            fail "flags: FORTRAN 77, gfortran $o: does not compile"
+        fi
+    done
+}
+
+# stacktest OPTIONS: t_stack by $CC, and whether this is the machine that the
+# manuals' figures are for; 1 where it cannot be had
+stacktest() {
+    echo '#ifdef __clang__
+#error
+#endif
+int main(void) { return !(__GNUC__ && __x86_64__); }' > build/have.c
+    $CC -pthread -o build/have build/have.c >> $LOG 2>&1 && build/have &&
+        compile "$CC" "-O2 -pthread -DTEST_STACK $1" build/stack/test \
+        test/unit/t_stack.c test/points.c test/proof/exact.c
+}
+
+# stack NAME USUAL ANY COMPILER OBJECT...: the figures that a manual has, in KB
+# of 1000 bytes, bound what is measured, and are not far above
+stack() {
+    name="stack: $1: $2 KB, $3 KB"
+    usual=$2
+    any=$3
+    linker=$4
+    shift 4
+    $linker -pthread -o build/stack/t_stack build/stack/test/*.o "$@" $LIBS \
+        >> $LOG 2>&1 && build/stack/t_stack > build/stack.txt
+    cat build/stack.txt >> $LOG
+    shown "$name" awk -v usual="$usual" -v any="$any" '
+        function fits(said, is) {
+            return is <= 1000 * said && 1000 * said <= 1.08 * is + 1000
+        }
+        { print }
+        $1 == "most" { good = fits(usual, $2) && fits(any, $3) }
+        END { exit !good }' build/stack.txt
+}
+
+# stacks FILE: of the manual's table the figures, and what they are for
+stacks() {
+    sed -n 's/^[ *]*\([^ ].*[^ ]\)  *\([0-9]*\) KB  *\([0-9]*\) KB$/\2 \3 \1/p' $1
+}
+
+stacked() {
+    group "stack: " || return
+    stacks tess.h > build/stacks.txt
+    one "stack: tess.h's figures" test "$(wc -l < build/stacks.txt)" -eq 3
+    while read -r usual any options; do
+        [ "$options" = none ] && options=
+        if ! stacktest "$options"; then
+            skipped "stack: no gcc with threads on x86-64"
+            return
+        fi
+        rm -f build/stack/*.o
+        compile "$CC" "-O2 $options" build/stack $LIBRARY
+        stack "$CC -O2 $options" $usual $any "$CC" build/stack/*.o
+    done < build/stacks.txt
+}
+
+stacked77() {
+    group "stack: FORTRAN 77" || return
+    stacks f77/README > build/stacks.txt
+    one "stack: FORTRAN 77: the manual's figures" \
+        test "$(wc -l < build/stacks.txt)" -eq 3
+    while read -r usual any parameters; do
+        case $parameters in *HHLIM*) options=-DHH_LIMBS=${parameters##* };;
+        *) options=;; esac
+        if ! stacktest "$options"; then
+            skipped "stack: FORTRAN 77: no gcc with threads on x86-64"
+            return
+        fi
+        rm -f build/stack/*.o
+        compile "$CC" "-O2 $options" build/stack test/fortran/shim.c
+        echo "$parameters" | tr , '\012' |
+            sed -n 's/^ *\([A-Z]*\) = \([0-9]*\)$/s,\1 = [0-9]*,\1 = \2,/p' \
+            > build/stacks.sed
+        for half in tess hhpred; do
+            sed -f build/stacks.sed f77/$half.f > build/stack/$half.f
+            gfortran -frecursive -O2 -c -o build/stack/f$half.o \
+                build/stack/$half.f >> $LOG 2>&1
+        done
+        stack "FORTRAN 77, gfortran -O2, $parameters" $usual $any gfortran \
+            build/stack/*.o
+    done < build/stacks.txt
+}
+
 sanitizers() {
     if have "$CC" "$SANITIZE"; then
+        HARNESS=-O2
         units sanitizers "$CC" "$SANITIZE" "brute 50" "t_tess -quick" \
             "t_part -quick"
+        HARNESS=
     else
         skipped "sanitizers"
+        units usual "$CC" "$CFLAGS" "t_tess -quick" "t_part -quick"
     fi
 }
 
@@ -1026,14 +1180,14 @@ entries() {
     sed '/---- for tess/,$d' hhpred.h |
         sed -n 's/^TESS_API [a-z_ ]* [*]*hh_\([a-z]*\)(.*/hh\1/p' | cut -c1-6 |
         sort > build/hh.txt
-    # head FILE: each name with its arguments, in small letters
-    head() {
+    # calls FILE: each name with its arguments, in small letters
+    calls() {
         awk '/^     [^ ]/ { text = text substr($0, 7); next }
             { print text; text = $0 }
             END { print text }' $1 | tr A-Z a-z | tr -d ' &' |
             sed -n 's/.*\(subroutine\|function\)\(\(tess\|hh\)[a-z]*(.*)\)$/\2/p'
     }
-    for f in $F77; do head $f; done | sort > build/heads.txt
+    for f in $F77; do calls $f; done | sort > build/heads.txt
     { grep '^tess' build/heads.txt
       while read name; do grep "^$name(" build/heads.txt; done < build/hh.txt
     } | sort > build/entries.txt
@@ -1046,7 +1200,7 @@ entries() {
     # a line that ends in & goes on
     sed -e ':more' -e '/&$/{N;s/&\n *//;b more' -e '}' f77/tess.f90 |
         grep -v 'end \(function\|subroutine\)' > build/module.txt
-    head build/module.txt | sort > build/module2.txt
+    calls build/module.txt | sort > build/module2.txt
     one "entries: the module's are tess.f's, with the same arguments" \
         diff build/entries.txt build/module2.txt
     sed -n '/^    entry/,/^Arrays/s/^    \([A-Z ,]*\)  .*/\1/p
@@ -1193,6 +1347,8 @@ recipes77() {
     group "recipes in FORTRAN, $1: " || return
     compiled
     dir=build/recipes77
+    less=-quick
+    [ -n "$ALL" ] && [ -z "$3" ] && less=
     rm -rf $dir
     mkdir -p $dir
     for r in cells derived interp natural periodic planar slopes surface; do
@@ -1216,7 +1372,7 @@ recipes77() {
             gfortran -o $dir/$t $dir/_$t.o $dir/[!_]*.o build/ftess.o \
                 build/fhhpred.o $LIBS >> $LOG 2>&1
         case $t in
-        t_*) many "recipes in FORTRAN, $1: $t" $dir/$t;;
+        t_*) many "recipes in FORTRAN, $1: $t" $dir/$t $less;;
         *)
             (cd $dir && GFORTRAN_UNBUFFERED_ALL=y limited 300 ./$t $t.obj \
                 $t.stl) > $dir/$t.txt 2>> $LOG
@@ -1413,10 +1569,13 @@ halves() {
         interface "gfortran -fcheck=all"
         mixed
         f_program
+        flagged77
+        stacked77
     fi
     [ -z "$ALL" ] && return
     if command -v gfortran > /dev/null; then
-        fortran "gfortran -O0" "" "$quick" gfort build/f -O0
+        # (what the tests ask for with subscripts checked is not asked again)
+        fortran "gfortran -O0" "" "brute 50" gfort build/f -O0
         text "gfortran -O0"
         fortran "gfortran -O3" "" "brute,t_tess -quick,t_part -quick" gfort build/f -O3
         text "gfortran -O3"
@@ -1450,7 +1609,7 @@ halves() {
     if command -v f2c > /dev/null; then
         LINKF=$CC
         LIBF=-lf2c
-        fortran "f2c" "" "$quick" viaf2c build/f \
+        fortran "f2c" "" "t_pred 20,brute 50,t_tess -quick" viaf2c build/f \
             test/fortran/parity.f
         text "f2c"
         threads "f2c"
@@ -1541,44 +1700,50 @@ machines() {
 
 # ---- two halves, neither of which needs what the other one builds ----
 
-first_half() {
-    itself
-    language
-    symbols
-    tests
-    builds
-    indices
-    examples
-    together
-    readme
-    bindings
-    many "rules" sh test/rules.sh
-    many "packages" env CC="$CC" sh test/package.sh
-    many "the driver" env CC="$CC" sh test/program/driver.sh
-    many "the driver: values" env CC="$CC" sh test/program/values.sh
-    [ -z "$ALL" ] && return
-    peers
-    processes
-    # the certificates of the search, with builds of their own
-    many "certify" env CC="$CC" sh test/hunts/certify.sh -check
+# parts NAME...: these functions in turn; the log says what each one took, in
+# seconds of processors
+parts() {
+    for p in "$@"; do
+        # (in a subshell they would be its own)
+        times > $OUT.times
+        $p
+        times >> $OUT.times
+        tr 'ms' '  ' < $OUT.times | awk -v part="$p" '
+            { for (i = 1; i < NF; i += 2) t[++n] = 60 * $i + $(i + 1) }
+            END { printf "== %s took %.1f s\n", part,
+                t[5] + t[6] + t[7] + t[8] - t[1] - t[2] - t[3] - t[4] }' >> $LOG
+    done
 }
-
-second_half() {
-    sanitizers
-    standard
+rules() { many "rules" sh test/rules.sh; }
+packages() { many "packages" env CC="$CC" sh test/package.sh; }
+driver() { many "the driver" env CC="$CC" sh test/program/driver.sh; }
+values() { many "the driver: values" env CC="$CC" sh test/program/values.sh; }
+# the certificates of the search, with builds of their own
+certificates() { many "certify" env CC="$CC" sh test/hunts/certify.sh -check; }
+# hard sets in hard circumstances, likewise
+hard() { many "torture" env CC="$CC" sh test/hunts/torture.sh -check; }
+# the facts of the paper's Section 4
+paper() {
+    many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
+        sh test/paper/paper.sh -check
+}
+all_twins() {
     twins tess "point" \
         "TSPDIS|TSLINE|TSCURV|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
     twins hhpred "held|blank|shift|lesser|list" "HHKIND|HHV500|HHL088"
-    entries
-    parity
-    halves
+}
+
+first_half() {
+    parts itself language symbols tests flagged stacked builds indices \
+        examples together readme bindings rules packages driver values
     [ -z "$ALL" ] && return
-    machines
-    # hard sets in hard circumstances, with builds of their own
-    many "torture" env CC="$CC" sh test/hunts/torture.sh -check
-    # the facts of the paper's Section 4
-    many "the paper's experiments" env CC="$CC" CFLAGS="$CFLAGS" \
-        sh test/paper/paper.sh -check
+    parts peers processes certificates
+}
+
+second_half() {
+    parts sanitizers standard all_twins entries parity halves
+    [ -z "$ALL" ] && return
+    parts machines hard paper
 }
 
 if [ "$PROCESSORS" -gt 1 ] 2> /dev/null; then

@@ -48,10 +48,21 @@ lacking test/fortran/parity.f < $B/twins
 told "entries: called by parity.f" $B/out
 lacking test/unit/t_tess.c test/unit/t_part.c < $B/entries
 told "entries: tested by t_tess.c or t_part.c" $B/out
+{ cat $B/entries
+  sed '/---- for tess/,$d' hhpred.h | tr -cs a-z_ '\012' | grep '^hh_' |
+      grep -Fx -f $B/predicates; } | lacking test/unit/t_flags.c
+told "entries: flags and traps tested by t_flags.c" $B/out
 sed -n 's/^| `\(tess[_a-z]*\)` | `\([A-Z]*\)` | [a-z].*/\1 \2/p' README.md > $B/rows
 paste -d ' ' $B/entries $B/twins | sort > $B/pairs
 sort $B/rows | diff $B/pairs - > $B/out
 told "entries: a row of the README, with the twin" $B/out
+
+# ---- constants of the library's that a test needs ----
+
+grep '^#define \(BLOCKREACH\|STARREACH\) ' tess.c > $B/words
+grep '^#define \(BLOCKREACH\|STARREACH\) ' test/unit/brute.c | diff $B/words - > $B/out
+[ "$(wc -l < $B/words)" -eq 2 ] || echo none > $B/out
+told "constants: brute.c's are tess.c's" $B/out
 
 # ---- a recipe ----
 
@@ -257,6 +268,14 @@ figure flash "from $(small "$M4" 4 1000 %.0f) KB of flash"
 figure stack "$(small "$M4" 7 1000 %.0f) KB of stack, \
 $(small "$M4" 4 1000 %.0f) KB of flash; $(small '| 100 |' 5 1000 %.1f) KB of \
 arrays for 100 points, $(small '| 100 |' 8 1000 %.1f) KB without a mesh"
+# (tess.h's, which check.sh measures)
+stacks=`sed -n 's/^ [*]  *\(none\|-D[^ ].*[^ ]\)  *\([0-9]*\) KB  *\([0-9]*\) KB$/\2 \3 \1/p' tess.h |
+    awk 'NR == 1 { printf "%d KB, on hard points %d", $1, $2; next }
+        { any = $2 > $1 ? ", " $2 : ""
+        usual = $1
+        sub(/^[0-9]* [0-9]* /, "")
+        printf "; \140%s\140: %d%s", $0, usual, any }'`
+figure "stack by options" "**Stack**: $stacks."
 figure instructions "takes $(small '| 64, Cortex-M4 |' 3 1e6 %.1f) million instructions \
 on a Cortex-M4, locating a place $(small '| 64, Cortex-M4 |' 4 1000 %.0f),000; on a \
 Cortex-M0 $(small '| 64, Cortex-M0 |' 3 1e6 %.1f) million and \

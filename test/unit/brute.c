@@ -4,24 +4,44 @@
  *     brute -one kind seed     one set, in full
  *
  * What verify.h asks for: of so few points that no point is in the perturbed
- * ball of any tetrahedron; and tess_check's verdict.  A failing set prints how to
- * see it again.
+ * ball of any tetrahedron; and tess_check's verdict.  tess_query, from any four
+ * points for a start: what it answers is a tetrahedron of the mesh, which holds
+ * the place or is as near to it as tess_locate's; code -6 where the start is
+ * none.  A failing set prints how to see it again.
  */
 #include "../proof/verify.h"
 #include "../proof/exact.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define MOST 12
-#define MAXTET 400
+#define MOST 60 /* of the last kind; 12 of the others */
+#define MAXTET 1000
 #define LENGTH 20000
 #ifdef TESS_FLOAT
 #define REAL_STEP FLT_EPSILON
 #else
 #define REAL_STEP DBL_EPSILON
 #endif
+/* Exponents as far apart as the limbs and the coordinates allow. */
+#ifdef TESS_FLOAT
+#define LARGE 100
+#define HUGE_ONE 120
+#define TINY (-120)
+#elif HH_LIMBS < 80
+#define LARGE 20
+#define HUGE_ONE 20
+#define TINY (-20)
+#else
+#define LARGE 500
+#define HUGE_ONE 1000
+#define TINY (-664)
+#endif
+/* tess.c's: see opposite */
+#define BLOCKREACH 2.6
+#define STARREACH 0.85
 
 static int n;
 static double p[MOST][3];
@@ -65,6 +85,39 @@ static void sphere(int square)
     }
 }
 
+/* opposite - a point at 1 - 1e-9 of the diameter of an otherwise empty ball
+ * through a vertex, four points on it; the ball is as large as the lists of the
+ * vertex's star allow that they decide, by 1e-10.  What a list leaves out for
+ * rounding's sake is then missed.  The points are few, so that one leaf holds
+ * them, in the unit cube. */
+static void opposite(void)
+{
+    double reach, diameter, s, centre[3];
+    int i, k;
+
+    n = 10;
+    reach = BLOCKREACH / sqrt(3.0) * 3.0 / (6.4 + n / (3.2 * 3.2));
+    diameter = STARREACH * reach * sqrt(3.0) * (1.0 - 1e-10);
+    for (k = 0; k < 3; k++) centre[k] = 0.48 + 0.04 * rnd_unit();
+    for (i = 0; i < 4; i++) {
+        do {
+            set(i, 2.0 * rnd_unit() - 1.0, 2.0 * rnd_unit() - 1.0,
+                2.0 * rnd_unit() - 1.0);
+            s = p[i][0] * p[i][0] + p[i][1] * p[i][1] + p[i][2] * p[i][2];
+        } while (s > 1.0 || s < 0.1);
+        for (k = 0; k < 3; k++) p[i][k] *= 0.5 * diameter / sqrt(s);
+    }
+    for (k = 0; k < 3; k++) p[4][k] = -(1.0 - 2e-9) * p[0][k];
+    for (i = 0; i < 5; i++)
+        for (k = 0; k < 3; k++) p[i][k] += centre[k];
+    for (i = 5; i < n; i++) /* corners */
+        set(i, i == 5 || i == 9, i == 6 || i == 9, i == 7 || i == 9);
+    rnd_mix(p, n);
+    /* (in steps that a few limbs hold) */
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3; k++) p[i][k] = (p[i][k] + 1.0) - 1.0;
+}
+
 static const char *const kinds[] = {
     "points of {0,1}^3", "points of {0,1,2}^3", "cube and inner points",
     "octahedron and more", "integer sphere 9", "integer sphere 26",
@@ -73,9 +126,12 @@ static const char *const kinds[] = {
     "plane sets", "lines and points", "body-centred lattice",
     "tenths of a lattice, far away", "zeros of both signs", "two lines",
     "large integer spheres", "large integers in a plane",
-    "a lattice sheared: volumes of 1", "cocircular in a hull face"
+    "a lattice sheared: volumes of 1", "cocircular in a hull face",
+    "a large lattice moved by a tiny step", "a huge square, and a tiny height",
+    "a point opposite a ball's vertex", "sixty points"
 };
 #define KINDS ((int)(sizeof kinds / sizeof kinds[0]))
+#define SIXTY (KINDS - 1)
 
 static void make(int kind)
 {
@@ -238,6 +294,28 @@ static void make(int kind)
             set(i, 5702887.0 * p[i][0] + 9227465.0 * p[i][1],
                 9227465.0 * p[i][0] + 14930352.0 * p[i][1], p[i][2]);
         break;
+    case 22:
+        lattice(3);
+        for (i = 0; i < n; i++)
+            for (k = 0; k < 3; k++)
+                p[i][k] = ldexp(p[i][k], LARGE) +
+                          (rnd_below(3) - 1) * ldexp(1.0, TINY);
+        break;
+    case 23:
+        for (i = 0; i < n; i++)
+            set(i, ldexp(rnd_below(2), HUGE_ONE), ldexp(rnd_below(2), HUGE_ONE),
+                rnd_below(3) > 0 ? 0.0 : ldexp(1.0, -100 > TINY ? -100 : TINY));
+        break;
+    case 24:
+        opposite();
+        break;
+    case SIXTY:
+        n = 60;
+        if (rnd_below(3) == 0) lattice(5);
+        else
+            for (i = 0; i < n; i++)
+                set(i, rnd_unit(), rnd_unit(), rnd_unit());
+        break;
     default:
         /* the circle as a face, other points on one side of it */
         n = 9;
@@ -257,6 +335,77 @@ static void make(int kind)
             point[3 * i + k] = rounded;
             p[i][k] = (double)rounded;
         }
+}
+
+/* ---- queries ---- */
+
+/* Is v one of the mesh's tetrahedra, whose orientation is positive? */
+static int inmesh(const tess_int *v)
+{
+    tess_int t;
+    int i, k = 0;
+
+    for (i = 0; i < 4; i++)
+        if (v[i] < 0 || v[i] >= n) return 0;
+    for (t = 0; t < ntet && k < 4; t++)
+        for (k = 0; k < 4; k++) {
+            for (i = 0; i < 4 && v[i] != tet[4 * t + k]; i++)
+                ;
+            if (i == 4) break;
+        }
+    return k == 4 && ex_orient(p[v[0]], p[v[1]], p[v[2]], p[v[3]]) > 0;
+}
+
+/* Whether tess_query is right at q from the start v. */
+static const char *query(const tess_real *q, const tess_int *start)
+{
+    const double *c[4];
+    double w[4], x[3];
+    tess_int v[4], t = TESS_NONE;
+    int k, answer, expected = tess_locate(point, ntet, tet, adj, q, &t, w);
+
+    for (k = 0; k < 4; k++) v[k] = start[k];
+    answer = tess_query((tess_int)n, point, iw, rw, q, v, w);
+    if (answer == -6)
+        return start[0] != TESS_NONE && !inmesh(start) ? NULL
+                   : "tess_query: -6 for a good start, or none";
+    if (answer != expected) return "tess_query: another code";
+    if (!inmesh(v)) return "tess_query: no tetrahedron of the mesh";
+    for (k = 0; k < 3; k++) x[k] = (double)q[k];
+    for (k = 0; k < 4; k++) c[k] = p[v[k]];
+    for (k = 0; k < 4 && answer == 0; k++) {
+        c[k] = x;
+        if (ex_orient(c[0], c[1], c[2], c[3]) < 0)
+            return "tess_query: not inside";
+        c[k] = p[v[k]];
+    }
+    return NULL;
+}
+
+/* From starts of any kind to places of any kind. */
+static const char *queries(void)
+{
+    static tess_real q[3];
+    const char *fault = NULL;
+    tess_int v[4];
+    int i, k, a, b;
+
+    if (tess_index((tess_int)n, point, LENGTH, iw, LENGTH, rw) != TESS_OK)
+        return "tess_index";
+    for (i = 0; i < 6 && fault == NULL; i++) {
+        a = rnd_below(n);
+        b = rnd_below(n);
+        for (k = 0; k < 3; k++)
+            q[k] = (tess_real)(i % 3 == 0 ? p[a][k]
+                : i % 3 == 1 ? 0.5 * p[a][k] + 0.5 * p[b][k]
+                : p[rnd_below(n)][k]);
+        a = rnd_below((int)ntet);
+        for (k = 0; k < 4; k++)
+            v[k] = i == 0 ? tet[4 * a + k] : (tess_int)rnd_below(n);
+        if (i == 1) v[0] = TESS_NONE;
+        fault = query(q, v);
+    }
+    return fault;
 }
 
 /* Whether the set of that kind and seed passes. */
@@ -284,6 +433,9 @@ static int run(int kind, unsigned long seed, int full)
             tess_check((tess_int)n, point, ntet, tet, adj, (tess_int)(2 * n),
                        iw, &bad) != 0)
             fault = "tess_check";
+        if (fault == NULL && code == TESS_OK &&
+            (seed % 4 == 0 || kind == SIXTY))
+            fault = queries();
         if (full || fault)
             printf("code %d, %ld tetrahedra\n", code, (long)ntet);
     }
@@ -298,10 +450,39 @@ static int run(int kind, unsigned long seed, int full)
     return fault == NULL;
 }
 
+/* A start that once led to another tetrahedron that is not in the mesh. */
+static int stranger(void)
+{
+    static const int set7[7][3] = {
+        { 4, 1, 0 }, { 3, 8, 1 }, { 3, 2, 0 }, { 4, 8, 7 }, { 8, 4, 8 },
+        { 6, 1, 5 }, { 0, 6, 0 }
+    };
+    static const tess_int start[4] = { 3, 2, 6, 4 };
+    static const tess_real q[3] = { 4, 2, 1 };
+    tess_int lrw = LENGTH;
+    const char *fault;
+    int i, k;
+
+    n = 7;
+    for (i = 0; i < n; i++)
+        for (k = 0; k < 3; k++) {
+            p[i][k] = set7[i][k];
+            point[3 * i + k] = (tess_real)set7[i][k];
+        }
+    code = tess((tess_int)n, point, MAXTET, &ntet, tet, adj, LENGTH, iw, lrw,
+                rw);
+    fault = verify((tess_int)n, point, code, ntet, tet, adj, iw);
+    if (fault == NULL && tess_index((tess_int)n, point, LENGTH, iw, lrw, rw) != 0)
+        fault = "tess_index";
+    if (fault == NULL) fault = query(q, start);
+    if (fault) printf("%s\n", fault);
+    return fault == NULL;
+}
+
 int main(int argc, char **argv)
 {
     static const char usage[] = "[sets [seed] | -one kind seed]";
-    long sets = 800, seed = 1, i, faults, solid;
+    long sets = 800, seed = 1, most, i, faults, solid;
     int kind, one = argc == 4 && strcmp(argv[1], "-one") == 0;
 
     if (argc > 3 && !one) test_usage(argv[0], usage);
@@ -311,7 +492,8 @@ int main(int argc, char **argv)
     if (one) return !run((int)sets, (unsigned long)seed, 1);
     for (kind = 0; kind < KINDS; kind++) {
         faults = solid = 0;
-        for (i = 0; i < sets && faults < 5; i++) {
+        most = kind == SIXTY ? sets / 20 + 1 : sets;
+        for (i = 0; i < most && faults < 5; i++) {
             faults += !run(kind, (unsigned long)(seed + i), 0);
             solid += code == TESS_OK;
         }
@@ -320,5 +502,6 @@ int main(int argc, char **argv)
         if (sets >= 100 && kind != 13) faults += solid < i / 10;
         test_result(kinds[kind], faults);
     }
+    test_result("a start that is no tetrahedron", !stranger());
     return test_end("brute");
 }
