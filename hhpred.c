@@ -535,7 +535,9 @@ static int many(int np, method *of, const double *q, double top, double *w)
 }
 
 /* exact - limbs, with 3, which hold ordinary data (70 bits), or many; most is
- * the largest absolute value of q, which it alters. */
+ * the largest absolute value of q, which it alters.  If all are 0, so are an
+ * orientation and a power; no triangle for foot and no tetrahedron for weigh has
+ * all its vertices there. */
 static int exact(int np, method *of, double *q, double most, double *w)
 {
     double work[44 * 3], factor, top;
@@ -835,14 +837,17 @@ int hh_flat(int axis, const tess_real *a, const tess_real *b,
     const tess_real *p[5];
     double q[12], most;
     int i = axis == 2 ? 0 : axis + 1, k = axis == 0 ? 2 : axis - 1;
-    double bi = (double)b[i] - (double)a[i], ck = (double)c[k] - (double)a[k];
-    double bk = (double)b[k] - (double)a[k], ci = (double)c[i] - (double)a[i];
-    double det = bi * ck - bk * ci;
-    double err = 8.0 * DBL_EPSILON * (fabs(bi * ck) + fabs(bk * ci));
+    /* halves, whose differences do not overflow */
+    double ai = 0.5 * (double)a[i], bi = 0.5 * (double)b[i] - ai;
+    double ak = 0.5 * (double)a[k], bk = 0.5 * (double)b[k] - ak;
+    double ci = 0.5 * (double)c[i] - ai, ck = 0.5 * (double)c[k] - ak;
+    double det, err;
 
     /* as in filt3; below 1/LOW, underflow does less than 1/SHIFT */
     if (fabs(bi) < 1.0 / LOW && fabs(ck) < 1.0 / LOW &&
         fabs(bk) < 1.0 / LOW && fabs(ci) < 1.0 / LOW) {
+        det = bi * ck - bk * ci;
+        err = 8.0 * DBL_EPSILON * (fabs(bi * ck) + fabs(bk * ci));
         if (det > err + 1.0 / SHIFT) return 1;
         if (det < -err - 1.0 / SHIFT) return -1;
     }
@@ -1594,11 +1599,12 @@ int hh_limits(const double *f, const double *z, double *lo, double *hi)
 {
     double w0 = z[0] - f[6], w1 = z[1] - f[7], w2 = z[2] - f[8];
     double size = fabs(w0) + fabs(w1) + fabs(w2), half, l, dl;
-    double side = f[0] * w0 + f[1] * w1 + f[2] * w2, err = f[9] * size;
+    double side = f[0] * w0 + f[1] * w1 + f[2] * w2, err;
 
     *lo = -DBL_MAX;
     *hi = DBL_MAX;
     if (size < HH_SMALL || f[9] > HH_LOOSE) return 0;
+    err = f[9] * size;
     if (side > 2.0 * err && side > HH_SMALL) {
         half = 0.5 / side;
         l = HH_POWER(w0, w1, w2, f + 3) * half;

@@ -117,7 +117,7 @@
  *   first facet  point precedes edgeby firstfacet
  *   pool         outfac facet owner hashkey same find chain erase enter full
  *                cuberoot quota rehash
- *   lists        disjoint setpoints boxquery frame leaflist forget compress
+ *   lists        disjoint single setpoints boxquery frame leaflist forget compress
  *                starlist
  *   the ball     dot powererr openside prunebox ballinbox ballinstar ballcoef
  *                listball
@@ -144,7 +144,7 @@
  *   queries      qside leave inbox
  *   location     closer sample walk hullstep turn nearhull tess_locate
  *                tess_values
- *   without a mesh  descend across tess_query
+ *   without a mesh  descend across inmesh tess_query
  *   hull, check  tess_hull marks chkpla chkidx chkfac chktet chkhul
  *                chkcov tess_check
  *   a ball, version  tess_ball tess_edition
@@ -173,6 +173,9 @@
 #define LEAF 48
 /* Size of the groups that the points of a leaf are sorted into. */
 #define GROUP 8
+#if LEAF % GROUP != 0
+#error LEAF is not a multiple of GROUP: scanleaf fills its last group
+#endif
 /* A block's list extends beyond the leaf's box by BLOCKREACH times the leaf's
  * mean point spacing; a star's list extends STARREACH times as far from its
  * vertex.  For uniform points they hold about 240 and 20
@@ -332,6 +335,10 @@
  * a filter: its r is at least LEFT_LIST^2 = 1e20, and ballcoef's limits leave
  * |d.x| < 2e19, d[3] < 1e18.
  *
+ * SPECK: a list takes a coordinate below this for 0.  That is far below FEPS,
+ * and of what is left neither squares and products in single precision nor
+ * those of differences underflow.
+ *
  * PAD: relative room for the few roundings of a bound. */
 #define EPS DBL_EPSILON
 #define FEPS FLT_EPSILON
@@ -346,6 +353,7 @@
 #define FINEST 1e-4
 #define SLACK (32.0f * FEPS)
 #define LEFT_LIST 1e10f
+#define SPECK 1e-10
 #define PAD (64.0 * EPS)
 
 /* A list of uncompleted points, in single precision.  A block's has those in
@@ -468,9 +476,9 @@ typedef struct mesh {
     double skin;              /* of the next one */
     double fund, usual;       /* their purse; nodes of a search in the tree */
     int idle;                 /* 1: it was empty */
-    tess_int futile;          /* the leaf's latest searches in a row that */
+    int futile;               /* the leaf's latest searches in a row that */
                               /* ended in the tree */
-    tess_int tiedblocks;      /* searches in a row that met ties in a block's */
+    int tiedblocks;           /* searches in a row that met ties in a block's */
                               /* list, and none that ended in a star's */
     int tiedstar;             /* 1: the last search in a star's list that met */
                               /* points met some exactly on its last ball */
@@ -998,6 +1006,12 @@ static int disjoint(const double *alo, const double *ahi, const double *blo,
            (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
 }
 
+/* single - returns x in single precision, or 0 if it is a speck. */
+static float single(double x)
+{
+    return fabs(x) < SPECK ? 0.0f : (float)x;
+}
+
 /* setpoints - set the points of a list from their positions; those whose stars
  * are complete are LEFT_LIST away, and so is what pads the list to a multiple
  * of four: loops over lists go by fours, which every compiler can vectorize. */
@@ -1011,9 +1025,9 @@ static void setpoints(const mesh *m, list *l)
         x = y = z = LEFT_LIST;
         if (i < l->n && m->link[l->id[i]] != DONE) {
             q = m->x + 3 * l->id[i];
-            x = (float)((q[0] - l->centre[0]) * l->unit);
-            y = (float)((q[1] - l->centre[1]) * l->unit);
-            z = (float)((q[2] - l->centre[2]) * l->unit);
+            x = single((q[0] - l->centre[0]) * l->unit);
+            y = single((q[1] - l->centre[1]) * l->unit);
+            z = single((q[2] - l->centre[2]) * l->unit);
         }
         l->x[i] = x;
         l->y[i] = y;
@@ -1212,7 +1226,9 @@ static void openside(quest *f)
         s->c[k] = 0.5 * MUCHL * f->hh[k];
         s->sc += fabs(s->c[k]);
     }
-    s->dc = MUCHL * (f->hh[9] <= HH_LOOSE ? 0.5 * f->hh[9] + 4.0 * EPS : 2.0);
+    /* (nothing may overflow, even if a compiler computes it in vain) */
+    s->dc = f->hh[9] <= HH_LOOSE ? f->hh[9] : 4.0;
+    s->dc = MUCHL * (0.5 * s->dc + 4.0 * EPS);
 }
 
 /* prunebox - returns 1 if no point of the box lo, hi can be a candidate: none
@@ -1311,7 +1327,7 @@ static int ballinstar(const mesh *m, const quest *f)
  *   else at most 1; but twice as much for boxes a few last places wide, whose
  *   centre is rounded by as much): |u|^2 <= 12 by at most 8 roundings, two of
  *   them of u itself and the last that of the difference; d.u by at most 6 of
- *   each term; d[3] itself; underflow is far below FEPS;
+ *   each term; d[3] itself; specks are far below FEPS;
  *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
  *   with g, 6 roundings of (1 + |g|) a.
  * Returns 0 when the ball is too large for that. */
@@ -1330,7 +1346,7 @@ static int ballcoef(const list *l, const quest *f, float *d)
         sum += fabs(cu[i]) * l->most[i];
     }
     if (sum > 1e6 || a + 2.0 * f->plain.dc * l->unit > 5e8) return 0;
-    for (i = 0; i < 3; i++) d[i] = (float)cu[i];
+    for (i = 0; i < 3; i++) d[i] = single(cu[i]);
     d[3] = (float)((double)FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
                    8.0 * EPS * a * (1.0 + off) +
                    2.0 * f->plain.dc * l->unit * (4.0 + off) - k);
@@ -1339,8 +1355,10 @@ static int ballcoef(const list *l, const quest *f, float *d)
 
 /* listball - finds the places of the points of a list that pass ballcoef's
  * test.  Returns their number; 0 if they are only the vertices of the facet and
- * the best point, which are on the ball, -1 if that is too large for the
- * list. */
+ * the best point, which are on the ball, -1 if that is too large for the list.
+ * (All four are in a list that a search ends in, as none is complete: its ball
+ * lies inside what the list covers.  The other lists may lack some, and then 0
+ * may be wrong, but the search goes on.) */
 static int listball(const list *l, const quest *f, int *place)
 {
     float d[4];
@@ -2152,15 +2170,16 @@ static int newcell(mesh *m, quest *f)
     const list *l = m->balls;
     const tess_int *v = f->v;
     int place[TESS_LIST + 1], n, i, side;
-    double wide;
+    double wide, dc = f->plain.dc;
     tess_int z;
     cell c;
 
     if (fabs(f->hi) > MUCHL) return 0;
     wide = f->limbs ? 0.0 : f->hi - f->lo;
     if (wide > l->margin) return 0;
-    f->plain.dc += wide;
+    f->plain.dc = dc + wide;
     n = ballinstar(m, f) ? listball(l, f, place) : 0;
+    f->plain.dc = dc;
     if (n <= 0 || n > CELL) return 0;
     for (i = c.n = 0; i < n; i++) {
         z = l->id[place[i]];
@@ -2416,7 +2435,9 @@ static int instar(mesh *m, quest *f)
         if (f->ties > 0 && !m->tiedstar) (void)newcell(m, f);
         m->tiedstar = f->ties > 0;
     }
-    return ballinstar(m, f);
+    if (!ballinstar(m, f)) return 0;
+    HOLDS(complete4(f, m->balls));
+    return 1;
 }
 
 /* inblock - the same for the block's list.  If the ball leaves the block's box,
@@ -2424,8 +2445,11 @@ static int instar(mesh *m, quest *f)
  * two of five points that were tested. */
 static int inblock(mesh *m, quest *f)
 {
-    return m->block.n > 0 && f->ball && ballinbox(m, f, &m->block) &&
-           look(m, f, &m->block) >= 0;
+    if (m->block.n == 0 || !f->ball || !ballinbox(m, f, &m->block) ||
+        look(m, f, &m->block) < 0)
+        return 0;
+    HOLDS(complete4(f, &m->block));
+    return 1;
 }
 
 /* inflate - sets the thickness of the skin about a search's ball, in margins of
@@ -2588,7 +2612,11 @@ static void treesearch(mesh *m, quest *f)
     }
 }
 
-/* onhull - returns 1 if the facet lies in a plane known to bound the hull. */
+/* onhull - returns 1 if the facet lies in a plane known to bound the hull, and
+ * so has no apex: of a facet without a best point the open side is not the
+ * hull's.  (A search that could begin at such a facet from outside, as plant
+ * does at one of its two, comes before any plane is met: settle forgets them,
+ * and has a point on that side itself.) */
 static int onhull(const mesh *m, const quest *f)
 {
     const tess_int *h;
@@ -2627,6 +2655,7 @@ static void prepare(mesh *m, quest *f, const tess_int *v,
     f->into = NULL;
     f->outside = f->behind = NONE;
     f->plain.err = FAINT;
+    f->lo = -DBL_MAX;
     f->hi = DBL_MAX;
     hh_setup(p[0], p[1], p[2], f->hh);
     if (f->hh[9] >= 8000.0 * EPS) {
@@ -2751,6 +2780,7 @@ static int innear(mesh *m, quest *f)
         m->recent[k - 1] = (int)(l - m->balls);
     }
     HOLDS(listed(m, f, l));
+    HOLDS(complete4(f, l));
     n = look(m, f, l);
     if (found && n >= 0) {
         COUNT(N_NEAR, 1);
@@ -2781,14 +2811,17 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
         return f.best;
     }
     /* before the block's list, which saves lattices a tenth of the time */
-    if (lists && f.best == NONE && onhull(m, &f)) return NONE;
+    if (lists && f.best == NONE && onhull(m, &f)) {
+        HOLDS(proven(m, v, NONE));
+        return NONE;
+    }
     if (lists && inblock(m, &f)) {
         COUNT(N_BLOCK, 1);
         m->futile = 0;
-        if (f.ties > 0) m->tiedblocks++;
+        if (f.ties > 0 && m->tiedblocks <= MAXFUTILE) m->tiedblocks++;
         return f.best;
     }
-    m->futile++;
+    if (m->futile < MAXFUTILE) m->futile++;
     suited = BALLS > 1 && f.ball && f.hi <= MUCHL && !LEANING(&f) &&
            m->block.margin > 0.0;
     if (m->fund <= 0.0 || m->fund > GRANT) m->idle = m->fund <= 0.0;
@@ -2809,6 +2842,7 @@ static tess_int apex(mesh *m, const tess_int *v, const tess_int *guess)
     }
     if (f.best == NONE) {
         COUNT(N_HULL, 1);
+        HOLDS(proven(m, v, NONE));
         for (k = 0; k < 3; k++) m->plane[m->nplane % HULL_PLANES][k] = v[k];
         m->nplane++;
     }
@@ -2887,8 +2921,9 @@ static void corner(const mesh *m, tess_int s, tess_int *v)
  * done with the points of the leaf alone, and then with all: without the
  * former, a query from anywhere takes three times as long.
  *
- * Vertices may be complete, and then no list has them: the search uses the tree
- * alone. */
+ * Points whose stars are complete are in no list and not in the tree.  That does
+ * no harm, as s is in no tetrahedron yet, so none of them is its neighbour: the
+ * star of s is the same in any set of points that has all its neighbours. */
 static void settle(mesh *m, tess_int s, tess_int *v)
 {
     tess_int r[4], f[3], guess[2], node = m->leaves + leafof(m, s), old, z;
@@ -3428,12 +3463,17 @@ static int inlimbs(tess_int n, const tess_real *p)
 {
     double most = 0.0, few, x;
     tess_int i;
+    int e;
 
     for (i = 0; i < 3 * n; i++) {
         x = fabs((double)p[i]);
         if (x > most) most = x;
     }
-    few = ldexp(most, (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG);
+    /* where that would underflow, only subnormal ones are */
+    frexp(most, &e);
+    few = DBL_MIN;
+    if (e + (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG > DBL_MIN_EXP)
+        few = ldexp(most, (3 - HH_LIMBS) * HH_BITS + DBL_MANT_DIG);
     for (i = 0; i < 3 * n; i++) {
         x = fabs((double)p[i]);
         if (x > 0.0 && x < few && hh_range(x, most) != 0) return 0;
@@ -3710,6 +3750,9 @@ static int run(mesh *m, tess_int n, const tess_int *mine, tess_int maxtet,
     m->slots = m->nopen = m->lowest = 0;
     m->unmet = mine == NULL ? m->np : 0;
     clearlink(m);
+    /* lists made for other stars lack points that are uncompleted again, and
+     * planes that bounded what was left then do not bound the hull now */
+    forget(m);
     /* one over the cube root of the points in a leaf, 24 to 48 in large sets,
      * by a step of Newton's method */
     m->reach = BLOCKREACH / sqrt(3.0) * 3.0 /
@@ -4253,11 +4296,28 @@ static int across(mesh *m, tess_int *u, int k)
     return 1;
 }
 
+/* inmesh - returns 1 if the tetrahedron u, positively oriented, is one of the
+ * mesh, that is, if its ball is empty.  A point in it is inside of the facet
+ * opposite to u[3] or outside; and so is then the facet's apex on that side, as
+ * its ball has no more points there (Lemma 3). */
+static int inmesh(mesh *m, const tess_int *u)
+{
+    tess_int f[3], guess[2], a;
+
+    outfac(u, 3, f);
+    a = apex(m, f, NULL);
+    if (a != NONE && hh_pball(&m->set, u, u[3], a, 1) < 0) return 0;
+    guess[0] = u[3];
+    guess[1] = NONE;
+    return apex(m, u, guess) == u[3];
+}
+
 /* tess_query - the walk of walk, with q* moved into the same tetrahedron, and
  * for a q outside that of nearhull, so that the answer is that of tess_locate;
- * neighbours are computed as they are needed.  From a v that is no tetrahedron
- * of the mesh the walk might cycle: after np steps it starts again from one
- * that is. */
+ * neighbours are computed as they are needed.  If the v given is a tetrahedron
+ * of the mesh, so are all that the walk meets.  If not, the walk might cycle,
+ * or end at another that is none: after np steps, or there, it starts again
+ * from one that is. */
 int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w)
 {
@@ -4282,7 +4342,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
     if (steps > 0 && hh_pside(&m.set, u[0], u[1], u[2], u[3]) <= 0) return -6;
     for (k = 0; k < 4; k++) w[k] = 0.0;
     if (!hh_holds(1, q)) return TESS_RANGE;
-    do {
+    for (;;) {
         if (steps >= 0 && steps-- == 0) {
             settle(&m, descend(&m, q), u);
             from = 4;
@@ -4290,9 +4350,12 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
         for (k = 0; k < 4; k++) v[k] = m.order[u[k]];
         k = leave(p, v, from, q, m.known);
         if (k < 0) return TESS_RANGE;
-        if (k == 4) return hh_weigh(p, v, q, w) == 0 ? 0 : TESS_RANGE;
         from = 3;
-    } while (across(&m, u, k));
+        if (k < 4 && across(&m, u, k)) continue;
+        if (steps < 0 || inmesh(&m, u)) break;
+        steps = 0;
+    }
+    if (k == 4) return hh_weigh(p, v, q, w) == 0 ? 0 : TESS_RANGE;
     h.f[0] = h.from = TESS_NONE;
     h.most = m.np;
     for (;;) {

@@ -756,7 +756,9 @@ C     own for the sake of its scratch.
 
 C     HHEXAC - HHLIMB with 3 limbs, which hold ordinary data (70 bits),
 C     or HHMANY; MOST is the largest absolute value of Q, which it
-C     alters.
+C     alters.  If all are 0, so are an orientation and a power; no
+C     triangle for HHFT and no tetrahedron for HHWGH has all its
+C     vertices there.
       SUBROUTINE HHEXAC(NP, OF, Q, MOST, W, SGN)
       INTEGER NP, SGN
       DOUBLE PRECISION Q(3,*), MOST, W(*)
@@ -1163,18 +1165,22 @@ C     along all three axes.
       DOUBLE PRECISION EPS, SHIFT, LOW
       PARAMETER (EPS = 2.0D0**(-52), SHIFT = 2.0D0**600)
       PARAMETER (LOW = 2.0D0**(-200))
-      DOUBLE PRECISION ANY(4), BI, BK, CI, CK, DET, ERR, MOST, Q(3,4)
+      DOUBLE PRECISION AI, AK, ANY(4), BI, BK, CI, CK, DET, ERR, MOST,
+     $    Q(3,4)
       INTEGER I, K, SGN
       I = MOD(AXIS, 3) + 1
       K = MOD(AXIS + 1, 3) + 1
-      BI = B(I) - A(I)
-      CK = C(K) - A(K)
-      BK = B(K) - A(K)
-      CI = C(I) - A(I)
-      DET = BI*CK - BK*CI
-      ERR = 8.0D0*EPS*(ABS(BI*CK) + ABS(BK*CI))
+C     halves, whose differences do not overflow
+      AI = 0.5D0*A(I)
+      AK = 0.5D0*A(K)
+      BI = 0.5D0*B(I) - AI
+      BK = 0.5D0*B(K) - AK
+      CI = 0.5D0*C(I) - AI
+      CK = 0.5D0*C(K) - AK
 C     as in HHFIL3; below 1/LOW, underflow does less than 1/SHIFT
       IF (MAX(ABS(BI), ABS(CK), ABS(BK), ABS(CI)) .LT. 1.0D0/LOW) THEN
+        DET = BI*CK - BK*CI
+        ERR = 8.0D0*EPS*(ABS(BI*CK) + ABS(BK*CI))
         HHFLAT = 1
         IF (DET .GT. ERR + 1.0D0/SHIFT) RETURN
         HHFLAT = -1
@@ -2243,11 +2249,11 @@ C     most SIZE.
       W3 = Z(3) - F(9)
       SIZE = ABS(W1) + ABS(W2) + ABS(W3)
       VW = F(1)*W1 + F(2)*W2 + F(3)*W3
-      ERR = F(10)*SIZE
       SIDE = 0
       LO = -HUGE
       HI = HUGE
       IF (SIZE .LT. SMALL .OR. F(10) .GT. LOOSE) RETURN
+      ERR = F(10)*SIZE
       IF (VW .GT. 2.0D0*ERR .AND. VW .GT. SMALL) THEN
         HALF = 0.5D0/VW
         L = (W1*(W1 - 2.0D0*F(4)) + W2*(W2 - 2.0D0*F(5)) +

@@ -154,8 +154,8 @@ C       pool: outfac TSOUTF, facet TSFACE, owner TSOWNE,
 C         hashkey TSHASH, same TSSAME, find TSFIND, chain TSCHAI,
 C         erase TSERAS, enter TSENTE, full TSFULL, cuberoot TSCUBE,
 C         quota TSQUOT, rehash TSREHA
-C       lists: disjoint TSDISJ, setpoints TSSETP, boxquery TSBOXQ,
-C         frame TSFRAM, leaflist TSLFLI, forget TSFORG,
+C       lists: disjoint TSDISJ, single TSREAL, setpoints TSSETP,
+C         boxquery TSBOXQ, frame TSFRAM, leaflist TSLFLI, forget TSFORG,
 C         compress TSCMPR, starlist TSSTLI
 C       the ball: dot TSDOT, powererr TSPOWE, openside TSOSID,
 C         prunebox TSPRUN, ballinbox TSBINB, ballinstar TSBINS,
@@ -199,7 +199,7 @@ C       queries: qside TSQSID, leave TSLEAV, inbox TSINBO
 C       location: closer TSCLOS, sample TSSAMP, walk TSWALK,
 C         hullstep TSHULL, turn TSTURN, nearhull TSNEAH,
 C         tess_locate TESSLO, tess_values TESSVA
-C       without a mesh: descend TSDESC, across TSACRO,
+C       without a mesh: descend TSDESC, across TSACRO, inmesh TSINME,
 C         tess_query TESSQU
 C       hull, check: tess_hull TESSHU, marks TSMARK,
 C         chkpla TSCHKP, chkidx TSCHKI, chkfac TSCHKF, chktet TSCHKT,
@@ -458,6 +458,10 @@ C               is 0.04 FINEST
 C       FAR     where a list puts points that have left it.  No such
 C               point passes a filter: its r is at least FAR**2 = 1E20,
 C               and TSBALC's limits leave |D.x| < 2E19, D(4) < 1E18
+C       SPECK   a list takes a coordinate below this for 0.  That is far
+C               below FEPS, and of what is left neither squares and
+C               products in single precision nor those of differences
+C               underflow
 C       PAD     relative room for the few roundings of a bound
 
 C     ------------------------------------------------------------------
@@ -1157,6 +1161,15 @@ C     six conditions, not one, spare a branch for each
       IF (X(3,I) .LT. LSD(LLO+3,LIST)) TSPDIS = 1
       END
 
+C     TSREAL - X in single precision, or 0 if it is a speck.
+      REAL FUNCTION TSREAL(X)
+      DOUBLE PRECISION X
+      DOUBLE PRECISION SPECK
+      PARAMETER (SPECK = 1.0D-10)
+      TSREAL = 0.0E0
+      IF (ABS(X) .GE. SPECK) TSREAL = REAL(X)
+      END
+
 C     TSSETP - set the points of a list from their positions; those
 C     whose stars are complete are FAR away, and so is what pads the
 C     list to a multiple of four: loops over lists go by fours, which
@@ -1170,6 +1183,7 @@ C     every compiler can vectorize.
       INTEGER LN, LMID, LUNIT, DONE
       REAL FAR
       PARAMETER (LN = 3, LMID = 6, LUNIT = 14, DONE = -1, FAR = 1.0E10)
+      REAL TSREAL
       INTEGER I, K, Z
       DO 20 I = 1, (LSI(LN,LIST) + 3)/4*4
         LSX(I,1,LIST) = FAR
@@ -1180,7 +1194,7 @@ C     every compiler can vectorize.
         Z = LSID(I,LIST)
         IF (LINK(Z) .EQ. DONE) GO TO 20
         DO 10 K = 1, 3
-          LSX(I,K,LIST) = REAL((X(K,Z) - LSD(LMID+K,LIST))*
+          LSX(I,K,LIST) = TSREAL((X(K,Z) - LSD(LMID+K,LIST))*
      $        LSD(LUNIT,LIST))
    10   CONTINUE
         LSX(I,4,LIST) = LSX(I,1,LIST)**2 + LSX(I,2,LIST)**2 +
@@ -1198,7 +1212,7 @@ C     are not in leaf OWN.  FIT is 1, or 0 if they do not fit.
       INTEGER ALIVE(*), LINK(*), CTL(*), LSID(TSLIST+48,7), LSI(3,7),
      $    LIST, OWN, FIT
       INTEGER LEAVES, LN, DONE, DEPTH
-      PARAMETER (LEAVES = 4, LN = 3, DONE = -1, DEPTH = 64)
+      PARAMETER (LEAVES = 4, LN = 3, DONE = -1, DEPTH = 96)
       INTEGER TSDISJ, TSPDIS, FIRST, HEIGHT, I, LAST, N, NODE, OUT,
      $    STACK(DEPTH)
       FIT = 1
@@ -1449,8 +1463,10 @@ C     pass where the normal is not known.
         S(K) = 0.5D0*MUCHL*F(K)
         S(VSC) = S(VSC) + ABS(S(K))
    10 CONTINUE
-      S(VDC) = MUCHL*2.0D0
-      IF (F(10) .LE. LOOSE) S(VDC) = MUCHL*(0.5D0*F(10) + 4.0D0*EPS)
+C     (nothing may overflow, even if a compiler computes it in vain)
+      S(VDC) = 4.0D0
+      IF (F(10) .LE. LOOSE) S(VDC) = F(10)
+      S(VDC) = MUCHL*(0.5D0*S(VDC) + 4.0D0*EPS)
       END
 
 C     TSPRUN - returns 1 if no point of a node's box can be a candidate:
@@ -1568,7 +1584,7 @@ C       g is 0, else at most 1; but twice as much for boxes a few last
 C       places wide, whose centre is rounded by as much): |u|**2 <= 12
 C       by at most 8 roundings, two of them of u itself and the last
 C       that of the difference; D.u by at most 6 of each term; D(4)
-C       itself; underflow is far below FEPS;
+C       itself; specks are far below FEPS;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
@@ -1581,6 +1597,7 @@ C     OK is 1, or 0 when the ball is too large for that.
       PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, VDC = 4,
      $    EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23))
       DOUBLE PRECISION A, CU(3), DIST, G, REST, SUM
+      REAL TSREAL
       INTEGER K
       A = 0.0D0
       REST = 0.0D0
@@ -1598,9 +1615,9 @@ C     OK is 1, or 0 when the ball is too large for that.
       OK = 0
       IF (SUM .GT. 1.0D6 .OR. A + 2.0D0*C(VDC)*LSD(LUNIT,LIST) .GT.
      $    5.0D8) RETURN
-      D(1) = REAL(CU(1))
-      D(2) = REAL(CU(2))
-      D(3) = REAL(CU(3))
+      D(1) = TSREAL(CU(1))
+      D(2) = TSREAL(CU(2))
+      D(3) = TSREAL(CU(3))
       D(4) = REAL(FEPS*(128.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
      $    8.0D0*EPS*A*(1.0D0 + DIST) +
      $    2.0D0*C(VDC)*LSD(LUNIT,LIST)*(4.0D0 + DIST) - REST)
@@ -1610,7 +1627,10 @@ C     OK is 1, or 0 when the ball is too large for that.
 C     TSLIBA - finds the places of the points of a list that pass
 C     TSBALC's test.  N is their number; 0 if they are only the vertices
 C     of the facet and the best point, which are on the ball, -1 if that
-C     is too large for the list.
+C     is too large for the list.  (All four are in a list that a search
+C     ends in, as none is complete: its ball lies inside what the list
+C     covers.  The other lists may lack some, and then 0 may be wrong,
+C     but the search goes on.)
       SUBROUTINE TSLIBA(LSX, LSI, LSD, LIST, F, C, PLACE, N)
       INTEGER TSLIST
       PARAMETER (TSLIST = 512)
@@ -2346,7 +2366,7 @@ C     (|U| + 4 (|C| + |P|)), coordinate by coordinate: where points
 C     differ from P only in coordinates in which the ball is small, they
 C     are told apart, however large it is in the others.
       INTEGER FUNCTION TSSEEN(X, V, IQ, F, C, LOW, HIGH)
-      DOUBLE PRECISION X(3,*), F(12), C(3), LOW(3), HIGH(3)
+      DOUBLE PRECISION X(3,*), F(12), C(8), LOW(3), HIGH(3)
       INTEGER V(3), IQ(45)
       INTEGER QBEST, QLIMBS, QBASE, QOUT, QBEHI
       DOUBLE PRECISION EPS, FAINT, LOOSE
@@ -2691,7 +2711,7 @@ C     side.
       PARAMETER (T3 = 1, T5 = 2, LMARG = 13, STR = 2, QBEST = 1,
      $    QLIMBS = 2, QLO = 6, QHI = 7, VDC = 4, MUCHL = 1.0D100,
      $    CELLS = 4, MCELL = 12)
-      DOUBLE PRECISION WIDE
+      DOUBLE PRECISION DC, WIDE
       INTEGER HHPBAL, TSBINS, C(MCELL), I, K, M, N, PLACE(TSLIST+1),
      $    SIDE, Z
       OK = 0
@@ -2699,9 +2719,12 @@ C     side.
       WIDE = 0.0D0
       IF (IQ(QLIMBS) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
       IF (WIDE .GT. LSD(LMARG,STR)) RETURN
-      FQ(VDC) = FQ(VDC) + WIDE
-      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 0) RETURN
-      CALL TSLIBA(LSX, LSI, LSD, STR, F, FQ, PLACE, N)
+      DC = FQ(VDC)
+      FQ(VDC) = DC + WIDE
+      N = 0
+      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 1) CALL TSLIBA(LSX, LSI, LSD,
+     $    STR, F, FQ, PLACE, N)
+      FQ(VDC) = DC
       IF (N .LE. 0 .OR. N .GT. MCELL) RETURN
       M = 0
       DO 30 I = 1, N
@@ -3299,7 +3322,11 @@ C       one child alive each, and FROM is: nothing else
       END
 
 C     TSONHU - returns 1 if the facet lies in a plane known to bound the
-C     hull, or 0.
+C     hull, and so has no apex, or 0: of a facet without a best point
+C     the open side is not the hull's.  (A search that could begin at
+C     such a facet from outside, as TSPLAN does at one of its two, comes
+C     before any plane is met: TSSETT forgets them, and has a point on
+C     that side itself.)
       INTEGER FUNCTION TSONHU(X, P, ORD, N, PLANE, RCTL, V)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), N, PLANE(3,*), V(3)
@@ -3610,11 +3637,12 @@ C       time
         Z = IQ(QBEST)
         IF (OK .EQ. 1) THEN
           CTL(FUTILE) = 0
-          IF (IQ(QTIES) .GT. 0) CTL(TIEDBL) = CTL(TIEDBL) + 1
+          IF (IQ(QTIES) .GT. 0) CTL(TIEDBL) = MIN(CTL(TIEDBL) + 1,
+     $        MAXFUT + 1)
           RETURN
         END IF
       END IF
-      CTL(FUTILE) = CTL(FUTILE) + 1
+      CTL(FUTILE) = MIN(CTL(FUTILE) + 1, MAXFUT)
       SUITED = 0
       IF (IQ(QBALL) .EQ. 1 .AND. FQ(QHI) .LE. MUCHL .AND.
      $    IQ(QON) .EQ. 0 .AND. LSD(LMARG,BLK) .GT. 0.0D0) SUITED = 1
@@ -3753,8 +3781,10 @@ C     step end it.  This is done with the points of the leaf alone, and
 C     then with all: without the former, a query from anywhere takes
 C     three times as long.
 C
-C     Vertices may be complete, and then no list has them: the search
-C     uses the tree alone.
+C     Points whose stars are complete are in no list and not in the
+C     tree.  That does no harm, as S is in no tetrahedron yet, so none
+C     of them is its neighbour: the star of S is the same in any set of
+C     points that has all its neighbours.
       SUBROUTINE TSSETT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
@@ -4510,15 +4540,21 @@ C     P, which is in doubt for those below FEW.
       DOUBLE PRECISION P(3,*)
       INTEGER HHLIM, BITS, DIGITS
       PARAMETER (HHLIM = 88, BITS = 24, DIGITS = 53)
+      DOUBLE PRECISION LEAST
+      PARAMETER (LEAST = 2.0D0**(-1022))
       DOUBLE PRECISION HHLDEX, FEW, TOP
-      INTEGER HHRANG, I, K
+      INTEGER HHFREX, HHRANG, I, K
       TOP = 0.0D0
       DO 20 I = 1, N
         DO 10 K = 1, 3
           TOP = MAX(TOP, ABS(P(K,I)))
    10   CONTINUE
    20 CONTINUE
-      FEW = HHLDEX(TOP, (3 - HHLIM)*BITS + DIGITS)
+C     where that would underflow, only subnormal ones are
+      I = HHFREX(TOP)
+      FEW = LEAST
+      IF (I + (3 - HHLIM)*BITS + DIGITS .GT. -1021)
+     $    FEW = HHLDEX(TOP, (3 - HHLIM)*BITS + DIGITS)
       TSINLI = 0
       DO 40 I = 1, N
         DO 30 K = 1, 3
@@ -4920,6 +4956,10 @@ C     altered.
       CTL(UNMET) = 1
       IF (MASKED .EQ. 0) CTL(UNMET) = CTL(NP) + 1
       CALL TSCLRL(CTL)
+C     lists made for other stars lack points that are uncompleted again,
+C     and planes that bounded what was left then do not bound the hull
+C     now
+      CALL TSFORG(CTL, LSI, LSD)
 C     one over the cube root of the points in a leaf, 24 to 48 in large
 C     sets, by a step of Newton's method
       RCTL(RREACH) = BREACH/SQRT(3.0D0)*3.0D0/(2.0D0*3.2D0 +
@@ -5968,6 +6008,37 @@ C     no entry is DONE.
       OK = 1
       END
 
+C     TSINME - OK is 1 if the tetrahedron U, positively oriented, is one
+C     of the mesh, that is, if its ball is empty.  A point in it is
+C     inside of the facet opposite to U(4) or outside; and so is then
+C     the facet's apex on that side, as its ball has no more points
+C     there (Lemma 3).
+      SUBROUTINE TSINME(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
+     $                  LSX, LSID, LSI, LSD, U, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
+     $    LSD(17,7)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(3,7),
+     $    U(4,1), OK
+      INTEGER T3, T5
+      PARAMETER (T3 = 1, T5 = 2)
+      INTEGER HHPBAL, A, F(3), GUESS(2)
+      GUESS(1) = 0
+      GUESS(2) = 0
+      CALL TSOUTF(U, 1, 4, F)
+      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP, LSX,
+     $            LSID, LSI, LSD, F, GUESS, A)
+      OK = 0
+      IF (A .NE. 0) THEN
+        IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), U, U(4,1), A, 1) .LT.
+     $      0) RETURN
+      END IF
+      GUESS(1) = U(4,1)
+      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP, LSX,
+     $            LSID, LSI, LSD, U, GUESS, A)
+      IF (A .EQ. U(4,1)) OK = 1
+      END
+
 C     TESSQU - the tetrahedron of a mesh that holds a point, without the
 C     mesh.
 C
@@ -6075,15 +6146,24 @@ C       ORD in the place of LINK: see TSACRO
    50 CONTINUE
       CALL TSLEAV(P, V, 1, FROM, Q, KNOWN, K)
       IF (K .EQ. 0) RETURN
+      FROM = 4
+      OK = 0
+      IF (K .LT. 5) CALL TSACRO(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL,
+     $    RCTL, SUP, LSX, LSID, LSI, LSD, U, K, OK)
+      IF (OK .EQ. 1) GO TO 40
+      IF (STEPS .GE. 0) THEN
+        CALL TSINME(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, U, OK)
+        IF (OK .EQ. 0) THEN
+          STEPS = 0
+          GO TO 40
+        END IF
+      END IF
       IF (K .EQ. 5) THEN
         CALL HHWEIG(P, V, 1, Q, W, INFO)
         IF (INFO .NE. 0) INFO = RANGE
         RETURN
       END IF
-      FROM = 4
-      CALL TSACRO(X, P, ORD, BOX, ALIVE, COUNTS(AT), CTL, RCTL, SUP,
-     $            LSX, LSID, LSI, LSD, U, K, OK)
-      IF (OK .EQ. 1) GO TO 40
       H(1) = NONE
       H(HFROM) = NONE
       H(HMOST) = CTL(NP)

@@ -77,6 +77,17 @@ static int listed(const mesh *m, const quest *f, const list *l)
     return 1;
 }
 
+/* complete4 - returns 1 if a list has the facet's vertices and the best point. */
+static int complete4(const quest *f, const list *l)
+{
+    int i, n = 0;
+
+    for (i = 0; i < l->n; i++)
+        n += l->id[i] == f->v[0] || l->id[i] == f->v[1] ||
+             l->id[i] == f->v[2] || l->id[i] == f->best;
+    return n == 4;
+}
+
 /* within - returns 1 if no place farther than r from the ball's centre along an
  * axis, in the one direction that is tried, is better than the best point. */
 static int within(const mesh *m, const quest *f, double r)
