@@ -379,7 +379,7 @@ limbs() {
 {
     echo "Written by: make reach"
     echo "Machine: `uname -sm`; the others are simulated"
-    for c in gcc clang qemu-m68k qemu-system-arm arm-none-eabi-gcc avr-gcc; do
+    for c in gcc clang flang-new-19 wine qemu-m68k qemu-system-arm arm-none-eabi-gcc avr-gcc; do
         there $c && $c --version | head -n 1
     done
     echo
