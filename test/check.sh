@@ -594,6 +594,8 @@ stacked() {
     stacks tess.h > build/stacks.txt
     one "stack: tess.h's figures" test "$(wc -l < build/stacks.txt)" -eq 3
     while read -r usual any options; do
+        # (of the others -all)
+        [ -n "$ALL" ] || [ "$options" = none ] || continue
         [ "$options" = none ] && options=
         if ! stacktest "$options"; then
             skipped "stack: no gcc with threads on x86-64"
@@ -611,6 +613,7 @@ stacked77() {
     one "stack: FORTRAN 77: the manual's figures" \
         test "$(wc -l < build/stacks.txt)" -eq 3
     while read -r usual any parameters; do
+        [ -n "$ALL" ] || [ "$parameters" = "as they are" ] || continue
         case $parameters in *HHLIM*) options=-DHH_LIMBS=${parameters##* };;
         *) options=;; esac
         if ! stacktest "$options"; then

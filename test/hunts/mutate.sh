@@ -35,7 +35,7 @@ CHECK=${CHECK:-}
 N=100
 SEED=1
 SKIP=0
-LIMIT=12
+LIMIT=40
 LONG=60
 
 say() { echo "mutate.sh: $1" >&2; exit 2; }
