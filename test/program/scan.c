@@ -55,7 +55,7 @@ void scan_open(scan *s, const char *name)
     } else if (!name)
         warn("reading points from standard input");
     s->size = size > 0 ? (double)size : -1.0;
-    s->room = 2 * SAMPLE;
+    s->room = 4 * SAMPLE;
     s->block = (char *)space((double)s->room + 1.0, 1);
     s->at = s->end = s->block;
     more(s);
