@@ -35,8 +35,8 @@ typedef struct scan {
     long number;         /* of the line, from 1 on */
     int open;            /* has the last line no end? */
     size_t mark;         /* where scan_again goes back to; block stays, */
-    long marked;         /* and this line's number; 0 ... */
-    int pinned;          /* ... if not pinned */
+    long marked;         /* and that line's number, and open */
+    int opened, pinned;
     struct {
         const char *what;
         double many;

@@ -1013,6 +1013,7 @@ void take_lines(reader *r, int started)
 void end_rows(reader *r)
 {
     points *to = r->to;
+    char text[160];
     int k;
 
     if (to->n == 0 && r->lost[0] > 0.0)
@@ -1034,12 +1035,17 @@ void end_rows(reader *r)
         warn("%s: column %d (%s) is not a number: skipped", to->input,
              r->word[k] + 1, r->column[r->word[k]].role == HOLLOW
                                  ? "empty" : r->column[r->word[k]].shown);
+    for (text[0] = '\0', k = 1; k < WORD + 2; k++)
+        if (r->lost[k] > 0.0)
+            sprintf(text + strlen(text), "%s%.0f %s", *text ? ", " : "",
+                    r->lost[k], k == EMPTY    ? "empty"
+                                : k == ABSENT ? "NA or NaN"
+                                : k == STARS  ? "of asterisks"
+                                              : "by -nodata");
     if (r->lost[0] > 0.0)
-        warn("%s: %.0f row%s dropped (%.0f empty, %.0f NA or NaN, %.0f of "
-             "asterisks, %.0f by -nodata), the first in line %ld%s",
-             to->input, r->lost[0], r->lost[0] > 1.0 ? "s" : "",
-             r->lost[EMPTY], r->lost[ABSENT], r->lost[STARS],
-             r->lost[WORD + 1], r->first_lost,
+        warn("%s: %.0f row%s dropped (%s), the first in line %ld%s",
+             to->input, r->lost[0], r->lost[0] > 1.0 ? "s" : "", text,
+             r->first_lost,
              to->columns > 1
                  ? "; fewer if -cols X,Y,Z,VALUE asks for one column's values"
                  : "");

@@ -163,6 +163,7 @@ void scan_pin(scan *s)
     back(s);
     s->mark = (size_t)(s->at - s->block);
     s->marked = s->number;
+    s->opened = s->open;
     s->pinned = 1;
 }
 
@@ -171,7 +172,7 @@ void scan_again(scan *s)
     back(s);
     s->at = s->block + s->mark;
     s->number = s->marked;
-    s->open = 0;
+    s->open = s->opened;
 }
 
 void scan_go(scan *s)
