@@ -302,8 +302,8 @@ static char *item(reader *r, const char *text)
     return s->line + n;
 }
 
-/* dump_box - its bounds, of the box about a tilted one.  (A scaled coordinate is
- * a part of a vector.) */
+/* dump_box - its bounds, of the box about a tilted one.  (A scaled coordinate
+ * is a part of a vector.) */
 static void dump_box(reader *r, const char *flags)
 {
     scan *s = &r->s;

@@ -435,8 +435,8 @@ static void stretch(void)
         if (side[k] < side[shortest]) shortest = k;
     }
     made.p = chosen.scaled ? stretched : in.p;
-    if (!chosen.scaled && voids == 0 && side[shortest] > 0.0 && side[longest] <= DBL_MAX &&
-        side[longest] / UNEVEN > side[shortest])
+    if (!chosen.scaled && voids == 0 && side[shortest] > 0.0 &&
+        side[longest] <= DBL_MAX && side[longest] / UNEVEN > side[shortest])
         warn("x, y, z extend over %.3g, %.3g, %.3g: if their units differ, "
              "the mesh is of needles; stretch: -scale %.1g,%.1g,%.1g (-scale "
              "1,1,1 leaves all as they are)",

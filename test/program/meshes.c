@@ -74,7 +74,8 @@ void read_off(reader *r)
     k = r->cell[0].text == r->cell[0].end;
     for (s->head++; found < 3; k = 0) {
         for (; k < n; k++, found++)
-            if (found == 3 || !whole(r->cell[k].text, r->cell[k].end, number + found))
+            if (found == 3 ||
+                !whole(r->cell[k].text, r->cell[k].end, number + found))
                 scan_fail(s, "\"%.*s\": not a number of points, faces, edges",
                           (int)(r->cell[k].end - r->cell[k].text < 40
                                     ? r->cell[k].end - r->cell[k].text : 40),

@@ -114,8 +114,8 @@ int numbers(char *s, const char *end, int want, double *x);
 void cell_kind(cell *c, char decimal);
 const char *remedy(const cell *c, char decimal);
 
-/* cut - the line's cells, at most COLUMNS + 1.  *more: is there a separator behind
- * the last one?  It then is one more, an EMPTY one. */
+/* cut - the line's cells, at most COLUMNS + 1.  *more: is there a separator
+ * behind the last one?  It then is one more, an EMPTY one. */
 int cut(const scan *s, const dialect *d, cell *c, int *more);
 
 /* cut_fixed - what is in columns from ... last, counted from 1; EMPTY if

@@ -169,7 +169,8 @@ column *add_column(reader *r, const char *title, size_t length)
 {
     column *c = r->column + r->columns;
 
-    if (r->columns == COLUMNS) scan_fail(&r->s, "more than %d columns", COLUMNS);
+    if (r->columns == COLUMNS)
+        scan_fail(&r->s, "more than %d columns", COLUMNS);
     memset(c, 0, sizeof *c);
     c->role = VALUE;
     memcpy(c->title, title, length < TITLE - 1 ? length : TITLE - 1);
@@ -507,8 +508,8 @@ void take_row(reader *r)
                     (int)(c->end - c->text < 20 ? c->end - c->text : 20),
                     c->text);
         k = r->column[r->word[i]].role;
-        if (c->kind == NUMBER || c->quoted == 2 || (k == HOLLOW && c->kind != EMPTY &&
-                                  c->kind != ABSENT))
+        if (c->kind == NUMBER || c->quoted == 2 ||
+            (k == HOLLOW && c->kind != EMPTY && c->kind != ABSENT))
             bad_cell(r, r->word[i]);
     }
     for (i = 0; i < r->uses; i++) {
@@ -676,8 +677,8 @@ static int looks_like(const cell *c)
            c->kind == INFINITE;
 }
 
-/* sampled - the next line of the sample, cut as d says, if it is not 0; 0 at its
- * end, behind most lines. */
+/* sampled - the next line of the sample, cut as d says, if it is not 0; 0 at
+ * its end, behind most lines. */
 static int sampled(reader *r, const dialect *d, double i, double most,
                    int *more)
 {
@@ -703,9 +704,9 @@ static int touching(const cell *c, char decimal)
     return many > 1;
 }
 
-/* choose_dialect - by which most cells of the sample's lines, from first on, are
- * numbers; blanks only where a separator would leave more than one in a cell of
- * most lines. */
+/* choose_dialect - by which most cells of the sample's lines, from first on,
+ * are numbers; blanks only where a separator would leave more than one in a
+ * cell of most lines. */
 static void choose_dialect(reader *r, double first, double most)
 {
     static const char marks[] = ";|,,\t"; /* (the second comma: loose) */
@@ -798,8 +799,9 @@ static int wanted_titles(const reader *r, int n)
     list[1] = r->to->by;
     for (k = 0; k < n; k++) {
         const cell *c = r->cell + k;
+
         if (c->kind != WORD) return 0;
-        axes += c->end == c->text + 1 && axis("") < 0 &&
+        axes += c->end == c->text + 1 &&
                 tolower((unsigned char)*c->text) >= 'x' &&
                 tolower((unsigned char)*c->text) <= 'z';
         length = (size_t)(c->end - c->text);
@@ -858,15 +860,16 @@ static double look(reader *r, double most, char *has, int started)
     scan_pin(s);
     while (sampled(r, 0, lines, most, &more) > 0) lines++;
     if (lines == 0.0)
-        fail(started ? "%s: ends before the first point" : "%s: empty", s->name);
+        fail(started ? "%s: ends before the first point" : "%s: empty",
+             s->name);
     first = floor((lines - 1.0) / 2.0);
     choose_dialect(r, first, most);
     memset(often, 0, sizeof often);
     memset(open, 0, sizeof open);
     for (pass = 0; pass < 2 && r->columns == 0; pass++) {
         scan_again(s);
-        for (i = 0.0; (n = sampled(r, i < first ? 0 : &r->d, i, most, &more)) > 0;
-             i++) {
+        for (i = 0.0; (n = sampled(r, i < first ? 0 : &r->d, i, most,
+                                   &more)) > 0; i++) {
             for (found = m = 0; m < n; m++) found += looks_like(r->cell + m);
             if (i < first || (found < 2 && !pass)) continue;
             often[n]++;

@@ -123,7 +123,8 @@ int scan_line(scan *s)
     if (!s->rough) return 1;
     nul = (char *)memchr(s->line, '\0', (size_t)(e - s->line));
     if (nul && !s->pinned)
-        scan_fail(s, "column %ld is a NUL: not text", (long)(nul - s->line) + 1);
+        scan_fail(s, "column %ld is a NUL: not text",
+                  (long)(nul - s->line) + 1);
     /* Ctrl-Z, with which some systems end a file */
     if (*s->line == '\032' && e <= s->line + 1 && s->at == s->end &&
         !more(s)) {
