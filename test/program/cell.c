@@ -366,7 +366,8 @@ int cut(const scan *s, const dialect *d, cell *c, int *more)
             if (*p && *p < '0' && mark(p)) return n + 1;
             if (c->end[0] != '"' && !blank(c->end[0])) c->quoted = 2;
             if (*p && *p != separator && (separator != ' ' || !blank(p[-1]))) {
-                while (*p && *p != separator && (separator != ' ' || !blank(*p)))
+                while (*p && *p != separator &&
+                       (separator != ' ' || !blank(*p)))
                     p++;
                 c->end = p;
                 c->quoted = 2;
