@@ -30,15 +30,19 @@ static const char *const before[] = {
     "Delaunay tetrahedralization of points in space.",
     "",
     "points: a file of points, or - or nothing for standard input.  It may be",
-    "  lines     x y z and any values; blanks, tabs, commas or semicolons",
-    "            between them; a first line of names, of which x, y, z say",
-    "            which columns those are; a column of words is skipped.",
-    "            # begins a comment; so do % ! and two slashes.  1.34D-01 is",
-    "            1.34E-01; for decimal commas see -decimal",
+    "  lines     x y z and any values; blanks, tabs, commas, semicolons or |",
+    "            between them, one of these in a file; a line of names, or a",
+    "            comment with names, of which x, y, z say which columns those",
+    "            are; a column of words is skipped.  # begins a comment; so",
+    "            do % ! and two slashes.  1.34D-01 is 1.34E-01; for decimal",
+    "            commas see -decimal",
     "  a count   before such lines, or Qhull's dimension and number",
     "  .xyz      of atoms: number, comment, lines `element x y z'",
-    "  .node     TetGen's; .off, .ply, .obj: the points; PDB: the atoms",
+    "  .node     TetGen's; .off, .ply, .obj, .pcd, LAS: the points; PDB,",
+    "            LAMMPS dumps: the atoms",
     "  .stl      the triangles' corners; .npy: NumPy's array, a row a point",
+    "The content says which, whatever the name.  What is neither a point nor",
+    "left out by its format is said, with its line, or an error.",
     "All further columns, attributes and markers are values, which go to the",
     "output; the picture shows the first."};
 
@@ -266,6 +270,16 @@ static void take_nodata(const option *o, char **word)
              o->name);
 }
 
+/* take_below - a number from 0 to 1. */
+static void take_below(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+
+    if (list_numbers(word[0], 1, x) != 1 || !(*x >= 0.0) || !(*x <= 1.0))
+        fail("%s needs a number from 0 to 1, as 0.5 (tess -h helps)", o->name);
+    chosen.limits = 1;
+}
+
 static void take_base(const option *o, char **word)
 {
     static const form *const all[] = {node_forms, ele_forms, neigh_forms,
@@ -306,10 +320,16 @@ static const option table[] = {
      "lie in one plane have values there: of a place's foot)"},
     {"-skip", 0, take_switch, &chosen.skip,
      "drop rows from which a number is missing: an empty cell,\n"
-     "NA, N/A, NaN, null, none, - or --; how many is said"},
+     "NA, N/A, NaN, null, none, -, --, ., ?, #N/A or the like of\n"
+     "spreadsheets, or FORTRAN's asterisks; how many is said"},
     {"-nodata", "V[,V...]", take_nodata, chosen.nodata,
-     "drop rows of which a value is this number, as -9999: any\n"
-     "value, or with -cols X,Y,Z,V... any that is named there"},
+     "drop rows of which a coordinate or a value is this number,\n"
+     "as -9999: any value, or with -cols X,Y,Z,V... any that is\n"
+     "named there"},
+    {"-below", "F", take_below, &chosen.below,
+     "a value `<0.05', below a limit, is F times that: 0.5, 1, 0;\n"
+     "one above, `>100', is the limit; how many is said"},
+    {"-account", 0, take_switch, &chosen.account, 0},
     {"-decimal", ",", take_decimal, &chosen.decimal,
      "numbers that are read have decimal commas, no points; what\n"
      "separates them is a semicolon, a tab, or blanks; or a comma\n"
@@ -355,7 +375,7 @@ static const option table[] = {
      "box repeats itself, in lengths"},
     {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
      "that box; if not given, that of an extended XYZ file's\n"
-     "Lattice, or the points' own"},
+     "Lattice or a LAMMPS dump, or the points' own"},
     {"-periodic", 0, take_switch, &chosen.periodic,
      "the box repeats itself, or what a file's Lattice, CRYST1\n"
      "spans, of any shape, along the vectors that its pbc says:\n"
