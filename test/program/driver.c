@@ -465,7 +465,7 @@ int main(int argc, char **argv)
     read_points(chosen.input, &in);
     check_box(&in);
     check_points(&in);
-    expect_all(&in);
+    announce_all(&in);
     made.in = &in;
     stretch();
     say("tetrahedralizing %ld points, about %.1f s if they fill a volume ...",

@@ -207,11 +207,11 @@ void open_standard(void);
  * or what another one is to be. */
 void try_outputs(void);
 
-/* expect - about so many bytes will be written, at least so many; of very many
- * it is said.  Leaves if they do not fit.  expect_all: of what points will be
+/* announce - about so many bytes will be written, at least so many; of very many
+ * it is said.  Leaves if they do not fit.  announce_all: of what points will be
  * the mesh of. */
-void expect(output *o, double bytes, double least);
-void expect_all(const points *in);
+void announce(output *o, double bytes, double least);
+void announce_all(const points *in);
 
 /* start - open a file to write, under another name, which finish changes: so
  * nothing half written is ever there, whatever ends the program.  bytes: about

@@ -740,7 +740,7 @@ DAMAGES = [
     ('a cell less', text_of(lose_cell, lambda f: not f.fixed),
      'columns|numbers|not an atom|empty|ends after|' + NOT),
     ('two cells more', text_of(more_cell, lambda f: not f.fixed),
-     'columns|not 5|v has|numbers|vertex and|ends after'),
+     'columns|not 5|v has|numbers|vertex and|ends after|left out'),
     ('a row less', text_of(lose_row, counts),
      'ends after|has room|one more|where|cut|announce|columns|numbered|' + NOT),
     ('a count less', count_to(['4', '3']),
@@ -766,7 +766,8 @@ DAMAGES = [
     ('an infinity among coordinates', packed_cell([float('inf')]),
      'not finite'),
     ('a cut', lambda r, f: cut_file(r, f),
-     'ends|room for|cut|size|no end|number|columns|empty|where|not |fewer|'
+     'ends|room for|cut|size|no end|number|columns|column is|empty|where|not |'
+     'fewer|'
      'no points|head|needs'),
     ('something behind', behind,
      'behind|left out|not 84|no text|size|columns|where|unknown|' + NOT),

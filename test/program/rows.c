@@ -30,10 +30,11 @@ static void spill(reader *r)
     points *to = r->to;
     size_t here = (size_t)(to->n - r->spilled);
 
-    if (!to->scratch) to->scratch = tmpfile();
-    if (!to->scratch || fwrite(to->p, 3 * sizeof *to->p, here, to->scratch) !=
-                            here)
-        fail("%s: no room for a temporary file", to->input);
+    if (!to->scratch)
+        to->scratch = open_scratch(to->input,
+                                   3.0 * SPILL * (double)sizeof *to->p);
+    if (fwrite(to->p, 3 * sizeof *to->p, here, to->scratch) != here)
+        no_scratch(to->input);
     r->spilled = to->n;
 }
 

@@ -368,7 +368,7 @@ static void vacant_for(const output *o)
 }
 #endif
 
-void expect(output *o, double bytes, double least)
+void announce(output *o, double bytes, double least)
 {
     o->least = least;
 #ifdef POSIX
@@ -381,7 +381,7 @@ void expect(output *o, double bytes, double least)
     o->announced |= bytes > MUCH;
 }
 
-void expect_all(const points *in)
+void announce_all(const points *in)
 {
     double c = (double)in->columns, each;
     output *o;
@@ -396,7 +396,7 @@ void expect_all(const points *in)
             each = 8.0 * (3.0 + c) + 40.0 * CLOUD;
         else
             each = WIDTH * (4.0 + c + 2.0 * CLOUD);
-        expect(o, each * (double)in->n, 0.0);
+        announce(o, each * (double)in->n, 0.0);
     }
 }
 
@@ -432,7 +432,7 @@ void no_scratch(const char *name)
 
 FILE *start(output *o, double bytes)
 {
-    if (bytes * SHORTER > o->least) expect(o, bytes, bytes * SHORTER);
+    if (bytes * SHORTER > o->least) announce(o, bytes, bytes * SHORTER);
     say("writing %s ...", o->name);
     open_output(o);
     return o->file;
@@ -774,7 +774,7 @@ FILE *start_vtk(output *o, const char *title, const char *kind_of, double most,
 
     if (most > 2147483647.0)
         fail("%s: %.0f is beyond the integers of a .vtk file", o->name, most);
-    expect(o, bytes, bytes);
+    announce(o, bytes, bytes);
     file = start(o, bytes);
     fprintf(file, "# vtk DataFile Version 3.0\n%s\nBINARY\nDATASET %s\n",
             title, kind_of);
@@ -916,7 +916,7 @@ FILE *start_vtu(output *o, double n, double cells, int corners,
     FILE *file;
     int k;
 
-    expect(o, bytes, bytes);
+    announce(o, bytes, bytes);
     file = start(o, bytes);
     fprintf(file, "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" "
                   "version=\"1.0\" byte_order=\"BigEndian\" "
