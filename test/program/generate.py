@@ -1,5 +1,6 @@
-"""generate.py TESS [FILES [SEED]] - files of all formats that build/tess reads,
-with what each format allows, drawn by chance; and the same, damaged.
+"""generate.py TESS [FILES [SEED]] - about so many files, in all formats that
+build/tess reads, with what each format allows, drawn by chance; and the same,
+damaged.
 
 All hold the same five points, most with a value.  Of what is allowed these must
 come out, to the last digit; what is damaged must be refused, in words of that
@@ -14,10 +15,6 @@ import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 
-TESS = sys.argv[1]
-FILES = int(sys.argv[2]) if len(sys.argv) > 2 else 2000
-SEED = int(sys.argv[3]) if len(sys.argv) > 3 else 1
-
 POINTS = [(0, 0, 0), (1, 0, 0), (0, 1.5, 0), (0, 0, -2), (.134, .25, -.5)]
 VALUES = [0, 10, 20, 30, 40]
 
@@ -25,6 +22,10 @@ VALUES = [0, 10, 20, 30, 40]
 # a word that the format has; and behind it.
 X, V, N, W, END = '\ue001', '\ue002', '\ue003', '\ue004', '\ue00f'
 MARKED = re.compile('([%s])([^%s]*)%s' % (X + V + N + W, END, END))
+
+
+# Files that others read, too: numbers as C writes them, few comments
+plain = False
 
 
 class File:
@@ -53,6 +54,8 @@ class File:
 
 def digits(r, x, decimal='.'):
     """x, as a number may be written"""
+    if plain:
+        return r.choice(['%.15g', '%.6f', '%.9e']) % x
     s = '%.15g' % abs(x)
     mantissa, _, exponent = s.partition('e')
     exponent = int(exponent or 0)
@@ -98,6 +101,8 @@ def v_cell(r, x, decimal='.'):
 
 def lines(r, comments='', blank=True, trim=True):
     """an encoder: line ends, a mark, and lines that mean nothing"""
+    if plain:
+        return lambda text: text.encode()
     end = r.choice(['\n', '\n', '\r\n', '\r'])
     mark = r.choice([b'', b'', b'\xef\xbb\xbf'])
     last = r.choice([b'', b'', b'', b'\x1a'])
@@ -218,13 +223,15 @@ def node(r):
 
 
 def off(r):
-    word = r.choice(['OFF', 'OFF', 'COFF', 'NOFF', 'CNOFF'])
-    value = word == 'OFF' and r.random() < .5
+    word = 'OFF' if plain else r.choice(['OFF', 'OFF', 'COFF', 'NOFF', 'CNOFF'])
+    value = word == 'OFF' and r.random() < .5 and not plain
     more = ' 1 0 0' * (('N' in word) + ('C' in word)) + ' 1' * ('C' in word)
     faces = r.randrange(3)
-    text = W + word + END + r.choice(['\n', ' ', '\n\n'])
-    text += r.choice(['%s %d 0\n', '%s\n%d 0\n', '%s %d\n0\n']) % (
-        N + '5' + END, faces)
+    if plain:
+        faces += 1
+    text = W + word + END + ('\n' if plain else r.choice(['\n', ' ', '\n\n']))
+    text += ('%s %d 0\n' if plain else r.choice(
+        ['%s %d 0\n', '%s\n%d 0\n', '%s %d\n0\n'])) % (N + '5' + END, faces)
     for i in range(5):
         text += ' '.join(x_cell(r, x) for x in POINTS[i]) + more
         text += ' ' + v_cell(r, VALUES[i]) + '\n' if value else '\n'
@@ -243,7 +250,8 @@ def ply(r):
     real = r.choice(['double', 'float64'])
     other = r.choice(list(PLY))
     properties = [('x', real), ('y', real), ('z', real), ('T', other)]
-    r.shuffle(properties)
+    if not plain:
+        r.shuffle(properties)
     faces = r.randrange(3)
     form = r.choice(['ascii', 'binary_little_endian', 'binary_big_endian'])
     head = 'ply\nformat %s 1.0\n' % form
@@ -252,6 +260,8 @@ def ply(r):
     head += 'element vertex %s\n' % (N + '5' + END)
     head += ''.join('%s %s %s\n' % (W + 'property' + END, t, n)
                     for n, t in properties)
+    if plain:
+        faces = 2
     if faces or r.random() < .3:
         head += 'element face %d\nproperty list uchar %s vertex_indices\n' % (
             faces, r.choice(['int', 'uint']))
@@ -285,14 +295,16 @@ def ply(r):
 
 
 def obj(r):
-    colours = r.random() < .2
+    colours = r.random() < .2 and not plain
     text = r.choice(['', 'mtllib a.mtl\n', 'o a\ng b c\n'])
     for i in range(5):
         text += ' '.join([W + 'v' + END] + [x_cell(r, x) for x in POINTS[i]])
         text += ' .5 .5 1\n' if colours else '\n'
         if r.random() < .2:
             text += 'vn 0 0 1\n'
-    if r.random() < .6:
+    if plain:
+        text += 'f 1 2 3\nf 3 4 5\n'
+    elif r.random() < .6:
         text += r.choice(['f 1 2 3\n', 'f 1/1/1 2/2/2 3/3/3\n', 'f 1 2 \\\n 3 4\n',
                           's off\nusemtl m\nf 1//1 2//1 3//1\n', 'l 1 2\n'])
     return File(r.choice(['obj', 'obj', 'dat']), text, values=None,
@@ -304,7 +316,7 @@ CORNERS = [0, 1, 2, 0, 3, 4]
 
 def stl(r):
     if r.random() < .5:
-        order = '<' if r.random() < .8 else '>'
+        order = '<' if r.random() < .8 or plain else '>'
         data = bytearray(r.choice([b'solid by chance', b'binary', b'']).ljust(80))
         data[79] = 0
         data += struct.pack(order + 'I', 2)
@@ -318,9 +330,10 @@ def stl(r):
         return File(r.choice(['stl', 'stl', 'dat']), data=bytes(data),
                     points=single, values=None, cut=True, head=84,
                     narrow=(96, order + 'f'), numbers=[(80, 4)])
-    word = (lambda s: s.upper()) if r.random() < .3 else (lambda s: s)
+    word = (lambda s: s.upper()) if r.random() < .3 and not plain else (
+        lambda s: s)
     name = r.choice(['', ' a name'])
-    text, solids = '', r.randrange(1, 3)
+    text, solids = '', 1 if plain else r.randrange(1, 3)
     for t in range(2):
         if t < solids:
             text += word('solid') + name + '\n'
@@ -778,10 +791,10 @@ DAMAGES = [
 
 # ---- what comes out ----
 
-def run(f, data, name, pipe):
+def run(tess, f, data, name, pipe):
     with open(name, 'wb') as file:
         file.write(data)
-    command = [TESS] + list(f.options) + ['-node', '-', '-' if pipe else name]
+    command = [tess] + list(f.options) + ['-node', '-', '-' if pipe else name]
     with open(name, 'rb') as file:
         p = subprocess.run(command, stdin=file if pipe else subprocess.DEVNULL,
                            stdout=subprocess.PIPE, stderr=subprocess.PIPE,
@@ -802,7 +815,7 @@ def same(f, out):
 
 
 def one(task):
-    seed, write, damage = task
+    tess, seed, write, damage = task
     r = random.Random(seed)
     name = os.path.join('generated', seed.replace(' ', '-'))
     for _ in range(99):
@@ -814,7 +827,7 @@ def one(task):
         return None
     name += '.' + f.ending
     # (without its name a damaged .node file may be lines of numbers)
-    code, out, said = run(f, data, name,
+    code, out, said = run(tess, f, data, name,
                           r.random() < .2 and not (damage and write is node))
     why = ''
     if code not in (0, 1, 2):
@@ -835,30 +848,33 @@ def one(task):
         why = 'read' + (', with these points' if same(f, out) else
                         ', with other points') + ': not told'
     if why:
-        return '%s %s: %s: %s' % (' '.join([TESS] + list(f.options) + [name]),
-                                  ', '.join([why]), damage[0] if damage else
-                                  'valid', said)
+        command = ' '.join([tess] + list(f.options) + [name])
+        return '%s: %s: %s' % (command, why, said)
     os.remove(name)
     return ''
 
 
 def main():
+    tess = sys.argv[1]
+    files = int(sys.argv[2]) if len(sys.argv) > 2 else 2000
+    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 1
     os.makedirs('generated', exist_ok=True)
     tasks = []
-    each = max(FILES // 2 // len(FORMATS), 1)
     for write in FORMATS:
-        for k in range(each):
-            tasks.append(('%d %s %d' % (SEED, write.__name__, k), write, None))
-    pairs = [(d, w) for d in DAMAGES for w in FORMATS]
-    times = max(FILES // 2 // 370, 1)  # (so many of them there are)
-    for d, w in pairs:
-        for k in range(times):
-            tasks.append(('%d %s %s %d' % (SEED, w.__name__, re.sub(
-                '[^a-zA-Z0-9]+', '-', d[0]), k), w, d))
+        for k in range(max(files // 2 // len(FORMATS), 1)):
+            tasks.append((tess, '%d %s %d' % (seed, write.__name__, k), write,
+                          None))
+    for damage in DAMAGES:
+        for write in FORMATS:
+            # (370 of these pairs there are)
+            for k in range(max(files // 2 // 370, 1)):
+                name = '%d %s %s %d' % (seed, write.__name__, re.sub(
+                    '[^a-zA-Z0-9]+', '-', damage[0]), k)
+                tasks.append((tess, name, write, damage))
     with ThreadPoolExecutor(max_workers=2) as pool:
         results = list(pool.map(one, tasks))
     groups = {}
-    for (seed, write, damage), result in zip(tasks, results):
+    for (_, _, write, damage), result in zip(tasks, results):
         if result is not None:
             key = damage[0] if damage else 'what is allowed: ' + write.__name__
             groups.setdefault(key, []).append(result)
