@@ -182,9 +182,10 @@ def by_ase(form):
 def by_mdanalysis(form):
     def read(name):
         if form == 'LAMMPSDUMP':
-            # (it has the box begin at 0)
+            # (it has the box begin at 0; scaled ones it moves twice)
+            times = 2 if ' xs' in open(name).read() else 1
             return MDAnalysis.coordinates.LAMMPS.DumpReader(
-                name).ts.positions + corner(name)
+                name).ts.positions + times * corner(name)
         return MDAnalysis.Universe(name, format=form, topology_format=form
                                    ).atoms.positions
     return read
@@ -439,7 +440,8 @@ def meshio_writes():
             ('obj', ('triangle', faces), {}), ('off', ('triangle', faces), {}),
             ('tetgen', ('tetra', tets), {})):
         name = os.path.join(FOLDER, 'w.' + {'tetgen': 'node'}.get(form, form))
-        with contextlib.redirect_stdout(io.StringIO()):
+        with contextlib.redirect_stdout(io.StringIO()), \
+                contextlib.redirect_stderr(io.StringIO()):
             meshio.Mesh(p, [cells]).write(name, form, **more)
         yield check(form, name, p[faces].reshape(-1, 3) if form == 'stl' else p)
 
