@@ -30,7 +30,7 @@ void read_npy(reader *r)
     scan *s = &r->s;
     const unsigned char *byte = (const unsigned char *)scan_take(s, 8);
     char *text, *to, *p, kind, order;
-    double n, columns, bytes, size;
+    double n = 0.0, columns = 0.0, bytes, size;
     int k, version = byte ? byte[6] : 0, turned;
 
     if (version < 1 || version > 3 || byte[7] != 0)
@@ -109,7 +109,7 @@ void read_pcd(reader *r)
     scan *s = &r->s;
     double size[COLUMNS], many[COLUMNS], number[10], view[7];
     char type[COLUMNS], title[COLUMNS][TITLE];
-    int key = -1, n, k, j, more, fields = 0, packed, colours = 0;
+    int key = -1, n, k, j, fields = 0, packed, colours = 0;
     cell *c = r->cell;
     column *p;
 
@@ -165,8 +165,7 @@ void read_pcd(reader *r)
             many[k] < 1.0)
             fail("%s: field %s: a SIZE, TYPE or COUNT that PCD has not",
                  s->name, title[k]);
-        for (j = 0; j < (int)(many[k] < COLUMNS ? many[k] : COLUMNS) ||
-                    (double)j < many[k]; j++) {
+        for (j = 0; (double)j < many[k]; j++) {
             p = add_column(r, title[k], strlen(title[k]));
             if (strcmp(title[k], "_") == 0) p->role = UNUSED;
             if (strncmp(title[k], "rgb", 3) == 0) {
@@ -190,7 +189,6 @@ void read_pcd(reader *r)
     scan_room(s, r->want, 2.0 * r->columns);
     take_columns(r);
     take_rows(r);
-    (void)more;
     scan_rest(s, "lines behind the points announced");
 }
 

@@ -733,6 +733,135 @@ else
     skip "binary PLY, STL, .npy: no meshio, numpy for $PYTHON"
 fi
 
+# ---- PCD, LAMMPS dumps, LAS ----
+
+reads two cloud.pcd << END
+# .PCD v0.7 - Point Cloud Data file format
+VERSION 0.7
+FIELDS T x y z _ u
+SIZE 4 4 4 4 1 8
+TYPE F F F F U F
+COUNT 1 1 1 1 2 1
+WIDTH 5
+HEIGHT 1
+VIEWPOINT 0 0 0 1 0 0 0
+POINTS 5
+DATA ascii
+0 0 0 0 9 9 0.5
+10 1 0 0 9 9 1.5
+20 0 1.5 0 9 9 2.5
+30 0 0 -2 9 9 3.5
+40 0.134 0.25 -0.5 9 9 4.5
+END
+sed 's/HEIGHT 1/HEIGHT 2/' cloud.pcd |
+    refuses high.pcd 'announces 5 points, WIDTH times HEIGHT are 10'
+sed '/^TYPE/s/U/X/' cloud.pcd | refuses type.pcd ':5: TYPE is I, U or F'
+sed 's/DATA ascii/DATA binary_compressed/' cloud.pcd |
+    refuses packed.pcd 'pcl_convert_pcd_ascii_binary F G 0'
+sed '/^20/s/0 1.5/nan 1.5/' cloud.pcd |
+    refuses nan.pcd ':14: column 2, x: .nan.: not a number'
+cat > dump << END
+ITEM: TIMESTEP
+100
+ITEM: NUMBER OF ATOMS
+5
+ITEM: BOX BOUNDS xy xz yz pp pp ff
+-1 6 1
+-2 4 0.5
+-3 5 -0.25
+ITEM: ATOMS T xs ys zs u
+END
+# scaled in a tilted box: by the vectors (5.5 1 0.5; -0.25 ...), as LAMMPS says
+awk 'NR > 1 { zs = ($4 + 3) / 8; ys = ($3 + 1.75 + 0.25 * zs) / 5.75
+    xs = ($2 + 1 - ys - 0.5 * zs) / 5.5
+    printf "%g %.17g %.17g %.17g %g\n", $5, xs, ys, zs, $6 }' two > scaled
+cat dump scaled > scaled.dump
+$TESS -q -node out.node scaled.dump
+yes "a LAMMPS dump, scaled, in a tilted box" awk 'NR == FNR { for (k = 2;
+    k < 7; k++) a[FNR, k] = $k; next }
+    { for (k = 2; k < 7; k++) { d = $k - a[FNR, k]
+        if (FNR > 1 && (d > 1e-14 || d < -1e-14)) bad = 1 } }
+    END { exit bad || FNR != 6 }' two out.node
+$TESS -periodic -volumes v.csv scaled.dump > said 2> words
+yes "a LAMMPS dump: its box, its ways" grep "sum to 253; the box's is 253\$" said \
+    > /dev/null
+sed 's/yz pp pp ff/yz pp pp/' scaled.dump |
+    refuses ways.dump ':5: not three of pp, ff, ss, mm'
+sed '5,8d' scaled.dump | refuses boxless.dump ':5: no BOX BOUNDS before'
+(awk 'NR == 1 { print "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n5"
+    print "ITEM: ATOMS x z y T u" } NR > 1 { print $2, $4, $3, $5, $6 }' two
+cat scaled.dump) | reads two frames.dump 'its further frames are left out'
+
+# ---- limits: -below ----
+
+cat > below.csv << END
+x,y,z,T
+0,0,0,0
+1,0,0,<20
+0,1.5,0,< 40
+0,0,-2,>30
+0.134,0.25,-0.5,40
+END
+refuses limits.csv ':3: column 4, T: .<20.: .*to line 5 (a limit; -below 0.5' \
+    < below.csv
+OPTIONS="-below 0.5"
+reads one limits.csv '2 values are 0.5 times the limit; 1 above one is the li' \
+    < below.csv
+sed 's/^1,/<1,/' below.csv | refuses limit.csv ':3: column 1, x: .<1.: not a num'
+OPTIONS="-below 2"
+refuses limits2.csv '-below needs a number from 0 to 1' < below.csv
+OPTIONS=
+# a number that repeats itself far from all others
+for far in -3.4028235e+38 -1e+20 9.96921e+36 -1.7976931e+308; do
+    printf '0 0 0\n1 0 0\n0 1 0\n0 0 1\n' > far.txt
+    printf '3 4 %s\n2 3 %s\n' $far $far >> far.txt
+    $TESS far.txt > said 2> words
+    yes "$far, twice: -nodata is advised, nothing else" sh -c "test \
+        \$(wc -l < words) -eq 1 && grep -e '2 times z .*: -nodata $far\$' words" \
+        > /dev/null
+    $TESS -nodata $far far.txt > said 2> words
+    yes "-nodata $far: of a coordinate" grep '^points *4$' said > /dev/null
+done
+
+# ---- known, but not read: by name, with what to do ----
+
+while read -r text; do
+    printf "${text%%/*}" | refuses known "is ${text#*/}"
+done << 'END'
+\102ZhBZh91AY/compressed by bzip2, which is not read: bunzip2 -c
+\3757zXZ\000/compressed by xz, which is not read: xz -dc
+(\265\057\375/compressed by zstd, which
+PK\003\004xx/a zip archive, which is not read: unzip -p
+\320\317\021\340/a spreadsheet, which is not read: save the sheet
+\211HDF\r\n/HDF5
+CDF\001/netCDF
+II*\000/TIFF, which is not read: gdal_translate
+ncols 5\nnrows 5\n1 2 3\n/an ESRI grid
+DSAA\n1 2 3\n/Surfer's grid
+SQLite format 3\000/a GeoPackage
+PAR1xxxx/parquet
+# vtk DataFile Version 3.0\n/VTK's
+<VTKFile type="x">\n/VTK's
+$MeshFormat\n4.1 0 8\n/Gmsh's
+*Heading\n/Abaqus's
+ISO-10303-21;\n/STEP
+<!doctype html>\n/a web page
+version https:\057\057git-lfs.github.com\057spec\057v1\n/a pointer of Git LFS
+%%PDF-1.4\n/PDF
+{"a": 1}\n/JSON
+data_x\n_cell 1\n/CIF, which is not read: ase convert
+data_x\n_atom_site.id\n/mmCIF, which is not read: gemmi convert
+a title\n1.0\n1 0 0\n0 1 0\n0 0 1\nNa Cl\n1 1\nDirect\n0 0 0\n/POSCAR
+a title\n1\n    1WATER  OW1    1   0.126   1.624   1.679\n   1 1 1\n/GRO
+LAMMPS\n\n5 atoms\n/LAMMPS's data
+2\n2\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n/PTX
+LASF....................................................................................................\200..../LAZ
+END
+
+# ---- the contract, over all formats ----
+
+lines $PYTHON "$TOP"/test/program/contract.py $TESS
+
 # ---- what is no file of points ----
 
 printf '' | refuses empty.txt empty

@@ -18,7 +18,7 @@ typedef struct format {
     const char *instead;      /* what to do */
 } format;
 
-static const dialect blanks = {' ', '.', 0};
+static const dialect blanks = {' ', '.', 0, 0};
 
 int begins(const reader *r, const char *text)
 {
@@ -181,15 +181,12 @@ static int is_gro(reader *r)
     if (small_cells(r, 2, &k) != 1 || !whole(r->cell[0].text, r->cell[0].end,
                                              &n))
         return 0;
-    small_cells(r, 3, &k);
-    s = r->s.block + r->s.mark;
     scan_again(&r->s);
     for (k = 0; k < 3; k++)
         if (!scan_line(&r->s)) return 0;
     s = r->s.line;
-    return strlen(s) >= 44 && isalpha((unsigned char)s[5]) &&
-           isdigit((unsigned char)s[19]) && s[24] == '.' && s[32] == '.' &&
-           s[40] == '.';
+    return strlen(s) >= 44 && isdigit((unsigned char)s[19]) && s[24] == '.' &&
+           s[32] == '.' && s[40] == '.';
 }
 
 static int is_lammps(reader *r)
@@ -302,8 +299,8 @@ static int is_counted(reader *r)
            !strpbrk(r->cell[1].text, "0123456789,;|\t");
 }
 
-/* form_of - of the next line's cells: one character each, in kinds.  Returns how
- * many are numbers; kinds is "" at the end. */
+/* form_of - of the next line's cells: one character each, in kinds.  Returns
+ * how many are numbers; kinds is "" at the end. */
 static int form_of(reader *r, char *kinds, double *number)
 {
     int n, k, more, found = 0;
@@ -326,7 +323,7 @@ static int form_of(reader *r, char *kinds, double *number)
 static void read_counted(reader *r)
 {
     scan *s = &r->s;
-    char second[COLUMNS + 1], third[COLUMNS + 1];
+    char second[COLUMNS + 3], third[COLUMNS + 3];
     double dimension = r->to->axes == 2 ? 2.0 : 3.0, other, none;
     int n = need_cells(r), more, k, like, found, found3, row = 0;
     int named = ends_in(s->name, ".xyz");

@@ -5,23 +5,28 @@
 
 #include "read.h"
 
-/* rest - the lines behind the points: so many of them are faces, what is more
- * is told as that; so it is if some lack. */
-static void rest(reader *r, double faces)
+/* rest - the lines behind the points: so many of them are faces, or what it is,
+ * each with as many corners as it says; what is more is told as that; so it is
+ * if some lack. */
+static void rest(reader *r, double faces, const char *what)
 {
     scan *s = &r->s;
-    double found = 0.0;
+    double found = 0.0, corners;
+    int n, more;
 
-    while (scan_line(s))
-        if (comment(s)) s->blank++;
-        else if (found < faces) {
-            found++;
-            scan_leave(s, "faces");
-        } else
+    while ((n = next_cells(s, &r->d, r->cell, &more)) > 0) {
+        if (found++ >= faces)
             scan_leave(s, "lines behind all that is announced");
+        else if (strcmp(what, "faces") == 0 &&
+                 (!whole(r->cell[0].text, r->cell[0].end, &corners) ||
+                  corners >= (double)n))
+            scan_leave(s, "faces of fewer corners than they say");
+        else
+            scan_leave(s, what);
+    }
     if (found < faces)
-        warn("%s: announces %.0f faces or the like, has %.0f: is the file cut?",
-             s->name, faces, found);
+        warn("%s: announces %.0f %s, has %.0f: is the file cut?", s->name,
+             faces, what, found);
 }
 
 /* ---- OFF ---- */
@@ -68,8 +73,9 @@ void read_off(reader *r)
     r->cell[0].text += word;
     k = r->cell[0].text == r->cell[0].end;
     for (s->head++; found < 3; k = 0) {
-        for (; k < n && found < 3; k++, found++)
-            if (!whole(r->cell[k].text, r->cell[k].end, number + found))
+        for (; k < n; k++, found++)
+            if (found == 3 ||
+                !whole(r->cell[k].text, r->cell[k].end, number + found))
                 scan_fail(s, "\"%.*s\": not a number of points, faces, edges",
                           (int)(r->cell[k].end - r->cell[k].text < 40
                                     ? r->cell[k].end - r->cell[k].text : 40),
@@ -95,7 +101,7 @@ void read_off(reader *r)
     take_rows(r);
     if (head[0] != 'O')
         scan_note(s, "normals, colours or the like", number[0], 0);
-    rest(r, number[1]);
+    rest(r, number[1], "faces");
 }
 
 /* ---- PLY ---- */
@@ -136,6 +142,7 @@ void read_ply(reader *r)
 {
     scan *s = &r->s;
     double want = -1.0, others = 0.0, n;
+    const char *what = "faces";
     int many, packed = -1, more;
     cell *c = r->cell;
     column *p;
@@ -162,6 +169,7 @@ void read_ply(reader *r)
             if (want < 0.0 && !cell_is(c + 1, "vertex"))
                 scan_fail(s, "points must be the first element of a PLY file");
             r->waits = want >= 0.0;
+            if (r->waits && !cell_is(c + 1, "face")) what = "other elements";
             if (r->waits) others += n;
             else want = n;
         } else if (cell_is(c, "property") && want >= 0.0 && !r->waits) {
@@ -191,14 +199,14 @@ void read_ply(reader *r)
         scan_room(s, want, 2.0 * r->columns);
         take_columns(r);
         take_rows(r);
-        rest(r, others);
+        rest(r, others, what);
         return;
     }
     take_packed(r);
-    scan_rest(s, others > 0.0 ? "faces" : "bytes behind the points");
+    scan_rest(s, others > 0.0 ? what : "bytes behind the points");
     if (others > 0.0 && s->left[0].what == 0)
-        warn("%s: announces %.0f faces or the like, has none: is the file cut?",
-             s->name, others);
+        warn("%s: announces %.0f %s, has none: is the file cut?", s->name,
+             others, what);
 }
 
 /* ---- OBJ ---- */

@@ -30,15 +30,19 @@ static const char *const before[] = {
     "Delaunay tetrahedralization of points in space.",
     "",
     "points: a file of points, or - or nothing for standard input.  It may be",
-    "  lines     x y z and any values; blanks, tabs, commas or semicolons",
-    "            between them; a first line of names, of which x, y, z say",
-    "            which columns those are; a column of words is skipped.",
-    "            # begins a comment; so do % ! and two slashes.  1.34D-01 is",
-    "            1.34E-01; for decimal commas see -decimal",
+    "  lines     x y z and any values; blanks, tabs, commas, semicolons or |",
+    "            between them, one of these in a file; a line of names, or a",
+    "            comment with names, of which x, y, z say which columns those",
+    "            are; a column of words is skipped.  # begins a comment; so",
+    "            do % ! and two slashes.  1.34D-01 is 1.34E-01; for decimal",
+    "            commas see -decimal",
     "  a count   before such lines, or Qhull's dimension and number",
     "  .xyz      of atoms: number, comment, lines `element x y z'",
-    "  .node     TetGen's; .off, .ply, .obj: the points; PDB: the atoms",
+    "  .node     TetGen's; .off, .ply, .obj, .pcd, LAS: the points; PDB,",
+    "            LAMMPS dumps: the atoms",
     "  .stl      the triangles' corners; .npy: NumPy's array, a row a point",
+    "The content says which, whatever the name.  What is neither a point nor",
+    "left out by its format is said, with its line, or an error.",
     "All further columns, attributes and markers are values, which go to the",
     "output; the picture shows the first."};
 
@@ -372,7 +376,7 @@ static const option table[] = {
      "box repeats itself, in lengths"},
     {"-box", "X0,X1,Y0,Y1,Z0,Z1", take_box, chosen.box,
      "that box; if not given, that of an extended XYZ file's\n"
-     "Lattice, or the points' own"},
+     "Lattice or a LAMMPS dump, or the points' own"},
     {"-periodic", 0, take_switch, &chosen.periodic,
      "the box repeats itself, or what a file's Lattice, CRYST1\n"
      "spans, of any shape, along the vectors that its pbc says:\n"

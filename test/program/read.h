@@ -14,7 +14,7 @@
 #include "driver.h"
 
 #define KINDS 12      /* of what a file may leave out */
-#define SAMPLE 65536  /* bytes by which lines are judged */
+#define SAMPLE 16384  /* bytes by which lines are judged */
 #define WHOLE 9007199254740992.0 /* up to here integers are exact */
 
 /* ---- scan.c ---- */
@@ -35,8 +35,8 @@ typedef struct scan {
     long number;         /* of the line, from 1 on */
     int open;            /* has the last line no end? */
     size_t mark;         /* where scan_again goes back to; block stays, */
-    long marked;         /* and this line's number; 0 ... */
-    int pinned;          /* ... if not pinned */
+    long marked;         /* and that line's number, and open */
+    int opened, pinned;
     struct {
         const char *what;
         double many;
@@ -92,6 +92,7 @@ typedef struct cell {
 typedef struct dialect {
     char separator, decimal;
     int apart; /* both are commas: decimal ones are in quotes */
+    int now;   /* take numbers at once, not when they are asked for */
 } dialect;
 
 /* figures - the end of the number at s; s if there is none.  *odd: is it not as
@@ -113,8 +114,8 @@ int numbers(char *s, const char *end, int want, double *x);
 void cell_kind(cell *c, char decimal);
 const char *remedy(const cell *c, char decimal);
 
-/* cut - the line's cells, at most COLUMNS + 1.  *more: is there a separator behind
- * the last one?  It then is one more, an EMPTY one. */
+/* cut - the line's cells, at most COLUMNS + 1.  *more: is there a separator
+ * behind the last one?  It then is one more, an EMPTY one. */
 int cut(const scan *s, const dialect *d, cell *c, int *more);
 
 /* cut_fixed - what is in columns from ... last, counted from 1; EMPTY if

@@ -44,7 +44,7 @@ void check_box(const points *in)
     }
     if (!chosen.boxed && in->lattice == NO_LATTICE)
         fail("-periodic needs -box X0,X1,Y0,Y1,Z0,Z1, or an extended XYZ file "
-             "with a Lattice, or a PDB file with CRYST1");
+             "with a Lattice, a LAMMPS dump, or a PDB file with CRYST1");
     for (k = 0; k < 3; k++) {
         rep.ways[k] = in->lattice == NO_LATTICE || in->ways[k];
         ways += (int)rep.ways[k];

@@ -55,7 +55,7 @@ void scan_open(scan *s, const char *name)
     } else if (!name)
         warn("reading points from standard input");
     s->size = size > 0 ? (double)size : -1.0;
-    s->room = 2 * SAMPLE;
+    s->room = 4 * SAMPLE;
     s->block = (char *)space((double)s->room + 1.0, 1);
     s->at = s->end = s->block;
     more(s);
@@ -123,7 +123,8 @@ int scan_line(scan *s)
     if (!s->rough) return 1;
     nul = (char *)memchr(s->line, '\0', (size_t)(e - s->line));
     if (nul && !s->pinned)
-        scan_fail(s, "column %ld is a NUL: not text", (long)(nul - s->line) + 1);
+        scan_fail(s, "column %ld is a NUL: not text",
+                  (long)(nul - s->line) + 1);
     /* Ctrl-Z, with which some systems end a file */
     if (*s->line == '\032' && e <= s->line + 1 && s->at == s->end &&
         !more(s)) {
@@ -163,6 +164,7 @@ void scan_pin(scan *s)
     back(s);
     s->mark = (size_t)(s->at - s->block);
     s->marked = s->number;
+    s->opened = s->open;
     s->pinned = 1;
 }
 
@@ -171,7 +173,7 @@ void scan_again(scan *s)
     back(s);
     s->at = s->block + s->mark;
     s->number = s->marked;
-    s->open = 0;
+    s->open = s->opened;
 }
 
 void scan_go(scan *s)
