@@ -1523,6 +1523,7 @@ first_half() {
     bindings
     many "rules" sh test/rules.sh
     many "the driver" env CC="$CC" sh test/program/driver.sh
+    many "the driver: files" env CC="$CC" sh test/program/files.sh
     many "the driver: outputs" env CC="$CC" sh test/program/outputs.sh
     many "the driver: values" env CC="$CC" sh test/program/values.sh
     [ -z "$ALL" ] && return
