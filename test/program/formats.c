@@ -325,10 +325,16 @@ static void read_counted(reader *r)
     scan *s = &r->s;
     char second[COLUMNS + 3], third[COLUMNS + 3];
     double dimension = r->to->axes == 2 ? 2.0 : 3.0, other, none;
-    int n = need_cells(r), more, k, like, found, found3, row = 0;
+    int n, more, k, like, found, found3, row = 0;
     int named = ends_in(s->name, ".xyz");
     const char *mark;
 
+    for (;; s->blank++) {
+        scan_line(s);
+        if (!comment(s)) break;
+        if (*s->line) sprintf(r->remark, "%.399s", s->line);
+    }
+    n = cut(s, &blanks, r->cell, &more);
     s->head++;
     r->want = count(r, 0);
     if (n == 2 && count(r, 1) >= 0.0)

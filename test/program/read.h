@@ -172,6 +172,7 @@ typedef struct reader {
     double x[COLUMNS];
     double lost[WORD + 2], many_nan, many_inf, below, above, tiny, beyond;
     long first_lost, first_nan, first_inf;
+    char remark[400];         /* the last comment before a count, or "" */
     int counting;             /* is x 0, 1, 2, ... or 1, 2, 3, ...? */
     double count_from;
     int voided;               /* did -nodata find one? */

@@ -641,10 +641,11 @@ void take_rows(reader *r)
             r->waits = 0;
             if (n == 0) break;
             if (!width(r, n, more))
-                scan_fail(&r->s, "%d columns, but others have %d%s", n,
-                          r->columns, r->d.separator == '\t'
-                                          ? " (empty cells?  see -skip)"
-                                          : "");
+                scan_fail(&r->s, "%d column%s, but others have %d%s", n,
+                          n > 1 ? "s" : "", r->columns,
+                          n == 1 ? " (one separator in a file)"
+                          : r->d.separator == '\t'
+                              ? " (empty cells?  see -skip)" : "");
             if (commas && strchr(r->s.line, ' ')) both_commas(r, n);
         }
         take_row(r);
@@ -954,6 +955,19 @@ static void tell_columns(reader *r, int titled)
              r->count_from + 2.0, option(r), r->axes == 2 ? "" : ",4");
 }
 
+/* comment_titles - take names of columns from the line, a comment, if it has
+ * them: 1 if so. */
+static int comment_titles(reader *r)
+{
+    int n, more, taken = -1;
+
+    r->s.line += strspn(r->s.line, "#%!/ \t");
+    n = *r->s.line ? cut(&r->s, &r->d, r->cell, &more) : 0;
+    if (n != r->columns || !wanted_titles(r, n)) return 0;
+    take_titles(r, n, 0, &taken);
+    return 1;
+}
+
 void take_lines(reader *r, int started)
 {
     scan *s = &r->s;
@@ -963,23 +977,23 @@ void take_lines(reader *r, int started)
     double i, x;
     long noted = 0;
 
+    if (r->remark[0]) {
+        s->line = r->remark;
+        noted = comment_titles(r);
+    }
     for (i = 0.0; i <= head;) {
         if (!scan_line(s)) break;
         if (comment(s)) {
-            /* names of columns, if there are none in a line of their own */
-            s->line += strspn(s->line, "#%!/ \t");
-            n = *s->line ? cut(s, &r->d, r->cell, &more) : 0;
+            if (taken < 0 && comment_titles(r)) noted = s->number;
             s->blank++;
-            if (n != r->columns || !wanted_titles(r, n) || taken >= 0 ||
-                i == head + 1.0)
-                continue;
-            take_titles(r, n, 0, &taken);
-            noted = s->number;
-            taken = -1;
             continue;
         }
         n = cut(s, &r->d, r->cell, &more);
         if (i++ >= head) break;
+        for (k = 0; k < n && r->d.separator != ' '; k++)
+            if (r->cell[k].quoted == 2)
+                scan_fail(s, "column %d: a quote that has no end in the line",
+                          k + 1);
         if (n - more == r->columns || n == r->columns) {
             if (taken < 0) {
                 for (k = 0; k < r->columns; k++) r->column[k].title[0] = '\0';
