@@ -402,7 +402,7 @@ static int width(const reader *r, int n, int more)
 void bad_cell(reader *r, int k)
 {
     const cell *c = r->cell + k;
-    const char *name = r->column[k].title, *why = remedy(c, r->d.decimal);
+    const char *name = r->column[k].title, *why;
     const char *what = c->kind == EMPTY      ? "empty"
                        : c->kind == INFINITE ? "not finite"
                        : c->kind == NUMBER   ? "a number among words"
@@ -412,6 +412,7 @@ void bad_cell(reader *r, int k)
     long line = r->s.number, last = 0, like = 0;
     double rows = (double)r->to->n + r->lost[0];
 
+    why = kind == NUMBER ? "" : remedy(c, r->d.decimal);
     sprintf(text, "\"%.*s\": ", (int)(c->end - c->text < 40 ? c->end - c->text
                                                             : 40), c->text);
     if (c->kind == EMPTY) text[0] = '\0';
@@ -551,6 +552,7 @@ void take_row(reader *r)
     r->s.rows += r->s.binary ? r->stride : 1.0;
     if (r->by < 0) return;
     c = r->cell + r->by;
+    if (c->quoted) c->end = unquote(c->text, c->end);
     add_group(r, c->text, (size_t)(c->end - c->text));
 }
 
@@ -783,6 +785,7 @@ static void take_titles(reader *r, int n, int more, int *taken)
             if (length > TITLE - 1) length = TITLE - 1;
             memset(text, 0, sizeof text);
             memcpy(text, c->text, length);
+            if (c->quoted) *unquote(text, text + length) = '\0';
             if (pass) strcpy(r->column[k].title, text);
             else found += axis(text) >= 0;
             if (k == r->columns - 1 && !pass && found <= *taken) return;
