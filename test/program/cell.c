@@ -306,15 +306,15 @@ int comment(const scan *s)
 
 int cut(const scan *s, const dialect *d, cell *c, int *more)
 {
-    char *p = s->line, mark_ = d->separator, decimal = d->decimal, *e;
+    char *p = s->line, separator = d->separator, decimal = d->decimal, *e;
     char bare = (char)(d->apart ? '\001' : decimal);
-    int n = 0, loose = mark_ == ',' && decimal == ',' && !d->apart;
+    int n = 0, loose = separator == ',' && decimal == ',' && !d->apart;
     int quick = d->now && d->decimal == '.', closed;
-    char tab = (char)(mark_ == '\t' ? '\t' : '\001'); /* no blank */
+    char tab = (char)(separator == '\t' ? '\t' : '\001'); /* no blank */
 
     for (*more = 0;; n++, c++) {
         while (blank(*p) && *p != tab) p++;
-        if (!*p && (n == 0 || mark_ == ' ' || *more)) return n + *more;
+        if (!*p && (n == 0 || separator == ' ' || *more)) return n + *more;
         if (n > COLUMNS) return n;
         *more = 0;
         c->quoted = 0;
@@ -326,7 +326,8 @@ int cut(const scan *s, const dialect *d, cell *c, int *more)
             c->x = strtod(p, &c->end);
             e = c->end;
             while (*e == ' ') e++;
-            if (*e == mark_ ? !loose : !*e || (mark_ == ' ' && e > c->end)) {
+            if (*e == separator ? !loose
+                                : !*e || (separator == ' ' && e > c->end)) {
                 c->kind = NUMBER;
                 c->odd = 2;
                 p = e;
@@ -336,8 +337,8 @@ int cut(const scan *s, const dialect *d, cell *c, int *more)
         c->end = figures(p, bare, &c->odd);
         if (c->end > p) {
             for (p = c->end; blank(*p) && *p != tab;) p++;
-            if (!*p || (*p == mark_ && !(loose && DIGIT(p[1]))) ||
-                (mark_ == ' ' && p > c->end)) {
+            if (!*p || (*p == separator && !(loose && DIGIT(p[1]))) ||
+                (separator == ' ' && p > c->end)) {
                 c->kind = NUMBER;
                 if (c->odd && c->end - c->text > LONGEST_ODD) c->kind = WORD;
                 goto next;
@@ -365,26 +366,29 @@ int cut(const scan *s, const dialect *d, cell *c, int *more)
                 cell_kind(c, decimal);
             if (*p && *p < '0' && mark(p)) return n + 1;
             if (!closed) c->quoted = 2;
-            if (*p && *p != mark_ && (mark_ != ' ' || !blank(p[-1]))) {
-                while (*p && *p != mark_ && (mark_ != ' ' || !blank(*p))) p++;
+            if (*p && *p != separator && (separator != ' ' || !blank(p[-1]))) {
+                while (*p && *p != separator &&
+                       (separator != ' ' || !blank(*p)))
+                    p++;
                 c->end = p;
                 c->quoted = 2;
             }
             if (c->quoted == 2) c->kind = WORD;
         } else {
-            while (*p && *p != mark_ && (mark_ != ' ' || !blank(*p))) p++;
+            while (*p && *p != separator && (separator != ' ' || !blank(*p)))
+                p++;
             /* (a comma before a digit is decimal) */
             while (loose && *p == ',' && DIGIT(p[1]))
-                for (p++; *p && *p != mark_;) p++;
+                for (p++; *p && *p != separator;) p++;
             for (c->end = p; c->end > c->text && blank(c->end[-1]);) c->end--;
             cell_kind(c, decimal);
         }
     next:
-        if (mark_ == ' ') {
+        if (separator == ' ') {
             while (blank(*p)) p++;
             if (n >= 0 && c->kind == NUMBER && *p && *p < '0' && mark(p))
                 return n + 1;
-        } else if (*p == mark_) {
+        } else if (*p == separator) {
             p++;
             *more = 1;
             (c + 1)->text = (c + 1)->end = p;

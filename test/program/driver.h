@@ -207,8 +207,8 @@ void open_standard(void);
  * or what another one is to be. */
 void try_outputs(void);
 
-/* announce - about so many bytes will be written, at least so many; of very many
- * it is said.  Leaves if they do not fit.  announce_all: of what points will be
+/* announce - about so many bytes will be written, at least so many; of very
+ * many it is said.  Leaves if they do not fit.  announce_all: of what points will be
  * the mesh of. */
 void announce(output *o, double bytes, double least);
 void announce_all(const points *in);

@@ -794,6 +794,8 @@ sed '5,8d' scaled.dump | refuses boxless.dump ':5: no BOX BOUNDS before'
     print "ITEM: ATOMS x z y T u" } NR > 1 { print $2, $4, $3, $5, $6 }' two
 cat scaled.dump) | reads two frames.dump 'its further frames are left out'
 
+printf 'LASF%40s' '' | refuses short.las 'the file ends in its head'
+
 # ---- limits: -below ----
 
 cat > below.csv << END

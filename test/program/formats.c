@@ -133,16 +133,16 @@ static int is_foam(reader *r)
 
 /* small_cells - the sample's line so many lines from its first one: its cells;
  * numbers: how many of them are such. */
-static int small_cells(reader *r, int line, int *numbers_)
+static int small_cells(reader *r, int line, int *many)
 {
     int n = 0, more, k;
 
     scan_again(&r->s);
     for (k = 0; k < line; k++)
         if (!scan_line(&r->s)) return 0;
-    for (*numbers_ = 0; *r->s.line == ' ' || *r->s.line == '\t';) r->s.line++;
+    for (*many = 0; *r->s.line == ' ' || *r->s.line == '\t';) r->s.line++;
     if (*r->s.line) n = cut(&r->s, &blanks, r->cell, &more);
-    for (k = 0; k < n; k++) *numbers_ += r->cell[k].kind == NUMBER;
+    for (k = 0; k < n; k++) *many += r->cell[k].kind == NUMBER;
     return n;
 }
 
@@ -251,7 +251,7 @@ static int is_laz(reader *r)
            (r->s.at[104] & '\300') != 0;
 }
 
-/* unknown - a NUL where text has none. */
+/* is_unknown - has it a NUL where text has none? */
 static int is_unknown(reader *r)
 {
     const scan *s = &r->s;

@@ -18,8 +18,8 @@ from concurrent.futures import ThreadPoolExecutor
 POINTS = [(0, 0, 0), (1, 0, 0), (0, 1.5, 0), (0, 0, -2), (.134, .25, -.5)]
 VALUES = [0, 10, 20, 30, 40]
 
-# In a text that is made here: before a cell of a coordinate, of a value, a count,
-# a word that the format has; and behind it.
+# In a text that is made here: before a cell of a coordinate, of a value, a
+# count, a word that the format has; and behind it.
 X, V, N, W, END = '\ue001', '\ue002', '\ue003', '\ue004', '\ue00f'
 MARKED = re.compile('([%s])([^%s]*)%s' % (X + V + N + W, END, END))
 
@@ -171,11 +171,12 @@ def counted(r):
 def xyz(r):
     value = r.random() < .7
     again = r.random() < .2
-    text = N + '5' + END + '\n' + r.choice(['', 'five atoms', 'step 1, 7 fs']) + \
-        '\n'
+    text = N + '5' + END + '\n'
+    text += r.choice(['', 'five atoms', 'step 1, 7 fs']) + '\n'
     text += ''.join(
-        ' '.join([r.choice(['C', 'H', 'O2'])] + [x_cell(r, x) for x in POINTS[i]]
-                 + [v_cell(r, VALUES[i])] * value) + '\n' for i in range(5))
+        ' '.join([r.choice(['C', 'H', 'O2'])] +
+                 [x_cell(r, x) for x in POINTS[i]] +
+                 [v_cell(r, VALUES[i])] * value) + '\n' for i in range(5))
     if again:
         text += '5\nagain\n' + ''.join('C %d 1 2%s\n' % (i, ' 3' * value)
                                         for i in range(5))
@@ -195,7 +196,7 @@ def extended(r):
             ['5 0 0 0 6 0 0 0 7', '5.0 0.0 0.0 1.0 6.0 0.0 0.5 0.5 7.0',
              ' 5 0 0  0 6 0  0 0 7 ']))
         if r.random() < .5:
-            keys.append('pbc=%s' % r.choice(['"T T F"', '"1 0 1"', '[T, T, F]']))
+            keys.append('pbc=' + r.choice(['"T T F"', '"1 0 1"', '[T, T, F]']))
         if r.random() < .3:
             keys.append('Origin="-1 -2 -3.5"')
     if r.random() < .5:
@@ -214,8 +215,9 @@ def node(r):
     value, marker = r.random() < .7, r.random() < .3
     text = '%s 3 %d %d\n' % (N + '5' + END, value, marker)
     for i in range(5):
-        text += ' '.join(['%d' % (i + base)] + [x_cell(r, x) for x in POINTS[i]]
-                         + [v_cell(r, VALUES[i])] * value + ['1'] * marker) + '\n'
+        text += ' '.join(['%d' % (i + base)] +
+                         [x_cell(r, x) for x in POINTS[i]] +
+                         [v_cell(r, VALUES[i])] * value + ['1'] * marker) + '\n'
     values = [tuple([VALUES[i]] * value + [1] * marker) for i in range(5)]
     return File(r.choice(['node', 'node', 'txt']), text, cut=True,
                 values=values if value + marker else None,
@@ -305,8 +307,8 @@ def obj(r):
     if plain:
         text += 'f 1 2 3\nf 3 4 5\n'
     elif r.random() < .6:
-        text += r.choice(['f 1 2 3\n', 'f 1/1/1 2/2/2 3/3/3\n', 'f 1 2 \\\n 3 4\n',
-                          's off\nusemtl m\nf 1//1 2//1 3//1\n', 'l 1 2\n'])
+        text += r.choice(['f 1 2 3\n', 'f 1/1/1 2/2/2 3/3/3\n',
+                          'f 1 2 \\\n 3 4\n', 's off\nusemtl m\nf 1//1 2//1 3//1\n', 'l 1 2\n'])
     return File(r.choice(['obj', 'obj', 'dat']), text, values=None,
                 encode=lines(r, '#', trim=False))
 
@@ -317,7 +319,8 @@ CORNERS = [0, 1, 2, 0, 3, 4]
 def stl(r):
     if r.random() < .5:
         order = '<' if r.random() < .8 or plain else '>'
-        data = bytearray(r.choice([b'solid by chance', b'binary', b'']).ljust(80))
+        data = bytearray(r.choice([b'solid by chance', b'binary',
+                                   b'']).ljust(80))
         data[79] = 0
         data += struct.pack(order + 'I', 2)
         for t in range(2):
@@ -342,8 +345,8 @@ def stl(r):
         for k in CORNERS[3 * t:3 * t + 3]:
             text += W + word('vertex') + END + ' ' + ' '.join(
                 x_cell(r, x) for x in POINTS[k]) + '\n'
-        text += W + word('endloop') + END + '\n' + W + word('endfacet') + END + \
-            '\n'
+        text += W + word('endloop') + END + '\n'
+        text += W + word('endfacet') + END + '\n'
         if t == 1 or solids == 2:
             text += W + word('endsolid') + END + name + '\n'
     return File(r.choice(['stl', 'stl', 'dat']), text, cut=True,
@@ -383,7 +386,8 @@ def npy(r):
 
 
 def pdb(r):
-    text = r.choice(['', 'HEADER    A PROTEIN\n', 'TITLE     NONE\nREMARK   1\n'])
+    text = r.choice(['', 'HEADER    A PROTEIN\n',
+                     'TITLE     NONE\nREMARK   1\n'])
     if r.random() < .5:
         text += 'CRYST1   10.000   11.000   12.000  90.00  90.00  90.00 P 1\n'
     serial = r.choice([1, 99990])
@@ -393,8 +397,8 @@ def pdb(r):
     for i in range(5):
         x, y, z = (X + '%8.3f' % v + END for v in POINTS[i])
         line = '%-6s%5d %-4s %3s %s%4d    %s%s%s%6.2f%s' % (
-            r.choice(['ATOM', 'HETATM']), serial + i, r.choice([' CA', ' N', 'H1']),
-            'ALA', 'A', i + 1, x, y, z, 1, V + '%6.2f' % VALUES[i] + END)
+            r.choice(['ATOM', 'HETATM']), serial + i,
+            r.choice([' CA', ' N', 'H1']), 'ALA', 'A', i + 1, x, y, z, 1, V + '%6.2f' % VALUES[i] + END)
         text += line + r.choice(['', '           C']) + '\n'
         if r.random() < .1:
             text += 'ANISOU%74s\n' % ''
@@ -419,8 +423,8 @@ def pcd(r):
     if packed and r.random() < .4:
         fields.insert(r.randrange(5), '_')
     count = {f: 3 if f == '_' else 1 for f in fields}
-    text = r.choice(['# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n',
-                     'VERSION .7\n'])
+    text = r.choice(['# .PCD v0.7 - Point Cloud Data file format\n'
+                     'VERSION 0.7\n', 'VERSION .7\n'])
     text += 'FIELDS %s\n' % ' '.join(fields)
     for name, k in ('SIZE', 1), ('TYPE', 0):
         text += '%s %s\n' % (name, ' '.join(str(types[f][k]) for f in fields))
@@ -633,7 +637,7 @@ def lose_cell(r, f):
 def more_cell(r, f):
     rows = f.text.split('\n')
     k = r.choice(row_lines(f))
-    rows[k] = rows[k].rstrip(f.separator) + f.separator + '7' + f.separator + '8'
+    rows[k] = f.separator.join([rows[k].rstrip(f.separator), '7', '8'])
     return '\n'.join(rows)
 
 
@@ -715,7 +719,7 @@ counts = lambda f: f.cut
 
 NOT = 'not a number'
 DAMAGES = [
-    cell('an empty cell', [''], 'empty|-skip|columns|column, but|number'),
+    cell('an empty cell', [''], 'empty|-skip|columns?, but|columns|number'),
     cell('an absent number', ['NA', 'N/A', '#N/A', 'null', 'None', '-', '--',
                               '?', '<NA>', '#DIV/0!', '#VALUE!'], '-skip'),
     cell('an absent number, as a coordinate NaN',
@@ -737,7 +741,7 @@ DAMAGES = [
     cell('a decimal comma', ['0,84', '-1,5', '1,5e3'],
          'decimal|one separator|columns', X + V),
     cell('thousands', ['1,234.5', '1,234,567'],
-         'thousands|decimal|points|columns|column, but|' + NOT, X + V),
+         'thousands|decimal|points|columns?, but|columns|' + NOT, X + V),
     cell('thousands by blanks', ['1\u00a0234', '1\u2009234.5', '1\u202f234'],
          'blanks between', X + V),
     cell('other languages\' numbers', ['0x10', '1_000', '1e5e5', '1.2.3', '--5',
@@ -745,32 +749,35 @@ DAMAGES = [
                                        '1..5', '.e5', '1e5.5', '12abc'],
          NOT, X + V),
     cell('a unit', ['5 m', '1.5 km'], 'unit|' + NOT, X + V),
-    cell('two numbers in a cell', ['1 2', '0.5 -1'], 'two numbers|' + NOT, X + V),
+    cell('two numbers in a cell', ['1 2', '0.5 -1'], 'two numbers|' + NOT,
+         X + V),
     ('glued numbers', text_of(glue, lambda f: not f.fixed), NOT),
     ('a NUL', text_of(nul), 'NUL|not text|no text|UTF-16'),
     ('an open quote', text_of(open_quote, lambda f: not f.fixed),
-     'quote|columns|column, but|v has|where STL|ends after|' + NOT),
+     'quote|columns?, but|columns|v has|where STL|ends after|' + NOT),
     ('a cell less', text_of(lose_cell, lambda f: not f.fixed),
-     'columns|column, but|numbers|not an atom|empty|ends after|' + NOT),
+     'columns?, but|columns|numbers|not an atom|empty|ends after|' + NOT),
     ('two cells more', text_of(more_cell, lambda f: not f.fixed),
-     'columns|column, but|not 5|v has|numbers|vertex and|ends after|left out'),
+     'columns?, but|columns|not 5|v has|numbers|vertex and|ends after|left out'),
     ('a row less', text_of(lose_row, counts),
-     'ends after|has room|one more|where|cut|announce|columns|column, but|numbered|' + NOT),
+     'ends after|has room|one more|where|cut|announce|columns?, but|columns|'
+     'numbered|' + NOT),
     ('a count less', count_to(['4', '3']),
-     'behind|one more|further|left out|columns|column, but|WIDTH'),
+     'behind|one more|further|left out|columns?, but|columns|WIDTH'),
     ('a count more', count_to(['6', '7']),
-     'ends after|room for|WIDTH|has \\d|columns|column, but|' + NOT),
+     'ends after|room for|WIDTH|has \\d|columns?, but|columns|' + NOT),
     ('a count that is huge', count_to(['1000000000000', '99999999999999',
                                        '4294967301']),
-     'room for|WIDTH|ends after|columns|column, but|' + NOT),
+     'room for|WIDTH|ends after|columns?, but|columns|' + NOT),
     ('a count that is none', count_to(['-1', 'nan', '0x5', '5.5', '1e1', '+5',
                                        '9007199254740993', '5a', '*']),
      '.'),
-    ('no points', count_to(['0']), 'no points|room|WIDTH|columns|column, but|' + NOT),
+    ('no points', count_to(['0']),
+     'no points|room|WIDTH|columns?, but|columns|' + NOT),
     ('a misspelt word', text_of(misspell, lambda f: W in f.text),
      'where|unknown|line of|not a|known|fewer|column|begins as|no end|left out'),
     ('another separator in a line', text_of(other_separator, table_alone),
-     'columns|column, but|separator|unknown words|' + NOT),
+     'columns?, but|columns|separator|unknown words|' + NOT),
     ('a binary count less', packed_count([4, 3]),
      'behind|left out|size|not 84|announces|WIDTH|faces|no text'),
     ('a binary count more', packed_count([6, 2 ** 31 - 1]),
@@ -779,13 +786,15 @@ DAMAGES = [
     ('an infinity among coordinates', packed_cell([float('inf')]),
      'not finite'),
     ('a cut', lambda r, f: cut_file(r, f),
-     'ends|room for|cut|size|no end|number|columns|column, but|column is|empty|where|not |'
-     'fewer|'
+     'ends|room for|cut|size|no end|number|columns?, but|columns|column is|'
+     'empty|where|not |fewer|'
      'no points|head|needs'),
     ('something behind', behind,
-     'behind|left out|not 84|no text|size|columns|column, but|where|unknown|' + NOT),
+     'behind|left out|not 84|no text|size|columns?, but|columns|where|'
+     'unknown|' + NOT),
     ('a line of junk', junk,
-     'columns|column, but|unknown|where|left out|ends after|one more|not an|' + NOT),
+     'columns?, but|columns|unknown|where|left out|ends after|one more|'
+     'not an|' + NOT),
     ('UTF-16', utf16, 'UTF-16|not text|no text'),
 ]
 
@@ -882,7 +891,8 @@ def main():
     for key, all_ in groups.items():
         bad = [s for s in all_ if s]
         files += len(all_)
-        print('%s  %s: %d files' % ('FAILED' if bad else 'ok    ', key, len(all_)))
+        print('%s  %s: %d files' % ('FAILED' if bad else 'ok    ', key,
+                                     len(all_)))
         for s in bad:
             print('        ' + s)
     for d in DAMAGES:

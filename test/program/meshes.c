@@ -149,8 +149,8 @@ typedef struct other {
     column of, count; /* (count.bytes 0: it is no list) */
 } other;
 
-/* walk - those elements, so many of each: do they end where the file does?  0 if
- * it ends before. */
+/* walk - those elements, so many of each, by what they are; 0 if the file ends
+ * before. */
 static int walk(reader *r, const double *many, int elements, const other *list,
                 int properties, const char *what)
 {

@@ -1,10 +1,10 @@
 """others.py TESS [FILES] - files read by build/tess and by other programs.
 
-What others write, and FILES=40 of each format by generate.py, valid and damaged:
-where both read a file they must have the same points, values and box, bit for
-bit, or in floats where the other one has them; where the other one alone refuses
-a damaged file tess must have told something.  Prints `ok ...' or `FAILED ...' for
-each program and format, with how many files were so.  A program that is not
+What others write, and FILES=40 of each format by generate.py, valid and
+damaged: where both read a file they must have the same points, values and box,
+bit for bit, or in floats where the other one has them; where the other one alone
+refuses a damaged file tess must have told something.  Prints `ok ...' or
+`FAILED ...' for each program and format, with how many files were so.  A program that is not
 installed is left out, and said: as `none', if it is small.
 """
 import contextlib
@@ -154,8 +154,8 @@ def by_vtk(kind):
 
 
 def by_stl(name):
-    return stl.mesh.Mesh.from_file(name, calculate_normals=False).vectors.reshape(
-        -1, 3)
+    m = stl.mesh.Mesh.from_file(name, calculate_normals=False)
+    return m.vectors.reshape(-1, 3)
 
 
 def corner(name):
@@ -202,7 +202,8 @@ def by_pcl(name):
     fields = next(s for s in lines if s.startswith('FIELDS')).split()[1:]
     at = [fields.index(c) for c in 'xyz']
     rows = lines[next(k for k, s in enumerate(lines) if s == 'DATA ascii') + 1:]
-    return np.array([[row.split()[k] for k in at] for row in rows if row], float)
+    return np.array([[row.split()[k] for k in at] for row in rows if row],
+                    float)
 
 
 def by_admesh(name):
@@ -285,7 +286,7 @@ def files(form):
             data = damage[1](r, f)
             if data is not None and data != f.bytes():
                 break
-        ending = {'extended': 'xyz', 'dump': 'dump', 'npy': 'npy'}.get(form, form)
+        ending = 'xyz' if form == 'extended' else form
         name = os.path.join(FOLDER, '%s-%d.%s' % (form, k, ending))
         with open(name, 'wb') as file:
             file.write(data)
@@ -390,7 +391,8 @@ def pandas_writes():
         for decimal in '.,':
             if sep == decimal:
                 continue
-            for quoting in csv.QUOTE_MINIMAL, csv.QUOTE_ALL, csv.QUOTE_NONNUMERIC:
+            for quoting in (csv.QUOTE_MINIMAL, csv.QUOTE_ALL,
+                            csv.QUOTE_NONNUMERIC):
                 for header in True, False:
                     for form in None, '%.17g', '%.3e':
                         for names in 'xyzT', 'Tzyx':
@@ -545,7 +547,7 @@ def gemmi_writes():
         for j, place in enumerate(('\0',) if k % 5 else ('A', 'B')):
             atom = gemmi.Atom()
             atom.name, atom.element = 'CA', gemmi.Element('C')
-            atom.pos = gemmi.Position(*(np.round(points_of(1, k + 90 * j)[0], 3)))
+            atom.pos = gemmi.Position(*np.round(points_of(1, k + 90 * j)[0], 3))
             atom.altloc, atom.occ, atom.b_iso = place, .5, k
             atom.serial = 99980 + k
             residue.add_atom(atom)
@@ -555,7 +557,6 @@ def gemmi_writes():
     model.add_chain(chain)
     s.add_model(model)
     name = os.path.join(FOLDER, 'w.pdb')
-    options = gemmi.PdbWriteOptions() if hasattr(gemmi, 'PdbWriteOptions') else None
     s.write_pdb(name)
     yield check('pdb', name, np.array(kept), box=s.cell.volume)
 
@@ -630,8 +631,8 @@ def pcl_writes():
     p = np.float32(points_of()).astype(float)
     a, b = (os.path.join(FOLDER, s) for s in ('a.pcd', 'w.pcd'))
     with open(a, 'w') as f:
-        f.write('# .PCD v0.7\nVERSION 0.7\nFIELDS x y z intensity\nSIZE 4 4 4 4\n'
-                'TYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 40\nHEIGHT 1\n'
+        f.write('# .PCD v0.7\nVERSION 0.7\nFIELDS x y z intensity\n'
+                'SIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 40\nHEIGHT 1\n'
                 'VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 40\nDATA ascii\n')
         for k, x in enumerate(p):
             f.write('%.9g %.9g %.9g %d\n' % (*x, k))
@@ -657,9 +658,11 @@ def pcl_writes():
             yield check('ply', c, p, way='float' if form == '1' else 'text')
 
 
-WRITERS = [('numpy', 'numpy', numpy_writes), ('pandas', 'pandas', pandas_writes),
+WRITERS = [('numpy', 'numpy', numpy_writes),
+           ('pandas', 'pandas', pandas_writes),
            ('meshio', 'meshio', meshio_writes), ('VTK', 'vtk', vtk_writes),
-           ('numpy-stl', 'stl', stl_writes), ('admesh', '/admesh', admesh_writes),
+           ('numpy-stl', 'stl', stl_writes),
+           ('admesh', '/admesh', admesh_writes),
            ('assimp', '/assimp', assimp_writes), ('ase', 'ase', ase_writes),
            ('gemmi', 'gemmi', gemmi_writes), ('LAMMPS', '/lmp', lammps_writes),
            ('PCL', '/pcl_convert_pcd_ascii_binary', pcl_writes)]
@@ -710,7 +713,8 @@ def main():
             load(need)
             results = list(writes())
             bad = [s for s in results if s]
-            report('%s writes' % program, {'same': len(results) - len(bad)}, bad)
+            report('%s writes' % program, {'same': len(results) - len(bad)},
+                   bad)
 
 
 if __name__ == '__main__':

@@ -824,19 +824,19 @@ static int wanted_titles(const reader *r, int n)
 /* head_line - is the line, cut, one of the head? has: what columns have. */
 static int head_line(const reader *r, const char *has, int n, int more)
 {
-    int k, words = 0, figures_ = 0, all = 1;
+    int k, words = 0, found = 0, all = 1;
 
     for (k = 0; k < n && k < COLUMNS; k++) all &= looks_like(r->cell + k);
     if (!width(r, n, more)) return !(all && n > 1);
     for (k = 0; k < r->columns && k < n; k++) {
         if (!(has[k] & 1)) continue;
-        figures_ += looks_like(r->cell + k) || r->cell[k].kind == STARS;
+        found += looks_like(r->cell + k) || r->cell[k].kind == STARS;
         words += r->cell[k].kind == WORD;
     }
-    for (k = 0; k < n && figures_ == 0 && words == 0; k++)
+    for (k = 0; k < n && found == 0 && words == 0; k++)
         if (k < r->columns && (has[k] & 1)) break;
-    if (k == n && words == 0 && figures_ == 0) return 1; /* none has numbers */
-    return figures_ == 0 && words > 0;
+    if (k == n && words == 0 && found == 0) return 1; /* none has numbers */
+    return found == 0 && words > 0;
 }
 
 /* no_rows - leave: all is head. */
