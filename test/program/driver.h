@@ -208,8 +208,8 @@ void open_standard(void);
 void try_outputs(void);
 
 /* announce - about so many bytes will be written, at least so many; of very
- * many it is said.  Leaves if they do not fit.  announce_all: of what points will be
- * the mesh of. */
+ * many it is said.  Leaves if they do not fit.  announce_all: by the points
+ * alone, before there is a mesh. */
 void announce(output *o, double bytes, double least);
 void announce_all(const points *in);
 

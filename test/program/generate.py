@@ -308,7 +308,8 @@ def obj(r):
         text += 'f 1 2 3\nf 3 4 5\n'
     elif r.random() < .6:
         text += r.choice(['f 1 2 3\n', 'f 1/1/1 2/2/2 3/3/3\n',
-                          'f 1 2 \\\n 3 4\n', 's off\nusemtl m\nf 1//1 2//1 3//1\n', 'l 1 2\n'])
+                          'f 1 2 \\\n 3 4\n', 'l 1 2\n',
+                          's off\nusemtl m\nf 1//1 2//1 3//1\n'])
     return File(r.choice(['obj', 'obj', 'dat']), text, values=None,
                 encode=lines(r, '#', trim=False))
 
@@ -398,7 +399,8 @@ def pdb(r):
         x, y, z = (X + '%8.3f' % v + END for v in POINTS[i])
         line = '%-6s%5d %-4s %3s %s%4d    %s%s%s%6.2f%s' % (
             r.choice(['ATOM', 'HETATM']), serial + i,
-            r.choice([' CA', ' N', 'H1']), 'ALA', 'A', i + 1, x, y, z, 1, V + '%6.2f' % VALUES[i] + END)
+            r.choice([' CA', ' N', 'H1']), 'ALA', 'A', i + 1, x, y, z, 1,
+            V + '%6.2f' % VALUES[i] + END)
         text += line + r.choice(['', '           C']) + '\n'
         if r.random() < .1:
             text += 'ANISOU%74s\n' % ''
@@ -758,7 +760,8 @@ DAMAGES = [
     ('a cell less', text_of(lose_cell, lambda f: not f.fixed),
      'columns?, but|columns|numbers|not an atom|empty|ends after|' + NOT),
     ('two cells more', text_of(more_cell, lambda f: not f.fixed),
-     'columns?, but|columns|not 5|v has|numbers|vertex and|ends after|left out'),
+     'columns?, but|columns|not 5|v has|numbers|vertex and|ends after|'
+     'left out'),
     ('a row less', text_of(lose_row, counts),
      'ends after|has room|one more|where|cut|announce|columns?, but|columns|'
      'numbered|' + NOT),
@@ -775,7 +778,8 @@ DAMAGES = [
     ('no points', count_to(['0']),
      'no points|room|WIDTH|columns?, but|columns|' + NOT),
     ('a misspelt word', text_of(misspell, lambda f: W in f.text),
-     'where|unknown|line of|not a|known|fewer|column|begins as|no end|left out'),
+     'where|unknown|line of|not a|known|fewer|column|begins as|no end|'
+     'left out'),
     ('another separator in a line', text_of(other_separator, table_alone),
      'columns?, but|columns|separator|unknown words|' + NOT),
     ('a binary count less', packed_count([4, 3]),

@@ -2,10 +2,10 @@
 
 What others write, and FILES=40 of each format by generate.py, valid and
 damaged: where both read a file they must have the same points, values and box,
-bit for bit, or in floats where the other one has them; where the other one alone
-refuses a damaged file tess must have told something.  Prints `ok ...' or
-`FAILED ...' for each program and format, with how many files were so.  A program that is not
-installed is left out, and said: as `none', if it is small.
+bit for bit, or in floats where the other one has them; where the other one
+alone refuses a damaged file tess must have told something.  Prints `ok ...' or
+`FAILED ...' for each program and format, with how many files were so.  A program
+that is not installed is left out, and said: as `none', if it is small.
 """
 import contextlib
 import importlib
@@ -632,7 +632,8 @@ def pcl_writes():
     a, b = (os.path.join(FOLDER, s) for s in ('a.pcd', 'w.pcd'))
     with open(a, 'w') as f:
         f.write('# .PCD v0.7\nVERSION 0.7\nFIELDS x y z intensity\n'
-                'SIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\nWIDTH 40\nHEIGHT 1\n'
+                'SIZE 4 4 4 4\nTYPE F F F F\nCOUNT 1 1 1 1\n'
+                'WIDTH 40\nHEIGHT 1\n'
                 'VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 40\nDATA ascii\n')
         for k, x in enumerate(p):
             f.write('%.9g %.9g %.9g %d\n' % (*x, k))
