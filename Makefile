@@ -20,6 +20,8 @@
 # make check-all  more tests, all builds, machines and processes
 # make torture    a hunt for faults: TIME=600 seconds, SEED=1
 # make certify    the same for the bounds of the search alone: TIME, SEED
+# make mutants    files with bytes changed, read under sanitizers: N=100 of
+#                 them, SEED=1
 # make coverage   which lines of the library the tests run (gcov)
 # make evidence   that, and TIME seconds of each hunt: test/results/evidence.txt
 # make mutation   which changes of it they notice: N=100 changes, SEED=1;
@@ -302,6 +304,9 @@ t_index:
 torture:
 	CC="$(CC)" sh test/hunts/torture.sh $(TIME) $(SEED)
 
+mutants: build/tess
+	CC="$(CC)" $${PYTHON:-python3} test/hunts/mutants.py $(N) $(SEED)
+
 certify:
 	CC="$(CC)" sh test/hunts/certify.sh $(TIME) $(SEED)
 
@@ -349,5 +354,5 @@ help:
 	@sed -n '/^[^#]/q;s/^# \{0,1\}//p' Makefile
 
 .PHONY: all run grid examples python octave install pictures errors check \
-    check-all $(UNITS) t_index torture certify coverage evidence mutation \
-    bench mpi paper reach manual mirror clean help
+    check-all $(UNITS) t_index torture certify mutants coverage evidence \
+    mutation bench mpi paper reach manual mirror clean help

@@ -1720,6 +1720,10 @@ parts() {
 rules() { many "rules" sh test/rules.sh; }
 packages() { many "packages" env CC="$CC" sh test/package.sh; }
 driver() { many "the driver" env CC="$CC" sh test/program/driver.sh; }
+files() { many "the driver: files" env CC="$CC" sh test/program/files.sh; }
+outputs() {
+    many "the driver: outputs" env CC="$CC" sh test/program/outputs.sh
+}
 values() { many "the driver: values" env CC="$CC" sh test/program/values.sh; }
 # the certificates of the search, with builds of their own
 certificates() { many "certify" env CC="$CC" sh test/hunts/certify.sh -check; }
@@ -1738,7 +1742,8 @@ all_twins() {
 
 first_half() {
     parts itself language symbols tests flagged stacked builds indices \
-        examples together readme bindings rules packages driver values
+        examples together readme bindings rules packages driver files outputs \
+        values
     [ -z "$ALL" ] && return
     parts peers processes certificates
 }

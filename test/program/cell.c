@@ -309,7 +309,7 @@ int cut(const scan *s, const dialect *d, cell *c, int *more)
     char *p = s->line, separator = d->separator, decimal = d->decimal, *e;
     char bare = (char)(d->apart ? '\001' : decimal);
     int n = 0, loose = separator == ',' && decimal == ',' && !d->apart;
-    int quick = d->now && d->decimal == '.';
+    int quick = d->now && d->decimal == '.', closed;
     char tab = (char)(separator == '\t' ? '\t' : '\001'); /* no blank */
 
     for (*more = 0;; n++, c++) {
@@ -354,7 +354,8 @@ int cut(const scan *s, const dialect *d, cell *c, int *more)
             c->text = ++p;
             while (*p && (*p != '"' || p[1] == '"')) p += 1 + (*p == '"');
             c->end = p;
-            p += *p == '"';
+            closed = *p == '"';
+            p += closed;
             while (blank(*p) && *p != tab) p++;
             while (blank(*c->text) && c->text < c->end) c->text++;
             e = figures(c->text, decimal, &c->odd);
@@ -364,7 +365,7 @@ int cut(const scan *s, const dialect *d, cell *c, int *more)
             if (e == c->text || e != c->end || e - c->text > LONGEST_ODD)
                 cell_kind(c, decimal);
             if (*p && *p < '0' && mark(p)) return n + 1;
-            if (c->end[0] != '"' && !blank(c->end[0])) c->quoted = 2;
+            if (!closed) c->quoted = 2;
             if (*p && *p != separator && (separator != ' ' || !blank(p[-1]))) {
                 while (*p && *p != separator &&
                        (separator != ' ' || !blank(*p)))
@@ -397,6 +398,17 @@ int cut(const scan *s, const dialect *d, cell *c, int *more)
             return n + 1;
         }
     }
+}
+
+char *unquote(char *s, const char *end)
+{
+    char *to = s;
+
+    for (; s < end; s++) {
+        *to++ = *s;
+        s += *s == '"' && s + 1 < end && s[1] == '"';
+    }
+    return to;
 }
 
 void cut_fixed(const scan *s, int from, int last, cell *c)

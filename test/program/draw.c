@@ -180,6 +180,7 @@ static void put_line(drawing *d)
 {
     const long *to = d->line;
 
+    check_written(d->file);
     if (to[0] == 0 && to[1] == 0) return;
     fprintf(d->file, d->corners > 2 && to[0] >= 0 ? " %ld%s%ld" : "%ld%s%ld",
             to[0], to[1] >= 0 ? " " : "", to[1]);

@@ -471,6 +471,7 @@ int main(int argc, char **argv)
     clock_t begin;
     double seconds;
 
+    open_standard();
     choose_options(argc, argv);
     began = time((time_t *)0);
     in.cols = chosen.cols;
@@ -491,6 +492,7 @@ int main(int argc, char **argv)
     read_points(chosen.input, &in);
     check_box(&in);
     check_points(&in);
+    announce_all(&in);
     made.in = &in;
     stretch();
     say("tetrahedralizing %ld points, about %.1f s if they fill a volume ...",

@@ -101,6 +101,9 @@ typedef struct output {
     const struct form *all, *as; /* an option's forms; that of this file */
     char *partial; /* its name until it is complete; 0: it has no other one */
     int begun;     /* is that there? */
+    FILE *file;    /* while it is open */
+    double least;  /* bytes that are still to come, at least */
+    int announced; /* has it been said that they are many? */
 } output;
 
 /* form - of a file: what the ending of its name says.  A table of an option's
@@ -192,20 +195,38 @@ void progress(const char *what, double done, double total);
 /* ends_in - does the name, in small or capital letters? */
 int ends_in(const char *name, const char *suffix);
 
-/* same_file - are these names of one file? */
-int same_file(const char *a, const char *b);
+/* same_file - are these one file?  Each is of a name, or, where that is 0, an
+ * open one. */
+int same_file(const char *a, FILE *as, const char *b, FILE *bs);
 
-/* try_output - leave if the file cannot be written, or had better not. */
-void try_output(output *o);
+/* open_standard - input, output and error where they are closed: else the first
+ * file that is opened would be the one that messages go to. */
+void open_standard(void);
+
+/* try_outputs - leave if a file cannot be written, or had better not: an input,
+ * or what another one is to be. */
+void try_outputs(void);
+
+/* announce - about so many bytes will be written, at least so many; of very
+ * many it is said.  Leaves if they do not fit.  announce_all: by the points
+ * alone, before there is a mesh. */
+void announce(output *o, double bytes, double least);
+void announce_all(const points *in);
 
 /* start - open a file to write, under another name, which finish changes: so
- * nothing half written is ever there.  bytes: about so many; of very many it is
- * said. */
+ * nothing half written is ever there, whatever ends the program.  bytes: about
+ * so many. */
 FILE *start(output *o, double bytes);
 void finish(FILE *file, output *o);
 
-/* check_written - leave if something could not be written. */
-void check_written(FILE *file, const output *o);
+/* check_written - leave if something could not be written; now and then, so
+ * that a full disk ends a run at once. */
+void check_written(FILE *file);
+
+/* open_scratch - a temporary file of so many bytes, for what has that name;
+ * leaves if it cannot be, as no_scratch does. */
+FILE *open_scratch(const char *name, double bytes);
+void no_scratch(const char *name);
 
 /* real_text - x, which was a float if narrow, with as few digits as give it
  * back.  put_real: and the character after. */

@@ -5,6 +5,10 @@
 
 #include "read.h"
 
+#define ELEMENTS 8        /* of PLY, and their properties */
+#define PROPERTIES 64
+#define LONGEST_LIST 1e8  /* bytes */
+
 /* rest - the lines behind the points: so many of them are faces, or what it is,
  * each with as many corners as it says; what is more is told as that; so it is
  * if some lack. */
@@ -138,10 +142,49 @@ static int remark(const cell *c)
     return cell_is(c, "comment") || cell_is(c, "obj_info");
 }
 
+/* other - a property of the elements behind the points, of binary PLY: of which
+ * element; its type, and that of a list's count. */
+typedef struct other {
+    int element;
+    column of, count; /* (count.bytes 0: it is no list) */
+} other;
+
+/* walk - those elements, so many of each, by what they are; 0 if the file ends
+ * before. */
+static int walk(reader *r, const double *many, int elements, const other *list,
+                int properties, const char *what)
+{
+    double i, n;
+    const other *o;
+    int e, k, j;
+    char *byte;
+
+    for (e = 0; e < elements; e++)
+        for (i = 0.0; i < many[e]; i++)
+            for (o = list, k = 0; k < properties; k++, o++) {
+                if (o->element != e) continue;
+                byte = o->count.bytes ? scan_take(&r->s, (size_t)o->count.bytes)
+                                      : r->s.at;
+                if (!byte) return 0;
+                for (n = o->count.bytes ? 0.0 : 1.0, j = 0; j < o->count.bytes;
+                     j++)
+                    n = 256.0 * n + (unsigned char)byte[r->big ? j
+                        : o->count.bytes - 1 - j];
+                scan_note(&r->s, what, o->count.bytes, 1);
+                if (n * o->of.bytes > LONGEST_LIST ||
+                    !scan_take(&r->s, (size_t)n * (size_t)o->of.bytes))
+                    return 0;
+                scan_note(&r->s, what, n * o->of.bytes, 1);
+            }
+    return 1;
+}
+
 void read_ply(reader *r)
 {
     scan *s = &r->s;
-    double want = -1.0, others = 0.0, n;
+    double want = -1.0, others = 0.0, n, each[ELEMENTS];
+    other list[PROPERTIES];
+    int elements = 0, properties = 0;
     const char *what = "faces";
     int many, packed = -1, more;
     cell *c = r->cell;
@@ -170,7 +213,9 @@ void read_ply(reader *r)
                 scan_fail(s, "points must be the first element of a PLY file");
             r->waits = want >= 0.0;
             if (r->waits && !cell_is(c + 1, "face")) what = "other elements";
-            if (r->waits) others += n;
+            if (r->waits && elements == ELEMENTS)
+                scan_fail(s, "more than %d elements", ELEMENTS);
+            if (r->waits) others += each[elements++] = n;
             else want = n;
         } else if (cell_is(c, "property") && want >= 0.0 && !r->waits) {
             if (many > 1 && cell_is(c + 1, "list"))
@@ -183,11 +228,18 @@ void read_ply(reader *r)
             r->stride += p->bytes;
         } else if (!cell_is(c, "property") || want < 0.0)
             scan_fail(s, "\"%.40s\": not a line of a PLY file's head", s->line);
-        else if (many > 1 && cell_is(c + 1, "list")
-                     ? many != 5 || !ply_type(r->column + COLUMNS - 1, c + 2) ||
-                           !ply_type(r->column + COLUMNS - 1, c + 3)
-                     : many != 3 || !ply_type(r->column + COLUMNS - 1, c + 1))
-            scan_fail(s, "not a property of a PLY file");
+        else {
+            other *o = list + properties++;
+            int k = many > 1 && cell_is(c + 1, "list") ? 2 : 0;
+
+            if (properties > PROPERTIES)
+                scan_fail(s, "more than %d properties", PROPERTIES);
+            o->element = elements - 1;
+            o->count.bytes = 0;
+            if (many != 3 + k || !ply_type(&o->of, c + 1 + k) ||
+                (k && !ply_type(&o->count, c + 2)))
+                scan_fail(s, "not a property of a PLY file");
+        }
     }
     r->waits = 0;
     if (packed < 0) fail("%s: no format in the PLY file's head", s->name);
@@ -203,10 +255,10 @@ void read_ply(reader *r)
         return;
     }
     take_packed(r);
-    scan_rest(s, others > 0.0 ? what : "bytes behind the points");
-    if (others > 0.0 && s->left[0].what == 0)
-        warn("%s: announces %.0f %s, has none: is the file cut?", s->name,
-             others, what);
+    if (!walk(r, each, elements, list, properties, what))
+        warn("%s: announces %.0f %s, but ends before: is the file cut?",
+             s->name, others, what);
+    scan_rest(s, "bytes behind all that is announced");
 }
 
 /* ---- OBJ ---- */
@@ -419,7 +471,7 @@ static int node_head(const reader *r, int n, double *head)
 int is_node(reader *r)
 {
     scan *s = &r->s;
-    double head[4], k, seen = 0.0, like[2];
+    double head[4], k, last = -1.0, seen = 0.0, like = 0.0;
     int n, more, named = ends_in(s->name, ".node");
 
     scan_again(s);
@@ -431,18 +483,17 @@ int is_node(reader *r)
         return 0;
     }
     if (named) return 1;
-    /* most of the next lines are numbered, from 0 or from 1 */
-    like[0] = like[1] = 0.0;
+    /* most of the next lines are numbered, upwards: read_node refuses gaps */
     for (; seen < 10.0 && seen < head[0]; seen++) {
         n = next_cells(s, &r->d, r->cell, &more);
         if (n == 0) break;
         if ((double)n != 4.0 + head[2] + head[3] ||
             !whole(r->cell[0].text, r->cell[0].end, &k))
             continue;
-        like[0] += k == seen;
-        like[1] += k == seen + 1.0;
+        like += k > last;
+        last = k;
     }
-    return seen > 0.0 && (2.0 * like[0] >= seen || 2.0 * like[1] >= seen);
+    return seen > 0.0 && 2.0 * like >= seen;
 }
 
 void read_node(reader *r)

@@ -52,7 +52,8 @@ static const char *const after[] = {
     "           1  this build's integers do not suffice, or -check found a",
     "              fault",
     "           2  wrong usage, unreadable input, unwritable output, not",
-    "              enough memory"};
+    "              enough memory, no room on the disk",
+    "A signal, as of Ctrl-C, leaves nothing half written behind."};
 
 int list_numbers(const char *text, int most, double *x)
 {
@@ -509,30 +510,6 @@ static int words(const option *o, const char *next)
         return next && *next && strspn(next, "0123456789") == strlen(next);
     for (c = o->argument; c && *c; c++) many += *c == ' ';
     return many;
-}
-
-/* try_outputs - leave if a file cannot be written, or would be written over
- * by another. */
-static void try_outputs(void)
-{
-    output *o, *other;
-
-    for (o = 0; (o = next_output(0, o)) != 0;) {
-        for (other = 0; (other = next_output(0, other)) != o;)
-            if (same_file(o->name, other->name))
-                fail("%s: the name of two outputs", o->name);
-        if (strcmp(o->name, "-") == 0) {
-            chosen.to_stdout = 1;
-            if (chosen.validate)
-                fail("standard output is for the table of -validate");
-            continue;
-        }
-        if (chosen.input && same_file(o->name, chosen.input))
-            fail("%s: would overwrite the input", o->name);
-        if (chosen.query && same_file(o->name, chosen.query))
-            fail("%s: would overwrite the places", o->name);
-        try_output(o);
-    }
 }
 
 void choose_options(int argc, char **argv)

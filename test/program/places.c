@@ -15,7 +15,7 @@
 
 #define FEW 4096    /* places at a time, at most */
 #define ROOM 32768L /* and values                */
-#define MOST 1e12   /* places of a grid          */
+#define MOST 2147483647.0 /* places of a grid    */
 #define PIXELS 2000.0 /* of a picture's side     */
 #define FAR 3.0     /* ranges between a value and others that it is far from */
 #define HUGE_NUMBER 1e10 /* a value that may be none, but stand for one */
@@ -133,8 +133,10 @@ static void choose_grid(void)
         size[k] = x[k];
     }
     if (x[0] * x[1] * x[2] > MOST)
-        fail("-grid: %.0f places are more than %.0f", x[0] * x[1] * x[2],
-             MOST);
+        fail("-grid: %.0f places are more than %.0f: %.0f bytes (%.1f GB) a "
+             "column; take slices, as of NZ = 1, Z0 = Z1",
+             x[0] * x[1] * x[2], MOST, 8.0 * x[0] * x[1] * x[2],
+             8e-9 * x[0] * x[1] * x[2]);
     boxed = many == 9;
     for (k = 3; k < many; k++) corner[k - 3] = x[k];
     for (k = 0; k < 3 && boxed; k++)
@@ -287,6 +289,45 @@ static void warn_far(int column, double sign)
          sign > 0.0 ? most : -next, text);
 }
 
+static double places_asked(void)
+{
+    return chosen.grid ? size[0] * size[1] * size[2] : places->all;
+}
+
+/* in_range - is the coordinate, stretched, no infinity? */
+static int in_range(double x, int k)
+{
+    tess_real y = (tess_real)(chosen.scaled ? x * chosen.scale[k] : x);
+
+    return y - y == (tess_real)0;
+}
+
+/* check_files - leave if the files of values, or what they need beside, are too
+ * large for the disk. */
+static void check_files(void)
+{
+    double columns = (double)in->columns, n = places_asked(), numbers;
+    output *o;
+    int kind, k, methods = 0;
+
+    for (o = 0; (o = next_output(values_forms, o)) != 0;) {
+        kind = (int)(o->as - values_forms);
+        if (kind == SVG) continue;
+        numbers = columns;
+        if (kind == VTU) numbers += 3.0;
+        if (kind == CSV) numbers += (double)in->axes;
+        announce(o, (kind == CSV ? 20.0 : 8.0) * numbers * n,
+               (kind == CSV ? 2.0 : 8.0) * numbers * n);
+        if ((kind == VTK || kind == VTU) && in->columns > 1)
+            fclose(open_scratch(o->name, 8.0 * columns * n));
+    }
+    for (k = 0; k < METHODS; k++) methods += asked[k];
+    for (o = 0; (o = next_output(errors_forms, o)) != 0;) {
+        numbers = (4.0 + columns * (1.0 + methods)) * (double)in->n;
+        announce(o, 20.0 * numbers, 2.0 * numbers);
+    }
+}
+
 void read_places(points *query)
 {
     places = query;
@@ -332,19 +373,19 @@ void check_points(const points *points_read)
             fail("-grid: from %c0 = %g to %c1 = %g is farther than numbers "
                  "reach: choose less",
                  "XYZ"[k], corner[2 * k], "XYZ"[k], corner[2 * k + 1]);
+    for (k = 0; k < 6 && chosen.grid; k++)
+        if (!in_range(corner[k], k / 2))
+            fail("-scale: the grid's %c%d = %g is beyond the range of numbers",
+                 "XYZ"[k / 2], k % 2, corner[k]);
+    check_files();
 }
 
 /* ----------------------------------------------------------------- files */
 
-static double places_asked(void)
-{
-    return chosen.grid ? size[0] * size[1] * size[2] : places->all;
-}
-
 /* put_name - as CSV takes it. */
 static void put_name(FILE *file, const char *s)
 {
-    int quoted = strpbrk(s, ",;\" \t") != 0;
+    int quoted = strpbrk(s, ",;|\" \t\r\n") != 0 || (*s && strchr("#%!/", *s));
 
     if (quoted) putc('"', file);
     for (; *s; s++) {
@@ -459,11 +500,6 @@ static FILE *vtu_head(output *o)
     return file;
 }
 
-static void no_scratch(const sink *s)
-{
-    fail("%s: no room for a temporary file", s->to->name);
-}
-
 /* column_head - what is before a column of values. */
 static void column_head(const sink *s, int column)
 {
@@ -480,7 +516,6 @@ static void head(sink *s)
     char title[60];
     int k;
 
-    s->form = (int)(s->to->as - values_forms);
     if (s->form == VTK) {
         sprintf(title, "Interpolated values, %s", method_name[method]);
         s->file = start_vtk(s->to, title, "STRUCTURED_POINTS", 0.0,
@@ -495,12 +530,10 @@ static void head(sink *s)
             return;
         }
         /* VTK has column by column what is computed place by place */
-        s->scratch = tmpfile();
-        if (!s->scratch) no_scratch(s);
+        s->scratch = open_scratch(s->to->name, 8.0 * columns * places_asked());
         return;
     }
-    s->file = start(s->to, s->form == SVG ? 0.0 : places_asked() *
-                    (s->form == NPY ? 8.0 * columns : 20.0 * (3.0 + columns)));
+    s->file = start(s->to, 0.0);
     if (s->form == CSV) {
         for (k = 0; k < in->axes; k++) {
             if (k > 0) putc(',', s->file);
@@ -539,6 +572,7 @@ static void put(sink *s, tess_int many, const tess_real *at,
         }
     } else {
         for (; many > 0; many--, at += 3) {
+            check_written(s->file);
             for (k = 0; k < in->axes; k++) {
                 if (!*text[k] || at[k] != written[k])
                     real_text(text[k], (double)at[k],
@@ -551,8 +585,8 @@ static void put(sink *s, tess_int many, const tess_real *at,
                         *out++, k < in->columns ? ',' : '\n');
         }
     }
-    check_written(s->file, s->to);
-    if (s->scratch && ferror(s->scratch)) no_scratch(s);
+    check_written(s->file);
+    if (s->scratch && ferror(s->scratch)) no_scratch(s->to->name);
 }
 
 /* draw - the picture of a slice: the first column. */
@@ -612,7 +646,7 @@ static void tail(sink *s, const mesh *m)
         rewind(s->scratch);
         for (i = 0.0; i < places_asked(); i += 1.0) {
             if (fread(row, sizeof *row, columns, s->scratch) != columns)
-                no_scratch(s);
+                no_scratch(s->to->name);
             put_double(s->file, row[k]);
         }
     }
@@ -697,8 +731,12 @@ static void stretch(tess_int many, const tess_real *from, const double *scale,
 {
     tess_int i;
 
-    for (i = 0; i < 3 * many; i++)
+    for (i = 0; i < 3 * many; i++) {
+        if (!in_range((double)from[i], (int)(i % 3)))
+            fail("-scale: place %.0f is beyond the range of numbers",
+                 done + (double)(i / 3) + 1.0);
         q[i] = (tess_real)((double)from[i] * scale[i % 3]);
+    }
     for (i = 0; i < many && flat.flat; i++) to_plane(q + 3 * i, q + 3 * i);
     for (i = 0; i < many && chosen.periodic; i++) into_cell(q + 3 * i);
 }
@@ -848,12 +886,13 @@ void write_values(const mesh *m)
         sinks = (sink *)more_space(sinks, files + 1.0, sizeof *sinks);
         memset(sinks + files, 0, sizeof *sinks);
         sinks[files].to = o;
-        head(sinks + files);
+        sinks[files].form = (int)(o->as - values_forms);
         if (sinks[files++].form == SVG)
             uncut = outside == OUT_VALUE && number != number &&
                     (!m->flat || in->axes == 2) && !chosen.periodic;
     }
     values_begin(&f, method, uncut ? OUT_NEAREST : outside, number);
+    for (k = 0; k < files; k++) head(sinks + k);
     if (chosen.grid)
         grid_values(most, scale);
     else

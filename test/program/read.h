@@ -118,6 +118,10 @@ const char *remedy(const cell *c, char decimal);
  * behind the last one?  It then is one more, an EMPTY one. */
 int cut(const scan *s, const dialect *d, cell *c, int *more);
 
+/* unquote - let one quote stand for two, in a quoted cell that is not cut
+ * again; its new end. */
+char *unquote(char *s, const char *end);
+
 /* cut_fixed - what is in columns from ... last, counted from 1; EMPTY if
  * blank. */
 void cut_fixed(const scan *s, int from, int last, cell *c);

@@ -30,10 +30,11 @@ static void spill(reader *r)
     points *to = r->to;
     size_t here = (size_t)(to->n - r->spilled);
 
-    if (!to->scratch) to->scratch = tmpfile();
-    if (!to->scratch || fwrite(to->p, 3 * sizeof *to->p, here, to->scratch) !=
-                            here)
-        fail("%s: no room for a temporary file", to->input);
+    if (!to->scratch)
+        to->scratch = open_scratch(to->input,
+                                   3.0 * SPILL * (double)sizeof *to->p);
+    if (fwrite(to->p, 3 * sizeof *to->p, here, to->scratch) != here)
+        no_scratch(to->input);
     r->spilled = to->n;
 }
 
@@ -401,7 +402,7 @@ static int width(const reader *r, int n, int more)
 void bad_cell(reader *r, int k)
 {
     const cell *c = r->cell + k;
-    const char *name = r->column[k].title, *why = remedy(c, r->d.decimal);
+    const char *name = r->column[k].title, *why;
     const char *what = c->kind == EMPTY      ? "empty"
                        : c->kind == INFINITE ? "not finite"
                        : c->kind == NUMBER   ? "a number among words"
@@ -411,6 +412,7 @@ void bad_cell(reader *r, int k)
     long line = r->s.number, last = 0, like = 0;
     double rows = (double)r->to->n + r->lost[0];
 
+    why = kind == NUMBER ? "" : remedy(c, r->d.decimal);
     sprintf(text, "\"%.*s\": ", (int)(c->end - c->text < 40 ? c->end - c->text
                                                             : 40), c->text);
     if (c->kind == EMPTY) text[0] = '\0';
@@ -550,6 +552,7 @@ void take_row(reader *r)
     r->s.rows += r->s.binary ? r->stride : 1.0;
     if (r->by < 0) return;
     c = r->cell + r->by;
+    if (c->quoted) c->end = unquote(c->text, c->end);
     add_group(r, c->text, (size_t)(c->end - c->text));
 }
 
@@ -782,6 +785,7 @@ static void take_titles(reader *r, int n, int more, int *taken)
             if (length > TITLE - 1) length = TITLE - 1;
             memset(text, 0, sizeof text);
             memcpy(text, c->text, length);
+            if (c->quoted) *unquote(text, text + length) = '\0';
             if (pass) strcpy(r->column[k].title, text);
             else found += axis(text) >= 0;
             if (k == r->columns - 1 && !pass && found <= *taken) return;
@@ -1007,8 +1011,8 @@ void take_lines(reader *r, int started)
                               ? "names, which are not as many as columns,"
                               : "titles");
     }
-    r->waits = n;
-    if (!width(r, n, more)) take_rows(r);
+    r->waits = n - (more && n > r->columns);
+    if (!width(r, r->waits, 0)) take_rows(r);
     if (noted > 0)
         warn("%s:%ld: names of columns, from a comment", s->name, noted);
     whole_numbers = r->columns >= 6 && r->columns % 2 == 0 &&

@@ -514,8 +514,10 @@ static void measure_cells(cells *c, double *volume, tess_int *faces,
         v = volume[i] = c->volume;
         faces[i] = c->nface;
         if (files > 0) sizes(c);
-        for (k = 0; k < files; k++)
+        for (k = 0; k < files; k++) {
             (k < volumes ? put_volume : put_faces)(file[k], c, i);
+            check_written(file[k]);
+        }
         if (c->nface == 0) continue;
         all->cells += 1.0;
         all->vertices += (double)c->nvert;

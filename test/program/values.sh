@@ -162,7 +162,7 @@ if (trap '' XFSZ; ulimit -f 1000) 2> /dev/null; then
     # gigabytes are announced; and what cannot be written is noticed at once
     for end in csv npy vtk; do
         (trap '' XFSZ; ulimit -f 100; limited 60 $TESS -q -grid \
-            3000,3000,3000 -values big.$end points) > said 2> told
+            1000,1000,200 -values big.$end points) > said 2> told
         code=$?
         if [ $code -eq 2 ] && [ ! -f big.$end ] && grep \
             "big.$end: about [1-9][0-9.]* GB will be written" told > /dev/null &&

@@ -4,8 +4,11 @@
  * complete.
  */
 #if defined(__unix__) || defined(__APPLE__)
-#define _POSIX_C_SOURCE 200112L
+#define _XOPEN_SOURCE 600
+#include <fcntl.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
+#include <unistd.h>
 #define POSIX
 #endif
 
@@ -16,12 +19,16 @@
 #include <errno.h>
 #include <float.h>
 #include <math.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define FEW 200    /* tetrahedra that are drawn apart      */
-#define MUCH 1e9   /* bytes: from there on it is said      */
-#define WIDTH 18.0 /* bytes of a number in a text, about   */
+#define FEW 200     /* tetrahedra that are drawn apart                 */
+#define MUCH 1e9    /* bytes: from there on it is said                 */
+#define WIDTH 18.0  /* bytes of a number in a text, about              */
+#define SHORTER 0.1 /* of them, at least so many are really there      */
+#define CLOUD 6.8   /* tetrahedra of a point that others surround      */
+#define CELL 1500.0 /* bytes of a point's cell, and of its faces' rows */
 
 /* ---- files ---- */
 
@@ -35,111 +42,419 @@ int ends_in(const char *name, const char *suffix)
     return !*suffix;
 }
 
-/* What a name may be of: nothing, a file, a symbolic link, something else. */
-enum { NOTHING, REGULAR, LINK, OTHER };
+int same_file(const char *a, FILE *as, const char *b, FILE *bs)
+{
+#ifdef POSIX
+    struct stat s, t;
+#else
+    FILE *file, *other;
+    int c = EOF, some = 0;
+#endif
 
-static int kind(const char *name)
+    for (; a && strncmp(a, "./", 2) == 0; a += 2) continue;
+    for (; b && strncmp(b, "./", 2) == 0; b += 2) continue;
+    if (a && b && strcmp(a, b) == 0) return 1;
+#ifdef POSIX
+    return (a ? stat(a, &s) : fstat(fileno(as), &s)) == 0 &&
+           (b ? stat(b, &t) : fstat(fileno(bs), &t)) == 0 &&
+           s.st_dev == t.st_dev && s.st_ino == t.st_ino && S_ISREG(s.st_mode);
+#else
+    /* (files of the same bytes may be one) */
+    (void)as;
+    (void)bs;
+    file = a ? fopen(a, "rb") : 0;
+    other = file && b ? fopen(b, "rb") : 0;
+    while (other && (c = getc(file)) == getc(other) && c != EOF) some = 1;
+    if (file) fclose(file);
+    if (other) fclose(other);
+    return some && c == EOF;
+#endif
+}
+
+/* taken - is there anything of that name? */
+static int taken(const char *name)
 {
 #ifdef POSIX
     struct stat s;
 
-    if (lstat(name, &s) != 0) return NOTHING;
-    if (S_ISLNK(s.st_mode)) return LINK;
-    return S_ISREG(s.st_mode) || S_ISDIR(s.st_mode) ? REGULAR : OTHER;
+    return lstat(name, &s) == 0;
 #else
     FILE *file = fopen(name, "rb");
 
     if (file) fclose(file);
-    return file ? REGULAR : NOTHING;
+    return file != 0;
 #endif
 }
 
-int same_file(const char *a, const char *b)
+/* direct - standard output, devices, pipes: they are written as they are. */
+static int direct(const char *name)
 {
 #ifdef POSIX
-    struct stat s, t;
+    struct stat s;
 
-    if (stat(a, &s) == 0 && stat(b, &t) == 0)
-        return s.st_dev == t.st_dev && s.st_ino == t.st_ino &&
-               S_ISREG(s.st_mode);
+    if (stat(name, &s) == 0 && !S_ISREG(s.st_mode) && !S_ISDIR(s.st_mode))
+        return 1;
+#else
+    if (strncmp(name, "/dev/", 5) == 0) return 1;
 #endif
-    while (strncmp(a, "./", 2) == 0) a += 2;
-    while (strncmp(b, "./", 2) == 0) b += 2;
-    return strcmp(a, b) == 0;
+    return strcmp(name, "-") == 0;
 }
 
-/* discard - what leaving the program does to files that are not complete. */
+static int is_link(const char *name)
+{
+#ifdef POSIX
+    struct stat s;
+
+    return lstat(name, &s) == 0 && S_ISLNK(s.st_mode);
+#else
+    (void)name;
+    return 0;
+#endif
+}
+
+void open_standard(void)
+{
+#ifdef POSIX
+    struct stat s;
+    int k;
+
+    /* (so that reading and writing fail) */
+    for (k = 0; k < 3; k++)
+        if (fstat(k, &s) != 0 &&
+            open("/dev/null", k == 0 ? O_WRONLY : O_RDONLY) != k)
+            exit(2);
+#endif
+}
+
+/* ---- what is not complete goes, whatever ends the program ---- */
+
+static volatile sig_atomic_t stopped; /* by this signal; 0: not yet */
+static int unfinished;                /* partial files that there are */
+
 static void discard(void)
 {
     output *o = 0;
 
+    while ((o = next_output(0, o)) != 0) {
+        if (!o->begun) continue;
+        if (o->file) fclose(o->file);
+        remove(o->partial);
+        o->begun = 0;
+    }
+}
+
+/* on_stop - then the signal does what it does to a program that does not catch
+ * it.  (Where a handler may not remove files check_written does so.) */
+static void on_stop(int which)
+{
+#ifdef POSIX
+    output *o = 0;
+
     while ((o = next_output(0, o)) != 0)
-        if (o->begun) remove(o->partial);
+        if (o->begun) unlink(o->partial);
+    signal(which, SIG_DFL);
+    raise(which);
+#else
+    stopped = which;
+#endif
+}
+
+/* on_signals - but for those that are ignored. */
+static void on_signals(void (*handler)(int))
+{
+    static const int all[] = {
+#ifdef SIGHUP
+        SIGHUP,
+#endif
+#ifdef SIGQUIT
+        SIGQUIT,
+#endif
+#ifdef SIGPIPE
+        SIGPIPE,
+#endif
+#ifdef SIGXCPU
+        SIGXCPU,
+#endif
+#ifdef SIGXFSZ
+        SIGXFSZ,
+#endif
+        SIGINT, SIGTERM};
+    size_t k;
+
+    for (k = 0; k < sizeof all / sizeof all[0]; k++)
+        if (signal(all[k], handler) == SIG_IGN) signal(all[k], SIG_IGN);
+}
+
+void check_written(FILE *file)
+{
+    output *o = 0;
+    int which = (int)stopped;
+
+    if (which) {
+        discard();
+        signal(which, SIG_DFL);
+        raise(which);
+    }
+    if (!ferror(file)) return;
+    while ((o = next_output(0, o)) != 0 && o->file != file) continue;
+    fail("%s: write error", o ? o->name : "standard output");
+}
+
+/* make_partial - a new file; one that is there stays. */
+static FILE *make_partial(output *o)
+{
+    static int begun;
+#ifdef POSIX
+    int number;
+#endif
+
+    if (!begun++) atexit(discard);
+    if (taken(o->partial)) {
+        /* (is it another output's?  Then it goes with it) */
+        discard();
+        fail(taken(o->partial) ? "%s: %s is there, of another run, perhaps: "
+                                 "remove it, or choose another name"
+                               : "%s: the name of two outputs",
+             o->name, o->partial);
+    }
+    if (unfinished++ == 0) on_signals(on_stop);
+#ifdef POSIX
+    number = open(o->partial, O_WRONLY | O_CREAT | O_EXCL, 0666);
+    o->begun = number >= 0;
+    return number < 0 ? 0 : fdopen(number, "wb");
+#else
+    o->file = fopen(o->partial, "wb");
+    o->begun = o->file != 0;
+    return o->file;
+#endif
 }
 
 /* open_output - to write. */
-static FILE *open_output(output *o)
+static void open_output(output *o)
 {
-    FILE *file = fopen(o->partial ? o->partial : o->name, "wb");
-
-    if (!file) fail("%s: %s", o->name, strerror(errno));
-    o->begun = o->partial != 0;
-    return file;
+    if (strcmp(o->name, "-") == 0)
+        o->file = stdout;
+    else
+        o->file = o->partial ? make_partial(o) : fopen(o->name, "wb");
+    if (!o->file) fail("%s: %s", o->name, strerror(errno));
 }
 
-void try_output(output *o)
+/* end_output - the partial file has gone, or has its name. */
+static void end_output(output *o)
 {
+    o->file = 0;
+    o->begun = 0;
+    if (o->partial && --unfinished == 0) on_signals(SIG_DFL);
+}
+
+/* read_from - what is read from the file of that name, or from the open one: 0
+ * if nothing is. */
+static const char *read_from(const char *name, FILE *file)
+{
+    static const char *const what[] = {"input", "places"};
+    const char *input;
+    int k;
+
+    for (k = 0; k < (chosen.query ? 2 : 1); k++) {
+        input = k == 0 ? chosen.input : chosen.query;
+        if (input && strcmp(input, "-") == 0) input = 0;
+        if (same_file(name, file, input, stdin)) return what[k];
+    }
+    return 0;
+}
+
+static void try_output(output *o)
+{
+    const char *what = read_from(o->name, stdout);
     FILE *file;
 
-    /* standard output, /dev/null, pipes: written as they are */
-    if (strcmp(o->name, "-") == 0 || strncmp(o->name, "/dev/", 5) == 0 ||
-        kind(o->name) == OTHER)
-        return;
-    o->partial = (char *)space((double)strlen(o->name) + 6.0, 1);
-    strcat(strcpy(o->partial, o->name), ".part");
-    if (kind(o->name) == LINK || kind(o->partial) == LINK)
+    if (what) fail("%s: would overwrite the %s", o->name, what);
+    if (direct(o->name)) return;
+    if (is_link(o->name))
         fail("%s: is a symbolic link, which stays as it is: name the file that "
-             "it points to",
-             kind(o->name) == LINK ? o->name : o->partial);
-    if (kind(o->name) == REGULAR) {
+             "it points to", o->name);
+    if (same_file(o->name, 0, 0, stdout))
+        fail("%s: standard output goes there, too", o->name);
+    if (taken(o->name)) {
         /* (a directory, or protected) */
         file = fopen(o->name, "r+b");
         if (!file) fail("%s: cannot be written over", o->name);
         fclose(file);
     }
-    fclose(open_output(o));
-    remove(o->partial);
-    o->begun = 0;
+    o->partial = (char *)space((double)strlen(o->name) + 6.0, 1);
+    strcat(strcpy(o->partial, o->name), ".part");
+    what = read_from(o->partial, 0);
+    if (what) fail("%s: would overwrite the %s, %s", o->name, what, o->partial);
+    open_output(o);
 }
+
+void try_outputs(void)
+{
+    const char *what = read_from(0, stdout);
+    output *o, *other;
+
+    if (!what) what = read_from(0, stderr);
+    if (what) fail("standard output or error would overwrite the %s", what);
+    for (o = 0; (o = next_output(0, o)) != 0;) {
+        for (other = 0; (other = next_output(0, other)) != o;)
+            if (strcmp(o->name, other->name) == 0 && direct(o->name) &&
+                strncmp(o->name, "/dev/", 5) != 0)
+                fail("%s: the name of two outputs", o->name);
+        if (strcmp(o->name, "-") == 0) {
+            chosen.to_stdout = 1;
+            if (chosen.validate)
+                fail("standard output is for the table of -validate");
+        } else {
+            try_output(o);
+        }
+    }
+    /* (only now: the second name of one file has met the first one's) */
+    for (o = 0; (o = next_output(0, o)) != 0;) {
+        if (!o->begun) continue;
+        fclose(o->file);
+        remove(o->partial);
+        end_output(o);
+    }
+}
+
+/* ---- sizes ---- */
+
+#ifdef POSIX
+/* vacant - bytes on the disk of that folder, whose number is *disk; -1 if they
+ * are not known. */
+static double vacant(const char *folder, dev_t *disk)
+{
+    struct statvfs v;
+    struct stat s;
+
+    if (stat(folder, &s) != 0 || statvfs(folder, &v) != 0 || v.f_blocks == 0)
+        return -1.0;
+    *disk = s.st_dev;
+    return (double)v.f_bavail * (double)v.f_frsize;
+}
+
+/* folder_of - that of the file of that name; to be freed. */
+static char *folder_of(const char *name)
+{
+    const char *slash = strrchr(name, '/');
+    size_t length = slash ? (size_t)(slash - name) + 1 : 1;
+    char *folder = (char *)space((double)length + 1.0, 1);
+
+    memcpy(folder, slash ? name : ".", length);
+    folder[length] = '\0';
+    return folder;
+}
+
+/* vacant_for - leave if the least bytes of the outputs on this one's disk are
+ * more than it has. */
+static void vacant_for(const output *o)
+{
+    dev_t disk, other;
+    char *folder = folder_of(o->name);
+    double room = vacant(folder, &disk), bytes = 0.0;
+    output *all = 0;
+
+    free(folder);
+    while (room >= 0.0 && (all = next_output(0, all)) != 0) {
+        if (!all->partial || all->least <= 0.0) continue;
+        folder = folder_of(all->name);
+        if (vacant(folder, &other) >= 0.0 && other == disk)
+            bytes += all->least;
+        free(folder);
+    }
+    if (room >= 0.0 && bytes > room)
+        fail("%s: %.0f bytes (%.1f GB) do not fit where %.1f GB are free",
+             o->name, bytes, bytes / 1e9, room / 1e9);
+}
+#endif
+
+void announce(output *o, double bytes, double least)
+{
+    o->least = least;
+#ifdef POSIX
+    if (o->partial && least > 0.0) vacant_for(o);
+#endif
+    /* (even by -q: it is too late when the disk is full) */
+    if (bytes > MUCH && !o->announced)
+        fprintf(stderr, "tess: %s: about %.1f GB will be written\n", o->name,
+                bytes / 1e9);
+    o->announced |= bytes > MUCH;
+}
+
+void announce_all(const points *in)
+{
+    double c = (double)in->columns, each;
+    output *o;
+
+    for (o = 0; (o = next_output(0, o)) != 0;) {
+        if (o->all == values_forms || o->all == errors_forms ||
+            o->all == face_forms || o->all == svg_forms)
+            continue;
+        if (!o->as->write)
+            each = o->all == volumes_forms ? 210.0 + 20.0 * c : CELL;
+        else if (o->as->write == write_vtk || o->as->write == write_vtu)
+            each = 8.0 * (3.0 + c) + 40.0 * CLOUD;
+        else
+            each = WIDTH * (4.0 + c + 2.0 * CLOUD);
+        announce(o, each * (double)in->n, 0.0);
+    }
+}
+
+FILE *open_scratch(const char *name, double bytes)
+{
+    FILE *file;
+#if defined(POSIX) && defined(P_tmpdir)
+    dev_t disk;
+    double room = vacant(P_tmpdir, &disk);
+
+    if (room >= 0.0 && bytes > room)
+        fail("%s: %.0f bytes (%.1f GB) of a temporary file do not fit in %s, "
+             "where %.1f GB are free",
+             name, bytes, bytes / 1e9, P_tmpdir, room / 1e9);
+#else
+    (void)bytes;
+#endif
+    file = tmpfile();
+    if (!file) no_scratch(name);
+    return file;
+}
+
+void no_scratch(const char *name)
+{
+#ifdef P_tmpdir
+    fail("%s: no room for a temporary file in %s", name, P_tmpdir);
+#else
+    fail("%s: no room for a temporary file", name);
+#endif
+}
+
+/* ---- from the beginning to the end ---- */
 
 FILE *start(output *o, double bytes)
 {
-    static int begun;
-
-    if (!begun++) atexit(discard);
-    /* (even by -q: it is too late when the disk is full) */
-    if (bytes > MUCH)
-        fprintf(stderr, "tess: %s: about %.1f GB will be written\n", o->name,
-                bytes / 1e9);
+    if (bytes * SHORTER > o->least) announce(o, bytes, bytes * SHORTER);
     say("writing %s ...", o->name);
-    return strcmp(o->name, "-") == 0 ? stdout : open_output(o);
-}
-
-void check_written(FILE *file, const output *o)
-{
-    if (ferror(file)) fail("%s: write error", o->name);
+    open_output(o);
+    return o->file;
 }
 
 void finish(FILE *file, output *o)
 {
     fflush(file);
-    check_written(file, o);
+    check_written(file);
+    o->file = 0;
     if (file != stdout && fclose(file)) fail("%s: write error", o->name);
-    /* (where rename replaces no file, it has to go before) */
-    if (o->begun && rename(o->partial, o->name) != 0 &&
-        (remove(o->name) != 0 || rename(o->partial, o->name) != 0))
-        fail("%s: %s", o->name, strerror(errno));
-    o->begun = 0;
+    if (o->partial && rename(o->partial, o->name) != 0) {
+        o->begun = 0;
+#ifndef POSIX
+        /* (where rename replaces no file, it has to go before) */
+        if (remove(o->name) != 0 || rename(o->partial, o->name) != 0)
+#endif
+            fail("%s: %s; all that was to be in it is in %s", o->name,
+                 strerror(errno), o->partial);
+    }
+    end_output(o);
+    o->least = 0.0;
     tell("written       %s\n", o->name);
 }
 
@@ -159,6 +474,7 @@ void put_real(FILE *file, double x, int narrow, char after)
 {
     char text[REAL];
 
+    check_written(file);
     real_text(text, x, narrow);
     fprintf(file, "%s%c", text, after);
 }
@@ -255,6 +571,7 @@ static double text_size(const part *a, int columns)
 /* put_before - what a line of a text begins with: that, or if 0 a number. */
 static void put_before(FILE *file, const char *before, tess_int number)
 {
+    check_written(file);
     if (before)
         fprintf(file, "%s", before);
     else
@@ -457,6 +774,7 @@ FILE *start_vtk(output *o, const char *title, const char *kind_of, double most,
 
     if (most > 2147483647.0)
         fail("%s: %.0f is beyond the integers of a .vtk file", o->name, most);
+    announce(o, bytes, bytes);
     file = start(o, bytes);
     fprintf(file, "# vtk DataFile Version 3.0\n%s\nBINARY\nDATASET %s\n",
             title, kind_of);
@@ -469,6 +787,7 @@ void put_double(FILE *file, double x)
     const char *byte = (const char *)&x;
     size_t last = *(const char *)&one ? sizeof x - 1 : 0, k;
 
+    check_written(file);
     for (k = 0; k < sizeof x; k++) putc(byte[last ? last - k : k], file);
 }
 
@@ -477,6 +796,7 @@ void put_int(FILE *file, double i)
     unsigned long bits = (unsigned long)i;
     int shift;
 
+    check_written(file);
     for (shift = 24; shift >= 0; shift -= 8)
         putc((int)(bits >> shift & 255), file);
 }
@@ -591,11 +911,13 @@ static void put_array(FILE *file, const char *type, const char *name,
 FILE *start_vtu(output *o, double n, double cells, int corners,
                 const points *in, int sizes)
 {
-    double at = 0.0;
-    FILE *file = start(o, n * 8.0 * (3.0 + in->columns) +
-                              cells * (8.0 * (1 + corners + sizes) + 1.0));
+    double at = 0.0, bytes = n * 8.0 * (3.0 + in->columns) +
+                             cells * (8.0 * (1 + corners + sizes) + 1.0);
+    FILE *file;
     int k;
 
+    announce(o, bytes, bytes);
+    file = start(o, bytes);
     fprintf(file, "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" "
                   "version=\"1.0\" byte_order=\"BigEndian\" "
                   "header_type=\"UInt64\">\n<UnstructuredGrid>\n<Piece "
@@ -626,7 +948,10 @@ void put_types(FILE *file, double cells, int corners, int type)
     put_long(file, 8.0 * cells);
     for (i = 1.0; i <= cells; i += 1.0) put_long(file, i * corners);
     put_long(file, cells);
-    for (i = 1.0; i <= cells; i += 1.0) putc(type, file);
+    for (i = 1.0; i <= cells; i += 1.0) {
+        if (fmod(i, 4096.0) == 0.0) check_written(file);
+        putc(type, file);
+    }
 }
 
 void end_vtu(FILE *file)
