@@ -286,7 +286,8 @@ C        (0: not yet known)
          IF (U .LT. -1 .OR. U .GT. NTET) RETURN
          IF (U .EQ. 0) THEN
             NOUT = NOUT + 1
-            CALL NATVER(P, TET(1,T), K, 1, N, Q, C(1,M), X(1,NOUT))
+            CALL NATVER(P, TET(1,T), K, 1, C(1,M), Q, C(1,M),
+     1                  X(1,NOUT))
             SIDE(K,M) = -NOUT
             GO TO 100
          END IF

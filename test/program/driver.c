@@ -455,12 +455,17 @@ int main(int argc, char **argv)
     in.named = !chosen.by && next_output(volumes_forms, 0);
     places.cols = chosen.qcols;
     places.skip = chosen.skip;
-    places.bare = 1;
+    places.bare = places.copied = 1;
+    in.copied = next_output(errors_forms, 0) != 0;
     read_places(&places);
     if (chosen.scaled == 2 && !chosen.plane)
         fail("-scale needs three numbers above 0; two are of points in a "
              "plane");
-    in.axes = chosen.plane ? 2 : chosen.validate && !chosen.values ? 0 : 3;
+    /* (what -by tells apart need not be a value, so three names are three
+     * coordinates) */
+    in.axes = chosen.plane                                        ? 2
+              : chosen.validate && !chosen.values && !chosen.by ? 0
+                                                                : 3;
     read_points(chosen.input, &in);
     check_box(&in);
     check_points(&in);

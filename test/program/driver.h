@@ -54,6 +54,9 @@ typedef struct points {
     char labelled[TITLE]; /* the column's; "": there are none; they are */
     char *labels;         /* all here, */
     size_t *label;        /* each point's from there on */
+    int copied;   /* keep the texts of columns that are nothing else? */
+    char *others; /* their names, as CSV has them; 0: there are none. */
+    FILE *texts;  /* Each point's, the same way, in a line */
 } points;
 
 /* What the lattice is: there is none; a box along the axes; any other. */
@@ -134,9 +137,12 @@ typedef struct choices {
     double alpha;   /* largest circumradius that is kept; 0: any */
     double view[2]; /* azimuth and elevation; less than -360: not given */
     double pixels[2]; /* a picture's width and height; 0: not given */
+    double range[2];  /* of its colours; the same twice: not given */
     const char *draw, *title, *unit;
     int bare; /* of a picture nothing but what is drawn */
     const char *query, *qcols, *grid, *method, *outside;
+    double step[3], within; /* 0: not given; numbers of step: */
+    int steps, drop;
     int digits;    /* 0: not given */
     long validate; /* parts; 0: not given */
     const char *by;
@@ -246,6 +252,9 @@ void put_title(FILE *file, const char *name);
 
 /* no_number - a NaN without a sign. */
 double no_number(void);
+
+/* next_text - of a's others, those of the next point, as in CSV. */
+const char *next_text(const points *a);
 
 /* check_values - leave if the options of values do not fit together. */
 void check_values(void);
