@@ -715,6 +715,7 @@ void begin_look(const points *in, draw_look *look)
     look->label = text[0];
     look->title = chosen.title;
     look->bare = chosen.bare;
+    memcpy(look->range, chosen.range, sizeof look->range);
     if (chosen.pixels[0] > 0.0) {
         look->width = (int)chosen.pixels[0];
         look->height = (int)chosen.pixels[1];
