@@ -417,6 +417,25 @@ static void stretch(void)
              even(side, 2));
 }
 
+/* alpha - the shape; also of what values are between, if it is another mesh. */
+static void alpha(void)
+{
+    static mesh shape;
+    char text[REAL];
+
+    if (chosen.automatic && made.ntet > 0) {
+        chosen.alpha = least_alpha(&made);
+        real_text(text, chosen.alpha, 0);
+        tell("alpha         %s, the least that leaves one piece with all "
+             "points\n", text);
+    }
+    mark_alpha(&made, chosen.alpha);
+    if (valued == &made) return;
+    shape = *valued;
+    shape.keep = alpha_shape(&shape, chosen.alpha);
+    valued = &shape;
+}
+
 /* write_all - what is asked for: first what the whole mesh gives. */
 static void write_all(void)
 {
@@ -493,7 +512,7 @@ int main(int argc, char **argv)
         valued = repeat_around(chosen.method &&
                                strcmp(chosen.method, "smooth") == 0);
     valued = keep_values(valued);
-    if (chosen.alpha > 0.0) mark_alpha(&made, chosen.alpha);
+    if (chosen.alpha > 0.0) alpha();
     if (!chosen.quiet)
         report(duplicates, seconds,
                (double)made.liw * (double)sizeof(tess_int) +

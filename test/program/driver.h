@@ -2,7 +2,8 @@
  *
  *   options.c   the command line                   read.c    points
  *   driver.c    the arrays, the mesh, messages     write.c   files
- *   shapes.c    alpha shapes, cells                draw.c    pictures
+ *   shapes.c    cells                              draw.c    pictures
+ *   alpha.c     alpha shapes
  *   values.c    interpolation                      places.c  where, into files
  *   validate.c  its errors                         plane.c   in a plane
  *   repeat.c    cells that repeat themselves
@@ -135,6 +136,7 @@ typedef struct choices {
     int to_stdout;     /* is a file written to standard output? */
     double scale[3], box[6];
     double alpha;   /* largest circumradius that is kept; 0: any */
+    int automatic;  /* is it the least one that leaves one piece? */
     double view[2]; /* azimuth and elevation; less than -360: not given */
     double pixels[2]; /* a picture's width and height; 0: not given */
     double range[2];  /* of its colours; the same twice: not given */
@@ -333,9 +335,14 @@ void normal_to(const double *a, const double *b, double *c);
 
 /* ---- shapes ---- */
 
-/* mark_alpha - set m->keep, m->kept: 1 for the tetrahedra of the alpha shape of
- * that radius. */
+/* alpha_shape - 1 for the tetrahedra whose circumradius is not larger than
+ * that, exactly, 0 for the others.  mark_alpha: as m->keep, m->kept. */
+char *alpha_shape(const mesh *m, double radius);
 void mark_alpha(mesh *m, double radius);
+
+/* least_alpha - the least radius for which the tetrahedra are one piece, joined
+ * by facets, and have all points. */
+double least_alpha(const mesh *m);
 
 /* drop_others - leave the tetrahedra of the alpha shape alone in m. */
 void drop_others(mesh *m);

@@ -1409,7 +1409,7 @@ yes "-periodic: points in a plane" grep 'sum to 4; the box.s is 4$' said \
 $TESS -box 0,1,0,1,0,1 boxed > said 2> words
 yes "-box without cells" grep 'for -cells, -volumes, -faces and -per' words \
     > /dev/null
-for o in "-alpha 1" "-validate 5" "-grid 3,3 -values no.csv"; do
+for o in "-validate 5" "-grid 3,3 -values no.csv"; do
     yes "-periodic $o" sh -c \
         "! $TESS -periodic -box 0,1,0,2,-1,2 $o boxed > said 2> words &&
         grep -e '-periodic' words > /dev/null"

@@ -140,6 +140,17 @@ static void take_length(const option *o, char **word)
         fail("%s needs a length (tess -h helps)", o->name);
 }
 
+static void take_alpha(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+
+    chosen.automatic = strcmp(word[0], "auto") == 0;
+    if (chosen.automatic)
+        *x = DBL_MAX;
+    else if (list_numbers(word[0], 1, x) != 1 || !(*x > 0.0))
+        fail("%s needs a length, or the word auto (tess -h helps)", o->name);
+}
+
 static void take_view(const option *o, char **word)
 {
     double *x = (double *)o->to;
@@ -389,10 +400,11 @@ static const option table[] = {
     {"-draw", "points|whole|cut|field|apart", take_draw, &chosen.draw,
      "draw points; or tetrahedra: all, cut open, that without\n"
      "their edges, or moved apart"},
-    {"-alpha", "R", take_length, &chosen.alpha,
+    {"-alpha", "R|auto", take_alpha, &chosen.alpha,
      "the alpha shape: write and draw no tetrahedron whose\n"
-     "circumradius exceeds R; so there are the holes and hollows\n"
-     "that the hull fills"},
+     "circumradius exceeds R, exactly; so there are the holes and\n"
+     "hollows that the hull fills.  auto: the least R that leaves\n"
+     "one piece, joined by facets, with all points; it is said"},
     {"-view", "A E", take_view, chosen.view,
      "draw as seen from azimuth A, from x to y, and elevation E\n"
      "above that plane, both in degrees; if not given, -68 28"},

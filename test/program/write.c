@@ -745,7 +745,7 @@ void write_svg(const mesh *m, output *o)
     look.what = m->kept > FEW ? DRAW_CUT : DRAW_APART;
     for (k = 0; k < 5 && chosen.draw; k++)
         if (strcmp(chosen.draw, what[k]) == 0) look.what = k;
-    sprintf(note, "%ld points", (long)in->n);
+    sprintf(note, "%ld points", (long)own);
     if (look.what != DRAW_POINTS)
         sprintf(note + strlen(note), ", %ld tetrahedra", (long)m->kept);
     if (in->columns > 0) first = (double *)space((double)in->n, sizeof *first);
@@ -776,8 +776,9 @@ void write_svg(const mesh *m, output *o)
     }
     draw_even(&look, side, chosen.scaled ? LONGEST : LONGER, note);
     look.note = note;
-    if (draw_svg(file, &look, in->n, in->p, first, m->ntet, m->tet, m->adj,
-                 m->keep) != 0)
+    /* (copies are for tetrahedra alone) */
+    if (draw_svg(file, &look, look.what == DRAW_POINTS ? own : in->n, in->p,
+                 first, m->ntet, m->tet, m->adj, m->keep) != 0)
         fail("not enough memory for a picture");
     free(first);
     finish(file, o);
