@@ -372,11 +372,17 @@ void check_points(const points *points_read)
     if (chosen.validate > (long)in->n && !chosen.by)
         fail("-validate %ld: there are only %ld points", chosen.validate,
              (long)in->n);
-    for (j = 0; j < (size_t)in->columns * (size_t)in->n; j++)
+    for (j = 0; j < (size_t)in->columns * (size_t)in->n; j++) {
         bad += !(fabs(in->value[j]) <= DBL_MAX);
+        if (in->value[j] != in->value[j])
+            fail("%s, line %ld: %s is NaN: -skip drops such rows; -cols "
+                 "X,Y,Z,VALUE asks for one column's values",
+                 in->input, in->line[j / (size_t)in->columns],
+                 in->name[j % (size_t)in->columns]);
+    }
     if (bad > 0)
         warn("%s: %ld value%s not finite, and so is what is computed from "
-             "them%s; -skip drops rows with a NaN",
+             "them%s",
              in->input, bad, bad > 1 ? "s are" : " is",
              asked[SMOOTH] ? ", by -method smooth all of the column" : "");
     for (k = 0; k < in->columns; k++) {
