@@ -525,7 +525,7 @@ static void choose_bands(drawing *d, double low, double high)
         high = range[1];
     }
     size = fabs(low) > fabs(high) ? fabs(low) : fabs(high);
-    if (!(high - low > 1e-12 * size)) {
+    if (!(high - low > 1e-13 * size)) {
         /* all the same, but for rounding: amid a band, with others about it */
         d->step = size > 0.0 ? nice(size / 25.0) / 5.0 : 0.1;
         d->bands = d->plain ? 1 : 25;
@@ -679,8 +679,9 @@ static void choose_ticks(ticks *t, double low, double high, double step)
     text[0][0] = '\0';
     for (i = 0; i < t->many; i++) {
         tick_text(t, i, text[1]);
-        if (strlen(text[1]) > DIGITS || strcmp(text[0], text[1]) == 0)
-            t->base = unit * floor(low / unit + 1e-9);
+        if (strlen(text[1]) > (strchr(text[1], 'e') ? DIGITS + 2 : DIGITS) ||
+            strcmp(text[0], text[1]) == 0)
+            t->base = unit * floor(low / unit + 1e-3);
         if (t->base != 0.0) return;
         strcpy(text[0], text[1]);
     }
@@ -715,7 +716,7 @@ static void draw_axis(const drawing *d, const double *from, const double *to,
     int i;
 
     if (length < 200.0 ||
-        !(high - low > 1e-12 * (fabs(low) > fabs(high) ? fabs(low)
+        !(high - low > 1e-14 * (fabs(low) > fabs(high) ? fabs(low)
                                                        : fabs(high))))
         return;
     choose_ticks(&t, low, high,

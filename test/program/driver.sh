@@ -1078,7 +1078,7 @@ yes "colours that are no value" grep 'coloured by distance' c.svg > /dev/null
 for o in -O0 -O2; do
     (cd "$TOP"/test/examples && $CC $o -I"$TOP" -o "$TOP/build/driver/tess$o" \
         ../program/*.c slopes.c natural.c derived.c cells.c periodic.c \
-        "$TOP"/tess.c "$TOP"/hhpred.c -lm)
+        ../proof/exact.c "$TOP"/tess.c "$TOP"/hhpred.c -lm)
     ./tess$o -q -alpha 0.5 -svg m$o.svg -grid 40,1,30 -values s$o.svg \
         "$TOP"/test/data/mirror.xyz
     ./tess$o -q -svg c$o.svg none.node
@@ -1088,8 +1088,9 @@ for f in m c s; do
 done
 if $PYTHON -c 'import numpy' 2> words; then
     lines $PYTHON "$TOP"/test/program/pictures.py $TESS
+    lines $PYTHON "$TOP"/test/program/shapes.py $TESS
 else
-    skip "pictures, read back: no numpy for $PYTHON"
+    skip "pictures, read back, and alpha shapes: no numpy for $PYTHON"
 fi
 for wrong in '-draw all/choose points, whole, cut, field or apart' \
     '-size 900/a width and a height' '-size 99,200/a width and a height'; do
