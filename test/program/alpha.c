@@ -1,6 +1,7 @@
 /* alpha.c - alpha shapes: the tetrahedra whose circumradius is not larger than
  * a given one, exactly; the least such radius that leaves one piece with all
- * points; whether the surface is a manifold.
+ * points; whether the surface is a manifold.  And whether a surface that is
+ * read is closed.
  *
  * Lengths are those of the stretched points, by -scale.
  */
@@ -282,6 +283,29 @@ static int by_ends(const void *a, const void *b)
     return 0;
 }
 
+/* next_corner - of the same triangle. */
+static tess_int next_corner(tess_int f)
+{
+    return f % 3 == 2 ? f - 2 : f + 1;
+}
+
+/* take_sides - of many triangles. */
+static void take_sides(side *s, tess_int many, const tess_int *fac)
+{
+    tess_int f, next;
+    int first;
+
+    for (f = 0; f < 3 * many; f++) {
+        next = next_corner(f);
+        first = fac[f] < fac[next];
+        s[f].end[!first] = fac[f];
+        s[f].end[first] = fac[next];
+        s[f].corner[!first] = f;
+        s[f].corner[first] = next;
+    }
+    qsort(s, 3 * (size_t)many, sizeof *s, by_ends);
+}
+
 /* check_manifold - of triangles between n points. */
 static void check_manifold(tess_int n, tess_int many, const tess_int *fac)
 {
@@ -290,19 +314,11 @@ static void check_manifold(tess_int n, tess_int many, const tess_int *fac)
     tess_int *parent = (tess_int *)space(corners, sizeof *parent);
     tess_int *fans = (tess_int *)space((double)n, sizeof *fans);
     tess_int i, j, f, edges = 0, touch = 0;
-    int k, first;
+    int k;
 
-    for (f = 0; f < 3 * many; f++) {
-        j = f % 3 == 2 ? f - 2 : f + 1;
-        first = fac[f] < fac[j];
-        s[f].end[!first] = fac[f];
-        s[f].end[first] = fac[j];
-        s[f].corner[!first] = f;
-        s[f].corner[first] = j;
-        parent[f] = f;
-    }
+    take_sides(s, many, fac);
+    for (f = 0; f < 3 * many; f++) parent[f] = f;
     for (i = 0; i < n; i++) fans[i] = 0;
-    qsort(s, 3 * (size_t)many, sizeof *s, by_ends);
     for (i = 0; i < 3 * many; i = j) {
         for (j = i; j < 3 * many && by_ends(s + i, s + j) == 0; j++)
             for (k = 0; k < 2; k++)
@@ -321,6 +337,113 @@ static void check_manifold(tess_int n, tess_int many, const tess_int *fac)
              "may do",
              (long)edges, edges == 1 ? "" : "s", (long)touch,
              touch == 1 ? "" : "s");
+}
+
+static const points *read_in;
+
+static int by_place(const void *a, const void *b)
+{
+    const tess_real *x = read_in->p + 3 * (size_t)*(const tess_int *)a;
+    const tess_real *y = read_in->p + 3 * (size_t)*(const tess_int *)b;
+    int k;
+
+    for (k = 0; k < 3; k++)
+        if (x[k] < y[k] || x[k] > y[k]) return x[k] < y[k] ? -1 : 1;
+    return 0;
+}
+
+/* one_number - for points at the same place, of those that fac has. */
+static void one_number(const points *in, tess_int many, tess_int *fac)
+{
+    tess_int *order = (tess_int *)space((double)in->n, sizeof *order);
+    tess_int *same = (tess_int *)space((double)in->n, sizeof *same), i;
+
+    read_in = in;
+    for (i = 0; i < in->n; i++) order[i] = i;
+    qsort(order, (size_t)in->n, sizeof *order, by_place);
+    for (i = 0; i < in->n; i++)
+        same[order[i]] = i > 0 && by_place(order + i - 1, order + i) == 0
+                             ? same[order[i - 1]]
+                             : order[i];
+    for (i = 0; i < 3 * many; i++) fac[i] = same[fac[i]];
+    free(order);
+    free(same);
+}
+
+/* within - the volume between the triangles and a point, and the sum of its
+ * parts' sizes. */
+static double within(const points *in, tess_int many, const tess_int *fac,
+                     double *size)
+{
+    const tess_real *o = in->p + 3 * (size_t)fac[0], *x;
+    double e[3][3], c[3], part, sum = 0.0;
+    tess_int f;
+    int i, k;
+
+    for (*size = 0.0, f = 0; f < many; f++) {
+        for (i = 0; i < 3; i++) {
+            x = in->p + 3 * (size_t)fac[3 * f + i];
+            for (k = 0; k < 3; k++) e[i][k] = (double)x[k] - (double)o[k];
+        }
+        normal_to(e[1], e[2], c);
+        part = (e[0][0] * c[0] + e[0][1] * c[1] + e[0][2] * c[2]) / 6.0;
+        sum += part;
+        *size += fabs(part);
+    }
+    return sum;
+}
+
+void tell_surface(const points *in)
+{
+    tess_int many = (tess_int)in->faces, open = 0, against = 0, flat = 0, i, j;
+    tess_int *fac;
+    double volume, size;
+    long way;
+    side *s;
+
+    if (many == 0) return;
+    fac = (tess_int *)space(3.0 * in->faces, sizeof *fac);
+    for (i = 0; i < 3 * many; i++) fac[i] = in->face ? in->face[i] : i;
+    one_number(in, many, fac);
+    /* (without those that are an edge, or a point) */
+    for (i = j = 0; i < 3 * many; i += 3) {
+        if (fac[i] == fac[i + 1] || fac[i + 1] == fac[i + 2] ||
+            fac[i + 2] == fac[i]) {
+            flat++;
+            continue;
+        }
+        fac[j++] = fac[i];
+        fac[j++] = fac[i + 1];
+        fac[j++] = fac[i + 2];
+    }
+    many -= flat;
+    s = (side *)space(3.0 * (double)many + 1.0, sizeof *s);
+    take_sides(s, many, fac);
+    for (i = 0; i < 3 * many; i = j) {
+        for (way = 0, j = i; j < 3 * many && by_ends(s + i, s + j) == 0; j++)
+            /* (from the first end to the second, or back) */
+            way += s[j].corner[1] == next_corner(s[j].corner[0]) ? 1 : -1;
+        open += (j - i) % 2;
+        against += (j - i) % 2 == 0 && way != 0;
+    }
+    tell("surface       %ld triangles", (long)many);
+    if (flat > 0) tell(", without %ld that are no more than a line",
+                       (long)flat);
+    if (open > 0)
+        tell("; not closed: %ld edge%s no neighbour there\n", (long)open,
+             open == 1 ? " has" : "s have");
+    else if (against > 0)
+        tell("; closed, but at %ld edge%s they face different ways: no "
+             "volume\n", (long)against, against == 1 ? "" : "s");
+    else if (many > 0) {
+        volume = within(in, many, fac, &size);
+        tell("; closed; its volume is %.15g%s\n",
+             fabs(volume) > 1e-14 * size ? fabs(volume) : 0.0,
+             volume < 0.0 ? ", and its triangles face inwards" : "");
+    } else
+        tell("\n");
+    free(fac);
+    free(s);
 }
 
 /* ---- what is kept ---- */

@@ -472,6 +472,7 @@ int main(int argc, char **argv)
     in.voids = chosen.voids;
     in.by = chosen.by;
     in.named = !chosen.by && next_output(volumes_forms, 0);
+    in.surfaced = next_output(volumes_forms, 0) != 0;
     places.cols = chosen.qcols;
     places.skip = chosen.skip;
     places.bare = places.copied = 1;

@@ -55,6 +55,9 @@ typedef struct points {
     char labelled[TITLE]; /* the column's; "": there are none; they are */
     char *labels;         /* all here, */
     size_t *label;        /* each point's from there on */
+    int surfaced;   /* keep the triangles of a surface? */
+    double faces;   /* so many; their points, from 0 on; or 0: all in turn */
+    tess_int *face;
     int copied;   /* keep the texts of columns that are nothing else? */
     char *others; /* their names, as CSV has them; 0: there are none. */
     FILE *texts;  /* Each point's, the same way, in a line */
@@ -343,6 +346,9 @@ void mark_alpha(mesh *m, double radius);
 /* least_alpha - the least radius for which the tetrahedra are one piece, joined
  * by facets, and have all points. */
 double least_alpha(const mesh *m);
+
+/* tell_surface - if in is one: whether it is closed, and its volume. */
+void tell_surface(const points *in);
 
 /* drop_others - leave the tetrahedra of the alpha shape alone in m. */
 void drop_others(mesh *m);

@@ -382,7 +382,8 @@ static const option table[] = {
      "(the box's sides x0 to z1 are -1 to -6, where it repeats\n"
      "itself none), values, the cell's centroid, and the name, a\n"
      "column of words as an atom's species, if the file has one;\n"
-     "the volumes' sum is said"},
+     "the volumes' sum is said; of a surface, STL, OFF, PLY, OBJ,\n"
+     "whether it is closed, and its volume"},
     {"-faces", "F.csv", take_output, faces_forms,
      "write each face between cells once: point, neighbour (or\n"
      "side, as above), area, centroid, unit normal to it from the\n"

@@ -532,6 +532,7 @@ void make_cells(const mesh *m)
              "other units, as by -scale, or a smaller box", all.volume, whole);
     tell("cells         %.0f, their volumes sum to %.15g; the box's is %.15g\n",
          all.cells, all.volume, whole);
+    if (volumes > 0) tell_surface(m->in);
     for (o = 0; (o = next_output(cells_forms, o)) != 0;)
         write_cells(&c, o, volume, faces, &all);
     for (k = files = 0; k < 2; k++)
