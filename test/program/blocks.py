@@ -220,3 +220,86 @@ with open("three.csv", "w") as f:
 said = tess("-q", "-validate", "-cols", "x,y,z", "three.csv").stdout
 test("-validate, three names in -cols: a plane where nothing else is there",
      said.split("\n")[1].split()[:2] == ["linear", "z"])
+
+# ---- places of a file, with columns that come back as they are ----
+
+p = random.random((400, 3))
+T = p @ (2, -3, .5)
+np.savetxt("points.csv", np.column_stack((p, T)), "%.17g", ",",
+           header="x,y,z,T", comments="")
+linear = LinearNDInterpolator(p, T)
+
+
+def places(many, separator=",", header=True):
+    """A file; its other columns' texts; where the places are."""
+    q = np.round(random.random((many, 3)) * 1.2 - .1, 6)
+    text = [["007", "1.50", "1e3", "-0", "+2", "0x1F"][i % 6] for i in
+            range(many)]
+    note = [["a b", "", "n/a", '"c, d"', "x", '"say ""hi"""'][i % 6]
+            if separator == "," else "w%d" % i for i in range(many)]
+    head = separator.join(["id", "lon", "from", "lat", "depth", "note"])
+    with open("places.csv", "w") as f:
+        if header:
+            f.write(head + "\n")
+        for i in range(many):
+            f.write(separator.join([
+                "DH-%05d" % i, "%.6f" % q[i, 0], text[i], "%.6f" % q[i, 1],
+                "%.6f" % q[i, 2], note[i]]) + "\n")
+    with open("places.csv", newline="") as f:
+        r = list(csv.reader(f, delimiter=separator))[header:]
+    return q, [[a[0], a[2], a[5]] for a in r]
+
+
+# (so many that places are kept in a file)
+for many, separator, header in ((50, ",", True), (50, ",", False),
+                                (50, ";", True), (50, "\t", True),
+                                (140000, ",", True)):
+    q, others = places(many, separator, header)
+    want = linear(q)
+    for drop in [], ["-drop"]:
+        said = tess(*drop, "-query", "places.csv", "-qcols", "2,4,5", "-values",
+                    "q.csv", "-values", "again.csv", "-values", "q.npy",
+                    "points.csv")
+        table = rows("q.csv")
+        keep = ~np.isnan(want) if drop else np.ones(many, bool)
+        number = np.array([r[:3] + r[6:] for r in table[1:]], float)
+        test("-query, %d places, %r, %s names: other columns as they are %s" % (
+            many, separator, "with" if header else "without", " ".join(drop)),
+            table[0] == ["x", "y", "z"] + (
+                ["id", "from", "note"] if header else
+                ["column1", "column3", "column6"]) + ["T"] and
+            [r[3:6] for r in table[1:]] == [o for o, k in zip(others, keep)
+                                            if k] and
+            near(number, np.column_stack((q, want))[keep], 1e-12) and
+            np.array_equal(number[:, :3], q[keep]) and
+            open("q.csv").read() == open("again.csv").read() and
+            near(np.load("q.npy")[:, 0], want, 1e-12))
+# verbatim in bytes, where nothing needs quotes; places that -skip drops
+with open("places.csv", "w") as f:
+    f.write("x,y,z,id\n.5,.5,.5,1.50\n.4,,.4,2.50\n.3,.3,.3,003\n")
+tess("-skip", "-query", "places.csv", "-digits", 3, "-values", "q.csv",
+     "points.csv")
+test("-query -skip: the others' texts stay beside their places",
+     [l.split(",")[:4] for l in open("q.csv").read().split("\n")[1:3]] ==
+     [["0.5", "0.5", "0.5", "1.50"], ["0.3", "0.3", "0.3", "003"]] and
+     len(rows("q.csv")) == 3)
+with open("places.csv", "w") as f:
+    f.write(".5 .5 .5\n.4 .4 .4\n")
+tess("-query", "places.csv", "-values", "q.csv", "points.csv")
+test("-query: no other columns", rows("q.csv")[0] == ["x", "y", "z", "T"])
+
+# -errors: those of the points
+with open("groups.csv", "w") as f:
+    f.write("x,y,z,T,hole,no\n")
+    for i, a in enumerate(np.vstack((p, p[:7]))):
+        f.write("%.17g,%.17g,%.17g,%.9f,H %d,%03d\n" % (tuple(a) + (
+            a @ (2, -3, .5), i // 8, i)))
+tess("-validate", 5, "-by", "hole", "-cols", "x,y,z,T", "-errors", "e.csv",
+     "groups.csv")
+table = rows("e.csv")
+test("-errors: the points' other columns, in front of the values",
+     table[0] == ["x", "y", "z", "part", "hole", "no", "T", "linear-T"] and
+     [r[4:6] for r in table[1:]] == [["H %d" % (i // 8), "%03d" % i]
+                                     for i in range(400)] and
+     near(np.array([r[6] for r in table[1:]], float), T, 1e-8) and
+     len({(r[3], r[4]) for r in table[1:]}) == 50)

@@ -889,11 +889,11 @@ $TESS -q -grid 2,2,1 -values v.csv lon.csv
 yes "-values: the columns' names" test "$(head -n 1 v.csv)" = lon,lat,depth,T
 $TESS -q -plane -cols lon,depth -grid 2,2 -values v.csv lon.csv
 yes "-values: names in a plane" test "$(head -n 1 v.csv)" = lon,depth,lat,T
-sed '$s/4$/nan/' lon.csv > nan.csv
+sed '$s/4$/1e999/' lon.csv > inf.csv
 for method in smooth linear; do
-    $TESS -method $method -grid 2,2,1 -values v.csv nan.csv > said 2> words
-    yes "a NaN: what that means for -method $method" test "$(grep -c \
-        'not finite.* by -method smooth all of the column;' words)" -eq \
+    $TESS -method $method -grid 2,2,1 -values v.csv inf.csv > said 2> words
+    yes "no number: what that means for -method $method" test "$(grep -c \
+        'not finite.* by -method smooth all of the column' words)" -eq \
         "$(echo $method | grep -c smooth)"
 done
 $TESS -grid 2,2,1 -values v.csv flat.csv > said 2> words

@@ -221,3 +221,86 @@ test("-periodic -alpha auto: one piece across the box's sides",
      all(len(both) == 2 for both in facets.values()) and
      float(re.search(r"alpha +(\S+),", said.stdout).group(1)) == want and
      rows("a.ele") == [tet[i] for i in kept])
+
+# ---- surfaces that are read ----
+
+def surface(name):
+    done = subprocess.run([TESS, "-volumes", "v.csv", name],
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          universal_newlines=True, timeout=200)
+    return (re.findall(r"^surface +(.*)$", done.stdout, re.M) + [None])[0]
+
+
+def write_off(name, points, faces):
+    with open(name, "w") as f:
+        f.write("OFF\n%d %d 0\n" % (len(points), len(faces)))
+        for a in points:
+            f.write("%.17g %.17g %.17g\n" % tuple(a))
+        for v in faces:
+            f.write(" ".join(map(str, [len(v)] + list(v))) + "\n")
+
+
+cube = np.array([[x, y, z] for z in (0, 1) for y in (0, 2) for x in (0, 3)])
+square_faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [1, 3, 7, 5],
+                [3, 2, 6, 7], [2, 0, 4, 6]]
+write_off("box.off", cube, square_faces)
+test("surface: a box of squares, OFF",
+     surface("box.off") == "12 triangles; closed; its volume is 6")
+write_off("open.off", cube, square_faces[:5])
+test("surface: a box without a side", surface("open.off") ==
+     "10 triangles; not closed: 4 edges have no neighbour there")
+write_off("in.off", cube, [v[::-1] for v in square_faces])
+test("surface: inside out", surface("in.off") == "12 triangles; closed; its "
+     "volume is 6, and its triangles face inwards")
+write_off("mixed.off", cube, square_faces[:5] + [square_faces[5][::-1]])
+test("surface: a side inside out", surface("mixed.off") == "12 triangles; "
+     "closed, but at 4 edges they face different ways: no volume")
+write_off("bad.off", cube, square_faces[:5] + [[0, 1, 8]])
+test("surface: a point that is not there", surface("bad.off") is None)
+write_off("none.off", cube, [])
+test("surface: none", surface("none.off") is None)
+with open("box.obj", "w") as f:
+    f.write("# a box\nmtllib a.mtl\n")
+    for a in cube:
+        f.write("v %g %g %g\n" % tuple(a))
+    f.write("vt 0 0\nvn 0 0 1\n")
+    for k, v in enumerate(square_faces):
+        f.write("f " + " ".join(
+            ["%d" % (i + 1), "%d/1" % (i + 1), "%d/1/1" % (i + 1),
+             "%d//1" % (i + 1), "%d" % (i - 8), "%d//1" % (i - 8)][k]
+            for i in v) + "\n")
+test("surface: a box, OBJ, its corners in all forms",
+     surface("box.obj") == "12 triangles; closed; its volume is 6")
+try:
+    import meshio
+    from scipy.spatial import ConvexHull
+    x = random.normal(size=(300, 3))
+    x = x / np.linalg.norm(x, axis=1)[:, None] * (3, 2, 1) + (100, 200, 5)
+    hull = ConvexHull(x)
+    f = hull.simplices.copy()
+    inward = np.einsum("ij,ij->i", np.cross(
+        x[f[:, 1]] - x[f[:, 0]], x[f[:, 2]] - x[f[:, 0]]),
+        x[f[:, 0]] - x.mean(0)) < 0
+    f[inward] = f[inward][:, ::-1]
+    for name, binary, most in (
+            ("s.ply", False, 1e-12), ("b.ply", True, 1e-12),
+            ("s.obj", None, 1e-12), ("s.off", None, 1e-12),
+            ("s.stl", False, 1e-12), ("b.stl", True, 1e-6)):
+        meshio.Mesh(x, [("triangle", f)]).write(
+            name, **({} if binary is None else {"binary": binary}))
+        said = surface(name)
+        got = re.fullmatch(r"%d triangles; closed; its volume is (\S+)" % len(f),
+                           said or "")
+        test("surface, by meshio: %s%s" % (name, ", binary" * bool(binary)),
+             got is not None and
+             abs(float(got.group(1)) / hull.volume - 1) < most)
+except ImportError:
+    print("        skipped: surfaces, written by meshio: no meshio")
+# what tess writes is closed, and encloses what it says
+np.savetxt("c.xyz", random.random((200, 3)), fmt="%.17g")
+for end in "off", "ply", "obj", "stl":
+    said = tess("-face", "c." + end, "c.xyz").stdout
+    volume = float(re.search(r"volume +(\S+)", said).group(1))
+    got = re.search("; closed; its volume is (.*)", surface("c." + end) or "")
+    test("surface: the hull that tess writes, " + end,
+         got is not None and abs(float(got.group(1)) / volume - 1) < 1e-8)
