@@ -50,7 +50,9 @@ LINK = $(CC) $(CFLAGS) $(LDFLAGS) -o $@
 LIBRARY = build/tess.o build/hhpred.o
 all: build/tess
 
-PROGRAM = build/driver.o build/options.o build/read.o build/write.o \
+PROGRAM = build/driver.o build/options.o build/scan.o build/cell.o \
+    build/rows.o build/formats.o build/meshes.o build/atoms.o build/arrays.o \
+    build/write.o \
     build/shapes.o build/places.o build/values.o build/validate.o \
     build/slopes.o build/natural.o build/derived.o build/cells.o \
     build/periodic.o build/draw.o build/plane.o build/repeat.o build/alpha.o \
@@ -139,9 +141,40 @@ build/tess_mex.mex: test/examples/tess_mex.c $(FIELD) $(FIELD_H)
 	CC="$(CC)" CFLAGS="$(CFLAGS)" mkoctfile --mex -I. -o $@ \
 	    test/examples/tess_mex.c $(FIELD)
 
-build/read.o: test/program/read.c test/program/driver.h tess.h hhpred.h
+build/scan.o: test/program/scan.c test/program/read.h test/program/driver.h \
+    tess.h hhpred.h
 	@mkdir -p build
-	$(COMPILE) test/program/read.c
+	$(COMPILE) test/program/scan.c
+
+build/cell.o: test/program/cell.c test/program/read.h test/program/driver.h \
+    tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/cell.c
+
+build/rows.o: test/program/rows.c test/program/read.h test/program/driver.h \
+    tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/rows.c
+
+build/formats.o: test/program/formats.c test/program/read.h test/program/driver.h \
+    tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/formats.c
+
+build/meshes.o: test/program/meshes.c test/program/read.h test/program/driver.h \
+    tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/meshes.c
+
+build/atoms.o: test/program/atoms.c test/program/read.h test/program/driver.h \
+    tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/atoms.c
+
+build/arrays.o: test/program/arrays.c test/program/read.h test/program/driver.h \
+    tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/arrays.c
 
 build/cells.o: test/examples/cells.c test/examples/recipes.h tess.h \
     hhpred.h

@@ -110,7 +110,8 @@ told "recipes: a row of the README" $B/out
 
 # ---- a file format ----
 
-sed -n 's/.*ends_in([^,]*, "\(\.[a-z]*\)").*/\1/p' test/program/read.c |
+sed -n 's/^    {".*", .*"\(\.[a-z.]*\)", .*read_.*/\1/p' test/program/formats.c |
+    tr . '\n' | sed -n 's/./.&/p' |
     sort -u > $B/endings
 : > $B/out
 test -s $B/endings || echo none > $B/out

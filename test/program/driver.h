@@ -1,6 +1,6 @@
 /* driver.h - what the files of the command line program share.
  *
- *   options.c   the command line                   read.c    points
+ *   options.c   the command line                   read.h    points
  *   driver.c    the arrays, the mesh, messages     write.c   files
  *   shapes.c    cells                              draw.c    pictures
  *   alpha.c     alpha shapes
@@ -131,6 +131,9 @@ typedef struct choices {
     const char *input, *cols;
     int skip, check, binary, quiet, periodic; /* (binary: so are all files) */
     int decimal; /* ',' or '.'; 0: not given */
+    int limits;  /* is a value `<0.05' so many times its limit: */
+    double below;
+    int account; /* -account: of what is read, for tests */
     int voids;   /* numbers of nodata */
     double nodata[VOIDS];
     int plane;         /* have the points two coordinates? */

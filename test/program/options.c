@@ -301,6 +301,16 @@ static void take_nodata(const option *o, char **word)
              o->name);
 }
 
+/* take_below - a number from 0 to 1. */
+static void take_below(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+
+    if (list_numbers(word[0], 1, x) != 1 || !(*x >= 0.0) || !(*x <= 1.0))
+        fail("%s needs a number from 0 to 1, as 0.5 (tess -h helps)", o->name);
+    chosen.limits = 1;
+}
+
 static void take_base(const option *o, char **word)
 {
     static const form *const all[] = {node_forms, ele_forms, neigh_forms,
@@ -341,10 +351,16 @@ static const option table[] = {
      "lie in one plane have values there: of a place's foot)"},
     {"-skip", 0, take_switch, &chosen.skip,
      "drop rows from which a number is missing: an empty cell,\n"
-     "NA, N/A, NaN, null, none, - or --; how many is said"},
+     "NA, N/A, NaN, null, none, -, --, ., ?, #N/A or the like of\n"
+     "spreadsheets, or FORTRAN's asterisks; how many is said"},
     {"-nodata", "V[,V...]", take_nodata, chosen.nodata,
-     "drop rows of which a value is this number, as -9999: any\n"
-     "value, or with -cols X,Y,Z,V... any that is named there"},
+     "drop rows of which a coordinate or a value is this number,\n"
+     "as -9999: any value, or with -cols X,Y,Z,V... any that is\n"
+     "named there"},
+    {"-below", "F", take_below, &chosen.below,
+     "a value `<0.05', below a limit, is F times that: 0.5, 1, 0;\n"
+     "one above, `>100', is the limit; how many is said"},
+    {"-account", 0, take_switch, &chosen.account, 0},
     {"-decimal", ",", take_decimal, &chosen.decimal,
      "numbers that are read have decimal commas, no points; what\n"
      "separates them is a semicolon, a tab, or blanks; or a comma\n"

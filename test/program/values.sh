@@ -87,8 +87,8 @@ refuses '-cols: points in a plane .* add -grid.*or -validate; for points in' \
     -cols x,y points
 refuses '-plane: points in a plane .* add -grid.*or -validate$' -plane points
 refuses 'in space, not' -alpha 1 -grid 2,2 -values v.npy points
-refuses 'from lines of numbers' -plane -validate four.node
-refuses 'fewer than three numbers' -query flat -qcols 1,2,2 -values v.npy points
+refuses 'there are only 5 points' -plane -validate four.node
+refuses 'qcols: column 2 twice' -query flat -qcols 1,2,2 -values v.npy points
 refuses 'no values' -plane -validate flat
 refuses 'is for -query' -qcols 1,2,3 -grid 2,2,2 -values v.npy points
 refuses 'for -values or' -method smooth points
@@ -98,8 +98,8 @@ refuses '-by is for -validate' -by x points
 refuses '-errors is for -validate' -errors e.csv points
 refuses '-by: no column hole among 4$' -validate -by hole points
 refuses 'by: no column 5 among 4$' -validate -by 5 points
-refuses 'line 3: column 4 is empty' -validate -by 4 hollow
-refuses 'is for lines of numbers, not for .node' -validate -by 1 four.node
+refuses ':3: column 4: empty' -validate -by 4 hollow
+refuses 'no column 7 among 6' -validate -by 7 four.node
 refuses 'all points are in one group' -q -validate -by 5 single
 refuses 'overwrite the input' -validate -errors points.csv points.csv
 refuses 'for -values F.csv$' -digits 3 points
@@ -128,8 +128,8 @@ refuses 'overwrite the places' -query ./bare.csv -values bare.csv points
 refuses 'overwrite the input' -volumes ././points points
 refuses 'No such file' -query nowhere -values v.npy points
 refuses 'empty: empty' -query empty -values v.npy points
-refuses 'line 2: .*not a number: here' -query word -values v.npy points
-refuses 'line 2: .*not finite' -query notfinite -values v.npy points
+refuses ':2: column 2: .here.: not a number' -query word -values v.npy points
+refuses ':2: column 2: .nan.: not a number' -query notfinite -values v.npy points
 refuses 'qcols: no column w' -query bare -qcols x,y,w -values v.npy points
 refuses 'three columns' -query bare -qcols x,y,z,T -values v.npy points
 refuses 'both be standard input' -query - -values v.npy
@@ -194,8 +194,8 @@ if (ulimit -v 20000) 2> told; then
     (ulimit -v 32000; exec $TESS -q -query some -values some.npy points) \
         > said 2> told
     code=$?
-    (echo 1000000; echo 0 0 0; cat some) > titled
-    $TESS -q -query titled -values titled.npy points || code=1
+    (echo 1000000; echo 0 0 0; cat some) > titled.xyz
+    $TESS -q -query titled.xyz -values titled.npy points || code=1
     split -l 100000 some piece.
     for piece in piece.a?; do
         $TESS -q -query $piece -values part.npy points
@@ -207,7 +207,7 @@ if (ulimit -v 20000) 2> told; then
     else
         fail "a million places of a file in 32 MB: code $code: `cat told`"
     fi
-    rm -f some titled pieces piece.*
+    rm -f some titled.xyz pieces piece.*
 else
     skip "ten million places: no ulimit -v"
 fi

@@ -1,0 +1,411 @@
+/* cell.c - what a number is, what else a cell may be, and how a line is cut
+ * into cells.
+ */
+#include <ctype.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "read.h"
+
+#define LONGEST_ODD 400 /* characters of a number that is copied */
+
+#define DIGIT(c) ((unsigned)((c) - '0') < 10u)
+#define LETTER(c) ((unsigned)(((c) | 32) - 'a') < 26u)
+
+static int blank(int c)
+{
+    return c == ' ' || c == '\t' || c == '\f' || c == '\v';
+}
+
+/* ---------------------------------------------------------------- numbers */
+
+char *figures(char *s, char decimal, int *odd)
+{
+    char *p = s, *from, *e;
+    int digits, point = 0;
+
+    *odd = 0;
+    if (*p == '-' || *p == '+') p++;
+    for (from = p; DIGIT(*p);) p++;
+    digits = p > from;
+    if (*p == decimal && (decimal == '.' || DIGIT(p[1]))) {
+        point = 1;
+        *odd = decimal != '.';
+        for (from = ++p; DIGIT(*p);) p++;
+        digits |= p > from;
+    }
+    if (!digits) return s;
+    if (LETTER(*p)) {
+        if (!strchr("eEdDqQ", *p)) return s;
+        *odd |= (*p | 32) != 'e';
+        p++;
+        if (*p == '-' || *p == '+') p++;
+        if (!DIGIT(*p)) return s;
+        while (DIGIT(*p)) p++;
+        return LETTER(*p) ? s : p;
+    }
+    /* FORTRAN's 1.34-101: three digits leave no room for the letter */
+    if ((*p == '-' || *p == '+') && point) {
+        for (e = p + 1; DIGIT(*e);) e++;
+        if (e == p + 4 && !LETTER(*e)) {
+            *odd = 1;
+            return e;
+        }
+    }
+    return p;
+}
+
+/* as_c - of a number that is not as C writes it. */
+static double as_c(const char *s, const char *end)
+{
+    char text[LONGEST_ODD + 2], *to = text;
+    int letter = 0;
+
+    for (; s < end; s++) {
+        if (LETTER(*s)) letter = 1;
+        if ((*s == '-' || *s == '+') && to > text && !letter) *to++ = 'e';
+        *to++ = (char)(*s == ',' ? '.' : LETTER(*s) ? 'e' : *s);
+        if (to >= text + LONGEST_ODD) break;
+    }
+    *to = '\0';
+    return strtod(text, &to);
+}
+
+double cell_value(const cell *c)
+{
+    char *end;
+
+    if (!c->odd) return strtod(c->text, &end);
+    return c->odd == 2 ? c->x : as_c(c->text, c->end);
+}
+
+int whole(const char *s, const char *end, double *n)
+{
+    *n = 0.0;
+    if (s == end) return 0;
+    for (; s < end && DIGIT(*s) && *n <= WHOLE; s++)
+        *n = 10.0 * *n + (*s - '0');
+    return s == end && *n <= WHOLE;
+}
+
+int numbers(char *s, const char *end, int want, double *x)
+{
+    char *stop = s;
+    int k, odd;
+
+    for (k = 0;; k++) {
+        while (s < end && (blank(*s) || strchr(",[]", *s))) s++;
+        if (s >= end) return k == want;
+        if (k == want || (k > 0 && s == stop)) return 0;
+        stop = figures(s, '.', &odd);
+        if (stop == s || stop > end || stop - s > LONGEST_ODD) return 0;
+        x[k] = as_c(s, stop);
+        if (!(x[k] >= -DBL_MAX && x[k] <= DBL_MAX)) return 0;
+        s = stop;
+    }
+}
+
+/* ------------------------------------------------------------------ kinds */
+
+/* same - the text s ... end, in letters of any case. */
+static int same(const char *s, const char *end, const char *text)
+{
+    while (s < end && *text &&
+           tolower((unsigned char)*s) == tolower((unsigned char)*text)) {
+        s++;
+        text++;
+    }
+    return s == end && !*text;
+}
+
+int cell_is(const cell *c, const char *text)
+{
+    return same(c->text, c->end, text);
+}
+
+/* in_list - is it one of those? */
+static int in_list(const char *s, const char *end, const char *const *list)
+{
+    while (*list && !same(s, end, *list)) list++;
+    return *list != 0;
+}
+
+/* pandas' list, and spreadsheets' */
+static const char *const absent[] = {
+    "NA", "N/A", "#N/A", "#N/A N/A", "#NA", "<NA>", "null", "none", "-", "--",
+    ".", "?", "#VALUE!", "#REF!", "#DIV/0!", "#NUM!", "#NAME?", "#NULL!", 0};
+static const char *const nan_texts[] = {
+    "nan", "-nan", "+nan", "nan(ind)", "-nan(ind)", "nan(snan)", "1.#QNAN",
+    "-1.#QNAN", "1.#IND", "-1.#IND", "1.#SNAN", 0};
+static const char *const inf_texts[] = {
+    "inf", "+inf", "-inf", "infinity", "+infinity", "-infinity", "1.#INF",
+    "-1.#INF", 0};
+
+static const char decimal_comma[] = " (a decimal comma?  -decimal , reads it)";
+
+/* hint - what to do about a text that is a number but for its commas; or its
+ * points, if commas are decimal.  0 for any other. */
+static const char *hint(const cell *c, char decimal)
+{
+    const char *s = c->text + (*c->text == '+' || *c->text == '-'), *p;
+    int signs = 0, commas = 0, behind = 0, threes = *s != '0', run = 0;
+    char sign = decimal == ',' ? '.' : ',';
+
+    for (p = s; p < c->end && (DIGIT(*p) || *p == '.' || *p == ','); p++) {
+        run++;
+        if (DIGIT(*p)) continue;
+        commas += *p == ',';
+        behind += signs > 0 && *p != sign;
+        if (*p != sign) continue;
+        threes = threes && (signs > 0 ? run == 4 : p > s && p - s < 4);
+        signs++;
+        run = 0;
+    }
+    if (signs > 0 && behind == 0) threes = threes && run == 3;
+    if (commas + signs == 0 || p == s || !DIGIT(p[-1]) ||
+        (p < c->end && (!strchr("eEdD", *p) || !strpbrk(p, "0123456789"))))
+        return 0;
+    for (; p < c->end; p++)
+        if (!DIGIT(*p) && !strchr("eEdD+-", *p)) return 0;
+    if (decimal == ',')
+        return signs == 1 || (signs > 1 && threes)
+                   ? " (with -decimal , numbers have no points)"
+               : signs == 0 && commas > 1
+                   ? " (with -decimal , commas between digits are decimal)"
+                   : 0;
+    if (signs > 0 && threes && (signs > 1 || behind > 0))
+        return " (commas between thousands must go)";
+    if (signs == 1 && behind == 0)
+        return threes && c->quoted ? " (a comma between thousands must go; see "
+                                     "also -decimal)"
+                                   : decimal_comma;
+    return 0;
+}
+
+/* near - what is wrong with a text that is a number but for something; else
+ * 0. */
+static const char *near_number(const cell *c, char decimal)
+{
+    static const char *const blanks[] = {"\302\240", "\342\200\257",
+                                         "\342\200\211", 0};
+    const char *why = hint(c, decimal), *const *b;
+    char *s, *stop;
+    int odd;
+
+    if (why) return why;
+    if (c->end - c->text > 3 && memcmp(c->text, "\342\210\222", 3) == 0 &&
+        DIGIT(c->text[3]))
+        return " (the sign is U+2212: it must be -)";
+    stop = figures(c->text, decimal, &odd);
+    for (s = c->text; DIGIT(*s);) s++;
+    for (b = blanks; *b && s > c->text; b++)
+        if (strncmp(s, *b, strlen(*b)) == 0 && DIGIT(s[strlen(*b)]))
+            return " (the blanks between digits must go)";
+    if (stop == c->text || stop == c->end) return 0;
+    if (stop + 1 == c->end && (*stop == ',' || *stop == ';'))
+        return " (one separator in a file)";
+    s = figures(stop, decimal, &odd);
+    if ((*stop == '-' || *stop == '+') && s == c->end && memchr(stop, '.',
+        (size_t)(s - stop)))
+        return " (two numbers that touch)";
+    return 0;
+}
+
+void cell_kind(cell *c, char decimal)
+{
+    const char *s = c->text, *end = c->end;
+    char *p, *stop;
+
+    c->kind = s == end ? EMPTY : WORD;
+    c->odd = 0;
+    if (s == end || (LETTER(*s) && !strchr("nNiI", *s))) return;
+    if (end - s < 16) {
+        if (in_list(s, end, nan_texts)) {
+            c->kind = ABSENT;
+            c->odd = 1; /* a NaN */
+            return;
+        }
+        if (in_list(s, end, absent)) c->kind = ABSENT;
+        else if (in_list(s, end, inf_texts)) {
+            c->kind = INFINITE;
+            c->x = *s == '-' ? -HUGE_VAL : HUGE_VAL;
+        }
+        if (c->kind != WORD) return;
+    }
+    while (s < end && *s == '*') s++;
+    if (s == end) {
+        c->kind = STARS;
+        return;
+    }
+    if (*c->text == '<' || *c->text == '>') {
+        for (p = c->text + 1; blank(*p);) p++;
+        stop = figures(p, decimal, &c->odd);
+        if (stop > p && stop == end && stop - p < LONGEST_ODD) {
+            c->kind = BELOW;
+            c->x = as_c(p, stop);
+        }
+        return;
+    }
+    if (near_number(c, decimal)) c->kind = NEAR;
+}
+
+const char *remedy(const cell *c, char decimal)
+{
+    const char *why = near_number(c, decimal);
+    char *stop;
+    int odd;
+
+    switch (c->kind) {
+    case EMPTY:
+    case ABSENT:
+        return " (-skip drops such lines)";
+    case STARS:
+        return " (a number that did not fit FORTRAN's field; -skip drops such "
+               "lines)";
+    case BELOW:
+        return " (a limit; -below 0.5 reads half of it)";
+    }
+    if (c->quoted == 2)
+        return " (a quote that does not end with the cell, or not in the line)";
+    if (why) return why;
+    stop = figures(c->text, decimal, &odd);
+    if (stop > c->text && blank(*stop) && LETTER(stop[1 + (stop[1] == ' ')]))
+        return " (a unit?  It must go)";
+    if (stop > c->text && *stop == '#')
+        return " (a comment begins behind a blank)";
+    if (stop > c->text && blank(*stop)) {
+        while (blank(*stop)) stop++;
+        if (figures(stop, decimal, &odd) > stop)
+            return " (two numbers in one cell: one separator in a file)";
+    }
+    return "";
+}
+
+/* ------------------------------------------------------------------- cells */
+
+/* mark - does a comment begin at s? */
+static int mark(const char *s)
+{
+    const char *e = s;
+
+    if (*s != '#')
+        return *s == '%' || *s == '!' || (*s == '/' && s[1] == '/');
+    while (*e && !blank(*e) && !strchr(",;|", *e)) e++;
+    return !in_list(s, e, absent);
+}
+
+int comment(const scan *s)
+{
+    const char *p = s->line;
+
+    while (blank(*p)) p++;
+    return !*p || (*p < '0' && mark(p)) || (*s->line == '/');
+}
+
+int cut(const scan *s, const dialect *d, cell *c, int *more)
+{
+    char *p = s->line, mark_ = d->separator, decimal = d->decimal, *e;
+    char bare = (char)(d->apart ? '\001' : decimal);
+    int n = 0, loose = mark_ == ',' && decimal == ',' && !d->apart;
+    char tab = (char)(mark_ == '\t' ? '\t' : '\001'); /* no blank */
+
+    for (*more = 0;; n++, c++) {
+        while (blank(*p) && *p != tab) p++;
+        if (!*p && (n == 0 || mark_ == ' ' || *more)) return n + *more;
+        if (n > COLUMNS) return n;
+        *more = 0;
+        c->quoted = 0;
+        c->text = p;
+        c->end = figures(p, bare, &c->odd);
+        if (c->end > p) {
+            for (p = c->end; blank(*p) && *p != tab;) p++;
+            if (!*p || (*p == mark_ && !(loose && DIGIT(p[1]))) ||
+                (mark_ == ' ' && p > c->end)) {
+                c->kind = NUMBER;
+                if (c->odd && c->end - c->text > LONGEST_ODD) c->kind = WORD;
+                goto next;
+            }
+            if (p > c->end && *p < '0' && mark(p)) {
+                c->kind = NUMBER;
+                return n + 1;
+            }
+        }
+        p = c->text;
+        if (*p == '"') {
+            c->quoted = 1;
+            c->text = ++p;
+            while (*p && (*p != '"' || p[1] == '"')) p += 1 + (*p == '"');
+            c->end = p;
+            p += *p == '"';
+            while (blank(*p) && *p != tab) p++;
+            while (blank(*c->text) && c->text < c->end) c->text++;
+            e = figures(c->text, decimal, &c->odd);
+            if (e > c->text)
+                while (c->end > e && blank(c->end[-1])) c->end--;
+            c->kind = NUMBER;
+            if (e == c->text || e != c->end || e - c->text > LONGEST_ODD)
+                cell_kind(c, decimal);
+            if (*p && *p < '0' && mark(p)) return n + 1;
+            if (c->end[0] != '"' && !blank(c->end[0])) c->quoted = 2;
+            if (*p && *p != mark_ && (mark_ != ' ' || !blank(p[-1]))) {
+                while (*p && *p != mark_ && (mark_ != ' ' || !blank(*p))) p++;
+                c->end = p;
+                c->quoted = 2;
+            }
+            if (c->quoted == 2) c->kind = WORD;
+        } else {
+            while (*p && *p != mark_ && (mark_ != ' ' || !blank(*p))) p++;
+            /* (a comma before a digit is decimal) */
+            while (loose && *p == ',' && DIGIT(p[1]))
+                for (p++; *p && *p != mark_;) p++;
+            for (c->end = p; c->end > c->text && blank(c->end[-1]);) c->end--;
+            cell_kind(c, decimal);
+        }
+    next:
+        if (mark_ == ' ') {
+            while (blank(*p)) p++;
+            if (n >= 0 && c->kind == NUMBER && *p && *p < '0' && mark(p))
+                return n + 1;
+        } else if (*p == mark_) {
+            p++;
+            *more = 1;
+            (c + 1)->text = (c + 1)->end = p;
+            (c + 1)->kind = EMPTY;
+            (c + 1)->quoted = (c + 1)->odd = 0;
+        } else {
+            return n + 1;
+        }
+    }
+}
+
+void cut_fixed(const scan *s, int from, int last, cell *c)
+{
+    char *stop, held;
+
+    c->quoted = 0;
+    c->text = s->line + from - 1;
+    c->end = s->line + last;
+    if (c->end > s->stop) c->end = s->stop;
+    if (c->text > c->end) c->text = c->end;
+    while (c->text < c->end && blank(*c->text)) c->text++;
+    while (c->end > c->text && blank(c->end[-1])) c->end--;
+    /* (what touches it is the next column) */
+    held = *c->end;
+    *c->end = '\0';
+    stop = figures(c->text, '.', &c->odd);
+    c->kind = NUMBER;
+    c->odd = 1;
+    if (c->text == c->end || stop < c->end) cell_kind(c, '.');
+    *c->end = held;
+}
+
+int next_cells(scan *s, const dialect *d, cell *c, int *more)
+{
+    while (scan_line(s)) {
+        if (!comment(s)) return cut(s, d, c, more);
+        s->blank += !s->pinned;
+    }
+    return 0;
+}

@@ -1,0 +1,482 @@
+/* meshes.c - points of surfaces and meshes: OFF, PLY, OBJ, STL, TetGen's .node.
+ */
+#include <ctype.h>
+#include <string.h>
+
+#include "read.h"
+
+/* rest - the lines behind the points: so many of them are faces, what is more
+ * is told as that; so it is if some lack. */
+static void rest(reader *r, double faces)
+{
+    scan *s = &r->s;
+    double found = 0.0;
+
+    while (scan_line(s))
+        if (comment(s)) s->blank++;
+        else if (found < faces) {
+            found++;
+            scan_leave(s, "faces");
+        } else
+            scan_leave(s, "lines behind all that is announced");
+    if (found < faces)
+        warn("%s: announces %.0f faces or the like, has %.0f: is the file cut?",
+             s->name, faces, found);
+}
+
+/* ---- OFF ---- */
+
+/* off_word - how many characters of the text are the word of such a file; 0: it
+ * is none. */
+static size_t off_word(const char *s)
+{
+    size_t n = strncmp(s, "ST", 2) == 0 ? 2 : 0;
+
+    n += s[n] == 'C';
+    n += s[n] == 'N';
+    n += s[n] == '4';
+    n += s[n] == 'n';
+    return strncmp(s + n, "OFF", 3) == 0 ? n + 3 : 0;
+}
+
+int is_off(reader *r)
+{
+    int n = first_cells(r);
+    size_t word;
+    double x;
+    const cell *c = r->cell;
+
+    if (n == 0 || (word = off_word(c->text)) == 0) return 0;
+    if (c->text + word < c->end)
+        return isdigit((unsigned char)c->text[word]) != 0;
+    return n == 1 || cell_is(c + 1, "BINARY") ||
+           whole(c[1].text, c[1].end, &x);
+}
+
+void read_off(reader *r)
+{
+    scan *s = &r->s;
+    double number[3];
+    int n = need_cells(r), k = 0, found = 0, more, wide;
+    size_t word = off_word(r->cell[0].text);
+    char head[8];
+
+    sprintf(head, "%.*s", (int)word, r->cell[0].text);
+    if (strpbrk(head, "4n") || (n > 1 && cell_is(r->cell + 1, "BINARY")))
+        scan_fail(s, "%.20s: not an OFF file of points in space, in ASCII",
+                  r->s.line);
+    r->cell[0].text += word;
+    k = r->cell[0].text == r->cell[0].end;
+    for (s->head++; found < 3; k = 0) {
+        for (; k < n && found < 3; k++, found++)
+            if (!whole(r->cell[k].text, r->cell[k].end, number + found))
+                scan_fail(s, "\"%.*s\": not a number of points, faces, edges",
+                          (int)(r->cell[k].end - r->cell[k].text < 40
+                                    ? r->cell[k].end - r->cell[k].text : 40),
+                          r->cell[k].text);
+        if (found == 3) break;
+        n = need_cells(r);
+        s->head++;
+    }
+    r->want = number[0];
+    scan_room(s, r->want, 6.0);
+    scan_pin(s);
+    wide = next_cells(s, &r->d, r->cell, &more);
+    scan_go(s);
+    add_column(r, "x", 1);
+    add_column(r, "y", 1);
+    add_column(r, "z", 1);
+    for (k = 0; k < 3 && strchr(head, 'N'); k++)
+        add_column(r, "normal", 6)->role = UNUSED;
+    while (r->columns < wide)
+        add_column(r, head[0] == 'O' ? "" : "colour", head[0] == 'O' ? 0 : 6)
+            ->role = head[0] == 'O' ? VALUE : UNUSED;
+    take_columns(r);
+    take_rows(r);
+    if (head[0] != 'O')
+        scan_note(s, "normals, colours or the like", number[0], 0);
+    rest(r, number[1]);
+}
+
+/* ---- PLY ---- */
+
+int is_ply(reader *r)
+{
+    return strncmp(r->s.at, "ply", 3) == 0 && first_cells(r) == 1 &&
+           cell_is(r->cell, "ply");
+}
+
+/* ply_type - the column's, from its name. */
+static int ply_type(column *c, const cell *type)
+{
+    static const char types[] =
+        " char=i1 int8=i1 uchar=u1 uint8=u1 short=i2 int16=i2 ushort=u2 "
+        "uint16=u2 int=i4 int32=i4 uint=u4 uint32=u4 float=f4 float32=f4 "
+        "double=f8 float64=f8";
+    char name[20];
+    const char *at;
+
+    sprintf(name, " %.*s=", (int)(type->end - type->text < 9
+                                      ? type->end - type->text : 9),
+            type->text);
+    at = strstr(types, name);
+    if (!at) return 0;
+    c->type = at[strlen(name)];
+    c->bytes = at[strlen(name) + 1] - '0';
+    return 1;
+}
+
+/* Words behind which PLY has what it likes. */
+static int remark(const cell *c)
+{
+    return cell_is(c, "comment") || cell_is(c, "obj_info");
+}
+
+void read_ply(reader *r)
+{
+    scan *s = &r->s;
+    double want = -1.0, others = 0.0, n;
+    int many, packed = -1, more;
+    cell *c = r->cell;
+    column *p;
+
+    for (;;) {
+        if (!scan_line(s)) fail("%s: ends before the first point", s->name);
+        many = cut(s, &r->d, c, &more);
+        s->head++;
+        if (s->number == 1) continue;
+        if (many == 0 || remark(c)) {
+            s->head--;
+            s->blank++;
+        } else if (cell_is(c, "end_header") && many == 1)
+            break;
+        else if (cell_is(c, "format") && many == 3 && cell_is(c + 2, "1.0")) {
+            r->big = cell_is(c + 1, "binary_big_endian");
+            packed = r->big || cell_is(c + 1, "binary_little_endian");
+            if (!packed && !cell_is(c + 1, "ascii"))
+                scan_fail(s, "not a format of PLY files");
+        } else if (cell_is(c, "format"))
+            scan_fail(s, "not a format of PLY files");
+        else if (cell_is(c, "element") && many == 3 &&
+                 whole(c[2].text, c[2].end, &n)) {
+            if (want < 0.0 && !cell_is(c + 1, "vertex"))
+                scan_fail(s, "points must be the first element of a PLY file");
+            r->waits = want >= 0.0;
+            if (r->waits) others += n;
+            else want = n;
+        } else if (cell_is(c, "property") && want >= 0.0 && !r->waits) {
+            if (many > 1 && cell_is(c + 1, "list"))
+                scan_fail(s, "a list is not a property that points may have");
+            p = add_column(r, c[2].text, (size_t)(c[2].end - c[2].text));
+            if (many != 3 || !ply_type(p, c + 1))
+                scan_fail(s, "not a property that points of a PLY file may "
+                             "have");
+            p->at = r->stride;
+            r->stride += p->bytes;
+        } else if (!cell_is(c, "property") || want < 0.0)
+            scan_fail(s, "\"%.40s\": not a line of a PLY file's head", s->line);
+        else if (many > 1 && cell_is(c + 1, "list")
+                     ? many != 5 || !ply_type(r->column + COLUMNS - 1, c + 2) ||
+                           !ply_type(r->column + COLUMNS - 1, c + 3)
+                     : many != 3 || !ply_type(r->column + COLUMNS - 1, c + 1))
+            scan_fail(s, "not a property of a PLY file");
+    }
+    r->waits = 0;
+    if (packed < 0) fail("%s: no format in the PLY file's head", s->name);
+    if (want < 0.0) fail("%s: no element vertex in the PLY file's head",
+                         s->name);
+    r->named = 1;
+    r->want = want;
+    if (!packed) {
+        scan_room(s, want, 2.0 * r->columns);
+        take_columns(r);
+        take_rows(r);
+        rest(r, others);
+        return;
+    }
+    take_packed(r);
+    scan_rest(s, others > 0.0 ? "faces" : "bytes behind the points");
+    if (others > 0.0 && s->left[0].what == 0)
+        warn("%s: announces %.0f faces or the like, has none: is the file cut?",
+             s->name, others);
+}
+
+/* ---- OBJ ---- */
+
+/* obj_word - what a line that begins so is: 'v' a point, 'f' a face, 'o'
+ * another one; 0: it is not known. */
+static char obj_word(const cell *c)
+{
+    static const char *const words[] = {
+        "vt", "vn", "vp", "deg", "bmat", "step", "cstype", "p", "l", "curv",
+        "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con",
+        "g", "s", "mg", "o", "bevel", "c_interp", "d_interp", "lod", "usemtl",
+        "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj", "ctech",
+        "stech", "call", "csh"};
+    size_t k, n = (size_t)(c->end - c->text);
+
+    if (n == 1 && (*c->text == 'v' || *c->text == 'f')) return *c->text;
+    for (k = 0; k < sizeof words / sizeof words[0]; k++)
+        if (strlen(words[k]) == n && memcmp(words[k], c->text, n) == 0)
+            return 'o';
+    return 0;
+}
+
+int is_obj(reader *r)
+{
+    scan *s = &r->s;
+    int n = first_cells(r), more;
+    char word = (char)(n > 0 ? obj_word(r->cell) : 0);
+
+    if (!word || (word != 'o' && (n < 4 || r->cell[1].kind == WORD)) ||
+        n == 1)
+        return 0;
+    scan_again(s);
+    while ((size_t)(s->at - s->block) < s->mark + SAMPLE && scan_line(s)) {
+        if (s->line[0] != 'v' || (s->line[1] != ' ' && s->line[1] != '\t'))
+            continue;
+        n = cut(s, &r->d, r->cell, &more);
+        return n > 3 && r->cell[1].kind == NUMBER;
+    }
+    return word == 'o' && n == 2 && ends_in(s->name, ".obj");
+}
+
+void read_obj(reader *r)
+{
+    scan *s = &r->s;
+    int n, more, taken = 0;
+    char word;
+
+    s->joins = 1;
+    add_column(r, "v", 1)->role = UNUSED;
+    add_column(r, "x", 1);
+    add_column(r, "y", 1);
+    add_column(r, "z", 1);
+    take_columns(r);
+    while (scan_line(s)) {
+        if (s->line[strspn(s->line, " \t")] == '#' ||
+            !s->line[strspn(s->line, " \t")]) {
+            s->blank++;
+            continue;
+        }
+        for (word = 0, n = (int)strspn(s->line, " \t"); s->line[n] &&
+             s->line[n] != ' ' && s->line[n] != '\t';)
+            n++;
+        r->cell[0].text = s->line + strspn(s->line, " \t");
+        r->cell[0].end = s->line + n;
+        word = obj_word(r->cell);
+        if (word == 'v') {
+            n = cut(s, &r->d, r->cell, &more);
+            if (n != 4 && n != 5 && n != 7 && n != 8)
+                scan_fail(s, "v has 3 numbers, a weight, a colour: not %d",
+                          n - 1);
+            for (taken = 4; taken < n; taken++)
+                if (r->cell[taken].kind != NUMBER) {
+                    r->columns = n;
+                    bad_cell(r, taken);
+                }
+            if (n > 4) scan_note(s, "weights and colours", 1.0, 0);
+            take_row(r);
+        } else
+            scan_leave(s, word == 'f'   ? "faces"
+                          : word == 'o' ? "normals, groups or the like"
+                                        : "lines of unknown words");
+    }
+}
+
+/* ---- STL ---- */
+
+int is_stl(reader *r)
+{
+    scan *s = &r->s;
+
+    if (first_cells(r) == 0 || !cell_is(r->cell, "solid")) return 0;
+    while ((size_t)(s->at - s->block) < s->mark + SAMPLE && scan_line(s)) {
+        s->line += strspn(s->line, " \t");
+        r->cell[0].text = s->line;
+        r->cell[0].end = s->line + strcspn(s->line, " \t");
+        if (cell_is(r->cell, "facet")) return 1;
+        if (*s->line && !cell_is(r->cell, "solid")) return 0;
+    }
+    return 0;
+}
+
+void read_stl(reader *r)
+{
+    /* the lines' words, and which ones may follow: next[k], or other[k] */
+    static const char *const first[] = {"solid", "facet", "outer", "vertex",
+                                        "vertex", "vertex", "endloop",
+                                        "endfacet", "endsolid"};
+    static const int cells[] = {0, 5, 2, 4, 4, 4, 1, 1, 0};
+    scan *s = &r->s;
+    int at = 8, n, more;
+
+    add_column(r, "vertex", 6)->role = UNUSED;
+    add_column(r, "x", 1);
+    add_column(r, "y", 1);
+    add_column(r, "z", 1);
+    take_columns(r);
+    while ((n = next_cells(s, &r->d, r->cell, &more)) > 0) {
+        /* behind a facet another one or the end, behind that another solid */
+        at = at == 8 ? 0 : at + 1;
+        if (at == 1 && cell_is(r->cell, first[8])) at = 8;
+        if (at == 8 && cell_is(r->cell, first[1])) at = 1;
+        if (!cell_is(r->cell, first[at]) || (cells[at] && n != cells[at]) ||
+            (at == 1 && !cell_is(r->cell + 1, "normal")) ||
+            (at == 2 && !cell_is(r->cell + 1, "loop")))
+            scan_fail(s, "\"%.40s\": where STL has %s%s", s->line, first[at],
+                      at == 1   ? " normal and three numbers"
+                      : at == 2 ? " loop"
+                      : cells[at] == 4 ? " and three numbers"
+                                       : "");
+        if (cells[at] == 4) take_row(r);
+        else scan_leave(s, "faces");
+    }
+    if (at != 8)
+        scan_fail(s, "the solid has no end: is the file cut?");
+}
+
+/* facets - of binary STL, in either order of bytes; -1 if the file's size is
+ * that of none. */
+static double facets(reader *r, int *big)
+{
+    const unsigned char *byte = (const unsigned char *)r->s.at + 80;
+    double number[2], size = r->s.size, room = (double)(r->s.end - r->s.at);
+    int k;
+
+    *big = 0;
+    if (room < 84.0) return -1.0;
+    for (number[0] = number[1] = 0.0, k = 0; k < 4; k++) {
+        number[0] = 256.0 * number[0] + byte[3 - k];
+        number[1] = 256.0 * number[1] + byte[k];
+    }
+    if (size < 0.0 && r->s.ended) size = room;
+    for (k = 0; k < 2; k++)
+        if (size == 84.0 + 50.0 * number[k]) {
+            *big = k;
+            return number[k];
+        }
+    return size < 0.0 && number[0] > 0.0 ? number[0] : -1.0;
+}
+
+int is_packed_stl(reader *r)
+{
+    const scan *s = &r->s;
+    size_t n = (size_t)(s->end - s->at);
+    int big;
+
+    if (!memchr(s->at, 0, n < 512 ? n : 512)) return 0;
+    if (facets(r, &big) >= 0.0) return 1;
+    if (ends_in(s->name, ".stl"))
+        fail("%s: no binary STL: its size is not 84 and 50 times the number of "
+             "facets: is the file cut?", s->name);
+    return 0;
+}
+
+void read_packed_stl(reader *r)
+{
+    scan *s = &r->s;
+    int k;
+
+    r->want = 3.0 * facets(r, &r->big);
+    scan_take(s, 84);
+    for (k = 0; k < 3; k++) {
+        char name = (char)('x' + k);
+        column *c = add_column(r, &name, 1);
+        c->type = 'f';
+        c->bytes = 4;
+        c->at = 4.0 * k;
+    }
+    r->stride = 12.0;
+    r->facets = 1;
+    take_packed(r);
+    if (scan_take(s, 2)) scan_note(s, "faces", 2.0, 1);
+    scan_rest(s, "bytes behind the facets");
+}
+
+/* ---- TetGen ---- */
+
+/* node_head - what the first line, cut, says: points, values, markers. */
+static int node_head(const reader *r, int n, double *head)
+{
+    int k;
+
+    head[2] = head[3] = 0.0;
+    for (k = 0; k < n; k++)
+        if (k > 3 || !whole(r->cell[k].text, r->cell[k].end, head + k))
+            return 0;
+    return n > 1 && head[3] <= 1.0 && head[2] <= COLUMNS - 5.0;
+}
+
+int is_node(reader *r)
+{
+    scan *s = &r->s;
+    double head[4], k, seen = 0.0, like[2];
+    int n, more, named = ends_in(s->name, ".node");
+
+    scan_again(s);
+    n = next_cells(s, &r->d, r->cell, &more);
+    if (!node_head(r, n, head)) return 0;
+    if (head[1] != 3.0) {
+        if (named) fail("%s:%ld: the points are not in three dimensions",
+                        s->name, s->number);
+        return 0;
+    }
+    if (named) return 1;
+    /* most of the next lines are numbered, from 0 or from 1 */
+    like[0] = like[1] = 0.0;
+    for (; seen < 10.0 && seen < head[0]; seen++) {
+        n = next_cells(s, &r->d, r->cell, &more);
+        if (n == 0) break;
+        if ((double)n != 4.0 + head[2] + head[3] ||
+            !whole(r->cell[0].text, r->cell[0].end, &k))
+            continue;
+        like[0] += k == seen;
+        like[1] += k == seen + 1.0;
+    }
+    return seen > 0.0 && (2.0 * like[0] >= seen || 2.0 * like[1] >= seen);
+}
+
+void read_node(reader *r)
+{
+    scan *s = &r->s;
+    points *to = r->to;
+    double head[4], at;
+    int n, k, more;
+    char title[TITLE];
+
+    node_head(r, need_cells(r), head);
+    s->head++;
+    r->want = head[0];
+    scan_room(s, r->want, 8.0 + 2.0 * (head[2] + head[3]));
+    add_column(r, "number", 6)->role = UNUSED;
+    add_column(r, "x", 1);
+    add_column(r, "y", 1);
+    add_column(r, "z", 1);
+    for (k = 0; k < (int)head[2]; k++) {
+        sprintf(title, k > 0 ? "value%d" : "value", k + 1);
+        add_column(r, title, strlen(title));
+    }
+    if (head[3] > 0.0) add_column(r, "marker", 6);
+    if (head[3] > 0.0) r->keeps = r->columns - 1;
+    take_columns(r);
+    to->marker = head[3] > 0.0 && to->columns > 0 &&
+                 strcmp(to->name[to->columns - 1], "marker") == 0;
+    for (at = 0.0; at < r->want; at++) {
+        n = next_cells(s, &r->d, r->cell, &more);
+        if (n == 0)
+            fail("%s: ends after %.0f of %.0f points", s->name, at, r->want);
+        if (n != r->columns)
+            scan_fail(s, "%d columns, but line 1 announces %d", n, r->columns);
+        if (at == 0.0 && cell_is(r->cell, "1")) to->base = 1;
+        if (!whole(r->cell[0].text, r->cell[0].end, head + 1) ||
+            head[1] != at + (double)to->base)
+            scan_fail(s, "column 1, number: \"%.*s\": points are not numbered "
+                      "one after the other from 0 or 1",
+                      (int)(r->cell[0].end - r->cell[0].text < 40
+                                ? r->cell[0].end - r->cell[0].text : 40),
+                      r->cell[0].text);
+        take_row(r);
+    }
+    scan_rest(s, "lines behind the points announced");
+}

@@ -1,0 +1,238 @@
+/* read.h - what the files that read points share.
+ *
+ *   scan.c     a file's bytes and lines      cell.c    numbers, a line's cells
+ *   rows.c     columns' roles, rows, points  formats.c which format it is
+ *   meshes.c   OFF, PLY, OBJ, STL, .node     atoms.c   .xyz, PDB, LAMMPS dumps
+ *   arrays.c   .npy, PCD, LAS
+ *
+ * Each line of a file is a row, of the head, blank or a comment, left out, or
+ * dropped; or it is an error.  There is no static data but constant tables.
+ */
+#ifndef READ_H
+#define READ_H
+
+#include "driver.h"
+
+#define KINDS 12      /* of what a file may leave out */
+#define SAMPLE 65536  /* bytes by which lines are judged */
+#define WHOLE 9007199254740992.0 /* up to here integers are exact */
+
+/* ---- scan.c ---- */
+
+/* scan - one file: its bytes and its lines. */
+typedef struct scan {
+    const char *name;    /* as messages have it */
+    FILE *file;
+    double size, passed; /* bytes, -1 if not known; those before block */
+    char *block, *at, *end; /* in memory; not yet taken; '\0' stands at end */
+    size_t room;         /* of block */
+    int ended;           /* there is nothing behind end */
+    int rough;           /* there may be CR or NUL in block */
+    int binary;          /* number counts rows, head and left are of bytes */
+    int joins;           /* a line that ends in \ goes on in the next one */
+    char *line, *stop;   /* the line, in block; '\0' stands at stop, */
+    char held;           /* in place of this */
+    long number;         /* of the line, from 1 on */
+    int open;            /* has the last line no end? */
+    size_t mark;         /* where scan_again goes back to; block stays, */
+    long marked;         /* and this line's number; 0 ... */
+    int pinned;          /* ... if not pinned */
+    struct {
+        const char *what;
+        double many;
+        long first;
+        int lines; /* are these whole lines?  Else parts of rows */
+    } left[KINDS];
+    double rows, head, blank, dropped; /* with left: all there is */
+} scan;
+
+/* scan_open - begin to read; name 0: standard input. */
+void scan_open(scan *s, const char *name);
+
+/* scan_line - the next line, as it is; 0 at the end. */
+int scan_line(scan *s);
+
+/* scan_take - the next n bytes, in block; 0 if there are fewer. */
+char *scan_take(scan *s, size_t n);
+
+/* scan_room - leave if the file has no room for so many rows of so many bytes
+ * at least. */
+void scan_room(const scan *s, double rows, double bytes);
+
+/* scan_pin - let scan_again come back to here; scan_go: no more. */
+void scan_pin(scan *s);
+void scan_again(scan *s);
+void scan_go(scan *s);
+
+/* scan_leave - the line is left out: told at the end, by kind.  scan_note: so
+ * are so many of something, a part of a row.  scan_rest: all that follows. */
+void scan_leave(scan *s, const char *what);
+void scan_note(scan *s, const char *what, double many, int lines);
+void scan_rest(scan *s, const char *what);
+
+/* scan_end - tell what is to be told, and close. */
+void scan_end(scan *s);
+
+/* scan_fail - leave, with the line. */
+void scan_fail(const scan *s, const char *format, ...);
+
+/* ---- cell.c ---- */
+
+/* What a cell may be.  NEAR: a number but for a comma, a sign or the like. */
+enum { NUMBER, NEAR, EMPTY, ABSENT, STARS, INFINITE, BELOW, WORD };
+
+typedef struct cell {
+    char *text, *end; /* as in the file, without quotes */
+    int kind, quoted; /* (2: but not as a whole) */
+    int odd;  /* of NUMBER: not as C writes it; 2: x has it already */
+    double x; /* of BELOW the limit */
+} cell;
+
+/* dialect - what separates cells: ; | , a tab, or blanks, ' '. */
+typedef struct dialect {
+    char separator, decimal;
+    int apart; /* both are commas: decimal ones are in quotes */
+} dialect;
+
+/* figures - the end of the number at s; s if there is none.  *odd: is it not as
+ * C writes it? */
+char *figures(char *s, char decimal, int *odd);
+
+/* cell_value - of a NUMBER. */
+double cell_value(const cell *c);
+
+/* whole - are these digits alone, of a number up to 2^53? */
+int whole(const char *s, const char *end, double *n);
+
+/* numbers - exactly so many, with blanks, commas, brackets between, up to end.
+ * Returns 0 if they are not. */
+int numbers(char *s, const char *end, int want, double *x);
+
+/* cell_kind - of a cell that is no NUMBER.  remedy: what to do about it, in
+ * brackets, or "". */
+void cell_kind(cell *c, char decimal);
+const char *remedy(const cell *c, char decimal);
+
+/* cut - the line's cells, at most COLUMNS + 1.  *more: is there a separator behind
+ * the last one?  It then is one more, an EMPTY one. */
+int cut(const scan *s, const dialect *d, cell *c, int *more);
+
+/* cut_fixed - what is in columns from ... last, counted from 1; EMPTY if
+ * blank. */
+void cut_fixed(const scan *s, int from, int last, cell *c);
+
+/* comment - is the line one, or blank? */
+int comment(const scan *s);
+
+/* next_cells - the next line that is neither, cut; 0 at the end. */
+int next_cells(scan *s, const dialect *d, cell *c, int *more);
+
+/* cell_is - is the text this, in letters of any case? */
+int cell_is(const cell *c, const char *text);
+
+/* ---- rows.c ---- */
+
+/* What a column is: 0, 1, 2 a coordinate; a value; words; not used; empty. */
+enum { VALUE = 3, LABEL, UNUSED, HOLLOW };
+
+typedef struct column {
+    char title[TITLE];
+    char shown[24];     /* of words, the first one */
+    int role;
+    int from, last;     /* of fixed columns */
+    char type;          /* of binary ones: f, i, u, */
+    int bytes;          /* of so many, */
+    double at;          /* behind so many of the row's */
+    double times, plus; /* what is stored, times this, plus that; 0: as it is */
+} column;
+
+/* reader - what a format's head says, for the rows behind it. */
+typedef struct reader {
+    scan s;
+    points *to;
+    dialect d;
+    double want;     /* rows that the head announces; -1: to the end */
+    int form;        /* LINES, FIXED, PACKED */
+    int big;         /* PACKED: is the most significant byte the first one? */
+    double stride;   /* bytes from a row to the next one, */
+    double whole;    /* or of all rows, if these must be in memory */
+    int facets;      /* have points of binary STL something between them? */
+    int keeps;       /* a column that -nodata leaves alone, or -1 */
+    int named;       /* are x, y, z known by their titles alone? */
+    int scaled;      /* are coordinates parts of the cell's vectors? */
+    int waits;       /* are the cells of the first row there already? */
+    int columns;
+    column column[COLUMNS];
+    cell cell[COLUMNS + 3];
+    /* by take_columns: */
+    int axes, by;
+    int uses, use[COLUMNS];   /* columns: coordinates, then values */
+    int words, word[COLUMNS]; /* those that must have no numbers */
+    double x[COLUMNS];
+    double lost[WORD + 2], many_nan, many_inf, below, above, tiny, beyond;
+    long first_lost, first_nan, first_inf;
+    int counting;             /* is x 0, 1, 2, ... or 1, 2, 3, ...? */
+    double count_from;
+    int voided;               /* did -nodata find one? */
+    tess_int spilled;         /* places that are in the file of their own */
+    char *labels;
+    size_t labelled, labels_room, *label;
+} reader;
+
+enum { LINES, FIXED, PACKED };
+
+/* add_column - one more, a VALUE, so called. */
+column *add_column(reader *r, const char *title, size_t length);
+
+/* take_columns - their roles: by -cols, -by, by titles, else as they come. */
+void take_columns(reader *r);
+
+/* take_row - the cells: kept, or dropped. */
+void take_row(reader *r);
+
+/* take_rows - want of them, or all. */
+void take_rows(reader *r);
+
+/* take_packed - both, of numbers that are not text. */
+void take_packed(reader *r);
+
+/* take_lines - the same of lines whose columns are not known: a sample of them
+ * tells.  started: was there a count before? */
+void take_lines(reader *r, int started);
+
+/* bad_cell - leave for the cell of column k. */
+void bad_cell(reader *r, int k);
+
+/* end_rows - the points are complete. */
+void end_rows(reader *r);
+
+/* lattice - the box that these vectors span from the origin. */
+void lattice(points *to, const double v[9], const double *origin);
+
+/* ---- formats.c, meshes.c, atoms.c, arrays.c ---- */
+
+/* begins - is the file's first text this, in letters of any case? */
+int begins(const reader *r, const char *text);
+
+/* first_cells - the cells of the first line that is neither blank nor begins
+ * with #, with blanks between them; their number. */
+int first_cells(reader *r);
+
+/* is_... - looks at the sample, and comes back. */
+int is_pdb(reader *r), is_node(reader *r), is_off(reader *r),
+    is_ply(reader *r), is_obj(reader *r), is_stl(reader *r),
+    is_packed_stl(reader *r), is_pcd(reader *r);
+
+void read_pdb(reader *r), read_dump(reader *r),
+    read_node(reader *r), read_off(reader *r), read_ply(reader *r),
+    read_obj(reader *r), read_stl(reader *r), read_packed_stl(reader *r),
+    read_npy(reader *r), read_pcd(reader *r), read_las(reader *r);
+
+/* extended - is the line that of an extended .xyz file?  Then its box is taken,
+ * and its columns, if it has them. */
+int extended(reader *r);
+
+/* need_cells - next_cells, of a head; leaves at the end. */
+int need_cells(reader *r);
+
+#endif

@@ -1,0 +1,1062 @@
+/* rows.c - what a file's columns are; its rows, which become points, or are
+ * dropped.
+ */
+#include <ctype.h>
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "read.h"
+
+#define SPILL 131072 /* places that are kept at once, if there are more */
+#define LOOKED 1000  /* lines of the sample that choose what separates */
+
+/* ------------------------------------------------------------ the points */
+
+/* rooms - for so many points, and for so many values. */
+static void rooms(points *to, double most, double values)
+{
+    to->p = (tess_real *)more_space(to->p, 3.0 * most, sizeof *to->p);
+    to->line = (long *)more_space(to->line, most, sizeof *to->line);
+    to->value = (double *)more_space(to->value, values, sizeof *to->value);
+    to->room = most;
+    to->values = values;
+}
+
+/* spill - places, of which there are many, into a file of their own. */
+static void spill(reader *r)
+{
+    points *to = r->to;
+    size_t here = (size_t)(to->n - r->spilled);
+
+    if (!to->scratch) to->scratch = tmpfile();
+    if (!to->scratch || fwrite(to->p, 3 * sizeof *to->p, here, to->scratch) !=
+                            here)
+        fail("%s: no room for a temporary file", to->input);
+    r->spilled = to->n;
+}
+
+void next_places(points *a, int first)
+{
+    if (!a->scratch) return;
+    if (first) rewind(a->scratch);
+    a->n = (tess_int)fread(a->p, 3 * sizeof *a->p, SPILL, a->scratch);
+    if (a->n == 0) fail("%s: a temporary file cannot be read", a->input);
+}
+
+/* add_point - one more: r->x has its coordinates, and values. */
+static void add_point(reader *r)
+{
+    points *to = r->to;
+    double n, values;
+    tess_int at;
+    int k;
+
+    if (to->n >= TESS_INT_MOST / 5)
+        too_small("%s:%ld: more points than a tess_int of %d bytes can "
+                  "number; rebuild with a larger -DTESS_INT=...",
+                  to->input, r->s.number, (int)sizeof(tess_int));
+    if (to->bare && to->n - r->spilled >= SPILL) spill(r);
+    at = to->n - r->spilled;
+    n = (double)at + 1.0;
+    values = to->bare ? 0.0 : n * (double)to->columns;
+    if (n > to->room || values > to->values)
+        rooms(to, n > to->room ? 2.0 * n : to->room,
+              values > to->values ? 2.0 * values : to->values);
+    for (k = 0; k < 3; k++) {
+        to->p[3 * at + k] = k < r->axes ? (tess_real)r->x[k] : (tess_real)0;
+        if (to->bare && !(fabs((double)to->p[3 * at + k]) <= DBL_MAX))
+            scan_fail(&r->s, "a coordinate is not finite");
+    }
+    to->line[at] = r->s.number;
+    if (to->columns > 0)
+        memcpy(to->value + (size_t)to->columns * (size_t)at, r->x + r->axes,
+               (size_t)to->columns * sizeof *to->value);
+    to->n++;
+    if (to->n % 4096 == 0)
+        progress("reading", r->s.passed + (double)(r->s.at - r->s.block),
+                 r->s.size > 0.0 ? r->s.size : 0.0);
+}
+
+/* add_group - the label of the last point's group, or its name. */
+static void add_group(reader *r, const char *text, size_t length)
+{
+    tess_int i = r->to->n - 1;
+
+    /* (where i is a power of two, or 0) */
+    if ((i & (i - 1)) == 0)
+        r->label = (size_t *)more_space(r->label, 2.0 * (double)i + 1.0,
+                                        sizeof *r->label);
+    if (i > 0 && strlen(r->labels + r->label[i - 1]) == length &&
+        memcmp(r->labels + r->label[i - 1], text, length) == 0) {
+        r->label[i] = r->label[i - 1];
+        return;
+    }
+    if (r->labelled + length >= r->labels_room) {
+        r->labels_room = 2 * (r->labels_room + length) + 1;
+        r->labels = (char *)more_space(r->labels, (double)r->labels_room, 1);
+    }
+    r->label[i] = r->labelled;
+    memcpy(r->labels + r->labelled, text, length);
+    r->labelled += length;
+    r->labels[r->labelled++] = '\0';
+}
+
+/* tagged - a label, and its point: for qsort. */
+typedef struct tagged {
+    const char *label;
+    tess_int i;
+} tagged;
+
+static int earlier(const void *a, const void *b)
+{
+    return strcmp(((const tagged *)a)->label, ((const tagged *)b)->label);
+}
+
+/* number_groups - in the order of their labels, from 0 on. */
+static void number_groups(reader *r)
+{
+    points *to = r->to;
+    tagged *list = (tagged *)space((double)to->n, sizeof *list);
+    tess_int i, g = 0;
+
+    to->group = (tess_int *)space((double)to->n, sizeof *to->group);
+    for (i = 0; i < to->n; i++) {
+        list[i].label = r->labels + r->label[i];
+        list[i].i = i;
+    }
+    qsort(list, (size_t)to->n, sizeof *list, earlier);
+    for (i = 0; i < to->n; i++) {
+        g += i > 0 && earlier(list + i - 1, list + i) != 0;
+        to->group[list[i].i] = g;
+    }
+    free(list);
+    free(r->labels);
+    free(r->label);
+}
+
+void lattice(points *to, const double v[9], const double *origin)
+{
+    double side;
+    int along, across, k, l;
+
+    to->lattice = RIGHT;
+    for (k = 0; k < 12; k++) to->cell[k] = k < 9 ? v[k] : origin[k - 9];
+    for (k = 0; k < 3; k++) {
+        to->ways[k] = 1;
+        side = 0.0;
+        for (along = across = l = 0; l < 3; l++) {
+            along += v[3 * l + k] != 0.0;
+            across += v[3 * k + l] != 0.0;
+            side += v[3 * l + k];
+        }
+        if (along != 1 || across != 1) to->lattice = SKEW;
+        to->box[2 * k] = origin[k] + (side < 0.0 ? side : 0.0);
+        to->box[2 * k + 1] = origin[k] + (side > 0.0 ? side : 0.0);
+        if (!(to->box[2 * k] < to->box[2 * k + 1])) to->lattice = SKEW;
+    }
+}
+
+/* ----------------------------------------------------------- the columns */
+
+/* option - that names columns. */
+static const char *option(const reader *r)
+{
+    return r->to->bare ? "-qcols" : "-cols";
+}
+
+column *add_column(reader *r, const char *title, size_t length)
+{
+    column *c = r->column + r->columns;
+
+    if (r->columns == COLUMNS) scan_fail(&r->s, "more than %d columns", COLUMNS);
+    memset(c, 0, sizeof *c);
+    c->role = VALUE;
+    memcpy(c->title, title, length < TITLE - 1 ? length : TITLE - 1);
+    r->columns++;
+    return c;
+}
+
+/* axis - 0, 1, 2 for a column named x, y, z, else -1. */
+static int axis(const char *name)
+{
+    int c = tolower((unsigned char)name[0]);
+
+    if (strncmp(name, "Points:", 7) == 0 && name[7] >= '0' && name[7] < '3' &&
+        !name[8])
+        return name[7] - '0';
+    if (c < 'x' || c > 'z') return -1;
+    for (name++; *name == ' ' || *name == '\t'; name++) continue;
+    return *name && *name != '(' && *name != '[' ? -1 : c - 'x';
+}
+
+/* called - the column of that name, its unit left out; else the first one that
+ * differs in small and capital letters alone; -1 if there is none. */
+static int called(const reader *r, const char *name, size_t length)
+{
+    const char *c;
+    size_t i;
+    int k, fold;
+
+    for (fold = 0; fold < 2; fold++)
+        for (k = 0; k < r->columns; k++) {
+            c = r->column[k].title;
+            for (i = 0; i < length; i++)
+                if (c[i] != name[i] &&
+                    (!fold || tolower((unsigned char)c[i]) !=
+                                  tolower((unsigned char)name[i])))
+                    break;
+            if (i < length) continue;
+            while (c[i] == ' ' || c[i] == '\t') i++;
+            if (i > 0 && (!c[i] || c[i] == '(' || c[i] == '[')) return k;
+        }
+    return -1;
+}
+
+/* find - the column that is named, by number or by name; for that option. */
+static int find(reader *r, const char *s, size_t length, const char *of)
+{
+    double n;
+    int k = -1, titled = 0;
+
+    if (!whole(s, s + length, &n))
+        k = called(r, s, length);
+    else if (n >= 1.0 && n <= (double)r->columns && *s != '0')
+        k = (int)n - 1;
+    if (k >= 0) return k;
+    for (k = 0; k < r->columns; k++) titled |= r->column[k].title[0];
+    scan_fail(&r->s, "%s: no column %.*s among %d%s", of,
+              (int)(length < 40 ? length : 40), s, r->columns,
+              titled ? "" : ", and no line of names before them");
+    return 0;
+}
+
+/* choose - the columns that -cols names: x, y, z, then values.  Returns how
+ * many. */
+static int choose(reader *r, int *at)
+{
+    const char *s = r->to->cols;
+    size_t length;
+    int found = 0, k, j;
+
+    for (;;) {
+        length = strcspn(s, ",");
+        k = find(r, s, length, option(r));
+        if (r->column[k].role == LABEL && r->form == PACKED)
+            scan_fail(&r->s, "%s: column %.40s has no numbers", option(r),
+                      r->column[k].title);
+        if (r->column[k].role == LABEL ||
+            (r->column[k].role == HOLLOW && !r->to->skip))
+            bad_cell(r, k);
+        for (j = 0; j < found && at[j] != k;) j++;
+        if (j < found || found == COLUMNS)
+            fail("%s: column %.*s twice", option(r), (int)length, s);
+        at[found++] = k;
+        s += length;
+        if (!*s++) return found;
+    }
+}
+
+/* least - the numbers of a row that may be a point's. */
+static int least(const reader *r)
+{
+    const points *to = r->to;
+
+    return to->axes == 2 ||
+           (to->axes == 0 && to->bare && r->columns == 2) ? 2 : 3;
+}
+
+/* free_column - the first one of numbers from k on, by that step, that is not
+ * at; -1 if there is none. */
+static int free_column(const reader *r, int k, int step, const int *at)
+{
+    for (; k >= 0 && k < r->columns; k += step)
+        if (r->column[k].role == VALUE && k != r->by && k != at[0] &&
+            k != at[1] && k != at[2])
+            return k;
+    return -1;
+}
+
+/* by_titles - the axes that are named, and where the others are: the nearest
+ * one behind the one before, x before y. */
+static void by_titles(reader *r, int *at)
+{
+    int a, k, any = 0;
+
+    for (k = 0; k < r->columns; k++) {
+        a = axis(r->column[k].title);
+        if (a < 0 || a >= r->axes || at[a] >= 0 ||
+            (r->column[k].role != VALUE &&
+             !(r->column[k].role == HOLLOW && r->to->skip)))
+            continue;
+        at[a] = k;
+        any = 1;
+    }
+    for (k = 0; k < r->columns && r->form == LINES; k++) {
+        a = axis(r->column[k].title);
+        if (a >= 0 && a < r->axes && at[a] < 0 && r->column[k].role != UNUSED)
+            bad_cell(r, k);
+    }
+    for (a = 0; a < r->axes; a++) {
+        if (at[a] >= 0) continue;
+        if (r->named)
+            scan_fail(&r->s, "no column is named %c; %s chooses others",
+                      "xyz"[a], option(r));
+        k = -1;
+        if (any && a > 0) k = free_column(r, at[a - 1] + 1, 1, at);
+        if (any && a == 0) {
+            for (k = 1; at[k] < 0;) k++;
+            k = free_column(r, at[k] - 1, -1, at);
+        }
+        at[a] = k >= 0 ? k : free_column(r, 0, 1, at);
+    }
+}
+
+/* too_few - numbers for a point. */
+static void too_few(reader *r)
+{
+    int k, found = 0;
+
+    for (k = 0; k < r->columns; k++) {
+        found += r->column[k].role == VALUE;
+        if (r->form == LINES && r->cell[k].kind != NUMBER &&
+            (r->cell[k].kind != WORD ||
+             (r->cell[k].text < r->cell[k].end &&
+              isdigit((unsigned char)*r->cell[k].text))))
+            bad_cell(r, k);
+    }
+    scan_fail(&r->s, "fewer than %s numbers%s",
+              least(r) == 2 ? "two" : "three",
+              least(r) == 2 || r->to->bare || found != 2
+                  ? ""
+                  : "; for points in a plane, x, y and values, see -plane");
+}
+
+/* name_value - of the next value. */
+static void name_value(points *to, const char *title)
+{
+    if (title[0]) strcpy(to->name[to->columns], title);
+    else
+        sprintf(to->name[to->columns], to->columns > 0 ? "value%d" : "value",
+                to->columns + 1);
+    to->columns++;
+}
+
+void take_columns(reader *r)
+{
+    points *to = r->to;
+    column *c = r->column;
+    int at[COLUMNS], k, found = 0, others = 0;
+
+    at[0] = at[1] = at[2] = -1;
+    r->axes = least(r);
+    to->columns = 0;
+    r->by = to->by ? find(r, to->by, strlen(to->by), "-by") : -1;
+    if (to->cols) found = choose(r, at);
+    for (k = 0; k < r->columns; k++)
+        others += c[k].role == VALUE && k != r->by;
+    if (to->axes == 0 && !to->bare && found == 3 && others == 3)
+        r->axes = 2; /* the third one is all that can be a value */
+    if (!to->cols) by_titles(r, at);
+    for (k = 0; k < r->axes; k++)
+        if (at[k] < 0) too_few(r);
+    for (k = 0; k < r->columns && found > r->axes; k++)
+        if (c[k].role < LABEL || c[k].role == HOLLOW) c[k].role = UNUSED;
+    for (k = r->axes; k < found; k++) c[at[k]].role = VALUE;
+    for (k = 0; k < r->axes; k++) {
+        c[at[k]].role = k;
+        r->use[k] = at[k];
+        if (c[at[k]].title[0]) strcpy(to->axis[k], c[at[k]].title);
+    }
+    r->uses = r->axes;
+    r->words = 0;
+    for (k = 0; k < r->columns; k++) {
+        if (c[k].role == VALUE && ((k == r->by && !to->cols) || to->bare))
+            c[k].role = UNUSED;
+        if (c[k].role != VALUE) continue;
+        r->use[r->uses++] = k;
+        name_value(to, c[k].title);
+    }
+    to->labelled[0] = '\0';
+    for (k = r->columns - 1; k >= 0 && to->named; k--)
+        if (c[k].role == LABEL &&
+            (r->by < 0 || strcmp(c[r->by].title, "species") != 0))
+            r->by = k;
+    if (to->named && r->by >= 0)
+        strcpy(to->labelled, c[r->by].title[0] ? c[r->by].title : "name");
+    for (k = 0; k < r->columns && !to->cols; k++)
+        if ((c[k].role == LABEL || c[k].role == HOLLOW) && k != r->by)
+            r->word[r->words++] = k;
+}
+
+/* --------------------------------------------------------------- the rows */
+
+/* width - are there as many cells as columns?  (One more may be empty.) */
+static int width(const reader *r, int n, int more)
+{
+    return n == r->columns || (n == r->columns + 1 && more);
+}
+
+void bad_cell(reader *r, int k)
+{
+    const cell *c = r->cell + k;
+    const char *name = r->column[k].title, *why = remedy(c, r->d.decimal);
+    const char *what = c->kind == EMPTY      ? "empty"
+                       : c->kind == INFINITE ? "not finite"
+                       : c->kind == NUMBER   ? "a number among words"
+                                             : "not a number";
+    char text[48], also[80] = "";
+    int kind = c->kind, more;
+    long line = r->s.number, last = 0, like = 0;
+    double rows = (double)r->to->n + r->lost[0];
+
+    sprintf(text, "\"%.*s\": ", (int)(c->end - c->text < 40 ? c->end - c->text
+                                                            : 40), c->text);
+    if (c->kind == EMPTY) text[0] = '\0';
+    if (r->form == PACKED) strcpy(text, c->kind == ABSENT ? "NaN: " : "");
+    while (r->form == LINES && (r->want < 0.0 || ++rows < r->want)) {
+        r->waits = next_cells(&r->s, &r->d, r->cell, &more);
+        if (r->waits == 0) break;
+        if (!width(r, r->waits, more) || r->cell[k].kind != kind) continue;
+        like++;
+        last = r->s.number;
+    }
+    if (like > 0)
+        sprintf(also, "; so %s %ld more, to line %ld", like > 1 ? "are" : "is",
+                like, last);
+    r->s.number = line;
+    scan_fail(&r->s, "column %d%s%s: %s%s%s%s", k + 1, name[0] ? ", " : "",
+              name, text, what, also, why);
+}
+
+/* drop - the row, for a cell of that kind. */
+static void drop(reader *r, int kind)
+{
+    r->lost[kind]++;
+    if (r->lost[0]++ == 0.0) r->first_lost = r->s.number;
+    r->s.dropped += r->s.binary ? r->stride : 1.0;
+}
+
+/* take_cell - what is no number, of column k, the i-th one in use: 0 if its row
+ * is to be dropped. */
+static int take_cell(reader *r, int k, int i)
+{
+    cell *c = r->cell + k;
+    double *x = r->x + i;
+
+    if (r->to->skip &&
+        (c->kind == EMPTY || c->kind == ABSENT || c->kind == STARS)) {
+        drop(r, c->kind);
+        return 0;
+    }
+    if (i < r->axes) bad_cell(r, k);
+    if (c->kind == ABSENT && c->odd) {
+        *x = no_number();
+        if (r->many_nan++ == 0.0) r->first_nan = r->s.number;
+    } else if (c->kind == INFINITE) {
+        *x = c->x;
+        if (r->many_inf++ == 0.0) r->first_inf = r->s.number;
+    } else if (c->kind == BELOW && chosen.limits) {
+        /* (more than that is not half of it) */
+        *x = *c->text == '<' ? chosen.below * c->x : c->x;
+        *(*c->text == '<' ? &r->below : &r->above) += 1.0;
+    } else
+        bad_cell(r, k);
+    return 1;
+}
+
+/* strange - x, the number of column k, 0 or beyond double. */
+static int strange(reader *r, int k, int i)
+{
+    cell *c = r->cell + k;
+    const char *s = c->text;
+
+    if (r->x[i] == 0.0 && c->odd != 2) {
+        while (s < c->end && !isalpha((unsigned char)*s) &&
+               (*s < '1' || *s > '9'))
+            s++;
+        r->tiny += s < c->end && !isalpha((unsigned char)*s);
+    } else if (r->x[i] != 0.0) {
+        c->kind = INFINITE;
+        c->x = r->x[i];
+        return take_cell(r, k, i);
+    }
+    return 1;
+}
+
+/* void_value - is x what stands for a missing value, by -nodata? */
+static int void_value(const points *to, double x)
+{
+    int k;
+
+    for (k = 0; k < to->voids && x != to->nodata[k]; k++) continue;
+    return k < to->voids;
+}
+
+void take_row(reader *r)
+{
+    points *to = r->to;
+    cell *c;
+    char *end;
+    double x, y[3];
+    int i, k;
+
+    for (i = 0; i < r->words; i++) {
+        c = r->cell + r->word[i];
+        if (to->n == 0) /* (shown when that is told) */
+            sprintf(r->column[r->word[i]].shown, "%.*s",
+                    (int)(c->end - c->text < 20 ? c->end - c->text : 20),
+                    c->text);
+        k = r->column[r->word[i]].role;
+        if (c->kind == NUMBER || c->quoted == 2 || (k == HOLLOW && c->kind != EMPTY &&
+                                  c->kind != ABSENT))
+            bad_cell(r, r->word[i]);
+    }
+    for (i = 0; i < r->uses; i++) {
+        k = r->use[i];
+        c = r->cell + k;
+        if (c->kind != NUMBER) {
+            if (!take_cell(r, k, i)) return;
+            continue;
+        }
+        x = c->odd ? cell_value(c) : strtod(c->text, &end);
+        r->x[i] = x;
+        if (!(fabs(x) <= DBL_MAX && x != 0.0) && !strange(r, k, i)) return;
+        if (to->voids > 0 && k != r->keeps && void_value(to, x)) {
+            r->voided = 1;
+            drop(r, WORD + 1);
+            return;
+        }
+    }
+    if (r->by >= 0 && to->by) {
+        c = r->cell + r->by;
+        if (to->skip && (c->kind == EMPTY || c->kind == ABSENT)) {
+            drop(r, c->kind);
+            return;
+        }
+        if (c->kind == EMPTY) bad_cell(r, r->by);
+    }
+    if (r->counting) {
+        k = r->use[0];
+        if (k != 0 || r->x[0] != r->count_from + (double)to->n + r->lost[0])
+            r->counting = 0;
+    }
+    for (k = 0; k < 3 && r->scaled; k++) {
+        y[k] = to->cell[9 + k];
+        for (i = 0; i < 3; i++) y[k] += r->x[i] * to->cell[3 * i + k];
+        if (k == 2) memcpy(r->x, y, sizeof y);
+    }
+    add_point(r);
+    r->s.rows += r->s.binary ? r->stride : 1.0;
+    if (r->by < 0) return;
+    c = r->cell + r->by;
+    add_group(r, c->text, (size_t)(c->end - c->text));
+}
+
+/* packed_row - the next one's cells; 0 at the end.  text: where numbers that
+ * tell groups apart become words. */
+static int packed_row(reader *r, char *text)
+{
+    static const int one = 1;
+    unsigned char byte[8]; /* as this machine has them */
+    int little = *(const char *)&one, k, j, bytes;
+    const unsigned char *row = 0, *from;
+    const column *c = r->column;
+    cell *to = r->cell;
+    float narrow;
+
+    if (r->facets && r->s.number % 3 == 0) {
+        j = r->s.number > 0 ? 14 : 12; /* behind a facet, before the next one */
+        if (!scan_take(&r->s, (size_t)j)) return 0;
+        scan_note(&r->s, "faces", (double)j, 1);
+    }
+    if (r->whole > 0.0 && r->s.number == 0) {
+        if (!scan_take(&r->s, (size_t)r->whole)) return 0;
+        r->s.at -= (size_t)r->whole;
+    }
+    row = (const unsigned char *)scan_take(&r->s, (size_t)r->stride);
+    if (!row) return 0;
+    r->s.number++;
+    for (k = 0; k < r->columns; k++, c++, to++) {
+        if (c->role > VALUE && k != r->by) continue;
+        from = row + (size_t)c->at;
+        bytes = c->bytes;
+        for (j = 0; j < bytes; j++)
+            byte[r->big == little ? bytes - 1 - j : j] = from[j];
+        to->text = to->end = text;
+        to->odd = 2;
+        to->kind = NUMBER;
+        to->quoted = 0;
+        if (c->type == 'f' && bytes == 4) {
+            memcpy(&narrow, byte, sizeof narrow);
+            to->x = (double)narrow;
+        } else if (c->type == 'f') {
+            memcpy(&to->x, byte, sizeof to->x);
+        } else {
+            j = byte[little ? bytes - 1 : 0];
+            to->x = c->type == 'i' && j > 127 ? j - 256 : j;
+            for (j = 1; j < bytes; j++)
+                to->x = 256.0 * to->x + byte[little ? bytes - 1 - j : j];
+            r->beyond += fabs(to->x) > WHOLE;
+        }
+        if (to->x != to->x) to->kind = ABSENT;
+        if (c->times != 0.0) to->x = c->times * to->x + c->plus;
+        if (k == r->by) to->end = text + sprintf(text, "%.17g", to->x);
+    }
+    return 1;
+}
+
+/* both_commas - leave if commas have a blank behind here, and none there, in a
+ * line without a point. */
+static void both_commas(reader *r, int n)
+{
+    const cell *c = r->cell;
+    int k, glued = 0, spaced = 0;
+
+    for (k = 0; k + 1 < n; k++, c++) {
+        if (c->kind != NUMBER || c[1].kind != NUMBER || c->quoted ||
+            c[1].quoted)
+            continue;
+        glued |= c->end + 1 == c[1].text;
+        spaced |= c[1].text[-1] == ' ';
+    }
+    if (glued && spaced && !strchr(r->s.line, '.'))
+        scan_fail(&r->s, "\"%.40s\": commas with and without a blank behind "
+                  "(a decimal comma?  -decimal , reads it; else no blanks)",
+                  r->s.line);
+}
+
+void take_rows(reader *r)
+{
+    char text[40];
+    int n, more = 0, commas = r->d.separator == ',' && r->d.decimal == '.';
+
+    while (r->want < 0.0 || (double)r->to->n + r->lost[0] < r->want) {
+        if (r->form == PACKED) {
+            if (!packed_row(r, text)) break;
+        } else {
+            n = r->waits ? r->waits
+                         : next_cells(&r->s, &r->d, r->cell, &more);
+            r->waits = 0;
+            if (n == 0) break;
+            if (!width(r, n, more))
+                scan_fail(&r->s, "%d columns, but others have %d%s", n,
+                          r->columns, r->d.separator == '\t'
+                                          ? " (empty cells?  see -skip)"
+                                          : "");
+            if (commas) both_commas(r, n);
+        }
+        take_row(r);
+    }
+    if (r->want >= 0.0 && (double)r->to->n + r->lost[0] < r->want)
+        fail("%s: ends after %.0f of %.0f points", r->s.name,
+             (double)r->to->n + r->lost[0], r->want);
+}
+
+void take_packed(reader *r)
+{
+    scan *s = &r->s;
+
+    r->form = PACKED;
+    scan_take(s, 0);
+    s->head = s->passed + (double)(s->at - s->block);
+    s->blank = 0.0;
+    s->number = 0;
+    scan_room(&r->s, r->want, r->stride);
+    take_columns(r);
+    take_rows(r);
+}
+
+/* ------------------------------------------------------------- the sample */
+
+/* looks_like - does the cell, as far as its kind goes, stand where numbers
+ * do? */
+static int looks_like(const cell *c)
+{
+    return c->kind == NUMBER || c->kind == NEAR || c->kind == BELOW ||
+           c->kind == INFINITE;
+}
+
+/* sampled - the next line of the sample, cut as d says; 0 at its end, behind
+ * most lines. */
+static int sampled(reader *r, const dialect *d, double i, double most,
+                   int *more)
+{
+    scan *s = &r->s;
+
+    if (i >= most || (size_t)(s->at - s->block) - s->mark >= SAMPLE) return 0;
+    return next_cells(s, d, r->cell, more);
+}
+
+/* touching - are the cell's words numbers, more than one of them? */
+static int touching(const cell *c, char decimal)
+{
+    char *s = c->text, *end;
+    int odd, many = 0;
+
+    for (; s < c->end; many++) {
+        end = figures(s, decimal, &odd);
+        if (end == s || (end < c->end && *end != ' ' && *end != '\t' &&
+                         *end != ','))
+            return 0;
+        s = end + strspn(end, ", \t");
+    }
+    return many > 1;
+}
+
+/* choose_dialect - by which most cells of the sample's lines, from first on, are
+ * numbers; blanks only where a separator would leave more than one in a cell of
+ * most lines. */
+static void choose_dialect(reader *r, double first, double most)
+{
+    static const char marks[] = ";|,,\t";
+    scan *s = &r->s;
+    dialect d;
+    const char *c;
+    int seen[5], spaced = 0, quoted = 0, more, n, m, k, bad, found;
+    double best = 0.0, score, worse, rows, i;
+
+    memset(seen, 0, sizeof seen);
+    d.decimal = (char)(r->to->decimal ? r->to->decimal : '.');
+    d.separator = ' ';
+    d.apart = 0;
+    r->d = d;
+    scan_again(s);
+    for (i = 0.0; sampled(r, &d, i, most, &more) > 0; i++)
+        for (c = s->line; *c; c++) {
+            if (*c > ';' ? *c != '|' : *c == ' ') continue;
+            if (*c == ';') seen[0] = 1;
+            if (*c == '|') seen[1] = 1;
+            if (*c == '\t') seen[4] = 1;
+            if (*c != ',') continue;
+            seen[2] = 1;
+            spaced |= c[1] == ' ';
+            quoted |= c[1] == '"' || (c > s->line && c[-1] == '"');
+        }
+    /* of commas that are decimal: the one with quotes, or with blanks */
+    seen[3] = seen[2] && d.decimal == ',' && spaced;
+    seen[2] = seen[2] && (d.decimal == '.' || quoted);
+    for (k = 0; k < 5; k++) {
+        if (!seen[k]) continue;
+        d.separator = marks[k];
+        d.apart = k == 2 && d.decimal == ',';
+        scan_again(s);
+        score = worse = rows = 0.0;
+        for (i = 0.0; (n = sampled(r, &d, i, most, &more)) > 0 &&
+                      i < first + LOOKED; i++) {
+            for (bad = found = m = 0; m < n && i >= first; m++) {
+                found += r->cell[m].kind != WORD && r->cell[m].kind != EMPTY;
+                bad |= r->cell[m].kind == WORD &&
+                       touching(r->cell + m, d.decimal);
+            }
+            worse += bad;
+            score += found;
+            rows += bad || found > 0;
+        }
+        if (score < 1.5 * rows || 2.0 * worse >= rows || score <= best)
+            continue;
+        best = score;
+        r->d = d;
+    }
+}
+
+/* take_titles - of the line's cells, if there are as many as columns, and they
+ * name more of x, y, z than those that are there: taken = so many, or -1. */
+static void take_titles(reader *r, int n, int more, int *taken)
+{
+    char text[TITLE];
+    int k, pass, found = 0;
+    size_t length;
+    const cell *c;
+
+    if (n - more != r->columns && n != r->columns) return;
+    for (pass = 0; pass < 2; pass++)
+        for (k = 0; k < r->columns; k++) {
+            c = r->cell + k;
+            length = (size_t)(c->end - c->text);
+            if (length > TITLE - 1) length = TITLE - 1;
+            memset(text, 0, sizeof text);
+            memcpy(text, c->text, length);
+            if (pass) strcpy(r->column[k].title, text);
+            else found += axis(text) >= 0;
+            if (k == r->columns - 1 && !pass && found <= *taken) return;
+        }
+    *taken = found;
+}
+
+/* wanted_titles - are there two axes in the line, or what -cols, -by name? */
+static int wanted_titles(const reader *r, int n)
+{
+    const char *list[2], *s, *t;
+    size_t length;
+    int k, i, axes = 0;
+
+    list[0] = r->to->cols;
+    list[1] = r->to->by;
+    for (k = 0; k < n; k++) {
+        const cell *c = r->cell + k;
+        if (c->kind != WORD) return 0;
+        axes += c->end == c->text + 1 && axis("") < 0 &&
+                tolower((unsigned char)*c->text) >= 'x' &&
+                tolower((unsigned char)*c->text) <= 'z';
+        length = (size_t)(c->end - c->text);
+        for (i = 0; i < 2; i++)
+            for (s = list[i]; s && *s; s = *t ? t + 1 : t) {
+                t = s + strcspn(s, ",");
+                if ((size_t)(t - s) == length &&
+                    strncmp(s, c->text, length) == 0)
+                    return 1;
+            }
+    }
+    return axes > 1;
+}
+
+/* head_line - is the line, cut, one of the head? has: what columns have. */
+static int head_line(const reader *r, const char *has, int n, int more)
+{
+    int k, words = 0, figures_ = 0, all = 1;
+
+    for (k = 0; k < n && k < COLUMNS; k++) all &= looks_like(r->cell + k);
+    if (!width(r, n, more)) return !(all && n > 1);
+    for (k = 0; k < r->columns && k < n; k++) {
+        if (!(has[k] & 1)) continue;
+        figures_ += looks_like(r->cell + k) || r->cell[k].kind == STARS;
+        words += r->cell[k].kind == WORD;
+    }
+    for (k = 0; k < n && figures_ == 0 && words == 0; k++)
+        if (k < r->columns && (has[k] & 1)) break;
+    if (k == n && words == 0 && figures_ == 0) return 1; /* none has numbers */
+    return figures_ == 0 && words > 0;
+}
+
+/* no_rows - leave: all is head. */
+static void no_rows(reader *r)
+{
+    int n, more, k;
+
+    scan_again(&r->s);
+    while ((n = next_cells(&r->s, &r->d, r->cell, &more)) > 0)
+        for (k = 0; k < n && k < r->columns; k++)
+            if (r->cell[k].kind == WORD && r->cell[k].text < r->cell[k].end &&
+                isdigit((unsigned char)*r->cell[k].text))
+                bad_cell(r, k);
+    fail("%s: ends before the first point", r->s.name);
+}
+
+/* look - what the sample tells: dialect, columns, what kind they are.  Returns
+ * how many lines are the head's. */
+static double look(reader *r, double most, char *has, int started)
+{
+    scan *s = &r->s;
+    long often[COLUMNS + 3], open[COLUMNS + 3];
+    double lines = 0.0, i, first, head;
+    dialect d;
+    int n, m, more, pass, found;
+
+    d.separator = ' ';
+    d.decimal = '.';
+    d.apart = 0;
+    scan_pin(s);
+    while (sampled(r, &d, lines, most, &more) > 0) lines++;
+    if (lines == 0.0)
+        fail(started ? "%s: ends before the first point" : "%s: empty", s->name);
+    first = floor((lines - 1.0) / 2.0);
+    choose_dialect(r, first, most);
+    memset(often, 0, sizeof often);
+    memset(open, 0, sizeof open);
+    for (pass = 0; pass < 2 && r->columns == 0; pass++) {
+        scan_again(s);
+        for (i = 0.0; (n = sampled(r, &r->d, i, most, &more)) > 0; i++) {
+            for (found = m = 0; m < n; m++) found += looks_like(r->cell + m);
+            if (i < first || (found < 2 && !pass)) continue;
+            often[n]++;
+            open[n] += more;
+            if (r->columns == 0 || often[n] > often[r->columns]) r->columns = n;
+        }
+    }
+    n = r->columns;
+    if (n > COLUMNS) fail("%s: more than %d columns", s->name, COLUMNS);
+    if (n > 1 && open[n] == often[n]) {
+        /* a separator ends each line, unless there are as many names */
+        scan_again(s);
+        m = sampled(r, &r->d, 0.0, most, &more);
+        r->columns -= m != n || more;
+    }
+    memset(r->column, 0, (size_t)r->columns * sizeof *r->column);
+    memset(has, 0, COLUMNS);
+    head = -1.0;
+    for (pass = 0; pass < 3; pass++) {
+        scan_again(s);
+        if (pass == 2) memset(has, 0, COLUMNS);
+        for (i = 0.0; (n = sampled(r, &r->d, i, most, &more)) > 0; i++) {
+            if (pass == 1) {
+                if (!head_line(r, has, n, more)) break;
+                continue;
+            }
+            if (i < (pass ? head : first) || !width(r, n, more)) continue;
+            for (m = 0; m < r->columns && m < n; m++)
+                has[m] |= looks_like(r->cell + m)        ? 1
+                          : r->cell[m].kind == WORD      ? 2
+                          : r->cell[m].kind == STARS     ? 8
+                                                         : 4;
+        }
+        if (pass == 1) head = i;
+    }
+    for (m = 0; m < r->columns; m++)
+        r->column[m].role = has[m] & 1   ? VALUE
+                            : has[m] & 10 ? LABEL
+                                          : HOLLOW;
+    if (head >= lines) no_rows(r);
+    scan_go(s);
+    return head;
+}
+
+/* tell_columns - what columns were taken for, where that might be misread. */
+static void tell_columns(reader *r, int titled)
+{
+    points *to = r->to;
+    const column *c = r->column;
+    const char *plane = "";
+    int k, named = 0, words;
+    const int *at = r->use;
+
+    if (to->cols || to->n == 0) return;
+    for (k = 0; k < r->axes && titled; k++)
+        named |= (axis(c[at[k]].title) == k) << k;
+    if (named == 3 && r->axes == 3 && to->columns == 0)
+        plane = to->bare ? "; if they are in a plane: -qcols X,Y"
+                         : "; if they are in a plane: -plane";
+    words = titled && (named != (1 << r->axes) - 1 || at[0] > at[1] ||
+                       at[1] > at[r->axes - 1] ||
+                       at[r->axes - 1] - at[0] >= r->axes);
+    if (r->axes == 2 && words)
+        warn("%s: x, y are the columns %d, %d (%s, %s); %s chooses others",
+             to->input, at[0] + 1, at[1] + 1, c[at[0]].title, c[at[1]].title,
+             option(r));
+    if (r->axes == 3 && words)
+        warn("%s: x, y, z are the columns %d, %d, %d (%s, %s, %s); %s "
+             "chooses others%s",
+             to->input, at[0] + 1, at[1] + 1, at[2] + 1, c[at[0]].title,
+             c[at[1]].title, c[at[2]].title, option(r), plane);
+    if (r->counting && !(named & 1) &&
+        (to->columns > 0 || (to->bare && r->columns > r->axes)) && to->n >= 4)
+        warn("%s: column 1 is %.0f, %.0f, %.0f, ... and was taken for x; if "
+             "it numbers the points: %s 2,3%s",
+             to->input, r->count_from, r->count_from + 1.0,
+             r->count_from + 2.0, option(r), r->axes == 2 ? "" : ",4");
+}
+
+void take_lines(reader *r, int started)
+{
+    scan *s = &r->s;
+    char has[COLUMNS];
+    int taken = -1, more = 0, n = 0, k, whole_numbers;
+    double head = look(r, r->want >= 0.0 ? r->want + 1.0 : 1e15, has, started);
+    double i, x;
+    long noted = 0;
+
+    for (i = 0.0; i <= head;) {
+        if (!scan_line(s)) break;
+        if (comment(s)) {
+            /* names of columns, if there are none in a line of their own */
+            s->line += strspn(s->line, "#%!/ \t");
+            n = *s->line ? cut(s, &r->d, r->cell, &more) : 0;
+            s->blank++;
+            if (n != r->columns || !wanted_titles(r, n) || taken >= 0 ||
+                i == head + 1.0)
+                continue;
+            take_titles(r, n, 0, &taken);
+            noted = s->number;
+            taken = -1;
+            continue;
+        }
+        n = cut(s, &r->d, r->cell, &more);
+        if (i++ >= head) break;
+        if (n - more == r->columns || n == r->columns) {
+            if (taken < 0) {
+                for (k = 0; k < r->columns; k++) r->column[k].title[0] = '\0';
+                noted = 0;
+            }
+            take_titles(r, n, more, &taken);
+            s->head++;
+        } else if (started)
+            s->blank++;
+        else
+            scan_leave(s, n > 1 && r->d.separator != ' '
+                              ? "names, which are not as many as columns,"
+                              : "titles");
+    }
+    r->waits = n;
+    if (!width(r, n, more)) take_rows(r);
+    if (noted > 0)
+        warn("%s:%ld: names of columns, from a comment", s->name, noted);
+    whole_numbers = r->columns >= 6 && r->columns % 2 == 0 &&
+                    r->d.separator == ',' && r->d.decimal == '.';
+    for (k = 0; k < n; k++)
+        whole_numbers &= whole(r->cell[k].text, r->cell[k].end, &x);
+    r->counting = r->cell[0].kind == NUMBER &&
+                  whole(r->cell[0].text, r->cell[0].end, &r->count_from) &&
+                  r->count_from <= 1.0;
+    take_columns(r);
+    take_rows(r);
+    tell_columns(r, taken >= 0 || noted > 0);
+    if (whole_numbers)
+        warn("%s: whole numbers in %d columns; if commas are decimal signs, "
+             "put something else between columns, and see -decimal",
+             r->to->input, r->columns);
+}
+
+void end_rows(reader *r)
+{
+    points *to = r->to;
+    int k;
+
+    if (to->n == 0 && r->lost[0] > 0.0)
+        fail("%s: no points: %s drops all %.0f rows; name the columns that are "
+             "wanted: %s X,Y,Z%s",
+             to->input, to->skip ? "-skip" : "-nodata", r->lost[0], option(r),
+             to->bare ? "" : ",VALUE");
+    if (to->n == 0) fail("%s: no points", to->input);
+    to->axes = r->axes;
+    to->all = (double)to->n;
+    if (to->scratch) spill(r);
+    else rooms(to, to->all, to->bare ? 0.0 : to->all * (double)to->columns);
+    if (to->by) number_groups(r);
+    else {
+        to->labels = r->labels;
+        to->label = r->label;
+    }
+    for (k = 0; k < r->words && r->form == LINES; k++)
+        warn("%s: column %d (%s) is not a number: skipped", to->input,
+             r->word[k] + 1, r->column[r->word[k]].role == HOLLOW
+                                 ? "empty" : r->column[r->word[k]].shown);
+    if (r->lost[0] > 0.0)
+        warn("%s: %.0f row%s dropped (%.0f empty, %.0f NA or NaN, %.0f of "
+             "asterisks, %.0f by -nodata), the first in line %ld%s",
+             to->input, r->lost[0], r->lost[0] > 1.0 ? "s" : "",
+             r->lost[EMPTY], r->lost[ABSENT], r->lost[STARS],
+             r->lost[WORD + 1], r->first_lost,
+             to->columns > 1
+                 ? "; fewer if -cols X,Y,Z,VALUE asks for one column's values"
+                 : "");
+    if (to->voids > 0 && !r->voided)
+        warn("%s: -nodata: nothing is such a number", to->input);
+    if (r->many_nan > 0.0)
+        warn("%s:%ld: a value is NaN; so many are: %.0f (-skip drops such "
+             "rows)", to->input, r->first_nan, r->many_nan);
+    if (r->many_inf > 0.0)
+        warn("%s:%ld: a value is infinite; so many are: %.0f", to->input,
+             r->first_inf, r->many_inf);
+    if (r->below + r->above > 0.0)
+        warn("%s: -below: %.0f value%s %g times the limit; %.0f above one %s "
+             "the limit itself", to->input, r->below,
+             r->below == 1.0 ? " is" : "s are", chosen.below, r->above,
+             r->above == 1.0 ? "is" : "are");
+    if (r->tiny > 0.0)
+        warn("%s: numbers that are not 0, but too small for it here, are 0: "
+             "%.0f", to->input, r->tiny);
+    if (r->beyond > 0.0)
+        warn("%s: integers beyond 2^53 are rounded: %.0f", to->input,
+             r->beyond);
+}
