@@ -5,16 +5,34 @@
 
 #include "read.h"
 
+#define FACE 20 /* properties of PLY's element face, at most */
+
 /* rest - the lines behind the points: so many of them are faces, what is more
  * is told as that; so it is if some lack. */
-static void rest(reader *r, double faces)
+static void rest(reader *r, double faces, double skip, double of, int first)
 {
     scan *s = &r->s;
-    double found = 0.0;
+    double found = 0.0, at, corners;
+    int n, k, more;
 
     while (scan_line(s))
         if (comment(s)) s->blank++;
         else if (found < faces) {
+            /* (other things first, by skip; a face's number of corners, then
+             * these, behind so many numbers) */
+            at = found - skip;
+            if (r->to->surfaced && at >= 0.0 && at < of) {
+                n = cut(s, &r->d, r->cell, &more);
+                if (n <= first || !whole(r->cell[first].text,
+                                         r->cell[first].end, &corners))
+                    corners = -1.0;
+                for (k = 0; k < corners; k++)
+                    take_corner(r, first + 1 + k < n &&
+                                           whole(r->cell[first + 1 + k].text,
+                                                 r->cell[first + 1 + k].end,
+                                                 &at) ? at : -1.0, k);
+                if (corners < 0.0) take_corner(r, -1.0, 0);
+            }
             found++;
             scan_leave(s, "faces");
         } else
@@ -95,7 +113,7 @@ void read_off(reader *r)
     take_rows(r);
     if (head[0] != 'O')
         scan_note(s, "normals, colours or the like", number[0], 0);
-    rest(r, number[1]);
+    rest(r, number[1], 0.0, number[1], 0);
 }
 
 /* ---- PLY ---- */
@@ -132,14 +150,68 @@ static int remark(const cell *c)
     return cell_is(c, "comment") || cell_is(c, "obj_info");
 }
 
+/* list - PLY's element face: which of its properties are lists, and types. */
+typedef struct list {
+    double before, many; /* of other things, before it; so many */
+    int properties, corners; /* which one is the corners' list; -1: none */
+    column count[FACE], item[FACE]; /* count.bytes 0: no list */
+} list;
+
+/* integer - at byte; -1 if it is none. */
+static double integer(const unsigned char *byte, const column *c, int big)
+{
+    double x = byte[big ? 0 : c->bytes - 1];
+    int k;
+
+    if (c->type == 'f') return -1.0;
+    if (c->type == 'i' && x > 127.0) x -= 256.0;
+    for (k = 1; k < c->bytes; k++)
+        x = 256.0 * x + byte[big ? k : c->bytes - 1 - k];
+    return x;
+}
+
+/* packed_faces - behind the points of a binary file. */
+static void packed_faces(reader *r, const list *f)
+{
+    scan *s = &r->s;
+    double n, i, taken = 0.0, number;
+    const unsigned char *byte;
+    int k, bytes;
+
+    for (number = 0.0; number < f->many && r->to->surfaced; number++)
+        for (k = 0; k < f->properties; k++) {
+            n = 1.0;
+            if ((bytes = f->count[k].bytes) > 0) {
+                byte = (const unsigned char *)scan_take(s, (size_t)bytes);
+                n = byte ? integer(byte, f->count + k, r->big) : -1.0;
+                taken += byte ? bytes : 0.0;
+            }
+            if (n < 0.0) take_corner(r, -1.0, 0);
+            bytes = f->item[k].bytes;
+            for (i = 0.0; i < n && r->to->surfaced; i++) {
+                byte = (const unsigned char *)scan_take(s, (size_t)bytes);
+                taken += byte ? bytes : 0.0;
+                if (k == f->corners || !byte)
+                    take_corner(r, byte ? integer(byte, f->item + k, r->big)
+                                        : -1.0, i < 2.0 ? (int)i : 2);
+            }
+        }
+    if (taken > 0.0) scan_note(s, "faces", taken, 1);
+}
+
 void read_ply(reader *r)
 {
     scan *s = &r->s;
     double want = -1.0, others = 0.0, n;
-    int many, packed = -1, more;
+    int many, packed = -1, more, k;
     cell *c = r->cell;
     column *p;
+    list face;
+    int in_face = 0;
 
+    face.before = face.many = 0.0;
+    face.properties = 0;
+    face.corners = -1;
     for (;;) {
         if (!scan_line(s)) fail("%s: ends before the first point", s->name);
         many = cut(s, &r->d, c, &more);
@@ -162,6 +234,11 @@ void read_ply(reader *r)
             if (want < 0.0 && !cell_is(c + 1, "vertex"))
                 scan_fail(s, "points must be the first element of a PLY file");
             r->waits = want >= 0.0;
+            in_face = r->waits && cell_is(c + 1, "face");
+            if (in_face) {
+                face.before = others;
+                face.many = n;
+            }
             if (r->waits) others += n;
             else want = n;
         } else if (cell_is(c, "property") && want >= 0.0 && !r->waits) {
@@ -180,8 +257,22 @@ void read_ply(reader *r)
                            !ply_type(r->column + COLUMNS - 1, c + 3)
                      : many != 3 || !ply_type(r->column + COLUMNS - 1, c + 1))
             scan_fail(s, "not a property of a PLY file");
+        else if (in_face) {
+            k = face.properties++;
+            if (k == FACE) r->to->surfaced = 0;
+            k %= FACE;
+            face.item[k] = r->column[COLUMNS - 1];
+            face.count[k].bytes = 0;
+            if (many == 5) ply_type(face.count + k, c + 2);
+            if (many == 5 && (cell_is(c + 4, "vertex_indices") ||
+                              cell_is(c + 4, "vertex_index")))
+                face.corners = k;
+        }
     }
     r->waits = 0;
+    for (k = 0; k < face.corners; k++)
+        if (face.count[k].bytes > 0 && !packed) r->to->surfaced = 0;
+    if (face.corners < 0 || (packed && face.before > 0.0)) r->to->surfaced = 0;
     if (packed < 0) fail("%s: no format in the PLY file's head", s->name);
     if (want < 0.0) fail("%s: no element vertex in the PLY file's head",
                          s->name);
@@ -191,10 +282,11 @@ void read_ply(reader *r)
         scan_room(s, want, 2.0 * r->columns);
         take_columns(r);
         take_rows(r);
-        rest(r, others);
+        rest(r, others, face.before, face.many, face.corners);
         return;
     }
     take_packed(r);
+    packed_faces(r, &face);
     scan_rest(s, others > 0.0 ? "faces" : "bytes behind the points");
     if (others > 0.0 && s->left[0].what == 0)
         warn("%s: announces %.0f faces or the like, has none: is the file cut?",
@@ -241,6 +333,22 @@ int is_obj(reader *r)
     return word == 'o' && n == 2 && ends_in(s->name, ".obj");
 }
 
+/* obj_face - its corners: numbers from 1 on, or back from the last point; what
+ * is behind a slash is of textures and normals. */
+static void obj_face(reader *r)
+{
+    int more, n = cut(&r->s, &r->d, r->cell, &more), k;
+    char *s, *end;
+    double x;
+
+    for (k = 1; k < n; k++) {
+        s = r->cell[k].text;
+        for (end = s; end < r->cell[k].end && *end != '/';) end++;
+        if (!whole(s + (*s == '-'), end, &x)) x = 0.0;
+        take_corner(r, *s == '-' ? (double)r->to->n - x : x - 1.0, k - 1);
+    }
+}
+
 void read_obj(reader *r)
 {
     scan *s = &r->s;
@@ -248,6 +356,7 @@ void read_obj(reader *r)
     char word;
 
     s->joins = 1;
+    r->to->copied = 0;
     add_column(r, "v", 1)->role = UNUSED;
     add_column(r, "x", 1);
     add_column(r, "y", 1);
@@ -277,10 +386,12 @@ void read_obj(reader *r)
                 }
             if (n > 4) scan_note(s, "weights and colours", 1.0, 0);
             take_row(r);
-        } else
+        } else {
+            if (word == 'f' && r->to->surfaced) obj_face(r);
             scan_leave(s, word == 'f'   ? "faces"
                           : word == 'o' ? "normals, groups or the like"
                                         : "lines of unknown words");
+        }
     }
 }
 
@@ -311,6 +422,7 @@ void read_stl(reader *r)
     scan *s = &r->s;
     int at = 8, n, more;
 
+    r->to->copied = 0;
     add_column(r, "vertex", 6)->role = UNUSED;
     add_column(r, "x", 1);
     add_column(r, "y", 1);
@@ -334,6 +446,7 @@ void read_stl(reader *r)
     }
     if (at != 8)
         scan_fail(s, "the solid has no end: is the file cut?");
+    r->to->faces = (double)(r->to->n / 3);
 }
 
 /* facets - of binary STL, in either order of bytes; -1 if the file's size is
@@ -390,6 +503,7 @@ void read_packed_stl(reader *r)
     r->stride = 12.0;
     r->facets = 1;
     take_packed(r);
+    r->to->faces = (double)(r->to->n / 3);
     if (scan_take(s, 2)) scan_note(s, "faces", 2.0, 1);
     scan_rest(s, "bytes behind the facets");
 }
