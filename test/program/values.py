@@ -254,8 +254,9 @@ tess("-q", "-query", "places.csv", "-qcols", "4,5,3", "-values", "q.csv",
 rows = np.genfromtxt("q.csv", delimiter=",", skip_header=1)
 test("-query, .csv: the places as they were read", near(rows[:, :3], q[order],
                                                        0.0))
-test("-query, .csv: the values of .npy", near(rows[:, 3:], np.load("q.npy"),
-                                              0.0))
+test("-query, .csv: the values of .npy, behind the file's other columns",
+     near(rows[:, 5:], np.load("q.npy"), 0.0) and
+     open("q.csv").readline() == "x,y,z,id,note,T,U\n")
 
 # ---- points in a plane ----
 
@@ -923,8 +924,8 @@ for words in True, False:
         found = table("-validate", k, "-by", "hole", "-method",
                       "linear,nearest", "-errors", "e.csv", "holes.csv")
         e = read_errors("e.csv")
-        test("-by: the column is no value", list(e) == [
-            "x", "y", "z", "part", "T", "linear-T", "nearest-T"])
+        test("-by: the column is no value, but is there", list(e) == [
+            "x", "y", "z", "part", "hole", "T", "linear-T", "nearest-T"])
         at = cKDTree(x).query(np.column_stack([e[h] for h in "xyz"]))[1]
         part = np.zeros(len(x), int)
         part[at] = e["part"]
