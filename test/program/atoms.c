@@ -33,8 +33,10 @@ static char *after(reader *r, const char *key, char **end)
         /* (brackets in brackets; no further one behind a key) */
         if (*end && *mark == '[' && strchr(s, '='))
             for (*end = strchr(s, '='); *end > s && **end != ']';) --*end;
-        if (!*end || *end == s)
-            scan_fail(&r->s, "%s has no end, %c", key, closes[mark - open]);
+        if (!*end || *end == s || ((*end)[1] && (*end)[1] != ' ' &&
+                                   (*end)[1] != '\t'))
+            scan_fail(&r->s, "%s does not end with %c and a blank", key,
+                      closes[mark - open]);
         return s + 1;
     }
     return 0;
@@ -50,6 +52,7 @@ static void properties(reader *r, char *s, const char *end)
     int k, type;
     column *c;
 
+    r->named = 1;
     for (;; s = next + 1) {
         length = strcspn(s, ":");
         next = s + length + (s[length] ? 3 : 0);
@@ -288,8 +291,11 @@ static char *item(reader *r, const char *text)
 {
     scan *s = &r->s;
     size_t n = strlen(text);
+    char *end;
 
     if (!scan_line(s)) fail("%s: ends before the first point", s->name);
+    for (end = s->stop; end > s->line && (end[-1] == ' ' || end[-1] == '\t');)
+        *--end = '\0';
     if (strncmp(s->line, text, n) != 0)
         scan_fail(s, "\"%.40s\": where a dump has %s", s->line, text);
     s->head++;
@@ -363,7 +369,7 @@ void read_dump(reader *r)
         char *rest = item(r, "ITEM: ");
         if (strcmp(rest, "NUMBER OF ATOMS") == 0) {
             item(r, "");
-            if (!whole(s->line, s->stop, &r->want))
+            if (!whole(s->line, s->line + strlen(s->line), &r->want))
                 scan_fail(s, "not a number of atoms");
         } else if (strncmp(rest, "BOX BOUNDS", 10) == 0) {
             dump_box(r, rest + 10);

@@ -309,6 +309,7 @@ int cut(const scan *s, const dialect *d, cell *c, int *more)
     char *p = s->line, mark_ = d->separator, decimal = d->decimal, *e;
     char bare = (char)(d->apart ? '\001' : decimal);
     int n = 0, loose = mark_ == ',' && decimal == ',' && !d->apart;
+    int quick = d->now && d->decimal == '.';
     char tab = (char)(mark_ == '\t' ? '\t' : '\001'); /* no blank */
 
     for (*more = 0;; n++, c++) {
@@ -318,6 +319,20 @@ int cut(const scan *s, const dialect *d, cell *c, int *more)
         *more = 0;
         c->quoted = 0;
         c->text = p;
+        if (quick && (DIGIT(*p) || ((*p == '-' || *p == '.') &&
+                                    DIGIT(p[1]))) && (p[1] | 32) != 'x' &&
+            (p[1] != '0' || (p[2] | 32) != 'x')) {
+            /* (that is a number by figures, too, if it ends the cell) */
+            c->x = strtod(p, &c->end);
+            e = c->end;
+            while (*e == ' ') e++;
+            if (*e == mark_ ? !loose : !*e || (mark_ == ' ' && e > c->end)) {
+                c->kind = NUMBER;
+                c->odd = 2;
+                p = e;
+                goto next;
+            }
+        }
         c->end = figures(p, bare, &c->odd);
         if (c->end > p) {
             for (p = c->end; blank(*p) && *p != tab;) p++;
@@ -404,7 +419,7 @@ void cut_fixed(const scan *s, int from, int last, cell *c)
 int next_cells(scan *s, const dialect *d, cell *c, int *more)
 {
     while (scan_line(s)) {
-        if (!comment(s)) return cut(s, d, c, more);
+        if (!comment(s)) return d ? cut(s, d, c, more) : 1;
         s->blank += !s->pinned;
     }
     return 0;

@@ -221,7 +221,7 @@ static void explain(int code)
         if (chosen.scaled && finite3(in.p + 3 * made.ntet))
             fail("-scale: point %ld is beyond the range of numbers",
                  (long)(made.ntet + in.base));
-        fail("%s, line %ld: point %ld has a coordinate that is not finite "
+        fail("%s:%ld: point %ld has a coordinate that is not finite "
              "(-skip drops a NaN)",
              in.input, in.line[made.ntet], (long)(made.ntet + in.base));
         break;
@@ -383,13 +383,39 @@ static double even(const double *side, int k)
                : 1.0;
 }
 
+/* void_hint - say if a number repeats itself in coordinate k, from low to high,
+ * far from all others: it stands for none, as -1e20, or -3.4e38.  Returns 1 if
+ * it does. */
+static int void_hint(int k, double low, double high)
+{
+    char text[REAL];
+    double far, nearest = 0.0, x;
+    tess_int i, many = 0;
+
+    far = fabs(low) > fabs(high) ? low : high;
+    for (i = 0; i < in.n; i++) {
+        x = (double)in.p[3 * i + k];
+        many += x == far;
+        if (x != far && fabs(x) > nearest) nearest = fabs(x);
+    }
+    if (many > 1 && many < in.n && fabs(far) >= 1e9 &&
+        fabs(far) / 1e6 > nearest) {
+        real_text(text, far, 0);
+        warn("%s: %ld times %c is %s, far from all others: if that stands for "
+             "a missing number: -nodata %s",
+             in.input, (long)many, 'x' + k, text, text);
+        return 1;
+    }
+    return 0;
+}
+
 /* stretch - the points, by -scale; or say that they might want it. */
 static void stretch(void)
 {
     double low[3], high[3], side[3], x;
     tess_real *stretched = 0;
     tess_int i;
-    int k, longest = 0, shortest = 0;
+    int k, longest = 0, shortest = 0, voids = 0;
 
     if (chosen.scaled)
         stretched = (tess_real *)space(3.0 * (double)in.n, sizeof *stretched);
@@ -404,11 +430,12 @@ static void stretch(void)
             if (x > high[k]) high[k] = x;
         }
         side[k] = high[k] - low[k];
+        voids += void_hint(k, low[k], high[k]);
         if (side[k] > side[longest]) longest = k;
         if (side[k] < side[shortest]) shortest = k;
     }
     made.p = chosen.scaled ? stretched : in.p;
-    if (!chosen.scaled && side[shortest] > 0.0 && side[longest] <= DBL_MAX &&
+    if (!chosen.scaled && voids == 0 && side[shortest] > 0.0 && side[longest] <= DBL_MAX &&
         side[longest] / UNEVEN > side[shortest])
         warn("x, y, z extend over %.3g, %.3g, %.3g: if their units differ, "
              "the mesh is of needles; stretch: -scale %.1g,%.1g,%.1g (-scale "

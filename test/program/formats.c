@@ -18,7 +18,7 @@ typedef struct format {
     const char *instead;      /* what to do */
 } format;
 
-static const dialect blanks = {' ', '.', 0};
+static const dialect blanks = {' ', '.', 0, 0};
 
 int begins(const reader *r, const char *text)
 {

@@ -7,39 +7,47 @@
 
 #define FACE 20 /* properties of PLY's element face, at most */
 
-/* rest - the lines behind the points: so many of them are faces, what is more
- * is told as that; so it is if some lack. */
-static void rest(reader *r, double faces, double skip, double of, int first)
+/* line_face - the cells are those of a face: its number of corners, then these,
+ * behind so many others. */
+static void line_face(reader *r, int n, int first)
+{
+    const cell *c = r->cell + first;
+    double corners = -1.0, i;
+    int k;
+
+    if (n <= first || !whole(c->text, c->end, &corners)) corners = -1.0;
+    if (corners < 0.0 || corners >= (double)(n - first))
+        take_corner(r, -1.0, 0);
+    else
+        for (k = 1; k <= (int)corners; k++)
+            take_corner(r, whole(c[k].text, c[k].end, &i) ? i : -1.0, k - 1);
+}
+
+/* rest - the lines behind the points: so many of them are faces, or what it is,
+ * each with as many corners as it says; what is more is told as that; so it is
+ * if some lack.  Behind some before them are those of a surface. */
+static void rest(reader *r, double faces, const char *what, double before,
+                 double of, int first)
 {
     scan *s = &r->s;
-    double found = 0.0, at, corners;
-    int n, k, more;
+    double found = 0.0, corners;
+    int n, more;
 
-    while (scan_line(s))
-        if (comment(s)) s->blank++;
-        else if (found < faces) {
-            /* (other things first, by skip; a face's number of corners, then
-             * these, behind so many numbers) */
-            at = found - skip;
-            if (r->to->surfaced && at >= 0.0 && at < of) {
-                n = cut(s, &r->d, r->cell, &more);
-                if (n <= first || !whole(r->cell[first].text,
-                                         r->cell[first].end, &corners))
-                    corners = -1.0;
-                for (k = 0; k < corners; k++)
-                    take_corner(r, first + 1 + k < n &&
-                                           whole(r->cell[first + 1 + k].text,
-                                                 r->cell[first + 1 + k].end,
-                                                 &at) ? at : -1.0, k);
-                if (corners < 0.0) take_corner(r, -1.0, 0);
-            }
-            found++;
-            scan_leave(s, "faces");
-        } else
+    while ((n = next_cells(s, &r->d, r->cell, &more)) > 0) {
+        if (r->to->surfaced && found >= before && found < before + of)
+            line_face(r, n, first);
+        if (found++ >= faces)
             scan_leave(s, "lines behind all that is announced");
+        else if (strcmp(what, "faces") == 0 &&
+                 (!whole(r->cell[0].text, r->cell[0].end, &corners) ||
+                  corners >= (double)n))
+            scan_leave(s, "faces of fewer corners than they say");
+        else
+            scan_leave(s, what);
+    }
     if (found < faces)
-        warn("%s: announces %.0f faces or the like, has %.0f: is the file cut?",
-             s->name, faces, found);
+        warn("%s: announces %.0f %s, has %.0f: is the file cut?", s->name,
+             faces, what, found);
 }
 
 /* ---- OFF ---- */
@@ -86,8 +94,8 @@ void read_off(reader *r)
     r->cell[0].text += word;
     k = r->cell[0].text == r->cell[0].end;
     for (s->head++; found < 3; k = 0) {
-        for (; k < n && found < 3; k++, found++)
-            if (!whole(r->cell[k].text, r->cell[k].end, number + found))
+        for (; k < n; k++, found++)
+            if (found == 3 || !whole(r->cell[k].text, r->cell[k].end, number + found))
                 scan_fail(s, "\"%.*s\": not a number of points, faces, edges",
                           (int)(r->cell[k].end - r->cell[k].text < 40
                                     ? r->cell[k].end - r->cell[k].text : 40),
@@ -113,7 +121,7 @@ void read_off(reader *r)
     take_rows(r);
     if (head[0] != 'O')
         scan_note(s, "normals, colours or the like", number[0], 0);
-    rest(r, number[1], 0.0, number[1], 0);
+    rest(r, number[1], "faces", 0.0, number[1], 0);
 }
 
 /* ---- PLY ---- */
@@ -203,6 +211,7 @@ void read_ply(reader *r)
 {
     scan *s = &r->s;
     double want = -1.0, others = 0.0, n;
+    const char *what = "faces";
     int many, packed = -1, more, k;
     cell *c = r->cell;
     column *p;
@@ -234,6 +243,7 @@ void read_ply(reader *r)
             if (want < 0.0 && !cell_is(c + 1, "vertex"))
                 scan_fail(s, "points must be the first element of a PLY file");
             r->waits = want >= 0.0;
+            if (r->waits && !cell_is(c + 1, "face")) what = "other elements";
             in_face = r->waits && cell_is(c + 1, "face");
             if (in_face) {
                 face.before = others;
@@ -282,15 +292,15 @@ void read_ply(reader *r)
         scan_room(s, want, 2.0 * r->columns);
         take_columns(r);
         take_rows(r);
-        rest(r, others, face.before, face.many, face.corners);
+        rest(r, others, what, face.before, face.many, face.corners);
         return;
     }
     take_packed(r);
     packed_faces(r, &face);
-    scan_rest(s, others > 0.0 ? "faces" : "bytes behind the points");
+    scan_rest(s, others > 0.0 ? what : "bytes behind the points");
     if (others > 0.0 && s->left[0].what == 0)
-        warn("%s: announces %.0f faces or the like, has none: is the file cut?",
-             s->name, others);
+        warn("%s: announces %.0f %s, has none: is the file cut?", s->name,
+             others, what);
 }
 
 /* ---- OBJ ---- */

@@ -14,7 +14,7 @@
 #include "driver.h"
 
 #define KINDS 12      /* of what a file may leave out */
-#define SAMPLE 65536  /* bytes by which lines are judged */
+#define SAMPLE 16384  /* bytes by which lines are judged */
 #define WHOLE 9007199254740992.0 /* up to here integers are exact */
 
 /* ---- scan.c ---- */
@@ -35,8 +35,8 @@ typedef struct scan {
     long number;         /* of the line, from 1 on */
     int open;            /* has the last line no end? */
     size_t mark;         /* where scan_again goes back to; block stays, */
-    long marked;         /* and this line's number; 0 ... */
-    int pinned;          /* ... if not pinned */
+    long marked;         /* and that line's number, and open */
+    int opened, pinned;
     struct {
         const char *what;
         double many;
@@ -92,6 +92,7 @@ typedef struct cell {
 typedef struct dialect {
     char separator, decimal;
     int apart; /* both are commas: decimal ones are in quotes */
+    int now;   /* take numbers at once, not when they are asked for */
 } dialect;
 
 /* figures - the end of the number at s; s if there is none.  *odd: is it not as

@@ -49,7 +49,7 @@ void next_places(points *a, int first)
 static void add_point(reader *r)
 {
     points *to = r->to;
-    double n, values;
+    double n, values, *v;
     tess_int at;
     int k;
 
@@ -70,9 +70,8 @@ static void add_point(reader *r)
             scan_fail(&r->s, "a coordinate is not finite");
     }
     to->line[at] = r->s.number;
-    if (to->columns > 0)
-        memcpy(to->value + (size_t)to->columns * (size_t)at, r->x + r->axes,
-               (size_t)to->columns * sizeof *to->value);
+    v = to->value + (size_t)to->columns * (size_t)at;
+    for (k = 0; k < to->columns; k++) v[k] = r->x[r->axes + k];
     to->n++;
     if (to->n % 4096 == 0)
         progress("reading", r->s.passed + (double)(r->s.at - r->s.block),
@@ -546,7 +545,7 @@ static int strange(reader *r, int k, int i)
     cell *c = r->cell + k;
     const char *s = c->text;
 
-    if (r->x[i] == 0.0 && c->odd != 2) {
+    if (r->x[i] == 0.0 && r->form != PACKED) {
         while (s < c->end && !isalpha((unsigned char)*s) &&
                (*s < '1' || *s > '9'))
             s++;
@@ -572,7 +571,6 @@ void take_row(reader *r)
 {
     points *to = r->to;
     cell *c;
-    char *end;
     double x, y[3];
     int i, k;
 
@@ -594,7 +592,7 @@ void take_row(reader *r)
             if (!take_cell(r, k, i)) return;
             continue;
         }
-        x = c->odd ? cell_value(c) : strtod(c->text, &end);
+        x = c->odd == 2 ? c->x : cell_value(c);
         r->x[i] = x;
         if (!(fabs(x) <= DBL_MAX && x != 0.0) && !strange(r, k, i)) return;
         if (to->voids > 0 && k != r->keeps && void_value(to, x)) {
@@ -720,7 +718,7 @@ void take_rows(reader *r)
                           r->columns, r->d.separator == '\t'
                                           ? " (empty cells?  see -skip)"
                                           : "");
-            if (commas) both_commas(r, n);
+            if (commas && strchr(r->s.line, ' ')) both_commas(r, n);
         }
         take_row(r);
     }
@@ -753,8 +751,8 @@ static int looks_like(const cell *c)
            c->kind == INFINITE;
 }
 
-/* sampled - the next line of the sample, cut as d says; 0 at its end, behind
- * most lines. */
+/* sampled - the next line of the sample, cut as d says, if it is not 0; 0 at its
+ * end, behind most lines. */
 static int sampled(reader *r, const dialect *d, double i, double most,
                    int *more)
 {
@@ -785,27 +783,26 @@ static int touching(const cell *c, char decimal)
  * most lines. */
 static void choose_dialect(reader *r, double first, double most)
 {
-    static const char marks[] = ";|,,\t";
+    static const char marks[] = ";|,,\t"; /* (the second comma: loose) */
     scan *s = &r->s;
     dialect d;
     const char *c;
-    int seen[5], spaced = 0, quoted = 0, more, n, m, k, bad, found;
+    int seen[5], spaced = 0, quoted = 0, gaps = 0, more, n, m, k, bad,
+        found;
     double best = 0.0, score, worse, rows, i;
 
     memset(seen, 0, sizeof seen);
     d.decimal = (char)(r->to->decimal ? r->to->decimal : '.');
     d.separator = ' ';
     d.apart = 0;
+    d.now = 0;
     r->d = d;
     scan_again(s);
-    for (i = 0.0; sampled(r, &d, i, most, &more) > 0; i++)
-        for (c = s->line; *c; c++) {
-            if (*c > ';' ? *c != '|' : *c == ' ') continue;
-            if (*c == ';') seen[0] = 1;
-            if (*c == '|') seen[1] = 1;
-            if (*c == '\t') seen[4] = 1;
+    for (i = 0.0; sampled(r, 0, i, most, &more) > 0; i++)
+        for (gaps |= strchr(s->line, ' ') != 0, c = s->line;
+             (c = strpbrk(c, ";|,\t")) != 0; c++) {
+            seen[strchr(marks, *c) - marks] = 1;
             if (*c != ',') continue;
-            seen[2] = 1;
             spaced |= c[1] == ' ';
             quoted |= c[1] == '"' || (c > s->line && c[-1] == '"');
         }
@@ -816,10 +813,15 @@ static void choose_dialect(reader *r, double first, double most)
         if (!seen[k]) continue;
         d.separator = marks[k];
         d.apart = k == 2 && d.decimal == ',';
+        if (!gaps && seen[0] + seen[1] + seen[2] + seen[3] + seen[4] == 1) {
+            r->d = d;
+            return;
+        }
         scan_again(s);
         score = worse = rows = 0.0;
-        for (i = 0.0; (n = sampled(r, &d, i, most, &more)) > 0 &&
-                      i < first + LOOKED; i++) {
+        for (i = 0.0; i < first + LOOKED &&
+                      (n = sampled(r, i < first ? 0 : &d, i, most, &more)) > 0;
+             i++) {
             for (bad = found = m = 0; m < n && i >= first; m++) {
                 found += r->cell[m].kind != WORD && r->cell[m].kind != EMPTY;
                 bad |= r->cell[m].kind == WORD &&
@@ -925,15 +927,11 @@ static double look(reader *r, double most, char *has, int started)
 {
     scan *s = &r->s;
     long often[COLUMNS + 3], open[COLUMNS + 3];
-    double lines = 0.0, i, first, head;
-    dialect d;
+    double lines = 0.0, i, first, head, from, to;
     int n, m, more, pass, found;
 
-    d.separator = ' ';
-    d.decimal = '.';
-    d.apart = 0;
     scan_pin(s);
-    while (sampled(r, &d, lines, most, &more) > 0) lines++;
+    while (sampled(r, 0, lines, most, &more) > 0) lines++;
     if (lines == 0.0)
         fail(started ? "%s: ends before the first point" : "%s: empty", s->name);
     first = floor((lines - 1.0) / 2.0);
@@ -942,7 +940,8 @@ static double look(reader *r, double most, char *has, int started)
     memset(open, 0, sizeof open);
     for (pass = 0; pass < 2 && r->columns == 0; pass++) {
         scan_again(s);
-        for (i = 0.0; (n = sampled(r, &r->d, i, most, &more)) > 0; i++) {
+        for (i = 0.0; (n = sampled(r, i < first ? 0 : &r->d, i, most, &more)) > 0;
+             i++) {
             for (found = m = 0; m < n; m++) found += looks_like(r->cell + m);
             if (i < first || (found < 2 && !pass)) continue;
             often[n]++;
@@ -963,13 +962,16 @@ static double look(reader *r, double most, char *has, int started)
     head = -1.0;
     for (pass = 0; pass < 3; pass++) {
         scan_again(s);
-        if (pass == 2) memset(has, 0, COLUMNS);
-        for (i = 0.0; (n = sampled(r, &r->d, i, most, &more)) > 0; i++) {
+        from = pass == 0 ? first : pass == 1 ? 0.0 : head;
+        if (pass == 2 && head > first) memset(has, 0, COLUMNS);
+        to = pass == 2 && head <= first ? first : most;
+        for (i = 0.0; i < to && (n = sampled(r, i < from ? 0 : &r->d, i, most,
+                                             &more)) > 0; i++) {
             if (pass == 1) {
                 if (!head_line(r, has, n, more)) break;
                 continue;
             }
-            if (i < (pass ? head : first) || !width(r, n, more)) continue;
+            if (i < from || !width(r, n, more)) continue;
             for (m = 0; m < r->columns && m < n; m++)
                 has[m] |= looks_like(r->cell + m)        ? 1
                           : r->cell[m].kind == WORD      ? 2
@@ -984,6 +986,7 @@ static double look(reader *r, double most, char *has, int started)
                                           : HOLLOW;
     if (head >= lines) no_rows(r);
     scan_go(s);
+    r->d.now = 1;
     return head;
 }
 
@@ -1111,6 +1114,7 @@ void take_corner(reader *r, double i, int k)
 void end_rows(reader *r)
 {
     points *to = r->to;
+    char text[160];
     int k;
 
     if (to->n == 0 && r->lost[0] > 0.0)
@@ -1133,12 +1137,17 @@ void end_rows(reader *r)
         warn("%s: column %d (%s) is not a number: skipped", to->input,
              r->word[k] + 1, r->column[r->word[k]].role == HOLLOW
                                  ? "empty" : r->column[r->word[k]].shown);
+    for (text[0] = '\0', k = 1; k < WORD + 2; k++)
+        if (r->lost[k] > 0.0)
+            sprintf(text + strlen(text), "%s%.0f %s", *text ? ", " : "",
+                    r->lost[k], k == EMPTY    ? "empty"
+                                : k == ABSENT ? "NA or NaN"
+                                : k == STARS  ? "of asterisks"
+                                              : "by -nodata");
     if (r->lost[0] > 0.0)
-        warn("%s: %.0f row%s dropped (%.0f empty, %.0f NA or NaN, %.0f of "
-             "asterisks, %.0f by -nodata), the first in line %ld%s",
-             to->input, r->lost[0], r->lost[0] > 1.0 ? "s" : "",
-             r->lost[EMPTY], r->lost[ABSENT], r->lost[STARS],
-             r->lost[WORD + 1], r->first_lost,
+        warn("%s: %.0f row%s dropped (%s), the first in line %ld%s",
+             to->input, r->lost[0], r->lost[0] > 1.0 ? "s" : "", text,
+             r->first_lost,
              to->columns > 1
                  ? "; fewer if -cols X,Y,Z,VALUE asks for one column's values"
                  : "");

@@ -55,7 +55,7 @@ void scan_open(scan *s, const char *name)
     } else if (!name)
         warn("reading points from standard input");
     s->size = size > 0 ? (double)size : -1.0;
-    s->room = 2 * SAMPLE;
+    s->room = 4 * SAMPLE;
     s->block = (char *)space((double)s->room + 1.0, 1);
     s->at = s->end = s->block;
     more(s);
@@ -163,6 +163,7 @@ void scan_pin(scan *s)
     back(s);
     s->mark = (size_t)(s->at - s->block);
     s->marked = s->number;
+    s->opened = s->open;
     s->pinned = 1;
 }
 
@@ -171,7 +172,7 @@ void scan_again(scan *s)
     back(s);
     s->at = s->block + s->mark;
     s->number = s->marked;
-    s->open = 0;
+    s->open = s->opened;
 }
 
 void scan_go(scan *s)

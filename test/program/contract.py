@@ -1,0 +1,401 @@
+# contract.py - what build/tess promises of any file that it reads, over all
+# formats; driver.sh runs it.
+#
+#   python3 contract.py TESS
+#
+# In the current directory, where it leaves its files.  Prints `ok ...' or
+# `FAILED ...' for each test; of each format how many bytes are deaf.
+#
+# A sample of each format holds the same five points (STL's corners are six).
+# Nothing in it may be changed, cut or added without a word, but for what DEAF
+# lists: what the format says is no part of the points.
+import concurrent.futures
+import os
+import re
+import struct
+import subprocess
+import sys
+import threading
+
+TESS = sys.argv[1]
+P = [(0, 0, 0), (1, 0, 0), (0, 1.5, 0), (0, 0, -2), (0.134, 0.25, -0.5)]
+V = [0, 10, 20, 30, 40]
+CORNERS = [P[0], P[1], P[2], P[0], P[3], P[4]]
+
+
+def test(name, good):
+    print(("ok      " if good else "FAILED  ") + name, flush=True)
+
+
+def rows(between=" ", first="", last="", values=False):
+    return "".join(first + between.join("%g" % x for x in p) +
+                   (between + "%g" % v if values else "") + last + "\n"
+                   for p, v in zip(P, V))
+
+
+def atoms():
+    line = "ATOM  %5d %-4s LYS A%4d    %8.3f%8.3f%8.3f%6.2f%6.2f\n"
+    return "".join(line % (i + 1, " C", i + 1, *p, 1, v)
+                   for i, (p, v) in enumerate(zip(P, V)))
+
+
+def stl():
+    text = "solid thing\n"
+    for k in 0, 3:
+        text += " facet normal 0 0 1\n  outer loop\n"
+        for p in CORNERS[k:k + 3]:
+            text += "   vertex %g %g %g\n" % p
+        text += "  endloop\n endfacet\n"
+    return text + "endsolid thing\n"
+
+
+def npy():
+    head = ("{'descr': '<f8', 'fortran_order': False, 'shape': (5, 4), }"
+            .ljust(117) + "\n").encode()
+    return (b"\x93NUMPY\1\0" + struct.pack("<H", len(head)) + head +
+            packed("<4d"))
+
+
+def packed(form):
+    return b"".join(struct.pack(form, *p, v) for p, v in zip(P, V))
+
+
+def las():
+    head = bytearray(227)
+    head[0:4] = b"LASF"
+    head[24:26] = 1, 2
+    struct.pack_into("<HIIBHI", head, 94, 227, 227, 0, 0, 20, 5)
+    struct.pack_into("<6d", head, 131, .001, .001, .001, 0, 0, 0)
+    struct.pack_into("<6d", head, 179, 1, 0, 1.5, 0, 0, -2)
+    return bytes(head) + b"".join(
+        struct.pack("<3iH6x", *(round(1000 * x) for x in p), v)
+        for p, v in zip(P, V))
+
+
+PLY = """ply
+format %s 1.0
+comment by hand
+element vertex 5
+property double x
+property double y
+property double z
+property double T
+element face 1
+property list uchar int vertex_index
+end_header
+"""
+PCD = """# .PCD v0.7
+VERSION 0.7
+FIELDS x y z T
+SIZE 8 8 8 8
+TYPE F F F F
+COUNT 1 1 1 1
+WIDTH 5
+HEIGHT 1
+VIEWPOINT 0 0 0 1 0 0 0
+POINTS 5
+DATA %s
+"""
+SAMPLES = {
+    "lines.txt": "# by hand\n" + rows(values=True),
+    "names.csv": "x,y,z,T\n" + rows(",", values=True),
+    "counted.txt": "5\n" + rows(),
+    "atoms.xyz": "5\na comment\n" + rows(first="C "),
+    "more.xyz": '5\nLattice="9 0 0 0 9 0 0 0 9" Properties=species:S:1:pos:R:3'
+                ':u:R:1 pbc="T F T" time=7\n' + rows(first="C ", values=True),
+    "node.node": "5 3 1 0\n" + "".join(
+        "%d %g %g %g %g\n" % (i, *p, v) for i, (p, v) in enumerate(zip(P, V))),
+    "mesh.off": "OFF\n5 2 0\n" + rows() + "3 0 1 2\n3 0 1 4\n",
+    "mesh.ply": PLY % "ascii" + rows(values=True) + "3 0 1 2\n",
+    "packed.ply": (PLY % "binary_little_endian").encode() + packed("<4d") +
+                  struct.pack("<B3i", 3, 0, 1, 2),
+    "mesh.obj": "# by hand\no thing\n" + rows(first="v ") + "vn 0 0 1\n"
+                "f 1 2 3\n",
+    "mesh.stl": stl(),
+    "packed.stl": b"by hand".ljust(80) + struct.pack("<I", 2) + b"".join(
+        struct.pack("<12fH", 0, 0, 1, *(x for p in CORNERS[k:k + 3] for x in p),
+                    0) for k in (0, 3)),
+    "array.npy": npy(),
+    "atoms.pdb": "HEADER    BY HAND\n" + atoms() + "END\n",
+    "cloud.pcd": PCD % "ascii" + rows(values=True),
+    "packed.pcd": (PCD % "binary").encode() + packed("<4d"),
+    "dump.lammpstrj": "ITEM: TIMESTEP\n0\nITEM: NUMBER OF ATOMS\n5\n"
+                      "ITEM: BOX BOUNDS pp pp pp\n0 4\n0 4\n-3 4\n"
+                      "ITEM: ATOMS id x y z\n" + "".join(
+                          "%d %g %g %g\n" % (i + 1, *p)
+                          for i, p in enumerate(P)),
+    "survey.las": las(),
+}
+SAMPLES = {k: v if isinstance(v, bytes) else v.encode()
+           for k, v in SAMPLES.items()}
+
+# What may be deaf: groups of expressions, or a range of bytes.
+DEAF = {
+    "lines.txt": [rb"#(.*)\n"],
+    "atoms.xyz": [rb"\n(a comment)\n"],
+    "more.xyz": [rb"(time=7)"],
+    "mesh.off": [rb"\n3( .*)", rb"5 2 (0)\n"],
+    "mesh.ply": [rb"comment (.*)\n", rb"\n3( .*)\n$", rb"int (vertex_index)",
+                 rb"property list (uchar int) "],
+    "packed.ply": [rb"comment (.*)\n", rb"int (vertex_index)",
+                   rb"property list (uchar int) ", rb"element face (1)",
+                   range(-13, 0)],
+    "mesh.obj": [rb"#(.*)\n", rb"\no( .*)\n", rb"vn( .*)\n", rb"\nf( .*)\n"],
+    "mesh.stl": [rb"solid( .*)\n", rb"normal( .*)\n"],
+    "packed.stl": [range(0, 80), range(84, 96), range(132, 146),
+                   range(182, 184)],
+    "atoms.pdb": [rb"HEADER(.*)\n", rb"ATOM  (.{24})",
+                  rb"ATOM.{50}(  1.00)"],
+    "cloud.pcd": [rb"VIEWPOINT( .*)\n", rb"#(.*)\n", rb"VERSION (.*)\n"],
+    "packed.pcd": [rb"VIEWPOINT( .*)\n", rb"#(.*)\n", rb"VERSION (.*)\n"],
+    "dump.lammpstrj": [rb"TIMESTEP\n(.*)\n"],
+    "survey.las": [range(4, 24), range(26, 96), range(100, 104), range(111, 131),
+                   range(179, 227)] + [
+        range(227 + 20 * k + 14, 247 + 20 * k) for k in range(5)],
+}
+# Formats that have no count: what a cut between two lines leaves is sound.
+OPEN = {"lines.txt", "names.csv", "mesh.obj", "atoms.pdb"}
+PACKED = {"packed.ply", "packed.stl", "array.npy", "packed.pcd", "survey.las"}
+
+BOXED = {"more.xyz", "dump.lammpstrj"}  # these have a box that repeats itself
+
+place = threading.local()
+number = iter(range(1000))
+
+
+def run(name, content, *options, pipe=False, like=None):
+    """The exit code, what is written, and messages without the folder's name;
+    like: the sample whose box counts."""
+    if not hasattr(place, "folder"):
+        place.folder = "in%d" % next(number)
+        os.makedirs(place.folder, exist_ok=True)
+    path = os.path.join(place.folder, name)
+    out = os.path.join(place.folder, "out.node")
+    volumes = os.path.join(place.folder, "v.csv")
+    for old in out, volumes:
+        if os.path.exists(old):
+            os.remove(old)
+    if (like or name) in BOXED:
+        options += "-periodic",
+    with open(path, "wb") as f:
+        f.write(content)
+    with open(path, "rb") as f:
+        done = subprocess.run(
+            [TESS, "-account", *options, "-node", out, "-volumes", volumes,
+             "-" if pipe else path],
+            stdin=f if not pipe else None, input=content if pipe else None,
+            stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=20)
+    points = b"".join(open(name, "rb").read() for name in (out, volumes)
+                      if os.path.exists(name))
+    words = done.stderr.replace(path.encode(), b"F").replace(
+        b"standard input", b"F")
+    if done.returncode == 0 and b"left out: all\n" not in done.stdout:
+        test("the account of %s: %s" % (name, content[:400]), False)
+    return done.returncode, points, words
+
+
+if __name__ != "__main__":
+    sys.exit(0)
+pool = concurrent.futures.ThreadPoolExecutor(2)
+whole = {name: run(name, content) for name, content in SAMPLES.items()}
+
+
+def points_of(node):
+    return sorted(tuple(float(x) for x in line.split()[1:4])
+                  for line in node.decode().splitlines()[1:]
+                  if line[0].isdigit() and "," not in line)
+
+
+for name, (code, node, words) in whole.items():
+    right = sorted(tuple(struct.unpack("<3f", struct.pack("<3f", *p)))
+                   if name == "packed.stl" else p
+                   for p in (CORNERS if ".stl" in name else P))
+    # (copies of points go with those of a box that repeats itself)
+    test("%s: its points" % name, code == 0 and (
+        set(right) <= set(points_of(node)) if name in BOXED
+        else right == points_of(node)))
+
+
+def many(jobs):
+    """The results of run for each of (name, content, options)."""
+    return list(pool.map(lambda job: run(*job), jobs))
+
+
+# ---- deafness: each byte changed ----
+
+def changed(content, i, text):
+    c = content[i]
+    if text and chr(c).isdigit():
+        c = (c - 48 + 1) % 10 + 48
+    elif text:
+        c = ord("y") if c == ord("x") else ord("x")
+    else:
+        c ^= 65
+    return content[:i] + bytes([c]) + content[i + 1:]
+
+
+def may_be_deaf(name):
+    content, deaf = SAMPLES[name], set()
+    for what in DEAF.get(name, []):
+        if isinstance(what, range):
+            deaf.update(i % len(content) for i in what)
+        else:
+            for m in re.finditer(what, content):
+                deaf.update(range(*m.span(1)))
+    return deaf
+
+
+for name, content in SAMPLES.items():
+    head = len(content)
+    if name in PACKED:
+        head = {"packed.ply": content.find(b"end_header") + 11,
+                "array.npy": 0, "packed.stl": 0, "survey.las": 0,
+                "packed.pcd": content.find(b"DATA binary") + 12}[name]
+    jobs = [(name, changed(content, i, i < head)) for i in range(len(content))]
+    deaf = [i for i, r in enumerate(many(jobs)) if r == whole[name]]
+    wrong = sorted(set(deaf) - may_be_deaf(name))
+    if wrong:
+        print("        %s: deaf at %s" % (name, [
+            (i, content[max(0, i - 8):i + 8]) for i in wrong[:12]]))
+    test("%s: of %d bytes %d are deaf, by its format; else none" %
+         (name, len(content), len(deaf)), not wrong)
+
+# ---- cuts: each prefix, and what is behind the end ----
+
+for name, content in SAMPLES.items():
+    results = many([(name, content[:n]) for n in range(len(content))])
+    bad = []
+    for n, (code, node, words) in enumerate(results):
+        known = name in OPEN and content[n - 1:n] == b"\n"
+        if code == 0 and not known and words == whole[name][2]:
+            bad.append(n)
+        if code == 0 and name not in OPEN and node != whole[name][1] and \
+                content[n:n + 1].isspace() and content[n - 1:n] == b"\n":
+            bad.append(n)
+    if bad:
+        print("        %s: unheard after %s" % (name, bad[:20]))
+    test("%s: of %d cuts none is silent" % (name, len(content)), not bad)
+    junk = many([(name, content + extra)
+                 for extra in (b"junk 1 2\n", b"1 2\n", b"x\n")])
+    test("%s: a line of junk at the end is heard" % name,
+         all(r[:1] + r[2:] != whole[name][:1] + whole[name][2:]
+             for r in junk))
+
+# ---- neutral changes ----
+
+def nameless(words):
+    return re.sub(rb"F:\d+", b"F", words)
+
+
+for name, content in SAMPLES.items():
+    if name in PACKED:
+        continue
+    changes = {
+        "CR LF": content.replace(b"\n", b"\r\n"),
+        "CR": content.replace(b"\n", b"\r"),
+        "byte order mark": b"\xef\xbb\xbf" + content,
+        "Ctrl-Z": content + b"\x1a",
+        "blanks at ends of lines": content.replace(b"\n", b"  \n"),
+    }
+    if name in ("lines.txt", "names.csv"):
+        changes["blank lines"] = content.replace(b"\n", b"\n\n")
+        changes["wide cells"] = re.sub(rb"(?<=\n|,)(-?\d)", rb"   \1", content)
+    if name == "mesh.stl":
+        changes["capitals"] = content.upper()
+        changes["no indentation"] = re.sub(rb"\n +", b"\n", content)
+    if name == "names.csv":
+        changes["capitals"] = content.replace(b"x,y,z", b"X,Y,Z")
+        changes["quotes"] = re.sub(rb"([^,\n]+)", rb'"\1"', content)
+    if name in ("node.node", "lines.txt"):
+        changes["exponents"] = re.sub(rb" (-?\d+)(?=[ \n])", rb" \1.0D+00",
+                                      content, 0)
+        changes["exponents"] = changes["exponents"] if name != "node.node" \
+            else content
+    for what, other in changes.items():
+        code, node, words = run(name, other)
+        node = node.replace(b"X", b"x")
+        good = code == 0 and points_of(node) == points_of(whole[name][1]) and \
+            nameless(words) == nameless(whole[name][2])
+        if not good:
+            print("        ", code, words)
+        test("%s: %s alter nothing" % (name, what), good)
+
+# ---- one meaning: under any name, through a pipe ----
+
+endings = sorted({name[name.rfind("."):] for name in SAMPLES} - {".lammpstrj"})
+for name, content in SAMPLES.items():
+    results = [run("other" + e, content, like=name) for e in endings]
+    good = all(r[0] == 2 or r[1] == whole[name][1] for r in results)
+    code, node, words = run(name, content, pipe=True)
+    test("%s: the same under any name" % name, good)
+    test("%s: the same through a pipe" % name,
+         (code, node) == whole[name][:2])
+
+# ---- order: a cell that is no number, in any row and column ----
+
+cells = {"NA": 0, "nan": 0, "": 0, "*****": 0, "#N/A": 0, "<0.05": 2, "word": 2,
+         "0x10": 2, "1_000": 2, "5 m": 2, "1.2.3": 2, "1e5e5": 2, "inf": 2,
+         "\u22125": 2, "1\u00a0000": 2, "\"1,234.5\"": 2, "\"0,5\"": 2,
+         "1.#INF": 2, "1.#QNAN": 0, "-": 0, "0-1.5": 2, "--5": 2}
+table = [["%g" % x for x in p] + ["%g" % v] for p, v in zip(P, V)]
+for cell, skipped in cells.items():
+    jobs = []
+    for column in range(4):
+        for row in range(5):
+            lines = [list(r) for r in table]
+            lines[row][column] = cell
+            text = ("x,y,z,T\n" + "".join(",".join(r) + "\n" for r in lines)
+                    ).encode()
+            jobs += [("o.csv", text), ("o.csv", text, "-skip")]
+    results = many(jobs)
+    plain, skip = results[::2], results[1::2]
+    kept = 5 * (cell in ("nan", "1.#QNAN", "inf", "1.#INF"))  # values
+    good = all(r[0] == 2 for r in plain[:15]) and all(
+        r[0] == (0 if kept else 2) for r in plain[15:])
+    # (the line is named, and so is the column)
+    for k, r in enumerate(plain):
+        if r[0] == 2:
+            good = good and r[2].startswith(
+                b"tess: F:%d: column %d, %c" % (k % 5 + 2, k // 5 + 1,
+                                                b"xyzT"[k // 5]))
+    test("%r: refused in each row and column alike, by line and name" % cell,
+         good)
+    test("%r: what -skip does is the same in each row and column" % cell,
+         all(r[0] == skipped or (k >= 15 and kept) for k, r in enumerate(skip)))
+
+# columns in any order, by their names
+for order in "yxzT", "Tzyx", "zTxy":
+    at = ["xyzT".index(c) for c in order]
+    text = ",".join(order) + "\n" + "".join(
+        ",".join(r[k] for k in at) + "\n" for r in table)
+    code, node, words = run("o.csv", text.encode())
+    test("columns %s: the same points and values" % order,
+         (code, node) == whole["names.csv"][:2] and b"x, y, z are" in words)
+for k in range(5):
+    text = "x,y,z,T\n" + "".join(",".join(r) + "\n"
+                                 for r in table[k:] + table[:k])
+    code, node, words = run("o.csv", text.encode())
+    test("rows from the %dth on: the same points" % k,
+         code == 0 and points_of(node) == sorted(P) and words == b"")
+
+# ---- counts: each number of each head ----
+
+heads = {"counted.txt": rb"^(5)", "atoms.xyz": rb"^(5)", "node.node": rb"^(5)",
+         "mesh.off": rb"\n(5) ", "mesh.ply": rb"vertex (5)",
+         "packed.ply": rb"vertex (5)", "cloud.pcd": rb"POINTS (5)",
+         "packed.pcd": rb"POINTS (5)", "array.npy": rb"\((5),",
+         "dump.lammpstrj": rb"ATOMS\n(5)"}
+for name, where in heads.items():
+    m = re.search(where, SAMPLES[name])
+    for n in (b"0", b"4", b"6", b"1e12", b"1000000000000", b"nan", b"-5",
+              b"2147483648", b"9007199254740993", b"99999999999999999999",
+              b"", b"5x", b"0x5"):
+        for pipe in False, True:
+            code, node, words = run(name, SAMPLES[name][:m.start(1)] + n +
+                                    SAMPLES[name][m.end(1):], pipe=pipe)
+            if code == 2 or words != whole[name][2] or (n == b"" and
+                    points_of(node) == points_of(whole[name][1])):
+                continue
+            print("        ", code, words)
+            test("%s: a count %r is refused, or told" % (name, n), False)
+    test("%s: wrong counts are refused, or told" % name, True)
