@@ -25,8 +25,8 @@
 /* By centre's bound: 200 u, and the range of squares in which nothing that
  * matters underflows. */
 #define SURE (100.0 * DBL_EPSILON)
-#define LEAST 1e-150
-#define MOST 1e60
+#define SMALL 1e-150
+#define LARGE 1e60
 
 /* Weights are blended with linear ones where roundings are more than this part
  * of q's cell, and are linear from ten times as much on. */
@@ -147,7 +147,7 @@ static int centre(const tess_real *p, const tess_int *v, const tess_real *q,
     }
     c[3] = near + 2.0 * dot(d, c);
     for (k = 0; k < 3; k++) c[k] += d[k];
-    if (!sure || !(r > LEAST && near > LEAST && near + all < MOST)) return 0;
+    if (!sure || !(r > SMALL && near > SMALL && near + all < LARGE)) return 0;
     r /= det * det;
     return fabs(c[3]) > SURE * sqrt(near * (near + all * r * r));
 }

@@ -109,18 +109,18 @@ C     the sum, U half an epsilon and D = P(O) - Q: roundings of DET are
 C     below 16 U L, of the numerators below 14 U L T; with R = L / DET,
 C     which is 1 or more, those of the centre are below 28 U T R**2, and
 C     those of the power below U |D| (7 |D| + 62 T R**2), if nothing
-C     underflows.  SURE: 200 U; LEAST, MOST: the range of squares in
+C     underflows.  SURE: 200 U; SMALL, LARGE: the range of squares in
 C     which nothing that matters underflows.
       SUBROUTINE NATCEN(P, V, Q, C, IS)
       DOUBLE PRECISION P(3,*), Q(3), C(4)
       INTEGER V(4), IS
       DOUBLE PRECISION E(3,3), F(3,3), D(3), SQUARE(3), BALL(4), DET
-      DOUBLE PRECISION S, R, ALL, NEAR, FLAT, FLATER, SURE, LEAST, MOST
+      DOUBLE PRECISION S, R, ALL, NEAR, FLAT, FLATER, SURE, SMALL, LARGE
       DOUBLE PRECISION NATDOT
       INTEGER I, K, O, INFO
       PARAMETER (FLAT = 1.0D-6, FLATER = 1.0D-10)
       PARAMETER (SURE = 2.220446049250313D-14)
-      PARAMETER (LEAST = 1.0D-150, MOST = 1.0D60)
+      PARAMETER (SMALL = 1.0D-150, LARGE = 1.0D60)
       IS = 0
 C     From the vertex next to Q: the power there is right to rounding.
       NEAR = 0.0D0
@@ -165,8 +165,8 @@ C     From the vertex next to Q: the power there is right to rounding.
    50 CONTINUE
       IF (IS .EQ. 0) RETURN
       IS = 0
-      IF (.NOT. (R .GT. LEAST .AND. NEAR .GT. LEAST .AND.
-     1           NEAR + ALL .LT. MOST)) RETURN
+      IF (.NOT. (R .GT. SMALL .AND. NEAR .GT. SMALL .AND.
+     1           NEAR + ALL .LT. LARGE)) RETURN
       R = R / (DET*DET)
       IF (ABS(C(4)) .GT. SURE*SQRT(NEAR*(NEAR + ALL*R*R))) IS = 1
       END
