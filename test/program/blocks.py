@@ -283,6 +283,15 @@ test("-query -skip: the others' texts stay beside their places",
      [l.split(",")[:4] for l in open("q.csv").read().split("\n")[1:3]] ==
      [["0.5", "0.5", "0.5", "1.50"], ["0.3", "0.3", "0.3", "003"]] and
      len(rows("q.csv")) == 3)
+note = ["", "a", "", "b", ""]
+with open("places.csv", "w") as f:
+    f.write("x,y,z,note\n")
+    for i in range(5):
+        f.write(".5,.%d,.5,%s\n" % (i + 3, note[i]))
+tess("-query", "places.csv", "-values", "q.csv", "points.csv")
+test("-query: another column that is empty here and there",
+     [r[3:4] for r in rows("q.csv")[1:]] == [[n] for n in note] and
+     all(len(r) == 5 for r in rows("q.csv")))
 with open("places.csv", "w") as f:
     f.write(".5 .5 .5\n.4 .4 .4\n")
 tess("-query", "places.csv", "-values", "q.csv", "points.csv")

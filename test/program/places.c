@@ -649,8 +649,9 @@ static void put(sink *s, tess_int many, const tess_real *at,
         }
     } else {
         for (; many > 0; many--, at += 3) {
-            others = places->others && chosen.query ? text_at : "";
-            if (*others) text_at += strlen(text_at) + 1;
+            /* (they may be empty) */
+            others = places->others && chosen.query ? text_at : 0;
+            if (others) text_at += strlen(text_at) + 1;
             if (chosen.drop && !valued(out)) {
                 out += in->columns;
                 continue;
@@ -662,7 +663,7 @@ static void put(sink *s, tess_int many, const tess_real *at,
                 written[k] = at[k];
                 fprintf(s->file, "%s,", text[k]);
             }
-            if (*others) fprintf(s->file, "%s,", others);
+            if (others) fprintf(s->file, "%s,", others);
             for (k = 1; k <= in->columns; k++)
                 fprintf(s->file, "%.*g%c", chosen.digits ? chosen.digits : 17,
                         *out++, k < in->columns ? ',' : '\n');
