@@ -65,7 +65,8 @@ PROGRAM = build/driver.o build/options.o build/scan.o build/cell.o \
     build/write.o \
     build/shapes.o build/places.o build/values.o build/validate.o \
     build/slopes.o build/natural.o build/derived.o build/cells.o \
-    build/periodic.o build/draw.o build/plane.o build/repeat.o
+    build/periodic.o build/draw.o build/plane.o build/repeat.o build/alpha.o \
+    build/exact.o
 
 build/tess: $(PROGRAM) $(LIBRARY)
 	$(LINK) $(PROGRAM) $(LIBRARY) $(LDLIBS)
@@ -226,6 +227,15 @@ build/shapes.o: test/program/shapes.c test/program/driver.h \
     test/examples/recipes.h tess.h hhpred.h
 	@mkdir -p build
 	$(COMPILE) test/program/shapes.c
+
+build/alpha.o: test/program/alpha.c test/program/driver.h \
+    test/proof/exact.h tess.h hhpred.h
+	@mkdir -p build
+	$(COMPILE) test/program/alpha.c
+
+build/exact.o: test/proof/exact.c test/proof/exact.h
+	@mkdir -p build
+	$(COMPILE) test/proof/exact.c
 
 build/draw.o: test/program/draw.c test/program/draw.h test/program/driver.h \
     tess.h hhpred.h

@@ -584,7 +584,9 @@ int clipped(tess_int n, const tess_real *p, const tess_int *tet,
  * (H. Edelsbrunner, E. P. Muecke, ACM Trans. Graphics 13, 1994).
  *
  *   p, ntet, tet, adj  (in)  points and mesh
- *   radius  (in)   DBL_MAX eats nothing
+ *   radius  (in)   DBL_MAX eats nothing.  Compared with that of tess_ball,
+ *                  which is rounded outwards: a ball of exactly this radius may
+ *                  be eaten
  *   voids   (in)   0: voids that are closed stay full; 1: they are eaten, too
  *   keep    (out)  ntet: 1 for the tetrahedra that are left, 0 for others
  *   maxfac  (in)   triangles that there is room for

@@ -745,7 +745,10 @@ C     eaten, from outside inwards (H. Edelsbrunner, E. P. Muecke, ACM
 C     Trans. Graphics 13, 1994).
 C
 C       P, NTET, TET, ADJ  (in)  points and mesh
-C       RADIUS  (in)   the largest double precision number eats nothing
+C       RADIUS  (in)   the largest double precision number eats nothing.
+C                      Compared with that of TESSBA, which is rounded
+C                      outwards: a ball of exactly this radius may be
+C                      eaten
 C       VOIDS   (in)   0: voids that are closed stay full; 1: they are
 C                      eaten, too
 C       KEEP    (out)  (NTET): 1 for the tetrahedra that are left, 0 for

@@ -2,8 +2,8 @@ C     natural.f - natural neighbour interpolation in space: recipes to
 C     copy.
 C
 C       NATURA  Sibson's and Laplace's weights at any point  (NATWEI,
-C               NATMIN, NATDOT, NATCRO, NATTRI, NATCEN, NATSLO, NATREG,
-C               NATVER, NATBES, NATMEN, NATFAC)
+C               NATMIN, NATDOT, NATCRO, NATLOS, NATBEL, NATREF, NATCEN,
+C               NATSLO, NATVER, NATREG, NATBES, NATMEN, NATINS, NATFAC)
 C       BLEND   Sibson's smooth interpolant, from weights and gradients
 C               (NATMIN, NATDOT)
 C
@@ -42,63 +42,133 @@ C     counter-clockwise as seen from outside.
       C(3) = A(1)*B(2) - A(2)*B(1)
       END
 
-C     NATTRI - the determinant of A - O, B - O and C.
-      DOUBLE PRECISION FUNCTION NATTRI(A, B, O, C)
-      DOUBLE PRECISION A(3), B(3), O(3), C(3)
-      DOUBLE PRECISION X, Y, Z, U, V, W
-      X = A(1) - O(1)
-      Y = A(2) - O(2)
-      Z = A(3) - O(3)
-      U = B(1) - O(1)
-      V = B(2) - O(2)
-      W = B(3) - O(3)
-      NATTRI = (Y*W - Z*V)*C(1) + (Z*U - X*W)*C(2) + (X*V - Y*U)*C(3)
+C     NATLOS - A + B - X, exactly, where X is the rounded sum.
+      DOUBLE PRECISION FUNCTION NATLOS(A, B, X)
+      DOUBLE PRECISION A, B, X
+      DOUBLE PRECISION Z
+      Z = X - A
+      NATLOS = (A - (X - Z)) + (B - Z)
+      END
+
+C     NATBEL - A * B - X, exactly, where X is the rounded product
+C     (T. J. Dekker, Numerische Mathematik 18, 1971).
+      DOUBLE PRECISION FUNCTION NATBEL(A, B, X)
+      DOUBLE PRECISION A, B, X
+      DOUBLE PRECISION S, T, HIGH, TOP
+      S = 134217729.0D0*A
+      T = 134217729.0D0*B
+      HIGH = S - (S - A)
+      TOP = T - (T - B)
+      NATBEL = ((HIGH*TOP - X) + HIGH*(B - TOP) + (A - HIGH)*TOP) +
+     1         (A - HIGH)*(B - TOP)
+      END
+
+C     NATREF - refine C, the centre as seen from vertex O: with E the
+C     edges from there, what is left of E.(E - 2 C), in twice the
+C     digits, is made 0.
+      SUBROUTINE NATREF(P, V, O, E, F, DET, C)
+      DOUBLE PRECISION P(3,*), E(3,3), F(3,3), DET, C(3)
+      INTEGER V(4), O
+      DOUBLE PRECISION LEFT(3), A, B, G, S, T, U, X, NATLOS, NATBEL
+      INTEGER I, K
+      DO 20 I = 1, 3
+         S = 0.0D0
+         T = 0.0D0
+         DO 10 K = 1, 3
+            A = P(K,V(MOD(O+I-1, 4)+1))
+            B = -P(K,V(O))
+            G = E(K,I) - 2.0D0*C(K)
+            X = E(K,I)*G
+            U = S + X
+            T = T + (NATBEL(E(K,I), G, X) +
+     1               E(K,I)*NATLOS(E(K,I), -2.0D0*C(K), G) +
+     2               (E(K,I) + G)*NATLOS(A, B, E(K,I)) +
+     3               NATLOS(S, X, U))
+            S = U
+   10    CONTINUE
+         LEFT(I) = S + T
+   20 CONTINUE
+      DO 30 K = 1, 3
+         C(K) = C(K) + (LEFT(1)*F(K,1) + LEFT(2)*F(K,2) +
+     1                  LEFT(3)*F(K,3)) / (2.0D0*DET)
+   30 CONTINUE
       END
 
 C     NATCEN - of the ball of the tetrahedron V, as seen from Q: C(1) to
-C     C(3).  In C(4) the power of Q, negative inside.  FLAT: centres
-C     have lost three digits where the square of the volume by the
-C     product of three squared edges is less.  Nothing but accuracy and
-C     speed rests on it: TESSBA takes 1 microsecond, ten times as long.
-      SUBROUTINE NATCEN(P, V, Q, C)
+C     C(3).  In C(4) the power of Q, negative inside.  IS is 1 if its
+C     sign is sure.
+C
+C     Centres have lost three digits where the square of the volume by
+C     the product of three squared edges is less than FLAT, and are
+C     computed with twice the digits: below FLATER by TESSBA, which
+C     takes 20 times as long.  Nothing but accuracy and speed rests on
+C     it.
+C
+C     With E the edges from vertex O, L the product of their lengths, T
+C     the sum, U half an epsilon and D = P(O) - Q: roundings of DET are
+C     below 16 U L, of the numerators below 14 U L T; with R = L / DET,
+C     which is 1 or more, those of the centre are below 28 U T R**2, and
+C     those of the power below U |D| (7 |D| + 62 T R**2), if nothing
+C     underflows.  SURE: 200 U; SMALL, LARGE: the range of squares in
+C     which nothing that matters underflows.
+      SUBROUTINE NATCEN(P, V, Q, C, IS)
       DOUBLE PRECISION P(3,*), Q(3), C(4)
-      INTEGER V(4)
-      DOUBLE PRECISION E(3,3), F(3,3), SQUARE(3), BALL(4), DET, NATDOT
-      DOUBLE PRECISION S, LEAST, FLAT
+      INTEGER V(4), IS
+      DOUBLE PRECISION E(3,3), F(3,3), D(3), SQUARE(3), BALL(4), DET
+      DOUBLE PRECISION S, R, ALL, LEAST, FLAT, FLATER, SURE, SMALL
+      DOUBLE PRECISION LARGE, NATDOT
       INTEGER I, K, O, INFO
-      PARAMETER (FLAT = 1.0D-6)
+      PARAMETER (FLAT = 1.0D-6, FLATER = 1.0D-10)
+      PARAMETER (SURE = 2.220446049250313D-14)
+      PARAMETER (SMALL = 1.0D-150, LARGE = 1.0D60)
+      IS = 0
 C     From the vertex next to Q: the power there is right to rounding.
       LEAST = 0.0D0
       O = 1
-      DO 5 I = 1, 4
+      DO 20 I = 1, 4
          CALL NATMIN(P(1,V(I)), Q, E(1,1))
          S = NATDOT(E(1,1), E(1,1))
-         IF (I .GT. 1 .AND. S .GE. LEAST) GO TO 5
+         IF (I .GT. 1 .AND. S .GE. LEAST) GO TO 20
          LEAST = S
+         DO 10 K = 1, 3
+            D(K) = E(K,1)
+   10    CONTINUE
          O = I
-    5 CONTINUE
-      DO 10 I = 1, 3
+   20 CONTINUE
+      DO 30 I = 1, 3
          CALL NATMIN(P(1,V(MOD(O+I-1, 4)+1)), P(1,V(O)), E(1,I))
          SQUARE(I) = NATDOT(E(1,I), E(1,I))
-   10 CONTINUE
-      DO 20 I = 1, 3
-         CALL NATCRO(E(1,MOD(I, 3)+1), E(1,MOD(I+1, 3)+1), F(1,I))
-   20 CONTINUE
+   30 CONTINUE
+      CALL NATCRO(E(1,2), E(1,3), F(1,1))
+      CALL NATCRO(E(1,3), E(1,1), F(1,2))
+      CALL NATCRO(E(1,1), E(1,2), F(1,3))
       DET = NATDOT(E(1,1), F(1,1))
-      IF (DET*DET .GT. FLAT*SQUARE(1)*SQUARE(2)*SQUARE(3)) THEN
-         DO 30 K = 1, 3
+      R = SQUARE(1)*SQUARE(2)*SQUARE(3)
+      ALL = SQUARE(1) + SQUARE(2) + SQUARE(3)
+      IF (DET*DET .GT. FLATER*R) THEN
+         DO 40 K = 1, 3
             C(K) = (SQUARE(1)*F(K,1) + SQUARE(2)*F(K,2) +
      1              SQUARE(3)*F(K,3)) / (2.0D0*DET)
-   30    CONTINUE
+   40    CONTINUE
+         IF (DET*DET .GT. FLAT*R) THEN
+            IS = 1
+         ELSE
+            CALL NATREF(P, V, O, E, F, DET, C(1))
+         END IF
       ELSE
          CALL TESSBA(P, V, BALL, INFO)
          CALL NATMIN(BALL(1), P(1,V(O)), C(1))
       END IF
-      CALL NATMIN(P(1,V(O)), Q, E(1,1))
-      C(4) = NATDOT(E(1,1), E(1,1)) + 2.0D0*NATDOT(E(1,1), C(1))
-      DO 40 K = 1, 3
-         C(K) = C(K) + E(K,1)
-   40 CONTINUE
+      C(4) = LEAST + 2.0D0*NATDOT(D, C(1))
+      DO 50 K = 1, 3
+         C(K) = C(K) + D(K)
+   50 CONTINUE
+      IF (IS .EQ. 0) RETURN
+      IS = 0
+      IF (.NOT. (R .GT. SMALL .AND. LEAST .GT. SMALL .AND.
+     1           LEAST + ALL .LT. LARGE)) RETURN
+      R = R / (DET*DET)
+      IF (ABS(C(4)) .GT. SURE*SQRT(LEAST*(LEAST + ALL*R*R))) IS = 1
       END
 
 C     NATSLO - in a table with open addressing the place of the number I
@@ -117,109 +187,30 @@ C     for which KEY(I) = K, or the empty one where it belongs.
       NATSLO = I
       END
 
-C     NATREG - the tetrahedra whose balls hold Q, breadth first from
-C     LIST(1).
-C
-C       NLIST   (out)  their number, and LIST they are
-C       SIDE    (out)  4 each: the number in LIST of the neighbour, or
-C                      -B at facet B of the region's boundary, of
-C                      2*NLIST + 2 at most
-C       CORNER  (out)  4 each: the numbers in NBR of the vertices
-C       NN      (out)  number of vertices, and NBR they are; at most
-C                      NLIST + 3
-C       TABLE   (out)  (SIZE,2)
-C       INFO    (out)  0 or a code of NATURA
-      SUBROUTINE NATREG(P, NTET, TET, ADJ, Q, MOST, NLIST, LIST, SIDE,
-     1                  CORNER, NN, NBR, SIZE, TABLE, INFO)
-      DOUBLE PRECISION P(3,*), Q(3)
-      INTEGER NTET, TET(4,*), ADJ(4,*), MOST, NLIST, LIST(*), SIDE(4,*)
-      INTEGER CORNER(4,*), NN, NBR(*), SIZE, TABLE(SIZE,2), INFO
-      INTEGER I, J, K, M, S, U, IN, NOUT, NATSLO, HHINSP
-      DO 10 I = 1, SIZE
-         TABLE(I,1) = 0
-         TABLE(I,2) = 0
-   10 CONTINUE
-      TABLE(NATSLO(SIZE, TABLE, LIST, LIST(1)),1) = 1
-      NLIST = 1
-      NOUT = 0
-      NN = 0
-      M = 1
-   20 CONTINUE
-      DO 50 K = 1, 4
-         U = TET(K,LIST(M))
-         I = NATSLO(SIZE, TABLE(1,2), NBR, U)
-         IF (TABLE(I,2) .EQ. 0) THEN
-            INFO = -4
-            IF (NN .EQ. NLIST + 3) RETURN
-            NN = NN + 1
-            NBR(NN) = U
-            TABLE(I,2) = NN
-         END IF
-         CORNER(K,M) = TABLE(I,2)
-         U = ADJ(K,LIST(M))
-         INFO = 13
-         IF (U .EQ. -1) RETURN
-         INFO = -4
-         IF (U .LT. -1 .OR. U .GT. NTET) RETURN
-         S = 0
-         IF (U .GT. 0) THEN
-            DO 30 J = 1, 4
-               IF (ADJ(J,U) .EQ. LIST(M)) GO TO 40
-   30       CONTINUE
-            RETURN
-   40       CONTINUE
-            I = NATSLO(SIZE, TABLE, LIST, U)
-            S = TABLE(I,1)
-            IN = 0
-            IF (S .EQ. 0) IN = HHINSP(P(1,TET(1,U)), P(1,TET(2,U)),
-     1                                P(1,TET(3,U)), P(1,TET(4,U)), Q)
-            INFO = 6
-            IF (IN .GT. 1) RETURN
-            IF (IN .EQ. 1) THEN
-               INFO = 2
-               IF (NLIST .EQ. MOST) RETURN
-               NLIST = NLIST + 1
-               LIST(NLIST) = U
-               TABLE(I,1) = NLIST
-               S = NLIST
-            END IF
-         END IF
-         IF (S .EQ. 0) THEN
-            NOUT = NOUT + 1
-            S = -NOUT
-         END IF
-         SIDE(K,M) = S
-   50 CONTINUE
-      M = M + 1
-      IF (M .LE. NLIST) GO TO 20
-      INFO = 0
-      END
-
 C     NATVER - X, where Q's Voronoi cell ends on an edge of the diagram
 C     without Q: the edge that crosses facet K of the tetrahedron V,
-C     from its centre C, whose ball holds Q, to that of tetrahedron U,
-C     whose ball does not.  Along it Q's power is linear, negative at
-C     the one end and not at the other, but for rounding: so what is
-C     divided is never larger than what it is divided by, wherever Q is.
-C     On the hull, U = 0, the edge goes on along the facet's normal, and
-C     Q's power grows by twice the distance from the facet's plane.
-      SUBROUTINE NATVER(P, TET, V, K, U, Q, C, X)
-      DOUBLE PRECISION P(3,*), Q(3), C(4), X(3)
-      INTEGER TET(4,*), V(4), K, U
-      DOUBLE PRECISION A(3), B(3), N(4), POWER, RISE, S, T, NATDOT
+C     from its centre C, whose ball holds Q, to the centre N, whose ball
+C     does not.  Along it Q's power is linear, negative at the one end
+C     and not at the other, but for rounding: so what is divided is
+C     never larger than what it is divided by, wherever Q is.  On the
+C     hull, HULL = 1, the edge goes on along the facet's normal, and Q's
+C     power grows by twice the distance from the facet's plane.
+      SUBROUTINE NATVER(P, V, K, HULL, N, Q, C, X)
+      DOUBLE PRECISION P(3,*), N(4), Q(3), C(4), X(3)
+      INTEGER V(4), K, HULL
+      DOUBLE PRECISION A(3), B(3), WAY(3), POWER, RISE, S, T, NATDOT
       INTEGER I, H, NATFAC
       POWER = MIN(C(4), 0.0D0)
-      IF (U .GT. 0) THEN
-         CALL NATCEN(P, TET(1,U), Q, N)
+      IF (HULL .EQ. 0) THEN
          RISE = MAX(N(4), 0.0D0) - POWER
          DO 5 H = 1, 3
-            N(H) = N(H) - C(H)
+            WAY(H) = N(H) - C(H)
     5    CONTINUE
       ELSE
 C        The normal: at the vertex between the two shortest edges.
          T = 0.0D0
          DO 8 H = 1, 3
-            N(H) = 0.0D0
+            WAY(H) = 0.0D0
     8    CONTINUE
          DO 10 H = 1, 3
             I = V(NATFAC(H, K))
@@ -228,15 +219,137 @@ C        The normal: at the vertex between the two shortest edges.
             S = NATDOT(A, A)*NATDOT(B, B)
             IF (H .GT. 1 .AND. S .GE. T) GO TO 10
             T = S
-            CALL NATCRO(A, B, N(1))
+            CALL NATCRO(A, B, WAY)
    10    CONTINUE
          CALL NATMIN(P(1,V(NATFAC(1, K))), Q, A)
-         RISE = 2.0D0*NATDOT(A, N(1))
+         RISE = 2.0D0*NATDOT(A, WAY)
       END IF
+      S = 0.0D0
+      IF (POWER .LT. 0.0D0) S = POWER / RISE
       DO 20 H = 1, 3
          X(H) = C(H)
-         IF (POWER .LT. 0.0D0) X(H) = C(H) - POWER / RISE*N(H)
+         IF (POWER .LT. 0.0D0) X(H) = C(H) - S*WAY(H)
    20 CONTINUE
+      END
+
+C     NATREG - the tetrahedra whose balls hold Q, breadth first from
+C     LIST(1).
+C
+C       NLIST   (out)  their number, and LIST they are
+C       SIDE    (out)  4 each: the number in LIST of the neighbour, or
+C                      -B at facet B of the region's boundary, of
+C                      2*NLIST + 2 at most
+C       CORNER  (out)  4 each: the numbers in NBR of the vertices
+C       C       (out)  4 each: as NATCEN gives them
+C       X       (out)  3 for each facet of the boundary: as NATVER gives
+C                      it
+C       NN      (out)  number of vertices, and NBR they are; at most
+C                      NLIST + 3
+C       TABLE   (out)  (SIZE,2)
+C       INFO    (out)  0 or a code of NATURA
+      SUBROUTINE NATREG(P, NTET, TET, ADJ, Q, MOST, NLIST, LIST, SIDE,
+     1                  CORNER, C, X, NN, NBR, SIZE, TABLE, INFO)
+      DOUBLE PRECISION P(3,*), Q(3), C(4,*), X(3,*)
+      INTEGER NTET, TET(4,*), ADJ(4,*), MOST, NLIST, LIST(*), SIDE(4,*)
+      INTEGER CORNER(4,*), NN, NBR(*), SIZE, TABLE(SIZE,2), INFO
+      DOUBLE PRECISION N(4)
+      INTEGER I, H, J, K, M, S, T, U, IN, NOUT, NATSLO, HHINSP
+      DO 10 I = 1, SIZE
+         TABLE(I,1) = 0
+         TABLE(I,2) = 0
+   10 CONTINUE
+      TABLE(NATSLO(SIZE, TABLE, LIST, LIST(1)),1) = 1
+      NLIST = 1
+      NOUT = 0
+      NN = 0
+      DO 20 K = 1, 4
+         I = NATSLO(SIZE, TABLE(1,2), NBR, TET(K,LIST(1)))
+         INFO = -4
+         IF (TABLE(I,2) .GT. 0) RETURN
+         NN = NN + 1
+         NBR(NN) = TET(K,LIST(1))
+         TABLE(I,2) = NN
+         CORNER(K,1) = NN
+C        (0: not yet known)
+         SIDE(K,1) = 0
+   20 CONTINUE
+      CALL NATCEN(P, TET(1,LIST(1)), Q, C(1,1), IN)
+      M = 1
+   30 CONTINUE
+      T = LIST(M)
+      DO 100 K = 1, 4
+         IF (SIDE(K,M) .NE. 0) GO TO 100
+         U = ADJ(K,T)
+         INFO = 13
+         IF (U .EQ. -1) RETURN
+         INFO = -4
+         IF (U .LT. -1 .OR. U .GT. NTET) RETURN
+         IF (U .EQ. 0) THEN
+            NOUT = NOUT + 1
+            CALL NATVER(P, TET(1,T), K, 1, C(1,M), Q, C(1,M),
+     1                  X(1,NOUT))
+            SIDE(K,M) = -NOUT
+            GO TO 100
+         END IF
+         DO 40 J = 1, 4
+            IF (ADJ(J,U) .EQ. T) GO TO 50
+   40    CONTINUE
+         RETURN
+   50    CONTINUE
+         I = NATSLO(SIZE, TABLE, LIST, U)
+         S = TABLE(I,1)
+         IF (S .GT. 0) THEN
+            SIDE(K,M) = S
+            SIDE(J,S) = M
+            GO TO 100
+         END IF
+         CALL NATCEN(P, TET(1,U), Q, N, IN)
+         IF (IN .EQ. 0) THEN
+            IN = HHINSP(P(1,TET(1,U)), P(1,TET(2,U)), P(1,TET(3,U)),
+     1                  P(1,TET(4,U)), Q)
+         ELSE IF (N(4) .GE. 0.0D0) THEN
+            IN = -1
+         END IF
+         INFO = 6
+         IF (IN .GT. 1) RETURN
+         IF (IN .LT. 1) THEN
+            NOUT = NOUT + 1
+            CALL NATVER(P, TET(1,T), K, 0, N, Q, C(1,M), X(1,NOUT))
+            SIDE(K,M) = -NOUT
+            GO TO 100
+         END IF
+         INFO = 2
+         IF (NLIST .EQ. MOST) RETURN
+         NLIST = NLIST + 1
+         S = NLIST
+         LIST(S) = U
+         TABLE(I,1) = S
+         SIDE(K,M) = S
+C        Its vertices are those of the facet, and number J.
+         DO 90 I = 1, 4
+            C(I,S) = N(I)
+            SIDE(I,S) = 0
+            IF (I .EQ. J) GO TO 90
+            DO 60 H = 1, 4
+               IF (TET(H,T) .EQ. TET(I,U)) GO TO 70
+   60       CONTINUE
+            INFO = -4
+            RETURN
+   70       CONTINUE
+            CORNER(I,S) = CORNER(H,M)
+   90    CONTINUE
+         SIDE(J,S) = M
+         I = NATSLO(SIZE, TABLE(1,2), NBR, TET(J,U))
+         IF (TABLE(I,2) .EQ. 0) THEN
+            NN = NN + 1
+            NBR(NN) = TET(J,U)
+            TABLE(I,2) = NN
+         END IF
+         CORNER(J,S) = TABLE(I,2)
+  100 CONTINUE
+      M = M + 1
+      IF (M .LE. NLIST) GO TO 30
+      INFO = 0
       END
 
 C     NATBES - at an edge of a facet of the boundary the other facet:
@@ -322,6 +435,25 @@ C     but roundings.
   100 CONTINUE
       END
 
+C     NATINS - IN is 1 if Q is surely inside of tetrahedron T, not on
+C     its boundary.
+      SUBROUTINE NATINS(P, NTET, TET, Q, T, IN)
+      DOUBLE PRECISION P(3,*), Q(3)
+      INTEGER NTET, TET(4,*), T, IN
+      INTEGER K, HHORIE
+      IN = 0
+      IF (T .LT. 1 .OR. T .GT. NTET) RETURN
+      DO 10 K = 1, 3
+         IF (.NOT. (ABS(Q(K) - Q(K)) .LE. 0.0D0)) RETURN
+   10 CONTINUE
+      IF (HHORIE(Q, P(1,TET(2,T)), P(1,TET(3,T)), P(1,TET(4,T))) .EQ. 1
+     1    .AND. HHORIE(P(1,TET(1,T)), Q, P(1,TET(3,T)), P(1,TET(4,T)))
+     2    .EQ. 1 .AND. HHORIE(P(1,TET(1,T)), P(1,TET(2,T)), Q,
+     3                        P(1,TET(4,T))) .EQ. 1 .AND.
+     4    HHORIE(P(1,TET(1,T)), P(1,TET(2,T)), P(1,TET(3,T)), Q) .EQ. 1)
+     5   IN = 1
+      END
+
 C     NATURA - Sibson's and Laplace's natural neighbour weights.
 C
 C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
@@ -362,10 +494,9 @@ C     points that are far off; in sets that are flat; and where
 C     differences of coordinates are below 1D-90 or above 1D90.  So it
 C     is where only vertices of T have weights.
 C
-C     Cost: in clouds 10 microseconds, half of them for the exact tests
-C     of balls.  Source: Sibson, "A brief description of natural
-C     neighbour interpolation" (1981); for Laplace's Belikov et al.
-C     (1997), Hiyoshi and Sugihara (2000).
+C     Cost: in clouds 6 microseconds.  Source: Sibson, "A brief
+C     description of natural neighbour interpolation" (1981); for
+C     Laplace's Belikov et al. (1997), Hiyoshi and Sugihara (2000).
 C
 C     The part of a point's cell that Q takes is bounded by parts of the
 C     cell's faces, which lie half way to other points, and by the face
@@ -380,12 +511,19 @@ C     multiple of J - I that is added to O matters: O = I will do.
       DOUBLE PRECISION P(3,*), Q(3), SIBSON(*), LAPLAC(*), RW(*)
       INTEGER NTET, TET(4,*), ADJ(4,*), T, MOST, NN, NBR(*), IW(*), INFO
       DOUBLE PRECISION W(4)
-      INTEGER K, NLIST
+      INTEGER K, NLIST, IN
       NN = 0
       NLIST = 0
       INFO = -7
       IF (MOST .LT. 1) RETURN
-      CALL TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
+C     Exact weights, which take as long as half of what follows, are
+C     found only where they may be wanted.
+      CALL NATINS(P, NTET, TET, Q, T, IN)
+      INFO = 0
+      DO 5 K = 1, 4
+         W(K) = 0.0D0
+    5 CONTINUE
+      IF (IN .EQ. 0) CALL TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       IF (INFO .NE. 0 .AND. INFO .NE. 1) RETURN
       DO 10 K = 1, 4
          IF (INFO .EQ. 1 .AND. ADJ(K,T) .EQ. -1) INFO = 13
@@ -395,80 +533,82 @@ C     What holds Q has it in its ball, if Q is none of the points.
       IF (INFO .EQ. 0 .AND. MAX(W(1), W(2), W(3), W(4)) .LT. 1.0D0) THEN
          IW(1) = T
          CALL NATREG(P, NTET, TET, ADJ, Q, MOST, NLIST, IW,
-     1               IW(MOST+1), IW(5*MOST+1), NN, NBR, 2*MOST + 7,
-     2               IW(9*MOST+1), INFO)
+     1               IW(MOST+1), IW(5*MOST+1), RW, RW(4*MOST+1), NN,
+     2               NBR, 2*MOST + 7, IW(9*MOST+1), INFO)
          IF (INFO .NE. 0) THEN
             NN = 0
             RETURN
          END IF
       END IF
-      CALL NATWEI(P, TET, ADJ, Q, T, NLIST, IW, IW(MOST+1),
+      CALL NATWEI(P, NTET, TET, ADJ, Q, T, NLIST, IW(MOST+1),
      1            IW(5*MOST+1), NN, NBR, SIBSON, LAPLAC, RW,
-     2            RW(4*MOST+1), RW(10*MOST+7), W)
+     2            RW(4*MOST+1), RW(10*MOST+7), IN, W)
       END
 
 C     NATWEI - the weights, from the region, which is empty where they
 C     are to be linear; in part so where roundings are more than LIMIT
 C     of Q's cell, and all from ten times as much on.  C: its balls; X:
 C     Q's Voronoi vertices; Y: the neighbours as seen from Q; W: the
-C     weights of T.
-      SUBROUTINE NATWEI(P, TET, ADJ, Q, T, NLIST, LIST, SIDE, CORNER,
-     1                  NN, NBR, SIBSON, LAPLAC, C, X, Y, W)
+C     weights of T, which are not yet known if IN is 1.
+      SUBROUTINE NATWEI(P, NTET, TET, ADJ, Q, T, NLIST, SIDE, CORNER,
+     1                  NN, NBR, SIBSON, LAPLAC, C, X, Y, IN, W)
       DOUBLE PRECISION P(3,*), Q(3), SIBSON(*), LAPLAC(*), C(4,*)
       DOUBLE PRECISION X(3,*), Y(3,*), W(4)
-      INTEGER TET(4,*), ADJ(4,*), T, NLIST, LIST(*), SIDE(4,*)
-      INTEGER CORNER(4,*), NN, NBR(*)
-      DOUBLE PRECISION A(3), E(3), S, NEAR, DOUBT, ALL(2), LIMIT, ROUND
-      DOUBLE PRECISION NATDOT, NATTRI
-      INTEGER B, H, I, J, K, L, M, U, BAD, BAD2, NATFAC, NATBES
+      INTEGER NTET, TET(4,*), ADJ(4,*), T, NLIST, SIDE(4,*)
+      INTEGER CORNER(4,*), NN, NBR(*), IN
+      DOUBLE PRECISION B(3), E(3), F(3), G(3), N(3), WAY(3), S, OWN
+      DOUBLE PRECISION LONGES, DOUBT, ALL(2), LIMIT, ROUND, NATDOT
+      INTEGER H, I, J, K, L, M, U, Z, BAD, BAD2, INFO, NATFAC, NATBES
       PARAMETER (LIMIT = 1.0D-8, ROUND = 2.220446049250313D-16)
-      NEAR = 0.0D0
+      LONGES = 0.0D0
       DOUBT = 0.0D0
       ALL(1) = 0.0D0
       ALL(2) = 0.0D0
       DO 10 I = 1, NN
          CALL NATMIN(P(1,NBR(I)), Q, Y(1,I))
-         NEAR = MAX(NEAR, NATDOT(Y(1,I), Y(1,I)))
+         LONGES = MAX(LONGES, NATDOT(Y(1,I), Y(1,I)))
          SIBSON(I) = 0.0D0
          LAPLAC(I) = 0.0D0
    10 CONTINUE
-      DO 20 M = 1, NLIST
-         CALL NATCEN(P, TET(1,LIST(M)), Q, C(1,M))
-   20 CONTINUE
-      DO 40 M = 1, NLIST
-         DO 30 K = 1, 4
-            U = ADJ(K,LIST(M))
-            IF (SIDE(K,M) .LT. 0) CALL NATVER(P, TET, TET(1,LIST(M)), K,
-     1         U, Q, C(1,M), X(1,-SIDE(K,M)))
-   30    CONTINUE
-   40 CONTINUE
 C     Each facet of the region, its three edges, and the face across
-C     each.
+C     each: as seen from O, (A - O) x (B - O) is (A - O) x (B - A).
+C     A is C(1,M).
       DO 80 M = 1, NLIST
+         OWN = NATDOT(C(1,M), C(1,M))
          DO 70 K = 1, 4
             U = SIDE(K,M)
             IF (U .GT. 0 .AND. U .LT. M) GO TO 70
-            DO 50 L = 1, 3
+            DO 20 L = 1, 3
                IF (U .LT. 0) THEN
-                  A(L) = X(L,-U)
+                  B(L) = X(L,-U)
                ELSE
-                  A(L) = C(L,U)
+                  B(L) = C(L,U)
                END IF
-   50       CONTINUE
-            DOUBT = DOUBT + NATDOT(C(1,M), C(1,M)) + NATDOT(A, A)
+               WAY(L) = B(L) - C(L,M)
+   20       CONTINUE
+            DOUBT = DOUBT + OWN + NATDOT(B, B)
+            J = CORNER(NATFAC(3, K),M)
             DO 60 H = 1, 3
-               I = CORNER(NATFAC(H, K),M)
-               J = CORNER(NATFAC(H+1, K),M)
-               CALL NATMIN(P(1,NBR(J)), P(1,NBR(I)), E)
-               S = NATTRI(C(1,M), A, Y(1,I), E)
+               I = J
+               J = CORNER(NATFAC(H, K),M)
+               DO 30 L = 1, 3
+                  E(L) = Y(L,J) - Y(L,I)
+                  F(L) = C(L,M) - Y(L,I)
+   30          CONTINUE
+               CALL NATCRO(F, WAY, N)
+               S = NATDOT(N, E)
                IF (U .LT. 0 .AND. I .LT. J) THEN
-C                 The face's edge on Q's cell.
-                  B = NATBES(NLIST, SIDE, CORNER, M, K, NATFAC(H+2, K))
-                  S = S + NATTRI(A, X(1,B), Y(1,I), E)
-                  LAPLAC(I) = LAPLAC(I) +
-     1                        NATTRI(X(1,B), A, Y(1,I), Y(1,I))
-                  LAPLAC(J) = LAPLAC(J) +
-     1                        NATTRI(A, X(1,B), Y(1,J), Y(1,J))
+C                 The face's edge on Q's cell, from B to X(1,Z).
+                  Z = NATBES(NLIST, SIDE, CORNER, M, K, NATFAC(H+1, K))
+                  DO 40 L = 1, 3
+                     F(L) = B(L) - Y(L,I)
+                     G(L) = X(L,Z) - B(L)
+   40             CONTINUE
+                  CALL NATCRO(F, G, N)
+                  S = S + NATDOT(N, E)
+                  CALL NATCRO(X(1,Z), B, N)
+                  LAPLAC(I) = LAPLAC(I) + NATDOT(N, Y(1,I))
+                  LAPLAC(J) = LAPLAC(J) - NATDOT(N, Y(1,J))
                END IF
                SIBSON(I) = SIBSON(I) + S
                SIBSON(J) = SIBSON(J) + S
@@ -488,7 +628,7 @@ C     number.  Of W the vertices are the first four corners.
       S = 1.0D0
       IF (ALL(1) .GT. 0.0D0 .AND. ALL(2) .GT. 0.0D0 .AND.
      1    0.5D0*ALL(1) .LT. ALL(1) .AND. 0.5D0*ALL(2) .LT. ALL(2)) THEN
-         DOUBT = ROUND*SQRT(NEAR)*DOUBT
+         DOUBT = ROUND*SQRT(LONGES)*DOUBT
          S = (DOUBT / ALL(1) / LIMIT - 1.0D0) / 9.0D0
       END IF
       BAD = 1
@@ -501,6 +641,8 @@ C     number.  Of W the vertices are the first four corners.
          CALL NATMEN(NN, Y, SIBSON, BAD)
          CALL NATMEN(NN, Y, LAPLAC, BAD2)
       END IF
+      IF (IN .EQ. 1 .AND. (BAD + BAD2 .GT. 0 .OR. S .GT. 0.0D0))
+     1   CALL TESSLO(P, NTET, TET, ADJ, Q, T, W, INFO)
       IF (BAD + BAD2 .GT. 0) THEN
          NN = 4
          DO 110 K = 1, 4
@@ -540,12 +682,12 @@ C     Cost: 15 square roots.  Source: Sibson (1981).
       SUBROUTINE BLEND(P, NN, NBR, W, VALUE, G, OUT)
       DOUBLE PRECISION P(3,*), W(*), VALUE(*), G(3,*), OUT
       INTEGER NN, NBR(*)
-      DOUBLE PRECISION AT(3), D(3), R, PLANE, LINEAR, SLOPES, NEAR
+      DOUBLE PRECISION AT(3), D(3), R, PLANE, LINEAR, SLOPES, INVERS
       DOUBLE PRECISION FIRST, SECOND, NATDOT
       INTEGER I, K
       LINEAR = 0.0D0
       SLOPES = 0.0D0
-      NEAR = 0.0D0
+      INVERS = 0.0D0
       FIRST = 0.0D0
       SECOND = 0.0D0
       DO 10 K = 1, 3
@@ -568,10 +710,10 @@ C     Cost: 15 square roots.  Source: Sibson (1981).
          PLANE = VALUE(NBR(I)) + NATDOT(G(1,NBR(I)), D)
          LINEAR = LINEAR + W(I)*VALUE(NBR(I))
          SLOPES = SLOPES + W(I) / R*PLANE
-         NEAR = NEAR + W(I) / R
+         INVERS = INVERS + W(I) / R
          FIRST = FIRST + W(I)*R
          SECOND = SECOND + W(I)*R*R
    50 CONTINUE
-C     The weights of the two: FIRST / NEAR and SECOND.
-      OUT = (FIRST*LINEAR + SECOND*SLOPES) / (FIRST + SECOND*NEAR)
+C     The weights of the two: FIRST / INVERS and SECOND.
+      OUT = (FIRST*LINEAR + SECOND*SLOPES) / (FIRST + SECOND*INVERS)
       END

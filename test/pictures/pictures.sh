@@ -69,15 +69,21 @@ awk 'BEGIN { for (seed = 1; n < 500; n++) {
         sin(7 * x[0]) * cos(6 * x[1]) + x[2] * x[2] } }' > $DIR/cloud
 build/tess -q -validate -outside nearest -method nearest,linear,natural,smooth \
     $DIR/cloud > $DIR/errors
+# slice METHOD FILE OPTIONS
+slice() {
+    method=$1
+    file=$DIR/$2
+    shift 2
+    build/tess -q -outside nearest -method "$method" -range -.8,1.2 "$@" \
+        -grid 161,161,1,.1,.9,.1,.9,.5,.5 -values "$file" $DIR/cloud
+}
 {
-    echo '<svg xmlns="http://www.w3.org/2000/svg" width="1000" height="285"'
-    echo 'viewBox="0 0 1000 285" font-family="Helvetica,Arial,sans-serif"'
+    echo '<svg xmlns="http://www.w3.org/2000/svg" width="1082" height="285"'
+    echo 'viewBox="0 0 1082 285" font-family="Helvetica,Arial,sans-serif"'
     echo 'font-size="17" text-anchor="middle" fill="#767c85">'
     x=0
     for method in nearest linear natural smooth; do
-        build/tess -q -outside nearest -method $method -bare -size 240,240 \
-            -grid 161,161,1,.1,.9,.1,.9,.5,.5 -values $DIR/$method.svg \
-            $DIR/cloud
+        slice $method $method.svg -bare -size 240,240
         echo "<svg x=\"$x\" width=\"240\" height=\"240\""
         echo 'viewBox="0 0 2400 2400">'
         sed '1d; $d' $DIR/$method.svg
@@ -88,5 +94,10 @@ build/tess -q -validate -outside nearest -method nearest,linear,natural,smooth \
         echo '</text>'
         x=$((x + 253))
     done
-    echo '</svg>'
+    echo "<svg x=\"$x\" width=\"75\" height=\"240\""
+    echo 'viewBox="2350 0 750 2400">'
+    echo '<g text-anchor="start">'
+    slice smooth whole.svg -size 340,240
+    sed -n '/<g class="bar">/,/<\/g>/p' $DIR/whole.svg
+    echo '</g></svg></svg>'
 } > $HERE/methods.svg

@@ -279,11 +279,11 @@ static double area(const polygon *a)
 /* band_of - the number of the value's band. */
 static int band_of(const drawing *d, double value)
 {
-    int k;
+    double k;
 
     if (value != value) return d->bands;
-    k = (int)((value - d->low) / d->step);
-    return k < 0 ? 0 : k < d->bands ? k : d->bands - 1;
+    k = (value - d->low) / d->step;
+    return k < 0.0 ? 0 : k < d->bands ? (int)k : d->bands - 1;
 }
 
 /* paint - the polygon and its edges.  Each band is painted with all above it,
@@ -518,7 +518,21 @@ static void project(drawing *d, const tess_real *p, const double *value)
 /* choose_bands - of values from low to high, with round borders. */
 static void choose_bands(drawing *d, double low, double high)
 {
-    if (!(high > low)) high = low + 1.0;
+    const double *range = d->look->range;
+    double size;
+
+    if (range[0] < range[1] && !d->plain) {
+        low = range[0];
+        high = range[1];
+    }
+    size = fabs(low) > fabs(high) ? fabs(low) : fabs(high);
+    if (!(high - low > 1e-13 * size)) {
+        /* all the same, but for rounding: amid a band, with others about it */
+        d->step = size > 0.0 ? nice(size / 25.0) / 5.0 : 0.1;
+        d->bands = d->plain ? 1 : 25;
+        d->low = low - d->bands / 2.0 * d->step;
+        return;
+    }
     d->step = nice((high - low) / 5.0) / 5.0;
     d->low = d->step * floor(low / d->step + 1e-9);
     d->bands = (int)ceil((high - d->low) / d->step - 1e-9);
@@ -526,8 +540,8 @@ static void choose_bands(drawing *d, double low, double high)
 
 /* ---------------------------------------------------------- around it */
 
-#define LEFT 70.0 /* pixels beside a picture, for axes and texts */
-#define RIGHT 30.0
+#define LEFT 90.0 /* pixels beside a picture, for axes and texts */
+#define RIGHT 60.0
 #define TOP 25.0
 #define BOTTOM 60.0
 #define BAR 110.0
@@ -536,17 +550,28 @@ static void choose_bands(drawing *d, double low, double high)
 #define ALONE 8.0 /* where there are none */
 #define HIGHEST 640.0
 #define LOWEST 300
+#define SPARED 0.7 /* of a picture for that at most */
+#define WIDE 0.56 /* of a character, about, in parts of its size */
+#define DIGITS 6  /* characters of a tick's number, if an offset can help */
 
 /* choose_place - the unit and place of a drawing of that width and height. */
 static void choose_place(drawing *d, double width, double height)
 {
     const draw_look *look = d->look;
-    double margin[4], room[2];
+    double margin[4], share[4] = {1.0, 1.0, 1.0, 1.0}, room[2], sum, size;
+    int k;
 
     margin[0] = look->bare ? ALONE : LEFT;
     margin[1] = look->bare ? ALONE : RIGHT + (d->plain ? 0.0 : BAR);
     margin[2] = look->bare ? ALONE : TOP + (look->title ? ABOVE : 0.0);
     margin[3] = look->bare ? ALONE : BOTTOM + BELOW;
+    /* (of a small picture a part is left) */
+    for (k = 0; k < 4; k++) {
+        size = k < 2 ? look->width : look->height;
+        sum = k < 2 ? margin[0] + margin[1] : margin[2] + margin[3];
+        if (size > 0.0 && sum > SPARED * size) share[k] = SPARED * size / sum;
+    }
+    for (k = 0; k < 4; k++) margin[k] *= share[k];
     room[0] = 10.0 * (look->width - margin[0] - margin[1]);
     room[1] = 10.0 * (HIGHEST - margin[2] - margin[3]);
     if (height * room[0] < width * room[1]) room[1] = height * room[0] / width;
@@ -561,16 +586,50 @@ static void choose_place(drawing *d, double width, double height)
     d->shift[1] = 10.0 * margin[2] + (room[1] - d->unit * height) / 2.0;
 }
 
+/* characters - of a text, of which some have several bytes. */
+static double characters(const char *text)
+{
+    double many = 0.0;
+
+    for (; *text; text++) many += ((unsigned char)*text & 192) != 128;
+    return many;
+}
+
+/* fitted - the size of a text, or one with which it is not longer than that. */
+static double fitted(const char *text, double size, double most)
+{
+    double wide = WIDE * size * characters(text);
+
+    return wide > most ? size * most / wide : size;
+}
+
 /* write_at - a text, of that size, in tenths of pixels; anchor: start, middle,
  * end. */
-static void write_at(const drawing *d, double x, double y, int size,
+static void write_at(const drawing *d, double x, double y, double size,
                      const char *anchor, const char *text)
 {
-    fprintf(d->file, "<text x=\"%.0f\" y=\"%.0f\" font-size=\"%d\"", x, y,
+    fprintf(d->file, "<text x=\"%.0f\" y=\"%.0f\" font-size=\"%.0f\"", x, y,
             size);
     if (strcmp(anchor, "start") != 0)
         fprintf(d->file, " text-anchor=\"%s\"", anchor);
     fprintf(d->file, ">%s</text>\n", xml_text(text));
+}
+
+/* write_within - the same, moved and made smaller so that it is within the
+ * picture, above the note, and so far from the right. */
+static void write_within(const drawing *d, double x, double y, double size,
+                         const char *anchor, const char *text, double right)
+{
+    double most = 10.0 * d->look->width - right - 50.0, wide, before;
+
+    size = fitted(text, size, most);
+    wide = WIDE * size * characters(text);
+    before = *anchor == 's' ? 0.0 : *anchor == 'e' ? wide : wide / 2.0;
+    if (x - before < 50.0) x = 50.0 + before;
+    if (x - before + wide > most + 50.0) x = most + 50.0 + before - wide;
+    if (y < size) y = size;
+    if (y > 10.0 * d->height - 370.0) y = 10.0 * d->height - 370.0;
+    write_at(d, x, y, size, anchor, text);
 }
 
 /* put_number - a multiple of step, with the digits that tells it. */
@@ -585,6 +644,62 @@ static void put_number(char *text, double x, double step)
         sprintf(text, "%.6g", x);
 }
 
+/* ticks - of a scale: so many multiples of step, from first on.  What is
+ * written is less by base, which the scale's title says. */
+typedef struct ticks {
+    double step, first, base;
+    int many;
+} ticks;
+
+static double tick(const ticks *t, int i)
+{
+    return (t->first + i) * t->step;
+}
+
+static void tick_text(const ticks *t, int i, char *text)
+{
+    put_number(text, (t->first - floor(t->base / t->step + 0.5) + i) * t->step,
+               t->step);
+}
+
+/* choose_ticks - two at least, of numbers that differ, and are short if they
+ * can be. */
+static void choose_ticks(ticks *t, double low, double high, double step)
+{
+    char text[40], last[40];
+    double unit = pow(10.0, ceil(log10(high - low) - 1e-9));
+    int i;
+
+    for (;; step = nice(step / 2.5)) {
+        t->step = step;
+        t->first = ceil(low / step - 1e-6);
+        t->many = (int)(floor(high / step + 1e-6) - t->first) + 1;
+        if (t->many > 1) break;
+    }
+    t->base = 0.0;
+    last[0] = '\0';
+    for (i = 0; i < t->many; i++) {
+        tick_text(t, i, text);
+        if (strlen(text) > (strchr(text, 'e') ? DIGITS + 2 : DIGITS) ||
+            strcmp(last, text) == 0)
+            t->base = unit * floor(low / unit + 1e-3);
+        if (t->base != 0.0) return;
+        strcpy(last, text);
+    }
+}
+
+/* scale_title - its name, and the base before a comma with its unit. */
+static const char *scale_title(const ticks *t, const char *name)
+{
+    static char text[TEXT];
+    int k = (int)strcspn(name, ",");
+
+    if (t->base == 0.0) return name;
+    sprintf(text, "%.*s %c %.15g%.200s", k < 200 ? k : 200, name,
+            t->base > 0.0 ? '-' : '+', fabs(t->base), name + k);
+    return text;
+}
+
 /* draw_axis - from a point of the picture to another one, for numbers from low
  * to high, with ticks and texts in the direction out. */
 static void draw_axis(const drawing *d, const double *from, const double *to,
@@ -593,45 +708,68 @@ static void draw_axis(const drawing *d, const double *from, const double *to,
 {
     double length = sqrt((to[0] - from[0]) * (to[0] - from[0]) +
                          (to[1] - from[1]) * (to[1] - from[1]));
-    double step, first, x, y, s, wide = 0.0;
+    double x, y, s, size, wide = 0.0;
     const char *anchor = out[0] < -0.3 ? "end" : out[0] > 0.3 ? "start"
                                                               : "middle";
+    const char *title;
     char text[40];
+    ticks t;
     int i;
 
-    if (length < 300.0 || !(high > low)) return;
-    step = nice((high - low) * (350.0 + 250.0 * fabs(out[1])) / length);
-    first = ceil(low / step - 1e-6);
+    if (length < 200.0 ||
+        !(high - low > 1e-14 * (fabs(low) > fabs(high) ? fabs(low)
+                                                       : fabs(high))))
+        return;
+    choose_ticks(&t, low, high,
+                 nice((high - low) * (350.0 + 250.0 * fabs(out[1])) / length));
     fprintf(d->file, "<path d=\"M%.0f %.0fL%.0f %.0f", from[0], from[1], to[0],
             to[1]);
-    for (i = 0; i < 40 && (first + i) * step <= high + 1e-6 * step; i++) {
-        s = ((first + i) * step - low) / (high - low);
+    for (i = 0; i < t.many; i++) {
+        s = (tick(&t, i) - low) / (high - low);
         fprintf(d->file, "M%.0f %.0fl%.0f %.0f",
                 from[0] + s * (to[0] - from[0]),
                 from[1] + s * (to[1] - from[1]), 60.0 * out[0], 60.0 * out[1]);
     }
     fprintf(d->file, "\"/>\n");
-    for (i = 0; i < 40 && (first + i) * step <= high + 1e-6 * step; i++) {
-        put_number(text, (first + i) * step, step);
+    for (i = 0; i < t.many; i++) {
+        tick_text(&t, i, text);
         if (78.0 * (double)strlen(text) > wide)
             wide = 78.0 * (double)strlen(text);
-        s = ((first + i) * step - low) / (high - low);
+        s = (tick(&t, i) - low) / (high - low);
         x = from[0] + s * (to[0] - from[0]) + 110.0 * out[0];
         y = from[1] + s * (to[1] - from[1]) + 110.0 * out[1];
-        write_at(d, x, y + 50.0 + 50.0 * out[1], 140, anchor, text);
+        write_at(d, x, y + 50.0 + 50.0 * out[1], 140.0, anchor, text);
     }
+    title = scale_title(&t, name);
     x = (from[0] + to[0]) / 2.0;
     y = (from[1] + to[1]) / 2.0;
     s = 220.0 + wide * fabs(out[0]) + 130.0 * fabs(out[1]);
-    if (fabs(out[0]) < 0.95 || s > 10.0 * LEFT)
-        write_at(d, x + s * out[0], y + s * out[1] + 50.0 + 50.0 * out[1], 150,
-                 anchor, name);
-    else {
-        fprintf(d->file, "<g transform=\"translate(%.0f %.0f) rotate(-90)\">\n",
-                x + s * out[0] + 40.0, y);
-        write_at(d, 0.0, 0.0, 150, "middle", name);
-        fprintf(d->file, "</g>\n");
+    if (out[0] > -0.95) {
+        /* (beside the bar) */
+        y += s * out[1] + 50.0 + 50.0 * out[1];
+        s = x + s * out[0];
+        x = d->plain ? 50.0 : 1080.0;
+        wide = WIDE * 150.0 * characters(title);
+        if (*anchor == 's' ? s + wide > 10.0 * d->look->width - x
+                           : *anchor == 'e' && s - wide < 50.0) {
+            /* too long to be beside the ticks: below */
+            y = (from[1] > to[1] ? from[1] : to[1]) + 500.0;
+            s = *anchor == 's' ? 10.0 * d->look->width : 0.0;
+        }
+        write_within(d, s, y, 150.0, anchor, title, x);
+        return;
     }
+    x = x + s * out[0] + 40.0;
+    if (x < 150.0) x = 150.0;
+    size = fitted(title, 150.0, 10.0 * d->height - 450.0);
+    wide = WIDE * size * characters(title) / 2.0;
+    if (y < wide + 50.0) y = wide + 50.0;
+    if (y > 10.0 * d->height - 370.0 - wide)
+        y = 10.0 * d->height - 370.0 - wide;
+    fprintf(d->file, "<g transform=\"translate(%.0f %.0f) rotate(-90)\">\n", x,
+            y);
+    write_at(d, 0.0, 0.0, size, "middle", title);
+    fprintf(d->file, "</g>\n");
 }
 
 /* begin_axes - their group. */
@@ -673,20 +811,25 @@ static void head(const drawing *d)
     if (look->bare) return;
     if (look->title) {
         fprintf(d->file, "<g font-weight=\"bold\">\n");
-        write_at(d, 250.0, 430.0, 210, "start", look->title);
+        /* (bold is wider) */
+        write_at(d, 250.0, 430.0,
+                 fitted(look->title, 210.0, 9.0 * look->width - 450.0),
+                 "start", look->title);
         fprintf(d->file, "</g>\n");
     }
     if (look->note)
-        write_at(d, 250.0, 10.0 * d->height - 180.0, 140, "start",
-                 look->note);
+        write_at(d, 250.0, 10.0 * d->height - 180.0,
+                 fitted(look->note, 140.0, 10.0 * look->width - 500.0),
+                 "start", look->note);
 }
 
 /* bar - the colour bar: its bands are those of the picture. */
 static void bar(const drawing *d)
 {
-    double tick = 5.0 * d->step, tall, x, y, level;
-    const char *label = d->look->label;
+    double tall, x, y;
+    const char *label = d->look->label ? d->look->label : "";
     char text[40];
+    ticks t;
     int k;
 
     if (d->plain || d->look->bare) return;
@@ -703,18 +846,21 @@ static void bar(const drawing *d)
         hex(d->file, share(d, k), 1.0);
         fprintf(d->file, "\"/>\n");
     }
-    for (k = 0; k <= d->bands; k++) {
-        level = d->low + k * d->step;
-        if (fabs(level / tick - floor(level / tick + 0.5)) > 1e-6) continue;
-        put_number(text, tick * floor(level / tick + 0.5), tick);
-        write_at(d, x + 270.0, y + tall * (d->bands - k) / d->bands + 52.0, 140,
-                 "start", text);
+    choose_ticks(&t, d->low, d->low + d->bands * d->step, 5.0 * d->step);
+    for (k = 0; k < t.many; k++) {
+        tick_text(&t, k, text);
+        write_at(d, x + 270.0,
+                 y + tall * (d->bands - (tick(&t, k) - d->low) / d->step) /
+                         d->bands + 52.0,
+                 140.0, "start", text);
     }
-    if (label && strlen(label) > 10)
-        write_at(d, 10.0 * d->look->width - 100.0, y - 110.0, 150, "end",
-                 label);
-    else if (label)
-        write_at(d, x, y - 110.0, 150, "start", label);
+    label = scale_title(&t, label);
+    if (characters(label) > 10.0)
+        write_within(d, 10.0 * d->look->width - 50.0,
+                     characters(label) > 20.0 ? 170.0 : y - 110.0, 150.0, "end",
+                     label, 50.0);
+    else if (*label)
+        write_at(d, x, y - 110.0, 150.0, "start", label);
     fprintf(d->file, "</g>\n");
 }
 

@@ -35,7 +35,8 @@ typedef struct draw_look {
     int bare;          /* 1: no axes, colour bar, and texts */
     const char *title, *note; /* above, below; these and label may be 0 */
     const char *name[3];      /* of the axes */
-    const char *label;        /* of the colour bar */
+    const char *label;        /* of the colour bar, */
+    double range[2];          /* and its ends; the same twice: the values' */
 } draw_look;
 
 /* draw_default - a look for points that one knows nothing about. */

@@ -444,6 +444,25 @@ static void stretch(void)
              even(side, 2));
 }
 
+/* alpha - the shape; also of what values are between, if it is another mesh. */
+static void alpha(void)
+{
+    static mesh shape;
+    char text[REAL];
+
+    if (chosen.automatic && made.ntet > 0) {
+        chosen.alpha = least_alpha(&made);
+        real_text(text, chosen.alpha, 0);
+        tell("alpha         %s, the least that leaves one piece with all "
+             "points\n", text);
+    }
+    mark_alpha(&made, chosen.alpha);
+    if (valued == &made) return;
+    shape = *valued;
+    shape.keep = alpha_shape(&shape, chosen.alpha);
+    valued = &shape;
+}
+
 /* write_all - what is asked for: first what the whole mesh gives. */
 static void write_all(void)
 {
@@ -481,14 +500,20 @@ int main(int argc, char **argv)
     in.voids = chosen.voids;
     in.by = chosen.by;
     in.named = !chosen.by && next_output(volumes_forms, 0);
+    in.surfaced = next_output(volumes_forms, 0) != 0;
     places.cols = chosen.qcols;
     places.skip = chosen.skip;
-    places.bare = 1;
+    places.bare = places.copied = 1;
+    in.copied = next_output(errors_forms, 0) != 0;
     read_places(&places);
     if (chosen.scaled == 2 && !chosen.plane)
         fail("-scale needs three numbers above 0; two are of points in a "
              "plane");
-    in.axes = chosen.plane ? 2 : chosen.validate && !chosen.values ? 0 : 3;
+    /* (what -by tells apart need not be a value, so three names are three
+     * coordinates) */
+    in.axes = chosen.plane                                        ? 2
+              : chosen.validate && !chosen.values && !chosen.by ? 0
+                                                                : 3;
     read_points(chosen.input, &in);
     check_box(&in);
     check_points(&in);
@@ -517,7 +542,7 @@ int main(int argc, char **argv)
         valued = repeat_around(chosen.method &&
                                strcmp(chosen.method, "smooth") == 0);
     valued = keep_values(valued);
-    if (chosen.alpha > 0.0) mark_alpha(&made, chosen.alpha);
+    if (chosen.alpha > 0.0) alpha();
     if (!chosen.quiet)
         report(duplicates, seconds,
                (double)made.liw * (double)sizeof(tess_int) +

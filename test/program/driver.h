@@ -2,7 +2,8 @@
  *
  *   options.c   the command line                   read.h    points
  *   driver.c    the arrays, the mesh, messages     write.c   files
- *   shapes.c    alpha shapes, cells                draw.c    pictures
+ *   shapes.c    cells                              draw.c    pictures
+ *   alpha.c     alpha shapes
  *   values.c    interpolation                      places.c  where, into files
  *   validate.c  its errors                         plane.c   in a plane
  *   repeat.c    cells that repeat themselves
@@ -54,6 +55,12 @@ typedef struct points {
     char labelled[TITLE]; /* the column's; "": there are none; they are */
     char *labels;         /* all here, */
     size_t *label;        /* each point's from there on */
+    int surfaced;   /* keep the triangles of a surface? */
+    double faces;   /* so many; their points, from 0 on; or 0: all in turn */
+    tess_int *face;
+    int copied;   /* keep the texts of columns that are nothing else? */
+    char *others; /* their names, as CSV has them; 0: there are none. */
+    FILE *texts;  /* Each point's, the same way, in a line */
 } points;
 
 /* What the lattice is: there is none; a box along the axes; any other. */
@@ -138,11 +145,15 @@ typedef struct choices {
     int to_stdout;     /* is a file written to standard output? */
     double scale[3], box[6];
     double alpha;   /* largest circumradius that is kept; 0: any */
+    int automatic;  /* is it the least one that leaves one piece? */
     double view[2]; /* azimuth and elevation; less than -360: not given */
     double pixels[2]; /* a picture's width and height; 0: not given */
+    double range[2];  /* of its colours; the same twice: not given */
     const char *draw, *title, *unit;
     int bare; /* of a picture nothing but what is drawn */
     const char *query, *qcols, *grid, *method, *outside;
+    double step[3], within; /* 0: not given; numbers of step: */
+    int steps, drop;
     int digits;    /* 0: not given */
     long validate; /* parts; 0: not given */
     const char *by;
@@ -271,6 +282,9 @@ void put_title(FILE *file, const char *name);
 /* no_number - a NaN without a sign. */
 double no_number(void);
 
+/* next_text - of a's others, those of the next point, as in CSV. */
+const char *next_text(const points *a);
+
 /* check_values - leave if the options of values do not fit together. */
 void check_values(void);
 
@@ -348,9 +362,17 @@ void normal_to(const double *a, const double *b, double *c);
 
 /* ---- shapes ---- */
 
-/* mark_alpha - set m->keep, m->kept: 1 for the tetrahedra of the alpha shape of
- * that radius. */
+/* alpha_shape - 1 for the tetrahedra whose circumradius is not larger than
+ * that, exactly, 0 for the others.  mark_alpha: as m->keep, m->kept. */
+char *alpha_shape(const mesh *m, double radius);
 void mark_alpha(mesh *m, double radius);
+
+/* least_alpha - the least radius for which the tetrahedra are one piece, joined
+ * by facets, and have all points. */
+double least_alpha(const mesh *m);
+
+/* tell_surface - if in is one: whether it is closed, and its volume. */
+void tell_surface(const points *in);
 
 /* drop_others - leave the tetrahedra of the alpha shape alone in m. */
 void drop_others(mesh *m);

@@ -1035,11 +1035,11 @@ $TESS -q -grid 2,2,1 -values v.csv lon.csv
 yes "-values: the columns' names" test "$(head -n 1 v.csv)" = lon,lat,depth,T
 $TESS -q -plane -cols lon,depth -grid 2,2 -values v.csv lon.csv
 yes "-values: names in a plane" test "$(head -n 1 v.csv)" = lon,depth,lat,T
-sed '$s/4$/nan/' lon.csv > nan.csv
+sed '$s/4$/1e999/' lon.csv > inf.csv
 for method in smooth linear; do
-    $TESS -method $method -grid 2,2,1 -values v.csv nan.csv > said 2> words
-    yes "a NaN: what that means for -method $method" test "$(grep -c \
-        'not finite.* by -method smooth all of the column;' words)" -eq \
+    $TESS -method $method -grid 2,2,1 -values v.csv inf.csv > said 2> words
+    yes "no number: what that means for -method $method" test "$(grep -c \
+        'not finite.* by -method smooth all of the column' words)" -eq \
         "$(echo $method | grep -c smooth)"
 done
 $TESS -grid 2,2,1 -values v.csv flat.csv > said 2> words
@@ -1224,7 +1224,7 @@ yes "colours that are no value" grep 'coloured by distance' c.svg > /dev/null
 for o in -O0 -O2; do
     (cd "$TOP"/test/examples && $CC $o -I"$TOP" -o "$TOP/build/driver/tess$o" \
         ../program/*.c slopes.c natural.c derived.c cells.c periodic.c \
-        "$TOP"/tess.c "$TOP"/hhpred.c -lm)
+        ../proof/exact.c "$TOP"/tess.c "$TOP"/hhpred.c -lm)
     ./tess$o -q -alpha 0.5 -svg m$o.svg -grid 40,1,30 -values s$o.svg \
         "$TOP"/test/data/mirror.xyz
     ./tess$o -q -svg c$o.svg none.node
@@ -1234,8 +1234,9 @@ for f in m c s; do
 done
 if $PYTHON -c 'import numpy' 2> words; then
     lines $PYTHON "$TOP"/test/program/pictures.py $TESS
+    lines $PYTHON "$TOP"/test/program/shapes.py $TESS
 else
-    skip "pictures, read back: no numpy for $PYTHON"
+    skip "pictures, read back, and alpha shapes: no numpy for $PYTHON"
 fi
 for wrong in '-draw all/choose points, whole, cut, field or apart' \
     '-size 900/a width and a height' '-size 99,200/a width and a height'; do
@@ -1555,7 +1556,7 @@ yes "-periodic: points in a plane" grep 'sum to 4; the box.s is 4$' said \
 $TESS -box 0,1,0,1,0,1 boxed > said 2> words
 yes "-box without cells" grep 'for -cells, -volumes, -faces and -per' words \
     > /dev/null
-for o in "-alpha 1" "-validate 5" "-grid 3,3 -values no.csv"; do
+for o in "-validate 5" "-grid 3,3 -values no.csv"; do
     yes "-periodic $o" sh -c \
         "! $TESS -periodic -box 0,1,0,2,-1,2 $o boxed > said 2> words &&
         grep -e '-periodic' words > /dev/null"

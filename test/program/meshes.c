@@ -9,16 +9,35 @@
 #define PROPERTIES 64
 #define LONGEST_LIST 1e8  /* bytes */
 
+/* line_face - the cells are those of a face: its number of corners, then these,
+ * behind so many others. */
+static void line_face(reader *r, int n, int first)
+{
+    const cell *c = r->cell + first;
+    double corners = -1.0, i;
+    int k;
+
+    if (n <= first || !whole(c->text, c->end, &corners)) corners = -1.0;
+    if (corners < 0.0 || corners >= (double)(n - first))
+        take_corner(r, -1.0, 0);
+    else
+        for (k = 1; k <= (int)corners; k++)
+            take_corner(r, whole(c[k].text, c[k].end, &i) ? i : -1.0, k - 1);
+}
+
 /* rest - the lines behind the points: so many of them are faces, or what it is,
  * each with as many corners as it says; what is more is told as that; so it is
- * if some lack. */
-static void rest(reader *r, double faces, const char *what)
+ * if some lack.  Behind some before them are those of a surface. */
+static void rest(reader *r, double faces, const char *what, double before,
+                 double of, int first)
 {
     scan *s = &r->s;
     double found = 0.0, corners;
     int n, more;
 
     while ((n = next_cells(s, &r->d, r->cell, &more)) > 0) {
+        if (r->to->surfaced && found >= before && found < before + of)
+            line_face(r, n, first);
         if (found++ >= faces)
             scan_leave(s, "lines behind all that is announced");
         else if (strcmp(what, "faces") == 0 &&
@@ -105,7 +124,7 @@ void read_off(reader *r)
     take_rows(r);
     if (head[0] != 'O')
         scan_note(s, "normals, colours or the like", number[0], 0);
-    rest(r, number[1], "faces");
+    rest(r, number[1], "faces", 0.0, number[1], 0);
 }
 
 /* ---- PLY ---- */
@@ -142,36 +161,55 @@ static int remark(const cell *c)
     return cell_is(c, "comment") || cell_is(c, "obj_info");
 }
 
-/* other - a property of the elements behind the points, of binary PLY: of which
- * element; its type, and that of a list's count. */
+/* other - a property of the elements behind the points: of which element; its
+ * type, and that of a list's count. */
 typedef struct other {
-    int element;
-    column of, count; /* (count.bytes 0: it is no list) */
+    int element, corners; /* is it the list of a face's corners? */
+    column of, count;     /* (count.bytes 0: it is no list) */
 } other;
 
-/* walk - those elements, so many of each, by what they are; 0 if the file ends
- * before. */
+/* integer - at byte; -1 if it is none. */
+static double integer(const char *at, const column *c, int big)
+{
+    const unsigned char *byte = (const unsigned char *)at;
+    double x = byte[big ? 0 : c->bytes - 1];
+    int k;
+
+    if (c->type == 'f') return -1.0;
+    if (c->type == 'i' && x > 127.0) x -= 256.0;
+    for (k = 1; k < c->bytes; k++)
+        x = 256.0 * x + byte[big ? k : c->bytes - 1 - k];
+    return x;
+}
+
+/* walk - those elements of a binary file, so many of each, by what they are;
+ * the faces are kept; 0 if the file ends before. */
 static int walk(reader *r, const double *many, int elements, const other *list,
                 int properties, const char *what)
 {
-    double i, n;
+    double i, n, j;
     const other *o;
-    int e, k, j;
-    char *byte;
+    int e, k;
+    const char *byte;
 
     for (e = 0; e < elements; e++)
         for (i = 0.0; i < many[e]; i++)
             for (o = list, k = 0; k < properties; k++, o++) {
                 if (o->element != e) continue;
-                byte = o->count.bytes ? scan_take(&r->s, (size_t)o->count.bytes)
-                                      : r->s.at;
-                if (!byte) return 0;
-                for (n = o->count.bytes ? 0.0 : 1.0, j = 0; j < o->count.bytes;
-                     j++)
-                    n = 256.0 * n + (unsigned char)byte[r->big ? j
-                        : o->count.bytes - 1 - j];
-                scan_note(&r->s, what, o->count.bytes, 1);
-                if (n * o->of.bytes > LONGEST_LIST ||
+                n = 1.0;
+                if (o->count.bytes) {
+                    byte = scan_take(&r->s, (size_t)o->count.bytes);
+                    n = byte ? integer(byte, &o->count, r->big) : -1.0;
+                    if (n < 0.0 || n * o->of.bytes > LONGEST_LIST) return 0;
+                    scan_note(&r->s, what, o->count.bytes, 1);
+                }
+                for (j = 0.0; o->corners && j < n; j++) {
+                    byte = scan_take(&r->s, (size_t)o->of.bytes);
+                    if (!byte) return 0;
+                    take_corner(r, integer(byte, &o->of, r->big),
+                                j < 2.0 ? (int)j : 2);
+                }
+                if (!o->corners &&
                     !scan_take(&r->s, (size_t)n * (size_t)o->of.bytes))
                     return 0;
                 scan_note(&r->s, what, n * o->of.bytes, 1);
@@ -183,10 +221,13 @@ void read_ply(reader *r)
 {
     scan *s = &r->s;
     double want = -1.0, others = 0.0, n, each[ELEMENTS];
+    double before = 0.0, faces = 0.0; /* elements before the faces; faces */
     other list[PROPERTIES];
     int elements = 0, properties = 0;
+    /* in lines: of a face what is ahead of the corners (-1: who knows) */
+    int in_face = 0, found = 0, ahead = 0, first = -1;
     const char *what = "faces";
-    int many, packed = -1, more;
+    int many, packed = -1, more, k;
     cell *c = r->cell;
     column *p;
 
@@ -215,6 +256,11 @@ void read_ply(reader *r)
             if (r->waits && !cell_is(c + 1, "face")) what = "other elements";
             if (r->waits && elements == ELEMENTS)
                 scan_fail(s, "more than %d elements", ELEMENTS);
+            in_face = r->waits && cell_is(c + 1, "face");
+            if (in_face) {
+                before = others;
+                faces = n;
+            }
             if (r->waits) others += each[elements++] = n;
             else want = n;
         } else if (cell_is(c, "property") && want >= 0.0 && !r->waits) {
@@ -230,18 +276,26 @@ void read_ply(reader *r)
             scan_fail(s, "\"%.40s\": not a line of a PLY file's head", s->line);
         else {
             other *o = list + properties++;
-            int k = many > 1 && cell_is(c + 1, "list") ? 2 : 0;
 
             if (properties > PROPERTIES)
                 scan_fail(s, "more than %d properties", PROPERTIES);
+            k = many > 1 && cell_is(c + 1, "list") ? 2 : 0;
             o->element = elements - 1;
             o->count.bytes = 0;
             if (many != 3 + k || !ply_type(&o->of, c + 1 + k) ||
                 (k && !ply_type(&o->count, c + 2)))
                 scan_fail(s, "not a property of a PLY file");
+            o->corners = in_face && k && (cell_is(c + 4, "vertex_indices") ||
+                                          cell_is(c + 4, "vertex_index"));
+            found += o->corners;
+            if (o->corners)
+                first = ahead;
+            else if (in_face)
+                ahead = k || ahead < 0 ? -1 : ahead + 1;
         }
     }
     r->waits = 0;
+    if (found != 1 || (!packed && first < 0)) r->to->surfaced = 0;
     if (packed < 0) fail("%s: no format in the PLY file's head", s->name);
     if (want < 0.0) fail("%s: no element vertex in the PLY file's head",
                          s->name);
@@ -251,13 +305,15 @@ void read_ply(reader *r)
         scan_room(s, want, 2.0 * r->columns);
         take_columns(r);
         take_rows(r);
-        rest(r, others, what);
+        rest(r, others, what, before, faces, first);
         return;
     }
     take_packed(r);
-    if (!walk(r, each, elements, list, properties, what))
+    if (!walk(r, each, elements, list, properties, what)) {
         warn("%s: announces %.0f %s, but ends before: is the file cut?",
              s->name, others, what);
+        r->to->surfaced = 0;
+    }
     scan_rest(s, "bytes behind all that is announced");
 }
 
@@ -301,6 +357,22 @@ int is_obj(reader *r)
     return word == 'o' && n == 2 && ends_in(s->name, ".obj");
 }
 
+/* obj_face - its corners: numbers from 1 on, or back from the last point; what
+ * is behind a slash is of textures and normals. */
+static void obj_face(reader *r)
+{
+    int more, n = cut(&r->s, &r->d, r->cell, &more), k;
+    char *s, *end;
+    double x;
+
+    for (k = 1; k < n; k++) {
+        s = r->cell[k].text;
+        for (end = s; end < r->cell[k].end && *end != '/';) end++;
+        if (!whole(s + (*s == '-'), end, &x)) x = 0.0;
+        take_corner(r, *s == '-' ? (double)r->to->n - x : x - 1.0, k - 1);
+    }
+}
+
 void read_obj(reader *r)
 {
     scan *s = &r->s;
@@ -308,6 +380,7 @@ void read_obj(reader *r)
     char word;
 
     s->joins = 1;
+    r->to->copied = 0;
     add_column(r, "v", 1)->role = UNUSED;
     add_column(r, "x", 1);
     add_column(r, "y", 1);
@@ -337,10 +410,12 @@ void read_obj(reader *r)
                 }
             if (n > 4) scan_note(s, "weights and colours", 1.0, 0);
             take_row(r);
-        } else
+        } else {
+            if (word == 'f' && r->to->surfaced) obj_face(r);
             scan_leave(s, word == 'f'   ? "faces"
                           : word == 'o' ? "normals, groups or the like"
                                         : "lines of unknown words");
+        }
     }
 }
 
@@ -371,6 +446,7 @@ void read_stl(reader *r)
     scan *s = &r->s;
     int at = 8, n, more;
 
+    r->to->copied = 0;
     add_column(r, "vertex", 6)->role = UNUSED;
     add_column(r, "x", 1);
     add_column(r, "y", 1);
@@ -394,6 +470,7 @@ void read_stl(reader *r)
     }
     if (at != 8)
         scan_fail(s, "the solid has no end: is the file cut?");
+    r->to->faces = (double)(r->to->n / 3);
 }
 
 /* facets - of binary STL, in either order of bytes; -1 if the file's size is
@@ -450,6 +527,7 @@ void read_packed_stl(reader *r)
     r->stride = 12.0;
     r->facets = 1;
     take_packed(r);
+    r->to->faces = (double)(r->to->n / 3);
     if (scan_take(s, 2)) scan_note(s, "faces", 2.0, 1);
     scan_rest(s, "bytes behind the facets");
 }

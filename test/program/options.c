@@ -145,6 +145,17 @@ static void take_length(const option *o, char **word)
         fail("%s needs a length (tess -h helps)", o->name);
 }
 
+static void take_alpha(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+
+    chosen.automatic = strcmp(word[0], "auto") == 0;
+    if (chosen.automatic)
+        *x = DBL_MAX;
+    else if (list_numbers(word[0], 1, x) != 1 || !(*x > 0.0))
+        fail("%s needs a length, or the word auto (tess -h helps)", o->name);
+}
+
 static void take_view(const option *o, char **word)
 {
     double *x = (double *)o->to;
@@ -173,6 +184,20 @@ static void take_scale(const option *o, char **word)
     chosen.scaled = many;
 }
 
+static void take_step(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+    int k, good;
+
+    chosen.steps = list_numbers(word[0], 3, x);
+    good = chosen.steps >= 2;
+    for (k = 0; k < chosen.steps; k++)
+        good = good && x[k] > 0.0 && x[k] <= DBL_MAX;
+    if (!good)
+        fail("%s needs the sides of a block, as 10,10,5, or two of them in a "
+             "plane (tess -h helps)", o->name);
+}
+
 static void take_pixels(const option *o, char **word)
 {
     double *x = (double *)o->to;
@@ -181,6 +206,16 @@ static void take_pixels(const option *o, char **word)
     for (k = 0; k < 2; k++) good = good && x[k] >= 100.0 && x[k] <= 10000.0;
     if (!good)
         fail("%s needs a width and a height in pixels, as 900,640", o->name);
+}
+
+static void take_range(const option *o, char **word)
+{
+    double *x = (double *)o->to;
+
+    if (list_numbers(word[0], 2, x) != 2 || !(x[0] < x[1]) ||
+        !(x[1] - x[0] <= DBL_MAX))
+        fail("%s needs two numbers, the first one below the second, as 0,5",
+             o->name);
 }
 
 static void take_draw(const option *o, char **word)
@@ -368,7 +403,8 @@ static const option table[] = {
      "(the box's sides x0 to z1 are -1 to -6, where it repeats\n"
      "itself none), values, the cell's centroid, and the name, a\n"
      "column of words as an atom's species, if the file has one;\n"
-     "the volumes' sum is said"},
+     "the volumes' sum is said; of a surface, STL, OFF, PLY, OBJ,\n"
+     "whether it is closed, and its volume"},
     {"-faces", "F.csv", take_output, faces_forms,
      "write each face between cells once: point, neighbour (or\n"
      "side, as above), area, centroid, unit normal to it from the\n"
@@ -386,10 +422,11 @@ static const option table[] = {
     {"-draw", "points|whole|cut|field|apart", take_draw, &chosen.draw,
      "draw points; or tetrahedra: all, cut open, that without\n"
      "their edges, or moved apart"},
-    {"-alpha", "R", take_length, &chosen.alpha,
+    {"-alpha", "R|auto", take_alpha, &chosen.alpha,
      "the alpha shape: write and draw no tetrahedron whose\n"
-     "circumradius exceeds R; so there are the holes and hollows\n"
-     "that the hull fills"},
+     "circumradius exceeds R, exactly; so there are the holes and\n"
+     "hollows that the hull fills.  auto: the least R that leaves\n"
+     "one piece, joined by facets, with all points; it is said"},
     {"-view", "A E", take_view, chosen.view,
      "draw as seen from azimuth A, from x to y, and elevation E\n"
      "above that plane, both in degrees; if not given, -68 28"},
@@ -398,6 +435,9 @@ static const option table[] = {
     {"-unit", "V[,X[,Y,Z]]", take_title, &chosen.unit,
      "units of the first value and of x, y, z: -unit C,m"},
     {"-size", "W,H", take_pixels, chosen.pixels, "of pictures, in pixels"},
+    {"-range", "LOW,HIGH", take_range, chosen.range,
+     "of pictures' colours: so that several have the same; what is\n"
+     "beyond has the last one"},
     {"-bare", 0, take_switch, &chosen.bare,
      "pictures without axes, colour bar, and texts"},
     {"-o", "BASE", take_base, 0,
@@ -409,8 +449,19 @@ static const option table[] = {
      "if not given, from side to side of the points' box.  One\n"
      "place is in the middle: NZ = 1 is a slice, Z0 = Z1 says\n"
      "where.  NX,NY and X0,X1,Y0,Y1 are for points in a plane"},
+    {"-step", "SX,SY[,SZ]", take_step, chosen.step,
+     "with -grid X0,X1,Y0,Y1[,Z0,Z1]: a block model.  The places\n"
+     "are the centres of blocks of these sides, the first one's\n"
+     "from X0 to X0 + SX; so many as X1 - X0 by SX, rounded"},
+    {"-within", "D", take_length, &chosen.within,
+     "a place farther than D from all points has no value, but\n"
+     "NaN; measured in what is stretched by -scale"},
+    {"-drop", 0, take_switch, &chosen.drop,
+     "leave places without a value out of F.csv"},
     {"-query", "F", take_word, &chosen.query,
-     "at the places of a file, which is read like the points"},
+     "at the places of a file, which is read like the points; its\n"
+     "other columns come back, as they are, in F.csv before the\n"
+     "values"},
     {"-qcols", "X,Y,Z", take_columns, &chosen.qcols,
      "which columns of it are x, y, z"},
     {"-values", "F", take_output, values_forms,
@@ -423,8 +474,7 @@ static const option table[] = {
      "linear in each tetrahedron, if not given; smooth, with\n"
      "gradients estimated at the points; natural, by Sibson's\n"
      "natural neighbours; nearest, the nearest point's value.\n"
-     "Points at one place count as one, with their values' mean\n"
-     "(Python's and Octave's ways take the first one's value)"},
+     "Points at one place count as one, with their values' mean"},
     {"-outside", "nearest|VALUE", take_word, &chosen.outside,
      "what places outside the hull get: this value, or that at\n"
      "the hull's nearest point; if not given NaN"},
@@ -442,7 +492,8 @@ static const option table[] = {
      "says is one: boreholes, lines, flights.  Else neighbours\n"
      "in one tell of each other, and errors look too small"},
     {"-errors", "F.csv", take_output, errors_forms,
-     "write -validate's x,y,z, part, values, and errors"},
+     "write -validate's x,y,z, part, the points' other columns,\n"
+     "values, and errors"},
     {0, 0, 0, 0, ""},
     {"-q", 0, take_switch, &chosen.quiet,
      "quiet: nothing but errors, and of files of gigabytes"},

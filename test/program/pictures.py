@@ -8,6 +8,7 @@
 import re
 import subprocess
 import sys
+import warnings
 import xml.etree.ElementTree as xml
 
 import numpy as np
@@ -357,3 +358,177 @@ done = subprocess.run([TESS, "holes.csv", "-svg", "p.svg", "-svg", "p2.svg"],
                       capture_output=True, text=True)
 test("no numbers: said once, and how many",
      done.stderr.count("holes.csv: 3 values of T are no numbers: not in") == 1)
+
+# ---- scales: coordinates and values of many digits, or of few ----
+
+try:
+    import matplotlib
+    try:
+        from matplotlib._afm import AFM
+    except ImportError:
+        warnings.simplefilter("ignore", DeprecationWarning)
+        from matplotlib.afm import AFM
+    helvetica = [AFM(open("%s/fonts/afm/%s.afm" % (
+        matplotlib.get_data_path(), name), "rb")) for name in
+        ("phvr8a", "phvb8a")]
+except ImportError:
+    helvetica = None
+    print("        skipped: texts within the picture: no matplotlib")
+
+
+def outside(svg):
+    """The texts that are not within the picture, by Helvetica's metrics."""
+    parent = {child: part for part in svg.iter() for child in part}
+    wide, tall = [10 * float(svg.get(k)) for k in ("width", "height")]
+    found = []
+    for t in svg.iter(SVG + "text"):
+        size = float(t.get("font-size"))
+        font = helvetica[parent[t].get("font-weight") == "bold"]
+        length = font.string_width_height(t.text)[0] / 1000 * size
+        before = {"middle": length / 2, "end": length}.get(
+            t.get("text-anchor"), 0)
+        x, y = float(t.get("x")), float(t.get("y"))
+        box = np.array([[x - before, y - .75 * size],
+                        [x - before + length, y + .22 * size]])
+        turn = re.fullmatch(r"translate\(([\d.-]+) ([\d.-]+)\) rotate\(-90\)",
+                            parent[t].get("transform", ""))
+        if turn:
+            box = np.array([[1, -1]]) * box[:, ::-1] + [
+                float(turn.group(1)), float(turn.group(2))]
+        if (box < 0).any() or (box > (wide, tall)).any():
+            found.append(t.text)
+    return found
+
+
+def scales(svg):
+    """Of each scale its name; the texts; the numbers, as the name says."""
+    group = [g for g in svg.iter(SVG + "g") if g.get("class") == "axes"][0]
+    all_of = []
+    for name, numbers, at in axes(svg):
+        all_of.append([name, None, numbers, at])
+    marks = [t.text for t in group.iter(SVG + "text")]
+    for s in all_of:
+        s[1], marks = marks[:len(s[2])], marks[len(s[2]) + 1:]
+    for g in svg.iter(SVG + "g"):
+        if g.get("class") != "bar":
+            continue
+        marks = [t.text for t in g.iter(SVG + "text")]
+        y = [float(t.get("y")) for t in g.iter(SVG + "text")][:-1]
+        all_of.append([marks[-1], marks[:-1],
+                       np.array([float(t) for t in marks[:-1]]),
+                       np.column_stack((np.zeros(len(y)), y))])
+    for s in all_of:
+        base = re.fullmatch(r"(.*?) ([-+]) ([\d.e+-]+)(,.*)?", s[0])
+        if base:
+            s[2] = s[2] + float({"-": "", "+": "-"}[base.group(2)] +
+                                base.group(3))
+            s[0] = base.group(1) + (base.group(4) or "")
+    return all_of
+
+
+def right(svg, names, low, high, rounding=0.0):
+    """Is each scale so called, of two numbers at least that differ, in even
+    steps, and are they between low and high, and short?"""
+    found = scales(svg)
+    if [s[0] for s in found] != names:
+        return False
+    for (name, words, numbers, at), a, b in zip(found, low, high):
+        step = np.diff(numbers)
+        if len(words) < 2 or len(set(words)) < len(words) or \
+                max(map(len, words)) > 8 or not (step > 0).all() or \
+                np.ptp(step) > 1e-6 * step[0] + rounding or \
+                numbers[0] < a - .6 * step[0] or numbers[-1] > b + .6 * step[0]:
+            return False
+        # the ticks are as even as the numbers
+        along = np.linalg.norm(np.diff(at, axis=0), axis=1)
+        if np.ptp(along) > 3:
+            return False
+    return not helvetica or not outside(svg)
+
+
+cloud = random.random((60, 3))
+for what, origin, size, value in (
+        ("UTM", (512345, 7654321, 120), (950, 780, 300), (0, 3)),
+        ("UTM, a few metres", (512345.25, 7654321.5, 120), (8, 6, 3), (290, 291)),
+        ("UTM, 400 km", (212345, 7254321, 0), (4e5, 3e5, 2e5), (-5, 5)),
+        ("seven digits below 0", (-7654321, -2512345, -900), (700, 900, 800),
+         (1234567.01, 1234567.02)),
+        ("millimetres", (0, 0, 0), (2e-3, 1e-3, 1e-3), (1e-9, 2e-9)),
+        ("a galaxy", (1e20, -3e20, 5e20), (1e19, 2e19, 1e19), (1e30, 9e30)),
+        ("degrees", (-70.25, -33.5, 0), (.02, .03, .01), (0, 1e-3)),
+        ("13 digits", (1e9, 2e9, 0), (1e-3, 1e-3, 2e-3), (1e6, 1e6 + 1e-6))):
+    p = np.array(origin) + cloud * size
+    v = value[0] + (value[1] - value[0]) * random.random(60)
+    save("scale.csv", p, v, names="Easting,Northing,Level,Gold")
+    low, high = p.min(0), p.max(0)
+    rounding = 4e-15 * max(abs(p).max(), abs(v).max())
+    names = ["Easting, m", "Northing, m", "Level, m"]
+    options = ["-unit", "g/t,m", "-cols", "1,2,3,4", "scale.csv"]
+    svg = tess("-draw", "points", "-svg", "p.svg", *options)
+    test("scales, points: " + what, right(
+        svg, names + ["Gold, g/t"], list(low) + [v.min()],
+        list(high) + [v.max()], rounding))
+    svg = tess("-title", "A title of many words, " * 9, "-draw", "cut", "-view",
+               200, 35, "-svg", "p.svg", *options)
+    test("scales, tetrahedra: " + what, right(
+        svg, names + ["Gold, g/t"], list(low) + [v.min()],
+        list(high) + [v.max()], rounding))
+    for k, many in enumerate(("1,9,7", "9,1,7", "9,7,1")):
+        svg = tess("-grid", many, "-outside", "nearest", "-values", "p.svg",
+                   *options)
+        two = [j for j in range(3) if j != k]
+        test("scales, slice %s: %s" % (many, what), right(
+            svg, [names[j] for j in two] + ["Gold, g/t"],
+            list(low[two]) + [v.min()], list(high[two]) + [v.max()], rounding))
+        note = [re.match("(Easting|Northing|Level) = (.*) m;", t)
+                for t in texts(svg)]
+        note = [t for t in note if t]
+        test("slice: its place in full digits, %s: %s" % (many, what),
+             len(note) == 1 and abs(float(note[0].group(2)) -
+                                    low[k] / 2 - high[k] / 2) <=
+             5e-15 * abs(high[k]))
+    # long names
+    long = "Easting (UTM 51S),Northing (UTM 51S),Level above the sea,Gold by assay"
+    save("scale.csv", p, v, names=long)
+    for options in (["-svg", "p.svg"], ["-draw", "points", "-view", 110, 20,
+                     "-svg", "p.svg"], ["-grid", "9,7,1", "-values", "p.svg"],
+                    ["-size", "500,400", "-svg", "p.svg"]):
+        svg = tess("-cols", "1,2,3,4", "-unit", "parts per million,metres",
+                   *options, "scale.csv")
+        test("long names within the picture, %s: %s" % (options[0], what),
+             not helvetica or outside(svg) == [])
+
+# values that are all the same, or but for rounding: one colour, with a scale
+for constant in 5, 0, -7654321.5, 1e-12, 1e300:
+    save("same.csv", cloud, constant * np.ones(60))
+    for options in (["-grid", "30,20,1", "-outside", "nearest", "-values",
+                     "p.svg"], ["-draw", "points", "-svg", "p.svg"]):
+        svg = tess(*options, "same.csv")
+        s = scales(svg)[-1]
+        used = {path.get("fill") for path in svg.iter(SVG + "path")
+                if len(path.get("fill", "")) == 7 and path.get("d")}
+        dots = {path.get("class")[1:] for path in svg.iter(SVG + "path")
+                if path.get("class")}
+        # (of a slice a path for each band, and all that are seen are of the
+        # middle one, the others below)
+        test("all values are %g, %s" % (constant, options[0]),
+             len(s[1]) >= 2 and len(set(s[1])) == len(s[1]) and
+             s[2][0] < constant < s[2][-1] and
+             (len(dots) == 1 if options[0] == "-draw" else len(used) == 13))
+
+# the same colours for several pictures
+save("few.csv", few, few[:, 0] * few[:, 1])
+bars = [bar(tess("-range", "-1,9", *options, "few.csv")) for options in
+        (["-svg", "p.svg"], ["-draw", "points", "-svg", "p.svg"],
+         ["-grid", "9,9,1", "-values", "p.svg"],
+         ["-grid", "9,9,1", "-method", "nearest", "-values", "p.svg"])]
+test("-range: the same bar, from end to end", bars == [bars[0]] * 4 and
+     [float(t) for t in bars[0][:-1]] == [0, 2, 4, 6, 8])
+svg = tess("-range", "1,2", "-draw", "points", "-svg", "p.svg", "few.csv")
+band = [int(path.get("class")[1:]) for path in svg.iter(SVG + "path")
+        if path.get("class") for a in loops(path.get("d"))]
+product = few[:, 0] * few[:, 1]
+test("-range: what is beyond has the last colour",
+     band.count(min(band)) >= (product < 1).sum() > 0 and
+     band.count(max(band)) >= (product > 2).sum() > 0 and
+     len(set(band)) > 5)

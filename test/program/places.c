@@ -21,7 +21,8 @@
 #define HUGE_NUMBER 1e10 /* a value that may be none, but stand for one */
 
 /* What is asked for. */
-static double size[3], corner[6]; /* of the grid: NX, NY, NZ, X0 to Z1 */
+static double size[3], corner[6]; /* of the grid: NX, NY, NZ, X0 to Z1; */
+static double step[3], edge[3]; /* by -step: of blocks, or 0; their begin */
 static int boxed, asked[METHODS], method, outside;
 static int side[2]; /* of a picture, to the right and up: which axes */
 static double number;
@@ -32,7 +33,8 @@ static mesh flat;      /* of points in a plane */
 static double *mean;   /* the points' values, where there are duplicates */
 static tess_int *same; /* the points that stand for them */
 static tess_int t[FEW];
-static double done; /* places */
+static double done, bare; /* places; those without a value */
+static char *texts; /* other columns of some places, one behind the other */
 
 /* sink - a file that values go to. */
 typedef struct sink {
@@ -108,7 +110,46 @@ static void choose_outside(void)
         fail("-outside %s: choose nearest or a number", chosen.outside);
 }
 
-static void choose_grid(void)
+/* choose_blocks - the grid is of the centres of blocks, by -step. */
+static void choose_blocks(void)
+{
+    double x[7], many;
+    int ends = list_numbers(chosen.grid, 7, x), k;
+
+    if (ends != 2 * chosen.steps)
+        fail("-step %s: -grid %s says where the blocks begin and end",
+             chosen.steps == 3 ? "SX,SY,SZ" : "SX,SY",
+             chosen.steps == 3 ? "X0,X1,Y0,Y1,Z0,Z1" : "X0,X1,Y0,Y1");
+    if (chosen.steps == 2) chosen.plane = 1;
+    if (chosen.steps == 3 && chosen.plane)
+        fail("-step SX,SY,SZ is for points in space: -step SX,SY if two "
+             "columns are their coordinates");
+    size[2] = 1.0;
+    for (k = 0; k < chosen.steps; k++) {
+        many = (x[2 * k + 1] - x[2 * k]) / chosen.step[k];
+        if (!(many > 0.0) || !(many + 0.5 <= (double)INT_MAX))
+            fail("-grid: from %c0 = %g to %c1 = %g are no blocks of %g",
+                 "XYZ"[k], x[2 * k], "XYZ"[k], x[2 * k + 1], chosen.step[k]);
+        size[k] = floor(many + 0.5);
+        if (size[k] < 1.0)
+            fail("-grid: from %c0 = %g to %c1 = %g is less than half a block "
+                 "of %g",
+                 "XYZ"[k], x[2 * k], "XYZ"[k], x[2 * k + 1], chosen.step[k]);
+        step[k] = chosen.step[k];
+        edge[k] = x[2 * k];
+        corner[2 * k] = x[2 * k] + step[k] / 2.0;
+        corner[2 * k + 1] = x[2 * k] + (size[k] - 0.5) * step[k];
+        if (fabs(many - size[k]) > 1e-6 * size[k])
+            warn("-grid: from %c0 = %.15g to %c1 = %.15g are %.6g blocks of "
+                 "%.15g: %.0f are made, to %.15g",
+                 "XYZ"[k], x[2 * k], "XYZ"[k], x[2 * k + 1], many, step[k],
+                 size[k], x[2 * k] + size[k] * step[k]);
+    }
+    boxed = 1;
+}
+
+/* choose_places - so many from side to side. */
+static void choose_places(void)
 {
     double x[9];
     int many = list_numbers(chosen.grid, 9, x), k;
@@ -132,11 +173,6 @@ static void choose_grid(void)
             fail("-grid: NX, NY, NZ are whole numbers from 1 on");
         size[k] = x[k];
     }
-    if (x[0] * x[1] * x[2] > MOST)
-        fail("-grid: %.0f places are more than %.0f: %.0f bytes (%.1f GB) a "
-             "column; take slices, as of NZ = 1, Z0 = Z1",
-             x[0] * x[1] * x[2], MOST, 8.0 * x[0] * x[1] * x[2],
-             8e-9 * x[0] * x[1] * x[2]);
     boxed = many == 9;
     for (k = 3; k < many; k++) corner[k - 3] = x[k];
     for (k = 0; k < 3 && boxed; k++)
@@ -146,6 +182,21 @@ static void choose_grid(void)
                  corner[2 * k] == corner[2 * k + 1]
                      ? ", or the same where there is one place"
                      : "");
+}
+
+static void choose_grid(void)
+{
+    if (chosen.steps)
+        choose_blocks();
+    else
+        choose_places();
+    if (size[0] * size[1] * size[2] > MOST)
+        fail("-grid: %.0f places are more than %.0f: %.0f bytes (%.1f GB) a "
+             "column; take slices, as of %s",
+             size[0] * size[1] * size[2], MOST,
+             8.0 * size[0] * size[1] * size[2],
+             8e-9 * size[0] * size[1] * size[2],
+             chosen.steps ? "Z1 = Z0 + SZ" : "NZ = 1, Z0 = Z1");
 }
 
 /* choose_slice - which axes a picture has. */
@@ -180,6 +231,11 @@ void check_values(void)
     if (chosen.values && !chosen.grid && !chosen.query)
         fail("-values needs places: -grid NX,NY,NZ or -query F");
     if (chosen.qcols && !chosen.query) fail("-qcols is for -query F");
+    if (chosen.steps && !chosen.grid)
+        fail("-step needs -grid X0,X1,Y0,Y1,Z0,Z1, where the blocks begin and "
+             "end");
+    if ((chosen.within > 0.0 || chosen.drop) && !chosen.values)
+        fail("%s is for -values", chosen.drop ? "-drop" : "-within");
     if (!chosen.validate && (chosen.by || next_output(errors_forms, 0)))
         fail("%s is for -validate", chosen.by ? "-by" : "-errors");
     if (!chosen.values && !chosen.validate) {
@@ -211,6 +267,7 @@ void check_values(void)
         csv |= o->as - values_forms == CSV;
     }
     if (chosen.digits && !csv) fail("-digits is for -values F.csv");
+    if (chosen.drop && !csv) fail("-drop is for -values F.csv");
     if (chosen.query && strcmp(chosen.query, "-") == 0 &&
         (!chosen.input || strcmp(chosen.input, "-") == 0))
         fail("points and places cannot both be standard input");
@@ -223,6 +280,8 @@ static double place(int k, long i)
 {
     double low = corner[2 * k], high = corner[2 * k + 1];
 
+    /* (from the side, lest half a step be rounded) */
+    if (step[k] > 0.0) return edge[k] + ((double)i + 0.5) * step[k];
     if (size[k] == 1.0) return low + (high - low) / 2.0;
     return (double)i == size[k] - 1.0
                ? high
@@ -356,11 +415,17 @@ void check_points(const points *points_read)
     if (chosen.validate > (long)in->n && !chosen.by)
         fail("-validate %ld: there are only %ld points", chosen.validate,
              (long)in->n);
-    for (j = 0; j < (size_t)in->columns * (size_t)in->n; j++)
+    for (j = 0; j < (size_t)in->columns * (size_t)in->n; j++) {
         bad += !(fabs(in->value[j]) <= DBL_MAX);
+        if (in->value[j] != in->value[j])
+            fail("%s, line %ld: %s is NaN: -skip drops such rows; -cols "
+                 "X,Y,Z,VALUE asks for one column's values",
+                 in->input, in->line[j / (size_t)in->columns],
+                 in->name[j % (size_t)in->columns]);
+    }
     if (bad > 0)
         warn("%s: %ld value%s not finite, and so is what is computed from "
-             "them%s; -skip drops rows with a NaN",
+             "them%s",
              in->input, bad, bad > 1 ? "s are" : " is",
              asked[SMOOTH] ? ", by -method smooth all of the column" : "");
     for (k = 0; k < in->columns; k++) {
@@ -429,7 +494,7 @@ static void npy_head(FILE *file)
 
 static void vtk_head(FILE *file)
 {
-    double step;
+    double way;
     int k;
 
     fprintf(file, "DIMENSIONS %.0f %.0f %.0f\nORIGIN", size[0], size[1],
@@ -437,17 +502,18 @@ static void vtk_head(FILE *file)
     for (k = 0; k < 3; k++) fprintf(file, " %.17g", place(k, 0));
     fprintf(file, "\nSPACING");
     for (k = 0; k < 3; k++) {
-        step = corner[2 * k + 1] - corner[2 * k];
-        if (size[k] > 1.0) step /= size[k] - 1.0;
-        fprintf(file, " %.17g", step > 0.0 ? step : 1.0);
+        way = corner[2 * k + 1] - corner[2 * k];
+        if (size[k] > 1.0) way /= size[k] - 1.0;
+        if (step[k] > 0.0) way = step[k];
+        fprintf(file, " %.17g", way > 0.0 ? way : 1.0);
     }
     fprintf(file, "\nPOINT_DATA %.0f\n", places_asked());
 }
 
-/* put_corners - of a cell of the grid, which has step[k] places from each one
+/* put_corners - of a cell of the grid, which has stride[k] places from each one
  * to the next along axis k: as VTK orders those of hexahedra, once around and
  * once above, since pixels and voxels, which ascend, others do not read. */
-static void put_corners(FILE *file, const double *cell, const double *step,
+static void put_corners(FILE *file, const double *cell, const double *stride,
                         int corners)
 {
     double at;
@@ -455,7 +521,7 @@ static void put_corners(FILE *file, const double *cell, const double *step,
 
     for (c = 0; c < corners; c++) {
         for (at = 0.0, bit = c ^ (c >> 1 & 1), k = 0; k < 3; k++) {
-            at += step[k] * (cell[k] + (size[k] > 1.0 && bit & 1));
+            at += stride[k] * (cell[k] + (size[k] > 1.0 && bit & 1));
             if (size[k] > 1.0) bit >>= 1;
         }
         put_long(file, at);
@@ -467,7 +533,7 @@ static void put_corners(FILE *file, const double *cell, const double *step,
 static FILE *vtu_head(output *o)
 {
     static const int type[] = {1, 3, 9, 12};
-    double cells = 1.0, x[3], step[3], most[3], i;
+    double cells = 1.0, x[3], stride[3], most[3], i;
     int sides = 0, k;
     size_t j;
     FILE *file;
@@ -476,7 +542,7 @@ static FILE *vtu_head(output *o)
         sides += size[k] > 1.0;
         most[k] = size[k] > 1.0 ? size[k] - 1.0 : 1.0;
         cells *= most[k];
-        step[k] = k > 0 ? step[k - 1] * size[k - 1] : 1.0;
+        stride[k] = k > 0 ? stride[k - 1] * size[k - 1] : 1.0;
     }
     if (!chosen.grid) cells = places->all;
     file = start_vtu(o, places_asked(), cells, 1 << sides, in, 0);
@@ -495,7 +561,7 @@ static FILE *vtu_head(output *o)
     for (x[2] = 0.0; chosen.grid && x[2] < most[2]; x[2] += 1.0)
         for (x[1] = 0.0; x[1] < most[1]; x[1] += 1.0)
             for (x[0] = 0.0; x[0] < most[0]; x[0] += 1.0)
-                put_corners(file, x, step, 1 << sides);
+                put_corners(file, x, stride, 1 << sides);
     put_types(file, cells, 1 << sides, type[sides]);
     return file;
 }
@@ -539,6 +605,8 @@ static void head(sink *s)
             if (k > 0) putc(',', s->file);
             put_name(s->file, in->axis[k][0] ? in->axis[k] : &"x\0y\0z"[2 * k]);
         }
+        if (chosen.query && places->others)
+            fprintf(s->file, ",%s", places->others);
         for (k = 0; k < in->columns; k++) put_title(s->file, in->name[k]);
         putc('\n', s->file);
     } else if (s->form == NPY) {
@@ -550,6 +618,49 @@ static void head(sink *s)
     }
 }
 
+const char *next_text(const points *a)
+{
+    static char *text;
+    static size_t room;
+    size_t length = 0;
+    int c;
+
+    while ((c = getc(a->texts)) != '\n') {
+        if (c == EOF) fail("%s: a temporary file cannot be read", a->input);
+        if (length + 2 > room)
+            text = (char *)more_space(text, (double)(room = 2 * room + 80), 1);
+        text[length++] = (char)c;
+    }
+    text[length] = '\0';
+    return text;
+}
+
+/* read_texts - of the next places in a file, into texts. */
+static void read_texts(tess_int many)
+{
+    static size_t room;
+    size_t length, filled = 0;
+    const char *text;
+
+    for (; many > 0; many--, filled += length) {
+        text = next_text(places);
+        length = strlen(text) + 1;
+        if (filled + length > room)
+            texts = (char *)more_space(
+                texts, (double)(room = 2 * (filled + length)), 1);
+        memcpy(texts + filled, text, length);
+    }
+}
+
+/* valued - has the place a value? */
+static int valued(const double *out)
+{
+    int k;
+
+    for (k = 0; k < in->columns && out[k] != out[k];) k++;
+    return k < in->columns;
+}
+
 /* put - the values at some places. */
 static void put(sink *s, tess_int many, const tess_real *at,
                 const double *out)
@@ -557,6 +668,7 @@ static void put(sink *s, tess_int many, const tess_real *at,
     size_t numbers = (size_t)many * (size_t)in->columns, i;
     static char text[3][REAL]; /* of coordinates: in a grid most come again */
     static tess_real written[3];
+    const char *text_at = texts, *others;
     int k;
 
     if (s->form == NPY || s->scratch) {
@@ -573,6 +685,13 @@ static void put(sink *s, tess_int many, const tess_real *at,
     } else {
         for (; many > 0; many--, at += 3) {
             check_written(s->file);
+            /* (they may be empty) */
+            others = places->others && chosen.query ? text_at : 0;
+            if (others) text_at += strlen(text_at) + 1;
+            if (chosen.drop && !valued(out)) {
+                out += in->columns;
+                continue;
+            }
             for (k = 0; k < in->axes; k++) {
                 if (!*text[k] || at[k] != written[k])
                     real_text(text[k], (double)at[k],
@@ -580,6 +699,7 @@ static void put(sink *s, tess_int many, const tess_real *at,
                 written[k] = at[k];
                 fprintf(s->file, "%s,", text[k]);
             }
+            if (others) fprintf(s->file, "%s,", others);
             for (k = 1; k <= in->columns; k++)
                 fprintf(s->file, "%.*g%c", chosen.digits ? chosen.digits : 17,
                         *out++, k < in->columns ? ',' : '\n');
@@ -614,7 +734,7 @@ static void draw(const sink *s, const mesh *m)
     k = (int)strcspn(name, ",");
     note[0] = '\0';
     if (in->axes == 3)
-        sprintf(note, "%.*s = %.6g%.50s; ", k, name, place(axis[2], 0),
+        sprintf(note, "%.*s = %.15g%.50s; ", k, name, place(axis[2], 0),
                 name + k + (name[k] != 0));
     strcat(note, method_name[method]);
     draw_even(&look, length, chosen.scaled ? LONGEST : LONGER, note);
@@ -668,6 +788,10 @@ static const mesh *mesh_in_plane(const mesh *m)
 
     if (chosen.alpha > 0.0)
         fail("%s: the points lie in one plane, where -alpha is nothing",
+             in->input);
+    if (chosen.within > 0.0 && in->axes == 3)
+        fail("%s: the points lie in one plane, as -within is not for: name "
+             "their coordinates in it, as -cols X,Y",
              in->input);
     if (in->axes == 3)
         warn("%s: the points lie in one plane: values are those of the place "
@@ -756,6 +880,8 @@ static void some(tess_int many, const tess_real *at, const double *scale)
     for (i = 0; i < many && uncut; i++)
         for (k = 0; k < in->columns && t[i] < 0; k++)
             out[(long)in->columns * i + k] = number;
+    for (i = 0; i < many; i++) bare += !valued(out + (long)in->columns * i);
+    if (chosen.query && places->others) read_texts(many);
     for (k = 0; k < files; k++)
         if (sinks[k].form != SVG) put(sinks + k, many, at, out);
     done += (double)many;
@@ -882,6 +1008,8 @@ void write_values(const mesh *m)
     f.value = mean ? mean : in->value;
     f.columns = in->columns;
     f.flat = m->flat;
+    f.within = chosen.within;
+    if (chosen.query && places->others) rewind(places->texts);
     for (o = 0; (o = next_output(values_forms, o)) != 0;) {
         sinks = (sink *)more_space(sinks, files + 1.0, sizeof *sinks);
         memset(sinks + files, 0, sizeof *sinks);
@@ -897,6 +1025,8 @@ void write_values(const mesh *m)
         grid_values(most, scale);
     else
         query_values(most, scale);
+    if (chosen.steps || chosen.within > 0.0 || chosen.drop)
+        tell("places        %.0f, without a value %.0f\n", done, bare);
     for (k = 0; k < files; k++) tail(sinks + k, m);
     values_end();
 }

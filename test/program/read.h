@@ -180,6 +180,8 @@ typedef struct reader {
     int counting;             /* is x 0, 1, 2, ... or 1, 2, 3, ...? */
     double count_from;
     int voided;               /* did -nodata find one? */
+    double face_room;         /* of to->face; corners of the face: */
+    tess_int fan[2];          /* the first one, the last one */
     tess_int spilled;         /* places that are in the file of their own */
     char *labels;
     size_t labelled, labels_room, *label;
@@ -208,6 +210,10 @@ void take_lines(reader *r, int started);
 
 /* bad_cell - leave for the cell of column k. */
 void bad_cell(reader *r, int k);
+
+/* take_corner - the next one, number k, of a face: point i.  Faces are made
+ * triangles. */
+void take_corner(reader *r, double i, int k);
 
 /* end_rows - the points are complete. */
 void end_rows(reader *r);

@@ -55,9 +55,8 @@ void check_box(const points *in)
     if (ways < 3 && chosen.boxed)
         fail("%s: -periodic: its pbc says that nothing repeats itself along "
              "all axes, as a -box does: leave one of them out", in->input);
-    if (chosen.alpha > 0.0 || chosen.validate)
-        fail("%s is of the points alone: leave out -periodic",
-             chosen.validate ? "-validate" : "-alpha");
+    if (chosen.validate)
+        fail("-validate is of the points alone: leave out -periodic");
     if (chosen.plane)
         fail("-periodic is for points in space, not for those in a plane");
     for (k = 0; k < 12; k++) given[k] = in->cell[k];

@@ -344,11 +344,82 @@ static void name_value(points *to, const char *title)
     to->columns++;
 }
 
+/* other - is column k neither a coordinate nor a value?  Then its texts may be
+ * kept. */
+static int other(const reader *r, int k)
+{
+    return r->column[k].role >= LABEL;
+}
+
+/* put_text - a cell of CSV, as it is if it was quoted. */
+static void put_text(FILE *file, const char *text, const char *end, int quoted)
+{
+    const char *c;
+    int need = quoted || (text < end && (*text == ' ' || end[-1] == ' '));
+
+    for (c = text; c < end; c++) need |= *c == ',' || *c == '"';
+    if (need) putc('"', file);
+    for (c = text; c < end; c++) {
+        if (*c == '"' && !quoted) putc('"', file);
+        putc(*c, file);
+    }
+    if (need) putc('"', file);
+}
+
+/* name_others - a line of texts, too; it is points.others. */
+static void name_others(reader *r)
+{
+    points *to = r->to;
+    char text[TITLE + 20];
+    const char *name;
+    int k, many = 0;
+
+    for (k = 0; k < r->columns && to->copied; k++) many += other(r, k);
+    to->others = 0;
+    if (many == 0) return;
+    to->texts = tmpfile();
+    if (!to->texts) fail("%s: no room for a temporary file", to->input);
+    for (many = k = 0; k < r->columns; k++) {
+        if (!other(r, k)) continue;
+        if (many++) putc(',', to->texts);
+        sprintf(text, "column%d", k + 1);
+        name = r->column[k].title[0] ? r->column[k].title : text;
+        put_text(to->texts, name, name + strlen(name), 0);
+    }
+    putc('\n', to->texts);
+    rewind(to->texts);
+    name = next_text(to);
+    to->others = (char *)space((double)strlen(name) + 1.0, 1);
+    strcpy(to->others, name);
+    rewind(to->texts);
+}
+
+/* copy_others - the row's. */
+static void copy_others(reader *r)
+{
+    FILE *file = r->to->texts;
+    char text[40];
+    const cell *c = r->cell;
+    int k, many = 0;
+
+    for (k = 0; k < r->columns; k++, c++) {
+        if (!other(r, k)) continue;
+        if (many++) putc(',', file);
+        if (r->form == PACKED) {
+            sprintf(text, "%.17g", c->x);
+            put_text(file, text, text + strlen(text), 0);
+        } else
+            put_text(file, c->text, c->end, c->quoted);
+    }
+    putc('\n', file);
+    if (ferror(file)) fail("%s: no room for a temporary file", r->to->input);
+}
+
 void take_columns(reader *r)
 {
     points *to = r->to;
     column *c = r->column;
-    int at[COLUMNS], k, found = 0, others = 0;
+    int at[COLUMNS], i, k, found = 0, others = 0, named;
 
     at[0] = at[1] = at[2] = -1;
     r->axes = least(r);
@@ -373,7 +444,9 @@ void take_columns(reader *r)
     r->uses = r->axes;
     r->words = 0;
     for (k = 0; k < r->columns; k++) {
-        if (c[k].role == VALUE && ((k == r->by && !to->cols) || to->bare))
+        /* (what tells groups apart is a value only if it is named as one) */
+        for (named = 0, i = r->axes; i < found; i++) named |= at[i] == k;
+        if (c[k].role == VALUE && ((k == r->by && !named) || to->bare))
             c[k].role = UNUSED;
         if (c[k].role != VALUE) continue;
         r->use[r->uses++] = k;
@@ -389,6 +462,7 @@ void take_columns(reader *r)
     for (k = 0; k < r->columns && !to->cols; k++)
         if ((c[k].role == LABEL || c[k].role == HOLLOW) && k != r->by)
             r->word[r->words++] = k;
+    name_others(r);
 }
 
 /* --------------------------------------------------------------- the rows */
@@ -550,6 +624,7 @@ void take_row(reader *r)
     }
     add_point(r);
     r->s.rows += r->s.binary ? r->stride : 1.0;
+    if (to->others) copy_others(r);
     if (r->by < 0) return;
     c = r->cell + r->by;
     if (c->quoted) c->end = unquote(c->text, c->end);
@@ -581,7 +656,7 @@ static int packed_row(reader *r, char *text)
     if (!row) return 0;
     r->s.number++;
     for (k = 0; k < r->columns; k++, c++, to++) {
-        if (c->role > VALUE && k != r->by) continue;
+        if (c->role > VALUE && k != r->by && !r->to->others) continue;
         from = row + (size_t)c->at;
         bytes = c->bytes;
         for (j = 0; j < bytes; j++)
@@ -1031,6 +1106,32 @@ void take_lines(reader *r, int started)
              r->to->input, r->columns);
 }
 
+void take_corner(reader *r, double i, int k)
+{
+    points *to = r->to;
+
+    if (!to->surfaced) return;
+    if (!(i >= 0.0 && i < (double)to->n)) {
+        warn("%s:%ld: a face has a point that is not there: no surface",
+             r->s.name, r->s.number);
+        to->surfaced = 0;
+        return;
+    }
+    if (k > 1) {
+        if (3.0 * to->faces + 3.0 > r->face_room) {
+            r->face_room = 2.0 * r->face_room + 3000.0;
+            to->face = (tess_int *)more_space(to->face, r->face_room,
+                                              sizeof *to->face);
+        }
+        to->face[(size_t)(3.0 * to->faces)] = r->fan[0];
+        to->face[(size_t)(3.0 * to->faces) + 1] = r->fan[1];
+        to->face[(size_t)(3.0 * to->faces) + 2] = (tess_int)i;
+        to->faces += 1.0;
+        k = 1;
+    }
+    r->fan[k] = (tess_int)i;
+}
+
 void end_rows(reader *r)
 {
     points *to = r->to;
@@ -1045,6 +1146,7 @@ void end_rows(reader *r)
     if (to->n == 0) fail("%s: no points", to->input);
     to->axes = r->axes;
     to->all = (double)to->n;
+    if (!to->surfaced || r->lost[0] > 0.0) to->faces = 0.0;
     if (to->scratch) spill(r);
     else rooms(to, to->all, to->bare ? 0.0 : to->all * (double)to->columns);
     if (to->by) number_groups(r);

@@ -1,4 +1,4 @@
-/* shapes.c - alpha shapes, and Voronoi cells in a box, which may repeat itself.
+/* shapes.c - Voronoi cells in a box, which may repeat itself.
  *
  * Lengths are those of the stretched points, by -scale, until they are written.
  */
@@ -16,44 +16,6 @@ static tess_int *integers(double many)
 static double *doubles(double many)
 {
     return (double *)space(many, sizeof(double));
-}
-
-/* ---- alpha shapes ---- */
-
-void mark_alpha(mesh *m, double radius)
-{
-    char *keep = (char *)space((double)m->ntet, sizeof *keep);
-    tess_int *stack = integers((double)m->ntet), nfac, none[3], t;
-
-    if (alpha(m->p, m->ntet, m->tet, m->adj, radius, 1, keep, 0, &nfac, none,
-              stack) < 0)
-        too_small("-alpha: the tetrahedra's balls cannot be computed");
-    free(stack);
-    m->keep = keep;
-    for (m->kept = t = 0; t < m->ntet; t++) m->kept += keep[t];
-    if (m->kept == 0 && m->ntet > 0)
-        warn("-alpha: every tetrahedron has a larger circumradius than %g: "
-             "nothing is left; take a larger one", radius);
-}
-
-void drop_others(mesh *m)
-{
-    tess_int *number = integers((double)m->ntet), many = 0, t, u;
-    int k;
-
-    for (t = 0; t < m->ntet; t++) number[t] = m->keep[t] ? many++ : TESS_NONE;
-    for (t = 0; t < m->ntet; t++) {
-        if (!m->keep[t]) continue;
-        for (k = 0; k < 4; k++) {
-            u = m->adj[4 * t + k];
-            m->tet[4 * number[t] + k] = m->tet[4 * t + k];
-            m->adj[4 * number[t] + k] = u < 0 ? u : number[u];
-        }
-    }
-    free(number);
-    free(m->keep);
-    m->ntet = many;
-    m->keep = 0;
 }
 
 /* ---- cells ---- */
@@ -572,6 +534,7 @@ void make_cells(const mesh *m)
              "other units, as by -scale, or a smaller box", all.volume, whole);
     tell("cells         %.0f, their volumes sum to %.15g; the box's is %.15g\n",
          all.cells, all.volume, whole);
+    if (volumes > 0) tell_surface(m->in);
     for (o = 0; (o = next_output(cells_forms, o)) != 0;)
         write_cells(&c, o, volume, faces, &all);
     for (k = files = 0; k < 2; k++)

@@ -297,10 +297,13 @@ static void write_errors(const points *in, const double *value,
     FILE *file = start(o, 20.0 * numbers * (double)in->n);
     char title[TITLE + 20];
     const double *e = errors;
+    const char *text;
     tess_int i;
     int k, j;
 
     fprintf(file, "x,y,z,part");
+    if (in->others) fprintf(file, ",%s", in->others);
+    if (in->others) rewind(in->texts);
     for (j = 0; j < in->columns; j++) put_title(file, in->name[j]);
     for (k = 0; k < METHODS; k++)
         for (j = 0; j < in->columns && asked[k]; j++) {
@@ -309,9 +312,11 @@ static void write_errors(const points *in, const double *value,
         }
     fprintf(file, "\n");
     for (i = 0; i < in->n; i++, value += in->columns) {
+        text = in->others ? next_text(in) : 0;
         if (part[i] != TESS_NONE) {
             put_point(file, in, i, ',', ',');
             fprintf(file, "%ld", (long)part[i] + 1);
+            if (text) fprintf(file, ",%s", text);
             for (j = 0; j < in->columns; j++) fprintf(file, ",%.17g", value[j]);
         }
         for (k = 0; k < METHODS; k++)
@@ -360,6 +365,7 @@ void cross_validate(mesh *m, const tess_int *same, const double *value,
     f.value = v;
     f.columns = in->columns;
     f.flat = m->flat;
+    f.within = 0.0;
     for (k = 0; k < parts; k++) {
         for (f.n = i = 0; i < in->n; i++) {
             if (part[i] == TESS_NONE || (long)part[i] == k) continue;

@@ -39,7 +39,8 @@ static int whole[COLUMNS];
 /* -clip: each column's range */
 static double low[COLUMNS], high[COLUMNS];
 
-/* nearest: the tetrahedra at each point */
+/* nearest, and where values end within a distance: the tetrahedra at each
+ * point */
 static tess_int *first, *list;
 
 /* natural: room for so many tetrahedra */
@@ -309,10 +310,10 @@ void values_begin(const field *what, int by, int beyond, double otherwise)
     number = otherwise;
     seen.t = TESS_NONE;
     if (chosen.clip) limits();
-    if (method != LINEAR) scale_points();
+    if (method != LINEAR || of->within > 0.0) scale_points();
     if (method == SMOOTH) gradients();
     if (method == NATURAL) room(MOST);
-    if (method == NEAREST) {
+    if (method == NEAREST || of->within > 0.0) {
         first = (tess_int *)space((double)of->n + 1.0, sizeof *first);
         list = (tess_int *)space(4.0 * (double)of->ntet, sizeof *list);
         stars(of->n, of->ntet, of->tet, first, list);
@@ -391,6 +392,33 @@ static void closest(const tess_real *q, const tess_int *v, const double *w,
     row(nearest(at, of->tet, first, list, q, v[best]), 1.0, out);
 }
 
+/* square - of the distance of q from point i. */
+static double square(const tess_real *q, tess_int i)
+{
+    double d, sum = 0.0;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        d = (double)q[k] - (double)at[3 * (size_t)i + (size_t)k];
+        sum += d * d;
+    }
+    return sum;
+}
+
+/* distant - is q, near to vertices v, farther from all points than the field
+ * goes? */
+static int distant(const tess_real *q, const tess_int *v)
+{
+    double far = of->within * unit;
+    int k, best = 0;
+
+    for (k = 1; k < 4; k++)
+        if (square(q, v[k]) < square(q, v[best])) best = k;
+    far *= far;
+    return square(q, v[best]) > far &&
+           square(q, nearest(at, of->tet, first, list, q, v[best])) > far;
+}
+
 tess_int values_start(const tess_real *q, tess_int start)
 {
     double w[4];
@@ -405,19 +433,22 @@ void values_at(tess_int many, const tess_real *q, tess_int *t, double *out)
     tess_int last = TESS_NONE, i;
     tess_real near[3]; /* q, times unit */
     double w[4];
-    int beyond, j, k;
+    int beyond, none, j, k;
 
     for (i = 0; i < many; i++, q += 3, out += of->columns) {
         if (t[i] != TESS_NONE) last = t[i] < 0 ? -2 - t[i] : t[i];
         beyond = locate(q, &last, w);
         if (beyond == 0 && of->keep && !of->keep[last]) beyond = 1;
         t[i] = beyond ? -2 - last : last;
-        for (j = 0; j < of->columns; j++)
-            out[j] = beyond && outside == OUT_VALUE ? number : 0.0;
-        if (beyond && outside == OUT_VALUE) continue;
         v = of->tet + 4 * (size_t)last;
-        for (k = 0; k < 3 && method != LINEAR; k++)
+        for (k = 0; k < 3 && (method != LINEAR || of->within > 0.0); k++)
             near[k] = unit == 1.0 ? q[k] : (tess_real)((double)q[k] * unit);
+        none = of->within > 0.0 && distant(near, v);
+        for (j = 0; j < of->columns; j++)
+            out[j] = none                           ? no_number()
+                     : beyond && outside == OUT_VALUE ? number
+                                                      : 0.0;
+        if (none || (beyond && outside == OUT_VALUE)) continue;
         if (method == SMOOTH)
             smooth(near, beyond, v, w, out);
         else if (method == NATURAL && !beyond)

@@ -14,6 +14,7 @@ typedef struct field {
     const double *value; /* columns a point, row by row */
     int columns;
     int flat; /* as of a mesh */
+    double within; /* a place farther from all points has no value; 0: any */
 } field;
 
 /* The methods.  Smooth: by gradients at the points; natural: Sibson's natural

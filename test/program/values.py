@@ -254,8 +254,9 @@ tess("-q", "-query", "places.csv", "-qcols", "4,5,3", "-values", "q.csv",
 rows = np.genfromtxt("q.csv", delimiter=",", skip_header=1)
 test("-query, .csv: the places as they were read", near(rows[:, :3], q[order],
                                                        0.0))
-test("-query, .csv: the values of .npy", near(rows[:, 3:], np.load("q.npy"),
-                                              0.0))
+test("-query, .csv: the values of .npy, behind the file's other columns",
+     near(rows[:, 5:], np.load("q.npy"), 0.0) and
+     open("q.csv").readline() == "x,y,z,id,note,T,U\n")
 
 # ---- points in a plane ----
 
@@ -725,10 +726,28 @@ test("duplicates with the same values: nothing to say",
 hole = T.copy()
 hole[70] = np.nan
 save("hole.csv", p, hole, U)
+for options in (("-query", "hole.csv", "-values", "h.npy"), ("-validate",)):
+    done = subprocess.run([TESS, "-q", *options, "hole.csv"],
+                          stderr=subprocess.PIPE, universal_newlines=True)
+    test("a NaN among the values: its line is named, " + options[0],
+         done.returncode == 2 and
+         done.stderr.startswith("tess: hole.csv, line 72: T is NaN: -skip "))
+tess("-skip", "-query", "points.csv", "-values", "h.npy", "hole.csv")
+keep = np.arange(2000) != 70
+test("a NaN among the values: -skip drops it, and counts",
+     re.search("1 row.* dropped", tess.said) is not None and
+     near(np.load("h.npy")[keep], np.column_stack((T, U))[keep], 0.0) and
+     near(np.load("h.npy")[~keep], LinearNDInterpolator(
+         p[keep], np.column_stack((T, U))[keep])(p[~keep]), 1e-12))
+tess("-cols", "x,y,z,U", "-query", "hole.csv", "-values", "h.npy", "hole.csv")
+test("a NaN in a column that is not asked for",
+     near(np.load("h.npy")[:, 0], U, 0.0))
+save("hole.csv", p, np.where(keep, T, np.inf), U)
 tess("-query", "hole.csv", "-values", "h.npy", "hole.csv")
-test("a NaN among the values: it is said", "1 value is not finite" in tess.said)
-test("a NaN among the values: the others come out as they are",
-     near(np.load("h.npy"), np.column_stack((hole, U)), 0.0))
+test("an infinite value: it is said; the others come out as they are",
+     "1 value is not finite" in tess.said and
+     near(np.load("h.npy")[keep], np.column_stack((T, U))[keep], 0.0))
+
 
 # a value that stands for a missing one
 void = random.permutation(2000)[:70]
@@ -905,8 +924,8 @@ for words in True, False:
         found = table("-validate", k, "-by", "hole", "-method",
                       "linear,nearest", "-errors", "e.csv", "holes.csv")
         e = read_errors("e.csv")
-        test("-by: the column is no value", list(e) == [
-            "x", "y", "z", "part", "T", "linear-T", "nearest-T"])
+        test("-by: the column is no value, but is there", list(e) == [
+            "x", "y", "z", "part", "hole", "T", "linear-T", "nearest-T"])
         at = cKDTree(x).query(np.column_stack([e[h] for h in "xyz"]))[1]
         part = np.zeros(len(x), int)
         part[at] = e["part"]
@@ -1030,7 +1049,8 @@ test("-validate: a duplicate does not predict its twin",
 tess("-validate", 400, "twins.csv")
 test("-validate: fewer places than parts: it is said",
      "200 parts, each of one place" in tess.said)
-save("hole.csv", x, np.where(np.arange(200) == 70, np.nan, f), g)
+save("hole.csv", x, np.where(np.arange(200) == 70, np.inf, f), g)
 found = table("-validate", "hole.csv")
-test("-validate: a NaN is the worst error",
-     np.isnan(found["linear", "T"][3]) and not np.isnan(found["linear", "U"][3]))
+test("-validate: an infinite error is the worst one",
+     not np.isfinite(found["linear", "T"][3]) and
+     np.isfinite(found["linear", "U"][3]))

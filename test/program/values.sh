@@ -244,6 +244,7 @@ if $PYTHON -c 'import numpy, scipy' 2> told; then
         skip "the recipes beside build/tess: no -shared -fPIC"
     fi
     lines $PYTHON "$TOP"/test/program/values.py $TESS $library
+    lines $PYTHON "$TOP"/test/program/blocks.py $TESS
 else
     skip "values beside SciPy: no numpy, scipy for $PYTHON"
 fi

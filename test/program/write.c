@@ -1040,6 +1040,7 @@ void begin_look(const points *in, draw_look *look)
     look->label = text[0];
     look->title = chosen.title;
     look->bare = chosen.bare;
+    memcpy(look->range, chosen.range, sizeof look->range);
     if (chosen.pixels[0] > 0.0) {
         look->width = (int)chosen.pixels[0];
         look->height = (int)chosen.pixels[1];
@@ -1069,7 +1070,7 @@ void write_svg(const mesh *m, output *o)
     look.what = m->kept > FEW ? DRAW_CUT : DRAW_APART;
     for (k = 0; k < 5 && chosen.draw; k++)
         if (strcmp(chosen.draw, what[k]) == 0) look.what = k;
-    sprintf(note, "%ld points", (long)in->n);
+    sprintf(note, "%ld points", (long)own);
     if (look.what != DRAW_POINTS)
         sprintf(note + strlen(note), ", %ld tetrahedra", (long)m->kept);
     if (in->columns > 0) first = (double *)space((double)in->n, sizeof *first);
@@ -1100,8 +1101,9 @@ void write_svg(const mesh *m, output *o)
     }
     draw_even(&look, side, chosen.scaled ? LONGEST : LONGER, note);
     look.note = note;
-    if (draw_svg(file, &look, in->n, in->p, first, m->ntet, m->tet, m->adj,
-                 m->keep) != 0)
+    /* (copies are for tetrahedra alone) */
+    if (draw_svg(file, &look, look.what == DRAW_POINTS ? own : in->n, in->p,
+                 first, m->ntet, m->tet, m->adj, m->keep) != 0)
         fail("not enough memory for a picture");
     free(first);
     finish(file, o);
