@@ -929,6 +929,10 @@ if len(sys.argv) > 1:
     mesh = Delaunay(p)
     test("tessn: SciPy's tetrahedra",
          rows(theirs["T"] - 1) == rows(mesh.simplices))
+    of_octave = tess89.Delaunay(p)
+    test("tessn: tess89's arrays, counted from 1", np.array_equal(
+        theirs["T"] - 1, of_octave.simplices) and np.array_equal(
+            theirs["N"] - 1, of_octave.neighbors))
     outside = mesh.find_simplex(q) < 0
     nearest = values[cKDTree(p).query(q)[1]]
     nearest[outside] = np.nan
