@@ -948,6 +948,12 @@ tess89() {
         skipped "Python: tess89: no numpy, scipy for $PYTHON"
         return
     fi
+    if $PYTHON -m mypy --version >> $LOG 2>&1; then
+        one "Python: type hints, by mypy" $PYTHON -m mypy \
+            --cache-dir build/mypy test/python/tess89
+    else
+        skipped "Python: no mypy for $PYTHON"
+    fi
     path=
     if has_pip; then
         packed

@@ -192,6 +192,10 @@ test("Delaunay: SciPy's types and sizes", all(
     first.dtype == first2.dtype and near_to.dtype == near_to2.dtype and
     np.array_equal(tri.min_bound, theirs.min_bound) and
     np.array_equal(tri.max_bound, theirs.max_bound))
+x = p[tri.simplices].mean(1)
+w = np.einsum("ijk,ik->ij", tri.transform[:, :3], x - tri.transform[:, 3])
+test("Delaunay: transform", tri.transform.shape == theirs.transform.shape and
+     near(w, np.full((tri.nsimplex, 3), .25), 1e-6))
 doubled = np.vstack((p[:200], p[50:90], p[:5]))
 tri2, theirs2 = tess89.Delaunay(doubled), Delaunay(doubled)
 at = tri2.coplanar
@@ -677,6 +681,15 @@ test("Mesh: == and != are answers", (small == small) is True and
 test("Mesh: its tuple", [*small] == [small.points, small.tet, small.adj,
                                      small.same] and len(small) == 4)
 
+f = tess89.Interpolator(mesh, values)
+for name, thing, value in (("mesh", tri, small), ("points", tri, p[:5]),
+                           ("simplices", tri, tri.simplices),
+                           ("neighbors", tri, tri.neighbors),
+                           ("method", f, "nearest"), ("mesh", f, small),
+                           ("tri", f, tri)):
+    refuses("%s: another %s" % (type(thing).__name__, name), AttributeError,
+            name, lambda: setattr(thing, name, value))
+
 # ---- Ctrl-C, other threads ----
 
 
@@ -746,6 +759,23 @@ for name, call in (("tess_resume", lambda: tess89.Delaunay(p)),
         heard = interrupted(call) and not left.is_set()
         leave.set()
         test("Ctrl-C: is heard while %s runs" % name, heard and left.wait(100))
+
+size = threading.stack_size(1 << 16)
+test("threads: their small stacks are not the library's",
+     len(tess89.delaunay(p).tet) == len(mesh.tet) and
+     threading.stack_size(size) == 1 << 16)
+start = threading.Thread.start
+
+
+def none(*_):
+    raise RuntimeError("can't start new thread")
+
+
+threading.Thread.start = none
+with watched("tess_resume", lambda calls: None) as calls:
+    test("threads: none can be had", tess89.delaunay(p) == mesh and
+         calls.calls == 1)
+threading.Thread.start = start
 
 # no thread gives way to others but where it waits, or the library works
 interval = sys.getswitchinterval()

@@ -4,8 +4,7 @@ from __future__ import annotations
 import ctypes
 import os
 import threading
-from collections import namedtuple
-from typing import TYPE_CHECKING, Any, Iterable, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Iterable, NamedTuple, Tuple
 
 import numpy as np
 
@@ -86,7 +85,14 @@ def _long(call, *arguments):
             said.append((None, e))
         done.set()
 
-    threading.Thread(target=work, daemon=True).start()
+    # (the library's stack is 125 KB, which is all that some systems give)
+    size = threading.stack_size(1 << 20)
+    try:
+        threading.Thread(target=work, daemon=True).start()
+    except RuntimeError:  # none can be had, as where Python ends
+        return call(*arguments)
+    finally:
+        threading.stack_size(size)
     # (on Windows a wait without an end does not hear it)
     while not done.wait(None if os.name == "posix" else 0.1):
         continue
@@ -153,7 +159,14 @@ def _refused(why):
                       % str(why).replace("tess89: ", ""))
 
 
-class Mesh(namedtuple("Mesh", "points tet adj same")):
+class _Arrays(NamedTuple):
+    points: NDArray[np.float64]
+    tet: NDArray[np.intc]
+    adj: NDArray[np.intc]
+    same: NDArray[np.intc]
+
+
+class Mesh(_Arrays):
     """A Delaunay tetrahedralization, as `delaunay` returns it.
 
     A tuple of four arrays that cannot be written.
@@ -188,26 +201,26 @@ class Mesh(namedtuple("Mesh", "points tet adj same")):
     def __new__(cls, points: ArrayLike, tet: ArrayLike, adj: ArrayLike,
                 same: ArrayLike) -> Mesh:
         try:
-            points = np.array(_points(points))
+            p = np.array(_points(points))
         except (TypeError, ValueError) as e:
             raise _refused(e) from None
-        n = len(points)
-        m = len(tet) if hasattr(tet, "__len__") else 0
-        tet = _indices(tet, (m, 4), 0, n)
-        adj = _indices(adj, (m, 4), _NONE, m)
-        same = _indices(same, (n,), 0, n)
-        if m == 0 or tet is None or adj is None or same is None:
+        n = len(p)
+        rows: Any = tet
+        m = len(rows) if hasattr(rows, "__len__") else 0
+        t = _indices(tet, (m, 4), 0, n)
+        a = _indices(adj, (m, 4), _NONE, m)
+        s = _indices(same, (n,), 0, n)
+        if m == 0 or t is None or a is None or s is None:
             raise _refused("shapes, types or numbers out of range")
         liw, bad = max(_room(n, m)[0], 2 * n), _int()
-        code = _long(_lib.tess_check, n, points, m, tet, adj, liw,
+        code = _long(_lib.tess_check, n, p, m, t, a, liw,
                      np.empty(liw, np.intc), bad)
         if code != 0:
             raise _refused("code %d of tess_check, at %d" % (code, bad.value))
-        if not (np.all(same <= np.arange(n)) and
-                np.array_equal(points[same], points) and
-                np.array_equal(np.unique(same), np.unique(tet))):
+        if not (np.all(s <= np.arange(n)) and np.array_equal(p[s], p) and
+                np.array_equal(np.unique(s), np.unique(t))):
             raise _refused("same names other points")
-        return cls._own(points, tet, adj, same)
+        return cls._own(p, t, a, s)
 
     @classmethod
     def _own(cls, *arrays):
@@ -217,7 +230,7 @@ class Mesh(namedtuple("Mesh", "points tet adj same")):
         return tuple.__new__(cls, [x.view() for x in arrays])
 
     @classmethod
-    def _make(cls, iterable: Iterable[Any]) -> Mesh:
+    def _make(cls, iterable: Iterable[Any]) -> Mesh:  # type: ignore[override]
         """A Mesh of four arrays."""
         arrays = tuple(iterable)
         if len(arrays) != 4:
@@ -240,14 +253,14 @@ class Mesh(namedtuple("Mesh", "points tet adj same")):
     def __ne__(self, other: object) -> bool:
         return not self == other
 
-    __hash__ = None
+    __hash__ = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         return "<tess89.Mesh: %d points, %d tetrahedra>" % (len(self.points),
                                                             len(self.tet))
 
 
-def _mesh(mesh):
+def _mesh(mesh: Any) -> Mesh:
     if isinstance(mesh, Delaunay):
         return mesh.mesh
     if not isinstance(mesh, Mesh):
@@ -295,7 +308,7 @@ def delaunay(points: ArrayLike) -> Mesh:
         code = _long(_lib.tess_resume, n, p, room, ntet, tet, adj, liw, iw, lrw,
                      rw)
         if code == _MORE and room < _MOST // 4:
-            iw = rw = None
+            del iw, rw
             room = min(2 * room, _MOST // 4)
             tet, adj = _longer(tet, room), _longer(adj, room)
         elif code == _POOL and liw < _MOST:
@@ -308,7 +321,7 @@ def delaunay(points: ArrayLike) -> Mesh:
     if code != 0:
         _fail(code)
     same = iw[:n].copy()
-    iw = rw = None
+    del iw, rw
     for x in (tet, adj):
         x.resize((ntet.value, 4), refcheck=False)
     return Mesh._own(p, tet, adj, same)
@@ -384,8 +397,8 @@ def locate(mesh: Mesh | Delaunay,
         For what is no mesh, no real numbers, of another shape.
     """
     q = _coordinates(places, "places")
-    mesh = _mesh(mesh)
-    t, w, _ = _many(mesh, 0, np.empty((0, len(mesh.points))), None, None, None,
+    made = _mesh(mesh)
+    t, w, _ = _many(made, 0, np.empty((0, len(made.points))), None, None, None,
                     q, True)
     t = np.maximum(t, _NONE)
     w[t < 0] = np.nan
@@ -404,21 +417,19 @@ def hull(mesh: Mesh | Delaunay) -> NDArray[np.intc]:
     ndarray of int32, shape (k, 3)
         Numbers of points, counter-clockwise as seen from outside.
     """
-    mesh = _mesh(mesh)
+    _, tet, adj, _ = _mesh(mesh)
     nfac = _int(0)
     fac = np.empty((0, 3), np.intc)
-    while _lib.tess_hull(len(mesh.tet), mesh.tet, mesh.adj, len(fac), nfac,
-                         fac) == _MORE:
+    while _lib.tess_hull(len(tet), tet, adj, len(fac), nfac, fac) == _MORE:
         fac = np.empty((nfac.value, 3), np.intc)
     return fac
 
 
-def _edges(mesh):
+def _edges(tet, adj):
     """Each edge once, and a tetrahedron at it."""
     nedge, many = _int(0), 0
     edge, at = np.empty((0, 2), np.intc), np.empty(0, np.intc)
-    while _lib.edges(len(mesh.tet), mesh.tet, mesh.adj, many, nedge, edge,
-                     at) == _MORE:
+    while _lib.edges(len(tet), tet, adj, many, nedge, edge, at) == _MORE:
         many = nedge.value
         edge, at = np.empty((many, 2), np.intc), np.empty(many, np.intc)
     return edge, at
@@ -437,16 +448,15 @@ def volumes(mesh: Mesh | Delaunay) -> NDArray[np.float64]:
     ndarray of double, shape (n,)
         Infinite for points on the hull, 0 for a duplicate.
     """
-    mesh = _mesh(mesh)
-    n = len(mesh.points)
+    p, tet, adj, _ = _mesh(mesh)
+    n = len(p)
     # in units in which no square of a length overflows, or is lost
-    p = mesh.points
     unit = int(np.frexp(np.max(p.max(0) / 2 - p.min(0) / 2))[1]) + 1
     p = np.ldexp(p, -unit)
-    edge, at = _edges(mesh)
+    edge, at = _edges(tet, adj)
     area, cell = np.empty(len(edge)), np.empty(n)
     outer = np.empty(n, np.intc)
-    _lib.dual(n, p, mesh.tet, mesh.adj, len(edge), edge, at, area, cell, outer)
+    _lib.dual(n, p, tet, adj, len(edge), edge, at, area, cell, outer)
     cell = np.ldexp(cell, 3 * unit)
     cell[outer != 0] = np.inf
     return cell
@@ -485,6 +495,11 @@ qhull_options=None)
     vertex_neighbor_vertices : tuple of two ndarrays of int32
         ``(indptr, indices)``: the neighbours of point k are
         ``indices[indptr[k]:indptr[k+1]]``, in ascending order.
+    transform : ndarray of double, shape (nsimplex, 4, 3)
+        Of tetrahedron i the inverse of T, ``transform[i, :3]``, and the last
+        vertex r, ``transform[i, 3]``: the barycentric coordinates c of x have
+        ``T c = x - r``.  NaN where rounding hides the volume; `locate` has
+        weights that are right there, too.
     min_bound, max_bound : ndarray of double, shape (3,)
         The least and the largest coordinates.
     npoints, nsimplex, ndim : int
@@ -525,19 +540,23 @@ qhull_options=None)
             if given:
                 raise ValueError("tess89: Delaunay: %s is not supported: "
                                  "scipy.spatial.Delaunay has it" % name)
-        self.mesh = delaunay(points)
-        self._kept = {}
+        self._mesh = delaunay(points)
+        self._kept: Dict[str, Any] = {}
 
     @classmethod
     def _of(cls, mesh):
         self = cls.__new__(cls)
-        self.mesh, self._kept = mesh, {}
+        self._mesh, self._kept = mesh, {}
         return self
 
     def _once(self, name, make):
         if name not in self._kept:
             self._kept[name] = make()
         return self._kept[name]
+
+    @property
+    def mesh(self) -> Mesh:
+        return self._mesh
 
     @property
     def points(self) -> NDArray[np.float64]:
@@ -594,13 +613,27 @@ qhull_options=None)
     def vertex_neighbor_vertices(self) -> Tuple[NDArray[np.intc],
                                                 NDArray[np.intc]]:
         def make():
-            edge, _ = _edges(self.mesh)
+            edge, _ = _edges(self.simplices, self.neighbors)
             a = np.concatenate((edge[:, 0], edge[:, 1]))
             b = np.concatenate((edge[:, 1], edge[:, 0]))
             indptr = np.zeros(self.npoints + 1, np.intc)
             np.cumsum(np.bincount(a, minlength=self.npoints), out=indptr[1:])
             return indptr, b[np.lexsort((b, a))]
         return self._once("vertex_neighbor_vertices", make)
+
+    @property
+    def transform(self) -> NDArray[np.float64]:
+        def make():
+            v = self.points[self.simplices]
+            a, b, c = (v[:, k] - v[:, 3] for k in range(3))
+            with np.errstate(all="ignore"):
+                inverse = np.stack((np.cross(b, c), np.cross(c, a),
+                                    np.cross(a, b)), 1)
+                volume = np.sum(a * inverse[:, 0], 1)
+                # (of the last vertex' edges it is negative)
+                inverse /= np.where(volume < 0, volume, np.nan)[:, None, None]
+            return np.concatenate((inverse, v[:, 3:]), 1)
+        return self._once("transform", make)
 
     def find_simplex(self, xi: ArrayLike, bruteforce: bool = False,
                      tol: float | None = None) -> NDArray[np.intc]:

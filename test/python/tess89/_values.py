@@ -51,6 +51,7 @@ class _Group:
     def __init__(self, mesh, columns, values, method):
         n, m = len(mesh.points), len(mesh.tet)
         self.mesh, self.columns, self.values = mesh, columns, values
+        self.method = _METHODS.index(method)
         self.slopes = self.first = self.stars = None
         if np.any(mesh.same != np.arange(n)):
             _lib.means(n, mesh.same, len(values), values, np.empty(n))
@@ -159,14 +160,16 @@ rescale=False)
         if not isinstance(method, str) or method not in _METHODS:
             raise ValueError("tess89: method: one of %s, not %r"
                              % (", ".join(_METHODS), method))
-        self.method, self.fill_value = method, fill_value
+        self._method, self._fill_value = method, fill_value
         self._near = fill_value is None or isinstance(fill_value, str)
         if isinstance(fill_value, str) and fill_value != "nearest":
             raise ValueError("tess89: fill_value: a number or 'nearest', not "
                              "%r" % fill_value)
         if not self._near:
             self._fill = float(_numbers(fill_value, "fill_value"))
-        self._mesh = self._tri = self._size = None
+        self._mesh: Mesh | None = None
+        self._tri: Delaunay | None = None
+        self._size = None
         if isinstance(points, (Delaunay, Mesh)):
             if rescale:
                 raise ValueError("tess89: rescale: not with a Delaunay or Mesh "
@@ -231,6 +234,14 @@ rescale=False)
                          self.method)
 
     @property
+    def method(self) -> str:
+        return self._method
+
+    @property
+    def fill_value(self) -> float | str | None:
+        return self._fill_value
+
+    @property
     def mesh(self) -> Mesh:
         if self._mesh is None:
             self._mesh = delaunay(self._points)
@@ -273,10 +284,10 @@ rescale=False)
             with np.errstate(over="ignore"):
                 q = np.where(np.isfinite(q),
                              np.clip(q / self._size, -most, most), q)
-        out = None
+        out: Any = None
         for g in self._groups:
-            t, _, part = _many(g.mesh, _METHODS.index(self.method), g.values,
-                               g.slopes, g.first, g.stars, q, False)
+            t, _, part = _many(g.mesh, g.method, g.values, g.slopes, g.first,
+                               g.stars, q, False)
             if not self._near:
                 part[t < _NONE] = self._fill
             if len(self._groups) == 1:
