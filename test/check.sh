@@ -921,7 +921,7 @@ packed() {
     rm -rf $P
     mkdir -p $P/from
     # (a copy, as setuptools leaves files beside what it builds)
-    mkdir -p $P/test && cp tess.[ch] hhpred.[ch] $P &&
+    mkdir -p $P/test && cp tess.[ch] hhpred.[ch] LICENSE $P &&
         cp -R test/python test/examples $P/test
     rm -rf $P/test/python/build $P/test/python/*.egg-info \
         $P/test/python/tess89/_library.*
@@ -929,7 +929,7 @@ packed() {
 import backend
 print(backend.build_sdist(\"../../from\"))'"
     cp $P/from/*.tar.gz "$elsewhere" 2>> $LOG
-    rm -rf $P/test $P/*.[ch]
+    rm -rf $P/test $P/*.[ch] $P/LICENSE
     one "Python: pip wheel, of the sdist alone" pip wheel \
         -w "$elsewhere" "$elsewhere"/*.tar.gz
     # (of any Python; of this machine)

@@ -52,10 +52,14 @@ function F = tessinterp(P, V, Q, METHOD)
     absent = isnan(V);
     if any(absent(:))
         counts = sum(absent, 1);
-        words = sprintf(', column %d: %d', [find(counts); counts(counts > 0)]);
+        some = find(counts);
+        if numel(some) > 9
+            some = some(1:9);
+        end
+        words = sprintf(', column %d: %d', [some; counts(some)]);
         warning('tessinterp:missing', ['tessinterp: of %d values some are ' ...
-                'NaN, and their points are left out (%s)'], size(V, 1), ...
-                words(3:end));
+                'NaN in %d columns, and their points are left out (%s)'], ...
+                size(V, 1), sum(counts > 0), words(3:end));
     end
     found = all(isfinite(Q), 2);
     F = NaN(size(Q, 1), size(V, 2));

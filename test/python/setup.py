@@ -67,7 +67,7 @@ class build_library(build_ext):
 class sdist_with_c(sdist):
     def make_release_tree(self, base_dir, files):
         super().make_release_tree(base_dir, files)
-        copied(os.path.join(base_dir, "c"), SOURCES + HEADERS)
+        copied(os.path.join(base_dir, "c"), SOURCES + HEADERS + ["LICENSE"])
 
 
 commands = {"build_ext": build_library, "sdist": sdist_with_c}
@@ -78,5 +78,4 @@ if bdist_wheel:
 
     commands["bdist_wheel"] = wheel_for_all
 
-setup(ext_modules=[Extension("tess89._library", [])], cmdclass=commands,
-      zip_safe=False)
+setup(ext_modules=[Extension("tess89._library", [])], cmdclass=commands)

@@ -30,6 +30,8 @@ import tess89
 from tess89 import _mesh, _values
 
 counts = [0, 0]
+# (what a shell runs in the background ignores it)
+signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 def test(name, good):
@@ -614,6 +616,10 @@ def damages(x, most):
         other = np.array(x)
         other.flat[0] = -3
         yield other
+        other = np.array(x)
+        other.flat[-1] += 1 - 2 * (other.flat[-1] > 0)
+        yield other
+        yield np.arange(x.size, dtype=x.dtype).reshape(x.shape)
         yield np.roll(x, 1, 0)
         yield x.max() - x
     else:
@@ -677,6 +683,8 @@ test("Mesh: == and != are answers", (small == small) is True and
      (small != small) is False and (small == mesh) is False and
      (small != mesh) is True and (small == 3) is False and
      (small == tuple(small)) is False and (small != None) is True and
+     (small == tess89.delaunay(2 * small.points)) is False and
+     (small != tess89.delaunay(2 * small.points)) is True and
      (small == tess89.delaunay(small.points)) is True)
 test("Mesh: its tuple", [*small] == [small.points, small.tet, small.adj,
                                      small.same] and len(small) == 4)

@@ -71,10 +71,13 @@ def _fail(code):
                                            "code %d of the library" % code))
 
 
-def _long(call, *arguments):
-    """What the library's call returns, which may take long: in a thread, so
-    that Ctrl-C is heard.  Then the call ends by itself; its arrays are lost."""
-    if threading.current_thread() is not threading.main_thread():
+def _long(call, n, *arguments):
+    """What the library's call returns for n points, which may take long: in a
+    thread, so that Ctrl-C is heard.  Then the call ends by itself, and its
+    arrays are lost."""
+    arguments = (n,) + arguments
+    if (n < 1000 or  # some milliseconds
+            threading.current_thread() is not threading.main_thread()):
         return call(*arguments)
     done, said = threading.Event(), []
 
@@ -217,7 +220,7 @@ class Mesh(_Arrays):
                      np.empty(liw, np.intc), bad)
         if code != 0:
             raise _refused("code %d of tess_check, at %d" % (code, bad.value))
-        if not (np.all(s <= np.arange(n)) and np.array_equal(p[s], p) and
+        if not (np.array_equal(p[s], p) and
                 np.array_equal(np.unique(s), np.unique(t))):
             raise _refused("same names other points")
         return cls._own(p, t, a, s)
