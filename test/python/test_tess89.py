@@ -698,6 +698,72 @@ for name, thing, value in (("mesh", tri, small), ("points", tri, p[:5]),
     refuses("%s: another %s" % (type(thing).__name__, name), AttributeError,
             name, lambda: setattr(thing, name, value))
 
+# anything for anything: results, TypeError or ValueError
+p30 = p[:30]
+mesh30, tri30 = tess89.delaunay(p30), tess89.Delaunay(p30)
+things = [
+    None, 3, 2.5, "x", b"x", [], (), {}, [1, 2, 3], (1, 2, 3), [[1, 2], [3]],
+    range(3), 2**70, [2**70] * 3, True, np.nan, np.inf, slice(3), len,
+    np.zeros((), [("a", float)]), np.array("2020-01-01", "M8[D]"), p30,
+    p30.astype(">f8"), p30.astype("f2"), np.asfortranarray(p30), p30[::-1],
+    p30[:, ::-1], p30.T, p30[None], p30[:0], p30[:1], p30[:4], p30[:, :2],
+    p30[:, 0], p30 * np.nan, p30 * 1e308, (p30 - .5) * 3e308, p30 * 1e-300,
+    p30 * 5e-324, p30 * (1, 1, 0), p30 * (1, 0, 0), np.round(2 * p30),
+    np.tile(p30[:5], (6, 1)), p30 + 0j, p30.astype(object), p30.astype(str),
+    np.ma.masked_less(p30, .5), np.matrix(p30), p30.tolist(), tuple(p30),
+    tuple(p30.T), np.where(p30 > .5, np.nan, p30), np.full(30, np.nan),
+    np.where(p30[:, 0] > .9, np.inf, 1), np.arange(30) > 4,
+    np.zeros((30, 0)), np.zeros((30, 2, 2)), mesh30, tri30, mesh30.tet,
+    mesh30.adj, mesh30.same, tess89.Interpolator(tri30, p30), tess89.Mesh,
+    *_values._METHODS]
+calls = [getattr(tess89, name) for name in tess89.__all__] + [
+    tess89.Mesh._make, tri30.find_simplex]
+wrong, results = [], 0
+
+
+def anything(call, arguments):
+    global results
+    try:
+        made = call(*arguments)
+    except (TypeError, ValueError):
+        return None
+    except Exception as e:
+        wrong.append((call, arguments, e))
+        return None
+    results += 1
+    return made
+
+
+def some_of(x, least, most):
+    return [x[i] for i in random.integers(0, len(x),
+                                          random.integers(least, most))]
+
+
+with np.errstate(all="ignore"), warnings.catch_warnings():
+    warnings.simplefilter("ignore")
+    for _ in range(6000):
+        call, = some_of(calls, 1, 2)
+        arguments = some_of(things, 1, 6)
+        # (what is right is rare otherwise)
+        if random.random() < .7:
+            arguments[0] = some_of([mesh30, tri30, p30, 1e308 * p30,
+                                    np.tile(p30[:5], (6, 1))], 1, 2)[0]
+        if len(arguments) > 2 and random.random() < .7:
+            arguments[2] = some_of(_values._METHODS, 1, 2)[0]
+        made = anything(call, arguments)
+        if isinstance(made, tess89.Interpolator):
+            for _ in range(4):
+                anything(made, some_of(things, 1, 4))
+        if isinstance(made, tess89.Delaunay):
+            for name in dir(made):
+                getattr(made, name)
+            anything(tess89.volumes, [made])
+    for _ in range(300):
+        anything(lambda *x: mesh30._replace(**dict(zip(mesh30._fields, x))),
+                 some_of(things, 1, 5))
+test("anything for anything: results or ValueError, TypeError%s"
+     % (wrong[:1] or ""), wrong == [] and results > 300)
+
 # ---- Ctrl-C, other threads ----
 
 
