@@ -472,7 +472,10 @@ test("rescale: the mesh is of scaled points", near(
 test("rescale: the far end of doubles is outside, NaN is none", near(f(
     [[1e308, 0, -1e308], [np.nan, 0, 0]]), np.full((2, 2), np.nan)) and near(
         tess89.LinearNDInterpolator(p * 1e-9, values[:, 0], 7, True)(
-            [[1e308, 0, -1e308], [np.nan, 0, 0]]), [7, np.nan]))
+            [[1e308, 0, -1e308], [np.nan, 0, 0], [0, 0, np.inf]]),
+        [7, np.nan, np.nan]))
+refuses("rescale: points in a plane", ValueError, "one plane",
+        lambda: tess89.Interpolator(p * (1, 1, 0), values, rescale=True))
 for name, call in (("points", lambda: tess89.Interpolator(p + 1j, values)),
                    ("values", lambda: tess89.Interpolator(p, values + 1j)),
                    ("places", lambda: mine(q + 1j)),
