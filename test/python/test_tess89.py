@@ -544,7 +544,7 @@ with warnings.catch_warnings():
             lambda: tess89.Interpolator(level, flat))
     lost = p.copy()
     lost[[1234, 2345], 1] = np.nan
-    nowhere = np.where(np.isnan(lost[:, :1]), np.nan, values)
+    nowhere = np.where(np.isnan(lost[:, 1:2]), np.nan, values)
     refuses("a point that is NaN, whose value is, too", ValueError,
             "point 1234 is not finite",
             lambda: tess89.Interpolator(lost, nowhere))
