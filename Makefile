@@ -7,7 +7,7 @@
 #                 those of that name
 # make t_tess     a test of test/unit alone; ARGS=-quick, as for t_part;
 #                 brute ARGS=SETS, t_pred ARGS=PERCENT of cases
-# make python     build/libtess.so, for test/examples/tess.py
+# make python     build/libtess.so, for test/python and Python by ctypes
 # make octave     what Octave needs, by mkoctfile; then: addpath build
 # make install    libtess.a, libtess.so, the headers and tess.pc, for pkg-config;
 #                 PREFIX=/usr/local, LIBDIR=/usr/local/lib, DESTDIR=
@@ -358,7 +358,8 @@ mirror: build/mirror
 	build/mirror > test/data/mirror.xyz
 
 clean:
-	rm -rf build
+	rm -rf build test/python/build test/python/*.egg-info \
+	    test/python/tess89/_library.*
 
 help:
 	@sed -n '/^[^#]/q;s/^# \{0,1\}//p' Makefile

@@ -971,6 +971,21 @@ tries() {
         test ! -s build/readme/untested
 }
 
+# pip: of $PYTHON, without a network; what NumPy it finds is not looked at
+pip() {
+    PIP_NO_INDEX=1 PIP_NO_DEPS=1 PIP_DISABLE_PIP_VERSION_CHECK=1 \
+        PIP_ROOT_USER_ACTION=ignore CC="$CC" $PYTHON -m pip "$@"
+}
+
+# has_pip: can it build tess89?
+has_pip() {
+    $PYTHON -m pip --version >> $LOG 2>&1 && $PYTHON -c '
+import setuptools
+assert int(setuptools.__version__.split(".")[0]) > 60
+try: import setuptools.command.bdist_wheel
+except ImportError: import wheel' 2>> $LOG
+}
+
 # snakes: the README's program in Python, and first.py
 snakes() {
     if ! wanted "example: first.py" && ! group "the README's Python"; then
@@ -989,18 +1004,31 @@ snakes() {
         skipped "the README's Python: no numpy for $PYTHON"
         return
     fi
+    # where it is installed, or as make python leaves it
+    path=test/python
+    if has_pip; then
+        rm -rf build/readme/python
+        path=python
+        grep -o '`pip install [^`]*`' README.md | tr -d '`' |
+            sed "s|^pip |$PYTHON -m pip |" > build/readme/commands
+        one "the README's Python: its commands" sh -c "cd build/readme &&
+            test -s commands && CC='$CC' PIP_NO_INDEX=1 PIP_NO_DEPS=1 \
+            PIP_ROOT_USER_ACTION=ignore PIP_TARGET=python sh -e commands"
+    else
+        skipped "the README's Python: no pip with setuptools for $PYTHON"
+    fi
     fenced python > build/readme/mine.py
     place=$(sed -n 's/.* f(\[\(.*\)\]).*/\1/p' build/readme/mine.py)
     echo "$place" > build/readme/place
     # what it prints, as its comment says; and what build/tess gives there
     PRINTED=$(cd build/readme && PYTHONDONTWRITEBYTECODE=1 \
-        PYTHONPATH=test/examples $PYTHON mine.py 2>> ../../$LOG)
+        PYTHONPATH=$path $PYTHON mine.py 2>> ../../$LOG)
     one "the README's Python: prints what is said" test -n "$PRINTED" -a \
         "$PRINTED" = "$(sed -n 's/^print.* # //p' build/readme/mine.py)"
     one "the README's Python: what build/tess gives" test "$PRINTED" = \
-        "$count $(build/tess -q -method smooth -query build/readme/place \
+        "$count [$(build/tess -q -method smooth -query build/readme/place \
         -values - test/data/mirror.xyz | awk -F , '{ v = $4 }
-            END { printf "%.3f", v }')"
+            END { printf "%.3f", v }')]"
 }
 
 readme() {
@@ -1013,13 +1041,13 @@ readme() {
     snakes
 }
 
-# ---- Octave's functions, which leave for tess.py's tests what they give, and
-# NumPy's ----
+# ---- Octave's functions, which leave for NumPy's tests what they give, and
+# the Python package ----
 
-bindings() {
+tessn() {
     left=
     rm -f build/tessn.mat
-    if ! group "example: tess"; then
+    if ! group "example: tessn" && ! group "Python: "; then
         return
     elif ! command -v mkoctfile > /dev/null || ! command -v octave-cli > /dev/null
     then
@@ -1031,7 +1059,7 @@ bindings() {
         one "the README's Octave: prints what is said" test \
             "$(octave-cli --norc --no-history build/mine.m | tr -d ' \n')" = \
             "v=$(sed -n 's/.* % //p' build/mine.m)"
-        left=build/tessn.mat
+        [ ! -f build/tessn.mat ] || left=build/tessn.mat
         # (mex.h itself is not C89)
         mex=$(mkoctfile -p OCTINCLUDEDIR)
         one "example: tess_mex.c, strict C89" sh -c "$CC -E -I. -isystem $mex/octave \
@@ -1040,14 +1068,66 @@ bindings() {
     else
         fail "example: tessn.m: make octave"
     fi
-    if [ ! -f build/libtess.so ] ||
-        ! $PYTHON -c 'import numpy, scipy' 2>> $LOG; then
-        skipped "example: tess.py: no library, or no numpy, scipy for $PYTHON"
+}
+
+# packed: tess89 is installed from an sdist where no checkout is, and from there
+# comes what is tested; $path is where
+packed() {
+    P=build/python
+    elsewhere=$(mktemp -d) || return
+    rm -rf $P
+    mkdir -p $P/from
+    # (a copy, as setuptools leaves files beside what it builds)
+    mkdir -p $P/test && cp tess.[ch] hhpred.[ch] LICENSE $P &&
+        cp -R test/python test/examples $P/test
+    rm -rf $P/test/python/build $P/test/python/*.egg-info \
+        $P/test/python/tess89/_library.*
+    one "Python: an sdist" sh -c "cd $P/test/python && $PYTHON -c '
+import backend
+print(backend.build_sdist(\"../../from\"))'"
+    cp $P/from/*.tar.gz "$elsewhere" 2>> $LOG
+    rm -rf $P/test $P/*.[ch] $P/LICENSE
+    one "Python: pip wheel, of the sdist alone" pip wheel \
+        -w "$elsewhere" "$elsewhere"/*.tar.gz
+    # (of any Python; of this machine)
+    one "Python: a wheel for this machine, below 1 MB" sh -c "cd $elsewhere &&
+        ls -l tess89-*-py3-none-[!a]*.whl &&
+        test \$(cat *-py3-none-[!a]*.whl | wc -c) -lt 1000000"
+    one "Python: pip install" pip install --target $P/site "$elsewhere"/*.whl
+    rm -rf "$elsewhere"
+    path=$P/site
+}
+
+tess89() {
+    if ! group "Python: "; then
+        return
+    elif ! $PYTHON -c 'import numpy, scipy' 2>> $LOG; then
+        skipped "Python: tess89: no numpy, scipy for $PYTHON"
         return
     fi
+    if $PYTHON -m mypy --version >> $LOG 2>&1; then
+        one "Python: type hints, by mypy" $PYTHON -m mypy \
+            --cache-dir build/mypy test/python/tess89
+    else
+        skipped "Python: no mypy for $PYTHON"
+    fi
+    path=
+    if has_pip; then
+        packed
+    else
+        skipped "Python: no pip with setuptools for $PYTHON"
+    fi
+    if [ ! -d "$path/tess89" ]; then
+        path=test/python
+        if ! make -s "CC=$CC" "CFLAGS=$CFLAGS" build/libtess.so >> $LOG 2>&1
+        then
+            skipped "Python: tess89: make python"
+            return
+        fi
+    fi
     # shellcheck disable=SC2086
-    many "example: tess.py" env PYTHONDONTWRITEBYTECODE=1 $PYTHON \
-        test/examples/try_tess.py $left
+    many "Python: tess89" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$path \
+        $PYTHON test/python/test_tess89.py $left
 }
 
 # ---- the recipes beside CGAL ----
@@ -1742,8 +1822,8 @@ all_twins() {
 
 first_half() {
     parts itself language symbols tests flagged stacked builds indices \
-        examples together readme bindings rules packages driver files outputs \
-        values
+        examples together readme tessn tess89 rules packages driver files \
+        outputs values
     [ -z "$ALL" ] && return
     parts peers processes certificates
 }

@@ -2,8 +2,9 @@
  *
  *   many   by tetrahedra, slopes, natural neighbours or the nearest point
  *          (sorted, terms)
+ *   means  of points that coincide the mean of their values
  *
- * tess.py and tess_mex.c, for NumPy, Octave and MATLAB, rest on it.
+ * test/python and tess_mex.c, for NumPy, Octave and MATLAB, rest on it.
  */
 #include <stddef.h>
 
@@ -138,4 +139,32 @@ int many(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
         }
     }
     return outside;
+}
+
+/* means - of points that coincide the mean of their values.
+ *
+ *   n, same  (in)     number of points, and for each the one that stands for it,
+ *                     as tess leaves it in iw[0..n-1]
+ *   nv       (in)     values a point
+ *   value    (in,out) value[n*j+i] is value j of point i; all at one place
+ *                     become the mean of them
+ *   times    (out)    workspace, n
+ *
+ * A running mean, point by point, which equal values leave as they are. */
+void means(tess_int n, const tess_int *same, tess_int nv, double *value,
+           double *times)
+{
+    tess_int i, j, r;
+    double *v = value;
+
+    for (j = 0; j < nv; j++, v += n) {
+        for (i = 0; i < n; i++) {
+            times[i] = 1.0;
+            r = same[i];
+            if (r == i) continue;
+            times[r] += 1.0;
+            v[r] += (v[i] - v[r]) / times[r];
+        }
+        for (i = 0; i < n; i++) v[i] = v[same[i]];
+    }
 }

@@ -34,6 +34,7 @@
 #define append TESS_AS(append)
 #define join TESS_AS(join)
 #define many TESS_AS(many)
+#define means TESS_AS(means)
 #define unpack TESS_AS(unpack)
 #define triclinic TESS_AS(triclinic)
 #define periodic TESS_AS(periodic)
@@ -117,6 +118,8 @@ int many(tess_int n, const tess_real *p, tess_int ntet, const tess_int *tet,
          const double *g, const tess_int *first, const tess_int *list,
          tess_int nq, const tess_real *q, tess_int *t, double *w, double *out,
          tess_int most, tess_int *iw, double *rw);
+void means(tess_int n, const tess_int *same, tess_int nv, double *value,
+           double *times);
 
 /* periodic.c */
 #define PERIODIC_FEW 20 /* a code: tetrahedra reach too far */

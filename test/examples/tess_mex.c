@@ -1,9 +1,11 @@
 /* tess_mex.c - what tessn.m and tessinterp.m call, for Octave and MATLAB.
  *
- *   T = tess_mex(P)                 tetrahedra, 4 by m, of points, 3 by n
+ *   [T, N] = tess_mex(P)            tetrahedra, 4 by m, of points, 3 by n, and
+ *                                   their neighbours, 4 by m, 0 for none
  *   F = tess_mex(P, V, Q, METHOD)   values, nq by k, of V, n by k, at places Q,
  *                                   3 by nq, all finite, by MANY_LINEAR or
- *                                   another; NaN outside the hull
+ *                                   another; NaN outside the hull.  Of points
+ *                                   that coincide the mean of V counts
  *
  * `make octave' builds it.  MATLAB, in the top directory:
  *   mex -I. test/examples/tess_mex.c test/examples/many.c ...
@@ -19,7 +21,7 @@
 
 typedef struct mesh {
     const double *p;
-    tess_int n, ntet, *tet, *adj;
+    tess_int n, ntet, *tet, *adj, *same;
 } mesh;
 
 /* room - memory, which is given back when the call ends at the latest; what was
@@ -80,7 +82,7 @@ static void build(mesh *m, const mxArray *points)
     int code;
 
     m->p = matrix(points, 3, &m->n);
-    m->tet = m->adj = 0;
+    m->tet = m->adj = iw = 0;
     m->ntet = 0;
     maxtet = m->n > limit / 8 - 8 ? limit : 8 * m->n + 64;
     for (;;) {
@@ -89,11 +91,10 @@ static void build(mesh *m, const mxArray *points)
                                          : (tess_int)(pool * liw);
         m->tet = integers(m->tet, 4.0 * maxtet);
         m->adj = integers(m->adj, 4.0 * maxtet);
-        iw = integers(0, liw);
+        iw = integers(iw, liw);
         rw = doubles(lrw);
         code = (m->ntet ? tess_resume : tess)(m->n, m->p, maxtet, &m->ntet,
                                               m->tet, m->adj, liw, iw, lrw, rw);
-        mxFree(iw);
         mxFree(rw);
         if (code == TESS_MORE && maxtet < limit)
             maxtet = maxtet > limit / 2 ? limit : 2 * maxtet;
@@ -106,6 +107,7 @@ static void build(mesh *m, const mxArray *points)
         mexErrMsgIdAndTxt("tess:finite", "point %ld is not finite",
                           (long)m->ntet + 1);
     right(code);
+    m->same = integers(iw, m->n);
 }
 
 /* interpolated - nq by nv values. */
@@ -113,11 +115,18 @@ static mxArray *interpolated(const mesh *m, const mxArray *values,
                              const mxArray *places, int method)
 {
     tess_int nv, nq, most = MOST, liw, lrw, *t, *iw, *first = 0, *list = 0, i;
-    const double *v = matrix(values, m->n, &nv), *q = matrix(places, 3, &nq);
+    const double *given = matrix(values, m->n, &nv);
+    const double *q = matrix(places, 3, &nq);
     mxArray *result = mxCreateDoubleMatrix((size_t)nq, (size_t)nv, mxREAL);
     double *out = mxGetPr(result), *g = 0, *rw;
     size_t n = (size_t)m->n, all = (size_t)nq, j;
+    double *v = doubles((double)m->n * nv);
     int code;
+
+    for (j = 0; j < n * (size_t)nv; j++) v[j] = given[j];
+    rw = doubles(m->n);
+    means(m->n, m->same, nv, v, rw);
+    mxFree(rw);
 
     if (method == MANY_SMOOTH) {
         g = doubles(3.0 * m->n * nv);
@@ -125,8 +134,10 @@ static mxArray *interpolated(const mesh *m, const mxArray *values,
         for (j = 0; j < (size_t)nv; j++) {
             code = slopes(m->n, m->p, m->ntet, m->tet, m->adj, v + n * j,
                           ROUNDS, g + 3 * n * j, rw);
-            /* what is no number makes values near it so */
-            if (code != TESS_RANGE) right(code);
+            if (code == TESS_RANGE)
+                mexErrMsgIdAndTxt("tess:range", "a value is infinite, or a "
+                                  "gradient too large for a double");
+            right(code);
         }
         mxFree(rw);
     }
@@ -158,8 +169,8 @@ void mexFunction(int nlhs, mxArray *plhs[], int nrhs, const mxArray *prhs[])
     mesh m;
     double *corner;
     tess_int i;
+    int k;
 
-    (void)nlhs;
     if (nrhs != 1 && nrhs != 4)
         mexErrMsgIdAndTxt("tess:argument", "tess_mex: see tessn, tessinterp");
     build(&m, prhs[0]);
@@ -167,7 +178,10 @@ void mexFunction(int nlhs, mxArray *plhs[], int nrhs, const mxArray *prhs[])
         plhs[0] = interpolated(&m, prhs[1], prhs[2], (int)mxGetScalar(prhs[3]));
         return;
     }
-    plhs[0] = mxCreateDoubleMatrix(4, (size_t)m.ntet, mxREAL);
-    corner = mxGetPr(plhs[0]);
-    for (i = 0; i < 4 * m.ntet; i++) corner[i] = m.tet[i] + 1.0;
+    for (k = 0; k == 0 || (k == 1 && nlhs > 1); k++) {
+        plhs[k] = mxCreateDoubleMatrix(4, (size_t)m.ntet, mxREAL);
+        corner = mxGetPr(plhs[k]);
+        for (i = 0; i < 4 * m.ntet; i++)
+            corner[i] = (k == 0 ? m.tet : m.adj)[i] + 1.0;
+    }
 }

@@ -4,7 +4,8 @@ function F = tessinterp(P, V, Q, METHOD)
 %   F = tessinterp(P, V, Q, METHOD)
 %
 % P       n by 3, the points: real numbers, all finite
-% V       their values: n of them, or n by k
+% V       their values: n of them, or n by k.  One that is NaN leaves its point
+%         out of its column, and a warning, tessinterp:missing, counts them
 % Q       nq by 3, the places
 % METHOD  'linear'   in each Delaunay tetrahedron: the default
 %         'smooth'   by gradients at the points: the most accurate one where the
@@ -14,7 +15,7 @@ function F = tessinterp(P, V, Q, METHOD)
 % F       nq by 1, or nq by k: the values at Q; NaN outside the points' convex
 %         hull, and where Q is not finite
 %
-% Of points that coincide the value of the first one counts.
+% Of points that coincide the mean of the values counts.
 % `make octave' builds what it needs, into build/: addpath build.
     if nargin < 3
         error('tessinterp: it takes P, V, Q and perhaps METHOD');
@@ -42,8 +43,32 @@ function F = tessinterp(P, V, Q, METHOD)
     if isempty(number)
         error('tessinterp: METHOD must be linear, smooth, natural or nearest');
     end
+    P = full(double(P)).';
+    V = full(double(V));
+    bad = find(~all(isfinite(P), 1), 1);
+    if ~isempty(bad)
+        error('tessinterp: point %d is not finite', bad);
+    end
+    absent = isnan(V);
+    if any(absent(:))
+        counts = sum(absent, 1);
+        some = find(counts);
+        if numel(some) > 9
+            some = some(1:9);
+        end
+        words = sprintf(', column %d: %d', [some; counts(some)]);
+        warning('tessinterp:missing', ['tessinterp: of %d values some are ' ...
+                'NaN in %d columns, and their points are left out (%s)'], ...
+                size(V, 1), sum(counts > 0), words(3:end));
+    end
     found = all(isfinite(Q), 2);
     F = NaN(size(Q, 1), size(V, 2));
-    F(found, :) = tess_mex(full(double(P)).', full(double(V)), ...
-                           full(double(Q(found, :))).', number - 1);
+    % columns that lack the same values have one mesh
+    [~, ~, alike] = unique(absent.', 'rows');
+    for k = 1:max(alike)
+        columns = find(alike(:) == k);
+        there = ~absent(:, columns(1));
+        F(found, columns) = tess_mex(P(:, there), V(there, columns), ...
+                                     full(double(Q(found, :))).', number - 1);
+    end
 end

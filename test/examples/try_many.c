@@ -1,5 +1,5 @@
 /* try_many.c - many.c's values beside those of each place alone, by the recipe
- * for it; the nearest point beside that of all; bad arguments.
+ * for it; the nearest point beside that of all; bad arguments; means.
  *
  *   cc -O2 -I. -o try_many test/examples/try_many.c test/examples/many.c \
  *       test/examples/slopes.c test/examples/natural.c \
@@ -7,6 +7,7 @@
  */
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "recipes.h"
 
@@ -97,6 +98,21 @@ static int right(int method, int *beyond)
     return yes && code == 1;
 }
 
+/* averaged - are the means of three, two and one values right, and those of
+ * equal ones what they are? */
+static int averaged(void)
+{
+    static const tess_int same[6] = {0, 1, 0, 1, 0, 5};
+    static const double want[12] = {4.0, 5.0, 4.0, 5.0, 4.0, 9.0,
+                                    0.1, 0.3, 0.1, 0.3, 0.1, -1.0};
+    double v[12] = {1.0, 2.0, 4.0, 8.0, 7.0, 9.0,
+                    0.1, 0.3, 0.1, 0.3, 0.1, -1.0};
+    double times[6];
+
+    means(6, same, 2, v, times);
+    return memcmp(v, want, sizeof v) == 0;
+}
+
 int main(void)
 {
     static const char *const name[4] = {"linear", "smooth", "natural",
@@ -136,5 +152,7 @@ int main(void)
     ntet = 0;
     bad = bad && call(0, 1, NQ, MOST) == -3;
     printf("bad arguments are found: %s\n", bad ? "yes" : "no");
-    return !(all && bad);
+    yes = averaged();
+    printf("means of points that coincide: %s\n", yes ? "yes" : "no");
+    return !(all && bad && yes);
 }

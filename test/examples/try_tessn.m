@@ -55,6 +55,18 @@ for i = 1:rows(T)
     positive = positive && det(p(T(i, 2:4), :) - p(T(i, [1 1 1]), :)) > 0;
 end
 test('tessn: positively oriented', positive);
+[T, N] = tessn(p);
+beside = true;
+for i = 1:rows(T)
+    for k = 1:4
+        face = sort(T(i, [1:k-1, k+1:4]));
+        % all that have these three points: it, and the neighbour or none
+        have = find(sum(ismember(T, face), 2) == 3)';
+        beside = beside && isequal(sort([i, N(i, k)(N(i, k) > 0)]), have);
+    end
+end
+test('tessn: neighbours opposite to each point', ...
+     isequal(size(N), size(T)) && beside);
 [x, y, z] = ndgrid(0:4);
 grid = [x(:), y(:), z(:)];
 T4 = tessn(int8(grid));
@@ -102,6 +114,34 @@ test('tessinterp: hundreds of neighbours', same( ...
 test('tessinterp: no places', ...
      isequal(size(tessinterp(p, v, zeros(0, 3))), [0 2]));
 
+% missing values, points that coincide
+w = [v, v(:, 1), v(:, 2)];
+w(11:50, 1) = NaN;
+w(1:2:99, 4) = NaN;
+for method = {'linear', 'smooth', 'natural', 'nearest'}
+    want = zeros(500, 0);
+    for k = 1:4
+        there = ~isnan(w(:, k));
+        want(:, k) = tessinterp(p(there, :), w(there, k), q, method{1});
+    end
+    lastwarn('');
+    f = tessinterp(p, w, q, method{1});
+    test(['tessinterp: missing values, ' method{1}], same(f, want, 1e-12) && ...
+         sum(isfinite(f(:, 4))) > 99 && ...
+         ~isempty(strfind(lastwarn, 'column 1: 40, column 4: 50')));
+    twice = [p; p(1:99, :); p(1:9, :)];
+    u = rand(408, 2);
+    mean_of = u(1:300, :);
+    mean_of(1:99, :) = (u(1:99, :) + u(301:399, :)) / 2;
+    mean_of(1:9, :) = (u(1:9, :) + u(301:309, :) + u(400:408, :)) / 3;
+    test(['tessinterp: the mean where points coincide, ' method{1}], ...
+         same(tessinterp(twice, u, q, method{1}), ...
+              tessinterp(p, mean_of, q, method{1}), 1e-11));
+end
+lastwarn('');
+tessinterp(p, v, q);
+test('tessinterp: no warning where no value is missing', isempty(lastwarn));
+
 bad = p;
 bad([123 234], 2) = NaN;
 refuses('P must be n by 3', @tessn, p(:, 1:2));
@@ -112,6 +152,13 @@ refuses('in one plane', @tessn, p .* [1 1 0]);
 refuses('on one line', @tessn, p .* [1 0 0]);
 refuses('at one place', @tessn, zeros(0, 3));
 refuses('P must be n by 3', @tessinterp, p', v, q);
+refuses('point 123 is not finite', @tessinterp, bad, v + bad(:, 2), q);
+warning('off', 'tessinterp:missing');
+refuses('at one place', @tessinterp, p, v * NaN, q);
+refuses('in one plane', @tessinterp, [p; p .* [1 1 0]], ...
+        [v * NaN; v], q);
+warning('on', 'tessinterp:missing');
+refuses('a value is infinite', @tessinterp, p, [Inf; v(2:end, 1)], q, 'smooth');
 refuses('V must have a real value', @tessinterp, p, v(2:end, :), q);
 refuses('V must have a real value', @tessinterp, p, v + 1i, q);
 refuses('Q must be nq by 3', @tessinterp, p, v, q(:, 1:2));
@@ -123,7 +170,7 @@ refuses('real doubles with 3 rows', @tess_mex, single(p'));
 refuses('real doubles with 300 rows', @tess_mex, p', v', q', 0);
 refuses('see tessn', @tess_mex);
 
-save('-v6', 'build/tessn.mat', 'p', 'v', 'q', 'T', 'linear', 'smooth', ...
+save('-v6', 'build/tessn.mat', 'p', 'v', 'q', 'T', 'N', 'linear', 'smooth', ...
      'natural', 'nearest');
 printf('tessn: %d passed, %d failed\n', counts);
 exit(counts(2) > 0);
