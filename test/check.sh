@@ -948,7 +948,11 @@ tries() {
         while (n++ < 400) printf "%.3f,%.3f,%d,%d,%.2f\n", 10 + rand(),
             50 + rand(), 500 * rand(), n % 20, 20 * rand() }' \
         > build/readme/mine.csv
-    rm -f build/readme/out.vtk build/*.svg build/mirror.xyz.vtk build/mirror.vtk
+    awk 'BEGIN { print "hole,x,y,z,au"
+        while (n++ < 16) for (k = 0; k < 25; k++) printf "DH%d,%d,%d,%d,%.2f\n",
+            n, n % 4 * 150 + 20, int(n / 4) * 140 - 10, -4 * k, rand() }' \
+        > build/readme/holes.csv
+    rm -f build/readme/out.vtk build/readme/blocks.csv build/*.svg build/mirror.xyz.vtk build/mirror.vtk
     runs "commands to try" "$(commands 'make run\|make grid\|build/tess')"
     # what both of its lines say, of the mirror
     kept=$(echo "$PRINTED" |
@@ -964,6 +968,14 @@ tries() {
         grep -a '^POINT_DATA 22500$' build/readme/out.vtk
     one "the README's commands: a table" test "$(echo "$PRINTED" |
         grep -c '^\(linear\|smooth\|natural\) *t ')" -eq 3
+    # blocks of 10, 10, 5 from 0, 0, -100 on, not one without a value, no two
+    # the same, and some left out
+    one "the README's commands: a block model" awk -F , '
+        NR == 1 { bad = $0 != "x,y,z,au"; next }
+        ($1 - 5) % 10 || ($2 - 5) % 10 || ($3 + 97.5) % 5 || $1 < 0 ||
+            $1 > 500 || $2 < 0 || $2 > 500 || $3 < -100 || $3 > 0 ||
+            !($4 >= 0 && $4 <= 1) || seen[$1, $2, $3]++ { bad = 1 }
+        END { exit bad || NR < 100 || NR > 49000 }' build/readme/blocks.csv
     # each command that is printed is one of those above, or below
     commands '' | grep -v 'make run\|make grid\|build/tess\|gfortran\|first' \
         > build/readme/untested

@@ -35,12 +35,12 @@
 static const char *const names[] = {
     "tess_size", "tess", "tess_resume", "tess_locate", "tess_values",
     "tess_hull", "tess_check", "tess_index", "tess_query", "tess_part",
-    "tess_ball", "hh_facet", "hh_side", "hh_opp", "hh_lcoord", "hh_wrap",
-    "hh_orient", "hh_insphere"
+    "tess_ball", "tess_edition", "hh_facet", "hh_side", "hh_opp", "hh_lcoord",
+    "hh_wrap", "hh_orient", "hh_insphere"
 };
 enum routine {
     SIZE, MESH, RESUME, LOCATE, VALUES, HULL, CHECK, INDEX, QUERY, PART, BALL,
-    FACET, SIDE, OPP, LCOORD, WRAP, ORIENT, INSPHERE, ROUTINES
+    EDITION, FACET, SIDE, OPP, LCOORD, WRAP, ORIENT, INSPHERE, ROUTINES
 };
 
 #define FLAGS (FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW | FE_UNDERFLOW)
@@ -197,6 +197,7 @@ static void calls(int rounded)
 
     liw = lrw = ntet = 0;
     code = -1;
+    CALL(EDITION, tess_edition());
     CALL(SIZE, tess_size(n, MAXTET, &liw, &lrw));
     CALL(MESH, code = tess(n, p, MAXTET, &ntet, tet, adj, liw, iw, lrw, rw));
     CALL(CHECK, tess_check(n, p, ntet, tet, adj, 2 * n, iw, &bad));
