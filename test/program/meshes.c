@@ -182,6 +182,15 @@ static double integer(const char *at, const column *c, int big)
     return x;
 }
 
+/* pass - so many bytes of what it is; NULL if the file ends before. */
+static const char *pass(reader *r, double bytes, const char *what)
+{
+    const char *at = scan_take(&r->s, (size_t)bytes);
+
+    if (at) scan_note(&r->s, what, bytes, 1);
+    return at;
+}
+
 /* walk - those elements of a binary file, so many of each, by what they are;
  * the faces are kept; 0 if the file ends before. */
 static int walk(reader *r, const double *many, int elements, const other *list,
@@ -198,21 +207,17 @@ static int walk(reader *r, const double *many, int elements, const other *list,
                 if (o->element != e) continue;
                 n = 1.0;
                 if (o->count.bytes) {
-                    byte = scan_take(&r->s, (size_t)o->count.bytes);
+                    byte = pass(r, o->count.bytes, what);
                     n = byte ? integer(byte, &o->count, r->big) : -1.0;
-                    if (n < 0.0 || n * o->of.bytes > LONGEST_LIST) return 0;
-                    scan_note(&r->s, what, o->count.bytes, 1);
                 }
+                if (n < 0.0 || n * o->of.bytes > LONGEST_LIST) return 0;
+                if (!o->corners && !pass(r, n * o->of.bytes, what)) return 0;
                 for (j = 0.0; o->corners && j < n; j++) {
-                    byte = scan_take(&r->s, (size_t)o->of.bytes);
+                    byte = pass(r, o->of.bytes, what);
                     if (!byte) return 0;
                     take_corner(r, integer(byte, &o->of, r->big),
                                 j < 2.0 ? (int)j : 2);
                 }
-                if (!o->corners &&
-                    !scan_take(&r->s, (size_t)n * (size_t)o->of.bytes))
-                    return 0;
-                scan_note(&r->s, what, n * o->of.bytes, 1);
             }
     return 1;
 }
