@@ -335,9 +335,8 @@
  * a filter: its r is at least LEFT_LIST^2 = 1e20, and ballcoef's limits leave
  * |d.x| < 2e19, d[3] < 1e18.
  *
- * SPECK: a list takes a coordinate below this for 0.  That is far below FEPS,
- * and of what is left neither squares and products in single precision nor
- * those of differences underflow.
+ * SPECK: a list takes a coordinate below this for 0.  Of what is left neither
+ * squares and products in single precision nor those of differences underflow.
  *
  * PAD: relative room for the few roundings of a bound. */
 #define EPS DBL_EPSILON
@@ -1327,7 +1326,8 @@ static int ballinstar(const mesh *m, const quest *f)
  *   else at most 1; but twice as much for boxes a few last places wide, whose
  *   centre is rounded by as much): |u|^2 <= 12 by at most 8 roundings, two of
  *   them of u itself and the last that of the difference; d.u by at most 6 of
- *   each term; d[3] itself; specks are far below FEPS;
+ *   each term; d[3] itself;
+ *   specks, of u times the sum of |d|, at most 2 a; of d far below FEPS;
  *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
  *   with g, 6 roundings of (1 + |g|) a.
  * Returns 0 when the ball is too large for that. */
@@ -1348,7 +1348,7 @@ static int ballcoef(const list *l, const quest *f, float *d)
     if (sum > 1e6 || a + 2.0 * f->plain.dc * l->unit > 5e8) return 0;
     for (i = 0; i < 3; i++) d[i] = single(cu[i]);
     d[3] = (float)((double)FEPS * (128.0 + 16.0 * sum + 4.0 * fabs(k)) +
-                   8.0 * EPS * a * (1.0 + off) +
+                   (8.0 * EPS * (1.0 + off) + 2.0 * SPECK) * a +
                    2.0 * f->plain.dc * l->unit * (4.0 + off) - k);
     return 1;
 }

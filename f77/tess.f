@@ -458,10 +458,9 @@ C               is 0.04 FINEST
 C       FAR     where a list puts points that have left it.  No such
 C               point passes a filter: its r is at least FAR**2 = 1E20,
 C               and TSBALC's limits leave |D.x| < 2E19, D(4) < 1E18
-C       SPECK   a list takes a coordinate below this for 0.  That is far
-C               below FEPS, and of what is left neither squares and
-C               products in single precision nor those of differences
-C               underflow
+C       SPECK   a list takes a coordinate below this for 0.  Of what is
+C               left neither squares and products in single precision
+C               nor those of differences underflow
 C       PAD     relative room for the few roundings of a bound
 
 C     ------------------------------------------------------------------
@@ -1584,7 +1583,9 @@ C       g is 0, else at most 1; but twice as much for boxes a few last
 C       places wide, whose centre is rounded by as much): |u|**2 <= 12
 C       by at most 8 roundings, two of them of u itself and the last
 C       that of the difference; D.u by at most 6 of each term; D(4)
-C       itself; specks are far below FEPS;
+C       itself;
+C       specks, of u times the sum of |D|, at most 2 a; of D far below
+C       FEPS;
 C       double precision, with a the sum of |g| + |2c|: g, c + g and the
 C       products with g, 6 roundings of (1 + |g|) a.
 C     OK is 1, or 0 when the ball is too large for that.
@@ -1593,9 +1594,9 @@ C     OK is 1, or 0 when the ball is too large for that.
       REAL D(4)
       INTEGER LIST, OK
       INTEGER LMID, LMOST, LUNIT, VDC
-      DOUBLE PRECISION EPS, FEPS
+      DOUBLE PRECISION EPS, FEPS, SPECK
       PARAMETER (LMID = 6, LMOST = 9, LUNIT = 14, VDC = 4,
-     $    EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23))
+     $    EPS = 2.0D0**(-52), FEPS = 2.0D0**(-23), SPECK = 1.0D-10)
       DOUBLE PRECISION A, CU(3), DIST, G, REST, SUM
       REAL TSREAL
       INTEGER K
@@ -1619,7 +1620,7 @@ C     OK is 1, or 0 when the ball is too large for that.
       D(2) = TSREAL(CU(2))
       D(3) = TSREAL(CU(3))
       D(4) = REAL(FEPS*(128.0D0 + 16.0D0*SUM + 4.0D0*ABS(REST)) +
-     $    8.0D0*EPS*A*(1.0D0 + DIST) +
+     $    (8.0D0*EPS*(1.0D0 + DIST) + 2.0D0*SPECK)*A +
      $    2.0D0*C(VDC)*LSD(LUNIT,LIST)*(4.0D0 + DIST) - REST)
       OK = 1
       END

@@ -2613,6 +2613,31 @@ static void test_narrow(void)
     test_result("a cluster too narrow for a list", faults);
 }
 
+/* A layer so thin that its list takes heights for 0, and the balls are large. */
+static void test_thin(void)
+{
+    static double p[3 * 500];
+    result r;
+    int i, k, e;
+
+    faults = 0;
+    if (sizeof(tess_real) < sizeof(double)) return;
+    for (e = 6; e <= 48; e += quick ? 6 : 3) {
+        for (i = 0; i < 500; i++) {
+            for (k = 0; k < 3; k++) p[3 * i + k] = rnd_unit();
+            k = e / 3 % 3;
+            p[3 * i + k] = 1.0 + ldexp(p[3 * i + k], -e);
+        }
+        given(&r, "a thin layer", p, 500, NULL, 0);
+        release(1);
+        solve(&r);
+        right(&r);
+        current = NULL;
+        release(0);
+    }
+    test_result("a layer too thin for a list", faults);
+}
+
 /* Weights in tetrahedra that are flat to rounding. */
 static void test_slivers(void)
 {
@@ -2801,6 +2826,7 @@ int main(int argc, char **argv)
     test_lost();
     test_slivers();
     test_narrow();
+    test_thin();
     test_limbs();
     test_subnormal();
     return test_end("t_tess");
