@@ -1606,7 +1606,9 @@ static tess_int markleaf(mesh *m, int j, tess_int leaf)
         h = rough(m, s, i, &err);
         if (fabs(h) <= err - s->low) h = hh_height(&m->set, &s->t, i, &err);
         c = (h - err - s->low) / s->grain;
-        mark = c < 0.0 ? -1 : c < GRAINS ? (tess_int)c : GRAINS;
+        /* (converted when it is in range, even if that were in vain) */
+        c = c < 0.0 ? -1.0 : c < (double)GRAINS ? c : (double)GRAINS;
+        mark = (tess_int)c;
         k = mark < 0 ? -1 : (tess_int)(mark / FOLD);
         if (k < least) least = k;
         if (h + err > -s->low) k = STEPS;
@@ -2468,7 +2470,8 @@ static void inflate(const mesh *m, quest *f)
  * first at position first, the uncompleted ones whose power is at most most.
  * While they are too many, the skin shrinks: then those stay that may still
  * pass the sieve.  They are in the ball before, so |w|_1 is at most 4 times its
- * radius, and single precision changes a power by less than FEPS of it. */
+ * radius, and single precision changes a power by less than FEPS of it (or to
+ * 0, where it would underflow: that passes in any case). */
 static void admit(const mesh *m, quest *f, tess_int first, int n,
                   const double *power, double most)
 {
@@ -2477,7 +2480,7 @@ static void admit(const mesh *m, quest *f, tess_int first, int n,
 
     for (i = 0; i < n; i++) {
         l->id[l->n] = (tess_int)(first + i);
-        l->r[l->n] = (float)power[i];
+        l->r[l->n] = fabs(power[i]) < (double)FLT_MIN ? 0.0f : (float)power[i];
         l->n += (power[i] <= most) & (m->link[first + i] != DONE);
     }
     while (l->n > TESS_LIST) {
@@ -3629,7 +3632,9 @@ static int openindex(mesh *m, tess_int n, const tess_real *p,
     m->enclosed = header[5] > 0.0;
     if (header[4] < 0.0) clumps(m);
     if (fabs(header[5]) > HH_LIMBS && !inlimbs(n, p)) return TESS_RANGE;
-    return hh_holds(fabs(header[4]) < normal ? n : 1, p) ? 0 : TESS_RANGE;
+    i = fabs(header[4]) < normal ? n : 1;
+    if (hh_finite(i, p) < i) return -8;
+    return hh_holds(i, p) ? 0 : TESS_RANGE;
 }
 
 /* intact - check in one pass that the caller's arrays can be an unfinished

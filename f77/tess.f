@@ -561,7 +561,8 @@ C     mispredicted, which takes longer than a swap
       DO 30 J = LO, HI
         LESS = 0
         IF (X(AXIS,J) .LT. Q(AXIS)) LESS = 1
-        IF (ABS(X(AXIS,J) - Q(AXIS)) .LE. 0.0D0) THEN
+C       halves, whose differences do not overflow
+        IF (ABS(0.5D0*X(AXIS,J) - 0.5D0*Q(AXIS)) .LE. 0.0D0) THEN
           AT = J
           LESS = TSBEFO(X, ORD, AT, AXIS, Q, NUMBER)
         END IF
@@ -1974,9 +1975,10 @@ C     marked.
         CALL TSROUG(X, SUP(1,J), Z, H, ERR)
         IF (ABS(H) .LE. ERR - LOW) CALL HHHEIG(X, SUP(1,J), Z, H, ERR)
         C = (H - ERR - LOW)/GRAIN
-        K = GRAINS
-        IF (C .LT. 0.0D0) K = -1
-        IF (C .GE. 0.0D0 .AND. C .LT. DBLE(GRAINS)) K = INT(C)
+C       (converted when it is in range, even if that were in vain)
+        IF (C .LT. 0.0D0) C = -1.0D0
+        C = MIN(C, DBLE(GRAINS))
+        K = INT(C)
         L = -1
         IF (K .GE. 0) L = K/FOLD
         LEAST = MIN(LEAST, L)
@@ -3130,8 +3132,9 @@ C     of N, the first at position FIRST, the uncompleted ones whose
 C     power is at most MOST.  While they are too many, the skin shrinks:
 C     then those stay that may still pass the sieve.  They are in the
 C     ball before, so |W|_1 is at most 4 times its radius, and single
-C     precision changes a power by less than FEPS of it.  Powers are
-C     where the list's coordinates will be.
+C     precision changes a power by less than FEPS of it (or to 0, where
+C     it would underflow: that passes in any case).  Powers are where
+C     the list's coordinates will be.
       SUBROUTINE TSADMI(LINK, LSX, LSID, LSI, LSD, LIST, FQ, FIRST, N,
      $                  POWER, MOST)
       INTEGER TSLIST
@@ -3140,15 +3143,17 @@ C     where the list's coordinates will be.
       INTEGER LINK(*), LSID(TSLIST+48,7), LSI(3,7), LIST, FIRST, N
       DOUBLE PRECISION LSD(17,7), FQ(*), POWER(*), MOST
       INTEGER LN, LMARG, BLK, QSKIN, QTHICK, DONE
-      DOUBLE PRECISION SHRINK, FEPS
+      DOUBLE PRECISION SHRINK, FEPS, FTINY
       PARAMETER (LN = 3, LMARG = 13, BLK = 1, QSKIN = 161, QTHICK = 162,
-     $    DONE = -1, SHRINK = 0.4D0, FEPS = 2.0D0**(-23))
+     $    DONE = -1, SHRINK = 0.4D0, FEPS = 2.0D0**(-23),
+     $    FTINY = 2.0D0**(-126))
       DOUBLE PRECISION TSDOT, TSPOWE, LIMIT
       INTEGER I, K, M
       M = LSI(LN,LIST)
       DO 10 I = 1, N
         LSID(M+1,LIST) = FIRST + I - 1
-        LSX(M+1,LIST) = REAL(POWER(I))
+        LSX(M+1,LIST) = 0.0E0
+        IF (ABS(POWER(I)) .GE. FTINY) LSX(M+1,LIST) = REAL(POWER(I))
         IF (POWER(I) .LE. MOST .AND. LINK(FIRST+I-1) .NE. DONE)
      $      M = M + 1
    10 CONTINUE
@@ -4726,13 +4731,15 @@ C     points without a mesh, or -8 where there is no index.
       PARAMETER (NP = 1, LEAVES = 4, ENCLOS = 16, SCALE = 19, T3 = 1,
      $    T5 = 2, RLEAST = 6, PLANAR = 3, RANGE = 6, SUPPS = 8,
      $    HHLIM = 88, NORMAL = 2.0D0**(-1022))
-      INTEGER HHHOLD, TSINLI, TSLCOU, TSSLOT, ALL, I, K, Z
+      INTEGER HHFINI, HHHOLD, HHKIND, TSINLI, TSLCOU, TSSLOT, ALL, I, K,
+     $    Z
       CALL TSLAYO(CTL, RCTL, LSI, LSD)
       CTL(NP) = COUNT
       INFO = -8
       IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
 C     a NaN is no number of points, either
-      IF (.NOT. ABS(HEADER(1) - DBLE(COUNT)) .LE. 0.0D0) RETURN
+      IF (HHKIND(HEADER(1)) .EQ. 2) RETURN
+      IF (ABS(HEADER(1) - DBLE(COUNT)) .GT. 0.0D0) RETURN
       IF (KNOWN(1) .LE. -PLANAR .AND. KNOWN(1) .GE. -RANGE) THEN
         INFO = -KNOWN(1)
         RETURN
@@ -4759,6 +4766,9 @@ C     a NaN is no number of points, either
       END IF
       ALL = 1
       IF (RCTL(RLEAST) .LT. NORMAL) ALL = N
+      INFO = -8
+      IF (HHFINI(ALL, P) .LT. ALL) RETURN
+      INFO = RANGE
       IF (HHHOLD(ALL, P) .EQ. 1) INFO = 0
       END
 
