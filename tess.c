@@ -4302,19 +4302,23 @@ static int across(mesh *m, tess_int *u, int k)
 }
 
 /* inmesh - returns 1 if the tetrahedron u, positively oriented, is one of the
- * mesh, that is, if its ball is empty.  A point in it is inside of the facet
- * opposite to u[3] or outside; and so is then the facet's apex on that side, as
- * its ball has no more points there (Lemma 3). */
+ * mesh, that is, if its ball is empty.  As in settle, a point in it would be on
+ * the inner side of one of the three facets at u[0], and so not worse there than
+ * that facet's apex, which must be u's own vertex. */
 static int inmesh(mesh *m, const tess_int *u)
 {
-    tess_int f[3], guess[2], a;
+    tess_int f[3], guess[2];
+    int k;
 
-    outfac(u, 3, f);
-    a = apex(m, f, NULL);
-    if (a != NONE && hh_pball(&m->set, u, u[3], a, 1) < 0) return 0;
-    guess[0] = u[3];
+    f[0] = u[0];
     guess[1] = NONE;
-    return apex(m, u, guess) == u[3];
+    for (k = 1; k < 4; k++) {
+        f[1] = u[k % 3 + 1];
+        f[2] = u[(k + 1) % 3 + 1];
+        guess[0] = u[k];
+        if (apex(m, f, guess) != u[k]) return 0;
+    }
+    return 1;
 }
 
 /* tess_query - the walk of walk, with q* moved into the same tetrahedron, and

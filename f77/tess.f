@@ -6019,34 +6019,30 @@ C     no entry is DONE.
       END
 
 C     TSINME - OK is 1 if the tetrahedron U, positively oriented, is one
-C     of the mesh, that is, if its ball is empty.  A point in it is
-C     inside of the facet opposite to U(4) or outside; and so is then
-C     the facet's apex on that side, as its ball has no more points
-C     there (Lemma 3).
+C     of the mesh, that is, if its ball is empty; or 0.  As in TSSETT, a
+C     point in it would be on the inner side of one of the three facets
+C     at U(1), and so not worse there than that facet's apex, which must
+C     be U's own vertex.
       SUBROUTINE TSINME(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
      $                  LSX, LSID, LSI, LSD, U, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(3,7),
-     $    U(4,1), OK
-      INTEGER T3, T5
-      PARAMETER (T3 = 1, T5 = 2)
-      INTEGER HHPBAL, A, F(3), GUESS(2)
-      GUESS(1) = 0
-      GUESS(2) = 0
-      CALL TSOUTF(U, 1, 4, F)
-      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP, LSX,
-     $            LSID, LSI, LSD, F, GUESS, A)
+     $    U(4), OK
+      INTEGER F(3), GUESS(2), K, Z
       OK = 0
-      IF (A .NE. 0) THEN
-        IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), U, U(4,1), A, 1) .LT.
-     $      0) RETURN
-      END IF
-      GUESS(1) = U(4,1)
-      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP, LSX,
-     $            LSID, LSI, LSD, U, GUESS, A)
-      IF (A .EQ. U(4,1)) OK = 1
+      F(1) = U(1)
+      GUESS(2) = 0
+      DO 10 K = 1, 3
+        F(2) = U(MOD(K,3)+2)
+        F(3) = U(MOD(K+1,3)+2)
+        GUESS(1) = U(K+1)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, F, GUESS, Z)
+        IF (Z .NE. U(K+1)) RETURN
+   10 CONTINUE
+      OK = 1
       END
 
 C     TESSQU - the tetrahedron of a mesh that holds a point, without the
