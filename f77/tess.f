@@ -5128,8 +5128,9 @@ C         N**2;
 C       - thousands of points exactly on one sphere, as integers can be,
 C         O(N**2): 8,000 take seconds;
 C       - exponents hundreds apart, O(N**2): 300 points with random ones
-C         take seconds, 1,000 a minute; 2,000 with one fill value, as
-C         1.7D308, seconds;
+C         take seconds, 1,000 a minute; so do 2,000 of which many have a
+C         coordinate near 1D308 (numbers up to 1D38 that stand for none,
+C         as -3.4D38, cost little);
 C       - points near planes and spheres (faces of a turned box, globes,
 C         noisy terrain) with an IW shorter than TESSWK says.
 C     Section 2 of the paper.
@@ -6060,25 +6061,27 @@ C                      VALUE(V(K)) interpolates linearly
 C       INFO (out)     0 or 1 as TESSLO gives; what TESSIX gave, if that
 C                      was not 0; -1 for a bad N, -3 where IW and RW
 C                      hold no index, -5 for a NaN or infinity in Q, -6
-C                      for a V that is no tetrahedron.  (A tetrahedron
-C                      that is not in the mesh may come back unchanged.)
+C                      for a V that is no tetrahedron.  A V that is one,
+C                      but not of the mesh, such as an answer from
+C                      another index, does no harm
 C
 C     The answer is that of TESSLO in the mesh that TESS gives.  Only
 C     the order of the vertices may differ and, for Q outside, which of
 C     the hull facets that have the nearest point is found.
 C
 C     Cost: a search for an apex for each tetrahedron that the walk
-C     crosses, and some 20 more without a start; for Q outside, also for
-C     each one passed while turning about an edge of the hull.  A mesh
-C     is faster from some N/5 queries on if they are scattered, N/2 if
-C     each is close to the one before.  A globe of 20,000 points takes
+C     crosses; with a start three more, which prove the answer, without
+C     one some 20; for Q outside, also for each one passed while turning
+C     about an edge of the hull.  A mesh is faster from some N/6 queries
+C     on if they are scattered, N/3 if each is close to the one before.  A globe of 20,000 points takes
 C     150 times as long from an index that does not know its sphere.
 C
 C     How: the walk of TSWALK, with Q* moved into the same tetrahedron,
 C     and for a Q outside that of TSNEAH, so that the answer is that of
-C     TESSLO; neighbours are computed as they are needed.  From a V that
-C     is no tetrahedron of the mesh the walk might cycle: after NP steps
-C     it starts again from one that is.
+C     TESSLO; neighbours are computed as they are needed.  If the V
+C     given is a tetrahedron of the mesh, so are all that the walk
+C     meets.  If not, the walk might cycle, or end at another that is
+C     none: after NP steps, or there, it starts again from one that is.
       SUBROUTINE TESSQU(N, P, IW, RW, Q, V, W, INFO)
       DOUBLE PRECISION P(3,*), RW(*), Q(3), W(4)
       INTEGER N, IW(*), V(4), INFO
