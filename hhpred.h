@@ -28,7 +28,10 @@
  *     a processor that rounds to fewer bits than a double has.
  *
  * No routine allocates, reads, writes, keeps state between calls or stops
- * the program; all may be called from any number of threads.
+ * the program; all may be called from any number of threads.  On ordinary
+ * coordinates none sets a floating-point flag but inexact, nor errno.  The
+ * rounded ones overflow, or give a NaN, where coordinates are so large that
+ * their squares do; the exact ones never do.
  *
  * A point is an array of 3 coordinates.  No argument but f and c is altered.
  */

@@ -1606,7 +1606,9 @@ static tess_int markleaf(mesh *m, int j, tess_int leaf)
         h = rough(m, s, i, &err);
         if (fabs(h) <= err - s->low) h = hh_height(&m->set, &s->t, i, &err);
         c = (h - err - s->low) / s->grain;
-        mark = c < 0.0 ? -1 : c < GRAINS ? (tess_int)c : GRAINS;
+        /* (converted when it is in range, even if that were in vain) */
+        c = c < 0.0 ? -1.0 : c < (double)GRAINS ? c : (double)GRAINS;
+        mark = (tess_int)c;
         k = mark < 0 ? -1 : (tess_int)(mark / FOLD);
         if (k < least) least = k;
         if (h + err > -s->low) k = STEPS;
@@ -2468,7 +2470,8 @@ static void inflate(const mesh *m, quest *f)
  * first at position first, the uncompleted ones whose power is at most most.
  * While they are too many, the skin shrinks: then those stay that may still
  * pass the sieve.  They are in the ball before, so |w|_1 is at most 4 times its
- * radius, and single precision changes a power by less than FEPS of it. */
+ * radius, and single precision changes a power by less than FEPS of it (or to
+ * 0, where it would underflow: that passes in any case). */
 static void admit(const mesh *m, quest *f, tess_int first, int n,
                   const double *power, double most)
 {
@@ -2477,7 +2480,7 @@ static void admit(const mesh *m, quest *f, tess_int first, int n,
 
     for (i = 0; i < n; i++) {
         l->id[l->n] = (tess_int)(first + i);
-        l->r[l->n] = (float)power[i];
+        l->r[l->n] = fabs(power[i]) < (double)FLT_MIN ? 0.0f : (float)power[i];
         l->n += (power[i] <= most) & (m->link[first + i] != DONE);
     }
     while (l->n > TESS_LIST) {
@@ -3629,7 +3632,9 @@ static int openindex(mesh *m, tess_int n, const tess_real *p,
     m->enclosed = header[5] > 0.0;
     if (header[4] < 0.0) clumps(m);
     if (fabs(header[5]) > HH_LIMBS && !inlimbs(n, p)) return TESS_RANGE;
-    return hh_holds(fabs(header[4]) < normal ? n : 1, p) ? 0 : TESS_RANGE;
+    i = fabs(header[4]) < normal ? n : 1;
+    if (hh_finite(i, p) < i) return -8;
+    return hh_holds(i, p) ? 0 : TESS_RANGE;
 }
 
 /* intact - check in one pass that the caller's arrays can be an unfinished
@@ -4297,19 +4302,23 @@ static int across(mesh *m, tess_int *u, int k)
 }
 
 /* inmesh - returns 1 if the tetrahedron u, positively oriented, is one of the
- * mesh, that is, if its ball is empty.  A point in it is inside of the facet
- * opposite to u[3] or outside; and so is then the facet's apex on that side, as
- * its ball has no more points there (Lemma 3). */
+ * mesh, that is, if its ball is empty.  As in settle, a point in it would be on
+ * the inner side of one of the three facets at u[0], and so not worse there than
+ * that facet's apex, which must be u's own vertex. */
 static int inmesh(mesh *m, const tess_int *u)
 {
-    tess_int f[3], guess[2], a;
+    tess_int f[3], guess[2];
+    int k;
 
-    outfac(u, 3, f);
-    a = apex(m, f, NULL);
-    if (a != NONE && hh_pball(&m->set, u, u[3], a, 1) < 0) return 0;
-    guess[0] = u[3];
+    f[0] = u[0];
     guess[1] = NONE;
-    return apex(m, u, guess) == u[3];
+    for (k = 1; k < 4; k++) {
+        f[1] = u[k % 3 + 1];
+        f[2] = u[(k + 1) % 3 + 1];
+        guess[0] = u[k];
+        if (apex(m, f, guess) != u[k]) return 0;
+    }
+    return 1;
 }
 
 /* tess_query - the walk of walk, with q* moved into the same tetrahedron, and

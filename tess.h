@@ -64,6 +64,12 @@
  * tess_locate and tess_values, which do not know n, need indices of points in
  * tet.
  *
+ * Floating point: results are the same in all rounding modes.  On ordinary
+ * coordinates, 1e30 at most and with differences of at least 1e-30 of the
+ * largest, no call sets a flag but inexact, nor errno.  With invalid,
+ * divide-by-zero and overflow trapped each call of tess.h runs through, whatever
+ * it is given, NaNs included.
+ *
  * Arrays, the same in all routines:
  *   p      point i has the coordinates p[3*i], p[3*i+1], p[3*i+2]: any finite
  *          values, in any units.  Never altered.
@@ -208,7 +214,8 @@ TESS_API int tess_size(tess_int n, tess_int maxtet, tess_int *liw,
  *   - thousands of points exactly on one sphere, as integers can be, O(n^2):
  *     8,000 take seconds;
  *   - exponents hundreds apart, O(n^2): 300 points with random ones take
- *     seconds, 1,000 a minute; 2,000 with one fill value, as DBL_MAX, seconds;
+ *     seconds, 1,000 a minute; so do 2,000 of which many have a coordinate near
+ *     DBL_MAX (numbers up to 1e38 that stand for none, as -3.4e38, cost little);
  *   - points near planes and spheres (faces of a turned box, globes, noisy
  *     terrain) with an iw shorter than tess_size says.
  * Section 2 of the paper.
@@ -362,12 +369,13 @@ TESS_API int tess_index(tess_int n, const tess_real *p, tess_int liw,
  *
  * returns 0 or 1 as tess_locate does; what tess_index returned, if that was not
  * 0; -1 for a bad n, -3 where iw and rw hold no index, -5 for a NaN or infinity
- * in q, -6 for a v that is no tetrahedron.  (A tetrahedron that is not in the
- * mesh may come back unchanged.)
- * Cost: a search for an apex for each tetrahedron that the walk crosses, and
- * some 20 more without a start; for q outside, also for each one passed while
- * turning about an edge of the hull.  A mesh is faster from some n/5 queries on
- * if they are scattered, n/2 if each is close to the one before.  A globe of
+ * in q, -6 for a v that is no tetrahedron.  A v that is one, but not of the
+ * mesh, such as an answer from another index, does no harm.
+ * Cost: a search for an apex for each tetrahedron that the walk crosses; with a
+ * start three more, which prove the answer, without one some 20; for q outside,
+ * also for each one passed while turning about an edge of the hull.  A mesh is
+ * faster from some n/6 queries on if they are scattered, n/3 if each is close to
+ * the one before.  A globe of
  * 20,000 points takes 150 times as long from an index that does not know its
  * sphere.
  */

@@ -560,7 +560,8 @@ C     mispredicted, which takes longer than a swap
       DO 30 J = LO, HI
         LESS = 0
         IF (X(AXIS,J) .LT. Q(AXIS)) LESS = 1
-        IF (ABS(X(AXIS,J) - Q(AXIS)) .LE. 0.0D0) THEN
+C       halves, whose differences do not overflow
+        IF (ABS(0.5D0*X(AXIS,J) - 0.5D0*Q(AXIS)) .LE. 0.0D0) THEN
           AT = J
           LESS = TSBEFO(X, ORD, AT, AXIS, Q, NUMBER)
         END IF
@@ -1975,9 +1976,10 @@ C     marked.
         CALL TSROUG(X, SUP(1,J), Z, H, ERR)
         IF (ABS(H) .LE. ERR - LOW) CALL HHHEIG(X, SUP(1,J), Z, H, ERR)
         C = (H - ERR - LOW)/GRAIN
-        K = GRAINS
-        IF (C .LT. 0.0D0) K = -1
-        IF (C .GE. 0.0D0 .AND. C .LT. DBLE(GRAINS)) K = INT(C)
+C       (converted when it is in range, even if that were in vain)
+        IF (C .LT. 0.0D0) C = -1.0D0
+        C = MIN(C, DBLE(GRAINS))
+        K = INT(C)
         L = -1
         IF (K .GE. 0) L = K/FOLD
         LEAST = MIN(LEAST, L)
@@ -3131,8 +3133,9 @@ C     of N, the first at position FIRST, the uncompleted ones whose
 C     power is at most MOST.  While they are too many, the skin shrinks:
 C     then those stay that may still pass the sieve.  They are in the
 C     ball before, so |W|_1 is at most 4 times its radius, and single
-C     precision changes a power by less than FEPS of it.  Powers are
-C     where the list's coordinates will be.
+C     precision changes a power by less than FEPS of it (or to 0, where
+C     it would underflow: that passes in any case).  Powers are where
+C     the list's coordinates will be.
       SUBROUTINE TSADMI(LINK, LSX, LSID, LSI, LSD, LIST, FQ, FIRST, N,
      $                  POWER, MOST)
       INTEGER TSLIST
@@ -3141,15 +3144,17 @@ C     where the list's coordinates will be.
       INTEGER LINK(*), LSID(TSLIST+48,7), LSI(3,7), LIST, FIRST, N
       DOUBLE PRECISION LSD(17,7), FQ(*), POWER(*), MOST
       INTEGER LN, LMARG, BLK, QSKIN, QTHICK, DONE
-      DOUBLE PRECISION SHRINK, FEPS
+      DOUBLE PRECISION SHRINK, FEPS, FTINY
       PARAMETER (LN = 3, LMARG = 13, BLK = 1, QSKIN = 161, QTHICK = 162,
-     $    DONE = -1, SHRINK = 0.4D0, FEPS = 2.0D0**(-23))
+     $    DONE = -1, SHRINK = 0.4D0, FEPS = 2.0D0**(-23),
+     $    FTINY = 2.0D0**(-126))
       DOUBLE PRECISION TSDOT, TSPOWE, LIMIT
       INTEGER I, K, M
       M = LSI(LN,LIST)
       DO 10 I = 1, N
         LSID(M+1,LIST) = FIRST + I - 1
-        LSX(M+1,LIST) = REAL(POWER(I))
+        LSX(M+1,LIST) = 0.0E0
+        IF (ABS(POWER(I)) .GE. FTINY) LSX(M+1,LIST) = REAL(POWER(I))
         IF (POWER(I) .LE. MOST .AND. LINK(FIRST+I-1) .NE. DONE)
      $      M = M + 1
    10 CONTINUE
@@ -4727,13 +4732,15 @@ C     points without a mesh, or -8 where there is no index.
       PARAMETER (NP = 1, LEAVES = 4, ENCLOS = 16, SCALE = 19, T3 = 1,
      $    T5 = 2, RLEAST = 6, PLANAR = 3, RANGE = 6, SUPPS = 8,
      $    HHLIM = 88, NORMAL = 2.0D0**(-1022))
-      INTEGER HHHOLD, TSINLI, TSLCOU, TSSLOT, ALL, I, K, Z
+      INTEGER HHFINI, HHHOLD, HHKIND, TSINLI, TSLCOU, TSSLOT, ALL, I, K,
+     $    Z
       CALL TSLAYO(CTL, RCTL, LSI, LSD)
       CTL(NP) = COUNT
       INFO = -8
       IF (COUNT .LT. 0 .OR. COUNT .GT. N) RETURN
 C     a NaN is no number of points, either
-      IF (.NOT. ABS(HEADER(1) - DBLE(COUNT)) .LE. 0.0D0) RETURN
+      IF (HHKIND(HEADER(1)) .EQ. 2) RETURN
+      IF (ABS(HEADER(1) - DBLE(COUNT)) .GT. 0.0D0) RETURN
       IF (KNOWN(1) .LE. -PLANAR .AND. KNOWN(1) .GE. -RANGE) THEN
         INFO = -KNOWN(1)
         RETURN
@@ -4760,6 +4767,9 @@ C     a NaN is no number of points, either
       END IF
       ALL = 1
       IF (RCTL(RLEAST) .LT. NORMAL) ALL = N
+      INFO = -8
+      IF (HHFINI(ALL, P) .LT. ALL) RETURN
+      INFO = RANGE
       IF (HHHOLD(ALL, P) .EQ. 1) INFO = 0
       END
 
@@ -5119,8 +5129,9 @@ C         N**2;
 C       - thousands of points exactly on one sphere, as integers can be,
 C         O(N**2): 8,000 take seconds;
 C       - exponents hundreds apart, O(N**2): 300 points with random ones
-C         take seconds, 1,000 a minute; 2,000 with one fill value, as
-C         1.7D308, seconds;
+C         take seconds, 1,000 a minute; so do 2,000 of which many have a
+C         coordinate near 1D308 (numbers up to 1D38 that stand for none,
+C         as -3.4D38, cost little);
 C       - points near planes and spheres (faces of a turned box, globes,
 C         noisy terrain) with an IW shorter than TESSWK says.
 C     Section 2 of the paper.
@@ -6010,34 +6021,30 @@ C     no entry is DONE.
       END
 
 C     TSINME - OK is 1 if the tetrahedron U, positively oriented, is one
-C     of the mesh, that is, if its ball is empty.  A point in it is
-C     inside of the facet opposite to U(4) or outside; and so is then
-C     the facet's apex on that side, as its ball has no more points
-C     there (Lemma 3).
+C     of the mesh, that is, if its ball is empty; or 0.  As in TSSETT, a
+C     point in it would be on the inner side of one of the three facets
+C     at U(1), and so not worse there than that facet's apex, which must
+C     be U's own vertex.
       SUBROUTINE TSINME(X, P, ORD, BOX, ALIVE, MARK, CTL, RCTL, SUP,
      $                  LSX, LSID, LSI, LSD, U, OK)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(60,*),
      $    LSD(17,7)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), MARK(*), CTL(*), LSID(*), LSI(3,7),
-     $    U(4,1), OK
-      INTEGER T3, T5
-      PARAMETER (T3 = 1, T5 = 2)
-      INTEGER HHPBAL, A, F(3), GUESS(2)
-      GUESS(1) = 0
-      GUESS(2) = 0
-      CALL TSOUTF(U, 1, 4, F)
-      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP, LSX,
-     $            LSID, LSI, LSD, F, GUESS, A)
+     $    U(4), OK
+      INTEGER F(3), GUESS(2), K, Z
       OK = 0
-      IF (A .NE. 0) THEN
-        IF (HHPBAL(X, P, ORD, RCTL(T3), RCTL(T5), U, U(4,1), A, 1) .LT.
-     $      0) RETURN
-      END IF
-      GUESS(1) = U(4,1)
-      CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP, LSX,
-     $            LSID, LSI, LSD, U, GUESS, A)
-      IF (A .EQ. U(4,1)) OK = 1
+      F(1) = U(1)
+      GUESS(2) = 0
+      DO 10 K = 1, 3
+        F(2) = U(MOD(K,3)+2)
+        F(3) = U(MOD(K+1,3)+2)
+        GUESS(1) = U(K+1)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, ORD, MARK, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, F, GUESS, Z)
+        IF (Z .NE. U(K+1)) RETURN
+   10 CONTINUE
+      OK = 1
       END
 
 C     TESSQU - the tetrahedron of a mesh that holds a point, without the
@@ -6055,25 +6062,27 @@ C                      VALUE(V(K)) interpolates linearly
 C       INFO (out)     0 or 1 as TESSLO gives; what TESSIX gave, if that
 C                      was not 0; -1 for a bad N, -3 where IW and RW
 C                      hold no index, -5 for a NaN or infinity in Q, -6
-C                      for a V that is no tetrahedron.  (A tetrahedron
-C                      that is not in the mesh may come back unchanged.)
+C                      for a V that is no tetrahedron.  A V that is one,
+C                      but not of the mesh, such as an answer from
+C                      another index, does no harm
 C
 C     The answer is that of TESSLO in the mesh that TESS gives.  Only
 C     the order of the vertices may differ and, for Q outside, which of
 C     the hull facets that have the nearest point is found.
 C
 C     Cost: a search for an apex for each tetrahedron that the walk
-C     crosses, and some 20 more without a start; for Q outside, also for
-C     each one passed while turning about an edge of the hull.  A mesh
-C     is faster from some N/5 queries on if they are scattered, N/2 if
-C     each is close to the one before.  A globe of 20,000 points takes
+C     crosses; with a start three more, which prove the answer, without
+C     one some 20; for Q outside, also for each one passed while turning
+C     about an edge of the hull.  A mesh is faster from some N/6 queries
+C     on if they are scattered, N/3 if each is close to the one before.  A globe of 20,000 points takes
 C     150 times as long from an index that does not know its sphere.
 C
 C     How: the walk of TSWALK, with Q* moved into the same tetrahedron,
 C     and for a Q outside that of TSNEAH, so that the answer is that of
-C     TESSLO; neighbours are computed as they are needed.  From a V that
-C     is no tetrahedron of the mesh the walk might cycle: after NP steps
-C     it starts again from one that is.
+C     TESSLO; neighbours are computed as they are needed.  If the V
+C     given is a tetrahedron of the mesh, so are all that the walk
+C     meets.  If not, the walk might cycle, or end at another that is
+C     none: after NP steps, or there, it starts again from one that is.
       SUBROUTINE TESSQU(N, P, IW, RW, Q, V, W, INFO)
       DOUBLE PRECISION P(3,*), RW(*), Q(3), W(4)
       INTEGER N, IW(*), V(4), INFO

@@ -49,6 +49,13 @@ others.
 Versions. tess.f links with the hhpred.f of its own version alone, and of as
 many limbs; TESSED tells the version.
 
+Floating point. Results are the same in all rounding modes. On ordinary
+coordinates, 1E30 at most and with differences of at least 1E-30 of the largest,
+no call sets a flag but inexact. With invalid, divide-by-zero and overflow
+trapped each call of tess.f runs through, whatever it is given, NaNs included;
+the rounded routines HHFACE, HHSIDE, HHOPP, HHLCOO and HHWRAP overflow where
+squares of coordinates do.
+
 Arrays. All coordinates, weights and workspace RW are DOUBLE PRECISION; a REAL
 array gives nonsense, and a FORTRAN 77 compiler need not notice (see tess.f90
 below). P(3,N): point I is P(1,I), P(2,I), P(3,I). TET(4,*):
