@@ -485,7 +485,8 @@ cat > names << 'END'
 0,1,0,1,2,3,4,5,6,7,8
 0,0,1,1,2,3,4,5,6,7,9
 END
-for f in '-grid 2,2,2 -values' '-query names -qcols 1,2,3 -values' -volumes; do
+for f in '-grid 2,2,2 -outside nearest -values' \
+    '-query names -qcols 1,2,3 -values' -volumes; do
     # shellcheck disable=SC2086 # words
     $TESS -q -cols 1,2,3 $f names.csv names > said 2> told
     yes "$f F.csv: names with marks" grep -qF \
