@@ -6074,8 +6074,9 @@ C     Cost: a search for an apex for each tetrahedron that the walk
 C     crosses; with a start three more, which prove the answer, without
 C     one some 20; for Q outside, also for each one passed while turning
 C     about an edge of the hull.  A mesh is faster from some N/6 queries
-C     on if they are scattered, N/3 if each is close to the one before.  A globe of 20,000 points takes
-C     150 times as long from an index that does not know its sphere.
+C     on if they are scattered, N/3 if each is close to the one before.
+C     A globe of 20,000 points takes 150 times as long from an index
+C     that does not know its sphere.
 C
 C     How: the walk of TSWALK, with Q* moved into the same tetrahedron,
 C     and for a Q outside that of TSNEAH, so that the answer is that of
