@@ -71,8 +71,8 @@ C     Cost: that of TESS, whose tetrahedra are in TRI and ADJ at first.
             IF (V(K) .EQ. N + 1) APEX = K
    20    CONTINUE
          DO 30 K = 1, 3
-C           the tetrahedron A B C D is as D sees A B C turn clockwise; an
-C           even place of the apex turns that round
+C           the tetrahedron A B C D is as D sees A B C turn clockwise;
+C           an even place of the apex turns that round
             FROM = APEX + 3 - K
             IF (MOD(APEX, 2) .EQ. 0) FROM = APEX + K - 1
             FROM = MOD(FROM, 4) + 1
