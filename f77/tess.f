@@ -4546,8 +4546,8 @@ C     P, which is in doubt for those below FEW.
       DOUBLE PRECISION P(3,*)
       INTEGER HHLIM, BITS, DIGITS
       PARAMETER (HHLIM = 88, BITS = 24, DIGITS = 53)
-      DOUBLE PRECISION LEAST
-      PARAMETER (LEAST = 2.0D0**(-1022))
+      DOUBLE PRECISION NORMAL
+      PARAMETER (NORMAL = 2.0D0**(-1022))
       DOUBLE PRECISION HHLDEX, FEW, TOP
       INTEGER HHFREX, HHRANG, I, K
       TOP = 0.0D0
@@ -4558,7 +4558,7 @@ C     P, which is in doubt for those below FEW.
    20 CONTINUE
 C     where that would underflow, only subnormal ones are
       I = HHFREX(TOP)
-      FEW = LEAST
+      FEW = NORMAL
       IF (I + (3 - HHLIM)*BITS + DIGITS .GT. -1021)
      $    FEW = HHLDEX(TOP, (3 - HHLIM)*BITS + DIGITS)
       TSINLI = 0
