@@ -301,8 +301,10 @@
 #define PLAIN 16.0
 /* A node is a clump if its box is narrower than CLUMP of the root's.  Among
  * points 10 apart coordinates of -1e10 are no reason for seenfrom; with -1e14 it
- * takes 0.6 of the time, with -1e18 a fiftieth. */
-#define CLUMP 1e-8
+ * takes 0.6 of the time, with -1e18 a fiftieth.  With 1e-8 points of a sphere
+ * that crowd about a spot would be clumps, and search twice as long without the
+ * sphere. */
+#define CLUMP 1e-12
 /* Pool recommended beyond 4 n in any case, up to 8 n. */
 #define MUCH 225000L
 

@@ -417,7 +417,9 @@ C               (T5 at least PLAIN) that doubles decide all
 C       CLUMP   a node is a clump if its box is narrower than CLUMP of
 C               the root's.  Among points 10 apart coordinates of -1E10
 C               are no reason for TSSEEN; with -1E14 it takes 0.6 of the
-C               time, with -1E18 a fiftieth
+C               time, with -1E18 a fiftieth.  With 1E-8 points of a
+C               sphere that crowd about a spot would be clumps, and
+C               search twice as long without the sphere
 C       MUCH    pool recommended beyond 4 N in any case, up to 8 N
 C       INTMAX  the largest integer
 C       UNSURE  a sign that bounds, or too few limbs, leave undecided
@@ -4623,7 +4625,7 @@ C     -3.4E38; else there are no clumps, and TSSEEN costs nothing.
       INTEGER CTL(*)
       INTEGER LEAVES, RCLUMP
       DOUBLE PRECISION CLUMP
-      PARAMETER (LEAVES = 4, RCLUMP = 10, CLUMP = 1.0D-8)
+      PARAMETER (LEAVES = 4, RCLUMP = 10, CLUMP = 1.0D-12)
       DOUBLE PRECISION TSWIDT
       INTEGER K, LEAF, N
       RCTL(RCLUMP) = CLUMP*TSWIDT(BOX(1,1))
