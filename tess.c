@@ -1972,7 +1972,7 @@ static int prunenode(const mesh *m, const quest *f, tess_int node)
         }
     }
     return prunebox(f, &f->plain, b, b + 3, 0.0) ||
-           (width(b) < m->clump && f->into == NULL &&
+           (f->into == NULL && width(b) < m->clump &&
             seenfrom(m, f, b, b + 3) < 0);
 }
 
