@@ -37,7 +37,7 @@ def build(name, flags):
     sources = ['build/tess.o', 'build/hhpred.o']
     for n in names:
         n = os.path.basename(n)[:-2] + '.c'
-        for folder in 'test/program', 'test/examples':
+        for folder in 'test/program', 'test/examples', 'test/proof':
             if os.path.exists(os.path.join(folder, n)):
                 sources.append(os.path.join(folder, n))
     out = os.path.join(BUILD, name)
