@@ -1906,7 +1906,8 @@ static void aim(const mesh *m, quest *f)
  * counts for 2 eps (|u| + |d|); four roundings for 4 eps (|u| + 2 |d|).  All
  * that times |u| is less than 8 eps |u| (|u| + 4 (|c| + |p|)), coordinate by
  * coordinate: where points differ from p only in coordinates in which the ball
- * is small, they are told apart, however large it is in the others. */
+ * is small, they are told apart, however large it is in the others.  (4 |x|, x
+ * being the coordinate itself, is for sums in another order.) */
 static int seenfrom(const mesh *m, const quest *f, const double *lo,
                     const double *hi)
 {
@@ -1940,7 +1941,8 @@ static int seenfrom(const mesh *m, const quest *f, const double *lo,
             h = fabs(h);
             u = l > h ? l : h;
             size += u;
-            err += 8.0 * EPS * u * (u + 4.0 * (fabs(c[i]) + fabs(p)));
+            err += 8.0 * EPS * u *
+                   (u + 4.0 * (fabs(c[i]) + fabs(p) + fabs(x[i])));
         }
         if (k != 2 && f->limbs && power > err) return -1;
         if (k > 2 || f->hh[9] > HH_LOOSE) continue;

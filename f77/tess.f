@@ -2369,7 +2369,8 @@ C     by EPS |U|, which counts for 2 EPS (|U| + |D|); four roundings for
 C     4 EPS (|U| + 2 |D|).  All that times |U| is less than 8 EPS |U|
 C     (|U| + 4 (|C| + |P|)), coordinate by coordinate: where points
 C     differ from P only in coordinates in which the ball is small, they
-C     are told apart, however large it is in the others.
+C     are told apart, however large it is in the others.  (4 |X|, X being
+C     the coordinate itself, is for sums in another order.)
       INTEGER FUNCTION TSSEEN(X, V, IQ, F, C, LOW, HIGH)
       DOUBLE PRECISION X(3,*), F(12), C(8), LOW(3), HIGH(3)
       INTEGER V(3), IQ(45)
@@ -2402,7 +2403,8 @@ C     are told apart, however large it is in the others.
           SIDE = SIDE + MAX(L*F(I), H*F(I))
           U = MAX(ABS(L), ABS(H))
           SIZE = SIZE + U
-          ERR = ERR + 8.0D0*EPS*U*(U + 4.0D0*(ABS(C(I)) + ABS(P)))
+          ERR = ERR + 8.0D0*EPS*U*(U + 4.0D0*(ABS(C(I)) + ABS(P) +
+     $        ABS(X(I,FROM(K)))))
    10   CONTINUE
         IF (K .NE. 3 .AND. IQ(QLIMBS) .EQ. 1 .AND. POWER .GT. ERR)
      $      GO TO 30
