@@ -2369,8 +2369,8 @@ C     by EPS |U|, which counts for 2 EPS (|U| + |D|); four roundings for
 C     4 EPS (|U| + 2 |D|).  All that times |U| is less than 8 EPS |U|
 C     (|U| + 4 (|C| + |P|)), coordinate by coordinate: where points
 C     differ from P only in coordinates in which the ball is small, they
-C     are told apart, however large it is in the others.  (4 |X|, X being
-C     the coordinate itself, is for sums in another order.)
+C     are told apart, however large it is in the others. (4 |X|, X
+C     being the coordinate itself, is for sums in another order.)
       INTEGER FUNCTION TSSEEN(X, V, IQ, F, C, LOW, HIGH)
       DOUBLE PRECISION X(3,*), F(12), C(8), LOW(3), HIGH(3)
       INTEGER V(3), IQ(45)
