@@ -14,101 +14,210 @@
  * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
  * PERFORMANCE OF THIS SOFTWARE.
  *
- * The algorithm (Section 2 of the paper): keep a pool of open facets, each the
- * facet of one known tetrahedron.  Take one, find the apex of the unknown
- * tetrahedron on its other side, store that tetrahedron, and put its new facets
- * into the pool, or take out those that are already there.  No tetrahedron is
- * ever deleted.
+ * THE ALGORITHM, after C. Hazlewood, "Facet-Based Tetrahedralization Software"
+ * (1995), Section 2.  The mesh grows from one facet of the convex hull,
+ * tetrahedron by tetrahedron; none is ever deleted.
  *
- * Order of the work.  Points are sorted (kd order); a point's place in that
- * order is its position, and positions stand for points in all internal
- * arrays.  Facets are taken star by star: all open facets at one vertex, then
- * those of the next one.  A vertex whose star is complete can never again be an
- * apex, so it leaves all lists, and the pool stays small.  The order is a
- * function of the points, tet and adj alone, so an unfinished result needs no
- * other state:
+ *   1  Sort the points into a k-d tree, without duplicates: prepare_points.
+ *      (J. L. Bentley, Comm. ACM 18, 1975, 509-517; J. H. Friedman, J. L.
+ *      Bentley and R. A. Finkel, ACM Trans. Math. Software 3, 1977, 209-226.)
+ *   2  Find a facet of the hull by gift wrapping: first_facet.  It is open: the
+ *      tetrahedron on its inner side is unknown.
+ *   3  Take an open facet: complete_star.
+ *   4  Find its apex: of the points strictly on its open side the one whose
+ *      ball, through the facet and that point, has none of the others inside:
+ *      apex.  If there is no such point, the facet is one of the hull.
+ *   5  Store the tetrahedron of facet and apex: add_tetrahedron.  Each of its
+ *      other three facets is either the other side of an open facet, and both
+ *      are closed, or it is open from now on: match_or_push, match_or_enter.
+ *   6  Repeat from 3 until no facet is open.
+ *
+ * The search for an apex compares points by their L-coordinates, of which the
+ * apex has the least (Theorem 1).  It keeps the best point so far.  The ball
+ * of facet and best point contains every better one (Lemma 3), so search_tree,
+ * which goes from the facet's own leaf up to the root, skips the nodes whose
+ * boxes are outside of that ball.  All else is for speed: other stages may end
+ * a search before the tree, or skip more of its nodes; the result is the same.
+ *
+ * ORDER OF THE WORK.  Facets are taken star by star: all open facets at one
+ * vertex, then those at the next.  A vertex whose star is complete can never
+ * again be an apex, so it leaves tree and lists, and the pool of open facets
+ * stays small.  The order is a function of the points, tet and adj alone, so an
+ * unfinished result needs no other state:
  *   star   s = the first vertex of the last tetrahedron, if it has an open
  *          facet; else the vertex of least position that has one
  *   facet  the open facet at s of the earliest tetrahedron, and of those of
  *          that tetrahedron the one of greatest k
  *
- * Decisions.  Every decision that affects tet or adj is exact: a comparison of
+ * DECISIONS.  Every decision that affects tet or adj is exact: a comparison of
  * the caller's coordinates, or a predicate of hhpred.  Floating point only
  * chooses where to look, with margins that cover its rounding.
  *
- * The arrays (n points, np of them distinct; L leaves: leaf_count(n) in the
+ * GLOSSARY
+ *   number         a point's index in the caller's p
+ *   position       its place in the sorted order; all internal arrays use it
+ *   leaf, node     a run of at most LEAF_POINTS successive positions; a node of
+ *                  the k-d tree: a leaf or what is above leaves
+ *   box            the bounding volume of a node's points, along the axes
+ *   alive          of a leaf, its uncompleted points; of another node, its
+ *                  non-empty children
+ *   facet          three vertices, turned so that the open side is positive
+ *   open side      where the unknown tetrahedron is
+ *   code 4t+k      facet k of tetrahedron t, opposite to its vertex k
+ *   open facet     one whose other side is not known yet: adj is TESS_OPEN
+ *   owner          of an open facet: of its wanted vertices the one of least
+ *                  position
+ *   seed edge      an open facet that belongs to no tetrahedron yet
+ *   star of s      all tetrahedra that have the vertex s
+ *   link of s      here the open facets at s, as directed edges a -> b, so that
+ *                  (s, a, b) is positive towards the unknown side
+ *   guess          a neighbour in the link: two times of three it is the apex
+ *   wanted         a vertex whose star is asked for
+ *
+ *   candidate      an uncompleted point strictly on the open side
+ *   base           the vertex from which side and power are computed
+ *   w              a point minus the base
+ *   side           of a point: v.w, v being the facet's unit normal
+ *   L-coordinate   of a point: the signed height over the facet of the centre
+ *                  of the ball through the facet and the point
+ *   apex           the candidate of least L, ties by the rule of hhpred
+ *   best point     the apex among the points offered so far
+ *   better         said of a candidate that would replace the best point
+ *   ball           that of the facet and the best point, or of an upper bound
+ *                  of its L: every better point is in it
+ *   power          of w: |w|^2 - 2 c.w, negative inside the ball of centre c
+ *                  through the base
+ *   filter         an inequality that no better point violates: points, boxes,
+ *                  cylinders and lists are tested against it
+ *   half-space filter  that of a search without a ball
+ *   offered        said of a point that has gone through offer_point
+ *   undecided      said of a comparison that the bounds of doubles leave open
+ *   E, dc, rho     the error of the unit normal; that of the circumcentre; the
+ *                  circumradius: see hh_facet
+ *   limb           a digit, in base 2^24, of an exact number
+ *
+ *   candidate list    uncompleted points in single precision, tested by fours
+ *   block list        those about a leaf, which is then called a block
+ *   star list         those of the block list that are near s
+ *   near list         those in the ball of an earlier search, or in its skin
+ *   skin              a layer about a ball, so that the next ball fits, too
+ *   budget            what near lists have saved, in nodes of the tree
+ *   hull plane        the plane of a facet without an apex
+ *   cospherical set   the uncompleted points exactly on one empty ball's sphere
+ *   cylinder          a second bounding volume, of nodes of every second level
+ *   reference surface    a plane or a sphere that many points are near
+ *   height            over it: the signed distance, or the power, by limbs
+ *   mark              a point's height in units of the surface's quantum
+ *   tilt              the vector in the facet's plane that takes up the
+ *                     different heights of its vertices
+ *   surface filter    a filter with a term in the height
+ *   sample            undecided points, from which a surface is fitted
+ *   clump             a box that is very narrow beside the root's
+ *
+ *   index          sorted points without a mesh: see tess_index
+ *   q*             q moved by an infinitesimal step into tetrahedron 0
+ *
+ * STATES OF A VERTEX v: edge_from[v].  Whether v is wanted is another matter:
+ * owned[v].
+ *   NEW       in no tetrahedron: all points at first, by build
+ *   met       NONE, or its first edge.  From NEW: in add_tetrahedron as an
+ *             apex, in begin_mesh as a vertex of the first facet, in push_edge
+ *             as the beginning of a seed edge
+ *   COMPLETE  its star is known.  From met: in complete_star, for s itself
+ *             (which may be NEW, if seed_star began its star); in
+ *             complete_stars, if v owns no facet and no vertex before it does
+ * rebuild_state sets a resumed result's vertices to met if they have an open
+ * facet, else to COMPLETE.  COMPLETE is final.  A vertex that is not wanted
+ * becomes COMPLETE in rebuild_state alone, where all its facets are closed.
+ *
+ * LIFE OF AN OPEN FACET.  It is born in add_tetrahedron.
+ *   - If it contains s, match_or_push makes it an edge of the link, or closes
+ *     it with the opposite edge.
+ *   - If it is opposite to s (k = 0), it is nowhere until flush_facets enters
+ *     it into the pool's table under its owner, or closes it with the entry
+ *     that is there.  When its owner's star begins, edges_from_pool makes it
+ *     an edge.
+ *   - An edge ends by the facet's apex: it is closed by add_tetrahedron, or is
+ *     TESS_NONE, a facet of the hull.
+ *   - Without an owner it stays TESS_OPEN in the result.  So do all that are
+ *     left when arrays or pool are full.
+ * So it is in one place at a time.  erase_entry and rebuild_table move entries,
+ * and update owned and the owners' lists only; move_edges moves edges, and
+ * updates edge_from and the edges only: after make_room, callers must reload
+ * oldest_edge.
+ *
+ * THE ARRAYS (n points, np of them distinct; L leaves: leaf_count(n) in the
  * arrays' lengths, leaf_count(np) in the tree).  tet holds positions during a
- * call, indices of points again when it returns; adj is as the caller sees it.
- * An index is what is left in iw and rw but for scratch:
+ * call, numbers of points again when it returns; adj is as the caller sees it.
+ * An index is what is left in iw and rw but for scratch.
  *
- *   iw at              length    during a call             when it returns
- *   0           rep    n         index -> the point of     the same; in an
- *                                least index that          index -> position
- *                                coincides
- *   n           order  n         position -> index         the same
- *   2 n         known  INDEX_EXTRA      in an index as it was,    see write_header
- *                                else places 0, 4 are 0
- *   + INDEX_EXTRA      alive  2 L       leaf: uncompleted points; all points are back;
- *                                other nodes: children     place 0: how many
- *                                alive                     supports
- *   + 2 L       mark   0 or      of supports, if liw is    the same
- *                      marks     what tess_size gives:
- *                                see surface_record
- *   + marks     head   n         position -> first entry   scratch
+ *   array           length       during a call              when it returns
+ *   iw:
+ *   representative  n            number -> the least        the same; in an
+ *                                number of the points that  index number ->
+ *                                coincide with it           position
+ *   order           n            position -> number         the same
+ *   first_tet       INDEX_EXTRA  in an index as it was,     see write_header
+ *                                else places 0 and 4 are 0
+ *   alive           2 L          node -> how much of it is  all of it; place
+ *                                alive                      0: the number of
+ *                                                           surfaces
+ *   mark            0 or marks   heights over reference     the same
+ *                                surfaces, if liw is what
+ *                                tess_size gives: see
+ *                                surface_record
+ *   owned           n            position -> first entry    scratch
  *                                that it owns, NONE, or
- *                                UNWANTED; in check_unfinished,
- *                                index -> position
- *   + n         link   n         position -> first edge    scratch
- *                                from it, NONE, NEW, COMPLETE
- *   + n         pool   room      see below                 scratch
- *   rw at
- *   0           x      3 n       scaled coordinates by     the same
- *                                position
- *   3 n         box    12 L      of each node              the same; place 0 is
- *                                                          the header: see write_header
- *   + 12 L      cylinders        if lrw is what tess_size  the same
- *                                gives
+ *                                UNWANTED; in
+ *                                check_unfinished, number
+ *                                -> position
+ *   edge_from       n            position -> first edge     scratch
+ *                                from it, NONE, NEW or
+ *                                COMPLETE
+ *   pool            pool_len     see below                  scratch
+ *   rw:
+ *   x               3 n          position -> scaled         the same
+ *                                coordinates
+ *   box             12 L         of each node               the same; from place
+ *                                                           0 on the header: see
+ *                                                           write_header
+ *   cylinders                    if lrw is what tess_size   the same
+ *                                gives: see cylinders_of
  *
- *   pool  0               ENTRY_LEN slots       newest          oldest      room
- *         | entries of the table -->| free |<-- edges of the link | dead |
+ *   pool  0          ENTRY_LEN slots    newest_edge    oldest_edge     pool_len
+ *         | entries of the table | free |<-- edges of the link | dead edges |
  *
- *   head[v] --> entry <--> entry <--> entry    facets that v owns
- *   link[a] --> edge   --> edge   --> edge     edges from a, by EDGE_CHAIN
+ *   owned[v] -----> entry <--> entry <--> entry    facets that v owns
+ *   edge_from[a] -> edge   --> edge   --> edge     edges from a, by EDGE_CHAIN
  *
  *   tree  node          1            node i: children 2i and 2i+1,
  *                   2       3        alive[i], box[6i] ... box[6i+5]
  *         leaf    0   1   2   3      leaf j: node L + j (here L = 4)
  *         x     |...|...|...|...|    its points have successive positions
  *
- *   lists +-----------------------+  block: the points of the leaf of s, then
- *         |     +-------+         |  all others in its box, which is wider by
- *         |     | leaf  |(star)   |  margin;
- *         |     |     ( s )       |  balls[0]: those of the block that are in
- *         |     +-------+         |  the ball about s; near lists have balls of
- *         +-----------------------+  their own, anywhere
+ *   lists +-----------------------+  block list: the points of the leaf of s,
+ *         |     +-------+         |  then all others in its box, which is wider
+ *         |     | leaf  |(star)   |  than the leaf's by reach;
+ *         |     |     ( s )       |  ball_lists[0], the star list: those of the
+ *         |     +-------+         |  block list in a ball about s; near lists
+ *         +-----------------------+  have balls of their own, anywhere
  *
- *   the table is     by        with so many slots, at most its quota
- *   set up           run       what mark_wanted says, for uniform points
- *   doubled          make_room  2 slots + 1, when three quarters are in use
- *   cut              make_room  its quota, when it meets the edges
- *   cut              load      its quota without facets that become edges
- *   set up again     rebuild_state   as by run, or twice its facets
+ *   the table is  by               with so many slots, at most its quota
+ *   set up        build            what mark_wanted says, for uniform points
+ *   doubled       make_room        2 slots + 1, when three quarters are in use
+ *   cut           make_room        its quota, when it meets the edges
+ *   cut           edges_from_pool  its quota without facets that become edges
+ *   set up again  rebuild_state    as by build, or twice its facets
  *
- * It is never more than 7/8 full, so find always meets an unused entry.  push
- * does not resize the table; make_room ensures room for two edges.  If room
- * still falls short, the code is TESS_POOL.
+ * It is never more than 7/8 full, so find_entry always meets an unused entry.
+ * push_edge does not resize the table; make_room ensures room for two edges.
+ * If room still falls short, the code is TESS_POOL.
  *
- * An open facet is in one place at a time: in the link if it contains s, the
- * vertex of the star; otherwise in the table, or, if its tetrahedron is not
- * below fresh, nowhere until flush; nowhere at all if the star of none of its
- * vertices is asked for.  erase_entry and rebuild_table renumber entries, and
- * update head and the owners' lists only; renumber moves edges, and updates
- * link and the edges only: after make_room, callers must reload oldest.
- *
- * What depends on the tie rule (hhpred): that a facet's apex is one point for
+ * WHAT DEPENDS ON THE TIE RULE (hhpred): that a facet's apex is one point for
  * both its sides, so that the pool empties; first_facet, on a hull face of more
- * than three points; in hh_pinsphere, that both candidates are on the positive
- * side; in walk, that heights are lowered; check_unfinished.
+ * than three points; cospherical sets; in hh_pinsphere, that both candidates
+ * are on the positive side; in walk and incident_tet, that heights are lowered;
+ * check_unfinished.
  *
  * Order of the routines, here and in f77/tess.f:
  *   sorting      axis_before swap pivot select_rank link_duplicate
