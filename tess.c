@@ -178,8 +178,8 @@
  *   rw:
  *   x               3 n          position -> scaled         the same
  *                                coordinates
- *   box             12 L         of each node               the same; from place
- *                                                           0 on the header: see
+ *   box             12 L         of each node               the same; places 0
+ *                                                           to 5, a header: see
  *                                                           write_header
  *   cylinders                    if lrw is what tess_size   the same
  *                                gives: see cylinders_of
@@ -277,43 +277,49 @@
 #include <math.h>
 #include <stddef.h>
 
-#define NONE (-1)
-#define UNSURE 2  /* a sign that bounds, or too few limbs, leave undecided */
-/* Returned by compare_exactly, and by hh_pinsphere but for NOT_OPEN_SIDE: z is
- * better than the best point; it is not; it is not, or z is not on the open
- * side. */
-#define BEATS (-1)
-#define LOSES 1
-#define NOT_OPEN_SIDE 0
-#define OUT_OF_STEPS 99   /* returned by walk when its steps are used up */
-#define COMPLETE (-2) /* in link: the star is complete */
-#define NEW (-3)  /* in link: in no tetrahedron yet */
-#define UNWANTED (-2) /* in head: the star is not asked for */
+#define NONE (-1)     /* no position, entry, edge, surface or code of a facet */
+#define UNSURE 2      /* a sign that bounds, or too few limbs, leave open */
+/* Answers of compare_exactly, and of hh_pinsphere but for NOT_OPEN_SIDE. */
+#define BEATS (-1)      /* the point is better than the best point */
+#define LOSES 1         /* it is not */
+#define NOT_OPEN_SIDE 0 /* it is not, or is not on the open side */
+#define OUT_OF_STEPS 99 /* an answer of walk: its steps are used up */
+#define COMPLETE (-2)   /* in edge_from: the vertex's star is complete */
+#define NEW (-3)        /* in edge_from: the vertex is in no tetrahedron yet */
+#define UNWANTED (-2)   /* in owned: the vertex's star is not asked for */
 
-/* Maximum number of points in a leaf of the tree; a block of the lists is a
- * leaf. */
+/* ---- constants that trade time and memory ----
+ *
+ * No result depends on these, unless it is said. */
+
+/* Maximum number of points in a leaf; the leaf of s is the block of its lists.
+ * Trades nodes against points scanned.  It is an array's length. */
 #define LEAF_POINTS 48
-/* Size of the groups that the points of a leaf are sorted into. */
+/* Size of the groups that a leaf's points are sorted into: a search looks at
+ * the least power of a group first.  It is also the width of vectors. */
 #define LEAF_GROUP 8
 #if LEAF_POINTS % LEAF_GROUP != 0
 #error LEAF_POINTS is not a multiple of LEAF_GROUP: see offer_leaf
 #endif
-/* A block's list extends beyond the leaf's box by BLOCK_REACH times the leaf's
- * mean point spacing; a star's list extends STAR_REACH times as far from its
- * vertex.  For uniform points they hold about 240 and 20 points, and 80 to 88 %
- * of the searches end in the star's list, most others in the block's.  Without
- * a star's list they take a quarter longer.  With margins that adapt from list
- * to list, lattices take a tenth longer and surveys 3 % less.  A block whose
- * last MAX_BLOCK_MISSES searches all ended in the tree makes no more stars'
- * lists: near surfaces they would cost 3 to 9 %.  Once so many in a row have
- * met ties in the block's list, lists are TIED_WIDENING, so that the stars'
- * lists hold the balls of a lattice with 27 points a leaf: 24^3 points take 0.4
- * times as long. */
+/* How far a block list extends beyond the leaf's box, in mean spacings of the
+ * leaf's points, and a star list from its vertex, in those reaches.  They trade
+ * the lists' lengths against the searches that end in them.  For uniform points
+ * the lists hold about 240 and 20 points; 80 to 88 % of the searches end in the
+ * star list, most others in the block list.  Without star lists searches take a
+ * quarter longer.  With reaches that adapt from list to list lattices take a
+ * tenth longer, surveys 3 % less. */
 #define BLOCK_REACH 2.6
 #define STAR_REACH 0.85
+/* A block whose last so many searches all ended in the tree makes no more star
+ * lists: near surfaces they would cost 3 to 9 %.  Also the number of searches
+ * in a row with ties in the block list from which on lists are widened. */
 #define MAX_BLOCK_MISSES 8
+/* By so much are lists wider once ties have been met in so many searches.  The
+ * star lists then hold the balls of a lattice with 27 points a leaf: 24^3
+ * points take 0.4 times as long. */
 #define TIED_WIDENING 1.2
-/* Capacity of a list (see tess.h).  Lists only say where to look first. */
+/* Capacity of a candidate list (see tess.h).  Trades searches that end in lists
+ * against the stack.  It is an array's length. */
 #ifndef TESS_LIST
 #define TESS_LIST 512
 #endif
@@ -323,155 +329,153 @@
 /* A node is cut across the widest extent of about so many of its points; with
  * all of them a million points take 3 % longer. */
 #define EXTENT_SAMPLE 64
-/* Bound on the depth of the tree plus one, and on three halves of it: with
- * cylinders a search keeps three nodes for every second level. */
+/* Length of a stack of nodes.  Correctness rests on it: it must exceed the
+ * depth of the tree, and three halves of that, as with cylinders a search keeps
+ * three nodes for every second level. */
 #define STACK_DEPTH 96
-/* Maximum number of supports.  Searches that offer more than SAMPLE_MIN points
- * to their samples count, and once these add up to SAMPLE_LIMIT times all
- * points a support is sought; each failure doubles that.  A support with grains
- * FINER_BY times smaller takes over another's points. */
+/* Maximum number of reference surfaces.  The layout of an index rests on it. */
 #define SURFACES (TESS_LIST < 128 ? 1 : 8)
+/* A search counts as long if it offers more than SAMPLE_MIN points to its
+ * sample.  A surface is sought once these offers add up to SAMPLE_LIMIT times
+ * all points; each failure doubles that limit. */
 #define SAMPLE_MIN 24
 #define SAMPLE_LIMIT 1.0
+/* A surface whose quantum is so many times smaller takes over the points that
+ * another has marked: two sheets very near each other need it. */
 #define FINER_BY 100.0
-/* Half of the band about a plane that a support holds, over its extent, at
- * most; about a sphere, over the square of it.  Beyond PLANE_BAND doubles
- * decide the sides, and cylinders do better: points near a plane rough by 1e-8
- * take two thirds of the time without a support, by 1e-9 as long, by 1e-10
- * twice as long.  Spheres have a wider one, as balls are not told apart by
- * cylinders. */
+/* Half of the band about a surface, at most: of its extent for a plane, of the
+ * extent's square for a sphere.  Beyond PLANE_BAND doubles decide the sides,
+ * and cylinders do better: points near a plane that is rough by 1e-8 take two
+ * thirds of the time without a surface, by 1e-9 as long, by 1e-10 twice as
+ * long.  A sphere's band is wider, as cylinders do not tell its balls apart. */
 #define PLANE_BAND 2e-8
 #define SPHERE_BAND 1e-3
-/* SURFACE_POINTS_MIN: with fewer points there are no supports and no
- * cylinders.  SAMPLE_SIZE: places of the sample (few, to save stack, where none
- * is ever sought: see SEEKS_SURFACES). */
+/* With fewer points there are no reference surfaces and no cylinders.  tess.h
+ * tells of it where it gives lengths. */
 #define SURFACE_POINTS_MIN 500
+/* Places of a sample: stack against the quality of a fit.  It is an array's
+ * length; few are kept where no surface is ever sought. */
 #define SAMPLE_SIZE (TESS_LIST < 128 ? 4 : 32)
-/* Integers in a support's record, digits of a number in it, their base, and
- * what is added to exponents: see surface_record. */
+/* The format of a surface's record in an index (see surface_record): its length
+ * in integers; the digits of a number; their base; what is added to exponents.
+ * An index written with others cannot be read. */
 #define RECORD 16
 #define DIGITS 4
 #define DIGIT 8192.0
 #define EXPONENT 2000
-/* An index seeks them in the stars of up to REGIONS points, eight at a time,
- * with room for STARS tetrahedra; and sooner, as it does so for all parts. */
+/* tess_index seeks surfaces in the stars of up to REGIONS points, eight at a
+ * time, with room for STARS tetrahedra (an array's length), and from a lower
+ * limit, KEEN, as it does so for all parts.  They trade its time against the
+ * surfaces that it finds. */
 #define REGIONS 32
 #define STARS (TESS_LIST < 128 ? 1 : 256)
 #define KEEN (SAMPLE_LIMIT / 256.0)
-/* Number of marks for heights over a support: a double holds them and their
- * roundings. */
+/* Number of marks, the heights that a surface tells apart.  A double holds them
+ * and their roundings, and tess_int 1 + SURFACES (MARKS + 1): correctness rests
+ * on that. */
 #define MARKS                                                         \
     ((tess_int)(DBL_MANT_DIG >= 53 && sizeof(tess_int) > 2 ? 134217728L \
                                                            : 2048L))
-/* With short lists, for small machines, supports and cylinders are left out. */
+/* Conditions: whether surfaces are sought; whether there are any; whether the
+ * facet of search f has one; whether that is a sphere.  With short lists, for
+ * small machines, surfaces and cylinders are left out. */
 #define SEEKS_SURFACES(m) (TESS_LIST >= 128 && (m)->sample_limit > 0.0)
 #define ANY_SURFACE(m) (TESS_LIST >= 128 && (m)->nsurfaces > 0)
 #define HAS_SURFACE(f) (TESS_LIST >= 128 && (f)->surface != NONE)
 #define HAS_SPHERE(m, f) (HAS_SURFACE(f) && !(m)->surfaces[(f)->surface].plane)
-/* No cylinders are used if fewer than one leaf of 64 has one below
- * SLENDER_VOLUME of its box. */
+/* A cylinder is slender if its volume is below so much of its box's.  None are
+ * used if fewer than one leaf of 64 has a slender one: clouds would pay 1 %. */
 #define SLENDER_VOLUME 0.7
 #define HAS_CYLINDERS(m) (TESS_LIST >= 128 && (m)->has_cylinders)
-/* Maximum number of points of a cell, and of cells. */
+/* Maximum number of points of a cospherical set, and of sets kept: arrays'
+ * lengths.  They trade the stack against ties found again. */
 #define SET_POINTS 12
 #define SETS 4
-/* Number of balls' lists: a star's and the near lists.  A near list holds the
- * points in a search's ball and in a skin about it; the skin is SKIN_SHRINK
- * times as thick while they exceed TESS_LIST, down to SKIN_MIN, and SKIN_GROW
- * for the next list, up to SKIN_MAX, if they were less than SKIN_GROW_BELOW.
- * NEAR_BALL_MAX: the size of a ball that gets none.  No result depends on
- * these. */
+/* Number of lists with a ball: the star list and the near lists. */
 #define BALL_LISTS (TESS_LIST < 128 ? 1 : 6)
+/* The skin of a near list adapts: it is SKIN_SHRINK times as thick while the
+ * list exceeds TESS_LIST, down to SKIN_MIN, and SKIN_GROW times for the next
+ * list, up to SKIN_MAX, if the list holds fewer than SKIN_GROW_BELOW.  They
+ * trade lists made against points in each. */
 #define SKIN_SHRINK 0.4
 #define SKIN_GROW 1.3
 #define SKIN_MIN 0.05
 #define SKIN_MAX 8.0
 #define SKIN_GROW_BELOW (TESS_LIST * 2 / 5)
+/* A ball whose centre is farther than this gets no near list: single precision
+ * hardly tells it from a half-space, so the list would be made in vain. */
 #define NEAR_BALL_MAX 1e4
-/* The purse of the near lists, in nodes of the tree.  A search that looks for a
- * list costs 1; to make one costs 30, and 1.75 for each node that is looked at;
- * a search that ends in one earns what searches in the tree take, by and large,
- * less 4, and less 1/2 for each point considered.  An empty purse rests until
- * one in BUDGET_REFILL of the nodes of the tree's searches have filled it to
- * BUDGET_START; it holds no more than BUDGET_MAX. */
+/* The budget of near lists, counted in nodes of the tree: lists are made only
+ * while they have saved more than they cost.  To look for a list costs 1; to
+ * make one costs 30, and 1.75 for each node visited.  A search that ends in a
+ * list earns what searches in the tree take on average, less 4, and less 1/2
+ * for each point offered.  When the budget is used up, no near list is looked
+ * for or made until refills bring it to BUDGET_START: one part in BUDGET_REFILL
+ * of the nodes of later tree searches.  It never exceeds BUDGET_MAX. */
 #define BUDGET_REFILL 64.0
 #define BUDGET_START 500.0
 #define BUDGET_MAX 2000.0
-/* Number of hull planes remembered. */
+/* Number of hull planes that are kept: trades exact sides computed in vain
+ * against searches of hull facets. */
 #define HULL_PLANES 4
 /* Steps from a given start after which a location looks for a better one.  With
  * 8, ordered queries among 100,000 points take a quarter longer than with 16;
  * with 32, unordered ones take 1.4 times as long as with 8. */
 #define START_STEPS 12
-/* Integers in an entry of the pool, and in an edge of the link. */
+/* An entry of the pool's table: its length in integers, and the places of the
+ * facet's code, of the owner's next and previous entries, and of the hash. */
 #define ENTRY_LEN 4
 #define ENTRY_CODE 0
 #define ENTRY_NEXT 1
 #define ENTRY_PREV 2
 #define ENTRY_SIG 3
+/* Length of an edge of the link, in integers. */
 #define EDGE_LEN 6
-/* INDEX_EXTRA: what an index keeps in iw but places, order, tree and marks.
- * POOL_MIN: that, and the minimum for pool and edges. */
+/* What an index keeps in iw beside representative, order, alive and mark. */
 #define INDEX_EXTRA 5
+/* That, and the minimum length of the pool: part of tess.h's minimum of iw. */
 #define POOL_MIN 512
-/* A facet with a greater E is set up by limbs. */
+/* A facet with a greater E has its normal computed by limbs: limbs against
+ * undecided sides. */
 #define LIMB_NORMAL_E 1e-6
-/* The ball of the best point is found by limbs when the error of its
- * L-coordinate exceeds BALL_ERR_MAX times the coordinate plus the circumradius
- * (with 1e-4 a plane across an axis with noise of 1e-12 takes 5 times as long),
- * and after LIMB_BALL_AFTER comparisons by hh_relative, of which an exact one
- * that was no tie counts as EXACT_COUNTS: most ties take no time, as their
- * points are the corners of a box.  EXACT_UNITS: no support is sought where
- * points are in so few units (t5 of hh_set at least that) that doubles decide
- * all. */
+/* The best point's ball is found by limbs if the error of its L-coordinate
+ * exceeds BALL_ERR_MAX times L plus the circumradius (with 1e-4 a plane across
+ * an axis, with noise of 1e-12, takes 5 times as long), or after
+ * LIMB_BALL_AFTER comparisons by hh_relative.  An exact comparison that was no
+ * tie counts as EXACT_COUNTS of these; most ties take no time, as their points
+ * are the corners of a box.  They trade balls by limbs against exact signs. */
 #define BALL_ERR_MAX 1.0
 #define LIMB_BALL_AFTER 96
 #define EXACT_COUNTS 16
+/* No surface is sought if exact5 of hh_set is at least this: coordinates are
+ * then small multiples of one unit, and doubles compute determinants exactly,
+ * so that heights would add nothing. */
 #define EXACT_UNITS 16.0
-/* A node is a clump if its box is narrower than CLUMP_WIDTH of the root's.
+/* A node is a clump if its box is narrower than CLUMP_WIDTH times the root's.
  * Among points 10 apart coordinates of -1e10 are no reason for
- * excludes_by_view; with -1e14 it takes 0.6 of the time, with -1e18 a
- * fiftieth.  With 1e-8 points of a sphere that crowd about a spot would be
- * clumps, and search twice as long without the sphere. */
+ * excludes_by_view; with -1e14 it takes 0.6 of the time, with -1e18 a fiftieth.
+ * With 1e-8 points of a sphere that crowd about a spot would be clumps, and
+ * searches would take twice as long without the sphere. */
 #define CLUMP_WIDTH 1e-12
-/* Pool recommended beyond 4 n in any case, up to 8 n. */
+/* The pool that is recommended beyond 4 n in any case, up to 8 n: memory
+ * against TESS_POOL, where one vertex has a very large star.  tess.h names it,
+ * too. */
 #define HUB_POOL_MAX 225000L
 
-/* Constants that correctness rests on.  EPS bounds the relative error of an
- * operation in every rounding mode, and of a sum of three in any order by 2
- * EPS; FEPS the same in single precision.
- *
- * UNDERFLOW_ERR: the effect of underflow on the power |w|^2 - 2 c.w of a point,
- * or on its side.  A coordinate that underflowed when it was scaled is wrong by
- * DBL_MIN, and so may be each product; |w| < 4, and |c| is at most 2 L_MAX:
- * set_upper_bound gives no ball for an L-coordinate beyond L_MAX (nor may
- * anything overflow there), a circumradius is below 0.02/EPS by hh_setup, and
- * hh_thin's and hh_centre's are below L_MAX.  The tall sieve is all that over
- * q; where q is so great that UNDERFLOW_ERR/q underflows, 8 EPS size (size + 2
- * sc) covers it.
- *
- * LIST_BOX_MIN: a box narrower than this has no list.  A list's coordinates are
- * then right to far less than FEPS, and a star's margin is above HH_LENGTH_MIN,
- * so that no product in ball_in_star_list underflows.
- *
- * STAR_REACH_MIN: a star whose margin is less, in its block's units, has no
- * list: the block cannot tell such points apart.  LIST_DIST_ERR: in these units
- * a distance is wrong by less than this: 2 FEPS for each of two coordinates of
- * at most 2 rounded twice, times sqrt(3), below 7; and 5 roundings of a
- * distance below 3.5, of the difference, the square, the sum and the bound:
- * below 25 FEPS. What is computed to be within margin + LIST_DIST_ERR is within
- * 1.1 margin, as LIST_DIST_ERR is 0.04 STAR_REACH_MIN.
- *
- * LEFT_LIST: where a list puts points that have left it.  No such point passes
- * a filter: its r is at least LEFT_LIST^2 = 1e20, and list_filter's limits
- * leave |d.x| < 2e19, d[3] < 1e18.
- *
- * SPECK: a list takes a coordinate below this for 0.  Of what is left neither
- * squares and products in single precision nor those of differences underflow.
- *
- * ROUNDING: relative room for the few roundings of a bound. */
+/* ---- constants that correctness rests on ---- */
+
+/* Bound on the relative error of one operation in every rounding mode, in
+ * double and in single precision.  A sum of three in any order errs by 2. */
 #define EPS DBL_EPSILON
 #define FEPS FLT_EPSILON
+/* L_MAX: set_upper_bound gives no ball for an L-coordinate beyond it, and
+ * nothing may overflow there.  UNDERFLOW_ERR: the effect of underflow on a
+ * point's power, |w|^2 - 2 c.w, or on its side.  A coordinate that underflowed
+ * when it was scaled is wrong by DBL_MIN, and so may be each product; |w| < 4,
+ * and |c| is at most 2 L_MAX, as a circumradius is below 0.02/EPS by hh_setup,
+ * and hh_thin's and hh_centre's are below L_MAX.  The surface filter is divided
+ * by q; where UNDERFLOW_ERR/q itself underflows, the term 8 EPS size (size + 2
+ * c1) is larger. */
 #if DBL_MANT_DIG >= 53
 #define L_MAX 1e100
 #define UNDERFLOW_ERR 1e-200
@@ -479,149 +483,209 @@
 #define L_MAX 1e15
 #define UNDERFLOW_ERR 1e-20
 #endif
+/* A box narrower than this has no list.  So a list's coordinates are right to
+ * far less than FEPS, and a star list's reach is above HH_LENGTH_MIN: no
+ * product in ball_in_star_list underflows. */
 #define LIST_BOX_MIN (HH_LENGTH_MIN * 1e5)
+/* A star whose reach is less, in units of its block list, has no list: the
+ * block list cannot tell such points apart. */
 #define STAR_REACH_MIN 1e-4
+/* Bound on the error of a distance in units of the block list: 2 FEPS for each
+ * of two coordinates of at most 2 rounded twice, times sqrt(3), below 7; and 5
+ * roundings of a distance below 3.5, of the difference, the square, the sum and
+ * the bound: below 25 FEPS.  What is computed to be within reach +
+ * LIST_DIST_ERR is within 1.1 reach: LIST_DIST_ERR is 0.04 STAR_REACH_MIN. */
 #define LIST_DIST_ERR (32.0f * FEPS)
+/* Where a list puts points that have left it.  None of them passes a filter:
+ * norm2 is at least LEFT_LIST^2 = 1e20, and list_filter's limits leave |d.x| <
+ * 2e19, d[3] < 1e18. */
 #define LEFT_LIST 1e10f
+/* A list takes a coordinate below this for 0.  Of what is left neither squares
+ * and products in single precision nor those of differences underflow. */
 #define SPECK 1e-10
+/* Relative room for the few roundings of a bound. */
 #define ROUNDING (64.0 * EPS)
 
-/* A list of uncompleted points, in single precision.  A block's has those in
- * a box, as offsets from the box's centre in units of its half width; a star's
- * those nearer to its vertex than margin, as offsets from it in units of
- * margin; a near list those nearer to a point than margin, as a block's of its
- * ball's box. */
+/* ---- types ---- */
+
+/* A candidate list: uncompleted points in single precision.  A block list has
+ * those in a box, a star list those near its vertex, a near list those in a
+ * ball.  A star list's coordinates are offsets from its vertex in units of
+ * reach; the others' are offsets from the centre of their box, or of their
+ * ball's box, in units of its half width. */
 typedef struct candidate_list {
-    tess_int leaf_first, leaf_end; /* a block's leaf: positions first ... last-1 */
-    int n;
-    double reach, origin[3], scale;
-    double centre[3];         /* that point */
-    double lo[3], hi[3];  /* the box, as far as it is in the root's */
-    double max_abs[3];       /* bound on the coordinates, but for rounding */
-    float x[TESS_LIST], y[TESS_LIST], z[TESS_LIST], norm2[TESS_LIST + LEAF_POINTS];
-    tess_int position[TESS_LIST + LEAF_POINTS];
+    tess_int leaf_first; /* of a block list: the first position of its leaf */
+    tess_int leaf_end;   /* of a block list: the position after its leaf's */
+    int n;               /* the number of points; 0: there is no list */
+    double reach;        /* so far from the leaf's box, from the vertex or from
+                          * centre the list has all uncompleted points */
+    double origin[3];    /* the point that coordinates are offsets from */
+    double scale;        /* the factor that gives coordinates their units */
+    double centre[3];    /* of a near list: the centre of its ball */
+    double lo[3], hi[3]; /* the box, as far as it is in the root's */
+    double max_abs[3];   /* bounds on the coordinates, but for rounding */
+    float x[TESS_LIST];  /* the first coordinates */
+    float y[TESS_LIST];  /* the second coordinates */
+    float z[TESS_LIST];  /* the third coordinates */
+    float norm2[TESS_LIST + LEAF_POINTS]; /* sums of their squares; powers
+                                           * while a near list is made */
+    tess_int position[TESS_LIST + LEAF_POINTS]; /* the points' positions */
 } candidate_list;
 
-/* A sieve: no candidate is where
- *     |w|^2 - 2 c.w + a (height(w) - h)
- *         > err + size (2 dc + 8 EPS (size + 2 sc)),
- * w being a point relative to the base, size >= |w|_1, height(w) its height
- * over the support that the facet leans on.  See filter_bound. */
+/* A filter.  No better point w satisfies
+ *     |w|^2 - 2 c.w + weight (height(w) - base_height)
+ *         > allowance + size (2 dc + 8 EPS (size + 2 c1)),
+ * w being seen from the base, size >= |w|_1, height(w) its height over the
+ * facet's reference surface.  The right-hand side is filter_bound. */
 typedef struct ball_filter {
-    double c[3], dc, c1;      /* c is wrong by at most dc; sc is |c|_1 */
-    double weight, base_height, allowance;         /* the plain sieve has no a and h */
+    double c[3];        /* the centre of the ball, seen from the base */
+    double dc;          /* a bound on the error of c */
+    double c1;          /* |c|_1 */
+    double weight;      /* the factor of heights; only of a surface filter */
+    double base_height; /* the base's height; only of a surface filter */
+    double allowance;   /* the part of the bound that does not depend on w */
 } ball_filter;
 
 /* A search for the apex of one facet. */
 typedef struct search {
     /* the facet */
-    tess_int facet[3];            /* its vertices; the open side is positive */
-    double hh[HH_FACET_LEN];  /* its Householder set-up, */
-    int base;                 /* of which v[base] is the base */
+    tess_int facet[3];       /* its vertices; the open side is positive */
+    double hh[HH_FACET_LEN]; /* its set-up: see hh_facet */
+    int base;                /* facet[base] is the base */
     /* the best point */
-    tess_int best;            /* the best point yet, exactly, or NONE */
-    double lo, hi;            /* its L-coordinate is between them */
-    long ties;                /* points met that are exactly on its ball */
-    long hard_count;               /* see LIMB_BALL_AFTER */
+    tess_int best;           /* the best point so far, exactly, or NONE */
+    double lo, hi;           /* limits of its L-coordinate */
+    long ties;               /* how many points met are exactly on its ball */
+    long hard_count;         /* hard comparisons: see LIMB_BALL_AFTER */
     /* its ball */
-    int has_ball;                 /* there is one to prune with: */
-    ball_filter filter;              /* c is its centre; or else the open side */
-    int by_limbs;                /* 1: it was found by limbs: */
-    hh_ball limb_ball;
-    tess_int outside_ball;         /* a point that is not in it, or NONE, and one */
-    tess_int behind_facet;          /* that is not on the open side: see excludes_by_view */
-    hh_sphere near_sphere;         /* near the points that are compared with it */
-    /* the support */
-    int surface;                   /* its number, or NONE.  On the facet */
-    ball_filter surface_filter;               /* height(w) - h - tilt.w is 0, h being the */
-    double height_err;                /* base's height, wrong by at most dh */
-    double tilt[3], tilt_err;
-    double normal_height;                 /* a plane: the height of the facet's normal */
-    /* the sample of points, for a support */
-    int sample_undecided;                 /* 1: of points left open; 0: of leaves' */
-    tess_int sample_offered;          /* how many were offered to the sample; */
-    tess_int sample[SAMPLE_SIZE];      /* those of them that it keeps */
+    int has_ball;            /* 1: filter is a ball's; 0: a half-space's */
+    ball_filter filter;      /* the filter without heights */
+    int by_limbs;            /* 1: the ball was found by limbs */
+    hh_ball limb_ball;       /* the ball by limbs, if by_limbs is 1 */
+    tess_int outside_ball;   /* a point not in the ball by limbs, or NONE */
+    tess_int behind_facet;   /* a point not on the open side, or NONE */
+    hh_sphere near_sphere;   /* a sphere near the points that are compared */
+    /* the reference surface */
+    int surface;             /* its number, or NONE */
+    ball_filter surface_filter; /* the filter with heights */
+    double height_err;       /* a bound on the error of the base's height */
+    double tilt[3];          /* height(w) - base_height - tilt.w is 0 at the
+                              * facet's vertices */
+    double tilt_err;         /* a bound on the error of tilt */
+    double normal_height;    /* of a plane: the height of the facet's normal */
+    /* the sample of points, for seek_surface */
+    int sample_undecided;    /* 1: it has undecided points; 0: only first points
+                              * of visited leaves */
+    tess_int sample_offered; /* how many points were offered to it */
+    tess_int sample[SAMPLE_SIZE]; /* the points that it keeps */
     /* the near list that it makes */
-    candidate_list *collect;               /* gets all that pass the plain sieve, or NULL */
-    double skin_factor, skin;       /* thickness of the skin, adapted and as it is */
-    tess_int nodes;            /* nodes that were looked at */
+    candidate_list *collect; /* gets the points that pass filter; or NULL: they
+                              * are offered */
+    double skin_factor;      /* the thickness of the skin as it adapts */
+    double skin;             /* the thickness of the skin of this ball */
+    tess_int nodes;          /* how many nodes the search has visited */
 } search;
 
-/* A support: a plane or a sphere that many points are near.  A point with mark
- * k, 0 ... MARKS - 1, has a height between low + (k - 1/2) grain and low + (k +
- * 3/2) grain; low < 0.  range[node] is RANGE_CODE(k, l): k and l are the least
- * and the greatest mark of the node's points, over MARKS_PER_STEP; k is -1 if a
- * point may be below low, l is RANGE_STEPS if one may be above -low;
- * RANGE_STEPS and -1 for k and l if all are. */
+/* The ranges of marks.  mark_range[node] is RANGE_CODE(k, l): k and l are the
+ * least and the greatest mark of the node's points, over MARKS_PER_STEP; k is
+ * -1 if a point may be below lowest, l is RANGE_STEPS if one may be above
+ * -lowest; RANGE_STEPS and -1 for k and l if all are.  (RANGE_STEPS + 2)^2 fits
+ * tess_int: correctness rests on that. */
 #define MARKS_PER_STEP ((tess_int)(MARKS > 2048 ? 4096L : 16L))
 #define RANGE_STEPS (MARKS / MARKS_PER_STEP)
 #define RANGE_CODE(k, l) ((tess_int)(((k) + 1) * (RANGE_STEPS + 2) + (l) + 1))
 #define RANGE_LEAST(code) ((tess_int)((code) / (RANGE_STEPS + 2) - 1))
 #define RANGE_MOST(code) ((tess_int)((code) % (RANGE_STEPS + 2) - 1))
+
+/* A reference surface: a plane or a sphere that many points are near.  A point
+ * with mark k, 0 ... MARKS - 1, has a height between lowest + (k - 1/2) quantum
+ * and lowest + (k + 3/2) quantum. */
 typedef struct ref_surface {
-    tess_int *record, *mark_range; /* see surface_record */
-    int plane;
-    hh_sphere limbs;
-    const double *origin;         /* its first point; from there */
-    double c[3];              /* the centre, or the unit normal */
-    double lowest, quantum;
+    tess_int *record;     /* what an index stores of it: see surface_record */
+    tess_int *mark_range; /* node -> the range of its points' marks */
+    int plane;            /* 1: a plane; 0: a sphere */
+    hh_sphere limbs;      /* the surface by limbs */
+    const double *origin; /* the coordinates of its first point */
+    double c[3];          /* the unit normal, or the centre seen from origin */
+    double lowest;        /* the least height that has a mark; it is negative */
+    double quantum;       /* the unit of marks */
 } ref_surface;
 
-/* The points exactly on one ball: see apex_from_set. */
+/* A cospherical set: the uncompleted points exactly on the sphere of one empty
+ * ball; see "ties". */
 typedef struct cospherical_set {
-    int n;
-    tess_int position[SET_POINTS];
+    int n;                         /* the number of points */
+    tess_int position[SET_POINTS]; /* the points; the least number first */
 } cospherical_set;
 
-/* Lengths for n points: the minimum of iw and rw, and what is recommended
- * beyond it: in iw pool, and marks for supports; in rw cylinders. */
+/* Lengths of the workspace for n points. */
 typedef struct ws_lengths {
-    tess_int iw, rw, pool, marks, cylinders;
+    tess_int iw, rw;    /* the minima of liw and lrw */
+    tess_int pool;      /* what is recommended for the pool beyond iw */
+    tess_int marks;     /* what marks for surfaces take beyond that, or 0 */
+    tess_int cylinders; /* what cylinders take beyond rw, or 0 */
 } ws_lengths;
 
+/* All that the routines share: the points, the mesh under construction, and
+ * what only speeds up searches. */
 typedef struct mesher {
-    hh_set points;
-    ws_lengths lengths;              /* lengths for the points that were given */
-    /* the arrays: see above */
-    tess_int *tet, *adj, *representative, *order, *first_tet, *alive, *owned, *edge_from, *pool;
-    tess_int *mark;           /* 0, or 1 + support + SURFACES mark */
+    hh_set points;      /* the points, as predicates take them */
+    ws_lengths lengths; /* for the points that were given */
+    /* the arrays: see the head */
+    tess_int *tet, *adj;
+    tess_int *representative, *order, *first_tet, *alive;
+    tess_int *owned, *edge_from, *pool;
+    tess_int *mark;           /* position -> 0 or 1 + surface + SURFACES mark */
     double *x, *box;
-    tess_int np;              /* distinct points */
-    tess_int leaves;          /* of the tree, a power of two */
-    tess_int maxtet, ntet;
-    tess_int pool_len;            /* length of pool */
-    tess_int slots, nfacets;    /* entries of the table, and those in use */
-    tess_int unfiled;           /* from this tetrahedron on, facets 0 are not */
-                              /* in the pool */
-    tess_int oldest_edge, newest_edge;  /* edges of the link, the newest the lowest */
-    tess_int lowest_owner;          /* no vertex of a smaller position owns facets */
-    tess_int next_new;           /* of a part: no vertex before it is NEW and */
-                              /* asked for; a whole mesh meets all */
-    tess_int hull_plane[HULL_PLANES][3]; /* the last hull planes met */
-    tess_int nhull_planes;          /* how many were met */
-    double block_reach;             /* a block's margin, in its leaf's diagonals */
-    candidate_list block_list;               /* the list of a leaf; those of balls: */
-    candidate_list ball_lists[BALL_LISTS];        /* of a star in it, and near lists, */
-    int recency[BALL_LISTS];        /* these from recent[1], the one used last, on */
-    double next_skin;              /* of the next one */
-    double budget, tree_cost;       /* their purse; nodes of a search in the tree */
-    int paused;                 /* 1: it was empty */
-    int block_misses;               /* the leaf's latest searches in a row that */
-                              /* ended in the tree */
-    int block_ties;           /* searches in a row that met ties in a block's */
-                              /* list, and none that ended in a star's */
-    int star_tied;             /* 1: the last search in a star's list that met */
-                              /* points met some exactly on its last ball */
-    cospherical_set sets[SETS];        /* the last ones met in this star */
-    int nsets;                /* how many were met */
-    int last_tied;                 /* 1: the last exact comparison was a tie */
-    double least_abs;             /* least absolute value above 0 of a coordinate */
-    double clump_width;             /* boxes narrower than this are clumps, 0: none */
-    ref_surface surfaces[SURFACES];
-    int nsurfaces;             /* how many there are */
-    double sample_load, sample_limit;  /* what was offered to samples, over np, and */
-                              /* its limit; 0: no more supports are sought */
-    int has_cylinders;             /* 1: there are cylinders */
+    /* the mesh */
+    tess_int np;              /* the number of distinct points */
+    tess_int leaves;          /* the number of leaves, a power of two */
+    tess_int maxtet;          /* how many tetrahedra there is room for */
+    tess_int ntet;            /* the number of tetrahedra */
+    tess_int pool_len;        /* the length of pool */
+    tess_int slots;           /* the number of slots of the pool's table */
+    tess_int nfacets;         /* the number of facets in the table */
+    tess_int unfiled;         /* from this tetrahedron on, facets 0 are not in
+                               * the table yet */
+    tess_int oldest_edge;     /* the first edge of the link, the highest */
+    tess_int newest_edge;     /* the last edge of the link, the lowest */
+    tess_int lowest_owner;    /* no vertex of a smaller position owns facets */
+    tess_int next_new;        /* of a part: no wanted vertex of a smaller
+                               * position is NEW; of a whole mesh np, as it
+                               * meets all */
+    /* what only speeds up searches */
+    tess_int hull_plane[HULL_PLANES][3]; /* facets in the last planes met */
+    tess_int nhull_planes;    /* how many hull planes were met */
+    double block_reach;       /* the reach of a block list, in diagonals of
+                               * its leaf */
+    candidate_list block_list; /* the block list of the current leaf */
+    candidate_list ball_lists[BALL_LISTS]; /* the star list, the near lists */
+    int recency[BALL_LISTS];  /* from place 1 on the near lists, the one that
+                               * was used last first */
+    double next_skin;         /* the skin_factor of the next near list */
+    double budget;            /* the budget of near lists, in nodes */
+    double tree_cost;         /* the mean number of nodes of a tree search */
+    int paused;               /* 1: the budget is used up, and being refilled */
+    int block_misses;         /* how many searches in a row have ended in the
+                               * tree, of this block */
+    int block_ties;           /* how many searches that ended in a block list
+                               * met ties, with none in between that ended in a
+                               * star list */
+    int star_tied;            /* 1: the last search of a star list that offered
+                               * points met some exactly on its last ball */
+    cospherical_set sets[SETS]; /* the last cospherical sets of this star */
+    int nsets;                /* how many were recorded in this star */
+    int last_tied;            /* 1: the last exact comparison was a tie */
+    double least_abs;         /* the least absolute value above 0 of a caller's
+                               * coordinate */
+    double clump_width;       /* a narrower box is a clump; 0: there are none */
+    ref_surface surfaces[SURFACES]; /* the reference surfaces */
+    int nsurfaces;            /* how many surfaces there are */
+    double sample_load;       /* what was offered to samples of long searches,
+                               * over np */
+    double sample_limit;      /* a load above this seeks a surface; 0: no more
+                               * surfaces are sought */
+    int has_cylinders;        /* 1: there are cylinders */
 } mesher;
 
 /* Builds that count events or prove decisions, for the tests. */
@@ -3184,14 +3248,16 @@ static void incident_tet(mesher *m, tess_int s, tess_int *v)
  * boundary short, and grow down from the end of the pool: edge e is pool[e]
  * and the EDGE_LEN - 1 integers behind it.
  */
-#define EDGE_CODE 0  /* the facet's code; SEED_EDGE where a star begins; DEAD_EDGE */
+/* The places of an edge. */
+#define EDGE_CODE 0  /* the facet's code, or one of the two below */
 #define EDGE_FROM 1  /* a */
 #define EDGE_TO 2    /* b */
-#define EDGE_PREV 3  /* an edge that ends where this one begins, or NONE; and */
-#define EDGE_NEXT 4 /* one that begins where it ends: they give the guesses  */
-#define EDGE_CHAIN 5 /* the next edge from a, or NONE; link[a] is the first   */
-#define SEED_EDGE (-2)
-#define DEAD_EDGE (-3)
+#define EDGE_PREV 3  /* an edge that ends at a, or NONE: it gives a guess */
+#define EDGE_NEXT 4  /* an edge that begins at b, or NONE: it gives a guess */
+#define EDGE_CHAIN 5 /* the next edge from a, or NONE: see edge_from */
+/* In EDGE_CODE. */
+#define SEED_EDGE (-2) /* the facet belongs to no tetrahedron yet */
+#define DEAD_EDGE (-3) /* the edge is not in the link any more */
 
 /* clear_link - empty the link. */
 static void clear_link(mesher *m)
