@@ -699,8 +699,8 @@ typedef struct mesher {
 
 /* ---- sorting ---- */
 
-/* axis_before - returns 1 if point i precedes the point with coordinates q and
- * number number along an axis.  Ties are broken by the next axes, then by
+/* axis_before - returns 1 if point i precedes, along an axis, the point with
+ * coordinates q and the given number. Ties are broken by the next axes, then by
  * number. */
 static int axis_before(const mesher *m, tess_int i, int axis, const double *q,
                        tess_int number)
@@ -725,9 +725,9 @@ static void swap(mesher *m, tess_int i, tess_int j)
     t = p[2], p[2] = q[2], q[2] = t;
 }
 
-/* pivot - the position of a point whose rank along an axis is near mid, among
- * lo ... hi-1: the point of that rank in a random sample.  The random numbers
- * are the same everywhere. */
+/* pivot - returns the position of a point whose rank along an axis is near mid,
+ * among lo ... hi-1: the point of that rank in a random sample.  The random
+ * numbers are the same everywhere. */
 static tess_int pivot(const mesher *m, tess_int lo, tess_int hi, tess_int mid,
                       int axis, long *chance)
 {
@@ -748,8 +748,9 @@ static tess_int pivot(const mesher *m, tess_int lo, tess_int hi, tess_int mid,
     return a[(mid - lo) / ((hi - lo) / n + 1)];
 }
 
-/* select_rank - reorder the points lo ... hi-1 so that those before mid precede
- * the one at mid along an axis, and the others do not. */
+/* select_rank - reorders the points lo ... hi-1 so that those before mid
+ * precede the one at mid along an axis, and the others do not: quickselect,
+ * with one pass a pivot. */
 static void select_rank(mesher *m, tess_int lo, tess_int hi, tess_int mid,
                         int axis)
 {
@@ -786,7 +787,8 @@ static void select_rank(mesher *m, tess_int lo, tess_int hi, tess_int mid,
     }
 }
 
-/* link_duplicate - if the points at i and j coincide, record it in rep. */
+/* link_duplicate - records in representative that the points at i and j
+ * coincide, if they do. */
 static void link_duplicate(mesher *m, tess_int i, tess_int j)
 {
     const double *p = m->x + 3 * i, *q = m->x + 3 * j;
@@ -798,7 +800,8 @@ static void link_duplicate(mesher *m, tess_int i, tess_int j)
     m->representative[a > b ? a : b] = a > b ? b : a;
 }
 
-/* bounding_box - b = the box of every step-th of n points, the first at x. */
+/* bounding_box - sets b to the box of every step-th of n points, the first at
+ * x. */
 static void bounding_box(const double *x, tess_int n, tess_int step, double *b)
 {
     tess_int i;
@@ -812,9 +815,10 @@ static void bounding_box(const double *x, tess_int n, tess_int step, double *b)
         }
 }
 
-/* bisect - select_rank across the widest extent.  Duplicates separated by the
- * cut all coincide with the point at mid; in the end every duplicate but the
- * least of its set is linked to a smaller number. */
+/* bisect - cuts the points lo ... hi-1 at mid, across the widest extent of a
+ * sample of them.  Duplicates that the cut separates all coincide with the
+ * point at mid; in the end every duplicate but the least of its set is linked
+ * to a smaller number. */
 static void bisect(mesher *m, tess_int lo, tess_int hi, tess_int mid)
 {
     double b[6] = {0.0}; /* for gcc -fanalyzer */
@@ -829,8 +833,8 @@ static void bisect(mesher *m, tess_int lo, tess_int hi, tess_int mid)
     for (i = lo; i < mid; i++) link_duplicate(m, i, mid);
 }
 
-/* leaf_start - the first position of leaf j; leaf j ends before leaf_start(j +
- * 1). */
+/* leaf_start - returns the first position of leaf j, which ends before
+ * leaf_start(j + 1). */
 static tess_int leaf_start(const mesher *m, tess_int j)
 {
     tess_int more = m->np % m->leaves;
@@ -838,7 +842,7 @@ static tess_int leaf_start(const mesher *m, tess_int j)
     return (tess_int)(j * (m->np / m->leaves) + (j < more ? j : more));
 }
 
-/* leaf_of - the leaf that holds position i. */
+/* leaf_of - returns the leaf that holds position i. */
 static tess_int leaf_of(const mesher *m, tess_int i)
 {
     tess_int size = m->np / m->leaves, more = m->np % m->leaves;
@@ -847,7 +851,8 @@ static tess_int leaf_of(const mesher *m, tess_int i)
     return (tess_int)(more + (i - more * (size + 1)) / size);
 }
 
-/* node_range - the positions first ... last-1 below a node of the tree. */
+/* node_range - finds the positions first ... last-1 below a node of the tree.
+ */
 static void node_range(const mesher *m, tess_int node, tess_int *first,
                        tess_int *last)
 {
@@ -861,7 +866,7 @@ static void node_range(const mesher *m, tess_int node, tess_int *first,
     *last = leaf_start(m, (tess_int)(right - m->leaves + 1));
 }
 
-/* leaf_sort - sort the points of a leaf into groups of LEAF_GROUP. */
+/* leaf_sort - sorts the points of a leaf into groups of LEAF_GROUP. */
 static void leaf_sort(mesher *m, tess_int first, tess_int last)
 {
     tess_int half, lo, hi, i, j;
@@ -883,8 +888,9 @@ static void leaf_sort(mesher *m, tess_int first, tess_int last)
     }
 }
 
-/* kd_sort - sort the points: cut every node of the tree in two across its
- * widest extent, down to the leaves. */
+/* kd_sort - sorts the points into a k-d tree: cuts every node in two across its
+ * widest extent, down to the leaves.  (Bentley; Friedman, Bentley and Finkel:
+ * see the head.) */
 static void kd_sort(mesher *m)
 {
     tess_int node = 1, first, mid, last;
@@ -909,7 +915,7 @@ static double node_width(const double *b)
     return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]);
 }
 
-/* make_boxes - compute the box of every node, from the leaves up. */
+/* make_boxes - computes the box of every node, from the leaves up. */
 static void make_boxes(mesher *m)
 {
     tess_int node, first, last;
@@ -933,7 +939,7 @@ static const tess_real *point(const mesher *m, tess_int i)
 }
 
 /* lex_before - returns 1 if point a comes strictly before point b: by x, then
- * y, z. */
+ * by y, then by z. */
 static int lex_before(const tess_real *a, const tess_real *b)
 {
     int k = 0;
@@ -944,7 +950,7 @@ static int lex_before(const tess_real *a, const tess_real *b)
 
 /* hull_edge_before - returns 1 if point i comes before point j when a plane
  * parallel to the z axis is wrapped about a, the lexicographically least point,
- * and then a line in that plane.  The first point of all ends a hull edge that
+ * and then a line in that plane. The first point of all ends a hull edge that
  * contains no other point. */
 static int hull_edge_before(const mesher *m, tess_int a, tess_int i, tess_int j)
 {
@@ -957,11 +963,11 @@ static int hull_edge_before(const mesher *m, tess_int a, tess_int i, tess_int j)
     return side != 0 ? side < 0 : lex_before(p, q);
 }
 
-/* first_facet - find the first facet v: on the hull, with all points on its
- * positive side, and v[0] of least position.  On a hull face of more than three
- * points it is the triangle on the edge v[0] v[1] of the face that the rule of
- * ties selects: of two points a, b of the face, b is better iff I(v0, v1, a, w,
- * b) o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0 or the code of
+/* first_facet - finds the first facet v: on the hull, with all points on its
+ * positive side, and v[0] of least position. On a hull face of more than three
+ * points it is the triangle on the edge v[0] v[1] of the face that the tie rule
+ * selects: of two points a, b of the face, b is better iff I(v0, v1, a, w, b)
+ * o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0, or the code of
  * points without a tetrahedron. */
 static int first_facet(const mesher *m, tess_int *v)
 {
@@ -1005,18 +1011,19 @@ static int first_facet(const mesher *m, tess_int *v)
     return 0;
 }
 
-/* ---- the pool of open facets: an open-addressing hash ----
+/* ---- the pool of open facets: a hash table with open addressing ----
  *
- * Entry e: pool[ENTRY_LEN*e] the facet's code 4t+k, or NONE; then the next
- * entry in the list of the facets of the same owner, newest first, or NONE;
- * then the previous one, or -1 - owner in the first; then the signature of the
- * three vertices.  The owner is the vertex of least position of those whose
- * star is asked for; head[owner] is the first entry; a facet without an owner
- * is left open. Linear probing from signature mod slots; removal shifts entries
- * back. */
+ * An entry has ENTRY_LEN integers:
+ *   ENTRY_CODE  the facet's code 4t+k, or NONE: the entry is unused
+ *   ENTRY_NEXT  the next entry of the same owner, newest first, or NONE
+ *   ENTRY_PREV  the previous one; -1 - owner in the first
+ *   ENTRY_SIG   the hash of the three vertices
+ * owned[owner] is the first entry of an owner.  A facet without an owner is in
+ * no entry: it is left open.  Probing is linear, from the hash modulo slots;
+ * when an entry is removed, later ones are moved back. */
 
-/* tet_facet - f = the vertices of facet k of the tetrahedron v, the one
- * opposite to v[k], counter-clockwise from outside if v is positively oriented.
+/* tet_facet - sets f to the vertices of facet k of the tetrahedron v, the one
+ * opposite to v[k]: counter-clockwise from outside if v is positively oriented.
  */
 static void tet_facet(const tess_int *v, int k, tess_int *f)
 {
@@ -1027,15 +1034,15 @@ static void tet_facet(const tess_int *v, int k, tess_int *f)
     f[2] = v[out[k][2]];
 }
 
-/* facet_of_code - v = the vertices of facet code, positive towards its outside.
- */
+/* facet_of_code - sets v to the vertices of the facet of a code, positive
+ * towards its outside. */
 static void facet_of_code(const mesher *m, tess_int code, tess_int *v)
 {
     tet_facet(m->tet + (code - code % 4), (int)(code % 4), v);
 }
 
-/* owner - returns the vertex of least position among those whose star is asked
- * for, or NONE. */
+/* owner - returns the owner of the facet v: of its wanted vertices the one of
+ * least position, or NONE. */
 static tess_int owner(const mesher *m, const tess_int *v)
 {
     tess_int least = m->np;
@@ -1046,7 +1053,7 @@ static tess_int owner(const mesher *m, const tess_int *v)
     return least < m->np ? least : NONE;
 }
 
-/* facet_hash - returns the signature of a facet, below 2^31; the order of its
+/* facet_hash - returns the hash of a facet, below 2^31; the order of its
  * vertices does not matter. */
 static tess_int facet_hash(const tess_int *v)
 {
@@ -1056,7 +1063,7 @@ static tess_int facet_hash(const tess_int *v)
     return (tess_int)(sizeof(tess_int) < 4 ? h % 32749L : h);
 }
 
-/* same_facet - returns 1 if v and w, of equal signature, are the same facet. */
+/* same_facet - returns 1 if v and w, of equal hash, are the same facet. */
 static int same_facet(const tess_int *v, const tess_int *w)
 {
     int k, n = 0;
@@ -1066,7 +1073,7 @@ static int same_facet(const tess_int *v, const tess_int *w)
     return n == 3;
 }
 
-/* find_entry - returns the entry of the facet with vertices v, or the unused
+/* find_entry - returns the entry of the facet v, of hash sig, or the unused
  * entry where it belongs. */
 static tess_int find_entry(const mesher *m, const tess_int *v, tess_int sig)
 {
@@ -1085,8 +1092,8 @@ static tess_int find_entry(const mesher *m, const tess_int *v, tess_int sig)
     }
 }
 
-/* relink_entry - in the list of the owner of entry p, make next follow what
- * precedes p, and prev precede what follows p. */
+/* relink_entry - makes next follow what precedes p in the list of its owner,
+ * and prev precede what follows p. */
 static void relink_entry(mesher *m, const tess_int *p, tess_int next,
                          tess_int prev)
 {
@@ -1098,7 +1105,8 @@ static void relink_entry(mesher *m, const tess_int *p, tess_int next,
         m->owned[-1 - p[ENTRY_PREV]] = next;
 }
 
-/* erase_entry - remove entry e. */
+/* erase_entry - removes entry e, and moves back the entries behind it that may
+ * fill the hole. */
 static void erase_entry(mesher *m, tess_int e)
 {
     tess_int *p = m->pool + ENTRY_LEN * e, *q;
@@ -1123,8 +1131,8 @@ static void erase_entry(mesher *m, tess_int e)
     m->pool[ENTRY_LEN * hole + ENTRY_CODE] = NONE;
 }
 
-/* match_or_enter - enter the open facet of a code into the pool and return
- * NONE; if its other side is there, remove that and return its code. */
+/* match_or_enter - enters the open facet of a code into the table and returns
+ * NONE; or, if its other side is there, removes that and returns its code. */
 static tess_int match_or_enter(mesher *m, tess_int code)
 {
     tess_int v[3], e, sig, least, other, *p;
@@ -1151,7 +1159,8 @@ static tess_int match_or_enter(mesher *m, tess_int code)
     return NONE;
 }
 
-/* table_full - returns 1 if the table may not hold more than so many facets. */
+/* table_full - returns 1 if the table may not hold so many facets: at most 7/8
+ * of its slots are used. */
 static int table_full(const mesher *m, tess_int many)
 {
     return many > m->slots - m->slots / 8 - 1;
@@ -1166,8 +1175,8 @@ static tess_int cube_root(tess_int n)
     return c;
 }
 
-/* table_quota - returns how many entries the table may have with room for so
- * many more edges: what its facets need with an eighth unused, and half of the
+/* table_quota - returns how many slots the table may have with room for so many
+ * more edges: what its facets need with an eighth unused, and half of the
  * remaining free space. */
 static tess_int table_quota(const mesher *m, tess_int edges)
 {
@@ -1177,11 +1186,11 @@ static tess_int table_quota(const mesher *m, tess_int edges)
     return most < need ? most : (tess_int)(need + (most - need) / 2);
 }
 
-/* rebuild_table - give the table the wanted length, or its quota if that is
- * less, and enter its facets again in their order; returns 0 if there is no
- * room.  The new table is laid over the old one, so the facets come from tet
- * and adj: the open ones without the vertex s.  (Those with it are edges of its
- * link.) */
+/* rebuild_table - gives the table the wanted number of slots, or its quota if
+ * that is less, and enters its facets again in their order.  Returns 0 if there
+ * is no room.  The new table is laid over the old one, so the facets come from
+ * tet and adj: the open ones without the vertex s.  (Those with it are edges of
+ * the link.) */
 static int rebuild_table(mesher *m, tess_int s, tess_int wanted)
 {
     tess_int i, v[3], most = table_quota(m, 2);
@@ -3128,8 +3137,8 @@ static tess_int apex(mesher *m, const tess_int *v, const tess_int *guess)
 
 /* ---- a star on its own ---- */
 
-/* replace_vertex - replace v[k] by z, unless the result is flat.  Returns 1 if
- * replaced. */
+/* replace_vertex - replaces v[k] by z, unless the result is flat.  Returns 1 if
+ * it does. */
 static int replace_vertex(const mesher *m, tess_int *v, int k, tess_int z)
 {
     tess_int old = v[k];
@@ -3140,9 +3149,9 @@ static int replace_vertex(const mesher *m, tess_int *v, int k, tess_int z)
     return 0;
 }
 
-/* encloses - returns 1 if v is positively oriented and contains s*, which is
- * s = v[0] = r[0] moved by an infinitesimal step into the tetrahedron r (as q*
- * in the queries below), so it is on no plane through three points. */
+/* encloses - returns 1 if v is positively oriented and contains s*, which is s
+ * = v[0] = r[0] moved by an infinitesimal step into the tetrahedron r (as q* of
+ * the queries is), so it is on no plane through three points. */
 static int encloses(const mesher *m, const tess_int *r, const tess_int *v)
 {
     int i, j, side = hh_porient(&m->points, v[0], v[1], v[2], v[3]);
@@ -3154,8 +3163,8 @@ static int encloses(const mesher *m, const tess_int *r, const tess_int *v)
     return side > 0;
 }
 
-/* any_tet_at - v = a tetrahedron at v[0] = s, of points of its leaf as far as
- * these are not in one plane, else of vertices of known. */
+/* any_tet_at - finds v, a tetrahedron at v[0] = s, of points of the leaf of s
+ * as far as these are not in one plane, else of vertices of first_tet. */
 static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
 {
     tess_int first = leaf_start(m, leaf_of(m, s)), i, z;
@@ -3179,7 +3188,7 @@ static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
     }
 }
 
-/* incident_tet - find v, a tetrahedron of the mesh at v[0] = s.
+/* incident_tet - finds v, a tetrahedron of the mesh at v[0] = s, which is NEW.
  *
  *      b---z         b---z    In the plane: z is in the ball of (s, a, b).
  *      |\  .         |  /|    Of the four points' two triangulations the
@@ -3187,21 +3196,28 @@ static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
  *      |  \.         |/  |    s* is in (s, a, z) or in (s, z, b): z replaces
  *      s---a         s---a    b, or a.
  *
- * Start with any tetrahedron r at s, and with s* in it.  While v holds s* and
- * its ball is not empty, each point in the ball is on the inner side of one of
- * the three facets at s, since whatever is outside all three is beyond the
+ * Start with any tetrahedron r at s, and with s* in it.  While v contains s*
+ * and its ball is not empty, each point in the ball is on the inner side of one
+ * of the three facets at s, since whatever is outside all three is beyond the
  * ball's tangent plane at s.  So the apex z of that facet on that side is not
  * v's vertex there.  The five points have two triangulations, and v is not part
  * of the one whose lifted facets are the lower ones; so the tetrahedron of that
- * one that holds s* is v with z in place of a vertex.  Each such step lowers
+ * one that contains s* is v with z in place of a vertex.  Each such step lowers
  * the height over s*; three searches in a row without a step end it.  This is
  * done with the points of the leaf alone, and then with all: without the
  * former, a query from anywhere takes three times as long.
  *
- * Points whose stars are complete are in no list and not in the tree.  That
- * does no harm, as s is in no tetrahedron yet, so none of them is its
- * neighbour: the star of s is the same in any set of points that has all its
- * neighbours. */
+ * Neither lists nor tree have completed points.  That does no harm because s is
+ * in no tetrahedron yet, so no point whose star is complete is its neighbour:
+ * the star of s is the same in any set of points that has all its neighbours.
+ * A vertex of v whose star is complete takes part as the guess alone.
+ *
+ * The lists are dropped because list_hits takes for granted that a list holds
+ * the facet's vertices and the best point, which is not so here.  The hull
+ * planes are dropped because a seed edge follows, whose facet is open on both
+ * sides: if it lies in a hull plane, on_hull_plane would find no apex on its
+ * inner side, either.  The searches here record no plane, as their guess is a
+ * candidate. */
 static void incident_tet(mesher *m, tess_int s, tess_int *v)
 {
     tess_int r[4], f[3], guess[2], node = m->leaves + leaf_of(m, s), old, z;
@@ -3235,7 +3251,7 @@ static void incident_tet(mesher *m, tess_int s, tess_int *v)
                 v[j] = old;
             }
             HOLDS(j < 4);
-            /* if v[k] was replaced, this was a search of its facet */
+            /* if v[k] was replaced, this was a search of its own facet */
             still = j == k;
         }
     HOLDS(empty(m, v));
@@ -3243,11 +3259,10 @@ static void incident_tet(mesher *m, tess_int s, tess_int *v)
 
 /* ---- the star of a vertex ----
  *
- * The open facets at s are the edges a -> b of its link: (s, a, b) is
- * positive towards the unknown side.  They are a queue, which keeps the link's
- * boundary short, and grow down from the end of the pool: edge e is pool[e]
- * and the EDGE_LEN - 1 integers behind it.
- */
+ * The open facets at s are the edges a -> b of its link: (s, a, b) is positive
+ * towards the unknown side.  They are a queue, which keeps the link's boundary
+ * short, and grow down from the end of the pool: edge e is pool[e] and the
+ * EDGE_LEN - 1 integers behind it. */
 /* The places of an edge. */
 #define EDGE_CODE 0  /* the facet's code, or one of the two below */
 #define EDGE_FROM 1  /* a */
@@ -3259,14 +3274,14 @@ static void incident_tet(mesher *m, tess_int s, tess_int *v)
 #define SEED_EDGE (-2) /* the facet belongs to no tetrahedron yet */
 #define DEAD_EDGE (-3) /* the edge is not in the link any more */
 
-/* clear_link - empty the link. */
+/* clear_link - empties the link. */
 static void clear_link(mesher *m)
 {
     m->newest_edge = m->pool_len;
     m->oldest_edge = m->pool_len - EDGE_LEN;
 }
 
-/* move_edges - move the edges up to the end of the pool. */
+/* move_edges - moves the edges up to the end of the pool. */
 static void move_edges(mesher *m)
 {
     tess_int shift = (tess_int)(m->pool_len - EDGE_LEN - m->oldest_edge), e, *p,
@@ -3285,8 +3300,8 @@ static void move_edges(mesher *m)
     m->oldest_edge += shift;
 }
 
-/* push_edge - add an edge a -> b without neighbours.  Returns its number, or
- * NONE if there is no room. */
+/* push_edge - adds an edge a -> b that is connected to no other.  Returns the
+ * edge, or NONE if there is no room. */
 static tess_int push_edge(mesher *m, tess_int code, tess_int a, tess_int b)
 {
     tess_int e = m->newest_edge - EDGE_LEN, *p = m->pool + e;
@@ -3301,14 +3316,14 @@ static tess_int push_edge(mesher *m, tess_int code, tess_int a, tess_int b)
     return e;
 }
 
-/* connect_edges - make edge b the successor of edge a; either may be NONE. */
+/* connect_edges - makes edge b the next of edge a; either may be NONE. */
 static void connect_edges(mesher *m, tess_int a, tess_int b)
 {
     if (a != NONE) m->pool[a + EDGE_NEXT] = b;
     if (b != NONE) m->pool[b + EDGE_PREV] = a;
 }
 
-/* remove_edge - remove edge e from the link. */
+/* remove_edge - removes edge e from the link. */
 static void remove_edge(mesher *m, tess_int e)
 {
     tess_int *p = m->pool + e, *at = m->edge_from + p[EDGE_FROM];
@@ -3327,16 +3342,17 @@ static tess_int edge_between(const mesher *m, tess_int a, tess_int b)
     return e >= 0 ? e : NONE;
 }
 
-/* set_adjacent - make the facets of two codes neighbours. */
+/* set_adjacent - makes the tetrahedra of two codes neighbours across these
+ * facets. */
 static void set_adjacent(mesher *m, tess_int code, tess_int other)
 {
     m->adj[code] = other / 4;
     m->adj[other] = code / 4;
 }
 
-/* flush_facets - enter the facets opposite to s of the tetrahedra from fresh on
- * into the pool, or close those whose other side is there.  They are processed
- * in batches so that the processor can overlap their memory accesses. */
+/* flush_facets - enters the facets opposite to s of the tetrahedra from unfiled
+ * on into the table, or closes those whose other side is there.  They come in
+ * batches so that the processor can overlap their memory accesses. */
 static void flush_facets(mesher *m)
 {
     tess_int code, other;
@@ -3348,9 +3364,10 @@ static void flush_facets(mesher *m)
     }
 }
 
-/* match_or_push - put the edge a -> b of the facet code into the link between
- * the edges prev and after, either of which may be NONE; if its other side is
- * there, remove that instead.  Returns the edge that ends at b then. */
+/* match_or_push - pushes the edge a -> b of the facet of a code into the link,
+ * between the edges prev and after, either of which may be NONE; or, if the
+ * edge of the other side is there, closes both and removes that.  Returns the
+ * edge that now ends at b, or NONE. */
 static tess_int match_or_push(mesher *m, tess_int code, tess_int a, tess_int b,
                               tess_int prev, tess_int after)
 {
@@ -3371,8 +3388,8 @@ static tess_int match_or_push(mesher *m, tess_int code, tess_int a, tess_int b,
     return last;
 }
 
-/* add_tetrahedron - store the tetrahedron of s, edge e = a -> b and the apex
- * c.  The edges a -> c and c -> b replace e in the link. */
+/* add_tetrahedron - stores the tetrahedron of s, the edge e = a -> b and the
+ * apex c.  The edges a -> c and c -> b replace e in the link. */
 static void add_tetrahedron(mesher *m, tess_int s, tess_int e, tess_int c)
 {
     tess_int *p = m->pool + e, a = p[EDGE_FROM], b = p[EDGE_TO],
@@ -3392,13 +3409,13 @@ static void add_tetrahedron(mesher *m, tess_int s, tess_int e, tess_int c)
         set_adjacent(m, code, (tess_int)(4 * t + 3));
     if (m->edge_from[c] == NEW) m->edge_from[c] = NONE;
     remove_edge(m, e);
-    m->adj[4 * t] = TESS_OPEN; /* until flush */
+    m->adj[4 * t] = TESS_OPEN; /* until flush_facets */
     prev = match_or_push(m, (tess_int)(4 * t + 2), a, c, prev, NONE);
     (void)match_or_push(m, (tess_int)(4 * t + 1), c, b, prev, after);
 }
 
-/* facet_to_edge - make the open facet of a code an edge of the link, if it has
- * the vertex s; returns 0 if there is no room. */
+/* facet_to_edge - makes the open facet of a code an edge of the link, if it has
+ * the vertex s.  Returns 0 if there is no room. */
 static int facet_to_edge(mesher *m, tess_int s, tess_int code)
 {
     tess_int v[3];
@@ -3411,8 +3428,8 @@ static int facet_to_edge(mesher *m, tess_int s, tess_int code)
     return 1;
 }
 
-/* pair_edges - give every edge of the link a successor: an edge that begins
- * where it ends and has no predecessor yet, if there is one. */
+/* pair_edges - gives every edge of the link a next one: an edge that begins
+ * where it ends and is no other edge's next, if there is one. */
 static void pair_edges(mesher *m)
 {
     tess_int e, f;
@@ -3426,8 +3443,8 @@ static void pair_edges(mesher *m)
     }
 }
 
-/* edges_from_adj - make all open facets at s edges of the link, in the order of
- * their tetrahedra; returns 0 if there is no room. */
+/* edges_from_adj - makes all open facets at s edges of the link, in the order
+ * of their tetrahedra.  Returns 0 if there is no room. */
 static int edges_from_adj(mesher *m, tess_int s)
 {
     tess_int t;
@@ -3442,9 +3459,9 @@ static int edges_from_adj(mesher *m, tess_int s)
     return 1;
 }
 
-/* edges_from_pool - move the facets that s owns from the pool to the link,
- * oldest first; returns 0 if there is no room.  If they do not fit beside the
- * table, rebuild the table without them first. */
+/* edges_from_pool - moves the facets that s owns from the table to the link,
+ * oldest first.  Returns 0 if there is no room.  If they do not fit beside the
+ * table, it rebuilds the table without them first. */
 static int edges_from_pool(mesher *m, tess_int s)
 {
     tess_int e = m->owned[s], edges = 1;
@@ -3464,8 +3481,8 @@ static int edges_from_pool(mesher *m, tess_int s)
     return 1;
 }
 
-/* complete_vertex - mark the star of s complete: s leaves the tree and the
- * block's list. */
+/* complete_vertex - marks the star of s complete: s leaves the tree and the
+ * block list. */
 static void complete_vertex(mesher *m, tess_int s)
 {
     tess_int node = m->leaves + leaf_of(m, s);
@@ -3480,13 +3497,13 @@ static void complete_vertex(mesher *m, tess_int s)
     l->norm2[i] = LEFT_LIST * LEFT_LIST;
 }
 
-/* make_room - make room for another tetrahedron's facets in the table and in
- * the link of s; returns 0 if there is none.  Callers must reload oldest.
+/* make_room - makes room for another tetrahedron's facets in the table and in
+ * the link of s.  Returns 0 if there is none.  Callers must reload oldest_edge.
  *
- *              0        ENTRY_LEN slots  newest       oldest   room
- *   before     | table      | free   | edges      | dead   |
- *   renumber   | table      | free            | edges      |
- *   rebuild_table     | longer, or shorter table | free | edges   |
+ *                   0      ENTRY_LEN slots  newest_edge   oldest_edge  pool_len
+ *   before          | table       | free | edges       | dead edges |
+ *   move_edges      | table       | free            | edges         |
+ *   rebuild_table   | longer or shorter table | free | edges        |
  *
  * That is done when the table is three quarters full or meets the edges: these
  * move up if an eighth of their room is dead, and the table is resized if that
@@ -3511,8 +3528,9 @@ static int make_room(mesher *m, tess_int s)
            ENTRY_LEN * m->slots <= m->newest_edge - 2 * EDGE_LEN;
 }
 
-/* begin_mesh - put the first facet into the link of s, its vertex of least
- * position. */
+/* begin_mesh - puts the first facet into the link of s, its vertex of least
+ * position, as a seed edge.  Returns 0, TESS_POOL, or the code of points
+ * without a tetrahedron. */
 static int begin_mesh(mesher *m, tess_int *s)
 {
     tess_int v[3];
@@ -3524,8 +3542,8 @@ static int begin_mesh(mesher *m, tess_int *s)
     return push_edge(m, SEED_EDGE, v[1], v[2]) == NONE ? TESS_POOL : 0;
 }
 
-/* complete_star - complete the star of s, whose open facets are the edges of
- * the link. Returns 0, TESS_MORE or TESS_POOL. */
+/* complete_star - completes the star of s, whose open facets are the edges of
+ * the link.  Returns 0, TESS_MORE or TESS_POOL. */
 static int complete_star(mesher *m, tess_int s)
 {
     tess_int *p, v[3], guess[2], e, c;
@@ -3568,9 +3586,9 @@ static int complete_star(mesher *m, tess_int s)
     return 0;
 }
 
-/* seed_star - begin the star of s, which is in no tetrahedron yet, with a facet
- * of a tetrahedron at s: its two sides become edges of the link, the one
- * towards the tetrahedron first.  Returns 0 if there is no room. */
+/* seed_star - begins the star of s, which is NEW, with a facet of a tetrahedron
+ * at s: its two sides become seed edges, the one towards the tetrahedron first.
+ * Returns 0 if there is no room. */
 static int seed_star(mesher *m, tess_int s)
 {
     tess_int v[4];
@@ -3580,9 +3598,9 @@ static int seed_star(mesher *m, tess_int s)
            push_edge(m, SEED_EDGE, v[2], v[1]) != NONE;
 }
 
-/* complete_stars - complete all stars asked for, beginning with s if the link
- * has edges: first those connected through open facets, then one of the rest,
- * and so on. */
+/* complete_stars - completes the stars of all wanted vertices, beginning with s
+ * if the link has edges: first those connected through open facets, then one of
+ * the rest, and so on.  Returns 0, TESS_MORE or TESS_POOL. */
 static int complete_stars(mesher *m, tess_int s)
 {
     int code;
@@ -3595,8 +3613,8 @@ static int complete_stars(mesher *m, tess_int s)
         }
         s = m->lowest_owner;
         while (s < m->np && m->owned[s] < 0) {
-            /* no open facet has a vertex of smaller position than lowest, so
-             * one that was met before and owns none is complete */
+            /* no vertex of a smaller position owns a facet, so one that was met
+             * and owns none has no open facet: its star is complete */
             if (m->edge_from[s] == NONE && m->owned[s] == NONE)
                 complete_vertex(m, s);
             s++;
@@ -3656,11 +3674,11 @@ static tess_int leaf_count(tess_int n)
     return leaves;
 }
 
-/* workspace_lengths - the lengths of iw and rw for n points.  Pool: uniform
- * points need 5 n^(2/3) facets; a star of all points needs 2 n, which take 12 n
- * integers: granted up to HUB_POOL_MAX.  Supports and cylinders get room for as
- * many points as can need them.  Returns 0 for a bad n: negative, or so large
- * that a minimum exceeds the largest tess_int. */
+/* workspace_lengths - finds the lengths of iw and rw for n points. Uniform
+ * points need 5 n^(2/3) facets in the pool; a star of all points needs 2 n,
+ * which take 12 n integers: granted up to HUB_POOL_MAX.  Marks and cylinders
+ * get room for as many points as can need them.  Returns 0 for a bad n:
+ * negative, or so large that a minimum exceeds the largest tess_int. */
 static int workspace_lengths(tess_int n, ws_lengths *w)
 {
     double hub =
@@ -3686,8 +3704,8 @@ static int workspace_lengths(tess_int n, ws_lengths *w)
     return 1;
 }
 
-/* lay_out - lay out the part of the workspace of n points that an index
- * keeps. */
+/* lay_out - lays out the part of the workspace of n points that an index keeps,
+ * and sets what a mesher begins with. */
 static void lay_out(mesher *m, tess_int n, const tess_real *p, tess_int *iw,
                     double *rw)
 {
@@ -3711,8 +3729,8 @@ static void lay_out(mesher *m, tess_int n, const tess_real *p, tess_int *iw,
     drop_lists(m);
 }
 
-/* distinct_points - copy the points that represent themselves, in their order.
- */
+/* distinct_points - copies the points that represent themselves, in their
+ * order. */
 static void distinct_points(mesher *m, tess_int n, const tess_real *p)
 {
     tess_int i;
@@ -3727,11 +3745,11 @@ static void distinct_points(mesher *m, tess_int n, const tess_real *p)
     m->leaves = leaf_count(m->np);
 }
 
-/* rescale - multiply all coordinates by 2^e, a normal double. */
+/* rescale - multiplies all coordinates by 2^e, a normal double. */
 static void rescale(mesher *m, int e)
 {
     tess_int i, n = 3 * m->np;
-    /* volatile: not as vectors, see shift in hhpred.c */
+    /* volatile: not as vectors; see raise_coordinates in hhpred.c */
     volatile double f = ldexp(1.0, e);
 
     for (i = 0; i < n; i++) m->x[i] *= f;
@@ -3776,10 +3794,10 @@ static int limbs_hold_all(tess_int n, const tess_real *p)
     return 1;
 }
 
-/* scale_points - scale the sorted coordinates to an absolute value of at most 1
- * by a power of two, in two steps because one might overflow, and find whether
- * they are small multiples of one unit.  They are not if one underflows: its
- * multiple is lost. */
+/* scale_points - scales the sorted coordinates to an absolute value of at most
+ * 1 by a power of two, in two steps because one might overflow, and finds
+ * whether they are small multiples of one unit.  They are not if one
+ * underflows: its multiple is lost. */
 static void scale_points(mesher *m)
 {
     double most = 0.0, least = DBL_MAX, x, u = 0.0;
@@ -3809,10 +3827,10 @@ static void scale_points(mesher *m)
     }
 }
 
-/* measure_clumps - sets the width below which a box is a clump: CLUMP_WIDTH of
- * the root's, if that holds for 4 of 16 leaves.  So it is where a coordinate of
- * many points is a number that stands for none, like -3.4e38; else there are no
- * clumps, and excludes_by_view costs nothing. */
+/* measure_clumps - sets the width below which a box is a clump: CLUMP_WIDTH
+ * times the root's, if 4 of 16 leaves are so narrow. That is so where a
+ * coordinate of many points is a number that stands for none, like -3.4e38;
+ * else there are no clumps, and excludes_by_view costs nothing. */
 static void measure_clumps(mesher *m)
 {
     tess_int leaf;
@@ -3826,7 +3844,7 @@ static void measure_clumps(mesher *m)
     if (n < 4) m->clump_width = 0.0;
 }
 
-/* revive_all - put all points back into the tree. */
+/* revive_all - puts all points back into the tree. */
 static void revive_all(mesher *m)
 {
     tess_int i;
@@ -3837,8 +3855,8 @@ static void revive_all(mesher *m)
             (tess_int)(leaf_start(m, (tess_int)(i + 1)) - leaf_start(m, i));
 }
 
-/* prepare_points - prepare n points: sort them, drop duplicates, build the
- * tree, and make cylinders if lrw has room for them.  Returns 0, TESS_POINT or
+/* prepare_points - prepares n points: sorts them, drops duplicates, builds the
+ * tree, and makes cylinders if lrw has room for them.  Returns 0, TESS_POINT or
  * TESS_RANGE. */
 static int prepare_points(mesher *m, tess_int n, const tess_real *p,
                           tess_int *iw, tess_int lrw, double *rw)
@@ -3869,13 +3887,18 @@ static int prepare_points(mesher *m, tess_int n, const tess_real *p,
     return 0;
 }
 
-/* write_header - turn the sorted points into an index, which has a mesh if code
- * is 0. It stores what open_index needs besides points and tree: known is the
- * first tetrahedron, or begins with minus the code; np is behind it, and also
- * in the header, so that an index can be recognized: arrays of zeros, or of
- * what is left of an index that tess has overwritten, are none.  alive[0] is
- * the number of supports; the sign of the build's limbs tells whether there are
- * cylinders, that of the least coordinate whether there are clumps. */
+/* write_header - turns the sorted points into an index, which has a mesh if
+ * code is 0.  It stores what open_index needs besides points and tree.
+ *
+ *   first_tet  places 0 to 3: a tetrahedron of the mesh, numbers of points; or
+ *              place 0: minus the code of points without a mesh
+ *              place 4: np
+ *   header     place 0: np again, so that an index can be recognized: arrays of
+ *              zeros, or an index that tess has overwritten, are none
+ *              places 1 to 3: exact3, exact5 and exponent of the points
+ *              place 4: least_abs; negative if there are clumps
+ *              place 5: HH_LIMBS; negative if there are no cylinders
+ *   alive      place 0: the number of reference surfaces */
 static void write_header(mesher *m, int code)
 {
     double *header = m->box;
@@ -3892,7 +3915,7 @@ static void write_header(mesher *m, int code)
     m->alive[0] = (tess_int)m->nsurfaces;
 }
 
-/* open_index - open an index for reading only.  Returns 0, the code of points
+/* open_index - opens an index for reading only.  Returns 0, the code of points
  * without a mesh, or -8 where there is no index. */
 static int open_index(mesher *m, tess_int n, const tess_real *p,
                       const tess_int *iw, const double *rw)
@@ -3930,11 +3953,11 @@ static int open_index(mesher *m, tess_int n, const tess_real *p,
     return hh_holds(i, p) ? 0 : TESS_RANGE;
 }
 
-/* check_unfinished - check in one pass that the caller's arrays can be an
+/* check_unfinished - checks in one pass that the caller's arrays can be an
  * unfinished result: the vertices of each tetrahedron are no duplicates, and it
  * is positively oriented; each facet is on the hull, open, or matched with its
  * neighbour's, and the neighbour's apex is not inside the ball.  Returns 0, -5
- * or -6; head then holds the positions of the points. */
+ * or -6; owned then holds the positions of the points. */
 static int check_unfinished(mesher *m, tess_int n)
 {
     tess_int i, t, u, *position = m->owned, v[4];
@@ -3960,10 +3983,10 @@ static int check_unfinished(mesher *m, tess_int n)
     return 0;
 }
 
-/* mark_wanted - mark in head whose stars are asked for: those of the points i
- * with mine[i] != 0, or all if mine is NULL.  Returns how many entries the
- * pool's table starts with for so many: a little more than what uniform points
- * need, as a small table stays in the cache. */
+/* mark_wanted - marks in owned which vertices are wanted: the points i with
+ * mine[i] != 0, or all if mine is NULL.  Returns how many slots the table
+ * starts with for so many: a little more than what uniform points need, as a
+ * small table stays in the cache. */
 static tess_int mark_wanted(mesher *m, tess_int n, const tess_int *mine)
 {
     tess_int i, c, own = mine == NULL ? m->np : 0;
@@ -3975,11 +3998,11 @@ static tess_int mark_wanted(mesher *m, tess_int n, const tess_int *mine)
     return (tess_int)(9 * c * c + 16);
 }
 
-/* rebuild_state - resume an unfinished result that check_unfinished has passed:
- * convert tet to positions; remove completed points from the tree; the open
- * facets at s, the first vertex of the last tetrahedron, become edges of its
- * link in the order of their tetrahedra, and the others enter the pool.
- * Returns 0, TESS_POOL, or -6 for a facet that is open twice. */
+/* rebuild_state - resumes an unfinished result that check_unfinished has
+ * passed: converts tet to positions; completes the vertices that have no open
+ * facet; the open facets at s, the first vertex of the last tetrahedron, become
+ * edges of its link in the order of their tetrahedra, and the others enter the
+ * table. Returns 0, TESS_POOL, or -6 for a facet that is open twice. */
 static int rebuild_state(mesher *m, tess_int *s, tess_int n,
                          const tess_int *mine)
 {
@@ -4014,15 +4037,15 @@ static int rebuild_state(mesher *m, tess_int *s, tess_int n,
     return rebuild_table(m, *s, (tess_int)(size + 1)) ? 0 : TESS_POOL;
 }
 
-/* lay_out_pool - decides whether supports are sought (not among clumps, whose
- * far ones are near spheres that no search needs), and lays out what is left of
- * iw, of length liw: marks, if there are supports or may be, two lists of all
- * points, and the pool. */
+/* lay_out_pool - decides whether reference surfaces are sought (not among
+ * clumps, whose far ones are near spheres that no search needs), and lays out
+ * what is left of iw, of length liw: marks, if there are surfaces or may be,
+ * then owned, edge_from and the pool. */
 static void lay_out_pool(mesher *m, tess_int n, tess_int liw)
 {
     ws_lengths w = m->lengths;
 
-    /* doubles decide everything if points are in few units */
+    /* see EXACT_UNITS */
     if (m->sample_limit == 0.0 && m->nsurfaces < SURFACES &&
         m->points.exact5 < EXACT_UNITS && m->clump_width == 0.0 &&
         w.marks > 0 && (m->nsurfaces > 0 || liw - w.iw - w.pool >= w.marks))
@@ -4035,8 +4058,9 @@ static void lay_out_pool(mesher *m, tess_int n, tess_int liw)
         (tess_int)(liw - 4 * n - 2 * leaf_count(n) - INDEX_EXTRA - w.marks);
 }
 
-/* build - completes all stars, or those at the points i with mine[i] != 0 if
- * mine is given, for arguments that bad_argument has passed. */
+/* build - completes the stars of all points, or of the points i with mine[i] !=
+ * 0 if mine is given, for arguments that bad_argument has passed.  Returns a
+ * code of tess_resume. */
 static int build(mesher *m, tess_int n, const tess_int *mine, tess_int maxtet,
                  tess_int *ntet, tess_int *tet, tess_int *adj)
 {
@@ -4050,11 +4074,12 @@ static int build(mesher *m, tess_int n, const tess_int *mine, tess_int maxtet,
     m->slots = m->nfacets = m->lowest_owner = 0;
     m->next_new = mine == NULL ? m->np : 0;
     clear_link(m);
-    /* lists made for other stars lack points that are uncompleted again, and
-     * planes that bounded what was left then do not bound the hull now */
+    /* drops what earlier calls have left: lists that lack points that are
+     * uncompleted again, and planes that bounded only what was uncompleted then
+     */
     drop_lists(m);
-    /* one over the cube root of the points in a leaf, 24 to 48 in large sets,
-     * by a step of Newton's method */
+    /* the mean spacing in a leaf's diagonals, one over the cube root of its
+     * points (24 to 48 in large sets), by a step of Newton's method */
     m->block_reach = BLOCK_REACH / sqrt(3.0) * 3.0 /
                      (6.4 + (double)m->np / (double)m->leaves / (3.2 * 3.2));
     for (i = 0; i < m->np; i++) m->edge_from[i] = NEW;
@@ -4074,7 +4099,7 @@ static int build(mesher *m, tess_int n, const tess_int *mine, tess_int maxtet,
     return code;
 }
 
-/* bad_argument - returns the code of a bad argument of tess_resume, or 0.  p is
+/* bad_argument - returns the code of a bad argument of tess_resume, or 0. p is
  * NULL if the points are known to be finite. */
 static int bad_argument(tess_int n, const tess_real *p, tess_int maxtet,
                         tess_int ntet, const tess_int *tet, const tess_int *adj,
@@ -4136,9 +4161,9 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
     return build(&m, n, NULL, maxtet, ntet, tet, adj);
 }
 
-/* tess_index - the supports are those that the stars of a corner of the hull
- * and of points of all regions find (the multiples of the golden ratio are
- * spread evenly); nothing else is kept of these. */
+/* tess_index - the reference surfaces are those that the stars of a corner of
+ * the hull and of points of all regions find (the multiples of the golden ratio
+ * are spread evenly); nothing else is kept of these stars. */
 int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
                tess_int lrw, double *rw)
 {
@@ -4158,10 +4183,10 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
         for (k = 0; k < 4; k++) m.first_tet[k] = m.order[v[k]];
     }
     if (code != TESS_RANGE) {
-        /* rep becomes index -> position: first of the points that stand for
-         * themselves.  These are the i with order[rep[i]] = i, as order holds
-         * no duplicate; a duplicate then takes the position of the point it has
-         * in rep */
+        /* representative becomes number -> position: first of the points that
+         * stand for themselves.  These are the i with order[representative[i]]
+         * = i, as order holds no duplicate; a duplicate then takes the position
+         * of the point that represents it */
         for (i = 0; i < m.np; i++) m.representative[m.order[i]] = i;
         for (i = 0; i < n; i++)
             if (m.representative[i] >= m.np ||
@@ -4185,7 +4210,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
             m.sample_limit = m.nsurfaces < SURFACES ? KEEN : 0.0;
             lay_out_pool(&m, n, left);
             (void)build(&m, n, mine, STARS, &i, tet, adj);
-            /* no search was long: others will not be */
+            /* no sample filled up, so further stars will find no surface */
             if (m.sample_load == 0.0 && m.nsurfaces == 0) break;
         }
     }
