@@ -4248,17 +4248,17 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
  *
  * One device does much of the work: a point q is replaced by q*, which is q
  * moved by an infinitesimal step into the interior of tetrahedron 0, of
- * vertices v0 ... v3:
+ * vertices v0 ...  v3:
  *     q* = q + e (v0 - q) + e^2 (v1 - q) + e^3 (v2 - q) + e^4 (v3 - q)
- * for all small enough e > 0.  The orientation of a facet with a point is
- * an affine function of the point, so the sign for q* is the first nonzero one
- * of the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0 ... v3
- * are not in one plane: q* is on no facet, and is in the interior of exactly
- * one tetrahedron if it is in the hull of a triangulation. */
+ * for all small enough e > 0.  The orientation of a facet with a point is an
+ * affine function of the point, so the sign for q* is the first nonzero one of
+ * the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0 ... v3 are
+ * not in one plane: q* is on no facet, and is in the interior of exactly one
+ * tetrahedron if it is in the hull of a triangulation. */
 
 /* side_of_qstar - returns 1 if q* is outside the facet f, -1 if it is inside,
- * UNSURE if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.
- * Takes one orientation unless q is exactly in the plane. */
+ * UNSURE if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat. It
+ * takes one orientation unless q is exactly in the plane. */
 static int side_of_qstar(const tess_real *p, const tess_int *f,
                          const tess_real *q, const tess_int *v)
 {
@@ -4308,8 +4308,8 @@ static int in_tet_box(const tess_real *p, const tess_int *v, const tess_real *q)
 
 /* ---- location ---- */
 
-/* nearer_max_norm - returns 1 if a is nearer to q in the maximum norm than the
- * distance least, and sets least to the distance of a: least[0] - least[1],
+/* nearer_max_norm - returns 1 if a is nearer to q, in the maximum norm, than
+ * the distance least, and sets least to the distance of a: least[0] - least[1],
  * left unevaluated so that nothing is rounded.  least[0] < least[1] means that
  * there is no point yet. */
 static int nearer_max_norm(const tess_real *a, const tess_real *q,
@@ -4333,7 +4333,7 @@ static int nearer_max_norm(const tess_real *a, const tess_real *q,
     return 1;
 }
 
-/* choose_start - choose where the walk to q starts: among t, if given, and
+/* choose_start - chooses where the walk to q starts: among t, if given, and
  * about ntet^(1/4) equally spaced tetrahedra, the first whose first vertex is
  * nearest to q in the maximum norm.  The comparisons are exact, so the choice
  * is the same everywhere.  Returns TESS_NONE if the arithmetic cannot hold a
@@ -4356,8 +4356,8 @@ static tess_int choose_start(const tess_real *p, tess_int ntet,
     return best;
 }
 
-/* walk - walk from *t across facets *k that q* is beyond.  Returns 0 when there
- * is none: *t holds q*; 1 at a facet of the hull that q is outside of;
+/* walk - walks from *t across facets *k that q* is beyond.  Returns 0 when
+ * there is none: *t contains q*; 1 at a facet of the hull that q is outside of;
  * OUT_OF_STEPS after most steps; TESS_RANGE when the limbs do not suffice; -4
  * for a facet that is open, or a neighbour that is out of range.
  *
@@ -4387,20 +4387,23 @@ static int walk(const tess_real *p, tess_int ntet, const tess_int *tet,
     return OUT_OF_STEPS;
 }
 
-/* A walk over the hull.  f: the facet nearest to q so far; on: the vertices of
- * the edge that has its nearest point, or the vertex twice; from: the vertex of
- * the facet met last to turn away from; stay: when turning about a vertex, the
- * one that stays; left: how many more facets may be met about it, of most. */
+/* A walk over the hull, towards its point nearest to q. */
 typedef struct hull_walk {
-    tess_int facet[3], face[3], turn_from, pivot, turns_left, max_turns;
+    tess_int facet[3];   /* the vertices of the facet nearest to q so far */
+    tess_int face[3];    /* the vertices of its face that has its nearest point
+                          * in the interior: of an edge two, a vertex twice */
+    tess_int turn_from;  /* the vertex of the last facet to turn away from */
+    tess_int pivot;      /* when turning about a vertex, the other that stays */
+    tess_int turns_left; /* how many more facets may be met about the vertex */
+    tess_int max_turns;  /* how many may be met about a vertex at all */
 } hull_walk;
 
-/* hull_step - one step towards the hull's point nearest to q, from a facet that
- * q is outside of.  g is the facet met; s->f[0] is TESS_NONE at first.  Returns
- * 1 if g is nearer than all before, else 0; plus 2 at the end: s->f is then the
- * nearest facet, and w its weights.  Until then, the next facet to meet is the
- * one on the other side of g's edge opposite to s->from.  Returns TESS_RANGE
- * when the limbs do not suffice.
+/* hull_step - takes one step towards the hull's point nearest to q, from a
+ * facet that q is outside of.  g is the facet met; h->facet[0] is TESS_NONE at
+ * first.  Returns 1 if g is nearer than all before, else 0; plus 2 at the end:
+ * h->facet is then the nearest facet, and w its weights.  Until then, the next
+ * facet to meet is the one on the other side of g's edge opposite to
+ * h->turn_from.  Returns TESS_RANGE when the limbs do not suffice.
  *
  * A facet's nearest point x is in the interior of one of its faces: an edge, a
  * vertex or all of it.  The facets around that face are met.  If x is the
@@ -4458,7 +4461,7 @@ static int hull_step(const tess_real *p, const tess_real *q, const tess_int *g,
     return hh_foot(a, b, c, q, w) == 0 ? TESS_RANGE : 3;
 }
 
-/* next_hull_facet - turn from the hull facet *k of tetrahedron *t about its
+/* next_hull_facet - turns from the hull facet *k of tetrahedron *t about its
  * edge opposite to the vertex *z to the hull facet on the other side of that
  * edge, whose vertex opposite to it becomes *z.  Returns 1, or 0 if neighbours
  * are out of range or do not match. */
@@ -4486,9 +4489,9 @@ static int next_hull_facet(tess_int ntet, const tess_int *tet,
     return 0;
 }
 
-/* nearest_on_hull - walk from tetrahedron *t, whose facet k is a hull facet
+/* nearest_on_hull - walks from tetrahedron *t, whose facet k is a hull facet
  * that q is outside of, to the one with the hull's point nearest to q, and
- * store that point's weights in w, which is 0 on entry.  Returns 1, TESS_RANGE
+ * stores that point's weights in w, which is 0 on entry.  Returns 1, TESS_RANGE
  * or -4. */
 static int nearest_on_hull(const tess_real *p, tess_int ntet,
                            const tess_int *tet, const tess_int *adj,
@@ -4523,8 +4526,8 @@ static int nearest_on_hull(const tess_real *p, tess_int ntet,
  * found.
  *
  * Cost: proportional to the tetrahedra crossed, about ntet^(1/3) / 2 of them
- * from the sampled start, few from a start near q: beyond START_STEPS of these,
- * the sample is used, too. */
+ * from the start that choose_start finds, few from a start near q: beyond
+ * START_STEPS of these, choose_start is used, too. */
 int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
                 const tess_int *adj, const tess_real *q, tess_int *t, double *w)
 {
@@ -4580,7 +4583,7 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
                 if (v < low) low = v;
                 if (v > high) high = v;
             }
-            /* not beyond them by a rounding */
+            /* no rounding takes it beyond the values at the vertices */
             out[j] = sum < low ? low : sum > high ? high : sum;
         }
     }
@@ -4589,9 +4592,10 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
 
 /* ---- queries without a mesh ---- */
 
-/* position_near - returns a position near q: follows the cuts down to a leaf,
- * and takes its point nearest to q in the maximum norm.  All comparisons are
- * exact, unless q is far outside, so it is the same everywhere. */
+/* position_near - returns a position near q: goes down the tree by the cuts to
+ * a leaf, and takes its point nearest to q in the maximum norm.  All
+ * comparisons are exact, unless q is far outside, so it is the same everywhere.
+ */
 static tess_int position_near(const mesher *m, const tess_real *q)
 {
     tess_int node = 1, best, i, last;
@@ -4612,8 +4616,8 @@ static tess_int position_near(const mesher *m, const tess_real *q)
     return best;
 }
 
-/* cross_facet - replace u by the tetrahedron across its facet k, whose apex
- * becomes u[3]; returns 0 and leaves u if that facet is on the hull. */
+/* cross_facet - replaces u by the tetrahedron across its facet k, whose apex
+ * becomes u[3].  Returns 0 and leaves u if that facet is on the hull. */
 static int cross_facet(mesher *m, tess_int *u, int k)
 {
     tess_int f[3], a;
@@ -4628,7 +4632,7 @@ static int cross_facet(mesher *m, tess_int *u, int k)
 
 /* tet_in_mesh - returns 1 if the tetrahedron u, positively oriented, is one of
  * the mesh, that is, if its ball is empty.  As in incident_tet, a point in it
- * would be on the inner side of one of the three facets at u[0], and so not
+ * would be on the inner side of one of the three facets at u[0], and so no
  * worse there than that facet's apex, which must be u's own vertex. */
 static int tet_in_mesh(mesher *m, const tess_int *u)
 {
@@ -4646,12 +4650,12 @@ static int tet_in_mesh(mesher *m, const tess_int *u)
     return 1;
 }
 
-/* tess_query - the walk of walk, with q* moved into the same tetrahedron, and
- * for a q outside that of nearest_on_hull, so that the answer is that of
- * tess_locate; neighbours are computed as they are needed.  If the v given is a
- * tetrahedron of the mesh, so are all that the walk meets.  If not, the walk
- * might cycle, or end at another that is none: after np steps, or there, it
- * starts again from one that is. */
+/* tess_query - the walk of tess_locate, with q* moved into the tetrahedron of
+ * the index, and for a q outside its walk over the hull, so that the answer is
+ * that of tess_locate; neighbours are computed as they are needed.  If the v
+ * given is a tetrahedron of the mesh, so are all that the walk meets.  If not,
+ * the walk might cycle, or end at another that is none: after np steps, or
+ * there, it starts again from one that is. */
 int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
                const double *rw, const tess_real *q, tess_int *v, double *w)
 {
@@ -4700,7 +4704,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
         if (s == TESS_RANGE) return s;
         for (i = 0; i < 4 && s % 2 == 1; i++) v[i] = g[i];
         if (s >= 2) break;
-        /* as turn does */
+        /* as next_hull_facet does */
         z = m.representative[h.turn_from];
         do {
             i = place_in_four(u, z);
@@ -4736,15 +4740,16 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
 
 /* ---- the check ---- */
 
-#define DUPLICATE (-1)  /* marks of points: a duplicate of one of lower index */
-#define UNUSED 0   /* a point that stands for itself, in no tetrahedron */
-#define USED 1     /* the same, in a tetrahedron */
+/* Marks of points. */
+#define DUPLICATE (-1) /* a duplicate of a point of lower number */
+#define UNUSED 0       /* no duplicate, and in no tetrahedron */
+#define USED 1         /* no duplicate, and in a tetrahedron */
 
-/* mark_duplicates - sort the points by their coordinates, equal ones by index,
- * and mark each DUPLICATE or UNUSED.  Runs of 1, 2, 4, ... are merged back and
- * forth between the halves of iw, lo ... mid-1 and mid ... hi-1; of equal
- * points those of the first run come first.  Returns where in iw the marks
- * begin, 0 or n. */
+/* mark_duplicates - sorts the points by their coordinates, equal ones by
+ * number, and marks each DUPLICATE or UNUSED.  Runs of 1, 2, 4, ... are merged
+ * back and forth between the halves of iw, lo ... mid-1 and mid ... hi-1; of
+ * equal points those of the first run come first.  Returns where in iw the
+ * marks begin, 0 or n. */
 static tess_int mark_duplicates(tess_int n, const tess_real *p, tess_int *iw)
 {
     tess_int at = 0, run = 1, lo, mid, hi, i, j, k, *from, *to;
@@ -4775,8 +4780,8 @@ static tess_int mark_duplicates(tess_int n, const tess_real *p, tess_int *iw)
     return n - at;
 }
 
-/* check_planar - check that all points are in one plane: that of point 0, of b,
- * a point that differs from it, and of c, the first point off their line.
+/* check_planar - checks that all points are in one plane: that of point 0, of
+ * b, a point that differs from it, and of c, the first point off their line.
  * Points before c are in it, so one pass is enough. */
 static int check_planar(tess_int n, const tess_real *p, tess_int *bad)
 {
@@ -4797,8 +4802,8 @@ static int check_planar(tess_int n, const tess_real *p, tess_int *bad)
     return TESS_OK;
 }
 
-/* check_vertices - check that the vertices of the tetrahedron v are four
- * points, none a duplicate of one of lower index, and mark them as used. */
+/* check_vertices - checks that the vertices of the tetrahedron v are four
+ * points, none a duplicate of one of lower number, and marks them as used. */
 static int check_vertices(tess_int n, const tess_int *v, tess_int *mark)
 {
     int i;
@@ -4813,7 +4818,7 @@ static int check_vertices(tess_int n, const tess_int *v, tess_int *mark)
     return TESS_OK;
 }
 
-/* check_neighbours - check that each facet of tetrahedron t is on the boundary
+/* check_neighbours - checks that each facet of tetrahedron t is on the boundary
  * or matched, and that the neighbour's apex is not inside the ball of t: this
  * is symmetric, as being matched is, so one of the two tests it. */
 static int check_neighbours(const tess_real *p, tess_int ntet,
@@ -4838,7 +4843,7 @@ static int check_neighbours(const tess_real *p, tess_int ntet,
     return TESS_OK;
 }
 
-/* check_orientation - check that tetrahedron t is positively oriented and has
+/* check_orientation - checks that tetrahedron t is positively oriented and has
  * no open facet. */
 static int check_orientation(const tess_real *p, const tess_int *tet,
                              const tess_int *adj, tess_int t)
@@ -4851,16 +4856,16 @@ static int check_orientation(const tess_real *p, const tess_int *tet,
     return place_in_four(adj + 4 * t, TESS_OPEN) < 4 ? TESS_BAD_OPEN : TESS_OK;
 }
 
-/* check_convex - check the boundary facets of tetrahedron t: O is inside of
+/* check_convex - checks the boundary facets of tetrahedron t: O is inside of
  * each, and the apex of the next boundary facet at each of its edges is not
  * outside of it.  The two facets at an edge run along it in opposite
  * directions, so that one of them tests it.
  *
- * Facets are known to be matched in pairs, so a step of turn maps (tetrahedron,
- * facet in, facet out) one-to-one to the next such triple; no step leads to the
- * first triple, so none comes twice and the turn ends.  For the same reason all
- * turns together take at most 6 ntet steps: each edge of each tetrahedron is
- * passed once. */
+ * Facets are known to be matched in pairs, so a step of next_hull_facet maps
+ * (tetrahedron, facet in, facet out) one-to-one to the next such triple; no
+ * step leads to the first triple, so none comes twice and the turn ends.  For
+ * the same reason all turns together take at most 6 ntet steps: each edge of
+ * each tetrahedron is passed once. */
 static int check_convex(const tess_real *p, tess_int ntet, const tess_int *tet,
                         const tess_int *adj, tess_int t)
 {
@@ -4884,7 +4889,7 @@ static int check_convex(const tess_real *p, tess_int ntet, const tess_int *tet,
     return TESS_OK;
 }
 
-/* check_cover - check that tetrahedron t, if not 0, does not contain O. */
+/* check_cover - checks that tetrahedron t, if not 0, does not contain O. */
 static int check_cover(const tess_real *p, const tess_int *tet, tess_int t)
 {
     const tess_real *q = p + 3 * tet[0];
