@@ -1223,7 +1223,7 @@ static int rebuild_table(mesher *m, tess_int s, tess_int wanted)
     return 1;
 }
 
-/* ---- lists: where to look first ---- */
+/* ---- candidate lists: where to look first ---- */
 
 /* boxes_disjoint - returns 1 if two boxes have no point in common. */
 static int boxes_disjoint(const double *alo, const double *ahi,
@@ -1233,15 +1233,16 @@ static int boxes_disjoint(const double *alo, const double *ahi,
            (bhi[0] < alo[0]) | (bhi[1] < alo[1]) | (bhi[2] < alo[2]);
 }
 
-/* to_single - returns x in single precision, or 0 if it is a speck. */
+/* to_single - returns x in single precision, or 0 if it is below SPECK. */
 static float to_single(double x)
 {
     return fabs(x) < SPECK ? 0.0f : (float)x;
 }
 
-/* fill_list - set the points of a list from their positions; those whose stars
- * are complete are LEFT_LIST away, and so is what pads the list to a multiple
- * of four: loops over lists go by fours, which every compiler can vectorize. */
+/* fill_list - sets the coordinates of a list from its positions.  Points whose
+ * stars are complete are put at LEFT_LIST, and so is what pads the list to a
+ * multiple of four: loops over lists go by fours, which every compiler can
+ * vectorize. */
 static void fill_list(const mesher *m, candidate_list *l)
 {
     const double *q;
@@ -1263,8 +1264,8 @@ static void fill_list(const mesher *m, candidate_list *l)
     }
 }
 
-/* collect_in_box - append to a list the uncompleted points in its box that are
- * not in leaf own; returns 0 if they do not fit. */
+/* collect_in_box - appends to a list the uncompleted points in its box that are
+ * not in leaf own.  Returns 0 if they do not fit. */
 static int collect_in_box(const mesher *m, candidate_list *l, tess_int own)
 {
     tess_int stack[STACK_DEPTH], node, i, first, last;
@@ -1294,7 +1295,7 @@ static int collect_in_box(const mesher *m, candidate_list *l, tess_int own)
     return 1;
 }
 
-/* set_list_box - sets the box of a list, lo, hi and its margin about it, as far
+/* set_list_box - sets the box of a list, lo, hi and its reach about it, as far
  * as it is in the root's, and its units.  Returns the box's half width. */
 static double set_list_box(const mesher *m, candidate_list *l, const double *lo,
                            const double *hi)
@@ -1317,8 +1318,9 @@ static double set_list_box(const mesher *m, candidate_list *l, const double *lo,
     return half;
 }
 
-/* make_block_list - make the list of the leaf of star s: its points, in order,
- * then the uncompleted ones around it.  The margin shrinks until they fit. */
+/* make_block_list - makes the block list of the leaf of s: its points, in
+ * order, then the uncompleted ones around it.  The reach shrinks until they
+ * fit. */
 static void make_block_list(mesher *m, tess_int s)
 {
     tess_int leaf = leaf_of(m, s), i;
@@ -1339,7 +1341,7 @@ static void make_block_list(mesher *m, tess_int s)
         for (i = l->leaf_first; i < l->leaf_end; i++) l->position[l->n++] = i;
         over = !collect_in_box(m, l, leaf);
         if (l->scale == 0.0 || (over && margin == 0.0)) {
-            l->n = 0; /* no list */
+            l->n = 0; /* there is no list */
             return;
         }
         margin = margin > 1e-3 * half ? 0.7 * margin : 0.0;
@@ -1347,8 +1349,7 @@ static void make_block_list(mesher *m, tess_int s)
     fill_list(m, l);
 }
 
-/* drop_lists - there are no lists any more, nor cells nor planes of the hull.
- */
+/* drop_lists - drops all candidate lists, cospherical sets and hull planes. */
 static void drop_lists(mesher *m)
 {
     int i;
@@ -1363,8 +1364,8 @@ static void drop_lists(mesher *m)
     }
 }
 
-/* pick_indices - store in picked the indices i < n with in[i] = 1 (the others
- * are 0), and return their number; without a branch, which no processor could
+/* pick_indices - stores in picked the indices i < n with in[i] = 1 (the others
+ * are 0), and returns their number; without a branch, which no processor could
  * predict. */
 static int pick_indices(const int *in, int n, int *picked)
 {
@@ -1383,9 +1384,9 @@ static int pick_indices(const int *in, int n, int *picked)
     return (int)(next - picked);
 }
 
-/* make_star_list - make the lists for star s: the block of its leaf and, from
- * it, the points nearer to s than the star's margin, which is at most the
- * distance from s to where the block may lack points. */
+/* make_star_list - makes the lists for star s: the block list of its leaf and,
+ * from it, the star list: the points nearer to s than its reach, which is at
+ * most the distance from s to where the block list may lack points. */
 static void make_star_list(mesher *m, tess_int s)
 {
     candidate_list *l = &m->block_list, *g = m->ball_lists;
@@ -1414,7 +1415,7 @@ static void make_star_list(mesher *m, tess_int s)
     x = l->x[i];
     y = l->y[i];
     z = l->z[i];
-    /* no point nearer than margin is missed */
+    /* no point nearer than the reach is missed */
     most = (float)(margin * l->scale) + LIST_DIST_ERR;
     most *= most;
     for (i = 0; i < (l->n + 3) / 4 * 4; i++)
@@ -1428,25 +1429,26 @@ static void make_star_list(mesher *m, tess_int s)
 
 /* ---- the ball of a search ---- */
 
-/* dot - the product of two vectors. */
+/* dot - returns the product of two vectors. */
 static double dot(const double *a, const double *b)
 {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* filter_bound - the bound of a sieve for |w|_1 <= size.  c errs by at most dc.
- * Each term w[k] (w[k] - 2 c[k]) suffers at most 6 roundings, counting that of
- * w[k] twice and those of the sum, each of at most EPS |w[k]| (|w[k]| + 2
- * |c[k]|).  size and this bound may come out too small by a few EPS. */
+/* filter_bound - returns the right-hand side of a filter for |w|_1 <= size.  c
+ * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
+ * roundings, counting that of w[k] twice and those of the sum, each of at most
+ * EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too small
+ * by a few EPS. */
 static double filter_bound(const ball_filter *b, double size)
 {
     return size * (2.0 * b->dc + 8.0 * EPS * (size + 2.0 * b->c1)) +
            b->allowance;
 }
 
-/* set_half_space - the open side as a sieve: the ball of L = L_MAX / 2 along
- * the normal.  Its dc has room for |w|^2, and is so large that all pass where
- * the normal is not known. */
+/* set_half_space - makes the open side a filter: the ball of L = L_MAX / 2
+ * along the normal.  Its dc has room for |w|^2, and is so large that all points
+ * pass where the normal is not known. */
 static void set_half_space(search *s)
 {
     ball_filter *b = &s->filter;
@@ -1462,13 +1464,13 @@ static void set_half_space(search *s)
     b->dc = L_MAX * (0.5 * b->dc + 4.0 * EPS);
 }
 
-/* excludes_box - returns 1 if no point of the box lo, hi can be a candidate:
- * none passes the sieve s, whose sum their heights raise by at least power, or
- * all are on the negative side.  It compares the least sum and the greatest
- * side in the box with the bounds on their errors: filter_bound, and E |w|,
- * which covers the rounding of the side, too.  Both are taken at a point whose
- * coordinates are the box's own doubles, or c's, so the bounds for points hold.
- */
+/* excludes_box - returns 1 if the box lo, hi provably holds no better point: no
+ * point in it passes the filter b, whose left-hand side their heights raise by
+ * at least power, or all are on the negative side.  It compares the least power
+ * and the greatest side in the box with the bounds on their errors:
+ * filter_bound, and E |w|, which covers the rounding of the side, too.  Both
+ * are taken at a point whose coordinates are the box's own doubles, or c's, so
+ * the bounds for points hold. */
 static int excludes_box(const search *s, const ball_filter *b, const double *lo,
                         const double *hi, double power)
 {
@@ -1495,7 +1497,7 @@ static int excludes_box(const search *s, const ball_filter *b, const double *lo,
 
 /* ball_in_block - returns 1 if the part of the ball that may hold points, the
  * part in the root's box, lies inside the box of a list.  The centre of the
- * true ball is within dc of c, and both balls pass through the base.  So the
+ * true ball is within dc of c, and both balls pass through the base. So the
  * radius is at most |c| + dc, and along an axis the ball ends within |c| + 2 dc
  * of c. */
 static int ball_in_block(const mesher *m, const search *s,
@@ -1524,14 +1526,14 @@ static int ball_in_block(const mesher *m, const search *s,
     return 1;
 }
 
-/* ball_in_star_list - the same for the margin of a star's list about the base.
- * For a point u of the true ball, relative to the base,
+/* ball_in_star_list - returns 1 if that part lies within the reach of the star
+ * list about the base.  For a point u of the true ball, seen from the base,
  *     |u|^2 <= 2 (c.u + dc |u|) <= 2 (a + dc) |u| + 2 b,
  * where a is the length of c without its coordinate k, and b >= 0 is the
- * greatest value of c[k] u[k] in the root's box.  So |u| is less than margin if
- * margin (margin - 2 a - 2 dc) >= 2 b.  The test puts margin - 2 dc for the
- * first factor, too.  ROUNDING times margin exceeds the roundings of a, b and
- * the products. */
+ * greatest value of c[k] u[k] in the root's box.  So |u| is less than reach if
+ * reach (reach - 2 a - 2 dc) >= 2 b.  The test puts reach - 2 dc for the first
+ * factor, too.  ROUNDING times reach exceeds the roundings of a, b and the
+ * products. */
 static int ball_in_star_list(const mesher *m, const search *s)
 {
     const double *root = m->box + 6, *c = s->filter.c;
@@ -1552,22 +1554,23 @@ static int ball_in_star_list(const mesher *m, const search *s)
     return 0;
 }
 
-/* list_filter - the test of a list's points against a ball of centre c,
- * relative to the base of a search: a point of the list can be in the ball only
- * if
- *     r - (d[0] x + d[1] y + d[2] z) < d[3].
- * In the list's units, with g = base - centre, the power of u is
+/* list_filter - computes the filter of a search for a list's points, in the
+ * list's units: a point of the list can be in the ball only if
+ *     norm2 - (d[0] x + d[1] y + d[2] z) < d[3].
+ * With g = base - origin, the power of u is
  *     |u-g|^2 - 2c.(u-g) = |u|^2 - 2(c+g).u + (g+2c).g.
  * d[3] has room for dc, and for all rounding:
- *   single precision, where |u[i]| <= most[i] (1.1 for a star, whose g is 0,
- *   else at most 1; but twice as much for boxes a few last places wide, whose
- *   centre is rounded by as much): |u|^2 <= 12 by at most 8 roundings, two of
- *   them of u itself and the last that of the difference; d.u by at most 6 of
- *   each term; d[3] itself;
- *   specks, of u times the sum of |d|, at most 2 a; of d far below FEPS;
+ *   single precision, where |u[i]| <= max_abs[i] (1.1 for a star list, whose g
+ *     is 0, else at most 1; but twice as much for boxes a few last places wide,
+ *     whose origin is rounded by as much): |u|^2 <= 12 by at most 8 roundings,
+ *     two of them of u itself and the last that of the difference; d.u by at
+ *     most 6 of each term; d[3] itself;
+ *   coordinates below SPECK, of u times the sum of |d|, at most 2 a; of d far
+ *     below FEPS;
  *   double precision, with a the sum of |g| + |2c|: g, c + g and the products
- *   with g, 6 roundings of (1 + |g|) a.
- * Returns 0 when the ball is too large for that. */
+ *     with g, 6 roundings of (1 + |g|) a.
+ * Returns 0 when the ball is too large for single precision: the limits keep
+ * sums from overflow, and points at LEFT_LIST outside. */
 static int list_filter(const candidate_list *l, const search *s, float *d)
 {
     double g, cu[3], k = 0.0, sum = 0.0, off = 0.0, a = 0.0;
@@ -1591,11 +1594,15 @@ static int list_filter(const candidate_list *l, const search *s, float *d)
 }
 
 /* list_hits - finds the places of the points of a list that pass list_filter's
- * test.  Returns their number; 0 if they are only the vertices of the facet and
- * the best point, which are on the ball, -1 if that is too large for the list.
- * (All four are in a list that a search ends in, as none is complete: its ball
- * lies inside what the list covers.  The other lists may lack some, and then 0
- * may be wrong, but the search goes on.) */
+ * test.  Returns their number; 0 if there are at most four, the vertices of the
+ * facet and the best point, which are on the ball; -1 if that is too large for
+ * the list.
+ *
+ * All four pass a test of a list that holds the ball: the ball passes through
+ * them, the facet is open and the best point is uncompleted, so none is
+ * complete.  Of a list that does not hold the ball some may be missing, and 0
+ * may be wrong, but the search goes on.  In incident_tet vertices may be
+ * complete: it drops all lists. */
 static int list_hits(const candidate_list *l, const search *s, int *place)
 {
     float d[4];
@@ -1612,31 +1619,31 @@ static int list_hits(const candidate_list *l, const search *s, int *place)
     return n > 4 ? pick_indices(in, l->n, place) : 0;
 }
 
-/* ---- supports ----
+/* ---- reference surfaces ----
  *
  * Where many points are near one plane or sphere, the side or the power of each
  * is noise for a facet of three of them, and no box of points is clear of the
- * ball.  A support is such a plane or sphere, through points.  Limbs give the
- * heights of other points over it (over a sphere, their powers) to some eps of
- * themselves.  Let h be the height of the base of a facet near the support, and
- * tilt the vector in the facet's plane whose products with the facet's edges
- * are the differences of heights.  Then
- *     G(w) = height(w) - h - tilt.w
- * is 0 at the facet's vertices.  On a plane, G(w) is therefore g times the side
- * of w, where g is the height of the facet's normal v.  On a sphere whose
- * centre is at height l over the facet's plane, G(w) is the power of w in the
- * ball of L = l, and L(w) = l + e, e = G(w) / (2 side).  Heights are that
- * noise, but known to 1e-7 of it: so they decide, point by point and node by
- * node.
+ * ball. A reference surface is such a plane or sphere, through points.  Limbs
+ * give the heights of other points over it (over a sphere, their powers) to
+ * some eps of themselves.  Let base_height be the height of the base of a facet
+ * near the surface, and tilt the vector in the facet's plane whose products
+ * with the facet's edges are the differences of heights.  Then
+ *     G(w) = height(w) - base_height - tilt.w
+ * is 0 at the facet's vertices.  On a plane, G(w) is therefore normal_height
+ * times the side of w, normal_height being the height of the facet's normal v.
+ * On a sphere whose centre is at height l over the facet's plane, G(w) is the
+ * power of w in the ball of L = l, and L(w) = l + e, e = G(w) / (2 side).
+ * Heights are that noise, but known to 1e-7 of it: so they decide, point by
+ * point and node by node.
  *
  * Globes, turned boxes and points near a plane need them: 6,000 points take 6
  * to 8 times the instructions without.  They cost a mark a point, two integers
  * a leaf for each, and a height by limbs for each point near them, once;
  * nothing until searches turn out to be long. */
 
-/* rough_height - returns the height of the position z over a support, in double
- * precision.  err bounds its error: 8 eps |c| for the centre, and 6
- * roundings. */
+/* rough_height - returns the height of the position z over a surface, in double
+ * precision.  *err bounds its error: 8 eps |c| for the centre, and 6 roundings.
+ */
 static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
                            double *err)
 {
@@ -1653,9 +1660,9 @@ static double rough_height(const mesher *m, const ref_surface *r, tess_int z,
     return h;
 }
 
-/* marked_height - returns 1 if the position z has a mark of support j; *h is
- * then its height, to a grain.  The roundings of seek_surface and the error of
- * the height shift a mark by less than 8 EPS MARKS grains. */
+/* marked_height - returns 1 if the position z has a mark of surface j; *h is
+ * then its height, to a quantum.  The roundings of mark_leaf and the error of
+ * the height shift a mark by less than 8 EPS MARKS quanta. */
 static int marked_height(const mesher *m, int j, tess_int z, double *h)
 {
     const ref_surface *r = m->surfaces + j;
@@ -1667,7 +1674,7 @@ static int marked_height(const mesher *m, int j, tess_int z, double *h)
     return 1;
 }
 
-/* height_over - returns 1 if the position z is near support j; *h is then its
+/* height_over - returns 1 if the position z is near surface j; *h is then its
  * height, from its mark or else by limbs, and *err bounds the error. */
 static int height_over(const mesher *m, int j, tess_int z, double *h,
                        double *err)
@@ -1682,7 +1689,7 @@ static int height_over(const mesher *m, int j, tess_int z, double *h,
     return *err <= r->quantum && fabs(*h) <= -r->lowest;
 }
 
-/* facet_on_surface - returns 1 if the facet's vertices are near support j; h
+/* facet_on_surface - returns 1 if the facet's vertices are near surface j; h
  * are their heights, the base's first, err the bounds on their errors. */
 static int facet_on_surface(const mesher *m, const search *s, int j, double *h,
                             double *err)
@@ -1695,11 +1702,12 @@ static int facet_on_surface(const mesher *m, const search *s, int j, double *h,
     return 1;
 }
 
-/* add_to_sample - adds z to the sample: points that were left open or, until
- * there are any, points of leaves that the search visited.  The sample keeps
- * SAMPLE_SIZE of them.  Once it is full, a point replaces another at random, by
- * numbers that are the same on every machine.  Points with a mark count, too:
- * they may be on a finer support. */
+/* add_to_sample - adds z to the sample: undecided points or, until there are
+ * any, first points of leaves that the search visited.  The sample keeps
+ * SAMPLE_SIZE of them.  Once it is full, a point replaces another at random
+ * (reservoir sampling: J. S. Vitter, ACM Trans. Math. Software 11, 1985,
+ * 37-57), by numbers that are the same on every machine.  Points with a mark
+ * count, too: they may be near a finer surface. */
 static void add_to_sample(search *s, tess_int z, int open)
 {
     tess_int place;
@@ -1715,15 +1723,15 @@ static void add_to_sample(search *s, tess_int z, int open)
     if (place < SAMPLE_SIZE) s->sample[place] = z;
 }
 
-/* surface_record - returns support j, with the place of its record.  Behind the
+/* surface_record - returns surface j, with the place of its record.  Behind the
  * marks of the points each has RECORD integers, then the nodes' ranges of
  * marks, from node 1 on:
  *   0      the position of its first point
  *   1      1 for a plane
- *   2      the exponent of grain, plus EXPONENT
+ *   2      the exponent of the quantum, plus EXPONENT
  *   3      that of the unit of the normal or centre, plus EXPONENT
  *   4 ...  its three coordinates in these units, DIGITS digits each
- * So all that a support is made of is read, and comes out alike in all rounding
+ * So all that a surface is made of is read, and comes out alike in all rounding
  * modes and builds: marks of one sphere say nothing of another. */
 static ref_surface *surface_record(mesher *m, int j)
 {
@@ -1734,7 +1742,7 @@ static ref_surface *surface_record(mesher *m, int j)
     return r;
 }
 
-/* surface_from_record - sets up support s from its record.  Returns 0 if limbs
+/* surface_from_record - sets up a surface from its record.  Returns 0 if limbs
  * do not hold it. */
 static int surface_from_record(const mesher *m, ref_surface *surface)
 {
@@ -1755,13 +1763,14 @@ static int surface_from_record(const mesher *m, ref_surface *surface)
                       &surface->limbs);
 }
 
-/* surface_through - sets up support s, a plane or a sphere through the points
+/* surface_through - sets up a surface, a plane or a sphere through the points
  * v, for a search's sample, whose extent is wide.  Any plane or sphere near the
  * points will do, so its normal or centre is the 52 leading bits of what
  * doubles hold. Its band is 8 to 16 times the upper quartile of the sample's
  * heights, or the lower one if that is FINER_BY times less, but not 0: the
- * points on one of several near sheets.  (Two exact planes need no finer
- * heights than tell them apart.)  Returns 0 if that is more than PLANE_BAND. */
+ * points on one of several near sheets.  (If a quarter of the heights are 0,
+ * the quantum comes from the others: it only has to tell the sheets apart.)
+ * Returns 0 if the band is wider than PLANE_BAND or SPHERE_BAND allows. */
 static int surface_through(const mesher *m, const search *s, const tess_int *v,
                            double wide, int plane, ref_surface *surface)
 {
@@ -1805,9 +1814,9 @@ static int surface_through(const mesher *m, const search *s, const tess_int *v,
            -surface->lowest <= (plane ? PLANE_BAND : SPHERE_BAND * wide) * wide;
 }
 
-/* fit_surface - sets up a support through the widest of the points that a
- * search left open: a sphere, or a plane where the points are on none (sheets
- * near each other are one).  Returns 1 if it is set up. */
+/* fit_surface - sets up a surface through the widest of a search's sample: a
+ * sphere, or a plane where the points are on none (sheets near each other are
+ * one).  Returns 1 if it is set up. */
 static int fit_surface(const mesher *m, const search *s, ref_surface *r)
 {
     tess_int v[4];
@@ -1820,7 +1829,7 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
     for (i = 0; i < n; i++)
         for (k = 0; k < 3; k++)
             u[3 * i + k] = m->x[3 * s->sample[i] + k] - m->x[3 * v[0] + k];
-    for (j = 0; j < 3; j++) { /* the farthest one, and what is left of all */
+    for (j = 0; j < 3; j++) { /* the farthest; what is left of all */
         for (i = widest = 0; i < n; i++)
             if (dot(u + 3 * i, u + 3 * i) > dot(u + 3 * widest, u + 3 * widest))
                 widest = i;
@@ -1838,8 +1847,8 @@ static int fit_surface(const mesher *m, const search *s, ref_surface *r)
            surface_through(m, s, v, wide[0], 1, r);
 }
 
-/* mark_leaf - marks the points of a leaf that are near support j and have no
- * mark yet, or one of a support FINER_BY times coarser, and stores the leaf's
+/* mark_leaf - marks the points of a leaf that are near surface j and have no
+ * mark yet, or one of a surface FINER_BY times coarser, and stores the leaf's
  * range of marks.  Returns how many it marked. */
 static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
 {
@@ -1871,8 +1880,8 @@ static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
     return members;
 }
 
-/* find_surface - seeks a support for the points that a search left open: one
- * through these, then one through all that are near it, as they may be from a
+/* find_surface - seeks a surface for the sample of a search: one through its
+ * points, then one through all that are near that, as the first may be from a
  * corner.  It is kept if it marks enough points.  Returns 1 if it is kept. */
 static int find_surface(mesher *m, search *s)
 {
@@ -1915,16 +1924,16 @@ static int find_surface(mesher *m, search *s)
     return 1;
 }
 
-/* surfaces_of_index - sets up the supports that an index has, as they were. */
+/* surfaces_of_index - sets up the surfaces that an index has, as they were. */
 static void surfaces_of_index(mesher *m)
 {
     while (TESS_LIST >= 128 && m->nsurfaces < m->alive[0])
         (void)surface_from_record(m, surface_record(m, m->nsurfaces++));
 }
 
-/* surface_near_facet - returns the support that the facet's vertices are near,
+/* surface_near_facet - returns the surface that the facet's vertices are near,
  * or NONE; h are their heights, the base's first, err the bounds on their
- * errors. Supports that have marked its vertices come first: between sheets
+ * errors.  Surfaces that have marked its vertices come first: between sheets
  * 1e-10 apart searches take 30 times as long otherwise. */
 static int surface_near_facet(const mesher *m, const search *s, double *h,
                               double *err)
@@ -1942,12 +1951,12 @@ static int surface_near_facet(const mesher *m, const search *s, double *h,
     return NONE;
 }
 
-/* recentre_on_sphere - counts L from the centre of the facet's support, a
+/* recentre_on_sphere - counts L from the centre of the facet's surface, a
  * sphere, in place of the circumcentre.  G is |w|^2 - 2 c.w, c = tilt / 2 - o,
  * o = base - centre: the power in the ball of centre c, which is on the facet's
- * axis.  c errs by half of dtilt, and by 8 eps of the centre and the roundings
- * of three differences in any order, each of at most eps (|o| + 2 |at|): these
- * make less than 8 eps size. */
+ * axis.  c errs by half of tilt_err, and by 8 eps of the centre and the
+ * roundings of three differences in any order, each of at most eps (|o| + 2
+ * |origin|): these make less than 8 eps size. */
 static void recentre_on_sphere(const ref_surface *surface, search *s)
 {
     double size = 0.0, r;
@@ -1962,19 +1971,19 @@ static void recentre_on_sphere(const ref_surface *surface, search *s)
     s->hh[HH_RHO] = sqrt(dot(s->hh + HH_CENTRE, s->hh + HH_CENTRE));
 }
 
-/* choose_surface - finds the support that the facet leans on, if any, and its
- * tilt. A needle, or a facet that stands on its plane, leans on none; nor does
- * a facet so small that a sphere bends away from it by less than its points
- * scatter, a sixteenth of the band or so.  Its balls are then far from the
- * sphere, and L, counted from the centre of the sphere and right to 8 eps of
- * its distance, would tell nothing of them: 20,000 points of a sphere that
- * crowd about a spot take 8 times as long.
+/* choose_surface - finds the surface of the facet, if any, and its tilt. There
+ * is none for a sliver (E > 1e-3), nor for a facet at more than 60 degrees to
+ * its plane; nor for a facet so small that a sphere bends away from it by less
+ * than its points scatter, a sixteenth of the band or so.  Its balls are then
+ * far from the sphere, and L, counted from the centre of the sphere and right
+ * to 8 eps of its distance, would tell nothing of them: 20,000 points of a
+ * sphere that crowd about a spot take 8 times as long.
  *
- * dtilt: roundings of the edges take the tilt out of the plane.  In it, the
+ * tilt_err: roundings of the edges take the tilt out of the plane.  In it, the
  * tilt's products with the edges miss the differences of heights by r0, r1, and
  * a vector whose products with two unit vectors are r0, r1 is no longer than
  * (|r0| + |r1|) / sine of the angle between them.  det errs by less than 1/100,
- * as no needle is let through.  Where two vertices are so near that the marks
+ * as no sliver is let through.  Where two vertices are so near that the marks
  * leave nothing of the tilt, as at the poles of a globe of meridians, the
  * differences of heights come by limbs, over the base: right to some eps of
  * themselves. */
@@ -2035,10 +2044,10 @@ static void choose_surface(const mesher *m, search *s)
 
 /* sharpen_by_height - sharpens the side of the position z, which hh_limits did
  * not find negative, and the limits of L, by the height of z over the facet's
- * support: the height gives the side for a plane, the power for a sphere.  A
- * plane's g errs by E and some roundings.  The quotients are of numbers right
- * to 4 eps of themselves, as is what is left of a side of more than twice its
- * error: ROUNDING is more.  Returns the side. */
+ * surface: the height gives the side for a plane, the power for a sphere.  A
+ * plane's normal_height errs by E and some roundings.  The quotients are of
+ * numbers right to 4 eps of themselves, as is what is left of a side of more
+ * than twice its error: ROUNDING is more.  Returns the side. */
 static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
                              int side, double *lo, double *hi)
 {
@@ -2085,24 +2094,24 @@ static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
     return side;
 }
 
-/* set_surface_filter - sets up the tall sieve for the best point so far, whose
- * L-coordinate is at most l.  A better point has side > 0 and N - 2 l side <=
- * 0, where N is its power in the ball of L = 0, of centre c.  Without a ball l
- * is L_MAX / 2, with room for N.  So with v, the facet's normal, there is none
- * where
- *     q |w|^2 - d.w + a (height - h) > 0:
+/* set_surface_filter - sets up the surface filter for the best point so far,
+ * whose L-coordinate is at most l.  A better point has side > 0 and N - 2 l
+ * side <= 0, where N is its power in the ball of L = 0, of centre c.  Without a
+ * ball l is L_MAX / 2, with room for N.  So with v, the facet's normal, no
+ * better point satisfies
+ *     q |w|^2 - d.w + a (height - base_height) > 0:
  *
  *              plane: side = G / g            sphere: N = G, of which 1 - q are
- *     q        1                              taken as height - h - tilt.w
+ *     q        1                              taken as the sum of heights in G
  *     d        2 c + a tilt                   2 q c + a tilt + 2 l v
  *     a        -2 l / g                       1 - q
  *
- * Near a plane l may be greater, so |a| may be greater for l > 0, and smaller
- * for l < 0.  Near a sphere q makes |d| least, if it can; any q > 0 is valid,
- * so errors in q do not count.  dd has room for the errors of c, tilt and v,
- * and for 8 roundings of each term; err for those of h, of a height of at most
- * -low, and of a, which is exact but for one rounding.  The sieve is all that
- * over q. */
+ * where g is normal_height.  Near a plane any upper bound l is valid, so a is
+ * only ever rounded up.  Near a sphere q makes |d| least, if it can; any q > 0
+ * is valid, so errors in q do not count.  dd has room for the errors of c, tilt
+ * and v, and for 8 roundings of each term; allowance for those of base_height,
+ * of a height of at most -lowest, and of a, which is exact but for one
+ * rounding.  The surface filter is all that, divided by q. */
 static void set_surface_filter(const mesher *m, search *s)
 {
     const ref_surface *r = m->surfaces + s->surface;
@@ -2143,16 +2152,17 @@ static void set_surface_filter(const mesher *m, search *s)
         q;
 }
 
-/* excludes_by_view - tells of the box lo, hi what does not show from the base.
- * Returns -1 if it holds no candidate, 1 if it is a point that is certainly on
- * the open side (of a wider box that tells nothing), else 0.
+/* excludes_by_view - tests the box lo, hi as seen from other points than the
+ * base.  Returns -1 if it provably holds no better point, 1 if it is a point
+ * that is certainly on the open side (of a wider box that tells nothing), else
+ * 0.
  *
  * What is near another vertex has a side and a power that are lost in the
  * roundings of its distance from the base, where that is so much greater.  Seen
  * from that vertex, or from the best point, both are sums of small terms.  Let
  * p be a point whose power in the ball of centre c is known to be 0, or not
  * negative.  With u = z - p and d = c - p, both from the base, the power of z
- * is at least |u|^2 - 2 d.u.  So z is no candidate if that is positive: as in
+ * is at least |u|^2 - 2 d.u.  So z is not better if that is positive: as in
  * excludes_box, the least sum in the box less its error.  Likewise for the side
  * of z if that of p is 0 or negative, with the product of the normal and u.
  *
@@ -2207,9 +2217,9 @@ static int excludes_by_view(const mesher *m, const search *s, const double *lo,
     return sure;
 }
 
-/* excludes_node - returns 1 if a node provably holds no candidate, by the marks
- * of its points, or where they tell nothing by its box alone; a clump's also as
- * seen from other points. */
+/* excludes_node - returns 1 if a node provably holds no better point, by the
+ * marks of its points, or where they tell nothing by its box alone; a clump
+ * also as seen from other points. */
 static int excludes_node(const mesher *m, const search *s, tess_int node)
 {
     const double *b = m->box + 6 * node;
@@ -2264,11 +2274,11 @@ static double *cylinders_of(const mesher *m, tess_int node)
 /* make_cylinder - makes the cylinder of a node, its numbers four places apart.
  * The axis is the column of the greatest diagonal element in the matrix of
  * second moments about the mean (a rod) or in its adjugate (a disc), whichever
- * gives less volume.  About another point, a plane's would not tell its normal.
- * Returns 1 if that volume is below SLENDER_VOLUME of the box's.  In units of
- * the sum of |x[k]|, the differences from the mean err by EPS, their products
- * with the axis and what is left across it by less than 40 EPS, the centre by
- * 10 EPS: together less than 64 EPS. */
+ * gives less volume.  (Moments about another point than the mean would not tell
+ * the normal of a plane.)  Returns 1 if that volume is below SLENDER_VOLUME of
+ * the box's.  In units of the sum of |x[k]|, the differences from the mean err
+ * by EPS, their products with the axis and what is left across it by less than
+ * 40 EPS, the centre by 10 EPS: together less than 64 EPS. */
 static int make_cylinder(const mesher *m, tess_int node, double *c)
 {
     const double *b = m->box + 6 * node, *x;
@@ -2350,16 +2360,16 @@ static void make_cylinders(mesher *m)
 }
 
 /* exclude_cylinders - tests the cylinders of a node's four grandchildren:
- * past[i] > 0 if cylinder i provably holds no candidate.
+ * past[i] > 0 if cylinder i provably holds no better point.
  *
  * A point is w + s u + p from the base, where w is the cylinder's centre, u its
  * axis, |s| <= h, and p is across u, |p| <= r.  With g = w - c, a = |g.u|, and
  * rho the length of g across u, its power in the ball about c is
  *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p).
- * The brackets are at least t (t - 2 a), where t is the lesser_of of a and h,
- * and R^2 - 2 R rho, where R is the lesser_of of rho and r.  So there is no
- * candidate if the sum without 2 R rho is positive and its square is above 4
- * R^2 rho^2.
+ * The brackets are at least t (t - 2 a), where t is the lesser of a and h, and
+ * R^2 - 2 R rho, where R is the lesser of rho and r.  So there is no better
+ * point if the sum without 2 R rho is positive and its square is above 4 R^2
+ * rho^2.
  *
  * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r.
  * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
@@ -2399,7 +2409,7 @@ static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
     }
 }
 
-/* ---- ties ----
+/* ---- ties: cospherical sets ----
  *
  * Let T be the points on the sphere of an empty ball, such as that of any
  * tetrahedron of the mesh.  The tie rule lowers heights, that of first, the
@@ -2414,21 +2424,21 @@ static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
  *   - a facet (first, a, b) with points of T on its open side has one of them
  *     as its apex, as the ball is empty.  Of two, c and z, z is better if it is
  *     beyond the plane (a, b, c) seen from first, and worse if it is on first's
- *     side; in that plane the lesser_of e_i decides.
+ *     side; in that plane the lesser e_i decides.
  * A point of T whose star is complete is in no open facet and is no apex.  If
  * first's star is complete, all tetrahedra of T are known; so for a new
  * tetrahedron's T it is not.
  *
- * A cell has all uncompleted points of T, the least number first, of a ball
- * inside the star's list.  Only these are tested for a facet of the star.
+ * A cospherical set has all uncompleted points of T, the least number first, of
+ * a ball inside the star list.  Only these are tested for a facet of the star.
  *
  * Lattices take 1.4 times the instructions without.  What has no ties never
- * makes a cell. */
+ * makes a set. */
 
-/* record_set - makes a cell of the points exactly on the best point's ball, if
- * all are in the star's list and none is inside.  Returns 0 if not, or if there
- * are no ties.  The centre of set_upper_bound's ball is off by up to hi - lo,
- * too, which matters on the negative side. */
+/* record_set - records a cospherical set, the points exactly on the best
+ * point's ball, if all are in the star list and none is inside.  Returns 0 if
+ * not, or if there are no ties.  The centre of set_upper_bound's ball is off by
+ * up to hi - lo, too, which matters on the negative side. */
 static int record_set(mesher *m, search *s)
 {
     const candidate_list *l = m->ball_lists;
@@ -2462,8 +2472,8 @@ static int record_set(mesher *m, search *s)
     return 1;
 }
 
-/* apex_from_set - returns the apex of the facet v if it is in a cell, or NONE:
- * see "ties". */
+/* apex_from_set - returns the apex of the facet v if it is in a cospherical
+ * set, or NONE: see "ties". */
 static tess_int apex_from_set(const mesher *m, const tess_int *v)
 {
     const cospherical_set *c = m->sets;
@@ -2488,7 +2498,7 @@ static tess_int apex_from_set(const mesher *m, const tess_int *v)
 /* ---- the search for the apex of a facet ---- */
 
 /* set_upper_bound - records that the best point's L-coordinate is at most l,
- * and sets the ball of L = l. */
+ * and sets the ball of L = l, the filter and the surface filter with it. */
 static void set_upper_bound(const mesher *m, search *s, double l)
 {
     ball_filter *b = &s->filter;
@@ -2502,10 +2512,10 @@ static void set_upper_bound(const mesher *m, search *s, double l)
             b->c[k] = s->hh[HH_CENTRE + k] + l * s->hh[k];
             b->c1 += fabs(b->c[k]);
         }
-        /* a better point, on the positive side, is in the ball of any L that
-         * is not below the best point's: so only the error of c for this l
-         * counts, not that of l.  That is large where balls are flat: counting
-         * it makes points near a plane take 10 times as long. */
+        /* a better point, on the open side, is in the ball of any L that is not
+         * below the best point's: so only the error of c for this l counts, not
+         * that of l.  That is large where balls are flat: counting it makes
+         * points near a plane take 10 times as long */
         b->dc = s->hh[HH_DC] + fabs(l) * s->hh[HH_E] + 4.0 * EPS * b->c1;
     }
     if (HAS_SURFACE(s)) set_surface_filter(m, s);
@@ -2514,9 +2524,9 @@ static void set_upper_bound(const mesher *m, search *s, double l)
 /* ball_by_limbs - finds the ball of the best point by limbs.  The centre c errs
  * by at most 8 eps |c|.  So its height over the facet's plane, c.v, is L up to
  * the error of v, E |c|, the error of c, and the roundings of three products
- * and two sums, 5 eps |c|_1.  Near a sphere L is counted from hh[3..5]: u, the
- * difference, takes the place of c, with the error of hh[3..5] and one more
- * rounding. */
+ * and two sums, 5 eps |c|_1.  Near a sphere L is counted from hh[HH_CENTRE
+ * ...]: u, the difference, takes the place of c, with the error of that centre
+ * and one more rounding. */
 static void ball_by_limbs(const mesher *m, search *s)
 {
     ball_filter *b = &s->filter;
@@ -2545,14 +2555,14 @@ static void ball_by_limbs(const mesher *m, search *s)
     if (HAS_SURFACE(s)) set_surface_filter(m, s);
 }
 
-/* compare_exactly - compares z with the best point where the bounds leave open
- * what is UNSURE: verdict, or side, or both.  hh_relative comes first, unless
- * the last exact comparison was a tie: rotated grids, which have the corners of
- * their cells on a sphere, but for rounding, take 1.2 to 1.6 times the
- * instructions without it.  Its sphere is that of z or of the best point, but
- * not of a ball by limbs, whose four points are nearly in a plane.  Then come
- * the limbs of such a ball, then the exact signs.  Returns BEATS, LOSES, HH_TIE
- * times that for a tie, or NOT_OPEN_SIDE. */
+/* compare_exactly - compares z with the best point where the bounds leave
+ * undecided what is UNSURE: verdict, or side, or both.  hh_relative comes
+ * first, unless the last exact comparison was a tie: rotated grids, which have
+ * the corners of their boxes on a sphere, but for rounding, take 1.2 to 1.6
+ * times the instructions without it.  Its sphere is that of z or of the best
+ * point, but not of a ball by limbs, whose four points are nearly in a plane.
+ * Then come the limbs of such a ball, then the exact signs.  Returns BEATS,
+ * LOSES, HH_TIE times that for a tie, or NOT_OPEN_SIDE. */
 static int compare_exactly(mesher *m, search *s, tess_int z, int side,
                            int verdict, double hi)
 {
@@ -2605,8 +2615,8 @@ static int compare_exactly(mesher *m, search *s, tess_int z, int side,
     return verdict;
 }
 
-/* compare_point - takes z if it is on the open side and beats the best point so
- * far: if its L-coordinate is smaller (Theorem 1), ties by the rule of
+/* compare_point - makes z the best point if it is better: if it is on the open
+ * side and its L-coordinate is smaller (Theorem 1), ties by the rule of
  * hh_pinsphere.  The Householder bounds decide where they can, else
  * compare_exactly; then the better point's limits are tightened by the other's.
  */
@@ -2650,8 +2660,8 @@ static void compare_point(mesher *m, search *s, tess_int z)
 }
 
 /* offer_point - compares z with the best point, unless it is a vertex of the
- * facet or does not pass the sieve: the tall one if its height over the facet's
- * support is known. */
+ * facet or does not pass the filter: the surface filter if its height over the
+ * facet's surface is known. */
 static void offer_point(mesher *m, search *s, tess_int z)
 {
     const double *q = m->x + 3 * z;
@@ -2677,7 +2687,7 @@ static void offer_point(mesher *m, search *s, tess_int z)
     }
 }
 
-/* offer_list - considers the points of a list that may be in the ball.  Returns
+/* offer_list - offers the points of a list that may be in the ball.  Returns
  * what list_hits does. */
 static int offer_list(mesher *m, search *s, const candidate_list *l)
 {
@@ -2691,12 +2701,12 @@ static int offer_list(mesher *m, search *s, const candidate_list *l)
     return n;
 }
 
-/* search_star_list - seeks the apex in the star's list.  The ball of a better
- * point has no more points on the open side than the ball before it (Lemma 3),
- * and those on the other side do not count.  So one pass over the list is
- * enough if the last ball has no points elsewhere.  Returns 1 if so.  Without a
- * ball nothing is sought here: on faces of a cube all sides are exact, which
- * would take twice as long. */
+/* search_star_list - seeks the apex in the star list.  On the open side the
+ * ball of a better point is part of the ball before it (Lemma 3), so one pass
+ * over the list is enough if the last ball lies within its reach; the rest of
+ * the ball does not count.  Returns 1 if it does.  Without a ball every point
+ * would pass; on the faces of a cube each would need an exact side, which would
+ * take twice as long. */
 static int search_star_list(mesher *m, search *s)
 {
     int n;
@@ -2721,7 +2731,7 @@ static int search_star_list(mesher *m, search *s)
     return 1;
 }
 
-/* search_block_list - the same for the block's list.  If the ball leaves the
+/* search_block_list - seeks the apex in the block list.  If the ball leaves the
  * block's box, the tree is searched in any case and the list only adds cost: on
  * surfaces, two of five points that were tested. */
 static int search_block_list(mesher *m, search *s)
@@ -2739,9 +2749,9 @@ static int search_block_list(mesher *m, search *s)
     return 1;
 }
 
-/* set_skin - sets the thickness of the skin about a search's ball, in margins
- * of a block; about larger balls it is thinner, as there are more points in it.
- * The points in the skin pass the sieve then. */
+/* set_skin - sets the thickness of the skin about a search's ball, in reaches
+ * of a block list; about larger balls it is thinner, as there are more points
+ * in it. The points in the skin pass the filter then. */
 static void set_skin(const mesher *m, search *s)
 {
     double r = sqrt(dot(s->filter.c, s->filter.c)),
@@ -2756,10 +2766,10 @@ static void set_skin(const mesher *m, search *s)
 
 /* collect_leaf - puts points of a leaf into the list that a search makes: of n,
  * the first at position first, the uncompleted ones whose power is at most
- * most. While they are too many, the skin shrinks: then those stay that may
- * still pass the sieve.  They are in the ball before, so |w|_1 is at most 4
- * times its radius, and single precision changes a power by less than FEPS of
- * it (or to 0, where it would underflow: that passes in any case). */
+ * most. While they are too many, the skin shrinks: then those stay that still
+ * pass the filter.  They are in the ball before, so |w|_1 is at most 4 times
+ * its radius, and single precision changes a power by less than FEPS of it (or
+ * to 0, where it would underflow: that passes in any case). */
 static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
                          const double *power, double most)
 {
@@ -2786,11 +2796,12 @@ static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
     }
 }
 
-/* offer_leaf - considers the uncompleted points of a leaf, of which there must
- * be one, that pass the plain sieve.  The powers come first, as vectors, then
- * the least of each group, as most groups have no point to consider.  Stars are
- * completed in the order of positions, by and large, so the points before the
- * first uncompleted one are most of the completed ones. */
+/* offer_leaf - offers the uncompleted points of a leaf, of which there must be
+ * one, that pass the filter; or collects them, if a near list is made.  The
+ * powers come first, as vectors, then the least of each group, as most groups
+ * have no point that passes.  Stars are completed in the order of positions, by
+ * and large, so the points before the first uncompleted one are most of the
+ * completed ones. */
 static void offer_leaf(mesher *m, search *s, tess_int node)
 {
     const double *b = m->box + 6 * node, *x;
@@ -2870,7 +2881,7 @@ static void search_tree(mesher *m, search *s)
             node = stack[--depth];
         else if (fours && top > 3) {
             node = top /= 4;
-            /* one child alive each, and from is: nothing else */
+            /* from is the only grandchild with points */
             if (m->alive[from] > 0 &&
                 m->alive[from / 2] + m->alive[node] == 2) {
                 HOLDS(barren(m, s, node));
@@ -2909,11 +2920,11 @@ static void search_tree(mesher *m, search *s)
     }
 }
 
-/* on_hull_plane - returns 1 if the facet lies in a plane known to bound the
- * hull, and so has no apex: of a facet without a best point the open side is
- * not the hull's.  (A search that could begin at such a facet from outside, as
- * plant does at one of its two, comes before any plane is met: incident_tet
- * forgets them, and has a point on that side itself.) */
+/* on_hull_plane - returns 1 if the facet has no best point and lies in a plane
+ * known to bound the hull, and so has no apex.  That holds if its open side is
+ * outwards: of a facet of a known tetrahedron it is.  A seed edge may be open
+ * inwards: seed_star's one is searched before any plane is met, as incident_tet
+ * drops them. */
 static int on_hull_plane(const mesher *m, const search *s)
 {
     const tess_int *h;
@@ -2932,7 +2943,7 @@ static int on_hull_plane(const mesher *m, const search *s)
     return 0;
 }
 
-/* note_hull_plane - keeps the plane of a facet without an apex. */
+/* note_hull_plane - keeps the plane of the facet if it has no apex. */
 static void note_hull_plane(mesher *m, const search *s)
 {
     int k;
@@ -2944,10 +2955,10 @@ static void note_hull_plane(mesher *m, const search *s)
     m->nhull_planes++;
 }
 
-/* search_begin - begins the search for the apex of the facet v, and tries the
- * two positions guess, unless that is NULL; either may be NONE.  The base is
- * v[0], or, if the angle there is small, the vertex opposite the longest edge.
- */
+/* search_begin - begins the search for the apex of the facet v: its set-up, its
+ * filter, and the two positions guess, unless that is NULL; either may be NONE.
+ * The base is v[0], or, if the angle there is small, the vertex opposite the
+ * longest edge. */
 static void search_begin(mesher *m, search *s, const tess_int *v,
                          const tess_int *guess)
 {
@@ -2999,12 +3010,13 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
         (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
 }
 
-/* Near lists.  On surfaces and lines most searches begin with the final ball,
- * or nearly so, and prove it empty.  It is larger than the star's list and the
- * block's, but nearly that of a search just before.  So a near list keeps the
- * neighbourhood of a ball for the next ones.  Surfaces take 0.7 to 0.95 of the
- * time.  Where few searches end in the same list, lists do not pay: see
- * BUDGET_REFILL. */
+/* ---- near lists ----
+ *
+ * On surfaces and lines most searches begin with the final ball, or nearly so,
+ * and prove it empty.  It is larger than the star list and the block list, but
+ * nearly that of a search just before.  So a near list keeps the neighbourhood
+ * of a ball for the next ones.  Surfaces take 0.7 to 0.95 of the time. Where
+ * few searches end in the same list, lists do not pay: see BUDGET_REFILL. */
 
 /* ball_in_near_list - returns 1 if the points that may be better than the best
  * one, those of its ball that are on the open side, lie inside a near list's
@@ -3017,16 +3029,15 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
  * to such a point: |p|^2 <= r^2 = |c|^2, relative to the base.  For the ball of
  * L itself, |p.u| <= r |u|.  For h > L, u is across the axis; if L <= 0 no
  * point of the ball's part on the open side is farther from the axis than rho,
- * so |p.u| <= rho |u|.  The distance from the list's centre is at most margin
- * if
- *     |u|^2 + r^2 + 2 r |u| <= margin^2, or with rho for the last r.
+ * so |p.u| <= rho |u|.  The distance from the list's centre is at most reach if
+ *     |u|^2 + r^2 + 2 r |u| <= reach^2, or with rho for the last r.
  *
  * Let err bound the error of c, as in set_upper_bound.  r and rho are wrong by
- * it, u by twice as much, but for EPS (1 + margin): at and its distance to the
- * base have two roundings.  Where u is across, u.v is wrong by E (r + |u|)
- * more, and E r <= err, as hh[10] > E rho.  As r, rho and |u| are at most
- * margin, all that is less than 24 err margin.  ROUNDING exceeds the other
- * roundings, and those of make_near_list. */
+ * it, u by twice as much, but for EPS (1 + reach): centre and its distance to
+ * the base have two roundings.  Where u is across, u.v is wrong by E (r + |u|)
+ * more, and E r <= err, as dc > E rho.  As r, rho and |u| are at most reach,
+ * all that is less than 24 err reach.  ROUNDING exceeds the other roundings,
+ * and those of make_near_list. */
 static int ball_in_near_list(const search *s, const candidate_list *l)
 {
     double g[3], c, h, err, rr = 0.0, uu = 0.0, size = 0.0, gap;
@@ -3052,10 +3063,10 @@ static int ball_in_near_list(const search *s, const candidate_list *l)
 /* make_near_list - makes a near list of the ball of a search and a skin about
  * it, of points on either side of the facet.  Returns 0 if they are too many.
  *
- * What is nearer than margin, but for ball_in_near_list's ROUNDING, passes the
- * sieve, so admit took it, and is in the box, so list_filter's bound holds for
- * it.  What is not may be in the list as well: no search that ball_in_near_list
- * admits needs it. */
+ * What is nearer than reach, but for ball_in_near_list's ROUNDING, passes the
+ * filter, so collect_leaf took it, and is in the box, so list_filter's bound
+ * holds for it.  What is not may be in the list as well: no search that
+ * ball_in_near_list admits needs it. */
 static int make_near_list(mesher *m, const search *s, candidate_list *l)
 {
     search copy = *s;
@@ -3082,9 +3093,9 @@ static int make_near_list(mesher *m, const search *s, candidate_list *l)
 }
 
 /* search_near_lists - seeks the apex in a near list, which is made if there is
- * none.  No list is made for L <= 0, as half of the ball is on the other side
- * or more, nor for a ball that single precision cannot tell from a half-space.
- */
+ * none that holds the ball.  No list is made for L <= 0, as half of the ball is
+ * on the other side or more, nor for a ball that single precision cannot tell
+ * from a half-space. */
 static int search_near_lists(mesher *m, search *s)
 {
     int n, k = 0, found;
@@ -3118,7 +3129,7 @@ static int search_near_lists(mesher *m, search *s)
     return n >= 0;
 }
 
-/* refill_budget - what a search of the tree adds to the budget of near lists, if
+/* refill_budget - adds to the budget of near lists for a search of the tree, if
  * a near list might have taken its place. */
 static void refill_budget(mesher *m, const search *s)
 {
@@ -3128,7 +3139,8 @@ static void refill_budget(mesher *m, const search *s)
 }
 
 /* seek_surface - seeks a reference surface in the sample of a search, if it is
- * large and samples have been so for a while; each failure doubles the while. */
+ * large and samples have been so for a while; each failure doubles the while.
+ */
 static void seek_surface(mesher *m, search *s)
 {
     if (s->sample_offered <= SAMPLE_MIN || !SEEKS_SURFACES(m)) return;
@@ -3146,7 +3158,7 @@ static void seek_surface(mesher *m, search *s)
  * changes its own fields alone.  It returns 1 only if all that pass the filter
  * have been offered, or if there is no candidate; it may always do nothing and
  * return 0.  So stages may be left out (TESS_CORE), or come in another order,
- * and the apex is the same.  That hull planes come before the block's list saves
+ * and the apex is the same.  That hull planes come before the block list saves
  * lattices a tenth of the time. */
 static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
 {
