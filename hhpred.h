@@ -55,9 +55,9 @@
 
 /* The integer of all index arrays.  4*maxtet + 3 must not exceed its largest
  * value.  TESS_INT, the name of a signed type in one word, chooses another:
- * short, on a very small machine; long for more than 268 million points, and
- * where long has 4 bytes, as in 64-bit Windows, ptrdiff_t with -include
- * stddef.h.  Compile all files with the same: see below. */
+ * short, on a very small machine; long for more than 79 million points that
+ * fill a volume, and where long has 4 bytes, as in 64-bit Windows, ptrdiff_t
+ * with -include stddef.h.  Compile all files with the same: see below. */
 #ifdef TESS_INT
 #if TESS_INT + 0 /* an error here: TESS_INT must be one word; use a typedef */
 #endif
