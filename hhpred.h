@@ -55,9 +55,9 @@
 
 /* The integer of all index arrays.  4*maxtet + 3 must not exceed its largest
  * value.  TESS_INT, the name of a signed type in one word, chooses another:
- * short, on a very small machine; long for more than 268 million points, and
- * where long has 4 bytes, as in 64-bit Windows, ptrdiff_t with -include
- * stddef.h.  Compile all files with the same: see below. */
+ * short, on a very small machine; long for more than 79 million points that
+ * fill a volume, and where long has 4 bytes, as in 64-bit Windows, ptrdiff_t
+ * with -include stddef.h.  Compile all files with the same: see below. */
 #ifdef TESS_INT
 #if TESS_INT + 0 /* an error here: TESS_INT must be one word; use a typedef */
 #endif
@@ -204,8 +204,8 @@ TESS_API double hh_side(const double *f, const tess_real *z);
  * one of them is computed to lie in the plane). */
 TESS_API int hh_opp(const double *f, const tess_real *z1, const tess_real *z2);
 
-/* hh_lcoord - the L-coordinate of z (Section 3.2): the centre of the ball
- * through p1, p2, p3, z is c + L v.  For z computed to lie in the plane:
+/* hh_lcoord - the L-coordinate of z (Section 3.2): the centre of the
+ * sphere through p1, p2, p3, z is c + L v.  For z computed to lie in the plane:
  * DBL_MAX when it is outside the facet's circle or on it, else -DBL_MAX. */
 TESS_API double hh_lcoord(const double *f, const tess_real *z);
 
@@ -227,9 +227,9 @@ TESS_API int hh_wrap(const tess_real *p1, const tess_real *p2,
 TESS_API int hh_orient(const tess_real *a, const tess_real *b,
                        const tess_real *c, const tess_real *d);
 
-/* hh_insphere - exact: 1 when e is inside the ball of a, b, c, d, whatever
- * their orientation, -1 when it is outside, 0 on the sphere or when a, b, c,
- * d are coplanar.  2 as from hh_orient. */
+/* hh_insphere - exact: 1 when e is inside the circumsphere of a, b, c, d,
+ * whatever their orientation, -1 when it is outside, 0 when it is on it or a,
+ * b, c, d are coplanar.  2 as from hh_orient. */
 TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
                          const tess_real *c, const tess_real *d,
                          const tess_real *e);
