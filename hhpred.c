@@ -8,7 +8,7 @@
  *
  * THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
  * REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
- * AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+ * AND FITNESS.  IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
  * INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
  * LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
  * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
@@ -1211,7 +1211,7 @@ static int leading_rows(int m, int wide, const double *c, double *row)
  * wrong by at most 8 eps |c|, as C and D (see centre_by_limbs) are exact and
  * their values, with the division, err by 7.  Returns 0 where that is not to be
  * had: the four in one plane, too many limbs, or a centre that is too near or
- * too far for squares. Else t is made ready for hh_trial.  With z = v[base]
+ * too far for squares.  Else t is made ready for hh_trial.  With z = v[base]
  * only its facet is, and c is left alone. */
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t)

@@ -8,7 +8,7 @@
  *
  * THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
  * REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
- * AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+ * AND FITNESS.  IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
  * INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
  * LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
  * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
@@ -712,8 +712,8 @@ typedef struct mesher {
 /* ---- sorting ---- */
 
 /* axis_before - returns 1 if point i precedes, along an axis, the point with
- * coordinates q and the given number. Ties are broken by the next axes, then by
- * number. */
+ * coordinates q and the given number.  Ties are broken by the next axes, then
+ * by number. */
 static int axis_before(const mesher *m, tess_int i, int axis, const double *q,
                        tess_int number)
 {
@@ -962,7 +962,7 @@ static int lex_before(const tess_real *a, const tess_real *b)
 
 /* hull_edge_before - returns 1 if point i comes before point j when a plane
  * parallel to the z axis is wrapped about a, the lexicographically least point,
- * and then a line in that plane. The first point of all ends a hull edge that
+ * and then a line in that plane.  The first point of all ends a hull edge that
  * contains no other point. */
 static int hull_edge_before(const mesher *m, tess_int a, tess_int i, tess_int j)
 {
@@ -976,7 +976,7 @@ static int hull_edge_before(const mesher *m, tess_int a, tess_int i, tess_int j)
 }
 
 /* first_facet - finds the first facet v: on the hull, with all points on its
- * positive side, and v[0] of least position. On a hull face of more than three
+ * positive side, and v[0] of least position.  On a hull face of more than three
  * points it is the triangle on the edge v[0] v[1] of the face that the tie rule
  * selects: of two points a, b of the face, b is better iff I(v0, v1, a, w, b)
  * o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0, or the code of
@@ -1497,7 +1497,7 @@ static int excludes_box(const search *s, const ball_filter *b, const double *lo,
 
 /* ball_in_block - returns 1 if the part of the ball that may hold points, the
  * part in the root's box, lies inside the box of a list.  The centre of the
- * true ball is within dc of c, and both balls pass through the base. So the
+ * true ball is within dc of c, and both balls pass through the base.  So the
  * radius is at most |c| + dc, and along an axis the ball ends within |c| + 2 dc
  * of c. */
 static int ball_in_block(const mesher *m, const search *s,
@@ -1623,7 +1623,7 @@ static int list_hits(const candidate_list *l, const search *s, int *place)
  *
  * Where many points are near one plane or sphere, the side or the power of each
  * is noise for a facet of three of them, and no box of points is clear of the
- * ball. A reference surface is such a plane or sphere, through points.  Limbs
+ * ball.  A reference surface is such a plane or sphere, through points.  Limbs
  * give the heights of other points over it (over a sphere, their powers) to
  * some eps of themselves.  Let base_height be the height of the base of a facet
  * near the surface, and tilt the vector in the facet's plane whose products
@@ -1766,7 +1766,7 @@ static int surface_from_record(const mesher *m, ref_surface *surface)
 /* surface_through - sets up a surface, a plane or a sphere through the points
  * v, for a search's sample, whose extent is wide.  Any plane or sphere near the
  * points will do, so its normal or centre is the 52 leading bits of what
- * doubles hold. Its band is 8 to 16 times the upper quartile of the sample's
+ * doubles hold.  Its band is 8 to 16 times the upper quartile of the sample's
  * heights, or the lower one if that is FINER_BY times less, but not 0: the
  * points on one of several near sheets.  (If a quarter of the heights are 0,
  * the quantum comes from the others: it only has to tell the sheets apart.)
@@ -1971,7 +1971,7 @@ static void recentre_on_sphere(const ref_surface *surface, search *s)
     s->hh[HH_RHO] = sqrt(dot(s->hh + HH_CENTRE, s->hh + HH_CENTRE));
 }
 
-/* choose_surface - finds the surface of the facet, if any, and its tilt. There
+/* choose_surface - finds the surface of the facet, if any, and its tilt.  There
  * is none for a sliver (E > 1e-3), nor for a facet at more than 60 degrees to
  * its plane; nor for a facet so small that a sphere bends away from it by less
  * than its points scatter, a sixteenth of the band or so.  Its balls are then
@@ -2751,7 +2751,7 @@ static int search_block_list(mesher *m, search *s)
 
 /* set_skin - sets the thickness of the skin about a search's ball, in reaches
  * of a block list; about larger balls it is thinner, as there are more points
- * in it. The points in the skin pass the filter then. */
+ * in it.  The points in the skin pass the filter then. */
 static void set_skin(const mesher *m, search *s)
 {
     double r = sqrt(dot(s->filter.c, s->filter.c)),
@@ -2766,7 +2766,7 @@ static void set_skin(const mesher *m, search *s)
 
 /* collect_leaf - puts points of a leaf into the list that a search makes: of n,
  * the first at position first, the uncompleted ones whose power is at most
- * most. While they are too many, the skin shrinks: then those stay that still
+ * most.  While they are too many, the skin shrinks: then those stay that still
  * pass the filter.  They are in the ball before, so |w|_1 is at most 4 times
  * its radius, and single precision changes a power by less than FEPS of it (or
  * to 0, where it would underflow: that passes in any case). */
@@ -3004,7 +3004,8 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
             compare_point(m, s, guess[k]);
     if (!s->has_ball) set_half_space(s);
     if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
-    /* a ball that is a surface's sphere up to rounding is in no list */
+    /* if the best point lies on the same sphere as the facet, the ball is that
+     * sphere up to rounding: no list holds it */
     s->in_lists =
         !HAS_SPHERE(m, s) ||
         (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
@@ -3015,7 +3016,7 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
  * On surfaces and lines most searches begin with the final ball, or nearly so,
  * and prove it empty.  It is larger than the star list and the block list, but
  * nearly that of a search just before.  So a near list keeps the neighbourhood
- * of a ball for the next ones.  Surfaces take 0.7 to 0.95 of the time. Where
+ * of a ball for the next ones.  Surfaces take 0.7 to 0.95 of the time.  Where
  * few searches end in the same list, lists do not pay: see BUDGET_REFILL. */
 
 /* ball_in_near_list - returns 1 if the points that may be better than the best
@@ -3725,7 +3726,7 @@ static tess_int leaf_count(tess_int n)
     return leaves;
 }
 
-/* workspace_lengths - finds the lengths of iw and rw for n points. Uniform
+/* workspace_lengths - finds the lengths of iw and rw for n points.  Uniform
  * points need 5 n^(2/3) facets in the pool; a star of all points needs 2 n,
  * which take 12 n integers: granted up to HUB_POOL_MAX.  Marks and cylinders
  * get room for as many points as can need them.  Returns 0 for a bad n:
@@ -3879,7 +3880,7 @@ static void scale_points(mesher *m)
 }
 
 /* measure_clumps - sets the width below which a box is a clump: CLUMP_WIDTH
- * times the root's, if 4 of 16 leaves are so narrow. That is so where a
+ * times the root's, if 4 of 16 leaves are so narrow.  That is so where a
  * coordinate of many points is a number that stands for none, like -3.4e38;
  * else there are no clumps, and excludes_by_view costs nothing. */
 static void measure_clumps(mesher *m)
@@ -4053,7 +4054,7 @@ static tess_int mark_wanted(mesher *m, tess_int n, const tess_int *mine)
  * passed: converts tet to positions; completes the vertices that have no open
  * facet; the open facets at s, the first vertex of the last tetrahedron, become
  * edges of its link in the order of their tetrahedra, and the others enter the
- * table. Returns 0, TESS_POOL, or -6 for a facet that is open twice. */
+ * table.  Returns 0, TESS_POOL, or -6 for a facet that is open twice. */
 static int rebuild_state(mesher *m, tess_int *s, tess_int n,
                          const tess_int *mine)
 {
@@ -4308,7 +4309,7 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
  * tetrahedron if it is in the hull of a triangulation. */
 
 /* side_of_qstar - returns 1 if q* is outside the facet f, -1 if it is inside,
- * UNSURE if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat. It
+ * UNSURE if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.  It
  * takes one orientation unless q is exactly in the plane. */
 static int side_of_qstar(const tess_real *p, const tess_int *f,
                          const tess_real *q, const tess_int *v)
@@ -4969,22 +4970,22 @@ static int check_cover(const tess_real *p, const tess_int *tet, tess_int t)
  *   6  no tetrahedron but 0 holds O;
  *   7  each point that is no duplicate is a vertex.
  *
- * a. For a point x on no facet let m(x) be the number of tetrahedra that hold
+ * a.  For a point x on no facet let m(x) be the number of tetrahedra that hold
  *    it.  By 1 and 2 it is the number of times that the boundary, oriented
  *    outwards, winds about x: the sum of that number over the surfaces of
  *    all tetrahedra, in which matched facets cancel.  The turns of 5 pair the
  *    edges of boundary facets, which thus form a closed surface S; two that are
  *    adjacent run along their edge in opposite directions.
- * b. By 4, projection from O takes the facets of S to triangles on the sphere
+ * b.  By 4, projection from O takes the facets of S to triangles on the sphere
  *    of directions, all of one orientation, adjacent ones on opposite sides
  *    of their edge.  So S covers the sphere, branching at most at vertices, and
  *    the number of sheets is the winding number about O: m(O), which is 1 by 6.
  *    One sheet cannot branch: each ray from O meets S once.  S bounds a body K,
  *    star-shaped about O; m is 1 in K, 0 outside.
- * c. A plane through O that misses the vertices of S cuts K in a polygon
+ * c.  A plane through O that misses the vertices of S cuts K in a polygon
  *    which is star-shaped about O and has by 5 no angle above pi: convex.
  *    Such planes are dense, so K is convex.
- * d. So the tetrahedra fill K once, facet matched to facet: any two meet in a
+ * d.  So the tetrahedra fill K once, facet matched to facet: any two meet in a
  *    common face or not at all.  A triangulation of a convex body that
  *    satisfies 3 is Delaunay (Delaunay's lemma).  By 7 it is one of all points,
  *    and K is their hull.
