@@ -108,8 +108,8 @@ C       BPOWER = 35  power  behind it leading rows of C and D
 C       BSIDE  = 59  side  behind it those of n, and a fourth number
 C       BE     = 84  e  exponent of limb 1's weight
 C       BSIDEF = 85  side_first  first row of n
-C     S, a sphere or a plane by limbs, and what HHRELA keeps:
-C       LSPHER = 52  -  its length
+C     S, a sphere or a plane by limbs, and what HHRELA keeps, 52
+C     doubles:
 C       SREADY = 1   ready  of HHRELA: 0: none yet; -1: it cannot be had
 C       SPOWER = 3   power  behind it powers of the facet's two other
 C               vertices and of two points,

@@ -231,6 +231,7 @@ C     of them is a constant, the same in every routine that has it.  In
 C     each row below: its name, = its number, the field in C, or the
 C     macro (- if there is none), and what it is.  "Behind" means that
 C     the first element is one place on.  Arrays:
+C       P      array p  the points that were given
 C       X      array x  the sorted coordinates, X(1..3,position)
 C       ORD    array order  position -> point
 C       BOX    array box  the box of a node of the tree: least, then
@@ -473,6 +474,7 @@ C       RECPT  = 1   -  its point
 C       RECPLN = 2   -  1: a plane
 C       RECQUA = 3   -  exponent of the quantum
 C       RECEXP = 4   -  and of the three numbers, whose digits follow
+C     The digits of its numbers:
 C       DIGITS = 4   DIGITS  digits of each
 C       DIGIT  = 8192.0D0 DIGIT  their base
 C       EXPON  = 2000 EXPONENT  offset of exponents where they are kept
