@@ -126,7 +126,7 @@
  * then what makes searches faster, each where some data need it:
  *   supports     rough_height marked_height height_over facet_on_surface
  *                add_to_sample surface_record surface_from_record
- *                surface_through fit_surface mark_leaf seek_surface
+ *                surface_through fit_surface mark_leaf find_surface
  *                surfaces_of_index surface_near_facet recentre_on_sphere
  *                choose_surface sharpen_by_height set_surface_filter
  *                excludes_by_view excludes_node
@@ -205,6 +205,13 @@
 #define MAX_BLOCK_MISSES 8
 #define TIED_WIDENING 1.2
 /* Capacity of a list (see tess.h).  Lists only say where to look first. */
+#ifdef TESS_CORE
+#define STAGES 0
+#undef TESS_LIST
+#define TESS_LIST LEAF_POINTS
+#else
+#define STAGES 1
+#endif
 #ifndef TESS_LIST
 #define TESS_LIST 512
 #endif
@@ -428,6 +435,9 @@ typedef struct search {
     double height_err;                /* base's height, wrong by at most dh */
     double tilt[3], tilt_err;
     double normal_height;                 /* a plane: the height of the facet's normal */
+    /* what stages found */
+    int in_lists;             /* 1: candidate lists may hold its ball */
+    int pays;                 /* 1: a near list may end it */
     /* the sample of points, for a support */
     int sample_undecided;                 /* 1: of points left open; 0: of leaves' */
     tess_int sample_offered;          /* how many were offered to the sample; */
@@ -1677,10 +1687,10 @@ static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
     return members;
 }
 
-/* seek_surface - seeks a support for the points that a search left open: one
+/* find_surface - seeks a support for the points that a search left open: one
  * through these, then one through all that are near it, as they may be from a
  * corner.  It is kept if it marks enough points.  Returns 1 if it is kept. */
-static int seek_surface(mesher *m, search *s)
+static int find_surface(mesher *m, search *s)
 {
     ref_surface *r = surface_record(m, m->nsurfaces);
     tess_int node, i, j, old, most, members = 0;
@@ -2507,19 +2517,23 @@ static int search_star_list(mesher *m, search *s)
 {
     int n;
 
-    if (s->base != 0 || m->ball_lists[0].n == 0 || !s->has_ball) return 0;
-    if (m->star_tied && record_set(m, s)) {
+    if (!s->in_lists || s->base != 0 || m->ball_lists[0].n == 0 || !s->has_ball)
+        return 0;
+    if (m->star_tied && record_set(m, s))
         s->best = apex_from_set(m, s->facet);
-        return 1;
+    else {
+        n = offer_list(m, s, m->ball_lists);
+        if (n < 0) return 0;
+        if (n > 0) {
+            if (s->ties > 0 && !m->star_tied) (void)record_set(m, s);
+            m->star_tied = s->ties > 0;
+        }
+        if (!ball_in_star_list(m, s)) return 0;
+        HOLDS(complete4(s, m->ball_lists));
     }
-    n = offer_list(m, s, m->ball_lists);
-    if (n < 0) return 0;
-    if (n > 0) {
-        if (s->ties > 0 && !m->star_tied) (void)record_set(m, s);
-        m->star_tied = s->ties > 0;
-    }
-    if (!ball_in_star_list(m, s)) return 0;
-    HOLDS(complete4(s, m->ball_lists));
+    COUNT(N_STAR, 1);
+    m->block_misses = 0;
+    if (m->block_ties <= MAX_BLOCK_MISSES) m->block_ties = 0;
     return 1;
 }
 
@@ -2528,11 +2542,16 @@ static int search_star_list(mesher *m, search *s)
  * surfaces, two of five points that were tested. */
 static int search_block_list(mesher *m, search *s)
 {
-    if (m->block_list.n == 0 || !s->has_ball ||
+    if (!s->in_lists || m->block_list.n == 0 || !s->has_ball ||
         !ball_in_block(m, s, &m->block_list) ||
-        offer_list(m, s, &m->block_list) < 0)
+        offer_list(m, s, &m->block_list) < 0) {
+        if (m->block_misses < MAX_BLOCK_MISSES) m->block_misses++;
         return 0;
+    }
     HOLDS(complete4(s, &m->block_list));
+    COUNT(N_BLOCK, 1);
+    m->block_misses = 0;
+    if (s->ties > 0 && m->block_ties <= MAX_BLOCK_MISSES) m->block_ties++;
     return 1;
 }
 
@@ -2716,6 +2735,7 @@ static int on_hull_plane(const mesher *m, const search *s)
     const tess_int *h;
     int i, k;
 
+    if (!s->in_lists || s->best != NONE) return 0;
     for (i = 0; i < HULL_PLANES && i < m->nhull_planes; i++) {
         h = m->hull_plane[i];
         for (k = 0; k < 3; k++)
@@ -2728,6 +2748,18 @@ static int on_hull_plane(const mesher *m, const search *s)
     return 0;
 }
 
+/* note_hull_plane - keeps the plane of a facet without an apex. */
+static void note_hull_plane(mesher *m, const search *s)
+{
+    int k;
+
+    if (s->best != NONE) return;
+    COUNT(N_HULL, 1);
+    for (k = 0; k < 3; k++)
+        m->hull_plane[m->nhull_planes % HULL_PLANES][k] = s->facet[k];
+    m->nhull_planes++;
+}
+
 /* search_begin - begins the search for the apex of the facet v, and tries the
  * two positions guess, unless that is NULL; either may be NONE.  The base is
  * v[0], or, if the angle there is small, the vertex opposite the longest edge.
@@ -2736,7 +2768,7 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
                          const tess_int *guess)
 {
     const double *p[3], *a, *b;
-    double edge, longest = 0.0;
+    double edge, longest = 0.0, h;
     int k;
 
     for (k = 0; k < 3; k++) {
@@ -2777,6 +2809,10 @@ static void search_begin(mesher *m, search *s, const tess_int *v,
             compare_point(m, s, guess[k]);
     if (!s->has_ball) set_half_space(s);
     if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
+    /* a ball that is a surface's sphere up to rounding is in no list */
+    s->in_lists =
+        !HAS_SPHERE(m, s) ||
+        (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
 }
 
 /* Near lists.  On surfaces and lines most searches begin with the final ball,
@@ -2844,7 +2880,7 @@ static int make_near_list(mesher *m, const search *s, candidate_list *l)
     COUNT(N_MADE, 1);
     l->n = 0;
     copy.collect = l;
-    copy.hh[9] = 1.0; /* no side is certain */
+    copy.hh[HH_E] = 1.0; /* no side is certain */
     copy.skin_factor = m->next_skin;
     set_skin(m, &copy);
     search_tree(m, &copy);
@@ -2854,7 +2890,7 @@ static int make_near_list(mesher *m, const search *s, candidate_list *l)
                        ? SKIN_GROW * copy.skin_factor
                        : copy.skin_factor;
     l->reach = sqrt(dot(copy.filter.c, copy.filter.c)) + copy.skin;
-    for (k = 0; k < 3; k++) l->centre[k] = copy.hh[6 + k] + copy.filter.c[k];
+    for (k = 0; k < 3; k++) l->centre[k] = copy.hh[HH_BASE + k] + copy.filter.c[k];
     (void)set_list_box(m, l, l->centre, l->centre);
     fill_list(m, l);
     return 1;
@@ -2869,6 +2905,11 @@ static int search_near_lists(mesher *m, search *s)
     int n, k = 0, found;
     candidate_list *l;
 
+    s->pays = BALL_LISTS > 1 && s->has_ball && s->hi <= L_MAX &&
+              !HAS_SURFACE(s) && m->block_list.reach > 0.0;
+    if (m->budget <= 0.0 || m->budget > BUDGET_START)
+        m->paused = m->budget <= 0.0;
+    if (!s->pays || m->paused) return 0;
     m->budget -= 1.0;
     do {
         l = m->ball_lists + m->recency[++k];
@@ -2892,63 +2933,58 @@ static int search_near_lists(mesher *m, search *s)
     return n >= 0;
 }
 
-/* apex - returns the apex of the facet v on its positive side, or NONE.  guess:
- * see prepare. */
-static tess_int apex(mesher *m, const tess_int *v, const tess_int *guess)
+/* refill_budget - what a search of the tree adds to the budget of near lists, if
+ * a near list might have taken its place. */
+static void refill_budget(mesher *m, const search *s)
+{
+    if (!s->pays) return;
+    m->budget += (double)s->nodes / BUDGET_REFILL;
+    m->tree_cost += ((double)s->nodes - m->tree_cost) / 16.0;
+}
+
+/* seek_surface - seeks a reference surface in the sample of a search, if it is
+ * large and samples have been so for a while; each failure doubles the while. */
+static void seek_surface(mesher *m, search *s)
+{
+    if (s->sample_offered <= SAMPLE_MIN || !SEEKS_SURFACES(m)) return;
+    m->sample_load += (double)s->sample_offered / (double)m->np;
+    if (m->sample_load <= m->sample_limit) return;
+    m->sample_load = 0.0;
+    if (!find_surface(m, s)) m->sample_limit *= 2.0;
+}
+
+/* apex - returns the apex of a facet on its positive side, or NONE.  guess: see
+ * search_begin.
+ *
+ * The search is complete without its stages.  A stage `int stage(m, s)' offers
+ * points and changes s in no other way, or sets best to the apex; of m it
+ * changes its own fields alone.  It returns 1 only if all that pass the filter
+ * have been offered, or if there is no candidate; it may always do nothing and
+ * return 0.  So stages may be left out (TESS_CORE), or come in another order,
+ * and the apex is the same.  That hull planes come before the block's list saves
+ * lattices a tenth of the time. */
+static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
 {
     search s;
-    double h;
-    int k, lists, suited;
 
     COUNT(N_FACET, 1);
-    if (m->nsets > 0 && (s.best = apex_from_set(m, v)) != NONE) return s.best;
-    search_begin(m, &s, v, guess);
-    /* a ball that is a support's sphere up to rounding is in no list */
-    lists = !HAS_SPHERE(m, &s) ||
-            (s.best != NONE && !marked_height(m, s.surface, s.best, &h));
-    if (lists && search_star_list(m, &s)) {
-        COUNT(N_STAR, 1);
-        m->block_misses = 0;
-        if (m->block_ties <= MAX_BLOCK_MISSES) m->block_ties = 0;
+    if (m->nsets > 0 && (s.best = apex_from_set(m, facet)) != NONE)
+        return s.best;
+    search_begin(m, &s, facet, guess);
+    if (STAGES && (search_star_list(m, &s) || on_hull_plane(m, &s) ||
+                   search_block_list(m, &s))) {
+        HOLDS(s.best != NONE || proven(m, facet, NONE));
         return s.best;
     }
-    /* before the block's list, which saves lattices a tenth of the time */
-    if (lists && s.best == NONE && on_hull_plane(m, &s)) {
-        HOLDS(proven(m, v, NONE));
-        return NONE;
-    }
-    if (lists && search_block_list(m, &s)) {
-        COUNT(N_BLOCK, 1);
-        m->block_misses = 0;
-        if (s.ties > 0 && m->block_ties <= MAX_BLOCK_MISSES) m->block_ties++;
-        return s.best;
-    }
-    if (m->block_misses < MAX_BLOCK_MISSES) m->block_misses++;
-    suited = BALL_LISTS > 1 && s.has_ball && s.hi <= L_MAX &&
-             !HAS_SURFACE(&s) && m->block_list.reach > 0.0;
-    if (m->budget <= 0.0 || m->budget > BUDGET_START)
-        m->paused = m->budget <= 0.0;
-    if (!suited || m->paused || !search_near_lists(m, &s)) {
+    if (!STAGES || !search_near_lists(m, &s)) {
         COUNT(N_TREE, 1);
         search_tree(m, &s);
-        if (suited) {
-            m->budget += (double)s.nodes / BUDGET_REFILL;
-            m->tree_cost += ((double)s.nodes - m->tree_cost) / 16.0;
-        }
+        if (STAGES) refill_budget(m, &s);
     }
-    if (s.sample_offered > SAMPLE_MIN && SEEKS_SURFACES(m)) {
-        m->sample_load += (double)s.sample_offered / (double)m->np;
-        if (m->sample_load > m->sample_limit) {
-            m->sample_load = 0.0;
-            if (!seek_surface(m, &s)) m->sample_limit *= 2.0;
-        }
-    }
-    if (s.best == NONE) {
-        COUNT(N_HULL, 1);
-        HOLDS(proven(m, v, NONE));
-        for (k = 0; k < 3; k++)
-            m->hull_plane[m->nhull_planes % HULL_PLANES][k] = v[k];
-        m->nhull_planes++;
+    HOLDS(s.best != NONE || proven(m, facet, NONE));
+    if (STAGES) {
+        seek_surface(m, &s);
+        note_hull_plane(m, &s);
     }
     return s.best;
 }
@@ -3355,7 +3391,7 @@ static int complete_star(mesher *m, tess_int s)
 {
     tess_int *p, v[3], guess[2], e, c;
 
-    make_star_list(m, s);
+    if (STAGES) make_star_list(m, s);
     m->nsets = 0;
     for (;;) {
         while (m->oldest_edge >= m->newest_edge &&
