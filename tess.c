@@ -36,8 +36,9 @@
  * apex has the least (Theorem 1).  It keeps the best point so far.  The ball
  * of facet and best point contains every better one (Lemma 3), so search_tree,
  * which goes from the facet's own leaf up to the root, skips the nodes whose
- * boxes are outside of that ball.  All else is for speed: other stages may end
- * a search before the tree, or skip more of its nodes; the result is the same.
+ * boxes are outside of that ball.  All else is for speed: stages before the
+ * tree (lists, hull planes, cospherical sets) may end a search, others exclude
+ * more nodes (cylinders, reference surfaces); the result is the same without.
  *
  * ORDER OF THE WORK.  Facets are taken star by star: all open facets at one
  * vertex, then those at the next.  A vertex whose star is complete can never
@@ -184,7 +185,7 @@
  *   cylinders                    if lrw is what tess_size   the same
  *                                gives: see cylinders_of
  *
- *   pool  0          ENTRY_LEN slots    newest_edge    oldest_edge     pool_len
+ *   pool  0        ENTRY_LEN slots      newest_edge  oldest_edge       pool_len
  *         | entries of the table | free |<-- edges of the link | dead edges |
  *
  *   owned[v] -----> entry <--> entry <--> entry    facets that v owns
@@ -366,8 +367,7 @@
  * length; few are kept where no surface is ever sought. */
 #define SAMPLE_SIZE (TESS_LIST < 128 ? 4 : 32)
 /* The format of a surface's record in an index (see surface_record): its length
- * in integers; the digits of a number; their base; what is added to exponents.
- * An index written with others cannot be read. */
+ * in integers; digits of a number; their base; what is added to exponents. */
 #define RECORD 16
 #define DIGITS 4
 #define DIGIT 8192.0
