@@ -1882,7 +1882,9 @@ static tess_int mark_leaf(mesher *m, int j, tess_int leaf)
 
 /* find_surface - seeks a surface for the sample of a search: one through its
  * points, then one through all that are near that, as the first may be from a
- * corner.  It is kept if it marks enough points.  Returns 1 if it is kept. */
+ * corner.  It is kept if it marks enough points; if not, marks that it has
+ * taken over from a coarser surface are lost, which only takes time.  Returns 1
+ * if it is kept. */
 static int find_surface(mesher *m, search *s)
 {
     ref_surface *r = surface_record(m, m->nsurfaces);
@@ -2099,19 +2101,18 @@ static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
  * side <= 0, where N is its power in the ball of L = 0, of centre c.  Without a
  * ball l is L_MAX / 2, with room for N.  So with v, the facet's normal, no
  * better point satisfies
- *     q |w|^2 - d.w + a (height - base_height) > 0:
+ *     q |w|^2 - d.w + a (height - base_height) > 0.
+ * Near a plane side = G / g, g being normal_height:
+ *     q = 1,  d = 2 c + a tilt,  a = -2 l / g.
+ * Near a sphere N = G; a share q of it comes from powers, 1 - q from heights:
+ *     q > 0,  d = 2 q c + a tilt + 2 l v,  a = 1 - q.
  *
- *              plane: side = G / g            sphere: N = G, of which 1 - q are
- *     q        1                              taken as the sum of heights in G
- *     d        2 c + a tilt                   2 q c + a tilt + 2 l v
- *     a        -2 l / g                       1 - q
- *
- * where g is normal_height.  Near a plane any upper bound l is valid, so a is
- * only ever rounded up.  Near a sphere q makes |d| least, if it can; any q > 0
- * is valid, so errors in q do not count.  dd has room for the errors of c, tilt
- * and v, and for 8 roundings of each term; allowance for those of base_height,
- * of a height of at most -lowest, and of a, which is exact but for one
- * rounding.  The surface filter is all that, divided by q. */
+ * Near a plane any upper bound l is valid, so a is only ever rounded up.  Near
+ * a sphere q makes |d| least, if it can; any q > 0 is valid, so errors in q do
+ * not count.  dd has room for the errors of c, tilt and v, and for 8 roundings
+ * of each term; allowance for those of base_height, of a height of at most
+ * -lowest, and of a, which is exact but for one rounding.  The surface filter
+ * is all that, divided by q. */
 static void set_surface_filter(const mesher *m, search *s)
 {
     const ref_surface *r = m->surfaces + s->surface;
@@ -2923,8 +2924,8 @@ static void search_tree(mesher *m, search *s)
 /* on_hull_plane - returns 1 if the facet has no best point and lies in a plane
  * known to bound the hull, and so has no apex.  That holds if its open side is
  * outwards: of a facet of a known tetrahedron it is.  A seed edge may be open
- * inwards: seed_star's one is searched before any plane is met, as incident_tet
- * drops them. */
+ * inwards; it is searched before any plane is met: at first, or after
+ * incident_tet has dropped them. */
 static int on_hull_plane(const mesher *m, const search *s)
 {
     const tess_int *h;
@@ -3240,7 +3241,8 @@ static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
     }
 }
 
-/* incident_tet - finds v, a tetrahedron of the mesh at v[0] = s, which is NEW.
+/* incident_tet - finds v, a tetrahedron of the mesh at v[0] = s, of which
+ * none is known yet.
  *
  *      b---z         b---z    In the plane: z is in the ball of (s, a, b).
  *      |\  .         |  /|    Of the four points' two triangulations the
@@ -3534,7 +3536,7 @@ static int edges_from_pool(mesher *m, tess_int s)
 }
 
 /* complete_vertex - marks the star of s complete: s leaves the tree and the
- * block list. */
+ * block list.  (offer_list skips it in the other lists.) */
 static void complete_vertex(mesher *m, tess_int s)
 {
     tess_int node = m->leaves + leaf_of(m, s);
