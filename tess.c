@@ -725,6 +725,7 @@ static int axis_before(const mesher *m, tess_int i, int axis, const double *q,
     return m->order[i] < number;
 }
 
+/* swap - swaps the points at the positions i and j. */
 static void swap(mesher *m, tess_int i, tess_int j)
 {
     double *p = m->x + 3 * i, *q = m->x + 3 * j, t;
@@ -945,6 +946,7 @@ static void make_boxes(mesher *m)
 
 /* ---- the first facet (Section 2): of the hull, by gift wrapping ---- */
 
+/* point - returns the caller's coordinates of position i. */
 static const tess_real *point(const mesher *m, tess_int i)
 {
     return m->points.p + 3 * m->order[i];
