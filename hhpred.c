@@ -32,7 +32,7 @@
  *   balls by limbs    rows_of_ball leading_rows hh_centre value_in_ball
  *                     hh_trial power_in_sphere hh_surface hh_height
  *                     sphere_of_facet hh_relative hh_thin
- *   Householder       house reflec hh_setup hh_ratio hh_limits hh_facet
+ *   Householder       householder apply_q hh_setup hh_ratio hh_limits hh_facet
  *                     hh_side hh_opp hh_lcoord hh_wrap
  */
 #include "hhpred.h"

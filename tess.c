@@ -221,55 +221,60 @@
  * check_unfinished.
  *
  * Order of the routines, here and in f77/tess.f:
- *   sorting      axis_before swap pivot select_rank link_duplicate
- *                bounding_box bisect leaf_start leaf_of node_range leaf_sort
- *                kd_sort node_width make_boxes
- *   first facet  point lex_before hull_edge_before first_facet
- *   pool         tet_facet facet_of_code owner facet_hash same_facet
- *                find_entry relink_entry erase_entry match_or_enter table_full
- *                cube_root table_quota rebuild_table
- *   lists        boxes_disjoint to_single fill_list collect_in_box
- *                set_list_box make_block_list drop_lists pick_indices
- *                make_star_list
- *   the ball     dot filter_bound set_half_space excludes_box ball_in_block
- *                ball_in_star_list list_filter list_hits
- * then what makes searches faster, each where some data need it:
- *   supports     rough_height marked_height height_over facet_on_surface
- *                add_to_sample surface_record surface_from_record
- *                surface_through fit_surface mark_leaf find_surface
- *                surfaces_of_index surface_near_facet recentre_on_sphere
- *                choose_surface sharpen_by_height set_surface_filter
- *                excludes_by_view excludes_node
- *   cylinders    cylinders_of make_cylinder make_cylinders exclude_cylinders
- *   ties         record_set apex_from_set
- * then the search, and what it is for:
- *   search       set_upper_bound ball_by_limbs compare_exactly compare_point
- *                offer_point offer_list search_star_list search_block_list
- *                set_skin collect_leaf offer_leaf search_tree on_hull_plane
- *                search_begin ball_in_near_list make_near_list
- *                search_near_lists apex
- *   one star     replace_vertex encloses any_tet_at incident_tet
- *   star         clear_link move_edges push_edge connect_edges remove_edge
- *                edge_between set_adjacent flush_facets match_or_push
- *                add_tetrahedron facet_to_edge pair_edges edges_from_adj
- *                edges_from_pool complete_vertex make_room begin_mesh
- *                complete_star seed_star complete_stars
- *   results      place_in_four matching_facet
- *   preparation  leaf_count workspace_lengths lay_out distinct_points rescale
- *                common_unit limbs_hold_all scale_points measure_clumps
- *                revive_all prepare_points write_header open_index
- *                check_unfinished mark_wanted rebuild_state lay_out_pool build
- *                bad_argument
- *   entries      tess_size tess tess_resume tess_index tess_part
+ *   stars             clear_link move_edges push_edge connect_edges remove_edge
+ *                     edge_between set_adjacent flush_facets match_or_push
+ *                     add_tetrahedron facet_to_edge pair_edges edges_from_adj
+ *                     edges_from_pool complete_vertex make_room begin_mesh
+ *                     complete_star seed_star complete_stars
+ *   a search          dot filter_bound set_half_space excludes_box
+ *                     excludes_node search_begin set_upper_bound
+ *                     compare_exactly compare_point offer_point offer_leaf
+ *                     search_tree apex
+ *   the pool          tet_facet facet_of_code owner facet_hash same_facet
+ *                     find_entry relink_entry erase_entry match_or_enter
+ *                     table_full cube_root table_quota rebuild_table
+ *   first facet       point lex_before hull_edge_before first_facet
+ * then the stages, which make searches faster:
+ *   lists             boxes_disjoint to_single fill_list collect_in_box
+ *                     set_list_box make_block_list drop_lists pick_indices
+ *                     make_star_list ball_in_block ball_in_star_list
+ *                     list_filter list_hits offer_list search_star_list
+ *                     search_block_list
+ *   near lists        ball_in_near_list set_skin collect_leaf make_near_list
+ *                     search_near_lists refill_budget
+ *   hull planes       on_hull_plane note_hull_plane
+ *   cospherical sets  record_set apex_from_set
+ *   cylinders         cylinders_of make_cylinder make_cylinders
+ *                     exclude_cylinders
+ *   limbs             ball_by_limbs excludes_by_view
+ *   surfaces          rough_height marked_height height_over facet_on_surface
+ *                     add_to_sample surface_record surface_from_record
+ *                     surface_through fit_surface mark_leaf find_surface
+ *                     surfaces_of_index surface_near_facet recentre_on_sphere
+ *                     choose_surface sharpen_by_height set_surface_filter
+ *                     seek_surface
+ * then what the entries need:
+ *   sorting           axis_before swap pivot select_rank link_duplicate
+ *                     bounding_box bisect leaf_start leaf_of node_range
+ *                     leaf_sort kd_sort node_width make_boxes
+ *   results           place_in_four matching_facet
+ *   preparation       leaf_count workspace_lengths lay_out distinct_points
+ *                     rescale common_unit limbs_hold_all scale_points
+ *                     measure_clumps revive_all prepare_points write_header
+ *                     open_index check_unfinished mark_wanted rebuild_state
+ *                     lay_out_pool build bad_argument
+ *   entries           tess_size tess tess_resume tess_index tess_part
  * and what needs no mesh under construction:
- *   queries      side_of_qstar exit_facet in_tet_box
- *   location     nearer_max_norm choose_start walk hull_step next_hull_facet
- *                nearest_on_hull tess_locate tess_values
- *   without a mesh  position_near cross_facet tet_in_mesh tess_query
- *   hull, check  tess_hull mark_duplicates check_planar check_vertices
- *                check_neighbours check_orientation check_convex check_cover
- *                tess_check
- *   a ball, version  tess_ball tess_edition
+ *   one star          replace_vertex encloses any_tet_at incident_tet
+ *   queries           side_of_qstar exit_facet in_tet_box
+ *   location          nearer_max_norm choose_start walk hull_step
+ *                     next_hull_facet nearest_on_hull tess_locate tess_values
+ *   without a mesh    position_near cross_facet tet_in_mesh tess_query
+ *   hull              tess_hull
+ *   check             mark_duplicates check_planar check_vertices
+ *                     check_neighbours check_orientation check_convex
+ *                     check_cover tess_check
+ *   ball, version     tess_ball tess_edition
  */
 #include "tess.h"
 #if TESS_VERSION != 50000L
@@ -390,8 +395,8 @@
  * small machines, surfaces and cylinders are left out. */
 #define SEEKS_SURFACES(m) (TESS_LIST >= 128 && (m)->sample_limit > 0.0)
 #define ANY_SURFACE(m) (TESS_LIST >= 128 && (m)->nsurfaces > 0)
-#define HAS_SURFACE(f) (TESS_LIST >= 128 && (f)->surface != NONE)
-#define HAS_SPHERE(m, f) (HAS_SURFACE(f) && !(m)->surfaces[(f)->surface].plane)
+#define HAS_SURFACE(s) (TESS_LIST >= 128 && (s)->surface != NONE)
+#define HAS_SPHERE(m, s) (HAS_SURFACE(s) && !(m)->surfaces[(s)->surface].plane)
 /* A cylinder is slender if its volume is below so much of its box's.  None are
  * used if fewer than one leaf of 64 has a slender one: clouds would pay 1 %. */
 #define SLENDER_VOLUME 0.7
@@ -709,320 +714,889 @@ typedef struct mesher {
 #define HOLDS(fact)
 #endif
 
-/* ---- sorting ---- */
-
-/* axis_before - returns 1 if point i precedes, along an axis, the point with
- * coordinates q and the given number.  Ties are broken by the next axes, then
- * by number. */
-static int axis_before(const mesher *m, tess_int i, int axis, const double *q,
-                       tess_int number)
-{
-    const double *p = m->x + 3 * i;
-    int k;
-
-    for (k = 0; k < 3; k++, axis = axis == 2 ? 0 : axis + 1)
-        if (p[axis] != q[axis]) return p[axis] < q[axis];
-    return m->order[i] < number;
-}
-
-/* swap - swaps the points at the positions i and j. */
-static void swap(mesher *m, tess_int i, tess_int j)
-{
-    double *p = m->x + 3 * i, *q = m->x + 3 * j, t;
-    tess_int o = m->order[i];
-
-    m->order[i] = m->order[j];
-    m->order[j] = o;
-    t = p[0], p[0] = q[0], q[0] = t;
-    t = p[1], p[1] = q[1], q[1] = t;
-    t = p[2], p[2] = q[2], q[2] = t;
-}
-
-/* pivot - returns the position of a point whose rank along an axis is near mid,
- * among lo ... hi-1: the point of that rank in a random sample.  The random
- * numbers are the same everywhere. */
-static tess_int pivot(const mesher *m, tess_int lo, tess_int hi, tess_int mid,
-                      int axis, long *chance)
-{
-    tess_int a[33], step = (tess_int)((hi - lo) / 1024), t;
-    int n = hi - lo > 4000 ? 33 : hi - lo > 200 ? 9 : 3, i, j;
-
-    a[0] = lo;
-    for (i = 0; i < n; i++) {
-        *chance = *chance * 137 % 30269 + 1;
-        t = (tess_int)(step > 0 ? lo + step * (*chance % 1024) + *chance % step
-                                : lo + *chance % (hi - lo));
-        for (j = i; j > 0 && axis_before(m, t, axis, m->x + 3 * a[j - 1],
-                                         m->order[a[j - 1]]);
-             j--)
-            a[j] = a[j - 1];
-        a[j] = t;
-    }
-    return a[(mid - lo) / ((hi - lo) / n + 1)];
-}
-
-/* select_rank - reorders the points lo ... hi-1 so that those before mid
- * precede the one at mid along an axis, and the others do not: quickselect,
- * with one pass a pivot. */
-static void select_rank(mesher *m, tess_int lo, tess_int hi, tess_int mid,
-                        int axis)
-{
-    tess_int i, j, number;
-    double q[3];
-    long chance = 1;
-    int less;
-
-    while (lo <= mid && hi - lo > 1) {
-        i = pivot(m, lo, hi, mid, axis, &chance);
-        for (j = 0; j < 3; j++) q[j] = m->x[3 * i + j];
-        number = m->order[i];
-        /* no branch on the points except for ties: half of them would be
-         * mispredicted, which takes longer than a swap */
-        for (i = j = lo; j < hi; j++) {
-            less = m->x[3 * j + axis] < q[axis];
-            if (m->x[3 * j + axis] == q[axis])
-                less = axis_before(m, j, axis, q, number);
-            swap(m, i, j);
-            i = (tess_int)(i + less);
-        }
-        /* lo ... i-1 precede the pivot, i ... hi-1 do not */
-        if (mid < i)
-            hi = i;
-        else if (i > lo)
-            lo = i;
-        else {
-            /* the pivot precedes all others: move it to the front */
-            for (j = lo; m->order[j] != number; j++)
-                ;
-            swap(m, lo, j);
-            lo++;
-        }
-    }
-}
-
-/* link_duplicate - records in representative that the points at i and j
- * coincide, if they do. */
-static void link_duplicate(mesher *m, tess_int i, tess_int j)
-{
-    const double *p = m->x + 3 * i, *q = m->x + 3 * j;
-    tess_int a, b;
-
-    if (p[0] != q[0] || p[1] != q[1] || p[2] != q[2]) return;
-    a = m->order[i];
-    b = m->order[j];
-    m->representative[a > b ? a : b] = a > b ? b : a;
-}
-
-/* bounding_box - sets b to the box of every step-th of n points, the first at
- * x. */
-static void bounding_box(const double *x, tess_int n, tess_int step, double *b)
-{
-    tess_int i;
-    int k;
-
-    for (k = 0; k < 3; k++) b[k] = b[3 + k] = x[k];
-    for (i = step, x += 3 * step; i < n; i += step, x += 3 * step)
-        for (k = 0; k < 3; k++) {
-            if (x[k] < b[k]) b[k] = x[k];
-            if (x[k] > b[3 + k]) b[3 + k] = x[k];
-        }
-}
-
-/* bisect - cuts the points lo ... hi-1 at mid, across the widest extent of a
- * sample of them.  Duplicates that the cut separates all coincide with the
- * point at mid; in the end every duplicate but the least of its set is linked
- * to a smaller number. */
-static void bisect(mesher *m, tess_int lo, tess_int hi, tess_int mid)
-{
-    double b[6] = {0.0}; /* for gcc -fanalyzer */
-    tess_int i;
-    int k, axis = 0;
-
-    bounding_box(m->x + 3 * lo, hi - lo,
-                 (tess_int)((hi - lo) / EXTENT_SAMPLE + 1), b);
-    for (k = 1; k < 3; k++)
-        if (hh_wider(b[3 + k], b[k], b[3 + axis], b[axis]) > 0) axis = k;
-    select_rank(m, lo, hi, mid, axis);
-    for (i = lo; i < mid; i++) link_duplicate(m, i, mid);
-}
-
-/* leaf_start - returns the first position of leaf j, which ends before
- * leaf_start(j + 1). */
-static tess_int leaf_start(const mesher *m, tess_int j)
-{
-    tess_int more = m->np % m->leaves;
-
-    return (tess_int)(j * (m->np / m->leaves) + (j < more ? j : more));
-}
-
-/* leaf_of - returns the leaf that holds position i. */
-static tess_int leaf_of(const mesher *m, tess_int i)
-{
-    tess_int size = m->np / m->leaves, more = m->np % m->leaves;
-
-    if (i < more * (size + 1)) return (tess_int)(i / (size + 1));
-    return (tess_int)(more + (i - more * (size + 1)) / size);
-}
-
-/* node_range - finds the positions first ... last-1 below a node of the tree.
- */
+/* What is used before it is defined, in the order of the definitions. */
+static void compare_point(mesher *m, search *s, tess_int z);
+static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess);
+static void facet_of_code(const mesher *m, tess_int code, tess_int *v);
+static void erase_entry(mesher *m, tess_int e);
+static tess_int match_or_enter(mesher *m, tess_int code);
+static int table_full(const mesher *m, tess_int many);
+static tess_int table_quota(const mesher *m, tess_int edges);
+static int rebuild_table(mesher *m, tess_int s, tess_int wanted);
+static int first_facet(const mesher *m, tess_int *v);
+static void make_star_list(mesher *m, tess_int s);
+static int search_star_list(mesher *m, search *s);
+static int search_block_list(mesher *m, search *s);
+static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
+                         const double *power, double most);
+static int search_near_lists(mesher *m, search *s);
+static void refill_budget(mesher *m, const search *s);
+static int on_hull_plane(const mesher *m, const search *s);
+static void note_hull_plane(mesher *m, const search *s);
+static int record_set(mesher *m, search *s);
+static tess_int apex_from_set(const mesher *m, const tess_int *v);
+static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
+                              double *past);
+static void ball_by_limbs(const mesher *m, search *s);
+static int excludes_by_view(const mesher *m, const search *s, const double *lo,
+                            const double *hi);
+static int marked_height(const mesher *m, int j, tess_int z, double *h);
+static void add_to_sample(search *s, tess_int z, int open);
+static void choose_surface(const mesher *m, search *s);
+static int sharpen_by_height(const mesher *m, const search *s, tess_int z,
+                             int side, double *lo, double *hi);
+static void set_surface_filter(const mesher *m, search *s);
+static void seek_surface(mesher *m, search *s);
+static tess_int leaf_start(const mesher *m, tess_int j);
+static tess_int leaf_of(const mesher *m, tess_int i);
 static void node_range(const mesher *m, tess_int node, tess_int *first,
-                       tess_int *last)
-{
-    tess_int left = node, right = node;
+                       tess_int *last);
+static double node_width(const double *b);
+static void incident_tet(mesher *m, tess_int s, tess_int *v);
 
-    while (left < m->leaves) {
-        left = 2 * left;
-        right = (tess_int)(2 * right + 1);
-    }
-    *first = leaf_start(m, left - m->leaves);
-    *last = leaf_start(m, (tess_int)(right - m->leaves + 1));
+/* ---- the star of a vertex ----
+ *
+ * The open facets at s are the edges a -> b of its link: (s, a, b) is positive
+ * towards the unknown side.  They are a queue, which keeps the link's boundary
+ * short, and grow down from the end of the pool: edge e is pool[e] and the
+ * EDGE_LEN - 1 integers behind it. */
+
+/* The places of an edge. */
+#define EDGE_CODE 0  /* the facet's code, or one of the two below */
+#define EDGE_FROM 1  /* a */
+#define EDGE_TO 2    /* b */
+#define EDGE_PREV 3  /* an edge that ends at a, or NONE: it gives a guess */
+#define EDGE_NEXT 4  /* an edge that begins at b, or NONE: it gives a guess */
+#define EDGE_CHAIN 5 /* the next edge from a, or NONE: see edge_from */
+/* In EDGE_CODE. */
+#define SEED_EDGE (-2) /* the facet belongs to no tetrahedron yet */
+#define DEAD_EDGE (-3) /* the edge is not in the link any more */
+
+/* clear_link - empties the link. */
+static void clear_link(mesher *m)
+{
+    m->newest_edge = m->pool_len;
+    m->oldest_edge = m->pool_len - EDGE_LEN;
 }
 
-/* leaf_sort - sorts the points of a leaf into groups of LEAF_GROUP. */
-static void leaf_sort(mesher *m, tess_int first, tess_int last)
+/* move_edges - moves the edges up to the end of the pool. */
+static void move_edges(mesher *m)
 {
-    tess_int half, lo, hi, i, j;
+    tess_int shift = (tess_int)(m->pool_len - EDGE_LEN - m->oldest_edge), e, *p,
+             *q;
+    int k;
 
-    half =
-        (tess_int)(first + ((last - first + LEAF_GROUP - 1) / LEAF_GROUP + 1) /
-                               2 * LEAF_GROUP);
-    if (half < last) bisect(m, first, last, half);
-    for (lo = first; lo < last; lo += LEAF_GROUP) {
-        hi = lo < half && half < last ? half : last;
-        if (lo + LEAF_GROUP < hi) bisect(m, lo, hi, lo + LEAF_GROUP);
-        if (lo + LEAF_GROUP < hi) hi = (tess_int)(lo + LEAF_GROUP);
-        for (i = lo + 1; i < hi; i++)
-            for (j = i; j > lo && axis_before(m, j, 0, m->x + 3 * (j - 1),
-                                              m->order[j - 1]);
-                 j--)
-                swap(m, j - 1, j);
-        for (i = lo + 1; i < hi; i++) link_duplicate(m, i - 1, i);
+    for (e = m->oldest_edge; e >= m->newest_edge; e -= EDGE_LEN) {
+        p = m->pool + e;
+        q = p + shift;
+        if (p[EDGE_CODE] != DEAD_EDGE && m->edge_from[p[EDGE_FROM]] == e)
+            m->edge_from[p[EDGE_FROM]] += shift;
+        for (k = 0; k < EDGE_LEN; k++)
+            q[k] = k >= EDGE_PREV && p[k] != NONE ? p[k] + shift : p[k];
+    }
+    m->newest_edge += shift;
+    m->oldest_edge += shift;
+}
+
+/* push_edge - adds an edge a -> b that is connected to no other.  Returns the
+ * edge, or NONE if there is no room. */
+static tess_int push_edge(mesher *m, tess_int code, tess_int a, tess_int b)
+{
+    tess_int e = m->newest_edge - EDGE_LEN, *p = m->pool + e;
+
+    if (e < ENTRY_LEN * m->slots) return NONE;
+    p[EDGE_CODE] = code;
+    p[EDGE_FROM] = a;
+    p[EDGE_TO] = b;
+    p[EDGE_PREV] = p[EDGE_NEXT] = NONE;
+    p[EDGE_CHAIN] = m->edge_from[a] >= 0 ? m->edge_from[a] : NONE;
+    m->edge_from[a] = m->newest_edge = e;
+    return e;
+}
+
+/* connect_edges - makes edge b the next of edge a; either may be NONE. */
+static void connect_edges(mesher *m, tess_int a, tess_int b)
+{
+    if (a != NONE) m->pool[a + EDGE_NEXT] = b;
+    if (b != NONE) m->pool[b + EDGE_PREV] = a;
+}
+
+/* remove_edge - removes edge e from the link. */
+static void remove_edge(mesher *m, tess_int e)
+{
+    tess_int *p = m->pool + e, *at = m->edge_from + p[EDGE_FROM];
+
+    while (*at != e) at = m->pool + *at + EDGE_CHAIN;
+    *at = p[EDGE_CHAIN];
+    p[EDGE_CODE] = DEAD_EDGE;
+}
+
+/* edge_between - returns the edge a -> b of the link, or NONE. */
+static tess_int edge_between(const mesher *m, tess_int a, tess_int b)
+{
+    tess_int e = m->edge_from[a];
+
+    while (e >= 0 && m->pool[e + EDGE_TO] != b) e = m->pool[e + EDGE_CHAIN];
+    return e >= 0 ? e : NONE;
+}
+
+/* set_adjacent - makes the tetrahedra of two codes neighbours across these
+ * facets. */
+static void set_adjacent(mesher *m, tess_int code, tess_int other)
+{
+    m->adj[code] = other / 4;
+    m->adj[other] = code / 4;
+}
+
+/* flush_facets - enters the facets opposite to s of the tetrahedra from unfiled
+ * on into the table, or closes those whose other side is there.  They come in
+ * batches so that the processor can overlap their memory accesses. */
+static void flush_facets(mesher *m)
+{
+    tess_int code, other;
+
+    for (; m->unfiled < m->ntet; m->unfiled++) {
+        code = 4 * m->unfiled;
+        other = match_or_enter(m, code);
+        if (other != NONE) set_adjacent(m, code, other);
     }
 }
 
-/* kd_sort - sorts the points into a k-d tree: cuts every node in two across its
- * widest extent, down to the leaves.  (Bentley; Friedman, Bentley and Finkel:
- * see the head.) */
-static void kd_sort(mesher *m)
+/* match_or_push - pushes the edge a -> b of the facet of a code into the link,
+ * between the edges prev and after, either of which may be NONE; or, if the
+ * edge of the other side is there, closes both and removes that.  Returns the
+ * edge that now ends at b, or NONE. */
+static tess_int match_or_push(mesher *m, tess_int code, tess_int a, tess_int b,
+                              tess_int prev, tess_int after)
 {
-    tess_int node = 1, first, mid, last;
+    tess_int f = edge_between(m, b, a), last;
 
-    while (node > 0) {
-        node_range(m, node, &first, &last);
-        if (node < m->leaves) {
-            node_range(m, 2 * node, &first, &mid);
-            bisect(m, first, last, mid);
-            node = 2 * node;
-        } else {
-            leaf_sort(m, first, last);
-            while (node % 2 == 1) node /= 2; /* 0 after the last leaf */
-            if (node > 0) node++;
+    if (f == NONE) {
+        m->adj[code] = TESS_OPEN;
+        f = push_edge(m, code, a, b);
+        connect_edges(m, prev, f);
+        connect_edges(m, f, after);
+        return f;
+    }
+    set_adjacent(m, code, m->pool[f + EDGE_CODE]);
+    last = m->pool[f + EDGE_PREV];
+    if (f != prev) connect_edges(m, prev, m->pool[f + EDGE_NEXT]);
+    if (f != after) connect_edges(m, last, after);
+    remove_edge(m, f);
+    return last;
+}
+
+/* add_tetrahedron - stores the tetrahedron of s, the edge e = a -> b and the
+ * apex c.  The edges a -> c and c -> b replace e in the link. */
+static void add_tetrahedron(mesher *m, tess_int s, tess_int e, tess_int c)
+{
+    tess_int *p = m->pool + e, a = p[EDGE_FROM], b = p[EDGE_TO],
+             prev = p[EDGE_PREV];
+    tess_int after = p[EDGE_NEXT], code = p[EDGE_CODE], t = m->ntet++, *v, f;
+
+    v = m->tet + 4 * t;
+    v[0] = s;
+    v[1] = a;
+    v[2] = b;
+    v[3] = c;
+    if (code == SEED_EDGE) {
+        f = edge_between(m, b, a);
+        m->adj[4 * t + 3] = f == NONE ? TESS_NONE : TESS_OPEN;
+        if (f != NONE) m->pool[f + EDGE_CODE] = (tess_int)(4 * t + 3);
+    } else
+        set_adjacent(m, code, (tess_int)(4 * t + 3));
+    if (m->edge_from[c] == NEW) m->edge_from[c] = NONE;
+    remove_edge(m, e);
+    m->adj[4 * t] = TESS_OPEN; /* until flush_facets */
+    prev = match_or_push(m, (tess_int)(4 * t + 2), a, c, prev, NONE);
+    (void)match_or_push(m, (tess_int)(4 * t + 1), c, b, prev, after);
+}
+
+/* facet_to_edge - makes the open facet of a code an edge of the link, if it has
+ * the vertex s.  Returns 0 if there is no room. */
+static int facet_to_edge(mesher *m, tess_int s, tess_int code)
+{
+    tess_int v[3];
+    int k;
+
+    facet_of_code(m, code, v);
+    for (k = 0; k < 3; k++)
+        if (v[k] == s)
+            return push_edge(m, code, v[(k + 1) % 3], v[(k + 2) % 3]) != NONE;
+    return 1;
+}
+
+/* pair_edges - gives every edge of the link a next one: an edge that begins
+ * where it ends and is no other edge's next, if there is one. */
+static void pair_edges(mesher *m)
+{
+    tess_int e, f;
+
+    for (e = m->oldest_edge; e >= m->newest_edge; e -= EDGE_LEN) {
+        f = m->edge_from[m->pool[e + EDGE_TO]];
+        if (f < 0 || m->pool[e + EDGE_CODE] == DEAD_EDGE) continue;
+        while (f != NONE && m->pool[f + EDGE_PREV] != NONE)
+            f = m->pool[f + EDGE_CHAIN];
+        connect_edges(m, e, f);
+    }
+}
+
+/* edges_from_adj - makes all open facets at s edges of the link, in the order
+ * of their tetrahedra.  Returns 0 if there is no room. */
+static int edges_from_adj(mesher *m, tess_int s)
+{
+    tess_int t;
+    int k;
+
+    for (t = 0; t < m->ntet; t++)
+        for (k = 3; k >= 0; k--)
+            if (m->adj[4 * t + k] == TESS_OPEN &&
+                !facet_to_edge(m, s, (tess_int)(4 * t + k)))
+                return 0;
+    pair_edges(m);
+    return 1;
+}
+
+/* edges_from_pool - moves the facets that s owns from the table to the link,
+ * oldest first.  Returns 0 if there is no room.  If they do not fit beside the
+ * table, it rebuilds the table without them first. */
+static int edges_from_pool(mesher *m, tess_int s)
+{
+    tess_int e = m->owned[s], edges = 1;
+
+    if (e == NONE) return 1;
+    for (; m->pool[ENTRY_LEN * e + ENTRY_NEXT] != NONE; edges++)
+        e = m->pool[ENTRY_LEN * e + ENTRY_NEXT];
+    if (ENTRY_LEN * m->slots > m->newest_edge - EDGE_LEN * edges) {
+        m->nfacets -= edges;
+        return rebuild_table(m, s, table_quota(m, edges)) &&
+               edges_from_adj(m, s);
+    }
+    for (; e >= 0; e = m->pool[ENTRY_LEN * e + ENTRY_PREV])
+        (void)facet_to_edge(m, s, m->pool[ENTRY_LEN * e + ENTRY_CODE]);
+    while (m->owned[s] != NONE) erase_entry(m, m->owned[s]);
+    pair_edges(m);
+    return 1;
+}
+
+/* complete_vertex - marks the star of s complete: s leaves the tree and the
+ * block list.  (offer_list skips it in the other lists.) */
+static void complete_vertex(mesher *m, tess_int s)
+{
+    tess_int node = m->leaves + leaf_of(m, s);
+    candidate_list *l = &m->block_list;
+    int i = (int)(s - l->leaf_first);
+
+    if (m->edge_from[s] == COMPLETE) return;
+    m->edge_from[s] = COMPLETE;
+    while (node > 0 && --m->alive[node] == 0) node /= 2;
+    if (s < l->leaf_first || s >= l->leaf_end || l->n == 0) return;
+    l->x[i] = l->y[i] = l->z[i] = LEFT_LIST;
+    l->norm2[i] = LEFT_LIST * LEFT_LIST;
+}
+
+/* make_room - makes room for another tetrahedron's facets in the table and in
+ * the link of s.  Returns 0 if there is none.  Callers must reload oldest_edge.
+ *
+ *                   0      ENTRY_LEN slots  newest_edge   oldest_edge  pool_len
+ *   before          | table       | free | edges       | dead edges |
+ *   move_edges      | table       | free            | edges         |
+ *   rebuild_table   | longer or shorter table | free | edges        |
+ *
+ * That is done when the table is three quarters full or meets the edges: these
+ * move up if an eighth of their room is dead, and the table is resized if that
+ * changes it by a sixteenth, so both are rare. */
+static int make_room(mesher *m, tess_int s)
+{
+    tess_int most, change = m->slots / 16;
+
+    if (4 * (m->nfacets + m->ntet - m->unfiled) < 3 * m->slots &&
+        ENTRY_LEN * m->slots <= m->newest_edge - 2 * EDGE_LEN)
+        return 1;
+    flush_facets(m);
+    if (m->pool_len - m->oldest_edge > (m->pool_len - m->newest_edge) / 8)
+        move_edges(m);
+    most = table_quota(m, 2);
+    if (most > 2 * m->slots + 1) most = (tess_int)(2 * m->slots + 1);
+    if ((4 * m->nfacets >= 3 * m->slots && most > m->slots + change) ||
+        (ENTRY_LEN * m->slots > m->newest_edge - 2 * EDGE_LEN &&
+         most < m->slots - change))
+        (void)rebuild_table(m, s, most);
+    return !table_full(m, m->nfacets + 1) &&
+           ENTRY_LEN * m->slots <= m->newest_edge - 2 * EDGE_LEN;
+}
+
+/* begin_mesh - puts the first facet into the link of s, its vertex of least
+ * position, as a seed edge.  Returns 0, TESS_POOL, or the code of points
+ * without a tetrahedron. */
+static int begin_mesh(mesher *m, tess_int *s)
+{
+    tess_int v[3];
+    int code = first_facet(m, v), i;
+
+    if (code != 0) return code;
+    *s = v[0];
+    for (i = 0; i < 3; i++) m->edge_from[v[i]] = NONE;
+    return push_edge(m, SEED_EDGE, v[1], v[2]) == NONE ? TESS_POOL : 0;
+}
+
+/* complete_star - completes the star of s, whose open facets are the edges of
+ * the link.  Returns 0, TESS_MORE or TESS_POOL. */
+static int complete_star(mesher *m, tess_int s)
+{
+    tess_int *p, v[3], guess[2], e, c;
+
+    if (STAGES) make_star_list(m, s);
+    m->nsets = 0;
+    for (;;) {
+        while (m->oldest_edge >= m->newest_edge &&
+               m->pool[m->oldest_edge + EDGE_CODE] == DEAD_EDGE)
+            m->oldest_edge -= EDGE_LEN;
+        if (m->oldest_edge < m->newest_edge) break;
+        e = m->oldest_edge;
+        p = m->pool + e;
+        v[0] = s;
+        v[1] = p[EDGE_FROM];
+        v[2] = p[EDGE_TO];
+        guess[0] =
+            p[EDGE_PREV] == NONE ? NONE : m->pool[p[EDGE_PREV] + EDGE_FROM];
+        guess[1] =
+            p[EDGE_NEXT] == NONE ? NONE : m->pool[p[EDGE_NEXT] + EDGE_TO];
+        c = apex(m, v, guess);
+        HOLDS(proven(m, v, c));
+        if (c == NONE) {
+            if (p[EDGE_CODE] != SEED_EDGE) m->adj[p[EDGE_CODE]] = TESS_NONE;
+            connect_edges(m, p[EDGE_PREV], NONE);
+            connect_edges(m, NONE, p[EDGE_NEXT]);
+            remove_edge(m, e);
+            continue;
         }
-    }
-}
-
-/* node_width - returns the sum of a box's extents. */
-static double node_width(const double *b)
-{
-    return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]);
-}
-
-/* make_boxes - computes the box of every node, from the leaves up. */
-static void make_boxes(mesher *m)
-{
-    tess_int node, first, last;
-    double *b;
-
-    for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
-        b = m->box + 6 * node;
-        node_range(m, node, &first, &last);
-        if (node < m->leaves)
-            bounding_box(b + 6 * node, 4, 1, b); /* the children's corners */
-        else
-            bounding_box(m->x + 3 * first, last - first, 1, b);
-    }
-}
-
-/* ---- the first facet (Section 2): of the hull, by gift wrapping ---- */
-
-/* point - returns the caller's coordinates of position i. */
-static const tess_real *point(const mesher *m, tess_int i)
-{
-    return m->points.p + 3 * m->order[i];
-}
-
-/* lex_before - returns 1 if point a comes strictly before point b: by x, then
- * by y, then by z. */
-static int lex_before(const tess_real *a, const tess_real *b)
-{
-    int k = 0;
-
-    while (k < 2 && a[k] == b[k]) k++;
-    return a[k] < b[k];
-}
-
-/* hull_edge_before - returns 1 if point i comes before point j when a plane
- * parallel to the z axis is wrapped about a, the lexicographically least point,
- * and then a line in that plane.  The first point of all ends a hull edge that
- * contains no other point. */
-static int hull_edge_before(const mesher *m, tess_int a, tess_int i, tess_int j)
-{
-    const tess_real *o = point(m, a), *p = point(m, i), *q = point(m, j);
-    int side = hh_area(2, o, q, p);
-
-    if (side == 0)
-        side = p[0] > o[0] || q[0] > o[0] ? -hh_area(1, o, q, p)
-                                          : hh_area(0, o, q, p);
-    return side != 0 ? side < 0 : lex_before(p, q);
-}
-
-/* first_facet - finds the first facet v: on the hull, with all points on its
- * positive side, and v[0] of least position.  On a hull face of more than three
- * points it is the triangle on the edge v[0] v[1] of the face that the tie rule
- * selects: of two points a, b of the face, b is better iff I(v0, v1, a, w, b)
- * o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0, or the code of
- * points without a tetrahedron. */
-static int first_facet(const mesher *m, tess_int *v)
-{
-    const tess_real *p, *q;
-    tess_int i, w = NONE;
-    int side;
-
-    if (m->np < 2) return TESS_POINT;
-    v[0] = 0;
-    for (i = 1; i < m->np; i++)
-        if (lex_before(point(m, i), point(m, v[0]))) v[0] = i;
-    v[1] = v[0] == 0 ? 1 : 0;
-    for (i = 0; i < m->np; i++)
-        if (i != v[0] && i != v[1] && hull_edge_before(m, v[0], i, v[1]))
-            v[1] = i;
-    p = point(m, v[0]);
-    q = point(m, v[1]);
-    for (v[2] = 0; v[2] < m->np && hh_collinear(p, q, point(m, v[2])); v[2]++)
-        ;
-    if (v[2] == m->np) return TESS_LINE;
-    for (i = 0; i < m->np; i++) {
-        side = hh_porient(&m->points, v[0], v[1], v[2], i);
-        if (side != 0) w = i;
-        if (side < 0) {
-            w = v[2];
-            v[2] = i;
+        if (m->ntet == m->maxtet) {
+            flush_facets(m);
+            return TESS_MORE;
         }
+        if (!make_room(m, s)) return TESS_POOL;
+        add_tetrahedron(m, s, m->oldest_edge, c);
     }
-    if (w == NONE) return TESS_PLANE;
-    for (i = 0; i < m->np; i++)
-        if (i != v[2] && hh_porient(&m->points, v[0], v[1], v[2], i) == 0 &&
-            !hh_collinear(p, q, point(m, i)) &&
-            hh_pinsphere(&m->points, v, w, i, 1) < 0)
-            v[2] = i;
-    while (v[0] > v[1] || v[0] > v[2]) {
-        w = v[0];
-        v[0] = v[1];
-        v[1] = v[2];
-        v[2] = w;
-    }
+    clear_link(m);
+    flush_facets(m);
+    complete_vertex(m, s);
     return 0;
+}
+
+/* seed_star - begins the star of s, which is NEW, with a facet of a tetrahedron
+ * at s: its two sides become seed edges, the one towards the tetrahedron first.
+ * Returns 0 if there is no room. */
+static int seed_star(mesher *m, tess_int s)
+{
+    tess_int v[4];
+
+    incident_tet(m, s, v);
+    return make_room(m, s) && push_edge(m, SEED_EDGE, v[1], v[2]) != NONE &&
+           push_edge(m, SEED_EDGE, v[2], v[1]) != NONE;
+}
+
+/* complete_stars - completes the stars of all wanted vertices, beginning with s
+ * if the link has edges: first those connected through open facets, then one of
+ * the rest, and so on.  Returns 0, TESS_MORE or TESS_POOL. */
+static int complete_stars(mesher *m, tess_int s)
+{
+    int code;
+
+    for (;;) {
+        if (m->oldest_edge >= m->newest_edge) {
+            code = complete_star(m, s);
+            if (code != 0) return code;
+            HOLDS(filed(m));
+        }
+        s = m->lowest_owner;
+        while (s < m->np && m->owned[s] < 0) {
+            /* no vertex of a smaller position owns a facet, so one that was met
+             * and owns none has no open facet: its star is complete */
+            if (m->edge_from[s] == NONE && m->owned[s] == NONE)
+                complete_vertex(m, s);
+            s++;
+        }
+        m->lowest_owner = s;
+        if (s < m->np) {
+            if (!edges_from_pool(m, s)) return TESS_POOL;
+            continue;
+        }
+        s = m->next_new;
+        while (s < m->np && (m->edge_from[s] != NEW || m->owned[s] == UNWANTED))
+            s++;
+        m->next_new = s;
+        if (s == m->np) return 0;
+        if (!seed_star(m, s)) return TESS_POOL;
+    }
+}
+
+/* ---- the search for the apex of a facet ---- */
+
+/* dot - returns the product of two vectors. */
+static double dot(const double *a, const double *b)
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* filter_bound - returns the right-hand side of a filter for |w|_1 <= size.  c
+ * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
+ * roundings, counting that of w[k] twice and those of the sum, each of at most
+ * EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too small
+ * by a few EPS. */
+static double filter_bound(const ball_filter *b, double size)
+{
+    return size * (2.0 * b->dc + 8.0 * EPS * (size + 2.0 * b->c1)) +
+           b->allowance;
+}
+
+/* set_half_space - makes the open side a filter: the ball of L = L_MAX / 2
+ * along the normal.  Its dc has room for |w|^2, and is so large that all points
+ * pass where the normal is not known. */
+static void set_half_space(search *s)
+{
+    ball_filter *b = &s->filter;
+    int k;
+
+    b->c1 = 0.0;
+    for (k = 0; k < 3; k++) {
+        b->c[k] = 0.5 * L_MAX * s->hh[k];
+        b->c1 += fabs(b->c[k]);
+    }
+    /* (nothing may overflow, even if a compiler computes it in vain) */
+    b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 4.0;
+    b->dc = L_MAX * (0.5 * b->dc + 4.0 * EPS);
+}
+
+/* excludes_box - returns 1 if the box lo, hi provably holds no better point: no
+ * point in it passes the filter b, whose left-hand side their heights raise by
+ * at least power, or all are on the negative side.  It compares the least power
+ * and the greatest side in the box with the bounds on their errors:
+ * filter_bound, and E |w|, which covers the rounding of the side, too.  Both
+ * are taken at a point whose coordinates are the box's own doubles, or c's, so
+ * the bounds for points hold. */
+static int excludes_box(const search *s, const ball_filter *b, const double *lo,
+                        const double *hi, double power)
+{
+    double side = 0.0, size = 0.0, l, h, u, v;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        l = lo[k] - s->hh[HH_BASE + k];
+        h = hi[k] - s->hh[HH_BASE + k];
+        u = b->c[k] > l ? b->c[k] : l;
+        u = u < h ? u : h;
+        power += u * (u - 2.0 * b->c[k]);
+        u = l * s->hh[k];
+        v = h * s->hh[k];
+        side += u > v ? u : v;
+        l = fabs(l);
+        h = fabs(h);
+        size += l > h ? l : h;
+    }
+    return power > filter_bound(b, size) ||
+           (s->hh[HH_E] <= HH_E_MAX &&
+            side < -s->hh[HH_E] * size - UNDERFLOW_ERR);
+}
+
+/* excludes_node - returns 1 if a node provably holds no better point, by the
+ * marks of its points, or where they tell nothing by its box alone; a clump
+ * also as seen from other points. */
+static int excludes_node(const mesher *m, const search *s, tess_int node)
+{
+    const double *b = m->box + 6 * node;
+    const ref_surface *r;
+    const ball_filter *filter = &s->surface_filter;
+    double h;
+    tess_int k;
+
+    if (HAS_SURFACE(s)) {
+        r = m->surfaces + s->surface;
+        k = filter->weight < 0.0 ? RANGE_MOST(r->mark_range[node])
+                                 : RANGE_LEAST(r->mark_range[node]);
+        if (k >= 0 && k < RANGE_STEPS) {
+            h = (double)MARKS_PER_STEP * (double)k;
+            h += filter->weight < 0.0 ? (double)MARKS_PER_STEP + 0.5 : -0.5;
+            h = r->lowest + r->quantum * h;
+            return excludes_box(s, filter, b, b + 3,
+                                filter->weight * (h - filter->base_height));
+        }
+    }
+    return excludes_box(s, &s->filter, b, b + 3, 0.0) ||
+           (s->collect == NULL && node_width(b) < m->clump_width &&
+            excludes_by_view(m, s, b, b + 3) < 0);
+}
+
+/* search_begin - begins the search for the apex of the facet v: its set-up, its
+ * filter, and the two positions guess, unless that is NULL; either may be NONE.
+ * The base is v[0], or, if the angle there is small, the vertex opposite the
+ * longest edge. */
+static void search_begin(mesher *m, search *s, const tess_int *v,
+                         const tess_int *guess)
+{
+    const double *p[3], *a, *b;
+    double edge, longest = 0.0, h;
+    int k;
+
+    for (k = 0; k < 3; k++) {
+        p[k] = m->x + 3 * v[k];
+        s->facet[k] = v[k];
+    }
+    s->best = NONE;
+    s->surface = NONE;
+    s->near_sphere.ready = s->by_limbs = s->has_ball = s->base = 0;
+    s->hard_count = s->ties = 0;
+    s->sample_offered = s->nodes = 0;
+    s->collect = NULL;
+    s->outside_ball = s->behind_facet = NONE;
+    s->filter.allowance = UNDERFLOW_ERR;
+    s->lo = -DBL_MAX;
+    s->hi = DBL_MAX;
+    hh_setup(p[0], p[1], p[2], s->hh);
+    if (s->hh[HH_E] >= 8000.0 * EPS) {
+        for (k = 0; k < 3; k++) {
+            a = p[(k + 1) % 3];
+            b = p[(k + 2) % 3];
+            edge = (a[0] - b[0]) * (a[0] - b[0]) +
+                   (a[1] - b[1]) * (a[1] - b[1]) +
+                   (a[2] - b[2]) * (a[2] - b[2]);
+            if (edge <= longest) continue;
+            longest = edge;
+            s->base = k;
+        }
+        a = p[(s->base + 1) % 3];
+        b = p[(s->base + 2) % 3];
+        if (s->base != 0) hh_setup(p[s->base], a, b, s->hh);
+        if (s->hh[HH_E] > LIMB_NORMAL_E) hh_thin(&m->points, v, s->base, s->hh);
+    }
+    if (ANY_SURFACE(m)) choose_surface(m, s);
+    for (k = 0; k < 2 && guess != NULL; k++)
+        if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
+            guess[k] != s->best)
+            compare_point(m, s, guess[k]);
+    if (!s->has_ball) set_half_space(s);
+    if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
+    /* if the best point lies on the same sphere as the facet, the ball is that
+     * sphere up to rounding: no list holds it */
+    s->in_lists =
+        !HAS_SPHERE(m, s) ||
+        (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
+}
+
+/* set_upper_bound - records that the best point's L-coordinate is at most l,
+ * and sets the ball of L = l, the filter and the surface filter with it. */
+static void set_upper_bound(const mesher *m, search *s, double l)
+{
+    ball_filter *b = &s->filter;
+    int k;
+
+    s->hi = l;
+    if (!s->by_limbs && fabs(l) <= L_MAX) {
+        s->has_ball = 1;
+        b->c1 = 0.0;
+        for (k = 0; k < 3; k++) {
+            b->c[k] = s->hh[HH_CENTRE + k] + l * s->hh[k];
+            b->c1 += fabs(b->c[k]);
+        }
+        /* a better point, on the open side, is in the ball of any L that is not
+         * below the best point's: so only the error of c for this l counts, not
+         * that of l.  That is large where balls are flat: counting it makes
+         * points near a plane take 10 times as long */
+        b->dc = s->hh[HH_DC] + fabs(l) * s->hh[HH_E] + 4.0 * EPS * b->c1;
+    }
+    if (HAS_SURFACE(s)) set_surface_filter(m, s);
+}
+
+/* compare_exactly - compares z with the best point where the bounds leave
+ * undecided what is UNSURE: verdict, or side, or both.  hh_relative comes
+ * first, unless the last exact comparison was a tie: rotated grids, which have
+ * the corners of their boxes on a sphere, but for rounding, take 1.2 to 1.6
+ * times the instructions without it.  Its sphere is that of z or of the best
+ * point, but not of a ball by limbs, whose four points are nearly in a plane.
+ * Then come the limbs of such a ball, then the exact signs.  Returns BEATS,
+ * LOSES, HH_TIE times that for a tie, or NOT_OPEN_SIDE. */
+static int compare_exactly(mesher *m, search *s, tess_int z, int side,
+                           int verdict, double hi)
+{
+    const double *x = m->x + 3 * z;
+    int unsure = verdict == UNSURE, seen;
+
+    if (m->clump_width > 0.0 && (side == UNSURE || s->by_limbs)) {
+        seen = excludes_by_view(m, s, x, x);
+        HOLDS(seen < 0
+                  ? !better(m, s, z)
+                  : seen == 0 || hh_porient(&m->points, s->facet[0],
+                                            s->facet[1], s->facet[2], z) == 1);
+        if (seen < 0) return NOT_OPEN_SIDE;
+        if (seen > 0) side = 1;
+    }
+    if (unsure && m->points.exact5 < 0.0 && !m->last_tied) {
+        verdict = hh_relative(&m->points, s->facet, s->base, s->hh,
+                              side == 1     ? hi
+                              : s->by_limbs ? DBL_MAX
+                                            : s->hi,
+                              s->best, z, &s->near_sphere);
+        COUNT(N_TRIAL, s->near_sphere.ready == 1);
+        HOLDS(verdict == UNSURE ||
+              verdict == hh_pinsphere(&m->points, s->facet, s->best, z, 0));
+    }
+    if (s->by_limbs) {
+        COUNT(N_TRIAL, verdict == UNSURE);
+        hh_trial(&m->points, &s->limb_ball, z, &side, &verdict);
+        HOLDS(verdict == LOSES
+                  ? !better(m, s, z)
+                  : side == UNSURE ||
+                        side == hh_porient(&m->points, s->facet[0], s->facet[1],
+                                           s->facet[2], z));
+    }
+    if (verdict == LOSES) s->outside_ball = z;
+    if (side == UNSURE && verdict != LOSES) {
+        COUNT(N_SIDE, 1);
+        side = hh_porient(&m->points, s->facet[0], s->facet[1], s->facet[2], z);
+    }
+    if (side < 1) s->behind_facet = z;
+    if (side != 1) return NOT_OPEN_SIDE;
+    if (verdict == UNSURE) {
+        COUNT(N_EXACT, 1);
+        verdict = hh_pinsphere(&m->points, s->facet, s->best, z, 2);
+        m->last_tied = verdict == HH_TIE || verdict == -HH_TIE;
+        if (verdict > 0) s->outside_ball = z;
+        s->hard_count += m->last_tied ? 0 : EXACT_COUNTS;
+    } else
+        s->hard_count += unsure;
+    return verdict;
+}
+
+/* compare_point - makes z the best point if it is better: if it is on the open
+ * side and its L-coordinate is smaller (Theorem 1), ties by the rule of
+ * hh_pinsphere.  The Householder bounds decide where they can, else
+ * compare_exactly; then the better point's limits are tightened by the other's.
+ */
+static void compare_point(mesher *m, search *s, tess_int z)
+{
+    double lo, hi;
+    int side = hh_limits(s->hh, m->x + 3 * z, &lo, &hi), verdict;
+
+    if (HAS_SURFACE(s) && side >= 0)
+        side = sharpen_by_height(m, s, z, side, &lo, &hi);
+    verdict = s->best == NONE || hi < s->lo ? BEATS
+              : lo > s->hi                  ? LOSES
+                                            : UNSURE;
+    if (side < 0 || verdict == LOSES) {
+        HOLDS(!better(m, s, z));
+        return;
+    }
+    if (side == 0 || verdict == UNSURE) {
+        if (SEEKS_SURFACES(m)) add_to_sample(s, z, 1);
+        verdict = compare_exactly(m, s, z, side == 1 ? 1 : UNSURE, verdict, hi);
+        HOLDS((verdict < 0) == better(m, s, z));
+        if (verdict == NOT_OPEN_SIDE) return;
+    }
+    if (verdict > 0) {
+        s->ties += verdict == HH_TIE;
+        if (hi < s->hi) set_upper_bound(m, s, hi);
+        if (s->hard_count >= LIMB_BALL_AFTER && !s->by_limbs)
+            ball_by_limbs(m, s);
+        return;
+    }
+    HOLDS(better(m, s, z));
+    if (hi > s->hi) hi = s->hi;
+    s->best = z;
+    s->ties = verdict == -HH_TIE ? s->ties + 1 : 0;
+    s->lo = lo;
+    s->by_limbs = 0;
+    set_upper_bound(m, s, hi);
+    if (!s->by_limbs && (side == 0 || s->hard_count >= LIMB_BALL_AFTER ||
+                         hi - lo > BALL_ERR_MAX * (s->hh[HH_RHO] + fabs(hi))))
+        ball_by_limbs(m, s);
+}
+
+/* offer_point - compares z with the best point, unless it is a vertex of the
+ * facet or does not pass the filter: the surface filter if its height over the
+ * facet's surface is known. */
+static void offer_point(mesher *m, search *s, tess_int z)
+{
+    const double *q = m->x + 3 * z;
+    double w0 = q[0] - s->hh[HH_BASE], w1 = q[1] - s->hh[HH_BASE + 1],
+           w2 = q[2] - s->hh[HH_BASE + 2], h;
+    double power = 0.0;
+    const ball_filter *b = &s->filter;
+
+    COUNT(N_POINT, 1);
+    if (z == s->best || z == s->facet[0] || z == s->facet[1] ||
+        z == s->facet[2])
+        return;
+    if (HAS_SURFACE(s) && marked_height(m, s->surface, z, &h)) {
+        b = &s->surface_filter;
+        power = b->weight * (h - b->base_height) -
+                fabs(b->weight) * m->surfaces[s->surface].quantum;
+    }
+    power += HH_POWER(w0, w1, w2, b->c);
+    if (power <= filter_bound(b, fabs(w0) + fabs(w1) + fabs(w2)))
+        compare_point(m, s, z);
+    else {
+        HOLDS(!better(m, s, z));
+    }
+}
+
+/* offer_leaf - offers the uncompleted points of a leaf, of which there must be
+ * one, that pass the filter; or collects them, if a near list is made.  The
+ * powers come first, as vectors, then the least of each group, as most groups
+ * have no point that passes.  Stars are completed in the order of positions, by
+ * and large, so the points before the first uncompleted one are most of the
+ * completed ones. */
+static void offer_leaf(mesher *m, search *s, tess_int node)
+{
+    const double *b = m->box + 6 * node, *x;
+    const ball_filter *filter = &s->filter;
+    double power[LEAF_POINTS], size = 0.0, most, least, w0, w1, w2;
+    double b0 = s->hh[HH_BASE], b1 = s->hh[HH_BASE + 1],
+           b2 = s->hh[HH_BASE + 2], d0, d1, d2;
+    tess_int first, last;
+    int n, i, k;
+
+    node_range(m, node, &first, &last);
+    while (m->edge_from[first] == COMPLETE) first++;
+    x = m->x + 3 * first;
+    n = (int)(last - first);
+    COUNT(N_LEAF, 1);
+    COUNT(N_LIST, n);
+    for (k = 0; k < 3; k++)
+        size += fabs(b[k] - s->hh[HH_BASE + k]) +
+                fabs(b[3 + k] - s->hh[HH_BASE + k]);
+    most = filter_bound(filter, size);
+    d0 = 2.0 * filter->c[0], d1 = 2.0 * filter->c[1], d2 = 2.0 * filter->c[2];
+    for (k = 0; k < n; k++) {
+        w0 = x[3 * k] - b0;
+        w1 = x[3 * k + 1] - b1;
+        w2 = x[3 * k + 2] - b2;
+        power[k] = w0 * (w0 - d0) + w1 * (w1 - d1) + w2 * (w2 - d2);
+    }
+    if (s->collect != NULL) {
+        collect_leaf(m, s, first, n, power, most);
+        return;
+    }
+    for (; n % LEAF_GROUP != 0; n++) power[n] = DBL_MAX;
+    for (i = 0; i < n; i += LEAF_GROUP) {
+        least = DBL_MAX;
+        for (k = i; k < i + LEAF_GROUP; k++)
+            /* cppcheck-suppress uninitvar ; all n are set */
+            least = least < power[k] ? least : power[k];
+        if (least > most) continue;
+        for (k = i; k < i + LEAF_GROUP; k++)
+            if (power[k] <= most && m->edge_from[first + k] != COMPLETE)
+                offer_point(m, s, (tess_int)(first + k));
+    }
+    if (SEEKS_SURFACES(m)) add_to_sample(s, first, 0);
+}
+
+/* search_tree - finishes a search in the tree: the leaf of the base first, then
+ * its parent's other child, and so on up to the root; with cylinders, its
+ * grandparent's other three grandchildren, all four tested at once.
+ *
+ *                 .            node: what is searched next.  The stack holds
+ *             /       \        what is left of the subtree that was entered
+ *           top        node    last; when it is empty, top's sibling is next,
+ *         /    \      /    \   or top's grandparent: everything below top has
+ *       from    .    .      .  been searched, from is where that ended. */
+static void search_tree(mesher *m, search *s)
+{
+    tess_int stack[STACK_DEPTH],
+        node = m->leaves + leaf_of(m, s->facet[s->base]);
+    tess_int top = node, from;
+    const double *x = m->x, *b;
+    double past[4];
+    int depth = 1, n, fours, flat = s->collect != NULL ? 3 : 0;
+
+    /* a plane across an axis has no candidates for a facet in it */
+    while (flat < 3 &&
+           (x[3 * s->facet[0] + flat] != x[3 * s->facet[1] + flat] ||
+            x[3 * s->facet[0] + flat] != x[3 * s->facet[2] + flat] ||
+            m->points.exact3 <
+                -1.0)) /* what underflowed may be equal here alone */
+        flat++;
+    fours = HAS_CYLINDERS(m) && !HAS_SURFACE(s);
+    stack[0] = node;
+    while (depth > 0 || top > 1) {
+        from = top;
+        s->nodes++;
+        if (depth > 0)
+            node = stack[--depth];
+        else if (fours && top > 3) {
+            node = top /= 4;
+            /* from is the only grandchild with points */
+            if (m->alive[from] > 0 &&
+                m->alive[from / 2] + m->alive[node] == 2) {
+                HOLDS(barren(m, s, node));
+                continue;
+            }
+        } else {
+            node = top % 2 == 0 ? top + 1 : top - 1;
+            top /= 2;
+        }
+        b = m->box + 6 * node;
+        if (m->alive[node] == 0) continue;
+        if (flat < 3 && b[flat] == b[3 + flat] &&
+            b[flat] == s->hh[HH_BASE + flat]) {
+            HOLDS(barren(m, s, node));
+            continue;
+        }
+        if (fours && node < m->leaves) {
+            COUNT(N_NODE, 4);
+            exclude_cylinders(m, s, node, past);
+            for (n = 3; n >= 0; n--)
+                if (past[n] > 0.0) {
+                    HOLDS(barren(m, s, 4 * node + n));
+                } else if (4 * node + n != from)
+                    stack[depth++] = (tess_int)(4 * node + n);
+            continue;
+        }
+        COUNT(N_NODE, 1);
+        if (excludes_node(m, s, node)) {
+            HOLDS(barren(m, s, node));
+        } else if (node >= m->leaves)
+            offer_leaf(m, s, node);
+        else {
+            stack[depth++] = 2 * node;
+            stack[depth++] = (tess_int)(2 * node + 1);
+        }
+    }
+}
+
+/* apex - returns the apex of a facet on its positive side, or NONE.  guess: see
+ * search_begin.
+ *
+ * The search is complete without its stages.  A stage `int stage(m, s)' offers
+ * points and changes s in no other way, or sets best to the apex; of m it
+ * changes its own fields alone.  It returns 1 only if all that pass the filter
+ * have been offered, or if there is no candidate; it may always do nothing and
+ * return 0.  So stages may be left out (TESS_CORE), or come in another order,
+ * and the apex is the same.  That hull planes come before the block list saves
+ * lattices a tenth of the time. */
+static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
+{
+    search s;
+
+    COUNT(N_FACET, 1);
+    if (m->nsets > 0 && (s.best = apex_from_set(m, facet)) != NONE)
+        return s.best;
+    search_begin(m, &s, facet, guess);
+    if (STAGES && (search_star_list(m, &s) || on_hull_plane(m, &s) ||
+                   search_block_list(m, &s))) {
+        HOLDS(s.best != NONE || proven(m, facet, NONE));
+        return s.best;
+    }
+    if (!STAGES || !search_near_lists(m, &s)) {
+        COUNT(N_TREE, 1);
+        search_tree(m, &s);
+        if (STAGES) refill_budget(m, &s);
+    }
+    HOLDS(s.best != NONE || proven(m, facet, NONE));
+    if (STAGES) {
+        seek_surface(m, &s);
+        note_hull_plane(m, &s);
+    }
+    return s.best;
 }
 
 /* ---- the pool of open facets: a hash table with open addressing ----
@@ -1224,6 +1798,98 @@ static int rebuild_table(mesher *m, tess_int s, tess_int wanted)
     }
     return 1;
 }
+
+/* ---- the first facet (Section 2): of the hull, by gift wrapping ---- */
+
+/* point - returns the caller's coordinates of position i. */
+static const tess_real *point(const mesher *m, tess_int i)
+{
+    return m->points.p + 3 * m->order[i];
+}
+
+/* lex_before - returns 1 if point a comes strictly before point b: by x, then
+ * by y, then by z. */
+static int lex_before(const tess_real *a, const tess_real *b)
+{
+    int k = 0;
+
+    while (k < 2 && a[k] == b[k]) k++;
+    return a[k] < b[k];
+}
+
+/* hull_edge_before - returns 1 if point i comes before point j when a plane
+ * parallel to the z axis is wrapped about a, the lexicographically least point,
+ * and then a line in that plane.  The first point of all ends a hull edge that
+ * contains no other point. */
+static int hull_edge_before(const mesher *m, tess_int a, tess_int i, tess_int j)
+{
+    const tess_real *o = point(m, a), *p = point(m, i), *q = point(m, j);
+    int side = hh_area(2, o, q, p);
+
+    if (side == 0)
+        side = p[0] > o[0] || q[0] > o[0] ? -hh_area(1, o, q, p)
+                                          : hh_area(0, o, q, p);
+    return side != 0 ? side < 0 : lex_before(p, q);
+}
+
+/* first_facet - finds the first facet v: on the hull, with all points on its
+ * positive side, and v[0] of least position.  On a hull face of more than three
+ * points it is the triangle on the edge v[0] v[1] of the face that the tie rule
+ * selects: of two points a, b of the face, b is better iff I(v0, v1, a, w, b)
+ * o3(v0, v1, a, w) > 0 for any w off the face.  Returns 0, or the code of
+ * points without a tetrahedron. */
+static int first_facet(const mesher *m, tess_int *v)
+{
+    const tess_real *p, *q;
+    tess_int i, w = NONE;
+    int side;
+
+    if (m->np < 2) return TESS_POINT;
+    v[0] = 0;
+    for (i = 1; i < m->np; i++)
+        if (lex_before(point(m, i), point(m, v[0]))) v[0] = i;
+    v[1] = v[0] == 0 ? 1 : 0;
+    for (i = 0; i < m->np; i++)
+        if (i != v[0] && i != v[1] && hull_edge_before(m, v[0], i, v[1]))
+            v[1] = i;
+    p = point(m, v[0]);
+    q = point(m, v[1]);
+    for (v[2] = 0; v[2] < m->np && hh_collinear(p, q, point(m, v[2])); v[2]++)
+        ;
+    if (v[2] == m->np) return TESS_LINE;
+    for (i = 0; i < m->np; i++) {
+        side = hh_porient(&m->points, v[0], v[1], v[2], i);
+        if (side != 0) w = i;
+        if (side < 0) {
+            w = v[2];
+            v[2] = i;
+        }
+    }
+    if (w == NONE) return TESS_PLANE;
+    for (i = 0; i < m->np; i++)
+        if (i != v[2] && hh_porient(&m->points, v[0], v[1], v[2], i) == 0 &&
+            !hh_collinear(p, q, point(m, i)) &&
+            hh_pinsphere(&m->points, v, w, i, 1) < 0)
+            v[2] = i;
+    while (v[0] > v[1] || v[0] > v[2]) {
+        w = v[0];
+        v[0] = v[1];
+        v[1] = v[2];
+        v[2] = w;
+    }
+    return 0;
+}
+
+/* ---- stages ----
+ *
+ * Stages: what makes searches faster, each where some data need it. Left out,
+ * they cost, by the instructions of the worst of 24 families: star lists 2.05
+ * (a lattice; uniform 1.4), block lists 1.15, near lists 1.31 (terrain), hull
+ * planes 11 (a cube's surface), cospherical sets 1.5 (lattices), cylinders 5.3
+ * (points near a plane), balls by limbs 2.9 (a turned grid), reference
+ * surfaces 17 (a tilted plane), the guesses of search_begin 4.7. For what a
+ * stage must and may do see apex.
+ */
 
 /* ---- candidate lists: where to look first ---- */
 
@@ -1431,72 +2097,6 @@ static void make_star_list(mesher *m, tess_int s)
 
 /* ---- the ball of a search ---- */
 
-/* dot - returns the product of two vectors. */
-static double dot(const double *a, const double *b)
-{
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-/* filter_bound - returns the right-hand side of a filter for |w|_1 <= size.  c
- * errs by at most dc.  Each term w[k] (w[k] - 2 c[k]) suffers at most 6
- * roundings, counting that of w[k] twice and those of the sum, each of at most
- * EPS |w[k]| (|w[k]| + 2 |c[k]|).  size and this bound may come out too small
- * by a few EPS. */
-static double filter_bound(const ball_filter *b, double size)
-{
-    return size * (2.0 * b->dc + 8.0 * EPS * (size + 2.0 * b->c1)) +
-           b->allowance;
-}
-
-/* set_half_space - makes the open side a filter: the ball of L = L_MAX / 2
- * along the normal.  Its dc has room for |w|^2, and is so large that all points
- * pass where the normal is not known. */
-static void set_half_space(search *s)
-{
-    ball_filter *b = &s->filter;
-    int k;
-
-    b->c1 = 0.0;
-    for (k = 0; k < 3; k++) {
-        b->c[k] = 0.5 * L_MAX * s->hh[k];
-        b->c1 += fabs(b->c[k]);
-    }
-    /* (nothing may overflow, even if a compiler computes it in vain) */
-    b->dc = s->hh[HH_E] <= HH_E_MAX ? s->hh[HH_E] : 4.0;
-    b->dc = L_MAX * (0.5 * b->dc + 4.0 * EPS);
-}
-
-/* excludes_box - returns 1 if the box lo, hi provably holds no better point: no
- * point in it passes the filter b, whose left-hand side their heights raise by
- * at least power, or all are on the negative side.  It compares the least power
- * and the greatest side in the box with the bounds on their errors:
- * filter_bound, and E |w|, which covers the rounding of the side, too.  Both
- * are taken at a point whose coordinates are the box's own doubles, or c's, so
- * the bounds for points hold. */
-static int excludes_box(const search *s, const ball_filter *b, const double *lo,
-                        const double *hi, double power)
-{
-    double side = 0.0, size = 0.0, l, h, u, v;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        l = lo[k] - s->hh[HH_BASE + k];
-        h = hi[k] - s->hh[HH_BASE + k];
-        u = b->c[k] > l ? b->c[k] : l;
-        u = u < h ? u : h;
-        power += u * (u - 2.0 * b->c[k]);
-        u = l * s->hh[k];
-        v = h * s->hh[k];
-        side += u > v ? u : v;
-        l = fabs(l);
-        h = fabs(h);
-        size += l > h ? l : h;
-    }
-    return power > filter_bound(b, size) ||
-           (s->hh[HH_E] <= HH_E_MAX &&
-            side < -s->hh[HH_E] * size - UNDERFLOW_ERR);
-}
-
 /* ball_in_block - returns 1 if the part of the ball that may hold points, the
  * part in the root's box, lies inside the box of a list.  The centre of the
  * true ball is within dc of c, and both balls pass through the base.  So the
@@ -1619,6 +2219,625 @@ static int list_hits(const candidate_list *l, const search *s, int *place)
         n += in[i];
     }
     return n > 4 ? pick_indices(in, l->n, place) : 0;
+}
+
+/* offer_list - offers the points of a list that may be in the ball.  Returns
+ * what list_hits does. */
+static int offer_list(mesher *m, search *s, const candidate_list *l)
+{
+    int place[TESS_LIST + 1], n = list_hits(l, s, place), i;
+    tess_int z;
+
+    for (i = 0; i < n; i++) {
+        z = l->position[place[i]];
+        if (m->edge_from[z] != COMPLETE) offer_point(m, s, z);
+    }
+    return n;
+}
+
+/* search_star_list - seeks the apex in the star list.  On the open side the
+ * ball of a better point is part of the ball before it (Lemma 3), so one pass
+ * over the list is enough if the last ball lies within its reach; the rest of
+ * the ball does not count.  Returns 1 if it does.  Without a ball every point
+ * would pass; on the faces of a cube each would need an exact side, which would
+ * take twice as long. */
+static int search_star_list(mesher *m, search *s)
+{
+    int n;
+
+    if (!s->in_lists || s->base != 0 || m->ball_lists[0].n == 0 || !s->has_ball)
+        return 0;
+    if (m->star_tied && record_set(m, s))
+        s->best = apex_from_set(m, s->facet);
+    else {
+        n = offer_list(m, s, m->ball_lists);
+        if (n < 0) return 0;
+        if (n > 0) {
+            if (s->ties > 0 && !m->star_tied) (void)record_set(m, s);
+            m->star_tied = s->ties > 0;
+        }
+        if (!ball_in_star_list(m, s)) return 0;
+        HOLDS(complete4(s, m->ball_lists));
+    }
+    COUNT(N_STAR, 1);
+    m->block_misses = 0;
+    if (m->block_ties <= MAX_BLOCK_MISSES) m->block_ties = 0;
+    return 1;
+}
+
+/* search_block_list - seeks the apex in the block list.  If the ball leaves the
+ * block's box, the tree is searched in any case and the list only adds cost: on
+ * surfaces, two of five points that were tested. */
+static int search_block_list(mesher *m, search *s)
+{
+    if (!s->in_lists || m->block_list.n == 0 || !s->has_ball ||
+        !ball_in_block(m, s, &m->block_list) ||
+        offer_list(m, s, &m->block_list) < 0) {
+        if (m->block_misses < MAX_BLOCK_MISSES) m->block_misses++;
+        return 0;
+    }
+    HOLDS(complete4(s, &m->block_list));
+    COUNT(N_BLOCK, 1);
+    m->block_misses = 0;
+    if (s->ties > 0 && m->block_ties <= MAX_BLOCK_MISSES) m->block_ties++;
+    return 1;
+}
+
+/* ---- near lists ---- */
+
+/* ball_in_near_list - returns 1 if the points that may be better than the best
+ * one, those of its ball that are on the open side, lie inside a near list's
+ * ball.
+ *
+ * All balls about centres c0 + h v, v the facet's normal, pass through its
+ * vertices; on the open side each contains those of lower h.  So any h >= L
+ * will do, and for L <= 0 the best is that of the foot g of the list's centre
+ * on the axis.  Let u lead from the list's centre to c = c0 + h v, and p from c
+ * to such a point: |p|^2 <= r^2 = |c|^2, relative to the base.  For the ball of
+ * L itself, |p.u| <= r |u|.  For h > L, u is across the axis; if L <= 0 no
+ * point of the ball's part on the open side is farther from the axis than rho,
+ * so |p.u| <= rho |u|.  The distance from the list's centre is at most reach if
+ *     |u|^2 + r^2 + 2 r |u| <= reach^2, or with rho for the last r.
+ *
+ * Let err bound the error of c, as in set_upper_bound.  r and rho are wrong by
+ * it, u by twice as much, but for EPS (1 + reach): centre and its distance to
+ * the base have two roundings.  Where u is across, u.v is wrong by E (r + |u|)
+ * more, and E r <= err, as dc > E rho.  As r, rho and |u| are at most reach,
+ * all that is less than 24 err reach.  ROUNDING exceeds the other roundings,
+ * and those of make_near_list. */
+static int ball_in_near_list(const search *s, const candidate_list *l)
+{
+    double g[3], c, h, err, rr = 0.0, uu = 0.0, size = 0.0, gap;
+    int k;
+
+    if (l->n == 0) return 0;
+    for (k = 0; k < 3; k++) g[k] = l->centre[k] - s->hh[HH_BASE + k];
+    h = dot(g, s->hh);
+    if (s->hi > 0.0 || h < s->hi) h = s->hi;
+    for (k = 0; k < 3; k++) {
+        c = s->hh[HH_CENTRE + k] + h * s->hh[k];
+        size += fabs(c);
+        rr += c * c;
+        uu += (c - g[k]) * (c - g[k]);
+    }
+    err = s->hh[HH_DC] + fabs(h) * s->hh[HH_E] + 4.0 * EPS * size;
+    gap = l->reach * (l->reach - 32.0 * err - ROUNDING * (1.0 + l->reach)) -
+          rr - uu;
+    if (h > s->hi) rr = s->hh[HH_RHO] * s->hh[HH_RHO];
+    return gap > 0.0 && gap * gap >= 4.0 * rr * uu;
+}
+
+/* set_skin - sets the thickness of the skin about a search's ball, in reaches
+ * of a block list; about larger balls it is thinner, as there are more points
+ * in it.  The points in the skin pass the filter then. */
+static void set_skin(const mesher *m, search *s)
+{
+    double r = sqrt(dot(s->filter.c, s->filter.c)),
+           margin = m->block_list.reach;
+
+    s->skin =
+        s->skin_factor * (r > margin ? margin * sqrt(margin / r) : margin);
+    s->filter.allowance = s->skin_factor < SKIN_MIN
+                              ? -L_MAX
+                              : s->skin * (2.0 * r + s->skin) + UNDERFLOW_ERR;
+}
+
+/* collect_leaf - puts points of a leaf into the list that a search makes: of n,
+ * the first at position first, the uncompleted ones whose power is at most
+ * most.  While they are too many, the skin shrinks: then those stay that still
+ * pass the filter.  They are in the ball before, so |w|_1 is at most 4 times
+ * its radius, and single precision changes a power by less than FEPS of it (or
+ * to 0, where it would underflow: that passes in any case). */
+static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
+                         const double *power, double most)
+{
+    candidate_list *l = s->collect;
+    int i;
+
+    for (i = 0; i < n; i++) {
+        l->position[l->n] = (tess_int)(first + i);
+        l->norm2[l->n] =
+            fabs(power[i]) < (double)FLT_MIN ? 0.0f : (float)power[i];
+        l->n += (power[i] <= most) & (m->edge_from[first + i] != COMPLETE);
+    }
+    while (l->n > TESS_LIST) {
+        s->skin_factor *= SKIN_SHRINK;
+        most = 8.0 * (sqrt(dot(s->filter.c, s->filter.c)) + s->skin);
+        set_skin(m, s);
+        most = filter_bound(&s->filter, most) * (1.0 + 4.0 * (double)FEPS);
+        n = l->n;
+        for (i = l->n = 0; i < n; i++) {
+            l->position[l->n] = l->position[i];
+            l->norm2[l->n] = l->norm2[i];
+            l->n += (double)l->norm2[i] <= most;
+        }
+    }
+}
+
+/* make_near_list - makes a near list of the ball of a search and a skin about
+ * it, of points on either side of the facet.  Returns 0 if they are too many.
+ *
+ * What is nearer than reach, but for ball_in_near_list's ROUNDING, passes the
+ * filter, so collect_leaf took it, and is in the box, so list_filter's bound
+ * holds for it.  What is not may be in the list as well: no search that
+ * ball_in_near_list admits needs it. */
+static int make_near_list(mesher *m, const search *s, candidate_list *l)
+{
+    search copy = *s;
+    int k;
+
+    COUNT(N_MADE, 1);
+    l->n = 0;
+    copy.collect = l;
+    copy.hh[HH_E] = 1.0; /* no side is certain */
+    copy.skin_factor = m->next_skin;
+    set_skin(m, &copy);
+    search_tree(m, &copy);
+    m->budget -= 30.0 + 1.75 * (double)copy.nodes;
+    if (l->n == 0) return 0;
+    m->next_skin = l->n < SKIN_GROW_BELOW && copy.skin_factor < SKIN_MAX
+                       ? SKIN_GROW * copy.skin_factor
+                       : copy.skin_factor;
+    l->reach = sqrt(dot(copy.filter.c, copy.filter.c)) + copy.skin;
+    for (k = 0; k < 3; k++)
+        l->centre[k] = copy.hh[HH_BASE + k] + copy.filter.c[k];
+    (void)set_list_box(m, l, l->centre, l->centre);
+    fill_list(m, l);
+    return 1;
+}
+
+/* search_near_lists - seeks the apex in a near list, which is made if there is
+ * none that holds the ball.  No list is made for L <= 0, as half of the ball is
+ * on the other side or more, nor for a ball that single precision cannot tell
+ * from a half-space. */
+static int search_near_lists(mesher *m, search *s)
+{
+    int n, k = 0, found;
+    candidate_list *l;
+
+    s->pays = BALL_LISTS > 1 && s->has_ball && s->hi <= L_MAX &&
+              !HAS_SURFACE(s) && m->block_list.reach > 0.0;
+    if (m->budget <= 0.0 || m->budget > BUDGET_START)
+        m->paused = m->budget <= 0.0;
+    if (!s->pays || m->paused) return 0;
+    m->budget -= 1.0;
+    do {
+        l = m->ball_lists + m->recency[++k];
+        found = ball_in_near_list(s, l);
+    } while (!found && k < BALL_LISTS - 1);
+    if (!found && (s->hi <= 0.0 || s->filter.c1 > NEAR_BALL_MAX ||
+                   !make_near_list(m, s, l) || !ball_in_near_list(s, l)))
+        return 0;
+    for (; k > 1; k--) {
+        m->recency[k] = m->recency[k - 1];
+        m->recency[k - 1] = (int)(l - m->ball_lists);
+    }
+    HOLDS(listed(m, s, l));
+    HOLDS(complete4(s, l));
+    n = offer_list(m, s, l);
+    if (found && n >= 0) {
+        COUNT(N_NEAR, 1);
+        m->budget += m->tree_cost - 4.0 - 0.5 * n;
+        if (m->budget > BUDGET_MAX) m->budget = BUDGET_MAX;
+    }
+    return n >= 0;
+}
+
+/* refill_budget - adds to the budget of near lists for a search of the tree, if
+ * a near list might have taken its place. */
+static void refill_budget(mesher *m, const search *s)
+{
+    if (!s->pays) return;
+    m->budget += (double)s->nodes / BUDGET_REFILL;
+    m->tree_cost += ((double)s->nodes - m->tree_cost) / 16.0;
+}
+
+/* ---- hull planes ---- */
+
+/* on_hull_plane - returns 1 if the facet has no best point and lies in a plane
+ * known to bound the hull, and so has no apex.  That holds if its open side is
+ * outwards: of a facet of a known tetrahedron it is.  A seed edge may be open
+ * inwards; it is searched before any plane is met: at first, or after
+ * incident_tet has dropped them. */
+static int on_hull_plane(const mesher *m, const search *s)
+{
+    const tess_int *h;
+    int i, k;
+
+    if (!s->in_lists || s->best != NONE) return 0;
+    for (i = 0; i < HULL_PLANES && i < m->nhull_planes; i++) {
+        h = m->hull_plane[i];
+        for (k = 0; k < 3; k++)
+            if (s->facet[k] != h[0] && s->facet[k] != h[1] &&
+                s->facet[k] != h[2] &&
+                hh_porient(&m->points, h[0], h[1], h[2], s->facet[k]) != 0)
+                break;
+        if (k == 3) return 1;
+    }
+    return 0;
+}
+
+/* note_hull_plane - keeps the plane of the facet if it has no apex. */
+static void note_hull_plane(mesher *m, const search *s)
+{
+    int k;
+
+    if (s->best != NONE) return;
+    COUNT(N_HULL, 1);
+    for (k = 0; k < 3; k++)
+        m->hull_plane[m->nhull_planes % HULL_PLANES][k] = s->facet[k];
+    m->nhull_planes++;
+}
+
+/* ---- ties: cospherical sets ----
+ *
+ * Let T be the points on the sphere of an empty ball, such as that of any
+ * tetrahedron of the mesh.  The tie rule lowers heights, that of first, the
+ * point of T of least number, by far the most.  So
+ *   - among points of T the mesh consists of the facets of T's hull without
+ *     first, each joined to first;
+ *   - a tetrahedron with its vertices in T has first for one of them: first is
+ *     the least vertex of any such tetrahedron that is known;
+ *   - a facet of three points of T without first, which is in T's hull, has no
+ *     point of T on its open side unless first is on it: the apex is first, or
+ *     none of T;
+ *   - a facet (first, a, b) with points of T on its open side has one of them
+ *     as its apex, as the ball is empty.  Of two, c and z, z is better if it is
+ *     beyond the plane (a, b, c) seen from first, and worse if it is on first's
+ *     side; in that plane the lesser e_i decides.
+ * A point of T whose star is complete is in no open facet and is no apex.  If
+ * first's star is complete, all tetrahedra of T are known; so for a new
+ * tetrahedron's T it is not.
+ *
+ * A cospherical set has all uncompleted points of T, the least number first, of
+ * a ball inside the star list.  Only these are tested for a facet of the star.
+ *
+ * Lattices take 1.4 times the instructions without.  What has no ties never
+ * makes a set. */
+
+/* record_set - records a cospherical set, the points exactly on the best
+ * point's ball, if all are in the star list and none is inside.  Returns 0 if
+ * not, or if there are no ties.  The centre of set_upper_bound's ball is off by
+ * up to hi - lo, too, which matters on the negative side. */
+static int record_set(mesher *m, search *s)
+{
+    const candidate_list *l = m->ball_lists;
+    const tess_int *v = s->facet;
+    int place[TESS_LIST + 1], n, i, side;
+    double wide, dc = s->filter.dc;
+    tess_int z;
+    cospherical_set c;
+
+    if (fabs(s->hi) > L_MAX) return 0;
+    wide = s->by_limbs ? 0.0 : s->hi - s->lo;
+    if (wide > l->reach) return 0;
+    s->filter.dc = dc + wide;
+    n = ball_in_star_list(m, s) ? list_hits(l, s, place) : 0;
+    s->filter.dc = dc;
+    if (n <= 0 || n > SET_POINTS) return 0;
+    for (i = c.n = 0; i < n; i++) {
+        z = l->position[place[i]];
+        side = 0;
+        if (z != v[0] && z != v[1] && z != v[2] && z != s->best)
+            side = hh_pinsphere(&m->points, v, s->best, z, 0);
+        if (side < 0) return 0;
+        if (side > 0) continue;
+        c.position[c.n++] = z;
+        if (m->order[z] > m->order[c.position[0]]) continue;
+        c.position[c.n - 1] = c.position[0];
+        c.position[0] = z;
+    }
+    if (c.n == 4) return 0;
+    m->sets[m->nsets++ % SETS] = c;
+    return 1;
+}
+
+/* apex_from_set - returns the apex of the facet v if it is in a cospherical
+ * set, or NONE: see "ties". */
+static tess_int apex_from_set(const mesher *m, const tess_int *v)
+{
+    const cospherical_set *c = m->sets;
+    tess_int best = NONE, z;
+    int i, k, in;
+
+    for (k = 0; k < m->nsets && k < SETS && best == NONE; k++, c++) {
+        for (i = in = 0; i < c->n; i++)
+            in += (c->position[i] == v[1]) + (c->position[i] == v[2]);
+        for (i = 0; i < c->n && in == 2; i++) {
+            z = c->position[i];
+            if (z == v[0] || z == v[1] || z == v[2]) continue;
+            if (hh_porient(&m->points, v[0], v[1], v[2], z) > 0 &&
+                (best == NONE || hh_pinsphere(&m->points, v, best, z, 3) < 0))
+                best = z;
+            if (i == 0) break;
+        }
+    }
+    return best;
+}
+
+/* ---- cylinders ----
+ *
+ * On a smooth surface a box sticks out of the surface by as much as it is wide,
+ * so a ball that touches the surface meets many boxes.  Along a curve a box is
+ * as wide as it is long.  A cylinder that holds a node's points (a disc on a
+ * surface, a rod on a curve) is thinner, by the ratio of the node's width to
+ * the radius of curvature, and the ball meets only a few of them, however many
+ * there are.  Cylinders are made for the nodes of every second level from the
+ * leaves up.  The four grandchildren of a node lie side by side and are tested
+ * at once.
+ *
+ * 6,000 points of an ellipsoid take 1.4 times the instructions without, 6,000
+ * of boreholes 1.6, 6,000 near a plane 6 times.  They cost 11 doubles a leaf,
+ * and clouds 1 % more instructions, for nothing. */
+
+/* cylinders_of - returns the cylinders of the four grandchildren of a node:
+ * centre, unit axis, half length, radius.  The four values of each number are
+ * adjacent. */
+static double *cylinders_of(const mesher *m, tess_int node)
+{
+    tess_int level = m->leaves / 4, at = 0;
+
+    for (; node < level; level /= 4) at += level;
+    return m->box + 12 * m->leaves + 32 * (at + node - level);
+}
+
+/* make_cylinder - makes the cylinder of a node, its numbers four places apart.
+ * The axis is the column of the greatest diagonal element in the matrix of
+ * second moments about the mean (a rod) or in its adjugate (a disc), whichever
+ * gives less volume.  (Moments about another point than the mean would not tell
+ * the normal of a plane.)  Returns 1 if that volume is below SLENDER_VOLUME of
+ * the box's.  In units of the sum of |x[k]|, the differences from the mean err
+ * by EPS, their products with the axis and what is left across it by less than
+ * 40 EPS, the centre by 10 EPS: together less than 64 EPS. */
+static int make_cylinder(const mesher *m, tess_int node, double *c)
+{
+    const double *b = m->box + 6 * node, *x;
+    double a[6], q[6], mid[3], y[3], u[3], lo, hi, s, rr, pad = 0.0;
+    double volume = DBL_MAX;
+    tess_int first, last, i;
+    int disc, j, k, l;
+
+    node_range(m, node, &first, &last);
+    for (k = 0; k < 3; k++) {
+        a[k] = a[3 + k] = mid[k] = 0.0;
+        pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_LENGTH_MIN;
+    }
+    for (i = first; i < last; i++)
+        for (k = 0; k < 3; k++)
+            mid[k] += m->x[3 * i + k] / (double)(last - first);
+    for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
+        for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
+        for (k = 0; k < 3; k++) {
+            a[k] += y[k] * y[k];
+            a[3 + k] += y[(k + 1) % 3] * y[(k + 2) % 3];
+        }
+    }
+    for (disc = 0; disc < 2; disc++) {
+        for (k = 0; k < 3; k++) {
+            j = (k + 1) % 3;
+            l = (k + 2) % 3;
+            q[k] = disc ? a[j] * a[l] - a[3 + k] * a[3 + k] : a[k];
+            q[3 + k] = disc ? a[3 + j] * a[3 + l] - a[3 + k] * a[k] : a[3 + k];
+        }
+        k = q[1] > q[0];
+        if (q[2] > q[k]) k = 2;
+        u[k] = q[k];
+        u[(k + 1) % 3] = q[3 + (k + 2) % 3];
+        u[(k + 2) % 3] = q[3 + (k + 1) % 3];
+        s = dot(u, u);
+        for (k = 0; k < 3; k++) /* too small to have a direction: any */
+            u[k] = s > UNDERFLOW_ERR ? u[k] / sqrt(s) : k == 0;
+        lo = DBL_MAX;
+        hi = -DBL_MAX;
+        rr = 0.0;
+        for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
+            for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
+            s = dot(y, u);
+            if (s < lo) lo = s;
+            if (s > hi) hi = s;
+            for (k = 0; k < 3; k++) y[k] -= s * u[k];
+            s = dot(y, y);
+            if (s > rr) rr = s;
+        }
+        if ((hi - lo) * rr >= volume) continue;
+        volume = (hi - lo) * rr;
+        for (k = 0; k < 3; k++) {
+            c[4 * k] = mid[k] + 0.5 * (lo + hi) * u[k];
+            c[12 + 4 * k] = u[k];
+        }
+        c[24] = 0.5 * (hi - lo) + pad;
+        c[28] = sqrt(rr) + pad;
+    }
+    return 3.2 * volume <
+           SLENDER_VOLUME * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
+}
+
+/* make_cylinders - makes all cylinders, or none if few of them are slender. */
+static void make_cylinders(mesher *m)
+{
+    tess_int level, node, slender = 0;
+    int i;
+
+    for (level = m->leaves / 4; level > 0; level /= 4) {
+        for (node = level; node < 2 * level; node++)
+            for (i = 0; i < 4; i++)
+                if (make_cylinder(m, (tess_int)(4 * node + i),
+                                  cylinders_of(m, node) + i))
+                    slender++;
+        if (64 * slender < m->leaves) return;
+    }
+    m->has_cylinders = 1;
+}
+
+/* exclude_cylinders - tests the cylinders of a node's four grandchildren:
+ * past[i] > 0 if cylinder i provably holds no better point.
+ *
+ * A point is w + s u + p from the base, where w is the cylinder's centre, u its
+ * axis, |s| <= h, and p is across u, |p| <= r.  With g = w - c, a = |g.u|, and
+ * rho the length of g across u, its power in the ball about c is
+ *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p).
+ * The brackets are at least t (t - 2 a), where t is the lesser of a and h, and
+ * R^2 - 2 R rho, where R is the lesser of rho and r.  So there is no better
+ * point if the sum without 2 R rho is positive and its square is above 4 R^2
+ * rho^2.
+ *
+ * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r.
+ * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
+ * rho makes 4; the power by 8 (filter_bound); a by 6 |g|_1, which counts 2 t
+ * times; |u|^2 is 1 but for 8, which tilts p: 9; and some for the sum.  rho^2
+ * errs by less than 64 EPS |g|^2, with room for the last two products.  Where
+ * these underflow, r >= HH_LENGTH_MIN makes the sum's error greater. */
+static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
+                              double *past)
+{
+    const double *c = cylinders_of(m, node);
+    const ball_filter *b = &s->filter;
+    double b0 = s->hh[HH_BASE], b1 = s->hh[HH_BASE + 1],
+           b2 = s->hh[HH_BASE + 2];
+    double err = 2.0 * b->dc + 128.0 * EPS * b->c1, slack = b->allowance;
+    double w0, w1, w2, g0, g1, g2, a, h, r, t, gg, rr, rho, size, sum;
+    int i;
+
+    for (i = 0; i < 4; i++) { /* as vectors */
+        w0 = c[i] - b0;
+        w1 = c[4 + i] - b1;
+        w2 = c[8 + i] - b2;
+        h = c[24 + i];
+        r = c[28 + i];
+        size = fabs(w0) + fabs(w1) + fabs(w2) + 2.0 * (h + r);
+        g0 = w0 - b->c[0];
+        g1 = w1 - b->c[1];
+        g2 = w2 - b->c[2];
+        a = fabs(g0 * c[12 + i] + g1 * c[16 + i] + g2 * c[20 + i]);
+        t = a < h ? a : h;
+        gg = g0 * g0 + g1 * g1 + g2 * g2;
+        rho = gg - a * a + 64.0 * EPS * gg;
+        rr = rho < r * r ? rho : r * r;
+        sum = w0 * (g0 - b->c[0]) + w1 * (g1 - b->c[1]) + w2 * (g2 - b->c[2]) +
+              t * (t - 2.0 * a) + rr - size * (err + 64.0 * EPS * size) - slack;
+        past[i] = sum * fabs(sum) - 4.0 * rr * rho;
+    }
+}
+
+/* ---- balls by limbs ---- */
+
+/* ball_by_limbs - finds the ball of the best point by limbs.  The centre c errs
+ * by at most 8 eps |c|.  So its height over the facet's plane, c.v, is L up to
+ * the error of v, E |c|, the error of c, and the roundings of three products
+ * and two sums, 5 eps |c|_1.  Near a sphere L is counted from hh[HH_CENTRE
+ * ...]: u, the difference, takes the place of c, with the error of that centre
+ * and one more rounding. */
+static void ball_by_limbs(const mesher *m, search *s)
+{
+    ball_filter *b = &s->filter;
+    double c[3], l = 0.0, u, size = 0.0, err;
+    int k, sphere = HAS_SPHERE(m, s);
+
+    COUNT(N_BALL, 1);
+    if (s->hh[HH_E] == DBL_MAX ||
+        !hh_centre(&m->points, s->facet, s->base, s->best, c, &s->limb_ball))
+        return;
+    s->by_limbs = s->has_ball = 1;
+    s->outside_ball = NONE;
+    b->c1 = 0.0;
+    for (k = 0; k < 3; k++) {
+        b->c[k] = c[k];
+        b->c1 += fabs(c[k]);
+        u = c[k] - (sphere ? s->hh[HH_CENTRE + k] : 0.0);
+        size += fabs(u);
+        l += s->hh[k] * u;
+    }
+    b->dc = 8.0 * EPS * b->c1;
+    err =
+        s->hh[HH_E] * size + 16.0 * EPS * b->c1 + (sphere ? s->hh[HH_DC] : 0.0);
+    if (s->hh[HH_E] <= HH_E_MAX && l - err > s->lo) s->lo = l - err;
+    if (s->hh[HH_E] <= HH_E_MAX && l + err < s->hi) s->hi = l + err;
+    if (HAS_SURFACE(s)) set_surface_filter(m, s);
+}
+
+/* excludes_by_view - tests the box lo, hi as seen from other points than the
+ * base.  Returns -1 if it provably holds no better point, 1 if it is a point
+ * that is certainly on the open side (of a wider box that tells nothing), else
+ * 0.
+ *
+ * What is near another vertex has a side and a power that are lost in the
+ * roundings of its distance from the base, where that is so much greater.  Seen
+ * from that vertex, or from the best point, both are sums of small terms.  Let
+ * p be a point whose power in the ball of centre c is known to be 0, or not
+ * negative.  With u = z - p and d = c - p, both from the base, the power of z
+ * is at least |u|^2 - 2 d.u.  So z is not better if that is positive: as in
+ * excludes_box, the least sum in the box less its error.  Likewise for the side
+ * of z if that of p is 0 or negative, with the product of the normal and u.
+ *
+ * Each coordinate of hh_centre's c is right to 8 eps of itself, and p to 1 eps:
+ * d errs by 9 eps |c| + 2 eps |p|, which counts twice; u by eps |u|, which
+ * counts for 2 eps (|u| + |d|); four roundings for 4 eps (|u| + 2 |d|).  All
+ * that times |u| is less than 8 eps |u| (|u| + 4 (|c| + |p|)), coordinate by
+ * coordinate: where points differ from p only in coordinates in which the ball
+ * is small, they are told apart, however large it is in the others.  (4 |x|, x
+ * being the coordinate itself, is for sums in another order.) */
+static int excludes_by_view(const mesher *m, const search *s, const double *lo,
+                            const double *hi)
+{
+    const double *c = s->filter.c, *v = s->hh, *x;
+    double power, side, err, size, p, d, l, h, u;
+    tess_int from[5];
+    int i, k, sure = 0;
+
+    from[0] = s->facet[(s->base + 1) % 3];
+    from[1] = s->facet[(s->base + 2) % 3];
+    from[2] = s->behind_facet;
+    from[3] = s->by_limbs ? s->outside_ball : NONE;
+    from[4] = s->by_limbs ? s->best : NONE;
+    for (k = 0; k < 5; k++) {
+        if (from[k] == NONE) continue;
+        x = m->x + 3 * from[k];
+        power = side = size = 0.0;
+        err = UNDERFLOW_ERR;
+        for (i = 0; i < 3; i++) {
+            p = x[i] - v[HH_BASE + i];
+            d = c[i] - p;
+            l = lo[i] - x[i];
+            h = hi[i] - x[i];
+            u = d > l ? d : l;
+            u = u < h ? u : h;
+            power += u * (u - 2.0 * d);
+            u = l * v[i];
+            d = h * v[i];
+            side += u > d ? u : d;
+            l = fabs(l);
+            h = fabs(h);
+            u = l > h ? l : h;
+            size += u;
+            err +=
+                8.0 * EPS * u * (u + 4.0 * (fabs(c[i]) + fabs(p) + fabs(x[i])));
+        }
+        if (k != 2 && s->by_limbs && power > err) return -1;
+        if (k > 2 || s->hh[HH_E] > HH_E_MAX) continue;
+        if (side < -s->hh[HH_E] * size - UNDERFLOW_ERR) return -1;
+        if (k < 2 && side > s->hh[HH_E] * size + UNDERFLOW_ERR) sure = 1;
+    }
+    return sure;
 }
 
 /* ---- reference surfaces ----
@@ -1781,9 +3000,9 @@ static int surface_through(const mesher *m, const search *s, const tess_int *v,
     tess_int *r = surface->record;
     hh_ball t;
 
-    c[9] = DBL_MAX; /* as hh_thin leaves it if there is no normal */
+    c[HH_E] = DBL_MAX; /* as hh_thin leaves it if there is no normal */
     if (plane) hh_thin(&m->points, v, 0, c);
-    if (plane ? c[9] == DBL_MAX : !hh_centre(&m->points, v, 0, v[3], c, &t))
+    if (plane ? c[HH_E] == DBL_MAX : !hh_centre(&m->points, v, 0, v[3], c, &t))
         return 0;
     for (k = 0; k < 3; k++)
         if (fabs(c[k]) > x) x = fabs(c[k]);
@@ -2155,993 +3374,6 @@ static void set_surface_filter(const mesher *m, search *s)
         q;
 }
 
-/* excludes_by_view - tests the box lo, hi as seen from other points than the
- * base.  Returns -1 if it provably holds no better point, 1 if it is a point
- * that is certainly on the open side (of a wider box that tells nothing), else
- * 0.
- *
- * What is near another vertex has a side and a power that are lost in the
- * roundings of its distance from the base, where that is so much greater.  Seen
- * from that vertex, or from the best point, both are sums of small terms.  Let
- * p be a point whose power in the ball of centre c is known to be 0, or not
- * negative.  With u = z - p and d = c - p, both from the base, the power of z
- * is at least |u|^2 - 2 d.u.  So z is not better if that is positive: as in
- * excludes_box, the least sum in the box less its error.  Likewise for the side
- * of z if that of p is 0 or negative, with the product of the normal and u.
- *
- * Each coordinate of hh_centre's c is right to 8 eps of itself, and p to 1 eps:
- * d errs by 9 eps |c| + 2 eps |p|, which counts twice; u by eps |u|, which
- * counts for 2 eps (|u| + |d|); four roundings for 4 eps (|u| + 2 |d|).  All
- * that times |u| is less than 8 eps |u| (|u| + 4 (|c| + |p|)), coordinate by
- * coordinate: where points differ from p only in coordinates in which the ball
- * is small, they are told apart, however large it is in the others.  (4 |x|, x
- * being the coordinate itself, is for sums in another order.) */
-static int excludes_by_view(const mesher *m, const search *s, const double *lo,
-                            const double *hi)
-{
-    const double *c = s->filter.c, *v = s->hh, *x;
-    double power, side, err, size, p, d, l, h, u;
-    tess_int from[5];
-    int i, k, sure = 0;
-
-    from[0] = s->facet[(s->base + 1) % 3];
-    from[1] = s->facet[(s->base + 2) % 3];
-    from[2] = s->behind_facet;
-    from[3] = s->by_limbs ? s->outside_ball : NONE;
-    from[4] = s->by_limbs ? s->best : NONE;
-    for (k = 0; k < 5; k++) {
-        if (from[k] == NONE) continue;
-        x = m->x + 3 * from[k];
-        power = side = size = 0.0;
-        err = UNDERFLOW_ERR;
-        for (i = 0; i < 3; i++) {
-            p = x[i] - v[6 + i];
-            d = c[i] - p;
-            l = lo[i] - x[i];
-            h = hi[i] - x[i];
-            u = d > l ? d : l;
-            u = u < h ? u : h;
-            power += u * (u - 2.0 * d);
-            u = l * v[i];
-            d = h * v[i];
-            side += u > d ? u : d;
-            l = fabs(l);
-            h = fabs(h);
-            u = l > h ? l : h;
-            size += u;
-            err +=
-                8.0 * EPS * u * (u + 4.0 * (fabs(c[i]) + fabs(p) + fabs(x[i])));
-        }
-        if (k != 2 && s->by_limbs && power > err) return -1;
-        if (k > 2 || s->hh[HH_E] > HH_E_MAX) continue;
-        if (side < -s->hh[HH_E] * size - UNDERFLOW_ERR) return -1;
-        if (k < 2 && side > s->hh[HH_E] * size + UNDERFLOW_ERR) sure = 1;
-    }
-    return sure;
-}
-
-/* excludes_node - returns 1 if a node provably holds no better point, by the
- * marks of its points, or where they tell nothing by its box alone; a clump
- * also as seen from other points. */
-static int excludes_node(const mesher *m, const search *s, tess_int node)
-{
-    const double *b = m->box + 6 * node;
-    const ref_surface *r;
-    const ball_filter *filter = &s->surface_filter;
-    double h;
-    tess_int k;
-
-    if (HAS_SURFACE(s)) {
-        r = m->surfaces + s->surface;
-        k = filter->weight < 0.0 ? RANGE_MOST(r->mark_range[node])
-                                 : RANGE_LEAST(r->mark_range[node]);
-        if (k >= 0 && k < RANGE_STEPS) {
-            h = (double)MARKS_PER_STEP * (double)k;
-            h += filter->weight < 0.0 ? (double)MARKS_PER_STEP + 0.5 : -0.5;
-            h = r->lowest + r->quantum * h;
-            return excludes_box(s, filter, b, b + 3,
-                                filter->weight * (h - filter->base_height));
-        }
-    }
-    return excludes_box(s, &s->filter, b, b + 3, 0.0) ||
-           (s->collect == NULL && node_width(b) < m->clump_width &&
-            excludes_by_view(m, s, b, b + 3) < 0);
-}
-
-/* ---- cylinders ----
- *
- * On a smooth surface a box sticks out of the surface by as much as it is wide,
- * so a ball that touches the surface meets many boxes.  Along a curve a box is
- * as wide as it is long.  A cylinder that holds a node's points (a disc on a
- * surface, a rod on a curve) is thinner, by the ratio of the node's width to
- * the radius of curvature, and the ball meets only a few of them, however many
- * there are.  Cylinders are made for the nodes of every second level from the
- * leaves up.  The four grandchildren of a node lie side by side and are tested
- * at once.
- *
- * 6,000 points of an ellipsoid take 1.4 times the instructions without, 6,000
- * of boreholes 1.6, 6,000 near a plane 6 times.  They cost 11 doubles a leaf,
- * and clouds 1 % more instructions, for nothing. */
-
-/* cylinders_of - returns the cylinders of the four grandchildren of a node:
- * centre, unit axis, half length, radius.  The four values of each number are
- * adjacent. */
-static double *cylinders_of(const mesher *m, tess_int node)
-{
-    tess_int level = m->leaves / 4, at = 0;
-
-    for (; node < level; level /= 4) at += level;
-    return m->box + 12 * m->leaves + 32 * (at + node - level);
-}
-
-/* make_cylinder - makes the cylinder of a node, its numbers four places apart.
- * The axis is the column of the greatest diagonal element in the matrix of
- * second moments about the mean (a rod) or in its adjugate (a disc), whichever
- * gives less volume.  (Moments about another point than the mean would not tell
- * the normal of a plane.)  Returns 1 if that volume is below SLENDER_VOLUME of
- * the box's.  In units of the sum of |x[k]|, the differences from the mean err
- * by EPS, their products with the axis and what is left across it by less than
- * 40 EPS, the centre by 10 EPS: together less than 64 EPS. */
-static int make_cylinder(const mesher *m, tess_int node, double *c)
-{
-    const double *b = m->box + 6 * node, *x;
-    double a[6], q[6], mid[3], y[3], u[3], lo, hi, s, rr, pad = 0.0;
-    double volume = DBL_MAX;
-    tess_int first, last, i;
-    int disc, j, k, l;
-
-    node_range(m, node, &first, &last);
-    for (k = 0; k < 3; k++) {
-        a[k] = a[3 + k] = mid[k] = 0.0;
-        pad += 64.0 * EPS * (fabs(b[k]) + fabs(b[3 + k])) + HH_LENGTH_MIN;
-    }
-    for (i = first; i < last; i++)
-        for (k = 0; k < 3; k++)
-            mid[k] += m->x[3 * i + k] / (double)(last - first);
-    for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-        for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
-        for (k = 0; k < 3; k++) {
-            a[k] += y[k] * y[k];
-            a[3 + k] += y[(k + 1) % 3] * y[(k + 2) % 3];
-        }
-    }
-    for (disc = 0; disc < 2; disc++) {
-        for (k = 0; k < 3; k++) {
-            j = (k + 1) % 3;
-            l = (k + 2) % 3;
-            q[k] = disc ? a[j] * a[l] - a[3 + k] * a[3 + k] : a[k];
-            q[3 + k] = disc ? a[3 + j] * a[3 + l] - a[3 + k] * a[k] : a[3 + k];
-        }
-        k = q[1] > q[0];
-        if (q[2] > q[k]) k = 2;
-        u[k] = q[k];
-        u[(k + 1) % 3] = q[3 + (k + 2) % 3];
-        u[(k + 2) % 3] = q[3 + (k + 1) % 3];
-        s = dot(u, u);
-        for (k = 0; k < 3; k++) /* too small to have a direction: any */
-            u[k] = s > UNDERFLOW_ERR ? u[k] / sqrt(s) : k == 0;
-        lo = DBL_MAX;
-        hi = -DBL_MAX;
-        rr = 0.0;
-        for (i = first, x = m->x + 3 * i; i < last; i++, x += 3) {
-            for (k = 0; k < 3; k++) y[k] = x[k] - mid[k];
-            s = dot(y, u);
-            if (s < lo) lo = s;
-            if (s > hi) hi = s;
-            for (k = 0; k < 3; k++) y[k] -= s * u[k];
-            s = dot(y, y);
-            if (s > rr) rr = s;
-        }
-        if ((hi - lo) * rr >= volume) continue;
-        volume = (hi - lo) * rr;
-        for (k = 0; k < 3; k++) {
-            c[4 * k] = mid[k] + 0.5 * (lo + hi) * u[k];
-            c[12 + 4 * k] = u[k];
-        }
-        c[24] = 0.5 * (hi - lo) + pad;
-        c[28] = sqrt(rr) + pad;
-    }
-    return 3.2 * volume <
-           SLENDER_VOLUME * (b[3] - b[0]) * (b[4] - b[1]) * (b[5] - b[2]);
-}
-
-/* make_cylinders - makes all cylinders, or none if few of them are slender. */
-static void make_cylinders(mesher *m)
-{
-    tess_int level, node, slender = 0;
-    int i;
-
-    for (level = m->leaves / 4; level > 0; level /= 4) {
-        for (node = level; node < 2 * level; node++)
-            for (i = 0; i < 4; i++)
-                if (make_cylinder(m, (tess_int)(4 * node + i),
-                                  cylinders_of(m, node) + i))
-                    slender++;
-        if (64 * slender < m->leaves) return;
-    }
-    m->has_cylinders = 1;
-}
-
-/* exclude_cylinders - tests the cylinders of a node's four grandchildren:
- * past[i] > 0 if cylinder i provably holds no better point.
- *
- * A point is w + s u + p from the base, where w is the cylinder's centre, u its
- * axis, |s| <= h, and p is across u, |p| <= r.  With g = w - c, a = |g.u|, and
- * rho the length of g across u, its power in the ball about c is
- *     |w|^2 - 2 c.w + (s^2 + 2 s g.u) + (|p|^2 + 2 g.p).
- * The brackets are at least t (t - 2 a), where t is the lesser of a and h, and
- * R^2 - 2 R rho, where R is the lesser of rho and r.  So there is no better
- * point if the sum without 2 R rho is positive and its square is above 4 R^2
- * rho^2.
- *
- * The sum errs by less than 64 EPS size (size + 2 |c|), size >= |w|_1 + h + r.
- * In EPS: w errs by |w|, which counts twice in the power, and with that of g in
- * rho makes 4; the power by 8 (filter_bound); a by 6 |g|_1, which counts 2 t
- * times; |u|^2 is 1 but for 8, which tilts p: 9; and some for the sum.  rho^2
- * errs by less than 64 EPS |g|^2, with room for the last two products.  Where
- * these underflow, r >= HH_LENGTH_MIN makes the sum's error greater. */
-static void exclude_cylinders(const mesher *m, const search *s, tess_int node,
-                              double *past)
-{
-    const double *c = cylinders_of(m, node);
-    const ball_filter *b = &s->filter;
-    double b0 = s->hh[HH_BASE], b1 = s->hh[HH_BASE + 1],
-           b2 = s->hh[HH_BASE + 2];
-    double err = 2.0 * b->dc + 128.0 * EPS * b->c1, slack = b->allowance;
-    double w0, w1, w2, g0, g1, g2, a, h, r, t, gg, rr, rho, size, sum;
-    int i;
-
-    for (i = 0; i < 4; i++) { /* as vectors */
-        w0 = c[i] - b0;
-        w1 = c[4 + i] - b1;
-        w2 = c[8 + i] - b2;
-        h = c[24 + i];
-        r = c[28 + i];
-        size = fabs(w0) + fabs(w1) + fabs(w2) + 2.0 * (h + r);
-        g0 = w0 - b->c[0];
-        g1 = w1 - b->c[1];
-        g2 = w2 - b->c[2];
-        a = fabs(g0 * c[12 + i] + g1 * c[16 + i] + g2 * c[20 + i]);
-        t = a < h ? a : h;
-        gg = g0 * g0 + g1 * g1 + g2 * g2;
-        rho = gg - a * a + 64.0 * EPS * gg;
-        rr = rho < r * r ? rho : r * r;
-        sum = w0 * (g0 - b->c[0]) + w1 * (g1 - b->c[1]) + w2 * (g2 - b->c[2]) +
-              t * (t - 2.0 * a) + rr - size * (err + 64.0 * EPS * size) - slack;
-        past[i] = sum * fabs(sum) - 4.0 * rr * rho;
-    }
-}
-
-/* ---- ties: cospherical sets ----
- *
- * Let T be the points on the sphere of an empty ball, such as that of any
- * tetrahedron of the mesh.  The tie rule lowers heights, that of first, the
- * point of T of least number, by far the most.  So
- *   - among points of T the mesh consists of the facets of T's hull without
- *     first, each joined to first;
- *   - a tetrahedron with its vertices in T has first for one of them: first is
- *     the least vertex of any such tetrahedron that is known;
- *   - a facet of three points of T without first, which is in T's hull, has no
- *     point of T on its open side unless first is on it: the apex is first, or
- *     none of T;
- *   - a facet (first, a, b) with points of T on its open side has one of them
- *     as its apex, as the ball is empty.  Of two, c and z, z is better if it is
- *     beyond the plane (a, b, c) seen from first, and worse if it is on first's
- *     side; in that plane the lesser e_i decides.
- * A point of T whose star is complete is in no open facet and is no apex.  If
- * first's star is complete, all tetrahedra of T are known; so for a new
- * tetrahedron's T it is not.
- *
- * A cospherical set has all uncompleted points of T, the least number first, of
- * a ball inside the star list.  Only these are tested for a facet of the star.
- *
- * Lattices take 1.4 times the instructions without.  What has no ties never
- * makes a set. */
-
-/* record_set - records a cospherical set, the points exactly on the best
- * point's ball, if all are in the star list and none is inside.  Returns 0 if
- * not, or if there are no ties.  The centre of set_upper_bound's ball is off by
- * up to hi - lo, too, which matters on the negative side. */
-static int record_set(mesher *m, search *s)
-{
-    const candidate_list *l = m->ball_lists;
-    const tess_int *v = s->facet;
-    int place[TESS_LIST + 1], n, i, side;
-    double wide, dc = s->filter.dc;
-    tess_int z;
-    cospherical_set c;
-
-    if (fabs(s->hi) > L_MAX) return 0;
-    wide = s->by_limbs ? 0.0 : s->hi - s->lo;
-    if (wide > l->reach) return 0;
-    s->filter.dc = dc + wide;
-    n = ball_in_star_list(m, s) ? list_hits(l, s, place) : 0;
-    s->filter.dc = dc;
-    if (n <= 0 || n > SET_POINTS) return 0;
-    for (i = c.n = 0; i < n; i++) {
-        z = l->position[place[i]];
-        side = 0;
-        if (z != v[0] && z != v[1] && z != v[2] && z != s->best)
-            side = hh_pinsphere(&m->points, v, s->best, z, 0);
-        if (side < 0) return 0;
-        if (side > 0) continue;
-        c.position[c.n++] = z;
-        if (m->order[z] > m->order[c.position[0]]) continue;
-        c.position[c.n - 1] = c.position[0];
-        c.position[0] = z;
-    }
-    if (c.n == 4) return 0;
-    m->sets[m->nsets++ % SETS] = c;
-    return 1;
-}
-
-/* apex_from_set - returns the apex of the facet v if it is in a cospherical
- * set, or NONE: see "ties". */
-static tess_int apex_from_set(const mesher *m, const tess_int *v)
-{
-    const cospherical_set *c = m->sets;
-    tess_int best = NONE, z;
-    int i, k, in;
-
-    for (k = 0; k < m->nsets && k < SETS && best == NONE; k++, c++) {
-        for (i = in = 0; i < c->n; i++)
-            in += (c->position[i] == v[1]) + (c->position[i] == v[2]);
-        for (i = 0; i < c->n && in == 2; i++) {
-            z = c->position[i];
-            if (z == v[0] || z == v[1] || z == v[2]) continue;
-            if (hh_porient(&m->points, v[0], v[1], v[2], z) > 0 &&
-                (best == NONE || hh_pinsphere(&m->points, v, best, z, 3) < 0))
-                best = z;
-            if (i == 0) break;
-        }
-    }
-    return best;
-}
-
-/* ---- the search for the apex of a facet ---- */
-
-/* set_upper_bound - records that the best point's L-coordinate is at most l,
- * and sets the ball of L = l, the filter and the surface filter with it. */
-static void set_upper_bound(const mesher *m, search *s, double l)
-{
-    ball_filter *b = &s->filter;
-    int k;
-
-    s->hi = l;
-    if (!s->by_limbs && fabs(l) <= L_MAX) {
-        s->has_ball = 1;
-        b->c1 = 0.0;
-        for (k = 0; k < 3; k++) {
-            b->c[k] = s->hh[HH_CENTRE + k] + l * s->hh[k];
-            b->c1 += fabs(b->c[k]);
-        }
-        /* a better point, on the open side, is in the ball of any L that is not
-         * below the best point's: so only the error of c for this l counts, not
-         * that of l.  That is large where balls are flat: counting it makes
-         * points near a plane take 10 times as long */
-        b->dc = s->hh[HH_DC] + fabs(l) * s->hh[HH_E] + 4.0 * EPS * b->c1;
-    }
-    if (HAS_SURFACE(s)) set_surface_filter(m, s);
-}
-
-/* ball_by_limbs - finds the ball of the best point by limbs.  The centre c errs
- * by at most 8 eps |c|.  So its height over the facet's plane, c.v, is L up to
- * the error of v, E |c|, the error of c, and the roundings of three products
- * and two sums, 5 eps |c|_1.  Near a sphere L is counted from hh[HH_CENTRE
- * ...]: u, the difference, takes the place of c, with the error of that centre
- * and one more rounding. */
-static void ball_by_limbs(const mesher *m, search *s)
-{
-    ball_filter *b = &s->filter;
-    double c[3], l = 0.0, u, size = 0.0, err;
-    int k, sphere = HAS_SPHERE(m, s);
-
-    COUNT(N_BALL, 1);
-    if (s->hh[HH_E] == DBL_MAX ||
-        !hh_centre(&m->points, s->facet, s->base, s->best, c, &s->limb_ball))
-        return;
-    s->by_limbs = s->has_ball = 1;
-    s->outside_ball = NONE;
-    b->c1 = 0.0;
-    for (k = 0; k < 3; k++) {
-        b->c[k] = c[k];
-        b->c1 += fabs(c[k]);
-        u = c[k] - (sphere ? s->hh[HH_CENTRE + k] : 0.0);
-        size += fabs(u);
-        l += s->hh[k] * u;
-    }
-    b->dc = 8.0 * EPS * b->c1;
-    err =
-        s->hh[HH_E] * size + 16.0 * EPS * b->c1 + (sphere ? s->hh[HH_DC] : 0.0);
-    if (s->hh[HH_E] <= HH_E_MAX && l - err > s->lo) s->lo = l - err;
-    if (s->hh[HH_E] <= HH_E_MAX && l + err < s->hi) s->hi = l + err;
-    if (HAS_SURFACE(s)) set_surface_filter(m, s);
-}
-
-/* compare_exactly - compares z with the best point where the bounds leave
- * undecided what is UNSURE: verdict, or side, or both.  hh_relative comes
- * first, unless the last exact comparison was a tie: rotated grids, which have
- * the corners of their boxes on a sphere, but for rounding, take 1.2 to 1.6
- * times the instructions without it.  Its sphere is that of z or of the best
- * point, but not of a ball by limbs, whose four points are nearly in a plane.
- * Then come the limbs of such a ball, then the exact signs.  Returns BEATS,
- * LOSES, HH_TIE times that for a tie, or NOT_OPEN_SIDE. */
-static int compare_exactly(mesher *m, search *s, tess_int z, int side,
-                           int verdict, double hi)
-{
-    const double *x = m->x + 3 * z;
-    int unsure = verdict == UNSURE, seen;
-
-    if (m->clump_width > 0.0 && (side == UNSURE || s->by_limbs)) {
-        seen = excludes_by_view(m, s, x, x);
-        HOLDS(seen < 0
-                  ? !better(m, s, z)
-                  : seen == 0 || hh_porient(&m->points, s->facet[0],
-                                            s->facet[1], s->facet[2], z) == 1);
-        if (seen < 0) return NOT_OPEN_SIDE;
-        if (seen > 0) side = 1;
-    }
-    if (unsure && m->points.exact5 < 0.0 && !m->last_tied) {
-        verdict = hh_relative(&m->points, s->facet, s->base, s->hh,
-                              side == 1     ? hi
-                              : s->by_limbs ? DBL_MAX
-                                            : s->hi,
-                              s->best, z, &s->near_sphere);
-        COUNT(N_TRIAL, s->near_sphere.ready == 1);
-        HOLDS(verdict == UNSURE ||
-              verdict == hh_pinsphere(&m->points, s->facet, s->best, z, 0));
-    }
-    if (s->by_limbs) {
-        COUNT(N_TRIAL, verdict == UNSURE);
-        hh_trial(&m->points, &s->limb_ball, z, &side, &verdict);
-        HOLDS(verdict == LOSES
-                  ? !better(m, s, z)
-                  : side == UNSURE ||
-                        side == hh_porient(&m->points, s->facet[0], s->facet[1],
-                                           s->facet[2], z));
-    }
-    if (verdict == LOSES) s->outside_ball = z;
-    if (side == UNSURE && verdict != LOSES) {
-        COUNT(N_SIDE, 1);
-        side = hh_porient(&m->points, s->facet[0], s->facet[1], s->facet[2], z);
-    }
-    if (side < 1) s->behind_facet = z;
-    if (side != 1) return NOT_OPEN_SIDE;
-    if (verdict == UNSURE) {
-        COUNT(N_EXACT, 1);
-        verdict = hh_pinsphere(&m->points, s->facet, s->best, z, 2);
-        m->last_tied = verdict == HH_TIE || verdict == -HH_TIE;
-        if (verdict > 0) s->outside_ball = z;
-        s->hard_count += m->last_tied ? 0 : EXACT_COUNTS;
-    } else
-        s->hard_count += unsure;
-    return verdict;
-}
-
-/* compare_point - makes z the best point if it is better: if it is on the open
- * side and its L-coordinate is smaller (Theorem 1), ties by the rule of
- * hh_pinsphere.  The Householder bounds decide where they can, else
- * compare_exactly; then the better point's limits are tightened by the other's.
- */
-static void compare_point(mesher *m, search *s, tess_int z)
-{
-    double lo, hi;
-    int side = hh_limits(s->hh, m->x + 3 * z, &lo, &hi), verdict;
-
-    if (HAS_SURFACE(s) && side >= 0)
-        side = sharpen_by_height(m, s, z, side, &lo, &hi);
-    verdict = s->best == NONE || hi < s->lo ? BEATS
-              : lo > s->hi                  ? LOSES
-                                            : UNSURE;
-    if (side < 0 || verdict == LOSES) {
-        HOLDS(!better(m, s, z));
-        return;
-    }
-    if (side == 0 || verdict == UNSURE) {
-        if (SEEKS_SURFACES(m)) add_to_sample(s, z, 1);
-        verdict = compare_exactly(m, s, z, side == 1 ? 1 : UNSURE, verdict, hi);
-        HOLDS((verdict < 0) == better(m, s, z));
-        if (verdict == NOT_OPEN_SIDE) return;
-    }
-    if (verdict > 0) {
-        s->ties += verdict == HH_TIE;
-        if (hi < s->hi) set_upper_bound(m, s, hi);
-        if (s->hard_count >= LIMB_BALL_AFTER && !s->by_limbs)
-            ball_by_limbs(m, s);
-        return;
-    }
-    HOLDS(better(m, s, z));
-    if (hi > s->hi) hi = s->hi;
-    s->best = z;
-    s->ties = verdict == -HH_TIE ? s->ties + 1 : 0;
-    s->lo = lo;
-    s->by_limbs = 0;
-    set_upper_bound(m, s, hi);
-    if (!s->by_limbs && (side == 0 || s->hard_count >= LIMB_BALL_AFTER ||
-                         hi - lo > BALL_ERR_MAX * (s->hh[HH_RHO] + fabs(hi))))
-        ball_by_limbs(m, s);
-}
-
-/* offer_point - compares z with the best point, unless it is a vertex of the
- * facet or does not pass the filter: the surface filter if its height over the
- * facet's surface is known. */
-static void offer_point(mesher *m, search *s, tess_int z)
-{
-    const double *q = m->x + 3 * z;
-    double w0 = q[0] - s->hh[HH_BASE], w1 = q[1] - s->hh[HH_BASE + 1],
-           w2 = q[2] - s->hh[HH_BASE + 2], h;
-    double power = 0.0;
-    const ball_filter *b = &s->filter;
-
-    COUNT(N_POINT, 1);
-    if (z == s->best || z == s->facet[0] || z == s->facet[1] ||
-        z == s->facet[2])
-        return;
-    if (HAS_SURFACE(s) && marked_height(m, s->surface, z, &h)) {
-        b = &s->surface_filter;
-        power = b->weight * (h - b->base_height) -
-                fabs(b->weight) * m->surfaces[s->surface].quantum;
-    }
-    power += HH_POWER(w0, w1, w2, b->c);
-    if (power <= filter_bound(b, fabs(w0) + fabs(w1) + fabs(w2)))
-        compare_point(m, s, z);
-    else {
-        HOLDS(!better(m, s, z));
-    }
-}
-
-/* offer_list - offers the points of a list that may be in the ball.  Returns
- * what list_hits does. */
-static int offer_list(mesher *m, search *s, const candidate_list *l)
-{
-    int place[TESS_LIST + 1], n = list_hits(l, s, place), i;
-    tess_int z;
-
-    for (i = 0; i < n; i++) {
-        z = l->position[place[i]];
-        if (m->edge_from[z] != COMPLETE) offer_point(m, s, z);
-    }
-    return n;
-}
-
-/* search_star_list - seeks the apex in the star list.  On the open side the
- * ball of a better point is part of the ball before it (Lemma 3), so one pass
- * over the list is enough if the last ball lies within its reach; the rest of
- * the ball does not count.  Returns 1 if it does.  Without a ball every point
- * would pass; on the faces of a cube each would need an exact side, which would
- * take twice as long. */
-static int search_star_list(mesher *m, search *s)
-{
-    int n;
-
-    if (!s->in_lists || s->base != 0 || m->ball_lists[0].n == 0 || !s->has_ball)
-        return 0;
-    if (m->star_tied && record_set(m, s))
-        s->best = apex_from_set(m, s->facet);
-    else {
-        n = offer_list(m, s, m->ball_lists);
-        if (n < 0) return 0;
-        if (n > 0) {
-            if (s->ties > 0 && !m->star_tied) (void)record_set(m, s);
-            m->star_tied = s->ties > 0;
-        }
-        if (!ball_in_star_list(m, s)) return 0;
-        HOLDS(complete4(s, m->ball_lists));
-    }
-    COUNT(N_STAR, 1);
-    m->block_misses = 0;
-    if (m->block_ties <= MAX_BLOCK_MISSES) m->block_ties = 0;
-    return 1;
-}
-
-/* search_block_list - seeks the apex in the block list.  If the ball leaves the
- * block's box, the tree is searched in any case and the list only adds cost: on
- * surfaces, two of five points that were tested. */
-static int search_block_list(mesher *m, search *s)
-{
-    if (!s->in_lists || m->block_list.n == 0 || !s->has_ball ||
-        !ball_in_block(m, s, &m->block_list) ||
-        offer_list(m, s, &m->block_list) < 0) {
-        if (m->block_misses < MAX_BLOCK_MISSES) m->block_misses++;
-        return 0;
-    }
-    HOLDS(complete4(s, &m->block_list));
-    COUNT(N_BLOCK, 1);
-    m->block_misses = 0;
-    if (s->ties > 0 && m->block_ties <= MAX_BLOCK_MISSES) m->block_ties++;
-    return 1;
-}
-
-/* set_skin - sets the thickness of the skin about a search's ball, in reaches
- * of a block list; about larger balls it is thinner, as there are more points
- * in it.  The points in the skin pass the filter then. */
-static void set_skin(const mesher *m, search *s)
-{
-    double r = sqrt(dot(s->filter.c, s->filter.c)),
-           margin = m->block_list.reach;
-
-    s->skin =
-        s->skin_factor * (r > margin ? margin * sqrt(margin / r) : margin);
-    s->filter.allowance = s->skin_factor < SKIN_MIN
-                              ? -L_MAX
-                              : s->skin * (2.0 * r + s->skin) + UNDERFLOW_ERR;
-}
-
-/* collect_leaf - puts points of a leaf into the list that a search makes: of n,
- * the first at position first, the uncompleted ones whose power is at most
- * most.  While they are too many, the skin shrinks: then those stay that still
- * pass the filter.  They are in the ball before, so |w|_1 is at most 4 times
- * its radius, and single precision changes a power by less than FEPS of it (or
- * to 0, where it would underflow: that passes in any case). */
-static void collect_leaf(const mesher *m, search *s, tess_int first, int n,
-                         const double *power, double most)
-{
-    candidate_list *l = s->collect;
-    int i;
-
-    for (i = 0; i < n; i++) {
-        l->position[l->n] = (tess_int)(first + i);
-        l->norm2[l->n] =
-            fabs(power[i]) < (double)FLT_MIN ? 0.0f : (float)power[i];
-        l->n += (power[i] <= most) & (m->edge_from[first + i] != COMPLETE);
-    }
-    while (l->n > TESS_LIST) {
-        s->skin_factor *= SKIN_SHRINK;
-        most = 8.0 * (sqrt(dot(s->filter.c, s->filter.c)) + s->skin);
-        set_skin(m, s);
-        most = filter_bound(&s->filter, most) * (1.0 + 4.0 * (double)FEPS);
-        n = l->n;
-        for (i = l->n = 0; i < n; i++) {
-            l->position[l->n] = l->position[i];
-            l->norm2[l->n] = l->norm2[i];
-            l->n += (double)l->norm2[i] <= most;
-        }
-    }
-}
-
-/* offer_leaf - offers the uncompleted points of a leaf, of which there must be
- * one, that pass the filter; or collects them, if a near list is made.  The
- * powers come first, as vectors, then the least of each group, as most groups
- * have no point that passes.  Stars are completed in the order of positions, by
- * and large, so the points before the first uncompleted one are most of the
- * completed ones. */
-static void offer_leaf(mesher *m, search *s, tess_int node)
-{
-    const double *b = m->box + 6 * node, *x;
-    const ball_filter *filter = &s->filter;
-    double power[LEAF_POINTS], size = 0.0, most, least, w0, w1, w2;
-    double b0 = s->hh[HH_BASE], b1 = s->hh[HH_BASE + 1],
-           b2 = s->hh[HH_BASE + 2], d0, d1, d2;
-    tess_int first, last;
-    int n, i, k;
-
-    node_range(m, node, &first, &last);
-    while (m->edge_from[first] == COMPLETE) first++;
-    x = m->x + 3 * first;
-    n = (int)(last - first);
-    COUNT(N_LEAF, 1);
-    COUNT(N_LIST, n);
-    for (k = 0; k < 3; k++)
-        size += fabs(b[k] - s->hh[HH_BASE + k]) +
-                fabs(b[3 + k] - s->hh[HH_BASE + k]);
-    most = filter_bound(filter, size);
-    d0 = 2.0 * filter->c[0], d1 = 2.0 * filter->c[1], d2 = 2.0 * filter->c[2];
-    for (k = 0; k < n; k++) {
-        w0 = x[3 * k] - b0;
-        w1 = x[3 * k + 1] - b1;
-        w2 = x[3 * k + 2] - b2;
-        power[k] = w0 * (w0 - d0) + w1 * (w1 - d1) + w2 * (w2 - d2);
-    }
-    if (s->collect != NULL) {
-        collect_leaf(m, s, first, n, power, most);
-        return;
-    }
-    for (; n % LEAF_GROUP != 0; n++) power[n] = DBL_MAX;
-    for (i = 0; i < n; i += LEAF_GROUP) {
-        least = DBL_MAX;
-        for (k = i; k < i + LEAF_GROUP; k++)
-            /* cppcheck-suppress uninitvar ; all n are set */
-            least = least < power[k] ? least : power[k];
-        if (least > most) continue;
-        for (k = i; k < i + LEAF_GROUP; k++)
-            if (power[k] <= most && m->edge_from[first + k] != COMPLETE)
-                offer_point(m, s, (tess_int)(first + k));
-    }
-    if (SEEKS_SURFACES(m)) add_to_sample(s, first, 0);
-}
-
-/* search_tree - finishes a search in the tree: the leaf of the base first, then
- * its parent's other child, and so on up to the root; with cylinders, its
- * grandparent's other three grandchildren, all four tested at once.
- *
- *                 .            node: what is searched next.  The stack holds
- *             /       \        what is left of the subtree that was entered
- *           top        node    last; when it is empty, top's sibling is next,
- *         /    \      /    \   or top's grandparent: everything below top has
- *       from    .    .      .  been searched, from is where that ended. */
-static void search_tree(mesher *m, search *s)
-{
-    tess_int stack[STACK_DEPTH],
-        node = m->leaves + leaf_of(m, s->facet[s->base]);
-    tess_int top = node, from;
-    const double *x = m->x, *b;
-    double past[4];
-    int depth = 1, n, fours, flat = s->collect != NULL ? 3 : 0;
-
-    /* a plane across an axis has no candidates for a facet in it */
-    while (flat < 3 &&
-           (x[3 * s->facet[0] + flat] != x[3 * s->facet[1] + flat] ||
-            x[3 * s->facet[0] + flat] != x[3 * s->facet[2] + flat] ||
-            m->points.exact3 <
-                -1.0)) /* what underflowed may be equal here alone */
-        flat++;
-    fours = HAS_CYLINDERS(m) && !HAS_SURFACE(s);
-    stack[0] = node;
-    while (depth > 0 || top > 1) {
-        from = top;
-        s->nodes++;
-        if (depth > 0)
-            node = stack[--depth];
-        else if (fours && top > 3) {
-            node = top /= 4;
-            /* from is the only grandchild with points */
-            if (m->alive[from] > 0 &&
-                m->alive[from / 2] + m->alive[node] == 2) {
-                HOLDS(barren(m, s, node));
-                continue;
-            }
-        } else {
-            node = top % 2 == 0 ? top + 1 : top - 1;
-            top /= 2;
-        }
-        b = m->box + 6 * node;
-        if (m->alive[node] == 0) continue;
-        if (flat < 3 && b[flat] == b[3 + flat] &&
-            b[flat] == s->hh[HH_BASE + flat]) {
-            HOLDS(barren(m, s, node));
-            continue;
-        }
-        if (fours && node < m->leaves) {
-            COUNT(N_NODE, 4);
-            exclude_cylinders(m, s, node, past);
-            for (n = 3; n >= 0; n--)
-                if (past[n] > 0.0) {
-                    HOLDS(barren(m, s, 4 * node + n));
-                } else if (4 * node + n != from)
-                    stack[depth++] = (tess_int)(4 * node + n);
-            continue;
-        }
-        COUNT(N_NODE, 1);
-        if (excludes_node(m, s, node)) {
-            HOLDS(barren(m, s, node));
-        } else if (node >= m->leaves)
-            offer_leaf(m, s, node);
-        else {
-            stack[depth++] = 2 * node;
-            stack[depth++] = (tess_int)(2 * node + 1);
-        }
-    }
-}
-
-/* on_hull_plane - returns 1 if the facet has no best point and lies in a plane
- * known to bound the hull, and so has no apex.  That holds if its open side is
- * outwards: of a facet of a known tetrahedron it is.  A seed edge may be open
- * inwards; it is searched before any plane is met: at first, or after
- * incident_tet has dropped them. */
-static int on_hull_plane(const mesher *m, const search *s)
-{
-    const tess_int *h;
-    int i, k;
-
-    if (!s->in_lists || s->best != NONE) return 0;
-    for (i = 0; i < HULL_PLANES && i < m->nhull_planes; i++) {
-        h = m->hull_plane[i];
-        for (k = 0; k < 3; k++)
-            if (s->facet[k] != h[0] && s->facet[k] != h[1] &&
-                s->facet[k] != h[2] &&
-                hh_porient(&m->points, h[0], h[1], h[2], s->facet[k]) != 0)
-                break;
-        if (k == 3) return 1;
-    }
-    return 0;
-}
-
-/* note_hull_plane - keeps the plane of the facet if it has no apex. */
-static void note_hull_plane(mesher *m, const search *s)
-{
-    int k;
-
-    if (s->best != NONE) return;
-    COUNT(N_HULL, 1);
-    for (k = 0; k < 3; k++)
-        m->hull_plane[m->nhull_planes % HULL_PLANES][k] = s->facet[k];
-    m->nhull_planes++;
-}
-
-/* search_begin - begins the search for the apex of the facet v: its set-up, its
- * filter, and the two positions guess, unless that is NULL; either may be NONE.
- * The base is v[0], or, if the angle there is small, the vertex opposite the
- * longest edge. */
-static void search_begin(mesher *m, search *s, const tess_int *v,
-                         const tess_int *guess)
-{
-    const double *p[3], *a, *b;
-    double edge, longest = 0.0, h;
-    int k;
-
-    for (k = 0; k < 3; k++) {
-        p[k] = m->x + 3 * v[k];
-        s->facet[k] = v[k];
-    }
-    s->best = NONE;
-    s->surface = NONE;
-    s->near_sphere.ready = s->by_limbs = s->has_ball = s->base = 0;
-    s->hard_count = s->ties = 0;
-    s->sample_offered = s->nodes = 0;
-    s->collect = NULL;
-    s->outside_ball = s->behind_facet = NONE;
-    s->filter.allowance = UNDERFLOW_ERR;
-    s->lo = -DBL_MAX;
-    s->hi = DBL_MAX;
-    hh_setup(p[0], p[1], p[2], s->hh);
-    if (s->hh[HH_E] >= 8000.0 * EPS) {
-        for (k = 0; k < 3; k++) {
-            a = p[(k + 1) % 3];
-            b = p[(k + 2) % 3];
-            edge = (a[0] - b[0]) * (a[0] - b[0]) +
-                   (a[1] - b[1]) * (a[1] - b[1]) +
-                   (a[2] - b[2]) * (a[2] - b[2]);
-            if (edge <= longest) continue;
-            longest = edge;
-            s->base = k;
-        }
-        a = p[(s->base + 1) % 3];
-        b = p[(s->base + 2) % 3];
-        if (s->base != 0) hh_setup(p[s->base], a, b, s->hh);
-        if (s->hh[HH_E] > LIMB_NORMAL_E) hh_thin(&m->points, v, s->base, s->hh);
-    }
-    if (ANY_SURFACE(m)) choose_surface(m, s);
-    for (k = 0; k < 2 && guess != NULL; k++)
-        if (guess[k] != NONE && guess[k] != v[1] && guess[k] != v[2] &&
-            guess[k] != s->best)
-            compare_point(m, s, guess[k]);
-    if (!s->has_ball) set_half_space(s);
-    if (!s->has_ball && HAS_SURFACE(s)) set_surface_filter(m, s);
-    /* if the best point lies on the same sphere as the facet, the ball is that
-     * sphere up to rounding: no list holds it */
-    s->in_lists =
-        !HAS_SPHERE(m, s) ||
-        (s->best != NONE && !marked_height(m, s->surface, s->best, &h));
-}
-
-/* ---- near lists ----
- *
- * On surfaces and lines most searches begin with the final ball, or nearly so,
- * and prove it empty.  It is larger than the star list and the block list, but
- * nearly that of a search just before.  So a near list keeps the neighbourhood
- * of a ball for the next ones.  Surfaces take 0.7 to 0.95 of the time.  Where
- * few searches end in the same list, lists do not pay: see BUDGET_REFILL. */
-
-/* ball_in_near_list - returns 1 if the points that may be better than the best
- * one, those of its ball that are on the open side, lie inside a near list's
- * ball.
- *
- * All balls about centres c0 + h v, v the facet's normal, pass through its
- * vertices; on the open side each contains those of lower h.  So any h >= L
- * will do, and for L <= 0 the best is that of the foot g of the list's centre
- * on the axis.  Let u lead from the list's centre to c = c0 + h v, and p from c
- * to such a point: |p|^2 <= r^2 = |c|^2, relative to the base.  For the ball of
- * L itself, |p.u| <= r |u|.  For h > L, u is across the axis; if L <= 0 no
- * point of the ball's part on the open side is farther from the axis than rho,
- * so |p.u| <= rho |u|.  The distance from the list's centre is at most reach if
- *     |u|^2 + r^2 + 2 r |u| <= reach^2, or with rho for the last r.
- *
- * Let err bound the error of c, as in set_upper_bound.  r and rho are wrong by
- * it, u by twice as much, but for EPS (1 + reach): centre and its distance to
- * the base have two roundings.  Where u is across, u.v is wrong by E (r + |u|)
- * more, and E r <= err, as dc > E rho.  As r, rho and |u| are at most reach,
- * all that is less than 24 err reach.  ROUNDING exceeds the other roundings,
- * and those of make_near_list. */
-static int ball_in_near_list(const search *s, const candidate_list *l)
-{
-    double g[3], c, h, err, rr = 0.0, uu = 0.0, size = 0.0, gap;
-    int k;
-
-    if (l->n == 0) return 0;
-    for (k = 0; k < 3; k++) g[k] = l->centre[k] - s->hh[HH_BASE + k];
-    h = dot(g, s->hh);
-    if (s->hi > 0.0 || h < s->hi) h = s->hi;
-    for (k = 0; k < 3; k++) {
-        c = s->hh[HH_CENTRE + k] + h * s->hh[k];
-        size += fabs(c);
-        rr += c * c;
-        uu += (c - g[k]) * (c - g[k]);
-    }
-    err = s->hh[HH_DC] + fabs(h) * s->hh[HH_E] + 4.0 * EPS * size;
-    gap = l->reach * (l->reach - 32.0 * err - ROUNDING * (1.0 + l->reach)) -
-          rr - uu;
-    if (h > s->hi) rr = s->hh[HH_RHO] * s->hh[HH_RHO];
-    return gap > 0.0 && gap * gap >= 4.0 * rr * uu;
-}
-
-/* make_near_list - makes a near list of the ball of a search and a skin about
- * it, of points on either side of the facet.  Returns 0 if they are too many.
- *
- * What is nearer than reach, but for ball_in_near_list's ROUNDING, passes the
- * filter, so collect_leaf took it, and is in the box, so list_filter's bound
- * holds for it.  What is not may be in the list as well: no search that
- * ball_in_near_list admits needs it. */
-static int make_near_list(mesher *m, const search *s, candidate_list *l)
-{
-    search copy = *s;
-    int k;
-
-    COUNT(N_MADE, 1);
-    l->n = 0;
-    copy.collect = l;
-    copy.hh[HH_E] = 1.0; /* no side is certain */
-    copy.skin_factor = m->next_skin;
-    set_skin(m, &copy);
-    search_tree(m, &copy);
-    m->budget -= 30.0 + 1.75 * (double)copy.nodes;
-    if (l->n == 0) return 0;
-    m->next_skin = l->n < SKIN_GROW_BELOW && copy.skin_factor < SKIN_MAX
-                       ? SKIN_GROW * copy.skin_factor
-                       : copy.skin_factor;
-    l->reach = sqrt(dot(copy.filter.c, copy.filter.c)) + copy.skin;
-    for (k = 0; k < 3; k++)
-        l->centre[k] = copy.hh[HH_BASE + k] + copy.filter.c[k];
-    (void)set_list_box(m, l, l->centre, l->centre);
-    fill_list(m, l);
-    return 1;
-}
-
-/* search_near_lists - seeks the apex in a near list, which is made if there is
- * none that holds the ball.  No list is made for L <= 0, as half of the ball is
- * on the other side or more, nor for a ball that single precision cannot tell
- * from a half-space. */
-static int search_near_lists(mesher *m, search *s)
-{
-    int n, k = 0, found;
-    candidate_list *l;
-
-    s->pays = BALL_LISTS > 1 && s->has_ball && s->hi <= L_MAX &&
-              !HAS_SURFACE(s) && m->block_list.reach > 0.0;
-    if (m->budget <= 0.0 || m->budget > BUDGET_START)
-        m->paused = m->budget <= 0.0;
-    if (!s->pays || m->paused) return 0;
-    m->budget -= 1.0;
-    do {
-        l = m->ball_lists + m->recency[++k];
-        found = ball_in_near_list(s, l);
-    } while (!found && k < BALL_LISTS - 1);
-    if (!found && (s->hi <= 0.0 || s->filter.c1 > NEAR_BALL_MAX ||
-                   !make_near_list(m, s, l) || !ball_in_near_list(s, l)))
-        return 0;
-    for (; k > 1; k--) {
-        m->recency[k] = m->recency[k - 1];
-        m->recency[k - 1] = (int)(l - m->ball_lists);
-    }
-    HOLDS(listed(m, s, l));
-    HOLDS(complete4(s, l));
-    n = offer_list(m, s, l);
-    if (found && n >= 0) {
-        COUNT(N_NEAR, 1);
-        m->budget += m->tree_cost - 4.0 - 0.5 * n;
-        if (m->budget > BUDGET_MAX) m->budget = BUDGET_MAX;
-    }
-    return n >= 0;
-}
-
-/* refill_budget - adds to the budget of near lists for a search of the tree, if
- * a near list might have taken its place. */
-static void refill_budget(mesher *m, const search *s)
-{
-    if (!s->pays) return;
-    m->budget += (double)s->nodes / BUDGET_REFILL;
-    m->tree_cost += ((double)s->nodes - m->tree_cost) / 16.0;
-}
-
 /* seek_surface - seeks a reference surface in the sample of a search, if it is
  * large and samples have been so for a while; each failure doubles the while.
  */
@@ -3154,538 +3386,238 @@ static void seek_surface(mesher *m, search *s)
     if (!find_surface(m, s)) m->sample_limit *= 2.0;
 }
 
-/* apex - returns the apex of a facet on its positive side, or NONE.  guess: see
- * search_begin.
- *
- * The search is complete without its stages.  A stage `int stage(m, s)' offers
- * points and changes s in no other way, or sets best to the apex; of m it
- * changes its own fields alone.  It returns 1 only if all that pass the filter
- * have been offered, or if there is no candidate; it may always do nothing and
- * return 0.  So stages may be left out (TESS_CORE), or come in another order,
- * and the apex is the same.  That hull planes come before the block list saves
- * lattices a tenth of the time. */
-static tess_int apex(mesher *m, const tess_int *facet, const tess_int *guess)
+/* ---- sorting ---- */
+
+/* axis_before - returns 1 if point i precedes, along an axis, the point with
+ * coordinates q and the given number.  Ties are broken by the next axes, then
+ * by number. */
+static int axis_before(const mesher *m, tess_int i, int axis, const double *q,
+                       tess_int number)
 {
-    search s;
-
-    COUNT(N_FACET, 1);
-    if (m->nsets > 0 && (s.best = apex_from_set(m, facet)) != NONE)
-        return s.best;
-    search_begin(m, &s, facet, guess);
-    if (STAGES && (search_star_list(m, &s) || on_hull_plane(m, &s) ||
-                   search_block_list(m, &s))) {
-        HOLDS(s.best != NONE || proven(m, facet, NONE));
-        return s.best;
-    }
-    if (!STAGES || !search_near_lists(m, &s)) {
-        COUNT(N_TREE, 1);
-        search_tree(m, &s);
-        if (STAGES) refill_budget(m, &s);
-    }
-    HOLDS(s.best != NONE || proven(m, facet, NONE));
-    if (STAGES) {
-        seek_surface(m, &s);
-        note_hull_plane(m, &s);
-    }
-    return s.best;
-}
-
-/* ---- a star on its own ---- */
-
-/* replace_vertex - replaces v[k] by z, unless the result is flat.  Returns 1 if
- * it does. */
-static int replace_vertex(const mesher *m, tess_int *v, int k, tess_int z)
-{
-    tess_int old = v[k];
-
-    v[k] = z;
-    if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) != 0) return 1;
-    v[k] = old;
-    return 0;
-}
-
-/* encloses - returns 1 if v is positively oriented and contains s*, which is s
- * = v[0] = r[0] moved by an infinitesimal step into the tetrahedron r (as q* of
- * the queries is), so it is on no plane through three points. */
-static int encloses(const mesher *m, const tess_int *r, const tess_int *v)
-{
-    int i, j, side = hh_porient(&m->points, v[0], v[1], v[2], v[3]);
-
-    for (j = 1; j < 4 && side > 0; j++)
-        for (i = 1, side = 0; i < 4 && side == 0; i++)
-            side = hh_porient(&m->points, v[0], v[j % 3 + 1],
-                              v[(j + 1) % 3 + 1], r[i]);
-    return side > 0;
-}
-
-/* any_tet_at - finds v, a tetrahedron at v[0] = s, of points of the leaf of s
- * as far as these are not in one plane, else of vertices of first_tet. */
-static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
-{
-    tess_int first = leaf_start(m, leaf_of(m, s)), i, z;
-    tess_int size = leaf_start(m, leaf_of(m, s) + 1) - first;
+    const double *p = m->x + 3 * i;
     int k;
 
-    for (k = 0; k < 4; k++) v[k] = m->representative[m->first_tet[k]];
-    for (k = 0; k < 3 && !replace_vertex(m, v, k, s); k++)
-        ;
-    v[k] = v[0];
-    v[0] = s;
-    for (k = 1; k < 4; k++)
-        for (i = 1; i < size; i++)
-            if (replace_vertex(m, v, k,
-                               (tess_int)(first + (s - first + i) % size)))
-                break;
-    if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) < 0) {
-        z = v[1];
-        v[1] = v[2];
-        v[2] = z;
+    for (k = 0; k < 3; k++, axis = axis == 2 ? 0 : axis + 1)
+        if (p[axis] != q[axis]) return p[axis] < q[axis];
+    return m->order[i] < number;
+}
+
+/* swap - swaps the points at the positions i and j. */
+static void swap(mesher *m, tess_int i, tess_int j)
+{
+    double *p = m->x + 3 * i, *q = m->x + 3 * j, t;
+    tess_int o = m->order[i];
+
+    m->order[i] = m->order[j];
+    m->order[j] = o;
+    t = p[0], p[0] = q[0], q[0] = t;
+    t = p[1], p[1] = q[1], q[1] = t;
+    t = p[2], p[2] = q[2], q[2] = t;
+}
+
+/* pivot - returns the position of a point whose rank along an axis is near mid,
+ * among lo ... hi-1: the point of that rank in a random sample.  The random
+ * numbers are the same everywhere. */
+static tess_int pivot(const mesher *m, tess_int lo, tess_int hi, tess_int mid,
+                      int axis, long *chance)
+{
+    tess_int a[33], step = (tess_int)((hi - lo) / 1024), t;
+    int n = hi - lo > 4000 ? 33 : hi - lo > 200 ? 9 : 3, i, j;
+
+    a[0] = lo;
+    for (i = 0; i < n; i++) {
+        *chance = *chance * 137 % 30269 + 1;
+        t = (tess_int)(step > 0 ? lo + step * (*chance % 1024) + *chance % step
+                                : lo + *chance % (hi - lo));
+        for (j = i; j > 0 && axis_before(m, t, axis, m->x + 3 * a[j - 1],
+                                         m->order[a[j - 1]]);
+             j--)
+            a[j] = a[j - 1];
+        a[j] = t;
+    }
+    return a[(mid - lo) / ((hi - lo) / n + 1)];
+}
+
+/* select_rank - reorders the points lo ... hi-1 so that those before mid
+ * precede the one at mid along an axis, and the others do not: quickselect,
+ * with one pass a pivot. */
+static void select_rank(mesher *m, tess_int lo, tess_int hi, tess_int mid,
+                        int axis)
+{
+    tess_int i, j, number;
+    double q[3];
+    long chance = 1;
+    int less;
+
+    while (lo <= mid && hi - lo > 1) {
+        i = pivot(m, lo, hi, mid, axis, &chance);
+        for (j = 0; j < 3; j++) q[j] = m->x[3 * i + j];
+        number = m->order[i];
+        /* no branch on the points except for ties: half of them would be
+         * mispredicted, which takes longer than a swap */
+        for (i = j = lo; j < hi; j++) {
+            less = m->x[3 * j + axis] < q[axis];
+            if (m->x[3 * j + axis] == q[axis])
+                less = axis_before(m, j, axis, q, number);
+            swap(m, i, j);
+            i = (tess_int)(i + less);
+        }
+        /* lo ... i-1 precede the pivot, i ... hi-1 do not */
+        if (mid < i)
+            hi = i;
+        else if (i > lo)
+            lo = i;
+        else {
+            /* the pivot precedes all others: move it to the front */
+            for (j = lo; m->order[j] != number; j++)
+                ;
+            swap(m, lo, j);
+            lo++;
+        }
     }
 }
 
-/* incident_tet - finds v, a tetrahedron of the mesh at v[0] = s, of which
- * none is known yet.
- *
- *      b---z         b---z    In the plane: z is in the ball of (s, a, b).
- *      |\  .         |  /|    Of the four points' two triangulations the
- *      | \ .   -->   | / |    lower one has the edge s z in place of a b, so
- *      |  \.         |/  |    s* is in (s, a, z) or in (s, z, b): z replaces
- *      s---a         s---a    b, or a.
- *
- * Start with any tetrahedron r at s, and with s* in it.  While v contains s*
- * and its ball is not empty, each point in the ball is on the inner side of one
- * of the three facets at s, since whatever is outside all three is beyond the
- * ball's tangent plane at s.  So the apex z of that facet on that side is not
- * v's vertex there.  The five points have two triangulations, and v is not part
- * of the one whose lifted facets are the lower ones; so the tetrahedron of that
- * one that contains s* is v with z in place of a vertex.  Each such step lowers
- * the height over s*; three searches in a row without a step end it.  This is
- * done with the points of the leaf alone, and then with all: without the
- * former, a query from anywhere takes three times as long.
- *
- * Neither lists nor tree have completed points.  That does no harm because s is
- * in no tetrahedron yet, so no point whose star is complete is its neighbour:
- * the star of s is the same in any set of points that has all its neighbours.
- * A vertex of v whose star is complete takes part as the guess alone.
- *
- * The lists are dropped because list_hits takes for granted that a list holds
- * the facet's vertices and the best point, which is not so here.  The hull
- * planes are dropped because a seed edge follows, whose facet is open on both
- * sides: if it lies in a hull plane, on_hull_plane would find no apex on its
- * inner side, either.  The searches here record no plane, as their guess is a
- * candidate. */
-static void incident_tet(mesher *m, tess_int s, tess_int *v)
+/* link_duplicate - records in representative that the points at i and j
+ * coincide, if they do. */
+static void link_duplicate(mesher *m, tess_int i, tess_int j)
 {
-    tess_int r[4], f[3], guess[2], node = m->leaves + leaf_of(m, s), old, z;
-    search leaf_search;
-    int j, k, all, still;
+    const double *p = m->x + 3 * i, *q = m->x + 3 * j;
+    tess_int a, b;
 
-    drop_lists(m);
-    any_tet_at(m, s, v);
-    for (k = 0; k < 4; k++) r[k] = v[k];
-    guess[1] = NONE;
-    k = 1;
-    for (all = 0; all < 2; all++)
-        for (still = 0; still < 3; k = k % 3 + 1) {
-            f[0] = s;
-            f[1] = v[k % 3 + 1];
-            f[2] = v[(k + 1) % 3 + 1];
-            guess[0] = v[k];
-            if (all)
-                z = apex(m, f, guess);
-            else {
-                search_begin(m, &leaf_search, f, guess);
-                offer_leaf(m, &leaf_search, node);
-                z = leaf_search.best;
-            }
-            still++;
-            if (z == v[k]) continue;
-            for (j = 1; j < 4; j++) {
-                old = v[j];
-                v[j] = z;
-                if (encloses(m, r, v)) break;
-                v[j] = old;
-            }
-            HOLDS(j < 4);
-            /* if v[k] was replaced, this was a search of its own facet */
-            still = j == k;
-        }
-    HOLDS(empty(m, v));
+    if (p[0] != q[0] || p[1] != q[1] || p[2] != q[2]) return;
+    a = m->order[i];
+    b = m->order[j];
+    m->representative[a > b ? a : b] = a > b ? b : a;
 }
 
-/* ---- the star of a vertex ----
- *
- * The open facets at s are the edges a -> b of its link: (s, a, b) is positive
- * towards the unknown side.  They are a queue, which keeps the link's boundary
- * short, and grow down from the end of the pool: edge e is pool[e] and the
- * EDGE_LEN - 1 integers behind it. */
-/* The places of an edge. */
-#define EDGE_CODE 0  /* the facet's code, or one of the two below */
-#define EDGE_FROM 1  /* a */
-#define EDGE_TO 2    /* b */
-#define EDGE_PREV 3  /* an edge that ends at a, or NONE: it gives a guess */
-#define EDGE_NEXT 4  /* an edge that begins at b, or NONE: it gives a guess */
-#define EDGE_CHAIN 5 /* the next edge from a, or NONE: see edge_from */
-/* In EDGE_CODE. */
-#define SEED_EDGE (-2) /* the facet belongs to no tetrahedron yet */
-#define DEAD_EDGE (-3) /* the edge is not in the link any more */
-
-/* clear_link - empties the link. */
-static void clear_link(mesher *m)
+/* bounding_box - sets b to the box of every step-th of n points, the first at
+ * x. */
+static void bounding_box(const double *x, tess_int n, tess_int step, double *b)
 {
-    m->newest_edge = m->pool_len;
-    m->oldest_edge = m->pool_len - EDGE_LEN;
-}
-
-/* move_edges - moves the edges up to the end of the pool. */
-static void move_edges(mesher *m)
-{
-    tess_int shift = (tess_int)(m->pool_len - EDGE_LEN - m->oldest_edge), e, *p,
-             *q;
+    tess_int i;
     int k;
 
-    for (e = m->oldest_edge; e >= m->newest_edge; e -= EDGE_LEN) {
-        p = m->pool + e;
-        q = p + shift;
-        if (p[EDGE_CODE] != DEAD_EDGE && m->edge_from[p[EDGE_FROM]] == e)
-            m->edge_from[p[EDGE_FROM]] += shift;
-        for (k = 0; k < EDGE_LEN; k++)
-            q[k] = k >= EDGE_PREV && p[k] != NONE ? p[k] + shift : p[k];
-    }
-    m->newest_edge += shift;
-    m->oldest_edge += shift;
-}
-
-/* push_edge - adds an edge a -> b that is connected to no other.  Returns the
- * edge, or NONE if there is no room. */
-static tess_int push_edge(mesher *m, tess_int code, tess_int a, tess_int b)
-{
-    tess_int e = m->newest_edge - EDGE_LEN, *p = m->pool + e;
-
-    if (e < ENTRY_LEN * m->slots) return NONE;
-    p[EDGE_CODE] = code;
-    p[EDGE_FROM] = a;
-    p[EDGE_TO] = b;
-    p[EDGE_PREV] = p[EDGE_NEXT] = NONE;
-    p[EDGE_CHAIN] = m->edge_from[a] >= 0 ? m->edge_from[a] : NONE;
-    m->edge_from[a] = m->newest_edge = e;
-    return e;
-}
-
-/* connect_edges - makes edge b the next of edge a; either may be NONE. */
-static void connect_edges(mesher *m, tess_int a, tess_int b)
-{
-    if (a != NONE) m->pool[a + EDGE_NEXT] = b;
-    if (b != NONE) m->pool[b + EDGE_PREV] = a;
-}
-
-/* remove_edge - removes edge e from the link. */
-static void remove_edge(mesher *m, tess_int e)
-{
-    tess_int *p = m->pool + e, *at = m->edge_from + p[EDGE_FROM];
-
-    while (*at != e) at = m->pool + *at + EDGE_CHAIN;
-    *at = p[EDGE_CHAIN];
-    p[EDGE_CODE] = DEAD_EDGE;
-}
-
-/* edge_between - returns the edge a -> b of the link, or NONE. */
-static tess_int edge_between(const mesher *m, tess_int a, tess_int b)
-{
-    tess_int e = m->edge_from[a];
-
-    while (e >= 0 && m->pool[e + EDGE_TO] != b) e = m->pool[e + EDGE_CHAIN];
-    return e >= 0 ? e : NONE;
-}
-
-/* set_adjacent - makes the tetrahedra of two codes neighbours across these
- * facets. */
-static void set_adjacent(mesher *m, tess_int code, tess_int other)
-{
-    m->adj[code] = other / 4;
-    m->adj[other] = code / 4;
-}
-
-/* flush_facets - enters the facets opposite to s of the tetrahedra from unfiled
- * on into the table, or closes those whose other side is there.  They come in
- * batches so that the processor can overlap their memory accesses. */
-static void flush_facets(mesher *m)
-{
-    tess_int code, other;
-
-    for (; m->unfiled < m->ntet; m->unfiled++) {
-        code = 4 * m->unfiled;
-        other = match_or_enter(m, code);
-        if (other != NONE) set_adjacent(m, code, other);
-    }
-}
-
-/* match_or_push - pushes the edge a -> b of the facet of a code into the link,
- * between the edges prev and after, either of which may be NONE; or, if the
- * edge of the other side is there, closes both and removes that.  Returns the
- * edge that now ends at b, or NONE. */
-static tess_int match_or_push(mesher *m, tess_int code, tess_int a, tess_int b,
-                              tess_int prev, tess_int after)
-{
-    tess_int f = edge_between(m, b, a), last;
-
-    if (f == NONE) {
-        m->adj[code] = TESS_OPEN;
-        f = push_edge(m, code, a, b);
-        connect_edges(m, prev, f);
-        connect_edges(m, f, after);
-        return f;
-    }
-    set_adjacent(m, code, m->pool[f + EDGE_CODE]);
-    last = m->pool[f + EDGE_PREV];
-    if (f != prev) connect_edges(m, prev, m->pool[f + EDGE_NEXT]);
-    if (f != after) connect_edges(m, last, after);
-    remove_edge(m, f);
-    return last;
-}
-
-/* add_tetrahedron - stores the tetrahedron of s, the edge e = a -> b and the
- * apex c.  The edges a -> c and c -> b replace e in the link. */
-static void add_tetrahedron(mesher *m, tess_int s, tess_int e, tess_int c)
-{
-    tess_int *p = m->pool + e, a = p[EDGE_FROM], b = p[EDGE_TO],
-             prev = p[EDGE_PREV];
-    tess_int after = p[EDGE_NEXT], code = p[EDGE_CODE], t = m->ntet++, *v, f;
-
-    v = m->tet + 4 * t;
-    v[0] = s;
-    v[1] = a;
-    v[2] = b;
-    v[3] = c;
-    if (code == SEED_EDGE) {
-        f = edge_between(m, b, a);
-        m->adj[4 * t + 3] = f == NONE ? TESS_NONE : TESS_OPEN;
-        if (f != NONE) m->pool[f + EDGE_CODE] = (tess_int)(4 * t + 3);
-    } else
-        set_adjacent(m, code, (tess_int)(4 * t + 3));
-    if (m->edge_from[c] == NEW) m->edge_from[c] = NONE;
-    remove_edge(m, e);
-    m->adj[4 * t] = TESS_OPEN; /* until flush_facets */
-    prev = match_or_push(m, (tess_int)(4 * t + 2), a, c, prev, NONE);
-    (void)match_or_push(m, (tess_int)(4 * t + 1), c, b, prev, after);
-}
-
-/* facet_to_edge - makes the open facet of a code an edge of the link, if it has
- * the vertex s.  Returns 0 if there is no room. */
-static int facet_to_edge(mesher *m, tess_int s, tess_int code)
-{
-    tess_int v[3];
-    int k;
-
-    facet_of_code(m, code, v);
-    for (k = 0; k < 3; k++)
-        if (v[k] == s)
-            return push_edge(m, code, v[(k + 1) % 3], v[(k + 2) % 3]) != NONE;
-    return 1;
-}
-
-/* pair_edges - gives every edge of the link a next one: an edge that begins
- * where it ends and is no other edge's next, if there is one. */
-static void pair_edges(mesher *m)
-{
-    tess_int e, f;
-
-    for (e = m->oldest_edge; e >= m->newest_edge; e -= EDGE_LEN) {
-        f = m->edge_from[m->pool[e + EDGE_TO]];
-        if (f < 0 || m->pool[e + EDGE_CODE] == DEAD_EDGE) continue;
-        while (f != NONE && m->pool[f + EDGE_PREV] != NONE)
-            f = m->pool[f + EDGE_CHAIN];
-        connect_edges(m, e, f);
-    }
-}
-
-/* edges_from_adj - makes all open facets at s edges of the link, in the order
- * of their tetrahedra.  Returns 0 if there is no room. */
-static int edges_from_adj(mesher *m, tess_int s)
-{
-    tess_int t;
-    int k;
-
-    for (t = 0; t < m->ntet; t++)
-        for (k = 3; k >= 0; k--)
-            if (m->adj[4 * t + k] == TESS_OPEN &&
-                !facet_to_edge(m, s, (tess_int)(4 * t + k)))
-                return 0;
-    pair_edges(m);
-    return 1;
-}
-
-/* edges_from_pool - moves the facets that s owns from the table to the link,
- * oldest first.  Returns 0 if there is no room.  If they do not fit beside the
- * table, it rebuilds the table without them first. */
-static int edges_from_pool(mesher *m, tess_int s)
-{
-    tess_int e = m->owned[s], edges = 1;
-
-    if (e == NONE) return 1;
-    for (; m->pool[ENTRY_LEN * e + ENTRY_NEXT] != NONE; edges++)
-        e = m->pool[ENTRY_LEN * e + ENTRY_NEXT];
-    if (ENTRY_LEN * m->slots > m->newest_edge - EDGE_LEN * edges) {
-        m->nfacets -= edges;
-        return rebuild_table(m, s, table_quota(m, edges)) &&
-               edges_from_adj(m, s);
-    }
-    for (; e >= 0; e = m->pool[ENTRY_LEN * e + ENTRY_PREV])
-        (void)facet_to_edge(m, s, m->pool[ENTRY_LEN * e + ENTRY_CODE]);
-    while (m->owned[s] != NONE) erase_entry(m, m->owned[s]);
-    pair_edges(m);
-    return 1;
-}
-
-/* complete_vertex - marks the star of s complete: s leaves the tree and the
- * block list.  (offer_list skips it in the other lists.) */
-static void complete_vertex(mesher *m, tess_int s)
-{
-    tess_int node = m->leaves + leaf_of(m, s);
-    candidate_list *l = &m->block_list;
-    int i = (int)(s - l->leaf_first);
-
-    if (m->edge_from[s] == COMPLETE) return;
-    m->edge_from[s] = COMPLETE;
-    while (node > 0 && --m->alive[node] == 0) node /= 2;
-    if (s < l->leaf_first || s >= l->leaf_end || l->n == 0) return;
-    l->x[i] = l->y[i] = l->z[i] = LEFT_LIST;
-    l->norm2[i] = LEFT_LIST * LEFT_LIST;
-}
-
-/* make_room - makes room for another tetrahedron's facets in the table and in
- * the link of s.  Returns 0 if there is none.  Callers must reload oldest_edge.
- *
- *                   0      ENTRY_LEN slots  newest_edge   oldest_edge  pool_len
- *   before          | table       | free | edges       | dead edges |
- *   move_edges      | table       | free            | edges         |
- *   rebuild_table   | longer or shorter table | free | edges        |
- *
- * That is done when the table is three quarters full or meets the edges: these
- * move up if an eighth of their room is dead, and the table is resized if that
- * changes it by a sixteenth, so both are rare. */
-static int make_room(mesher *m, tess_int s)
-{
-    tess_int most, change = m->slots / 16;
-
-    if (4 * (m->nfacets + m->ntet - m->unfiled) < 3 * m->slots &&
-        ENTRY_LEN * m->slots <= m->newest_edge - 2 * EDGE_LEN)
-        return 1;
-    flush_facets(m);
-    if (m->pool_len - m->oldest_edge > (m->pool_len - m->newest_edge) / 8)
-        move_edges(m);
-    most = table_quota(m, 2);
-    if (most > 2 * m->slots + 1) most = (tess_int)(2 * m->slots + 1);
-    if ((4 * m->nfacets >= 3 * m->slots && most > m->slots + change) ||
-        (ENTRY_LEN * m->slots > m->newest_edge - 2 * EDGE_LEN &&
-         most < m->slots - change))
-        (void)rebuild_table(m, s, most);
-    return !table_full(m, m->nfacets + 1) &&
-           ENTRY_LEN * m->slots <= m->newest_edge - 2 * EDGE_LEN;
-}
-
-/* begin_mesh - puts the first facet into the link of s, its vertex of least
- * position, as a seed edge.  Returns 0, TESS_POOL, or the code of points
- * without a tetrahedron. */
-static int begin_mesh(mesher *m, tess_int *s)
-{
-    tess_int v[3];
-    int code = first_facet(m, v), i;
-
-    if (code != 0) return code;
-    *s = v[0];
-    for (i = 0; i < 3; i++) m->edge_from[v[i]] = NONE;
-    return push_edge(m, SEED_EDGE, v[1], v[2]) == NONE ? TESS_POOL : 0;
-}
-
-/* complete_star - completes the star of s, whose open facets are the edges of
- * the link.  Returns 0, TESS_MORE or TESS_POOL. */
-static int complete_star(mesher *m, tess_int s)
-{
-    tess_int *p, v[3], guess[2], e, c;
-
-    if (STAGES) make_star_list(m, s);
-    m->nsets = 0;
-    for (;;) {
-        while (m->oldest_edge >= m->newest_edge &&
-               m->pool[m->oldest_edge + EDGE_CODE] == DEAD_EDGE)
-            m->oldest_edge -= EDGE_LEN;
-        if (m->oldest_edge < m->newest_edge) break;
-        e = m->oldest_edge;
-        p = m->pool + e;
-        v[0] = s;
-        v[1] = p[EDGE_FROM];
-        v[2] = p[EDGE_TO];
-        guess[0] =
-            p[EDGE_PREV] == NONE ? NONE : m->pool[p[EDGE_PREV] + EDGE_FROM];
-        guess[1] =
-            p[EDGE_NEXT] == NONE ? NONE : m->pool[p[EDGE_NEXT] + EDGE_TO];
-        c = apex(m, v, guess);
-        HOLDS(proven(m, v, c));
-        if (c == NONE) {
-            if (p[EDGE_CODE] != SEED_EDGE) m->adj[p[EDGE_CODE]] = TESS_NONE;
-            connect_edges(m, p[EDGE_PREV], NONE);
-            connect_edges(m, NONE, p[EDGE_NEXT]);
-            remove_edge(m, e);
-            continue;
+    for (k = 0; k < 3; k++) b[k] = b[3 + k] = x[k];
+    for (i = step, x += 3 * step; i < n; i += step, x += 3 * step)
+        for (k = 0; k < 3; k++) {
+            if (x[k] < b[k]) b[k] = x[k];
+            if (x[k] > b[3 + k]) b[3 + k] = x[k];
         }
-        if (m->ntet == m->maxtet) {
-            flush_facets(m);
-            return TESS_MORE;
-        }
-        if (!make_room(m, s)) return TESS_POOL;
-        add_tetrahedron(m, s, m->oldest_edge, c);
+}
+
+/* bisect - cuts the points lo ... hi-1 at mid, across the widest extent of a
+ * sample of them.  Duplicates that the cut separates all coincide with the
+ * point at mid; in the end every duplicate but the least of its set is linked
+ * to a smaller number. */
+static void bisect(mesher *m, tess_int lo, tess_int hi, tess_int mid)
+{
+    double b[6] = {0.0}; /* for gcc -fanalyzer */
+    tess_int i;
+    int k, axis = 0;
+
+    bounding_box(m->x + 3 * lo, hi - lo,
+                 (tess_int)((hi - lo) / EXTENT_SAMPLE + 1), b);
+    for (k = 1; k < 3; k++)
+        if (hh_wider(b[3 + k], b[k], b[3 + axis], b[axis]) > 0) axis = k;
+    select_rank(m, lo, hi, mid, axis);
+    for (i = lo; i < mid; i++) link_duplicate(m, i, mid);
+}
+
+/* leaf_start - returns the first position of leaf j, which ends before
+ * leaf_start(j + 1). */
+static tess_int leaf_start(const mesher *m, tess_int j)
+{
+    tess_int more = m->np % m->leaves;
+
+    return (tess_int)(j * (m->np / m->leaves) + (j < more ? j : more));
+}
+
+/* leaf_of - returns the leaf that holds position i. */
+static tess_int leaf_of(const mesher *m, tess_int i)
+{
+    tess_int size = m->np / m->leaves, more = m->np % m->leaves;
+
+    if (i < more * (size + 1)) return (tess_int)(i / (size + 1));
+    return (tess_int)(more + (i - more * (size + 1)) / size);
+}
+
+/* node_range - finds the positions first ... last-1 below a node of the tree.
+ */
+static void node_range(const mesher *m, tess_int node, tess_int *first,
+                       tess_int *last)
+{
+    tess_int left = node, right = node;
+
+    while (left < m->leaves) {
+        left = 2 * left;
+        right = (tess_int)(2 * right + 1);
     }
-    clear_link(m);
-    flush_facets(m);
-    complete_vertex(m, s);
-    return 0;
+    *first = leaf_start(m, left - m->leaves);
+    *last = leaf_start(m, (tess_int)(right - m->leaves + 1));
 }
 
-/* seed_star - begins the star of s, which is NEW, with a facet of a tetrahedron
- * at s: its two sides become seed edges, the one towards the tetrahedron first.
- * Returns 0 if there is no room. */
-static int seed_star(mesher *m, tess_int s)
+/* leaf_sort - sorts the points of a leaf into groups of LEAF_GROUP. */
+static void leaf_sort(mesher *m, tess_int first, tess_int last)
 {
-    tess_int v[4];
+    tess_int half, lo, hi, i, j;
 
-    incident_tet(m, s, v);
-    return make_room(m, s) && push_edge(m, SEED_EDGE, v[1], v[2]) != NONE &&
-           push_edge(m, SEED_EDGE, v[2], v[1]) != NONE;
+    half =
+        (tess_int)(first + ((last - first + LEAF_GROUP - 1) / LEAF_GROUP + 1) /
+                               2 * LEAF_GROUP);
+    if (half < last) bisect(m, first, last, half);
+    for (lo = first; lo < last; lo += LEAF_GROUP) {
+        hi = lo < half && half < last ? half : last;
+        if (lo + LEAF_GROUP < hi) bisect(m, lo, hi, lo + LEAF_GROUP);
+        if (lo + LEAF_GROUP < hi) hi = (tess_int)(lo + LEAF_GROUP);
+        for (i = lo + 1; i < hi; i++)
+            for (j = i; j > lo && axis_before(m, j, 0, m->x + 3 * (j - 1),
+                                              m->order[j - 1]);
+                 j--)
+                swap(m, j - 1, j);
+        for (i = lo + 1; i < hi; i++) link_duplicate(m, i - 1, i);
+    }
 }
 
-/* complete_stars - completes the stars of all wanted vertices, beginning with s
- * if the link has edges: first those connected through open facets, then one of
- * the rest, and so on.  Returns 0, TESS_MORE or TESS_POOL. */
-static int complete_stars(mesher *m, tess_int s)
+/* kd_sort - sorts the points into a k-d tree: cuts every node in two across its
+ * widest extent, down to the leaves.  (Bentley; Friedman, Bentley and Finkel:
+ * see the head.) */
+static void kd_sort(mesher *m)
 {
-    int code;
+    tess_int node = 1, first, mid, last;
 
-    for (;;) {
-        if (m->oldest_edge >= m->newest_edge) {
-            code = complete_star(m, s);
-            if (code != 0) return code;
-            HOLDS(filed(m));
+    while (node > 0) {
+        node_range(m, node, &first, &last);
+        if (node < m->leaves) {
+            node_range(m, 2 * node, &first, &mid);
+            bisect(m, first, last, mid);
+            node = 2 * node;
+        } else {
+            leaf_sort(m, first, last);
+            while (node % 2 == 1) node /= 2; /* 0 after the last leaf */
+            if (node > 0) node++;
         }
-        s = m->lowest_owner;
-        while (s < m->np && m->owned[s] < 0) {
-            /* no vertex of a smaller position owns a facet, so one that was met
-             * and owns none has no open facet: its star is complete */
-            if (m->edge_from[s] == NONE && m->owned[s] == NONE)
-                complete_vertex(m, s);
-            s++;
-        }
-        m->lowest_owner = s;
-        if (s < m->np) {
-            if (!edges_from_pool(m, s)) return TESS_POOL;
-            continue;
-        }
-        s = m->next_new;
-        while (s < m->np && (m->edge_from[s] != NEW || m->owned[s] == UNWANTED))
-            s++;
-        m->next_new = s;
-        if (s == m->np) return 0;
-        if (!seed_star(m, s)) return TESS_POOL;
+    }
+}
+
+/* node_width - returns the sum of a box's extents. */
+static double node_width(const double *b)
+{
+    return (b[3] - b[0]) + (b[4] - b[1]) + (b[5] - b[2]);
+}
+
+/* make_boxes - computes the box of every node, from the leaves up. */
+static void make_boxes(mesher *m)
+{
+    tess_int node, first, last;
+    double *b;
+
+    for (node = (tess_int)(2 * m->leaves - 1); node > 0; node--) {
+        b = m->box + 6 * node;
+        node_range(m, node, &first, &last);
+        if (node < m->leaves)
+            bounding_box(b + 6 * node, 4, 1, b); /* the children's corners */
+        else
+            bounding_box(m->x + 3 * first, last - first, 1, b);
     }
 }
 
@@ -4296,9 +4228,128 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
     return code < -1 ? code - 1 : code;
 }
 
-/* =====================================================================
- * What follows needs no mesh under construction, only results.
- * ===================================================================== */
+/* ---- a star on its own ---- */
+
+/* replace_vertex - replaces v[k] by z, unless the result is flat.  Returns 1 if
+ * it does. */
+static int replace_vertex(const mesher *m, tess_int *v, int k, tess_int z)
+{
+    tess_int old = v[k];
+
+    v[k] = z;
+    if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) != 0) return 1;
+    v[k] = old;
+    return 0;
+}
+
+/* encloses - returns 1 if v is positively oriented and contains s*, which is s
+ * = v[0] = r[0] moved by an infinitesimal step into the tetrahedron r (as q* of
+ * the queries is), so it is on no plane through three points. */
+static int encloses(const mesher *m, const tess_int *r, const tess_int *v)
+{
+    int i, j, side = hh_porient(&m->points, v[0], v[1], v[2], v[3]);
+
+    for (j = 1; j < 4 && side > 0; j++)
+        for (i = 1, side = 0; i < 4 && side == 0; i++)
+            side = hh_porient(&m->points, v[0], v[j % 3 + 1],
+                              v[(j + 1) % 3 + 1], r[i]);
+    return side > 0;
+}
+
+/* any_tet_at - finds v, a tetrahedron at v[0] = s, of points of the leaf of s
+ * as far as these are not in one plane, else of vertices of first_tet. */
+static void any_tet_at(const mesher *m, tess_int s, tess_int *v)
+{
+    tess_int first = leaf_start(m, leaf_of(m, s)), i, z;
+    tess_int size = leaf_start(m, leaf_of(m, s) + 1) - first;
+    int k;
+
+    for (k = 0; k < 4; k++) v[k] = m->representative[m->first_tet[k]];
+    for (k = 0; k < 3 && !replace_vertex(m, v, k, s); k++)
+        ;
+    v[k] = v[0];
+    v[0] = s;
+    for (k = 1; k < 4; k++)
+        for (i = 1; i < size; i++)
+            if (replace_vertex(m, v, k,
+                               (tess_int)(first + (s - first + i) % size)))
+                break;
+    if (hh_porient(&m->points, v[0], v[1], v[2], v[3]) < 0) {
+        z = v[1];
+        v[1] = v[2];
+        v[2] = z;
+    }
+}
+
+/* incident_tet - finds v, a tetrahedron of the mesh at v[0] = s, of which
+ * none is known yet.
+ *
+ *      b---z         b---z    In the plane: z is in the ball of (s, a, b).
+ *      |\  .         |  /|    Of the four points' two triangulations the
+ *      | \ .   -->   | / |    lower one has the edge s z in place of a b, so
+ *      |  \.         |/  |    s* is in (s, a, z) or in (s, z, b): z replaces
+ *      s---a         s---a    b, or a.
+ *
+ * Start with any tetrahedron r at s, and with s* in it.  While v contains s*
+ * and its ball is not empty, each point in the ball is on the inner side of one
+ * of the three facets at s, since whatever is outside all three is beyond the
+ * ball's tangent plane at s.  So the apex z of that facet on that side is not
+ * v's vertex there.  The five points have two triangulations, and v is not part
+ * of the one whose lifted facets are the lower ones; so the tetrahedron of that
+ * one that contains s* is v with z in place of a vertex.  Each such step lowers
+ * the height over s*; three searches in a row without a step end it.  This is
+ * done with the points of the leaf alone, and then with all: without the
+ * former, a query from anywhere takes three times as long.
+ *
+ * Neither lists nor tree have completed points.  That does no harm because s is
+ * in no tetrahedron yet, so no point whose star is complete is its neighbour:
+ * the star of s is the same in any set of points that has all its neighbours.
+ * A vertex of v whose star is complete takes part as the guess alone.
+ *
+ * The lists are dropped because list_hits takes for granted that a list holds
+ * the facet's vertices and the best point, which is not so here.  The hull
+ * planes are dropped because a seed edge follows, whose facet is open on both
+ * sides: if it lies in a hull plane, on_hull_plane would find no apex on its
+ * inner side, either.  The searches here record no plane, as their guess is a
+ * candidate. */
+static void incident_tet(mesher *m, tess_int s, tess_int *v)
+{
+    tess_int r[4], f[3], guess[2], node = m->leaves + leaf_of(m, s), old, z;
+    search leaf_search;
+    int j, k, all, still;
+
+    drop_lists(m);
+    any_tet_at(m, s, v);
+    for (k = 0; k < 4; k++) r[k] = v[k];
+    guess[1] = NONE;
+    k = 1;
+    for (all = 0; all < 2; all++)
+        for (still = 0; still < 3; k = k % 3 + 1) {
+            f[0] = s;
+            f[1] = v[k % 3 + 1];
+            f[2] = v[(k + 1) % 3 + 1];
+            guess[0] = v[k];
+            if (all)
+                z = apex(m, f, guess);
+            else {
+                search_begin(m, &leaf_search, f, guess);
+                offer_leaf(m, &leaf_search, node);
+                z = leaf_search.best;
+            }
+            still++;
+            if (z == v[k]) continue;
+            for (j = 1; j < 4; j++) {
+                old = v[j];
+                v[j] = z;
+                if (encloses(m, r, v)) break;
+                v[j] = old;
+            }
+            HOLDS(j < 4);
+            /* if v[k] was replaced, this was a search of its own facet */
+            still = j == k;
+        }
+    HOLDS(empty(m, v));
+}
 
 /* ---- common to the queries ----
  *
@@ -4311,6 +4362,11 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
  * the signs for q, v0, v1, v2, v3.  One of them is not 0, since v0 ... v3 are
  * not in one plane: q* is on no facet, and is in the interior of exactly one
  * tetrahedron if it is in the hull of a triangulation. */
+
+/* =====================================================================
+ * What follows needs no mesh under construction, only results.
+ * ===================================================================== */
+
 
 /* side_of_qstar - returns 1 if q* is outside the facet f, -1 if it is inside,
  * UNSURE if the limbs do not suffice; 0 only if v, tetrahedron 0, is flat.  It

@@ -146,79 +146,85 @@ C     candidates are on the positive side; in TSWALK, that heights are
 C     lowered; TSCHKU.
 C
 C     The routines of tess.c, in its order, and their names here:
-C       sorting: axis_before TSAXBE, swap TSSWAP, pivot TSPIVO,
-C         select_rank TSSELE, link_duplicate TSDUPL, bounding_box
-C         TSBBOX, bisect TSBISE, leaf_start TSLFST, leaf_of TSLEAF,
-C         node_range TSNRNG, leaf_sort TSLSOR, kd_sort TSKDSO,
-C         node_width TSWIDT, make_boxes TSBOXE
+C       stars: clear_link TSCLRL, move_edges TSMOVE, push_edge TSPUSH,
+C         connect_edges TSCONN, remove_edge TSRMED, edge_between TSBETW,
+C         set_adjacent TSADJA, flush_facets TSFLUS,
+C         match_or_push TSMOPU, add_tetrahedron TSADDT,
+C         facet_to_edge TSFTOE, pair_edges TSPAIR,
+C         edges_from_adj TSEADJ, edges_from_pool TSEPOO,
+C         complete_vertex TSCMPL, make_room TSMKRO, begin_mesh TSBEGI,
+C         complete_star TSSTAR, seed_star TSSEED, complete_stars TSSTRS
+C       a search: dot TSDOT, filter_bound TSFBND, set_half_space TSHALF,
+C         excludes_box TSXBOX, excludes_node TSXNOD,
+C         search_begin TSBEGS, set_upper_bound TSUPBD,
+C         compare_exactly TSCMPE, compare_point TSCMPP,
+C         offer_point TSOFFP, offer_leaf TSOFLF, search_tree TSTREE,
+C         apex TSAPEX
+C       the pool: tet_facet TSTETF, facet_of_code TSFCOD, owner TSOWNE,
+C         facet_hash TSHASH, same_facet TSSAME, find_entry TSFIND,
+C         relink_entry TSRELK, erase_entry TSERAS,
+C         match_or_enter TSMOEN, table_full TSFULL, cube_root TSCUBE,
+C         table_quota TSQUOT, rebuild_table TSREHA
 C       first facet: lex_before TSLEXB, hull_edge_before TSHEBE,
 C         first_facet TSFIRS
-C       pool: tet_facet TSTETF, facet_of_code TSFCOD, owner TSOWNE,
-C         facet_hash TSHASH, same_facet TSSAME, find_entry TSFIND,
-C         relink_entry TSRELK, erase_entry TSERAS, match_or_enter
-C         TSMOEN, table_full TSFULL, cube_root TSCUBE, table_quota
-C         TSQUOT, rebuild_table TSREHA
-C       lists: boxes_disjoint TSDISJ, to_single TSSNGL, fill_list
-C         TSFILL, collect_in_box TSCINB, set_list_box TSLBOX,
-C         make_block_list TSMKBL, drop_lists TSDROP, pick_indices
-C         TSPICK, make_star_list TSMKSL
-C       the ball: dot TSDOT, filter_bound TSFBND, set_half_space TSHALF,
-C         excludes_box TSXBOX, ball_in_block TSBINB, ball_in_star_list
-C         TSBINS, list_filter TSLFIL, list_hits TSLHIT
-C     then what makes searches faster, each where some data need it:
-C       supports: rough_height TSROUG, marked_height TSMRKH, height_over
-C         TSHEOV, facet_on_surface TSFONS, add_to_sample TSADDS,
-C         surface_record TSRCRD, surface_from_record TSSFRC,
-C         surface_through TSTHRO, fit_surface TSFIT, mark_leaf TSMLEA,
-C         find_surface TSFSUR, surfaces_of_index TSSOFI,
-C         surface_near_facet TSSNRF, recentre_on_sphere TSRCEN,
-C         choose_surface TSCHOS, seek_surface TSSEEK, refill_budget TSRFIL, note_hull_plane TSNHPL, sharpen_by_height TSSHAR,
-C         set_surface_filter TSSFFI, excludes_by_view TSXVIE,
-C         excludes_node TSXNOD
+C     then the stages, which make searches faster:
+C       lists: boxes_disjoint TSDISJ, to_single TSSNGL,
+C         fill_list TSFILL, collect_in_box TSCINB, set_list_box TSLBOX,
+C         make_block_list TSMKBL, drop_lists TSDROP,
+C         pick_indices TSPICK, make_star_list TSMKSL,
+C         ball_in_block TSBINB, ball_in_star_list TSBINS,
+C         list_filter TSLFIL, list_hits TSLHIT, offer_list TSOFFL,
+C         search_star_list TSSRSL, search_block_list TSSRBL
+C       near lists: ball_in_near_list TSBINN, set_skin TSSKIN,
+C         collect_leaf TSCOLF, make_near_list TSMKNL,
+C         search_near_lists TSSRNL, refill_budget TSRFIL
+C       hull planes: on_hull_plane TSONHP, note_hull_plane TSNHPL
+C       cospherical sets: record_set TSRECS, apex_from_set TSAPFS
 C       cylinders: cylinders_of TSCYLI, make_cylinder TSMCYL,
 C         make_cylinders TSMCYS, exclude_cylinders TSXCYL
-C       ties: record_set TSRECS, apex_from_set TSAPFS
-C     then the search, and what it is for:
-C       search: set_upper_bound TSUPBD, ball_by_limbs TSBALL,
-C         compare_exactly TSCMPE, compare_point TSCMPP, offer_point
-C         TSOFFP, offer_list TSOFFL, search_star_list TSSRSL,
-C         search_block_list TSSRBL, set_skin TSSKIN, collect_leaf
-C         TSCOLF, offer_leaf TSOFLF, search_tree TSTREE, on_hull_plane
-C         TSONHP, search_begin TSBEGS, ball_in_near_list TSBINN,
-C         make_near_list TSMKNL, search_near_lists TSSRNL, apex TSAPEX
-C       one star: replace_vertex TSREPV, encloses TSENCL, any_tet_at
-C         TSANYT, incident_tet TSINCT
-C       star: clear_link TSCLRL, move_edges TSMOVE, push_edge TSPUSH,
-C         connect_edges TSCONN, remove_edge TSRMED, edge_between TSBETW,
-C         set_adjacent TSADJA, flush_facets TSFLUS, match_or_push
-C         TSMOPU, add_tetrahedron TSADDT, facet_to_edge TSFTOE,
-C         pair_edges TSPAIR, edges_from_adj TSEADJ, edges_from_pool
-C         TSEPOO, complete_vertex TSCMPL, make_room TSMKRO, begin_mesh
-C         TSBEGI, complete_star TSSTAR, seed_star TSSEED, complete_stars
-C         TSSTRS
+C       limbs: ball_by_limbs TSBALL, excludes_by_view TSXVIE
+C       surfaces: rough_height TSROUG, marked_height TSMRKH,
+C         height_over TSHEOV, facet_on_surface TSFONS,
+C         add_to_sample TSADDS, surface_record TSRCRD,
+C         surface_from_record TSSFRC, surface_through TSTHRO,
+C         fit_surface TSFIT, mark_leaf TSMLEA, find_surface TSFSUR,
+C         surfaces_of_index TSSOFI, surface_near_facet TSSNRF,
+C         recentre_on_sphere TSRCEN, choose_surface TSCHOS,
+C         sharpen_by_height TSSHAR, set_surface_filter TSSFFI,
+C         seek_surface TSSEEK
+C     then what the entries need:
+C       sorting: axis_before TSAXBE, swap TSSWAP, pivot TSPIVO,
+C         select_rank TSSELE, link_duplicate TSDUPL,
+C         bounding_box TSBBOX, bisect TSBISE, leaf_start TSLFST,
+C         leaf_of TSLEAF, node_range TSNRNG, leaf_sort TSLSOR,
+C         kd_sort TSKDSO, node_width TSWIDT, make_boxes TSBOXE
 C       results: place_in_four TSPLC4, matching_facet TSMATE
 C       preparation: leaf_count TSLCOU, workspace_lengths TSLENG,
 C         lay_out TSLAYO, distinct_points TSDIST, rescale TSRESC,
-C         common_unit TSUNIT, limbs_hold_all TSINLI, scale_points
-C         TSSCAL, measure_clumps TSCLUM, revive_all TSREVI,
+C         common_unit TSUNIT, limbs_hold_all TSINLI,
+C         scale_points TSSCAL, measure_clumps TSCLUM, revive_all TSREVI,
 C         prepare_points TSSORT, write_header TSWHDR, open_index TSOPEN,
-C         check_unfinished TSCHKU, mark_wanted TSWANT, rebuild_state
-C         TSREST, lay_out_pool TSALLO, build TSBLD, bad_argument TSBADA
+C         check_unfinished TSCHKU, mark_wanted TSWANT,
+C         rebuild_state TSREST, lay_out_pool TSALLO, build TSBLD,
+C         bad_argument TSBADA
 C       entries: tess_size TESSWK, tess TESS, tess_resume TESSRE,
 C         tess_index TESSIX, tess_part TESSPA
 C     and what needs no mesh under construction:
-C       queries: side_of_qstar TSQSID, exit_facet TSEXIT, in_tet_box
-C         TSINTB
-C       location: nearer_max_norm TSNEAR, choose_start TSSTRT, walk
-C         TSWALK, hull_step TSHULL, next_hull_facet TSTURN,
+C       one star: replace_vertex TSREPV, encloses TSENCL,
+C         any_tet_at TSANYT, incident_tet TSINCT
+C       queries: side_of_qstar TSQSID, exit_facet TSEXIT,
+C         in_tet_box TSINTB
+C       location: nearer_max_norm TSNEAR, choose_start TSSTRT,
+C         walk TSWALK, hull_step TSHULL, next_hull_facet TSTURN,
 C         nearest_on_hull TSNEAH, tess_locate TESSLO, tess_values TESSVA
 C       without a mesh: position_near TSPOSN, cross_facet TSCROS,
 C         tet_in_mesh TSTINM, tess_query TESSQU
-C       hull, check: tess_hull TESSHU, mark_duplicates TSMDUP,
-C         check_planar TSCHKP, check_vertices TSCHKI, check_neighbours
-C         TSCHKF, check_orientation TSCHKT, check_convex TSCHKH,
+C       hull: tess_hull TESSHU
+C       check: mark_duplicates TSMDUP, check_planar TSCHKP,
+C         check_vertices TSCHKI, check_neighbours TSCHKF,
+C         check_orientation TSCHKT, check_convex TSCHKH,
 C         check_cover TSCHKC, tess_check TESSCH
-C       a ball, version: tess_ball TESSBA, tess_edition TESSED
+C       ball, version: tess_ball TESSBA, tess_edition TESSED
 C     Only in C: point.  Only here: TSPDIS (disjoint for a point),
 C     TSLINE (hh_line of points of P), TSONSP (the macro CURVED),
 C     TSWORK, TSMESH, TSINDE, TSQUER (parts of tess_resume and
@@ -682,419 +688,1135 @@ C       ROUNDG = 64.0D0*2.0D0**(-52) ROUNDING  relative room for the few
 C               roundings of a bound
 
 C     ------------------------------------------------------------------
-C     Sorting.
+C     The star of a vertex.
+C
+C     The open facets at S are the edges A -> B of its link: (S, A, B)
+C     is positive towards the unknown side.  They are a queue, which
+C     keeps the link's boundary short, and grow down from the end of the
+C     pool: edge E is POOL(E) and the EDGLEN - 1 integers behind it.
+C       ECODE   the facet's code; START for the first facet; DEAD
+C       EFROM   A
+C       ETO     B
+C       EPREV   an edge that ends where this one begins, or 0; and
+C       EAFTER  one that begins where it ends: they give the guesses
+C       ECHAIN  the next edge from A, or 0; LINK(A) is the first
 C     ------------------------------------------------------------------
 
-C     TSAXBE - 1 if point I precedes the point with coordinates Q and
-C     number NUMBER along an axis, else 0.  Ties are broken by the next
-C     axes, then by number.
-      INTEGER FUNCTION TSAXBE(X, ORD, I, AXIS, Q, NUMBER)
-      DOUBLE PRECISION X(3,*), Q(3)
-      INTEGER ORD(*), I, AXIS, NUMBER
-      INTEGER K, PASS
-      TSAXBE = 1
-      K = AXIS
-      DO 10 PASS = 1, 3
-        IF (X(K,I) .LT. Q(K)) RETURN
-        IF (X(K,I) .GT. Q(K)) GO TO 20
-        K = MOD(K, 3) + 1
-   10 CONTINUE
-      IF (ORD(I) .LT. NUMBER) RETURN
-   20 TSAXBE = 0
+C     TSCLRL - empty the link.
+      SUBROUTINE TSCLRL(CTL)
+      INTEGER CTL(*)
+      INTEGER POOLLN, OLDEST, NEWEST, EDGLEN
+      PARAMETER (POOLLN = 5, OLDEST = 9, NEWEST = 10, EDGLEN = 6)
+      CTL(NEWEST) = CTL(POOLLN) + 1
+      CTL(OLDEST) = CTL(POOLLN) + 1 - EDGLEN
       END
 
-      SUBROUTINE TSSWAP(X, ORD, I, J)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), I, J
-      DOUBLE PRECISION A, B, C
-      INTEGER O
-      O = ORD(I)
-      ORD(I) = ORD(J)
-      ORD(J) = O
-      A = X(1,I)
-      B = X(2,I)
-      C = X(3,I)
-      X(1,I) = X(1,J)
-      X(2,I) = X(2,J)
-      X(3,I) = X(3,J)
-      X(1,J) = A
-      X(2,J) = B
-      X(3,J) = C
-      END
-
-C     TSPIVO - I is the position of a point whose rank along an axis is
-C     near MID, among LO ... HI: the point of that rank in a random
-C     sample.  The random numbers are the same everywhere.
-      SUBROUTINE TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), LO, HI, MID, AXIS, CHANCE, I
-      INTEGER TSAXBE, A(33), COUNT, J, N, S, STEP, T
-      COUNT = HI - LO + 1
-      STEP = COUNT/1024
-      N = 3
-      IF (COUNT .GT. 200) N = 9
-      IF (COUNT .GT. 4000) N = 33
-      A(1) = LO
-      DO 30 S = 1, N
-        CHANCE = MOD(CHANCE*137, 30269) + 1
-        IF (STEP .GT. 0) THEN
-          T = LO + STEP*MOD(CHANCE, 1024) + MOD(CHANCE, STEP)
-        ELSE
-          T = LO + MOD(CHANCE, COUNT)
+C     TSMOVE - move the edges up to the end of the pool.
+      SUBROUTINE TSMOVE(LINK, POOL, CTL)
+      INTEGER LINK(*), POOL(*), CTL(*)
+      INTEGER POOLLN, OLDEST, NEWEST, EDGLEN, ECODE, EDEAD, EFROM, EPREV
+      PARAMETER (POOLLN = 5, OLDEST = 9, NEWEST = 10, EDGLEN = 6,
+     $    ECODE = 0, EDEAD = -2, EFROM = 1, EPREV = 3)
+      INTEGER E, K, SHIFT, TO
+      SHIFT = CTL(POOLLN) + 1 - EDGLEN - CTL(OLDEST)
+      DO 30 E = CTL(OLDEST), CTL(NEWEST), -EDGLEN
+        TO = E + SHIFT
+        IF (POOL(E+ECODE) .NE. EDEAD) THEN
+          IF (LINK(POOL(E+EFROM)) .EQ. E) LINK(POOL(E+EFROM)) = TO
         END IF
-        J = S
-   10   IF (J .GT. 1) THEN
-          IF (TSAXBE(X, ORD, T, AXIS, X(1,A(J-1)), ORD(A(J-1))) .EQ.
-     $        1) THEN
-            A(J) = A(J-1)
-            J = J - 1
+        DO 10 K = 0, EDGLEN - 1
+          POOL(TO+K) = POOL(E+K)
+   10   CONTINUE
+        DO 20 K = EPREV, EDGLEN - 1
+          IF (POOL(TO+K) .NE. 0) POOL(TO+K) = POOL(TO+K) + SHIFT
+   20   CONTINUE
+   30 CONTINUE
+      CTL(NEWEST) = CTL(NEWEST) + SHIFT
+      CTL(OLDEST) = CTL(OLDEST) + SHIFT
+      END
+
+C     TSPUSH - add an edge A -> B without neighbours.  E is its number,
+C     or 0 if there is no room.
+      SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
+      INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
+      INTEGER SLOTS, NEWEST, ENTLEN, EDGLEN, ECODE, EFROM, ETO, EPREV,
+     $    ENEXT, ECHAIN
+      PARAMETER (SLOTS = 6, NEWEST = 10, ENTLEN = 4, EDGLEN = 6,
+     $    ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4,
+     $    ECHAIN = 5)
+      E = CTL(NEWEST) - EDGLEN
+      IF (E .LE. ENTLEN*CTL(SLOTS)) THEN
+        E = 0
+        RETURN
+      END IF
+      POOL(E+ECODE) = CODE
+      POOL(E+EFROM) = A
+      POOL(E+ETO) = B
+      POOL(E+EPREV) = 0
+      POOL(E+ENEXT) = 0
+      POOL(E+ECHAIN) = MAX(LINK(A), 0)
+      LINK(A) = E
+      CTL(NEWEST) = E
+      END
+
+C     TSCONN - make edge B the successor of edge A; either may be 0.
+      SUBROUTINE TSCONN(POOL, A, B)
+      INTEGER POOL(*), A, B
+      INTEGER EPREV, ENEXT
+      PARAMETER (EPREV = 3, ENEXT = 4)
+      IF (A .NE. 0) POOL(A+ENEXT) = B
+      IF (B .NE. 0) POOL(B+EPREV) = A
+      END
+
+C     TSRMED - remove edge E from the link.
+      SUBROUTINE TSRMED(LINK, POOL, E)
+      INTEGER LINK(*), POOL(*), E
+      INTEGER ECODE, EDEAD, EFROM, ECHAIN
+      PARAMETER (ECODE = 0, EDEAD = -2, EFROM = 1, ECHAIN = 5)
+      INTEGER I
+      I = LINK(POOL(E+EFROM))
+      IF (I .EQ. E) THEN
+        LINK(POOL(E+EFROM)) = POOL(E+ECHAIN)
+      ELSE
+   10   IF (POOL(I+ECHAIN) .NE. E) THEN
+          I = POOL(I+ECHAIN)
+          GO TO 10
+        END IF
+        POOL(I+ECHAIN) = POOL(E+ECHAIN)
+      END IF
+      POOL(E+ECODE) = EDEAD
+      END
+
+C     TSBETW - the edge A -> B of the link, or 0.
+      INTEGER FUNCTION TSBETW(LINK, POOL, A, B)
+      INTEGER LINK(*), POOL(*), A, B
+      INTEGER ETO, ECHAIN
+      PARAMETER (ETO = 2, ECHAIN = 5)
+      INTEGER E
+      E = MAX(LINK(A), 0)
+   10 IF (E .NE. 0) THEN
+        IF (POOL(E+ETO) .NE. B) THEN
+          E = POOL(E+ECHAIN)
+          GO TO 10
+        END IF
+      END IF
+      TSBETW = E
+      END
+
+C     TSADJA - make the facets of two codes neighbours.
+      SUBROUTINE TSADJA(ADJ, CODE, OTHER)
+      INTEGER ADJ(*), CODE, OTHER
+      ADJ(CODE) = (OTHER - 1)/4 + 1
+      ADJ(OTHER) = (CODE - 1)/4 + 1
+      END
+
+C     TSFLUS - enter the facets opposite to S of the tetrahedra from
+C     UNFILE on into the pool, or close those whose other side is there.
+C     They are processed in batches so that the processor can overlap
+C     their memory accesses.
+      SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
+      INTEGER NTET, UNFILE
+      PARAMETER (NTET = 2, UNFILE = 8)
+      INTEGER CODE, OTHER, T
+      DO 10 T = CTL(UNFILE), CTL(NTET)
+        CODE = 4*(T - 1) + 1
+        CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
+        IF (OTHER .NE. 0) CALL TSADJA(ADJ, CODE, OTHER)
+   10 CONTINUE
+      CTL(UNFILE) = CTL(NTET) + 1
+      END
+
+C     TSMOPU - put the edge A -> B of the facet CODE into the link
+C     between the edges PREV and AFTER, either of which may be 0; if its
+C     other side is there, remove that instead.  LAST is the edge that
+C     ends at B then.
+      SUBROUTINE TSMOPU(ADJ, LINK, POOL, CTL, CODE, A, B, PREV, AFTER,
+     $                  LAST)
+      INTEGER ADJ(*), LINK(*), POOL(*), CTL(*), CODE, A, B, PREV, AFTER,
+     $    LAST
+      INTEGER ECODE, EPREV, ENEXT, OPEN
+      PARAMETER (ECODE = 0, EPREV = 3, ENEXT = 4, OPEN = -1)
+      INTEGER TSBETW, F, G
+      F = TSBETW(LINK, POOL, B, A)
+      IF (F .EQ. 0) THEN
+        ADJ(CODE) = OPEN
+        CALL TSPUSH(LINK, POOL, CTL, CODE, A, B, LAST)
+        CALL TSCONN(POOL, PREV, LAST)
+        CALL TSCONN(POOL, LAST, AFTER)
+        RETURN
+      END IF
+      CALL TSADJA(ADJ, CODE, POOL(F+ECODE))
+      LAST = POOL(F+EPREV)
+      G = POOL(F+ENEXT)
+      IF (F .NE. PREV) CALL TSCONN(POOL, PREV, G)
+      IF (F .NE. AFTER) CALL TSCONN(POOL, LAST, AFTER)
+      CALL TSRMED(LINK, POOL, F)
+      END
+
+C     TSADDT - store the tetrahedron of S, edge E = A -> B and the apex
+C     C.  The edges A -> C and C -> B replace E in the link.
+      SUBROUTINE TSADDT(TET, ADJ, LINK, POOL, CTL, S, E, C)
+      INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
+      INTEGER NTET, ECODE, ESEED, EFROM, ETO, EPREV, ENEXT, NEW, OPEN
+      PARAMETER (NTET = 2, ECODE = 0, ESEED = -1, EFROM = 1, ETO = 2,
+     $    EPREV = 3, ENEXT = 4, NEW = -2, OPEN = -1)
+      INTEGER TSBETW, A, AFTER, B, CODE, F, G, PREV, T
+      CODE = POOL(E+ECODE)
+      A = POOL(E+EFROM)
+      B = POOL(E+ETO)
+      PREV = POOL(E+EPREV)
+      AFTER = POOL(E+ENEXT)
+      T = CTL(NTET) + 1
+      CTL(NTET) = T
+      TET(1,T) = S
+      TET(2,T) = A
+      TET(3,T) = B
+      TET(4,T) = C
+      IF (CODE .EQ. ESEED) THEN
+        F = TSBETW(LINK, POOL, B, A)
+        ADJ(4*T) = 0
+        IF (F .NE. 0) THEN
+          ADJ(4*T) = OPEN
+          POOL(F+ECODE) = 4*T
+        END IF
+      ELSE
+        CALL TSADJA(ADJ, CODE, 4*T)
+      END IF
+      IF (LINK(C) .EQ. NEW) LINK(C) = 0
+      CALL TSRMED(LINK, POOL, E)
+C     until TSFLUS
+      ADJ(4*T-3) = OPEN
+      CALL TSMOPU(ADJ, LINK, POOL, CTL, 4*T - 1, A, C, PREV, 0, F)
+      CALL TSMOPU(ADJ, LINK, POOL, CTL, 4*T - 2, C, B, F, AFTER, G)
+      END
+
+C     TSFTOE - make the open facet CODE an edge of the link, if it has
+C     the vertex S.  OK is 1, or 0 if there is no room.
+      SUBROUTINE TSFTOE(TET, LINK, POOL, CTL, S, CODE, OK)
+      INTEGER TET(4,*), LINK(*), POOL(*), CTL(*), S, CODE, OK
+      INTEGER E, K, V(3)
+      CALL TSFCOD(TET, CODE, V)
+      OK = 1
+      DO 10 K = 1, 3
+        IF (V(K) .EQ. S) GO TO 20
+   10 CONTINUE
+      RETURN
+   20 CALL TSPUSH(LINK, POOL, CTL, CODE, V(MOD(K,3)+1),
+     $            V(MOD(K+1,3)+1), E)
+      IF (E .EQ. 0) OK = 0
+      END
+
+C     TSPAIR - give every edge of the link a successor: an edge that
+C     begins where it ends and has no predecessor yet, if there is one.
+      SUBROUTINE TSPAIR(LINK, POOL, CTL)
+      INTEGER LINK(*), POOL(*), CTL(*)
+      INTEGER OLDEST, NEWEST, EDGLEN, ECODE, EDEAD, ETO, EPREV, ECHAIN
+      PARAMETER (OLDEST = 9, NEWEST = 10, EDGLEN = 6, ECODE = 0,
+     $    EDEAD = -2, ETO = 2, EPREV = 3, ECHAIN = 5)
+      INTEGER AT, E, F
+      DO 20 E = CTL(OLDEST), CTL(NEWEST), -EDGLEN
+        F = LINK(POOL(E+ETO))
+        IF (F .LT. 0 .OR. POOL(E+ECODE) .EQ. EDEAD) GO TO 20
+   10   IF (F .NE. 0) THEN
+          IF (POOL(F+EPREV) .NE. 0) THEN
+            F = POOL(F+ECHAIN)
             GO TO 10
           END IF
         END IF
-        A(J) = T
-   30 CONTINUE
-      I = A((MID - LO)/(COUNT/N + 1) + 1)
+        AT = E
+        CALL TSCONN(POOL, AT, F)
+   20 CONTINUE
       END
 
-C     TSSELE - reorder the points FIRST ... LAST so that those before
-C     MID precede the one at MID along an axis, and the others do not.
-      SUBROUTINE TSSELE(X, ORD, FIRST, LAST, MID, AXIS)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), FIRST, LAST, MID, AXIS
-      DOUBLE PRECISION Q(3)
-      INTEGER TSAXBE, AT, CHANCE, HI, I, J, LESS, LO, NUMBER
-      CHANCE = 1
-      LO = FIRST
-      HI = LAST
-   10 IF (LO .GT. MID .OR. HI .LE. LO) RETURN
-      CALL TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
-      DO 20 J = 1, 3
-        Q(J) = X(J,I)
+C     TSEADJ - make all open facets at S edges of the link, in the order
+C     of their tetrahedra.  OK is 1, or 0 if there is no room.
+      SUBROUTINE TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
+      INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, OK
+      INTEGER NTET, OPEN
+      PARAMETER (NTET = 2, OPEN = -1)
+      INTEGER CODE, K, T
+      DO 20 T = 1, CTL(NTET)
+        DO 10 K = 4, 1, -1
+          CODE = 4*(T - 1) + K
+          OK = 1
+          IF (ADJ(CODE) .EQ. OPEN) CALL TSFTOE(TET, LINK, POOL, CTL, S,
+     $        CODE, OK)
+          IF (OK .EQ. 0) RETURN
+   10   CONTINUE
    20 CONTINUE
-      NUMBER = ORD(I)
-C     no branch on the points except for ties: half of them would be
-C     mispredicted, which takes longer than a swap
-      I = LO
-      DO 30 J = LO, HI
-        LESS = 0
-        IF (X(AXIS,J) .LT. Q(AXIS)) LESS = 1
-C       halves, whose differences do not overflow
-        IF (ABS(0.5D0*X(AXIS,J) - 0.5D0*Q(AXIS)) .LE. 0.0D0) THEN
-          AT = J
-          LESS = TSAXBE(X, ORD, AT, AXIS, Q, NUMBER)
-        END IF
-        CALL TSSWAP(X, ORD, I, J)
-        I = I + LESS
-   30 CONTINUE
-C     LO ... I-1 precede the pivot, I ... HI do not
-      IF (MID .LT. I) THEN
-        HI = I - 1
-      ELSE IF (I .GT. LO) THEN
-        LO = I
-      ELSE
-C       the pivot precedes all others: move it to the front
-        J = LO
-   40   IF (ORD(J) .NE. NUMBER) THEN
-          J = J + 1
-          GO TO 40
-        END IF
-        CALL TSSWAP(X, ORD, LO, J)
-        LO = LO + 1
+      CALL TSPAIR(LINK, POOL, CTL)
+      END
+
+C     TSEPOO - move the facets that S owns from the pool to the link,
+C     oldest first.  OK is 1, or 0 if there is no room.  If they do not
+C     fit beside the table, rebuild the table without them first.
+      SUBROUTINE TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
+      INTEGER SLOTS, NFACET, NEWEST, ENTLEN, PCODE, PNEXT, PPREV, EDGLEN
+      PARAMETER (SLOTS = 6, NFACET = 7, NEWEST = 10, ENTLEN = 4,
+     $    PCODE = 1, PNEXT = 2, PPREV = 3, EDGLEN = 6)
+      INTEGER TSQUOT, CODE, E, EDGES
+      OK = 1
+      E = HEAD(S)
+      IF (E .EQ. 0) RETURN
+      EDGES = 1
+   10 IF (POOL(ENTLEN*(E-1)+PNEXT) .NE. 0) THEN
+        E = POOL(ENTLEN*(E-1)+PNEXT)
+        EDGES = EDGES + 1
+        GO TO 10
       END IF
+      IF (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - EDGLEN*EDGES) THEN
+        CTL(NFACET) = CTL(NFACET) - EDGES
+        CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, TSQUOT(CTL, EDGES),
+     $              OK)
+        IF (OK .EQ. 1) CALL TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
+        RETURN
+      END IF
+   20 IF (E .GT. 0) THEN
+        CODE = POOL(ENTLEN*(E-1)+PCODE)
+        CALL TSFTOE(TET, LINK, POOL, CTL, S, CODE, OK)
+        E = POOL(ENTLEN*(E-1)+PPREV)
+        GO TO 20
+      END IF
+   30 E = HEAD(S)
+      IF (E .NE. 0) THEN
+        CALL TSERAS(HEAD, POOL, CTL, E)
+        GO TO 30
+      END IF
+      CALL TSPAIR(LINK, POOL, CTL)
+      END
+
+C     TSCMPL - mark the star of S complete: S leaves the tree and the
+C     block's list.
+      SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
+      INTEGER NLISTS, LLSX, LLSI, TSLIST
+      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, TSLIST = 512)
+      REAL LSX(TSLIST,LLSX,NLISTS)
+      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(LLSI,NLISTS), S
+      INTEGER LEAVES, BLK, LX, LY, LZ, LNORM2, LFIRST, LLAST, LN, COMPLE
+      REAL LEFTLI
+      PARAMETER (LEAVES = 4, BLK = 1, LX = 1, LY = 2, LZ = 3,
+     $    LNORM2 = 4, LFIRST = 1, LLAST = 2, LN = 3, COMPLE = -1,
+     $    LEFTLI = 1.0E10)
+      INTEGER TSLEAF, I, NODE
+      IF (LINK(S) .EQ. COMPLE) RETURN
+      LINK(S) = COMPLE
+      NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
+   10 IF (NODE .GT. 0) THEN
+        ALIVE(NODE) = ALIVE(NODE) - 1
+        IF (ALIVE(NODE) .EQ. 0) THEN
+          NODE = NODE/2
+          GO TO 10
+        END IF
+      END IF
+      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK) .OR.
+     $    LSI(LN,BLK) .EQ. 0) RETURN
+      I = S - LSI(LFIRST,BLK) + 1
+      LSX(I,LX,BLK) = LEFTLI
+      LSX(I,LY,BLK) = LEFTLI
+      LSX(I,LZ,BLK) = LEFTLI
+      LSX(I,LNORM2,BLK) = LEFTLI*LEFTLI
+      END
+
+C     TSMKRO - make room for another tetrahedron's facets in the table
+C     and in the link of S.  OK is 1, or 0 if there is none.  Callers
+C     must reload OLDEST.
+C
+C                  1         ENTLEN*M     NEWEST     OLDEST   POOLLN
+C       before     | table      | free   | edges      | dead   |
+C       TSMOVE     | table      | free            | edges      |
+C       TSREHA     | longer, or shorter table | free | edges   |
+C
+C     That is done when the table is three quarters full or meets the
+C     edges: these move up if an eighth of their room is dead, and the
+C     table is resized if that changes it by a sixteenth, so both are
+C     rare.
+      SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+      INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
+      INTEGER NTET, POOLLN, SLOTS, NFACET, UNFILE, OLDEST, NEWEST,
+     $    ENTLEN, EDGLEN
+      PARAMETER (NTET = 2, POOLLN = 5, SLOTS = 6, NFACET = 7,
+     $    UNFILE = 8, OLDEST = 9, NEWEST = 10, ENTLEN = 4, EDGLEN = 6)
+      INTEGER TSFULL, TSQUOT, CHANGE, MOST
+      CHANGE = CTL(SLOTS)/16
+      OK = 1
+      IF (4*(CTL(NFACET) + CTL(NTET) - CTL(UNFILE) + 1) .LT.
+     $    3*CTL(SLOTS) .AND. ENTLEN*CTL(SLOTS) .LE.
+     $    CTL(NEWEST) - 1 - 2*EDGLEN) RETURN
+      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+      IF (CTL(POOLLN) + 1 - CTL(OLDEST) .GT. (CTL(POOLLN) + 1 -
+     $    CTL(NEWEST))/8) CALL TSMOVE(LINK, POOL, CTL)
+      MOST = MIN(TSQUOT(CTL, 2), 2*CTL(SLOTS) + 1)
+      IF ((4*CTL(NFACET) .GE. 3*CTL(SLOTS) .AND. MOST .GT. CTL(SLOTS) +
+     $    CHANGE) .OR. (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*
+     $    EDGLEN .AND. MOST .LT. CTL(SLOTS) - CHANGE))
+     $    CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, MOST, OK)
+      OK = 1 - TSFULL(CTL, CTL(NFACET) + 1)
+      IF (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*EDGLEN) OK = 0
+      END
+
+C     TSBEGI - put the first facet into the link of S, its vertex of
+C     least position.
+      SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
+      INTEGER ESEED, FULL
+      PARAMETER (ESEED = -1, FULL = 2)
+      INTEGER E, I, V(3)
+      CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
+      IF (INFO .NE. 0) RETURN
+      S = V(1)
+      DO 10 I = 1, 3
+        LINK(V(I)) = 0
+   10 CONTINUE
+      CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
+      IF (E .EQ. 0) INFO = FULL
+      END
+
+C     TSSTAR - complete the star of S, whose open facets are the edges
+C     of the link.  INFO is 0, MORE or FULL.
+      SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
+     $                  POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
+     $                  S, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*)
+      REAL LSX(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
+     $    POOL(*), MARK(*), CTL(*), LSID(*), LSI(*), S, INFO
+      INTEGER NTET, MAXTET, OLDEST, NEWEST, NSETS, EDGLEN, ECODE, ESEED,
+     $    EDEAD, EFROM, ETO, EPREV, ENEXT, MORE, FULL
+      PARAMETER (NTET = 2, MAXTET = 3, OLDEST = 9, NEWEST = 10,
+     $    NSETS = 17, EDGLEN = 6, ECODE = 0, ESEED = -1, EDEAD = -2,
+     $    EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4, MORE = 1, FULL = 2)
+      INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
+      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
+     $            S)
+      CTL(NSETS) = 0
+   10 E = CTL(OLDEST)
+      IF (E .GE. CTL(NEWEST)) THEN
+        IF (POOL(E+ECODE) .EQ. EDEAD) THEN
+          CTL(OLDEST) = E - EDGLEN
+          GO TO 10
+        END IF
+        V(1) = S
+        V(2) = POOL(E+EFROM)
+        V(3) = POOL(E+ETO)
+        PREV = POOL(E+EPREV)
+        AFTER = POOL(E+ENEXT)
+        GUESS(1) = 0
+        GUESS(2) = 0
+        IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
+        IF (AFTER .NE. 0) GUESS(2) = POOL(AFTER+ETO)
+        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, V, GUESS, C)
+        IF (C .EQ. 0) THEN
+          IF (POOL(E+ECODE) .NE. ESEED) ADJ(POOL(E+ECODE)) = 0
+          CALL TSCONN(POOL, PREV, 0)
+          CALL TSCONN(POOL, 0, AFTER)
+          CALL TSRMED(LINK, POOL, E)
+          GO TO 10
+        END IF
+        IF (CTL(NTET) .EQ. CTL(MAXTET)) THEN
+          CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+          INFO = MORE
+          RETURN
+        END IF
+        CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+        IF (OK .EQ. 0) THEN
+          INFO = FULL
+          RETURN
+        END IF
+        E = CTL(OLDEST)
+        CALL TSADDT(TET, ADJ, LINK, POOL, CTL, S, E, C)
+        GO TO 10
+      END IF
+      CALL TSCLRL(CTL)
+      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
+      CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
+      INFO = 0
+      END
+
+C     TSSEED - begin the star of S, which is in no tetrahedron yet, with
+C     a facet of a tetrahedron at S: its two sides become edges of the
+C     link, the one towards the tetrahedron first.  OK is 1, or 0 if
+C     there is no room.
+      SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
+     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, S, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*)
+      REAL LSX(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(*),
+     $    S, OK
+      INTEGER ESEED
+      PARAMETER (ESEED = -1)
+      INTEGER E, V(4)
+      CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK, CTL,
+     $            RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
+      CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+      IF (OK .EQ. 0) RETURN
+      CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
+      IF (E .NE. 0) CALL TSPUSH(LINK, POOL, CTL, ESEED, V(3), V(2), E)
+      IF (E .EQ. 0) OK = 0
+      END
+
+C     TSSTRS - complete all stars asked for, beginning with S if the
+C     link has edges: first those connected through open facets, then
+C     one of the rest, and so on.  INFO is 0, MORE or FULL.
+      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
+     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, S, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*)
+      REAL LSX(*)
+      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
+     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(*),
+     $    S, INFO
+      INTEGER NP, OLDEST, NEWEST, LOWEST, NEXTNE, NEW, UNWANT, FULL
+      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOWEST = 11,
+     $    NEXTNE = 15, NEW = -2, UNWANT = -1, FULL = 2)
+      INTEGER OK
+   10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
+        CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
+     $              MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, INFO)
+        IF (INFO .NE. 0) RETURN
+      END IF
+      DO 20 S = CTL(LOWEST), CTL(NP)
+        IF (HEAD(S) .GT. 0) GO TO 30
+C       no open facet has a vertex of smaller position than LOWEST, so
+C       one that was met before and owns none is complete
+        IF (LINK(S) .EQ. 0 .AND. HEAD(S) .EQ. 0) CALL TSCMPL(ALIVE,
+     $      LINK, CTL, LSX, LSI, S)
+   20 CONTINUE
+   30 CTL(LOWEST) = S
+      IF (S .LE. CTL(NP)) THEN
+        CALL TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+      ELSE
+        DO 40 S = CTL(NEXTNE), CTL(NP)
+          IF (LINK(S) .EQ. NEW .AND. HEAD(S) .NE. UNWANT) GO TO 50
+   40   CONTINUE
+   50   CTL(NEXTNE) = S
+        INFO = 0
+        IF (S .GT. CTL(NP)) RETURN
+        CALL TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
+     $              LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $              LSD, S, OK)
+      END IF
+      INFO = FULL
+      IF (OK .EQ. 1) GO TO 10
+      END
+
+C     ------------------------------------------------------------------
+C     The search for the apex of a facet.
+C     ------------------------------------------------------------------
+
+C     TSDOT - the product of two vectors.
+      DOUBLE PRECISION FUNCTION TSDOT(A, B)
+      DOUBLE PRECISION A(*), B(*)
+      TSDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
+      END
+
+C     TSFBND - the bound of the sieve S for |W|_1 <= LENGTH.  C errs by
+C     at most dc.  Each term W(K) (W(K) - 2 C(K)) suffers at most 6
+C     roundings, counting that of W(K) twice and those of the sum, each
+C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).  LENGTH and this bound
+C     may come out too small by a few EPS.
+      DOUBLE PRECISION FUNCTION TSFBND(S, LENGTH)
+      INTEGER LFILT
+      PARAMETER (LFILT = 8)
+      DOUBLE PRECISION S(LFILT), LENGTH
+      INTEGER VDC, VC1, VALLOW
+      DOUBLE PRECISION EPS
+      PARAMETER (VDC = 4, VC1 = 5, VALLOW = 8, EPS = 2.0D0**(-52))
+      TSFBND = LENGTH*(2.0D0*S(VDC) + 8.0D0*EPS*(LENGTH +
+     $    2.0D0*S(VC1))) + S(VALLOW)
+      END
+
+C     TSHALF - the open side as a sieve: the ball of L = LMAX / 2 along
+C     the normal.  Its dc has room for |W|**2, and is so large that all
+C     pass where the normal is not known.
+      SUBROUTINE TSHALF(F, S)
+      INTEGER LFILT, LF
+      PARAMETER (LFILT = 8, LF = 12)
+      DOUBLE PRECISION F(LF), S(LFILT)
+      INTEGER VC, VDC, VC1, FNORM, FE
+      DOUBLE PRECISION EPS, HHEMAX, LMAX
+      PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FE = 10,
+     $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, LMAX = 1.0D100)
+      INTEGER K
+      S(VC1) = 0.0D0
+      DO 10 K = 1, 3
+        S(VC+K) = 0.5D0*LMAX*F(FNORM+K)
+        S(VC1) = S(VC1) + ABS(S(VC+K))
+   10 CONTINUE
+C     (nothing may overflow, even if a compiler computes it in vain)
+      S(VDC) = 4.0D0
+      IF (F(FE) .LE. HHEMAX) S(VDC) = F(FE)
+      S(VDC) = LMAX*(0.5D0*S(VDC) + 4.0D0*EPS)
+      END
+
+C     TSXBOX - returns 1 if no point of a node's box can be a candidate:
+C     none passes the sieve S, whose sum their heights raise by at least
+C     HIGH, or all are on the negative side; or 0.  It compares the
+C     least sum and the greatest side in the box with the bounds on
+C     their errors: TSFBND, and E |W|, which covers the rounding of the
+C     side, too.  Both are taken at a point whose coordinates are the
+C     box's own doubles, or C's, so the bounds for points hold.
+      INTEGER FUNCTION TSXBOX(F, S, BOX, NODE, HIGH)
+      INTEGER LF
+      PARAMETER (LF = 12)
+      DOUBLE PRECISION F(LF), S(*), BOX(6,*), HIGH
+      INTEGER NODE
+      INTEGER VC, FNORM, FBASE, FE
+      DOUBLE PRECISION HHEMAX, UNDERR
+      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, HHEMAX = 0.5D0,
+     $    UNDERR = 1.0D-200)
+      DOUBLE PRECISION TSFBND, H, L, LENGTH, POWER, SIDE, U
+      INTEGER K
+      POWER = HIGH
+      SIDE = 0.0D0
+      LENGTH = 0.0D0
+      DO 10 K = 1, 3
+        L = BOX(K,NODE) - F(FBASE+K)
+        H = BOX(3+K,NODE) - F(FBASE+K)
+        U = MIN(MAX(S(VC+K), L), H)
+        POWER = POWER + U*(U - 2.0D0*S(VC+K))
+        SIDE = SIDE + MAX(L*F(FNORM+K), H*F(FNORM+K))
+        LENGTH = LENGTH + MAX(ABS(L), ABS(H))
+   10 CONTINUE
+      TSXBOX = 0
+      IF (POWER .GT. TSFBND(S, LENGTH)) TSXBOX = 1
+      IF (F(FE) .LE. HHEMAX) THEN
+        IF (SIDE .LT. -F(FE)*LENGTH - UNDERR) TSXBOX = 1
+      END IF
+      END
+
+C     TSXNOD - returns 1 if a node provably holds no candidate, by the
+C     marks of its points, or where they tell nothing by its box alone;
+C     a clump's also as seen from other points; or 0.
+      INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
+     $                        T, NODE)
+      INTEGER LSUP, LIQ, LTILT
+      PARAMETER (LSUP = 60, LIQ = 47, LTILT = 14)
+      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(LSUP,*), F(*),
+     $    C(*), T(LTILT)
+      INTEGER MARK(*), CTL(*), V(3), IQ(LIQ), NODE
+      INTEGER RCLUMP, SLOWES, SQUANT, VWEIGH, VBASEH, QSURF, QCOLL,
+     $    LRECRD, RSTEPS, MARKST
+      PARAMETER (RCLUMP = 10, SLOWES = 59, SQUANT = 60, VWEIGH = 6,
+     $    VBASEH = 7, QSURF = 6, QCOLL = 43, LRECRD = 16,
+     $    RSTEPS = 32768, MARKST = 4096)
+      DOUBLE PRECISION TSWIDT, H
+      INTEGER TSRCRD, TSXBOX, TSXVIE, K, ON
+      ON = IQ(QSURF)
+      IF (ON .NE. 0) THEN
+        K = MARK(TSRCRD(CTL, ON)+LRECRD+NODE)
+        IF (T(VWEIGH) .LT. 0.0D0) THEN
+          K = MOD(K, RSTEPS + 2) - 1
+          H = DBLE(MARKST)*DBLE(K) + (DBLE(MARKST) + 0.5D0)
+        ELSE
+          K = K/(RSTEPS + 2) - 1
+          H = DBLE(MARKST)*DBLE(K) - 0.5D0
+        END IF
+        IF (K .GE. 0 .AND. K .LT. RSTEPS) THEN
+          H = SUP(SLOWES,ON) + SUP(SQUANT,ON)*H
+          TSXNOD = TSXBOX(F, T, BOX, NODE, T(VWEIGH)*(H - T(VBASEH)))
+          RETURN
+        END IF
+      END IF
+      TSXNOD = TSXBOX(F, C, BOX, NODE, 0.0D0)
+      IF (TSXNOD .EQ. 1 .OR. IQ(QCOLL) .NE. 0) RETURN
+      IF (TSWIDT(BOX(1,NODE)) .GE. RCTL(RCLUMP)) RETURN
+      IF (TSXVIE(X, V, IQ, F, C, BOX(1,NODE), BOX(4,NODE)) .LT. 0)
+     $    TSXNOD = 1
+      END
+
+C     TSBEGS - begins the search for the apex of the facet V, and tries
+C     the two positions GUESS; either may be 0.  The base is V(1) or, if
+C     the angle there is small, the vertex opposite the longest edge.
+      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
+     $                  F, FQ)
+      INTEGER LSUP, LF, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
+     $    FQ(*)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(LIQ)
+      INTEGER SCALE, NSURF, VALLOW, FE, QBEST, QBYLIM, QHASBA, QBASE,
+     $    QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL, QOUTSI, QBEHIN,
+     $    QINLIS, QPAYS, QLO, QHI, QTILT, QNSPH
+      DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
+      PARAMETER (SCALE = 19, NSURF = 20, VALLOW = 8, FE = 10, QBEST = 1,
+     $    QBYLIM = 2, QHASBA = 3, QBASE = 4, QHARD = 5, QSURF = 6,
+     $    QTIES = 7, QOFFER = 9, QNODES = 42, QCOLL = 43, QOUTSI = 44,
+     $    QBEHIN = 45, QINLIS = 46, QPAYS = 47, QLO = 6, QHI = 7,
+     $    QTILT = 9, QNSPH = 109,
+     $    LIMBE = 1.0D-6, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
+     $    EPS = 2.0D0**(-52), UNDERR = 1.0D-200)
+      DOUBLE PRECISION EDGE, LONGST, H
+      INTEGER TSONSP, BASE, I, J, K, OK
+      BASE = 1
+      IQ(QBEST) = 0
+      IQ(QBYLIM) = 0
+      IQ(QHASBA) = 0
+      IQ(QHARD) = 0
+      IQ(QSURF) = 0
+      IQ(QOFFER) = 0
+      IQ(QTIES) = 0
+      IQ(QNODES) = 0
+      IQ(QCOLL) = 0
+      IQ(QOUTSI) = 0
+      IQ(QBEHIN) = 0
+      IQ(QPAYS) = 0
+      FQ(VALLOW) = UNDERR
+      FQ(QNSPH) = 0.0D0
+      FQ(QLO) = -HUGE
+      FQ(QHI) = HUGE
+   20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
+     $            X(1,V(MOD(BASE+1,3)+1)), F)
+      IQ(QBASE) = BASE
+      IF (F(FE) .GE. 8000.0D0*EPS) THEN
+        LONGST = 0.0D0
+        DO 40 K = 1, 3
+          I = V(MOD(K,3)+1)
+          J = V(MOD(K+1,3)+1)
+          EDGE = (X(1,I) - X(1,J))**2 + (X(2,I) - X(2,J))**2 +
+     $        (X(3,I) - X(3,J))**2
+          IF (EDGE .GT. LONGST) THEN
+            LONGST = EDGE
+            BASE = K
+          END IF
+   40   CONTINUE
+        IF (BASE .NE. IQ(QBASE)) GO TO 20
+        IF (F(FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
+     $      BASE, F)
+      END IF
+      IF (CTL(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, SUP, V, IQ, F,
+     $    FQ(QTILT))
+      DO 50 K = 1, 2
+        I = GUESS(K)
+        IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
+     $      I .NE. IQ(QBEST)) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL,
+     $      SUP, V, IQ, F, FQ, I)
+   50 CONTINUE
+      IF (IQ(QHASBA) .EQ. 0) THEN
+        CALL TSHALF(F, FQ)
+        IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 0, F, HUGE,
+     $      FQ(QTILT))
+      END IF
+C     a ball that is a surface's sphere up to rounding is in no list
+      IQ(QINLIS) = 1
+      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
+        OK = 1
+        IF (IQ(QBEST) .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF),
+     $      IQ(QBEST), H, OK)
+        IQ(QINLIS) = 1 - OK
+      END IF
+      END
+
+C     TSUPBD - records that the best point's L-coordinate is at most L,
+C     and sets the ball of that L.
+      SUBROUTINE TSUPBD(SUP, IQ, F, FQ, L)
+      INTEGER LSUP, LF, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
+      DOUBLE PRECISION SUP(LSUP,*), F(LF), FQ(*), L
+      INTEGER IQ(LIQ)
+      INTEGER VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBYLIM, QHASBA, QSURF,
+     $    QHI, QTILT
+      DOUBLE PRECISION EPS, LMAX
+      PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FCEN = 3, FE = 10,
+     $    FDC = 11, QBYLIM = 2, QHASBA = 3, QSURF = 6, QHI = 7,
+     $    QTILT = 9, EPS = 2.0D0**(-52), LMAX = 1.0D100)
+      INTEGER K
+      FQ(QHI) = L
+      IF (IQ(QBYLIM) .EQ. 0 .AND. ABS(L) .LE. LMAX) THEN
+        IQ(QHASBA) = 1
+        FQ(VC1) = 0.0D0
+        DO 10 K = 1, 3
+          FQ(VC+K) = F(FCEN+K) + L*F(FNORM+K)
+          FQ(VC1) = FQ(VC1) + ABS(FQ(VC+K))
+   10   CONTINUE
+C       a better point, on the positive side, is in the ball of any L
+C       that is not below the best point's: so only the error of C for
+C       this L counts, not that of L.  That is large where balls are
+C       flat: counting it makes points near a plane take 10 times as
+C       long.
+        FQ(VDC) = F(FDC) + ABS(L)*F(FE) + 4.0D0*EPS*FQ(VC1)
+      END IF
+      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), IQ(QHASBA), F,
+     $    L, FQ(QTILT))
+      END
+
+C     TSCMPE - compares Z with the best point where the bounds leave
+C     open what is UNSURE: VERDIC, or SIDE, or both.  HHRELA is first,
+C     unless the last exact comparison was a tie: rotated grids, which
+C     have the corners of their cells on a sphere, but for rounding,
+C     take 1.2 to 1.6 times the instructions without it.  Its sphere is
+C     that of Z or of the best point, but not of a ball by limbs, whose
+C     four points are nearly in a plane.  Then come the limbs of such a
+C     ball, then the exact signs.  VERDIC becomes BEATS, LOSES, TIE
+C     times that for a tie, or NOTOPN.
+      SUBROUTINE TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
+     $                  VERDIC)
+      INTEGER LIQ
+      PARAMETER (LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(*), FQ(*), HI
+      INTEGER ORD(*), CTL(*), V(3), IQ(LIQ), Z, SIDE, VERDIC
+      INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QBEST, QBYLIM, QBASE,
+     $    QHARD, QOUTSI, QBEHIN, QHI, QLBALL, QNSPH, EXCNTS, UNSURE,
+     $    LOSES, NOTOPN, TIE
+      DOUBLE PRECISION HUGE
+      PARAMETER (LASTTI = 85, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
+     $    QBEST = 1, QBYLIM = 2, QBASE = 4, QHARD = 5, QOUTSI = 44,
+     $    QBEHIN = 45, QHI = 7, QLBALL = 23, QNSPH = 109, EXCNTS = 16,
+     $    UNSURE = 2, LOSES = 1, NOTOPN = 0, TIE = 3,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
+      DOUBLE PRECISION L
+      INTEGER BEST, HHPINS, HHPORI, TSXVIE, DOUBT, SEEN
+      BEST = IQ(QBEST)
+      DOUBT = 0
+      IF (VERDIC .EQ. UNSURE) DOUBT = 1
+      IF (RCTL(RCLUMP) .GT. 0.0D0 .AND. (SIDE .EQ. UNSURE .OR.
+     $    IQ(QBYLIM) .EQ. 1)) THEN
+        SEEN = TSXVIE(X, V, IQ, F, FQ, X(1,Z), X(1,Z))
+        IF (SEEN .LT. 0) THEN
+          VERDIC = NOTOPN
+          RETURN
+        END IF
+        IF (SEEN .GT. 0) SIDE = 1
+      END IF
+      IF (DOUBT .EQ. 1 .AND. RCTL(EXACT5) .LT. 0.0D0 .AND.
+     $    CTL(LASTTI) .EQ. 0) THEN
+        L = FQ(QHI)
+        IF (IQ(QBYLIM) .EQ. 1) L = HUGE
+        IF (SIDE .EQ. 1) L = HI
+        CALL HHRELA(X, RCTL(EXACT3), V, IQ(QBASE), F, L, BEST, Z,
+     $              FQ(QNSPH), VERDIC)
+      END IF
+      IF (IQ(QBYLIM) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLBALL), Z, SIDE,
+     $    VERDIC)
+      IF (VERDIC .EQ. LOSES) IQ(QOUTSI) = Z
+      IF (SIDE .EQ. UNSURE .AND. VERDIC .NE. LOSES)
+     $    SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), Z)
+      IF (SIDE .LT. 1) IQ(QBEHIN) = Z
+      IF (SIDE .NE. 1) THEN
+        VERDIC = NOTOPN
+      ELSE IF (VERDIC .EQ. UNSURE) THEN
+        VERDIC = HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), V, BEST,
+     $      Z, 2)
+        CTL(LASTTI) = ABS(VERDIC)/TIE
+        IF (VERDIC .GT. 0) IQ(QOUTSI) = Z
+        IQ(QHARD) = IQ(QHARD) + EXCNTS*(1 - CTL(LASTTI))
+      ELSE
+        IQ(QHARD) = IQ(QHARD) + DOUBT
+      END IF
+      END
+
+C     TSCMPP - takes Z if it is on the open side and beats the best
+C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
+C     the rule of HHPINS.  The Householder bounds decide where they can,
+C     else TSCMPE; then the better point's limits are tightened by the
+C     other's.
+      SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
+     $                  Z)
+      INTEGER LF, LIQ
+      PARAMETER (LF = 12, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), F(LF), FQ(*)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
+      INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QLO,
+     $    QHI, QTILT, LIMBAF, UNSURE, BEATS, LOSES, NOTOPN, TIE
+      DOUBLE PRECISION BERMAX
+      PARAMETER (RSLIMI = 5, FRHO = 12, QBEST = 1, QBYLIM = 2,
+     $    QHARD = 5, QSURF = 6, QTIES = 7, QLO = 6, QHI = 7, QTILT = 9,
+     $    BERMAX = 1.0D0, LIMBAF = 96, UNSURE = 2, BEATS = -1,
+     $    LOSES = 1, NOTOPN = 0, TIE = 3)
+      DOUBLE PRECISION HI, LO
+      INTEGER VERDIC, SGN, SIDE
+      CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
+      IF (IQ(QSURF) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, MARK, SUP,
+     $    IQ, F, FQ(QTILT), Z, SIDE, LO, HI)
+      VERDIC = UNSURE
+      IF (IQ(QBEST) .EQ. 0) THEN
+        VERDIC = BEATS
+      ELSE IF (HI .LT. FQ(QLO)) THEN
+        VERDIC = BEATS
+      ELSE IF (LO .GT. FQ(QHI)) THEN
+        VERDIC = LOSES
+      END IF
+      IF (SIDE .LT. 0 .OR. VERDIC .EQ. LOSES) RETURN
+      IF (SIDE .EQ. 0 .OR. VERDIC .EQ. UNSURE) THEN
+        IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, Z, 1)
+        SGN = UNSURE
+        IF (SIDE .EQ. 1) SGN = 1
+        CALL TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SGN, HI,
+     $              VERDIC)
+        IF (VERDIC .EQ. NOTOPN) RETURN
+      END IF
+      IF (ABS(VERDIC) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
+      IF (VERDIC .GT. 0) THEN
+        IF (HI .LT. FQ(QHI)) CALL TSUPBD(SUP, IQ, F, FQ, HI)
+        IF (IQ(QHARD) .GE. LIMBAF .AND. IQ(QBYLIM) .EQ. 0)
+     $      CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
+        RETURN
+      END IF
+      HI = MIN(HI, FQ(QHI))
+      IQ(QBEST) = Z
+      IF (VERDIC .NE. -TIE) IQ(QTIES) = 0
+      FQ(QLO) = LO
+      IQ(QBYLIM) = 0
+      CALL TSUPBD(SUP, IQ, F, FQ, HI)
+      IF (SIDE .EQ. 0 .OR. IQ(QHARD) .GE. LIMBAF) THEN
+        CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
+      ELSE IF (HI - LO .GT. BERMAX*(F(FRHO) + ABS(HI))) THEN
+        CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
+      END IF
+      END
+
+C     TSOFFP - compares Z with the best point, unless it is a vertex of
+C     the facet or does not pass the sieve: the tall one if its height
+C     over the facet's support is known.
+      SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
+     $                  Z)
+      INTEGER LSUP, LF, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
+     $    FQ(*)
+      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
+      INTEGER SLOWES, SQUANT, VWEIGH, VBASEH, FBASE, QBEST, QSURF,
+     $    QTILT, SURFS
+      PARAMETER (SLOWES = 59, SQUANT = 60, VWEIGH = 6, VBASEH = 7,
+     $    FBASE = 6, QBEST = 1, QSURF = 6, QTILT = 9, SURFS = 8)
+      DOUBLE PRECISION TSFBND, A, H, POWER, W1, W2, W3
+      INTEGER J, K, S
+      IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
+     $    Z .EQ. V(3)) RETURN
+      W1 = X(1,Z) - F(FBASE+1)
+      W2 = X(2,Z) - F(FBASE+2)
+      W3 = X(3,Z) - F(FBASE+3)
+      POWER = 0.0D0
+      S = 1
+C     TSMRKH's test and height, without a call for each point
+      J = IQ(QSURF)
+      K = -1
+      IF (J .NE. 0) K = MARK(Z) - J
+      IF (K .GE. 0 .AND. MOD(K, SURFS) .EQ. 0) THEN
+        S = QTILT
+        H = SUP(SLOWES,J) + SUP(SQUANT,J)*(DBLE(K/SURFS) + 0.5D0)
+        A = FQ(QTILT-1+VWEIGH)
+        POWER = A*(H - FQ(QTILT-1+VBASEH)) - ABS(A)*SUP(SQUANT,J)
+      END IF
+      POWER = POWER + (W1*(W1 - 2.0D0*FQ(S)) + W2*(W2 - 2.0D0*FQ(S+1)) +
+     $    W3*(W3 - 2.0D0*FQ(S+2)))
+      IF (POWER .LE. TSFBND(FQ(S), ABS(W1) + ABS(W2) + ABS(W3)))
+     $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
+      END
+
+C     TSOFLF - considers the uncompleted points of a leaf, of which
+C     there must be one, that pass the plain sieve.  The powers come
+C     first, as vectors, then the least of each group, as most groups
+C     have no point to consider. Stars are completed in the order of
+C     positions, by and large, so the points before the first
+C     uncompleted one are most of the completed ones.
+      SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
+      INTEGER LF, LIQ, LEAFPT
+      PARAMETER (LF = 12, LIQ = 47, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(LF), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(*), V(3),
+     $    IQ(LIQ), NODE
+      INTEGER RSLIMI, VC, FBASE, QCOLL, LEAFGR, COMPLE
+      DOUBLE PRECISION HUGE
+      PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 43, LEAFGR = 8,
+     $    COMPLE = -1, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
+      DOUBLE PRECISION TSFBND, B1, B2, B3, D1, D2, D3, MOST,
+     $    POWER(LEAFPT), SIZE, W1, W2, W3
+      INTEGER FIRST, I, J, K, LAST, N, Z
+      CALL TSNRNG(CTL, NODE, FIRST, LAST)
+    5 IF (LINK(FIRST) .EQ. COMPLE) THEN
+        FIRST = FIRST + 1
+        GO TO 5
+      END IF
+      N = LAST - FIRST + 1
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        SIZE = SIZE + ABS(BOX(K,NODE) - F(FBASE+K)) +
+     $      ABS(BOX(3+K,NODE) - F(FBASE+K))
+   10 CONTINUE
+      MOST = TSFBND(FQ, SIZE)
+      D1 = 2.0D0*FQ(VC+1)
+      D2 = 2.0D0*FQ(VC+2)
+      D3 = 2.0D0*FQ(VC+3)
+      B1 = F(FBASE+1)
+      B2 = F(FBASE+2)
+      B3 = F(FBASE+3)
+      I = FIRST - 1
+      DO 20 K = 1, N
+        W1 = X(1,I+K) - B1
+        W2 = X(2,I+K) - B2
+        W3 = X(3,I+K) - B3
+        POWER(K) = W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3)
+   20 CONTINUE
+      IF (IQ(QCOLL) .NE. 0) THEN
+        CALL TSCOLF(LINK, LSX, LSID, LSI, LSD, IQ(QCOLL), FQ, FIRST, N,
+     $              POWER, MOST)
+        RETURN
+      END IF
+   30 IF (MOD(N, LEAFGR) .NE. 0) THEN
+        N = N + 1
+        POWER(N) = HUGE
+        GO TO 30
+      END IF
+      DO 50 J = 1, N, LEAFGR
+        IF (MIN(POWER(J), POWER(J+1), POWER(J+2), POWER(J+3),
+     $          POWER(J+4), POWER(J+5), POWER(J+6), POWER(J+7)) .GT.
+     $      MOST) GO TO 50
+        DO 40 K = J, J + LEAFGR - 1
+          IF (POWER(K) .GT. MOST) GO TO 40
+          Z = I + K
+          IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL,
+     $        RCTL, SUP, V, IQ, F, FQ, Z)
+   40   CONTINUE
+   50 CONTINUE
+      IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, FIRST, 0)
+      END
+
+C     TSTREE - finishes a search in the tree: the leaf of the base
+C     first, then its parent's other child, and so on up to the root;
+C     with cylinders, its grandparent's other three grandchildren, all
+C     four tested at once.
+C
+C                   .            NODE: what is searched next.  STACK
+C               /       \        holds what is left of the subtree that
+C             TOP        NODE    was entered last; when it is empty,
+C           /    \      /    \   TOP's sibling is next, or TOP's
+C         FROM    .    .      .  grandparent: everything below TOP has
+C                                been searched, FROM is where that ended
+      SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ)
+      INTEGER LF, LIQ
+      PARAMETER (LF = 12, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(LF), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(*), V(3), IQ(LIQ)
+      INTEGER LEAVES, HASCYL, EXACT3, FBASE, QBASE, QSURF, QNODES,
+     $    QCOLL, QTILT, STKDEP
+      PARAMETER (LEAVES = 4, HASCYL = 16, EXACT3 = 1, FBASE = 6,
+     $    QBASE = 4, QSURF = 6, QNODES = 42, QCOLL = 43, QTILT = 9,
+     $    STKDEP = 96)
+      DOUBLE PRECISION PAST(4)
+      INTEGER TSCYLI, TSLEAF, TSXNOD, FLAT, FOURS, FROM, HEIGHT, K, N,
+     $    NODE, STACK(STKDEP), TOP
+C     a plane across an axis has no candidates for a facet in it; what
+C     underflowed may be equal here alone
+      FLAT = 0
+      DO 5 K = 3, 1, -1
+        IF (ABS(X(K,V(1)) - X(K,V(2))) + ABS(X(K,V(1)) - X(K,V(3)))
+     $      .LE. 0.0D0 .AND. RCTL(EXACT3) .GE. -1.0D0) FLAT = K
+    5 CONTINUE
+      IF (IQ(QCOLL) .NE. 0) FLAT = 0
+      FOURS = CTL(HASCYL)
+      IF (IQ(QSURF) .NE. 0) FOURS = 0
+      TOP = CTL(LEAVES) + TSLEAF(CTL, V(IQ(QBASE))) - 1
+      HEIGHT = 1
+      STACK(1) = TOP
+   10 IF (HEIGHT .EQ. 0 .AND. TOP .EQ. 1) RETURN
+      FROM = TOP
+      IQ(QNODES) = IQ(QNODES) + 1
+      IF (HEIGHT .GT. 0) THEN
+        NODE = STACK(HEIGHT)
+        HEIGHT = HEIGHT - 1
+      ELSE IF (FOURS .EQ. 1 .AND. TOP .GT. 3) THEN
+        TOP = TOP/4
+        NODE = TOP
+C       one child alive each, and FROM is: nothing else
+        IF (ALIVE(FROM) .GT. 0 .AND. ALIVE(FROM/2) + ALIVE(NODE) .EQ. 2)
+     $      GO TO 10
+      ELSE
+        NODE = TOP + 1 - 2*MOD(TOP, 2)
+        TOP = TOP/2
+      END IF
+      IF (ALIVE(NODE) .EQ. 0) GO TO 10
+      IF (FLAT .GT. 0) THEN
+        IF (ABS(BOX(FLAT,NODE) - F(FBASE+FLAT)) +
+     $      ABS(BOX(3+FLAT,NODE) - F(FBASE+FLAT)) .LE. 0.0D0) GO TO 10
+      END IF
+      IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
+        N = 2*CTL(LEAVES) + 1
+        CALL TSXCYL(BOX(1,N), TSCYLI(CTL, NODE), F, FQ, PAST)
+        DO 20 N = 4, 1, -1
+          IF (PAST(N) .LE. 0.0D0 .AND. 4*NODE + N - 1 .NE. FROM) THEN
+            HEIGHT = HEIGHT + 1
+            STACK(HEIGHT) = 4*NODE + N - 1
+          END IF
+   20   CONTINUE
+        GO TO 10
+      END IF
+      IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, FQ(QTILT),
+     $    NODE) .EQ. 1) GO TO 10
+      IF (NODE .GE. CTL(LEAVES)) THEN
+        CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $              LSID, LSI, LSD, V, IQ, F, FQ, NODE)
+        GO TO 10
+      END IF
+      STACK(HEIGHT+1) = 2*NODE
+      STACK(HEIGHT+2) = 2*NODE + 1
+      HEIGHT = HEIGHT + 2
       GO TO 10
       END
 
-C     TSDUPL - if the points at I and J coincide, record it in REP.
-      SUBROUTINE TSDUPL(X, ORD, REP, I, J)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), REP(*), I, J
-      INTEGER K
-      DO 10 K = 1, 3
-        IF (X(K,I) .LT. X(K,J) .OR. X(K,I) .GT. X(K,J)) RETURN
-   10 CONTINUE
-      REP(MAX(ORD(I), ORD(J))) = MIN(ORD(I), ORD(J))
-      END
-
-C     TSBBOX - B is the box of every STEP-th of N points.
-      SUBROUTINE TSBBOX(X, N, STEP, B)
-      DOUBLE PRECISION X(3,*), B(6)
-      INTEGER N, STEP
-      INTEGER I, K
-      DO 10 K = 1, 3
-        B(K) = X(K,1)
-        B(3+K) = X(K,1)
-   10 CONTINUE
-      DO 30 I = 1 + STEP, N, STEP
-        DO 20 K = 1, 3
-          IF (X(K,I) .LT. B(K)) B(K) = X(K,I)
-          IF (X(K,I) .GT. B(3+K)) B(3+K) = X(K,I)
-   20   CONTINUE
-   30 CONTINUE
-      END
-
-C     TSBISE - TSSELE across the widest extent.  Duplicates separated by
-C     the cut all coincide with the point at MID; in the end every
-C     duplicate but the least of its set is linked to a smaller number.
-      SUBROUTINE TSBISE(X, ORD, REP, LO, HI, MID)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), REP(*), LO, HI, MID
-      INTEGER EXTSAM
-      PARAMETER (EXTSAM = 64)
-      DOUBLE PRECISION B(6)
-      INTEGER HHWIDE, AXIS, I, K
-      CALL TSBBOX(X(1,LO), HI - LO + 1, (HI - LO + 1)/EXTSAM + 1, B)
-      AXIS = 1
-      DO 10 K = 2, 3
-        IF (HHWIDE(B(3+K), B(K), B(3+AXIS), B(AXIS)) .GT. 0) AXIS = K
-   10 CONTINUE
-      CALL TSSELE(X, ORD, LO, HI, MID, AXIS)
-      DO 20 I = LO, MID - 1
-        CALL TSDUPL(X, ORD, REP, I, MID)
-   20 CONTINUE
-      END
-
-C     TSLFST - the first position of leaf J; leaf J ends before that of
-C     J + 1.
-      INTEGER FUNCTION TSLFST(CTL, J)
-      INTEGER CTL(*), J
-      INTEGER NP, LEAVES
-      PARAMETER (NP = 1, LEAVES = 4)
-      TSLFST = (J - 1)*(CTL(NP)/CTL(LEAVES)) + MIN(J - 1, MOD(CTL(NP),
-     $    CTL(LEAVES))) + 1
-      END
-
-C     TSLEAF - the leaf that holds position I.
-      INTEGER FUNCTION TSLEAF(CTL, I)
-      INTEGER CTL(*), I
-      INTEGER NP, LEAVES
-      PARAMETER (NP = 1, LEAVES = 4)
-      INTEGER EXTRA, LENGTH
-      LENGTH = CTL(NP)/CTL(LEAVES)
-      EXTRA = MOD(CTL(NP), CTL(LEAVES))
-      IF (I .LE. EXTRA*(LENGTH + 1)) THEN
-        TSLEAF = (I - 1)/(LENGTH + 1) + 1
-      ELSE
-        TSLEAF = EXTRA + (I - 1 - EXTRA*(LENGTH + 1))/LENGTH + 1
+C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
+C     GUESS: see TSBEGS.
+C
+C     The search is complete without its stages.  A stage offers points
+C     and changes the search in no other way, or sets QBEST to the apex;
+C     of the mesh it changes its own fields alone.  OK is 1 only if all
+C     that pass the filter have been offered, or if there is no
+C     candidate; it may always do nothing and set OK to 0.  So stages
+C     may be left out, or come in another order, and the apex is the
+C     same.  That hull planes come before the block's list saves
+C     lattices a tenth of the time.
+      SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
+      INTEGER NLISTS, LLSD, LF, LIQ, LFQ
+      PARAMETER (NLISTS = 7, LLSD = 17, LF = 12, LIQ = 47, LFQ = 162)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(LLSD,NLISTS)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(*), V(3), GUESS(2), Z
+      INTEGER NHULLP, HULLP, NSETS, SET1, QBEST
+      PARAMETER (NHULLP = 12, HULLP = 21, NSETS = 17, SET1 = 33,
+     $    QBEST = 1)
+      DOUBLE PRECISION F(LF), FQ(LFQ)
+      INTEGER TSONHP, IQ(LIQ), OK
+      IF (CTL(NSETS) .GT. 0) THEN
+        CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V, Z)
+        IF (Z .NE. 0) RETURN
       END IF
-      END
-
-C     TSNRNG - the positions FIRST ... LAST below a node of the tree.
-      SUBROUTINE TSNRNG(CTL, NODE, FIRST, LAST)
-      INTEGER CTL(*), NODE, FIRST, LAST
-      INTEGER LEAVES
-      PARAMETER (LEAVES = 4)
-      INTEGER TSLFST, LEFT, RIGHT
-      LEFT = NODE
-      RIGHT = NODE
-   10 IF (LEFT .LT. CTL(LEAVES)) THEN
-        LEFT = 2*LEFT
-        RIGHT = 2*RIGHT + 1
-        GO TO 10
+      CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ, F, FQ)
+      CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
+     $            LSI, LSD, V, IQ, F, FQ, OK)
+      IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, CTL(NHULLP), CTL(HULLP),
+     $    RCTL, V, IQ)
+      IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
+     $    SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      IF (OK .EQ. 0) THEN
+        CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+        IF (OK .EQ. 0) THEN
+          CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $                LSX, LSID, LSI, LSD, V, IQ, F, FQ)
+          CALL TSRFIL(RCTL, IQ)
+        END IF
+        CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
+        CALL TSNHPL(CTL(NHULLP), CTL(HULLP), V, IQ)
       END IF
-      FIRST = TSLFST(CTL, LEFT - CTL(LEAVES) + 1)
-      LAST = TSLFST(CTL, RIGHT - CTL(LEAVES) + 2) - 1
-      END
-
-C     TSLSOR - sort the points of a leaf into groups of LEAFGR.
-      SUBROUTINE TSLSOR(X, ORD, REP, FIRST, LAST)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), REP(*), FIRST, LAST
-      INTEGER LEAFGR
-      PARAMETER (LEAFGR = 8)
-      INTEGER TSAXBE, HALF, HI, I, J, LO
-      HALF = FIRST + ((LAST - FIRST + LEAFGR)/LEAFGR + 1)/2*LEAFGR
-      IF (HALF .LE. LAST) CALL TSBISE(X, ORD, REP, FIRST, LAST, HALF)
-      LO = FIRST
-   10 IF (LO .LE. LAST) THEN
-        HI = LAST
-        IF (LO .LT. HALF .AND. HALF .LE. LAST) HI = HALF - 1
-        IF (LO + LEAFGR .LE. HI) CALL TSBISE(X, ORD, REP, LO, HI, LO +
-     $      LEAFGR)
-        HI = MIN(LO + LEAFGR - 1, HI)
-        DO 40 I = LO + 1, HI
-          DO 30 J = I, LO + 1, -1
-            IF (TSAXBE(X, ORD, J, 1, X(1,J-1), ORD(J-1)) .EQ. 0) GO TO
-     $          40
-            CALL TSSWAP(X, ORD, J - 1, J)
-   30     CONTINUE
-   40   CONTINUE
-        DO 50 I = LO + 1, HI
-          CALL TSDUPL(X, ORD, REP, I - 1, I)
-   50   CONTINUE
-        LO = LO + LEAFGR
-        GO TO 10
-      END IF
-      END
-
-C     TSKDSO - sort the points: cut every node of the tree in two across
-C     its widest extent, down to the leaves.
-      SUBROUTINE TSKDSO(X, ORD, REP, CTL)
-      DOUBLE PRECISION X(3,*)
-      INTEGER ORD(*), REP(*), CTL(*)
-      INTEGER LEAVES
-      PARAMETER (LEAVES = 4)
-      INTEGER FIRST, LAST, MID, NODE
-      NODE = 1
-   10 IF (NODE .LT. CTL(LEAVES)) THEN
-        CALL TSNRNG(CTL, NODE, FIRST, LAST)
-        CALL TSNRNG(CTL, 2*NODE + 1, MID, LAST)
-        CALL TSBISE(X, ORD, REP, FIRST, LAST, MID)
-        NODE = 2*NODE
-      ELSE
-        CALL TSNRNG(CTL, NODE, FIRST, LAST)
-        CALL TSLSOR(X, ORD, REP, FIRST, LAST)
-C       0 after the last leaf
-   20   IF (MOD(NODE, 2) .EQ. 1) THEN
-          NODE = NODE/2
-          GO TO 20
-        END IF
-        IF (NODE .GT. 0) NODE = NODE + 1
-      END IF
-      IF (NODE .GT. 0) GO TO 10
-      END
-
-C     TSWIDT - the sum of a box's extents.
-      DOUBLE PRECISION FUNCTION TSWIDT(B)
-      DOUBLE PRECISION B(6)
-      TSWIDT = (B(4) - B(1)) + (B(5) - B(2)) + (B(6) - B(3))
-      END
-
-C     TSBOXE - compute the box of every node, from the leaves up.
-      SUBROUTINE TSBOXE(X, BOX, CTL)
-      DOUBLE PRECISION X(3,*), BOX(6,*)
-      INTEGER CTL(*)
-      INTEGER LEAVES
-      PARAMETER (LEAVES = 4)
-      INTEGER FIRST, LAST, NODE
-      DO 10 NODE = 2*CTL(LEAVES) - 1, 1, -1
-        CALL TSNRNG(CTL, NODE, FIRST, LAST)
-        IF (NODE .LT. CTL(LEAVES)) THEN
-C         the children's corners
-          CALL TSBBOX(BOX(1,2*NODE), 4, 1, BOX(1,NODE))
-        ELSE
-          CALL TSBBOX(X(1,FIRST), LAST - FIRST + 1, 1, BOX(1,NODE))
-        END IF
-   10 CONTINUE
-      END
-
-C     ------------------------------------------------------------------
-C     The first facet (Section 2): a facet of the hull by gift wrapping.
-C     ------------------------------------------------------------------
-
-C     TSLEXB - 1 if point A comes strictly before point B, else 0: by X,
-C     then Y, Z.
-      INTEGER FUNCTION TSLEXB(P, A, B)
-      INTEGER A, B
-      DOUBLE PRECISION P(3,*)
-      INTEGER K
-      TSLEXB = 0
-      DO 10 K = 1, 3
-        IF (P(K,A) .GT. P(K,B)) RETURN
-        IF (P(K,A) .LT. P(K,B)) THEN
-          TSLEXB = 1
-          RETURN
-        END IF
-   10 CONTINUE
-      END
-
-C     TSHEBE - 1 if point I comes before point J when a plane parallel
-C     to the z axis is wrapped about A, the lexicographically least
-C     point, and then a line in that plane; else 0.  The first point of
-C     all ends a hull edge that contains no other point.
-      INTEGER FUNCTION TSHEBE(P, ORD, A, I, J)
-      DOUBLE PRECISION P(3,*)
-      INTEGER ORD(*), A, I, J
-      DOUBLE PRECISION O(3), Q(3), Z(3)
-      INTEGER HHAREA, TSLEXB, K, SIDE
-      DO 10 K = 1, 3
-        O(K) = P(K,ORD(A))
-        Z(K) = P(K,ORD(I))
-        Q(K) = P(K,ORD(J))
-   10 CONTINUE
-      SIDE = HHAREA(3, O, Q, Z)
-      IF (SIDE .EQ. 0) THEN
-        IF (Z(1) .GT. O(1) .OR. Q(1) .GT. O(1)) THEN
-          SIDE = -HHAREA(2, O, Q, Z)
-        ELSE
-          SIDE = HHAREA(1, O, Q, Z)
-        END IF
-      END IF
-      TSHEBE = 0
-      IF (SIDE .LT. 0) TSHEBE = 1
-      IF (SIDE .EQ. 0) TSHEBE = TSLEXB(P, ORD(I), ORD(J))
-      END
-
-C     TSLINE - HHCOLL of three points: 1, or 0.
-      INTEGER FUNCTION TSLINE(P, I, J, K)
-      DOUBLE PRECISION P(3,*)
-      INTEGER I, J, K
-      INTEGER HHCOLL
-      TSLINE = HHCOLL(P(1,I), P(1,J), P(1,K))
-      END
-
-C     TSFIRS - find the first facet V: on the hull, with all points on
-C     its positive side, and V(1) of least position.  On a hull face of
-C     more than three points it is the triangle on an edge V1 V2 of the
-C     face that the rule of ties selects: of two points A, B of the
-C     face, B is better iff I(V1, V2, A, W, B) o3(V1, V2, A, W) > 0 for
-C     any W off the face.  INFO is 0, or the code of points without a
-C     tetrahedron.
-      SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), CTL(*), V(3), INFO
-      INTEGER NP, EXACT3, EXACT5, PLANAR, LINEAR, SINGLE
-      PARAMETER (NP = 1, EXACT3 = 1, EXACT5 = 2, PLANAR = 3, LINEAR = 4,
-     $    SINGLE = 5)
-      INTEGER HHPINS, HHPORI, TSHEBE, TSLINE, TSLEXB, I, SIDE, W
-      INFO = SINGLE
-      IF (CTL(NP) .LT. 2) RETURN
-      V(1) = 1
-      DO 10 I = 2, CTL(NP)
-        IF (TSLEXB(P, ORD(I), ORD(V(1))) .EQ. 1) V(1) = I
-   10 CONTINUE
-      V(2) = 1
-      IF (V(1) .EQ. 1) V(2) = 2
-      DO 20 I = 1, CTL(NP)
-        IF (I .NE. V(1) .AND. I .NE. V(2)) THEN
-          IF (TSHEBE(P, ORD, V(1), I, V(2)) .EQ. 1) V(2) = I
-        END IF
-   20 CONTINUE
-      INFO = LINEAR
-      DO 30 I = 1, CTL(NP)
-        IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) GO TO 40
-   30 CONTINUE
-      RETURN
-   40 V(3) = I
-      W = 0
-      DO 50 I = 1, CTL(NP)
-        SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), I)
-        IF (SIDE .NE. 0) W = I
-        IF (SIDE .LT. 0) THEN
-          W = V(3)
-          V(3) = I
-        END IF
-   50 CONTINUE
-      INFO = PLANAR
-      IF (W .EQ. 0) RETURN
-      DO 60 I = 1, CTL(NP)
-        IF (I .NE. V(3)) THEN
-          IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
-     $        I) .EQ. 0) THEN
-            IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) THEN
-              IF (HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), V, W, I,
-     $            1) .LT. 0) V(3) = I
-            END IF
-          END IF
-        END IF
-   60 CONTINUE
-   70 IF (V(1) .GT. MIN(V(2), V(3))) THEN
-        W = V(1)
-        V(1) = V(2)
-        V(2) = V(3)
-        V(3) = W
-        GO TO 70
-      END IF
-      INFO = 0
+      Z = IQ(QBEST)
       END
 
 C     ------------------------------------------------------------------
@@ -1344,6 +2066,139 @@ C     (Those with it are edges of its link.)
    30 CONTINUE
       OK = 1
       END
+
+C     ------------------------------------------------------------------
+C     The first facet (Section 2): a facet of the hull by gift wrapping.
+C     ------------------------------------------------------------------
+
+C     TSLEXB - 1 if point A comes strictly before point B, else 0: by X,
+C     then Y, Z.
+      INTEGER FUNCTION TSLEXB(P, A, B)
+      INTEGER A, B
+      DOUBLE PRECISION P(3,*)
+      INTEGER K
+      TSLEXB = 0
+      DO 10 K = 1, 3
+        IF (P(K,A) .GT. P(K,B)) RETURN
+        IF (P(K,A) .LT. P(K,B)) THEN
+          TSLEXB = 1
+          RETURN
+        END IF
+   10 CONTINUE
+      END
+
+C     TSHEBE - 1 if point I comes before point J when a plane parallel
+C     to the z axis is wrapped about A, the lexicographically least
+C     point, and then a line in that plane; else 0.  The first point of
+C     all ends a hull edge that contains no other point.
+      INTEGER FUNCTION TSHEBE(P, ORD, A, I, J)
+      DOUBLE PRECISION P(3,*)
+      INTEGER ORD(*), A, I, J
+      DOUBLE PRECISION O(3), Q(3), Z(3)
+      INTEGER HHAREA, TSLEXB, K, SIDE
+      DO 10 K = 1, 3
+        O(K) = P(K,ORD(A))
+        Z(K) = P(K,ORD(I))
+        Q(K) = P(K,ORD(J))
+   10 CONTINUE
+      SIDE = HHAREA(3, O, Q, Z)
+      IF (SIDE .EQ. 0) THEN
+        IF (Z(1) .GT. O(1) .OR. Q(1) .GT. O(1)) THEN
+          SIDE = -HHAREA(2, O, Q, Z)
+        ELSE
+          SIDE = HHAREA(1, O, Q, Z)
+        END IF
+      END IF
+      TSHEBE = 0
+      IF (SIDE .LT. 0) TSHEBE = 1
+      IF (SIDE .EQ. 0) TSHEBE = TSLEXB(P, ORD(I), ORD(J))
+      END
+
+C     TSLINE - HHCOLL of three points: 1, or 0.
+      INTEGER FUNCTION TSLINE(P, I, J, K)
+      DOUBLE PRECISION P(3,*)
+      INTEGER I, J, K
+      INTEGER HHCOLL
+      TSLINE = HHCOLL(P(1,I), P(1,J), P(1,K))
+      END
+
+C     TSFIRS - find the first facet V: on the hull, with all points on
+C     its positive side, and V(1) of least position.  On a hull face of
+C     more than three points it is the triangle on an edge V1 V2 of the
+C     face that the rule of ties selects: of two points A, B of the
+C     face, B is better iff I(V1, V2, A, W, B) o3(V1, V2, A, W) > 0 for
+C     any W off the face.  INFO is 0, or the code of points without a
+C     tetrahedron.
+      SUBROUTINE TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), CTL(*), V(3), INFO
+      INTEGER NP, EXACT3, EXACT5, PLANAR, LINEAR, SINGLE
+      PARAMETER (NP = 1, EXACT3 = 1, EXACT5 = 2, PLANAR = 3, LINEAR = 4,
+     $    SINGLE = 5)
+      INTEGER HHPINS, HHPORI, TSHEBE, TSLINE, TSLEXB, I, SIDE, W
+      INFO = SINGLE
+      IF (CTL(NP) .LT. 2) RETURN
+      V(1) = 1
+      DO 10 I = 2, CTL(NP)
+        IF (TSLEXB(P, ORD(I), ORD(V(1))) .EQ. 1) V(1) = I
+   10 CONTINUE
+      V(2) = 1
+      IF (V(1) .EQ. 1) V(2) = 2
+      DO 20 I = 1, CTL(NP)
+        IF (I .NE. V(1) .AND. I .NE. V(2)) THEN
+          IF (TSHEBE(P, ORD, V(1), I, V(2)) .EQ. 1) V(2) = I
+        END IF
+   20 CONTINUE
+      INFO = LINEAR
+      DO 30 I = 1, CTL(NP)
+        IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) GO TO 40
+   30 CONTINUE
+      RETURN
+   40 V(3) = I
+      W = 0
+      DO 50 I = 1, CTL(NP)
+        SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), I)
+        IF (SIDE .NE. 0) W = I
+        IF (SIDE .LT. 0) THEN
+          W = V(3)
+          V(3) = I
+        END IF
+   50 CONTINUE
+      INFO = PLANAR
+      IF (W .EQ. 0) RETURN
+      DO 60 I = 1, CTL(NP)
+        IF (I .NE. V(3)) THEN
+          IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
+     $        I) .EQ. 0) THEN
+            IF (TSLINE(P, ORD(V(1)), ORD(V(2)), ORD(I)) .EQ. 0) THEN
+              IF (HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), V, W, I,
+     $            1) .LT. 0) V(3) = I
+            END IF
+          END IF
+        END IF
+   60 CONTINUE
+   70 IF (V(1) .GT. MIN(V(2), V(3))) THEN
+        W = V(1)
+        V(1) = V(2)
+        V(2) = V(3)
+        V(3) = W
+        GO TO 70
+      END IF
+      INFO = 0
+      END
+
+C     ------------------------------------------------------------------
+C     Stages
+C
+C     Stages: what makes searches faster, each where some data need it.
+C     Left out, they cost, by the instructions of the worst of 24
+C     families: star lists 2.05 (a lattice; uniform 1.4), block lists
+C     1.15, near lists 1.31 (terrain), hull planes 11 (a cube's
+C     surface), cospherical sets 1.5 (lattices), cylinders 5.3 (points
+C     near a plane), balls by limbs 2.9 (a turned grid), reference
+C     surfaces 17 (a tilted plane), the guesses of TSBEGS 4.7. For what
+C     a stage must and may do see TSAPEX.
+C     ------------------------------------------------------------------
 
 C     ------------------------------------------------------------------
 C     Lists: where to look first.
@@ -1662,87 +2517,6 @@ C     ------------------------------------------------------------------
 C     The ball of a search.
 C     ------------------------------------------------------------------
 
-C     TSDOT - the product of two vectors.
-      DOUBLE PRECISION FUNCTION TSDOT(A, B)
-      DOUBLE PRECISION A(*), B(*)
-      TSDOT = A(1)*B(1) + A(2)*B(2) + A(3)*B(3)
-      END
-
-C     TSFBND - the bound of the sieve S for |W|_1 <= LENGTH.  C errs by
-C     at most dc.  Each term W(K) (W(K) - 2 C(K)) suffers at most 6
-C     roundings, counting that of W(K) twice and those of the sum, each
-C     of at most EPS |W(K)| (|W(K)| + 2 |C(K)|).  LENGTH and this bound
-C     may come out too small by a few EPS.
-      DOUBLE PRECISION FUNCTION TSFBND(S, LENGTH)
-      INTEGER LFILT
-      PARAMETER (LFILT = 8)
-      DOUBLE PRECISION S(LFILT), LENGTH
-      INTEGER VDC, VC1, VALLOW
-      DOUBLE PRECISION EPS
-      PARAMETER (VDC = 4, VC1 = 5, VALLOW = 8, EPS = 2.0D0**(-52))
-      TSFBND = LENGTH*(2.0D0*S(VDC) + 8.0D0*EPS*(LENGTH +
-     $    2.0D0*S(VC1))) + S(VALLOW)
-      END
-
-C     TSHALF - the open side as a sieve: the ball of L = LMAX / 2 along
-C     the normal.  Its dc has room for |W|**2, and is so large that all
-C     pass where the normal is not known.
-      SUBROUTINE TSHALF(F, S)
-      INTEGER LFILT, LF
-      PARAMETER (LFILT = 8, LF = 12)
-      DOUBLE PRECISION F(LF), S(LFILT)
-      INTEGER VC, VDC, VC1, FNORM, FE
-      DOUBLE PRECISION EPS, HHEMAX, LMAX
-      PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FE = 10,
-     $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, LMAX = 1.0D100)
-      INTEGER K
-      S(VC1) = 0.0D0
-      DO 10 K = 1, 3
-        S(VC+K) = 0.5D0*LMAX*F(FNORM+K)
-        S(VC1) = S(VC1) + ABS(S(VC+K))
-   10 CONTINUE
-C     (nothing may overflow, even if a compiler computes it in vain)
-      S(VDC) = 4.0D0
-      IF (F(FE) .LE. HHEMAX) S(VDC) = F(FE)
-      S(VDC) = LMAX*(0.5D0*S(VDC) + 4.0D0*EPS)
-      END
-
-C     TSXBOX - returns 1 if no point of a node's box can be a candidate:
-C     none passes the sieve S, whose sum their heights raise by at least
-C     HIGH, or all are on the negative side; or 0.  It compares the
-C     least sum and the greatest side in the box with the bounds on
-C     their errors: TSFBND, and E |W|, which covers the rounding of the
-C     side, too.  Both are taken at a point whose coordinates are the
-C     box's own doubles, or C's, so the bounds for points hold.
-      INTEGER FUNCTION TSXBOX(F, S, BOX, NODE, HIGH)
-      INTEGER LF
-      PARAMETER (LF = 12)
-      DOUBLE PRECISION F(LF), S(*), BOX(6,*), HIGH
-      INTEGER NODE
-      INTEGER VC, FNORM, FBASE, FE
-      DOUBLE PRECISION HHEMAX, UNDERR
-      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, HHEMAX = 0.5D0,
-     $    UNDERR = 1.0D-200)
-      DOUBLE PRECISION TSFBND, H, L, LENGTH, POWER, SIDE, U
-      INTEGER K
-      POWER = HIGH
-      SIDE = 0.0D0
-      LENGTH = 0.0D0
-      DO 10 K = 1, 3
-        L = BOX(K,NODE) - F(FBASE+K)
-        H = BOX(3+K,NODE) - F(FBASE+K)
-        U = MIN(MAX(S(VC+K), L), H)
-        POWER = POWER + U*(U - 2.0D0*S(VC+K))
-        SIDE = SIDE + MAX(L*F(FNORM+K), H*F(FNORM+K))
-        LENGTH = LENGTH + MAX(ABS(L), ABS(H))
-   10 CONTINUE
-      TSXBOX = 0
-      IF (POWER .GT. TSFBND(S, LENGTH)) TSXBOX = 1
-      IF (F(FE) .LE. HHEMAX) THEN
-        IF (SIDE .LT. -F(FE)*LENGTH - UNDERR) TSXBOX = 1
-      END IF
-      END
-
 C     TSBINB - returns 1 if the part of the ball that may hold points,
 C     the part in the root's box, lies inside the box of a list, or 0.
 C     The centre of the true ball is within dc of C, and both balls pass
@@ -1909,6 +2683,904 @@ C     but the search goes on.)
       ELSE
         CALL TSPICK(IN, LSI(LN,LIST), PLACE, N)
       END IF
+      END
+
+C     TSOFFL - considers the points of a list that may be in the ball.
+C     N is what TSLHIT gives.
+      SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, LIST, V, IQ, F, FQ, N)
+      INTEGER NLISTS, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, TSLIST = 512, LEAFPT = 48)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), LSD(*),
+     $    F(*), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
+     $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), LIST, V(3), IQ(*), N
+      INTEGER COMPLE
+      PARAMETER (COMPLE = -1)
+      INTEGER I, PLACE(TSLIST+1), Z
+      CALL TSLHIT(LSX, LSI, LSD, LIST, F, FQ, PLACE, N)
+      DO 10 I = 1, N
+        Z = LSID(PLACE(I),LIST)
+        IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
+     $      SUP, V, IQ, F, FQ, Z)
+   10 CONTINUE
+      END
+
+C     TSSRSL - seeks the apex in the star's list.  The ball of a better
+C     point has no more points on the open side than the ball before it
+C     (Lemma 3), and those on the other side do not count.  So one pass
+C     over the list is enough if the last ball has no points elsewhere.
+C     OK is 1 if so, or 0.  Without a ball nothing is sought here: on
+C     faces of a cube all sides are exact, which would take twice as
+C     long.
+      SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER NLISTS, LLSI, LIQ
+      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(*), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
+      INTEGER STTIED, BLMISS, BLTIES, NSETS, SET1, STR, LN, QBEST,
+     $    QHASBA, QBASE, QTIES, QINLIS, MAXMIS
+      PARAMETER (STTIED = 14, BLMISS = 18, BLTIES = 13, NSETS = 17,
+     $    SET1 = 33, STR = 2, LN = 3, QBEST = 1, QHASBA = 3, QBASE = 4,
+     $    QTIES = 7, QINLIS = 46, MAXMIS = 8)
+      INTEGER TSBINS, N
+      OK = 0
+      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ.
+     $    0 .OR. IQ(QHASBA) .EQ. 0) RETURN
+      IF (CTL(STTIED) .EQ. 1) THEN
+        CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL, LSX,
+     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
+        IF (OK .EQ. 1) CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1),
+     $      RCTL, V, IQ(QBEST))
+      END IF
+      IF (OK .EQ. 0) THEN
+        CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
+     $              LSI, LSD, STR, V, IQ, F, FQ, N)
+        IF (N .LT. 0) RETURN
+        IF (N .GT. 0) THEN
+          IF (IQ(QTIES) .GT. 0 .AND. CTL(STTIED) .EQ. 0)
+     $        CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL,
+     $        LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+          CTL(STTIED) = MIN(IQ(QTIES), 1)
+        END IF
+        OK = TSBINS(BOX, LSD, F, FQ)
+        IF (OK .EQ. 0) RETURN
+      END IF
+      CTL(BLMISS) = 0
+      IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
+      END
+
+C     TSSRBL - the same for the block's list.  If the ball leaves the
+C     block's box, the tree is searched in any case and the list only
+C     adds cost: on surfaces, two of five points that were tested.
+      SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER NLISTS, LLSI, LIQ
+      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 47)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*), F(*), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
+      INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, MAXMIS
+      PARAMETER (BLMISS = 18, BLTIES = 13, BLK = 1, LN = 3, QHASBA = 3,
+     $    QTIES = 7, QINLIS = 46, MAXMIS = 8)
+      INTEGER TSBINB, N
+      OK = 0
+      IF (IQ(QINLIS) .EQ. 1 .AND. LSI(LN,BLK) .NE. 0 .AND.
+     $    IQ(QHASBA) .EQ. 1) THEN
+        IF (TSBINB(BOX, LSD, BLK, F, FQ) .EQ. 1) THEN
+          CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
+     $                LSI, LSD, BLK, V, IQ, F, FQ, N)
+          IF (N .GE. 0) OK = 1
+        END IF
+      END IF
+      IF (OK .EQ. 0) THEN
+        CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
+        RETURN
+      END IF
+      CTL(BLMISS) = 0
+      IF (IQ(QTIES) .GT. 0) CTL(BLTIES) = MIN(CTL(BLTIES) + 1,
+     $    MAXMIS + 1)
+      END
+
+C     ------------------------------------------------------------------
+C     Near lists
+C     ------------------------------------------------------------------
+
+C     Near lists.  On surfaces and lines most searches begin with the
+C     final ball, or nearly so, and prove it empty.  It is larger than
+C     the star's list and the block's, but nearly that of a search just
+C     before.  So a near list keeps the neighbourhood of a ball for the
+C     next ones.  Surfaces take 0.7 to 0.95 of the time.  Where few
+C     searches end in the same list, lists do not pay: see TAX.
+
+C     TSBINN - returns 1 if the points that may be better than the best
+C     one, those of its ball that are on the open side, lie inside a
+C     near list's ball; or 0.
+C
+C     All balls about centres C0 + H V, V the facet's normal, pass
+C     through its vertices; on the open side each contains those of
+C     lower H.  So any H >= L will do, and for L <= 0 the best is that
+C     of the foot G of the list's centre on the axis.  Let U lead from
+C     the list's centre to C = C0 + H V, and P from C to such a point:
+C     |P|**2 <= R**2 = |C|**2, relative to the base.  For the ball of L
+C     itself, |P.U| <= R |U|.  For H > L, U is across the axis; if L <=
+C     0 no point of the ball's part on the open side is farther from the
+C     axis than RHO, so |P.U| <= RHO |U|.  The distance from the list's
+C     centre is at most margin if
+C         |U|**2 + R**2 + 2 R |U| <= margin**2, or with RHO for the last
+C     R.
+C
+C     Let ERR bound the error of C, as in TSUPBD.  R and RHO are wrong
+C     by it, U by twice as much, but for EPS (1 + margin): the list's
+C     centre and its distance to the base have two roundings.  Where U
+C     is across, U.V is wrong by E (R + |U|) more, and E R <= ERR, as
+C     F(11) > E RHO.  As R, RHO and |U| are at most margin, all that
+C     is less than 24 ERR margin.  ROUNDG exceeds the other roundings,
+C     and those of TSMKNL.
+      INTEGER FUNCTION TSBINN(LSI, LSD, LIST, F, FQ)
+      INTEGER NLISTS, LLSI, LLSD, LF
+      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12)
+      INTEGER LSI(LLSI,NLISTS), LIST
+      DOUBLE PRECISION LSD(LLSD,NLISTS), F(LF), FQ(*)
+      INTEGER LN, LREACH, LCENTR, FNORM, FCEN, FBASE, FE, FDC, FRHO, QHI
+      DOUBLE PRECISION EPS, ROUNDG
+      PARAMETER (LN = 3, LREACH = 13, LCENTR = 14, FNORM = 0, FCEN = 3,
+     $    FBASE = 6, FE = 10, FDC = 11, FRHO = 12, QHI = 7,
+     $    EPS = 2.0D0**(-52), ROUNDG = 64.0D0*2.0D0**(-52))
+      DOUBLE PRECISION TSDOT, C, ERR, G(3), H, MARGIN, GAP, RR, SIZE,
+     $    UU
+      INTEGER K
+      TSBINN = 0
+      IF (LSI(LN,LIST) .EQ. 0) RETURN
+      RR = 0.0D0
+      UU = 0.0D0
+      SIZE = 0.0D0
+      DO 10 K = 1, 3
+        G(K) = LSD(LCENTR+K,LIST) - F(FBASE+K)
+   10 CONTINUE
+      H = MAX(TSDOT(G, F), FQ(QHI))
+      IF (FQ(QHI) .GT. 0.0D0) H = FQ(QHI)
+      DO 20 K = 1, 3
+        C = F(FCEN+K) + H*F(FNORM+K)
+        SIZE = SIZE + ABS(C)
+        RR = RR + C*C
+        UU = UU + (C - G(K))*(C - G(K))
+   20 CONTINUE
+      ERR = F(FDC) + ABS(H)*F(FE) + 4.0D0*EPS*SIZE
+      MARGIN = LSD(LREACH,LIST)
+      GAP = MARGIN*(MARGIN - 32.0D0*ERR - ROUNDG*(1.0D0 + MARGIN)) -
+     $    RR - UU
+      IF (H .GT. FQ(QHI)) RR = F(FRHO)*F(FRHO)
+      IF (GAP .GT. 0.0D0 .AND. GAP*GAP .GE. 4.0D0*RR*UU) TSBINN = 1
+      END
+
+C     TSSKIN - sets the thickness of the skin about a search's ball, in
+C     margins of a block; about larger balls it is thinner, as there are
+C     more points in it.  The points in the skin pass the sieve then.
+      SUBROUTINE TSSKIN(MARGIN, FQ)
+      DOUBLE PRECISION MARGIN, FQ(*)
+      INTEGER VALLOW, QSKFAC, QSKIN
+      DOUBLE PRECISION SKNMIN, LMAX, UNDERR
+      PARAMETER (VALLOW = 8, QSKFAC = 161, QSKIN = 162, SKNMIN = 0.05D0,
+     $    LMAX = 1.0D100, UNDERR = 1.0D-200)
+      DOUBLE PRECISION TSDOT, R
+      R = SQRT(TSDOT(FQ, FQ))
+      FQ(QSKIN) = FQ(QSKFAC)*MARGIN
+      IF (R .GT. MARGIN) FQ(QSKIN) = FQ(QSKIN)*SQRT(MARGIN/R)
+      FQ(VALLOW) = FQ(QSKIN)*(2.0D0*R + FQ(QSKIN)) + UNDERR
+      IF (FQ(QSKFAC) .LT. SKNMIN) FQ(VALLOW) = -LMAX
+      END
+
+C     TSCOLF - puts points of a leaf into the list that a search makes:
+C     of N, the first at position FIRST, the uncompleted ones whose
+C     power is at most MOST.  While they are too many, the skin shrinks:
+C     then those stay that may still pass the sieve.  They are in the
+C     ball before, so |W|_1 is at most 4 times its radius, and single
+C     precision changes a power by less than FEPS of it (or to 0, where
+C     it would underflow: that passes in any case).  Powers are where
+C     the list's coordinates will be.
+      SUBROUTINE TSCOLF(LINK, LSX, LSID, LSI, LSD, LIST, FQ, FIRST, N,
+     $                  POWER, MOST)
+      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
+      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
+     $    TSLIST = 512, LEAFPT = 48)
+      REAL LSX(LLSX*TSLIST,NLISTS)
+      INTEGER LINK(*), LSID(TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS),
+     $    LIST, FIRST, N
+      DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(*), POWER(*), MOST
+      INTEGER BLK, LN, LREACH, QSKFAC, QSKIN, COMPLE
+      DOUBLE PRECISION SKNSHR, FLTMIN, FEPS
+      PARAMETER (BLK = 1, LN = 3, LREACH = 13, QSKFAC = 161,
+     $    QSKIN = 162, SKNSHR = 0.4D0, COMPLE = -1,
+     $    FLTMIN = 2.0D0**(-126), FEPS = 2.0D0**(-23))
+      DOUBLE PRECISION TSDOT, TSFBND, LIMIT
+      INTEGER I, K, M
+      M = LSI(LN,LIST)
+      DO 10 I = 1, N
+        LSID(M+1,LIST) = FIRST + I - 1
+        LSX(M+1,LIST) = 0.0E0
+        IF (ABS(POWER(I)) .GE. FLTMIN) LSX(M+1,LIST) = REAL(POWER(I))
+        IF (POWER(I) .LE. MOST .AND. LINK(FIRST+I-1) .NE. COMPLE)
+     $      M = M + 1
+   10 CONTINUE
+   20 IF (M .GT. TSLIST) THEN
+        FQ(QSKFAC) = SKNSHR*FQ(QSKFAC)
+        LIMIT = 8.0D0*(SQRT(TSDOT(FQ, FQ)) + FQ(QSKIN))
+        CALL TSSKIN(LSD(LREACH,BLK), FQ)
+        LIMIT = TSFBND(FQ, LIMIT)*(1.0D0 + 4.0D0*FEPS)
+        K = M
+        M = 0
+        DO 30 I = 1, K
+          LSID(M+1,LIST) = LSID(I,LIST)
+          LSX(M+1,LIST) = LSX(I,LIST)
+          IF (DBLE(LSX(I,LIST)) .LE. LIMIT) M = M + 1
+   30   CONTINUE
+        GO TO 20
+      END IF
+      LSI(LN,LIST) = M
+      END
+
+C     TSMKNL - makes a near list of the ball of a search and a skin
+C     about it, of points on either side of the facet.  OK is 1, or 0 if
+C     they are too many.
+C
+C     What is nearer than margin, but for TSBINN's ROUNDG, passes the
+C     sieve, so TSCOLF took it, and is in the box, so TSLFIL's
+C     bound holds for it.  What is not may be in the list as well: no
+C     search that TSBINN admits needs it.
+      SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
+     $                  OK)
+      INTEGER NLISTS, LLSI, LLSD, LF, LIQ, LFQ
+      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12, LIQ = 47,
+     $    LFQ = 162)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(LLSD,NLISTS), F(LF), FQ(LFQ)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(LLSI,NLISTS), LIST, V(3), IQ(LIQ), OK
+      INTEGER RSKIN, RBUDGE, BLK, LN, LREACH, LCENTR, LFILT, VC, FBASE,
+     $    FE, QNODES, QCOLL, QSKFAC, QSKIN, SKNBEL
+      DOUBLE PRECISION SKNGRO, SKNMAX
+      PARAMETER (RSKIN = 7, RBUDGE = 8, BLK = 1, LN = 3, LREACH = 13,
+     $    LCENTR = 14, LFILT = 8, VC = 0, FBASE = 6, FE = 10,
+     $    QNODES = 42, QCOLL = 43, QSKFAC = 161, QSKIN = 162,
+     $    SKNBEL = 204, SKNGRO = 1.3D0, SKNMAX = 8.0D0)
+      DOUBLE PRECISION TSDOT, AT(3), G(LF), GQ(LFQ), HALF
+      INTEGER JQ(LIQ), K
+      DO 10 K = 1, LIQ
+        JQ(K) = IQ(K)
+   10 CONTINUE
+      DO 20 K = 1, LF
+        G(K) = F(K)
+   20 CONTINUE
+      DO 30 K = 1, LFILT
+        GQ(K) = FQ(K)
+   30 CONTINUE
+      LSI(LN,LIST) = 0
+      JQ(QCOLL) = LIST
+C     no side is certain
+      G(FE) = 1.0D0
+      GQ(QSKFAC) = RCTL(RSKIN)
+      CALL TSSKIN(LSD(LREACH,BLK), GQ)
+      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $            LSX, LSID, LSI, LSD, V, JQ, G, GQ)
+      RCTL(RBUDGE) = RCTL(RBUDGE) - (30.0D0 + 1.75D0*DBLE(JQ(QNODES)))
+      OK = 0
+      IF (LSI(LN,LIST) .EQ. 0) RETURN
+      OK = 1
+      RCTL(RSKIN) = GQ(QSKFAC)
+      IF (LSI(LN,LIST) .LT. SKNBEL .AND. GQ(QSKFAC) .LT. SKNMAX)
+     $    RCTL(RSKIN) = SKNGRO*GQ(QSKFAC)
+      LSD(LREACH,LIST) = SQRT(TSDOT(FQ, FQ)) + GQ(QSKIN)
+      DO 40 K = 1, 3
+        AT(K) = F(FBASE+K) + FQ(VC+K)
+        LSD(LCENTR+K,LIST) = AT(K)
+   40 CONTINUE
+      CALL TSLBOX(BOX, LSD, LIST, AT, AT, HALF)
+      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
+      END
+
+C     TSSRNL - seeks the apex in a near list, which is made if there is
+C     none.  No list is made for L <= 0, as half of the ball is on the
+C     other side or more, nor for a ball that single precision cannot
+C     tell from a half-space.  OK is 1 if the apex is known, or 0.
+      SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
+     $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER NLISTS, LLSD
+      PARAMETER (NLISTS = 7, LLSD = 17)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(LLSD,NLISTS), F(*), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
+     $    LSI(*), V(3), IQ(*), OK
+      INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
+     $    QSURF, QPAYS, QHI, BLISTS
+      DOUBLE PRECISION NEARMX, BUDMAX, BUDSTA, LMAX
+      PARAMETER (PAUSED = 86, RECENC = 86, RBUDGE = 8, RTREEC = 9,
+     $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 3, QSURF = 6,
+     $    QPAYS = 47, QHI = 7, BLISTS = 6, NEARMX = 1.0D4,
+     $    BUDMAX = 2000.0D0, BUDSTA = 500.0D0, LMAX = 1.0D100)
+      INTEGER TSBINN, FOUND, K, LIST, N
+      OK = 0
+      IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
+     $    IQ(QSURF) .EQ. 0 .AND. LSD(LREACH,BLK) .GT. 0.0D0)
+     $    IQ(QPAYS) = 1
+      IF (RCTL(RBUDGE) .LE. 0.0D0) CTL(PAUSED) = 1
+      IF (RCTL(RBUDGE) .GT. BUDSTA) CTL(PAUSED) = 0
+      IF (IQ(QPAYS) .EQ. 0 .OR. CTL(PAUSED) .EQ. 1) RETURN
+      RCTL(RBUDGE) = RCTL(RBUDGE) - 1.0D0
+      K = 0
+   10 K = K + 1
+      LIST = CTL(RECENC+K)
+      FOUND = TSBINN(LSI, LSD, LIST, F, FQ)
+      IF (FOUND .EQ. 0 .AND. K .LT. BLISTS - 1) GO TO 10
+      IF (FOUND .EQ. 0) THEN
+        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(VC1) .GT. NEARMX) RETURN
+        CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ, OK)
+        IF (OK .EQ. 1) OK = TSBINN(LSI, LSD, LIST, F, FQ)
+        IF (OK .EQ. 0) RETURN
+        OK = 0
+      END IF
+   20 IF (K .GT. 1) THEN
+        CTL(RECENC+K) = CTL(RECENC+K-1)
+        CTL(RECENC+K-1) = LIST
+        K = K - 1
+        GO TO 20
+      END IF
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $            LSD, LIST, V, IQ, F, FQ, N)
+      IF (N .LT. 0) RETURN
+      OK = 1
+      IF (FOUND .EQ. 1) RCTL(RBUDGE) = MIN(BUDMAX, RCTL(RBUDGE) +
+     $    (RCTL(RTREEC) - 4.0D0 - 0.5D0*DBLE(N)))
+      END
+
+C     TSRFIL - what a search of the tree adds to the budget of near
+C     lists, if a near list might have taken its place.
+      SUBROUTINE TSRFIL(RCTL, IQ)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER IQ(*)
+      INTEGER RBUDGE, RTREEC, QNODES, QPAYS
+      DOUBLE PRECISION BUDREF
+      PARAMETER (RBUDGE = 8, RTREEC = 9, QNODES = 42, QPAYS = 47,
+     $    BUDREF = 64.0D0)
+      IF (IQ(QPAYS) .EQ. 0) RETURN
+      RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
+      RCTL(RTREEC) = RCTL(RTREEC) + (DBLE(IQ(QNODES)) -
+     $    RCTL(RTREEC))/16.0D0
+      END
+
+C     ------------------------------------------------------------------
+C     Hull planes
+C     ------------------------------------------------------------------
+
+C     TSONHP - returns 1 if the facet lies in a plane known to bound the
+C     hull, and so has no apex, or 0: of a facet without a best point
+C     the open side is not the hull's.  (A search that could begin at
+C     such a facet from outside, as TSSEED does at one of its two, comes
+C     before any plane is met: TSINCT forgets them, and has a point on
+C     that side itself.)
+      INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V, IQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), N, PLANE(3,*), V(3), IQ(*)
+      INTEGER EXACT3, HULLPS, QBEST, QINLIS
+      PARAMETER (EXACT3 = 1, HULLPS = 4, QBEST = 1, QINLIS = 46)
+      INTEGER HHPORI, I, K
+      TSONHP = 0
+      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
+      DO 20 I = 1, MIN(N, HULLPS)
+        DO 10 K = 1, 3
+          IF (V(K) .NE. PLANE(1,I) .AND. V(K) .NE. PLANE(2,I) .AND.
+     $        V(K) .NE. PLANE(3,I)) THEN
+            IF (HHPORI(X, P, ORD, RCTL(EXACT3), PLANE(1,I),
+     $          PLANE(2,I), PLANE(3,I), V(K)) .NE. 0) GO TO 20
+          END IF
+   10   CONTINUE
+        TSONHP = 1
+        RETURN
+   20 CONTINUE
+      END
+
+C     TSNHPL - keeps the plane of a facet without an apex.
+      SUBROUTINE TSNHPL(N, PLANE, V, IQ)
+      INTEGER N, PLANE(3,*), V(3), IQ(*)
+      INTEGER QBEST, HULLPS
+      PARAMETER (QBEST = 1, HULLPS = 4)
+      INTEGER K
+      IF (IQ(QBEST) .NE. 0) RETURN
+      DO 10 K = 1, 3
+        PLANE(K,MOD(N,HULLPS)+1) = V(K)
+   10 CONTINUE
+      N = N + 1
+      END
+
+C     ------------------------------------------------------------------
+C     Ties.
+C
+C     Let S be the points on the sphere of an empty ball, such as that
+C     of any tetrahedron of the mesh.  The tie rule lowers heights, that
+C     of first, the point of S of least number, by far the most.  So
+C       - among points of S the mesh consists of the facets of S's hull
+C         without first, each joined to first;
+C       - a tetrahedron with its vertices in S has first for one of
+C         them: first is the least vertex of any such tetrahedron that
+C         is known;
+C       - a facet of three points of S without first, which is in S's
+C         hull, has no point of S on its open side unless first is on
+C         it: the apex is first, or none of S;
+C       - a facet (first, a, b) with points of S on its open side has
+C         one of them as its apex, as the ball is empty.  Of two, c and
+C         z, z is better if it is beyond the plane (a, b, c) seen from
+C         first, and worse if it is on first's side; in that plane the
+C         lesser e_i decides.
+C     A point of S whose star is complete is in no open facet and is no
+C     apex.  If first's star is complete, all tetrahedra of S are known;
+C     so for a new tetrahedron's S it is not.
+C
+C     A cell has all uncompleted points of S, the least number first, of
+C     a ball inside the star's list.  Only these are tested for a facet
+C     of the star.
+C
+C     Lattices take 1.4 times the instructions without.  What has no
+C     ties never makes a cell.
+C     ------------------------------------------------------------------
+
+C     TSRECS - makes a cell of the points exactly on the best point's
+C     ball, if all are in the star's list and none is inside.  OK is 1,
+C     or 0 if not, or if there are no ties.  The centre of TSUPBD's ball
+C     is off by up to QHI - QLO, too, which matters on the negative
+C     side.
+      SUBROUTINE TSRECS(X, P, ORD, BOX, NSETS, SET, RCTL, LSX, LSID,
+     $                  LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER NLISTS, LLSD, LIQ, TSLIST, LEAFPT, SETPTS
+      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 47, TSLIST = 512,
+     $    LEAFPT = 48, SETPTS = 12)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*),
+     $    LSD(LLSD,NLISTS), F(*), FQ(*)
+      REAL LSX(*)
+      INTEGER ORD(*), NSETS, SET(0:SETPTS,*),
+     $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), V(3), IQ(LIQ), OK
+      INTEGER EXACT3, EXACT5, STR, LREACH, VDC, QBEST, QBYLIM, QLO, QHI,
+     $    SETS
+      DOUBLE PRECISION LMAX
+      PARAMETER (EXACT3 = 1, EXACT5 = 2, STR = 2, LREACH = 13, VDC = 4,
+     $    QBEST = 1, QBYLIM = 2, QLO = 6, QHI = 7, SETS = 4,
+     $    LMAX = 1.0D100)
+      DOUBLE PRECISION DC, WIDE
+      INTEGER HHPINS, TSBINS, C(SETPTS), I, K, M, N, PLACE(TSLIST+1),
+     $    SIDE, Z
+      OK = 0
+      IF (ABS(FQ(QHI)) .GT. LMAX) RETURN
+      WIDE = 0.0D0
+      IF (IQ(QBYLIM) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
+      IF (WIDE .GT. LSD(LREACH,STR)) RETURN
+      DC = FQ(VDC)
+      FQ(VDC) = DC + WIDE
+      N = 0
+      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 1) CALL TSLHIT(LSX, LSI, LSD,
+     $    STR, F, FQ, PLACE, N)
+      FQ(VDC) = DC
+      IF (N .LE. 0 .OR. N .GT. SETPTS) RETURN
+      M = 0
+      DO 30 I = 1, N
+        Z = LSID(PLACE(I),STR)
+        SIDE = 0
+        IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
+     $      Z .NE. IQ(QBEST)) SIDE = HHPINS(X, P, ORD, RCTL(EXACT3),
+     $      RCTL(EXACT5), V, IQ(QBEST), Z, 0)
+        IF (SIDE .LT. 0) RETURN
+        IF (SIDE .EQ. 0) THEN
+          M = M + 1
+          C(M) = Z
+          IF (ORD(Z) .LT. ORD(C(1))) THEN
+            C(M) = C(1)
+            C(1) = Z
+          END IF
+        END IF
+   30 CONTINUE
+      IF (M .EQ. 4) RETURN
+      K = MOD(NSETS, SETS) + 1
+      NSETS = NSETS + 1
+      SET(0,K) = M
+      DO 40 I = 1, M
+        SET(I,K) = C(I)
+   40 CONTINUE
+      OK = 1
+      END
+
+C     TSAPFS - Z is the apex of the facet V if it is in a cell, or 0:
+C     see "Ties".
+      SUBROUTINE TSAPFS(X, P, ORD, NSETS, SET, RCTL, V, Z)
+      INTEGER SETPTS
+      PARAMETER (SETPTS = 12)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), NSETS, SET(0:SETPTS,*), V(3), Z
+      INTEGER EXACT3, EXACT5, SETS
+      PARAMETER (EXACT3 = 1, EXACT5 = 2, SETS = 4)
+      INTEGER HHPINS, HHPORI, I, IN, J, K
+      Z = 0
+      DO 40 K = 1, MIN(NSETS, SETS)
+        IN = 0
+        DO 10 I = 1, SET(0,K)
+          J = SET(I,K)
+          IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
+   10   CONTINUE
+        IF (IN .EQ. 2) THEN
+          DO 20 I = 1, SET(0,K)
+            J = SET(I,K)
+            IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
+              IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
+     $            J) .GT. 0) THEN
+                IN = -1
+                IF (Z .NE. 0) IN = HHPINS(X, P, ORD, RCTL(EXACT3),
+     $              RCTL(EXACT5), V, Z, J, 3)
+                IF (IN .LT. 0) Z = J
+              END IF
+              IF (I .EQ. 1) GO TO 30
+            END IF
+   20     CONTINUE
+   30     IF (Z .NE. 0) RETURN
+        END IF
+   40 CONTINUE
+      END
+
+C     ------------------------------------------------------------------
+C     Cylinders.
+C
+C     On a smooth surface a box sticks out of the surface by as much as
+C     it is wide, so a ball that touches the surface meets many boxes.
+C     Along a curve a box is as wide as it is long.  A cylinder that
+C     holds a node's points (a disc on a surface, a rod on a curve) is
+C     thinner, by the ratio of the node's width to the radius of
+C     curvature, and the ball meets only a few of them, however many
+C     there are.  Cylinders are made for the nodes of every second level
+C     from the leaves up.  The four grandchildren of a node lie side by
+C     side and are tested at once.
+C
+C     6,000 points of an ellipsoid take 1.4 times the instructions
+C     without, 6,000 of boreholes 1.6, 6,000 near a plane 6 times.  They
+C     cost 11 doubles a leaf, and clouds 1 % more instructions, for
+C     nothing.
+C     ------------------------------------------------------------------
+
+C     TSCYLI - the number of the cylinders of the four grandchildren of
+C     a node: CYL(.,.,TSCYLI) has their centres, unit axes, half
+C     lengths, radii; of each of these numbers four in a row.
+      INTEGER FUNCTION TSCYLI(CTL, NODE)
+      INTEGER CTL(*), NODE
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER LEVEL
+      LEVEL = CTL(LEAVES)/4
+      TSCYLI = 1
+   10 IF (NODE .LT. LEVEL) THEN
+        TSCYLI = TSCYLI + LEVEL
+        LEVEL = LEVEL/4
+        GO TO 10
+      END IF
+      TSCYLI = TSCYLI + NODE - LEVEL
+      END
+
+C     TSMCYL - makes the cylinder of a node, CYL(J,.,AT).  The axis is
+C     the column of the greatest diagonal element in the matrix of
+C     second moments about the mean (a rod) or in its adjugate (a disc),
+C     whichever gives less volume.  About another point, a plane's would
+C     not tell its normal.  SLENDR is 1 if that volume is below SLENVO
+C     of the box's, or 0.  In units of the sum of |X(K)|, the
+C     differences from the mean err by EPS, their products with the axis
+C     and what is left across it by less than 40 EPS, the centre by 10
+C     EPS: together less than 64 EPS.
+      SUBROUTINE TSMCYL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
+      INTEGER LCYL
+      PARAMETER (LCYL = 8)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,LCYL,*)
+      INTEGER CTL(*), NODE, AT, J, SLENDR
+      INTEGER CCEN, CAXIS, CHALF, CRAD
+      DOUBLE PRECISION SLENVO, HUGE, EPS, LENMIN, UNDERR
+      PARAMETER (CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8,
+     $    SLENVO = 0.7D0, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
+     $    EPS = 2.0D0**(-52), LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200)
+      DOUBLE PRECISION TSDOT, A(6), HI, LO, MID(3), PAD, Q(6), RR, S,
+     $    U(3), VOLUME, Y(3)
+      INTEGER DISC, FIRST, I, K, L, LAST, M
+      CALL TSNRNG(CTL, NODE, FIRST, LAST)
+      VOLUME = HUGE
+      PAD = 0.0D0
+      DO 10 K = 1, 3
+        A(K) = 0.0D0
+        A(3+K) = 0.0D0
+        MID(K) = 0.0D0
+        PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
+     $      + LENMIN
+   10 CONTINUE
+      DO 30 I = FIRST, LAST
+        DO 20 K = 1, 3
+          MID(K) = MID(K) + X(K,I)/DBLE(LAST - FIRST + 1)
+   20   CONTINUE
+   30 CONTINUE
+      DO 60 I = FIRST, LAST
+        DO 40 K = 1, 3
+          Y(K) = X(K,I) - MID(K)
+   40   CONTINUE
+        DO 50 K = 1, 3
+          A(K) = A(K) + Y(K)*Y(K)
+          A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
+   50   CONTINUE
+   60 CONTINUE
+      DO 130 DISC = 0, 1
+        DO 70 K = 1, 3
+          M = MOD(K, 3) + 1
+          L = MOD(K + 1, 3) + 1
+          Q(K) = A(K)
+          Q(3+K) = A(3+K)
+          IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
+          IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
+   70   CONTINUE
+        K = 1
+        IF (Q(2) .GT. Q(1)) K = 2
+        IF (Q(3) .GT. Q(K)) K = 3
+        M = MOD(K, 3) + 1
+        L = MOD(K + 1, 3) + 1
+        U(K) = Q(K)
+        U(M) = Q(3+L)
+        U(L) = Q(3+M)
+        S = TSDOT(U, U)
+C       too small to have a direction: any
+        IF (S .LE. UNDERR) THEN
+          U(1) = 1.0D0
+          U(2) = 0.0D0
+          U(3) = 0.0D0
+          S = 1.0D0
+        END IF
+        DO 80 K = 1, 3
+          U(K) = U(K)/SQRT(S)
+   80   CONTINUE
+        LO = HUGE
+        HI = -HUGE
+        RR = 0.0D0
+        DO 110 I = FIRST, LAST
+          DO 90 K = 1, 3
+            Y(K) = X(K,I) - MID(K)
+   90     CONTINUE
+          S = TSDOT(Y, U)
+          LO = MIN(LO, S)
+          HI = MAX(HI, S)
+          DO 100 K = 1, 3
+            Y(K) = Y(K) - S*U(K)
+  100     CONTINUE
+          RR = MAX(RR, TSDOT(Y, Y))
+  110   CONTINUE
+        IF ((HI - LO)*RR .GE. VOLUME) GO TO 130
+        VOLUME = (HI - LO)*RR
+        DO 120 K = 1, 3
+          CYL(J,CCEN+K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
+          CYL(J,CAXIS+K,AT) = U(K)
+  120   CONTINUE
+        CYL(J,CHALF,AT) = 0.5D0*(HI - LO) + PAD
+        CYL(J,CRAD,AT) = SQRT(RR) + PAD
+  130 CONTINUE
+      SLENDR = 0
+      IF (3.2D0*VOLUME .LT. SLENVO*(BOX(4,NODE) - BOX(1,NODE))*
+     $    (BOX(5,NODE) - BOX(2,NODE))*(BOX(6,NODE) - BOX(3,NODE)))
+     $    SLENDR = 1
+      END
+
+C     TSMCYS - makes all cylinders, or none if few leaves have slender
+C     ones.
+      SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
+      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(*)
+      INTEGER CTL(*)
+      INTEGER LEAVES, HASCYL
+      PARAMETER (LEAVES = 4, HASCYL = 16)
+      INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
+      SUM = 0
+      LEVEL = CTL(LEAVES)/4
+   10 IF (LEVEL .GT. 0) THEN
+        DO 30 NODE = LEVEL, 2*LEVEL - 1
+          DO 20 I = 1, 4
+            CALL TSMCYL(X, BOX, CTL, 4*NODE + I - 1, CYL,
+     $                  TSCYLI(CTL, NODE), I, SLENDR)
+            SUM = SUM + SLENDR
+   20     CONTINUE
+   30   CONTINUE
+        IF (64*SUM .LT. CTL(LEAVES)) RETURN
+        LEVEL = LEVEL/4
+        GO TO 10
+      END IF
+      CTL(HASCYL) = 1
+      END
+
+C     TSXCYL - tests the cylinders of a node's four grandchildren:
+C     PAST(I) > 0 if cylinder I provably holds no candidate.
+C
+C     A point is W + S U + P from the base, where W is the cylinder's
+C     centre, U its axis, |S| <= H, and P is across U, |P| <= R.  With G
+C     = W - C, A = |G.U|, and RHO the length of G across U, its power in
+C     the ball about C is
+C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P).
+C     The brackets are at least T (T - 2 A), where T is the lesser of A
+C     and H, and Q**2 - 2 Q RHO, where Q is the lesser of RHO and R.  So
+C     there is no candidate if the sum without 2 Q RHO is positive and
+C     its square is above 4 Q**2 RHO**2.
+C
+C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
+C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
+C     power, and with that of G in RHO makes 4; the power by 8 (TSFBND);
+C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
+C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
+C     |G|**2, with room for the last two products.  Where these
+C     underflow, R >= LENMIN makes the sum's error greater.
+      SUBROUTINE TSXCYL(CYL, AT, F, C, PAST)
+      INTEGER LFILT, LF, LCYL
+      PARAMETER (LFILT = 8, LF = 12, LCYL = 8)
+      DOUBLE PRECISION CYL(4,LCYL,*), F(LF), C(LFILT), PAST(4)
+      INTEGER AT
+      INTEGER VC, VDC, VC1, VALLOW, FBASE, CCEN, CAXIS, CHALF, CRAD
+      DOUBLE PRECISION EPS
+      PARAMETER (VC = 0, VDC = 4, VC1 = 5, VALLOW = 8, FBASE = 6,
+     $    CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8, EPS = 2.0D0**(-52))
+      DOUBLE PRECISION A, ERR, G1, G2, G3, GG, H, R, RHO, RR, SIZE, SUM,
+     $    T, W1, W2, W3
+      INTEGER I
+      ERR = 2.0D0*C(VDC) + 128.0D0*EPS*C(VC1)
+      DO 20 I = 1, 4
+        W1 = CYL(I,CCEN+1,AT) - F(FBASE+1)
+        W2 = CYL(I,CCEN+2,AT) - F(FBASE+2)
+        W3 = CYL(I,CCEN+3,AT) - F(FBASE+3)
+        H = CYL(I,CHALF,AT)
+        R = CYL(I,CRAD,AT)
+        SIZE = ABS(W1) + ABS(W2) + ABS(W3) + 2.0D0*(H + R)
+        G1 = W1 - C(VC+1)
+        G2 = W2 - C(VC+2)
+        G3 = W3 - C(VC+3)
+        A = ABS(G1*CYL(I,CAXIS+1,AT) + G2*CYL(I,CAXIS+2,AT) + G3*
+     $      CYL(I,CAXIS+3,AT))
+        T = MIN(A, H)
+        GG = G1*G1 + G2*G2 + G3*G3
+        RHO = GG - A*A + 64.0D0*EPS*GG
+        RR = MIN(RHO, R*R)
+        SUM = W1*(G1 - C(VC+1)) + W2*(G2 - C(VC+2)) + W3*
+     $      (G3 - C(VC+3)) + T*(T - 2.0D0*A) + RR - SIZE*
+     $      (ERR + 64.0D0*EPS*SIZE) - C(VALLOW)
+        PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
+   20 CONTINUE
+      END
+
+C     ------------------------------------------------------------------
+C     Balls by limbs
+C     ------------------------------------------------------------------
+
+C     TSBALL - finds the ball of the best point by limbs.  The centre C
+C     errs by at most 8 EPS |C|.  So its height over the facet's plane,
+C     C.V, is L up to the error of V, E |C|, the error of C, and the
+C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
+C     sphere L is counted from F(4..6): U, the difference, takes the
+C     place of C, with the error of F(4..6) and one more rounding.
+      SUBROUTINE TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
+      INTEGER LSUP, LF, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
+      DOUBLE PRECISION P(3,*), SUP(LSUP,*), F(LF), FQ(*)
+      INTEGER ORD(*), CTL(*), V(3), IQ(LIQ)
+      INTEGER SCALE, VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBEST, QBYLIM,
+     $    QHASBA, QBASE, QSURF, QOUTSI, QLO, QHI, QTILT, QLBALL
+      DOUBLE PRECISION HUGE, EPS, HHEMAX
+      PARAMETER (SCALE = 19, VC = 0, VDC = 4, VC1 = 5, FNORM = 0,
+     $    FCEN = 3, FE = 10, FDC = 11, QBEST = 1, QBYLIM = 2,
+     $    QHASBA = 3, QBASE = 4, QSURF = 6, QOUTSI = 44, QLO = 6,
+     $    QHI = 7, QTILT = 9, QLBALL = 23,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
+     $    HHEMAX = 0.5D0)
+      DOUBLE PRECISION C(3), ERR, L, SIZE, U
+      INTEGER TSONSP, K, OK, SPHERE
+      IF (F(FE) .GE. HUGE) RETURN
+      CALL HHCENT(P, ORD, CTL(SCALE), V, IQ(QBASE), IQ(QBEST), C,
+     $            FQ(QLBALL), OK)
+      IF (OK .EQ. 0) RETURN
+      SPHERE = TSONSP(SUP, IQ(QSURF))
+      IQ(QBYLIM) = 1
+      IQ(QHASBA) = 1
+      IQ(QOUTSI) = 0
+      FQ(VC1) = 0.0D0
+      SIZE = 0.0D0
+      L = 0.0D0
+      DO 10 K = 1, 3
+        FQ(VC+K) = C(K)
+        FQ(VC1) = FQ(VC1) + ABS(C(K))
+        U = C(K)
+        IF (SPHERE .EQ. 1) U = U - F(FCEN+K)
+        SIZE = SIZE + ABS(U)
+        L = L + F(FNORM+K)*U
+   10 CONTINUE
+      FQ(VDC) = 8.0D0*EPS*FQ(VC1)
+      ERR = F(FE)*SIZE + 16.0D0*EPS*FQ(VC1)
+      IF (SPHERE .EQ. 1) ERR = ERR + F(FDC)
+      IF (F(FE) .LE. HHEMAX) THEN
+        FQ(QLO) = MAX(FQ(QLO), L - ERR)
+        FQ(QHI) = MIN(FQ(QHI), L + ERR)
+      END IF
+      L = FQ(QHI)
+      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 1, F, L,
+     $    FQ(QTILT))
+      END
+
+C     TSXVIE - tells of the box LOW, HIGH what does not show from the
+C     base.  Returns -1 if it holds no candidate, 1 if it is a point
+C     that is certainly on the open side (of a wider box that tells
+C     nothing), else 0.
+C
+C     What is near another vertex has a side and a power that are lost
+C     in the roundings of its distance from the base, where that is so
+C     much greater.  Seen from that vertex, or from the best point, both
+C     are sums of small terms.  Let P be a point whose power in the ball
+C     of centre C is known to be 0, or not negative.  With U = Z - P and
+C     D = C - P, both from the base, the power of Z is at least |U|**2 -
+C     2 D.U.  So Z is no candidate if that is positive: as in TSXBOX,
+C     the least sum in the box less its error.  Likewise for the side of
+C     Z if that of P is 0 or negative, with the product of the normal
+C     and U.
+C
+C     Each coordinate of HHCENT's C is right to 8 EPS of itself, and P
+C     to 1 EPS: D errs by 9 EPS |C| + 2 EPS |P|, which counts twice; U
+C     by EPS |U|, which counts for 2 EPS (|U| + |D|); four roundings for
+C     4 EPS (|U| + 2 |D|).  All that times |U| is less than 8 EPS |U|
+C     (|U| + 4 (|C| + |P|)), coordinate by coordinate: where points
+C     differ from P only in coordinates in which the ball is small, they
+C     are told apart, however large it is in the others. (4 |X|, X
+C     being the coordinate itself, is for sums in another order.)
+      INTEGER FUNCTION TSXVIE(X, V, IQ, F, C, LOW, HIGH)
+      INTEGER LFILT, LF, LIQ
+      PARAMETER (LFILT = 8, LF = 12, LIQ = 47)
+      DOUBLE PRECISION X(3,*), F(LF), C(LFILT), LOW(3), HIGH(3)
+      INTEGER V(3), IQ(LIQ)
+      INTEGER VC, FNORM, FBASE, FE, QBEST, QBYLIM, QBASE, QOUTSI, QBEHIN
+      DOUBLE PRECISION EPS, HHEMAX, UNDERR
+      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, QBEST = 1,
+     $    QBYLIM = 2, QBASE = 4, QOUTSI = 44, QBEHIN = 45,
+     $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, UNDERR = 1.0D-200)
+      DOUBLE PRECISION D, ERR, H, L, P, POWER, SIDE, SIZE, U
+      INTEGER FROM(5), I, K
+      FROM(1) = V(MOD(IQ(QBASE),3)+1)
+      FROM(2) = V(MOD(IQ(QBASE)+1,3)+1)
+      FROM(3) = IQ(QBEHIN)
+      FROM(4) = IQ(QBYLIM)*IQ(QOUTSI)
+      FROM(5) = IQ(QBYLIM)*IQ(QBEST)
+      TSXVIE = 0
+      DO 20 K = 1, 5
+        IF (FROM(K) .EQ. 0) GO TO 20
+        POWER = 0.0D0
+        SIDE = 0.0D0
+        SIZE = 0.0D0
+        ERR = UNDERR
+        DO 10 I = 1, 3
+          P = X(I,FROM(K)) - F(FBASE+I)
+          D = C(VC+I) - P
+          L = LOW(I) - X(I,FROM(K))
+          H = HIGH(I) - X(I,FROM(K))
+          U = MIN(MAX(D, L), H)
+          POWER = POWER + U*(U - 2.0D0*D)
+          SIDE = SIDE + MAX(L*F(FNORM+I), H*F(FNORM+I))
+          U = MAX(ABS(L), ABS(H))
+          SIZE = SIZE + U
+          ERR = ERR + 8.0D0*EPS*U*(U + 4.0D0*(ABS(C(VC+I)) + ABS(P) +
+     $        ABS(X(I,FROM(K)))))
+   10   CONTINUE
+        IF (K .NE. 3 .AND. IQ(QBYLIM) .EQ. 1 .AND. POWER .GT. ERR)
+     $      GO TO 30
+        IF (K .GT. 3 .OR. F(FE) .GT. HHEMAX) GO TO 20
+        IF (SIDE .LT. -F(FE)*SIZE - UNDERR) GO TO 30
+        IF (K .LT. 3 .AND. SIDE .GT. F(FE)*SIZE + UNDERR) TSXVIE = 1
+   20 CONTINUE
+      RETURN
+   30 TSXVIE = -1
       END
 
 C     ------------------------------------------------------------------
@@ -2638,1372 +4310,6 @@ C     is exact but for one rounding.  The sieve is all that over q.
      $    Q)*(ABS(T(VBASEH)) - S(SLOWES)) + UNDERR)/Q
       END
 
-C     TSXVIE - tells of the box LOW, HIGH what does not show from the
-C     base.  Returns -1 if it holds no candidate, 1 if it is a point
-C     that is certainly on the open side (of a wider box that tells
-C     nothing), else 0.
-C
-C     What is near another vertex has a side and a power that are lost
-C     in the roundings of its distance from the base, where that is so
-C     much greater.  Seen from that vertex, or from the best point, both
-C     are sums of small terms.  Let P be a point whose power in the ball
-C     of centre C is known to be 0, or not negative.  With U = Z - P and
-C     D = C - P, both from the base, the power of Z is at least |U|**2 -
-C     2 D.U.  So Z is no candidate if that is positive: as in TSXBOX,
-C     the least sum in the box less its error.  Likewise for the side of
-C     Z if that of P is 0 or negative, with the product of the normal
-C     and U.
-C
-C     Each coordinate of HHCENT's C is right to 8 EPS of itself, and P
-C     to 1 EPS: D errs by 9 EPS |C| + 2 EPS |P|, which counts twice; U
-C     by EPS |U|, which counts for 2 EPS (|U| + |D|); four roundings for
-C     4 EPS (|U| + 2 |D|).  All that times |U| is less than 8 EPS |U|
-C     (|U| + 4 (|C| + |P|)), coordinate by coordinate: where points
-C     differ from P only in coordinates in which the ball is small, they
-C     are told apart, however large it is in the others. (4 |X|, X
-C     being the coordinate itself, is for sums in another order.)
-      INTEGER FUNCTION TSXVIE(X, V, IQ, F, C, LOW, HIGH)
-      INTEGER LFILT, LF, LIQ
-      PARAMETER (LFILT = 8, LF = 12, LIQ = 47)
-      DOUBLE PRECISION X(3,*), F(LF), C(LFILT), LOW(3), HIGH(3)
-      INTEGER V(3), IQ(LIQ)
-      INTEGER VC, FNORM, FBASE, FE, QBEST, QBYLIM, QBASE, QOUTSI, QBEHIN
-      DOUBLE PRECISION EPS, HHEMAX, UNDERR
-      PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, QBEST = 1,
-     $    QBYLIM = 2, QBASE = 4, QOUTSI = 44, QBEHIN = 45,
-     $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, UNDERR = 1.0D-200)
-      DOUBLE PRECISION D, ERR, H, L, P, POWER, SIDE, SIZE, U
-      INTEGER FROM(5), I, K
-      FROM(1) = V(MOD(IQ(QBASE),3)+1)
-      FROM(2) = V(MOD(IQ(QBASE)+1,3)+1)
-      FROM(3) = IQ(QBEHIN)
-      FROM(4) = IQ(QBYLIM)*IQ(QOUTSI)
-      FROM(5) = IQ(QBYLIM)*IQ(QBEST)
-      TSXVIE = 0
-      DO 20 K = 1, 5
-        IF (FROM(K) .EQ. 0) GO TO 20
-        POWER = 0.0D0
-        SIDE = 0.0D0
-        SIZE = 0.0D0
-        ERR = UNDERR
-        DO 10 I = 1, 3
-          P = X(I,FROM(K)) - F(FBASE+I)
-          D = C(VC+I) - P
-          L = LOW(I) - X(I,FROM(K))
-          H = HIGH(I) - X(I,FROM(K))
-          U = MIN(MAX(D, L), H)
-          POWER = POWER + U*(U - 2.0D0*D)
-          SIDE = SIDE + MAX(L*F(FNORM+I), H*F(FNORM+I))
-          U = MAX(ABS(L), ABS(H))
-          SIZE = SIZE + U
-          ERR = ERR + 8.0D0*EPS*U*(U + 4.0D0*(ABS(C(VC+I)) + ABS(P) +
-     $        ABS(X(I,FROM(K)))))
-   10   CONTINUE
-        IF (K .NE. 3 .AND. IQ(QBYLIM) .EQ. 1 .AND. POWER .GT. ERR)
-     $      GO TO 30
-        IF (K .GT. 3 .OR. F(FE) .GT. HHEMAX) GO TO 20
-        IF (SIDE .LT. -F(FE)*SIZE - UNDERR) GO TO 30
-        IF (K .LT. 3 .AND. SIDE .GT. F(FE)*SIZE + UNDERR) TSXVIE = 1
-   20 CONTINUE
-      RETURN
-   30 TSXVIE = -1
-      END
-
-C     TSXNOD - returns 1 if a node provably holds no candidate, by the
-C     marks of its points, or where they tell nothing by its box alone;
-C     a clump's also as seen from other points; or 0.
-      INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
-     $                        T, NODE)
-      INTEGER LSUP, LIQ, LTILT
-      PARAMETER (LSUP = 60, LIQ = 47, LTILT = 14)
-      DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(LSUP,*), F(*),
-     $    C(*), T(LTILT)
-      INTEGER MARK(*), CTL(*), V(3), IQ(LIQ), NODE
-      INTEGER RCLUMP, SLOWES, SQUANT, VWEIGH, VBASEH, QSURF, QCOLL,
-     $    LRECRD, RSTEPS, MARKST
-      PARAMETER (RCLUMP = 10, SLOWES = 59, SQUANT = 60, VWEIGH = 6,
-     $    VBASEH = 7, QSURF = 6, QCOLL = 43, LRECRD = 16,
-     $    RSTEPS = 32768, MARKST = 4096)
-      DOUBLE PRECISION TSWIDT, H
-      INTEGER TSRCRD, TSXBOX, TSXVIE, K, ON
-      ON = IQ(QSURF)
-      IF (ON .NE. 0) THEN
-        K = MARK(TSRCRD(CTL, ON)+LRECRD+NODE)
-        IF (T(VWEIGH) .LT. 0.0D0) THEN
-          K = MOD(K, RSTEPS + 2) - 1
-          H = DBLE(MARKST)*DBLE(K) + (DBLE(MARKST) + 0.5D0)
-        ELSE
-          K = K/(RSTEPS + 2) - 1
-          H = DBLE(MARKST)*DBLE(K) - 0.5D0
-        END IF
-        IF (K .GE. 0 .AND. K .LT. RSTEPS) THEN
-          H = SUP(SLOWES,ON) + SUP(SQUANT,ON)*H
-          TSXNOD = TSXBOX(F, T, BOX, NODE, T(VWEIGH)*(H - T(VBASEH)))
-          RETURN
-        END IF
-      END IF
-      TSXNOD = TSXBOX(F, C, BOX, NODE, 0.0D0)
-      IF (TSXNOD .EQ. 1 .OR. IQ(QCOLL) .NE. 0) RETURN
-      IF (TSWIDT(BOX(1,NODE)) .GE. RCTL(RCLUMP)) RETURN
-      IF (TSXVIE(X, V, IQ, F, C, BOX(1,NODE), BOX(4,NODE)) .LT. 0)
-     $    TSXNOD = 1
-      END
-
-C     ------------------------------------------------------------------
-C     Cylinders.
-C
-C     On a smooth surface a box sticks out of the surface by as much as
-C     it is wide, so a ball that touches the surface meets many boxes.
-C     Along a curve a box is as wide as it is long.  A cylinder that
-C     holds a node's points (a disc on a surface, a rod on a curve) is
-C     thinner, by the ratio of the node's width to the radius of
-C     curvature, and the ball meets only a few of them, however many
-C     there are.  Cylinders are made for the nodes of every second level
-C     from the leaves up.  The four grandchildren of a node lie side by
-C     side and are tested at once.
-C
-C     6,000 points of an ellipsoid take 1.4 times the instructions
-C     without, 6,000 of boreholes 1.6, 6,000 near a plane 6 times.  They
-C     cost 11 doubles a leaf, and clouds 1 % more instructions, for
-C     nothing.
-C     ------------------------------------------------------------------
-
-C     TSCYLI - the number of the cylinders of the four grandchildren of
-C     a node: CYL(.,.,TSCYLI) has their centres, unit axes, half
-C     lengths, radii; of each of these numbers four in a row.
-      INTEGER FUNCTION TSCYLI(CTL, NODE)
-      INTEGER CTL(*), NODE
-      INTEGER LEAVES
-      PARAMETER (LEAVES = 4)
-      INTEGER LEVEL
-      LEVEL = CTL(LEAVES)/4
-      TSCYLI = 1
-   10 IF (NODE .LT. LEVEL) THEN
-        TSCYLI = TSCYLI + LEVEL
-        LEVEL = LEVEL/4
-        GO TO 10
-      END IF
-      TSCYLI = TSCYLI + NODE - LEVEL
-      END
-
-C     TSMCYL - makes the cylinder of a node, CYL(J,.,AT).  The axis is
-C     the column of the greatest diagonal element in the matrix of
-C     second moments about the mean (a rod) or in its adjugate (a disc),
-C     whichever gives less volume.  About another point, a plane's would
-C     not tell its normal.  SLENDR is 1 if that volume is below SLENVO
-C     of the box's, or 0.  In units of the sum of |X(K)|, the
-C     differences from the mean err by EPS, their products with the axis
-C     and what is left across it by less than 40 EPS, the centre by 10
-C     EPS: together less than 64 EPS.
-      SUBROUTINE TSMCYL(X, BOX, CTL, NODE, CYL, AT, J, SLENDR)
-      INTEGER LCYL
-      PARAMETER (LCYL = 8)
-      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(4,LCYL,*)
-      INTEGER CTL(*), NODE, AT, J, SLENDR
-      INTEGER CCEN, CAXIS, CHALF, CRAD
-      DOUBLE PRECISION SLENVO, HUGE, EPS, LENMIN, UNDERR
-      PARAMETER (CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8,
-     $    SLENVO = 0.7D0, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
-     $    EPS = 2.0D0**(-52), LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200)
-      DOUBLE PRECISION TSDOT, A(6), HI, LO, MID(3), PAD, Q(6), RR, S,
-     $    U(3), VOLUME, Y(3)
-      INTEGER DISC, FIRST, I, K, L, LAST, M
-      CALL TSNRNG(CTL, NODE, FIRST, LAST)
-      VOLUME = HUGE
-      PAD = 0.0D0
-      DO 10 K = 1, 3
-        A(K) = 0.0D0
-        A(3+K) = 0.0D0
-        MID(K) = 0.0D0
-        PAD = PAD + 64.0D0*EPS*(ABS(BOX(K,NODE)) + ABS(BOX(3+K,NODE)))
-     $      + LENMIN
-   10 CONTINUE
-      DO 30 I = FIRST, LAST
-        DO 20 K = 1, 3
-          MID(K) = MID(K) + X(K,I)/DBLE(LAST - FIRST + 1)
-   20   CONTINUE
-   30 CONTINUE
-      DO 60 I = FIRST, LAST
-        DO 40 K = 1, 3
-          Y(K) = X(K,I) - MID(K)
-   40   CONTINUE
-        DO 50 K = 1, 3
-          A(K) = A(K) + Y(K)*Y(K)
-          A(3+K) = A(3+K) + Y(MOD(K,3)+1)*Y(MOD(K+1,3)+1)
-   50   CONTINUE
-   60 CONTINUE
-      DO 130 DISC = 0, 1
-        DO 70 K = 1, 3
-          M = MOD(K, 3) + 1
-          L = MOD(K + 1, 3) + 1
-          Q(K) = A(K)
-          Q(3+K) = A(3+K)
-          IF (DISC .EQ. 1) Q(K) = A(M)*A(L) - A(3+K)*A(3+K)
-          IF (DISC .EQ. 1) Q(3+K) = A(3+M)*A(3+L) - A(3+K)*A(K)
-   70   CONTINUE
-        K = 1
-        IF (Q(2) .GT. Q(1)) K = 2
-        IF (Q(3) .GT. Q(K)) K = 3
-        M = MOD(K, 3) + 1
-        L = MOD(K + 1, 3) + 1
-        U(K) = Q(K)
-        U(M) = Q(3+L)
-        U(L) = Q(3+M)
-        S = TSDOT(U, U)
-C       too small to have a direction: any
-        IF (S .LE. UNDERR) THEN
-          U(1) = 1.0D0
-          U(2) = 0.0D0
-          U(3) = 0.0D0
-          S = 1.0D0
-        END IF
-        DO 80 K = 1, 3
-          U(K) = U(K)/SQRT(S)
-   80   CONTINUE
-        LO = HUGE
-        HI = -HUGE
-        RR = 0.0D0
-        DO 110 I = FIRST, LAST
-          DO 90 K = 1, 3
-            Y(K) = X(K,I) - MID(K)
-   90     CONTINUE
-          S = TSDOT(Y, U)
-          LO = MIN(LO, S)
-          HI = MAX(HI, S)
-          DO 100 K = 1, 3
-            Y(K) = Y(K) - S*U(K)
-  100     CONTINUE
-          RR = MAX(RR, TSDOT(Y, Y))
-  110   CONTINUE
-        IF ((HI - LO)*RR .GE. VOLUME) GO TO 130
-        VOLUME = (HI - LO)*RR
-        DO 120 K = 1, 3
-          CYL(J,CCEN+K,AT) = MID(K) + 0.5D0*(LO + HI)*U(K)
-          CYL(J,CAXIS+K,AT) = U(K)
-  120   CONTINUE
-        CYL(J,CHALF,AT) = 0.5D0*(HI - LO) + PAD
-        CYL(J,CRAD,AT) = SQRT(RR) + PAD
-  130 CONTINUE
-      SLENDR = 0
-      IF (3.2D0*VOLUME .LT. SLENVO*(BOX(4,NODE) - BOX(1,NODE))*
-     $    (BOX(5,NODE) - BOX(2,NODE))*(BOX(6,NODE) - BOX(3,NODE)))
-     $    SLENDR = 1
-      END
-
-C     TSMCYS - makes all cylinders, or none if few leaves have slender
-C     ones.
-      SUBROUTINE TSMCYS(X, BOX, CYL, CTL)
-      DOUBLE PRECISION X(3,*), BOX(6,*), CYL(*)
-      INTEGER CTL(*)
-      INTEGER LEAVES, HASCYL
-      PARAMETER (LEAVES = 4, HASCYL = 16)
-      INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
-      SUM = 0
-      LEVEL = CTL(LEAVES)/4
-   10 IF (LEVEL .GT. 0) THEN
-        DO 30 NODE = LEVEL, 2*LEVEL - 1
-          DO 20 I = 1, 4
-            CALL TSMCYL(X, BOX, CTL, 4*NODE + I - 1, CYL,
-     $                  TSCYLI(CTL, NODE), I, SLENDR)
-            SUM = SUM + SLENDR
-   20     CONTINUE
-   30   CONTINUE
-        IF (64*SUM .LT. CTL(LEAVES)) RETURN
-        LEVEL = LEVEL/4
-        GO TO 10
-      END IF
-      CTL(HASCYL) = 1
-      END
-
-C     TSXCYL - tests the cylinders of a node's four grandchildren:
-C     PAST(I) > 0 if cylinder I provably holds no candidate.
-C
-C     A point is W + S U + P from the base, where W is the cylinder's
-C     centre, U its axis, |S| <= H, and P is across U, |P| <= R.  With G
-C     = W - C, A = |G.U|, and RHO the length of G across U, its power in
-C     the ball about C is
-C         |W|**2 - 2 C.W + (S**2 + 2 S G.U) + (|P|**2 + 2 G.P).
-C     The brackets are at least T (T - 2 A), where T is the lesser of A
-C     and H, and Q**2 - 2 Q RHO, where Q is the lesser of RHO and R.  So
-C     there is no candidate if the sum without 2 Q RHO is positive and
-C     its square is above 4 Q**2 RHO**2.
-C
-C     The sum errs by less than 64 EPS SIZE (SIZE + 2 |C|), SIZE >=
-C     |W|_1 + H + R.  In EPS: W errs by |W|, which counts twice in the
-C     power, and with that of G in RHO makes 4; the power by 8 (TSFBND);
-C     A by 6 |G|_1, which counts 2 T times; |U|**2 is 1 but for 8, which
-C     tilts P: 9; and some for the sum.  RHO**2 errs by less than 64 EPS
-C     |G|**2, with room for the last two products.  Where these
-C     underflow, R >= LENMIN makes the sum's error greater.
-      SUBROUTINE TSXCYL(CYL, AT, F, C, PAST)
-      INTEGER LFILT, LF, LCYL
-      PARAMETER (LFILT = 8, LF = 12, LCYL = 8)
-      DOUBLE PRECISION CYL(4,LCYL,*), F(LF), C(LFILT), PAST(4)
-      INTEGER AT
-      INTEGER VC, VDC, VC1, VALLOW, FBASE, CCEN, CAXIS, CHALF, CRAD
-      DOUBLE PRECISION EPS
-      PARAMETER (VC = 0, VDC = 4, VC1 = 5, VALLOW = 8, FBASE = 6,
-     $    CCEN = 0, CAXIS = 3, CHALF = 7, CRAD = 8, EPS = 2.0D0**(-52))
-      DOUBLE PRECISION A, ERR, G1, G2, G3, GG, H, R, RHO, RR, SIZE, SUM,
-     $    T, W1, W2, W3
-      INTEGER I
-      ERR = 2.0D0*C(VDC) + 128.0D0*EPS*C(VC1)
-      DO 20 I = 1, 4
-        W1 = CYL(I,CCEN+1,AT) - F(FBASE+1)
-        W2 = CYL(I,CCEN+2,AT) - F(FBASE+2)
-        W3 = CYL(I,CCEN+3,AT) - F(FBASE+3)
-        H = CYL(I,CHALF,AT)
-        R = CYL(I,CRAD,AT)
-        SIZE = ABS(W1) + ABS(W2) + ABS(W3) + 2.0D0*(H + R)
-        G1 = W1 - C(VC+1)
-        G2 = W2 - C(VC+2)
-        G3 = W3 - C(VC+3)
-        A = ABS(G1*CYL(I,CAXIS+1,AT) + G2*CYL(I,CAXIS+2,AT) + G3*
-     $      CYL(I,CAXIS+3,AT))
-        T = MIN(A, H)
-        GG = G1*G1 + G2*G2 + G3*G3
-        RHO = GG - A*A + 64.0D0*EPS*GG
-        RR = MIN(RHO, R*R)
-        SUM = W1*(G1 - C(VC+1)) + W2*(G2 - C(VC+2)) + W3*
-     $      (G3 - C(VC+3)) + T*(T - 2.0D0*A) + RR - SIZE*
-     $      (ERR + 64.0D0*EPS*SIZE) - C(VALLOW)
-        PAST(I) = SUM*ABS(SUM) - 4.0D0*RR*RHO
-   20 CONTINUE
-      END
-
-C     ------------------------------------------------------------------
-C     Ties.
-C
-C     Let S be the points on the sphere of an empty ball, such as that
-C     of any tetrahedron of the mesh.  The tie rule lowers heights, that
-C     of first, the point of S of least number, by far the most.  So
-C       - among points of S the mesh consists of the facets of S's hull
-C         without first, each joined to first;
-C       - a tetrahedron with its vertices in S has first for one of
-C         them: first is the least vertex of any such tetrahedron that
-C         is known;
-C       - a facet of three points of S without first, which is in S's
-C         hull, has no point of S on its open side unless first is on
-C         it: the apex is first, or none of S;
-C       - a facet (first, a, b) with points of S on its open side has
-C         one of them as its apex, as the ball is empty.  Of two, c and
-C         z, z is better if it is beyond the plane (a, b, c) seen from
-C         first, and worse if it is on first's side; in that plane the
-C         lesser e_i decides.
-C     A point of S whose star is complete is in no open facet and is no
-C     apex.  If first's star is complete, all tetrahedra of S are known;
-C     so for a new tetrahedron's S it is not.
-C
-C     A cell has all uncompleted points of S, the least number first, of
-C     a ball inside the star's list.  Only these are tested for a facet
-C     of the star.
-C
-C     Lattices take 1.4 times the instructions without.  What has no
-C     ties never makes a cell.
-C     ------------------------------------------------------------------
-
-C     TSRECS - makes a cell of the points exactly on the best point's
-C     ball, if all are in the star's list and none is inside.  OK is 1,
-C     or 0 if not, or if there are no ties.  The centre of TSUPBD's ball
-C     is off by up to QHI - QLO, too, which matters on the negative
-C     side.
-      SUBROUTINE TSRECS(X, P, ORD, BOX, NSETS, SET, RCTL, LSX, LSID,
-     $                  LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER NLISTS, LLSD, LIQ, TSLIST, LEAFPT, SETPTS
-      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 47, TSLIST = 512,
-     $    LEAFPT = 48, SETPTS = 12)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*),
-     $    LSD(LLSD,NLISTS), F(*), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), NSETS, SET(0:SETPTS,*),
-     $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), V(3), IQ(LIQ), OK
-      INTEGER EXACT3, EXACT5, STR, LREACH, VDC, QBEST, QBYLIM, QLO, QHI,
-     $    SETS
-      DOUBLE PRECISION LMAX
-      PARAMETER (EXACT3 = 1, EXACT5 = 2, STR = 2, LREACH = 13, VDC = 4,
-     $    QBEST = 1, QBYLIM = 2, QLO = 6, QHI = 7, SETS = 4,
-     $    LMAX = 1.0D100)
-      DOUBLE PRECISION DC, WIDE
-      INTEGER HHPINS, TSBINS, C(SETPTS), I, K, M, N, PLACE(TSLIST+1),
-     $    SIDE, Z
-      OK = 0
-      IF (ABS(FQ(QHI)) .GT. LMAX) RETURN
-      WIDE = 0.0D0
-      IF (IQ(QBYLIM) .EQ. 0) WIDE = FQ(QHI) - FQ(QLO)
-      IF (WIDE .GT. LSD(LREACH,STR)) RETURN
-      DC = FQ(VDC)
-      FQ(VDC) = DC + WIDE
-      N = 0
-      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 1) CALL TSLHIT(LSX, LSI, LSD,
-     $    STR, F, FQ, PLACE, N)
-      FQ(VDC) = DC
-      IF (N .LE. 0 .OR. N .GT. SETPTS) RETURN
-      M = 0
-      DO 30 I = 1, N
-        Z = LSID(PLACE(I),STR)
-        SIDE = 0
-        IF (Z .NE. V(1) .AND. Z .NE. V(2) .AND. Z .NE. V(3) .AND.
-     $      Z .NE. IQ(QBEST)) SIDE = HHPINS(X, P, ORD, RCTL(EXACT3),
-     $      RCTL(EXACT5), V, IQ(QBEST), Z, 0)
-        IF (SIDE .LT. 0) RETURN
-        IF (SIDE .EQ. 0) THEN
-          M = M + 1
-          C(M) = Z
-          IF (ORD(Z) .LT. ORD(C(1))) THEN
-            C(M) = C(1)
-            C(1) = Z
-          END IF
-        END IF
-   30 CONTINUE
-      IF (M .EQ. 4) RETURN
-      K = MOD(NSETS, SETS) + 1
-      NSETS = NSETS + 1
-      SET(0,K) = M
-      DO 40 I = 1, M
-        SET(I,K) = C(I)
-   40 CONTINUE
-      OK = 1
-      END
-
-C     TSAPFS - Z is the apex of the facet V if it is in a cell, or 0:
-C     see "Ties".
-      SUBROUTINE TSAPFS(X, P, ORD, NSETS, SET, RCTL, V, Z)
-      INTEGER SETPTS
-      PARAMETER (SETPTS = 12)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), NSETS, SET(0:SETPTS,*), V(3), Z
-      INTEGER EXACT3, EXACT5, SETS
-      PARAMETER (EXACT3 = 1, EXACT5 = 2, SETS = 4)
-      INTEGER HHPINS, HHPORI, I, IN, J, K
-      Z = 0
-      DO 40 K = 1, MIN(NSETS, SETS)
-        IN = 0
-        DO 10 I = 1, SET(0,K)
-          J = SET(I,K)
-          IF (J .EQ. V(2) .OR. J .EQ. V(3)) IN = IN + 1
-   10   CONTINUE
-        IF (IN .EQ. 2) THEN
-          DO 20 I = 1, SET(0,K)
-            J = SET(I,K)
-            IF (J .NE. V(1) .AND. J .NE. V(2) .AND. J .NE. V(3)) THEN
-              IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3),
-     $            J) .GT. 0) THEN
-                IN = -1
-                IF (Z .NE. 0) IN = HHPINS(X, P, ORD, RCTL(EXACT3),
-     $              RCTL(EXACT5), V, Z, J, 3)
-                IF (IN .LT. 0) Z = J
-              END IF
-              IF (I .EQ. 1) GO TO 30
-            END IF
-   20     CONTINUE
-   30     IF (Z .NE. 0) RETURN
-        END IF
-   40 CONTINUE
-      END
-
-C     ------------------------------------------------------------------
-C     The search for the apex of a facet.
-C     ------------------------------------------------------------------
-
-C     TSUPBD - records that the best point's L-coordinate is at most L,
-C     and sets the ball of that L.
-      SUBROUTINE TSUPBD(SUP, IQ, F, FQ, L)
-      INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
-      DOUBLE PRECISION SUP(LSUP,*), F(LF), FQ(*), L
-      INTEGER IQ(LIQ)
-      INTEGER VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBYLIM, QHASBA, QSURF,
-     $    QHI, QTILT
-      DOUBLE PRECISION EPS, LMAX
-      PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FCEN = 3, FE = 10,
-     $    FDC = 11, QBYLIM = 2, QHASBA = 3, QSURF = 6, QHI = 7,
-     $    QTILT = 9, EPS = 2.0D0**(-52), LMAX = 1.0D100)
-      INTEGER K
-      FQ(QHI) = L
-      IF (IQ(QBYLIM) .EQ. 0 .AND. ABS(L) .LE. LMAX) THEN
-        IQ(QHASBA) = 1
-        FQ(VC1) = 0.0D0
-        DO 10 K = 1, 3
-          FQ(VC+K) = F(FCEN+K) + L*F(FNORM+K)
-          FQ(VC1) = FQ(VC1) + ABS(FQ(VC+K))
-   10   CONTINUE
-C       a better point, on the positive side, is in the ball of any L
-C       that is not below the best point's: so only the error of C for
-C       this L counts, not that of L.  That is large where balls are
-C       flat: counting it makes points near a plane take 10 times as
-C       long.
-        FQ(VDC) = F(FDC) + ABS(L)*F(FE) + 4.0D0*EPS*FQ(VC1)
-      END IF
-      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), IQ(QHASBA), F,
-     $    L, FQ(QTILT))
-      END
-
-C     TSBALL - finds the ball of the best point by limbs.  The centre C
-C     errs by at most 8 EPS |C|.  So its height over the facet's plane,
-C     C.V, is L up to the error of V, E |C|, the error of C, and the
-C     roundings of three products and two sums, 5 EPS |C|_1.  Near a
-C     sphere L is counted from F(4..6): U, the difference, takes the
-C     place of C, with the error of F(4..6) and one more rounding.
-      SUBROUTINE TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
-      DOUBLE PRECISION P(3,*), SUP(LSUP,*), F(LF), FQ(*)
-      INTEGER ORD(*), CTL(*), V(3), IQ(LIQ)
-      INTEGER SCALE, VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBEST, QBYLIM,
-     $    QHASBA, QBASE, QSURF, QOUTSI, QLO, QHI, QTILT, QLBALL
-      DOUBLE PRECISION HUGE, EPS, HHEMAX
-      PARAMETER (SCALE = 19, VC = 0, VDC = 4, VC1 = 5, FNORM = 0,
-     $    FCEN = 3, FE = 10, FDC = 11, QBEST = 1, QBYLIM = 2,
-     $    QHASBA = 3, QBASE = 4, QSURF = 6, QOUTSI = 44, QLO = 6,
-     $    QHI = 7, QTILT = 9, QLBALL = 23,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
-     $    HHEMAX = 0.5D0)
-      DOUBLE PRECISION C(3), ERR, L, SIZE, U
-      INTEGER TSONSP, K, OK, SPHERE
-      IF (F(FE) .GE. HUGE) RETURN
-      CALL HHCENT(P, ORD, CTL(SCALE), V, IQ(QBASE), IQ(QBEST), C,
-     $            FQ(QLBALL), OK)
-      IF (OK .EQ. 0) RETURN
-      SPHERE = TSONSP(SUP, IQ(QSURF))
-      IQ(QBYLIM) = 1
-      IQ(QHASBA) = 1
-      IQ(QOUTSI) = 0
-      FQ(VC1) = 0.0D0
-      SIZE = 0.0D0
-      L = 0.0D0
-      DO 10 K = 1, 3
-        FQ(VC+K) = C(K)
-        FQ(VC1) = FQ(VC1) + ABS(C(K))
-        U = C(K)
-        IF (SPHERE .EQ. 1) U = U - F(FCEN+K)
-        SIZE = SIZE + ABS(U)
-        L = L + F(FNORM+K)*U
-   10 CONTINUE
-      FQ(VDC) = 8.0D0*EPS*FQ(VC1)
-      ERR = F(FE)*SIZE + 16.0D0*EPS*FQ(VC1)
-      IF (SPHERE .EQ. 1) ERR = ERR + F(FDC)
-      IF (F(FE) .LE. HHEMAX) THEN
-        FQ(QLO) = MAX(FQ(QLO), L - ERR)
-        FQ(QHI) = MIN(FQ(QHI), L + ERR)
-      END IF
-      L = FQ(QHI)
-      IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 1, F, L,
-     $    FQ(QTILT))
-      END
-
-C     TSCMPE - compares Z with the best point where the bounds leave
-C     open what is UNSURE: VERDIC, or SIDE, or both.  HHRELA is first,
-C     unless the last exact comparison was a tie: rotated grids, which
-C     have the corners of their cells on a sphere, but for rounding,
-C     take 1.2 to 1.6 times the instructions without it.  Its sphere is
-C     that of Z or of the best point, but not of a ball by limbs, whose
-C     four points are nearly in a plane.  Then come the limbs of such a
-C     ball, then the exact signs.  VERDIC becomes BEATS, LOSES, TIE
-C     times that for a tie, or NOTOPN.
-      SUBROUTINE TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
-     $                  VERDIC)
-      INTEGER LIQ
-      PARAMETER (LIQ = 47)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(*), FQ(*), HI
-      INTEGER ORD(*), CTL(*), V(3), IQ(LIQ), Z, SIDE, VERDIC
-      INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QBEST, QBYLIM, QBASE,
-     $    QHARD, QOUTSI, QBEHIN, QHI, QLBALL, QNSPH, EXCNTS, UNSURE,
-     $    LOSES, NOTOPN, TIE
-      DOUBLE PRECISION HUGE
-      PARAMETER (LASTTI = 85, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
-     $    QBEST = 1, QBYLIM = 2, QBASE = 4, QHARD = 5, QOUTSI = 44,
-     $    QBEHIN = 45, QHI = 7, QLBALL = 23, QNSPH = 109, EXCNTS = 16,
-     $    UNSURE = 2, LOSES = 1, NOTOPN = 0, TIE = 3,
-     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
-      DOUBLE PRECISION L
-      INTEGER BEST, HHPINS, HHPORI, TSXVIE, DOUBT, SEEN
-      BEST = IQ(QBEST)
-      DOUBT = 0
-      IF (VERDIC .EQ. UNSURE) DOUBT = 1
-      IF (RCTL(RCLUMP) .GT. 0.0D0 .AND. (SIDE .EQ. UNSURE .OR.
-     $    IQ(QBYLIM) .EQ. 1)) THEN
-        SEEN = TSXVIE(X, V, IQ, F, FQ, X(1,Z), X(1,Z))
-        IF (SEEN .LT. 0) THEN
-          VERDIC = NOTOPN
-          RETURN
-        END IF
-        IF (SEEN .GT. 0) SIDE = 1
-      END IF
-      IF (DOUBT .EQ. 1 .AND. RCTL(EXACT5) .LT. 0.0D0 .AND.
-     $    CTL(LASTTI) .EQ. 0) THEN
-        L = FQ(QHI)
-        IF (IQ(QBYLIM) .EQ. 1) L = HUGE
-        IF (SIDE .EQ. 1) L = HI
-        CALL HHRELA(X, RCTL(EXACT3), V, IQ(QBASE), F, L, BEST, Z,
-     $              FQ(QNSPH), VERDIC)
-      END IF
-      IF (IQ(QBYLIM) .EQ. 1) CALL HHTRIA(P, ORD, FQ(QLBALL), Z, SIDE,
-     $    VERDIC)
-      IF (VERDIC .EQ. LOSES) IQ(QOUTSI) = Z
-      IF (SIDE .EQ. UNSURE .AND. VERDIC .NE. LOSES)
-     $    SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), Z)
-      IF (SIDE .LT. 1) IQ(QBEHIN) = Z
-      IF (SIDE .NE. 1) THEN
-        VERDIC = NOTOPN
-      ELSE IF (VERDIC .EQ. UNSURE) THEN
-        VERDIC = HHPINS(X, P, ORD, RCTL(EXACT3), RCTL(EXACT5), V, BEST,
-     $      Z, 2)
-        CTL(LASTTI) = ABS(VERDIC)/TIE
-        IF (VERDIC .GT. 0) IQ(QOUTSI) = Z
-        IQ(QHARD) = IQ(QHARD) + EXCNTS*(1 - CTL(LASTTI))
-      ELSE
-        IQ(QHARD) = IQ(QHARD) + DOUBT
-      END IF
-      END
-
-C     TSCMPP - takes Z if it is on the open side and beats the best
-C     point so far: if its L-coordinate is smaller (Theorem 1), ties by
-C     the rule of HHPINS.  The Householder bounds decide where they can,
-C     else TSCMPE; then the better point's limits are tightened by the
-C     other's.
-      SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
-     $                  Z)
-      INTEGER LF, LIQ
-      PARAMETER (LF = 12, LIQ = 47)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), F(LF), FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
-      INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QLO,
-     $    QHI, QTILT, LIMBAF, UNSURE, BEATS, LOSES, NOTOPN, TIE
-      DOUBLE PRECISION BERMAX
-      PARAMETER (RSLIMI = 5, FRHO = 12, QBEST = 1, QBYLIM = 2,
-     $    QHARD = 5, QSURF = 6, QTIES = 7, QLO = 6, QHI = 7, QTILT = 9,
-     $    BERMAX = 1.0D0, LIMBAF = 96, UNSURE = 2, BEATS = -1,
-     $    LOSES = 1, NOTOPN = 0, TIE = 3)
-      DOUBLE PRECISION HI, LO
-      INTEGER VERDIC, SGN, SIDE
-      CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
-      IF (IQ(QSURF) .NE. 0 .AND. SIDE .GE. 0) CALL TSSHAR(X, MARK, SUP,
-     $    IQ, F, FQ(QTILT), Z, SIDE, LO, HI)
-      VERDIC = UNSURE
-      IF (IQ(QBEST) .EQ. 0) THEN
-        VERDIC = BEATS
-      ELSE IF (HI .LT. FQ(QLO)) THEN
-        VERDIC = BEATS
-      ELSE IF (LO .GT. FQ(QHI)) THEN
-        VERDIC = LOSES
-      END IF
-      IF (SIDE .LT. 0 .OR. VERDIC .EQ. LOSES) RETURN
-      IF (SIDE .EQ. 0 .OR. VERDIC .EQ. UNSURE) THEN
-        IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, Z, 1)
-        SGN = UNSURE
-        IF (SIDE .EQ. 1) SGN = 1
-        CALL TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SGN, HI,
-     $              VERDIC)
-        IF (VERDIC .EQ. NOTOPN) RETURN
-      END IF
-      IF (ABS(VERDIC) .EQ. TIE) IQ(QTIES) = IQ(QTIES) + 1
-      IF (VERDIC .GT. 0) THEN
-        IF (HI .LT. FQ(QHI)) CALL TSUPBD(SUP, IQ, F, FQ, HI)
-        IF (IQ(QHARD) .GE. LIMBAF .AND. IQ(QBYLIM) .EQ. 0)
-     $      CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
-        RETURN
-      END IF
-      HI = MIN(HI, FQ(QHI))
-      IQ(QBEST) = Z
-      IF (VERDIC .NE. -TIE) IQ(QTIES) = 0
-      FQ(QLO) = LO
-      IQ(QBYLIM) = 0
-      CALL TSUPBD(SUP, IQ, F, FQ, HI)
-      IF (SIDE .EQ. 0 .OR. IQ(QHARD) .GE. LIMBAF) THEN
-        CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      ELSE IF (HI - LO .GT. BERMAX*(F(FRHO) + ABS(HI))) THEN
-        CALL TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
-      END IF
-      END
-
-C     TSOFFP - compares Z with the best point, unless it is a vertex of
-C     the facet or does not pass the sieve: the tall one if its height
-C     over the facet's support is known.
-      SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
-     $                  Z)
-      INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
-     $    FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
-      INTEGER SLOWES, SQUANT, VWEIGH, VBASEH, FBASE, QBEST, QSURF,
-     $    QTILT, SURFS
-      PARAMETER (SLOWES = 59, SQUANT = 60, VWEIGH = 6, VBASEH = 7,
-     $    FBASE = 6, QBEST = 1, QSURF = 6, QTILT = 9, SURFS = 8)
-      DOUBLE PRECISION TSFBND, A, H, POWER, W1, W2, W3
-      INTEGER J, K, S
-      IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
-     $    Z .EQ. V(3)) RETURN
-      W1 = X(1,Z) - F(FBASE+1)
-      W2 = X(2,Z) - F(FBASE+2)
-      W3 = X(3,Z) - F(FBASE+3)
-      POWER = 0.0D0
-      S = 1
-C     TSMRKH's test and height, without a call for each point
-      J = IQ(QSURF)
-      K = -1
-      IF (J .NE. 0) K = MARK(Z) - J
-      IF (K .GE. 0 .AND. MOD(K, SURFS) .EQ. 0) THEN
-        S = QTILT
-        H = SUP(SLOWES,J) + SUP(SQUANT,J)*(DBLE(K/SURFS) + 0.5D0)
-        A = FQ(QTILT-1+VWEIGH)
-        POWER = A*(H - FQ(QTILT-1+VBASEH)) - ABS(A)*SUP(SQUANT,J)
-      END IF
-      POWER = POWER + (W1*(W1 - 2.0D0*FQ(S)) + W2*(W2 - 2.0D0*FQ(S+1)) +
-     $    W3*(W3 - 2.0D0*FQ(S+2)))
-      IF (POWER .LE. TSFBND(FQ(S), ABS(W1) + ABS(W2) + ABS(W3)))
-     $    CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, Z)
-      END
-
-C     TSOFFL - considers the points of a list that may be in the ball.
-C     N is what TSLHIT gives.
-      SUBROUTINE TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, LIST, V, IQ, F, FQ, N)
-      INTEGER NLISTS, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, TSLIST = 512, LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), LSD(*),
-     $    F(*), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
-     $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), LIST, V(3), IQ(*), N
-      INTEGER COMPLE
-      PARAMETER (COMPLE = -1)
-      INTEGER I, PLACE(TSLIST+1), Z
-      CALL TSLHIT(LSX, LSI, LSD, LIST, F, FQ, PLACE, N)
-      DO 10 I = 1, N
-        Z = LSID(PLACE(I),LIST)
-        IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
-     $      SUP, V, IQ, F, FQ, Z)
-   10 CONTINUE
-      END
-
-C     TSSRSL - seeks the apex in the star's list.  The ball of a better
-C     point has no more points on the open side than the ball before it
-C     (Lemma 3), and those on the other side do not count.  So one pass
-C     over the list is enough if the last ball has no points elsewhere.
-C     OK is 1 if so, or 0.  Without a ball nothing is sought here: on
-C     faces of a cube all sides are exact, which would take twice as
-C     long.
-      SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER NLISTS, LLSI, LIQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 47)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(*), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
-      INTEGER STTIED, BLMISS, BLTIES, NSETS, SET1, STR, LN, QBEST,
-     $    QHASBA, QBASE, QTIES, QINLIS, MAXMIS
-      PARAMETER (STTIED = 14, BLMISS = 18, BLTIES = 13, NSETS = 17,
-     $    SET1 = 33, STR = 2, LN = 3, QBEST = 1, QHASBA = 3, QBASE = 4,
-     $    QTIES = 7, QINLIS = 46, MAXMIS = 8)
-      INTEGER TSBINS, N
-      OK = 0
-      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ.
-     $    0 .OR. IQ(QHASBA) .EQ. 0) RETURN
-      IF (CTL(STTIED) .EQ. 1) THEN
-        CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL, LSX,
-     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        IF (OK .EQ. 1) CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1),
-     $      RCTL, V, IQ(QBEST))
-      END IF
-      IF (OK .EQ. 0) THEN
-        CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
-     $              LSI, LSD, STR, V, IQ, F, FQ, N)
-        IF (N .LT. 0) RETURN
-        IF (N .GT. 0) THEN
-          IF (IQ(QTIES) .GT. 0 .AND. CTL(STTIED) .EQ. 0)
-     $        CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL,
-     $        LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-          CTL(STTIED) = MIN(IQ(QTIES), 1)
-        END IF
-        OK = TSBINS(BOX, LSD, F, FQ)
-        IF (OK .EQ. 0) RETURN
-      END IF
-      CTL(BLMISS) = 0
-      IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
-      END
-
-C     TSSRBL - the same for the block's list.  If the ball leaves the
-C     block's box, the tree is searched in any case and the list only
-C     adds cost: on surfaces, two of five points that were tested.
-      SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER NLISTS, LLSI, LIQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 47)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(*), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
-      INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, MAXMIS
-      PARAMETER (BLMISS = 18, BLTIES = 13, BLK = 1, LN = 3, QHASBA = 3,
-     $    QTIES = 7, QINLIS = 46, MAXMIS = 8)
-      INTEGER TSBINB, N
-      OK = 0
-      IF (IQ(QINLIS) .EQ. 1 .AND. LSI(LN,BLK) .NE. 0 .AND.
-     $    IQ(QHASBA) .EQ. 1) THEN
-        IF (TSBINB(BOX, LSD, BLK, F, FQ) .EQ. 1) THEN
-          CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
-     $                LSI, LSD, BLK, V, IQ, F, FQ, N)
-          IF (N .GE. 0) OK = 1
-        END IF
-      END IF
-      IF (OK .EQ. 0) THEN
-        CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
-        RETURN
-      END IF
-      CTL(BLMISS) = 0
-      IF (IQ(QTIES) .GT. 0) CTL(BLTIES) = MIN(CTL(BLTIES) + 1,
-     $    MAXMIS + 1)
-      END
-
-C     TSSKIN - sets the thickness of the skin about a search's ball, in
-C     margins of a block; about larger balls it is thinner, as there are
-C     more points in it.  The points in the skin pass the sieve then.
-      SUBROUTINE TSSKIN(MARGIN, FQ)
-      DOUBLE PRECISION MARGIN, FQ(*)
-      INTEGER VALLOW, QSKFAC, QSKIN
-      DOUBLE PRECISION SKNMIN, LMAX, UNDERR
-      PARAMETER (VALLOW = 8, QSKFAC = 161, QSKIN = 162, SKNMIN = 0.05D0,
-     $    LMAX = 1.0D100, UNDERR = 1.0D-200)
-      DOUBLE PRECISION TSDOT, R
-      R = SQRT(TSDOT(FQ, FQ))
-      FQ(QSKIN) = FQ(QSKFAC)*MARGIN
-      IF (R .GT. MARGIN) FQ(QSKIN) = FQ(QSKIN)*SQRT(MARGIN/R)
-      FQ(VALLOW) = FQ(QSKIN)*(2.0D0*R + FQ(QSKIN)) + UNDERR
-      IF (FQ(QSKFAC) .LT. SKNMIN) FQ(VALLOW) = -LMAX
-      END
-
-C     TSCOLF - puts points of a leaf into the list that a search makes:
-C     of N, the first at position FIRST, the uncompleted ones whose
-C     power is at most MOST.  While they are too many, the skin shrinks:
-C     then those stay that may still pass the sieve.  They are in the
-C     ball before, so |W|_1 is at most 4 times its radius, and single
-C     precision changes a power by less than FEPS of it (or to 0, where
-C     it would underflow: that passes in any case).  Powers are where
-C     the list's coordinates will be.
-      SUBROUTINE TSCOLF(LINK, LSX, LSID, LSI, LSD, LIST, FQ, FIRST, N,
-     $                  POWER, MOST)
-      INTEGER NLISTS, LLSX, LLSI, LLSD, TSLIST, LEAFPT
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, LLSD = 17,
-     $    TSLIST = 512, LEAFPT = 48)
-      REAL LSX(LLSX*TSLIST,NLISTS)
-      INTEGER LINK(*), LSID(TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS),
-     $    LIST, FIRST, N
-      DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(*), POWER(*), MOST
-      INTEGER BLK, LN, LREACH, QSKFAC, QSKIN, COMPLE
-      DOUBLE PRECISION SKNSHR, FLTMIN, FEPS
-      PARAMETER (BLK = 1, LN = 3, LREACH = 13, QSKFAC = 161,
-     $    QSKIN = 162, SKNSHR = 0.4D0, COMPLE = -1,
-     $    FLTMIN = 2.0D0**(-126), FEPS = 2.0D0**(-23))
-      DOUBLE PRECISION TSDOT, TSFBND, LIMIT
-      INTEGER I, K, M
-      M = LSI(LN,LIST)
-      DO 10 I = 1, N
-        LSID(M+1,LIST) = FIRST + I - 1
-        LSX(M+1,LIST) = 0.0E0
-        IF (ABS(POWER(I)) .GE. FLTMIN) LSX(M+1,LIST) = REAL(POWER(I))
-        IF (POWER(I) .LE. MOST .AND. LINK(FIRST+I-1) .NE. COMPLE)
-     $      M = M + 1
-   10 CONTINUE
-   20 IF (M .GT. TSLIST) THEN
-        FQ(QSKFAC) = SKNSHR*FQ(QSKFAC)
-        LIMIT = 8.0D0*(SQRT(TSDOT(FQ, FQ)) + FQ(QSKIN))
-        CALL TSSKIN(LSD(LREACH,BLK), FQ)
-        LIMIT = TSFBND(FQ, LIMIT)*(1.0D0 + 4.0D0*FEPS)
-        K = M
-        M = 0
-        DO 30 I = 1, K
-          LSID(M+1,LIST) = LSID(I,LIST)
-          LSX(M+1,LIST) = LSX(I,LIST)
-          IF (DBLE(LSX(I,LIST)) .LE. LIMIT) M = M + 1
-   30   CONTINUE
-        GO TO 20
-      END IF
-      LSI(LN,LIST) = M
-      END
-
-C     TSOFLF - considers the uncompleted points of a leaf, of which
-C     there must be one, that pass the plain sieve.  The powers come
-C     first, as vectors, then the least of each group, as most groups
-C     have no point to consider. Stars are completed in the order of
-C     positions, by and large, so the points before the first
-C     uncompleted one are most of the completed ones.
-      SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
-      INTEGER LF, LIQ, LEAFPT
-      PARAMETER (LF = 12, LIQ = 47, LEAFPT = 48)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(LF), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(*), V(3),
-     $    IQ(LIQ), NODE
-      INTEGER RSLIMI, VC, FBASE, QCOLL, LEAFGR, COMPLE
-      DOUBLE PRECISION HUGE
-      PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 43, LEAFGR = 8,
-     $    COMPLE = -1, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
-      DOUBLE PRECISION TSFBND, B1, B2, B3, D1, D2, D3, MOST,
-     $    POWER(LEAFPT), SIZE, W1, W2, W3
-      INTEGER FIRST, I, J, K, LAST, N, Z
-      CALL TSNRNG(CTL, NODE, FIRST, LAST)
-    5 IF (LINK(FIRST) .EQ. COMPLE) THEN
-        FIRST = FIRST + 1
-        GO TO 5
-      END IF
-      N = LAST - FIRST + 1
-      SIZE = 0.0D0
-      DO 10 K = 1, 3
-        SIZE = SIZE + ABS(BOX(K,NODE) - F(FBASE+K)) +
-     $      ABS(BOX(3+K,NODE) - F(FBASE+K))
-   10 CONTINUE
-      MOST = TSFBND(FQ, SIZE)
-      D1 = 2.0D0*FQ(VC+1)
-      D2 = 2.0D0*FQ(VC+2)
-      D3 = 2.0D0*FQ(VC+3)
-      B1 = F(FBASE+1)
-      B2 = F(FBASE+2)
-      B3 = F(FBASE+3)
-      I = FIRST - 1
-      DO 20 K = 1, N
-        W1 = X(1,I+K) - B1
-        W2 = X(2,I+K) - B2
-        W3 = X(3,I+K) - B3
-        POWER(K) = W1*(W1 - D1) + W2*(W2 - D2) + W3*(W3 - D3)
-   20 CONTINUE
-      IF (IQ(QCOLL) .NE. 0) THEN
-        CALL TSCOLF(LINK, LSX, LSID, LSI, LSD, IQ(QCOLL), FQ, FIRST, N,
-     $              POWER, MOST)
-        RETURN
-      END IF
-   30 IF (MOD(N, LEAFGR) .NE. 0) THEN
-        N = N + 1
-        POWER(N) = HUGE
-        GO TO 30
-      END IF
-      DO 50 J = 1, N, LEAFGR
-        IF (MIN(POWER(J), POWER(J+1), POWER(J+2), POWER(J+3),
-     $          POWER(J+4), POWER(J+5), POWER(J+6), POWER(J+7)) .GT.
-     $      MOST) GO TO 50
-        DO 40 K = J, J + LEAFGR - 1
-          IF (POWER(K) .GT. MOST) GO TO 40
-          Z = I + K
-          IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL,
-     $        RCTL, SUP, V, IQ, F, FQ, Z)
-   40   CONTINUE
-   50 CONTINUE
-      IF (RCTL(RSLIMI) .GT. 0.0D0) CALL TSADDS(IQ, FIRST, 0)
-      END
-
-C     TSTREE - finishes a search in the tree: the leaf of the base
-C     first, then its parent's other child, and so on up to the root;
-C     with cylinders, its grandparent's other three grandchildren, all
-C     four tested at once.
-C
-C                   .            NODE: what is searched next.  STACK
-C               /       \        holds what is left of the subtree that
-C             TOP        NODE    was entered last; when it is empty,
-C           /    \      /    \   TOP's sibling is next, or TOP's
-C         FROM    .    .      .  grandparent: everything below TOP has
-C                                been searched, FROM is where that ended
-      SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ)
-      INTEGER LF, LIQ
-      PARAMETER (LF = 12, LIQ = 47)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(LF), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(*), V(3), IQ(LIQ)
-      INTEGER LEAVES, HASCYL, EXACT3, FBASE, QBASE, QSURF, QNODES,
-     $    QCOLL, QTILT, STKDEP
-      PARAMETER (LEAVES = 4, HASCYL = 16, EXACT3 = 1, FBASE = 6,
-     $    QBASE = 4, QSURF = 6, QNODES = 42, QCOLL = 43, QTILT = 9,
-     $    STKDEP = 96)
-      DOUBLE PRECISION PAST(4)
-      INTEGER TSCYLI, TSLEAF, TSXNOD, FLAT, FOURS, FROM, HEIGHT, K, N,
-     $    NODE, STACK(STKDEP), TOP
-C     a plane across an axis has no candidates for a facet in it; what
-C     underflowed may be equal here alone
-      FLAT = 0
-      DO 5 K = 3, 1, -1
-        IF (ABS(X(K,V(1)) - X(K,V(2))) + ABS(X(K,V(1)) - X(K,V(3)))
-     $      .LE. 0.0D0 .AND. RCTL(EXACT3) .GE. -1.0D0) FLAT = K
-    5 CONTINUE
-      IF (IQ(QCOLL) .NE. 0) FLAT = 0
-      FOURS = CTL(HASCYL)
-      IF (IQ(QSURF) .NE. 0) FOURS = 0
-      TOP = CTL(LEAVES) + TSLEAF(CTL, V(IQ(QBASE))) - 1
-      HEIGHT = 1
-      STACK(1) = TOP
-   10 IF (HEIGHT .EQ. 0 .AND. TOP .EQ. 1) RETURN
-      FROM = TOP
-      IQ(QNODES) = IQ(QNODES) + 1
-      IF (HEIGHT .GT. 0) THEN
-        NODE = STACK(HEIGHT)
-        HEIGHT = HEIGHT - 1
-      ELSE IF (FOURS .EQ. 1 .AND. TOP .GT. 3) THEN
-        TOP = TOP/4
-        NODE = TOP
-C       one child alive each, and FROM is: nothing else
-        IF (ALIVE(FROM) .GT. 0 .AND. ALIVE(FROM/2) + ALIVE(NODE) .EQ. 2)
-     $      GO TO 10
-      ELSE
-        NODE = TOP + 1 - 2*MOD(TOP, 2)
-        TOP = TOP/2
-      END IF
-      IF (ALIVE(NODE) .EQ. 0) GO TO 10
-      IF (FLAT .GT. 0) THEN
-        IF (ABS(BOX(FLAT,NODE) - F(FBASE+FLAT)) +
-     $      ABS(BOX(3+FLAT,NODE) - F(FBASE+FLAT)) .LE. 0.0D0) GO TO 10
-      END IF
-      IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
-        N = 2*CTL(LEAVES) + 1
-        CALL TSXCYL(BOX(1,N), TSCYLI(CTL, NODE), F, FQ, PAST)
-        DO 20 N = 4, 1, -1
-          IF (PAST(N) .LE. 0.0D0 .AND. 4*NODE + N - 1 .NE. FROM) THEN
-            HEIGHT = HEIGHT + 1
-            STACK(HEIGHT) = 4*NODE + N - 1
-          END IF
-   20   CONTINUE
-        GO TO 10
-      END IF
-      IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, FQ(QTILT),
-     $    NODE) .EQ. 1) GO TO 10
-      IF (NODE .GE. CTL(LEAVES)) THEN
-        CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $              LSID, LSI, LSD, V, IQ, F, FQ, NODE)
-        GO TO 10
-      END IF
-      STACK(HEIGHT+1) = 2*NODE
-      STACK(HEIGHT+2) = 2*NODE + 1
-      HEIGHT = HEIGHT + 2
-      GO TO 10
-      END
-
-C     TSONHP - returns 1 if the facet lies in a plane known to bound the
-C     hull, and so has no apex, or 0: of a facet without a best point
-C     the open side is not the hull's.  (A search that could begin at
-C     such a facet from outside, as TSSEED does at one of its two, comes
-C     before any plane is met: TSINCT forgets them, and has a point on
-C     that side itself.)
-      INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V, IQ)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), N, PLANE(3,*), V(3), IQ(*)
-      INTEGER EXACT3, HULLPS, QBEST, QINLIS
-      PARAMETER (EXACT3 = 1, HULLPS = 4, QBEST = 1, QINLIS = 46)
-      INTEGER HHPORI, I, K
-      TSONHP = 0
-      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
-      DO 20 I = 1, MIN(N, HULLPS)
-        DO 10 K = 1, 3
-          IF (V(K) .NE. PLANE(1,I) .AND. V(K) .NE. PLANE(2,I) .AND.
-     $        V(K) .NE. PLANE(3,I)) THEN
-            IF (HHPORI(X, P, ORD, RCTL(EXACT3), PLANE(1,I),
-     $          PLANE(2,I), PLANE(3,I), V(K)) .NE. 0) GO TO 20
-          END IF
-   10   CONTINUE
-        TSONHP = 1
-        RETURN
-   20 CONTINUE
-      END
-
-C     TSNHPL - keeps the plane of a facet without an apex.
-      SUBROUTINE TSNHPL(N, PLANE, V, IQ)
-      INTEGER N, PLANE(3,*), V(3), IQ(*)
-      INTEGER QBEST, HULLPS
-      PARAMETER (QBEST = 1, HULLPS = 4)
-      INTEGER K
-      IF (IQ(QBEST) .NE. 0) RETURN
-      DO 10 K = 1, 3
-        PLANE(K,MOD(N,HULLPS)+1) = V(K)
-   10 CONTINUE
-      N = N + 1
-      END
-
-C     TSBEGS - begins the search for the apex of the facet V, and tries
-C     the two positions GUESS; either may be 0.  The base is V(1) or, if
-C     the angle there is small, the vertex opposite the longest edge.
-      SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
-     $                  F, FQ)
-      INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
-     $    FQ(*)
-      INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(LIQ)
-      INTEGER SCALE, NSURF, VALLOW, FE, QBEST, QBYLIM, QHASBA, QBASE,
-     $    QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL, QOUTSI, QBEHIN,
-     $    QINLIS, QPAYS, QLO, QHI, QTILT, QNSPH
-      DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
-      PARAMETER (SCALE = 19, NSURF = 20, VALLOW = 8, FE = 10, QBEST = 1,
-     $    QBYLIM = 2, QHASBA = 3, QBASE = 4, QHARD = 5, QSURF = 6,
-     $    QTIES = 7, QOFFER = 9, QNODES = 42, QCOLL = 43, QOUTSI = 44,
-     $    QBEHIN = 45, QINLIS = 46, QPAYS = 47, QLO = 6, QHI = 7,
-     $    QTILT = 9, QNSPH = 109,
-     $    LIMBE = 1.0D-6, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
-     $    EPS = 2.0D0**(-52), UNDERR = 1.0D-200)
-      DOUBLE PRECISION EDGE, LONGST, H
-      INTEGER TSONSP, BASE, I, J, K, OK
-      BASE = 1
-      IQ(QBEST) = 0
-      IQ(QBYLIM) = 0
-      IQ(QHASBA) = 0
-      IQ(QHARD) = 0
-      IQ(QSURF) = 0
-      IQ(QOFFER) = 0
-      IQ(QTIES) = 0
-      IQ(QNODES) = 0
-      IQ(QCOLL) = 0
-      IQ(QOUTSI) = 0
-      IQ(QBEHIN) = 0
-      IQ(QPAYS) = 0
-      FQ(VALLOW) = UNDERR
-      FQ(QNSPH) = 0.0D0
-      FQ(QLO) = -HUGE
-      FQ(QHI) = HUGE
-   20 CALL HHSETU(X(1,V(BASE)), X(1,V(MOD(BASE,3)+1)),
-     $            X(1,V(MOD(BASE+1,3)+1)), F)
-      IQ(QBASE) = BASE
-      IF (F(FE) .GE. 8000.0D0*EPS) THEN
-        LONGST = 0.0D0
-        DO 40 K = 1, 3
-          I = V(MOD(K,3)+1)
-          J = V(MOD(K+1,3)+1)
-          EDGE = (X(1,I) - X(1,J))**2 + (X(2,I) - X(2,J))**2 +
-     $        (X(3,I) - X(3,J))**2
-          IF (EDGE .GT. LONGST) THEN
-            LONGST = EDGE
-            BASE = K
-          END IF
-   40   CONTINUE
-        IF (BASE .NE. IQ(QBASE)) GO TO 20
-        IF (F(FE) .GT. LIMBE) CALL HHTHIN(X, P, ORD, CTL(SCALE), V,
-     $      BASE, F)
-      END IF
-      IF (CTL(NSURF) .GT. 0) CALL TSCHOS(X, MARK, CTL, SUP, V, IQ, F,
-     $    FQ(QTILT))
-      DO 50 K = 1, 2
-        I = GUESS(K)
-        IF (I .NE. 0 .AND. I .NE. V(2) .AND. I .NE. V(3) .AND.
-     $      I .NE. IQ(QBEST)) CALL TSCMPP(X, P, ORD, MARK, CTL, RCTL,
-     $      SUP, V, IQ, F, FQ, I)
-   50 CONTINUE
-      IF (IQ(QHASBA) .EQ. 0) THEN
-        CALL TSHALF(F, FQ)
-        IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 0, F, HUGE,
-     $      FQ(QTILT))
-      END IF
-C     a ball that is a surface's sphere up to rounding is in no list
-      IQ(QINLIS) = 1
-      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
-        OK = 1
-        IF (IQ(QBEST) .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF),
-     $      IQ(QBEST), H, OK)
-        IQ(QINLIS) = 1 - OK
-      END IF
-      END
-
-C     Near lists.  On surfaces and lines most searches begin with the
-C     final ball, or nearly so, and prove it empty.  It is larger than
-C     the star's list and the block's, but nearly that of a search just
-C     before.  So a near list keeps the neighbourhood of a ball for the
-C     next ones.  Surfaces take 0.7 to 0.95 of the time.  Where few
-C     searches end in the same list, lists do not pay: see TAX.
-
-C     TSBINN - returns 1 if the points that may be better than the best
-C     one, those of its ball that are on the open side, lie inside a
-C     near list's ball; or 0.
-C
-C     All balls about centres C0 + H V, V the facet's normal, pass
-C     through its vertices; on the open side each contains those of
-C     lower H.  So any H >= L will do, and for L <= 0 the best is that
-C     of the foot G of the list's centre on the axis.  Let U lead from
-C     the list's centre to C = C0 + H V, and P from C to such a point:
-C     |P|**2 <= R**2 = |C|**2, relative to the base.  For the ball of L
-C     itself, |P.U| <= R |U|.  For H > L, U is across the axis; if L <=
-C     0 no point of the ball's part on the open side is farther from the
-C     axis than RHO, so |P.U| <= RHO |U|.  The distance from the list's
-C     centre is at most margin if
-C         |U|**2 + R**2 + 2 R |U| <= margin**2, or with RHO for the last
-C     R.
-C
-C     Let ERR bound the error of C, as in TSUPBD.  R and RHO are wrong
-C     by it, U by twice as much, but for EPS (1 + margin): the list's
-C     centre and its distance to the base have two roundings.  Where U
-C     is across, U.V is wrong by E (R + |U|) more, and E R <= ERR, as
-C     F(11) > E RHO.  As R, RHO and |U| are at most margin, all that
-C     is less than 24 ERR margin.  ROUNDG exceeds the other roundings,
-C     and those of TSMKNL.
-      INTEGER FUNCTION TSBINN(LSI, LSD, LIST, F, FQ)
-      INTEGER NLISTS, LLSI, LLSD, LF
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12)
-      INTEGER LSI(LLSI,NLISTS), LIST
-      DOUBLE PRECISION LSD(LLSD,NLISTS), F(LF), FQ(*)
-      INTEGER LN, LREACH, LCENTR, FNORM, FCEN, FBASE, FE, FDC, FRHO, QHI
-      DOUBLE PRECISION EPS, ROUNDG
-      PARAMETER (LN = 3, LREACH = 13, LCENTR = 14, FNORM = 0, FCEN = 3,
-     $    FBASE = 6, FE = 10, FDC = 11, FRHO = 12, QHI = 7,
-     $    EPS = 2.0D0**(-52), ROUNDG = 64.0D0*2.0D0**(-52))
-      DOUBLE PRECISION TSDOT, C, ERR, G(3), H, MARGIN, GAP, RR, SIZE,
-     $    UU
-      INTEGER K
-      TSBINN = 0
-      IF (LSI(LN,LIST) .EQ. 0) RETURN
-      RR = 0.0D0
-      UU = 0.0D0
-      SIZE = 0.0D0
-      DO 10 K = 1, 3
-        G(K) = LSD(LCENTR+K,LIST) - F(FBASE+K)
-   10 CONTINUE
-      H = MAX(TSDOT(G, F), FQ(QHI))
-      IF (FQ(QHI) .GT. 0.0D0) H = FQ(QHI)
-      DO 20 K = 1, 3
-        C = F(FCEN+K) + H*F(FNORM+K)
-        SIZE = SIZE + ABS(C)
-        RR = RR + C*C
-        UU = UU + (C - G(K))*(C - G(K))
-   20 CONTINUE
-      ERR = F(FDC) + ABS(H)*F(FE) + 4.0D0*EPS*SIZE
-      MARGIN = LSD(LREACH,LIST)
-      GAP = MARGIN*(MARGIN - 32.0D0*ERR - ROUNDG*(1.0D0 + MARGIN)) -
-     $    RR - UU
-      IF (H .GT. FQ(QHI)) RR = F(FRHO)*F(FRHO)
-      IF (GAP .GT. 0.0D0 .AND. GAP*GAP .GE. 4.0D0*RR*UU) TSBINN = 1
-      END
-
-C     TSMKNL - makes a near list of the ball of a search and a skin
-C     about it, of points on either side of the facet.  OK is 1, or 0 if
-C     they are too many.
-C
-C     What is nearer than margin, but for TSBINN's ROUNDG, passes the
-C     sieve, so TSCOLF took it, and is in the box, so TSLFIL's
-C     bound holds for it.  What is not may be in the list as well: no
-C     search that TSBINN admits needs it.
-      SUBROUTINE TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
-     $                  OK)
-      INTEGER NLISTS, LLSI, LLSD, LF, LIQ, LFQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12, LIQ = 47,
-     $    LFQ = 162)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(LLSD,NLISTS), F(LF), FQ(LFQ)
-      REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(LLSI,NLISTS), LIST, V(3), IQ(LIQ), OK
-      INTEGER RSKIN, RBUDGE, BLK, LN, LREACH, LCENTR, LFILT, VC, FBASE,
-     $    FE, QNODES, QCOLL, QSKFAC, QSKIN, SKNBEL
-      DOUBLE PRECISION SKNGRO, SKNMAX
-      PARAMETER (RSKIN = 7, RBUDGE = 8, BLK = 1, LN = 3, LREACH = 13,
-     $    LCENTR = 14, LFILT = 8, VC = 0, FBASE = 6, FE = 10,
-     $    QNODES = 42, QCOLL = 43, QSKFAC = 161, QSKIN = 162,
-     $    SKNBEL = 204, SKNGRO = 1.3D0, SKNMAX = 8.0D0)
-      DOUBLE PRECISION TSDOT, AT(3), G(LF), GQ(LFQ), HALF
-      INTEGER JQ(LIQ), K
-      DO 10 K = 1, LIQ
-        JQ(K) = IQ(K)
-   10 CONTINUE
-      DO 20 K = 1, LF
-        G(K) = F(K)
-   20 CONTINUE
-      DO 30 K = 1, LFILT
-        GQ(K) = FQ(K)
-   30 CONTINUE
-      LSI(LN,LIST) = 0
-      JQ(QCOLL) = LIST
-C     no side is certain
-      G(FE) = 1.0D0
-      GQ(QSKFAC) = RCTL(RSKIN)
-      CALL TSSKIN(LSD(LREACH,BLK), GQ)
-      CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $            LSX, LSID, LSI, LSD, V, JQ, G, GQ)
-      RCTL(RBUDGE) = RCTL(RBUDGE) - (30.0D0 + 1.75D0*DBLE(JQ(QNODES)))
-      OK = 0
-      IF (LSI(LN,LIST) .EQ. 0) RETURN
-      OK = 1
-      RCTL(RSKIN) = GQ(QSKFAC)
-      IF (LSI(LN,LIST) .LT. SKNBEL .AND. GQ(QSKFAC) .LT. SKNMAX)
-     $    RCTL(RSKIN) = SKNGRO*GQ(QSKFAC)
-      LSD(LREACH,LIST) = SQRT(TSDOT(FQ, FQ)) + GQ(QSKIN)
-      DO 40 K = 1, 3
-        AT(K) = F(FBASE+K) + FQ(VC+K)
-        LSD(LCENTR+K,LIST) = AT(K)
-   40 CONTINUE
-      CALL TSLBOX(BOX, LSD, LIST, AT, AT, HALF)
-      CALL TSFILL(X, LINK, LSX, LSID, LSI, LSD, LIST)
-      END
-
-C     TSSRNL - seeks the apex in a near list, which is made if there is
-C     none.  No list is made for L <= 0, as half of the ball is on the
-C     other side or more, nor for a ball that single precision cannot
-C     tell from a half-space.  OK is 1 if the apex is known, or 0.
-      SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      INTEGER NLISTS, LLSD
-      PARAMETER (NLISTS = 7, LLSD = 17)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(LLSD,NLISTS), F(*), FQ(*)
-      REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(*), V(3), IQ(*), OK
-      INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
-     $    QSURF, QPAYS, QHI, BLISTS
-      DOUBLE PRECISION NEARMX, BUDMAX, BUDSTA, LMAX
-      PARAMETER (PAUSED = 86, RECENC = 86, RBUDGE = 8, RTREEC = 9,
-     $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 3, QSURF = 6,
-     $    QPAYS = 47, QHI = 7, BLISTS = 6, NEARMX = 1.0D4,
-     $    BUDMAX = 2000.0D0, BUDSTA = 500.0D0, LMAX = 1.0D100)
-      INTEGER TSBINN, FOUND, K, LIST, N
-      OK = 0
-      IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
-     $    IQ(QSURF) .EQ. 0 .AND. LSD(LREACH,BLK) .GT. 0.0D0)
-     $    IQ(QPAYS) = 1
-      IF (RCTL(RBUDGE) .LE. 0.0D0) CTL(PAUSED) = 1
-      IF (RCTL(RBUDGE) .GT. BUDSTA) CTL(PAUSED) = 0
-      IF (IQ(QPAYS) .EQ. 0 .OR. CTL(PAUSED) .EQ. 1) RETURN
-      RCTL(RBUDGE) = RCTL(RBUDGE) - 1.0D0
-      K = 0
-   10 K = K + 1
-      LIST = CTL(RECENC+K)
-      FOUND = TSBINN(LSI, LSD, LIST, F, FQ)
-      IF (FOUND .EQ. 0 .AND. K .LT. BLISTS - 1) GO TO 10
-      IF (FOUND .EQ. 0) THEN
-        IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(VC1) .GT. NEARMX) RETURN
-        CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ, OK)
-        IF (OK .EQ. 1) OK = TSBINN(LSI, LSD, LIST, F, FQ)
-        IF (OK .EQ. 0) RETURN
-        OK = 0
-      END IF
-   20 IF (K .GT. 1) THEN
-        CTL(RECENC+K) = CTL(RECENC+K-1)
-        CTL(RECENC+K-1) = LIST
-        K = K - 1
-        GO TO 20
-      END IF
-      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $            LSD, LIST, V, IQ, F, FQ, N)
-      IF (N .LT. 0) RETURN
-      OK = 1
-      IF (FOUND .EQ. 1) RCTL(RBUDGE) = MIN(BUDMAX, RCTL(RBUDGE) +
-     $    (RCTL(RTREEC) - 4.0D0 - 0.5D0*DBLE(N)))
-      END
-
-C     TSRFIL - what a search of the tree adds to the budget of near
-C     lists, if a near list might have taken its place.
-      SUBROUTINE TSRFIL(RCTL, IQ)
-      DOUBLE PRECISION RCTL(*)
-      INTEGER IQ(*)
-      INTEGER RBUDGE, RTREEC, QNODES, QPAYS
-      DOUBLE PRECISION BUDREF
-      PARAMETER (RBUDGE = 8, RTREEC = 9, QNODES = 42, QPAYS = 47,
-     $    BUDREF = 64.0D0)
-      IF (IQ(QPAYS) .EQ. 0) RETURN
-      RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
-      RCTL(RTREEC) = RCTL(RTREEC) + (DBLE(IQ(QNODES)) -
-     $    RCTL(RTREEC))/16.0D0
-      END
-
 C     TSSEEK - seeks a reference surface in the sample of a search, if
 C     it is large and samples have been so for a while; each failure
 C     doubles the while.
@@ -4022,736 +4328,300 @@ C     doubles the while.
       IF (OK .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
       END
 
-C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
-C     GUESS: see TSBEGS.
-C
-C     The search is complete without its stages.  A stage offers points
-C     and changes the search in no other way, or sets QBEST to the apex;
-C     of the mesh it changes its own fields alone.  OK is 1 only if all
-C     that pass the filter have been offered, or if there is no
-C     candidate; it may always do nothing and set OK to 0.  So stages
-C     may be left out, or come in another order, and the apex is the
-C     same.  That hull planes come before the block's list saves
-C     lattices a tenth of the time.
-      SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
-     $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
-      INTEGER NLISTS, LLSD, LF, LIQ, LFQ
-      PARAMETER (NLISTS = 7, LLSD = 17, LF = 12, LIQ = 47, LFQ = 162)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(LLSD,NLISTS)
-      REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
-     $    LSI(*), V(3), GUESS(2), Z
-      INTEGER NHULLP, HULLP, NSETS, SET1, QBEST
-      PARAMETER (NHULLP = 12, HULLP = 21, NSETS = 17, SET1 = 33,
-     $    QBEST = 1)
-      DOUBLE PRECISION F(LF), FQ(LFQ)
-      INTEGER TSONHP, IQ(LIQ), OK
-      IF (CTL(NSETS) .GT. 0) THEN
-        CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V, Z)
-        IF (Z .NE. 0) RETURN
-      END IF
-      CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ, F, FQ)
-      CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
-     $            LSI, LSD, V, IQ, F, FQ, OK)
-      IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, CTL(NHULLP), CTL(HULLP),
-     $    RCTL, V, IQ)
-      IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
-     $    SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-      IF (OK .EQ. 0) THEN
-        CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        IF (OK .EQ. 0) THEN
-          CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $                LSX, LSID, LSI, LSD, V, IQ, F, FQ)
-          CALL TSRFIL(RCTL, IQ)
-        END IF
-        CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
-        CALL TSNHPL(CTL(NHULLP), CTL(HULLP), V, IQ)
-      END IF
-      Z = IQ(QBEST)
-      END
-
 C     ------------------------------------------------------------------
-C     A star on its own.
+C     Sorting.
 C     ------------------------------------------------------------------
 
-C     TSREPV - replace V(K) by Z, unless the result is flat.  OK is 1 if
-C     replaced, else 0.
-      SUBROUTINE TSREPV(X, P, ORD, RCTL, V, K, Z, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), V(4), K, Z, OK
-      INTEGER EXACT3
-      PARAMETER (EXACT3 = 1)
-      INTEGER HHPORI, OLD
-      OLD = V(K)
-      V(K) = Z
-      OK = ABS(HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4)))
-      IF (OK .EQ. 0) V(K) = OLD
-      END
-
-C     TSENCL - returns 1 if V is positively oriented and contains S*,
-C     which is S = V(1) = R(1) moved by an infinitesimal step into the
-C     tetrahedron R (as Q* in the queries below), so it is on no plane
-C     through three points; or 0.
-      INTEGER FUNCTION TSENCL(X, P, ORD, RCTL, R, V)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), R(4), V(4)
-      INTEGER EXACT3
-      PARAMETER (EXACT3 = 1)
-      INTEGER HHPORI, A, B, I, J, SIDE
-      SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4))
-      DO 20 J = 1, 3
-        IF (SIDE .GT. 0) THEN
-          A = V(MOD(J,3)+2)
-          B = V(MOD(J+1,3)+2)
-          SIDE = 0
-          DO 10 I = 2, 4
-            IF (SIDE .EQ. 0) SIDE = HHPORI(X, P, ORD, RCTL(EXACT3),
-     $          V(1), A, B, R(I))
-   10     CONTINUE
-        END IF
-   20 CONTINUE
-      TSENCL = MAX(SIDE, 0)
-      END
-
-C     TSANYT - V = a tetrahedron at V(1) = S, of points of its leaf as
-C     far as these are not in one plane, else of vertices of KNOWN.
-      SUBROUTINE TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), REP(*), KNOWN(4), CTL(*), S, V(4)
-      INTEGER EXACT3
-      PARAMETER (EXACT3 = 1)
-      INTEGER HHPORI, TSLEAF, TSLFST, FIRST, I, J, K, LENGTH, OK, Z
-      FIRST = TSLFST(CTL, TSLEAF(CTL, S))
-      LENGTH = TSLFST(CTL, TSLEAF(CTL, S) + 1) - FIRST
-      DO 10 K = 1, 4
-        V(K) = REP(KNOWN(K))
+C     TSAXBE - 1 if point I precedes the point with coordinates Q and
+C     number NUMBER along an axis, else 0.  Ties are broken by the next
+C     axes, then by number.
+      INTEGER FUNCTION TSAXBE(X, ORD, I, AXIS, Q, NUMBER)
+      DOUBLE PRECISION X(3,*), Q(3)
+      INTEGER ORD(*), I, AXIS, NUMBER
+      INTEGER K, PASS
+      TSAXBE = 1
+      K = AXIS
+      DO 10 PASS = 1, 3
+        IF (X(K,I) .LT. Q(K)) RETURN
+        IF (X(K,I) .GT. Q(K)) GO TO 20
+        K = MOD(K, 3) + 1
    10 CONTINUE
-      K = 0
-   20 K = K + 1
-      J = K
-      OK = 1
-      IF (K .LT. 4) CALL TSREPV(X, P, ORD, RCTL, V, J, S, OK)
-      IF (OK .EQ. 0) GO TO 20
-      V(K) = V(1)
-      V(1) = S
-      DO 40 K = 2, 4
-        J = K
-        DO 30 I = 1, LENGTH - 1
-          Z = FIRST + MOD(S - FIRST + I, LENGTH)
-          CALL TSREPV(X, P, ORD, RCTL, V, J, Z, OK)
-          IF (OK .EQ. 1) GO TO 40
-   30   CONTINUE
-   40 CONTINUE
-      IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4)) .LT.
-     $    0) THEN
-        Z = V(2)
-        V(2) = V(3)
-        V(3) = Z
-      END IF
+      IF (ORD(I) .LT. NUMBER) RETURN
+   20 TSAXBE = 0
       END
 
-C     TSINCT - find V, a tetrahedron of the mesh at V(1) = S.
-C
-C          B---Z         B---Z   In the plane: Z is in the ball of
-C          |\  .         |  /|   (S, A, B).  Of the four points' two
-C          | \ .   -->   | / |   triangulations the lower one has the
-C          |  \.         |/  |   edge S Z in place of A B, so S* is in
-C          S---A         S---A   (S, A, Z) or in (S, Z, B): Z replaces
-C                                B, or A.
-C
-C     Start with any tetrahedron R at S, and with S* in it.  While V
-C     holds S* and its ball is not empty, each point in the ball is on
-C     the inner side of one of the three facets at S, since whatever is
-C     outside all three is beyond the ball's tangent plane at S.  So the
-C     apex Z of that facet on that side is not V's vertex there.  The
-C     five points have two triangulations, and V is not part of the one
-C     whose lifted facets are the lower ones; so the tetrahedron of that
-C     one that holds S* is V with Z in place of a vertex.  Each such
-C     step lowers the height over S*; three searches in a row without a
-C     step end it.  This is done with the points of the leaf alone, and
-C     then with all: without the former, a query from anywhere takes
-C     three times as long.
-C
-C     Points whose stars are complete are in no list and not in the
-C     tree.  That does no harm, as S is in no tetrahedron yet, so none
-C     of them is its neighbour: the star of S is the same in any set of
-C     points that has all its neighbours.
-      SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
-     $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
-      INTEGER LF, LIQ, LFQ
-      PARAMETER (LF = 12, LIQ = 47, LFQ = 162)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*)
-      REAL LSX(*)
-      INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
-     $    CTL(*), LSID(*), LSI(*), S, V(4)
-      INTEGER LEAVES, QBEST
-      PARAMETER (LEAVES = 4, QBEST = 1)
-      DOUBLE PRECISION F(LF), FQ(LFQ)
-      INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(LIQ), J, K, NODE,
-     $    OLD, R(4), STILL, Z
-      CALL TSDROP(CTL, LSI, LSD)
-      CALL TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
-      DO 10 K = 1, 4
-        R(K) = V(K)
-   10 CONTINUE
-      NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
-      GUESS(2) = 0
-      K = 1
-      DO 50 ALL = 0, 1
-        STILL = 0
-   20   G(1) = S
-        G(2) = V(MOD(K,3)+2)
-        G(3) = V(MOD(K+1,3)+2)
-        GUESS(1) = V(K+1)
-        IF (ALL .EQ. 1) THEN
-          CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $                LSX, LSID, LSI, LSD, G, GUESS, Z)
+      SUBROUTINE TSSWAP(X, ORD, I, J)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), I, J
+      DOUBLE PRECISION A, B, C
+      INTEGER O
+      O = ORD(I)
+      ORD(I) = ORD(J)
+      ORD(J) = O
+      A = X(1,I)
+      B = X(2,I)
+      C = X(3,I)
+      X(1,I) = X(1,J)
+      X(2,I) = X(2,J)
+      X(3,I) = X(3,J)
+      X(1,J) = A
+      X(2,J) = B
+      X(3,J) = C
+      END
+
+C     TSPIVO - I is the position of a point whose rank along an axis is
+C     near MID, among LO ... HI: the point of that rank in a random
+C     sample.  The random numbers are the same everywhere.
+      SUBROUTINE TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), LO, HI, MID, AXIS, CHANCE, I
+      INTEGER TSAXBE, A(33), COUNT, J, N, S, STEP, T
+      COUNT = HI - LO + 1
+      STEP = COUNT/1024
+      N = 3
+      IF (COUNT .GT. 200) N = 9
+      IF (COUNT .GT. 4000) N = 33
+      A(1) = LO
+      DO 30 S = 1, N
+        CHANCE = MOD(CHANCE*137, 30269) + 1
+        IF (STEP .GT. 0) THEN
+          T = LO + STEP*MOD(CHANCE, 1024) + MOD(CHANCE, STEP)
         ELSE
-          CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, G, GUESS, IQ, F,
-     $                FQ)
-          CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $                LSID, LSI, LSD, G, IQ, F, FQ, NODE)
-          Z = IQ(QBEST)
+          T = LO + MOD(CHANCE, COUNT)
         END IF
-        STILL = STILL + 1
-        IF (Z .NE. V(K+1)) THEN
-          DO 30 J = 2, 4
-            OLD = V(J)
-            V(J) = Z
-            IF (TSENCL(X, P, ORD, RCTL, R, V) .EQ. 1) GO TO 40
-            V(J) = OLD
-   30     CONTINUE
-   40     STILL = 0
-C         if V(K+1) was replaced, this was a search of its facet
-          IF (J .EQ. K + 1) STILL = 1
-        END IF
-        K = MOD(K,3) + 1
-        IF (STILL .LT. 3) GO TO 20
-   50 CONTINUE
-      END
-
-C     ------------------------------------------------------------------
-C     The star of a vertex.
-C
-C     The open facets at S are the edges A -> B of its link: (S, A, B)
-C     is positive towards the unknown side.  They are a queue, which
-C     keeps the link's boundary short, and grow down from the end of the
-C     pool: edge E is POOL(E) and the EDGLEN - 1 integers behind it.
-C       ECODE   the facet's code; START for the first facet; DEAD
-C       EFROM   A
-C       ETO     B
-C       EPREV   an edge that ends where this one begins, or 0; and
-C       EAFTER  one that begins where it ends: they give the guesses
-C       ECHAIN  the next edge from A, or 0; LINK(A) is the first
-C     ------------------------------------------------------------------
-
-C     TSCLRL - empty the link.
-      SUBROUTINE TSCLRL(CTL)
-      INTEGER CTL(*)
-      INTEGER POOLLN, OLDEST, NEWEST, EDGLEN
-      PARAMETER (POOLLN = 5, OLDEST = 9, NEWEST = 10, EDGLEN = 6)
-      CTL(NEWEST) = CTL(POOLLN) + 1
-      CTL(OLDEST) = CTL(POOLLN) + 1 - EDGLEN
-      END
-
-C     TSMOVE - move the edges up to the end of the pool.
-      SUBROUTINE TSMOVE(LINK, POOL, CTL)
-      INTEGER LINK(*), POOL(*), CTL(*)
-      INTEGER POOLLN, OLDEST, NEWEST, EDGLEN, ECODE, EDEAD, EFROM, EPREV
-      PARAMETER (POOLLN = 5, OLDEST = 9, NEWEST = 10, EDGLEN = 6,
-     $    ECODE = 0, EDEAD = -2, EFROM = 1, EPREV = 3)
-      INTEGER E, K, SHIFT, TO
-      SHIFT = CTL(POOLLN) + 1 - EDGLEN - CTL(OLDEST)
-      DO 30 E = CTL(OLDEST), CTL(NEWEST), -EDGLEN
-        TO = E + SHIFT
-        IF (POOL(E+ECODE) .NE. EDEAD) THEN
-          IF (LINK(POOL(E+EFROM)) .EQ. E) LINK(POOL(E+EFROM)) = TO
-        END IF
-        DO 10 K = 0, EDGLEN - 1
-          POOL(TO+K) = POOL(E+K)
-   10   CONTINUE
-        DO 20 K = EPREV, EDGLEN - 1
-          IF (POOL(TO+K) .NE. 0) POOL(TO+K) = POOL(TO+K) + SHIFT
-   20   CONTINUE
-   30 CONTINUE
-      CTL(NEWEST) = CTL(NEWEST) + SHIFT
-      CTL(OLDEST) = CTL(OLDEST) + SHIFT
-      END
-
-C     TSPUSH - add an edge A -> B without neighbours.  E is its number,
-C     or 0 if there is no room.
-      SUBROUTINE TSPUSH(LINK, POOL, CTL, CODE, A, B, E)
-      INTEGER LINK(*), POOL(*), CTL(*), CODE, A, B, E
-      INTEGER SLOTS, NEWEST, ENTLEN, EDGLEN, ECODE, EFROM, ETO, EPREV,
-     $    ENEXT, ECHAIN
-      PARAMETER (SLOTS = 6, NEWEST = 10, ENTLEN = 4, EDGLEN = 6,
-     $    ECODE = 0, EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4,
-     $    ECHAIN = 5)
-      E = CTL(NEWEST) - EDGLEN
-      IF (E .LE. ENTLEN*CTL(SLOTS)) THEN
-        E = 0
-        RETURN
-      END IF
-      POOL(E+ECODE) = CODE
-      POOL(E+EFROM) = A
-      POOL(E+ETO) = B
-      POOL(E+EPREV) = 0
-      POOL(E+ENEXT) = 0
-      POOL(E+ECHAIN) = MAX(LINK(A), 0)
-      LINK(A) = E
-      CTL(NEWEST) = E
-      END
-
-C     TSCONN - make edge B the successor of edge A; either may be 0.
-      SUBROUTINE TSCONN(POOL, A, B)
-      INTEGER POOL(*), A, B
-      INTEGER EPREV, ENEXT
-      PARAMETER (EPREV = 3, ENEXT = 4)
-      IF (A .NE. 0) POOL(A+ENEXT) = B
-      IF (B .NE. 0) POOL(B+EPREV) = A
-      END
-
-C     TSRMED - remove edge E from the link.
-      SUBROUTINE TSRMED(LINK, POOL, E)
-      INTEGER LINK(*), POOL(*), E
-      INTEGER ECODE, EDEAD, EFROM, ECHAIN
-      PARAMETER (ECODE = 0, EDEAD = -2, EFROM = 1, ECHAIN = 5)
-      INTEGER I
-      I = LINK(POOL(E+EFROM))
-      IF (I .EQ. E) THEN
-        LINK(POOL(E+EFROM)) = POOL(E+ECHAIN)
-      ELSE
-   10   IF (POOL(I+ECHAIN) .NE. E) THEN
-          I = POOL(I+ECHAIN)
-          GO TO 10
-        END IF
-        POOL(I+ECHAIN) = POOL(E+ECHAIN)
-      END IF
-      POOL(E+ECODE) = EDEAD
-      END
-
-C     TSBETW - the edge A -> B of the link, or 0.
-      INTEGER FUNCTION TSBETW(LINK, POOL, A, B)
-      INTEGER LINK(*), POOL(*), A, B
-      INTEGER ETO, ECHAIN
-      PARAMETER (ETO = 2, ECHAIN = 5)
-      INTEGER E
-      E = MAX(LINK(A), 0)
-   10 IF (E .NE. 0) THEN
-        IF (POOL(E+ETO) .NE. B) THEN
-          E = POOL(E+ECHAIN)
-          GO TO 10
-        END IF
-      END IF
-      TSBETW = E
-      END
-
-C     TSADJA - make the facets of two codes neighbours.
-      SUBROUTINE TSADJA(ADJ, CODE, OTHER)
-      INTEGER ADJ(*), CODE, OTHER
-      ADJ(CODE) = (OTHER - 1)/4 + 1
-      ADJ(OTHER) = (CODE - 1)/4 + 1
-      END
-
-C     TSFLUS - enter the facets opposite to S of the tetrahedra from
-C     UNFILE on into the pool, or close those whose other side is there.
-C     They are processed in batches so that the processor can overlap
-C     their memory accesses.
-      SUBROUTINE TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), POOL(*), CTL(*)
-      INTEGER NTET, UNFILE
-      PARAMETER (NTET = 2, UNFILE = 8)
-      INTEGER CODE, OTHER, T
-      DO 10 T = CTL(UNFILE), CTL(NTET)
-        CODE = 4*(T - 1) + 1
-        CALL TSMOEN(TET, HEAD, POOL, CTL, CODE, OTHER)
-        IF (OTHER .NE. 0) CALL TSADJA(ADJ, CODE, OTHER)
-   10 CONTINUE
-      CTL(UNFILE) = CTL(NTET) + 1
-      END
-
-C     TSMOPU - put the edge A -> B of the facet CODE into the link
-C     between the edges PREV and AFTER, either of which may be 0; if its
-C     other side is there, remove that instead.  LAST is the edge that
-C     ends at B then.
-      SUBROUTINE TSMOPU(ADJ, LINK, POOL, CTL, CODE, A, B, PREV, AFTER,
-     $                  LAST)
-      INTEGER ADJ(*), LINK(*), POOL(*), CTL(*), CODE, A, B, PREV, AFTER,
-     $    LAST
-      INTEGER ECODE, EPREV, ENEXT, OPEN
-      PARAMETER (ECODE = 0, EPREV = 3, ENEXT = 4, OPEN = -1)
-      INTEGER TSBETW, F, G
-      F = TSBETW(LINK, POOL, B, A)
-      IF (F .EQ. 0) THEN
-        ADJ(CODE) = OPEN
-        CALL TSPUSH(LINK, POOL, CTL, CODE, A, B, LAST)
-        CALL TSCONN(POOL, PREV, LAST)
-        CALL TSCONN(POOL, LAST, AFTER)
-        RETURN
-      END IF
-      CALL TSADJA(ADJ, CODE, POOL(F+ECODE))
-      LAST = POOL(F+EPREV)
-      G = POOL(F+ENEXT)
-      IF (F .NE. PREV) CALL TSCONN(POOL, PREV, G)
-      IF (F .NE. AFTER) CALL TSCONN(POOL, LAST, AFTER)
-      CALL TSRMED(LINK, POOL, F)
-      END
-
-C     TSADDT - store the tetrahedron of S, edge E = A -> B and the apex
-C     C.  The edges A -> C and C -> B replace E in the link.
-      SUBROUTINE TSADDT(TET, ADJ, LINK, POOL, CTL, S, E, C)
-      INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, E, C
-      INTEGER NTET, ECODE, ESEED, EFROM, ETO, EPREV, ENEXT, NEW, OPEN
-      PARAMETER (NTET = 2, ECODE = 0, ESEED = -1, EFROM = 1, ETO = 2,
-     $    EPREV = 3, ENEXT = 4, NEW = -2, OPEN = -1)
-      INTEGER TSBETW, A, AFTER, B, CODE, F, G, PREV, T
-      CODE = POOL(E+ECODE)
-      A = POOL(E+EFROM)
-      B = POOL(E+ETO)
-      PREV = POOL(E+EPREV)
-      AFTER = POOL(E+ENEXT)
-      T = CTL(NTET) + 1
-      CTL(NTET) = T
-      TET(1,T) = S
-      TET(2,T) = A
-      TET(3,T) = B
-      TET(4,T) = C
-      IF (CODE .EQ. ESEED) THEN
-        F = TSBETW(LINK, POOL, B, A)
-        ADJ(4*T) = 0
-        IF (F .NE. 0) THEN
-          ADJ(4*T) = OPEN
-          POOL(F+ECODE) = 4*T
-        END IF
-      ELSE
-        CALL TSADJA(ADJ, CODE, 4*T)
-      END IF
-      IF (LINK(C) .EQ. NEW) LINK(C) = 0
-      CALL TSRMED(LINK, POOL, E)
-C     until TSFLUS
-      ADJ(4*T-3) = OPEN
-      CALL TSMOPU(ADJ, LINK, POOL, CTL, 4*T - 1, A, C, PREV, 0, F)
-      CALL TSMOPU(ADJ, LINK, POOL, CTL, 4*T - 2, C, B, F, AFTER, G)
-      END
-
-C     TSFTOE - make the open facet CODE an edge of the link, if it has
-C     the vertex S.  OK is 1, or 0 if there is no room.
-      SUBROUTINE TSFTOE(TET, LINK, POOL, CTL, S, CODE, OK)
-      INTEGER TET(4,*), LINK(*), POOL(*), CTL(*), S, CODE, OK
-      INTEGER E, K, V(3)
-      CALL TSFCOD(TET, CODE, V)
-      OK = 1
-      DO 10 K = 1, 3
-        IF (V(K) .EQ. S) GO TO 20
-   10 CONTINUE
-      RETURN
-   20 CALL TSPUSH(LINK, POOL, CTL, CODE, V(MOD(K,3)+1),
-     $            V(MOD(K+1,3)+1), E)
-      IF (E .EQ. 0) OK = 0
-      END
-
-C     TSPAIR - give every edge of the link a successor: an edge that
-C     begins where it ends and has no predecessor yet, if there is one.
-      SUBROUTINE TSPAIR(LINK, POOL, CTL)
-      INTEGER LINK(*), POOL(*), CTL(*)
-      INTEGER OLDEST, NEWEST, EDGLEN, ECODE, EDEAD, ETO, EPREV, ECHAIN
-      PARAMETER (OLDEST = 9, NEWEST = 10, EDGLEN = 6, ECODE = 0,
-     $    EDEAD = -2, ETO = 2, EPREV = 3, ECHAIN = 5)
-      INTEGER AT, E, F
-      DO 20 E = CTL(OLDEST), CTL(NEWEST), -EDGLEN
-        F = LINK(POOL(E+ETO))
-        IF (F .LT. 0 .OR. POOL(E+ECODE) .EQ. EDEAD) GO TO 20
-   10   IF (F .NE. 0) THEN
-          IF (POOL(F+EPREV) .NE. 0) THEN
-            F = POOL(F+ECHAIN)
+        J = S
+   10   IF (J .GT. 1) THEN
+          IF (TSAXBE(X, ORD, T, AXIS, X(1,A(J-1)), ORD(A(J-1))) .EQ.
+     $        1) THEN
+            A(J) = A(J-1)
+            J = J - 1
             GO TO 10
           END IF
         END IF
-        AT = E
-        CALL TSCONN(POOL, AT, F)
+        A(J) = T
+   30 CONTINUE
+      I = A((MID - LO)/(COUNT/N + 1) + 1)
+      END
+
+C     TSSELE - reorder the points FIRST ... LAST so that those before
+C     MID precede the one at MID along an axis, and the others do not.
+      SUBROUTINE TSSELE(X, ORD, FIRST, LAST, MID, AXIS)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), FIRST, LAST, MID, AXIS
+      DOUBLE PRECISION Q(3)
+      INTEGER TSAXBE, AT, CHANCE, HI, I, J, LESS, LO, NUMBER
+      CHANCE = 1
+      LO = FIRST
+      HI = LAST
+   10 IF (LO .GT. MID .OR. HI .LE. LO) RETURN
+      CALL TSPIVO(X, ORD, LO, HI, MID, AXIS, CHANCE, I)
+      DO 20 J = 1, 3
+        Q(J) = X(J,I)
    20 CONTINUE
-      END
-
-C     TSEADJ - make all open facets at S edges of the link, in the order
-C     of their tetrahedra.  OK is 1, or 0 if there is no room.
-      SUBROUTINE TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
-      INTEGER TET(4,*), ADJ(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER NTET, OPEN
-      PARAMETER (NTET = 2, OPEN = -1)
-      INTEGER CODE, K, T
-      DO 20 T = 1, CTL(NTET)
-        DO 10 K = 4, 1, -1
-          CODE = 4*(T - 1) + K
-          OK = 1
-          IF (ADJ(CODE) .EQ. OPEN) CALL TSFTOE(TET, LINK, POOL, CTL, S,
-     $        CODE, OK)
-          IF (OK .EQ. 0) RETURN
-   10   CONTINUE
-   20 CONTINUE
-      CALL TSPAIR(LINK, POOL, CTL)
-      END
-
-C     TSEPOO - move the facets that S owns from the pool to the link,
-C     oldest first.  OK is 1, or 0 if there is no room.  If they do not
-C     fit beside the table, rebuild the table without them first.
-      SUBROUTINE TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER SLOTS, NFACET, NEWEST, ENTLEN, PCODE, PNEXT, PPREV, EDGLEN
-      PARAMETER (SLOTS = 6, NFACET = 7, NEWEST = 10, ENTLEN = 4,
-     $    PCODE = 1, PNEXT = 2, PPREV = 3, EDGLEN = 6)
-      INTEGER TSQUOT, CODE, E, EDGES
-      OK = 1
-      E = HEAD(S)
-      IF (E .EQ. 0) RETURN
-      EDGES = 1
-   10 IF (POOL(ENTLEN*(E-1)+PNEXT) .NE. 0) THEN
-        E = POOL(ENTLEN*(E-1)+PNEXT)
-        EDGES = EDGES + 1
-        GO TO 10
-      END IF
-      IF (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - EDGLEN*EDGES) THEN
-        CTL(NFACET) = CTL(NFACET) - EDGES
-        CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, TSQUOT(CTL, EDGES),
-     $              OK)
-        IF (OK .EQ. 1) CALL TSEADJ(TET, ADJ, LINK, POOL, CTL, S, OK)
-        RETURN
-      END IF
-   20 IF (E .GT. 0) THEN
-        CODE = POOL(ENTLEN*(E-1)+PCODE)
-        CALL TSFTOE(TET, LINK, POOL, CTL, S, CODE, OK)
-        E = POOL(ENTLEN*(E-1)+PPREV)
-        GO TO 20
-      END IF
-   30 E = HEAD(S)
-      IF (E .NE. 0) THEN
-        CALL TSERAS(HEAD, POOL, CTL, E)
-        GO TO 30
-      END IF
-      CALL TSPAIR(LINK, POOL, CTL)
-      END
-
-C     TSCMPL - mark the star of S complete: S leaves the tree and the
-C     block's list.
-      SUBROUTINE TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
-      INTEGER NLISTS, LLSX, LLSI, TSLIST
-      PARAMETER (NLISTS = 7, LLSX = 4, LLSI = 3, TSLIST = 512)
-      REAL LSX(TSLIST,LLSX,NLISTS)
-      INTEGER ALIVE(*), LINK(*), CTL(*), LSI(LLSI,NLISTS), S
-      INTEGER LEAVES, BLK, LX, LY, LZ, LNORM2, LFIRST, LLAST, LN, COMPLE
-      REAL LEFTLI
-      PARAMETER (LEAVES = 4, BLK = 1, LX = 1, LY = 2, LZ = 3,
-     $    LNORM2 = 4, LFIRST = 1, LLAST = 2, LN = 3, COMPLE = -1,
-     $    LEFTLI = 1.0E10)
-      INTEGER TSLEAF, I, NODE
-      IF (LINK(S) .EQ. COMPLE) RETURN
-      LINK(S) = COMPLE
-      NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
-   10 IF (NODE .GT. 0) THEN
-        ALIVE(NODE) = ALIVE(NODE) - 1
-        IF (ALIVE(NODE) .EQ. 0) THEN
-          NODE = NODE/2
-          GO TO 10
+      NUMBER = ORD(I)
+C     no branch on the points except for ties: half of them would be
+C     mispredicted, which takes longer than a swap
+      I = LO
+      DO 30 J = LO, HI
+        LESS = 0
+        IF (X(AXIS,J) .LT. Q(AXIS)) LESS = 1
+C       halves, whose differences do not overflow
+        IF (ABS(0.5D0*X(AXIS,J) - 0.5D0*Q(AXIS)) .LE. 0.0D0) THEN
+          AT = J
+          LESS = TSAXBE(X, ORD, AT, AXIS, Q, NUMBER)
         END IF
-      END IF
-      IF (S .LT. LSI(LFIRST,BLK) .OR. S .GT. LSI(LLAST,BLK) .OR.
-     $    LSI(LN,BLK) .EQ. 0) RETURN
-      I = S - LSI(LFIRST,BLK) + 1
-      LSX(I,LX,BLK) = LEFTLI
-      LSX(I,LY,BLK) = LEFTLI
-      LSX(I,LZ,BLK) = LEFTLI
-      LSX(I,LNORM2,BLK) = LEFTLI*LEFTLI
-      END
-
-C     TSMKRO - make room for another tetrahedron's facets in the table
-C     and in the link of S.  OK is 1, or 0 if there is none.  Callers
-C     must reload OLDEST.
-C
-C                  1         ENTLEN*M     NEWEST     OLDEST   POOLLN
-C       before     | table      | free   | edges      | dead   |
-C       TSMOVE     | table      | free            | edges      |
-C       TSREHA     | longer, or shorter table | free | edges   |
-C
-C     That is done when the table is three quarters full or meets the
-C     edges: these move up if an eighth of their room is dead, and the
-C     table is resized if that changes it by a sixteenth, so both are
-C     rare.
-      SUBROUTINE TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
-      INTEGER TET(4,*), ADJ(*), HEAD(*), LINK(*), POOL(*), CTL(*), S, OK
-      INTEGER NTET, POOLLN, SLOTS, NFACET, UNFILE, OLDEST, NEWEST,
-     $    ENTLEN, EDGLEN
-      PARAMETER (NTET = 2, POOLLN = 5, SLOTS = 6, NFACET = 7,
-     $    UNFILE = 8, OLDEST = 9, NEWEST = 10, ENTLEN = 4, EDGLEN = 6)
-      INTEGER TSFULL, TSQUOT, CHANGE, MOST
-      CHANGE = CTL(SLOTS)/16
-      OK = 1
-      IF (4*(CTL(NFACET) + CTL(NTET) - CTL(UNFILE) + 1) .LT.
-     $    3*CTL(SLOTS) .AND. ENTLEN*CTL(SLOTS) .LE.
-     $    CTL(NEWEST) - 1 - 2*EDGLEN) RETURN
-      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      IF (CTL(POOLLN) + 1 - CTL(OLDEST) .GT. (CTL(POOLLN) + 1 -
-     $    CTL(NEWEST))/8) CALL TSMOVE(LINK, POOL, CTL)
-      MOST = MIN(TSQUOT(CTL, 2), 2*CTL(SLOTS) + 1)
-      IF ((4*CTL(NFACET) .GE. 3*CTL(SLOTS) .AND. MOST .GT. CTL(SLOTS) +
-     $    CHANGE) .OR. (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*
-     $    EDGLEN .AND. MOST .LT. CTL(SLOTS) - CHANGE))
-     $    CALL TSREHA(TET, ADJ, HEAD, POOL, CTL, S, MOST, OK)
-      OK = 1 - TSFULL(CTL, CTL(NFACET) + 1)
-      IF (ENTLEN*CTL(SLOTS) .GT. CTL(NEWEST) - 1 - 2*EDGLEN) OK = 0
-      END
-
-C     TSBEGI - put the first facet into the link of S, its vertex of
-C     least position.
-      SUBROUTINE TSBEGI(X, P, ORD, LINK, POOL, CTL, RCTL, S, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), LINK(*), POOL(*), CTL(*), S, INFO
-      INTEGER ESEED, FULL
-      PARAMETER (ESEED = -1, FULL = 2)
-      INTEGER E, I, V(3)
-      CALL TSFIRS(X, P, ORD, CTL, RCTL, V, INFO)
-      IF (INFO .NE. 0) RETURN
-      S = V(1)
-      DO 10 I = 1, 3
-        LINK(V(I)) = 0
-   10 CONTINUE
-      CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
-      IF (E .EQ. 0) INFO = FULL
-      END
-
-C     TSSTAR - complete the star of S, whose open facets are the edges
-C     of the link.  INFO is 0, MORE or FULL.
-      SUBROUTINE TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK,
-     $                  POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
-     $                  S, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*)
-      REAL LSX(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), HEAD(*), LINK(*),
-     $    POOL(*), MARK(*), CTL(*), LSID(*), LSI(*), S, INFO
-      INTEGER NTET, MAXTET, OLDEST, NEWEST, NSETS, EDGLEN, ECODE, ESEED,
-     $    EDEAD, EFROM, ETO, EPREV, ENEXT, MORE, FULL
-      PARAMETER (NTET = 2, MAXTET = 3, OLDEST = 9, NEWEST = 10,
-     $    NSETS = 17, EDGLEN = 6, ECODE = 0, ESEED = -1, EDEAD = -2,
-     $    EFROM = 1, ETO = 2, EPREV = 3, ENEXT = 4, MORE = 1, FULL = 2)
-      INTEGER AFTER, C, E, GUESS(2), OK, PREV, V(3)
-      CALL TSMKSL(X, BOX, ALIVE, LINK, CTL, RCTL, LSX, LSID, LSI, LSD,
-     $            S)
-      CTL(NSETS) = 0
-   10 E = CTL(OLDEST)
-      IF (E .GE. CTL(NEWEST)) THEN
-        IF (POOL(E+ECODE) .EQ. EDEAD) THEN
-          CTL(OLDEST) = E - EDGLEN
-          GO TO 10
-        END IF
-        V(1) = S
-        V(2) = POOL(E+EFROM)
-        V(3) = POOL(E+ETO)
-        PREV = POOL(E+EPREV)
-        AFTER = POOL(E+ENEXT)
-        GUESS(1) = 0
-        GUESS(2) = 0
-        IF (PREV .NE. 0) GUESS(1) = POOL(PREV+EFROM)
-        IF (AFTER .NE. 0) GUESS(2) = POOL(AFTER+ETO)
-        CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, V, GUESS, C)
-        IF (C .EQ. 0) THEN
-          IF (POOL(E+ECODE) .NE. ESEED) ADJ(POOL(E+ECODE)) = 0
-          CALL TSCONN(POOL, PREV, 0)
-          CALL TSCONN(POOL, 0, AFTER)
-          CALL TSRMED(LINK, POOL, E)
-          GO TO 10
-        END IF
-        IF (CTL(NTET) .EQ. CTL(MAXTET)) THEN
-          CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-          INFO = MORE
-          RETURN
-        END IF
-        CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
-        IF (OK .EQ. 0) THEN
-          INFO = FULL
-          RETURN
-        END IF
-        E = CTL(OLDEST)
-        CALL TSADDT(TET, ADJ, LINK, POOL, CTL, S, E, C)
-        GO TO 10
-      END IF
-      CALL TSCLRL(CTL)
-      CALL TSFLUS(TET, ADJ, HEAD, POOL, CTL)
-      CALL TSCMPL(ALIVE, LINK, CTL, LSX, LSI, S)
-      INFO = 0
-      END
-
-C     TSSEED - begin the star of S, which is in no tetrahedron yet, with
-C     a facet of a tetrahedron at S: its two sides become edges of the
-C     link, the one towards the tetrahedron first.  OK is 1, or 0 if
-C     there is no room.
-      SUBROUTINE TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, S, OK)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*)
-      REAL LSX(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(*),
-     $    S, OK
-      INTEGER ESEED
-      PARAMETER (ESEED = -1)
-      INTEGER E, V(4)
-      CALL TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK, CTL,
-     $            RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
-      CALL TSMKRO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
-      IF (OK .EQ. 0) RETURN
-      CALL TSPUSH(LINK, POOL, CTL, ESEED, V(2), V(3), E)
-      IF (E .NE. 0) CALL TSPUSH(LINK, POOL, CTL, ESEED, V(3), V(2), E)
-      IF (E .EQ. 0) OK = 0
-      END
-
-C     TSSTRS - complete all stars asked for, beginning with S if the
-C     link has edges: first those connected through open facets, then
-C     one of the rest, and so on.  INFO is 0, MORE or FULL.
-      SUBROUTINE TSSTRS(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN,
-     $                  HEAD, LINK, POOL, MARK, CTL, RCTL, SUP, LSX,
-     $                  LSID, LSI, LSD, S, INFO)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*)
-      REAL LSX(*)
-      INTEGER ORD(*), TET(4,*), ADJ(*), ALIVE(*), REP(*), KNOWN(4),
-     $    HEAD(*), LINK(*), POOL(*), MARK(*), CTL(*), LSID(*), LSI(*),
-     $    S, INFO
-      INTEGER NP, OLDEST, NEWEST, LOWEST, NEXTNE, NEW, UNWANT, FULL
-      PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOWEST = 11,
-     $    NEXTNE = 15, NEW = -2, UNWANT = -1, FULL = 2)
-      INTEGER OK
-   10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
-        CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
-     $              MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, INFO)
-        IF (INFO .NE. 0) RETURN
-      END IF
-      DO 20 S = CTL(LOWEST), CTL(NP)
-        IF (HEAD(S) .GT. 0) GO TO 30
-C       no open facet has a vertex of smaller position than LOWEST, so
-C       one that was met before and owns none is complete
-        IF (LINK(S) .EQ. 0 .AND. HEAD(S) .EQ. 0) CALL TSCMPL(ALIVE,
-     $      LINK, CTL, LSX, LSI, S)
-   20 CONTINUE
-   30 CTL(LOWEST) = S
-      IF (S .LE. CTL(NP)) THEN
-        CALL TSEPOO(TET, ADJ, HEAD, LINK, POOL, CTL, S, OK)
+        CALL TSSWAP(X, ORD, I, J)
+        I = I + LESS
+   30 CONTINUE
+C     LO ... I-1 precede the pivot, I ... HI do not
+      IF (MID .LT. I) THEN
+        HI = I - 1
+      ELSE IF (I .GT. LO) THEN
+        LO = I
       ELSE
-        DO 40 S = CTL(NEXTNE), CTL(NP)
-          IF (LINK(S) .EQ. NEW .AND. HEAD(S) .NE. UNWANT) GO TO 50
-   40   CONTINUE
-   50   CTL(NEXTNE) = S
-        INFO = 0
-        IF (S .GT. CTL(NP)) RETURN
-        CALL TSSEED(X, P, ORD, TET, ADJ, BOX, ALIVE, REP, KNOWN, HEAD,
-     $              LINK, POOL, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
-     $              LSD, S, OK)
+C       the pivot precedes all others: move it to the front
+        J = LO
+   40   IF (ORD(J) .NE. NUMBER) THEN
+          J = J + 1
+          GO TO 40
+        END IF
+        CALL TSSWAP(X, ORD, LO, J)
+        LO = LO + 1
       END IF
-      INFO = FULL
-      IF (OK .EQ. 1) GO TO 10
+      GO TO 10
+      END
+
+C     TSDUPL - if the points at I and J coincide, record it in REP.
+      SUBROUTINE TSDUPL(X, ORD, REP, I, J)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), REP(*), I, J
+      INTEGER K
+      DO 10 K = 1, 3
+        IF (X(K,I) .LT. X(K,J) .OR. X(K,I) .GT. X(K,J)) RETURN
+   10 CONTINUE
+      REP(MAX(ORD(I), ORD(J))) = MIN(ORD(I), ORD(J))
+      END
+
+C     TSBBOX - B is the box of every STEP-th of N points.
+      SUBROUTINE TSBBOX(X, N, STEP, B)
+      DOUBLE PRECISION X(3,*), B(6)
+      INTEGER N, STEP
+      INTEGER I, K
+      DO 10 K = 1, 3
+        B(K) = X(K,1)
+        B(3+K) = X(K,1)
+   10 CONTINUE
+      DO 30 I = 1 + STEP, N, STEP
+        DO 20 K = 1, 3
+          IF (X(K,I) .LT. B(K)) B(K) = X(K,I)
+          IF (X(K,I) .GT. B(3+K)) B(3+K) = X(K,I)
+   20   CONTINUE
+   30 CONTINUE
+      END
+
+C     TSBISE - TSSELE across the widest extent.  Duplicates separated by
+C     the cut all coincide with the point at MID; in the end every
+C     duplicate but the least of its set is linked to a smaller number.
+      SUBROUTINE TSBISE(X, ORD, REP, LO, HI, MID)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), REP(*), LO, HI, MID
+      INTEGER EXTSAM
+      PARAMETER (EXTSAM = 64)
+      DOUBLE PRECISION B(6)
+      INTEGER HHWIDE, AXIS, I, K
+      CALL TSBBOX(X(1,LO), HI - LO + 1, (HI - LO + 1)/EXTSAM + 1, B)
+      AXIS = 1
+      DO 10 K = 2, 3
+        IF (HHWIDE(B(3+K), B(K), B(3+AXIS), B(AXIS)) .GT. 0) AXIS = K
+   10 CONTINUE
+      CALL TSSELE(X, ORD, LO, HI, MID, AXIS)
+      DO 20 I = LO, MID - 1
+        CALL TSDUPL(X, ORD, REP, I, MID)
+   20 CONTINUE
+      END
+
+C     TSLFST - the first position of leaf J; leaf J ends before that of
+C     J + 1.
+      INTEGER FUNCTION TSLFST(CTL, J)
+      INTEGER CTL(*), J
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      TSLFST = (J - 1)*(CTL(NP)/CTL(LEAVES)) + MIN(J - 1, MOD(CTL(NP),
+     $    CTL(LEAVES))) + 1
+      END
+
+C     TSLEAF - the leaf that holds position I.
+      INTEGER FUNCTION TSLEAF(CTL, I)
+      INTEGER CTL(*), I
+      INTEGER NP, LEAVES
+      PARAMETER (NP = 1, LEAVES = 4)
+      INTEGER EXTRA, LENGTH
+      LENGTH = CTL(NP)/CTL(LEAVES)
+      EXTRA = MOD(CTL(NP), CTL(LEAVES))
+      IF (I .LE. EXTRA*(LENGTH + 1)) THEN
+        TSLEAF = (I - 1)/(LENGTH + 1) + 1
+      ELSE
+        TSLEAF = EXTRA + (I - 1 - EXTRA*(LENGTH + 1))/LENGTH + 1
+      END IF
+      END
+
+C     TSNRNG - the positions FIRST ... LAST below a node of the tree.
+      SUBROUTINE TSNRNG(CTL, NODE, FIRST, LAST)
+      INTEGER CTL(*), NODE, FIRST, LAST
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER TSLFST, LEFT, RIGHT
+      LEFT = NODE
+      RIGHT = NODE
+   10 IF (LEFT .LT. CTL(LEAVES)) THEN
+        LEFT = 2*LEFT
+        RIGHT = 2*RIGHT + 1
+        GO TO 10
+      END IF
+      FIRST = TSLFST(CTL, LEFT - CTL(LEAVES) + 1)
+      LAST = TSLFST(CTL, RIGHT - CTL(LEAVES) + 2) - 1
+      END
+
+C     TSLSOR - sort the points of a leaf into groups of LEAFGR.
+      SUBROUTINE TSLSOR(X, ORD, REP, FIRST, LAST)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), REP(*), FIRST, LAST
+      INTEGER LEAFGR
+      PARAMETER (LEAFGR = 8)
+      INTEGER TSAXBE, HALF, HI, I, J, LO
+      HALF = FIRST + ((LAST - FIRST + LEAFGR)/LEAFGR + 1)/2*LEAFGR
+      IF (HALF .LE. LAST) CALL TSBISE(X, ORD, REP, FIRST, LAST, HALF)
+      LO = FIRST
+   10 IF (LO .LE. LAST) THEN
+        HI = LAST
+        IF (LO .LT. HALF .AND. HALF .LE. LAST) HI = HALF - 1
+        IF (LO + LEAFGR .LE. HI) CALL TSBISE(X, ORD, REP, LO, HI, LO +
+     $      LEAFGR)
+        HI = MIN(LO + LEAFGR - 1, HI)
+        DO 40 I = LO + 1, HI
+          DO 30 J = I, LO + 1, -1
+            IF (TSAXBE(X, ORD, J, 1, X(1,J-1), ORD(J-1)) .EQ. 0) GO TO
+     $          40
+            CALL TSSWAP(X, ORD, J - 1, J)
+   30     CONTINUE
+   40   CONTINUE
+        DO 50 I = LO + 1, HI
+          CALL TSDUPL(X, ORD, REP, I - 1, I)
+   50   CONTINUE
+        LO = LO + LEAFGR
+        GO TO 10
+      END IF
+      END
+
+C     TSKDSO - sort the points: cut every node of the tree in two across
+C     its widest extent, down to the leaves.
+      SUBROUTINE TSKDSO(X, ORD, REP, CTL)
+      DOUBLE PRECISION X(3,*)
+      INTEGER ORD(*), REP(*), CTL(*)
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER FIRST, LAST, MID, NODE
+      NODE = 1
+   10 IF (NODE .LT. CTL(LEAVES)) THEN
+        CALL TSNRNG(CTL, NODE, FIRST, LAST)
+        CALL TSNRNG(CTL, 2*NODE + 1, MID, LAST)
+        CALL TSBISE(X, ORD, REP, FIRST, LAST, MID)
+        NODE = 2*NODE
+      ELSE
+        CALL TSNRNG(CTL, NODE, FIRST, LAST)
+        CALL TSLSOR(X, ORD, REP, FIRST, LAST)
+C       0 after the last leaf
+   20   IF (MOD(NODE, 2) .EQ. 1) THEN
+          NODE = NODE/2
+          GO TO 20
+        END IF
+        IF (NODE .GT. 0) NODE = NODE + 1
+      END IF
+      IF (NODE .GT. 0) GO TO 10
+      END
+
+C     TSWIDT - the sum of a box's extents.
+      DOUBLE PRECISION FUNCTION TSWIDT(B)
+      DOUBLE PRECISION B(6)
+      TSWIDT = (B(4) - B(1)) + (B(5) - B(2)) + (B(6) - B(3))
+      END
+
+C     TSBOXE - compute the box of every node, from the leaves up.
+      SUBROUTINE TSBOXE(X, BOX, CTL)
+      DOUBLE PRECISION X(3,*), BOX(6,*)
+      INTEGER CTL(*)
+      INTEGER LEAVES
+      PARAMETER (LEAVES = 4)
+      INTEGER FIRST, LAST, NODE
+      DO 10 NODE = 2*CTL(LEAVES) - 1, 1, -1
+        CALL TSNRNG(CTL, NODE, FIRST, LAST)
+        IF (NODE .LT. CTL(LEAVES)) THEN
+C         the children's corners
+          CALL TSBBOX(BOX(1,2*NODE), 4, 1, BOX(1,NODE))
+        ELSE
+          CALL TSBBOX(X(1,FIRST), LAST - FIRST + 1, 1, BOX(1,NODE))
+        END IF
+   10 CONTINUE
       END
 
 C     ------------------------------------------------------------------
@@ -5225,8 +5095,6 @@ C     the positions of the points.
    70 CONTINUE
       INFO = 0
       END
-
-
 
 C     TSWANT - mark in HEAD whose stars are asked for: with MASKED = 1
 C     those of the points I with MINE(I) not 0, else all.  START is how
@@ -5868,9 +5736,167 @@ C     they are the mesh.  The recipe JOIN makes them one mesh.
      $    ADJ, LIW, IW, LRW, RW, INFO)
       IF (INFO .LT. -1) INFO = INFO - 1
       END
-C     ==================================================================
-C     What follows needs no mesh under construction, only results.
-C     ==================================================================
+
+C     ------------------------------------------------------------------
+C     A star on its own.
+C     ------------------------------------------------------------------
+
+C     TSREPV - replace V(K) by Z, unless the result is flat.  OK is 1 if
+C     replaced, else 0.
+      SUBROUTINE TSREPV(X, P, ORD, RCTL, V, K, Z, OK)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), V(4), K, Z, OK
+      INTEGER EXACT3
+      PARAMETER (EXACT3 = 1)
+      INTEGER HHPORI, OLD
+      OLD = V(K)
+      V(K) = Z
+      OK = ABS(HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4)))
+      IF (OK .EQ. 0) V(K) = OLD
+      END
+
+C     TSENCL - returns 1 if V is positively oriented and contains S*,
+C     which is S = V(1) = R(1) moved by an infinitesimal step into the
+C     tetrahedron R (as Q* in the queries below), so it is on no plane
+C     through three points; or 0.
+      INTEGER FUNCTION TSENCL(X, P, ORD, RCTL, R, V)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), R(4), V(4)
+      INTEGER EXACT3
+      PARAMETER (EXACT3 = 1)
+      INTEGER HHPORI, A, B, I, J, SIDE
+      SIDE = HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4))
+      DO 20 J = 1, 3
+        IF (SIDE .GT. 0) THEN
+          A = V(MOD(J,3)+2)
+          B = V(MOD(J+1,3)+2)
+          SIDE = 0
+          DO 10 I = 2, 4
+            IF (SIDE .EQ. 0) SIDE = HHPORI(X, P, ORD, RCTL(EXACT3),
+     $          V(1), A, B, R(I))
+   10     CONTINUE
+        END IF
+   20 CONTINUE
+      TSENCL = MAX(SIDE, 0)
+      END
+
+C     TSANYT - V = a tetrahedron at V(1) = S, of points of its leaf as
+C     far as these are not in one plane, else of vertices of KNOWN.
+      SUBROUTINE TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
+      INTEGER ORD(*), REP(*), KNOWN(4), CTL(*), S, V(4)
+      INTEGER EXACT3
+      PARAMETER (EXACT3 = 1)
+      INTEGER HHPORI, TSLEAF, TSLFST, FIRST, I, J, K, LENGTH, OK, Z
+      FIRST = TSLFST(CTL, TSLEAF(CTL, S))
+      LENGTH = TSLFST(CTL, TSLEAF(CTL, S) + 1) - FIRST
+      DO 10 K = 1, 4
+        V(K) = REP(KNOWN(K))
+   10 CONTINUE
+      K = 0
+   20 K = K + 1
+      J = K
+      OK = 1
+      IF (K .LT. 4) CALL TSREPV(X, P, ORD, RCTL, V, J, S, OK)
+      IF (OK .EQ. 0) GO TO 20
+      V(K) = V(1)
+      V(1) = S
+      DO 40 K = 2, 4
+        J = K
+        DO 30 I = 1, LENGTH - 1
+          Z = FIRST + MOD(S - FIRST + I, LENGTH)
+          CALL TSREPV(X, P, ORD, RCTL, V, J, Z, OK)
+          IF (OK .EQ. 1) GO TO 40
+   30   CONTINUE
+   40 CONTINUE
+      IF (HHPORI(X, P, ORD, RCTL(EXACT3), V(1), V(2), V(3), V(4)) .LT.
+     $    0) THEN
+        Z = V(2)
+        V(2) = V(3)
+        V(3) = Z
+      END IF
+      END
+
+C     TSINCT - find V, a tetrahedron of the mesh at V(1) = S.
+C
+C          B---Z         B---Z   In the plane: Z is in the ball of
+C          |\  .         |  /|   (S, A, B).  Of the four points' two
+C          | \ .   -->   | / |   triangulations the lower one has the
+C          |  \.         |/  |   edge S Z in place of A B, so S* is in
+C          S---A         S---A   (S, A, Z) or in (S, Z, B): Z replaces
+C                                B, or A.
+C
+C     Start with any tetrahedron R at S, and with S* in it.  While V
+C     holds S* and its ball is not empty, each point in the ball is on
+C     the inner side of one of the three facets at S, since whatever is
+C     outside all three is beyond the ball's tangent plane at S.  So the
+C     apex Z of that facet on that side is not V's vertex there.  The
+C     five points have two triangulations, and V is not part of the one
+C     whose lifted facets are the lower ones; so the tetrahedron of that
+C     one that holds S* is V with Z in place of a vertex.  Each such
+C     step lowers the height over S*; three searches in a row without a
+C     step end it.  This is done with the points of the leaf alone, and
+C     then with all: without the former, a query from anywhere takes
+C     three times as long.
+C
+C     Points whose stars are complete are in no list and not in the
+C     tree.  That does no harm, as S is in no tetrahedron yet, so none
+C     of them is its neighbour: the star of S is the same in any set of
+C     points that has all its neighbours.
+      SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
+     $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
+      INTEGER LF, LIQ, LFQ
+      PARAMETER (LF = 12, LIQ = 47, LFQ = 162)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
+     $    LSD(*)
+      REAL LSX(*)
+      INTEGER ORD(*), ALIVE(*), REP(*), KNOWN(4), LINK(*), MARK(*),
+     $    CTL(*), LSID(*), LSI(*), S, V(4)
+      INTEGER LEAVES, QBEST
+      PARAMETER (LEAVES = 4, QBEST = 1)
+      DOUBLE PRECISION F(LF), FQ(LFQ)
+      INTEGER TSENCL, TSLEAF, ALL, G(3), GUESS(2), IQ(LIQ), J, K, NODE,
+     $    OLD, R(4), STILL, Z
+      CALL TSDROP(CTL, LSI, LSD)
+      CALL TSANYT(X, P, ORD, REP, KNOWN, CTL, RCTL, S, V)
+      DO 10 K = 1, 4
+        R(K) = V(K)
+   10 CONTINUE
+      NODE = CTL(LEAVES) + TSLEAF(CTL, S) - 1
+      GUESS(2) = 0
+      K = 1
+      DO 50 ALL = 0, 1
+        STILL = 0
+   20   G(1) = S
+        G(2) = V(MOD(K,3)+2)
+        G(3) = V(MOD(K+1,3)+2)
+        GUESS(1) = V(K+1)
+        IF (ALL .EQ. 1) THEN
+          CALL TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $                LSX, LSID, LSI, LSD, G, GUESS, Z)
+        ELSE
+          CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, G, GUESS, IQ, F,
+     $                FQ)
+          CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
+     $                LSID, LSI, LSD, G, IQ, F, FQ, NODE)
+          Z = IQ(QBEST)
+        END IF
+        STILL = STILL + 1
+        IF (Z .NE. V(K+1)) THEN
+          DO 30 J = 2, 4
+            OLD = V(J)
+            V(J) = Z
+            IF (TSENCL(X, P, ORD, RCTL, R, V) .EQ. 1) GO TO 40
+            V(J) = OLD
+   30     CONTINUE
+   40     STILL = 0
+C         if V(K+1) was replaced, this was a search of its facet
+          IF (J .EQ. K + 1) STILL = 1
+        END IF
+        K = MOD(K,3) + 1
+        IF (STILL .LT. 3) GO TO 20
+   50 CONTINUE
+      END
 
 C     ------------------------------------------------------------------
 C     Common to the queries.
@@ -5887,6 +5913,10 @@ C     them is not 0, since V1 ... V4 are not in one plane: Q* is on no
 C     facet, and is in the interior of exactly one tetrahedron if it is
 C     in the hull of a triangulation.
 C     ------------------------------------------------------------------
+
+C     ==================================================================
+C     What follows needs no mesh under construction, only results.
+C     ==================================================================
 
 C     TSORIQ - HHORIE of the facet F and the point Q.
       INTEGER FUNCTION TSORIQ(P, F, Q)
