@@ -1211,9 +1211,9 @@ C     rounds to fewer bits than a double has.
       HHORIE = HHXSGN(4, A, B, C, D, D)
       END
 
-C     HHINSP - exact: 1 when E is inside the ball of A, B, C, D,
-C     whatever their orientation, -1 when it is outside, 0 on the sphere
-C     or when A, B, C, D are coplanar.  2 as from HHORIE.
+C     HHINSP - exact: 1 when E is inside the circumsphere of A, B, C, D,
+C     whatever their orientation, -1 when it is outside, 0 when it is on
+C     it or A, B, C, D are coplanar.  2 as from HHORIE.
       INTEGER FUNCTION HHINSP(A, B, C, D, E)
       DOUBLE PRECISION A(3), B(3), C(3), D(3), E(3)
       INTEGER UNSURE
@@ -2453,7 +2453,7 @@ C     0 (0 too when one of them is computed to lie in the plane).
       END
 
 C     HHLCOO - the L-coordinate of Z (Section 3.2): the centre of the
-C     ball through P1, P2, P3, Z is C + L V.  For Z computed to lie in
+C     sphere through P1, P2, P3, Z is C + L V.  For Z computed to lie in
 C     the plane: HUGE when it is outside the facet's circle or on it,
 C     else -HUGE.
       DOUBLE PRECISION FUNCTION HHLCOO(F, Z)

@@ -5430,6 +5430,15 @@ C     The pool of open facets that LIW includes suffices for all inputs
 C     except those whose number of tetrahedra is quadratic in N and,
 C     beyond 28,000 points, some where one vertex is in almost all
 C     tetrahedra (a plane grid and one point).
+C
+C     How large should MAXTET be?  8*N is enough where the points fill a
+C     volume (they have 6*N to 6.8*N tetrahedra), for lattices (4.8*N to
+C     6*N), and near planes, spheres and most smooth surfaces (2*N to
+C     7.2*N).  Random points on a tube or a torus need more (9*N to 20*N
+C     for 1,000 to 60,000 points), a helix or two lines up to N**2/2.  A
+C     low guess costs little: after INFO = 1 TESSRE takes as long as N
+C     tetrahedra of random points, plus a third of the time that the
+C     existing ones took.
       SUBROUTINE TESSWK(N, MAXTET, LIW, LRW, INFO)
       INTEGER N, MAXTET, LIW, LRW, INFO
       INTEGER INTMAX
@@ -5460,20 +5469,23 @@ C       NTET    (out)  number of tetrahedra; for a NaN or infinity in P
 C                      (INFO = -2) the first point that has one
 C       TET     (out)  4*MAXTET; the first 4*NTET are set
 C       ADJ     (out)  4*MAXTET; the first 4*NTET are set
-C       LIW     (in)   length of IW: 4*N + N/12 + 514 suffices.  The
-C                      rest becomes pool; with the length that TESSWK
-C                      gives there is also room for planes and spheres
+C       LIW     (in)   length of IW, at least 4*N + N/12 + 514; better
+C                      what TESSWK gives.  Shorter, it may fill up
+C                      (INFO = 2), and has no room to note planes and
+C                      spheres: see Cost
 C       IW      (out)  workspace.  On return, for each INFO >= 0 but 6,
-C                      IW(I) is the point that represents point I: I
-C                      itself, or for a duplicate the least one with the
-C                      same coordinates (-0.0 equals 0.0)
-C       LRW     (in)   length of RW: 3*N + N/2 + 12 suffices
+C                      IW(I) is I, or for a duplicate the first of its
+C                      equals: the least number with the same
+C                      coordinates (-0.0 equals 0.0).  Only the first is
+C                      a vertex
+C       LRW     (in)   length of RW, at least 3*N + N/2 + 12
 C       RW      (out)  workspace
 C       INFO    (out)  0 done; 1 (TET and ADJ are full) or 2 (the pool
 C                      is full): what TET and ADJ hold is right, go on
-C                      with TESSRE; 3 all points in one plane, 4 on one
-C                      line, 5 at most one distinct point, 6 coordinates
-C                      that the arithmetic cannot hold (NTET = 0); or
+C                      with TESSRE; 3 all points are coplanar, 4 all are
+C                      collinear, 5 at most one distinct point, 6
+C                      coordinates that the arithmetic cannot hold (NTET
+C                      = 0); or
 C                      -k: -1 for N < 0, -2 for a NaN or infinity in P,
 C                      -3 for a MAXTET that is negative or too large for
 C                      the integers, -7 and -9 for LIW and LRW that are
@@ -5486,8 +5498,10 @@ C     processor flushes subnormal numbers to zero (as in programs linked
 C     with -Ofast); or when the processor rounds to fewer bits than a
 C     double has (an x87 unit set to 24).
 C
-C     Cospherical points: the triangulation is the pulling triangulation
-C     in the order of the points' numbers; no tetrahedron is flat.
+C     Cospherical points: of several valid meshes the order of the
+C     points selects one (the pulling triangulation).  Never are the
+C     vertices of a tetrahedron coplanar; slivers, which are almost so,
+C     there are.
 C     Cost: about linear in N for points that fill a volume or, but for
 C     rounding, lie near up to eight planes and spheres.  More, for a
 C     linear number of tetrahedra:
@@ -5501,11 +5515,11 @@ C       - thousands of points exactly on one sphere, as integers can be,
 C         O(N**2): 8,000 take seconds;
 C       - exponents hundreds apart, O(N**2): 300 points with random ones
 C         take seconds, 1,000 a minute; so do 2,000 of which many have a
-C         coordinate near 1D308 (numbers up to 1D38 that stand for none,
-C         as -3.4D38, cost little);
+C         coordinate near 1D308 (-3.4D38 and the like, which mark
+C         missing numbers, cost little);
 C       - points near planes and spheres (faces of a turned box, globes,
 C         noisy terrain) with an IW shorter than TESSWK says.
-C     Section 2 of the paper.
+C     The method is that of Hazlewood (1995), Section 2.
       SUBROUTINE TESS(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -5516,14 +5530,14 @@ C     Section 2 of the paper.
       IF (INFO .EQ. -2) NTET = HHFINI(N, P) + 1
       END
 
-C     TESSRE - go on from an unfinished result.
+C     TESSRE - go on from an unfinished mesh.
 C
 C     The arguments are those of TESS, but NTET, TET, ADJ are (in, out):
 C     the first NTET tetrahedra that TESS or TESSRE left of the same
 C     points, copied into longer arrays if need be.  What IW and RW hold
-C     does not matter.  The result is exactly that of one call with
-C     enough room.  With NTET = 0 it is TESS; on a finished result INFO
-C     is 0 and nothing changes but IW, RW.
+C     does not matter.  The mesh is exactly that of one call with enough
+C     room.  With NTET = 0 it is TESS; on a finished mesh INFO is 0 and
+C     nothing changes but IW, RW.
 C
 C     The tetrahedra may be any of the mesh's, in any order, as the
 C     recipe JOIN puts them together from parts: ADJ must name both
@@ -5534,10 +5548,10 @@ C
 C     INFO is what TESS gives; -4 for a bad NTET; -5 and -6 for a fault
 C     in TET and ADJ: an index out of range; a tetrahedron that has a
 C     duplicate for a vertex, is not positively oriented, or has a
-C     neighbour's apex in its ball; neighbours that do not share a
-C     facet; a facet that is open twice.  After -k NTET, TET and ADJ are
-C     unchanged.  Damage that one pass cannot find gives a wrong result,
-C     but in bounded time and within the arrays.
+C     neighbour's apex inside its circumsphere; neighbours that do not
+C     share a facet; a facet that is open twice.  After -k NTET, TET and
+C     ADJ are unchanged.  Damage that one pass cannot find gives a wrong
+C     mesh, but in bounded time and within the arrays.
       SUBROUTINE TESSRE(N, P, MAXTET, NTET, TET, ADJ, LIW, IW, LRW, RW,
      $                  INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -5631,35 +5645,35 @@ C     without marks MARK is COUNTS(1), which is left alone
       IF (MASKED .EQ. 1) COUNTS(1) = CTL(NSURF)
       END
 
-C     TESSIX - sort the points, for stars and queries without a mesh.
+C     TESSIX - make a search index, for TESSQU and TESSPA.
 C
 C       N       (in)   number of points, >= 0
 C       P       (in)   3*N coordinates; TESSQU and TESSPA need them
 C                      unchanged
-C       LIW     (in)   length of IW, as TESSWK says; 7*N + 600
+C       LIW     (in)   length of IW, as TESSWK gives; 7*N + 600
 C                      suffices, too.  With less, down to 2*N + N/12 +
-C                      7, the index does not know the planes and spheres
-C                      that many points are near: there parts and
-C                      queries take longer
-C       IW      (out)  the index.  For each INFO >= 0 but 6, IW(I) is
-C                      the position, from 1 on, of point I, or of the
-C                      point that represents it, in the sorted order.
+C                      7, the search index has no room for the planes
+C                      and spheres that many points are near, and there
+C                      TESSPA and TESSQU take longer
+C       IW      (out)  the search index.  For each INFO >= 0 but 6,
+C                      IW(I) is the position, from 1 on, of point I in
+C                      the sorted order (a duplicate has its first's).
 C                      Points at close positions are close in space
-C       LRW     (in)   length of RW, as TESSWK says; or 3*N + N/2 + 12,
+C       LRW     (in)   length of RW, as TESSWK gives; or 3*N + N/2 + 12,
 C                      with which parts of surfaces and curves take
 C                      longer
-C       RW      (out)  the index, too
+C       RW      (out)  the search index, too
 C       INFO    (out)  0; 3 to 6 as TESS gives: there is no mesh, and
-C                      the calls below give the same; -1 for a bad N, -2
-C                      for a NaN or infinity in P, -3 and -5 for LIW and
-C                      LRW that are too small
+C                      TESSQU and TESSPA give the same; -1 for a bad N,
+C                      -2 for a NaN or infinity in P, -3 and -5 for LIW
+C                      and LRW that are too small
 C
-C     An index is whole: a copy has its first 7*N + 600 places of IW, or
-C     all if it has fewer, and all of RW.  It serves in any rounding
-C     mode and in any build with the same types.  TESS and TESSRE in its
-C     arrays end it.  The calls below recognize what is no index at all;
-C     they do not find damage, nor points that have changed, with which
-C     they may not end.
+C     To copy a search index, copy 7*N + 600 of IW (all, if fewer) and
+C     all of RW.  It serves in any rounding mode and in any build with
+C     the same types.  TESS and TESSRE in the same arrays destroy it.
+C     TESSQU and TESSPA recognize what is no search index at all.  They
+C     do not find damage, nor points that have changed: with these they
+C     may not end.
 C
 C     Cost: O(N log N), about a tenth of that of the mesh, a quarter
 C     near planes and spheres.  With integers of 4 bytes IW and RW take
@@ -5784,34 +5798,35 @@ C         no search was long: others will not be
 C     TESSPA - all tetrahedra of the mesh that have one of certain
 C     vertices.
 C
-C       N, P    (in)      the points of the index
+C       N, P    (in)      the points of the search index
 C       MINE    (in)      N marks: the tetrahedra wanted are those at
-C                         each point I with MINE(I) not 0, or at the
-C                         point that represents it
+C                         each point I with MINE(I) not 0 (at a
+C                         duplicate's first)
 C       MAXTET, NTET, TET, ADJ   as in TESSRE: NTET = 0, or the
-C                         beginning of the result
-C       LIW     (in)      length of IW: 4*N + N/12 + 514 suffices, and
-C                         6*N + 600 if the index knows planes or
+C                         beginning of the part
+C       LIW     (in)      length of IW, at least 4*N + N/12 + 514, and
+C                         6*N + 600 if the search index knows planes or
 C                         spheres.  The rest becomes pool:
 C                         7*N + 600 + 19*M + 1800 is enough for M points
-C                         asked for, unless one has very many neighbours
-C       IW      (in,out)  the index as TESSIX left it, or a copy; what
-C                         is behind it is workspace.  On return an index
-C                         again, which also knows the planes and spheres
-C                         that the part found
+C                         marked, unless one has very many neighbours
+C       IW      (in,out)  the search index as TESSIX left it, or a copy;
+C                         what is behind it is workspace.  On return a
+C                         search index again, which also knows the
+C                         planes and spheres that the part found
 C       LRW     (in)      length of RW, as for TESSIX
-C       RW      (in)      the rest of the index.  Threads may share it,
-C                         each with an IW of its own
+C       RW      (in)      the rest of the search index.  Threads may
+C                         share it, each with an IW of its own
 C       INFO    (out)     what TESSRE gives, but -4 for MAXTET, -5, -6,
 C                         -7 for NTET, TET, ADJ, -8 and -10 for LIW and
-C                         LRW, -9 where IW and RW hold no index
+C                         LRW, -9 where IW and RW hold no search
+C                         index
 C
 C     Each tetrahedron appears once.  A facet without a marked vertex
 C     stays open.  Parts are computed independently, yet agree on
 C     everything, also where points are cospherical.  If each point is
 C     marked in exactly one part, and from each part those tetrahedra
 C     are taken whose vertex of least number is marked there, together
-C     they are the mesh.  The recipe JOIN makes them one result.
+C     they are the mesh.  The recipe JOIN makes them one mesh.
       SUBROUTINE TESSPA(N, P, MINE, MAXTET, NTET, TET, ADJ, LIW, IW,
      $                  LRW, RW, INFO)
       DOUBLE PRECISION P(3,*), RW(*)
@@ -6168,23 +6183,25 @@ C     entry.  INFO is 1, RANGE or -4.
       INFO = 1
       END
 
-C     TESSLO - the tetrahedron that holds a point.
+C     TESSLO - the tetrahedron that holds a place.
 C
-C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
-C       Q    (in)      the point: 3 coordinates
-C       T    (in,out)  On entry the tetrahedron where the walk starts,
-C                      or 0; for a Q inside the hull the answer does not
-C                      depend on it.  On return the one that holds Q
+C       P, NTET, TET, ADJ  (in)  a mesh of TESS with NTET >= 1
+C       Q    (in)      the place: 3 coordinates
+C       T    (in,out)  Set it to 0 at first, then leave it: on return it
+C                      is the tetrahedron that holds Q, and a start for
+C                      the next walk, which is short if the next Q is
+C                      near.  For a Q inside the hull the answer does
+C                      not depend on the start
 C       W    (out)     4 barycentric weights of Q in it; they sum to
 C                      one: the sum of W(K) * VALUE(TET(K,T))
 C                      interpolates linearly
 C       INFO (out)     0 when Q is inside the hull or on it; 1 when it
 C                      is outside: W then holds the weights of the point
 C                      of the hull nearest to Q, none negative, and T is
-C                      the tetrahedron of a hull facet that has this
+C                      the tetrahedron of a hull triangle that has this
 C                      point, so that the interpolant is continuous in
 C                      Q; -2 for NTET < 1; -4 where the walk shows that
-C                      TET and ADJ are no finished result: it meets an
+C                      TET and ADJ are no finished mesh: it meets an
 C                      open facet or a neighbour that is out of range
 C                      or does not match, or takes NTET steps; -5 for a
 C                      NaN or infinity in Q, -6 for a T that is out of
@@ -6193,16 +6210,17 @@ C                      the coordinates (see TESS)
 C
 C     Inside, no weight is negative; a weight is 0 where Q is in the
 C     plane of the facet opposite to its vertex, and otherwise only in a
-C     tetrahedron that is flat to rounding.  The weights sum to 1, and
-C     the sum of W(K) times vertex K is Q, to rounding, in slivers too.
-C     Outside, the one to three vertices that carry the nearest point
-C     are decided exactly, and each weight is right to rounding.  Do not
-C     extrapolate by the gradient of T: tetrahedra at the hull are often
-C     slivers, whose gradients are far steeper than the field's.
+C     sliver so thin that its vertices are coplanar but for rounding.
+C     The weights sum to 1, and the sum of W(K) times vertex K is Q, to
+C     rounding, in slivers too.  Outside, the one to three vertices that
+C     carry the nearest point are decided exactly, and each weight is
+C     right to rounding.  Do not extrapolate by the gradient of T:
+C     tetrahedra at the hull are often slivers, whose gradients are far
+C     steeper than the field's.
 C
 C     Cost: a walk of about NTET**(1/3)/2 steps without a start, of a
 C     few from a near one; a bad start costs no more than none.  For Q
-C     outside, another walk over the facets of the hull.
+C     outside, another walk over the hull triangles.
 C
 C     How: a walk (see TSWALK); then, for a Q outside, a walk over the
 C     hull (see TSHULL).
@@ -6251,28 +6269,28 @@ C     too.
      $    INFO)
       END
 
-C     TESSVA - linear interpolation at many points.
+C     TESSVA - linear interpolation at many places.
 C
-C       P, NTET, TET, ADJ  (in)  a result of TESS with NTET >= 1
+C       P, NTET, TET, ADJ  (in)  a mesh of TESS with NTET >= 1
 C       NV    (in)      values per point, >= 0
-C       VALUE (in)      VALUE(NV,*): VALUE(J,I) is value J of point I
-C       NQ    (in)      number of queries, >= 0
+C       VALUE (in)      VALUE(NV,*): VALUE(J,I) is value J of point I;
+C                       of duplicates the first one's counts
+C       NQ    (in)      number of places, >= 0
 C       Q     (in)      Q(3,NQ): their coordinates
-C       T     (in,out)  T(NQ): On entry the tetrahedra where the walks
-C                       start; for 0 a walk starts from the previous
-C                       answer, if that is near.  On return the
-C                       tetrahedra found: T(I) itself for a query inside
-C                       the hull or on it, -T for one outside.  Both are
-C                       starts: passed in again for other values at the
-C                       same places, they save the search
-C       OUT   (out)     OUT(NV,NQ): OUT(J,I) is value J at query I; for
-C                       a query outside the hull, value J at the nearest
+C       T     (in,out)  T(NQ): Set all to 0 at first: each walk then
+C                       starts from the previous answer, if that is
+C                       near.  On return the tetrahedra found: T(I)
+C                       itself for a place inside the hull or on it, -T
+C                       for one outside.  Passed in again, for other
+C                       values at the same places, they save the search
+C       OUT   (out)     OUT(NV,NQ): OUT(J,I) is value J at place I; for
+C                       a place outside the hull, value J at the nearest
 C                       point of the hull (see TESSLO)
-C       INFO  (out)     0; 1 when a query is outside the hull; -2 for
+C       INFO  (out)     0; 1 when a place is outside the hull; -2 for
 C                       NTET < 1, -5 for NV < 0, -7 for a bad NQ, -8 for
 C                       a NaN or infinity in Q, -9 for a T that is out
 C                       of range: then nothing is written; -4 or 6 as
-C                       from TESSLO: then the queries before that one
+C                       from TESSLO: then the places before that one
 C                       are done
 C
 C     Continuous, and never beyond the data.  For another value outside:
@@ -6288,7 +6306,7 @@ C        20 CONTINUE
 C
 C     Smoother and more accurate: the recipes SLOPES and BENT.
 C     (VALUE and OUT are declared as vectors, since NV may be 0.)
-C     Cost: that of TESSLO: a few steps per query if successive queries
+C     Cost: that of TESSLO: a few steps a place if successive places
 C     are close to each other.  In random order each takes ten times as
 C     long: sort them first, by the positions that TESSIX gives.
 C
@@ -6434,12 +6452,11 @@ C     be U's own vertex.
       OK = 1
       END
 
-C     TESSQU - the tetrahedron of a mesh that holds a point, without the
-C     mesh.
+C     TESSQU - the tetrahedron that holds a place, without a mesh.
 C
-C       N, P, IW, RW  (in)  points and their index.  Threads may share
-C                      them
-C       Q    (in)      the point: 3 coordinates
+C       N, P, IW, RW  (in)  points and their search index.  Threads may
+C                      share them
+C       Q    (in)      the place: 3 coordinates
 C       V    (in,out)  4 points.  On entry an earlier answer, where the
 C                      walk starts, or V(1) = 0 for anywhere.  On return
 C                      the vertices of the tetrahedron, positively
@@ -6448,22 +6465,22 @@ C       W    (out)     4 barycentric weights of Q: the sum of W(K) *
 C                      VALUE(V(K)) interpolates linearly
 C       INFO (out)     0 or 1 as TESSLO gives; what TESSIX gave, if that
 C                      was not 0; -1 for a bad N, -3 where IW and RW
-C                      hold no index, -5 for a NaN or infinity in Q, -6
-C                      for a V that is no tetrahedron.  A V that is one,
-C                      but not of the mesh, such as an answer from
-C                      another index, does no harm
+C                      hold no search index, -5 for a NaN or infinity in
+C                      Q, -6 for a V that is no tetrahedron.  A V that
+C                      is one, but not of the mesh, such as an answer
+C                      from another search index, does no harm
 C
 C     The answer is that of TESSLO in the mesh that TESS gives.  Only
 C     the order of the vertices may differ and, for Q outside, which of
-C     the hull facets that have the nearest point is found.
+C     the hull triangles that have the nearest point is found.
 C
 C     Cost: a search for an apex for each tetrahedron that the walk
 C     crosses; with a start three more, which prove the answer, without
 C     one some 20; for Q outside, also for each one passed while turning
-C     about an edge of the hull.  A mesh is faster from some N/6 queries
+C     about an edge of the hull.  A mesh is faster from some N/6 places
 C     on if they are scattered, N/3 if each is close to the one before.
-C     A globe of 20,000 points takes 150 times as long from an index
-C     that does not know its sphere.
+C     A globe of 20,000 points takes 150 times as long from a search
+C     index that has no room for its sphere.
 C
 C     How: the walk of TSWALK, with Q* moved into the same tetrahedron,
 C     and for a Q outside that of TSNEAH, so that the answer is that of
@@ -6603,9 +6620,9 @@ C     ------------------------------------------------------------------
 C     The hull.
 C     ------------------------------------------------------------------
 
-C     TESSHU - the boundary triangles.
+C     TESSHU - the hull triangles.
 C
-C       NTET, TET, ADJ  (in)  a result of TESS
+C       NTET, TET, ADJ  (in)  a mesh of TESS
 C       MAXFAC  (in)   triangles that FAC has room for
 C       NFAC    (out)  number of triangles
 C       FAC     (out)  FAC(3,MAXFAC): triangle I has the vertices
@@ -6867,7 +6884,7 @@ C     TSCHKC - check that tetrahedron T, if not 1, does not contain O.
 C     TESSCH - an exact proof that TET and ADJ are a Delaunay
 C     tetrahedralization of P.
 C
-C       N, P, NTET, TET, ADJ  (in)  points and result
+C       N, P, NTET, TET, ADJ  (in)  points and mesh
 C       LIW   (in)   length of IW, at least 2 N
 C       IW    (out)  workspace
 C       BAD   (out)  the tetrahedron at fault, or the point (INFO 18),
@@ -6875,23 +6892,23 @@ C                    or 0
 C       INFO  (out)  0 when proven, or the first fault found:
 C           10  a vertex out of range, or twice in one
 C           11  a vertex that is a duplicate of another one
-C           12  flat or negatively oriented
-C           13  an open facet: the result is unfinished
+C           12  coplanar vertices, or negatively oriented
+C           13  an open facet: the mesh is unfinished
 C           14  neighbour out of range, or not mutual
-C           15  the neighbour's apex is inside the ball
-C           16  boundary not closed, or not convex
+C           15  neighbour's apex inside the circumsphere
+C           16  the hull is not closed, or not convex
 C           17  the hull is covered more than once
 C           18  a point is in no tetrahedron
 C                    6 when the arithmetic cannot hold the points (see
-C                    TESS).  Any valid triangulation of cospherical
-C                    points passes.
-C                    NTET = 0 passes when all points lie in one plane,
-C                    else INFO is 18.  -1 for a bad N, -2 for a NaN or
-C                    infinity in P, -3 for a bad NTET, -6 for LIW < 2 N
+C                    TESS).  Where points are cospherical every valid
+C                    mesh passes.  NTET = 0 passes when all points are
+C                    coplanar, else INFO is 18.  -1 for a bad N, -2 for
+C                    a NaN or infinity in P, -3 for a bad NTET, -6 for
+C                    LIW < 2 N
 C
 C     Cost: O(N log N) for sorting; one orientation and two inspheres
 C     for each tetrahedron, and about three orientations for each
-C     boundary facet.
+C     hull triangle.
 C
 C     How: by finitely many exact tests.  Let O be Q* for Q = the first
 C     vertex of tetrahedron 1 (see "Common to the queries"): a point in
@@ -6997,16 +7014,16 @@ C     ------------------------------------------------------------------
 C     A ball.
 C     ------------------------------------------------------------------
 
-C     TESSBA - the ball of a tetrahedron.
+C     TESSBA - the circumsphere of a tetrahedron, rounded outwards.
 C
 C       P    (in)   the points
 C       V    (in)   4 of them
 C       C    (out)  the centre C(1) ... C(3), rounded, and the radius
-C                   C(4), rounded outwards, so that the ball holds the
-C                   true one: a point outside it cannot alter a
-C                   tetrahedron of these vertices.  The radius is the
-C                   greatest double, all of space, where the points are
-C                   in one plane or the ball cannot be computed
+C                   C(4), rounded up, so that the true circumsphere is
+C                   inside: a point outside cannot alter a tetrahedron
+C                   of these vertices.  The radius is the greatest
+C                   double, all of space, where the vertices are
+C                   coplanar or the circumsphere cannot be computed
 C       INFO (out)  0; -1 for a NaN or infinity in the points, -2 for an
 C                   index below 1; 6, with the radius the greatest
 C                   double (see TESS)
