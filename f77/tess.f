@@ -170,7 +170,7 @@ C       supports: rough_height TSROUG, marked_height TSMRKH, height_over
 C         TSHEOV, facet_on_surface TSFONS, add_to_sample TSADDS,
 C         surface_record TSRCRD, surface_from_record TSSFRC,
 C         surface_through TSTHRO, fit_surface TSFIT, mark_leaf TSMLEA,
-C         seek_surface TSSEEK, surfaces_of_index TSSOFI,
+C         find_surface TSFSUR, surfaces_of_index TSSOFI,
 C         surface_near_facet TSSNRF, recentre_on_sphere TSRCEN,
 C         choose_surface TSCHOS, sharpen_by_height TSSHAR,
 C         set_surface_filter TSSFFI, excludes_by_view TSXVIE,
@@ -184,8 +184,10 @@ C         compare_exactly TSCMPE, compare_point TSCMPP, offer_point
 C         TSOFFP, offer_list TSOFFL, search_star_list TSSRSL,
 C         search_block_list TSSRBL, set_skin TSSKIN, collect_leaf
 C         TSCOLF, offer_leaf TSOFLF, search_tree TSTREE, on_hull_plane
-C         TSONHP, search_begin TSBEGS, ball_in_near_list TSBINN,
-C         make_near_list TSMKNL, search_near_lists TSSRNL, apex TSAPEX
+C         TSONHP, note_hull_plane TSNOTE, search_begin TSBEGS,
+C         ball_in_near_list TSBINN, make_near_list TSMKNL,
+C         search_near_lists TSSRNL, refill_budget TSREFI, seek_surface
+C         TSSEEK, apex TSAPEX
 C       one star: replace_vertex TSREPV, encloses TSENCL, any_tet_at
 C         TSANYT, incident_tet TSINCT
 C       star: clear_link TSCLRL, move_edges TSMOVE, push_edge TSPUSH,
@@ -396,7 +398,7 @@ C       TTILTE = 13  tilt_err  wrong by at most this
 C       TNORMH = 14  normal_height  of a plane: the height of the
 C               facet's normal
 C     IQ, its integers:
-C       LIQ    = 45  -  its length
+C       LIQ    = 47  -  its length
 C       QBEST  = 1   best  the best point yet, exactly, or 0
 C       QBYLIM = 2   by_limbs  1: its ball has been found by limbs
 C       QHASBA = 3   has_ball  1: there is a ball to prune with
@@ -414,7 +416,9 @@ C       QOUTSI = 12  outside_ball  a point that is not in the ball by
 C               limbs, or 0
 C       QBEHIN = 13  behind_facet  one that is not on the open side, or
 C               0: see TSXVIE
-C       QSAMPL = 13  sample  behind it the points that the sample keeps
+C       QINLIS = 14  in_lists  1: candidate lists may hold its ball
+C       QPAYS  = 15  pays  1: a near list may end it
+C       QSAMPL = 15  sample  behind it the points that the sample keeps
 C     FQ, its doubles:
 C       LFQ    = 163 -  its length
 C       QFILT  = 1   filter  from here on the plain sieve, LFILT long, C
@@ -1967,7 +1971,7 @@ C     and 6 roundings.
       END
 
 C     TSMRKH - OK is 1 if the position Z has a mark of support J, or 0;
-C     H is then its height, to a grain.  The roundings of TSSEEK and the
+C     H is then its height, to a grain.  The roundings of TSFSUR and the
 C     error of the height shift a mark by less than 8 EPS MARKS quanta.
       SUBROUTINE TSMRKH(MARK, SUP, J, Z, H, OK)
       INTEGER LSUP
@@ -2039,10 +2043,10 @@ C     machine.  Points with a mark count, too: they may be on a finer
 C     support.
       SUBROUTINE TSADDS(IQ, Z, OPEN)
       INTEGER LIQ
-      PARAMETER (LIQ = 45)
+      PARAMETER (LIQ = 47)
       INTEGER IQ(LIQ), Z, OPEN
       INTEGER QUNDEC, QOFFER, QSAMPL, SAMSIZ
-      PARAMETER (QUNDEC = 8, QOFFER = 9, QSAMPL = 13, SAMSIZ = 32)
+      PARAMETER (QUNDEC = 8, QOFFER = 9, QSAMPL = 15, SAMSIZ = 32)
       INTEGER PLACE
       IF (IQ(QOFFER) .EQ. 0 .OR. OPEN .GT. IQ(QUNDEC)) THEN
         IQ(QUNDEC) = OPEN
@@ -2115,7 +2119,7 @@ C     tell them apart.)  OK is 1, or 0 if that is more than PLBAND.
       SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
      $                  OK)
       INTEGER LSUP, LBALL, LF, LIQ, LRECRD, SAMSIZ
-      PARAMETER (LSUP = 60, LBALL = 85, LF = 12, LIQ = 45, LRECRD = 16,
+      PARAMETER (LSUP = 60, LBALL = 85, LF = 12, LIQ = 47, LRECRD = 16,
      $    SAMSIZ = 32)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(LSUP)
       INTEGER ORD(*), RECORD(LRECRD), CTL(*), IQ(LIQ), Z(4), PLANE, OK
@@ -2123,7 +2127,7 @@ C     tell them apart.)  OK is 1, or 0 if that is more than PLBAND.
      $    RECEXP, DIGITS, EXPON, MARKS
       DOUBLE PRECISION DIGIT, FINBY, PLBAND, SPBAND, HUGE, UNDERR
       PARAMETER (SCALE = 13, SLOWES = 59, FE = 10, QOFFER = 9,
-     $    QSAMPL = 13, RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4,
+     $    QSAMPL = 15, RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4,
      $    DIGITS = 4, DIGIT = 8192.0D0, EXPON = 2000, FINBY = 100.0D0,
      $    PLBAND = 2.0D-8, SPBAND = 1.0D-3, MARKS = 134217728,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
@@ -2182,12 +2186,12 @@ C     on none (sheets near each other are one).  OK is 1 if it is set
 C     up, or 0.
       SUBROUTINE TSFIT(X, P, ORD, RECORD, CTL, V, IQ, S, OK)
       INTEGER LIQ, SAMSIZ
-      PARAMETER (LIQ = 45, SAMSIZ = 32)
+      PARAMETER (LIQ = 47, SAMSIZ = 32)
       DOUBLE PRECISION X(3,*), P(3,*), S(*)
       INTEGER ORD(*), RECORD(*), CTL(*), V(3), IQ(LIQ), OK
       INTEGER QOFFER, QSAMPL
       DOUBLE PRECISION LENMIN
-      PARAMETER (QOFFER = 9, QSAMPL = 13, LENMIN = 2.0D0**(-450))
+      PARAMETER (QOFFER = 9, QSAMPL = 15, LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION TSDOT, D, E(3), U(3,SAMSIZ), WIDE(3)
       INTEGER WIDEST, I, J, K, N, Z(4)
       OK = 0
@@ -2270,14 +2274,14 @@ C       (converted when it is in range, even if that were in vain)
       MARK(TSRCRD(CTL, J)+16+LEAF) = (LEAST + 1)*(RSTEPS + 2) + MOST + 1
       END
 
-C     TSSEEK - seeks a support for the points that a search left open:
+C     TSFSUR - seeks a support for the points that a search left open:
 C     one through these, then one through all that are near it, as they
 C     may be from a corner.  It is kept if it marks enough points.  KEPT
 C     is 1 if it is kept, or 0.
-      SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
+      SUBROUTINE TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ,
      $                  KEPT)
       INTEGER LSUP, LIQ
-      PARAMETER (LSUP = 60, LIQ = 45)
+      PARAMETER (LSUP = 60, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(LIQ), KEPT
       INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, SURFS,
@@ -2432,7 +2436,7 @@ C     meridians, the differences of heights come by limbs, over the
 C     base: right to some EPS of themselves.
       SUBROUTINE TSCHOS(X, MARK, CTL, SUP, V, IQ, F, T)
       INTEGER LSUP, LSPHER, LF, LTILT, LIQ
-      PARAMETER (LSUP = 60, LSPHER = 52, LF = 12, LTILT = 14, LIQ = 45)
+      PARAMETER (LSUP = 60, LSPHER = 52, LF = 12, LTILT = 14, LIQ = 47)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT)
       INTEGER MARK(*), CTL(*), V(3), IQ(LIQ)
       INTEGER SC, SLOWES, VBASEH, FE, THEIGE, TTILT, TTILTE, TNORMH,
@@ -2506,7 +2510,7 @@ C     quotients are of numbers right to 4 EPS of themselves, as is what
 C     is left of a side of more than twice its error: ROUNDG is more.
       SUBROUTINE TSSHAR(X, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
       INTEGER LSUP, LF, LTILT, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LTILT = 14, LIQ = 45)
+      PARAMETER (LSUP = 60, LF = 12, LTILT = 14, LIQ = 47)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT), LO, HI
       INTEGER MARK(*), IQ(LIQ), Z, SIDE
       INTEGER SPLANE, VBASEH, FNORM, FBASE, FE, THEIGE, TTILT, TTILTE,
@@ -2663,7 +2667,7 @@ C     are told apart, however large it is in the others. (4 |X|, X
 C     being the coordinate itself, is for sums in another order.)
       INTEGER FUNCTION TSXVIE(X, V, IQ, F, C, LOW, HIGH)
       INTEGER LFILT, LF, LIQ
-      PARAMETER (LFILT = 8, LF = 12, LIQ = 45)
+      PARAMETER (LFILT = 8, LF = 12, LIQ = 47)
       DOUBLE PRECISION X(3,*), F(LF), C(LFILT), LOW(3), HIGH(3)
       INTEGER V(3), IQ(LIQ)
       INTEGER VC, FNORM, FBASE, FE, QBEST, QBYLIM, QBASE, QOUTSI, QBEHIN
@@ -2714,7 +2718,7 @@ C     a clump's also as seen from other points; or 0.
       INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
      $                        T, NODE)
       INTEGER LSUP, LTILT, LIQ
-      PARAMETER (LSUP = 60, LTILT = 14, LIQ = 45)
+      PARAMETER (LSUP = 60, LTILT = 14, LIQ = 47)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(LSUP,*), F(*),
      $    C(*), T(LTILT)
       INTEGER MARK(*), CTL(*), V(3), IQ(LIQ), NODE
@@ -3009,7 +3013,7 @@ C     side.
       SUBROUTINE TSRECS(X, P, ORD, BOX, NSETS, SET, RCTL, LSX, LSID,
      $                  LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER NLISTS, LLSD, LIQ, TSLIST, LEAFPT, SETPTS
-      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 45, TSLIST = 512,
+      PARAMETER (NLISTS = 7, LLSD = 17, LIQ = 47, TSLIST = 512,
      $    LEAFPT = 48, SETPTS = 12)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*),
      $    LSD(LLSD,NLISTS), F(*), FQ(*)
@@ -3108,7 +3112,7 @@ C     TSUPBD - records that the best point's L-coordinate is at most L,
 C     and sets the ball of that L.
       SUBROUTINE TSUPBD(SUP, IQ, F, FQ, L)
       INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
       DOUBLE PRECISION SUP(LSUP,*), F(LF), FQ(*), L
       INTEGER IQ(LIQ)
       INTEGER VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBYLIM, QHASBA, QSURF,
@@ -3145,7 +3149,7 @@ C     sphere L is counted from F(4..6): U, the difference, takes the
 C     place of C, with the error of F(4..6) and one more rounding.
       SUBROUTINE TSBALL(P, ORD, CTL, SUP, V, IQ, F, FQ)
       INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
       DOUBLE PRECISION P(3,*), SUP(LSUP,*), F(LF), FQ(*)
       INTEGER ORD(*), CTL(*), V(3), IQ(LIQ)
       INTEGER SCALE, VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBEST, QBYLIM,
@@ -3202,7 +3206,7 @@ C     times that for a tie, or NOTOPN.
       SUBROUTINE TSCMPE(X, P, ORD, CTL, RCTL, V, IQ, F, FQ, Z, SIDE, HI,
      $                  VERDIC)
       INTEGER LIQ
-      PARAMETER (LIQ = 45)
+      PARAMETER (LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(*), FQ(*), HI
       INTEGER ORD(*), CTL(*), V(3), IQ(LIQ), Z, SIDE, VERDIC
       INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QBEST, QBYLIM, QBASE,
@@ -3263,7 +3267,7 @@ C     other's.
       SUBROUTINE TSCMPP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       INTEGER LF, LIQ
-      PARAMETER (LF = 12, LIQ = 45)
+      PARAMETER (LF = 12, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), F(LF), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
       INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QTILT,
@@ -3321,7 +3325,7 @@ C     over the facet's support is known.
       SUBROUTINE TSOFFP(X, P, ORD, MARK, CTL, RCTL, SUP, V, IQ, F, FQ,
      $                  Z)
       INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
      $    FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
@@ -3387,27 +3391,28 @@ C     long.
       SUBROUTINE TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER NLISTS, LLSI, LIQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 45)
+      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), F(*), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
-      INTEGER NSETS, STTIED, SET1, STR, LN, QBEST, QHASBA, QBASE, QTIES,
-     $    QFILT
-      PARAMETER (NSETS = 17, STTIED = 18, SET1 = 35, STR = 2, LN = 3,
-     $    QBEST = 1, QHASBA = 3, QBASE = 4, QTIES = 7, QFILT = 1)
+      INTEGER NSETS, STTIED, BLMISS, BLTIES, SET1, STR, LN, QBEST,
+     $    QHASBA, QBASE, QTIES, QINLIS, QFILT, MAXMIS
+      PARAMETER (NSETS = 17, STTIED = 18, BLMISS = 19, BLTIES = 20,
+     $    SET1 = 35, STR = 2, LN = 3, QBEST = 1, QHASBA = 3, QBASE = 4,
+     $    QTIES = 7, QINLIS = 14, QFILT = 1, MAXMIS = 8)
       INTEGER TSBINS, N
       OK = 0
-      IF (IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ. 0 .OR. IQ(QHASBA) .EQ.
-     $    0) RETURN
+      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBASE) .NE. 1) RETURN
+      IF (LSI(LN,STR) .EQ. 0 .OR. IQ(QHASBA) .EQ. 0) RETURN
       IF (CTL(STTIED) .EQ. 1) THEN
         CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL, LSX,
      $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
         IF (OK .EQ. 1) THEN
           CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V,
      $                IQ(QBEST))
-          RETURN
+          GO TO 10
         END IF
       END IF
       CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
@@ -3420,6 +3425,9 @@ C     long.
         CTL(STTIED) = MIN(IQ(QTIES), 1)
       END IF
       OK = TSBINS(BOX, LSD, F, FQ(QFILT))
+      IF (OK .EQ. 0) RETURN
+   10 CTL(BLMISS) = 0
+      IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
       END
 
 C     TSSRBL - the same for the block's list.  If the ball leaves the
@@ -3428,22 +3436,30 @@ C     adds cost: on surfaces, two of five points that were tested.
       SUBROUTINE TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, OK)
       INTEGER NLISTS, LLSI, LIQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 45)
+      PARAMETER (NLISTS = 7, LLSI = 3, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), F(*), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
-      INTEGER BLK, LN, QHASBA, QFILT
-      PARAMETER (BLK = 1, LN = 3, QHASBA = 3, QFILT = 1)
+      INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, QFILT,
+     $    MAXMIS
+      PARAMETER (BLMISS = 19, BLTIES = 20, BLK = 1, LN = 3, QHASBA = 3,
+     $    QTIES = 7, QINLIS = 14, QFILT = 1, MAXMIS = 8)
       INTEGER TSBINB, N
       OK = 0
-      IF (LSI(LN,BLK) .EQ. 0) RETURN
-      IF (IQ(QHASBA) .EQ. 0) RETURN
-      IF (TSBINB(BOX, LSD, BLK, F, FQ(QFILT)) .EQ. 0) RETURN
+      IF (IQ(QINLIS) .EQ. 0 .OR. LSI(LN,BLK) .EQ. 0) GO TO 10
+      IF (IQ(QHASBA) .EQ. 0) GO TO 10
+      IF (TSBINB(BOX, LSD, BLK, F, FQ(QFILT)) .EQ. 0) GO TO 10
       CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
      $            LSD, BLK, V, IQ, F, FQ, N)
-      IF (N .GE. 0) OK = 1
+      IF (N .LT. 0) GO TO 10
+      OK = 1
+      CTL(BLMISS) = 0
+      IF (IQ(QTIES) .GT. 0) CTL(BLTIES) = MIN(CTL(BLTIES) + 1,
+     $    MAXMIS + 1)
+      RETURN
+   10 CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
       END
 
 C     TSSKIN - sets the thickness of the skin about a search's ball, in
@@ -3521,7 +3537,7 @@ C     uncompleted one are most of the completed ones.
       SUBROUTINE TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $                  LSID, LSI, LSD, V, IQ, F, FQ, NODE)
       INTEGER LF, LIQ, LEAFPT
-      PARAMETER (LF = 12, LIQ = 45, LEAFPT = 48)
+      PARAMETER (LF = 12, LIQ = 47, LEAFPT = 48)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), F(LF), FQ(*)
       REAL LSX(*)
@@ -3598,7 +3614,7 @@ C                                been searched, FROM is where that ended
       SUBROUTINE TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ)
       INTEGER LF, LIQ
-      PARAMETER (LF = 12, LIQ = 45)
+      PARAMETER (LF = 12, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*), F(LF), FQ(*)
       REAL LSX(*)
@@ -3670,18 +3686,19 @@ C       one child alive each, and FROM is: nothing else
       GO TO 10
       END
 
-C     TSONHP - returns 1 if the facet lies in a plane known to bound the
-C     hull, and so has no apex, or 0: of a facet without a best point
-C     the open side is not the hull's.  (A search that could begin at
-C     such a facet from outside, as TSSEED does at one of its two, comes
-C     before any plane is met: TSINCT forgets them, and has a point on
-C     that side itself.)
-      INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V)
+C     TSONHP - returns 1 if the facet has no best point and lies in a
+C     plane known to bound the hull, and so has no apex, or 0.  That
+C     holds if its open side is outwards: of a facet of a known
+C     tetrahedron it is.  A seed edge may be open inwards: TSSEED's one
+C     is searched before any plane is met, as TSINCT drops them.
+      INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V, IQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
-      INTEGER ORD(*), N, PLANE(3,*), V(3)
-      INTEGER EXACT3, HULLPS
-      PARAMETER (EXACT3 = 1, HULLPS = 4)
+      INTEGER ORD(*), N, PLANE(3,*), V(3), IQ(*)
+      INTEGER EXACT3, QBEST, QINLIS, HULLPS
+      PARAMETER (EXACT3 = 1, QBEST = 1, QINLIS = 14, HULLPS = 4)
       INTEGER HHPORI, I, K
+      TSONHP = 0
+      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
       DO 20 I = 1, MIN(N, HULLPS)
         DO 10 K = 1, 3
           IF (V(K) .NE. PLANE(1,I) .AND. V(K) .NE. PLANE(2,I) .AND.
@@ -3693,7 +3710,20 @@ C     that side itself.)
         TSONHP = 1
         RETURN
    20 CONTINUE
-      TSONHP = 0
+      END
+
+C     TSNOTE - keeps the plane of the facet if it has no apex.
+      SUBROUTINE TSNOTE(CTL, V, IQ)
+      INTEGER CTL(*), V(3), IQ(*)
+      INTEGER NHULLP, HULLP, QBEST, HULLPS
+      PARAMETER (NHULLP = 16, HULLP = 23, QBEST = 1, HULLPS = 4)
+      INTEGER AT, K
+      IF (IQ(QBEST) .NE. 0) RETURN
+      AT = HULLP + 3*MOD(CTL(NHULLP), HULLPS) - 1
+      DO 10 K = 1, 3
+        CTL(AT+K) = V(K)
+   10 CONTINUE
+      CTL(NHULLP) = CTL(NHULLP) + 1
       END
 
 C     TSBEGS - begins the search for the apex of the facet V, and tries
@@ -3702,23 +3732,23 @@ C     the angle there is small, the vertex opposite the longest edge.
       SUBROUTINE TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ,
      $                  F, FQ)
       INTEGER LSUP, LF, LIQ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 45)
+      PARAMETER (LSUP = 60, LF = 12, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(LSUP,*), F(LF),
      $    FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(LIQ)
       INTEGER SCALE, NSURF, VALLOW, FE, QBEST, QBYLIM, QHASBA, QBASE,
      $    QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL, QOUTSI, QBEHIN,
-     $    QFILT, QTILT, QNSPH, QLO, QHI
+     $    QINLIS, QFILT, QTILT, QNSPH, QLO, QHI
       DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
       PARAMETER (SCALE = 13, NSURF = 15, VALLOW = 8, FE = 10, QBEST = 1,
      $    QBYLIM = 2, QHASBA = 3, QBASE = 4, QHARD = 5, QSURF = 6,
      $    QTIES = 7, QOFFER = 9, QNODES = 10, QCOLL = 11, QOUTSI = 12,
-     $    QBEHIN = 13, QFILT = 1, QTILT = 9, QNSPH = 108, QLO = 160,
-     $    QHI = 161, LIMBE = 1.0D-6,
+     $    QBEHIN = 13, QINLIS = 14, QFILT = 1, QTILT = 9, QNSPH = 108,
+     $    QLO = 160, QHI = 161, LIMBE = 1.0D-6,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
      $    UNDERR = 1.0D-200)
-      DOUBLE PRECISION EDGE, LONGST
-      INTEGER BASE, I, J, K
+      DOUBLE PRECISION EDGE, H, LONGST
+      INTEGER TSONSP, BASE, I, J, K, OK
       BASE = 1
       IQ(QBEST) = 0
       IQ(QBYLIM) = 0
@@ -3766,6 +3796,15 @@ C     the angle there is small, the vertex opposite the longest edge.
         CALL TSHALF(F, FQ(QFILT))
         IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 0, F, HUGE,
      $      FQ(QTILT))
+      END IF
+C     if the best point lies on the same sphere as the facet, the ball
+C     is that sphere up to rounding: no list holds it
+      IQ(QINLIS) = 1
+      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
+        OK = 1
+        IF (IQ(QBEST) .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF),
+     $      IQ(QBEST), H, OK)
+        IQ(QINLIS) = 1 - OK
       END IF
       END
 
@@ -3849,7 +3888,7 @@ C     search that TSBINN admits needs it.
      $                  SUP, LSX, LSID, LSI, LSD, LIST, V, IQ, F, FQ,
      $                  OK)
       INTEGER NLISTS, LLSI, LLSD, LF, LIQ, LFQ
-      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12, LIQ = 45,
+      PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12, LIQ = 47,
      $    LFQ = 163)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(LLSD,NLISTS), F(LF), FQ(LFQ)
@@ -3904,23 +3943,35 @@ C     other side or more, nor for a ball that single precision cannot
 C     tell from a half-space.  OK is 1 if the apex is known, or 0.
       SUBROUTINE TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      INTEGER NLISTS, LLSD
+      PARAMETER (NLISTS = 7, LLSD = 17)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(*), F(*), FQ(*)
+     $    LSD(LLSD,NLISTS), F(*), FQ(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(*), V(3), IQ(*), OK
-      INTEGER RECENC, RBUDGE, RTREEC, VC1, QHI, BLISTS
-      DOUBLE PRECISION NEARMX, BUDMAX
-      PARAMETER (RECENC = 86, RBUDGE = 8, RTREEC = 9, VC1 = 5,
-     $    QHI = 161, BLISTS = 6, NEARMX = 1.0D4, BUDMAX = 2000.0D0)
+      INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
+     $    QSURF, QPAYS, QHI, BLISTS
+      DOUBLE PRECISION NEARMX, BUDSTA, BUDMAX, LMAX
+      PARAMETER (PAUSED = 22, RECENC = 86, RBUDGE = 8, RTREEC = 9,
+     $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 3, QSURF = 6,
+     $    QPAYS = 15, QHI = 161, BLISTS = 6, NEARMX = 1.0D4,
+     $    BUDSTA = 500.0D0, BUDMAX = 2000.0D0, LMAX = 1.0D100)
       INTEGER TSBINN, FOUND, K, LIST, N
+      IQ(QPAYS) = 0
+      IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
+     $    IQ(QSURF) .EQ. 0 .AND. LSD(LREACH,BLK) .GT. 0.0D0)
+     $    IQ(QPAYS) = 1
+      IF (RCTL(RBUDGE) .LE. 0.0D0) CTL(PAUSED) = 1
+      IF (RCTL(RBUDGE) .GT. BUDSTA) CTL(PAUSED) = 0
+      OK = 0
+      IF (IQ(QPAYS) .EQ. 0 .OR. CTL(PAUSED) .EQ. 1) RETURN
       RCTL(RBUDGE) = RCTL(RBUDGE) - 1.0D0
       K = 0
    10 K = K + 1
       LIST = CTL(RECENC+K)
       FOUND = TSBINN(LSI, LSD, LIST, F, FQ)
       IF (FOUND .EQ. 0 .AND. K .LT. BLISTS - 1) GO TO 10
-      OK = 0
       IF (FOUND .EQ. 0) THEN
         IF (FQ(QHI) .LE. 0.0D0 .OR. FQ(VC1) .GT. NEARMX) RETURN
         CALL TSMKNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
@@ -3943,102 +3994,85 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
      $    (RCTL(RTREEC) - 4.0D0 - 0.5D0*DBLE(N)))
       END
 
+C     TSREFI - adds to the budget of near lists for a search of the
+C     tree, if a near list might have taken its place.
+      SUBROUTINE TSREFI(RCTL, IQ)
+      DOUBLE PRECISION RCTL(*)
+      INTEGER IQ(*)
+      INTEGER RBUDGE, RTREEC, QNODES, QPAYS
+      DOUBLE PRECISION BUDREF
+      PARAMETER (RBUDGE = 8, RTREEC = 9, QNODES = 10, QPAYS = 15,
+     $    BUDREF = 64.0D0)
+      IF (IQ(QPAYS) .EQ. 0) RETURN
+      RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
+      RCTL(RTREEC) = RCTL(RTREEC) + (DBLE(IQ(QNODES)) -
+     $    RCTL(RTREEC))/16.0D0
+      END
+
+C     TSSEEK - seeks a support in the sample of a search, if it is large
+C     and samples have been so for a while; each failure doubles the
+C     while.
+      SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
+      DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*)
+      INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(*)
+      INTEGER NP, RSLOAD, RSLIMI, QOFFER, SAMMIN
+      PARAMETER (NP = 1, RSLOAD = 4, RSLIMI = 5, QOFFER = 9,
+     $    SAMMIN = 24)
+      INTEGER KEPT
+      IF (IQ(QOFFER) .LE. SAMMIN .OR. RCTL(RSLIMI) .LE. 0.0D0) RETURN
+      RCTL(RSLOAD) = RCTL(RSLOAD) + DBLE(IQ(QOFFER))/DBLE(CTL(NP))
+      IF (RCTL(RSLOAD) .LE. RCTL(RSLIMI)) RETURN
+      RCTL(RSLOAD) = 0.0D0
+      CALL TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, KEPT)
+      IF (KEPT .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
+      END
+
 C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
 C     GUESS: see TSBEGS.
+C
+C     The search is complete without its stages.  A stage offers points
+C     and changes IQ and FQ in no other way, or sets the best point to
+C     the apex.  Its result is 1 only if all that pass the filter have
+C     been offered, or if there is no candidate; it may always do
+C     nothing and give 0.  So stages may be left out, or come in another
+C     order, and the apex is the same.  That hull planes come before the
+C     block list saves lattices a tenth of the time.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
-      INTEGER NLISTS, LLSD, LF, LIQ, LFQ
-      PARAMETER (NLISTS = 7, LLSD = 17, LF = 12, LIQ = 45, LFQ = 163)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(LLSD,NLISTS)
+      INTEGER LF, LIQ, LFQ
+      PARAMETER (LF = 12, LIQ = 47, LFQ = 163)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*), LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(*), V(3), GUESS(2), Z
-      INTEGER NP, NHULLP, NSETS, BLMISS, BLTIES, PAUSED, HULLP, SET1,
-     $    RSLOAD, RSLIMI, RBUDGE, RTREEC, BLK, LREACH, QBEST, QHASBA,
-     $    QSURF, QTIES, QOFFER, QNODES, QHI, MAXMIS, SAMMIN, HULLPS
-      DOUBLE PRECISION BUDREF, BUDSTA, LMAX
-      PARAMETER (NP = 1, NHULLP = 16, NSETS = 17, BLMISS = 19,
-     $    BLTIES = 20, PAUSED = 22, HULLP = 23, SET1 = 35, RSLOAD = 4,
-     $    RSLIMI = 5, RBUDGE = 8, RTREEC = 9, BLK = 1, LREACH = 13,
-     $    QBEST = 1, QHASBA = 3, QSURF = 6, QTIES = 7, QOFFER = 9,
-     $    QNODES = 10, QHI = 161, MAXMIS = 8, SAMMIN = 24,
-     $    BUDREF = 64.0D0, BUDSTA = 500.0D0, HULLPS = 4, LMAX = 1.0D100)
-      DOUBLE PRECISION F(LF), FQ(LFQ), H
-      INTEGER TSONSP, TSONHP, AT, IQ(LIQ), K, LISTS, SUITED, OK
+      INTEGER NHULLP, NSETS, HULLP, SET1, QBEST
+      PARAMETER (NHULLP = 16, NSETS = 17, HULLP = 23, SET1 = 35,
+     $    QBEST = 1)
+      DOUBLE PRECISION F(LF), FQ(LFQ)
+      INTEGER TSONHP, IQ(LIQ), OK
       IF (CTL(NSETS) .GT. 0) THEN
         CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V, Z)
         IF (Z .NE. 0) RETURN
       END IF
       CALL TSBEGS(X, P, ORD, MARK, CTL, RCTL, SUP, V, GUESS, IQ, F, FQ)
+      CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
+     $            LSI, LSD, V, IQ, F, FQ, OK)
+      IF (OK .EQ. 0) OK = TSONHP(X, P, ORD, CTL(NHULLP), CTL(HULLP),
+     $    RCTL, V, IQ)
+      IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
+     $    SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
       Z = IQ(QBEST)
-C     a ball that is a support's sphere up to rounding is in no list
-      LISTS = 1
-      IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
-        OK = 1
-        IF (Z .NE. 0) CALL TSMRKH(MARK, SUP, IQ(QSURF), Z, H, OK)
-        LISTS = 1 - OK
-      END IF
-      IF (LISTS .EQ. 1) THEN
-        CALL TSSRSL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        Z = IQ(QBEST)
-        IF (OK .EQ. 1) THEN
-          CTL(BLMISS) = 0
-          IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
-          RETURN
-        END IF
-C       before the block's list, which saves lattices a tenth of the
-C       time
-        IF (Z .EQ. 0) THEN
-          IF (TSONHP(X, P, ORD, CTL(NHULLP), CTL(HULLP), RCTL,
-     $        V) .EQ. 1) RETURN
-        END IF
-        CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
-     $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        Z = IQ(QBEST)
-        IF (OK .EQ. 1) THEN
-          CTL(BLMISS) = 0
-          IF (IQ(QTIES) .GT. 0) CTL(BLTIES) = MIN(CTL(BLTIES) + 1,
-     $        MAXMIS + 1)
-          RETURN
-        END IF
-      END IF
-      CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
-      SUITED = 0
-      IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
-     $    IQ(QSURF) .EQ. 0 .AND. LSD(LREACH,BLK) .GT. 0.0D0) SUITED = 1
-      IF (RCTL(RBUDGE) .LE. 0.0D0) CTL(PAUSED) = 1
-      IF (RCTL(RBUDGE) .GT. BUDSTA) CTL(PAUSED) = 0
-      OK = 0
-      IF (SUITED .EQ. 1 .AND. CTL(PAUSED) .EQ. 0) CALL TSSRNL(X, P, ORD,
-     $    BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI, LSD,
-     $    V, IQ, F, FQ, OK)
+      IF (OK .EQ. 1) RETURN
+      CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $            LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
       IF (OK .EQ. 0) THEN
         CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
      $              LSX, LSID, LSI, LSD, V, IQ, F, FQ)
-        IF (SUITED .EQ. 1) THEN
-          RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
-          RCTL(RTREEC) = RCTL(RTREEC) + (DBLE(IQ(QNODES)) -
-     $        RCTL(RTREEC))/16.0D0
-        END IF
+        CALL TSREFI(RCTL, IQ)
       END IF
       Z = IQ(QBEST)
-      IF (IQ(QOFFER) .GT. SAMMIN .AND. RCTL(RSLIMI) .GT. 0.0D0) THEN
-        RCTL(RSLOAD) = RCTL(RSLOAD) + DBLE(IQ(QOFFER))/DBLE(CTL(NP))
-        IF (RCTL(RSLOAD) .GT. RCTL(RSLIMI)) THEN
-          RCTL(RSLOAD) = 0.0D0
-          CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, OK)
-          IF (OK .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
-        END IF
-      END IF
-      IF (Z .EQ. 0) THEN
-        AT = HULLP + 3*MOD(CTL(NHULLP), HULLPS) - 1
-        DO 20 K = 1, 3
-          CTL(AT+K) = V(K)
-   20   CONTINUE
-        CTL(NHULLP) = CTL(NHULLP) + 1
-      END IF
+      CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
+      CALL TSNOTE(CTL, V, IQ)
       END
 
 C     ------------------------------------------------------------------
@@ -4150,7 +4184,7 @@ C     points that has all its neighbours.
       SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
       INTEGER LF, LIQ, LFQ
-      PARAMETER (LF = 12, LIQ = 45, LFQ = 163)
+      PARAMETER (LF = 12, LIQ = 47, LFQ = 163)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
