@@ -221,8 +221,8 @@ C         check_planar TSCHKP, check_vertices TSCHKI, check_neighbours
 C         TSCHKF, check_orientation TSCHKT, check_convex TSCHKH,
 C         check_cover TSCHKC, tess_check TESSCH
 C       a ball, version: tess_ball TESSBA, tess_edition TESSED
-C     Only in C: point.  Only here: TSPDIS (disjoint for a point),
-C     TSLINE (hh_line of points of P), TSONSP (the macro CURVED),
+C     Only in C: point.  Only here: TSPDIS (boxes_disjoint for a point),
+C     TSLINE (hh_line of points of P), TSONSP (the macro HAS_SPHERE),
 C     TSWORK, TSMESH, TSINDE, TSQUER (parts of tess_resume and
 C     tess_part, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT
 C     (hh_orient and hh_foot of points of P).
