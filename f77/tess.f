@@ -177,8 +177,8 @@ C         list_filter TSLFIL, list_hits TSLHIT, offer_list TSOFFL,
 C         search_star_list TSSRSL, search_block_list TSSRBL
 C       near lists: ball_in_near_list TSBINN, set_skin TSSKIN,
 C         collect_leaf TSCOLF, make_near_list TSMKNL,
-C         search_near_lists TSSRNL, refill_budget TSRFIL
-C       hull planes: on_hull_plane TSONHP, note_hull_plane TSNHPL
+C         search_near_lists TSSRNL, refill_budget TSREFI
+C       hull planes: on_hull_plane TSONHP, note_hull_plane TSNOTE
 C       cospherical sets: record_set TSRECS, apex_from_set TSAPFS
 C       cylinders: cylinders_of TSCYLI, make_cylinder TSMCYL,
 C         make_cylinders TSMCYS, exclude_cylinders TSXCYL
@@ -225,8 +225,8 @@ C         check_vertices TSCHKI, check_neighbours TSCHKF,
 C         check_orientation TSCHKT, check_convex TSCHKH,
 C         check_cover TSCHKC, tess_check TESSCH
 C       ball, version: tess_ball TESSBA, tess_edition TESSED
-C     Only in C: point.  Only here: TSPDIS (disjoint for a point),
-C     TSLINE (hh_line of points of P), TSONSP (the macro CURVED),
+C     Only in C: point.  Only here: TSPDIS (boxes_disjoint for a point),
+C     TSLINE (hh_line of points of P), TSONSP (the macro HAS_SPHERE),
 C     TSWORK, TSMESH, TSINDE, TSQUER (parts of tess_resume and
 C     tess_part, tess_index, tess_query), TSORIQ, TSORIP, TSFOOT
 C     (hh_orient and hh_foot of points of P).
@@ -281,28 +281,28 @@ C       OLDEST = 9   oldest_edge  edges of the link,
 C       NEWEST = 10  newest_edge  the newest the lowest
 C       LOWEST = 11  lowest_owner  no vertex of a smaller position owns
 C               facets
-C       NHULLP = 12  nhull_planes  hull planes that were met,
-C       HULLP  = 21  hull_plane  from here on the last ones, each by
-C               three points: PLANE(3,HULLPS)
-C       STTIED = 14  star_tied  1: the last search in a star's list that
-C               met points met some exactly on its last ball
-C       NEXTNE = 15  next_new  of a part: no vertex before it is NEW and
+C       NEXTNE = 12  next_new  of a part: no vertex before it is NEW and
 C               asked for; a whole mesh meets all
-C       BLMISS = 18  block_misses  the leaf's latest searches in a row
-C               that ended in the tree
-C       BLTIES = 13  block_ties  searches in a row that met ties in a
-C               block's list, and none that ended in a star's
-C       HASCYL = 16  has_cylinders  1: there are cylinders, behind
+C       SCALE  = 13  exponent  X = P 2**(-SCALE)
+C       HASCYL = 14  has_cylinders  1: there are cylinders, behind
 C               BOX(6,2*CTL(LEAVES))
-C       NSETS  = 17  nsets  cells of this star,
-C       SET1   = 33  sets  from here on the last ones,
-C               SET(0:SETPTS,SETS):
-C       SET    array n  SET(0,.): how many points a cell has,
+C       NSURF  = 15  nsurfaces  supports that there are
+C       NHULLP = 16  nhull_planes  hull planes that were met
+C       NSETS  = 17  nsets  cells of this star
+C       STTIED = 18  star_tied  1: the last search in a star's list that
+C               met points met some exactly on its last ball
+C       BLMISS = 19  block_misses  the leaf's latest searches in a row
+C               that ended in the tree
+C       BLTIES = 20  block_ties  searches in a row that met ties in a
+C               block's list, and none that ended in a star's
+C       LASTTI = 21  last_tied  1: the last exact comparison was a tie
+C       PAUSED = 22  paused  1: the purse of the near lists was empty
+C       HULLP  = 23  hull_plane  from here on, 12 long, the last hull
+C               planes, each by three points: PLANE(3,HULLPS)
+C       SET1   = 35  sets  from here on, 52 long, the last cells:
+C               SET(0:SETPTS,SETS), of each
+C       SET    array n  SET(0,.): how many points it has,
 C       SET    array position  and these, the least number first
-C       SCALE  = 19  exponent  X = P 2**(-SCALE)
-C       NSURF  = 20  nsurfaces  supports that there are
-C       LASTTI = 85  last_tied  1: the last exact comparison was a tie
-C       PAUSED = 86  paused  1: the purse of the near lists was empty
 C       RECENC = 86  recency  behind it the near lists, from the one
 C               used last on
 C     RCTL, its doubles:
@@ -378,6 +378,9 @@ C       VC1    = 5   c1  |C|_1
 C       VWEIGH = 6   weight  a
 C       VBASEH = 7   base_height  h
 C       VALLOW = 8   allowance  err
+C     A ball and a sphere by limbs, see hhpred.f:
+C       LBALL  = 85  -  of a ball
+C       LSPHER = 52  -  of a sphere
 C     A search for the apex of a facet.  Its arguments:
 C       V      array facet  its vertices; the open side is positive
 C       F      array hh  its Householder set-up, see HHFACE:
@@ -389,6 +392,15 @@ C       FBASE  = 6   HH_BASE  behind it the base
 C       FE     = 10  HH_E
 C       FDC    = 11  HH_DC
 C       FRHO   = 12  HH_RHO
+C     T, of the support that the facet is on: it begins with the tall
+C     sieve, see TSSFFI; G = height - h - tilt.W is 0 on the facet, h
+C     being the base's height:
+C       LTILT  = 14  -  its length
+C       THEIGE = 9   height_err  h is wrong by at most this
+C       TTILT  = 9   tilt  behind it the tilt,
+C       TTILTE = 13  tilt_err  wrong by at most this
+C       TNORMH = 14  normal_height  of a plane: the height of the
+C               facet's normal
 C     IQ, its integers:
 C       LIQ    = 47  -  its length
 C       QBEST  = 1   best  the best point yet, exactly, or 0
@@ -401,39 +413,31 @@ C       QTIES  = 7   ties  points met that are exactly on its ball
 C       QUNDEC = 8   sample_undecided  1: the sample has points left
 C               open, 0: of leaves
 C       QOFFER = 9   sample_offered  how many were offered to it
-C       QSAMPL = 9   sample  behind it those that it keeps
-C       QNODES = 42  nodes  nodes that were looked at
-C       QCOLL  = 43  collect  the list that the search makes, which gets
+C       QNODES = 10  nodes  nodes that were looked at
+C       QCOLL  = 11  collect  the list that the search makes, which gets
 C               all points that pass the plain sieve; else 0
-C       QOUTSI = 44  outside_ball  a point that is not in the ball by
+C       QOUTSI = 12  outside_ball  a point that is not in the ball by
 C               limbs, or 0
-C       QBEHIN = 45  behind_facet  one that is not on the open side, or
+C       QBEHIN = 13  behind_facet  one that is not on the open side, or
 C               0: see TSXVIE
-C       QINLIS = 46  in_lists  1: candidate lists may hold its ball
-C       QPAYS  = 47  pays  1: a near list may end it
+C       QINLIS = 14  in_lists  1: candidate lists may hold its ball
+C       QPAYS  = 15  pays  1: a near list may end it
+C       QSAMPL = 15  sample  behind it the points that the sample keeps
 C     FQ, its doubles:
-C       LFQ    = 162 -  its length
-C       FQ     array filter  it begins with the plain sieve, C being the
-C               ball's centre, or else that of the open side
-C       QLO    = 6   lo  the best point's L-coordinate is between this
-C       QHI    = 7   hi  and this
-C       QTILT  = 9   surface_filter  from here on T
+C       LFQ    = 163 -  its length
+C       QFILT  = 1   filter  from here on the plain sieve, LFILT long, C
+C               being the ball's centre, or else that of the open side;
+C               it has no a and h
+C       QTILT  = 9   surface_filter  from here on T, LTILT long
 C       QLBALL = 23  limb_ball  from here on the ball by limbs (see
 C               HHCENT), LBALL long
-C       QNSPH  = 109 near_sphere  from here on a sphere near the points
-C               that are compared with the best one (see HHRELA), LSPHER
-C               long
-C       QSKFAC = 161 skin_factor  thickness of the skin, adapted
-C       QSKIN  = 162 skin  and as it is
-C     T, of the support that the facet is on: it begins with the tall
-C     sieve, see TSSFFI; G = height - h - tilt.W is 0 on the facet, h
-C     being the base's height:
-C       LTILT  = 14  -  its length
-C       THEIGE = 9   height_err  h is wrong by at most this
-C       TTILT  = 9   tilt  behind it the tilt,
-C       TTILTE = 13  tilt_err  wrong by at most this
-C       TNORMH = 14  normal_height  of a plane: the height of the
-C               facet's normal
+C       QNSPH  = 108 near_sphere  from here on a sphere, LSPHER long,
+C               near the points that are compared with the best one (see
+C               HHRELA)
+C       QLO    = 160 lo  the best point's L-coordinate is between this
+C       QHI    = 161 hi  and this
+C       QSKFAC = 162 skin_factor  thickness of the skin, adapted
+C       QSKIN  = 163 skin  and as it is
 C     A walk over the hull, H:
 C       LHULL  = 10  -  its length
 C       HFACET = 0   facet  behind it the facet nearest to Q so far
@@ -486,9 +490,6 @@ C     The digits of its numbers:
 C       DIGITS = 4   DIGITS  digits of each
 C       DIGIT  = 8192.0D0 DIGIT  their base
 C       EXPON  = 2000 EXPONENT  offset of exponents where they are kept
-C     By limbs, see hhpred.f:
-C       LBALL  = 85  -  length of a ball
-C       LSPHER = 52  -  and of a sphere
 C     Sizes and limits:
 C       TSLIST = 512 TESS_LIST  capacity of a list, a multiple of 4, at
 C               least LEAFPT; beyond it is room for one leaf more
@@ -1176,7 +1177,7 @@ C     one of the rest, and so on.  INFO is 0, MORE or FULL.
      $    S, INFO
       INTEGER NP, OLDEST, NEWEST, LOWEST, NEXTNE, NEW, UNWANT, FULL
       PARAMETER (NP = 1, OLDEST = 9, NEWEST = 10, LOWEST = 11,
-     $    NEXTNE = 15, NEW = -2, UNWANT = -1, FULL = 2)
+     $    NEXTNE = 12, NEW = -2, UNWANT = -1, FULL = 2)
       INTEGER OK
    10 IF (CTL(OLDEST) .GE. CTL(NEWEST)) THEN
         CALL TSSTAR(X, P, ORD, TET, ADJ, BOX, ALIVE, HEAD, LINK, POOL,
@@ -1298,15 +1299,15 @@ C     marks of its points, or where they tell nothing by its box alone;
 C     a clump's also as seen from other points; or 0.
       INTEGER FUNCTION TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, C,
      $                        T, NODE)
-      INTEGER LSUP, LIQ, LTILT
-      PARAMETER (LSUP = 60, LIQ = 47, LTILT = 14)
+      INTEGER LSUP, LTILT, LIQ
+      PARAMETER (LSUP = 60, LTILT = 14, LIQ = 47)
       DOUBLE PRECISION X(3,*), BOX(6,*), RCTL(*), SUP(LSUP,*), F(*),
      $    C(*), T(LTILT)
       INTEGER MARK(*), CTL(*), V(3), IQ(LIQ), NODE
       INTEGER RCLUMP, SLOWES, SQUANT, VWEIGH, VBASEH, QSURF, QCOLL,
      $    LRECRD, RSTEPS, MARKST
       PARAMETER (RCLUMP = 10, SLOWES = 59, SQUANT = 60, VWEIGH = 6,
-     $    VBASEH = 7, QSURF = 6, QCOLL = 43, LRECRD = 16,
+     $    VBASEH = 7, QSURF = 6, QCOLL = 11, LRECRD = 16,
      $    RSTEPS = 32768, MARKST = 4096)
       DOUBLE PRECISION TSWIDT, H
       INTEGER TSRCRD, TSXBOX, TSXVIE, K, ON
@@ -1345,16 +1346,16 @@ C     the angle there is small, the vertex opposite the longest edge.
       INTEGER ORD(*), MARK(*), CTL(*), V(3), GUESS(2), IQ(LIQ)
       INTEGER SCALE, NSURF, VALLOW, FE, QBEST, QBYLIM, QHASBA, QBASE,
      $    QHARD, QSURF, QTIES, QOFFER, QNODES, QCOLL, QOUTSI, QBEHIN,
-     $    QINLIS, QPAYS, QLO, QHI, QTILT, QNSPH
+     $    QINLIS, QFILT, QTILT, QNSPH, QLO, QHI
       DOUBLE PRECISION LIMBE, HUGE, EPS, UNDERR
-      PARAMETER (SCALE = 19, NSURF = 20, VALLOW = 8, FE = 10, QBEST = 1,
+      PARAMETER (SCALE = 13, NSURF = 15, VALLOW = 8, FE = 10, QBEST = 1,
      $    QBYLIM = 2, QHASBA = 3, QBASE = 4, QHARD = 5, QSURF = 6,
-     $    QTIES = 7, QOFFER = 9, QNODES = 42, QCOLL = 43, QOUTSI = 44,
-     $    QBEHIN = 45, QINLIS = 46, QPAYS = 47, QLO = 6, QHI = 7,
-     $    QTILT = 9, QNSPH = 109,
-     $    LIMBE = 1.0D-6, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
-     $    EPS = 2.0D0**(-52), UNDERR = 1.0D-200)
-      DOUBLE PRECISION EDGE, LONGST, H
+     $    QTIES = 7, QOFFER = 9, QNODES = 10, QCOLL = 11, QOUTSI = 12,
+     $    QBEHIN = 13, QINLIS = 14, QFILT = 1, QTILT = 9, QNSPH = 108,
+     $    QLO = 160, QHI = 161, LIMBE = 1.0D-6,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
+     $    UNDERR = 1.0D-200)
+      DOUBLE PRECISION EDGE, H, LONGST
       INTEGER TSONSP, BASE, I, J, K, OK
       BASE = 1
       IQ(QBEST) = 0
@@ -1368,7 +1369,6 @@ C     the angle there is small, the vertex opposite the longest edge.
       IQ(QCOLL) = 0
       IQ(QOUTSI) = 0
       IQ(QBEHIN) = 0
-      IQ(QPAYS) = 0
       FQ(VALLOW) = UNDERR
       FQ(QNSPH) = 0.0D0
       FQ(QLO) = -HUGE
@@ -1401,11 +1401,12 @@ C     the angle there is small, the vertex opposite the longest edge.
      $      SUP, V, IQ, F, FQ, I)
    50 CONTINUE
       IF (IQ(QHASBA) .EQ. 0) THEN
-        CALL TSHALF(F, FQ)
+        CALL TSHALF(F, FQ(QFILT))
         IF (IQ(QSURF) .NE. 0) CALL TSSFFI(SUP(1,IQ(QSURF)), 0, F, HUGE,
      $      FQ(QTILT))
       END IF
-C     a ball that is a surface's sphere up to rounding is in no list
+C     if the best point lies on the same sphere as the facet, the ball
+C     is that sphere up to rounding: no list holds it
       IQ(QINLIS) = 1
       IF (TSONSP(SUP, IQ(QSURF)) .EQ. 1) THEN
         OK = 1
@@ -1423,11 +1424,11 @@ C     and sets the ball of that L.
       DOUBLE PRECISION SUP(LSUP,*), F(LF), FQ(*), L
       INTEGER IQ(LIQ)
       INTEGER VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBYLIM, QHASBA, QSURF,
-     $    QHI, QTILT
+     $    QTILT, QHI
       DOUBLE PRECISION EPS, LMAX
       PARAMETER (VC = 0, VDC = 4, VC1 = 5, FNORM = 0, FCEN = 3, FE = 10,
-     $    FDC = 11, QBYLIM = 2, QHASBA = 3, QSURF = 6, QHI = 7,
-     $    QTILT = 9, EPS = 2.0D0**(-52), LMAX = 1.0D100)
+     $    FDC = 11, QBYLIM = 2, QHASBA = 3, QSURF = 6, QTILT = 9,
+     $    QHI = 161, EPS = 2.0D0**(-52), LMAX = 1.0D100)
       INTEGER K
       FQ(QHI) = L
       IF (IQ(QBYLIM) .EQ. 0 .AND. ABS(L) .LE. LMAX) THEN
@@ -1464,13 +1465,13 @@ C     times that for a tie, or NOTOPN.
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), F(*), FQ(*), HI
       INTEGER ORD(*), CTL(*), V(3), IQ(LIQ), Z, SIDE, VERDIC
       INTEGER LASTTI, EXACT3, EXACT5, RCLUMP, QBEST, QBYLIM, QBASE,
-     $    QHARD, QOUTSI, QBEHIN, QHI, QLBALL, QNSPH, EXCNTS, UNSURE,
-     $    LOSES, NOTOPN, TIE
+     $    QHARD, QOUTSI, QBEHIN, QFILT, QLBALL, QNSPH, QHI, EXCNTS,
+     $    UNSURE, LOSES, NOTOPN, TIE
       DOUBLE PRECISION HUGE
-      PARAMETER (LASTTI = 85, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
-     $    QBEST = 1, QBYLIM = 2, QBASE = 4, QHARD = 5, QOUTSI = 44,
-     $    QBEHIN = 45, QHI = 7, QLBALL = 23, QNSPH = 109, EXCNTS = 16,
-     $    UNSURE = 2, LOSES = 1, NOTOPN = 0, TIE = 3,
+      PARAMETER (LASTTI = 21, EXACT3 = 1, EXACT5 = 2, RCLUMP = 10,
+     $    QBEST = 1, QBYLIM = 2, QBASE = 4, QHARD = 5, QOUTSI = 12,
+     $    QBEHIN = 13, QFILT = 1, QLBALL = 23, QNSPH = 108, QHI = 161,
+     $    EXCNTS = 16, UNSURE = 2, LOSES = 1, NOTOPN = 0, TIE = 3,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION L
       INTEGER BEST, HHPINS, HHPORI, TSXVIE, DOUBT, SEEN
@@ -1479,7 +1480,7 @@ C     times that for a tie, or NOTOPN.
       IF (VERDIC .EQ. UNSURE) DOUBT = 1
       IF (RCTL(RCLUMP) .GT. 0.0D0 .AND. (SIDE .EQ. UNSURE .OR.
      $    IQ(QBYLIM) .EQ. 1)) THEN
-        SEEN = TSXVIE(X, V, IQ, F, FQ, X(1,Z), X(1,Z))
+        SEEN = TSXVIE(X, V, IQ, F, FQ(QFILT), X(1,Z), X(1,Z))
         IF (SEEN .LT. 0) THEN
           VERDIC = NOTOPN
           RETURN
@@ -1524,13 +1525,13 @@ C     other's.
       PARAMETER (LF = 12, LIQ = 47)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*), F(LF), FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
-      INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QLO,
-     $    QHI, QTILT, LIMBAF, UNSURE, BEATS, LOSES, NOTOPN, TIE
+      INTEGER RSLIMI, FRHO, QBEST, QBYLIM, QHARD, QSURF, QTIES, QTILT,
+     $    QLO, QHI, LIMBAF, UNSURE, BEATS, LOSES, NOTOPN, TIE
       DOUBLE PRECISION BERMAX
       PARAMETER (RSLIMI = 5, FRHO = 12, QBEST = 1, QBYLIM = 2,
-     $    QHARD = 5, QSURF = 6, QTIES = 7, QLO = 6, QHI = 7, QTILT = 9,
-     $    BERMAX = 1.0D0, LIMBAF = 96, UNSURE = 2, BEATS = -1,
-     $    LOSES = 1, NOTOPN = 0, TIE = 3)
+     $    QHARD = 5, QSURF = 6, QTIES = 7, QTILT = 9, QLO = 160,
+     $    QHI = 161, BERMAX = 1.0D0, LIMBAF = 96, UNSURE = 2,
+     $    BEATS = -1, LOSES = 1, NOTOPN = 0, TIE = 3)
       DOUBLE PRECISION HI, LO
       INTEGER VERDIC, SGN, SIDE
       CALL HHLIMI(F, X(1,Z), LO, HI, SIDE)
@@ -1584,9 +1585,10 @@ C     over the facet's support is known.
      $    FQ(*)
       INTEGER ORD(*), MARK(*), CTL(*), V(3), IQ(LIQ), Z
       INTEGER SLOWES, SQUANT, VWEIGH, VBASEH, FBASE, QBEST, QSURF,
-     $    QTILT, SURFS
+     $    QFILT, QTILT, SURFS
       PARAMETER (SLOWES = 59, SQUANT = 60, VWEIGH = 6, VBASEH = 7,
-     $    FBASE = 6, QBEST = 1, QSURF = 6, QTILT = 9, SURFS = 8)
+     $    FBASE = 6, QBEST = 1, QSURF = 6, QFILT = 1, QTILT = 9,
+     $    SURFS = 8)
       DOUBLE PRECISION TSFBND, A, H, POWER, W1, W2, W3
       INTEGER J, K, S
       IF (Z .EQ. IQ(QBEST) .OR. Z .EQ. V(1) .OR. Z .EQ. V(2) .OR.
@@ -1595,7 +1597,7 @@ C     over the facet's support is known.
       W2 = X(2,Z) - F(FBASE+2)
       W3 = X(3,Z) - F(FBASE+3)
       POWER = 0.0D0
-      S = 1
+      S = QFILT
 C     TSMRKH's test and height, without a call for each point
       J = IQ(QSURF)
       K = -1
@@ -1627,10 +1629,11 @@ C     uncompleted one are most of the completed ones.
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*), LSI(*), V(3),
      $    IQ(LIQ), NODE
-      INTEGER RSLIMI, VC, FBASE, QCOLL, LEAFGR, COMPLE
+      INTEGER RSLIMI, VC, FBASE, QCOLL, QFILT, LEAFGR, COMPLE
       DOUBLE PRECISION HUGE
-      PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 43, LEAFGR = 8,
-     $    COMPLE = -1, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
+      PARAMETER (RSLIMI = 5, VC = 0, FBASE = 6, QCOLL = 11, QFILT = 1,
+     $    LEAFGR = 8, COMPLE = -1,
+     $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023)
       DOUBLE PRECISION TSFBND, B1, B2, B3, D1, D2, D3, MOST,
      $    POWER(LEAFPT), SIZE, W1, W2, W3
       INTEGER FIRST, I, J, K, LAST, N, Z
@@ -1645,7 +1648,7 @@ C     uncompleted one are most of the completed ones.
         SIZE = SIZE + ABS(BOX(K,NODE) - F(FBASE+K)) +
      $      ABS(BOX(3+K,NODE) - F(FBASE+K))
    10 CONTINUE
-      MOST = TSFBND(FQ, SIZE)
+      MOST = TSFBND(FQ(QFILT), SIZE)
       D1 = 2.0D0*FQ(VC+1)
       D2 = 2.0D0*FQ(VC+2)
       D3 = 2.0D0*FQ(VC+3)
@@ -1704,10 +1707,10 @@ C                                been searched, FROM is where that ended
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(*), V(3), IQ(LIQ)
       INTEGER LEAVES, HASCYL, EXACT3, FBASE, QBASE, QSURF, QNODES,
-     $    QCOLL, QTILT, STKDEP
-      PARAMETER (LEAVES = 4, HASCYL = 16, EXACT3 = 1, FBASE = 6,
-     $    QBASE = 4, QSURF = 6, QNODES = 42, QCOLL = 43, QTILT = 9,
-     $    STKDEP = 96)
+     $    QCOLL, QFILT, QTILT, STKDEP
+      PARAMETER (LEAVES = 4, HASCYL = 14, EXACT3 = 1, FBASE = 6,
+     $    QBASE = 4, QSURF = 6, QNODES = 10, QCOLL = 11, QFILT = 1,
+     $    QTILT = 9, STKDEP = 96)
       DOUBLE PRECISION PAST(4)
       INTEGER TSCYLI, TSLEAF, TSXNOD, FLAT, FOURS, FROM, HEIGHT, K, N,
      $    NODE, STACK(STKDEP), TOP
@@ -1747,7 +1750,7 @@ C       one child alive each, and FROM is: nothing else
       END IF
       IF (FOURS .EQ. 1 .AND. NODE .LT. CTL(LEAVES)) THEN
         N = 2*CTL(LEAVES) + 1
-        CALL TSXCYL(BOX(1,N), TSCYLI(CTL, NODE), F, FQ, PAST)
+        CALL TSXCYL(BOX(1,N), TSCYLI(CTL, NODE), F, FQ(QFILT), PAST)
         DO 20 N = 4, 1, -1
           IF (PAST(N) .LE. 0.0D0 .AND. 4*NODE + N - 1 .NE. FROM) THEN
             HEIGHT = HEIGHT + 1
@@ -1756,8 +1759,8 @@ C       one child alive each, and FROM is: nothing else
    20   CONTINUE
         GO TO 10
       END IF
-      IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, FQ, FQ(QTILT),
-     $    NODE) .EQ. 1) GO TO 10
+      IF (TSXNOD(X, BOX, MARK, CTL, RCTL, SUP, V, IQ, F, FQ(QFILT),
+     $    FQ(QTILT), NODE) .EQ. 1) GO TO 10
       IF (NODE .GE. CTL(LEAVES)) THEN
         CALL TSOFLF(X, P, ORD, BOX, LINK, MARK, CTL, RCTL, SUP, LSX,
      $              LSID, LSI, LSD, V, IQ, F, FQ, NODE)
@@ -1773,24 +1776,22 @@ C     TSAPEX - Z is the apex of the facet V on its positive side, or 0.
 C     GUESS: see TSBEGS.
 C
 C     The search is complete without its stages.  A stage offers points
-C     and changes the search in no other way, or sets QBEST to the apex;
-C     of the mesh it changes its own fields alone.  OK is 1 only if all
-C     that pass the filter have been offered, or if there is no
-C     candidate; it may always do nothing and set OK to 0.  So stages
-C     may be left out, or come in another order, and the apex is the
-C     same.  That hull planes come before the block's list saves
-C     lattices a tenth of the time.
+C     and changes IQ and FQ in no other way, or sets the best point to
+C     the apex.  Its result is 1 only if all that pass the filter have
+C     been offered, or if there is no candidate; it may always do
+C     nothing and give 0.  So stages may be left out, or come in another
+C     order, and the apex is the same.  That hull planes come before the
+C     block list saves lattices a tenth of the time.
       SUBROUTINE TSAPEX(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL,
      $                  SUP, LSX, LSID, LSI, LSD, V, GUESS, Z)
-      INTEGER NLISTS, LLSD, LF, LIQ, LFQ
-      PARAMETER (NLISTS = 7, LLSD = 17, LF = 12, LIQ = 47, LFQ = 162)
-      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
-     $    LSD(LLSD,NLISTS)
+      INTEGER LF, LIQ, LFQ
+      PARAMETER (LF = 12, LIQ = 47, LFQ = 163)
+      DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*), LSD(*)
       REAL LSX(*)
       INTEGER ORD(*), ALIVE(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(*), V(3), GUESS(2), Z
-      INTEGER NHULLP, HULLP, NSETS, SET1, QBEST
-      PARAMETER (NHULLP = 12, HULLP = 21, NSETS = 17, SET1 = 33,
+      INTEGER NHULLP, NSETS, HULLP, SET1, QBEST
+      PARAMETER (NHULLP = 16, NSETS = 17, HULLP = 23, SET1 = 35,
      $    QBEST = 1)
       DOUBLE PRECISION F(LF), FQ(LFQ)
       INTEGER TSONHP, IQ(LIQ), OK
@@ -1805,18 +1806,18 @@ C     lattices a tenth of the time.
      $    RCTL, V, IQ)
       IF (OK .EQ. 0) CALL TSSRBL(X, P, ORD, BOX, LINK, MARK, CTL, RCTL,
      $    SUP, LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+      Z = IQ(QBEST)
+      IF (OK .EQ. 1) RETURN
+      CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $            LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
       IF (OK .EQ. 0) THEN
-        CALL TSSRNL(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $              LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        IF (OK .EQ. 0) THEN
-          CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
-     $                LSX, LSID, LSI, LSD, V, IQ, F, FQ)
-          CALL TSRFIL(RCTL, IQ)
-        END IF
-        CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
-        CALL TSNHPL(CTL(NHULLP), CTL(HULLP), V, IQ)
+        CALL TSTREE(X, P, ORD, BOX, ALIVE, LINK, MARK, CTL, RCTL, SUP,
+     $              LSX, LSID, LSI, LSD, V, IQ, F, FQ)
+        CALL TSREFI(RCTL, IQ)
       END IF
       Z = IQ(QBEST)
+      CALL TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
+      CALL TSNOTE(CTL, V, IQ)
       END
 
 C     ------------------------------------------------------------------
@@ -2368,7 +2369,7 @@ C     until they fit.
       INTEGER LEAVES, BLMISS, BLTIES, RREACH, LFIRST, LLAST, LN, LREACH,
      $    LSCALE, MAXMIS
       DOUBLE PRECISION TIEWID
-      PARAMETER (LEAVES = 4, BLMISS = 18, BLTIES = 13, RREACH = 3,
+      PARAMETER (LEAVES = 4, BLMISS = 19, BLTIES = 20, RREACH = 3,
      $    LFIRST = 1, LLAST = 2, LN = 3, LREACH = 13, LSCALE = 14,
      $    MAXMIS = 8, TIEWID = 1.2D0)
       DOUBLE PRECISION HALF, MARGIN, SUM
@@ -2419,7 +2420,7 @@ C     hull.
       DOUBLE PRECISION LSD(LLSD,NLISTS)
       INTEGER NHULLP, NSETS, RECENC, BLK, LFIRST, LLAST, LN, LREACH,
      $    BLISTS
-      PARAMETER (NHULLP = 12, NSETS = 17, RECENC = 86, BLK = 1,
+      PARAMETER (NHULLP = 16, NSETS = 17, RECENC = 86, BLK = 1,
      $    LFIRST = 1, LLAST = 2, LN = 3, LREACH = 13, BLISTS = 6)
       INTEGER I
       CTL(NHULLP) = 0
@@ -2469,7 +2470,7 @@ C     at most the distance from S to where the block may lack points.
      $    LORIGI, LMAXAB, LREACH, LSCALE, MAXMIS
       DOUBLE PRECISION STRREA, STRMIN
       REAL DSTERR
-      PARAMETER (BLMISS = 18, BLK = 1, STR = 2, LX = 1, LY = 2, LZ = 3,
+      PARAMETER (BLMISS = 19, BLK = 1, STR = 2, LX = 1, LY = 2, LZ = 3,
      $    LFIRST = 1, LLAST = 2, LN = 3, LLO = 0, LHI = 3, LORIGI = 6,
      $    LMAXAB = 9, LREACH = 13, LSCALE = 14, STRREA = 0.85D0,
      $    MAXMIS = 8, STRMIN = 1.0D-4, DSTERR = 32.0*2.0**(-23))
@@ -2696,10 +2697,10 @@ C     N is what TSLHIT gives.
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*),
      $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), LIST, V(3), IQ(*), N
-      INTEGER COMPLE
-      PARAMETER (COMPLE = -1)
+      INTEGER QFILT, COMPLE
+      PARAMETER (QFILT = 1, COMPLE = -1)
       INTEGER I, PLACE(TSLIST+1), Z
-      CALL TSLHIT(LSX, LSI, LSD, LIST, F, FQ, PLACE, N)
+      CALL TSLHIT(LSX, LSI, LSD, LIST, F, FQ(QFILT), PLACE, N)
       DO 10 I = 1, N
         Z = LSID(PLACE(I),LIST)
         IF (LINK(Z) .NE. COMPLE) CALL TSOFFP(X, P, ORD, MARK, CTL, RCTL,
@@ -2723,35 +2724,36 @@ C     long.
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
-      INTEGER STTIED, BLMISS, BLTIES, NSETS, SET1, STR, LN, QBEST,
-     $    QHASBA, QBASE, QTIES, QINLIS, MAXMIS
-      PARAMETER (STTIED = 14, BLMISS = 18, BLTIES = 13, NSETS = 17,
-     $    SET1 = 33, STR = 2, LN = 3, QBEST = 1, QHASBA = 3, QBASE = 4,
-     $    QTIES = 7, QINLIS = 46, MAXMIS = 8)
+      INTEGER NSETS, STTIED, BLMISS, BLTIES, SET1, STR, LN, QBEST,
+     $    QHASBA, QBASE, QTIES, QINLIS, QFILT, MAXMIS
+      PARAMETER (NSETS = 17, STTIED = 18, BLMISS = 19, BLTIES = 20,
+     $    SET1 = 35, STR = 2, LN = 3, QBEST = 1, QHASBA = 3, QBASE = 4,
+     $    QTIES = 7, QINLIS = 14, QFILT = 1, MAXMIS = 8)
       INTEGER TSBINS, N
       OK = 0
-      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBASE) .NE. 1 .OR. LSI(LN,STR) .EQ.
-     $    0 .OR. IQ(QHASBA) .EQ. 0) RETURN
+      IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBASE) .NE. 1) RETURN
+      IF (LSI(LN,STR) .EQ. 0 .OR. IQ(QHASBA) .EQ. 0) RETURN
       IF (CTL(STTIED) .EQ. 1) THEN
         CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL, LSX,
      $              LSID, LSI, LSD, V, IQ, F, FQ, OK)
-        IF (OK .EQ. 1) CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1),
-     $      RCTL, V, IQ(QBEST))
-      END IF
-      IF (OK .EQ. 0) THEN
-        CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
-     $              LSI, LSD, STR, V, IQ, F, FQ, N)
-        IF (N .LT. 0) RETURN
-        IF (N .GT. 0) THEN
-          IF (IQ(QTIES) .GT. 0 .AND. CTL(STTIED) .EQ. 0)
-     $        CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL,
-     $        LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
-          CTL(STTIED) = MIN(IQ(QTIES), 1)
+        IF (OK .EQ. 1) THEN
+          CALL TSAPFS(X, P, ORD, CTL(NSETS), CTL(SET1), RCTL, V,
+     $                IQ(QBEST))
+          GO TO 10
         END IF
-        OK = TSBINS(BOX, LSD, F, FQ)
-        IF (OK .EQ. 0) RETURN
       END IF
-      CTL(BLMISS) = 0
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $            LSD, STR, V, IQ, F, FQ, N)
+      IF (N .LT. 0) RETURN
+      IF (N .GT. 0) THEN
+        IF (IQ(QTIES) .GT. 0 .AND. CTL(STTIED) .EQ. 0)
+     $      CALL TSRECS(X, P, ORD, BOX, CTL(NSETS), CTL(SET1), RCTL,
+     $      LSX, LSID, LSI, LSD, V, IQ, F, FQ, OK)
+        CTL(STTIED) = MIN(IQ(QTIES), 1)
+      END IF
+      OK = TSBINS(BOX, LSD, F, FQ(QFILT))
+      IF (OK .EQ. 0) RETURN
+   10 CTL(BLMISS) = 0
       IF (CTL(BLTIES) .LE. MAXMIS) CTL(BLTIES) = 0
       END
 
@@ -2767,26 +2769,24 @@ C     adds cost: on surfaces, two of five points that were tested.
       REAL LSX(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), LSID(*),
      $    LSI(LLSI,NLISTS), V(3), IQ(LIQ), OK
-      INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, MAXMIS
-      PARAMETER (BLMISS = 18, BLTIES = 13, BLK = 1, LN = 3, QHASBA = 3,
-     $    QTIES = 7, QINLIS = 46, MAXMIS = 8)
+      INTEGER BLMISS, BLTIES, BLK, LN, QHASBA, QTIES, QINLIS, QFILT,
+     $    MAXMIS
+      PARAMETER (BLMISS = 19, BLTIES = 20, BLK = 1, LN = 3, QHASBA = 3,
+     $    QTIES = 7, QINLIS = 14, QFILT = 1, MAXMIS = 8)
       INTEGER TSBINB, N
       OK = 0
-      IF (IQ(QINLIS) .EQ. 1 .AND. LSI(LN,BLK) .NE. 0 .AND.
-     $    IQ(QHASBA) .EQ. 1) THEN
-        IF (TSBINB(BOX, LSD, BLK, F, FQ) .EQ. 1) THEN
-          CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID,
-     $                LSI, LSD, BLK, V, IQ, F, FQ, N)
-          IF (N .GE. 0) OK = 1
-        END IF
-      END IF
-      IF (OK .EQ. 0) THEN
-        CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
-        RETURN
-      END IF
+      IF (IQ(QINLIS) .EQ. 0 .OR. LSI(LN,BLK) .EQ. 0) GO TO 10
+      IF (IQ(QHASBA) .EQ. 0) GO TO 10
+      IF (TSBINB(BOX, LSD, BLK, F, FQ(QFILT)) .EQ. 0) GO TO 10
+      CALL TSOFFL(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, LSX, LSID, LSI,
+     $            LSD, BLK, V, IQ, F, FQ, N)
+      IF (N .LT. 0) GO TO 10
+      OK = 1
       CTL(BLMISS) = 0
       IF (IQ(QTIES) .GT. 0) CTL(BLTIES) = MIN(CTL(BLTIES) + 1,
      $    MAXMIS + 1)
+      RETURN
+   10 CTL(BLMISS) = MIN(CTL(BLMISS) + 1, MAXMIS)
       END
 
 C     ------------------------------------------------------------------
@@ -2832,7 +2832,7 @@ C     and those of TSMKNL.
       INTEGER LN, LREACH, LCENTR, FNORM, FCEN, FBASE, FE, FDC, FRHO, QHI
       DOUBLE PRECISION EPS, ROUNDG
       PARAMETER (LN = 3, LREACH = 13, LCENTR = 14, FNORM = 0, FCEN = 3,
-     $    FBASE = 6, FE = 10, FDC = 11, FRHO = 12, QHI = 7,
+     $    FBASE = 6, FE = 10, FDC = 11, FRHO = 12, QHI = 161,
      $    EPS = 2.0D0**(-52), ROUNDG = 64.0D0*2.0D0**(-52))
       DOUBLE PRECISION TSDOT, C, ERR, G(3), H, MARGIN, GAP, RR, SIZE,
      $    UU
@@ -2866,12 +2866,12 @@ C     margins of a block; about larger balls it is thinner, as there are
 C     more points in it.  The points in the skin pass the sieve then.
       SUBROUTINE TSSKIN(MARGIN, FQ)
       DOUBLE PRECISION MARGIN, FQ(*)
-      INTEGER VALLOW, QSKFAC, QSKIN
+      INTEGER VC, VALLOW, QSKFAC, QSKIN
       DOUBLE PRECISION SKNMIN, LMAX, UNDERR
-      PARAMETER (VALLOW = 8, QSKFAC = 161, QSKIN = 162, SKNMIN = 0.05D0,
-     $    LMAX = 1.0D100, UNDERR = 1.0D-200)
+      PARAMETER (VC = 0, VALLOW = 8, QSKFAC = 162, QSKIN = 163,
+     $    SKNMIN = 0.05D0, LMAX = 1.0D100, UNDERR = 1.0D-200)
       DOUBLE PRECISION TSDOT, R
-      R = SQRT(TSDOT(FQ, FQ))
+      R = SQRT(TSDOT(FQ(VC+1), FQ(VC+1)))
       FQ(QSKIN) = FQ(QSKFAC)*MARGIN
       IF (R .GT. MARGIN) FQ(QSKIN) = FQ(QSKIN)*SQRT(MARGIN/R)
       FQ(VALLOW) = FQ(QSKIN)*(2.0D0*R + FQ(QSKIN)) + UNDERR
@@ -2895,10 +2895,10 @@ C     the list's coordinates will be.
       INTEGER LINK(*), LSID(TSLIST+LEAFPT,NLISTS), LSI(LLSI,NLISTS),
      $    LIST, FIRST, N
       DOUBLE PRECISION LSD(LLSD,NLISTS), FQ(*), POWER(*), MOST
-      INTEGER BLK, LN, LREACH, QSKFAC, QSKIN, COMPLE
+      INTEGER BLK, LN, LREACH, VC, QFILT, QSKFAC, QSKIN, COMPLE
       DOUBLE PRECISION SKNSHR, FLTMIN, FEPS
-      PARAMETER (BLK = 1, LN = 3, LREACH = 13, QSKFAC = 161,
-     $    QSKIN = 162, SKNSHR = 0.4D0, COMPLE = -1,
+      PARAMETER (BLK = 1, LN = 3, LREACH = 13, VC = 0, QFILT = 1,
+     $    QSKFAC = 162, QSKIN = 163, SKNSHR = 0.4D0, COMPLE = -1,
      $    FLTMIN = 2.0D0**(-126), FEPS = 2.0D0**(-23))
       DOUBLE PRECISION TSDOT, TSFBND, LIMIT
       INTEGER I, K, M
@@ -2912,9 +2912,9 @@ C     the list's coordinates will be.
    10 CONTINUE
    20 IF (M .GT. TSLIST) THEN
         FQ(QSKFAC) = SKNSHR*FQ(QSKFAC)
-        LIMIT = 8.0D0*(SQRT(TSDOT(FQ, FQ)) + FQ(QSKIN))
+        LIMIT = 8.0D0*(SQRT(TSDOT(FQ(VC+1), FQ(VC+1))) + FQ(QSKIN))
         CALL TSSKIN(LSD(LREACH,BLK), FQ)
-        LIMIT = TSFBND(FQ, LIMIT)*(1.0D0 + 4.0D0*FEPS)
+        LIMIT = TSFBND(FQ(QFILT), LIMIT)*(1.0D0 + 4.0D0*FEPS)
         K = M
         M = 0
         DO 30 I = 1, K
@@ -2940,7 +2940,7 @@ C     search that TSBINN admits needs it.
      $                  OK)
       INTEGER NLISTS, LLSI, LLSD, LF, LIQ, LFQ
       PARAMETER (NLISTS = 7, LLSI = 3, LLSD = 17, LF = 12, LIQ = 47,
-     $    LFQ = 162)
+     $    LFQ = 163)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(LLSD,NLISTS), F(LF), FQ(LFQ)
       REAL LSX(*)
@@ -2951,7 +2951,7 @@ C     search that TSBINN admits needs it.
       DOUBLE PRECISION SKNGRO, SKNMAX
       PARAMETER (RSKIN = 7, RBUDGE = 8, BLK = 1, LN = 3, LREACH = 13,
      $    LCENTR = 14, LFILT = 8, VC = 0, FBASE = 6, FE = 10,
-     $    QNODES = 42, QCOLL = 43, QSKFAC = 161, QSKIN = 162,
+     $    QNODES = 10, QCOLL = 11, QSKFAC = 162, QSKIN = 163,
      $    SKNBEL = 204, SKNGRO = 1.3D0, SKNMAX = 8.0D0)
       DOUBLE PRECISION TSDOT, AT(3), G(LF), GQ(LFQ), HALF
       INTEGER JQ(LIQ), K
@@ -2979,7 +2979,7 @@ C     no side is certain
       RCTL(RSKIN) = GQ(QSKFAC)
       IF (LSI(LN,LIST) .LT. SKNBEL .AND. GQ(QSKFAC) .LT. SKNMAX)
      $    RCTL(RSKIN) = SKNGRO*GQ(QSKFAC)
-      LSD(LREACH,LIST) = SQRT(TSDOT(FQ, FQ)) + GQ(QSKIN)
+      LSD(LREACH,LIST) = SQRT(TSDOT(FQ(VC+1), FQ(VC+1))) + GQ(QSKIN)
       DO 40 K = 1, 3
         AT(K) = F(FBASE+K) + FQ(VC+K)
         LSD(LCENTR+K,LIST) = AT(K)
@@ -3003,18 +3003,19 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
      $    LSI(*), V(3), IQ(*), OK
       INTEGER PAUSED, RECENC, RBUDGE, RTREEC, BLK, LREACH, VC1, QHASBA,
      $    QSURF, QPAYS, QHI, BLISTS
-      DOUBLE PRECISION NEARMX, BUDMAX, BUDSTA, LMAX
-      PARAMETER (PAUSED = 86, RECENC = 86, RBUDGE = 8, RTREEC = 9,
+      DOUBLE PRECISION NEARMX, BUDSTA, BUDMAX, LMAX
+      PARAMETER (PAUSED = 22, RECENC = 86, RBUDGE = 8, RTREEC = 9,
      $    BLK = 1, LREACH = 13, VC1 = 5, QHASBA = 3, QSURF = 6,
-     $    QPAYS = 47, QHI = 7, BLISTS = 6, NEARMX = 1.0D4,
-     $    BUDMAX = 2000.0D0, BUDSTA = 500.0D0, LMAX = 1.0D100)
+     $    QPAYS = 15, QHI = 161, BLISTS = 6, NEARMX = 1.0D4,
+     $    BUDSTA = 500.0D0, BUDMAX = 2000.0D0, LMAX = 1.0D100)
       INTEGER TSBINN, FOUND, K, LIST, N
-      OK = 0
+      IQ(QPAYS) = 0
       IF (IQ(QHASBA) .EQ. 1 .AND. FQ(QHI) .LE. LMAX .AND.
      $    IQ(QSURF) .EQ. 0 .AND. LSD(LREACH,BLK) .GT. 0.0D0)
      $    IQ(QPAYS) = 1
       IF (RCTL(RBUDGE) .LE. 0.0D0) CTL(PAUSED) = 1
       IF (RCTL(RBUDGE) .GT. BUDSTA) CTL(PAUSED) = 0
+      OK = 0
       IF (IQ(QPAYS) .EQ. 0 .OR. CTL(PAUSED) .EQ. 1) RETURN
       RCTL(RBUDGE) = RCTL(RBUDGE) - 1.0D0
       K = 0
@@ -3044,14 +3045,14 @@ C     tell from a half-space.  OK is 1 if the apex is known, or 0.
      $    (RCTL(RTREEC) - 4.0D0 - 0.5D0*DBLE(N)))
       END
 
-C     TSRFIL - what a search of the tree adds to the budget of near
-C     lists, if a near list might have taken its place.
-      SUBROUTINE TSRFIL(RCTL, IQ)
+C     TSREFI - adds to the budget of near lists for a search of the
+C     tree, if a near list might have taken its place.
+      SUBROUTINE TSREFI(RCTL, IQ)
       DOUBLE PRECISION RCTL(*)
       INTEGER IQ(*)
       INTEGER RBUDGE, RTREEC, QNODES, QPAYS
       DOUBLE PRECISION BUDREF
-      PARAMETER (RBUDGE = 8, RTREEC = 9, QNODES = 42, QPAYS = 47,
+      PARAMETER (RBUDGE = 8, RTREEC = 9, QNODES = 10, QPAYS = 15,
      $    BUDREF = 64.0D0)
       IF (IQ(QPAYS) .EQ. 0) RETURN
       RCTL(RBUDGE) = RCTL(RBUDGE) + DBLE(IQ(QNODES))/BUDREF
@@ -3063,17 +3064,16 @@ C     ------------------------------------------------------------------
 C     Hull planes
 C     ------------------------------------------------------------------
 
-C     TSONHP - returns 1 if the facet lies in a plane known to bound the
-C     hull, and so has no apex, or 0: of a facet without a best point
-C     the open side is not the hull's.  (A search that could begin at
-C     such a facet from outside, as TSSEED does at one of its two, comes
-C     before any plane is met: TSINCT forgets them, and has a point on
-C     that side itself.)
+C     TSONHP - returns 1 if the facet has no best point and lies in a
+C     plane known to bound the hull, and so has no apex, or 0.  That
+C     holds if its open side is outwards: of a facet of a known
+C     tetrahedron it is.  A seed edge may be open inwards: TSSEED's one
+C     is searched before any plane is met, as TSINCT drops them.
       INTEGER FUNCTION TSONHP(X, P, ORD, N, PLANE, RCTL, V, IQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*)
       INTEGER ORD(*), N, PLANE(3,*), V(3), IQ(*)
-      INTEGER EXACT3, HULLPS, QBEST, QINLIS
-      PARAMETER (EXACT3 = 1, HULLPS = 4, QBEST = 1, QINLIS = 46)
+      INTEGER EXACT3, QBEST, QINLIS, HULLPS
+      PARAMETER (EXACT3 = 1, QBEST = 1, QINLIS = 14, HULLPS = 4)
       INTEGER HHPORI, I, K
       TSONHP = 0
       IF (IQ(QINLIS) .EQ. 0 .OR. IQ(QBEST) .NE. 0) RETURN
@@ -3090,17 +3090,18 @@ C     that side itself.)
    20 CONTINUE
       END
 
-C     TSNHPL - keeps the plane of a facet without an apex.
-      SUBROUTINE TSNHPL(N, PLANE, V, IQ)
-      INTEGER N, PLANE(3,*), V(3), IQ(*)
-      INTEGER QBEST, HULLPS
-      PARAMETER (QBEST = 1, HULLPS = 4)
-      INTEGER K
+C     TSNOTE - keeps the plane of the facet if it has no apex.
+      SUBROUTINE TSNOTE(CTL, V, IQ)
+      INTEGER CTL(*), V(3), IQ(*)
+      INTEGER NHULLP, HULLP, QBEST, HULLPS
+      PARAMETER (NHULLP = 16, HULLP = 23, QBEST = 1, HULLPS = 4)
+      INTEGER AT, K
       IF (IQ(QBEST) .NE. 0) RETURN
+      AT = HULLP + 3*MOD(CTL(NHULLP), HULLPS) - 1
       DO 10 K = 1, 3
-        PLANE(K,MOD(N,HULLPS)+1) = V(K)
+        CTL(AT+K) = V(K)
    10 CONTINUE
-      N = N + 1
+      CTL(NHULLP) = CTL(NHULLP) + 1
       END
 
 C     ------------------------------------------------------------------
@@ -3149,12 +3150,12 @@ C     side.
       REAL LSX(*)
       INTEGER ORD(*), NSETS, SET(0:SETPTS,*),
      $    LSID(TSLIST+LEAFPT,NLISTS), LSI(*), V(3), IQ(LIQ), OK
-      INTEGER EXACT3, EXACT5, STR, LREACH, VDC, QBEST, QBYLIM, QLO, QHI,
-     $    SETS
+      INTEGER EXACT3, EXACT5, STR, LREACH, VDC, QBEST, QBYLIM, QFILT,
+     $    QLO, QHI, SETS
       DOUBLE PRECISION LMAX
       PARAMETER (EXACT3 = 1, EXACT5 = 2, STR = 2, LREACH = 13, VDC = 4,
-     $    QBEST = 1, QBYLIM = 2, QLO = 6, QHI = 7, SETS = 4,
-     $    LMAX = 1.0D100)
+     $    QBEST = 1, QBYLIM = 2, QFILT = 1, QLO = 160, QHI = 161,
+     $    SETS = 4, LMAX = 1.0D100)
       DOUBLE PRECISION DC, WIDE
       INTEGER HHPINS, TSBINS, C(SETPTS), I, K, M, N, PLACE(TSLIST+1),
      $    SIDE, Z
@@ -3166,8 +3167,8 @@ C     side.
       DC = FQ(VDC)
       FQ(VDC) = DC + WIDE
       N = 0
-      IF (TSBINS(BOX, LSD, F, FQ) .EQ. 1) CALL TSLHIT(LSX, LSI, LSD,
-     $    STR, F, FQ, PLACE, N)
+      IF (TSBINS(BOX, LSD, F, FQ(QFILT)) .EQ. 1) CALL TSLHIT(LSX, LSI,
+     $    LSD, STR, F, FQ(QFILT), PLACE, N)
       FQ(VDC) = DC
       IF (N .LE. 0 .OR. N .GT. SETPTS) RETURN
       M = 0
@@ -3380,7 +3381,7 @@ C     ones.
       DOUBLE PRECISION X(3,*), BOX(6,*), CYL(*)
       INTEGER CTL(*)
       INTEGER LEAVES, HASCYL
-      PARAMETER (LEAVES = 4, HASCYL = 16)
+      PARAMETER (LEAVES = 4, HASCYL = 14)
       INTEGER TSCYLI, I, LEVEL, NODE, SLENDR, SUM
       SUM = 0
       LEVEL = CTL(LEAVES)/4
@@ -3471,12 +3472,12 @@ C     place of C, with the error of F(4..6) and one more rounding.
       DOUBLE PRECISION P(3,*), SUP(LSUP,*), F(LF), FQ(*)
       INTEGER ORD(*), CTL(*), V(3), IQ(LIQ)
       INTEGER SCALE, VC, VDC, VC1, FNORM, FCEN, FE, FDC, QBEST, QBYLIM,
-     $    QHASBA, QBASE, QSURF, QOUTSI, QLO, QHI, QTILT, QLBALL
+     $    QHASBA, QBASE, QSURF, QOUTSI, QTILT, QLBALL, QLO, QHI
       DOUBLE PRECISION HUGE, EPS, HHEMAX
-      PARAMETER (SCALE = 19, VC = 0, VDC = 4, VC1 = 5, FNORM = 0,
+      PARAMETER (SCALE = 13, VC = 0, VDC = 4, VC1 = 5, FNORM = 0,
      $    FCEN = 3, FE = 10, FDC = 11, QBEST = 1, QBYLIM = 2,
-     $    QHASBA = 3, QBASE = 4, QSURF = 6, QOUTSI = 44, QLO = 6,
-     $    QHI = 7, QTILT = 9, QLBALL = 23,
+     $    QHASBA = 3, QBASE = 4, QSURF = 6, QOUTSI = 12, QTILT = 9,
+     $    QLBALL = 23, QLO = 160, QHI = 161,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
      $    HHEMAX = 0.5D0)
       DOUBLE PRECISION C(3), ERR, L, SIZE, U
@@ -3544,7 +3545,7 @@ C     being the coordinate itself, is for sums in another order.)
       INTEGER VC, FNORM, FBASE, FE, QBEST, QBYLIM, QBASE, QOUTSI, QBEHIN
       DOUBLE PRECISION EPS, HHEMAX, UNDERR
       PARAMETER (VC = 0, FNORM = 0, FBASE = 6, FE = 10, QBEST = 1,
-     $    QBYLIM = 2, QBASE = 4, QOUTSI = 44, QBEHIN = 45,
+     $    QBYLIM = 2, QBASE = 4, QOUTSI = 12, QBEHIN = 13,
      $    EPS = 2.0D0**(-52), HHEMAX = 0.5D0, UNDERR = 1.0D-200)
       DOUBLE PRECISION D, ERR, H, L, P, POWER, SIDE, SIZE, U
       INTEGER FROM(5), I, K
@@ -3640,7 +3641,7 @@ C     and 6 roundings.
       END
 
 C     TSMRKH - OK is 1 if the position Z has a mark of support J, or 0;
-C     H is then its height, to a grain.  The roundings of TSSEEK and the
+C     H is then its height, to a grain.  The roundings of TSFSUR and the
 C     error of the height shift a mark by less than 8 EPS MARKS quanta.
       SUBROUTINE TSMRKH(MARK, SUP, J, Z, H, OK)
       INTEGER LSUP
@@ -3715,7 +3716,7 @@ C     support.
       PARAMETER (LIQ = 47)
       INTEGER IQ(LIQ), Z, OPEN
       INTEGER QUNDEC, QOFFER, QSAMPL, SAMSIZ
-      PARAMETER (QUNDEC = 8, QOFFER = 9, QSAMPL = 9, SAMSIZ = 32)
+      PARAMETER (QUNDEC = 8, QOFFER = 9, QSAMPL = 15, SAMSIZ = 32)
       INTEGER PLACE
       IF (IQ(QOFFER) .EQ. 0 .OR. OPEN .GT. IQ(QUNDEC)) THEN
         IQ(QUNDEC) = OPEN
@@ -3787,16 +3788,16 @@ C     several near sheets.  (Two exact planes need no finer heights than
 C     tell them apart.)  OK is 1, or 0 if that is more than PLBAND.
       SUBROUTINE TSTHRO(X, P, ORD, RECORD, CTL, IQ, Z, WIDE, PLANE, S,
      $                  OK)
-      INTEGER LSUP, LF, LIQ, LRECRD, LBALL, SAMSIZ
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 47, LRECRD = 16, LBALL = 85,
+      INTEGER LSUP, LBALL, LF, LIQ, LRECRD, SAMSIZ
+      PARAMETER (LSUP = 60, LBALL = 85, LF = 12, LIQ = 47, LRECRD = 16,
      $    SAMSIZ = 32)
       DOUBLE PRECISION X(3,*), P(3,*), WIDE, S(LSUP)
       INTEGER ORD(*), RECORD(LRECRD), CTL(*), IQ(LIQ), Z(4), PLANE, OK
       INTEGER SCALE, SLOWES, FE, QOFFER, QSAMPL, RECPT, RECPLN, RECQUA,
      $    RECEXP, DIGITS, EXPON, MARKS
       DOUBLE PRECISION DIGIT, FINBY, PLBAND, SPBAND, HUGE, UNDERR
-      PARAMETER (SCALE = 19, SLOWES = 59, FE = 10, QOFFER = 9,
-     $    QSAMPL = 9, RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4,
+      PARAMETER (SCALE = 13, SLOWES = 59, FE = 10, QOFFER = 9,
+     $    QSAMPL = 15, RECPT = 1, RECPLN = 2, RECQUA = 3, RECEXP = 4,
      $    DIGITS = 4, DIGIT = 8192.0D0, EXPON = 2000, FINBY = 100.0D0,
      $    PLBAND = 2.0D-8, SPBAND = 1.0D-3, MARKS = 134217728,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, UNDERR = 1.0D-200)
@@ -3860,7 +3861,7 @@ C     up, or 0.
       INTEGER ORD(*), RECORD(*), CTL(*), V(3), IQ(LIQ), OK
       INTEGER QOFFER, QSAMPL
       DOUBLE PRECISION LENMIN
-      PARAMETER (QOFFER = 9, QSAMPL = 9, LENMIN = 2.0D0**(-450))
+      PARAMETER (QOFFER = 9, QSAMPL = 15, LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION TSDOT, D, E(3), U(3,SAMSIZ), WIDE(3)
       INTEGER WIDEST, I, J, K, N, Z(4)
       OK = 0
@@ -3956,7 +3957,7 @@ C     is 1 if it is kept, or 0.
       INTEGER NP, LEAVES, NSURF, RSLIMI, SLOWES, SQUANT, QOFFER, SURFS,
      $    SAMMIN, RSTEPS, COMPLE
       DOUBLE PRECISION FINBY
-      PARAMETER (NP = 1, LEAVES = 4, NSURF = 20, RSLIMI = 5,
+      PARAMETER (NP = 1, LEAVES = 4, NSURF = 15, RSLIMI = 5,
      $    SLOWES = 59, SQUANT = 60, QOFFER = 9, SURFS = 8, SAMMIN = 24,
      $    FINBY = 100.0D0, RSTEPS = 32768, COMPLE = -1)
       DOUBLE PRECISION ERR, H
@@ -4024,7 +4025,7 @@ C     TSSOFI - sets up the supports that an index has, as they were.
       DOUBLE PRECISION X(3,*), SUP(LSUP,*)
       INTEGER COUNTS(*), CTL(*)
       INTEGER NSURF
-      PARAMETER (NSURF = 20)
+      PARAMETER (NSURF = 15)
       INTEGER TSRCRD, AT, J, OK
       CTL(NSURF) = COUNTS(1)
       DO 10 J = 1, CTL(NSURF)
@@ -4042,7 +4043,7 @@ C     otherwise.
       DOUBLE PRECISION X(3,*), SUP(*), H(3), ERR(3)
       INTEGER MARK(*), CTL(*), V(3), BASE, J
       INTEGER NSURF, SURFS
-      PARAMETER (NSURF = 20, SURFS = 8)
+      PARAMETER (NSURF = 15, SURFS = 8)
       INTEGER I, OK
       DO 10 I = 1, 3
         IF (MARK(V(I)) .EQ. 0) GO TO 10
@@ -4104,15 +4105,15 @@ C     marks leave nothing of the tilt, as at the poles of a globe of
 C     meridians, the differences of heights come by limbs, over the
 C     base: right to some EPS of themselves.
       SUBROUTINE TSCHOS(X, MARK, CTL, SUP, V, IQ, F, T)
-      INTEGER LSUP, LF, LIQ, LTILT, LSPHER
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 47, LTILT = 14, LSPHER = 52)
+      INTEGER LSUP, LSPHER, LF, LTILT, LIQ
+      PARAMETER (LSUP = 60, LSPHER = 52, LF = 12, LTILT = 14, LIQ = 47)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT)
       INTEGER MARK(*), CTL(*), V(3), IQ(LIQ)
-      INTEGER SC, SLOWES, VBASEH, FE, QBASE, QSURF, THEIGE, TTILT,
-     $    TTILTE, TNORMH
+      INTEGER SC, SLOWES, VBASEH, FE, THEIGE, TTILT, TTILTE, TNORMH,
+     $    QBASE, QSURF
       DOUBLE PRECISION EPS, UNDERR
-      PARAMETER (SC = 55, SLOWES = 59, VBASEH = 7, FE = 10, QBASE = 4,
-     $    QSURF = 6, THEIGE = 9, TTILT = 9, TTILTE = 13, TNORMH = 14,
+      PARAMETER (SC = 55, SLOWES = 59, VBASEH = 7, FE = 10, THEIGE = 9,
+     $    TTILT = 9, TTILTE = 13, TNORMH = 14, QBASE = 4, QSURF = 6,
      $    EPS = 2.0D0**(-52), UNDERR = 1.0D-200)
       DOUBLE PRECISION TSDOT, A(3,2), AB, DET, ERR(3), H(3), N(2),
      $    OWN(LSPHER), R, SIZE, T1, T2
@@ -4178,15 +4179,15 @@ C     for a sphere.  A plane's g errs by E and some roundings.  The
 C     quotients are of numbers right to 4 EPS of themselves, as is what
 C     is left of a side of more than twice its error: ROUNDG is more.
       SUBROUTINE TSSHAR(X, MARK, SUP, IQ, F, T, Z, SIDE, LO, HI)
-      INTEGER LSUP, LF, LIQ, LTILT
-      PARAMETER (LSUP = 60, LF = 12, LIQ = 47, LTILT = 14)
+      INTEGER LSUP, LF, LTILT, LIQ
+      PARAMETER (LSUP = 60, LF = 12, LTILT = 14, LIQ = 47)
       DOUBLE PRECISION X(3,*), SUP(LSUP,*), F(LF), T(LTILT), LO, HI
       INTEGER MARK(*), IQ(LIQ), Z, SIDE
-      INTEGER SPLANE, VBASEH, FNORM, FBASE, FE, QSURF, THEIGE, TTILT,
-     $    TTILTE, TNORMH
+      INTEGER SPLANE, VBASEH, FNORM, FBASE, FE, THEIGE, TTILT, TTILTE,
+     $    TNORMH, QSURF
       DOUBLE PRECISION HUGE, EPS, LENMIN, UNDERR, ROUNDG
       PARAMETER (SPLANE = 8, VBASEH = 7, FNORM = 0, FBASE = 6, FE = 10,
-     $    QSURF = 6, THEIGE = 9, TTILT = 9, TTILTE = 13, TNORMH = 14,
+     $    THEIGE = 9, TTILT = 9, TTILTE = 13, TNORMH = 14, QSURF = 6,
      $    HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023, EPS = 2.0D0**(-52),
      $    LENMIN = 2.0D0**(-450), UNDERR = 1.0D-200,
      $    ROUNDG = 64.0D0*2.0D0**(-52))
@@ -4310,22 +4311,22 @@ C     is exact but for one rounding.  The sieve is all that over q.
      $    Q)*(ABS(T(VBASEH)) - S(SLOWES)) + UNDERR)/Q
       END
 
-C     TSSEEK - seeks a reference surface in the sample of a search, if
-C     it is large and samples have been so for a while; each failure
-C     doubles the while.
+C     TSSEEK - seeks a support in the sample of a search, if it is large
+C     and samples have been so for a while; each failure doubles the
+C     while.
       SUBROUTINE TSSEEK(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ)
       DOUBLE PRECISION X(3,*), P(3,*), RCTL(*), SUP(*)
       INTEGER ORD(*), LINK(*), MARK(*), CTL(*), V(3), IQ(*)
       INTEGER NP, RSLOAD, RSLIMI, QOFFER, SAMMIN
       PARAMETER (NP = 1, RSLOAD = 4, RSLIMI = 5, QOFFER = 9,
      $    SAMMIN = 24)
-      INTEGER OK
+      INTEGER KEPT
       IF (IQ(QOFFER) .LE. SAMMIN .OR. RCTL(RSLIMI) .LE. 0.0D0) RETURN
       RCTL(RSLOAD) = RCTL(RSLOAD) + DBLE(IQ(QOFFER))/DBLE(CTL(NP))
       IF (RCTL(RSLOAD) .LE. RCTL(RSLIMI)) RETURN
       RCTL(RSLOAD) = 0.0D0
-      CALL TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, OK)
-      IF (OK .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
+      CALL TSFSUR(X, P, ORD, LINK, MARK, CTL, RCTL, SUP, V, IQ, KEPT)
+      IF (KEPT .EQ. 0) RCTL(RSLIMI) = 2.0D0*RCTL(RSLIMI)
       END
 
 C     ------------------------------------------------------------------
@@ -4717,13 +4718,13 @@ C     cylinders.
       SUBROUTINE TSLAYO(CTL, RCTL, LSI, LSD)
       INTEGER CTL(*), LSI(*)
       DOUBLE PRECISION RCTL(*), LSD(*)
-      INTEGER NP, STTIED, BLMISS, BLTIES, HASCYL, NSURF, LASTTI, PAUSED,
+      INTEGER NP, HASCYL, NSURF, STTIED, BLMISS, BLTIES, LASTTI, PAUSED,
      $    RSLOAD, RSLIMI, RSKIN, RBUDGE, RTREEC, RCLUMP
       DOUBLE PRECISION BUDSTA
-      PARAMETER (NP = 1, STTIED = 14, BLMISS = 18, BLTIES = 13,
-     $    HASCYL = 16, NSURF = 20, LASTTI = 85, PAUSED = 86, RSLOAD = 4,
-     $    RSLIMI = 5, RSKIN = 7, RBUDGE = 8, RTREEC = 9, RCLUMP = 10,
-     $    BUDSTA = 500.0D0)
+      PARAMETER (NP = 1, HASCYL = 14, NSURF = 15, STTIED = 18,
+     $    BLMISS = 19, BLTIES = 20, LASTTI = 21, PAUSED = 22,
+     $    RSLOAD = 4, RSLIMI = 5, RSKIN = 7, RBUDGE = 8, RTREEC = 9,
+     $    RCLUMP = 10, BUDSTA = 500.0D0)
       CTL(NP) = 0
       CTL(BLTIES) = 0
       CTL(STTIED) = 0
@@ -4844,7 +4845,7 @@ C     not if one underflows: its multiple is lost.
       INTEGER CTL(*)
       INTEGER NP, SCALE, EXACT3, EXACT5, RLEAST, DBLDIG
       DOUBLE PRECISION HUGE, NORMAL, LENMIN
-      PARAMETER (NP = 1, SCALE = 19, EXACT3 = 1, EXACT5 = 2, RLEAST = 6,
+      PARAMETER (NP = 1, SCALE = 13, EXACT3 = 1, EXACT5 = 2, RLEAST = 6,
      $    DBLDIG = 53, HUGE = (2.0D0 - 2.0D0**(-52))*2.0D0**1023,
      $    NORMAL = 2.0D0**(-1022), LENMIN = 2.0D0**(-450))
       DOUBLE PRECISION HHLDEX, TSUNIT, BOTTOM, TOP, U
@@ -4968,9 +4969,9 @@ C     whether there are clumps.
       PARAMETER (LHEAD = 6)
       INTEGER KNOWN(4), COUNT, COUNTS(*), CTL(*), CODE
       DOUBLE PRECISION HEADER(LHEAD), RCTL(*)
-      INTEGER NP, HASCYL, SCALE, NSURF, EXACT3, EXACT5, RLEAST, RCLUMP,
+      INTEGER NP, SCALE, HASCYL, NSURF, EXACT3, EXACT5, RLEAST, RCLUMP,
      $    HDNP, HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, HHLIM
-      PARAMETER (NP = 1, HASCYL = 16, SCALE = 19, NSURF = 20,
+      PARAMETER (NP = 1, SCALE = 13, HASCYL = 14, NSURF = 15,
      $    EXACT3 = 1, EXACT5 = 2, RLEAST = 6, RCLUMP = 10, HDNP = 1,
      $    HDEX3 = 2, HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6,
      $    HHLIM = 88)
@@ -4996,11 +4997,11 @@ C     points without a mesh, or -8 where there is no index.
       INTEGER N, REP(*), ORD(*), KNOWN(4), COUNT, COUNTS(*), CTL(*),
      $    LSI(*), INFO
       DOUBLE PRECISION P(3,*), HEADER(LHEAD), BOX(6,*), RCTL(*), LSD(*)
-      INTEGER NP, LEAVES, HASCYL, SCALE, EXACT3, EXACT5, RLEAST, HDNP,
+      INTEGER NP, LEAVES, SCALE, HASCYL, EXACT3, EXACT5, RLEAST, HDNP,
      $    HDEX3, HDEX5, HDSCAL, HDLEAS, HDLIMB, SURFS, PLANAR, RANGE,
      $    HHLIM
       DOUBLE PRECISION NORMAL
-      PARAMETER (NP = 1, LEAVES = 4, HASCYL = 16, SCALE = 19,
+      PARAMETER (NP = 1, LEAVES = 4, SCALE = 13, HASCYL = 14,
      $    EXACT3 = 1, EXACT5 = 2, RLEAST = 6, HDNP = 1, HDEX3 = 2,
      $    HDEX5 = 3, HDSCAL = 4, HDLEAS = 5, HDLIMB = 6, SURFS = 8,
      $    PLANAR = 3, RANGE = 6, HHLIM = 88, NORMAL = 2.0D0**(-1022))
@@ -5190,7 +5191,7 @@ C     LENGTH.
       DOUBLE PRECISION RCTL(*)
       INTEGER NSURF, EXACT5, RSLIMI, RCLUMP, SURFS
       DOUBLE PRECISION SAMLIM, EXACTU
-      PARAMETER (NSURF = 20, EXACT5 = 2, RSLIMI = 5, RCLUMP = 10,
+      PARAMETER (NSURF = 15, EXACT5 = 2, RSLIMI = 5, RCLUMP = 10,
      $    SURFS = 8, SAMLIM = 1.0D0, EXACTU = 16.0D0)
       INTEGER TSLCOU, CYLS, LIWMIN, LRWMIN, OK, POOL
       CALL TSLENG(N, LIWMIN, LRWMIN, POOL, SPACE, CYLS, OK)
@@ -5224,7 +5225,7 @@ C     altered.
      $    LOWEST, NEXTNE, RREACH, NEW, FULL
       DOUBLE PRECISION BLKREA
       PARAMETER (NP = 1, NTET = 2, MAXTET = 3, LEAVES = 4, POOLLN = 5,
-     $    SLOTS = 6, NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 15,
+     $    SLOTS = 6, NFACET = 7, UNFILE = 8, LOWEST = 11, NEXTNE = 12,
      $    RREACH = 3, BLKREA = 2.6D0, NEW = -2, FULL = 2)
       INTEGER I, K, OK, S, START, T
       CTL(POOLLN) = LENGTH
@@ -5509,7 +5510,7 @@ C     element of RW or IW, and the standard lets them be altered.
      $    COUNTS(LEFT), ROOMY, WHOLE, INFO
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,*)
       INTEGER HASCYL, NSURF
-      PARAMETER (HASCYL = 16, NSURF = 20)
+      PARAMETER (HASCYL = 14, NSURF = 15)
       DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS)
       REAL LSX(TSLIST,LLSX,NLISTS)
       INTEGER CTL(LCTL), K, LENGTH, LSI(LLSI,NLISTS),
@@ -5623,7 +5624,7 @@ C     spread evenly); nothing else is kept of these.
       INTEGER NP, NSURF, EXACT5, RSLOAD, RSLIMI, RCLUMP, REGIO, STARS,
      $    RANGE
       DOUBLE PRECISION KEEN, EXACTU
-      PARAMETER (NP = 1, NSURF = 20, EXACT5 = 2, RSLOAD = 4, RSLIMI = 5,
+      PARAMETER (NP = 1, NSURF = 15, EXACT5 = 2, RSLOAD = 4, RSLIMI = 5,
      $    RCLUMP = 10, REGIO = 32, STARS = 256, KEEN = 1.0D0/256.0D0,
      $    EXACTU = 16.0D0, RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), PART, RCTL(LRCTL),
@@ -5846,7 +5847,7 @@ C     points that has all its neighbours.
       SUBROUTINE TSINCT(X, P, ORD, BOX, ALIVE, REP, KNOWN, LINK, MARK,
      $                  CTL, RCTL, SUP, LSX, LSID, LSI, LSD, S, V)
       INTEGER LF, LIQ, LFQ
-      PARAMETER (LF = 12, LIQ = 47, LFQ = 162)
+      PARAMETER (LF = 12, LIQ = 47, LFQ = 163)
       DOUBLE PRECISION X(3,*), P(3,*), BOX(6,*), RCTL(*), SUP(*),
      $    LSD(*)
       REAL LSX(*)
@@ -6438,7 +6439,7 @@ C     the same everywhere.
       DOUBLE PRECISION P(3,*), BOX(6,*), Q(3)
       INTEGER ORD(*), CTL(*), BEST
       INTEGER LEAVES, SCALE
-      PARAMETER (LEAVES = 4, SCALE = 19)
+      PARAMETER (LEAVES = 4, SCALE = 13)
       DOUBLE PRECISION HHLDEX, HI, LO
       INTEGER FIRST, I, K, LAST, NODE, OK, SE
       SE = -CTL(SCALE)
@@ -6579,7 +6580,7 @@ C     TSQUER - TESSQU with the index cut up as TSWORK's workspace.
       DOUBLE PRECISION P(3,*), X(3,N), HEADER(*), BOX(6,2*LVS-1), Q(3),
      $    W(4)
       INTEGER NP, NSURF, EXACT3, HFACET, HTURNF, HMAXTU, NONE, RANGE
-      PARAMETER (NP = 1, NSURF = 20, EXACT3 = 1, HFACET = 0, HTURNF = 7,
+      PARAMETER (NP = 1, NSURF = 15, EXACT3 = 1, HFACET = 0, HTURNF = 7,
      $    HMAXTU = 10, NONE = 0, RANGE = 6)
       DOUBLE PRECISION LSD(LLSD,NLISTS), RCTL(LRCTL), SUP(LSUP,SURFS),
      $    XF(3)
