@@ -303,7 +303,8 @@ check: all
 check-all: all
 	$(CHECK) -all
 
-UNITS = brute t_cells t_natural t_part t_pred t_size t_tess
+UNITS = brute t_cells t_check t_facet t_locate t_natural t_part t_pred t_query \
+    t_range t_resume t_size t_tess
 $(UNITS):
 	@$(CHECK) -unit $@ $(ARGS)
 

@@ -132,8 +132,7 @@ compile() {
 # compiled so, into $here; the library once.  (With HARNESS the points and the
 # proofs have these flags.)
 HARNESS=
-COMMON="test/points.c test/proof/*.c test/hunts/hard.c test/unit/damage.c
-    test/unit/guard.c"
+COMMON="test/points.c test/proof/*.c test/hunts/hard.c $SHARED"
 MADE=
 unit() {
     here=build/units/$(echo "$1" | tr -cd 'a-zA-Z0-9')
@@ -173,6 +172,11 @@ units() {
             fail "$t, $tag: does not compile"
         fi
     done
+}
+
+# quick NAME CC FLAGS PROGRAMS: each of them with -quick
+quick() {
+    for program in $4; do units "$1" "$2" "$3" "$program -quick"; done
 }
 
 if [ "$1" = -unit ]; then
@@ -245,7 +249,7 @@ language() {
         one "strict C89: programs for small machines" sh -c "for f in \
             test/machines/tiny.c test/examples/embedded.c \
             test/examples/sensor.c test/unit/t_size.c test/unit/t_pred.c \
-            test/unit/brute.c $(echo $COMMON); do
+            test/unit/t_facet.c test/unit/brute.c $(echo $COMMON); do
             $CC $STRICT -DTESS_INT=short -fsyntax-only -I. \$f || exit 1; done"
     else
         skipped "strict C89: $CC does not take the flags"
@@ -390,7 +394,7 @@ SANITIZE="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
 arguments() {
     for t in "brute -quick" "brute 0" "brute 9 9 9" "brute -one 99 1" \
         "t_cells 9" "t_natural quick" "t_part quick" "t_part -quick 9" \
-        "t_pred -quick" "t_pred 0" "t_pred 9x" "t_size -quick" "t_tess quick" \
+        "t_pred -quick" "t_facet 0" "t_pred 9x" "t_size -quick" "t_tess quick" \
         "t_tess -sums 0" "t_tess -one uniform" "t_index -quick"; do
         usual "${t%% *}" || return
         limited 60 build/units/usual/$t > $OUT 2>&1
@@ -409,40 +413,44 @@ tests() {
     fi
     if [ -z "$ALL" ]; then
         # (t_tess and t_part run with sanitizers)
-        units usual "$CC" "$CFLAGS" "t_pred 20" brute t_size t_natural t_cells
+        units usual "$CC" "$CFLAGS" "t_pred 20" "t_facet 20" brute t_size \
+            t_natural t_cells
         many "certify" env CC="$CC" sh test/hunts/certify.sh -quick
         # few limbs: code 2 or TESS_RANGE where they do not suffice
         units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
-            "t_tess -range"
+            "t_facet 10" t_range
         # lists of other capacities only look elsewhere first; -all has the two
         # one by one
         units "-DTESS_INT=short -DTESS_LIST=48" "$CC" \
             "-O1 -DTESS_INT=short -DTESS_LIST=48" "brute 100" t_size
-        units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 10" "brute 100"
+        units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 10" \
+            "t_facet 10" "brute 100"
         return
     fi
-    units usual "$CC" "$CFLAGS" t_pred brute t_tess t_part t_size t_natural \
-        t_cells
-    units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 50" "brute 100" \
-        "t_tess -range" "t_part -quick"
-    units -DHH_LIMBS=6 "$CC" "-O1 -DHH_LIMBS=6" "t_tess -range"
-    units -DTESS_LIST=48 "$CC" "-O1 -DTESS_LIST=48" "brute 100" "t_tess -quick"
+    # shellcheck disable=SC2086 # words
+    units usual "$CC" "$CFLAGS" t_pred t_facet brute $MESHES t_part t_query \
+        t_size t_natural t_cells
+    units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 50" "t_facet 50" \
+        "brute 100" t_range "t_part -quick" "t_query -quick"
+    units -DHH_LIMBS=6 "$CC" "-O1 -DHH_LIMBS=6" t_range
+    units -DTESS_LIST=48 "$CC" "-O1 -DTESS_LIST=48" "brute 100"
+    quick -DTESS_LIST=48 "$CC" "-O1 -DTESS_LIST=48" "$MESHES"
     for list in 52 128 252 1024 4096; do
         units -DTESS_LIST=$list "$CC" "-O1 -DTESS_LIST=$list" "brute 60"
     done
-    units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 50" "brute 100" \
-        "t_part -quick"
+    units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 50" "t_facet 50" \
+        "brute 100" "t_part -quick" "t_query -quick"
     units -DTESS_INT=short "$CC" "-O1 -DTESS_INT=short" "brute 100" t_size
     units "-DTESS_INT=short -DTESS_LIST=48" "$CC" \
         "-O1 -DTESS_INT=short -DTESS_LIST=48" "brute 100" t_size
     units -DTESS_INT=long "$CC" "-O1 -DTESS_INT=long" "brute 100" t_size
     if have "$CC" "$ROUND"; then
-        units "all rounding modes" "$CC" "$ROUND" "t_pred 10"
+        units "all rounding modes" "$CC" "$ROUND" "t_pred 10" "t_facet 10"
     else
         skipped "all rounding modes"
     fi
     if have "$CC" -mfpmath=387; then
-        units x87 "$CC" "-O2 -mfpmath=387" "t_pred 10"
+        units x87 "$CC" "-O2 -mfpmath=387" "t_pred 10" "t_facet 10"
     else
         skipped "x87"
     fi
@@ -638,12 +646,12 @@ stacked77() {
 sanitizers() {
     if have "$CC" "$SANITIZE"; then
         HARNESS=-O2
-        units sanitizers "$CC" "$SANITIZE" "brute 50" "t_tess -quick" \
-            "t_part -quick"
+        units sanitizers "$CC" "$SANITIZE" "brute 50"
+        quick sanitizers "$CC" "$SANITIZE" "$MESHES t_part t_query"
         HARNESS=
     else
         skipped "sanitizers"
-        units usual "$CC" "$CFLAGS" "t_tess -quick" "t_part -quick"
+        quick usual "$CC" "$CFLAGS" "$MESHES t_part t_query"
     fi
 }
 
@@ -673,10 +681,11 @@ builds() {
     usual t_tess
     build/units/usual/t_tess -sums > build/sums.txt
     one "same result: checksums" test -s build/sums.txt
-    SUMS=build/units/usual/_t_tess.o
+    SHARES=
     for f in $COMMON; do
-        SUMS="$SUMS build/units/usual/$(basename $f .c).o"
+        SHARES="$SHARES build/units/usual/$(basename $f .c).o"
     done
+    SUMS="build/units/usual/_t_tess.o $SHARES"
     same "$CC -Ofast -march=native" "$CC" "-Ofast -march=native"
     same "$CC -mfpmath=387" "$CC" "-O2 -mfpmath=387"
     [ -z "$ALL" ] && return
@@ -684,7 +693,11 @@ builds() {
     many "same result: t_tess, a narrow cluster" build/units/usual/t_tess -one lastplaces \
         1500 1
     # what only a processor that takes subnormal numbers for zero brings about
-    many "same result: t_tess, subnormal numbers flushed" build/sums1 -quick
+    for t in $MESHES; do
+        usual $t && build flushed "$CC" "-Ofast -march=native" \
+            build/units/usual/_$t.o $SHARES $LIBRARY
+        many "same result: $t, subnormal numbers flushed" build/flushed -quick
+    done
     same "$CC -O0" "$CC" "-O0"
     same "$CC -O2" "$CC" "-O2"
     same "$CC -O3 -funroll-loops -ffp-contract=fast -march=native" "$CC" \
@@ -1653,8 +1666,8 @@ halves() {
             -Wno-compare-reals -Wno-do-subscript -c -o build/fparity.o \
             test/fortran/parity.f >> $LOG 2>&1
         # (so many points have cylinders on several levels)
-        quick="t_pred 20,brute 50,t_tess -quick,t_tess -one ellipsoid 6000 1"
-        quick="$quick,t_part -quick"
+        quick="t_pred 20,t_facet 20,brute 50,t_tess -one ellipsoid 6000 1"
+        quick="$quick$(printf ',%s -quick' $MESHES t_part t_query)"
         fortran "gfortran -fcheck=all" "" "$quick" gfort build/f -O1 -fcheck=all
         text "gfortran -fcheck=all"
         programs "gfortran -fcheck=all" "-std=legacy -O1 -fcheck=all"
@@ -1672,7 +1685,8 @@ halves() {
         # (what the tests ask for with subscripts checked is not asked again)
         fortran "gfortran -O0" "" "brute 50" gfort build/f -O0
         text "gfortran -O0"
-        fortran "gfortran -O3" "" "brute,t_tess -quick,t_part -quick" gfort build/f -O3
+        fortran "gfortran -O3" "" "brute$(printf ',%s -quick' $MESHES \
+            t_part t_query)" gfort build/f -O3
         text "gfortran -O3"
         threads "gfortran -O3"
         half gfort build/f -Ofast -march=native
@@ -1683,13 +1697,14 @@ halves() {
         text "gfortran -fsanitize=address"
         LIBF=
         # integers of 8 bytes
-        fortran "INTEGER*8" -DTESS_INT=long "t_pred 10,brute 50" gfort build/f \
+        fortran "INTEGER*8" -DTESS_INT=long "t_pred 10,t_facet 10,brute 50" gfort build/f \
             -O2 -fdefault-integer-8
         programs "INTEGER*8" "-std=legacy -fdefault-integer-8"
         recipes77 "INTEGER*8" "-std=legacy -fdefault-integer-8" -DTESS_INT=long
         interface "INTEGER*8" -fdefault-integer-8
         fortran "gfortran, 3 limbs" -DHH_LIMBS=3 \
-            "t_pred 10,brute 100,t_tess -range,t_part -quick" fewlimbs
+            "t_pred 10,t_facet 10,brute 100,t_range,t_part -quick,t_query -quick" \
+            fewlimbs
         for omp in "" -fopenmp; do
             wanted "example: parts.f $omp" || continue
             rm -f build/partsf
@@ -1704,7 +1719,8 @@ halves() {
     if command -v f2c > /dev/null; then
         LINKF=$CC
         LIBF=-lf2c
-        fortran "f2c" "" "t_pred 20,brute 50,t_tess -quick" viaf2c build/f \
+        fortran "f2c" "" "t_pred 20,t_facet 20,brute 50$(printf ',%s -quick' $MESHES)" \
+            viaf2c build/f \
             test/fortran/parity.f
         text "f2c"
         threads "f2c"
