@@ -339,11 +339,13 @@ MESH = test/mpi/mesh.c test/mpi/split.c test/mpi/halo.c test/mpi/stars.c \
 
 mpi: build/mesh build/same
 
-build/mesh: $(MESH) test/mpi/mesh.h test/points.c test/points.h $(LIBRARY)
+build/mesh: $(MESH) test/mpi/mesh.h test/points.c test/points.h test/measured.h \
+    $(LIBRARY)
 	OMPI_CC="$(CC)" mpicc $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@ $(MESH) \
 	    test/points.c $(LIBRARY) $(LDLIBS)
 
-build/same: test/mpi/same.c test/points.c test/points.h $(LIBRARY)
+build/same: test/mpi/same.c test/points.c test/points.h test/measured.h \
+    $(LIBRARY)
 	$(LINK) $(CPPFLAGS) test/mpi/same.c test/points.c $(LIBRARY) $(LDLIBS)
 
 paper:

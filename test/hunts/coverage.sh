@@ -31,7 +31,7 @@ measure() {
     mkdir -p $DIR/$1
     cp *.[ch] $DIR/$1
     mkdir -p $DIR/$1/test
-    cp -r test/points.[ch] test/take.h test/examples test/fortran test/proof \
+    cp -r test/points.[ch] test/measured.h test/take.h test/examples test/fortran test/proof \
         test/unit $DIR/$1/test
     (
         cd $DIR/$1
