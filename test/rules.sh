@@ -1,5 +1,5 @@
 #!/bin/sh
-# rules.sh - the rules of test/README that a machine can check; run from the top
+# rules.sh - the rules of test/ADDING that a machine can check; run from the top
 # directory.  Ends with `rules: N passed, N failed'.
 . test/tests.sh
 begin rules
