@@ -8,7 +8,7 @@
  *
  * THE SOFTWARE IS PROVIDED "AS IS" AND THE AUTHOR DISCLAIMS ALL WARRANTIES WITH
  * REGARD TO THIS SOFTWARE INCLUDING ALL IMPLIED WARRANTIES OF MERCHANTABILITY
- * AND FITNESS. IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
+ * AND FITNESS.  IN NO EVENT SHALL THE AUTHOR BE LIABLE FOR ANY SPECIAL, DIRECT,
  * INDIRECT, OR CONSEQUENTIAL DAMAGES OR ANY DAMAGES WHATSOEVER RESULTING FROM
  * LOSS OF USE, DATA OR PROFITS, WHETHER IN AN ACTION OF CONTRACT, NEGLIGENCE OR
  * OTHER TORTIOUS ACTION, ARISING OUT OF OR IN CONNECTION WITH THE USE OR
@@ -55,9 +55,9 @@
 
 /* The integer of all index arrays.  4*maxtet + 3 must not exceed its largest
  * value.  TESS_INT, the name of a signed type in one word, chooses another:
- * short, on a very small machine; long for more than 268 million points, and
- * where long has 4 bytes, as in 64-bit Windows, ptrdiff_t with -include
- * stddef.h.  Compile all files with the same: see below. */
+ * short, on a very small machine; long for more than 79 million points that
+ * fill a volume, and where long has 4 bytes, as in 64-bit Windows, ptrdiff_t
+ * with -include stddef.h.  Compile all files with the same: see below. */
 #ifdef TESS_INT
 #if TESS_INT + 0 /* an error here: TESS_INT must be one word; use a typedef */
 #endif
@@ -147,15 +147,22 @@ typedef double tess_real;
 #endif
 
 #define HH_FACET_LEN 12
+/* Where in it is what: see hh_facet. */
+#define HH_NORMAL 0
+#define HH_CENTRE 3
+#define HH_BASE 6
+#define HH_E 9
+#define HH_DC 10
+#define HH_RHO 11
 
 /* The bounds of hh_facet hold if E is at most this. */
-#define HH_LOOSE 0.5
+#define HH_E_MAX 0.5
 /* For coordinates of absolute value at most 1 they hold if |w| and the
  * facet's edges are at least this: below it squares might underflow. */
 #if DBL_MANT_DIG >= 53
-#define HH_SMALL 3.4395525670743494e-136 /* 2^-450 */
+#define HH_LENGTH_MIN 3.4395525670743494e-136 /* 2^-450 */
 #else
-#define HH_SMALL 9.0949470e-13           /* 2^-40  */
+#define HH_LENGTH_MIN 9.0949470e-13           /* 2^-40  */
 #endif
 
 #ifdef __cplusplus
@@ -182,7 +189,7 @@ extern "C" {
  *   computed L is wrong by at most
  *       dL = |w| (eps (3 |w| + 5 rho) + dc + |L| E) / g + 4 eps |L|,
  *   eps = DBL_EPSILON; derived in hhpred.c.  These bounds hold as long as
- *   E <= 1/2 (HH_LOOSE), and |w| and the facet's edges stay between about
+ *   E <= 1/2 (HH_E_MAX), and |w| and the facet's edges stay between about
  *   2^-450 and 2^450; a circumcentre beyond DBL_MAX is infinite.
  */
 TESS_API int hh_facet(const tess_real *p1, const tess_real *p2,
@@ -197,8 +204,8 @@ TESS_API double hh_side(const double *f, const tess_real *z);
  * one of them is computed to lie in the plane). */
 TESS_API int hh_opp(const double *f, const tess_real *z1, const tess_real *z2);
 
-/* hh_lcoord - the L-coordinate of z (Section 3.2): the centre of the ball
- * through p1, p2, p3, z is c + L v.  For z computed to lie in the plane:
+/* hh_lcoord - the L-coordinate of z (Section 3.2): the centre of the
+ * sphere through p1, p2, p3, z is c + L v.  For z computed to lie in the plane:
  * DBL_MAX when it is outside the facet's circle or on it, else -DBL_MAX. */
 TESS_API double hh_lcoord(const double *f, const tess_real *z);
 
@@ -220,9 +227,9 @@ TESS_API int hh_wrap(const tess_real *p1, const tess_real *p2,
 TESS_API int hh_orient(const tess_real *a, const tess_real *b,
                        const tess_real *c, const tess_real *d);
 
-/* hh_insphere - exact: 1 when e is inside the ball of a, b, c, d, whatever
- * their orientation, -1 when it is outside, 0 on the sphere or when a, b, c,
- * d are coplanar.  2 as from hh_orient. */
+/* hh_insphere - exact: 1 when e is inside the circumsphere of a, b, c, d,
+ * whatever their orientation, -1 when it is outside, 0 when it is on it or a,
+ * b, c, d are coplanar.  2 as from hh_orient. */
 TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
                          const tess_real *c, const tess_real *d,
                          const tess_real *e);
@@ -242,16 +249,16 @@ TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
 #define hh_setup HH_AS(hh_setup)
 #define hh_ratio HH_AS(hh_ratio)
 #define hh_limits HH_AS(hh_limits)
-#define hh_pside HH_AS(hh_pside)
-#define hh_pball HH_AS(hh_pball)
+#define hh_porient HH_AS(hh_porient)
+#define hh_pinsphere HH_AS(hh_pinsphere)
 #define hh_centre HH_AS(hh_centre)
 #define hh_trial HH_AS(hh_trial)
-#define hh_lifts HH_AS(hh_lifts)
-#define hh_about HH_AS(hh_about)
+#define hh_relative HH_AS(hh_relative)
+#define hh_surface HH_AS(hh_surface)
 #define hh_height HH_AS(hh_height)
 #define hh_thin HH_AS(hh_thin)
-#define hh_flat HH_AS(hh_flat)
-#define hh_line HH_AS(hh_line)
+#define hh_area HH_AS(hh_area)
+#define hh_collinear HH_AS(hh_collinear)
 #define hh_foot HH_AS(hh_foot)
 #define hh_weigh HH_AS(hh_weigh)
 #define hh_wider HH_AS(hh_wider)
@@ -259,79 +266,84 @@ TESS_API int hh_insphere(const tess_real *a, const tess_real *b,
 #define hh_finite HH_AS(hh_finite)
 #define hh_holds HH_AS(hh_holds)
 
-/* The limbs of balls and thin facets, at most 10; what needs more is not
- * made.  Scratch on the stack: 36 doubles a limb. */
+/* How many limbs balls and thin facets have, at most 10; what needs more is not
+ * made.  Correctness rests on the 10: see value_in_ball.  Scratch on the stack:
+ * 36 doubles a limb. */
 #if HH_LIMBS <= 6
-#define HH_FEW HH_LIMBS
+#define HH_BALL_LIMBS HH_LIMBS
 #elif DBL_MANT_DIG < 53
-#define HH_FEW 6
+#define HH_BALL_LIMBS 6
 #elif HH_LIMBS <= 10
-#define HH_FEW HH_LIMBS
+#define HH_BALL_LIMBS HH_LIMBS
 #else
-#define HH_FEW 10
+#define HH_BALL_LIMBS 10
 #endif
-/* Leading rows of a ball's numbers that are kept: 5 rows decide a third of the
- * signs on a rotated grid, 6 decide 98 %, 7 decide 99 %. */
-#define HH_ROWS 6
-/* Limbs of a point for hh_lifts: the first is that of a coordinate of 1, so
- * they hold all that are above 2^-17 (2^-19 where a double has 24 bits).  And
- * for hh_height: at the pole of a unit sphere sin(pi) cos(pi/2) takes them
- * all. */
-#define HH_LIFT (DBL_MANT_DIG >= 53 ? 3 : 5)
-#define HH_HIGH 7
+/* How many leading rows of a ball's numbers are kept: 5 rows decide a third of
+ * the signs on a rotated grid, 6 decide 98 %, 7 decide 99 %. */
+#define HH_BALL_ROWS 6
+/* How many limbs a point has for hh_relative: the first is that of a coordinate
+ * of 1, so they hold all that are above 2^-17 (2^-19 where a double has 24
+ * bits). */
+#define HH_SPHERE_LIMBS (DBL_MANT_DIG >= 53 ? 3 : 5)
+/* How many limbs a point has for hh_height: at the pole of a unit sphere
+ * sin(pi) cos(pi/2) takes them all. */
+#define HH_HEIGHT_LIMBS 7
 
-/* hh_pball's sign of a tie. */
+/* The sign of a tie in hh_pinsphere: this times 1 or -1. */
 #define HH_TIE 3
 
-/* hh_set - the points as tess keeps them.  Position i is place i in the
- * sorted order; duplicates are gone.
- *   x      3 doubles a position: the coordinates times one power of two, of
- *          absolute value at most 1.  What underflows, gradually or to 0, is
- *          wrong by at most DBL_MIN: absolute terms of the bounds cover that
- *   p      the caller's coordinates, which the exact arithmetic takes
- *   e      x = p 2^-e
- *   order  position -> index in p
- *   t3,t5  orientations and inspheres whose permanent is at most this are
- *          computed without rounding (all coordinates are small multiples of
- *          one power of two, and none underflowed); -1 when that is not
- *          known; t3 is -2 when some coordinate is so small that x may not
- *          suit the points near it: these are filtered in units of their
- *          own */
+/* hh_set - the points as tess keeps them.  Position i is place i in the sorted
+ * order; duplicates are gone. */
 typedef struct hh_set {
-    const double *x;
-    const tess_real *p;
-    const tess_int *order;
-    double t3, t5;
-    int e;
+    const double *x;       /* 3 doubles a position: the coordinates times one
+                            * power of two, of absolute value at most 1.  What
+                            * underflows, gradually or to 0, is wrong by at most
+                            * DBL_MIN, which absolute terms of bounds cover */
+    const tess_real *p;    /* the caller's coordinates, which the exact
+                            * arithmetic takes */
+    const tess_int *order; /* position -> number in p */
+    double exact3;         /* orientations whose permanent is at most this are
+                            * computed without rounding, as all coordinates are
+                            * small multiples of one power of two and none
+                            * underflowed; -1: that is not known; -2: nor may x
+                            * suit the points near a very small one, which are
+                            * filtered in units of their own */
+    double exact5;         /* the same of insphere determinants, but for -2 */
+    int exponent;          /* x = p 2^-exponent */
 } hh_set;
 
 /* hh_ball - a facet and the ball through it and a fourth point, by limbs: for a
- * point z, u = z - base, the side is n.u and the power D |u|^2 - C.u.
- *   n      limbs of u; those before first are 0 for the facet and the point
- *   top    weight of limb 0 of coordinates times factor, which hold most
- *   base   limbs of the base, three coordinates side by side
- *   power  leading rows of C and D, side those of n, and a fourth number
- *   e      exponent of limb 0's weight
- *   row    first row of n */
+ * point z, u = z - base, the side is N.u and the power D |u|^2 - C.u. */
 typedef struct hh_ball {
-    int n, first;
-    double top, factor, most;
-    double base[3 * HH_FEW], power[4 * HH_ROWS], side[4 * HH_ROWS];
-    int e, row;
+    int n;              /* the number of limbs of u */
+    int first_limb;     /* the limbs of u before this one are 0 for the facet
+                         * and the fourth point */
+    double top;         /* the weight of limb 0 of coordinates times factor */
+    double factor;      /* what coordinates are multiplied by: RAISE or 1 */
+    double max_abs;     /* the largest coordinate that the limbs hold */
+    double base[3 * HH_BALL_LIMBS]; /* the limbs of the base, three coordinates
+                                     * side by side */
+    double power[4 * HH_BALL_ROWS]; /* the leading rows of C and D */
+    double side[4 * HH_BALL_ROWS];  /* those of N, and of a fourth number */
+    int e;              /* limb 0 weighs 2^e in scaled coordinates */
+    int side_first;     /* the row of N that side begins with */
 } hh_ball;
 
-/* hh_sphere - a sphere or a plane by limbs, and what hh_lifts keeps.
- *   base        limbs of a point on it
- *   minus       limbs of twice the centre, seen from there; of minus the normal
- *   plane       1: a plane
- *   n, e        limbs in use; 2^e is the weight of limb 0
- *   ready       of hh_lifts: 0: none yet; -1: it cannot be had
- *   h           powers of the facet's two other vertices and of two points:
- *   best, last  their positions, or -1 */
+/* hh_sphere - a sphere or a plane by limbs, and what hh_relative keeps. */
 typedef struct hh_sphere {
-    double base[3 * HH_HIGH], minus[3 * HH_HIGH], h[4];
-    int plane, n, e, ready;
-    tess_int best, last;
+    double base[3 * HH_HEIGHT_LIMBS];         /* the limbs of a point on it */
+    double twice_centre[3 * HH_HEIGHT_LIMBS]; /* the limbs of twice the centre,
+                                               * seen from there; of a plane, of
+                                               * minus the normal */
+    double power[4];     /* of hh_relative: the powers of the facet's two other
+                          * vertices, of power_best and of power_last */
+    int plane;           /* 1: it is a plane */
+    int n;               /* the number of limbs in use */
+    int e;               /* 2^e is the weight of limb 0 */
+    int ready;           /* of hh_relative: 1: it is set up; 0: not yet; -1: it
+                          * cannot be had */
+    tess_int power_best; /* the position that has power[2], or -1 */
+    tess_int power_last; /* the position that has power[3], or -1 */
 } hh_sphere;
 
 /* The power |w|^2 - 2 c.w of a point w in the ball of centre c through 0. */
@@ -339,7 +351,7 @@ typedef struct hh_sphere {
     ((w0) * ((w0) - 2.0 * (c)[0]) + (w1) * ((w1) - 2.0 * (c)[1]) +     \
      (w2) * ((w2) - 2.0 * (c)[2]))
 
-/* Details in hhpred.c. */
+/* What they do is told in hhpred.c. */
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -348,22 +360,22 @@ void hh_setup(const double *p1, const double *p2, const double *p3, double *f);
 void hh_ratio(const double *f, const double *z, double least, double most,
               double *lo, double *hi);
 int hh_limits(const double *f, const double *z, double *lo, double *hi);
-int hh_pside(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l);
-int hh_pball(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
+int hh_porient(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l);
+int hh_pinsphere(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
              int rule);
 int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
               double *c, hh_ball *t);
 void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
               int *power);
-int hh_lifts(const hh_set *s, const tess_int *v, int base, const double *f,
+int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
              double l, tess_int a, tess_int z, hh_sphere *t);
-int hh_about(const hh_set *s, tess_int base, tess_int from, int plane,
+int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
              const double *c, hh_sphere *t);
 double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err);
 void hh_thin(const hh_set *s, const tess_int *v, int base, double *f);
-int hh_flat(int axis, const tess_real *a, const tess_real *b,
+int hh_area(int axis, const tess_real *a, const tess_real *b,
             const tess_real *c);
-int hh_line(const tess_real *a, const tess_real *b, const tess_real *c);
+int hh_collinear(const tess_real *a, const tess_real *b, const tess_real *c);
 int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
             const tess_real *q, double *w);
 int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,

@@ -269,7 +269,7 @@ paper() {
 }
 all_twins() {
     twins tess "point" \
-        "TSPDIS|TSLINE|TSCURV|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
+        "TSPDIS|TSLINE|TSONSP|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
     twins hhpred "held|blank|shift|lesser|list" "HHKIND|HHV500|HHL088"
 }
 

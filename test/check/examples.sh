@@ -80,12 +80,13 @@ together() {
         nm -u "build/recipes/$(basename $f .c).o" |
             sed -n 's/^.* U _*\([A-Za-z]\)/\1/p' | sort |
             comm -12 - build/defined.txt | while read -r name; do
-                grep "^| .* | \[.*\]($f) | .* takes .*\`$name\`" README.md \
+                grep "^| .* | \[.*\](${f##*/}) | .* takes .*\`$name\`" \
+                    test/examples/README \
                     >> $LOG || echo "$f: $name"
             done
     done > build/calls.txt
     cat build/calls.txt >> $LOG
-    one "recipes: what each calls its row in the README has" \
+    one "recipes: what each calls its row in examples/README has" \
         test ! -s build/calls.txt
     for d in -DTESS_INT=short -DTESS_INT=long -DTESS_FLOAT; do
         # shellcheck disable=SC2086

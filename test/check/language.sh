@@ -36,24 +36,6 @@ language() {
     else
         skipped "strict C89: $CC does not take the flags"
     fi
-    # the program at the head of tess.h
-    sed -n '/^ \*     #include "tess.h"/,/^ \*     }$/s/^ \* *//p' tess.h > build/head.c
-    cat >> build/head.c <<END
-int main(void)
-{
-    tess_int i, n;
-
-    for (i = 0; i < N; i++) {
-        p[3 * i] = (tess_real)(i % 10);
-        p[3 * i + 1] = (tess_real)(i / 10 % 10);
-        p[3 * i + 2] = (tess_real)(i / 100);
-    }
-    n = mesh(N);
-    return n == 0 || tess_check(N, p, n, tet, adj, TESS_LIW(N), iw, &i) != 0;
-}
-END
-    one "tess.h's program" sh -c \
-        "$CC -O1 -I. -o build/head build/head.c $LIBRARY $LIBS && build/head"
     if have g++ "-x c++"; then
         for f in $LIBRARY; do
             one "C++: $f" g++ -x c++ -Wall -Wextra -Werror -c -o build/strict.o $f

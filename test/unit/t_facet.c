@@ -445,8 +445,8 @@ static void test_limits(double *lo, double *hi, int *last, int limbs)
         set.x = x;
         set.p = R[0];
         set.order = order;
-        set.t3 = set.t5 = -1.0;
-        set.e = 0;
+        set.exact3 = set.exact5 = -1.0;
+        set.exponent = 0;
         hh_setup(P[base], P[(base + 1) % 3], P[(base + 2) % 3], h);
         if (X.nn.sign != 0) hh_thin(&set, order, base, h);
         thin += h[9] < 1e-10;
@@ -624,7 +624,7 @@ static void test_known(void)
     faults += hh_facet(o, x, two, f) != 1 || hh_facet(o, o, two, f) != 1 ||
               hh_facet(o, o, o, f) != 1;
     /* too thin for bounds, or a line where that is 0 */
-    flat[1] = (tess_real)(0.25 * HH_SMALL);
+    flat[1] = (tess_real)(0.25 * HH_LENGTH_MIN);
     f[10] = 0.0;
     faults += hh_facet(o, x, flat, f) != (flat[1] == 0);
     faults += f[9] != DBL_MAX || f[10] != DBL_MAX || f[3] != 0.0 ||

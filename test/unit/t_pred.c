@@ -3,8 +3,8 @@
  *
  *     t_pred [percent [seed]]   percent of the usual number of cases
  *
- * Covered: the signs of hh_orient, hh_insphere, hh_flat, hh_wider, hh_pside
- * and hh_pball; hh_foot's face and weights, and hh_weigh's; the heights of
+ * Covered: the signs of hh_orient, hh_insphere, hh_area, hh_wider, hh_porient
+ * and hh_pinsphere; hh_foot's face and weights, and hh_weigh's; the heights of
  * hh_height; what a processor's state alters.  A failure prints the points in
  * full.
  *
@@ -231,10 +231,10 @@ static void test_indexed(int group, long n)
         }
         if (most == 0.0) continue;
         frexp(most, &e);
-        set.t3 = set.t5 = -1.0;
+        set.exact3 = set.exact5 = -1.0;
         if (i % 4 == 2) { /* as beside a point far away */
             e += 97 + rnd_below(900);
-            set.t3 = -2.0;
+            set.exact3 = -2.0;
         }
         for (j = 0; j < 15; j++)
             x[j] = ldexp((double)caller[3 * order[j / 3] + j % 3], -e);
@@ -248,28 +248,29 @@ static void test_indexed(int group, long n)
         if ((group == LATTICE || group == INTEGERS ||
              group == INTEGER_PLANE || group == INTEGER_SPHERE) && i % 2) {
             /* the unit of the coordinates is 1, that of x is 2^-e */
-            set.t3 = ldexp(1.0, DBL_MANT_DIG - 1 - 3 * e);
-            set.t5 = ldexp(1.0, DBL_MANT_DIG - 1 - 5 * e);
+            set.exact3 = ldexp(1.0, DBL_MANT_DIG - 1 - 3 * e);
+            set.exact5 = ldexp(1.0, DBL_MANT_DIG - 1 - 5 * e);
         }
         o = ex_orient(q[0], q[1], q[2], q[3]);
         s = ex_perturbed(q, index);
         ties += o != 0 && ex_insphere(q[0], q[1], q[2], q[3], q[4]) == 0;
-        j = hh_pside(&set, 0, 1, 2, 3);
-        k = hh_pball(&set, facet, 3, 4, 1);
+        j = hh_porient(&set, 0, 1, 2, 3);
+        k = hh_pinsphere(&set, facet, 3, 4, 1);
 #if HH_LIMBS < 88
         if (j == 2) j = o;
         if (k == 2) k = s;
 #endif
-        r = hh_pball(&set, facet, 3, 4, 0);
+        r = hh_pinsphere(&set, facet, 3, 4, 0);
         b = s;
-        if (o > 0 && hh_pside(&set, 0, 1, 2, 4) > 0)
-            b = hh_pball(&set, facet, 3, 4, 2);
+        if (o > 0 && hh_porient(&set, 0, 1, 2, 4) > 0)
+            b = hh_pinsphere(&set, facet, 3, 4, 2);
 #if HH_LIMBS < 88
         if (r == 2) r = s;
         if (b == 2) b = s;
 #else
         if (b != s && (b != HH_TIE * s || r != 0)) faults++;
-        if (s != 0 && b == HH_TIE * s && hh_pball(&set, facet, 3, 4, 3) != b)
+        if (s != 0 && b == HH_TIE * s &&
+            hh_pinsphere(&set, facet, 3, 4, 3) != b)
             faults++;
 #endif
         if (r != 0 ? r != s : o != 0 && ex_insphere(q[0], q[1], q[2], q[3],
@@ -277,16 +278,16 @@ static void test_indexed(int group, long n)
             faults++;
         if (o != j || s != k) {
             if (faults++ < 3) {
-                printf("hh_pside %d, exact %d; hh_pball %d, exact %d; "
+                printf("hh_porient %d, exact %d; hh_pinsphere %d, exact %d; "
                        "order %d %d %d %d %d, t5 %g:\n", j, o, k, s, index[0],
-                       index[1], index[2], index[3], index[4], set.t5);
+                       index[1], index[2], index[3], index[4], set.exact5);
                 show(5);
             }
         }
     }
     printf("        ties %ld of %ld\n", ties, n);
     if (group == LATTICE || group == SPHERE) faults += ties < n / 20;
-    sprintf(name, "hh_pside, hh_pball: %s", names[group]);
+    sprintf(name, "hh_porient, hh_pinsphere: %s", names[group]);
     test_result(name, faults);
 }
 
@@ -322,10 +323,10 @@ static int height_right(const double *x, int b, int a, int z, int plane,
     return ex_cmp(&r, &t) <= 0;
 }
 
-/* hh_centre, hh_trial and hh_lifts as tess calls them, on the ball of the first
+/* hh_centre, hh_trial and hh_relative as tess calls them, on the ball of the first
  * four points and the last one: the trial's signs are the exact ones, or UNSURE,
  * and no power by the centre is beyond its error on the wrong side, that of a
- * point on the ball never.  hh_lifts gets a sphere near that ball, or not so
+ * point on the ball never.  hh_relative gets a sphere near that ball, or not so
  * near; hh_height that ball with its centre rounded, and a plane, and all its
  * heights are within their errors. */
 static void test_balls(int group, long n)
@@ -374,8 +375,8 @@ static void test_balls(int group, long n)
         set.x = x;
         set.p = caller;
         set.order = order;
-        set.t3 = set.t5 = -1.0;
-        set.e = e;
+        set.exact3 = set.exact5 = -1.0;
+        set.exponent = e;
         base = rnd_below(3);
         v[0] = o > 0 ? 0 : 1;
         v[1] = o > 0 ? 1 : 0;
@@ -388,21 +389,21 @@ static void test_balls(int group, long n)
         w = c[0] * f[0] + c[1] * f[1] + c[2] * f[2];
         if (rnd_below(2)) w += ldexp(sym() * f[11], -rnd_below(60));
         about.ready = 0;
-        for (j = 0; j < 4 && f[9] <= HH_LOOSE; j++) {
+        for (j = 0; j < 4 && f[9] <= HH_E_MAX; j++) {
             a = j % 2 ? 4 : 3;
             b = (tess_int)(7 - a);
-            sign = hh_lifts(&set, v, base, f, w, a, b, &about);
+            sign = hh_relative(&set, v, base, f, w, a, b, &about);
             o = ex_orient(P[v[0]], P[v[1]], P[v[2]], P[a]);
             s = ex_insphere(P[v[0]], P[v[1]], P[v[2]], P[a], P[b]);
             lifted += about.ready == 1 && sign != 2;
             if (sign != 2 && o != 0 && sign != -o * s && faults++ < 3) {
-                printf("hh_lifts %d, exact %d:\n", sign, -o * s);
+                printf("hh_relative %d, exact %d:\n", sign, -o * s);
                 show(5);
             }
         }
         for (j = 0; j < 2; j++) {
             a = (tess_int)rnd_below(5);
-            if (!hh_about(&set, a, v[base], j, j == 0 ? c : f, &about))
+            if (!hh_surface(&set, a, v[base], j, j == 0 ? c : f, &about))
                 continue;
             for (z = 0; z < 5; z++) {
                 power = hh_height(&set, &about, (tess_int)z, &err);
@@ -508,7 +509,7 @@ static void test_flat(long n)
                 ex_mul(&t, &b, &c);
                 want = ex_cmp(&r, &t);
             }
-            got = hh_flat(axis, R[0], R[1], R[2]);
+            got = hh_area(axis, R[0], R[1], R[2]);
             zeros += want == 0;
 #if HH_LIMBS < 88
             if (got == 2) got = want;
@@ -546,7 +547,7 @@ static void test_flat(long n)
                    s[0], s[1], s[2], s[3], got, want);
     }
     faults += zeros < n / 100;
-    test_result("hh_flat, hh_wider", faults);
+    test_result("hh_area, hh_wider", faults);
 }
 
 /* ---- the nearest point of a triangle ---- */
@@ -821,15 +822,15 @@ static void test_heights(void)
     set.x = x;
     set.p = p;
     set.order = order;
-    set.t3 = set.t5 = -1.0;
-    set.e = 0;
+    set.exact3 = set.exact5 = -1.0;
+    set.exponent = 0;
     for (e = 1; e < 300 && e < -DBL_MIN_EXP; e++)
         for (k = 0; k < 4; k++) {
             plane = k / 2;
             base = (tess_int)(k % 2);
             x[3] = ldexp(2.0 - DBL_EPSILON, -e);
             err = 1.0;
-            if (hh_about(&set, base, 0, plane, c, &about)) {
+            if (hh_surface(&set, base, 0, plane, c, &about)) {
                 h = hh_height(&set, &about, (tess_int)(1 - base), &err);
                 faults += !height_right(x, (int)base, 0, (int)(1 - base), plane,
                                         c, h, err);
