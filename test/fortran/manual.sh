@@ -58,11 +58,11 @@ Lengths, for PARAMETER statements:
 
       PARAMETER (MAXTET = 8*N, LIW = 19*N + 1800, LRW = 4*N + 12)
 
-LIW and LRW hold for every N; beyond 28000 points LIW = 11*N + 226000 is shorter.
+LIW and LRW hold for every N; beyond 28000 points LIW = 11*N + 226000 is enough.
 MAXTET holds where points fill a volume; for surfaces, curves and lines see
 TESSWK. If it is too small INFO is 1, and TESSRE goes on with longer arrays, at
-little cost. With integers of 4 bytes these arrays take 364 bytes a point, 256 of
-them in TET and ADJ.
+little cost. With integers of 4 bytes these arrays take 364 bytes a point, of
+which TET and ADJ have 256.
 
 INFO, the last argument: 0 done; 1 TET and ADJ are full, 2 the pool in IW is
 full: what TET and ADJ hold is right, and TESSRE goes on with longer arrays; 3
@@ -86,9 +86,9 @@ files:
     TSLIST = 128                     46 KB        73 KB
     TSLIST = 64, HHLIM = 12          38 KB        38 KB
 
-Leave HHLIM = 88, which holds coordinates of any magnitude. Less saves stack, and
-INFO is 6 when it is too little. For 12 change each HHLIM = 88 in both files, and
-each HHL088 to HHL012, so that they do not link with others.
+Leave HHLIM = 88, which holds coordinates of any magnitude. Less saves stack;
+INFO is 6 when it is too little. For 12 change each HHLIM = 88 in both files,
+and each HHL088 to HHL012, so that they do not link with others.
 
 Floating point. Results are the same in all rounding modes. On ordinary
 coordinates, 1E30 at most and with differences of at least 1E-30 of the largest,
@@ -190,8 +190,8 @@ another directory,
 
     mkdir c && f2c -a -dc tess.f hhpred.f
 
-C. A C program may call these routines, as ../test/examples/fortran.c does, and a
-Fortran 2003 program the C version, as fortran.f90 there.
+C. A C program may call these routines, as ../test/examples/fortran.c does, and
+a Fortran 2003 program the C version, as fortran.f90 there.
 
 Recipes, routines to copy, are in ../test/examples: values on a grid (ONGRID, of
 interp.f), smooth interpolation (SLOPES, BENT), natural neighbours (NATURA), the
