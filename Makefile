@@ -303,7 +303,8 @@ check: all
 check-all: all
 	$(CHECK) -all
 
-UNITS = brute t_cells t_natural t_part t_pred t_size t_tess
+UNITS = brute t_cells t_check t_facet t_locate t_natural t_part t_pred t_query \
+    t_range t_resume t_size t_tess
 $(UNITS):
 	@$(CHECK) -unit $@ $(ARGS)
 
@@ -338,11 +339,13 @@ MESH = test/mpi/mesh.c test/mpi/split.c test/mpi/halo.c test/mpi/stars.c \
 
 mpi: build/mesh build/same
 
-build/mesh: $(MESH) test/mpi/mesh.h test/points.c test/points.h $(LIBRARY)
+build/mesh: $(MESH) test/mpi/mesh.h test/points.c test/points.h test/measured.h \
+    $(LIBRARY)
 	OMPI_CC="$(CC)" mpicc $(CPPFLAGS) $(CFLAGS) $(LDFLAGS) -o $@ $(MESH) \
 	    test/points.c $(LIBRARY) $(LDLIBS)
 
-build/same: test/mpi/same.c test/points.c test/points.h $(LIBRARY)
+build/same: test/mpi/same.c test/points.c test/points.h test/measured.h \
+    $(LIBRARY)
 	$(LINK) $(CPPFLAGS) test/mpi/same.c test/points.c $(LIBRARY) $(LDLIBS)
 
 paper:

@@ -1,5 +1,5 @@
 #!/bin/sh
-# rules.sh - the rules of test/README that a machine can check; run from the top
+# rules.sh - the rules of test/ADDING that a machine can check; run from the top
 # directory.  Ends with `rules: N passed, N failed'.
 . test/tests.sh
 begin rules
@@ -46,8 +46,9 @@ told "routines: called by parity.c" $B/out
 six < $B/public | tr a-z A-Z > $B/twins
 lacking test/fortran/parity.f < $B/twins
 told "routines: called by parity.f" $B/out
-lacking test/unit/t_tess.c test/unit/t_part.c < $B/public
-told "routines: tested by t_tess.c or t_part.c" $B/out
+# shellcheck disable=SC2046 # a list of files
+lacking $(printf 'test/unit/%s.c ' $MESHES t_part t_query) < $B/public
+told "routines: tested by a program of test/unit" $B/out
 { cat $B/public
   sed '/---- for tess/,$d' hhpred.h | tr -cs a-z_ '\012' | grep '^hh_' |
       grep -Fx -f $B/predicates; } | lacking test/unit/t_flags.c

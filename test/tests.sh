@@ -3,6 +3,12 @@
 # the top directory.  Takes CC and PYTHON from the environment.
 CC=${CC:-cc}
 PYTHON=${PYTHON:-python3}
+# what programs of test/unit share; those that test meshes
+# shellcheck disable=SC2034 # for those that read this
+SHARED="test/unit/damage.c test/unit/guard.c test/unit/result.c
+    test/unit/whole.c test/unit/five.c"
+# shellcheck disable=SC2034
+MESHES="t_tess t_resume t_check t_locate t_range"
 # a compiler for WebAssembly, whose programs node runs, by machines/wasm/run.js
 # shellcheck disable=SC2034 # for those that read this
 WASM="clang --target=wasm32 -O2 -ffreestanding -nostdlib -Itest/machines/wasm \

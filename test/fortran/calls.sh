@@ -27,14 +27,14 @@ cp tess.[ch] hhpred.[ch] f77/*.f $DIR
 [ -z "$1" ] || for f in tess.c hhpred.c tess.f hhpred.f; do
     [ ! -f "$1/$f" ] || cp "$1/$f" $DIR
 done
-for f in fortran/parity fortran/shim unit/t_tess unit/damage unit/guard points \
+for f in fortran/parity fortran/shim unit/t_tess unit/result unit/guard points \
     proof/exact proof/verify; do
     $CC -I. -c -o "$DIR/$(basename $f).o" test/$f.c || exit
 done
 gfortran -std=legacy -frecursive -c -o $DIR/parityf.o test/fortran/parity.f ||
     exit
 cd $DIR || exit
-TESTS="t_tess.o damage.o guard.o points.o exact.o verify.o"
+TESTS="t_tess.o result.o guard.o points.o exact.o verify.o"
 
 # ran LANGUAGE SET PROGRAM ARGUMENT...: lines SET LANGUAGE FILE ROUTINE CALLS
 ran() {

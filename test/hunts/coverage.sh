@@ -31,44 +31,51 @@ measure() {
     mkdir -p $DIR/$1
     cp *.[ch] $DIR/$1
     mkdir -p $DIR/$1/test
-    cp -r test/points.[ch] test/take.h test/examples test/fortran test/proof \
+    cp -r test/points.[ch] test/measured.h test/take.h test/examples test/fortran test/proof \
         test/unit $DIR/$1/test
     (
         cd $DIR/$1
         for f in tess hhpred; do
             $CC -O0 --coverage $2 -c $f.c || say "$f.c does not compile"
         done
-        for f in proof/exact points proof/verify unit/damage unit/guard \
-            unit/t_pred unit/brute unit/t_tess unit/t_part fortran/parity; do
+        for f in test/proof/exact.c test/points.c test/proof/verify.c $SHARED
+        do
+            $CC -O2 $2 -I. -c $f || say "$f does not compile"
+        done
+        ar rc shared.a ./[!th]*.o
+        for f in unit/t_pred unit/t_facet unit/brute unit/t_part unit/t_query \
+            fortran/parity $(printf 'unit/%s ' $MESHES); do
             $CC -O2 $2 -I. -c test/$f.c || say "$f.c does not compile"
+            f=${f#*/}
+            $CC --coverage $3 -o $f $f.o tess.o hhpred.o shared.a -lm
         done
-        for f in brute t_tess t_part parity; do
-            $CC --coverage $3 -o $f $f.o tess.o hhpred.o exact.o points.o \
-                verify.o damage.o guard.o -lm
-        done
-        $CC --coverage $3 -o t_pred t_pred.o hhpred.o exact.o points.o -lm
         case $1 in
         all)
             ran t_pred 20
+            ran t_facet 20
             ran brute 100
-            ran t_tess
+            for t in $MESHES; do ran $t; done
             ran t_part -quick
+            ran t_query -quick
             ran t_tess -one lastplaces 1500 1
             ran parity
             ;;
         few)
             ran t_pred 10
+            ran t_facet 10
             ran brute 50
-            ran t_tess -range
+            ran t_range
             ran t_part -quick
+            ran t_query -quick
             ;;
         lists)
             ran brute 50
-            ran t_tess -quick
+            for t in $MESHES; do ran $t -quick; done
             ;;
         flush)
             ran t_pred 5
-            ran t_tess -quick
+            ran t_facet 5
+            for t in $MESHES; do ran $t -quick; done
             ;;
         esac
         $GCOV -b -c tess.c hhpred.c > gcov.txt 2>&1 || say "$GCOV fails"

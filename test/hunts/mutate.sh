@@ -13,8 +13,8 @@
 # A change that leaves the object code as it is, or does not compile, or is in
 # test/hunts/equivalents, is left out, and not counted in N nor in SKIP.  Caught
 # is what fails a test (few is t_pred with 3 limbs, x87 that in an x87 unit, low
-# certify with low thresholds, asan t_tess, or parity.f and t_pred, with
-# sanitizers), crashes, takes four times as long as the library does or more,
+# certify with low thresholds, asan the tests of meshes, or parity.f and t_pred,
+# with sanitizers), crashes, takes four times as long as the library does or more,
 # makes searches look at a tenth more (bench/counts.sh), calls a routine more
 # often than its twin does (fortran/calls.sh), or alters a constant in one
 # routine alone (fortran/constants.sh).  Of a change that survives is said
@@ -41,13 +41,22 @@ LONG=60
 say() { echo "mutate.sh: $1" >&2; exit 2; }
 
 mkdir -p $DIR/new
-for f in proof/exact hunts/hard hunts/certify points proof/verify unit/damage \
-    unit/guard unit/brute unit/t_pred unit/t_tess unit/t_part fortran/parity \
-    fortran/shim; do
+# (what programs share, and the programs)
+rm -f $DIR/shared.a
+for f in test/proof/exact.c test/hunts/hard.c test/points.c test/proof/verify.c \
+    $SHARED; do
+    o=$DIR/$(basename $f .c).o
+    $CC -O2 -I. -c -o "$o" $f || say "$f does not compile"
+    ar rc $DIR/shared.a "$o"
+done
+for f in hunts/certify unit/brute unit/t_pred unit/t_facet unit/t_part \
+    unit/t_query fortran/parity fortran/shim $(printf 'unit/%s ' $MESHES); do
     $CC -O2 -I. -c -o "$DIR/$(basename $f).o" test/$f.c || say "$f.c does not compile"
 done
-$CC -O2 -I. -DHH_LIMBS=3 -c -o $DIR/few.o test/unit/t_pred.c
-$CC -O2 -I. -mfpmath=387 -c -o $DIR/x87.o test/unit/t_pred.c
+for f in t_pred t_facet; do
+    $CC -O2 -I. -DHH_LIMBS=3 -c -o $DIR/few.$f.o test/unit/$f.c
+    $CC -O2 -I. -mfpmath=387 -c -o $DIR/x87.$f.o test/unit/$f.c
+done
 $CC -O2 -o $DIR/mutant test/hunts/mutant.c || say "mutant.c does not compile"
 case $HALVES in *f*)
     gfortran -std=legacy -frecursive -O1 -c -o $DIR/parityf.o \
@@ -60,16 +69,16 @@ take() {
     case $HALF in
     c)
         FILES="tess.c hhpred.c"
-        TEST="brute parity t_pred few x87 calls certify low"
-        TEST="$TEST t_tess t_part asan"
+        TEST="brute parity t_pred t_facet few x87 calls certify low"
+        TEST="$TEST $MESHES t_part t_query asan"
         [ -z "$CHECK" ] ||
-            TEST="brute parity t_pred few certify low t_part asan"
+            TEST="brute parity t_pred t_facet few certify low t_part t_query asan"
         ;;
     f)
         FILES="tess.f hhpred.f"
-        TEST="constants brute parity t_pred large asan calls t_tess t_part"
-        [ -z "$CHECK" ] ||
-            TEST="constants brute parity t_pred large t_tess t_part";;
+        TEST="constants brute parity t_pred t_facet large"
+        [ -n "$CHECK" ] || TEST="$TEST asan calls"
+        TEST="$TEST $MESHES t_part t_query";;
     esac
 }
 
@@ -93,31 +102,39 @@ compile() {
 links() {
     case $HALF$2 in
     ?calls | fconstants) ;;
-    ct_pred) $CC -o $1/$2 $DIR/$2.o $1/hhpred.c.o $DIR/exact.o $DIR/points.o -lm;;
-    cfew) $CC -I. -O1 -DHH_LIMBS=3 -o $1/$2 $DIR/$2.o $1/hhpred.c $DIR/exact.o \
-        $DIR/points.o -lm;;
-    cx87) $CC -I. -O1 -mfpmath=387 -o $1/$2 $DIR/$2.o $1/hhpred.c $DIR/exact.o \
-        $DIR/points.o -lm;;
+    cfew | cx87)
+        flag=-DHH_LIMBS=3
+        [ $2 = few ] || flag=-mfpmath=387
+        $CC -I. -O1 $flag -c -o $1/$2.o $1/hhpred.c &&
+            for f in t_pred t_facet; do
+                $CC -o $1/$2.$f $DIR/$2.$f.o $1/$2.o $DIR/shared.a -lm || return
+            done;;
     ccertify) $CC -I. -O1 -DTESS_PROVE -o $1/$2 $DIR/$2.o $1/tess.c \
-        $1/hhpred.c.o $DIR/exact.o $DIR/hard.o -lm;;
+        $1/hhpred.c.o $DIR/shared.a -lm;;
     clow) lowered $1/tess.c > $1/low.c && $CC -I. -O2 -DTESS_PROVE -o $1/$2 \
-        $DIR/certify.o $1/low.c $1/hhpred.c.o $DIR/exact.o $DIR/hard.o -lm;;
-    casan) $CC -I. -O1 -fsanitize=address,undefined -fno-sanitize-recover=all \
-        -o $1/$2 test/unit/t_tess.c $1/tess.c $1/hhpred.c $DIR/exact.o \
-        $DIR/points.o $DIR/verify.o $DIR/damage.o $DIR/guard.o -lm;;
+        $DIR/certify.o $1/low.c $1/hhpred.c.o $DIR/shared.a -lm;;
+    casan)
+        set -- $1 $2 "$CC -I. -O1 -fsanitize=address,undefined
+            -fno-sanitize-recover=all"
+        $3 -c -o $1/asan1.o $1/tess.c && $3 -c -o $1/asan2.o $1/hhpred.c &&
+            for f in $MESHES; do
+                $3 -o $1/asan.$f test/unit/$f.c $1/asan1.o $1/asan2.o \
+                    $DIR/shared.a -lm || return
+            done;;
     fasan)
         set -- $1 $2 "gfortran -w -std=legacy -frecursive -O1 -fsanitize=address
             -ffixed-line-length-none"
         $3 -c -o $1/asan.o $1/hhpred.f &&
             $3 -o $1/$2 test/fortran/parity.f $1/tess.f $1/asan.o &&
-            $3 -o $1/pred $DIR/t_pred.o $DIR/shim.o $DIR/exact.o \
-                $DIR/points.o $1/tess.f.o $1/asan.o -lm;;
+            $3 -o $1/pred $DIR/t_pred.o $DIR/shim.o $DIR/shared.a \
+                $1/tess.f.o $1/asan.o -lm &&
+            $3 -o $1/facet $DIR/t_facet.o $DIR/shim.o $DIR/shared.a \
+                $1/tess.f.o $1/asan.o -lm;;
     flarge) links $1 t_tess && cp $1/t_tess $1/$2;;
     fparity) gfortran -o $1/$2 $DIR/parityf.o $1/tess.f.o $1/hhpred.f.o;;
-    c*) $CC -o $1/$2 $DIR/$2.o $1/tess.c.o $1/hhpred.c.o $DIR/exact.o \
-        $DIR/points.o $DIR/verify.o $DIR/damage.o $DIR/guard.o -lm;;
+    c*) $CC -o $1/$2 $DIR/$2.o $1/tess.c.o $1/hhpred.c.o $DIR/shared.a -lm;;
     f*) gfortran -o $1/$2 $DIR/$2.o $DIR/shim.o $1/tess.f.o $1/hhpred.f.o \
-        $DIR/exact.o $DIR/points.o $DIR/verify.o $DIR/damage.o $DIR/guard.o -lm;;
+        $DIR/shared.a -lm;;
     esac
 }
 
@@ -134,17 +151,21 @@ passes() {
     links $1 $2 2> /dev/null || return 1
     case $2 in
     brute) runs $LIMIT $1/$2 60;;
-    t_pred) runs $LIMIT $1/$2 15;;
-    few | x87) runs $LIMIT $1/$2 5;;
+    t_pred | t_facet) runs $LIMIT $1/$2 15;;
+    few | x87) runs $LIMIT $1/$2.t_pred 5 && runs $LIMIT $1/$2.t_facet 5;;
     certify) runs $LIMIT $1/$2 60;;
     low) runs $LIMIT $1/$2 8 32;;
     large) runs $LIMIT $1/$2 -one ellipsoid 6000 1;;
     constants) sh test/fortran/constants.sh $1;;
     calls) sh test/fortran/calls.sh $1 && cp build/calls/all.txt $1/calls;;
-    asan) limited $LONG $1/$2 -quick > $1/out && { [ $HALF = c ] || {
-        sh test/fortran/sums.sh $1/out test/fortran/parity.txt &&
-            limited $LIMIT $1/pred 5; }; };;
-    t_tess | t_part) runs $LONG $1/$2 -quick | awk '{ last = $0 }
+    asan)
+        case $HALF in
+        c) for f in $MESHES; do limited $LONG $1/asan.$f -quick || return; done;;
+        f) limited $LONG $1/$2 > $1/out &&
+            sh test/fortran/sums.sh $1/out test/fortran/parity.txt &&
+            limited $LIMIT $1/pred 5 && limited $LIMIT $1/facet 5;;
+        esac;;
+    t_*) runs $LONG $1/$2 -quick | awk '{ last = $0 }
         /^FAILED/ { exit }
         END { exit last !~ / passed, 0 failed$/ }';;
     parity) runs $LIMIT $1/$2 > $1/out &&
@@ -222,7 +243,7 @@ equivalent() {
 # verdict FILE: which test catches it, or what survives
 verdict() {
     for t in $TEST; do
-        case $1$t in tess.?t_pred | tess.cfew | tess.cx87) continue;; esac
+        case $1$t in tess.?t_pred | tess.?t_facet | tess.cfew | tess.cx87) continue;; esac
         case $1$t in hhpred.ccertify | hhpred.clow) continue;; esac
         if ! passes $NEW $t; then
             echo "caught by $t"

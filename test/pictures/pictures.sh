@@ -46,7 +46,7 @@ count() { sed -n "s/.*[ >]\\([0-9]*\\) $1.*/\\1/p" $DIR/whole.svg; }
     echo '<g text-anchor="start">'
     sed -n '/<g class="bar">/,/<\/g>/p' $DIR/whole.svg
     echo '</g></svg></svg>'
-} > $HERE/strip.svg
+} | awk -f test/pictures/join.awk > $HERE/strip.svg
 
 # ---- cube.svg: 27 points of a grid, of which corners stay, and the others move
 # along their edge, in their face or inside ----

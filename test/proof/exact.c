@@ -1,9 +1,11 @@
 /* exact.c - exact integer arithmetic for the tests; see exact.h. */
 #include "exact.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #ifdef TEST_ROUNDING
 #include <fenv.h>
 #endif
@@ -576,6 +578,14 @@ int test_state(int back, unsigned bits, unsigned precision)
 #endif
 }
 
+int test_flushes(void)
+{
+    volatile double x = DBL_MIN;
+
+    x *= 0.5;
+    return x == 0.0;
+}
+
 static long passed, failed;
 
 void test_result(const char *name, long faults)
@@ -602,6 +612,15 @@ void test_usage(const char *program, const char *arguments)
 {
     printf("usage: %s %s\n", program, arguments);
     exit(2);
+}
+
+int test_quick(int argc, char **argv)
+{
+    int quick = argc == 2 && strcmp(argv[1], "-quick") == 0;
+
+    if (argc > 1 + quick) test_usage(argv[0], "[-quick]");
+    setvbuf(stdout, NULL, _IOLBF, BUFSIZ);
+    return quick;
 }
 
 long test_number(const char *text, long least, char **argv,

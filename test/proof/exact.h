@@ -92,6 +92,8 @@ void test_modes(void (*all)(void));
  * an x87 unit's precision is 0 (24 bits), 2 (53) or 3 (64); with back, all is
  * what it was before.  0 on other machines. */
 int test_state(int back, unsigned bits, unsigned precision);
+/* test_flushes - are subnormal numbers flushed to zero (as -Ofast has it)? */
+int test_flushes(void);
 
 /* test_result - count and print one test of that name, passed if it had no
  * fault; test_that - if it is good, and the name has two parts.  test_end -
@@ -101,8 +103,10 @@ void test_that(int good, const char *of, const char *what);
 int test_end(const char *program);
 
 /* test_usage - say which arguments the program takes, and leave with code 2.
+ * test_quick - for a program that takes none, or -quick: is it given?
  * test_number - a whole number from least on; or the same, for text is none. */
 void test_usage(const char *program, const char *arguments);
+int test_quick(int argc, char **argv);
 long test_number(const char *text, long least, char **argv,
                  const char *arguments);
 

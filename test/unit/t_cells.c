@@ -286,9 +286,8 @@ int main(int argc, char **argv)
     const char *name;
     double low, high;
     tess_int i;
-    int j, k, s, bad, quick = argc == 2 && strcmp(argv[1], "-quick") == 0;
+    int j, k, s, bad, quick = test_quick(argc, argv);
 
-    if (argc > 1 + quick) test_usage(argv[0], "[-quick]");
     for (j = 0; j < (int)(sizeof set / sizeof *set); j++) {
         for (k = 0; k < 6; k++) box[k] = k % 2 ? 2.0 : -2.0;
         for (bad = 0, s = 0; s < set[j].sets; s++) {

@@ -487,9 +487,8 @@ int main(int argc, char **argv)
         "prism", "gridrot", "gradedrot", "gridsph", "gridcyl", "extruded",
         "globe", "stations", "shells", "rottetin", "cubesurf", "duplicates",
         "pairs", "twoscale", "decimal3", 0};
-    int i, quick = argc == 2 && strcmp(argv[1], "-quick") == 0;
+    int i, quick = test_quick(argc, argv);
 
-    if (argc > 1 + quick) test_usage(argv[0], "[-quick]");
     lattice(0, 1.0);
     lattice(1, 1.0);
     lattice(1, 1e50);

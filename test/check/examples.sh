@@ -1,0 +1,264 @@
+# shellcheck shell=sh
+# shellcheck disable=SC2034,SC2154 # of check.sh, which reads this
+# examples.sh - the examples and recipes; Octave, Python, CGAL, MPI.
+
+# ---- the examples: their own checks, and their output as stored ----
+
+# linked FILE: the files of test/examples that a program of them is linked from,
+# and libraries, as its first comment says; a recipe itself
+linked() {
+    case $1 in
+    *.c) sed '/\*\/$/q' $1;;
+    *) sed '/^[^C]/q' $1;;
+    esac | tr ' ' '\012' | egrep '^test/examples/[a-z_]*[.][cf]$|^-l' |
+        sort -ru | grep . || echo $1
+}
+
+examples() {
+    for f in $(grep -l '^int main' test/examples/*.c); do
+        example=$(basename $f .c)
+        case $example in fortran) continue;; esac # with the FORTRAN half
+        wanted "example: $example, its output" || continue
+        # shellcheck disable=SC2046 # a list of files
+        if build "$example" "$CC" "$CFLAGS -I." build/tess.o build/hhpred.o \
+            $(linked $f); then
+            (cd build && ./$example $example.obj $example.stl) \
+                < test/data/mirror.xyz > build/$example.out 2>> $LOG
+            one "example: $example, its code" test $? -eq 0
+            one "example: $example, its output" \
+                cmp test/examples/$example.out build/$example.out
+        else
+            fail "example: $example does not compile"
+        fi
+    done
+    # the threads of OpenMP
+    group "example: team -fopenmp, " || return
+    if have "$CC" -fopenmp; then
+        # shellcheck disable=SC2046 # a list of files
+        build team "$CC" "$CFLAGS -fopenmp -I." $LIBRARY \
+            $(linked test/examples/team.c)
+        for threads in 1 2 4; do
+            one "example: team -fopenmp, $threads threads" sh -c "
+                OMP_NUM_THREADS=$threads build/team |
+                    cmp - test/examples/team.out"
+        done
+    else
+        skipped "example: team -fopenmp"
+    fi
+}
+
+# The recipes: all of them, and nothing but routines, in one program.
+# routines PROGRAM MAIN: those files of test/examples that have no main program
+routines() {
+    for f in test/examples/*.$1; do
+        grep "$2" $f > /dev/null || echo $f
+    done
+}
+
+together() {
+    group "recipes: " || return
+    recipes=$(routines c '^int main\|^void mexFunction')
+    if ! have "$CC" "$STRICT -Wmissing-prototypes"; then
+        skipped "recipes: $CC does not take the flags"
+        return
+    fi
+    H=test/examples/recipes.h
+    rm -rf build/recipes build/recipes1
+    # the prototypes of recipes.h are those of the recipes, and all of them
+    # shellcheck disable=SC2086
+    compile "$CC" "$STRICT -Wmissing-prototypes -I." build/recipes $recipes
+    one "recipes: strict C89, as recipes.h declares them" test $? -eq 0
+    nm build/recipes/*.o > build/nm.txt
+    grep ' [bBdDcCgGsS] ' build/nm.txt > build/data.txt
+    cat build/data.txt >> $LOG
+    one "recipes: no data but constants" test ! -s build/data.txt
+    sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' build/nm.txt | sort > build/defined.txt
+    cat build/defined.txt build/names.txt | cut -c1-6 | tr A-Z a-z | sort | uniq -d > build/six.txt
+    cat build/six.txt >> $LOG
+    one "recipes: unique in six characters" test ! -s build/six.txt
+    for f in $recipes; do
+        nm -u "build/recipes/$(basename $f .c).o" |
+            sed -n 's/^.* U _*\([A-Za-z]\)/\1/p' | sort |
+            comm -12 - build/defined.txt | while read -r name; do
+                grep "^| .* | \[.*\](${f##*/}) | .* takes .*\`$name\`" \
+                    test/examples/README \
+                    >> $LOG || echo "$f: $name"
+            done
+    done > build/calls.txt
+    cat build/calls.txt >> $LOG
+    one "recipes: what each calls its row in examples/README has" \
+        test ! -s build/calls.txt
+    for d in -DTESS_INT=short -DTESS_INT=long -DTESS_FLOAT; do
+        # shellcheck disable=SC2086
+        one "recipes: strict C89 $d" compile "$CC" "$STRICT -Wdouble-promotion \
+            -Wmissing-prototypes $d -I." build/recipes1 $recipes
+        nm build/recipes1/*.o | sed -n 's/^.* T _*\([A-Za-z]\)/\1/p' | sort \
+            > build/other.txt
+        one "recipes: no name is the same: $d" sh -c "test -s build/other.txt &&
+            ! comm -12 build/defined.txt build/other.txt | grep ."
+    done
+    # shellcheck disable=SC2086
+    one "recipes: -Djoin=my_join" compile "$CC" "$STRICT -Djoin=my_join -I." \
+        build/recipes1 $recipes
+    one "recipes: my_join, no join" sh -c "nm build/recipes1/*.o |
+        grep ' T _*my_join\$' && ! nm build/recipes1/*.o | grep ' T _*join\$'"
+    { echo "#include \"$H\""
+      echo 'typedef void (*routine)(void);'
+      echo 'int main(void) { static const routine all[] = {'
+      sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*/(routine)\1,/p' $H
+      echo '0}; return all[0] == 0; }'; } > build/together.c
+    one "recipes: one program" sh -c "$CC -I. -o build/together \
+        build/together.c build/recipes/*.o build/tess.o build/hhpred.o $LIBS &&
+        build/together"
+    have g++ "-x c++" || return
+    # shellcheck disable=SC2086
+    one "recipes: C++" compile g++ "-x c++ -Wall -Wextra -Wconversion -Werror \
+        -Wmissing-declarations -I." build/recipes $recipes
+    one "recipes: one program in C++" sh -c "g++ -I. -o build/together \
+        -x c++ build/together.c tess.c hhpred.c -x none build/recipes/*.o $LIBS &&
+        build/together"
+}
+
+# ---- Octave's functions, which leave for NumPy's tests what they give, and
+# the Python package ----
+
+tessn() {
+    left=
+    rm -f build/tessn.mat
+    if ! group "example: tessn" && ! group "Python: "; then
+        return
+    elif ! command -v mkoctfile > /dev/null || ! command -v octave-cli > /dev/null
+    then
+        skipped "example: tessn.m: no octave-cli with mkoctfile"
+    elif make -s "CC=$CC" "CFLAGS=$CFLAGS" octave >> $LOG 2>&1; then
+        many "example: tessn.m" octave-cli --norc --no-history \
+            test/examples/try_tessn.m
+        fenced octave > build/mine.m
+        one "the README's Octave: prints what is said" test \
+            "$(octave-cli --norc --no-history build/mine.m | tr -d ' \n')" = \
+            "v=$(sed -n 's/.* % //p' build/mine.m)"
+        [ ! -f build/tessn.mat ] || left=build/tessn.mat
+        # (mex.h itself is not C89)
+        mex=$(mkoctfile -p OCTINCLUDEDIR)
+        one "example: tess_mex.c, strict C89" sh -c "$CC -E -I. -isystem $mex/octave \
+            -isystem $mex test/examples/tess_mex.c > build/mex.i &&
+            $CC $STRICT -fsyntax-only -x cpp-output build/mex.i"
+    else
+        fail "example: tessn.m: make octave"
+    fi
+}
+
+# packed: tess89 is installed from an sdist where no checkout is, and from there
+# comes what is tested; $path is where
+packed() {
+    P=build/python
+    elsewhere=$(mktemp -d) || return
+    rm -rf $P
+    mkdir -p $P/from
+    # (a copy, as setuptools leaves files beside what it builds)
+    mkdir -p $P/test && cp tess.[ch] hhpred.[ch] LICENSE $P &&
+        cp -R test/python test/examples $P/test
+    rm -rf $P/test/python/build $P/test/python/*.egg-info \
+        $P/test/python/tess89/_library.*
+    one "Python: an sdist" sh -c "cd $P/test/python && $PYTHON -c '
+import backend
+print(backend.build_sdist(\"../../from\"))'"
+    cp $P/from/*.tar.gz "$elsewhere" 2>> $LOG
+    rm -rf $P/test $P/*.[ch] $P/LICENSE
+    one "Python: pip wheel, of the sdist alone" pip wheel \
+        -w "$elsewhere" "$elsewhere"/*.tar.gz
+    # (of any Python; of this machine)
+    one "Python: a wheel for this machine, below 1 MB" sh -c "cd $elsewhere &&
+        ls -l tess89-*-py3-none-[!a]*.whl &&
+        test \$(cat *-py3-none-[!a]*.whl | wc -c) -lt 1000000"
+    one "Python: pip install" pip install --target $P/site "$elsewhere"/*.whl
+    rm -rf "$elsewhere"
+    path=$P/site
+}
+
+tess89() {
+    if ! group "Python: "; then
+        return
+    elif ! $PYTHON -c 'import numpy, scipy' 2>> $LOG; then
+        skipped "Python: tess89: no numpy, scipy for $PYTHON"
+        return
+    fi
+    if $PYTHON -m mypy --version >> $LOG 2>&1; then
+        one "Python: type hints, by mypy" $PYTHON -m mypy \
+            --cache-dir build/mypy test/python/tess89
+    else
+        skipped "Python: no mypy for $PYTHON"
+    fi
+    path=
+    if has_pip; then
+        packed
+    else
+        skipped "Python: no pip with setuptools for $PYTHON"
+    fi
+    if [ ! -d "$path/tess89" ]; then
+        path=test/python
+        if ! make -s "CC=$CC" "CFLAGS=$CFLAGS" build/libtess.so >> $LOG 2>&1
+        then
+            skipped "Python: tess89: make python"
+            return
+        fi
+    fi
+    # shellcheck disable=SC2086
+    many "Python: tess89" env PYTHONDONTWRITEBYTECODE=1 PYTHONPATH=$path \
+        $PYTHON test/python/test_tess89.py $left
+}
+
+# ---- the recipes beside CGAL ----
+
+peers() {
+    group "beside CGAL: " || return
+    if ! echo '#include <CGAL/natural_neighbor_coordinates_3.h>' |
+        g++ -x c++ -E - > /dev/null 2>&1; then
+        skipped "beside CGAL: not installed"
+        return
+    fi
+    objects "$CC" "$CFLAGS" test/points.c
+    if build beside g++ "-O2 -frounding-math -I." \
+        test/bench/peers/recipes.cpp build/tess.o build/hhpred.o $OBJECTS \
+        -lmpfr -lgmp; then
+        many "beside CGAL: recipes" build/beside
+    else
+        fail "beside CGAL: recipes: does not compile"
+    fi
+    if build volumes g++ "-O1 -frounding-math" test/bench/peers/volumes.cpp \
+        -lmpfr -lgmp; then
+        awk 'BEGIN { for (srand(9); n++ < 900;)
+            printf "%.17g %.17g %.17g\n", 2 * rand(), 2 * rand(), 2 * rand() }' \
+            > build/cube
+        build/tess -q -periodic -box 0,2,0,2,0,2 -volumes build/cube.csv \
+            build/cube
+        many "beside CGAL: build/tess -periodic -volumes" sh -c \
+            'build/volumes 2 < build/cube.csv'
+    else
+        fail "beside CGAL: build/tess -periodic -volumes: does not compile"
+    fi
+}
+
+# ---- points spread over processes ----
+
+processes() {
+    wanted MPI || return
+    if ! command -v mpicc > /dev/null ||
+        ! mpirun --version 2> /dev/null | grep "Open MPI" > /dev/null; then
+        skipped "MPI: no Open MPI"
+        return
+    fi
+    # (mpi.h itself has long long)
+    mesh=
+    for f in mesh split halo stars output mail; do
+        mesh="$mesh test/mpi/$f.c"
+    done
+    # shellcheck disable=SC2086
+    if build mesh mpicc "$STRICT -Wno-long-long -O2" $mesh test/points.c \
+        $LIBRARY && build same "$CC" "$STRICT -O2" test/mpi/same.c \
+        test/points.c $LIBRARY; then
+        many "MPI" sh test/mpi/check.sh
+    else
+        fail "MPI: does not compile"
+    fi
+}

@@ -1,0 +1,529 @@
+# shellcheck shell=sh
+# shellcheck disable=SC2034,SC2154 # of check.sh, which reads this
+# fortran.sh - the FORTRAN 77 half, and its parity with C.
+
+# ---- the FORTRAN 77 half: ANSI X3.9-1978 and nothing more ----
+
+# TSBLD, TESSIX and TESSQU cut their workspace up into arrays, and what a mesh
+# and a search keep is handed over in parts; a query hands over one array twice,
+# that nobody alters.  The standard allows to hand over an array element for an
+# array, and to alter the arrays, as they are declared in their lengths and do
+# not overlap; that they do not ftnchek cannot know.  So two of its warnings are
+# off, and with them on it may complain of those calls alone.
+F77="f77/tess.f f77/hhpred.f"
+CHEK="ftnchek -f77=all -declare -sixchar"
+CHEKS="$CHEK -array=no-dimensions -usage=no-arg-array-alias"
+
+standard() {
+    one "ftnchek: no line past column 72" \
+        sh -c '! grep -n "^.\{73\}" f77/*.f test/*/*.f'
+    one "constants: those of the tables in the heads" sh test/fortran/constants.sh
+    group "ftnchek: " || return
+    if ! command -v ftnchek > /dev/null; then
+        skipped "ftnchek: not installed"
+        return
+    fi
+    $CHEKS $F77 > build/ftnchek.txt 2>&1
+    cat build/ftnchek.txt >> $LOG
+    one "ftnchek: both files read" test \
+        "$(grep -c '^ 0 syntax errors detected' build/ftnchek.txt)" -eq 2
+    one "ftnchek: no warning" sh -c '! grep -i warning build/ftnchek.txt'
+    $CHEK $F77 > build/ftnchek.txt 2>&1
+    egrep -i warning build/ftnchek.txt |
+        egrep -v 'argument arrayness mismatch' | egrep -v \
+        'Subprogram (HHPROD|TSSFFI|TSAPEX|TSINDE|TSMCYS|TSMESH) argument usage' |
+        egrep -v 'Subprogram (TSPICK|TSBBOX|TSEXIT|TSBLD) argument usage' |
+        egrep -v 'Subprogram (TSRECS|TSQUER|TSINCT|TSTHRO) argument usage' \
+        > build/ftnwarn.txt
+    one "ftnchek: warnings of parts of arrays alone" test ! -s build/ftnwarn.txt
+    cat build/ftnwarn.txt >> $LOG
+    for f in test/fortran/*.f test/examples/*.f f77/first.f; do
+        # shellcheck disable=SC2046 # lists of files
+        case $f in
+        */parity.f) $CHEKS $F77 $f;; # it calls all entries
+        */parts.f) $CHEKS -noextern $(linked $f);; # and OpenMP
+        *) $CHEKS -library $F77 $(linked $f);;
+        esac > build/ftnchek.txt 2>&1
+        one "ftnchek: $f" sh -c '! grep -i warning build/ftnchek.txt'
+    done
+    # shellcheck disable=SC2046 # a list of files
+    $CHEKS -library $F77 $(routines f '^      PROGRAM') > build/ftnchek.txt 2>&1
+    one "ftnchek: the recipes together" sh -c \
+        '! grep -i warning build/ftnchek.txt'
+}
+
+# The table of both names in the header of each file: all routines of C, and
+# all of the file, in their order, but for those that only one half has.
+# twins NAME ONLY-IN-C ONLY-IN-FORTRAN
+twins() {
+    sed -n '/The routines of/,/^C$/p' f77/$1.f | sed '/Only in C/,$d;s/^C//' |
+        tr -cs 'a-zA-Z0-9_' '\012' |
+        awk '/^[A-Z][A-Z0-9]+$/ && last ~ /^[a-z_0-9]+$/ {
+            print last, $0 }
+            { last = $0 }' > build/twins.txt
+    sed -n 's/^[a-z][a-z_ ]* [*]*\([a-z_0-9]*\)(.*[^;]$/\1/p' $1.c |
+        egrep -v "^($2)$" > build/cnames.txt
+    sed -n 's/^      [A-Z ]*\(FUNCTION\|SUBROUTINE\) \([A-Z0-9]*\).*/\2/p' \
+        f77/$1.f | egrep -v "^($3)$" > build/fnames.txt
+    awk '$1 !~ /^(frexp|ldexp)$/ { print $1 }' build/twins.txt |
+        diff build/cnames.txt - > build/diff.txt &&
+        awk '{ print $2 }' build/twins.txt | diff build/fnames.txt - \
+            > build/diff.txt
+    one "both names in the header of f77/$1.f" test $? -eq 0
+    cat build/diff.txt >> $LOG
+}
+
+# The entries: the heads in tess.f and hhpred.f, those of the module for
+# Fortran 90, those that the manual describes, its list of them, and what
+# hhpred.h and tess.h declare for callers.
+entries() {
+    # the public ones of hhpred.f, by hhpred.h's names cut to six characters
+    sed '/---- for tess/,$d' hhpred.h |
+        sed -n 's/^TESS_API [a-z_ ]* [*]*hh_\([a-z]*\)(.*/hh\1/p' | cut -c1-6 |
+        sort > build/hh.txt
+    # calls FILE: each name with its arguments, in small letters
+    calls() {
+        awk '/^     [^ ]/ { text = text substr($0, 7); next }
+            { print text; text = $0 }
+            END { print text }' $1 | tr A-Z a-z | tr -d ' &' |
+            sed -n 's/.*\(subroutine\|function\)\(\(tess\|hh\)[a-z]*(.*)\)$/\2/p'
+    }
+    for f in $F77; do calls $f; done | sort > build/heads.txt
+    { grep '^tess' build/heads.txt
+      while read name; do grep "^$name(" build/heads.txt; done < build/hh.txt
+    } | sort > build/entries.txt
+    sed 's/(.*//' build/entries.txt | sort > build/list.txt
+    one "entries: tess.f has those of tess.h" sh -c \
+        "test \`grep -c '^tess' build/list.txt\` -eq \
+        \`grep -c '^TESS_API [a-z]* tess[_a-z]*(' tess.h\`"
+    one "entries: hhpred.f has those of hhpred.h" sh -c \
+        "grep '^hh' build/list.txt | cmp - build/hh.txt && test -s build/hh.txt"
+    # a line that ends in & goes on
+    sed -e ':more' -e '/&$/{N;s/&\n *//;b more' -e '}' f77/tess.f90 |
+        grep -v 'end \(function\|subroutine\)' > build/module.txt
+    calls build/module.txt | sort > build/module2.txt
+    one "entries: the module's are tess.f's, with the same arguments" \
+        diff build/entries.txt build/module2.txt
+    sed -n '/^    routine/,/^Arrays/s/^    \([A-Z ,]*\)  .*/\1/p
+        /^    routine/,/^Arrays/s/^    \([A-Z, ]*\)$/\1/p' f77/README |
+        tr -cs A-Z '\012' | tr A-Z a-z | grep . | sort > build/manual.txt
+    one "entries: the manual's list" diff build/list.txt build/manual.txt
+    sed -n 's/^      [A-Z ]*\(SUBROUTINE\|FUNCTION\) \([A-Z]*\)(.*/\2/p' \
+        f77/README | tr A-Z a-z | sort > build/manual.txt
+    one "entries: the manual's descriptions" diff build/list.txt build/manual.txt
+    sed -n 's/^      [A-Z ]*\(SUBROUTINE\|FUNCTION\) \([A-Z0-9]*\).*/\2/p' \
+        $F77 | tr A-Z a-z | sort | comm -23 - build/list.txt > build/own.txt
+    tr -cs A-Z '\012' < f77/README | tr A-Z a-z | sort -u |
+        comm -12 - build/own.txt > build/named.txt
+    cat build/named.txt >> $LOG
+    one "f77/README names no routine of the library's own" sh -c \
+        'test -s build/own.txt && ! grep . build/named.txt'
+    one "f77/README is what the sources say" sh -c \
+        'sh test/fortran/manual.sh | cmp - f77/README'
+}
+
+# ---- the same results as the C half ----
+
+# few limbs: the same codes 2 and 6 as from C
+fewlimbs() {
+    for half in tess hhpred; do
+        sed 's/HHLIM = 88/HHLIM = 3/;s/HHL088/HHL003/' f77/$half.f > build/few$half.f
+        gfortran -frecursive -O1 -c -o build/f$half.o build/few$half.f || return
+    done
+}
+
+# half COMPILE...: what compiles the half; it does when a test first asks for it,
+# by compiled
+half() {
+    HALF=$*
+    HALFS=
+}
+compiled() {
+    [ -n "$HALFS" ] && return
+    echo "== FORTRAN 77: $HALF" >> $LOG
+    rm -f build/ftess.o build/fhhpred.o
+    $HALF >> $LOG 2>&1 || return
+    HALFS=yes
+}
+
+# fortran NAME OPTIONS TESTS COMPILE...: the unit tests with the half in the
+# place of the C half, by way of shim.c
+fortran() {
+    tag=$1
+    options=$2
+    echo "$3" | tr , '\012' > build/list
+    shift 3
+    half "$@"
+    here=build/units/f77
+    mkdir -p $here
+    while read -r t; do
+        wanted "FORTRAN 77, $tag: $t" || continue
+        program=${t%% *}
+        # shellcheck disable=SC2086 # lists of files
+        if compiled && objects "$CC" "-O1 $options" $COMMON \
+            test/fortran/shim.c test/unit/$program.c &&
+            $LINKF -o $here/$program $OBJECTS build/ftess.o build/fhhpred.o \
+            $LIBF $LIBS >> $LOG 2>&1; then
+            many "FORTRAN 77, $tag: $t" $here/$t
+        else
+            fail "FORTRAN 77, $tag: $t: does not compile"
+        fi
+    done < build/list
+}
+
+# text NAME: link the Fortran program with the half, and compare its text with
+# the C program's, as parity has left it.
+text() {
+    wanted "parity: $1" || return
+    rm -f build/parityf
+    if compiled && $LINKF -o build/parityf build/fparity.o build/ftess.o build/fhhpred.o \
+        $LIBF $LIBS >> $LOG 2>&1
+    then
+        build/parityf > build/parityf.txt
+        shown "parity: $1" diff build/parity.txt build/parityf.txt
+    else
+        fail "parity: $1: does not link"
+    fi
+}
+
+# threads NAME: link the half with a program of several threads.
+# Local arrays must be on the stack: -frecursive, f2c -a.
+threads() {
+    wanted "threads: $1" || return
+    if ! have "$CC" -fopenmp; then
+        skipped "threads: $1: no OpenMP"
+        return
+    fi
+    rm -f build/threads
+    compiled
+    objects "$CC" -O1 test/points.c
+    $CC $CFLAGS -fopenmp -c -o build/threads.o test/fortran/threads.c
+    $LINKF -fopenmp -o build/threads build/threads.o $OBJECTS \
+        build/ftess.o build/fhhpred.o $LIBF $LIBS >> $LOG 2>&1
+    many "threads: $1" env OMP_NUM_THREADS=4 build/threads
+}
+
+# FORTRAN programs that tell by their text whether all is well.
+# programs NAME FLAGS: with the half
+programs() {
+    for f in $(grep -l '^      PROGRAM' test/fortran/sizes.f test/examples/*.f)
+    do
+        case $f in */parts.f) continue;; esac # below
+        wanted "$f, $1" || continue
+        compiled
+        rm -f build/program
+        # shellcheck disable=SC2046 # a list of files
+        gfortran -frecursive $2 -o build/program $(linked $f) build/ftess.o \
+            build/fhhpred.o $LIBS >> $LOG 2>&1
+        case $f in
+        test/examples/*)
+            build/program > build/program.txt
+            one "$f, $1" cmp "${f%f}out" build/program.txt;;
+        *) many "$f, $1" build/program;;
+        esac
+    done
+}
+
+# onef NAME LIBRARIES COMPILE...: all recipes, and the half
+onef() {
+    name=$1
+    wanted "recipes: one program, $name" || return
+    compiled
+    libraries=$2
+    shift 2
+    rm -rf build/recipesf
+    mkdir build/recipesf
+    { for f in $(routines f '^      PROGRAM'); do cat $f; done
+      printf '      PROGRAM ALL\n      END\n'; } > build/recipesf/all.f
+    one "recipes: one program, $name" sh -c "cd build/recipesf && $* &&
+        $LINKF -o all all.o ../ftess.o ../fhhpred.o $libraries $LIBS && ./all"
+}
+
+# recipes77 NAME FLAGS CFLAGS: the tests in C of recipes, of those in FORTRAN:
+# fortran/recipes.c is linked
+recipes77() {
+    group "recipes in FORTRAN, $1: " || return
+    compiled
+    dir=build/recipes77
+    less=-quick
+    [ -n "$ALL" ] && [ -z "$3" ] && less=
+    rm -rf $dir
+    mkdir -p $dir
+    for r in cells derived interp natural periodic planar slopes surface; do
+        gfortran -frecursive $2 -c -o $dir/f$r.o test/examples/$r.f >> $LOG 2>&1
+        # (what is const in C is so in none of these)
+        gfortran $2 -fsyntax-only -fc-prototypes-external test/examples/$r.f |
+            sed -n '/ \*/s/\(int\|long\|double\) \*/const &/gp' |
+            grep '_ (' >> $dir/recipes77.h
+    done
+    compile "$CC" "-O1 -I. -I$dir -Werror=incompatible-pointer-types $3" $dir \
+        $LIBRARY test/points.c test/proof/exact.c test/fortran/recipes.c
+    have "$CC" "$STRICT" && one "recipes in FORTRAN, $1: strict C89" \
+        $CC $STRICT $3 -fsyntax-only -I. -I$dir test/fortran/recipes.c
+    for t in unit/t_cells unit/t_natural examples/try_cells \
+        examples/try_derived examples/try_interp examples/try_periodic \
+        examples/try_planar examples/try_slopes examples/try_surface; do
+        f=test/$t.c
+        t=${t#*/}
+        wanted "recipes in FORTRAN, $1: $t" || continue
+        $CC -O1 -DFORTRAN $3 -I. -c -o $dir/_$t.o $f >> $LOG 2>&1 &&
+            gfortran -o $dir/$t $dir/_$t.o $dir/[!_]*.o build/ftess.o \
+                build/fhhpred.o $LIBS >> $LOG 2>&1
+        case $t in
+        t_*) many "recipes in FORTRAN, $1: $t" $dir/$t $less;;
+        *)
+            (cd $dir && GFORTRAN_UNBUFFERED_ALL=y limited 300 ./$t $t.obj \
+                $t.stl) > $dir/$t.txt 2>> $LOG
+            one "recipes in FORTRAN, $1: $t" cmp test/examples/$t.out $dir/$t.txt;;
+        esac
+    done
+}
+
+# small_stack COMMAND...: in the eight megabytes that are usual
+small_stack() {
+    # shellcheck disable=SC3045 # all shells that there are know -s
+    (ulimit -s 8192; exec "$@")
+}
+
+# interface NAME FLAGS: the module for Fortran 90, and that with it wrong calls
+# do not compile; f77/README's program
+interface() {
+    group "interfaces, $1" || group "f77/README's program, $1" || return
+    compiled
+    (cd build && gfortran -std=f95 -pedantic -Wall -Wextra -Werror $2 -c \
+        -o module.o ../f77/tess.f90) >> $LOG 2>&1
+    module="-cpp -Ibuild -Jbuild $2"
+    if gfortran -std=f2018 -pedantic $module -o build/iface \
+        test/fortran/iface.f90 build/ftess.o build/fhhpred.o $LIBS >> $LOG 2>&1
+    then
+        many "interfaces, $1" build/iface
+    else
+        fail "interfaces, $1: do not compile"
+    fi
+    # each synopsis of the manual is FORTRAN and declares all arguments
+    awk '/^-----/ { at = 1; next } at && /^$/ { print "      END"; at = 0 }
+        at { print }' f77/README > build/synopses.f
+    one "f77/README's synopses, $1" sh -c "gfortran -std=f95 -pedantic $2 \
+        -fimplicit-none -fsyntax-only build/synopses.f &&
+        test \$(grep -c '^      END' build/synopses.f) -eq \
+        \$(wc -l < build/list.txt)"
+    for wrong in $(sed -n 's/.* WRONG == \([0-9]*\)$/\1/p' \
+        test/fortran/iface.f90); do
+        one "interfaces, $1: wrong call $wrong" sh -c "! gfortran $module \
+            -DWRONG=$wrong -c -o build/module.o test/fortran/iface.f90"
+    done
+    awk '/^      PROGRAM PLACE/,/^      END$/' f77/README > build/grid.f
+    rm -f build/grid
+    gfortran $2 -o build/grid build/grid.f build/ftess.o build/fhhpred.o \
+        $LIBS >> $LOG 2>&1
+    one "f77/README's program, $1" test "$(build/grid)" = " 14.5000"
+    # the other one takes slices of 1500; in one there are as many
+    awk '/^      PROGRAM SLICES/,/^      END$/' f77/README > build/slices.f
+    sed 's/ROOM = 1500/ROOM = MAXTET/' build/slices.f > build/whole.f
+    for f in slices whole; do
+        rm -f build/$f
+        gfortran $2 -o build/$f build/$f.f build/ftess.o build/fhhpred.o \
+            $LIBS >> $LOG 2>&1
+        build/$f > build/$f.txt 2>> $LOG
+    done
+    one "f77/README's program of slices, $1" sh -c "
+        awk '{ for (all = \$1; n < all - 1500;) print n += 1500, 1
+            print all, \$5 }' build/whole.txt > build/slices1.txt &&
+        grep 1500 build/slices1.txt &&
+        awk '{ print \$1, \$5 }' build/slices.txt | cmp - build/slices1.txt"
+    # where DOUBLE PRECISION has not 64 bits INFO says so; coordinates of all
+    # bits
+    sed 's/P(\([123]\),I) = .*/P(\1,I) = ABS(MOD(1D4*SIN(DBLE(\1*I)), 1D0))/
+        s/ STOP .TESS.*/ WRITE (*, *) INFO/' build/grid.f > build/wide.f
+    for wide in "-fdefault-real-8 -fdefault-double-8" -fdefault-real-8 \
+        -freal-8-real-10; do
+        rm -f build/wide
+        # shellcheck disable=SC2086
+        gfortran $2 -frecursive $wide -o build/wide build/wide.f $F77 $LIBS \
+            >> $LOG 2>&1
+        case $wide in *double*) code=;; *) code=6;; esac
+        one "f77/README's program, $1 $wide" test \
+            "$(build/wide 2>> $LOG | sed -n 's/^ *\(6\) *$/\1/p')" = "$code"
+    done
+    # (its arrays are not on the stack)
+    sed 's/(N = 1000)/(N = 200000)/' build/grid.f > build/large.f
+    rm -f build/grid
+    gfortran $2 -frecursive -o build/grid build/large.f build/ftess.o \
+        build/fhhpred.o $LIBS >> $LOG 2>&1
+    one "f77/README's program, $1, 200,000 points" \
+        test "$(small_stack build/grid)" = " 14.5000"
+}
+
+# mixed: a C program that calls the FORTRAN half, and the reverse
+mixed() {
+    group "example: fortran" || group "example: tess_c" || return
+    compiled
+    one "example: fortran.c" sh -c "$CC -O2 -c -o build/mixed.o \
+        test/examples/fortran.c &&
+        gfortran -o build/mixed build/mixed.o build/ftess.o build/fhhpred.o &&
+        build/mixed | cmp - test/examples/fortran.out"
+    objects "$CC" "$CFLAGS" $LIBRARY && cp $OBJECTS build
+    module="-std=f2003 -Wall -Wextra -Jbuild test/examples/tess_c.f90"
+    one "example: fortran.f90" sh -c "gfortran $module -o build/mixed \
+        test/examples/fortran.f90 build/tess.o build/hhpred.o $LIBS &&
+        build/mixed | cmp - test/examples/fortran.out"
+    # all routines of the headers, with as many arguments
+    for f in hhpred.h tess.h; do
+        sed '/---- for tess/,$d' $f
+    done | awk '/^TESS_API/ { text = "" } { text = text $0 }
+        text ~ /^TESS_API.*;$/ {
+            name = text
+            sub(/\(.*/, "", name)
+            sub(/.*[ *]/, "", name)
+            many = text ~ /\(void\)/ ? 0 : gsub(/,/, "", text) + 1
+            print name, many
+            text = ""
+        }' | sort > build/wanted.txt
+    sed -e ':more' -e '/&$/{N;s/&\n *//;b more' -e '}' \
+        test/examples/tess_c.f90 | awk '/^    .* function .*bind\(c\)/ {
+            name = text = $0
+            sub(/\(([^(]*)\) *bind.*/, "", name)
+            sub(/.* /, "", name)
+            sub(/.* function [a-z_]*\(/, "", text)
+            sub(/\).*/, "", text)
+            many = text == "" ? 0 : gsub(/,/, "", text) + 1
+            print name, many
+        }' | sort > build/bound.txt
+    one "example: tess_c.f90: all routines of the headers" sh -c \
+        "test -s build/wanted.txt && diff build/wanted.txt build/bound.txt"
+    if gfortran $module -o build/module test/fortran/module.f90 build/tess.o \
+        build/hhpred.o $LIBS >> $LOG 2>&1; then
+        many "example: tess_c.f90" build/module
+    else
+        fail "example: tess_c.f90: does not compile"
+    fi
+}
+
+# parity.c and parity.f write the same text, compared byte by byte.  parity.txt
+# has the sums of its sections, so that a machine without Fortran compares, too;
+# of a section that differs the text is shown.  The sums are not believed: the
+# first program proves each answer by exact.c, and knows the code of each bad
+# argument and fault from the interface.  (When the library's own figures change,
+# as the lengths of the workspace: sh test/fortran/sums.sh build/parity.txt >
+# test/fortran/parity.txt.)
+parity() {
+    group "parity: " || return
+    if build parity "$CC" "$CFLAGS -DPROVE" test/fortran/parity.c \
+        test/proof/*.c $LIBRARY; then
+        build/parity > build/parity.txt 2> build/prove.txt
+        cat build/prove.txt >> $LOG
+        one "parity: proofs" grep '^prove: [0-9]* passed, 0 failed' \
+            build/prove.txt
+        one "parity: no code but the promised one" \
+            sh -c 'test -s build/parity.txt && ! grep WRONG build/parity.txt'
+        shown "parity: the sums as stored" sh test/fortran/sums.sh \
+            build/parity.txt test/fortran/parity.txt
+        # (a line of one section changed: that section is shown, and no other)
+        sed '/^= cube .* 9$/,/^= /s/^TESSHU  /TESSHU 1/' build/parity.txt \
+            > build/parity1.txt
+        one "parity: a line changed" sh -c '! sh test/fortran/sums.sh \
+            build/parity1.txt test/fortran/parity.txt > build/sums.txt &&
+            test "`grep "^= " build/sums.txt`" = "`grep "^= cube .* 9$" \
+            build/parity.txt`" && grep "^TESSHU 1" build/sums.txt'
+    else
+        fail "parity: parity.c does not compile"
+    fi
+    # (what makes infinities and NaNs must not be compiled with -Ofast)
+    $CC $CFLAGS -c -o build/parity.o test/fortran/parity.c
+    [ -z "$ALL" ] && return
+    for c in "$CC -O0" "$CC -Ofast -march=native" "clang -Ofast" "tcc"; do
+        set -- $c
+        cc=$1
+        shift
+        if have $cc "$*"; then
+            build parity1 $cc "$*" build/parity.o $LIBRARY
+            build/parity1 > build/parity1.txt
+            shown "parity: $c" diff build/parity.txt build/parity1.txt
+        else
+            skipped "parity: $c"
+        fi
+    done
+}
+
+halves() {
+    LINKF=gfortran
+    LIBF=
+    if ! command -v gfortran > /dev/null; then
+        skipped "the FORTRAN 77 half and its examples: no gfortran"
+    else
+        # (values that must be the same are compared)
+        group "parity: " && gfortran -std=legacy -frecursive -O1 -fcheck=all -Wall -Wextra -Werror \
+            -Wno-compare-reals -Wno-do-subscript -c -o build/fparity.o \
+            test/fortran/parity.f >> $LOG 2>&1
+        # (so many points have cylinders on several levels)
+        quick="t_pred 20,t_facet 20,brute 50,t_tess -one ellipsoid 6000 1"
+        quick="$quick$(printf ',%s -quick' $MESHES t_part t_query)"
+        fortran "gfortran -fcheck=all" "" "$quick" gfort build/f -O1 -fcheck=all
+        text "gfortran -fcheck=all"
+        programs "gfortran -fcheck=all" "-std=legacy -O1 -fcheck=all"
+        onef gfortran "" "gfortran -frecursive -std=f95 -pedantic -Wall -Wextra \
+            -Werror -Wno-compare-reals -Wno-do-subscript -c all.f"
+        recipes77 "gfortran -fcheck=all" "-std=legacy -O1 -fcheck=all" ""
+        interface "gfortran -fcheck=all"
+        mixed
+        f_program
+        flagged77
+        stacked77
+    fi
+    [ -z "$ALL" ] && return
+    if command -v gfortran > /dev/null; then
+        # (what the tests ask for with subscripts checked is not asked again)
+        fortran "gfortran -O0" "" "brute 50" gfort build/f -O0
+        text "gfortran -O0"
+        fortran "gfortran -O3" "" "brute$(printf ',%s -quick' $MESHES \
+            t_part t_query)" gfort build/f -O3
+        text "gfortran -O3"
+        threads "gfortran -O3"
+        half gfort build/f -Ofast -march=native
+        text "gfortran -Ofast -march=native"
+        # (a subscript may be right for the array that a caller has passed on)
+        LIBF=-fsanitize=address
+        half gfort build/f -O1 -fsanitize=address
+        text "gfortran -fsanitize=address"
+        LIBF=
+        # integers of 8 bytes
+        fortran "INTEGER*8" -DTESS_INT=long "t_pred 10,t_facet 10,brute 50" gfort build/f \
+            -O2 -fdefault-integer-8
+        programs "INTEGER*8" "-std=legacy -O1 -fdefault-integer-8"
+        recipes77 "INTEGER*8" "-std=legacy -O1 -fdefault-integer-8" \
+            -DTESS_INT=long
+        interface "INTEGER*8" -fdefault-integer-8
+        fortran "gfortran, 3 limbs" -DHH_LIMBS=3 \
+            "t_pred 10,t_facet 10,brute 100,t_range,t_part -quick,t_query -quick" \
+            fewlimbs
+        for omp in "" -fopenmp; do
+            wanted "example: parts.f $omp" || continue
+            rm -f build/partsf
+            # shellcheck disable=SC2046 # a list of files
+            gfortran -O2 -frecursive $omp -o build/partsf \
+                $(linked test/examples/parts.f) $F77 >> $LOG 2>&1
+            build/partsf > build/partsf.out 2>> $LOG
+            one "example: parts.f $omp" cmp test/examples/parts.out \
+                build/partsf.out
+        done
+    fi
+    if command -v f2c > /dev/null; then
+        LINKF=$CC
+        LIBF=-lf2c
+        fortran "f2c" "" "t_pred 20,t_facet 20,brute 50$(printf ',%s -quick' $MESHES)" \
+            viaf2c build/f \
+            test/fortran/parity.f
+        text "f2c"
+        threads "f2c"
+        # the manual's command, where the C half is
+        rm -rf build/beside
+        mkdir build/beside
+        cp $LIBRARY $F77 build/beside
+        one "f77/README's f2c" sh -c "(cd build/beside &&
+            `sed -n 's/^    \(mkdir c .*f2c .*\)/\1/p' f77/README`) &&
+            cmp tess.c build/beside/tess.c && test -s build/beside/c/hhpred.c"
+        onef f2c -lf2c "f2c -A -a -u all.f && $CC -O1 -c all.c"
+    else
+        skipped "the FORTRAN 77 half through f2c: no f2c"
+    fi
+}

@@ -1,0 +1,346 @@
+# shellcheck shell=sh
+# shellcheck disable=SC2034,SC2154 # of check.sh, which reads this
+# units.sh - the programs of test/unit, in all builds.
+
+# ---- the unit tests, with builds that decide what they do ----
+
+# All rounding modes, where C99's fenv.h is to be had.
+ROUND="-std=c99 -frounding-math -DTEST_ROUNDING -O2"
+SANITIZE="-g -O1 -fsanitize=address,undefined -fno-sanitize-recover=all"
+
+# arguments: what a program of test/unit does not take it refuses
+arguments() {
+    for t in "brute -quick" "brute 0" "brute 9 9 9" "brute -one 99 1" \
+        "t_cells 9" "t_natural quick" "t_part quick" "t_part -quick 9" \
+        "t_pred -quick" "t_facet 0" "t_pred 9x" "t_size -quick" "t_tess quick" \
+        "t_tess -sums 0" "t_tess -one uniform" "t_index -quick"; do
+        usual "${t%% *}" || return
+        limited 60 build/units/usual/$t > $OUT 2>&1
+        [ $? -eq 2 ] && grep '^usage: ' $OUT || return
+    done
+}
+
+tests() {
+    one "units: arguments that are refused" arguments
+    if have "$CC" "-include test/machines/short.h"; then
+        one "units: doubles of 24 bits, flushed" sh -c "$CC -O1 -include \
+            test/machines/short.h -o build/short test/machines/short.c \
+            $LIBRARY -lm && build/short"
+    else
+        skipped "units: doubles of 24 bits, flushed"
+    fi
+    if [ -z "$ALL" ]; then
+        # (t_tess and t_part run with sanitizers)
+        units usual "$CC" "$CFLAGS" "t_pred 20" "t_facet 20" brute t_size \
+            t_natural t_cells
+        many "certify" env CC="$CC" sh test/hunts/certify.sh -quick
+        # few limbs: code 2 or TESS_RANGE where they do not suffice
+        units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 10" "brute 100" \
+            "t_facet 10" t_range
+        # lists of other capacities only look elsewhere first; -all has the two
+        # one by one
+        units "-DTESS_INT=short -DTESS_LIST=48" "$CC" \
+            "-O1 -DTESS_INT=short -DTESS_LIST=48" "brute 100" t_size
+        units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 10" \
+            "t_facet 10" "brute 100"
+        return
+    fi
+    # shellcheck disable=SC2086 # words
+    units usual "$CC" "$CFLAGS" t_pred t_facet brute $MESHES t_part t_query \
+        t_size t_natural t_cells
+    units -DHH_LIMBS=3 "$CC" "-O1 -DHH_LIMBS=3" "t_pred 50" "t_facet 50" \
+        "brute 100" t_range "t_part -quick" "t_query -quick"
+    units -DHH_LIMBS=6 "$CC" "-O1 -DHH_LIMBS=6" t_range
+    units -DTESS_LIST=48 "$CC" "-O1 -DTESS_LIST=48" "brute 100"
+    quick -DTESS_LIST=48 "$CC" "-O1 -DTESS_LIST=48" "$MESHES"
+    for list in 52 128 252 1024 4096; do
+        units -DTESS_LIST=$list "$CC" "-O1 -DTESS_LIST=$list" "brute 60"
+    done
+    units -DTESS_FLOAT "$CC" "-O1 -DTESS_FLOAT" "t_pred 50" "t_facet 50" \
+        "brute 100" "t_part -quick" "t_query -quick"
+    units -DTESS_INT=short "$CC" "-O1 -DTESS_INT=short" "brute 100" t_size
+    units "-DTESS_INT=short -DTESS_LIST=48" "$CC" \
+        "-O1 -DTESS_INT=short -DTESS_LIST=48" "brute 100" t_size
+    units -DTESS_INT=long "$CC" "-O1 -DTESS_INT=long" "brute 100" t_size
+    if have "$CC" "$ROUND"; then
+        units "all rounding modes" "$CC" "$ROUND" "t_pred 10" "t_facet 10"
+    else
+        skipped "all rounding modes"
+    fi
+    if have "$CC" -mfpmath=387; then
+        units x87 "$CC" "-O2 -mfpmath=387" "t_pred 10" "t_facet 10"
+    else
+        skipped "x87"
+    fi
+}
+
+# An index serves in other builds and rounding modes than the one that made it.
+# indexed NAME CC FLAGS: another build to make and to read them.
+indexed() {
+    if ! have "$2" "$3"; then
+        skipped "indices: $1"
+        return
+    fi
+    made=$((made + 1))
+    objects "$CC" "$rounding" test/unit/t_index.c test/points.c \
+        test/proof/exact.c
+    reader=$OBJECTS
+    # shellcheck disable=SC2086 # lists of files
+    if objects "$2" "$3" $LIBRARY && build indexed/read$made "$CC" "$rounding" \
+        $reader $OBJECTS && build/indexed/read$made write \
+        build/indexed/$made; then
+        names="$names $1;"
+    else
+        fail "indices: $1"
+    fi
+}
+
+indices() {
+    group "indices: " || return
+    made=0
+    names=
+    rounding=-O1
+    have "$CC" "$ROUND" && rounding=$ROUND
+    rm -rf build/indexed
+    mkdir build/indexed
+    indexed "$CC -O2" "$CC" -O2
+    indexed "$CC -Ofast" "$CC" "-Ofast -march=native"
+    indexed "x87" "$CC" "-O2 -mfpmath=387"
+    indexed "short lists" "$CC" "-O1 -DTESS_LIST=48"
+    if [ -n "$ALL" ]; then
+        indexed "clang" clang "-O2 -ffp-contract=fast"
+        indexed "lists of 128" "$CC" "-O2 -DTESS_LIST=128"
+        indexed "10 limbs" "$CC" "-O2 -DHH_LIMBS=10"
+    fi
+    for i in build/indexed/read*; do
+        many "indices: of$names by ${i##*read}" $i build/indexed/[0-9]*
+    done
+}
+
+# ---- floating-point flags, and the stack ----
+
+# flags NAME LINK OBJECT...: t_flags with that half, or a skipped test
+FENV="-std=gnu99 -DTEST_FLAGS -O1"
+flags() {
+    flagged=$1
+    linker=$2
+    shift 2
+    # shellcheck disable=SC2086 # a list of files
+    if $linker -o build/flags/t_flags $flagtest "$@" $LIBS >> $LOG 2>&1
+    then
+        many "flags: $flagged" build/flags/t_flags
+    else
+        fail "flags: $flagged: does not link"
+    fi
+}
+
+# flagtest: what is linked to each half; 1 where it cannot be had
+flagtest() {
+    echo '#include <fenv.h>
+int main(void) { return feenableexcept(FE_INVALID) == -1; }' > build/have.c
+    mkdir -p build/flags
+    # shellcheck disable=SC2086
+    $CC $FENV -D_GNU_SOURCE -o build/have build/have.c -lm >> $LOG 2>&1 &&
+        build/have && objects "$CC" "$FENV" test/unit/t_flags.c $COMMON &&
+        flagtest=$OBJECTS
+}
+
+flagged() {
+    group "flags: " || return
+    if ! flagtest; then
+        skipped "flags: no fenv.h, or no traps"
+        return
+    fi
+    for c in "$CC -O2" "clang -O2" "$CC -O3" "clang -O3"; do
+        case $c$ALL in *-O3) return;; esac
+        wanted "flags: $c" || continue
+        if ! have "${c% *}" "${c##* }"; then
+            skipped "flags: $c"
+        elif objects "${c% *}" "${c##* }" $LIBRARY; then
+            flags "$c" "$CC" $OBJECTS
+        else
+            fail "flags: $c: does not compile"
+        fi
+    done
+}
+
+# the FORTRAN half
+flagged77() {
+    group "flags: FORTRAN 77" || return
+    if ! flagtest; then
+        skipped "flags: FORTRAN 77: no fenv.h, or no traps"
+        return
+    fi
+    compile "$CC" -O1 build/flags test/fortran/shim.c
+    for o in -O2 -O3; do
+        [ $o$ALL = -O3 ] && return
+        wanted "flags: FORTRAN 77, gfortran $o" || continue
+        if gfort build/flags/f $o -ffpe-trap=invalid,zero,overflow \
+            >> $LOG 2>&1; then
+            flags "FORTRAN 77, gfortran $o" gfortran build/flags/shim.o \
+                build/flags/ftess.o build/flags/fhhpred.o
+        else
+            fail "flags: FORTRAN 77, gfortran $o: does not compile"
+        fi
+    done
+}
+
+# stacktest OPTIONS: t_stack by $CC, and whether this is the machine that the
+# manuals' figures are for; 1 where it cannot be had
+stacktest() {
+    echo '#ifdef __clang__
+#error
+#endif
+int main(void) { return !(__GNUC__ && __x86_64__); }' > build/have.c
+    mkdir -p build/stack
+    $CC -pthread -o build/have build/have.c >> $LOG 2>&1 && build/have &&
+        objects "$CC" "-O2 -pthread -DTEST_STACK $1" test/unit/t_stack.c \
+        test/points.c test/proof/exact.c && stacktest=$OBJECTS
+}
+
+# stack NAME USUAL ANY COMPILER OBJECT...: the figures that a manual has, in KB
+# of 1000 bytes, bound what is measured, and are not far above
+stack() {
+    name="stack: $1: $2 KB, $3 KB"
+    usual=$2
+    any=$3
+    linker=$4
+    shift 4
+    # shellcheck disable=SC2086 # a list of files
+    $linker -pthread -o build/stack/t_stack $stacktest "$@" $LIBS \
+        >> $LOG 2>&1 && build/stack/t_stack > build/stack.txt
+    cat build/stack.txt >> $LOG
+    shown "$name" awk -v usual="$usual" -v any="$any" '
+        function fits(said, is) {
+            return is <= 1000 * said && 1000 * said <= 1.08 * is + 1000
+        }
+        { print }
+        $1 == "most" { good = fits(usual, $2) && fits(any, $3) }
+        END { exit !good }' build/stack.txt
+}
+
+# stacks FILE: of the manual's table the figures, and what they are for
+stacks() {
+    sed -n 's/^[ *]*\([^ ].*[^ ]\)  *\([0-9]*\) KB  *\([0-9]*\) KB$/\2 \3 \1/p' $1
+}
+
+stacked() {
+    group "stack: " || return
+    stacks tess.h > build/stacks.txt
+    one "stack: tess.h's figures" test "$(wc -l < build/stacks.txt)" -eq 3
+    while read -r usual any options; do
+        # (of the others -all)
+        [ -n "$ALL" ] || [ "$options" = none ] || continue
+        [ "$options" = none ] && options=
+        if ! stacktest "$options"; then
+            skipped "stack: no gcc with threads on x86-64"
+            return
+        fi
+        objects "$CC" "-O2${options:+ $options}" $LIBRARY
+        # shellcheck disable=SC2086
+        stack "$CC -O2 $options" $usual $any "$CC" $OBJECTS
+    done < build/stacks.txt
+}
+
+stacked77() {
+    group "stack: FORTRAN 77" || return
+    stacks f77/README > build/stacks.txt
+    one "stack: FORTRAN 77: the manual's figures" \
+        test "$(wc -l < build/stacks.txt)" -eq 3
+    while read -r usual any parameters; do
+        [ -n "$ALL" ] || [ "$parameters" = "as they are" ] || continue
+        case $parameters in *HHLIM*) options=-DHH_LIMBS=${parameters##* };;
+        *) options=;; esac
+        if ! stacktest "$options"; then
+            skipped "stack: FORTRAN 77: no gcc with threads on x86-64"
+            return
+        fi
+        rm -f build/stack/*.o
+        compile "$CC" "-O2 $options" build/stack test/fortran/shim.c
+        echo "$parameters" | tr , '\012' |
+            sed -n 's/^ *\([A-Z]*\) = \([0-9]*\)$/s,\1 = [0-9]*,\1 = \2,/p' \
+            > build/stacks.sed
+        for half in tess hhpred; do
+            sed -f build/stacks.sed f77/$half.f > build/stack/$half.f
+            gfortran -frecursive -O2 -c -o build/stack/f$half.o \
+                build/stack/$half.f >> $LOG 2>&1
+        done
+        stack "FORTRAN 77, gfortran -O2, $parameters" $usual $any gfortran \
+            build/stack/*.o
+    done < build/stacks.txt
+}
+
+sanitizers() {
+    if have "$CC" "$SANITIZE"; then
+        HARNESS=-O2
+        units sanitizers "$CC" "$SANITIZE" "brute 50"
+        quick sanitizers "$CC" "$SANITIZE" "$MESHES t_part t_query"
+        HARNESS=
+    else
+        skipped "sanitizers"
+        quick usual "$CC" "$CFLAGS" "$MESHES t_part t_query"
+    fi
+}
+
+# ---- the same arrays from every build ----
+#
+# The test itself and its points are compiled once, so that compilers'
+# roundings in making the points do not count.
+
+# same NAME CC FLAGS
+same() {
+    name="same result: $1"
+    wanted "$name" || return
+    if ! have "$2" "$3"; then
+        skipped "$name"
+        return
+    fi
+    # (as C++ all of it: the objects of C cannot be linked to that)
+    case $3 in
+    *c++*) build sums1 "$2" "$3" test/unit/t_tess.c $COMMON $LIBRARY;;
+    *) objects "$2" "$3" $LIBRARY && $2 $3 -o build/sums1 $sums $shares $OBJECTS \
+        $LIBS >> $LOG 2>&1;;
+    esac || {
+        fail "$name: does not compile"
+        return
+    }
+    build/sums1 -sums > build/sums1.txt 2>> $LOG
+    one "$name" cmp build/sums.txt build/sums1.txt
+}
+
+builds() {
+    group "same result: " || return
+    usual t_tess
+    build/units/usual/t_tess -sums > build/sums.txt
+    one "same result: checksums" test -s build/sums.txt
+    # shellcheck disable=SC2086 # a list of files
+    objects "$CC" "$CFLAGS" $COMMON
+    shares=$OBJECTS
+    objects "$CC" "$CFLAGS" test/unit/t_tess.c
+    sums=$OBJECTS
+    same "$CC -Ofast -march=native" "$CC" "-Ofast -march=native"
+    same "$CC -mfpmath=387" "$CC" "-O2 -mfpmath=387"
+    [ -z "$ALL" ] && return
+    # at this size a list's bounds are rounded in view of the points
+    many "same result: t_tess, a narrow cluster" build/units/usual/t_tess -one lastplaces \
+        1500 1
+    # what only a processor that takes subnormal numbers for zero brings about
+    for t in $MESHES; do
+        objects "$CC" "$CFLAGS" test/unit/$t.c
+        sums=$OBJECTS
+        objects "$CC" "-Ofast -march=native" $LIBRARY
+        # shellcheck disable=SC2086 # lists of files
+        build flushed "$CC" "-Ofast -march=native" $sums $shares $OBJECTS
+        many "same result: $t, subnormal numbers flushed" build/flushed -quick
+    done
+    objects "$CC" "$CFLAGS" test/unit/t_tess.c
+    sums=$OBJECTS
+    same "$CC -O0" "$CC" "-O0"
+    same "$CC -O2" "$CC" "-O2"
+    same "$CC -O3 -funroll-loops -ffp-contract=fast -march=native" "$CC" \
+        "-O3 -funroll-loops -ffp-contract=fast -march=native"
+    same "clang -O2" clang "-O2"
+    same "clang -Ofast" clang "-Ofast"
+    same "tcc" tcc ""
+    same "g++ -x c++ -O2" g++ "-x c++ -O2"
+}
