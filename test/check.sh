@@ -1198,7 +1198,7 @@ processes() {
 
 # ---- the FORTRAN 77 half: ANSI X3.9-1978 and nothing more ----
 
-# TSRUN, TESSIX and TESSQU cut their workspace up into arrays, and what a mesh
+# TSBLD, TESSIX and TESSQU cut their workspace up into arrays, and what a mesh
 # and a search keep is handed over in parts; a query hands over one array twice,
 # that nobody alters.  The standard allows to hand over an array element for an
 # array, and to alter the arrays, as they are declared in their lengths and do
@@ -1225,9 +1225,9 @@ standard() {
     $CHEK $F77 > build/ftnchek.txt 2>&1
     egrep -i warning build/ftnchek.txt |
         egrep -v 'argument arrayness mismatch' | egrep -v \
-        'Subprogram (HHPROD|TSAIM|TSAPEX|TSINDE|TSMCYS|TSMESH) argument usage' |
-        egrep -v 'Subprogram (TSCMPR|TSEXTE|TSLEAV|TSRUN) argument usage' |
-        egrep -v 'Subprogram (TSNEWC|TSQUER|TSSETT|TSTHRO) argument usage' \
+        'Subprogram (HHPROD|TSSFFI|TSAPEX|TSINDE|TSMCYS|TSMESH) argument usage' |
+        egrep -v 'Subprogram (TSPICK|TSBBOX|TSEXIT|TSBLD) argument usage' |
+        egrep -v 'Subprogram (TSRECS|TSQUER|TSINCT|TSTHRO) argument usage' \
         > build/ftnwarn.txt
     one "ftnchek: warnings of parts of arrays alone" test ! -s build/ftnwarn.txt
     cat build/ftnwarn.txt >> $LOG
@@ -1828,7 +1828,7 @@ paper() {
 }
 all_twins() {
     twins tess "point" \
-        "TSPDIS|TSLINE|TSCURV|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
+        "TSPDIS|TSLINE|TSONSP|TSWORK|TSMESH|TSINDE|TSQUER|TSORIQ|TSORIP|TSFOOT"
     twins hhpred "held|blank|shift|lesser|list" "HHKIND|HHV500|HHL088"
 }
 

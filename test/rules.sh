@@ -59,8 +59,8 @@ told "entries: a row of the README, with the twin" $B/out
 
 # ---- constants of the library's that a test needs ----
 
-grep '^#define \(BLOCKREACH\|STARREACH\) ' tess.c > $B/words
-grep '^#define \(BLOCKREACH\|STARREACH\) ' test/unit/brute.c | diff $B/words - > $B/out
+grep '^#define \(BLOCK_REACH\|STAR_REACH\) ' tess.c > $B/words
+grep '^#define \(BLOCK_REACH\|STAR_REACH\) ' test/unit/brute.c | diff $B/words - > $B/out
 [ "$(wc -l < $B/words)" -eq 2 ] || echo none > $B/out
 told "constants: brute.c's are tess.c's" $B/out
 
