@@ -61,7 +61,7 @@ static int flushes(void)
     return x == 0.0;
 }
 
-static void incident_tet(double p[5][3])
+static void settle(double p[5][3])
 {
     /* volatile: a compiler was seen to optimize the rounding away */
     volatile tess_real rounded;
@@ -399,7 +399,7 @@ static void test_signs(int group, long n)
             a[1] = rnd_below(5);
             for (k = 0; k < 3; k++) p[a[0]][k] = p[a[1]][k];
         }
-        incident_tet(p);
+        settle(p);
         h = ex_orient(P[0], P[1], P[2], P[3]);
         s = ex_insphere(P[0], P[1], P[2], P[3], P[4]);
         o = hh_orient(R[0], R[1], R[2], R[3]);
@@ -480,7 +480,7 @@ static void test_indexed(int group, long n)
 
     for (i = 0; i < n; i++) {
         make(group, p);
-        incident_tet(p);
+        settle(p);
         for (j = 0; j < 5; j++) order[j] = (tess_int)j;
         for (j = 4; j > 0; j--) {
             tess_int t = order[j];
@@ -625,7 +625,7 @@ static void test_balls(int group, long n)
             for (j = 0; j < 15; j++)
                 p[j / 3][j % 3] = at[j % 3] + ldexp(p[j / 3][j % 3], e);
         }
-        incident_tet(p);
+        settle(p);
         o = ex_orient(P[0], P[1], P[2], P[3]);
         most = 0.0;
         for (j = 0; j < 15; j++) {
@@ -750,7 +750,7 @@ static void test_flat(long n)
             for (k = 0; k < 3; k++)
                 p[2][k] = (1.0 - x) * p[0][k] + x * p[1][k];
         }
-        incident_tet(p);
+        settle(p);
         for (axis = 0; axis < 3; axis++) {
             j = (axis + 1) % 3;
             k = (axis + 2) % 3;
@@ -900,7 +900,7 @@ static void test_foot(long n)
         for (k = 0; k < 8; k++) seen[k] = 0;
         for (i = 0; i < (kind == AS_IT_IS ? n / 4 : n); i++) {
             make_foot(kind, p);
-            incident_tet(p);
+            settle(p);
             if (ex_collinear(P[0], P[1], P[2])) continue;
             for (k = bad = 0; k < 12; k++)
                 bad |= P[k / 3][k % 3] != 0.0 &&
@@ -991,7 +991,7 @@ static void test_weigh(long n)
         for (k = bad = 0; k < 15; k++)
             bad |= !(fabs(p[k / 3][k % 3]) <= REAL_MAX);
         if (bad) continue;
-        incident_tet(p);
+        settle(p);
         low = low_of(5);
         for (k = 0; k < 15; k++)
             bad |= P[k / 3][k % 3] != 0.0 &&
@@ -1561,7 +1561,7 @@ static void test_facets(int group, int limbs, long n)
         for (j = 0; j < 6; j++) {
             kind = group == FACET_RANDOM ? POINT_RANDOM : rnd_below(POINTS);
             make_point(kind, unit, p);
-            incident_tet(p);
+            settle(p);
             exact_facet(low_of(5));
             exact_point(P[3]);
             fault = NULL;
@@ -1613,7 +1613,7 @@ static void test_codes(long n)
             k = rnd_below(3);
             p[2][k] = nudge(p[2][k], rnd_below(3) - 1);
         }
-        incident_tet(p);
+        settle(p);
         line = ex_collinear(P[0], P[1], P[2]);
         lines += line;
         bad = 0;
