@@ -9,12 +9,18 @@
 #     sh test/hunts/mutate.sh -those LIST [TEST]
 #         changes of which LIST has a line each, FILE K: all tests, or TEST.
 #         The last one is kept in build/mutation/new
+#     sh test/hunts/mutate.sh -join REPORT...
+#         what batches (by SKIP, or of one half) and -those have printed, as one
+#         report; of a change that is in several the last one's verdict counts,
+#         and those that equivalents has by now are left out
 #
 # A change that leaves the object code as it is, or does not compile, or is in
 # test/hunts/equivalents, is left out, and not counted in N nor in SKIP.  Caught
 # is what fails a test (few is t_pred with 3 limbs, x87 that in an x87 unit, low
 # certify with low thresholds, asan t_tess, or parity.f and t_pred, with
-# sanitizers), crashes, takes four times as long as the library does or more,
+# sanitizers, more brute with as many sets as make check has, float brute in
+# single precision, limbs brute and t_tess with 3 limbs, warned compilers' words
+# on what is not set or not used), crashes, takes four times as long as the library does or more,
 # makes searches look at a tenth more (bench/counts.sh), calls a routine more
 # often than its twin does (fortran/calls.sh), or alters a constant in one
 # routine alone (fortran/constants.sh).  Of a change that survives is said
@@ -64,14 +70,14 @@ take() {
         TEST="brute parity t_pred few x87 calls certify low"
         TEST="$TEST t_tess t_part asan"
         [ -z "$CHECK" ] ||
-            TEST="brute parity t_pred few certify low more t_tess t_part asan
-                float"
+            TEST="brute parity t_pred few warned certify low limbs float more
+                t_tess t_part asan"
         ;;
     f)
         FILES="tess.f hhpred.f"
         TEST="constants brute parity t_pred large asan calls t_tess t_part"
         [ -z "$CHECK" ] ||
-            TEST="constants brute parity t_pred large more t_tess t_part";;
+            TEST="constants brute parity t_pred large warned more t_tess t_part";;
     esac
 }
 
@@ -94,7 +100,7 @@ compile() {
 # links TREE TEST: the test with the library in TREE
 links() {
     case $HALF$2 in
-    ?calls | fconstants) ;;
+    ?calls | ?more | ?warned | fconstants) ;;
     ct_pred) $CC -o $1/$2 $DIR/$2.o $1/hhpred.c.o $DIR/exact.o $DIR/points.o -lm;;
     cfew) $CC -I. -O1 -DHH_LIMBS=3 -o $1/$2 $DIR/$2.o $1/hhpred.c $DIR/exact.o \
         $DIR/points.o -lm;;
@@ -115,15 +121,34 @@ links() {
             $3 -o $1/pred $DIR/t_pred.o $DIR/shim.o $DIR/exact.o \
                 $DIR/points.o $1/tess.f.o $1/asan.o -lm;;
     flarge) links $1 t_tess && cp $1/t_tess $1/$2;;
-    ?more) ;; # brute
     cfloat) $CC -I. -O1 -DTESS_FLOAT -o $1/$2 test/unit/brute.c $1/tess.c \
         $1/hhpred.c test/proof/exact.c test/proof/verify.c -lm;;
+    climbs) for t in brute t_tess; do
+            $CC -I. -O1 -DHH_LIMBS=3 -o $1/limbs.$t test/unit/$t.c $1/tess.c \
+                $1/hhpred.c test/points.c test/proof/exact.c \
+                test/proof/verify.c test/unit/damage.c test/unit/guard.c -lm ||
+                return
+        done;;
     fparity) gfortran -o $1/$2 $DIR/parityf.o $1/tess.f.o $1/hhpred.f.o;;
     c*) $CC -o $1/$2 $DIR/$2.o $1/tess.c.o $1/hhpred.c.o $DIR/exact.o \
         $DIR/points.o $DIR/verify.o $DIR/damage.o $DIR/guard.o -lm;;
     f*) gfortran -o $1/$2 $DIR/$2.o $DIR/shim.o $1/tess.f.o $1/hhpred.f.o \
         $DIR/exact.o $DIR/points.o $DIR/verify.o $DIR/damage.o $DIR/guard.o -lm;;
     esac
+}
+
+# warned TREE: 0 if the compiler finds nothing that is not set, or not used.
+# (Not all warnings: a change may be written as nobody would write it.)
+warned() {
+    for f in $FILES; do
+        case $f in
+        *.c) $CC -O1 -Wuninitialized -Wmaybe-uninitialized -Wunused \
+            -Wreturn-type -Werror -c -o $1/warned.o $1/$f;;
+        *.f) gfortran -std=f95 -frecursive -fcheck=all -O1 -Wuninitialized \
+            -Wmaybe-uninitialized -Wunused -Werror -ffixed-line-length-none -c \
+            -o $1/warned.o $1/$f;;
+        esac || return
+    done
 }
 
 # runs SECONDS PROGRAM ARGUMENT...: a change may make it run for ever, fill
@@ -139,6 +164,8 @@ passes() {
     links $1 $2 2> /dev/null || return 1
     case $2 in
     brute) runs 10 $1/$2 60;;
+    limbs) runs $LIMIT $1/limbs.brute 100 && runs $LIMIT $1/limbs.t_tess -range;;
+    warned) warned $1;;
     more) runs $LIMIT $1/brute $([ $HALF = c ] && echo 800 || echo 240);;
     float) runs $LIMIT $1/$2 100;;
     t_pred) runs $LIMIT $1/$2 15;;
@@ -173,6 +200,65 @@ looks() {
     cp $1/calls $1/looks
     [ $HALF != c ] || cat build/looks/all.txt >> $1/looks
 }
+
+if [ "$1" = -join ]; then
+    shift
+    { echo "Written by: CHECK=$CHECK mutate.sh, in batches, and -join"; echo; }
+    awk -v list=test/hunts/equivalents '
+        BEGIN {
+            while ((getline < list) > 0) {
+                sub(/^ */, "")
+                if (last ~ /^[a-z]*\.[cf]: /) equal[last, $0]
+                last = $0
+            }
+        }
+        $1 ~ /^[a-z]*\.[cf]:[0-9]+$/ {
+            key = $1 " " $2
+            if (!(key in text)) all[++n] = key
+            text[key] = $0
+            open[key] = line[key] = ""
+            next
+        }
+        /^        [a-z]*\.[cf]: / { sub(/^ */, ""); line[key] = $0; next }
+        line[key] != "" && open[key] == "" && /^        / {
+            sub(/^ */, "")
+            open[key] = $0
+        }
+        function ends(half) {
+            print half ": " many " changes, " caught " caught, " look \
+                " look elsewhere, " many - caught - look " survived, " \
+                left " equivalent"
+            M += many
+            C += caught
+            L += look
+            many = caught = look = left = 0
+        }
+        END {
+            for (h = 1; h <= 2; h++) {
+                half = substr("cf", h, 1)
+                for (i = 1; i <= n; i++) {
+                    key = all[i]
+                    if (key !~ "[.]" half ":") continue
+                    is = text[key]
+                    sub(/^[^)]*\) /, "", is)
+                    if (is !~ /^caught/ && (line[key], open[key]) in equal) {
+                        left++
+                        continue
+                    }
+                    many++
+                    caught += is ~ /^caught/
+                    look += is ~ /^elsewhere/
+                    print text[key]
+                    if (is !~ /^caught/)
+                        print "        " line[key] "\n        " open[key]
+                }
+                ends(half)
+            }
+            print "mutation: " M " changes, " C " caught, " L \
+                " look elsewhere, " M - C - L " survived"
+        }' "$@"
+    exit
+fi
 
 for half in $HALVES; do
     take $half
@@ -249,6 +335,7 @@ verdict() {
 
 if [ "$1" = -those ]; then
     only=$3
+    list=$2
     while read file place rest; do
         change $file $place
         code=$?
@@ -260,8 +347,12 @@ if [ "$1" = -those ]; then
         esac
         what=`$DIR/mutant "$(path $file)" | awk -v k=$place '$1 == k'`
         set -- $what
-        printf '%s\n' "$file:$2 ($place) $answer: ${what#* * }"
-    done < $2
+        set -- $file $2 "${what#* * }" "$list"
+        printf '%s\n' "$1:$2 ($place) $answer: $3"
+        case $answer in
+        survived | elsewhere) entry $1 $2 $place | sed 's/^/        /';;
+        esac
+    done < $list
     exit
 fi
 
