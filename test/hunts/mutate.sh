@@ -6,6 +6,7 @@
 #         N changes of each half, 100, drawn by SEED, 1, without the first SKIP
 #         drawn; HALVES=c or HALVES=f of C or of FORTRAN alone; CHECK=yes by
 #         what make check runs alone, but for the examples and the program
+#         (what it costs searches is not looked at then if LOOKS=no)
 #     sh test/hunts/mutate.sh -those LIST [TEST]
 #         changes of which LIST has a line each, FILE K: all tests, or TEST.
 #         The last one is kept in build/mutation/new
@@ -16,19 +17,20 @@
 #
 # A change that leaves the object code as it is, or does not compile, or is in
 # test/hunts/equivalents, is left out, and not counted in N nor in SKIP.  Caught
-# is what fails a test (few is t_pred with 3 limbs, x87 that in an x87 unit, low
-# certify with low thresholds, asan t_tess, or parity.f and t_pred, with
-# sanitizers, more brute with as many sets as make check has, float brute in
-# single precision, limbs brute and t_tess with 3 limbs, warned compilers' words
-# on what is not set or not used), crashes, takes four times as long as the library does or more,
-# makes searches look at a tenth more (bench/counts.sh), calls a routine more
-# often than its twin does (fortran/calls.sh), or alters a constant in one
-# routine alone (fortran/constants.sh).  Of a change that survives is said
-# whether it alters what searches look at: "elsewhere" if so, "survived" if that
-# is the same, too.
+# is what fails a test, crashes, takes four times as long as the library does or
+# more, makes searches look at a tenth more (bench/counts.sh), calls a routine
+# more often than its twin does (fortran/calls.sh), or alters a constant in one
+# routine alone (fortran/constants.sh).  The tests' names:
+#   few     t_pred with 3 limbs           limbs   brute and t_tess with 3 limbs
+#   x87     t_pred in an x87 unit         float   brute in single precision
+#   low     certify with low thresholds   more    brute, as many sets as in check
+#   asan    t_tess, or parity.f and t_pred, with sanitizers
+#   warned  compilers' warnings of what is not set, or not used
+# Of a change that survives is said whether it alters what searches look at:
+# "elsewhere" if so, "survived" if that is the same, too.
 #
-# Those of the second part of equivalents, which only cost a little, are left out,
-# too.
+# Those of the second part of equivalents, which only cost a little, are left
+# out, too.
 #
 # Run from the top directory; takes CC.  The last line is
 # `mutation: N changes, C caught, E look elsewhere, S survived'; without SKIP,
@@ -46,6 +48,65 @@ LIMIT=40
 LONG=60
 
 say() { echo "mutate.sh: $1" >&2; exit 2; }
+
+if [ "$1" = -join ]; then
+    shift
+    { echo "Written by: CHECK=$CHECK mutate.sh, in batches, and -join"; echo; }
+    awk -v list=test/hunts/equivalents '
+        BEGIN {
+            while ((getline < list) > 0) {
+                sub(/^ */, "")
+                if (last ~ /^[a-z]*\.[cf]: /) equal[last, $0]
+                last = $0
+            }
+        }
+        $1 ~ /^[a-z]*\.[cf]:[0-9]+$/ {
+            key = $1 " " $2
+            if (!(key in text)) all[++n] = key
+            text[key] = $0
+            open[key] = line[key] = ""
+            next
+        }
+        /^        [a-z]*\.[cf]: / { sub(/^ */, ""); line[key] = $0; next }
+        line[key] != "" && open[key] == "" && /^        / {
+            sub(/^ */, "")
+            open[key] = $0
+        }
+        function ends(half) {
+            print half ": " many " changes, " caught " caught, " look \
+                " look elsewhere, " many - caught - look " survived, " \
+                left " equivalent"
+            M += many
+            C += caught
+            L += look
+            many = caught = look = left = 0
+        }
+        END {
+            for (h = 1; h <= 2; h++) {
+                half = substr("cf", h, 1)
+                for (i = 1; i <= n; i++) {
+                    key = all[i]
+                    if (key !~ "[.]" half ":") continue
+                    is = text[key]
+                    sub(/^[^)]*\) /, "", is)
+                    if (is !~ /^caught/ && (line[key], open[key]) in equal) {
+                        left++
+                        continue
+                    }
+                    many++
+                    caught += is ~ /^caught/
+                    look += is ~ /^elsewhere/
+                    print text[key]
+                    if (is !~ /^caught/)
+                        print "        " line[key] "\n        " open[key]
+                }
+                ends(half)
+            }
+            print "mutation: " M " changes, " C " caught, " L \
+                " look elsewhere, " M - C - L " survived"
+        }' "$@"
+    exit
+fi
 
 mkdir -p $DIR/new
 for f in proof/exact hunts/hard hunts/certify points proof/verify unit/damage \
@@ -166,7 +227,8 @@ passes() {
     brute) runs 10 $1/$2 60;;
     limbs) runs $LIMIT $1/limbs.brute 100 && runs $LIMIT $1/limbs.t_tess -range;;
     warned) warned $1;;
-    more) runs $LIMIT $1/brute $([ $HALF = c ] && echo 800 || echo 240);;
+    more) if [ $HALF = c ]; then runs $LIMIT $1/brute; else
+            runs $LIMIT $1/brute 240; fi;;
     float) runs $LIMIT $1/$2 100;;
     t_pred) runs $LIMIT $1/$2 15;;
     few | x87) runs $LIMIT $1/$2 5;;
@@ -200,65 +262,6 @@ looks() {
     cp $1/calls $1/looks
     [ $HALF != c ] || cat build/looks/all.txt >> $1/looks
 }
-
-if [ "$1" = -join ]; then
-    shift
-    { echo "Written by: CHECK=$CHECK mutate.sh, in batches, and -join"; echo; }
-    awk -v list=test/hunts/equivalents '
-        BEGIN {
-            while ((getline < list) > 0) {
-                sub(/^ */, "")
-                if (last ~ /^[a-z]*\.[cf]: /) equal[last, $0]
-                last = $0
-            }
-        }
-        $1 ~ /^[a-z]*\.[cf]:[0-9]+$/ {
-            key = $1 " " $2
-            if (!(key in text)) all[++n] = key
-            text[key] = $0
-            open[key] = line[key] = ""
-            next
-        }
-        /^        [a-z]*\.[cf]: / { sub(/^ */, ""); line[key] = $0; next }
-        line[key] != "" && open[key] == "" && /^        / {
-            sub(/^ */, "")
-            open[key] = $0
-        }
-        function ends(half) {
-            print half ": " many " changes, " caught " caught, " look \
-                " look elsewhere, " many - caught - look " survived, " \
-                left " equivalent"
-            M += many
-            C += caught
-            L += look
-            many = caught = look = left = 0
-        }
-        END {
-            for (h = 1; h <= 2; h++) {
-                half = substr("cf", h, 1)
-                for (i = 1; i <= n; i++) {
-                    key = all[i]
-                    if (key !~ "[.]" half ":") continue
-                    is = text[key]
-                    sub(/^[^)]*\) /, "", is)
-                    if (is !~ /^caught/ && (line[key], open[key]) in equal) {
-                        left++
-                        continue
-                    }
-                    many++
-                    caught += is ~ /^caught/
-                    look += is ~ /^elsewhere/
-                    print text[key]
-                    if (is !~ /^caught/)
-                        print "        " line[key] "\n        " open[key]
-                }
-                ends(half)
-            }
-            print "mutation: " M " changes, " C " caught, " L \
-                " look elsewhere, " M - C - L " survived"
-        }' "$@"
-    exit
-fi
 
 for half in $HALVES; do
     take $half
