@@ -256,7 +256,7 @@ stacked77() {
             return
         fi
         rm -f build/stack/*.o
-        compile "$CC" "-O2 $options" build/stack test/fortran/shim.c
+        compile "$CC" "-O2 $options -DTEST_STACK" build/stack test/fortran/shim.c
         echo "$parameters" | tr , '\012' |
             sed -n 's/^ *\([A-Z]*\) = \([0-9]*\)$/s,\1 = [0-9]*,\1 = \2,/p' \
             > build/stacks.sed

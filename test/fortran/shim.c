@@ -9,15 +9,61 @@
 #include "count.h"
 #include "f77.h"
 
+#include <string.h>
+
+#ifndef TEST_STACK
+/* Foul the stack that the call is about to use: with what is no number and no
+ * index, with what is huge, and with small indices, in turn.  So a call that
+ * reads what it has not written, or beyond its arrays, fails. */
+#define FOULED 30000 /* integers: what any call uses */
+#define FEW 2500     /* for what is called most */
+
+static void *(*volatile copy)(void *, const void *, size_t) = memcpy;
+
+static void foul(const int *with)
+{
+    int stack[FOULED];
+
+    copy(stack, with, sizeof stack);
+}
+
+static void foulfew(const int *with)
+{
+    int stack[FEW];
+
+    copy(stack, with, sizeof stack);
+}
+
+static void scribble(int all)
+{
+    static void (*volatile deep[2])(const int *) = { foulfew, foul };
+    static int with[3][FOULED], next;
+    int i;
+
+    if (with[0][0] == 0)
+        for (i = 0; i < FOULED; i++) {
+            with[0][i] = -1;
+            with[1][i] = 0x7f7f7f7f;
+            with[2][i] = i % 7 + 1;
+        }
+    deep[all](with[next]);
+    next = (next + 1) % 3;
+}
+#else
+#define scribble(all) /* its use of the stack is measured */
+#endif
+
 int hh_orient(const tess_real *a, const tess_real *b, const tess_real *c,
               const tess_real *d)
 {
+    scribble(0);
     return (int)hhorie_(a, b, c, d);
 }
 
 int hh_insphere(const tess_real *a, const tess_real *b, const tess_real *c,
                 const tess_real *d, const tess_real *e)
 {
+    scribble(0);
     return (int)hhinsp_(a, b, c, d, e);
 }
 
@@ -27,12 +73,14 @@ int hh_foot(const tess_real *a, const tess_real *b, const tess_real *c,
     double any[3];
     tess_int want = w != 0, set;
 
+    scribble(0);
     hhfoot_(a, b, c, q, &want, w ? w : any, &set);
     return (int)set;
 }
 
 int hh_range(double x, double most)
 {
+    scribble(0);
     return (int)hhrang_(&x, &most);
 }
 
@@ -41,22 +89,26 @@ int hh_facet(const tess_real *p1, const tess_real *p2, const tess_real *p3,
 {
     tess_int info;
 
+    scribble(0);
     hhface_(p1, p2, p3, f, &info);
     return (int)info;
 }
 
 double hh_side(const double *f, const tess_real *z)
 {
+    scribble(0);
     return hhside_(f, z);
 }
 
 double hh_lcoord(const double *f, const tess_real *z)
 {
+    scribble(0);
     return hhlcoo_(f, z);
 }
 
 void hh_setup(const double *p1, const double *p2, const double *p3, double *f)
 {
+    scribble(0);
     hhsetu_(p1, p2, p3, f);
 }
 
@@ -64,12 +116,14 @@ int hh_limits(const double *f, const double *z, double *lo, double *hi)
 {
     tess_int side;
 
+    scribble(0);
     hhlimi_(f, z, lo, hi, &side);
     return (int)side;
 }
 
 int hh_opp(const double *f, const tess_real *z1, const tess_real *z2)
 {
+    scribble(0);
     return (int)hhopp_(f, z1, z2);
 }
 
@@ -78,6 +132,7 @@ int hh_wrap(const tess_real *p1, const tess_real *p2, const tess_real *p3,
 {
     tess_int info;
 
+    scribble(0);
     hhwrap_(p1, p2, p3, z, c, &info);
     return (int)info;
 }
@@ -87,6 +142,7 @@ int hh_area(int axis, const tess_real *a, const tess_real *b,
 {
     tess_int k = axis + 1;
 
+    scribble(0);
     return (int)hharea_(&k, a, b, c);
 }
 
@@ -97,17 +153,20 @@ int hh_weigh(const tess_real *p, const tess_int *v, const tess_real *q,
     int k;
 
     for (k = 0; k < 4; k++) u[k] = v[k] + 1;
+    scribble(0);
     hhweig_(p, u, &one, q, w, &info);
     return (int)info;
 }
 
 int hh_wider(double a, double b, double c, double d)
 {
+    scribble(0);
     return (int)hhwide_(&a, &b, &c, &d);
 }
 
 int hh_holds(tess_int n, const tess_real *p)
 {
+    scribble(0);
     return (int)hhhold_(&n, p);
 }
 
@@ -140,6 +199,7 @@ int hh_porient(const hh_set *s, tess_int i, tess_int j, tess_int k, tess_int l)
     ++j;
     ++k;
     ++l;
+    scribble(0);
     return (int)hhpori_(s->x, s->p, order(s, 5), &s->exact3, &i, &j, &k, &l);
 }
 
@@ -150,6 +210,7 @@ int hh_pinsphere(const hh_set *s, const tess_int *v, tess_int a, tess_int b,
 
     ++a;
     ++b;
+    scribble(0);
     return (int)hhpins_(s->x, s->p, order(s, 5), &s->exact3, &s->exact5,
                         vertices(v), &a, &b, &r);
 }
@@ -161,6 +222,7 @@ int hh_centre(const hh_set *s, const tess_int *v, int base, tess_int z,
 
     (void)t;
     ++z;
+    scribble(0);
     hhcent_(s->p, order(s, 5), &e, vertices(v), &from, &z, c, ball, &ok);
     return (int)ok;
 }
@@ -172,6 +234,7 @@ void hh_trial(const hh_set *s, const hh_ball *t, tess_int z, int *side,
 
     (void)t;
     ++z;
+    scribble(0);
     hhtria_(s->p, order(s, 5), ball, &z, &a, &b);
     *side = (int)a;
     *power = (int)b;
@@ -185,6 +248,7 @@ int hh_relative(const hh_set *s, const tess_int *v, int base, const double *f,
     ++a;
     ++z;
     sphere[0] = t->ready;
+    scribble(0);
     hhrela_(s->x, &s->exact3, vertices(v), &from, f, &l, &a, &z, sphere, &sign);
     t->ready = (int)sphere[0];
     return (int)sign;
@@ -198,6 +262,7 @@ int hh_surface(const hh_set *s, tess_int base, tess_int from, int plane,
     (void)t;
     ++base;
     ++from;
+    scribble(0);
     hhsurf_(s->x, &base, &from, &flat, c, sphere, &ok);
     return (int)ok;
 }
@@ -208,6 +273,7 @@ double hh_height(const hh_set *s, const hh_sphere *t, tess_int z, double *err)
 
     (void)t;
     ++z;
+    scribble(0);
     hhheig_(s->x, sphere, &z, &h, err);
     return h;
 }
@@ -216,6 +282,7 @@ void hh_thin(const hh_set *s, const tess_int *v, int base, double *f)
 {
     tess_int e = s->exponent, from = base + 1;
 
+    scribble(0);
     hhthin_(s->x, s->p, order(s, 3), &e, vertices(v), &from, f);
 }
 
@@ -225,6 +292,7 @@ int tess_size(tess_int n, tess_int maxtet, tess_int *liw, tess_int *lrw)
 {
     tess_int info;
 
+    scribble(1);
     tesswk_(&n, &maxtet, liw, lrw, &info);
     return (int)info;
 }
@@ -243,6 +311,7 @@ int tess(tess_int n, const tess_real *p, tess_int maxtet, tess_int *ntet,
 {
     tess_int info;
 
+    scribble(1);
     tess_(&n, p, &maxtet, ntet, tet, adj, &liw, iw, &lrw, rw, &info);
     if (info == -2) --*ntet;
     if (info >= 0 && info != TESS_RANGE) count(iw, n, -1);
@@ -256,6 +325,7 @@ int tess_resume(tess_int n, const tess_real *p, tess_int maxtet,
     tess_int info, old = *ntet < 0 || *ntet > maxtet ? 0 : *ntet;
 
     both(tet, adj, old, 1);
+    scribble(1);
     tessre_(&n, p, &maxtet, ntet, tet, adj, &liw, iw, &lrw, rw, &info);
     if (info >= 0 && info != TESS_RANGE) count(iw, n, -1);
     return after(info, old, *ntet, tet, adj);
@@ -269,6 +339,7 @@ int tess_locate(const tess_real *p, tess_int ntet, const tess_int *tet,
 
     both(tet, adj, m, 1);
     ++*t;
+    scribble(1);
     tesslo_(p, &ntet, (tess_int *)tet, (tess_int *)adj, q, t, w, &info);
     --*t;
     both(tet, adj, m, -1);
@@ -284,6 +355,7 @@ int tess_values(const tess_real *p, tess_int ntet, const tess_int *tet,
 
     both(tet, adj, m, 1);
     count(t, k, 1);
+    scribble(1);
     tessva_(p, &ntet, (tess_int *)tet, (tess_int *)adj, &nv, value, &nq, q, t,
             out, &info);
     count(t, k, -1);
@@ -297,6 +369,7 @@ int tess_hull(tess_int ntet, const tess_int *tet, const tess_int *adj,
     tess_int info, m = ntet < 0 ? 0 : ntet;
 
     both(tet, adj, m, 1);
+    scribble(1);
     tesshu_(&ntet, (tess_int *)tet, (tess_int *)adj, &maxfac, nfac, fac, &info);
     both(tet, adj, m, -1);
     if (info >= 0) count(fac, 3 * (*nfac < maxfac ? *nfac : maxfac), -1);
@@ -310,6 +383,7 @@ int tess_check(tess_int n, const tess_real *p, tess_int ntet,
     tess_int info, m = ntet < 0 || ntet > TESS_INT_MOST / 4 ? 0 : ntet;
 
     both(tet, adj, m, 1);
+    scribble(1);
     tessch_(&n, p, &ntet, (tess_int *)tet, (tess_int *)adj, &liw, iw, bad,
             &info);
     --*bad;
@@ -330,6 +404,7 @@ int tess_index(tess_int n, const tess_real *p, tess_int liw, tess_int *iw,
 {
     tess_int info;
 
+    scribble(1);
     tessix_(&n, p, &liw, iw, &lrw, rw, &info);
     if (info >= 0 && info != TESS_RANGE) count(iw, n, -1);
     return (int)info;
@@ -345,6 +420,7 @@ int tess_part(tess_int n, const tess_real *p, const tess_int *mine,
     if (!mine) return -3; /* which FORTRAN cannot say */
     both(tet, adj, old, 1);
     count(iw, m, 1);
+    scribble(1);
     tesspa_(&n, p, mine, &maxtet, ntet, tet, adj, &liw, iw, &lrw, (double *)rw,
             &info);
     count(iw, m, -1);
@@ -358,6 +434,7 @@ int tess_query(tess_int n, const tess_real *p, const tess_int *iw,
 
     count(iw, m, 1);
     count(v, 4, 1);
+    scribble(1);
     tessqu_(&n, p, (tess_int *)iw, rw, q, v, w, &info);
     count(v, 4, -1);
     count(iw, m, -1);
@@ -370,11 +447,13 @@ int tess_ball(const tess_real *p, const tess_int *v, double *c)
     int k;
 
     for (k = 0; k < 4; k++) u[k] = v[k] + 1;
+    scribble(1);
     tessba_(p, u, c, &info);
     return (int)info;
 }
 
 long tess_edition(void)
 {
+    scribble(1);
     return (long)tessed_();
 }
