@@ -4,13 +4,9 @@
 # Run from the top directory, after `make'.  values.py compares values with
 # those of NumPy and SciPy, where $PYTHON (python3) has them; what is here is
 # what is refused.  Ends with `values: N passed, M failed'.
-. test/tests.sh
-begin values
-TOP=$(pwd)
-TESS=$TOP/build/tess
-rm -rf build/values
-mkdir -p build/values
-cd build/values || exit 1
+# shellcheck disable=SC2034 # of common.sh
+NAME=values
+. test/program/common.sh
 
 # refuses WORDS OPTIONS...: exit code 2, one line on standard error that says
 # WORDS, nothing on standard output, and no file
@@ -69,7 +65,8 @@ refuses 'X0 must be less' -grid 2,2,2,1,0,0,1,0,1 -values v.npy points
 refuses 'Z0 must be less' -grid 2,2,2,0,1,0,1,.5,.5 -values v.npy points
 refuses 'X0 = -1.7e+308 .* choose less' -values v.npy points \
     -grid 3,2,2,-1.7e308,1.7e308,0,1,0,1
-refuses 'Y1 = inf .* choose less' -grid 2,2,2,0,1,0,inf,0,1 -values v.npy points
+refuses "Y1 = 1.7e+308 .* choose less" -grid 2,2,2,0,1,-1.7e308,1.7e308,0,1 \
+    -values v.npy points
 printf '0 0 1e308 1\n1 0 0 2\n0 1 0 3\n0 0 -1e308 4\n' > far
 refuses 'Z0 = -1e+308 .* choose less' -grid 2,2,2 -values v.npy far
 refuses 'no values' -grid 2,2,2 -values v.npy bare
