@@ -51,10 +51,11 @@ END
 # points of EXPECTED; standard error says WORDS, or nothing.  OPTIONS are tess's.
 OPTIONS=
 reads() {
-    cat > input
-    [ "$2" = - ] || cp input "$2"
+    given=$2
+    [ "$2" = - ] && given=input
+    cat > "$given"
     rm -f out.node
-    $TESS $OPTIONS -node out.node "$2" < input > said 2> words
+    $TESS $OPTIONS -node out.node "$2" < "$given" > said 2> words
     if [ $? -ne 0 ] || ! cmp -s "$1" out.node; then
         fail "$2 ($3): `cat words`"
     elif [ -n "$3" ] && ! grep -e "$3" words > /dev/null; then

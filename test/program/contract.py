@@ -158,6 +158,9 @@ OPEN = {"lines.txt", "names.csv", "mesh.obj", "atoms.pdb"}
 PACKED = {"packed.ply", "packed.stl", "array.npy", "packed.pcd", "survey.las"}
 
 BOXED = {"more.xyz", "dump.lammpstrj"}  # these have a box that repeats itself
+# and these what -volumes alone shows: titles, labels
+NAMED = {"atoms.xyz", "atoms.pdb", "names.csv", "mesh.ply", "packed.ply",
+         "cloud.pcd", "packed.pcd"}
 
 place = threading.local()
 number = iter(range(1000))
@@ -172,6 +175,8 @@ def run(name, content, *options, pipe=False, like=None):
     path = os.path.join(place.folder, name)
     out = os.path.join(place.folder, "out.node")
     volumes = os.path.join(place.folder, "v.csv")
+    if (like or name) in BOXED | NAMED:
+        options += "-volumes", volumes
     for old in out, volumes:
         if os.path.exists(old):
             os.remove(old)
@@ -181,8 +186,7 @@ def run(name, content, *options, pipe=False, like=None):
         f.write(content)
     with open(path, "rb") as f:
         done = subprocess.run(
-            [TESS, "-account", *options, "-node", out, "-volumes", volumes,
-             "-" if pipe else path],
+            [TESS, "-account", *options, "-node", out, "-" if pipe else path],
             stdin=f if not pipe else None, input=content if pipe else None,
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=20)
     points = b"".join(open(name, "rb").read() for name in (out, volumes)
@@ -375,7 +379,7 @@ for option, numbers in numbered.items():
     for cell in [*cells, "1e", "1 2", "1,5", "1e999", "5;", "0b1"]:
         if "," in cell and between == "," and len(parts) > 1:
             continue
-        for k in range(len(parts)):
+        for k in range(len(parts) if cell in ("0x10", "nan", "1e") else 1):
             words = between.join([*parts[:k], "@", *parts[k + 1:]])
             words = [w.replace("@", cell) for w in words.split(" ")]
             grid = {"-step": ["-grid", "0,1,0,1,0,1"], "-grid": []}.get(
