@@ -51,11 +51,10 @@ END
 # points of EXPECTED; standard error says WORDS, or nothing.  OPTIONS are tess's.
 OPTIONS=
 reads() {
-    given=$2
-    [ "$2" = - ] && given=input
-    cat > "$given"
+    cat > input
+    [ "$2" = - ] || cp input "$2"
     rm -f out.node
-    $TESS $OPTIONS -node out.node "$2" < "$given" > said 2> words
+    $TESS $OPTIONS -node out.node "$2" < input > said 2> words
     if [ $? -ne 0 ] || ! cmp -s "$1" out.node; then
         fail "$2 ($3): `cat words`"
     elif [ -n "$3" ] && ! grep -e "$3" words > /dev/null; then

@@ -1,5 +1,5 @@
 # contract.py - what build/tess promises of any file that it reads, over all
-# formats; driver.sh runs it.
+# formats; readers.sh runs it.
 #
 #   python3 contract.py TESS
 #
@@ -398,7 +398,7 @@ for order in "yxzT", "Tzyx", "zTxy":
     at = ["xyzT".index(c) for c in order]
     text = ",".join(order) + "\n" + "".join(
         ",".join(r[k] for k in at) + "\n" for r in table)
-    code, node, words = run("o.csv", text.encode())
+    code, node, words = run("o.csv", text.encode(), like="names.csv")
     test("columns %s: the same points and values" % order,
          (code, node) == whole["names.csv"][:2] and b"x, y, z are" in words)
 for k in range(5):
