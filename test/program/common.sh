@@ -2,11 +2,13 @@
 # common.sh - what scripts of tests of build/tess share: each reads it, behind its
 # NAME=..., by `. test/program/common.sh', in the top directory, after `make'.
 #
-# They run in build/NAME, and end with `NAME: N passed, M failed'.
+# They run in build/NAME, and end with `NAME: N passed, M failed'.  Of mutate.sh
+# are TESS, the program, and SHORT, if other tests have been passed.
 . test/tests.sh
 begin "$NAME"
 TOP=$(pwd)
-TESS=$TOP/build/tess
+TESS=${TESS:-$TOP/build/tess}
+SHORT=${SHORT:-}
 rm -rf "build/$NAME"
 mkdir -p "build/$NAME"
 cd "build/$NAME" || exit 1
