@@ -367,6 +367,39 @@ for cell, skipped in cells.items():
     test("%r: what -skip does is the same in each row and column" % cell,
          all(r[0] == skipped or (k >= 15 and kept) for k, r in enumerate(skip)))
 
+# in any format: a word among the numbers of a row is refused there
+BEFORE = {"atoms.xyz": rb"C ", "more.xyz": rb"C ", "node.node": rb"\d ",
+          "mesh.obj": rb"v ", "mesh.stl": rb" *vertex ",
+          "atoms.pdb": rb"ATOM .{25} *", "dump.lammpstrj": rb"\d "}
+for name, content in SAMPLES.items():
+    if name in PACKED:
+        continue
+    between = b"," if name == "names.csv" else \
+        b" +" if name == "atoms.pdb" else b" "
+    form = b"%.3f" if name == "atoms.pdb" else b"%g"
+    jobs, lines, at = [], [], 0
+    for p in CORNERS if name == "mesh.stl" else P:
+        m = re.compile(
+            b"(?m)^" + BEFORE.get(name, b"") + between.join(
+                b"(%s)" % re.escape(form % x) for x in p)).search(content, at)
+        at = m.end()
+        end = content.index(b"\n", at)
+        spans = [m.span(k) for k in (1, 2, 3)]
+        if name in ("lines.txt", "more.xyz", "node.node", "mesh.ply",
+                    "cloud.pcd"):
+            spans.append((at + 1, end))
+        for a, b in spans:
+            jobs.append((name, content[:a] + b"word"[:b - a].ljust(b - a) +
+                         content[b:]))
+            lines.append(content.count(b"\n", 0, at) + 1)
+    bad = [(r[2], n) for r, n in zip(many(jobs), lines) if r[0] != 2 or
+           not re.match(rb"tess: F:%d: column \d" % n, r[2])]
+    if name == "counted.txt":
+        bad = bad[3:]  # (that looks like a comment behind the count)
+    if bad:
+        print("        ", bad[:3])
+    test("%s: a word in a row is refused there" % name, not bad)
+
 # the same texts among the numbers of options: refused, by option and text
 numbered = {"-box": "0,4,0,4,-3,4", "-scale": "1,2,.5", "-alpha": "9",
             "-within": "2", "-view": "30 20", "-size": "200,300",

@@ -349,15 +349,14 @@ int is_obj(reader *r)
     int n = first_cells(r), more;
     char word = (char)(n > 0 ? obj_word(r->cell) : 0);
 
-    if (!word || (word != 'o' && (n < 4 || r->cell[1].kind == WORD)) ||
-        n == 1)
-        return 0;
+    if (!word || n < (word == 'o' ? 2 : 4)) return 0;
     scan_again(s);
     while ((size_t)(s->at - s->block) < s->mark + SAMPLE && scan_line(s)) {
         if (s->line[0] != 'v' || (s->line[1] != ' ' && s->line[1] != '\t'))
             continue;
-        n = cut(s, &r->d, r->cell, &more);
-        return n > 3 && r->cell[1].kind == NUMBER;
+        if (cut(s, &r->d, r->cell, &more) > 3 &&
+            (r->cell[1].kind == NUMBER || r->cell[2].kind == NUMBER))
+            return 1;
     }
     return word == 'o' && n == 2 && ends_in(s->name, ".obj");
 }
