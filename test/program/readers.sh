@@ -3,8 +3,9 @@
 #
 # Of each format what it allows, and damages, come from generate.py; that nothing
 # in a file is unheard is contract.py's; others.py has other programs write and
-# read.  What is here says what the words are: each file holds the same five
-# points, and what tess writes of them is compared with what is written here.
+# read, refusals.py runs what refusals advise.  What is here says what the words
+# are: each file holds the same five points, and what tess writes of them is
+# compared with what is written here.
 # shellcheck disable=SC2034 # of common.sh
 NAME=readers
 . test/program/common.sh
@@ -243,6 +244,17 @@ reads none cols.node < none
 OPTIONS="-cols z,y,x"
 $TESS -q $OPTIONS -node out.node cols.node
 yes "-cols: names in any format" test "`sed -n 6p out.node`" = "4 -0.5 0.25 0.134"
+OPTIONS=
+
+# names in a comment, where -cols asks for them, in any order, all or some
+awk 'NR == 1 { print "#east north height t" } NR > 1 { print $4, $2, $3, $5 }' \
+    one > remarks.txt
+for names in north,height,east,t north,height,east; do
+    OPTIONS="-cols $names"
+    reads one comment.txt ':1: names of columns, from a comment' < remarks.txt
+done
+OPTIONS="-cols north,height,depth"
+refuses comment.txt 'no column depth among 4' < remarks.txt
 OPTIONS=
 
 # ---- numbers that are missing: -skip ----
@@ -800,6 +812,40 @@ END
 
 # ---- what is no file of points ----
 
+# of a row of another width, what may be behind it
+printf '1\t2\t3\n1\t2\n' |
+    refuses width.tsv ':2: 2 columns, but others have 3 (empty cells?  see -skip)$'
+printf '1,2,3\n1,2\n' | refuses width.csv ':2: 2 columns, but others have 3$'
+printf '1,2,3\n4\n' | refuses width.csv ':2: 1 column, .* (one separator in a'
+printf '1.5,2,3\n4.5,5,6\n1.5,2 3,4\n' |
+    refuses both.csv ':3: column 2: .2 3.: .* (two numbers in one cell: one sep'
+printf '1,2,3\n1,2 x,4\n' | refuses word.csv ':2: column 2: .2 x.: not a n'
+yes "two words are no two numbers" sh -c '! grep "two numbers" words' > /dev/null
+# cells like the bad one are counted to the end, and the last one is said
+for n in 0 1 2 7; do
+    (printf 'x,y,z\n1,2,3\n1,NA,3\n'
+    k=0; while [ $k -lt $n ]; do echo "1,NA,$k"; k=$((k + 1)); done
+    printf '1,2,3\n1,x,3\nNA,2,3\n1,2,3,4\n') > like.csv
+    more="; so are $n more, to line $((n + 3))"
+    [ $n = 0 ] && more=
+    [ $n = 1 ] && more="; so is 1 more, to line 4"
+    refuses likes.csv ":3: column 2, y: .NA.: not a number$more (-skip drops" \
+        < like.csv
+done
+# ... but not beyond a count
+printf '3\n1 2 NA\n1 2 3\n4 5 6\n7 8 NA\n' |
+    refuses counted.txt ':2: column 3: .NA.: not a number (-skip'
+# doubled quotes are one, in names, labels, and what comes back
+printf '"x","y","z","a ""b"" c"\n0,0,0,1\n1,0,0,2\n0,1,0,3\n0,0,1,4\n' \
+    > names.csv
+$TESS -q -volumes v.csv names.csv
+yes "doubled quotes in a name" grep '^x,y,z,.*,"a ""b"" c",' v.csv > /dev/null
+printf 'x,y,z,n\n0,0,0,"a ""b"""\n1,0,0,"""c"\n0,1,0,"d"\n0,0,1,e"f\n' \
+    > labels.csv
+$TESS -q -volumes v.csv labels.csv
+yes "doubled quotes in labels" test "$(sed '1d; s/.*[0-9],//' v.csv |
+    tr '\n' ' ')" = '"a ""b""" """c" d "e""f" '
+
 printf '' | refuses empty.txt empty
 printf '\n# nothing\n' | refuses comment.txt empty
 printf 'x,y,z\n' | refuses header.txt 'before the first point'
@@ -877,6 +923,7 @@ if $PYTHON -c 'import numpy' 2> told; then
     lines $PYTHON "$TOP"/test/program/others.py "$TESS" 8
     sed -n 's/^        none: //p' numbers > lacking
     while read -r line; do skip "$line"; done < lacking
+    lines $PYTHON "$TOP"/test/program/refusals.py "$TESS"
 else
     skip "files beside other programs: no numpy for $PYTHON"
 fi
