@@ -406,7 +406,7 @@ void read_dump(reader *r)
     /* words, as elements, are in columns without a number in the sample */
     for (k = 0; k < n; k++) r->column[k].role = LABEL;
     scan_pin(s);
-    for (j = 0; j < r->want && (size_t)(s->at - s->block) - s->mark < SAMPLE &&
+    for (j = 0; j < r->want && (size_t)(s->at - s->block) < s->mark + SAMPLE &&
                 next_cells(s, &r->d, c, &more) >= n; j++)
         for (k = 0; k < n; k++)
             if (c[k].kind != WORD || r->column[k].title[1] == '\0')

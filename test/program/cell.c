@@ -77,8 +77,7 @@ double cell_value(const cell *c)
 {
     char *end;
 
-    if (!c->odd) return strtod(c->text, &end);
-    return c->odd == 2 ? c->x : as_c(c->text, c->end);
+    return c->odd ? as_c(c->text, c->end) : strtod(c->text, &end);
 }
 
 int whole(const char *s, const char *end, double *n)
@@ -298,8 +297,7 @@ int list_numbers(const char *by, const char *text, int most, double *x)
         stop = figures(c.text, '.', &c.odd);
         if (stop + strspn(stop, " ") != c.end || stop == c.text) {
             cell_kind(&c, '.');
-            fail("%s: \"%.*s\": not a number%s", by,
-                 (int)(c.end - c.text < 40 ? c.end - c.text : 40), c.text,
+            fail("%s: \"%.*s\": not a number%s", by, SHOWN(&c),
                  c.kind == ABSENT && strcmp(by, "-nodata") == 0
                      ? remedy(&c, '.')
                  : most == 1 && strchr(text, ',') ? " (a point, no comma)"

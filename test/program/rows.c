@@ -179,6 +179,19 @@ column *add_column(reader *r, const char *title, size_t length)
     return c;
 }
 
+void add_axes(reader *r, char type, int bytes)
+{
+    char name;
+    column *c;
+
+    for (name = 'x'; name <= 'z'; name++) {
+        c = add_column(r, &name, 1);
+        c->type = type;
+        c->bytes = bytes;
+        c->at = (double)(bytes * (name - 'x'));
+    }
+}
+
 /* axis - 0, 1, 2 for a column named x, y, z, else -1. */
 static int axis(const char *name)
 {
@@ -487,8 +500,7 @@ void bad_cell(reader *r, int k)
     double rows = (double)r->to->n + r->lost[0];
 
     why = kind == NUMBER ? "" : remedy(c, r->d.decimal);
-    sprintf(text, "\"%.*s\": ", (int)(c->end - c->text < 40 ? c->end - c->text
-                                                            : 40), c->text);
+    sprintf(text, "\"%.*s\": ", SHOWN(c));
     if (c->kind == EMPTY) text[0] = '\0';
     if (r->form == PACKED) strcpy(text, c->kind == ABSENT ? "NaN: " : "");
     while (r->form == LINES && (r->want < 0.0 || ++rows < r->want)) {
