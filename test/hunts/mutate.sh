@@ -172,8 +172,8 @@ passes() {
             awk '{ n++ }
             /^FAILED/ { bad = 1; exit }
             END { exit bad || n == 0 }';;
-    readers) TESS=$(pwd)/$1/tess SHORT=yes sh test/program/$2.sh |
-        awk '{ last = $0 }
+    readers) limited $LONG env TESS="$(pwd)/$1/tess" SHORT=yes sh \
+        test/program/$2.sh | awk '{ last = $0 }
         /^FAILED/ { exit }
         END { exit last !~ / passed, 0 failed$/ }';;
     calls) sh test/fortran/calls.sh $1 && cp build/calls/all.txt $1/calls;;

@@ -221,10 +221,6 @@ void take_lines(reader *r, int started);
 /* bad_cell - leave for the cell of column k. */
 void bad_cell(reader *r, int k);
 
-/* take_corner - the next one, number k, of a face: point i.  Faces are made
- * triangles. */
-void take_corner(reader *r, double i, int k);
-
 /* end_rows - the points are complete. */
 void end_rows(reader *r);
 

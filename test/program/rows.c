@@ -1118,32 +1118,6 @@ void take_lines(reader *r, int started)
              r->to->input, r->columns);
 }
 
-void take_corner(reader *r, double i, int k)
-{
-    points *to = r->to;
-
-    if (!to->surfaced) return;
-    if (!(i >= 0.0 && i < (double)to->n)) {
-        warn("%s:%ld: a face has a point that is not there: no surface",
-             r->s.name, r->s.number);
-        to->surfaced = 0;
-        return;
-    }
-    if (k > 1) {
-        if (3.0 * to->faces + 3.0 > r->face_room) {
-            r->face_room = 2.0 * r->face_room + 3000.0;
-            to->face = (tess_int *)more_space(to->face, r->face_room,
-                                              sizeof *to->face);
-        }
-        to->face[(size_t)(3.0 * to->faces)] = r->fan[0];
-        to->face[(size_t)(3.0 * to->faces) + 1] = r->fan[1];
-        to->face[(size_t)(3.0 * to->faces) + 2] = (tess_int)i;
-        to->faces += 1.0;
-        k = 1;
-    }
-    r->fan[k] = (tess_int)i;
-}
-
 void end_rows(reader *r)
 {
     points *to = r->to;
